@@ -1,0 +1,412 @@
+/* contact2d: two-dimensional elastic contact with Coulomb friction by the boundary integral equation method,
+   in memory that the caller hands over, with matrix blocks streamed through a block store of the caller's.
+
+   Plain C99, valid C++. Every function returns a status; nothing is printed, allocated, thrown or ended.
+   The header reads from top to bottom in the order in which a program uses it:
+     1 numbers and words   2 sizes and memory   3 the port   4 a model from a deck   5 a model by calls
+     6 prepare             7 follow the load    8 results    9 errors and state
+
+   Conventions, everywhere. Lengths, forces and stresses are in the caller's units, any consistent set. Forces
+   are per unit thickness. A body's boundary runs with the material on its left: outer boundary counter-clockwise,
+   holes clockwise. Numbers of bodies, elements, nodes, pairs and zones start at 1. `codes` are those of the
+   condition cards: 0 known, 1 unknown, in the order tx ty ux uy.
+   The contact frame of a pair: n points from body 1 to body 2, t is n turned by -90 degrees. tn and tt are the
+   force on body 2 per unit undeformed length of body 1's boundary; tn >= 0 is pressure. */
+#ifndef CONTACT2D_H
+#define CONTACT2D_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define C2D_VERSION_MAJOR 0
+#define C2D_VERSION_MINOR 1
+#define C2D_VERSION_PATCH 0
+
+#ifdef __cplusplus
+extern "C++" {
+template <class T> inline T c2d_initial() {
+  T value = T();
+  value.struct_size = static_cast<uint32_t>(sizeof(T));
+  return value;
+}
+}
+#define C2D_INIT(type) c2d_initial<type>()
+extern "C" {
+#else
+#define C2D_INIT(type)                                                                                               \
+  { .struct_size = (uint32_t)sizeof(type) }
+#endif
+
+/* ---------------------------------------------------------------- 1 numbers and words --------------------------
+
+   Public structs begin with struct_size, set by `c2d_limits sizes = C2D_INIT(c2d_limits);`. The library touches
+   only the smaller of that and its own size; members are only ever appended; zero means the default. */
+
+typedef struct c2d_solver c2d_solver; /* lives inside the caller's memory */
+
+typedef int32_t c2d_status; /* did the call work; these numbers never change */
+enum {
+  C2D_OK = 0,
+  C2D_ERR_ARGUMENT = 1,       /* a null pointer, a number out of range: nothing was changed                      */
+  C2D_ERR_STATE = 2,          /* not legal now (c2d_get_state, table in section 9): nothing was changed           */
+  C2D_ERR_BUSY = 3,           /* called from inside one of this solver's callbacks: nothing was changed           */
+  C2D_ERR_MEMORY = 4,         /* workspace too small; c2d_error.bytes_needed would do                             */
+  C2D_ERR_OVERFLOW = 5,       /* sizes whose byte count does not fit into 64 bits or this machine's addresses     */
+  C2D_ERR_LIMIT = 6,          /* more of something than c2d_limits allowed                                        */
+  C2D_ERR_INPUT = 7,          /* the deck or the model is wrong; every fault went to c2d_port.log                 */
+  C2D_ERR_READ = 8,           /* the caller's read_line failed (c2d_error.host_code)                              */
+  C2D_ERR_CANCELLED = 9,      /* c2d_port.cancel said so, or c2d_cancel was called                                */
+  C2D_ERR_SINGULAR = 10,      /* elimination met a column without a usable pivot                                  */
+  C2D_ERR_CALLBACK = 11,      /* a caller's function returned non-zero (c2d_error.host_code)                      */
+  C2D_ERR_STORE_OPEN = 20,    /* block store: the port's own call failed (c2d_error.host_code)                    */
+  C2D_ERR_STORE_READ = 21,
+  C2D_ERR_STORE_WRITE = 22,
+  C2D_ERR_STORE_SYNC = 23,
+  C2D_ERR_STORE_CLOSE = 24,
+  C2D_ERR_STORE_FORMAT = 30,  /* block read back is not a block of ours (never written, or overwritten)           */
+  C2D_ERR_STORE_VERSION = 31, /* a block of another format version, byte order or scalar size                     */
+  C2D_ERR_STORE_SHORT = 32,   /* block shorter or longer than what was written: torn                              */
+  C2D_ERR_STORE_CHECKSUM = 33,/* a flipped bit in header or data                                                  */
+  C2D_ERR_STORE_SWAPPED = 34, /* a sound block of another tape or place                                           */
+  C2D_ERR_STORE_STALE = 35,   /* a sound block of another run or an earlier generation                            */
+  C2D_ERR_MISMATCH = 40,      /* saved state of another model, scalar size or format                              */
+  C2D_ERR_INTERNAL = 99       /* a broken promise inside the library: please report it                            */
+};
+
+typedef int32_t c2d_outcome; /* how the load path ended; the call itself worked */
+enum {
+  C2D_REACHED = 0,             /* the load asked for                                                              */
+  C2D_FREE_MOTION = 1,         /* a body can fly away: nothing holds one of its rigid motions                     */
+  C2D_GROSS_SLIDING = 2,       /* the whole contact slides: friction can carry no more                            */
+  C2D_NO_ADMISSIBLE_CHANGE = 3,/* no change of a pair's status leads on                                           */
+  C2D_ENDLESS_EXCHANGE = 4     /* the statuses of some pairs alternate without end                                */
+};
+
+enum { C2D_OPEN = 0, C2D_STICK = 1, C2D_SLIP = 2 };               /* status of a pair                         */
+enum { C2D_PLANE_STRAIN = 0, C2D_PLANE_STRESS = 1 };
+enum { C2D_NOTE = 0, C2D_WARNING = 1, C2D_FAULT = 2 };            /* c2d_error.severity                       */
+
+/* Everything known about a fault, a warning or a note. Numbers that do not apply are 0. */
+typedef struct c2d_error {
+  uint32_t struct_size;
+  int32_t status;               /* a c2d_status; for warnings and notes a C2D_WARN_ number                         */
+  int32_t severity;             /* C2D_NOTE, C2D_WARNING, C2D_FAULT                                               */
+  int32_t host_code;            /* what the caller's function returned                                            */
+  int32_t line;                 /* of the deck, or what c2d_set_line said last                                    */
+  int32_t column, column_end;   /* first and last column of the field                                             */
+  int32_t body, zone, pair, element, node, tape;
+  int64_t block;
+  uint64_t bytes_needed;        /* with C2D_ERR_MEMORY: workspace bytes that would do                             */
+  double load;                  /* load factor at which it happened                                               */
+  char text[320];               /* one line of ASCII: what was found and what was expected                        */
+} c2d_error;
+
+enum { /* c2d_error.status of warnings */
+  C2D_WARN_ZONE_END = 201,         /* the last pair at an end of a zone closed: the zone may be too short         */
+  C2D_WARN_FEW_PAIRS = 202,        /* fewer than 5 pairs touch                                                    */
+  C2D_WARN_LARGE_SLIP = 203,       /* slip exceeds half a contact element                                         */
+  C2D_WARN_NORMALS = 204,          /* normals of paired nodes differ by more than 15 degrees                      */
+  C2D_WARN_KINK = 205,             /* a kink of more than 10 degrees inside a zone                                */
+  C2D_WARN_POINT_LOAD = 206,       /* a point load within one element length of the boundary                      */
+  C2D_WARN_TENSION = 207,          /* pressure inside an element below -1 % of the largest nodal pressure         */
+  C2D_WARN_CORNER = 208,           /* one shared unknown traction where the ends' directions differ by > 1 degree */
+  C2D_WARN_INCREMENT = 209,        /* an increment of --stepping deck did not converge; finished by events        */
+  C2D_WARN_RESIDUAL = 210,         /* the tableau had drifted and was rebuilt                                     */
+  C2D_WARN_CONDITION = 211         /* the elimination is badly conditioned                                        */
+};
+
+/* ---------------------------------------------------------------- 2 sizes and memory ---------------------------
+
+   Ask for sizes, make memory of at least `minimum` bytes (static, on a heap, in a COMMON block; any alignment),
+   create the solver in it. The solver needs nothing else. */
+
+typedef struct c2d_limits {
+  uint32_t struct_size;
+  int32_t bodies;             /* 1 or 2                                                            */
+  int32_t function_nodes;     /* functional nodes per element: 1 constant ... 4 cubic (NFNODE)     */
+  int32_t geometry_nodes[2];  /* boundary points of each body (NBP)                                */
+  int32_t elements[2];        /* elements of each body (NEL)                                       */
+  int32_t regions[2];         /* closed curves of each body (NREN)                                 */
+  int32_t zones;              /* contact zones (MCP)                                               */
+  int32_t pairs;              /* node pairs of all zones                                           */
+  int32_t contact_elements;   /* element pairs of all zones                                        */
+  int32_t point_loads;        /* of both bodies together                                           */
+  int32_t coefficients;       /* coefficients of friction to be run one after another (NMU)        */
+  int32_t paths;              /* load cards (NPATH)                                                */
+  int32_t load_cases;         /* 0 means 1                                                         */
+  int32_t panel_columns;      /* columns eliminated at a time; 0: as many as the memory allows     */
+} c2d_limits;
+
+/* Bytes of workspace for these limits: `minimum` solves any model within them with blocks of the smallest size,
+   `in_core` holds a body's whole matrix at once (more than that is of no use). Either pointer may be null.
+   Errors: C2D_ERR_ARGUMENT (a negative or missing size), C2D_ERR_OVERFLOW. */
+c2d_status c2d_memory_need(const c2d_limits* limits, uint64_t* minimum, uint64_t* in_core);
+
+/* ---------------------------------------------------------------- 3 the port -----------------------------------
+
+   What the library asks of its surroundings. Zero a struct with C2D_INIT, set what you have. Ready ports for RAM,
+   stdio and POSIX files are in port/. All functions return 0 for success; anything else is an error code of yours
+   that comes back in c2d_error.host_code. They must return: no exception, longjmp or exit may leave them. */
+
+typedef struct c2d_progress {
+  uint32_t struct_size;
+  int32_t phase;              /* C2D_PHASE_...                                                      */
+  int32_t body;               /* while assembling and eliminating                                   */
+  int64_t done, total;        /* of the phase: columns, pairs, or 0                                 */
+  double load, target;        /* while following the load                                           */
+} c2d_progress;
+enum {
+  C2D_PHASE_READ = 0, C2D_PHASE_ASSEMBLE = 1, C2D_PHASE_ELIMINATE = 2, C2D_PHASE_REDUCE = 3,
+  C2D_PHASE_CONTACT = 4, C2D_PHASE_BACK = 5, C2D_PHASE_WRITE = 6, C2D_PHASES = 7
+};
+enum { C2D_TAPE_CONTROL = 0, C2D_TAPE_LOWER = 1, C2D_TAPE_UPPER = 2, C2D_TAPE_CONTACT = 3, C2D_TAPES = 4 };
+
+typedef struct c2d_port {
+  uint32_t struct_size;
+  void* context;              /* handed to every function below                                     */
+  /* Block store (required once c2d_prepare is called). `tape` is 0 ... C2D_TAPES-1; blocks are numbered from 0;
+     a block is written as a whole, with at most block_bytes bytes, and read back with the same number of bytes.
+     open  makes room for `blocks` blocks; what an earlier run left may stay (it is recognised and refused).
+     read  must fill exactly `bytes` bytes or fail: a short read passed off as success is found by the checksum.
+     write may be kept in a cache until sync; sync must not return before the data would survive a crash.
+     If close fails the data may be lost: say so.                                                   */
+  int32_t (*open)(void* context, int32_t tape, uint64_t blocks, uint64_t block_bytes);
+  int32_t (*read)(void* context, int32_t tape, uint64_t block, void* data, uint64_t bytes);
+  int32_t (*write)(void* context, int32_t tape, uint64_t block, const void* data, uint64_t bytes);
+  int32_t (*sync)(void* context, int32_t tape);
+  int32_t (*close)(void* context, int32_t tape);
+  /* Optional: overlap of transfers with arithmetic. The buffer is the port's until wait(ticket) returns; at most
+     4 transfers are outstanding; all calls come from the thread that called the library.            */
+  int32_t (*start_read)(void* context, int32_t tape, uint64_t block, void* data, uint64_t bytes, int32_t* ticket);
+  int32_t (*start_write)(void* context, int32_t tape, uint64_t block, const void* data, uint64_t bytes,
+                         int32_t* ticket);
+  int32_t (*wait)(void* context, int32_t ticket);
+  /* Optional: run task(argument, 0) ... task(argument, n-1), in any order, on any threads; all have run when it
+     returns. Tasks never call the port.                                                             */
+  void (*parallel_for)(void* context, int32_t n, void (*task)(void* argument, int32_t i), void* argument);
+  void (*progress)(void* context, const c2d_progress* now); /* at least once per column and event    */
+  int32_t (*cancel)(void* context);                         /* non-zero: stop with C2D_ERR_CANCELLED */
+  void (*log)(void* context, const c2d_error* entry);       /* every fault, warning and note         */
+  double (*clock)(void* context);                           /* seconds from any origin, monotonic    */
+} c2d_port;
+
+/* Make a solver in memory[0 .. bytes). On success *out points into that memory; on failure it is null. `port` may
+   be null (then no store: the model can be checked but not prepared) and is copied; its context must outlive the
+   solver. `why` may be null. Errors: ARGUMENT, OVERFLOW, MEMORY with why->bytes_needed. State afterwards: empty. */
+c2d_status c2d_create(c2d_solver** out, void* memory, size_t bytes, const c2d_limits* limits, const c2d_port* port,
+                      c2d_error* why);
+/* Close the store (errors: STORE_CLOSE). The memory is the caller's again, whatever is returned. */
+c2d_status c2d_close(c2d_solver* solver);
+
+/* ---------------------------------------------------------------- 4 a model from a deck ------------------------
+
+   A deck is the 1987 program's card deck. read_line puts the next card, without its line end, into text[0 ..
+   size), ended by a zero byte, and returns its length (a longer line: what fits, and its full length); -1 at the
+   end of the deck; any other negative number is an error of the caller's (C2D_ERR_READ, host_code). */
+typedef int32_t (*c2d_read_line)(void* context, char* text, int32_t size);
+typedef void (*c2d_report)(void* context, const c2d_error* entry);
+
+/* Sizes of a deck, without any workspace. Counts what is there; a deck that passes may still be refused by
+   c2d_read_deck. Errors: INPUT (the first fault in *why), READ. */
+c2d_status c2d_scan_deck(c2d_read_line read, void* context, c2d_limits* out, c2d_error* why);
+/* The same, with every fault told to `report`. */
+c2d_status c2d_check_deck(c2d_read_line read, void* context, c2d_limits* out, c2d_report report,
+                          void* report_context);
+/* Read a whole deck and complete the model. Legal: empty. All faults go to c2d_port.log, the first is kept for
+   c2d_last_error. On failure the model is empty again. */
+c2d_status c2d_read_deck(c2d_solver* solver, c2d_read_line read, void* context);
+
+/* ---------------------------------------------------------------- 5 a model by calls ---------------------------
+
+   The order: problem, bodies with regions and nodes, conditions and point loads, zones, friction, paths, and
+   c2d_complete. Legal: empty or building. Errors of all: ARGUMENT, STATE, LIMIT; a refused call changes nothing,
+   and what it said is found by c2d_last_error. */
+
+enum { C2D_ANALYSIS_CHECK = -1, C2D_ANALYSIS_STRESS = 0, C2D_ANALYSIS_CONTACT = 1, C2D_ANALYSIS_FULL = 2,
+       C2D_ANALYSIS_ITERATIONS = 3 };
+typedef struct c2d_problem {
+  uint32_t struct_size;
+  int32_t plane;              /* C2D_PLANE_STRAIN or C2D_PLANE_STRESS (IPTYPE)                      */
+  int32_t analysis;           /* C2D_ANALYSIS_... (IOUT; anything above 3 counts as 3)              */
+  int32_t iteration_limit;    /* per increment of the deck's own stepping (ITMAX); 0 means 50       */
+  char title[80];             /* ended by a zero byte                                               */
+} c2d_problem;
+c2d_status c2d_set_problem(c2d_solver* solver, const c2d_problem* problem);
+
+typedef struct c2d_body {
+  uint32_t struct_size;
+  int32_t element_nodes;      /* geometry nodes per element: 2 linear, 3 quadratic, 4 cubic (NBN)   */
+  int32_t elements;           /* NEL                                                                */
+  int32_t regions;            /* NREN                                                               */
+  double youngs_modulus;      /* E > 0, force per area                                              */
+  double poisson_ratio;       /* -1 < nu <= 0.5 (plane stress: -0.5 < nu <= 0.5)                    */
+} c2d_body;
+c2d_status c2d_set_body(c2d_solver* solver, int32_t body, const c2d_body* data);
+/* Elements first ... last form a closed curve; regions follow one another without a gap. */
+c2d_status c2d_add_region(c2d_solver* solver, int32_t body, int32_t first_element, int32_t last_element);
+/* Boundary points first ... first+count-1 from xy[0], xy[1]; xy[stride], xy[stride+1]; ... (global coordinates).
+   Element e of a region has its first geometry node at (e-1)*(element_nodes-1)+1. */
+c2d_status c2d_set_nodes(c2d_solver* solver, int32_t body, int32_t first, int32_t count, const double* xy,
+                         int64_t stride);
+/* Condition at local functional node `local` (1 ...) of an element: codes[4] and values[4] in the order
+   tx ty ux uy, global components; values of unknown quantities are ignored. Ends without a condition are free of
+   traction; ends of contact elements at listed pairs belong to the contact. All values scale with the factor of
+   `load_case` (1 ...). */
+c2d_status c2d_set_condition(c2d_solver* solver, int32_t body, int32_t element, int32_t local, const int32_t codes[4],
+                             const double values[4], int32_t load_case);
+/* Force (fx, fy) per unit thickness at the point (x, y) inside the body. */
+c2d_status c2d_add_point_load(c2d_solver* solver, int32_t body, double x, double y, double fx, double fy,
+                              int32_t load_case);
+/* A contact zone: elements of body 1 and body 2 that face each other, first with first, last with last (a range
+   may run down), and the functional nodes that form pairs in the same order. */
+typedef struct c2d_zone {
+  uint32_t struct_size;
+  int32_t pairs, elements;                 /* how many                                              */
+  int32_t first_element[2], last_element[2];
+  int32_t first_node[2], last_node[2];     /* functional nodes, numbered from 1 in each body        */
+} c2d_zone;
+c2d_status c2d_add_zone(c2d_solver* solver, const c2d_zone* zone);
+c2d_status c2d_add_friction(c2d_solver* solver, double mu);  /* a coefficient to be run by c2d_run   */
+/* `increments` equal steps from the load reached so far to `load` (load factor of case 1). */
+c2d_status c2d_add_path(c2d_solver* solver, int32_t increments, double load);
+/* Faults found from now on are said to come from this line of the caller's input; 0: none. */
+c2d_status c2d_set_line(c2d_solver* solver, int32_t line, int32_t column, int32_t column_end);
+/* Validate everything. On success the state is `model`. Errors: INPUT; every fault goes to c2d_port.log; the
+   model is then empty again. */
+c2d_status c2d_complete(c2d_solver* solver);
+
+enum { C2D_QUADRATURE_ACCURATE = 0, C2D_QUADRATURE_THESIS = 1 };
+enum { C2D_STEPPING_EVENTS = 0, C2D_STEPPING_DECK = 1 };
+typedef struct c2d_options {
+  uint32_t struct_size;
+  int32_t quadrature;         /* C2D_QUADRATURE_...                                                 */
+  int32_t stepping;           /* C2D_STEPPING_...                                                   */
+  int32_t every_change;       /* 1: c2d_run's callback also sees every change of status             */
+} c2d_options;
+c2d_status c2d_set_options(c2d_solver* solver, const c2d_options* options); /* any time before c2d_prepare */
+
+/* ---------------------------------------------------------------- 6 prepare ------------------------------------
+
+   Assemble (2.1), eliminate what lies outside the contact (2.2), reduce to the contact unknowns (2.3): once per
+   model. Legal: model. State afterwards: prepared; after a failure or a cancel: model. Errors: STORE_..., SINGULAR,
+   CANCELLED. A body with a free rigid motion that contact cannot hold is no error: c2d_advance tells it. */
+c2d_status c2d_prepare(c2d_solver* solver);
+
+/* ---------------------------------------------------------------- 7 follow the load ----------------------------
+
+   Begin: zero load, no history, coefficients of friction mu[0 .. zones) per zone (one number serves all if
+   zones = 1), each >= 0, infinity is full adhesion. Legal: prepared, running. */
+c2d_status c2d_begin(c2d_solver* solver, const double* mu, int32_t zones);
+/* Go in a straight line from the load factors reached to load[0 .. cases). If *outcome is not C2D_REACHED the
+   solver stays, valid, at the last load it could reach. Legal: running. */
+c2d_status c2d_advance(c2d_solver* solver, const double* load, int32_t cases, c2d_outcome* outcome);
+
+/* What a step callback sees. `table` has a row per pair and the columns C2D_TN ... of section 8 (column c of pair
+   p: table[(p-1)*stride + c]); it is valid during the call only. */
+typedef struct c2d_step {
+  uint32_t struct_size;
+  int32_t kind;               /* C2D_STEP_RECORDED: end of an increment; C2D_STEP_CHANGE: a status changed;
+                                 C2D_STEP_STOPPED: the path ended early, last valid state           */
+  int32_t coefficient;        /* 1 ...: which of the deck's coefficients                            */
+  int32_t step;               /* 1 ...: increments of all load cards, counted through               */
+  int32_t pairs;
+  int32_t changes;            /* changes of status since the last recorded step                     */
+  int32_t iterations;         /* of the deck's stepping in this increment, else 0                   */
+  c2d_outcome outcome;
+  int64_t stride;             /* doubles from one row to the next                                   */
+  double mu, load;
+  const double* table;
+} c2d_step;
+enum { C2D_STEP_RECORDED = 0, C2D_STEP_CHANGE = 1, C2D_STEP_STOPPED = 2 };
+typedef int32_t (*c2d_step_fn)(void* context, const c2d_step* step); /* non-zero: stop, C2D_ERR_CALLBACK */
+/* The model's own load cards for each of its coefficients of friction. A path that stops is no error of this call:
+   the callback and c2d_get_summary tell; the next coefficient is then run. Legal: prepared, running. */
+c2d_status c2d_run(c2d_solver* solver, c2d_step_fn step, void* context);
+/* May be called from any callback or another thread: the solver stops at the next chance. */
+c2d_status c2d_cancel(c2d_solver* solver);
+
+/* ---------------------------------------------------------------- 8 results ------------------------------------
+
+   out[0], out[stride], ...: entries first ... first+count-1 (from 1) of a field. */
+enum {
+  /* per pair (body is ignored); also the columns of c2d_step.table, in this order from 0 */
+  C2D_X = 0, C2D_Y = 1,       /* position on body 1                                                 */
+  C2D_STATUS = 2,             /* C2D_OPEN, C2D_STICK, C2D_SLIP                                      */
+  C2D_TN = 3, C2D_TT = 4,     /* force on body 2 per unit length of body 1                          */
+  C2D_UN1 = 5, C2D_UT1 = 6, C2D_UN2 = 7, C2D_UT2 = 8, /* displacements in the pair's frame           */
+  C2D_GAP = 9, C2D_SLIP_SUM = 10, /* current normal gap; accumulated tangential slip (u2-u1).t       */
+  C2D_NX = 11, C2D_NY = 12,   /* the frame's normal                                                 */
+  C2D_PAIR_NODE1 = 13, C2D_PAIR_NODE2 = 14, C2D_PAIR_ZONE = 15, /* functional nodes of the pair; zone */
+  C2D_PAIR_FIELDS = 16,
+  /* per element end of a body: entry (element-1)*function_nodes + local; needs back substitution (done on the
+     first call at a load, then kept) except C2D_END_X, _Y, _NODE */
+  C2D_END_X = 100, C2D_END_Y = 101, C2D_END_NODE = 102,
+  C2D_END_UX = 103, C2D_END_UY = 104, C2D_END_TX = 105, C2D_END_TY = 106, /* true traction on own length */
+  C2D_END_STATUS = 107,       /* status of the pair this end belongs to, -1: none                   */
+  /* per geometry node of a body */
+  C2D_NODE_X = 120, C2D_NODE_Y = 121
+};
+/* Errors: ARGUMENT; STATE (legal: running; positions also in model, prepared); STORE_... */
+c2d_status c2d_get(c2d_solver* solver, int32_t field, int32_t body, int32_t first, int32_t count, double* out,
+                   int64_t stride);
+
+typedef struct c2d_summary {
+  uint32_t struct_size;
+  int32_t state;
+  c2d_outcome outcome;            /* of the last path followed                                      */
+  int32_t outcome_body, outcome_pair; /* which body can move, which pair was last                   */
+  int32_t bodies, function_nodes, pairs, zones, steps, coefficients; /* steps: increments of all load cards */
+  int32_t elements[2], nodes[2];  /* functional nodes                                               */
+  int32_t geometry_nodes[2], element_nodes[2], regions[2];
+  int32_t unknowns[2];            /* equations per body, 2 N + 3                                    */
+  int32_t contact_unknowns;       /* m                                                              */
+  int32_t analysis, plane, stepping, quadrature, iteration_limit, paths;
+  int32_t panel_columns, warnings;
+  int64_t events, exchanges, tableau_rebuilds;
+  uint64_t minimum_bytes, in_core_bytes, workspace_bytes, peak_bytes;
+  uint64_t tape_blocks[4], tape_bytes_written[4], tape_bytes_read[4], tape_writes[4], tape_reads[4];
+  double seconds[7];              /* per C2D_PHASE_; zero without a clock                           */
+  double load, mu;                /* factor reached, coefficient in force                           */
+  double max_residual;            /* largest relative residual of the contact equations seen        */
+  double elimination_residual;    /* pivot growth in the elimination                                */
+  double condition;               /* estimate: largest over smallest pivot, columns scaled          */
+  double applied[2][3];           /* per body: fx, fy, moment about the origin of all loads and reactions outside
+                                     the contact                                                    */
+  double contact[2][3];           /* per body: the same of the contact tractions                    */
+  double force_applied, force_contact, force_error; /* design: magnitudes along what the body is free to follow */
+  double free_motion[3];          /* with C2D_FREE_MOTION, C2D_GROSS_SLIDING: (ux, uy, rotation) about the origin */
+  double tension_ratio;           /* smallest pressure inside an element over the largest nodal one */
+  double youngs_modulus[2], poisson_ratio[2];
+  char title[80];
+} c2d_summary;
+c2d_status c2d_get_summary(c2d_solver* solver, c2d_summary* out); /* legal: always */
+/* Item i (from 1) of the model's lists; out of range: ARGUMENT. Legal: model, prepared, running. */
+c2d_status c2d_get_friction(c2d_solver* solver, int32_t i, double* mu);
+c2d_status c2d_get_path(c2d_solver* solver, int32_t i, int32_t* increments, double* load);
+c2d_status c2d_get_zone(c2d_solver* solver, int32_t i, c2d_zone* out);
+c2d_status c2d_get_region(c2d_solver* solver, int32_t body, int32_t i, int32_t* first_element, int32_t* last_element);
+c2d_status c2d_get_condition(c2d_solver* solver, int32_t body, int32_t element, int32_t local, int32_t codes[4],
+                             double values[4]);
+c2d_status c2d_get_point_load(c2d_solver* solver, int32_t i, int32_t* body, double xy[2], double force[2]);
+
+/* ---------------------------------------------------------------- 9 errors and state ---------------------------
+
+   State        legal calls (besides memory need, get_summary, last_error, message, cancel, close: always)
+   empty        set_problem, set_line, set_options, read_deck           -> building, or model after read_deck
+   building     all of section 5, read_deck is not                      -> model by c2d_complete
+   model        set_options, prepare, positions by get                  -> prepared
+   prepared     begin, run, positions by get                            -> running
+   running      begin, advance, run, get
+   broken       after an error of the store: nothing but c2d_create in the same memory */
+enum { C2D_STATE_EMPTY = 0, C2D_STATE_BUILDING = 1, C2D_STATE_MODEL = 2, C2D_STATE_PREPARED = 3,
+       C2D_STATE_RUNNING = 4, C2D_STATE_BROKEN = 5 };
+int32_t c2d_get_state(const c2d_solver* solver);                 /* -1: not a solver                */
+c2d_status c2d_last_error(c2d_solver* solver, c2d_error* out);   /* of the last call that failed    */
+const char* c2d_message(int32_t status);     /* any integer; never null; for outcomes see below     */
+const char* c2d_outcome_message(int32_t outcome);
+const char* c2d_version(void);               /* "0.1.0" */
+
+#ifdef __cplusplus
+}
+#endif
+#endif
