@@ -1,0 +1,61 @@
+#pragma once
+// Derived sizes and the one layout function that drives both c2d_memory_need and the carving of the workspace.
+#include "contact2d.h"
+
+namespace c2d {
+
+// Every array that lives in the workspace, in the order in which memory is carved. Two arrays per body follow one
+// another (`kXy + body`). The README maps them to the arrays of the 1987 program.
+enum ArrayId : int32_t {
+  kXy = 0,            // double [2 * geometry nodes]      boundary points (BNODE)
+  kNodeLine = 2,      // int32  [geometry nodes]          line of the caller's input
+  kEndTraction = 4,   // double [2 * ends * cases]        prescribed tractions (BCOND 1, 2)
+  kNodeDisp = 6,      // double [2 * nodes * cases]       prescribed displacements (BCOND 3, 4)
+  kEndCode = 8,       // uint8  [ends]                    what is known (ICODE 3 ... 6)
+  kEndLine = 10,      // int32  [ends]
+  kNodeColumn = 12,   // int32  [nodes + 1]               first column of a node among the outer unknowns
+  kRegions = 14,      // Region [regions]                 (REGN)
+  kZones = 16,        // Zone   [zones]                   (MCF, MCEL)
+  kPairs = 17,        // Pair   [pairs]                   (MPAIR, UNTAVG)
+  kPointLoads = 18,   // PointLoad [point loads]          (PTLOAD)
+  kFriction = 19,     // double [coefficients]            (FMU)
+  kPaths = 20,        // Path   [paths]                   (PATH)
+  kPairTable = 21,    // double [pairs * C2D_PAIR_FIELDS] results (UNION)
+  kLoads = 22,        // double [4 * cases]               load factors: reached, target, direction, at stick
+  kPhase = 23,        // the rest: what assembly, reduction and contact use one after another (A)
+  kArrays = 24
+};
+
+// What a model within given limits needs, per body.
+struct BodySizes {
+  int64_t geometry_nodes, elements, regions;
+  int64_t nodes;       // functional nodes
+  int64_t ends;        // element ends: elements * function_nodes
+  int64_t rows;        // equations: 2 nodes + 3
+};
+struct Sizes {
+  int32_t bodies, function_nodes, load_cases, panel_columns;
+  BodySizes body[2];
+  int64_t zones, pairs, contact_elements, point_loads, coefficients, paths;
+  int64_t contact;     // contact unknowns at most: 2 pairs
+};
+
+// Checks and completes the limits. Errors: C2D_ERR_ARGUMENT.
+c2d_status derive_sizes(const c2d_limits& limits, Sizes& out);
+
+struct Layout {
+  uint64_t offset[kArrays]; // from the aligned start of the workspace
+  uint64_t persistent;      // bytes up to kPhase
+  uint64_t phase_minimum, phase_in_core;
+};
+
+constexpr uint64_t kAlignment = 64;
+
+// The sum that everything rests on. `header` is the size of the solver's own struct. Errors: C2D_ERR_OVERFLOW.
+c2d_status lay_out(const Sizes& sizes, uint64_t header, Layout& out);
+
+// Checked arithmetic: false if the result does not fit.
+bool add_bytes(uint64_t& sum, uint64_t count, uint64_t size);
+uint64_t round_up(uint64_t bytes);
+
+} // namespace c2d

@@ -1,0 +1,128 @@
+#pragma once
+// The model: one or two bodies with boundary, conditions, contact zones and load cards, as views into the workspace.
+// All numbers in here start at 0 (the interface's start at 1). Coordinates, loads and moduli are the caller's.
+#include "contact2d.h"
+#include "memory/sizes.hpp"
+
+namespace c2d {
+
+// Bits of an element end's code: quantity is known. kGiven: a condition card named this end.
+enum EndCode : uint8_t { kKnownTx = 1, kKnownTy = 2, kKnownUx = 4, kKnownUy = 8, kGiven = 16 };
+
+struct Region { // elements first ... last form a closed curve
+  int32_t first, last;
+};
+struct PointLoad {
+  int32_t body, load_case, line, column;
+  double x, y, fx, fy;
+};
+struct Path {
+  int32_t increments, padding;
+  double load;
+};
+// Element k of a zone is first_element[b] + k * element_step[b] on body b; pair k joins the functional nodes
+// zone_node(..., k). Ranges may wrap round their region.
+struct Zone {
+  int32_t pairs, elements;
+  int32_t first_element[2], element_step[2];
+  int32_t first_node[2], node_step[2];
+  int32_t region[2];
+  int32_t first_pair;       // pairs of earlier zones
+  int32_t line;
+};
+struct Pair {
+  int32_t node[2];          // functional nodes
+  int32_t zone;
+  int32_t dof;              // first contact unknown: normal; tangential follows if there is one
+  int32_t tangential;       // 0: symmetry fixes the tangential direction
+  int32_t status;           // C2D_OPEN, C2D_STICK, C2D_SLIP
+  double nx, ny;            // the frame: n from body 1 to body 2; t = (ny, -nx)
+  double gap;               // initial normal gap >= 0
+  double length;            // shorter of the contact elements that meet there, both bodies
+};
+
+struct Body {               // lives in the solver's header
+  int32_t element_nodes, elements, geometry_nodes, regions;
+  int32_t nodes, is_set, region_count;
+  int32_t columns;          // outer unknowns without rho and omega
+  double youngs_modulus, poisson_ratio;
+  int32_t free_motions;     // rigid motions that no prescribed displacement prevents
+  int32_t reserved;
+  double free_motion[3][3]; // orthonormal in (ux, uy, rotation * length_unit) about `centre`
+  double centre[2];
+};
+
+struct ModelHeader {        // lives in the solver's header; the arrays live in the workspace
+  int32_t bodies, function_nodes, load_cases;
+  int32_t plane, analysis, iteration_limit;
+  int32_t zones, pairs, contact_elements, point_loads, coefficients, paths;
+  int32_t contact;          // contact unknowns m
+  int32_t line, column, column_end;
+  double length_unit;       // power of two near the size of the bodies
+  double stress_unit;       // power of two near 2G of the softer body
+  Body body[2];
+  char title[80];
+};
+
+struct Model { // a view, rebuilt at every entry into the library: plain pointers, never stored
+  ModelHeader* head;
+  double* xy[2];
+  int32_t* node_line[2];
+  double* end_traction[2];  // [(case * ends + end) * 2 + component]
+  double* node_disp[2];     // [(case * nodes + node) * 2 + component]
+  uint8_t* end_code[2];
+  int32_t* end_line[2];
+  int32_t* node_column[2];
+  Region* region[2];
+  Zone* zone;
+  Pair* pair;
+  PointLoad* point_load;
+  double* friction;
+  Path* path;
+};
+
+// ---- topology ---------------------------------------------------------------------------------------------------
+inline const Body& body_of(const Model& m, int b) { return m.head->body[b]; }
+int32_t region_of_element(const Model& m, int b, int32_t element);
+// Geometry node `k` (0 ... element_nodes-1) of an element; the last node of a region's last element is its first.
+int32_t geometry_node(const Model& m, int b, int32_t element, int k);
+// Functional node of local function node l of an element.
+int32_t functional_node(const Model& m, int b, int32_t element, int l);
+// Ends of elements of non-zero length that meet at a functional node: 0, 1 or 2 of them (end = element *
+// function_nodes + local), the preceding element first.
+int ends_at_node(const Model& m, int b, int32_t node, int32_t ends[2]);
+bool is_zero_length(const Model& m, int b, int32_t element);
+// The other node of a double node (joined by a zero-length element), or -1. The first of the two carries the
+// collocation equations; the second's are u_first = u_second.
+int32_t twin_node(const Model& m, int b, int32_t node);
+bool is_second_twin(const Model& m, int b, int32_t node);
+void element_coordinates(const Model& m, int b, int32_t element, double x[4], double y[4]);
+void node_position(const Model& m, int b, int32_t node, double* x, double* y);
+
+// ---- contact topology -------------------------------------------------------------------------------------------
+int32_t zone_element(const Model& m, const Zone& z, int b, int32_t k);
+int32_t zone_node(const Model& m, const Zone& z, int b, int32_t k);
+// Position of an element in a zone: zone index in *zone, place k in *place; false if it is no contact element.
+bool find_contact_element(const Model& m, int b, int32_t element, int32_t* zone, int32_t* place);
+int32_t pair_of_node(const Model& m, int b, int32_t node);             // -1: none
+// Pair whose traction lives at local node l of this element; -1 if the end is not a contact end (2.3).
+int32_t pair_of_end(const Model& m, int b, int32_t element, int l);
+
+// ---- unknowns ---------------------------------------------------------------------------------------------------
+// The one unknown of a global component (0: x, 1: y) at a functional node.
+enum class UnknownKind : int32_t {
+  displacement, traction, shared_traction, contact, // shared: one value at both ends
+  none, several                                     // faults
+};
+struct Unknown {
+  UnknownKind kind;
+  int32_t end[2]; // traction: end[0]; shared_traction: both
+};
+Unknown unknown_at(const Model& m, int b, int32_t node, int component);
+bool displacement_known(const Model& m, int b, int32_t node, int component);
+
+// ---- materials --------------------------------------------------------------------------------------------------
+double shear_modulus(const Model& m, int b);
+double strain_poisson_ratio(const Model& m, int b); // nu of the equivalent plane strain problem
+
+} // namespace c2d
