@@ -1,0 +1,149 @@
+#include "memory/text.hpp"
+
+#include "memory/wide_integer.hpp"
+
+#include <string.h>
+
+namespace c2d {
+
+Text text_in(char* bytes, size_t size) {
+  if (size > 0) bytes[0] = '\0';
+  return Text{bytes, size, 0};
+}
+
+void put_character(Text& text, char character) {
+  if (text.used + 1 >= text.size) return;
+  text.data[text.used++] = character;
+  text.data[text.used] = '\0';
+}
+
+void put(Text& text, const char* characters, size_t count) {
+  if (characters == nullptr) return;
+  for (size_t i = 0; i < count && characters[i] != '\0'; ++i) put_character(text, characters[i]);
+}
+
+void put(Text& text, const char* characters) {
+  put(text, characters, SIZE_MAX);
+}
+
+void put(Text& text, uint64_t number) {
+  char digits[20];
+  size_t first = sizeof digits;
+  do {
+    digits[--first] = static_cast<char>('0' + number % 10);
+    number /= 10;
+  } while (number != 0);
+  put(text, digits + first, sizeof digits - first);
+}
+
+void put(Text& text, int64_t number) {
+  if (number < 0) put_character(text, '-');
+  put(text, number < 0 ? 0 - static_cast<uint64_t>(number) : static_cast<uint64_t>(number));
+}
+
+void put(Text& text, int32_t number) {
+  put(text, static_cast<int64_t>(number));
+}
+void put(Text& text, uint32_t number) {
+  put(text, static_cast<uint64_t>(number));
+}
+
+namespace {
+
+uint64_t power_of_10(int32_t power) {
+  uint64_t value = 1;
+  for (; power > 0; --power) value *= 10;
+  return value;
+}
+
+// round(mantissa * 2^exponent * 10^scale), ties to even, for a result below 2^63: quotient of two wide
+// integers.
+uint64_t scaled_and_rounded(uint64_t mantissa, int32_t exponent, int32_t scale) {
+  WideInteger above, below;
+  wide_set(above, mantissa);
+  wide_set(below, 1);
+  if (scale >= 0)
+    wide_multiply_by_power_of_5(above, scale);
+  else
+    wide_multiply_by_power_of_5(below, -scale);
+  exponent += scale;
+  if (exponent >= 0)
+    wide_shift_left(above, exponent);
+  else
+    wide_shift_left(below, -exponent);
+  // Only as many binary digits of the quotient are developed as it can have.
+  const int32_t bits = wide_bits(above) - wide_bits(below) + 1;
+  if (bits < 0) return 0;
+  const uint64_t quotient = wide_divide(above, below, bits);
+  wide_multiply(above, 2); // the remainder against one half
+  const int32_t half = wide_compare(above, below);
+  return quotient + (half > 0 || (half == 0 && (quotient & 1) != 0) ? 1 : 0);
+}
+
+struct Decimal {
+  uint64_t digits;  // 10^(n-1) <= digits < 10^n
+  int32_t exponent; // of the first digit
+};
+
+// The n significant decimal digits of mantissa * 2^exponent, mantissa > 0.
+Decimal decimal(uint64_t mantissa, int32_t exponent, int32_t n) {
+  int32_t bits = 0;
+  for (uint64_t m = mantissa; m != 0; m >>= 1) ++bits;
+  // The value lies in [2^top, 2^(top+1)); floor(top * log10(2)) is the decimal exponent or one less.
+  const int32_t top = exponent + bits - 1;
+  int32_t e10 = top * 30103 / 100000;
+  if (top < 0) --e10;
+  for (;; ++e10) {
+    const uint64_t digits = scaled_and_rounded(mantissa, exponent, n - 1 - e10);
+    if (digits < power_of_10(n)) return Decimal{digits, e10};
+    // Either the estimate was one too small, or rounding carried into a new digit: the next turn serves both.
+  }
+}
+
+void put_digits(Text& text, const char* digits, int32_t count, int32_t exponent, bool scientific) {
+  if (scientific) {
+    put(text, digits, 1);
+    if (count > 1) put_character(text, '.');
+    put(text, digits + 1, static_cast<size_t>(count - 1));
+    put(text, exponent < 0 ? "e-" : "e+");
+    const int32_t size = exponent < 0 ? -exponent : exponent;
+    if (size < 10) put_character(text, '0');
+    put(text, size);
+    return;
+  }
+  if (exponent < 0) {
+    put(text, "0.");
+    for (int32_t i = exponent + 1; i < 0; ++i) put_character(text, '0');
+  }
+  for (int32_t i = 0; i < count || i <= exponent; ++i) {
+    if (i == exponent + 1 && exponent >= 0) put_character(text, '.');
+    put_character(text, i < count ? digits[i] : '0');
+  }
+}
+
+} // namespace
+
+void put(Text& text, double number, int32_t digits) {
+  uint64_t pattern;
+  static_assert(sizeof pattern == sizeof number, "a double has 64 bits");
+  memcpy(&pattern, &number, sizeof pattern);
+  const int32_t biased = static_cast<int32_t>(pattern >> 52 & 0x7ff);
+  uint64_t mantissa = pattern & 0xfffffffffffffu;
+  if (biased == 0x7ff && mantissa != 0) return put(text, "nan");
+  if (pattern >> 63 != 0) put_character(text, '-');
+  if (biased == 0x7ff) return put(text, "inf");
+  if (biased == 0 && mantissa == 0) return put(text, "0");
+  if (biased != 0) mantissa |= uint64_t{1} << 52;
+  if (digits < 1) digits = 1;
+  if (digits > 17) digits = 17;
+  const Decimal value = decimal(mantissa, (biased == 0 ? 1 : biased) - 1075, digits);
+
+  char shown[17];
+  uint64_t rest = value.digits;
+  for (int32_t i = digits - 1; i >= 0; --i, rest /= 10) shown[i] = static_cast<char>('0' + rest % 10);
+  int32_t count = digits;
+  while (count > 1 && shown[count - 1] == '0') --count;
+  put_digits(text, shown, count, value.exponent, value.exponent < -4 || value.exponent >= digits);
+}
+
+} // namespace c2d
