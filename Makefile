@@ -1,0 +1,163 @@
+# contact2d. Targets: all (default) demo test bench install uninstall list relist format clean.
+# Variables: CXX CC AR CXXFLAGS CFLAGS CPPFLAGS LDFLAGS BUILD PREFIX DESTDIR LIBDIR DOCTEST_INCLUDE NO_INSTALL.
+# What is compiled stands in sources.mk, which CMakeLists.txt reads too.
+include sources.mk
+
+BUILD    ?= build
+CXX      ?= g++
+CC       ?= cc
+AR       ?= ar
+CXXFLAGS ?= -O2
+CFLAGS   ?= -O2
+JOBS     ?= $(shell nproc 2>/dev/null || echo 2)
+MAKEFLAGS += -j$(JOBS)
+
+PREFIX     ?= /usr/local
+LIBDIR     ?= $(PREFIX)/lib
+BINDIR     ?= $(PREFIX)/bin
+INCLUDEDIR ?= $(PREFIX)/include
+
+version_part = $(shell sed -n 's/^\#define C2D_VERSION_$(1) *//p' include/contact2d.h)
+SOVERSION := $(call version_part,MAJOR)
+VERSION   := $(SOVERSION).$(call version_part,MINOR).$(call version_part,PATCH)
+
+WARNINGS  := -Wall -Wextra -Wpedantic -Wconversion -Wshadow
+INCLUDES  := -Isrc -Iinclude $(addprefix -Iport/,$(PORTS))
+COMMON    := $(INCLUDES) -std=c++17 $(WARNINGS)
+EXACT     := -ffp-contract=off
+CORE_ONLY := -fPIC -fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-math-errno
+DEPS      := -MMD -MP
+
+# src/memory/real.cpp -> memory_real.o, port/stdio/tapes.cpp -> port_stdio_tapes.o
+object = $(BUILD)/obj/$(subst /,_,$(basename $(patsubst src/%,%,$(1)))).o
+objects = $(foreach s,$(1),$(call object,$(s)))
+
+CORE_OBJECTS    := $(call objects,$(CORE_SOURCES))
+PORT_OBJECTS    := $(call objects,$(PORT_SOURCES))
+REPORT_OBJECTS  := $(call objects,$(REPORT_SOURCES))
+PROGRAM_OBJECTS := $(call objects,$(PROGRAM_SOURCES))
+TEST_SOURCES    := $(wildcard tests/*.cpp)
+TEST_OBJECTS    := $(patsubst tests/%.cpp,$(BUILD)/tests/%.o,$(TEST_SOURCES))
+
+LIBRARY := $(BUILD)/libcontact2d.a
+SHARED  := $(BUILD)/libcontact2d.so.$(VERSION)
+PROGRAM := $(BUILD)/contact2d
+TESTS   := $(BUILD)/tests/run_tests
+
+.DELETE_ON_ERROR:
+.PHONY: all demo test bench install uninstall list relist format clean FORCE
+all: $(LIBRARY) $(PROGRAM)
+
+# ---------------------------------------------------------------- objects
+# A stamp that changes with compiler and flags, so that other flags mean other objects.
+FLAGS_NOW := $(CXX) $(CC) $(CPPFLAGS) $(CXXFLAGS) $(CFLAGS) $(LDFLAGS)
+$(BUILD)/flags: FORCE
+	@mkdir -p $(BUILD)/obj $(BUILD)/tests
+	@echo '$(subst ','\'',$(FLAGS_NOW))' | cmp -s - $@ || echo '$(subst ','\'',$(FLAGS_NOW))' > $@
+
+define compile
+$(call object,$(1)): $(1) $(BUILD)/flags Makefile
+	$(if $(filter %.c,$(1)),$(CC) $(CPPFLAGS) $(INCLUDES) -std=c99 -Wall -Wextra -Wpedantic $(CFLAGS) -fPIC,\
+	  $(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(EXACT) $(2)) $(DEPS) -c $(1) -o $$@
+endef
+$(foreach s,$(CORE_SOURCES) $(PORT_SOURCES),$(eval $(call compile,$(s),$(CORE_ONLY))))
+$(foreach s,$(REPORT_SOURCES) $(PROGRAM_SOURCES),$(eval $(call compile,$(s),)))
+
+$(LIBRARY): $(CORE_OBJECTS) $(PORT_OBJECTS) sources.mk
+	rm -f $@
+	$(AR) rcs $@ $(CORE_OBJECTS) $(PORT_OBJECTS)
+
+# Only the names of the interface leave the shared library.
+$(BUILD)/exports: Makefile | $(BUILD)/flags
+	echo '{ global: c2d_*; local: *; };' > $@
+$(SHARED): $(CORE_OBJECTS) $(PORT_OBJECTS) $(BUILD)/exports
+	$(CC) -shared $(LDFLAGS) -Wl,-soname,libcontact2d.so.$(SOVERSION) -Wl,--version-script,$(BUILD)/exports \
+	  -o $@ $(CORE_OBJECTS) $(PORT_OBJECTS) -lm
+
+$(PROGRAM): $(PROGRAM_OBJECTS) $(REPORT_OBJECTS) $(LIBRARY)
+	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $(PROGRAM_OBJECTS) $(REPORT_OBJECTS) $(LIBRARY) -lm
+
+# ---------------------------------------------------------------- tests
+TEST_DEFINES = -DC2D_TEST_ROOT='"$(CURDIR)"' -DC2D_TEST_BUILD='"$(abspath $(BUILD))"' -DC2D_TEST_CC='"$(CC)"' \
+  -DC2D_TEST_CXX='"$(CXX)"' -DC2D_TEST_LIBRARY='"$(abspath $(LIBRARY))"' \
+  -DC2D_TEST_CORE='"$(abspath $(LIBRARY))"' -DC2D_TEST_PROGRAM='"$(abspath $(PROGRAM))"'
+
+$(BUILD)/tests/doctest: tests/doctest.sh | $(BUILD)/flags
+	CXX='$(CXX)' DOCTEST_INCLUDE='$(DOCTEST_INCLUDE)' NO_INSTALL='$(NO_INSTALL)' sh tests/doctest.sh $@
+$(BUILD)/tests/%.o: tests/%.cpp $(BUILD)/flags $(BUILD)/tests/doctest Makefile
+	$(CXX) $(CPPFLAGS) $(COMMON) $$(cat $(BUILD)/tests/doctest) $(CXXFLAGS) -O1 $(EXACT) $(TEST_DEFINES) $(DEPS) \
+	  -c $< -o $@
+$(TESTS): $(TEST_OBJECTS) $(REPORT_OBJECTS) $(LIBRARY)
+	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $(TEST_OBJECTS) $(REPORT_OBJECTS) $(LIBRARY) -lm -pthread
+test: $(TESTS) $(PROGRAM) $(LIBRARY) $(SHARED)
+	@$(TESTS)
+
+# ---------------------------------------------------------------- for the user
+demo: $(PROGRAM)
+	@mkdir -p $(BUILD)/demo
+	$(PROGRAM) run examples/hertz.dat --listing $(BUILD)/demo/hertz.lst --csv $(BUILD)/demo/hertz.csv \
+	  --boundary $(BUILD)/demo/hertz_boundary.csv --json $(BUILD)/demo/hertz.json
+	@echo 'Results: $(BUILD)/demo/hertz.lst (listing), hertz.csv, hertz_boundary.csv, hertz.json'
+
+bench: $(PROGRAM)
+	@for deck in examples/*.dat; do \
+	  $(PROGRAM) run $$deck --listing /dev/null --json - | awk -v deck=$$deck \
+	    '/"seconds"/ { sub(/^ *"seconds": */, ""); printf "%-32s %s\n", deck, $$0 }'; done
+
+# The list of sources against the folders: what is missing from either.
+FOUND_SOURCES := $(sort $(wildcard src/*/*.cpp port/*/*.cpp port/*/*.c))
+LISTED_SOURCES := $(sort $(CORE_SOURCES) $(PORT_SOURCES) $(REPORT_SOURCES) $(PROGRAM_SOURCES))
+NOT_LISTED := $(filter-out $(LISTED_SOURCES),$(FOUND_SOURCES))
+NOT_FOUND := $(filter-out $(FOUND_SOURCES),$(LISTED_SOURCES))
+ifneq ($(strip $(NOT_LISTED)$(NOT_FOUND)),)
+$(warning sources.mk is out of date (make relist): $(addprefix +,$(NOT_LISTED)) $(addprefix -,$(NOT_FOUND)))
+endif
+list:
+	@$(foreach s,$(NOT_LISTED),echo 'in the folders, not in sources.mk: $(s)';) \
+	 $(foreach s,$(NOT_FOUND),echo 'in sources.mk, not in the folders: $(s)';) \
+	 $(if $(strip $(NOT_LISTED)$(NOT_FOUND)),echo 'make relist writes sources.mk anew'; exit 1,\
+	   echo 'sources.mk lists every source file')
+relist:
+	@{ sed -n '/^#/p' sources.mk; \
+	   ls port | sed 's/^/PORTS += /'; \
+	   ls src/*/*.cpp | grep -v -e '^src/report/' -e '^src/program/' | sed 's/^/CORE_SOURCES += /'; \
+	   ls port/*/*.cpp port/*/*.c 2>/dev/null | sed 's/^/PORT_SOURCES += /'; \
+	   ls src/report/*.cpp | sed 's/^/REPORT_SOURCES += /'; \
+	   ls src/program/*.cpp | sed 's/^/PROGRAM_SOURCES += /'; } > sources.mk.new
+	@mv sources.mk.new sources.mk
+
+format:
+	clang-format -i $(wildcard src/*/*.[ch]pp port/*/*.[ch]* tests/*.[ch]pp)
+
+# ---------------------------------------------------------------- install
+PORT_HEADERS := $(wildcard port/*/c2d_*.h)
+CMAKEDIR := $(LIBDIR)/cmake/contact2d
+INSTALLED := $(BINDIR)/contact2d $(LIBDIR)/libcontact2d.a $(LIBDIR)/libcontact2d.so.$(VERSION) \
+  $(LIBDIR)/libcontact2d.so.$(SOVERSION) $(LIBDIR)/libcontact2d.so $(INCLUDEDIR)/contact2d.h \
+  $(addprefix $(INCLUDEDIR)/,$(notdir $(PORT_HEADERS))) $(LIBDIR)/pkgconfig/contact2d.pc \
+  $(CMAKEDIR)/contact2dConfig.cmake $(CMAKEDIR)/contact2dConfigVersion.cmake
+fill = sed -e 's|@PREFIX@|$(PREFIX)|g' -e 's|@LIBDIR@|$(LIBDIR)|g' -e 's|@INCLUDEDIR@|$(INCLUDEDIR)|g' \
+  -e 's|@VERSION@|$(VERSION)|g' -e 's|@SOVERSION@|$(SOVERSION)|g'
+
+install: all $(SHARED)
+	mkdir -p $(DESTDIR)$(BINDIR) $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(CMAKEDIR) $(DESTDIR)$(INCLUDEDIR)
+	install -m 755 $(PROGRAM) $(DESTDIR)$(BINDIR)/contact2d
+	install -m 644 include/contact2d.h $(PORT_HEADERS) $(DESTDIR)$(INCLUDEDIR)/
+	install -m 644 $(LIBRARY) $(DESTDIR)$(LIBDIR)/
+	install -m 755 $(SHARED) $(DESTDIR)$(LIBDIR)/
+	ln -sf libcontact2d.so.$(VERSION) $(DESTDIR)$(LIBDIR)/libcontact2d.so.$(SOVERSION)
+	ln -sf libcontact2d.so.$(SOVERSION) $(DESTDIR)$(LIBDIR)/libcontact2d.so
+	$(fill) packaging/contact2d.pc.in > $(DESTDIR)$(LIBDIR)/pkgconfig/contact2d.pc
+	$(fill) packaging/contact2dConfig.cmake.in > $(DESTDIR)$(CMAKEDIR)/contact2dConfig.cmake
+	$(fill) packaging/contact2dConfigVersion.cmake.in > $(DESTDIR)$(CMAKEDIR)/contact2dConfigVersion.cmake
+
+uninstall:
+	rm -f $(addprefix $(DESTDIR),$(INSTALLED))
+	-rmdir $(DESTDIR)$(CMAKEDIR) 2>/dev/null || true
+
+clean:
+	rm -rf $(BUILD)/obj $(BUILD)/tests $(BUILD)/demo
+	rm -f $(LIBRARY) $(BUILD)/libcontact2d.so.* $(PROGRAM) $(BUILD)/flags $(BUILD)/exports
+	-rmdir $(BUILD) 2>/dev/null || true
+
+-include $(wildcard $(BUILD)/obj/*.d $(BUILD)/tests/*.d)
