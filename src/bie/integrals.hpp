@@ -1,0 +1,62 @@
+#pragma once
+// Element integrals of the plane-strain Kelvin kernels, thesis eq. (3.23), (3.24) and appendix A:
+//   U_ij = k [ (3-4 nu) ln(1/r) d_ij + r,i r,j ]                                          (times 2G)
+//   T_ij = -(k/r) { dr/dn [ (1-2 nu) d_ij + 2 r,i r,j ] - (1-2 nu)( r,i n_j - r,j n_i ) }
+// with k = 1/(4 pi (1-nu)), i = direction of the unit load at the source, j = component at the field point,
+// r,i = (x_i - source_i)/r, n = outward normal.
+
+#include "bie/element.hpp"
+
+namespace c2d {
+
+enum class Quadrature {
+  accurate, // error below 1e-12 of the largest entry of the block, at any distance
+  thesis    // 2, 4 or 10 Gauss points by distance, logarithmic formula at the source's own node
+};
+
+// [l][i][j], l = 0..functions-1 (further entries are not touched):
+// h = int T_ij M_l J deta, g = int U_ij M_l J deta.
+struct Blocks {
+  double h[4][2][2];
+  double g[4][2][2];
+};
+
+// Everything about an element that does not depend on the source; filled by prepare() and set_arc(), read only
+// afterwards. No pointers: may be copied.
+struct Integrator {
+  Element element;
+  int functions;
+  Quadrature mode;
+  double k, kappa, t1, t2; // 1/(4 pi (1-nu)), 3-4nu, 1-2nu, 2-2nu
+  // chord: half-vector over its squared length, squared half length and its logarithm, doubled angle
+  double ux, uy, chord2, log_half, cos2, sin2;
+  double radius;           // of a circle about the chord's middle that holds the element
+  bool degenerate;         // zero length: all integrals are 0
+  bool closed_form_g;      // straight, and J for g is constant
+  double g_jacobian;       // that constant
+  double d[3][2];          // J for g = |d0 + d1 eta + d2 eta^2|
+  double reach2[10];       // squared distance from c[0] beyond which the i-th Gauss rule is enough
+  double semi_axis;        // of the ellipse a panel of the near rule needs
+};
+
+// Element e with `functions` (1..4) functional nodes, effective plane-strain nu in (-1, 0.5].
+void prepare(Integrator& in, const Element& e, int functions, double nu, Quadrature mode);
+
+// Measures g (and resultants) per length of another element: J becomes that of `arc` at the matching point, eta or
+// -eta if `reversed`. Positions, and the numbering of local nodes, stay those of the element. Call after prepare().
+void set_arc(Integrator& in, const Element& arc, bool reversed);
+
+// Blocks of the source point (sx,sy). `singular`: local functional node with which the source coincides, -1 if
+// none; its own h is set to zero (free term and principal value come from rigid translation), its g is complete.
+// A source on the element but not on one of its functional nodes is not allowed (the result is finite, but
+// meaningless). Blocks not wanted are not touched.
+void integrate(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out);
+
+// sum[i][j] = sum over l != singular of h[l][i][j].
+void rigid_sum(const Integrator& in, double sx, double sy, int singular, double sum[2][2]);
+
+// w[l] = int M_l J deta, wx[l] = int M_l (x-ox) J deta, wy[l] = int M_l (y-oy) J deta; J as for g. To round-off in
+// either mode (exact where the integrand is a polynomial).
+void resultants(const Integrator& in, double ox, double oy, double w[4], double wx[4], double wy[4]);
+
+} // namespace c2d

@@ -1,0 +1,43 @@
+#pragma once
+// The 2-D Kelvin kernels in the four numbers that survive a rotation: a 2x2 block is
+//   [ alpha + beta,  gamma + delta ]
+//   [ gamma - delta, alpha - beta  ],
+// alpha and delta do not change when the axes turn, (beta, gamma) turn by twice the angle.
+
+#include <math.h>
+
+namespace c2d {
+
+struct Tensor {
+  double alpha, beta, gamma, delta;
+};
+
+inline void add(Tensor& sum, double weight, const Tensor& t) {
+  sum.alpha += weight * t.alpha;
+  sum.beta += weight * t.beta;
+  sum.gamma += weight * t.gamma;
+  sum.delta += weight * t.delta;
+}
+
+inline void store(const Tensor& t, double factor, double out[2][2]) {
+  out[0][0] = factor * (t.alpha + t.beta);
+  out[0][1] = factor * (t.gamma + t.delta);
+  out[1][0] = factor * (t.gamma - t.delta);
+  out[1][1] = factor * (t.alpha - t.beta);
+}
+
+// T J / k, thesis (3.24): (rx,ry) = field point minus source, (nx,ny) = outward normal times J, t1 = 1-2nu.
+inline Tensor traction_kernel(double rx, double ry, double nx, double ny, double t1) {
+  const double q = 1.0 / (rx * rx + ry * ry);
+  const double rn = (rx * nx + ry * ny) * q, cross = (rx * ny - ry * nx) * q;
+  return {-rn * (t1 + 1.0), -rn * (rx * rx - ry * ry) * q, -2.0 * rn * rx * ry * q, t1 * cross};
+}
+
+// U / k times 2G, thesis (3.23): kappa = 3-4nu; the logarithm is of the square `log_of` (r^2 unless a factor is split
+// off).
+inline Tensor displacement_kernel(double rx, double ry, double log_of, double kappa) {
+  const double q = 1.0 / (rx * rx + ry * ry);
+  return {0.5 - 0.5 * kappa * log(log_of), 0.5 * (rx * rx - ry * ry) * q, rx * ry * q, 0.0};
+}
+
+} // namespace c2d

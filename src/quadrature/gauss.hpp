@@ -1,0 +1,55 @@
+#pragma once
+// Gauss quadrature: Legendre rules on [-1,1], rules for the weight ln(1/x) on (0,1), and the number of
+// points an analytic integrand needs.
+
+namespace c2d {
+
+// An n-point Gauss-Legendre rule: sum_i w_i f(x_i) = int_-1^1 f, exact for polynomials up to degree 2n-1.
+// `x`, `w` hold the (n+1)/2 points with x >= 0 in ascending order; x[0] == 0 if n is odd.
+struct GaussRule {
+  const double* x;
+  const double* w;
+  int n;
+};
+
+struct GaussPoint {
+  double x, w;
+};
+
+// The rule with n = 1..20, 24 or 32 points; any other n gives { nullptr, nullptr, 0 }.
+GaussRule gauss_legendre(int n);
+
+// Point i = 0..n-1 of a rule, from left to right.
+inline GaussPoint gauss_point(const GaussRule& rule, int i) {
+  const int half = rule.n / 2;
+  if (i < half) return {-rule.x[rule.n - half - 1 - i], rule.w[rule.n - half - 1 - i]};
+  return {rule.x[i - half], rule.w[i - half]};
+}
+
+// An n-point rule for a logarithm: sum_i w_i f(x_i) = int_0^1 ln(1/x) f(x) dx, exact up to degree 2n-1.
+// `x` ascending in (0,1), all n points stored.
+struct LogRule {
+  const double* x;
+  const double* w;
+  int n;
+};
+
+// The logarithmic rule with n = 2, 4, 10 or 16 points; any other n gives { nullptr, nullptr, 0 }.
+LogRule log_gauss(int n);
+
+// Largest degree 2n-1 apart, the error of an n-point rule for f = g p, with g analytic and |g| <= M inside the
+// Bernstein ellipse of parameter rho > 1 (foci -1 and 1, semi-axes adding up to rho) and p a polynomial of
+// degree `degree` with |p| <= 1 on [-1,1], is at most M times the value returned here: the Chebyshev
+// coefficients of f fall like rho^(degree-k), the rule is exact up to k = 2n-1, odd ones integrate to zero.
+double gauss_error_bound(int n, double rho, int degree);
+
+// Smallest available number of points for which gauss_error_bound is at most `tolerance`; 0 if 32 are not
+// enough or rho <= 1.
+int gauss_order(double rho, int degree, double tolerance);
+
+// Smallest semi-major axis (rho + 1/rho)/2 of the ellipse in which an integrand with a pole of order two just
+// outside must be analytic, so that n points integrate it times a polynomial of degree `degree` to a relative
+// `tolerance`. 0 if n points cannot (2 n - degree < 2).
+double gauss_semi_axis(int n, int degree, double tolerance);
+
+} // namespace c2d
