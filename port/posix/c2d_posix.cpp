@@ -1,0 +1,206 @@
+#ifndef _FILE_OFFSET_BITS
+#define _FILE_OFFSET_BITS 64
+#endif
+#include "c2d_posix.h"
+#include <errno.h>
+#include <fcntl.h>
+#include <string.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/types.h>
+#include <unistd.h>
+
+namespace {
+
+// The most that is handed to the system at once: some systems refuse more than 2^31 - 1 bytes.
+constexpr uint64_t kTransferBytes = uint64_t(1) << 30;
+
+c2d_posix_store* self(void* context) {
+  return static_cast<c2d_posix_store*>(context);
+}
+
+bool is_open(const c2d_posix_store* s, int32_t tape) {
+  return tape >= 0 && tape < C2D_TAPES && s->file[tape] >= 0;
+}
+
+struct FileName {
+  char text[16];
+};
+FileName file_name(int32_t tape) {
+  FileName name = {"tape0.c2d"};
+  name.text[4] = static_cast<char>('0' + tape);
+  return name;
+}
+
+int open_at(int folder, const char* name, int flags) {
+  int file;
+  do {
+    file = openat(folder, name, flags | O_RDWR | O_CLOEXEC, 0666);
+  } while (file < 0 && errno == EINTR);
+  return file;
+}
+
+int32_t sync_file(int file) {
+  int result;
+  do {
+    result = fsync(file);
+  } while (result != 0 && errno == EINTR);
+  return result == 0 ? 0 : errno;
+}
+
+// Close once, whatever happens: after EINTR the descriptor may belong to someone else already.
+int32_t close_file(int32_t* file) {
+  if (*file < 0) return 0;
+  const int32_t code = close(*file) == 0 || errno == EINTR ? 0 : errno;
+  *file = -1;
+  return code;
+}
+
+// An existing file keeps its contents. A new one must be found again after a crash, hence the folder's fsync.
+int32_t open_tape(void* context, int32_t tape, uint64_t blocks, uint64_t block_bytes) {
+  c2d_posix_store* s = self(context);
+  if (tape < 0 || tape >= C2D_TAPES) return C2D_POSIX_STORE_TAPE;
+  if (blocks != 0 && block_bytes > static_cast<uint64_t>(INT64_MAX) / blocks) return C2D_POSIX_STORE_RANGE;
+  const int32_t closed = close_file(&s->file[tape]);
+  if (closed != 0) return closed;
+  const FileName name = file_name(tape);
+  int file = open_at(s->folder, name.text, 0);
+  if (file < 0 && errno == ENOENT) {
+    file = open_at(s->folder, name.text, O_CREAT);
+    const int32_t code = file < 0 ? 0 : sync_file(s->folder);
+    // Some file systems cannot sync folders; theirs need no help.
+    if (code != 0 && code != EINVAL) {
+      close(file);
+      return code;
+    }
+  }
+  if (file < 0) return errno;
+  s->file[tape] = file;
+  s->blocks[tape] = blocks;
+  s->block_bytes[tape] = block_bytes;
+  return 0;
+}
+
+int32_t check(const c2d_posix_store* s, int32_t tape, uint64_t block, uint64_t bytes) {
+  if (!is_open(s, tape)) return C2D_POSIX_STORE_TAPE;
+  const bool fits = block < s->blocks[tape] && bytes <= s->block_bytes[tape];
+  return fits ? 0 : C2D_POSIX_STORE_RANGE;
+}
+
+// Is offset + bytes a file offset on this system?
+bool is_offset(uint64_t end) {
+  const off_t place = static_cast<off_t>(end);
+  return place >= 0 && static_cast<uint64_t>(place) == end;
+}
+
+size_t part(uint64_t bytes) {
+  return static_cast<size_t>(bytes < kTransferBytes ? bytes : kTransferBytes);
+}
+
+int32_t read_block(void* context, int32_t tape, uint64_t block, void* data, uint64_t bytes) {
+  c2d_posix_store* s = self(context);
+  const int32_t code = check(s, tape, block, bytes);
+  if (code != 0) return code;
+  const uint64_t start = block * s->block_bytes[tape];
+  if (!is_offset(start + bytes)) return C2D_POSIX_STORE_RANGE;
+  char* to = static_cast<char*>(data);
+  for (uint64_t done = 0; done < bytes;) {
+    const ssize_t got = pread(s->file[tape], to + done, part(bytes - done), static_cast<off_t>(start + done));
+    if (got == 0) return C2D_POSIX_STORE_END;
+    if (got < 0 && errno != EINTR) return errno;
+    if (got > 0) done += static_cast<uint64_t>(got);
+  }
+  return 0;
+}
+
+int32_t write_block(void* context, int32_t tape, uint64_t block, const void* data, uint64_t bytes) {
+  c2d_posix_store* s = self(context);
+  const int32_t code = check(s, tape, block, bytes);
+  if (code != 0) return code;
+  const uint64_t start = block * s->block_bytes[tape];
+  if (!is_offset(start + bytes)) return C2D_POSIX_STORE_RANGE;
+  const char* from = static_cast<const char*>(data);
+  for (uint64_t done = 0; done < bytes;) {
+    const ssize_t put =
+        pwrite(s->file[tape], from + done, part(bytes - done), static_cast<off_t>(start + done));
+    if (put == 0) return C2D_POSIX_STORE_STUCK;
+    if (put < 0 && errno != EINTR) return errno;
+    if (put > 0) done += static_cast<uint64_t>(put);
+  }
+  return 0;
+}
+
+int32_t sync_tape(void* context, int32_t tape) {
+  if (!is_open(self(context), tape)) return C2D_POSIX_STORE_TAPE;
+  return sync_file(self(context)->file[tape]);
+}
+
+int32_t close_tape(void* context, int32_t tape) {
+  if (!is_open(self(context), tape)) return C2D_POSIX_STORE_TAPE;
+  return close_file(&self(context)->file[tape]);
+}
+
+int32_t lock_folder(c2d_posix_store* s) {
+  s->lock = open_at(s->folder, "lock", O_CREAT);
+  if (s->lock < 0) return errno;
+  int result;
+  do {
+    result = flock(s->lock, LOCK_EX | LOCK_NB);
+  } while (result != 0 && errno == EINTR);
+  if (result == 0) return 0;
+  return errno == EWOULDBLOCK || errno == EACCES ? C2D_POSIX_STORE_LOCKED : errno;
+}
+
+} // namespace
+
+extern "C" {
+
+int32_t c2d_posix_store_init(c2d_posix_store* store, const char* folder) {
+  memset(store, 0, sizeof *store);
+  store->folder = store->lock = -1;
+  for (int32_t tape = 0; tape < C2D_TAPES; ++tape) store->file[tape] = -1;
+  if (!folder || folder[0] == '\0') return ENOENT;
+  if (mkdir(folder, 0777) != 0 && errno != EEXIST) return errno;
+  store->folder = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (store->folder < 0) return errno;
+  const int32_t code = lock_folder(store);
+  if (code != 0) {
+    close_file(&store->lock);
+    close_file(&store->folder);
+  }
+  return code;
+}
+
+void c2d_posix_store_port(c2d_posix_store* store, c2d_port* out) {
+  out->context = store;
+  out->open = open_tape;
+  out->read = read_block;
+  out->write = write_block;
+  out->sync = sync_tape;
+  out->close = close_tape;
+}
+
+int32_t c2d_posix_store_remove(c2d_posix_store* store) {
+  int32_t first = 0;
+  for (int32_t tape = 0; tape < C2D_TAPES; ++tape) {
+    const int32_t closed = close_file(&store->file[tape]);
+    if (first == 0) first = closed;
+    const FileName name = file_name(tape);
+    if (unlinkat(store->folder, name.text, 0) != 0 && errno != ENOENT && first == 0) first = errno;
+  }
+  return first;
+}
+
+int32_t c2d_posix_store_done(c2d_posix_store* store) {
+  int32_t first = 0;
+  for (int32_t tape = 0; tape < C2D_TAPES; ++tape) {
+    const int32_t code = close_file(&store->file[tape]);
+    if (first == 0) first = code;
+  }
+  const int32_t folder = close_file(&store->folder);
+  const int32_t lock = close_file(&store->lock); // lets go of the lock
+  if (first == 0) first = folder != 0 ? folder : lock;
+  return first;
+}
+
+} // extern "C"

@@ -1,0 +1,50 @@
+/* A block store in files tape0.c2d ... tape3.c2d of a folder, for POSIX systems: transfers at given offsets that go on
+   after interruptions, fsync, and a lock that keeps a second solver, in this or another process, out of the folder.
+
+     c2d_posix_store store;
+     c2d_port port = C2D_INIT(c2d_port);
+     int32_t code = c2d_posix_store_init(&store, "/var/tmp/run7");
+     if (code == C2D_POSIX_STORE_LOCKED) ...
+     c2d_posix_store_port(&store, &port);
+     ... c2d_close(solver); c2d_posix_store_remove(&store) if it went well; c2d_posix_store_done(&store)          */
+#ifndef C2D_POSIX_H
+#define C2D_POSIX_H
+
+#include "contact2d.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What the store's functions return, seen in c2d_error.host_code: a positive number is errno, a negative one is one
+   of these. */
+enum {
+  C2D_POSIX_STORE_TAPE = -1,  /* no such tape, or it is not open                                        */
+  C2D_POSIX_STORE_RANGE = -2, /* a block beyond the end of the tape, too many bytes, an offset too large */
+  C2D_POSIX_STORE_END = -3,   /* read: the file ends before the block does                              */
+  C2D_POSIX_STORE_LOCKED = -4,/* init: the folder is in use by another store                            */
+  C2D_POSIX_STORE_STUCK = -5  /* write: the system takes no more bytes without saying why               */
+};
+
+/* Members are the store's own; do not touch. They are file descriptors, -1: none. */
+typedef struct c2d_posix_store {
+  int32_t folder, lock;
+  int32_t file[C2D_TAPES];
+  uint64_t blocks[C2D_TAPES], block_bytes[C2D_TAPES];
+} c2d_posix_store;
+
+/* Make the folder unless it is there (its parent must be), and lock it by its file `lock` until _done or the end of
+   the process. Returns 0, C2D_POSIX_STORE_LOCKED or errno; after a failure nothing is held. */
+int32_t c2d_posix_store_init(c2d_posix_store* store, const char* folder);
+/* Set context, open, read, write, sync and close of *out; the rest of it is left alone. */
+void c2d_posix_store_port(c2d_posix_store* store, c2d_port* out);
+/* Close and delete the tapes; the folder stays locked. Returns 0 or the first errno; a file that is not there is
+   no failure. */
+int32_t c2d_posix_store_remove(c2d_posix_store* store);
+/* Close what is open and let go of the folder. Returns 0 or the first errno. The lock's file stays. */
+int32_t c2d_posix_store_done(c2d_posix_store* store);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

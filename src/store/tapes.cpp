@@ -1,0 +1,288 @@
+#include "store/tapes.hpp"
+#include "memory/text.hpp"
+#include <string.h>
+
+namespace c2d {
+namespace {
+
+const char* tape_name(int32_t tape) {
+  switch (tape) {
+  case C2D_TAPE_CONTROL:
+    return "run control";
+  case C2D_TAPE_LOWER:
+    return "lower factors, for elimination";
+  case C2D_TAPE_UPPER:
+    return "upper factors, for back substitution";
+  case C2D_TAPE_CONTACT:
+    return "contact system";
+  default:
+    return "no such tape";
+  }
+}
+
+// Begin tapes.error; the caller appends to the text.
+Text begin_error(Tapes& tapes, c2d_status status, int32_t tape, uint64_t block) {
+  c2d_error& error = tapes.error;
+  memset(&error, 0, sizeof error);
+  error.struct_size = sizeof error;
+  error.status = status;
+  error.severity = C2D_FAULT;
+  error.tape = tape;
+  error.block = static_cast<int64_t>(block);
+  Text text = text_in(error.text);
+  put(text, "block store: tape ");
+  put(text, tape);
+  put(text, " (");
+  put(text, tape_name(tape));
+  put(text, ")");
+  return text;
+}
+
+Text begin_block_error(Tapes& tapes, c2d_status status, int32_t tape, uint64_t block) {
+  Text text = begin_error(tapes, status, tape, block);
+  put(text, ", block ");
+  put(text, block);
+  put(text, ": ");
+  return text;
+}
+
+// "<what> is <found>, expected <expected>"
+void put_difference(Text& text, const char* what, uint64_t found, uint64_t expected) {
+  put(text, what);
+  put(text, " is ");
+  put(text, found);
+  put(text, ", expected ");
+  put(text, expected);
+}
+
+c2d_status broken_promise(Tapes& tapes, int32_t tape, uint64_t block, const char* what) {
+  Text text = begin_block_error(tapes, C2D_ERR_INTERNAL, tape, block);
+  put(text, what);
+  return C2D_ERR_INTERNAL;
+}
+
+c2d_status host_error(Tapes& tapes, c2d_status status, int32_t tape, const char* what, int32_t code) {
+  Text text = begin_error(tapes, status, tape, 0);
+  tapes.error.host_code = code;
+  put(text, ": ");
+  put(text, what);
+  put(text, " failed with code ");
+  put(text, code);
+  return status;
+}
+
+c2d_status host_block_error(Tapes& tapes, c2d_status status, int32_t tape, uint64_t block, const char* what,
+                            uint64_t bytes, int32_t code) {
+  Text text = begin_block_error(tapes, status, tape, block);
+  tapes.error.host_code = code;
+  put(text, what);
+  put(text, " of ");
+  put(text, bytes);
+  put(text, " bytes failed with code ");
+  put(text, code);
+  return status;
+}
+
+bool is_tape(int32_t tape) {
+  return tape >= 0 && tape < C2D_TAPES;
+}
+
+// May this transfer be asked of the port at all?
+c2d_status check_transfer(Tapes& tapes, int32_t tape, uint64_t block, uint64_t data_bytes) {
+  if (!is_tape(tape) || !tapes.is_open[tape])
+    return broken_promise(tapes, tape, block, "the tape is not open");
+  if (block >= tapes.blocks[tape]) return broken_promise(tapes, tape, block, "beyond the end of the tape");
+  if (data_bytes > tapes.block_bytes[tape] - kBlockHeaderBytes) {
+    return broken_promise(tapes, tape, block, "longer than the tape was opened for");
+  }
+  return C2D_OK;
+}
+
+c2d_status damaged(Tapes& tapes, int32_t tape, uint64_t block, const BlockReport& report) {
+  const c2d_status status = report.fault == BlockFault::format    ? C2D_ERR_STORE_FORMAT
+                            : report.fault == BlockFault::version ? C2D_ERR_STORE_VERSION
+                            : report.fault == BlockFault::torn    ? C2D_ERR_STORE_SHORT
+                                                                  : C2D_ERR_STORE_CHECKSUM;
+  Text text = begin_block_error(tapes, status, tape, block);
+  if (report.fault == BlockFault::format) {
+    put(text, "no block of this library was found: never written, or overwritten");
+  } else if (report.fault == BlockFault::torn) {
+    put(text, "torn: its end is not the one written with its header");
+  } else {
+    if (report.fault == BlockFault::checksum) put(text, "damaged: ");
+    put_difference(text, report.what, report.found, report.expected);
+  }
+  return status;
+}
+
+// A sound block: is it the one asked for?
+c2d_status compare(Tapes& tapes, const BlockLabel& found, const BlockLabel& expected) {
+  const int32_t tape = expected.tape;
+  const uint64_t block = expected.block;
+  if (found.tape != tape || found.block != block) {
+    Text text = begin_block_error(tapes, C2D_ERR_STORE_SWAPPED, tape, block);
+    put(text, "block ");
+    put(text, found.block);
+    put(text, " of tape ");
+    put(text, found.tape);
+    put(text, " was found in its place");
+    return C2D_ERR_STORE_SWAPPED;
+  }
+  if (found.run_id != expected.run_id || found.generation != expected.generation) {
+    Text text = begin_block_error(tapes, C2D_ERR_STORE_STALE, tape, block);
+    put(text, "stale: ");
+    if (found.run_id != expected.run_id)
+      put_difference(text, "run", found.run_id, expected.run_id);
+    else
+      put_difference(text, "generation", found.generation, expected.generation);
+    return C2D_ERR_STORE_STALE;
+  }
+  if (found.length != expected.length) {
+    Text text = begin_block_error(tapes, C2D_ERR_STORE_SHORT, tape, block);
+    put_difference(text, "length in bytes", found.length, expected.length);
+    return C2D_ERR_STORE_SHORT;
+  }
+  return C2D_OK;
+}
+
+c2d_status write_labelled(Tapes& tapes, const BlockLabel& label, void* buffer) {
+  const c2d_status status = check_transfer(tapes, label.tape, label.block, label.length);
+  if (status != C2D_OK) return status;
+  const uint64_t bytes = kBlockHeaderBytes + label.length;
+  seal_block(label, buffer);
+  const int32_t code = tapes.port->write(tapes.port->context, label.tape, label.block, buffer, bytes);
+  unseal_block(buffer, label.length);
+  if (code != 0) {
+    return host_block_error(tapes, C2D_ERR_STORE_WRITE, label.tape, label.block, "writing", bytes, code);
+  }
+  tapes.writes[label.tape] += 1;
+  tapes.bytes_written[label.tape] += bytes;
+  return C2D_OK;
+}
+
+// A port that fills less than it says must not get by with what happened to be in the buffer: neither an old
+// header nor an old end mark may be there beforehand.
+void clear_ends(unsigned char* buffer, uint64_t data_bytes) {
+  memset(buffer, 0, kBlockHeaderBytes);
+  const size_t tail = static_cast<size_t>(data_bytes < 8 ? data_bytes : 8);
+  memset(buffer + kBlockHeaderBytes + data_bytes - tail, 0, tail);
+}
+
+c2d_status read_labelled(Tapes& tapes, const BlockLabel& expected, void* buffer) {
+  const int32_t tape = expected.tape;
+  const uint64_t block = expected.block;
+  const c2d_status status = check_transfer(tapes, tape, block, expected.length);
+  if (status != C2D_OK) return status;
+  const uint64_t bytes = kBlockHeaderBytes + expected.length;
+  clear_ends(static_cast<unsigned char*>(buffer), expected.length);
+  const int32_t code = tapes.port->read(tapes.port->context, tape, block, buffer, bytes);
+  if (code != 0) return host_block_error(tapes, C2D_ERR_STORE_READ, tape, block, "reading", bytes, code);
+  BlockLabel found = {};
+  const BlockReport report = inspect_block(buffer, expected.length, &found);
+  if (report.fault != BlockFault::none) return damaged(tapes, tape, block, report);
+  const c2d_status verdict = compare(tapes, found, expected);
+  if (verdict != C2D_OK) return verdict;
+  unseal_block(buffer, expected.length);
+  tapes.reads[tape] += 1;
+  tapes.bytes_read[tape] += bytes;
+  return C2D_OK;
+}
+
+// Blocks of the run in progress. Tapes out of range are caught by check_transfer.
+BlockLabel current_label(const Tapes& tapes, int32_t tape, uint64_t block, uint64_t data_bytes) {
+  const uint32_t generation = is_tape(tape) ? tapes.generation[tape] : 0;
+  return {tapes.run_id, block, data_bytes, tape, generation};
+}
+
+} // namespace
+
+c2d_status open_tape(Tapes& tapes, int32_t tape, uint64_t blocks, uint64_t data_bytes) {
+  if (!is_tape(tape) || tapes.is_open[tape])
+    return broken_promise(tapes, tape, 0, "the tape is open already");
+  const c2d_port* port = tapes.port;
+  if (!port || !port->open || !port->read || !port->write || !port->sync || !port->close) {
+    return host_error(tapes, C2D_ERR_STORE_OPEN, tape, "opening it without a complete block store", 0);
+  }
+  // The buffers must be addressable and the tape's length must be a file offset.
+  const uint64_t most = static_cast<uint64_t>(PTRDIFF_MAX);
+  if (data_bytes > most - kBlockHeaderBytes ||
+      (blocks > 0 && data_bytes + kBlockHeaderBytes > static_cast<uint64_t>(INT64_MAX) / blocks)) {
+    Text text = begin_error(tapes, C2D_ERR_OVERFLOW, tape, 0);
+    put(text, ": its length does not fit into 63 bits");
+    return C2D_ERR_OVERFLOW;
+  }
+  const uint64_t block_bytes = data_bytes + kBlockHeaderBytes;
+  const int32_t code = port->open(port->context, tape, blocks, block_bytes);
+  if (code != 0) return host_error(tapes, C2D_ERR_STORE_OPEN, tape, "opening", code);
+  tapes.is_open[tape] = 1;
+  tapes.blocks[tape] = blocks;
+  tapes.block_bytes[tape] = block_bytes;
+  return C2D_OK;
+}
+
+c2d_status write_block(Tapes& tapes, int32_t tape, uint64_t block, void* buffer, uint64_t data_bytes) {
+  return write_labelled(tapes, current_label(tapes, tape, block, data_bytes), buffer);
+}
+
+c2d_status read_block(Tapes& tapes, int32_t tape, uint64_t block, void* buffer, uint64_t data_bytes) {
+  return read_labelled(tapes, current_label(tapes, tape, block, data_bytes), buffer);
+}
+
+c2d_status sync_tape(Tapes& tapes, int32_t tape) {
+  if (!is_tape(tape) || !tapes.is_open[tape]) return broken_promise(tapes, tape, 0, "the tape is not open");
+  const int32_t code = tapes.port->sync(tapes.port->context, tape);
+  return code == 0 ? C2D_OK : host_error(tapes, C2D_ERR_STORE_SYNC, tape, "making it safe", code);
+}
+
+c2d_status close_tape(Tapes& tapes, int32_t tape) {
+  if (!is_tape(tape) || !tapes.is_open[tape]) return broken_promise(tapes, tape, 0, "the tape is not open");
+  tapes.is_open[tape] = 0;
+  const int32_t code = tapes.port->close(tapes.port->context, tape);
+  return code == 0 ? C2D_OK : host_error(tapes, C2D_ERR_STORE_CLOSE, tape, "closing", code);
+}
+
+c2d_status close_all(Tapes& tapes) {
+  int32_t failed_tape = -1, failed_code = 0;
+  for (int32_t tape = 0; tape < C2D_TAPES; ++tape) {
+    if (!tapes.is_open[tape] || close_tape(tapes, tape) == C2D_OK || failed_tape >= 0) continue;
+    failed_tape = tape;
+    failed_code = tapes.error.host_code;
+  }
+  if (failed_tape < 0) return C2D_OK;
+  return host_error(tapes, C2D_ERR_STORE_CLOSE, failed_tape, "closing", failed_code);
+}
+
+c2d_status begin_run(Tapes& tapes, uint64_t model_hash, void* buffer) {
+  unsigned char* data = static_cast<unsigned char*>(buffer) + kBlockHeaderBytes;
+  if (!tapes.is_open[C2D_TAPE_CONTROL]) {
+    const c2d_status status = open_tape(tapes, C2D_TAPE_CONTROL, 1, kControlBytes);
+    if (status != C2D_OK) return status;
+  }
+  // The count belongs to the store, not to a run: its label is the same for ever.
+  const BlockLabel label = {0, 0, kControlBytes, C2D_TAPE_CONTROL, 0};
+  const c2d_status found = read_labelled(tapes, label, buffer);
+  uint64_t count = 0;
+  if (found == C2D_OK) {
+    for (size_t i = 0; i < kControlBytes; ++i) count |= static_cast<uint64_t>(data[i]) << (8 * i);
+  } else if (found == C2D_ERR_STORE_CHECKSUM || found == C2D_ERR_STORE_SHORT) {
+    // The count is lost: go on from a number that an earlier run hardly had.
+    count = checksum(0, buffer, kBlockHeaderBytes + kControlBytes);
+  } else if (found == C2D_ERR_INTERNAL) {
+    return found;
+  }
+  memset(&tapes.error, 0, sizeof tapes.error); // nothing there is no error
+  ++count;
+  for (size_t i = 0; i < kControlBytes; ++i) data[i] = static_cast<unsigned char>(count >> (8 * i));
+  c2d_status status = write_labelled(tapes, label, buffer);
+  if (status == C2D_OK) status = sync_tape(tapes, C2D_TAPE_CONTROL);
+  if (status != C2D_OK) return status;
+  tapes.run_id = mix(mix(model_hash) ^ count);
+  if (tapes.run_id == 0) tapes.run_id = 1; // 0 labels the count itself
+  return C2D_OK;
+}
+
+void next_generation(Tapes& tapes, int32_t tape) {
+  tapes.generation[tape] += 1;
+}
+
+} // namespace c2d

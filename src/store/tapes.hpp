@@ -1,0 +1,56 @@
+#pragma once
+// Numbered blocks on the tapes of the caller's block store: every block is labelled when it is written and
+// judged when it is read, so that a torn, short, swapped, damaged or stale block is named as such and never
+// used.
+#include "contact2d.h"
+#include "store/block.hpp"
+
+namespace c2d {
+
+// The state of all tapes. Trivially copyable; `port` is its only pointer (a solver that was moved sets it
+// anew). A zeroed struct with `port` set is a good start: all tapes closed.
+struct Tapes {
+  const c2d_port* port;
+  uint64_t run_id;
+  uint32_t generation[C2D_TAPES];
+  uint8_t is_open[C2D_TAPES];
+  uint64_t blocks[C2D_TAPES], block_bytes[C2D_TAPES];       // as opened, headers included
+  uint64_t writes[C2D_TAPES], reads[C2D_TAPES];             // transfers that succeeded
+  uint64_t bytes_written[C2D_TAPES], bytes_read[C2D_TAPES]; // by them, headers included
+  c2d_error error;                                          // of the last call that failed
+};
+
+// All functions return C2D_OK or fill tapes.error (status, tape, block, host_code, text) and return its
+// status. C2D_ERR_INTERNAL: a tape that is not open (or open already), a block beyond its end, too many
+// bytes.
+
+// Open a tape for blocks 0 ... blocks-1 of at most data_bytes bytes of data each. Errors: STORE_OPEN,
+// OVERFLOW.
+c2d_status open_tape(Tapes& tapes, int32_t tape, uint64_t blocks, uint64_t data_bytes);
+
+// Write data_bytes bytes, which stand in buffer[64 .. 64 + data_bytes); buffer[0 .. 64) is room for the
+// header. The data are unchanged afterwards. Errors: STORE_WRITE.
+c2d_status write_block(Tapes& tapes, int32_t tape, uint64_t block, void* buffer, uint64_t data_bytes);
+
+// Read the block of data_bytes bytes into buffer[64 .. 64 + data_bytes), buffer as in write_block; after a
+// failure what is there is meaningless. Errors: STORE_READ, _FORMAT, _VERSION, _SHORT, _CHECKSUM, _SWAPPED,
+// _STALE.
+c2d_status read_block(Tapes& tapes, int32_t tape, uint64_t block, void* buffer, uint64_t data_bytes);
+
+c2d_status sync_tape(Tapes& tapes, int32_t tape); // Errors: STORE_SYNC.
+c2d_status close_tape(Tapes& tapes,
+                      int32_t tape); // Errors: STORE_CLOSE; the tape counts as closed all the same.
+// Close every open tape, also after a failure; the first failure is returned.
+c2d_status close_all(Tapes& tapes);
+
+// Start a run: count it on block 0 of tape CONTROL (opened for one block of kControlBytes if it is not open
+// yet) and set run_id from the model's hash and that count, so that blocks an earlier run left are recognised
+// as stale. A store without a sound count there (a new one) starts at 1. buffer: kBlockHeaderBytes +
+// kControlBytes bytes. Errors: STORE_OPEN, STORE_WRITE, STORE_SYNC; a failing read counts as "nothing there".
+constexpr uint64_t kControlBytes = 8;
+c2d_status begin_run(Tapes& tapes, uint64_t model_hash, void* buffer);
+
+// The tape's contents are about to be written anew: what stands there becomes stale.
+void next_generation(Tapes& tapes, int32_t tape);
+
+} // namespace c2d
