@@ -181,16 +181,16 @@ FieldFault real_field(const char* text, int32_t width, double* value) {
   return fault;
 }
 
-const char* expectation(FieldFault fault) {
+const char* expectation(FieldFault fault, bool integer) {
   switch (fault) {
   case FieldFault::not_an_integer:
     return "an integer without point or exponent";
   case FieldFault::blank_inside:
     return "a number without a blank inside";
   case FieldFault::too_large:
-    return "a number that is not that large";
+    return "a number of less than 1e100 in size";
   default:
-    return "a number";
+    return integer ? "an integer" : "a number";
   }
 }
 

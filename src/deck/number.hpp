@@ -26,6 +26,6 @@ FieldFault real_field(const char* text, int32_t width, double* value);
 bool is_blank(const char* text, int32_t width);
 
 // What was expected where a fault was found: "a number", "an integer" ...
-const char* expectation(FieldFault fault);
+const char* expectation(FieldFault fault, bool integer);
 
 } // namespace c2d

@@ -1,0 +1,245 @@
+#include "deck/cards.hpp"
+
+#include "deck/number.hpp"
+
+#include <string.h>
+
+namespace c2d {
+namespace {
+
+constexpr char kDosEnd = 0x1a; // ends text files of old systems
+
+// Bytes of the line as it came, without its line end; -1 at the end of the deck and after a failure.
+int32_t fetch(Cards& cards) {
+  const int32_t size = static_cast<int32_t>(sizeof cards.text);
+  const int32_t length = cards.read(cards.context, cards.text, size);
+  if (length < -1) {
+    begin_fault(cards, 0, 0);
+    Text text = text_in(cards.entry.text);
+    put(text, "the next card could not be read");
+    cards.entry.status = C2D_ERR_READ;
+    cards.entry.host_code = length;
+    end_fault(cards);
+    cards.status = C2D_ERR_READ;
+  }
+  if (length < 0) return -1;
+  int32_t used = length < size ? length : size - 1;
+  while (used > 0 && (cards.text[used - 1] == '\r' || cards.text[used - 1] == '\n')) --used;
+  if (used == 1 && cards.text[0] == kDosEnd) return -1;
+  if (cards.line < INT32_MAX) ++cards.line;
+  return used;
+}
+
+// Only printable ASCII and tabs can be a card. One fault, and the end: a binary file has thousands of them.
+bool is_text(Cards& cards, int32_t used) {
+  for (int32_t i = 0; i < used; ++i) {
+    const unsigned char byte = static_cast<unsigned char>(cards.text[i]);
+    if ((byte >= 0x20 && byte < 0x7f) || byte == '\t') continue;
+    const bool mark = cards.line == 1 && i == 0 && byte == 0xef;
+    fault(cards, i + 1, i + 1, "column ", i + 1, " holds the byte ", static_cast<int32_t>(byte),
+          mark ? ", a byte order mark; expected plain ASCII text" : ", expected plain ASCII text");
+    return false;
+  }
+  return true;
+}
+
+// The next line, padded with blanks. False: no more.
+bool next_line(Cards& cards) {
+  if (cards.ended) return false;
+  const int32_t used = fetch(cards);
+  cards.ended = used < 0 || !is_text(cards, used);
+  if (cards.ended) return false;
+  const size_t end = static_cast<size_t>(used);
+  memset(cards.text + end, ' ', sizeof cards.text - end);
+  cards.holds_tab = false;
+  return true;
+}
+
+// A C in column 1 makes a comment, unless columns 2-5 hold an integer: then it looks like a node card.
+bool is_comment(Cards& cards) {
+  if (cards.text[0] != 'C') return false;
+  int32_t number;
+  if (is_blank(cards.text + 1, 4) || integer_field(cards.text + 1, 4, &number) != FieldFault::none)
+    return true;
+  fault(cards, 1, 1, "column 1 holds 'C' before the number ", number,
+        ", expected a coordinate letter, which is blank or P (or a comment without a number in columns 2-5)");
+  return !cards.holds_nodes;
+}
+
+void missing_card(Cards& cards, const char* what) {
+  if (cards.status == C2D_OK && cards.faults == 0 && cards.line == 0)
+    fault(cards, 0, 0, "the deck is empty");
+  else
+    fault(cards, 0, 0, "the deck ends here, expected ", what);
+}
+
+// The text of a field without outer blanks, in quotes.
+void put_field(Text& text, const char* field, int32_t width) {
+  while (width > 0 && field[width - 1] == ' ') --width;
+  while (width > 0 && field[0] == ' ') {
+    ++field;
+    --width;
+  }
+  put_character(text, '\'');
+  put(text, field, static_cast<size_t>(width));
+  put_character(text, '\'');
+}
+
+void malformed_field(Cards& cards, int32_t column, int32_t width, const char* expected, const char* name) {
+  const int32_t column_end = column + width - 1;
+  begin_fault(cards, column, column_end);
+  Text text = text_in(cards.entry.text);
+  put(text, width == 1 ? "column " : "columns ");
+  put(text, column);
+  if (width > 1) {
+    put_character(text, '-');
+    put(text, column_end);
+  }
+  put(text, width == 1 ? " holds " : " hold ");
+  put_field(text, cards.text + column - 1, width);
+  put(text, ", expected ");
+  put(text, expected);
+  put(text, ": ");
+  put(text, name);
+  end_fault(cards);
+}
+
+} // namespace
+
+Cards cards_from(c2d_read_line read, void* context, c2d_report report, void* report_context) {
+  Cards cards = Cards();
+  cards.read = read;
+  cards.context = context;
+  cards.report = report;
+  cards.report_context = report_context;
+  return cards;
+}
+
+void refuse_tabs(Cards& cards) {
+  const void* tab = memchr(cards.text, '\t', kCardColumns);
+  if (tab == nullptr) return;
+  const int32_t column = static_cast<int32_t>(static_cast<const char*>(tab) - cards.text) + 1;
+  fault(cards, column, column, "column ", column,
+        " holds a tab, expected blanks: fields stand in fixed columns, and a tab does not say how many");
+  cards.holds_tab = true;
+}
+
+bool next_heading(Cards& cards, const char* what) {
+  const bool was_ended = cards.ended;
+  const int32_t faults = cards.faults;
+  if (next_line(cards)) return true;
+  if (!was_ended && cards.faults == faults) missing_card(cards, what);
+  return false;
+}
+
+bool next_card(Cards& cards, const char* what) {
+  do {
+    if (!next_heading(cards, what)) return false;
+  } while (is_comment(cards));
+  refuse_tabs(cards);
+  return !cards.ended;
+}
+
+bool next_card_if_any(Cards& cards) {
+  do {
+    if (!next_line(cards)) return false;
+  } while (is_comment(cards));
+  refuse_tabs(cards);
+  return !cards.ended;
+}
+
+bool integer(Cards& cards, int32_t column, int32_t width, const char* name, int32_t least, int32_t most,
+             int32_t* value) {
+  if (cards.holds_tab) return false;
+  int32_t found;
+  const FieldFault why = integer_field(cards.text + column - 1, width, &found);
+  if (why != FieldFault::none) {
+    malformed_field(cards, column, width, expectation(why, true), name);
+    return false;
+  }
+  if (found >= least && found <= most) {
+    *value = found;
+    return true;
+  }
+  const int32_t column_end = column + width - 1;
+  if (most == INT32_MAX)
+    fault(cards, column, column_end, name, " is ", found, ", expected at least ", least);
+  else if (least == most)
+    fault(cards, column, column_end, name, " is ", found, ", expected ", least);
+  else
+    fault(cards, column, column_end, name, " is ", found, ", expected ", least, " to ", most);
+  return false;
+}
+
+bool count(Cards& cards, int32_t column, const char* name, int32_t least, int32_t* value) {
+  cards.vital = true;
+  const bool found = integer(cards, column, 5, name, least, INT32_MAX, value);
+  cards.vital = false;
+  if (!found) cards.ended = true;
+  return found;
+}
+
+bool real(Cards& cards, int32_t column, const char* name, double* value) {
+  if (cards.holds_tab) return false;
+  constexpr int32_t kWidth = 10;
+  constexpr double kLargest = 1e100;
+  double found;
+  FieldFault why = real_field(cards.text + column - 1, kWidth, &found);
+  if (why == FieldFault::none && !(found <= kLargest && found >= -kLargest)) why = FieldFault::too_large;
+  if (why != FieldFault::none) {
+    malformed_field(cards, column, kWidth, expectation(why, false), name);
+    return false;
+  }
+  *value = found;
+  return true;
+}
+
+void unused_column(Cards& cards, int32_t column) {
+  if (cards.holds_tab || cards.text[column - 1] == ' ') return;
+  malformed_field(cards, column, 1, "a blank", "this column belongs to no field");
+}
+
+void end_of_fields(Cards& cards, int32_t column) {
+  constexpr int32_t kLastColumn = 72; // behind it cards carry their sequence numbers
+  if (cards.holds_tab) return;
+  int32_t first = column;
+  while (first <= kLastColumn && cards.text[first - 1] == ' ') ++first;
+  if (first > kLastColumn || strchr("+-.0123456789", cards.text[first - 1]) == nullptr) return;
+  int32_t last = first;
+  while (last < kLastColumn && cards.text[last] != ' ') ++last;
+  malformed_field(cards, first, last - first + 1, "blanks",
+                  "no number belongs there, are the columns right?");
+}
+
+void begin_fault(Cards& cards, int32_t column, int32_t column_end) {
+  c2d_error& entry = cards.entry;
+  memset(&entry, 0, sizeof entry);
+  entry.struct_size = static_cast<uint32_t>(sizeof entry);
+  entry.status = C2D_ERR_INPUT;
+  entry.severity = C2D_FAULT;
+  entry.line = cards.line > 0 ? cards.line : 1;
+  entry.column = column;
+  entry.column_end = column_end;
+  entry.body = cards.body;
+  entry.zone = cards.zone;
+}
+
+void end_fault(Cards& cards) {
+  if (cards.vital) {
+    Text text = {cards.entry.text, sizeof cards.entry.text, strlen(cards.entry.text)};
+    put(text, "; what follows cannot be read without it");
+  }
+  if (cards.faults >= kMaximumFaults) {
+    if (!cards.ended && cards.report != nullptr) {
+      Text text = text_in(cards.entry.text);
+      put(text, "too many faults, the rest of the deck was not read");
+      cards.report(cards.report_context, &cards.entry);
+    }
+    cards.ended = true;
+    return;
+  }
+  ++cards.faults;
+  if (cards.report != nullptr) cards.report(cards.report_context, &cards.entry);
+}
+
+} // namespace c2d

@@ -1,0 +1,67 @@
+#pragma once
+// Cards one after another, their fields, and the faults found in them.
+#include "contact2d.h"
+#include "memory/text.hpp"
+
+namespace c2d {
+
+constexpr int32_t kCardColumns = 80;
+constexpr int32_t kMaximumFaults = 100; // after that many the reading ends
+
+// Only the first 80 columns of a line are the card; what stands further right is ignored, as a card reader
+// would. The buffer is wider so that carriage returns and stray bytes just behind the card are still seen.
+struct Cards {
+  c2d_read_line read;
+  void* context;
+  c2d_report report; // every fault goes here; may be null
+  void* report_context;
+  c2d_status status;  // why the reading ended early; C2D_OK after faults alone
+  int32_t line;       // of the card at hand, from 1
+  int32_t faults;     // so far
+  int32_t body, zone; // what is being read, for c2d_error; 0: neither
+  bool ended;         // nothing more can be read
+  bool holds_tab;     // the card at hand was refused as a whole: its fields are not reported one by one
+  bool holds_nodes;   // node cards: a C in column 1 may be meant as a coordinate letter
+  bool vital;         // without the field at hand the rest of the deck cannot be read
+  c2d_error entry;    // being put together
+  char text[168];     // the card, blank-padded to 80 columns
+};
+
+Cards cards_from(c2d_read_line read, void* context, c2d_report report, void* report_context);
+
+// The next card as it stands, comments included (heading cards). False: the deck has ended or must not be
+// read on, and this has been reported; `what` names the card that is missing, as in "the card with the number
+// of bodies".
+bool next_heading(Cards& cards, const char* what);
+// The next card that is not a comment.
+bool next_card(Cards& cards, const char* what);
+// The same where the deck may end: then false without a fault.
+bool next_card_if_any(Cards& cards);
+
+// Report a tab and refuse the card at hand; next_card does this itself.
+void refuse_tabs(Cards& cards);
+
+// Fields from `column` (from 1). False: a fault was reported (or the card had been refused), *value is
+// unchanged. `name` is the quantity in words, as in "number of elements".
+bool integer(Cards& cards, int32_t column, int32_t width, const char* name, int32_t least, int32_t most,
+             int32_t* value);
+// An I5 number that says how many cards follow: without it the reading ends.
+bool count(Cards& cards, int32_t column, const char* name, int32_t least, int32_t* value);
+// An F10.0 field of at most 1e100 in size, so that sums and differences of card values cannot overflow.
+bool real(Cards& cards, int32_t column, const char* name, double* value);
+// Columns that no field uses, between two fields: text there is a number out of its columns.
+void unused_column(Cards& cards, int32_t column);
+// No number may stand in columns `column` to 72; a remark in words may.
+void end_of_fields(Cards& cards, int32_t column);
+
+// Report a fault in columns column ... column_end (0: the card as a whole); the parts are put() together.
+void begin_fault(Cards& cards, int32_t column, int32_t column_end);
+void end_fault(Cards& cards);
+template <class... Parts> void fault(Cards& cards, int32_t column, int32_t column_end, Parts... parts) {
+  begin_fault(cards, column, column_end);
+  Text text = text_in(cards.entry.text);
+  (put(text, parts), ...);
+  end_fault(cards);
+}
+
+} // namespace c2d

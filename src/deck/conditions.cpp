@@ -1,0 +1,127 @@
+// Boundary conditions and point loads of a body.
+#include "deck/deck.hpp"
+
+namespace c2d {
+namespace {
+
+struct ConditionCard {
+  bool sound;             // element and local node are known
+  bool is_generated;      // I1 = 1: for all ends since the card before
+  int32_t element, local; // within the body; local functional node from 1
+  int32_t codes[4];
+  double values[4]; // tx ty ux uy
+  bool values_sound;
+};
+
+ConditionCard read_condition(Deck& deck, int b) {
+  static const char* const kCode[4] = {
+      "code of the x traction (0 known, 1 unknown)", "code of the y traction (0 known, 1 unknown)",
+      "code of the x displacement (0 known, 1 unknown)", "code of the y displacement (0 known, 1 unknown)"};
+  static const char* const kValue[4] = {"x traction", "y traction", "x displacement", "y displacement"};
+  Cards& cards = deck.cards;
+  ConditionCard card = ConditionCard();
+  const int32_t offset = element_offset(deck, b);
+  int32_t generated = 0;
+  card.sound = integer(cards, 1, 1, "flag for generated conditions (blank, 0 or 1)", 0, 1, &generated);
+  card.is_generated = generated == 1;
+  if (!integer(cards, 2, 4, "element number", 1 + offset, deck.sizes.elements[b] + offset, &card.element))
+    card.sound = false;
+  card.element -= offset;
+  if (!integer(cards, 6, 5, "local node number", 1, deck.sizes.function_nodes, &card.local))
+    card.sound = false;
+  unused_column(cards, 11);
+  card.values_sound = !cards.holds_tab;
+  for (int32_t i = 0; i < 4; ++i)
+    if (!integer(cards, 12 + i, 1, kCode[i], 0, 1, &card.codes[i])) card.values_sound = false;
+  unused_column(cards, 16);
+  for (int32_t i = 0; i < 4; ++i)
+    if (!real(cards, 17 + 10 * i, kValue[i], &card.values[i])) card.values_sound = false;
+  end_of_fields(cards, 57);
+  return card;
+}
+
+// Give this card's condition to all ends after `previous` up to its own; without generation to its own alone.
+bool set_conditions(Deck& deck, int b, const ConditionCard& previous, const ConditionCard& card) {
+  if (deck.sink == nullptr || !card.values_sound) return true;
+  place(deck, 1, 56);
+  int32_t element = card.element, local = card.local;
+  if (card.is_generated) {
+    element = previous.element;
+    local = previous.local + 1;
+  }
+  for (; element <= card.element; ++element, local = 1) {
+    const int32_t last = element < card.element ? deck.sizes.function_nodes : card.local;
+    for (; local <= last; ++local) {
+      const c2d_status status =
+          deck.sink->set_condition(deck.sink->solver, b + 1, element, local, card.codes, card.values, 1);
+      if (!accept(deck, status)) return false;
+    }
+  }
+  return true;
+}
+
+bool is_behind(const ConditionCard& card, const ConditionCard& previous) {
+  if (card.element != previous.element) return card.element < previous.element;
+  return card.local <= previous.local;
+}
+
+bool read_point_load(Deck& deck, int b) {
+  static const char* const kName[4] = {"x of a point load", "y of a point load",
+                                       "x component of a point load", "y component of a point load"};
+  Cards& cards = deck.cards;
+  if (!next_card(cards, "a point load card")) return false;
+  int32_t number; // the cards count anyway
+  integer(cards, 1, 5, "number of the point load", INT32_MIN, INT32_MAX, &number);
+  unused_column(cards, 6);
+  double data[4] = {0, 0, 0, 0};
+  bool sound = true;
+  for (int32_t i = 0; i < 4; ++i)
+    if (!real(cards, 7 + 10 * i, kName[i], &data[i])) sound = false;
+  end_of_fields(cards, 47);
+  if (deck.sink == nullptr || !sound) return !cards.ended;
+  place(deck, 7, 46);
+  return accept(deck, deck.sink->add_point_load(deck.sink->solver, b + 1, data[0] + deck.origin[b][0],
+                                                data[1] + deck.origin[b][1], data[2], data[3], 1));
+}
+
+} // namespace
+
+bool read_conditions(Deck& deck, int b) {
+  Cards& cards = deck.cards;
+  cards.body = b + 1;
+  if (!next_card(cards, "the card with the number of boundary conditions of a body")) return false;
+  int32_t conditions = 0;
+  if (!count(cards, 1, "number of boundary condition cards", 0, &conditions)) return false;
+  end_of_fields(cards, 6);
+  ConditionCard previous = ConditionCard();
+  for (int32_t i = 0; i < conditions; ++i) {
+    if (!next_card(cards, "a boundary condition card")) return false;
+    const ConditionCard card = read_condition(deck, b);
+    if (cards.ended) return false;
+    const bool follows = !card.is_generated || previous.sound;
+    if (card.sound && card.is_generated && i == 0)
+      fault(cards, 1, 1, "conditions are to be generated from a card before this one, expected one");
+    else if (card.sound && follows && card.is_generated && is_behind(card, previous))
+      fault(cards, 2, 10, "conditions are generated up to element ", card.element + element_offset(deck, b),
+            " node ", card.local, ", expected an end behind the card before (element ",
+            previous.element + element_offset(deck, b), " node ", previous.local, ")");
+    else if (card.sound && follows && !set_conditions(deck, b, previous, card))
+      return false;
+    previous = card;
+  }
+  return !cards.ended;
+}
+
+bool read_point_loads(Deck& deck, int b) {
+  Cards& cards = deck.cards;
+  if (!next_card(cards, "the card with the number of point loads of a body")) return false;
+  int32_t loads = 0;
+  if (!count(cards, 1, "number of point loads", 0, &loads)) return false;
+  end_of_fields(cards, 6);
+  deck.sizes.point_loads += loads;
+  for (int32_t i = 0; i < loads; ++i)
+    if (!read_point_load(deck, b)) return false;
+  return !cards.ended;
+}
+
+} // namespace c2d

@@ -1,0 +1,230 @@
+// Heading, problem type, numbers of bodies, elements and regions, elastic constants, friction.
+#include "deck/deck.hpp"
+
+#include <string.h>
+
+namespace c2d {
+namespace {
+
+constexpr int32_t kTitleColumns = 72; // format 18A4
+
+bool read_problem_type(Deck& deck) {
+  Cards& cards = deck.cards;
+  if (!next_card(cards, "the card with the type of problem")) return false;
+  int32_t plane = 0, output = 0;
+  integer(cards, 1, 5, "problem type (IPTYPE, 0 plane strain, 1 plane stress)", 0, 1, &plane);
+  integer(cards, 6, 5, "type of output (IOUT)", INT32_MIN, INT32_MAX, &output);
+  end_of_fields(cards, 11);
+  deck.problem.plane = plane;
+  deck.problem.analysis = output < C2D_ANALYSIS_CHECK        ? C2D_ANALYSIS_CHECK
+                          : output > C2D_ANALYSIS_ITERATIONS ? C2D_ANALYSIS_ITERATIONS
+                                                             : output;
+  if (deck.sink == nullptr) return true;
+  place(deck, 1, 10);
+  return accept(deck, deck.sink->set_problem(deck.sink->solver, &deck.problem));
+}
+
+bool read_counts(Deck& deck) {
+  Cards& cards = deck.cards;
+  c2d_limits& sizes = deck.sizes;
+  if (!next_card(cards, "the card with the numbers of bodies and contact zones")) return false;
+  cards.vital = true;
+  const bool bodies_known = integer(cards, 1, 5, "number of bodies", 1, 2, &sizes.bodies);
+  const bool zones_known = integer(cards, 6, 5, "number of contact zones", 0, INT32_MAX, &sizes.zones);
+  const bool nodes_known =
+      integer(cards, 11, 5, "number of functional nodes per element", 1, 4, &sizes.function_nodes);
+  cards.vital = false;
+  end_of_fields(cards, 16);
+  if (!bodies_known || !zones_known || !nodes_known) return false;
+  if (sizes.zones > 0 && sizes.bodies < 2)
+    fault(cards, 6, 10, "number of contact zones is ", sizes.zones, ", expected 0: contact needs two bodies");
+  else if (sizes.zones > 0 && deck.problem.analysis == C2D_ANALYSIS_STRESS)
+    fault(cards, 6, 10, "number of contact zones is ", sizes.zones,
+          ", expected 0: a stress analysis (IOUT 0) has no contact zones; IOUT 1 or 2 is contact");
+  if (deck.sink != nullptr && deck.sink->function_nodes > 0 &&
+      deck.sink->function_nodes != sizes.function_nodes) {
+    fault(cards, 11, 15, "number of functional nodes per element is ", sizes.function_nodes,
+          ", but the workspace was made for ", deck.sink->function_nodes);
+    return false;
+  }
+  return true;
+}
+
+c2d_body body_data(const Deck& deck, int b, double youngs_modulus, double poisson_ratio) {
+  c2d_body data = c2d_body();
+  data.struct_size = static_cast<uint32_t>(sizeof data);
+  data.element_nodes = deck.element_nodes[b];
+  data.elements = deck.sizes.elements[b];
+  data.regions = deck.sizes.regions[b];
+  data.youngs_modulus = youngs_modulus;
+  data.poisson_ratio = poisson_ratio;
+  return data;
+}
+
+bool set_body(Deck& deck, int b, double youngs_modulus, double poisson_ratio) {
+  if (deck.sink == nullptr) return true;
+  const c2d_body data = body_data(deck, b, youngs_modulus, poisson_ratio);
+  place(deck, 1, 20);
+  return accept(deck, deck.sink->set_body(deck.sink->solver, b + 1, &data));
+}
+
+bool read_body(Deck& deck, int b) {
+  Cards& cards = deck.cards;
+  c2d_limits& sizes = deck.sizes;
+  if (!next_card(cards, "the card with the numbers of regions and elements of a body")) return false;
+  deck.element_nodes[b] = 2;
+  const int32_t old_faults = cards.faults;
+  cards.vital = true;
+  const bool regions_known = integer(cards, 1, 5, "number of regions", 1, INT32_MAX, &sizes.regions[b]);
+  cards.vital = false;
+  const bool order_known =
+      integer(cards, 6, 5, "number of boundary nodes per element", 2, 4, &deck.element_nodes[b]);
+  cards.vital = true;
+  const bool elements_known = integer(cards, 11, 5, "number of elements", 1, INT32_MAX, &sizes.elements[b]);
+  const bool nodes_known =
+      integer(cards, 16, 5, "number of boundary points", 1, INT32_MAX, &sizes.geometry_nodes[b]);
+  cards.vital = false;
+  end_of_fields(cards, 21);
+  if (!regions_known || !elements_known || !nodes_known) return false;
+  const int32_t expected = sizes.elements[b] * (deck.element_nodes[b] - 1);
+  if (order_known && sizes.geometry_nodes[b] != expected)
+    fault(cards, 16, 20, "number of boundary points is ", sizes.geometry_nodes[b], ", expected ", expected,
+          ": ", sizes.elements[b], " elements of ", deck.element_nodes[b], " nodes");
+  if (sizes.regions[b] > sizes.elements[b])
+    fault(cards, 1, 5, "number of regions is ", sizes.regions[b], ", expected at most ", sizes.elements[b],
+          ", the number of elements");
+  if (cards.faults != old_faults) return !cards.ended;
+  return set_body(deck, b, 1.0, 0.0);
+}
+
+// Whether body 2's elements are numbered on from body 1's: its first region card says so. Where that card is
+// wrong, the guess that makes the fewest faults further on.
+bool continues(const Deck& deck, bool first_known, int32_t first, int32_t last) {
+  if (first_known && first == deck.sizes.elements[0] + 1) return true;
+  if (first_known && first == 1) return false;
+  return last > deck.sizes.elements[1];
+}
+
+// Region `number` of a body begins at element *next (within the body).
+bool read_region(Deck& deck, int b, int32_t number, int32_t* next) {
+  Cards& cards = deck.cards;
+  if (!next_card(cards, "the card with the first and last element of a region")) return false;
+  const int32_t elements = deck.sizes.elements[b];
+  int32_t first = 0, last = 0;
+  const bool first_known = integer(cards, 1, 5, "first element of the region", INT32_MIN, INT32_MAX, &first);
+  const bool last_known = integer(cards, 6, 5, "last element of the region", INT32_MIN, INT32_MAX, &last);
+  end_of_fields(cards, 11);
+  if (b == 1 && number == 1) deck.elements_continue = continues(deck, first_known, first, last);
+  const int32_t offset = element_offset(deck, b);
+  const int32_t expected = *next + offset;
+  const bool is_last = number == deck.sizes.regions[b];
+  const bool first_sound = first_known && first == expected;
+  const bool last_sound =
+      last_known && last <= elements + offset && last >= (is_last ? elements + offset : expected);
+  if (first_known && !first_sound)
+    fault(cards, 1, 5, "first element of the region is ", first, ", expected ", expected);
+  if (last_known && !last_sound && is_last)
+    fault(cards, 6, 10, "last element of the region is ", last, ", expected ", elements + offset);
+  else if (last_known && !last_sound)
+    fault(cards, 6, 10, "last element of the region is ", last, ", expected ", expected, " to ",
+          elements + offset);
+  *next = last_sound && last - offset < elements ? last - offset + 1 : elements;
+  if (deck.sink == nullptr || !first_sound || !last_sound) return !cards.ended;
+  place(deck, 1, 10);
+  return accept(deck, deck.sink->add_region(deck.sink->solver, b + 1, first - offset, last - offset));
+}
+
+bool read_elastic_constants(Deck& deck, int b) {
+  Cards& cards = deck.cards;
+  if (!next_card(cards, "the card with the elastic constants of a body")) return false;
+  double modulus = 0, ratio = 0;
+  bool sound = real(cards, 1, "Young's modulus", &modulus);
+  if (sound && !(modulus > 0)) {
+    fault(cards, 1, 10, "Young's modulus is ", modulus, ", expected more than 0");
+    sound = false;
+  }
+  const bool ratio_known = real(cards, 11, "Poisson's ratio", &ratio);
+  if (ratio_known && !(ratio > -1 && ratio <= 0.5))
+    fault(cards, 11, 20, "Poisson's ratio is ", ratio, ", expected more than -1 and at most 0.5");
+  else if (ratio_known && deck.problem.plane == C2D_PLANE_STRESS && !(ratio > -0.5))
+    fault(cards, 11, 20, "Poisson's ratio is ", ratio, ", expected more than -0.5 in plane stress");
+  else if (ratio_known && sound && !set_body(deck, b, modulus, ratio))
+    return false;
+  end_of_fields(cards, 21);
+  return !cards.ended;
+}
+
+bool read_friction(Deck& deck) {
+  constexpr int32_t kPerCard = 7;
+  Cards& cards = deck.cards;
+  if (!next_card(cards, "the card with the coefficients of friction")) return false;
+  if (!count(cards, 1, "number of coefficients of friction", 1, &deck.sizes.coefficients)) return false;
+  for (int32_t i = 0; i < deck.sizes.coefficients; ++i) {
+    const int32_t place_on_card = i % kPerCard;
+    if (i > 0 && place_on_card == 0) {
+      if (!next_card(cards, "a further card with coefficients of friction")) return false;
+      int32_t nothing;
+      integer(cards, 1, 5, "columns 1-5 of a further card of coefficients", 0, 0, &nothing);
+    }
+    if (place_on_card == 0) unused_column(cards, 6);
+    const int32_t column = 7 + 10 * place_on_card;
+    double mu = 0;
+    if (!real(cards, column, "coefficient of friction", &mu)) continue;
+    if (mu < 0)
+      fault(cards, column, column + 9, "coefficient of friction is ", mu, ", expected at least 0");
+    else if (deck.sink != nullptr) {
+      place(deck, column, column + 9);
+      if (!accept(deck, deck.sink->add_friction(deck.sink->solver, mu))) return false;
+    }
+  }
+  return !cards.ended;
+}
+
+} // namespace
+
+bool read_heading(Deck& deck) {
+  Cards& cards = deck.cards;
+  if (!next_heading(cards, "the card with the number of heading cards")) return false;
+  if (memcmp(cards.text, "*FREE", 5) == 0) {
+    fault(cards, 1, 5, "free format is not supported yet, expected the number of heading cards");
+    return false;
+  }
+  refuse_tabs(cards);
+  int32_t headings = 0;
+  if (!count(cards, 1, "number of heading cards", 1, &headings)) return false;
+  for (int32_t i = 0; i < headings; ++i)
+    if (!next_heading(cards, "a heading card")) return false;
+  int32_t used = kTitleColumns;
+  while (used > 0 && (cards.text[used - 1] == ' ' || cards.text[used - 1] == '\t')) --used;
+  deck.problem.struct_size = static_cast<uint32_t>(sizeof deck.problem);
+  for (int32_t i = 0; i < used; ++i) deck.problem.title[i] = cards.text[i] == '\t' ? ' ' : cards.text[i];
+  return true;
+}
+
+bool read_control(Deck& deck) {
+  if (!read_problem_type(deck) || !read_counts(deck)) return false;
+  const int32_t bodies = deck.sizes.bodies;
+  for (int b = 0; b < bodies; ++b) {
+    deck.cards.body = b + 1;
+    if (!read_body(deck, b)) return false;
+  }
+  for (int b = 0; b < bodies; ++b) {
+    deck.cards.body = b + 1;
+    int32_t next = 1;
+    for (int32_t i = 1; i <= deck.sizes.regions[b]; ++i)
+      if (!read_region(deck, b, i, &next)) return false;
+  }
+  deck.cards.body = 0;
+  return true;
+}
+
+bool read_materials(Deck& deck) {
+  for (int b = 0; b < deck.sizes.bodies; ++b) {
+    deck.cards.body = b + 1;
+    if (!read_elastic_constants(deck, b)) return false;
+  }
+  deck.cards.body = 0;
+  return read_friction(deck);
+}
+
+} // namespace c2d

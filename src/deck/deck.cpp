@@ -1,0 +1,64 @@
+#include "deck/deck.hpp"
+
+#include <string.h>
+
+namespace c2d {
+namespace {
+
+bool read_sections(Deck& deck) {
+  if (!read_heading(deck) || !read_control(deck) || !read_materials(deck)) return false;
+  for (int b = 0; b < deck.sizes.bodies; ++b)
+    if (!read_nodes(deck, b)) return false;
+  for (int b = 0; b < deck.sizes.bodies; ++b)
+    if (!read_conditions(deck, b) || !read_point_loads(deck, b)) return false;
+  deck.cards.body = 0;
+  if (!read_zones(deck) || !read_loads(deck)) return false;
+  read_extensions(deck);
+  return true;
+}
+
+} // namespace
+
+c2d_status read_deck_cards(const DeckSink* sink, c2d_read_line read, void* context, c2d_report report,
+                           void* report_context, c2d_limits* sizes) {
+  Deck deck = Deck();
+  deck.cards = cards_from(read, context, report, report_context);
+  deck.sink = sink;
+  deck.sizes.load_cases = 1;
+  read_sections(deck);
+  if (deck.cards.status != C2D_OK) return deck.cards.status;
+  if (deck.cards.faults > 0) return C2D_ERR_INPUT;
+  if (sizes != nullptr) *sizes = deck.sizes;
+  return C2D_OK;
+}
+
+void place(Deck& deck, int32_t column, int32_t column_end) {
+  if (deck.sink != nullptr)
+    accept(deck, deck.sink->set_line(deck.sink->solver, deck.cards.line, column, column_end));
+}
+
+bool accept(Deck& deck, c2d_status status) {
+  if (status == C2D_OK) return !deck.cards.ended;
+  ++deck.cards.faults;
+  if (status != C2D_ERR_ARGUMENT && status != C2D_ERR_INPUT) {
+    if (deck.cards.status == C2D_OK) deck.cards.status = status;
+    deck.cards.ended = true;
+  }
+  if (deck.cards.faults > kMaximumFaults) deck.cards.ended = true;
+  return !deck.cards.ended;
+}
+
+int32_t element_offset(const Deck& deck, int b) {
+  return b == 1 && deck.elements_continue ? deck.sizes.elements[0] : 0;
+}
+
+int32_t function_node_offset(const Deck& deck, int b) {
+  return b == 1 && deck.nodes_continue ? function_node_count(deck, 0) : 0;
+}
+
+int32_t function_node_count(const Deck& deck, int b) {
+  const int32_t per_element = deck.sizes.function_nodes > 1 ? deck.sizes.function_nodes - 1 : 1;
+  return deck.sizes.elements[b] * per_element;
+}
+
+} // namespace c2d

@@ -1,0 +1,76 @@
+#pragma once
+// The card deck of the 1987 program (Appendix B of the thesis): a walk over all its cards, section by
+// section. The walk validates every number where it stands, counts sizes, and hands the model to a sink; it
+// keeps none of it, so a deck may be as large as the workspace behind the sink.
+#include "contact2d.h"
+#include "deck/cards.hpp"
+
+namespace c2d {
+
+// Where the model goes: the calls of section 5 of the C interface, in the order in which they are made here.
+// What differs from a model built by hand, because of the order of the cards:
+// - set_problem comes twice: the iteration limit stands on one of the last cards;
+// - set_body comes twice for each body: the elastic constants stand behind the regions. The first call
+// carries
+//   constants that are merely legal (E = 1, nu = 0) and the second, after the regions, those of the deck.
+struct DeckSink {
+  c2d_solver* solver;
+  int32_t function_nodes; // per element, as the workspace was made for; 0: any
+  c2d_status (*set_line)(c2d_solver*, int32_t line, int32_t column, int32_t column_end);
+  c2d_status (*set_problem)(c2d_solver*, const c2d_problem*);
+  c2d_status (*set_body)(c2d_solver*, int32_t body, const c2d_body*);
+  c2d_status (*add_region)(c2d_solver*, int32_t body, int32_t first_element, int32_t last_element);
+  c2d_status (*set_nodes)(c2d_solver*, int32_t body, int32_t first, int32_t count, const double* xy,
+                          int64_t stride);
+  c2d_status (*set_condition)(c2d_solver*, int32_t body, int32_t element, int32_t local,
+                              const int32_t codes[4], const double values[4], int32_t load_case);
+  c2d_status (*add_point_load)(c2d_solver*, int32_t body, double x, double y, double fx, double fy,
+                               int32_t load_case);
+  c2d_status (*add_zone)(c2d_solver*, const c2d_zone*);
+  c2d_status (*add_friction)(c2d_solver*, double mu);
+  c2d_status (*add_path)(c2d_solver*, int32_t increments, double load);
+};
+
+// What later sections must know of earlier ones. Bodies are counted from 0 in here.
+struct Deck {
+  Cards cards;
+  const DeckSink* sink; // null: only check and count
+  c2d_limits sizes;
+  c2d_problem problem;
+  int32_t element_nodes[2];        // NBN
+  double origin[2][2];             // of the local coordinates
+  bool elements_continue;          // body 2's elements are numbered on from body 1's
+  bool nodes_continue;             // so are its nodes
+  int64_t pairs, contact_elements; // of all zones
+};
+
+// Read a deck to its end. Every fault goes to `report` (may be null), those of the sink's calls excepted: the
+// sink has told them. Returns C2D_OK; C2D_ERR_INPUT after any fault; C2D_ERR_READ; or what the sink returned,
+// if that was neither ARGUMENT nor INPUT. `sizes`, if not null, receives the sizes after C2D_OK.
+c2d_status read_deck_cards(const DeckSink* sink, c2d_read_line read, void* context, c2d_report report,
+                           void* report_context, c2d_limits* sizes);
+
+// The sections, in order. Each returns false if the deck cannot be read on; faults have then been reported.
+bool read_heading(Deck& deck);           // control.cpp
+bool read_control(Deck& deck);           //   problem type, bodies, regions
+bool read_materials(Deck& deck);         //   elastic constants, friction
+bool read_nodes(Deck& deck, int b);      // nodes.cpp
+bool read_conditions(Deck& deck, int b); // conditions.cpp
+bool read_point_loads(Deck& deck, int b);
+bool read_zones(Deck& deck);      // zones.cpp: zones and the counts per body
+bool read_loads(Deck& deck);      // loads.cpp: load path
+void read_extensions(Deck& deck); //   what follows the last load card
+
+// ---- shared by the sections
+// -------------------------------------------------------------------------------------- Faults of the sink's
+// next call are in these columns of the card at hand.
+void place(Deck& deck, int32_t column, int32_t column_end);
+// Take note of what a call of the sink returned; false if the reading must end.
+bool accept(Deck& deck, c2d_status status);
+// Added to an element's or functional node's number within body b to get that of the cards.
+int32_t element_offset(const Deck& deck, int b);
+int32_t function_node_offset(const Deck& deck, int b);
+// Functional nodes of body b: an element shares its last with the next one's first, if it has more than one.
+int32_t function_node_count(const Deck& deck, int b);
+
+} // namespace c2d

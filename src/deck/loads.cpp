@@ -1,0 +1,66 @@
+// The load path, and what follows the last load card.
+#include "deck/deck.hpp"
+
+#include "deck/number.hpp"
+
+namespace c2d {
+namespace {
+
+bool read_load_header(Deck& deck) {
+  Cards& cards = deck.cards;
+  if (!next_card(cards, "the card with the number of load cards")) return false;
+  const bool paths_known = count(cards, 1, "number of load cards", 1, &deck.sizes.paths);
+  const bool limit_known =
+      integer(cards, 6, 5, "limit of iterations", 1, INT32_MAX, &deck.problem.iteration_limit);
+  end_of_fields(cards, 11);
+  if (!paths_known || cards.ended) return false;
+  if (deck.sink == nullptr || !limit_known) return true;
+  place(deck, 1, 10);
+  return accept(deck, deck.sink->set_problem(deck.sink->solver, &deck.problem));
+}
+
+bool read_load(Deck& deck) {
+  Cards& cards = deck.cards;
+  if (!next_card(cards, "a load card")) return false;
+  int32_t increments = 0;
+  double load = 0;
+  const bool increments_known = integer(cards, 1, 5, "number of load increments", 1, INT32_MAX, &increments);
+  unused_column(cards, 6);
+  const bool load_known = real(cards, 7, "load factor", &load);
+  end_of_fields(cards, 17);
+  if (deck.sink == nullptr || !increments_known || !load_known) return !cards.ended;
+  place(deck, 1, 16);
+  return accept(deck, deck.sink->add_path(deck.sink->solver, increments, load));
+}
+
+} // namespace
+
+bool read_loads(Deck& deck) {
+  if (!read_load_header(deck)) return false;
+  for (int32_t i = 0; i < deck.sizes.paths; ++i)
+    if (!read_load(deck)) return false;
+  return true;
+}
+
+// Blank cards and comments may follow; keyword cards are there for extensions, none of which is known yet.
+void read_extensions(Deck& deck) {
+  Cards& cards = deck.cards;
+  bool in_extension = false; // its cards are skipped with it
+  while (next_card_if_any(cards)) {
+    if (is_blank(cards.text, kCardColumns)) continue;
+    if (cards.text[0] == '*') {
+      int32_t width = 1;
+      while (width < 20 && cards.text[width] != ' ') ++width;
+      char word[21];
+      Text text = text_in(word);
+      put(text, cards.text, static_cast<size_t>(width));
+      fault(cards, 1, width, "the keyword ", word, " is not known");
+      in_extension = true;
+    } else if (!in_extension) {
+      fault(cards, 0, 0, "a card follows the last load card, expected the end of the deck");
+      return;
+    }
+  }
+}
+
+} // namespace c2d

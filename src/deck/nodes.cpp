@@ -1,0 +1,147 @@
+// Boundary points: origin, node cards, generation along lines and arcs.
+#include "deck/deck.hpp"
+#include "deck/polar.hpp"
+
+#include <math.h>
+
+namespace c2d {
+namespace {
+
+// A node card; x, y are local Cartesian coordinates.
+struct NodeCard {
+  int32_t node; // within the body
+  bool sound;   // the coordinates are known
+  bool polar;
+  double radius, angle; // of a polar card
+  double x, y;
+};
+
+bool read_origin(Deck& deck, int b) {
+  Cards& cards = deck.cards;
+  if (!next_card(cards, "the card with the origin of a body")) return false;
+  real(cards, 1, "x of the origin", &deck.origin[b][0]);
+  real(cards, 11, "y of the origin", &deck.origin[b][1]);
+  end_of_fields(cards, 21);
+  return !cards.ended;
+}
+
+void read_coordinates(Cards& cards, NodeCard& card) {
+  const char letter = cards.text[0];
+  card.sound = !cards.holds_tab;
+  if (card.sound && letter != ' ' && letter != 'P') {
+    if (letter != 'C') { // a C has been reported as what might be a comment
+      const char shown[2] = {letter, '\0'};
+      fault(cards, 1, 1, "column 1 holds '", shown, "', expected a coordinate letter, which is blank or P");
+    }
+    card.sound = false;
+  }
+  card.polar = letter == 'P';
+  unused_column(cards, 6);
+  double first = 0, second = 0;
+  const bool first_known = real(cards, 7, card.polar ? "radius" : "x of a node", &first);
+  const bool second_known = real(cards, 17, card.polar ? "angle in degrees" : "y of a node", &second);
+  end_of_fields(cards, 27);
+  card.sound = card.sound && first_known && second_known;
+  card.x = first;
+  card.y = second;
+  if (!card.polar) return;
+  if (first_known && first < 0) {
+    fault(cards, 7, 16, "radius is ", first, ", expected at least 0");
+    card.sound = false;
+  }
+  card.radius = first;
+  card.angle = second;
+  double cosine, sine;
+  cosine_and_sine(second, &cosine, &sine);
+  card.x = first * cosine;
+  card.y = first * sine;
+}
+
+bool set_node(Deck& deck, int b, int32_t node, double x, double y) {
+  if (deck.sink == nullptr) return true;
+  const double xy[2] = {x + deck.origin[b][0], y + deck.origin[b][1]};
+  return accept(deck, deck.sink->set_nodes(deck.sink->solver, b + 1, node, 1, xy, 2));
+}
+
+bool is_same_radius(double a, double b) {
+  return fabs(a - b) <= 1e-6 * (a > b ? a : b);
+}
+
+// The nodes between two cards, equally spaced along a line or, if the second card is polar, along an arc.
+bool generate(Deck& deck, int b, const NodeCard& from, const NodeCard& to) {
+  if (!from.sound || !to.sound || to.node - from.node < 2) return true;
+  if (to.polar && !from.polar) {
+    fault(deck.cards, 1, 1, "nodes before number ", to.node,
+          " lie on an arc, expected a P card before this one too");
+    return !deck.cards.ended;
+  }
+  if (to.polar && !is_same_radius(from.radius, to.radius)) {
+    fault(deck.cards, 7, 16, "radius is ", to.radius, ", expected ", from.radius,
+          ": the nodes before this one lie on an arc from the card before");
+    return !deck.cards.ended;
+  }
+  const double steps = to.node - from.node;
+  for (int32_t i = 1; i < to.node - from.node; ++i) {
+    double x = from.x + (to.x - from.x) * i / steps;
+    double y = from.y + (to.y - from.y) * i / steps;
+    if (to.polar) {
+      cosine_and_sine(from.angle + (to.angle - from.angle) * i / steps, &x, &y);
+      x *= to.radius;
+      y *= to.radius;
+    }
+    if (!set_node(deck, b, from.node + i, x, y)) return false;
+  }
+  return true;
+}
+
+} // namespace
+
+// A card whose number cannot be right is skipped; after two of them in succession it is no longer sure that
+// node cards are being read at all, and the reading ends.
+bool read_nodes(Deck& deck, int b) {
+  Cards& cards = deck.cards;
+  cards.body = b + 1;
+  if (!read_origin(deck, b)) return false;
+  const int32_t nodes = deck.sizes.geometry_nodes[b];
+  NodeCard previous = NodeCard();
+  bool doubtful = false;
+  for (bool is_first = true; previous.node < nodes; is_first = false) {
+    cards.holds_nodes = true;
+    const bool found = next_card(cards, "a node card");
+    cards.holds_nodes = false;
+    if (!found) return false;
+    NodeCard card = NodeCard();
+    int32_t number = 0;
+    const bool number_known = integer(cards, 2, 4, "node number", INT32_MIN, INT32_MAX, &number);
+    if (b == 1 && is_first) deck.nodes_continue = number_known && number > deck.sizes.geometry_nodes[0];
+    const int32_t offset = b == 1 && deck.nodes_continue ? deck.sizes.geometry_nodes[0] : 0;
+    card.node = number - offset;
+    const bool number_sound = number_known && card.node > previous.node && card.node <= nodes &&
+                              (previous.node > 0 || card.node == 1 || !is_first);
+    if (!number_sound) {
+      const int32_t least = previous.node + 1 + offset;
+      if (number_known && is_first)
+        fault(cards, 2, 5, "first node number is ", number, ", expected ", least);
+      else if (number_known)
+        fault(cards, 2, 5, "node number is ", number, ", expected ", least, " to ", nodes + offset);
+      if (doubtful) return false;
+    }
+    read_coordinates(cards, card);
+    doubtful = !number_sound;
+    if (!number_sound) {
+      // A first node that is not number 1 still counts the nodes on.
+      if (is_first && number_known && card.node > 0 && card.node <= nodes) previous.node = card.node;
+      previous.sound = false;
+      if (cards.ended) return false;
+      continue;
+    }
+    place(deck, 7, 26);
+    if (!generate(deck, b, previous, card)) return false;
+    if (card.sound && !set_node(deck, b, card.node, card.x, card.y)) return false;
+    previous = card;
+    if (cards.ended) return false;
+  }
+  return true;
+}
+
+} // namespace c2d

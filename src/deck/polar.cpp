@@ -1,0 +1,45 @@
+#include "deck/polar.hpp"
+
+#include <math.h>
+#include <stdint.h>
+
+namespace c2d {
+namespace {
+
+// 0 <= degrees <= 45.
+void first_octant(double degrees, double* cosine, double* sine) {
+  constexpr double kRadians = 3.14159265358979323846 / 180.0;
+  constexpr double kHalfRoot = 0.70710678118654752440;
+  *cosine = degrees == 45.0 ? kHalfRoot : cos(degrees * kRadians);
+  *sine = degrees == 45.0 ? kHalfRoot : degrees == 30.0 ? 0.5 : sin(degrees * kRadians);
+}
+
+} // namespace
+
+void cosine_and_sine(double degrees, double* cosine, double* sine) {
+  double angle = fmod(degrees, 360.0); // exact, as are the subtractions below
+  if (angle < 0.0) angle += 360.0;
+  const int32_t quadrant = static_cast<int32_t>(angle / 90.0);
+  angle -= 90.0 * quadrant;
+  double c, s;
+  if (angle <= 45.0)
+    first_octant(angle, &c, &s);
+  else
+    first_octant(90.0 - angle, &s, &c);
+  switch (quadrant % 4) {
+  case 0:
+    *cosine = c, *sine = s;
+    break;
+  case 1:
+    *cosine = -s, *sine = c;
+    break;
+  case 2:
+    *cosine = -c, *sine = -s;
+    break;
+  default:
+    *cosine = s, *sine = -c;
+    break;
+  }
+}
+
+} // namespace c2d

@@ -1,0 +1,109 @@
+// Contact zones, and what each body has of them in sum.
+#include "deck/deck.hpp"
+
+namespace c2d {
+namespace {
+
+// First and last of both bodies (I5 each) on one card; `count` of them must lie in each range.
+bool read_ranges(Deck& deck, const char* name, int32_t count, const int32_t offset[2], const int32_t size[2],
+                 int32_t first[2], int32_t last[2]) {
+  Cards& cards = deck.cards;
+  bool sound = true;
+  for (int b = 0; b < 2; ++b) {
+    const int32_t column = 1 + 10 * b;
+    const int32_t old_faults = cards.faults;
+    bool known = integer(cards, column, 5, name, 1 + offset[b], size[b] + offset[b], &first[b]);
+    if (!integer(cards, column + 5, 5, name, 1 + offset[b], size[b] + offset[b], &last[b])) known = false;
+    const int32_t distance = last[b] > first[b] ? last[b] - first[b] : first[b] - last[b];
+    if (known && count > 0 && distance + 1 != count)
+      fault(cards, column, column + 9, name, " ", first[b], " to ", last[b], " of body ", b + 1, " make ",
+            distance + 1, ", expected ", count);
+    first[b] -= offset[b];
+    last[b] -= offset[b];
+    sound = sound && known && cards.faults == old_faults;
+  }
+  end_of_fields(cards, 21);
+  return sound;
+}
+
+bool read_zone(Deck& deck, bool* sound) {
+  Cards& cards = deck.cards;
+  c2d_zone zone = c2d_zone();
+  zone.struct_size = static_cast<uint32_t>(sizeof zone);
+  if (!next_card(cards, "the card with the bodies and sizes of a contact zone")) return false;
+  int32_t body;
+  const int32_t old_faults = cards.faults;
+  integer(cards, 1, 5, "lower body of the zone", 1, 1, &body);
+  integer(cards, 6, 5, "upper body of the zone", 2, 2, &body);
+  const bool pairs_known = integer(cards, 11, 5, "number of contact nodes", 1, INT32_MAX, &zone.pairs);
+  const bool elements_known =
+      integer(cards, 16, 5, "number of contact elements", 1, INT32_MAX, &zone.elements);
+  end_of_fields(cards, 21);
+  const int32_t order = deck.sizes.function_nodes;
+  const int32_t most = order > 1 ? zone.elements * (order - 1) + 1 : zone.elements;
+  if (pairs_known && elements_known && zone.pairs > most)
+    fault(cards, 11, 15, "number of contact nodes is ", zone.pairs, ", expected at most ", most, " on ",
+          zone.elements, " elements of ", order, " nodes");
+  deck.pairs += zone.pairs;
+  deck.contact_elements += zone.elements;
+
+  const int32_t element_offsets[2] = {0, element_offset(deck, 1)};
+  const int32_t node_offsets[2] = {0, function_node_offset(deck, 1)};
+  const int32_t nodes[2] = {function_node_count(deck, 0), function_node_count(deck, 1)};
+  *sound = cards.faults == old_faults && !cards.holds_tab;
+  if (!next_card(cards, "the card with the elements of a contact zone")) return false;
+  if (!read_ranges(deck, "contact elements", zone.elements, element_offsets, deck.sizes.elements,
+                   zone.first_element, zone.last_element))
+    *sound = false;
+  if (!next_card(cards, "the card with the nodes of a contact zone")) return false;
+  if (!read_ranges(deck, "contact nodes", zone.pairs, node_offsets, nodes, zone.first_node, zone.last_node))
+    *sound = false;
+  if (deck.sink == nullptr || !*sound) return !cards.ended;
+  place(deck, 1, 20);
+  return accept(deck, deck.sink->add_zone(deck.sink->solver, &zone));
+}
+
+int32_t bounded(int64_t size) {
+  return size > INT32_MAX ? INT32_MAX : static_cast<int32_t>(size);
+}
+
+// The sums stand once more on a card for each body; `sound`: the zones were read without a fault.
+bool read_sums(Deck& deck, bool sound) {
+  Cards& cards = deck.cards;
+  if (!next_card(cards, "the card with the numbers of contact nodes and elements of a body")) return false;
+  int32_t nodes = 0, elements = 0;
+  const bool nodes_known = integer(cards, 1, 5, "number of contact nodes of the body", 0, INT32_MAX, &nodes);
+  const bool elements_known =
+      integer(cards, 6, 5, "number of contact elements of the body", 0, INT32_MAX, &elements);
+  end_of_fields(cards, 11);
+  if (sound && nodes_known && nodes != deck.pairs)
+    fault(cards, 1, 5, "number of contact nodes of the body is ", nodes, ", expected ", deck.pairs,
+          ", the sum of the zones");
+  if (sound && elements_known && elements != deck.contact_elements)
+    fault(cards, 6, 10, "number of contact elements of the body is ", elements, ", expected ",
+          deck.contact_elements, ", the sum of the zones");
+  return !cards.ended;
+}
+
+} // namespace
+
+bool read_zones(Deck& deck) {
+  bool all_sound = true;
+  for (int32_t i = 0; i < deck.sizes.zones; ++i) {
+    bool sound = false;
+    deck.cards.zone = i + 1;
+    if (!read_zone(deck, &sound)) return false;
+    all_sound = all_sound && sound;
+  }
+  deck.cards.zone = 0;
+  deck.sizes.pairs = bounded(deck.pairs);
+  deck.sizes.contact_elements = bounded(deck.contact_elements);
+  for (int b = 0; b < deck.sizes.bodies; ++b) {
+    deck.cards.body = b + 1;
+    if (!read_sums(deck, all_sound)) return false;
+  }
+  deck.cards.body = 0;
+  return true;
+}
+
+} // namespace c2d
