@@ -4,6 +4,9 @@
 
 namespace c2d {
 
+// Bytes of one element of the arrays whose types belong to the model (checked there with static_assert).
+constexpr uint64_t kRegionBytes = 8, kZoneBytes = 56, kPairBytes = 136, kPointLoadBytes = 48, kPathBytes = 16;
+
 // Every array that lives in the workspace, in the order in which memory is carved. Two arrays per body follow one
 // another (`kXy + body`). The README maps them to the arrays of the 1987 program.
 enum ArrayId : int32_t {
@@ -46,12 +49,12 @@ c2d_status derive_sizes(const c2d_limits& limits, Sizes& out);
 struct Layout {
   uint64_t offset[kArrays]; // from the aligned start of the workspace
   uint64_t persistent;      // bytes up to kPhase
-  uint64_t phase_minimum, phase_in_core;
 };
 
 constexpr uint64_t kAlignment = 64;
 
-// The sum that everything rests on. `header` is the size of the solver's own struct. Errors: C2D_ERR_OVERFLOW.
+// The sum that everything rests on, up to the phase area (whose size solver/phases.hpp tells). `header` is the size
+// of the solver's own struct. Errors: C2D_ERR_OVERFLOW.
 c2d_status lay_out(const Sizes& sizes, uint64_t header, Layout& out);
 
 // Checked arithmetic: false if the result does not fit.

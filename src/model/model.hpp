@@ -39,7 +39,21 @@ struct Pair {
   double nx, ny;            // the frame: n from body 1 to body 2; t = (ny, -nx)
   double gap;               // initial normal gap >= 0
   double length;            // shorter of the contact elements that meet there, both bodies
+  // History of friction, written by src/contact alone; w_t = (u2 - u1).t in the length unit of the model.
+  double offset;            // stick: w_t at which the pair sticks
+  double slip_done;         // slip summed over finished episodes
+  double slip_from;         // slip: w_t at which this episode began
+  double mu;                // coefficient of friction in force
+  double increment_from;    // w_t at the start of the increment (deck stepping)
+  int32_t sign;             // slip: sign of the friction on body 2
+  int32_t saved_status, saved_sign;
+  int32_t weak;             // this pair sits on the border of its conditions (within one event)
+  double saved_offset, saved_slip_done, saved_slip_from;
 };
+
+static_assert(sizeof(Region) == kRegionBytes && sizeof(Zone) == kZoneBytes && sizeof(Pair) == kPairBytes &&
+                  sizeof(PointLoad) == kPointLoadBytes && sizeof(Path) == kPathBytes,
+              "memory/sizes.hpp states the size of every array element");
 
 struct Body {               // lives in the solver's header
   int32_t element_nodes, elements, geometry_nodes, regions;

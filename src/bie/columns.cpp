@@ -1,0 +1,354 @@
+#include "bie/columns.hpp"
+
+#include <math.h>
+
+#include "bie/kernels.hpp"
+#include "bie/shape.hpp"
+
+namespace c2d {
+
+// ---- numbering --------------------------------------------------------------------------------------------------
+
+void number_unknowns(const Model& m, int b) {
+  Body& body = m.head->body[b];
+  int32_t column = 0;
+  for (int32_t node = 0; node < body.nodes; ++node) {
+    m.node_column[b][node] = column;
+    for (int c = 0; c < 2; ++c)
+      if (unknown_at(m, b, node, c).kind != UnknownKind::contact) ++column;
+  }
+  m.node_column[b][body.nodes] = column;
+  body.columns = column;
+}
+
+int32_t outer_column(const Model& m, int b, int32_t node, int component) {
+  if (unknown_at(m, b, node, component).kind == UnknownKind::contact) return -1;
+  const bool second = component == 1 && unknown_at(m, b, node, 0).kind != UnknownKind::contact;
+  return m.node_column[b][node] + (second ? 1 : 0);
+}
+
+// ---- elements ---------------------------------------------------------------------------------------------------
+
+namespace {
+
+Element scaled_element(const Model& m, int b, int32_t element) {
+  double x[4], y[4];
+  element_coordinates(m, b, element, x, y);
+  const int nodes = m.head->body[b].element_nodes;
+  for (int k = 0; k < nodes; ++k) {
+    x[k] /= m.head->length_unit;
+    y[k] /= m.head->length_unit;
+  }
+  return make_element(nodes, x, y);
+}
+
+// The element of body 1 that faces a contact element of body 2; -1 if there is none.
+int32_t facing_element(const Model& m, int b, int32_t element, bool* reversed) {
+  int32_t zone = 0, place = 0;
+  if (b != 1 || !find_contact_element(m, b, element, &zone, &place)) return -1;
+  const Zone& z = m.zone[zone];
+  *reversed = z.element_step[0] != z.element_step[1];
+  return zone_element(m, z, 0, place);
+}
+
+} // namespace
+
+void make_integrator(const Model& m, int b, int32_t element, Quadrature quadrature, Integrator& out) {
+  prepare(out, scaled_element(m, b, element), m.head->function_nodes, strain_poisson_ratio(m, b), quadrature);
+  bool reversed = false;
+  const int32_t facing = facing_element(m, b, element, &reversed);
+  if (facing >= 0) set_arc(out, scaled_element(m, 0, facing), reversed);
+}
+
+void end_resultants(const Model& m, int b, int32_t element, EndResultant out[4]) {
+  Integrator integrator;
+  make_integrator(m, b, element, Quadrature::accurate, integrator);
+  double w[4], wx[4], wy[4];
+  resultants(integrator, 0.0, 0.0, w, wx, wy);
+  for (int l = 0; l < m.head->function_nodes; ++l) out[l] = EndResultant{w[l], wx[l], wy[l]};
+}
+
+double traction_ratio(const Model& m, int b, int32_t element, int l) {
+  bool reversed = false;
+  const int32_t facing = facing_element(m, b, element, &reversed);
+  if (facing < 0 || pair_of_end(m, b, element, l) < 0) return 1.0;
+  const double eta = node_eta(m.head->function_nodes, l);
+  const Point own = element_point(scaled_element(m, b, element), eta);
+  const Point other = element_point(scaled_element(m, 0, facing), reversed ? -eta : eta);
+  return other.jacobian / own.jacobian;
+}
+
+// ---- where an element's integrals go ----------------------------------------------------------------------------
+
+namespace {
+
+struct Target { // column -= or += factor * integral; column < 0: nowhere
+  int32_t column;
+  double factor;
+};
+// Of one component of one local node: at most the two contact columns of its pair, or one outer column. What is
+// prescribed goes to the right-hand sides.
+struct Destination {
+  Target target[2];
+  bool known; // times value(case), into the right-hand sides
+};
+
+struct Range { // the columns wanted, and the first right-hand side
+  int32_t first, last, right;
+  bool holds(int32_t column) const { return column >= first && column < last; }
+  bool holds_right() const { return last > right; }
+};
+
+struct ElementTargets {
+  Destination h[4][2], g[4][2];
+  int32_t node[4], pair[4];
+  bool want_h, want_g;
+};
+
+void aim_contact(const Pair& pair, int component, int32_t base, double factor, Destination& out) {
+  const double n[2] = {pair.nx, pair.ny}, t[2] = {pair.ny, -pair.nx};
+  out.target[0] = Target{base + pair.dof, factor * n[component]};
+  if (pair.tangential) out.target[1] = Target{base + pair.dof + 1, factor * t[component]};
+}
+
+Destination nowhere() { return Destination{{{-1, 0.0}, {-1, 0.0}}, false}; }
+
+Destination displacement_destination(const Model& m, int b, int32_t node, int component, const Unknown& unknown) {
+  Destination out = nowhere();
+  if (unknown.kind == UnknownKind::contact)
+    aim_contact(m.pair[pair_of_node(m, b, node)], component, outer_columns(m, b), 1.0, out);
+  else if (unknown.kind == UnknownKind::displacement)
+    out.target[0] = Target{outer_column(m, b, node, component), 1.0};
+  else
+    out.known = true;
+  return out;
+}
+
+Destination traction_destination(const Model& m, int b, int32_t element, int l, int component,
+                                 const Unknown& unknown, int32_t pair) {
+  Destination out = nowhere();
+  const int32_t end = element * m.head->function_nodes + l;
+  const bool holds_unknown =
+      (unknown.kind == UnknownKind::traction && unknown.end[0] == end) ||
+      (unknown.kind == UnknownKind::shared_traction && (unknown.end[0] == end || unknown.end[1] == end));
+  if (pair >= 0 && unknown.kind == UnknownKind::contact) {
+    const double scale = m.head->stress_unit / (2.0 * shear_modulus(m, b));
+    aim_contact(m.pair[pair], component, outer_columns(m, b) + m.head->contact, scale, out);
+  } else if (holds_unknown) {
+    out.target[0] =
+        Target{outer_column(m, b, functional_node(m, b, element, l), component), -1.0};
+  } else {
+    out.known = true;
+  }
+  return out;
+}
+
+// Prescribed values in the units of the equations; displacement carries the sign of its move to the right.
+double known_displacement(const Model& m, int b, int32_t node, int component, int32_t load_case) {
+  const int64_t at = (static_cast<int64_t>(load_case) * m.head->body[b].nodes + node) * 2 + component;
+  return -m.node_disp[b][at] / m.head->length_unit;
+}
+double known_traction(const Model& m, int b, int32_t element, int l, int component, int32_t load_case) {
+  const int64_t ends = static_cast<int64_t>(m.head->body[b].elements) * m.head->function_nodes;
+  const int64_t end = static_cast<int64_t>(element) * m.head->function_nodes + l;
+  return m.end_traction[b][(load_case * ends + end) * 2 + component] / (2.0 * shear_modulus(m, b));
+}
+
+// Something of this destination falls into the range (for a prescribed one: is not zero in every case).
+template <class Value> bool wanted(const Model& m, const Destination& d, const Range& range, Value value) {
+  if (range.holds(d.target[0].column) || range.holds(d.target[1].column)) return true;
+  if (!d.known || !range.holds_right()) return false;
+  for (int32_t k = 0; k < m.head->load_cases; ++k)
+    if (range.holds(range.right + k) && value(k) != 0.0) return true;
+  return false;
+}
+
+void aim(const Model& m, int b, int32_t element, const Range& range, ElementTargets& out) {
+  out.want_h = out.want_g = false;
+  for (int l = 0; l < m.head->function_nodes; ++l) {
+    const int32_t node = functional_node(m, b, element, l);
+    out.node[l] = node;
+    out.pair[l] = pair_of_end(m, b, element, l);
+    for (int c = 0; c < 2; ++c) {
+      const Unknown unknown = unknown_at(m, b, node, c);
+      Destination& h = out.h[l][c] = displacement_destination(m, b, node, c, unknown);
+      Destination& g = out.g[l][c] = traction_destination(m, b, element, l, c, unknown, out.pair[l]);
+      const bool want_h = wanted(m, h, range, [&](int32_t k) { return known_displacement(m, b, node, c, k); });
+      const bool want_g = wanted(m, g, range, [&](int32_t k) { return known_traction(m, b, element, l, c, k); });
+      if (!want_h) h = nowhere();
+      if (!want_g) g = nowhere();
+      out.want_h = out.want_h || want_h;
+      out.want_g = out.want_g || want_g;
+    }
+  }
+}
+
+// ---- adding into the panel --------------------------------------------------------------------------------------
+
+struct Panel {
+  const Model& m;
+  int b;
+  Range range;
+  Real* data;
+  int64_t ld;
+
+  void add(int32_t row, int32_t column, double value) const {
+    if (range.holds(column)) data[(column - range.first) * ld + row] += static_cast<Real>(value);
+  }
+  template <class Value> void send(const Destination& d, int32_t row, double integral, Value value) const {
+    for (const Target& target : d.target)
+      if (target.column >= 0) add(row, target.column, target.factor * integral);
+    if (!d.known || !range.holds_right()) return;
+    for (int32_t k = 0; k < m.head->load_cases; ++k) add(row, range.right + k, value(k) * integral);
+  }
+  void send_h(const Destination& d, int32_t node, int c, int32_t row, double integral) const {
+    send(d, row, integral, [&](int32_t k) { return known_displacement(m, b, node, c, k); });
+  }
+  void send_g(const Destination& d, int32_t element, int l, int c, int32_t row, double integral) const {
+    send(d, row, integral, [&](int32_t k) { return known_traction(m, b, element, l, c, k); });
+  }
+};
+
+// Local node of the element at which the source sits, itself or its twin; -1: none.
+int singular_node(const Model& m, const ElementTargets& t, int32_t source, int32_t twin) {
+  for (int l = 0; l < m.head->function_nodes; ++l)
+    if (t.node[l] == source || (twin >= 0 && t.node[l] == twin)) return l;
+  return -1;
+}
+
+void add_element(const ColumnSystem& system, const Panel& panel, int32_t element, const ElementTargets& t) {
+  const Model& m = system.model;
+  const int b = system.body;
+  Integrator integrator;
+  make_integrator(m, b, element, system.quadrature, integrator);
+  Blocks blocks;
+  for (int32_t source = 0; source < m.head->body[b].nodes; ++source) {
+    if (is_second_twin(m, b, source)) continue;
+    double x, y;
+    node_position(m, b, source, &x, &y);
+    const int singular = singular_node(m, t, source, twin_node(m, b, source));
+    integrate(integrator, x / m.head->length_unit, y / m.head->length_unit, singular, t.want_h, t.want_g, blocks);
+    for (int l = 0; l < m.head->function_nodes; ++l)
+      for (int c = 0; c < 2; ++c)
+        for (int i = 0; i < 2; ++i) {
+          if (t.want_h) panel.send_h(t.h[l][c], t.node[l], c, 2 * source + i, blocks.h[l][i][c]);
+          if (t.want_g) panel.send_g(t.g[l][c], element, l, c, 2 * source + i, blocks.g[l][i][c]);
+        }
+  }
+}
+
+// The element's share of the three balance rows.
+void add_balance(const ColumnSystem& system, const Panel& panel, int32_t element, const ElementTargets& t) {
+  const Model& m = system.model;
+  const int b = system.body;
+  const Body& body = m.head->body[b];
+  const int32_t row = 2 * body.nodes;
+  Integrator integrator;
+  make_integrator(m, b, element, system.quadrature, integrator);
+  double w[4], wx[4], wy[4];
+  resultants(integrator, body.centre[0] / m.head->length_unit, body.centre[1] / m.head->length_unit, w, wx, wy);
+  for (int l = 0; l < m.head->function_nodes; ++l) {
+    panel.send_g(t.g[l][0], element, l, 0, row, w[l]);
+    panel.send_g(t.g[l][1], element, l, 1, row + 1, w[l]);
+    panel.send_g(t.g[l][0], element, l, 0, row + 2, -wy[l]);
+    panel.send_g(t.g[l][1], element, l, 1, row + 2, wx[l]);
+  }
+}
+
+// Free term, twin equations and the multipliers' columns of one node.
+void add_node(const ColumnSystem& system, const Panel& panel, int32_t node) {
+  const Model& m = system.model;
+  const int b = system.body;
+  const Body& body = m.head->body[b];
+  const bool second = is_second_twin(m, b, node);
+  const int32_t twin = twin_node(m, b, node);
+  for (int c = 0; c < 2; ++c) {
+    const Destination d = displacement_destination(m, b, node, c, unknown_at(m, b, node, c));
+    if (second) {
+      const Destination other = displacement_destination(m, b, twin, c, unknown_at(m, b, twin, c));
+      panel.send_h(d, node, c, 2 * node + c, 1.0);
+      panel.send_h(other, twin, c, 2 * node + c, -1.0);
+    } else {
+      const double* block = system.diagonal + 4 * static_cast<int64_t>(node);
+      for (int i = 0; i < 2; ++i) panel.send_h(d, node, c, 2 * node + i, block[2 * i + c]);
+    }
+  }
+  if (second) return;
+  double x, y;
+  node_position(m, b, node, &x, &y);
+  panel.add(2 * node, body.columns, -1.0);
+  panel.add(2 * node + 1, body.columns + 1, -1.0);
+  panel.add(2 * node, body.columns + 2, (y - body.centre[1]) / m.head->length_unit);
+  panel.add(2 * node + 1, body.columns + 2, -(x - body.centre[0]) / m.head->length_unit);
+}
+
+void add_point_load(const ColumnSystem& system, const Panel& panel, const PointLoad& load) {
+  const Model& m = system.model;
+  const int b = system.body;
+  const Body& body = m.head->body[b];
+  const double unit = m.head->length_unit, nu = strain_poisson_ratio(m, b);
+  const double scale = 1.0 / (2.0 * shear_modulus(m, b) * unit);
+  const double f[2] = {load.fx * scale, load.fy * scale};
+  const int32_t column = panel.range.right + load.load_case;
+  for (int32_t node = 0; node < body.nodes; ++node) {
+    if (is_second_twin(m, b, node)) continue;
+    double x, y, u[2][2];
+    node_position(m, b, node, &x, &y);
+    const double rx = (load.x - x) / unit, ry = (load.y - y) / unit;
+    store(displacement_kernel(rx, ry, rx * rx + ry * ry, 3.0 - 4.0 * nu), 1.0 / (4.0 * M_PI * (1.0 - nu)), u);
+    for (int i = 0; i < 2; ++i) panel.add(2 * node + i, column, u[i][0] * f[0] + u[i][1] * f[1]);
+  }
+  const double ax = (load.x - body.centre[0]) / unit, ay = (load.y - body.centre[1]) / unit;
+  panel.add(2 * body.nodes, column, f[0]);
+  panel.add(2 * body.nodes + 1, column, f[1]);
+  panel.add(2 * body.nodes + 2, column, ax * f[1] - ay * f[0]);
+}
+
+} // namespace
+
+void fill_columns(const ColumnSystem& system, int32_t first, int32_t count, Real* data, int64_t ld) {
+  const Model& m = system.model;
+  const int b = system.body;
+  const int32_t rows = system_rows(m, b);
+  for (int32_t j = 0; j < count; ++j)
+    for (int32_t i = 0; i < rows; ++i) data[j * ld + i] = 0;
+  const Range range{first, first + count, outer_columns(m, b) + 2 * m.head->contact};
+  const Panel panel{m, b, range, data, ld};
+  for (int32_t element = 0; element < m.head->body[b].elements; ++element) {
+    if (is_zero_length(m, b, element)) continue;
+    ElementTargets targets;
+    aim(m, b, element, range, targets);
+    if (!targets.want_h && !targets.want_g) continue;
+    add_element(system, panel, element, targets);
+    if (targets.want_g) add_balance(system, panel, element, targets);
+  }
+  for (int32_t node = 0; node < m.head->body[b].nodes; ++node) add_node(system, panel, node);
+  if (!range.holds_right()) return;
+  for (int32_t i = 0; i < m.head->point_loads; ++i)
+    if (m.point_load[i].body == b) add_point_load(system, panel, m.point_load[i]);
+}
+
+void fill_diagonal(const ColumnSystem& system, int32_t first_node, int32_t count) {
+  const Model& m = system.model;
+  const int b = system.body;
+  for (int64_t i = 4 * static_cast<int64_t>(first_node); i < 4 * static_cast<int64_t>(first_node + count); ++i)
+    system.diagonal[i] = 0.0;
+  for (int32_t element = 0; element < m.head->body[b].elements; ++element) {
+    if (is_zero_length(m, b, element)) continue;
+    Integrator integrator;
+    make_integrator(m, b, element, system.quadrature, integrator);
+    ElementTargets nodes;
+    for (int l = 0; l < m.head->function_nodes; ++l) nodes.node[l] = functional_node(m, b, element, l);
+    for (int32_t source = first_node; source < first_node + count; ++source) {
+      if (is_second_twin(m, b, source)) continue;
+      double x, y, sum[2][2];
+      node_position(m, b, source, &x, &y);
+      const int singular = singular_node(m, nodes, source, twin_node(m, b, source));
+      rigid_sum(integrator, x / m.head->length_unit, y / m.head->length_unit, singular, sum);
+      double* block = system.diagonal + 4 * static_cast<int64_t>(source);
+      for (int i = 0; i < 4; ++i) block[i] -= sum[i / 2][i % 2];
+    }
+  }
+}
+
+} // namespace c2d

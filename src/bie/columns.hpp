@@ -1,0 +1,54 @@
+#pragma once
+// Column-wise assembly of the balanced boundary equations of one body (thesis ch. 4; design: balanced equations):
+//   H u - G t - rho - omega e_z x (x - x0) = 0 at every functional node, and forces and moment of all t add to 0.
+// Lengths are in ModelHeader::length_unit, outer tractions of body b in 2 G_b, contact tractions tau in stress_unit.
+//
+// Rows: 2 p, 2 p + 1 for functional node p; the last three are the balances of force x, force y and moment.
+// Columns, in this order:
+//   outer unknowns, node by node (Body::columns of them), then rho_x, rho_y, omega    A_o
+//   contact displacements u_c in the pairs' frames                                      H_c   (m columns)
+//   contact tractions tau, as force on body 2, in the pairs' frames                     G_c   (m columns)
+//   right-hand sides of the load cases                                                  r     (L columns)
+// so that A_o x_o + H_c u_c = G_c t_c + sum_k lambda_k r_k with t_c = +tau on body 2 and -tau on body 1.
+#include "bie/integrals.hpp"
+#include "memory/real.hpp"
+#include "model/model.hpp"
+
+namespace c2d {
+
+struct ColumnSystem {
+  Model model;
+  int32_t body;
+  Quadrature quadrature;
+  double* diagonal; // [4 * nodes]: free term and principal value, 2x2 row by row, from rigid translation (A.5)
+};
+
+inline int32_t system_rows(const Model& m, int b) { return 2 * m.head->body[b].nodes + 3; }
+inline int32_t outer_columns(const Model& m, int b) { return m.head->body[b].columns + 3; }
+inline int32_t trailing_columns(const Model& m) { return 2 * m.head->contact + m.head->load_cases; }
+
+// Number the outer unknowns of a body: fills node_column and Body::columns. Once per model.
+void number_unknowns(const Model& model, int b);
+
+// Column of the unknown of a component at a node (displacement or traction), -1 if it belongs to the contact.
+int32_t outer_column(const Model& model, int b, int32_t node, int component);
+
+// Fill `diagonal` for the nodes [first, first + count): one integral with unit density per source and element.
+void fill_diagonal(const ColumnSystem& system, int32_t first_node, int32_t count);
+
+// Assign all rows of columns first ... first+count-1; panel is column-major with leading dimension ld.
+void fill_columns(const ColumnSystem& system, int32_t first, int32_t count, Real* panel, int64_t ld);
+
+// An element of a body with its length unit applied and, on a contact element of body 2, the lengths of body 1.
+void make_integrator(const Model& model, int b, int32_t element, Quadrature quadrature, Integrator& out);
+
+// Resultants of the shape functions at one element end: force (per unit traction) and first moments about the
+// origin, in the length unit; on contact elements per length of body 1.
+struct EndResultant {
+  double w, wx, wy;
+};
+void end_resultants(const Model& model, int b, int32_t element, EndResultant out[4]);
+// Ratio J1/J2 at local node l of a contact element of body 2: true traction = tau * ratio; 1 elsewhere.
+double traction_ratio(const Model& model, int b, int32_t element, int l);
+
+} // namespace c2d

@@ -1,0 +1,126 @@
+// From one event to the next: a pair touches, lifts, or starts to slip (design: tableau and events).
+#include <math.h>
+
+#include "contact/path.hpp"
+
+namespace c2d {
+
+namespace {
+
+struct Event {
+  double step; // part of the piece of path, from where we stand
+  int32_t pair, status, sign;
+};
+
+void keep_earlier(Event& best, double step, int32_t pair, int32_t status, int32_t sign) {
+  if (step < 0.0) step = 0.0;
+  if (step < best.step) best = Event{step, pair, status, sign};
+}
+
+// Where `margin` >= 0 with this rate reaches zero; nothing if it does not shrink within the rest of the piece.
+void meet(Event& best, double margin, double rate, int32_t pair, int32_t status, int32_t sign) {
+  if (rate < 0.0 && margin < -rate * best.step) keep_earlier(best, margin / -rate, pair, status, sign);
+}
+
+void meet_pair(const Follower& f, int32_t i, Event& best) {
+  const Pair& pair = f.t->pair[i];
+  const PairState now = pair_state(*f.t, i, f.y), rate = pair_rates(*f.t, i, f.dy);
+  if (pair.status == C2D_OPEN) {
+    const bool slides = pair.mu == 0.0;
+    meet(best, now.wn, rate.wn, i, slides ? C2D_SLIP : C2D_STICK, slides ? 1 : 0);
+    return;
+  }
+  meet(best, now.p, rate.p, i, C2D_OPEN, 0);
+  if (pair.status != C2D_STICK || !pair.tangential || pair.mu > 1e300) return;
+  for (int32_t sign = -1; sign <= 1; sign += 2)
+    meet(best, pair.mu * now.p - sign * now.q, pair.mu * rate.p - sign * rate.q, i, C2D_SLIP, sign);
+}
+
+// Round-off must not let a rate that is zero but for its last digits make an event.
+void silence_round_off(Follower& f, const PathScales& s) {
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    const Pair& pair = f.t->pair[i];
+    const bool open = pair.status == C2D_OPEN;
+    Real& normal = f.dy[pair.dof];
+    if (fabs(static_cast<double>(normal)) < 1e-13 * (open ? s.dw : s.dp)) normal = 0;
+  }
+}
+
+Event nearest_event(Follower& f, double rest) {
+  silence_round_off(f, path_scales(f));
+  Event best{rest, -1, 0, 0};
+  for (int32_t i = 0; i < f.t->pairs; ++i) meet_pair(f, i, best);
+  return best;
+}
+
+void move(Follower& f, double part) {
+  for (int32_t k = 0; k < f.t->cases; ++k) f.load[k] = f.origin[k] + part * f.direction[k];
+}
+
+c2d_outcome failed_outcome(int32_t status) {
+  if (status == C2D_OPEN) return C2D_FREE_MOTION;
+  return status == C2D_SLIP ? C2D_GROSS_SLIDING : C2D_NO_ADMISSIBLE_CHANGE;
+}
+
+c2d_status tell_change(const Follower& f) {
+  return f.watch.changed ? f.watch.changed(f.watch.context, f.load[0]) : C2D_OK;
+}
+
+} // namespace
+
+bool apply_change(Follower& f, int32_t index, int32_t status, int32_t sign, double at) {
+  Pair& pair = f.t->pair[index];
+  const bool slipped = pair.status == C2D_SLIP;
+  const double from = pair_state(*f.t, index, f.y).wt;
+  if (!change_status(*f.t, index, status, sign, at)) return false;
+  if (slipped) pair.slip_done += from - pair.slip_from;
+  if (status == C2D_SLIP) pair.slip_from = from;
+  ++f.stats.changes;
+  f.last_pair = index;
+  refresh(f);
+  return true;
+}
+
+double slip_sum(const Follower& f, int32_t index) {
+  const Pair& pair = f.t->pair[index];
+  if (!pair.tangential || pair.status != C2D_SLIP) return pair.slip_done;
+  return pair.slip_done + pair_state(*f.t, index, f.y).wt - pair.slip_from;
+}
+
+c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome) {
+  for (int32_t k = 0; k < f.t->cases; ++k) {
+    f.origin[k] = f.load[k];
+    f.direction[k] = target[k] - f.load[k];
+  }
+  double part = 0.0;
+  int32_t standing = 0; // events in a row without any progress
+  for (;;) {
+    c2d_status status = settle(f, outcome);
+    if (status != C2D_OK || *outcome != C2D_REACHED) return status;
+    refresh(f);
+    const Event event = nearest_event(f, 1.0 - part);
+    if (event.pair < 0) break;
+    standing = event.step > 0.0 ? 0 : standing + 1;
+    if (standing > 20 + 8 * f.t->pairs) {
+      *outcome = C2D_ENDLESS_EXCHANGE;
+      return C2D_OK;
+    }
+    part += event.step;
+    move(f, part);
+    refresh(f);
+    ++f.stats.events;
+    const double at = pair_state(*f.t, event.pair, f.y).wt;
+    f.last_pair = event.pair;
+    if (!apply_change(f, event.pair, event.status, event.sign, at)) {
+      *outcome = failed_outcome(event.status);
+      return C2D_OK;
+    }
+    status = tell_change(f);
+    if (status != C2D_OK) return status;
+  }
+  for (int32_t k = 0; k < f.t->cases; ++k) f.load[k] = target[k];
+  refresh(f);
+  return C2D_OK;
+}
+
+} // namespace c2d

@@ -1,0 +1,108 @@
+// The thesis's own stepping on the tableau: an increment is applied at once, statuses are corrected by Table 4 until
+// they agree with the values at its end. A pair that closes or turns back sticks where it was when the increment began.
+#include <math.h>
+
+#include "contact/path.hpp"
+
+namespace c2d {
+
+namespace {
+
+struct Verdict {
+  int32_t status, sign;
+};
+
+// Table 4: what a pair's values at the end of the increment say about its assumed status.
+Verdict table4(const Follower& f, int32_t i, const PathScales& s) {
+  const Pair& pair = f.t->pair[i];
+  const PairState now = pair_state(*f.t, i, f.y);
+  const bool slides = pair.mu == 0.0, adheres = pair.mu > 1e300;
+  if (pair.status == C2D_OPEN) {
+    if (now.wn > 0.0) return {C2D_OPEN, 0};
+    return slides ? Verdict{C2D_SLIP, 1} : Verdict{C2D_STICK, 0};
+  }
+  if (now.p < -1e-12 * s.p) return {C2D_OPEN, 0};
+  if (!pair.tangential || slides || adheres) return {pair.status, pair.sign};
+  if (pair.status == C2D_STICK) {
+    if (fabs(now.q) <= pair.mu * now.p + 1e-12 * s.p) return {C2D_STICK, 0};
+    return {C2D_SLIP, now.q > 0.0 ? 1 : -1};
+  }
+  const double slip = now.wt - pair.increment_from;
+  if (pair.sign * slip <= 1e-12 * s.w) return {C2D_SLIP, pair.sign};
+  return {C2D_STICK, 0};
+}
+
+void save(Follower& f) {
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    Pair& pair = f.t->pair[i];
+    pair.increment_from = pair_state(*f.t, i, f.y).wt;
+    pair.saved_status = pair.status;
+    pair.saved_sign = pair.sign;
+    pair.saved_offset = pair.offset;
+    pair.saved_slip_done = pair.slip_done;
+    pair.saved_slip_from = pair.slip_from;
+  }
+}
+
+c2d_status restore(Follower& f) {
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    Pair& pair = f.t->pair[i];
+    pair.status = pair.saved_status;
+    pair.sign = pair.saved_sign;
+    pair.offset = pair.saved_offset;
+    pair.slip_done = pair.saved_slip_done;
+    pair.slip_from = pair.saved_slip_from;
+  }
+  const c2d_status status = build_tableau(*f.t, *f.tape, &f.last_pair);
+  for (int32_t k = 0; k < f.t->cases; ++k) f.load[k] = f.origin[k];
+  refresh(f);
+  return status;
+}
+
+// One round: judge all pairs on the same values, then change. -1: a change had no pivot.
+int32_t correct(Follower& f) {
+  const PathScales s = path_scales(f);
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    const Verdict v = table4(f, i, s);
+    const bool same = v.status == f.t->pair[i].status && (v.status != C2D_SLIP || v.sign == f.t->pair[i].sign);
+    f.t->pair[i].weak = same ? 0 : 1 + v.status * 4 + (v.sign + 1);
+  }
+  int32_t changes = 0;
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    const int32_t code = f.t->pair[i].weak - 1;
+    if (code < 0) continue;
+    if (!apply_change(f, i, code / 4, code % 4 - 1, f.t->pair[i].increment_from)) return -1;
+    ++changes;
+  }
+  return changes;
+}
+
+} // namespace
+
+c2d_status follow_increment(Follower& f, const double* target, int32_t iteration_limit, c2d_outcome* outcome) {
+  *outcome = C2D_REACHED;
+  refresh(f);
+  save(f);
+  for (int32_t k = 0; k < f.t->cases; ++k) {
+    f.origin[k] = f.load[k];
+    f.direction[k] = target[k] - f.load[k];
+    f.load[k] = target[k];
+  }
+  for (int32_t round = 1; round <= iteration_limit; ++round) {
+    c2d_status status = f.watch.tick(f.watch.context);
+    if (status != C2D_OK) return status;
+    refresh(f);
+    f.stats.iterations = round;
+    const int32_t changes = correct(f);
+    if (changes == 0) return C2D_OK;
+    if (changes < 0) break;
+    ++f.stats.events;
+    if (f.watch.changed) status = f.watch.changed(f.watch.context, f.load[0]);
+    if (status != C2D_OK) return status;
+  }
+  ++f.stats.unconverged;
+  const c2d_status status = restore(f);
+  return status == C2D_OK ? follow_events(f, target, outcome) : status;
+}
+
+} // namespace c2d

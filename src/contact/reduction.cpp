@@ -1,0 +1,101 @@
+#include "contact/reduction.hpp"
+
+#include "linalg/dense.hpp"
+
+namespace c2d {
+
+namespace {
+
+using Matrix = ContactMatrix;
+
+ContactMatrix of_body(ContactMatrix first_body, int body) {
+  return static_cast<Matrix>(static_cast<int32_t>(first_body) + 3 * body);
+}
+
+c2d_status factor(const Reduction& r, Real* matrix) {
+  return lu_factor(r.tape.m, matrix, r.tape.m, r.pivots, nullptr) == 0 ? C2D_OK : C2D_ERR_SINGULAR;
+}
+
+// F and v of the inverted body; F stays in `second`, its factored S_u in `first`.
+c2d_status invert_body(const Reduction& r) {
+  const int32_t m = r.tape.m;
+  c2d_status status = read_matrix(r.tape, of_body(Matrix::displacement1, r.inverted), r.first);
+  if (status == C2D_OK) status = factor(r, r.first);
+  if (status == C2D_OK) status = read_matrix(r.tape, of_body(Matrix::traction1, r.inverted), r.second);
+  if (status != C2D_OK) return status;
+  for (int64_t i = 0; i < static_cast<int64_t>(m) * m; ++i) r.second[i] = -r.second[i];
+  lu_solve(m, m, r.first, m, r.pivots, r.second, m);
+  status = write_matrix(r.tape, Matrix::flexibility, r.second);
+  for (int32_t k = 0; k < r.tape.cases && status == C2D_OK; ++k) {
+    status = read_column(r.tape, of_body(Matrix::load1, r.inverted), k, r.strip);
+    if (status != C2D_OK) break;
+    lu_solve(m, 1, r.first, m, r.pivots, r.strip, m);
+    status = write_column(r.tape, Matrix::flexibility_load, k, r.strip);
+  }
+  return status;
+}
+
+// M = S_t - S_u F of the other body, in place of F, whose columns are used up one strip after another.
+c2d_status form_compliance(const Reduction& r) {
+  const int32_t m = r.tape.m;
+  const int other = 1 - r.inverted;
+  c2d_status status = read_matrix(r.tape, of_body(Matrix::displacement1, other), r.first);
+  for (int32_t j = 0; j < m && status == C2D_OK; j += kStripColumns) {
+    const int32_t count = m - j < kStripColumns ? m - j : kStripColumns;
+    for (int32_t c = 0; c < count && status == C2D_OK; ++c)
+      status = read_column(r.tape, of_body(Matrix::traction1, other), j + c, r.strip + static_cast<int64_t>(c) * m);
+    if (status != C2D_OK) return status;
+    Real* columns = r.second + static_cast<int64_t>(j) * m;
+    gemm_minus(m, count, m, r.first, m, columns, m, r.strip, m);
+    for (int64_t i = 0; i < static_cast<int64_t>(count) * m; ++i) columns[i] = r.strip[i];
+  }
+  return status == C2D_OK ? write_matrix(r.tape, Matrix::compliance, r.second) : status;
+}
+
+// h = +-(s - S_u v); S_u of the other body is in `first`.
+c2d_status form_closing(const Reduction& r) {
+  const int32_t m = r.tape.m;
+  Real* v = r.strip + m;
+  for (int32_t k = 0; k < r.tape.cases; ++k) {
+    c2d_status status = read_column(r.tape, of_body(Matrix::load1, 1 - r.inverted), k, r.strip);
+    if (status == C2D_OK) status = read_column(r.tape, Matrix::flexibility_load, k, v);
+    if (status != C2D_OK) return status;
+    gemm_minus(m, 1, m, r.first, m, v, m, r.strip, m);
+    if (r.inverted == 1)
+      for (int32_t i = 0; i < m; ++i) r.strip[i] = -r.strip[i];
+    status = write_column(r.tape, Matrix::closing, k, r.strip);
+    if (status != C2D_OK) return status;
+  }
+  return C2D_OK;
+}
+
+// T = M^-1 B in place of B, b = -M^-1 h.
+c2d_status form_stiffness(const Reduction& r) {
+  const int32_t m = r.tape.m;
+  c2d_status status = factor(r, r.second);
+  if (status != C2D_OK) return status;
+  lu_solve(m, m, r.second, m, r.pivots, r.first, m);
+  status = write_matrix(r.tape, Matrix::stiffness, r.first);
+  for (int32_t k = 0; k < r.tape.cases && status == C2D_OK; ++k) {
+    status = read_column(r.tape, Matrix::closing, k, r.strip);
+    if (status != C2D_OK) break;
+    lu_solve(m, 1, r.second, m, r.pivots, r.strip, m);
+    for (int32_t i = 0; i < m; ++i) r.strip[i] = -r.strip[i];
+    status = write_column(r.tape, Matrix::stiffness_load, k, r.strip);
+  }
+  return status;
+}
+
+} // namespace
+
+c2d_status reduce(const Reduction& r) {
+  c2d_status (*const steps[])(const Reduction&) = {invert_body, form_compliance, form_closing, form_stiffness};
+  for (const auto& step : steps) {
+    c2d_status status = r.tick(r.watch_context);
+    if (status == C2D_OK) status = step(r);
+    if (status != C2D_OK) return status;
+  }
+  return C2D_OK;
+}
+
+} // namespace c2d

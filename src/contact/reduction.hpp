@@ -1,0 +1,26 @@
+#pragma once
+// From the reduced equations of both bodies to the contact system and its tableau (design: reduced contact system):
+//   B w' - M tau = sum_k lambda_k h_k,  w' = w - (gap, 0),  B = S_u of the body that may float,
+//   M = S_t + S_u F, and the tableau with every pair sticking, tau = T w' + sum_k lambda_k b_k.
+// Equilibrium is implicit: body 2 carries +tau, body 1 -tau.
+#include "contact/contact_tape.hpp"
+#include "linalg/lu.hpp"
+
+namespace c2d {
+
+struct Reduction {
+  ContactTape tape;
+  int32_t inverted;  // 0 or 1: the supported body, whose S_u is inverted
+  Real* first;       // m * m
+  Real* second;      // m * m
+  Real* strip;       // m * kStripColumns
+  int32_t* pivots;   // m
+  void* watch_context;
+  c2d_status (*tick)(void* context); // called between steps; anything but C2D_OK stops
+};
+constexpr int32_t kStripColumns = 4;
+
+// Reads the six matrices of the bodies, writes the other six. C2D_ERR_SINGULAR if a pivot is unusable.
+c2d_status reduce(const Reduction& r);
+
+} // namespace c2d

@@ -1,0 +1,121 @@
+#include "contact/start.hpp"
+
+#include <math.h>
+
+namespace c2d {
+
+namespace {
+
+void reset_pair(Pair& pair) {
+  pair.offset = pair.slip_done = pair.slip_from = pair.increment_from = 0.0;
+  pair.sign = pair.weak = 0;
+}
+
+void touch_statuses(Tableau& t) {
+  for (int32_t i = 0; i < t.pairs; ++i) {
+    Pair& pair = t.pair[i];
+    reset_pair(pair);
+    pair.status = pair.gap > 0.0 ? C2D_OPEN : (pair.mu == 0.0 ? C2D_SLIP : C2D_STICK);
+    pair.sign = pair.status == C2D_SLIP ? 1 : 0;
+  }
+}
+
+// Change of w of a pair per unit of the body's free motion, in the length unit.
+void pair_motion(const FreeBody& body, const Model& m, const Pair& pair, double out[2]) {
+  double x, y;
+  node_position(m, body.body, pair.node[body.body], &x, &y);
+  const double unit = m.head->length_unit;
+  const double ux = body.motion[0] - body.motion[2] * (y - body.centre[1]) / unit;
+  const double uy = body.motion[1] + body.motion[2] * (x - body.centre[0]) / unit;
+  const double side = body.body == 1 ? 1.0 : -1.0;
+  out[0] = side * (ux * pair.nx + uy * pair.ny);
+  out[1] = side * (ux * pair.ny - uy * pair.nx);
+}
+
+// At zero load the state is known exactly: the initial gaps and `flight` units of the free motion. Round-off of the
+// exchanges is swept away.
+void set_constants(Tableau& t, const FreeBody& body, const Model& m, double flight) {
+  Real* c = constants(t);
+  for (int32_t i = 0; i < t.m; ++i) c[i] = 0;
+  for (int32_t i = 0; i < t.pairs; ++i) {
+    const Pair& pair = t.pair[i];
+    double w[2] = {0.0, 0.0};
+    if (flight != 0.0) pair_motion(body, m, pair, w);
+    if (pair.status == C2D_OPEN) c[pair.dof] = static_cast<Real>(pair.gap / t.length_unit + flight * w[0]);
+    if (pair.tangential && pair.status != C2D_STICK) c[pair.dof + 1] = static_cast<Real>(flight * w[1]);
+  }
+}
+
+// The pair that a motion in this direction closes first; -1: none. *distance: how far it goes.
+int32_t first_to_touch(const Tableau& t, const FreeBody& body, const Model& m, double direction, double* distance) {
+  int32_t first = -1;
+  for (int32_t i = 0; i < t.pairs; ++i) {
+    double w[2];
+    pair_motion(body, m, t.pair[i], w);
+    const double closing = -direction * w[0];
+    if (closing <= 1e-9) continue; // motions are of length one: this one passes by
+    const double reach = t.pair[i].gap / m.head->length_unit / closing;
+    if (first >= 0 && reach >= *distance) continue;
+    first = i;
+    *distance = reach;
+  }
+  return first;
+}
+
+} // namespace
+
+c2d_status start_path(Follower& f, const FreeBody& body, const Model& model, int32_t* floating) {
+  Tableau& t = *f.t;
+  touch_statuses(t);
+  *floating = 0;
+  int32_t touching = 0;
+  for (int32_t i = 0; i < t.pairs; ++i) touching += t.pair[i].status != C2D_OPEN;
+  for (int32_t i = 0; i < t.pairs; ++i) {
+    const double gap = t.pair[i].gap / model.head->length_unit;
+    if (gap > f.gap_scale) f.gap_scale = gap;
+  }
+  if (touching == 0 && body.motions > 0) {
+    *floating = 1;
+    return C2D_OK;
+  }
+  const c2d_status status = build_tableau(t, *f.tape, &f.last_pair);
+  if (status == C2D_ERR_SINGULAR) {
+    *floating = 1;
+    return C2D_OK;
+  }
+  if (status != C2D_OK) return status;
+  set_constants(t, body, model, 0.0);
+  refresh(f);
+  return C2D_OK;
+}
+
+c2d_status fly(Follower& f, const FreeBody& body, const Model& model, double work, c2d_outcome* outcome) {
+  Tableau& t = *f.t;
+  *outcome = C2D_FREE_MOTION;
+  if (body.motions != 1 || work == 0.0) return C2D_OK;
+  const double direction = work > 0.0 ? 1.0 : -1.0;
+  double distance = 0.0;
+  const int32_t first = first_to_touch(t, body, model, direction, &distance);
+  if (first < 0) return C2D_OK;
+  for (int32_t i = 0; i < t.pairs; ++i) {
+    reset_pair(t.pair[i]);
+    t.pair[i].status = C2D_OPEN;
+  }
+  Pair& pair = t.pair[first];
+  double w[2];
+  pair_motion(body, model, pair, w);
+  const double tangential = pair.tangential ? direction * distance * w[1] : 0.0;
+  pair.status = pair.mu == 0.0 ? C2D_SLIP : C2D_STICK;
+  pair.sign = pair.status == C2D_SLIP ? 1 : 0;
+  (pair.status == C2D_STICK ? pair.offset : pair.slip_from) = tangential;
+  f.last_pair = first;
+  const c2d_status status = build_tableau(t, *f.tape, &f.last_pair);
+  if (status == C2D_ERR_SINGULAR) return C2D_OK;
+  if (status != C2D_OK) return status;
+  set_constants(t, body, model, direction * distance);
+  refresh(f);
+  *outcome = C2D_REACHED;
+  return C2D_OK;
+}
+
+} // namespace c2d

@@ -1,0 +1,24 @@
+#pragma once
+// The first state of a load path, and the flight of a body that nothing touches yet (design: start (a)).
+#include "contact/path.hpp"
+
+namespace c2d {
+
+struct FreeBody {           // the body that may float: how it can move
+  int32_t body;             // 0 or 1
+  int32_t motions;          // free rigid motions
+  double motion[3];         // the one motion if motions == 1: (ux, uy, rotation * length unit) about centre
+  double centre[2];
+};
+
+// Zero load, no history: statuses (touching pairs stick, or slide if mu = 0; everything else open), tableau, books.
+// If these statuses would leave the body free, *floating is 1 and the tableau is not valid until fly().
+// Errors: the block store's.
+c2d_status start_path(Follower& f, const FreeBody& body, const Model& model, int32_t* floating);
+
+// Nothing is loaded yet and the body floats with one motion: follow it without force in the direction in which the
+// load does work (`work` per unit of the motion, along the path's direction) until the first pair touches.
+// C2D_FREE_MOTION if it never does, if there is no work, or if more than one motion is free.
+c2d_status fly(Follower& f, const FreeBody& body, const Model& model, double work, c2d_outcome* outcome);
+
+} // namespace c2d

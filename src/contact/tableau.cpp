@@ -1,0 +1,261 @@
+#include "contact/tableau.hpp"
+
+#include <math.h>
+
+#include "linalg/exchange.hpp"
+
+namespace c2d {
+
+namespace {
+
+// A pivot this small against the stiffest pair means a motion that nothing else holds. Legitimate stiffness ratios of
+// slender supports stay above 1e-8; round-off of a truly free motion is 1e-14.
+constexpr double kFreePivot = 1e-11;
+constexpr double kTinyCompliance = 1e-14;
+
+Real* column(const Tableau& t, int32_t j) { return t.t + static_cast<int64_t>(t.m) * j; }
+Real entry(const Tableau& t, int32_t i, int32_t j) { return column(t, j)[i]; }
+int32_t all_columns(const Tableau& t) { return t.m + 1 + t.cases; }
+
+void pivot(Tableau& t, int32_t slot) {
+  exchange(t.m, all_columns(t), t.t, t.m, slot, slot);
+  ++t.exchanges;
+}
+
+bool stiff(const Tableau& t, double value) { return fabs(value) > kFreePivot * t.stiffness; }
+bool compliant(const Tableau& t, double value) { return fabs(value) * t.stiffness > kTinyCompliance; }
+
+// Both slots of a pair, the larger pivot first. `usable` judges each pivot before anything changes.
+bool exchange_pair(Tableau& t, const Pair& pair, bool (*usable)(const Tableau&, double)) {
+  const int32_t a = pair.dof, b = pair.dof + 1;
+  if (!pair.tangential) {
+    if (!usable(t, entry(t, a, a))) return false;
+    pivot(t, a);
+    return true;
+  }
+  const double aa = entry(t, a, a), bb = entry(t, b, b);
+  const bool normal_first = fabs(aa) >= fabs(bb);
+  const double first = normal_first ? aa : bb, second = normal_first ? bb : aa;
+  if (!usable(t, first)) return false;
+  if (!usable(t, second - static_cast<double>(entry(t, a, b)) * entry(t, b, a) / first)) return false;
+  pivot(t, normal_first ? a : b);
+  pivot(t, normal_first ? b : a);
+  return true;
+}
+
+double friction(const Pair& pair, int32_t sign) { return sign * pair.mu; }
+
+void add_row(Tableau& t, int32_t target, double factor, int32_t source) {
+  if (factor != 0.0) row_add(all_columns(t), t.t, t.m, target, source, static_cast<Real>(factor));
+}
+void add_column(Tableau& t, int32_t target, double factor, int32_t source) {
+  if (factor != 0.0) column_add(t.m, t.t, t.m, target, source, static_cast<Real>(factor));
+}
+
+// ---- the six elementary changes; slots a = normal, b = tangential -------------------------------------------------
+
+bool open_to_stick(Tableau& t, Pair& pair, double at) {
+  Real* offset = pair.tangential ? &constants(t)[pair.dof + 1] : nullptr;
+  if (offset) *offset -= static_cast<Real>(at);
+  if (!exchange_pair(t, pair, compliant)) {
+    if (offset) *offset += static_cast<Real>(at);
+    return false;
+  }
+  pair.offset = at;
+  return true;
+}
+
+bool stick_to_open(Tableau& t, Pair& pair) {
+  if (!exchange_pair(t, pair, stiff)) return false;
+  if (pair.tangential) constants(t)[pair.dof + 1] += static_cast<Real>(pair.offset);
+  return true;
+}
+
+bool stick_to_slip(Tableau& t, Pair& pair, int32_t sign) {
+  const int32_t a = pair.dof, b = a + 1;
+  if (!pair.tangential) return true;
+  const double f = friction(pair, sign);
+  if (!stiff(t, entry(t, b, b) - f * entry(t, a, b))) return false;
+  add_row(t, b, -f, a);
+  pivot(t, b);
+  constants(t)[b] += static_cast<Real>(pair.offset);
+  return true;
+}
+
+bool slip_to_stick(Tableau& t, Pair& pair, double at) {
+  const int32_t a = pair.dof, b = a + 1;
+  if (!pair.tangential) return true;
+  if (!compliant(t, entry(t, b, b))) return false;
+  constants(t)[b] -= static_cast<Real>(at);
+  pivot(t, b);
+  add_row(t, b, friction(pair, pair.sign), a);
+  pair.offset = at;
+  return true;
+}
+
+bool slip_to_open(Tableau& t, Pair& pair) {
+  const int32_t a = pair.dof;
+  if (!stiff(t, entry(t, a, a))) return false;
+  pivot(t, a);
+  if (pair.tangential) add_column(t, a, -friction(pair, pair.sign), a + 1);
+  return true;
+}
+
+bool open_to_slip(Tableau& t, Pair& pair, int32_t sign) {
+  const int32_t a = pair.dof, b = a + 1;
+  const double f = pair.tangential ? friction(pair, sign) : 0.0;
+  const double pivot_value = entry(t, a, a) + (pair.tangential ? f * entry(t, a, b) : 0.0);
+  if (!compliant(t, pivot_value)) return false;
+  if (pair.tangential) add_column(t, a, f, b);
+  pivot(t, a);
+  return true;
+}
+
+bool change(Tableau& t, Pair& pair, int32_t status, int32_t sign, double at) {
+  switch (pair.status) {
+  case C2D_OPEN: return status == C2D_STICK ? open_to_stick(t, pair, at) : open_to_slip(t, pair, sign);
+  case C2D_STICK: return status == C2D_OPEN ? stick_to_open(t, pair) : stick_to_slip(t, pair, sign);
+  default: return status == C2D_OPEN ? slip_to_open(t, pair) : slip_to_stick(t, pair, at);
+  }
+}
+
+} // namespace
+
+bool change_status(Tableau& t, int32_t index, int32_t status, int32_t sign, double at) {
+  Pair& pair = t.pair[index];
+  if (pair.status == status && (status != C2D_SLIP || pair.sign == sign)) return true;
+  if (pair.status == C2D_SLIP && status == C2D_SLIP) { // the other way: by sticking in between
+    const int32_t old_sign = pair.sign;
+    if (!slip_to_stick(t, pair, at)) return false;
+    pair.status = C2D_STICK;
+    if (!stick_to_slip(t, pair, sign)) {
+      stick_to_slip(t, pair, old_sign);
+      pair.status = C2D_SLIP;
+      return false;
+    }
+  } else if (!change(t, pair, status, sign, at)) {
+    return false;
+  }
+  pair.status = status;
+  pair.sign = status == C2D_SLIP ? sign : 0;
+  return true;
+}
+
+// ---- building -----------------------------------------------------------------------------------------------------
+
+namespace {
+
+c2d_status load_all_stick(Tableau& t, const ContactTape& tape) {
+  c2d_status status = read_matrix(tape, ContactMatrix::stiffness, t.t);
+  if (status == C2D_OK) status = read_matrix(tape, ContactMatrix::stiffness_load, load_rates(t, 0));
+  if (status != C2D_OK) return status;
+  t.stiffness = 0.0;
+  for (int32_t i = 0; i < t.m; ++i) {
+    constants(t)[i] = 0;
+    if (fabs(static_cast<double>(entry(t, i, i))) > t.stiffness) t.stiffness = fabs(static_cast<double>(entry(t, i, i)));
+  }
+  return C2D_OK;
+}
+
+// Slots that must leave the all-stick basis: both of an open pair, the tangential one of a slipping pair.
+bool must_leave(const Pair& pair, int slot) {
+  if (slot == 1) return pair.tangential && pair.status != C2D_STICK;
+  return pair.status == C2D_OPEN;
+}
+
+// Close the gaps of the pairs in contact, from w = (gap, 0) to w = (0, offset) for sticking ones, and turn q into r
+// for slipping ones.
+void impose_contact(Tableau& t) {
+  Real* c = constants(t);
+  for (int32_t i = 0; i < t.pairs; ++i) {
+    const Pair& pair = t.pair[i];
+    if (pair.status == C2D_OPEN) continue;
+    const double normal = -pair.gap / t.length_unit;
+    const double tangential = pair.tangential && pair.status == C2D_STICK ? pair.offset : 0.0;
+    for (int32_t row = 0; row < t.m && normal != 0.0; ++row)
+      c[row] += static_cast<Real>(normal) * entry(t, row, pair.dof);
+    for (int32_t row = 0; row < t.m && tangential != 0.0; ++row)
+      c[row] += static_cast<Real>(tangential) * entry(t, row, pair.dof + 1);
+  }
+  for (int32_t i = 0; i < t.pairs; ++i) {
+    const Pair& pair = t.pair[i];
+    if (pair.status == C2D_SLIP && pair.tangential) add_row(t, pair.dof + 1, -friction(pair, pair.sign), pair.dof);
+  }
+}
+
+// The slot with the largest pivot among those that still must leave; done slots are marked in `weak` (bits 0, 1).
+int32_t largest_pivot(const Tableau& t, int32_t* owner, int* slot) {
+  double best = -1.0;
+  for (int32_t i = 0; i < t.pairs; ++i)
+    for (int s = 0; s <= t.pair[i].tangential; ++s) {
+      const Pair& pair = t.pair[i];
+      if (!must_leave(pair, s) || (pair.weak >> s & 1) != 0) continue;
+      const double size = fabs(static_cast<double>(entry(t, pair.dof + s, pair.dof + s)));
+      if (size > best) {
+        best = size;
+        *owner = i;
+        *slot = s;
+      }
+    }
+  return best < 0.0 ? -1 : t.pair[*owner].dof + *slot;
+}
+
+void restore_gaps(Tableau& t) {
+  for (int32_t i = 0; i < t.pairs; ++i)
+    if (t.pair[i].status == C2D_OPEN)
+      constants(t)[t.pair[i].dof] += static_cast<Real>(t.pair[i].gap / t.length_unit);
+}
+
+} // namespace
+
+c2d_status build_tableau(Tableau& t, const ContactTape& tape, int32_t* culprit) {
+  const c2d_status status = load_all_stick(t, tape);
+  if (status != C2D_OK) return status;
+  impose_contact(t);
+  for (int32_t i = 0; i < t.pairs; ++i) t.pair[i].weak = 0;
+  int32_t owner = 0;
+  int slot = 0;
+  for (int32_t pivot_slot = largest_pivot(t, &owner, &slot); pivot_slot >= 0;
+       pivot_slot = largest_pivot(t, &owner, &slot)) {
+    if (!stiff(t, entry(t, pivot_slot, pivot_slot))) {
+      *culprit = owner;
+      return C2D_ERR_SINGULAR;
+    }
+    pivot(t, pivot_slot);
+    t.pair[owner].weak |= 1 << slot;
+  }
+  for (int32_t i = 0; i < t.pairs; ++i) t.pair[i].weak = 0;
+  restore_gaps(t);
+  return C2D_OK;
+}
+
+// ---- reading ------------------------------------------------------------------------------------------------------
+
+void combine(const Tableau& t, const double* factor, bool with_constants, Real* out) {
+  for (int32_t i = 0; i < t.m; ++i) out[i] = with_constants ? constants(t)[i] : Real(0);
+  for (int32_t k = 0; k < t.cases; ++k) {
+    const Real f = static_cast<Real>(factor[k]);
+    const Real* rate = load_rates(t, k);
+    for (int32_t i = 0; i < t.m; ++i) out[i] += f * rate[i];
+  }
+}
+
+namespace {
+
+PairState read_pair(const Pair& pair, const Real* y, double offset) {
+  const double normal = y[pair.dof], tangential = pair.tangential ? static_cast<double>(y[pair.dof + 1]) : 0.0;
+  switch (pair.status) {
+  case C2D_OPEN: return {normal, tangential, 0.0, 0.0};
+  case C2D_STICK: return {0.0, offset, normal, tangential};
+  default: return {0.0, tangential, normal, pair.tangential ? friction(pair, pair.sign) * normal : 0.0};
+  }
+}
+
+} // namespace
+
+PairState pair_state(const Tableau& t, int32_t pair, const Real* y) {
+  return read_pair(t.pair[pair], y, t.pair[pair].tangential ? t.pair[pair].offset : 0.0);
+}
+PairState pair_rates(const Tableau& t, int32_t pair, const Real* dy) { return read_pair(t.pair[pair], dy, 0.0); }
+
+} // namespace c2d

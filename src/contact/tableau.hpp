@@ -1,0 +1,47 @@
+#pragma once
+// The contact tableau: half of the contact unknowns (basic, y) as linear functions of the other half (z = 0) and of
+// the load factors,  y = T z + c + sum_k lambda_k b_k.  Columns 0 ... m-1 are T, column m is c, then b_k: the rates
+// of everything with the loads. Slot `dof` of a pair holds its normal quantities, `dof + 1` the tangential ones:
+//   open   z = p, q     y = w_n, w_t          w = ((u2-u1).n + gap, (u2-u1).t) in the model's length unit
+//   stick  z = w_n, w_t - offset    y = p, q  p, q: force on body 2 per length of body 1 in its stress unit
+//   slip   z = w_n, r   y = p, w_t            r = q - sign mu p
+// A change of status is one or two Gauss-Jordan exchanges of 2 m^2 operations each.
+#include "contact/contact_tape.hpp"
+#include "model/model.hpp"
+
+namespace c2d {
+
+struct Tableau {
+  int32_t m, cases, pairs;
+  Pair* pair;
+  Real* t;             // m * (m + 1 + cases)
+  double length_unit;
+  double stiffness;    // largest diagonal entry with every pair sticking; 0 until built
+  int64_t exchanges;   // so far
+};
+
+inline Real* constants(const Tableau& t) { return t.t + static_cast<int64_t>(t.m) * t.m; }
+inline Real* load_rates(const Tableau& t, int32_t k) { return t.t + static_cast<int64_t>(t.m) * (t.m + 1 + k); }
+inline uint64_t tableau_numbers(int64_t m, int64_t cases) { return static_cast<uint64_t>(m * (m + 1 + cases)); }
+
+// The tableau for the statuses, signs, offsets and coefficients that the pairs have now, from the all-stick tableau on
+// the tape. Load-free reference: w = (gap, 0), tau = 0. Errors: the block store's; C2D_ERR_SINGULAR if the statuses
+// leave a motion free (*culprit: a pair that should have been released).
+c2d_status build_tableau(Tableau& t, const ContactTape& tape, int32_t* culprit);
+
+// Change one pair's status. `sign`: of friction on body 2, for slip. `at`: w_t at which it will stick, for stick.
+// False if a pivot is unusable: the pair is the last to hold a motion; then nothing has changed.
+bool change_status(Tableau& t, int32_t pair, int32_t status, int32_t sign, double at);
+
+// c + sum_k factor_k b_k (with_constants) or sum_k factor_k b_k into out[m].
+void combine(const Tableau& t, const double* factor, bool with_constants, Real* out);
+
+// Quantities of a pair out of combined values y (zero where z holds them; w_t of a sticking pair: its offset).
+struct PairState {
+  double wn, wt, p, q;
+};
+PairState pair_state(const Tableau& t, int32_t pair, const Real* y);
+// The same out of combined rates (the offset does not move).
+PairState pair_rates(const Tableau& t, int32_t pair, const Real* dy);
+
+} // namespace c2d

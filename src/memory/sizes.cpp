@@ -1,0 +1,103 @@
+#include "memory/sizes.hpp"
+
+#include "memory/real.hpp"
+
+namespace c2d {
+
+bool add_bytes(uint64_t& sum, uint64_t count, uint64_t size) {
+  if (size != 0 && count > (UINT64_MAX - sum) / size) return false;
+  sum += count * size;
+  return true;
+}
+
+uint64_t round_up(uint64_t bytes) { return (bytes + kAlignment - 1) / kAlignment * kAlignment; }
+
+namespace {
+
+bool counts_are_legal(const c2d_limits& l) {
+  if (l.bodies < 1 || l.bodies > 2 || l.function_nodes < 1 || l.function_nodes > 4) return false;
+  for (int b = 0; b < 2; ++b) {
+    if (l.geometry_nodes[b] < 0 || l.elements[b] < 0 || l.regions[b] < 0) return false;
+    if (b < l.bodies && (l.geometry_nodes[b] < 1 || l.elements[b] < 1 || l.regions[b] < 1)) return false;
+  }
+  return l.zones >= 0 && l.pairs >= 0 && l.contact_elements >= 0 && l.point_loads >= 0 && l.coefficients >= 0 &&
+         l.paths >= 0 && l.load_cases >= 0 && l.panel_columns >= 0;
+}
+
+} // namespace
+
+c2d_status derive_sizes(const c2d_limits& limits, Sizes& out) {
+  if (!counts_are_legal(limits)) return C2D_ERR_ARGUMENT;
+  out = Sizes{};
+  out.bodies = limits.bodies;
+  out.function_nodes = limits.function_nodes;
+  out.load_cases = limits.load_cases == 0 ? 1 : limits.load_cases;
+  out.panel_columns = limits.panel_columns;
+  const int64_t per_element = limits.function_nodes == 1 ? 1 : limits.function_nodes - 1;
+  for (int b = 0; b < limits.bodies; ++b) {
+    BodySizes& body = out.body[b];
+    body.geometry_nodes = limits.geometry_nodes[b];
+    body.elements = limits.elements[b];
+    body.regions = limits.regions[b];
+    body.nodes = body.elements * per_element;
+    body.ends = body.elements * limits.function_nodes;
+    body.rows = 2 * body.nodes + 3;
+  }
+  out.zones = limits.zones;
+  out.pairs = limits.pairs;
+  out.contact_elements = limits.contact_elements;
+  out.point_loads = limits.point_loads;
+  out.coefficients = limits.coefficients;
+  out.paths = limits.paths;
+  out.contact = 2 * out.pairs;
+  return C2D_OK;
+}
+
+namespace {
+
+struct Carver {
+  Layout& layout;
+  uint64_t used;
+  bool fits;
+
+  void carve(int32_t id, uint64_t count, uint64_t size) {
+    layout.offset[id] = used;
+    fits = fits && add_bytes(used, count, size) && used <= UINT64_MAX - kAlignment;
+    if (fits) used = round_up(used);
+  }
+};
+
+void carve_body(Carver& carver, int b, const BodySizes& body, uint64_t cases) {
+  const uint64_t nodes = static_cast<uint64_t>(body.nodes), ends = static_cast<uint64_t>(body.ends);
+  const uint64_t points = static_cast<uint64_t>(body.geometry_nodes);
+  // Counts are 31-bit, so that the products with the number of cases stay within 64 bits.
+  carver.carve(kXy + b, 2 * points, sizeof(double));
+  carver.carve(kNodeLine + b, points, sizeof(int32_t));
+  carver.carve(kEndTraction + b, 2 * ends * cases, sizeof(double));
+  carver.carve(kNodeDisp + b, 2 * nodes * cases, sizeof(double));
+  carver.carve(kEndCode + b, ends, sizeof(uint8_t));
+  carver.carve(kEndLine + b, ends, sizeof(int32_t));
+  carver.carve(kNodeColumn + b, nodes + 1, sizeof(int32_t));
+  carver.carve(kRegions + b, static_cast<uint64_t>(body.regions), kRegionBytes);
+}
+
+} // namespace
+
+c2d_status lay_out(const Sizes& sizes, uint64_t header, Layout& out) {
+  out = Layout{};
+  Carver carver{out, round_up(header), true};
+  const uint64_t cases = static_cast<uint64_t>(sizes.load_cases);
+  for (int b = 0; b < 2; ++b) carve_body(carver, b, sizes.body[b], cases);
+  carver.carve(kZones, static_cast<uint64_t>(sizes.zones), kZoneBytes);
+  carver.carve(kPairs, static_cast<uint64_t>(sizes.pairs), kPairBytes);
+  carver.carve(kPointLoads, static_cast<uint64_t>(sizes.point_loads), kPointLoadBytes);
+  carver.carve(kFriction, static_cast<uint64_t>(sizes.coefficients), sizeof(double));
+  carver.carve(kPaths, static_cast<uint64_t>(sizes.paths), kPathBytes);
+  carver.carve(kPairTable, static_cast<uint64_t>(sizes.pairs) * C2D_PAIR_FIELDS, sizeof(double));
+  carver.carve(kLoads, 4 * cases, sizeof(double));
+  carver.carve(kPhase, 0, 1);
+  out.persistent = carver.used;
+  return carver.fits ? C2D_OK : C2D_ERR_OVERFLOW;
+}
+
+} // namespace c2d
