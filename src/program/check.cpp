@@ -1,0 +1,77 @@
+#include "program/check.hpp"
+
+#include "program/exit_code.hpp"
+#include "program/output_file.hpp"
+#include "program/session.hpp"
+#include "report/text.hpp"
+
+namespace c2d {
+namespace {
+
+void append_line(std::string& out, const char* name, const std::string& value) {
+  out += name;
+  const size_t length = std::char_traits<char>::length(name);
+  out.append(length < 28 ? 28 - length : 1, ' ');
+  out += value;
+  out += '\n';
+}
+
+std::string two(const c2d_summary& s, const int32_t (&values)[2]) {
+  std::string out = std::to_string(values[0]);
+  if (s.bodies > 1) out += ", " + std::to_string(values[1]);
+  return out;
+}
+
+void append_check(std::string& out, const Session& session, const c2d_summary& s) {
+  append_line(out, "deck", session.deck.name());
+  append_line(out, "title", s.title);
+  append_line(out, "bodies", std::to_string(s.bodies));
+  append_line(out, "elements", two(s, s.elements));
+  append_line(out, "functional nodes", two(s, s.nodes));
+  append_line(out, "equations", two(s, s.unknowns));
+  append_line(out, "contact zones", std::to_string(s.zones));
+  append_line(out, "pairs", std::to_string(s.pairs));
+  append_line(out, "coefficients of friction", std::to_string(s.coefficients));
+  append_line(out, "increments", std::to_string(s.steps));
+  append_line(out, "memory, minimum", std::to_string(session.workspace.minimum) + " bytes");
+  append_line(out, "memory, all in RAM", std::to_string(session.workspace.in_core) + " bytes");
+  append_line(out, "warnings", std::to_string(session.messages.warnings().size()));
+}
+
+} // namespace
+
+int check_deck(const Options& options) {
+  Session session;
+  int exit = session.read_file(options.deck);
+  if (exit != 0) return exit;
+  uint64_t minimum = 0, in_core = 0;
+  const c2d_status status = c2d_memory_need(&session.limits, &minimum, &in_core);
+  if (status == C2D_OK)
+    exit = session.take_memory(minimum);
+  else
+    exit = session.failed(status);
+  if (exit != 0) return exit;
+
+  c2d_port port = C2D_INIT(c2d_port);
+  port.context = &session.messages;
+  port.log = Messages::log;
+  exit = session.read_model(port);
+  if (exit != 0) return exit;
+
+  c2d_summary summary = C2D_INIT(c2d_summary);
+  c2d_get_summary(session.solver, &summary);
+  OutputFile out;
+  std::string error;
+  if (!out.open("-", error)) {
+    session.messages.fail(error);
+    return kExitFiles;
+  }
+  append_check(out.text, session, summary);
+  if (!out.finish(error)) {
+    session.messages.fail(error);
+    return kExitFiles;
+  }
+  return kExitSolved;
+}
+
+} // namespace c2d

@@ -1,0 +1,100 @@
+#include "program/deck_file.hpp"
+
+#include "report/text.hpp"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace c2d {
+
+bool DeckFile::read(const std::string& name, std::string& error) {
+  name_ = name == "-" ? "standard input" : name;
+  const int file = name == "-" ? 0 : ::open(name.c_str(), O_RDONLY | O_CLOEXEC);
+  ssize_t got = file < 0 ? -1 : 1;
+  char chunk[65536];
+  while (got > 0) {
+    got = ::read(file, chunk, sizeof chunk);
+    if (got > 0) text_.append(chunk, static_cast<size_t>(got));
+    if (got > 0 && std::memchr(chunk, 0, static_cast<size_t>(got)) != nullptr) break; // no text: judged below
+  }
+  const int code = errno;
+  if (file > 0) ::close(file);
+  if (got < 0) {
+    error = std::string("cannot be read: ") + std::strerror(code);
+    return false;
+  }
+  for (size_t at = 0; at < text_.size();) {
+    starts_.push_back(at);
+    const size_t end = text_.find('\n', at);
+    at = end == std::string::npos ? text_.size() : end + 1;
+  }
+  const size_t zero = text_.find('\0');
+  if (zero != std::string::npos) {
+    error = "is not a text file: byte " + std::to_string(zero + 1) + " is zero";
+    return false;
+  }
+  return true;
+}
+
+std::string_view DeckFile::card(size_t line) const {
+  if (line < 1 || line > starts_.size()) return {};
+  const size_t begin = starts_[line - 1];
+  size_t end = line < starts_.size() ? starts_[line] : text_.size();
+  if (end > begin && text_[end - 1] == '\n') --end;
+  if (end > begin && text_[end - 1] == '\r') --end;
+  return std::string_view(text_).substr(begin, end - begin);
+}
+
+std::vector<std::string> DeckFile::heading() const {
+  std::vector<std::string> cards;
+  const std::string first(card(1).substr(0, 5));
+  const long count = std::strtol(first.c_str(), nullptr, 10);
+  for (long i = 2; i <= count && static_cast<size_t>(i) <= starts_.size(); ++i)
+    cards.emplace_back(card(static_cast<size_t>(i)));
+  return cards;
+}
+
+int32_t DeckFile::read_line(void* context, char* text, int32_t size) {
+  DeckFile& deck = *static_cast<DeckFile*>(context);
+  if (deck.next_ > deck.starts_.size()) return -1;
+  const std::string_view card = deck.card(deck.next_++);
+  const size_t room = size > 0 ? static_cast<size_t>(size) - 1 : 0;
+  const size_t fits = card.size() < room ? card.size() : room;
+  std::memcpy(text, card.data(), fits);
+  if (size > 0) text[fits] = '\0';
+  return card.size() > INT32_MAX ? INT32_MAX : static_cast<int32_t>(card.size());
+}
+
+std::string quote(const DeckFile& deck, const c2d_error& entry, const char* word) {
+  std::string out = "contact2d: " + deck.name() + ":";
+  if (entry.line > 0) {
+    append_integer(out, entry.line);
+    out += ':';
+    append_integer(out, entry.column > 0 ? entry.column : 1);
+    out += ':';
+  }
+  out += ' ';
+  out += word;
+  out += ": ";
+  out += entry.text;
+  out += '\n';
+  if (entry.line <= 0 || static_cast<size_t>(entry.line) > deck.cards()) return out;
+
+  const std::string_view card = deck.card(static_cast<size_t>(entry.line)).substr(0, 200);
+  std::string caret;
+  const size_t first = entry.column > 0 ? static_cast<size_t>(entry.column) - 1 : 0;
+  for (size_t i = 0; i < card.size(); ++i) {
+    const unsigned char c = static_cast<unsigned char>(card[i]);
+    out += c == '\t' || (c >= 0x20 && c < 0x7f) ? card[i] : '?';
+    if (i < first) caret += c == '\t' ? '\t' : ' ';
+  }
+  if (first > card.size() && first < 200) caret.append(first - card.size(), ' ');
+  caret += '^';
+  for (int32_t i = entry.column; i < entry.column_end && caret.size() < 200; ++i) caret += '~';
+  return out += '\n' + caret + '\n';
+}
+
+} // namespace c2d

@@ -1,0 +1,41 @@
+// A deck in memory: read once, handed to the library card by card, quoted when something is wrong with a
+// card.
+#pragma once
+
+#include <contact2d.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace c2d {
+
+class DeckFile {
+public:
+  // Reads the whole file ("-": standard input). On failure `error` says why; a zero byte is such a failure.
+  bool read(const std::string& name, std::string& error);
+
+  const std::string& name() const { return name_; }
+  size_t cards() const { return starts_.size(); }
+  // Card `line` (from 1) without its line end; empty if there is no such card.
+  std::string_view card(size_t line) const;
+  // The cards of the problem statement without the last, which is the title.
+  std::vector<std::string> heading() const;
+
+  void rewind() { next_ = 1; }
+  // The library's read_line; `context` is the DeckFile.
+  static int32_t read_line(void* context, char* text, int32_t size);
+
+private:
+  std::string name_, text_;
+  std::vector<size_t> starts_; // where each card begins
+  size_t next_ = 1;
+};
+
+// `contact2d: DECK:LINE:COLUMN: error: text`, with the card and a caret under the field if a line is known.
+// `word` is error or warning.
+std::string quote(const DeckFile& deck, const c2d_error& entry, const char* word);
+
+} // namespace c2d

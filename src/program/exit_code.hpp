@@ -1,0 +1,39 @@
+// Exit statuses of the program; part of its contract.
+#pragma once
+
+#include <contact2d.h>
+
+namespace c2d {
+
+enum ExitCode {
+  kExitSolved = 0,
+  kExitNoSolution = 1,
+  kExitInput = 2,
+  kExitFiles = 3,
+  kExitMemory = 4,
+  kExitUsage = 64,
+  kExitCancelled = 130
+};
+
+// The exit status that a failed call of the library leads to.
+inline int exit_code(c2d_status status) {
+  switch (status) {
+  case C2D_OK:
+    return kExitSolved;
+  case C2D_ERR_MEMORY:
+  case C2D_ERR_OVERFLOW:
+    return kExitMemory;
+  case C2D_ERR_CANCELLED:
+    return kExitCancelled;
+  case C2D_ERR_SINGULAR:
+    return kExitNoSolution;
+  case C2D_ERR_INPUT:
+  case C2D_ERR_LIMIT:
+  case C2D_ERR_READ:
+    return kExitInput;
+  default:
+    return kExitFiles;
+  }
+}
+
+} // namespace c2d

@@ -1,0 +1,41 @@
+#include "program/interrupt.hpp"
+
+#include <csignal>
+
+namespace c2d {
+namespace {
+
+volatile std::sig_atomic_t caught = 0;
+c2d_solver* volatile target = nullptr;
+
+void on_signal(int) {
+  caught = 1;
+  if (target != nullptr) c2d_cancel(target);
+}
+
+} // namespace
+
+void catch_interrupts() {
+  struct sigaction action = {};
+  action.sa_handler = on_signal;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigemptyset(&action.sa_mask);
+  const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
+  for (const int number : numbers) {
+    struct sigaction old = {};
+    if (sigaction(number, nullptr, &old) == 0 && old.sa_handler == SIG_IGN)
+      continue; // nohup, background jobs
+    sigaction(number, &action, nullptr);
+  }
+  std::signal(SIGPIPE, SIG_IGN); // a closed pipe or a full file is a failed write, reported as such
+  std::signal(SIGXFSZ, SIG_IGN);
+}
+
+void set_interrupt_target(c2d_solver* solver) {
+  target = solver;
+}
+bool interrupted() {
+  return caught != 0;
+}
+
+} // namespace c2d

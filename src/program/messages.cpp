@@ -1,0 +1,41 @@
+#include "program/messages.hpp"
+
+#include <cstdio>
+
+namespace c2d {
+
+namespace {
+const int kMostFaults = 1000; // printed; a file that is no deck at all has one on every card
+
+void print(const std::string& text) {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+}
+} // namespace
+
+void Messages::log(void* context, const c2d_error* entry) {
+  Messages& m = *static_cast<Messages*>(context);
+  if (entry->severity == C2D_WARNING) {
+    m.warnings_.push_back(*entry);
+    if (m.print_warnings) print(quote(m.deck_, *entry, "warning"));
+    return;
+  }
+  m.latest_ = entry->text;
+  if (entry->severity != C2D_FAULT) return;
+  ++m.faults_;
+  if (m.faults_ <= kMostFaults) print(quote(m.deck_, *entry, "error"));
+  if (m.faults_ == kMostFaults + 1) m.fail("too many errors, the others are not shown");
+}
+
+void Messages::fault(const c2d_error& error) {
+  if (faults_ > 0) return;
+  c2d_error shown = error;
+  if (shown.text[0] == '\0') std::snprintf(shown.text, sizeof shown.text, "%s", c2d_message(shown.status));
+  print(quote(deck_, shown, "error"));
+  faults_ = 1;
+}
+
+void Messages::fail(const std::string& text) const {
+  print("contact2d: " + deck_.name() + ": error: " + text + '\n');
+}
+
+} // namespace c2d

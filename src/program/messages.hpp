@@ -1,0 +1,41 @@
+// What the library reports while it works: faults and warnings go to standard error as they come, quoted from
+// the deck; warnings are kept for the reports.
+#pragma once
+
+#include "program/deck_file.hpp"
+
+#include <contact2d.h>
+
+#include <string>
+#include <vector>
+
+namespace c2d {
+
+class Messages {
+public:
+  explicit Messages(const DeckFile& deck) : deck_(deck) {}
+
+  // For c2d_port.log and c2d_report; `context` is the Messages.
+  static void log(void* context, const c2d_error* entry);
+  // Prints the error of a failed call, unless the call has reported faults itself.
+  void fault(const c2d_error& error);
+  // A line `contact2d: DECK: error: text` of the program's own.
+  void fail(const std::string& text) const;
+
+  const std::vector<c2d_error>& warnings() const { return warnings_; }
+  // Text of the latest fault or note; empty if there was none.
+  const std::string& latest() const { return latest_; }
+  void forget_latest() { latest_.clear(); }
+  // Forgets the warnings: the deck is read a second time.
+  void restart() { warnings_.clear(); }
+  // Warnings are printed only if set (they are kept anyway).
+  bool print_warnings = true;
+
+private:
+  const DeckFile& deck_;
+  std::vector<c2d_error> warnings_;
+  std::string latest_;
+  int faults_ = 0;
+};
+
+} // namespace c2d

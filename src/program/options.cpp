@@ -1,0 +1,223 @@
+#include "program/options.hpp"
+
+#include <contact2d.h>
+
+#include <cctype>
+#include <charconv>
+#include <vector>
+
+namespace c2d {
+namespace {
+
+// One option of a command: its name and what it takes.
+struct Known {
+  const char* name;
+  bool takes_value;
+};
+const Known kRunOptions[] = {{"--listing", true},   {"--csv", true},          {"--boundary", true},
+                             {"--json", true},      {"--stepping", true},     {"--quadrature", true},
+                             {"--memory", true},    {"--store", true},        {"--threads", true},
+                             {"--progress", false}, {"--no-progress", false}, {"--keep", false}};
+const char* const kLaterOptions[] = {"--points", "--interior", "--report", "--figures", "--vtk"};
+const char* const kLaterCommands[] = {"make", "convert", "resume"};
+
+template <size_t n> bool is_one_of(const std::string& word, const char* const (&list)[n]) {
+  for (const char* entry : list)
+    if (word == entry) return true;
+  return false;
+}
+
+bool choose(const std::string& value, const char* first, const char* second, int32_t& choice) {
+  if (value != first && value != second) return false;
+  choice = value == first ? 0 : 1;
+  return true;
+}
+
+bool read_threads(const std::string& value, int32_t& threads) {
+  const char* end = value.data() + value.size();
+  const auto result = std::from_chars(value.data(), end, threads);
+  return result.ec == std::errc() && result.ptr == end && threads >= 1;
+}
+
+// Takes over one option with its value; false with `error` if the value is none of those allowed.
+bool set_option(Options& o, const std::string& name, const std::string& value, std::string& error) {
+  const auto wrong = [&](const char* expected) {
+    error = name + " " + value + ": expected " + expected;
+    return false;
+  };
+  if (name == "--listing") o.listing = value;
+  if (name == "--csv") o.csv = value;
+  if (name == "--boundary") o.boundary = value;
+  if (name == "--json") o.json = value;
+  if (name == "--progress") o.progress = Progress::kAlways;
+  if (name == "--no-progress") o.progress = Progress::kNever;
+  if (name == "--keep") o.keep = true;
+  if (name == "--stepping" && !choose(value, "events", "deck", o.stepping)) return wrong("events or deck");
+  if (name == "--quadrature" && !choose(value, "accurate", "thesis", o.quadrature))
+    return wrong("accurate or thesis");
+  if (name == "--memory" && (!read_size(value, o.memory) || o.memory == 0))
+    return wrong("a number of bytes such as 65536, 64K, 16M or 1G");
+  if (name == "--threads" && !read_threads(value, o.threads)) return wrong("a whole number from 1");
+  if (name == "--store") {
+    if (value != "memory" && (value.compare(0, 5, "file:") != 0 || value.size() == 5))
+      return wrong("memory or file:DIR");
+    o.store = value;
+  }
+  return true;
+}
+
+bool read_run_option(const std::vector<std::string>& words, size_t& at, Options& options,
+                     std::string& error) {
+  std::string name = words[at], value;
+  const size_t equals = name.find('=');
+  const bool joined = equals != std::string::npos;
+  if (joined) {
+    value = name.substr(equals + 1);
+    name.resize(equals);
+  }
+  for (const Known& known : kRunOptions) {
+    if (name != known.name) continue;
+    if (joined && !known.takes_value) {
+      error = name + " takes no value";
+      return false;
+    }
+    if (known.takes_value && !joined) {
+      if (at + 1 >= words.size()) {
+        error = name + " needs a value";
+        return false;
+      }
+      value = words[++at];
+    }
+    if (known.takes_value && value.empty()) {
+      error = name + " needs a value";
+      return false;
+    }
+    return set_option(options, name, value, error);
+  }
+  if (name == "--symmetry") {
+    if (!joined && at + 1 < words.size()) value = words[++at];
+    if (value == "deck") return true;
+    error = value == "images" ? "--symmetry images: not available in this version"
+                              : "--symmetry " + value + ": expected deck or images";
+    return false;
+  }
+  error =
+      is_one_of(name, kLaterOptions) ? name + ": not available in this version" : "unknown option " + name;
+  return false;
+}
+
+} // namespace
+
+bool read_size(const std::string& text, uint64_t& bytes) {
+  const char* end = text.data() + text.size();
+  uint64_t number = 0;
+  const auto result = std::from_chars(text.data(), end, number);
+  if (result.ec != std::errc() || result.ptr == text.data()) return false;
+  std::string unit;
+  for (const char* c = result.ptr; c != end; ++c)
+    unit += static_cast<char>(std::toupper(static_cast<unsigned char>(*c)));
+  if (unit.size() == 3 && unit.compare(1, 2, "IB") == 0) unit.resize(1);
+  if (unit.size() == 2 && unit[1] == 'B') unit.resize(1);
+  int shift = 0;
+  if (unit == "K")
+    shift = 10;
+  else if (unit == "M")
+    shift = 20;
+  else if (unit == "G")
+    shift = 30;
+  else if (unit == "T")
+    shift = 40;
+  else if (!unit.empty() && unit != "B")
+    return false;
+  if (number > (UINT64_MAX >> shift)) return false;
+  bytes = number << shift;
+  return true;
+}
+
+bool read_options(int argc, const char* const* argv, Options& options, std::string& error) {
+  const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
+  if (words.empty()) {
+    error = "no command: expected run, check, --version or --help";
+    return false;
+  }
+  const std::string& command = words[0];
+  if (command == "--version" || command == "--help" || command == "-h" || command == "help") {
+    options.command = command == "--version" ? Command::kVersion : Command::kHelp;
+    return true;
+  }
+  if (is_one_of(command, kLaterCommands)) {
+    error = command + ": not available in this version";
+    return false;
+  }
+  if (command != "run" && command != "check") {
+    error = "unknown command " + command + ": expected run, check, --version or --help";
+    return false;
+  }
+  options.command = command == "run" ? Command::kRun : Command::kCheck;
+
+  bool options_end = false;
+  for (size_t at = 1; at < words.size(); ++at) {
+    const std::string& word = words[at];
+    if (!options_end && word == "--") {
+      options_end = true;
+    } else if (!options_end && word.size() > 1 && word[0] == '-') {
+      if (word == "--help") {
+        options.command = Command::kHelp;
+        return true;
+      }
+      if (options.command == Command::kCheck) {
+        error = "check takes no option " + word;
+        return false;
+      }
+      if (!read_run_option(words, at, options, error)) return false;
+    } else if (!options.deck.empty()) {
+      error = "more than one deck: " + options.deck + " and " + word;
+      return false;
+    } else if (word.empty()) {
+      error = "the name of the deck is empty";
+      return false;
+    } else {
+      options.deck = word;
+    }
+  }
+  if (options.deck.empty()) {
+    error = command + " needs a deck";
+    return false;
+  }
+  return true;
+}
+
+const char* help_text() {
+  return "usage: contact2d run DECK [options]\n"
+         "       contact2d check DECK\n"
+         "       contact2d --version | --help\n"
+         "\n"
+         "run solves a deck, check reads and validates it and tells the memory it needs. DECK may be - for "
+         "standard\n"
+         "input.\n"
+         "\n"
+         "options of run:\n"
+         "  --listing FILE     printed results; default: standard output, unless another output is sent "
+         "there\n"
+         "  --csv FILE         contact results, a row per pair and recorded step\n"
+         "  --boundary FILE    CSV of every element end of every body at the last step\n"
+         "  --json FILE        summary of the run\n"
+         "  --stepping WORD    events (default): follow every change of status; deck: the increments of the "
+         "deck\n"
+         "  --quadrature WORD  accurate (default) or thesis: the rule of 2, 4 and 10 points\n"
+         "  --memory SIZE      bytes of workspace, as 65536, 64K, 16M, 1G; default: all in memory, at most "
+         "half of\n"
+         "                     what is free\n"
+         "  --store WHERE      memory, or file:DIR; default: memory if it fits, else a folder under $TMPDIR\n"
+         "  --threads N        1\n"
+         "  --progress, --no-progress\n"
+         "                     a line on standard error; default: only on a terminal\n"
+         "  --keep             leave the tapes in their folder\n"
+         "FILE may be - for standard output.\n"
+         "\n"
+         "exit status: 0 solved; 1 no further or no unique solution; 2 bad deck; 3 block store or output "
+         "file failed;\n"
+         "4 workspace too small; 64 bad usage; 130 cancelled\n";
+}
+
+} // namespace c2d

@@ -1,0 +1,33 @@
+// The command line.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace c2d {
+
+enum class Command { kRun, kCheck, kVersion, kHelp };
+enum class Progress { kAutomatic, kAlways, kNever };
+
+struct Options {
+  Command command = Command::kHelp;
+  std::string deck;
+  std::string listing, csv, boundary, json; // empty: not asked for; "-": standard output
+  std::string store;                        // empty: chosen by size; "memory"; "file:DIR"
+  uint64_t memory = 0;                      // workspace bytes; 0: chosen by size
+  int32_t threads = 1;
+  int32_t stepping = 0, quadrature = 0; // C2D_STEPPING_, C2D_QUADRATURE_
+  Progress progress = Progress::kAutomatic;
+  bool keep = false;
+};
+
+// Reads the arguments. On failure says why in `error`.
+bool read_options(int argc, const char* const* argv, Options& options, std::string& error);
+
+// "65536", "64K", "16M", "1G", "2T" (powers of 1024, either case, an added B or iB is understood) as bytes.
+bool read_size(const std::string& text, uint64_t& bytes);
+
+// What --help prints.
+const char* help_text();
+
+} // namespace c2d

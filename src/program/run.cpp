@@ -1,0 +1,255 @@
+#include "program/run.hpp"
+
+#include "program/exit_code.hpp"
+#include "program/interrupt.hpp"
+#include "program/outputs.hpp"
+#include "program/progress.hpp"
+#include "program/session.hpp"
+#include "program/store_choice.hpp"
+#include "report/csv.hpp"
+#include "report/json.hpp"
+#include "report/listing.hpp"
+#include "report/record.hpp"
+#include "report/text.hpp"
+
+#include <cstdio>
+
+namespace c2d {
+namespace {
+
+class Run {
+public:
+  explicit Run(const Options& options) : options_(options), line_(options.progress) {}
+  int go();
+
+private:
+  // The functions of the port; their context is the Run.
+  static Run& self(void* context) { return *static_cast<Run*>(context); }
+  static void on_log(void* context, const c2d_error* entry);
+  static int32_t on_step(void* context, const c2d_step* step);
+  c2d_port make_port();
+
+  int read();
+  int prepare();
+  int follow();
+  void stopped_before_load(c2d_status status);
+  int report();
+  int close_store();
+  int publish();
+  int file_failed() {
+    session_.messages.fail(error_);
+    return kExitFiles;
+  }
+  int library_failed(c2d_status status);
+
+  const Options& options_;
+  // In the order in which they need each other: the solver closes its tapes before the store goes.
+  StoreChoice store_;
+  Session session_;
+  Outputs outputs_;
+  ProgressLine line_;
+  RunRecord record_;
+  c2d_summary summary_ = C2D_INIT(c2d_summary);
+  std::vector<ContactEnd> ends_[2];
+  int32_t coefficient_shown_ = 0; // the coefficient whose heading stands in the listing
+  std::string error_;
+};
+
+void Run::on_log(void* context, const c2d_error* entry) {
+  Run& run = self(context);
+  run.line_.clear();
+  Messages::log(&run.session_.messages, entry);
+}
+
+int32_t Run::on_step(void* context, const c2d_step* step) {
+  Run& run = self(context);
+  const CoefficientRecord* before =
+      static_cast<size_t>(step->coefficient) <= run.record_.coefficients.size()
+          ? &run.record_.coefficients[static_cast<size_t>(step->coefficient) - 1]
+          : nullptr;
+  const bool again = before != nullptr && !before->table.empty() && before->load == step->load;
+  CoefficientRecord& kept = keep_step(run.record_, *step);
+  if (run.outputs_.listing.is_open()) {
+    append_step(run.outputs_.listing.text, *step, run.coefficient_shown_ != step->coefficient);
+    run.coefficient_shown_ = step->coefficient;
+  }
+  // A path that ended in the state of its last row adds no row.
+  const bool row = step->kind == C2D_STEP_RECORDED || (step->kind == C2D_STEP_STOPPED && !again);
+  if (row && run.outputs_.csv.is_open()) append_contact_rows(run.outputs_.csv.text, *step);
+  if (step->kind == C2D_STEP_STOPPED) {
+    kept.why = c2d_outcome_message(step->outcome);
+    const std::string& latest = run.session_.messages.latest();
+    if (!latest.empty() && latest != kept.why) kept.why += ": " + latest;
+    run.session_.messages.forget_latest();
+  }
+  return run.outputs_.flush(run.error_) ? 0 : 1;
+}
+
+c2d_port Run::make_port() {
+  c2d_port port = C2D_INIT(c2d_port);
+  port.context = this;
+  port.open = [](void* c, int32_t tape, uint64_t blocks, uint64_t bytes) {
+    return self(c).store_.open(tape, blocks, bytes);
+  };
+  port.read = [](void* c, int32_t tape, uint64_t block, void* data, uint64_t bytes) {
+    return self(c).store_.read(tape, block, data, bytes);
+  };
+  port.write = [](void* c, int32_t tape, uint64_t block, const void* data, uint64_t bytes) {
+    return self(c).store_.write(tape, block, data, bytes);
+  };
+  port.sync = [](void* c, int32_t tape) { return self(c).store_.sync(tape); };
+  port.close = [](void* c, int32_t tape) { return self(c).store_.close(tape); };
+  port.progress = [](void* c, const c2d_progress* now) { self(c).line_.show(*now); };
+  if (!line_.active()) port.progress = nullptr;
+  port.cancel = [](void*) { return static_cast<int32_t>(interrupted()); };
+  port.log = on_log;
+  port.clock = clock_seconds;
+  return port;
+}
+
+int Run::library_failed(c2d_status status) {
+  line_.clear();
+  if (status == C2D_ERR_CALLBACK && !error_.empty()) return file_failed();
+  c2d_error last = C2D_INIT(c2d_error);
+  if (session_.solver != nullptr) c2d_last_error(session_.solver, &last);
+  const int exit = session_.failed(status);
+  if (status >= C2D_ERR_STORE_OPEN && status <= C2D_ERR_STORE_CLOSE && last.host_code != 0)
+    session_.messages.fail(store_.system_text(last.host_code));
+  return exit;
+}
+
+// The deck, the workspace and the store; outputs are opened as soon as the deck is known to be in order.
+int Run::read() {
+  const double start = clock_seconds(nullptr);
+  int exit = session_.read_file(options_.deck);
+  record_.read_seconds = clock_seconds(nullptr) - start;
+  if (exit == 0) exit = session_.take_memory(options_.memory);
+  if (exit != 0) return exit;
+  const uint64_t free = free_memory() / 2;
+  const uint64_t budget = free > session_.workspace.bytes ? free - session_.workspace.bytes : 0;
+  exit = session_.read_model(make_port());
+  if (exit != 0) return exit;
+  if (!outputs_.open(options_, error_)) return file_failed();
+  return store_.choose(options_.store, budget, options_.keep, error_) ? 0 : file_failed();
+}
+
+int Run::prepare() {
+  c2d_solver* solver = session_.solver;
+  c2d_get_summary(solver, &summary_);
+  c2d_options options = C2D_INIT(c2d_options);
+  options.stepping = options_.stepping;
+  options.quadrature = options_.quadrature;
+  options.every_change = summary_.analysis >= C2D_ANALYSIS_ITERATIONS;
+  c2d_status status = c2d_set_options(solver, &options);
+  c2d_get_summary(solver, &summary_);
+  if (status == C2D_OK && outputs_.listing.is_open())
+    status = append_model(outputs_.listing.text, solver, summary_, session_.deck.heading());
+  for (int32_t body = 1; body <= 2 && status == C2D_OK && summary_.pairs > 0; ++body)
+    status = find_contact_ends(solver, summary_, body, ends_[body - 1]);
+  if (outputs_.csv.is_open()) append_contact_header(outputs_.csv.text);
+  if (outputs_.boundary.is_open()) append_boundary_header(outputs_.boundary.text);
+  if (status != C2D_OK) return library_failed(status);
+  record_.checked_only = summary_.analysis <= C2D_ANALYSIS_CHECK;
+  if (record_.checked_only) return 0;
+  session_.messages.forget_latest();
+  status = c2d_prepare(solver);
+  if (status == C2D_ERR_SINGULAR) {
+    stopped_before_load(status);
+    return 0;
+  }
+  return status == C2D_OK ? 0 : library_failed(status);
+}
+
+// No equations to go on with: every coefficient has come to nothing.
+void Run::stopped_before_load(c2d_status status) {
+  library_failed(status);
+  for (int32_t i = 1; i <= summary_.coefficients; ++i) {
+    CoefficientRecord none;
+    none.singular = true;
+    none.why = session_.messages.latest().empty() ? c2d_message(status) : session_.messages.latest();
+    c2d_get_friction(session_.solver, i, &none.mu);
+    record_.coefficients.push_back(none);
+  }
+}
+
+int Run::follow() {
+  if (record_.checked_only || record_.incomplete() != nullptr) return 0;
+  const c2d_status status = c2d_run(session_.solver, on_step, this);
+  return status == C2D_OK ? 0 : library_failed(status);
+}
+
+int Run::report() {
+  const double start = clock_seconds(nullptr);
+  c2d_solver* solver = session_.solver;
+  const bool solved = c2d_get_state(solver) == C2D_STATE_RUNNING;
+  c2d_get_summary(solver, &summary_);
+  c2d_status status = C2D_OK;
+  if (outputs_.boundary.is_open() && solved)
+    status = append_boundary(outputs_.boundary.text, solver, summary_);
+  if (status == C2D_OK && outputs_.listing.is_open()) {
+    std::string& out = outputs_.listing.text;
+    for (const CoefficientRecord& c : record_.coefficients) append_contact_zone(out, c, ends_, summary_);
+    const bool all = summary_.analysis == C2D_ANALYSIS_STRESS || summary_.analysis >= C2D_ANALYSIS_FULL;
+    if (solved && all) status = append_global(out, solver, summary_);
+  }
+  if (status != C2D_OK) return library_failed(status);
+  c2d_get_summary(solver, &summary_);
+  record_.warnings = session_.messages.warnings();
+  if (outputs_.listing.is_open()) append_ending(outputs_.listing.text, record_, summary_);
+  record_.write_seconds = clock_seconds(nullptr) - start;
+  if (outputs_.json.is_open()) append_json(outputs_.json.text, record_, summary_);
+  return 0;
+}
+
+int Run::close_store() {
+  set_interrupt_target(nullptr);
+  const c2d_status status = c2d_close(session_.solver);
+  session_.solver = nullptr;
+  if (status == C2D_OK) return 0;
+  session_.messages.fail(std::string("block store: ") + c2d_message(status));
+  return kExitFiles;
+}
+
+int Run::publish() {
+  if (interrupted()) return kExitCancelled;
+  if (!outputs_.publish(error_)) return file_failed();
+  if (!options_.keep && !store_.remove_tapes(error_)) return file_failed();
+  if (options_.keep && !store_.folder().empty())
+    std::fprintf(stderr, "contact2d: tapes are kept in %s\n", store_.folder().c_str());
+  const CoefficientRecord* stopped = record_.incomplete();
+  if (stopped == nullptr) return kExitSolved;
+  if (!stopped->singular) {
+    std::string text = "incomplete: mu ";
+    append_number(text, stopped->mu);
+    text += ", step " + std::to_string(stopped->step) + ", load ";
+    append_number(text, stopped->load);
+    session_.messages.fail(text + ": " + stopped->why);
+  }
+  return kExitNoSolution;
+}
+
+int Run::go() {
+  int exit = read();
+  if (exit == 0) exit = prepare();
+  if (exit == 0) exit = follow();
+  line_.clear();
+  if (exit == 0) exit = report();
+  if (exit == 0) exit = close_store();
+  if (exit == 0) exit = publish();
+  if (exit == kExitCancelled) session_.messages.fail("cancelled");
+  return exit;
+}
+
+} // namespace
+
+int run_deck(const Options& options) {
+  const std::string clash = find_clash(options);
+  if (!clash.empty()) {
+    std::fprintf(stderr, "contact2d: %s\n", clash.c_str());
+    return kExitUsage;
+  }
+  Run run(options);
+  return run.go();
+}
+
+} // namespace c2d

@@ -1,0 +1,11 @@
+// `contact2d run DECK`.
+#pragma once
+
+#include "program/options.hpp"
+
+namespace c2d {
+
+// Solves the deck and writes the outputs. Returns the exit status.
+int run_deck(const Options& options);
+
+} // namespace c2d

@@ -1,0 +1,73 @@
+#include "program/session.hpp"
+
+#include "program/exit_code.hpp"
+#include "program/interrupt.hpp"
+
+namespace c2d {
+
+Session::~Session() {
+  set_interrupt_target(nullptr);
+  if (solver != nullptr) c2d_close(solver);
+}
+
+int Session::failed(c2d_status status) {
+  if (status == C2D_ERR_CANCELLED) return kExitCancelled;
+  c2d_error error = C2D_INIT(c2d_error);
+  if (solver != nullptr) c2d_last_error(solver, &error);
+  if (error.status != status) { // nothing was kept
+    error = C2D_INIT(c2d_error);
+    error.status = status;
+  }
+  messages.fault(error);
+  return exit_code(status);
+}
+
+int Session::read_file(const std::string& name) {
+  std::string error;
+  if (!deck.read(name, error)) {
+    if (interrupted()) return kExitCancelled;
+    messages.fail(error);
+    return kExitInput;
+  }
+  c2d_error why = C2D_INIT(c2d_error);
+  messages.print_warnings = false; // the model will say them again
+  deck.rewind();
+  c2d_status status = c2d_check_deck(DeckFile::read_line, &deck, &limits, Messages::log, &messages);
+  messages.print_warnings = true;
+  messages.restart();
+  if (status == C2D_OK) return 0;
+  deck.rewind();
+  c2d_limits ignored = C2D_INIT(c2d_limits);
+  c2d_scan_deck(DeckFile::read_line, &deck, &ignored, &why);
+  if (why.status == C2D_OK) why.status = status;
+  messages.fault(why);
+  return exit_code(status);
+}
+
+int Session::take_memory(uint64_t wanted) {
+  std::string error;
+  const c2d_status status = take_workspace(limits, wanted, workspace, error);
+  if (status != C2D_OK) messages.fail(error);
+  return exit_code(status);
+}
+
+int Session::read_model(const c2d_port& port) {
+  c2d_error why = C2D_INIT(c2d_error);
+  c2d_status status =
+      c2d_create(&solver, workspace.memory.get(), static_cast<size_t>(workspace.bytes), &limits, &port, &why);
+  if (status == C2D_ERR_MEMORY) {
+    messages.fail("workspace of " + std::to_string(workspace.bytes) +
+                  " bytes is too small: " + std::to_string(why.bytes_needed) + " bytes would do");
+    return kExitMemory;
+  }
+  if (status != C2D_OK) {
+    messages.fault(why);
+    return exit_code(status);
+  }
+  set_interrupt_target(solver);
+  deck.rewind();
+  status = c2d_read_deck(solver, DeckFile::read_line, &deck);
+  return status == C2D_OK ? 0 : failed(status);
+}
+
+} // namespace c2d

@@ -1,0 +1,35 @@
+// What run and check share: a deck, its sizes, a workspace, and a solver with the model in it.
+#pragma once
+
+#include "program/deck_file.hpp"
+#include "program/messages.hpp"
+#include "program/workspace.hpp"
+
+#include <contact2d.h>
+
+#include <string>
+
+namespace c2d {
+
+class Session {
+public:
+  Session() : messages(deck) {}
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  // Each step prints what is wrong and returns the program's exit status, 0 to go on.
+  int read_file(const std::string& name); // the deck into memory, and every fault of its cards
+  int take_memory(uint64_t wanted);       // workspace; 0 bytes wanted: chosen by size
+  int read_model(const c2d_port& port);   // the solver, and the model in it
+  // Prints why the library's last call failed; returns the exit status.
+  int failed(c2d_status status);
+
+  DeckFile deck;
+  Messages messages;
+  c2d_limits limits = C2D_INIT(c2d_limits);
+  Workspace workspace;
+  c2d_solver* solver = nullptr;
+};
+
+} // namespace c2d

@@ -1,0 +1,145 @@
+#include "program/store_choice.hpp"
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <vector>
+
+namespace c2d {
+namespace {
+
+const int32_t kNoTape = 1000, kNoMemory = 1001; // host codes of our own
+
+} // namespace
+
+StoreChoice::~StoreChoice() {
+  std::string ignored;
+  if (temporary_ && !keep_) remove_tapes(ignored);
+  if (has_folder_) c2d_posix_store_done(&files_);
+  for (Tape& tape : tapes_) std::free(tape.region);
+}
+
+bool StoreChoice::choose(const std::string& wanted, uint64_t budget, bool keep, std::string& error) {
+  keep_ = keep;
+  budget_ = wanted == "memory" ? UINT64_MAX : budget;
+  may_use_folder_ = wanted.empty();
+  if (wanted.compare(0, 5, "file:") != 0) return true;
+  budget_ = 0;
+  const int32_t code = open_folder(wanted.substr(5));
+  if (code == 0) return true;
+  error = "store " + wanted + ": " + system_text(code);
+  return false;
+}
+
+int32_t StoreChoice::open_folder(const std::string& folder) {
+  struct stat about;
+  const bool existed = ::stat(folder.c_str(), &about) == 0;
+  const int32_t code = c2d_posix_store_init(&files_, folder.c_str());
+  if (code != 0) return code;
+  files_port_ = C2D_INIT(c2d_port);
+  c2d_posix_store_port(&files_, &files_port_);
+  folder_ = folder;
+  has_folder_ = true;
+  made_folder_ = !existed;
+  return 0;
+}
+
+int32_t StoreChoice::open_temporary_folder() {
+  const char* base = std::getenv("TMPDIR");
+  std::string pattern = base != nullptr && *base != '\0' ? base : "/tmp";
+  pattern += "/contact2d-XXXXXX";
+  std::vector<char> name(pattern.begin(), pattern.end());
+  name.push_back('\0');
+  if (::mkdtemp(name.data()) == nullptr) return errno;
+  const int32_t code = open_folder(name.data());
+  if (code != 0) ::rmdir(name.data());
+  made_folder_ = temporary_ = code == 0;
+  return code;
+}
+
+bool StoreChoice::place_in_memory(Tape& tape, uint64_t blocks, uint64_t block_bytes) {
+  const uint64_t bytes = blocks * block_bytes;
+  if (block_bytes != 0 && bytes / block_bytes != blocks) return false;
+  uint64_t others = 0;
+  for (const Tape& t : tapes_)
+    if (&t != &tape) others += t.bytes;
+  if (bytes > SIZE_MAX || others > budget_ || bytes > budget_ - others) return false;
+  if (tape.region == nullptr || tape.bytes < bytes) {
+    std::free(tape.region);
+    tape.region = std::calloc(bytes > 0 ? static_cast<size_t>(bytes) : 1, 1);
+    tape.bytes = tape.region != nullptr ? bytes : 0;
+    if (tape.region == nullptr) return false;
+    c2d_memory_store_init(&tape.store, tape.region, bytes);
+    tape.port = C2D_INIT(c2d_port);
+    c2d_memory_store_port(&tape.store, &tape.port);
+  }
+  return true;
+}
+
+const c2d_port& StoreChoice::port_of(int32_t tape) const {
+  return tapes_[tape].in_memory ? tapes_[tape].port : files_port_;
+}
+
+int32_t StoreChoice::open(int32_t tape, uint64_t blocks, uint64_t block_bytes) {
+  if (tape < 0 || tape >= C2D_TAPES) return kNoTape;
+  Tape& t = tapes_[tape];
+  t.in_memory = place_in_memory(t, blocks, block_bytes);
+  if (!t.in_memory && !has_folder_) {
+    const int32_t code = may_use_folder_ ? open_temporary_folder() : kNoMemory;
+    if (code != 0) return code;
+  }
+  const c2d_port& port = port_of(tape);
+  return port.open(port.context, tape, blocks, block_bytes);
+}
+
+int32_t StoreChoice::read(int32_t tape, uint64_t block, void* data, uint64_t bytes) const {
+  const c2d_port& port = port_of(tape);
+  return port.read(port.context, tape, block, data, bytes);
+}
+
+int32_t StoreChoice::write(int32_t tape, uint64_t block, const void* data, uint64_t bytes) const {
+  const c2d_port& port = port_of(tape);
+  return port.write(port.context, tape, block, data, bytes);
+}
+
+int32_t StoreChoice::sync(int32_t tape) const {
+  // A temporary folder is worth nothing after a crash: no need to wait for the disk.
+  if (temporary_ && !keep_) return 0;
+  const c2d_port& port = port_of(tape);
+  return port.sync(port.context, tape);
+}
+
+int32_t StoreChoice::close(int32_t tape) const {
+  const c2d_port& port = port_of(tape);
+  return port.close(port.context, tape);
+}
+
+bool StoreChoice::remove_tapes(std::string& error) {
+  if (!has_folder_) return true;
+  const int32_t code = c2d_posix_store_remove(&files_);
+  if (made_folder_ && code == 0) { // the lock's file goes last, while we still hold the lock
+    ::unlink((folder_ + "/lock").c_str());
+    ::rmdir(folder_.c_str()); // if the user has put something there it stays
+  }
+  if (code != 0) error = folder_ + ": tapes cannot be removed: " + system_text(code);
+  return code == 0;
+}
+
+std::string StoreChoice::system_text(int32_t host_code) const {
+  switch (host_code) {
+  case kNoMemory:
+    return "not enough memory for the tapes; --store file:DIR keeps them in files";
+  case kNoTape:
+    return "no such tape";
+  case C2D_POSIX_STORE_LOCKED:
+    return "in use by another process";
+  case C2D_POSIX_STORE_END:
+    return "a file of the store ends too early";
+  default:
+    return host_code > 0 ? std::strerror(host_code) : "error " + std::to_string(host_code);
+  }
+}
+
+} // namespace c2d

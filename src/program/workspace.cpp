@@ -1,0 +1,54 @@
+#include "program/workspace.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <fcntl.h>
+#include <unistd.h>
+
+namespace c2d {
+
+uint64_t free_memory() {
+  char text[1024];
+  const int file = ::open("/proc/meminfo", O_RDONLY | O_CLOEXEC);
+  if (file >= 0) {
+    const ssize_t got = ::read(file, text, sizeof text - 1);
+    ::close(file);
+    text[got > 0 ? got : 0] = '\0';
+    const char* line = std::strstr(text, "MemAvailable:");
+    unsigned long long kilobytes = 0;
+    if (line != nullptr && std::sscanf(line, "MemAvailable: %llu", &kilobytes) == 1) return kilobytes << 10;
+  }
+#ifdef _SC_AVPHYS_PAGES
+  const long pages = ::sysconf(_SC_AVPHYS_PAGES), page = ::sysconf(_SC_PAGESIZE);
+  if (pages > 0 && page > 0) return static_cast<uint64_t>(pages) * static_cast<uint64_t>(page);
+#endif
+  return uint64_t{1} << 30;
+}
+
+c2d_status take_workspace(const c2d_limits& limits, uint64_t wanted, Workspace& out, std::string& error) {
+  const c2d_status status = c2d_memory_need(&limits, &out.minimum, &out.in_core);
+  if (status != C2D_OK) {
+    error = c2d_message(status);
+    return status;
+  }
+  const uint64_t useful = std::max(out.in_core, out.minimum);
+  if (wanted != 0)
+    out.bytes = std::min(wanted, useful);
+  else
+    out.bytes = std::max(std::min(useful, free_memory() / 2), out.minimum);
+  if (out.bytes < out.minimum) {
+    error = "workspace of " + std::to_string(wanted) + " bytes is too small: " + std::to_string(out.minimum) +
+            " bytes would do";
+    return C2D_ERR_MEMORY;
+  }
+  if (out.bytes <= SIZE_MAX) out.memory.reset(std::malloc(static_cast<size_t>(out.bytes)));
+  if (out.memory == nullptr) {
+    error = "no " + std::to_string(out.bytes) + " bytes of memory to be had: " + std::to_string(out.minimum) +
+            " bytes of workspace would do (--memory)";
+    return C2D_ERR_MEMORY;
+  }
+  return C2D_OK;
+}
+
+} // namespace c2d

@@ -1,0 +1,202 @@
+#include "report/json.hpp"
+
+#include "report/text.hpp"
+
+#include <cmath>
+
+namespace c2d {
+namespace {
+
+// Members of an object one after another; `separator` puts the comma before all but the first.
+class Object {
+public:
+  Object(std::string& out, const char* begin, const char* between) : out_(out), between_(between) {
+    out_ += begin;
+  }
+  std::string& key(const char* name) {
+    if (!first_) out_ += between_;
+    first_ = false;
+    out_ += '"';
+    out_ += name;
+    out_ += "\": ";
+    return out_;
+  }
+  void number(const char* name, double value) {
+    key(name);
+    if (std::isfinite(value))
+      append_number(out_, value);
+    else
+      out_ += "null"; // JSON knows no infinity
+  }
+  void integer(const char* name, int64_t value) { append_integer(key(name), value); }
+  void bytes(const char* name, uint64_t value) { integer(name, static_cast<int64_t>(value)); }
+  void word(const char* name, const char* text) { append_string(key(name), text); }
+
+  static void append_string(std::string& out, const char* text) {
+    static const char kHex[] = "0123456789abcdef";
+    out += '"';
+    for (; *text != '\0'; ++text) {
+      const unsigned char c = static_cast<unsigned char>(*text);
+      if (c == '"' || c == '\\') {
+        out += '\\';
+        out += *text;
+      } else if (c < 0x20 || c >= 0x7f) {
+        out += "\\u00";
+        out += kHex[c >> 4];
+        out += kHex[c & 15];
+      } else {
+        out += *text;
+      }
+    }
+    out += '"';
+  }
+
+private:
+  std::string& out_;
+  const char* between_;
+  bool first_ = true;
+};
+
+void append_memory(std::string& out, const c2d_summary& s) {
+  Object o(out, "{", ", ");
+  o.bytes("minimum_bytes", s.minimum_bytes);
+  o.bytes("in_core_bytes", s.in_core_bytes);
+  o.bytes("workspace_bytes", s.workspace_bytes);
+  o.bytes("peak_workspace_bytes", s.peak_bytes);
+  out += '}';
+}
+
+void append_tapes(std::string& out, const c2d_summary& s) {
+  out += '[';
+  for (int32_t t = 0; t < C2D_TAPES; ++t) {
+    out += t == 0 ? "\n    " : ",\n    ";
+    Object o(out, "{", ", ");
+    o.word("name", tape_word(t));
+    o.bytes("bytes_written", s.tape_bytes_written[t]);
+    o.bytes("bytes_read", s.tape_bytes_read[t]);
+    o.bytes("blocks", s.tape_blocks[t]);
+    out += '}';
+  }
+  out += ']';
+}
+
+void append_seconds(std::string& out, const RunRecord& record, const c2d_summary& s) {
+  static const char* const kPhases[C2D_PHASES] = {"read",    "assemble", "eliminate", "reduce",
+                                                  "contact", "back",     "write"};
+  Object o(out, "{", ", ");
+  for (int32_t p = 0; p < C2D_PHASES; ++p) {
+    double seconds = s.seconds[p];
+    if (p == C2D_PHASE_READ) seconds += record.read_seconds;
+    if (p == C2D_PHASE_WRITE) seconds += record.write_seconds;
+    o.number(kPhases[p], seconds);
+  }
+  out += '}';
+}
+
+void append_triple(std::string& out, const double (&v)[3]) {
+  for (int i = 0; i < 3; ++i) {
+    out += i == 0 ? "[" : ", ";
+    if (std::isfinite(v[i]))
+      append_number(out, v[i]);
+    else
+      out += "null";
+  }
+  out += ']';
+}
+
+void append_force(std::string& out, const c2d_summary& s) {
+  Object o(out, "{", ", ");
+  o.number("applied", s.force_applied);
+  o.number("contact", s.force_contact);
+  o.number("error", s.force_error);
+  o.key("bodies") += '[';
+  for (int32_t b = 0; b < s.bodies; ++b) {
+    out += b == 0 ? "\n    " : ",\n    ";
+    Object body(out, "{", ", ");
+    append_triple(body.key("applied"), s.applied[b]);
+    append_triple(body.key("contact"), s.contact[b]);
+    out += '}';
+  }
+  out += "]}";
+}
+
+void append_runs(std::string& out, const RunRecord& record) {
+  out += '[';
+  bool first = true;
+  for (const CoefficientRecord& c : record.coefficients) {
+    out += first ? "\n    " : ",\n    ";
+    first = false;
+    Object o(out, "{", ", ");
+    o.number("mu", c.mu);
+    o.word("outcome", c.singular ? "singular" : outcome_word(c.outcome));
+    o.integer("step", c.step);
+    o.number("load", c.load);
+    o.integer("changes", c.changes);
+    out += '}';
+  }
+  out += ']';
+}
+
+void append_incomplete(std::string& out, const CoefficientRecord& c) {
+  Object o(out, "{", ", ");
+  o.number("mu", c.mu);
+  o.integer("step", c.step);
+  o.number("load", c.load);
+  o.word("why", c.why.c_str());
+  out += '}';
+}
+
+void append_warnings(std::string& out, const RunRecord& record) {
+  out += '[';
+  bool first = true;
+  for (const c2d_error& w : record.warnings) {
+    out += first ? "\n    " : ",\n    ";
+    first = false;
+    Object::append_string(out, w.text);
+  }
+  out += ']';
+}
+
+} // namespace
+
+void append_json(std::string& out, const RunRecord& record, const c2d_summary& s) {
+  Object o(out, "{\n  ", ",\n  ");
+  o.word("version", c2d_version());
+  o.word("outcome", record.outcome());
+  if (const CoefficientRecord* stopped = record.incomplete())
+    append_incomplete(o.key("incomplete"), *stopped);
+  o.word("title", s.title);
+  o.key("mu") += '[';
+  for (size_t i = 0; i < record.coefficients.size(); ++i) {
+    if (i > 0) out += ", ";
+    if (std::isfinite(record.coefficients[i].mu))
+      append_number(out, record.coefficients[i].mu);
+    else
+      out += "null";
+  }
+  out += ']';
+  o.integer("steps", s.steps);
+  {
+    Object unknowns(o.key("unknowns"), "{", ", ");
+    unknowns.integer("body1", s.unknowns[0]);
+    unknowns.integer("body2", s.unknowns[1]);
+    unknowns.integer("contact", s.contact_unknowns);
+    out += '}';
+  }
+  append_memory(o.key("memory"), s);
+  append_tapes(o.key("tapes"), s);
+  append_seconds(o.key("seconds"), record, s);
+  o.integer("events", s.events);
+  o.integer("exchanges", s.exchanges);
+  o.integer("tableau_rebuilds", s.tableau_rebuilds);
+  o.number("max_residual", s.max_residual);
+  o.number("elimination_residual", s.elimination_residual);
+  o.number("condition", s.condition);
+  o.number("tension_ratio", s.tension_ratio);
+  append_force(o.key("force"), s);
+  append_runs(o.key("runs"), record);
+  append_warnings(o.key("warnings"), record);
+  out += "\n}\n";
+}
+
+} // namespace c2d

@@ -1,0 +1,14 @@
+// The run summary as one JSON object; its keys are part of the program's contract.
+#pragma once
+
+#include "report/record.hpp"
+
+#include <contact2d.h>
+
+#include <string>
+
+namespace c2d {
+
+void append_json(std::string& out, const RunRecord& record, const c2d_summary& summary);
+
+} // namespace c2d

@@ -1,0 +1,87 @@
+#include "report/record.hpp"
+
+#include "report/text.hpp"
+
+#include <cstddef>
+
+namespace c2d {
+
+const CoefficientRecord* RunRecord::incomplete() const {
+  for (const CoefficientRecord& c : coefficients)
+    if (c.outcome != C2D_REACHED || c.singular) return &c;
+  return nullptr;
+}
+
+const char* RunRecord::outcome() const {
+  const CoefficientRecord* stopped = incomplete();
+  if (checked_only) return "checked";
+  if (stopped != nullptr && stopped->singular) return "singular";
+  return outcome_word(stopped == nullptr ? C2D_REACHED : stopped->outcome);
+}
+
+CoefficientRecord& keep_step(RunRecord& record, const c2d_step& step) {
+  const size_t index = step.coefficient > 0 ? static_cast<size_t>(step.coefficient) - 1 : 0;
+  if (record.coefficients.size() <= index) record.coefficients.resize(index + 1);
+  CoefficientRecord& c = record.coefficients[index];
+  c.mu = step.mu;
+  if (step.kind == C2D_STEP_CHANGE) return c;
+  c.load = step.load;
+  c.step = step.step;
+  c.changes += step.changes;
+  c.outcome = step.kind == C2D_STEP_STOPPED ? step.outcome : C2D_REACHED;
+  c.table.resize(static_cast<size_t>(step.pairs) * C2D_PAIR_FIELDS);
+  for (int32_t p = 0; p < step.pairs; ++p)
+    for (int32_t k = 0; k < C2D_PAIR_FIELDS; ++k)
+      c.table[static_cast<size_t>(p) * C2D_PAIR_FIELDS + static_cast<size_t>(k)] =
+          step.table[p * step.stride + k];
+  return c;
+}
+
+c2d_status get_ends(c2d_solver* solver, const c2d_summary& summary, int32_t body, const int32_t* fields,
+                    int32_t count, std::vector<std::vector<double>>& out) {
+  const int32_t ends = summary.elements[body - 1] * summary.function_nodes;
+  out.assign(static_cast<size_t>(count), std::vector<double>(static_cast<size_t>(ends), 0.0));
+  for (int32_t f = 0; f < count; ++f) {
+    const c2d_status status =
+        c2d_get(solver, fields[f], body, 1, ends, out[static_cast<size_t>(f)].data(), 1);
+    if (status != C2D_OK) return status;
+  }
+  return C2D_OK;
+}
+
+c2d_status find_contact_ends(c2d_solver* solver, const c2d_summary& summary, int32_t body,
+                             std::vector<ContactEnd>& ends) {
+  ends.clear();
+  if (summary.pairs == 0) return C2D_OK;
+  std::vector<double> pair_nodes(static_cast<size_t>(summary.pairs));
+  c2d_status status =
+      c2d_get(solver, body == 1 ? C2D_PAIR_NODE1 : C2D_PAIR_NODE2, 1, 1, summary.pairs, pair_nodes.data(), 1);
+  if (status != C2D_OK) return status;
+  std::vector<int32_t> pair_of_node(static_cast<size_t>(summary.nodes[body - 1]) + 1, 0);
+  for (size_t p = 0; p < pair_nodes.size(); ++p) {
+    const size_t node = static_cast<size_t>(pair_nodes[p]);
+    if (node < pair_of_node.size()) pair_of_node[node] = static_cast<int32_t>(p) + 1;
+  }
+
+  const int32_t fields[] = {C2D_END_NODE, C2D_END_X, C2D_END_Y};
+  std::vector<std::vector<double>> values;
+  status = get_ends(solver, summary, body, fields, 3, values);
+  if (status != C2D_OK) return status;
+  for (int32_t z = 1; z <= summary.zones; ++z) {
+    c2d_zone zone = C2D_INIT(c2d_zone);
+    status = c2d_get_zone(solver, z, &zone);
+    if (status != C2D_OK) return status;
+    const int32_t first = zone.first_element[body - 1], last = zone.last_element[body - 1];
+    const int32_t low = first < last ? first : last, high = first < last ? last : first;
+    for (int32_t e = low; e <= high; ++e)
+      for (int32_t local = 1; local <= summary.function_nodes; ++local) {
+        const size_t i = static_cast<size_t>((e - 1) * summary.function_nodes + local - 1);
+        const size_t node = i < values[0].size() ? static_cast<size_t>(values[0][i]) : 0;
+        if (node < pair_of_node.size() && pair_of_node[node] != 0)
+          ends.push_back({e, local, pair_of_node[node], values[1][i], values[2][i]});
+      }
+  }
+  return C2D_OK;
+}
+
+} // namespace c2d

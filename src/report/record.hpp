@@ -1,0 +1,54 @@
+// What a run leaves behind for the reports: a line per coefficient of friction, the warnings, and the map
+// from pairs to element ends.
+#pragma once
+
+#include <contact2d.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace c2d {
+
+// How far one coefficient of friction came, with the pairs' table at its last valid state.
+struct CoefficientRecord {
+  double mu = 0.0;
+  double load = 0.0;                 // load factor reached
+  int32_t step = 0;                  // the last increment reached, or the one in which the path ended
+  int32_t changes = 0;               // changes of status, all steps
+  c2d_outcome outcome = C2D_REACHED; //
+  bool singular = false;             // no solution at all: c2d_prepare found no pivot
+  std::string why;                   // if the path ended early
+  std::vector<double> table;         // C2D_PAIR_FIELDS numbers per pair
+};
+
+struct RunRecord {
+  std::vector<CoefficientRecord> coefficients;
+  std::vector<c2d_error> warnings;
+  double read_seconds = 0.0, write_seconds = 0.0; // spent by the program itself
+  bool checked_only = false;                      // the deck asks for a data check, nothing was solved
+
+  // The first coefficient whose path ended early; null if all reached their load.
+  const CoefficientRecord* incomplete() const;
+  // One word for the whole run.
+  const char* outcome() const;
+};
+
+// Takes over what a step callback was shown. Returns the record of the step's coefficient.
+CoefficientRecord& keep_step(RunRecord& record, const c2d_step& step);
+
+// An end of a contact element and the pair (from 1) that its node belongs to.
+struct ContactEnd {
+  int32_t element, local, pair;
+  double x, y;
+};
+// The ends of all contact elements at listed pairs, of one body, in the order of the zones. Returns the
+// status of the first query that failed.
+c2d_status find_contact_ends(c2d_solver* solver, const c2d_summary& summary, int32_t body,
+                             std::vector<ContactEnd>& ends);
+
+// `fields` of all element ends of a body, one vector per field.
+c2d_status get_ends(c2d_solver* solver, const c2d_summary& summary, int32_t body, const int32_t* fields,
+                    int32_t count, std::vector<std::vector<double>>& out);
+
+} // namespace c2d
