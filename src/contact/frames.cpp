@@ -1,0 +1,267 @@
+#include "contact/frames.hpp"
+
+#include "model/geometry.hpp"
+#include "model/rigid.hpp"
+#include "model/unknowns.hpp"
+#include "model/validate_finding.hpp"
+
+#include <math.h>
+
+namespace c2d {
+
+namespace {
+
+constexpr double kDegree = 0.017453292519943295;
+constexpr double kGapDirection = 1e-3; // of the element length: a longer gap has a direction of its own
+constexpr double kGapTolerance = 1e-5; // of the element length: a smaller gap touches
+constexpr double kAlongNormal = 0.5;   // least cosine between the average normal and a symmetric pair's frame
+
+double dot(const double a[2], const double b[2]) {
+  return a[0] * b[0] + a[1] * b[1];
+}
+
+bool normalise(double v[2]) {
+  const double size = sqrt(dot(v, v));
+  if (size <= 1e-6) return false;
+  v[0] /= size;
+  v[1] /= size;
+  return true;
+}
+
+// What the contact elements that meet at one node of a pair say.
+struct Surface {
+  double n[2];   // normalised sum of their outward normals
+  double length; // of the shortest
+};
+
+bool surface_at(const Model& m, int b, int32_t pair, Surface& out) {
+  const int32_t f = m.head->function_nodes;
+  int32_t ends[2];
+  const int count = ends_at_node(m, b, m.pair[pair].node[b], ends);
+  out = Surface{{0, 0}, -1};
+  for (int i = 0; i < count; ++i) {
+    const int32_t element = ends[i] / f, local = ends[i] % f;
+    if (pair_of_end(m, b, element, local) != pair) continue;
+    double n[2];
+    outward_normal(m, b, element, local_eta(f, local), n);
+    out.n[0] += n[0];
+    out.n[1] += n[1];
+    const double length = element_length(m, b, element);
+    if (out.length < 0 || length < out.length) out.length = length;
+  }
+  return normalise(out.n);
+}
+
+// Does g lie between the directions a and b, widened by one degree on either side?
+bool in_wedge(const double g[2], const double a[2], const double b[2]) {
+  const double opening = atan2(a[0] * b[1] - a[1] * b[0], dot(a, b));
+  const double angle = atan2(a[0] * g[1] - a[1] * g[0], dot(a, g));
+  return angle >= fmin(opening, 0) - kDegree && angle <= fmax(opening, 0) + kDegree;
+}
+
+void tell_pair(const Model& m, int32_t pair, const char* found, const char* expected, Reporter& reporter) {
+  Finding f = fault();
+  locate_pair(f, m, pair);
+  say(f, "pair ", pair + 1, " (node ", m.pair[pair].node[0] + 1, " of body 1, node ",
+      m.pair[pair].node[1] + 1, " of body 2): ", found, ", expected ", expected);
+  tell(reporter, f);
+}
+
+// ---- symmetry ----
+
+bool has_value(const Model& m, int b, int32_t node, int component) {
+  for (int64_t k = 0; k < m.head->load_cases; ++k) {
+    if (m.node_disp[b][(k * body_of(m, b).nodes + node) * 2 + component] != 0) return true;
+  }
+  return false;
+}
+
+// Prescribed displacements at a pair. Returns false on a fault; *component: the one that symmetry fixes, or
+// -1.
+bool find_symmetry(const Model& m, int32_t pair, int* component, Reporter& reporter) {
+  const Pair& p = m.pair[pair];
+  *component = -1;
+  bool fixed[2][2]; // [body][component]
+  for (int b = 0; b < 2; ++b) {
+    for (int c = 0; c < 2; ++c) fixed[b][c] = displacement_known(m, b, p.node[b], c);
+  }
+  if ((fixed[0][0] || fixed[1][0]) && (fixed[0][1] || fixed[1][1])) {
+    tell_pair(m, pair, "displacements are prescribed in both directions", "a free direction along the normal",
+              reporter);
+    return false;
+  }
+  for (int c = 0; c < 2; ++c) {
+    if (!fixed[0][c] && !fixed[1][c]) continue;
+    if (fixed[0][c] != fixed[1][c]) {
+      tell_pair(m, pair,
+                fixed[0][c]
+                    ? (c == 0 ? "ux is prescribed on body 1 only" : "uy is prescribed on body 1 only")
+                    : (c == 0 ? "ux is prescribed on body 2 only" : "uy is prescribed on body 2 only"),
+                "it on both bodies (symmetry) or on neither", reporter);
+      return false;
+    }
+    if (has_value(m, 0, p.node[0], c) || has_value(m, 1, p.node[1], c)) {
+      tell_pair(m, pair, c == 0 ? "a nonzero ux is prescribed" : "a nonzero uy is prescribed",
+                "zero (symmetry)", reporter);
+      return false;
+    }
+    *component = c;
+  }
+  return true;
+}
+
+// ---- one pair ----
+
+// The frame from the two surfaces and the vector g from the node of body 1 to that of body 2.
+bool set_normal(const Model& m, int32_t pair, const Surface& s1, const Surface& s2, const double g[2],
+                Reporter& reporter) {
+  Pair& p = m.pair[pair];
+  double n[2] = {s1.n[0] - s2.n[0], s1.n[1] - s2.n[1]};
+  if (dot(s1.n, s2.n) > 0 || !normalise(n)) {
+    tell_pair(m, pair, "the surfaces do not face each other", "opposed outward normals", reporter);
+    return false;
+  }
+  int fixed;
+  if (!find_symmetry(m, pair, &fixed, reporter)) return false;
+  p.tangential = fixed < 0;
+  const double opposite[2] = {-s2.n[0], -s2.n[1]};
+  if (fixed >= 0) {
+    const int other = 1 - fixed;
+    if (fabs(n[other]) < kAlongNormal) {
+      tell_pair(m, pair,
+                fixed == 0 ? "ux is prescribed nearly along the normal"
+                           : "uy is prescribed nearly along the normal",
+                "a free displacement along the normal", reporter);
+      return false;
+    }
+    const double sense = n[other] > 0 ? 1 : -1;
+    n[fixed] = 0;
+    n[other] = sense;
+  } else {
+    const double size = sqrt(dot(g, g));
+    if (size > kGapDirection * p.length && dot(g, n) > 0 && in_wedge(g, s1.n, opposite)) {
+      n[0] = g[0] / size;
+      n[1] = g[1] / size;
+    }
+  }
+  p.nx = n[0];
+  p.ny = n[1];
+  return true;
+}
+
+void set_gap(const Model& m, int32_t pair, const double g[2], Reporter& reporter) {
+  Pair& p = m.pair[pair];
+  p.gap = g[0] * p.nx + g[1] * p.ny;
+  if (fabs(p.gap) <= kGapTolerance * p.length) p.gap = 0;
+  if (p.gap >= 0) return;
+  Finding f = fault();
+  locate_pair(f, m, pair);
+  say(f, "pair ", pair + 1, " (node ", p.node[0] + 1, " of body 1, node ", p.node[1] + 1,
+      " of body 2): the bodies overlap by ", -p.gap,
+      " before any load (interference), expected a gap of 0 or more");
+  tell(reporter, f);
+}
+
+void build_frame(const Model& m, int32_t pair, Reporter& reporter) {
+  Pair& p = m.pair[pair];
+  Surface s1, s2;
+  const bool first = surface_at(m, 0, pair, s1), second = surface_at(m, 1, pair, s2);
+  if (!first || !second)
+    return tell_pair(m, pair, "no normal on one of the bodies", "a smooth contact element", reporter);
+  p.length = fmin(s1.length, s2.length);
+  double position[2][2];
+  for (int b = 0; b < 2; ++b) node_position(m, b, p.node[b], &position[b][0], &position[b][1]);
+  const double g[2] = {position[1][0] - position[0][0], position[1][1] - position[0][1]};
+  if (!set_normal(m, pair, s1, s2, g, reporter)) return;
+  set_gap(m, pair, g, reporter);
+
+  const double opposite[2] = {-s2.n[0], -s2.n[1]};
+  const double angle = angle_between(s1.n, opposite) / kDegree;
+  if (angle <= 15) return;
+  Finding f = warning(C2D_WARN_NORMALS);
+  locate_pair(f, m, pair);
+  say(f, "pair ", pair + 1, " (node ", p.node[0] + 1, " of body 1, node ", p.node[1] + 1,
+      " of body 2): the normals of the two surfaces differ by ", angle, " degrees, more than 15");
+  tell(reporter, f);
+}
+
+// ---- kinks ----
+
+void check_kink(const Model& m, int32_t zone, int b, int32_t k, Reporter& reporter) {
+  const Zone& z = m.zone[zone];
+  int32_t before = zone_element(m, z, b, k), after = zone_element(m, z, b, (k + 1) % z.elements);
+  const int last = body_of(m, b).element_nodes - 1;
+  if (geometry_node(m, b, before, last) != geometry_node(m, b, after, 0)) {
+    const int32_t swap = before;
+    before = after;
+    after = swap;
+  }
+  if (geometry_node(m, b, before, last) != geometry_node(m, b, after, 0)) return; // the two ends of the zone
+  double n1[2], n2[2];
+  outward_normal(m, b, before, 1, n1);
+  outward_normal(m, b, after, -1, n2);
+  const double angle = angle_between(n1, n2) / kDegree;
+  if (angle <= 10) return;
+  Finding f = warning(C2D_WARN_KINK);
+  locate_zone(f, m, zone);
+  locate_element(f, m, b, after);
+  if (m.head->function_nodes > 1) {
+    const int32_t node = functional_node(m, b, after, 0);
+    f.entry.node = node + 1;
+    f.entry.pair = pair_of_node(m, b, node) + 1;
+  }
+  say(f, "zone ", zone + 1, ": elements ", before + 1, " and ", after + 1, " of body ", b + 1,
+      " meet at a kink of ", angle, " degrees, more than 10");
+  tell(reporter, f);
+}
+
+} // namespace
+
+bool build_frames(const Model& m, Reporter& reporter) {
+  const int32_t before = reporter.faults;
+  for (int32_t i = 0; i < m.head->zones; ++i) {
+    const Zone& z = m.zone[i];
+    for (int32_t k = 0; k < z.pairs; ++k) {
+      const int32_t pair = z.first_pair + k;
+      Pair& p = m.pair[pair];
+      p = Pair{};
+      p.node[0] = zone_node(m, z, 0, k);
+      p.node[1] = zone_node(m, z, 1, k);
+      p.zone = i;
+      p.tangential = 1;
+      p.status = C2D_OPEN;
+      p.ny = 1; // until its own is known: a pair with a fault
+      build_frame(m, pair, reporter);
+    }
+    for (int b = 0; b < 2; ++b) {
+      // A zone that goes all round its region has a last neighbour more.
+      const Region& r = m.region[b][z.region[b]];
+      const int32_t joints = z.elements - (z.elements == r.last - r.first + 1 ? 0 : 1);
+      for (int32_t k = 0; k < joints; ++k) check_kink(m, i, b, k, reporter);
+    }
+  }
+  int32_t dof = 0;
+  for (int32_t pair = 0; pair < m.head->pairs; ++pair) {
+    m.pair[pair].dof = dof;
+    dof += 1 + m.pair[pair].tangential;
+  }
+  m.head->contact = dof;
+  return reporter.faults == before;
+}
+
+bool complete_model(const Model& m, Reporter& reporter) {
+  const int32_t before = reporter.faults;
+  m.head->contact = 0;
+  if (!validate_data(m, reporter)) return false; // nothing else can be looked at
+  set_units(m);
+  const bool sound = validate_geometry(m, reporter);
+  validate_loads(m, reporter);
+  if (!validate_zones(m, reporter)) return false; // conditions depend on who is in contact
+  const bool frames = sound && build_frames(m, reporter);
+  validate_conditions(m, frames, reporter);
+  if (reporter.faults != before) return false;
+  for (int b = 0; b < m.head->bodies; ++b) find_free_motions(m, b);
+  return true;
+}
+
+} // namespace c2d

@@ -1,0 +1,171 @@
+#include "model/geometry.hpp"
+
+#include <math.h>
+
+namespace c2d {
+
+double local_eta(int nodes, int l) {
+  return nodes == 1 ? 0 : -1 + 2.0 * l / (nodes - 1);
+}
+
+CurvePoint curve_point(int nodes, const double* x, const double* y, double eta) {
+  CurvePoint p = {0, 0, 0, 0};
+  for (int i = 0; i < nodes; ++i) {
+    // Lagrange's polynomial of node i and, by the product rule, its derivative.
+    double value = 1, slope = 0;
+    const double own = local_eta(nodes, i);
+    for (int j = 0; j < nodes; ++j) {
+      if (j == i) continue;
+      const double other = local_eta(nodes, j), step = own - other;
+      slope = slope * (eta - other) / step + value / step;
+      value *= (eta - other) / step;
+    }
+    p.x += value * x[i];
+    p.y += value * y[i];
+    p.dx += slope * x[i];
+    p.dy += slope * y[i];
+  }
+  return p;
+}
+
+CurvePoint curve_point(const Model& m, int b, int32_t element, double eta) {
+  double x[4], y[4];
+  element_coordinates(m, b, element, x, y);
+  return curve_point(body_of(m, b).element_nodes, x, y, eta);
+}
+
+void outward_normal(const Model& m, int b, int32_t element, double eta, double n[2]) {
+  const CurvePoint p = curve_point(m, b, element, eta);
+  const double size = sqrt(p.dx * p.dx + p.dy * p.dy);
+  n[0] = size > 0 ? p.dy / size : 0;
+  n[1] = size > 0 ? -p.dx / size : 0;
+}
+
+double element_length(const Model& m, int b, int32_t element) {
+  Chords c;
+  chords_of(m, b, element, c);
+  double sum = 0;
+  for (int i = 0; i < c.count; ++i) {
+    const double dx = c.x[i + 1] - c.x[i], dy = c.y[i + 1] - c.y[i];
+    sum += sqrt(dx * dx + dy * dy);
+  }
+  return sum;
+}
+
+double region_area(const Model& m, int b, int32_t region) {
+  // Half the integral of x dy - y dx; three Gauss points are exact up to the fifth degree, that of cubic
+  // elements.
+  constexpr double kPoint[3] = {-0.77459666924148338, 0, 0.77459666924148338};
+  constexpr double kWeight[3] = {5.0 / 9, 8.0 / 9, 5.0 / 9};
+  const Region& r = m.region[b][region];
+  const CurvePoint origin = curve_point(m, b, r.first, -1); // near the curve: keeps the digits
+  double sum = 0;
+  for (int32_t e = r.first; e <= r.last; ++e) {
+    for (int i = 0; i < 3; ++i) {
+      const CurvePoint p = curve_point(m, b, e, kPoint[i]);
+      sum += 0.5 * kWeight[i] * ((p.x - origin.x) * p.dy - (p.y - origin.y) * p.dx);
+    }
+  }
+  return sum;
+}
+
+void chords_of(const Model& m, int b, int32_t element, Chords& out) {
+  const int nodes = body_of(m, b).element_nodes;
+  double x[4], y[4];
+  element_coordinates(m, b, element, x, y);
+  out.count = nodes == 2 ? 1 : kChords;
+  for (int i = 0; i <= out.count; ++i) {
+    const CurvePoint p = curve_point(nodes, x, y, -1 + 2.0 * i / out.count);
+    out.x[i] = p.x;
+    out.y[i] = p.y;
+  }
+  // Ends exactly at the boundary points, so that neighbours meet without round-off.
+  out.x[0] = x[0], out.y[0] = y[0];
+  out.x[out.count] = x[nodes - 1], out.y[out.count] = y[nodes - 1];
+}
+
+namespace {
+void include(Box& box, double x, double y) {
+  box.x_min = fmin(box.x_min, x);
+  box.x_max = fmax(box.x_max, x);
+  box.y_min = fmin(box.y_min, y);
+  box.y_max = fmax(box.y_max, y);
+}
+} // namespace
+
+Box box_of(const Chords& c) {
+  Box box = {c.x[0], c.x[0], c.y[0], c.y[0]};
+  for (int i = 1; i <= c.count; ++i) include(box, c.x[i], c.y[i]);
+  return box;
+}
+
+Box box_of_body(const Model& m, int b) {
+  const double* xy = m.xy[b];
+  Box box = {xy[0], xy[0], xy[1], xy[1]};
+  for (int32_t i = 1; i < body_of(m, b).geometry_nodes; ++i) include(box, xy[2 * i], xy[2 * i + 1]);
+  return box;
+}
+
+bool boxes_meet(const Box& a, const Box& b) {
+  return a.x_min <= b.x_max && b.x_min <= a.x_max && a.y_min <= b.y_max && b.y_min <= a.y_max;
+}
+
+namespace {
+
+// 1: c lies to the left of the line from a to b, -1: to the right, 0: on it.
+int side(const double a[2], const double b[2], const double c[2]) {
+  const double turn = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+  return (turn > 0) - (turn < 0);
+}
+
+bool within(const double a[2], const double b[2], const double c[2]) {
+  return fmin(a[0], b[0]) <= c[0] && c[0] <= fmax(a[0], b[0]) && fmin(a[1], b[1]) <= c[1] &&
+         c[1] <= fmax(a[1], b[1]);
+}
+
+} // namespace
+
+bool chords_cross(const double p0[2], const double p1[2], const double q0[2], const double q1[2]) {
+  const int a = side(q0, q1, p0), b = side(q0, q1, p1), c = side(p0, p1, q0), d = side(p0, p1, q1);
+  if (a * b < 0 && c * d < 0) return true;
+  return (a == 0 && within(q0, q1, p0)) || (b == 0 && within(q0, q1, p1)) || (c == 0 && within(p0, p1, q0)) ||
+         (d == 0 && within(p0, p1, q1));
+}
+
+double distance_to_element(const Model& m, int b, int32_t element, double x, double y) {
+  Chords c;
+  chords_of(m, b, element, c);
+  double nearest = -1;
+  for (int i = 0; i < c.count; ++i) {
+    const double ex = c.x[i + 1] - c.x[i], ey = c.y[i + 1] - c.y[i], size = ex * ex + ey * ey;
+    double place = size > 0 ? ((x - c.x[i]) * ex + (y - c.y[i]) * ey) / size : 0;
+    place = place < 0 ? 0 : place > 1 ? 1 : place;
+    const double dx = x - c.x[i] - place * ex, dy = y - c.y[i] - place * ey;
+    const double distance = sqrt(dx * dx + dy * dy);
+    if (nearest < 0 || distance < nearest) nearest = distance;
+  }
+  return nearest;
+}
+
+int winding_number(const Model& m, int b, int32_t region, double x, double y) {
+  const double point[2] = {x, y};
+  const Region& r = m.region[b][region];
+  int number = 0;
+  Chords c;
+  for (int32_t e = r.first; e <= r.last; ++e) {
+    chords_of(m, b, e, c);
+    for (int i = 0; i < c.count; ++i) {
+      // Chords that pass the horizontal through the point upwards to its right count 1, downwards -1.
+      const double p[2] = {c.x[i], c.y[i]}, q[2] = {c.x[i + 1], c.y[i + 1]};
+      if (p[1] <= y && q[1] > y && side(p, q, point) > 0) ++number;
+      if (p[1] > y && q[1] <= y && side(p, q, point) < 0) --number;
+    }
+  }
+  return number;
+}
+
+double angle_between(const double a[2], const double b[2]) {
+  return fabs(atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]));
+}
+
+} // namespace c2d

@@ -1,0 +1,52 @@
+#pragma once
+// The little plane geometry the model needs for itself: points on elements, lengths, areas, winding,
+// crossing. Integration has its own, richer view of an element in bie/.
+#include "model/model.hpp"
+
+namespace c2d {
+
+// Points closer than this part of the bodies' size are one point.
+constexpr double kCoincident = 1e-10;
+
+// Position and derivative with respect to the local coordinate eta in [-1, 1].
+struct CurvePoint {
+  double x, y, dx, dy;
+};
+// Point of the curve through `nodes` (2 ... 4) points that are equally spaced in eta, (4.6) ... (4.9).
+CurvePoint curve_point(int nodes, const double* x, const double* y, double eta);
+CurvePoint curve_point(const Model& m, int b, int32_t element, double eta);
+// eta of local node l of `nodes`; a constant element has its node in the middle.
+double local_eta(int nodes, int l);
+
+// Unit outward normal, to the right of the direction of travel; (0, 0) where the tangent vanishes.
+void outward_normal(const Model& m, int b, int32_t element, double eta, double n[2]);
+double element_length(const Model& m, int b, int32_t element);
+// Enclosed area, positive if the region runs counter-clockwise; exact for polynomial elements.
+double region_area(const Model& m, int b, int32_t region);
+
+// An element as a polyline: one chord if it is linear, kChords of them if it is curved.
+constexpr int kChords = 16;
+struct Chords {
+  int count;
+  double x[kChords + 1], y[kChords + 1];
+};
+void chords_of(const Model& m, int b, int32_t element, Chords& out);
+
+struct Box {
+  double x_min, x_max, y_min, y_max;
+};
+Box box_of(const Chords& c);
+Box box_of_body(const Model& m, int b); // of the boundary points
+bool boxes_meet(const Box& a, const Box& b);
+
+// Do the chords (p0, p1) and (q0, q1) cross or touch?
+bool chords_cross(const double p0[2], const double p1[2], const double q0[2], const double q1[2]);
+double distance_to_element(const Model& m, int b, int32_t element, double x, double y);
+// How often a region winds round a point: 1 inside a counter-clockwise curve, -1 inside a clockwise one, else
+// 0.
+int winding_number(const Model& m, int b, int32_t region, double x, double y);
+
+// Angle in radians between two directions, 0 ... pi; neither may vanish.
+double angle_between(const double a[2], const double b[2]);
+
+} // namespace c2d

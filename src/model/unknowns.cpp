@@ -1,0 +1,97 @@
+// Which of displacement and tractions is the unknown of a node: the rules of the condition cards.
+#include "model/unknowns.hpp"
+#include "model/geometry.hpp"
+
+#include <math.h>
+
+namespace c2d {
+
+bool traction_known(const Model& m, int b, int32_t end, int component) {
+  const uint8_t code = m.end_code[b][end];
+  return (code & kGiven) == 0 || (code & (component == 0 ? kKnownTx : kKnownTy)) != 0;
+}
+
+bool displacement_known(const Model& m, int b, int32_t node, int component) {
+  int32_t ends[2];
+  const int count = ends_at_node(m, b, node, ends);
+  for (int i = 0; i < count; ++i) {
+    if ((m.end_code[b][ends[i]] & (component == 0 ? kKnownUx : kKnownUy)) != 0) return true;
+  }
+  return false;
+}
+
+bool is_contact_component(const Pair& pair, int component) {
+  const int along_normal = fabs(pair.nx) > fabs(pair.ny) ? 0 : 1;
+  return pair.tangential != 0 || component == along_normal;
+}
+
+namespace {
+
+// The conditions of a contact pair stand for one equation more: the displacement must be free, and the ends
+// outside the contact must bring no unknown of their own.
+UnknownKind contact_kind(const Model& m, int b, const int32_t* ends, int count, int component, bool fixed) {
+  if (fixed) return UnknownKind::none;
+  const int32_t f = m.head->function_nodes;
+  for (int i = 0; i < count; ++i) {
+    const bool in_contact = pair_of_end(m, b, ends[i] / f, ends[i] % f) >= 0;
+    if (!in_contact && !traction_known(m, b, ends[i], component)) return UnknownKind::several;
+  }
+  return UnknownKind::contact;
+}
+
+} // namespace
+
+Unknown unknown_at(const Model& m, int b, int32_t node, int component) {
+  Unknown unknown = {UnknownKind::displacement, {-1, -1}};
+  int32_t ends[2];
+  const int count = ends_at_node(m, b, node, ends);
+  const bool fixed = displacement_known(m, b, node, component);
+  const int32_t pair = pair_of_node(m, b, node);
+  if (pair >= 0 && is_contact_component(m.pair[pair], component)) {
+    unknown.kind = contact_kind(m, b, ends, count, component, fixed);
+    return unknown;
+  }
+  // Across a pair's symmetry direction a contact end carries no traction, unless a card says it is unknown.
+  int tractions = 0;
+  for (int i = 0; i < count; ++i) {
+    if (!traction_known(m, b, ends[i], component)) unknown.end[tractions++] = ends[i];
+  }
+  if (!fixed)
+    unknown.kind = tractions == 0 ? UnknownKind::displacement : UnknownKind::several;
+  else if (tractions == 0)
+    unknown.kind = UnknownKind::none;
+  else
+    unknown.kind = tractions == 1 ? UnknownKind::traction : UnknownKind::shared_traction;
+  return unknown;
+}
+
+double shear_modulus(const Model& m, int b) {
+  const Body& body = body_of(m, b);
+  return body.youngs_modulus / (2 * (1 + body.poisson_ratio));
+}
+
+double strain_poisson_ratio(const Model& m, int b) {
+  const double nu = body_of(m, b).poisson_ratio;
+  return m.head->plane == C2D_PLANE_STRESS ? nu / (1 + nu) : nu;
+}
+
+namespace {
+double power_of_two_near(double value) {
+  int exponent;
+  frexp(value, &exponent);
+  return ldexp(1, exponent);
+}
+} // namespace
+
+void set_units(const Model& m) {
+  double size = 0, modulus = 2 * shear_modulus(m, 0);
+  for (int b = 0; b < m.head->bodies; ++b) {
+    const Box box = box_of_body(m, b);
+    size = fmax(size, fmax(box.x_max - box.x_min, box.y_max - box.y_min));
+    modulus = fmin(modulus, 2 * shear_modulus(m, b));
+  }
+  m.head->length_unit = size > 0 ? power_of_two_near(size) : 1;
+  m.head->stress_unit = modulus > 0 ? power_of_two_near(modulus) : 1;
+}
+
+} // namespace c2d

@@ -1,0 +1,97 @@
+// Exactly one unknown per functional node and global component.
+#include "model/geometry.hpp"
+#include "model/unknowns.hpp"
+#include "model/validate.hpp"
+#include "model/validate_finding.hpp"
+
+namespace c2d {
+
+namespace {
+
+constexpr double kDegree = 0.017453292519943295;
+constexpr const char* kAxis[2] = {"x", "y"};
+
+// "displacement free, traction at end 2 of element 3 prescribed, at end 1 of element 4 unknown"
+void say_conditions(Finding& f, const Model& m, int b, int32_t node, int component) {
+  const int32_t per_element = m.head->function_nodes;
+  say(f, "displacement ", displacement_known(m, b, node, component) ? "prescribed" : "free");
+  int32_t ends[2];
+  const int count = ends_at_node(m, b, node, ends);
+  for (int i = 0; i < count; ++i) {
+    const int32_t element = ends[i] / per_element, local = ends[i] % per_element;
+    const bool contact = pair_of_end(m, b, element, local) >= 0;
+    const bool known = traction_known(m, b, ends[i], component);
+    const bool given = (m.end_code[b][ends[i]] & kGiven) != 0;
+    say(f, i == 0 ? ", traction at end " : ", at end ", local + 1, " of element ", element + 1, " ",
+        contact  ? "of the contact"
+        : !given ? "zero (no card)"
+        : known  ? "prescribed"
+                 : "unknown");
+  }
+}
+
+void tell_count(const Model& m, int b, int32_t node, int component, UnknownKind kind, Reporter& reporter) {
+  Finding f = fault();
+  locate_node(f, m, b, node);
+  const int32_t pair = pair_of_node(m, b, node);
+  if (pair >= 0) f.entry.pair = pair + 1;
+  say(f, "node ", node + 1, " of body ", b + 1, " has ");
+  say(f, kind == UnknownKind::none ? "no unknown left in " : "more than one unknown in ", kAxis[component]);
+  if (pair >= 0 && is_contact_component(m.pair[pair], component))
+    say(f, " beside those of contact pair ", pair + 1);
+  say(f, ": ");
+  say_conditions(f, m, b, node, component);
+  say(f, "; expected exactly one unknown");
+  tell(reporter, f);
+}
+
+void warn_corner(const Model& m, int b, int32_t node, int component, const Unknown& unknown,
+                 Reporter& reporter) {
+  const int32_t per_element = m.head->function_nodes;
+  double n[2][2];
+  for (int i = 0; i < 2; ++i) {
+    const int32_t local = unknown.end[i] % per_element;
+    outward_normal(m, b, unknown.end[i] / per_element, local_eta(per_element, local), n[i]);
+  }
+  const double angle = angle_between(n[0], n[1]) / kDegree;
+  if (angle <= 1) return;
+  Finding f = warning(C2D_WARN_CORNER);
+  locate_node(f, m, b, node);
+  say(f, "node ", node + 1, " of body ", b + 1, " is a corner of ", angle, " degrees whose displacement in ",
+      kAxis[component], " is prescribed: its unknown traction is taken to be the same on both sides");
+  tell(reporter, f);
+}
+
+void check_double_node(const Model& m, int b, int32_t node, int component, Reporter& reporter) {
+  const int32_t twin = twin_node(m, b, node);
+  if (twin < 0 || is_second_twin(m, b, node)) return;
+  if (!displacement_known(m, b, node, component) || !displacement_known(m, b, twin, component)) return;
+  Finding f = fault();
+  locate_node(f, m, b, node);
+  say(f, "both nodes ", node + 1, " and ", twin + 1, " of a double node of body ", b + 1,
+      " have a prescribed displacement in ", kAxis[component],
+      ": two unknown tractions, one equation; expected it at one of them at most");
+  tell(reporter, f);
+}
+
+} // namespace
+
+bool validate_conditions(const Model& m, bool frames, Reporter& reporter) {
+  const int32_t before = reporter.faults;
+  for (int b = 0; b < m.head->bodies; ++b) {
+    for (int32_t node = 0; node < body_of(m, b).nodes; ++node) {
+      if (!frames && pair_of_node(m, b, node) >= 0) continue;
+      for (int component = 0; component < 2; ++component) {
+        const Unknown unknown = unknown_at(m, b, node, component);
+        if (unknown.kind == UnknownKind::none || unknown.kind == UnknownKind::several)
+          tell_count(m, b, node, component, unknown.kind, reporter);
+        if (unknown.kind == UnknownKind::shared_traction)
+          warn_corner(m, b, node, component, unknown, reporter);
+        check_double_node(m, b, node, component, reporter);
+      }
+    }
+  }
+  return reporter.faults == before;
+}
+
+} // namespace c2d

@@ -1,0 +1,38 @@
+#pragma once
+// One fault or warning while it is being put together. The text is written in place, so a Finding never
+// moves.
+#include "memory/text.hpp"
+#include "model/validate.hpp"
+
+namespace c2d {
+
+struct Finding {
+  explicit Finding(int32_t severity, int32_t status);
+  Finding(const Finding&) = delete;
+  Finding& operator=(const Finding&) = delete;
+  c2d_error entry;
+  Text text; // in entry.text
+};
+inline Finding fault() {
+  return Finding(C2D_FAULT, C2D_ERR_INPUT);
+}
+inline Finding warning(int32_t number) {
+  return Finding(C2D_WARNING, number);
+}
+
+// Appends characters and numbers.
+template <class... Parts> void say(Finding& finding, Parts... parts) {
+  (put(finding.text, parts), ...);
+}
+
+// Where it is. Arguments count from 0, the entry's numbers from 1; a line that is not known stays 0.
+void locate_point(Finding& finding, const Model& m, int b, int32_t geometry_point);
+void locate_element(Finding& finding, const Model& m, int b, int32_t element);
+void locate_node(Finding& finding, const Model& m, int b, int32_t node); // functional
+void locate_zone(Finding& finding, const Model& m, int32_t zone);
+void locate_pair(Finding& finding, const Model& m, int32_t pair); // with its zone
+
+// Hands it over and counts faults.
+void tell(Reporter& reporter, const Finding& finding);
+
+} // namespace c2d

@@ -1,0 +1,237 @@
+// Are the boundaries proper closed curves with the material on their left?
+#include "model/geometry.hpp"
+#include "model/validate.hpp"
+#include "model/validate_finding.hpp"
+
+#include <math.h>
+
+namespace c2d {
+
+namespace {
+
+constexpr int32_t kMostTold = 10; // of coincidences, and of crossings, per body
+
+// Tells one more finding of a kind unless there were enough; the last one says so.
+void tell_some(Finding& f, int32_t& told, Reporter& reporter) {
+  if (++told > kMostTold) return;
+  if (told == kMostTold) say(f, " (further ones are not listed)");
+  tell(reporter, f);
+}
+
+// ---- single elements ----
+
+void check_zero_length(const Model& m, int b, int32_t element, Reporter& reporter) {
+  const int32_t next =
+      geometry_node(m, b, element, 1); // the element that begins there, as elements are linear
+  const char* trouble = nullptr;
+  if (m.head->function_nodes != 2)
+    trouble = "a double node needs linear functions (2 functional nodes per element)";
+  else if (is_zero_length(m, b, next))
+    trouble = "two elements of zero length follow one another";
+  if (trouble == nullptr) return;
+  Finding f = fault();
+  locate_element(f, m, b, element);
+  say(f, "element ", element + 1, " has zero length: ", trouble);
+  tell(reporter, f);
+}
+
+// The Jacobian of a curved element may neither vanish nor change its sense.
+void check_jacobian(const Model& m, int b, int32_t element, Reporter& reporter) {
+  constexpr int kSamples = 64;
+  const double least = 1e-6 * 0.5 * element_length(m, b, element);
+  CurvePoint before = curve_point(m, b, element, -1);
+  const char* trouble = nullptr;
+  double eta = -1;
+  for (int i = 0; i <= kSamples && trouble == nullptr; ++i) {
+    eta = -1 + 2.0 * i / kSamples;
+    const CurvePoint p = curve_point(m, b, element, eta);
+    if (sqrt(p.dx * p.dx + p.dy * p.dy) <= least)
+      trouble = "its Jacobian vanishes";
+    else if (p.dx * before.dx + p.dy * before.dy <= 0)
+      trouble = "it folds back on itself";
+    before = p;
+  }
+  if (trouble == nullptr) return;
+  Finding f = fault();
+  locate_element(f, m, b, element);
+  say(f, "element ", element + 1, " is distorted: ", trouble, " near eta = ", eta,
+      "; expected inner nodes near equal parts of the curve");
+  tell(reporter, f);
+}
+
+void check_spike(const Model& m, int b, int32_t element, Reporter& reporter) {
+  if (is_zero_length(m, b, element)) return;
+  const Region& r = m.region[b][region_of_element(m, b, element)];
+  int32_t next = element;
+  do next = next == r.last ? r.first : next + 1;
+  while (is_zero_length(m, b, next) && next != element);
+  double n1[2], n2[2];
+  outward_normal(m, b, element, 1, n1);
+  outward_normal(m, b, next, -1, n2);
+  if (n1[0] * n2[0] + n1[1] * n2[1] >= 0 || fabs(n1[0] * n2[1] - n1[1] * n2[0]) > 1e-9) return;
+  Finding f = fault();
+  locate_element(f, m, b, next);
+  f.entry.node = geometry_node(m, b, next, 0) + 1;
+  say(f, "the boundary turns straight back from element ", element + 1, " to element ", next + 1,
+      ", expected an angle between them");
+  tell(reporter, f);
+}
+
+// ---- pairs of elements ----
+
+bool same_point(const Model& m, double ax, double ay, double bx, double by) {
+  const double tolerance = kCoincident * m.head->length_unit;
+  return fabs(ax - bx) <= tolerance && fabs(ay - by) <= tolerance;
+}
+
+// Boundary points of one body must differ, except the two of a legal double node.
+int32_t check_coincidence(const Model& m, int b, Reporter& reporter) {
+  const Body& body = body_of(m, b);
+  int32_t told = 0;
+  for (int32_t i = 0; i < body.geometry_nodes; ++i) {
+    const double* p = m.xy[b] + 2 * i;
+    for (int32_t j = i + 1; j < body.geometry_nodes; ++j) {
+      const double* q = m.xy[b] + 2 * j;
+      if (!same_point(m, p[0], p[1], q[0], q[1])) continue;
+      const bool joined =
+          body.element_nodes == 2 && (geometry_node(m, b, i, 1) == j || geometry_node(m, b, j, 1) == i);
+      if (joined) continue; // an element of zero length: has its own check
+      Finding f = fault();
+      locate_point(f, m, b, j);
+      say(f, "boundary points ", i + 1, " and ", j + 1, " of body ", b + 1, " coincide at (", p[0], ", ",
+          p[1], "), expected different points");
+      tell_some(f, told, reporter);
+    }
+  }
+  return told;
+}
+
+// Do the polylines of two elements meet elsewhere than at the point that joins them? after, before: the
+// second element begins where the first ends, or ends where the first begins.
+bool elements_cross(const Chords& p, const Chords& q, bool after, bool before) {
+  for (int i = 0; i < p.count; ++i) {
+    for (int j = 0; j < q.count; ++j) {
+      if ((after && i == p.count - 1 && j == 0) || (before && i == 0 && j == q.count - 1)) continue;
+      const double p0[2] = {p.x[i], p.y[i]}, p1[2] = {p.x[i + 1], p.y[i + 1]};
+      const double q0[2] = {q.x[j], q.y[j]}, q1[2] = {q.x[j + 1], q.y[j + 1]};
+      if (chords_cross(p0, p1, q0, q1)) return true;
+    }
+  }
+  return false;
+}
+
+bool crosses_itself(const Chords& c) {
+  for (int i = 0; i < c.count; ++i) {
+    for (int j = i + 2; j < c.count; ++j) {
+      const double p0[2] = {c.x[i], c.y[i]}, p1[2] = {c.x[i + 1], c.y[i + 1]};
+      const double q0[2] = {c.x[j], c.y[j]}, q1[2] = {c.x[j + 1], c.y[j + 1]};
+      if (chords_cross(p0, p1, q0, q1)) return true;
+    }
+  }
+  return false;
+}
+
+bool pair_crosses(const Model& m, const Chords& p, const Chords& q) {
+  if (!boxes_meet(box_of(p), box_of(q))) return false;
+  // Joined directly or through a double node: by position, which serves both.
+  const bool after = same_point(m, p.x[p.count], p.y[p.count], q.x[0], q.y[0]);
+  const bool before = same_point(m, p.x[0], p.y[0], q.x[q.count], q.y[q.count]);
+  return elements_cross(p, q, after, before);
+}
+
+void check_crossing(const Model& m, int b, Reporter& reporter) {
+  const int32_t elements = body_of(m, b).elements;
+  int32_t told = 0;
+  Chords p, q;
+  for (int32_t i = 0; i < elements; ++i) {
+    if (is_zero_length(m, b, i)) continue;
+    chords_of(m, b, i, p);
+    for (int32_t j = i; j < elements; ++j) {
+      if (is_zero_length(m, b, j)) continue;
+      chords_of(m, b, j, q);
+      if (i == j ? !crosses_itself(p) : !pair_crosses(m, p, q)) continue;
+      Finding f = fault();
+      locate_element(f, m, b, j);
+      if (i == j)
+        say(f, "element ", i + 1, " of body ", b + 1, " crosses itself");
+      else
+        say(f, "elements ", i + 1, " and ", j + 1, " of body ", b + 1, " cross or touch each other");
+      say(f, ", expected a boundary without crossings");
+      tell_some(f, told, reporter);
+    }
+  }
+}
+
+// ---- whole regions ----
+
+void tell_region(const Model& m, int b, int32_t region, const char* what, const char* expected,
+                 Reporter& reporter) {
+  Finding f = fault();
+  locate_element(f, m, b, m.region[b][region].first);
+  say(f, "region ", region + 1, " of body ", b + 1, " ", what, ", expected ", expected);
+  tell(reporter, f);
+}
+
+int32_t outer_region(const Model& m, int b) {
+  int32_t outer = 0;
+  double largest = -1;
+  for (int32_t r = 0; r < body_of(m, b).regions; ++r) {
+    const double area = fabs(region_area(m, b, r));
+    if (area <= largest) continue;
+    largest = area;
+    outer = r;
+  }
+  return outer;
+}
+
+void check_nesting(const Model& m, int b, int32_t outer, int32_t hole, Reporter& reporter) {
+  const double* p = m.xy[b] + 2 * geometry_node(m, b, m.region[b][hole].first, 0);
+  if (winding_number(m, b, outer, p[0], p[1]) == 0)
+    tell_region(m, b, hole, "lies outside the outer boundary", "a hole inside it", reporter);
+  for (int32_t r = 0; r < body_of(m, b).regions; ++r) {
+    if (r == outer || r == hole || winding_number(m, b, r, p[0], p[1]) == 0) continue;
+    Finding f = fault();
+    locate_element(f, m, b, m.region[b][hole].first);
+    say(f, "region ", hole + 1, " of body ", b + 1, " lies inside region ", r + 1,
+        ", expected holes side by side");
+    tell(reporter, f);
+  }
+}
+
+void check_orientation(const Model& m, int b, bool crossings, Reporter& reporter) {
+  const int32_t outer = outer_region(m, b);
+  const double least = 1e-12 * m.head->length_unit * m.head->length_unit;
+  for (int32_t r = 0; r < body_of(m, b).regions; ++r) {
+    const double area = region_area(m, b, r);
+    if (fabs(area) <= least)
+      tell_region(m, b, r, "encloses no area", "a closed curve", reporter);
+    else if (r == outer && area < 0)
+      tell_region(m, b, r, "is the outer boundary and runs clockwise",
+                  "counter-clockwise, material on the left", reporter);
+    else if (r != outer && area > 0)
+      tell_region(m, b, r, "is a hole and runs counter-clockwise", "clockwise, material on the left",
+                  reporter);
+    if (r != outer && !crossings) check_nesting(m, b, outer, r, reporter);
+  }
+}
+
+} // namespace
+
+bool validate_geometry(const Model& m, Reporter& reporter) {
+  const int32_t before = reporter.faults;
+  for (int b = 0; b < m.head->bodies; ++b) {
+    const int32_t start = reporter.faults;
+    for (int32_t e = 0; e < body_of(m, b).elements; ++e) {
+      if (is_zero_length(m, b, e))
+        check_zero_length(m, b, e, reporter);
+      else if (body_of(m, b).element_nodes > 2)
+        check_jacobian(m, b, e, reporter);
+      check_spike(m, b, e, reporter);
+    }
+    if (check_coincidence(m, b, reporter) == 0) check_crossing(m, b, reporter);
+    check_orientation(m, b, reporter.faults != start, reporter);
+  }
+  return reporter.faults == before;
+}
+
+} // namespace c2d

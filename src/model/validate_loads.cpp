@@ -1,0 +1,73 @@
+// Point loads lie inside their body, away from its boundary.
+#include "model/geometry.hpp"
+#include "model/validate.hpp"
+#include "model/validate_finding.hpp"
+
+namespace c2d {
+
+namespace {
+
+struct Nearest {
+  int32_t element;
+  double distance;
+};
+
+Nearest nearest_element(const Model& m, int b, double x, double y) {
+  Nearest nearest = {-1, 0};
+  for (int32_t e = 0; e < body_of(m, b).elements; ++e) {
+    if (is_zero_length(m, b, e)) continue;
+    const double distance = distance_to_element(m, b, e, x, y);
+    if (nearest.element < 0 || distance < nearest.distance) nearest = Nearest{e, distance};
+  }
+  return nearest;
+}
+
+// Inside the outer curve (winding 1) and in no hole (winding -1).
+bool inside_body(const Model& m, int b, double x, double y) {
+  int number = 0;
+  for (int32_t r = 0; r < body_of(m, b).regions; ++r) number += winding_number(m, b, r, x, y);
+  return number == 1;
+}
+
+void say_equivalent(Finding& f, const PointLoad& p, int32_t element, double length) {
+  say(f, "; the equivalent uniform traction on element ", element + 1, " is (", p.fx / length, ", ",
+      p.fy / length, ")");
+}
+
+void check_point_load(const Model& m, int32_t i, Reporter& reporter) {
+  const PointLoad& p = m.point_load[i];
+  const Nearest near = nearest_element(m, p.body, p.x, p.y);
+  if (near.element < 0) return;
+  const double length = element_length(m, p.body, near.element);
+  const bool on_boundary = near.distance <= 1e-6 * length;
+  const bool inside = inside_body(m, p.body, p.x, p.y);
+  if (inside && near.distance >= length) return;
+  Finding f = on_boundary || !inside ? fault() : warning(C2D_WARN_POINT_LOAD);
+  f.entry.body = p.body + 1;
+  f.entry.element = near.element + 1;
+  f.entry.line = p.line > 0 ? p.line : 0;
+  f.entry.column = p.line > 0 ? p.column : 0;
+  say(f, "point load ", i + 1, " at (", p.x, ", ", p.y, ") ");
+  if (on_boundary) {
+    say(f, "lies on the boundary of body ", p.body + 1, ", expected a point inside");
+    say_equivalent(f, p, near.element, length);
+  } else if (!inside) {
+    say(f, "lies outside body ", p.body + 1, ", at a distance of ", near.distance, " from element ",
+        near.element + 1, ", expected a point inside");
+  } else {
+    say(f, "is ", near.distance, " away from element ", near.element + 1, ", less than its length ", length,
+        ", and loses force");
+    say_equivalent(f, p, near.element, length);
+  }
+  tell(reporter, f);
+}
+
+} // namespace
+
+bool validate_loads(const Model& m, Reporter& reporter) {
+  const int32_t before = reporter.faults;
+  for (int32_t i = 0; i < m.head->point_loads; ++i) check_point_load(m, i, reporter);
+  return reporter.faults == before;
+}
+
+} // namespace c2d

@@ -1,0 +1,220 @@
+// Do contact zones refer to what is there, and do their sides face each other?
+#include "model/geometry.hpp"
+#include "model/validate.hpp"
+#include "model/validate_finding.hpp"
+
+#include <math.h>
+
+namespace c2d {
+
+namespace {
+
+void tell_zone(const Model& m, int32_t zone, int b, const char* found, int32_t number, const char* expected,
+               Reporter& reporter) {
+  Finding f = fault();
+  locate_zone(f, m, zone);
+  if (b >= 0) f.entry.body = b + 1;
+  say(f, "zone ", zone + 1);
+  if (b >= 0) say(f, ", body ", b + 1);
+  say(f, ": ", found, number, expected);
+  tell(reporter, f);
+}
+
+int32_t nodes_per_element(const Model& m) {
+  return m.head->function_nodes == 1 ? 1 : m.head->function_nodes - 1;
+}
+
+// Nodes a curve of so many elements has, both ends included; a constant element has one.
+int32_t nodes_along(const Model& m, int32_t elements) {
+  return m.head->function_nodes == 1 ? elements : elements * nodes_per_element(m) + 1;
+}
+
+// Which way the side runs: the numbers of nodes or elements decide, whichever has more than one. 0: neither
+// has.
+int32_t direction(const Zone& z, int b) {
+  if (z.pairs > 1) return z.node_step[b];
+  return z.elements > 1 ? z.element_step[b] : 0;
+}
+
+bool in_range(const Model& m, int32_t zone, int b, Reporter& reporter) {
+  const Zone& z = m.zone[zone];
+  const int32_t before = reporter.faults;
+  if (z.region[b] < 0 || z.region[b] >= body_of(m, b).regions) {
+    tell_zone(m, zone, b, "no region contains its first element ", z.first_element[b] + 1, "", reporter);
+    return false;
+  }
+  const Region& r = m.region[b][z.region[b]];
+  const int32_t elements = r.last - r.first + 1, steps = nodes_per_element(m);
+  if (z.first_element[b] < r.first || z.first_element[b] > r.last)
+    tell_zone(m, zone, b, "first element ", z.first_element[b] + 1, " is not in the zone's region", reporter);
+  if (z.elements > elements)
+    tell_zone(m, zone, b, "elements: ", z.elements, ", more than its region has", reporter);
+  if (z.first_node[b] < r.first * steps || z.first_node[b] >= (r.last + 1) * steps)
+    tell_zone(m, zone, b, "first node ", z.first_node[b] + 1, " is not in the region of its elements",
+              reporter);
+  if (z.pairs > elements * steps)
+    tell_zone(m, zone, b, "nodes: ", z.pairs, ", more than its region has", reporter);
+  if (z.element_step[b] != 1 && z.element_step[b] != -1)
+    tell_zone(m, zone, b, "step of elements ", z.element_step[b], ", expected 1 or -1", reporter);
+  if (z.node_step[b] != 1 && z.node_step[b] != -1)
+    tell_zone(m, zone, b, "step of nodes ", z.node_step[b], ", expected 1 or -1", reporter);
+  if (z.pairs > 1 && z.elements > 1 && z.node_step[b] != z.element_step[b])
+    tell_zone(m, zone, b, "elements and nodes run in opposite directions from element ",
+              z.first_element[b] + 1, ", expected the same direction", reporter);
+  return reporter.faults == before;
+}
+
+// Position of the first listed node along the zone's elements, from 0; -1 if it is none of their nodes.
+int32_t place_of_first_node(const Model& m, const Zone& z, int b) {
+  const Region& r = m.region[b][z.region[b]];
+  const int32_t steps = nodes_per_element(m), nodes = (r.last - r.first + 1) * steps;
+  int32_t place;
+  if (direction(z, b) >= 0)
+    place = z.first_node[b] - z.first_element[b] * steps;
+  else if (m.head->function_nodes == 1)
+    place = z.first_element[b] - z.first_node[b];
+  else
+    place = (z.first_element[b] + 1) * steps - z.first_node[b];
+  place = ((place % nodes) + nodes) % nodes;
+  return place < nodes_along(m, z.elements) ? place : -1;
+}
+
+void check_nodes(const Model& m, int32_t zone, Reporter& reporter) {
+  const Zone& z = m.zone[zone];
+  const int32_t along = nodes_along(m, z.elements);
+  int32_t place[2];
+  for (int b = 0; b < 2; ++b) {
+    place[b] = place_of_first_node(m, z, b);
+    if (place[b] < 0)
+      tell_zone(m, zone, b, "node ", z.first_node[b] + 1, " is not a node of the zone's elements", reporter);
+    else if (place[b] + z.pairs > along)
+      tell_zone(m, zone, b, "node ", zone_node(m, z, b, z.pairs - 1) + 1,
+                " is not a node of the zone's elements", reporter);
+  }
+  if (place[0] < 0 || place[1] < 0) return;
+  if (direction(z, 0) != 0 && place[0] != place[1]) {
+    Finding f = fault();
+    locate_zone(f, m, zone);
+    say(f, "zone ", zone + 1, ": the first pair is node ", place[0] + 1,
+        " along the elements of body 1 and node ", place[1] + 1,
+        " along those of body 2, expected the same place");
+    tell(reporter, f);
+  }
+}
+
+// Elements in two zones, nodes in two pairs: in this zone and an earlier one.
+void check_overlap(const Model& m, int32_t zone, int b, Reporter& reporter) {
+  const Zone& z = m.zone[zone];
+  for (int32_t k = 0; k < z.elements; ++k) {
+    int32_t other, place;
+    const int32_t element = zone_element(m, z, b, k);
+    if (!find_contact_element(m, b, element, &other, &place) || other == zone)
+      continue; // the first one is found
+    Finding f = fault();
+    locate_zone(f, m, zone);
+    locate_element(f, m, b, element);
+    say(f, "element ", element + 1, " of body ", b + 1, " is in zones ", other + 1, " and ", zone + 1,
+        ", expected in one");
+    tell(reporter, f);
+  }
+  for (int32_t k = 0; k < z.pairs; ++k) {
+    const int32_t node = zone_node(m, z, b, k), pair = pair_of_node(m, b, node);
+    if (pair == z.first_pair + k) continue;
+    Finding f = fault();
+    locate_zone(f, m, zone);
+    f.entry.body = b + 1;
+    f.entry.node = node + 1;
+    f.entry.pair = z.first_pair + k + 1;
+    say(f, "node ", node + 1, " of body ", b + 1, " is in pairs ", pair + 1, " and ", z.first_pair + k + 1,
+        ", expected in one");
+    tell(reporter, f);
+  }
+}
+
+void check_lengths(const Model& m, int32_t zone, int b, Reporter& reporter) {
+  const Zone& z = m.zone[zone];
+  for (int32_t k = 0; k < z.elements; ++k) {
+    const int32_t element = zone_element(m, z, b, k);
+    if (is_zero_length(m, b, element))
+      tell_zone(m, zone, b, "element ", element + 1, " has zero length, expected none in a contact zone",
+                reporter);
+  }
+  for (int32_t k = 0; k < z.pairs; ++k) {
+    const int32_t node = zone_node(m, z, b, k);
+    if (twin_node(m, b, node) >= 0)
+      tell_zone(m, zone, b, "node ", node + 1, " is a double node, expected none in a contact zone",
+                reporter);
+  }
+}
+
+// Direction of an element's outward normals on average: its chord turned by -90 degrees.
+void average_normal(const Model& m, int b, int32_t element, double n[2]) {
+  double x[4], y[4];
+  element_coordinates(m, b, element, x, y);
+  const int last = body_of(m, b).element_nodes - 1;
+  const double dx = x[last] - x[0], dy = y[last] - y[0], size = sqrt(dx * dx + dy * dy);
+  n[0] = size > 0 ? dy / size : 0;
+  n[1] = size > 0 ? -dx / size : 0;
+}
+
+void check_facing(const Model& m, int32_t zone, Reporter& reporter) {
+  const Zone& z = m.zone[zone];
+  if (direction(z, 0) != 0 && direction(z, 0) == direction(z, 1)) {
+    Finding f = fault();
+    locate_zone(f, m, zone);
+    say(f, "zone ", zone + 1,
+        ": numbers run in the same direction on both bodies, so that the elements do not face "
+        "each other; expected up on one body and down on the other");
+    return tell(reporter, f);
+  }
+  for (int32_t k = 0; k < z.elements; ++k) {
+    const int32_t e1 = zone_element(m, z, 0, k), e2 = zone_element(m, z, 1, k);
+    double n1[2], n2[2];
+    average_normal(m, 0, e1, n1);
+    average_normal(m, 1, e2, n2);
+    if (n1[0] * n2[0] + n1[1] * n2[1] < -0.5) continue;
+    Finding f = fault();
+    locate_zone(f, m, zone);
+    f.entry.body = 1;
+    f.entry.element = e1 + 1;
+    say(f, "zone ", zone + 1, ": element ", e1 + 1, " of body 1 with normal (", n1[0], ", ", n1[1],
+        ") and element ", e2 + 1, " of body 2 with normal (", n2[0], ", ", n2[1], ") do not face each other");
+    tell(reporter, f);
+  }
+}
+
+bool check_counts(const Model& m, int32_t zone, Reporter& reporter) {
+  const Zone& z = m.zone[zone];
+  const int32_t before = reporter.faults;
+  if (z.elements < 1) tell_zone(m, zone, -1, "elements: ", z.elements, ", expected 1 or more", reporter);
+  if (z.pairs < 1) tell_zone(m, zone, -1, "pairs: ", z.pairs, ", expected 1 or more", reporter);
+  if (reporter.faults != before) return false;
+  for (int b = 0; b < 2; ++b) in_range(m, zone, b, reporter);
+  return reporter.faults == before;
+}
+
+} // namespace
+
+bool validate_zones(const Model& m, Reporter& reporter) {
+  const int32_t before = reporter.faults;
+  if (m.head->zones > 0 && m.head->bodies < 2) {
+    Finding f = fault();
+    locate_zone(f, m, 0);
+    say(f, "a contact zone with one body only, expected two bodies");
+    tell(reporter, f);
+    return false;
+  }
+  for (int32_t i = 0; i < m.head->zones; ++i) check_counts(m, i, reporter);
+  if (reporter.faults != before) return false; // the rest looks up what the zones name
+  for (int32_t i = 0; i < m.head->zones; ++i) {
+    check_nodes(m, i, reporter);
+    check_facing(m, i, reporter);
+    for (int b = 0; b < 2; ++b) {
+      check_overlap(m, i, b, reporter);
+      check_lengths(m, i, b, reporter);
+    }
+  }
+  return reporter.faults == before;
+}
+
+} // namespace c2d
