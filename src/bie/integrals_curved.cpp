@@ -29,16 +29,18 @@ double length(const double v[2]) {
   return sqrt(square(v));
 }
 
-// Adds a point; `log_of` stands for r^2 in the logarithm.
-void add_point(const Job& job, const Sample& s, double weight, double log_of, Sums& sums) {
+// Adds a point; r2 = |x - source|^2, `log_of` stands for it in the logarithm.
+void add_point(const Job& job, const Sample& s, double weight, double r2, double log_of, Sums& sums) {
   const Integrator& in = job.in;
+  const double q = 1.0 / r2;
   if (job.want_h) {
-    const Tensor t = traction_kernel(s.rx, s.ry, s.nx, s.ny, in.t1);
+    const Tensor t = traction_kernel(s.rx, s.ry, q, s.nx, s.ny, in.t1);
     for (int l = 0; l < in.functions; ++l) add(sums.h[l], weight * s.shape[l], t);
   }
   if (job.want_g) {
-    const Tensor u = displacement_kernel(s.rx, s.ry, log_of, in.kappa);
-    for (int l = 0; l < in.functions; ++l) add(sums.g[l], weight * s.jacobian * s.shape[l], u);
+    const Tensor u = displacement_kernel(s.rx, s.ry, q, log_of, in.kappa);
+    const double weight_g = weight * s.jacobian;
+    for (int l = 0; l < in.functions; ++l) add(sums.g[l], weight_g * s.shape[l], u);
   }
 }
 
@@ -52,7 +54,7 @@ void add_panel(const Job& job, const Expansion& x, const Panel& p, bool own, int
     const double tau = middle + half * point.x;
     const Sample s = sample(job.in, x, p.sign * tau);
     const double r2 = s.rx * s.rx + s.ry * s.ry, scale = own ? p.to / tau : 1.0;
-    add_point(job, s, half * point.w, r2 * scale * scale, sums);
+    add_point(job, s, half * point.w, r2, r2 * scale * scale, sums);
   }
   if (!own || !job.want_g) return;
   const LogRule logs = log_gauss(kNearOrder);
