@@ -1,0 +1,26 @@
+#pragma once
+// Dense kernels: product, triangular solves, LU with partial pivoting. Matrices are column-major: entry (i,
+// j) of A is a[i + j * lda], lda >= max(1, rows). Sizes may be 0. Arguments that are written must not overlap
+// others. Nothing here traps: no division by zero, no operation on anything but the numbers given.
+#include "memory/real.hpp"
+#include <stdint.h>
+
+namespace c2d {
+
+// C (m x n) -= A (m x k) B (k x n).
+void gemm_minus(int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, const Real* b, int64_t ldb,
+                Real* c, int64_t ldc);
+
+// B (n x nrhs) := L^-1 B; L unit lower triangular: what stands on and above its diagonal is not read.
+void trsm_lower_unit(int32_t n, int32_t nrhs, const Real* l, int64_t ldl, Real* b, int64_t ldb);
+
+// B (n x nrhs) := U^-1 B; U upper triangular: what stands below its diagonal is not read. Where a diagonal
+// entry is zero the solution's entry is set to zero; the result is then no solution.
+void trsm_upper(int32_t n, int32_t nrhs, const Real* u, int64_t ldu, Real* b, int64_t ldb);
+
+// Largest absolute value of x[0 .. n); 0 if n = 0.
+Real largest(int32_t n, const Real* x);
+// Are all of x[0 .. n) finite?
+bool all_finite(int32_t n, const Real* x);
+
+} // namespace c2d
