@@ -1,0 +1,223 @@
+#include "elimination/eliminate.hpp"
+#include "linalg/dense.hpp"
+#include <string.h>
+
+namespace c2d {
+namespace {
+
+// The panel in memory and everything needed to work on it.
+struct Panel {
+  const EliminationPlan& plan;
+  Tapes& tapes;
+  const Watch& watch;
+  Real* columns; // rows x count
+  int64_t ld;
+  unsigned char* block; // header room and data of one block
+  Real* norms;          // largest entry of each column as filled
+  int32_t* pivots;      // for all eliminated columns, absolute rows
+  int32_t first, count; // columns of the matrix
+  int32_t own;          // how many of them are eliminated
+  bool last;            // no panel comes after it
+
+  Real* column(int32_t j) const { return columns + j * ld; }
+  Real* data() const { return reinterpret_cast<Real*>(block + kBlockHeaderBytes); }
+};
+
+c2d_status tell(const Watch& watch, int32_t first, int32_t count) {
+  for (int32_t j = first; watch.step && j < first + count; ++j) {
+    const c2d_status status = watch.step(watch.context, j);
+    if (status != C2D_OK) return status;
+  }
+  return C2D_OK;
+}
+
+c2d_status fill(const Panel& panel, const ColumnSource& source) {
+  const int32_t rows = panel.plan.rows;
+  const c2d_status status = source.fill(source.context, panel.first, panel.count, panel.columns, panel.ld);
+  if (status != C2D_OK) return status;
+  for (int32_t j = 0; j < panel.count; ++j) {
+    if (!all_finite(rows, panel.column(j))) return C2D_ERR_INTERNAL;
+    panel.norms[j] = largest(rows, panel.column(j));
+  }
+  return tell(panel.watch, panel.first, panel.count);
+}
+
+// Columns [from, from+count) of the panel are updated by w columns of L, which start in row and column f of
+// the matrix and have the leading dimension ldl. Their rows have been exchanged already.
+void update(const Panel& panel, int32_t from, int32_t count, const Real* l, int64_t ldl, int32_t f,
+            int32_t w) {
+  Real* top = panel.column(from) + f;
+  trsm_lower_unit(w, count, l, ldl, top, panel.ld);
+  gemm_minus(panel.plan.rows - f - w, count, w, l + w, ldl, top, panel.ld, top + w, panel.ld);
+}
+
+// Bring a panel up to date with the panels before it. The blocks of L of a panel are as they were when it was
+// factored: the row exchanges of later panels never reached them, so exchanges and blocks are applied panel
+// after panel.
+c2d_status apply_earlier(const Panel& panel) {
+  const EliminationPlan& plan = panel.plan;
+  int32_t exchanged = 0;
+  Chunk chunk = first_chunk(plan);
+  while (chunk.first < plan.pivots && chunk.first < panel.first) {
+    if (chunk.first == exchanged) {
+      const int32_t left = plan.pivots - exchanged;
+      const int32_t count = left < plan.panel_columns ? left : plan.panel_columns;
+      apply_pivots(panel.count, panel.columns, panel.ld, panel.pivots, exchanged, count);
+      exchanged += count;
+    }
+    c2d_status status = read_block(panel.tapes, C2D_TAPE_LOWER, plan.lower_first_block + chunk.index,
+                                   panel.block, lower_bytes(plan, chunk));
+    if (status != C2D_OK) return status;
+    update(panel, 0, panel.count, panel.data(), plan.rows - chunk.first, chunk.first, chunk.count);
+    status = tell(panel.watch, panel.first, 1);
+    if (status != C2D_OK) return status;
+    chunk = next_chunk(plan, chunk);
+  }
+  return C2D_OK;
+}
+
+// Factor the panel's own columns, and update trailing columns that are in the same panel.
+c2d_status factor(const Panel& panel, PivotStats* stats) {
+  const int32_t rows = panel.plan.rows - panel.first;
+  Real* corner = panel.columns + panel.first;
+  int32_t* pivots = panel.pivots + panel.first; // relative to the corner until the end
+  stats->base = panel.first;
+  for (int32_t j = 0, n = 0; j < panel.count; j += n) {
+    // A strip must not reach from the own to the trailing columns.
+    const int32_t end = j < panel.own ? panel.own : panel.count;
+    n = end - j < kLuStrip ? end - j : kLuStrip;
+    if (j < panel.own) {
+      if (lu_strip(rows, j, n, corner, panel.ld, pivots, panel.norms, stats) > 0) return C2D_ERR_SINGULAR;
+    } else {
+      apply_pivots(n, corner + j * panel.ld, panel.ld, pivots, 0, panel.own);
+      update(panel, j, n, corner, panel.ld, panel.first, panel.own);
+    }
+    const c2d_status status = tell(panel.watch, panel.first + j, n);
+    if (status != C2D_OK) return status;
+  }
+  for (int32_t j = 0; j < panel.own; ++j) pivots[j] += panel.first;
+  return C2D_OK;
+}
+
+// Put rows [from, from+rows) of a chunk into the block buffer, without gaps, and write them.
+c2d_status write_part(const Panel& panel, int32_t tape, uint64_t block, const Chunk& chunk, int32_t from,
+                      uint64_t data_bytes) {
+  const size_t column_bytes = static_cast<size_t>(data_bytes / static_cast<uint64_t>(chunk.count));
+  unsigned char* to = panel.block + kBlockHeaderBytes;
+  for (int32_t j = 0; j < chunk.count; ++j) {
+    memcpy(to, panel.column(chunk.first - panel.first + j) + from, column_bytes);
+    to += column_bytes;
+  }
+  return write_block(panel.tapes, tape, block, panel.block, data_bytes);
+}
+
+c2d_status write_panel(const Panel& panel, Chunk chunk) {
+  const EliminationPlan& plan = panel.plan;
+  for (; chunk.count > 0 && chunk.first < panel.first + panel.count; chunk = next_chunk(plan, chunk)) {
+    c2d_status status = C2D_OK;
+    if (chunk.first < plan.pivots && !panel.last) {
+      status = write_part(panel, C2D_TAPE_LOWER, plan.lower_first_block + chunk.index, chunk, chunk.first,
+                          lower_bytes(plan, chunk));
+    }
+    if (status == C2D_OK && plan.pivots > 0) {
+      status = write_part(panel, C2D_TAPE_UPPER, plan.upper_first_block + chunk.index, chunk, 0,
+                          upper_bytes(plan, chunk));
+    }
+    if (status != C2D_OK) return status;
+  }
+  return C2D_OK;
+}
+
+c2d_status hand_over(const Panel& panel, const RowSink& sink) {
+  const int32_t trailing = panel.count - panel.own;
+  if (trailing == 0 || !sink.take) return C2D_OK;
+  const int32_t first = panel.first + panel.own - panel.plan.pivots;
+  return sink.take(sink.context, first, trailing, panel.column(panel.own) + panel.plan.pivots, panel.ld);
+}
+
+c2d_status do_panel(const Panel& panel, const ColumnSource& source, const RowSink& sink, const Chunk& chunk,
+                    PivotStats* stats) {
+  c2d_status status = fill(panel, source);
+  if (status == C2D_OK) status = apply_earlier(panel);
+  if (status == C2D_OK) status = factor(panel, stats);
+  if (status == C2D_OK) status = write_panel(panel, chunk);
+  if (status == C2D_OK) status = hand_over(panel, sink);
+  return status;
+}
+
+int32_t between(int32_t low, int32_t x, int32_t high) {
+  return x < low ? low : (x > high ? high : x);
+}
+
+} // namespace
+
+c2d_status eliminate(const EliminationPlan& plan, const ColumnSource& source, const RowSink& sink,
+                     Tapes& tapes, void* work, PivotStats* stats, const Watch& watch) {
+  PivotStats own_stats;
+  PivotStats* used = stats ? stats : &own_stats;
+  start_stats(*used);
+  const WorkLayout at = work_layout(plan.rows, plan.pivots, plan.panel_columns, plan.block_columns);
+  unsigned char* base = static_cast<unsigned char*>(work);
+  Panel panel = {plan,
+                 tapes,
+                 watch,
+                 reinterpret_cast<Real*>(base + at.panel),
+                 at.leading,
+                 base + at.block,
+                 reinterpret_cast<Real*>(base + at.norms),
+                 reinterpret_cast<int32_t*>(base + at.pivots),
+                 0,
+                 0,
+                 0,
+                 false};
+  const int32_t columns = plan.pivots + plan.trailing, panels = panel_count(plan);
+  Chunk chunk = first_chunk(plan);
+  for (int32_t p = 0; p < panels; ++p) {
+    panel.first = p * plan.panel_columns;
+    panel.count = between(0, columns - panel.first, plan.panel_columns);
+    panel.own = between(0, plan.pivots - panel.first, panel.count);
+    panel.last = p == panels - 1;
+    while (chunk.first < panel.first) chunk = next_chunk(plan, chunk);
+    const c2d_status status = do_panel(panel, source, sink, chunk, used);
+    if (status != C2D_OK) return status;
+  }
+  return C2D_OK;
+}
+
+uint64_t back_substitution_bytes(const EliminationPlan& plan) {
+  const uint64_t data = static_cast<uint64_t>(plan.pivots) * static_cast<uint64_t>(plan.block_columns);
+  return kBlockHeaderBytes + data * sizeof(Real);
+}
+
+c2d_status back_substitute(const EliminationPlan& plan, Tapes& tapes, const Real* coefficient, Real* x,
+                           void* work) {
+  if (plan.pivots == 0) return C2D_OK;
+  const Real* data = reinterpret_cast<const Real*>(static_cast<unsigned char*>(work) + kBlockHeaderBytes);
+  const uint64_t first_block = plan.upper_first_block;
+  for (int32_t i = 0; i < plan.pivots; ++i) x[i] = 0;
+  // x = Y c: chunks of the trailing columns follow those of the eliminated ones.
+  Chunk chunk = next_chunk(plan, chunk_before(plan, plan.pivots));
+  for (; chunk.count > 0; chunk = next_chunk(plan, chunk)) {
+    const c2d_status status =
+        read_block(tapes, C2D_TAPE_UPPER, first_block + chunk.index, work, upper_bytes(plan, chunk));
+    if (status != C2D_OK) return status;
+    for (int32_t j = 0; j < chunk.count; ++j) {
+      const Real factor = coefficient[chunk.first - plan.pivots + j];
+      const Real* column = data + static_cast<int64_t>(j) * plan.pivots;
+      for (int32_t i = 0; i < plan.pivots; ++i) x[i] += factor * column[i];
+    }
+  }
+  // x := U^-1 x, by block columns from the last to the first.
+  for (int32_t end = plan.pivots; end > 0; end = chunk.first) {
+    chunk = chunk_before(plan, end);
+    const int32_t f = chunk.first, w = chunk.count;
+    const c2d_status status =
+        read_block(tapes, C2D_TAPE_UPPER, first_block + chunk.index, work, upper_bytes(plan, chunk));
+    if (status != C2D_OK) return status;
+    trsm_upper(w, 1, data + f, end, x + f, plan.pivots);
+    gemm_minus(f, 1, w, data, end, x + f, plan.pivots, x, plan.pivots);
+  }
+  return C2D_OK;
+}
+
+} // namespace c2d

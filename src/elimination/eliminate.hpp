@@ -1,0 +1,55 @@
+#pragma once
+// Streamed elimination: [ A_o | B ] with A_o of rows x pivots and B of rows x trailing becomes, with partial
+// pivoting over all remaining rows,
+//     P [ A_o | B ] = [ L_1   ] [ U  Y ]        U pivots x pivots, Y pivots x trailing,
+//                     [ L_2 I ] [ 0  S ]        S (rows - pivots) x trailing.
+// S goes to the sink; U and Y go to tape UPPER for back substitution; L goes to tape LOWER as far as it is
+// needed again. Left-looking by panels: the matrix never exists in memory, a panel is filled, brought up to
+// date with the blocks of L before it, factored, and written. (Partial forward elimination, thesis
+// Figure 20.)
+#include "elimination/plan.hpp"
+#include "linalg/lu.hpp"
+#include "store/tapes.hpp"
+
+namespace c2d {
+
+// Where columns come from. `fill` assigns all rows of columns first ... first+count-1 to panel[i + j * ld];
+// every column is asked for once, in order. A status other than C2D_OK ends the elimination with it. Numbers
+// must be finite.
+struct ColumnSource {
+  void* context;
+  c2d_status (*fill)(void* context, int32_t first, int32_t count, Real* panel, int64_t ld);
+};
+
+// Where S goes: rows[i + j * ld], i < rows - pivots, are trailing columns first_trailing ...
+// first_trailing+count-1 (counted from 0); every column comes once, in order. Null `take`: S is not wanted.
+struct RowSink {
+  void* context;
+  c2d_status (*take)(void* context, int32_t first_trailing, int32_t count, const Real* rows, int64_t ld);
+};
+
+// Told of every column when it has been filled and again when it has been eliminated or updated, and after
+// every block of L; a status other than C2D_OK stops at once. Null `step`: nobody watches.
+struct Watch {
+  void* context;
+  c2d_status (*step)(void* context, int32_t column);
+};
+
+// Tapes UPPER and LOWER (if lower_use has blocks) are open with room for the plan's blocks; syncing them is
+// the caller's business. `work`: elimination_bytes(...) bytes, aligned to 64. `stats` is started anew; null:
+// not wanted. Errors: those of source, sink, watch and the tapes (then tapes.error tells more);
+// C2D_ERR_SINGULAR: the columns stats->first_unusable ... have no usable pivot; C2D_ERR_INTERNAL: a number is
+// not finite. After any error what is on the tapes is of no use.
+c2d_status eliminate(const EliminationPlan& plan, const ColumnSource& source, const RowSink& sink,
+                     Tapes& tapes, void* work, PivotStats* stats, const Watch& watch);
+
+// Bytes of the work area of back_substitute, which may be the one of `eliminate`.
+uint64_t back_substitution_bytes(const EliminationPlan& plan);
+
+// Solve A_o x = sum over k of coefficient[k] B_k in the first `pivots` rows of the eliminated system: for a
+// solution of A_o x = B c that exists, x. coefficient[0 .. trailing), x[0 .. pivots). Reads every block of
+// UPPER once. `work` as above, aligned to 64. Errors: those of the tape.
+c2d_status back_substitute(const EliminationPlan& plan, Tapes& tapes, const Real* coefficient, Real* x,
+                           void* work);
+
+} // namespace c2d

@@ -1,0 +1,179 @@
+#include "elimination/plan.hpp"
+#include "store/block.hpp"
+
+namespace c2d {
+namespace {
+
+constexpr int32_t kWidestBlock = 64;                 // wider ones do not make the kernels faster
+constexpr uint64_t kMostNumbers = uint64_t(1) << 56; // in a work area; far more than any machine has
+
+uint64_t aligned(uint64_t bytes) {
+  return (bytes + 63) / 64 * 64;
+}
+
+int32_t smaller(int32_t a, int32_t b) {
+  return a < b ? a : b;
+}
+
+// Columns start on cache lines, but not at a distance of a multiple of 4 KiB, which would map them all to the
+// same few cache sets.
+int64_t leading_dimension(int32_t rows) {
+  const int64_t line = 64 / sizeof(Real);
+  const int64_t leading = (rows + line - 1) / line * line;
+  if (leading == 0) return line;
+  return leading % (8 * 64) == 0 ? leading + line : leading;
+}
+
+int32_t all_columns(const EliminationPlan& plan) {
+  return plan.pivots + plan.trailing;
+}
+
+// The widest panel that fits together with blocks of this width; 0 if none. Memory grows with the width.
+int32_t widest_panel(uint64_t bytes, const EliminationPlan& plan, int32_t block_columns) {
+  int32_t fits = 0, too_wide = all_columns(plan) + 1;
+  while (too_wide - fits > 1) {
+    const int32_t middle = fits + (too_wide - fits) / 2;
+    if (elimination_bytes(plan.rows, plan.pivots, middle, block_columns) <= bytes)
+      fits = middle;
+    else
+      too_wide = middle;
+  }
+  return fits;
+}
+
+// Wide blocks are good for the kernels, wide panels save transfers: blocks of a quarter of the panel or less.
+void choose_streamed(uint64_t bytes, EliminationPlan& plan) {
+  for (int32_t block = kWidestBlock; block >= 1; block /= 2) {
+    const int32_t panel = widest_panel(bytes, plan, block);
+    if (panel < 4 * block && block > 1) continue;
+    plan.block_columns = block;
+    plan.panel_columns = panel / block * block; // whole blocks
+    return;
+  }
+}
+
+// The widest blocks that fit beside panels of this width; false if none do.
+bool choose_blocks(uint64_t bytes, int32_t panel, EliminationPlan& plan) {
+  for (int32_t block = smaller(kWidestBlock, panel); block >= 1; block = block == 1 ? 0 : (block + 1) / 2) {
+    if (elimination_bytes(plan.rows, plan.pivots, panel, block) > bytes) continue;
+    plan.panel_columns = panel;
+    plan.block_columns = block;
+    return true;
+  }
+  return false;
+}
+
+Chunk chunk_at(const EliminationPlan& plan, int32_t first, uint64_t index) {
+  const int32_t kind_end = first < plan.pivots ? plan.pivots : all_columns(plan);
+  const int32_t panel = first / plan.panel_columns;
+  const int32_t left_in_panel = plan.panel_columns - first % plan.panel_columns;
+  const int32_t count = smaller(plan.block_columns, smaller(left_in_panel, kind_end - first));
+  return {first, count, panel, index};
+}
+
+} // namespace
+
+WorkLayout work_layout(int32_t rows, int32_t pivots, int32_t panel_columns, int32_t block_columns) {
+  WorkLayout at = {0, 0, 0, 0, 0, leading_dimension(rows)};
+  const uint64_t leading = static_cast<uint64_t>(at.leading), panel = static_cast<uint64_t>(panel_columns);
+  const uint64_t block = static_cast<uint64_t>(block_columns);
+  if (leading * (panel + block) > kMostNumbers) {
+    at.total = UINT64_MAX;
+    return at;
+  }
+  at.block = leading * panel * sizeof(Real);
+  at.norms = aligned(at.block + kBlockHeaderBytes + static_cast<uint64_t>(rows) * block * sizeof(Real));
+  at.pivots = aligned(at.norms + panel * sizeof(Real));
+  at.total = aligned(at.pivots + static_cast<uint64_t>(pivots) * sizeof(int32_t));
+  return at;
+}
+
+uint64_t elimination_bytes(int32_t rows, int32_t pivots, int32_t panel_columns, int32_t block_columns) {
+  return work_layout(rows, pivots, panel_columns, block_columns).total;
+}
+
+uint64_t elimination_bytes_in_core(int32_t rows, int32_t pivots, int32_t trailing) {
+  const int32_t columns = pivots + trailing > 0 ? pivots + trailing : 1;
+  return elimination_bytes(rows, pivots, columns, smaller(kWidestBlock, columns));
+}
+
+c2d_status plan_elimination(uint64_t bytes, int32_t rows, int32_t pivots, int32_t trailing,
+                            int32_t forced_columns, EliminationPlan& out, uint64_t* needed) {
+  if (rows < 0 || pivots < 0 || pivots > rows || trailing < 0 || trailing >= INT32_MAX - pivots ||
+      forced_columns < 0) {
+    return C2D_ERR_ARGUMENT;
+  }
+  EliminationPlan plan = {rows, pivots, trailing, 1, 1, 0, 0};
+  const int32_t columns = all_columns(plan) > 0 ? all_columns(plan) : 1;
+  const int32_t forced = smaller(forced_columns, columns);
+  const int32_t least = forced > 0 ? forced : 1;
+  if (needed) *needed = elimination_bytes(rows, pivots, least, 1);
+  if (elimination_bytes(rows, pivots, least, 1) > bytes) return C2D_ERR_MEMORY;
+  if (forced > 0) {
+    choose_blocks(bytes, forced, plan);
+  } else if (!choose_blocks(bytes, columns, plan)) {
+    choose_streamed(bytes, plan);
+  }
+  out = plan;
+  return C2D_OK;
+}
+
+int32_t panel_count(const EliminationPlan& plan) {
+  const int32_t columns = all_columns(plan);
+  return columns / plan.panel_columns + (columns % plan.panel_columns != 0);
+}
+
+Chunk first_chunk(const EliminationPlan& plan) {
+  return chunk_at(plan, 0, 0);
+}
+
+Chunk next_chunk(const EliminationPlan& plan, const Chunk& chunk) {
+  return chunk_at(plan, chunk.first + chunk.count, chunk.index + 1);
+}
+
+Chunk chunk_before(const EliminationPlan& plan, int32_t end) {
+  const int32_t panel = (end - 1) / plan.panel_columns;
+  const int32_t place = (end - 1) % plan.panel_columns / plan.block_columns; // of the chunk in its panel
+  const int32_t panel_chunks = (plan.panel_columns - 1) / plan.block_columns + 1;
+  const uint64_t index = static_cast<uint64_t>(panel) * static_cast<uint64_t>(panel_chunks);
+  return chunk_at(plan, panel * plan.panel_columns + place * plan.block_columns,
+                  index + static_cast<uint64_t>(place));
+}
+
+uint64_t lower_bytes(const EliminationPlan& plan, const Chunk& chunk) {
+  return static_cast<uint64_t>(plan.rows - chunk.first) * static_cast<uint64_t>(chunk.count) * sizeof(Real);
+}
+
+uint64_t upper_bytes(const EliminationPlan& plan, const Chunk& chunk) {
+  const int32_t rows = chunk.first < plan.pivots ? chunk.first + chunk.count : plan.pivots;
+  return static_cast<uint64_t>(rows) * static_cast<uint64_t>(chunk.count) * sizeof(Real);
+}
+
+TapeUse lower_use(const EliminationPlan& plan) {
+  TapeUse use = {0, 0, 0, 0};
+  const int32_t last = panel_count(plan) - 1;
+  for (Chunk chunk = first_chunk(plan); chunk.first < plan.pivots; chunk = next_chunk(plan, chunk)) {
+    if (chunk.panel >= last) break;
+    const uint64_t data = lower_bytes(plan, chunk);
+    use.blocks += 1;
+    if (data > use.max_data_bytes) use.max_data_bytes = data;
+    use.bytes_written += data + kBlockHeaderBytes;
+    use.bytes_read += (data + kBlockHeaderBytes) * static_cast<uint64_t>(last - chunk.panel);
+  }
+  return use;
+}
+
+TapeUse upper_use(const EliminationPlan& plan) {
+  TapeUse use = {0, 0, 0, 0};
+  if (plan.pivots == 0) return use;
+  for (Chunk chunk = first_chunk(plan); chunk.count > 0; chunk = next_chunk(plan, chunk)) {
+    const uint64_t data = upper_bytes(plan, chunk);
+    use.blocks += 1;
+    if (data > use.max_data_bytes) use.max_data_bytes = data;
+    use.bytes_written += data + kBlockHeaderBytes;
+  }
+  use.bytes_read = use.bytes_written;
+  return use;
+}
+
+} // namespace c2d

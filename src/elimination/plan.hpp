@@ -1,0 +1,72 @@
+#pragma once
+// How an elimination is cut into panels and blocks, and what that costs in memory and in transfers.
+//
+// The matrix has `rows` rows and the columns 0 ... pivots-1, which are eliminated, and pivots ...
+// pivots+trailing-1, which are only updated. A panel of panel_columns columns is in memory at a time (the
+// last one may be narrower, one may hold columns of both kinds). On the tapes a panel is cut into chunks of
+// block_columns columns, which do not reach over the end of a panel or from the eliminated to the trailing
+// columns. Chunk k is block upper_first_block + k of tape UPPER and, if a later panel needs it,
+// lower_first_block + k of tape LOWER.
+#include "contact2d.h"
+#include "memory/real.hpp"
+
+namespace c2d {
+
+struct EliminationPlan {
+  int32_t rows, pivots, trailing;                // 0 <= pivots <= rows, 0 <= trailing
+  int32_t panel_columns, block_columns;          // both >= 1, block_columns <= panel_columns
+  uint64_t lower_first_block, upper_first_block; // set by the caller: where this elimination's blocks start
+};
+
+// Bytes of the work area of `eliminate`: a panel, a block with room for its header, a norm for each column of
+// the panel, the pivots. UINT64_MAX if the number is beyond any memory.
+uint64_t elimination_bytes(int32_t rows, int32_t pivots, int32_t panel_columns, int32_t block_columns);
+
+// The same for the widest panel that is of any use: every column at once, nothing on tape LOWER.
+uint64_t elimination_bytes_in_core(int32_t rows, int32_t pivots, int32_t trailing);
+
+// Choose panels and blocks for a work area of `bytes` bytes: all in one panel if that fits, else wide panels
+// with blocks of at most a quarter of their width. forced_columns > 0 is the width of the panels. The
+// first-block numbers are set to 0. Errors: C2D_ERR_MEMORY with *needed = the bytes that would do (at least
+// panels of the forced width, or of one column), C2D_ERR_ARGUMENT for sizes out of range. `needed` may be
+// null.
+c2d_status plan_elimination(uint64_t bytes, int32_t rows, int32_t pivots, int32_t trailing,
+                            int32_t forced_columns, EliminationPlan& out, uint64_t* needed);
+
+// What one elimination asks of a tape. Bytes count headers.
+struct TapeUse {
+  uint64_t blocks;         // numbered from the plan's first block of that tape
+  uint64_t max_data_bytes; // of the largest block, without its header
+  uint64_t bytes_written;  // by `eliminate`
+  uint64_t bytes_read;     // LOWER: by `eliminate`; UPPER: by each `back_substitute`
+};
+TapeUse lower_use(const EliminationPlan& plan);
+TapeUse upper_use(const EliminationPlan& plan);
+
+// A chunk of columns, all in one panel and of one kind.
+struct Chunk {
+  int32_t first, count; // columns
+  int32_t panel;        // from 0
+  uint64_t index;       // from 0; the eliminated columns' chunks come first
+};
+// The first chunk, and the one after `chunk`: count is 0 when there is none.
+Chunk first_chunk(const EliminationPlan& plan);
+Chunk next_chunk(const EliminationPlan& plan, const Chunk& chunk);
+// The chunk of eliminated columns that ends before column `end` > 0, which is where a chunk or the eliminated
+// columns end.
+Chunk chunk_before(const EliminationPlan& plan, int32_t end);
+
+int32_t panel_count(const EliminationPlan& plan);
+// Bytes of data of a chunk's blocks: LOWER holds the rows from the chunk's first column down (for eliminated
+// columns only), UPPER the rows down to its last column, or the first `pivots` rows of trailing columns.
+uint64_t lower_bytes(const EliminationPlan& plan, const Chunk& chunk);
+uint64_t upper_bytes(const EliminationPlan& plan, const Chunk& chunk);
+
+// Where things are in the work area, in bytes from its start, which is aligned to 64 bytes.
+struct WorkLayout {
+  uint64_t panel, block, norms, pivots, total;
+  int64_t leading; // from one column of the panel to the next
+};
+WorkLayout work_layout(int32_t rows, int32_t pivots, int32_t panel_columns, int32_t block_columns);
+
+} // namespace c2d
