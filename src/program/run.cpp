@@ -33,6 +33,7 @@ private:
   int prepare();
   int follow();
   void stopped_before_load(c2d_status status);
+  void show_contact_zone();
   int report();
   int close_store();
   int publish();
@@ -45,9 +46,9 @@ private:
   const Options& options_;
   // In the order in which they need each other: the solver closes its tapes before the store goes.
   StoreChoice store_;
+  ProgressLine line_;
   Session session_;
   Outputs outputs_;
-  ProgressLine line_;
   RunRecord record_;
   c2d_summary summary_ = C2D_INIT(c2d_summary);
   std::vector<ContactEnd> ends_[2];
@@ -68,6 +69,7 @@ int32_t Run::on_step(void* context, const c2d_step* step) {
           ? &run.record_.coefficients[static_cast<size_t>(step->coefficient) - 1]
           : nullptr;
   const bool again = before != nullptr && !before->table.empty() && before->load == step->load;
+  if (run.coefficient_shown_ != step->coefficient) run.show_contact_zone();
   CoefficientRecord& kept = keep_step(run.record_, *step);
   if (run.outputs_.listing.is_open()) {
     append_step(run.outputs_.listing.text, *step, run.coefficient_shown_ != step->coefficient);
@@ -178,6 +180,12 @@ int Run::follow() {
   return status == C2D_OK ? 0 : library_failed(status);
 }
 
+// The end of the last coefficient that was followed.
+void Run::show_contact_zone() {
+  if (outputs_.listing.is_open() && !record_.coefficients.empty())
+    append_contact_zone(outputs_.listing.text, record_.coefficients.back(), ends_, summary_);
+}
+
 int Run::report() {
   const double start = clock_seconds(nullptr);
   c2d_solver* solver = session_.solver;
@@ -188,7 +196,7 @@ int Run::report() {
     status = append_boundary(outputs_.boundary.text, solver, summary_);
   if (status == C2D_OK && outputs_.listing.is_open()) {
     std::string& out = outputs_.listing.text;
-    for (const CoefficientRecord& c : record_.coefficients) append_contact_zone(out, c, ends_, summary_);
+    show_contact_zone();
     const bool all = summary_.analysis == C2D_ANALYSIS_STRESS || summary_.analysis >= C2D_ANALYSIS_FULL;
     if (solved && all) status = append_global(out, solver, summary_);
   }

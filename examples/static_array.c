@@ -1,0 +1,107 @@
+/* Solves a deck in a static array: no heap, no files but the deck. C99, and valid C++.
+
+     cc -std=c99 static_array.c -lcontact2d -lm -o static_array
+     ./static_array hertz.dat                                                             */
+#include "c2d_memory.h"
+#include "contact2d.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static unsigned char memory[4 << 20]; /* workspace of the solver */
+static unsigned char tapes[8 << 20];  /* what it would otherwise keep in files */
+
+/* The next card, without its line end, and its length. */
+static int32_t read_card(void* context, char* text, int32_t size) {
+  FILE* deck = (FILE*)context;
+  int32_t length = 0;
+  int c = fgetc(deck);
+  if (c == EOF) return ferror(deck) ? -2 : -1;
+  for (; c != EOF && c != '\n'; c = fgetc(deck)) {
+    if (c == '\r') continue;
+    if (length + 1 < size) text[length] = (char)c;
+    ++length;
+  }
+  text[length < size ? length : size - 1] = '\0';
+  return length;
+}
+
+/* Every fault and every warning comes here. */
+static void tell(void* context, const c2d_error* entry) {
+  (void)context;
+  fprintf(stderr, "%s: line %d, column %d: %s\n", entry->severity == C2D_FAULT ? "error" : "warning", (int)entry->line,
+          (int)entry->column, entry->text);
+}
+
+/* After every increment: the largest pressure of all pairs. */
+static int32_t show_step(void* context, const c2d_step* step) {
+  double peak = 0.0;
+  int32_t pair;
+  (void)context;
+  if (step->kind == C2D_STEP_STOPPED) printf("the path ended: %s\n", c2d_outcome_message(step->outcome));
+  for (pair = 0; pair < step->pairs; ++pair) {
+    const double tn = step->table[pair * step->stride + C2D_TN];
+    if (tn > peak) peak = tn;
+  }
+  printf("mu %g  step %3d  load %8.4f  peak pressure %10.4f\n", step->mu, (int)step->step, step->load, peak);
+  return 0;
+}
+
+static int failed(const char* what, c2d_status status, const c2d_error* why) {
+  fprintf(stderr, "%s: %s (%s)\n", what, c2d_message(status), why->text);
+  if (status == C2D_ERR_MEMORY) fprintf(stderr, "%llu bytes would do\n", (unsigned long long)why->bytes_needed);
+  return 1;
+}
+
+static int solve(c2d_solver* solver, FILE* deck) {
+  c2d_error why = C2D_INIT(c2d_error);
+  c2d_summary summary = C2D_INIT(c2d_summary);
+  c2d_status status = c2d_read_deck(solver, read_card, deck);
+  if (status == C2D_OK) status = c2d_prepare(solver);
+  if (status == C2D_OK) status = c2d_run(solver, show_step, NULL);
+  if (status != C2D_OK) {
+    c2d_last_error(solver, &why);
+    return failed("solver", status, &why);
+  }
+  status = c2d_get_summary(solver, &summary);
+  if (status != C2D_OK) return 1;
+  printf("%s: %s, %llu of %llu bytes used\n", summary.title, c2d_outcome_message(summary.outcome),
+         (unsigned long long)summary.peak_bytes, (unsigned long long)sizeof memory);
+  return 0;
+}
+
+int main(int argc, char** argv) {
+  FILE* deck = argc == 2 ? fopen(argv[1], "r") : NULL;
+  c2d_limits limits = C2D_INIT(c2d_limits);
+  c2d_error why = C2D_INIT(c2d_error);
+  c2d_port port = C2D_INIT(c2d_port);
+  c2d_memory_store store;
+  c2d_solver* solver = NULL;
+  c2d_status status;
+  int result;
+
+  if (deck == NULL) {
+    fprintf(stderr, "usage: static_array DECK\n");
+    return 1;
+  }
+  status = c2d_scan_deck(read_card, deck, &limits, &why);
+  if (status != C2D_OK) {
+    fclose(deck);
+    return failed("deck", status, &why);
+  }
+  rewind(deck);
+
+  c2d_memory_store_init(&store, tapes, sizeof tapes);
+  c2d_memory_store_port(&store, &port); /* sets port.context too, which log gets as well */
+  port.log = tell;
+  status = c2d_create(&solver, memory, sizeof memory, &limits, &port, &why);
+  if (status != C2D_OK) {
+    fclose(deck);
+    return failed("workspace", status, &why);
+  }
+  result = solve(solver, deck);
+  fclose(deck);
+  status = c2d_close(solver);
+  if (status != C2D_OK) fprintf(stderr, "close: %s\n", c2d_message(status));
+  return status != C2D_OK ? 1 : result;
+}

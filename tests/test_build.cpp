@@ -1,0 +1,209 @@
+// The house itself: order of includes, the list of sources, ASCII, the public header in C and C++, the
+// example.
+#include "shell.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+using namespace test;
+
+namespace {
+
+const fs::path kRoot = C2D_TEST_ROOT;
+
+bool is_source(const fs::path& path) {
+  const std::string e = path.extension().string();
+  return e == ".cpp" || e == ".hpp" || e == ".c" || e == ".h";
+}
+
+std::vector<fs::path> files_below(const std::string& folder) {
+  std::vector<fs::path> out;
+  for (const auto& entry : fs::recursive_directory_iterator(kRoot / folder))
+    if (entry.is_regular_file()) out.push_back(entry.path());
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+// What stands between the quotes or angle brackets of a file's #include lines, outside // comments.
+std::vector<std::string> includes_of(const fs::path& path) {
+  std::vector<std::string> out;
+  for (const std::string& line : lines_of(read_file(path.string()))) {
+    const size_t hash = line.find_first_not_of(" \t");
+    if (hash == std::string::npos || line[hash] != '#') continue;
+    const size_t word = line.find("include", hash);
+    const size_t open = line.find_first_of("\"<", hash);
+    const size_t close = open == std::string::npos ? open : line.find_first_of("\">", open + 1);
+    if (word != std::string::npos && close != std::string::npos && word < open)
+      out.push_back(line.substr(open + 1, close - open - 1));
+  }
+  return out;
+}
+
+int level_of(const std::string& folder) {
+  static const std::map<std::string, int> kLevels = {
+      {"memory", 0},      {"quadrature", 0}, {"linalg", 0}, {"store", 0}, {"model", 1},  {"bie", 2},
+      {"elimination", 3}, {"contact", 4},    {"solver", 5}, {"deck", 6},  {"report", 7}, {"program", 8}};
+  const auto found = kLevels.find(folder);
+  return found == kLevels.end() ? -1 : found->second;
+}
+
+std::string relative(const fs::path& path) {
+  return fs::relative(path, kRoot).generic_string();
+}
+
+} // namespace
+
+TEST_CASE("build: a file of src/ includes only downward") {
+  int seen = 0;
+  for (const fs::path& path : files_below("src")) {
+    if (!is_source(path)) continue;
+    const std::string name = relative(path);
+    const std::string folder = name.substr(4, name.find('/', 4) - 4);
+    const int level = level_of(folder);
+    CHECK_MESSAGE(level >= 0, name << ": folder " << folder << " has no place in the order");
+    for (const std::string& include : includes_of(path)) {
+      const size_t slash = include.find('/');
+      const int other = slash == std::string::npos ? -1 : level_of(include.substr(0, slash));
+      if (other < 0) continue;
+      ++seen;
+      CHECK_MESSAGE(other <= level, name << " includes " << include);
+      CHECK_MESSAGE(fs::exists(kRoot / "src" / include),
+                    name << " includes " << include << ", which is not there");
+    }
+  }
+  CHECK(seen > 20);
+}
+
+TEST_CASE("build: the core includes no header of an operating system or of the C++ run-time") {
+  static const std::set<std::string> kAllowed = {"stdint.h", "stddef.h",    "string.h",
+                                                 "math.h",   "float.h",     "limits.h",
+                                                 "limits",   "type_traits", "contact2d.h"};
+  for (const fs::path& path : files_below("src")) {
+    const std::string name = relative(path);
+    if (!is_source(path) || name.compare(0, 11, "src/report/") == 0 ||
+        name.compare(0, 12, "src/program/") == 0)
+      continue;
+    for (const std::string& include : includes_of(path)) {
+      const bool own =
+          include.find('/') != std::string::npos && level_of(include.substr(0, include.find('/'))) >= 0;
+      CHECK_MESSAGE((own || kAllowed.count(include) == 1), name << " includes " << include);
+    }
+  }
+}
+
+TEST_CASE("build: report and program use the public interface alone") {
+  for (const fs::path& path : files_below("src")) {
+    const std::string name = relative(path);
+    if (name.compare(0, 11, "src/report/") != 0 && name.compare(0, 12, "src/program/") != 0) continue;
+    for (const std::string& include : includes_of(path)) {
+      const size_t slash = include.find('/');
+      const int level = slash == std::string::npos ? -1 : level_of(include.substr(0, slash));
+      CHECK_MESSAGE((level < 0 || level >= 7), name << " includes " << include);
+    }
+  }
+}
+
+TEST_CASE("build: sources.mk lists what the folders hold, and nothing twice") {
+  std::multiset<std::string> listed;
+  for (const std::string& line : lines_of(read_file((kRoot / "sources.mk").string()))) {
+    const size_t at = line.find("_SOURCES += ");
+    if (at != std::string::npos) listed.insert(line.substr(at + 12));
+  }
+  std::multiset<std::string> found;
+  for (const char* folder : {"src", "port"})
+    for (const fs::path& path : files_below(folder))
+      if (path.extension() == ".cpp" || path.extension() == ".c") found.insert(relative(path));
+  for (const std::string& name : found) CHECK_MESSAGE(listed.count(name) == 1, name << " (make relist)");
+  for (const std::string& name : listed) CHECK_MESSAGE(found.count(name) == 1, name << " (make relist)");
+}
+
+TEST_CASE("build: make and CMake read that list and no other") {
+  const std::string make = read_file((kRoot / "Makefile").string()),
+                    cmake = read_file((kRoot / "CMakeLists.txt").string());
+  CHECK(contains(make, "include sources.mk"));
+  CHECK(contains(cmake, "file(STRINGS sources.mk"));
+  CHECK_FALSE(contains(cmake, ".cpp "));
+  // The archive that these tests are linked with holds one member per listed source.
+  if (!has_command("ar")) return;
+  const size_t members = lines_of(run_shell("ar t '" C2D_TEST_LIBRARY "'").out).size();
+  size_t sources = 0;
+  for (const std::string& line : lines_of(read_file((kRoot / "sources.mk").string())))
+    if (line.compare(0, 16, "CORE_SOURCES += ") == 0 || line.compare(0, 16, "PORT_SOURCES += ") == 0)
+      ++sources;
+  CHECK(members == sources);
+}
+
+TEST_CASE("build: every text is ASCII without tabs or trailing blanks") {
+  for (const char* folder : {"src", "include", "port", "tests", "examples", "packaging"})
+    for (const fs::path& path : files_below(folder)) {
+      if (!is_source(path) && path.extension() != ".dat" && path.extension() != ".in") continue;
+      const std::string text = read_file(path.string());
+      const auto odd = std::find_if(text.begin(), text.end(), [](char c) {
+        return c != '\n' && (static_cast<unsigned char>(c) < 32 || static_cast<unsigned char>(c) > 126);
+      });
+      CHECK_MESSAGE(odd == text.end(), relative(path) << ": byte " << (odd - text.begin()));
+      if (is_source(path))
+        CHECK_MESSAGE(!contains(text, " \n"), relative(path) << ": blanks at the end of a line");
+    }
+}
+
+TEST_CASE("build: the public headers compile alone, as C99 and as C++, with all warnings") {
+  const Folder folder;
+  std::vector<std::string> headers = {(kRoot / "include/contact2d.h").string()};
+  for (const fs::path& path : files_below("port"))
+    if (path.extension() == ".h") headers.push_back(path.string());
+  for (const std::string& header : headers) {
+    write_file(folder / "a.c", "#include \"" + header +
+                                   "\"\nint a(void);\nint a(void) { c2d_limits l = "
+                                   "C2D_INIT(c2d_limits); return (int)l.struct_size; }\n");
+    const std::string include = " -I'" + (kRoot / "include").string() + "' ";
+    const Result c = run_shell(C2D_TEST_CC " -std=c99 -pedantic -Wall -Wextra -Werror" + include + "-c '" +
+                               (folder / "a.c") + "' -o '" + (folder / "a.o") + "'");
+    CHECK_MESSAGE(c.status == 0, header << "\n" << c.err);
+    const Result cxx = run_shell(C2D_TEST_CXX " -x c++ -std=c++17 -pedantic -Wall -Wextra -Werror" + include +
+                                 "-c '" + (folder / "a.c") + "' -o '" + (folder / "a.o") + "'");
+    CHECK_MESSAGE(cxx.status == 0, header << "\n" << cxx.err);
+  }
+}
+
+namespace {
+
+// Compiles examples/static_array.c with `compiler`, links it with the C compiler, runs it on a deck.
+Result run_example(const std::string& compiler, const std::string& deck) {
+  const Folder folder;
+  const std::string root = kRoot.string(), object = folder / "a.o", program = folder / "a";
+  const Result compiled =
+      run_shell(compiler + " -Wall -Wextra -Werror -I'" + root + "/include' -I'" + root +
+                "/port/memory' -c '" + root + "/examples/static_array.c' -o '" + object + "'");
+  if (compiled.status != 0) return compiled;
+  const Result linked =
+      run_shell(C2D_TEST_CC " '" + object + "' '" C2D_TEST_LIBRARY "' -lm -o '" + program + "'");
+  if (linked.status != 0) return linked;
+  return run_shell("'" + program + "' '" + root + "/examples/" + deck + "'");
+}
+
+} // namespace
+
+TEST_CASE("example: static_array.c is C99, links with plain cc and -lm, and solves the sample") {
+  if (kSanitized) return; // its library needs the sanitizer's run-time
+  const Result result = run_example(C2D_TEST_CC " -std=c99 -pedantic", "hertz.dat");
+  CHECK_MESSAGE(result.status == 0, result.out << result.err);
+  const std::vector<std::string> lines = lines_of(result.out);
+  REQUIRE(lines.size() == 2 * 28 + 1); // two coefficients, 14 load cards of 2 increments
+  double load = 0.0, peak = 0.0;
+  REQUIRE(std::sscanf(lines[27].c_str(), "mu 0.4 step 28 load %lf peak pressure %lf", &load, &peak) == 2);
+  CHECK(load == doctest::Approx(1.03));
+  CHECK(peak > 190.0); // Hertz: 208 for the load of 468.7 per unit length
+  CHECK(peak < 230.0);
+}
+
+TEST_CASE("example: static_array.c is C++ as well, and tells an unusable deck") {
+  if (kSanitized) return;
+  const std::string cxx = C2D_TEST_CXX " -x c++ -std=c++17 -pedantic -fno-exceptions -fno-rtti";
+  const Result result = run_example(cxx, "plate_tension.dat");
+  CHECK_MESSAGE(result.status == 0, result.out << result.err);
+  CHECK(run_example(cxx, "static_array.c").status == 1);
+}

@@ -1,0 +1,152 @@
+// What the archive's core members may contain and ask for: nothing of an operating system, of a heap, of the
+// C++ run-time; no writable data.
+#include "shell.hpp"
+
+#include <doctest/doctest.h>
+
+#include <set>
+
+using namespace test;
+
+namespace {
+
+// What the compiler or the mathematics may call.
+const std::set<std::string> kAllowed = {"memcpy",
+                                        "memset",
+                                        "memmove",
+                                        "memcmp",
+                                        "strlen",
+                                        "strcmp",
+                                        "strncmp",
+                                        "memchr",
+                                        "sqrt",
+                                        "fabs",
+                                        "log",
+                                        "log10",
+                                        "log1p",
+                                        "exp",
+                                        "pow",
+                                        "sin",
+                                        "cos",
+                                        "tan",
+                                        "asin",
+                                        "acos",
+                                        "atan",
+                                        "atan2",
+                                        "hypot",
+                                        "floor",
+                                        "ceil",
+                                        "fmod",
+                                        "fmin",
+                                        "fmax",
+                                        "sincos",
+                                        "cbrt",
+                                        "ldexp",
+                                        "frexp",
+                                        "scalbn",
+                                        "copysign",
+                                        "sqrtf",
+                                        "logf",
+                                        "_GLOBAL_OFFSET_TABLE_"};
+
+struct Symbol {
+  std::string member, name;
+  char kind;
+};
+
+bool is_core(const std::string& member) {
+  return member.compare(0, 5, "port_") != 0;
+}
+
+// nm's answer: "member:" lines, then lines of an address (or none), a letter and a name.
+std::vector<Symbol> core_symbols() {
+  std::vector<Symbol> out;
+  std::string member;
+  for (const std::string& line : lines_of(run_shell("nm -P '" C2D_TEST_CORE "'").out)) {
+    const size_t open = line.rfind('['), close = line.rfind("]:");
+    if (open != std::string::npos && close != std::string::npos && close > open) {
+      member = line.substr(open + 1, close - open - 1);
+      continue;
+    }
+    std::istringstream in(line);
+    std::string name, kind;
+    if (in >> name >> kind && kind.size() == 1 && is_core(member)) out.push_back({member, name, kind[0]});
+  }
+  return out;
+}
+
+bool is_forbidden(const std::string& name) {
+  static const char* const kParts[] = {"malloc", "calloc",   "realloc",   "_Znw",           "_Zna",   "_Zdl",
+                                       "_Zda",   "__cxa",    "_ZTI",      "_ZTS",           "_ZTV",   "__gxx",
+                                       "printf", "iostream", "_ZNSt",     "_ZSt",           "abort",  "exit",
+                                       "strtod", "strtol",   "setlocale", "__tls_get_addr", "_Unwind"};
+  for (const char* part : kParts)
+    if (contains(name, part)) return true;
+  return name == "free" || name == "puts" || name == "fopen" || name == "errno" || name == "__errno_location";
+}
+
+} // namespace
+
+TEST_CASE("symbols: the core asks only for memory moves and mathematics") {
+  if (kSanitized || !has_command("nm")) return;
+  const std::vector<Symbol> symbols = core_symbols();
+  REQUIRE(symbols.size() > 100);
+  std::set<std::string> defined;
+  for (const Symbol& s : symbols)
+    if (s.kind != 'U') defined.insert(s.name);
+  for (const Symbol& s : symbols) {
+    CHECK_MESSAGE(!is_forbidden(s.name), s.member << ": " << s.name);
+    if (s.kind == 'U')
+      CHECK_MESSAGE(defined.count(s.name) + kAllowed.count(s.name) > 0, s.member << ": " << s.name);
+  }
+}
+
+TEST_CASE("symbols: no writable data, no weak doubles of the run-time, no static constructors") {
+  if (kSanitized || !has_command("nm")) return;
+  // d, b, c: initialised, zeroed and common data. .data.rel.ro (constant tables of addresses) is d too in
+  // nm's eyes, so sections decide where there are any.
+  for (const Symbol& s : core_symbols())
+    CHECK_MESSAGE(std::string("bBcCgGsS").find(s.kind) == std::string::npos, s.member << ": " << s.name);
+  if (!has_command("objdump")) return;
+  std::string member;
+  for (const std::string& line : lines_of(run_shell("objdump -h '" C2D_TEST_CORE "'").out)) {
+    const size_t format = line.find(":     file format");
+    if (format != std::string::npos) {
+      member = line.substr(0, format);
+      continue;
+    }
+    std::istringstream in(line);
+    std::string index, name, size;
+    if (!(in >> index >> name >> size) || !is_core(member)) continue;
+    const bool writable = name == ".bss" || name == ".data" || name.compare(0, 5, ".bss.") == 0 ||
+                          name == ".tdata" || name == ".tbss" ||
+                          (name.compare(0, 6, ".data.") == 0 && name.compare(0, 12, ".data.rel.ro") != 0);
+    if (writable) CHECK_MESSAGE(std::stoul(size, nullptr, 16) == 0, member << ": " << name << " " << size);
+    CHECK_MESSAGE(name.compare(0, 11, ".init_array") != 0, member);
+    CHECK_MESSAGE(name.compare(0, 6, ".ctors") != 0, member);
+    CHECK_MESSAGE(name.compare(0, 17, ".gcc_except_table") != 0, member);
+  }
+}
+
+TEST_CASE("symbols: every public function is in the library, and all C names begin with c2d_") {
+  if (kSanitized || !has_command("nm")) return;
+  std::set<std::string> defined;
+  for (const Symbol& s : core_symbols())
+    if (s.kind == 'T') defined.insert(s.name);
+  const std::string header = read_file(C2D_TEST_ROOT "/include/contact2d.h");
+  int seen = 0;
+  for (const std::string& line : lines_of(header)) {
+    const bool declares = line.compare(0, 11, "c2d_status ") == 0 ||
+                          line.compare(0, 15, "const char* c2d") == 0 ||
+                          line.compare(0, 12, "int32_t c2d_") == 0;
+    if (!declares) continue;
+    const size_t begin = line.find("c2d_", line.compare(0, 11, "c2d_status ") == 0 ? 11 : 0),
+                 end = line.find('(', begin);
+    if (begin == std::string::npos || end == std::string::npos) continue;
+    ++seen;
+    CHECK_MESSAGE(defined.count(line.substr(begin, end - begin)) == 1, line.substr(begin, end - begin));
+  }
+  CHECK(seen > 30);
+  for (const std::string& name : defined)
+    if (name.compare(0, 2, "_Z") != 0) CHECK_MESSAGE(name.compare(0, 4, "c2d_") == 0, name);
+}
