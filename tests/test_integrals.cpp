@@ -16,9 +16,9 @@ namespace {
 using Long = long double;
 constexpr double kPi = 3.14159265358979323846;
 
-// Reference integrals: the kernels written out from their definition, extended precision, panels halved until they
-// are short compared with their distance from the source. Positions are measured from the parameter `origin`, so
-// that they stay exact next to it.
+// Reference integrals: the kernels written out from their definition, extended precision, panels halved until
+// they are short compared with their distance from the source. Positions are measured from the parameter
+// `origin`, so that they stay exact next to it.
 struct Reference {
   Element e;
   int functions;
@@ -103,8 +103,8 @@ struct Reference {
   }
 
   // Source (sx,sy); `near` = parameter close to its nearest point; at_source: the source is that point.
-  Reference(const Element& element, int order, double poisson, double near, double sx, double sy, bool at_source,
-            const Element* other = nullptr, bool backwards = false)
+  Reference(const Element& element, int order, double poisson, double near, double sx, double sy,
+            bool at_source, const Element* other = nullptr, bool backwards = false)
       : e(element), functions(order), nu(poisson), origin(near), coefficient(), delta(), arc(other),
         reversed(backwards), h(), g(), scale_h(0), scale_g(0) {
     const Long source[2] = {sx, sy};
@@ -114,7 +114,8 @@ struct Reference {
       const double* node = i == 0 ? e.x : e.y;
       for (int l = 0; l < e.nodes; ++l) {
         const double* s = shape_coefficients(e.nodes, l);
-        for (int k = 0; k < e.nodes; ++k) c[k] += static_cast<Long>(s[k]) * (static_cast<Long>(node[l]) - node[end]);
+        for (int k = 0; k < e.nodes; ++k)
+          c[k] += static_cast<Long>(s[k]) * (static_cast<Long>(node[l]) - node[end]);
       }
       const Long o = origin, u = near > 0 ? 1 : -1;
       Long at = 0; // x(origin) - x(end) = sum c_k (o^k - u^k)
@@ -183,13 +184,15 @@ Element circular_arc(int nodes, double radius, double from, double to) {
 }
 
 std::vector<Element> curved_elements() {
-  const double x3[] = {0.0, 0.4, 1.0}, y3[] = {0.0, 0.0, 0.0};                // straight line, uneven nodes
-  const double x4[] = {0.0, 0.3, 0.7, 1.0}, y4[] = {0.0, 0.12, -0.1, 0.05};   // an S
-  return {circular_arc(3, 2.0, 0.1, 0.4), circular_arc(3, 1.0, 0.0, kPi / 2), circular_arc(4, 1.5, 1.0, 1.9),
-          circular_arc(4, 1.0, 0.0, kPi), make_element(3, x3, y3), make_element(4, x4, y4)};
+  const double x3[] = {0.0, 0.4, 1.0}, y3[] = {0.0, 0.0, 0.0};              // straight line, uneven nodes
+  const double x4[] = {0.0, 0.3, 0.7, 1.0}, y4[] = {0.0, 0.12, -0.1, 0.05}; // an S
+  return {circular_arc(3, 2.0, 0.1, 0.4), circular_arc(3, 1.0, 0.0, kPi / 2),
+          circular_arc(4, 1.5, 1.0, 1.9), circular_arc(4, 1.0, 0.0, kPi),
+          make_element(3, x3, y3),        make_element(4, x4, y4)};
 }
 
-// Sources around an element: from parameter eta, `distance` element lengths away under `angle` to the tangent.
+// Sources around an element: from parameter eta, `distance` element lengths away under `angle` to the
+// tangent.
 struct Place {
   double x, y;
 };
@@ -204,7 +207,8 @@ Place place(const Element& e, double eta, double distance, double angle) {
           py + distance * length * (std::cos(angle) * ty + std::sin(angle) * tx)};
 }
 
-constexpr double kDistances[] = {1e-9, 1e-6, 1e-3, 0.03, 0.2, 0.6, 1.2, 1.6, 2.0, 3.1, 5.5, 20, 300, 1e4, 1e6};
+constexpr double kDistances[] = {1e-9, 1e-6, 1e-3, 0.03, 0.2, 0.6, 1.2, 1.6,
+                                 2.0,  3.1,  5.5,  20,   300, 1e4, 1e6};
 
 void check_place(const Integrator& in, double nu, double eta, const Place& s, double limit) {
   const Reference r(in.element, in.functions, nu, eta, s.x, s.y, false);
@@ -420,7 +424,8 @@ TEST_CASE("rotation and uniform strain of a body without the tractions' help: So
   // u = linear field; c u(P) + int T u = int U t / (2G) on a closed polygon, linear elements exact for it.
   const double nu = 0.3, lambda = 2.0 * nu / (1.0 - 2.0 * nu) * 0.5; // lambda/2G
   for (const bool rotation : {true, false}) {
-    const double a[2][2] = {{rotation ? 0.0 : 0.7, rotation ? -1.0 : 0.2}, {rotation ? 1.0 : 0.5, rotation ? 0.0 : -0.4}};
+    const double a[2][2] = {{rotation ? 0.0 : 0.7, rotation ? -1.0 : 0.2},
+                            {rotation ? 1.0 : 0.5, rotation ? 0.0 : -0.4}};
     const double trace = a[0][0] + a[1][1];
     double stress[2][2]; // over 2G
     for (int i = 0; i < 2; ++i) {
@@ -437,7 +442,8 @@ TEST_CASE("rotation and uniform strain of a body without the tractions' help: So
       for (int l = 0; l < 2; ++l) {
         for (int i = 0; i < 2; ++i) {
           for (int j = 0; j < 2; ++j) {
-            const double u = a[j][0] * e.x[l] + a[j][1] * e.y[l], t = stress[j][0] * p.nx + stress[j][1] * p.ny;
+            const double u = a[j][0] * e.x[l] + a[j][1] * e.y[l],
+                         t = stress[j][0] * p.nx + stress[j][1] * p.ny;
             left[i] += b.h[l][i][j] * u - b.g[l][i][j] * t;
             size += std::fabs(b.h[l][i][j] * u);
           }
@@ -564,7 +570,8 @@ TEST_CASE("resultants: forces and first moments of every functional order") {
   }
 }
 
-TEST_CASE("thesis rule: 10, 4, 2 points by distance to the nodes, and the logarithmic formula at the own node") {
+TEST_CASE(
+    "thesis rule: 10, 4, 2 points by distance to the nodes, and the logarithmic formula at the own node") {
   const double x[] = {0.0, 1.0}, y[] = {0.0, 0.0};
   const Element e = make_element(2, x, y);
   Integrator in, exact;
@@ -586,7 +593,8 @@ TEST_CASE("thesis rule: 10, 4, 2 points by distance to the nodes, and the logari
     integrate(in, c.sx, 0.0, -1, true, true, b);
     CHECK(std::fabs(b.g[1][0][0] - g) < 1e-15);
   }
-  // The logarithmic formula is exact on straight elements up to cubic functions: polynomials times logarithms.
+  // The logarithmic formula is exact on straight elements up to cubic functions: polynomials times
+  // logarithms.
   for (int functions = 1; functions <= 4; ++functions) {
     prepare(in, e, functions, 0.3, Quadrature::thesis);
     prepare(exact, e, functions, 0.3, Quadrature::accurate);
@@ -603,7 +611,8 @@ TEST_CASE("thesis rule: 10, 4, 2 points by distance to the nodes, and the logari
       for (int m = 0; m < functions; ++m) CHECK(std::fabs(b.g[m][0][0] - s.g[m][0][0]) < 2e-3);
     }
   }
-  // Curved geometry of another order than the functions: errata, item 4. 10 points on a mild arc see g to 1e-6.
+  // Curved geometry of another order than the functions: errata, item 4. 10 points on a mild arc see g to
+  // 1e-6.
   const Element arc = circular_arc(3, 2.0, 0.1, 0.5);
   for (const int functions : {1, 2, 4}) {
     prepare(in, arc, functions, 0.3, Quadrature::thesis);

@@ -36,11 +36,11 @@ void prepare_chord(Integrator& in) {
   in.log_half = 0.5 * log(in.chord2);
 }
 
-// Distances at which the Gauss rules do. Inside a disc of radius R about the middle, which holds the Bernstein
-// ellipse of semi-axis R, |x - x(0)| <= |c1| R + |c2| R^2 + |c3| R^3: a source farther from x(0) leaves the kernels
-// analytic. J for g must be analytic there too.
+// Distances at which the Gauss rules do. Inside a disc of radius R about the middle, which holds the
+// Bernstein ellipse of semi-axis R, |x - x(0)| <= |c1| R + |c2| R^2 + |c3| R^3: a source farther from x(0)
+// leaves the kernels analytic. J for g must be analytic there too.
 void prepare_reach(Integrator& in) {
-  const double (&c)[4][2] = in.element.c;
+  const double(&c)[4][2] = in.element.c;
   const int degree = in.functions - 1 + (in.element.straight ? 0 : 1);
   const double c1 = length(c[1]), c2 = length(c[2]), c3 = length(c[3]);
   for (int i = 0; i < kFarOrderCount; ++i) {
@@ -75,7 +75,7 @@ bool has_no_zero(const double d[3][2], double origin, double radius) {
 }
 
 Expansion expand(const Integrator& in, double origin, double sx, double sy, bool at_source) {
-  const double (&c)[4][2] = in.element.c;
+  const double(&c)[4][2] = in.element.c;
   const double source[2] = {sx, sy};
   Expansion x;
   x.origin = origin;
@@ -134,7 +134,8 @@ void set_arc(Integrator& in, const Element& arc, bool reversed) {
   refresh(in);
 }
 
-void integrate(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out) {
+void integrate(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g,
+               Blocks& out) {
   if (in.degenerate) {
     if (want_h) clear(out.h, in.functions);
     if (want_g) clear(out.g, in.functions);

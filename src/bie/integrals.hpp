@@ -21,8 +21,8 @@ struct Blocks {
   double g[4][2][2];
 };
 
-// Everything about an element that does not depend on the source; filled by prepare() and set_arc(), read only
-// afterwards. No pointers: may be copied.
+// Everything about an element that does not depend on the source; filled by prepare() and set_arc(), read
+// only afterwards. No pointers: may be copied.
 struct Integrator {
   Element element;
   int functions;
@@ -30,33 +30,35 @@ struct Integrator {
   double k, kappa, t1, t2; // 1/(4 pi (1-nu)), 3-4nu, 1-2nu, 2-2nu
   // chord: half-vector over its squared length, squared half length and its logarithm, doubled angle
   double ux, uy, chord2, log_half, cos2, sin2;
-  double radius;           // of a circle about the chord's middle that holds the element
-  bool degenerate;         // zero length: all integrals are 0
-  bool closed_form_g;      // straight, and J for g is constant
-  double g_jacobian;       // that constant
-  double d[3][2];          // J for g = |d0 + d1 eta + d2 eta^2|
-  double reach2[10];       // squared distance from c[0] beyond which the i-th Gauss rule is enough
-  double semi_axis;        // of the ellipse a panel of the near rule needs
+  double radius;      // of a circle about the chord's middle that holds the element
+  bool degenerate;    // zero length: all integrals are 0
+  bool closed_form_g; // straight, and J for g is constant
+  double g_jacobian;  // that constant
+  double d[3][2];     // J for g = |d0 + d1 eta + d2 eta^2|
+  double reach2[10];  // squared distance from c[0] beyond which the i-th Gauss rule is enough
+  double semi_axis;   // of the ellipse a panel of the near rule needs
 };
 
 // Element e with `functions` (1..4) functional nodes, effective plane-strain nu in (-1, 0.5].
 void prepare(Integrator& in, const Element& e, int functions, double nu, Quadrature mode);
 
-// Measures g (and resultants) per length of another element: J becomes that of `arc` at the matching point, eta or
-// -eta if `reversed`. Positions, and the numbering of local nodes, stay those of the element. Call after prepare().
+// Measures g (and resultants) per length of another element: J becomes that of `arc` at the matching point,
+// eta or -eta if `reversed`. Positions, and the numbering of local nodes, stay those of the element. Call
+// after prepare().
 void set_arc(Integrator& in, const Element& arc, bool reversed);
 
-// Blocks of the source point (sx,sy). `singular`: local functional node with which the source coincides, -1 if
-// none; its own h is set to zero (free term and principal value come from rigid translation), its g is complete.
-// A source on the element but not on one of its functional nodes is not allowed (the result is finite, but
-// meaningless). Blocks not wanted are not touched.
-void integrate(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out);
+// Blocks of the source point (sx,sy). `singular`: local functional node with which the source coincides, -1
+// if none; its own h is set to zero (free term and principal value come from rigid translation), its g is
+// complete. A source on the element but not on one of its functional nodes is not allowed (the result is
+// finite, but meaningless). Blocks not wanted are not touched.
+void integrate(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g,
+               Blocks& out);
 
 // sum[i][j] = sum over l != singular of h[l][i][j].
 void rigid_sum(const Integrator& in, double sx, double sy, int singular, double sum[2][2]);
 
-// w[l] = int M_l J deta, wx[l] = int M_l (x-ox) J deta, wy[l] = int M_l (y-oy) J deta; J as for g. To round-off in
-// either mode (exact where the integrand is a polynomial).
+// w[l] = int M_l J deta, wx[l] = int M_l (x-ox) J deta, wy[l] = int M_l (y-oy) J deta; J as for g. To
+// round-off in either mode (exact where the integrand is a polynomial).
 void resultants(const Integrator& in, double ox, double oy, double w[4], double wx[4], double wy[4]);
 
 } // namespace c2d

@@ -1,6 +1,7 @@
 // Curved elements, or a Jacobian that is not constant. Far away: the cheapest Gauss rule whose a-priori bound
-// holds. Near: panels growing geometrically away from the nearest point, each with its own check of the bound.
-// Source on the element: the same, with r = tau |q(tau)| factored, and a logarithmic rule next to the source.
+// holds. Near: panels growing geometrically away from the nearest point, each with its own check of the
+// bound. Source on the element: the same, with r = tau |q(tau)| factored, and a logarithmic rule next to the
+// source.
 #include "bie/integrals_detail.hpp"
 #include "bie/shape.hpp"
 #include "quadrature/gauss.hpp"
@@ -44,8 +45,8 @@ void add_point(const Job& job, const Sample& s, double weight, double r2, double
   }
 }
 
-// Gauss on a panel. In the panel at the source (`own`), ln r = ln(tau/c) + ln(c |q|), c = length of the panel: the
-// second part here, the first by the logarithmic rule.
+// Gauss on a panel. In the panel at the source (`own`), ln r = ln(tau/c) + ln(c |q|), c = length of the
+// panel: the second part here, the first by the logarithmic rule.
 void add_panel(const Job& job, const Expansion& x, const Panel& p, bool own, int order, Sums& sums) {
   const GaussRule rule = gauss_legendre(order);
   const double half = 0.5 * (p.to - p.from), middle = 0.5 * (p.from + p.to);
@@ -65,8 +66,8 @@ void add_panel(const Job& job, const Expansion& x, const Panel& p, bool own, int
   }
 }
 
-// Does the rule do on this panel? In the disc about its middle that holds the panel's ellipse neither x - source
-// (q in the source's own panel) nor, for g, dx/deta of J may vanish; both by the triangle inequality.
+// Does the rule do on this panel? In the disc about its middle that holds the panel's ellipse neither x -
+// source (q in the source's own panel) nor, for g, dx/deta of J may vanish; both by the triangle inequality.
 bool resolved(const Job& job, const Expansion& x, const Panel& p, bool own) {
   const double t = p.sign * 0.5 * (p.from + p.to), radius = job.in.semi_axis * 0.5 * (p.to - p.from);
   double at[2], d1[2], d2[2], d3[2];
@@ -82,8 +83,8 @@ bool resolved(const Job& job, const Expansion& x, const Panel& p, bool own) {
   return !job.want_g || has_no_zero(job.in.d, x.origin + t, radius);
 }
 
-// One side of the origin, |tau| from 0 to `end`. The loops are bounded; the bounds are out of reach unless the
-// source lies on the element without being a node of it.
+// One side of the origin, |tau| from 0 to `end`. The loops are bounded; the bounds are out of reach unless
+// the source lies on the element without being a node of it.
 void add_side(const Job& job, const Expansion& x, double sign, double end, Sums& sums) {
   Panel p = {0.0, end, sign};
   for (int panel = 0; panel < 200 && p.from < end; ++panel) {
@@ -103,8 +104,9 @@ double distance2(const Expansion& x, double tau) {
   return square(r);
 }
 
-// Parameter, relative to the expansion's origin and within [lo, hi], close to the point nearest to the source:
-// real part of the complex root of x = source by Newton's method, if that is nearer than the best of a few points.
+// Parameter, relative to the expansion's origin and within [lo, hi], close to the point nearest to the
+// source: real part of the complex root of x = source by Newton's method, if that is nearer than the best of
+// a few points.
 double nearest(const Expansion& x, double lo, double hi) {
   double best = 0.0, best2 = distance2(x, 0.0);
   for (int i = 0; i <= 8; ++i) {
@@ -128,7 +130,8 @@ double nearest(const Expansion& x, double lo, double hi) {
     }
     const double slope2 = square(df);
     if (!(slope2 > 1e-12 * square(x.b[0]))) break;
-    const double step_re = (f[0] * df[0] + f[1] * df[1]) / slope2, step_im = (f[1] * df[0] - f[0] * df[1]) / slope2;
+    const double step_re = (f[0] * df[0] + f[1] * df[1]) / slope2,
+                 step_im = (f[1] * df[0] - f[0] * df[1]) / slope2;
     re -= step_re;
     im -= step_im;
     if (re * re + im * im > 16.0) break;
@@ -156,8 +159,8 @@ Expansion moved(const Expansion& x, double tau) {
   return y;
 }
 
-// Near the element, but not on it. All lengths are measured from the nearer end, so that a source close to an end
-// is as accurate as one in the open.
+// Near the element, but not on it. All lengths are measured from the nearer end, so that a source close to an
+// end is as accurate as one in the open.
 void add_near(const Job& job, double sx, double sy, Sums& sums) {
   const Element& e = job.in.element;
   const int last = e.nodes - 1;
@@ -190,6 +193,9 @@ void integrate_curved(const Integrator& in, double sx, double sy, int singular, 
     while (i < kFarOrderCount && r2 <= in.reach2[i]) ++i;
     if (i < kFarOrderCount) {
       add_panel(job, x, {-1.0, 1.0, 1.0}, false, kFarOrders[i], sums);
+    } else if (resolved(job, x, {0.0, 1.0, 1.0}, false) && resolved(job, x, {0.0, 1.0, -1.0}, false)) {
+      add_panel(job, x, {0.0, 1.0, 1.0}, false, kNearOrder, sums);
+      add_panel(job, x, {0.0, 1.0, -1.0}, false, kNearOrder, sums);
     } else {
       add_near(job, sx, sy, sums);
     }

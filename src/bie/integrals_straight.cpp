@@ -1,5 +1,5 @@
-// Closed forms on straight elements. In units of the half chord vector h (a complex number), about the middle,
-// the source is z = xi + i zeta, and with rho^2 = |eta - z|^2
+// Closed forms on straight elements. In units of the half chord vector h (a complex number), about the
+// middle, the source is z = xi + i zeta, and with rho^2 = |eta - z|^2
 //   1/(eta-z) = (eta-xi + i zeta)/rho^2,
 // so that all kernels follow from the complex moments C_k = int eta^k/(eta-z), D_k = int eta^k/(eta-z)^2 and
 // E_k = int eta^k ln|eta-z|, k < functions. In axes along the element, with n = (0,-1):
@@ -46,11 +46,13 @@ struct Moments {
   double e[4];
 };
 
-// Squared distances from the middle: beyond kFarStart the series in 1/z^2 replaces logarithm and angle.
-constexpr double kFarStart = 12.0;
+// Squared distance from the middle beyond which the series in 1/z^2 replaces logarithm and angle: the
+// recurrence loses |z|^functions, the series is slow near 1.
+constexpr double kFarStart[] = {0.0, 60.0, 60.0, 12.0, 12.0}; // by number of functions
 constexpr double kSmallest = 1e-290;
 
-// Zeta, and the position along the element, are taken from the nearer end, where they are small numbers exactly.
+// Zeta, and the position along the element, are taken from the nearer end, where they are small numbers
+// exactly.
 Source locate(const Integrator& in, double sx, double sy) {
   const Element& e = in.element;
   const int last = e.nodes - 1;
@@ -75,8 +77,8 @@ Complex logarithm(const Source& s, double log1, double log2) {
   return {0.5 * (log2 - log1), atan2(2.0 * s.z.im, s.xi1 * s.xi2 + s.z.im * s.z.im)};
 }
 
-// Forward recurrence C_{k+1} = z C_k + mu_k, D_k = [-eta^k/(eta-z)] + k C_{k-1}: loses |z|^functions, harmless here.
-// Returns ln|z^2-1|.
+// Forward recurrence C_{k+1} = z C_k + mu_k, D_k = [-eta^k/(eta-z)] + k C_{k-1}: loses |z|^functions,
+// harmless here. Returns ln|z^2-1|.
 double near_moments(const Source& s, int functions, Moments& m) {
   const double log1 = log(s.n1), log2 = log(s.n2);
   m.c[0] = logarithm(s, log1, log2);
@@ -90,10 +92,12 @@ double near_moments(const Source& s, int functions, Moments& m) {
   return 0.5 * (log1 + log2);
 }
 
-constexpr double kReciprocal[] = {1.0 / 3,  1.0 / 5,  1.0 / 7,  1.0 / 9,  1.0 / 11, 1.0 / 13, 1.0 / 15, 1.0 / 17,
-                                  1.0 / 19, 1.0 / 21, 1.0 / 23, 1.0 / 25, 1.0 / 27, 1.0 / 29, 1.0 / 31};
+constexpr double kReciprocal[] = {1.0 / 3,  1.0 / 5,  1.0 / 7,  1.0 / 9,  1.0 / 11,
+                                  1.0 / 13, 1.0 / 15, 1.0 / 17, 1.0 / 19, 1.0 / 21,
+                                  1.0 / 23, 1.0 / 25, 1.0 / 27, 1.0 / 29, 1.0 / 31};
 
-// sum_{m<terms} w^m/(2m+first) by the recurrence for polynomials with real coefficients at a complex argument.
+// sum_{m<terms} w^m/(2m+first) by the recurrence for polynomials with real coefficients at a complex
+// argument.
 Complex odd_series(Complex w, int first, int terms) {
   const double trace = 2.0 * w.re, norm = w.re * w.re + w.im * w.im;
   const double* a = kReciprocal + (first - 3) / 2;
@@ -142,10 +146,10 @@ void far_moments(const Source& s, double z2, int functions, Moments& m) {
   }
 }
 
-void find_moments(const Source& s, int functions, bool want_g, Moments& m) {
+inline void find_moments(const Source& s, int functions, bool want_g, Moments& m) {
   const double z2 = s.z.re * s.z.re + s.z.im * s.z.im;
   double log_product = 0.0; // ln|z^2-1|
-  if (z2 < kFarStart) {
+  if (z2 < kFarStart[functions]) {
     log_product = near_moments(s, functions, m);
   } else {
     far_moments(s, z2, functions, m);
@@ -171,19 +175,41 @@ double mean(int functions, int l) {
 // For functional orders 1, 2, 3, 4, source node l, function m, row by row:
 // int M_m/(eta-eta_l) (0 for m = l), and int M_m ln|eta-eta_l|.
 constexpr double kPole[] = {
-    0.0, 0.0, 1.0, -1.0, 0.0, 0.0, 2.0, 0.0,
-    -1.0, 0.0, 1.0, 0.0, -2.0, 0.0, 0.0, 2.25,
-    0.0, 0.25, -0.75, 0.0, 2.25, 0.0, 0.0, -2.25,
-    0.0, 0.75, -0.25, 0.0, -2.25, 0.0,};
+    0.0,  0.0, 1.0,  -1.0,  0.0, 0.0,  2.0, 0.0, -1.0,  0.0, 1.0,  0.0,   -2.0, 0.0,   0.0,
+    2.25, 0.0, 0.25, -0.75, 0.0, 2.25, 0.0, 0.0, -2.25, 0.0, 0.75, -0.25, 0.0,  -2.25, 0.0,
+};
 constexpr double kLog[] = {
-    -2.0, -0.80685281944005469, 0.19314718055994531, 0.19314718055994531,
-    -0.80685281944005469, -0.71339538425779601, -0.18691487036451737, 0.28660461574220399,
-    -0.11111111111111111, -1.7777777777777778, -0.11111111111111111, 0.28660461574220399,
-    -0.18691487036451737, -0.71339538425779601, -0.51421320486001367, -0.66763961458004102,
-    0.45736038541995898, 0.11078679513998633, -0.16386627702704110, -1.5458994576233577,
-    -0.20880133725006079, 0.031833096430724529, 0.031833096430724529, -0.20880133725006079,
-    -1.5458994576233577, -0.16386627702704110, 0.11078679513998633, 0.45736038541995898,
-    -0.66763961458004102, -0.51421320486001367,};
+    -2.0,
+    -0.80685281944005469,
+    0.19314718055994531,
+    0.19314718055994531,
+    -0.80685281944005469,
+    -0.71339538425779601,
+    -0.18691487036451737,
+    0.28660461574220399,
+    -0.11111111111111111,
+    -1.7777777777777778,
+    -0.11111111111111111,
+    0.28660461574220399,
+    -0.18691487036451737,
+    -0.71339538425779601,
+    -0.51421320486001367,
+    -0.66763961458004102,
+    0.45736038541995898,
+    0.11078679513998633,
+    -0.16386627702704110,
+    -1.5458994576233577,
+    -0.20880133725006079,
+    0.031833096430724529,
+    0.031833096430724529,
+    -0.20880133725006079,
+    -1.5458994576233577,
+    -0.16386627702704110,
+    0.11078679513998633,
+    0.45736038541995898,
+    -0.66763961458004102,
+    -0.51421320486001367,
+};
 
 int own_offset(int functions, int singular) {
   constexpr int kStart[] = {0, 1, 5, 14};
@@ -202,6 +228,29 @@ void integrate_own_line(const Integrator& in, int singular, bool want_h, bool wa
   }
 }
 
+// One local node from its moments c = int M/(eta-z), d = int M/(eta-z)^2, e = int M ln|eta-z|, mu = int M.
+inline void store_node(const Integrator& in, double zeta, Complex c, Complex d, double e, double mu,
+                       bool want_h, bool want_g, int l, Blocks& out) {
+  if (want_h) {
+    const Tensor t = {-in.t2 * c.im, -zeta * d.re, zeta * d.im, -in.t1 * c.re};
+    store(rotated(in, t), in.k, out.h[l]);
+  }
+  if (want_g) {
+    const Tensor u = {0.5 * mu - in.kappa * (mu * in.log_half + e), 0.5 * mu - zeta * c.im, -zeta * c.re,
+                      0.0};
+    store(rotated(in, u), in.k * in.g_jacobian, out.g[l]);
+  }
+}
+
+// The commonest order, M = (1 -+ eta)/2, without a loop.
+void store_linear(const Integrator& in, double zeta, const Moments& m, bool want_h, bool want_g,
+                  Blocks& out) {
+  const Complex c = 0.5 * m.c[0], c1 = 0.5 * m.c[1], d = 0.5 * m.d[0], d1 = 0.5 * m.d[1];
+  const double e = 0.5 * m.e[0], e1 = 0.5 * m.e[1];
+  store_node(in, zeta, c - c1, d - d1, e - e1, 1.0, want_h, want_g, 0, out);
+  store_node(in, zeta, c + c1, d + d1, e + e1, 1.0, want_h, want_g, 1, out);
+}
+
 } // namespace
 
 void integrate_straight(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g,
@@ -211,8 +260,12 @@ void integrate_straight(const Integrator& in, double sx, double sy, int singular
     return;
   }
   const Source s = locate(in, sx, sy);
-  const double zeta = s.z.im;
   Moments m;
+  if (in.functions == 2) {
+    find_moments(s, 2, want_g, m);
+    store_linear(in, s.z.im, m, want_h, want_g, out);
+    return;
+  }
   find_moments(s, in.functions, want_g, m);
   for (int l = 0; l < in.functions; ++l) {
     const double* a = shape_coefficients(in.functions, l);
@@ -223,15 +276,7 @@ void integrate_straight(const Integrator& in, double sx, double sy, int singular
       d = d + a[k] * m.d[k];
       e += a[k] * m.e[k];
     }
-    if (want_h) {
-      const Tensor t = {-in.t2 * c.im, -zeta * d.re, zeta * d.im, -in.t1 * c.re};
-      store(rotated(in, t), in.k, out.h[l]);
-    }
-    if (want_g) {
-      const double mu = mean(in.functions, l);
-      const Tensor u = {0.5 * mu - in.kappa * (mu * in.log_half + e), 0.5 * mu - zeta * c.im, -zeta * c.re, 0.0};
-      store(rotated(in, u), in.k * in.g_jacobian, out.g[l]);
-    }
+    store_node(in, s.z.im, c, d, e, mean(in.functions, l), want_h, want_g, l, out);
   }
 }
 
@@ -239,7 +284,7 @@ void rigid_sum_chord(const Integrator& in, double sx, double sy, double sum[2][2
   const Source s = locate(in, sx, sy);
   const double z2 = s.z.re * s.z.re + s.z.im * s.z.im;
   Complex c;
-  if (z2 < kFarStart) {
+  if (z2 < kFarStart[1]) {
     c = logarithm(s, log(s.n1), log(s.n2));
   } else {
     const double q = 1.0 / z2;

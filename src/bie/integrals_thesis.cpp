@@ -1,5 +1,6 @@
-// The quadrature rule of the thesis's appendix A: 2, 4 or 10 Gauss points by distance, and at the source's own node
-// ln(1/r) = ln(1/|tau|) + ln(1/|q|), r = |tau q|, the first part with the logarithmic rule on either side.
+// The quadrature rule of the thesis's appendix A: 2, 4 or 10 Gauss points by distance, and at the source's
+// own node ln(1/r) = ln(1/|tau|) + ln(1/|q|), r = |tau q|, the first part with the logarithmic rule on either
+// side.
 #include "bie/integrals_detail.hpp"
 #include "bie/shape.hpp"
 #include "quadrature/gauss.hpp"
@@ -24,7 +25,8 @@ int rule_order(const Integrator& in, double sx, double sy) {
 
 // int ln(1/|tau|) M J on one side of the source, `end` = length of that side:
 // end [ int_0^1 ln(1/x) M J dx - ln(end) int_0^1 M J dx ].
-double logarithmic_side(const Integrator& in, const Expansion& x, int singular, double sign, double end, int order) {
+double logarithmic_side(const Integrator& in, const Expansion& x, int singular, double sign, double end,
+                        int order) {
   const LogRule logs = log_gauss(order);
   const GaussRule rule = gauss_legendre(order);
   double with_log = 0.0, plain = 0.0;

@@ -33,8 +33,8 @@ inline Tensor traction_kernel(double rx, double ry, double q, double nx, double 
   return {-rn * (t1 + 1.0), -rn * (rx * rx - ry * ry) * q, -2.0 * rn * rx * ry * q, t1 * cross};
 }
 
-// U / k times 2G, thesis (3.23): q = 1/r^2, kappa = 3-4nu; the logarithm is half that of `log_of`: r^2, unless a
-// factor is split off.
+// U / k times 2G, thesis (3.23): q = 1/r^2, kappa = 3-4nu; the logarithm is half that of `log_of`: r^2,
+// unless a factor is split off.
 inline Tensor displacement_kernel(double rx, double ry, double q, double log_of, double kappa) {
   return {0.5 - 0.5 * kappa * log(log_of), 0.5 * (rx * rx - ry * ry) * q, rx * ry * q, 0.0};
 }

@@ -17,7 +17,9 @@ constexpr double kCubic[4][4] = {{-1.0 / 16, 1.0 / 16, 9.0 / 16, -9.0 / 16},
 void shape(int nodes, double eta, double* N) {
   const double left = 1.0 - eta, right = 1.0 + eta;
   switch (nodes) {
-  case 1: N[0] = 1.0; break;
+  case 1:
+    N[0] = 1.0;
+    break;
   case 2:
     N[0] = 0.5 * left;
     N[1] = 0.5 * right;
@@ -39,7 +41,9 @@ void shape(int nodes, double eta, double* N) {
 
 void shape_derivative(int nodes, double eta, double* dN) {
   switch (nodes) {
-  case 1: dN[0] = 0.0; break;
+  case 1:
+    dN[0] = 0.0;
+    break;
   case 2:
     dN[0] = -0.5;
     dN[1] = 0.5;
@@ -56,10 +60,14 @@ void shape_derivative(int nodes, double eta, double* dN) {
 
 const double* shape_coefficients(int nodes, int l) {
   switch (nodes) {
-  case 1: return kConstant[l];
-  case 2: return kLinear[l];
-  case 3: return kQuadratic[l];
-  default: return kCubic[l];
+  case 1:
+    return kConstant[l];
+  case 2:
+    return kLinear[l];
+  case 3:
+    return kQuadratic[l];
+  default:
+    return kCubic[l];
   }
 }
 
