@@ -11,7 +11,8 @@ constexpr int32_t kTitleColumns = 72; // format 18A4
 bool read_problem_type(Deck& deck) {
   Cards& cards = deck.cards;
   if (!next_card(cards, "the card with the type of problem")) return false;
-  int32_t plane = 0, output = 0;
+  int32_t plane = 0;
+  int32_t output = C2D_ANALYSIS_CONTACT; // where it is unreadable: with this any number of zones is legal
   integer(cards, 1, 5, "problem type (IPTYPE, 0 plane strain, 1 plane stress)", 0, 1, &plane);
   integer(cards, 6, 5, "type of output (IOUT)", INT32_MIN, INT32_MAX, &output);
   end_of_fields(cards, 11);
@@ -90,9 +91,11 @@ bool read_body(Deck& deck, int b) {
   if (order_known && sizes.geometry_nodes[b] != expected)
     fault(cards, 16, 20, "number of boundary points is ", sizes.geometry_nodes[b], ", expected ", expected,
           ": ", sizes.elements[b], " elements of ", deck.element_nodes[b], " nodes");
-  if (sizes.regions[b] > sizes.elements[b])
+  if (sizes.regions[b] > sizes.elements[b]) {
     fault(cards, 1, 5, "number of regions is ", sizes.regions[b], ", expected at most ", sizes.elements[b],
           ", the number of elements");
+    return false;
+  }
   if (cards.faults != old_faults) return !cards.ended;
   return set_body(deck, b, 1.0, 0.0);
 }

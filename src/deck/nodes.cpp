@@ -118,13 +118,13 @@ bool read_nodes(Deck& deck, int b) {
     card.node = number - offset;
     const bool number_sound = number_known && card.node > previous.node && card.node <= nodes &&
                               (previous.node > 0 || card.node == 1 || !is_first);
+    if (!number_sound && doubtful) return false;
     if (!number_sound) {
       const int32_t least = previous.node + 1 + offset;
       if (number_known && is_first)
         fault(cards, 2, 5, "first node number is ", number, ", expected ", least);
       else if (number_known)
         fault(cards, 2, 5, "node number is ", number, ", expected ", least, " to ", nodes + offset);
-      if (doubtful) return false;
     }
     read_coordinates(cards, card);
     doubtful = !number_sound;

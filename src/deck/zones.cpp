@@ -44,6 +44,7 @@ bool read_zone(Deck& deck, bool* sound) {
   if (pairs_known && elements_known && zone.pairs > most)
     fault(cards, 11, 15, "number of contact nodes is ", zone.pairs, ", expected at most ", most, " on ",
           zone.elements, " elements of ", order, " nodes");
+  const bool count_sound = pairs_known && !(elements_known && zone.pairs > most);
   deck.pairs += zone.pairs;
   deck.contact_elements += zone.elements;
 
@@ -56,7 +57,8 @@ bool read_zone(Deck& deck, bool* sound) {
                    zone.first_element, zone.last_element))
     *sound = false;
   if (!next_card(cards, "the card with the nodes of a contact zone")) return false;
-  if (!read_ranges(deck, "contact nodes", zone.pairs, node_offsets, nodes, zone.first_node, zone.last_node))
+  if (!read_ranges(deck, "contact nodes", count_sound ? zone.pairs : 0, node_offsets, nodes, zone.first_node,
+                   zone.last_node))
     *sound = false;
   if (deck.sink == nullptr || !*sound) return !cards.ended;
   place(deck, 1, 20);
