@@ -56,7 +56,7 @@ void integrate_thesis(const Integrator& in, double sx, double sy, int singular, 
     const double r2 = s.rx * s.rx + s.ry * s.ry;
     if (!(r2 > 0.0)) continue; // a source on a Gauss point adds nothing, as in the listing
     const Tensor t = traction_kernel(s.rx, s.ry, 1.0 / r2, s.nx, s.ny, in.t1);
-    const Tensor u = displacement_kernel(s.rx, s.ry, 1.0 / r2, r2, in.kappa);
+    const Tensor u = displacement_kernel(s.rx, s.ry, r2, in.kappa);
     for (int l = 0; l < in.functions; ++l) {
       const double weight = p.w * s.shape[l];
       if (want_h) add(sums.h[l], weight, t);

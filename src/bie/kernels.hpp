@@ -39,4 +39,9 @@ inline Tensor displacement_kernel(double rx, double ry, double q, double log_of,
   return {0.5 - 0.5 * kappa * log(log_of), 0.5 * (rx * rx - ry * ry) * q, rx * ry * q, 0.0};
 }
 
+// The same with nothing split off: r2 = rx^2 + ry^2.
+inline Tensor displacement_kernel(double rx, double ry, double r2, double kappa) {
+  return displacement_kernel(rx, ry, 1.0 / r2, r2, kappa);
+}
+
 } // namespace c2d
