@@ -1,0 +1,295 @@
+#include "linalg/dense.hpp"
+#include "linalg/exchange.hpp"
+#include "linalg/lu.hpp"
+#include <doctest/doctest.h>
+#include <cmath>
+#include <fenv.h>
+#include <limits>
+#include <random>
+#include <vector>
+
+using namespace c2d;
+
+namespace {
+
+const double kEps = static_cast<double>(std::numeric_limits<Real>::epsilon());
+
+struct Matrix {
+  int32_t rows, cols;
+  int64_t ld;
+  std::vector<Real> a;
+  Matrix(int32_t r, int32_t c, int64_t gap = 0) : rows(r), cols(c), ld(r + gap > 0 ? r + gap : 1) {
+    a.assign(static_cast<size_t>(ld * c + 1), Real(-77)); // the gap's number must survive
+  }
+  Real& operator()(int32_t i, int32_t j) { return a[static_cast<size_t>(i + j * ld)]; }
+  Real operator()(int32_t i, int32_t j) const { return a[static_cast<size_t>(i + j * ld)]; }
+  Real* data() { return a.data(); }
+};
+
+Matrix random_matrix(int32_t rows, int32_t cols, uint32_t seed, int64_t gap = 0) {
+  Matrix m(rows, cols, gap);
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  for (int32_t j = 0; j < cols; ++j) {
+    for (int32_t i = 0; i < rows; ++i) m(i, j) = static_cast<Real>(uniform(generator));
+  }
+  return m;
+}
+
+double norm1(const Matrix& m) {
+  double most = 0;
+  for (int32_t j = 0; j < m.cols; ++j) {
+    double sum = 0;
+    for (int32_t i = 0; i < m.rows; ++i) sum += std::fabs(static_cast<double>(m(i, j)));
+    most = std::fmax(most, sum);
+  }
+  return most;
+}
+
+// norm(P A - L U) / (n norm(A) eps), products in long double.
+double lu_residual(Matrix a, const Matrix& lu, const std::vector<int32_t>& pivots) {
+  const int32_t n = a.cols;
+  if (n == 0) return 0;
+  const double norm = norm1(a);
+  for (int32_t i = 0; i < n; ++i) {
+    for (int32_t j = 0; j < n; ++j) std::swap(a(i, j), a(pivots[static_cast<size_t>(i)], j));
+  }
+  double most = 0;
+  for (int32_t j = 0; j < n; ++j) {
+    long double sum = 0;
+    for (int32_t i = 0; i < a.rows; ++i) {
+      long double product = i <= j ? static_cast<long double>(lu(i, j)) : 0;
+      for (int32_t k = 0; k < i && k <= j; ++k) product += static_cast<long double>(lu(i, k)) * lu(k, j);
+      sum += std::fabs(static_cast<double>(product - a(i, j)));
+    }
+    most = std::fmax(most, static_cast<double>(sum));
+  }
+  return norm == 0 ? most : most / (n * norm * kEps);
+}
+
+// Traps on for the length of a scope: what must not raise anything ends the program if it does.
+struct Traps {
+  Traps() {
+    feclearexcept(FE_ALL_EXCEPT);
+    feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
+  }
+  ~Traps() { fedisableexcept(FE_ALL_EXCEPT); }
+};
+
+} // namespace
+
+TEST_CASE("product subtracts what the definition says, for every remainder of the tiling") {
+  for (int32_t m : {0, 1, 3, 4, 5, 8, 31, 259}) {
+    for (int32_t n : {0, 1, 4, 7, 9}) {
+      for (int32_t k : {0, 1, 2, 63, 64, 65, 130}) {
+        Matrix a = random_matrix(m, k, 1, 3), b = random_matrix(k, n, 2, 1), c = random_matrix(m, n, 3, 2);
+        Matrix d = c;
+        gemm_minus(m, n, k, a.data(), a.ld, b.data(), b.ld, d.data(), d.ld);
+        double worst = 0;
+        for (int32_t j = 0; j < n; ++j) {
+          for (int32_t i = 0; i < m; ++i) {
+            long double sum = c(i, j);
+            for (int32_t p = 0; p < k; ++p) sum -= static_cast<long double>(a(i, p)) * b(p, j);
+            worst = std::fmax(worst, std::fabs(static_cast<double>(sum - d(i, j))));
+          }
+          for (int64_t g = m; g < d.ld; ++g) CHECK(d(static_cast<int32_t>(g), j) == Real(-77));
+        }
+        CHECK(worst <= (k + 1) * kEps * (k + 1)); // |a b| <= 1: the usual bound for a sum of k + 1 terms
+      }
+    }
+  }
+}
+
+TEST_CASE("triangular solves reproduce the right-hand side") {
+  for (int32_t n : {0, 1, 2, 5, 31, 32, 33, 100}) {
+    for (int32_t nrhs : {0, 1, 3, 8}) {
+      Matrix t = random_matrix(n, n, 5), b = random_matrix(n, nrhs, 6, 1);
+      for (int32_t j = 0; j < n; ++j) {
+        for (int32_t i = 0; i < n; ++i) t(i, j) = i == j ? t(i, j) + 3 : t(i, j) / static_cast<Real>(n);
+      }
+      Matrix x = b, y = b;
+      trsm_lower_unit(n, nrhs, t.data(), t.ld, x.data(), x.ld);
+      trsm_upper(n, nrhs, t.data(), t.ld, y.data(), y.ld);
+      double worst = 0;
+      for (int32_t j = 0; j < nrhs; ++j) {
+        for (int32_t i = 0; i < n; ++i) {
+          long double low = x(i, j), up = 0;
+          for (int32_t k = 0; k < i; ++k) low += static_cast<long double>(t(i, k)) * x(k, j);
+          for (int32_t k = i; k < n; ++k) up += static_cast<long double>(t(i, k)) * y(k, j);
+          worst = std::fmax(worst, std::fabs(static_cast<double>(low - b(i, j))));
+          worst = std::fmax(worst, std::fabs(static_cast<double>(up - b(i, j))));
+        }
+      }
+      CHECK(worst <= 10 * (n + 1) * kEps);
+    }
+  }
+}
+
+TEST_CASE("LU residual ratio for many sizes, and for panels of many widths") {
+  for (int32_t n : {0, 1, 2, 3, 5, 10, 50, 200}) {
+    for (int32_t width : {1, 3, 20, n}) {
+      if (width > n) continue;
+      Matrix a = random_matrix(n, width, static_cast<uint32_t>(n + 7)), lu = a;
+      std::vector<int32_t> pivots(static_cast<size_t>(n) + 1);
+      PivotStats stats;
+      start_stats(stats);
+      CHECK(lu_panel(n, width, lu.data(), lu.ld, pivots.data(), nullptr, &stats) == 0);
+      CHECK(lu_residual(a, lu, pivots) < 30);
+      CHECK(stats.unusable == 0);
+      for (int32_t j = 0; j < width; ++j) {
+        for (int32_t i = j + 1; i < n; ++i) REQUIRE(std::fabs(lu(i, j)) <= 1); // partial pivoting
+      }
+    }
+  }
+}
+
+TEST_CASE("columns without a pivot are counted, not divided by, and the factors still multiply to the matrix") {
+  for (int32_t n : {1, 2, 3, 5, 10, 50, 200}) {
+    for (int32_t which = 0; which < 3; ++which) { // the first, the last, or every second column is zero
+      Matrix a = random_matrix(n, n, 11);
+      int32_t zero = 0, first = -1;
+      for (int32_t j = 0; j < n; ++j) {
+        if (!(which == 0 ? j == 0 : which == 1 ? j == n - 1 : j % 2 == 1)) continue;
+        if (first < 0) first = j;
+        ++zero;
+        for (int32_t i = 0; i < n; ++i) a(i, j) = 0;
+      }
+      Matrix lu = a, b = random_matrix(n, 2, 12);
+      std::vector<int32_t> pivots(static_cast<size_t>(n));
+      PivotStats stats;
+      {
+        Traps traps;
+        CHECK(lu_factor(n, lu.data(), lu.ld, pivots.data(), &stats) == zero);
+        lu_solve(n, 2, lu.data(), lu.ld, pivots.data(), b.data(), b.ld);
+      }
+      CHECK(stats.unusable == zero);
+      CHECK(stats.first_unusable == first);
+      CHECK(lu_residual(a, lu, pivots) < 30);
+    }
+  }
+}
+
+TEST_CASE("columns of wildly different scale neither trap nor spoil the judgement of pivots") {
+  const int32_t n = 60;
+  const double span = sizeof(Real) == 8 ? 280 : 30;
+  Matrix a = random_matrix(n, n, 21), scaled = a;
+  for (int32_t j = 0; j < n; ++j) {
+    const double scale = std::pow(10.0, span * (2.0 * j / (n - 1) - 1));
+    for (int32_t i = 0; i < n; ++i) scaled(i, j) = static_cast<Real>(a(i, j) * scale);
+  }
+  std::vector<int32_t> pivots(n), scaled_pivots(n);
+  PivotStats stats, scaled_stats;
+  {
+    Traps traps;
+    lu_factor(n, a.data(), a.ld, pivots.data(), &stats);
+    CHECK(lu_factor(n, scaled.data(), scaled.ld, scaled_pivots.data(), &scaled_stats) == 0);
+  }
+  CHECK(pivots == scaled_pivots);
+  CHECK(stats.smallest_column == scaled_stats.smallest_column);
+  CHECK(scaled_stats.smallest_ratio == doctest::Approx(stats.smallest_ratio).epsilon(1e4 * kEps));
+  CHECK(scaled_stats.growth == doctest::Approx(stats.growth).epsilon(1e4 * kEps));
+}
+
+TEST_CASE("pivot growth of Wilkinson's matrix is 2^(n-1)") {
+  const int32_t n = 40;
+  Matrix a(n, n);
+  for (int32_t j = 0; j < n; ++j) {
+    for (int32_t i = 0; i < n; ++i) a(i, j) = i == j || j == n - 1 ? Real(1) : i > j ? Real(-1) : Real(0);
+  }
+  std::vector<int32_t> pivots(n);
+  PivotStats stats;
+  CHECK(lu_factor(n, a.data(), a.ld, pivots.data(), &stats) == 0);
+  CHECK(stats.growth == std::pow(2.0, n - 1));
+  CHECK(stats.largest_ratio == std::pow(2.0, n - 1));
+  CHECK(stats.smallest_ratio == 1);
+}
+
+TEST_CASE("a nearly dependent column is named with the size of its pivot") {
+  const int32_t n = 90, bad = 70;
+  const double distance = 1e-4;
+  Matrix a = random_matrix(n, n, 31);
+  for (int32_t i = 0; i < n; ++i) {
+    a(i, bad) = a(i, 3) + a(i, 64) + static_cast<Real>(i == 17 ? distance : 0);
+  }
+  std::vector<int32_t> pivots(n);
+  PivotStats stats;
+  CHECK(lu_factor(n, a.data(), a.ld, pivots.data(), &stats) == 0);
+  CHECK(stats.smallest_column == bad);
+  CHECK(stats.smallest_ratio < 10 * distance);
+  CHECK(stats.smallest_ratio > 0.01 * distance);
+}
+
+TEST_CASE("solutions satisfy the equations") {
+  for (int32_t n : {0, 1, 2, 33, 150}) {
+    Matrix a = random_matrix(n, n, 41), lu = a, x = random_matrix(n, 5, 42, 4), b = x;
+    std::vector<int32_t> pivots(static_cast<size_t>(n) + 1);
+    lu_factor(n, lu.data(), lu.ld, pivots.data(), nullptr);
+    lu_solve(n, 5, lu.data(), lu.ld, pivots.data(), x.data(), x.ld);
+    gemm_minus(n, 5, n, a.data(), a.ld, x.data(), x.ld, b.data(), b.ld);
+    double residual = 0;
+    for (int32_t j = 0; j < 5; ++j) {
+      for (int32_t i = 0; i < n; ++i) residual = std::fmax(residual, std::fabs(static_cast<double>(b(i, j))));
+    }
+    CHECK(residual <= 30 * (n + 1) * kEps * norm1(a) * std::fmax(1.0, norm1(x)));
+  }
+}
+
+TEST_CASE("after an exchange the same y and z still satisfy the tableau") {
+  const int32_t rows = 9, cols = 12; // 3 columns beyond the square part
+  for (int32_t r = 0; r < rows; ++r) {
+    for (int32_t c : {0, 4, 8}) {
+      Matrix t = random_matrix(rows, cols, static_cast<uint32_t>(100 + r), 2);
+      t(r, c) = Real(0.7);
+      t(r, 1) = c == 1 ? t(r, 1) : Real(0);
+      const Matrix before = t;
+      std::vector<double> z(cols), y(rows, 0.0);
+      for (int32_t j = 0; j < cols; ++j) z[static_cast<size_t>(j)] = std::sin(1.0 + j);
+      for (int32_t i = 0; i < rows; ++i) {
+        for (int32_t j = 0; j < cols; ++j) y[static_cast<size_t>(i)] += double(t(i, j)) * z[static_cast<size_t>(j)];
+      }
+      REQUIRE(exchange(rows, cols, t.data(), t.ld, r, c));
+      std::swap(y[static_cast<size_t>(r)], z[static_cast<size_t>(c)]);
+      double worst = 0;
+      for (int32_t i = 0; i < rows; ++i) {
+        double sum = 0;
+        for (int32_t j = 0; j < cols; ++j) sum += double(t(i, j)) * z[static_cast<size_t>(j)];
+        worst = std::fmax(worst, std::fabs(sum - y[static_cast<size_t>(i)]));
+      }
+      CHECK(worst < 200 * kEps);
+      REQUIRE(exchange(rows, cols, t.data(), t.ld, r, c));
+      for (int32_t j = 0; j < cols; ++j) {
+        for (int32_t i = 0; i < rows; ++i) worst = std::fmax(worst, std::fabs(double(t(i, j)) - double(before(i, j))));
+        for (int64_t g = rows; g < t.ld; ++g) CHECK(t(static_cast<int32_t>(g), j) == Real(-77));
+      }
+      CHECK(worst < 200 * kEps);
+    }
+  }
+}
+
+TEST_CASE("an exchange on a zero entry is refused and changes nothing") {
+  Matrix t = random_matrix(3, 4, 5);
+  t(1, 2) = 0;
+  const Matrix before = t;
+  Traps traps;
+  CHECK_FALSE(exchange(3, 4, t.data(), t.ld, 1, 2));
+  CHECK(t.a == before.a);
+}
+
+TEST_CASE("row and column operations replace y and z as they say") {
+  Matrix t = random_matrix(4, 5, 9, 1);
+  const Matrix before = t;
+  row_add(5, t.data(), t.ld, 2, 0, Real(0.25));
+  column_add(4, t.data(), t.ld, 1, 3, Real(-0.5));
+  std::vector<double> z = {0.3, -0.9, 0.8, 0.1, 0.6};
+  std::vector<double> changed = z;
+  changed[3] += 0.5 * z[1]; // z_source - factor z_target
+  for (int32_t i = 0; i < 4; ++i) {
+    double y = 0, y0 = 0, now = 0;
+    for (int32_t j = 0; j < 5; ++j) {
+      y += double(before(i, j)) * z[static_cast<size_t>(j)];
+      y0 += double(before(0, j)) * z[static_cast<size_t>(j)];
+      now += double(t(i, j)) * changed[static_cast<size_t>(j)];
+    }
+    CHECK(std::fabs(now - (i == 2 ? y + 0.25 * y0 : y)) < 50 * kEps);
+  }
+}
