@@ -9,6 +9,9 @@
 
 namespace c2d {
 
+// The accuracy is relative to the largest entry of h or g; where h all but vanishes (nu = 0.5 and a source on
+// the line of a straight element) relative to element length over distance. The rounding of the coordinates
+// comes on top.
 enum class Quadrature {
   accurate, // error below 1e-12 of the largest entry of the block, at any distance
   thesis    // 2, 4 or 10 Gauss points by distance, logarithmic formula at the source's own node
