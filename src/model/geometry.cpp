@@ -93,10 +93,17 @@ void include(Box& box, double x, double y) {
 }
 } // namespace
 
-Box box_of(const Chords& c) {
-  Box box = {c.x[0], c.x[0], c.y[0], c.y[0]};
-  for (int i = 1; i <= c.count; ++i) include(box, c.x[i], c.y[i]);
-  return box;
+Box box_around(const Model& m, int b, int32_t element) {
+  const int nodes = body_of(m, b).element_nodes;
+  double x[4], y[4];
+  element_coordinates(m, b, element, x, y);
+  Box box = {x[0], x[0], y[0], y[0]};
+  for (int i = 1; i < nodes; ++i) include(box, x[i], y[i]);
+  if (nodes == 2) return box;
+  // Shape functions of equally spaced nodes add up to at most 1.25 (quadratic) and 1.64 (cubic) in magnitude;
+  // half of what is beyond 1 is how far the curve can leave the box of its nodes.
+  const double dx = 0.33 * (box.x_max - box.x_min), dy = 0.33 * (box.y_max - box.y_min);
+  return Box{box.x_min - dx, box.x_max + dx, box.y_min - dy, box.y_max + dy};
 }
 
 Box box_of_body(const Model& m, int b) {

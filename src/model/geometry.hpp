@@ -35,7 +35,8 @@ void chords_of(const Model& m, int b, int32_t element, Chords& out);
 struct Box {
   double x_min, x_max, y_min, y_max;
 };
-Box box_of(const Chords& c);
+Box box_around(const Model& m, int b,
+               int32_t element);        // encloses the whole curve, without looking at it closely
 Box box_of_body(const Model& m, int b); // of the boundary points
 bool boxes_meet(const Box& a, const Box& b);
 

@@ -35,9 +35,10 @@ void locate_node(Finding& finding, const Model& m, int b, int32_t node) {
   finding.entry.node = node + 1;
   int32_t ends[2];
   const int count = ends_at_node(m, b, node, ends);
-  for (int i = count - 1; i >= 0; --i) {
-    finding.entry.element = ends[i] / m.head->function_nodes + 1;
-    set_line(finding, m.end_line[b][ends[i]]);
+  for (int i = 0; i < count; ++i) { // the first end that a card names, else the first
+    const bool better = (m.end_code[b][ends[i]] & kGiven) != 0 && finding.entry.line == 0;
+    if (i == 0 || better) finding.entry.element = ends[i] / m.head->function_nodes + 1;
+    if (better) set_line(finding, m.end_line[b][ends[i]]);
   }
 }
 

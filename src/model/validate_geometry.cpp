@@ -132,7 +132,6 @@ bool crosses_itself(const Chords& c) {
 }
 
 bool pair_crosses(const Model& m, const Chords& p, const Chords& q) {
-  if (!boxes_meet(box_of(p), box_of(q))) return false;
   // Joined directly or through a double node: by position, which serves both.
   const bool after = same_point(m, p.x[p.count], p.y[p.count], q.x[0], q.y[0]);
   const bool before = same_point(m, p.x[0], p.y[0], q.x[q.count], q.y[q.count]);
@@ -146,8 +145,9 @@ void check_crossing(const Model& m, int b, Reporter& reporter) {
   for (int32_t i = 0; i < elements; ++i) {
     if (is_zero_length(m, b, i)) continue;
     chords_of(m, b, i, p);
+    const Box around = box_around(m, b, i);
     for (int32_t j = i; j < elements; ++j) {
-      if (is_zero_length(m, b, j)) continue;
+      if (!boxes_meet(around, box_around(m, b, j)) || is_zero_length(m, b, j)) continue;
       chords_of(m, b, j, q);
       if (i == j ? !crosses_itself(p) : !pair_crosses(m, p, q)) continue;
       Finding f = fault();
