@@ -38,6 +38,7 @@ private:
   int close_store();
   int publish();
   int file_failed() {
+    if (interrupted()) return kExitCancelled; // a call that waited was told to stop
     session_.messages.fail(error_);
     return kExitFiles;
   }

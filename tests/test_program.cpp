@@ -1,0 +1,500 @@
+// The program's contract: exit statuses, messages, outputs that are whole or not there, stores, JSON and CSV.
+#include "json.hpp"
+#include "shell.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <csignal>
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+
+using namespace test;
+
+namespace {
+
+const std::string kExamples = C2D_TEST_ROOT "/examples/";
+const std::string kHertz = kExamples + "hertz.dat";
+
+Result contact2d(const std::string& arguments) {
+  return run_shell("'" C2D_TEST_PROGRAM "' " + arguments);
+}
+
+std::string quoted(const std::string& path) {
+  return "'" + path + "'";
+}
+
+// The sample deck with its text `from`, which must be there, replaced once.
+std::string changed_hertz(const std::string& from, const std::string& to) {
+  std::string deck = read_file(kHertz);
+  const size_t at = deck.find(from);
+  REQUIRE(at != std::string::npos);
+  return deck.replace(at, from.size(), to);
+}
+
+// The number that stands right before " bytes" after `word`.
+unsigned long long bytes_after(const std::string& text, const std::string& word) {
+  const size_t start = text.find(word);
+  REQUIRE(start != std::string::npos);
+  const size_t digit = text.find_first_of("0123456789", start + word.size());
+  REQUIRE(digit != std::string::npos);
+  return std::stoull(text.substr(digit));
+}
+
+std::vector<std::string> columns_of(const std::string& row) {
+  std::vector<std::string> out;
+  std::istringstream in(row);
+  for (std::string field; std::getline(in, field, ',');) out.push_back(field);
+  return out;
+}
+
+const std::string kCsvHeader = "mu,step,load,pair,x,y,status,tn,tt,un1,ut1,un2,ut2,gap,slip";
+
+} // namespace
+
+TEST_CASE("program: --version and --help") {
+  const Result version = contact2d("--version");
+  CHECK(version.status == 0);
+  CHECK(version.out == "contact2d 0.1.0\n");
+  const Result help = contact2d("--help");
+  CHECK(help.status == 0);
+  for (const char* word : {"--listing", "--csv", "--boundary", "--json", "--stepping", "--quadrature",
+                           "--memory", "--store", "--threads", "--progress", "--no-progress", "--keep"})
+    CHECK_MESSAGE(contains(help.out, word), word);
+}
+
+TEST_CASE("program: bad usage ends with 64 and says why") {
+  const std::string deck = " " + quoted(kHertz) + " ";
+  const std::string wrong[] = {"",
+                               "walk",
+                               "run",
+                               "check",
+                               "check --csv x" + deck,
+                               "run --nonsense" + deck,
+                               "run --csv",
+                               "run" + deck + "--csv",
+                               "run" + deck + deck,
+                               "run --stepping sometimes" + deck,
+                               "run --quadrature exact" + deck,
+                               "run --memory lots" + deck,
+                               "run --memory 0" + deck,
+                               "run --memory 1X" + deck,
+                               "run --memory 99999999999999999999" + deck,
+                               "run --memory 99999999999T" + deck,
+                               "run --store disk" + deck,
+                               "run --store file:" + deck,
+                               "run --threads 0" + deck,
+                               "run --threads two" + deck,
+                               "run --keep=1" + deck,
+                               "run --csv=" + deck};
+  for (const std::string& arguments : wrong) {
+    const Result result = contact2d(arguments);
+    CHECK_MESSAGE(result.status == 64, arguments);
+    CHECK_MESSAGE(result.err.compare(0, 11, "contact2d: ") == 0, arguments);
+    CHECK_MESSAGE(result.out.empty(), arguments);
+  }
+}
+
+TEST_CASE("program: what later versions bring is refused by name") {
+  const std::string deck = " " + quoted(kHertz) + " ";
+  for (const char* arguments :
+       {"--points p", "--interior p", "--report p", "--figures p", "--vtk p", "--symmetry images"}) {
+    const Result result = contact2d("run" + deck + arguments);
+    CHECK_MESSAGE(result.status == 64, arguments);
+    CHECK_MESSAGE(contains(result.err, "not available in this version"), arguments);
+  }
+  for (const char* command : {"make", "convert", "resume"}) {
+    const Result result = contact2d(std::string(command) + deck);
+    CHECK_MESSAGE(result.status == 64, command);
+    CHECK_MESSAGE(contains(result.err, "not available in this version"), command);
+  }
+}
+
+TEST_CASE("program: an unreadable deck ends with 2 and leaves no output") {
+  const Folder in, out;
+  write_file(in / "empty", "");
+  write_file(in / "binary", std::string("\x7f"
+                                        "ELF\x02\x01\x01\x00\x00\x00\x00\x00\x03\x00>\x00",
+                                        18));
+  write_file(in / "prose", "It was a dark and stormy night.\nThe rain fell in torrents.\n");
+  write_file(in / "cut", read_file(kHertz).substr(0, 2000));
+  for (const std::string& deck :
+       {in / "missing", in.path(), in / "empty", in / "binary", in / "prose", in / "cut"}) {
+    const Result result =
+        contact2d("run " + quoted(deck) + " --listing " + quoted(out / "l") + " --csv " + quoted(out / "c") +
+                  " --boundary " + quoted(out / "b") + " --json " + quoted(out / "j"));
+    CHECK_MESSAGE(result.status == 2, deck);
+    CHECK_MESSAGE(result.err.compare(0, 12 + deck.size(), "contact2d: " + deck + ":") == 0, result.err);
+    CHECK_MESSAGE(contains(result.err, "error: "), result.err);
+    CHECK_MESSAGE(out.names().empty(), deck);
+    CHECK_MESSAGE(contact2d("check " + quoted(deck)).status == 2, deck);
+  }
+}
+
+TEST_CASE("program: every fault of a deck is told with its card and a caret") {
+  const Folder folder;
+  // Two fields spoiled: the number of an interior node card, and a value of a condition card.
+  std::string deck = changed_hertz("   16  5.0000000 0.0000000", "   16  5.00x0000 0.0000000");
+  const std::string from = "   14    1 0011     0.0000-1820.0000";
+  const size_t at = deck.find(from);
+  REQUIRE(at != std::string::npos);
+  deck.replace(at, from.size(), "   14    1 0011     0.0000-18 0.0000");
+  write_file(folder / "deck", deck);
+  const Result result = contact2d("run " + quoted(folder / "deck"));
+  CHECK(result.status == 2);
+  CHECK(result.out.empty());
+
+  const std::vector<std::string> lines = lines_of(result.err);
+  const std::vector<std::string> cards = lines_of(deck);
+  int faults = 0;
+  for (size_t i = 0; i < lines.size(); ++i) {
+    int line = 0, column = 0;
+    const std::string start = "contact2d: " + (folder / "deck") + ":";
+    if (lines[i].compare(0, start.size(), start) != 0) continue;
+    REQUIRE(std::sscanf(lines[i].c_str() + start.size(), "%d:%d: error: ", &line, &column) == 2);
+    REQUIRE(i + 2 < lines.size());
+    CHECK(lines[i + 1] == cards[static_cast<size_t>(line) - 1]);
+    CHECK(lines[i + 2].find('^') == static_cast<size_t>(column) - 1);
+    const bool first = contains(lines[i + 1], "5.00x0000"), second = contains(lines[i + 1], "-18 0.0000");
+    if (first) CHECK((column >= 7 && column <= 16));
+    if (second) CHECK((column >= 27 && column <= 36));
+    faults += first || second;
+  }
+  CHECK(faults == 2);
+}
+
+TEST_CASE("program: the sample is solved, with every output in its format") {
+  const Folder folder;
+  const Result result = contact2d("run " + quoted(kHertz) + " --csv " + quoted(folder / "c") +
+                                  " --boundary " + quoted(folder / "b") + " --json " + quoted(folder / "j") +
+                                  " --listing " + quoted(folder / "l"));
+  CHECK_MESSAGE(result.status == 0, result.err);
+  CHECK(result.out.empty());
+  CHECK(folder.names().size() == 4);
+
+  const std::vector<std::string> rows = lines_of(read_file(folder / "c"));
+  REQUIRE(rows.size() == 1 + 2 * 28 * 15); // two coefficients, 14 cards of 2 increments, 15 pairs
+  CHECK(rows[0] == kCsvHeader);
+  for (size_t i = 1; i < rows.size(); ++i) {
+    const std::vector<std::string> fields = columns_of(rows[i]);
+    REQUIRE(fields.size() == 15);
+    const size_t n = i - 1;
+    CHECK(std::stod(fields[0]) == (n < 28 * 15 ? 0.4 : 0.3));
+    CHECK(std::stoul(fields[1]) == n / 15 % 28 + 1);
+    CHECK(std::stoul(fields[3]) == n % 15 + 1);
+    CHECK((fields[6] == "open" || fields[6] == "stick" || fields[6] == "slip"));
+  }
+  CHECK(columns_of(rows[28 * 15])[2] == "1.03");
+
+  const std::vector<std::string> ends = lines_of(read_file(folder / "b"));
+  REQUIRE(ends.size() == 1 + 2 * 46 + 2 * 58);
+  CHECK(ends[0] == "body,element,node,x,y,ux,uy,tx,ty");
+  CHECK(ends[1].compare(0, 6, "1,1,1,") == 0);
+  CHECK(ends[2].compare(0, 6, "1,1,2,") == 0);
+  CHECK(ends[92].compare(0, 7, "1,46,1,") == 0);
+  CHECK(ends[93].compare(0, 6, "2,1,1,") == 0);
+
+  const std::string listing = read_file(folder / "l");
+  for (const char* text :
+       {"HERTZ'S PROBLEM. F= 0.4 & 0.3", "1000", "Contact zone of body 1", "Contact zone of body 2",
+        "Body 2 in global components", "Balance of forces", "reached"})
+    CHECK_MESSAGE(contains(listing, text), text);
+  CHECK_FALSE(contains(listing, "incomplete"));
+}
+
+TEST_CASE("program: the JSON summary has its keys") {
+  const Folder folder;
+  REQUIRE(contact2d("run " + quoted(kHertz) + " --listing /dev/null --json " + quoted(folder / "j")).status ==
+          0);
+  const Json json = JsonReader::read(read_file(folder / "j"));
+  for (const char* key :
+       {"version", "outcome", "title", "mu", "steps", "unknowns", "memory", "tapes", "seconds", "events",
+        "exchanges", "tableau_rebuilds", "max_residual", "force", "warnings"})
+    CHECK_MESSAGE(json.has(key), key);
+  CHECK(json["version"].text == "0.1.0");
+  CHECK(json["outcome"].text == "reached");
+  CHECK_FALSE(json.has("incomplete"));
+  REQUIRE(json["mu"].items.size() == 2);
+  CHECK(json["mu"][0].number == 0.4);
+  CHECK(json["mu"][1].number == 0.3);
+  CHECK(json["steps"].number == 28);
+  CHECK(json["unknowns"]["body1"].number == 2 * 46 + 3);
+  CHECK(json["unknowns"]["body2"].number == 2 * 58 + 3);
+  CHECK(json["unknowns"]["contact"].number > 0);
+  const double minimum = json["memory"]["minimum_bytes"].number,
+               in_core = json["memory"]["in_core_bytes"].number;
+  CHECK(minimum > 0);
+  CHECK(in_core >= minimum);
+  CHECK(json["memory"]["peak_workspace_bytes"].number <= in_core);
+  CHECK(json["tapes"].items.size() == 4);
+  for (const Json& tape : json["tapes"].items)
+    for (const char* key : {"name", "bytes_written", "bytes_read", "blocks"})
+      CHECK_MESSAGE(tape.has(key), key);
+  for (const char* key : {"read", "assemble", "eliminate", "reduce", "contact", "back", "write"}) {
+    REQUIRE_MESSAGE(json["seconds"].has(key), key);
+    CHECK_MESSAGE(json["seconds"][key].number >= 0.0, key);
+  }
+  CHECK(json["events"].number > 0);
+  CHECK(json["max_residual"].number < 1e-9);
+  // 455.06 per unit load factor, 1.03 of it; balanced by construction.
+  CHECK(std::abs(json["force"]["applied"].number) == doctest::Approx(455.06 * 1.03).epsilon(1e-4));
+  CHECK(std::abs(json["force"]["error"].number) < 1e-6);
+}
+
+TEST_CASE("program: a listing by default, and a dash for standard output") {
+  const Result listing = contact2d("run " + quoted(kHertz));
+  CHECK(listing.status == 0);
+  CHECK(contains(listing.out, "Contact zone of body 1"));
+  const Result csv = contact2d("run " + quoted(kHertz) + " --csv -");
+  CHECK(csv.status == 0);
+  CHECK(csv.out.compare(0, kCsvHeader.size() + 1, kCsvHeader + "\n") == 0);
+  CHECK(lines_of(csv.out).size() == 1 + 2 * 28 * 15);
+  const Result json = contact2d("run --listing=/dev/null --json=- -- " + quoted(kHertz));
+  CHECK(json.status == 0);
+  CHECK(JsonReader::read(json.out)["outcome"].text == "reached");
+}
+
+TEST_CASE("program: a deck may come from a pipe, with CRLF and without a last line end") {
+  const std::string expected = contact2d("run " + quoted(kHertz) + " --csv -").out;
+  REQUIRE(!expected.empty());
+  CHECK(run_shell("'" C2D_TEST_PROGRAM "' run - --csv - <" + quoted(kHertz)).out == expected);
+  const Folder folder;
+  std::string deck;
+  for (const std::string& line : lines_of(read_file(kHertz))) deck += line + "\r\n";
+  write_file(folder / "crlf", deck.substr(0, deck.size() - 2));
+  CHECK(contact2d("run " + quoted(folder / "crlf") + " --csv -").out == expected);
+}
+
+TEST_CASE("program: outputs that cannot be written end with 3, and none of the others appears") {
+  const Folder folder;
+  fs::create_directory(folder / "taken");
+  std::vector<std::string> bad = {folder / "nowhere/file", folder / "taken", folder / std::string(300, 'x')};
+  if (fs::exists("/dev/full")) bad.push_back("/dev/full");
+  if (::geteuid() != 0) { // root may write anywhere
+    fs::create_directory(folder / "closed");
+    fs::permissions(folder / "closed", fs::perms::owner_read | fs::perms::owner_exec);
+    bad.push_back(folder / "closed/file");
+    write_file(folder / "readonly", "old");
+    fs::permissions(folder / "readonly", fs::perms::owner_read);
+    bad.push_back(folder / "readonly");
+  }
+  const size_t before = folder.names().size();
+  const char* const options[] = {"--listing", "--csv", "--boundary", "--json"};
+  for (const std::string& name : bad)
+    for (const char* option : options) {
+      std::string arguments = "run " + quoted(kHertz);
+      for (const char* other : options)
+        arguments += std::string(" ") + other + " " + quoted(other == option ? name : folder / (other + 2));
+      const Result result = contact2d(arguments);
+      CHECK_MESSAGE(result.status == 3, option << " " << name);
+      CHECK_MESSAGE(contains(result.err, name), result.err);
+      CHECK_MESSAGE(folder.names().size() == before, option << " " << name);
+    }
+  if (fs::exists("/dev/full"))
+    CHECK(run_shell("'" C2D_TEST_PROGRAM "' run " + quoted(kHertz) + " >/dev/full").status == 3);
+  if (fs::exists("/dev/full"))
+    CHECK(run_shell("'" C2D_TEST_PROGRAM "' check " + quoted(kHertz) + " >/dev/full").status == 3);
+  if (fs::exists("/dev/full")) CHECK(run_shell("'" C2D_TEST_PROGRAM "' --help >/dev/full").status == 3);
+}
+
+TEST_CASE("program: a file size limit and a closed pipe end with 3, not with a signal") {
+  const Folder folder;
+  const std::string run = "'" C2D_TEST_PROGRAM "' run " + quoted(kHertz) + " --listing /dev/null --csv ";
+  // ulimit counts in blocks of 512 or 1024 bytes; the CSV has more than 60 KiB.
+  const Result limited = run_shell("ulimit -f 8; " + run + quoted(folder / "c") + " 2>/dev/null");
+  CHECK(limited.status == 3);
+  CHECK(folder.names().empty());
+  const Result piped =
+      run_shell("{ " + run + "- 2>/dev/null; echo $? >" + quoted(folder / "status") + "; } | true");
+  CHECK(read_file(folder / "status") == "3\n");
+}
+
+TEST_CASE("program: an old output is replaced only by a complete one") {
+  const Folder folder;
+  write_file(folder / "c", "old");
+  write_file(folder / "bad", "nonsense\n");
+  fs::permissions(folder / "c", fs::perms::owner_read | fs::perms::owner_write);
+  CHECK(contact2d("run " + quoted(folder / "bad") + " --csv " + quoted(folder / "c")).status == 2);
+  CHECK(read_file(folder / "c") == "old");
+  CHECK(contact2d("run " + quoted(kHertz) + " --memory 1K --csv " + quoted(folder / "c")).status == 4);
+  CHECK(read_file(folder / "c") == "old");
+  fs::create_symlink("c", folder / "link");
+  CHECK(contact2d("run " + quoted(kHertz) + " --csv " + quoted(folder / "link")).status == 0);
+  CHECK(read_file(folder / "c").compare(0, kCsvHeader.size(), kCsvHeader) == 0);
+  CHECK(fs::is_symlink(folder / "link"));
+  CHECK(fs::status(folder / "c").permissions() == (fs::perms::owner_read | fs::perms::owner_write));
+  CHECK(folder.names().size() == 3);
+}
+
+TEST_CASE("program: devices and pipes are written to, never replaced") {
+  const Folder folder;
+  const std::string fifo = folder / "fifo";
+  REQUIRE(::mkfifo(fifo.c_str(), 0600) == 0);
+  const Result result =
+      run_shell("cat " + quoted(fifo) + " >" + quoted(folder / "copy") + " & '" C2D_TEST_PROGRAM "' run " +
+                quoted(kHertz) + " --listing /dev/null --boundary /dev/null --json /dev/null --csv " +
+                quoted(fifo) + "; status=$?; wait; exit $status");
+  CHECK(result.status == 0);
+  CHECK(fs::is_fifo(fifo));
+  CHECK(lines_of(read_file(folder / "copy")).size() == 1 + 2 * 28 * 15);
+  CHECK(fs::is_character_file("/dev/null"));
+  CHECK(folder.names().size() == 2);
+}
+
+TEST_CASE("program: the deck is not overwritten, nor one output by another") {
+  const Folder folder;
+  const std::string text = read_file(kHertz), deck = folder / "deck";
+  write_file(deck, text);
+  fs::create_hard_link(deck, folder / "same");
+  CHECK(contact2d("run " + quoted(deck) + " --csv " + quoted(deck)).status == 64);
+  CHECK(contact2d("run " + quoted(deck) + " --csv " + quoted(folder / "same")).status == 64);
+  CHECK(
+      contact2d("run " + quoted(deck) + " --csv " + quoted(folder / "x") + " --json " + quoted(folder / "x"))
+          .status == 64);
+  CHECK(read_file(deck) == text);
+  CHECK(folder.names().size() == 2);
+}
+
+TEST_CASE("program: check tells the memory, and that memory is enough") {
+  const Result check = contact2d("check " + quoted(kHertz));
+  CHECK(check.status == 0);
+  const unsigned long long minimum = bytes_after(check.out, "minimum"),
+                           in_core = bytes_after(check.out, "all in RAM");
+  CHECK(minimum <= in_core);
+  const std::string run = "run " + quoted(kHertz) + " --listing /dev/null --memory ";
+  CHECK(contact2d(run + std::to_string(minimum)).status == 0);
+  CHECK(contact2d(run + std::to_string(in_core)).status == 0);
+  CHECK(contact2d(run + "1G").status == 0);
+  const Result small = contact2d(run + std::to_string(minimum - 1));
+  CHECK(small.status == 4);
+  CHECK(bytes_after(small.err, "too small:") == minimum);
+  CHECK(contact2d(run + "1").status == 4);
+  CHECK(contact2d(run + "1K").status == 4);
+}
+
+TEST_CASE("program: stepping and quadrature are chosen") {
+  const Folder folder;
+  CHECK(contact2d("run " + quoted(kHertz) + " --stepping deck --listing " + quoted(folder / "l")).status ==
+        0);
+  CHECK(contains(read_file(folder / "l"), "deck increments"));
+  CHECK(
+      contact2d("run " + quoted(kHertz) + " --quadrature thesis --listing " + quoted(folder / "l")).status ==
+      0);
+  CHECK(contains(read_file(folder / "l"), "2, 4 and 10 points"));
+  CHECK(contact2d("run " + quoted(kHertz) +
+                  " --stepping events --quadrature accurate --symmetry deck --threads 1 "
+                  "--no-progress --listing /dev/null")
+            .status == 0);
+}
+
+TEST_CASE("program: every store gives the same numbers, and files go after success") {
+  const Folder folder;
+  const std::string run = "run " + quoted(kHertz) + " --listing /dev/null --csv ", store = folder / "tapes";
+  REQUIRE(contact2d(run + quoted(folder / "a") + " --store memory").status == 0);
+  REQUIRE(contact2d(run + quoted(folder / "b") + " --store file:" + quoted(store)).status == 0);
+  CHECK(read_file(folder / "a") == read_file(folder / "b"));
+  CHECK_FALSE(fs::exists(store)); // made by the program, so it goes too
+  REQUIRE(contact2d(run + quoted(folder / "b") + " --keep --store file:" + quoted(store)).status == 0);
+  REQUIRE(fs::is_directory(store));
+  CHECK(fs::exists(store + "/tape1.c2d"));
+  // A second run in a folder full of another run's tapes, which the user made: tapes go, the folder stays.
+  write_file(store + "/mine", "text");
+  REQUIRE(contact2d(run + quoted(folder / "b") + " --store file:" + quoted(store)).status == 0);
+  CHECK(read_file(folder / "a") == read_file(folder / "b"));
+  CHECK(read_file(store + "/mine") == "text");
+  for (const auto& entry : fs::directory_iterator(store)) CHECK(entry.path().extension() != ".c2d");
+}
+
+TEST_CASE("program: a folder of tapes belongs to one process; a store that fails ends with 3") {
+  const Folder folder;
+  const std::string store = folder / "tapes";
+  fs::create_directory(store);
+  const int lock = ::open((store + "/lock").c_str(), O_RDWR | O_CREAT, 0600);
+  REQUIRE(lock >= 0);
+  REQUIRE(::flock(lock, LOCK_EX) == 0);
+  const std::string run = "run " + quoted(kHertz) + " --csv " + quoted(folder / "c") + " --store file:";
+  const Result locked = contact2d(run + quoted(store));
+  CHECK(locked.status == 3);
+  CHECK(contains(locked.err, "in use"));
+  ::close(lock);
+  CHECK(contact2d(run + quoted(folder / "no/such/parent")).status == 3);
+  write_file(folder / "file", "");
+  CHECK(contact2d(run + quoted(folder / "file")).status == 3);
+  fs::create_directory(store + "/tape1.c2d"); // in the way of a tape
+  const Result blocked = contact2d(run + quoted(store));
+  CHECK(blocked.status == 3);
+  CHECK(contains(blocked.err, "error: "));
+  CHECK_FALSE(fs::exists(folder / "c"));
+}
+
+TEST_CASE("program: a path that ends early leaves its rows and says where and why, exit 1") {
+  const Folder folder;
+  // The last load card pulls the cylinder away: the contact opens at load 0 and nothing holds the body.
+  write_file(folder / "deck", changed_hertz("    2     1.0300", "    4    -1.0300"));
+  const Result result = contact2d("run " + quoted(folder / "deck") + " --csv " + quoted(folder / "c") +
+                                  " --json " + quoted(folder / "j") + " --listing " + quoted(folder / "l"));
+  CHECK(result.status == 1);
+  CHECK(contains(result.err, "incomplete"));
+  CHECK(contains(read_file(folder / "l"), "incomplete"));
+  const Json json = JsonReader::read(read_file(folder / "j"));
+  CHECK(json["outcome"].text != "reached");
+  REQUIRE(json.has("incomplete"));
+  CHECK(json["incomplete"]["mu"].number == 0.4);
+  CHECK(json["incomplete"]["step"].number == 28);
+  CHECK(std::abs(json["incomplete"]["load"].number) < 1e-6);
+  CHECK(!json["incomplete"]["why"].text.empty());
+  // 26 increments of the other cards, one at 0.41; the third, to -0.07, ends at 0.
+  const std::vector<std::string> rows = lines_of(read_file(folder / "c"));
+  REQUIRE(rows.size() > 1);
+  CHECK(rows[0] == kCsvHeader);
+  CHECK((rows.size() - 1) % 15 == 0);
+  CHECK(rows.size() >= 1 + 2 * 27 * 15);
+  for (size_t i = 1; i < rows.size(); ++i) CHECK(std::stod(columns_of(rows[i])[2]) > -1e-6);
+}
+
+TEST_CASE("program: one body without contact") {
+  const Folder folder;
+  const Result result =
+      contact2d("run " + quoted(kExamples + "plate_tension.dat") + " --csv " + quoted(folder / "c") +
+                " --json " + quoted(folder / "j") + " --boundary " + quoted(folder / "b"));
+  CHECK(result.status == 0);
+  CHECK(contains(result.out, "Body 1 in global components"));
+  CHECK(read_file(folder / "c") == kCsvHeader + "\n");
+  CHECK(JsonReader::read(read_file(folder / "j"))["unknowns"]["body2"].number == 0);
+  CHECK(lines_of(read_file(folder / "b")).size() == 1 + 2 * 24);
+}
+
+TEST_CASE("program: every example is in order") {
+  for (const auto& entry : fs::directory_iterator(kExamples)) {
+    if (entry.path().extension() != ".dat") continue;
+    CHECK_MESSAGE(contact2d("check " + quoted(entry.path().string())).status == 0, entry.path().string());
+  }
+}
+
+TEST_CASE("program: an interrupt ends with 130 and leaves nothing") {
+  const Folder folder;
+  const std::string fifo = folder / "deck", csv = folder / "c";
+  REQUIRE(::mkfifo(fifo.c_str(), 0600) == 0);
+  const pid_t child = ::fork();
+  REQUIRE(child >= 0);
+  if (child == 0) {
+    ::signal(SIGINT, SIG_DFL);
+    const int null = ::open("/dev/null", O_WRONLY);
+    ::dup2(null, 2);
+    ::execl(C2D_TEST_PROGRAM, C2D_TEST_PROGRAM, "run", fifo.c_str(), "--csv", csv.c_str(),
+            static_cast<char*>(nullptr));
+    ::_exit(127);
+  }
+  const int writer = ::open(fifo.c_str(), O_WRONLY); // returns when the program has opened the deck
+  REQUIRE(writer >= 0);
+  // By then its handlers are in place; a moment more and it waits in read().
+  ::usleep(50000);
+  ::kill(child, SIGINT);
+  int raw = 0;
+  REQUIRE(::waitpid(child, &raw, 0) == child);
+  ::close(writer);
+  CHECK(WIFEXITED(raw));
+  CHECK(WEXITSTATUS(raw) == 130);
+  CHECK(folder.names().size() == 1);
+}
