@@ -389,12 +389,21 @@ TEST_CASE("calls that the model refuses") {
   }
 }
 
-TEST_CASE("a workspace made for other functional nodes") {
+TEST_CASE("a workspace made for other functional nodes or bodies") {
   CHECK(read(joined(squares()), -1, C2D_OK, 2).status == C2D_OK);
   const Reading r = read(joined(squares()), -1, C2D_OK, 3);
   CHECK(r.status == C2D_ERR_INPUT);
   REQUIRE(r.faults.size() == 1);
   CHECK(has(r.faults[0], "the workspace was made for 3"));
+  Bytes deck;
+  deck.bytes = joined(squares());
+  Recorder model;
+  c2d::DeckSink sink = recording_sink(model);
+  sink.bodies = 1;
+  std::vector<Fault> faults;
+  CHECK(c2d::read_deck_cards(&sink, read_bytes, &deck, keep_fault, &faults, nullptr) == C2D_ERR_INPUT);
+  REQUIRE(faults.size() == 1);
+  CHECK(has(faults[0], "number of bodies is 2, but the workspace was made for 1"));
 }
 
 TEST_CASE("scan keeps the first fault, check tells all") {

@@ -25,6 +25,20 @@ bool read_problem_type(Deck& deck) {
   return accept(deck, deck.sink->set_problem(deck.sink->solver, &deck.problem));
 }
 
+// What the workspace was made for cannot be changed by a deck.
+bool fits_workspace(Deck& deck) {
+  if (deck.sink == nullptr) return true;
+  const int32_t bodies = deck.sink->bodies, nodes = deck.sink->function_nodes;
+  const int32_t old_faults = deck.cards.faults;
+  if (bodies > 0 && bodies != deck.sizes.bodies)
+    fault(deck.cards, 1, 5, "number of bodies is ", deck.sizes.bodies, ", but the workspace was made for ",
+          bodies);
+  if (nodes > 0 && nodes != deck.sizes.function_nodes)
+    fault(deck.cards, 11, 15, "number of functional nodes per element is ", deck.sizes.function_nodes,
+          ", but the workspace was made for ", nodes);
+  return deck.cards.faults == old_faults;
+}
+
 bool read_counts(Deck& deck) {
   Cards& cards = deck.cards;
   c2d_limits& sizes = deck.sizes;
@@ -42,13 +56,7 @@ bool read_counts(Deck& deck) {
   else if (sizes.zones > 0 && deck.problem.analysis == C2D_ANALYSIS_STRESS)
     fault(cards, 6, 10, "number of contact zones is ", sizes.zones,
           ", expected 0: a stress analysis (IOUT 0) has no contact zones; IOUT 1 or 2 is contact");
-  if (deck.sink != nullptr && deck.sink->function_nodes > 0 &&
-      deck.sink->function_nodes != sizes.function_nodes) {
-    fault(cards, 11, 15, "number of functional nodes per element is ", sizes.function_nodes,
-          ", but the workspace was made for ", deck.sink->function_nodes);
-    return false;
-  }
-  return true;
+  return fits_workspace(deck);
 }
 
 c2d_body body_data(const Deck& deck, int b, double youngs_modulus, double poisson_ratio) {

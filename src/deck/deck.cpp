@@ -40,6 +40,7 @@ void place(Deck& deck, int32_t column, int32_t column_end) {
 bool accept(Deck& deck, c2d_status status) {
   if (status == C2D_OK) return !deck.cards.ended;
   ++deck.cards.faults;
+  if (deck.sink->refused != nullptr) deck.sink->refused(deck.sink->context);
   if (status != C2D_ERR_ARGUMENT && status != C2D_ERR_INPUT) {
     if (deck.cards.status == C2D_OK) deck.cards.status = status;
     deck.cards.ended = true;

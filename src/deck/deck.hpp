@@ -15,7 +15,10 @@ namespace c2d {
 //   constants that are merely legal (E = 1, nu = 0) and the second, after the regions, those of the deck.
 struct DeckSink {
   c2d_solver* solver;
-  int32_t function_nodes; // per element, as the workspace was made for; 0: any
+  int32_t function_nodes;         // per element, as the workspace was made for; 0: any
+  int32_t bodies;                 // likewise
+  void (*refused)(void* context); // may be null; told after every call below that returned an error
+  void* context;
   c2d_status (*set_line)(c2d_solver*, int32_t line, int32_t column, int32_t column_end);
   c2d_status (*set_problem)(c2d_solver*, const c2d_problem*);
   c2d_status (*set_body)(c2d_solver*, int32_t body, const c2d_body*);

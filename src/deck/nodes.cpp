@@ -1,5 +1,6 @@
 // Boundary points: origin, node cards, generation along lines and arcs.
 #include "deck/deck.hpp"
+#include "deck/number.hpp"
 #include "deck/polar.hpp"
 
 #include <math.h>
@@ -94,6 +95,38 @@ bool generate(Deck& deck, int b, const NodeCard& from, const NodeCard& to) {
   return true;
 }
 
+// The node's number on the card, turned into that within the body. False: it cannot be right, which has been
+// reported unless it is doubtful that this is a node card.
+bool read_number(Deck& deck, int b, bool is_first, bool doubtful, int32_t previous, int32_t* node) {
+  Cards& cards = deck.cards;
+  int32_t number = 0;
+  if (doubtful && integer_field(cards.text + 1, 4, &number) != FieldFault::none) return false;
+  if (!integer(cards, 2, 4, "node number", INT32_MIN, INT32_MAX, &number)) return false;
+  // Body 2's first card decides whether its nodes are numbered on from body 1's.
+  if (b == 1 && is_first) deck.nodes_continue = number > deck.sizes.geometry_nodes[0];
+  const int32_t offset = b == 1 && deck.nodes_continue ? deck.sizes.geometry_nodes[0] : 0;
+  const int32_t nodes = deck.sizes.geometry_nodes[b];
+  *node = number - offset;
+  if (is_first && *node == 1) return true;
+  if (!is_first && *node > previous && *node <= nodes) return true;
+  if (doubtful) return false;
+  const int32_t least = previous + 1 + offset;
+  if (is_first)
+    fault(cards, 2, 5, "first node number is ", number, ", expected ", least);
+  else if (previous + 1 == nodes)
+    fault(cards, 2, 5, "node number is ", number, ", expected ", least);
+  else
+    fault(cards, 2, 5, "node number is ", number, ", expected ", least, " to ", nodes + offset);
+  return false;
+}
+
+bool next_node_card(Cards& cards) {
+  cards.holds_nodes = true;
+  const bool found = next_card(cards, "a node card");
+  cards.holds_nodes = false;
+  return found;
+}
+
 } // namespace
 
 // A card whose number cannot be right is skipped; after two of them in succession it is no longer sure that
@@ -106,40 +139,23 @@ bool read_nodes(Deck& deck, int b) {
   NodeCard previous = NodeCard();
   bool doubtful = false;
   for (bool is_first = true; previous.node < nodes; is_first = false) {
-    cards.holds_nodes = true;
-    const bool found = next_card(cards, "a node card");
-    cards.holds_nodes = false;
-    if (!found) return false;
+    if (!next_node_card(cards)) return false;
     NodeCard card = NodeCard();
-    int32_t number = 0;
-    const bool number_known = integer(cards, 2, 4, "node number", INT32_MIN, INT32_MAX, &number);
-    if (b == 1 && is_first) deck.nodes_continue = number_known && number > deck.sizes.geometry_nodes[0];
-    const int32_t offset = b == 1 && deck.nodes_continue ? deck.sizes.geometry_nodes[0] : 0;
-    card.node = number - offset;
-    const bool number_sound = number_known && card.node > previous.node && card.node <= nodes &&
-                              (previous.node > 0 || card.node == 1 || !is_first);
+    const bool number_sound = read_number(deck, b, is_first, doubtful, previous.node, &card.node);
     if (!number_sound && doubtful) return false;
-    if (!number_sound) {
-      const int32_t least = previous.node + 1 + offset;
-      if (number_known && is_first)
-        fault(cards, 2, 5, "first node number is ", number, ", expected ", least);
-      else if (number_known)
-        fault(cards, 2, 5, "node number is ", number, ", expected ", least, " to ", nodes + offset);
-    }
     read_coordinates(cards, card);
     doubtful = !number_sound;
-    if (!number_sound) {
-      // A first node that is not number 1 still counts the nodes on.
-      if (is_first && number_known && card.node > 0 && card.node <= nodes) previous.node = card.node;
-      previous.sound = false;
-      if (cards.ended) return false;
-      continue;
-    }
-    place(deck, 7, 26);
-    if (!generate(deck, b, previous, card)) return false;
-    if (card.sound && !set_node(deck, b, card.node, card.x, card.y)) return false;
-    previous = card;
     if (cards.ended) return false;
+    if (number_sound) {
+      place(deck, 7, 26);
+      if (!generate(deck, b, previous, card)) return false;
+      if (card.sound && !set_node(deck, b, card.node, card.x, card.y)) return false;
+      previous = card;
+    } else {
+      // A first node that is not number 1 still counts the nodes on.
+      if (is_first && card.node > 0 && card.node <= nodes) previous.node = card.node;
+      previous.sound = false;
+    }
   }
   return true;
 }

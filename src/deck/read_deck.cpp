@@ -5,58 +5,83 @@
 namespace c2d {
 namespace {
 
-void tell_solver(void* context, const c2d_error* entry) {
-  report_fault(static_cast<c2d_solver*>(context), *entry);
+// The caller's deck and the solver. Every inner call begins with a clean error, so the first fault is kept
+// here.
+struct Reading {
+  c2d_solver* solver;
+  c2d_read_line read;
+  void* context;
+  c2d_error first;
+};
+
+void keep_first(Reading& reading, const c2d_error& entry) {
+  if (reading.first.status == C2D_OK) reading.first = entry;
 }
 
-// In a function of its own: the summary is large, and gone from the stack when the reading begins.
-int32_t function_nodes_of(c2d_solver* solver) {
-  c2d_summary summary = c2d_summary();
-  summary.struct_size = static_cast<uint32_t>(sizeof summary);
-  return c2d_get_summary(solver, &summary) == C2D_OK ? summary.function_nodes : 0;
+void model_refused(void* context) {
+  Reading& reading = *static_cast<Reading*>(context);
+  keep_first(reading, reading.solver->error);
 }
 
-c2d_status refuse(c2d_solver* solver, c2d_status status, const char* why) {
-  c2d_error entry = c2d_error();
-  entry.struct_size = static_cast<uint32_t>(sizeof entry);
-  entry.status = status;
-  entry.severity = C2D_FAULT;
-  Text text = text_in(entry.text);
-  put(text, why);
-  report_fault(solver, entry);
-  return status;
+void deck_fault(void* context, const c2d_error* entry) {
+  Reading& reading = *static_cast<Reading*>(context);
+  keep_first(reading, *entry);
+  report_fault(reading.solver, *entry);
+}
+
+// Inside the caller's read_line no call of this solver is legal.
+int32_t read_line(void* context, char* text, int32_t size) {
+  Reading& reading = *static_cast<Reading*>(context);
+  reading.solver->busy = 1;
+  const int32_t length = reading.read(reading.context, text, size);
+  reading.solver->busy = 0;
+  return length;
+}
+
+c2d_status walk(Reading& reading) {
+  DeckSink sink = DeckSink();
+  sink.solver = reading.solver;
+  sink.function_nodes = reading.solver->sizes.function_nodes;
+  sink.bodies = reading.solver->sizes.bodies;
+  sink.refused = model_refused;
+  sink.context = &reading;
+  sink.set_line = c2d_set_line;
+  sink.set_problem = c2d_set_problem;
+  sink.set_body = c2d_set_body;
+  sink.add_region = c2d_add_region;
+  sink.set_nodes = c2d_set_nodes;
+  sink.set_condition = c2d_set_condition;
+  sink.add_point_load = c2d_add_point_load;
+  sink.add_zone = c2d_add_zone;
+  sink.add_friction = c2d_add_friction;
+  sink.add_path = c2d_add_path;
+  return read_deck_cards(&sink, read_line, &reading, deck_fault, &reading, nullptr);
 }
 
 } // namespace
 } // namespace c2d
 
-c2d_status c2d_read_deck(c2d_solver* solver, c2d_read_line read, void* context) {
-  const int32_t state = c2d_get_state(solver);
-  if (state < 0) return C2D_ERR_ARGUMENT;
-  if (read == nullptr) return c2d::refuse(solver, C2D_ERR_ARGUMENT, "read_line is null, expected a function");
-  if (state != C2D_STATE_EMPTY)
-    return c2d::refuse(solver, C2D_ERR_STATE, "a deck is read into an empty solver; this one holds a model");
-  // Also refused here: a call from inside one of the solver's own callbacks.
-  c2d_status status = c2d_set_line(solver, 0, 0, 0);
-  if (status != C2D_OK) return status;
+using namespace c2d;
 
-  const c2d::DeckSink sink = {solver,
-                              c2d::function_nodes_of(solver),
-                              c2d_set_line,
-                              c2d_set_problem,
-                              c2d_set_body,
-                              c2d_add_region,
-                              c2d_set_nodes,
-                              c2d_set_condition,
-                              c2d_add_point_load,
-                              c2d_add_zone,
-                              c2d_add_friction,
-                              c2d_add_path};
-  status = c2d::read_deck_cards(&sink, read, context, c2d::tell_solver, solver, nullptr);
+c2d_status c2d_read_deck(c2d_solver* solver, c2d_read_line read, void* context) {
+  c2d_status status = enter(solver, state_bit(C2D_STATE_EMPTY));
+  if (status != C2D_OK) return status;
+  if (read == nullptr) return fail(solver, C2D_ERR_ARGUMENT, "read_line is null, expected a function");
+  const double start = clock_now(solver);
+  Reading reading = Reading();
+  reading.solver = solver;
+  reading.read = read;
+  reading.context = context;
+  status = walk(reading);
   if (status == C2D_OK) {
-    c2d_set_line(solver, 0, 0, 0);
     status = c2d_complete(solver);
+    if (status != C2D_OK) model_refused(&reading);
   }
-  if (status != C2D_OK) c2d::clear_model(solver);
+  if (status != C2D_OK) {
+    clear_model(solver);
+    solver->error = reading.first;
+    solver->has_fault = 1;
+  }
+  solver->seconds[C2D_PHASE_READ] = clock_now(solver) - start;
   return status;
 }
