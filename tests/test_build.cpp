@@ -50,7 +50,7 @@ int level_of(const std::string& folder) {
   return found == kLevels.end() ? -1 : found->second;
 }
 
-std::string relative(const fs::path& path) {
+std::string name_of(const fs::path& path) {
   return fs::relative(path, kRoot).generic_string();
 }
 
@@ -60,7 +60,7 @@ TEST_CASE("build: a file of src/ includes only downward") {
   int seen = 0;
   for (const fs::path& path : files_below("src")) {
     if (!is_source(path)) continue;
-    const std::string name = relative(path);
+    const std::string name = name_of(path);
     const std::string folder = name.substr(4, name.find('/', 4) - 4);
     const int level = level_of(folder);
     CHECK_MESSAGE(level >= 0, name << ": folder " << folder << " has no place in the order");
@@ -82,7 +82,7 @@ TEST_CASE("build: the core includes no header of an operating system or of the C
                                                  "math.h",   "float.h",     "limits.h",
                                                  "limits",   "type_traits", "contact2d.h"};
   for (const fs::path& path : files_below("src")) {
-    const std::string name = relative(path);
+    const std::string name = name_of(path);
     if (!is_source(path) || name.compare(0, 11, "src/report/") == 0 ||
         name.compare(0, 12, "src/program/") == 0)
       continue;
@@ -96,7 +96,7 @@ TEST_CASE("build: the core includes no header of an operating system or of the C
 
 TEST_CASE("build: report and program use the public interface alone") {
   for (const fs::path& path : files_below("src")) {
-    const std::string name = relative(path);
+    const std::string name = name_of(path);
     if (name.compare(0, 11, "src/report/") != 0 && name.compare(0, 12, "src/program/") != 0) continue;
     for (const std::string& include : includes_of(path)) {
       const size_t slash = include.find('/');
@@ -115,7 +115,7 @@ TEST_CASE("build: sources.mk lists what the folders hold, and nothing twice") {
   std::multiset<std::string> found;
   for (const char* folder : {"src", "port"})
     for (const fs::path& path : files_below(folder))
-      if (path.extension() == ".cpp" || path.extension() == ".c") found.insert(relative(path));
+      if (path.extension() == ".cpp" || path.extension() == ".c") found.insert(name_of(path));
   for (const std::string& name : found) CHECK_MESSAGE(listed.count(name) == 1, name << " (make relist)");
   for (const std::string& name : listed) CHECK_MESSAGE(found.count(name) == 1, name << " (make relist)");
 }
@@ -144,9 +144,9 @@ TEST_CASE("build: every text is ASCII without tabs or trailing blanks") {
       const auto odd = std::find_if(text.begin(), text.end(), [](char c) {
         return c != '\n' && (static_cast<unsigned char>(c) < 32 || static_cast<unsigned char>(c) > 126);
       });
-      CHECK_MESSAGE(odd == text.end(), relative(path) << ": byte " << (odd - text.begin()));
+      CHECK_MESSAGE(odd == text.end(), name_of(path) << ": byte " << (odd - text.begin()));
       if (is_source(path))
-        CHECK_MESSAGE(!contains(text, " \n"), relative(path) << ": blanks at the end of a line");
+        CHECK_MESSAGE(!contains(text, " \n"), name_of(path) << ": blanks at the end of a line");
     }
 }
 

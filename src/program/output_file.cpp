@@ -46,6 +46,7 @@ bool OutputFile::open(const std::string& name, std::string& error) {
     file_ = ::open(name.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
     return file_ >= 0 || fail("cannot be written", errno, error);
   }
+  if (!exists && errno != ENOENT) return fail("cannot be written", errno, error);
   if (exists) { // through symbolic links; and not if the file itself may not be written
     if (::access(name.c_str(), W_OK) != 0) return fail("cannot be written", errno, error);
     if (char* real = ::realpath(name.c_str(), nullptr)) {
