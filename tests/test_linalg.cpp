@@ -1,8 +1,8 @@
 #include "linalg/dense.hpp"
 #include "linalg/exchange.hpp"
 #include "linalg/lu.hpp"
-#include <doctest/doctest.h>
 #include <cmath>
+#include <doctest/doctest.h>
 #include <fenv.h>
 #include <limits>
 #include <random>
@@ -143,7 +143,8 @@ TEST_CASE("LU residual ratio for many sizes, and for panels of many widths") {
   }
 }
 
-TEST_CASE("columns without a pivot are counted, not divided by, and the factors still multiply to the matrix") {
+TEST_CASE(
+    "columns without a pivot are counted, not divided by, and the factors still multiply to the matrix") {
   for (int32_t n : {1, 2, 3, 5, 10, 50, 200}) {
     for (int32_t which = 0; which < 3; ++which) { // the first, the last, or every second column is zero
       Matrix a = random_matrix(n, n, 11);
@@ -245,7 +246,8 @@ TEST_CASE("after an exchange the same y and z still satisfy the tableau") {
       std::vector<double> z(cols), y(rows, 0.0);
       for (int32_t j = 0; j < cols; ++j) z[static_cast<size_t>(j)] = std::sin(1.0 + j);
       for (int32_t i = 0; i < rows; ++i) {
-        for (int32_t j = 0; j < cols; ++j) y[static_cast<size_t>(i)] += double(t(i, j)) * z[static_cast<size_t>(j)];
+        for (int32_t j = 0; j < cols; ++j)
+          y[static_cast<size_t>(i)] += double(t(i, j)) * z[static_cast<size_t>(j)];
       }
       REQUIRE(exchange(rows, cols, t.data(), t.ld, r, c));
       std::swap(y[static_cast<size_t>(r)], z[static_cast<size_t>(c)]);
@@ -258,7 +260,8 @@ TEST_CASE("after an exchange the same y and z still satisfy the tableau") {
       CHECK(worst < 200 * kEps);
       REQUIRE(exchange(rows, cols, t.data(), t.ld, r, c));
       for (int32_t j = 0; j < cols; ++j) {
-        for (int32_t i = 0; i < rows; ++i) worst = std::fmax(worst, std::fabs(double(t(i, j)) - double(before(i, j))));
+        for (int32_t i = 0; i < rows; ++i)
+          worst = std::fmax(worst, std::fabs(double(t(i, j)) - double(before(i, j))));
         for (int64_t g = rows; g < t.ld; ++g) CHECK(t(static_cast<int32_t>(g), j) == Real(-77));
       }
       CHECK(worst < 200 * kEps);
