@@ -63,10 +63,12 @@ TEST_CASE("frames: the direction of the gap counts only inside the wedge of the 
   REQUIRE(d.complete());
   CHECK(d.pairs[1].nx == doctest::Approx(0.004 / std::sqrt(0.25 + 0.004 * 0.004)).epsilon(1e-12));
   CHECK(d.pairs[1].gap == doctest::Approx(std::sqrt(0.25 + 0.004 * 0.004)).epsilon(1e-12));
-  d = blocks(0.5, 2, 0.02); // 2.3 degrees off: not the direction of closing
-  REQUIRE(d.complete());
-  CHECK(d.pairs[1].nx == 0);
-  CHECK(d.pairs[1].gap == doctest::Approx(0.5).epsilon(1e-15));
+  for (double shift : {0.02, -0.02}) { // 2.3 degrees off on either side: not the direction of closing
+    d = blocks(0.5, 2, shift);
+    REQUIRE(d.complete());
+    CHECK(d.pairs[1].nx == 0);
+    CHECK(d.pairs[1].gap == doctest::Approx(0.5).epsilon(1e-15));
+  }
   d = blocks(9e-4, 2, 1e-5); // shorter than 1e-3 of the element: has no direction
   REQUIRE(d.complete());
   CHECK(d.pairs[1].nx == 0);
