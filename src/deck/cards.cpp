@@ -106,13 +106,12 @@ void malformed_field(Cards& cards, int32_t column, int32_t width, const char* ex
 
 } // namespace
 
-Cards cards_from(c2d_read_line read, void* context, c2d_report report, void* report_context) {
-  Cards cards = Cards();
+void start_cards(Cards& cards, c2d_read_line read, void* context, c2d_report report, void* report_context) {
+  memset(&cards, 0, sizeof cards);
   cards.read = read;
   cards.context = context;
   cards.report = report;
   cards.report_context = report_context;
-  return cards;
 }
 
 void refuse_tabs(Cards& cards) {

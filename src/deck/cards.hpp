@@ -27,7 +27,7 @@ struct Cards {
   char text[168];     // the card, blank-padded to 80 columns
 };
 
-Cards cards_from(c2d_read_line read, void* context, c2d_report report, void* report_context);
+void start_cards(Cards& cards, c2d_read_line read, void* context, c2d_report report, void* report_context);
 
 // The next card as it stands, comments included (heading cards). False: the deck has ended or must not be
 // read on, and this has been reported; `what` names the card that is missing, as in "the card with the number

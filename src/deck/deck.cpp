@@ -21,8 +21,9 @@ bool read_sections(Deck& deck) {
 
 c2d_status read_deck_cards(const DeckSink* sink, c2d_read_line read, void* context, c2d_report report,
                            void* report_context, c2d_limits* sizes) {
-  Deck deck = Deck();
-  deck.cards = cards_from(read, context, report, report_context);
+  Deck deck;
+  memset(&deck, 0, sizeof deck);
+  start_cards(deck.cards, read, context, report, report_context);
   deck.sink = sink;
   deck.sizes.load_cases = 1;
   read_sections(deck);
