@@ -52,6 +52,7 @@ CORE_SOURCES += src/solver/entry.cpp
 CORE_SOURCES += src/solver/messages.cpp
 CORE_SOURCES += src/solver/model_calls.cpp
 CORE_SOURCES += src/solver/phases.cpp
+CORE_SOURCES += src/solver/prepare.cpp
 CORE_SOURCES += src/store/block.cpp
 CORE_SOURCES += src/store/tapes.cpp
 PORT_SOURCES += port/memory/c2d_memory.cpp

@@ -5,7 +5,7 @@
 #include "program/session.hpp"
 #include "report/text.hpp"
 
-namespace c2d {
+namespace app {
 namespace {
 
 void append_line(std::string& out, const char* name, const std::string& value) {
@@ -74,4 +74,4 @@ int check_deck(const Options& options) {
   return kExitSolved;
 }
 
-} // namespace c2d
+} // namespace app

@@ -3,9 +3,9 @@
 
 #include "program/options.hpp"
 
-namespace c2d {
+namespace app {
 
 // Reads and validates the deck and prints its sizes and the memory it needs. Returns the exit status.
 int check_deck(const Options& options);
 
-} // namespace c2d
+} // namespace app

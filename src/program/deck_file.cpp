@@ -8,7 +8,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-namespace c2d {
+namespace app {
 
 bool DeckFile::read(const std::string& name, std::string& error) {
   name_ = name == "-" ? "standard input" : name;
@@ -97,4 +97,4 @@ std::string quote(const DeckFile& deck, const c2d_error& entry, const char* word
   return out += '\n' + caret + '\n';
 }
 
-} // namespace c2d
+} // namespace app

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace c2d {
+namespace app {
 
 class DeckFile {
 public:
@@ -38,4 +38,4 @@ private:
 // `word` is error or warning.
 std::string quote(const DeckFile& deck, const c2d_error& entry, const char* word);
 
-} // namespace c2d
+} // namespace app

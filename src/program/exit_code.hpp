@@ -3,7 +3,7 @@
 
 #include <contact2d.h>
 
-namespace c2d {
+namespace app {
 
 enum ExitCode {
   kExitSolved = 0,
@@ -36,4 +36,4 @@ inline int exit_code(c2d_status status) {
   }
 }
 
-} // namespace c2d
+} // namespace app

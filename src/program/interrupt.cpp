@@ -2,7 +2,7 @@
 
 #include <csignal>
 
-namespace c2d {
+namespace app {
 namespace {
 
 volatile std::sig_atomic_t caught = 0;
@@ -38,4 +38,4 @@ bool interrupted() {
   return caught != 0;
 }
 
-} // namespace c2d
+} // namespace app

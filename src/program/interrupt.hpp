@@ -3,11 +3,11 @@
 
 #include <contact2d.h>
 
-namespace c2d {
+namespace app {
 
 void catch_interrupts();
 // The solver to be told, null for none.
 void set_interrupt_target(c2d_solver* solver);
 bool interrupted();
 
-} // namespace c2d
+} // namespace app

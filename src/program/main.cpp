@@ -14,37 +14,37 @@ namespace {
 
 int print(const char* text) {
   const bool written = std::fputs(text, stdout) >= 0 && std::fflush(stdout) == 0;
-  return written ? c2d::kExitSolved : c2d::kExitFiles;
+  return written ? app::kExitSolved : app::kExitFiles;
 }
 
-int run_command(const c2d::Options& options) {
+int run_command(const app::Options& options) {
   switch (options.command) {
-  case c2d::Command::kRun:
-    return c2d::run_deck(options);
-  case c2d::Command::kCheck:
-    return c2d::check_deck(options);
-  case c2d::Command::kVersion:
+  case app::Command::kRun:
+    return app::run_deck(options);
+  case app::Command::kCheck:
+    return app::check_deck(options);
+  case app::Command::kVersion:
     return print((std::string("contact2d ") + c2d_version() + "\n").c_str());
-  case c2d::Command::kHelp:
+  case app::Command::kHelp:
     break;
   }
-  return print(c2d::help_text());
+  return print(app::help_text());
 }
 
 } // namespace
 
 int main(int argc, char** argv) {
-  c2d::catch_interrupts();
+  app::catch_interrupts();
   try {
-    c2d::Options options;
+    app::Options options;
     std::string error;
-    if (!c2d::read_options(argc, argv, options, error)) {
+    if (!app::read_options(argc, argv, options, error)) {
       std::fprintf(stderr, "contact2d: %s\ncontact2d: --help lists commands and options\n", error.c_str());
-      return c2d::kExitUsage;
+      return app::kExitUsage;
     }
     return run_command(options);
   } catch (const std::bad_alloc&) {
     std::fputs("contact2d: error: no memory left\n", stderr);
-    return c2d::kExitMemory;
+    return app::kExitMemory;
   }
 }

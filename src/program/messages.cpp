@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-namespace c2d {
+namespace app {
 
 namespace {
 const int kMostFaults = 1000; // printed; a file that is no deck at all has one on every card
@@ -38,4 +38,4 @@ void Messages::fail(const std::string& text) const {
   print("contact2d: " + deck_.name() + ": error: " + text + '\n');
 }
 
-} // namespace c2d
+} // namespace app

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace c2d {
+namespace app {
 
 class Messages {
 public:
@@ -38,4 +38,4 @@ private:
   int faults_ = 0;
 };
 
-} // namespace c2d
+} // namespace app

@@ -6,7 +6,7 @@
 #include <charconv>
 #include <vector>
 
-namespace c2d {
+namespace app {
 namespace {
 
 // One option of a command: its name and what it takes.
@@ -220,4 +220,4 @@ const char* help_text() {
          "4 workspace too small; 64 bad usage; 130 cancelled\n";
 }
 
-} // namespace c2d
+} // namespace app

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-namespace c2d {
+namespace app {
 
 enum class Command { kRun, kCheck, kVersion, kHelp };
 enum class Progress { kAutomatic, kAlways, kNever };
@@ -30,4 +30,4 @@ bool read_size(const std::string& text, uint64_t& bytes);
 // What --help prints.
 const char* help_text();
 
-} // namespace c2d
+} // namespace app

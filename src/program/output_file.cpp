@@ -7,7 +7,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace c2d {
+namespace app {
 namespace {
 
 // What is written aside goes out in pieces; what is written directly waits in memory, so that a cancelled or
@@ -100,4 +100,4 @@ bool OutputFile::publish(std::string& error) {
   return true;
 }
 
-} // namespace c2d
+} // namespace app

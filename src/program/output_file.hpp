@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace c2d {
+namespace app {
 
 // A new name or a regular file is written aside, in the same folder, and renamed by publish(); anything else
 // that already has the name (a device, a pipe) and standard output ("-") are written directly, as late as
@@ -39,4 +39,4 @@ private:
   bool direct_ = false;
 };
 
-} // namespace c2d
+} // namespace app

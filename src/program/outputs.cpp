@@ -2,7 +2,7 @@
 
 #include <sys/stat.h>
 
-namespace c2d {
+namespace app {
 
 bool Outputs::open(const Options& options, std::string& error) {
   const bool taken = options.csv == "-" || options.boundary == "-" || options.json == "-";
@@ -51,4 +51,4 @@ std::string find_clash(const Options& options) {
   return std::string();
 }
 
-} // namespace c2d
+} // namespace app

@@ -6,7 +6,7 @@
 
 #include <string>
 
-namespace c2d {
+namespace app {
 
 struct Outputs {
   OutputFile listing, csv, boundary, json;
@@ -23,4 +23,4 @@ struct Outputs {
 // Two outputs with one file, or an output that is the deck: says which. Empty: no such thing.
 std::string find_clash(const Options& options);
 
-} // namespace c2d
+} // namespace app

@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <unistd.h>
 
-namespace c2d {
+namespace app {
 
 double clock_seconds(void*) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -38,4 +38,4 @@ void ProgressLine::clear() {
   shown_ = false;
 }
 
-} // namespace c2d
+} // namespace app

@@ -5,7 +5,7 @@
 
 #include <contact2d.h>
 
-namespace c2d {
+namespace app {
 
 // Seconds from any origin, monotonic: for c2d_port.clock.
 double clock_seconds(void* context);
@@ -24,4 +24,4 @@ private:
   double last_ = -1.0;
 };
 
-} // namespace c2d
+} // namespace app

@@ -14,7 +14,7 @@
 
 #include <cstdio>
 
-namespace c2d {
+namespace app {
 namespace {
 
 class Run {
@@ -261,4 +261,4 @@ int run_deck(const Options& options) {
   return run.go();
 }
 
-} // namespace c2d
+} // namespace app

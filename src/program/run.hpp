@@ -3,9 +3,9 @@
 
 #include "program/options.hpp"
 
-namespace c2d {
+namespace app {
 
 // Solves the deck and writes the outputs. Returns the exit status.
 int run_deck(const Options& options);
 
-} // namespace c2d
+} // namespace app

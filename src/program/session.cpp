@@ -3,7 +3,7 @@
 #include "program/exit_code.hpp"
 #include "program/interrupt.hpp"
 
-namespace c2d {
+namespace app {
 
 Session::~Session() {
   set_interrupt_target(nullptr);
@@ -70,4 +70,4 @@ int Session::read_model(const c2d_port& port) {
   return status == C2D_OK ? 0 : failed(status);
 }
 
-} // namespace c2d
+} // namespace app

@@ -9,7 +9,7 @@
 
 #include <string>
 
-namespace c2d {
+namespace app {
 
 class Session {
 public:
@@ -32,4 +32,4 @@ public:
   c2d_solver* solver = nullptr;
 };
 
-} // namespace c2d
+} // namespace app

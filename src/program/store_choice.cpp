@@ -7,7 +7,7 @@
 #include <unistd.h>
 #include <vector>
 
-namespace c2d {
+namespace app {
 namespace {
 
 const int32_t kNoTape = 1000, kNoMemory = 1001; // host codes of our own
@@ -142,4 +142,4 @@ std::string StoreChoice::system_text(int32_t host_code) const {
   }
 }
 
-} // namespace c2d
+} // namespace app

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <string>
 
-namespace c2d {
+namespace app {
 
 // A block store that forwards every tape to a memory store of its own or to the files of one folder.
 class StoreChoice {
@@ -57,4 +57,4 @@ private:
   bool has_folder_ = false, made_folder_ = false, temporary_ = false, keep_ = false, may_use_folder_ = false;
 };
 
-} // namespace c2d
+} // namespace app

@@ -6,7 +6,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
-namespace c2d {
+namespace app {
 
 uint64_t free_memory() {
   char text[1024];
@@ -51,4 +51,4 @@ c2d_status take_workspace(const c2d_limits& limits, uint64_t wanted, Workspace& 
   return C2D_OK;
 }
 
-} // namespace c2d
+} // namespace app

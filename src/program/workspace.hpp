@@ -8,7 +8,7 @@
 #include <memory>
 #include <string>
 
-namespace c2d {
+namespace app {
 
 struct FreeMemory {
   void operator()(void* memory) const { std::free(memory); }
@@ -26,4 +26,4 @@ uint64_t free_memory();
 // Returns a c2d_status; C2D_ERR_MEMORY with a text that names the bytes that would do.
 c2d_status take_workspace(const c2d_limits& limits, uint64_t wanted, Workspace& out, std::string& error);
 
-} // namespace c2d
+} // namespace app

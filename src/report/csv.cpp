@@ -2,7 +2,7 @@
 
 #include "report/text.hpp"
 
-namespace c2d {
+namespace app {
 
 void append_contact_header(std::string& out) {
   out += "mu,step,load,pair,x,y,status,tn,tt,un1,ut1,un2,ut2,gap,slip\n";
@@ -61,4 +61,4 @@ c2d_status append_boundary(std::string& out, c2d_solver* solver, const c2d_summa
   return C2D_OK;
 }
 
-} // namespace c2d
+} // namespace app

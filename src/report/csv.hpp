@@ -7,7 +7,7 @@
 
 #include <string>
 
-namespace c2d {
+namespace app {
 
 // mu,step,load,pair,x,y,status,tn,tt,un1,ut1,un2,ut2,gap,slip
 void append_contact_header(std::string& out);
@@ -18,4 +18,4 @@ void append_contact_rows(std::string& out, const c2d_step& step);
 void append_boundary_header(std::string& out);
 c2d_status append_boundary(std::string& out, c2d_solver* solver, const c2d_summary& summary);
 
-} // namespace c2d
+} // namespace app

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace c2d {
+namespace app {
 namespace {
 
 // Members of an object one after another; `separator` puts the comma before all but the first.
@@ -199,4 +199,4 @@ void append_json(std::string& out, const RunRecord& record, const c2d_summary& s
   out += "\n}\n";
 }
 
-} // namespace c2d
+} // namespace app

@@ -7,8 +7,8 @@
 
 #include <string>
 
-namespace c2d {
+namespace app {
 
 void append_json(std::string& out, const RunRecord& record, const c2d_summary& summary);
 
-} // namespace c2d
+} // namespace app

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace c2d {
+namespace app {
 namespace {
 
 void append_rule(std::string& out) {
@@ -369,4 +369,4 @@ void append_ending(std::string& out, const RunRecord& record, const c2d_summary&
   if (record.checked_only) out += "  data check only: the deck is in order, nothing was solved\n";
 }
 
-} // namespace c2d
+} // namespace app

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-namespace c2d {
+namespace app {
 
 // Title, heading cards, control data, materials, node coordinates, conditions, point loads, zones, load
 // cards. Needs a complete model.
@@ -27,4 +27,4 @@ c2d_status append_global(std::string& out, c2d_solver* solver, const c2d_summary
 // Balance of forces, warnings, and how the run ended.
 void append_ending(std::string& out, const RunRecord& record, const c2d_summary& summary);
 
-} // namespace c2d
+} // namespace app

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-namespace c2d {
+namespace app {
 
 const CoefficientRecord* RunRecord::incomplete() const {
   for (const CoefficientRecord& c : coefficients)
@@ -84,4 +84,4 @@ c2d_status find_contact_ends(c2d_solver* solver, const c2d_summary& summary, int
   return C2D_OK;
 }
 
-} // namespace c2d
+} // namespace app

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace c2d {
+namespace app {
 
 // How far one coefficient of friction came, with the pairs' table at its last valid state.
 struct CoefficientRecord {
@@ -51,4 +51,4 @@ c2d_status find_contact_ends(c2d_solver* solver, const c2d_summary& summary, int
 c2d_status get_ends(c2d_solver* solver, const c2d_summary& summary, int32_t body, const int32_t* fields,
                     int32_t count, std::vector<std::vector<double>>& out);
 
-} // namespace c2d
+} // namespace app

@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstring>
 
-namespace c2d {
+namespace app {
 namespace {
 
 enum class Form { kGeneral, kScientific };
@@ -105,4 +105,4 @@ const char* tape_word(int32_t tape) {
   }
 }
 
-} // namespace c2d
+} // namespace app

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string>
 
-namespace c2d {
+namespace app {
 
 // Appends `value` with 12 significant digits, as printf's %.12g would; minus zero as 0.
 void append_number(std::string& out, double value);
@@ -21,4 +21,4 @@ const char* status_word(int32_t status);
 const char* outcome_word(int32_t outcome);
 const char* tape_word(int32_t tape);
 
-} // namespace c2d
+} // namespace app
