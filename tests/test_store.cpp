@@ -106,13 +106,13 @@ struct Written {
 
 // The sum of FORMAT.md, byte by byte, from the page and not from the code.
 uint64_t sum_by_the_page(uint64_t start, const Bytes& bytes) {
-  const uint64_t k = 0x9E3779B97F4A7C15u;
-  auto mixed = [k](uint64_t w) {
+  constexpr uint64_t k = 0x9E3779B97F4A7C15u;
+  auto mixed = [](uint64_t w) {
     w = (w ^ w >> 32) * k;
     w = (w ^ w >> 29) * k;
     return w ^ w >> 32;
   };
-  auto taken = [k](uint64_t s, uint64_t w) {
+  auto taken = [](uint64_t s, uint64_t w) {
     s = (s ^ w) * k;
     return s ^ s >> 32;
   };
@@ -179,7 +179,7 @@ void with_every_port(const std::function<void(c2d_port&, const std::string&)>& c
 } // namespace
 
 TEST_CASE("checksum agrees with the format page and sees every single flipped bit") {
-  for (size_t count : {0, 1, 7, 8, 9, 31, 32, 33, 64, 100, 200}) {
+  for (size_t count : std::vector<size_t>{0, 1, 7, 8, 9, 31, 32, 33, 64, 100, 200}) {
     Bytes bytes = pattern(count, 3);
     const uint64_t sum = checksum(5, bytes.data(), bytes.size());
     CHECK(sum == sum_by_the_page(5, bytes));
@@ -192,7 +192,7 @@ TEST_CASE("checksum agrees with the format page and sees every single flipped bi
 }
 
 TEST_CASE("blocks of every length come back as they were written") {
-  for (uint64_t bytes : {0, 1, 4, 7, 8, 9, 63, 64, 1000}) {
+  for (uint64_t bytes : std::vector<uint64_t>{0, 1, 4, 7, 8, 9, 63, 64, 1000}) {
     Written w(bytes);
     CHECK(w.read(1) == C2D_OK);
     CHECK(w.holds(2));
@@ -233,7 +233,7 @@ TEST_CASE("the header stands on the tape as the format page says") {
 }
 
 TEST_CASE("a flipped bit or a changed byte anywhere in a block is a checksum error") {
-  for (uint64_t bytes : {0, 4, 24}) {
+  for (uint64_t bytes : std::vector<uint64_t>{0, 4, 24}) {
     Written w(bytes);
     for (size_t i = 0; i < kBlockHeaderBytes + bytes; ++i) {
       for (unsigned change : {1u, 2u, 4u, 8u, 16u, 32u, 64u, 128u, 255u}) {
@@ -438,7 +438,7 @@ TEST_CASE("every ready port keeps blocks, also over closing and opening, and ref
     const uint64_t run = tapes.run_id;
     REQUIRE(open_tape(tapes, C2D_TAPE_LOWER, 5, 100) == C2D_OK);
     REQUIRE(open_tape(tapes, C2D_TAPE_CONTACT, 3, 30) == C2D_OK);
-    for (uint64_t block : {4, 0, 2}) {
+    for (uint64_t block : std::vector<uint64_t>{4, 0, 2}) {
       const uint64_t bytes = 100 - block;
       const Bytes data = pattern(bytes, static_cast<unsigned>(block));
       std::copy(data.begin(), data.end(), buffer.begin() + kBlockHeaderBytes);
@@ -451,7 +451,7 @@ TEST_CASE("every ready port keeps blocks, also over closing and opening, and ref
     CHECK(sync_tape(tapes, C2D_TAPE_LOWER) == C2D_OK);
     REQUIRE(close_all(tapes) == C2D_OK);
     REQUIRE(open_tape(tapes, C2D_TAPE_LOWER, 5, 100) == C2D_OK);
-    for (uint64_t block : {0, 2, 4}) {
+    for (uint64_t block : std::vector<uint64_t>{0, 2, 4}) {
       REQUIRE(read_block(tapes, C2D_TAPE_LOWER, block, buffer.data(), 100 - block) == C2D_OK);
       const Bytes data = pattern(100 - block, static_cast<unsigned>(block));
       CHECK(std::equal(data.begin(), data.end(), buffer.begin() + kBlockHeaderBytes));
@@ -539,7 +539,8 @@ TEST_CASE("a full disk is reported with its errno") {
   REQUIRE(symlink("/dev/full", folder.name("tape1.c2d").c_str()) == 0);
   Bytes buffer(kBlockHeaderBytes + 100000);
   for (bool posix : {false, true}) {
-    for (uint64_t bytes : {8, 100000}) { // the smaller one waits in stdio's buffer until sync
+    for (uint64_t bytes :
+         std::vector<uint64_t>{8, 100000}) { // the smaller one waits in stdio's buffer until sync
       c2d_stdio_store stdio_store;
       c2d_posix_store posix_store;
       c2d_port port = C2D_INIT(c2d_port);
