@@ -6,7 +6,7 @@ compiles() { echo '#include <doctest/doctest.h>' | ${CXX:-c++} $1 -std=c++17 -E 
 found() { if compiles "$1"; then echo "$1" >"$out"; exit 0; fi; }
 
 if [ -n "$DOCTEST_INCLUDE" ]; then
-  found "-I$DOCTEST_INCLUDE"
+  if [ -e "$DOCTEST_INCLUDE/doctest/doctest.h" ]; then found "-I$DOCTEST_INCLUDE"; fi
   echo "DOCTEST_INCLUDE=$DOCTEST_INCLUDE holds no doctest/doctest.h" >&2
   exit 1
 fi
@@ -28,9 +28,9 @@ else command=
 fi
 if [ -n "$command" ] && [ -z "$NO_INSTALL" ]; then
   if [ -z "$as_root" ] || [ "${command#sudo}" = "$command" ] || sudo -n true 2>/dev/null; then
-    echo "doctest/doctest.h is missing: $command" >&2
+    echo "doctest/doctest.h is missing, installing: $command" >&2
     sh -c "$command" >&2 && search
   fi
 fi
-echo "doctest/doctest.h is missing: ${command:-install doctest} , or say DOCTEST_INCLUDE=folder" >&2
+echo "doctest/doctest.h is missing. Install it (${command:-package doctest}) or say DOCTEST_INCLUDE=folder" >&2
 exit 1

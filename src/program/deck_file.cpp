@@ -3,14 +3,24 @@
 #include "report/text.hpp"
 
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <unistd.h>
 
 namespace app {
+namespace {
 
-bool DeckFile::read(const std::string& name, std::string& error) {
+void set_fault(c2d_error& fault, c2d_status status, const std::string& text) {
+  fault.status = status;
+  fault.severity = C2D_FAULT;
+  std::snprintf(fault.text, sizeof fault.text, "%s", text.c_str());
+}
+
+} // namespace
+
+bool DeckFile::read(const std::string& name, c2d_error& fault) {
   name_ = name == "-" ? "standard input" : name;
   const int file = name == "-" ? 0 : ::open(name.c_str(), O_RDONLY | O_CLOEXEC);
   ssize_t got = file < 0 ? -1 : 1;
@@ -23,7 +33,7 @@ bool DeckFile::read(const std::string& name, std::string& error) {
   const int code = errno;
   if (file > 0) ::close(file);
   if (got < 0) {
-    error = std::string("cannot be read: ") + std::strerror(code);
+    set_fault(fault, C2D_ERR_READ, std::string("the deck cannot be read: ") + std::strerror(code));
     return false;
   }
   for (size_t at = 0; at < text_.size();) {
@@ -32,11 +42,13 @@ bool DeckFile::read(const std::string& name, std::string& error) {
     at = end == std::string::npos ? text_.size() : end + 1;
   }
   const size_t zero = text_.find('\0');
-  if (zero != std::string::npos) {
-    error = "is not a text file: byte " + std::to_string(zero + 1) + " is zero";
-    return false;
-  }
-  return true;
+  if (zero == std::string::npos) return true;
+  size_t line = 1;
+  while (line < starts_.size() && starts_[line] <= zero) ++line;
+  set_fault(fault, C2D_ERR_INPUT, "a byte that is zero: this is not a text file");
+  fault.line = static_cast<int32_t>(line);
+  fault.column = fault.column_end = static_cast<int32_t>(zero - starts_[line - 1]) + 1;
+  return false;
 }
 
 std::string_view DeckFile::card(size_t line) const {

@@ -14,8 +14,9 @@ namespace app {
 
 class DeckFile {
 public:
-  // Reads the whole file ("-": standard input). On failure `error` says why; a zero byte is such a failure.
-  bool read(const std::string& name, std::string& error);
+  // Reads the whole file ("-": standard input). On failure `fault` says why, and where: a zero byte is a
+  // failure.
+  bool read(const std::string& name, c2d_error& fault);
 
   const std::string& name() const { return name_; }
   size_t cards() const { return starts_.size(); }

@@ -149,6 +149,10 @@ int Run::prepare() {
     status = append_model(outputs_.listing.text, solver, summary_, session_.deck.heading());
   for (int32_t body = 1; body <= 2 && status == C2D_OK && summary_.pairs > 0; ++body)
     status = find_contact_ends(solver, summary_, body, ends_[body - 1]);
+  for (int32_t i = 1; i <= summary_.coefficients && status == C2D_OK; ++i) {
+    record_.friction.push_back(0.0);
+    status = c2d_get_friction(solver, i, &record_.friction.back());
+  }
   if (outputs_.csv.is_open()) append_contact_header(outputs_.csv.text);
   if (outputs_.boundary.is_open()) append_boundary_header(outputs_.boundary.text);
   if (status != C2D_OK) return library_failed(status);

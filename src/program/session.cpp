@@ -23,13 +23,12 @@ int Session::failed(c2d_status status) {
 }
 
 int Session::read_file(const std::string& name) {
-  std::string error;
-  if (!deck.read(name, error)) {
+  c2d_error why = C2D_INIT(c2d_error);
+  if (!deck.read(name, why)) {
     if (interrupted()) return kExitCancelled;
-    messages.fail(error);
+    messages.fault(why);
     return kExitInput;
   }
-  c2d_error why = C2D_INIT(c2d_error);
   messages.print_warnings = false; // the model will say them again
   deck.rewind();
   c2d_status status = c2d_check_deck(DeckFile::read_line, &deck, &limits, Messages::log, &messages);

@@ -167,10 +167,10 @@ void append_json(std::string& out, const RunRecord& record, const c2d_summary& s
     append_incomplete(o.key("incomplete"), *stopped);
   o.word("title", s.title);
   o.key("mu") += '[';
-  for (size_t i = 0; i < record.coefficients.size(); ++i) {
+  for (size_t i = 0; i < record.friction.size(); ++i) {
     if (i > 0) out += ", ";
-    if (std::isfinite(record.coefficients[i].mu))
-      append_number(out, record.coefficients[i].mu);
+    if (std::isfinite(record.friction[i]))
+      append_number(out, record.friction[i]);
     else
       out += "null";
   }

@@ -24,6 +24,7 @@ struct CoefficientRecord {
 
 struct RunRecord {
   std::vector<CoefficientRecord> coefficients;
+  std::vector<double> friction; // all coefficients of the deck
   std::vector<c2d_error> warnings;
   double read_seconds = 0.0, write_seconds = 0.0; // spent by the program itself
   bool checked_only = false;                      // the deck asks for a data check, nothing was solved
