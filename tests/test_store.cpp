@@ -615,15 +615,25 @@ TEST_CASE("a folder in use is locked to a second store, here and in another proc
   CHECK(c2d_posix_store_done(&second) == 0); // nothing is left to let go of
 }
 
-TEST_CASE("the posix store makes its folder") {
+TEST_CASE("the posix store makes its folder, and takes away no more than its own") {
   Folder folder;
   const std::string inner = folder.name("inner");
   c2d_posix_store store;
   REQUIRE(c2d_posix_store_init(&store, inner.c_str()) == 0);
   CHECK(folder.has("inner/lock"));
-  CHECK(c2d_posix_store_done(&store) == 0);
-  CHECK(unlink((inner + "/lock").c_str()) == 0);
-  CHECK(rmdir(inner.c_str()) == 0);
+  c2d_port port = C2D_INIT(c2d_port);
+  c2d_posix_store_port(&store, &port);
+  CHECK(port.open(port.context, 3, 1, 100) == 0);
+  CHECK(folder.has("inner/tape3.c2d"));
+  std::ofstream(inner + "/other") << "the user's\n";
+  CHECK(c2d_posix_store_discard(&store, inner.c_str()) == 0);
+  CHECK(folder.has("inner/other")); // what is not the store's stays, and so does the folder
+  CHECK_FALSE(folder.has("inner/lock"));
+  CHECK_FALSE(folder.has("inner/tape3.c2d"));
+  CHECK(unlink((inner + "/other").c_str()) == 0);
+  REQUIRE(c2d_posix_store_init(&store, inner.c_str()) == 0);
+  CHECK(c2d_posix_store_discard(&store, inner.c_str()) == 0);
+  CHECK_FALSE(folder.has("inner"));
 }
 
 TEST_CASE("blocks beyond 4 GiB have a place of their own") {

@@ -140,15 +140,30 @@ int32_t close_tape(void* context, int32_t tape) {
   return close_file(&self(context)->file[tape]);
 }
 
-int32_t lock_folder(c2d_posix_store* s) {
-  s->lock = open_at(s->folder, "lock", O_CREAT);
-  if (s->lock < 0) return errno;
+// 0: locked; C2D_POSIX_STORE_LOCKED: by someone else; or errno.
+int32_t lock_file(int file) {
   int result;
   do {
-    result = flock(s->lock, LOCK_EX | LOCK_NB);
+    result = flock(file, LOCK_EX | LOCK_NB);
   } while (result != 0 && errno == EINTR);
   if (result == 0) return 0;
   return errno == EWOULDBLOCK || errno == EACCES ? C2D_POSIX_STORE_LOCKED : errno;
+}
+
+// A lock's file may be deleted by its holder between our opening and locking it: such a lock keeps nobody
+// out. Then the next one is tried; each turn means that another store has come and gone.
+int32_t lock_folder(c2d_posix_store* s) {
+  for (int32_t turn = 0; turn < 10; ++turn) {
+    s->lock = open_at(s->folder, "lock", O_CREAT);
+    if (s->lock < 0) return errno;
+    const int32_t code = lock_file(s->lock);
+    if (code != 0) return code;
+    struct stat info;
+    if (fstat(s->lock, &info) != 0) return errno;
+    if (info.st_nlink > 0) return 0;
+    close_file(&s->lock);
+  }
+  return C2D_POSIX_STORE_LOCKED;
 }
 
 } // namespace
@@ -201,6 +216,16 @@ int32_t c2d_posix_store_done(c2d_posix_store* store) {
   const int32_t lock = close_file(&store->lock); // lets go of the lock
   if (first == 0) first = folder != 0 ? folder : lock;
   return first;
+}
+
+int32_t c2d_posix_store_discard(c2d_posix_store* store, const char* folder) {
+  int32_t first = c2d_posix_store_remove(store);
+  if (unlinkat(store->folder, "lock", 0) != 0 && errno != ENOENT && first == 0) first = errno;
+  const int32_t code = c2d_posix_store_done(store);
+  if (first == 0) first = code;
+  const bool removed =
+      !folder || rmdir(folder) == 0 || errno == ENOTEMPTY || errno == EEXIST || errno == ENOENT;
+  return first == 0 && !removed ? errno : first;
 }
 
 } // extern "C"

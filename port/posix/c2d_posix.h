@@ -43,6 +43,9 @@ void c2d_posix_store_port(c2d_posix_store* store, c2d_port* out);
 int32_t c2d_posix_store_remove(c2d_posix_store* store);
 /* Close what is open and let go of the folder. Returns 0 or the first errno. The lock's file stays. */
 int32_t c2d_posix_store_done(c2d_posix_store* store);
+/* The same after _remove, and the lock's file goes too. `folder`, the name given to _init, is removed if nothing else
+   is in it; null: the folder stays. */
+int32_t c2d_posix_store_discard(c2d_posix_store* store, const char* folder);
 
 #ifdef __cplusplus
 }

@@ -35,6 +35,8 @@ struct Watch {
   c2d_status (*step)(void* context, int32_t column);
 };
 
+// Before the first elimination of a preparation the caller begins a new run or new generations of both tapes:
+// then a block that an earlier attempt left cannot be taken for one of this attempt whose writing was lost.
 // Tapes UPPER and LOWER (if lower_use has blocks) are open with room for the plan's blocks; syncing them is
 // the caller's business. `work`: elimination_bytes(...) bytes, aligned to 64. `stats` is started anew; null:
 // not wanted. Errors: those of source, sink, watch and the tapes (then tapes.error tells more);
