@@ -8,8 +8,8 @@
 #include <stdio.h>
 #include <string.h>
 
-static unsigned char memory[4 << 20]; /* workspace of the solver */
-static unsigned char tapes[8 << 20];  /* what it would otherwise keep in files */
+static unsigned char memory[1 << 20]; /* workspace of the solver */
+static unsigned char tapes[2 << 20];  /* what it would otherwise keep in files */
 
 /* The next card, without its line end, and its length. */
 static int32_t read_card(void* context, char* text, int32_t size) {

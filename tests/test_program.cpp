@@ -465,6 +465,31 @@ TEST_CASE("program: one body without contact") {
   CHECK(lines_of(read_file(folder / "b")).size() == 1 + 2 * 24);
 }
 
+TEST_CASE("program: the deck says how much is printed") {
+  const Folder folder;
+  const auto run_with = [&](const std::string& iout) { // IPTYPE and IOUT, then the card of NB, MCP, NFNODE
+    write_file(folder / "deck",
+               changed_hertz("    0    2\n    2    1    2", "    0" + iout + "\n    2    1    2"));
+    return contact2d("run " + quoted(folder / "deck") + " --listing - --json " + quoted(folder / "j") +
+                     " --csv " + quoted(folder / "c"));
+  };
+  const Result contact = run_with("    1");
+  CHECK(contact.status == 0);
+  CHECK(contains(contact.out, "Contact zone of body 2"));
+  CHECK_FALSE(contains(contact.out, "in global components"));
+  CHECK_FALSE(contains(contact.out, "\n  change "));
+  const Result changes = run_with("    3");
+  CHECK(changes.status == 0);
+  CHECK(contains(changes.out, "in global components"));
+  CHECK(contains(changes.out, "\n  change "));
+  CHECK(lines_of(read_file(folder / "c")).size() == 1 + 2 * 28 * 15); // changes are no rows
+  const Result check = run_with("   -1");
+  CHECK(check.status == 0);
+  CHECK(contains(check.out, "data check only"));
+  CHECK(read_file(folder / "c") == kCsvHeader + "\n");
+  CHECK(JsonReader::read(read_file(folder / "j"))["outcome"].text == "checked");
+}
+
 TEST_CASE("program: every example is in order") {
   for (const auto& entry : fs::directory_iterator(kExamples)) {
     if (entry.path().extension() != ".dat") continue;
