@@ -170,6 +170,23 @@ TEST_CASE(
   }
 }
 
+TEST_CASE("a column too small to divide by is emptied, so that later divisions cannot overflow") {
+  const int32_t n = 40, tiny = 20;
+  Matrix a = random_matrix(n, n, 13), b = random_matrix(n, 1, 14);
+  for (int32_t i = 0; i < n; ++i) a(i, tiny) *= std::numeric_limits<Real>::min() / 4; // subnormal
+  std::vector<int32_t> pivots(n);
+  PivotStats stats;
+  {
+    Traps traps;
+    CHECK(lu_factor(n, a.data(), a.ld, pivots.data(), &stats) == 1);
+    lu_solve(n, 1, a.data(), a.ld, pivots.data(), b.data(), b.ld);
+  }
+  CHECK(stats.first_unusable == tiny);
+  CHECK(pivots[tiny] == tiny);
+  for (int32_t i = tiny; i < n; ++i) CHECK(a(i, tiny) == 0);
+  for (int32_t i = 0; i < n; ++i) CHECK(std::isfinite(b(i, 0)));
+}
+
 TEST_CASE("columns of wildly different scale neither trap nor spoil the judgement of pivots") {
   const int32_t n = 60;
   const double span = sizeof(Real) == 8 ? 280 : 30;
