@@ -403,7 +403,7 @@ TEST_CASE("program: every store gives the same numbers, and files go after succe
   REQUIRE(contact2d(run + quoted(folder / "b") + " --store file:" + quoted(store)).status == 0);
   CHECK(read_file(folder / "a") == read_file(folder / "b"));
   CHECK(read_file(store + "/mine") == "text");
-  for (const auto& entry : fs::directory_iterator(store)) CHECK(entry.path().extension() != ".c2d");
+  CHECK(std::distance(fs::directory_iterator(store), fs::directory_iterator()) == 1);
 }
 
 TEST_CASE("program: a folder of tapes belongs to one process; a store that fails ends with 3") {

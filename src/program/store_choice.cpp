@@ -118,11 +118,8 @@ int32_t StoreChoice::close(int32_t tape) const {
 
 bool StoreChoice::remove_tapes(std::string& error) {
   if (!has_folder_) return true;
-  const int32_t code = c2d_posix_store_remove(&files_);
-  if (made_folder_ && code == 0) { // the lock's file goes last, while we still hold the lock
-    ::unlink((folder_ + "/lock").c_str());
-    ::rmdir(folder_.c_str()); // if the user has put something there it stays
-  }
+  has_folder_ = false;
+  const int32_t code = c2d_posix_store_discard(&files_, made_folder_ ? folder_.c_str() : nullptr);
   if (code != 0) error = folder_ + ": tapes cannot be removed: " + system_text(code);
   return code == 0;
 }
