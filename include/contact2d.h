@@ -241,6 +241,7 @@ typedef struct c2d_body {
   double youngs_modulus;      /* E > 0, force per area                                              */
   double poisson_ratio;       /* -1 < nu <= 0.5 (plane stress: -0.5 < nu <= 0.5)                    */
 } c2d_body;
+/* May be given again with other moduli, not with other numbers of elements or regions. */
 c2d_status c2d_set_body(c2d_solver* solver, int32_t body, const c2d_body* data);
 /* Elements first ... last form a closed curve; regions follow one another without a gap. */
 c2d_status c2d_add_region(c2d_solver* solver, int32_t body, int32_t first_element, int32_t last_element);

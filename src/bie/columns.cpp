@@ -53,16 +53,18 @@ int32_t facing_element(const Model& m, int b, int32_t element, bool* reversed) {
 
 } // namespace
 
-void make_integrator(const Model& m, int b, int32_t element, Quadrature quadrature, Integrator& out) {
+void make_integrator(const Model& m, int b, int32_t element, Quadrature quadrature, Measure measure,
+                     Integrator& out) {
   prepare(out, scaled_element(m, b, element), m.head->function_nodes, strain_poisson_ratio(m, b), quadrature);
+  if (measure == Measure::own_length) return;
   bool reversed = false;
   const int32_t facing = facing_element(m, b, element, &reversed);
   if (facing >= 0) set_arc(out, scaled_element(m, 0, facing), reversed);
 }
 
-void end_resultants(const Model& m, int b, int32_t element, EndResultant out[4]) {
+void end_resultants(const Model& m, int b, int32_t element, Measure measure, EndResultant out[4]) {
   Integrator integrator;
-  make_integrator(m, b, element, Quadrature::accurate, integrator);
+  make_integrator(m, b, element, Quadrature::accurate, measure, integrator);
   double w[4], wx[4], wy[4];
   resultants(integrator, 0.0, 0.0, w, wx, wy);
   for (int l = 0; l < m.head->function_nodes; ++l) out[l] = EndResultant{w[l], wx[l], wy[l]};
@@ -90,7 +92,8 @@ struct Target { // column -= or += factor * integral; column < 0: nowhere
 // prescribed goes to the right-hand sides.
 struct Destination {
   Target target[2];
-  bool known; // times value(case), into the right-hand sides
+  bool known;   // times value(case), into the right-hand sides
+  bool contact; // a contact traction, see Measure
 };
 
 struct Range { // the columns wanted, and the first right-hand side
@@ -101,8 +104,9 @@ struct Range { // the columns wanted, and the first right-hand side
 
 struct ElementTargets {
   Destination h[4][2], g[4][2];
-  int32_t node[4], pair[4];
-  bool want_h, want_g;
+  int32_t node[4];
+  bool want_h, want_g;  // tractions on the element's own length
+  bool want_contact;    // contact tractions
 };
 
 void aim_contact(const Pair& pair, int component, int32_t base, double factor, Destination& out) {
@@ -111,7 +115,7 @@ void aim_contact(const Pair& pair, int component, int32_t base, double factor, D
   if (pair.tangential) out.target[1] = Target{base + pair.dof + 1, factor * t[component]};
 }
 
-Destination nowhere() { return Destination{{{-1, 0.0}, {-1, 0.0}}, false}; }
+Destination nowhere() { return Destination{{{-1, 0.0}, {-1, 0.0}}, false, false}; }
 
 Destination displacement_destination(const Model& m, int b, int32_t node, int component, const Unknown& unknown) {
   Destination out = nowhere();
@@ -134,6 +138,7 @@ Destination traction_destination(const Model& m, int b, int32_t element, int l, 
   if (pair >= 0 && unknown.kind == UnknownKind::contact) {
     const double scale = m.head->stress_unit / (2.0 * shear_modulus(m, b));
     aim_contact(m.pair[pair], component, outer_columns(m, b) + m.head->contact, scale, out);
+    out.contact = b == 1; // on body 1 both measures are one
   } else if (holds_unknown) {
     out.target[0] =
         Target{outer_column(m, b, functional_node(m, b, element, l), component), -1.0};
@@ -164,21 +169,21 @@ template <class Value> bool wanted(const Model& m, const Destination& d, const R
 }
 
 void aim(const Model& m, int b, int32_t element, const Range& range, ElementTargets& out) {
-  out.want_h = out.want_g = false;
+  out.want_h = out.want_g = out.want_contact = false;
   for (int l = 0; l < m.head->function_nodes; ++l) {
     const int32_t node = functional_node(m, b, element, l);
     out.node[l] = node;
-    out.pair[l] = pair_of_end(m, b, element, l);
+    const int32_t pair = pair_of_end(m, b, element, l);
     for (int c = 0; c < 2; ++c) {
       const Unknown unknown = unknown_at(m, b, node, c);
       Destination& h = out.h[l][c] = displacement_destination(m, b, node, c, unknown);
-      Destination& g = out.g[l][c] = traction_destination(m, b, element, l, c, unknown, out.pair[l]);
+      Destination& g = out.g[l][c] = traction_destination(m, b, element, l, c, unknown, pair);
       const bool want_h = wanted(m, h, range, [&](int32_t k) { return known_displacement(m, b, node, c, k); });
       const bool want_g = wanted(m, g, range, [&](int32_t k) { return known_traction(m, b, element, l, c, k); });
       if (!want_h) h = nowhere();
       if (!want_g) g = nowhere();
       out.want_h = out.want_h || want_h;
-      out.want_g = out.want_g || want_g;
+      (g.contact ? out.want_contact : out.want_g) |= want_g;
     }
   }
 }
@@ -216,43 +221,49 @@ int singular_node(const Model& m, const ElementTargets& t, int32_t source, int32
   return -1;
 }
 
-void add_element(const ColumnSystem& system, const Panel& panel, int32_t element, const ElementTargets& t) {
+// The blocks of one element for every source, tractions in one measure; h goes with the element's own length.
+void add_element(const ColumnSystem& system, const Panel& panel, int32_t element, const ElementTargets& t,
+                 Measure measure) {
   const Model& m = system.model;
   const int b = system.body;
+  const bool contact = measure == Measure::contact;
+  const bool want_h = t.want_h && !contact, want_g = contact ? t.want_contact : t.want_g;
   Integrator integrator;
-  make_integrator(m, b, element, system.quadrature, integrator);
+  make_integrator(m, b, element, system.quadrature, measure, integrator);
   Blocks blocks;
   for (int32_t source = 0; source < m.head->body[b].nodes; ++source) {
     if (is_second_twin(m, b, source)) continue;
     double x, y;
     node_position(m, b, source, &x, &y);
     const int singular = singular_node(m, t, source, twin_node(m, b, source));
-    integrate(integrator, x / m.head->length_unit, y / m.head->length_unit, singular, t.want_h, t.want_g, blocks);
+    integrate(integrator, x / m.head->length_unit, y / m.head->length_unit, singular, want_h, want_g, blocks);
     for (int l = 0; l < m.head->function_nodes; ++l)
       for (int c = 0; c < 2; ++c)
         for (int i = 0; i < 2; ++i) {
-          if (t.want_h) panel.send_h(t.h[l][c], t.node[l], c, 2 * source + i, blocks.h[l][i][c]);
-          if (t.want_g) panel.send_g(t.g[l][c], element, l, c, 2 * source + i, blocks.g[l][i][c]);
+          if (want_h) panel.send_h(t.h[l][c], t.node[l], c, 2 * source + i, blocks.h[l][i][c]);
+          if (want_g && t.g[l][c].contact == contact)
+            panel.send_g(t.g[l][c], element, l, c, 2 * source + i, blocks.g[l][i][c]);
         }
   }
 }
 
 // The element's share of the three balance rows.
-void add_balance(const ColumnSystem& system, const Panel& panel, int32_t element, const ElementTargets& t) {
+void add_balance(const ColumnSystem& system, const Panel& panel, int32_t element, const ElementTargets& t,
+                 Measure measure) {
   const Model& m = system.model;
   const int b = system.body;
   const Body& body = m.head->body[b];
   const int32_t row = 2 * body.nodes;
   Integrator integrator;
-  make_integrator(m, b, element, system.quadrature, integrator);
+  make_integrator(m, b, element, system.quadrature, measure, integrator);
   double w[4], wx[4], wy[4];
   resultants(integrator, body.centre[0] / m.head->length_unit, body.centre[1] / m.head->length_unit, w, wx, wy);
-  for (int l = 0; l < m.head->function_nodes; ++l) {
-    panel.send_g(t.g[l][0], element, l, 0, row, w[l]);
-    panel.send_g(t.g[l][1], element, l, 1, row + 1, w[l]);
-    panel.send_g(t.g[l][0], element, l, 0, row + 2, -wy[l]);
-    panel.send_g(t.g[l][1], element, l, 1, row + 2, wx[l]);
-  }
+  for (int l = 0; l < m.head->function_nodes; ++l)
+    for (int c = 0; c < 2; ++c) {
+      if (t.g[l][c].contact != (measure == Measure::contact)) continue;
+      panel.send_g(t.g[l][c], element, l, c, row + c, w[l]);
+      panel.send_g(t.g[l][c], element, l, c, row + 2, c == 0 ? -wy[l] : wx[l]);
+    }
 }
 
 // Free term, twin equations and the multipliers' columns of one node.
@@ -318,9 +329,11 @@ void fill_columns(const ColumnSystem& system, int32_t first, int32_t count, Real
     if (is_zero_length(m, b, element)) continue;
     ElementTargets targets;
     aim(m, b, element, range, targets);
-    if (!targets.want_h && !targets.want_g) continue;
-    add_element(system, panel, element, targets);
-    if (targets.want_g) add_balance(system, panel, element, targets);
+    if (targets.want_h || targets.want_g) add_element(system, panel, element, targets, Measure::own_length);
+    if (targets.want_g) add_balance(system, panel, element, targets, Measure::own_length);
+    if (!targets.want_contact) continue;
+    add_element(system, panel, element, targets, Measure::contact);
+    add_balance(system, panel, element, targets, Measure::contact);
   }
   for (int32_t node = 0; node < m.head->body[b].nodes; ++node) add_node(system, panel, node);
   if (!range.holds_right()) return;
@@ -336,7 +349,7 @@ void fill_diagonal(const ColumnSystem& system, int32_t first_node, int32_t count
   for (int32_t element = 0; element < m.head->body[b].elements; ++element) {
     if (is_zero_length(m, b, element)) continue;
     Integrator integrator;
-    make_integrator(m, b, element, system.quadrature, integrator);
+    make_integrator(m, b, element, system.quadrature, Measure::own_length, integrator);
     ElementTargets nodes;
     for (int l = 0; l < m.head->function_nodes; ++l) nodes.node[l] = functional_node(m, b, element, l);
     for (int32_t source = first_node; source < first_node + count; ++source) {

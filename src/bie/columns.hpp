@@ -39,15 +39,18 @@ void fill_diagonal(const ColumnSystem& system, int32_t first_node, int32_t count
 // Assign all rows of columns first ... first+count-1; panel is column-major with leading dimension ld.
 void fill_columns(const ColumnSystem& system, int32_t first, int32_t count, Real* panel, int64_t ld);
 
-// An element of a body with its length unit applied and, on a contact element of body 2, the lengths of body 1.
-void make_integrator(const Model& model, int b, int32_t element, Quadrature quadrature, Integrator& out);
+// On a contact element of body 2 tau is per length of body 1, any other traction on its own length.
+enum class Measure { own_length, contact };
+// An element of a body with its length unit applied, for tractions in this measure.
+void make_integrator(const Model& model, int b, int32_t element, Quadrature quadrature, Measure measure,
+                     Integrator& out);
 
-// Resultants of the shape functions at one element end: force (per unit traction) and first moments about the
-// origin, in the length unit; on contact elements per length of body 1.
+// Resultants of the shape functions at the ends of an element: force per unit of traction and first moments about the
+// origin, in the length unit.
 struct EndResultant {
   double w, wx, wy;
 };
-void end_resultants(const Model& model, int b, int32_t element, EndResultant out[4]);
+void end_resultants(const Model& model, int b, int32_t element, Measure measure, EndResultant out[4]);
 // Ratio J1/J2 at local node l of a contact element of body 2: true traction = tau * ratio; 1 elsewhere.
 double traction_ratio(const Model& model, int b, int32_t element, int l);
 

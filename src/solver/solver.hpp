@@ -1,11 +1,79 @@
 #pragma once
 // The solver's header in the workspace, and what every call of the C interface does on entry and exit.
+#include "contact/path.hpp"
 #include "contact2d.h"
+#include "elimination/eliminate.hpp"
 #include "model/model.hpp"
+#include "store/tapes.hpp"
+
+// Stands at the first multiple of kAlignment in the caller's memory. Holds offsets, no addresses, but for the port.
+struct c2d_solver {
+  uint64_t magic;
+  uint64_t bytes;             // of workspace from this address on
+  int32_t state;              // C2D_STATE_...
+  int32_t busy;               // inside one of the caller's functions
+  volatile int32_t cancelled; // set by c2d_cancel, possibly from another thread
+  int32_t has_fault;          // `error` holds the first fault of the call that is running
+  c2d_limits limits;
+  c2d::Sizes sizes;
+  c2d::Layout layout;
+  c2d::ModelHeader model;
+  c2d_options options;
+  c2d_port port;
+  c2d::Tapes tapes;
+  c2d_error error;
+  // written by c2d_prepare
+  c2d::EliminationPlan plan[2];
+  int32_t inverted;           // the supported body, whose contact displacements follow from tau
+  int32_t blocked;            // nothing holds some motion: c2d_advance says so at once
+  int32_t keeps_flexibility;  // the phase area has room for F
+  int32_t warnings;
+  double smallest_pivot, largest_pivot, pivot_growth, condition;
+  uint64_t peak_bytes;
+  double seconds[C2D_PHASES];
+  // written by c2d_begin, c2d_advance
+  int32_t floating;           // nothing touches yet
+  int32_t outcome, outcome_body, last_pair;
+  int32_t back_substituted;   // results outside the contact are those of the load reached
+  int32_t table_is_current;
+  int32_t coefficient;
+  int32_t warned;             // bits: which warnings were given since c2d_begin
+  int64_t checked_exchanges;  // exchanges when the residual was last looked at
+  int64_t exchanges, rebuilds;
+  c2d::PathStats stats;
+  double stiffness, gap_scale, max_residual, mu;
+  double applied[2][3], contact_force[2][3];
+  double force_applied, force_contact, force_error, tension_ratio;
+};
 
 namespace c2d {
+
+constexpr uint64_t kSolverMagic = 0x6332645f73303031u;
+
+// ---- entry and errors (solver/entry.cpp) --------------------------------------------------------------------------
+constexpr uint32_t state_bit(int32_t state) { return 1u << state; }
+// Legal to go on? Otherwise the reason is the status, and what c2d_last_error tells.
+c2d_status enter(c2d_solver* solver, uint32_t legal_states);
+// Record an error of this call and return its status.
+c2d_status fail(c2d_solver* solver, c2d_status status, const char* text);
+c2d_status fail_store(c2d_solver* solver, c2d_status status); // takes over tapes.error; the state becomes broken
 // Forget the model and every result; state: empty. For the deck reader and failed model calls.
 void clear_model(c2d_solver* solver);
 // Tell a fault, warning or note: through c2d_port.log, and keep the first fault for c2d_last_error.
 void report_fault(c2d_solver* solver, const c2d_error& entry);
+c2d_error blank_error();
+// Copy a struct of ours into the caller's of possibly another size, whose struct_size is kept; and back.
+bool copy_out(const void* ours, size_t our_size, void* theirs);
+bool copy_in(const void* theirs, void* ours, size_t our_size);
+bool asked_to_stop(c2d_solver* solver);
+double clock_now(c2d_solver* solver);
+void tell_progress(c2d_solver* solver, int32_t phase, int32_t body, int64_t done, int64_t total);
+
+// ---- views --------------------------------------------------------------------------------------------------------
+template <class T> T* array_of(c2d_solver* solver, int32_t id) {
+  return reinterpret_cast<T*>(reinterpret_cast<char*>(solver) + solver->layout.offset[id]);
+}
+Model model_of(c2d_solver* solver);
+bool is_coefficient(double mu); // of friction: zero or more, infinity included
+
 } // namespace c2d

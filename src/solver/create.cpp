@@ -1,0 +1,145 @@
+// Memory: how much, and the solver made in it.
+#include <string.h>
+
+#include "memory/text.hpp"
+#include "solver/phases.hpp"
+#include "solver/solver.hpp"
+
+namespace c2d {
+
+namespace {
+
+// Bytes for these limits with the workspace at an aligned address.
+c2d_status aligned_need(const Sizes& sizes, Layout& layout, uint64_t* minimum, uint64_t* in_core) {
+  c2d_status status = lay_out(sizes, sizeof(c2d_solver), layout);
+  if (status == C2D_OK) status = phase_need(sizes, minimum, in_core);
+  if (status != C2D_OK) return status;
+  // Row and column numbers are 32-bit throughout.
+  for (const BodySizes& body : sizes.body)
+    if (body.rows + 2 * sizes.contact + sizes.load_cases > INT32_MAX || body.ends > INT32_MAX / 4)
+      return C2D_ERR_OVERFLOW;
+  uint64_t* const needs[] = {minimum, in_core};
+  for (uint64_t* need : needs)
+    if (!add_bytes(*need, 1, layout.persistent) || *need > UINT64_MAX - kAlignment) return C2D_ERR_OVERFLOW;
+  return C2D_OK;
+}
+
+void explain(c2d_error* why, c2d_status status, uint64_t needed) {
+  if (!why) return;
+  c2d_error e = blank_error();
+  e.status = status;
+  e.severity = C2D_FAULT;
+  e.bytes_needed = needed;
+  Text text = text_in(e.text);
+  put(text, c2d_message(status));
+  if (needed > 0) {
+    put(text, ": ");
+    put(text, needed);
+    put(text, " bytes would do");
+  }
+  copy_out(&e, sizeof e, why);
+}
+
+void fill_header(c2d_solver* s, uint64_t bytes, const c2d_limits& limits, const Sizes& sizes, const Layout& layout) {
+  memset(static_cast<void*>(s), 0, sizeof *s);
+  s->magic = kSolverMagic;
+  s->bytes = bytes;
+  s->limits = limits;
+  s->sizes = sizes;
+  s->layout = layout;
+  s->options.struct_size = static_cast<uint32_t>(sizeof s->options);
+  s->error = blank_error();
+}
+
+} // namespace
+
+void clear_model(c2d_solver* s) {
+  // Keep what c2d_last_error tells; forget everything else but memory, limits, options and port.
+  const c2d_error error = s->error;
+  const c2d_options options = s->options;
+  const c2d_port port = s->port;
+  const Tapes tapes = s->tapes;
+  const int32_t has_fault = s->has_fault, warnings = s->warnings, cancelled = s->cancelled;
+  const c2d_limits limits = s->limits;
+  const Sizes sizes = s->sizes;
+  const Layout layout = s->layout;
+  fill_header(s, s->bytes, limits, sizes, layout);
+  s->error = error;
+  s->options = options;
+  s->port = port;
+  s->tapes = tapes;
+  s->has_fault = has_fault;
+  s->warnings = warnings;
+  s->cancelled = cancelled;
+  s->model.function_nodes = s->sizes.function_nodes;
+  s->model.load_cases = s->sizes.load_cases;
+  s->model.length_unit = s->model.stress_unit = 1.0;
+  char* arrays = reinterpret_cast<char*>(s) + s->layout.offset[kXy];
+  memset(arrays, 0, static_cast<size_t>(s->layout.persistent - s->layout.offset[kXy]));
+  for (int b = 0; b < 2; ++b)
+    for (int64_t i = 0; i < s->sizes.body[b].geometry_nodes; ++i) array_of<int32_t>(s, kNodeLine + b)[i] = -1;
+}
+
+} // namespace c2d
+
+using namespace c2d;
+
+extern "C" c2d_status c2d_memory_need(const c2d_limits* limits, uint64_t* minimum, uint64_t* in_core) {
+  c2d_limits ours;
+  if (!limits || !copy_in(limits, &ours, sizeof ours)) return C2D_ERR_ARGUMENT;
+  Sizes sizes;
+  Layout layout;
+  uint64_t least = 0, most = 0;
+  c2d_status status = derive_sizes(ours, sizes);
+  if (status == C2D_OK) status = aligned_need(sizes, layout, &least, &most);
+  if (status != C2D_OK) return status;
+  if (minimum) *minimum = least + kAlignment - 1;
+  if (in_core) *in_core = most + kAlignment - 1;
+  return C2D_OK;
+}
+
+extern "C" c2d_status c2d_create(c2d_solver** out, void* memory, size_t bytes, const c2d_limits* limits,
+                                 const c2d_port* port, c2d_error* why) {
+  if (!out) return C2D_ERR_ARGUMENT;
+  *out = nullptr;
+  c2d_limits ours;
+  c2d_port our_port;
+  memset(&our_port, 0, sizeof our_port);
+  if (!limits || !copy_in(limits, &ours, sizeof ours) || (port && !copy_in(port, &our_port, sizeof our_port)) ||
+      (!memory && bytes > 0)) {
+    explain(why, C2D_ERR_ARGUMENT, 0);
+    return C2D_ERR_ARGUMENT;
+  }
+  Sizes sizes;
+  Layout layout;
+  uint64_t least = 0, most = 0;
+  c2d_status status = derive_sizes(ours, sizes);
+  if (status == C2D_OK) status = aligned_need(sizes, layout, &least, &most);
+  if (status != C2D_OK) {
+    explain(why, status, 0);
+    return status;
+  }
+  const uintptr_t address = reinterpret_cast<uintptr_t>(memory);
+  const uint64_t slack = (kAlignment - address % kAlignment) % kAlignment;
+  if (bytes < least + kAlignment - 1) { // the same answer at every alignment
+    explain(why, C2D_ERR_MEMORY, least + kAlignment - 1);
+    return C2D_ERR_MEMORY;
+  }
+  c2d_solver* s = reinterpret_cast<c2d_solver*>(static_cast<char*>(memory) + slack);
+  fill_header(s, bytes - slack, ours, sizes, layout);
+  s->port = our_port;
+  s->tapes.port = &s->port;
+  clear_model(s);
+  *out = s;
+  return C2D_OK;
+}
+
+extern "C" c2d_status c2d_close(c2d_solver* s) {
+  if (!s || s->magic != kSolverMagic) return C2D_ERR_ARGUMENT;
+  if (s->busy) return C2D_ERR_BUSY;
+  s->tapes.port = &s->port;
+  const c2d_status status = s->port.close ? close_all(s->tapes) : C2D_OK;
+  if (status != C2D_OK) fail_store(s, status);
+  s->magic = 0;
+  return status;
+}

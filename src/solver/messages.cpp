@@ -1,0 +1,72 @@
+// Words for numbers: any integer has some.
+#include "contact2d.h"
+
+namespace {
+
+struct Word {
+  int32_t number;
+  const char* text;
+};
+
+const Word kStatusWords[] = {
+    {C2D_OK, "no error"},
+    {C2D_ERR_ARGUMENT, "an argument is null or out of range"},
+    {C2D_ERR_STATE, "this call is not legal in the solver's present state"},
+    {C2D_ERR_BUSY, "called from inside one of the solver's own callbacks"},
+    {C2D_ERR_MEMORY, "the workspace is too small"},
+    {C2D_ERR_OVERFLOW, "a size is too large for this machine"},
+    {C2D_ERR_LIMIT, "more than the limits allow"},
+    {C2D_ERR_INPUT, "the deck or the model has faults"},
+    {C2D_ERR_READ, "the deck could not be read"},
+    {C2D_ERR_CANCELLED, "cancelled"},
+    {C2D_ERR_SINGULAR, "the equations have no unique solution"},
+    {C2D_ERR_CALLBACK, "one of the caller's functions reported a failure"},
+    {C2D_ERR_STORE_OPEN, "block store: a tape could not be opened"},
+    {C2D_ERR_STORE_READ, "block store: reading failed"},
+    {C2D_ERR_STORE_WRITE, "block store: writing failed"},
+    {C2D_ERR_STORE_SYNC, "block store: the data could not be made durable"},
+    {C2D_ERR_STORE_CLOSE, "block store: closing failed"},
+    {C2D_ERR_STORE_FORMAT, "block store: not a block of this program"},
+    {C2D_ERR_STORE_VERSION, "block store: a block of another format version, byte order or number type"},
+    {C2D_ERR_STORE_SHORT, "block store: a torn block"},
+    {C2D_ERR_STORE_CHECKSUM, "block store: a damaged block"},
+    {C2D_ERR_STORE_SWAPPED, "block store: a block of another place"},
+    {C2D_ERR_STORE_STALE, "block store: a block of an earlier run"},
+    {C2D_ERR_MISMATCH, "saved by another model, number type or format"},
+    {C2D_ERR_INTERNAL, "internal error: please report it"},
+    {C2D_WARN_ZONE_END, "contact reaches the end of its zone"},
+    {C2D_WARN_FEW_PAIRS, "few pairs touch"},
+    {C2D_WARN_LARGE_SLIP, "large slip"},
+    {C2D_WARN_NORMALS, "normals of a pair differ"},
+    {C2D_WARN_KINK, "kink inside a contact zone"},
+    {C2D_WARN_POINT_LOAD, "point load near the boundary"},
+    {C2D_WARN_TENSION, "tension inside a contact element"},
+    {C2D_WARN_CORNER, "one traction at a corner"},
+    {C2D_WARN_INCREMENT, "an increment did not converge"},
+    {C2D_WARN_RESIDUAL, "the tableau was rebuilt"},
+    {C2D_WARN_CONDITION, "badly conditioned equations"},
+};
+
+const Word kOutcomeWords[] = {
+    {C2D_REACHED, "reached"},
+    {C2D_FREE_MOTION, "free motion"},
+    {C2D_GROSS_SLIDING, "gross sliding"},
+    {C2D_NO_ADMISSIBLE_CHANGE, "no admissible change"},
+    {C2D_ENDLESS_EXCHANGE, "endless exchange"},
+};
+
+} // namespace
+
+extern "C" const char* c2d_message(int32_t status) {
+  for (const Word& word : kStatusWords)
+    if (word.number == status) return word.text;
+  return "unknown status";
+}
+
+extern "C" const char* c2d_outcome_message(int32_t outcome) {
+  for (const Word& word : kOutcomeWords)
+    if (word.number == outcome) return word.text;
+  return "unknown outcome";
+}
+
+extern "C" const char* c2d_version(void) { return "0.1.0"; }

@@ -1,0 +1,431 @@
+// The model by calls: every call checks its arguments, changes nothing if they are wrong, and says why.
+#include <math.h>
+#include <string.h>
+
+#include "bie/columns.hpp"
+#include "contact/frames.hpp"
+#include "memory/text.hpp"
+#include "model/unknowns.hpp"
+#include "solver/solver.hpp"
+
+namespace c2d {
+
+namespace {
+
+constexpr uint32_t kBuilding = state_bit(C2D_STATE_EMPTY) | state_bit(C2D_STATE_BUILDING);
+
+// A refused call: told like a fault of the deck, with the place that c2d_set_line gave.
+struct Refusal {
+  c2d_error error;
+  Text text;
+};
+void start_refusal(Refusal& r, c2d_solver* s, c2d_status status) {
+  r.error = blank_error();
+  r.error.status = status;
+  r.error.severity = C2D_FAULT;
+  r.error.line = s->model.line;
+  r.error.column = s->model.column;
+  r.error.column_end = s->model.column_end;
+  r.text = text_in(r.error.text);
+}
+c2d_status refuse(c2d_solver* s, c2d_status status, const char* text) {
+  Refusal r;
+  start_refusal(r, s, status);
+  put(r.text, text);
+  report_fault(s, r.error);
+  return status;
+}
+// "what is VALUE, expected FIRST to LAST"
+c2d_status refuse_number(c2d_solver* s, c2d_status status, const char* what, int64_t value, int64_t first,
+                         int64_t last) {
+  Refusal r;
+  start_refusal(r, s, status);
+  put(r.text, what);
+  put(r.text, " is ");
+  put(r.text, value);
+  put(r.text, ", expected ");
+  put(r.text, first);
+  if (last != first) {
+    put(r.text, " to ");
+    put(r.text, last);
+  }
+  report_fault(s, r.error);
+  return status;
+}
+c2d_status refuse_value(c2d_solver* s, const char* what, double value, const char* expected) {
+  Refusal r;
+  start_refusal(r, s, C2D_ERR_ARGUMENT);
+  put(r.text, what);
+  put(r.text, " is ");
+  put(r.text, value);
+  put(r.text, ", expected ");
+  put(r.text, expected);
+  report_fault(s, r.error);
+  return C2D_ERR_ARGUMENT;
+}
+
+c2d_status enter_building(c2d_solver* s) {
+  const c2d_status status = enter(s, kBuilding);
+  if (status == C2D_OK) s->state = C2D_STATE_BUILDING;
+  return status;
+}
+
+bool in_range(int64_t value, int64_t first, int64_t last) { return value >= first && value <= last; }
+
+c2d_status check_body_number(c2d_solver* s, int32_t body) {
+  if (in_range(body, 1, s->sizes.bodies)) return C2D_OK;
+  return refuse_number(s, C2D_ERR_ARGUMENT, "body number", body, 1, s->sizes.bodies);
+}
+
+} // namespace
+} // namespace c2d
+
+using namespace c2d;
+
+extern "C" c2d_status c2d_set_line(c2d_solver* s, int32_t line, int32_t column, int32_t column_end) {
+  const c2d_status status = enter(s, kBuilding);
+  if (status != C2D_OK) return status;
+  s->model.line = line;
+  s->model.column = column;
+  s->model.column_end = column_end;
+  return C2D_OK;
+}
+
+extern "C" c2d_status c2d_set_options(c2d_solver* s, const c2d_options* options) {
+  c2d_status status = enter(s, kBuilding | state_bit(C2D_STATE_MODEL));
+  c2d_options ours;
+  if (status != C2D_OK) return status;
+  if (!options || !copy_in(options, &ours, sizeof ours)) return fail(s, C2D_ERR_ARGUMENT, "no options given");
+  if (!in_range(ours.quadrature, 0, 1) || !in_range(ours.stepping, 0, 1) || !in_range(ours.every_change, 0, 1))
+    return fail(s, C2D_ERR_ARGUMENT, "an option is out of range");
+  s->options = ours;
+  return C2D_OK;
+}
+
+extern "C" c2d_status c2d_set_problem(c2d_solver* s, const c2d_problem* problem) {
+  c2d_status status = enter_building(s);
+  c2d_problem ours;
+  if (status != C2D_OK) return status;
+  if (!problem || !copy_in(problem, &ours, sizeof ours)) return refuse(s, C2D_ERR_ARGUMENT, "no problem given");
+  if (!in_range(ours.plane, 0, 1))
+    return refuse_number(s, C2D_ERR_ARGUMENT, "plane strain or stress (IPTYPE)", ours.plane, 0, 1);
+  if (ours.iteration_limit < 0)
+    return refuse_number(s, C2D_ERR_ARGUMENT, "iteration limit", ours.iteration_limit, 1, INT32_MAX);
+  ModelHeader& m = s->model;
+  m.bodies = s->sizes.bodies;
+  m.function_nodes = s->sizes.function_nodes;
+  m.load_cases = s->sizes.load_cases;
+  m.plane = ours.plane;
+  m.analysis = ours.analysis < -1 ? C2D_ANALYSIS_CHECK : (ours.analysis > 3 ? C2D_ANALYSIS_ITERATIONS : ours.analysis);
+  m.iteration_limit = ours.iteration_limit == 0 ? 50 : ours.iteration_limit;
+  ours.title[sizeof ours.title - 1] = '\0';
+  memcpy(m.title, ours.title, sizeof m.title);
+  return C2D_OK;
+}
+
+namespace {
+
+c2d_status check_body(c2d_solver* s, int32_t body, const c2d_body& data) {
+  const BodySizes& sizes = s->sizes.body[body - 1];
+  if (!in_range(data.element_nodes, 2, 4))
+    return refuse_number(s, C2D_ERR_ARGUMENT, "geometry nodes per element", data.element_nodes, 2, 4);
+  if (!in_range(data.elements, 1, sizes.elements))
+    return refuse_number(s, C2D_ERR_LIMIT, "number of elements", data.elements, 1, sizes.elements);
+  if (!in_range(data.regions, 1, sizes.regions))
+    return refuse_number(s, C2D_ERR_LIMIT, "number of regions", data.regions, 1, sizes.regions);
+  const int64_t points = static_cast<int64_t>(data.elements) * (data.element_nodes - 1);
+  if (points > sizes.geometry_nodes)
+    return refuse_number(s, C2D_ERR_LIMIT, "number of boundary points", points, 1, sizes.geometry_nodes);
+  if (!is_usable(data.youngs_modulus) || data.youngs_modulus <= 0.0)
+    return refuse_value(s, "Young's modulus", data.youngs_modulus, "a positive number");
+  if (!is_usable(data.poisson_ratio) || data.poisson_ratio <= -1.0 || data.poisson_ratio > 0.5)
+    return refuse_value(s, "Poisson's ratio", data.poisson_ratio, "more than -1 and at most 0.5");
+  return C2D_OK;
+}
+
+} // namespace
+
+extern "C" c2d_status c2d_set_body(c2d_solver* s, int32_t body, const c2d_body* data) {
+  c2d_status status = enter_building(s);
+  c2d_body ours;
+  if (status != C2D_OK) return status;
+  if (!data || !copy_in(data, &ours, sizeof ours)) return refuse(s, C2D_ERR_ARGUMENT, "no body given");
+  status = check_body_number(s, body);
+  if (status == C2D_OK) status = check_body(s, body, ours);
+  if (status != C2D_OK) return status;
+  Body& b = s->model.body[body - 1];
+  const bool same = ours.element_nodes == b.element_nodes && ours.elements == b.elements && ours.regions == b.regions;
+  if (b.is_set && !same)
+    return refuse(s, C2D_ERR_ARGUMENT, "this body was given before, with other numbers of elements or regions");
+  b.youngs_modulus = ours.youngs_modulus;
+  b.poisson_ratio = ours.poisson_ratio;
+  if (b.is_set) return C2D_OK;
+  b.element_nodes = ours.element_nodes;
+  b.elements = ours.elements;
+  b.geometry_nodes = ours.elements * (ours.element_nodes - 1);
+  b.regions = ours.regions;
+  b.nodes = ours.elements * (s->sizes.function_nodes == 1 ? 1 : s->sizes.function_nodes - 1);
+  b.region_count = 0;
+  b.is_set = 1;
+  return C2D_OK;
+}
+
+extern "C" c2d_status c2d_add_region(c2d_solver* s, int32_t body, int32_t first, int32_t last) {
+  c2d_status status = enter_building(s);
+  if (status == C2D_OK) status = check_body_number(s, body);
+  if (status != C2D_OK) return status;
+  Body& b = s->model.body[body - 1];
+  if (!b.is_set) return refuse(s, C2D_ERR_ARGUMENT, "give the body before its regions");
+  if (b.region_count >= b.regions)
+    return refuse_number(s, C2D_ERR_LIMIT, "number of regions", b.region_count + 1, b.regions, b.regions);
+  Region* regions = array_of<Region>(s, kRegions + body - 1);
+  const int32_t expected = b.region_count == 0 ? 1 : regions[b.region_count - 1].last + 2;
+  if (first != expected)
+    return refuse_number(s, C2D_ERR_ARGUMENT, "first element of the region", first, expected, expected);
+  if (!in_range(last, first, b.elements))
+    return refuse_number(s, C2D_ERR_ARGUMENT, "last element of the region", last, first, b.elements);
+  if (b.region_count + 1 == b.regions && last != b.elements)
+    return refuse_number(s, C2D_ERR_ARGUMENT, "last element of the last region", last, b.elements, b.elements);
+  regions[b.region_count++] = Region{first - 1, last - 1};
+  return C2D_OK;
+}
+
+extern "C" c2d_status c2d_set_nodes(c2d_solver* s, int32_t body, int32_t first, int32_t count, const double* xy,
+                                    int64_t stride) {
+  c2d_status status = enter_building(s);
+  if (status == C2D_OK) status = check_body_number(s, body);
+  if (status != C2D_OK) return status;
+  const Body& b = s->model.body[body - 1];
+  if (!b.is_set) return refuse(s, C2D_ERR_ARGUMENT, "give the body before its boundary points");
+  if (count < 0 || (count > 0 && !xy)) return refuse(s, C2D_ERR_ARGUMENT, "no coordinates given");
+  if (count == 0) return C2D_OK;
+  if (!in_range(first, 1, b.geometry_nodes))
+    return refuse_number(s, C2D_ERR_ARGUMENT, "boundary point number", first, 1, b.geometry_nodes);
+  if (count > b.geometry_nodes - first + 1)
+    return refuse_number(s, C2D_ERR_ARGUMENT, "last boundary point number", static_cast<int64_t>(first) + count - 1,
+                         1, b.geometry_nodes);
+  for (int32_t i = 0; i < count; ++i)
+    for (int k = 0; k < 2; ++k)
+      if (!is_usable(xy[i * stride + k])) return refuse_value(s, "a coordinate", xy[i * stride + k], "a finite number");
+  const Model m = model_of(s);
+  for (int32_t i = 0; i < count; ++i) {
+    double* to = m.xy[body - 1] + 2 * static_cast<int64_t>(first - 1 + i);
+    to[0] = xy[i * stride];
+    to[1] = xy[i * stride + 1];
+    m.node_line[body - 1][first - 1 + i] = s->model.line;
+  }
+  return C2D_OK;
+}
+
+namespace {
+
+c2d_status check_condition(c2d_solver* s, int32_t body, int32_t element, int32_t local, const int32_t codes[4],
+                           const double values[4], int32_t load_case) {
+  const Body& b = s->model.body[body - 1];
+  if (!b.is_set || b.region_count < b.regions)
+    return refuse(s, C2D_ERR_ARGUMENT, "give the body and all its regions before its conditions");
+  if (!in_range(element, 1, b.elements))
+    return refuse_number(s, C2D_ERR_ARGUMENT, "element number", element, 1, b.elements);
+  if (!in_range(local, 1, s->sizes.function_nodes))
+    return refuse_number(s, C2D_ERR_ARGUMENT, "local functional node", local, 1, s->sizes.function_nodes);
+  if (!in_range(load_case, 1, s->sizes.load_cases))
+    return refuse_number(s, C2D_ERR_ARGUMENT, "load case", load_case, 1, s->sizes.load_cases);
+  if (!codes || !values) return refuse(s, C2D_ERR_ARGUMENT, "no codes or values given");
+  for (int k = 0; k < 4; ++k) {
+    if (!in_range(codes[k], 0, 1)) return refuse_number(s, C2D_ERR_ARGUMENT, "condition code", codes[k], 0, 1);
+    if (codes[k] == 0 && !is_usable(values[k]))
+      return refuse_value(s, "a prescribed value", values[k], "a finite number");
+  }
+  return C2D_OK;
+}
+
+// The other end at this node may have said something else about the same displacement.
+bool displacement_agrees(const Model& m, int b, int32_t node, int32_t end, int component, int32_t load_case,
+                         double value) {
+  int32_t ends[2];
+  const int count = ends_at_node(m, b, node, ends);
+  for (int i = 0; i < count; ++i) {
+    if (ends[i] == end) continue;
+    if ((m.end_code[b][ends[i]] & (component == 0 ? kKnownUx : kKnownUy)) == 0) continue;
+    const int64_t at = (static_cast<int64_t>(load_case) * m.head->body[b].nodes + node) * 2 + component;
+    if (m.node_disp[b][at] != value) return false;
+  }
+  return true;
+}
+
+} // namespace
+
+extern "C" c2d_status c2d_set_condition(c2d_solver* s, int32_t body, int32_t element, int32_t local,
+                                        const int32_t codes[4], const double values[4], int32_t load_case) {
+  c2d_status status = enter_building(s);
+  if (status == C2D_OK) status = check_body_number(s, body);
+  if (status == C2D_OK) status = check_condition(s, body, element, local, codes, values, load_case);
+  if (status != C2D_OK) return status;
+  const Model m = model_of(s);
+  const int b = body - 1;
+  const int32_t end = (element - 1) * s->sizes.function_nodes + local - 1;
+  const int32_t node = functional_node(m, b, element - 1, local - 1);
+  for (int c = 0; c < 2; ++c)
+    if (codes[2 + c] == 0 && !displacement_agrees(m, b, node, end, c, load_case - 1, values[2 + c]))
+      return refuse(s, C2D_ERR_ARGUMENT,
+                    c == 0 ? "the two ends at this node prescribe different x-displacements"
+                           : "the two ends at this node prescribe different y-displacements");
+  const int64_t ends = static_cast<int64_t>(m.head->body[b].elements) * s->sizes.function_nodes;
+  uint8_t code = kGiven;
+  for (int k = 0; k < 4; ++k)
+    if (codes[k] == 0) code = static_cast<uint8_t>(code | (1 << k));
+  m.end_code[b][end] = code;
+  m.end_line[b][end] = s->model.line;
+  for (int c = 0; c < 2; ++c) {
+    m.end_traction[b][((load_case - 1) * ends + end) * 2 + c] = codes[c] == 0 ? values[c] : 0.0;
+    if (codes[2 + c] == 0)
+      m.node_disp[b][(static_cast<int64_t>(load_case - 1) * m.head->body[b].nodes + node) * 2 + c] = values[2 + c];
+  }
+  return C2D_OK;
+}
+
+extern "C" c2d_status c2d_add_point_load(c2d_solver* s, int32_t body, double x, double y, double fx, double fy,
+                                         int32_t load_case) {
+  c2d_status status = enter_building(s);
+  if (status == C2D_OK) status = check_body_number(s, body);
+  if (status != C2D_OK) return status;
+  if (!in_range(load_case, 1, s->sizes.load_cases))
+    return refuse_number(s, C2D_ERR_ARGUMENT, "load case", load_case, 1, s->sizes.load_cases);
+  const double numbers[4] = {x, y, fx, fy};
+  for (double number : numbers)
+    if (!is_usable(number)) return refuse_value(s, "a number of the point load", number, "a finite number");
+  if (s->model.point_loads >= s->sizes.point_loads)
+    return refuse_number(s, C2D_ERR_LIMIT, "number of point loads", s->model.point_loads + 1, 0, s->sizes.point_loads);
+  array_of<PointLoad>(s, kPointLoads)[s->model.point_loads++] =
+      PointLoad{body - 1, load_case - 1, s->model.line, s->model.column, x, y, fx, fy};
+  return C2D_OK;
+}
+
+namespace {
+
+// Steps of +1 or -1 that lead from first to last in count-1 steps, round the ring [start, start + size) if need be;
+// 0: none does. `preferred` decides where both do.
+int32_t range_step(int64_t first, int64_t last, int64_t count, int64_t start, int64_t size, int32_t preferred) {
+  for (int32_t sign = 1; sign >= -1; sign -= 2)
+    if (first + sign * (count - 1) == last && (count > 1 || sign == preferred)) return sign;
+  for (int32_t sign = 1; sign >= -1; sign -= 2) {
+    const int64_t turned = ((first - start + sign * (count - 1)) % size + size) % size + start;
+    if (count <= size && turned == last) return sign;
+  }
+  return 0;
+}
+
+c2d_status fill_zone(c2d_solver* s, const Model& m, const c2d_zone& given, Zone& z) {
+  for (int b = 0; b < 2; ++b) {
+    const Body& body = m.head->body[b];
+    const int32_t elements[2] = {given.first_element[b], given.last_element[b]};
+    const int32_t nodes[2] = {given.first_node[b], given.last_node[b]};
+    for (int32_t element : elements)
+      if (!in_range(element, 1, body.elements))
+        return refuse_number(s, C2D_ERR_ARGUMENT, b == 0 ? "contact element of body 1" : "contact element of body 2",
+                             element, 1, body.elements);
+    for (int32_t node : nodes)
+      if (!in_range(node, 1, body.nodes))
+        return refuse_number(s, C2D_ERR_ARGUMENT, b == 0 ? "contact node of body 1" : "contact node of body 2", node, 1,
+                             body.nodes);
+    z.first_element[b] = given.first_element[b] - 1;
+    z.first_node[b] = given.first_node[b] - 1;
+    z.region[b] = region_of_element(m, b, z.first_element[b]);
+    const Region region = m.region[b][z.region[b]];
+    const int32_t per_element = s->sizes.function_nodes == 1 ? 1 : s->sizes.function_nodes - 1;
+    const int64_t ring = region.last - region.first + 1;
+    const int32_t by_nodes = given.last_node[b] >= given.first_node[b] ? 1 : -1;
+    z.element_step[b] =
+        range_step(z.first_element[b], given.last_element[b] - 1, given.elements, region.first, ring, by_nodes);
+    z.node_step[b] = range_step(z.first_node[b], given.last_node[b] - 1, given.pairs,
+                                static_cast<int64_t>(region.first) * per_element, ring * per_element,
+                                z.element_step[b] == 0 ? 1 : z.element_step[b]);
+    if (z.element_step[b] == 0)
+      return refuse(s, C2D_ERR_ARGUMENT,
+                    b == 0 ? "the element range of body 1 does not hold the number of elements given"
+                           : "the element range of body 2 does not hold the number of elements given");
+    if (z.node_step[b] == 0)
+      return refuse(s, C2D_ERR_ARGUMENT, b == 0 ? "the node range of body 1 does not hold the number of nodes given"
+                                                : "the node range of body 2 does not hold the number of nodes given");
+  }
+  return C2D_OK;
+}
+
+} // namespace
+
+extern "C" c2d_status c2d_add_zone(c2d_solver* s, const c2d_zone* zone) {
+  c2d_status status = enter_building(s);
+  c2d_zone given;
+  if (status != C2D_OK) return status;
+  if (!zone || !copy_in(zone, &given, sizeof given)) return refuse(s, C2D_ERR_ARGUMENT, "no zone given");
+  ModelHeader& head = s->model;
+  if (s->sizes.bodies < 2) return refuse(s, C2D_ERR_ARGUMENT, "a contact zone needs two bodies");
+  for (const Body& body : head.body)
+    if (!body.is_set || body.region_count < body.regions)
+      return refuse(s, C2D_ERR_ARGUMENT, "give both bodies and all their regions before the contact zones");
+  if (head.zones >= s->sizes.zones)
+    return refuse_number(s, C2D_ERR_LIMIT, "number of contact zones", head.zones + 1, 0, s->sizes.zones);
+  if (!in_range(given.pairs, 1, s->sizes.pairs - head.pairs))
+    return refuse_number(s, C2D_ERR_LIMIT, "number of contact pairs", given.pairs, 1, s->sizes.pairs - head.pairs);
+  if (!in_range(given.elements, 1, s->sizes.contact_elements - head.contact_elements))
+    return refuse_number(s, C2D_ERR_LIMIT, "number of contact elements", given.elements, 1,
+                         s->sizes.contact_elements - head.contact_elements);
+  const Model m = model_of(s);
+  Zone z;
+  memset(&z, 0, sizeof z);
+  z.pairs = given.pairs;
+  z.elements = given.elements;
+  z.first_pair = head.pairs;
+  z.line = head.line;
+  status = fill_zone(s, m, given, z);
+  if (status != C2D_OK) return status;
+  m.zone[head.zones++] = z;
+  head.pairs += z.pairs;
+  head.contact_elements += z.elements;
+  return C2D_OK;
+}
+
+namespace c2d {
+// Zero or more; infinity is full adhesion. Not-a-numbers are told apart without comparing them.
+bool is_coefficient(double mu) { return isinf(mu) ? mu > 0.0 : (is_usable(mu) && mu >= 0.0); }
+} // namespace c2d
+
+extern "C" c2d_status c2d_add_friction(c2d_solver* s, double mu) {
+  const c2d_status status = enter_building(s);
+  if (status != C2D_OK) return status;
+  if (!is_coefficient(mu)) return refuse_value(s, "coefficient of friction", mu, "zero or more");
+  if (s->model.coefficients >= s->sizes.coefficients)
+    return refuse_number(s, C2D_ERR_LIMIT, "number of coefficients of friction", s->model.coefficients + 1, 0,
+                         s->sizes.coefficients);
+  array_of<double>(s, kFriction)[s->model.coefficients++] = mu;
+  return C2D_OK;
+}
+
+extern "C" c2d_status c2d_add_path(c2d_solver* s, int32_t increments, double load) {
+  const c2d_status status = enter_building(s);
+  if (status != C2D_OK) return status;
+  if (increments < 1)
+    return refuse_number(s, C2D_ERR_ARGUMENT, "number of increments", increments, 1, INT32_MAX);
+  if (!is_usable(load)) return refuse_value(s, "load factor", load, "a finite number");
+  if (s->model.paths >= s->sizes.paths)
+    return refuse_number(s, C2D_ERR_LIMIT, "number of load cards", s->model.paths + 1, 0, s->sizes.paths);
+  array_of<Path>(s, kPaths)[s->model.paths++] = Path{increments, 0, load};
+  return C2D_OK;
+}
+
+extern "C" c2d_status c2d_complete(c2d_solver* s) {
+  const c2d_status status = enter(s, state_bit(C2D_STATE_BUILDING));
+  if (status != C2D_OK) return status;
+  s->model.line = s->model.column = s->model.column_end = 0;
+  Reporter reporter{s, [](void* solver, const c2d_error& e) { report_fault(static_cast<c2d_solver*>(solver), e); }, 0};
+  const Model m = model_of(s);
+  if (!complete_model(m, reporter)) {
+    const c2d_error first = s->error;
+    clear_model(s);
+    s->error = first;
+    return C2D_ERR_INPUT;
+  }
+  for (int b = 0; b < m.head->bodies; ++b) number_unknowns(m, b);
+  s->state = C2D_STATE_MODEL;
+  return C2D_OK;
+}

@@ -1,0 +1,174 @@
+#include "solver/phases.hpp"
+
+namespace c2d {
+
+namespace {
+
+// Carves, or only counts when base is null.
+struct Carver {
+  char* base;
+  uint64_t used;
+  bool fits;
+
+  template <class T> void take(T*& out, int64_t count) {
+    out = base ? reinterpret_cast<T*>(base + used) : nullptr;
+    skip(static_cast<uint64_t>(count), sizeof(T));
+  }
+  void take_bytes(void*& out, uint64_t bytes) {
+    out = base ? base + used : nullptr;
+    skip(bytes, 1);
+  }
+  void skip(uint64_t count, uint64_t size) {
+    fits = fits && add_bytes(used, count, size) && used <= UINT64_MAX - 2 * kAlignment;
+    if (fits) used = round_up(used);
+  }
+  uint64_t total() const { return fits ? used : UINT64_MAX; }
+};
+
+uint64_t larger(uint64_t a, uint64_t b) { return a > b ? a : b; }
+
+} // namespace
+
+PhaseSizes phase_sizes(const Sizes& sizes) {
+  PhaseSizes s{};
+  s.m = sizes.contact;
+  s.cases = sizes.load_cases;
+  for (int b = 0; b < sizes.bodies; ++b) {
+    s.nodes[b] = sizes.body[b].nodes;
+    s.ends[b] = sizes.body[b].ends;
+    s.rows[b] = sizes.body[b].rows;
+    s.outer[b] = s.rows[b]; // without contact, every unknown is an outer one
+  }
+  return s;
+}
+
+EliminationPlan plan_of(const PhaseSizes& s, int b, int32_t panel_columns, int32_t block_columns) {
+  return EliminationPlan{static_cast<int32_t>(s.rows[b]), static_cast<int32_t>(s.outer[b]),
+                         static_cast<int32_t>(2 * s.m + s.cases), panel_columns, block_columns, 0, 0};
+}
+
+uint64_t elimination_area(const PhaseSizes& s, int b, const EliminationPlan& plan, char* base,
+                          EliminationArea* out) {
+  Carver carver{base, 0, true};
+  EliminationArea area{};
+  carver.take(area.diagonal, 4 * s.nodes[b]);
+  carver.take_bytes(area.buffer, contact_buffer_bytes(s.m));
+  carver.take_bytes(area.work,
+                    elimination_bytes(plan.rows, plan.pivots, plan.panel_columns, plan.block_columns));
+  if (out) *out = area;
+  return carver.total();
+}
+
+uint64_t reduction_area(const PhaseSizes& s, char* base, ReductionArea* out) {
+  Carver carver{base, 0, true};
+  ReductionArea area{};
+  carver.take(area.first, s.m * s.m);
+  carver.take(area.second, s.m * s.m);
+  carver.take(area.strip, s.m * kStripColumns);
+  carver.take(area.pivots, s.m);
+  carver.take_bytes(area.buffer, contact_buffer_bytes(s.m));
+  if (out) *out = area;
+  return carver.total();
+}
+
+uint64_t path_area(const PhaseSizes& s, const EliminationPlan plan[2], bool flexibility, char* base,
+                   PathArea* out) {
+  Carver carver{base, 0, true};
+  PathArea area{};
+  carver.take(area.tableau, s.m * (s.m + 1 + s.cases));
+  carver.take(area.y, s.m);
+  carver.take(area.dy, s.m);
+  for (Real*& u : area.u) carver.take(u, s.m);
+  carver.take(area.column, s.m);
+  if (flexibility) carver.take(area.flexibility, s.m * s.m);
+  carver.take_bytes(area.buffer, contact_buffer_bytes(s.m));
+  uint64_t work = 0;
+  int64_t outer = 0;
+  for (int b = 0; b < 2; ++b) {
+    carver.take(area.displacement[b], 2 * s.nodes[b]);
+    carver.take(area.traction[b], 2 * s.ends[b]);
+    if (s.rows[b] == 0) continue;
+    work = larger(work, back_substitution_bytes(plan[b]));
+    if (s.outer[b] > outer) outer = s.outer[b];
+  }
+  carver.take(area.outer, outer);
+  carver.take(area.coefficient, 2 * s.m + s.cases);
+  carver.take_bytes(area.work, work);
+  if (out) *out = area;
+  return carver.total();
+}
+
+namespace {
+
+uint64_t whole_need(const PhaseSizes& s, const EliminationPlan plan[2], bool flexibility) {
+  uint64_t need = larger(reduction_area(s, nullptr, nullptr), path_area(s, plan, flexibility, nullptr, nullptr));
+  for (int b = 0; b < 2; ++b)
+    if (s.rows[b] > 0) need = larger(need, elimination_area(s, b, plan[b], nullptr, nullptr));
+  return need;
+}
+
+// What elimination_area holds beside the work of the elimination.
+uint64_t beside_elimination(const PhaseSizes& s, int b) {
+  return round_up(static_cast<uint64_t>(4 * s.nodes[b]) * sizeof(double)) + round_up(contact_buffer_bytes(s.m));
+}
+
+c2d_status plan_within(const PhaseSizes& s, uint64_t bytes, int32_t forced, EliminationPlan out[2]) {
+  for (int b = 0; b < 2; ++b) {
+    if (s.rows[b] == 0) continue;
+    const uint64_t beside = beside_elimination(s, b);
+    if (bytes < beside) return C2D_ERR_MEMORY;
+    const c2d_status status =
+        plan_elimination(bytes - beside, static_cast<int32_t>(s.rows[b]), static_cast<int32_t>(s.outer[b]),
+                         static_cast<int32_t>(2 * s.m + s.cases), forced, out[b], nullptr);
+    if (status != C2D_OK) return status;
+  }
+  return C2D_OK;
+}
+
+} // namespace
+
+c2d_status choose_plans(const PhaseSizes& s, uint64_t bytes, int32_t forced, EliminationPlan out[2],
+                        bool* flexibility) {
+  *flexibility = false;
+  // Wide blocks also cost memory in back substitution, beside the tableau: give the panels less until all fits.
+  for (uint64_t share = bytes;; share -= share / 8 + 1) {
+    const c2d_status status = plan_within(s, share, forced, out);
+    if (status != C2D_OK) break;
+    if (whole_need(s, out, false) <= bytes) {
+      *flexibility = whole_need(s, out, true) <= bytes;
+      return C2D_OK;
+    }
+    if (share < kAlignment) break;
+  }
+  for (int b = 0; b < 2; ++b) out[b] = plan_of(s, b, 1, 1);
+  if (forced > 1 || whole_need(s, out, false) > bytes) return C2D_ERR_MEMORY;
+  *flexibility = whole_need(s, out, true) <= bytes;
+  return C2D_OK;
+}
+
+c2d_status phase_need(const Sizes& sizes, uint64_t* minimum, uint64_t* in_core) {
+  const PhaseSizes s = phase_sizes(sizes);
+  const int32_t narrow = sizes.panel_columns > 0 ? sizes.panel_columns : 1;
+  EliminationPlan plan[2];
+  for (int b = 0; b < 2; ++b) plan[b] = plan_of(s, b, narrow, 1);
+  *minimum = whole_need(s, plan, false);
+  for (int b = 0; b < 2; ++b) plan[b] = plan_of(s, b, narrow, narrow > 1 ? (narrow + 3) / 4 : 1);
+  *in_core = whole_need(s, plan, true);
+  if (sizes.panel_columns == 0) {
+    *in_core = larger(*in_core, reduction_area(s, nullptr, nullptr));
+    for (int b = 0; b < 2; ++b) {
+      if (s.rows[b] == 0) continue;
+      const int64_t columns = s.outer[b] + 2 * s.m + s.cases;
+      if (columns > INT32_MAX) return C2D_ERR_OVERFLOW;
+      const EliminationPlan wide = plan_of(s, b, static_cast<int32_t>(columns), 1);
+      uint64_t bytes = elimination_bytes_in_core(wide.rows, wide.pivots, wide.trailing);
+      if (bytes == UINT64_MAX || !add_bytes(bytes, 1, beside_elimination(s, b) + 2 * kAlignment))
+        return C2D_ERR_OVERFLOW;
+      *in_core = larger(*in_core, bytes);
+    }
+  }
+  if (*in_core < *minimum) *in_core = *minimum;
+  return *minimum == UINT64_MAX || *in_core == UINT64_MAX ? C2D_ERR_OVERFLOW : C2D_OK;
+}
+
+} // namespace c2d

@@ -1,0 +1,287 @@
+// Assemble, eliminate, reduce: from the model to the contact tableau on the tape.
+#include <math.h>
+
+#include "bie/columns.hpp"
+#include "contact/reduction.hpp"
+#include "memory/text.hpp"
+#include "model/rigid.hpp"
+#include "solver/phases.hpp"
+#include "solver/session.hpp"
+#include "solver/solver.hpp"
+
+namespace c2d {
+
+namespace {
+
+using Matrix = ContactMatrix;
+
+template <class T> uint64_t hash_array(uint64_t hash, const T* data, int64_t count) {
+  return checksum(hash, data, static_cast<uint64_t>(count) * sizeof(T));
+}
+
+// Everything that decides the numbers on the tapes.
+uint64_t hash_model(const Model& m, const c2d_options& options) {
+  uint64_t hash = checksum(sizeof(Real), &options.quadrature, sizeof options.quadrature);
+  hash = checksum(hash, &m.head->plane, sizeof m.head->plane);
+  for (int b = 0; b < m.head->bodies; ++b) {
+    const Body& body = m.head->body[b];
+    const int64_t ends = static_cast<int64_t>(body.elements) * m.head->function_nodes, cases = m.head->load_cases;
+    hash = checksum(hash, &body.youngs_modulus, 2 * sizeof(double));
+    hash = hash_array(hash, m.xy[b], 2 * static_cast<int64_t>(body.geometry_nodes));
+    hash = hash_array(hash, m.end_traction[b], 2 * ends * cases);
+    hash = hash_array(hash, m.node_disp[b], 2 * static_cast<int64_t>(body.nodes) * cases);
+    hash = hash_array(hash, m.end_code[b], ends);
+    hash = hash_array(hash, m.region[b], body.regions);
+  }
+  hash = hash_array(hash, m.zone, m.head->zones);
+  return hash_array(hash, m.point_load, m.head->point_loads);
+}
+
+// Do the contact pairs, all sticking, hold every free motion of this body?
+bool contact_holds(const Model& m, int b) {
+  const Body& body = m.head->body[b];
+  const int k = body.free_motions;
+  double basis[3][3]; // orthonormal: what the pairs seen so far prevent, in coordinates of the free motions
+  int rank = 0;
+  for (int32_t i = 0; i < m.head->pairs && rank < k; ++i) {
+    const Pair& pair = m.pair[i];
+    double x, y;
+    node_position(m, b, pair.node[b], &x, &y);
+    const double dx = (x - body.centre[0]) / m.head->length_unit, dy = (y - body.centre[1]) / m.head->length_unit;
+    const double directions[2][2] = {{pair.nx, pair.ny}, {pair.ny, -pair.nx}};
+    for (int d = 0; d <= pair.tangential && rank < k; ++d) {
+      double row[3] = {0.0, 0.0, 0.0};
+      for (int j = 0; j < k; ++j) {
+        const double* motion = body.free_motion[j];
+        row[j] = directions[d][0] * (motion[0] - motion[2] * dy) + directions[d][1] * (motion[1] + motion[2] * dx);
+      }
+      rank += extend_basis(basis, rank, k, row);
+    }
+  }
+  return rank == k;
+}
+
+c2d_status open_tapes(c2d_solver* s, const Model& m) {
+  uint64_t blocks[C2D_TAPES] = {}, data[C2D_TAPES] = {};
+  for (int b = 0; b < m.head->bodies; ++b) {
+    const TapeUse lower = lower_use(s->plan[b]), upper = upper_use(s->plan[b]);
+    s->plan[b].lower_first_block = blocks[C2D_TAPE_LOWER];
+    s->plan[b].upper_first_block = blocks[C2D_TAPE_UPPER];
+    blocks[C2D_TAPE_LOWER] += lower.blocks;
+    blocks[C2D_TAPE_UPPER] += upper.blocks;
+    if (lower.max_data_bytes > data[C2D_TAPE_LOWER]) data[C2D_TAPE_LOWER] = lower.max_data_bytes;
+    if (upper.max_data_bytes > data[C2D_TAPE_UPPER]) data[C2D_TAPE_UPPER] = upper.max_data_bytes;
+  }
+  if (m.head->contact > 0) {
+    blocks[C2D_TAPE_CONTACT] = static_cast<uint64_t>(contact_blocks(m.head->contact, m.head->load_cases));
+    data[C2D_TAPE_CONTACT] = static_cast<uint64_t>(m.head->contact) * sizeof(Real);
+  }
+  for (int32_t tape = C2D_TAPE_LOWER; tape < C2D_TAPES; ++tape) {
+    if (blocks[tape] == 0) continue;
+    const c2d_status status = open_tape(s->tapes, tape, blocks[tape], data[tape]);
+    if (status != C2D_OK) return status;
+  }
+  return C2D_OK;
+}
+
+// ---- one body -----------------------------------------------------------------------------------------------------
+
+struct BodyJob {
+  c2d_solver* solver;
+  ColumnSystem system;
+  ContactTape tape;
+  int64_t total; // columns
+  double assembling;
+};
+
+c2d_status watch_column(void* context, int32_t column) {
+  BodyJob& job = *static_cast<BodyJob*>(context);
+  tell_progress(job.solver, C2D_PHASE_ELIMINATE, job.system.body + 1, column, job.total);
+  return asked_to_stop(job.solver) ? C2D_ERR_CANCELLED : C2D_OK;
+}
+
+// Columns are assembled a few at a time, so that a watchdog is fed also while a wide panel is filled.
+constexpr int32_t kColumnsAtOnce = 256;
+
+c2d_status assemble_columns(void* context, int32_t first, int32_t count, Real* panel, int64_t ld) {
+  BodyJob& job = *static_cast<BodyJob*>(context);
+  const double start = clock_now(job.solver);
+  for (int32_t done = 0; done < count; done += kColumnsAtOnce) {
+    const int32_t now = count - done < kColumnsAtOnce ? count - done : kColumnsAtOnce;
+    fill_columns(job.system, first + done, now, panel + done * ld, ld);
+    tell_progress(job.solver, C2D_PHASE_ASSEMBLE, job.system.body + 1, first + done + now, job.total);
+    if (asked_to_stop(job.solver)) return C2D_ERR_CANCELLED;
+  }
+  job.assembling += clock_now(job.solver) - start;
+  return C2D_OK;
+}
+
+c2d_status keep_reduced(void* context, int32_t first, int32_t count, const Real* rows, int64_t ld) {
+  BodyJob& job = *static_cast<BodyJob*>(context);
+  const int32_t m = job.tape.m;
+  const bool second = job.system.body == 1;
+  for (int32_t j = 0; j < count && m > 0; ++j) {
+    const int32_t k = first + j;
+    const Matrix matrix = k < m       ? (second ? Matrix::displacement2 : Matrix::displacement1)
+                          : k < 2 * m ? (second ? Matrix::traction2 : Matrix::traction1)
+                                      : (second ? Matrix::load2 : Matrix::load1);
+    const int32_t column = k < m ? k : (k < 2 * m ? k - m : k - 2 * m);
+    const c2d_status status = write_column(job.tape, matrix, column, rows + j * ld);
+    if (status != C2D_OK) return status;
+  }
+  return C2D_OK;
+}
+
+void note_pivots(c2d_solver* s, const PivotStats& stats) {
+  if (stats.smallest_column < 0) return;
+  if (stats.smallest_ratio < s->smallest_pivot) s->smallest_pivot = stats.smallest_ratio;
+  if (stats.largest_ratio > s->largest_pivot) s->largest_pivot = stats.largest_ratio;
+  if (stats.growth > s->pivot_growth) s->pivot_growth = stats.growth;
+}
+
+c2d_status eliminate_body(c2d_solver* s, const Model& m, const PhaseSizes& sizes, int b) {
+  EliminationArea area;
+  elimination_area(sizes, b, s->plan[b], array_of<char>(s, kPhase), &area);
+  const Quadrature quadrature =
+      s->options.quadrature == C2D_QUADRATURE_THESIS ? Quadrature::thesis : Quadrature::accurate;
+  BodyJob job{s, ColumnSystem{m, b, quadrature, area.diagonal},
+              ContactTape{&s->tapes, m.head->contact, m.head->load_cases, area.buffer},
+              static_cast<int64_t>(s->plan[b].pivots) + s->plan[b].trailing, 0.0};
+  const double start = clock_now(s);
+  for (int32_t node = 0; node < m.head->body[b].nodes; node += kColumnsAtOnce) {
+    const int32_t rest = m.head->body[b].nodes - node;
+    fill_diagonal(job.system, node, rest < kColumnsAtOnce ? rest : kColumnsAtOnce);
+    tell_progress(s, C2D_PHASE_ASSEMBLE, b + 1, 0, job.total);
+    if (asked_to_stop(s)) return C2D_ERR_CANCELLED;
+  }
+  job.assembling += clock_now(s) - start;
+  PivotStats stats{};
+  const c2d_status status =
+      eliminate(s->plan[b], ColumnSource{&job, assemble_columns}, RowSink{&job, keep_reduced}, s->tapes, area.work,
+                &stats, Watch{&job, watch_column});
+  note_pivots(s, stats);
+  s->seconds[C2D_PHASE_ASSEMBLE] += job.assembling;
+  s->seconds[C2D_PHASE_ELIMINATE] += clock_now(s) - start - job.assembling;
+  return status;
+}
+
+c2d_status tick(void* context) {
+  c2d_solver* s = static_cast<c2d_solver*>(context);
+  tell_progress(s, C2D_PHASE_REDUCE, 0, 0, 0);
+  return asked_to_stop(s) ? C2D_ERR_CANCELLED : C2D_OK;
+}
+
+c2d_status reduce_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes) {
+  if (m.head->contact == 0) return C2D_OK;
+  ReductionArea area;
+  reduction_area(sizes, array_of<char>(s, kPhase), &area);
+  const double start = clock_now(s);
+  const Reduction reduction{ContactTape{&s->tapes, m.head->contact, m.head->load_cases, area.buffer},
+                            s->inverted, area.first, area.second, area.strip, area.pivots, s, tick};
+  const c2d_status status = reduce(reduction);
+  s->seconds[C2D_PHASE_REDUCE] += clock_now(s) - start;
+  return status;
+}
+
+// Which body's displacements are eliminated, and whether anything can fly away whatever the contact does.
+void find_support(c2d_solver* s, const Model& m) {
+  s->inverted = 0;
+  s->blocked = 0;
+  for (int b = 0; b < m.head->bodies; ++b)
+    if (m.head->contact == 0 && m.head->body[b].free_motions > 0) s->blocked = b + 1;
+  if (m.head->contact == 0) return;
+  s->inverted = m.head->body[0].free_motions == 0 ? 0 : 1;
+  if (m.head->body[s->inverted].free_motions > 0) s->blocked = 2;
+  else if (!contact_holds(m, 1 - s->inverted)) s->blocked = 2 - s->inverted;
+}
+
+c2d_status run_phases(c2d_solver* s, const Model& m) {
+  const PhaseSizes sizes = model_sizes(m);
+  const uint64_t bytes = s->bytes - s->layout.persistent;
+  bool flexibility = false;
+  c2d_status status = choose_plans(sizes, bytes, s->limits.panel_columns, s->plan, &flexibility);
+  s->keeps_flexibility = flexibility;
+  if (status != C2D_OK) return status;
+  status = begin_run(s->tapes, hash_model(m, s->options), array_of<char>(s, kPhase));
+  if (status == C2D_OK) status = open_tapes(s, m);
+  for (int b = 0; b < m.head->bodies && status == C2D_OK; ++b) status = eliminate_body(s, m, sizes, b);
+  return status == C2D_OK ? reduce_bodies(s, m, sizes) : status;
+}
+
+void warn_condition(c2d_solver* s) {
+  s->condition = s->smallest_pivot > 0.0 ? s->largest_pivot / s->smallest_pivot : 0.0;
+  if (!(s->condition > 1e11)) return;
+  c2d_error e = blank_error();
+  e.status = C2D_WARN_CONDITION;
+  e.severity = C2D_WARNING;
+  Text text = text_in(e.text);
+  put(text, "the equations are badly conditioned (pivots differ by a factor of ");
+  put(text, s->condition);
+  put(text, "): supports may be too close together or elements of very unlike size");
+  report_fault(s, e);
+}
+
+} // namespace
+
+int extend_basis(double basis[3][3], int rank, int n, double row[3]) {
+  double before = 0.0, after = 0.0;
+  for (int j = 0; j < n; ++j) before += row[j] * row[j];
+  for (int i = 0; i < rank; ++i) {
+    double dot = 0.0;
+    for (int j = 0; j < n; ++j) dot += basis[i][j] * row[j];
+    for (int j = 0; j < n; ++j) row[j] -= dot * basis[i][j];
+  }
+  for (int j = 0; j < n; ++j) after += row[j] * row[j];
+  if (!(after > 1e-16 * before) || !(after > 1e-16)) return 0;
+  const double length = sqrt(after);
+  for (int j = 0; j < n; ++j) basis[rank][j] = row[j] / length;
+  return 1;
+}
+
+PhaseSizes model_sizes(const Model& m) {
+  PhaseSizes sizes{};
+  sizes.m = m.head->contact;
+  sizes.cases = m.head->load_cases;
+  for (int b = 0; b < m.head->bodies; ++b) {
+    const Body& body = m.head->body[b];
+    sizes.nodes[b] = body.nodes;
+    sizes.ends[b] = static_cast<int64_t>(body.elements) * m.head->function_nodes;
+    sizes.rows[b] = system_rows(m, b);
+    sizes.outer[b] = outer_columns(m, b);
+  }
+  return sizes;
+}
+
+bool is_store_error(c2d_status status) { return status >= C2D_ERR_STORE_OPEN && status < C2D_ERR_MISMATCH; }
+
+} // namespace c2d
+
+using namespace c2d;
+
+extern "C" c2d_status c2d_prepare(c2d_solver* s) {
+  c2d_status status = enter(s, state_bit(C2D_STATE_MODEL));
+  if (status != C2D_OK) return status;
+  const c2d_port& p = s->port;
+  if (!p.open || !p.read || !p.write || !p.sync || !p.close)
+    return fail(s, C2D_ERR_ARGUMENT, "the port has no block store (open, read, write, sync, close)");
+  const Model m = model_of(s);
+  s->smallest_pivot = 1e300;
+  s->largest_pivot = s->pivot_growth = s->condition = 0.0;
+  for (double& seconds : s->seconds) seconds = 0.0;
+  find_support(s, m);
+  status = close_all(s->tapes);
+  s->tapes.port = &s->port;
+  if (status == C2D_OK && !s->blocked) status = run_phases(s, m);
+  if (status == C2D_OK) {
+    s->state = C2D_STATE_PREPARED;
+    if (!s->blocked) warn_condition(s);
+    return C2D_OK;
+  }
+  if (is_store_error(status)) return fail_store(s, status);
+  s->cancelled = 0;
+  const c2d_status closed = close_all(s->tapes);
+  if (closed != C2D_OK) return fail_store(s, closed);
+  if (status == C2D_ERR_SINGULAR)
+    return fail(s, status, "the equations are singular: the conditions do not hold the bodies, or the mesh is degenerate");
+  return fail(s, status, c2d_message(status));
+}

@@ -1,0 +1,291 @@
+// Answers: fields, lists, the summary.
+#include <string.h>
+
+#include "solver/session.hpp"
+
+namespace c2d {
+
+namespace {
+
+constexpr uint32_t kComplete =
+    state_bit(C2D_STATE_MODEL) | state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING);
+
+// Values of one field of `count` items, item i at base[i * step + offset].
+struct Field {
+  const double* base;
+  int64_t step, offset, items;
+};
+
+c2d_status check_range(c2d_solver* s, int64_t items, int32_t first, int32_t count, const double* out) {
+  if (count < 0 || first < 1 || first > items + 1 || count > items - first + 1)
+    return fail(s, C2D_ERR_ARGUMENT, "entries asked for are not all there");
+  if (count > 0 && !out) return fail(s, C2D_ERR_ARGUMENT, "no room given for the answer");
+  return C2D_OK;
+}
+
+bool needs_results(int32_t field) {
+  return (field >= C2D_STATUS && field <= C2D_SLIP_SUM) || (field >= C2D_END_UX && field <= C2D_END_TY);
+}
+
+c2d_status get_pair_field(c2d_solver* s, int32_t field, int32_t first, int32_t count, double* out, int64_t stride) {
+  c2d_status status = check_range(s, s->model.pairs, first, count, out);
+  if (status != C2D_OK) return status;
+  if (needs_results(field) && !s->table_is_current) {
+    Session session;
+    open_session(s, session);
+    status = fill_table(session);
+    if (status != C2D_OK) return fail_store(s, status);
+  } else if (!needs_results(field)) {
+    fill_positions(model_of(s), array_of<double>(s, kPairTable));
+  }
+  const double* table = array_of<double>(s, kPairTable);
+  for (int32_t i = 0; i < count; ++i)
+    out[i * stride] = table[static_cast<int64_t>(first - 1 + i) * C2D_PAIR_FIELDS + field];
+  return C2D_OK;
+}
+
+double end_value(const Session& session, int32_t field, int b, int32_t end) {
+  const Model& m = session.model;
+  const int32_t nf = m.head->function_nodes, element = end / nf, l = end % nf;
+  const int32_t node = functional_node(m, b, element, l);
+  double x, y;
+  switch (field) {
+  case C2D_END_X: node_position(m, b, node, &x, &y); return x;
+  case C2D_END_Y: node_position(m, b, node, &x, &y); return y;
+  case C2D_END_NODE: return node + 1;
+  case C2D_END_STATUS: {
+    const int32_t pair = pair_of_end(m, b, element, l);
+    if (pair < 0) return -1;
+    const double* row = array_of<double>(session.solver, kPairTable) + static_cast<int64_t>(pair) * C2D_PAIR_FIELDS;
+    return row[C2D_STATUS];
+  }
+  case C2D_END_UX:
+  case C2D_END_UY: return session.area.displacement[b][2 * static_cast<int64_t>(node) + (field - C2D_END_UX)];
+  default: return session.area.traction[b][2 * static_cast<int64_t>(end) + (field - C2D_END_TX)];
+  }
+}
+
+c2d_status get_end_field(c2d_solver* s, int32_t field, int b, int32_t first, int32_t count, double* out,
+                         int64_t stride) {
+  const int64_t ends = static_cast<int64_t>(s->model.body[b].elements) * s->model.function_nodes;
+  c2d_status status = check_range(s, ends, first, count, out);
+  if (status != C2D_OK) return status;
+  Session session;
+  open_session(s, session);
+  if (needs_results(field) || field == C2D_END_STATUS) {
+    if (s->state != C2D_STATE_RUNNING) return fail(s, C2D_ERR_STATE, "there are no results before c2d_begin");
+    if (s->blocked || s->floating) {
+      for (int32_t i = 0; i < count; ++i) out[i * stride] = field == C2D_END_STATUS ? -1.0 : 0.0;
+      return C2D_OK;
+    }
+    if (!s->table_is_current) status = fill_table(session);
+    if (status == C2D_OK && field != C2D_END_STATUS) status = back_substitute_all(session);
+    if (status != C2D_OK) return fail_store(s, status);
+  }
+  for (int32_t i = 0; i < count; ++i) out[i * stride] = end_value(session, field, b, first - 1 + i);
+  return C2D_OK;
+}
+
+c2d_status get_node_field(c2d_solver* s, int32_t field, int b, int32_t first, int32_t count, double* out,
+                          int64_t stride) {
+  const c2d_status status = check_range(s, s->model.body[b].geometry_nodes, first, count, out);
+  if (status != C2D_OK) return status;
+  const double* xy = array_of<double>(s, kXy + b);
+  for (int32_t i = 0; i < count; ++i)
+    out[i * stride] = xy[2 * static_cast<int64_t>(first - 1 + i) + (field - C2D_NODE_X)];
+  return C2D_OK;
+}
+
+int32_t total_steps(c2d_solver* s) {
+  int64_t steps = 0;
+  for (int32_t p = 0; p < s->model.paths; ++p) steps += array_of<Path>(s, kPaths)[p].increments;
+  return steps > INT32_MAX ? INT32_MAX : static_cast<int32_t>(steps);
+}
+
+void fill_model(c2d_solver* s, c2d_summary& out) {
+  const ModelHeader& m = s->model;
+  out.bodies = m.bodies;
+  out.function_nodes = m.function_nodes;
+  out.pairs = m.pairs;
+  out.zones = m.zones;
+  out.steps = total_steps(s);
+  out.coefficients = m.coefficients;
+  out.paths = m.paths;
+  out.analysis = m.analysis;
+  out.plane = m.plane;
+  out.iteration_limit = m.iteration_limit;
+  out.stepping = s->options.stepping;
+  out.quadrature = s->options.quadrature;
+  out.contact_unknowns = m.contact;
+  for (int b = 0; b < m.bodies && b < 2; ++b) {
+    const Body& body = m.body[b];
+    out.elements[b] = body.elements;
+    out.nodes[b] = body.nodes;
+    out.geometry_nodes[b] = body.geometry_nodes;
+    out.element_nodes[b] = body.element_nodes;
+    out.regions[b] = body.regions;
+    out.unknowns[b] = body.nodes > 0 ? 2 * body.nodes + 3 : 0;
+    out.youngs_modulus[b] = body.youngs_modulus;
+    out.poisson_ratio[b] = body.poisson_ratio;
+  }
+  memcpy(out.title, m.title, sizeof out.title);
+}
+
+void fill_motion(const c2d_solver* s, c2d_summary& out) {
+  if (s->outcome_body < 1 || s->outcome_body > 2) return;
+  const Body& body = s->model.body[s->outcome_body - 1];
+  if (body.free_motions < 1) return;
+  // (ux, uy) of the centre and a rotation about it, as a motion about the origin.
+  const double* motion = body.free_motion[0];
+  const double rotation = motion[2] / s->model.length_unit;
+  out.free_motion[0] = motion[0] + rotation * body.centre[1];
+  out.free_motion[1] = motion[1] - rotation * body.centre[0];
+  out.free_motion[2] = rotation;
+}
+
+void fill_work(c2d_solver* s, c2d_summary& out) {
+  out.panel_columns = s->plan[0].panel_columns;
+  for (const EliminationPlan& plan : s->plan)
+    if (plan.panel_columns > out.panel_columns) out.panel_columns = plan.panel_columns;
+  out.warnings = s->warnings;
+  out.events = s->stats.events;
+  out.exchanges = s->exchanges;
+  out.tableau_rebuilds = s->rebuilds;
+  for (int32_t tape = 0; tape < C2D_TAPES; ++tape) {
+    out.tape_blocks[tape] = s->tapes.blocks[tape];
+    out.tape_bytes_written[tape] = s->tapes.bytes_written[tape];
+    out.tape_bytes_read[tape] = s->tapes.bytes_read[tape];
+    out.tape_writes[tape] = s->tapes.writes[tape];
+    out.tape_reads[tape] = s->tapes.reads[tape];
+  }
+  memcpy(out.seconds, s->seconds, sizeof out.seconds);
+  out.max_residual = s->max_residual;
+  out.elimination_residual = s->pivot_growth;
+  out.condition = s->condition;
+  memcpy(out.applied, s->applied, sizeof out.applied);
+  memcpy(out.contact, s->contact_force, sizeof out.contact);
+  out.force_applied = s->force_applied;
+  out.force_contact = s->force_contact;
+  out.force_error = s->force_error;
+  out.tension_ratio = s->tension_ratio;
+}
+
+} // namespace
+} // namespace c2d
+
+using namespace c2d;
+
+extern "C" c2d_status c2d_get(c2d_solver* s, int32_t field, int32_t body, int32_t first, int32_t count, double* out,
+                              int64_t stride) {
+  const bool pairs = field >= 0 && field < C2D_PAIR_FIELDS;
+  const bool ends = field >= C2D_END_X && field <= C2D_END_STATUS, nodes = field == C2D_NODE_X || field == C2D_NODE_Y;
+  const c2d_status status = enter(s, needs_results(field) ? state_bit(C2D_STATE_RUNNING) : kComplete);
+  if (status != C2D_OK) return status;
+  if (!pairs && !ends && !nodes) return fail(s, C2D_ERR_ARGUMENT, "there is no such field");
+  if (pairs) return get_pair_field(s, field, first, count, out, stride);
+  if (body < 1 || body > s->model.bodies) return fail(s, C2D_ERR_ARGUMENT, "there is no such body");
+  if (ends) return get_end_field(s, field, body - 1, first, count, out, stride);
+  return get_node_field(s, field, body - 1, first, count, out, stride);
+}
+
+extern "C" c2d_status c2d_get_summary(c2d_solver* s, c2d_summary* out) {
+  if (!s || s->magic != kSolverMagic || !out) return C2D_ERR_ARGUMENT;
+  c2d_summary ours;
+  memset(&ours, 0, sizeof ours);
+  ours.state = s->state;
+  ours.outcome = s->outcome;
+  ours.outcome_body = s->outcome_body;
+  ours.outcome_pair = s->model.pairs > 0 ? s->last_pair + 1 : 0;
+  fill_model(s, ours);
+  fill_motion(s, ours);
+  fill_work(s, ours);
+  c2d_memory_need(&s->limits, &ours.minimum_bytes, &ours.in_core_bytes);
+  ours.workspace_bytes = s->bytes;
+  ours.peak_bytes = s->peak_bytes;
+  if (s->state == C2D_STATE_RUNNING) ours.load = array_of<double>(s, kLoads)[0];
+  ours.mu = s->mu;
+  return copy_out(&ours, sizeof ours, out) ? C2D_OK : C2D_ERR_ARGUMENT;
+}
+
+extern "C" c2d_status c2d_get_friction(c2d_solver* s, int32_t i, double* mu) {
+  const c2d_status status = enter(s, kComplete);
+  if (status != C2D_OK) return status;
+  if (!mu || i < 1 || i > s->model.coefficients) return fail(s, C2D_ERR_ARGUMENT, "there is no such coefficient");
+  *mu = array_of<double>(s, kFriction)[i - 1];
+  return C2D_OK;
+}
+
+extern "C" c2d_status c2d_get_path(c2d_solver* s, int32_t i, int32_t* increments, double* load) {
+  const c2d_status status = enter(s, kComplete);
+  if (status != C2D_OK) return status;
+  if (!increments || !load || i < 1 || i > s->model.paths) return fail(s, C2D_ERR_ARGUMENT, "there is no such load card");
+  const Path& path = array_of<Path>(s, kPaths)[i - 1];
+  *increments = path.increments;
+  *load = path.load;
+  return C2D_OK;
+}
+
+extern "C" c2d_status c2d_get_zone(c2d_solver* s, int32_t i, c2d_zone* out) {
+  const c2d_status status = enter(s, kComplete);
+  if (status != C2D_OK) return status;
+  if (!out || i < 1 || i > s->model.zones) return fail(s, C2D_ERR_ARGUMENT, "there is no such contact zone");
+  const Model m = model_of(s);
+  const Zone& zone = m.zone[i - 1];
+  c2d_zone ours;
+  memset(&ours, 0, sizeof ours);
+  ours.pairs = zone.pairs;
+  ours.elements = zone.elements;
+  for (int b = 0; b < 2; ++b) {
+    ours.first_element[b] = zone.first_element[b] + 1;
+    ours.last_element[b] = zone_element(m, zone, b, zone.elements - 1) + 1;
+    ours.first_node[b] = zone.first_node[b] + 1;
+    ours.last_node[b] = zone_node(m, zone, b, zone.pairs - 1) + 1;
+  }
+  return copy_out(&ours, sizeof ours, out) ? C2D_OK : C2D_ERR_ARGUMENT;
+}
+
+extern "C" c2d_status c2d_get_region(c2d_solver* s, int32_t body, int32_t i, int32_t* first, int32_t* last) {
+  const c2d_status status = enter(s, kComplete);
+  if (status != C2D_OK) return status;
+  if (!first || !last || body < 1 || body > s->model.bodies || i < 1 || i > s->model.body[body - 1].regions)
+    return fail(s, C2D_ERR_ARGUMENT, "there is no such region");
+  const Region& region = array_of<Region>(s, kRegions + body - 1)[i - 1];
+  *first = region.first + 1;
+  *last = region.last + 1;
+  return C2D_OK;
+}
+
+extern "C" c2d_status c2d_get_condition(c2d_solver* s, int32_t body, int32_t element, int32_t local, int32_t codes[4],
+                                        double values[4]) {
+  const c2d_status status = enter(s, kComplete);
+  if (status != C2D_OK) return status;
+  if (!codes || !values || body < 1 || body > s->model.bodies || element < 1 ||
+      element > s->model.body[body - 1].elements || local < 1 || local > s->model.function_nodes)
+    return fail(s, C2D_ERR_ARGUMENT, "there is no such element end");
+  const Model m = model_of(s);
+  const int b = body - 1;
+  const int32_t end = (element - 1) * s->model.function_nodes + local - 1;
+  const int32_t node = functional_node(m, b, element - 1, local - 1);
+  const uint8_t code = m.end_code[b][end] & kGiven ? m.end_code[b][end] : static_cast<uint8_t>(kKnownTx | kKnownTy);
+  for (int c = 0; c < 2; ++c) {
+    codes[c] = code & (kKnownTx << c) ? 0 : 1;
+    codes[2 + c] = code & (kKnownUx << c) ? 0 : 1;
+    values[c] = m.end_traction[b][2 * static_cast<int64_t>(end) + c];
+    values[2 + c] = codes[2 + c] == 0 ? m.node_disp[b][2 * static_cast<int64_t>(node) + c] : 0.0;
+  }
+  return C2D_OK;
+}
+
+extern "C" c2d_status c2d_get_point_load(c2d_solver* s, int32_t i, int32_t* body, double xy[2], double force[2]) {
+  const c2d_status status = enter(s, kComplete);
+  if (status != C2D_OK) return status;
+  if (!body || !xy || !force || i < 1 || i > s->model.point_loads)
+    return fail(s, C2D_ERR_ARGUMENT, "there is no such point load");
+  const PointLoad& p = array_of<PointLoad>(s, kPointLoads)[i - 1];
+  *body = p.body + 1;
+  xy[0] = p.x;
+  xy[1] = p.y;
+  force[0] = p.fx;
+  force[1] = p.fy;
+  return C2D_OK;
+}

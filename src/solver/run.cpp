@@ -1,0 +1,159 @@
+// Begin, advance, and the deck's own load cards.
+#include <string.h>
+
+#include "memory/text.hpp"
+#include "model/rigid.hpp"
+#include "model/validate.hpp"
+#include "solver/session.hpp"
+
+namespace c2d {
+
+namespace {
+
+constexpr uint32_t kStarted = state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING);
+
+// What a call of the path returns: store errors break the solver, a cancel leaves it valid where it is.
+c2d_status finish(Session& session, c2d_status status) {
+  c2d_solver* s = session.solver;
+  close_session(session);
+  if (status == C2D_OK) return C2D_OK;
+  if (is_store_error(status)) return fail_store(s, status);
+  s->cancelled = 0;
+  const int32_t host_code = s->error.host_code;
+  fail(s, status, c2d_message(status));
+  if (status == C2D_ERR_CALLBACK) s->error.host_code = host_code;
+  return status;
+}
+
+c2d_status begin(Session& session) {
+  session.solver->state = C2D_STATE_RUNNING;
+  return begin_path(session);
+}
+
+c2d_status advance(Session& session, const double* target) {
+  const c2d_status status = advance_path(session, target);
+  if (status == C2D_OK) warn_contact(session);
+  return status;
+}
+
+// ---- c2d_run ------------------------------------------------------------------------------------------------------
+
+c2d_status show_step(Session& session, int32_t kind) {
+  c2d_solver* s = session.solver;
+  c2d_status status = fill_table(session);
+  if (status != C2D_OK || !session.step) return status;
+  c2d_step now = session.now;
+  now.kind = kind;
+  now.load = session.follower.load[0];
+  now.outcome = s->outcome;
+  now.iterations = session.follower.stats.iterations;
+  now.changes = static_cast<int32_t>(session.follower.stats.changes - session.now.changes);
+  now.table = array_of<double>(s, kPairTable);
+  session.now.changes = static_cast<int32_t>(session.follower.stats.changes);
+  s->busy = 1;
+  const int32_t code = session.step(session.step_context, &now);
+  s->busy = 0;
+  if (code == 0) return C2D_OK;
+  s->error = blank_error();
+  s->error.host_code = code;
+  return C2D_ERR_CALLBACK;
+}
+
+// All load cards for the coefficient that the pairs hold. Case 1 follows the cards, other cases stay at zero.
+c2d_status run_cards(Session& session) {
+  c2d_solver* s = session.solver;
+  double* target = array_of<double>(s, kLoads) + s->model.load_cases;
+  double from = 0.0;
+  session.now.step = 0;
+  for (int32_t p = 0; p < s->model.paths; ++p) {
+    const Path& path = session.model.path[p];
+    for (int32_t i = 1; i <= path.increments; ++i) {
+      ++session.now.step;
+      const double load =
+          i == path.increments ? path.load : from + (path.load - from) * i / static_cast<double>(path.increments);
+      for (int32_t k = 0; k < s->model.load_cases; ++k) target[k] = k == 0 ? load : 0.0;
+      c2d_status status = advance(session, target);
+      if (status != C2D_OK) return status;
+      const bool reached = s->outcome == C2D_REACHED;
+      status = show_step(session, reached ? C2D_STEP_RECORDED : C2D_STEP_STOPPED);
+      if (status != C2D_OK || !reached) return status;
+    }
+    from = path.load;
+  }
+  return C2D_OK;
+}
+
+c2d_status run_coefficient(Session& session, int32_t index, c2d_outcome* worst) {
+  c2d_solver* s = session.solver;
+  const double mu = s->model.coefficients > 0 ? session.model.friction[index] : 0.0;
+  s->mu = mu;
+  s->coefficient = index + 1;
+  for (int32_t i = 0; i < s->model.pairs; ++i) session.model.pair[i].mu = mu;
+  c2d_status status = begin(session);
+  if (status != C2D_OK) return status;
+  session.now.mu = mu;
+  session.now.coefficient = index + 1;
+  session.now.changes = static_cast<int32_t>(session.follower.stats.changes);
+  status = run_cards(session);
+  if (s->outcome != C2D_REACHED && *worst == C2D_REACHED) *worst = s->outcome;
+  return status == C2D_OK ? guard_drift(session, true) : status;
+}
+
+} // namespace
+} // namespace c2d
+
+using namespace c2d;
+
+extern "C" c2d_status c2d_begin(c2d_solver* s, const double* mu, int32_t zones) {
+  c2d_status status = enter(s, kStarted);
+  if (status != C2D_OK) return status;
+  if (zones < 0 || (zones > 0 && !mu) || (s->model.zones > 0 && zones != 1 && zones != s->model.zones))
+    return fail(s, C2D_ERR_ARGUMENT, "give one coefficient of friction, or one per contact zone");
+  for (int32_t i = 0; i < zones; ++i)
+    if (!is_coefficient(mu[i])) return fail(s, C2D_ERR_ARGUMENT, "a coefficient of friction is not zero or more");
+  Session session;
+  open_session(s, session);
+  for (int32_t i = 0; i < s->model.pairs; ++i) {
+    Pair& pair = session.model.pair[i];
+    pair.mu = mu[zones == 1 ? 0 : pair.zone];
+  }
+  s->mu = zones > 0 ? mu[0] : 0.0;
+  s->coefficient = 0;
+  return finish(session, begin(session));
+}
+
+extern "C" c2d_status c2d_advance(c2d_solver* s, const double* load, int32_t cases, c2d_outcome* outcome) {
+  c2d_status status = enter(s, state_bit(C2D_STATE_RUNNING));
+  if (status != C2D_OK) return status;
+  if (!load || !outcome || cases != s->model.load_cases)
+    return fail(s, C2D_ERR_ARGUMENT, "give a load factor for every load case, and room for the outcome");
+  for (int32_t k = 0; k < cases; ++k)
+    if (!is_usable(load[k])) return fail(s, C2D_ERR_ARGUMENT, "a load factor is not a usable number");
+  Session session;
+  open_session(s, session);
+  status = finish(session, advance(session, load));
+  *outcome = s->outcome;
+  return status;
+}
+
+extern "C" c2d_status c2d_run(c2d_solver* s, c2d_step_fn step, void* context) {
+  c2d_status status = enter(s, kStarted);
+  if (status != C2D_OK) return status;
+  if (s->model.paths == 0) return fail(s, C2D_ERR_ARGUMENT, "the model has no load path");
+  Session session;
+  open_session(s, session);
+  session.step = step;
+  session.step_context = context;
+  memset(&session.now, 0, sizeof session.now);
+  session.now.struct_size = static_cast<uint32_t>(sizeof session.now);
+  session.now.pairs = s->model.pairs;
+  session.now.stride = C2D_PAIR_FIELDS;
+  // Without contact there is no friction: one run serves all coefficients.
+  const int32_t runs = s->model.contact == 0 || s->model.coefficients == 0 ? 1 : s->model.coefficients;
+  c2d_outcome worst = C2D_REACHED;
+  for (int32_t i = 0; i < runs && status == C2D_OK; ++i) status = run_coefficient(session, i, &worst);
+  if (status == C2D_OK) status = back_substitute_all(session);
+  status = finish(session, status);
+  s->outcome = worst;
+  return status;
+}

@@ -1,0 +1,413 @@
+// The load path: begin, advance, look at the drift, fill the result table.
+#include "solver/session.hpp"
+
+#include <math.h>
+#include <string.h>
+
+#include "bie/columns.hpp"
+#include "memory/text.hpp"
+#include "model/rigid.hpp"
+
+namespace c2d {
+
+namespace {
+
+c2d_status tick(void* context) {
+  Session& session = *static_cast<Session*>(context);
+  c2d_solver* s = session.solver;
+  tell_progress(s, C2D_PHASE_CONTACT, 0, session.follower.stats.events, 0);
+  return asked_to_stop(s) ? C2D_ERR_CANCELLED : C2D_OK;
+}
+
+// A status changed: show it to c2d_run's callback, if it asked for that.
+c2d_status changed(void* context, double) {
+  Session& session = *static_cast<Session*>(context);
+  if (!session.step || !session.solver->options.every_change) return C2D_OK;
+  const c2d_status status = fill_table(session);
+  if (status != C2D_OK) return status;
+  c2d_step now = session.now;
+  now.kind = C2D_STEP_CHANGE;
+  now.load = session.follower.load[0];
+  now.iterations = session.follower.stats.iterations;
+  now.table = array_of<double>(session.solver, kPairTable);
+  session.solver->busy = 1;
+  const int32_t code = session.step(session.step_context, &now);
+  session.solver->busy = 0;
+  if (code == 0) return C2D_OK;
+  session.solver->error = blank_error();
+  session.solver->error.host_code = code;
+  return C2D_ERR_CALLBACK;
+}
+
+FreeBody free_body(const c2d_solver* s, const Model& m) {
+  FreeBody out{};
+  if (m.head->contact == 0) return out;
+  const Body& body = m.head->body[1 - s->inverted];
+  out.body = 1 - s->inverted;
+  out.motions = body.free_motions;
+  for (int k = 0; k < 3; ++k) out.motion[k] = body.free_motion[0][k];
+  for (int k = 0; k < 2; ++k) out.centre[k] = body.centre[k];
+  return out;
+}
+
+} // namespace
+
+void open_session(c2d_solver* s, Session& session) {
+  memset(static_cast<void*>(&session), 0, sizeof session);
+  session.solver = s;
+  session.model = model_of(s);
+  const ModelHeader& head = s->model;
+  path_area(model_sizes(session.model), s->plan, s->keeps_flexibility != 0, array_of<char>(s, kPhase), &session.area);
+  const PathArea& area = session.area;
+  session.tape = ContactTape{&s->tapes, head.contact, head.load_cases, area.buffer};
+  session.tableau = Tableau{head.contact, head.load_cases, head.pairs,   session.model.pair,
+                            area.tableau, head.length_unit, s->stiffness, s->exchanges};
+  double* loads = array_of<double>(s, kLoads);
+  session.follower.t = &session.tableau;
+  session.follower.tape = &session.tape;
+  session.follower.load = loads;
+  session.follower.direction = loads + 2 * head.load_cases;
+  session.follower.origin = loads + 3 * head.load_cases;
+  session.follower.y = area.y;
+  session.follower.dy = area.dy;
+  session.follower.gap_scale = s->gap_scale;
+  session.follower.watch = PathWatch{&session, tick, changed};
+  session.follower.stats = s->stats;
+  session.follower.last_pair = s->last_pair;
+  session.free_body = free_body(s, session.model);
+}
+
+void close_session(Session& session) {
+  c2d_solver* s = session.solver;
+  s->stiffness = session.tableau.stiffness;
+  s->exchanges = session.tableau.exchanges;
+  s->gap_scale = session.follower.gap_scale;
+  s->stats = session.follower.stats;
+  s->last_pair = session.follower.last_pair;
+}
+
+namespace {
+
+c2d_status load_flexibility(Session& session) {
+  if (!session.area.flexibility) return C2D_OK;
+  return read_matrix(session.tape, ContactMatrix::flexibility, session.area.flexibility);
+}
+
+} // namespace
+
+c2d_status begin_path(Session& session) {
+  c2d_solver* s = session.solver;
+  const ModelHeader& head = s->model;
+  for (int32_t k = 0; k < 4 * head.load_cases; ++k) array_of<double>(s, kLoads)[k] = 0.0;
+  s->outcome = C2D_REACHED;
+  s->outcome_body = s->last_pair = s->back_substituted = s->table_is_current = s->floating = 0;
+  s->warned = 0;
+  s->gap_scale = session.follower.gap_scale = 0.0;
+  if (s->blocked || head.contact == 0) return C2D_OK;
+  c2d_status status = load_flexibility(session);
+  if (status == C2D_OK) status = start_path(session.follower, session.free_body, session.model, &s->floating);
+  return status;
+}
+
+namespace {
+
+bool all_zero(const double* numbers, int32_t count) {
+  for (int32_t i = 0; i < count; ++i)
+    if (numbers[i] != 0.0) return false;
+  return true;
+}
+
+// Force and moment about the body's centre of what a load case prescribes on a body; *size: sum of magnitudes.
+void case_resultant(const Model& m, int b, int32_t load_case, double out[3], double* size) {
+  const Body& body = m.head->body[b];
+  const double unit = m.head->length_unit;
+  const int nf = m.head->function_nodes;
+  const int64_t ends = static_cast<int64_t>(body.elements) * nf;
+  const double cx = body.centre[0] / unit, cy = body.centre[1] / unit;
+  out[0] = out[1] = out[2] = *size = 0.0;
+  for (int32_t element = 0; element < body.elements; ++element) {
+    if (is_zero_length(m, b, element)) continue;
+    EndResultant weight[4];
+    end_resultants(m, b, element, Measure::own_length, weight);
+    for (int l = 0; l < nf; ++l) {
+      const double* t = m.end_traction[b] + (load_case * ends + static_cast<int64_t>(element) * nf + l) * 2;
+      const EndResultant& w = weight[l];
+      out[0] += w.w * unit * t[0];
+      out[1] += w.w * unit * t[1];
+      out[2] += unit * ((w.wx - cx * w.w) * t[1] - (w.wy - cy * w.w) * t[0]);
+      *size += w.w * unit * (fabs(t[0]) + fabs(t[1]));
+    }
+  }
+  for (int32_t i = 0; i < m.head->point_loads; ++i) {
+    const PointLoad& p = m.point_load[i];
+    if (p.body != b || p.load_case != load_case) continue;
+    out[0] += p.fx;
+    out[1] += p.fy;
+    out[2] += (p.x - body.centre[0]) / unit * p.fy - (p.y - body.centre[1]) / unit * p.fx;
+    *size += fabs(p.fx) + fabs(p.fy);
+  }
+}
+
+// Work of the loads along `direction` on the free body's one motion; zero if it is no more than round-off.
+double work_on_motion(const Session& session, const double* direction) {
+  const FreeBody& body = session.free_body;
+  double work = 0.0, size = 0.0;
+  for (int32_t k = 0; k < session.model.head->load_cases; ++k) {
+    double force[3], magnitude;
+    case_resultant(session.model, body.body, k, force, &magnitude);
+    for (int i = 0; i < 3; ++i) work += direction[k] * force[i] * body.motion[i];
+    size += fabs(direction[k]) * magnitude;
+  }
+  return fabs(work) > 1e-10 * size ? work : 0.0;
+}
+
+c2d_status take_off(Session& session, const double* target, c2d_outcome* outcome) {
+  Follower& f = session.follower;
+  for (int32_t k = 0; k < f.t->cases; ++k) f.direction[k] = target[k] - f.load[k];
+  const double work = work_on_motion(session, f.direction);
+  const c2d_status status = fly(f, session.free_body, session.model, work, outcome);
+  if (status == C2D_OK && *outcome == C2D_REACHED) session.solver->floating = 0;
+  return status;
+}
+
+c2d_status follow(Session& session, const double* target, c2d_outcome* outcome) {
+  c2d_solver* s = session.solver;
+  if (s->options.stepping == C2D_STEPPING_DECK)
+    return follow_increment(session.follower, target, s->model.iteration_limit, outcome);
+  return follow_events(session.follower, target, outcome);
+}
+
+// ---- drift ----------------------------------------------------------------------------------------------------------
+
+double largest_magnitude(const Real* x, int32_t n) {
+  double size = 0.0;
+  for (int32_t i = 0; i < n; ++i)
+    if (fabs(static_cast<double>(x[i])) > size) size = fabs(static_cast<double>(x[i]));
+  return size;
+}
+
+// Relative residual of B w' - M tau - sum lambda h, from the matrices on the tape.
+c2d_status contact_residual(Session& session, double* out) {
+  Follower& f = session.follower;
+  const int32_t m = f.t->m;
+  Real *sum = session.area.u[0], *magnitude = session.area.u[1], *column = session.area.column;
+  const ContactMatrix other =
+      session.solver->inverted == 0 ? ContactMatrix::displacement2 : ContactMatrix::displacement1;
+  for (int32_t i = 0; i < m; ++i) sum[i] = magnitude[i] = 0;
+  const auto add = [&](ContactMatrix matrix, int32_t j, double factor) {
+    if (factor == 0.0) return C2D_OK + 0;
+    const c2d_status status = read_column(session.tape, matrix, j, column);
+    for (int32_t i = 0; i < m && status == C2D_OK; ++i) {
+      sum[i] += static_cast<Real>(factor) * column[i];
+      magnitude[i] += static_cast<Real>(fabs(factor * column[i]));
+    }
+    return status;
+  };
+  c2d_status status = C2D_OK;
+  for (int32_t i = 0; i < f.t->pairs && status == C2D_OK; ++i) {
+    const Pair& pair = f.t->pair[i];
+    const PairState now = pair_state(*f.t, i, f.y);
+    status = add(other, pair.dof, now.wn - pair.gap / f.t->length_unit);
+    if (status == C2D_OK) status = add(ContactMatrix::compliance, pair.dof, -now.p);
+    if (status == C2D_OK && pair.tangential) status = add(other, pair.dof + 1, now.wt);
+    if (status == C2D_OK && pair.tangential) status = add(ContactMatrix::compliance, pair.dof + 1, -now.q);
+  }
+  for (int32_t k = 0; k < f.t->cases && status == C2D_OK; ++k) status = add(ContactMatrix::closing, k, -f.load[k]);
+  const double size = largest_magnitude(magnitude, m);
+  *out = size > 0.0 ? largest_magnitude(sum, m) / size : 0.0;
+  return status;
+}
+
+void warn_drift(c2d_solver* s, double residual) {
+  c2d_error e = blank_error();
+  e.status = C2D_WARN_RESIDUAL;
+  e.severity = C2D_WARNING;
+  Text text = text_in(e.text);
+  put(text, "the contact tableau had drifted (relative residual ");
+  put(text, residual);
+  put(text, ") and was built anew");
+  report_fault(s, e);
+}
+
+// Look at the residual now and then; build the tableau anew when it has grown.
+constexpr int64_t kExchangesBetweenLooks = 200;
+constexpr double kDrift = sizeof(Real) == 8 ? 1e-10 : 1e-3;
+
+} // namespace
+
+c2d_status guard_drift(Session& session, bool always) {
+  c2d_solver* s = session.solver;
+  if (s->floating || s->model.contact == 0 || s->blocked) return C2D_OK;
+  if (!always && session.tableau.exchanges - s->checked_exchanges < kExchangesBetweenLooks) return C2D_OK;
+  s->checked_exchanges = session.tableau.exchanges;
+  double residual = 0.0;
+  c2d_status status = contact_residual(session, &residual);
+  if (status != C2D_OK) return status;
+  if (residual > s->max_residual) s->max_residual = residual;
+  if (residual <= kDrift) return C2D_OK;
+  warn_drift(s, residual);
+  ++s->rebuilds;
+  status = build_tableau(session.tableau, session.tape, &session.follower.last_pair);
+  refresh(session.follower);
+  return status;
+}
+
+namespace {
+
+// Which body the outcome is about: the one that the contact has to hold.
+void name_outcome(Session& session, c2d_outcome outcome) {
+  c2d_solver* s = session.solver;
+  s->outcome = outcome;
+  if (outcome == C2D_FREE_MOTION || outcome == C2D_GROSS_SLIDING)
+    s->outcome_body = s->blocked ? s->blocked : session.free_body.body + 1;
+}
+
+} // namespace
+
+c2d_status advance_path(Session& session, const double* target) {
+  c2d_solver* s = session.solver;
+  Follower& f = session.follower;
+  s->back_substituted = s->table_is_current = 0;
+  const int32_t cases = s->model.load_cases;
+  if (s->blocked) {
+    name_outcome(session, C2D_FREE_MOTION);
+    return C2D_OK;
+  }
+  c2d_outcome outcome = C2D_REACHED;
+  if (s->model.contact == 0 || (s->floating && all_zero(target, cases))) {
+    for (int32_t k = 0; k < cases; ++k) f.load[k] = target[k];
+    s->outcome = outcome;
+    return C2D_OK;
+  }
+  const double start = clock_now(s);
+  for (int32_t k = 0; k < cases; ++k) array_of<double>(s, kLoads)[cases + k] = target[k];
+  const bool from_zero = all_zero(f.load, cases);
+  c2d_status status = s->floating ? take_off(session, target, &outcome) : C2D_OK;
+  if (status == C2D_OK && outcome == C2D_REACHED) status = follow(session, target, &outcome);
+  // What touched at zero load was pulled off: nothing is loaded yet, so the body may fly to other pairs once.
+  if (status == C2D_OK && outcome == C2D_FREE_MOTION && from_zero && all_zero(f.load, cases) &&
+      session.free_body.motions == 1) {
+    status = take_off(session, target, &outcome);
+    if (status == C2D_OK && outcome == C2D_REACHED) status = follow(session, target, &outcome);
+  }
+  if (status == C2D_OK) status = guard_drift(session, false);
+  s->seconds[C2D_PHASE_CONTACT] += clock_now(s) - start;
+  name_outcome(session, outcome);
+  return status;
+}
+
+// ---- the result table ---------------------------------------------------------------------------------------------
+
+namespace {
+
+// u of the inverted body: -+F tau + sum lambda v, with F stored with a minus sign.
+c2d_status inverted_displacements(Session& session) {
+  const Follower& f = session.follower;
+  const c2d_solver* s = session.solver;
+  const int32_t m = f.t->m;
+  Real *u = session.area.u[s->inverted], *column = session.area.column;
+  const double sign = s->inverted == 0 ? 1.0 : -1.0;
+  for (int32_t i = 0; i < m; ++i) u[i] = 0;
+  const auto add = [&](const Real* from, double factor) {
+    for (int32_t i = 0; i < m; ++i) u[i] += static_cast<Real>(factor) * from[i];
+  };
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    const Pair& pair = f.t->pair[i];
+    const PairState now = pair_state(*f.t, i, f.y);
+    const double tau[2] = {now.p, now.q};
+    for (int32_t d = 0; d <= pair.tangential; ++d) {
+      if (tau[d] == 0.0) continue;
+      const int32_t j = pair.dof + d;
+      const Real* from = session.area.flexibility ? session.area.flexibility + static_cast<int64_t>(j) * m : column;
+      if (!session.area.flexibility) {
+        const c2d_status status = read_column(session.tape, ContactMatrix::flexibility, j, column);
+        if (status != C2D_OK) return status;
+      }
+      add(from, sign * tau[d]);
+    }
+  }
+  for (int32_t k = 0; k < f.t->cases; ++k) {
+    if (f.load[k] == 0.0) continue;
+    const c2d_status status = read_column(session.tape, ContactMatrix::flexibility_load, k, column);
+    if (status != C2D_OK) return status;
+    add(column, f.load[k]);
+  }
+  return C2D_OK;
+}
+
+void other_displacements(Session& session) {
+  const Follower& f = session.follower;
+  const int inverted = session.solver->inverted;
+  const double sign = inverted == 0 ? 1.0 : -1.0; // u_2 = u_1 + w', u_1 = u_2 - w'
+  const Real* known = session.area.u[inverted];
+  Real* out = session.area.u[1 - inverted];
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    const Pair& pair = f.t->pair[i];
+    const PairState now = pair_state(*f.t, i, f.y);
+    out[pair.dof] = known[pair.dof] + static_cast<Real>(sign * (now.wn - pair.gap / f.t->length_unit));
+    if (pair.tangential) out[pair.dof + 1] = known[pair.dof + 1] + static_cast<Real>(sign * now.wt);
+  }
+}
+
+void fill_row(const Session& session, int32_t i, double* row) {
+  const Follower& f = session.follower;
+  const Pair& pair = f.t->pair[i];
+  const ModelHeader& head = *session.model.head;
+  const PairState now = pair_state(*f.t, i, f.y);
+  const double length = head.length_unit;
+  const int32_t n = pair.dof, t = pair.dof + 1;
+  row[C2D_STATUS] = pair.status == C2D_OPEN ? C2D_OPEN
+                    : !pair.tangential     ? (pair.mu > 0.0 ? C2D_STICK : C2D_SLIP)
+                                           : pair.status;
+  row[C2D_TN] = now.p * head.stress_unit;
+  row[C2D_TT] = now.q * head.stress_unit;
+  row[C2D_UN1] = session.area.u[0][n] * length;
+  row[C2D_UT1] = pair.tangential ? session.area.u[0][t] * length : 0.0;
+  row[C2D_UN2] = session.area.u[1][n] * length;
+  row[C2D_UT2] = pair.tangential ? session.area.u[1][t] * length : 0.0;
+  row[C2D_GAP] = now.wn * length;
+  row[C2D_SLIP_SUM] = slip_sum(f, i) * length;
+}
+
+} // namespace
+
+void fill_positions(const Model& m, double* table) {
+  for (int32_t i = 0; i < m.head->pairs; ++i) {
+    double* row = table + static_cast<int64_t>(i) * C2D_PAIR_FIELDS;
+    const Pair& pair = m.pair[i];
+    node_position(m, 0, pair.node[0], &row[C2D_X], &row[C2D_Y]);
+    row[C2D_NX] = pair.nx;
+    row[C2D_NY] = pair.ny;
+    row[C2D_PAIR_NODE1] = pair.node[0] + 1;
+    row[C2D_PAIR_NODE2] = pair.node[1] + 1;
+    row[C2D_PAIR_ZONE] = pair.zone + 1;
+  }
+}
+
+c2d_status fill_table(Session& session) {
+  c2d_solver* s = session.solver;
+  double* table = array_of<double>(s, kPairTable);
+  fill_positions(session.model, table);
+  s->table_is_current = 1;
+  if (s->model.contact == 0) return C2D_OK;
+  const int32_t m = s->model.contact;
+  if (s->blocked || s->floating) { // nothing has happened yet: zero load, or no solution at all
+    for (int b = 0; b < 2; ++b)
+      for (int32_t i = 0; i < m; ++i) session.area.u[b][i] = 0;
+    for (int32_t i = 0; i < s->model.pairs; ++i) {
+      double* row = table + static_cast<int64_t>(i) * C2D_PAIR_FIELDS;
+      for (int c = C2D_STATUS; c <= C2D_SLIP_SUM; ++c) row[c] = 0.0;
+      row[C2D_GAP] = session.model.pair[i].gap;
+    }
+    return C2D_OK;
+  }
+  refresh(session.follower);
+  const c2d_status status = inverted_displacements(session);
+  if (status != C2D_OK) return status;
+  other_displacements(session);
+  for (int32_t i = 0; i < s->model.pairs; ++i)
+    fill_row(session, i, table + static_cast<int64_t>(i) * C2D_PAIR_FIELDS);
+  return C2D_OK;
+}
+
+} // namespace c2d

@@ -1,0 +1,51 @@
+#pragma once
+// A load path in progress: the tableau, the follower and their arrays, put together at every entry and put away after.
+#include "contact/path.hpp"
+#include "contact/start.hpp"
+#include "solver/phases.hpp"
+#include "solver/solver.hpp"
+
+namespace c2d {
+
+struct Session {
+  c2d_solver* solver;
+  Model model;
+  PathArea area;
+  ContactTape tape;
+  Tableau tableau;
+  Follower follower;
+  FreeBody free_body;
+  // c2d_run's callback, if it wants every change
+  c2d_step_fn step;
+  void* step_context;
+  c2d_step now;
+};
+
+// Views into the workspace; nothing is computed. close_session keeps what must last.
+void open_session(c2d_solver* solver, Session& session);
+void close_session(Session& session);
+
+// Zero load for coefficients that the pairs already hold. Errors: the block store's.
+c2d_status begin_path(Session& session);
+// Follow to target[cases]; sets solver->outcome and load.
+c2d_status advance_path(Session& session, const double* target);
+// Displacements of both bodies at the pairs, and the result table. Errors: the block store's.
+c2d_status fill_table(Session& session);
+// Zone, normals and positions, which do not change.
+void fill_positions(const Model& model, double* table);
+// Look at the residual of the contact equations, and build the tableau anew if it has grown. Errors: the block store's.
+c2d_status guard_drift(Session& session, bool always);
+// Everything outside the contact, force balance (2.5). Errors: the block store's.
+c2d_status back_substitute_all(Session& session);
+
+PhaseSizes model_sizes(const Model& model);
+bool is_store_error(c2d_status status);
+// Add what is new of row[0 .. n) to an orthonormal basis of `rank` rows; 1 if there was something new.
+int extend_basis(double basis[3][3], int rank, int n, double row[3]);
+
+// Warnings about the contact as it stands (solver/warnings.cpp).
+void warn_contact(Session& session);
+// Smallest pressure inside the contact elements over the largest nodal one, as it stands; 0 if none is negative.
+double tension_ratio(const Session& session);
+
+} // namespace c2d

@@ -1,0 +1,110 @@
+// What a user should know about a contact state: each warning once per path (design: warnings).
+#include <math.h>
+
+#include "bie/shape.hpp"
+#include "memory/text.hpp"
+#include "solver/session.hpp"
+
+namespace c2d {
+
+namespace {
+
+void warn(Session& session, int32_t number, int32_t zone, int32_t pair, const char* text) {
+  c2d_solver* s = session.solver;
+  const int32_t bit = 1 << (number - C2D_WARN_ZONE_END);
+  if (s->warned & bit) return;
+  s->warned |= bit;
+  c2d_error e = blank_error();
+  e.status = number;
+  e.severity = C2D_WARNING;
+  e.zone = zone;
+  e.pair = pair;
+  e.load = session.follower.load[0];
+  Text out = text_in(e.text);
+  put(out, text);
+  report_fault(s, e);
+}
+
+bool is_closed(const Pair& pair) { return pair.status != C2D_OPEN; }
+
+// An end of a zone where symmetry holds the pair is no end of the contact, and a pair that touches from the start,
+// as at the edge of a punch, says nothing about the zone.
+void warn_zone_ends(Session& session) {
+  const Model& m = session.model;
+  for (int32_t z = 0; z < m.head->zones; ++z) {
+    const Zone& zone = m.zone[z];
+    const int32_t ends[2] = {zone.first_pair, zone.first_pair + zone.pairs - 1};
+    for (int32_t i : ends) {
+      const Pair& pair = m.pair[i];
+      if (is_closed(pair) && pair.tangential && pair.gap > 0.0)
+        warn(session, C2D_WARN_ZONE_END, z + 1, i + 1,
+             "the last pair at an end of a contact zone has closed: the contact may reach further than the zone");
+    }
+  }
+}
+
+void warn_few_pairs(Session& session) {
+  int32_t touching = 0;
+  for (int32_t i = 0; i < session.model.head->pairs; ++i) touching += is_closed(session.model.pair[i]);
+  if (touching > 0 && touching < 5)
+    warn(session, C2D_WARN_FEW_PAIRS, 0, 0, "fewer than 5 pairs touch: refine the contact zone");
+}
+
+void warn_slip(Session& session) {
+  const double unit = session.model.head->length_unit;
+  for (int32_t i = 0; i < session.model.head->pairs; ++i)
+    if (fabs(slip_sum(session.follower, i)) * unit > 0.5 * session.model.pair[i].length)
+      warn(session, C2D_WARN_LARGE_SLIP, session.model.pair[i].zone + 1, i + 1,
+           "slip exceeds half a contact element: pairs no longer face each other");
+}
+
+// Pressure at eta of a contact element, from its listed ends.
+double pressure_inside(const Session& session, int32_t element, double eta) {
+  const int nf = session.model.head->function_nodes;
+  double shapes[4], sum = 0.0;
+  shape(nf, eta, shapes);
+  for (int l = 0; l < nf; ++l) {
+    const int32_t pair = pair_of_end(session.model, 0, element, l);
+    if (pair >= 0) sum += shapes[l] * pair_state(*session.follower.t, pair, session.follower.y).p;
+  }
+  return sum;
+}
+
+} // namespace
+
+double tension_ratio(const Session& session) {
+  const Model& m = session.model;
+  if (m.head->function_nodes < 3 || m.head->contact == 0 || session.solver->floating || session.solver->blocked)
+    return 0.0; // constant and linear pressures have no minimum inside
+  double most = 0.0, least = 0.0;
+  for (int32_t z = 0; z < m.head->zones; ++z)
+    for (int32_t k = 0; k < m.zone[z].elements; ++k)
+      for (int sample = -10; sample <= 10; ++sample) {
+        const double p = pressure_inside(session, zone_element(m, m.zone[z], 0, k), 0.1 * sample);
+        if (p < least) least = p;
+      }
+  for (int32_t i = 0; i < m.head->pairs; ++i) {
+    const double p = pair_state(*session.follower.t, i, session.follower.y).p;
+    if (p > most) most = p;
+  }
+  return most > 0.0 ? least / most : 0.0;
+}
+
+void warn_contact(Session& session) {
+  c2d_solver* s = session.solver;
+  if (s->model.contact == 0 || s->floating || s->blocked) return;
+  warn_zone_ends(session);
+  warn_few_pairs(session);
+  warn_slip(session);
+  const double ratio = tension_ratio(session);
+  if (ratio < s->tension_ratio) s->tension_ratio = ratio;
+  if (ratio < -0.01)
+    warn(session, C2D_WARN_TENSION, 0, 0,
+         "the pressure inside a contact element falls below -1 % of the largest nodal pressure: contact conditions "
+         "hold at nodes only; refine, or use linear functions");
+  if (session.follower.stats.unconverged > 0)
+    warn(session, C2D_WARN_INCREMENT, 0, 0,
+         "an increment did not converge within the iteration limit and was finished by following events");
+}
+
+} // namespace c2d
