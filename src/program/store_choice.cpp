@@ -60,6 +60,7 @@ int32_t StoreChoice::open_temporary_folder() {
 }
 
 bool StoreChoice::place_in_memory(Tape& tape, uint64_t blocks, uint64_t block_bytes) {
+  if (budget_ == 0) return false;
   const uint64_t bytes = blocks * block_bytes;
   if (block_bytes != 0 && bytes / block_bytes != blocks) return false;
   uint64_t others = 0;
