@@ -191,6 +191,7 @@ c2d_status contact_residual(Session& session, double* out) {
   Follower& f = session.follower;
   const int32_t m = f.t->m;
   Real *sum = session.area.u[0], *magnitude = session.area.u[1], *column = session.area.column;
+  session.solver->table_is_current = 0; // its displacements make room
   const ContactMatrix other =
       session.solver->inverted == 0 ? ContactMatrix::displacement2 : ContactMatrix::displacement1;
   for (int32_t i = 0; i < m; ++i) sum[i] = magnitude[i] = 0;
