@@ -74,8 +74,10 @@ $(SHARED): $(CORE_OBJECTS) $(PORT_OBJECTS) $(BUILD)/exports
 	$(CC) -shared $(LDFLAGS) -Wl,-soname,libcontact2d.so.$(SOVERSION) -Wl,--version-script,$(BUILD)/exports \
 	  -o $@ $(CORE_OBJECTS) $(PORT_OBJECTS) -lm
 
+# With the C++ run-time inside, where there is a static one: a run of 5 ms would spend a tenth on loading it.
 $(PROGRAM): $(PROGRAM_OBJECTS) $(REPORT_OBJECTS) $(LIBRARY)
-	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $(PROGRAM_OBJECTS) $(REPORT_OBJECTS) $(LIBRARY) -lm
+	$(CXX) $(CXXFLAGS) $(LDFLAGS) -static-libstdc++ -static-libgcc -o $@ $^ -lm 2>/dev/null || \
+	  $(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm
 
 # ---------------------------------------------------------------- tests
 TEST_DEFINES = -DC2D_TEST_ROOT='"$(CURDIR)"' -DC2D_TEST_BUILD='"$(abspath $(BUILD))"' -DC2D_TEST_CC='"$(CC)"' \

@@ -397,7 +397,7 @@ TEST_CASE("program: every store gives the same numbers, and files go after succe
   CHECK_FALSE(fs::exists(store)); // made by the program, so it goes too
   REQUIRE(contact2d(run + quoted(folder / "b") + " --keep --store file:" + quoted(store)).status == 0);
   REQUIRE(fs::is_directory(store));
-  CHECK(fs::exists(store + "/tape1.c2d"));
+  CHECK(fs::exists(store + "/tape0.c2d"));
   // A second run in a folder full of another run's tapes, which the user made: tapes go, the folder stays.
   write_file(store + "/mine", "text");
   REQUIRE(contact2d(run + quoted(folder / "b") + " --store file:" + quoted(store)).status == 0);
@@ -421,7 +421,7 @@ TEST_CASE("program: a folder of tapes belongs to one process; a store that fails
   CHECK(contact2d(run + quoted(folder / "no/such/parent")).status == 3);
   write_file(folder / "file", "");
   CHECK(contact2d(run + quoted(folder / "file")).status == 3);
-  fs::create_directory(store + "/tape1.c2d"); // in the way of a tape
+  fs::create_directory(store + "/tape0.c2d"); // in the way of a tape
   const Result blocked = contact2d(run + quoted(store));
   CHECK(blocked.status == 3);
   CHECK(contains(blocked.err, "error: "));

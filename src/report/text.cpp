@@ -3,6 +3,7 @@
 #include <contact2d.h>
 
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <cstring>
 
@@ -11,15 +12,92 @@ namespace {
 
 enum class Form { kGeneral, kScientific };
 
-// Writes value to text[0 .. 40); returns the length.
-int print_double(char* text, double value, Form form, int digits) {
-  if (value == 0.0) value = 0.0; // minus zero has no meaning here
+constexpr double kPowers[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
+                              1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
+
+// value / 10^exponent for a power of at most 10^44: one or two roundings.
+double scaled(double value, int exponent) {
+  if (exponent >= 0) return value / kPowers[exponent];
+  if (exponent >= -22) return value * kPowers[-exponent];
+  return value * 1e22 * kPowers[-exponent - 22];
+}
+
+// The `digits` (at most 15) leading decimal digits of value > 0 as an integer, rounded, and the exponent of
+// the first of them. Off by one unit only where the value is within 1e-3 units of a tie. False where `scaled`
+// does not reach.
+bool leading_digits(double value, int digits, uint64_t& integer, int& exponent) {
+  int binary = 0;
+  std::frexp(value, &binary);
+  // Not above the decimal exponent, at most one below.
+  exponent = static_cast<int>(std::floor((binary - 1) * 0.30103));
+  const uint64_t limit = static_cast<uint64_t>(kPowers[digits]);
+  for (int attempt = 0; attempt < 2; ++attempt, ++exponent) {
+    const int shift = exponent - (digits - 1);
+    if (shift > 22 || shift < -44) return false;
+    integer = static_cast<uint64_t>(scaled(value, shift) + 0.5);
+    if (integer < limit) return true;
+  }
+  return false;
+}
+
+char* print_exponent(char* at, int exponent) {
+  *at++ = 'e';
+  *at++ = exponent < 0 ? '-' : '+';
+  const int size = exponent < 0 ? -exponent : exponent; // below 100 here
+  *at++ = static_cast<char>('0' + size / 10);
+  *at++ = static_cast<char>('0' + size % 10);
+  return at;
+}
+
+// d.ddd or ddd.d or 0.00ddd from `count` digits, the first of which stands for 10^exponent.
+char* print_digits(char* at, const char* digits, int count, int exponent) {
+  if (exponent < 0) {
+    *at++ = '0';
+    *at++ = '.';
+    for (int i = -1; i > exponent; --i) *at++ = '0';
+  }
+  for (int i = 0; i < count || i <= exponent; ++i) {
+    if (i > 0 && i == exponent + 1) *at++ = '.';
+    *at++ = i < count ? digits[i] : '0';
+  }
+  return at;
+}
+
+// What the standard library makes of it.
+int print_slowly(char* text, double value, Form form, int digits) {
 #if defined(__cpp_lib_to_chars) && __cpp_lib_to_chars >= 201611L
   const auto format = form == Form::kGeneral ? std::chars_format::general : std::chars_format::scientific;
   return static_cast<int>(std::to_chars(text, text + 40, value, format, digits).ptr - text);
 #else
   return std::snprintf(text, 40, form == Form::kGeneral ? "%.*g" : "%.*e", digits, value);
 #endif
+}
+
+// Writes value to text[0 .. 40) as %.<digits>g or %.<digits>e would; returns the length. A run prints tens of
+// thousands of numbers, hence the way around the library's exact but slow conversion.
+int print_double(char* text, double value, Form form, int digits) {
+  if (value == 0.0) value = 0.0; // minus zero has no meaning here
+  const double size = std::fabs(value);
+  const int significant = form == Form::kGeneral ? digits : digits + 1;
+  uint64_t integer = 0;
+  int exponent = 0;
+  if (!(size > 0.0) || !(size <= 1e30) || significant > 15 ||
+      !leading_digits(size, significant, integer, exponent))
+    return print_slowly(text, value, form, digits);
+  char all[16];
+  for (int i = significant - 1; i >= 0; --i, integer /= 10) all[i] = static_cast<char>('0' + integer % 10);
+  int count = significant;
+  if (form == Form::kGeneral)
+    while (count > 1 && all[count - 1] == '0') --count;
+  char* at = text;
+  if (value < 0.0) *at++ = '-';
+  if (form == Form::kGeneral && exponent >= -4 && exponent < digits) {
+    at = print_digits(at, all, count, exponent);
+  } else {
+    at = print_digits(at, all, count, 0);
+    at = print_exponent(at, exponent);
+  }
+  return static_cast<int>(at - text);
 }
 
 void append_right(std::string& out, const char* text, int length, int width) {
