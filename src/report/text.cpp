@@ -81,11 +81,17 @@ int print_double(char* text, double value, Form form, int digits) {
   const int significant = form == Form::kGeneral ? digits : digits + 1;
   uint64_t integer = 0;
   int exponent = 0;
-  if (!(size > 0.0) || !(size <= 1e30) || significant > 15 ||
-      !leading_digits(size, significant, integer, exponent))
-    return print_slowly(text, value, form, digits);
+  const bool fast = size <= 1e30 && significant <= 15 &&
+                    (size == 0.0 || leading_digits(size, significant, integer, exponent));
+  if (!fast) return print_slowly(text, value, form, digits);
   char all[16];
-  for (int i = significant - 1; i >= 0; --i, integer /= 10) all[i] = static_cast<char>('0' + integer % 10);
+  int i = significant;
+  for (; i >= 2; integer /= 100) {
+    const unsigned pair = static_cast<unsigned>(integer % 100);
+    all[--i] = static_cast<char>('0' + pair % 10);
+    all[--i] = static_cast<char>('0' + pair / 10);
+  }
+  if (i == 1) all[0] = static_cast<char>('0' + integer);
   int count = significant;
   if (form == Form::kGeneral)
     while (count > 1 && all[count - 1] == '0') --count;
