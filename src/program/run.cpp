@@ -80,9 +80,9 @@ int32_t Run::on_step(void* context, const c2d_step* step) {
   const bool row = step->kind == C2D_STEP_RECORDED || (step->kind == C2D_STEP_STOPPED && !again);
   if (row && run.outputs_.csv.is_open()) append_contact_rows(run.outputs_.csv.text, *step);
   if (step->kind == C2D_STEP_STOPPED) {
-    kept.why = c2d_outcome_message(step->outcome);
-    const std::string& latest = run.session_.messages.latest();
-    if (!latest.empty() && latest != kept.why) kept.why += ": " + latest;
+    c2d_summary now = C2D_INIT(c2d_summary);
+    c2d_get_summary(run.session_.solver, &now);
+    explain(kept, now, run.session_.messages.latest());
     run.session_.messages.forget_latest();
   }
   return run.outputs_.flush(run.error_) ? 0 : 1;

@@ -143,6 +143,8 @@ void append_incomplete(std::string& out, const CoefficientRecord& c) {
   o.integer("step", c.step);
   o.number("load", c.load);
   o.word("why", c.why.c_str());
+  o.integer("body", c.body);
+  o.integer("pair", c.pair);
   out += '}';
 }
 

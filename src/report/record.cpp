@@ -37,6 +37,26 @@ CoefficientRecord& keep_step(RunRecord& record, const c2d_step& step) {
   return c;
 }
 
+void explain(CoefficientRecord& c, const c2d_summary& summary, const std::string& said) {
+  c.why = c2d_outcome_message(c.outcome);
+  if (!said.empty() && said != c.why) c.why += ": " + said;
+  c.body = summary.outcome_body;
+  c.pair = summary.outcome_pair;
+  const double* motion = summary.free_motion;
+  if (c.body > 0 && (motion[0] != 0.0 || motion[1] != 0.0 || motion[2] != 0.0)) {
+    c.why += "; body " + std::to_string(c.body) + " can move by (";
+    append_general(c.why, motion[0], 0);
+    c.why += ", ";
+    append_general(c.why, motion[1], 0);
+    c.why += ") and turn by ";
+    append_general(c.why, motion[2], 0);
+    c.why += " about the origin";
+  } else if (c.body > 0) {
+    c.why += "; body " + std::to_string(c.body) + " can move";
+  }
+  if (c.pair > 0) c.why += "; last pair " + std::to_string(c.pair);
+}
+
 c2d_status get_ends(c2d_solver* solver, const c2d_summary& summary, int32_t body, const int32_t* fields,
                     int32_t count, std::vector<std::vector<double>>& out) {
   const int32_t ends = summary.elements[body - 1] * summary.function_nodes;

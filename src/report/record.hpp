@@ -19,6 +19,7 @@ struct CoefficientRecord {
   c2d_outcome outcome = C2D_REACHED; //
   bool singular = false;             // no solution at all: c2d_prepare found no pivot
   std::string why;                   // if the path ended early
+  int32_t body = 0, pair = 0;        // then: the body that can move, the pair whose status changed last
   std::vector<double> table;         // C2D_PAIR_FIELDS numbers per pair
 };
 
@@ -37,6 +38,10 @@ struct RunRecord {
 
 // Takes over what a step callback was shown. Returns the record of the step's coefficient.
 CoefficientRecord& keep_step(RunRecord& record, const c2d_step& step);
+
+// Why a path ended, in a line: the outcome, the body and its motion, the last pair; `said` is what the
+// library said of it, may be empty. Sets the record's why, body and pair.
+void explain(CoefficientRecord& coefficient, const c2d_summary& summary, const std::string& said);
 
 // An end of a contact element and the pair (from 1) that its node belongs to.
 struct ContactEnd {
