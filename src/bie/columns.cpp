@@ -197,8 +197,9 @@ struct Panel {
   Real* data;
   int64_t ld;
 
-  void add(int32_t row, int32_t column, double value) const {
-    if (range.holds(column)) data[(column - range.first) * ld + row] += static_cast<Real>(value);
+  Real* column(int32_t j) const { return range.holds(j) ? data + (j - range.first) * ld : nullptr; }
+  void add(int32_t row, int32_t j, double value) const {
+    if (Real* to = column(j)) to[row] += static_cast<Real>(value);
   }
   template <class Value> void send(const Destination& d, int32_t row, double integral, Value value) const {
     for (const Target& target : d.target)
@@ -214,36 +215,88 @@ struct Panel {
   }
 };
 
+// Where the integrals of one element go, worked out once for all sources: column[2 s + i] += factor * block[i] with
+// `block` the place of the component's integral for i = 0; i = 1 stands two doubles on.
+struct Deposit {
+  const double* block;
+  Real* column;
+  double factor;
+};
+constexpr int kMostDeposits = 48; // 4 nodes, 2 components, h and g: at most two contact columns, or one, each
+struct Deposits {
+  Deposit list[kMostDeposits];
+  int count;
+
+  void add(const double* block, Real* column, double factor) {
+    if (column && factor != 0.0 && count < kMostDeposits) list[count++] = Deposit{block, column, factor};
+  }
+  void pay(int32_t source) const {
+    for (int n = 0; n < count; ++n) {
+      const Deposit& d = list[n];
+      Real* to = d.column + 2 * source;
+      to[0] += static_cast<Real>(d.factor * d.block[0]);
+      to[1] += static_cast<Real>(d.factor * d.block[2]);
+    }
+  }
+};
+
+void aim_deposits(const Panel& panel, const Destination& d, const double* block, Deposits& out) {
+  for (const Target& target : d.target)
+    if (target.column >= 0) out.add(block, panel.column(target.column), target.factor);
+}
+
 // Local node of the element at which the source sits, itself or its twin; -1: none.
-int singular_node(const Model& m, const ElementTargets& t, int32_t source, int32_t twin) {
-  for (int l = 0; l < m.head->function_nodes; ++l)
-    if (t.node[l] == source || (twin >= 0 && t.node[l] == twin)) return l;
+int singular_node(const int32_t node[4], int count, int32_t source, int32_t twin) {
+  for (int l = 0; l < count; ++l)
+    if (node[l] == source || (twin >= 0 && node[l] == twin)) return l;
   return -1;
+}
+
+// Prescribed values of one element and one load case.
+void aim_right_hand_side(const Panel& panel, int32_t element, const ElementTargets& t, int32_t load_case,
+                         bool want_h, bool want_g, bool contact, const Blocks& blocks, Deposits& out) {
+  const Model& m = panel.m;
+  Real* column = panel.column(panel.range.right + load_case);
+  for (int l = 0; l < m.head->function_nodes; ++l)
+    for (int c = 0; c < 2; ++c) {
+      if (want_h && t.h[l][c].known)
+        out.add(&blocks.h[l][0][c], column, known_displacement(m, panel.b, t.node[l], c, load_case));
+      if (want_g && t.g[l][c].known && t.g[l][c].contact == contact)
+        out.add(&blocks.g[l][0][c], column, known_traction(m, panel.b, element, l, c, load_case));
+    }
 }
 
 // The blocks of one element for every source, tractions in one measure; h goes with the element's own length.
 void add_element(const ColumnSystem& system, const Panel& panel, int32_t element, const ElementTargets& t,
                  Measure measure) {
   const Model& m = system.model;
-  const int b = system.body;
+  const int nf = m.head->function_nodes;
   const bool contact = measure == Measure::contact;
   const bool want_h = t.want_h && !contact, want_g = contact ? t.want_contact : t.want_g;
   Integrator integrator;
-  make_integrator(m, b, element, system.quadrature, measure, integrator);
+  make_integrator(m, system.body, element, system.quadrature, measure, integrator);
   Blocks blocks;
-  for (int32_t source = 0; source < m.head->body[b].nodes; ++source) {
-    if (is_second_twin(m, b, source)) continue;
-    double x, y;
-    node_position(m, b, source, &x, &y);
-    const int singular = singular_node(m, t, source, twin_node(m, b, source));
-    integrate(integrator, x / m.head->length_unit, y / m.head->length_unit, singular, want_h, want_g, blocks);
-    for (int l = 0; l < m.head->function_nodes; ++l)
-      for (int c = 0; c < 2; ++c)
-        for (int i = 0; i < 2; ++i) {
-          if (want_h) panel.send_h(t.h[l][c], t.node[l], c, 2 * source + i, blocks.h[l][i][c]);
-          if (want_g && t.g[l][c].contact == contact)
-            panel.send_g(t.g[l][c], element, l, c, 2 * source + i, blocks.g[l][i][c]);
-        }
+  Deposits deposits;
+  deposits.count = 0;
+  for (int l = 0; l < nf; ++l)
+    for (int c = 0; c < 2; ++c) {
+      if (want_h) aim_deposits(panel, t.h[l][c], &blocks.h[l][0][c], deposits);
+      if (want_g && t.g[l][c].contact == contact) aim_deposits(panel, t.g[l][c], &blocks.g[l][0][c], deposits);
+    }
+  // One load case shares the pass over the sources with the unknowns; each further one has a pass of its own.
+  const int32_t passes = panel.range.holds_right() ? m.head->load_cases : 1;
+  for (int32_t pass = 0; pass < passes; ++pass) {
+    if (pass > 0) deposits.count = 0;
+    if (panel.range.holds_right())
+      aim_right_hand_side(panel, element, t, pass, want_h, want_g, contact, blocks, deposits);
+    if (deposits.count == 0) continue;
+    for (int32_t source = 0; source < m.head->body[system.body].nodes; ++source) {
+      const int32_t twin = system.twin[source];
+      if (twin == kSecondTwin) continue;
+      const double* at = system.point + 2 * static_cast<int64_t>(source);
+      integrate(integrator, at[0], at[1], singular_node(t.node, nf, source, twin), want_h, want_g, blocks);
+      deposits.pay(source);
+    }
   }
 }
 
@@ -271,8 +324,8 @@ void add_node(const ColumnSystem& system, const Panel& panel, int32_t node) {
   const Model& m = system.model;
   const int b = system.body;
   const Body& body = m.head->body[b];
-  const bool second = is_second_twin(m, b, node);
-  const int32_t twin = twin_node(m, b, node);
+  const bool second = system.twin[node] == kSecondTwin;
+  const int32_t twin = second ? twin_node(m, b, node) : kSingle;
   for (int c = 0; c < 2; ++c) {
     const Destination d = displacement_destination(m, b, node, c, unknown_at(m, b, node, c));
     if (second) {
@@ -285,12 +338,11 @@ void add_node(const ColumnSystem& system, const Panel& panel, int32_t node) {
     }
   }
   if (second) return;
-  double x, y;
-  node_position(m, b, node, &x, &y);
+  const double* at = system.point + 2 * static_cast<int64_t>(node);
   panel.add(2 * node, body.columns, -1.0);
   panel.add(2 * node + 1, body.columns + 1, -1.0);
-  panel.add(2 * node, body.columns + 2, (y - body.centre[1]) / m.head->length_unit);
-  panel.add(2 * node + 1, body.columns + 2, -(x - body.centre[0]) / m.head->length_unit);
+  panel.add(2 * node, body.columns + 2, at[1] - body.centre[1] / m.head->length_unit);
+  panel.add(2 * node + 1, body.columns + 2, -(at[0] - body.centre[0] / m.head->length_unit));
 }
 
 void add_point_load(const ColumnSystem& system, const Panel& panel, const PointLoad& load) {
@@ -302,10 +354,10 @@ void add_point_load(const ColumnSystem& system, const Panel& panel, const PointL
   const double f[2] = {load.fx * scale, load.fy * scale};
   const int32_t column = panel.range.right + load.load_case;
   for (int32_t node = 0; node < body.nodes; ++node) {
-    if (is_second_twin(m, b, node)) continue;
-    double x, y, u[2][2];
-    node_position(m, b, node, &x, &y);
-    const double rx = (load.x - x) / unit, ry = (load.y - y) / unit;
+    if (system.twin[node] == kSecondTwin) continue;
+    double u[2][2];
+    const double* at = system.point + 2 * static_cast<int64_t>(node);
+    const double rx = load.x / unit - at[0], ry = load.y / unit - at[1];
     store(displacement_kernel(rx, ry, rx * rx + ry * ry, 3.0 - 4.0 * nu), 1.0 / (4.0 * M_PI * (1.0 - nu)), u);
     for (int i = 0; i < 2; ++i) panel.add(2 * node + i, column, u[i][0] * f[0] + u[i][1] * f[1]);
   }
@@ -316,6 +368,18 @@ void add_point_load(const ColumnSystem& system, const Panel& panel, const PointL
 }
 
 } // namespace
+
+void place_sources(const ColumnSystem& system) {
+  const Model& m = system.model;
+  for (int32_t node = 0; node < m.head->body[system.body].nodes; ++node) {
+    double x, y;
+    node_position(m, system.body, node, &x, &y);
+    system.point[2 * static_cast<int64_t>(node)] = x / m.head->length_unit;
+    system.point[2 * static_cast<int64_t>(node) + 1] = y / m.head->length_unit;
+    const bool second = is_second_twin(m, system.body, node);
+    system.twin[node] = second ? kSecondTwin : twin_node(m, system.body, node);
+  }
+}
 
 void fill_columns(const ColumnSystem& system, int32_t first, int32_t count, Real* data, int64_t ld) {
   const Model& m = system.model;
@@ -350,14 +414,14 @@ void fill_diagonal(const ColumnSystem& system, int32_t first_node, int32_t count
     if (is_zero_length(m, b, element)) continue;
     Integrator integrator;
     make_integrator(m, b, element, system.quadrature, Measure::own_length, integrator);
-    ElementTargets nodes;
-    for (int l = 0; l < m.head->function_nodes; ++l) nodes.node[l] = functional_node(m, b, element, l);
+    int32_t node[4];
+    for (int l = 0; l < m.head->function_nodes; ++l) node[l] = functional_node(m, b, element, l);
     for (int32_t source = first_node; source < first_node + count; ++source) {
-      if (is_second_twin(m, b, source)) continue;
-      double x, y, sum[2][2];
-      node_position(m, b, source, &x, &y);
-      const int singular = singular_node(m, nodes, source, twin_node(m, b, source));
-      rigid_sum(integrator, x / m.head->length_unit, y / m.head->length_unit, singular, sum);
+      const int32_t twin = system.twin[source];
+      if (twin == kSecondTwin) continue;
+      double sum[2][2];
+      const double* at = system.point + 2 * static_cast<int64_t>(source);
+      rigid_sum(integrator, at[0], at[1], singular_node(node, m.head->function_nodes, source, twin), sum);
       double* block = system.diagonal + 4 * static_cast<int64_t>(source);
       for (int i = 0; i < 4; ++i) block[i] -= sum[i / 2][i % 2];
     }

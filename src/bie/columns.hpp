@@ -21,7 +21,13 @@ struct ColumnSystem {
   int32_t body;
   Quadrature quadrature;
   double* diagonal; // [4 * nodes]: free term and principal value, 2x2 row by row, from rigid translation (A.5)
+  double* point;    // [2 * nodes]: collocation points in the length unit
+  int32_t* twin;    // [nodes]: the other node of a double node, kSingle, or kSecondTwin (no collocation there)
 };
+constexpr int32_t kSingle = -1, kSecondTwin = -2;
+
+// Fill `point` and `twin`. Before everything else.
+void place_sources(const ColumnSystem& system);
 
 inline int32_t system_rows(const Model& m, int b) { return 2 * m.head->body[b].nodes + 3; }
 inline int32_t outer_columns(const Model& m, int b) { return m.head->body[b].columns + 3; }

@@ -59,6 +59,18 @@ c2d_status restore(Follower& f) {
   return status;
 }
 
+// A pair that was open when the increment began and slides at its end: how it moved while open is no slip, and an
+// increment does not tell the two apart. Its slip begins at the end of the increment.
+void forget_flight(Follower& f) {
+  refresh(f);
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    Pair& pair = f.t->pair[i];
+    if (pair.saved_status != C2D_OPEN || pair.status != C2D_SLIP) continue;
+    pair.slip_done = pair.saved_slip_done;
+    pair.slip_from = pair_state(*f.t, i, f.y).wt;
+  }
+}
+
 // One round: judge all pairs on the same values, then change. -1: a change had no pivot.
 int32_t correct(Follower& f) {
   const PathScales s = path_scales(f);
@@ -94,7 +106,10 @@ c2d_status follow_increment(Follower& f, const double* target, int32_t iteration
     refresh(f);
     f.stats.iterations = round;
     const int32_t changes = correct(f);
-    if (changes == 0) return C2D_OK;
+    if (changes == 0) {
+      forget_flight(f);
+      return C2D_OK;
+    }
     if (changes < 0) break;
     ++f.stats.events;
     if (f.watch.changed) status = f.watch.changed(f.watch.context, f.load[0]);

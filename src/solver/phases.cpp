@@ -52,6 +52,8 @@ uint64_t elimination_area(const PhaseSizes& s, int b, const EliminationPlan& pla
   Carver carver{base, 0, true};
   EliminationArea area{};
   carver.take(area.diagonal, 4 * s.nodes[b]);
+  carver.take(area.point, 2 * s.nodes[b]);
+  carver.take(area.twin, s.nodes[b]);
   carver.take_bytes(area.buffer, contact_buffer_bytes(s.m));
   carver.take_bytes(area.work,
                     elimination_bytes(plan.rows, plan.pivots, plan.panel_columns, plan.block_columns));
@@ -109,7 +111,9 @@ uint64_t whole_need(const PhaseSizes& s, const EliminationPlan plan[2], bool fle
 
 // What elimination_area holds beside the work of the elimination.
 uint64_t beside_elimination(const PhaseSizes& s, int b) {
-  return round_up(static_cast<uint64_t>(4 * s.nodes[b]) * sizeof(double)) + round_up(contact_buffer_bytes(s.m));
+  const uint64_t nodes = static_cast<uint64_t>(s.nodes[b]);
+  return round_up(4 * nodes * sizeof(double)) + round_up(2 * nodes * sizeof(double)) +
+         round_up(nodes * sizeof(int32_t)) + round_up(contact_buffer_bytes(s.m));
 }
 
 c2d_status plan_within(const PhaseSizes& s, uint64_t bytes, int32_t forced, EliminationPlan out[2]) {

@@ -11,6 +11,8 @@ namespace c2d {
 // Assembly and elimination of one body.
 struct EliminationArea {
   double* diagonal;   // [4 * nodes]
+  double* point;      // [2 * nodes] collocation points in the length unit
+  int32_t* twin;      // [nodes], see bie/columns.hpp
   void* work;         // of eliminate()
   void* buffer;       // of the contact tape
 };

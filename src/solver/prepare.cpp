@@ -144,10 +144,11 @@ c2d_status eliminate_body(c2d_solver* s, const Model& m, const PhaseSizes& sizes
   elimination_area(sizes, b, s->plan[b], array_of<char>(s, kPhase), &area);
   const Quadrature quadrature =
       s->options.quadrature == C2D_QUADRATURE_THESIS ? Quadrature::thesis : Quadrature::accurate;
-  BodyJob job{s, ColumnSystem{m, b, quadrature, area.diagonal},
+  BodyJob job{s, ColumnSystem{m, b, quadrature, area.diagonal, area.point, area.twin},
               ContactTape{&s->tapes, m.head->contact, m.head->load_cases, area.buffer},
               static_cast<int64_t>(s->plan[b].pivots) + s->plan[b].trailing, 0.0};
   const double start = clock_now(s);
+  place_sources(job.system);
   for (int32_t node = 0; node < m.head->body[b].nodes; node += kColumnsAtOnce) {
     const int32_t rest = m.head->body[b].nodes - node;
     fill_diagonal(job.system, node, rest < kColumnsAtOnce ? rest : kColumnsAtOnce);
