@@ -73,7 +73,7 @@ bool apply_change(Follower& f, int32_t index, int32_t status, int32_t sign, doub
   const bool slipped = pair.status == C2D_SLIP;
   const double from = pair_state(*f.t, index, f.y).wt;
   if (!change_status(*f.t, index, status, sign, at)) return false;
-  if (slipped) pair.slip_done += from - pair.slip_from;
+  if (slipped) pair.slip_done += (status == C2D_STICK ? at : from) - pair.slip_from;
   if (status == C2D_SLIP) pair.slip_from = from;
   ++f.stats.changes;
   f.last_pair = index;
