@@ -9,19 +9,24 @@ namespace c2d {
 
 namespace {
 
+static_assert(sizeof(c2d_solver) <= C2D_SOLVER_BYTES && C2D_SOLVER_BYTES <= sizeof(c2d_solver) + 512,
+              "C2D_SOLVER_BYTES of contact2d.h bounds the solver's own struct, and not by much");
+static_assert(sizeof(Real) <= C2D_REAL_BYTES, "C2D_REAL_BYTES of contact2d.h bounds the stored number");
+
 // Bytes for these limits with the workspace at an aligned address.
 c2d_status aligned_need(const Sizes& sizes, Layout& layout, uint64_t* minimum, uint64_t* in_core) {
   c2d_status status = lay_out(sizes, sizeof(c2d_solver), layout);
-  if (status == C2D_OK) status = phase_need(sizes, minimum, in_core);
   if (status != C2D_OK) return status;
-  // Row and column numbers are 32-bit throughout.
+  // Row and column numbers are 32-bit throughout; phase_need relies on it.
   for (const BodySizes& body : sizes.body)
-    if (body.rows + 2 * sizes.contact + sizes.load_cases > INT32_MAX || body.ends > INT32_MAX / 4)
+    if (body.rows + 2 * sizes.contact + sizes.load_cases >= INT32_MAX || body.ends > INT32_MAX / 4)
       return C2D_ERR_OVERFLOW;
+  status = phase_need(sizes, minimum, in_core);
+  if (status != C2D_OK) return status;
   uint64_t* const needs[] = {minimum, in_core};
   for (uint64_t* need : needs)
     if (!add_bytes(*need, 1, layout.persistent) || *need > UINT64_MAX - kAlignment) return C2D_ERR_OVERFLOW;
-  return C2D_OK;
+  return *minimum > SIZE_MAX - kAlignment ? C2D_ERR_OVERFLOW : C2D_OK;
 }
 
 void explain(c2d_error* why, c2d_status status, uint64_t needed) {
@@ -47,6 +52,7 @@ void fill_header(c2d_solver* s, uint64_t bytes, const c2d_limits& limits, const 
   s->limits = limits;
   s->sizes = sizes;
   s->layout = layout;
+  s->peak_bytes = layout.persistent;
   s->options.struct_size = static_cast<uint32_t>(sizeof s->options);
   s->error = blank_error();
 }

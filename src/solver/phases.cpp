@@ -100,20 +100,31 @@ uint64_t path_area(const PhaseSizes& s, const EliminationPlan plan[2], bool flex
   return carver.total();
 }
 
-namespace {
-
-uint64_t whole_need(const PhaseSizes& s, const EliminationPlan plan[2], bool flexibility) {
+uint64_t phases_use(const PhaseSizes& s, const EliminationPlan plan[2], bool flexibility) {
   uint64_t need = larger(reduction_area(s, nullptr, nullptr), path_area(s, plan, flexibility, nullptr, nullptr));
   for (int b = 0; b < 2; ++b)
     if (s.rows[b] > 0) need = larger(need, elimination_area(s, b, plan[b], nullptr, nullptr));
   return need;
 }
 
+namespace {
+
 // What elimination_area holds beside the work of the elimination.
 uint64_t beside_elimination(const PhaseSizes& s, int b) {
   const uint64_t nodes = static_cast<uint64_t>(s.nodes[b]);
   return round_up(4 * nodes * sizeof(double)) + round_up(2 * nodes * sizeof(double)) +
          round_up(nodes * sizeof(int32_t)) + round_up(contact_buffer_bytes(s.m));
+}
+
+int64_t all_columns(const PhaseSizes& s, int b) { return s.outer[b] + 2 * s.m + s.cases; }
+
+// The least memory: panels of the forced width, or of one column, written column by column.
+void narrow_plans(const PhaseSizes& s, int32_t forced, EliminationPlan out[2]) {
+  for (int b = 0; b < 2; ++b) {
+    const int64_t most = all_columns(s, b) > 0 ? all_columns(s, b) : 1;
+    const int64_t width = forced < 1 ? 1 : (forced < most ? forced : most);
+    out[b] = plan_of(s, b, static_cast<int32_t>(width), 1);
+  }
 }
 
 c2d_status plan_within(const PhaseSizes& s, uint64_t bytes, int32_t forced, EliminationPlan out[2]) {
@@ -138,40 +149,27 @@ c2d_status choose_plans(const PhaseSizes& s, uint64_t bytes, int32_t forced, Eli
   for (uint64_t share = bytes;; share -= share / 8 + 1) {
     const c2d_status status = plan_within(s, share, forced, out);
     if (status != C2D_OK) break;
-    if (whole_need(s, out, false) <= bytes) {
-      *flexibility = whole_need(s, out, true) <= bytes;
+    if (phases_use(s, out, false) <= bytes) {
+      *flexibility = phases_use(s, out, true) <= bytes;
       return C2D_OK;
     }
     if (share < kAlignment) break;
   }
-  for (int b = 0; b < 2; ++b) out[b] = plan_of(s, b, 1, 1);
-  if (forced > 1 || whole_need(s, out, false) > bytes) return C2D_ERR_MEMORY;
-  *flexibility = whole_need(s, out, true) <= bytes;
+  narrow_plans(s, forced, out);
+  if (phases_use(s, out, false) > bytes) return C2D_ERR_MEMORY;
+  *flexibility = phases_use(s, out, true) <= bytes;
   return C2D_OK;
 }
 
 c2d_status phase_need(const Sizes& sizes, uint64_t* minimum, uint64_t* in_core) {
   const PhaseSizes s = phase_sizes(sizes);
-  const int32_t narrow = sizes.panel_columns > 0 ? sizes.panel_columns : 1;
   EliminationPlan plan[2];
-  for (int b = 0; b < 2; ++b) plan[b] = plan_of(s, b, narrow, 1);
-  *minimum = whole_need(s, plan, false);
-  for (int b = 0; b < 2; ++b) plan[b] = plan_of(s, b, narrow, narrow > 1 ? (narrow + 3) / 4 : 1);
-  *in_core = whole_need(s, plan, true);
-  if (sizes.panel_columns == 0) {
-    *in_core = larger(*in_core, reduction_area(s, nullptr, nullptr));
-    for (int b = 0; b < 2; ++b) {
-      if (s.rows[b] == 0) continue;
-      const int64_t columns = s.outer[b] + 2 * s.m + s.cases;
-      if (columns > INT32_MAX) return C2D_ERR_OVERFLOW;
-      const EliminationPlan wide = plan_of(s, b, static_cast<int32_t>(columns), 1);
-      uint64_t bytes = elimination_bytes_in_core(wide.rows, wide.pivots, wide.trailing);
-      if (bytes == UINT64_MAX || !add_bytes(bytes, 1, beside_elimination(s, b) + 2 * kAlignment))
-        return C2D_ERR_OVERFLOW;
-      *in_core = larger(*in_core, bytes);
-    }
-  }
-  if (*in_core < *minimum) *in_core = *minimum;
+  narrow_plans(s, sizes.panel_columns, plan);
+  *minimum = phases_use(s, plan, false);
+  // What choose_plans would do with all the memory there is.
+  const c2d_status status = plan_within(s, UINT64_MAX - 1, sizes.panel_columns, plan);
+  if (status != C2D_OK) return C2D_ERR_OVERFLOW;
+  *in_core = phases_use(s, plan, true);
   return *minimum == UINT64_MAX || *in_core == UINT64_MAX ? C2D_ERR_OVERFLOW : C2D_OK;
 }
 

@@ -49,6 +49,9 @@ uint64_t elimination_area(const PhaseSizes& s, int b, const EliminationPlan& pla
 uint64_t reduction_area(const PhaseSizes& s, char* base, ReductionArea* out);
 uint64_t path_area(const PhaseSizes& s, const EliminationPlan plan[2], bool flexibility, char* base, PathArea* out);
 
+// The largest of all phases with these plans.
+uint64_t phases_use(const PhaseSizes& s, const EliminationPlan plan[2], bool flexibility);
+
 // The plan of one body for these panel and block columns, block numbers not yet set.
 EliminationPlan plan_of(const PhaseSizes& s, int b, int32_t panel_columns, int32_t block_columns);
 // Widest panels with which every phase fits into `bytes`; forced > 0 is their width. Errors: C2D_ERR_MEMORY.

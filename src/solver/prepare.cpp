@@ -203,6 +203,7 @@ c2d_status run_phases(c2d_solver* s, const Model& m) {
   c2d_status status = choose_plans(sizes, bytes, s->limits.panel_columns, s->plan, &flexibility);
   s->keeps_flexibility = flexibility;
   if (status != C2D_OK) return status;
+  s->peak_bytes = s->layout.persistent + phases_use(sizes, s->plan, flexibility);
   status = begin_run(s->tapes, hash_model(m, s->options), array_of<char>(s, kPhase));
   if (status == C2D_OK) status = open_tapes(s, m);
   for (int b = 0; b < m.head->bodies && status == C2D_OK; ++b) status = eliminate_body(s, m, sizes, b);
@@ -273,6 +274,7 @@ extern "C" c2d_status c2d_prepare(c2d_solver* s) {
   status = close_all(s->tapes);
   s->tapes.port = &s->port;
   if (status == C2D_OK && !s->blocked) status = run_phases(s, m);
+  if (s->blocked) s->peak_bytes = s->layout.persistent + path_area(model_sizes(m), s->plan, false, nullptr, nullptr);
   if (status == C2D_OK) {
     s->state = C2D_STATE_PREPARED;
     if (!s->blocked) warn_condition(s);

@@ -1,0 +1,4 @@
+/* A process that does nothing, to compare with. */
+int main(void) {
+  return 0;
+}

@@ -1,0 +1,49 @@
+// Models by calls of the C interface, of any size.
+#pragma once
+#include "contact2d.h"
+
+#include "c2d_memory.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace bench {
+
+// A solver with its workspace, all in memory, and its store.
+class Solver {
+public:
+  explicit Solver(const c2d_limits& limits);
+  ~Solver() { c2d_close(solver_); }
+  Solver(const Solver&) = delete;
+  Solver& operator=(const Solver&) = delete;
+  operator c2d_solver*() const { return solver_; }
+  // Ends the benchmarks with the solver's own words if the call failed.
+  void must(c2d_status status) const;
+  c2d_summary summary() const;
+
+private:
+  std::vector<unsigned char> memory_, tapes_;
+  c2d_memory_store store_;
+  c2d_solver* solver_ = nullptr;
+};
+
+// The cylinder of examples/hertz.dat on its foundation: half of the model, this many pairs from x = 0 to 2.8.
+struct Cylinder {
+  int32_t pairs;
+  std::vector<double> foundation, disc; // boundary points, x y x y ...
+  int32_t floor, side, top, zone1, axis1;             // first elements (from 1) of the foundation's parts
+  int32_t loaded, axis2, zone2, disc_elements, foundation_elements;
+  explicit Cylinder(int32_t pairs);
+  c2d_limits limits() const;
+  void build(const Solver& solver) const; // up to c2d_complete
+};
+
+// A ring of `elements` elements round its bore and as many outside, radii 1 and 2, pressure 1 in the bore.
+struct Ring {
+  int32_t elements, element_nodes, function_nodes;
+  bool round; // curved elements on the circles, or straight ones with the ends there
+  c2d_limits limits() const;
+  void build(const Solver& solver) const;
+};
+
+} // namespace bench
