@@ -181,7 +181,7 @@ void balance_forces(Session& session) {
   s->force_contact = hypot(contact[0], contact[1]);
   const double rest = hypot(applied[0] + contact[0], applied[1] + contact[1]);
   const double size = s->force_applied > s->force_contact ? s->force_applied : s->force_contact;
-  s->force_error = size > 0.0 ? rest / size : 0.0;
+  s->force_error = size > 0.0 && s->model.contact > 0 ? rest / size : 0.0;
 }
 
 } // namespace

@@ -41,7 +41,7 @@ struct c2d_solver {
   int64_t checked_exchanges;  // exchanges when the residual was last looked at
   int64_t exchanges, rebuilds;
   c2d::PathStats stats;
-  double stiffness, gap_scale, max_residual, mu;
+  double stiffness, gap_scale, max_residual, peak_pressure, mu;
   double applied[2][3], contact_force[2][3];
   double force_applied, force_contact, force_error, tension_ratio;
 };
