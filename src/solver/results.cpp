@@ -129,6 +129,8 @@ void fill_model(c2d_solver* s, c2d_summary& out) {
     out.poisson_ratio[b] = body.poisson_ratio;
   }
   memcpy(out.title, m.title, sizeof out.title);
+  out.symmetry = m.symmetry;
+  memcpy(out.symmetry_at, m.line_at, sizeof out.symmetry_at);
 }
 
 void fill_motion(const c2d_solver* s, c2d_summary& out) {
