@@ -1,14 +1,18 @@
 # What is compiled, one file a line: read by Makefile (include) and by CMakeLists.txt (file(STRINGS)).
 # `make list` compares it with the folders, `make relist` writes it anew.
 PORTS += memory
+PORTS += packaging
 PORTS += posix
 PORTS += stdio
+CORE_SOURCES += src/bie/boundary_stress.cpp
 CORE_SOURCES += src/bie/columns.cpp
 CORE_SOURCES += src/bie/element.cpp
 CORE_SOURCES += src/bie/integrals.cpp
 CORE_SOURCES += src/bie/integrals_curved.cpp
 CORE_SOURCES += src/bie/integrals_straight.cpp
 CORE_SOURCES += src/bie/integrals_thesis.cpp
+CORE_SOURCES += src/bie/interior.cpp
+CORE_SOURCES += src/bie/interior_straight.cpp
 CORE_SOURCES += src/bie/shape.cpp
 CORE_SOURCES += src/contact/contact_tape.cpp
 CORE_SOURCES += src/contact/events.cpp
@@ -50,6 +54,7 @@ CORE_SOURCES += src/quadrature/gauss.cpp
 CORE_SOURCES += src/solver/back.cpp
 CORE_SOURCES += src/solver/create.cpp
 CORE_SOURCES += src/solver/entry.cpp
+CORE_SOURCES += src/solver/interior.cpp
 CORE_SOURCES += src/solver/messages.cpp
 CORE_SOURCES += src/solver/model_calls.cpp
 CORE_SOURCES += src/solver/phases.cpp
