@@ -101,10 +101,19 @@ demo: $(PROGRAM)
 	  --boundary $(BUILD)/demo/hertz_boundary.csv --json $(BUILD)/demo/hertz.json
 	@echo 'Results: $(BUILD)/demo/hertz.lst (listing), hertz.csv, hertz_boundary.csv, hertz.json'
 
-bench: $(PROGRAM)
-	@for deck in examples/*.dat; do \
-	  $(PROGRAM) run $$deck --listing /dev/null --json - | awk -v deck=$$deck \
-	    '/"seconds"/ { sub(/^ *"seconds": */, ""); printf "%-32s %s\n", deck, $$0 }'; done
+# Speed, as a table: make bench SAVE=file keeps it, BASE=file compares with one that was kept.
+BENCH_OBJECTS := $(patsubst tests/bench/%.cpp,$(BUILD)/bench/%.o,$(wildcard tests/bench/*.cpp))
+$(BUILD)/bench/%.o: tests/bench/%.cpp $(BUILD)/flags Makefile
+	@mkdir -p $(@D)
+	$(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(EXACT) $(DEPS) -c $< -o $@
+$(BUILD)/bench/run_bench: $(BENCH_OBJECTS) $(LIBRARY)
+	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm
+$(BUILD)/bench/empty: tests/bench/empty.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $<
+bench: $(BUILD)/bench/run_bench $(BUILD)/bench/empty $(PROGRAM)
+	@$(BUILD)/bench/run_bench --program $(PROGRAM) --empty $(BUILD)/bench/empty --examples examples \
+	  --save '$(SAVE)' --base '$(BASE)'
 
 # The list of sources against the folders: what is missing from either.
 FOUND_SOURCES := $(sort $(wildcard src/*/*.cpp port/*/*.cpp port/*/*.c))
@@ -158,8 +167,8 @@ uninstall:
 	-rmdir $(DESTDIR)$(CMAKEDIR) 2>/dev/null || true
 
 clean:
-	rm -rf $(BUILD)/obj $(BUILD)/tests $(BUILD)/demo
+	rm -rf $(BUILD)/obj $(BUILD)/tests $(BUILD)/demo $(BUILD)/bench
 	rm -f $(LIBRARY) $(BUILD)/libcontact2d.so.* $(PROGRAM) $(BUILD)/flags $(BUILD)/exports
 	-rmdir $(BUILD) 2>/dev/null || true
 
--include $(wildcard $(BUILD)/obj/*.d $(BUILD)/tests/*.d)
+-include $(wildcard $(BUILD)/obj/*.d $(BUILD)/tests/*.d $(BUILD)/bench/*.d)

@@ -474,7 +474,8 @@ const char* c2d_version(void);               /* "0.1.0" */
   C2D_LARGER_(C2D_ELIMINATION_BYTES_(C2D_LARGER_(nodes1, nodes2), m),                                                  \
               C2D_LARGER_(C2D_REDUCTION_BYTES_(m), C2D_PATH_BYTES_(nodes1, ends1, nodes2, ends2, m, cases)))
 #define C2D_ELIMINATION_BYTES_(nodes, m)                                                                               \
-  (C2D_ARRAY_(nodes, 32) + C2D_BLOCK_(m) +                             /* diagonal blocks; contact tape   */          \
+  (C2D_ARRAY_(nodes, 32) + C2D_ARRAY_(nodes, 16) +                     /* diagonal blocks; positions      */          \
+   C2D_ARRAY_(nodes, 4) + C2D_BLOCK_(m) +                              /* double nodes; contact tape      */          \
    C2D_COLUMN_BYTES_(C2D_ROWS_(nodes)) + 64 +                          /* a panel of one column, its norm */          \
    C2D_BLOCK_(C2D_ROWS_(nodes)) +                                      /* a block of one column           */          \
    C2D_ARRAY_(C2D_ROWS_(nodes), 4))                                    /* row exchanges                   */

@@ -30,9 +30,9 @@ c2d_status begin(Session& session) {
   return begin_path(session);
 }
 
-c2d_status advance(Session& session, const double* target) {
+c2d_status advance(Session& session, const double* target, bool at_end) {
   const c2d_status status = advance_path(session, target);
-  if (status == C2D_OK) warn_contact(session);
+  if (status == C2D_OK) warn_contact(session, at_end);
   return status;
 }
 
@@ -72,7 +72,8 @@ c2d_status run_cards(Session& session) {
       const double load =
           i == path.increments ? path.load : from + (path.load - from) * i / static_cast<double>(path.increments);
       for (int32_t k = 0; k < s->model.load_cases; ++k) target[k] = k == 0 ? load : 0.0;
-      c2d_status status = advance(session, target);
+      const bool last = p + 1 == s->model.paths && i == path.increments;
+      c2d_status status = advance(session, target, last);
       if (status != C2D_OK) return status;
       const bool reached = s->outcome == C2D_REACHED;
       status = show_step(session, reached ? C2D_STEP_RECORDED : C2D_STEP_STOPPED);
@@ -131,7 +132,7 @@ extern "C" c2d_status c2d_advance(c2d_solver* s, const double* load, int32_t cas
     if (!is_usable(load[k])) return fail(s, C2D_ERR_ARGUMENT, "a load factor is not a usable number");
   Session session;
   open_session(s, session);
-  status = finish(session, advance(session, load));
+  status = finish(session, advance(session, load, true));
   *outcome = s->outcome;
   return status;
 }

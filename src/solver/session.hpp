@@ -43,8 +43,9 @@ bool is_store_error(c2d_status status);
 // Add what is new of row[0 .. n) to an orthonormal basis of `rank` rows; 1 if there was something new.
 int extend_basis(double basis[3][3], int rank, int n, double row[3]);
 
-// Warnings about the contact as it stands (solver/warnings.cpp).
-void warn_contact(Session& session);
+// Warnings about the contact as it stands (solver/warnings.cpp). `at_end`: of a path, where few pairs in contact mean
+// a coarse mesh and not a beginning.
+void warn_contact(Session& session, bool at_end);
 // Smallest pressure inside the contact elements over the largest nodal one, as it stands; 0 if none is negative.
 double tension_ratio(const Session& session);
 
