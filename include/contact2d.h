@@ -271,6 +271,9 @@ c2d_status c2d_add_zone(c2d_solver* solver, const c2d_zone* zone);
 c2d_status c2d_add_friction(c2d_solver* solver, double mu);  /* a coefficient to be run by c2d_run   */
 /* `increments` equal steps from the load reached so far to `load` (load factor of case 1). */
 c2d_status c2d_add_path(c2d_solver* solver, int32_t increments, double load);
+/* Names of the units of length and force, each at most 15 characters, for titles of axes; null is empty. Nothing is
+   converted. Legal also in model, prepared and running. */
+c2d_status c2d_set_units(c2d_solver* solver, const char* length, const char* force);
 /* Faults found from now on are said to come from this line of the caller's input; 0: none. */
 c2d_status c2d_set_line(c2d_solver* solver, int32_t line, int32_t column, int32_t column_end);
 /* Validate everything. On success the state is `model`. Errors: INPUT; every fault goes to c2d_port.log; the
@@ -409,6 +412,7 @@ typedef struct c2d_summary {
   double tension_ratio;           /* smallest pressure inside an element over the largest nodal one */
   double youngs_modulus[2], poisson_ratio[2];
   char title[80];
+  char unit_length[16], unit_force[16]; /* as c2d_set_units said, else empty                        */
 } c2d_summary;
 c2d_status c2d_get_summary(c2d_solver* solver, c2d_summary* out); /* legal: always */
 /* Item i (from 1) of the model's lists; out of range: ARGUMENT. Legal: model, prepared, running. */
