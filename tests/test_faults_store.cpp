@@ -101,7 +101,7 @@ TEST_CASE("store faults: the n-th operation fails, once or from then on") {
   size_t tried = 0, harmless = 0;
   for (const Setting& setting : kSettings) {
     const Case c(setting);
-    CAPTURE(setting.deck);
+    CAPTURE(std::string(setting.deck));
     CAPTURE(setting.panel_columns);
     Machine machine(c.limits, c.bytes, nullptr);
     Clean clean;
@@ -162,7 +162,7 @@ TEST_CASE("store faults: torn writes are found when they are read, and only then
   size_t tried = 0, found = 0;
   for (const Setting& setting : kSettings) {
     const Case c(setting);
-    CAPTURE(setting.deck);
+    CAPTURE(std::string(setting.deck));
     Machine machine(c.limits, c.bytes, nullptr);
     Clean clean;
     run_clean(machine, c, clean);
@@ -208,7 +208,7 @@ TEST_CASE("store faults: spoilt reads are named, never used") {
   std::mt19937 random(7);
   for (const Setting& setting : kSettings) {
     const Case c(setting);
-    CAPTURE(setting.deck);
+    CAPTURE(std::string(setting.deck));
     Machine machine(c.limits, c.bytes, nullptr);
     Clean clean;
     run_clean(machine, c, clean);
