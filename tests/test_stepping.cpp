@@ -246,8 +246,8 @@ TEST_CASE("stepping: first touch of the sample's cylinder from any height") {
     const Result r = solved(q);
     CHECK(r.outcome == C2D_REACHED);
     CHECK(r.summary.force_error < 1e-12);
-    CHECK(compare(touching, r).traction < 0.05);
-    CHECK(largest_traction(r) == doctest::Approx(peak).epsilon(0.01));
+    CHECK(compare(touching, r).traction < 1e-4); // 1.2e-5 for the higher one
+    CHECK(largest_traction(r) == doctest::Approx(peak).epsilon(1e-4));
   }
 }
 

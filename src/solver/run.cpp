@@ -65,7 +65,7 @@ c2d_status show_step(Session& session, int32_t kind) {
 int32_t largest_load(const Model& m) {
   int32_t best = 0;
   for (int32_t p = 1; p < m.head->paths; ++p)
-    if (fabs(m.path[p].load) >= fabs(m.path[best].load)) best = p;
+    if (fabs(m.path[p].load) > fabs(m.path[best].load)) best = p;
   return best;
 }
 

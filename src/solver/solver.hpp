@@ -44,6 +44,7 @@ struct c2d_solver {
   double stiffness, gap_scale, max_residual, peak_pressure, mu;
   double applied[2][3], contact_force[2][3];
   double force_applied, force_contact, force_error, tension_ratio;
+  double multiplier[2][3];    // rho, omega of the balanced equations, of each body, at the load reached
 };
 
 namespace c2d {
