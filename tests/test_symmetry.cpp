@@ -509,7 +509,7 @@ TEST_CASE("symmetry: a deck with a meshed line, by images") {
     CAPTURE(name);
     Setup images;
     images.symmetry = C2D_SYMMETRY_IMAGES;
-    const Result meshed = solve_text(deck_text(name)), r = solve_text(deck_text(name), images);
+    const Result meshed = solve_text(deck_text(std::string(name) + ".dat")), r = solve_text(deck_text(std::string(name) + ".dat"), images);
     REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
     CHECK(r.summary.symmetry == 1);
     CHECK(r.summary.force_error < 1e-12);
@@ -533,7 +533,7 @@ TEST_CASE("symmetry: a deck with a meshed line, by images") {
 TEST_CASE("symmetry: two lines of an old deck without contact") {
   Setup images;
   images.symmetry = C2D_SYMMETRY_IMAGES;
-  const Result meshed = solve_text(deck_text("plate")), r = solve_text(deck_text("plate"), images);
+  const Result meshed = solve_text(deck_text("plate.dat")), r = solve_text(deck_text("plate.dat"), images);
   REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
   CHECK(r.summary.symmetry == 3);
   double worst = 0, most = 0;
@@ -586,11 +586,11 @@ TEST_CASE("symmetry: what does not fit is told") {
   told(p, "does not hold the number of elements given");
   Setup images;
   images.symmetry = C2D_SYMMETRY_IMAGES;
-  told(load("block"), "symmetry", images);
-  Problem closed = load("sample");
+  told(load("block.dat"), "symmetry", images);
+  Problem closed = load("sample.dat");
   closed.symmetry = 1;
   told(closed, "lies on the line of symmetry x = 0, expected no elements there");
-  closed = load("sample");
+  closed = load("sample.dat");
   End& end = closed.end(2, 16, 1); // on the axis of the cylinder
   end.codes[1] = 0, end.values[1] = 3;
   told(closed, "expected zero displacement across a line of symmetry and zero traction along it", images);

@@ -8,6 +8,7 @@
 #include "bie/columns.hpp"
 #include "bie/interior_detail.hpp"
 #include "bie/shape.hpp"
+#include "model/symmetry.hpp"
 
 namespace c2d {
 
@@ -18,13 +19,22 @@ constexpr double kNearNode = 0.1;    // of the shorter element that meets there
 
 // ---- the boundary's own stress ------------------------------------------------------------------------------------
 
-int region_neighbour(const Model& m, int b, int32_t element, int32_t step) {
+// The element beyond an end of this one; at a line of symmetry its own image.
+struct Neighbour {
+  int32_t element;
+  int image;
+};
+
+Neighbour region_neighbour(const Model& m, int b, int32_t element, int32_t step) {
   const Region& region = m.region[b][region_of_element(m, b, element)];
   const int32_t count = region.last - region.first + 1;
+  const double* end = m.xy[b] + 2 * geometry_node(m, b, element, step > 0 ? body_of(m, b).element_nodes - 1 : 0);
+  const int lines = lines_through(*m.head, end[0], end[1]);
+  if (lines != 0) return Neighbour{element, lines};
   int32_t other = element;
   do other = region.first + (other - region.first + step + count) % count;
   while (other != element && is_zero_length(m, b, other));
-  return other;
+  return Neighbour{other, 0};
 }
 
 Element element_of(const Model& m, int b, int32_t element) {
@@ -40,15 +50,17 @@ struct BoundaryState {
 // Constant elements tell nothing of slopes: difference of the neighbours, along the chords between the three middles.
 void slope_of_neighbours(const Session& session, int b, int32_t element, double du_ds[2]) {
   const Model& m = session.model;
-  const int32_t next = region_neighbour(m, b, element, 1), previous = region_neighbour(m, b, element, -1);
-  const Point at = element_point(element_of(m, b, element), 0.0), after = element_point(element_of(m, b, next), 0.0),
-              before = element_point(element_of(m, b, previous), 0.0);
-  const double run = hypot(after.x - at.x, after.y - at.y) + hypot(at.x - before.x, at.y - before.y);
-  const double* u = session.area.displacement[b];
-  for (int c = 0; c < 2; ++c)
-    du_ds[c] = run > 0.0 ? (u[2 * static_cast<int64_t>(functional_node(m, b, next, 0)) + c] -
-                            u[2 * static_cast<int64_t>(functional_node(m, b, previous, 0)) + c]) / run
-                         : 0.0;
+  const Point at = element_point(element_of(m, b, element), 0.0);
+  double run = 0.0;
+  du_ds[0] = du_ds[1] = 0.0;
+  for (int32_t step = -1; step <= 1; step += 2) {
+    const Neighbour other = region_neighbour(m, b, element, step);
+    const Point p = element_point(element_of(m, b, other.element), 0.0);
+    run += hypot(mirrored(*m.head, other.image, 0, p.x) - at.x, mirrored(*m.head, other.image, 1, p.y) - at.y);
+    const double* u = session.area.displacement[b] + 2 * static_cast<int64_t>(functional_node(m, b, other.element, 0));
+    for (int c = 0; c < 2; ++c) du_ds[c] += step * image_sign(other.image, c) * u[c];
+  }
+  for (int c = 0; c < 2; ++c) du_ds[c] = run > 0.0 ? du_ds[c] / run : 0.0;
 }
 
 BoundaryState boundary_state(const Session& session, int b, int32_t element, double eta) {
@@ -88,8 +100,9 @@ PlaneStress mean_stress(const Session& session, int b, int32_t element, double e
   double hoop;
   const PlaneStress here = stress_at(session, b, element, eta, &hoop);
   if (fabs(eta) < 1.0) return here;
-  const PlaneStress there =
-      stress_at(session, b, region_neighbour(session.model, b, element, eta < 0.0 ? -1 : 1), -eta, &hoop);
+  const Neighbour other = region_neighbour(session.model, b, element, eta < 0.0 ? -1 : 1);
+  if (other.image != 0) return {here.xx, here.yy, 0.0};
+  const PlaneStress there = stress_at(session, b, other.element, -eta, &hoop);
   return {0.5 * (here.xx + there.xx), 0.5 * (here.yy + there.yy), 0.5 * (here.xy + there.xy)};
 }
 
@@ -114,8 +127,26 @@ struct Points {
   double unit;
 
   PointState& state(int32_t i) const { return *reinterpret_cast<PointState*>(out + i * out_stride); }
-  double x(int32_t i) const { return xy[i * xy_stride] / unit; }
-  double y(int32_t i) const { return xy[i * xy_stride + 1] / unit; }
+  const ModelHeader* head;
+
+  // In the part that is modelled: symmetric bodies are looked at there, and the answer is mirrored back.
+  void folded(int32_t i, double p[2]) const {
+    p[0] = xy[i * xy_stride];
+    p[1] = xy[i * xy_stride + 1];
+    fold(*head, p);
+  }
+  double folding(int32_t i, int c) const {
+    double p[2];
+    folded(i, p);
+    return p[c] != xy[i * xy_stride + c] ? -1.0 : 1.0;
+  }
+  double x(int32_t i, int image = 0) const { return coordinate(i, image, 0); }
+  double y(int32_t i, int image = 0) const { return coordinate(i, image, 1); }
+  double coordinate(int32_t i, int image, int c) const {
+    double p[2];
+    folded(i, p);
+    return mirrored(*head, image, c, p[c]) / unit;
+  }
 };
 
 double place_of(int b, int32_t flag) { return 4 * (b + 1) + flag; }
@@ -145,7 +176,8 @@ void look_at_element(const Integrator& in, int b, int32_t element, const Points&
       }
       if (near.distance <= 2.0 * kOnBoundary * in.radius) p.place = place_of(b, C2D_POINT_BOUNDARY);
     }
-    if (p.place == kUnplaced) p.reference[0] += winding(in, x, y);
+    for (int image = 0; image <= points.head->symmetry && p.place == kUnplaced; ++image)
+      if (is_image(*points.head, image)) p.reference[0] += winding(in, points.x(i, image), points.y(i, image));
   }
 }
 
@@ -158,7 +190,7 @@ c2d_status place_points(const Session& session, int b, const Points& points) {
     p.distance = 1e300;
   }
   for (int32_t element = 0; element < m.head->body[b].elements; ++element) {
-    if (is_zero_length(m, b, element)) continue;
+    if (!is_integrated(m, b, element)) continue;
     const c2d_status status = pause(session, b, element);
     if (status != C2D_OK) return status;
     Integrator in;
@@ -177,17 +209,26 @@ c2d_status place_points(const Session& session, int b, const Points& points) {
 
 // ---- the integrals ------------------------------------------------------------------------------------------------
 
+// What an image contributes is what the element itself does at the mirrored point, mirrored.
+void add_image(int image, const PointField& sum, PointState& p) {
+  p.u[0] += image_sign(image, 0) * sum.u.re;
+  p.u[1] += image_sign(image, 1) * sum.u.im;
+  p.stress[0] += sum.trace;
+  p.stress[1] += sum.deviator.re;
+  p.stress[2] += image_sign(image, 0) * image_sign(image, 1) * sum.deviator.im;
+}
+
 void add_element(const FieldElement& e, int b, const Points& points) {
   for (int32_t i = 0; i < points.count; ++i) {
     PointState& p = points.state(i);
     if (!is_inside(p, b)) continue;
-    PointField sum = {};
-    add_field(e, {p.reference[0], p.reference[1]}, points.x(i), points.y(i), sum);
-    p.u[0] += sum.u.re;
-    p.u[1] += sum.u.im;
-    p.stress[0] += sum.trace;
-    p.stress[1] += sum.deviator.re;
-    p.stress[2] += sum.deviator.im;
+    for (int image = 0; image <= points.head->symmetry; ++image) {
+      if (!is_image(*points.head, image)) continue;
+      PointField sum = {};
+      const Complex reference = {image_sign(image, 0) * p.reference[0], image_sign(image, 1) * p.reference[1]};
+      add_field(e, reference, points.x(i, image), points.y(i, image), sum);
+      add_image(image, sum, p);
+    }
   }
 }
 
@@ -231,23 +272,26 @@ void add_elements_values(const Session& session, int b, int32_t element, const P
 }
 
 // Whatever is known in closed form at a point: point loads, rho and omega of the balanced equations, the reference.
-void add_known_fields(const Session& session, int b, double x, double y, PointState& p) {
+void add_known_fields(const Session& session, int b, const Points& points, int32_t point, PointState& p) {
   const Model& m = session.model;
   const double nu = strain_poisson_ratio(m, b), unit = m.head->length_unit;
-  PointField sum = {};
-  for (int32_t i = 0; i < m.head->point_loads; ++i) {
-    const PointLoad& load = m.point_load[i];
-    if (load.body != b) continue;
-    const double scale = session.follower.load[load.load_case] / (2.0 * shear_modulus(m, b) * unit);
-    add_force_field({scale * load.fx, scale * load.fy}, nu, load.x / unit, load.y / unit, x, y, sum);
+  const double x = points.x(point), y = points.y(point);
+  for (int image = 0; image <= m.head->symmetry; ++image) {
+    if (!is_image(*m.head, image)) continue;
+    PointField sum = {};
+    for (int32_t i = 0; i < m.head->point_loads; ++i) {
+      const PointLoad& load = m.point_load[i];
+      if (load.body != b) continue;
+      const double scale = session.follower.load[load.load_case] / (2.0 * shear_modulus(m, b) * unit);
+      add_force_field({scale * load.fx, scale * load.fy}, nu, load.x / unit, load.y / unit, points.x(point, image),
+                      points.y(point, image), sum);
+    }
+    add_image(image, sum, p);
   }
   const double* rigid = session.solver->multiplier[b];
   const double* centre = m.head->body[b].centre;
-  p.u[0] += sum.u.re + p.reference[0] + rigid[0] - rigid[2] * (y - centre[1] / unit);
-  p.u[1] += sum.u.im + p.reference[1] + rigid[1] + rigid[2] * (x - centre[0] / unit);
-  p.stress[0] += sum.trace;
-  p.stress[1] += sum.deviator.re;
-  p.stress[2] += sum.deviator.im;
+  p.u[0] += p.reference[0] + rigid[0] - rigid[2] * (y - centre[1] / unit);
+  p.u[1] += p.reference[1] + rigid[1] + rigid[2] * (x - centre[0] / unit);
 }
 
 // ---- results ------------------------------------------------------------------------------------------------------
@@ -259,7 +303,7 @@ bool blend_near_node(const Session& session, int b, const PointState& p, double 
   const int32_t element = static_cast<int32_t>(p.element);
   const double eta = p.eta < 0.0 ? -1.0 : 1.0, unit = m.head->length_unit;
   const Element e = element_of(m, b, element);
-  const Element other = element_of(m, b, region_neighbour(m, b, element, eta < 0.0 ? -1 : 1));
+  const Element other = element_of(m, b, region_neighbour(m, b, element, eta < 0.0 ? -1 : 1).element);
   const double length = 2.0 * (e.half_length < other.half_length ? e.half_length : other.half_length);
   const int node = eta < 0.0 ? 0 : e.nodes - 1;
   const double distance = length_of(unit * x - e.x[node], unit * y - e.y[node]), range = kNearNode * length;
@@ -290,16 +334,21 @@ void finish_point(const Session& session, int b, const Points& points, int32_t i
   const Model& m = session.model;
   PointState p = points.state(i);
   double* out = points.out + i * points.out_stride;
+  const double fx = points.folding(i, 0), fy = points.folding(i, 1);
   if (p.place == place_of(b, C2D_POINT_BOUNDARY)) {
     const int32_t element = static_cast<int32_t>(p.element);
     const BoundaryState s = boundary_state(session, b, element, p.eta);
-    write_point(session, b, s.u, mean_stress(session, b, element, p.eta), C2D_POINT_BOUNDARY, out);
+    PlaneStress stress = mean_stress(session, b, element, p.eta);
+    const double u[2] = {fx * s.u[0], fy * s.u[1]};
+    stress.xy *= fx * fy;
+    write_point(session, b, u, stress, C2D_POINT_BOUNDARY, out);
   } else if (is_inside(p, b)) {
     const double x = points.x(i), y = points.y(i), g = shear_modulus(m, b);
-    add_known_fields(session, b, x, y, p);
-    const double u[2] = {p.u[0] * points.unit, p.u[1] * points.unit};
+    add_known_fields(session, b, points, i, p);
+    const double u[2] = {fx * p.u[0] * points.unit, fy * p.u[1] * points.unit};
     PlaneStress s = {g * (p.stress[0] + p.stress[1]), g * (p.stress[0] - p.stress[1]), -g * p.stress[2]};
     const bool near = blend_near_node(session, b, p, x, y, s);
+    s.xy *= fx * fy;
     write_point(session, b, u, s, near ? C2D_POINT_NEAR_NODE : C2D_POINT_INSIDE, out);
   }
 }
@@ -308,7 +357,7 @@ void finish_point(const Session& session, int b, const Points& points, int32_t i
 c2d_status evaluate_body(const Session& session, int b, const Points& points) {
   c2d_status status = place_points(session, b, points);
   for (int32_t element = 0; element < session.model.head->body[b].elements && status == C2D_OK; ++element) {
-    if (is_zero_length(session.model, b, element)) continue;
+    if (!is_integrated(session.model, b, element)) continue;
     status = pause(session, b, element);
     if (status == C2D_OK) add_elements_values(session, b, element, points);
   }
@@ -374,7 +423,7 @@ extern "C" c2d_status c2d_interior(c2d_solver* s, int32_t body, int32_t count, c
   if (s->blocked || s->floating) clear_boundary(session);
   status = back_substitute_all(session);
   if (status != C2D_OK) return fail_store(s, status);
-  const Points points = {count, xy, xy_stride, out, out_stride, s->model.length_unit};
+  const Points points = {count, xy, xy_stride, out, out_stride, s->model.length_unit, &s->model};
   for (int32_t i = 0; i < count; ++i) points.state(i).place = kUnplaced;
   for (int b = 0; b < s->model.bodies && status == C2D_OK; ++b)
     if (body == 0 || body == b + 1) status = evaluate_body(session, b, points);
