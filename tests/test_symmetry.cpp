@@ -92,6 +92,8 @@ void set_all(Problem& p, int number, const Setter& set) {
         x += value * xy[at(2 * i)], y += value * xy[at(2 * i + 1)];
         dx += slope * xy[at(2 * i)], dy += slope * xy[at(2 * i + 1)];
       }
+      if (f > 1 && l == 0) x = xy[0], y = xy[1]; // the same bits from both sides
+      if (f > 1 && l == f - 1) x = xy[at(2 * nodes - 2)], y = xy[at(2 * nodes - 1)];
       const double length = std::hypot(dx, dy);
       set(x, y, dy / length, -dx / length, body.ends[at((e - 1) * f + l)]);
     }
@@ -353,12 +355,13 @@ Problem stamp(int32_t f, int32_t nodes, double line, double mu) {
     if (nx > 0.9) fix(end, 0, 0);
     if (ny > 0.9) end.values[1] = -40;
   });
-  const int32_t from = 8, nodes1 = from * steps, pairs = f > 1 ? n * steps + 1 : n;
+  // The stamp's last element of n stays out of the contact: its corner is guided.
+  const int32_t from = 9, nodes1 = from * steps, c = n - 1, pairs = f > 1 ? c * steps + 1 : c;
   c2d_zone zone = C2D_INIT(c2d_zone);
-  zone.pairs = pairs, zone.elements = n;
-  zone.first_element[0] = from + 1, zone.last_element[0] = from + n;
+  zone.pairs = pairs, zone.elements = c;
+  zone.first_element[0] = from + 1, zone.last_element[0] = from + c;
   zone.first_node[0] = nodes1 + 1, zone.last_node[0] = nodes1 + pairs;
-  zone.first_element[1] = n, zone.last_element[1] = 1;
+  zone.first_element[1] = c, zone.last_element[1] = 1;
   zone.first_node[1] = pairs, zone.last_node[1] = 1;
   p.zones = {zone};
   return p;
