@@ -150,6 +150,11 @@ const std::vector<Call>& calls() {
     add("get result", kRunning, [](c2d_solver* s) { return c2d_get(s, C2D_TN, 1, 1, 1, g_numbers, 1); });
     add("get boundary", kRunning, [](c2d_solver* s) { return c2d_get(s, C2D_END_UX, 1, 1, 1, g_numbers, 1); });
     add("get stress", kRunning, [](c2d_solver* s) { return c2d_get(s, C2D_END_HOOP, 1, 1, 1, g_numbers, 1); });
+    add("interior", kRunning, [](c2d_solver* s) {
+      const double xy[2] = {0, 0};
+      double row[C2D_POINT_FIELDS];
+      return c2d_interior(s, 0, 1, xy, 2, row, C2D_POINT_FIELDS);
+    });
     add("get end status", kRunning, [](c2d_solver* s) { return c2d_get(s, C2D_END_STATUS, 1, 1, 1, g_numbers, 1); });
     add("get position", complete, [](c2d_solver* s) { return c2d_get(s, C2D_X, 1, 1, 1, g_numbers, 1); });
     add("get end position", complete, [](c2d_solver* s) { return c2d_get(s, C2D_END_X, 1, 1, 1, g_numbers, 1); });
