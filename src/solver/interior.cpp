@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kOnBoundary = 1e-9; // of the element's length
 constexpr double kNearNode = 0.1;    // of the shorter element that meets there
+constexpr double kNearStep = 0.5;    // the same where displacement itself is in steps, constant elements
 constexpr double kSmooth = 0.985;    // cosine of 10 degrees: less is a kink
 constexpr double kCorner = 0.5;      // sine of 30 degrees: from there on two tractions make a tensor
 constexpr double kStep = 0.05;       // of the tractions at a node: more is a step
@@ -205,10 +206,11 @@ struct PointState {
   double reference[2];       // displacement of the nearest boundary point; before that [0] counts windings
   double element;            // with the nearest boundary point
   double eta, distance;      // of that point; once placed inside: x, y at which the stress is taken
-  double place;              // kUnplaced, or 4 * (body + 1) + flag
+  double place;              // kUnplaced, kNowhere, or 4 * (body + 1) + flag
 };
 static_assert(sizeof(PointState) == C2D_POINT_FIELDS * sizeof(double), "fills a row of the answer");
-constexpr double kUnplaced = 0.0;
+constexpr double kUnplaced = 0.0, kNowhere = 1.0;
+constexpr double kBeyondAll = 1e60; // of the bodies' size: squares must not overflow
 
 struct Points {
   int32_t count;
@@ -273,7 +275,7 @@ bool find_near_node(const Model& m, int b, const PointState& p, double x, double
   out.end = first_distance <= last_distance ? 0 : 1;
   const Element other = element_of(m, b, region_neighbour(m, b, element, out.end == 0 ? -1 : 1));
   const double length = 2.0 * (e.half_length < other.half_length ? e.half_length : other.half_length);
-  const double distance = out.end == 0 ? first_distance : last_distance, range = kNearNode * length;
+  const double distance = out.end == 0 ? first_distance : last_distance, range = (m.head->function_nodes == 1 ? kNearStep : kNearNode) * length;
   out.part = range > 0.0 ? distance / range : 1.0;
   return out.part < 1.0;
 }
@@ -472,7 +474,7 @@ c2d_status evaluate_body(const Session& session, int b, const Points& points) {
 void finish_points(const Session& session, const Points& points) {
   for (int32_t i = 0; i < points.count; ++i) {
     const double place = points.state(i).place;
-    if (place == kUnplaced) {
+    if (place == kUnplaced || place == kNowhere) {
       double* out = points.out + i * points.out_stride;
       for (int c = 0; c < C2D_POINT_FLAG; ++c) out[c] = 0.0;
       out[C2D_POINT_FLAG] = C2D_POINT_OUTSIDE;
@@ -480,6 +482,12 @@ void finish_points(const Session& session, const Points& points) {
       finish_point(session, static_cast<int>(place) / 4 - 1, points, i);
     }
   }
+}
+
+// A number, and no absurd one.
+bool may_lie_inside(const Points& points, int32_t i) {
+  const double bound = kBeyondAll * points.unit, *at = points.xy + i * points.xy_stride;
+  return isfinite(at[0]) && isfinite(at[1]) && fabs(at[0]) < bound && fabs(at[1]) < bound;
 }
 
 // Results while nothing is solved yet.
@@ -529,7 +537,7 @@ extern "C" c2d_status c2d_interior(c2d_solver* s, int32_t body, int32_t count, c
   status = back_substitute_all(session);
   if (status != C2D_OK) return fail_store(s, status);
   const Points points = {count, xy, xy_stride, out, out_stride, s->model.length_unit};
-  for (int32_t i = 0; i < count; ++i) points.state(i).place = kUnplaced;
+  for (int32_t i = 0; i < count; ++i) points.state(i).place = may_lie_inside(points, i) ? kUnplaced : kNowhere;
   for (int b = 0; b < s->model.bodies && status == C2D_OK; ++b)
     if (body == 0 || body == b + 1) status = evaluate_body(session, b, points);
   if (status == C2D_OK) finish_points(session, points);
