@@ -54,7 +54,7 @@ private:
   c2d_port files_port_;
   uint64_t budget_ = 0;
   std::string folder_;
-  bool has_folder_ = false, made_folder_ = false, keep_ = false, may_use_folder_ = false;
+  bool has_folder_ = false, made_folder_ = false, temporary_ = false, keep_ = false, may_use_folder_ = false;
 };
 
 } // namespace app
