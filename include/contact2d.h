@@ -364,8 +364,9 @@ enum {
   C2D_END_X = 100, C2D_END_Y = 101, C2D_END_NODE = 102,
   C2D_END_UX = 103, C2D_END_UY = 104, C2D_END_TX = 105, C2D_END_TY = 106, /* true traction on own length */
   C2D_END_STATUS = 107,       /* status of the pair this end belongs to, -1: none                   */
-  C2D_END_SXX = 108, C2D_END_SYY = 109, C2D_END_SXY = 110, /* stress tensor from this element's traction and slope of */
-  C2D_END_SZZ = 111,          /* displacement; out of the plane: nu (sxx + syy), 0 in plane stress  */
+  C2D_END_SXX = 108, C2D_END_SYY = 109, C2D_END_SXY = 110, /* stress tensor: from this end's traction and the slope of
+                                 the displacement along the boundary, recovered at Gauss points     */
+  C2D_END_SZZ = 111,          /* out of the plane: nu (sxx + syy), 0 in plane stress                */
   C2D_END_HOOP = 112,         /* normal stress along the boundary                                   */
   /* per geometry node of a body */
   C2D_NODE_X = 120, C2D_NODE_Y = 121
@@ -384,8 +385,9 @@ enum {
 };
 enum {
   C2D_POINT_INSIDE = 0,       /* (3.32)-(3.34), error below 1e-8 down to 1e-6 of an element length from the boundary */
-  C2D_POINT_NEAR_NODE = 1,    /* within a tenth of an element of a node at an element's end: stress blended with the
-                                 boundary's tensor there (mean of both elements), displacement as inside */
+  C2D_POINT_NEAR_NODE = 1,    /* within a tenth (constant functions: half) of the shorter element that meets there of an
+                                 element's end: stress linear between the boundary's tensor at the end and the
+                                 inside at the border of this range; displacement as inside         */
   C2D_POINT_BOUNDARY = 2,     /* within 1e-9 of an element length: displacement and tensor of the boundary point */
   C2D_POINT_OUTSIDE = 3       /* of the body asked for, or of all: every other column is 0          */
 };
@@ -446,13 +448,16 @@ c2d_status c2d_get_point_load(c2d_solver* solver, int32_t i, int32_t* body, doub
 
 /* ---------------------------------------------------------------- 9 errors and state ---------------------------
 
-   State        legal calls (besides memory need, get_summary, last_error, message, cancel, close: always)
-   empty        set_problem, set_line, set_options, read_deck           -> building, or model after read_deck
-   building     all of section 5, read_deck is not                      -> model by c2d_complete
-   model        set_options, prepare, positions by get                  -> prepared
-   prepared     begin, run, positions by get                            -> running
+   State        legal calls (besides memory need, get_state, get_summary, last_error, message, cancel, close: always)
+   empty        read_deck                                               -> model
+                all of section 5 but complete                           -> building (set_line, set_options: empty)
+   building     all of section 5                                        -> model by complete; empty if that fails
+   model        set_options, prepare                                    -> prepared
+   prepared     begin, run                                              -> running
    running      begin, advance, run, get, interior
-   broken       after an error of the store: nothing but c2d_create in the same memory */
+   broken       after an error of the store: nothing but c2d_create in the same memory
+   In model, prepared and running also positions by get, and the lists: get_friction, _path, _zone, _region,
+   _condition, _point_load. */
 enum { C2D_STATE_EMPTY = 0, C2D_STATE_BUILDING = 1, C2D_STATE_MODEL = 2, C2D_STATE_PREPARED = 3,
        C2D_STATE_RUNNING = 4, C2D_STATE_BROKEN = 5 };
 int32_t c2d_get_state(const c2d_solver* solver);                 /* -1: not a solver                */

@@ -1,6 +1,7 @@
 # What is compiled, one file a line: read by Makefile (include) and by CMakeLists.txt (file(STRINGS)).
 # `make list` compares it with the folders, `make relist` writes it anew.
 PORTS += memory
+PORTS += packaging
 PORTS += posix
 PORTS += stdio
 CORE_SOURCES += src/bie/boundary_stress.cpp
@@ -33,6 +34,7 @@ CORE_SOURCES += src/deck/number.cpp
 CORE_SOURCES += src/deck/polar.cpp
 CORE_SOURCES += src/deck/read_deck.cpp
 CORE_SOURCES += src/deck/scan_deck.cpp
+CORE_SOURCES += src/deck/symmetry.cpp
 CORE_SOURCES += src/deck/units.cpp
 CORE_SOURCES += src/deck/words.cpp
 CORE_SOURCES += src/deck/zones.cpp

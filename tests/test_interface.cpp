@@ -106,8 +106,7 @@ void bring(Machine& machine, Host& host, int32_t state) {
 
 constexpr uint32_t bit(int32_t state) { return 1u << state; }
 constexpr uint32_t kEmpty = bit(C2D_STATE_EMPTY), kBuilding = bit(C2D_STATE_BUILDING), kModel = bit(C2D_STATE_MODEL),
-                   kPrepared = bit(C2D_STATE_PREPARED), kRunning = bit(C2D_STATE_RUNNING),
-                   kEverywhere = kEmpty | kBuilding | kModel | kPrepared | kRunning | bit(C2D_STATE_BROKEN);
+                   kPrepared = bit(C2D_STATE_PREPARED), kRunning = bit(C2D_STATE_RUNNING);
 
 struct Call {
   const char* name;
@@ -150,6 +149,12 @@ const std::vector<Call>& calls() {
     add("advance", kRunning, [](c2d_solver* s) { const double load = 0.5; c2d_outcome o; return c2d_advance(s, &load, 1, &o); });
     add("get result", kRunning, [](c2d_solver* s) { return c2d_get(s, C2D_TN, 1, 1, 1, g_numbers, 1); });
     add("get boundary", kRunning, [](c2d_solver* s) { return c2d_get(s, C2D_END_UX, 1, 1, 1, g_numbers, 1); });
+    add("get stress", kRunning, [](c2d_solver* s) { return c2d_get(s, C2D_END_HOOP, 1, 1, 1, g_numbers, 1); });
+    add("interior", kRunning, [](c2d_solver* s) {
+      const double xy[2] = {0, 0};
+      double row[C2D_POINT_FIELDS];
+      return c2d_interior(s, 0, 1, xy, 2, row, C2D_POINT_FIELDS);
+    });
     add("get end status", kRunning, [](c2d_solver* s) { return c2d_get(s, C2D_END_STATUS, 1, 1, 1, g_numbers, 1); });
     add("get position", complete, [](c2d_solver* s) { return c2d_get(s, C2D_X, 1, 1, 1, g_numbers, 1); });
     add("get end position", complete, [](c2d_solver* s) { return c2d_get(s, C2D_END_X, 1, 1, 1, g_numbers, 1); });
@@ -458,7 +463,7 @@ std::vector<Wrong> wrong_calls() {
     add(state, "nulls", [](c2d_solver* s) { return c2d_get_point_load(s, 1, nullptr, nullptr, nullptr); });
     add(state, "summary", [](c2d_solver* s) { return c2d_get_summary(s, nullptr); });
     add(state, "error", [](c2d_solver* s) { return c2d_last_error(s, nullptr); });
-    for (int32_t field : {-1, 16, 99, 108, 119, 122, INT32_MAX, INT32_MIN})
+    for (int32_t field : {-1, 16, 99, 113, 119, 122, INT32_MAX, INT32_MIN})
       add(state, "field", [field](c2d_solver* s) { return c2d_get(s, field, 1, 1, 1, g_numbers, 1); });
     for (int32_t field : {C2D_X, C2D_END_X, C2D_NODE_X, C2D_TN, C2D_END_TX}) {
       if (state == C2D_STATE_PREPARED && (field == C2D_TN || field == C2D_END_TX)) continue;

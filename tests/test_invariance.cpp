@@ -222,7 +222,9 @@ TEST_CASE("invariance: workspace, panel width and store") {
     for (int32_t columns : {1, 3, 8, 0})
       for (Memory memory : {Memory::minimum, Memory::between, Memory::in_core})
         for (Store store : {Store::memory, Store::stdio, Store::posix}) {
-          if (store == Store::posix && columns != 0 && columns != 3) continue; // each block is synced: slow
+          // Files cost time, the synced ones most; which blocks there are does not depend on the store.
+          if (store == Store::stdio && deck != "sample.dat" && deck != "block.dat") continue;
+          if (store == Store::posix && (deck != "sample.dat" || columns == 1)) continue;
           CAPTURE(deck);
           CAPTURE(columns);
           CAPTURE(static_cast<int>(memory));

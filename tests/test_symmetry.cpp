@@ -620,3 +620,26 @@ TEST_CASE("symmetry: the interface's rules") {
   CHECK(c2d_set_body(s, 1, &body) == C2D_OK);
   c2d_close(s);
 }
+
+TEST_CASE("symmetry: the keyword card") {
+  // A deck made from the sample: half of it, its axis elements left out, is tested through the program's own reader.
+  const std::string sample = deck_text("sample.dat") + "*SYMMETRY X 0\n";
+  const Result axis = solve_text(sample);
+  CHECK(axis.status == C2D_ERR_INPUT);
+  CHECK_MESSAGE(axis.messages().find("expected no elements there") != std::string::npos, axis.messages());
+  Setup images;
+  images.symmetry = C2D_SYMMETRY_IMAGES;
+  const Result a = solve_text(sample, images), b = solve_text(deck_text("sample.dat"), images);
+  REQUIRE_MESSAGE(a.status == C2D_OK, a.messages());
+  CHECK(identical(a, b));
+  const auto refused = [](const std::string& card, const char* text) {
+    const Result r = solve_text(deck_text("sample.dat") + card + "\n");
+    CHECK(r.status == C2D_ERR_INPUT);
+    CHECK_MESSAGE(r.messages().find(text) != std::string::npos, r.messages());
+  };
+  refused("*SYMMETRY Z 0", "expected X or Y");
+  refused("*SYMMETRY X", "expected place of the line of symmetry");
+  refused("*SYMMETRY X zero", "place of the line of symmetry");
+  refused("*SYMMETRY X 0 0", "");
+  refused("*SYMMETRY X 0\n*SYMMETRY X 1", "stands in the deck twice");
+}

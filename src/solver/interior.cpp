@@ -9,6 +9,7 @@
 #include "bie/interior_detail.hpp"
 #include "bie/shape.hpp"
 #include "model/symmetry.hpp"
+#include "quadrature/gauss.hpp"
 
 namespace c2d {
 
@@ -16,6 +17,12 @@ namespace {
 
 constexpr double kOnBoundary = 1e-9; // of the element's length
 constexpr double kNearNode = 0.1;    // of the shorter element that meets there
+constexpr double kNearStep = 0.5;    // the same where displacement itself is in steps, constant elements
+constexpr double kSmooth = 0.985;    // cosine of 10 degrees: less is a kink
+constexpr double kCorner = 0.5;      // sine of 30 degrees: from there on two tractions make a tensor
+constexpr double kStep = 0.05;       // of the tractions at a node: more is a step
+
+double length_of(double x, double y) { return sqrt(x * x + y * y); }
 
 // ---- the boundary's own stress ------------------------------------------------------------------------------------
 
@@ -27,10 +34,10 @@ struct Neighbour {
 
 Neighbour region_neighbour(const Model& m, int b, int32_t element, int32_t step) {
   const Region& region = m.region[b][region_of_element(m, b, element)];
-  const int32_t count = region.last - region.first + 1;
   const double* end = m.xy[b] + 2 * geometry_node(m, b, element, step > 0 ? body_of(m, b).element_nodes - 1 : 0);
   const int lines = lines_through(*m.head, end[0], end[1]);
   if (lines != 0) return Neighbour{element, lines};
+  const int32_t count = region.last - region.first + 1;
   int32_t other = element;
   do other = region.first + (other - region.first + step + count) % count;
   while (other != element && is_zero_length(m, b, other));
@@ -43,33 +50,154 @@ Element element_of(const Model& m, int b, int32_t element) {
   return make_element(m.head->body[b].element_nodes, x, y);
 }
 
+// From the middle to eta.
+double arc_length(const Element& e, double eta) {
+  const GaussRule rule = gauss_legendre(6);
+  double sum = 0.0;
+  for (int i = 0; i < rule.n; ++i) {
+    const GaussPoint p = gauss_point(rule, i);
+    sum += 0.5 * eta * p.w * element_point(e, 0.5 * eta * (1.0 + p.x)).jacobian;
+  }
+  return sum;
+}
+
 struct BoundaryState {
   double u[2], t[2], du_ds[2], n[2];
 };
 
+// Nothing jumps between the end of one element and the start of the next: no kink, double node or step of traction.
+bool joins_smoothly(const Session& session, int b, int32_t element, int32_t next) {
+  const Model& m = session.model;
+  const int nf = m.head->function_nodes;
+  const Point p = element_point(element_of(m, b, element), 1.0), q = element_point(element_of(m, b, next), -1.0);
+  if (p.nx * q.nx + p.ny * q.ny < kSmooth || geometry_node(m, b, element, m.head->body[b].element_nodes - 1) !=
+                                                 geometry_node(m, b, next, 0))
+    return false;
+  const double* t = session.area.traction[b] + 2 * (static_cast<int64_t>(element) * nf + nf - 1);
+  const double* v = session.area.traction[b] + 2 * (static_cast<int64_t>(next) * nf);
+  return length_of(t[0] - v[0], t[1] - v[1]) <= kStep * (length_of(t[0], t[1]) + length_of(v[0], v[1]));
+}
+
+// The same between an element and the neighbour beyond one of its ends.
+bool joins_neighbour(const Session& session, int b, int32_t element, int32_t step, const Neighbour& other) {
+  if (other.image == 0)
+    return step > 0 ? joins_smoothly(session, b, element, other.element)
+                    : joins_smoothly(session, b, other.element, element);
+  const int nf = session.model.head->function_nodes, l = step > 0 ? nf - 1 : 0;
+  const Point p = element_point(element_of(session.model, b, element), step > 0 ? 1.0 : -1.0);
+  const double n[2] = {p.nx, p.ny}, *t = session.area.traction[b] + 2 * (static_cast<int64_t>(element) * nf + l);
+  double cosine = 0.0, jump[2];
+  for (int c = 0; c < 2; ++c) {
+    cosine += image_sign(other.image, c) * n[c] * n[c];
+    jump[c] = t[c] - image_sign(other.image, c) * t[c];
+  }
+  return cosine >= kSmooth && length_of(jump[0], jump[1]) <= 2.0 * kStep * length_of(t[0], t[1]);
+}
+
+// Derivatives of displacement by arc length where they are most accurate: the Gauss points of an element, one fewer than
+// functional nodes. Constant elements have their value in the middle, and differences in place of derivatives.
+struct Slopes {
+  int count;
+  double s[9], du_ds[9][2];
+};
+
+// Those of one element, with `start` the arc length of its middle less that of the point sought.
+void add_slopes(const Session& session, int b, int32_t element, double start, Slopes& out) {
+  const Model& m = session.model;
+  const int nf = m.head->function_nodes;
+  const Element e = element_of(m, b, element);
+  const GaussRule rule = gauss_legendre(nf - 1);
+  for (int i = 0; i < rule.n; ++i) {
+    const double eta = gauss_point(rule, i).x;
+    const Point p = element_point(e, eta);
+    double slope[4];
+    shape_derivative(nf, eta, slope);
+    if (!(p.jacobian > 0.0)) continue;
+    double* du_ds = out.du_ds[out.count];
+    du_ds[0] = du_ds[1] = 0.0;
+    for (int l = 0; l < nf; ++l) {
+      const double* u = session.area.displacement[b] + 2 * static_cast<int64_t>(functional_node(m, b, element, l));
+      for (int c = 0; c < 2; ++c) du_ds[c] += slope[l] * u[c] / p.jacobian;
+    }
+    out.s[out.count++] = start + arc_length(e, eta);
+  }
+}
+
+// Those of an element's own image beyond the end at arc length `end`: u there is mirrored, and the direction of travel.
+void add_mirrored_slopes(const Slopes& own, double end, int image, Slopes& out) {
+  for (int i = own.count - 1; i >= 0; --i) {
+    out.s[out.count] = 2.0 * end - own.s[i];
+    for (int c = 0; c < 2; ++c) out.du_ds[out.count][c] = -image_sign(image, c) * own.du_ds[i][c];
+    ++out.count;
+  }
+}
+
+// The polynomial through the (at most four) samples nearest to s = 0, there.
+void interpolate_slopes(const Slopes& x, double du_ds[2]) {
+  int first = 0, count = x.count < 4 ? x.count : 4;
+  while (first + count < x.count && x.s[first + count] < -x.s[first]) ++first;
+  du_ds[0] = du_ds[1] = 0.0;
+  for (int i = first; i < first + count; ++i) {
+    double weight = 1.0;
+    for (int j = first; j < first + count; ++j)
+      if (j != i) weight *= x.s[j] / (x.s[j] - x.s[i]);
+    for (int c = 0; c < 2; ++c) du_ds[c] += weight * x.du_ds[i][c];
+  }
+}
+
+// From this element and the neighbours that join it smoothly.
+void recover_slope(const Session& session, int b, int32_t element, double eta, double du_ds[2]) {
+  const Model& m = session.model;
+  const Neighbour next = region_neighbour(m, b, element, 1), previous = region_neighbour(m, b, element, -1);
+  const bool apart = previous.element != next.element || previous.image != next.image;
+  const Element e = element_of(m, b, element);
+  const double here = -arc_length(e, eta);
+  Slopes slopes = {}, own = {};
+  if (previous.image != 0 || next.image != 0) add_slopes(session, b, element, here, own);
+  if (apart && joins_neighbour(session, b, element, -1, previous)) {
+    const Element p = element_of(m, b, previous.element);
+    const double end = here + arc_length(e, -1.0);
+    if (previous.image != 0) add_mirrored_slopes(own, end, previous.image, slopes);
+    else add_slopes(session, b, previous.element, end - arc_length(p, 1.0), slopes);
+  }
+  add_slopes(session, b, element, here, slopes);
+  if (apart && joins_neighbour(session, b, element, 1, next)) {
+    const Element n = element_of(m, b, next.element);
+    const double end = here + arc_length(e, 1.0);
+    if (next.image != 0) add_mirrored_slopes(own, end, next.image, slopes);
+    else add_slopes(session, b, next.element, end - arc_length(n, -1.0), slopes);
+  }
+  interpolate_slopes(slopes, du_ds);
+}
+
+Point mirrored_middle(const Session& session, int b, const Neighbour& other) {
+  Point p = element_point(element_of(session.model, b, other.element), 0.0);
+  p.x = mirrored(*session.model.head, other.image, 0, p.x);
+  p.y = mirrored(*session.model.head, other.image, 1, p.y);
+  return p;
+}
+
 // Constant elements tell nothing of slopes: difference of the neighbours, along the chords between the three middles.
 void slope_of_neighbours(const Session& session, int b, int32_t element, double du_ds[2]) {
   const Model& m = session.model;
-  const Point at = element_point(element_of(m, b, element), 0.0);
-  double run = 0.0;
-  du_ds[0] = du_ds[1] = 0.0;
-  for (int32_t step = -1; step <= 1; step += 2) {
-    const Neighbour other = region_neighbour(m, b, element, step);
-    const Point p = element_point(element_of(m, b, other.element), 0.0);
-    run += hypot(mirrored(*m.head, other.image, 0, p.x) - at.x, mirrored(*m.head, other.image, 1, p.y) - at.y);
-    const double* u = session.area.displacement[b] + 2 * static_cast<int64_t>(functional_node(m, b, other.element, 0));
-    for (int c = 0; c < 2; ++c) du_ds[c] += step * image_sign(other.image, c) * u[c];
-  }
-  for (int c = 0; c < 2; ++c) du_ds[c] = run > 0.0 ? du_ds[c] / run : 0.0;
+  Neighbour next = region_neighbour(m, b, element, 1), previous = region_neighbour(m, b, element, -1);
+  if (!joins_neighbour(session, b, element, 1, next)) next = Neighbour{element, 0};
+  if (!joins_neighbour(session, b, element, -1, previous)) previous = Neighbour{element, 0};
+  const Point at = element_point(element_of(m, b, element), 0.0),
+              after = mirrored_middle(session, b, next), before = mirrored_middle(session, b, previous);
+  const double run = length_of(after.x - at.x, after.y - at.y) + length_of(at.x - before.x, at.y - before.y);
+  const double* u = session.area.displacement[b] + 2 * static_cast<int64_t>(functional_node(m, b, next.element, 0));
+  const double* v = session.area.displacement[b] + 2 * static_cast<int64_t>(functional_node(m, b, previous.element, 0));
+  for (int c = 0; c < 2; ++c)
+    du_ds[c] = run > 0.0 ? (image_sign(next.image, c) * u[c] - image_sign(previous.image, c) * v[c]) / run : 0.0;
 }
 
 BoundaryState boundary_state(const Session& session, int b, int32_t element, double eta) {
   const Model& m = session.model;
   const int nf = m.head->function_nodes;
   const Point p = element_point(element_of(m, b, element), eta);
-  double value[4], slope[4];
+  double value[4];
   shape(nf, eta, value);
-  shape_derivative(nf, eta, slope);
   BoundaryState s = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {p.nx, p.ny}};
   for (int l = 0; l < nf; ++l) {
     const double* u = session.area.displacement[b] + 2 * static_cast<int64_t>(functional_node(m, b, element, l));
@@ -77,10 +205,10 @@ BoundaryState boundary_state(const Session& session, int b, int32_t element, dou
     for (int c = 0; c < 2; ++c) {
       s.u[c] += value[l] * u[c];
       s.t[c] += value[l] * t[c];
-      if (p.jacobian > 0.0) s.du_ds[c] += slope[l] * u[c] / p.jacobian;
     }
   }
   if (nf == 1) slope_of_neighbours(session, b, element, s.du_ds);
+  else recover_slope(session, b, element, eta, s.du_ds);
   return s;
 }
 
@@ -95,12 +223,38 @@ double across(const Session& session, int b, const PlaneStress& s) {
   return stress_across(s, head.plane == C2D_PLANE_STRAIN, head.body[b].poisson_ratio);
 }
 
-// On an element, or between the two that meet if eta is an end.
-PlaneStress mean_stress(const Session& session, int b, int32_t element, double eta) {
+// Two sides of a corner: with s_ij = n_i.sigma n_j and the reciprocal vectors m_i, sigma = sum s_ij m_i m_j.
+PlaneStress corner_stress(const BoundaryState& a, const BoundaryState& c) {
+  const double cross = a.n[0] * c.n[1] - a.n[1] * c.n[0];
+  const double m1[2] = {c.n[1] / cross, -c.n[0] / cross}, m2[2] = {-a.n[1] / cross, a.n[0] / cross};
+  const double s11 = a.n[0] * a.t[0] + a.n[1] * a.t[1], s22 = c.n[0] * c.t[0] + c.n[1] * c.t[1];
+  const double s12 = 0.5 * (a.n[0] * c.t[0] + a.n[1] * c.t[1] + c.n[0] * a.t[0] + c.n[1] * a.t[1]);
+  return {s11 * m1[0] * m1[0] + 2.0 * s12 * m1[0] * m2[0] + s22 * m2[0] * m2[0],
+          s11 * m1[1] * m1[1] + 2.0 * s12 * m1[1] * m2[1] + s22 * m2[1] * m2[1],
+          s11 * m1[0] * m1[1] + s12 * (m1[0] * m2[1] + m1[1] * m2[0]) + s22 * m2[0] * m2[1]};
+}
+
+BoundaryState mirrored_state(const BoundaryState& s, int image) {
+  BoundaryState out = s;
+  for (int c = 0; c < 2; ++c) {
+    out.u[c] *= image_sign(image, c);
+    out.t[c] *= image_sign(image, c);
+    out.n[c] *= image_sign(image, c);
+    out.du_ds[c] *= -image_sign(image, c); // travel is reversed too
+  }
+  return out;
+}
+
+// On an element; at its ends from both elements that meet there: from their tractions at a corner, else the mean.
+PlaneStress joint_stress(const Session& session, int b, int32_t element, double eta) {
   double hoop;
   const PlaneStress here = stress_at(session, b, element, eta, &hoop);
   if (fabs(eta) < 1.0) return here;
   const Neighbour other = region_neighbour(session.model, b, element, eta < 0.0 ? -1 : 1);
+  const BoundaryState s = boundary_state(session, b, element, eta);
+  const BoundaryState t = other.image != 0 ? mirrored_state(s, other.image) : boundary_state(session, b, other.element, -eta);
+  if (fabs(s.n[0] * t.n[1] - s.n[1] * t.n[0]) > kCorner && session.model.head->function_nodes > 1)
+    return corner_stress(s, t);
   if (other.image != 0) return {here.xx, here.yy, 0.0};
   const PlaneStress there = stress_at(session, b, other.element, -eta, &hoop);
   return {0.5 * (here.xx + there.xx), 0.5 * (here.yy + there.yy), 0.5 * (here.xy + there.xy)};
@@ -112,11 +266,13 @@ PlaneStress mean_stress(const Session& session, int b, int32_t element, double e
 struct PointState {
   double u[2], stress[3];    // sums: trace, deviator
   double reference[2];       // displacement of the nearest boundary point; before that [0] counts windings
-  double distance, element, eta; // nearest boundary point
-  double place;              // kUnplaced, or 4 * (body + 1) + flag
+  double element;            // with the nearest boundary point
+  double eta, distance;      // of that point; once placed inside: x, y at which the stress is taken
+  double place;              // kUnplaced, kNowhere, or 4 * (body + 1) + flag
 };
 static_assert(sizeof(PointState) == C2D_POINT_FIELDS * sizeof(double), "fills a row of the answer");
-constexpr double kUnplaced = 0.0;
+constexpr double kUnplaced = 0.0, kNowhere = 1.0;
+constexpr double kBeyondAll = 1e60; // of the bodies' size: squares must not overflow
 
 struct Points {
   int32_t count;
@@ -129,36 +285,32 @@ struct Points {
   PointState& state(int32_t i) const { return *reinterpret_cast<PointState*>(out + i * out_stride); }
   const ModelHeader* head;
 
-  // In the part that is modelled: symmetric bodies are looked at there, and the answer is mirrored back.
-  void folded(int32_t i, double p[2]) const {
-    p[0] = xy[i * xy_stride];
-    p[1] = xy[i * xy_stride + 1];
+  // Symmetric bodies are looked at in the part that is modelled, and the answer is mirrored back.
+  double folded(int32_t i, int c) const {
+    double p[2] = {xy[i * xy_stride], xy[i * xy_stride + 1]};
     fold(*head, p);
+    return p[c];
   }
-  double folding(int32_t i, int c) const {
-    double p[2];
-    folded(i, p);
-    return p[c] != xy[i * xy_stride + c] ? -1.0 : 1.0;
-  }
-  double x(int32_t i, int image = 0) const { return coordinate(i, image, 0); }
-  double y(int32_t i, int image = 0) const { return coordinate(i, image, 1); }
-  double coordinate(int32_t i, int image, int c) const {
-    double p[2];
-    folded(i, p);
-    return mirrored(*head, image, c, p[c]) / unit;
+  double folding(int32_t i, int c) const { return folded(i, c) != xy[i * xy_stride + c] ? -1.0 : 1.0; }
+  double x(int32_t i) const { return folded(i, 0) / unit; }
+  double y(int32_t i) const { return folded(i, 1) / unit; }
+  // A coordinate in the length unit as an image's element sees it.
+  double seen(int image, int c, double scaled) const {
+    return (image >> c & 1) != 0 ? 2.0 * (head->line_at[c] / unit) - scaled : scaled;
   }
 };
 
 double place_of(int b, int32_t flag) { return 4 * (b + 1) + flag; }
-bool is_inside(const PointState& p, int b) { return p.place == place_of(b, C2D_POINT_INSIDE); }
+bool is_near_node(const PointState& p, int b) { return p.place == place_of(b, C2D_POINT_NEAR_NODE); }
+bool is_inside(const PointState& p, int b) {
+  return p.place == place_of(b, C2D_POINT_INSIDE) || is_near_node(p, b);
+}
 
 c2d_status pause(const Session& session, int b, int32_t element) {
   c2d_solver* s = session.solver;
   tell_progress(s, C2D_PHASE_BACK, b + 1, element, s->model.body[b].elements);
   return asked_to_stop(s) ? fail(s, C2D_ERR_CANCELLED, "cancelled while computing interior points") : C2D_OK;
 }
-
-double length_of(double x, double y) { return sqrt(x * x + y * y); }
 
 // Nearest boundary point and winding number of the points not yet placed, from one element.
 void look_at_element(const Integrator& in, int b, int32_t element, const Points& points) {
@@ -177,8 +329,53 @@ void look_at_element(const Integrator& in, int b, int32_t element, const Points&
       if (near.distance <= 2.0 * kOnBoundary * in.radius) p.place = place_of(b, C2D_POINT_BOUNDARY);
     }
     for (int image = 0; image <= points.head->symmetry && p.place == kUnplaced; ++image)
-      if (is_image(*points.head, image)) p.reference[0] += winding(in, points.x(i, image), points.y(i, image));
+      if (is_image(*points.head, image))
+        p.reference[0] += winding(in, points.seen(image, 0, x), points.seen(image, 1, y));
   }
+}
+
+// Close to a node, where tractions and slopes of displacement jump from element to element, the integrals have a
+// logarithm that the exact solution lacks. Their stress is then taken farther away, at a point that lies to the boundary
+// as this one does, `part` times farther from the node, and joined to the boundary's tensor at the node.
+struct NearNode {
+  int end;      // 0: first, else last node of the element
+  double part;  // distance from the node over the range, < 1
+};
+
+bool find_near_node(const Model& m, int b, const PointState& p, double x, double y, NearNode& out) {
+  const int32_t element = static_cast<int32_t>(p.element);
+  const Element e = element_of(m, b, element);
+  const double unit = m.head->length_unit;
+  const int last = e.nodes - 1;
+  const double first_distance = length_of(unit * x - e.x[0], unit * y - e.y[0]),
+               last_distance = length_of(unit * x - e.x[last], unit * y - e.y[last]);
+  out.end = first_distance <= last_distance ? 0 : 1;
+  const Element other = element_of(m, b, region_neighbour(m, b, element, out.end == 0 ? -1 : 1).element);
+  const double length = 2.0 * (e.half_length < other.half_length ? e.half_length : other.half_length);
+  const double distance = out.end == 0 ? first_distance : last_distance, range = (m.head->function_nodes == 1 ? kNearStep : kNearNode) * length;
+  out.part = range > 0.0 ? distance / range : 1.0;
+  return out.part < 1.0;
+}
+
+void place_inside(const Session& session, int b, double x, double y, PointState& p) {
+  const Model& m = session.model;
+  const int32_t element = static_cast<int32_t>(p.element);
+  const double unit = m.head->length_unit, eta = p.eta;
+  const BoundaryState s = boundary_state(session, b, element, eta);
+  for (int c = 0; c < 2; ++c) p.reference[c] = s.u[c] / unit;
+  p.place = place_of(b, C2D_POINT_INSIDE);
+  NearNode near;
+  if (find_near_node(m, b, p, x, y, near)) {
+    const Element e = element_of(m, b, element);
+    const double node = near.end == 0 ? -1.0 : 1.0;
+    const Point foot = element_point(e, eta), moved = element_point(e, node + (eta - node) / near.part);
+    x = moved.x / unit + (x - foot.x / unit) / near.part;
+    y = moved.y / unit + (y - foot.y / unit) / near.part;
+    p.place = place_of(b, C2D_POINT_NEAR_NODE);
+    p.element = 2.0 * element + near.end;
+  }
+  p.eta = x;
+  p.distance = y;
 }
 
 c2d_status place_points(const Session& session, int b, const Points& points) {
@@ -199,10 +396,7 @@ c2d_status place_points(const Session& session, int b, const Points& points) {
   }
   for (int32_t i = 0; i < points.count; ++i) {
     PointState& p = points.state(i);
-    if (p.place != kUnplaced || !(p.reference[0] > 0.5)) continue;
-    p.place = place_of(b, C2D_POINT_INSIDE);
-    const BoundaryState s = boundary_state(session, b, static_cast<int32_t>(p.element), p.eta);
-    for (int c = 0; c < 2; ++c) p.reference[c] = s.u[c] / points.unit;
+    if (p.place == kUnplaced && p.reference[0] > 0.5) place_inside(session, b, points.x(i), points.y(i), p);
   }
   return C2D_OK;
 }
@@ -210,12 +404,14 @@ c2d_status place_points(const Session& session, int b, const Points& points) {
 // ---- the integrals ------------------------------------------------------------------------------------------------
 
 // What an image contributes is what the element itself does at the mirrored point, mirrored.
-void add_image(int image, const PointField& sum, PointState& p) {
-  p.u[0] += image_sign(image, 0) * sum.u.re;
-  p.u[1] += image_sign(image, 1) * sum.u.im;
+void add_stress(int image, const PointField& sum, PointState& p) {
   p.stress[0] += sum.trace;
   p.stress[1] += sum.deviator.re;
   p.stress[2] += image_sign(image, 0) * image_sign(image, 1) * sum.deviator.im;
+}
+void add_displacement(int image, const PointField& sum, PointState& p) {
+  p.u[0] += image_sign(image, 0) * sum.u.re;
+  p.u[1] += image_sign(image, 1) * sum.u.im;
 }
 
 void add_element(const FieldElement& e, int b, const Points& points) {
@@ -224,10 +420,15 @@ void add_element(const FieldElement& e, int b, const Points& points) {
     if (!is_inside(p, b)) continue;
     for (int image = 0; image <= points.head->symmetry; ++image) {
       if (!is_image(*points.head, image)) continue;
-      PointField sum = {};
       const Complex reference = {image_sign(image, 0) * p.reference[0], image_sign(image, 1) * p.reference[1]};
-      add_field(e, reference, points.x(i, image), points.y(i, image), sum);
-      add_image(image, sum, p);
+      PointField sum = {};
+      add_field(e, reference, points.seen(image, 0, p.eta), points.seen(image, 1, p.distance), sum);
+      add_stress(image, sum, p);
+      if (is_near_node(p, b)) {
+        sum = PointField{};
+        add_field(e, reference, points.seen(image, 0, points.x(i)), points.seen(image, 1, points.y(i)), sum);
+      }
+      add_displacement(image, sum, p);
     }
   }
 }
@@ -271,48 +472,46 @@ void add_elements_values(const Session& session, int b, int32_t element, const P
   add_element(e, b, points);
 }
 
-// Whatever is known in closed form at a point: point loads, rho and omega of the balanced equations, the reference.
-void add_known_fields(const Session& session, int b, const Points& points, int32_t point, PointState& p) {
+// Whatever is known in closed form at a point: so far point loads.
+PointField known_field(const Session& session, int b, double x, double y) {
   const Model& m = session.model;
   const double nu = strain_poisson_ratio(m, b), unit = m.head->length_unit;
-  const double x = points.x(point), y = points.y(point);
-  for (int image = 0; image <= m.head->symmetry; ++image) {
-    if (!is_image(*m.head, image)) continue;
-    PointField sum = {};
-    for (int32_t i = 0; i < m.head->point_loads; ++i) {
-      const PointLoad& load = m.point_load[i];
-      if (load.body != b) continue;
-      const double scale = session.follower.load[load.load_case] / (2.0 * shear_modulus(m, b) * unit);
-      add_force_field({scale * load.fx, scale * load.fy}, nu, load.x / unit, load.y / unit, points.x(point, image),
-                      points.y(point, image), sum);
-    }
-    add_image(image, sum, p);
+  PointField sum = {};
+  for (int32_t i = 0; i < m.head->point_loads; ++i) {
+    const PointLoad& load = m.point_load[i];
+    if (load.body != b) continue;
+    const double scale = session.follower.load[load.load_case] / (2.0 * shear_modulus(m, b) * unit);
+    add_force_field({scale * load.fx, scale * load.fy}, nu, load.x / unit, load.y / unit, x, y, sum);
   }
+  return sum;
+}
+
+// That, the reference, and rho + omega e_z x (x - x0) of the balanced equations.
+void complete_sums(const Session& session, int b, const Points& points, double x, double y, PointState& p) {
+  const double unit = session.model.head->length_unit;
   const double* rigid = session.solver->multiplier[b];
-  const double* centre = m.head->body[b].centre;
+  const double* centre = session.model.head->body[b].centre;
+  for (int image = 0; image <= points.head->symmetry; ++image) {
+    if (!is_image(*points.head, image)) continue;
+    add_displacement(image, known_field(session, b, points.seen(image, 0, x), points.seen(image, 1, y)), p);
+    add_stress(image, known_field(session, b, points.seen(image, 0, p.eta), points.seen(image, 1, p.distance)), p);
+  }
   p.u[0] += p.reference[0] + rigid[0] - rigid[2] * (y - centre[1] / unit);
   p.u[1] += p.reference[1] + rigid[1] + rigid[2] * (x - centre[0] / unit);
 }
 
 // ---- results ------------------------------------------------------------------------------------------------------
 
-// Close to a node, where tractions and slopes of displacement jump from element to element, the integrals have a
-// logarithm that the exact solution lacks: blend with the boundary's tensor there. True if it was done.
-bool blend_near_node(const Session& session, int b, const PointState& p, double x, double y, PlaneStress& stress) {
-  const Model& m = session.model;
-  const int32_t element = static_cast<int32_t>(p.element);
-  const double eta = p.eta < 0.0 ? -1.0 : 1.0, unit = m.head->length_unit;
-  const Element e = element_of(m, b, element);
-  const Element other = element_of(m, b, region_neighbour(m, b, element, eta < 0.0 ? -1 : 1).element);
-  const double length = 2.0 * (e.half_length < other.half_length ? e.half_length : other.half_length);
-  const int node = eta < 0.0 ? 0 : e.nodes - 1;
-  const double distance = length_of(unit * x - e.x[node], unit * y - e.y[node]), range = kNearNode * length;
-  if (!(distance < range)) return false;
-  const double s = distance / range, w = s * s * (3.0 - 2.0 * s);
-  const PlaneStress at_node = mean_stress(session, b, element, eta);
-  stress = {w * stress.xx + (1.0 - w) * at_node.xx, w * stress.yy + (1.0 - w) * at_node.yy,
-            w * stress.xy + (1.0 - w) * at_node.xy};
-  return true;
+void join_to_node(const Session& session, int b, const PointState& p, double x, double y, PlaneStress& stress) {
+  PointState at = p;
+  NearNode near;
+  at.element = floor(0.5 * p.element);
+  const bool last = p.element > 2.0 * at.element;
+  find_near_node(session.model, b, at, x, y, near);
+  const PlaneStress node = joint_stress(session, b, static_cast<int32_t>(at.element), last ? 1.0 : -1.0);
+  const double w = near.part;
+  stress = {w * stress.xx + (1.0 - w) * node.xx, w * stress.yy + (1.0 - w) * node.yy,
+            w * stress.xy + (1.0 - w) * node.xy};
 }
 
 void write_point(const Session& session, int b, const double u[2], const PlaneStress& s, int32_t flag, double* out) {
@@ -338,18 +537,18 @@ void finish_point(const Session& session, int b, const Points& points, int32_t i
   if (p.place == place_of(b, C2D_POINT_BOUNDARY)) {
     const int32_t element = static_cast<int32_t>(p.element);
     const BoundaryState s = boundary_state(session, b, element, p.eta);
-    PlaneStress stress = mean_stress(session, b, element, p.eta);
     const double u[2] = {fx * s.u[0], fy * s.u[1]};
+    PlaneStress stress = joint_stress(session, b, element, p.eta);
     stress.xy *= fx * fy;
     write_point(session, b, u, stress, C2D_POINT_BOUNDARY, out);
   } else if (is_inside(p, b)) {
     const double x = points.x(i), y = points.y(i), g = shear_modulus(m, b);
-    add_known_fields(session, b, points, i, p);
+    complete_sums(session, b, points, x, y, p);
     const double u[2] = {fx * p.u[0] * points.unit, fy * p.u[1] * points.unit};
     PlaneStress s = {g * (p.stress[0] + p.stress[1]), g * (p.stress[0] - p.stress[1]), -g * p.stress[2]};
-    const bool near = blend_near_node(session, b, p, x, y, s);
+    if (is_near_node(p, b)) join_to_node(session, b, p, x, y, s);
     s.xy *= fx * fy;
-    write_point(session, b, u, s, near ? C2D_POINT_NEAR_NODE : C2D_POINT_INSIDE, out);
+    write_point(session, b, u, s, is_near_node(p, b) ? C2D_POINT_NEAR_NODE : C2D_POINT_INSIDE, out);
   }
 }
 
@@ -367,7 +566,7 @@ c2d_status evaluate_body(const Session& session, int b, const Points& points) {
 void finish_points(const Session& session, const Points& points) {
   for (int32_t i = 0; i < points.count; ++i) {
     const double place = points.state(i).place;
-    if (place == kUnplaced) {
+    if (place == kUnplaced || place == kNowhere) {
       double* out = points.out + i * points.out_stride;
       for (int c = 0; c < C2D_POINT_FLAG; ++c) out[c] = 0.0;
       out[C2D_POINT_FLAG] = C2D_POINT_OUTSIDE;
@@ -375,6 +574,12 @@ void finish_points(const Session& session, const Points& points) {
       finish_point(session, static_cast<int>(place) / 4 - 1, points, i);
     }
   }
+}
+
+// A number, and no absurd one.
+bool may_lie_inside(const Points& points, int32_t i) {
+  const double bound = kBeyondAll * points.unit, *at = points.xy + i * points.xy_stride;
+  return isfinite(at[0]) && isfinite(at[1]) && fabs(at[0]) < bound && fabs(at[1]) < bound;
 }
 
 // Results while nothing is solved yet.
@@ -424,7 +629,7 @@ extern "C" c2d_status c2d_interior(c2d_solver* s, int32_t body, int32_t count, c
   status = back_substitute_all(session);
   if (status != C2D_OK) return fail_store(s, status);
   const Points points = {count, xy, xy_stride, out, out_stride, s->model.length_unit, &s->model};
-  for (int32_t i = 0; i < count; ++i) points.state(i).place = kUnplaced;
+  for (int32_t i = 0; i < count; ++i) points.state(i).place = may_lie_inside(points, i) ? kUnplaced : kNowhere;
   for (int b = 0; b < s->model.bodies && status == C2D_OK; ++b)
     if (body == 0 || body == b + 1) status = evaluate_body(session, b, points);
   if (status == C2D_OK) finish_points(session, points);
