@@ -632,14 +632,40 @@ TEST_CASE("symmetry: the keyword card") {
   const Result a = solve_text(sample, images), b = solve_text(deck_text("sample.dat"), images);
   REQUIRE_MESSAGE(a.status == C2D_OK, a.messages());
   CHECK(identical(a, b));
-  const auto refused = [](const std::string& card, const char* text) {
-    const Result r = solve_text(deck_text("sample.dat") + card + "\n");
-    CHECK(r.status == C2D_ERR_INPUT);
-    CHECK_MESSAGE(r.messages().find(text) != std::string::npos, r.messages());
+  const auto refused = [](const std::string& text, const char* expected) {
+    std::string said;
+    try {
+      said = solve_text(text).messages();
+    } catch (const std::exception& fault) {
+      said = fault.what();
+    }
+    CHECK_MESSAGE(said.find(expected) != std::string::npos, said);
   };
-  refused("*SYMMETRY Z 0", "expected X or Y");
-  refused("*SYMMETRY X", "expected place of the line of symmetry");
-  refused("*SYMMETRY X zero", "place of the line of symmetry");
-  refused("*SYMMETRY X 0 0", "");
-  refused("*SYMMETRY X 0\n*SYMMETRY X 1", "stands in the deck twice");
+  const std::string deck = deck_text("sample.dat");
+  refused(deck + "*SYMMETRY Z 0\n", "expected X or Y");
+  refused(deck + "*SYMMETRY X\n", "expected place of the line of symmetry");
+  refused(deck + "*SYMMETRY X zero\n", "place of the line of symmetry");
+  refused(deck + "*SYMMETRY X 0 0\n", "expected");
+  refused(deck + "*SYMMETRY X 0\n*SYMMETRY X 1\n", "stands in the deck twice");
+  // A quarter of a plate in tension without elements on its axes: 7 elements, 8 points.
+  const std::string quarter = "    1\nPLATE, A QUARTER\n    0    0\n    1    0    2\n    1    2    7    8\n    1    7\n"
+                              "    1000.0       0.3\n    1       0.0\n       0.0       0.0\n"
+                              "    1        2.0       0.0\n    4        2.0       1.0\n    8        0.0       1.0\n"
+                              "    6\n    1    1 0011       7.0       0.0       0.0       0.0\n"
+                              "    1    2 0011       7.0       0.0       0.0       0.0\n"
+                              "    2    1 0011       7.0       0.0       0.0       0.0\n"
+                              "    2    2 0011       7.0       0.0       0.0       0.0\n"
+                              "    3    1 0011       7.0       0.0       0.0       0.0\n"
+                              "    3    2 0011       7.0       0.0       0.0       0.0\n";
+  const std::string end = "    0\n    0    0\n    1    1\n    1       1.0\n";
+  const std::string lines = "*SYMMETRY X 0\n*symmetry y 0.0 ! the other one\n";
+  const Result r = solve_text(quarter + end + lines);
+  REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
+  CHECK(r.summary.geometry_nodes[0] == 8);
+  CHECK(r.summary.nodes[0] == 8);
+  for (const EndResult& place : r.boundary[0]) {
+    CHECK(place.ux == doctest::Approx(7.0 * 0.91 / 1000 * place.x).epsilon(1e-9));
+    CHECK(place.uy == doctest::Approx(-7.0 * 0.39 / 1000 * place.y).epsilon(1e-9));
+  }
+  refused(quarter + end, "number of boundary points is 8, expected 7: 7 elements of 2 nodes; more only with *SYMMETRY");
 }
