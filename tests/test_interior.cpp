@@ -139,7 +139,8 @@ Five field_of(const Integrator& in, int l, int which, double x, double y) {
   Complex& one = which < 2 ? t[l] : u[l];
   (which % 2 == 0 ? one.re : one.im) = 1;
   FieldElement e;
-  prepare_field(in, t, u, e);
+  e.in = in;
+  prepare_field(t, u, e);
   PointField f = {};
   add_field(e, {0, 0}, x, y, f);
   Five out;
