@@ -1,6 +1,6 @@
 // Symmetry by images: against closed forms, against the whole body meshed with the mirrored elements (the two
-// discretisations are the same equations), against the reference of the disc in a hole, and against decks whose
-// symmetry line is meshed.
+// discretisations are the same equations), against the reference of the disc in a hole, and against decks
+// whose symmetry line is meshed.
 #include "problem.hpp"
 
 #include <doctest/doctest.h>
@@ -16,11 +16,15 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 using Curve = std::function<void(double s, double& x, double& y)>;
 
-size_t at(int64_t i) { return static_cast<size_t>(i); }
+size_t at(int64_t i) {
+  return static_cast<size_t>(i);
+}
 
-// An open region through equally spaced parameters of a curve, or through the corners of several straight sides.
+// An open region through equally spaced parameters of a curve, or through the corners of several straight
+// sides.
 void add_open(Body& body, int32_t elements, const Curve& curve) {
-  const int32_t first = body.regions.empty() ? 1 : body.regions.back().last + 1, steps = elements * (body.element_nodes - 1);
+  const int32_t first = body.regions.empty() ? 1 : body.regions.back().last + 1,
+                steps = elements * (body.element_nodes - 1);
   for (int32_t i = 0; i <= steps; ++i) {
     double x, y;
     curve(static_cast<double>(i) / steps, x, y);
@@ -63,14 +67,16 @@ std::vector<double> element_points(const Body& body, int32_t element) {
   std::vector<double> xy;
   for (int32_t k = 0; k <= steps; ++k) {
     int32_t point = (element - 1) * steps + k + shift;
-    if (k == steps && element == body.regions[r].last && !open) point = (body.regions[r].first - 1) * steps + shift;
+    if (k == steps && element == body.regions[r].last && !open)
+      point = (body.regions[r].first - 1) * steps + shift;
     xy.push_back(body.xy[at(2 * point)]);
     xy.push_back(body.xy[at(2 * point + 1)]);
   }
   return xy;
 }
 
-// Sets every end's condition from its place and outward normal; places on curved elements by Lagrange interpolation.
+// Sets every end's condition from its place and outward normal; places on curved elements by Lagrange
+// interpolation.
 using Setter = std::function<void(double x, double y, double nx, double ny, End& end)>;
 void set_all(Problem& p, int number, const Setter& set) {
   Body& body = p.bodies[at(number - 1)];
@@ -107,10 +113,12 @@ void fix(End& end, int component, double value) { // displacement known, tractio
   end.values[2 + component] = value;
 }
 
-double mirror_of(double value, double line) { return 2 * line - value; }
+double mirror_of(double value, double line) {
+  return 2 * line - value;
+}
 
-// The body together with its image across a line; map[e - 1] is the whole body's element for element e. Every open
-// region ends on this line with one end or both.
+// The body together with its image across a line; map[e - 1] is the whole body's element for element e. Every
+// open region ends on this line with one end or both.
 Body whole(const Body& half, int32_t function_nodes, int axis, double line, std::vector<int32_t>& map) {
   Body out = half;
   out.regions.clear();
@@ -142,15 +150,18 @@ Body whole(const Body& half, int32_t function_nodes, int axis, double line, std:
   for (size_t r = 0; r < half.regions.size(); ++r) {
     const Range& range = half.regions[r];
     const int32_t first = next;
-    const std::vector<double> head = element_points(half, range.first), tail = element_points(half, range.last);
+    const std::vector<double> head = element_points(half, range.first),
+                              tail = element_points(half, range.last);
     const bool starts = on_line(head, 0), ends = on_line(tail, at(half.element_nodes - 1));
-    const auto images = [&] { for (int32_t e = range.last; e >= range.first; --e) add(e, true); };
+    const auto images = [&] {
+      for (int32_t e = range.last; e >= range.first; --e) add(e, true);
+    };
     if (!ends) images();
     for (int32_t e = range.first; e <= range.last; ++e) add(e, false);
     if (ends) images();
     out.regions.push_back({first, next - 1});
     if (starts && ends) continue;
-    ++out.open_regions; // its last point
+    ++out.open_regions;                                   // its last point
     const std::vector<double>& last = ends ? head : tail; // an image of the start, or the end itself
     const size_t point = ends ? 0 : at(half.element_nodes - 1);
     for (int c = 0; c < 2; ++c) {
@@ -162,7 +173,8 @@ Body whole(const Body& half, int32_t function_nodes, int axis, double line, std:
 }
 
 // Largest difference of displacements and tractions of the half at its elements' places in the whole.
-double difference(const Result& half, const Result& full, int body, const std::vector<int32_t>& map, int32_t f) {
+double difference(const Result& half, const Result& full, int body, const std::vector<int32_t>& map,
+                  int32_t f) {
   double du = 0, u = 0, dt = 0, t = 0;
   for (size_t i = 0; i < half.boundary[body - 1].size(); ++i) {
     const EndResult& a = half.boundary[body - 1][i];
@@ -202,12 +214,15 @@ TEST_CASE("symmetry: a quarter of a plate in tension is exact, and needs no supp
       CHECK(r.summary.symmetry == 3);
       double worst = 0;
       for (const EndResult& end : r.boundary[0]) {
-        const double ux = s * (1 - nu * nu) / e * (end.x - line), uy = -s * nu * (1 + nu) / e * (end.y + line);
+        const double ux = s * (1 - nu * nu) / e * (end.x - line),
+                     uy = -s * nu * (1 + nu) / e * (end.y + line);
         worst = std::max({worst, std::fabs(end.ux - ux), std::fabs(end.uy - uy)});
       }
       // Constant elements represent no linear displacement; the others do, exactly.
-      if (f > 1) CHECK(worst < 1e-9 * s * 2 / e);
-      else CHECK(worst < 0.1 * s * 2 / e);
+      if (f > 1)
+        CHECK(worst < 1e-9 * s * 2 / e);
+      else
+        CHECK(worst < 0.1 * s * 2 / e);
     }
   }
 }
@@ -216,14 +231,19 @@ TEST_CASE("symmetry: a quarter of a thick ring under inner pressure") {
   Problem p = single(3, 3);
   p.symmetry = 3;
   const double a = 1, b = 2, pressure = 10, e = 1000, nu = 0.3;
-  add_open(p.bodies[0], 12, [&](double s, double& x, double& y) { x = b * std::cos(s * kPi / 2), y = b * std::sin(s * kPi / 2); });
-  add_open(p.bodies[0], 12, [&](double s, double& x, double& y) { x = a * std::sin(s * kPi / 2), y = a * std::cos(s * kPi / 2); });
+  add_open(p.bodies[0], 12, [&](double s, double& x, double& y) {
+    x = b * std::cos(s * kPi / 2), y = b * std::sin(s * kPi / 2);
+  });
+  add_open(p.bodies[0], 12, [&](double s, double& x, double& y) {
+    x = a * std::sin(s * kPi / 2), y = a * std::cos(s * kPi / 2);
+  });
   set_all(p, 1, [&](double x, double y, double nx, double ny, End& end) {
     if (std::hypot(x, y) > 1.5) return;
     end.values[0] = -pressure * nx, end.values[1] = -pressure * ny;
   });
   Setup setup;
-  for (double angle : {0.0, 0.4, kPi / 2, 2.0, -0.7, kPi}) // in the modelled quarter, on its lines and beyond them
+  for (double angle :
+       {0.0, 0.4, kPi / 2, 2.0, -0.7, kPi}) // in the modelled quarter, on its lines and beyond them
     setup.points.insert(setup.points.end(), {1.5 * std::cos(angle), 1.5 * std::sin(angle)});
   const Result r = solve(p, setup);
   REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
@@ -231,14 +251,16 @@ TEST_CASE("symmetry: a quarter of a thick ring under inner pressure") {
   const double A = pressure * a * a / (b * b - a * a), B = A * b * b;
   double worst = 0;
   for (const EndResult& end : r.boundary[0]) {
-    const double radius = std::hypot(end.x, end.y), u = (1 + nu) / e * ((1 - 2 * nu) * A * radius + B / radius);
-    worst = std::max({worst, std::fabs(end.ux - u * end.x / radius), std::fabs(end.uy - u * end.y / radius)}) ;
+    const double radius = std::hypot(end.x, end.y),
+                 u = (1 + nu) / e * ((1 - 2 * nu) * A * radius + B / radius);
+    worst = std::max({worst, std::fabs(end.ux - u * end.x / radius), std::fabs(end.uy - u * end.y / radius)});
   }
   CHECK(worst < 2e-5 * (1 + nu) / e * (A + B));
   for (size_t i = 0; i < setup.points.size() / 2; ++i) {
     const double* row = r.interior.data() + i * C2D_POINT_FIELDS;
     const double x = setup.points[2 * i], y = setup.points[2 * i + 1], radius = std::hypot(x, y);
-    const double sr = A - B / (radius * radius), st = A + B / (radius * radius), c = x / radius, s = y / radius;
+    const double sr = A - B / (radius * radius), st = A + B / (radius * radius), c = x / radius,
+                 s = y / radius;
     const double u = (1 + nu) / e * ((1 - 2 * nu) * A * radius + B / radius);
     CAPTURE(i);
     CHECK(row[C2D_POINT_FLAG] == C2D_POINT_INSIDE);
@@ -312,7 +334,8 @@ TEST_CASE("symmetry: quarter, half and whole are the same equations") {
     for (size_t i = 0; i < c.interior.size(); ++i) {
       const size_t field = i % C2D_POINT_FIELDS;
       most[field] = std::max(most[field], std::fabs(c.interior[i]));
-      worst[field] = std::max({worst[field], std::fabs(a.interior[i] - c.interior[i]), std::fabs(b.interior[i] - c.interior[i])});
+      worst[field] = std::max(
+          {worst[field], std::fabs(a.interior[i] - c.interior[i]), std::fabs(b.interior[i] - c.interior[i])});
     }
     for (size_t field = 0; field < C2D_POINT_FIELDS; ++field) {
       CAPTURE(field);
@@ -342,8 +365,10 @@ Problem stamp(int32_t f, int32_t nodes, double line, double mu) {
   const Curve sides = through({{0, 0, n}, {1, 0, 3}, {1, 1, 3}, {0, 1, 0}}, &count);
   add_open(top, count, [&](double s, double& x, double& y) {
     sides(s, x, y);
-    if (s * count <= n + 1e-9) y = shape(x);
-    else if (x > 1 - 1e-9) y = shape(1) + (1 - shape(1)) * y;
+    if (s * count <= n + 1e-9)
+      y = shape(x);
+    else if (x > 1 - 1e-9)
+      y = shape(1) + (1 - shape(1)) * y;
     x += line;
   });
   set_all(p, 1, [&](double, double y, double, double ny, End& end) {
@@ -431,7 +456,8 @@ TEST_CASE("symmetry: quarter turns and reflections change nothing") {
   const Problem upright = stamp(2, 2, 0, 0.2);
   const Result a = solve(upright);
   REQUIRE(a.status == C2D_OK);
-  const auto turned = [&](double c, double s, double mirror) { // x' = c x - s y, y' = s x + c y after x -> mirror x
+  const auto turned = [&](double c, double s,
+                          double mirror) { // x' = c x - s y, y' = s x + c y after x -> mirror x
     Problem p = upright;
     for (Body& body : p.bodies) {
       for (size_t i = 0; i < body.xy.size(); i += 2) {
@@ -467,11 +493,15 @@ Problem disc_in_hole(int32_t n) {
   p.symmetry = 3;
   p.bodies.resize(2);
   const double size = 400;
-  add_open(p.bodies[0], n, [](double s, double& x, double& y) { x = std::cos(s * kPi / 2), y = std::sin(s * kPi / 2); });
-  add_open(p.bodies[1], n, [](double s, double& x, double& y) { x = std::sin(s * kPi / 2), y = std::cos(s * kPi / 2); });
+  add_open(p.bodies[0], n,
+           [](double s, double& x, double& y) { x = std::cos(s * kPi / 2), y = std::sin(s * kPi / 2); });
+  add_open(p.bodies[1], n,
+           [](double s, double& x, double& y) { x = std::sin(s * kPi / 2), y = std::cos(s * kPi / 2); });
   add_open(p.bodies[1], {{size, 0, 4}, {size, size, 4}, {0, size, 0}});
   set_all(p, 1, [](double, double, double, double, End&) {});
-  set_all(p, 2, [&](double x, double, double nx, double, End& end) { if (x > 2 && nx > 0.9) end.values[0] = 1; });
+  set_all(p, 2, [&](double x, double, double nx, double, End& end) {
+    if (x > 2 && nx > 0.9) end.values[0] = 1;
+  });
   c2d_zone zone = C2D_INIT(c2d_zone);
   zone.pairs = n + 1, zone.elements = n;
   zone.first_element[0] = 1, zone.last_element[0] = n, zone.first_node[0] = 1, zone.last_node[0] = n + 1;
@@ -483,7 +513,8 @@ Problem disc_in_hole(int32_t n) {
 } // namespace
 
 TEST_CASE("symmetry: a smooth disc in a hole comes to its reference at second order") {
-  const double reference = 0.6090826759, angle = 19.62506; // pole pressure over sigma; half the contact, degrees
+  const double reference = 0.6090826759,
+               angle = 19.62506; // pole pressure over sigma; half the contact, degrees
   double error[3];
   const int32_t elements[] = {30, 60, 120};
   for (int i = 0; i < 3; ++i) {
@@ -496,7 +527,10 @@ TEST_CASE("symmetry: a smooth disc in a hole comes to its reference at second or
     double open_from = 0, closed_to = 90; // angles from the pole
     for (int k = n; k >= 0; --k) {
       const double place = 90.0 - 90.0 * k / n;
-      if (last.at(k, C2D_STATUS) == C2D_OPEN) { open_from = place; break; }
+      if (last.at(k, C2D_STATUS) == C2D_OPEN) {
+        open_from = place;
+        break;
+      }
       closed_to = place;
     }
     CHECK(angle > closed_to - 90.0 / n);
@@ -512,7 +546,8 @@ TEST_CASE("symmetry: a deck with a meshed line, by images") {
     CAPTURE(name);
     Setup images;
     images.symmetry = C2D_SYMMETRY_IMAGES;
-    const Result meshed = solve_text(deck_text(std::string(name) + ".dat")), r = solve_text(deck_text(std::string(name) + ".dat"), images);
+    const Result meshed = solve_text(deck_text(std::string(name) + ".dat")),
+                 r = solve_text(deck_text(std::string(name) + ".dat"), images);
     REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
     CHECK(r.summary.symmetry == 1);
     CHECK(r.summary.force_error < 1e-12);
@@ -585,7 +620,7 @@ TEST_CASE("symmetry: what does not fit is told") {
   p.point_loads.push_back({1, 0, -0.5, 1, 0});
   told(p, "acts across it");
   p = good;
-  p.zones[0].first_element[1] = p.elements(2) , p.zones[0].last_element[1] = p.zones[0].elements - 1;
+  p.zones[0].first_element[1] = p.elements(2), p.zones[0].last_element[1] = p.zones[0].elements - 1;
   told(p, "does not hold the number of elements given");
   Setup images;
   images.symmetry = C2D_SYMMETRY_IMAGES;
@@ -622,7 +657,8 @@ TEST_CASE("symmetry: the interface's rules") {
 }
 
 TEST_CASE("symmetry: the keyword card") {
-  // A deck made from the sample: half of it, its axis elements left out, is tested through the program's own reader.
+  // A deck made from the sample: half of it, its axis elements left out, is tested through the program's own
+  // reader.
   const std::string sample = deck_text("sample.dat") + "*SYMMETRY X 0\n";
   const Result axis = solve_text(sample);
   CHECK(axis.status == C2D_ERR_INPUT);
@@ -648,15 +684,16 @@ TEST_CASE("symmetry: the keyword card") {
   refused(deck + "*SYMMETRY X 0 0\n", "expected");
   refused(deck + "*SYMMETRY X 0\n*SYMMETRY X 1\n", "stands in the deck twice");
   // A quarter of a plate in tension without elements on its axes: 7 elements, 8 points.
-  const std::string quarter = "    1\nPLATE, A QUARTER\n    0    0\n    1    0    2\n    1    2    7    8\n    1    7\n"
-                              "    1000.0       0.3\n    1       0.0\n       0.0       0.0\n"
-                              "    1        2.0       0.0\n    4        2.0       1.0\n    8        0.0       1.0\n"
-                              "    6\n    1    1 0011       7.0       0.0       0.0       0.0\n"
-                              "    1    2 0011       7.0       0.0       0.0       0.0\n"
-                              "    2    1 0011       7.0       0.0       0.0       0.0\n"
-                              "    2    2 0011       7.0       0.0       0.0       0.0\n"
-                              "    3    1 0011       7.0       0.0       0.0       0.0\n"
-                              "    3    2 0011       7.0       0.0       0.0       0.0\n";
+  const std::string quarter =
+      "    1\nPLATE, A QUARTER\n    0    0\n    1    0    2\n    1    2    7    8\n    1    7\n"
+      "    1000.0       0.3\n    1       0.0\n       0.0       0.0\n"
+      "    1        2.0       0.0\n    4        2.0       1.0\n    8        0.0       1.0\n"
+      "    6\n    1    1 0011       7.0       0.0       0.0       0.0\n"
+      "    1    2 0011       7.0       0.0       0.0       0.0\n"
+      "    2    1 0011       7.0       0.0       0.0       0.0\n"
+      "    2    2 0011       7.0       0.0       0.0       0.0\n"
+      "    3    1 0011       7.0       0.0       0.0       0.0\n"
+      "    3    2 0011       7.0       0.0       0.0       0.0\n";
   const std::string end = "    0\n    0    0\n    1    1\n    1       1.0\n";
   const std::string lines = "*SYMMETRY X 0\n*symmetry y 0.0 ! the other one\n";
   const Result r = solve_text(quarter + end + lines);
@@ -667,5 +704,6 @@ TEST_CASE("symmetry: the keyword card") {
     CHECK(place.ux == doctest::Approx(7.0 * 0.91 / 1000 * place.x).epsilon(1e-9));
     CHECK(place.uy == doctest::Approx(-7.0 * 0.39 / 1000 * place.y).epsilon(1e-9));
   }
-  refused(quarter + end, "number of boundary points is 8, expected 7: 7 elements of 2 nodes; more only with *SYMMETRY");
+  refused(quarter + end,
+          "number of boundary points is 8, expected 7: 7 elements of 2 nodes; more only with *SYMMETRY");
 }

@@ -10,7 +10,7 @@ void check_open_regions(Deck& deck) {
   Cards& cards = deck.cards;
   const int32_t line = cards.line;
   for (int b = 0; b < deck.sizes.bodies && deck.symmetry == 0; ++b) {
-    if (deck.open_regions[b] == 0 || cards.ended) continue;
+    if (deck.open_regions[b] == 0 || cards.status != C2D_OK) continue;
     cards.body = b + 1;
     cards.line = deck.body_line[b];
     const int32_t points = deck.sizes.geometry_nodes[b];

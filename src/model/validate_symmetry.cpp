@@ -24,7 +24,8 @@ bool lies_on(const Model& m, int b, int32_t element, int axis, double line) {
   return true;
 }
 
-// ---- elements on a line -------------------------------------------------------------------------------------------
+// ---- elements on a line
+// -------------------------------------------------------------------------------------------
 
 bool is_prescribed_zero(const double* values, int64_t place, int64_t places, int c, int32_t cases) {
   for (int64_t k = 0; k < cases; ++k)
@@ -32,8 +33,8 @@ bool is_prescribed_zero(const double* values, int64_t place, int64_t places, int
   return true;
 }
 
-// What keeps an element from being one of a symmetry line: zero displacement across (component `axis`) and zero
-// traction along, at every end. Null: nothing does.
+// What keeps an element from being one of a symmetry line: zero displacement across (component `axis`) and
+// zero traction along, at every end. Null: nothing does.
 const char* fault_of_axis_element(const Model& m, int b, int32_t element, int axis) {
   const int32_t f = m.head->function_nodes, cases = m.head->load_cases;
   const Body& body = body_of(m, b);
@@ -42,10 +43,12 @@ const char* fault_of_axis_element(const Model& m, int b, int32_t element, int ax
   if (is_zero_length(m, b, element)) return nullptr;
   for (int l = 0; l < f; ++l) {
     const int32_t end = element * f + l, node = functional_node(m, b, element, l);
-    if (!displacement_known(m, b, node, axis) || !is_prescribed_zero(m.node_disp[b], node, body.nodes, axis, cases))
+    if (!displacement_known(m, b, node, axis) ||
+        !is_prescribed_zero(m.node_disp[b], node, body.nodes, axis, cases))
       return axis == 0 ? "has a ux that is not prescribed as 0" : "has a uy that is not prescribed as 0";
     const int64_t ends = static_cast<int64_t>(body.elements) * f;
-    if (!traction_known(m, b, end, 1 - axis) || !is_prescribed_zero(m.end_traction[b], end, ends, 1 - axis, cases))
+    if (!traction_known(m, b, end, 1 - axis) ||
+        !is_prescribed_zero(m.end_traction[b], end, ends, 1 - axis, cases))
       return axis == 0 ? "has a ty that is not prescribed as 0" : "has a tx that is not prescribed as 0";
   }
   return nullptr;
@@ -67,8 +70,10 @@ LineElements elements_on_line(const Model& m, int axis, double line) {
       if (!lies_on(m, b, e, axis, line)) continue;
       any = true;
       const char* why = fault_of_axis_element(m, b, e, axis);
-      if (why == nullptr) ++found.fitting;
-      else if (found.element < 0) found.body = b, found.element = e, found.why = why;
+      if (why == nullptr)
+        ++found.fitting;
+      else if (found.element < 0)
+        found.body = b, found.element = e, found.why = why;
     }
     found.on_every_body = found.on_every_body && any;
   }
@@ -78,13 +83,13 @@ LineElements elements_on_line(const Model& m, int axis, double line) {
 void tell_axis_element(const Model& m, const LineElements& found, int axis, double line, Reporter& reporter) {
   Finding f = fault();
   locate_element(f, m, found.body, found.element);
-  say(f, "element ", found.element + 1, kBodyNumber[found.body], " on the line ", kAxis[axis], " = ", line, " ",
-      found.why, ": expected zero displacement across a line of symmetry and zero traction along it");
+  say(f, "element ", found.element + 1, kBodyNumber[found.body], " on the line ", kAxis[axis], " = ", line,
+      " ", found.why, ": expected zero displacement across a line of symmetry and zero traction along it");
   tell(reporter, f);
 }
 
-// Bounding lines whose elements, some on every body, all carry the conditions of symmetry; the lower one of two that
-// are parallel. If there is none, the elements that came nearest are told.
+// Bounding lines whose elements, some on every body, all carry the conditions of symmetry; the lower one of
+// two that are parallel. If there is none, the elements that came nearest are told.
 bool find_lines(const Model& m, Reporter& reporter) {
   LineElements nearest = {false, 0, 0, -1, nullptr};
   int nearest_axis = 0;
@@ -114,13 +119,15 @@ bool find_lines(const Model& m, Reporter& reporter) {
     return false;
   }
   Finding f = fault();
-  say(f, "no line of symmetry: expected every body to be bounded by elements on one line x = value or y = value with "
+  say(f, "no line of symmetry: expected every body to be bounded by elements on one line x = value or y = "
+         "value with "
          "zero displacement across and zero traction along it");
   tell(reporter, f);
   return false;
 }
 
-// ---- points -------------------------------------------------------------------------------------------------------
+// ---- points
+// -------------------------------------------------------------------------------------------------------
 
 // Which side of the line the model lies on: that of the point farthest from it.
 double side_of_model(const Model& m, int axis) {
@@ -154,14 +161,15 @@ void check_side(const Model& m, int b, int axis, Reporter& reporter) {
       if (side * ((axis == 0 ? c.x[i] : c.y[i]) - line) >= -kOnLine * m.head->length_unit) continue;
       Finding f = fault();
       locate_element(f, m, b, e);
-      say(f, "element ", e + 1, kBodyNumber[b], " lies beyond the line of symmetry ", kAxis[axis], " = ", line,
-          ", expected everything on one side of it");
+      say(f, "element ", e + 1, kBodyNumber[b], " lies beyond the line of symmetry ", kAxis[axis], " = ",
+          line, ", expected everything on one side of it");
       return tell(reporter, f);
     }
   }
 }
 
-// ---- curves -------------------------------------------------------------------------------------------------------
+// ---- curves
+// -------------------------------------------------------------------------------------------------------
 
 int32_t lines_at_point(const Model& m, int b, int32_t point) {
   return lines_through(*m.head, m.xy[b][2 * point], m.xy[b][2 * point + 1]);
@@ -170,12 +178,13 @@ int32_t lines_at_point(const Model& m, int b, int32_t point) {
 void tell_point(const Model& m, int b, int32_t point, const char* found, Reporter& reporter) {
   Finding f = fault();
   locate_point(f, m, b, point);
-  say(f, "boundary point ", point + 1, kBodyNumber[b], " at (", m.xy[b][2 * point], ", ", m.xy[b][2 * point + 1],
-      ") ", found);
+  say(f, "boundary point ", point + 1, kBodyNumber[b], " at (", m.xy[b][2 * point], ", ",
+      m.xy[b][2 * point + 1], ") ", found);
   tell(reporter, f);
 }
 
-// Only the ends of open regions, and points next to axis elements, may lie on a line, and none at the lines' crossing.
+// Only the ends of open regions, and points next to axis elements, may lie on a line, and none at the lines'
+// crossing.
 void check_element(const Model& m, int b, int32_t element, Reporter& reporter) {
   const int last = body_of(m, b).element_nodes - 1;
   for (int k = 0; k <= last; ++k) {
@@ -183,9 +192,11 @@ void check_element(const Model& m, int b, int32_t element, Reporter& reporter) {
     if (lines == 0) continue;
     const int32_t after = k == last ? element_after(m, b, element) : -1;
     if (lines == 3)
-      tell_point(m, b, point, "lies at the crossing of the lines of symmetry, where no boundary can be", reporter);
+      tell_point(m, b, point, "lies at the crossing of the lines of symmetry, where no boundary can be",
+                 reporter);
     else if ((k > 0 && k < last) || (after >= 0 && !is_axis_element(m, b, after)))
-      tell_point(m, b, point, "touches a line of symmetry, expected that only at the ends of an open region", reporter);
+      tell_point(m, b, point, "touches a line of symmetry, expected that only at the ends of an open region",
+                 reporter);
   }
 }
 
@@ -201,7 +212,8 @@ void check_open_region(const Model& m, int b, const Region& r, Reporter& reporte
 void check_lines_cut(const Model& m, int b, Reporter& reporter) {
   int32_t met = 0;
   for (int32_t e = 0; e < body_of(m, b).elements; ++e)
-    for (int k = 0; k < body_of(m, b).element_nodes; ++k) met |= lines_at_point(m, b, geometry_node(m, b, e, k));
+    for (int k = 0; k < body_of(m, b).element_nodes; ++k)
+      met |= lines_at_point(m, b, geometry_node(m, b, e, k));
   for (int axis = 0; axis < 2; ++axis) {
     if ((m.head->symmetry >> axis & 1) == 0 || (met >> axis & 1) != 0) continue;
     Finding f = fault();
@@ -253,7 +265,8 @@ bool check_open_regions_allowed(const Model& m, Reporter& reporter) {
     allowed = false;
     Finding f = fault();
     f.entry.body = b + 1;
-    say(f, "body ", b + 1, " has ", body_of(m, b).geometry_nodes, " boundary points, ", body_of(m, b).open_regions,
+    say(f, "body ", b + 1, " has ", body_of(m, b).geometry_nodes, " boundary points, ",
+        body_of(m, b).open_regions,
         " more than closed curves have: open regions end on a line of symmetry, and none is given");
     tell(reporter, f);
   }
@@ -278,7 +291,8 @@ bool validate_symmetry(const Model& m, Reporter& reporter) {
     check_lines_cut(m, b, reporter);
     check_axis_elements(m, b, reporter);
     check_held_nodes(m, b, reporter);
-    for (int32_t r = 0; r < body_of(m, b).open_regions; ++r) check_open_region(m, b, m.region[b][r], reporter);
+    for (int32_t r = 0; r < body_of(m, b).open_regions; ++r)
+      check_open_region(m, b, m.region[b][r], reporter);
     for (int32_t e = 0; e < body_of(m, b).elements; ++e)
       if (!is_axis_element(m, b, e)) check_element(m, b, e, reporter);
   }

@@ -15,7 +15,8 @@ struct Known {
   bool takes_value;
 };
 const Known kRunOptions[] = {{"--listing", true},   {"--csv", true},          {"--boundary", true},
-                             {"--json", true},      {"--stepping", true},     {"--quadrature", true},  {"--symmetry", true},
+                             {"--json", true},      {"--stepping", true},     {"--quadrature", true},
+                             {"--symmetry", true},
                              {"--memory", true},    {"--store", true},        {"--threads", true},
                              {"--progress", false}, {"--no-progress", false}, {"--keep", false}};
 const char* const kLaterOptions[] = {"--points", "--interior", "--report", "--figures", "--vtk"};

@@ -143,7 +143,7 @@ extern "C" c2d_status c2d_set_units(c2d_solver* s, const char* length, const cha
     memcpy(places[i], names[i], strlen(names[i]));
   }
   if (s->state == C2D_STATE_EMPTY) s->state = C2D_STATE_BUILDING;
-  return built(s);
+  return C2D_OK;
 }
 
 namespace {
@@ -434,7 +434,7 @@ extern "C" c2d_status c2d_set_symmetry(c2d_solver* s, int32_t axis, double value
                             : "a second line of symmetry y = value, expected one at most");
   m.symmetry_asked |= 1 << axis;
   m.line_at[axis] = value;
-  return C2D_OK;
+  return built(s);
 }
 
 extern "C" c2d_status c2d_add_friction(c2d_solver* s, double mu) {
