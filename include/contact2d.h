@@ -395,7 +395,8 @@ enum {
    of point i goes to out[i * out_stride + c]. xy_stride >= 2, out_stride >= C2D_POINT_FIELDS; xy and out must not
    overlap. body 0: whichever body the point lies in, the first if in both. A point load's own field is left out at its
    very point. Before anything touches, and where no motion is held, displacements and stresses are 0. With lines of
-   symmetry points may lie anywhere in the whole body. The time is that of one pass over all elements per point; many points in one call share the preparation of each element.
+   symmetry points may lie anywhere in the whole body. The time is that of one pass over all elements per point; many
+   points in one call share the preparation of each element.
    Legal: running. Errors: ARGUMENT; STATE; STORE_... (back substitution is done if need be); CANCELLED (`out` then
    holds nothing of use, the solver is as before). */
 c2d_status c2d_interior(c2d_solver* solver, int32_t body, int32_t count, const double* xy, int64_t xy_stride,
