@@ -519,7 +519,7 @@ const char* c2d_version(void);               /* "0.1.0" */
    C2D_ARRAY_((m) * 4, C2D_REAL_BYTES) +                               /* columns of a third              */          \
    C2D_ARRAY_(m, 4) + C2D_BLOCK_(m))                                   /* row exchanges; contact tape     */
 #define C2D_PATH_BYTES_(nodes1, ends1, nodes2, ends2, m, cases)                                                        \
-  (C2D_ARRAY_((m) * ((m) + 1 + (cases)), C2D_REAL_BYTES) +             /* tableau                         */          \
+  (C2D_ARRAY_((m) * ((m) + 2 + (cases)), C2D_REAL_BYTES) +             /* tableau                         */          \
    5 * C2D_ARRAY_(m, C2D_REAL_BYTES) + C2D_BLOCK_(m) +                 /* forces, rates, u1, u2, a column */          \
    C2D_ARRAY_(nodes1, 16) + C2D_ARRAY_(nodes2, 16) +                   /* displacements                   */          \
    C2D_ARRAY_(ends1, 16) + C2D_ARRAY_(ends2, 16) +                     /* tractions                       */          \

@@ -16,6 +16,7 @@ CORE_SOURCES += src/bie/shape.cpp
 CORE_SOURCES += src/contact/contact_tape.cpp
 CORE_SOURCES += src/contact/events.cpp
 CORE_SOURCES += src/contact/frames.cpp
+CORE_SOURCES += src/contact/homotopy.cpp
 CORE_SOURCES += src/contact/increments.cpp
 CORE_SOURCES += src/contact/reduction.cpp
 CORE_SOURCES += src/contact/settle.cpp
