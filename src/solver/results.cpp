@@ -1,7 +1,7 @@
 // Answers: fields, lists, the summary.
 #include <string.h>
 
-#include "solver/session.hpp"
+#include "solver/interior.hpp"
 
 namespace c2d {
 
@@ -24,7 +24,8 @@ c2d_status check_range(c2d_solver* s, int64_t items, int32_t first, int32_t coun
 }
 
 bool needs_results(int32_t field) {
-  return (field >= C2D_STATUS && field <= C2D_SLIP_SUM) || (field >= C2D_END_UX && field <= C2D_END_TY);
+  return (field >= C2D_STATUS && field <= C2D_SLIP_SUM) || (field >= C2D_END_UX && field <= C2D_END_TY) ||
+         (field >= C2D_END_SXX && field <= C2D_END_HOOP);
 }
 
 c2d_status get_pair_field(c2d_solver* s, int32_t field, int32_t first, int32_t count, double* out, int64_t stride) {
@@ -61,7 +62,9 @@ double end_value(const Session& session, int32_t field, int b, int32_t end) {
   }
   case C2D_END_UX:
   case C2D_END_UY: return session.area.displacement[b][2 * static_cast<int64_t>(node) + (field - C2D_END_UX)];
-  default: return session.area.traction[b][2 * static_cast<int64_t>(end) + (field - C2D_END_TX)];
+  case C2D_END_TX:
+  case C2D_END_TY: return session.area.traction[b][2 * static_cast<int64_t>(end) + (field - C2D_END_TX)];
+  default: return end_stress(session, field, b, end);
   }
 }
 
@@ -180,7 +183,7 @@ using namespace c2d;
 extern "C" c2d_status c2d_get(c2d_solver* s, int32_t field, int32_t body, int32_t first, int32_t count, double* out,
                               int64_t stride) {
   const bool pairs = field >= 0 && field < C2D_PAIR_FIELDS;
-  const bool ends = field >= C2D_END_X && field <= C2D_END_STATUS, nodes = field == C2D_NODE_X || field == C2D_NODE_Y;
+  const bool ends = field >= C2D_END_X && field <= C2D_END_HOOP, nodes = field == C2D_NODE_X || field == C2D_NODE_Y;
   const c2d_status status = enter(s, needs_results(field) ? state_bit(C2D_STATE_RUNNING) : kComplete);
   if (status != C2D_OK) return status;
   if (!pairs && !ends && !nodes) return fail(s, C2D_ERR_ARGUMENT, "there is no such field");

@@ -1,4 +1,5 @@
 // Begin, advance, and the deck's own load cards.
+#include <math.h>
 #include <string.h>
 
 #include "memory/text.hpp"
@@ -49,6 +50,7 @@ c2d_status show_step(Session& session, int32_t kind) {
   now.iterations = session.follower.stats.iterations;
   now.changes = static_cast<int32_t>(session.follower.stats.changes - session.now.changes);
   now.table = array_of<double>(s, kPairTable);
+  close_session(session); // so that c2d_get_summary tells the callback what is so now
   session.now.changes = static_cast<int32_t>(session.follower.stats.changes);
   s->busy = 1;
   const int32_t code = session.step(session.step_context, &now);
@@ -59,11 +61,20 @@ c2d_status show_step(Session& session, int32_t kind) {
   return C2D_ERR_CALLBACK;
 }
 
+// The load card that ends at the largest load: where the residual of the contact equations says most.
+int32_t largest_load(const Model& m) {
+  int32_t best = 0;
+  for (int32_t p = 1; p < m.head->paths; ++p)
+    if (fabs(m.path[p].load) > fabs(m.path[best].load)) best = p;
+  return best;
+}
+
 // All load cards for the coefficient that the pairs hold. Case 1 follows the cards, other cases stay at zero.
 c2d_status run_cards(Session& session) {
   c2d_solver* s = session.solver;
   double* target = array_of<double>(s, kLoads) + s->model.load_cases;
   double from = 0.0;
+  const int32_t peak = largest_load(session.model);
   session.now.step = 0;
   for (int32_t p = 0; p < s->model.paths; ++p) {
     const Path& path = session.model.path[p];
@@ -80,6 +91,8 @@ c2d_status run_cards(Session& session) {
       if (status != C2D_OK || !reached) return status;
     }
     from = path.load;
+    const c2d_status status = p == peak ? guard_drift(session, true) : C2D_OK;
+    if (status != C2D_OK) return status;
   }
   return C2D_OK;
 }
@@ -97,7 +110,7 @@ c2d_status run_coefficient(Session& session, int32_t index, c2d_outcome* worst) 
   session.now.changes = static_cast<int32_t>(session.follower.stats.changes);
   status = run_cards(session);
   if (s->outcome != C2D_REACHED && *worst == C2D_REACHED) *worst = s->outcome;
-  return status == C2D_OK ? guard_drift(session, true) : status;
+  return status;
 }
 
 } // namespace

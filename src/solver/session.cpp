@@ -102,6 +102,7 @@ c2d_status begin_path(Session& session) {
   s->outcome = C2D_REACHED;
   s->outcome_body = s->last_pair = s->back_substituted = s->table_is_current = s->floating = 0;
   s->warned = 0;
+  s->peak_pressure = 0.0;
   s->gap_scale = session.follower.gap_scale = 0.0;
   if (s->blocked || head.contact == 0) return C2D_OK;
   c2d_status status = load_flexibility(session);
@@ -241,6 +242,9 @@ c2d_status guard_drift(Session& session, bool always) {
   if (s->floating || s->model.contact == 0 || s->blocked) return C2D_OK;
   if (!always && session.tableau.exchanges - s->checked_exchanges < kExchangesBetweenLooks) return C2D_OK;
   s->checked_exchanges = session.tableau.exchanges;
+  const double pressure = path_scales(session.follower).p;
+  s->peak_pressure = fmax(s->peak_pressure, pressure);
+  if (pressure < 1e-3 * s->peak_pressure) return C2D_OK; // unloaded: round-off of what was is all there is to see
   double residual = 0.0;
   c2d_status status = contact_residual(session, &residual);
   if (status != C2D_OK) return status;
@@ -292,6 +296,7 @@ c2d_status advance_path(Session& session, const double* target) {
     if (status == C2D_OK && outcome == C2D_REACHED) status = follow(session, target, &outcome);
   }
   if (status == C2D_OK) status = guard_drift(session, false);
+  s->peak_pressure = fmax(s->peak_pressure, path_scales(session.follower).p);
   s->seconds[C2D_PHASE_CONTACT] += clock_now(s) - start;
   name_outcome(session, outcome);
   return status;

@@ -41,9 +41,10 @@ struct c2d_solver {
   int64_t checked_exchanges;  // exchanges when the residual was last looked at
   int64_t exchanges, rebuilds;
   c2d::PathStats stats;
-  double stiffness, gap_scale, max_residual, mu;
+  double stiffness, gap_scale, max_residual, peak_pressure, mu;
   double applied[2][3], contact_force[2][3];
   double force_applied, force_contact, force_error, tension_ratio;
+  double multiplier[2][3];    // rho, omega of the balanced equations, of each body, at the load reached
 };
 
 namespace c2d {
