@@ -28,11 +28,15 @@ bool read_origin(Deck& deck, int b) {
 // The coordinate letter of the card, blank without one. In the free form it is a field of its own that begins
 // with a letter, in front of the others.
 char read_letter(Cards& cards) {
-  if (!cards.free_form) return cards.text[0];
-  const char first = capital(cards.text[cards.words.word[0].column - 1]);
-  if (first < 'A' || first > 'Z') return ' ';
-  take_word(cards, 1, 1);
-  return word_is(cards.words, 0, "P") ? 'P' : '?';
+  char letter = cards.text[0];
+  if (cards.free_form) {
+    const char first = capital(cards.text[cards.words.word[0].column - 1]);
+    if (first < 'A' || first > 'Z') return ' ';
+    take_word(cards, 1, 1);
+    letter = word_is(cards.words, 0, "P") ? 'P' : '?';
+  }
+  if (letter == 'P') tell_field(cards, C2D_CARD_LETTER, 1, 1, "P", 1, 0);
+  return letter;
 }
 
 void refuse_letter(Cards& cards, char letter) {
@@ -59,7 +63,6 @@ void read_coordinates(Cards& cards, char letter, NodeCard& card) {
   card.sound = !cards.refused && (letter == ' ' || letter == 'P');
   if (!cards.refused && !card.sound) refuse_letter(cards, letter);
   card.polar = letter == 'P';
-  if (card.polar && card.sound) tell_field(cards, C2D_CARD_LETTER, 1, 1, "P", 1, 0);
   unused_column(cards, 6);
   double first = 0, second = 0;
   const bool first_known = real(cards, 7, card.polar ? "radius" : "x of a node", &first);
