@@ -30,9 +30,18 @@ int32_t fetch(Cards& cards) {
   return used;
 }
 
+// Remarks of the free form may be in any script. Its first card is not yet known to be of that form.
+bool may_hold_remark(const Cards& cards, int32_t used) {
+  if (!cards.is_heading) return cards.free_form;
+  if (cards.line != 1) return false;
+  int32_t first = 0;
+  while (first < used && cards.text[first] == ' ') ++first;
+  return first < used && cards.text[first] == '*';
+}
+
 // Only printable ASCII and tabs can be a card. One fault, and the end: a binary file has thousands of them.
 bool is_text(Cards& cards, int32_t used) {
-  if (cards.free_form && !cards.is_heading) used = before_comment(cards.text, used); // remarks in any script
+  if (may_hold_remark(cards, used)) used = before_comment(cards.text, used);
   for (int32_t i = 0; i < used; ++i) {
     const unsigned char byte = static_cast<unsigned char>(cards.text[i]);
     if ((byte >= 0x20 && byte < 0x7f) || byte == '\t') continue;

@@ -230,7 +230,8 @@ bool text_word(Cards& cards, const Words& words, int32_t i, const char* name, ch
 bool end_of_words(Cards& cards, const Words& words, int32_t count) {
   if (words.count <= count) return true;
   begin_word_fault(cards, words, count);
-  cards.entry.column_end = words.word[words.count - 1].column_end;
+  const int32_t column_end = words.word[words.count - 1].column_end;
+  if (column_end > cards.entry.column_end) cards.entry.column_end = column_end;
   Text text = text_in(cards.entry.text);
   put(text, "the card has ");
   put(text, words.count);

@@ -91,7 +91,8 @@ std::string Writer::comment(const Item& item) const {
 // friction are dealt out anew.
 bool Writer::add_field(const Item& item, std::string& error) {
   constexpr int32_t kFirstCoefficient = 7;
-  if (item.column <= column_ || (item.line != line_ && item.column < kFirstCoefficient)) next_card();
+  const bool begins = item.column <= column_ || (item.line != line_ && item.column < kFirstCoefficient);
+  if (column_ > 0 && begins) next_card();
   line_ = item.line;
   if (column_ == 0 && (headings_done_ || free_)) { // told before the field, so above its card
     for (const std::string& line : comments_) put_line(line);
