@@ -452,13 +452,16 @@ c2d_status c2d_get_point_load(c2d_solver* solver, int32_t i, int32_t* body, doub
 
 /* ---------------------------------------------------------------- 9 errors and state ---------------------------
 
-   State        legal calls (besides memory need, get_summary, last_error, message, cancel, close: always)
-   empty        set_problem, set_line, set_options, read_deck           -> building, or model after read_deck
-   building     all of section 5, read_deck is not                      -> model by c2d_complete
-   model        set_options, prepare, positions by get                  -> prepared
-   prepared     begin, run, positions by get                            -> running
+   State        legal calls (besides memory need, get_state, get_summary, last_error, message, cancel, close: always)
+   empty        read_deck                                               -> model
+                all of section 5 but complete                           -> building (set_line, set_options: empty)
+   building     all of section 5                                        -> model by complete; empty if that fails
+   model        set_options, prepare                                    -> prepared
+   prepared     begin, run                                              -> running
    running      begin, advance, run, get, interior
-   broken       after an error of the store: nothing but c2d_create in the same memory */
+   broken       after an error of the store: nothing but c2d_create in the same memory
+   In model, prepared and running also positions by get, and the lists: get_friction, _path, _zone, _region,
+   _condition, _point_load. */
 enum { C2D_STATE_EMPTY = 0, C2D_STATE_BUILDING = 1, C2D_STATE_MODEL = 2, C2D_STATE_PREPARED = 3,
        C2D_STATE_RUNNING = 4, C2D_STATE_BROKEN = 5 };
 int32_t c2d_get_state(const c2d_solver* solver);                 /* -1: not a solver                */
