@@ -11,8 +11,6 @@
 namespace app {
 namespace {
 
-constexpr size_t kCardColumns = 80;
-
 // What c2d_walk_deck tells, kept.
 struct Item {
   int32_t kind, line, column, width;
