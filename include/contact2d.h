@@ -460,10 +460,13 @@ const char* c2d_version(void);               /* "0.1.0" */
 
 /* What belongs to both. */
 #define C2D_LIST_BYTES_(zones, pairs, point_loads, coefficients, paths, cases)                                         \
-  (C2D_ARRAY_(zones, 56) + C2D_ARRAY_(pairs, 136) + C2D_ARRAY_(point_loads, 48) + C2D_ARRAY_(coefficients, 8) +        \
+  (C2D_ARRAY_(zones, 56) + C2D_ARRAY_(pairs, 152) + C2D_ARRAY_(point_loads, 48) +                                      \
+   C2D_ARRAY_((coefficients) * (UINT64_C(1) + (zones)), 8) +           /* friction                        */          \
    C2D_ARRAY_(paths, 16) +                                                                                             \
    C2D_ARRAY_(pairs, 128) +                                            /* result table                    */          \
-   C2D_ARRAY_(cases, 32))                                              /* load factors                    */
+   C2D_ARRAY_(cases, 32) +                                             /* load factors                    */          \
+   C2D_ARRAY_(UINT64_C(1) * (paths) * (cases), 8) +                    /* path                            */          \
+   C2D_ARRAY_((cases) * (2 * (UINT64_C(4) * (pairs) + (cases)) + 5), 8)) /* energy                        */
 
 /* What assembly, reduction and the load path use one after another; m contact unknowns. */
 #define C2D_PHASE_BYTES_(nodes1, ends1, nodes2, ends2, m, cases)                                                       \

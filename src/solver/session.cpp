@@ -1,5 +1,5 @@
 // The load path: begin, advance, look at the drift, fill the result table.
-#include "solver/session.hpp"
+#include "solver/energy.hpp"
 
 #include <math.h>
 #include <string.h>
@@ -39,6 +39,8 @@ c2d_status changed(void* context, double) {
   return C2D_ERR_CALLBACK;
 }
 
+void moving(void* context, double part) { add_segment(*static_cast<Session*>(context), part); }
+
 FreeBody free_body(const c2d_solver* s, const Model& m) {
   FreeBody out{};
   if (m.head->contact == 0) return out;
@@ -71,7 +73,7 @@ void open_session(c2d_solver* s, Session& session) {
   session.follower.y = area.y;
   session.follower.dy = area.dy;
   session.follower.gap_scale = s->gap_scale;
-  session.follower.watch = PathWatch{&session, tick, changed};
+  session.follower.watch = PathWatch{&session, tick, changed, moving};
   session.follower.stats = s->stats;
   session.follower.last_pair = s->last_pair;
   session.free_body = free_body(s, session.model);
@@ -102,6 +104,7 @@ c2d_status begin_path(Session& session) {
   s->outcome = C2D_REACHED;
   s->outcome_body = s->last_pair = s->back_substituted = s->table_is_current = s->floating = 0;
   s->warned = 0;
+  begin_energy(s);
   s->gap_scale = session.follower.gap_scale = 0.0;
   if (s->blocked || head.contact == 0) return C2D_OK;
   c2d_status status = load_flexibility(session);
@@ -172,9 +175,14 @@ c2d_status take_off(Session& session, const double* target, c2d_outcome* outcome
 
 c2d_status follow(Session& session, const double* target, c2d_outcome* outcome) {
   c2d_solver* s = session.solver;
-  if (s->options.stepping == C2D_STEPPING_DECK)
-    return follow_increment(session.follower, target, s->model.iteration_limit, outcome);
-  return follow_events(session.follower, target, outcome);
+  Follower& f = session.follower;
+  if (s->options.stepping != C2D_STEPPING_DECK) return follow_events(f, target, outcome);
+  refresh(f);
+  before_jump(session);
+  const int32_t by_events = f.stats.unconverged;
+  const c2d_status status = follow_increment(f, target, s->model.iteration_limit, outcome);
+  if (status == C2D_OK && f.stats.unconverged == by_events) after_jump(session);
+  return status;
 }
 
 // ---- drift ----------------------------------------------------------------------------------------------------------
@@ -276,7 +284,10 @@ c2d_status advance_path(Session& session, const double* target) {
   }
   c2d_outcome outcome = C2D_REACHED;
   if (s->model.contact == 0 || (s->floating && all_zero(target, cases))) {
+    for (int32_t k = 0; k < cases; ++k) f.direction[k] = target[k] - f.load[k];
+    if (!s->floating) add_segment(session, 1.0);
     for (int32_t k = 0; k < cases; ++k) f.load[k] = target[k];
+    if (!s->floating) close_balance(session);
     s->outcome = outcome;
     return C2D_OK;
   }
@@ -292,6 +303,10 @@ c2d_status advance_path(Session& session, const double* target) {
     if (status == C2D_OK && outcome == C2D_REACHED) status = follow(session, target, &outcome);
   }
   if (status == C2D_OK) status = guard_drift(session, false);
+  if (status == C2D_OK && !s->floating) {
+    refresh(f);
+    close_balance(session);
+  }
   s->seconds[C2D_PHASE_CONTACT] += clock_now(s) - start;
   name_outcome(session, outcome);
   return status;

@@ -42,6 +42,8 @@ struct c2d_solver {
   int64_t exchanges, rebuilds;
   c2d::PathStats stats;
   double stiffness, gap_scale, max_residual, mu;
+  double dissipated, elastic, work, energy_size, energy_defect, least_dissipation; // solver/energy.hpp
+  double outcome_motion[3];   // of outcome_body, as Body::free_motion
   double applied[2][3], contact_force[2][3];
   double force_applied, force_contact, force_error, tension_ratio;
 };
