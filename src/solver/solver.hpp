@@ -77,5 +77,6 @@ template <class T> T* array_of(c2d_solver* solver, int32_t id) {
 }
 Model model_of(c2d_solver* solver);
 bool is_coefficient(double mu); // of friction: zero or more, infinity included
+double* zone_friction(c2d_solver* solver, int32_t i); // [zones] of the i-th run (from 0); negative: that for all
 
 } // namespace c2d
