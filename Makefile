@@ -1,7 +1,7 @@
 # contact2d. Targets: all (default) demo test bench install uninstall list relist format clean.
 # Variables: CXX CC AR CXXFLAGS CFLAGS CPPFLAGS LDFLAGS BUILD PREFIX DESTDIR LIBDIR DOCTEST_INCLUDE NO_INSTALL.
-# What is compiled stands in sources.mk, which CMakeLists.txt reads too.
-include sources.mk
+# What is compiled stands in src/sources.mk, which CMakeLists.txt reads too.
+include src/sources.mk
 
 BUILD    ?= build
 CXX      ?= g++
@@ -63,7 +63,7 @@ endef
 $(foreach s,$(CORE_SOURCES) $(PORT_SOURCES),$(eval $(call compile,$(s),$(CORE_ONLY))))
 $(foreach s,$(REPORT_SOURCES) $(PROGRAM_SOURCES),$(eval $(call compile,$(s),)))
 
-$(LIBRARY): $(CORE_OBJECTS) $(PORT_OBJECTS) sources.mk
+$(LIBRARY): $(CORE_OBJECTS) $(PORT_OBJECTS) src/sources.mk
 	rm -f $@
 	$(AR) rcs $@ $(CORE_OBJECTS) $(PORT_OBJECTS)
 
@@ -101,10 +101,19 @@ demo: $(PROGRAM)
 	  --boundary $(BUILD)/demo/hertz_boundary.csv --json $(BUILD)/demo/hertz.json
 	@echo 'Results: $(BUILD)/demo/hertz.lst (listing), hertz.csv, hertz_boundary.csv, hertz.json'
 
-bench: $(PROGRAM)
-	@for deck in examples/*.dat; do \
-	  $(PROGRAM) run $$deck --listing /dev/null --json - | awk -v deck=$$deck \
-	    '/"seconds"/ { sub(/^ *"seconds": */, ""); printf "%-32s %s\n", deck, $$0 }'; done
+# Speed, as a table: make bench SAVE=file keeps it, BASE=file compares with one that was kept.
+BENCH_OBJECTS := $(patsubst tests/bench/%.cpp,$(BUILD)/bench/%.o,$(wildcard tests/bench/*.cpp))
+$(BUILD)/bench/%.o: tests/bench/%.cpp $(BUILD)/flags Makefile
+	@mkdir -p $(@D)
+	$(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(EXACT) $(DEPS) -c $< -o $@
+$(BUILD)/bench/run_bench: $(BENCH_OBJECTS) $(LIBRARY)
+	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm
+$(BUILD)/bench/empty: tests/bench/empty.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $<
+bench: $(BUILD)/bench/run_bench $(BUILD)/bench/empty $(PROGRAM)
+	@$(BUILD)/bench/run_bench --program $(PROGRAM) --empty $(BUILD)/bench/empty --examples examples \
+	  --save '$(SAVE)' --base '$(BASE)'
 
 # The list of sources against the folders: what is missing from either.
 FOUND_SOURCES := $(sort $(wildcard src/*/*.cpp port/*/*.cpp port/*/*.c))
@@ -112,21 +121,21 @@ LISTED_SOURCES := $(sort $(CORE_SOURCES) $(PORT_SOURCES) $(REPORT_SOURCES) $(PRO
 NOT_LISTED := $(filter-out $(LISTED_SOURCES),$(FOUND_SOURCES))
 NOT_FOUND := $(filter-out $(FOUND_SOURCES),$(LISTED_SOURCES))
 ifneq ($(strip $(NOT_LISTED)$(NOT_FOUND)),)
-$(warning sources.mk is out of date (make relist): $(addprefix +,$(NOT_LISTED)) $(addprefix -,$(NOT_FOUND)))
+$(warning src/sources.mk is out of date (make relist): $(addprefix +,$(NOT_LISTED)) $(addprefix -,$(NOT_FOUND)))
 endif
 list:
-	@$(foreach s,$(NOT_LISTED),echo 'in the folders, not in sources.mk: $(s)';) \
-	 $(foreach s,$(NOT_FOUND),echo 'in sources.mk, not in the folders: $(s)';) \
-	 $(if $(strip $(NOT_LISTED)$(NOT_FOUND)),echo 'make relist writes sources.mk anew'; exit 1,\
-	   echo 'sources.mk lists every source file')
+	@$(foreach s,$(NOT_LISTED),echo 'in the folders, not in src/sources.mk: $(s)';) \
+	 $(foreach s,$(NOT_FOUND),echo 'in src/sources.mk, not in the folders: $(s)';) \
+	 $(if $(strip $(NOT_LISTED)$(NOT_FOUND)),echo 'make relist writes src/sources.mk anew'; exit 1,\
+	   echo 'src/sources.mk lists every source file')
 relist:
-	@{ sed -n '/^#/p' sources.mk; \
+	@{ sed -n '/^#/p' src/sources.mk; \
 	   ls port | sed 's/^/PORTS += /'; \
 	   ls src/*/*.cpp | grep -v -e '^src/report/' -e '^src/program/' | sed 's/^/CORE_SOURCES += /'; \
 	   ls port/*/*.cpp port/*/*.c 2>/dev/null | sed 's/^/PORT_SOURCES += /'; \
 	   ls src/report/*.cpp | sed 's/^/REPORT_SOURCES += /'; \
-	   ls src/program/*.cpp | sed 's/^/PROGRAM_SOURCES += /'; } > sources.mk.new
-	@mv sources.mk.new sources.mk
+	   ls src/program/*.cpp | sed 's/^/PROGRAM_SOURCES += /'; } > src/sources.mk.new
+	@mv src/sources.mk.new src/sources.mk
 
 format:
 	clang-format -i $(wildcard src/*/*.[ch]pp port/*/*.[ch]* tests/*.[ch]pp)
@@ -149,17 +158,17 @@ install: all $(SHARED)
 	install -m 755 $(SHARED) $(DESTDIR)$(LIBDIR)/
 	ln -sf libcontact2d.so.$(VERSION) $(DESTDIR)$(LIBDIR)/libcontact2d.so.$(SOVERSION)
 	ln -sf libcontact2d.so.$(SOVERSION) $(DESTDIR)$(LIBDIR)/libcontact2d.so
-	$(fill) packaging/contact2d.pc.in > $(DESTDIR)$(LIBDIR)/pkgconfig/contact2d.pc
-	$(fill) packaging/contact2dConfig.cmake.in > $(DESTDIR)$(CMAKEDIR)/contact2dConfig.cmake
-	$(fill) packaging/contact2dConfigVersion.cmake.in > $(DESTDIR)$(CMAKEDIR)/contact2dConfigVersion.cmake
+	$(fill) port/packaging/contact2d.pc.in > $(DESTDIR)$(LIBDIR)/pkgconfig/contact2d.pc
+	$(fill) port/packaging/contact2dConfig.cmake.in > $(DESTDIR)$(CMAKEDIR)/contact2dConfig.cmake
+	$(fill) port/packaging/contact2dConfigVersion.cmake.in > $(DESTDIR)$(CMAKEDIR)/contact2dConfigVersion.cmake
 
 uninstall:
 	rm -f $(addprefix $(DESTDIR),$(INSTALLED))
 	-rmdir $(DESTDIR)$(CMAKEDIR) 2>/dev/null || true
 
 clean:
-	rm -rf $(BUILD)/obj $(BUILD)/tests $(BUILD)/demo
+	rm -rf $(BUILD)/obj $(BUILD)/tests $(BUILD)/demo $(BUILD)/bench
 	rm -f $(LIBRARY) $(BUILD)/libcontact2d.so.* $(PROGRAM) $(BUILD)/flags $(BUILD)/exports
 	-rmdir $(BUILD) 2>/dev/null || true
 
--include $(wildcard $(BUILD)/obj/*.d $(BUILD)/tests/*.d)
+-include $(wildcard $(BUILD)/obj/*.d $(BUILD)/tests/*.d $(BUILD)/bench/*.d)

@@ -372,12 +372,40 @@ enum {
   C2D_END_X = 100, C2D_END_Y = 101, C2D_END_NODE = 102,
   C2D_END_UX = 103, C2D_END_UY = 104, C2D_END_TX = 105, C2D_END_TY = 106, /* true traction on own length */
   C2D_END_STATUS = 107,       /* status of the pair this end belongs to, -1: none                   */
+  C2D_END_SXX = 108, C2D_END_SYY = 109, C2D_END_SXY = 110, /* stress tensor from this element's traction and slope of */
+  C2D_END_SZZ = 111,          /* displacement; out of the plane: nu (sxx + syy), 0 in plane stress  */
+  C2D_END_HOOP = 112,         /* normal stress along the boundary                                   */
   /* per geometry node of a body */
   C2D_NODE_X = 120, C2D_NODE_Y = 121
 };
 /* Errors: ARGUMENT; STATE (legal: running; positions also in model, prepared); STORE_... */
 c2d_status c2d_get(c2d_solver* solver, int32_t field, int32_t body, int32_t first, int32_t count, double* out,
                    int64_t stride);
+
+/* Columns of an interior point. Principal stresses are those of the plane, the larger first; max_shear is half their
+   difference; szz = nu (sxx + syy) in plane strain, 0 in plane stress, and enters von Mises' stress. */
+enum {
+  C2D_POINT_UX = 0, C2D_POINT_UY = 1, C2D_POINT_SXX = 2, C2D_POINT_SYY = 3, C2D_POINT_SXY = 4, C2D_POINT_SZZ = 5,
+  C2D_POINT_VON_MISES = 6, C2D_POINT_MAX_SHEAR = 7, C2D_POINT_PRINCIPAL1 = 8, C2D_POINT_PRINCIPAL2 = 9,
+  C2D_POINT_FLAG = 10,        /* one of the words below                                             */
+  C2D_POINT_FIELDS = 11
+};
+enum {
+  C2D_POINT_INSIDE = 0,       /* (3.32)-(3.34), error below 1e-8 down to 1e-6 of an element length from the boundary */
+  C2D_POINT_NEAR_NODE = 1,    /* within a tenth of an element of a node at an element's end: stress blended with the
+                                 boundary's tensor there (mean of both elements), displacement as inside */
+  C2D_POINT_BOUNDARY = 2,     /* within 1e-9 of an element length: displacement and tensor of the boundary point */
+  C2D_POINT_OUTSIDE = 3       /* of the body asked for, or of all: every other column is 0          */
+};
+/* Displacements and stresses at `count` points (xy[i * xy_stride], xy[i * xy_stride + 1]), at the load reached; column c
+   of point i goes to out[i * out_stride + c]. xy_stride >= 2, out_stride >= C2D_POINT_FIELDS; xy and out must not
+   overlap. body 0: whichever body the point lies in, the first if in both. A point load's own field is left out at its
+   very point. Before anything touches, and where no motion is held, displacements and stresses are 0. The time is
+   that of one pass over all elements per point; many points in one call share the preparation of each element.
+   Legal: running. Errors: ARGUMENT; STATE; STORE_... (back substitution is done if need be); CANCELLED (`out` then
+   holds nothing of use, the solver is as before). */
+c2d_status c2d_interior(c2d_solver* solver, int32_t body, int32_t count, const double* xy, int64_t xy_stride,
+                        double* out, int64_t out_stride);
 
 typedef struct c2d_summary {
   uint32_t struct_size;
@@ -448,7 +476,7 @@ c2d_status c2d_get_point_load(c2d_solver* solver, int32_t i, int32_t* body, doub
    building     all of section 5, read_deck is not                      -> model by c2d_complete
    model        set_options, prepare, positions by get                  -> prepared
    prepared     begin, run, positions by get                            -> running
-   running      begin, advance, next_event, run, get, get_zone_state
+   running      begin, advance, next_event, run, get, get_zone_state, interior
    broken       after an error of the store: nothing but c2d_create in the same memory */
 enum { C2D_STATE_EMPTY = 0, C2D_STATE_BUILDING = 1, C2D_STATE_MODEL = 2, C2D_STATE_PREPARED = 3,
        C2D_STATE_RUNNING = 4, C2D_STATE_BROKEN = 5 };
@@ -522,7 +550,8 @@ const char* c2d_version(void);               /* "0.1.0" */
   C2D_LARGER_(C2D_ELIMINATION_BYTES_(C2D_LARGER_(nodes1, nodes2), m),                                                  \
               C2D_LARGER_(C2D_REDUCTION_BYTES_(m), C2D_PATH_BYTES_(nodes1, ends1, nodes2, ends2, m, cases)))
 #define C2D_ELIMINATION_BYTES_(nodes, m)                                                                               \
-  (C2D_ARRAY_(nodes, 32) + C2D_BLOCK_(m) +                             /* diagonal blocks; contact tape   */          \
+  (C2D_ARRAY_(nodes, 32) + C2D_ARRAY_(nodes, 16) +                     /* diagonal blocks; positions      */          \
+   C2D_ARRAY_(nodes, 4) + C2D_BLOCK_(m) +                              /* double nodes; contact tape      */          \
    C2D_COLUMN_BYTES_(C2D_ROWS_(nodes)) + 64 +                          /* a panel of one column, its norm */          \
    C2D_BLOCK_(C2D_ROWS_(nodes)) +                                      /* a block of one column           */          \
    C2D_ARRAY_(C2D_ROWS_(nodes), 4))                                    /* row exchanges                   */

@@ -106,9 +106,9 @@ TEST_CASE("build: report and program use the public interface alone") {
   }
 }
 
-TEST_CASE("build: sources.mk lists what the folders hold, and nothing twice") {
+TEST_CASE("build: src/sources.mk lists what the folders hold, and nothing twice") {
   std::multiset<std::string> listed;
-  for (const std::string& line : lines_of(read_file((kRoot / "sources.mk").string()))) {
+  for (const std::string& line : lines_of(read_file((kRoot / "src/sources.mk").string()))) {
     const size_t at = line.find("_SOURCES += ");
     if (at != std::string::npos) listed.insert(line.substr(at + 12));
   }
@@ -123,21 +123,21 @@ TEST_CASE("build: sources.mk lists what the folders hold, and nothing twice") {
 TEST_CASE("build: make and CMake read that list and no other") {
   const std::string make = read_file((kRoot / "Makefile").string()),
                     cmake = read_file((kRoot / "CMakeLists.txt").string());
-  CHECK(contains(make, "include sources.mk"));
-  CHECK(contains(cmake, "file(STRINGS sources.mk"));
+  CHECK(contains(make, "include src/sources.mk"));
+  CHECK(contains(cmake, "file(STRINGS src/sources.mk"));
   CHECK_FALSE(contains(cmake, ".cpp "));
   // The archive that these tests are linked with holds one member per listed source.
   if (!has_command("ar")) return;
   const size_t members = lines_of(run_shell("ar t '" C2D_TEST_LIBRARY "'").out).size();
   size_t sources = 0;
-  for (const std::string& line : lines_of(read_file((kRoot / "sources.mk").string())))
+  for (const std::string& line : lines_of(read_file((kRoot / "src/sources.mk").string())))
     if (line.compare(0, 16, "CORE_SOURCES += ") == 0 || line.compare(0, 16, "PORT_SOURCES += ") == 0)
       ++sources;
   CHECK(members == sources);
 }
 
 TEST_CASE("build: every text is ASCII without tabs or trailing blanks") {
-  for (const char* folder : {"src", "include", "port", "tests", "examples", "packaging"})
+  for (const char* folder : {"src", "include", "port", "tests", "examples"})
     for (const fs::path& path : files_below(folder)) {
       if (!is_source(path) && path.extension() != ".dat" && path.extension() != ".in") continue;
       const std::string text = read_file(path.string());

@@ -162,7 +162,20 @@ void set_gap(const Model& m, int32_t pair, const double g[2], Reporter& reporter
   tell(reporter, f);
 }
 
-void build_frame(const Model& m, int32_t pair, Reporter& reporter) {
+// How far the normals of a zone's pairs differ.
+struct Spread {
+  int32_t count, pair; // pairs beyond 15 degrees; the worst
+  double angle;
+  void add(int32_t of_pair, double degrees) {
+    if (degrees <= 15) return;
+    if (count++ == 0 || degrees > angle) {
+      pair = of_pair;
+      angle = degrees;
+    }
+  }
+};
+
+void build_frame(const Model& m, int32_t pair, Spread& spread, Reporter& reporter) {
   Pair& p = m.pair[pair];
   Surface s1, s2;
   const bool first = surface_at(m, 0, pair, s1), second = surface_at(m, 1, pair, s2);
@@ -176,12 +189,18 @@ void build_frame(const Model& m, int32_t pair, Reporter& reporter) {
   set_gap(m, pair, g, reporter);
 
   const double opposite[2] = {-s2.n[0], -s2.n[1]};
-  const double angle = angle_between(s1.n, opposite) / kDegree;
-  if (angle <= 15) return;
+  spread.add(pair, angle_between(s1.n, opposite) / kDegree);
+}
+
+// One warning for a zone, about the worst of its pairs.
+void warn_spread(const Model& m, int32_t zone, const Spread& spread, Reporter& reporter) {
+  if (spread.count == 0) return;
+  const Pair& p = m.pair[spread.pair];
   Finding f = warning(C2D_WARN_NORMALS);
-  locate_pair(f, m, pair);
-  say(f, "pair ", pair + 1, " (node ", p.node[0] + 1, " of body 1, node ", p.node[1] + 1,
-      " of body 2): the normals of the two surfaces differ by ", angle, " degrees, more than 15");
+  locate_pair(f, m, spread.pair);
+  say(f, "zone ", zone + 1, ": the normals of the two surfaces differ by more than 15 degrees at ", spread.count,
+      " pairs, most at pair ", spread.pair + 1);
+  say(f, " (node ", p.node[0] + 1, " of body 1, node ", p.node[1] + 1, " of body 2): ", spread.angle, " degrees");
   tell(reporter, f);
 }
 
@@ -221,6 +240,7 @@ bool build_frames(const Model& m, Reporter& reporter) {
   const int32_t before = reporter.faults;
   for (int32_t i = 0; i < m.head->zones; ++i) {
     const Zone& z = m.zone[i];
+    Spread spread{0, 0, 0.0};
     for (int32_t k = 0; k < z.pairs; ++k) {
       const int32_t pair = z.first_pair + k;
       Pair& p = m.pair[pair];
@@ -231,8 +251,9 @@ bool build_frames(const Model& m, Reporter& reporter) {
       p.tangential = 1;
       p.status = C2D_OPEN;
       p.ny = 1; // until its own is known: a pair with a fault
-      build_frame(m, pair, reporter);
+      build_frame(m, pair, spread, reporter);
     }
+    warn_spread(m, i, spread, reporter);
     for (int b = 0; b < 2; ++b) {
       // A zone that goes all round its region has a last neighbour more.
       const Region& r = m.region[b][z.region[b]];

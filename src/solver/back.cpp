@@ -95,6 +95,7 @@ c2d_status back_substitute_body(Session& session, int b) {
   const c2d_status status = back_substitute(session.solver->plan[b], session.solver->tapes, session.area.coefficient,
                                             session.area.outer, session.area.work);
   if (status != C2D_OK) return status;
+  for (int i = 0; i < 3; ++i) session.solver->multiplier[b][i] = session.area.outer[m.head->body[b].columns + i];
   fill_displacements(session, b);
   for (int32_t element = 0; element < m.head->body[b].elements; ++element)
     for (int l = 0; l < m.head->function_nodes; ++l) fill_end_traction(session, b, element, l);
@@ -181,7 +182,7 @@ void balance_forces(Session& session) {
   s->force_contact = hypot(contact[0], contact[1]);
   const double rest = hypot(applied[0] + contact[0], applied[1] + contact[1]);
   const double size = s->force_applied > s->force_contact ? s->force_applied : s->force_contact;
-  s->force_error = size > 0.0 ? rest / size : 0.0;
+  s->force_error = size > 0.0 && s->model.contact > 0 ? rest / size : 0.0;
 }
 
 } // namespace

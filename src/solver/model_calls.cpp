@@ -248,7 +248,9 @@ bool displacement_agrees(const Model& m, int b, int32_t node, int32_t end, int c
     if (ends[i] == end) continue;
     if ((m.end_code[b][ends[i]] & (component == 0 ? kKnownUx : kKnownUy)) == 0) continue;
     const int64_t at = (static_cast<int64_t>(load_case) * m.head->body[b].nodes + node) * 2 + component;
-    if (m.node_disp[b][at] != value) return false;
+    const double known = m.node_disp[b][at];
+    if (load_case > 0 && known == 0.0) continue; // the codes are older than this case's values
+    if (known != value) return false;
   }
   return true;
 }
@@ -390,6 +392,11 @@ namespace c2d {
 bool is_coefficient(double mu) { return isinf(mu) ? mu > 0.0 : (is_usable(mu) && mu >= 0.0); }
 double* zone_friction(c2d_solver* s, int32_t i) {
   return array_of<double>(s, kFriction) + s->sizes.coefficients + i * s->sizes.zones;
+}
+double coefficient_of_zone(c2d_solver* s, int32_t zone, int32_t i) {
+  if (s->model.coefficients == 0) return 0.0;
+  const double own = zone < s->model.zones ? zone_friction(s, i)[zone] : -1.0;
+  return own < 0.0 ? array_of<double>(s, kFriction)[i] : own;
 }
 } // namespace c2d
 

@@ -1,7 +1,7 @@
 // Answers: fields, lists, the summary.
 #include <string.h>
 
-#include "solver/session.hpp"
+#include "solver/interior.hpp"
 
 namespace c2d {
 
@@ -24,7 +24,8 @@ c2d_status check_range(c2d_solver* s, int64_t items, int32_t first, int32_t coun
 }
 
 bool needs_results(int32_t field) {
-  return (field >= C2D_STATUS && field <= C2D_SLIP_SUM) || (field >= C2D_END_UX && field <= C2D_END_TY);
+  return (field >= C2D_STATUS && field <= C2D_SLIP_SUM) || (field >= C2D_END_UX && field <= C2D_END_TY) ||
+         (field >= C2D_END_SXX && field <= C2D_END_HOOP);
 }
 
 c2d_status get_pair_field(c2d_solver* s, int32_t field, int32_t first, int32_t count, double* out, int64_t stride) {
@@ -61,7 +62,9 @@ double end_value(const Session& session, int32_t field, int b, int32_t end) {
   }
   case C2D_END_UX:
   case C2D_END_UY: return session.area.displacement[b][2 * static_cast<int64_t>(node) + (field - C2D_END_UX)];
-  default: return session.area.traction[b][2 * static_cast<int64_t>(end) + (field - C2D_END_TX)];
+  case C2D_END_TX:
+  case C2D_END_TY: return session.area.traction[b][2 * static_cast<int64_t>(end) + (field - C2D_END_TX)];
+  default: return end_stress(session, field, b, end);
   }
 }
 
@@ -129,14 +132,14 @@ void fill_model(c2d_solver* s, c2d_summary& out) {
     out.poisson_ratio[b] = body.poisson_ratio;
   }
   memcpy(out.title, m.title, sizeof out.title);
+  out.load_cases = m.load_cases;
 }
 
 void fill_motion(const c2d_solver* s, c2d_summary& out) {
   if (s->outcome_body < 1 || s->outcome_body > 2) return;
   const Body& body = s->model.body[s->outcome_body - 1];
-  if (body.free_motions < 1) return;
   // (ux, uy) of the centre and a rotation about it, as a motion about the origin.
-  const double* motion = body.free_motion[0];
+  const double* motion = s->outcome_motion;
   const double rotation = motion[2] / s->model.length_unit;
   out.free_motion[0] = motion[0] + rotation * body.centre[1];
   out.free_motion[1] = motion[1] - rotation * body.centre[0];
@@ -168,6 +171,11 @@ void fill_work(c2d_solver* s, c2d_summary& out) {
   out.force_contact = s->force_contact;
   out.force_error = s->force_error;
   out.tension_ratio = s->tension_ratio;
+  out.work = s->work;
+  out.dissipated = s->dissipated;
+  out.elastic = s->elastic;
+  out.energy_defect = s->energy_defect;
+  out.least_dissipation = s->least_dissipation;
 }
 
 } // namespace
@@ -178,7 +186,7 @@ using namespace c2d;
 extern "C" c2d_status c2d_get(c2d_solver* s, int32_t field, int32_t body, int32_t first, int32_t count, double* out,
                               int64_t stride) {
   const bool pairs = field >= 0 && field < C2D_PAIR_FIELDS;
-  const bool ends = field >= C2D_END_X && field <= C2D_END_STATUS, nodes = field == C2D_NODE_X || field == C2D_NODE_Y;
+  const bool ends = field >= C2D_END_X && field <= C2D_END_HOOP, nodes = field == C2D_NODE_X || field == C2D_NODE_Y;
   const c2d_status status = enter(s, needs_results(field) ? state_bit(C2D_STATE_RUNNING) : kComplete);
   if (status != C2D_OK) return status;
   if (!pairs && !ends && !nodes) return fail(s, C2D_ERR_ARGUMENT, "there is no such field");
@@ -222,6 +230,26 @@ extern "C" c2d_status c2d_get_path(c2d_solver* s, int32_t i, int32_t* increments
   const Path& path = array_of<Path>(s, kPaths)[i - 1];
   *increments = path.increments;
   *load = path.load;
+  return C2D_OK;
+}
+
+extern "C" c2d_status c2d_get_path_point(c2d_solver* s, int32_t i, int32_t* increments, double* load, int32_t cases) {
+  double first = 0.0;
+  const c2d_status status = c2d_get_path(s, i, increments, &first);
+  if (status != C2D_OK) return status;
+  if (!load || cases != s->model.load_cases)
+    return fail(s, C2D_ERR_ARGUMENT, "give room for a factor for every load case");
+  for (int32_t k = 0; k < cases; ++k)
+    load[k] = array_of<double>(s, kPathLoads)[static_cast<int64_t>(i - 1) * cases + k];
+  return C2D_OK;
+}
+
+extern "C" c2d_status c2d_get_zone_friction(c2d_solver* s, int32_t zone, int32_t i, double* mu) {
+  const c2d_status status = enter(s, kComplete);
+  if (status != C2D_OK) return status;
+  if (!mu || i < 1 || i > s->model.coefficients || zone < 1 || zone > s->model.zones)
+    return fail(s, C2D_ERR_ARGUMENT, "there is no such coefficient or contact zone");
+  *mu = coefficient_of_zone(s, zone - 1, i - 1);
   return C2D_OK;
 }
 

@@ -21,6 +21,21 @@ void warn(Session& session, int32_t number, int32_t zone, int32_t pair, const ch
   e.pair = pair;
   e.load = session.follower.load[0];
   Text out = text_in(e.text);
+  if (zone > 0) {
+    put(out, "zone ");
+    put(out, zone);
+    put(out, ", ");
+  }
+  if (pair > 0) {
+    put(out, "pair ");
+    put(out, pair);
+    put(out, ", ");
+  }
+  put(out, "load factor ");
+  put(out, e.load);
+  put(out, ", mu ");
+  put(out, s->mu);
+  put(out, ": ");
   put(out, text);
   report_fault(s, e);
 }
@@ -90,11 +105,11 @@ double tension_ratio(const Session& session) {
   return most > 0.0 ? least / most : 0.0;
 }
 
-void warn_contact(Session& session) {
+void warn_contact(Session& session, bool at_end) {
   c2d_solver* s = session.solver;
   if (s->model.contact == 0 || s->floating || s->blocked) return;
   warn_zone_ends(session);
-  warn_few_pairs(session);
+  if (at_end) warn_few_pairs(session);
   warn_slip(session);
   const double ratio = tension_ratio(session);
   if (ratio < s->tension_ratio) s->tension_ratio = ratio;

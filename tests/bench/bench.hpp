@@ -7,15 +7,19 @@
 namespace bench {
 
 double seconds_now();
+// Processor time of this process: what others do on the machine at the same time counts least in it.
+double processor_seconds();
 double median(std::vector<double> values);
 
-// Median seconds of one call of work(), which is called at least `least` times and until `enough` seconds are over.
+// Median seconds of one call of work(), which is called at least `least` times and until `enough` seconds are
+// over.
 template <class Work> double time_of(int least, double enough, Work work) {
   std::vector<double> times;
-  for (const double start = seconds_now(); static_cast<int>(times.size()) < least || seconds_now() - start < enough;) {
-    const double t = seconds_now();
+  for (const double start = seconds_now();
+       static_cast<int>(times.size()) < least || seconds_now() - start < enough;) {
+    const double t = processor_seconds();
     work();
-    times.push_back(seconds_now() - t);
+    times.push_back(processor_seconds() - t);
   }
   return median(times);
 }

@@ -19,7 +19,8 @@ struct Matrix {
   explicit Matrix(int32_t size) : n(size), a(static_cast<size_t>(size) * static_cast<size_t>(size)) {
     uint32_t seed = 1;
     for (Real& v : a) v = static_cast<Real>((seed = seed * 1664525u + 1013904223u) >> 8) / 8388608 - 1;
-    for (int32_t i = 0; i < n; ++i) a[static_cast<size_t>(i) * static_cast<size_t>(n + 1)] += static_cast<Real>(n);
+    for (int32_t i = 0; i < n; ++i)
+      a[static_cast<size_t>(i) * static_cast<size_t>(n + 1)] += static_cast<Real>(n);
   }
   static c2d_status fill(void* context, int32_t first, int32_t count, Real* panel, int64_t ld) {
     const Matrix* m = static_cast<const Matrix*>(context);
@@ -39,7 +40,8 @@ struct Streamed {
   c2d::Tapes tapes;
 
   Streamed(int32_t n, uint64_t bytes) : plan(), store(), port(), tapes() {
-    if (c2d::plan_elimination(bytes, n, n, 0, 0, plan, nullptr) != C2D_OK) give_up("no plan for the elimination");
+    if (c2d::plan_elimination(bytes, n, n, 0, 0, plan, nullptr) != C2D_OK)
+      give_up("no plan for the elimination");
     work.resize(c2d::elimination_bytes(n, n, plan.panel_columns, plan.block_columns) + 64);
     const c2d::TapeUse lower = c2d::lower_use(plan), upper = c2d::upper_use(plan);
     const uint64_t block = std::max(lower.max_data_bytes, upper.max_data_bytes);
@@ -97,13 +99,13 @@ void elimination() {
       const double enough = 0.1;
       t[0].push_back(time_of(1, enough, [&] { in_core.run(matrix); }));
       t[1].push_back(time_of(1, enough, [&] { eighth.run(matrix); }));
-      double best = 0;
+      double last = 0;
       std::vector<double> loops;
-      for (double spent = 0; loops.empty() || spent < enough; spent += best) {
+      for (double spent = 0; loops.empty() || spent < enough; spent += last) {
         copy = matrix.a;
-        const double start = seconds_now();
+        const double start = processor_seconds();
         row_loops(n, pivots, copy.data());
-        loops.push_back(best = seconds_now() - start);
+        loops.push_back(last = processor_seconds() - start);
       }
       t[2].push_back(median(loops));
     }
@@ -111,7 +113,8 @@ void elimination() {
     const double old = operations(n, pivots) / median(t[2]) * 1e-9;
     row(name + "in_core", fast, "GFLOP/s", "x " + std::to_string(fast / old) + " of the row loops");
     row(name + "eighth", small, "GFLOP/s",
-        "x " + std::to_string(small / old) + ", panels of " + std::to_string(eighth.plan.panel_columns) + " columns");
+        "x " + std::to_string(small / old) + ", panels of " + std::to_string(eighth.plan.panel_columns) +
+            " columns");
     row(name + "row_loops", old, "GFLOP/s");
   }
 }

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
+#include <ctime>
 #include <fstream>
 #include <map>
 
@@ -30,6 +30,12 @@ void read_base(const std::string& name) {
 
 double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+double processor_seconds() {
+  timespec now = {};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 double median(std::vector<double> values) {
@@ -78,13 +84,20 @@ int main(int argc, char** argv) {
   std::string only;
   for (int i = 1; i + 1 < argc; i += 2) {
     const std::string name = argv[i], value = argv[i + 1];
-    if (name == "--program") options.program = value;
-    else if (name == "--empty") options.empty = value;
-    else if (name == "--examples") options.examples = value;
-    else if (name == "--only") only = value;
-    else if (name == "--base") { if (!value.empty()) bench::read_base(value); }
-    else if (name == "--save") { if (!value.empty()) bench::save.open(value); }
-    else bench::give_up("unknown option " + name);
+    if (name == "--program")
+      options.program = value;
+    else if (name == "--empty")
+      options.empty = value;
+    else if (name == "--examples")
+      options.examples = value;
+    else if (name == "--only")
+      only = value;
+    else if (name == "--base") {
+      if (!value.empty()) bench::read_base(value);
+    } else if (name == "--save") {
+      if (!value.empty()) bench::save.open(value);
+    } else
+      bench::give_up("unknown option " + name);
   }
   const auto wanted = [&](const char* part) { return only.empty() || only == part; };
   if (wanted("events")) bench::contact_events();

@@ -30,8 +30,8 @@ private:
 // The cylinder of examples/hertz.dat on its foundation: half of the model, this many pairs from x = 0 to 2.8.
 struct Cylinder {
   int32_t pairs;
-  std::vector<double> foundation, disc; // boundary points, x y x y ...
-  int32_t floor, side, top, zone1, axis1;             // first elements (from 1) of the foundation's parts
+  std::vector<double> foundation, disc;   // boundary points, x y x y ...
+  int32_t floor, side, top, zone1, axis1; // first elements (from 1) of the foundation's parts
   int32_t loaded, axis2, zone2, disc_elements, foundation_elements;
   explicit Cylinder(int32_t pairs);
   c2d_limits limits() const;
