@@ -283,6 +283,9 @@ c2d_status c2d_add_path(c2d_solver* solver, int32_t increments, double load);
    ended (zero at first) to load[0 .. cases). cases is the number of load cases. */
 c2d_status c2d_add_path_point(c2d_solver* solver, int32_t increments, const double* load, int32_t cases);
 c2d_status c2d_clear_paths(c2d_solver* solver); /* forget the pieces of path given so far */
+/* Names of the units of length and force, each at most 15 characters, for titles of axes; null is empty. Nothing is
+   converted. Legal also in model, prepared and running. */
+c2d_status c2d_set_units(c2d_solver* solver, const char* length, const char* force);
 /* Faults found from now on are said to come from this line of the caller's input; 0: none. */
 c2d_status c2d_set_line(c2d_solver* solver, int32_t line, int32_t column, int32_t column_end);
 /* Validate everything. On success the state is `model`. Errors: INPUT; every fault goes to c2d_port.log; the
@@ -437,6 +440,7 @@ typedef struct c2d_summary {
   double tension_ratio;           /* smallest pressure inside an element over the largest nodal one */
   double youngs_modulus[2], poisson_ratio[2];
   char title[80];
+  char unit_length[16], unit_force[16]; /* as c2d_set_units said, else empty                        */
   int32_t load_cases, reserved;
   double work, dissipated, elastic, energy_defect; /* as in c2d_step, at the load reached          */
   double least_dissipation;       /* most negative contribution of a pair and event: round-off      */
@@ -471,13 +475,17 @@ c2d_status c2d_get_point_load(c2d_solver* solver, int32_t i, int32_t* body, doub
 
 /* ---------------------------------------------------------------- 9 errors and state ---------------------------
 
-   State        legal calls (besides memory need, get_summary, last_error, message, cancel, close: always)
-   empty        set_problem, set_line, set_options, read_deck           -> building, or model after read_deck
-   building     all of section 5, read_deck is not                      -> model by c2d_complete
-   model        set_options, prepare, positions by get                  -> prepared
-   prepared     begin, run, positions by get                            -> running
+   State        legal calls (besides memory need, get_state, get_summary, last_error, message, cancel, close: always)
+   empty        read_deck                                               -> model
+                all of section 5 but complete                           -> building (set_line, set_options: empty)
+   building     all of section 5                                        -> model by complete; empty if that fails
+   model        set_options, prepare                                    -> prepared
+   prepared     begin, run                                              -> running
    running      begin, advance, next_event, run, get, get_zone_state, interior
-   broken       after an error of the store: nothing but c2d_create in the same memory */
+   broken       after an error of the store: nothing but c2d_create in the same memory
+   In model, prepared and running also positions by get, and the lists: get_friction, _zone_friction, _path,
+   _path_point, _zone, _region,
+   _condition, _point_load. */
 enum { C2D_STATE_EMPTY = 0, C2D_STATE_BUILDING = 1, C2D_STATE_MODEL = 2, C2D_STATE_PREPARED = 3,
        C2D_STATE_RUNNING = 4, C2D_STATE_BROKEN = 5 };
 int32_t c2d_get_state(const c2d_solver* solver);                 /* -1: not a solver                */
@@ -512,7 +520,7 @@ const char* c2d_version(void);               /* "0.1.0" */
 #ifndef C2D_REAL_BYTES
 #define C2D_REAL_BYTES 8      /* of a stored matrix's number: 4 for a library compiled with C2D_REAL=float   */
 #endif
-#define C2D_SOLVER_BYTES 2688 /* of c2d_solver, at most, on any target                                      */
+#define C2D_SOLVER_BYTES 2880 /* of c2d_solver, at most, on any target                                      */
 #define C2D_ROUND_(bytes) (((bytes) + UINT64_C(63)) / 64 * 64)
 #define C2D_ARRAY_(count, size) C2D_ROUND_(UINT64_C(1) * (count) * (size))
 #define C2D_BLOCK_(numbers) C2D_ROUND_(64 + UINT64_C(1) * C2D_REAL_BYTES * (numbers)) /* with its header           */

@@ -28,7 +28,7 @@ struct Fault {
 
 struct Recorder {
   std::vector<Call> calls;
-  std::string title;
+  std::string title, units;
   int line = 0;
   int refuse_call = -1;               // number of the call that fails, from 0
   c2d_status refusal = C2D_ERR_LIMIT; // with this status
@@ -94,6 +94,10 @@ inline c2d::DeckSink recording_sink(Recorder& r, int32_t function_nodes = 0) {
   };
   sink.add_path = [](c2d_solver* s, int32_t increments, double load) -> c2d_status {
     return recorder(s)->record("path", {double(increments), load});
+  };
+  sink.set_units = [](c2d_solver* s, const char* length, const char* force) -> c2d_status {
+    recorder(s)->units = std::string(length) + " " + force;
+    return recorder(s)->record("units", {});
   };
   return sink;
 }

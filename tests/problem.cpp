@@ -182,7 +182,7 @@ c2d_status follow_loads(c2d_solver* s, const Setup& setup, Result& r) {
     for (int32_t field = 0; field < C2D_PAIR_FIELDS && r.summary.pairs > 0 && status == C2D_OK; ++field)
       status = c2d_get(s, field, 0, 1, r.summary.pairs, step.table.data() + field, C2D_PAIR_FIELDS);
     r.steps.push_back(step);
-    if (r.outcome != C2D_REACHED) break;
+    if (r.outcome != C2D_REACHED && !setup.go_on) break;
   }
   return status;
 }

@@ -61,6 +61,7 @@ struct Setup {
   std::vector<double> advance_loads;
   std::vector<double> advance_second; // factors of load case 2, if there is one
   double advance_mu = 0;
+  bool go_on = false;           // with the next load after one that was not reached
   bool begin_after_run = false; // c2d_run first, then begin and advance
 };
 

@@ -345,9 +345,9 @@ TEST_CASE("comments, keywords and what follows the last card") {
   deck.push_back("C the end");
   deck.push_back("");
   CHECK(read(joined(deck)).status == C2D_OK);
-  deck.push_back("*POINTZ   3");
+  deck.push_back("*POINTSX   3");
   deck.push_back("     1.0       2.0");
-  check_first(deck, static_cast<int>(deck.size()) - 1, 1, 7, "the keyword *POINTZ is not known");
+  check_first(deck, static_cast<int>(deck.size()) - 1, 1, 8, "*POINTSX is not a known keyword");
   deck = squares();
   deck.push_back("    1       2.0");
   check_first(deck, static_cast<int>(deck.size()), 0, 0, "follows the last load card");

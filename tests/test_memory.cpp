@@ -243,7 +243,7 @@ TEST_CASE("memory: more of it never fails, and the bytes said to be used are use
       REQUIRE(need.minimum <= need.in_core);
       std::vector<uint64_t> sizes = {need.minimum, need.in_core, need.in_core + 64};
       for (int i = 1; i < 8; ++i) sizes.push_back(need.minimum + (need.in_core - need.minimum) * static_cast<uint64_t>(i) / 8);
-      for (uint64_t d : {1, 63, 64, 500, 1000, 3000}) sizes.push_back(need.minimum + d);
+      for (uint64_t d : {1u, 63u, 64u, 500u, 1000u, 3000u}) sizes.push_back(need.minimum + d);
       for (uint64_t bytes : sizes) {
         CAPTURE(bytes);
         Quiet store;

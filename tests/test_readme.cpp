@@ -46,12 +46,13 @@ std::set<std::string> quoted_words() {
   return out;
 }
 
-// Compiles a C program as `language` with the compiler of this build; "" or what the compiler said.
+// Compiles a C program with this command; "" or what the compiler said. A library with a sanitizer in it
+// needs that one's run-time: then nothing is linked.
 std::string compile(const std::string& compiler, const std::string& source, const std::string& out) {
-  const std::string sanitizer = kSanitized ? " -fsanitize=address,undefined" : "";
-  const Result result = run_shell(compiler + " -Wall -Wextra -Wpedantic -Werror" + sanitizer + " -I'" +
-                                  kRoot + "/include' -I'" + kRoot + "/port/memory' '" + source +
-                                  "' -x none '" C2D_TEST_LIBRARY "' -lm -o '" + out + "'");
+  const std::string rest = kSanitized ? " -c" : " -x none '" C2D_TEST_LIBRARY "' -lm";
+  const Result result =
+      run_shell(compiler + " -Wall -Wextra -Wpedantic -Werror -I'" + kRoot + "/include' -I'" + kRoot +
+                "/port/memory' '" + source + "'" + rest + " -o '" + out + "'");
   return result.status == 0 ? "" : result.err + "(failed)";
 }
 
@@ -66,7 +67,7 @@ TEST_CASE("readme: its C programs compile as C99 and as C++ and run") {
     const std::string as_c = C2D_TEST_CC " -std=c99 -x c", as_cpp = C2D_TEST_CXX " -std=c++17 -x c++";
     for (const std::string& compiler : {as_c, as_cpp}) {
       REQUIRE(compile(compiler, folder / "example.c", folder / "example") == "");
-      if (!contains(program, "int main(")) continue;
+      if (kSanitized || !contains(program, "int main(")) continue;
       const Result result = run_shell("cd '" + kRoot + "' && '" + (folder / "example") + "'");
       CHECK_MESSAGE(result.status == 0, result.out << result.err);
       // Two coefficients of friction, 28 increments each; the last pressure is the README's, and near the
@@ -130,7 +131,7 @@ TEST_CASE("readme: the options and exit statuses are those of the program") {
   for (std::sregex_iterator i(help.begin(), help.end(), option), end; i != end; ++i) of_help.insert(i->str());
   CHECK(of_help.size() > 8);
   for (const std::string& name : of_help) {
-    if (name == "--version" || name == "--help" || name == "--threads") continue; // told by --help alone
+    if (name == "--version" || name == "--help") continue; // told by --help alone
     CHECK_MESSAGE(contains(text, "`" + name), name);
   }
   for (const char* status : {"| 0 |", "| 1 |", "| 2 |", "| 3 |", "| 4 |", "| 64 |", "| 130 |"})

@@ -246,8 +246,8 @@ TEST_CASE("stepping: first touch of the sample's cylinder from any height") {
     const Result r = solved(q);
     CHECK(r.outcome == C2D_REACHED);
     CHECK(r.summary.force_error < 1e-12);
-    CHECK(compare(touching, r).traction < 0.05);
-    CHECK(largest_traction(r) == doctest::Approx(peak).epsilon(0.01));
+    CHECK(compare(touching, r).traction < 1e-4); // 1.2e-5 for the higher one
+    CHECK(largest_traction(r) == doctest::Approx(peak).epsilon(1e-4));
   }
 }
 
@@ -296,32 +296,110 @@ TEST_CASE("stepping: the block slides as a whole when the load leaves the cone")
   CHECK(solved(p).recorded().size() == 8);
 }
 
-TEST_CASE("stepping: gross sliding comes at Q = mu N") {
-  // The pressure is load case 1, the shear case 2: press, then shear until it goes.
+namespace {
+
+// The block with its pressure as load case 1 and its shear, 0.2 of it, as case 2.
+Problem pressed_and_sheared() {
   Problem p = load("block.dat");
-  Body& body = p.bodies[1];
-  body.second_case = body.ends;
-  p.bodies[0].second_case = p.bodies[0].ends;
-  for (End& end : body.ends) end.values[0] = 0;
-  for (End& end : body.second_case) end.values[1] = 0;
-  for (double mu : {0.1, 0.3}) {
+  for (Body& body : p.bodies) body.second_case = body.ends;
+  for (End& end : p.bodies[1].ends) end.values[0] = 0;
+  for (End& end : p.bodies[1].second_case) end.values[1] = 0;
+  return p;
+}
+Result follow_pair(const Problem& p, double mu, const std::vector<double>& pressure,
+                   const std::vector<double>& shear, bool go_on = false) {
+  Setup setup;
+  setup.advance_mu = mu;
+  setup.advance_loads = pressure;
+  setup.advance_second = shear;
+  setup.go_on = go_on;
+  Result r = solve(p, setup);
+  REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
+  CHECK(coulomb_breach(p, r) == "");
+  return r;
+}
+
+} // namespace
+
+TEST_CASE("stepping: gross sliding comes at Q = mu N") {
+  const Problem p = pressed_and_sheared(); // press, then shear until it goes
+  for (double mu : {0.1, 0.3, 0.6}) {
     CAPTURE(mu);
-    Setup setup;
-    setup.advance_mu = mu;
     const double limit = mu / 0.2;
-    setup.advance_loads = {1, 1, 1, 1};
-    setup.advance_second = {0, 0.5 * limit, 0.999 * limit, 1.1 * limit};
-    const Result r = solve(p, setup);
-    REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
+    const Result r = follow_pair(p, mu, {1, 1, 1, 1}, {0, 0.5 * limit, 0.999 * limit, 1.1 * limit});
     REQUIRE(r.steps.size() == 4);
     CHECK(r.steps[2].outcome == C2D_REACHED);
     CHECK(r.outcome == C2D_GROSS_SLIDING);
-    // At the last valid load every touching pair is at its limit: the shear carried is mu N = mu * 2.
-    const double shear = std::fabs(resultant(p, r, 2, 1).fx);
-    CHECK(shear == doctest::Approx(2 * mu).epsilon(1e-9));
+    // At the last valid load every touching pair is at its limit: the shear carried is mu N = 2 mu.
+    CHECK(std::fabs(resultant(p, r, 2, 1).fx) == doctest::Approx(2 * mu).epsilon(1e-9));
     CHECK(std::fabs(resultant(p, r, 2, 1).fy) == doctest::Approx(2).epsilon(1e-9));
-    CHECK(coulomb_breach(p, r) == "");
   }
+}
+
+TEST_CASE("stepping: a path that stopped can be followed back") {
+  const Problem p = pressed_and_sheared();
+  const double mu = 0.3, limit = mu / 0.2;
+  const Result stopped = follow_pair(p, mu, {1, 1, 1, 1}, {0, 1.1 * limit, 0, -0.4 * limit}, true);
+  const Result short_of = follow_pair(p, mu, {1, 1, 1, 1}, {0, (1 - 1e-9) * limit, 0, -0.4 * limit});
+  REQUIRE(stopped.steps.size() == 4);
+  CHECK(stopped.steps[1].outcome == C2D_GROSS_SLIDING);
+  CHECK(stopped.steps[2].outcome == C2D_REACHED);
+  CHECK(stopped.steps[3].outcome == C2D_REACHED);
+  check_same(compare(short_of.steps[2], stopped.steps[2]), 1e-7);
+  check_same(compare(short_of.steps[3], stopped.steps[3]), 1e-7);
+}
+
+TEST_CASE("stepping: a pressed block holds however small the friction" * doctest::may_fail()) {
+  // No shear at all: by symmetry half the block slips to either side and the pair in the middle stays.
+  const Problem p = pressed_and_sheared();
+  for (double mu : {0.01, 0.02, 0.05, 0.07, 0.1, 0.2}) {
+    CAPTURE(mu);
+    const Result r = follow_pair(p, mu, {1}, {0});
+    CHECK(r.outcome == C2D_REACHED);
+    if (r.outcome != C2D_REACHED) continue;
+    const Step& s = r.steps[0];
+    for (int i = 0; i < s.pairs(); ++i)
+      CHECK(s.at(i, C2D_TT) == doctest::Approx(-s.at(24 - i, C2D_TT)).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("stepping: pressure and shear in proportion hold up to Q = mu N" * doctest::may_fail()) {
+  const Problem p = pressed_and_sheared();
+  for (double mu : {0.05, 0.1, 0.2, 0.4})
+    for (double part : {0.1, 0.5, 0.9, 0.99}) {
+      CAPTURE(mu);
+      CAPTURE(part);
+      const double limit = mu / 0.2;
+      CHECK(follow_pair(p, mu, {1}, {part * limit}).outcome == C2D_REACHED);
+      CHECK(follow_pair(p, mu, {1e-3, 1}, {0, part * limit}).outcome == C2D_REACHED);
+      const c2d_outcome beyond = follow_pair(p, mu, {1}, {limit / part}).outcome;
+      if (part >= 0.9) CHECK(beyond == C2D_GROSS_SLIDING);
+      CHECK(beyond != C2D_REACHED);
+    }
+}
+
+TEST_CASE("stepping: shear to the left is the mirror of shear to the right" * doctest::may_fail()) {
+  // The block, its mesh and its pressure are symmetric about x = 0. At 0.7 and 0.9 the trailing edge lifts.
+  const Problem p = pressed_and_sheared();
+  for (double mu : {0.3, 1.0, 2.0})
+    for (double ratio : {0.1, 0.25, 0.5, 0.7, 0.9}) {
+      if (ratio > 0.9 * mu) continue;
+      CAPTURE(mu);
+      CAPTURE(ratio);
+      const Result right = follow_pair(p, mu, {1}, {ratio / 0.2}),
+                   left = follow_pair(p, mu, {1}, {-ratio / 0.2});
+      CHECK(right.outcome == C2D_REACHED);
+      CHECK(left.outcome == C2D_REACHED);
+      if (right.outcome != C2D_REACHED || left.outcome != C2D_REACHED) continue;
+      Step mirrored = left.steps[0];
+      for (int i = 0; i < 25; ++i)
+        for (int field = C2D_STATUS; field <= C2D_SLIP_SUM; ++field) {
+          const bool odd = field == C2D_TT || field == C2D_UT1 || field == C2D_UT2 || field == C2D_SLIP_SUM;
+          mirrored.table[static_cast<size_t>(i * C2D_PAIR_FIELDS + field)] =
+              (odd ? -1 : 1) * left.steps[0].at(24 - i, field);
+        }
+      check_same(compare(right.steps[0], mirrored), 1e-9);
+    }
 }
 
 // ---- other functions, more zones, adhesion

@@ -57,7 +57,7 @@ Complex polynomial(const Complex* c, int n, double eta) {
   return sum;
 }
 
-struct Panel {
+struct Panel { // parameters from the expansion's origin
   double from, to;
 };
 
@@ -67,8 +67,8 @@ void add_panel(const FieldElement& e, Complex reference, const Expansion& x, con
   const double half = 0.5 * (panel.to - panel.from), middle = 0.5 * (panel.from + panel.to);
   for (int i = 0; i < order; ++i) {
     const GaussPoint point = gauss_point(rule, i);
-    const double eta = middle + half * point.x, weight = half * point.w;
-    const Sample s = sample(e.in, x, eta);
+    const double tau = middle + half * point.x, eta = x.origin + tau, weight = half * point.w;
+    const Sample s = sample(e.in, x, tau);
     const Ray ray = make_ray(s.rx, s.ry);
     PointField part = {};
     add_traction(ray, s.jacobian * polynomial(e.t, e.in.functions, eta), e.in.kappa, part);
@@ -92,23 +92,26 @@ bool resolved(const FieldElement& e, const Expansion& x, const Panel& panel) {
     d2[i] = b2 + 3.0 * t * b3;
   }
   const double bound = hypot(d1[0], d1[1]) + radius * (hypot(d2[0], d2[1]) + radius * hypot(x.b[2][0], x.b[2][1]));
-  return hypot(at[0], at[1]) > radius * bound && has_no_zero(e.in.d, t, radius);
+  return hypot(at[0], at[1]) > radius * bound && has_no_zero(e.in.d, x.origin + t, radius);
 }
 
-// One rule far away, else panels that shrink on the way to the point and grow behind it. The bounds of the loops are out
-// of reach for points off the boundary.
+// One rule far away; else panels that shrink on the way to the nearest point and grow behind it, with parameters counted
+// from there, so that the rounding of the distance is the same for all. The bounds of the loops are out of reach for
+// points off the boundary.
 void add_field_curved(const FieldElement& e, Complex reference, double px, double py, PointField& sum) {
-  const Expansion x = expand(e.in, 0.0, px, py, false);
-  const double r2 = x.delta[0] * x.delta[0] + x.delta[1] * x.delta[1];
+  const double x0 = e.in.element.c[0][0] - px, y0 = e.in.element.c[0][1] - py, r2 = x0 * x0 + y0 * y0;
   for (int i = 0; i < kFarOrderCount; ++i)
-    if (r2 > e.in.reach2[i]) return add_panel(e, reference, x, {-1.0, 1.0}, kFarOrders[i], sum);
-  Panel panel = {-1.0, 1.0};
-  for (int count = 0; count < 400 && panel.from < 1.0; ++count) {
+    if (r2 > e.in.reach2[i])
+      return add_panel(e, reference, expand(e.in, 0.0, px, py, false), {-1.0, 1.0}, kFarOrders[i], sum);
+  const double origin = nearest_point(e.in.element, px, py).eta, end = 1.0 - origin;
+  const Expansion x = expand(e.in, origin, px, py, false);
+  Panel panel = {-1.0 - origin, end};
+  for (int count = 0; count < 400 && panel.from < end; ++count) {
     for (int cut = 0; cut < 100 && !resolved(e, x, panel); ++cut)
       panel.to = panel.from + 0.7 * (panel.to - panel.from);
     add_panel(e, reference, x, panel, kNearOrder, sum);
     const double next = panel.to + 5.0 * (panel.to - panel.from);
-    panel = {panel.to, next < 1.0 ? next : 1.0};
+    panel = {panel.to, next < end ? next : end};
   }
 }
 

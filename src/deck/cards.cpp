@@ -32,6 +32,7 @@ int32_t fetch(Cards& cards) {
 
 // Only printable ASCII and tabs can be a card. One fault, and the end: a binary file has thousands of them.
 bool is_text(Cards& cards, int32_t used) {
+  if (cards.free_form) used = before_comment(cards.text, used); // a remark may be in any script
   for (int32_t i = 0; i < used; ++i) {
     const unsigned char byte = static_cast<unsigned char>(cards.text[i]);
     if ((byte >= 0x20 && byte < 0x7f) || byte == '\t') continue;
@@ -52,6 +53,7 @@ bool next_line(Cards& cards) {
   const size_t end = static_cast<size_t>(used);
   memset(cards.text + end, ' ', sizeof cards.text - end);
   cards.holds_tab = false;
+  cards.length = used;
   return true;
 }
 
@@ -66,42 +68,16 @@ bool is_comment(Cards& cards) {
   return !cards.holds_nodes;
 }
 
+bool is_free_comment(const Cards& cards) {
+  if (cards.text[0] != 'C' || cards.c_comment == CComment::none) return false;
+  return cards.c_comment == CComment::any || cards.text[1] == ' ';
+}
+
 void missing_card(Cards& cards, const char* what) {
   if (cards.status == C2D_OK && cards.faults == 0 && cards.line == 0)
     fault(cards, 0, 0, "the deck is empty");
   else
     fault(cards, 0, 0, "the deck ends here, expected ", what);
-}
-
-// The text of a field without outer blanks, in quotes.
-void put_field(Text& text, const char* field, int32_t width) {
-  while (width > 0 && field[width - 1] == ' ') --width;
-  while (width > 0 && field[0] == ' ') {
-    ++field;
-    --width;
-  }
-  put_character(text, '\'');
-  put(text, field, static_cast<size_t>(width));
-  put_character(text, '\'');
-}
-
-void malformed_field(Cards& cards, int32_t column, int32_t width, const char* expected, const char* name) {
-  const int32_t column_end = column + width - 1;
-  begin_fault(cards, column, column_end);
-  Text text = text_in(cards.entry.text);
-  put(text, width == 1 ? "column " : "columns ");
-  put(text, column);
-  if (width > 1) {
-    put_character(text, '-');
-    put(text, column_end);
-  }
-  put(text, width == 1 ? " holds " : " hold ");
-  put_field(text, cards.text + column - 1, width);
-  put(text, ", expected ");
-  put(text, expected);
-  put(text, ": ");
-  put(text, name);
-  end_fault(cards);
 }
 
 } // namespace
@@ -147,67 +123,30 @@ bool next_card_if_any(Cards& cards) {
   return !cards.ended;
 }
 
-bool integer(Cards& cards, int32_t column, int32_t width, const char* name, int32_t least, int32_t most,
-             int32_t* value) {
-  if (cards.holds_tab) return false;
-  int32_t found;
-  const FieldFault why = integer_field(cards.text + column - 1, width, &found);
-  if (why != FieldFault::none) {
-    malformed_field(cards, column, width, expectation(why, true), name);
-    return false;
+// Lines without a field are passed over, too.
+bool next_free_card(Cards& cards, Words& words) {
+  cards.free_form = true;
+  if (cards.held) { // its faults have been told
+    cards.held = false;
+    split_words(cards.text, cards.length, words);
+    return !cards.ended;
   }
-  if (found >= least && found <= most) {
-    *value = found;
-    return true;
-  }
-  const int32_t column_end = column + width - 1;
-  if (most == INT32_MAX)
-    fault(cards, column, column_end, name, " is ", found, ", expected at least ", least);
-  else if (least == most)
-    fault(cards, column, column_end, name, " is ", found, ", expected ", least);
-  else
-    fault(cards, column, column_end, name, " is ", found, ", expected ", least, " to ", most);
-  return false;
+  bool complete;
+  do {
+    if (!next_line(cards)) return false;
+    complete = split_words(cards.text, cards.length, words);
+  } while (words.count == 0 || is_free_comment(cards));
+  const int32_t used = words.word[words.count - 1].column_end;
+  if (used > kFreeColumns)
+    fault(cards, kFreeColumns + 1, used, "the card goes beyond column ", kFreeColumns,
+          ", expected at most so many columns in front of a comment");
+  else if (!complete)
+    fault(cards, 0, 0, "the card has more than ", kMaximumWords, " fields");
+  return !cards.ended;
 }
 
-bool count(Cards& cards, int32_t column, const char* name, int32_t least, int32_t* value) {
-  cards.vital = true;
-  const bool found = integer(cards, column, 5, name, least, INT32_MAX, value);
-  cards.vital = false;
-  if (!found) cards.ended = true;
-  return found;
-}
-
-bool real(Cards& cards, int32_t column, const char* name, double* value) {
-  if (cards.holds_tab) return false;
-  constexpr int32_t kWidth = 10;
-  constexpr double kLargest = 1e100;
-  double found;
-  FieldFault why = real_field(cards.text + column - 1, kWidth, &found);
-  if (why == FieldFault::none && !(found <= kLargest && found >= -kLargest)) why = FieldFault::too_large;
-  if (why != FieldFault::none) {
-    malformed_field(cards, column, kWidth, expectation(why, false), name);
-    return false;
-  }
-  *value = found;
-  return true;
-}
-
-void unused_column(Cards& cards, int32_t column) {
-  if (cards.holds_tab || cards.text[column - 1] == ' ') return;
-  malformed_field(cards, column, 1, "a blank", "this column belongs to no field");
-}
-
-void end_of_fields(Cards& cards, int32_t column) {
-  constexpr int32_t kLastColumn = 72; // behind it cards carry their sequence numbers
-  if (cards.holds_tab) return;
-  int32_t first = column;
-  while (first <= kLastColumn && cards.text[first - 1] == ' ') ++first;
-  if (first > kLastColumn || strchr("+-.0123456789", cards.text[first - 1]) == nullptr) return;
-  int32_t last = first;
-  while (last < kLastColumn && cards.text[last] != ' ') ++last;
-  malformed_field(cards, first, last - first + 1, "blanks",
-                  "no number belongs there, are the columns right?");
+void hold_card(Cards& cards) {
+  cards.held = true;
 }
 
 void begin_fault(Cards& cards, int32_t column, int32_t column_end) {

@@ -1,12 +1,20 @@
 #pragma once
 // Cards one after another, their fields, and the faults found in them.
 #include "contact2d.h"
+#include "deck/words.hpp"
 #include "memory/text.hpp"
 
 namespace c2d {
 
 constexpr int32_t kCardColumns = 80;
 constexpr int32_t kMaximumFaults = 100; // after that many the reading ends
+
+// Which cards with a C in column 1 are comments among those of the free form.
+enum class CComment : int32_t {
+  none,      // in a deck of the free form
+  any,       // behind the load cards of a fixed one, which may end in remarks
+  with_blank // below a keyword in it: the C stands alone
+};
 
 // Only the first 80 columns of a line are the card; what stands further right is ignored, as a card reader
 // would. The buffer is wider so that carriage returns and stray bytes just behind the card are still seen.
@@ -23,6 +31,10 @@ struct Cards {
   bool holds_tab;     // the card at hand was refused as a whole: its fields are not reported one by one
   bool holds_nodes;   // node cards: a C in column 1 may be meant as a coordinate letter
   bool vital;         // without the field at hand the rest of the deck cannot be read
+  bool free_form;     // the card at hand has fields between blanks or commas
+  CComment c_comment; // for cards of the free form
+  bool held;          // it has been read ahead: next_free_card gives it once more
+  int32_t length;     // columns of the line, blanks behind it included
   c2d_error entry;    // being put together
   char text[168];     // the card, blank-padded to 80 columns
 };
@@ -37,6 +49,12 @@ bool next_heading(Cards& cards, const char* what);
 bool next_card(Cards& cards, const char* what);
 // The same where the deck may end: then false without a fault.
 bool next_card_if_any(Cards& cards);
+
+// The next card of the free form, split; lines without a field are passed over. The deck may end here: then
+// false without a fault.
+bool next_free_card(Cards& cards, Words& words);
+// The card at hand is to be read once more.
+void hold_card(Cards& cards);
 
 // Report a tab and refuse the card at hand; next_card does this itself.
 void refuse_tabs(Cards& cards);
@@ -54,11 +72,29 @@ void unused_column(Cards& cards, int32_t column);
 // No number may stand in columns `column` to 72; a remark in words may.
 void end_of_fields(Cards& cards, int32_t column);
 
+// Field i (from 0) of a free-form card, as above.
+bool integer_word(Cards& cards, const Words& words, int32_t i, const char* name, int32_t least, int32_t most,
+                  int32_t* value);
+bool real_word(Cards& cards, const Words& words, int32_t i, const char* name, double* value);
+// A name of at most size - 1 characters, as it stands on the card.
+bool text_word(Cards& cards, const Words& words, int32_t i, const char* name, char* value, int32_t size);
+// The card has no more fields than `count`.
+bool end_of_words(Cards& cards, const Words& words, int32_t count);
+
 // Report a fault in columns column ... column_end (0: the card as a whole); the parts are put() together.
 void begin_fault(Cards& cards, int32_t column, int32_t column_end);
 void end_fault(Cards& cards);
 template <class... Parts> void fault(Cards& cards, int32_t column, int32_t column_end, Parts... parts) {
   begin_fault(cards, column, column_end);
+  Text text = text_in(cards.entry.text);
+  (put(text, parts), ...);
+  end_fault(cards);
+}
+
+// The same in field i of a free-form card; without such a field, where it would stand.
+void begin_word_fault(Cards& cards, const Words& words, int32_t i);
+template <class... Parts> void word_fault(Cards& cards, const Words& words, int32_t i, Parts... parts) {
+  begin_word_fault(cards, words, i);
   Text text = text_in(cards.entry.text);
   (put(text, parts), ...);
   end_fault(cards);

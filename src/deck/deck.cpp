@@ -38,6 +38,13 @@ void place(Deck& deck, int32_t column, int32_t column_end) {
     accept(deck, deck.sink->set_line(deck.sink->solver, deck.cards.line, column, column_end));
 }
 
+void place_words(Deck& deck, const Words& words) {
+  if (words.count == 0)
+    place(deck, 1, words.end);
+  else
+    place(deck, words.word[0].column, words.word[words.count - 1].column_end);
+}
+
 bool accept(Deck& deck, c2d_status status) {
   if (status == C2D_OK) return !deck.cards.ended;
   ++deck.cards.faults;

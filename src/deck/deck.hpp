@@ -32,6 +32,13 @@ struct DeckSink {
   c2d_status (*add_zone)(c2d_solver*, const c2d_zone*);
   c2d_status (*add_friction)(c2d_solver*, double mu);
   c2d_status (*add_path)(c2d_solver*, int32_t increments, double load);
+  // of the keywords *CASES, *PATH and *FRICTION
+  c2d_status (*set_case_values)(c2d_solver*, int32_t body, int32_t element, int32_t local, const double values[4],
+                                int32_t load_case);
+  c2d_status (*clear_paths)(c2d_solver*);
+  c2d_status (*add_path_point)(c2d_solver*, int32_t increments, const double* load, int32_t cases);
+  c2d_status (*set_zone_friction)(c2d_solver*, int32_t zone, int32_t i, double mu);
+  c2d_status (*set_units)(c2d_solver*, const char* length, const char* force);
 };
 
 // What later sections must know of earlier ones. Bodies are counted from 0 in here.
@@ -45,6 +52,7 @@ struct Deck {
   bool elements_continue;          // body 2's elements are numbered on from body 1's
   bool nodes_continue;             // so are its nodes
   int64_t pairs, contact_elements; // of all zones
+  uint32_t keywords_seen;          // bit: place in the table of keywords.cpp
 };
 
 // Read a deck to its end. Every fault goes to `report` (may be null), those of the sink's calls excepted: the
@@ -62,12 +70,14 @@ bool read_conditions(Deck& deck, int b); // conditions.cpp
 bool read_point_loads(Deck& deck, int b);
 bool read_zones(Deck& deck);      // zones.cpp: zones and the counts per body
 bool read_loads(Deck& deck);      // loads.cpp: load path
-void read_extensions(Deck& deck); //   what follows the last load card
+void read_extensions(Deck& deck); // keywords.cpp: what follows the last load card
 
 // ---- shared by the sections
-// -------------------------------------------------------------------------------------- Faults of the sink's
-// next call are in these columns of the card at hand.
+// --------------------------------------------------------------------------------- Faults of the sink's next
+// call are in these columns of the card at hand.
 void place(Deck& deck, int32_t column, int32_t column_end);
+// The same for all fields of a free-form card.
+void place_words(Deck& deck, const Words& words);
 // Take note of what a call of the sink returned; false if the reading must end.
 bool accept(Deck& deck, c2d_status status);
 // Added to an element's or functional node's number within body b to get that of the cards.

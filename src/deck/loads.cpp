@@ -1,7 +1,5 @@
-// The load path, and what follows the last load card.
+// The load path.
 #include "deck/deck.hpp"
-
-#include "deck/number.hpp"
 
 namespace c2d {
 namespace {
@@ -40,27 +38,6 @@ bool read_loads(Deck& deck) {
   for (int32_t i = 0; i < deck.sizes.paths; ++i)
     if (!read_load(deck)) return false;
   return true;
-}
-
-// Blank cards and comments may follow; keyword cards are there for extensions, none of which is known yet.
-void read_extensions(Deck& deck) {
-  Cards& cards = deck.cards;
-  bool in_extension = false; // its cards are skipped with it
-  while (next_card_if_any(cards)) {
-    if (is_blank(cards.text, kCardColumns)) continue;
-    if (cards.text[0] == '*') {
-      int32_t width = 1;
-      while (width < 20 && cards.text[width] != ' ') ++width;
-      char word[21];
-      Text text = text_in(word);
-      put(text, cards.text, static_cast<size_t>(width));
-      fault(cards, 1, width, "the keyword ", word, " is not known");
-      in_extension = true;
-    } else if (!in_extension) {
-      fault(cards, 0, 0, "a card follows the last load card, expected the end of the deck");
-      return;
-    }
-  }
 }
 
 } // namespace c2d

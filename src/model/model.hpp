@@ -78,6 +78,7 @@ struct ModelHeader {        // lives in the solver's header; the arrays live in 
   double stress_unit;       // power of two near 2G of the softer body
   Body body[2];
   char title[80];
+  char unit_length[16], unit_force[16];
 };
 
 struct Model { // a view, rebuilt at every entry into the library: plain pointers, never stored

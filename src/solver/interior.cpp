@@ -8,6 +8,7 @@
 #include "bie/columns.hpp"
 #include "bie/interior_detail.hpp"
 #include "bie/shape.hpp"
+#include "quadrature/gauss.hpp"
 
 namespace c2d {
 
@@ -15,10 +16,15 @@ namespace {
 
 constexpr double kOnBoundary = 1e-9; // of the element's length
 constexpr double kNearNode = 0.1;    // of the shorter element that meets there
+constexpr double kSmooth = 0.985;    // cosine of 10 degrees: less is a kink
+constexpr double kCorner = 0.5;      // sine of 30 degrees: from there on two tractions make a tensor
+constexpr double kStep = 0.05;       // of the tractions at a node: more is a step
+
+double length_of(double x, double y) { return sqrt(x * x + y * y); }
 
 // ---- the boundary's own stress ------------------------------------------------------------------------------------
 
-int region_neighbour(const Model& m, int b, int32_t element, int32_t step) {
+int32_t region_neighbour(const Model& m, int b, int32_t element, int32_t step) {
   const Region& region = m.region[b][region_of_element(m, b, element)];
   const int32_t count = region.last - region.first + 1;
   int32_t other = element;
@@ -33,31 +39,115 @@ Element element_of(const Model& m, int b, int32_t element) {
   return make_element(m.head->body[b].element_nodes, x, y);
 }
 
+// From the middle to eta.
+double arc_length(const Element& e, double eta) {
+  const GaussRule rule = gauss_legendre(6);
+  double sum = 0.0;
+  for (int i = 0; i < rule.n; ++i) {
+    const GaussPoint p = gauss_point(rule, i);
+    sum += 0.5 * eta * p.w * element_point(e, 0.5 * eta * (1.0 + p.x)).jacobian;
+  }
+  return sum;
+}
+
 struct BoundaryState {
   double u[2], t[2], du_ds[2], n[2];
 };
 
+// Nothing jumps between the end of one element and the start of the next: no kink, double node or step of traction.
+bool joins_smoothly(const Session& session, int b, int32_t element, int32_t next) {
+  const Model& m = session.model;
+  const int nf = m.head->function_nodes;
+  const Point p = element_point(element_of(m, b, element), 1.0), q = element_point(element_of(m, b, next), -1.0);
+  if (p.nx * q.nx + p.ny * q.ny < kSmooth || geometry_node(m, b, element, m.head->body[b].element_nodes - 1) !=
+                                                 geometry_node(m, b, next, 0))
+    return false;
+  const double* t = session.area.traction[b] + 2 * (static_cast<int64_t>(element) * nf + nf - 1);
+  const double* v = session.area.traction[b] + 2 * (static_cast<int64_t>(next) * nf);
+  return length_of(t[0] - v[0], t[1] - v[1]) <= kStep * (length_of(t[0], t[1]) + length_of(v[0], v[1]));
+}
+
+// Derivatives of displacement by arc length where they are most accurate: the Gauss points of an element, one fewer than
+// functional nodes. Constant elements have their value in the middle, and differences in place of derivatives.
+struct Slopes {
+  int count;
+  double s[9], du_ds[9][2];
+};
+
+// Those of one element, with `start` the arc length of its middle less that of the point sought.
+void add_slopes(const Session& session, int b, int32_t element, double start, Slopes& out) {
+  const Model& m = session.model;
+  const int nf = m.head->function_nodes;
+  const Element e = element_of(m, b, element);
+  const GaussRule rule = gauss_legendre(nf - 1);
+  for (int i = 0; i < rule.n; ++i) {
+    const double eta = gauss_point(rule, i).x;
+    const Point p = element_point(e, eta);
+    double slope[4];
+    shape_derivative(nf, eta, slope);
+    if (!(p.jacobian > 0.0)) continue;
+    double* du_ds = out.du_ds[out.count];
+    du_ds[0] = du_ds[1] = 0.0;
+    for (int l = 0; l < nf; ++l) {
+      const double* u = session.area.displacement[b] + 2 * static_cast<int64_t>(functional_node(m, b, element, l));
+      for (int c = 0; c < 2; ++c) du_ds[c] += slope[l] * u[c] / p.jacobian;
+    }
+    out.s[out.count++] = start + arc_length(e, eta);
+  }
+}
+
+// The polynomial through the (at most four) samples nearest to s = 0, there.
+void interpolate_slopes(const Slopes& x, double du_ds[2]) {
+  int first = 0, count = x.count < 4 ? x.count : 4;
+  while (first + count < x.count && x.s[first + count] < -x.s[first]) ++first;
+  du_ds[0] = du_ds[1] = 0.0;
+  for (int i = first; i < first + count; ++i) {
+    double weight = 1.0;
+    for (int j = first; j < first + count; ++j)
+      if (j != i) weight *= x.s[j] / (x.s[j] - x.s[i]);
+    for (int c = 0; c < 2; ++c) du_ds[c] += weight * x.du_ds[i][c];
+  }
+}
+
+// From this element and the neighbours that join it smoothly.
+void recover_slope(const Session& session, int b, int32_t element, double eta, double du_ds[2]) {
+  const Model& m = session.model;
+  const int32_t next = region_neighbour(m, b, element, 1), previous = region_neighbour(m, b, element, -1);
+  const Element e = element_of(m, b, element);
+  const double here = -arc_length(e, eta);
+  Slopes slopes = {};
+  if (previous != next && joins_smoothly(session, b, previous, element)) {
+    const Element p = element_of(m, b, previous);
+    add_slopes(session, b, previous, here + arc_length(e, -1.0) - arc_length(p, 1.0), slopes);
+  }
+  add_slopes(session, b, element, here, slopes);
+  if (previous != next && joins_smoothly(session, b, element, next)) {
+    const Element n = element_of(m, b, next);
+    add_slopes(session, b, next, here + arc_length(e, 1.0) - arc_length(n, -1.0), slopes);
+  }
+  interpolate_slopes(slopes, du_ds);
+}
+
 // Constant elements tell nothing of slopes: difference of the neighbours, along the chords between the three middles.
 void slope_of_neighbours(const Session& session, int b, int32_t element, double du_ds[2]) {
   const Model& m = session.model;
-  const int32_t next = region_neighbour(m, b, element, 1), previous = region_neighbour(m, b, element, -1);
+  int32_t next = region_neighbour(m, b, element, 1), previous = region_neighbour(m, b, element, -1);
+  if (!joins_smoothly(session, b, element, next)) next = element;
+  if (!joins_smoothly(session, b, previous, element)) previous = element;
   const Point at = element_point(element_of(m, b, element), 0.0), after = element_point(element_of(m, b, next), 0.0),
               before = element_point(element_of(m, b, previous), 0.0);
-  const double run = hypot(after.x - at.x, after.y - at.y) + hypot(at.x - before.x, at.y - before.y);
-  const double* u = session.area.displacement[b];
-  for (int c = 0; c < 2; ++c)
-    du_ds[c] = run > 0.0 ? (u[2 * static_cast<int64_t>(functional_node(m, b, next, 0)) + c] -
-                            u[2 * static_cast<int64_t>(functional_node(m, b, previous, 0)) + c]) / run
-                         : 0.0;
+  const double run = length_of(after.x - at.x, after.y - at.y) + length_of(at.x - before.x, at.y - before.y);
+  const double* u = session.area.displacement[b] + 2 * static_cast<int64_t>(functional_node(m, b, next, 0));
+  const double* v = session.area.displacement[b] + 2 * static_cast<int64_t>(functional_node(m, b, previous, 0));
+  for (int c = 0; c < 2; ++c) du_ds[c] = run > 0.0 ? (u[c] - v[c]) / run : 0.0;
 }
 
 BoundaryState boundary_state(const Session& session, int b, int32_t element, double eta) {
   const Model& m = session.model;
   const int nf = m.head->function_nodes;
   const Point p = element_point(element_of(m, b, element), eta);
-  double value[4], slope[4];
+  double value[4];
   shape(nf, eta, value);
-  shape_derivative(nf, eta, slope);
   BoundaryState s = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {p.nx, p.ny}};
   for (int l = 0; l < nf; ++l) {
     const double* u = session.area.displacement[b] + 2 * static_cast<int64_t>(functional_node(m, b, element, l));
@@ -65,10 +155,10 @@ BoundaryState boundary_state(const Session& session, int b, int32_t element, dou
     for (int c = 0; c < 2; ++c) {
       s.u[c] += value[l] * u[c];
       s.t[c] += value[l] * t[c];
-      if (p.jacobian > 0.0) s.du_ds[c] += slope[l] * u[c] / p.jacobian;
     }
   }
   if (nf == 1) slope_of_neighbours(session, b, element, s.du_ds);
+  else recover_slope(session, b, element, eta, s.du_ds);
   return s;
 }
 
@@ -83,13 +173,27 @@ double across(const Session& session, int b, const PlaneStress& s) {
   return stress_across(s, head.plane == C2D_PLANE_STRAIN, head.body[b].poisson_ratio);
 }
 
-// On an element, or between the two that meet if eta is an end.
-PlaneStress mean_stress(const Session& session, int b, int32_t element, double eta) {
+// Two sides of a corner: with s_ij = n_i.sigma n_j and the reciprocal vectors m_i, sigma = sum s_ij m_i m_j.
+PlaneStress corner_stress(const BoundaryState& a, const BoundaryState& c) {
+  const double cross = a.n[0] * c.n[1] - a.n[1] * c.n[0];
+  const double m1[2] = {c.n[1] / cross, -c.n[0] / cross}, m2[2] = {-a.n[1] / cross, a.n[0] / cross};
+  const double s11 = a.n[0] * a.t[0] + a.n[1] * a.t[1], s22 = c.n[0] * c.t[0] + c.n[1] * c.t[1];
+  const double s12 = 0.5 * (a.n[0] * c.t[0] + a.n[1] * c.t[1] + c.n[0] * a.t[0] + c.n[1] * a.t[1]);
+  return {s11 * m1[0] * m1[0] + 2.0 * s12 * m1[0] * m2[0] + s22 * m2[0] * m2[0],
+          s11 * m1[1] * m1[1] + 2.0 * s12 * m1[1] * m2[1] + s22 * m2[1] * m2[1],
+          s11 * m1[0] * m1[1] + s12 * (m1[0] * m2[1] + m1[1] * m2[0]) + s22 * m2[0] * m2[1]};
+}
+
+// On an element; at its ends from both elements that meet there: from their tractions at a corner, else the mean.
+PlaneStress joint_stress(const Session& session, int b, int32_t element, double eta) {
   double hoop;
   const PlaneStress here = stress_at(session, b, element, eta, &hoop);
   if (fabs(eta) < 1.0) return here;
-  const PlaneStress there =
-      stress_at(session, b, region_neighbour(session.model, b, element, eta < 0.0 ? -1 : 1), -eta, &hoop);
+  const int32_t other = region_neighbour(session.model, b, element, eta < 0.0 ? -1 : 1);
+  const BoundaryState s = boundary_state(session, b, element, eta), t = boundary_state(session, b, other, -eta);
+  if (fabs(s.n[0] * t.n[1] - s.n[1] * t.n[0]) > kCorner && session.model.head->function_nodes > 1)
+    return corner_stress(s, t);
+  const PlaneStress there = stress_at(session, b, other, -eta, &hoop);
   return {0.5 * (here.xx + there.xx), 0.5 * (here.yy + there.yy), 0.5 * (here.xy + there.xy)};
 }
 
@@ -99,7 +203,8 @@ PlaneStress mean_stress(const Session& session, int b, int32_t element, double e
 struct PointState {
   double u[2], stress[3];    // sums: trace, deviator
   double reference[2];       // displacement of the nearest boundary point; before that [0] counts windings
-  double distance, element, eta; // nearest boundary point
+  double element;            // with the nearest boundary point
+  double eta, distance;      // of that point; once placed inside: x, y at which the stress is taken
   double place;              // kUnplaced, or 4 * (body + 1) + flag
 };
 static_assert(sizeof(PointState) == C2D_POINT_FIELDS * sizeof(double), "fills a row of the answer");
@@ -119,15 +224,16 @@ struct Points {
 };
 
 double place_of(int b, int32_t flag) { return 4 * (b + 1) + flag; }
-bool is_inside(const PointState& p, int b) { return p.place == place_of(b, C2D_POINT_INSIDE); }
+bool is_near_node(const PointState& p, int b) { return p.place == place_of(b, C2D_POINT_NEAR_NODE); }
+bool is_inside(const PointState& p, int b) {
+  return p.place == place_of(b, C2D_POINT_INSIDE) || is_near_node(p, b);
+}
 
 c2d_status pause(const Session& session, int b, int32_t element) {
   c2d_solver* s = session.solver;
   tell_progress(s, C2D_PHASE_BACK, b + 1, element, s->model.body[b].elements);
   return asked_to_stop(s) ? fail(s, C2D_ERR_CANCELLED, "cancelled while computing interior points") : C2D_OK;
 }
-
-double length_of(double x, double y) { return sqrt(x * x + y * y); }
 
 // Nearest boundary point and winding number of the points not yet placed, from one element.
 void look_at_element(const Integrator& in, int b, int32_t element, const Points& points) {
@@ -149,6 +255,50 @@ void look_at_element(const Integrator& in, int b, int32_t element, const Points&
   }
 }
 
+// Close to a node, where tractions and slopes of displacement jump from element to element, the integrals have a
+// logarithm that the exact solution lacks. Their stress is then taken farther away, at a point that lies to the boundary
+// as this one does, `part` times farther from the node, and joined to the boundary's tensor at the node.
+struct NearNode {
+  int end;      // 0: first, else last node of the element
+  double part;  // distance from the node over the range, < 1
+};
+
+bool find_near_node(const Model& m, int b, const PointState& p, double x, double y, NearNode& out) {
+  const int32_t element = static_cast<int32_t>(p.element);
+  const Element e = element_of(m, b, element);
+  const double unit = m.head->length_unit;
+  const int last = e.nodes - 1;
+  const double first_distance = length_of(unit * x - e.x[0], unit * y - e.y[0]),
+               last_distance = length_of(unit * x - e.x[last], unit * y - e.y[last]);
+  out.end = first_distance <= last_distance ? 0 : 1;
+  const Element other = element_of(m, b, region_neighbour(m, b, element, out.end == 0 ? -1 : 1));
+  const double length = 2.0 * (e.half_length < other.half_length ? e.half_length : other.half_length);
+  const double distance = out.end == 0 ? first_distance : last_distance, range = kNearNode * length;
+  out.part = range > 0.0 ? distance / range : 1.0;
+  return out.part < 1.0;
+}
+
+void place_inside(const Session& session, int b, double x, double y, PointState& p) {
+  const Model& m = session.model;
+  const int32_t element = static_cast<int32_t>(p.element);
+  const double unit = m.head->length_unit, eta = p.eta;
+  const BoundaryState s = boundary_state(session, b, element, eta);
+  for (int c = 0; c < 2; ++c) p.reference[c] = s.u[c] / unit;
+  p.place = place_of(b, C2D_POINT_INSIDE);
+  NearNode near;
+  if (find_near_node(m, b, p, x, y, near)) {
+    const Element e = element_of(m, b, element);
+    const double node = near.end == 0 ? -1.0 : 1.0;
+    const Point foot = element_point(e, eta), moved = element_point(e, node + (eta - node) / near.part);
+    x = moved.x / unit + (x - foot.x / unit) / near.part;
+    y = moved.y / unit + (y - foot.y / unit) / near.part;
+    p.place = place_of(b, C2D_POINT_NEAR_NODE);
+    p.element = 2.0 * element + near.end;
+  }
+  p.eta = x;
+  p.distance = y;
+}
+
 c2d_status place_points(const Session& session, int b, const Points& points) {
   const Model& m = session.model;
   for (int32_t i = 0; i < points.count; ++i) {
@@ -167,27 +317,33 @@ c2d_status place_points(const Session& session, int b, const Points& points) {
   }
   for (int32_t i = 0; i < points.count; ++i) {
     PointState& p = points.state(i);
-    if (p.place != kUnplaced || !(p.reference[0] > 0.5)) continue;
-    p.place = place_of(b, C2D_POINT_INSIDE);
-    const BoundaryState s = boundary_state(session, b, static_cast<int32_t>(p.element), p.eta);
-    for (int c = 0; c < 2; ++c) p.reference[c] = s.u[c] / points.unit;
+    if (p.place == kUnplaced && p.reference[0] > 0.5) place_inside(session, b, points.x(i), points.y(i), p);
   }
   return C2D_OK;
 }
 
 // ---- the integrals ------------------------------------------------------------------------------------------------
 
+void add_stress(const PointField& sum, PointState& p) {
+  p.stress[0] += sum.trace;
+  p.stress[1] += sum.deviator.re;
+  p.stress[2] += sum.deviator.im;
+}
+
 void add_element(const FieldElement& e, int b, const Points& points) {
   for (int32_t i = 0; i < points.count; ++i) {
     PointState& p = points.state(i);
     if (!is_inside(p, b)) continue;
+    const Complex reference = {p.reference[0], p.reference[1]};
     PointField sum = {};
-    add_field(e, {p.reference[0], p.reference[1]}, points.x(i), points.y(i), sum);
+    add_field(e, reference, p.eta, p.distance, sum);
+    add_stress(sum, p);
+    if (is_near_node(p, b)) {
+      sum = PointField{};
+      add_field(e, reference, points.x(i), points.y(i), sum);
+    }
     p.u[0] += sum.u.re;
     p.u[1] += sum.u.im;
-    p.stress[0] += sum.trace;
-    p.stress[1] += sum.deviator.re;
-    p.stress[2] += sum.deviator.im;
   }
 }
 
@@ -230,8 +386,8 @@ void add_elements_values(const Session& session, int b, int32_t element, const P
   add_element(e, b, points);
 }
 
-// Whatever is known in closed form at a point: point loads, rho and omega of the balanced equations, the reference.
-void add_known_fields(const Session& session, int b, double x, double y, PointState& p) {
+// Whatever is known in closed form at a point: so far point loads.
+PointField known_field(const Session& session, int b, double x, double y) {
   const Model& m = session.model;
   const double nu = strain_poisson_ratio(m, b), unit = m.head->length_unit;
   PointField sum = {};
@@ -241,34 +397,32 @@ void add_known_fields(const Session& session, int b, double x, double y, PointSt
     const double scale = session.follower.load[load.load_case] / (2.0 * shear_modulus(m, b) * unit);
     add_force_field({scale * load.fx, scale * load.fy}, nu, load.x / unit, load.y / unit, x, y, sum);
   }
+  return sum;
+}
+
+// That, the reference, and rho + omega e_z x (x - x0) of the balanced equations.
+void complete_sums(const Session& session, int b, double x, double y, PointState& p) {
+  const double unit = session.model.head->length_unit;
   const double* rigid = session.solver->multiplier[b];
-  const double* centre = m.head->body[b].centre;
-  p.u[0] += sum.u.re + p.reference[0] + rigid[0] - rigid[2] * (y - centre[1] / unit);
-  p.u[1] += sum.u.im + p.reference[1] + rigid[1] + rigid[2] * (x - centre[0] / unit);
-  p.stress[0] += sum.trace;
-  p.stress[1] += sum.deviator.re;
-  p.stress[2] += sum.deviator.im;
+  const double* centre = session.model.head->body[b].centre;
+  const PointField here = known_field(session, b, x, y);
+  p.u[0] += here.u.re + p.reference[0] + rigid[0] - rigid[2] * (y - centre[1] / unit);
+  p.u[1] += here.u.im + p.reference[1] + rigid[1] + rigid[2] * (x - centre[0] / unit);
+  add_stress(known_field(session, b, p.eta, p.distance), p);
 }
 
 // ---- results ------------------------------------------------------------------------------------------------------
 
-// Close to a node, where tractions and slopes of displacement jump from element to element, the integrals have a
-// logarithm that the exact solution lacks: blend with the boundary's tensor there. True if it was done.
-bool blend_near_node(const Session& session, int b, const PointState& p, double x, double y, PlaneStress& stress) {
-  const Model& m = session.model;
-  const int32_t element = static_cast<int32_t>(p.element);
-  const double eta = p.eta < 0.0 ? -1.0 : 1.0, unit = m.head->length_unit;
-  const Element e = element_of(m, b, element);
-  const Element other = element_of(m, b, region_neighbour(m, b, element, eta < 0.0 ? -1 : 1));
-  const double length = 2.0 * (e.half_length < other.half_length ? e.half_length : other.half_length);
-  const int node = eta < 0.0 ? 0 : e.nodes - 1;
-  const double distance = length_of(unit * x - e.x[node], unit * y - e.y[node]), range = kNearNode * length;
-  if (!(distance < range)) return false;
-  const double s = distance / range, w = s * s * (3.0 - 2.0 * s);
-  const PlaneStress at_node = mean_stress(session, b, element, eta);
-  stress = {w * stress.xx + (1.0 - w) * at_node.xx, w * stress.yy + (1.0 - w) * at_node.yy,
-            w * stress.xy + (1.0 - w) * at_node.xy};
-  return true;
+void join_to_node(const Session& session, int b, const PointState& p, double x, double y, PlaneStress& stress) {
+  PointState at = p;
+  NearNode near;
+  at.element = floor(0.5 * p.element);
+  const bool last = p.element > 2.0 * at.element;
+  find_near_node(session.model, b, at, x, y, near);
+  const PlaneStress node = joint_stress(session, b, static_cast<int32_t>(at.element), last ? 1.0 : -1.0);
+  const double w = near.part;
+  stress = {w * stress.xx + (1.0 - w) * node.xx, w * stress.yy + (1.0 - w) * node.yy,
+            w * stress.xy + (1.0 - w) * node.xy};
 }
 
 void write_point(const Session& session, int b, const double u[2], const PlaneStress& s, int32_t flag, double* out) {
@@ -293,14 +447,14 @@ void finish_point(const Session& session, int b, const Points& points, int32_t i
   if (p.place == place_of(b, C2D_POINT_BOUNDARY)) {
     const int32_t element = static_cast<int32_t>(p.element);
     const BoundaryState s = boundary_state(session, b, element, p.eta);
-    write_point(session, b, s.u, mean_stress(session, b, element, p.eta), C2D_POINT_BOUNDARY, out);
+    write_point(session, b, s.u, joint_stress(session, b, element, p.eta), C2D_POINT_BOUNDARY, out);
   } else if (is_inside(p, b)) {
     const double x = points.x(i), y = points.y(i), g = shear_modulus(m, b);
-    add_known_fields(session, b, x, y, p);
+    complete_sums(session, b, x, y, p);
     const double u[2] = {p.u[0] * points.unit, p.u[1] * points.unit};
     PlaneStress s = {g * (p.stress[0] + p.stress[1]), g * (p.stress[0] - p.stress[1]), -g * p.stress[2]};
-    const bool near = blend_near_node(session, b, p, x, y, s);
-    write_point(session, b, u, s, near ? C2D_POINT_NEAR_NODE : C2D_POINT_INSIDE, out);
+    if (is_near_node(p, b)) join_to_node(session, b, p, x, y, s);
+    write_point(session, b, u, s, is_near_node(p, b) ? C2D_POINT_NEAR_NODE : C2D_POINT_INSIDE, out);
   }
 }
 

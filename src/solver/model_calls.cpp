@@ -123,6 +123,25 @@ extern "C" c2d_status c2d_set_problem(c2d_solver* s, const c2d_problem* problem)
   return C2D_OK;
 }
 
+extern "C" c2d_status c2d_set_units(c2d_solver* s, const char* length, const char* force) {
+  constexpr uint32_t kWithModel =
+      state_bit(C2D_STATE_MODEL) | state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING);
+  const c2d_status status = enter(s, kBuilding | kWithModel);
+  if (status != C2D_OK) return status;
+  const char* const names[2] = {length ? length : "", force ? force : ""};
+  char* const places[2] = {s->model.unit_length, s->model.unit_force};
+  static_assert(sizeof s->model.unit_length == 16 && sizeof s->model.unit_force == 16, "as the header says");
+  for (const char* name : names)
+    if (!memchr(name, '\0', 16))
+      return refuse(s, C2D_ERR_ARGUMENT, "the name of a unit is too long, expected at most 15 characters");
+  for (int i = 0; i < 2; ++i) {
+    memset(places[i], 0, 16);
+    memcpy(places[i], names[i], strlen(names[i]));
+  }
+  if (s->state == C2D_STATE_EMPTY) s->state = C2D_STATE_BUILDING;
+  return C2D_OK;
+}
+
 namespace {
 
 c2d_status check_body(c2d_solver* s, int32_t body, const c2d_body& data) {

@@ -132,6 +132,8 @@ void fill_model(c2d_solver* s, c2d_summary& out) {
     out.poisson_ratio[b] = body.poisson_ratio;
   }
   memcpy(out.title, m.title, sizeof out.title);
+  memcpy(out.unit_length, m.unit_length, sizeof out.unit_length);
+  memcpy(out.unit_force, m.unit_force, sizeof out.unit_force);
   out.load_cases = m.load_cases;
 }
 

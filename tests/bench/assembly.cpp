@@ -39,8 +39,7 @@ void assembly() {
                                              : "cubic.");
       const double accurate = pairs_per_second(ring, C2D_QUADRATURE_ACCURATE) * 1e-6;
       const double thesis = pairs_per_second(ring, C2D_QUADRATURE_THESIS) * 1e-6;
-      row(name + "accurate", accurate, "M/s",
-          "x " + std::to_string(accurate / thesis) + " of the rule of 1987");
+      row(name + "accurate", accurate, "M/s", times(accurate / thesis) + " of the rule of 1987");
       row(name + "thesis", thesis, "M/s");
     }
   }

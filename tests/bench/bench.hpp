@@ -27,6 +27,8 @@ template <class Work> double time_of(int least, double enough, Work work) {
 // Exponent b of y = a x^b by least squares of the logarithms.
 double exponent(const std::vector<double>& x, const std::vector<double>& y);
 
+// "x 1.23"
+std::string times(double ratio);
 void heading(const std::string& text);
 // One line of the table: key, value, unit, the same of the run compared with, if any, and what it means.
 void row(const std::string& key, double value, const std::string& unit, const std::string& remark = "");

@@ -111,10 +111,9 @@ void elimination() {
     }
     const double fast = work / median(t[0]) * 1e-9, small = work / median(t[1]) * 1e-9;
     const double old = operations(n, pivots) / median(t[2]) * 1e-9;
-    row(name + "in_core", fast, "GFLOP/s", "x " + std::to_string(fast / old) + " of the row loops");
+    row(name + "in_core", fast, "GFLOP/s", times(fast / old) + " of the row loops");
     row(name + "eighth", small, "GFLOP/s",
-        "x " + std::to_string(small / old) + ", panels of " + std::to_string(eighth.plan.panel_columns) +
-            " columns");
+        times(small / old) + ", panels of " + std::to_string(eighth.plan.panel_columns) + " columns");
     row(name + "row_loops", old, "GFLOP/s");
   }
 }

@@ -3,79 +3,118 @@
 #include "linalg/exchange.hpp"
 #include "model.hpp"
 
-#include <cmath>
+#include <cstdio>
+#include <memory>
 
 namespace bench {
 
 namespace {
 
-// Median seconds of one exchange alone, on a full tableau of m unknowns and one load case.
-double exchange_seconds(int32_t m) {
-  std::vector<c2d::Real> t(static_cast<size_t>(m) * static_cast<size_t>(m + 2));
-  uint32_t seed = 12345;
-  for (c2d::Real& v : t) v = static_cast<c2d::Real>((seed = seed * 1664525u + 1013904223u) >> 8) / 16777216;
-  int32_t place = 0;
-  const int32_t some = 4;
-  return time_of(10, 0.1,
-                 [&] { // there and back: the numbers stay as they are
-                   for (int32_t i = 0; i < some; ++i, place = (place + 7) % m)
+// Exchanges alone, on a full tableau of m unknowns and one load case.
+class Exchanges {
+public:
+  explicit Exchanges(int32_t m) : m_(m), t_(static_cast<size_t>(m) * static_cast<size_t>(m + 2)) {
+    uint32_t seed = 12345;
+    for (c2d::Real& v : t_)
+      v = static_cast<c2d::Real>((seed = seed * 1664525u + 1013904223u) >> 8) / 16777216;
+  }
+  // Median seconds of one, there and back: the numbers stay as they are.
+  double seconds() {
+    return time_of(5, 0.03,
+                   [&] {
                      for (int twice = 0; twice < 2; ++twice)
-                       c2d::exchange(m, m + 2, t.data(), m, place, place);
-                 }) /
-         (2 * some);
-}
+                       c2d::exchange(m_, m_ + 2, t_.data(), m_, place_, place_);
+                     place_ = (place_ + 7) % m_;
+                   }) /
+           2;
+  }
+
+private:
+  int32_t m_, place_ = 0;
+  std::vector<c2d::Real> t_;
+};
+
+// One size of the cylinder, on its way up and down the load.
+class Family {
+public:
+  explicit Family(int32_t pairs) : model_(pairs), solver_(model_.limits()) {
+    model_.build(solver_);
+    solver_.must(c2d_prepare(solver_));
+    const double mu = 0.4;
+    solver_.must(c2d_begin(solver_, &mu, 1));
+  }
+  c2d_summary summary() const { return solver_.summary(); }
+
+  // Sweeps for at least this many processor seconds; keeps seconds per event and per exchange.
+  void sweep(double enough) {
+    const c2d_summary before = solver_.summary();
+    const double start = processor_seconds();
+    double spent = 0;
+    do {
+      load_ = load_ > 0.5 ? 0.02 : 0.9;
+      c2d_outcome outcome = C2D_REACHED;
+      solver_.must(c2d_advance(solver_, &load_, 1, &outcome));
+      if (outcome != C2D_REACHED) give_up(c2d_outcome_message(outcome));
+      spent = processor_seconds() - start;
+    } while (spent < enough || load_ > 0.5);
+    const c2d_summary after = solver_.summary();
+    per_event.push_back(spent / static_cast<double>(after.events - before.events));
+    per_exchange.push_back(spent / static_cast<double>(after.exchanges - before.exchanges));
+  }
+  std::vector<double> per_event, per_exchange;
+
+private:
+  Cylinder model_;
+  Solver solver_;
+  double load_ = 0;
+};
 
 } // namespace
 
 void contact_events() {
   heading("Contact events: cylinder on foundation, mu = 0.4, load 0 -> 0.9 -> 0.02 -> 0.9 ...");
-  std::vector<double> unknowns, per_event, per_change, alone;
-  for (const int32_t pairs : {50, 100, 200, 400}) {
-    const Cylinder model(pairs);
-    const Solver solver(model.limits());
-    model.build(solver);
-    solver.must(c2d_prepare(solver));
-    const double mu = 0.4;
-    solver.must(c2d_begin(solver, &mu, 1));
-    c2d_outcome outcome = C2D_REACHED;
-    double load = 0.9, spent = 0;
-    std::vector<double> rates, change_rates;
-    c2d_summary before = solver.summary();
-    for (int sweep = 0; sweep < 5 || (sweep < 100 && spent < 2); ++sweep, load = load > 0.5 ? 0.02 : 0.9) {
-      const double start = processor_seconds();
-      solver.must(c2d_advance(solver, &load, 1, &outcome));
-      const double time = processor_seconds() - start;
-      if (outcome != C2D_REACHED) give_up(c2d_outcome_message(outcome));
-      const c2d_summary after = solver.summary();
-      const double events = static_cast<double>(after.events - before.events);
-      const double exchanges = static_cast<double>(after.exchanges - before.exchanges);
-      before = after;
-      spent += time;
-      if (events < 1 || exchanges < 1) continue;
-      rates.push_back(time / events);
-      change_rates.push_back(time / exchanges);
+  const int32_t sizes[] = {50, 100, 200, 400};
+  std::vector<std::unique_ptr<Family>> families;
+  std::vector<Exchanges> exchanges;
+  for (const int32_t pairs : sizes) {
+    families.push_back(std::make_unique<Family>(pairs));
+    exchanges.emplace_back(families.back()->summary().contact_unknowns);
+  }
+  // In turns, so that a slow spell of the machine strikes all sizes.
+  std::vector<double> alone[4];
+  for (int round = 0; round < 5; ++round) {
+    for (size_t i = 0; i < families.size(); ++i) {
+      families[i]->sweep(0.2);
+      alone[i].push_back(exchanges[i].seconds());
     }
-    const c2d_summary now = solver.summary();
-    const double m = now.contact_unknowns;
+  }
+  std::vector<double> unknowns, per_event, per_exchange, one;
+  for (size_t i = 0; i < families.size(); ++i) {
+    const c2d_summary now = families[i]->summary();
+    const double m = now.contact_unknowns,
+                 changes = static_cast<double>(now.exchanges) / static_cast<double>(now.events);
     unknowns.push_back(m);
-    per_event.push_back(median(rates));
-    per_change.push_back(median(change_rates));
-    alone.push_back(exchange_seconds(now.contact_unknowns));
-    const std::string name = "events." + std::to_string(pairs) + ".";
-    row(name + "time", per_event.back() * 1e6, "us/event",
-        "m = " + std::to_string(now.contact_unknowns) + ", " + std::to_string(now.events) + " events, " +
-            std::to_string(now.tableau_rebuilds) + " rebuilds, residual " +
-            std::to_string(now.max_residual * 1e15) + "e-15");
-    row(name + "exchanges", static_cast<double>(now.exchanges) / static_cast<double>(now.events), "/event");
-    row(name + "time_per_exchange", per_change.back() * 1e6, "us",
+    per_event.push_back(median(families[i]->per_event));
+    per_exchange.push_back(median(families[i]->per_exchange));
+    one.push_back(median(alone[i]));
+    const std::string name = "events." + std::to_string(sizes[i]) + ".";
+    char remark[160];
+    std::snprintf(remark, sizeof remark, "m = %d, %lld events, %lld rebuilds, residual %.1e",
+                  now.contact_unknowns, static_cast<long long>(now.events),
+                  static_cast<long long>(now.tableau_rebuilds), now.max_residual);
+    row(name + "time", per_event.back() * 1e6, "us/event", remark);
+    row(name + "exchanges", changes, "/event");
+    row(name + "time_per_exchange", per_exchange.back() * 1e6, "us",
         "all the work of the path over its exchanges");
-    row(name + "exchange_alone", alone.back() * 1e6, "us",
-        std::to_string(alone.back() * 1e9 / (m * m)) + " ns per m^2");
+    std::snprintf(remark, sizeof remark, "%.3f ns per m^2", one.back() * 1e9 / (m * m));
+    row(name + "exchange_alone", one.back() * 1e6, "us", remark);
+    row(name + "overhead", per_exchange.back() / one.back(), "",
+        "time per exchange over that of an exchange alone");
   }
   row("events.exponent", exponent(unknowns, per_event), "",
       "of m in the time per event: 2 is the square, 3 the cube");
-  row("events.exponent_per_exchange", exponent(unknowns, per_change), "");
-  row("events.exponent_alone", exponent(unknowns, alone), "", "of one exchange: caches count in it");
+  row("events.exponent_per_exchange", exponent(unknowns, per_exchange), "");
+  row("events.exponent_alone", exponent(unknowns, one), "", "of one exchange: caches count in it");
 }
 
 } // namespace bench

@@ -54,6 +54,12 @@ double exponent(const std::vector<double>& x, const std::vector<double>& y) {
   return (n * sxy - sx * sy) / (n * sxx - sx * sx);
 }
 
+std::string times(double ratio) {
+  char text[32];
+  std::snprintf(text, sizeof text, "x %.2f", ratio);
+  return text;
+}
+
 void heading(const std::string& text) {
   std::printf("\n%s\n", text.c_str());
 }

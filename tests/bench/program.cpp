@@ -90,8 +90,7 @@ void whole_program(const Options& options) {
     row("program.empty_process." + std::to_string(runs), median(empty), "ms");
     for (size_t c = 0; c < cases.size(); ++c) {
       const double more = median(wall[c]);
-      row("program." + cases[c].name, more, "ms",
-          "x " + std::to_string(more / median(empty)) + " of the empty process");
+      row("program." + cases[c].name, more, "ms", times(more / median(empty)) + " of the empty process");
       row("program." + cases[c].name + ".processor", median(processor[c]), "ms", "processor time");
     }
   };

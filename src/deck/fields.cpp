@@ -1,0 +1,171 @@
+// Fields of cards: numbers where the format puts them, and the faults in them.
+#include "deck/cards.hpp"
+
+#include "deck/number.hpp"
+
+#include <string.h>
+
+namespace c2d {
+namespace {
+
+constexpr double kLargest = 1e100;
+
+// The text of a field without outer blanks, in quotes.
+void put_field(Text& text, const char* field, int32_t width) {
+  while (width > 0 && field[width - 1] == ' ') --width;
+  while (width > 0 && field[0] == ' ') {
+    ++field;
+    --width;
+  }
+  put_character(text, '\'');
+  put(text, field, static_cast<size_t>(width));
+  put_character(text, '\'');
+}
+
+void malformed_field(Cards& cards, int32_t column, int32_t width, const char* expected, const char* name) {
+  const int32_t column_end = column + width - 1;
+  begin_fault(cards, column, column_end);
+  Text text = text_in(cards.entry.text);
+  put(text, width == 1 ? "column " : "columns ");
+  put(text, column);
+  if (width > 1) {
+    put_character(text, '-');
+    put(text, column_end);
+  }
+  put(text, width == 1 ? " holds " : " hold ");
+  put_field(text, cards.text + column - 1, width);
+  put(text, ", expected ");
+  put(text, expected);
+  put(text, ": ");
+  put(text, name);
+  end_fault(cards);
+}
+
+// An integer in these columns, blanks around it allowed; width 0: a field with nothing in it.
+bool integer_at(Cards& cards, int32_t column, int32_t width, const char* name, int32_t least, int32_t most,
+                int32_t* value) {
+  int32_t found;
+  const FieldFault why = integer_field(cards.text + column - 1, width, &found);
+  if (why != FieldFault::none) {
+    malformed_field(cards, column, width, expectation(why, true), name);
+    return false;
+  }
+  if (found >= least && found <= most) {
+    *value = found;
+    return true;
+  }
+  const int32_t column_end = width > 0 ? column + width - 1 : column;
+  if (most == INT32_MAX)
+    fault(cards, column, column_end, name, " is ", found, ", expected at least ", least);
+  else if (least == most)
+    fault(cards, column, column_end, name, " is ", found, ", expected ", least);
+  else
+    fault(cards, column, column_end, name, " is ", found, ", expected ", least, " to ", most);
+  return false;
+}
+
+bool real_at(Cards& cards, int32_t column, int32_t width, const char* name, double* value) {
+  double found;
+  FieldFault why = real_field(cards.text + column - 1, width, &found);
+  if (why == FieldFault::none && !(found <= kLargest && found >= -kLargest)) why = FieldFault::too_large;
+  if (why != FieldFault::none) {
+    malformed_field(cards, column, width, expectation(why, false), name);
+    return false;
+  }
+  *value = found;
+  return true;
+}
+
+// Is there a field i? If not, say which one is missing.
+bool is_there(Cards& cards, const Words& words, int32_t i, const char* name) {
+  if (i < words.count) return true;
+  word_fault(cards, words, i, "the card ends here, expected ", name);
+  return false;
+}
+
+int32_t width_of(const Word& word) {
+  return word.column_end - word.column + 1;
+}
+
+} // namespace
+
+bool integer(Cards& cards, int32_t column, int32_t width, const char* name, int32_t least, int32_t most,
+             int32_t* value) {
+  if (cards.holds_tab) return false;
+  return integer_at(cards, column, width, name, least, most, value);
+}
+
+bool count(Cards& cards, int32_t column, const char* name, int32_t least, int32_t* value) {
+  cards.vital = true;
+  const bool found = integer(cards, column, 5, name, least, INT32_MAX, value);
+  cards.vital = false;
+  if (!found) cards.ended = true;
+  return found;
+}
+
+bool real(Cards& cards, int32_t column, const char* name, double* value) {
+  constexpr int32_t kWidth = 10;
+  if (cards.holds_tab) return false;
+  return real_at(cards, column, kWidth, name, value);
+}
+
+void unused_column(Cards& cards, int32_t column) {
+  if (cards.holds_tab || cards.text[column - 1] == ' ') return;
+  malformed_field(cards, column, 1, "a blank", "this column belongs to no field");
+}
+
+void end_of_fields(Cards& cards, int32_t column) {
+  constexpr int32_t kLastColumn = 72; // behind it cards carry their sequence numbers
+  if (cards.holds_tab) return;
+  int32_t first = column;
+  while (first <= kLastColumn && cards.text[first - 1] == ' ') ++first;
+  if (first > kLastColumn || strchr("+-.0123456789", cards.text[first - 1]) == nullptr) return;
+  int32_t last = first;
+  while (last < kLastColumn && cards.text[last] != ' ') ++last;
+  malformed_field(cards, first, last - first + 1, "blanks",
+                  "no number belongs there, are the columns right?");
+}
+
+bool integer_word(Cards& cards, const Words& words, int32_t i, const char* name, int32_t least, int32_t most,
+                  int32_t* value) {
+  if (!is_there(cards, words, i, name)) return false;
+  return integer_at(cards, words.word[i].column, width_of(words.word[i]), name, least, most, value);
+}
+
+bool real_word(Cards& cards, const Words& words, int32_t i, const char* name, double* value) {
+  if (!is_there(cards, words, i, name)) return false;
+  return real_at(cards, words.word[i].column, width_of(words.word[i]), name, value);
+}
+
+bool text_word(Cards& cards, const Words& words, int32_t i, const char* name, char* value, int32_t size) {
+  if (!is_there(cards, words, i, name)) return false;
+  const int32_t width = width_of(words.word[i]);
+  if (width >= size) {
+    word_fault(cards, words, i, name, " has ", width, " characters, expected at most ", size - 1);
+    return false;
+  }
+  copy_word(words, i, value, size);
+  return true;
+}
+
+bool end_of_words(Cards& cards, const Words& words, int32_t count) {
+  if (words.count <= count) return true;
+  begin_word_fault(cards, words, count);
+  cards.entry.column_end = words.word[words.count - 1].column_end;
+  Text text = text_in(cards.entry.text);
+  put(text, "the card has ");
+  put(text, words.count);
+  put(text, words.count == 1 ? " field, expected " : " fields, expected ");
+  put(text, count);
+  end_fault(cards);
+  return false;
+}
+
+void begin_word_fault(Cards& cards, const Words& words, int32_t i) {
+  const bool is_there = i < words.count;
+  const int32_t column = is_there ? words.word[i].column : words.end;
+  const int32_t column_end = is_there ? words.word[i].column_end : column;
+  begin_fault(cards, column, column_end > column ? column_end : column);
+}
+
+} // namespace c2d

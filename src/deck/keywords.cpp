@@ -1,0 +1,182 @@
+#include "deck/keywords.hpp"
+
+#include <string.h>
+
+namespace c2d {
+namespace {
+
+struct Keyword {
+  const char* name; // capitals, without the star; at most one blank inside
+  KeywordHandler read;
+  bool repeats; // may stand in a deck more than once
+};
+
+// The place to add to. A deck may have its keywords in any order, so a handler that needs another one's data
+// must allow for either order. Keywords and where they are read:
+//   *UNITS length force      units.cpp      names of the units, for titles of axes
+//   *CASES n                 history.cpp    load cases beside the deck's own
+//   *PATH                    history.cpp    pieces of path through their factors, instead of the load cards
+//   *FRICTION                history.cpp    coefficients by zone
+// Names set aside for: *SYMMETRY (images),
+// *BODY FORCE (weight, rotation), *RIGID, *INTERFERENCE, *ZONE (meshes that do not match), *POINTS.
+constexpr Keyword kKeywords[] = {
+    {"UNITS", read_units, false},
+    {"CASES", read_cases, false},
+    {"PATH", read_path, false},
+    {"FRICTION", read_friction, false},
+};
+constexpr int32_t kKeywordCount = static_cast<int32_t>(sizeof kKeywords / sizeof kKeywords[0]);
+static_assert(kKeywordCount <= 32, "Deck::keywords_seen has a bit for each");
+
+constexpr int32_t kMaximumName = 24;
+
+bool is_keyword_card(const Words& words) {
+  return words.count > 0 && words.text[words.word[0].column - 1] == '*';
+}
+
+// The first `count` fields, in capitals, without the star, one blank between them.
+void join_name(const Words& words, int32_t count, char (&name)[kMaximumName]) {
+  int32_t used = 0;
+  for (int32_t i = 0; i < count && i < words.count; ++i) {
+    if (i > 0 && used < kMaximumName - 1) name[used++] = ' ';
+    int32_t at = words.word[i].column - (i == 0 ? 0 : 1);
+    for (; at < words.word[i].column_end && used < kMaximumName - 1; ++at)
+      name[used++] = capital(words.text[at]);
+  }
+  name[used] = '\0';
+}
+
+int32_t words_in(const char* name) {
+  return strchr(name, ' ') != nullptr ? 2 : 1;
+}
+
+int32_t least_of(int32_t a, int32_t b) {
+  return a < b ? a : b;
+}
+
+// How many letters must be put in, taken out or changed to turn one name into the other.
+int32_t edit_distance(const char* a, const char* b) {
+  int32_t row[kMaximumName];
+  const int32_t length = static_cast<int32_t>(strlen(b));
+  for (int32_t j = 0; j <= length; ++j) row[j] = j;
+  for (int32_t i = 0; a[i] != '\0'; ++i) {
+    int32_t diagonal = row[0];
+    row[0] = i + 1;
+    for (int32_t j = 0; j < length; ++j) {
+      const int32_t above = row[j + 1];
+      row[j + 1] = least_of(least_of(above, row[j]) + 1, diagonal + (a[i] == b[j] ? 0 : 1));
+      diagonal = above;
+    }
+  }
+  return row[length];
+}
+
+// The known name nearest to what the card begins with; null if none is near.
+const char* nearest(const Words& words) {
+  const char* found = nullptr;
+  int32_t least = kMaximumName;
+  for (const Keyword& keyword : kKeywords) {
+    char name[kMaximumName];
+    join_name(words, words_in(keyword.name), name);
+    int32_t distance = edit_distance(name, keyword.name);
+    join_name(words, 1, name); // two words written as one
+    distance = least_of(distance, edit_distance(name, keyword.name));
+    if (distance >= least || 2 * distance > static_cast<int32_t>(strlen(keyword.name))) continue;
+    least = distance;
+    found = keyword.name;
+  }
+  return found;
+}
+
+void unknown_keyword(Cards& cards, const Words& words) {
+  char name[kMaximumName];
+  join_name(words, 1, name);
+  const char* near = nearest(words);
+  begin_word_fault(cards, words, 0);
+  Text text = text_in(cards.entry.text);
+  put_character(text, '*');
+  put(text, name);
+  put(text, " is not a known keyword; ");
+  put(text, near != nullptr ? "did you mean *" : "known are *");
+  if (near != nullptr) {
+    put(text, near);
+    put_character(text, '?');
+  } else {
+    for (int32_t i = 0; i < kKeywordCount; ++i) {
+      if (i > 0) put(text, ", *");
+      put(text, kKeywords[i].name);
+    }
+  }
+  end_fault(cards);
+}
+
+int32_t find_keyword(const Words& words) {
+  for (int32_t i = 0; i < kKeywordCount; ++i) {
+    char name[kMaximumName];
+    join_name(words, words_in(kKeywords[i].name), name);
+    if (strcmp(name, kKeywords[i].name) == 0) return i;
+  }
+  return -1;
+}
+
+void drop_words(Words& words, int32_t count) {
+  words.count -= count;
+  for (int32_t i = 0; i < words.count; ++i) words.word[i] = words.word[i + count];
+}
+
+// What a handler has left of its cards; told unless the keyword had faults anyway.
+void leave_cards(Deck& deck, const char* name, bool told) {
+  Words words;
+  for (; next_data_card(deck, words); told = true)
+    if (!told)
+      fault(deck.cards, 0, 0, "the card does not belong to *", name,
+            " above it, expected a keyword card or the end of the deck");
+}
+
+void read_keyword(Deck& deck, Words& words) {
+  Cards& cards = deck.cards;
+  const int32_t found = find_keyword(words);
+  if (found < 0) {
+    unknown_keyword(cards, words);
+    leave_cards(deck, "", true);
+    return;
+  }
+  const Keyword& keyword = kKeywords[found];
+  const uint32_t bit = uint32_t{1} << found;
+  if ((deck.keywords_seen & bit) != 0 && !keyword.repeats) {
+    word_fault(cards, words, 0, "*", keyword.name, " stands in the deck twice, expected it once");
+    leave_cards(deck, keyword.name, true);
+    return;
+  }
+  deck.keywords_seen |= bit;
+  const int32_t old_faults = cards.faults;
+  drop_words(words, words_in(keyword.name));
+  keyword.read(deck, words);
+  leave_cards(deck, keyword.name, cards.faults > old_faults);
+}
+
+} // namespace
+
+bool next_data_card(Deck& deck, Words& words) {
+  if (!next_free_card(deck.cards, words)) return false;
+  if (!is_keyword_card(words)) return true;
+  hold_card(deck.cards);
+  return false;
+}
+
+void read_extensions(Deck& deck) {
+  Cards& cards = deck.cards;
+  if (!cards.free_form) cards.c_comment = CComment::any;
+  Words words;
+  cards.body = cards.zone = 0;
+  while (next_free_card(cards, words)) {
+    if (!is_keyword_card(words)) {
+      fault(cards, 0, 0, "a card follows the last load card, expected a keyword card or the end of the deck");
+      return;
+    }
+    if (cards.c_comment == CComment::any) cards.c_comment = CComment::with_blank;
+    read_keyword(deck, words);
+  }
+}
+
+} // namespace c2d

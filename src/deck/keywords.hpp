@@ -1,0 +1,24 @@
+#pragma once
+// Extension cards: what follows the last load card, each part begun by a keyword card `*NAME fields`. They
+// are always of the free form, in a deck of either form.
+#include "deck/deck.hpp"
+
+namespace c2d {
+
+// Reads the fields of the keyword card (those behind the name, from 0) and, with next_data_card, the cards
+// below it. Report faults with integer_word, real_word, word_fault ... and go on; hand what is sound to
+// deck.sink unless that is null (then only count into deck.sizes and check). What the handler leaves of its
+// cards is a fault. `keyword_card` is gone once the next card has been read.
+using KeywordHandler = void (*)(Deck& deck, const Words& keyword_card);
+
+// The next card below the keyword at hand; false at the next keyword and at the end of the deck.
+bool next_data_card(Deck& deck, Words& words);
+
+// One handler for each keyword; the table is in keywords.cpp, the handlers in files named after what they
+// read.
+void read_units(Deck& deck, const Words& keyword_card);    // units.cpp
+void read_cases(Deck& deck, const Words& keyword_card);    // history.cpp
+void read_path(Deck& deck, const Words& keyword_card);     //
+void read_friction(Deck& deck, const Words& keyword_card); //
+
+} // namespace c2d

@@ -1,0 +1,355 @@
+// The columns of a body's equations against integrals done the slow way, from the kernels as the thesis
+// prints them.
+#include "bie/columns.hpp"
+#include "model_fixture.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <vector>
+
+using namespace fixture;
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+// The whole matrix of a body, column by column.
+struct Columns {
+  c2d::Model model;
+  int b;
+  int32_t rows, columns;
+  std::vector<double> diagonal, point;
+  std::vector<int32_t> twin;
+  c2d::ColumnSystem system;
+  std::vector<c2d::Real> data;
+
+  Columns(ModelData& d, int body, int32_t width = 0) : model(d.view()), b(body) {
+    c2d::number_unknowns(model, b);
+    const size_t nodes = static_cast<size_t>(model.head->body[b].nodes);
+    diagonal.resize(4 * nodes), point.resize(2 * nodes), twin.resize(nodes);
+    system = {model, b, c2d::Quadrature::accurate, diagonal.data(), point.data(), twin.data()};
+    c2d::place_sources(system);
+    c2d::fill_diagonal(system, 0, static_cast<int32_t>(nodes));
+    rows = c2d::system_rows(model, b);
+    columns = c2d::outer_columns(model, b) + c2d::trailing_columns(model);
+    const int64_t ld = rows + 3; // more than the rows, as in a panel
+    std::vector<c2d::Real> panel;
+    if (width == 0) width = columns;
+    for (int32_t first = 0; first < columns; first += width) {
+      const int32_t count = std::min(width, columns - first);
+      panel.assign(static_cast<size_t>(ld * count), -77);
+      c2d::fill_columns(system, first, count, panel.data(), ld);
+      for (int32_t j = 0; j < count; ++j) {
+        data.insert(data.end(), panel.begin() + j * ld, panel.begin() + j * ld + rows);
+        for (int64_t i = rows; i < ld; ++i) CHECK(panel[static_cast<size_t>(j * ld + i)] == c2d::Real(-77));
+      }
+    }
+  }
+  double at(int32_t row, int32_t column) const {
+    return data[static_cast<size_t>(column) * static_cast<size_t>(rows) + static_cast<size_t>(row)];
+  }
+};
+
+struct Block {
+  double h[2][2], g[2][2];
+};
+
+// Kernels (3.23), (3.24): i is the direction of the force at the source, j the component at the field point.
+void add_kernels(double nu, double rx, double ry, double nx, double ny, double weight, Block& sum) {
+  const double r = std::hypot(rx, ry), d[2] = {rx / r, ry / r}, n[2] = {nx, ny}, k = 1 / (4 * kPi * (1 - nu));
+  const double dn = d[0] * nx + d[1] * ny;
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 2; ++j) {
+      const double delta = i == j;
+      sum.g[i][j] += weight * k * (-(3 - 4 * nu) * std::log(r) * delta + d[i] * d[j]);
+      sum.h[i][j] -=
+          weight * k / r *
+          (dn * ((1 - 2 * nu) * delta + 2 * d[i] * d[j]) - (1 - 2 * nu) * (d[i] * n[j] - d[j] * n[i]));
+    }
+}
+
+// Ten-point Gauss-Legendre over pieces that shrink towards `near` (eta of the point nearest to the source).
+template <class Integrand> void integrate_slowly(double near, Integrand integrand) {
+  const double x[5] = {0.1488743389816312, 0.4333953941292472, 0.6794095682990244, 0.8650633666889845,
+                       0.9739065285171717};
+  const double w[5] = {0.2955242247147529, 0.2692667193099963, 0.2190863625159820, 0.1494513491505806,
+                       0.0666713443086881};
+  for (int side = -1; side <= 1; side += 2) {
+    const double length = side < 0 ? near + 1 : 1 - near;
+    if (length <= 0) continue;
+    double far = length;
+    for (int piece = 0; piece < 60; ++piece) {
+      const double close = piece == 59 ? 0 : far / 2, middle = (far + close) / 2, half = (far - close) / 2;
+      for (int k = 0; k < 5; ++k)
+        for (int sign = -1; sign <= 1; sign += 2)
+          integrand(near + side * (middle + sign * half * x[k]), half * w[k]);
+      far = close;
+    }
+  }
+}
+
+double shape_value(int functions, int l, double eta) {
+  double value = 1;
+  for (int k = 0; k < functions; ++k)
+    if (k != l)
+      value *= (eta - c2d::local_eta(functions, k)) /
+               (c2d::local_eta(functions, l) - c2d::local_eta(functions, k));
+  return value;
+}
+
+// A body with straight and curved sides: the quadratic element 3 bulges.
+ModelData bulged(int32_t functions, int32_t element_nodes) {
+  ModelData d(functions);
+  Points corners = {0, 0, 2, -0.3, 2.2, 1.1, 0.9, 1.6, -0.2, 0.8}, p;
+  for (size_t e = 0; e < 5; ++e) {
+    const double x0 = corners[2 * e], y0 = corners[2 * e + 1], x1 = corners[(2 * e + 2) % 10],
+                 y1 = corners[(2 * e + 3) % 10];
+    for (int k = 0; k < element_nodes - 1; ++k) {
+      const double s = k / (element_nodes - 1.0), bulge = e == 2 ? 0.6 * s * (1 - s) : 0;
+      p.push_back(x0 + (x1 - x0) * s + bulge);
+      p.push_back(y0 + (y1 - y0) * s + bulge);
+    }
+  }
+  d.body(element_nodes, {p}, 2600, 0.3); // 2 G = 2000
+  return d;
+}
+
+// H and G of the body in its own units by slow integration: [source][node or end] blocks, the diagonal of H
+// left out.
+void slow_matrices(const c2d::Model& m, std::vector<std::vector<Block>>& h,
+                   std::vector<std::vector<Block>>& g) {
+  const c2d::Body& body = m.head->body[0];
+  const int f = m.head->function_nodes;
+  h.assign(static_cast<size_t>(body.nodes), std::vector<Block>(static_cast<size_t>(body.nodes), Block()));
+  g.assign(static_cast<size_t>(body.nodes),
+           std::vector<Block>(static_cast<size_t>(body.elements * f), Block()));
+  for (int32_t source = 0; source < body.nodes; ++source) {
+    double sx, sy;
+    c2d::node_position(m, 0, source, &sx, &sy);
+    for (int32_t e = 0; e < body.elements; ++e) {
+      double near = -1, distance = 1e300;
+      for (int k = 0; k <= 200; ++k) {
+        const c2d::CurvePoint p = c2d::curve_point(m, 0, e, -1 + 0.01 * k);
+        if (std::hypot(p.x - sx, p.y - sy) >= distance) continue;
+        distance = std::hypot(p.x - sx, p.y - sy);
+        near = -1 + 0.01 * k;
+      }
+      for (int l = 0; l < f; ++l)
+        if (c2d::functional_node(m, 0, e, l) == source) near = c2d::local_eta(f, l);
+      for (int l = 0; l < f; ++l) {
+        Block sum = {};
+        const int32_t node = c2d::functional_node(m, 0, e, l);
+        integrate_slowly(near, [&](double eta, double weight) {
+          const c2d::CurvePoint p = c2d::curve_point(m, 0, e, eta);
+          const double jacobian = std::hypot(p.dx, p.dy), unit = m.head->length_unit;
+          const double rx = p.x - sx, ry = p.y - sy;
+          if (rx == 0 && ry == 0) return;
+          add_kernels(c2d::strain_poisson_ratio(m, 0), rx / unit, ry / unit, p.dy / jacobian,
+                      -p.dx / jacobian, weight * jacobian / unit * shape_value(f, l, eta), sum);
+        });
+        Block& to_h = h[static_cast<size_t>(source)][static_cast<size_t>(node)];
+        for (int i = 0; i < 2; ++i)
+          for (int j = 0; j < 2; ++j) to_h.h[i][j] += sum.h[i][j];
+        g[static_cast<size_t>(source)][static_cast<size_t>(e * f + l)] = sum;
+      }
+    }
+  }
+}
+
+} // namespace
+
+TEST_CASE("assembly: displacement columns are the integrals of the traction kernel") {
+  for (int32_t functions : {1, 2, 3, 4})
+    for (int element_nodes : {2, 3}) {
+      CAPTURE(functions);
+      CAPTURE(element_nodes);
+      ModelData d = bulged(functions, element_nodes);
+      REQUIRE_MESSAGE(d.complete(), d.all());
+      const Columns a(d, 0);
+      const int32_t nodes = a.model.head->body[0].nodes;
+      REQUIRE(a.columns == 2 * nodes + 3 + 1);
+      std::vector<std::vector<Block>> h, g;
+      slow_matrices(a.model, h, g);
+      double worst = 0;
+      for (int32_t p = 0; p < nodes; ++p)
+        for (int32_t q = 0; q < nodes; ++q)
+          for (int i = 0; i < 2 && p != q; ++i)
+            for (int j = 0; j < 2; ++j)
+              worst = std::max(worst, std::fabs(a.at(2 * p + i, 2 * q + j) -
+                                                h[static_cast<size_t>(p)][static_cast<size_t>(q)].h[i][j]));
+      CHECK(worst < 1e-11);               // entries are of order one; both sides are good to some 1e-13
+      for (int32_t p = 0; p < nodes; ++p) // a translation moves nothing
+        for (int i = 0; i < 2; ++i)
+          for (int j = 0; j < 2; ++j) {
+            double sum = 0;
+            for (int32_t q = 0; q < nodes; ++q) sum += a.at(2 * p + i, 2 * q + j);
+            CHECK(std::fabs(sum) < 1e-12);
+          }
+      if (functions < element_nodes) continue; // the functions then do not hold a rotation
+      if (functions == 4 && element_nodes == 3)
+        continue; // cubic nodes hold a quadratic curve, checked by 3 and 3
+      for (int32_t row = 0; row < 2 * nodes; ++row) {
+        double sum = 0;
+        for (int32_t q = 0; q < nodes; ++q) {
+          double x, y;
+          c2d::node_position(a.model, 0, q, &x, &y);
+          sum += -y * a.at(row, 2 * q) + x * a.at(row, 2 * q + 1);
+        }
+        CHECK(std::fabs(sum) < 1e-12 * 2.2 * 10);
+      }
+    }
+}
+
+TEST_CASE("assembly: traction columns, the right-hand side and the three balances") {
+  for (int32_t functions : {1, 2, 3, 4})
+    for (int element_nodes : {2, 3}) {
+      CAPTURE(functions);
+      CAPTURE(element_nodes);
+      ModelData d = bulged(functions, element_nodes);
+      // Element 1 is held: its tractions are unknown. Element 3, the bulged one, carries a load.
+      for (int l = 1; l <= functions; ++l) d.condition(1, 1, l, "1100");
+      for (int l = 1; l <= functions; ++l) {
+        const size_t end = static_cast<size_t>(2 * functions + l - 1);
+        d.condition(1, 3, l, "0011");
+        d.end_traction[0][2 * end] = 3.0 + l;
+        d.end_traction[0][2 * end + 1] = -2.0 * l;
+      }
+      REQUIRE_MESSAGE(d.complete(), d.all());
+      const Columns a(d, 0);
+      const c2d::Model& m = a.model;
+      const int32_t nodes = m.head->body[0].nodes, right = a.columns - 1;
+      const double two_g = 2000, unit = m.head->length_unit;
+      std::vector<std::vector<Block>> h, g;
+      slow_matrices(m, h, g);
+      double worst = 0;
+      for (int32_t p = 0; p < nodes; ++p)
+        for (int i = 0; i < 2; ++i) {
+          for (int l = 0; l < functions; ++l)
+            for (int j = 0; j < 2; ++j) {
+              const int32_t column = c2d::outer_column(m, 0, c2d::functional_node(m, 0, 0, l), j);
+              worst = std::max(worst, std::fabs(a.at(2 * p + i, column) +
+                                                g[static_cast<size_t>(p)][static_cast<size_t>(l)].g[i][j]));
+            }
+          double sum = 0;
+          for (int l = 0; l < functions; ++l) {
+            const Block& block = g[static_cast<size_t>(p)][static_cast<size_t>(2 * functions + l)];
+            sum += (block.g[i][0] * (4.0 + l) + block.g[i][1] * -2.0 * (l + 1)) / two_g;
+          }
+          CHECK(std::fabs(a.at(2 * p + i, right) - sum) < 1e-13); // values / 2G are some 1e-3
+        }
+      CHECK(worst < 1e-11);
+
+      // Balance rows of the loads: forces and their moment about the body's centre.
+      double force[3] = {0, 0, 0}, weights = 0;
+      integrate_slowly(0, [&](double eta, double weight) {
+        const c2d::CurvePoint p = c2d::curve_point(m, 0, 2, eta);
+        const double length = weight * std::hypot(p.dx, p.dy) / unit;
+        const double x = (p.x - m.head->body[0].centre[0]) / unit,
+                     y = (p.y - m.head->body[0].centre[1]) / unit;
+        weights += length;
+        for (int l = 0; l < functions; ++l) {
+          const double tx = shape_value(functions, l, eta) * (4.0 + l) / two_g,
+                       ty = shape_value(functions, l, eta) * -2.0 * (l + 1) / two_g;
+          force[0] += length * tx, force[1] += length * ty;
+          force[2] += length * (x * ty - y * tx);
+        }
+      });
+      for (int i = 0; i < 3; ++i) CHECK(std::fabs(a.at(2 * nodes + i, right) - force[i]) < 1e-14);
+      // The held element is straight: its shape functions add up to its length.
+      double held[2] = {0, 0};
+      for (int l = 0; l < functions; ++l) {
+        const int32_t node = c2d::functional_node(m, 0, 0, l);
+        held[0] -= a.at(2 * nodes, c2d::outer_column(m, 0, node, 0));
+        held[1] -= a.at(2 * nodes + 1, c2d::outer_column(m, 0, node, 1));
+        CHECK(a.at(2 * nodes + 1, c2d::outer_column(m, 0, node, 0)) == 0.0);
+      }
+      CHECK(held[0] == doctest::Approx(std::hypot(2, 0.3) / unit).epsilon(1e-13));
+      CHECK(held[1] == doctest::Approx(std::hypot(2, 0.3) / unit).epsilon(1e-13));
+    }
+}
+
+TEST_CASE("assembly: columns of the multipliers are rigid motions") {
+  ModelData d = bulged(2, 2);
+  REQUIRE(d.complete());
+  const Columns a(d, 0);
+  const c2d::Body& body = a.model.head->body[0];
+  const double unit = a.model.head->length_unit;
+  for (int32_t p = 0; p < body.nodes; ++p) {
+    double x, y;
+    c2d::node_position(a.model, 0, p, &x, &y);
+    const double wanted[2][3] = {{-1, 0, (y - body.centre[1]) / unit}, {0, -1, -(x - body.centre[0]) / unit}};
+    for (int i = 0; i < 2; ++i)
+      for (int k = 0; k < 3; ++k)
+        CHECK(a.at(2 * p + i, body.columns + k) == doctest::Approx(wanted[i][k]).epsilon(1e-13).scale(1));
+  }
+  for (int i = 0; i < 3; ++i)
+    for (int k = 0; k < 3; ++k) CHECK(a.at(2 * body.nodes + i, body.columns + k) == 0.0);
+}
+
+TEST_CASE("assembly: any panels give the same columns") {
+  ModelData d = hertz();
+  REQUIRE_MESSAGE(d.complete(), d.all());
+  for (int b = 0; b < 2; ++b) {
+    const Columns whole(d, b);
+    for (int32_t width : {1, 3, 20}) {
+      CAPTURE(width);
+      const Columns pieces(d, b, width);
+      CHECK(pieces.data == whole.data);
+    }
+  }
+}
+
+TEST_CASE("assembly: every unknown outside the contact has a column of its own") {
+  ModelData d = hertz();
+  REQUIRE_MESSAGE(d.complete(), d.all());
+  const c2d::Model m = d.view();
+  CHECK(m.head->contact == 29); // 15 pairs, the one on the axis without tangential freedom
+  for (int b = 0; b < 2; ++b) {
+    c2d::number_unknowns(m, b);
+    std::set<int32_t> seen;
+    int32_t contact = 0;
+    for (int32_t node = 0; node < m.head->body[b].nodes; ++node)
+      for (int c = 0; c < 2; ++c) {
+        const int32_t column = c2d::outer_column(m, b, node, c);
+        if (column < 0) {
+          CHECK(c2d::pair_of_node(m, b, node) >= 0);
+          ++contact;
+        } else {
+          CHECK(seen.insert(column).second);
+        }
+      }
+    CHECK(contact == 29);
+    CHECK(static_cast<int32_t>(seen.size()) == m.head->body[b].columns);
+    CHECK(*seen.begin() == 0);
+    CHECK(*seen.rbegin() == m.head->body[b].columns - 1);
+    CHECK(c2d::outer_columns(m, b) == 2 * m.head->body[b].nodes + 3 - 29);
+  }
+}
+
+TEST_CASE("assembly: both bodies feel the same contact force") {
+  // tau is measured on body 1's length: the balance rows of the two bodies, times 2G, hold the same forces
+  // although the surfaces differ in length and direction; on the sample by up to 6 %.
+  ModelData d = hertz();
+  REQUIRE_MESSAGE(d.complete(), d.all());
+  const Columns one(d, 0), two(d, 1);
+  const c2d::Model& m = one.model;
+  for (int32_t k = 0; k < m.head->contact; ++k)
+    for (int i = 0; i < 2; ++i) {
+      const int32_t c1 = c2d::outer_columns(m, 0) + m.head->contact + k,
+                    c2 = c2d::outer_columns(m, 1) + m.head->contact + k;
+      const double f1 = one.at(2 * m.head->body[0].nodes + i, c1) * 2 * c2d::shear_modulus(m, 0),
+                   f2 = two.at(2 * m.head->body[1].nodes + i, c2) * 2 * c2d::shear_modulus(m, 1);
+      CHECK(std::fabs(f1 - f2) < 1e-12 * m.head->stress_unit);
+    }
+  // An inner pair between elements of length 0.2: unit pressure along its normal carries 0.2.
+  const c2d::Pair& pair = m.pair[7];
+  const int32_t column = c2d::outer_columns(m, 0) + m.head->contact + pair.dof;
+  const double fx = one.at(2 * m.head->body[0].nodes, column),
+               fy = one.at(2 * m.head->body[0].nodes + 1, column);
+  const double scale = m.head->stress_unit / (2 * c2d::shear_modulus(m, 0)) / m.head->length_unit;
+  CHECK(fx == doctest::Approx(0.2 * pair.nx * scale).epsilon(1e-12));
+  CHECK(fy == doctest::Approx(0.2 * pair.ny * scale).epsilon(1e-12));
+}

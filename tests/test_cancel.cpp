@@ -1,0 +1,264 @@
+// Cancelling at every chance, progress, and floating-point traps around whole runs.
+#include "solver_runs.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cfenv>
+#include <cmath>
+#include <map>
+
+using namespace runs;
+
+namespace {
+
+struct Host : RamStore {
+  c2d_port port = C2D_INIT(c2d_port);
+  c2d_solver* solver = nullptr;
+  int64_t calls = 0, cancel_at = -1;     // of cancel
+  int64_t told = 0, tell_cancel_at = -1; // of progress
+  std::vector<int32_t> cancelled_in;     // phase
+  std::map<std::pair<int32_t, int32_t>, std::set<int64_t>> columns; // (phase, body): done
+  std::map<int32_t, int64_t> phases;
+  static int32_t cancel(void* context) {
+    Host& h = static_cast<Host&>(self(context));
+    return h.calls++ == h.cancel_at ? 1 : 0;
+  }
+  static void progress(void* context, const c2d_progress* now) {
+    Host& h = static_cast<Host&>(self(context));
+    h.phases[now->phase] += 1;
+    h.columns[{now->phase, now->body}].insert(now->done);
+    if (h.told++ == h.tell_cancel_at) {
+      h.cancelled_in.push_back(now->phase);
+      c2d_cancel(h.solver);
+    }
+  }
+  Host() {
+    serve(port);
+    port.cancel = cancel;
+    port.progress = progress;
+  }
+  Host(const Host&) = delete;
+  Host& operator=(const Host&) = delete;
+};
+
+uint64_t size_of(const c2d_limits& limits, bool in_core) {
+  uint64_t minimum = 0, most = 0;
+  REQUIRE(c2d_memory_need(&limits, &minimum, &most) == C2D_OK);
+  return in_core ? most : minimum;
+}
+
+// Cancelled at the n-th chance, then gone on with: the same bits as an undisturbed run.
+struct Loop {
+  size_t tried = 0, in_prepare = 0, in_run = 0;
+  void run(const char* name, int32_t panel_columns, bool through_progress, int64_t stride) {
+    CAPTURE(std::string(name));
+    CAPTURE(through_progress);
+    const Deck deck = deck_named(name);
+    c2d_limits limits = deck.limits();
+    limits.panel_columns = panel_columns;
+    Numbers clean;
+    int64_t preparing = 0; // calls while preparing: every `stride`-th is tried there, every one after
+    {
+      Host host;
+      Machine machine(limits, size_of(limits, false), &host.port);
+      REQUIRE(read_deck(machine.solver, deck) == C2D_OK);
+      REQUIRE(c2d_prepare(machine.solver) == C2D_OK);
+      preparing = through_progress ? host.told : host.calls;
+      REQUIRE(run_prepared(machine.solver, clean) == C2D_OK);
+    }
+    for (int64_t n = 0;; n += n + stride < preparing ? stride : 1) {
+      CAPTURE(n);
+      Host host;
+      Machine machine(limits, size_of(limits, false), &host.port);
+      host.solver = machine.solver;
+      REQUIRE(read_deck(machine.solver, deck) == C2D_OK);
+      (through_progress ? host.tell_cancel_at : host.cancel_at) = n;
+      c2d_status status = c2d_prepare(machine.solver);
+      if (status == C2D_ERR_CANCELLED) {
+        ++in_prepare;
+        REQUIRE(c2d_get_state(machine.solver) == C2D_STATE_MODEL);
+        REQUIRE(error_of(machine.solver).status == C2D_ERR_CANCELLED);
+        status = c2d_prepare(machine.solver);
+      }
+      REQUIRE(status == C2D_OK);
+      Numbers numbers;
+      status = c2d_run(machine.solver, Numbers::take, &numbers);
+      if (status == C2D_ERR_CANCELLED) {
+        ++in_run;
+        REQUIRE(c2d_get_state(machine.solver) == C2D_STATE_RUNNING);
+        REQUIRE(error_of(machine.solver).status == C2D_ERR_CANCELLED);
+        Numbers there; // valid at the load reached
+        REQUIRE(get_boundary(machine.solver, there) == C2D_OK);
+        for (double value : there.boundary) REQUIRE(std::isfinite(value));
+      }
+      const bool stopped = in_prepare + in_run > tried;
+      const bool asked = through_progress ? host.told > n : host.calls > n;
+      // The last call of progress, after the back substitution, comes when there is nothing left to stop.
+      const bool too_late = through_progress && !host.cancelled_in.empty() && host.cancelled_in[0] == C2D_PHASE_BACK;
+      if (!too_late) REQUIRE(stopped == asked);
+      if (stopped) ++tried;
+      if (!stopped) {
+        if (!too_late) REQUIRE(status == C2D_OK);
+        break;
+      }
+      REQUIRE(run_prepared(machine.solver, numbers) == C2D_OK);
+      REQUIRE(numbers == clean);
+      REQUIRE(machine.guards_are_whole());
+    }
+  }
+};
+
+} // namespace
+
+TEST_CASE("cancel: at every chance, in every phase; what follows gives the same bits") {
+  for (bool through_progress : {false, true}) {
+    Loop loop;
+    loop.run("plate", 0, through_progress, 17);
+    loop.run("hertz_lin_l", 40, through_progress, 13);
+    loop.run("layer_t", 60, through_progress, 41);
+    loop.run("sample", 200, through_progress, 101);
+    MESSAGE(std::string(through_progress ? "c2d_cancel from progress: " : "port.cancel: ")
+            << loop.tried << " cancelled, " << loop.in_prepare << " in prepare, " << loop.in_run << " in run");
+    CHECK(loop.in_prepare > 100);
+    CHECK(loop.in_run > 20);
+  }
+}
+
+TEST_CASE("cancel: an advance that was cancelled goes on to the same state") {
+  const Deck deck = deck_named("hertz_lin_l");
+  const c2d_limits limits = deck.limits();
+  const double mu = 0.4, load = 1.0;
+  std::vector<double> clean, row(static_cast<size_t>(limits.pairs));
+  const auto read = [&](c2d_solver* s, std::vector<double>& out) {
+    out.clear();
+    for (int32_t field : {C2D_STATUS, C2D_TN, C2D_TT, C2D_UN1, C2D_UT2, C2D_GAP, C2D_SLIP_SUM}) {
+      REQUIRE(c2d_get(s, field, 1, 1, limits.pairs, row.data(), 1) == C2D_OK);
+      const double size = std::max(1e-300, std::fabs(*std::max_element(row.begin(), row.end(), [](double a, double b) {
+                                             return std::fabs(a) < std::fabs(b);
+                                           })));
+      for (double value : row) out.push_back(field == C2D_STATUS ? value : value / size);
+    }
+  };
+  int64_t cancelled = 0;
+  for (int64_t n = -1;; ++n) {
+    CAPTURE(n);
+    Host host;
+    Machine machine(limits, size_of(limits, true), &host.port);
+    REQUIRE(read_deck(machine.solver, deck) == C2D_OK);
+    REQUIRE(c2d_prepare(machine.solver) == C2D_OK);
+    REQUIRE(c2d_begin(machine.solver, &mu, 1) == C2D_OK);
+    host.calls = 0;
+    host.cancel_at = n;
+    c2d_outcome outcome = -1;
+    c2d_status status = c2d_advance(machine.solver, &load, 1, &outcome);
+    std::vector<double> now;
+    if (n < 0) {
+      REQUIRE(status == C2D_OK);
+      read(machine.solver, clean);
+      continue;
+    }
+    if (status == C2D_OK) {
+      REQUIRE(host.calls <= n);
+      break;
+    }
+    REQUIRE(status == C2D_ERR_CANCELLED);
+    ++cancelled;
+    REQUIRE(c2d_get_state(machine.solver) == C2D_STATE_RUNNING);
+    const c2d_summary at = summary_of(machine.solver);
+    CHECK(at.load >= 0.0);
+    CHECK(at.load <= load);
+    REQUIRE(c2d_advance(machine.solver, &load, 1, &outcome) == C2D_OK);
+    REQUIRE(outcome == C2D_REACHED);
+    read(machine.solver, now);
+    REQUIRE(now.size() == clean.size());
+    // One step or two steps to the same load: round-off through at most a few dozen exchanges.
+    for (size_t i = 0; i < now.size(); ++i) REQUIRE(std::fabs(now[i] - clean[i]) <= 1e-9);
+  }
+  MESSAGE("advance cancelled at " << cancelled << " places");
+  CHECK(cancelled > 5);
+}
+
+TEST_CASE("cancel: c2d_begin that is cancelled is begun again") {
+  const Deck deck = deck_named("layer_t");
+  const c2d_limits limits = deck.limits();
+  const double mu = 0.0;
+  for (int64_t n = 0; n < 50; ++n) {
+    CAPTURE(n);
+    Host host;
+    Machine machine(limits, size_of(limits, true), &host.port);
+    REQUIRE(read_deck(machine.solver, deck) == C2D_OK);
+    REQUIRE(c2d_prepare(machine.solver) == C2D_OK);
+    host.calls = 0;
+    host.cancel_at = n;
+    const c2d_status status = c2d_begin(machine.solver, &mu, 1);
+    if (status == C2D_OK) break;
+    REQUIRE(status == C2D_ERR_CANCELLED);
+    const int32_t state = c2d_get_state(machine.solver);
+    REQUIRE((state == C2D_STATE_PREPARED || state == C2D_STATE_RUNNING));
+    REQUIRE(c2d_begin(machine.solver, &mu, 1) == C2D_OK);
+  }
+}
+
+TEST_CASE("progress: every assembled column of every body, every event") {
+  for (const char* name : {"plate", "hertz_lin_l", "sample"}) {
+    CAPTURE(std::string(name));
+    const Deck deck = deck_named(name);
+    for (int32_t forced : {1, 7, 0}) {
+      CAPTURE(forced);
+      c2d_limits limits = deck.limits();
+      limits.panel_columns = forced;
+      Host host;
+      Machine machine(limits, size_of(limits, forced == 0), &host.port);
+      Numbers numbers;
+      REQUIRE(run_all(machine.solver, deck, numbers) == C2D_OK);
+      const c2d_summary s = summary_of(machine.solver);
+      for (int32_t body = 1; body <= s.bodies; ++body) {
+        const int64_t eliminated = s.unknowns[body - 1] - s.contact_unknowns;
+        const int64_t columns = eliminated + 2 * s.contact_unknowns + 1;
+        // Columns are filled many at a time, then each is told at least once.
+        const auto& seen = host.columns[{C2D_PHASE_ELIMINATE, body}];
+        for (int64_t column = 0; column < columns; ++column) REQUIRE(seen.count(column) == 1);
+        CHECK(static_cast<int64_t>(host.columns[{C2D_PHASE_ASSEMBLE, body}].size()) >= 1);
+      }
+      CHECK(host.phases[C2D_PHASE_CONTACT] >= s.events);
+    }
+  }
+}
+
+TEST_CASE("traps: no run raises invalid, zero-divide or overflow, or turns the rounding") {
+#if defined(__GLIBC__) && !defined(__SANITIZE_THREAD__)
+  const int watched = FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW;
+  int runs_made = 0;
+  for (const std::string& name : deck_names())
+    for (int32_t stepping : {C2D_STEPPING_EVENTS, C2D_STEPPING_DECK})
+      for (int32_t quadrature : {C2D_QUADRATURE_ACCURATE, C2D_QUADRATURE_THESIS})
+        for (bool in_core : {false, true}) {
+          if (name == "sample56" && !in_core && quadrature == C2D_QUADRATURE_THESIS) continue; // for time
+          CAPTURE(std::string(name));
+          CAPTURE(stepping);
+          CAPTURE(quadrature);
+          const Deck deck = deck_named(name);
+          c2d_options options = C2D_INIT(c2d_options);
+          options.stepping = stepping;
+          options.quadrature = quadrature;
+          Host host;
+          const c2d_limits limits = deck.limits();
+          Machine machine(limits, size_of(limits, in_core), &host.port);
+          Numbers numbers;
+          std::feclearexcept(FE_ALL_EXCEPT);
+          REQUIRE(feenableexcept(watched) != -1);
+          const int rounding = std::fegetround();
+          const c2d_status status = run_all(machine.solver, deck, numbers, &options);
+          const c2d_status closed = c2d_close(machine.solver);
+          fedisableexcept(watched);
+          CHECK(std::fetestexcept(watched) == 0);
+          CHECK(std::fegetround() == rounding);
+          CHECK(status == C2D_OK);
+          CHECK(closed == C2D_OK);
+          ++runs_made;
+        }
+  MESSAGE("runs with traps: " << runs_made);
+  CHECK(runs_made >= 70);
+#endif
+}

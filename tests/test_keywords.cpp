@@ -1,0 +1,200 @@
+// Keyword cards behind the load cards.
+#include "deck_recorder.hpp"
+
+#include "deck/keywords.hpp"
+#include "deck/words.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cstring>
+
+using namespace deck_test;
+
+namespace {
+
+c2d::Words split(const char* text) {
+  c2d::Words words = {};
+  CHECK(c2d::split_words(text, static_cast<int32_t>(std::strlen(text)), words));
+  return words;
+}
+
+std::vector<std::string> fields(const char* text) {
+  const c2d::Words words = split(text);
+  std::vector<std::string> list;
+  for (int32_t i = 0; i < words.count; ++i) {
+    char field[200];
+    c2d::copy_word(words, i, field, sizeof field);
+    list.push_back(field);
+  }
+  return list;
+}
+
+using List = std::vector<std::string>;
+
+Reading with_cards(const List& cards) {
+  List deck = squares();
+  deck.insert(deck.end(), cards.begin(), cards.end());
+  return read(joined(deck));
+}
+
+// The one fault of these cards behind a deck, its line counted from the first of them (1).
+Fault the_fault(const List& cards) {
+  const Reading r = with_cards(cards);
+  CAPTURE(cards[0]);
+  CHECK(r.status == C2D_ERR_INPUT);
+  REQUIRE(r.faults.size() == 1);
+  Fault fault = r.faults[0];
+  fault.line -= static_cast<int>(squares().size());
+  return fault;
+}
+
+} // namespace
+
+TEST_CASE("fields between blanks and commas") {
+  CHECK(fields("") == List{});
+  CHECK(fields("   ") == List{});
+  CHECK(fields("1 2") == List{"1", "2"});
+  CHECK(fields("  1,2") == List{"1", "2"});
+  CHECK(fields("1 , 2") == List{"1", "2"});
+  CHECK(fields("1\t2") == List{"1", "2"});
+  CHECK(fields("1,,2") == List{"1", "", "2"});
+  CHECK(fields("1, ,2") == List{"1", "", "2"});
+  CHECK(fields(",1") == List{"", "1"});
+  CHECK(fields("1,2,") == List{"1", "2"});
+  CHECK(fields("1,2,,") == List{"1", "2", ""});
+  CHECK(fields("1 2 ! 3") == List{"1", "2"});
+  CHECK(fields("1 2! 3") == List{"1", "2"});
+  CHECK(fields("! 3") == List{});
+  const c2d::Words words = split("  ab, -1.5e3 ,,x");
+  REQUIRE(words.count == 4);
+  CHECK(words.word[0].column == 3);
+  CHECK(words.word[0].column_end == 4);
+  CHECK(words.word[1].column == 7);
+  CHECK(words.word[1].column_end == 12);
+  CHECK(words.word[2].column_end == words.word[2].column - 1);
+  CHECK(words.word[3].column == 16);
+  CHECK(words.end == 17);
+  CHECK(c2d::word_is(words, 0, "AB"));
+  CHECK(!c2d::word_is(words, 0, "A"));
+  CHECK(!c2d::word_is(words, 0, "ABC"));
+  CHECK(!c2d::word_is(words, 9, "AB"));
+  std::string many;
+  for (int i = 0; i < c2d::kMaximumWords; ++i) many += "1 ";
+  c2d::Words all = {};
+  CHECK(c2d::split_words(many.c_str(), static_cast<int32_t>(many.size()), all));
+  many += "1";
+  CHECK(!c2d::split_words(many.c_str(), static_cast<int32_t>(many.size()), all));
+  CHECK(all.count == c2d::kMaximumWords);
+}
+
+TEST_CASE("units") {
+  for (const char* card : {"*UNITS mm N", "*units mm,N ! as drawn", "  *Units\tmm\tN",
+                           "*UNITS mm N ! gr\xc3\xb6\xc3\x9f"
+                           "e"}) {
+    CAPTURE(card);
+    const Reading r = with_cards({"C a remark of the old kind", "", card, "C another", "! and one more"});
+    CHECK(r.status == C2D_OK);
+    CHECK(r.faults.empty());
+    CHECK(r.model.units == "mm N");
+    CHECK(r.model.line == static_cast<int>(squares().size()) + 3);
+  }
+  CHECK(with_cards({}).model.units == "");
+}
+
+TEST_CASE("wrong keyword cards") {
+  Fault f = the_fault({"*SYMETRY X 0", "1 2 3", "! nothing"});
+  CHECK(f.line == 1);
+  CHECK(f.column == 1);
+  CHECK(f.column_end == 8);
+  f = the_fault({"*UNIT mm N"});
+  CHECK(f.text == "*UNIT is not a known keyword; did you mean *UNITS?");
+  CHECK(f.column_end == 5);
+  CHECK(the_fault({"*unist"}).text == "*UNIST is not a known keyword; did you mean *UNITS?");
+  f = the_fault({" *XYZXYZ"});
+  CHECK(f.column == 2);
+  CHECK(f.text.find("*XYZXYZ is not a known keyword; known are *") == 0);
+  CHECK(f.text.find("*UNITS") != std::string::npos);
+  CHECK(the_fault({"*"}).text.find("* is not a known keyword") == 0);
+  CHECK(the_fault({"*" + std::string(150, 'A')}).text.find("is not a known keyword") != std::string::npos);
+  f = the_fault({"*UNITS mm N", "", "*UNITS cm N"});
+  CHECK(f.line == 3);
+  CHECK(f.text == "*UNITS stands in the deck twice, expected it once");
+  f = the_fault({"1 2 3"});
+  CHECK(f.text == "a card follows the last load card, expected a keyword card or the end of the deck");
+  f = the_fault({"*UNITS mm N", "1 2 3", "4 5"});
+  CHECK(f.line == 2);
+  CHECK(f.text ==
+        "the card does not belong to *UNITS above it, expected a keyword card or the end of the deck");
+}
+
+TEST_CASE("wrong fields on a keyword card") {
+  Fault f = the_fault({"*UNITS mm   ! no force"});
+  CHECK(f.text == "the card ends here, expected name of the unit of force");
+  CHECK(f.column == 10);
+  f = the_fault({"*UNITS mm N kg s"});
+  CHECK(f.text == "the card has 4 fields, expected 2");
+  CHECK(f.column == 13);
+  CHECK(f.column_end == 16);
+  f = the_fault({"*UNITS mm sixteenletterslo"});
+  CHECK(f.text == "name of the unit of force has 16 characters, expected at most 15");
+  CHECK(f.column == 11);
+  CHECK(f.column_end == 26);
+  CHECK(with_cards({"*UNITS mm fifteenletterslo"}).status == C2D_ERR_INPUT);
+  CHECK(with_cards({"*UNITS mm fifteenletters."}).status == C2D_OK);
+}
+
+TEST_CASE("lines too long and too many fields") {
+  CHECK(with_cards({"*UNITS mm" + std::string(150, ' ') + "N"}).status == C2D_OK); // column 160
+  const Fault f = the_fault({"*UNITS mm" + std::string(149, ' ') + "cwt"});
+  CHECK(f.text.find("the card goes beyond column 160") == 0);
+  CHECK(f.column == 161);
+  CHECK(f.column_end == 161);
+  CHECK(with_cards({"*UNITS mm N" + std::string(300, ' ')}).status == C2D_OK);
+  CHECK(with_cards({"*UNITS mm N !" + std::string(300, 'x')}).status == C2D_OK);
+  std::string many = "*UNITS";
+  for (int i = 0; i < 40; ++i) many += " 1";
+  const Reading r = with_cards({many});
+  REQUIRE(!r.faults.empty());
+  CHECK(r.faults[0].text == "the card has more than 32 fields");
+}
+
+TEST_CASE("scanning walks the keyword cards too") {
+  List deck = squares();
+  deck.push_back("*UNIT mm N");
+  Bytes bytes;
+  bytes.bytes = joined(deck);
+  c2d_limits sizes = C2D_INIT(c2d_limits);
+  c2d_error why = C2D_INIT(c2d_error);
+  CHECK(c2d_scan_deck(read_bytes, &bytes, &sizes, &why) == C2D_ERR_INPUT);
+  CHECK(why.line == static_cast<int>(deck.size()));
+  CHECK(std::string(why.text) == "*UNIT is not a known keyword; did you mean *UNITS?");
+}
+
+TEST_CASE("units in a solver") {
+  c2d_limits sizes = C2D_INIT(c2d_limits);
+  List deck = squares();
+  deck.push_back("*UNITS mm kN");
+  Bytes bytes;
+  bytes.bytes = joined(deck);
+  REQUIRE(c2d_scan_deck(read_bytes, &bytes, &sizes, nullptr) == C2D_OK);
+  uint64_t need = 0;
+  REQUIRE(c2d_memory_need(&sizes, &need, nullptr) == C2D_OK);
+  std::vector<char> memory(need);
+  c2d_solver* solver = nullptr;
+  REQUIRE(c2d_create(&solver, memory.data(), memory.size(), &sizes, nullptr, nullptr) == C2D_OK);
+  bytes.at = 0;
+  REQUIRE(c2d_read_deck(solver, read_bytes, &bytes) == C2D_OK);
+  c2d_summary summary = C2D_INIT(c2d_summary);
+  REQUIRE(c2d_get_summary(solver, &summary) == C2D_OK);
+  CHECK(std::string(summary.unit_length) == "mm");
+  CHECK(std::string(summary.unit_force) == "kN");
+  CHECK(c2d_set_units(solver, "sixteenletterslo", "N") == C2D_ERR_ARGUMENT);
+  REQUIRE(c2d_get_summary(solver, &summary) == C2D_OK);
+  CHECK(std::string(summary.unit_length) == "mm");
+  CHECK(c2d_set_units(solver, "m", nullptr) == C2D_OK);
+  REQUIRE(c2d_get_summary(solver, &summary) == C2D_OK);
+  CHECK(std::string(summary.unit_length) == "m");
+  CHECK(std::string(summary.unit_force) == "");
+  CHECK(summary.state == C2D_STATE_MODEL);
+  c2d_close(solver);
+}
