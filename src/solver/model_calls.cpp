@@ -64,10 +64,11 @@ c2d_status refuse_value(c2d_solver* s, const char* what, double value, const cha
   return C2D_ERR_ARGUMENT;
 }
 
-c2d_status enter_building(c2d_solver* s) {
-  const c2d_status status = enter(s, kBuilding);
-  if (status == C2D_OK) s->state = C2D_STATE_BUILDING;
-  return status;
+c2d_status enter_building(c2d_solver* s) { return enter(s, kBuilding); }
+// The call changed something: the model is no longer empty.
+c2d_status built(c2d_solver* s) {
+  s->state = C2D_STATE_BUILDING;
+  return C2D_OK;
 }
 
 bool in_range(int64_t value, int64_t first, int64_t last) { return value >= first && value <= last; }
@@ -120,7 +121,7 @@ extern "C" c2d_status c2d_set_problem(c2d_solver* s, const c2d_problem* problem)
   m.iteration_limit = ours.iteration_limit == 0 ? 50 : ours.iteration_limit;
   ours.title[sizeof ours.title - 1] = '\0';
   memcpy(m.title, ours.title, sizeof m.title);
-  return C2D_OK;
+  return built(s);
 }
 
 extern "C" c2d_status c2d_set_units(c2d_solver* s, const char* length, const char* force) {
@@ -139,7 +140,7 @@ extern "C" c2d_status c2d_set_units(c2d_solver* s, const char* length, const cha
     memcpy(places[i], names[i], strlen(names[i]));
   }
   if (s->state == C2D_STATE_EMPTY) s->state = C2D_STATE_BUILDING;
-  return C2D_OK;
+  return built(s);
 }
 
 namespace {
@@ -178,7 +179,7 @@ extern "C" c2d_status c2d_set_body(c2d_solver* s, int32_t body, const c2d_body* 
     return refuse(s, C2D_ERR_ARGUMENT, "this body was given before, with other numbers of elements or regions");
   b.youngs_modulus = ours.youngs_modulus;
   b.poisson_ratio = ours.poisson_ratio;
-  if (b.is_set) return C2D_OK;
+  if (b.is_set) return built(s);
   b.element_nodes = ours.element_nodes;
   b.elements = ours.elements;
   b.geometry_nodes = ours.elements * (ours.element_nodes - 1);
@@ -186,7 +187,7 @@ extern "C" c2d_status c2d_set_body(c2d_solver* s, int32_t body, const c2d_body* 
   b.nodes = ours.elements * (s->sizes.function_nodes == 1 ? 1 : s->sizes.function_nodes - 1);
   b.region_count = 0;
   b.is_set = 1;
-  return C2D_OK;
+  return built(s);
 }
 
 extern "C" c2d_status c2d_add_region(c2d_solver* s, int32_t body, int32_t first, int32_t last) {
@@ -206,7 +207,7 @@ extern "C" c2d_status c2d_add_region(c2d_solver* s, int32_t body, int32_t first,
   if (b.region_count + 1 == b.regions && last != b.elements)
     return refuse_number(s, C2D_ERR_ARGUMENT, "last element of the last region", last, b.elements, b.elements);
   regions[b.region_count++] = Region{first - 1, last - 1};
-  return C2D_OK;
+  return built(s);
 }
 
 extern "C" c2d_status c2d_set_nodes(c2d_solver* s, int32_t body, int32_t first, int32_t count, const double* xy,
@@ -217,7 +218,7 @@ extern "C" c2d_status c2d_set_nodes(c2d_solver* s, int32_t body, int32_t first, 
   const Body& b = s->model.body[body - 1];
   if (!b.is_set) return refuse(s, C2D_ERR_ARGUMENT, "give the body before its boundary points");
   if (count < 0 || (count > 0 && !xy)) return refuse(s, C2D_ERR_ARGUMENT, "no coordinates given");
-  if (count == 0) return C2D_OK;
+  if (count == 0) return built(s);
   if (!in_range(first, 1, b.geometry_nodes))
     return refuse_number(s, C2D_ERR_ARGUMENT, "boundary point number", first, 1, b.geometry_nodes);
   if (count > b.geometry_nodes - first + 1)
@@ -233,7 +234,7 @@ extern "C" c2d_status c2d_set_nodes(c2d_solver* s, int32_t body, int32_t first, 
     to[1] = xy[i * stride + 1];
     m.node_line[body - 1][first - 1 + i] = s->model.line;
   }
-  return C2D_OK;
+  return built(s);
 }
 
 namespace {
@@ -302,7 +303,7 @@ extern "C" c2d_status c2d_set_condition(c2d_solver* s, int32_t body, int32_t ele
     if (codes[2 + c] == 0)
       m.node_disp[b][(static_cast<int64_t>(load_case - 1) * m.head->body[b].nodes + node) * 2 + c] = values[2 + c];
   }
-  return C2D_OK;
+  return built(s);
 }
 
 extern "C" c2d_status c2d_add_point_load(c2d_solver* s, int32_t body, double x, double y, double fx, double fy,
@@ -319,7 +320,7 @@ extern "C" c2d_status c2d_add_point_load(c2d_solver* s, int32_t body, double x, 
     return refuse_number(s, C2D_ERR_LIMIT, "number of point loads", s->model.point_loads + 1, 0, s->sizes.point_loads);
   array_of<PointLoad>(s, kPointLoads)[s->model.point_loads++] =
       PointLoad{body - 1, load_case - 1, s->model.line, s->model.column, x, y, fx, fy};
-  return C2D_OK;
+  return built(s);
 }
 
 namespace {
@@ -403,7 +404,7 @@ extern "C" c2d_status c2d_add_zone(c2d_solver* s, const c2d_zone* zone) {
   m.zone[head.zones++] = z;
   head.pairs += z.pairs;
   head.contact_elements += z.elements;
-  return C2D_OK;
+  return built(s);
 }
 
 namespace c2d {
@@ -430,7 +431,7 @@ extern "C" c2d_status c2d_add_friction(c2d_solver* s, double mu) {
   array_of<double>(s, kFriction)[i] = mu;
   double* zones = zone_friction(s, i);
   for (int64_t z = 0; z < s->sizes.zones; ++z) zones[z] = -1.0;
-  return C2D_OK;
+  return built(s);
 }
 
 extern "C" c2d_status c2d_set_zone_friction(c2d_solver* s, int32_t zone, int32_t i, double mu) {
@@ -442,7 +443,7 @@ extern "C" c2d_status c2d_set_zone_friction(c2d_solver* s, int32_t zone, int32_t
   if (!in_range(i, 1, s->model.coefficients))
     return refuse_number(s, C2D_ERR_ARGUMENT, "number of the coefficient of friction", i, 1, s->model.coefficients);
   zone_friction(s, i - 1)[zone - 1] = mu;
-  return C2D_OK;
+  return built(s);
 }
 
 extern "C" c2d_status c2d_add_path(c2d_solver* s, int32_t increments, double load) {
@@ -456,7 +457,7 @@ extern "C" c2d_status c2d_add_path(c2d_solver* s, int32_t increments, double loa
   double* factors = array_of<double>(s, kPathLoads) + static_cast<int64_t>(s->model.paths) * s->sizes.load_cases;
   for (int32_t k = 0; k < s->sizes.load_cases; ++k) factors[k] = k == 0 ? load : 0.0;
   array_of<Path>(s, kPaths)[s->model.paths++] = Path{increments, 0, load};
-  return C2D_OK;
+  return built(s);
 }
 
 extern "C" c2d_status c2d_add_path_point(c2d_solver* s, int32_t increments, const double* load, int32_t cases) {
@@ -472,13 +473,14 @@ extern "C" c2d_status c2d_add_path_point(c2d_solver* s, int32_t increments, cons
   if (status != C2D_OK) return status;
   double* factors = array_of<double>(s, kPathLoads) + static_cast<int64_t>(s->model.paths - 1) * cases;
   for (int32_t k = 0; k < cases; ++k) factors[k] = load[k];
-  return C2D_OK;
+  return built(s);
 }
 
 extern "C" c2d_status c2d_clear_paths(c2d_solver* s) {
   const c2d_status status = enter_building(s);
-  if (status == C2D_OK) s->model.paths = 0;
-  return status;
+  if (status != C2D_OK) return status;
+  s->model.paths = 0;
+  return built(s);
 }
 
 extern "C" c2d_status c2d_complete(c2d_solver* s) {
