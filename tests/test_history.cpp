@@ -1,6 +1,7 @@
 // Load histories: several load cases, paths through their factors, friction loops, energy, gross sliding.
 #include "c2d_memory.h"
 #include "contact2d.h"
+#include "problem.hpp"
 
 #include <cmath>
 #include <doctest/doctest.h>
@@ -454,4 +455,77 @@ TEST_CASE("history: refused paths, cases and values") {
   CHECK(c2d_set_zone_friction(c.s, 2, 1, 0.1) == C2D_ERR_ARGUMENT);
   CHECK(c2d_set_zone_friction(c.s, 1, 1, -0.1) == C2D_ERR_ARGUMENT);
   CHECK(c.finish() == C2D_OK);
+}
+
+TEST_CASE("history: point loads that roll over the block, with their energy") {
+  double before = 1;
+  for (int n : {8, 16, 32}) {
+    Setup setup;
+    setup.n = n;
+    setup.cases = {{0, -0.5, 0, 0}};
+    Setup loads = setup;
+    loads.cases.resize(4, {0, 0, 0, 0});
+    Case c(loads);
+    for (int k = 0; k < 3; ++k)
+      REQUIRE(c2d_add_point_load(c.s, 2, -0.4 + 0.4 * k, 0.5, 0.02, -0.3, k + 2) == C2D_OK);
+    REQUIRE(c.finish() == C2D_OK);
+    c.begin(0.3);
+    REQUIRE(c.to({1, 0, 0, 0}) == C2D_REACHED);
+    double worst = 0;
+    for (int turn = 0; turn < 2; ++turn)
+      for (const Loads& to : {Loads{1, 1, 0, 0}, {1, 0, 1, 0}, {1, 0, 0, 1}, {1, 0, 0, 0}}) {
+        REQUIRE(c.to(to) == C2D_REACHED);
+        CHECK(c.zone().force[1] == doctest::Approx(1 + 0.3 * (to[1] + to[2] + to[3])).epsilon(1e-9));
+        worst = std::max(worst, std::fabs(c.summary().energy_defect));
+      }
+    MESSAGE("n ", n, " dissipated ", c.summary().dissipated, " elastic ", c.summary().elastic, " defect ", worst);
+    CHECK(c.summary().dissipated > 0);
+    CHECK(worst < (n == 8 ? 1 : 0.75) * before);
+    if (n == 32) CHECK(worst < 0.002);
+    before = worst;
+  }
+}
+
+TEST_CASE("history: decks") {
+  using problem::deck_text;
+  using problem::solve_text;
+  const std::string deck = deck_text("block.dat");
+  const auto plain = solve_text(deck);
+  REQUIRE(plain.status == C2D_OK);
+  CHECK(problem::identical(plain, solve_text(deck + "*FRICTION\n 1 0.3\n")));
+  const auto same = solve_text(deck + "*PATH\n 4 1 ! as the load card says\n");
+  CHECK(problem::identical(plain, same));
+  // Two cases that add up to the deck's load, one after the other.
+  const auto two = solve_text(deck + "*CASES 2\ncase 2\n condition 2 25-48 0 0.05 0 0 0\nload 2 0 0.5 0 -0.1\n"
+                                     "*PATH\n 2, 1, 0\n 3 1 0.5\n 3 1 -0.5\n");
+  REQUIRE_MESSAGE(two.status == C2D_OK, two.messages());
+  REQUIRE(two.steps.size() == 8);
+  CHECK(two.steps[1].load == 1);
+  CHECK(problem::compare(two.steps[1], plain.steps[3]).worst() < 1e-9);
+  CHECK(problem::compare(two.steps[4], plain.steps[3]).worst() > 1e-3);
+  const auto stuck = solve_text(deck + "*FRICTION\n 1 inf\n");
+  CHECK(std::isinf(stuck.steps[0].mu));
+  for (int pair = 0; pair < stuck.steps[3].pairs(); ++pair) CHECK(stuck.steps[3].at(pair, C2D_STATUS) != C2D_SLIP);
+
+  const std::pair<const char*, const char*> faults[] = {
+      {"*PATH\n 2 1 0 3\n", "number of load factors is 3, expected 1"},
+      {"*PATH\n", "*PATH without cards"},
+      {"*PATH\n 0 1\n", "number of load increments"},
+      {"*CASES 2\n", "load case 2 loads nothing"},
+      {"*CASES 2\n condition 2 25 0 1 0 0 0\n", "case k"},
+      {"*CASES 2\ncase 3\n", "load case"},
+      {"*CASES 2\ncase 2\n condition 2 25-99 0 1 0 0 0\n", "expected a number or a range"},
+      {"*CASES 2\ncase 2\n condition 2 25 0 0 0 1 0\n", "ux is unknown here"},
+      {"*CASES 2\ncase 2\n condition 2 1 0 1 0 0 0\n", "tx is a contact traction here"},
+      {"*CASES 2\ncase 2\n lode 2 1 0 1 0\n", "expected one of: case, condition, load"},
+      {"*FRICTION\n 2 0.3\n", "contact zone"},
+      {"*FRICTION\n 1 -0.3\n", "negative"},
+  };
+  for (const auto& fault : faults) {
+    CAPTURE(fault.first);
+    const auto r = solve_text(deck + fault.first);
+    CHECK(r.status == C2D_ERR_INPUT);
+    INFO(r.messages());
+    CHECK(r.messages().find(fault.second) != std::string::npos);
+  }
 }

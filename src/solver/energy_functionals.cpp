@@ -268,8 +268,8 @@ c2d_status build_energy(c2d_solver* s, const Model& model) {
   const EnergyBook book = energy_book(s);
   const int64_t size = 2 * static_cast<int64_t>(book.m) + book.cases;
   for (int32_t k = 0; k < 2 * book.cases; ++k) {
-    if (asked_to_stop(s)) return C2D_ERR_CANCELLED;
     tell_progress(s, C2D_PHASE_REDUCE, 0, k, 2 * static_cast<int64_t>(book.cases));
+    if (asked_to_stop(s)) return C2D_ERR_CANCELLED;
     const c2d_status status = build_functional(session, k / 2, k % 2 == 1, book.first + k * size);
     if (status != C2D_OK) return status;
   }
