@@ -462,7 +462,8 @@ typedef struct c2d_zone_state {
   double shift;                   /* mean of (u2 - u1).t                                            */
   double largest_pressure, largest_friction, length; /* length: of the touching pairs               */
 } c2d_zone_state;
-c2d_status c2d_get_zone_state(c2d_solver* solver, int32_t zone, c2d_zone_state* out); /* legal: running */
+/* Legal: running, also inside a step callback. */
+c2d_status c2d_get_zone_state(c2d_solver* solver, int32_t zone, c2d_zone_state* out);
 
 /* Item i (from 1) of the model's lists; out of range: ARGUMENT. Legal: model, prepared, running. */
 c2d_status c2d_get_friction(c2d_solver* solver, int32_t i, double* mu);

@@ -80,9 +80,15 @@ void fill_zone_state(const Session& session, const Zone& zone, c2d_zone_state& o
 using namespace c2d;
 
 extern "C" c2d_status c2d_get_zone_state(c2d_solver* s, int32_t zone, c2d_zone_state* out) {
-  const c2d_status status = enter(s, state_bit(C2D_STATE_RUNNING));
-  if (status != C2D_OK) return status;
-  if (!out || zone < 1 || zone > s->model.zones) return fail(s, C2D_ERR_ARGUMENT, "there is no such contact zone");
+  if (!s || s->magic != kSolverMagic) return C2D_ERR_ARGUMENT;
+  if (s->busy) { // inside a step callback: nothing is changed, not even what c2d_last_error tells
+    if (s->state != C2D_STATE_RUNNING) return C2D_ERR_STATE;
+    if (!out || zone < 1 || zone > s->model.zones) return C2D_ERR_ARGUMENT;
+  } else {
+    const c2d_status status = enter(s, state_bit(C2D_STATE_RUNNING));
+    if (status != C2D_OK) return status;
+    if (!out || zone < 1 || zone > s->model.zones) return fail(s, C2D_ERR_ARGUMENT, "there is no such contact zone");
+  }
   c2d_zone_state ours;
   memset(&ours, 0, sizeof ours);
   Session session;
