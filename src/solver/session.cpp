@@ -294,7 +294,8 @@ void name_outcome(Session& session, c2d_outcome outcome) {
   if (outcome == C2D_FREE_MOTION || outcome == C2D_GROSS_SLIDING)
     s->outcome_body = s->blocked ? s->blocked : session.free_body.body + 1;
   // Where no pressure is left, nothing slides: the body lifts off.
-  if (outcome == C2D_GROSS_SLIDING && !s->blocked && path_scales(session.follower).p <= kNoPressure * s->peak_pressure)
+  if (outcome == C2D_GROSS_SLIDING && s->peak_pressure > 0.0 &&
+      path_scales(session.follower).p <= kNoPressure * s->peak_pressure)
     s->outcome = outcome = C2D_FREE_MOTION;
   if (s->outcome_body > 0) find_outcome_motion(session, outcome);
 }
