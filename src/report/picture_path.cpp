@@ -1,0 +1,110 @@
+#include "report/axes.hpp"
+#include "report/pictures.hpp"
+
+#include <algorithm>
+
+namespace app {
+namespace {
+
+const Stroke kLines[] = {{colour::kBlue, 1.8, ""},     {colour::kOrange, 1.8, "7 3"},
+                         {colour::kGreen, 1.8, "2 2"}, {colour::kPurple, 1.8, "10 3 2 3"},
+                         {colour::kInk, 1.8, "14 4"},  {colour::kFaint, 1.8, "4 2 1 2"}};
+const Mark kMarks[] = {Mark::kCircle,  Mark::kSquare, Mark::kTriangle,
+                       Mark::kDiamond, Mark::kCross,  Mark::kCircle};
+constexpr size_t kMostLines = 6;
+
+using Value = double (*)(const PathPoint&);
+double changes(const PathPoint& p) {
+  return p.changes;
+}
+double peak(const PathPoint& p) {
+  return p.peak;
+}
+double touching(const PathPoint& p) {
+  return p.count[C2D_STICK] + p.count[C2D_SLIP];
+}
+
+// The last point of each load that was passed, in order.
+std::vector<const PathPoint*> distinct(const CoefficientHistory& history) {
+  std::vector<const PathPoint*> out;
+  for (const PathPoint& p : history.points) {
+    if (!out.empty() && out.back()->load == p.load) out.pop_back();
+    out.push_back(&p);
+  }
+  return out;
+}
+
+void draw_value(Svg& svg, const Scene& scene, Box frame, const Axis& x, const char* name,
+                const std::string& unit, bool whole, bool stairs, bool labels, Value value) {
+  const std::vector<CoefficientHistory>& all = scene.history->coefficients();
+  const size_t lines = std::min(all.size(), kMostLines);
+  Range range;
+  range.include(0.0);
+  for (size_t c = 0; c < lines; ++c)
+    for (const PathPoint& p : all[c].points) range.include(value(p));
+  const Chart chart{frame, x, make_axis(range, name, unit, 4, false, whole)};
+  draw_axes(svg, chart, labels);
+  for (size_t c = 0; c < lines; ++c) {
+    std::vector<Point> points{chart.at(0.0, 0.0)}, steps;
+    for (const PathPoint* p : distinct(all[c])) {
+      const Point at = chart.at(p->load, value(*p));
+      if (stairs) points.push_back({at.x, points.back().y});
+      points.push_back(at);
+      if (p->kind != C2D_STEP_CHANGE) steps.push_back(at);
+    }
+    svg.polyline(points, kLines[c]);
+    const size_t every = steps.size() / 40 + 1;
+    for (size_t i = 0; i < steps.size(); i += every)
+      svg.mark(kMarks[c], steps[i], 5.0, kLines[c].colour, c != 1);
+  }
+}
+
+std::string caption(const Scene& scene) {
+  std::string out;
+  const size_t known = std::min(scene.history->coefficients().size(), scene.record->coefficients.size());
+  for (size_t c = 0; c < std::min(known, kMostLines); ++c) {
+    const CoefficientHistory& h = scene.history->coefficients()[c];
+    if (h.points.empty()) continue;
+    const PathPoint& last = h.points.back();
+    if (!out.empty()) out += "; ";
+    out += "&#956; = " + figure(h.mu) + ": " + std::to_string(last.changes) +
+           " changes of status up to load factor " + figure(last.load) + ", then " +
+           std::to_string(last.count[1] + last.count[2]) + " pairs in contact and a peak pressure of " +
+           figure(last.peak, scene.stress_unit, 6);
+  }
+  if (known > kMostLines) out += "; further coefficients are not drawn";
+  return "How the load path went (markers: recorded steps): " + out + ".";
+}
+
+} // namespace
+
+void draw_path(const Scene& scene, Pictures& out) {
+  if (scene.pairs.empty() || scene.history->coefficients().empty()) return;
+  Range load;
+  load.include(0.0);
+  std::vector<LegendEntry> entries;
+  for (size_t c = 0; c < std::min(scene.history->coefficients().size(), kMostLines); ++c) {
+    const CoefficientHistory& h = scene.history->coefficients()[c];
+    for (const PathPoint& p : h.points) load.include(p.load);
+    entries.push_back({"&#956; = " + figure(h.mu), kLines[c], kMarks[c], c != 1, ""});
+  }
+  const Axis x = make_axis(load, "load factor", "", 9, true);
+  const double left = 76.0, right = kPictureWidth - 16.0, high = 120.0;
+  const double top = draw_legend(nullptr, {left, 4.0}, right - left, entries) + 30.0;
+  Svg svg("path", kPictureWidth, top + 3.0 * high + 2.0 * 32.0 + 44.0);
+  draw_legend(&svg, {left, 4.0}, right - left, entries);
+  Box frame{left, top, right, top + high};
+  draw_value(svg, scene, frame, x, "events", "", true, true, false, changes);
+  draw_heading(svg, frame, "Changes of status so far");
+  frame.top += high + 32.0, frame.bottom += high + 32.0;
+  draw_value(svg, scene, frame, x, "peak pressure", scene.stress_unit, false, false, false, peak);
+  draw_heading(svg, frame, "Largest pressure of all pairs");
+  frame.top += high + 32.0, frame.bottom += high + 32.0;
+  draw_value(svg, scene, frame, x, "pairs", "", true, true, true, touching);
+  draw_heading(svg, frame, "Pairs in contact");
+  Picture picture{"path", "The load path", caption(scene), ""};
+  picture.svg = svg.finish(picture.title, picture.caption);
+  out.push_back(picture);
+}
+
+} // namespace app
