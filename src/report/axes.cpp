@@ -58,6 +58,11 @@ Axis make_axis(const Range& range, const std::string& name, const std::string& u
   }
   Axis axis;
   axis.step = nice_step((high - low) / about);
+  const double finer = nice_step((high - low) / (1.6 * about));
+  const auto rounded = [&](double step) {
+    return std::ceil(high / step - 1e-6) * step - std::floor(low / step + 1e-6) * step;
+  };
+  if (!tight && rounded(finer) < 0.85 * rounded(axis.step)) axis.step = finer; // less empty paper
   if (whole) axis.step = std::max(1.0, axis.step);
   const double slack = 1e-6;
   if (tight) {
@@ -115,7 +120,7 @@ void draw_axes(Svg& svg, const Chart& chart, bool labels_x) {
     widest = std::max(widest, text_width(label, kLabelSize));
     above = y;
   }
-  if (chart.y.low < 0.0 && chart.y.high > 0.0)
+  if (chart.zero_line && chart.y.low < 0.0 && chart.y.high > 0.0)
     svg.line(chart.at(chart.x.low, 0.0), chart.at(chart.x.high, 0.0), zero);
   svg.rectangle(f, "none", edge);
   if (labels_x)
@@ -129,14 +134,16 @@ void draw_heading(Svg& svg, const Box& frame, const std::string& text) {
 }
 
 Chart make_view(const Box& frame, Range x, Range y, double margin, const std::string& unit) {
-  const double scale =
-      std::max((x.high - x.low) / frame.width(), (y.high - y.low) / frame.height()) * (1.0 + 2.0 * margin);
+  const double wide = frame.width() - 2.0 * margin, high = frame.height() - 2.0 * margin;
+  double scale = std::max((x.high - x.low) / wide, (y.high - y.low) / high);
+  if (!(scale > 0.0)) scale = 1.0 / wide;
   const double half_x = 0.5 * scale * frame.width(), half_y = 0.5 * scale * frame.height();
   const double mid_x = 0.5 * (x.low + x.high), mid_y = 0.5 * (y.low + y.high);
   x.low = mid_x - half_x, x.high = mid_x + half_x;
   y.low = mid_y - half_y, y.high = mid_y + half_y;
   Chart chart;
   chart.frame = frame;
+  chart.zero_line = false;
   chart.x = make_axis(x, "x", unit, std::max(2, static_cast<int>(frame.width() / 75.0)), true);
   chart.y = make_axis(y, "y", unit, std::max(2, static_cast<int>(frame.height() / 60.0)), true);
   return chart;

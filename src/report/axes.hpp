@@ -35,6 +35,7 @@ Axis make_axis(const Range& range, const std::string& name, const std::string& u
 struct Chart {
   Box frame;
   Axis x, y;
+  bool zero_line = true; // where y = 0
   Point at(double vx, double vy) const;
 };
 // Grid, frame, tick labels and names. Without `labels_x` the x axis has ticks only (the chart below says the
@@ -43,7 +44,8 @@ void draw_axes(Svg& svg, const Chart& chart, bool labels_x = true);
 // A title in bold over the frame's left corner.
 void draw_heading(Svg& svg, const Box& frame, const std::string& text);
 
-// One scale for both directions: grows the ranges to the frame's shape.
+// One scale for both directions: grows the ranges to the frame's shape, with at least `margin` pixels around
+// them.
 Chart make_view(const Box& frame, Range x, Range y, double margin, const std::string& unit);
 // Height that a view of these ranges wants at this width, within bounds.
 double view_height(const Range& x, const Range& y, double width, double lowest, double highest);

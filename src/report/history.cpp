@@ -30,7 +30,7 @@ void History::note(const c2d_step& step) {
   now.step = step.step;
   now.kind = step.kind;
   now.load = step.load;
-  now.changes = (c.points.empty() ? 0 : c.points.back().changes) + (step.kind == C2D_STEP_CHANGE ? 1 : 0);
+  now.events = (c.points.empty() ? 0 : c.points.back().events) + (step.kind == C2D_STEP_CHANGE ? 1 : 0);
   const size_t pairs = static_cast<size_t>(step.pairs);
   const bool keep_status = status_bytes_ + pairs <= kMostStatusBytes;
   if (keep_status) now.status.resize(pairs);

@@ -15,7 +15,7 @@ struct PathPoint {
   double load = 0.0;
   double peak = 0.0;            // largest tn
   int32_t count[3] = {0, 0, 0}; // open, stick, slip
-  int32_t changes = 0;          // changes of status so far, this one included
+  int32_t events = 0;           // so far, this one included
   std::string status;           // a byte per pair: C2D_OPEN ...; empty once kMostStatusBytes are in use
 };
 struct Snapshot {

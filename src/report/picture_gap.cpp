@@ -1,6 +1,7 @@
 #include "report/axes.hpp"
 #include "report/pictures.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace app {
@@ -25,19 +26,22 @@ struct Largest {
   double value = 0.0;
   size_t pair = 0;
 };
-Largest find_largest(const ZoneScene& zone, const std::vector<double>& table, size_t column, bool touching) {
+Largest find_largest(const Scene& scene, const ZoneScene& zone, const std::vector<double>& table,
+                     size_t column, bool touching) {
   Largest out{0.0, zone.first};
+  const double nothing =
+      1e-12 * std::fabs(scene.pairs[zone.first].s - scene.pairs[zone.first + zone.pairs - 1].s);
   for (size_t p = zone.first; p < zone.first + zone.pairs; ++p) {
     const double* row = table.data() + p * C2D_PAIR_FIELDS;
     if (touching && static_cast<int>(row[C2D_STATUS]) == C2D_OPEN) continue;
-    if (std::fabs(row[column]) > std::fabs(out.value)) out = {row[column], p};
+    if (std::fabs(row[column]) > std::max(nothing, std::fabs(out.value))) out = {row[column], p};
   }
   return out;
 }
 
 std::string caption(const Scene& scene, const ZoneScene& zone, const CoefficientRecord& record) {
-  const Largest gap = find_largest(zone, record.table, C2D_GAP, false);
-  const Largest slip = find_largest(zone, record.table, C2D_SLIP_SUM, true);
+  const Largest gap = find_largest(scene, zone, record.table, C2D_GAP, false);
+  const Largest slip = find_largest(scene, zone, record.table, C2D_SLIP_SUM, true);
   std::string out = "At load factor " + figure(record.load) + " the widest gap is " +
                     figure(gap.value, scene.length_unit, 6) + " (pair " + std::to_string(gap.pair + 1) + ")";
   if (slip.value != 0.0)
@@ -65,8 +69,12 @@ void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Picture
   slip.include(0.0);
   for (size_t p = zone.first; p < zone.first + zone.pairs; ++p) {
     s.include(scene.pairs[p].s);
-    gap.include(record.table[p * C2D_PAIR_FIELDS + C2D_GAP]);
-    slip.include(record.table[p * C2D_PAIR_FIELDS + C2D_SLIP_SUM]);
+  }
+  const double nothing = 1e-12 * (s.high - s.low); // round-off is no gap
+  for (size_t p = zone.first; p < zone.first + zone.pairs; ++p) {
+    const double* row = record.table.data() + p * C2D_PAIR_FIELDS;
+    if (std::fabs(row[C2D_GAP]) > nothing) gap.include(row[C2D_GAP]);
+    if (std::fabs(row[C2D_SLIP_SUM]) > nothing) slip.include(row[C2D_SLIP_SUM]);
   }
   const Axis axis = make_axis(s, position_name(zone), scene.length_unit, 9);
   const Chart upper{{left, top, right, top + high}, axis, make_axis(gap, "gap", scene.length_unit, 5)};
@@ -78,6 +86,13 @@ void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Picture
   draw_axes(svg, lower);
   draw_heading(svg, lower.frame, "Accumulated slip of body 2 against body 1, along t");
   draw_column(svg, scene, zone, record.table, C2D_SLIP_SUM, lower, colour::kPurple, "6 2");
+  const auto say_zero = [&](const Chart& chart, const Range& range) {
+    if (range.low == 0.0 && range.high == 0.0)
+      svg.text({0.5 * (left + right), 0.5 * (chart.frame.top + chart.frame.bottom)}, "zero everywhere", 12.0,
+               Anchor::kMiddle, colour::kInk, false, true);
+  };
+  say_zero(upper, gap);
+  say_zero(lower, slip);
   Picture picture{name, "Gap and slip, " + chart_title(scene, record.mu, zone_index),
                   caption(scene, zone, record), ""};
   picture.svg = svg.finish(picture.title, picture.caption);

@@ -34,7 +34,8 @@ public:
     svg_.begin_clip(view_.frame);
     for (size_t b = 0; b < scene_.bodies.size(); ++b) bodies(b);
     pairs();
-    for (size_t b = 0; b < scene_.bodies.size(); ++b) conditions(scene_.bodies[b]);
+    for (const BodyScene& body : scene_.bodies) supports(body);
+    for (const BodyScene& body : scene_.bodies) loads(body);
     for (const PointLoad& load : scene_.point_loads) point_load(load);
     svg_.end_clip();
     labels();
@@ -85,46 +86,72 @@ private:
               Stroke{colour::kInk, 1.0, ""});
   }
 
-  void conditions(const BodyScene& body) {
+  // Outward direction along x or y at a node: a corner's symbol belongs to the side that it holds.
+  std::vector<Point> outward(const BodyScene& body) const {
+    std::vector<Point> out;
+    for (size_t i = 0; i < body.nodes.size(); ++i) {
+      const size_t node = static_cast<size_t>(body.nodes[i]);
+      if (out.size() <= node) out.resize(node + 1);
+      const Point n = body.normals[i];
+      if (std::fabs(n.x) > std::fabs(out[node].x)) out[node].x = n.x;
+      if (std::fabs(n.y) > std::fabs(out[node].y)) out[node].y = n.y;
+    }
+    return out;
+  }
+
+  void supports(const BodyScene& body) {
+    const std::vector<Point> out = outward(body);
+    std::vector<Point> placed[2];
+    for (size_t i = 0; i < body.conditions.size(); ++i) {
+      const EndCondition& c = body.conditions[i];
+      const Point p = mapped(view_, body.ends[i]);
+      const bool fixed[2] = {c.codes[2] == 0 && c.values[2] == 0.0, c.codes[3] == 0 && c.values[3] == 0.0};
+      if (!visible(p) || (!fixed[0] && !fixed[1])) continue;
+      const size_t kind = fixed[0] && fixed[1] ? 1 : 0;
+      if (!take_place(placed[kind], p, kSpacing)) continue;
+      present_.support = true;
+      const Point n = out[static_cast<size_t>(body.nodes[i])];
+      const bool along_x = kind == 1 ? std::fabs(n.x) > std::fabs(n.y) + 1e-3 : fixed[0];
+      const double dx = n.x < -1e-6 ? -1.0 : 1.0, dy = n.y > 1e-6 ? -1.0 : 1.0; // of the picture
+      support(p, along_x ? dx : 0.0, along_x ? 0.0 : dy, kind == 1);
+    }
+  }
+
+  // Is there room around p? Then p is taken.
+  static bool take_place(std::vector<Point>& placed, Point p, double spacing) {
+    for (const Point& other : placed)
+      if (distance(p, other) < spacing) return false;
+    placed.push_back(p);
+    return true;
+  }
+
+  void loads(const BodyScene& body) {
     double largest = 0.0;
     for (const EndCondition& c : body.conditions)
       largest = std::max(
           largest, std::hypot(c.codes[0] == 0 ? c.values[0] : 0.0, c.codes[1] == 0 ? c.values[1] : 0.0));
-    Point last_support[2] = {{-1e9, 0}, {-1e9, 0}}, last_motion{-1e9, 0}, last_traction{-1e9, 0};
+    std::vector<Point> motions, tractions;
     for (size_t i = 0; i < body.conditions.size(); ++i) {
       const EndCondition& c = body.conditions[i];
       const Point p = mapped(view_, body.ends[i]);
       if (!visible(p)) continue;
-      const Point n{body.normals[i].x, -body.normals[i].y}; // of the picture
-      const bool known[2] = {c.codes[2] == 0, c.codes[3] == 0};
-      const double ux = known[0] ? c.values[2] : 0.0, uy = known[1] ? c.values[3] : 0.0;
-      if ((ux != 0.0 || uy != 0.0) && distance(p, last_motion) >= 1.5 * kSpacing) {
-        const double size = std::hypot(ux, uy);
-        svg_.arrow({p.x - 26.0 * ux / size, p.y + 26.0 * uy / size}, p, Stroke{colour::kPurple, 1.6, "4 2"},
-                   7.0);
-        last_motion = p;
+      const double ux = c.codes[2] == 0 ? c.values[2] : 0.0, uy = c.codes[3] == 0 ? c.values[3] : 0.0;
+      const double motion = std::hypot(ux, uy);
+      if (motion > 0.0 && take_place(motions, p, 1.5 * kSpacing)) {
+        svg_.arrow({p.x - 26.0 * ux / motion, p.y + 26.0 * uy / motion}, p,
+                   Stroke{colour::kPurple, 1.6, "4 2"}, 7.0);
         present_.prescribed = true;
-      }
-      const bool fixed[2] = {known[0] && ux == 0.0, known[1] && uy == 0.0};
-      const size_t kind = fixed[0] && fixed[1] ? 1 : 0;
-      if ((fixed[0] || fixed[1]) && distance(p, last_support[kind]) >= kSpacing) {
-        present_.support = true;
-        last_support[kind] = p;
-        const bool along_x = kind == 1 ? std::fabs(n.x) > std::fabs(n.y) : fixed[0];
-        const double sign = (along_x ? n.x : n.y) < -1e-6 ? -1.0 : 1.0;
-        support(p, along_x ? sign : 0.0, along_x ? 0.0 : sign, kind == 1);
       }
       const double tx = c.codes[0] == 0 ? c.values[0] : 0.0, ty = c.codes[1] == 0 ? c.values[1] : 0.0;
       const double size = std::hypot(tx, ty);
-      if (size <= 1e-12 * largest || largest == 0.0 || distance(p, last_traction) < 0.8 * kSpacing) continue;
-      last_traction = p;
+      if (largest == 0.0 || size <= 1e-12 * largest || !take_place(tractions, p, 0.8 * kSpacing)) continue;
       present_.traction = true;
       const double length = 10.0 + 18.0 * size / largest, ex = tx / size, ey = -ty / size;
       // Outside the body: pushing arrows end at the boundary, pulling ones begin there.
-      if (ex * n.x + ey * n.y > 0.0)
-        svg_.arrow(p, {p.x + length * ex, p.y + length * ey}, Stroke{colour::kOrange, 1.3, ""});
+      if (ex * body.normals[i].x - ey * body.normals[i].y > 0.0)
+        svg_.arrow(p, {p.x + length * ex, p.y + length * ey}, Stroke{colour::kOrange, 1.4, ""}, 6.5);
       else
-        svg_.arrow({p.x - length * ex, p.y - length * ey}, p, Stroke{colour::kOrange, 1.3, ""});
+        svg_.arrow({p.x - length * ex, p.y - length * ey}, p, Stroke{colour::kOrange, 1.4, ""}, 6.5);
     }
   }
 
@@ -148,8 +175,8 @@ private:
         const Point a = mapped(view_, scene_.pairs[p].on[0]);
         const std::string number = std::to_string(p + 1);
         const double x = std::min(std::max(a.x, view_.frame.left + 14.0), view_.frame.right - 14.0);
-        if (a.y + 18.0 < view_.frame.bottom && a.y > view_.frame.top)
-          svg_.text({x, a.y + 16.0}, number, 11.0, Anchor::kMiddle, colour::kGreen);
+        if (a.y + 24.0 < view_.frame.bottom && a.y > view_.frame.top)
+          svg_.text({x, a.y + 20.0}, number, 11.0, Anchor::kMiddle, colour::kGreen, false, true);
         if (last == zone.first) break;
       }
     }
@@ -213,7 +240,7 @@ void draw_model(const Scene& scene, Pictures& out) {
   const double high = view_height(x, y, wide, 240.0, zoom ? 420.0 : 460.0);
   const Box whole{left, top, left + wide, top + high},
       part{whole.right + gap, top, whole.right + gap + wide, top + high};
-  const Chart view = make_view(whole, x, y, 0.1, scene.length_unit);
+  const Chart view = make_view(whole, x, y, 40.0, scene.length_unit);
 
   Present present;
   Svg body("model", kPictureWidth, 0.0);
@@ -227,7 +254,7 @@ void draw_model(const Scene& scene, Pictures& out) {
   ModelView(svg, scene, view, false, present).draw();
   draw_heading(svg, whole, "Whole model");
   if (zoom) {
-    const Chart close = make_view(part, zoom_x, zoom_y, 0.12, scene.length_unit);
+    const Chart close = make_view(part, zoom_x, zoom_y, 30.0, scene.length_unit);
     const Point a = view.at(close.x.low, close.y.high), b = view.at(close.x.high, close.y.low);
     svg.begin_clip(whole);
     svg.rectangle({a.x, a.y, b.x, b.y}, "none", Stroke{colour::kInk, 1.0, "5 3"});

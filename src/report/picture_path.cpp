@@ -14,8 +14,8 @@ const Mark kMarks[] = {Mark::kCircle,  Mark::kSquare, Mark::kTriangle,
 constexpr size_t kMostLines = 6;
 
 using Value = double (*)(const PathPoint&);
-double changes(const PathPoint& p) {
-  return p.changes;
+double events(const PathPoint& p) {
+  return p.events;
 }
 double peak(const PathPoint& p) {
   return p.peak;
@@ -45,7 +45,9 @@ void draw_value(Svg& svg, const Scene& scene, Box frame, const Axis& x, const ch
   const Chart chart{frame, x, make_axis(range, name, unit, 4, false, whole)};
   draw_axes(svg, chart, labels);
   for (size_t c = 0; c < lines; ++c) {
-    std::vector<Point> points{chart.at(0.0, 0.0)}, steps;
+    // Before the first event the contact is what the first point shows; nothing presses at zero load.
+    const bool steady = stairs && !all[c].points.empty() && all[c].points[0].events == 0;
+    std::vector<Point> points{chart.at(0.0, steady ? value(all[c].points[0]) : 0.0)}, steps;
     for (const PathPoint* p : distinct(all[c])) {
       const Point at = chart.at(p->load, value(*p));
       if (stairs) points.push_back({at.x, points.back().y});
@@ -67,10 +69,11 @@ std::string caption(const Scene& scene) {
     if (h.points.empty()) continue;
     const PathPoint& last = h.points.back();
     if (!out.empty()) out += "; ";
-    out += "&#956; = " + figure(h.mu) + ": " + std::to_string(last.changes) +
-           " changes of status up to load factor " + figure(last.load) + ", then " +
-           std::to_string(last.count[1] + last.count[2]) + " pairs in contact and a peak pressure of " +
-           figure(last.peak, scene.stress_unit, 6);
+    out += "&#956; = " + figure(h.mu) + ": " + std::to_string(last.events) +
+           (last.events == 1 ? " event (" : " events (") +
+           std::to_string(scene.record->coefficients[c].changes) + " changes of status) up to load factor " +
+           figure(last.load) + ", then " + std::to_string(last.count[1] + last.count[2]) +
+           " pairs in contact and a peak pressure of " + figure(last.peak, scene.stress_unit, 6);
   }
   if (known > kMostLines) out += "; further coefficients are not drawn";
   return "How the load path went (markers: recorded steps): " + out + ".";
@@ -81,22 +84,26 @@ std::string caption(const Scene& scene) {
 void draw_path(const Scene& scene, Pictures& out) {
   if (scene.pairs.empty() || scene.history->coefficients().empty()) return;
   Range load;
+  bool any = false; // event
   load.include(0.0);
   std::vector<LegendEntry> entries;
   for (size_t c = 0; c < std::min(scene.history->coefficients().size(), kMostLines); ++c) {
     const CoefficientHistory& h = scene.history->coefficients()[c];
-    for (const PathPoint& p : h.points) load.include(p.load);
+    for (const PathPoint& p : h.points) load.include(p.load), any = any || p.events > 0;
     entries.push_back({"&#956; = " + figure(h.mu), kLines[c], kMarks[c], c != 1, ""});
   }
   const Axis x = make_axis(load, "load factor", "", 9, true);
   const double left = 76.0, right = kPictureWidth - 16.0, high = 120.0;
   const double top = draw_legend(nullptr, {left, 4.0}, right - left, entries) + 30.0;
-  Svg svg("path", kPictureWidth, top + 3.0 * high + 2.0 * 32.0 + 44.0);
+  const int charts = any ? 3 : 2;
+  Svg svg("path", kPictureWidth, top + charts * high + (charts - 1) * 32.0 + 44.0);
   draw_legend(&svg, {left, 4.0}, right - left, entries);
   Box frame{left, top, right, top + high};
-  draw_value(svg, scene, frame, x, "events", "", true, true, false, changes);
-  draw_heading(svg, frame, "Changes of status so far");
-  frame.top += high + 32.0, frame.bottom += high + 32.0;
+  if (any) {
+    draw_value(svg, scene, frame, x, "events", "", true, true, false, events);
+    draw_heading(svg, frame, "Events so far (loads at which a status changes)");
+    frame.top += high + 32.0, frame.bottom += high + 32.0;
+  }
   draw_value(svg, scene, frame, x, "peak pressure", scene.stress_unit, false, false, false, peak);
   draw_heading(svg, frame, "Largest pressure of all pairs");
   frame.top += high + 32.0, frame.bottom += high + 32.0;

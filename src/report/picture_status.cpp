@@ -85,9 +85,10 @@ std::vector<double> borders(const Scene& scene, const ZoneScene& zone) {
 std::string caption(const Scene& scene, const ZoneScene& zone, const CoefficientRecord& record,
                     const CoefficientHistory& history) {
   const ZoneFacts f = find_facts(scene, zone, record.table);
-  std::string out = "Which part of the zone was open, stuck or slipped while the load grew: " +
-                    std::to_string(history.points.empty() ? 0 : history.points.back().changes) +
-                    " changes of status of all pairs; at the end " + std::to_string(f.sticking) + " of " +
+  const size_t events = static_cast<size_t>(history.points.empty() ? 0 : history.points.back().events);
+  std::string out = "Which part of the zone was open, stuck or slipped along the load path, with " +
+                    std::to_string(events) + (events == 1 ? " event" : " events") + "; at load factor " +
+                    figure(record.load) + " " + std::to_string(f.sticking) + " of " +
                     std::to_string(zone.pairs) + " pairs stick, " + std::to_string(f.slipping) + " slip, " +
                     std::to_string(static_cast<int32_t>(zone.pairs) - f.touching) + " are open";
   if (f.sticking > 0)
@@ -120,6 +121,7 @@ void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Picture
   const Chart chart{frame, make_axis(s, position_name(zone), scene.length_unit, 9, true),
                     make_axis(y, by_load ? "load factor" : "step", "", 7, true, !by_load)};
   draw_axes(svg, chart);
+  svg.raw("<g shape-rendering=\"crispEdges\">\n"); // no seams
   for (const Band& band : bands)
     for (size_t i = 0; i < zone.pairs;) {
       const char status = (*band.status)[zone.first + i];
@@ -131,6 +133,7 @@ void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Picture
       svg.rectangle({std::min(a.x, b.x), b.y, std::max(a.x, b.x), a.y}, fills[status == C2D_STICK ? 1 : 2],
                     Stroke{});
     }
+  svg.raw("</g>\n");
   svg.rectangle(frame, "none", Stroke{colour::kInk, 1.0, ""});
   for (size_t p = zone.first; p < zone.first + zone.pairs; ++p) { // where the pairs are
     const double x = chart.at(scene.pairs[p].s, 0.0).x;

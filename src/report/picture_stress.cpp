@@ -9,7 +9,7 @@ namespace app {
 namespace {
 
 constexpr size_t kNodesAcross = 64; // of a grid, along its longer side
-constexpr size_t kBands = 10;
+constexpr size_t kBands = 10;       // about
 
 // A window and what the bodies hold in it.
 struct Window {
@@ -72,19 +72,21 @@ Peak find_peak(const Window& window) {
   return out;
 }
 
-// From zero to a value that all but a hundredth of the points stay below: a corner may have any stress.
+// Between values that all but a hundredth of the points stay above or below: a corner may have any stress.
+// From zero unless the stress is everywhere far from it.
 std::vector<double> choose_levels(const Window& window, Axis& axis, const std::string& unit) {
   std::vector<double> values;
   for (const Grid& g : window.grids)
     for (size_t i = 0; i < g.values.size(); ++i)
       if (g.known[i]) values.push_back(g.values[i]);
   Range range;
-  range.include(0.0);
-  if (!values.empty()) {
-    const size_t rank = (values.size() - 1) * 99 / 100;
+  for (const size_t percent : {size_t{1}, size_t{99}}) {
+    if (values.empty()) break;
+    const size_t rank = (values.size() - 1) * percent / 100;
     std::nth_element(values.begin(), values.begin() + static_cast<ptrdiff_t>(rank), values.end());
     range.include(values[rank]);
   }
+  if (range.low < 0.25 * range.high) range.include(0.0);
   axis = make_axis(range, "von Mises' stress", unit, static_cast<int>(kBands));
   std::vector<double> levels;
   for (int i = 0; i < axis.ticks; ++i) levels.push_back(axis.tick(i));
@@ -131,7 +133,8 @@ void draw_bar(Svg& svg, const Box& bar, const Axis& axis, const std::vector<doub
   double widest = 0.0;
   for (size_t k = 0; k <= bands; ++k) {
     std::string label = axis.label(static_cast<int>(k));
-    if (k == bands) label += " +";
+    if (k == bands) label = "&#8805; " + label;
+    if (k == 0 && levels[0] > 0.0) label = "&#8804; " + label;
     svg.text({bar.right + 6.0, bar.bottom - static_cast<double>(k) * high + 4.0}, label, 11.0);
     widest = std::max(widest, text_width(label, 11.0));
   }
@@ -176,7 +179,7 @@ c2d_status draw_stress(const Scene& scene, Pictures& out) {
   Range x, y, zoom_x, zoom_y;
   for (const BodyScene& body : scene.bodies)
     for (const Point& p : body.ends) x.include(p.x), y.include(p.y);
-  c2d_status status = draw_one(scene, "stress", "Stress inside", x, y, 0.04, out);
+  c2d_status status = draw_one(scene, "stress", "Stress inside", x, y, 12.0, out);
   if (status != C2D_OK || scene.pairs.empty()) return status;
   const std::vector<double>& table = scene.record->coefficients.back().table;
   for (size_t p = 0; p < scene.pairs.size() && !table.empty(); ++p)
@@ -188,10 +191,12 @@ c2d_status draw_stress(const Scene& scene, Pictures& out) {
   const double reach = 0.7 * size; // stresses of a contact reach about as deep as it is wide
   Range near_x, near_y;
   for (const double d : {-reach, reach}) {
-    near_x.include(zoom_x.low + d), near_x.include(zoom_x.high + d);
-    near_y.include(zoom_y.low + d), near_y.include(zoom_y.high + d);
+    for (const double at : {zoom_x.low + d, zoom_x.high + d})
+      near_x.include(std::min(x.high, std::max(x.low, at)));
+    for (const double at : {zoom_y.low + d, zoom_y.high + d})
+      near_y.include(std::min(y.high, std::max(y.low, at)));
   }
-  return draw_one(scene, "stress_zone", "Stress near the contact", near_x, near_y, 0.0, out);
+  return draw_one(scene, "stress_zone", "Stress near the contact", near_x, near_y, 12.0, out);
 }
 
 } // namespace app

@@ -184,7 +184,8 @@ void Svg::arrow(Point from, Point to, const Stroke& stroke, double head) {
        Stroke{});
 }
 
-void Svg::text(Point at, const std::string& text, double size, Anchor anchor, const char* ink, bool turned) {
+void Svg::text(Point at, const std::string& text, double size, Anchor anchor, const char* ink, bool turned,
+               bool halo) {
   body_ += "<text";
   append_attribute(body_, "x", at.x);
   append_attribute(body_, "y", at.y);
@@ -201,6 +202,7 @@ void Svg::text(Point at, const std::string& text, double size, Anchor anchor, co
     append_pixel(body_, at.y);
     body_ += ")\"";
   }
+  if (halo) body_ += " stroke=\"white\" stroke-width=\"3\" paint-order=\"stroke\"";
   body_ += '>' + text + "</text>\n";
 }
 
