@@ -83,7 +83,7 @@ double choose_zoom(const Scene& scene, Range& x, Range& y) {
 }
 
 std::string scale_text(double magnification) {
-  return magnification == 1.0 ? "true scale" : "displacements " + figure(magnification) + " times as large";
+  return magnification == 1.0 ? "true scale" : "displacements &#215; " + figure(magnification, 9);
 }
 
 } // namespace

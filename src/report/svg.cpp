@@ -1,5 +1,6 @@
 #include "report/svg.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace app {
@@ -23,15 +24,6 @@ void append_stroke(std::string& out, const Stroke& stroke) {
   out += " stroke-dasharray=\"";
   out += stroke.dash;
   out += '"';
-}
-
-// In thousandths of the size: Helvetica's widths by classes, rounded up.
-double character_width(char c) {
-  const std::string narrow = "ijlt.,:;'|!()[]/ f", wide = "mwMW%@";
-  if (narrow.find(c) != std::string::npos) return 0.32;
-  if (wide.find(c) != std::string::npos) return 0.88;
-  if (c >= 'A' && c <= 'Z') return 0.70;
-  return 0.57;
 }
 
 } // namespace
@@ -81,17 +73,10 @@ std::string escape_xml(const std::string& text) {
 }
 
 double text_width(const std::string& text, double size) {
-  double sum = 0.0;
-  for (size_t i = 0; i < text.size(); ++i) {
-    if (text[i] == '&') {
-      i = text.find(';', i);
-      if (i == std::string::npos) break;
-      sum += 0.60;
-    } else {
-      sum += character_width(text[i]);
-    }
-  }
-  return sum * size;
+  size_t characters = 0;
+  for (size_t i = 0; i < text.size(); ++i, ++characters)
+    if (text[i] == '&') i = std::min(text.find(';', i), text.size());
+  return 0.6 * size * static_cast<double>(characters);
 }
 
 Svg::Svg(const std::string& name, double width, double height)

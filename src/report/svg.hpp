@@ -38,8 +38,8 @@ constexpr char kBody[2][8] = {"#dce9f5", "#f6ead3"};
 
 // Text for XML: markup characters and what is not ASCII as entities; control characters as '?'.
 std::string escape_xml(const std::string& text);
-// Width of `text` (entities count as one character) in a common sans-serif face of `size` pixels; an upper
-// estimate.
+// Width of `text` (an entity is one character) in a face of `size` pixels: 0.6 em a character, which running
+// text exceeds in none of the common sans-serif faces.
 double text_width(const std::string& text, double size);
 
 class Svg {
