@@ -348,8 +348,9 @@ enum {
   C2D_END_X = 100, C2D_END_Y = 101, C2D_END_NODE = 102,
   C2D_END_UX = 103, C2D_END_UY = 104, C2D_END_TX = 105, C2D_END_TY = 106, /* true traction on own length */
   C2D_END_STATUS = 107,       /* status of the pair this end belongs to, -1: none                   */
-  C2D_END_SXX = 108, C2D_END_SYY = 109, C2D_END_SXY = 110, /* stress tensor from this element's traction and slope of */
-  C2D_END_SZZ = 111,          /* displacement; out of the plane: nu (sxx + syy), 0 in plane stress  */
+  C2D_END_SXX = 108, C2D_END_SYY = 109, C2D_END_SXY = 110, /* stress tensor: from this end's traction and the slope of
+                                 the displacement along the boundary, recovered at Gauss points     */
+  C2D_END_SZZ = 111,          /* out of the plane: nu (sxx + syy), 0 in plane stress                */
   C2D_END_HOOP = 112,         /* normal stress along the boundary                                   */
   /* per geometry node of a body */
   C2D_NODE_X = 120, C2D_NODE_Y = 121
@@ -368,8 +369,9 @@ enum {
 };
 enum {
   C2D_POINT_INSIDE = 0,       /* (3.32)-(3.34), error below 1e-8 down to 1e-6 of an element length from the boundary */
-  C2D_POINT_NEAR_NODE = 1,    /* within a tenth of an element of a node at an element's end: stress blended with the
-                                 boundary's tensor there (mean of both elements), displacement as inside */
+  C2D_POINT_NEAR_NODE = 1,    /* within a tenth (constant functions: half) of the shorter element that meets there of an
+                                 element's end: stress linear between the boundary's tensor at the end and the
+                                 inside at the border of this range; displacement as inside         */
   C2D_POINT_BOUNDARY = 2,     /* within 1e-9 of an element length: displacement and tensor of the boundary point */
   C2D_POINT_OUTSIDE = 3       /* of the body asked for, or of all: every other column is 0          */
 };

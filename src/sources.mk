@@ -55,6 +55,7 @@ CORE_SOURCES += src/model/validate_loads.cpp
 CORE_SOURCES += src/model/validate_zones.cpp
 CORE_SOURCES += src/quadrature/gauss.cpp
 CORE_SOURCES += src/solver/back.cpp
+CORE_SOURCES += src/solver/boundary_stress.cpp
 CORE_SOURCES += src/solver/create.cpp
 CORE_SOURCES += src/solver/entry.cpp
 CORE_SOURCES += src/solver/interior.cpp

@@ -424,7 +424,7 @@ TEST_CASE("stepping: constant, quadratic and cubic functions on the sample") {
     }
     const double force = resultant(q, r, 2, 1).fy;
     CHECK(force == doctest::Approx(resultant(p, linear, 2, 1).fy).epsilon(1e-12));
-    // Peaks 209.8 (linear), 209.3, 217.9, 218.6: the corner at the axis costs linear functions some per cent.
+    // Peaks measured: 209.8 (linear), 209.3, 217.9, 218.6.
     CHECK(largest_traction(r) == doctest::Approx(peak).epsilon(0.05));
     const Problem big = with_paths(q, {{1, 1.0}});
     check_same(at_cards(big, solved(big), q, r), 1e-9);
