@@ -20,7 +20,7 @@ const char kStyle[] =
     ".stopped{border-left-color:#d55e00;background:#fdf3ec}\n"
     "@media "
     "print{body{max-width:none;margin:0;font-size:11pt}section{break-inside:avoid}h2{break-after:avoid}\n"
-    "svg{max-height:22cm}}@page{margin:18mm}\n";
+    "svg{width:auto;max-height:104mm}}@page{margin:18mm}\n";
 
 std::string whole(uint64_t value) {
   return std::to_string(value);
