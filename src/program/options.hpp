@@ -6,7 +6,7 @@
 
 namespace app {
 
-enum class Command { kRun, kCheck, kVersion, kHelp };
+enum class Command { kRun, kCheck, kConvert, kVersion, kHelp };
 enum class Progress { kAutomatic, kAlways, kNever };
 
 struct Options {
@@ -15,7 +15,8 @@ struct Options {
   std::string listing, csv, boundary, json, report, vtk; // empty: not asked for; "-": standard output
   std::string figures;                                   // folder; empty: not asked for
   std::string store;                                     // empty: chosen by size; "memory"; "file:DIR"
-  uint64_t memory = 0;                                   // workspace bytes; 0: chosen by size
+  std::string convert_to, output; // of convert: empty (the other form), "fixed", "free"; FILE
+  uint64_t memory = 0;            // workspace bytes; 0: chosen by size
   int32_t threads = 1;
   int32_t stepping = 0, quadrature = 0; // C2D_STEPPING_, C2D_QUADRATURE_
   Progress progress = Progress::kAutomatic;

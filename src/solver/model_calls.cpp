@@ -139,8 +139,7 @@ extern "C" c2d_status c2d_set_units(c2d_solver* s, const char* length, const cha
     memset(places[i], 0, 16);
     memcpy(places[i], names[i], strlen(names[i]));
   }
-  if (s->state == C2D_STATE_EMPTY) s->state = C2D_STATE_BUILDING;
-  return built(s);
+  return s->state == C2D_STATE_EMPTY ? built(s) : C2D_OK;
 }
 
 namespace {
