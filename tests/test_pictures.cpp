@@ -1,4 +1,5 @@
 // Pictures, the report page and the VTK file: well-formed, legible, and in agreement with the CSV.
+#include "json.hpp"
 #include "report/axes.hpp"
 #include "report/contour.hpp"
 #include "report/history.hpp"
@@ -319,6 +320,17 @@ TEST_CASE("pictures: a load that goes down again is drawn over its steps") {
   REQUIRE(shown.result.status == 0);
   CHECK(contains(shown.figures["status_1"], ">step<"));
   check_page(shown);
+}
+
+TEST_CASE("pictures: work is stored or dissipated, as the JSON says") {
+  Shown shown;
+  show(shown, kExamples + "sliding_block.dat", "--json " + quoted(shown.folder / "r.json"));
+  REQUIRE(shown.result.status == 0);
+  const Json json = JsonReader::read(read_file(shown.folder / "r.json"));
+  REQUIRE(json.has("energy"));
+  const std::string caption = caption_of(shown, "energy");
+  for (const char* key : {"work", "elastic", "dissipated"})
+    CHECK_MESSAGE(contains(caption, six(json["energy"][key].number)), caption << " lacks " << key);
 }
 
 TEST_CASE("pictures: a run that stops early still has its page, which says so") {

@@ -11,8 +11,9 @@ namespace app {
 
 // One call of the step callback.
 struct PathPoint {
-  int32_t step = 0, kind = 0; // C2D_STEP_...
-  double load = 0.0;
+  int32_t step = 0, kind = 0;   // C2D_STEP_...
+  double load = 0.0;            // of load case 1
+  double travel = 0.0;          // sum of the changes of all load factors so far
   double peak = 0.0;            // largest tn
   int32_t count[3] = {0, 0, 0}; // open, stick, slip
   int32_t events = 0;           // so far, this one included
@@ -25,13 +26,14 @@ struct Snapshot {
 };
 // Work and its whereabouts at a recorded step.
 struct EnergyPoint {
-  double load, work, dissipated, elastic, defect;
+  double travel, load, work, dissipated, elastic, defect;
 };
 struct CoefficientHistory {
   double mu = 0.0;
   std::vector<PathPoint> points;
-  std::vector<Snapshot> earlier;   // at about a quarter, a half and three quarters of the steps
-  std::vector<EnergyPoint> energy; // empty if the library does not tell
+  std::vector<double> loads;     // factors reached, per load case
+  std::vector<Snapshot> earlier; // at about a quarter, a half and three quarters of the steps
+  std::vector<EnergyPoint> energy;
 };
 
 class History {
@@ -47,5 +49,12 @@ private:
   int32_t steps_ = 0;
   size_t status_bytes_ = 0;
 };
+
+// Does the path consist of one load factor that only grows? Then charts are drawn over the load, else over
+// the steps.
+bool rises(const CoefficientHistory& history);
+// Where each point of the path lies between the ends of the steps: step - 1 and the part of its way that is
+// done.
+std::vector<double> positions_by_step(const CoefficientHistory& history);
 
 } // namespace app

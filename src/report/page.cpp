@@ -65,12 +65,13 @@ void append_key_numbers(std::string& out, const Scene& scene) {
       out,
       {"&#956;", "zone", "load", "peak pressure", "at s", "touch", "stick", "slip", "contact from s", "to s"},
       "th");
-  for (const CoefficientRecord& c : scene.record->coefficients)
-    for (size_t z = 0; z < scene.zones.size() && !c.table.empty(); ++z) {
-      if (scene.zones[z].pairs == 0) continue;
+  for (size_t i = 0; i < scene.record->coefficients.size(); ++i)
+    for (size_t z = 0; z < scene.zones.size(); ++z) {
+      const CoefficientRecord& c = scene.record->coefficients[i];
+      if (scene.zones[z].pairs == 0 || c.table.empty()) continue;
       const ZoneFacts f = find_facts(scene, scene.zones[z], c.table);
       append_row(out,
-                 {figure(c.mu), whole(z + 1), figure(c.load, 6), figure(f.peak, 6),
+                 {figure(friction_of(scene, i, z)), whole(z + 1), figure(c.load, 6), figure(f.peak, 6),
                   figure(scene.pairs[f.peak_pair].s), std::to_string(f.touching), std::to_string(f.sticking),
                   std::to_string(f.slipping), f.touching > 0 ? figure(f.low) : "&#8211;",
                   f.touching > 0 ? figure(f.high) : "&#8211;"});

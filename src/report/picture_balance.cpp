@@ -86,15 +86,18 @@ void draw_energy(const Scene& scene, Pictures& out) {
   if (scene.history->coefficients().empty()) return;
   const CoefficientHistory& h = scene.history->coefficients().back();
   if (h.energy.empty()) return;
+  const bool by_load = rises(h);
+  const auto place = [&](size_t i) { return by_load ? h.energy[i].load : static_cast<double>(i + 1); };
   Range load, size;
   load.include(0.0);
   size.include(0.0);
-  for (const EnergyPoint& e : h.energy) {
-    load.include(e.load);
+  for (size_t i = 0; i < h.energy.size(); ++i) {
+    const EnergyPoint& e = h.energy[i];
+    load.include(place(i));
     for (const double v : {e.work, e.elastic, e.dissipated}) size.include(v);
   }
   const Chart chart{{76.0, 34.0, kPictureWidth - 16.0, 284.0},
-                    make_axis(load, "load factor", "", 9, true),
+                    make_axis(load, by_load ? "load factor" : "step", "", 9, true, !by_load),
                     make_axis(size, "energy per thickness", scene.work_unit, 6)};
   Svg svg("energy", kPictureWidth, 328.0);
   const Stroke lines[] = {
@@ -107,8 +110,10 @@ void draw_energy(const Scene& scene, Pictures& out) {
   const Mark marks[] = {Mark::kCircle, Mark::kSquare, Mark::kTriangle};
   for (int k = 0; k < 3; ++k) {
     std::vector<Point> points{chart.at(0.0, 0.0)};
-    for (const EnergyPoint& e : h.energy)
-      points.push_back(chart.at(e.load, k == 0 ? e.work : k == 1 ? e.elastic : e.dissipated));
+    for (size_t i = 0; i < h.energy.size(); ++i) {
+      const EnergyPoint& e = h.energy[i];
+      points.push_back(chart.at(place(i), k == 0 ? e.work : k == 1 ? e.elastic : e.dissipated));
+    }
     svg.polyline(points, lines[k]);
     const size_t every = points.size() / 40 + 1;
     for (size_t i = 1; i < points.size(); i += every) svg.mark(marks[k], points[i], 5.0, lines[k].colour);

@@ -93,8 +93,9 @@ void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Picture
   };
   say_zero(upper, gap);
   say_zero(lower, slip);
-  Picture picture{name, "Gap and slip, " + chart_title(scene, record.mu, zone_index),
-                  caption(scene, zone, record), ""};
+  Picture picture{
+      name, "Gap and slip, " + chart_title(scene, friction_of(scene, coefficient, zone_index), zone_index),
+      caption(scene, zone, record), ""};
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);
 }

@@ -24,14 +24,17 @@ double touching(const PathPoint& p) {
   return p.count[C2D_STICK] + p.count[C2D_SLIP];
 }
 
-// The last point of each load that was passed, in order.
-std::vector<const PathPoint*> distinct(const CoefficientHistory& history) {
-  std::vector<const PathPoint*> out;
-  for (const PathPoint& p : history.points) {
-    if (!out.empty() && out.back()->load == p.load) out.pop_back();
-    out.push_back(&p);
-  }
+// Where a path's points lie on the axis: their loads, or their places among the steps.
+std::vector<double> places(const CoefficientHistory& history, bool by_load) {
+  std::vector<double> out = positions_by_step(history);
+  for (size_t i = 0; by_load && i < out.size(); ++i) out[i] = history.points[i].load;
   return out;
+}
+
+bool all_rise(const Scene& scene) {
+  for (const CoefficientHistory& h : scene.history->coefficients())
+    if (!rises(h)) return false;
+  return true;
 }
 
 void draw_value(Svg& svg, const Scene& scene, Box frame, const Axis& x, const char* name,
@@ -48,11 +51,14 @@ void draw_value(Svg& svg, const Scene& scene, Box frame, const Axis& x, const ch
     // Before the first event the contact is what the first point shows; nothing presses at zero load.
     const bool steady = stairs && !all[c].points.empty() && all[c].points[0].events == 0;
     std::vector<Point> points{chart.at(0.0, steady ? value(all[c].points[0]) : 0.0)}, steps;
-    for (const PathPoint* p : distinct(all[c])) {
-      const Point at = chart.at(p->load, value(*p));
+    const std::vector<double> place = places(all[c], all_rise(scene));
+    for (size_t i = 0; i < place.size(); ++i) {
+      if (i + 1 < place.size() && place[i + 1] == place[i]) continue; // the last of each place counts
+      const PathPoint& p = all[c].points[i];
+      const Point at = chart.at(place[i], value(p));
       if (stairs) points.push_back({at.x, points.back().y});
       points.push_back(at);
-      if (p->kind != C2D_STEP_CHANGE) steps.push_back(at);
+      if (p.kind != C2D_STEP_CHANGE) steps.push_back(at);
     }
     svg.polyline(points, kLines[c]);
     const size_t every = steps.size() / 40 + 1;
@@ -85,14 +91,16 @@ void draw_path(const Scene& scene, Pictures& out) {
   if (scene.pairs.empty() || scene.history->coefficients().empty()) return;
   Range load;
   bool any = false; // event
+  const bool by_load = all_rise(scene);
   load.include(0.0);
   std::vector<LegendEntry> entries;
   for (size_t c = 0; c < std::min(scene.history->coefficients().size(), kMostLines); ++c) {
     const CoefficientHistory& h = scene.history->coefficients()[c];
-    for (const PathPoint& p : h.points) load.include(p.load), any = any || p.events > 0;
+    for (const PathPoint& p : h.points) any = any || p.events > 0;
+    for (const double place : places(h, by_load)) load.include(place);
     entries.push_back({"&#956; = " + figure(h.mu), kLines[c], kMarks[c], c != 1, ""});
   }
-  const Axis x = make_axis(load, "load factor", "", 9, true);
+  const Axis x = make_axis(load, by_load ? "load factor" : "step", "", 9, true, !by_load);
   const double left = 76.0, right = kPictureWidth - 16.0, high = 120.0;
   const double top = draw_legend(nullptr, {left, 4.0}, right - left, entries) + 30.0;
   const int charts = any ? 3 : 2;

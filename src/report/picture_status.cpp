@@ -13,39 +13,6 @@ struct Band {
   const std::string* status;
 };
 
-// The load may go up and down: then the vertical axis counts the steps.
-bool rises(const CoefficientHistory& history) {
-  double last = 0.0;
-  for (const PathPoint& p : history.points) {
-    if (p.load < last) return false;
-    last = p.load;
-  }
-  return last > 0.0;
-}
-
-// Height of each point of the path: its load, or its step with the fraction of the step's load that is done.
-std::vector<double> heights(const CoefficientHistory& history, bool by_load) {
-  std::vector<double> out;
-  const std::vector<PathPoint>& points = history.points;
-  double start = 0.0;
-  size_t first = 0;
-  for (size_t i = 0; i < points.size(); ++i) {
-    if (by_load) {
-      out.push_back(points[i].load);
-      continue;
-    }
-    if (i > 0 && points[i].step != points[i - 1].step) start = points[i - 1].load, first = i;
-    size_t last = i;
-    while (last + 1 < points.size() && points[last + 1].step == points[i].step) ++last;
-    const double whole = points[last].load - start, count = static_cast<double>(last - first + 1);
-    const double part = std::fabs(whole) > 1e-12 * std::fabs(start)
-                            ? (points[i].load - start) / whole
-                            : static_cast<double>(i - first + 1) / count;
-    out.push_back(points[i].step - 1 + std::min(1.0, std::max(0.0, part)));
-  }
-  return out;
-}
-
 // In event following the status of a point holds until the next point; between the increments of the deck's
 // stepping only what was found at their ends is known, and is shown below them.
 std::vector<Band> find_bands(const CoefficientHistory& history, const std::vector<double>& height,
@@ -101,7 +68,8 @@ void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Picture
   const ZoneScene& zone = scene.zones[zone_index];
   const CoefficientHistory& history = scene.history->coefficients()[coefficient];
   const bool by_load = rises(history);
-  const std::vector<double> height = heights(history, by_load);
+  std::vector<double> height = positions_by_step(history);
+  for (size_t i = 0; by_load && i < height.size(); ++i) height[i] = history.points[i].load;
   const std::vector<Band> bands = find_bands(history, height, scene.summary.stepping == C2D_STEPPING_DECK);
   if (bands.empty()) return;
   const std::string name = "status" + chart_suffix(scene, coefficient, zone_index);
@@ -140,7 +108,9 @@ void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Picture
     svg.line({x, frame.top - 4.0}, {x, frame.top}, Stroke{colour::kGreen, 1.2, ""});
   }
   const CoefficientRecord& record = scene.record->coefficients[coefficient];
-  Picture picture{name, "Open, stick and slip over the load, " + chart_title(scene, record.mu, zone_index),
+  Picture picture{name,
+                  "Open, stick and slip over the load, " +
+                      chart_title(scene, friction_of(scene, coefficient, zone_index), zone_index),
                   caption(scene, zone, record, history), ""};
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);

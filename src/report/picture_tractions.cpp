@@ -23,6 +23,7 @@ struct Layers {
   const ZoneScene& zone;
   const CoefficientHistory& history;
   const CoefficientRecord& record;
+  double mu; // of the zone
 };
 
 Range range_of(const Layers& l, size_t column, double mu_bound) {
@@ -68,7 +69,7 @@ std::vector<LegendEntry> legend(const Layers& l, bool friction) {
   out.push_back({"pressure tn, " + load, Stroke{colour::kBlue, 2.0, ""}, Mark::kNone, true, ""});
   if (friction) {
     out.push_back({"friction tt, " + load, Stroke{colour::kOrange, 2.0, ""}, Mark::kNone, true, ""});
-    if (std::isfinite(l.record.mu))
+    if (std::isfinite(l.mu))
       out.push_back(
           {"Coulomb bounds &#177;&#956; tn", Stroke{colour::kInk, 0.8, "4 2"}, Mark::kNone, true, "#eeeeee"});
   }
@@ -99,10 +100,10 @@ std::string caption(const Layers& l) {
     out += ", contact half width " + figure(size, length) + " (to the last touching node)";
   else
     out += " between s = " + figure(f.low, length) + " and " + figure(f.high, length);
-  if (l.record.mu > 0.0 && f.sticking > 0)
+  if (l.mu > 0.0 && f.sticking > 0)
     out += "; sticking from s = " + figure(f.stick_low, length) + " to " + figure(f.stick_high, length) +
            ", " + std::to_string(f.slipping) + (f.slipping == 1 ? " pair slips" : " pairs slip");
-  else if (l.record.mu > 0.0)
+  else if (l.mu > 0.0)
     out += "; no pair sticks";
   return out + ".";
 }
@@ -112,9 +113,9 @@ void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Picture
   const std::vector<CoefficientHistory>& histories = scene.history->coefficients();
   const Layers l{scene, scene.zones[zone_index],
                  coefficient < histories.size() ? histories[coefficient] : kNone,
-                 scene.record->coefficients[coefficient]};
-  const bool friction = l.record.mu > 0.0;
-  const double bound = std::isfinite(l.record.mu) ? l.record.mu : 0.0;
+                 scene.record->coefficients[coefficient], friction_of(scene, coefficient, zone_index)};
+  const bool friction = l.mu > 0.0;
+  const double bound = std::isfinite(l.mu) ? l.mu : 0.0;
   const double left = 76.0, right = kPictureWidth - 16.0;
   const std::vector<LegendEntry> entries = legend(l, friction);
   const double legend_height = draw_legend(nullptr, {left, 4.0}, right - left, entries);
@@ -156,9 +157,8 @@ void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Picture
     svg.polyline(curve_of(scene, l.zone, l.record.table, C2D_TT, chart), Stroke{colour::kOrange, 2.0, ""});
     draw_marks(svg, l, C2D_TT, chart, colour::kOrange);
   }
-  Picture picture{name, "Pressure and friction, " + chart_title(scene, l.record.mu, zone_index), caption(l),
-                  ""};
-  if (!friction) picture.title = "Pressure, " + chart_title(scene, l.record.mu, zone_index);
+  Picture picture{name, "Pressure and friction, " + chart_title(scene, l.mu, zone_index), caption(l), ""};
+  if (!friction) picture.title = "Pressure, " + chart_title(scene, l.mu, zone_index);
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);
 }

@@ -201,6 +201,13 @@ c2d_status gather_scene(c2d_solver* solver, const RunRecord& record, const Histo
   return status;
 }
 
+double friction_of(const Scene& scene, size_t coefficient, size_t zone) {
+  double mu = scene.record->coefficients[coefficient].mu;
+  c2d_get_zone_friction(scene.solver, static_cast<int32_t>(zone) + 1, static_cast<int32_t>(coefficient) + 1,
+                        &mu);
+  return mu;
+}
+
 std::vector<std::vector<Point>> outline_of(const BodyScene& body, double magnification) {
   std::vector<std::vector<Point>> out;
   for (const std::vector<OutlinePoint>& curve : body.curves) {

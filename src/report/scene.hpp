@@ -62,6 +62,9 @@ struct Scene {
 // Results only if the solver is running. Returns the status of the first query that failed.
 c2d_status gather_scene(c2d_solver* solver, const RunRecord& record, const History& history, Scene& scene);
 
+// Coefficient of friction of a zone (from 0) in a run (from 0): zones may have their own.
+double friction_of(const Scene& scene, size_t coefficient, size_t zone);
+
 // Outlines moved by `magnification` times the displacement.
 std::vector<std::vector<Point>> outline_of(const BodyScene& body, double magnification);
 
