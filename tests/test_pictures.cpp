@@ -322,15 +322,29 @@ TEST_CASE("pictures: a load that goes down again is drawn over its steps") {
   check_page(shown);
 }
 
+TEST_CASE("pictures: a path through two load cases is drawn over its steps") {
+  const Folder folder;
+  write_file(folder / "deck", read_file(kExamples + "sliding_block.dat") +
+                                  "*CASES 2\ncase 2\n condition 2 25-48 0 0.05 0 0 0\n"
+                                  "*PATH\n 2, 1, 0\n 6 1 0.3\n 6 1 -0.5\n");
+  Shown shown;
+  show(shown, folder / "deck");
+  REQUIRE_MESSAGE(shown.result.status == 0, shown.result.err);
+  for (const char* name : {"status", "path", "energy"})
+    CHECK_MESSAGE(contains(shown.figures[name], ">step<"), name);
+  check_page(shown);
+}
+
 TEST_CASE("pictures: work is stored or dissipated, as the JSON says") {
   Shown shown;
   show(shown, kExamples + "sliding_block.dat", "--json " + quoted(shown.folder / "r.json"));
   REQUIRE(shown.result.status == 0);
   const Json json = JsonReader::read(read_file(shown.folder / "r.json"));
-  REQUIRE(json.has("energy"));
+  REQUIRE(!json["steps_detail"].items.empty());
+  const Json& last = json["steps_detail"].items.back();
   const std::string caption = caption_of(shown, "energy");
   for (const char* key : {"work", "elastic", "dissipated"})
-    CHECK_MESSAGE(contains(caption, six(json["energy"][key].number)), caption << " lacks " << key);
+    CHECK_MESSAGE(contains(caption, six(last[key].number)), caption << " lacks " << key);
 }
 
 TEST_CASE("pictures: a run that stops early still has its page, which says so") {
