@@ -335,6 +335,16 @@ TEST_CASE("pictures: a path through two load cases is drawn over its steps") {
   check_page(shown);
 }
 
+TEST_CASE("pictures: images make the whole body") {
+  Shown shown;
+  show(shown, kExamples + "thick_ring.dat", "--symmetry images");
+  REQUIRE_MESSAGE(shown.result.status == 0, shown.result.err);
+  CHECK(contains(shown.figures["model"], "line of symmetry"));
+  CHECK(contains(shown.figures["model"], "&#8722;2")); // the axis reaches the other side
+  CHECK(contains(shown.figures["stress"], "&#8722;2"));
+  check_page(shown);
+}
+
 TEST_CASE("pictures: work is stored or dissipated, as the JSON says") {
   Shown shown;
   show(shown, kExamples + "sliding_block.dat", "--json " + quoted(shown.folder / "r.json"));

@@ -33,6 +33,7 @@ public:
     draw_axes(svg_, view_);
     svg_.begin_clip(view_.frame);
     for (size_t b = 0; b < scene_.bodies.size(); ++b) bodies(b);
+    lines_of_symmetry();
     pairs();
     for (const BodyScene& body : scene_.bodies) supports(body);
     for (const BodyScene& body : scene_.bodies) loads(body);
@@ -59,6 +60,20 @@ private:
       if (!visible(p) || distance(p, last) < 3.0) continue;
       svg_.mark(Mark::kCircle, p, zoom_ ? 3.2 : 2.2, kEdge[b]);
       last = p;
+    }
+  }
+
+  void lines_of_symmetry() {
+    const Stroke line{colour::kPurple, 1.2, "14 4 3 4"};
+    const c2d_summary& s = scene_.summary;
+    const Box& f = view_.frame;
+    if ((s.symmetry & 1) != 0) {
+      const double x = view_.at(s.symmetry_at[0], 0.0).x;
+      svg_.line({x, f.top}, {x, f.bottom}, line);
+    }
+    if ((s.symmetry & 2) != 0) {
+      const double y = view_.at(0.0, s.symmetry_at[1]).y;
+      svg_.line({f.left, y}, {f.right, y}, line);
     }
   }
 
@@ -196,6 +211,8 @@ std::vector<LegendEntry> legend(const Scene& scene, const Present& present) {
         {"body " + std::to_string(b + 1), Stroke{kEdge[b], 1.3, ""}, Mark::kNone, true, colour::kBody[b]});
   if (!scene.pairs.empty())
     out.push_back({"contact pairs", Stroke{colour::kGreen, 1.5, ""}, Mark::kSquare, true, ""});
+  if (scene.summary.symmetry != 0)
+    out.push_back({"line of symmetry", Stroke{colour::kPurple, 1.2, "14 4 3 4"}, Mark::kNone, true, ""});
   if (present.support)
     out.push_back({"held (filled: in both directions)", Stroke{}, Mark::kTriangle, false, ""});
   if (present.prescribed)

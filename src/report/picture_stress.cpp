@@ -178,7 +178,8 @@ c2d_status draw_one(const Scene& scene, const std::string& name, const std::stri
 c2d_status draw_stress(const Scene& scene, Pictures& out) {
   Range x, y, zoom_x, zoom_y;
   for (const BodyScene& body : scene.bodies)
-    for (const Point& p : body.ends) x.include(p.x), y.include(p.y);
+    for (const auto& curve : body.curves)
+      for (const OutlinePoint& p : curve) x.include(p.at.x), y.include(p.at.y);
   c2d_status status = draw_one(scene, "stress", "Stress inside", x, y, 12.0, out);
   if (status != C2D_OK || scene.pairs.empty()) return status;
   const std::vector<double>& table = scene.record->coefficients.back().table;

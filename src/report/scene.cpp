@@ -1,5 +1,6 @@
 #include "report/scene.hpp"
 
+#include "report/outline.hpp"
 #include "report/text.hpp"
 
 #include <algorithm>
@@ -7,15 +8,6 @@
 
 namespace app {
 namespace {
-
-// Lagrange's polynomials over `count` equally spaced points of [-1, 1]; one point: constant.
-double shape(int32_t count, int32_t k, double eta) {
-  double product = 1.0;
-  const double step = count > 1 ? 2.0 / (count - 1) : 0.0;
-  for (int32_t j = 0; j < count; ++j)
-    if (j != k) product *= (eta + 1.0 - j * step) / ((k - j) * step);
-  return product;
-}
 
 c2d_status get_points(c2d_solver* solver, int32_t field_x, int32_t body, int32_t count,
                       std::vector<Point>& out) {
@@ -35,57 +27,6 @@ c2d_status get_integers(c2d_solver* solver, int32_t field, int32_t body, int32_t
   return status;
 }
 
-// The outline of one closed curve, element by element, and the ends' normals.
-class Tracer {
-public:
-  Tracer(const c2d_summary& s, int32_t body, const std::vector<Point>& nodes, BodyScene& out)
-      : geometry_(s.element_nodes[body - 1]), functions_(s.function_nodes), nodes_(nodes), out_(out) {}
-
-  void curve(int32_t first, int32_t last) {
-    const int32_t pieces = geometry_ == 2 && functions_ <= 2 ? 1 : 8;
-    std::vector<OutlinePoint> points;
-    for (int32_t e = first; e <= last; ++e) {
-      for (int32_t i = 0; i < pieces; ++i) points.push_back(point(e, first, last, -1.0 + 2.0 * i / pieces));
-      out_.corners.push_back(at(e, first, last, -1.0));
-      for (int32_t l = 0; l < functions_; ++l) {
-        const double eta = functions_ > 1 ? -1.0 + 2.0 * l / (functions_ - 1) : 0.0;
-        const Point a = at(e, first, last, eta - 1e-3), b = at(e, first, last, eta + 1e-3);
-        const double length = std::hypot(b.x - a.x, b.y - a.y);
-        out_.normals.push_back(length > 0.0 ? Point{(b.y - a.y) / length, (a.x - b.x) / length} : Point{});
-      }
-    }
-    out_.curves.push_back(points);
-  }
-
-private:
-  Point at(int32_t e, int32_t first, int32_t last, double eta) const {
-    Point sum;
-    for (int32_t k = 0; k < geometry_; ++k) {
-      size_t node = static_cast<size_t>((e - 1) * (geometry_ - 1) + k);
-      if (e == last && k == geometry_ - 1) node = static_cast<size_t>((first - 1) * (geometry_ - 1));
-      if (node >= nodes_.size()) continue;
-      const double n = shape(geometry_, k, eta);
-      sum.x += n * nodes_[node].x;
-      sum.y += n * nodes_[node].y;
-    }
-    return sum;
-  }
-  OutlinePoint point(int32_t e, int32_t first, int32_t last, double eta) const {
-    OutlinePoint p{e, eta, at(e, first, last, eta), {}};
-    p.moved = p.at;
-    for (int32_t l = 0; l < functions_ && !out_.displacement.empty(); ++l) {
-      const Point u = out_.displacement[static_cast<size_t>((e - 1) * functions_ + l)];
-      p.moved.x += shape(functions_, l, eta) * u.x;
-      p.moved.y += shape(functions_, l, eta) * u.y;
-    }
-    return p;
-  }
-
-  int32_t geometry_, functions_;
-  const std::vector<Point>& nodes_;
-  BodyScene& out_;
-};
-
 c2d_status gather_body(Scene& scene, int32_t body) {
   const c2d_summary& s = scene.summary;
   c2d_solver* solver = scene.solver;
@@ -100,13 +41,8 @@ c2d_status gather_body(Scene& scene, int32_t body) {
   if (status == C2D_OK && scene.solved) status = get_points(solver, C2D_END_TX, body, ends, out.traction);
   if (status == C2D_OK && scene.solved) status = get_integers(solver, C2D_END_STATUS, body, ends, out.status);
   if (status != C2D_OK) return status;
-  Tracer tracer(s, body, nodes, out);
-  for (int32_t r = 1; r <= s.regions[b]; ++r) {
-    int32_t first = 0, last = 0;
-    status = c2d_get_region(solver, body, r, &first, &last);
-    if (status != C2D_OK) return status;
-    tracer.curve(first, last);
-  }
+  status = trace_outline(solver, s, body, nodes, out);
+  if (status != C2D_OK) return status;
   for (int32_t e = 1; e <= s.elements[b]; ++e)
     for (int32_t l = 1; l <= s.function_nodes; ++l) {
       EndCondition c{{0, 0, 1, 1}, {0.0, 0.0, 0.0, 0.0}};
@@ -157,6 +93,9 @@ c2d_status gather_pairs(Scene& scene) {
   for (size_t p = 0; p < zone.size(); ++p) {
     PairScene pair{zone[p], {}, 0.0, false};
     for (size_t b = 0; b < 2; ++b) pair.on[b] = place_of_node(scene.bodies[b], node[b][p], pair.symmetric);
+    const c2d_summary& s = scene.summary;
+    pair.symmetric = pair.symmetric || ((s.symmetry & 1) != 0 && pair.on[0].x == s.symmetry_at[0]) ||
+                     ((s.symmetry & 2) != 0 && pair.on[0].y == s.symmetry_at[1]);
     scene.pairs.push_back(pair);
     const size_t z = static_cast<size_t>(zone[p]) - 1;
     if (z >= scene.zones.size()) continue;
