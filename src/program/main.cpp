@@ -2,6 +2,7 @@
 #include "program/check.hpp"
 #include "program/exit_code.hpp"
 #include "program/interrupt.hpp"
+#include "program/make.hpp"
 #include "program/options.hpp"
 #include "program/run.hpp"
 
@@ -23,6 +24,8 @@ int run_command(const app::Options& options) {
     return app::run_deck(options);
   case app::Command::kCheck:
     return app::check_deck(options);
+  case app::Command::kMake:
+    return app::make_deck(options);
   case app::Command::kVersion:
     return print((std::string("contact2d ") + c2d_version() + "\n").c_str());
   case app::Command::kHelp:
