@@ -141,7 +141,7 @@ list:
 	   echo 'src/sources.mk lists every source file')
 relist:
 	@{ sed -n '/^#/p' src/sources.mk; \
-	   ls port | sed 's/^/PORTS += /'; \
+	   ls port/*/*.cpp | cut -d/ -f2 | sort -u | sed 's/^/PORTS += /'; \
 	   ls src/*/*.cpp | grep -v -e '^src/report/' -e '^src/program/' | sed 's/^/CORE_SOURCES += /'; \
 	   ls port/*/*.cpp port/*/*.c 2>/dev/null | sed 's/^/PORT_SOURCES += /'; \
 	   ls src/report/*.cpp | sed 's/^/REPORT_SOURCES += /'; \

@@ -8,7 +8,8 @@
 #include <stdio.h>
 #include <string.h>
 
-static unsigned char memory[1 << 20]; /* workspace of the solver */
+/* Workspace of the solver, for decks up to the size of examples/hertz.dat: the arguments are those of c2d_limits. */
+static unsigned char memory[C2D_MEMORY_BYTES(2, 60, 60, 60, 60, 1, 1, 1, 20, 19, 0, 4, 20, 1)];
 static unsigned char tapes[2 << 20];  /* what it would otherwise keep in files */
 
 /* The next card, without its line end, and its length. */

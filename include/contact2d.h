@@ -213,6 +213,32 @@ c2d_status c2d_scan_deck(c2d_read_line read, void* context, c2d_limits* out, c2d
 /* The same, with every fault told to `report`. */
 c2d_status c2d_check_deck(c2d_read_line read, void* context, c2d_limits* out, c2d_report report,
                           void* report_context);
+/* The same walk, for programs that look at the cards themselves (to write them anew, or to draw them): `card` is
+   told every field in the order of the deck. Fields are named by their columns in the fixed form also where the
+   deck is of the free form (`*FREE`). Errors: ARGUMENT, INPUT, READ; what has been told before a fault counts for
+   nothing. */
+enum {
+  C2D_CARD_FREE = 0,          /* the deck is of the free form; comes first                          */
+  C2D_CARD_HEADING = 1,       /* a heading card, as it stands                                       */
+  C2D_CARD_INTEGER = 2,       /* fields                                                             */
+  C2D_CARD_REAL = 3,
+  C2D_CARD_LETTER = 4,        /* P in column 1 of a node card                                       */
+  C2D_CARD_REMARK = 5,        /* words behind the last field of a fixed card                        */
+  C2D_CARD_COMMENT = 6,       /* without its C or !; told before the card on whose line it stands   */
+  C2D_CARD_EXTENSION = 7      /* a keyword card or one below it, as it stands                       */
+};
+typedef struct c2d_card {
+  uint32_t struct_size;
+  int32_t kind;               /* C2D_CARD_...                                                       */
+  int32_t line;               /* of the deck                                                        */
+  int32_t column, width;      /* of the field in the fixed form                                     */
+  int32_t length;             /* characters in text, which has no zero byte; 0: a field left blank  */
+  const char* text;           /* without outer blanks                                               */
+  double value;               /* of a field, as the library reads it                                */
+} c2d_card;
+typedef void (*c2d_card_fn)(void* context, const c2d_card* card);
+c2d_status c2d_walk_deck(c2d_read_line read, void* context, c2d_card_fn card, void* card_context, c2d_report report,
+                         void* report_context);
 /* Read a whole deck and complete the model. Legal: empty. All faults go to c2d_port.log, the first is kept for
    c2d_last_error. On failure the model is empty again. */
 c2d_status c2d_read_deck(c2d_solver* solver, c2d_read_line read, void* context);
@@ -348,8 +374,9 @@ enum {
   C2D_END_X = 100, C2D_END_Y = 101, C2D_END_NODE = 102,
   C2D_END_UX = 103, C2D_END_UY = 104, C2D_END_TX = 105, C2D_END_TY = 106, /* true traction on own length */
   C2D_END_STATUS = 107,       /* status of the pair this end belongs to, -1: none                   */
-  C2D_END_SXX = 108, C2D_END_SYY = 109, C2D_END_SXY = 110, /* stress tensor from this element's traction and slope of */
-  C2D_END_SZZ = 111,          /* displacement; out of the plane: nu (sxx + syy), 0 in plane stress  */
+  C2D_END_SXX = 108, C2D_END_SYY = 109, C2D_END_SXY = 110, /* stress tensor: from this end's traction and the slope of
+                                 the displacement along the boundary, recovered at Gauss points     */
+  C2D_END_SZZ = 111,          /* out of the plane: nu (sxx + syy), 0 in plane stress                */
   C2D_END_HOOP = 112,         /* normal stress along the boundary                                   */
   /* per geometry node of a body */
   C2D_NODE_X = 120, C2D_NODE_Y = 121
@@ -368,8 +395,9 @@ enum {
 };
 enum {
   C2D_POINT_INSIDE = 0,       /* (3.32)-(3.34), error below 1e-8 down to 1e-6 of an element length from the boundary */
-  C2D_POINT_NEAR_NODE = 1,    /* within a tenth of an element of a node at an element's end: stress blended with the
-                                 boundary's tensor there (mean of both elements), displacement as inside */
+  C2D_POINT_NEAR_NODE = 1,    /* within a tenth (constant functions: half) of the shorter element that meets there of an
+                                 element's end: stress linear between the boundary's tensor at the end and the
+                                 inside at the border of this range; displacement as inside         */
   C2D_POINT_BOUNDARY = 2,     /* within 1e-9 of an element length: displacement and tensor of the boundary point */
   C2D_POINT_OUTSIDE = 3       /* of the body asked for, or of all: every other column is 0          */
 };
@@ -517,7 +545,7 @@ const char* c2d_version(void);               /* "0.1.0" */
    C2D_ARRAY_((m) * 4, C2D_REAL_BYTES) +                               /* columns of a third              */          \
    C2D_ARRAY_(m, 4) + C2D_BLOCK_(m))                                   /* row exchanges; contact tape     */
 #define C2D_PATH_BYTES_(nodes1, ends1, nodes2, ends2, m, cases)                                                        \
-  (C2D_ARRAY_((m) * ((m) + 1 + (cases)), C2D_REAL_BYTES) +             /* tableau                         */          \
+  (C2D_ARRAY_((m) * ((m) + 2 + (cases)), C2D_REAL_BYTES) +             /* tableau                         */          \
    5 * C2D_ARRAY_(m, C2D_REAL_BYTES) + C2D_BLOCK_(m) +                 /* forces, rates, u1, u2, a column */          \
    C2D_ARRAY_(nodes1, 16) + C2D_ARRAY_(nodes2, 16) +                   /* displacements                   */          \
    C2D_ARRAY_(ends1, 16) + C2D_ARRAY_(ends2, 16) +                     /* tractions                       */          \

@@ -202,8 +202,7 @@ TEST_CASE("invariance: bodies exchanged") {
   }
   for (const std::string deck : {"sample.dat", "sample56.dat", "half_cylinder.dat", "hertz_lin_l.dat"}) {
     CAPTURE(deck);
-    // Pressures are per length of the new body 1, whose elements differ by up to 3 %; displacements hardly
-    // do.
+    // Pressures are per length of the new body 1: they change by up to 3 % (measured), displacements hardly.
     const Problem p = load(deck);
     const Difference d = compare(solved(p), solved(exchanged(p)), map);
     CHECK(d.statuses == 0);
@@ -222,7 +221,9 @@ TEST_CASE("invariance: workspace, panel width and store") {
     for (int32_t columns : {1, 3, 8, 0})
       for (Memory memory : {Memory::minimum, Memory::between, Memory::in_core})
         for (Store store : {Store::memory, Store::stdio, Store::posix}) {
-          if (store == Store::posix && columns != 0 && columns != 3) continue; // each block is synced: slow
+          // Files cost time, the synced ones most; which blocks there are does not depend on the store.
+          if (store == Store::stdio && deck != "sample.dat" && deck != "block.dat") continue;
+          if (store == Store::posix && (deck != "sample.dat" || columns == 1)) continue;
           CAPTURE(deck);
           CAPTURE(columns);
           CAPTURE(static_cast<int>(memory));

@@ -117,8 +117,8 @@ void add_field_curved(const FieldElement& e, Complex reference, double px, doubl
 
 } // namespace
 
-void prepare_field(const Integrator& in, const Complex t[4], const Complex* u, FieldElement& out) {
-  out.in = in;
+void prepare_field(const Complex t[4], const Complex* u, FieldElement& out) {
+  const Integrator& in = out.in;
   out.displaced = u != nullptr;
   out.closed_form = in.closed_form_g && !in.degenerate;
   const double h2 = in.chord2;

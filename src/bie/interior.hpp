@@ -31,9 +31,9 @@ struct FieldElement {
   Complex t[4], u[4];
 };
 
-// `in` must be accurate. Displacements u[l], tractions t[l] at the functional nodes, the latter in the measure of `in`.
-// Null: no displacements.
-void prepare_field(const Integrator& in, const Complex t[4], const Complex* u, FieldElement& out);
+// Completes an element whose accurate Integrator `in` stands. Displacements u[l], tractions t[l] at the functional nodes,
+// the latter in the measure of `in`. Null: no displacements.
+void prepare_field(const Complex t[4], const Complex* u, FieldElement& out);
 
 // Adds the element's share at (x, y), with `reference` taken off its displacements: over a closed boundary a
 // translation has no stress and displaces the inside by itself. With the displacement of the nearest boundary point as

@@ -84,6 +84,60 @@ bool apply_change(Follower& f, int32_t index, int32_t status, int32_t sign, doub
   return true;
 }
 
+bool release_with_partner(Follower& f, int32_t k, int32_t sign, double at, const Real* rates) {
+  const Tableau& t = *f.t;
+  const Pair& last = t.pair[k];
+  if (last.status != C2D_STICK || !last.tangential) return false;
+  // dw_t of every slipping pair per unit of slip of this one, which goes against its friction.
+  const Real* column = t.t + static_cast<int64_t>(last.dof + 1) * t.m;
+  int32_t partner = -1;
+  double nearest = 0.0;
+  for (int32_t j = 0; j < t.pairs; ++j) {
+    const Pair& pair = t.pair[j];
+    if (pair.status != C2D_SLIP || !pair.tangential || pair.mu == 0.0) continue;
+    const double back = -sign * pair.sign * static_cast<double>(column[pair.dof + 1]);
+    if (back <= 1e-9) continue;
+    const double reach = -pair.sign * pair_rates(t, j, rates).wt / back;
+    if (partner >= 0 && reach >= nearest) continue;
+    partner = j;
+    nearest = reach;
+  }
+  if (partner < 0) return false;
+  const int32_t old = t.pair[partner].sign;
+  const double from = pair_state(t, partner, f.y).wt;
+  if (!apply_change(f, partner, C2D_STICK, 0, from)) return false;
+  if (apply_change(f, k, C2D_SLIP, sign, at)) return true;
+  apply_change(f, partner, C2D_SLIP, old, from);
+  return false;
+}
+
+void keep_pairs(Follower& f) {
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    Pair& pair = f.t->pair[i];
+    pair.saved_status = pair.status;
+    pair.saved_sign = pair.sign;
+    pair.saved_offset = pair.offset;
+    pair.saved_slip_done = pair.slip_done;
+    pair.saved_slip_from = pair.slip_from;
+  }
+}
+
+c2d_status restore_pairs(Follower& f) {
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    Pair& pair = f.t->pair[i];
+    pair.status = pair.saved_status;
+    pair.sign = pair.saved_sign;
+    pair.offset = pair.saved_offset;
+    pair.slip_done = pair.saved_slip_done;
+    pair.slip_from = pair.saved_slip_from;
+  }
+  const int32_t last_pair = f.last_pair;
+  const c2d_status status = build_tableau(*f.t, *f.tape, &f.last_pair);
+  f.last_pair = last_pair;
+  refresh(f);
+  return status;
+}
+
 double slip_sum(const Follower& f, int32_t index) {
   const Pair& pair = f.t->pair[index];
   if (!pair.tangential || pair.status != C2D_SLIP) return pair.slip_done;
@@ -96,6 +150,7 @@ c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome
     f.direction[k] = target[k] - f.load[k];
   }
   double part = 0.0;
+  int64_t told = f.stats.changes;
   int32_t standing = 0; // events in a row without any progress
   for (;;) {
     c2d_status status = settle(f, outcome);
@@ -104,6 +159,9 @@ c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome
       if (part < kAllButThere) return C2D_OK;
       break;
     }
+    if (f.stats.changes != told) status = tell_change(f); // what the event and all that followed from it came to
+    if (status != C2D_OK) return status;
+    told = f.stats.changes;
     refresh(f);
     const Event event = nearest_event(f, 1.0 - part);
     if (event.pair < 0) break;
@@ -118,13 +176,12 @@ c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome
     ++f.stats.events;
     const double at = pair_state(*f.t, event.pair, f.y).wt;
     f.last_pair = event.pair;
-    if (!apply_change(f, event.pair, event.status, event.sign, at)) {
+    if (!apply_change(f, event.pair, event.status, event.sign, at) &&
+        !(event.status == C2D_SLIP && release_with_partner(f, event.pair, event.sign, at, f.dy))) {
       *outcome = failed_outcome(event.status);
       if (part < kAllButThere) return C2D_OK;
       break;
     }
-    status = tell_change(f);
-    if (status != C2D_OK) return status;
   }
   *outcome = C2D_REACHED;
   for (int32_t k = 0; k < f.t->cases; ++k) f.load[k] = target[k];

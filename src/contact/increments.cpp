@@ -33,30 +33,13 @@ Verdict table4(const Follower& f, int32_t i, const PathScales& s) {
 }
 
 void save(Follower& f) {
-  for (int32_t i = 0; i < f.t->pairs; ++i) {
-    Pair& pair = f.t->pair[i];
-    pair.increment_from = pair_state(*f.t, i, f.y).wt;
-    pair.saved_status = pair.status;
-    pair.saved_sign = pair.sign;
-    pair.saved_offset = pair.offset;
-    pair.saved_slip_done = pair.slip_done;
-    pair.saved_slip_from = pair.slip_from;
-  }
+  for (int32_t i = 0; i < f.t->pairs; ++i) f.t->pair[i].increment_from = pair_state(*f.t, i, f.y).wt;
+  keep_pairs(f);
 }
 
 c2d_status restore(Follower& f) {
-  for (int32_t i = 0; i < f.t->pairs; ++i) {
-    Pair& pair = f.t->pair[i];
-    pair.status = pair.saved_status;
-    pair.sign = pair.saved_sign;
-    pair.offset = pair.saved_offset;
-    pair.slip_done = pair.saved_slip_done;
-    pair.slip_from = pair.saved_slip_from;
-  }
-  const c2d_status status = build_tableau(*f.t, *f.tape, &f.last_pair);
   for (int32_t k = 0; k < f.t->cases; ++k) f.load[k] = f.origin[k];
-  refresh(f);
-  return status;
+  return restore_pairs(f);
 }
 
 // A pair that was open when the increment began and slides at its end: how it moved while open is no slip, and an

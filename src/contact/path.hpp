@@ -42,13 +42,25 @@ PathScales path_scales(const Follower& f);
 // Change a status and keep the books of slip. False: the pair is the last to hold a motion.
 bool apply_change(Follower& f, int32_t pair, int32_t status, int32_t sign, double at);
 
+// Let the last sticking pair go where its own exchange has no pivot: nothing else holds the motion it would make. That
+// motion grows until the first pair that slips against it would turn back; this one sticks in its stead. `rates` are
+// those in force. False: there is none, and nothing has changed.
+bool release_with_partner(Follower& f, int32_t pair, int32_t sign, double at, const Real* rates);
+
 // Follow from `load` to `target` exactly, event by event. *outcome says whether it was reached; `load` holds how far
 // it got. Errors: what the watch returns.
 c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome);
 
 // Make the statuses consistent with the rates along f.direction without moving the load (design: tableau and
-// events; start (b)).
+// events; start (b)). If none are found the statuses are what they were, and *outcome says why.
 c2d_status settle(Follower& f, c2d_outcome* outcome);
+// The same by following an artificial load down to zero (contact/homotopy.cpp); true if that led to consistent
+// statuses. Pairs marked `weak` may change.
+bool settle_by_homotopy(Follower& f);
+
+// Keep the statuses and books of all pairs, and go back to what was kept. Errors: the block store's.
+void keep_pairs(Follower& f);
+c2d_status restore_pairs(Follower& f);
 
 // One increment of the thesis's own stepping, Table 4, on the same tableau; one that does not settle within
 // `iteration_limit` rounds is followed by events instead.

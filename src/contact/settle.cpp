@@ -91,7 +91,9 @@ struct Round {
 
 bool apply(Follower& f, int32_t i, const Violation& v) {
   const PairState now = pair_state(*f.t, i, f.y);
-  return apply_change(f, i, v.status, v.sign, now.wt);
+  if (apply_change(f, i, v.status, v.sign, now.wt)) return true;
+  refresh(f);
+  return v.status == C2D_SLIP && release_with_partner(f, i, v.sign, now.wt, f.dy);
 }
 
 // Change every offender, judged on the rates as they stand before.
@@ -170,7 +172,10 @@ void refresh(Follower& f) {
   combine(*f.t, f.direction, false, f.dy);
 }
 
-c2d_status settle(Follower& f, c2d_outcome* outcome) {
+namespace {
+
+// Change offenders, all at once while that makes new sets, then one at a time.
+c2d_status settle_by_rounds(Follower& f, c2d_outcome* outcome) {
   *outcome = C2D_REACHED;
   Memory memory{};
   memory.add(fingerprint(*f.t));
@@ -193,6 +198,46 @@ c2d_status settle(Follower& f, c2d_outcome* outcome) {
   }
   *outcome = C2D_ENDLESS_EXCHANGE;
   return C2D_OK;
+}
+
+// Pairs whose status the rates may decide: on the border of what their status demands.
+void mark_weak(Follower& f) {
+  const PathScales s = path_scales(f);
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    Pair& pair = f.t->pair[i];
+    const PairState now = pair_state(*f.t, i, f.y);
+    const bool unloaded = pair.status == C2D_OPEN ? now.wn <= kValueTolerance * s.w : now.p <= kValueTolerance * s.p;
+    const bool at_cone = pair.status == C2D_STICK && pair.tangential && is_finite_friction(pair) &&
+                         pair.mu * now.p - fabs(now.q) <= kValueTolerance * (1.0 + pair.mu) * s.p;
+    const bool slides = pair.status == C2D_SLIP && pair.tangential && pair.mu > 0.0;
+    pair.weak = unloaded || at_cone || slides ? (unloaded ? 2 : 1) : 0;
+  }
+}
+
+bool nothing_offends(Follower& f) {
+  refresh(f);
+  const PathScales scales = path_scales(f);
+  for (int32_t i = 0; i < f.t->pairs; ++i)
+    if (judge(f, i, scales).size > 0.0) return false;
+  return true;
+}
+
+} // namespace
+
+c2d_status settle(Follower& f, c2d_outcome* outcome) {
+  keep_pairs(f);
+  c2d_status status = settle_by_rounds(f, outcome);
+  if (status != C2D_OK || *outcome == C2D_REACHED) return status;
+  const int32_t last_pair = f.last_pair;
+  status = restore_pairs(f);
+  if (status != C2D_OK) return status;
+  mark_weak(f);
+  if (settle_by_homotopy(f) && nothing_offends(f)) {
+    *outcome = C2D_REACHED;
+    return C2D_OK;
+  }
+  f.last_pair = last_pair;
+  return restore_pairs(f);
 }
 
 } // namespace c2d

@@ -15,7 +15,7 @@ constexpr double kTinyCompliance = 1e-14;
 
 Real* column(const Tableau& t, int32_t j) { return t.t + static_cast<int64_t>(t.m) * j; }
 Real entry(const Tableau& t, int32_t i, int32_t j) { return column(t, j)[i]; }
-int32_t all_columns(const Tableau& t) { return t.m + 1 + t.cases; }
+int32_t all_columns(const Tableau& t) { return static_cast<int32_t>(tableau_columns(t.m, t.cases)); }
 
 void pivot(Tableau& t, int32_t slot) {
   exchange(t.m, all_columns(t), t.t, t.m, slot, slot);
@@ -151,7 +151,7 @@ c2d_status load_all_stick(Tableau& t, const ContactTape& tape) {
   if (status != C2D_OK) return status;
   t.stiffness = 0.0;
   for (int32_t i = 0; i < t.m; ++i) {
-    constants(t)[i] = 0;
+    constants(t)[i] = artificial_rate(t)[i] = 0;
     if (fabs(static_cast<double>(entry(t, i, i))) > t.stiffness) t.stiffness = fabs(static_cast<double>(entry(t, i, i)));
   }
   return C2D_OK;

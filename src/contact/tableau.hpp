@@ -14,7 +14,7 @@ namespace c2d {
 struct Tableau {
   int32_t m, cases, pairs;
   Pair* pair;
-  Real* t;             // m * (m + 1 + cases)
+  Real* t;             // m * tableau_columns(m, cases)
   double length_unit;
   double stiffness;    // largest diagonal entry with every pair sticking; 0 until built
   int64_t exchanges;   // so far
@@ -22,7 +22,9 @@ struct Tableau {
 
 inline Real* constants(const Tableau& t) { return t.t + static_cast<int64_t>(t.m) * t.m; }
 inline Real* load_rates(const Tableau& t, int32_t k) { return t.t + static_cast<int64_t>(t.m) * (t.m + 1 + k); }
-inline uint64_t tableau_numbers(int64_t m, int64_t cases) { return static_cast<uint64_t>(m * (m + 1 + cases)); }
+// One column more: an artificial rate, zero except in contact/homotopy.cpp.
+inline Real* artificial_rate(const Tableau& t) { return load_rates(t, t.cases); }
+inline int64_t tableau_columns(int64_t m, int64_t cases) { return m + 2 + cases; }
 
 // The tableau for the statuses, signs, offsets and coefficients that the pairs have now, from the all-stick tableau on
 // the tape. Load-free reference: w = (gap, 0), tau = 0. Errors: the block store's; C2D_ERR_SINGULAR if the statuses

@@ -30,9 +30,18 @@ int32_t fetch(Cards& cards) {
   return used;
 }
 
+// Remarks of the free form may be in any script. Its first card is not yet known to be of that form.
+bool may_hold_remark(const Cards& cards, int32_t used) {
+  if (!cards.is_heading) return cards.free_form;
+  if (cards.line != 1) return false;
+  int32_t first = 0;
+  while (first < used && cards.text[first] == ' ') ++first;
+  return first < used && cards.text[first] == '*';
+}
+
 // Only printable ASCII and tabs can be a card. One fault, and the end: a binary file has thousands of them.
 bool is_text(Cards& cards, int32_t used) {
-  if (cards.free_form) used = before_comment(cards.text, used); // a remark may be in any script
+  if (may_hold_remark(cards, used)) used = before_comment(cards.text, used);
   for (int32_t i = 0; i < used; ++i) {
     const unsigned char byte = static_cast<unsigned char>(cards.text[i]);
     if ((byte >= 0x20 && byte < 0x7f) || byte == '\t') continue;
@@ -52,7 +61,7 @@ bool next_line(Cards& cards) {
   if (cards.ended) return false;
   const size_t end = static_cast<size_t>(used);
   memset(cards.text + end, ' ', sizeof cards.text - end);
-  cards.holds_tab = false;
+  cards.refused = false;
   cards.length = used;
   return true;
 }
@@ -91,39 +100,64 @@ void start_cards(Cards& cards, c2d_read_line read, void* context, c2d_report rep
 }
 
 void refuse_tabs(Cards& cards) {
+  if (cards.free_form) return;
   const void* tab = memchr(cards.text, '\t', kCardColumns);
   if (tab == nullptr) return;
   const int32_t column = static_cast<int32_t>(static_cast<const char*>(tab) - cards.text) + 1;
   fault(cards, column, column, "column ", column,
         " holds a tab, expected blanks: fields stand in fixed columns, and a tab does not say how many");
-  cards.holds_tab = true;
+  cards.refused = true;
 }
 
 bool next_heading(Cards& cards, const char* what) {
   const bool was_ended = cards.ended;
   const int32_t faults = cards.faults;
-  if (next_line(cards)) return true;
-  if (!was_ended && cards.faults == faults) missing_card(cards, what);
+  cards.is_heading = true;
+  const bool found = next_line(cards);
+  cards.is_heading = false;
+  if (!found && !was_ended && cards.faults == faults) missing_card(cards, what);
+  return found;
+}
+
+namespace {
+
+bool next_fixed_card(Cards& cards) {
+  for (;;) {
+    if (!next_line(cards)) return false;
+    const int32_t old_faults = cards.faults;
+    if (!is_comment(cards)) break;
+    if (cards.faults == old_faults)
+      tell_field(cards, C2D_CARD_COMMENT, 0, 0, cards.text + 1, cards.length - 1, 0);
+  }
+  refuse_tabs(cards);
+  return !cards.ended;
+}
+
+// Comments are told in front of the card on which, or above which, they stand.
+void tell_comment(Cards& cards, const Words& words) {
+  const bool has_c = is_free_comment(cards);
+  if (cards.in_extensions && words.count > 0 && !has_c) return;
+  const int32_t first = has_c ? 1 : before_comment(cards.text, cards.length) + 1;
+  if (first <= cards.length)
+    tell_field(cards, C2D_CARD_COMMENT, 0, 0, cards.text + first, cards.length - first, 0);
+}
+
+} // namespace
+
+bool next_card(Cards& cards, const char* what) {
+  const bool was_ended = cards.ended;
+  const int32_t old_faults = cards.faults;
+  if (cards.free_form ? next_free_card(cards, cards.words) : next_fixed_card(cards)) {
+    cards.taken = 0;
+    if (!cards.free_form || cards.text[cards.words.word[0].column - 1] != '*') return true;
+    word_fault(cards, cards.words, 0, "a keyword card stands here, expected ", what);
+    cards.ended = true;
+    return false;
+  }
+  if (!was_ended && cards.faults == old_faults) missing_card(cards, what);
   return false;
 }
 
-bool next_card(Cards& cards, const char* what) {
-  do {
-    if (!next_heading(cards, what)) return false;
-  } while (is_comment(cards));
-  refuse_tabs(cards);
-  return !cards.ended;
-}
-
-bool next_card_if_any(Cards& cards) {
-  do {
-    if (!next_line(cards)) return false;
-  } while (is_comment(cards));
-  refuse_tabs(cards);
-  return !cards.ended;
-}
-
-// Lines without a field are passed over, too.
 bool next_free_card(Cards& cards, Words& words) {
   cards.free_form = true;
   if (cards.held) { // its faults have been told
@@ -135,7 +169,9 @@ bool next_free_card(Cards& cards, Words& words) {
   do {
     if (!next_line(cards)) return false;
     complete = split_words(cards.text, cards.length, words);
+    tell_comment(cards, words);
   } while (words.count == 0 || is_free_comment(cards));
+  if (cards.in_extensions) tell_field(cards, C2D_CARD_EXTENSION, 0, 0, cards.text, cards.length, 0);
   const int32_t used = words.word[words.count - 1].column_end;
   if (used > kFreeColumns)
     fault(cards, kFreeColumns + 1, used, "the card goes beyond column ", kFreeColumns,

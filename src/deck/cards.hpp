@@ -28,15 +28,22 @@ struct Cards {
   int32_t faults;     // so far
   int32_t body, zone; // what is being read, for c2d_error; 0: neither
   bool ended;         // nothing more can be read
-  bool holds_tab;     // the card at hand was refused as a whole: its fields are not reported one by one
+  bool refused;       // the card at hand as a whole, for a tab or a missing field: no faults in its fields
   bool holds_nodes;   // node cards: a C in column 1 may be meant as a coordinate letter
   bool vital;         // without the field at hand the rest of the deck cannot be read
   bool free_form;     // the card at hand has fields between blanks or commas
+  bool is_heading;    // and yet is taken as it stands
+  bool in_extensions; // the load cards are done
   CComment c_comment; // for cards of the free form
   bool held;          // it has been read ahead: next_free_card gives it once more
   int32_t length;     // columns of the line, blanks behind it included
+  int32_t taken;      // fields of `words` read so far
   c2d_error entry;    // being put together
-  char text[168];     // the card, blank-padded to 80 columns
+  c2d_card_fn card;   // is told every field; may be null
+  void* card_context;
+  char text[168];            // the card, blank-padded
+  Words words;               // of a card of the free form
+  Word place[kMaximumWords]; // the columns of the fixed form that each of the words taken stands for
 };
 
 void start_cards(Cards& cards, c2d_read_line read, void* context, c2d_report report, void* report_context);
@@ -45,28 +52,38 @@ void start_cards(Cards& cards, c2d_read_line read, void* context, c2d_report rep
 // read on, and this has been reported; `what` names the card that is missing, as in "the card with the number
 // of bodies".
 bool next_heading(Cards& cards, const char* what);
-// The next card that is not a comment.
+// The next card that is not a comment; of the free form it is split into cards.words.
 bool next_card(Cards& cards, const char* what);
-// The same where the deck may end: then false without a fault.
-bool next_card_if_any(Cards& cards);
-
 // The next card of the free form, split; lines without a field are passed over. The deck may end here: then
 // false without a fault.
 bool next_free_card(Cards& cards, Words& words);
 // The card at hand is to be read once more.
 void hold_card(Cards& cards);
 
-// Report a tab and refuse the card at hand; next_card does this itself.
+// Report a tab and refuse the card at hand, unless it is of the free form; next_card does this itself.
 void refuse_tabs(Cards& cards);
 
-// Fields from `column` (from 1). False: a fault was reported (or the card had been refused), *value is
-// unchanged. `name` is the quantity in words, as in "number of elements".
+// Fields of the card at hand, named by their columns in the fixed form, and asked for in the order in which
+// they stand on the card: of the free form, each takes the next word. False: a fault was reported (or the
+// card had been refused), *value is unchanged. `name` is the quantity in words, as in "number of elements".
 bool integer(Cards& cards, int32_t column, int32_t width, const char* name, int32_t least, int32_t most,
              int32_t* value);
 // An I5 number that says how many cards follow: without it the reading ends.
 bool count(Cards& cards, int32_t column, const char* name, int32_t least, int32_t* value);
 // An F10.0 field of at most 1e100 in size, so that sums and differences of card values cannot overflow.
 bool real(Cards& cards, int32_t column, const char* name, double* value);
+// How many words of a free-form card have not been taken.
+int32_t words_left(const Cards& cards);
+// The next word stands for the field in these columns; its number, from 0. There may be no such word.
+int32_t take_word(Cards& cards, int32_t column, int32_t width);
+// An integer field looked at without a fault: false if it holds none.
+bool peek_integer(Cards& cards, int32_t column, int32_t width, int32_t* value);
+// The same one is not there, in a word: the card ends too early, which is told once.
+bool is_there(Cards& cards, const Words& words, int32_t i, const char* name);
+// Tell cards.card of a field of `length` characters.
+void tell_field(Cards& cards, int32_t kind, int32_t column, int32_t width, const char* text, int32_t length,
+                double value);
+
 // Columns that no field uses, between two fields: text there is a number out of its columns.
 void unused_column(Cards& cards, int32_t column);
 // No number may stand in columns `column` to 72; a remark in words may.
@@ -76,7 +93,7 @@ void end_of_fields(Cards& cards, int32_t column);
 bool integer_word(Cards& cards, const Words& words, int32_t i, const char* name, int32_t least, int32_t most,
                   int32_t* value);
 bool real_word(Cards& cards, const Words& words, int32_t i, const char* name, double* value);
-// A name of at most size - 1 characters, as it stands on the card.
+// A text of at most size - 1 characters, as it stands on the card.
 bool text_word(Cards& cards, const Words& words, int32_t i, const char* name, char* value, int32_t size);
 // The card has no more fields than `count`.
 bool end_of_words(Cards& cards, const Words& words, int32_t count);
@@ -91,6 +108,12 @@ template <class... Parts> void fault(Cards& cards, int32_t column, int32_t colum
   end_fault(cards);
 }
 
+// The same in the field, or the fields, that stand in these columns in the fixed form.
+Word columns_of(const Cards& cards, int32_t column, int32_t column_end);
+template <class... Parts> void field_fault(Cards& cards, int32_t column, int32_t column_end, Parts... parts) {
+  const Word found = columns_of(cards, column, column_end);
+  fault(cards, int32_t{found.column}, int32_t{found.column_end}, parts...);
+}
 // The same in field i of a free-form card; without such a field, where it would stand.
 void begin_word_fault(Cards& cards, const Words& words, int32_t i);
 template <class... Parts> void word_fault(Cards& cards, const Words& words, int32_t i, Parts... parts) {

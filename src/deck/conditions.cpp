@@ -13,6 +13,49 @@ struct ConditionCard {
   bool values_sound;
 };
 
+// On a card of the free form the flag may be missing and the codes may be one field; the number of fields
+// tells.
+struct FieldCount {
+  bool has_flag, codes_apart;
+};
+constexpr int32_t kFields = 7;     // element, node, codes, four values
+constexpr int32_t kMoreFields = 3; // where each code is a field
+
+bool count_fields(Cards& cards, FieldCount& count) {
+  count.has_flag = count.codes_apart = true;
+  if (!cards.free_form) return true;
+  const int32_t fields = cards.words.count;
+  count.codes_apart = fields >= kFields + kMoreFields;
+  const int32_t least = kFields + (count.codes_apart ? kMoreFields : 0);
+  count.has_flag = fields == least + 1;
+  if (fields == least || fields == least + 1) return true;
+  word_fault(
+      cards, cards.words, fields, "the card has ", fields, fields == 1 ? " field" : " fields",
+      ", expected 7: element, node, four codes as one field, four values; 10 with the codes apart; one "
+      "more with the flag 1 in front");
+  return false;
+}
+
+// Four codes in one field.
+bool read_joined_codes(Cards& cards, int32_t codes[4]) {
+  const Word at = cards.words.word[take_word(cards, 12, 4)];
+  const char* text = cards.text + at.column - 1;
+  bool sound = at.column_end - at.column == 3;
+  for (int32_t i = 0; i < 4 && sound; ++i) sound = text[i] == '0' || text[i] == '1';
+  if (!sound) {
+    char shown[12] = {};
+    copy_word(cards.words, cards.taken - 1, shown, sizeof shown);
+    field_fault(cards, 12, 15, "codes are '", shown,
+                "', expected four digits 0 (known) or 1 (unknown): x and y traction, x and y displacement");
+    return false;
+  }
+  for (int32_t i = 0; i < 4; ++i) {
+    codes[i] = text[i] - '0';
+    tell_field(cards, C2D_CARD_INTEGER, 12 + i, 1, text + i, 1, codes[i]);
+  }
+  return true;
+}
+
 ConditionCard read_condition(Deck& deck, int b) {
   static const char* const kCode[4] = {
       "code of the x traction (0 known, 1 unknown)", "code of the y traction (0 known, 1 unknown)",
@@ -22,7 +65,10 @@ ConditionCard read_condition(Deck& deck, int b) {
   ConditionCard card = ConditionCard();
   const int32_t offset = element_offset(deck, b);
   int32_t generated = 0;
-  card.sound = integer(cards, 1, 1, "flag for generated conditions (blank, 0 or 1)", 0, 1, &generated);
+  FieldCount count;
+  if (!count_fields(cards, count)) return card;
+  card.sound = !count.has_flag ||
+               integer(cards, 1, 1, "flag for generated conditions (blank, 0 or 1)", 0, 1, &generated);
   card.is_generated = generated == 1;
   if (!integer(cards, 2, 4, "element number", 1 + offset, deck.sizes.elements[b] + offset, &card.element))
     card.sound = false;
@@ -30,8 +76,9 @@ ConditionCard read_condition(Deck& deck, int b) {
   if (!integer(cards, 6, 5, "local node number", 1, deck.sizes.function_nodes, &card.local))
     card.sound = false;
   unused_column(cards, 11);
-  card.values_sound = !cards.holds_tab;
-  for (int32_t i = 0; i < 4; ++i)
+  card.values_sound = !cards.refused;
+  if (!count.codes_apart && !read_joined_codes(cards, card.codes)) card.values_sound = false;
+  for (int32_t i = 0; i < 4 && count.codes_apart; ++i)
     if (!integer(cards, 12 + i, 1, kCode[i], 0, 1, &card.codes[i])) card.values_sound = false;
   unused_column(cards, 16);
   for (int32_t i = 0; i < 4; ++i)
@@ -100,11 +147,12 @@ bool read_conditions(Deck& deck, int b) {
     if (cards.ended) return false;
     const bool follows = !card.is_generated || previous.sound;
     if (card.sound && card.is_generated && i == 0)
-      fault(cards, 1, 1, "conditions are to be generated from a card before this one, expected one");
+      field_fault(cards, 1, 1, "conditions are to be generated from a card before this one, expected one");
     else if (card.sound && follows && card.is_generated && is_behind(card, previous))
-      fault(cards, 2, 10, "conditions are generated up to element ", card.element + element_offset(deck, b),
-            " node ", card.local, ", expected an end behind the card before (element ",
-            previous.element + element_offset(deck, b), " node ", previous.local, ")");
+      field_fault(cards, 2, 10, "conditions are generated up to element ",
+                  card.element + element_offset(deck, b), " node ", card.local,
+                  ", expected an end behind the card before (element ",
+                  previous.element + element_offset(deck, b), " node ", previous.local, ")");
     else if (card.sound && follows && !set_conditions(deck, b, previous, card))
       return false;
     previous = card;

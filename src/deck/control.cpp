@@ -7,6 +7,7 @@ namespace c2d {
 namespace {
 
 constexpr int32_t kTitleColumns = 72; // format 18A4
+constexpr int32_t kCoefficientsPerCard = 7;
 
 bool read_problem_type(Deck& deck) {
   Cards& cards = deck.cards;
@@ -31,11 +32,11 @@ bool fits_workspace(Deck& deck) {
   const int32_t bodies = deck.sink->bodies, nodes = deck.sink->function_nodes;
   const int32_t old_faults = deck.cards.faults;
   if (bodies > 0 && bodies != deck.sizes.bodies)
-    fault(deck.cards, 1, 5, "number of bodies is ", deck.sizes.bodies, ", but the workspace was made for ",
-          bodies);
+    field_fault(deck.cards, 1, 5, "number of bodies is ", deck.sizes.bodies,
+                ", but the workspace was made for ", bodies);
   if (nodes > 0 && nodes != deck.sizes.function_nodes)
-    fault(deck.cards, 11, 15, "number of functional nodes per element is ", deck.sizes.function_nodes,
-          ", but the workspace was made for ", nodes);
+    field_fault(deck.cards, 11, 15, "number of functional nodes per element is ", deck.sizes.function_nodes,
+                ", but the workspace was made for ", nodes);
   return deck.cards.faults == old_faults;
 }
 
@@ -52,10 +53,11 @@ bool read_counts(Deck& deck) {
   end_of_fields(cards, 16);
   if (!bodies_known || !zones_known || !nodes_known) return false;
   if (sizes.zones > 0 && sizes.bodies < 2)
-    fault(cards, 6, 10, "number of contact zones is ", sizes.zones, ", expected 0: contact needs two bodies");
+    field_fault(cards, 6, 10, "number of contact zones is ", sizes.zones,
+                ", expected 0: contact needs two bodies");
   else if (sizes.zones > 0 && deck.problem.analysis == C2D_ANALYSIS_STRESS)
-    fault(cards, 6, 10, "number of contact zones is ", sizes.zones,
-          ", expected 0: a stress analysis (IOUT 0) has no contact zones; IOUT 1 or 2 is contact");
+    field_fault(cards, 6, 10, "number of contact zones is ", sizes.zones,
+                ", expected 0: a stress analysis (IOUT 0) has no contact zones; IOUT 1 or 2 is contact");
   return fits_workspace(deck);
 }
 
@@ -97,11 +99,11 @@ bool read_body(Deck& deck, int b) {
   if (!regions_known || !elements_known || !nodes_known) return false;
   const int32_t expected = sizes.elements[b] * (deck.element_nodes[b] - 1);
   if (order_known && sizes.geometry_nodes[b] != expected)
-    fault(cards, 16, 20, "number of boundary points is ", sizes.geometry_nodes[b], ", expected ", expected,
-          ": ", sizes.elements[b], " elements of ", deck.element_nodes[b], " nodes");
+    field_fault(cards, 16, 20, "number of boundary points is ", sizes.geometry_nodes[b], ", expected ",
+                expected, ": ", sizes.elements[b], " elements of ", deck.element_nodes[b], " nodes");
   if (sizes.regions[b] > sizes.elements[b]) {
-    fault(cards, 1, 5, "number of regions is ", sizes.regions[b], ", expected at most ", sizes.elements[b],
-          ", the number of elements");
+    field_fault(cards, 1, 5, "number of regions is ", sizes.regions[b], ", expected at most ",
+                sizes.elements[b], ", the number of elements");
     return false;
   }
   if (cards.faults != old_faults) return !cards.ended;
@@ -133,12 +135,12 @@ bool read_region(Deck& deck, int b, int32_t number, int32_t* next) {
   const bool last_sound =
       last_known && last <= elements + offset && last >= (is_last ? elements + offset : expected);
   if (first_known && !first_sound)
-    fault(cards, 1, 5, "first element of the region is ", first, ", expected ", expected);
+    field_fault(cards, 1, 5, "first element of the region is ", first, ", expected ", expected);
   if (last_known && !last_sound && is_last)
-    fault(cards, 6, 10, "last element of the region is ", last, ", expected ", elements + offset);
+    field_fault(cards, 6, 10, "last element of the region is ", last, ", expected ", elements + offset);
   else if (last_known && !last_sound)
-    fault(cards, 6, 10, "last element of the region is ", last, ", expected ", expected, " to ",
-          elements + offset);
+    field_fault(cards, 6, 10, "last element of the region is ", last, ", expected ", expected, " to ",
+                elements + offset);
   *next = last_sound && last - offset < elements ? last - offset + 1 : elements;
   if (deck.sink == nullptr || !first_sound || !last_sound) return !cards.ended;
   place(deck, 1, 10);
@@ -151,60 +153,90 @@ bool read_elastic_constants(Deck& deck, int b) {
   double modulus = 0, ratio = 0;
   bool sound = real(cards, 1, "Young's modulus", &modulus);
   if (sound && !(modulus > 0)) {
-    fault(cards, 1, 10, "Young's modulus is ", modulus, ", expected more than 0");
+    field_fault(cards, 1, 10, "Young's modulus is ", modulus, ", expected more than 0");
     sound = false;
   }
   const bool ratio_known = real(cards, 11, "Poisson's ratio", &ratio);
   if (ratio_known && !(ratio > -1 && ratio <= 0.5))
-    fault(cards, 11, 20, "Poisson's ratio is ", ratio, ", expected more than -1 and at most 0.5");
+    field_fault(cards, 11, 20, "Poisson's ratio is ", ratio, ", expected more than -1 and at most 0.5");
   else if (ratio_known && deck.problem.plane == C2D_PLANE_STRESS && !(ratio > -0.5))
-    fault(cards, 11, 20, "Poisson's ratio is ", ratio, ", expected more than -0.5 in plane stress");
+    field_fault(cards, 11, 20, "Poisson's ratio is ", ratio, ", expected more than -0.5 in plane stress");
   else if (ratio_known && sound && !set_body(deck, b, modulus, ratio))
     return false;
   end_of_fields(cards, 21);
   return !cards.ended;
 }
 
+// Coefficient i stands on a further card? In the fixed form after every seventh, in the free form where the
+// card ends.
+bool go_to_coefficient(Cards& cards, int32_t i) {
+  if (cards.free_form)
+    return words_left(cards) > 0 || next_card(cards, "a further card with coefficients of friction");
+  if (i == 0 || i % kCoefficientsPerCard != 0) return true;
+  if (!next_card(cards, "a further card with coefficients of friction")) return false;
+  int32_t nothing;
+  const c2d_card_fn card = cards.card;
+  cards.card = nullptr; // no field, only columns that should be blank
+  integer(cards, 1, 5, "columns 1-5 of a further card of coefficients", 0, 0, &nothing);
+  cards.card = card;
+  return true;
+}
+
 bool read_friction(Deck& deck) {
-  constexpr int32_t kPerCard = 7;
   Cards& cards = deck.cards;
   if (!next_card(cards, "the card with the coefficients of friction")) return false;
   if (!count(cards, 1, "number of coefficients of friction", 1, &deck.sizes.coefficients)) return false;
   for (int32_t i = 0; i < deck.sizes.coefficients; ++i) {
-    const int32_t place_on_card = i % kPerCard;
-    if (i > 0 && place_on_card == 0) {
-      if (!next_card(cards, "a further card with coefficients of friction")) return false;
-      int32_t nothing;
-      integer(cards, 1, 5, "columns 1-5 of a further card of coefficients", 0, 0, &nothing);
-    }
-    if (place_on_card == 0) unused_column(cards, 6);
-    const int32_t column = 7 + 10 * place_on_card;
+    if (!go_to_coefficient(cards, i)) return false;
+    if (i % kCoefficientsPerCard == 0) unused_column(cards, 6);
+    const int32_t column = 7 + 10 * (i % kCoefficientsPerCard);
     double mu = 0;
     if (!real(cards, column, "coefficient of friction", &mu)) continue;
     if (mu < 0)
-      fault(cards, column, column + 9, "coefficient of friction is ", mu, ", expected at least 0");
+      field_fault(cards, column, column + 9, "coefficient of friction is ", mu, ", expected at least 0");
     else if (deck.sink != nullptr) {
       place(deck, column, column + 9);
       if (!accept(deck, deck.sink->add_friction(deck.sink->solver, mu))) return false;
     }
   }
+  end_of_fields(cards, 7 + 10 * kCoefficientsPerCard);
   return !cards.ended;
+}
+
+// The card with the number of heading cards is the first, but for *FREE.
+bool read_first_card(Cards& cards) {
+  static const char* const kName = "the card with the number of heading cards";
+  if (!next_heading(cards, kName)) return false;
+  split_words(cards.text, cards.length, cards.words);
+  if (!word_is(cards.words, 0, "*FREE")) {
+    refuse_tabs(cards);
+    if (cards.words.count > 0 && cards.text[cards.words.word[0].column - 1] == '*')
+      word_fault(cards, cards.words, 0, "a keyword card stands first, expected *FREE or ", kName);
+    else
+      return true;
+    return false;
+  }
+  end_of_words(cards, cards.words, 1);
+  cards.free_form = true;
+  tell_field(cards, C2D_CARD_FREE, 0, 0, cards.text, 0, 0);
+  const int32_t comment = before_comment(cards.text, cards.length) + 1;
+  if (comment <= cards.length)
+    tell_field(cards, C2D_CARD_COMMENT, 0, 0, cards.text + comment, cards.length - comment, 0);
+  return next_card(cards, kName);
 }
 
 } // namespace
 
 bool read_heading(Deck& deck) {
   Cards& cards = deck.cards;
-  if (!next_heading(cards, "the card with the number of heading cards")) return false;
-  if (memcmp(cards.text, "*FREE", 5) == 0) {
-    fault(cards, 1, 5, "free format is not supported yet, expected the number of heading cards");
-    return false;
-  }
-  refuse_tabs(cards);
   int32_t headings = 0;
+  if (!read_first_card(cards)) return false;
   if (!count(cards, 1, "number of heading cards", 1, &headings)) return false;
-  for (int32_t i = 0; i < headings; ++i)
+  if (cards.free_form) end_of_fields(cards, 6);
+  for (int32_t i = 0; i < headings; ++i) {
     if (!next_heading(cards, "a heading card")) return false;
+    tell_field(cards, C2D_CARD_HEADING, 0, 0, cards.text, cards.length, 0);
+  }
   int32_t used = kTitleColumns;
   while (used > 0 && (cards.text[used - 1] == ' ' || cards.text[used - 1] == '\t')) --used;
   deck.problem.struct_size = static_cast<uint32_t>(sizeof deck.problem);

@@ -20,10 +20,12 @@ bool read_sections(Deck& deck) {
 } // namespace
 
 c2d_status read_deck_cards(const DeckSink* sink, c2d_read_line read, void* context, c2d_report report,
-                           void* report_context, c2d_limits* sizes) {
+                           void* report_context, c2d_limits* sizes, c2d_card_fn card, void* card_context) {
   Deck deck;
   memset(&deck, 0, sizeof deck);
   start_cards(deck.cards, read, context, report, report_context);
+  deck.cards.card = card;
+  deck.cards.card_context = card_context;
   deck.sink = sink;
   deck.sizes.load_cases = 1;
   read_sections(deck);
@@ -34,15 +36,16 @@ c2d_status read_deck_cards(const DeckSink* sink, c2d_read_line read, void* conte
 }
 
 void place(Deck& deck, int32_t column, int32_t column_end) {
+  const Word at = columns_of(deck.cards, column, column_end);
   if (deck.sink != nullptr)
-    accept(deck, deck.sink->set_line(deck.sink->solver, deck.cards.line, column, column_end));
+    accept(deck, deck.sink->set_line(deck.sink->solver, deck.cards.line, at.column, at.column_end));
 }
 
 void place_words(Deck& deck, const Words& words) {
-  if (words.count == 0)
-    place(deck, 1, words.end);
-  else
-    place(deck, words.word[0].column, words.word[words.count - 1].column_end);
+  if (deck.sink == nullptr) return;
+  const int32_t first = words.count > 0 ? words.word[0].column : 1;
+  const int32_t last = words.count > 0 ? words.word[words.count - 1].column_end : words.end;
+  accept(deck, deck.sink->set_line(deck.sink->solver, deck.cards.line, first, last));
 }
 
 bool accept(Deck& deck, c2d_status status) {

@@ -76,23 +76,92 @@ bool real_at(Cards& cards, int32_t column, int32_t width, const char* name, doub
   return true;
 }
 
-// Is there a field i? If not, say which one is missing.
-bool is_there(Cards& cards, const Words& words, int32_t i, const char* name) {
-  if (i < words.count) return true;
-  word_fault(cards, words, i, "the card ends here, expected ", name);
-  return false;
-}
-
 int32_t width_of(const Word& word) {
   return word.column_end - word.column + 1;
 }
 
+// Where the field in these columns of the fixed form stands on the card at hand.
+bool find_field(Cards& cards, int32_t column, int32_t width, const char* name, Word& at) {
+  at = {static_cast<int16_t>(column), static_cast<int16_t>(column + width - 1)};
+  if (!cards.free_form) return true;
+  const int32_t i = take_word(cards, column, width);
+  if (!is_there(cards, cards.words, i, name)) return false;
+  at = cards.words.word[i];
+  return true;
+}
+
 } // namespace
+
+void tell_field(Cards& cards, int32_t kind, int32_t column, int32_t width, const char* text, int32_t length,
+                double value) {
+  if (cards.card == nullptr) return;
+  c2d_card item = c2d_card();
+  item.struct_size = static_cast<uint32_t>(sizeof item);
+  item.kind = kind;
+  item.line = cards.line;
+  item.column = column;
+  item.width = width;
+  item.value = value;
+  while (length > 0 && (text[length - 1] == ' ' || text[length - 1] == '\t')) --length;
+  while (kind != C2D_CARD_HEADING && kind != C2D_CARD_EXTENSION && length > 0 && text[0] == ' ') {
+    ++text;
+    --length;
+  }
+  item.text = text;
+  item.length = length > 0 ? length : 0;
+  cards.card(cards.card_context, &item);
+}
+
+bool is_there(Cards& cards, const Words& words, int32_t i, const char* name) {
+  if (i < words.count) return true;
+  word_fault(cards, words, i, "the card ends here, expected ", name);
+  cards.refused = true;
+  return false;
+}
+
+int32_t words_left(const Cards& cards) {
+  return cards.words.count - cards.taken;
+}
+
+int32_t take_word(Cards& cards, int32_t column, int32_t width) {
+  if (cards.taken >= kMaximumWords) return kMaximumWords;
+  Word& place = cards.place[cards.taken];
+  place.column = static_cast<int16_t>(column);
+  place.column_end = static_cast<int16_t>(column + width - 1);
+  return cards.taken++;
+}
+
+Word columns_of(const Cards& cards, int32_t column, int32_t column_end) {
+  Word found = {static_cast<int16_t>(column), static_cast<int16_t>(column_end)};
+  if (!cards.free_form) return found;
+  found.column = found.column_end = 0;
+  for (int32_t i = 0; i < cards.taken && i < cards.words.count; ++i) {
+    const Word& place = cards.place[i];
+    const Word& word = cards.words.word[i];
+    if (place.column > column_end || place.column_end < column) continue;
+    const bool is_same = place.column == column && place.column_end == column_end;
+    if (found.column == 0 || is_same) found.column = word.column;
+    found.column_end = word.column_end < word.column ? word.column : word.column_end;
+  }
+  return found;
+}
+
+bool peek_integer(Cards& cards, int32_t column, int32_t width, int32_t* value) {
+  if (!cards.free_form) return integer_field(cards.text + column - 1, width, value) == FieldFault::none;
+  if (words_left(cards) <= 0) return false;
+  const Word& word = cards.words.word[cards.taken];
+  return integer_field(cards.text + word.column - 1, width_of(word), value) == FieldFault::none;
+}
 
 bool integer(Cards& cards, int32_t column, int32_t width, const char* name, int32_t least, int32_t most,
              int32_t* value) {
-  if (cards.holds_tab) return false;
-  return integer_at(cards, column, width, name, least, most, value);
+  if (cards.refused) return false;
+  Word at;
+  if (!find_field(cards, column, width, name, at) ||
+      !integer_at(cards, at.column, width_of(at), name, least, most, value))
+    return false;
+  tell_field(cards, C2D_CARD_INTEGER, column, width, cards.text + at.column - 1, width_of(at), *value);
+  return true;
 }
 
 bool count(Cards& cards, int32_t column, const char* name, int32_t least, int32_t* value) {
@@ -105,18 +174,28 @@ bool count(Cards& cards, int32_t column, const char* name, int32_t least, int32_
 
 bool real(Cards& cards, int32_t column, const char* name, double* value) {
   constexpr int32_t kWidth = 10;
-  if (cards.holds_tab) return false;
-  return real_at(cards, column, kWidth, name, value);
+  if (cards.refused) return false;
+  Word at;
+  if (!find_field(cards, column, kWidth, name, at) || !real_at(cards, at.column, width_of(at), name, value))
+    return false;
+  tell_field(cards, C2D_CARD_REAL, column, kWidth, cards.text + at.column - 1, width_of(at), *value);
+  return true;
 }
 
 void unused_column(Cards& cards, int32_t column) {
-  if (cards.holds_tab || cards.text[column - 1] == ' ') return;
+  if (cards.refused || cards.free_form || cards.text[column - 1] == ' ') return;
   malformed_field(cards, column, 1, "a blank", "this column belongs to no field");
 }
 
 void end_of_fields(Cards& cards, int32_t column) {
   constexpr int32_t kLastColumn = 72; // behind it cards carry their sequence numbers
-  if (cards.holds_tab) return;
+  if (cards.refused) return;
+  if (cards.free_form) {
+    end_of_words(cards, cards.words, cards.taken);
+    return;
+  }
+  if (column <= kLastColumn)
+    tell_field(cards, C2D_CARD_REMARK, column, 0, cards.text + column - 1, kLastColumn - column + 1, 0);
   int32_t first = column;
   while (first <= kLastColumn && cards.text[first - 1] == ' ') ++first;
   if (first > kLastColumn || strchr("+-.0123456789", cards.text[first - 1]) == nullptr) return;
@@ -151,7 +230,8 @@ bool text_word(Cards& cards, const Words& words, int32_t i, const char* name, ch
 bool end_of_words(Cards& cards, const Words& words, int32_t count) {
   if (words.count <= count) return true;
   begin_word_fault(cards, words, count);
-  cards.entry.column_end = words.word[words.count - 1].column_end;
+  const int32_t column_end = words.word[words.count - 1].column_end;
+  if (column_end > cards.entry.column_end) cards.entry.column_end = column_end;
   Text text = text_in(cards.entry.text);
   put(text, "the card has ");
   put(text, words.count);

@@ -162,6 +162,7 @@ void read_extensions(Deck& deck) {
   Cards& cards = deck.cards;
   if (!cards.free_form) cards.c_comment = CComment::any;
   Words words;
+  cards.in_extensions = true;
   cards.body = cards.zone = 0;
   while (next_free_card(cards, words)) {
     if (!is_keyword_card(words)) {

@@ -1,6 +1,5 @@
 // Boundary points: origin, node cards, generation along lines and arcs.
 #include "deck/deck.hpp"
-#include "deck/number.hpp"
 #include "deck/polar.hpp"
 
 #include <math.h>
@@ -26,16 +25,43 @@ bool read_origin(Deck& deck, int b) {
   return !cards.ended;
 }
 
-void read_coordinates(Cards& cards, NodeCard& card) {
-  const char letter = cards.text[0];
-  card.sound = !cards.holds_tab;
-  if (card.sound && letter != ' ' && letter != 'P') {
-    if (letter != 'C') { // a C has been reported as what might be a comment
-      const char shown[2] = {letter, '\0'};
-      fault(cards, 1, 1, "column 1 holds '", shown, "', expected a coordinate letter, which is blank or P");
-    }
-    card.sound = false;
+// The coordinate letter of the card, blank without one. In the free form it is a field of its own that begins
+// with a letter, in front of the others.
+char read_letter(Cards& cards) {
+  char letter = cards.text[0];
+  if (cards.free_form) {
+    const char first = capital(cards.text[cards.words.word[0].column - 1]);
+    if (first < 'A' || first > 'Z') return ' ';
+    take_word(cards, 1, 1);
+    letter = word_is(cards.words, 0, "P") ? 'P' : '?';
   }
+  if (letter == 'P') tell_field(cards, C2D_CARD_LETTER, 1, 1, "P", 1, 0);
+  return letter;
+}
+
+void refuse_letter(Cards& cards, char letter) {
+  if (letter == 'C') return; // has been reported as what might be a comment
+  char shown[12] = {letter, '\0'};
+  if (cards.free_form) copy_word(cards.words, 0, shown, sizeof shown);
+  const Word at = columns_of(cards, 1, 1);
+  const bool is_one = at.column == at.column_end;
+  begin_fault(cards, at.column, at.column_end);
+  Text text = text_in(cards.entry.text);
+  put(text, is_one ? "column " : "columns ");
+  put(text, int32_t{at.column});
+  if (!is_one) {
+    put_character(text, '-');
+    put(text, int32_t{at.column_end});
+  }
+  put(text, is_one ? " holds '" : " hold '");
+  put(text, shown);
+  put(text, "', expected a coordinate letter, which is blank or P");
+  end_fault(cards);
+}
+
+void read_coordinates(Cards& cards, char letter, NodeCard& card) {
+  card.sound = !cards.refused && (letter == ' ' || letter == 'P');
+  if (!cards.refused && !card.sound) refuse_letter(cards, letter);
   card.polar = letter == 'P';
   unused_column(cards, 6);
   double first = 0, second = 0;
@@ -47,7 +73,7 @@ void read_coordinates(Cards& cards, NodeCard& card) {
   card.y = second;
   if (!card.polar) return;
   if (first_known && first < 0) {
-    fault(cards, 7, 16, "radius is ", first, ", expected at least 0");
+    field_fault(cards, 7, 16, "radius is ", first, ", expected at least 0");
     card.sound = false;
   }
   card.radius = first;
@@ -72,13 +98,13 @@ bool is_same_radius(double a, double b) {
 bool generate(Deck& deck, int b, const NodeCard& from, const NodeCard& to) {
   if (!from.sound || !to.sound || to.node - from.node < 2) return true;
   if (to.polar && !from.polar) {
-    fault(deck.cards, 1, 1, "nodes before number ", to.node,
-          " lie on an arc, expected a P card before this one too");
+    field_fault(deck.cards, 1, 1, "nodes before number ", to.node,
+                " lie on an arc, expected a P card before this one too");
     return !deck.cards.ended;
   }
   if (to.polar && !is_same_radius(from.radius, to.radius)) {
-    fault(deck.cards, 7, 16, "radius is ", to.radius, ", expected ", from.radius,
-          ": the nodes before this one lie on an arc from the card before");
+    field_fault(deck.cards, 7, 16, "radius is ", to.radius, ", expected ", from.radius,
+                ": the nodes before this one lie on an arc from the card before");
     return !deck.cards.ended;
   }
   const double steps = to.node - from.node;
@@ -100,7 +126,7 @@ bool generate(Deck& deck, int b, const NodeCard& from, const NodeCard& to) {
 bool read_number(Deck& deck, int b, bool is_first, bool doubtful, int32_t previous, int32_t* node) {
   Cards& cards = deck.cards;
   int32_t number = 0;
-  if (doubtful && integer_field(cards.text + 1, 4, &number) != FieldFault::none) return false;
+  if (doubtful && !peek_integer(cards, 2, 4, &number)) return false;
   if (!integer(cards, 2, 4, "node number", INT32_MIN, INT32_MAX, &number)) return false;
   // Body 2's first card decides whether its nodes are numbered on from body 1's.
   if (b == 1 && is_first) deck.nodes_continue = number > deck.sizes.geometry_nodes[0];
@@ -112,11 +138,11 @@ bool read_number(Deck& deck, int b, bool is_first, bool doubtful, int32_t previo
   if (doubtful) return false;
   const int32_t least = previous + 1 + offset;
   if (is_first)
-    fault(cards, 2, 5, "first node number is ", number, ", expected ", least);
+    field_fault(cards, 2, 5, "first node number is ", number, ", expected ", least);
   else if (previous + 1 == nodes)
-    fault(cards, 2, 5, "node number is ", number, ", expected ", least);
+    field_fault(cards, 2, 5, "node number is ", number, ", expected ", least);
   else
-    fault(cards, 2, 5, "node number is ", number, ", expected ", least, " to ", nodes + offset);
+    field_fault(cards, 2, 5, "node number is ", number, ", expected ", least, " to ", nodes + offset);
   return false;
 }
 
@@ -141,9 +167,10 @@ bool read_nodes(Deck& deck, int b) {
   for (bool is_first = true; previous.node < nodes; is_first = false) {
     if (!next_node_card(cards)) return false;
     NodeCard card = NodeCard();
+    const char letter = read_letter(cards);
     const bool number_sound = read_number(deck, b, is_first, doubtful, previous.node, &card.node);
     if (!number_sound && doubtful) return false;
-    read_coordinates(cards, card);
+    read_coordinates(cards, letter, card);
     doubtful = !number_sound;
     if (cards.ended) return false;
     if (number_sound) {

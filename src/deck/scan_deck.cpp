@@ -44,3 +44,9 @@ c2d_status c2d_scan_deck(c2d_read_line read, void* context, c2d_limits* out, c2d
   if (status == C2D_ERR_ARGUMENT) why->status = status;
   return status;
 }
+
+c2d_status c2d_walk_deck(c2d_read_line read, void* context, c2d_card_fn card, void* card_context,
+                         c2d_report report, void* report_context) {
+  if (read == nullptr) return C2D_ERR_ARGUMENT;
+  return c2d::read_deck_cards(nullptr, read, context, report, report_context, nullptr, card, card_context);
+}

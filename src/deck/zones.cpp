@@ -16,8 +16,8 @@ bool read_ranges(Deck& deck, const char* name, int32_t count, const int32_t offs
     if (!integer(cards, column + 5, 5, name, 1 + offset[b], size[b] + offset[b], &last[b])) known = false;
     const int32_t distance = last[b] > first[b] ? last[b] - first[b] : first[b] - last[b];
     if (known && count > 0 && distance + 1 != count)
-      fault(cards, column, column + 9, name, " ", first[b], " to ", last[b], " of body ", b + 1, " make ",
-            distance + 1, ", expected ", count);
+      field_fault(cards, column, column + 9, name, " ", first[b], " to ", last[b], " of body ", b + 1,
+                  " make ", distance + 1, ", expected ", count);
     first[b] -= offset[b];
     last[b] -= offset[b];
     sound = sound && known && cards.faults == old_faults;
@@ -42,8 +42,8 @@ bool read_zone(Deck& deck, bool* sound) {
   const int32_t order = deck.sizes.function_nodes;
   const int32_t most = order > 1 ? zone.elements * (order - 1) + 1 : zone.elements;
   if (pairs_known && elements_known && zone.pairs > most)
-    fault(cards, 11, 15, "number of contact nodes is ", zone.pairs, ", expected at most ", most, " on ",
-          zone.elements, " elements of ", order, " nodes");
+    field_fault(cards, 11, 15, "number of contact nodes is ", zone.pairs, ", expected at most ", most, " on ",
+                zone.elements, " elements of ", order, " nodes");
   const bool count_sound = pairs_known && !(elements_known && zone.pairs > most);
   deck.pairs += zone.pairs;
   deck.contact_elements += zone.elements;
@@ -51,7 +51,7 @@ bool read_zone(Deck& deck, bool* sound) {
   const int32_t element_offsets[2] = {0, element_offset(deck, 1)};
   const int32_t node_offsets[2] = {0, function_node_offset(deck, 1)};
   const int32_t nodes[2] = {function_node_count(deck, 0), function_node_count(deck, 1)};
-  *sound = cards.faults == old_faults && !cards.holds_tab;
+  *sound = cards.faults == old_faults && !cards.refused;
   if (!next_card(cards, "the card with the elements of a contact zone")) return false;
   if (!read_ranges(deck, "contact elements", zone.elements, element_offsets, deck.sizes.elements,
                    zone.first_element, zone.last_element))
@@ -79,11 +79,11 @@ bool read_sums(Deck& deck, bool sound) {
       integer(cards, 6, 5, "number of contact elements of the body", 0, INT32_MAX, &elements);
   end_of_fields(cards, 11);
   if (sound && nodes_known && nodes != deck.pairs)
-    fault(cards, 1, 5, "number of contact nodes of the body is ", nodes, ", expected ", deck.pairs,
-          ", the sum of the zones");
+    field_fault(cards, 1, 5, "number of contact nodes of the body is ", nodes, ", expected ", deck.pairs,
+                ", the sum of the zones");
   if (sound && elements_known && elements != deck.contact_elements)
-    fault(cards, 6, 10, "number of contact elements of the body is ", elements, ", expected ",
-          deck.contact_elements, ", the sum of the zones");
+    field_fault(cards, 6, 10, "number of contact elements of the body is ", elements, ", expected ",
+                deck.contact_elements, ", the sum of the zones");
   return !cards.ended;
 }
 

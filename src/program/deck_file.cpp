@@ -18,6 +18,15 @@ void set_fault(c2d_error& fault, c2d_status status, const std::string& text) {
   std::snprintf(fault.text, sizeof fault.text, "%s", text.c_str());
 }
 
+// As c2d_read_line wants it.
+int32_t put_card(std::string_view card, char* text, int32_t size) {
+  const size_t room = size > 0 ? static_cast<size_t>(size) - 1 : 0;
+  const size_t fits = card.size() < room ? card.size() : room;
+  std::memcpy(text, card.data(), fits);
+  if (size > 0) text[fits] = '\0';
+  return card.size() > INT32_MAX ? INT32_MAX : static_cast<int32_t>(card.size());
+}
+
 } // namespace
 
 bool DeckFile::read(const std::string& name, c2d_error& fault) {
@@ -60,24 +69,42 @@ std::string_view DeckFile::card(size_t line) const {
   return std::string_view(text_).substr(begin, end - begin);
 }
 
+namespace {
+
+struct Walk {
+  const DeckFile* deck;
+  size_t next;
+  std::vector<std::string> headings;
+  bool beyond; // the heading cards are over
+};
+
+int32_t walk_line(void* context, char* text, int32_t size) {
+  Walk& walk = *static_cast<Walk*>(context);
+  return walk.beyond || walk.next > walk.deck->cards() ? -1
+                                                       : put_card(walk.deck->card(walk.next++), text, size);
+}
+
+void keep_heading(void* context, const c2d_card* card) {
+  Walk& walk = *static_cast<Walk*>(context);
+  if (card->kind == C2D_CARD_HEADING)
+    walk.headings.emplace_back(card->text, static_cast<size_t>(card->length));
+  const bool is_field = card->kind == C2D_CARD_INTEGER || card->kind == C2D_CARD_REAL;
+  if (is_field && !walk.headings.empty()) walk.beyond = true;
+}
+
+} // namespace
+
 std::vector<std::string> DeckFile::heading() const {
-  std::vector<std::string> cards;
-  const std::string first(card(1).substr(0, 5));
-  const long count = std::strtol(first.c_str(), nullptr, 10);
-  for (long i = 2; i <= count && static_cast<size_t>(i) <= starts_.size(); ++i)
-    cards.emplace_back(card(static_cast<size_t>(i)));
-  return cards;
+  Walk walk = {this, 1, {}, false};
+  c2d_walk_deck(walk_line, &walk, keep_heading, &walk, nullptr, nullptr);
+  if (!walk.headings.empty()) walk.headings.pop_back();
+  return walk.headings;
 }
 
 int32_t DeckFile::read_line(void* context, char* text, int32_t size) {
   DeckFile& deck = *static_cast<DeckFile*>(context);
   if (deck.next_ > deck.starts_.size()) return -1;
-  const std::string_view card = deck.card(deck.next_++);
-  const size_t room = size > 0 ? static_cast<size_t>(size) - 1 : 0;
-  const size_t fits = card.size() < room ? card.size() : room;
-  std::memcpy(text, card.data(), fits);
-  if (size > 0) text[fits] = '\0';
-  return card.size() > INT32_MAX ? INT32_MAX : static_cast<int32_t>(card.size());
+  return put_card(deck.card(deck.next_++), text, size);
 }
 
 std::string quote(const DeckFile& deck, const c2d_error& entry, const char* word) {

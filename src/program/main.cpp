@@ -1,5 +1,6 @@
 // The program: command line, then one of the commands.
 #include "program/check.hpp"
+#include "program/convert.hpp"
 #include "program/exit_code.hpp"
 #include "program/interrupt.hpp"
 #include "program/make.hpp"
@@ -26,6 +27,8 @@ int run_command(const app::Options& options) {
     return app::check_deck(options);
   case app::Command::kMake:
     return app::make_deck(options);
+  case app::Command::kConvert:
+    return app::convert_deck(options);
   case app::Command::kVersion:
     return print((std::string("contact2d ") + c2d_version() + "\n").c_str());
   case app::Command::kHelp:

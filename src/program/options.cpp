@@ -19,7 +19,7 @@ const Known kRunOptions[] = {{"--listing", true},   {"--csv", true},          {"
                              {"--memory", true},    {"--store", true},        {"--threads", true},
                              {"--progress", false}, {"--no-progress", false}, {"--keep", false}};
 const char* const kLaterOptions[] = {"--points", "--interior", "--report", "--figures", "--vtk"};
-const char* const kLaterCommands[] = {"convert", "resume"};
+const char* const kLaterCommands[] = {"resume"};
 
 template <size_t n> bool is_one_of(const std::string& word, const char* const (&list)[n]) {
   for (const char* entry : list)
@@ -106,6 +106,32 @@ bool read_run_option(const std::vector<std::string>& words, size_t& at, Options&
   return false;
 }
 
+bool read_convert_option(const std::vector<std::string>& words, size_t& at, Options& options,
+                         std::string& error) {
+  std::string name = words[at], value;
+  const size_t equals = name.find('=');
+  if (equals != std::string::npos) {
+    value = name.substr(equals + 1);
+    name.resize(equals);
+  } else if (at + 1 < words.size()) {
+    value = words[++at];
+  }
+  if (name != "--to" && name != "-o" && name != "--output") {
+    error = "convert takes no option " + name;
+    return false;
+  }
+  if (value.empty()) {
+    error = name + " needs a value";
+    return false;
+  }
+  if (name == "--to" && value != "fixed" && value != "free") {
+    error = "--to " + value + ": expected fixed or free";
+    return false;
+  }
+  (name == "--to" ? options.convert_to : options.output) = value;
+  return true;
+}
+
 } // namespace
 
 bool read_size(const std::string& text, uint64_t& bytes) {
@@ -137,7 +163,7 @@ bool read_size(const std::string& text, uint64_t& bytes) {
 bool read_options(int argc, const char* const* argv, Options& options, std::string& error) {
   const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
   if (words.empty()) {
-    error = "no command: expected run, check, make, --version or --help";
+    error = "no command: expected run, check, convert, make, --version or --help";
     return false;
   }
   const std::string& command = words[0];
@@ -156,11 +182,13 @@ bool read_options(int argc, const char* const* argv, Options& options, std::stri
     error = "make needs the name of a family, or --list";
     return false;
   }
-  if (command != "run" && command != "check") {
-    error = "unknown command " + command + ": expected run, check, make, --version or --help";
+  if (command != "run" && command != "check" && command != "convert") {
+    error = "unknown command " + command + ": expected run, check, convert, make, --version or --help";
     return false;
   }
-  options.command = command == "run" ? Command::kRun : Command::kCheck;
+  options.command = command == "run"     ? Command::kRun
+                    : command == "check" ? Command::kCheck
+                                         : Command::kConvert;
 
   bool options_end = false;
   for (size_t at = 1; at < words.size(); ++at) {
@@ -176,7 +204,9 @@ bool read_options(int argc, const char* const* argv, Options& options, std::stri
         error = "check takes no option " + word;
         return false;
       }
-      if (!read_run_option(words, at, options, error)) return false;
+      if (options.command == Command::kConvert ? !read_convert_option(words, at, options, error)
+                                               : !read_run_option(words, at, options, error))
+        return false;
     } else if (!options.deck.empty()) {
       error = "more than one deck: " + options.deck + " and " + word;
       return false;
@@ -197,14 +227,16 @@ bool read_options(int argc, const char* const* argv, Options& options, std::stri
 const char* help_text() {
   return "usage: contact2d run DECK [options]\n"
          "       contact2d check DECK\n"
+         "       contact2d convert DECK [--to fixed|free] [-o FILE]\n"
          "       contact2d make NAME key=value ...\n"
          "       contact2d make --list\n"
          "       contact2d --version | --help\n"
          "\n"
-         "run solves a deck, check reads and validates it and tells the memory it needs. DECK may be - for "
-         "standard\n"
-         "input. make writes the deck of a problem known by name to standard output; --list tells names and "
-         "keys.\n"
+         "run solves a deck, check reads and validates it and tells the memory it needs, convert writes it "
+         "in the "
+         "other\n"
+         "form (fixed columns or free) without changing a number. DECK may be - for standard input.\n"
+         "make writes the deck of a problem known by name to standard output; --list tells names and keys.\n"
          "\n"
          "options of run:\n"
          "  --listing FILE     printed results; default: standard output, unless another output is sent "

@@ -7,7 +7,7 @@
 
 namespace app {
 
-enum class Command { kRun, kCheck, kMake, kVersion, kHelp };
+enum class Command { kRun, kCheck, kConvert, kMake, kVersion, kHelp };
 enum class Progress { kAutomatic, kAlways, kNever };
 
 struct Options {
@@ -16,6 +16,7 @@ struct Options {
   std::vector<std::string> words;           // of make: the family and its settings, or --list
   std::string listing, csv, boundary, json; // empty: not asked for; "-": standard output
   std::string store;                        // empty: chosen by size; "memory"; "file:DIR"
+  std::string convert_to, output;           // of convert: empty (the other form), "fixed", "free"; FILE
   uint64_t memory = 0;                      // workspace bytes; 0: chosen by size
   int32_t threads = 1;
   int32_t stepping = 0, quadrature = 0; // C2D_STEPPING_, C2D_QUADRATURE_

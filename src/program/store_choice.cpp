@@ -106,8 +106,8 @@ int32_t StoreChoice::write(int32_t tape, uint64_t block, const void* data, uint6
 }
 
 int32_t StoreChoice::sync(int32_t tape) const {
-  // A temporary folder is worth nothing after a crash: no need to wait for the disk.
-  if (temporary_ && !keep_) return 0;
+  // Tapes that are removed after the run are worth nothing after a crash: no need to wait for the disk.
+  if (!keep_) return 0;
   const c2d_port& port = port_of(tape);
   return port.sync(port.context, tape);
 }

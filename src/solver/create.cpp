@@ -135,6 +135,7 @@ extern "C" c2d_status c2d_create(c2d_solver** out, void* memory, size_t bytes, c
   fill_header(s, bytes - slack, ours, sizes, layout);
   s->port = our_port;
   s->tapes.port = &s->port;
+  s->tapes.busy = &s->busy;
   clear_model(s);
   *out = s;
   return C2D_OK;
@@ -144,8 +145,13 @@ extern "C" c2d_status c2d_close(c2d_solver* s) {
   if (!s || s->magic != kSolverMagic) return C2D_ERR_ARGUMENT;
   if (s->busy) return C2D_ERR_BUSY;
   s->tapes.port = &s->port;
+  s->tapes.busy = &s->busy;
   const c2d_status status = s->port.close ? close_all(s->tapes) : C2D_OK;
-  if (status != C2D_OK) fail_store(s, status);
+  if (status != C2D_OK) { // the log is the only one left to tell: after this there is no solver to ask
+    fail_store(s, status);
+    const c2d_error last = s->error;
+    report_fault(s, last);
+  }
   s->magic = 0;
   return status;
 }

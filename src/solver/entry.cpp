@@ -73,6 +73,7 @@ c2d_status enter(c2d_solver* s, uint32_t legal_states) {
   if (!s || s->magic != kSolverMagic) return C2D_ERR_ARGUMENT;
   if (s->busy) return C2D_ERR_BUSY;
   s->tapes.port = &s->port;
+  s->tapes.busy = &s->busy;
   s->has_fault = 0;
   if ((legal_states & state_bit(s->state)) == 0) {
     static const char* const names[] = {"empty", "building", "model", "prepared", "running", "broken"};

@@ -1,4 +1,4 @@
-// Interior points (3.32)-(3.34) and the stress tensor of the boundary.
+// Displacements and stresses at interior points, (3.32)-(3.34).
 #include "solver/interior.hpp"
 
 #include <math.h>
@@ -7,8 +7,6 @@
 #include "bie/boundary_stress.hpp"
 #include "bie/columns.hpp"
 #include "bie/interior_detail.hpp"
-#include "bie/shape.hpp"
-#include "quadrature/gauss.hpp"
 
 namespace c2d {
 
@@ -16,186 +14,9 @@ namespace {
 
 constexpr double kOnBoundary = 1e-9; // of the element's length
 constexpr double kNearNode = 0.1;    // of the shorter element that meets there
-constexpr double kSmooth = 0.985;    // cosine of 10 degrees: less is a kink
-constexpr double kCorner = 0.5;      // sine of 30 degrees: from there on two tractions make a tensor
-constexpr double kStep = 0.05;       // of the tractions at a node: more is a step
+constexpr double kNearStep = 0.5;    // the same where displacement itself is in steps, constant elements
 
 double length_of(double x, double y) { return sqrt(x * x + y * y); }
-
-// ---- the boundary's own stress ------------------------------------------------------------------------------------
-
-int32_t region_neighbour(const Model& m, int b, int32_t element, int32_t step) {
-  const Region& region = m.region[b][region_of_element(m, b, element)];
-  const int32_t count = region.last - region.first + 1;
-  int32_t other = element;
-  do other = region.first + (other - region.first + step + count) % count;
-  while (other != element && is_zero_length(m, b, other));
-  return other;
-}
-
-Element element_of(const Model& m, int b, int32_t element) {
-  double x[4], y[4];
-  element_coordinates(m, b, element, x, y);
-  return make_element(m.head->body[b].element_nodes, x, y);
-}
-
-// From the middle to eta.
-double arc_length(const Element& e, double eta) {
-  const GaussRule rule = gauss_legendre(6);
-  double sum = 0.0;
-  for (int i = 0; i < rule.n; ++i) {
-    const GaussPoint p = gauss_point(rule, i);
-    sum += 0.5 * eta * p.w * element_point(e, 0.5 * eta * (1.0 + p.x)).jacobian;
-  }
-  return sum;
-}
-
-struct BoundaryState {
-  double u[2], t[2], du_ds[2], n[2];
-};
-
-// Nothing jumps between the end of one element and the start of the next: no kink, double node or step of traction.
-bool joins_smoothly(const Session& session, int b, int32_t element, int32_t next) {
-  const Model& m = session.model;
-  const int nf = m.head->function_nodes;
-  const Point p = element_point(element_of(m, b, element), 1.0), q = element_point(element_of(m, b, next), -1.0);
-  if (p.nx * q.nx + p.ny * q.ny < kSmooth || geometry_node(m, b, element, m.head->body[b].element_nodes - 1) !=
-                                                 geometry_node(m, b, next, 0))
-    return false;
-  const double* t = session.area.traction[b] + 2 * (static_cast<int64_t>(element) * nf + nf - 1);
-  const double* v = session.area.traction[b] + 2 * (static_cast<int64_t>(next) * nf);
-  return length_of(t[0] - v[0], t[1] - v[1]) <= kStep * (length_of(t[0], t[1]) + length_of(v[0], v[1]));
-}
-
-// Derivatives of displacement by arc length where they are most accurate: the Gauss points of an element, one fewer than
-// functional nodes. Constant elements have their value in the middle, and differences in place of derivatives.
-struct Slopes {
-  int count;
-  double s[9], du_ds[9][2];
-};
-
-// Those of one element, with `start` the arc length of its middle less that of the point sought.
-void add_slopes(const Session& session, int b, int32_t element, double start, Slopes& out) {
-  const Model& m = session.model;
-  const int nf = m.head->function_nodes;
-  const Element e = element_of(m, b, element);
-  const GaussRule rule = gauss_legendre(nf - 1);
-  for (int i = 0; i < rule.n; ++i) {
-    const double eta = gauss_point(rule, i).x;
-    const Point p = element_point(e, eta);
-    double slope[4];
-    shape_derivative(nf, eta, slope);
-    if (!(p.jacobian > 0.0)) continue;
-    double* du_ds = out.du_ds[out.count];
-    du_ds[0] = du_ds[1] = 0.0;
-    for (int l = 0; l < nf; ++l) {
-      const double* u = session.area.displacement[b] + 2 * static_cast<int64_t>(functional_node(m, b, element, l));
-      for (int c = 0; c < 2; ++c) du_ds[c] += slope[l] * u[c] / p.jacobian;
-    }
-    out.s[out.count++] = start + arc_length(e, eta);
-  }
-}
-
-// The polynomial through the (at most four) samples nearest to s = 0, there.
-void interpolate_slopes(const Slopes& x, double du_ds[2]) {
-  int first = 0, count = x.count < 4 ? x.count : 4;
-  while (first + count < x.count && x.s[first + count] < -x.s[first]) ++first;
-  du_ds[0] = du_ds[1] = 0.0;
-  for (int i = first; i < first + count; ++i) {
-    double weight = 1.0;
-    for (int j = first; j < first + count; ++j)
-      if (j != i) weight *= x.s[j] / (x.s[j] - x.s[i]);
-    for (int c = 0; c < 2; ++c) du_ds[c] += weight * x.du_ds[i][c];
-  }
-}
-
-// From this element and the neighbours that join it smoothly.
-void recover_slope(const Session& session, int b, int32_t element, double eta, double du_ds[2]) {
-  const Model& m = session.model;
-  const int32_t next = region_neighbour(m, b, element, 1), previous = region_neighbour(m, b, element, -1);
-  const Element e = element_of(m, b, element);
-  const double here = -arc_length(e, eta);
-  Slopes slopes = {};
-  if (previous != next && joins_smoothly(session, b, previous, element)) {
-    const Element p = element_of(m, b, previous);
-    add_slopes(session, b, previous, here + arc_length(e, -1.0) - arc_length(p, 1.0), slopes);
-  }
-  add_slopes(session, b, element, here, slopes);
-  if (previous != next && joins_smoothly(session, b, element, next)) {
-    const Element n = element_of(m, b, next);
-    add_slopes(session, b, next, here + arc_length(e, 1.0) - arc_length(n, -1.0), slopes);
-  }
-  interpolate_slopes(slopes, du_ds);
-}
-
-// Constant elements tell nothing of slopes: difference of the neighbours, along the chords between the three middles.
-void slope_of_neighbours(const Session& session, int b, int32_t element, double du_ds[2]) {
-  const Model& m = session.model;
-  int32_t next = region_neighbour(m, b, element, 1), previous = region_neighbour(m, b, element, -1);
-  if (!joins_smoothly(session, b, element, next)) next = element;
-  if (!joins_smoothly(session, b, previous, element)) previous = element;
-  const Point at = element_point(element_of(m, b, element), 0.0), after = element_point(element_of(m, b, next), 0.0),
-              before = element_point(element_of(m, b, previous), 0.0);
-  const double run = length_of(after.x - at.x, after.y - at.y) + length_of(at.x - before.x, at.y - before.y);
-  const double* u = session.area.displacement[b] + 2 * static_cast<int64_t>(functional_node(m, b, next, 0));
-  const double* v = session.area.displacement[b] + 2 * static_cast<int64_t>(functional_node(m, b, previous, 0));
-  for (int c = 0; c < 2; ++c) du_ds[c] = run > 0.0 ? (u[c] - v[c]) / run : 0.0;
-}
-
-BoundaryState boundary_state(const Session& session, int b, int32_t element, double eta) {
-  const Model& m = session.model;
-  const int nf = m.head->function_nodes;
-  const Point p = element_point(element_of(m, b, element), eta);
-  double value[4];
-  shape(nf, eta, value);
-  BoundaryState s = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {p.nx, p.ny}};
-  for (int l = 0; l < nf; ++l) {
-    const double* u = session.area.displacement[b] + 2 * static_cast<int64_t>(functional_node(m, b, element, l));
-    const double* t = session.area.traction[b] + 2 * (static_cast<int64_t>(element) * nf + l);
-    for (int c = 0; c < 2; ++c) {
-      s.u[c] += value[l] * u[c];
-      s.t[c] += value[l] * t[c];
-    }
-  }
-  if (nf == 1) slope_of_neighbours(session, b, element, s.du_ds);
-  else recover_slope(session, b, element, eta, s.du_ds);
-  return s;
-}
-
-PlaneStress stress_at(const Session& session, int b, int32_t element, double eta, double* hoop) {
-  const BoundaryState s = boundary_state(session, b, element, eta);
-  const Model& m = session.model;
-  return boundary_stress(s.n, s.t, s.du_ds, shear_modulus(m, b), strain_poisson_ratio(m, b), hoop);
-}
-
-double across(const Session& session, int b, const PlaneStress& s) {
-  const ModelHeader& head = *session.model.head;
-  return stress_across(s, head.plane == C2D_PLANE_STRAIN, head.body[b].poisson_ratio);
-}
-
-// Two sides of a corner: with s_ij = n_i.sigma n_j and the reciprocal vectors m_i, sigma = sum s_ij m_i m_j.
-PlaneStress corner_stress(const BoundaryState& a, const BoundaryState& c) {
-  const double cross = a.n[0] * c.n[1] - a.n[1] * c.n[0];
-  const double m1[2] = {c.n[1] / cross, -c.n[0] / cross}, m2[2] = {-a.n[1] / cross, a.n[0] / cross};
-  const double s11 = a.n[0] * a.t[0] + a.n[1] * a.t[1], s22 = c.n[0] * c.t[0] + c.n[1] * c.t[1];
-  const double s12 = 0.5 * (a.n[0] * c.t[0] + a.n[1] * c.t[1] + c.n[0] * a.t[0] + c.n[1] * a.t[1]);
-  return {s11 * m1[0] * m1[0] + 2.0 * s12 * m1[0] * m2[0] + s22 * m2[0] * m2[0],
-          s11 * m1[1] * m1[1] + 2.0 * s12 * m1[1] * m2[1] + s22 * m2[1] * m2[1],
-          s11 * m1[0] * m1[1] + s12 * (m1[0] * m2[1] + m1[1] * m2[0]) + s22 * m2[0] * m2[1]};
-}
-
-// On an element; at its ends from both elements that meet there: from their tractions at a corner, else the mean.
-PlaneStress joint_stress(const Session& session, int b, int32_t element, double eta) {
-  double hoop;
-  const PlaneStress here = stress_at(session, b, element, eta, &hoop);
-  if (fabs(eta) < 1.0) return here;
-  const int32_t other = region_neighbour(session.model, b, element, eta < 0.0 ? -1 : 1);
-  const BoundaryState s = boundary_state(session, b, element, eta), t = boundary_state(session, b, other, -eta);
-  if (fabs(s.n[0] * t.n[1] - s.n[1] * t.n[0]) > kCorner && session.model.head->function_nodes > 1)
-    return corner_stress(s, t);
-  const PlaneStress there = stress_at(session, b, other, -eta, &hoop);
-  return {0.5 * (here.xx + there.xx), 0.5 * (here.yy + there.yy), 0.5 * (here.xy + there.xy)};
-}
 
 // ---- points under way ---------------------------------------------------------------------------------------------
 
@@ -205,10 +26,11 @@ struct PointState {
   double reference[2];       // displacement of the nearest boundary point; before that [0] counts windings
   double element;            // with the nearest boundary point
   double eta, distance;      // of that point; once placed inside: x, y at which the stress is taken
-  double place;              // kUnplaced, or 4 * (body + 1) + flag
+  double place;              // kUnplaced, kNowhere, or 4 * (body + 1) + flag
 };
 static_assert(sizeof(PointState) == C2D_POINT_FIELDS * sizeof(double), "fills a row of the answer");
-constexpr double kUnplaced = 0.0;
+constexpr double kUnplaced = 0.0, kNowhere = 1.0;
+constexpr double kBeyondAll = 1e60; // of the bodies' size: squares must not overflow
 
 struct Points {
   int32_t count;
@@ -273,7 +95,7 @@ bool find_near_node(const Model& m, int b, const PointState& p, double x, double
   out.end = first_distance <= last_distance ? 0 : 1;
   const Element other = element_of(m, b, region_neighbour(m, b, element, out.end == 0 ? -1 : 1));
   const double length = 2.0 * (e.half_length < other.half_length ? e.half_length : other.half_length);
-  const double distance = out.end == 0 ? first_distance : last_distance, range = kNearNode * length;
+  const double distance = out.end == 0 ? first_distance : last_distance, range = (m.head->function_nodes == 1 ? kNearStep : kNearNode) * length;
   out.part = range > 0.0 ? distance / range : 1.0;
   return out.part < 1.0;
 }
@@ -374,15 +196,14 @@ bool nodal_values(const Session& session, int b, int32_t element, Complex u[4], 
 
 void add_elements_values(const Session& session, int b, int32_t element, const Points& points) {
   Complex u[4], own[4], contact[4];
-  Integrator in;
   FieldElement e;
   const bool shared = nodal_values(session, b, element, u, own, contact);
-  make_integrator(session.model, b, element, Quadrature::accurate, Measure::own_length, in);
-  prepare_field(in, own, u, e);
+  make_integrator(session.model, b, element, Quadrature::accurate, Measure::own_length, e.in);
+  prepare_field(own, u, e);
   add_element(e, b, points);
   if (!shared) return;
-  make_integrator(session.model, b, element, Quadrature::accurate, Measure::contact, in);
-  prepare_field(in, contact, nullptr, e);
+  make_integrator(session.model, b, element, Quadrature::accurate, Measure::contact, e.in);
+  prepare_field(contact, nullptr, e);
   add_element(e, b, points);
 }
 
@@ -426,7 +247,7 @@ void join_to_node(const Session& session, int b, const PointState& p, double x, 
 }
 
 void write_point(const Session& session, int b, const double u[2], const PlaneStress& s, int32_t flag, double* out) {
-  const double szz = across(session, b, s), shear = largest_shear(s), mean = 0.5 * (s.xx + s.yy);
+  const double szz = stress_across(session, b, s), shear = largest_shear(s), mean = 0.5 * (s.xx + s.yy);
   out[C2D_POINT_UX] = u[0];
   out[C2D_POINT_UY] = u[1];
   out[C2D_POINT_SXX] = s.xx;
@@ -472,7 +293,7 @@ c2d_status evaluate_body(const Session& session, int b, const Points& points) {
 void finish_points(const Session& session, const Points& points) {
   for (int32_t i = 0; i < points.count; ++i) {
     const double place = points.state(i).place;
-    if (place == kUnplaced) {
+    if (place == kUnplaced || place == kNowhere) {
       double* out = points.out + i * points.out_stride;
       for (int c = 0; c < C2D_POINT_FLAG; ++c) out[c] = 0.0;
       out[C2D_POINT_FLAG] = C2D_POINT_OUTSIDE;
@@ -480,6 +301,12 @@ void finish_points(const Session& session, const Points& points) {
       finish_point(session, static_cast<int>(place) / 4 - 1, points, i);
     }
   }
+}
+
+// A number, and no absurd one.
+bool may_lie_inside(const Points& points, int32_t i) {
+  const double bound = kBeyondAll * points.unit, *at = points.xy + i * points.xy_stride;
+  return isfinite(at[0]) && isfinite(at[1]) && fabs(at[0]) < bound && fabs(at[1]) < bound;
 }
 
 // Results while nothing is solved yet.
@@ -494,19 +321,6 @@ void clear_boundary(const Session& session) {
 }
 
 } // namespace
-
-double end_stress(const Session& session, int32_t field, int b, int32_t end) {
-  const int32_t nf = session.model.head->function_nodes;
-  double hoop;
-  const PlaneStress s = stress_at(session, b, end / nf, node_eta(nf, end % nf), &hoop);
-  switch (field) {
-  case C2D_END_SXX: return s.xx;
-  case C2D_END_SYY: return s.yy;
-  case C2D_END_SXY: return s.xy;
-  case C2D_END_SZZ: return across(session, b, s);
-  default: return hoop;
-  }
-}
 
 } // namespace c2d
 
@@ -529,7 +343,7 @@ extern "C" c2d_status c2d_interior(c2d_solver* s, int32_t body, int32_t count, c
   status = back_substitute_all(session);
   if (status != C2D_OK) return fail_store(s, status);
   const Points points = {count, xy, xy_stride, out, out_stride, s->model.length_unit};
-  for (int32_t i = 0; i < count; ++i) points.state(i).place = kUnplaced;
+  for (int32_t i = 0; i < count; ++i) points.state(i).place = may_lie_inside(points, i) ? kUnplaced : kNowhere;
   for (int b = 0; b < s->model.bodies && status == C2D_OK; ++b)
     if (body == 0 || body == b + 1) status = evaluate_body(session, b, points);
   if (status == C2D_OK) finish_points(session, points);

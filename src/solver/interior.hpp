@@ -1,10 +1,28 @@
 #pragma once
-// Stress at element ends, for c2d_get. The boundary results must be current.
+// The boundary's state between its nodes, for interior points and c2d_get. The boundary results must be current;
+// body and element count from 0. Everything in the caller's units.
+#include "bie/boundary_stress.hpp"
+#include "bie/element.hpp"
 #include "solver/session.hpp"
 
 namespace c2d {
 
-// field: C2D_END_SXX ... C2D_END_HOOP; body and end = element * function_nodes + local from 0.
+// The element before (step -1) or after (1) in its region, double nodes skipped.
+int32_t region_neighbour(const Model& m, int b, int32_t element, int32_t step);
+Element element_of(const Model& m, int b, int32_t element);
+
+struct BoundaryState {
+  double u[2], t[2], du_ds[2], n[2];
+};
+
+// du_ds: from this element and the neighbours that join it smoothly.
+BoundaryState boundary_state(const Session& session, int b, int32_t element, double eta);
+
+// Stress on an element; at its ends from both elements that meet there: from their tractions at a corner, else the mean.
+PlaneStress joint_stress(const Session& session, int b, int32_t element, double eta);
+double stress_across(const Session& session, int b, const PlaneStress& s);
+
+// field: C2D_END_SXX ... C2D_END_HOOP; end = element * function_nodes + local.
 double end_stress(const Session& session, int32_t field, int b, int32_t end);
 
 } // namespace c2d

@@ -64,10 +64,11 @@ c2d_status refuse_value(c2d_solver* s, const char* what, double value, const cha
   return C2D_ERR_ARGUMENT;
 }
 
-c2d_status enter_building(c2d_solver* s) {
-  const c2d_status status = enter(s, kBuilding);
-  if (status == C2D_OK) s->state = C2D_STATE_BUILDING;
-  return status;
+c2d_status enter_building(c2d_solver* s) { return enter(s, kBuilding); }
+// The call changed something: the model is no longer empty.
+c2d_status built(c2d_solver* s) {
+  s->state = C2D_STATE_BUILDING;
+  return C2D_OK;
 }
 
 bool in_range(int64_t value, int64_t first, int64_t last) { return value >= first && value <= last; }
@@ -120,7 +121,7 @@ extern "C" c2d_status c2d_set_problem(c2d_solver* s, const c2d_problem* problem)
   m.iteration_limit = ours.iteration_limit == 0 ? 50 : ours.iteration_limit;
   ours.title[sizeof ours.title - 1] = '\0';
   memcpy(m.title, ours.title, sizeof m.title);
-  return C2D_OK;
+  return built(s);
 }
 
 extern "C" c2d_status c2d_set_units(c2d_solver* s, const char* length, const char* force) {
@@ -138,8 +139,7 @@ extern "C" c2d_status c2d_set_units(c2d_solver* s, const char* length, const cha
     memset(places[i], 0, 16);
     memcpy(places[i], names[i], strlen(names[i]));
   }
-  if (s->state == C2D_STATE_EMPTY) s->state = C2D_STATE_BUILDING;
-  return C2D_OK;
+  return s->state == C2D_STATE_EMPTY ? built(s) : C2D_OK;
 }
 
 namespace {
@@ -178,7 +178,7 @@ extern "C" c2d_status c2d_set_body(c2d_solver* s, int32_t body, const c2d_body* 
     return refuse(s, C2D_ERR_ARGUMENT, "this body was given before, with other numbers of elements or regions");
   b.youngs_modulus = ours.youngs_modulus;
   b.poisson_ratio = ours.poisson_ratio;
-  if (b.is_set) return C2D_OK;
+  if (b.is_set) return built(s);
   b.element_nodes = ours.element_nodes;
   b.elements = ours.elements;
   b.geometry_nodes = ours.elements * (ours.element_nodes - 1);
@@ -186,7 +186,7 @@ extern "C" c2d_status c2d_set_body(c2d_solver* s, int32_t body, const c2d_body* 
   b.nodes = ours.elements * (s->sizes.function_nodes == 1 ? 1 : s->sizes.function_nodes - 1);
   b.region_count = 0;
   b.is_set = 1;
-  return C2D_OK;
+  return built(s);
 }
 
 extern "C" c2d_status c2d_add_region(c2d_solver* s, int32_t body, int32_t first, int32_t last) {
@@ -206,7 +206,7 @@ extern "C" c2d_status c2d_add_region(c2d_solver* s, int32_t body, int32_t first,
   if (b.region_count + 1 == b.regions && last != b.elements)
     return refuse_number(s, C2D_ERR_ARGUMENT, "last element of the last region", last, b.elements, b.elements);
   regions[b.region_count++] = Region{first - 1, last - 1};
-  return C2D_OK;
+  return built(s);
 }
 
 extern "C" c2d_status c2d_set_nodes(c2d_solver* s, int32_t body, int32_t first, int32_t count, const double* xy,
@@ -217,7 +217,7 @@ extern "C" c2d_status c2d_set_nodes(c2d_solver* s, int32_t body, int32_t first, 
   const Body& b = s->model.body[body - 1];
   if (!b.is_set) return refuse(s, C2D_ERR_ARGUMENT, "give the body before its boundary points");
   if (count < 0 || (count > 0 && !xy)) return refuse(s, C2D_ERR_ARGUMENT, "no coordinates given");
-  if (count == 0) return C2D_OK;
+  if (count == 0) return built(s);
   if (!in_range(first, 1, b.geometry_nodes))
     return refuse_number(s, C2D_ERR_ARGUMENT, "boundary point number", first, 1, b.geometry_nodes);
   if (count > b.geometry_nodes - first + 1)
@@ -233,7 +233,7 @@ extern "C" c2d_status c2d_set_nodes(c2d_solver* s, int32_t body, int32_t first, 
     to[1] = xy[i * stride + 1];
     m.node_line[body - 1][first - 1 + i] = s->model.line;
   }
-  return C2D_OK;
+  return built(s);
 }
 
 namespace {
@@ -300,7 +300,7 @@ extern "C" c2d_status c2d_set_condition(c2d_solver* s, int32_t body, int32_t ele
     if (codes[2 + c] == 0)
       m.node_disp[b][(static_cast<int64_t>(load_case - 1) * m.head->body[b].nodes + node) * 2 + c] = values[2 + c];
   }
-  return C2D_OK;
+  return built(s);
 }
 
 extern "C" c2d_status c2d_add_point_load(c2d_solver* s, int32_t body, double x, double y, double fx, double fy,
@@ -317,7 +317,7 @@ extern "C" c2d_status c2d_add_point_load(c2d_solver* s, int32_t body, double x, 
     return refuse_number(s, C2D_ERR_LIMIT, "number of point loads", s->model.point_loads + 1, 0, s->sizes.point_loads);
   array_of<PointLoad>(s, kPointLoads)[s->model.point_loads++] =
       PointLoad{body - 1, load_case - 1, s->model.line, s->model.column, x, y, fx, fy};
-  return C2D_OK;
+  return built(s);
 }
 
 namespace {
@@ -401,7 +401,7 @@ extern "C" c2d_status c2d_add_zone(c2d_solver* s, const c2d_zone* zone) {
   m.zone[head.zones++] = z;
   head.pairs += z.pairs;
   head.contact_elements += z.elements;
-  return C2D_OK;
+  return built(s);
 }
 
 namespace c2d {
@@ -417,7 +417,7 @@ extern "C" c2d_status c2d_add_friction(c2d_solver* s, double mu) {
     return refuse_number(s, C2D_ERR_LIMIT, "number of coefficients of friction", s->model.coefficients + 1, 0,
                          s->sizes.coefficients);
   array_of<double>(s, kFriction)[s->model.coefficients++] = mu;
-  return C2D_OK;
+  return built(s);
 }
 
 extern "C" c2d_status c2d_add_path(c2d_solver* s, int32_t increments, double load) {
@@ -429,7 +429,7 @@ extern "C" c2d_status c2d_add_path(c2d_solver* s, int32_t increments, double loa
   if (s->model.paths >= s->sizes.paths)
     return refuse_number(s, C2D_ERR_LIMIT, "number of load cards", s->model.paths + 1, 0, s->sizes.paths);
   array_of<Path>(s, kPaths)[s->model.paths++] = Path{increments, 0, load};
-  return C2D_OK;
+  return built(s);
 }
 
 extern "C" c2d_status c2d_complete(c2d_solver* s) {

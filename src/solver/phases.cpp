@@ -77,7 +77,7 @@ uint64_t path_area(const PhaseSizes& s, const EliminationPlan plan[2], bool flex
                    PathArea* out) {
   Carver carver{base, 0, true};
   PathArea area{};
-  carver.take(area.tableau, s.m * (s.m + 1 + s.cases));
+  carver.take(area.tableau, s.m * tableau_columns(s.m, s.cases));
   carver.take(area.y, s.m);
   carver.take(area.dy, s.m);
   for (Real*& u : area.u) carver.take(u, s.m);

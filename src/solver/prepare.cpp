@@ -273,6 +273,7 @@ extern "C" c2d_status c2d_prepare(c2d_solver* s) {
   find_support(s, m);
   status = close_all(s->tapes);
   s->tapes.port = &s->port;
+  s->tapes.busy = &s->busy;
   if (status == C2D_OK && !s->blocked) status = run_phases(s, m);
   if (s->blocked) s->peak_bytes = s->layout.persistent + path_area(model_sizes(m), s->plan, false, nullptr, nullptr);
   if (status == C2D_OK) {

@@ -17,7 +17,10 @@ constexpr uint32_t kStarted = state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STAT
 c2d_status finish(Session& session, c2d_status status) {
   c2d_solver* s = session.solver;
   close_session(session);
-  if (status == C2D_OK) return C2D_OK;
+  if (status == C2D_OK) {
+    s->cancelled = 0; // a cancel that came too late must not stop the next call
+    return C2D_OK;
+  }
   if (is_store_error(status)) return fail_store(s, status);
   s->cancelled = 0;
   const int32_t host_code = s->error.host_code;

@@ -83,6 +83,22 @@ c2d_status host_block_error(Tapes& tapes, c2d_status status, int32_t tape, uint6
   return status;
 }
 
+// For the time of a call of the port's: no call of the solver is legal from inside it.
+class AtWork {
+public:
+  explicit AtWork(const Tapes& tapes) : busy_(tapes.busy) {
+    if (busy_) *busy_ = 1;
+  }
+  ~AtWork() {
+    if (busy_) *busy_ = 0;
+  }
+  AtWork(const AtWork&) = delete;
+  AtWork& operator=(const AtWork&) = delete;
+
+private:
+  int32_t* busy_;
+};
+
 bool is_tape(int32_t tape) {
   return tape >= 0 && tape < C2D_TAPES;
 }
@@ -150,7 +166,7 @@ c2d_status write_labelled(Tapes& tapes, const BlockLabel& label, void* buffer) {
   if (status != C2D_OK) return status;
   const uint64_t bytes = kBlockHeaderBytes + label.length;
   seal_block(label, buffer);
-  const int32_t code = tapes.port->write(tapes.port->context, label.tape, label.block, buffer, bytes);
+  const int32_t code = (AtWork(tapes), tapes.port->write(tapes.port->context, label.tape, label.block, buffer, bytes));
   unseal_block(buffer, label.length);
   if (code != 0) {
     return host_block_error(tapes, C2D_ERR_STORE_WRITE, label.tape, label.block, "writing", bytes, code);
@@ -175,7 +191,7 @@ c2d_status read_labelled(Tapes& tapes, const BlockLabel& expected, void* buffer)
   if (status != C2D_OK) return status;
   const uint64_t bytes = kBlockHeaderBytes + expected.length;
   clear_ends(static_cast<unsigned char*>(buffer), expected.length);
-  const int32_t code = tapes.port->read(tapes.port->context, tape, block, buffer, bytes);
+  const int32_t code = (AtWork(tapes), tapes.port->read(tapes.port->context, tape, block, buffer, bytes));
   if (code != 0) return host_block_error(tapes, C2D_ERR_STORE_READ, tape, block, "reading", bytes, code);
   BlockLabel found = {};
   const BlockReport report = inspect_block(buffer, expected.length, &found);
@@ -212,7 +228,7 @@ c2d_status open_tape(Tapes& tapes, int32_t tape, uint64_t blocks, uint64_t data_
     return C2D_ERR_OVERFLOW;
   }
   const uint64_t block_bytes = data_bytes + kBlockHeaderBytes;
-  const int32_t code = port->open(port->context, tape, blocks, block_bytes);
+  const int32_t code = (AtWork(tapes), port->open(port->context, tape, blocks, block_bytes));
   if (code != 0) return host_error(tapes, C2D_ERR_STORE_OPEN, tape, "opening", code);
   tapes.is_open[tape] = 1;
   tapes.blocks[tape] = blocks;
@@ -230,14 +246,14 @@ c2d_status read_block(Tapes& tapes, int32_t tape, uint64_t block, void* buffer, 
 
 c2d_status sync_tape(Tapes& tapes, int32_t tape) {
   if (!is_tape(tape) || !tapes.is_open[tape]) return broken_promise(tapes, tape, 0, "the tape is not open");
-  const int32_t code = tapes.port->sync(tapes.port->context, tape);
+  const int32_t code = (AtWork(tapes), tapes.port->sync(tapes.port->context, tape));
   return code == 0 ? C2D_OK : host_error(tapes, C2D_ERR_STORE_SYNC, tape, "making it safe", code);
 }
 
 c2d_status close_tape(Tapes& tapes, int32_t tape) {
   if (!is_tape(tape) || !tapes.is_open[tape]) return broken_promise(tapes, tape, 0, "the tape is not open");
   tapes.is_open[tape] = 0;
-  const int32_t code = tapes.port->close(tapes.port->context, tape);
+  const int32_t code = (AtWork(tapes), tapes.port->close(tapes.port->context, tape));
   return code == 0 ? C2D_OK : host_error(tapes, C2D_ERR_STORE_CLOSE, tape, "closing", code);
 }
 

@@ -11,6 +11,7 @@ namespace c2d {
 // anew). A zeroed struct with `port` set is a good start: all tapes closed.
 struct Tapes {
   const c2d_port* port;
+  int32_t* busy; // set to 1 while the port is at work; may be null
   uint64_t run_id;
   uint32_t generation[C2D_TAPES];
   uint8_t is_open[C2D_TAPES];

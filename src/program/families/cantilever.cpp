@@ -58,7 +58,7 @@ Family cantilever_family() {
            {"nu", Kind::kPoisson, "0.3", "Poisson's ratio"},
            {"plane", Kind::kChoice, "strain", "strain|stress: plane strain or stress"},
            {"n", Kind::kCount, "4", "elements over the depth; along the beam they are twice as long"},
-           {"order", Kind::kCount, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"}},
+           {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"}},
           build};
 }
 

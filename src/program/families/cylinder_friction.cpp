@@ -49,7 +49,7 @@ Family cylinder_friction_family() {
            {"n", Kind::kCount, "40", "elements over a"},
            {"L", Kind::kPositive, "1000", "half width and depth of the block, over a"},
            {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the contact"},
-           {"order", Kind::kCount, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
+           {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
            {"symmetry", Kind::kChoice, "line", "line|images: the line of symmetry, with elements or by images"}},
           build};
 }

@@ -29,6 +29,8 @@ const char* expected_of(Kind kind) {
     return "a number";
   case Kind::kCount:
     return "a whole number from 1 to 2000";
+  case Kind::kOrder:
+    return "1, 2 or 3";
   case Kind::kFraction:
     return "a number from 0 to 1";
   case Kind::kPoisson:
@@ -47,6 +49,8 @@ bool fits(Kind kind, double v) {
     return v > 0;
   case Kind::kCount:
     return v >= 1 && v <= 2000 && v == std::floor(v);
+  case Kind::kOrder:
+    return v == 1 || v == 2 || v == 3;
   case Kind::kFraction:
     return v >= 0 && v <= 1;
   case Kind::kPoisson:
@@ -111,8 +115,9 @@ ProblemModel unfit(const std::string& why) {
 
 const std::vector<Family>& all_families() {
   static const std::vector<Family> families = {
-      hertz_family(),  receding_layer_family(), layer_lifted_family(), layer_pressed_family(), punch_family(), cylinder_friction_family(),
-      rough_plates_family(), ring_family(), hole_family(), cantilever_family()};
+      hertz_family(),        receding_layer_family(), layer_lifted_family(),      layer_pressed_family(),
+      disc_in_hole_family(), punch_family(),          cylinder_friction_family(), mindlin_family(),
+      rough_plates_family(), ring_family(),           hole_family(),              cantilever_family()};
   return families;
 }
 

@@ -52,7 +52,7 @@ Family hertz_family() {
            {"edge", Kind::kFraction, "0.5", "where in its element the edge of the contact lies"},
            {"L", Kind::kPositive, "200", "half width and depth of the block, over a"},
            {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the contact"},
-           {"order", Kind::kCount, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
+           {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
            {"symmetry", Kind::kChoice, "line", "line|images: the line of symmetry, with elements or by images"}},
           build};
 }

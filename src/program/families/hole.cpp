@@ -63,7 +63,7 @@ Family hole_family() {
            {"outer", Kind::kChoice, "exact", "exact|uniform: tractions there of the infinite plate, or S alone"},
            {"n", Kind::kCount, "12", "elements over the quarter circle"},
            {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the hole"},
-           {"order", Kind::kCount, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
+           {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
            {"symmetry", Kind::kChoice, "line", "line|images: lines of symmetry, with elements or by images"}},
           build};
 }

@@ -57,7 +57,7 @@ std::vector<Parameter> parameters(const char* lambda, const char* limit) {
           {"strip", Kind::kPositive, "0.01", "half width of the strip that the load acts on, over h"},
           {"L", Kind::kPositive, "12", "half length of the layer, over h"},
           {"ratio", Kind::kPositive, "1.3", "growth of the elements elsewhere"},
-          {"order", Kind::kCount, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
+          {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
           {"symmetry", Kind::kChoice, "line", "line|images: the line of symmetry, with elements or by images"}};
 }
 

@@ -66,7 +66,7 @@ Family punch_family() {
            {"grading", Kind::kFraction, "0.75", "size of an element over that of the one before, towards the edge"},
            {"L", Kind::kPositive, "1000", "half width and depth of the block, over a"},
            {"ratio", Kind::kPositive, "1.4", "growth of the elements outside"},
-           {"order", Kind::kCount, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
+           {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
            {"symmetry", Kind::kChoice, "line", "line|images: the line of symmetry, with elements or by images"}},
           build};
 }

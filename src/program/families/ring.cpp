@@ -48,7 +48,7 @@ Family ring_family() {
            {"nu", Kind::kPoisson, "0.3", "Poisson's ratio"},
            {"plane", Kind::kChoice, "strain", "strain|stress: plane strain or stress"},
            {"n", Kind::kCount, "8", "elements over each quarter circle"},
-           {"order", Kind::kCount, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
+           {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
            {"symmetry", Kind::kChoice, "line", "line|images: lines of symmetry, with elements or by images"}},
           build};
 }

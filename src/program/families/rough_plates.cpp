@@ -57,7 +57,7 @@ Family rough_plates_family() {
            {"n", Kind::kCount, "40", "elements over h, were they equal"},
            {"edge", Kind::kPositive, "1e-4", "element at the corner, over h"},
            {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the corner"},
-           {"order", Kind::kCount, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
+           {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
            {"symmetry", Kind::kChoice, "line", "line|images: the line x = 0, with elements or by images"}},
           build};
 }

@@ -77,7 +77,7 @@ Outline half_cylinder(const std::vector<double>& zone, double radius, double rat
   return out;
 }
 
-Outline whole_cylinder(const std::vector<double>& zone, double radius, double ratio, const Condition& top) {
+Outline whole_cylinder_arcs(const std::vector<double>& zone, double radius, double ratio) {
   const std::vector<double> angle = angles(zone, radius);
   const double edge = angle.back(), coarse = radius / 6;
   const std::vector<double> outside =
@@ -86,18 +86,6 @@ Outline whole_cylinder(const std::vector<double>& zone, double radius, double ra
   out.arc({0, radius}, radius, -180, -90 - edge, reversed(outside));
   out.arc({0, radius}, radius, -90 - edge, -90 + edge, mirrored(angle));
   out.arc({0, radius}, radius, -90 + edge, 0, outside);
-  out.line({-radius, radius}, graded(2 * radius, 0, 0, ratio, coarse), top);
-  return out;
-}
-
-Outline half_rectangle(const std::vector<double>& zone, double height, double ratio, const Condition& top,
-                       const std::vector<double>& top_nodes) {
-  const double width = zone.back(), coarse = height / 4;
-  Outline out({0, 0});
-  out.line({width, 0}, zone);
-  out.line({width, height}, graded(height, last_size(zone), last_size(top_nodes), ratio, coarse));
-  out.line({0, height}, reversed(top_nodes), top);
-  out.axis_x({0, 0}, graded(height, first_size(top_nodes), first_size(zone), ratio, coarse));
   return out;
 }
 

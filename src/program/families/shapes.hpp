@@ -27,13 +27,10 @@ std::vector<double> cylinder_zone(double radius, double step, int elements);
 // lie above those of a block. Arcs are about (0, radius). `top`: the condition of the flat top.
 // Sides of the half body: 0 zone, 1 arc outside, 2 top, 3 axis.
 Outline half_cylinder(const std::vector<double>& zone, double radius, double ratio, const Condition& top);
-// Sides: 0 arc, 1 zone, 2 arc, 3 top.
-Outline whole_cylinder(const std::vector<double>& zone, double radius, double ratio, const Condition& top);
 
-// A rectangle 0 <= x <= width, 0 <= y <= height; the zone is its foot. Sides: 0 zone, 1 right, 2 top, 3 axis.
-// `right_last`: element size at the top of the right side (0: coarse), `top` its condition.
-Outline half_rectangle(const std::vector<double>& zone, double height, double ratio, const Condition& top,
-                       const std::vector<double>& top_nodes);
+// The lower half circle of such a cylinder, from left to right, for a whole body that the caller closes. Sides: 0 arc,
+// 1 zone, from -w to w, 2 arc.
+Outline whole_cylinder_arcs(const std::vector<double>& zone, double radius, double ratio);
 
 double first_size(const std::vector<double>& s);
 double last_size(const std::vector<double>& s);
