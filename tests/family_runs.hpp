@@ -16,7 +16,7 @@ struct Row {
   double tn, tt, gap, slip;
 };
 struct Step {
-  double load;
+  double load, dissipated;
   std::vector<Row> rows; // by rising x
 };
 struct EndRow {
@@ -32,7 +32,7 @@ struct Solution {
 
 inline int32_t keep_step(void* context, const c2d_step* step) {
   if (step->kind == C2D_STEP_CHANGE) return 0;
-  Step out{step->load, {}};
+  Step out{step->load, step->dissipated, {}};
   for (int32_t i = 0; i < step->pairs; ++i) {
     const double* r = step->table + i * step->stride;
     out.rows.push_back({r[C2D_X], r[C2D_Y], static_cast<int>(r[C2D_STATUS]), r[C2D_TN], r[C2D_TT], r[C2D_GAP],

@@ -43,10 +43,7 @@ public:
 private:
   void card(const std::string& text) { out_ += text + "\n"; }
   void comment(const std::string& text) { card("C  " + text); }
-  bool is_left_out(const Outline::Side& side) const { return m_.images && (side.axis_x || side.axis_y); }
   bool is_curved(const BodyModel& body) const;
-  int elements(const Outline& region) const;
-  bool is_open(const Outline& region) const { return elements(region) < region.elements(); }
   int geometry_nodes(const BodyModel& body) const;
   void control();
   void nodes(const BodyModel& body);
@@ -55,7 +52,6 @@ private:
   End end(const Outline& region, size_t side, int element, int local) const;
   void zones();
   void loads();
-  void symmetry();
 
   const ProblemModel& m_;
   std::string out_;
@@ -69,17 +65,10 @@ bool Writer::is_curved(const BodyModel& body) const {
   return false;
 }
 
-int Writer::elements(const Outline& region) const {
-  int count = 0;
-  for (const Outline::Side& side : region.sides())
-    if (!is_left_out(side)) count += side.elements;
-  return count;
-}
-
 int Writer::geometry_nodes(const BodyModel& body) const {
   int count = 0;
   for (const Outline& region : body.regions)
-    count += elements(region) * (is_curved(body) ? 2 : 1) + (is_open(region) ? 1 : 0);
+    count += region.elements() * (is_curved(body) ? 2 : 1);
   return count;
 }
 
@@ -95,7 +84,7 @@ void Writer::control() {
   comment("per body: closed curves, boundary points per element, elements, boundary points");
   for (const BodyModel& body : m_.bodies) {
     int count = 0;
-    for (const Outline& region : body.regions) count += elements(region);
+    for (const Outline& region : body.regions) count += region.elements();
     card(formatted("%5d%5d%5d%5d", static_cast<int>(body.regions.size()), is_curved(body) ? 3 : 2, count,
                    geometry_nodes(body)));
   }
@@ -103,8 +92,8 @@ void Writer::control() {
   for (const BodyModel& body : m_.bodies) {
     int first = 1;
     for (const Outline& region : body.regions) {
-      card(formatted("%5d%5d", first, first + elements(region) - 1));
-      first += elements(region);
+      card(formatted("%5d%5d", first, first + region.elements() - 1));
+      first += region.elements();
     }
   }
   comment("per body: Young's modulus, Poisson's ratio");
@@ -128,10 +117,10 @@ Point place(const Outline::Node& a, const Outline::Node& b, double f) {
 }
 
 // Points of a curve in the order of the cards, middle points of curved elements included.
-std::vector<Outline::Node> points_of(const Outline& region, int elements, bool curved, bool open) {
+std::vector<Outline::Node> points_of(const Outline& region, bool curved) {
   std::vector<Outline::Node> out;
   const std::vector<Outline::Node>& n = region.nodes();
-  for (int i = 0; i < elements; ++i) {
+  for (int i = 0; i < region.elements(); ++i) {
     const Outline::Node &a = n[static_cast<size_t>(i)], &b = n[static_cast<size_t>(i) + 1];
     out.push_back(a);
     if (!curved) continue;
@@ -140,7 +129,6 @@ std::vector<Outline::Node> points_of(const Outline& region, int elements, bool c
     if (a.polar && b.polar) middle = {middle.at, true, a.radius, (a.angle + b.angle) / 2};
     out.push_back(middle);
   }
-  if (open) out.push_back(n[static_cast<size_t>(elements)]);
   return out;
 }
 
@@ -168,7 +156,7 @@ void Writer::nodes(const BodyModel& body) {
   card(in_10(body.origin.x) + in_10(body.origin.y));
   int number = 1;
   for (const Outline& region : body.regions) {
-    const auto p = points_of(region, elements(region), is_curved(body), is_open(region));
+    const auto p = points_of(region, is_curved(body));
     for (size_t i = 0, next; i < p.size(); i = next) {
       card((p[i].polar ? "P" : " ") + formatted("%4d ", number + static_cast<int>(i)) +
            (p[i].polar ? in_10(p[i].radius) + in_10(p[i].angle)
@@ -211,14 +199,13 @@ std::vector<End> Writer::ends(const BodyModel& body) const {
   for (const Outline& region : body.regions) {
     for (size_t s = 0; s < region.sides().size(); ++s) {
       const Outline::Side& side = region.sides()[s];
-      if (is_left_out(side)) continue;
       for (int e = side.first; e < side.first + side.elements; ++e)
         for (int local = 1; local <= m_.function_nodes; ++local) {
           out.push_back(end(region, s, e, local));
           out.back().element += offset;
         }
     }
-    offset += elements(region);
+    offset += region.elements();
   }
   return out;
 }
@@ -271,24 +258,12 @@ void Writer::loads() {
   for (const Load& load : m_.loads) card(formatted("%5d ", load.increments) + in_10(load.factor));
 }
 
-void Writer::symmetry() {
-  bool told[2] = {false, false};
-  for (const BodyModel& body : m_.bodies)
-    for (const Outline& region : body.regions)
-      for (const Outline::Side& side : region.sides()) {
-        const Point at = region.nodes()[static_cast<size_t>(side.first)].at;
-        if (side.axis_x && !told[0]) card("*SYMMETRY X " + number_in(16, at.x)), told[0] = true;
-        if (side.axis_y && !told[1]) card("*SYMMETRY Y " + number_in(16, at.y)), told[1] = true;
-      }
-}
-
 std::string Writer::write() {
   control();
   for (const BodyModel& body : m_.bodies) nodes(body);
   for (const BodyModel& body : m_.bodies) conditions(body);
   zones();
   loads();
-  if (m_.images) symmetry();
   for (const std::string& text : m_.keywords) card(text);
   return out_;
 }

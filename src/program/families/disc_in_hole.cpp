@@ -25,21 +25,20 @@ ProblemModel build(const Values& v) {
                "Reference: singular integral equation; K. L. Johnson, Contact Mechanics, section 5.3"};
   m.title = "SMOOTH DISC IN A HOLE, " + show(n) + " ELEMENTS OVER THE QUARTER";
   m.function_nodes = v.count("order") + 1;
-  m.images = v.word("symmetry") == "images";
   const double coarse = size / 6;
-  Outline plate({R, 0});
-  plate.axis_y({size, 0}, graded(size - R, h, 0, ratio, coarse));
+  Outline plate({size, 0});
   plate.line({size, size}, equal(size, 6), traction(Sx, 0));
   plate.line({0, size}, equal(size, 6), traction(0, Sy));
   plate.axis_x({0, R}, graded(size - R, 0, h, ratio, coarse));
   plate.arc({0, 0}, R, 90, 0, equal(1, n));
+  plate.axis_y({size, 0}, graded(size - R, h, 0, ratio, coarse));
   Outline disc({0, 0});
   disc.axis_y({R, 0}, graded(R, 0, h, ratio, R / 6));
   disc.arc({0, 0}, R, 0, 90, equal(1, n));
   disc.axis_x({0, 0}, graded(R, h, 0, ratio, R / 6));
   m.bodies = {{v.number("E1"), v.number("nu1"), {0, 0}, {plate}, "the plate"},
               {v.number("E2"), v.number("nu2"), {0, 0}, {disc}, "the disc"}};
-  m.zones = {{4, 1}};
+  m.zones = {{3, 1}};
   return m;
 }
 
@@ -58,8 +57,7 @@ Family disc_in_hole_family() {
            {"n", Kind::kCount, "60", "elements over the quarter circle"},
            {"L", Kind::kPositive, "100", "half side of the plate, over R"},
            {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the hole"},
-           {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
-           {"symmetry", Kind::kChoice, "line", "line|images: lines of symmetry, with elements or by images"}},
+           {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"}},
           build};
 }
 

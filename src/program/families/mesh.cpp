@@ -94,9 +94,9 @@ std::vector<double> reversed(const std::vector<double>& s) {
   return out;
 }
 
-Outline& Outline::add_side(int elements, const Condition& condition, bool axis_x, bool axis_y) {
+Outline& Outline::add_side(int elements, const Condition& condition) {
   const int first = sides_.empty() ? 0 : sides_.back().first + sides_.back().elements;
-  sides_.push_back({first, elements, condition, axis_x, axis_y});
+  sides_.push_back({first, elements, condition});
   return *this;
 }
 
@@ -108,19 +108,15 @@ Outline& Outline::line(Point end, const std::vector<double>& s, const Condition&
     if (i + 1 == s.size()) at = end;
     nodes_.push_back({at, false, 0, 0});
   }
-  return add_side(static_cast<int>(s.size()) - 1, condition, false, false);
+  return add_side(static_cast<int>(s.size()) - 1, condition);
 }
 
 Outline& Outline::axis_x(Point end, const std::vector<double>& s) {
-  line(end, s, roller_x());
-  sides_.back().axis_x = true;
-  return *this;
+  return line(end, s, roller_x());
 }
 
 Outline& Outline::axis_y(Point end, const std::vector<double>& s) {
-  line(end, s, roller_y());
-  sides_.back().axis_y = true;
-  return *this;
+  return line(end, s, roller_y());
 }
 
 namespace {
@@ -149,7 +145,7 @@ Outline& Outline::arc(Point centre, double radius, double from, double to, const
     else
       nodes_.push_back({at, true, radius, angle});
   }
-  return add_side(static_cast<int>(s.size()) - 1, condition, false, false);
+  return add_side(static_cast<int>(s.size()) - 1, condition);
 }
 
 } // namespace families

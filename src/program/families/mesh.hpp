@@ -50,13 +50,12 @@ public:
   struct Side {
     int first, elements; // from 0
     Condition condition;
-    bool axis_x, axis_y; // on the line of symmetry x = const or y = const
   };
 
   explicit Outline(Point start) : nodes_{{start, false, 0, 0}} {}
   // A straight side to `end` with nodes at the fractions s / s.back().
   Outline& line(Point end, const std::vector<double>& s, const Condition& condition = free_side());
-  // The same on a line of symmetry.
+  // The same on a line of symmetry, x or y constant: smooth rollers.
   Outline& axis_x(Point end, const std::vector<double>& s);
   Outline& axis_y(Point end, const std::vector<double>& s);
   // An arc about `centre` from angle `from` to `to` (degrees; rising: counter-clockwise).
@@ -64,11 +63,11 @@ public:
                const Condition& condition = free_side());
 
   int elements() const { return static_cast<int>(nodes_.size()) - 1; }
-  const std::vector<Node>& nodes() const { return nodes_; } // the last is the first again in a closed curve
+  const std::vector<Node>& nodes() const { return nodes_; } // the last is the first again
   const std::vector<Side>& sides() const { return sides_; }
 
 private:
-  Outline& add_side(int elements, const Condition& condition, bool axis_x, bool axis_y);
+  Outline& add_side(int elements, const Condition& condition);
   std::vector<Node> nodes_;
   std::vector<Side> sides_;
 };

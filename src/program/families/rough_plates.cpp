@@ -22,7 +22,6 @@ ProblemModel build(const Values& v) {
                "Reference: spectral finite elements, c from the vanishing singularity"};
   m.title = "RECTANGLE BETWEEN ROUGH PLATES, " + show(n) + " ELEMENTS";
   m.function_nodes = v.count("order") + 1;
-  m.images = v.word("symmetry") == "images";
   m.friction = {v.number("mu")};
   const std::vector<double> top = equal(h, 8);
   Outline block({0, 0});
@@ -57,8 +56,7 @@ Family rough_plates_family() {
            {"n", Kind::kCount, "40", "elements over h, were they equal"},
            {"edge", Kind::kPositive, "1e-4", "element at the corner, over h"},
            {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the corner"},
-           {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
-           {"symmetry", Kind::kChoice, "line", "line|images: the line x = 0, with elements or by images"}},
+           {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"}},
           build};
 }
 
