@@ -20,7 +20,8 @@ TEST_CASE("families: make --list tells every family with its keys, meanings and 
   for (const families::Family& family : families::all_families()) {
     CHECK_MESSAGE(contains(list.out, std::string(family.name) + ": " + family.summary), family.name);
     for (const families::Parameter& p : family.parameters) {
-      CHECK_MESSAGE(contains(list.out, std::string("  ") + p.key + "=" + p.value), family.name << " " << p.key);
+      CHECK_MESSAGE(contains(list.out, std::string("  ") + p.key + "=" + p.value),
+                    family.name << " " << p.key);
       CHECK_MESSAGE(contains(list.out, p.meaning), family.name << " " << p.key);
     }
   }
@@ -69,13 +70,15 @@ TEST_CASE("families: numbers on cards fill at most their columns and lose no dig
   const struct {
     double value;
     const char* text;
-  } numbers[] = {{0, "0.0"},       {1000, "1000.0"},      {-0.25, "-0.25"},        {1e-6, "0.000001"},
-                 {1e9, "1.E9"},       {-1.25e-7, "-1.25E-7"},    {-89.206648, "-89.206648"}, {0.123456789, ".123456789"}};
+  } numbers[] = {
+      {0, "0.0"},    {1000, "1000.0"},       {-0.25, "-0.25"},           {1e-6, "0.000001"},
+      {1e9, "1.E9"}, {-1.25e-7, "-1.25E-7"}, {-89.206648, "-89.206648"}, {0.123456789, ".123456789"}};
   for (const auto& n : numbers) CHECK(families::number_in(10, n.value) == n.text);
   for (double value = 1e-9; std::fabs(value) < 1e9; value *= -7.3) {
     const std::string text = families::number_in(10, value);
     CHECK(text.size() <= 10);
-    CHECK(std::fabs(std::stod(text) - value) <= 5e-5 * std::fabs(value)); // worst: five digits, as in -1.2345E-6
+    CHECK(std::fabs(std::stod(text) - value) <=
+          5e-5 * std::fabs(value)); // worst: five digits, as in -1.2345E-6
   }
 }
 

@@ -1,6 +1,6 @@
 // Contact problems of the families against reference solutions made by other methods (tests/data/reference).
-// Tolerances are those asked of the method, or what a model of finite size allows where that is less; the measured
-// values stand beside them.
+// Tolerances are those asked of the method, or what a model of finite size allows where that is less; the
+// measured values stand beside them.
 #include "family_runs.hpp"
 
 #include <doctest/doctest.h>
@@ -39,7 +39,7 @@ HertzErrors hertz(int n, double edge, const Settings& more = {}) {
 TEST_CASE("families: Hertz, 20 elements, edge anywhere in its element") {
   for (int i = 0; i < 10; ++i) {
     const HertzErrors e = hertz(20, 0.1 * i + 0.05);
-    CHECK(e.centre < 1e-3);          // measured 2e-5
+    CHECK(e.centre < 1e-3);           // measured 2e-5
     CHECK(e.edge_in_elements <= 1.0); // measured 0.52
     CHECK(e.curve < 5e-3);
   }
@@ -76,8 +76,8 @@ TEST_CASE("families: receding layer, three ratios of stiffness") {
   for (const auto& c : cases) {
     const Solution s = solve("receding_layer", {c.stiffness});
     const std::vector<Row>& rows = solved(s);
-    CHECK(std::fabs(last_closed(rows) - c.a) < 0.05);  // one element; measured 0.011
-    CHECK(std::fabs(rows[0].tn / c.p0 - 1) < 3e-3);    // measured 6e-5
+    CHECK(std::fabs(last_closed(rows) - c.a) < 0.05); // one element; measured 0.011
+    CHECK(std::fabs(rows[0].tn / c.p0 - 1) < 3e-3);   // measured 6e-5
     const Table p = reference(c.file);
     for (const Row& row : rows)
       if (row.x < c.a - 0.05) CHECK(std::fabs(row.tn - at(p, row.x, 2)) < 3e-3 * c.p0);
@@ -103,9 +103,9 @@ TEST_CASE("families: layer lifted") {
   for (const auto& c : cases) {
     const Solution s = solve("layer_lifted", {c.lambda});
     const std::vector<Row>& rows = solved(s);
-    CHECK(std::fabs(last_with(rows, C2D_OPEN) - c.a) < 0.05);             // measured 0.027
-    CHECK(std::fabs(largest_pressure(rows) / c.peak - 1) < 5e-3);         // measured 3e-4
-    CHECK(std::fabs(rows[0].gap / unit / c.u0 - 1) < 1e-2);               // measured 2e-4
+    CHECK(std::fabs(last_with(rows, C2D_OPEN) - c.a) < 0.05);     // measured 0.027
+    CHECK(std::fabs(largest_pressure(rows) / c.peak - 1) < 5e-3); // measured 3e-4
+    CHECK(std::fabs(rows[0].gap / unit / c.u0 - 1) < 1e-2);       // measured 2e-4
     const Table lift = reference(c.lift), p = reference(c.p);
     for (const Row& row : rows) {
       if (row.x < c.a - 0.05) CHECK(std::fabs(row.gap / unit - at(lift, row.x, 1)) < 1e-2 * c.u0);
@@ -121,7 +121,8 @@ TEST_CASE("families: layer pressed") {
   CHECK(std::fabs(first_with(rows, C2D_OPEN) - 1.228462713443854) < 0.05); // measured 0.022
   CHECK(std::fabs(last_with(rows, C2D_OPEN) - 3.139877067800519) < 0.05);  // measured 0.015
   CHECK(std::fabs(rows[0].tn / 93.07800764228236 - 1) < 5e-3);             // measured 8e-5
-  const Table lift = reference("p03_compression_lambda100_lift"), p = reference("p03_compression_lambda100_p");
+  const Table lift = reference("p03_compression_lambda100_lift"),
+              p = reference("p03_compression_lambda100_p");
   double highest = 0;
   for (const Row& row : rows) {
     highest = std::max(highest, row.gap / unit);
@@ -158,16 +159,17 @@ TEST_CASE("families: Spence's punch") {
   const double unit = at(t, 0.7, 2), h = 0.025;
   const Solution s = solve("punch");
   const std::vector<Row>& rows = solved(s);
-  CHECK(std::fabs(last_with(rows, C2D_STICK) - 0.7) < h);         // measured 0.003
-  CHECK(std::fabs(first_with(rows, C2D_SLIP) - 0.7) < h);         // measured 0.010
-  CHECK(std::fabs(rows[0].tn / 0.33151417068531397 - 1) < 1e-3);  // measured 2e-4
-  CHECK(friction_error(rows, t, 2, 0.7, unit) < 0.02);            // measured 0.009
+  CHECK(std::fabs(last_with(rows, C2D_STICK) - 0.7) < h);        // measured 0.003
+  CHECK(std::fabs(first_with(rows, C2D_SLIP) - 0.7) < h);        // measured 0.010
+  CHECK(std::fabs(rows[0].tn / 0.33151417068531397 - 1) < 1e-3); // measured 2e-4
+  CHECK(friction_error(rows, t, 2, 0.7, unit) < 0.02);           // measured 0.009
   for (const Row& row : rows)
     if (row.x < 0.95) CHECK(std::fabs(row.tn / at(t, row.x, 1) - 1) < 5e-3);
 }
 
 TEST_CASE("families: Spence's punch, other friction, twice the block") {
-  const Solution s = solve("punch", {"mu=0.4", "nu=0.3"}), larger = solve("punch", {"mu=0.4", "nu=0.3", "L=2000"});
+  const Solution s = solve("punch", {"mu=0.4", "nu=0.3"}),
+                 larger = solve("punch", {"mu=0.4", "nu=0.3", "L=2000"});
   CHECK(std::fabs(last_with(solved(s), C2D_STICK) - 0.864481667647117) < 0.025);
   CHECK(std::fabs(last_with(solved(larger), C2D_STICK) - last_with(s.last(), C2D_STICK)) < 0.025);
   CHECK(std::fabs(larger.last()[0].tn / s.last()[0].tn - 1) < 2e-3);
@@ -212,7 +214,8 @@ TEST_CASE("families: rigid cylinder with friction and with adhesion") {
     const std::vector<Row>& rows = solved(s);
     CHECK(std::fabs(last_closed(rows) - c.a) < h);
     CHECK(std::fabs(rows[0].tn / p00 / c.peak - 1) < 2e-3); // measured 5e-4
-    if (std::string(c.mu) == "mu=0.4") CHECK(std::fabs(last_with(rows, C2D_STICK) - 0.864481667647117 * c.a) < h);
+    if (std::string(c.mu) == "mu=0.4")
+      CHECK(std::fabs(last_with(rows, C2D_STICK) - 0.864481667647117 * c.a) < h);
     Table by_a0 = t; // x over the half width without friction, which is 1 here
     for (std::vector<double>& row : by_a0) row[0] = row[3];
     double worst = 0;
@@ -224,7 +227,8 @@ TEST_CASE("families: rigid cylinder with friction and with adhesion") {
 
 TEST_CASE("families: rigid cylinder with friction, a larger block") {
   const Solution s = solve("cylinder_friction"), larger = solve("cylinder_friction", {"L=3000"});
-  CHECK(last_with(solved(s), C2D_STICK) == doctest::Approx(last_with(solved(larger), C2D_STICK)).epsilon(0.02));
+  CHECK(last_with(solved(s), C2D_STICK) ==
+        doctest::Approx(last_with(solved(larger), C2D_STICK)).epsilon(0.02));
   CHECK(std::fabs(larger.last()[0].tn / s.last()[0].tn - 1) < 1e-3);
 }
 
@@ -249,10 +253,12 @@ TEST_CASE("families: Cattaneo and Mindlin, stick width and loop") {
       if (row.status == C2D_STICK) stick = std::max(stick, std::fabs(row.x));
     double slipping = i <= 4 ? std::fabs(Q) : std::fabs((i <= 12 ? largest : least) - Q) / 2;
     if (i == 1 || i == 4 || i == 8 || i == 12 || i == 16 || i == 20)
-      CHECK_MESSAGE(std::fabs(stick - std::sqrt(1 - slipping)) < h, "step " << i << ", Q / mu P " << Q << ", " << stick);
+      CHECK_MESSAGE(std::fabs(stick - std::sqrt(1 - slipping)) < h,
+                    "step " << i << ", Q / mu P " << Q << ", " << stick);
   }
   const double Qm = (largest - least) / 2, k = 1 - std::fabs(Qm);
-  const double loop = 4 / kPi * muP * muP * (2 * 0.91 / 1000) * (k * std::log(k) + 1 - k - (1 - k) * (1 - k) / 2);
+  const double loop =
+      4 / kPi * muP * muP * (2 * 0.91 / 1000) * (k * std::log(k) + 1 - k - (1 - k) * (1 - k) / 2);
   CHECK(std::fabs((s.steps[20].dissipated - s.steps[4].dissipated) / loop - 1) < 0.01);
 }
 
@@ -285,7 +291,8 @@ TEST_CASE("families: rectangle between rough plates") {
   const Solution s = solve("rough_plates", {"mu=0.2"});
   double mean = 0;
   const std::vector<Row>& rows = solved(s);
-  for (size_t i = 0; i + 1 < rows.size(); ++i) mean += (rows[i].tn + rows[i + 1].tn) / 2 * (rows[i + 1].x - rows[i].x);
+  for (size_t i = 0; i + 1 < rows.size(); ++i)
+    mean += (rows[i].tn + rows[i + 1].tn) / 2 * (rows[i + 1].x - rows[i].x);
   for (const Row& row : rows)
     if (row.x < 0.9) CHECK(std::fabs(row.tn / mean - at(t, row.x, 1)) < 5e-3);
 }

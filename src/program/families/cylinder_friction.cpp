@@ -21,15 +21,19 @@ ProblemModel build(const Values& v) {
   ProblemModel m;
   m.heading = {"A rigid cylinder (body 2) pressed on a half plane (body 1) with friction.",
                "Half of it is modelled; the half plane is a block of half width L a.",
-               "R = " + show(radius) + ", P = " + show(load) + ": without friction the half width is " + show(a),
+               "R = " + show(radius) + ", P = " + show(load) + ": without friction the half width is " +
+                   show(a),
                "The middle sticks; c/a is that of a flat punch with the same mu and nu.",
                "Reference: D. A. Spence, 1975, superposition of punches"};
   m.title = "RIGID CYLINDER WITH FRICTION";
   m.function_nodes = v.count("order") + 1;
   m.friction = {v.number("mu")};
   m.bodies = {{E, nu, {0, 0}, {half_block({zone, size, ratio})}, "the half plane"},
-              {E * v.number("rigid"), nu, {0, radius},
-               {half_cylinder(zone, radius, ratio, traction(0, -load / (2 * radius)))}, "the cylinder"}};
+              {E * v.number("rigid"),
+               nu,
+               {0, radius},
+               {half_cylinder(zone, radius, ratio, traction(0, -load / (2 * radius)))},
+               "the cylinder"}};
   m.zones = {{3, 0}};
   return m;
 }

@@ -67,8 +67,7 @@ bool Writer::is_curved(const BodyModel& body) const {
 
 int Writer::geometry_nodes(const BodyModel& body) const {
   int count = 0;
-  for (const Outline& region : body.regions)
-    count += region.elements() * (is_curved(body) ? 2 : 1);
+  for (const Outline& region : body.regions) count += region.elements() * (is_curved(body) ? 2 : 1);
   return count;
 }
 
@@ -112,7 +111,8 @@ Point place(const Outline::Node& a, const Outline::Node& b, double f) {
   const Point at{a.at.x + (b.at.x - a.at.x) * f, a.at.y + (b.at.y - a.at.y) * f};
   if (!a.polar || !b.polar) return at;
   const double degree = std::acos(-1.0) / 180.0, angle = (a.angle + (b.angle - a.angle) * f) * degree;
-  const Point centre{a.at.x - a.radius * std::cos(a.angle * degree), a.at.y - a.radius * std::sin(a.angle * degree)};
+  const Point centre{a.at.x - a.radius * std::cos(a.angle * degree),
+                     a.at.y - a.radius * std::sin(a.angle * degree)};
   return {centre.x + a.radius * std::cos(angle), centre.y + a.radius * std::sin(angle)};
 }
 
@@ -143,7 +143,8 @@ bool is_generated(const std::vector<Outline::Node>& p, size_t first, size_t last
     const double f = static_cast<double>(i - first) / static_cast<double>(last - first);
     if (b.polar && !(a.polar && p[i].polar && is_between(a.angle, b.angle, p[i].angle, f, 360.0)))
       return false;
-    const double scale = std::max({std::fabs(a.at.x), std::fabs(a.at.y), std::fabs(b.at.x), std::fabs(b.at.y)});
+    const double scale =
+        std::max({std::fabs(a.at.x), std::fabs(a.at.y), std::fabs(b.at.x), std::fabs(b.at.y)});
     if (!b.polar && (p[i].polar || !is_between(a.at.x, b.at.x, p[i].at.x, f, scale) ||
                      !is_between(a.at.y, b.at.y, p[i].at.y, f, scale)))
       return false;
@@ -189,7 +190,8 @@ End Writer::end(const Outline& region, size_t side, int element, int local) cons
   };
   if (first) join(sides[side == 0 ? sides.size() - 1 : side - 1]);
   if (last) join(sides[side + 1 == sides.size() ? 0 : side + 1]);
-  for (size_t i = 0; i < 4; ++i) out.values[i] = formatted("%10s", number_in(9, values[i]).c_str()); // a blank between them
+  for (size_t i = 0; i < 4; ++i)
+    out.values[i] = formatted("%10s", number_in(9, values[i]).c_str()); // a blank between them
   return out;
 }
 
@@ -249,7 +251,8 @@ void Writer::zones() {
     pairs += n * f + 1;
   }
   comment("per body: nodes and elements in contact");
-  for (size_t body = 0; body < m_.bodies.size(); ++body) card(formatted("%5d%5d", pairs, elements_in_contact));
+  for (size_t body = 0; body < m_.bodies.size(); ++body)
+    card(formatted("%5d%5d", pairs, elements_in_contact));
 }
 
 void Writer::loads() {
@@ -297,6 +300,8 @@ std::string number_in(int columns, double value) {
   return best;
 }
 
-std::string write_deck(const ProblemModel& model) { return Writer(model).write(); }
+std::string write_deck(const ProblemModel& model) {
+  return Writer(model).write();
+}
 
 } // namespace families

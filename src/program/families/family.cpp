@@ -70,8 +70,8 @@ const Parameter* find_parameter(const Family& family, const std::string& key) {
   return nullptr;
 }
 
-bool set_one(const Family& family, const std::string& setting, std::map<std::string, bool>& seen, Values& values,
-             std::string& error) {
+bool set_one(const Family& family, const std::string& setting, std::map<std::string, bool>& seen,
+             Values& values, std::string& error) {
   const size_t equals = setting.find('=');
   const std::string key = setting.substr(0, equals);
   const Parameter* parameter = find_parameter(family, key);
@@ -114,10 +114,18 @@ ProblemModel unfit(const std::string& why) {
 }
 
 const std::vector<Family>& all_families() {
-  static const std::vector<Family> families = {
-      hertz_family(),        receding_layer_family(), layer_lifted_family(),      layer_pressed_family(),
-      disc_in_hole_family(), punch_family(),          cylinder_friction_family(), mindlin_family(),
-      rough_plates_family(), ring_family(),           hole_family(),              cantilever_family()};
+  static const std::vector<Family> families = {hertz_family(),
+                                               receding_layer_family(),
+                                               layer_lifted_family(),
+                                               layer_pressed_family(),
+                                               disc_in_hole_family(),
+                                               punch_family(),
+                                               cylinder_friction_family(),
+                                               mindlin_family(),
+                                               rough_plates_family(),
+                                               ring_family(),
+                                               hole_family(),
+                                               cantilever_family()};
   return families;
 }
 

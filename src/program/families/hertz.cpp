@@ -30,8 +30,11 @@ ProblemModel build(const Values& v) {
   const std::vector<double> zone = cylinder_zone(radius, h, elements);
   const double ratio = v.number("ratio");
   m.bodies = {{v.number("E1"), v.number("nu1"), {0, 0}, {half_block({zone, size, ratio})}, "the half plane"},
-              {v.number("E2"), v.number("nu2"), {0, radius},
-               {half_cylinder(zone, radius, ratio, traction(0, -load / (2 * radius)))}, "the cylinder"}};
+              {v.number("E2"),
+               v.number("nu2"),
+               {0, radius},
+               {half_cylinder(zone, radius, ratio, traction(0, -load / (2 * radius)))},
+               "the cylinder"}};
   m.zones = {{3, 0}};
   return m;
 }

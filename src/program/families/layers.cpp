@@ -17,13 +17,14 @@ ProblemModel build(const Values& v, bool lifted) {
   for (size_t i = 1; i < rest.size(); ++i) zone.push_back(fine + rest[i]);
 
   ProblemModel m;
-  m.heading = {"A layer (body 2) on a smooth rigid base (body 1), clamped by a pressure pe on its top",
-               std::string(lifted ? "and lifted" : "and pressed") + " by a line load P = lambda h pe at x = 0.",
-               "Half of it is modelled; h = " + show(h) + ", pe = " + show(pe) + ", lambda = " + show(lambda),
-               lifted ? "Above lambda = 1.0876 the middle |x| < a is clear of the base."
-                      : "Above lambda = 44.14 the layer is clear of the base in b < |x| < c.",
-               "Reference: singular integral equation; L. M. Keer and M. A. G. Silva, 1972; M. B. Civelek and",
-               "F. Erdogan, 1975. The line load is a strip of half width " + show(strip)};
+  m.heading = {
+      "A layer (body 2) on a smooth rigid base (body 1), clamped by a pressure pe on its top",
+      std::string(lifted ? "and lifted" : "and pressed") + " by a line load P = lambda h pe at x = 0.",
+      "Half of it is modelled; h = " + show(h) + ", pe = " + show(pe) + ", lambda = " + show(lambda),
+      lifted ? "Above lambda = 1.0876 the middle |x| < a is clear of the base."
+             : "Above lambda = 44.14 the layer is clear of the base in b < |x| < c.",
+      "Reference: singular integral equation; L. M. Keer and M. A. G. Silva, 1972; M. B. Civelek and",
+      "F. Erdogan, 1975. The line load is a strip of half width " + show(strip)};
   m.title = lifted ? "LAYER CLAMPED AND LIFTED" : "LAYER CLAMPED AND PRESSED";
   m.function_nodes = v.count("order") + 1;
   const double on_strip = (lifted ? load : -load) / (2 * strip) - pe;

@@ -5,7 +5,9 @@
 
 namespace families {
 
-Condition free_side() { return Condition(); }
+Condition free_side() {
+  return Condition();
+}
 
 Condition roller_x(double ux) {
   Condition c;

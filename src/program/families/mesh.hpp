@@ -1,5 +1,5 @@
-// Boundary curves of the problem families: straight sides and arcs divided into graded elements, each side with
-// its boundary condition.
+// Boundary curves of the problem families: straight sides and arcs divided into graded elements, each side
+// with its boundary condition.
 #pragma once
 
 #include <array>
@@ -27,9 +27,9 @@ Condition traction(double tx, double ty);
 Condition traction_field(std::function<std::array<double, 2>(Point)> field); // tx, ty at a point
 Condition displacement_field(std::function<std::array<double, 2>(Point)> field);
 
-// Distances 0 = s_0 < s_1 < ... < s_n = length of the nodes of a graded line. The elements have the sizes `first`
-// at s = 0 and `last` at s = length (0: nothing asked for there) and grow from there by `ratio` per element, up to
-// `largest`; all of them are scaled a little so that a whole number fits.
+// Distances 0 = s_0 < s_1 < ... < s_n = length of the nodes of a graded line. The elements have the sizes
+// `first` at s = 0 and `last` at s = length (0: nothing asked for there) and grow from there by `ratio` per
+// element, up to `largest`; all of them are scaled a little so that a whole number fits.
 std::vector<double> graded(double length, double first, double last, double ratio, double largest);
 
 // Distances of `n` equal elements.
@@ -38,8 +38,8 @@ std::vector<double> equal(double length, int n);
 // The distances seen from the other end.
 std::vector<double> reversed(const std::vector<double>& s);
 
-// A closed boundary curve, run through with the material on the left. Sides are added in order; the last one ends
-// where the first began.
+// A closed boundary curve, run through with the material on the left. Sides are added in order; the last one
+// ends where the first began.
 class Outline {
 public:
   struct Node {

@@ -7,8 +7,8 @@
 namespace families {
 namespace {
 
-// Half a cylinder that goes on upwards as a block of its width: its flanks guide it. Sides: 0 left arc, 1 zone, 2 right
-// arc, 3 right flank, 4 top, 5 left flank.
+// Half a cylinder that goes on upwards as a block of its width: its flanks guide it. Sides: 0 left arc, 1
+// zone, 2 right arc, 3 right flank, 4 top, 5 left flank.
 Outline guided_cylinder(const std::vector<double>& zone, double radius, double ratio, double pressure) {
   Outline out = whole_cylinder_arcs(zone, radius, ratio);
   out.line({radius, 2 * radius}, equal(radius, 4), roller_x());
@@ -19,8 +19,8 @@ Outline guided_cylinder(const std::vector<double>& zone, double radius, double r
 
 std::string move_flank(const Outline& body, size_t side, double ux) {
   const Outline::Side& s = body.sides()[side];
-  return "condition 2 " + std::to_string(s.first + 1) + "-" + std::to_string(s.first + s.elements) + " 0  0.0 0.0 " +
-         show(ux) + " 0.0";
+  return "condition 2 " + std::to_string(s.first + 1) + "-" + std::to_string(s.first + s.elements) +
+         " 0  0.0 0.0 " + show(ux) + " 0.0";
 }
 
 ProblemModel build(const Values& v) {
@@ -36,8 +36,8 @@ ProblemModel build(const Values& v) {
   const int elements = n + (n + 3) / 4 + 1;
   const std::vector<double> zone = cylinder_zone(radius, a / (n - 0.5), elements);
 
-  // How far the flanks move for Q mu P: logarithmic in the sizes, as half planes are; the constant is what the shear
-  // of block and cylinder and the slip were found to add.
+  // How far the flanks move for Q mu P: logarithmic in the sizes, as half planes are; the constant is what
+  // the shear of block and cylinder and the slip were found to add.
   const double log_size = std::log(4 * radius / a) + std::log(2 * size / a) + 12;
   const double stuck = compliance / pi * log_size * Q * mu * load;
   const double move = v.number("move") > 0 ? v.number("move") : stuck;
@@ -45,10 +45,11 @@ ProblemModel build(const Values& v) {
   ProblemModel m;
   m.heading = {"A cylinder (body 2) pressed on a half plane (body 1) of the same material by P, then moved",
                "sideways to and fro at constant P (load case 2 moves its flanks).",
-               "R = " + show(radius) + ", half width a = " + show(a) + ", P = " + show(load) + ", mu P = " +
-                   show(mu * load) + "; Q is the sum of the friction",
+               "R = " + show(radius) + ", half width a = " + show(a) + ", P = " + show(load) +
+                   ", mu P = " + show(mu * load) + "; Q is the sum of the friction",
                "Stick |x| < c, c/a = sqrt(1 - Q / (mu P)); after the turn 1 - Q / (mu P) gives way to",
-               "1 - (Qmax - Q) / (2 mu P). Flanks move by " + show(move) + ", which makes Q about " + show(Q) + " mu P.",
+               "1 - (Qmax - Q) / (2 mu P). Flanks move by " + show(move) + ", which makes Q about " +
+                   show(Q) + " mu P.",
                "Reference: C. Cattaneo, 1938; R. D. Mindlin and H. Deresiewicz, 1953"};
   m.title = "CYLINDER MOVED SIDEWAYS TO AND FRO";
   m.function_nodes = v.count("order") + 1;

@@ -10,9 +10,9 @@ namespace families {
 
 struct BodyModel {
   double youngs_modulus = 0, poisson_ratio = 0;
-  Point origin{0, 0};             // of the coordinates on the cards; arcs are about it
-  std::vector<Outline> regions;   // closed curves
-  std::string name;               // for the comments of the deck
+  Point origin{0, 0};           // of the coordinates on the cards; arcs are about it
+  std::vector<Outline> regions; // closed curves
+  std::string name;             // for the comments of the deck
 };
 
 // Contact between the elements of one side of each body's first region, which run oppositely.
@@ -37,8 +37,8 @@ struct ProblemModel {
   std::vector<std::string> keywords; // cards behind the load cards
 };
 
-// The deck in fixed columns. Geometry is that of straight elements between the nodes, or of arcs through an added
-// middle node where function_nodes > 2 and a region has arcs.
+// The deck in fixed columns. Geometry is that of straight elements between the nodes, or of arcs through an
+// added middle node where function_nodes > 2 and a region has arcs.
 std::string write_deck(const ProblemModel& model);
 
 // A number in at most `columns` columns, as near as can be.

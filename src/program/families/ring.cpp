@@ -13,11 +13,12 @@ ProblemModel build(const Values& v) {
   if (b <= a) return unfit("b is not above a");
   const int n = v.count("n");
   ProblemModel m;
-  m.heading = {"A thick ring with pressure inside and outside; a quarter of it is modelled.",
-               "a = " + show(a) + ", b = " + show(b) + ", pressure inside " + show(pi) + ", outside " + show(po),
-               "A = (pi a^2 - po b^2) / (b^2 - a^2), B = (pi - po) a^2 b^2 / (b^2 - a^2)",
-               "srr = A - B / r^2, stt = A + B / r^2, ur = (1 + nu) / E ((1 - 2 nu) A r + B / r) in plane strain",
-               "Reference: G. Lame, 1852"};
+  m.heading = {
+      "A thick ring with pressure inside and outside; a quarter of it is modelled.",
+      "a = " + show(a) + ", b = " + show(b) + ", pressure inside " + show(pi) + ", outside " + show(po),
+      "A = (pi a^2 - po b^2) / (b^2 - a^2), B = (pi - po) a^2 b^2 / (b^2 - a^2)",
+      "srr = A - B / r^2, stt = A + B / r^2, ur = (1 + nu) / E ((1 - 2 nu) A r + B / r) in plane strain",
+      "Reference: G. Lame, 1852"};
   m.title = "THICK RING";
   m.function_nodes = v.count("order") + 1;
   m.plane = v.word("plane") == "stress" ? 1 : 0;

@@ -17,7 +17,8 @@ ProblemModel build(const Values& v) {
   ProblemModel m;
   m.heading = {"A rectangle between rigid rough plates (body 1), pressed by delta each.",
                "A quarter is modelled: x = 0 and the middle plane y = height are lines of symmetry.",
-               "Half width h = " + show(h) + ", half height " + show(height) + ", nu = " + show(v.number("nu")),
+               "Half width h = " + show(h) + ", half height " + show(height) +
+                   ", nu = " + show(v.number("nu")),
                "The middle |x| < c sticks, the rest slips outward; c/h depends on mu and nu alone.",
                "Reference: spectral finite elements, c from the vanishing singularity"};
   m.title = "RECTANGLE BETWEEN ROUGH PLATES, " + show(n) + " ELEMENTS";

@@ -5,8 +5,12 @@
 
 namespace families {
 
-double first_size(const std::vector<double>& s) { return s[1] - s[0]; }
-double last_size(const std::vector<double>& s) { return s.back() - s[s.size() - 2]; }
+double first_size(const std::vector<double>& s) {
+  return s[1] - s[0];
+}
+double last_size(const std::vector<double>& s) {
+  return s.back() - s[s.size() - 2];
+}
 
 std::vector<double> mirrored(const std::vector<double>& s) {
   std::vector<double> out;
@@ -57,8 +61,8 @@ std::vector<double> angles(const std::vector<double>& x, double radius) {
 
 } // namespace
 
-// The step is such that the cards tell the last angle exactly: those between are generated from it. Rounded angles
-// would show in the pressure, as gaps of 1e-8 of the radius do.
+// The step is such that the cards tell the last angle exactly: those between are generated from it. Rounded
+// angles would show in the pressure, as gaps of 1e-8 of the radius do.
 std::vector<double> cylinder_zone(double radius, double step, int elements) {
   const double edge = std::round(std::asin(elements * step / radius) * kDegrees * 1e6) * 1e-6;
   std::vector<double> out;
@@ -71,7 +75,8 @@ Outline half_cylinder(const std::vector<double>& zone, double radius, double rat
   const double edge = angle.back(), coarse = radius / 6;
   Outline out({0, 0});
   out.arc({0, radius}, radius, -90, edge - 90, angle);
-  out.arc({0, radius}, radius, edge - 90, 0, graded((90 - edge) / kDegrees * radius, last_size(zone), 0, ratio, coarse));
+  out.arc({0, radius}, radius, edge - 90, 0,
+          graded((90 - edge) / kDegrees * radius, last_size(zone), 0, ratio, coarse));
   out.line({0, radius}, graded(radius, 0, 0, ratio, coarse), top);
   out.axis_x({0, 0}, graded(radius, 0, first_size(zone), ratio, coarse));
   return out;
