@@ -27,6 +27,7 @@ ProblemModel build(const Values& v) {
                "Reference: D. A. Spence, 1975, superposition of punches"};
   m.title = "RIGID CYLINDER WITH FRICTION";
   m.function_nodes = v.count("order") + 1;
+  m.images = v.word("symmetry") == "images";
   m.friction = {v.number("mu")};
   m.bodies = {{E, nu, {0, 0}, {half_block({zone, size, ratio})}, "the half plane"},
               {E * v.number("rigid"),
@@ -52,7 +53,9 @@ Family cylinder_friction_family() {
            {"n", Kind::kCount, "40", "elements over a"},
            {"L", Kind::kPositive, "1000", "half width and depth of the block, over a"},
            {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the contact"},
-           {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"}},
+           {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
+           {"symmetry", Kind::kChoice, "images",
+            "images|line: how lines of symmetry are treated, by images or elements"}},
           build};
 }
 

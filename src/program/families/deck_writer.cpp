@@ -35,25 +35,61 @@ struct End {
   bool same(const End& other) const { return codes == other.codes && values == other.values; }
 };
 
+// A boundary curve of the deck: a closed outline, or, by images, what of it lies between lines of symmetry.
+struct Curve {
+  const Outline* outline;
+  size_t first_side, sides;
+  int first, elements; // of the outline's elements, from 0
+  bool open;
+};
+
+std::vector<Curve> curves_of(const Outline& outline, bool images) {
+  std::vector<Curve> out;
+  const std::vector<Outline::Side>& sides = outline.sides();
+  bool inside = false, any = false;
+  for (size_t i = 0; i < sides.size(); ++i) {
+    const bool left_out = images && sides[i].axis != 0;
+    any = any || left_out;
+    if (!left_out && !inside) out.push_back({&outline, i, 0, sides[i].first, 0, false});
+    if (!left_out) out.back().sides += 1, out.back().elements += sides[i].elements;
+    inside = !left_out;
+  }
+  for (Curve& curve : out) curve.open = any;
+  return out;
+}
+
 class Writer {
 public:
-  explicit Writer(const ProblemModel& model) : m_(model) {}
+  explicit Writer(const ProblemModel& model) : m_(model) {
+    for (const BodyModel& body : m_.bodies) {
+      curves_.emplace_back();
+      for (const Outline& region : body.regions)
+        for (const Curve& curve : curves_of(region, m_.images)) curves_.back().push_back(curve);
+    }
+  }
   std::string write();
 
 private:
   void card(const std::string& text) { out_ += text + "\n"; }
   void comment(const std::string& text) { card("C  " + text); }
   bool is_curved(const BodyModel& body) const;
-  int geometry_nodes(const BodyModel& body) const;
+  int elements(size_t body) const;
+  int nodes_along(const Curve& curve, int steps) const {
+    return curve.elements * steps + (curve.open ? 1 : 0);
+  }
+  int geometry_nodes(size_t body) const;
   void control();
-  void nodes(const BodyModel& body);
-  void conditions(const BodyModel& body);
-  std::vector<End> ends(const BodyModel& body) const;
+  void nodes(size_t b);
+  void conditions(size_t b);
+  std::vector<End> ends(size_t b) const;
+  void place_of_side(size_t b, int side, int& element, int& node) const;
   End end(const Outline& region, size_t side, int element, int local) const;
   void zones();
   void loads();
+  void symmetry();
 
   const ProblemModel& m_;
+  std::vector<std::vector<Curve>> curves_; // per body
   std::string out_;
 };
 
@@ -65,9 +101,15 @@ bool Writer::is_curved(const BodyModel& body) const {
   return false;
 }
 
-int Writer::geometry_nodes(const BodyModel& body) const {
+int Writer::elements(size_t b) const {
   int count = 0;
-  for (const Outline& region : body.regions) count += region.elements() * (is_curved(body) ? 2 : 1);
+  for (const Curve& curve : curves_[b]) count += curve.elements;
+  return count;
+}
+
+int Writer::geometry_nodes(size_t b) const {
+  int count = 0;
+  for (const Curve& curve : curves_[b]) count += nodes_along(curve, is_curved(m_.bodies[b]) ? 2 : 1);
   return count;
 }
 
@@ -81,18 +123,15 @@ void Writer::control() {
   comment("bodies, contact zones, functional nodes per element");
   card(formatted("%5d%5d%5d", bodies, static_cast<int>(m_.zones.size()), m_.function_nodes));
   comment("per body: closed curves, boundary points per element, elements, boundary points");
-  for (const BodyModel& body : m_.bodies) {
-    int count = 0;
-    for (const Outline& region : body.regions) count += region.elements();
-    card(formatted("%5d%5d%5d%5d", static_cast<int>(body.regions.size()), is_curved(body) ? 3 : 2, count,
-                   geometry_nodes(body)));
-  }
+  for (size_t b = 0; b < m_.bodies.size(); ++b)
+    card(formatted("%5d%5d%5d%5d", static_cast<int>(curves_[b].size()), is_curved(m_.bodies[b]) ? 3 : 2,
+                   elements(b), geometry_nodes(b)));
   comment("per curve: first and last element");
-  for (const BodyModel& body : m_.bodies) {
+  for (const std::vector<Curve>& curves : curves_) {
     int first = 1;
-    for (const Outline& region : body.regions) {
-      card(formatted("%5d%5d", first, first + region.elements() - 1));
-      first += region.elements();
+    for (const Curve& curve : curves) {
+      card(formatted("%5d%5d", first, first + curve.elements - 1));
+      first += curve.elements;
     }
   }
   comment("per body: Young's modulus, Poisson's ratio");
@@ -117,10 +156,10 @@ Point place(const Outline::Node& a, const Outline::Node& b, double f) {
 }
 
 // Points of a curve in the order of the cards, middle points of curved elements included.
-std::vector<Outline::Node> points_of(const Outline& region, bool curved) {
+std::vector<Outline::Node> points_of(const Curve& curve, bool curved) {
   std::vector<Outline::Node> out;
-  const std::vector<Outline::Node>& n = region.nodes();
-  for (int i = 0; i < region.elements(); ++i) {
+  const std::vector<Outline::Node>& n = curve.outline->nodes();
+  for (int i = curve.first; i < curve.first + curve.elements; ++i) {
     const Outline::Node &a = n[static_cast<size_t>(i)], &b = n[static_cast<size_t>(i) + 1];
     out.push_back(a);
     if (!curved) continue;
@@ -129,6 +168,7 @@ std::vector<Outline::Node> points_of(const Outline& region, bool curved) {
     if (a.polar && b.polar) middle = {middle.at, true, a.radius, (a.angle + b.angle) / 2};
     out.push_back(middle);
   }
+  if (curve.open) out.push_back(n[static_cast<size_t>(curve.first + curve.elements)]);
   return out;
 }
 
@@ -152,12 +192,13 @@ bool is_generated(const std::vector<Outline::Node>& p, size_t first, size_t last
   return true;
 }
 
-void Writer::nodes(const BodyModel& body) {
+void Writer::nodes(size_t b) {
+  const BodyModel& body = m_.bodies[b];
   comment("origin and boundary points of " + body.name);
   card(in_10(body.origin.x) + in_10(body.origin.y));
   int number = 1;
-  for (const Outline& region : body.regions) {
-    const auto p = points_of(region, is_curved(body));
+  for (const Curve& curve : curves_[b]) {
+    const auto p = points_of(curve, is_curved(body));
     for (size_t i = 0, next; i < p.size(); i = next) {
       card((p[i].polar ? "P" : " ") + formatted("%4d ", number + static_cast<int>(i)) +
            (p[i].polar ? in_10(p[i].radius) + in_10(p[i].angle)
@@ -182,6 +223,7 @@ End Writer::end(const Outline& region, size_t side, int element, int local) cons
   const bool first = element == own.first && local == 1;
   const bool last = element == own.first + own.elements - 1 && local == m_.function_nodes;
   const auto join = [&](const Outline::Side& other) {
+    if (m_.images && other.axis != 0) return;
     for (size_t i = 2; i < 4; ++i)
       if (out.codes[i] == 1 && other.condition.codes[i] == 0) {
         out.codes[i] = 0;
@@ -195,25 +237,42 @@ End Writer::end(const Outline& region, size_t side, int element, int local) cons
   return out;
 }
 
-std::vector<End> Writer::ends(const BodyModel& body) const {
+std::vector<End> Writer::ends(size_t b) const {
   std::vector<End> out;
   int offset = 0;
-  for (const Outline& region : body.regions) {
-    for (size_t s = 0; s < region.sides().size(); ++s) {
-      const Outline::Side& side = region.sides()[s];
+  for (const Curve& curve : curves_[b]) {
+    for (size_t i = curve.first_side; i < curve.first_side + curve.sides; ++i) {
+      const Outline::Side& side = curve.outline->sides()[i];
       for (int e = side.first; e < side.first + side.elements; ++e)
         for (int local = 1; local <= m_.function_nodes; ++local) {
-          out.push_back(end(region, s, e, local));
-          out.back().element += offset;
+          out.push_back(end(*curve.outline, i, e, local));
+          out.back().element += offset - curve.first;
         }
     }
-    offset += region.elements();
+    offset += curve.elements;
   }
   return out;
 }
 
-void Writer::conditions(const BodyModel& body) {
-  const std::vector<End> all = ends(body);
+// First element and first functional node of a side of the body's first outline, from 1.
+void Writer::place_of_side(size_t b, int side, int& element, int& node) const {
+  const size_t at = static_cast<size_t>(side);
+  element = node = 1;
+  for (const Curve& curve : curves_[b]) {
+    if (at >= curve.first_side && at < curve.first_side + curve.sides) {
+      const int before = curve.outline->sides()[at].first - curve.first;
+      element += before;
+      node += before * (m_.function_nodes - 1);
+      return;
+    }
+    element += curve.elements;
+    node += nodes_along(curve, m_.function_nodes - 1);
+  }
+}
+
+void Writer::conditions(size_t b) {
+  const BodyModel& body = m_.bodies[b];
+  const std::vector<End> all = ends(b);
   std::vector<std::string> cards;
   const auto add = [&](const End& e, bool generated) {
     cards.push_back(formatted("%c%4d%5d %d%d%d%d ", generated ? '1' : ' ', e.element, e.local, e.codes[0],
@@ -239,14 +298,14 @@ void Writer::zones() {
   const int f = m_.function_nodes - 1;
   int pairs = 0;
   for (const ContactZone& zone : m_.zones) {
-    const Outline::Side& s1 = m_.bodies[0].regions[0].sides()[static_cast<size_t>(zone.side1)];
-    const Outline::Side& s2 = m_.bodies[1].regions[0].sides()[static_cast<size_t>(zone.side2)];
-    const int n = s1.elements;
+    const int n = m_.bodies[0].regions[0].sides()[static_cast<size_t>(zone.side1)].elements;
+    int e1, e2, n1, n2;
+    place_of_side(0, zone.side1, e1, n1);
+    place_of_side(1, zone.side2, e2, n2);
     comment("contact zone: bodies, pairs, elements; its elements; its nodes");
     card(formatted("    1    2%5d%5d", n * f + 1, n));
-    card(formatted("%5d%5d%5d%5d", s1.first + 1, s1.first + n, s2.first + n, s2.first + 1));
-    card(formatted("%5d%5d%5d%5d", s1.first * f + 1, (s1.first + n) * f + 1, (s2.first + n) * f + 1,
-                   s2.first * f + 1));
+    card(formatted("%5d%5d%5d%5d", e1, e1 + n - 1, e2 + n - 1, e2));
+    card(formatted("%5d%5d%5d%5d", n1, n1 + n * f, n2 + n * f, n2));
     elements_in_contact += n;
     pairs += n * f + 1;
   }
@@ -261,12 +320,25 @@ void Writer::loads() {
   for (const Load& load : m_.loads) card(formatted("%5d ", load.increments) + in_10(load.factor));
 }
 
+void Writer::symmetry() {
+  bool told[2] = {false, false};
+  for (const BodyModel& body : m_.bodies)
+    for (const Outline& region : body.regions)
+      for (const Outline::Side& side : region.sides()) {
+        if (side.axis == 0 || told[side.axis - 'X']) continue;
+        const Point at = region.nodes()[static_cast<size_t>(side.first)].at;
+        card(formatted("*SYMMETRY %c ", side.axis) + number_in(16, side.axis == 'X' ? at.x : at.y));
+        told[side.axis - 'X'] = true;
+      }
+}
+
 std::string Writer::write() {
   control();
-  for (const BodyModel& body : m_.bodies) nodes(body);
-  for (const BodyModel& body : m_.bodies) conditions(body);
+  for (size_t b = 0; b < m_.bodies.size(); ++b) nodes(b);
+  for (size_t b = 0; b < m_.bodies.size(); ++b) conditions(b);
   zones();
   loads();
+  if (m_.images) symmetry();
   for (const std::string& text : m_.keywords) card(text);
   return out_;
 }

@@ -25,6 +25,7 @@ ProblemModel build(const Values& v) {
                "Reference: singular integral equation; K. L. Johnson, Contact Mechanics, section 5.3"};
   m.title = "SMOOTH DISC IN A HOLE, " + show(n) + " ELEMENTS OVER THE QUARTER";
   m.function_nodes = v.count("order") + 1;
+  m.images = v.word("symmetry") == "images";
   const double coarse = size / 6;
   Outline plate({size, 0});
   plate.line({size, size}, equal(size, 6), traction(Sx, 0));
@@ -55,9 +56,11 @@ Family disc_in_hole_family() {
            {"E2", Kind::kPositive, "1000", "Young's modulus of the disc"},
            {"nu2", Kind::kPoisson, "0.3", "its Poisson's ratio"},
            {"n", Kind::kCount, "60", "elements over the quarter circle"},
-           {"L", Kind::kPositive, "100", "half side of the plate, over R"},
+           {"L", Kind::kPositive, "400", "half side of the plate, over R"},
            {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the hole"},
-           {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"}},
+           {"order", Kind::kOrder, "1", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
+           {"symmetry", Kind::kChoice, "images",
+            "images|line: how lines of symmetry are treated, by images or elements"}},
           build};
 }
 

@@ -27,6 +27,7 @@ ProblemModel build(const Values& v) {
                "Reference: H. Hertz, 1882; K. L. Johnson, Contact Mechanics, chapter 4"};
   m.title = "HERTZ, " + show(n) + " ELEMENTS OVER THE HALF WIDTH";
   m.function_nodes = v.count("order") + 1;
+  m.images = v.word("symmetry") == "images";
   const std::vector<double> zone = cylinder_zone(radius, h, elements);
   const double ratio = v.number("ratio");
   m.bodies = {{v.number("E1"), v.number("nu1"), {0, 0}, {half_block({zone, size, ratio})}, "the half plane"},
@@ -54,7 +55,9 @@ Family hertz_family() {
            {"edge", Kind::kFraction, "0.5", "where in its element the edge of the contact lies"},
            {"L", Kind::kPositive, "200", "half width and depth of the block, over a"},
            {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the contact"},
-           {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"}},
+           {"order", Kind::kOrder, "1", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
+           {"symmetry", Kind::kChoice, "images",
+            "images|line: how lines of symmetry are treated, by images or elements"}},
           build};
 }
 

@@ -33,6 +33,7 @@ ProblemModel build(const Values& v) {
                "Reference: G. Kirsch, 1898"};
   m.title = "HOLE IN A PLATE";
   m.function_nodes = v.count("order") + 1;
+  m.images = v.word("symmetry") == "images";
   m.plane = v.word("plane") == "stress" ? 1 : 0;
   const auto stress = [=](Point at) { return exact ? kirsch(at, R, S) : std::array<double, 3>{{S, 0, 0}}; };
   const Condition right = traction_field([=](Point at) {
@@ -67,7 +68,9 @@ Family hole_family() {
        {"outer", Kind::kChoice, "exact", "exact|uniform: tractions there of the infinite plate, or S alone"},
        {"n", Kind::kCount, "12", "elements over the quarter circle"},
        {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the hole"},
-       {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"}},
+       {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
+       {"symmetry", Kind::kChoice, "images",
+        "images|line: how lines of symmetry are treated, by images or elements"}},
       build};
 }
 

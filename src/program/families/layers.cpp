@@ -27,6 +27,7 @@ ProblemModel build(const Values& v, bool lifted) {
       "F. Erdogan, 1975. The line load is a strip of half width " + show(strip)};
   m.title = lifted ? "LAYER CLAMPED AND LIFTED" : "LAYER CLAMPED AND PRESSED";
   m.function_nodes = v.count("order") + 1;
+  m.images = v.word("symmetry") == "images";
   const double on_strip = (lifted ? load : -load) / (2 * strip) - pe;
   Outline layer({0, 0});
   layer.line({end, 0}, zone);
@@ -57,7 +58,9 @@ std::vector<Parameter> parameters(const char* lambda, const char* limit) {
           {"strip", Kind::kPositive, "0.01", "half width of the strip that the load acts on, over h"},
           {"L", Kind::kPositive, "12", "half length of the layer, over h"},
           {"ratio", Kind::kPositive, "1.3", "growth of the elements elsewhere"},
-          {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"}};
+          {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
+          {"symmetry", Kind::kChoice, "images",
+           "images|line: how lines of symmetry are treated, by images or elements"}};
 }
 
 } // namespace

@@ -98,7 +98,7 @@ std::vector<double> reversed(const std::vector<double>& s) {
 
 Outline& Outline::add_side(int elements, const Condition& condition) {
   const int first = sides_.empty() ? 0 : sides_.back().first + sides_.back().elements;
-  sides_.push_back({first, elements, condition});
+  sides_.push_back({first, elements, condition, 0});
   return *this;
 }
 
@@ -114,11 +114,15 @@ Outline& Outline::line(Point end, const std::vector<double>& s, const Condition&
 }
 
 Outline& Outline::axis_x(Point end, const std::vector<double>& s) {
-  return line(end, s, roller_x());
+  line(end, s, roller_x());
+  sides_.back().axis = 'X';
+  return *this;
 }
 
 Outline& Outline::axis_y(Point end, const std::vector<double>& s) {
-  return line(end, s, roller_y());
+  line(end, s, roller_y());
+  sides_.back().axis = 'Y';
+  return *this;
 }
 
 namespace {

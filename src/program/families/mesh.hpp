@@ -50,12 +50,13 @@ public:
   struct Side {
     int first, elements; // from 0
     Condition condition;
+    char axis; // 'X', 'Y': on a line of symmetry x or y = const; else 0
   };
 
   explicit Outline(Point start) : nodes_{{start, false, 0, 0}} {}
   // A straight side to `end` with nodes at the fractions s / s.back().
   Outline& line(Point end, const std::vector<double>& s, const Condition& condition = free_side());
-  // The same on a line of symmetry, x or y constant: smooth rollers.
+  // The same on a line of symmetry, x or y constant: smooth rollers, or nothing by images.
   Outline& axis_x(Point end, const std::vector<double>& s);
   Outline& axis_y(Point end, const std::vector<double>& s);
   // An arc about `centre` from angle `from` to `to` (degrees; rising: counter-clockwise).

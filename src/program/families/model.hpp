@@ -30,6 +30,7 @@ struct ProblemModel {
   std::string title;
   int plane = 0;          // 0 plane strain, 1 plane stress
   int function_nodes = 2; // per element
+  bool images = false;    // lines of symmetry by images, without elements there
   std::vector<BodyModel> bodies;
   std::vector<ContactZone> zones;
   std::vector<double> friction{0.0};

@@ -25,6 +25,7 @@ ProblemModel build(const Values& v) {
                "Reference: D. A. Spence, 1975 (loading); J. R. Turner, 1979 (unloading)"};
   m.title = "RIGID PUNCH WITH FRICTION";
   m.function_nodes = v.count("order") + 1;
+  m.images = v.word("symmetry") == "images";
   m.friction = {v.number("mu")};
   const double outside = v.number("ratio");
   Outline block({0, -size});
@@ -67,7 +68,9 @@ Family punch_family() {
             "size of an element over that of the one before, towards the edge"},
            {"L", Kind::kPositive, "1000", "half width and depth of the block, over a"},
            {"ratio", Kind::kPositive, "1.4", "growth of the elements outside"},
-           {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"}},
+           {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
+           {"symmetry", Kind::kChoice, "images",
+            "images|line: how lines of symmetry are treated, by images or elements"}},
           build};
 }
 

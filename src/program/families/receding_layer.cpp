@@ -24,6 +24,7 @@ ProblemModel build(const Values& v) {
                "Reference: singular integral equation; L. M. Keer, J. Dundurs, K. C. Tsai, 1972"};
   m.title = "RECEDING LAYER UNDER A LINE LOAD";
   m.function_nodes = v.count("order") + 1;
+  m.images = v.word("symmetry") == "images";
   Outline layer({0, 0});
   layer.line({width, 0}, zone);
   layer.line({end, 0}, graded(end - width, last_size(zone), 0, ratio, h / 4));
@@ -54,7 +55,9 @@ Family receding_layer_family() {
            {"strip", Kind::kPositive, "0.01", "half width of the strip that the load acts on, over h"},
            {"L", Kind::kPositive, "100", "half width and depth of the block, over h"},
            {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the zone"},
-           {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"}},
+           {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
+           {"symmetry", Kind::kChoice, "images",
+            "images|line: how lines of symmetry are treated, by images or elements"}},
           build};
 }
 

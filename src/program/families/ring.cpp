@@ -21,6 +21,7 @@ ProblemModel build(const Values& v) {
       "Reference: G. Lame, 1852"};
   m.title = "THICK RING";
   m.function_nodes = v.count("order") + 1;
+  m.images = v.word("symmetry") == "images";
   m.plane = v.word("plane") == "stress" ? 1 : 0;
   const int radial = std::max(1, static_cast<int>(n * (b - a) / (1.5 * a) + 0.5));
   const auto radial_traction = [](double p, double r) {
@@ -48,7 +49,9 @@ Family ring_family() {
            {"nu", Kind::kPoisson, "0.3", "Poisson's ratio"},
            {"plane", Kind::kChoice, "strain", "strain|stress: plane strain or stress"},
            {"n", Kind::kCount, "8", "elements over each quarter circle"},
-           {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"}},
+           {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
+           {"symmetry", Kind::kChoice, "images",
+            "images|line: how lines of symmetry are treated, by images or elements"}},
           build};
 }
 

@@ -23,6 +23,7 @@ ProblemModel build(const Values& v) {
                "Reference: spectral finite elements, c from the vanishing singularity"};
   m.title = "RECTANGLE BETWEEN ROUGH PLATES, " + show(n) + " ELEMENTS";
   m.function_nodes = v.count("order") + 1;
+  m.images = v.word("symmetry") == "images";
   m.friction = {v.number("mu")};
   const std::vector<double> top = equal(h, 8);
   Outline block({0, 0});
@@ -57,7 +58,9 @@ Family rough_plates_family() {
            {"n", Kind::kCount, "40", "elements over h, were they equal"},
            {"edge", Kind::kPositive, "1e-4", "element at the corner, over h"},
            {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the corner"},
-           {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"}},
+           {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
+           {"symmetry", Kind::kChoice, "images",
+            "images|line: how lines of symmetry are treated, by images or elements"}},
           build};
 }
 
