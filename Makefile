@@ -1,4 +1,4 @@
-# contact2d. Targets: all (default) demo test bench install uninstall list relist format clean.
+# contact2d. Targets: all (default) demo test bench convergence install uninstall list relist format clean.
 # Variables: CXX CC AR CXXFLAGS CFLAGS CPPFLAGS LDFLAGS BUILD PREFIX DESTDIR LIBDIR DOCTEST_INCLUDE NO_INSTALL.
 # What is compiled stands in src/sources.mk, which CMakeLists.txt reads too.
 include src/sources.mk
@@ -36,6 +36,7 @@ CORE_OBJECTS    := $(call objects,$(CORE_SOURCES))
 PORT_OBJECTS    := $(call objects,$(PORT_SOURCES))
 REPORT_OBJECTS  := $(call objects,$(REPORT_SOURCES))
 PROGRAM_OBJECTS := $(call objects,$(PROGRAM_SOURCES))
+FAMILY_OBJECTS  := $(filter $(BUILD)/obj/program_families_%,$(PROGRAM_OBJECTS))
 TEST_SOURCES    := $(wildcard tests/*.cpp)
 TEST_OBJECTS    := $(patsubst tests/%.cpp,$(BUILD)/tests/%.o,$(TEST_SOURCES))
 
@@ -45,7 +46,7 @@ PROGRAM := $(BUILD)/contact2d
 TESTS   := $(BUILD)/tests/run_tests
 
 .DELETE_ON_ERROR:
-.PHONY: all demo test bench install uninstall list relist format clean FORCE
+.PHONY: all demo test bench convergence install uninstall list relist format clean FORCE
 all: $(LIBRARY) $(PROGRAM)
 
 # ---------------------------------------------------------------- objects
@@ -89,8 +90,8 @@ $(BUILD)/tests/doctest: tests/doctest.sh | $(BUILD)/flags
 $(BUILD)/tests/%.o: tests/%.cpp $(BUILD)/flags $(BUILD)/tests/doctest Makefile
 	$(CXX) $(CPPFLAGS) $(COMMON) $$(cat $(BUILD)/tests/doctest) $(CXXFLAGS) -O1 $(EXACT) $(TEST_DEFINES) $(DEPS) \
 	  -c $< -o $@
-$(TESTS): $(TEST_OBJECTS) $(REPORT_OBJECTS) $(LIBRARY)
-	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $(TEST_OBJECTS) $(REPORT_OBJECTS) $(LIBRARY) -lm -pthread
+$(TESTS): $(TEST_OBJECTS) $(REPORT_OBJECTS) $(FAMILY_OBJECTS) $(LIBRARY)
+	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $(TEST_OBJECTS) $(REPORT_OBJECTS) $(FAMILY_OBJECTS) $(LIBRARY) -lm -pthread
 test: $(TESTS) $(PROGRAM) $(LIBRARY) $(SHARED)
 	@sh tests/run_shards.sh $(TESTS) $(JOBS)
 
@@ -116,8 +117,18 @@ bench: $(BUILD)/bench/run_bench $(BUILD)/bench/empty $(PROGRAM)
 	@$(BUILD)/bench/run_bench --program $(PROGRAM) --empty $(BUILD)/bench/empty --examples examples \
 	  --save '$(SAVE)' --base '$(BASE)'
 
+# Error against number of elements for every reference problem, with the observed order.
+CONVERGENCE_OBJECTS := $(patsubst tests/convergence/%.cpp,$(BUILD)/convergence/%.o,$(wildcard tests/convergence/*.cpp))
+$(BUILD)/convergence/%.o: tests/convergence/%.cpp $(BUILD)/flags Makefile
+	@mkdir -p $(@D)
+	$(CXX) $(CPPFLAGS) $(COMMON) -Itests $(CXXFLAGS) $(EXACT) $(TEST_DEFINES) $(DEPS) -c $< -o $@
+$(BUILD)/convergence/run_convergence: $(CONVERGENCE_OBJECTS) $(FAMILY_OBJECTS) $(LIBRARY)
+	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm
+convergence: $(BUILD)/convergence/run_convergence
+	@$(BUILD)/convergence/run_convergence
+
 # The list of sources against the folders: what is missing from either.
-FOUND_SOURCES := $(sort $(wildcard src/*/*.cpp port/*/*.cpp port/*/*.c))
+FOUND_SOURCES := $(sort $(wildcard src/*/*.cpp src/program/*/*.cpp port/*/*.cpp port/*/*.c))
 LISTED_SOURCES := $(sort $(CORE_SOURCES) $(PORT_SOURCES) $(REPORT_SOURCES) $(PROGRAM_SOURCES))
 NOT_LISTED := $(filter-out $(LISTED_SOURCES),$(FOUND_SOURCES))
 NOT_FOUND := $(filter-out $(FOUND_SOURCES),$(LISTED_SOURCES))
@@ -135,7 +146,7 @@ relist:
 	   ls src/*/*.cpp | grep -v -e '^src/report/' -e '^src/program/' | sed 's/^/CORE_SOURCES += /'; \
 	   ls port/*/*.cpp port/*/*.c 2>/dev/null | sed 's/^/PORT_SOURCES += /'; \
 	   ls src/report/*.cpp | sed 's/^/REPORT_SOURCES += /'; \
-	   ls src/program/*.cpp | sed 's/^/PROGRAM_SOURCES += /'; } > src/sources.mk.new
+	   ls src/program/*.cpp src/program/*/*.cpp | sed 's/^/PROGRAM_SOURCES += /'; } > src/sources.mk.new
 	@mv src/sources.mk.new src/sources.mk
 
 format:
@@ -168,8 +179,8 @@ uninstall:
 	-rmdir $(DESTDIR)$(CMAKEDIR) 2>/dev/null || true
 
 clean:
-	rm -rf $(BUILD)/obj $(BUILD)/tests $(BUILD)/demo $(BUILD)/bench
+	rm -rf $(BUILD)/obj $(BUILD)/tests $(BUILD)/demo $(BUILD)/bench $(BUILD)/convergence
 	rm -f $(LIBRARY) $(BUILD)/libcontact2d.so.* $(PROGRAM) $(BUILD)/flags $(BUILD)/exports
 	-rmdir $(BUILD) 2>/dev/null || true
 
--include $(wildcard $(BUILD)/obj/*.d $(BUILD)/tests/*.d $(BUILD)/bench/*.d)
+-include $(wildcard $(BUILD)/obj/*.d $(BUILD)/tests/*.d $(BUILD)/bench/*.d $(BUILD)/convergence/*.d)

@@ -95,6 +95,21 @@ inline c2d::DeckSink recording_sink(Recorder& r, int32_t function_nodes = 0) {
   sink.add_path = [](c2d_solver* s, int32_t increments, double load) -> c2d_status {
     return recorder(s)->record("path", {double(increments), load});
   };
+  sink.set_case_values = [](c2d_solver* s, int32_t body, int32_t element, int32_t local, const double v[4],
+                            int32_t load_case) -> c2d_status {
+    return recorder(s)->record("case values", {double(body), double(element), double(local), v[0], v[1], v[2], v[3],
+                                               double(load_case)});
+  };
+  sink.clear_paths = [](c2d_solver* s) -> c2d_status { return recorder(s)->record("clear paths", {}); };
+  sink.add_path_point = [](c2d_solver* s, int32_t increments, const double* factors,
+                           int32_t cases) -> c2d_status {
+    std::vector<double> numbers(factors, factors + cases);
+    numbers.push_back(increments);
+    return recorder(s)->record("path point", numbers);
+  };
+  sink.set_zone_friction = [](c2d_solver* s, int32_t zone, int32_t i, double mu) -> c2d_status {
+    return recorder(s)->record("zone friction", {double(zone), double(i), mu});
+  };
   sink.set_symmetry = [](c2d_solver* s, int32_t axis, double value) -> c2d_status {
     return recorder(s)->record("symmetry", {double(axis), value});
   };

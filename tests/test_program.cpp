@@ -104,7 +104,7 @@ TEST_CASE("program: what later versions bring is refused by name") {
     CHECK_MESSAGE(result.status == 64, arguments);
     CHECK_MESSAGE(contains(result.err, "not available in this version"), arguments);
   }
-  for (const char* command : {"make", "resume"}) {
+  for (const char* command : {"resume"}) {
     const Result result = contact2d(std::string(command) + deck);
     CHECK_MESSAGE(result.status == 64, command);
     CHECK_MESSAGE(contains(result.err, "not available in this version"), command);

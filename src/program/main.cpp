@@ -3,6 +3,7 @@
 #include "program/convert.hpp"
 #include "program/exit_code.hpp"
 #include "program/interrupt.hpp"
+#include "program/make.hpp"
 #include "program/options.hpp"
 #include "program/run.hpp"
 
@@ -24,6 +25,8 @@ int run_command(const app::Options& options) {
     return app::run_deck(options);
   case app::Command::kCheck:
     return app::check_deck(options);
+  case app::Command::kMake:
+    return app::make_deck(options);
   case app::Command::kConvert:
     return app::convert_deck(options);
   case app::Command::kVersion:

@@ -21,7 +21,7 @@ const Known kRunOptions[] = {{"--listing", true},   {"--csv", true},          {"
                              {"--report", true},    {"--figures", true},      {"--vtk", true},
                              {"--progress", false}, {"--no-progress", false}, {"--keep", false}};
 const char* const kLaterOptions[] = {"--points", "--interior"};
-const char* const kLaterCommands[] = {"make", "resume"};
+const char* const kLaterCommands[] = {"resume"};
 
 template <size_t n> bool is_one_of(const std::string& word, const char* const (&list)[n]) {
   for (const char* entry : list)
@@ -162,7 +162,7 @@ bool read_size(const std::string& text, uint64_t& bytes) {
 bool read_options(int argc, const char* const* argv, Options& options, std::string& error) {
   const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
   if (words.empty()) {
-    error = "no command: expected run, check, convert, --version or --help";
+    error = "no command: expected run, check, convert, make, --version or --help";
     return false;
   }
   const std::string& command = words[0];
@@ -174,8 +174,15 @@ bool read_options(int argc, const char* const* argv, Options& options, std::stri
     error = command + ": not available in this version";
     return false;
   }
+  if (command == "make") {
+    options.command = Command::kMake;
+    options.words.assign(words.begin() + 1, words.end());
+    if (!options.words.empty()) return true;
+    error = "make needs the name of a family, or --list";
+    return false;
+  }
   if (command != "run" && command != "check" && command != "convert") {
-    error = "unknown command " + command + ": expected run, check, convert, --version or --help";
+    error = "unknown command " + command + ": expected run, check, convert, make, --version or --help";
     return false;
   }
   options.command = command == "run"     ? Command::kRun
@@ -220,12 +227,15 @@ const char* help_text() {
   return "usage: contact2d run DECK [options]\n"
          "       contact2d check DECK\n"
          "       contact2d convert DECK [--to fixed|free] [-o FILE]\n"
+         "       contact2d make NAME key=value ...\n"
+         "       contact2d make --list\n"
          "       contact2d --version | --help\n"
          "\n"
          "run solves a deck, check reads and validates it and tells the memory it needs, convert writes it "
          "in the "
          "other\n"
          "form (fixed columns or free) without changing a number. DECK may be - for standard input.\n"
+         "make writes the deck of a problem known by name to standard output; --list tells names and keys.\n"
          "\n"
          "options of run:\n"
          "  --listing FILE     printed results; default: standard output, unless another output is sent "

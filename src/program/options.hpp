@@ -3,15 +3,17 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace app {
 
-enum class Command { kRun, kCheck, kConvert, kVersion, kHelp };
+enum class Command { kRun, kCheck, kConvert, kMake, kVersion, kHelp };
 enum class Progress { kAutomatic, kAlways, kNever };
 
 struct Options {
   Command command = Command::kHelp;
   std::string deck;
+  std::vector<std::string> words;                        // of make: the family and its settings, or --list
   std::string listing, csv, boundary, json, report, vtk; // empty: not asked for; "-": standard output
   std::string figures;                                   // folder; empty: not asked for
   std::string store;                                     // empty: chosen by size; "memory"; "file:DIR"

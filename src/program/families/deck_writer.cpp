@@ -1,0 +1,379 @@
+// The deck of a model, in fixed columns.
+#include "program/families/model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdarg>
+#include <cstdio>
+#include <cstdlib>
+
+namespace families {
+namespace {
+
+__attribute__((format(printf, 1, 2))) std::string formatted(const char* format, ...) {
+  char text[256];
+  va_list list;
+  va_start(list, format);
+  std::vsnprintf(text, sizeof text, format, list);
+  va_end(list);
+  return text;
+}
+
+std::string in_10(double value) {
+  const std::string text = number_in(10, value);
+  return std::string(10 - text.size(), ' ') + text;
+}
+
+// One element end of a body with its condition.
+struct End {
+  int element, local; // from 1
+  std::array<int, 4> codes;
+  std::array<std::string, 4> values; // as on the card
+  bool is_free() const {
+    return codes == std::array<int, 4>{{0, 0, 1, 1}} && values[0] == in_10(0) && values[1] == in_10(0);
+  }
+  bool same(const End& other) const { return codes == other.codes && values == other.values; }
+};
+
+// A boundary curve of the deck: a closed outline, or, by images, what of it lies between lines of symmetry.
+struct Curve {
+  const Outline* outline;
+  size_t first_side, sides;
+  int first, elements; // of the outline's elements, from 0
+  bool open;
+};
+
+std::vector<Curve> curves_of(const Outline& outline, bool images) {
+  std::vector<Curve> out;
+  const std::vector<Outline::Side>& sides = outline.sides();
+  bool inside = false, any = false;
+  for (size_t i = 0; i < sides.size(); ++i) {
+    const bool left_out = images && sides[i].axis != 0;
+    any = any || left_out;
+    if (!left_out && !inside) out.push_back({&outline, i, 0, sides[i].first, 0, false});
+    if (!left_out) out.back().sides += 1, out.back().elements += sides[i].elements;
+    inside = !left_out;
+  }
+  for (Curve& curve : out) curve.open = any;
+  return out;
+}
+
+class Writer {
+public:
+  explicit Writer(const ProblemModel& model) : m_(model) {
+    for (const BodyModel& body : m_.bodies) {
+      curves_.emplace_back();
+      for (const Outline& region : body.regions)
+        for (const Curve& curve : curves_of(region, m_.images)) curves_.back().push_back(curve);
+    }
+  }
+  std::string write();
+
+private:
+  void card(const std::string& text) { out_ += text + "\n"; }
+  void comment(const std::string& text) { card("C  " + text); }
+  bool is_curved(const BodyModel& body) const;
+  int elements(size_t body) const;
+  int nodes_along(const Curve& curve, int steps) const {
+    return curve.elements * steps + (curve.open ? 1 : 0);
+  }
+  int geometry_nodes(size_t body) const;
+  void control();
+  void nodes(size_t b);
+  void conditions(size_t b);
+  std::vector<End> ends(size_t b) const;
+  void place_of_side(size_t b, int side, int& element, int& node) const;
+  End end(const Outline& region, size_t side, int element, int local) const;
+  void zones();
+  void loads();
+  void symmetry();
+
+  const ProblemModel& m_;
+  std::vector<std::vector<Curve>> curves_; // per body
+  std::string out_;
+};
+
+bool Writer::is_curved(const BodyModel& body) const {
+  if (m_.function_nodes < 3) return false;
+  for (const Outline& region : body.regions)
+    for (const Outline::Node& node : region.nodes())
+      if (node.polar) return true;
+  return false;
+}
+
+int Writer::elements(size_t b) const {
+  int count = 0;
+  for (const Curve& curve : curves_[b]) count += curve.elements;
+  return count;
+}
+
+int Writer::geometry_nodes(size_t b) const {
+  int count = 0;
+  for (const Curve& curve : curves_[b]) count += nodes_along(curve, is_curved(m_.bodies[b]) ? 2 : 1);
+  return count;
+}
+
+void Writer::control() {
+  card(formatted("%5d", static_cast<int>(m_.heading.size()) + 1));
+  for (const std::string& line : m_.heading) card(line);
+  card(m_.title);
+  const int bodies = static_cast<int>(m_.bodies.size());
+  comment(m_.plane == 0 ? "plane strain; output" : "plane stress; output");
+  card(formatted("%5d%5d", m_.plane, bodies == 2 ? 1 : 0));
+  comment("bodies, contact zones, functional nodes per element");
+  card(formatted("%5d%5d%5d", bodies, static_cast<int>(m_.zones.size()), m_.function_nodes));
+  comment("per body: closed curves, boundary points per element, elements, boundary points");
+  for (size_t b = 0; b < m_.bodies.size(); ++b)
+    card(formatted("%5d%5d%5d%5d", static_cast<int>(curves_[b].size()), is_curved(m_.bodies[b]) ? 3 : 2,
+                   elements(b), geometry_nodes(b)));
+  comment("per curve: first and last element");
+  for (const std::vector<Curve>& curves : curves_) {
+    int first = 1;
+    for (const Curve& curve : curves) {
+      card(formatted("%5d%5d", first, first + curve.elements - 1));
+      first += curve.elements;
+    }
+  }
+  comment("per body: Young's modulus, Poisson's ratio");
+  for (const BodyModel& body : m_.bodies) card(in_10(body.youngs_modulus) + in_10(body.poisson_ratio));
+  comment("coefficients of friction");
+  std::string friction = formatted("%5d ", static_cast<int>(m_.friction.size()));
+  for (size_t i = 0; i < m_.friction.size(); ++i) {
+    if (i > 0 && i % 7 == 0) card(friction), friction = "      ";
+    friction += in_10(std::min(m_.friction[i], 1e9));
+  }
+  card(friction);
+}
+
+// A point of an element at fraction f from its first to its last node; of an arc, on the arc.
+Point place(const Outline::Node& a, const Outline::Node& b, double f) {
+  const Point at{a.at.x + (b.at.x - a.at.x) * f, a.at.y + (b.at.y - a.at.y) * f};
+  if (!a.polar || !b.polar) return at;
+  const double degree = std::acos(-1.0) / 180.0, angle = (a.angle + (b.angle - a.angle) * f) * degree;
+  const Point centre{a.at.x - a.radius * std::cos(a.angle * degree),
+                     a.at.y - a.radius * std::sin(a.angle * degree)};
+  return {centre.x + a.radius * std::cos(angle), centre.y + a.radius * std::sin(angle)};
+}
+
+// Points of a curve in the order of the cards, middle points of curved elements included.
+std::vector<Outline::Node> points_of(const Curve& curve, bool curved) {
+  std::vector<Outline::Node> out;
+  const std::vector<Outline::Node>& n = curve.outline->nodes();
+  for (int i = curve.first; i < curve.first + curve.elements; ++i) {
+    const Outline::Node &a = n[static_cast<size_t>(i)], &b = n[static_cast<size_t>(i) + 1];
+    out.push_back(a);
+    if (!curved) continue;
+    Outline::Node middle{{(a.at.x + b.at.x) / 2, (a.at.y + b.at.y) / 2}, false, 0, 0};
+    // Both ends polar and not on one ray: an arc (a side along a ray has one polar end at most).
+    if (a.polar && b.polar) middle = {middle.at, true, a.radius, (a.angle + b.angle) / 2};
+    out.push_back(middle);
+  }
+  if (curve.open) out.push_back(n[static_cast<size_t>(curve.first + curve.elements)]);
+  return out;
+}
+
+bool is_between(double a, double b, double value, double fraction, double scale) {
+  return std::fabs(a + (b - a) * fraction - value) <= 1e-12 * scale;
+}
+
+// Do the points first+1 ... last-1 follow from the cards of first and last?
+bool is_generated(const std::vector<Outline::Node>& p, size_t first, size_t last) {
+  const Outline::Node &a = p[first], &b = p[last];
+  for (size_t i = first + 1; i < last; ++i) {
+    const double f = static_cast<double>(i - first) / static_cast<double>(last - first);
+    if (b.polar && !(a.polar && p[i].polar && is_between(a.angle, b.angle, p[i].angle, f, 360.0)))
+      return false;
+    const double scale =
+        std::max({std::fabs(a.at.x), std::fabs(a.at.y), std::fabs(b.at.x), std::fabs(b.at.y)});
+    if (!b.polar && (p[i].polar || !is_between(a.at.x, b.at.x, p[i].at.x, f, scale) ||
+                     !is_between(a.at.y, b.at.y, p[i].at.y, f, scale)))
+      return false;
+  }
+  return true;
+}
+
+void Writer::nodes(size_t b) {
+  const BodyModel& body = m_.bodies[b];
+  comment("origin and boundary points of " + body.name);
+  card(in_10(body.origin.x) + in_10(body.origin.y));
+  int number = 1;
+  for (const Curve& curve : curves_[b]) {
+    const auto p = points_of(curve, is_curved(body));
+    for (size_t i = 0, next; i < p.size(); i = next) {
+      card((p[i].polar ? "P" : " ") + formatted("%4d ", number + static_cast<int>(i)) +
+           (p[i].polar ? in_10(p[i].radius) + in_10(p[i].angle)
+                       : in_10(p[i].at.x - body.origin.x) + in_10(p[i].at.y - body.origin.y)));
+      next = i + 1;
+      while (next + 1 < p.size() && is_generated(p, i, next + 1)) ++next;
+    }
+    number += static_cast<int>(p.size());
+  }
+}
+
+// A displacement is known at a corner if either of its sides knows it.
+End Writer::end(const Outline& region, size_t side, int element, int local) const {
+  const std::vector<Outline::Side>& sides = region.sides();
+  const Outline::Side& own = sides[side];
+  const auto& n = region.nodes();
+  const Point at = place(n[static_cast<size_t>(element)], n[static_cast<size_t>(element) + 1],
+                         (local - 1.0) / (m_.function_nodes - 1.0));
+  End out{element + 1, local, own.condition.codes, {}};
+  std::array<double, 4> values{};
+  if (own.condition.values) values = own.condition.values(at);
+  const bool first = element == own.first && local == 1;
+  const bool last = element == own.first + own.elements - 1 && local == m_.function_nodes;
+  const auto join = [&](const Outline::Side& other) {
+    if (m_.images && other.axis != 0) return;
+    for (size_t i = 2; i < 4; ++i)
+      if (out.codes[i] == 1 && other.condition.codes[i] == 0) {
+        out.codes[i] = 0;
+        values[i] = other.condition.values ? other.condition.values(at)[i] : 0.0;
+      }
+  };
+  if (first) join(sides[side == 0 ? sides.size() - 1 : side - 1]);
+  if (last) join(sides[side + 1 == sides.size() ? 0 : side + 1]);
+  for (size_t i = 0; i < 4; ++i)
+    out.values[i] = formatted("%10s", number_in(9, values[i]).c_str()); // a blank between them
+  return out;
+}
+
+std::vector<End> Writer::ends(size_t b) const {
+  std::vector<End> out;
+  int offset = 0;
+  for (const Curve& curve : curves_[b]) {
+    for (size_t i = curve.first_side; i < curve.first_side + curve.sides; ++i) {
+      const Outline::Side& side = curve.outline->sides()[i];
+      for (int e = side.first; e < side.first + side.elements; ++e)
+        for (int local = 1; local <= m_.function_nodes; ++local) {
+          out.push_back(end(*curve.outline, i, e, local));
+          out.back().element += offset - curve.first;
+        }
+    }
+    offset += curve.elements;
+  }
+  return out;
+}
+
+// First element and first functional node of a side of the body's first outline, from 1.
+void Writer::place_of_side(size_t b, int side, int& element, int& node) const {
+  const size_t at = static_cast<size_t>(side);
+  element = node = 1;
+  for (const Curve& curve : curves_[b]) {
+    if (at >= curve.first_side && at < curve.first_side + curve.sides) {
+      const int before = curve.outline->sides()[at].first - curve.first;
+      element += before;
+      node += before * (m_.function_nodes - 1);
+      return;
+    }
+    element += curve.elements;
+    node += nodes_along(curve, m_.function_nodes - 1);
+  }
+}
+
+void Writer::conditions(size_t b) {
+  const BodyModel& body = m_.bodies[b];
+  const std::vector<End> all = ends(b);
+  std::vector<std::string> cards;
+  const auto add = [&](const End& e, bool generated) {
+    cards.push_back(formatted("%c%4d%5d %d%d%d%d ", generated ? '1' : ' ', e.element, e.local, e.codes[0],
+                              e.codes[1], e.codes[2], e.codes[3]) +
+                    e.values[0] + e.values[1] + e.values[2] + e.values[3]);
+  };
+  for (size_t i = 0, next; i < all.size(); i = next) {
+    next = i + 1;
+    while (next < all.size() && all[next].same(all[i])) ++next;
+    if (all[i].is_free()) continue;
+    add(all[i], false);
+    if (next - i > 1) add(all[next - 1], next - i > 2);
+  }
+  comment("conditions of " + body.name + ": element, end, codes and values of tx ty ux uy");
+  card(formatted("%5d", static_cast<int>(cards.size())));
+  for (const std::string& text : cards) card(text);
+  comment("point loads of " + body.name);
+  card("    0");
+}
+
+void Writer::zones() {
+  int elements_in_contact = 0;
+  const int f = m_.function_nodes - 1;
+  int pairs = 0;
+  for (const ContactZone& zone : m_.zones) {
+    const int n = m_.bodies[0].regions[0].sides()[static_cast<size_t>(zone.side1)].elements;
+    int e1, e2, n1, n2;
+    place_of_side(0, zone.side1, e1, n1);
+    place_of_side(1, zone.side2, e2, n2);
+    comment("contact zone: bodies, pairs, elements; its elements; its nodes");
+    card(formatted("    1    2%5d%5d", n * f + 1, n));
+    card(formatted("%5d%5d%5d%5d", e1, e1 + n - 1, e2 + n - 1, e2));
+    card(formatted("%5d%5d%5d%5d", n1, n1 + n * f, n2 + n * f, n2));
+    elements_in_contact += n;
+    pairs += n * f + 1;
+  }
+  comment("per body: nodes and elements in contact");
+  for (size_t body = 0; body < m_.bodies.size(); ++body)
+    card(formatted("%5d%5d", pairs, elements_in_contact));
+}
+
+void Writer::loads() {
+  comment("load cards, limit of iterations; increments and load factor at their end");
+  card(formatted("%5d%5d", static_cast<int>(m_.loads.size()), 50));
+  for (const Load& load : m_.loads) card(formatted("%5d ", load.increments) + in_10(load.factor));
+}
+
+void Writer::symmetry() {
+  bool told[2] = {false, false};
+  for (const BodyModel& body : m_.bodies)
+    for (const Outline& region : body.regions)
+      for (const Outline::Side& side : region.sides()) {
+        if (side.axis == 0 || told[side.axis - 'X']) continue;
+        const Point at = region.nodes()[static_cast<size_t>(side.first)].at;
+        card(formatted("*SYMMETRY %c ", side.axis) + number_in(16, side.axis == 'X' ? at.x : at.y));
+        told[side.axis - 'X'] = true;
+      }
+}
+
+std::string Writer::write() {
+  control();
+  for (size_t b = 0; b < m_.bodies.size(); ++b) nodes(b);
+  for (size_t b = 0; b < m_.bodies.size(); ++b) conditions(b);
+  zones();
+  loads();
+  if (m_.images) symmetry();
+  for (const std::string& text : m_.keywords) card(text);
+  return out_;
+}
+
+} // namespace
+
+// As few digits as tell the number; plain rather than with an exponent where both are as near.
+std::string number_in(int columns, double value) {
+  if (value == 0) return "0.0";
+  std::string best;
+  double error = HUGE_VAL;
+  const auto consider = [&](const std::string& text) {
+    if (text.size() > static_cast<size_t>(columns)) return;
+    const double now = std::fabs(std::strtod(text.c_str(), nullptr) - value);
+    if (now < error) error = now, best = text;
+  };
+  for (int digits = 1; digits < columns; ++digits) {
+    const std::string text = formatted("%.*f", digits, value);
+    consider(text);
+    if (text.compare(0, 2, "0.") == 0) consider(text.substr(1));
+    if (text.compare(0, 3, "-0.") == 0) consider("-" + text.substr(2));
+  }
+  for (int digits = 0; digits <= 8; ++digits) { // 1.2345E-06 as 1.2345E-6
+    const std::string text = formatted("%.*E", digits, value);
+    const size_t e = text.find('E');
+    size_t power = e + 2;
+    while (power + 1 < text.size() && text[power] == '0') ++power;
+    consider(text.substr(0, e) + (digits == 0 ? "." : "") + "E" + (text[e + 1] == '-' ? "-" : "") +
+             text.substr(power));
+  }
+  return best;
+}
+
+std::string write_deck(const ProblemModel& model) {
+  return Writer(model).write();
+}
+
+} // namespace families

@@ -1,0 +1,37 @@
+#include "program/make.hpp"
+
+#include "program/exit_code.hpp"
+#include "program/families/family.hpp"
+#include "program/output_file.hpp"
+
+#include <cstdio>
+
+namespace app {
+namespace {
+
+int print(const std::string& text) {
+  OutputFile out;
+  std::string error;
+  bool written = out.open("-", error);
+  if (written) {
+    out.text = text;
+    written = out.finish(error);
+  }
+  if (written) return kExitSolved;
+  std::fprintf(stderr, "contact2d: %s\n", error.c_str());
+  return kExitFiles;
+}
+
+} // namespace
+
+int make_deck(const Options& options) {
+  const std::string& name = options.words.front();
+  const std::vector<std::string> settings(options.words.begin() + 1, options.words.end());
+  if (name == "--list" && settings.empty()) return print(families::list_families());
+  std::string deck, error;
+  if (families::make_deck(name, settings, deck, error)) return print(deck);
+  std::fprintf(stderr, "contact2d: %s\n", error.c_str());
+  return kExitUsage;
+}
+
+} // namespace app

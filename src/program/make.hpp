@@ -1,0 +1,11 @@
+// contact2d make: writes the deck of a problem of a known family.
+#pragma once
+
+#include "program/options.hpp"
+
+namespace app {
+
+// Returns the program's exit status.
+int make_deck(const Options& options);
+
+} // namespace app

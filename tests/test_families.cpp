@@ -1,0 +1,102 @@
+// contact2d make: usage, and that every family's default deck can be solved and is the one in examples/.
+#include "family_runs.hpp"
+#include "shell.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace test;
+
+namespace {
+
+Result make(const std::string& arguments) {
+  return run_shell("'" C2D_TEST_PROGRAM "' make " + arguments);
+}
+
+} // namespace
+
+TEST_CASE("families: make --list tells every family with its keys, meanings and defaults") {
+  const Result list = make("--list");
+  CHECK(list.status == 0);
+  for (const families::Family& family : families::all_families()) {
+    CHECK_MESSAGE(contains(list.out, std::string(family.name) + ": " + family.summary), family.name);
+    for (const families::Parameter& p : family.parameters) {
+      CHECK_MESSAGE(contains(list.out, std::string("  ") + p.key + "=" + p.value),
+                    family.name << " " << p.key);
+      CHECK_MESSAGE(contains(list.out, p.meaning), family.name << " " << p.key);
+    }
+  }
+}
+
+TEST_CASE("families: wrong names, keys and values end with 64 and list the keys") {
+  struct Wrong {
+    const char *arguments, *said;
+  };
+  const Wrong wrong[] = {{"", "needs the name of a family"},
+                         {"herz", "'herz' is not a known family; known are hertz "},
+                         {"--list hertz", "not a known family"},
+                         {"hertz m=20", "'m' is not a key of this family"},
+                         {"hertz n", "'n': expected key=value"},
+                         {"hertz =20", "'' is not a key"},
+                         {"hertz n=10 n=20", "n is given twice"},
+                         {"hertz n=2.5", "n=2.5: expected a whole number from 1 to 2000"},
+                         {"hertz n=0", "n=0: expected a whole number"},
+                         {"hertz n=1e9", "expected a whole number"},
+                         {"hertz n=", "expected a whole number"},
+                         {"hertz E1=-5", "E1=-5: expected a number above 0"},
+                         {"hertz E1=nan", "expected a number above 0"},
+                         {"hertz E1=12x", "expected a number above 0"},
+                         {"hertz nu1=0.6", "expected a number above -1, at most 0.5"},
+                         {"hertz edge=1.5", "expected a number from 0 to 1"},
+                         {"hertz order=4", "order=4: expected 1, 2 or 3"},
+                         {"hertz a=50", "a is above R/10"},
+                         {"hertz L=1", "L is below 3"},
+                         {"punch mu=-1", "expected a number from 0, or inf"},
+                         {"punch grading=1", "grading is to be from 0.25 to below 1"},
+                         {"ring plane=flat", "plane=flat: expected one of strain|stress"},
+                         {"ring b=0.5", "b is not above a"}};
+  for (const Wrong& w : wrong) {
+    const Result result = make(w.arguments);
+    CHECK_MESSAGE(result.status == 64, w.arguments);
+    CHECK_MESSAGE(result.out.empty(), w.arguments);
+    CHECK_MESSAGE(result.err.compare(0, 11, "contact2d: ") == 0, w.arguments);
+    CHECK_MESSAGE(contains(result.err, w.said), w.arguments << ": " << result.err);
+  }
+  const Result keys = make("hertz m=20"); // the keys stand below
+  CHECK(contains(keys.err, "  n=20"));
+  CHECK(contains(keys.err, "elements over the half width"));
+}
+
+TEST_CASE("families: numbers on cards fill at most their columns and lose no digit that fits") {
+  const struct {
+    double value;
+    const char* text;
+  } numbers[] = {
+      {0, "0.0"},    {1000, "1000.0"},       {-0.25, "-0.25"},           {1e-6, "0.000001"},
+      {1e9, "1.E9"}, {-1.25e-7, "-1.25E-7"}, {-89.206648, "-89.206648"}, {0.123456789, ".123456789"}};
+  for (const auto& n : numbers) CHECK(families::number_in(10, n.value) == n.text);
+  for (double value = 1e-9; std::fabs(value) < 1e9; value *= -7.3) {
+    const std::string text = families::number_in(10, value);
+    CHECK(text.size() <= 10);
+    CHECK(std::fabs(std::stod(text) - value) <=
+          5e-5 * std::fabs(value)); // worst: five digits, as in -1.2345E-6
+  }
+}
+
+TEST_CASE("families: the ready decks are what make writes") {
+  for (const families::Family& family : families::all_families()) {
+    const std::string file = std::string(C2D_TEST_ROOT "/examples/make_") + family.name + ".dat";
+    std::vector<std::string> settings;
+    for (const std::string& line : lines_of(read_file(file)))
+      if (line.compare(0, 2, "  ") == 0 && contains(line, "=")) {
+        std::istringstream words(line);
+        for (std::string word; words >> word;) settings.push_back(word);
+      } else if (line.compare(0, 2, "C ") == 0) {
+        break; // the heading is over
+      }
+    std::string deck, error;
+    REQUIRE_MESSAGE(families::make_deck(family.name, settings, deck, error), error);
+    CHECK_MESSAGE(deck == read_file(file), file);
+    const families_test::Solution solution = families_test::solve_deck(deck);
+    CHECK_MESSAGE(solution.error.empty(), family.name << ": " << solution.error);
+  }
+}
