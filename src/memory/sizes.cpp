@@ -98,6 +98,7 @@ c2d_status lay_out(const Sizes& sizes, uint64_t header, Layout& out) {
   carver.carve(kPaths, static_cast<uint64_t>(sizes.paths), kPathBytes);
   carver.carve(kPairTable, static_cast<uint64_t>(sizes.pairs) * C2D_PAIR_FIELDS, sizeof(double));
   carver.carve(kLoads, 4 * cases, sizeof(double));
+  carver.carve(kBodyForces, 2 * cases, kBodyForceBytes);
   carver.carve(kPhase, 0, 1);
   out.persistent = carver.used;
   return carver.fits ? C2D_OK : C2D_ERR_OVERFLOW;

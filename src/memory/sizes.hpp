@@ -5,7 +5,8 @@
 namespace c2d {
 
 // Bytes of one element of the arrays whose types belong to the model (checked there with static_assert).
-constexpr uint64_t kRegionBytes = 16, kZoneBytes = 56, kPairBytes = 136, kPointLoadBytes = 48, kPathBytes = 16;
+constexpr uint64_t kRegionBytes = 16, kZoneBytes = 56, kPairBytes = 136, kPointLoadBytes = 48, kPathBytes = 16,
+                   kBodyForceBytes = 40;
 
 // Every array that lives in the workspace, in the order in which memory is carved. Two arrays per body follow one
 // another (`kXy + body`). The README maps them to the arrays of the 1987 program.
@@ -25,8 +26,9 @@ enum ArrayId : int32_t {
   kPaths = 20,        // Path   [paths]                   (PATH)
   kPairTable = 21,    // double [pairs * C2D_PAIR_FIELDS] results (UNION)
   kLoads = 22,        // double [4 * cases]               load factors: reached, target, direction, at stick
-  kPhase = 23,        // the rest: what assembly, reduction and contact use one after another (A)
-  kArrays = 24
+  kBodyForces = 23,   // BodyForce [2 * cases]            of both bodies, case by case
+  kPhase = 24,        // the rest: what assembly, reduction and contact use one after another (A)
+  kArrays = 25
 };
 
 // What a model within given limits needs, per body.

@@ -22,6 +22,10 @@ struct Path {
   int32_t increments, padding;
   double load;
 };
+// A load case's body force of one body: per area (bx, by) + rho_omega2 (x - x0, y - y0).
+struct BodyForce {
+  double bx, by, rho_omega2, x0, y0;
+};
 // Element k of a zone is first_element[b] + k * element_step[b] on body b; pair k joins the functional nodes
 // zone_node(..., k). Ranges may wrap round their region.
 struct Zone {
@@ -54,7 +58,8 @@ struct Pair {
 };
 
 static_assert(sizeof(Region) == kRegionBytes && sizeof(Zone) == kZoneBytes && sizeof(Pair) == kPairBytes &&
-                  sizeof(PointLoad) == kPointLoadBytes && sizeof(Path) == kPathBytes,
+                  sizeof(PointLoad) == kPointLoadBytes && sizeof(Path) == kPathBytes &&
+                  sizeof(BodyForce) == kBodyForceBytes,
               "memory/sizes.hpp states the size of every array element");
 
 struct Body {               // lives in the solver's header
@@ -78,6 +83,7 @@ struct ModelHeader {        // lives in the solver's header; the arrays live in 
   // those in force from the model's completion on; the model lies where line_side * (x - line_at) >= 0.
   int32_t symmetry_asked, symmetry;
   int32_t images;           // 1: elements on a symmetry line are replaced by images
+  int32_t body_forces;      // bodies with body forces: 1: body 1, 2: body 2
   double line_at[2], line_side[2];
   double length_unit;       // power of two near the size of the bodies
   double stress_unit;       // power of two near 2G of the softer body
@@ -101,6 +107,7 @@ struct Model { // a view, rebuilt at every entry into the library: plain pointer
   PointLoad* point_load;
   double* friction;
   Path* path;
+  BodyForce* body_force;    // [2 * case + body]
 };
 
 // ---- topology ---------------------------------------------------------------------------------------------------

@@ -37,6 +37,7 @@ uint64_t hash_model(const Model& m, const c2d_options& options) {
     hash = hash_array(hash, m.end_code[b], ends);
     hash = hash_array(hash, m.region[b], body.regions);
   }
+  if (m.head->body_forces != 0) hash = hash_array(hash, m.body_force, 2 * static_cast<int64_t>(m.head->load_cases));
   hash = hash_array(hash, m.zone, m.head->zones);
   return hash_array(hash, m.point_load, m.head->point_loads);
 }
