@@ -288,6 +288,10 @@ c2d_status c2d_set_condition(c2d_solver* solver, int32_t body, int32_t element, 
    the part that is modelled; it acts along the line. */
 c2d_status c2d_add_point_load(c2d_solver* solver, int32_t body, double x, double y, double fx, double fy,
                               int32_t load_case);
+/* Pairs whose bodies overlap before any load (a press fit) are legal, and touch at first; the factor of this load case
+   closes their overlaps: they are gone at factor 1. c2d_run brings it from 0 to 1 before the first step of the path, and
+   keeps it there; with c2d_advance it is the caller's. Given again it replaces the one before. */
+c2d_status c2d_set_interference(c2d_solver* solver, int32_t load_case);
 /* A force per area of the body (and unit thickness): (bx, by), a weight, and rho_omega2 (x - x0, y - y0), outward from
    the axis (x0, y0) of a rotation, density times angular velocity squared. One per body and load case, which scales it;
    given again it replaces the one before. It must have the symmetry of the model: no weight across a line of symmetry,
@@ -554,7 +558,7 @@ const char* c2d_version(void);               /* "0.1.0" */
 
 /* What belongs to both. */
 #define C2D_LIST_BYTES_(zones, pairs, point_loads, coefficients, paths, cases)                                         \
-  (C2D_ARRAY_(zones, 56) + C2D_ARRAY_(pairs, 136) + C2D_ARRAY_(point_loads, 48) + C2D_ARRAY_(coefficients, 8) +        \
+  (C2D_ARRAY_(zones, 56) + C2D_ARRAY_(pairs, 144) + C2D_ARRAY_(point_loads, 48) + C2D_ARRAY_(coefficients, 8) +        \
    C2D_ARRAY_(paths, 16) +                                                                                             \
    C2D_ARRAY_(pairs, 128) +                                            /* result table                    */          \
    C2D_ARRAY_(cases, 32) +                                             /* load factors                    */          \

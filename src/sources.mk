@@ -30,6 +30,7 @@ CORE_SOURCES += src/deck/conditions.cpp
 CORE_SOURCES += src/deck/control.cpp
 CORE_SOURCES += src/deck/deck.cpp
 CORE_SOURCES += src/deck/fields.cpp
+CORE_SOURCES += src/deck/interference.cpp
 CORE_SOURCES += src/deck/keywords.cpp
 CORE_SOURCES += src/deck/loads.cpp
 CORE_SOURCES += src/deck/nodes.cpp

@@ -44,6 +44,7 @@ struct Problem {
   std::vector<Body> bodies;
   std::vector<PointLoad> point_loads;
   std::vector<BodyForce> body_forces;
+  int32_t interference = 0; // load case that closes overlaps
   std::vector<c2d_zone> zones;
   std::vector<double> friction = {0.0};
   std::vector<Path> paths = {{1, 1.0}};

@@ -1,4 +1,5 @@
 // *BODY FORCE body load_case bx by [rho_omega2 x0 y0]: force per area of a body, and what its rotation about (x0, y0) adds.
+// The load case may be one more than the deck has otherwise.
 #include "deck/keywords.hpp"
 
 namespace c2d {
@@ -12,6 +13,7 @@ void read_body_force(Deck& deck, const Words& keyword_card) {
   const int32_t old_faults = cards.faults;
   integer_word(cards, keyword_card, 0, "body number", 1, deck.sizes.bodies, &body);
   integer_word(cards, keyword_card, 1, "load case", 1, 10000, &load_case);
+  if (load_case > 1 && load_case > deck.sizes.load_cases) deck.sizes.load_cases = load_case;
   const int32_t given = keyword_card.count > 4 ? 5 : 2;
   for (int32_t i = 0; i < given; ++i) real_word(cards, keyword_card, 2 + i, kNames[i], &value[i]);
   const bool ended = end_of_words(cards, keyword_card, 2 + given);

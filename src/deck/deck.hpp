@@ -34,6 +34,7 @@ struct DeckSink {
   c2d_status (*add_path)(c2d_solver*, int32_t increments, double load);
   c2d_status (*set_units)(c2d_solver*, const char* length, const char* force);
   c2d_status (*set_symmetry)(c2d_solver*, int32_t axis, double value);
+  c2d_status (*set_interference)(c2d_solver*, int32_t load_case);
   c2d_status (*set_body_force)(c2d_solver*, int32_t body, int32_t load_case, double bx, double by,
                                double rho_omega2, double x0, double y0);
 };

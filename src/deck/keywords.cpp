@@ -15,12 +15,14 @@ struct Keyword {
 // must allow for either order. Keywords and where they are read:
 //   *UNITS length force      units.cpp      names of the units, for titles of axes
 //   *SYMMETRY X value        symmetry.cpp   line x = value (Y: y = value), everything mirrored across it
+//   *INTERFERENCE load_case  interference.cpp   initial overlaps are closed as a load case
 //   *BODY FORCE ...          body_force.cpp weight and rotation of a body in a load case
-// Names set aside for: *CASES, *PATH (load histories), *FRICTION (coefficients by zone), *RIGID, *INTERFERENCE, *ZONE (meshes that do not match), *POINTS.
+// Names set aside for: *CASES, *PATH (load histories), *FRICTION (coefficients by zone), *RIGID, *ZONE (meshes that do not match), *POINTS.
 constexpr Keyword kKeywords[] = {
     {"UNITS", read_units, false},
     {"SYMMETRY", read_symmetry, true},
     {"BODY FORCE", read_body_force, true},
+    {"INTERFERENCE", read_interference, false},
 };
 constexpr int32_t kKeywordCount = static_cast<int32_t>(sizeof kKeywords / sizeof kKeywords[0]);
 static_assert(kKeywordCount <= 32, "Deck::keywords_seen has a bit for each");

@@ -18,6 +18,7 @@ bool next_data_card(Deck& deck, Words& words);
 // read.
 void read_units(Deck& deck, const Words& keyword_card);    // units.cpp
 void read_symmetry(Deck& deck, const Words& keyword_card); // symmetry.cpp
+void read_interference(Deck& deck, const Words& keyword_card); // interference.cpp
 void read_body_force(Deck& deck, const Words& keyword_card); // body_force.cpp
 
 } // namespace c2d

@@ -44,6 +44,7 @@ struct Pair {
   int32_t status;           // C2D_OPEN, C2D_STICK, C2D_SLIP
   double nx, ny;            // the frame: n from body 1 to body 2; t = (ny, -nx)
   double gap;               // initial normal gap >= 0
+  double overlap;           // by which the bodies overlap there; ModelHeader::interference closes it
   double length;            // shorter of the contact elements that meet there, both bodies
   // History of friction, written by src/contact alone; w_t = (u2 - u1).t in the length unit of the model.
   double offset;            // stick: w_t at which the pair sticks
@@ -83,6 +84,7 @@ struct ModelHeader {        // lives in the solver's header; the arrays live in 
   // those in force from the model's completion on; the model lies where line_side * (x - line_at) >= 0.
   int32_t symmetry_asked, symmetry;
   int32_t images;           // 1: elements on a symmetry line are replaced by images
+  int32_t interference;     // the load case, from 1, whose factor closes initial overlaps; 0: there may be none
   int32_t body_forces;      // bodies with body forces: 1: body 1, 2: body 2
   double line_at[2], line_side[2];
   double length_unit;       // power of two near the size of the bodies
@@ -159,6 +161,11 @@ struct Unknown {
 };
 Unknown unknown_at(const Model& m, int b, int32_t node, int component);
 bool displacement_known(const Model& m, int b, int32_t node, int component);
+
+// (u2 - u1).n + this is the normal gap, at these load factors: the initial gap, or less the overlap closed so far.
+inline double effective_gap(const ModelHeader& head, const Pair& pair, const double* load) {
+  return head.interference == 0 ? pair.gap : pair.gap - load[head.interference - 1] * pair.overlap;
+}
 
 // ---- materials --------------------------------------------------------------------------------------------------
 double shear_modulus(const Model& m, int b);

@@ -329,6 +329,15 @@ extern "C" c2d_status c2d_add_point_load(c2d_solver* s, int32_t body, double x, 
   return built(s);
 }
 
+extern "C" c2d_status c2d_set_interference(c2d_solver* s, int32_t load_case) {
+  const c2d_status status = enter_building(s);
+  if (status != C2D_OK) return status;
+  if (!in_range(load_case, 1, s->sizes.load_cases))
+    return refuse_number(s, C2D_ERR_ARGUMENT, "load case", load_case, 1, s->sizes.load_cases);
+  s->model.interference = load_case;
+  return built(s);
+}
+
 extern "C" c2d_status c2d_set_body_force(c2d_solver* s, int32_t body, int32_t load_case, double bx, double by,
                                          double rho_omega2, double x0, double y0) {
   c2d_status status = enter_building(s);

@@ -72,6 +72,17 @@ int32_t largest_load(const Model& m) {
   return best;
 }
 
+// Overlaps are closed before anything else: their load case goes from 0 to 1 and stays there.
+c2d_status close_overlaps(Session& session) {
+  c2d_solver* s = session.solver;
+  double* target = array_of<double>(s, kLoads) + s->model.load_cases;
+  for (int32_t k = 0; k < s->model.load_cases; ++k) target[k] = k + 1 == s->model.interference ? 1.0 : 0.0;
+  const c2d_status status = advance(session, target, false);
+  if (status != C2D_OK || s->outcome == C2D_REACHED) return status;
+  session.now.step = 1;
+  return show_step(session, C2D_STEP_STOPPED);
+}
+
 // All load cards for the coefficient that the pairs hold. Case 1 follows the cards, other cases stay at zero.
 c2d_status run_cards(Session& session) {
   c2d_solver* s = session.solver;
@@ -79,6 +90,10 @@ c2d_status run_cards(Session& session) {
   double from = 0.0;
   const int32_t peak = largest_load(session.model);
   session.now.step = 0;
+  if (s->model.interference != 0) {
+    const c2d_status status = close_overlaps(session);
+    if (status != C2D_OK || s->outcome != C2D_REACHED) return status;
+  }
   for (int32_t p = 0; p < s->model.paths; ++p) {
     const Path& path = session.model.path[p];
     for (int32_t i = 1; i <= path.increments; ++i) {
@@ -86,6 +101,7 @@ c2d_status run_cards(Session& session) {
       const double load =
           i == path.increments ? path.load : from + (path.load - from) * i / static_cast<double>(path.increments);
       for (int32_t k = 0; k < s->model.load_cases; ++k) target[k] = k == 0 ? load : 0.0;
+      if (s->model.interference != 0) target[s->model.interference - 1] = 1.0;
       const bool last = p + 1 == s->model.paths && i == path.increments;
       c2d_status status = advance(session, target, last);
       if (status != C2D_OK) return status;

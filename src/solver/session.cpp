@@ -357,7 +357,8 @@ void other_displacements(Session& session) {
   for (int32_t i = 0; i < f.t->pairs; ++i) {
     const Pair& pair = f.t->pair[i];
     const PairState now = pair_state(*f.t, i, f.y);
-    out[pair.dof] = known[pair.dof] + static_cast<Real>(sign * (now.wn - pair.gap / f.t->length_unit));
+    const double gap = effective_gap(*session.model.head, pair, f.load) / f.t->length_unit;
+    out[pair.dof] = known[pair.dof] + static_cast<Real>(sign * (now.wn - gap));
     if (pair.tangential) out[pair.dof + 1] = known[pair.dof + 1] + static_cast<Real>(sign * now.wt);
   }
 }
