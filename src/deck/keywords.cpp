@@ -17,13 +17,14 @@ struct Keyword {
 //   *CASES n                 history.cpp    load cases beside the deck's own
 //   *PATH                    history.cpp    pieces of path through their factors, instead of the load cards
 //   *FRICTION                history.cpp    coefficients by zone
-// Names set aside for: *SYMMETRY (images),
-// *BODY FORCE (weight, rotation), *RIGID, *INTERFERENCE, *ZONE (meshes that do not match), *POINTS.
+//   *SYMMETRY X value        symmetry.cpp   line x = value (Y: y = value), everything mirrored across it
+// Names set aside for: *BODY FORCE (weight, rotation), *RIGID, *INTERFERENCE, *ZONE (meshes that do not match), *POINTS.
 constexpr Keyword kKeywords[] = {
     {"UNITS", read_units, false},
     {"CASES", read_cases, false},
     {"PATH", read_path, false},
     {"FRICTION", read_friction, false},
+    {"SYMMETRY", read_symmetry, true},
 };
 constexpr int32_t kKeywordCount = static_cast<int32_t>(sizeof kKeywords / sizeof kKeywords[0]);
 static_assert(kKeywordCount <= 32, "Deck::keywords_seen has a bit for each");

@@ -60,6 +60,7 @@ c2d_status walk(Reading& reading) {
   sink.add_path_point = c2d_add_path_point;
   sink.set_zone_friction = c2d_set_zone_friction;
   sink.set_units = c2d_set_units;
+  sink.set_symmetry = c2d_set_symmetry;
   return read_deck_cards(&sink, read_line, &reading, deck_fault, &reading, nullptr);
 }
 
