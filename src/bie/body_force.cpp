@@ -3,6 +3,7 @@
 #include "bie/element.hpp"
 #include "bie/shape.hpp"
 #include "model/geometry.hpp"
+#include "quadrature/gauss.hpp"
 
 namespace c2d {
 
@@ -105,6 +106,51 @@ void body_force_resultant(const Model& m, int b, int32_t load_case, double x, do
   // About the centre (x times y cancels), then about the point.
   const double moment = a.x * f.by - a.y * f.bx + w * (ax * a.y - ay * a.x);
   out[2] = moment + (centre[0] - x) * out[1] - (centre[1] - y) * out[0];
+}
+
+namespace {
+
+// Of b.u_p, along a line y = constant from x = from to `to`: three Gauss points are exact for its fourth degree.
+double work_on_line(const Model& m, int b, const BodyForce& f, int32_t particular_case, double from, double to,
+                    double y) {
+  const GaussRule rule = gauss_legendre(3);
+  double sum = 0.0;
+  for (int i = 0; i < rule.n; ++i) {
+    const GaussPoint g = gauss_point(rule, i);
+    const double x = 0.5 * (from + to) + 0.5 * (to - from) * g.x;
+    const Particular p = particular_solution(m, b, particular_case, x, y);
+    const double bx = f.bx + f.rho_omega2 * (x - f.x0), by = f.by + f.rho_omega2 * (y - f.y0);
+    sum += 0.5 * (to - from) * g.w * (bx * p.u[0] + by * p.u[1]);
+  }
+  return sum;
+}
+
+} // namespace
+
+double body_force_work(const Model& m, int b, int32_t load_case, int32_t particular_case) {
+  const BodyForce& f = body_force(m, b, load_case);
+  if (!is_loaded(f) || !is_loaded(body_force(m, b, particular_case))) return 0.0;
+  const double origin = body_of(m, b).centre[0];
+  const GaussRule rule = gauss_legendre(10); // exact for the 17th degree of cubic elements
+  double sum = 0.0;
+  for (int32_t e = 0; e < body_of(m, b).elements; ++e)
+    for (int i = 0; i < rule.n; ++i) {
+      const GaussPoint g = gauss_point(rule, i);
+      const CurvePoint p = curve_point(m, b, e, g.x);
+      sum += g.w * p.dy * work_on_line(m, b, f, particular_case, origin, p.x, p.y);
+    }
+  for (int32_t r = 0; r < body_of(m, b).regions; ++r) {
+    double x[3], y[3];
+    const int corners = closing_way(m, b, r, x, y);
+    for (int k = 0; k + 1 < corners; ++k)
+      for (int i = 0; i < rule.n; ++i) {
+        const GaussPoint g = gauss_point(rule, i);
+        const double s = 0.5 * (1.0 + g.x), dy = y[k + 1] - y[k];
+        sum += 0.5 * g.w * dy *
+               work_on_line(m, b, f, particular_case, origin, x[k] + s * (x[k + 1] - x[k]), y[k] + s * dy);
+      }
+  }
+  return sum;
 }
 
 } // namespace c2d

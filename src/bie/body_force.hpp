@@ -30,4 +30,7 @@ void particular_traction(const Model& m, int b, int32_t load_case, int32_t eleme
 // the area are ones of polynomials along the boundary.
 void body_force_resultant(const Model& m, int b, int32_t load_case, double x, double y, double out[3]);
 
+// Integral over the body of the body force of one load case times u_p of another, both at factor 1.
+double body_force_work(const Model& m, int b, int32_t load_case, int32_t particular_case);
+
 } // namespace c2d

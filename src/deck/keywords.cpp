@@ -14,12 +14,18 @@ struct Keyword {
 // The place to add to. A deck may have its keywords in any order, so a handler that needs another one's data
 // must allow for either order. Keywords and where they are read:
 //   *UNITS length force      units.cpp      names of the units, for titles of axes
+//   *CASES n                 history.cpp    load cases beside the deck's own
+//   *PATH                    history.cpp    pieces of path through their factors, instead of the load cards
+//   *FRICTION                history.cpp    coefficients by zone
 //   *SYMMETRY X value        symmetry.cpp   line x = value (Y: y = value), everything mirrored across it
 //   *INTERFERENCE load_case  interference.cpp   initial overlaps are closed as a load case
 //   *BODY FORCE ...          body_force.cpp weight and rotation of a body in a load case
-// Names set aside for: *CASES, *PATH (load histories), *FRICTION (coefficients by zone), *RIGID, *ZONE (meshes that do not match), *POINTS.
+// Names set aside for: *RIGID, *ZONE (meshes that do not match), *POINTS.
 constexpr Keyword kKeywords[] = {
     {"UNITS", read_units, false},
+    {"CASES", read_cases, false},
+    {"PATH", read_path, false},
+    {"FRICTION", read_friction, false},
     {"SYMMETRY", read_symmetry, true},
     {"BODY FORCE", read_body_force, true},
     {"INTERFERENCE", read_interference, false},

@@ -5,7 +5,7 @@
 namespace c2d {
 
 // Bytes of one element of the arrays whose types belong to the model (checked there with static_assert).
-constexpr uint64_t kRegionBytes = 16, kZoneBytes = 56, kPairBytes = 144, kPointLoadBytes = 48, kPathBytes = 16,
+constexpr uint64_t kRegionBytes = 16, kZoneBytes = 56, kPairBytes = 160, kPointLoadBytes = 48, kPathBytes = 16,
                    kBodyForceBytes = 40;
 
 // Every array that lives in the workspace, in the order in which memory is carved. Two arrays per body follow one
@@ -22,13 +22,15 @@ enum ArrayId : int32_t {
   kZones = 16,        // Zone   [zones]                   (MCF, MCEL)
   kPairs = 17,        // Pair   [pairs]                   (MPAIR, UNTAVG)
   kPointLoads = 18,   // PointLoad [point loads]          (PTLOAD)
-  kFriction = 19,     // double [coefficients]            (FMU)
+  kFriction = 19,     // double [coefficients]            (FMU), then [coefficients * zones], negative: the former
   kPaths = 20,        // Path   [paths]                   (PATH)
   kPairTable = 21,    // double [pairs * C2D_PAIR_FIELDS] results (UNION)
   kLoads = 22,        // double [4 * cases]               load factors: reached, target, direction, at stick
-  kBodyForces = 23,   // BodyForce [2 * cases]            of both bodies, case by case
-  kPhase = 24,        // the rest: what assembly, reduction and contact use one after another (A)
-  kArrays = 25
+  kPathLoads = 23,    // double [paths * cases]           factors at the end of each piece of the path
+  kEnergy = 24,       // double [energy_numbers]          solver/energy.hpp
+  kBodyForces = 25,   // BodyForce [2 * cases]            of both bodies, case by case
+  kPhase = 26,        // the rest: what assembly, reduction and contact use one after another (A)
+  kArrays = 27
 };
 
 // What a model within given limits needs, per body.
@@ -44,6 +46,9 @@ struct Sizes {
   int64_t zones, pairs, contact_elements, point_loads, coefficients, paths;
   int64_t contact;     // contact unknowns at most: 2 pairs
 };
+
+// Work, reaction and what they grow by per load case: 2 functionals of 2 m + cases numbers, and 5 numbers.
+inline uint64_t energy_numbers(uint64_t m, uint64_t cases) { return cases * (2 * (2 * m + cases) + 5); }
 
 // Checks and completes the limits. Errors: C2D_ERR_ARGUMENT.
 c2d_status derive_sizes(const c2d_limits& limits, Sizes& out);

@@ -56,6 +56,8 @@ struct Pair {
   int32_t saved_status, saved_sign;
   int32_t weak;             // this pair sits on the border of its conditions (within one event)
   double saved_offset, saved_slip_done, saved_slip_from;
+  double weight;            // integral of the pair's shape functions along body 1, in the length unit
+  double saved_q;           // q at the start of the increment (deck stepping)
 };
 
 static_assert(sizeof(Region) == kRegionBytes && sizeof(Zone) == kZoneBytes && sizeof(Pair) == kPairBytes &&
@@ -110,6 +112,7 @@ struct Model { // a view, rebuilt at every entry into the library: plain pointer
   double* friction;
   Path* path;
   BodyForce* body_force;    // [2 * case + body]
+  double* path_load;        // [path * cases + case]
 };
 
 // ---- topology ---------------------------------------------------------------------------------------------------
