@@ -144,6 +144,10 @@ TEST_CASE("body force: a column under its weight is exact") {
       CHECK(e.u < 1e-10);
       CHECK(e.t < 1e-10);
       CHECK(interior_error(p, setup, r, guided, C2D_POINT_INSIDE) < 1e-9);
+      // Nothing but the weight does work: half of its force times displacement, 2 wide, 3 high.
+      const double stored = (1 - m.nu * m.nu) / m.e * 4 * 4 * 2 * 3 * 3 * 3 / 6;
+      CHECK(r.summary.work == doctest::Approx(stored).epsilon(1e-9).scale(1 / m.e));
+      CHECK(r.summary.elastic == doctest::Approx(stored).epsilon(1e-9).scale(1 / m.e));
     }
 }
 
@@ -229,6 +233,16 @@ double spin_error(const Problem& p, const Spinning& s, double cx, double cy) {
   }
   const Result r = solved(p, setup);
   const double largest = s.w * s.b * s.b * s.b / s.m.e; // incompressible discs do not move
+  // Work: half of w r times u over what is modelled.
+  double stored = 0;
+  const int slices = 2000;
+  for (int i = 0; i < slices; ++i) {
+    const double radius = s.a + (i + 0.5) / slices * (s.b - s.a);
+    stored += 0.5 * s.w * radius * s.displacement(radius) * (p.symmetry == 3 ? 0.5 : 2) * kPi * radius *
+              (s.b - s.a) / slices;
+  }
+  CHECK(r.summary.work == doctest::Approx(stored).epsilon(2e-2).scale(1e-9 * largest));
+  CHECK(std::fabs(r.summary.energy_defect) < 1e-9);
   double worst = 0;
   for (const EndResult& end : r.boundary[0]) {
     const double x = end.x - cx, y = end.y - cy, radius = std::hypot(x, y), u = s.displacement(radius);
@@ -393,6 +407,8 @@ TEST_CASE("body force: a block rests on a foundation with its whole weight") {
       CHECK(std::fabs(r.summary.contact[1][0]) < 1e-11);
       CHECK(r.summary.applied[1][1] == doctest::Approx(-10).epsilon(1e-12));
       CHECK(r.summary.force_error < 1e-12);
+      CHECK(r.summary.work > 0);
+      CHECK(std::fabs(r.summary.energy_defect) < 0.05);
     }
   // A gap: the block falls, without turning, until it touches; then the same again.
   const Result r = solved(block(0, 0.25, true, 2)), flat = solved(block(0, 0, true, 2));

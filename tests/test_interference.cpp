@@ -64,6 +64,9 @@ TEST_CASE("interference: stacked blocks carry what closes their overlap") {
       CHECK(std::fabs(step.at(i, C2D_UN2) - step.at(i, C2D_UN1)) == doctest::Approx(0.01).epsilon(1e-10));
     }
     CHECK(r.summary.max_residual < 1e-12);
+    // Pressure times overlap, 2 wide: half of it is stored, as both grow together.
+    CHECK(r.summary.work == doctest::Approx(0.5 * pressure * 0.01 * 2).epsilon(1e-9));
+    CHECK(r.summary.elastic == doctest::Approx(0.5 * pressure * 0.01 * 2).epsilon(1e-9));
   }
   // Half closed, and opened again, by the caller's own factors.
   Problem p = stack(0.01);
@@ -149,6 +152,8 @@ TEST_CASE("interference: a press fit of two rings against Lame") {
       for (int i = 0; i <= n; ++i)
         worst = std::max(worst, std::fabs(r.steps.back().at(i, C2D_TN) / pressure - 1));
       CHECK(worst < before / 3); // second order
+      CHECK(r.summary.work == doctest::Approx(0.5 * pressure * delta * b * kPi / 2).epsilon(0.02));
+      CHECK(std::fabs(r.summary.energy_defect) < 1e-2);
       before = worst;
     }
     CHECK(before < 1e-3); // 7.8e-4 with 24 linear elements per quarter
