@@ -120,6 +120,25 @@ void add_boundary(Adjoint& a, int32_t k, bool reactions) {
 
 // ---- point loads --------------------------------------------------------------------------------------------------
 
+// The boundary integrals hold for u - u_p and t - t_p: what the body forces' own part of an element takes off.
+void take_particular(Adjoint& a, int32_t element, const Blocks& blocks, const double factor[2]) {
+  const Model& m = a.model();
+  for (int32_t k = 0; k < m.head->load_cases && has_body_force(m, a.b); ++k) {
+    if (!is_loaded(body_force(m, a.b, k))) continue;
+    for (int l = 0; l < m.head->function_nodes; ++l) {
+      double x, y, t[2];
+      node_position(m, a.b, functional_node(m, a.b, element, l), &x, &y);
+      const Particular p = particular_solution(m, a.b, k, x, y);
+      particular_traction(m, a.b, k, element, l, t);
+      for (int c = 0; c < 2; ++c) {
+        const double h = factor[0] * blocks.h[l][0][c] + factor[1] * blocks.h[l][1][c];
+        const double g = factor[0] * blocks.g[l][0][c] + factor[1] * blocks.g[l][1][c];
+        a.lambda[k] += h * p.u[c] / m.head->length_unit - g * t[c] / (2.0 * shear_modulus(m, a.b));
+      }
+    }
+  }
+}
+
 // factor[i] times what an element's tractions and displacements do to the displacement at (x, y) in the length unit.
 void add_element_at(Adjoint& a, int32_t element, Measure measure, const double at[2], const double factor[2]) {
   const Model& m = a.model();
@@ -137,6 +156,7 @@ void add_element_at(Adjoint& a, int32_t element, Measure measure, const double a
       if (contact == !own)
         add_traction(a, element, l, c, factor[0] * blocks.g[l][0][c] + factor[1] * blocks.g[l][1][c]);
     }
+  if (own) take_particular(a, element, blocks, factor);
 }
 
 // The field of all point loads of the body.
@@ -193,6 +213,10 @@ void add_point_load(Adjoint& a, const PointLoad& load) {
   add_outer(a, body.columns, factor[0]);
   add_outer(a, body.columns + 1, factor[1]);
   add_outer(a, body.columns + 2, factor[1] * dx - factor[0] * dy);
+  for (int32_t k = 0; k < m.head->load_cases && has_body_force(m, a.b); ++k) {
+    const Particular p = particular_solution(m, a.b, k, load.x, load.y);
+    a.lambda[k] += (factor[0] * p.u[0] + factor[1] * p.u[1]) / unit;
+  }
 }
 
 // ---- body forces --------------------------------------------------------------------------------------------------
