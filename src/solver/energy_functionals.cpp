@@ -259,6 +259,12 @@ void add_body_force(Adjoint& a, int32_t k) {
   for (int32_t element = 0; element < body_of(m, a.b).elements; ++element)
     if (is_integrated(m, a.b, element)) add_particular(a, element, k);
   for (int32_t i = 0; i < m.head->load_cases; ++i) a.lambda[i] += body_force_work(m, a.b, i, k) / unit;
+  for (int32_t i = 0; i < m.head->point_loads; ++i) {
+    const PointLoad& load = m.point_load[i];
+    if (load.body != a.b) continue;
+    const Particular p = particular_solution(m, a.b, k, load.x, load.y);
+    a.lambda[load.load_case] += (load.fx * p.u[0] + load.fy * p.u[1]) / unit;
+  }
 }
 
 // Pressures times the overlaps that case k closes.
