@@ -289,6 +289,16 @@ c2d_status c2d_set_condition(c2d_solver* solver, int32_t body, int32_t element, 
    the part that is modelled; it acts along the line. */
 c2d_status c2d_add_point_load(c2d_solver* solver, int32_t body, double x, double y, double fx, double fy,
                               int32_t load_case);
+/* Pairs whose bodies overlap before any load (a press fit) are legal, and touch at first; the factor of this load case
+   closes their overlaps: they are gone at factor 1. c2d_run brings it from 0 to 1 before the first step of the path, and
+   keeps it there; with c2d_advance it is the caller's. Given again it replaces the one before. */
+c2d_status c2d_set_interference(c2d_solver* solver, int32_t load_case);
+/* A force per area of the body (and unit thickness): (bx, by), a weight, and rho_omega2 (x - x0, y - y0), outward from
+   the axis (x0, y0) of a rotation, density times angular velocity squared. One per body and load case, which scales it;
+   given again it replaces the one before. It must have the symmetry of the model: no weight across a line of symmetry,
+   the axis on every line. Stays on the boundary by way of a particular solution; resultants are exact. */
+c2d_status c2d_set_body_force(c2d_solver* solver, int32_t body, int32_t load_case, double bx, double by,
+                              double rho_omega2, double x0, double y0);
 /* A contact zone: elements of body 1 and body 2 that face each other, first with first, last with last (a range
    may run down), and the functional nodes that form pairs in the same order. */
 typedef struct c2d_zone {
@@ -600,13 +610,14 @@ const char* c2d_version(void);               /* "0.1.0" */
 
 /* What belongs to both. */
 #define C2D_LIST_BYTES_(zones, pairs, point_loads, coefficients, paths, cases)                                         \
-  (C2D_ARRAY_(zones, 56) + C2D_ARRAY_(pairs, 152) + C2D_ARRAY_(point_loads, 48) +                                      \
+  (C2D_ARRAY_(zones, 56) + C2D_ARRAY_(pairs, 160) + C2D_ARRAY_(point_loads, 48) +                                      \
    C2D_ARRAY_((coefficients) * (UINT64_C(1) + (zones)), 8) +           /* friction                        */          \
    C2D_ARRAY_(paths, 16) +                                                                                             \
    C2D_ARRAY_(pairs, 128) +                                            /* result table                    */          \
    C2D_ARRAY_(cases, 32) +                                             /* load factors                    */          \
    C2D_ARRAY_(UINT64_C(1) * (paths) * (cases), 8) +                    /* path                            */          \
-   C2D_ARRAY_((cases) * (2 * (UINT64_C(4) * (pairs) + (cases)) + 5), 8)) /* energy                        */
+   C2D_ARRAY_((cases) * (2 * (UINT64_C(4) * (pairs) + (cases)) + 5), 8) + /* energy                        */          \
+   C2D_ARRAY_(2 * (cases), 40))                                        /* body forces                     */
 
 /* What assembly, reduction and the load path use one after another; m contact unknowns. */
 #define C2D_PHASE_BYTES_(nodes1, ends1, nodes2, ends2, m, cases)                                                       \

@@ -113,6 +113,13 @@ inline c2d::DeckSink recording_sink(Recorder& r, int32_t function_nodes = 0) {
   sink.set_symmetry = [](c2d_solver* s, int32_t axis, double value) -> c2d_status {
     return recorder(s)->record("symmetry", {double(axis), value});
   };
+  sink.set_interference = [](c2d_solver* s, int32_t load_case) -> c2d_status {
+    return recorder(s)->record("interference", {double(load_case)});
+  };
+  sink.set_body_force = [](c2d_solver* s, int32_t body, int32_t load_case, double bx, double by, double w, double x0,
+                           double y0) -> c2d_status {
+    return recorder(s)->record("body force", {double(body), double(load_case), bx, by, w, x0, y0});
+  };
   sink.set_units = [](c2d_solver* s, const char* length, const char* force) -> c2d_status {
     recorder(s)->units = std::string(length) + " " + force;
     return recorder(s)->record("units", {});

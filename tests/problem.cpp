@@ -113,6 +113,9 @@ c2d_limits limits_of(const Problem& p) {
   }
   for (const Body& body : p.bodies)
     if (!body.second_case.empty()) limits.load_cases = 2;
+  if (p.interference > 1) limits.load_cases = p.interference;
+  for (const BodyForce& f : p.body_forces)
+    if (f.load_case > limits.load_cases) limits.load_cases = f.load_case;
   limits.zones = static_cast<int32_t>(p.zones.size());
   for (const c2d_zone& z : p.zones) {
     limits.pairs += z.pairs;
@@ -159,6 +162,10 @@ c2d_status feed(c2d_solver* s, const Problem& p) {
     status = feed_body(s, p, static_cast<int32_t>(b) + 1);
   for (const PointLoad& l : p.point_loads)
     if (status == C2D_OK) status = c2d_add_point_load(s, l.body, l.x, l.y, l.fx, l.fy, 1);
+  if (p.interference > 0 && status == C2D_OK) status = c2d_set_interference(s, p.interference);
+  for (const BodyForce& f : p.body_forces)
+    if (status == C2D_OK)
+      status = c2d_set_body_force(s, f.body, f.load_case, f.bx, f.by, f.rho_omega2, f.x0, f.y0);
   for (const c2d_zone& z : p.zones)
     if (status == C2D_OK) status = c2d_add_zone(s, &z);
   for (double mu : p.friction)

@@ -34,11 +34,17 @@ struct Path {
   int32_t increments;
   double load;
 };
+struct BodyForce { // per area (bx, by) + rho_omega2 (x - x0, y - y0)
+  int32_t body, load_case;
+  double bx, by, rho_omega2 = 0, x0 = 0, y0 = 0;
+};
 
 struct Problem {
   int32_t plane = C2D_PLANE_STRAIN, analysis = C2D_ANALYSIS_FULL, iteration_limit = 50, function_nodes = 2;
   std::vector<Body> bodies;
   std::vector<PointLoad> point_loads;
+  std::vector<BodyForce> body_forces;
+  int32_t interference = 0; // load case that closes overlaps
   std::vector<c2d_zone> zones;
   std::vector<double> friction = {0.0};
   std::vector<Path> paths = {{1, 1.0}};

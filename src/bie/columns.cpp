@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "bie/body_force.hpp"
 #include "bie/kernels.hpp"
 #include "bie/shape.hpp"
 #include "model/symmetry.hpp"
@@ -287,6 +288,27 @@ void aim_right_hand_side(const Panel& panel, int32_t element, const ElementTarge
     }
 }
 
+// Integrals of an element for every source and image, paid where the deposits say.
+void pay_sources(const ColumnSystem& system, const Integrator& integrator, const int32_t node[4], bool want_h,
+                 bool want_g, Blocks& blocks, const Deposits& deposits) {
+  const Model& m = system.model;
+  const int nf = m.head->function_nodes;
+  for (int32_t source = 0; source < m.head->body[system.body].nodes; ++source) {
+    const int32_t twin = system.twin[source];
+    if (twin == kSecondTwin || twin == kAxisNode) continue;
+    const double* at = system.point + 2 * static_cast<int64_t>(source);
+    for (int image = 0; image <= m.head->symmetry; ++image) {
+      if (!is_image(*m.head, image)) continue;
+      const Source p = mirrored_source(*m.head, image, at);
+      const int singular = p.on_itself ? singular_node(node, nf, source, twin) : -1;
+      integrate(integrator, p.x, p.y, singular, want_h, want_g, blocks);
+      if (image > 0 && want_h) sign_rows(image, nf, blocks.h);
+      if (image > 0 && want_g) sign_rows(image, nf, blocks.g);
+      deposits.pay(source);
+    }
+  }
+}
+
 // The blocks of one element for every source, tractions in one measure; h goes with the element's own length.
 void add_element(const ColumnSystem& system, const Panel& panel, int32_t element, const ElementTargets& t,
                  Measure measure) {
@@ -311,20 +333,7 @@ void add_element(const ColumnSystem& system, const Panel& panel, int32_t element
     if (panel.range.holds_right())
       aim_right_hand_side(panel, element, t, pass, want_h, want_g, contact, blocks, deposits);
     if (deposits.count == 0) continue;
-    for (int32_t source = 0; source < m.head->body[system.body].nodes; ++source) {
-      const int32_t twin = system.twin[source];
-      if (twin == kSecondTwin || twin == kAxisNode) continue;
-      const double* at = system.point + 2 * static_cast<int64_t>(source);
-      for (int image = 0; image <= m.head->symmetry; ++image) {
-        if (!is_image(*m.head, image)) continue;
-        const Source p = mirrored_source(*m.head, image, at);
-        const int singular = p.on_itself ? singular_node(t.node, nf, source, twin) : -1;
-        integrate(integrator, p.x, p.y, singular, want_h, want_g, blocks);
-        if (image > 0 && want_h) sign_rows(image, nf, blocks.h);
-        if (image > 0 && want_g) sign_rows(image, nf, blocks.g);
-        deposits.pay(source);
-      }
-    }
+    pay_sources(system, integrator, t.node, want_h, want_g, blocks, deposits);
   }
 }
 
@@ -401,6 +410,56 @@ void add_point_load(const ColumnSystem& system, const Panel& panel, const PointL
   panel.add(2 * body.nodes + 2, column, ax * f[1] - ay * f[0]);
 }
 
+// H u_p - G t_p of one element, into the right-hand side of one load case.
+void add_particular(const ColumnSystem& system, const Panel& panel, int32_t element, int32_t load_case) {
+  const Model& m = system.model;
+  const int b = system.body, nf = m.head->function_nodes;
+  Real* column = panel.column(panel.range.right + load_case);
+  Integrator integrator;
+  make_integrator(m, b, element, system.quadrature, Measure::own_length, integrator);
+  Blocks blocks;
+  Deposits deposits;
+  deposits.count = 0;
+  int32_t node[4];
+  for (int l = 0; l < nf; ++l) {
+    node[l] = functional_node(m, b, element, l);
+    double x, y, t[2];
+    node_position(m, b, node[l], &x, &y);
+    const Particular p = particular_solution(m, b, load_case, x, y);
+    particular_traction(m, b, load_case, element, l, t);
+    for (int c = 0; c < 2; ++c) {
+      deposits.add(&blocks.h[l][0][c], column, p.u[c] / m.head->length_unit);
+      deposits.add(&blocks.g[l][0][c], column, -t[c] / (2.0 * shear_modulus(m, b)));
+    }
+  }
+  if (deposits.count > 0) pay_sources(system, integrator, node, true, true, blocks, deposits);
+}
+
+// What the body force of a load case adds to its right-hand side: the equations hold for u - u_p and t - t_p.
+void add_body_force(const ColumnSystem& system, const Panel& panel, int32_t load_case) {
+  const Model& m = system.model;
+  const int b = system.body;
+  const Body& body = m.head->body[b];
+  const int32_t column = panel.range.right + load_case;
+  if (!panel.range.holds(column) || !is_loaded(body_force(m, b, load_case))) return;
+  for (int32_t element = 0; element < body.elements; ++element)
+    if (is_integrated(m, b, element)) add_particular(system, panel, element, load_case);
+  for (int32_t node = 0; node < body.nodes; ++node) {
+    if (system.twin[node] == kSecondTwin || system.twin[node] == kAxisNode) continue;
+    double x, y;
+    node_position(m, b, node, &x, &y);
+    const Particular p = particular_solution(m, b, load_case, x, y);
+    const double* block = system.diagonal + 4 * static_cast<int64_t>(node);
+    for (int i = 0; i < 2; ++i)
+      panel.add(2 * node + i, column, (block[2 * i] * p.u[0] + block[2 * i + 1] * p.u[1]) / m.head->length_unit);
+  }
+  double force[3];
+  body_force_resultant(m, b, load_case, body.centre[0], body.centre[1], force);
+  const double scale = 1.0 / (2.0 * shear_modulus(m, b) * m.head->length_unit);
+  for (int i = 0; i < 2; ++i) panel.add(2 * body.nodes + i, column, scale * force[i]);
+  panel.add(2 * body.nodes + 2, column, scale * force[2] / m.head->length_unit);
+}
+
 // This row says: the unknown of column j is zero.
 void hold(const Panel& panel, int32_t row, int32_t j) {
   for (int32_t k = panel.range.first; k < panel.range.last; ++k) *(panel.column(k) + row) = 0;
@@ -457,6 +516,7 @@ void fill_columns(const ColumnSystem& system, int32_t first, int32_t count, Real
   for (int32_t node = 0; node < m.head->body[b].nodes; ++node) add_node(system, panel, node);
   for (int32_t i = 0; i < m.head->point_loads && range.holds_right(); ++i)
     if (m.point_load[i].body == b) add_point_load(system, panel, m.point_load[i]);
+  for (int32_t k = 0; k < m.head->load_cases && has_body_force(m, b); ++k) add_body_force(system, panel, k);
   if (m.head->symmetry != 0) hold_by_symmetry(system, panel);
 }
 

@@ -161,11 +161,16 @@ void set_gap(const Model& m, int32_t pair, const double g[2], Reporter& reporter
   p.gap = g[0] * p.nx + g[1] * p.ny;
   if (fabs(p.gap) <= kGapTolerance * p.length) p.gap = 0;
   if (p.gap >= 0) return;
+  if (m.head->interference != 0) {
+    p.overlap = -p.gap;
+    p.gap = 0;
+    return;
+  }
   Finding f = fault();
   locate_pair(f, m, pair);
   say(f, "pair ", pair + 1, " (node ", p.node[0] + 1, " of body 1, node ", p.node[1] + 1,
       " of body 2): the bodies overlap by ", -p.gap,
-      " before any load (interference), expected a gap of 0 or more");
+      " before any load (interference), expected a gap of 0 or more, or *INTERFERENCE");
   tell(reporter, f);
 }
 

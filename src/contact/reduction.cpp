@@ -52,6 +52,18 @@ c2d_status form_compliance(const Reduction& r) {
   return status == C2D_OK ? write_matrix(r.tape, Matrix::compliance, r.second) : status;
 }
 
+// h - B (overlap, 0), in place of h; B is in `first`.
+void close_overlaps(const Reduction& r) {
+  const int32_t m = r.tape.m;
+  for (int32_t i = 0; i < r.model.head->pairs; ++i) {
+    const Pair& pair = r.model.pair[i];
+    if (pair.overlap == 0.0) continue;
+    const Real overlap = static_cast<Real>(pair.overlap / r.model.head->length_unit);
+    const Real* column = r.first + static_cast<int64_t>(pair.dof) * m;
+    for (int32_t j = 0; j < m; ++j) r.strip[j] -= overlap * column[j];
+  }
+}
+
 // h = +-(s - S_u v); S_u of the other body is in `first`.
 c2d_status form_closing(const Reduction& r) {
   const int32_t m = r.tape.m;
@@ -63,6 +75,7 @@ c2d_status form_closing(const Reduction& r) {
     gemm_minus(m, 1, m, r.first, m, v, m, r.strip, m);
     if (r.inverted == 1)
       for (int32_t i = 0; i < m; ++i) r.strip[i] = -r.strip[i];
+    if (k + 1 == r.model.head->interference) close_overlaps(r);
     status = write_column(r.tape, Matrix::closing, k, r.strip);
     if (status != C2D_OK) return status;
   }

@@ -2,14 +2,17 @@
 // From the reduced equations of both bodies to the contact system and its tableau (design: reduced contact system):
 //   B w' - M tau = sum_k lambda_k h_k,  w' = w - (gap, 0),  B = S_u of the body that may float,
 //   M = S_t + S_u F, and the tableau with every pair sticking, tau = T w' + sum_k lambda_k b_k.
+// The load case that closes overlaps has B (overlap, 0) taken off its h: at its factor 1 the gap is less by all of it.
 // Equilibrium is implicit: body 2 carries +tau, body 1 -tau.
 #include "contact/contact_tape.hpp"
 #include "linalg/lu.hpp"
+#include "model/model.hpp"
 
 namespace c2d {
 
 struct Reduction {
   ContactTape tape;
+  Model model;
   int32_t inverted;  // 0 or 1: the supported body, whose S_u is inverted
   Real* first;       // m * m
   Real* second;      // m * m

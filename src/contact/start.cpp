@@ -75,7 +75,7 @@ c2d_status start_path(Follower& f, const FreeBody& body, const Model& model, int
   int32_t touching = 0;
   for (int32_t i = 0; i < t.pairs; ++i) touching += t.pair[i].status != C2D_OPEN;
   for (int32_t i = 0; i < t.pairs; ++i) {
-    const double gap = t.pair[i].gap / model.head->length_unit;
+    const double gap = fmax(t.pair[i].gap, t.pair[i].overlap) / model.head->length_unit;
     if (gap > f.gap_scale) f.gap_scale = gap;
   }
   if (touching == 0 && body.motions > 0) {

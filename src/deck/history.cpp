@@ -89,7 +89,7 @@ void read_cases(Deck& deck, const Words& keyword_card) {
   int32_t cases = 1;
   const bool known = integer_word(cards, keyword_card, 0, "number of load cases", 1, 10000, &cases);
   end_of_words(cards, keyword_card, 1);
-  if (known) deck.sizes.load_cases = cases;
+  if (known && cases > deck.sizes.load_cases) deck.sizes.load_cases = cases;
   int32_t load_case = 0;
   for (Words words; next_data_card(deck, words) && known;) {
     if (word_is(words, 0, "CASE")) {

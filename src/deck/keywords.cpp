@@ -18,13 +18,17 @@ struct Keyword {
 //   *PATH                    history.cpp    pieces of path through their factors, instead of the load cards
 //   *FRICTION                history.cpp    coefficients by zone
 //   *SYMMETRY X value        symmetry.cpp   line x = value (Y: y = value), everything mirrored across it
-// Names set aside for: *BODY FORCE (weight, rotation), *RIGID, *INTERFERENCE, *ZONE (meshes that do not match), *POINTS.
+//   *INTERFERENCE load_case  interference.cpp   initial overlaps are closed as a load case
+//   *BODY FORCE ...          body_force.cpp weight and rotation of a body in a load case
+// Names set aside for: *RIGID, *ZONE (meshes that do not match), *POINTS.
 constexpr Keyword kKeywords[] = {
     {"UNITS", read_units, false},
     {"CASES", read_cases, false},
     {"PATH", read_path, false},
     {"FRICTION", read_friction, false},
     {"SYMMETRY", read_symmetry, true},
+    {"BODY FORCE", read_body_force, true},
+    {"INTERFERENCE", read_interference, false},
 };
 constexpr int32_t kKeywordCount = static_cast<int32_t>(sizeof kKeywords / sizeof kKeywords[0]);
 static_assert(kKeywordCount <= 32, "Deck::keywords_seen has a bit for each");

@@ -5,7 +5,8 @@
 namespace c2d {
 
 // Bytes of one element of the arrays whose types belong to the model (checked there with static_assert).
-constexpr uint64_t kRegionBytes = 16, kZoneBytes = 56, kPairBytes = 152, kPointLoadBytes = 48, kPathBytes = 16;
+constexpr uint64_t kRegionBytes = 16, kZoneBytes = 56, kPairBytes = 160, kPointLoadBytes = 48, kPathBytes = 16,
+                   kBodyForceBytes = 40;
 
 // Every array that lives in the workspace, in the order in which memory is carved. Two arrays per body follow one
 // another (`kXy + body`). The README maps them to the arrays of the 1987 program.
@@ -27,8 +28,9 @@ enum ArrayId : int32_t {
   kLoads = 22,        // double [4 * cases]               load factors: reached, target, direction, at stick
   kPathLoads = 23,    // double [paths * cases]           factors at the end of each piece of the path
   kEnergy = 24,       // double [energy_numbers]          solver/energy.hpp
-  kPhase = 25,        // the rest: what assembly, reduction and contact use one after another (A)
-  kArrays = 26
+  kBodyForces = 25,   // BodyForce [2 * cases]            of both bodies, case by case
+  kPhase = 26,        // the rest: what assembly, reduction and contact use one after another (A)
+  kArrays = 27
 };
 
 // What a model within given limits needs, per body.

@@ -22,6 +22,10 @@ struct Path {
   int32_t increments, padding;
   double load;
 };
+// A load case's body force of one body: per area (bx, by) + rho_omega2 (x - x0, y - y0).
+struct BodyForce {
+  double bx, by, rho_omega2, x0, y0;
+};
 // Element k of a zone is first_element[b] + k * element_step[b] on body b; pair k joins the functional nodes
 // zone_node(..., k). Ranges may wrap round their region.
 struct Zone {
@@ -40,6 +44,7 @@ struct Pair {
   int32_t status;           // C2D_OPEN, C2D_STICK, C2D_SLIP
   double nx, ny;            // the frame: n from body 1 to body 2; t = (ny, -nx)
   double gap;               // initial normal gap >= 0
+  double overlap;           // by which the bodies overlap there; ModelHeader::interference closes it
   double length;            // shorter of the contact elements that meet there, both bodies
   // History of friction, written by src/contact alone; w_t = (u2 - u1).t in the length unit of the model.
   double offset;            // stick: w_t at which the pair sticks
@@ -56,7 +61,8 @@ struct Pair {
 };
 
 static_assert(sizeof(Region) == kRegionBytes && sizeof(Zone) == kZoneBytes && sizeof(Pair) == kPairBytes &&
-                  sizeof(PointLoad) == kPointLoadBytes && sizeof(Path) == kPathBytes,
+                  sizeof(PointLoad) == kPointLoadBytes && sizeof(Path) == kPathBytes &&
+                  sizeof(BodyForce) == kBodyForceBytes,
               "memory/sizes.hpp states the size of every array element");
 
 struct Body {               // lives in the solver's header
@@ -80,6 +86,8 @@ struct ModelHeader {        // lives in the solver's header; the arrays live in 
   // those in force from the model's completion on; the model lies where line_side * (x - line_at) >= 0.
   int32_t symmetry_asked, symmetry;
   int32_t images;           // 1: elements on a symmetry line are replaced by images
+  int32_t interference;     // the load case, from 1, whose factor closes initial overlaps; 0: there may be none
+  int32_t body_forces;      // bodies with body forces: 1: body 1, 2: body 2
   double line_at[2], line_side[2];
   double length_unit;       // power of two near the size of the bodies
   double stress_unit;       // power of two near 2G of the softer body
@@ -103,6 +111,7 @@ struct Model { // a view, rebuilt at every entry into the library: plain pointer
   PointLoad* point_load;
   double* friction;
   Path* path;
+  BodyForce* body_force;    // [2 * case + body]
   double* path_load;        // [path * cases + case]
 };
 
@@ -155,6 +164,11 @@ struct Unknown {
 };
 Unknown unknown_at(const Model& m, int b, int32_t node, int component);
 bool displacement_known(const Model& m, int b, int32_t node, int component);
+
+// (u2 - u1).n + this is the normal gap, at these load factors: the initial gap, or less the overlap closed so far.
+inline double effective_gap(const ModelHeader& head, const Pair& pair, const double* load) {
+  return head.interference == 0 ? pair.gap : pair.gap - load[head.interference - 1] * pair.overlap;
+}
 
 // ---- materials --------------------------------------------------------------------------------------------------
 double shear_modulus(const Model& m, int b);

@@ -4,6 +4,8 @@
 #include "model/validate.hpp"
 #include "model/validate_finding.hpp"
 
+#include <math.h>
+
 namespace c2d {
 
 namespace {
@@ -83,11 +85,32 @@ void check_point_load(const Model& m, int32_t i, Reporter& reporter) {
   tell(reporter, f);
 }
 
+// A body force that is not symmetric has no part in a symmetric model.
+void check_body_force(const Model& m, int b, int32_t load_case, Reporter& reporter) {
+  const ModelHeader& head = *m.head;
+  const BodyForce& f = m.body_force[2 * static_cast<int64_t>(load_case) + b];
+  const double weight[2] = {f.bx, f.by}, axis[2] = {f.x0, f.y0};
+  for (int c = 0; c < 2; ++c) {
+    if ((head.symmetry >> c & 1) == 0) continue;
+    const bool turns = f.rho_omega2 != 0.0 && fabs(axis[c] - head.line_at[c]) > kCoincident * head.length_unit;
+    if (weight[c] == 0.0 && !turns) continue;
+    Finding found = fault();
+    found.entry.body = b + 1;
+    say(found, "the body force of body ", b + 1, " in load case ", load_case + 1,
+        turns ? " turns about a point off the line of symmetry " : " acts across the line of symmetry ",
+        c == 0 ? "x = " : "y = ", head.line_at[c], turns ? ", expected an axis on it" : ", expected one along it");
+    tell(reporter, found);
+  }
+}
+
 // Does the case load anything? Whatever else may load a case adds itself here.
 bool case_prescribes(const Model& m, int32_t k) {
   for (int32_t i = 0; i < m.head->point_loads; ++i)
     if (m.point_load[i].load_case == k && (m.point_load[i].fx != 0 || m.point_load[i].fy != 0)) return true;
+  if (k + 1 == m.head->interference) return true;
   for (int b = 0; b < m.head->bodies; ++b) {
+    const BodyForce& f = m.body_force[2 * static_cast<int64_t>(k) + b];
+    if (f.bx != 0 || f.by != 0 || f.rho_omega2 != 0) return true;
     const int64_t nodes = 2 * static_cast<int64_t>(body_of(m, b).nodes);
     const int64_t ends = 2 * static_cast<int64_t>(body_of(m, b).elements) * m.head->function_nodes;
     for (int64_t i = 0; i < ends; ++i)
@@ -102,7 +125,7 @@ void check_cases(const Model& m, Reporter& reporter) {
   for (int32_t k = 0; k < m.head->load_cases && m.head->load_cases > 1; ++k) {
     if (case_prescribes(m, k)) continue;
     Finding f = fault();
-    say(f, "load case ", k + 1, " loads nothing, expected a traction, a displacement or a point load that is not zero");
+    say(f, "load case ", k + 1, " loads nothing, expected a traction, a displacement, a point load or a body force that is not zero");
     tell(reporter, f);
   }
 }
@@ -112,6 +135,8 @@ void check_cases(const Model& m, Reporter& reporter) {
 bool validate_loads(const Model& m, Reporter& reporter) {
   const int32_t before = reporter.faults;
   for (int32_t i = 0; i < m.head->point_loads; ++i) check_point_load(m, i, reporter);
+  for (int32_t k = 0; k < m.head->load_cases && m.head->body_forces != 0; ++k)
+    for (int b = 0; b < m.head->bodies; ++b) check_body_force(m, b, k, reporter);
   check_cases(m, reporter);
   return reporter.faults == before;
 }

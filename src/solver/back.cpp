@@ -1,6 +1,7 @@
 // Back substitution: displacements and tractions of whole boundaries, resultants, the force balance.
 #include <math.h>
 
+#include "bie/body_force.hpp"
 #include "bie/columns.hpp"
 #include "solver/session.hpp"
 
@@ -148,6 +149,12 @@ void sum_forces(Session& session, int b) {
     if (p.body != b) continue;
     const double f = session.follower.load[p.load_case];
     add_force(applied, f * p.fx, f * p.fy, f * (p.x * p.fy - p.y * p.fx));
+  }
+  for (int32_t k = 0; k < m.head->load_cases && has_body_force(m, b); ++k) {
+    double force[3];
+    body_force_resultant(m, b, k, 0.0, 0.0, force);
+    const double f = session.follower.load[k];
+    add_force(applied, f * force[0], f * force[1], f * force[2]);
   }
 }
 

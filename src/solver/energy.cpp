@@ -37,6 +37,7 @@ void evaluate(const Session& session, const EnergyBook& book, bool values) {
   const Follower& f = session.follower;
   const int64_t size = 2 * static_cast<int64_t>(book.m) + book.cases;
   const double* factor = values ? f.load : f.direction;
+  const int32_t fit = session.model.head->interference;
   for (int32_t k = 0; k < book.cases; ++k) {
     const double* load_part = book.first + 2 * k * size + 2 * static_cast<int64_t>(book.m);
     book.u[k] = book.r[k] = 0.0;
@@ -49,7 +50,8 @@ void evaluate(const Session& session, const EnergyBook& book, bool values) {
     const Pair& pair = f.t->pair[i];
     const PairState now = values ? pair_state(*f.t, i, f.y) : pair_rates(*f.t, i, f.dy);
     const double force[2] = {now.p, now.q};
-    const double motion[2] = {now.wn - (values ? pair.gap / f.t->length_unit : 0.0), now.wt};
+    const double closed = fit != 0 ? factor[fit - 1] * pair.overlap : 0.0;
+    const double motion[2] = {now.wn - ((values ? pair.gap : 0.0) - closed) / f.t->length_unit, now.wt};
     for (int32_t k = 0; k < book.cases; ++k) {
       const double* work = book.first + 2 * k * size;
       const double* reaction = work + size;

@@ -3,8 +3,10 @@
 // times displacement, the measure in which the contact conditions hold node by node (a pair that is open carries no
 // force, a closed one does not move along the normal), so that the contact exchanges energy by friction alone.
 //   work of load case k      integral of lambda_k dU_k + R_k dlambda_k
-//     U_k  its tractions and point loads times the displacements they move through
-//     R_k  reactions times its prescribed displacements
+//     U_k  its tractions, point and body forces times the displacements they move through; body forces by Betti with
+//          the particular solution: int b.u = int (t.u_p - t_p.u) over the boundary + int b'.u_p, b' all body and
+//          point forces
+//     R_k  reactions times its prescribed displacements, pressures times the overlaps that it closes
 //   dissipated               sum over pairs of W_i |q_i| |dw_t|, W_i = integral of the pair's shape functions along body 1
 //   elastic                  half of all tractions times displacements
 // U_k and R_k are linear in tau, w' = (u2 - u1) and lambda, which are linear between two events: the trapezoidal rule

@@ -1,10 +1,13 @@
 // What multiplies tau, w' and lambda in the work and reaction of every load case (solver/energy.hpp).
 #include <math.h>
 
+#include "bie/body_force.hpp"
 #include "bie/columns.hpp"
 #include "bie/kernels.hpp"
+#include "bie/shape.hpp"
 #include "model/geometry.hpp"
 #include "model/symmetry.hpp"
+#include "quadrature/gauss.hpp"
 #include "solver/energy.hpp"
 
 namespace c2d {
@@ -117,6 +120,25 @@ void add_boundary(Adjoint& a, int32_t k, bool reactions) {
 
 // ---- point loads --------------------------------------------------------------------------------------------------
 
+// The boundary integrals hold for u - u_p and t - t_p: what the body forces' own part of an element takes off.
+void take_particular(Adjoint& a, int32_t element, const Blocks& blocks, const double factor[2]) {
+  const Model& m = a.model();
+  for (int32_t k = 0; k < m.head->load_cases && has_body_force(m, a.b); ++k) {
+    if (!is_loaded(body_force(m, a.b, k))) continue;
+    for (int l = 0; l < m.head->function_nodes; ++l) {
+      double x, y, t[2];
+      node_position(m, a.b, functional_node(m, a.b, element, l), &x, &y);
+      const Particular p = particular_solution(m, a.b, k, x, y);
+      particular_traction(m, a.b, k, element, l, t);
+      for (int c = 0; c < 2; ++c) {
+        const double h = factor[0] * blocks.h[l][0][c] + factor[1] * blocks.h[l][1][c];
+        const double g = factor[0] * blocks.g[l][0][c] + factor[1] * blocks.g[l][1][c];
+        a.lambda[k] += h * p.u[c] / m.head->length_unit - g * t[c] / (2.0 * shear_modulus(m, a.b));
+      }
+    }
+  }
+}
+
 // factor[i] times what an element's tractions and displacements do to the displacement at (x, y) in the length unit.
 void add_element_at(Adjoint& a, int32_t element, Measure measure, const double at[2], const double factor[2]) {
   const Model& m = a.model();
@@ -134,6 +156,7 @@ void add_element_at(Adjoint& a, int32_t element, Measure measure, const double a
       if (contact == !own)
         add_traction(a, element, l, c, factor[0] * blocks.g[l][0][c] + factor[1] * blocks.g[l][1][c]);
     }
+  if (own) take_particular(a, element, blocks, factor);
 }
 
 // The field of all point loads of the body.
@@ -190,6 +213,64 @@ void add_point_load(Adjoint& a, const PointLoad& load) {
   add_outer(a, body.columns, factor[0]);
   add_outer(a, body.columns + 1, factor[1]);
   add_outer(a, body.columns + 2, factor[1] * dx - factor[0] * dy);
+  for (int32_t k = 0; k < m.head->load_cases && has_body_force(m, a.b); ++k) {
+    const Particular p = particular_solution(m, a.b, k, load.x, load.y);
+    a.lambda[k] += (factor[0] * p.u[0] + factor[1] * p.u[1]) / unit;
+  }
+}
+
+// ---- body forces --------------------------------------------------------------------------------------------------
+
+// t.u_p - t_p.u along one element, u_p and t_p those of case k.
+void add_particular(Adjoint& a, int32_t element, int32_t k) {
+  const Model& m = a.model();
+  const int nf = m.head->function_nodes;
+  const double unit = m.head->length_unit, stress = m.head->stress_unit;
+  double x[4], y[4], u[4][2] = {}, t[4][2] = {};
+  element_coordinates(m, a.b, element, x, y);
+  const Element e = make_element(body_of(m, a.b).element_nodes, x, y);
+  const GaussRule rule = gauss_legendre(6);
+  for (int i = 0; i < rule.n; ++i) {
+    const GaussPoint g = gauss_point(rule, i);
+    const Point p = element_point(e, g.x);
+    const Particular s = particular_solution(m, a.b, k, p.x, p.y);
+    const double traction[2] = {s.stress[0] * p.nx + s.stress[2] * p.ny, s.stress[2] * p.nx + s.stress[1] * p.ny};
+    double value[4];
+    shape(nf, g.x, value);
+    for (int l = 0; l < nf; ++l)
+      for (int c = 0; c < 2; ++c) {
+        u[l][c] += g.w * p.jacobian * value[l] * s.u[c];
+        t[l][c] += g.w * p.jacobian * value[l] * traction[c];
+      }
+  }
+  for (int l = 0; l < nf; ++l)
+    for (int c = 0; c < 2; ++c) {
+      const bool contact = traction_kind(m, a.b, element, l, c) == TractionKind::contact;
+      const double ratio = contact ? traction_ratio(m, a.b, element, l) : 1.0;
+      add_traction(a, element, l, c, ratio * u[l][c] * 2.0 * shear_modulus(m, a.b) / (stress * unit * unit));
+      add_displacement(a, functional_node(m, a.b, element, l), c, -t[l][c] / (stress * unit));
+    }
+}
+
+void add_body_force(Adjoint& a, int32_t k) {
+  const Model& m = a.model();
+  if (!is_loaded(body_force(m, a.b, k))) return;
+  const double unit = m.head->stress_unit * m.head->length_unit * m.head->length_unit;
+  for (int32_t element = 0; element < body_of(m, a.b).elements; ++element)
+    if (is_integrated(m, a.b, element)) add_particular(a, element, k);
+  for (int32_t i = 0; i < m.head->load_cases; ++i) a.lambda[i] += body_force_work(m, a.b, i, k) / unit;
+  for (int32_t i = 0; i < m.head->point_loads; ++i) {
+    const PointLoad& load = m.point_load[i];
+    if (load.body != a.b) continue;
+    const Particular p = particular_solution(m, a.b, k, load.x, load.y);
+    a.lambda[load.load_case] += (load.fx * p.u[0] + load.fy * p.u[1]) / unit;
+  }
+}
+
+// Pressures times the overlaps that case k closes.
+void add_overlaps(const Model& m, double* tau) {
+  for (int32_t i = 0; i < m.head->pairs; ++i)
+    tau[m.pair[i].dof] += m.pair[i].weight * m.pair[i].overlap / m.head->length_unit;
 }
 
 // ---- one functional -------------------------------------------------------------------------------------------------
@@ -205,6 +286,7 @@ c2d_status add_body(Adjoint& a, int32_t k, bool reactions) {
   add_boundary(a, k, reactions);
   for (int32_t i = 0; i < m.head->point_loads && !reactions; ++i)
     if (m.point_load[i].body == a.b && m.point_load[i].load_case == k) add_point_load(a, m.point_load[i]);
+  if (!reactions) add_body_force(a, k);
   if (!a.touched) return C2D_OK;
   c2d_solver* s = a.session.solver;
   const c2d_status status = transposed_functional(s->plan[a.b], s->tapes, a.outer, area.coefficient, area.work);
@@ -255,6 +337,7 @@ c2d_status build_functional(Session& session, int32_t k, bool reactions, double*
   const int32_t m = session.model.head->contact, cases = session.model.head->load_cases;
   for (int32_t i = 0; i < 2 * m + cases; ++i) numbers[i] = 0.0;
   Adjoint a{session, 0, numbers, numbers + m, numbers + 2 * static_cast<int64_t>(m), nullptr, session.area.outer, false};
+  if (reactions && k + 1 == session.model.head->interference) add_overlaps(session.model, a.tau);
   c2d_status status = C2D_OK;
   for (a.b = 0; a.b < session.model.head->bodies && status == C2D_OK; ++a.b) status = add_body(a, k, reactions);
   return status == C2D_OK && m > 0 ? remove_displacements(a) : status;

@@ -331,6 +331,31 @@ extern "C" c2d_status c2d_add_point_load(c2d_solver* s, int32_t body, double x, 
   return built(s);
 }
 
+extern "C" c2d_status c2d_set_interference(c2d_solver* s, int32_t load_case) {
+  const c2d_status status = enter_building(s);
+  if (status != C2D_OK) return status;
+  if (!in_range(load_case, 1, s->sizes.load_cases))
+    return refuse_number(s, C2D_ERR_ARGUMENT, "load case", load_case, 1, s->sizes.load_cases);
+  s->model.interference = load_case;
+  return built(s);
+}
+
+extern "C" c2d_status c2d_set_body_force(c2d_solver* s, int32_t body, int32_t load_case, double bx, double by,
+                                         double rho_omega2, double x0, double y0) {
+  c2d_status status = enter_building(s);
+  if (status == C2D_OK) status = check_body_number(s, body);
+  if (status != C2D_OK) return status;
+  if (!in_range(load_case, 1, s->sizes.load_cases))
+    return refuse_number(s, C2D_ERR_ARGUMENT, "load case", load_case, 1, s->sizes.load_cases);
+  const double numbers[5] = {bx, by, rho_omega2, x0, y0};
+  for (double number : numbers)
+    if (!is_usable(number)) return refuse_value(s, "a number of the body force", number, "a finite number");
+  array_of<BodyForce>(s, kBodyForces)[2 * static_cast<int64_t>(load_case - 1) + body - 1] =
+      BodyForce{bx, by, rho_omega2, x0, y0};
+  s->model.body_forces |= 1 << (body - 1);
+  return built(s);
+}
+
 namespace {
 
 // Steps of +1 or -1 that lead from first to last in count-1 steps, round the ring [start, start + size) if there is one;

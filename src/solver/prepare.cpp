@@ -38,6 +38,8 @@ uint64_t hash_model(const Model& m, const c2d_options& options) {
     hash = hash_array(hash, m.end_code[b], ends);
     hash = hash_array(hash, m.region[b], body.regions);
   }
+  if (m.head->interference != 0) hash = checksum(hash, &m.head->interference, sizeof m.head->interference);
+  if (m.head->body_forces != 0) hash = hash_array(hash, m.body_force, 2 * static_cast<int64_t>(m.head->load_cases));
   hash = hash_array(hash, m.zone, m.head->zones);
   return hash_array(hash, m.point_load, m.head->point_loads);
 }
@@ -182,7 +184,7 @@ c2d_status reduce_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes)
   ReductionArea area;
   reduction_area(sizes, array_of<char>(s, kPhase), &area);
   const double start = clock_now(s);
-  const Reduction reduction{ContactTape{&s->tapes, m.head->contact, m.head->load_cases, area.buffer},
+  const Reduction reduction{ContactTape{&s->tapes, m.head->contact, m.head->load_cases, area.buffer}, m,
                             s->inverted, area.first, area.second, area.strip, area.pivots, s, tick};
   const c2d_status status = reduce(reduction);
   s->seconds[C2D_PHASE_REDUCE] += clock_now(s) - start;

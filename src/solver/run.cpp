@@ -78,12 +78,27 @@ int32_t largest_load(const Model& m) {
   return best;
 }
 
+// Overlaps are closed before anything else: their load case goes from 0 to 1 and stays there.
+c2d_status close_overlaps(Session& session) {
+  c2d_solver* s = session.solver;
+  double* target = array_of<double>(s, kLoads) + s->model.load_cases;
+  for (int32_t k = 0; k < s->model.load_cases; ++k) target[k] = k + 1 == s->model.interference ? 1.0 : 0.0;
+  const c2d_status status = advance(session, target, false);
+  if (status != C2D_OK || s->outcome == C2D_REACHED) return status;
+  session.now.step = 1;
+  return show_step(session, C2D_STEP_STOPPED);
+}
+
 // The whole path for the coefficients that the pairs hold.
 c2d_status run_cards(Session& session) {
   c2d_solver* s = session.solver;
   double* target = array_of<double>(s, kLoads) + s->model.load_cases;
   const int32_t peak = largest_load(session.model);
   session.now.step = 0;
+  if (s->model.interference != 0) {
+    const c2d_status status = close_overlaps(session);
+    if (status != C2D_OK || s->outcome != C2D_REACHED) return status;
+  }
   for (int32_t p = 0; p < s->model.paths; ++p) {
     const Path& path = session.model.path[p];
     for (int32_t i = 1; i <= path.increments; ++i) {
@@ -93,6 +108,7 @@ c2d_status run_cards(Session& session) {
         target[k] = i == path.increments ? to : from + (to - from) * i / static_cast<double>(path.increments);
         if (fabs(target[k]) < 1e-15 * (fabs(from) + fabs(to))) target[k] = 0.0; // a crossing, not its round-off
       }
+      if (s->model.interference != 0) target[s->model.interference - 1] = 1.0;
       const bool last = p + 1 == s->model.paths && i == path.increments;
       c2d_status status = advance(session, target, last);
       if (status != C2D_OK) return status;

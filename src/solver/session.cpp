@@ -4,6 +4,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "bie/body_force.hpp"
 #include "bie/columns.hpp"
 #include "memory/text.hpp"
 #include "model/rigid.hpp"
@@ -148,6 +149,12 @@ void case_resultant(const Model& m, int b, int32_t load_case, double out[3], dou
     out[2] += (p.x - body.centre[0]) / unit * p.fy - (p.y - body.centre[1]) / unit * p.fx;
     *size += fabs(p.fx) + fabs(p.fy);
   }
+  if (!has_body_force(m, b)) return;
+  double force[3];
+  body_force_resultant(m, b, load_case, body.centre[0], body.centre[1], force);
+  for (int i = 0; i < 2; ++i) out[i] += force[i];
+  out[2] += force[2] / unit;
+  *size += fabs(force[0]) + fabs(force[1]);
 }
 
 // Work of the loads along `direction` on the free body's one motion; zero if it is no more than round-off.
@@ -391,7 +398,8 @@ void other_displacements(Session& session) {
   for (int32_t i = 0; i < f.t->pairs; ++i) {
     const Pair& pair = f.t->pair[i];
     const PairState now = pair_state(*f.t, i, f.y);
-    out[pair.dof] = known[pair.dof] + static_cast<Real>(sign * (now.wn - pair.gap / f.t->length_unit));
+    const double gap = effective_gap(*session.model.head, pair, f.load) / f.t->length_unit;
+    out[pair.dof] = known[pair.dof] + static_cast<Real>(sign * (now.wn - gap));
     if (pair.tangential) out[pair.dof + 1] = known[pair.dof + 1] + static_cast<Real>(sign * now.wt);
   }
 }

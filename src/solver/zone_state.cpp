@@ -55,7 +55,7 @@ void fill_zone_state(const Session& session, const Zone& zone, c2d_zone_state& o
     largest.gap = larger(largest.gap, now.wn);
     friction = larger(friction, fabs(now.q));
     length += pair.weight;
-    out.approach -= pair.weight * (now.wn - pair.gap / m.head->length_unit);
+    out.approach -= pair.weight * (now.wn - effective_gap(*m.head, pair, f.load) / m.head->length_unit);
     out.shift += pair.weight * now.wt;
     if (pair.status != C2D_OPEN) out.length += pair.weight * m.head->length_unit;
     if (pair.status == C2D_OPEN) ++out.open;

@@ -1,0 +1,156 @@
+#include "bie/body_force.hpp"
+
+#include "bie/element.hpp"
+#include "bie/shape.hpp"
+#include "model/geometry.hpp"
+#include "quadrature/gauss.hpp"
+
+namespace c2d {
+
+namespace {
+
+void add_weight(const BodyForce& f, double nu, double g, double x, double y, Particular& out) {
+  const double a = -(1.0 - nu) * f.bx / (2.0 * g), b = nu * f.by / (2.0 * g);
+  const double c = nu * f.bx / (2.0 * g), d = -(1.0 - nu) * f.by / (2.0 * g);
+  out.u[0] += 0.5 * a * x * x + b * x * y - 0.5 * c * y * y;
+  out.u[1] += c * x * y + 0.5 * d * y * y - 0.5 * b * x * x;
+  out.stress[0] -= f.bx * x;
+  out.stress[1] -= f.by * y;
+}
+
+void add_rotation(const BodyForce& f, double nu, double g, double x, double y, Particular& out) {
+  const double k1 = -f.rho_omega2 / (16.0 * g * (1.0 - nu)), k = (1.0 - 2.0 * nu) * k1; // k1 = k / (1 - 2 nu)
+  const double r2 = x * x + y * y;
+  out.u[0] += k * r2 * x;
+  out.u[1] += k * r2 * y;
+  const double mean = 8.0 * g * nu * k1 * r2 + 2.0 * g * k * r2;
+  out.stress[0] += mean + 4.0 * g * k * x * x;
+  out.stress[1] += mean + 4.0 * g * k * y * y;
+  out.stress[2] += 4.0 * g * k * x * y;
+}
+
+// Area and first moments about a point.
+struct AreaMoments {
+  double area, x, y;
+
+  // A piece of boundary at (px, py) from there, with its derivatives: area = half the integral of x dy - y dx,
+  // moments = half that of x^2 dy and minus half that of y^2 dx.
+  void add(double weight, double px, double py, double dx, double dy) {
+    area += 0.5 * weight * (px * dy - py * dx);
+    x += 0.5 * weight * px * px * dy;
+    y -= 0.5 * weight * py * py * dx;
+  }
+};
+
+// Five points are exact up to the ninth degree; x^2 dy is of the eighth on cubic elements.
+constexpr int kPoints = 5;
+constexpr double kPlace[kPoints] = {-0.9061798459386640, -0.5384693101056831, 0.0, 0.5384693101056831,
+                                    0.9061798459386640};
+constexpr double kWeight[kPoints] = {0.2369268850561891, 0.4786286704993665, 0.5688888888888889, 0.4786286704993665,
+                                     0.2369268850561891};
+
+AreaMoments area_moments(const Model& m, int b, double ox, double oy) {
+  AreaMoments sum = {0.0, 0.0, 0.0};
+  for (int32_t e = 0; e < body_of(m, b).elements; ++e)
+    for (int i = 0; i < kPoints; ++i) {
+      const CurvePoint p = curve_point(m, b, e, kPlace[i]);
+      sum.add(kWeight[i], p.x - ox, p.y - oy, p.dx, p.dy);
+    }
+  for (int32_t r = 0; r < body_of(m, b).regions; ++r) {
+    double x[3], y[3];
+    const int corners = closing_way(m, b, r, x, y);
+    for (int k = 0; k + 1 < corners; ++k) {
+      const double dx = 0.5 * (x[k + 1] - x[k]), dy = 0.5 * (y[k + 1] - y[k]);
+      for (int i = 0; i < kPoints; ++i)
+        sum.add(kWeight[i], x[k] + dx * (1.0 + kPlace[i]) - ox, y[k] + dy * (1.0 + kPlace[i]) - oy, dx, dy);
+    }
+  }
+  return sum;
+}
+
+} // namespace
+
+Particular particular_solution(const Model& m, int b, int32_t load_case, double x, double y) {
+  const ModelHeader& head = *m.head;
+  const BodyForce& f = body_force(m, b, load_case);
+  const double nu = strain_poisson_ratio(m, b), g = shear_modulus(m, b);
+  Particular out = {{0.0, 0.0}, {0.0, 0.0, 0.0}};
+  double origin[2];
+  for (int c = 0; c < 2; ++c)
+    origin[c] = (head.symmetry >> c & 1) != 0 ? head.line_at[c] : head.body[b].centre[c];
+  add_weight(f, nu, g, x - origin[0], y - origin[1], out);
+  add_rotation(f, nu, g, x - f.x0, y - f.y0, out);
+  return out;
+}
+
+void particular_traction(const Model& m, int b, int32_t load_case, int32_t element, int l, double t[2]) {
+  double x[4], y[4];
+  element_coordinates(m, b, element, x, y);
+  const Point p =
+      element_point(make_element(body_of(m, b).element_nodes, x, y), node_eta(m.head->function_nodes, l));
+  const Particular s = particular_solution(m, b, load_case, p.x, p.y);
+  t[0] = s.stress[0] * p.nx + s.stress[2] * p.ny;
+  t[1] = s.stress[2] * p.nx + s.stress[1] * p.ny;
+}
+
+void body_force_resultant(const Model& m, int b, int32_t load_case, double x, double y, double out[3]) {
+  const BodyForce& f = body_force(m, b, load_case);
+  out[0] = out[1] = out[2] = 0.0;
+  if (!is_loaded(f)) return;
+  const double* centre = body_of(m, b).centre;
+  const AreaMoments a = area_moments(m, b, centre[0], centre[1]);
+  // Force density: weight plus rho omega^2 (place - axis), place counted from the centre.
+  const double w = f.rho_omega2, ax = f.x0 - centre[0], ay = f.y0 - centre[1];
+  out[0] = f.bx * a.area + w * (a.x - ax * a.area);
+  out[1] = f.by * a.area + w * (a.y - ay * a.area);
+  // About the centre (x times y cancels), then about the point.
+  const double moment = a.x * f.by - a.y * f.bx + w * (ax * a.y - ay * a.x);
+  out[2] = moment + (centre[0] - x) * out[1] - (centre[1] - y) * out[0];
+}
+
+namespace {
+
+// Of b.u_p, along a line y = constant from x = from to `to`: three Gauss points are exact for its fourth degree.
+double work_on_line(const Model& m, int b, const BodyForce& f, int32_t particular_case, double from, double to,
+                    double y) {
+  const GaussRule rule = gauss_legendre(3);
+  double sum = 0.0;
+  for (int i = 0; i < rule.n; ++i) {
+    const GaussPoint g = gauss_point(rule, i);
+    const double x = 0.5 * (from + to) + 0.5 * (to - from) * g.x;
+    const Particular p = particular_solution(m, b, particular_case, x, y);
+    const double bx = f.bx + f.rho_omega2 * (x - f.x0), by = f.by + f.rho_omega2 * (y - f.y0);
+    sum += 0.5 * (to - from) * g.w * (bx * p.u[0] + by * p.u[1]);
+  }
+  return sum;
+}
+
+} // namespace
+
+double body_force_work(const Model& m, int b, int32_t load_case, int32_t particular_case) {
+  const BodyForce& f = body_force(m, b, load_case);
+  if (!is_loaded(f) || !is_loaded(body_force(m, b, particular_case))) return 0.0;
+  const double origin = body_of(m, b).centre[0];
+  const GaussRule rule = gauss_legendre(10); // exact for the 17th degree of cubic elements
+  double sum = 0.0;
+  for (int32_t e = 0; e < body_of(m, b).elements; ++e)
+    for (int i = 0; i < rule.n; ++i) {
+      const GaussPoint g = gauss_point(rule, i);
+      const CurvePoint p = curve_point(m, b, e, g.x);
+      sum += g.w * p.dy * work_on_line(m, b, f, particular_case, origin, p.x, p.y);
+    }
+  for (int32_t r = 0; r < body_of(m, b).regions; ++r) {
+    double x[3], y[3];
+    const int corners = closing_way(m, b, r, x, y);
+    for (int k = 0; k + 1 < corners; ++k)
+      for (int i = 0; i < rule.n; ++i) {
+        const GaussPoint g = gauss_point(rule, i);
+        const double s = 0.5 * (1.0 + g.x), dy = y[k + 1] - y[k];
+        sum += 0.5 * g.w * dy *
+               work_on_line(m, b, f, particular_case, origin, x[k] + s * (x[k + 1] - x[k]), y[k] + s * dy);
+      }
+  }
+  return sum;
+}
+
+} // namespace c2d
