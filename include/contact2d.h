@@ -124,7 +124,7 @@ typedef struct c2d_limits {
   uint32_t struct_size;
   int32_t bodies;             /* 1 or 2                                                            */
   int32_t function_nodes;     /* functional nodes per element: 1 constant ... 4 cubic (NFNODE)     */
-  int32_t geometry_nodes[2];  /* boundary points of each body (NBP)                                */
+  int32_t geometry_nodes[2];  /* boundary points of each body (NBP), ends of open regions included */
   int32_t elements[2];        /* elements of each body (NEL)                                       */
   int32_t regions[2];         /* closed curves of each body (NREN)                                 */
   int32_t zones;              /* contact zones (MCP)                                               */
@@ -267,13 +267,15 @@ typedef struct c2d_body {
   int32_t regions;            /* NREN                                                               */
   double youngs_modulus;      /* E > 0, force per area                                              */
   double poisson_ratio;       /* -1 < nu <= 0.5 (plane stress: -0.5 < nu <= 0.5)                    */
+  int32_t open_regions;       /* the first ones are open: see c2d_set_symmetry                      */
+  int32_t reserved;
 } c2d_body;
 /* May be given again with other moduli, not with other numbers of elements or regions. */
 c2d_status c2d_set_body(c2d_solver* solver, int32_t body, const c2d_body* data);
-/* Elements first ... last form a closed curve; regions follow one another without a gap. */
+/* Elements first ... last form a closed curve, or an open one; regions follow one another without a gap. */
 c2d_status c2d_add_region(c2d_solver* solver, int32_t body, int32_t first_element, int32_t last_element);
 /* Boundary points first ... first+count-1 from xy[0], xy[1]; xy[stride], xy[stride+1]; ... (global coordinates).
-   Element e of a region has its first geometry node at (e-1)*(element_nodes-1)+1. */
+   Element e of a region has its first geometry node at (e-1)*(element_nodes-1)+1, plus the open regions before it. */
 c2d_status c2d_set_nodes(c2d_solver* solver, int32_t body, int32_t first, int32_t count, const double* xy,
                          int64_t stride);
 /* Condition at local functional node `local` (1 ...) of an element: codes[4] and values[4] in the order
@@ -282,7 +284,8 @@ c2d_status c2d_set_nodes(c2d_solver* solver, int32_t body, int32_t first, int32_
    `load_case` (1 ...). */
 c2d_status c2d_set_condition(c2d_solver* solver, int32_t body, int32_t element, int32_t local, const int32_t codes[4],
                              const double values[4], int32_t load_case);
-/* Force (fx, fy) per unit thickness at the point (x, y) inside the body. */
+/* Force (fx, fy) per unit thickness at the point (x, y) inside the body. On a line of symmetry: the force that falls to
+   the part that is modelled; it acts along the line. */
 c2d_status c2d_add_point_load(c2d_solver* solver, int32_t body, double x, double y, double fx, double fy,
                               int32_t load_case);
 /* A contact zone: elements of body 1 and body 2 that face each other, first with first, last with last (a range
@@ -295,6 +298,14 @@ typedef struct c2d_zone {
 } c2d_zone;
 c2d_status c2d_add_zone(c2d_solver* solver, const c2d_zone* zone);
 c2d_status c2d_add_friction(c2d_solver* solver, double mu);  /* a coefficient to be run by c2d_run   */
+/* Symmetry by images: everything is mirrored across the line x = value (axis 0) or y = value (axis 1), one of each at
+   most. Of every body, only what lies on one side of the line (in one quarter of two lines) is given, without
+   elements on the lines: a curve that crosses a line is an open region, whose two ends lie on the lines. Open regions
+   come first among the regions of a body (c2d_body.open_regions), at least one per body, and have one boundary point
+   and, except with constant elements, one functional node more than closed ones: their last element ends there. On a
+   line the displacement across it is 0; conditions there say the rest. Resultants, forces and moments, given and
+   answered, are those of the part that is modelled. Any time before c2d_complete. Errors: ARGUMENT, STATE. */
+c2d_status c2d_set_symmetry(c2d_solver* solver, int32_t axis, double value);
 /* `increments` equal steps from the load reached so far to `load` (load factor of case 1). */
 c2d_status c2d_add_path(c2d_solver* solver, int32_t increments, double load);
 /* Names of the units of length and force, each at most 15 characters, for titles of axes; null is empty. Nothing is
@@ -308,13 +319,18 @@ c2d_status c2d_complete(c2d_solver* solver);
 
 enum { C2D_QUADRATURE_ACCURATE = 0, C2D_QUADRATURE_THESIS = 1 };
 enum { C2D_STEPPING_EVENTS = 0, C2D_STEPPING_DECK = 1 };
+/* Elements on a line of symmetry: kept, or replaced by images. The line bounds every body; each of its elements has zero
+   displacement across and zero traction along the line. Results there are 0. Lines are found if none is given. */
+enum { C2D_SYMMETRY_DECK = 0, C2D_SYMMETRY_IMAGES = 1 };
 typedef struct c2d_options {
   uint32_t struct_size;
   int32_t quadrature;         /* C2D_QUADRATURE_...                                                 */
   int32_t stepping;           /* C2D_STEPPING_...                                                   */
   int32_t every_change;       /* 1: c2d_run's callback also sees every change of status             */
+  int32_t symmetry;           /* C2D_SYMMETRY_...; before c2d_complete or c2d_read_deck             */
 } c2d_options;
-c2d_status c2d_set_options(c2d_solver* solver, const c2d_options* options); /* any time before c2d_prepare */
+/* Any time before c2d_prepare; another `symmetry` for a complete model: STATE. */
+c2d_status c2d_set_options(c2d_solver* solver, const c2d_options* options);
 
 /* ---------------------------------------------------------------- 6 prepare ------------------------------------
 
@@ -404,8 +420,9 @@ enum {
 /* Displacements and stresses at `count` points (xy[i * xy_stride], xy[i * xy_stride + 1]), at the load reached; column c
    of point i goes to out[i * out_stride + c]. xy_stride >= 2, out_stride >= C2D_POINT_FIELDS; xy and out must not
    overlap. body 0: whichever body the point lies in, the first if in both. A point load's own field is left out at its
-   very point. Before anything touches, and where no motion is held, displacements and stresses are 0. The time is
-   that of one pass over all elements per point; many points in one call share the preparation of each element.
+   very point. Before anything touches, and where no motion is held, displacements and stresses are 0. With lines of
+   symmetry points may lie anywhere in the whole body. The time is that of one pass over all elements per point; many
+   points in one call share the preparation of each element.
    Legal: running. Errors: ARGUMENT; STATE; STORE_... (back substitution is done if need be); CANCELLED (`out` then
    holds nothing of use, the solver is as before). */
 c2d_status c2d_interior(c2d_solver* solver, int32_t body, int32_t count, const double* xy, int64_t xy_stride,
@@ -441,6 +458,10 @@ typedef struct c2d_summary {
   double youngs_modulus[2], poisson_ratio[2];
   char title[80];
   char unit_length[16], unit_force[16]; /* as c2d_set_units said, else empty                        */
+  int32_t symmetry;               /* lines of symmetry by images: 1: x = symmetry_at[0], 2: y = symmetry_at[1], 3: both;
+                                     forces and moments are those of the part that is modelled        */
+  int32_t reserved;
+  double symmetry_at[2];
 } c2d_summary;
 c2d_status c2d_get_summary(c2d_solver* solver, c2d_summary* out); /* legal: always */
 /* Item i (from 1) of the model's lists; out of range: ARGUMENT. Legal: model, prepared, running. */
@@ -491,8 +512,10 @@ const char* c2d_version(void);               /* "0.1.0" */
    C2D_BODY_BYTES_(function_nodes, points2, elements2, regions2, C2D_CASES_(load_cases)) +                             \
    C2D_LIST_BYTES_(zones, pairs, point_loads, coefficients, paths, C2D_CASES_(load_cases)) +                           \
    0 * UINT64_C(1) * (contact_elements) /* kept within their zones */ +                                                \
-   C2D_PHASE_BYTES_(C2D_NODES_(function_nodes, elements1), C2D_ENDS_(function_nodes, elements1),                       \
-                    C2D_NODES_(function_nodes, elements2), C2D_ENDS_(function_nodes, elements2),                       \
+   C2D_PHASE_BYTES_(C2D_NODES_(function_nodes, points1, elements1, regions1),                                           \
+                    C2D_ENDS_(function_nodes, elements1),                                                              \
+                    C2D_NODES_(function_nodes, points2, elements2, regions2),                                          \
+                    C2D_ENDS_(function_nodes, elements2),                                                              \
                     UINT64_C(2) * (pairs), UINT64_C(1) * C2D_CASES_(load_cases)))
 
 #ifndef C2D_REAL_BYTES
@@ -503,10 +526,12 @@ const char* c2d_version(void);               /* "0.1.0" */
 #define C2D_ARRAY_(count, size) C2D_ROUND_(UINT64_C(1) * (count) * (size))
 #define C2D_BLOCK_(numbers) C2D_ROUND_(64 + UINT64_C(1) * C2D_REAL_BYTES * (numbers)) /* with its header           */
 #define C2D_LARGER_(a, b) ((a) > (b) ? (a) : (b))
+#define C2D_SMALLER_(a, b) ((a) < (b) ? (a) : (b))
 
 #define C2D_CASES_(load_cases) ((load_cases) > 0 ? (load_cases) : 1)
-#define C2D_NODES_(function_nodes, elements)                                                                           \
-  (UINT64_C(1) * (elements) * ((function_nodes) > 1 ? (function_nodes)-1 : 1)) /* functional nodes             */
+#define C2D_NODES_(function_nodes, points, elements, regions) /* functional nodes, those of open regions' ends too */   \
+  (UINT64_C(1) * (elements) * ((function_nodes) > 1 ? (function_nodes)-1 : 1) +                                        \
+   ((function_nodes) > 1 && (points) > (elements) ? C2D_SMALLER_((points) - (elements), regions) : 0))
 #define C2D_ENDS_(function_nodes, elements) (UINT64_C(1) * (elements) * (function_nodes)) /* element ends      */
 #define C2D_ROWS_(nodes) ((nodes) > 0 ? 2 * (nodes) + 3 : 0)                              /* equations         */
 
@@ -515,11 +540,11 @@ const char* c2d_version(void);               /* "0.1.0" */
   (C2D_ARRAY_(points, 16) +                                            /* boundary points                 */          \
    C2D_ARRAY_(points, 4) +                                             /* their lines in the deck         */          \
    C2D_ARRAY_(C2D_ENDS_(function_nodes, elements) * (cases), 16) +     /* prescribed tractions            */          \
-   C2D_ARRAY_(C2D_NODES_(function_nodes, elements) * (cases), 16) +    /* prescribed displacements        */          \
+   C2D_ARRAY_(C2D_NODES_(function_nodes, points, elements, regions) * (cases), 16) +    /* prescribed displacements        */          \
    C2D_ARRAY_(C2D_ENDS_(function_nodes, elements), 1) +                /* what is known                   */          \
    C2D_ARRAY_(C2D_ENDS_(function_nodes, elements), 4) +                /* lines of the conditions         */          \
-   C2D_ARRAY_(C2D_NODES_(function_nodes, elements) + 1, 4) +           /* columns of the unknowns         */          \
-   C2D_ARRAY_(regions, 8))
+   C2D_ARRAY_(C2D_NODES_(function_nodes, points, elements, regions) + 1, 4) +           /* columns of the unknowns         */          \
+   C2D_ARRAY_(regions, 16))
 
 /* What belongs to both. */
 #define C2D_LIST_BYTES_(zones, pairs, point_loads, coefficients, paths, cases)                                         \

@@ -1,6 +1,7 @@
 # What is compiled, one file a line: read by Makefile (include) and by CMakeLists.txt (file(STRINGS)).
 # `make list` compares it with the folders, `make relist` writes it anew.
 PORTS += memory
+PORTS += packaging
 PORTS += posix
 PORTS += stdio
 CORE_SOURCES += src/bie/boundary_stress.cpp
@@ -34,6 +35,7 @@ CORE_SOURCES += src/deck/number.cpp
 CORE_SOURCES += src/deck/polar.cpp
 CORE_SOURCES += src/deck/read_deck.cpp
 CORE_SOURCES += src/deck/scan_deck.cpp
+CORE_SOURCES += src/deck/symmetry.cpp
 CORE_SOURCES += src/deck/units.cpp
 CORE_SOURCES += src/deck/words.cpp
 CORE_SOURCES += src/deck/zones.cpp
@@ -46,6 +48,7 @@ CORE_SOURCES += src/memory/sizes.cpp
 CORE_SOURCES += src/memory/text.cpp
 CORE_SOURCES += src/model/geometry.cpp
 CORE_SOURCES += src/model/rigid.cpp
+CORE_SOURCES += src/model/symmetry.cpp
 CORE_SOURCES += src/model/topology.cpp
 CORE_SOURCES += src/model/unknowns.cpp
 CORE_SOURCES += src/model/validate_conditions.cpp
@@ -53,6 +56,7 @@ CORE_SOURCES += src/model/validate_data.cpp
 CORE_SOURCES += src/model/validate_finding.cpp
 CORE_SOURCES += src/model/validate_geometry.cpp
 CORE_SOURCES += src/model/validate_loads.cpp
+CORE_SOURCES += src/model/validate_symmetry.cpp
 CORE_SOURCES += src/model/validate_zones.cpp
 CORE_SOURCES += src/quadrature/gauss.cpp
 CORE_SOURCES += src/solver/back.cpp

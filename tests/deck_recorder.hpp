@@ -95,6 +95,9 @@ inline c2d::DeckSink recording_sink(Recorder& r, int32_t function_nodes = 0) {
   sink.add_path = [](c2d_solver* s, int32_t increments, double load) -> c2d_status {
     return recorder(s)->record("path", {double(increments), load});
   };
+  sink.set_symmetry = [](c2d_solver* s, int32_t axis, double value) -> c2d_status {
+    return recorder(s)->record("symmetry", {double(axis), value});
+  };
   sink.set_units = [](c2d_solver* s, const char* length, const char* force) -> c2d_status {
     recorder(s)->units = std::string(length) + " " + force;
     return recorder(s)->record("units", {});

@@ -130,6 +130,7 @@ c2d_status feed_body(c2d_solver* s, const Problem& p, int32_t number) {
   data.element_nodes = body.element_nodes;
   data.elements = p.elements(number);
   data.regions = static_cast<int32_t>(body.regions.size());
+  data.open_regions = body.open_regions;
   data.youngs_modulus = body.youngs_modulus;
   data.poisson_ratio = body.poisson_ratio;
   c2d_status status = c2d_set_body(s, number, &data);
@@ -164,6 +165,8 @@ c2d_status feed(c2d_solver* s, const Problem& p) {
     if (status == C2D_OK) status = c2d_add_friction(s, mu);
   for (const Path& path : p.paths)
     if (status == C2D_OK) status = c2d_add_path(s, path.increments, path.load);
+  for (int32_t axis = 0; axis < 2; ++axis)
+    if (status == C2D_OK && (p.symmetry >> axis & 1) != 0) status = c2d_set_symmetry(s, axis, p.symmetry_at[axis]);
   return status == C2D_OK ? c2d_complete(s) : status;
 }
 
@@ -227,6 +230,12 @@ c2d_status follow(c2d_solver* s, const Setup& setup, Result& r) {
   c2d_get_summary(s, &r.summary);
   const bool stopped = r.outcome != C2D_REACHED;
   status = fetch_boundary(s, r);
+  if (!setup.points.empty() && status == C2D_OK) {
+    const size_t count = setup.points.size() / 2;
+    r.interior.resize(count * C2D_POINT_FIELDS);
+    status = c2d_interior(s, 0, static_cast<int32_t>(count), setup.points.data(), 2, r.interior.data(),
+                          C2D_POINT_FIELDS);
+  }
   if (stopped && status != C2D_OK) status = C2D_OK; // nothing to be had before anything touches
   c2d_get_summary(s, &r.summary);
   return status;
@@ -338,6 +347,7 @@ Result solve_with(const c2d_limits& wanted, const Setup& setup, const Feeder& fe
   options.quadrature = setup.quadrature;
   options.stepping = setup.stepping;
   options.every_change = setup.every_change;
+  options.symmetry = setup.symmetry;
   r.status = c2d_set_options(s, &options);
   if (r.status == C2D_OK) r.status = feeder(s);
   if (r.status == C2D_OK && keep) capture(s, *keep);
@@ -366,7 +376,7 @@ c2d_limits deck_limits(const std::string& text) {
 
 int32_t Problem::elements(int body) const {
   const Body& b = bodies[index(body - 1)];
-  return static_cast<int32_t>(b.xy.size()) / 2 / (b.element_nodes - 1);
+  return (static_cast<int32_t>(b.xy.size()) / 2 - b.open_regions) / (b.element_nodes - 1);
 }
 int32_t Problem::pairs() const {
   int32_t sum = 0;

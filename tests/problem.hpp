@@ -21,6 +21,7 @@ struct Body {
   int32_t element_nodes = 2;
   double youngs_modulus = 1000, poisson_ratio = 0.3;
   std::vector<Range> regions;   // of elements
+  int32_t open_regions = 0;     // the first ones end on lines of symmetry
   std::vector<double> xy;       // boundary points
   std::vector<End> ends;        // [(element - 1) * function_nodes + local - 1]
   std::vector<End> second_case; // the same for load case 2, if there is one
@@ -41,6 +42,8 @@ struct Problem {
   std::vector<c2d_zone> zones;
   std::vector<double> friction = {0.0};
   std::vector<Path> paths = {{1, 1.0}};
+  int32_t symmetry = 0; // lines of symmetry by images: 1: x = symmetry_at[0], 2: y = symmetry_at[1]
+  double symmetry_at[2] = {0, 0};
 
   int32_t elements(int body) const;
   int32_t pairs() const;
@@ -55,6 +58,8 @@ struct Setup {
   int32_t panel_columns = 0;
   Store store = Store::memory;
   int32_t quadrature = C2D_QUADRATURE_ACCURATE, stepping = C2D_STEPPING_EVENTS, every_change = 0;
+  int32_t symmetry = C2D_SYMMETRY_DECK;
+  std::vector<double> points; // x y x y ...: c2d_interior at the end
   int runs = 1; // how often c2d_run is called; the last one is kept
   // Instead of c2d_run, unless empty: friction, then a call of c2d_advance per load. Steps then carry numbers
   // 1 ...
@@ -82,6 +87,7 @@ struct Result {
   c2d_outcome outcome = C2D_REACHED;
   std::vector<Step> steps; // recorded ones, with every_change also changes
   std::vector<EndResult> boundary[2];
+  std::vector<double> interior; // rows of C2D_POINT_FIELDS
   c2d_summary summary = C2D_INIT(c2d_summary);
   std::vector<c2d_error> told;
   uint64_t minimum_bytes = 0;

@@ -4,6 +4,7 @@
 
 #include "bie/kernels.hpp"
 #include "bie/shape.hpp"
+#include "model/symmetry.hpp"
 
 namespace c2d {
 
@@ -252,6 +253,26 @@ int singular_node(const int32_t node[4], int count, int32_t source, int32_t twin
   return -1;
 }
 
+// The source as an image of the element sees it, in the length unit. With R the reflection T(P, RQ) R = R T(RP, Q), and
+// U likewise: the image of an element acts on P as the element itself on RP, rows times the signs of R.
+struct Source {
+  double x, y;
+  bool on_itself; // it lies on every line it is mirrored across
+};
+Source mirrored_source(const ModelHeader& head, int image, const double at[2]) {
+  if (image == 0) return Source{at[0], at[1], true};
+  double p[2];
+  for (int c = 0; c < 2; ++c)
+    p[c] = (image >> c & 1) != 0 ? 2.0 * (head.line_at[c] / head.length_unit) - at[c] : at[c];
+  return Source{p[0], p[1], p[0] == at[0] && p[1] == at[1]};
+}
+
+void sign_rows(int image, int functions, double block[4][2][2]) {
+  for (int l = 0; l < functions; ++l)
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j) block[l][i][j] *= image_sign(image, i);
+}
+
 // Prescribed values of one element and one load case.
 void aim_right_hand_side(const Panel& panel, int32_t element, const ElementTargets& t, int32_t load_case,
                          bool want_h, bool want_g, bool contact, const Blocks& blocks, Deposits& out) {
@@ -292,10 +313,17 @@ void add_element(const ColumnSystem& system, const Panel& panel, int32_t element
     if (deposits.count == 0) continue;
     for (int32_t source = 0; source < m.head->body[system.body].nodes; ++source) {
       const int32_t twin = system.twin[source];
-      if (twin == kSecondTwin) continue;
+      if (twin == kSecondTwin || twin == kAxisNode) continue;
       const double* at = system.point + 2 * static_cast<int64_t>(source);
-      integrate(integrator, at[0], at[1], singular_node(t.node, nf, source, twin), want_h, want_g, blocks);
-      deposits.pay(source);
+      for (int image = 0; image <= m.head->symmetry; ++image) {
+        if (!is_image(*m.head, image)) continue;
+        const Source p = mirrored_source(*m.head, image, at);
+        const int singular = p.on_itself ? singular_node(t.node, nf, source, twin) : -1;
+        integrate(integrator, p.x, p.y, singular, want_h, want_g, blocks);
+        if (image > 0 && want_h) sign_rows(image, nf, blocks.h);
+        if (image > 0 && want_g) sign_rows(image, nf, blocks.g);
+        deposits.pay(source);
+      }
     }
   }
 }
@@ -324,6 +352,7 @@ void add_node(const ColumnSystem& system, const Panel& panel, int32_t node) {
   const Model& m = system.model;
   const int b = system.body;
   const Body& body = m.head->body[b];
+  if (system.twin[node] == kAxisNode) return;
   const bool second = system.twin[node] == kSecondTwin;
   const int32_t twin = second ? twin_node(m, b, node) : kSingle;
   for (int c = 0; c < 2; ++c) {
@@ -354,17 +383,41 @@ void add_point_load(const ColumnSystem& system, const Panel& panel, const PointL
   const double f[2] = {load.fx * scale, load.fy * scale};
   const int32_t column = panel.range.right + load.load_case;
   for (int32_t node = 0; node < body.nodes; ++node) {
-    if (system.twin[node] == kSecondTwin) continue;
-    double u[2][2];
+    if (system.twin[node] == kSecondTwin || system.twin[node] == kAxisNode) continue;
     const double* at = system.point + 2 * static_cast<int64_t>(node);
-    const double rx = load.x / unit - at[0], ry = load.y / unit - at[1];
-    store(displacement_kernel(rx, ry, rx * rx + ry * ry, 3.0 - 4.0 * nu), 1.0 / (4.0 * M_PI * (1.0 - nu)), u);
-    for (int i = 0; i < 2; ++i) panel.add(2 * node + i, column, u[i][0] * f[0] + u[i][1] * f[1]);
+    for (int image = 0; image <= m.head->symmetry; ++image) {
+      if (!is_image(*m.head, image)) continue;
+      double u[2][2];
+      const Source p = mirrored_source(*m.head, image, at);
+      const double rx = load.x / unit - p.x, ry = load.y / unit - p.y;
+      store(displacement_kernel(rx, ry, rx * rx + ry * ry, 3.0 - 4.0 * nu), 1.0 / (4.0 * M_PI * (1.0 - nu)), u);
+      for (int i = 0; i < 2; ++i)
+        panel.add(2 * node + i, column, image_sign(image, i) * (u[i][0] * f[0] + u[i][1] * f[1]));
+    }
   }
   const double ax = (load.x - body.centre[0]) / unit, ay = (load.y - body.centre[1]) / unit;
   panel.add(2 * body.nodes, column, f[0]);
   panel.add(2 * body.nodes + 1, column, f[1]);
   panel.add(2 * body.nodes + 2, column, ax * f[1] - ay * f[0]);
+}
+
+// This row says: the unknown of column j is zero.
+void hold(const Panel& panel, int32_t row, int32_t j) {
+  for (int32_t k = panel.range.first; k < panel.range.last; ++k) *(panel.column(k) + row) = 0;
+  panel.add(row, j, 1.0);
+}
+
+// Where symmetry leaves nothing of an equation, or fixes the displacement: u = 0 in place of it. Of the balances those
+// remain that a symmetric state can violate: the force along the only line.
+void hold_by_symmetry(const ColumnSystem& system, const Panel& panel) {
+  const Model& m = system.model;
+  const Body& body = m.head->body[system.body];
+  for (int32_t node = 0; node < body.nodes; ++node)
+    for (int c = 0; c < 2; ++c)
+      if (is_held_by_symmetry(m, system.body, node, c))
+        hold(panel, 2 * node + c, outer_column(m, system.body, node, c));
+  for (int c = 0; c < 3; ++c)
+    if (c == 2 || (m.head->symmetry >> c & 1) != 0) hold(panel, 2 * body.nodes + c, body.columns + c);
 }
 
 } // namespace
@@ -378,6 +431,8 @@ void place_sources(const ColumnSystem& system) {
     system.point[2 * static_cast<int64_t>(node) + 1] = y / m.head->length_unit;
     const bool second = is_second_twin(m, system.body, node);
     system.twin[node] = second ? kSecondTwin : twin_node(m, system.body, node);
+    int32_t ends[2];
+    if (m.head->symmetry != 0 && ends_at_node(m, system.body, node, ends) == 0) system.twin[node] = kAxisNode;
   }
 }
 
@@ -390,7 +445,7 @@ void fill_columns(const ColumnSystem& system, int32_t first, int32_t count, Real
   const Range range{first, first + count, outer_columns(m, b) + 2 * m.head->contact};
   const Panel panel{m, b, range, data, ld};
   for (int32_t element = 0; element < m.head->body[b].elements; ++element) {
-    if (is_zero_length(m, b, element)) continue;
+    if (!is_integrated(m, b, element)) continue;
     ElementTargets targets;
     aim(m, b, element, range, targets);
     if (targets.want_h || targets.want_g) add_element(system, panel, element, targets, Measure::own_length);
@@ -400,9 +455,9 @@ void fill_columns(const ColumnSystem& system, int32_t first, int32_t count, Real
     add_balance(system, panel, element, targets, Measure::contact);
   }
   for (int32_t node = 0; node < m.head->body[b].nodes; ++node) add_node(system, panel, node);
-  if (!range.holds_right()) return;
-  for (int32_t i = 0; i < m.head->point_loads; ++i)
+  for (int32_t i = 0; i < m.head->point_loads && range.holds_right(); ++i)
     if (m.point_load[i].body == b) add_point_load(system, panel, m.point_load[i]);
+  if (m.head->symmetry != 0) hold_by_symmetry(system, panel);
 }
 
 void fill_diagonal(const ColumnSystem& system, int32_t first_node, int32_t count) {
@@ -411,19 +466,25 @@ void fill_diagonal(const ColumnSystem& system, int32_t first_node, int32_t count
   for (int64_t i = 4 * static_cast<int64_t>(first_node); i < 4 * static_cast<int64_t>(first_node + count); ++i)
     system.diagonal[i] = 0.0;
   for (int32_t element = 0; element < m.head->body[b].elements; ++element) {
-    if (is_zero_length(m, b, element)) continue;
+    if (!is_integrated(m, b, element)) continue;
     Integrator integrator;
     make_integrator(m, b, element, system.quadrature, Measure::own_length, integrator);
     int32_t node[4];
     for (int l = 0; l < m.head->function_nodes; ++l) node[l] = functional_node(m, b, element, l);
     for (int32_t source = first_node; source < first_node + count; ++source) {
       const int32_t twin = system.twin[source];
-      if (twin == kSecondTwin) continue;
+      if (twin == kSecondTwin || twin == kAxisNode) continue;
       double sum[2][2];
       const double* at = system.point + 2 * static_cast<int64_t>(source);
-      rigid_sum(integrator, at[0], at[1], singular_node(node, m.head->function_nodes, source, twin), sum);
       double* block = system.diagonal + 4 * static_cast<int64_t>(source);
-      for (int i = 0; i < 4; ++i) block[i] -= sum[i / 2][i % 2];
+      for (int image = 0; image <= m.head->symmetry; ++image) {
+        if (!is_image(*m.head, image)) continue;
+        const Source p = mirrored_source(*m.head, image, at);
+        const int singular = p.on_itself ? singular_node(node, m.head->function_nodes, source, twin) : -1;
+        rigid_sum(integrator, p.x, p.y, singular, sum);
+        for (int i = 0; i < 4; ++i)
+          block[i] -= image_sign(image, i / 2) * image_sign(image, i % 2) * sum[i / 2][i % 2];
+      }
     }
   }
 }

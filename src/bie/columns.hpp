@@ -1,6 +1,8 @@
 #pragma once
 // Column-wise assembly of the balanced boundary equations of one body (thesis ch. 4; design: balanced equations):
 //   H u - G t - rho - omega e_z x (x - x0) = 0 at every functional node, and forces and moment of all t add to 0.
+// With lines of symmetry (model/symmetry.hpp) every element acts together with its images, and equations that symmetry
+// leaves empty say that their unknown is zero.
 // Lengths are in ModelHeader::length_unit, outer tractions of body b in 2 G_b, contact tractions tau in stress_unit.
 //
 // Rows: 2 p, 2 p + 1 for functional node p; the last three are the balances of force x, force y and moment.
@@ -24,7 +26,7 @@ struct ColumnSystem {
   double* point;    // [2 * nodes]: collocation points in the length unit
   int32_t* twin;    // [nodes]: the other node of a double node, kSingle, or kSecondTwin (no collocation there)
 };
-constexpr int32_t kSingle = -1, kSecondTwin = -2;
+constexpr int32_t kSingle = -1, kSecondTwin = -2, kAxisNode = -3; // kAxisNode: only axis elements meet there
 
 // Fill `point` and `twin`. Before everything else.
 void place_sources(const ColumnSystem& system);

@@ -2,6 +2,7 @@
 
 #include "model/geometry.hpp"
 #include "model/rigid.hpp"
+#include "model/symmetry.hpp"
 #include "model/unknowns.hpp"
 #include "model/validate_finding.hpp"
 
@@ -83,7 +84,12 @@ bool find_symmetry(const Model& m, int32_t pair, int* component, Reporter& repor
   *component = -1;
   bool fixed[2][2]; // [body][component]
   for (int b = 0; b < 2; ++b) {
-    for (int c = 0; c < 2; ++c) fixed[b][c] = displacement_known(m, b, p.node[b], c);
+    for (int c = 0; c < 2; ++c)
+      fixed[b][c] = displacement_known(m, b, p.node[b], c) || is_held_by_symmetry(m, b, p.node[b], c);
+  }
+  if (lines_at_node(m, 0, p.node[0]) != lines_at_node(m, 1, p.node[1])) {
+    tell_pair(m, pair, "one of the nodes lies on a symmetry line", "both on it or neither", reporter);
+    return false;
   }
   if ((fixed[0][0] || fixed[1][0]) && (fixed[0][1] || fixed[1][1])) {
     tell_pair(m, pair, "displacements are prescribed in both directions", "a free direction along the normal",
@@ -257,7 +263,7 @@ bool build_frames(const Model& m, Reporter& reporter) {
     for (int b = 0; b < 2; ++b) {
       // A zone that goes all round its region has a last neighbour more.
       const Region& r = m.region[b][z.region[b]];
-      const int32_t joints = z.elements - (z.elements == r.last - r.first + 1 ? 0 : 1);
+      const int32_t joints = z.elements - (z.elements == r.last - r.first + 1 && !r.open ? 0 : 1);
       for (int32_t k = 0; k < joints; ++k) check_kink(m, i, b, k, reporter);
     }
   }
@@ -275,7 +281,7 @@ bool complete_model(const Model& m, Reporter& reporter) {
   m.head->contact = 0;
   if (!validate_data(m, reporter)) return false; // nothing else can be looked at
   set_units(m);
-  const bool sound = validate_geometry(m, reporter);
+  const bool sound = validate_symmetry(m, reporter) && validate_geometry(m, reporter);
   validate_loads(m, reporter);
   if (!validate_zones(m, reporter)) return false; // conditions depend on who is in contact
   const bool frames = sound && build_frames(m, reporter);

@@ -67,6 +67,7 @@ c2d_body body_data(const Deck& deck, int b, double youngs_modulus, double poisso
   data.element_nodes = deck.element_nodes[b];
   data.elements = deck.sizes.elements[b];
   data.regions = deck.sizes.regions[b];
+  data.open_regions = deck.open_regions[b];
   data.youngs_modulus = youngs_modulus;
   data.poisson_ratio = poisson_ratio;
   return data;
@@ -98,9 +99,12 @@ bool read_body(Deck& deck, int b) {
   end_of_fields(cards, 21);
   if (!regions_known || !elements_known || !nodes_known) return false;
   const int32_t expected = sizes.elements[b] * (deck.element_nodes[b] - 1);
-  if (order_known && sizes.geometry_nodes[b] != expected)
-    field_fault(cards, 16, 20, "number of boundary points is ", sizes.geometry_nodes[b], ", expected ",
-                expected, ": ", sizes.elements[b], " elements of ", deck.element_nodes[b], " nodes");
+  deck.body_line[b] = cards.line;
+  const int32_t beyond = sizes.geometry_nodes[b] - expected;
+  deck.open_regions[b] = order_known && beyond > 0 && beyond <= sizes.regions[b] ? beyond : 0;
+  if (order_known && beyond != deck.open_regions[b])
+    field_fault(cards, 16, 20, "number of boundary points is ", sizes.geometry_nodes[b], ", expected ", expected,
+                ": ", sizes.elements[b], " elements of ", deck.element_nodes[b], " nodes");
   if (sizes.regions[b] > sizes.elements[b]) {
     field_fault(cards, 1, 5, "number of regions is ", sizes.regions[b], ", expected at most ",
                 sizes.elements[b], ", the number of elements");

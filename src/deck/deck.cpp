@@ -5,6 +5,23 @@
 namespace c2d {
 namespace {
 
+// Whether regions may be open is known at the end of the deck only.
+void check_open_regions(Deck& deck) {
+  Cards& cards = deck.cards;
+  const int32_t line = cards.line;
+  for (int b = 0; b < deck.sizes.bodies && deck.symmetry == 0; ++b) {
+    if (deck.open_regions[b] == 0 || cards.status != C2D_OK) continue;
+    cards.body = b + 1;
+    cards.line = deck.body_line[b];
+    const int32_t points = deck.sizes.geometry_nodes[b];
+    fault(cards, 16, 20, "number of boundary points is ", points, ", expected ", points - deck.open_regions[b], ": ",
+          deck.sizes.elements[b], " elements of ", deck.element_nodes[b],
+          " nodes; more only with *SYMMETRY, one for each open region");
+  }
+  cards.line = line;
+  cards.body = 0;
+}
+
 bool read_sections(Deck& deck) {
   if (!read_heading(deck) || !read_control(deck) || !read_materials(deck)) return false;
   for (int b = 0; b < deck.sizes.bodies; ++b)
@@ -14,6 +31,7 @@ bool read_sections(Deck& deck) {
   deck.cards.body = 0;
   if (!read_zones(deck) || !read_loads(deck)) return false;
   read_extensions(deck);
+  check_open_regions(deck);
   return true;
 }
 
@@ -70,7 +88,7 @@ int32_t function_node_offset(const Deck& deck, int b) {
 
 int32_t function_node_count(const Deck& deck, int b) {
   const int32_t per_element = deck.sizes.function_nodes > 1 ? deck.sizes.function_nodes - 1 : 1;
-  return deck.sizes.elements[b] * per_element;
+  return deck.sizes.elements[b] * per_element + (deck.sizes.function_nodes > 1 ? deck.open_regions[b] : 0);
 }
 
 } // namespace c2d

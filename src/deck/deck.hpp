@@ -33,6 +33,7 @@ struct DeckSink {
   c2d_status (*add_friction)(c2d_solver*, double mu);
   c2d_status (*add_path)(c2d_solver*, int32_t increments, double load);
   c2d_status (*set_units)(c2d_solver*, const char* length, const char* force);
+  c2d_status (*set_symmetry)(c2d_solver*, int32_t axis, double value);
 };
 
 // What later sections must know of earlier ones. Bodies are counted from 0 in here.
@@ -42,6 +43,9 @@ struct Deck {
   c2d_limits sizes;
   c2d_problem problem;
   int32_t element_nodes[2];        // NBN
+  int32_t open_regions[2];         // NBP says how many: boundary points beyond those of closed curves
+  int32_t body_line[2];            // line of the card that says so
+  int32_t symmetry;                // lines that *SYMMETRY gave: 1: x, 2: y
   double origin[2][2];             // of the local coordinates
   bool elements_continue;          // body 2's elements are numbered on from body 1's
   bool nodes_continue;             // so are its nodes

@@ -14,10 +14,11 @@ struct Keyword {
 // The place to add to. A deck may have its keywords in any order, so a handler that needs another one's data
 // must allow for either order. Keywords and where they are read:
 //   *UNITS length force      units.cpp      names of the units, for titles of axes
-// Names set aside for: *CASES, *PATH (load histories), *FRICTION (coefficients by zone), *SYMMETRY (images),
-// *BODY FORCE (weight, rotation), *RIGID, *INTERFERENCE, *ZONE (meshes that do not match), *POINTS.
+//   *SYMMETRY X value        symmetry.cpp   line x = value (Y: y = value), everything mirrored across it
+// Names set aside for: *CASES, *PATH (load histories), *FRICTION (coefficients by zone), *BODY FORCE (weight, rotation), *RIGID, *INTERFERENCE, *ZONE (meshes that do not match), *POINTS.
 constexpr Keyword kKeywords[] = {
     {"UNITS", read_units, false},
+    {"SYMMETRY", read_symmetry, true},
 };
 constexpr int32_t kKeywordCount = static_cast<int32_t>(sizeof kKeywords / sizeof kKeywords[0]);
 static_assert(kKeywordCount <= 32, "Deck::keywords_seen has a bit for each");

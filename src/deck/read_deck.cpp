@@ -56,6 +56,7 @@ c2d_status walk(Reading& reading) {
   sink.add_friction = c2d_add_friction;
   sink.add_path = c2d_add_path;
   sink.set_units = c2d_set_units;
+  sink.set_symmetry = c2d_set_symmetry;
   return read_deck_cards(&sink, read_line, &reading, deck_fault, &reading, nullptr);
 }
 

@@ -39,7 +39,10 @@ c2d_status derive_sizes(const c2d_limits& limits, Sizes& out) {
     body.geometry_nodes = limits.geometry_nodes[b];
     body.elements = limits.elements[b];
     body.regions = limits.regions[b];
-    body.nodes = body.elements * per_element;
+    // Points beyond one per element may be ends of open regions, which have a functional node each.
+    const int64_t beyond = limits.geometry_nodes[b] - body.elements;
+    const int64_t open = beyond < body.regions ? beyond : body.regions;
+    body.nodes = body.elements * per_element + (limits.function_nodes > 1 && open > 0 ? open : 0);
     body.ends = body.elements * limits.function_nodes;
     body.rows = 2 * body.nodes + 3;
   }

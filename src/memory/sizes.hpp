@@ -5,7 +5,7 @@
 namespace c2d {
 
 // Bytes of one element of the arrays whose types belong to the model (checked there with static_assert).
-constexpr uint64_t kRegionBytes = 8, kZoneBytes = 56, kPairBytes = 136, kPointLoadBytes = 48, kPathBytes = 16;
+constexpr uint64_t kRegionBytes = 16, kZoneBytes = 56, kPairBytes = 136, kPointLoadBytes = 48, kPathBytes = 16;
 
 // Every array that lives in the workspace, in the order in which memory is carved. Two arrays per body follow one
 // another (`kXy + body`). The README maps them to the arrays of the 1987 program.

@@ -1,4 +1,5 @@
 #include "model/geometry.hpp"
+#include "model/symmetry.hpp"
 
 #include <math.h>
 
@@ -52,6 +53,20 @@ double element_length(const Model& m, int b, int32_t element) {
   return sum;
 }
 
+int closing_way(const Model& m, int b, int32_t region, double x[3], double y[3]) {
+  const Region& r = m.region[b][region];
+  if (!r.open) return 0;
+  const double* end = m.xy[b] + 2 * geometry_node(m, b, r.last, body_of(m, b).element_nodes - 1);
+  const double* start = m.xy[b] + 2 * geometry_node(m, b, r.first, 0);
+  const ModelHeader& head = *m.head;
+  int count = 0;
+  x[count] = end[0], y[count++] = end[1];
+  if ((lines_through(head, end[0], end[1]) & lines_through(head, start[0], start[1])) == 0 && head.symmetry == 3)
+    x[count] = head.line_at[0], y[count++] = head.line_at[1];
+  x[count] = start[0], y[count++] = start[1];
+  return count;
+}
+
 double region_area(const Model& m, int b, int32_t region) {
   // Half the integral of x dy - y dx; three Gauss points are exact up to the fifth degree, that of cubic
   // elements.
@@ -66,6 +81,10 @@ double region_area(const Model& m, int b, int32_t region) {
       sum += 0.5 * kWeight[i] * ((p.x - origin.x) * p.dy - (p.y - origin.y) * p.dx);
     }
   }
+  double x[3], y[3];
+  const int corners = closing_way(m, b, region, x, y);
+  for (int i = 0; i + 1 < corners; ++i)
+    sum += 0.5 * ((x[i] - origin.x) * (y[i + 1] - y[i]) - (y[i] - origin.y) * (x[i + 1] - x[i]));
   return sum;
 }
 
@@ -154,6 +173,16 @@ double distance_to_element(const Model& m, int b, int32_t element, double x, dou
   return nearest;
 }
 
+namespace {
+
+// Chords that pass the horizontal through the point upwards to its right count 1, downwards -1.
+int passes(const double p[2], const double q[2], const double point[2]) {
+  if (p[1] <= point[1] && q[1] > point[1] && side(p, q, point) > 0) return 1;
+  return p[1] > point[1] && q[1] <= point[1] && side(p, q, point) < 0 ? -1 : 0;
+}
+
+} // namespace
+
 int winding_number(const Model& m, int b, int32_t region, double x, double y) {
   const double point[2] = {x, y};
   const Region& r = m.region[b][region];
@@ -162,11 +191,15 @@ int winding_number(const Model& m, int b, int32_t region, double x, double y) {
   for (int32_t e = r.first; e <= r.last; ++e) {
     chords_of(m, b, e, c);
     for (int i = 0; i < c.count; ++i) {
-      // Chords that pass the horizontal through the point upwards to its right count 1, downwards -1.
       const double p[2] = {c.x[i], c.y[i]}, q[2] = {c.x[i + 1], c.y[i + 1]};
-      if (p[1] <= y && q[1] > y && side(p, q, point) > 0) ++number;
-      if (p[1] > y && q[1] <= y && side(p, q, point) < 0) --number;
+      number += passes(p, q, point);
     }
+  }
+  double wx[3], wy[3];
+  const int corners = closing_way(m, b, region, wx, wy);
+  for (int i = 0; i + 1 < corners; ++i) {
+    const double p[2] = {wx[i], wy[i]}, q[2] = {wx[i + 1], wy[i + 1]};
+    number += passes(p, q, point);
   }
   return number;
 }

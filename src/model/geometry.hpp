@@ -21,6 +21,9 @@ double local_eta(int nodes, int l);
 // Unit outward normal, to the right of the direction of travel; (0, 0) where the tangent vanishes.
 void outward_normal(const Model& m, int b, int32_t element, double eta, double n[2]);
 double element_length(const Model& m, int b, int32_t element);
+// An open region is closed along the symmetry lines: from its end to its start, by way of the lines' crossing if they
+// lie on different lines. Fills the corners of that way and returns how many there are: 2 or 3; 0 for a closed region.
+int closing_way(const Model& m, int b, int32_t region, double x[3], double y[3]);
 // Enclosed area, positive if the region runs counter-clockwise; exact for polynomial elements.
 double region_area(const Model& m, int b, int32_t region);
 

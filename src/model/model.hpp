@@ -9,8 +9,10 @@ namespace c2d {
 // Bits of an element end's code: quantity is known. kGiven: a condition card named this end.
 enum EndCode : uint8_t { kKnownTx = 1, kKnownTy = 2, kKnownUx = 4, kKnownUy = 8, kGiven = 16 };
 
-struct Region { // elements first ... last form a closed curve
+struct Region {    // elements first ... last form a closed curve, or one that is open between symmetry lines
   int32_t first, last;
+  int32_t open = 0;  // 1: its last boundary point is not its first
+  int32_t shift = 0; // open regions before it: its nodes' numbers are that much higher
 };
 struct PointLoad {
   int32_t body, load_case, line, column;
@@ -61,7 +63,7 @@ struct Body {               // lives in the solver's header
   int32_t columns;          // outer unknowns without rho and omega
   double youngs_modulus, poisson_ratio;
   int32_t free_motions;     // rigid motions that no prescribed displacement prevents
-  int32_t reserved;
+  int32_t open_regions;     // the first ones
   double free_motion[3][3]; // orthonormal in (ux, uy, rotation * length_unit) about `centre`
   double centre[2];
 };
@@ -72,6 +74,11 @@ struct ModelHeader {        // lives in the solver's header; the arrays live in 
   int32_t zones, pairs, contact_elements, point_loads, coefficients, paths;
   int32_t contact;          // contact unknowns m
   int32_t line, column, column_end;
+  // Lines x = line_at[0] (bit 1) and y = line_at[1] (bit 2) across which everything is mirrored: those asked for, and
+  // those in force from the model's completion on; the model lies where line_side * (x - line_at) >= 0.
+  int32_t symmetry_asked, symmetry;
+  int32_t images;           // 1: elements on a symmetry line are replaced by images
+  double line_at[2], line_side[2];
   double length_unit;       // power of two near the size of the bodies
   double stress_unit;       // power of two near 2G of the softer body
   Body body[2];
@@ -99,14 +106,24 @@ struct Model { // a view, rebuilt at every entry into the library: plain pointer
 // ---- topology ---------------------------------------------------------------------------------------------------
 inline const Body& body_of(const Model& m, int b) { return m.head->body[b]; }
 int32_t region_of_element(const Model& m, int b, int32_t element);
-// Geometry node `k` (0 ... element_nodes-1) of an element; the last node of a region's last element is its first.
+// First and last functional node of a region.
+void nodes_of_region(const Model& m, int b, int32_t region, int32_t* first, int32_t* last);
+// The element that begins where this one ends; -1 at the end of an open region.
+int32_t element_after(const Model& m, int b, int32_t element);
+// Geometry node `k` (0 ... element_nodes-1) of an element; the last node of a closed region's last element is its
+// first.
 int32_t geometry_node(const Model& m, int b, int32_t element, int k);
 // Functional node of local function node l of an element.
 int32_t functional_node(const Model& m, int b, int32_t element, int l);
 // Ends of elements of non-zero length that meet at a functional node: 0, 1 or 2 of them (end = element *
-// function_nodes + local), the preceding element first.
+// function_nodes + local), the preceding element first. Without those on a symmetry line, and with them.
 int ends_at_node(const Model& m, int b, int32_t node, int32_t ends[2]);
+int all_ends_at_node(const Model& m, int b, int32_t node, int32_t ends[2]);
+// The boundary point at which an element begins or ends there; -1 for a node inside an element.
+int32_t corner_point(const Model& m, int b, int32_t node);
 bool is_zero_length(const Model& m, int b, int32_t element);
+// Does the element carry integrals? Not if it has no length or is replaced by images (model/symmetry.hpp).
+bool is_integrated(const Model& m, int b, int32_t element);
 // The other node of a double node (joined by a zero-length element), or -1. The first of the two carries the
 // collocation equations; the second's are u_first = u_second.
 int32_t twin_node(const Model& m, int b, int32_t node);

@@ -1,6 +1,8 @@
-// Which nodes, elements and ends belong together. Every region is a closed curve of its own.
+// Which nodes, elements and ends belong together. Every region is a curve of its own: closed, or open between
+// symmetry lines.
 #include "model/geometry.hpp"
 #include "model/model.hpp"
+#include "model/symmetry.hpp"
 
 #include <math.h>
 
@@ -13,22 +15,37 @@ int32_t nodes_per_element(const Model& m) {
   return m.head->function_nodes == 1 ? 1 : m.head->function_nodes - 1;
 }
 
-// The element of whose local nodes but the last this is one.
-int32_t element_of_node(const Model& m, int32_t node) {
-  return node / nodes_per_element(m);
+// A functional node as local node of the element that begins there or holds it; the end of an open region is
+// the last local node of its last element.
+struct NodePlace {
+  int32_t element, local;
+};
+
+NodePlace place_of_node(const Model& m, int b, int32_t node) {
+  if (m.head->function_nodes == 1) return NodePlace{node, 0};
+  const int32_t steps = nodes_per_element(m), regions = body_of(m, b).regions;
+  const Region* r = m.region[b];
+  for (int32_t i = 0; i + 1 < regions && node > (r->last + 1) * steps - 1 + r->shift + r->open; ++i) ++r;
+  const int32_t place = node - r->shift;
+  if (place == (r->last + 1) * steps) return NodePlace{r->last, steps};
+  return NodePlace{place / steps, place % steps};
 }
 
+// The element that ends where this one begins; -1 at the start of an open region.
 int32_t element_before(const Model& m, int b, int32_t element) {
   const Region& r = m.region[b][region_of_element(m, b, element)];
-  return element == r.first ? r.last : element - 1;
+  if (element != r.first) return element - 1;
+  return r.open ? -1 : r.last;
 }
 
 // Position k = 0, 1, ... of `number` in the sequence first, first + step, ... that wraps round first_in ...
-// last_in.
-int32_t place_in_range(int32_t number, int32_t first, int32_t step, int32_t first_in, int32_t last_in) {
+// last_in, or ends there if the range is open.
+int32_t place_in_range(int32_t number, int32_t first, int32_t step, int32_t first_in, int32_t last_in,
+                       bool open) {
   if (number < first_in || number > last_in) return -1;
   const int32_t place = step > 0 ? number - first : first - number;
-  return place < 0 ? place + (last_in - first_in + 1) : place;
+  if (place < 0) return open ? -1 : place + (last_in - first_in + 1);
+  return place;
 }
 
 int32_t number_in_range(int32_t k, int32_t first, int32_t step, int32_t first_in, int32_t last_in) {
@@ -37,11 +54,8 @@ int32_t number_in_range(int32_t k, int32_t first, int32_t step, int32_t first_in
   return first_in + (place < 0 ? place + size : place);
 }
 
-void node_range(const Model& m, const Zone& z, int b, int32_t* first, int32_t* last) {
-  const Region& r = m.region[b][z.region[b]];
-  const int32_t steps = nodes_per_element(m);
-  *first = r.first * steps;
-  *last = (r.last + 1) * steps - 1;
+bool joins_twins(const Model& m, int b, int32_t element) {
+  return is_zero_length(m, b, element) && !is_axis_element(m, b, element);
 }
 
 } // namespace
@@ -53,35 +67,62 @@ int32_t region_of_element(const Model& m, int b, int32_t element) {
   return r;
 }
 
+void nodes_of_region(const Model& m, int b, int32_t region, int32_t* first, int32_t* last) {
+  const Region& r = m.region[b][region];
+  const int32_t steps = nodes_per_element(m);
+  const bool shared = m.head->function_nodes > 1; // constant elements have no nodes at their ends
+  *first = r.first * steps + (shared ? r.shift : 0);
+  *last = (r.last + 1) * steps - 1 + (shared ? r.shift + r.open : 0);
+}
+
+int32_t element_after(const Model& m, int b, int32_t element) {
+  const Region& r = m.region[b][region_of_element(m, b, element)];
+  if (element != r.last) return element + 1;
+  return r.open ? -1 : r.first;
+}
+
 int32_t geometry_node(const Model& m, int b, int32_t element, int k) {
   const int32_t steps = body_of(m, b).element_nodes - 1;
-  if (k == steps) {
-    const Region& r = m.region[b][region_of_element(m, b, element)];
-    if (element == r.last) return r.first * steps;
-  }
-  return element * steps + k;
+  const Region& r = m.region[b][region_of_element(m, b, element)];
+  if (k == steps && element == r.last && !r.open) return r.first * steps + r.shift;
+  return element * steps + k + r.shift;
 }
 
 int32_t functional_node(const Model& m, int b, int32_t element, int l) {
   if (m.head->function_nodes == 1) return element;
   const int32_t steps = nodes_per_element(m);
-  if (l == steps) {
-    const Region& r = m.region[b][region_of_element(m, b, element)];
-    if (element == r.last) return r.first * steps;
+  const Region& r = m.region[b][region_of_element(m, b, element)];
+  if (l == steps && element == r.last && !r.open) return r.first * steps + r.shift;
+  return element * steps + l + r.shift;
+}
+
+int all_ends_at_node(const Model& m, int b, int32_t node, int32_t ends[2]) {
+  const int32_t f = m.head->function_nodes;
+  const NodePlace at = place_of_node(m, b, node);
+  int count = 0;
+  if (f > 1 && at.local == 0) {
+    const int32_t before = element_before(m, b, at.element);
+    if (before >= 0 && !is_zero_length(m, b, before)) ends[count++] = before * f + f - 1;
   }
-  return element * steps + l;
+  if (!is_zero_length(m, b, at.element)) ends[count++] = at.element * f + at.local;
+  return count;
 }
 
 int ends_at_node(const Model& m, int b, int32_t node, int32_t ends[2]) {
-  const int32_t f = m.head->function_nodes, element = element_of_node(m, node);
-  const int32_t local = f == 1 ? 0 : node % nodes_per_element(m);
-  int count = 0;
-  if (f > 1 && local == 0) {
-    const int32_t before = element_before(m, b, element);
-    if (!is_zero_length(m, b, before)) ends[count++] = before * f + f - 1;
-  }
-  if (!is_zero_length(m, b, element)) ends[count++] = element * f + local;
-  return count;
+  const int count = all_ends_at_node(m, b, node, ends);
+  if (m.head->symmetry == 0) return count;
+  int kept = 0;
+  for (int i = 0; i < count; ++i)
+    if (!is_axis_element(m, b, ends[i] / m.head->function_nodes)) ends[kept++] = ends[i];
+  return kept;
+}
+
+int32_t corner_point(const Model& m, int b, int32_t node) {
+  const int32_t f = m.head->function_nodes;
+  if (f == 1) return -1;
+  const NodePlace at = place_of_node(m, b, node);
+  if (at.local == 0) return geometry_node(m, b, at.element, 0);
+  return at.local == f - 1 ? geometry_node(m, b, at.element, body_of(m, b).element_nodes - 1) : -1;
 }
 
 bool is_zero_length(const Model& m, int b, int32_t element) {
@@ -92,16 +133,23 @@ bool is_zero_length(const Model& m, int b, int32_t element) {
   return fabs(p[0] - q[0]) <= tolerance && fabs(p[1] - q[1]) <= tolerance;
 }
 
+bool is_integrated(const Model& m, int b, int32_t element) {
+  return !is_zero_length(m, b, element) && !is_axis_element(m, b, element);
+}
+
 int32_t twin_node(const Model& m, int b, int32_t node) {
   if (m.head->function_nodes != 2) return -1;
-  if (is_zero_length(m, b, node)) return functional_node(m, b, node, 1);
-  const int32_t before = element_before(m, b, node);
-  return is_zero_length(m, b, before) ? before : -1;
+  const NodePlace at = place_of_node(m, b, node);
+  if (at.local == 0 && joins_twins(m, b, at.element)) return functional_node(m, b, at.element, 1);
+  const int32_t before = at.local == 0 ? element_before(m, b, at.element) : at.element;
+  return before >= 0 && joins_twins(m, b, before) ? functional_node(m, b, before, 0) : -1;
 }
 
 bool is_second_twin(const Model& m, int b, int32_t node) {
-  return m.head->function_nodes == 2 && !is_zero_length(m, b, node) &&
-         is_zero_length(m, b, element_before(m, b, node));
+  if (m.head->function_nodes != 2) return false;
+  const int32_t twin = twin_node(m, b, node);
+  const NodePlace at = place_of_node(m, b, node);
+  return twin >= 0 && !(at.local == 0 && joins_twins(m, b, at.element));
 }
 
 void element_coordinates(const Model& m, int b, int32_t element, double x[4], double y[4]) {
@@ -113,14 +161,15 @@ void element_coordinates(const Model& m, int b, int32_t element, double x[4], do
 }
 
 void node_position(const Model& m, int b, int32_t node, double* x, double* y) {
-  const int32_t f = m.head->function_nodes, element = element_of_node(m, node);
-  if (f > 1 && node % nodes_per_element(m) == 0) { // a corner of the mesh: exactly the boundary point
-    const double* p = m.xy[b] + 2 * geometry_node(m, b, element, 0);
+  const int32_t f = m.head->function_nodes, corner = corner_point(m, b, node);
+  if (corner >= 0) { // a corner of the mesh: exactly the boundary point
+    const double* p = m.xy[b] + 2 * corner;
     *x = p[0];
     *y = p[1];
     return;
   }
-  const CurvePoint p = curve_point(m, b, element, local_eta(f, f == 1 ? 0 : node % nodes_per_element(m)));
+  const NodePlace at = place_of_node(m, b, node);
+  const CurvePoint p = curve_point(m, b, at.element, local_eta(f, at.local));
   *x = p.x;
   *y = p.y;
 }
@@ -132,7 +181,7 @@ int32_t zone_element(const Model& m, const Zone& z, int b, int32_t k) {
 
 int32_t zone_node(const Model& m, const Zone& z, int b, int32_t k) {
   int32_t first, last;
-  node_range(m, z, b, &first, &last);
+  nodes_of_region(m, b, z.region[b], &first, &last);
   return number_in_range(k, z.first_node[b], z.node_step[b], first, last);
 }
 
@@ -140,7 +189,7 @@ bool find_contact_element(const Model& m, int b, int32_t element, int32_t* zone,
   for (int32_t i = 0; i < m.head->zones; ++i) {
     const Zone& z = m.zone[i];
     const Region& r = m.region[b][z.region[b]];
-    const int32_t k = place_in_range(element, z.first_element[b], z.element_step[b], r.first, r.last);
+    const int32_t k = place_in_range(element, z.first_element[b], z.element_step[b], r.first, r.last, r.open != 0);
     if (k < 0 || k >= z.elements) continue;
     *zone = i;
     *place = k;
@@ -153,8 +202,8 @@ namespace {
 
 int32_t pair_in_zone(const Model& m, const Zone& z, int b, int32_t node) {
   int32_t first, last;
-  node_range(m, z, b, &first, &last);
-  const int32_t k = place_in_range(node, z.first_node[b], z.node_step[b], first, last);
+  nodes_of_region(m, b, z.region[b], &first, &last);
+  const int32_t k = place_in_range(node, z.first_node[b], z.node_step[b], first, last, m.region[b][z.region[b]].open != 0);
   return k >= 0 && k < z.pairs ? z.first_pair + k : -1;
 }
 

@@ -1,6 +1,7 @@
 // Which of displacement and tractions is the unknown of a node: the rules of the condition cards.
 #include "model/unknowns.hpp"
 #include "model/geometry.hpp"
+#include "model/symmetry.hpp"
 
 #include <math.h>
 
@@ -13,7 +14,7 @@ bool traction_known(const Model& m, int b, int32_t end, int component) {
 
 bool displacement_known(const Model& m, int b, int32_t node, int component) {
   int32_t ends[2];
-  const int count = ends_at_node(m, b, node, ends);
+  const int count = all_ends_at_node(m, b, node, ends);
   for (int i = 0; i < count; ++i) {
     if ((m.end_code[b][ends[i]] & (component == 0 ? kKnownUx : kKnownUy)) != 0) return true;
   }
@@ -43,6 +44,7 @@ UnknownKind contact_kind(const Model& m, int b, const int32_t* ends, int count, 
 
 Unknown unknown_at(const Model& m, int b, int32_t node, int component) {
   Unknown unknown = {UnknownKind::displacement, {-1, -1}};
+  if (is_held_by_symmetry(m, b, node, component)) return unknown;
   int32_t ends[2];
   const int count = ends_at_node(m, b, node, ends);
   const bool fixed = displacement_known(m, b, node, component);

@@ -3,6 +3,7 @@
 // the first. The order in which a model is completed (contact/frames.hpp does all of it):
 //   validate_data       bodies, regions and points are there, numbers are finite: the rest relies on it
 //   set_units           (model/unknowns.hpp)
+//   validate_symmetry   (model/symmetry.hpp) lines are found, points moved onto them, the model fits them
 //   validate_geometry   the boundaries are proper closed curves
 //   validate_zones      contact zones refer to what is there, sides face each other
 //   validate_loads      point loads

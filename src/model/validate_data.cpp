@@ -61,10 +61,10 @@ void check_regions(const Model& m, int b, Reporter& reporter) {
     say(f, "body ", b + 1, " has ", body.region_count, " regions, expected ", body.regions);
     return tell(reporter, f);
   }
-  const int32_t least = body.element_nodes == 2 ? 3 : 2;
   int32_t next = 0;
   for (int32_t r = 0; r < body.regions; ++r) {
     const Region& region = m.region[b][r];
+    const int32_t least = region.open ? 1 : (body.element_nodes == 2 ? 3 : 2);
     if (region.first != next)
       tell_region(m, b, r, " begins with element ", region.first + 1, ", expected ", next + 1, reporter);
     if (region.last >= body.elements)

@@ -21,12 +21,11 @@ void tell_some(Finding& f, int32_t& told, Reporter& reporter) {
 // ---- single elements ----
 
 void check_zero_length(const Model& m, int b, int32_t element, Reporter& reporter) {
-  const int32_t next =
-      geometry_node(m, b, element, 1); // the element that begins there, as elements are linear
+  const int32_t next = element_after(m, b, element);
   const char* trouble = nullptr;
   if (m.head->function_nodes != 2)
     trouble = "a double node needs linear functions (2 functional nodes per element)";
-  else if (is_zero_length(m, b, next))
+  else if (next >= 0 && is_zero_length(m, b, next))
     trouble = "two elements of zero length follow one another";
   if (trouble == nullptr) return;
   Finding f = fault();
@@ -61,10 +60,10 @@ void check_jacobian(const Model& m, int b, int32_t element, Reporter& reporter) 
 
 void check_spike(const Model& m, int b, int32_t element, Reporter& reporter) {
   if (is_zero_length(m, b, element)) return;
-  const Region& r = m.region[b][region_of_element(m, b, element)];
   int32_t next = element;
-  do next = next == r.last ? r.first : next + 1;
-  while (is_zero_length(m, b, next) && next != element);
+  do next = element_after(m, b, next);
+  while (next >= 0 && is_zero_length(m, b, next) && next != element);
+  if (next < 0) return; // the end of an open region
   double n1[2], n2[2];
   outward_normal(m, b, element, 1, n1);
   outward_normal(m, b, next, -1, n2);
@@ -84,6 +83,17 @@ bool same_point(const Model& m, double ax, double ay, double bx, double by) {
   return fabs(ax - bx) <= tolerance && fabs(ay - by) <= tolerance;
 }
 
+// Are these the two points of a linear element?
+bool joined(const Model& m, int b, int32_t i, int32_t j) {
+  for (int32_t r = 0; r < body_of(m, b).regions; ++r) {
+    const Region& region = m.region[b][r];
+    const int32_t first = geometry_node(m, b, region.first, 0), last = geometry_node(m, b, region.last, 0) + region.open;
+    if (i < first || j > last) continue;
+    return j == i + 1 || (!region.open && i == first && j == last);
+  }
+  return false;
+}
+
 // Boundary points of one body must differ, except the two of a legal double node.
 int32_t check_coincidence(const Model& m, int b, Reporter& reporter) {
   const Body& body = body_of(m, b);
@@ -93,9 +103,7 @@ int32_t check_coincidence(const Model& m, int b, Reporter& reporter) {
     for (int32_t j = i + 1; j < body.geometry_nodes; ++j) {
       const double* q = m.xy[b] + 2 * j;
       if (!same_point(m, p[0], p[1], q[0], q[1])) continue;
-      const bool joined =
-          body.element_nodes == 2 && (geometry_node(m, b, i, 1) == j || geometry_node(m, b, j, 1) == i);
-      if (joined) continue; // an element of zero length: has its own check
+      if (body.element_nodes == 2 && joined(m, b, i, j)) continue; // an element of zero length: has its own check
       Finding f = fault();
       locate_point(f, m, b, j);
       say(f, "boundary points ", i + 1, " and ", j + 1, " of body ", b + 1, " coincide at (", p[0], ", ",
@@ -185,7 +193,11 @@ int32_t outer_region(const Model& m, int b) {
 }
 
 void check_nesting(const Model& m, int b, int32_t outer, int32_t hole, Reporter& reporter) {
-  const double* p = m.xy[b] + 2 * geometry_node(m, b, m.region[b][hole].first, 0);
+  // Not an end of an open one, which lies on the outer boundary's own way along the line.
+  const Region& curve = m.region[b][hole];
+  const CurvePoint middle = curve_point(m, b, curve.first, 0.0);
+  const double* corner = m.xy[b] + 2 * geometry_node(m, b, curve.first, 0);
+  const double p[2] = {curve.open ? middle.x : corner[0], curve.open ? middle.y : corner[1]};
   if (winding_number(m, b, outer, p[0], p[1]) == 0)
     tell_region(m, b, hole, "lies outside the outer boundary", "a hole inside it", reporter);
   for (int32_t r = 0; r < body_of(m, b).regions; ++r) {

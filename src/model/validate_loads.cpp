@@ -1,5 +1,6 @@
 // Point loads lie inside their body, away from its boundary.
 #include "model/geometry.hpp"
+#include "model/symmetry.hpp"
 #include "model/validate.hpp"
 #include "model/validate_finding.hpp"
 
@@ -15,15 +16,20 @@ struct Nearest {
 Nearest nearest_element(const Model& m, int b, double x, double y) {
   Nearest nearest = {-1, 0};
   for (int32_t e = 0; e < body_of(m, b).elements; ++e) {
-    if (is_zero_length(m, b, e)) continue;
+    if (!is_integrated(m, b, e)) continue;
     const double distance = distance_to_element(m, b, e, x, y);
     if (nearest.element < 0 || distance < nearest.distance) nearest = Nearest{e, distance};
   }
   return nearest;
 }
 
-// Inside the outer curve (winding 1) and in no hole (winding -1).
+// Inside the outer curve (winding 1) and in no hole (winding -1). A symmetry line is no boundary: points on it are
+// looked at a little off it.
 bool inside_body(const Model& m, int b, double x, double y) {
+  const ModelHeader& head = *m.head;
+  const int32_t on = lines_through(head, x, y);
+  if ((on & 1) != 0) x += 1e-7 * head.length_unit * head.line_side[0];
+  if ((on & 2) != 0) y += 1e-7 * head.length_unit * head.line_side[1];
   int number = 0;
   for (int32_t r = 0; r < body_of(m, b).regions; ++r) number += winding_number(m, b, r, x, y);
   return number == 1;
@@ -34,8 +40,23 @@ void say_equivalent(Finding& f, const PointLoad& p, int32_t element, double leng
       p.fy / length, ")");
 }
 
+// On a symmetry line a load is its own image; one across the line would be its own opponent.
+bool acts_across_line(const Model& m, const PointLoad& p) {
+  const int32_t on = lines_through(*m.head, p.x, p.y);
+  return ((on & 1) != 0 && p.fx != 0.0) || ((on & 2) != 0 && p.fy != 0.0);
+}
+
 void check_point_load(const Model& m, int32_t i, Reporter& reporter) {
   const PointLoad& p = m.point_load[i];
+  if (acts_across_line(m, p)) {
+    Finding f = fault();
+    f.entry.body = p.body + 1;
+    f.entry.line = p.line > 0 ? p.line : 0;
+    f.entry.column = p.line > 0 ? p.column : 0;
+    say(f, "point load ", i + 1, " at (", p.x, ", ", p.y, ") on a symmetry line acts across it, expected a force along "
+        "the line");
+    return tell(reporter, f);
+  }
   const Nearest near = nearest_element(m, p.body, p.x, p.y);
   if (near.element < 0) return;
   const double length = element_length(m, p.body, near.element);

@@ -44,20 +44,27 @@ bool in_range(const Model& m, int32_t zone, int b, Reporter& reporter) {
     return false;
   }
   const Region& r = m.region[b][z.region[b]];
-  const int32_t elements = r.last - r.first + 1, steps = nodes_per_element(m);
+  const int32_t elements = r.last - r.first + 1;
+  int32_t first_node, last_node;
+  nodes_of_region(m, b, z.region[b], &first_node, &last_node);
   if (z.first_element[b] < r.first || z.first_element[b] > r.last)
     tell_zone(m, zone, b, "first element ", z.first_element[b] + 1, " is not in the zone's region", reporter);
   if (z.elements > elements)
     tell_zone(m, zone, b, "elements: ", z.elements, ", more than its region has", reporter);
-  if (z.first_node[b] < r.first * steps || z.first_node[b] >= (r.last + 1) * steps)
+  if (z.first_node[b] < first_node || z.first_node[b] > last_node)
     tell_zone(m, zone, b, "first node ", z.first_node[b] + 1, " is not in the region of its elements",
               reporter);
-  if (z.pairs > elements * steps)
+  if (z.pairs > last_node - first_node + 1)
     tell_zone(m, zone, b, "nodes: ", z.pairs, ", more than its region has", reporter);
   if (z.element_step[b] != 1 && z.element_step[b] != -1)
     tell_zone(m, zone, b, "step of elements ", z.element_step[b], ", expected 1 or -1", reporter);
   if (z.node_step[b] != 1 && z.node_step[b] != -1)
     tell_zone(m, zone, b, "step of nodes ", z.node_step[b], ", expected 1 or -1", reporter);
+  const int32_t end_element = z.first_element[b] + z.element_step[b] * (z.elements - 1);
+  const int32_t end_node = z.first_node[b] + z.node_step[b] * (z.pairs - 1);
+  if (r.open && (end_element < r.first || end_element > r.last || end_node < first_node || end_node > last_node))
+    tell_zone(m, zone, b, "elements or nodes go beyond the end of their open region, from element ",
+              z.first_element[b] + 1, "", reporter);
   if (z.pairs > 1 && z.elements > 1 && z.node_step[b] != z.element_step[b])
     tell_zone(m, zone, b, "elements and nodes run in opposite directions from element ",
               z.first_element[b] + 1, ", expected the same direction", reporter);
@@ -67,14 +74,15 @@ bool in_range(const Model& m, int32_t zone, int b, Reporter& reporter) {
 // Position of the first listed node along the zone's elements, from 0; -1 if it is none of their nodes.
 int32_t place_of_first_node(const Model& m, const Zone& z, int b) {
   const Region& r = m.region[b][z.region[b]];
-  const int32_t steps = nodes_per_element(m), nodes = (r.last - r.first + 1) * steps;
+  const int32_t nodes = (r.last - r.first + 1) * nodes_per_element(m);
   int32_t place;
   if (direction(z, b) >= 0)
-    place = z.first_node[b] - z.first_element[b] * steps;
+    place = z.first_node[b] - functional_node(m, b, z.first_element[b], 0);
   else if (m.head->function_nodes == 1)
     place = z.first_element[b] - z.first_node[b];
   else
-    place = (z.first_element[b] + 1) * steps - z.first_node[b];
+    place = functional_node(m, b, z.first_element[b], 0) + nodes_per_element(m) - z.first_node[b];
+  if (r.open) return place >= 0 && place < nodes_along(m, z.elements) ? place : -1;
   place = ((place % nodes) + nodes) % nodes;
   return place < nodes_along(m, z.elements) ? place : -1;
 }

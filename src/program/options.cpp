@@ -16,6 +16,7 @@ struct Known {
 };
 const Known kRunOptions[] = {{"--listing", true},   {"--csv", true},          {"--boundary", true},
                              {"--json", true},      {"--stepping", true},     {"--quadrature", true},
+                             {"--symmetry", true},
                              {"--memory", true},    {"--store", true},        {"--threads", true},
                              {"--progress", false}, {"--no-progress", false}, {"--keep", false}};
 const char* const kLaterOptions[] = {"--points", "--interior", "--report", "--figures", "--vtk"};
@@ -55,6 +56,7 @@ bool set_option(Options& o, const std::string& name, const std::string& value, s
   if (name == "--stepping" && !choose(value, "events", "deck", o.stepping)) return wrong("events or deck");
   if (name == "--quadrature" && !choose(value, "accurate", "thesis", o.quadrature))
     return wrong("accurate or thesis");
+  if (name == "--symmetry" && !choose(value, "deck", "images", o.symmetry)) return wrong("deck or images");
   if (name == "--memory" && (!read_size(value, o.memory) || o.memory == 0))
     return wrong("a number of bytes such as 65536, 64K, 16M or 1G");
   if (name == "--threads" && !read_threads(value, o.threads)) return wrong("a whole number from 1");
@@ -93,13 +95,6 @@ bool read_run_option(const std::vector<std::string>& words, size_t& at, Options&
       return false;
     }
     return set_option(options, name, value, error);
-  }
-  if (name == "--symmetry") {
-    if (!joined && at + 1 < words.size()) value = words[++at];
-    if (value == "deck") return true;
-    error = value == "images" ? "--symmetry images: not available in this version"
-                              : "--symmetry " + value + ": expected deck or images";
-    return false;
   }
   error =
       is_one_of(name, kLaterOptions) ? name + ": not available in this version" : "unknown option " + name;
@@ -237,6 +232,8 @@ const char* help_text() {
          "  --stepping WORD    events (default): follow every change of status; deck: the increments of the "
          "deck\n"
          "  --quadrature WORD  accurate (default) or thesis: the rule of 2, 4 and 10 points\n"
+         "  --symmetry WORD    deck (default): elements on a line of symmetry are kept; images: they are replaced by\n"
+         "                     images\n"
          "  --memory SIZE      bytes of workspace, as 65536, 64K, 16M, 1G; default: all in memory, at most "
          "half of\n"
          "                     what is free\n"

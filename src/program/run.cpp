@@ -130,7 +130,7 @@ int Run::read() {
   if (exit != 0) return exit;
   const uint64_t free = free_memory() / 2;
   const uint64_t budget = free > session_.workspace.bytes ? free - session_.workspace.bytes : 0;
-  exit = session_.read_model(make_port());
+  exit = session_.read_model(make_port(), options_.symmetry);
   if (exit != 0) return exit;
   if (!outputs_.open(options_, error_)) return file_failed();
   return store_.choose(options_.store, budget, options_.keep, error_) ? 0 : file_failed();
@@ -142,6 +142,7 @@ int Run::prepare() {
   c2d_options options = C2D_INIT(c2d_options);
   options.stepping = options_.stepping;
   options.quadrature = options_.quadrature;
+  options.symmetry = options_.symmetry;
   options.every_change = summary_.analysis >= C2D_ANALYSIS_ITERATIONS;
   c2d_status status = c2d_set_options(solver, &options);
   c2d_get_summary(solver, &summary_);

@@ -50,7 +50,7 @@ int Session::take_memory(uint64_t wanted) {
   return exit_code(status);
 }
 
-int Session::read_model(const c2d_port& port) {
+int Session::read_model(const c2d_port& port, int32_t symmetry) {
   c2d_error why = C2D_INIT(c2d_error);
   c2d_status status =
       c2d_create(&solver, workspace.memory.get(), static_cast<size_t>(workspace.bytes), &limits, &port, &why);
@@ -65,7 +65,10 @@ int Session::read_model(const c2d_port& port) {
   }
   set_interrupt_target(solver);
   deck.rewind();
-  status = c2d_read_deck(solver, DeckFile::read_line, &deck);
+  c2d_options options = C2D_INIT(c2d_options);
+  options.symmetry = symmetry;
+  status = c2d_set_options(solver, &options);
+  if (status == C2D_OK) status = c2d_read_deck(solver, DeckFile::read_line, &deck);
   return status == C2D_OK ? 0 : failed(status);
 }
 

@@ -126,7 +126,7 @@ void sum_forces(Session& session, int b) {
   double *applied = session.solver->applied[b], *contact = session.solver->contact_force[b];
   for (int i = 0; i < 3; ++i) applied[i] = contact[i] = 0.0;
   for (int32_t element = 0; element < m.head->body[b].elements; ++element) {
-    if (is_zero_length(m, b, element)) continue;
+    if (!is_integrated(m, b, element)) continue;
     EndResultant own[4], shared[4];
     end_resultants(m, b, element, Measure::own_length, own);
     end_resultants(m, b, element, Measure::contact, shared);
@@ -152,10 +152,9 @@ void sum_forces(Session& session, int b) {
 }
 
 // Part of a force along the translations that the body is free to follow; all of it if it is held.
-void free_part(const Body& body, const double force[3], double out[2]) {
-  if (body.free_motions == 0) {
-    out[0] = force[0];
-    out[1] = force[1];
+void free_part(const Body& body, int32_t symmetry, const double force[3], double out[2]) {
+  if (body.free_motions == 0) { // what acts across a symmetry line is balanced by the other side
+    for (int c = 0; c < 2; ++c) out[c] = (symmetry >> c & 1) != 0 ? 0.0 : force[c];
     return;
   }
   double basis[3][3];
@@ -176,8 +175,8 @@ void balance_forces(Session& session) {
   c2d_solver* s = session.solver;
   const int b = s->model.contact > 0 ? 1 - s->inverted : 0;
   double applied[2], contact[2];
-  free_part(s->model.body[b], s->applied[b], applied);
-  free_part(s->model.body[b], s->contact_force[b], contact);
+  free_part(s->model.body[b], s->model.symmetry, s->applied[b], applied);
+  free_part(s->model.body[b], s->model.symmetry, s->contact_force[b], contact);
   s->force_applied = hypot(applied[0], applied[1]);
   s->force_contact = hypot(contact[0], contact[1]);
   const double rest = hypot(applied[0] + contact[0], applied[1] + contact[1]);

@@ -4,18 +4,22 @@
 #include "bie/boundary_stress.hpp"
 #include "bie/columns.hpp"
 #include "bie/shape.hpp"
+#include "model/symmetry.hpp"
 #include "quadrature/gauss.hpp"
 #include "solver/interior.hpp"
 
 namespace c2d {
 
-int32_t region_neighbour(const Model& m, int b, int32_t element, int32_t step) {
+Neighbour region_neighbour(const Model& m, int b, int32_t element, int32_t step) {
   const Region& region = m.region[b][region_of_element(m, b, element)];
+  const double* end = m.xy[b] + 2 * geometry_node(m, b, element, step > 0 ? body_of(m, b).element_nodes - 1 : 0);
+  const int lines = lines_through(*m.head, end[0], end[1]);
+  if (lines != 0) return Neighbour{element, lines};
   const int32_t count = region.last - region.first + 1;
   int32_t other = element;
   do other = region.first + (other - region.first + step + count) % count;
   while (other != element && is_zero_length(m, b, other));
-  return other;
+  return Neighbour{other, 0};
 }
 
 Element element_of(const Model& m, int b, int32_t element) {
@@ -54,6 +58,22 @@ bool joins_smoothly(const Session& session, int b, int32_t element, int32_t next
   return hypot(t[0] - v[0], t[1] - v[1]) <= kStep * (hypot(t[0], t[1]) + hypot(v[0], v[1]));
 }
 
+// The same between an element and the neighbour beyond one of its ends.
+bool joins_neighbour(const Session& session, int b, int32_t element, int32_t step, const Neighbour& other) {
+  if (other.image == 0)
+    return step > 0 ? joins_smoothly(session, b, element, other.element)
+                    : joins_smoothly(session, b, other.element, element);
+  const int nf = session.model.head->function_nodes, l = step > 0 ? nf - 1 : 0;
+  const Point p = element_point(element_of(session.model, b, element), step > 0 ? 1.0 : -1.0);
+  const double n[2] = {p.nx, p.ny}, *t = session.area.traction[b] + 2 * (static_cast<int64_t>(element) * nf + l);
+  double cosine = 0.0, jump[2];
+  for (int c = 0; c < 2; ++c) {
+    cosine += image_sign(other.image, c) * n[c] * n[c];
+    jump[c] = t[c] - image_sign(other.image, c) * t[c];
+  }
+  return cosine >= kSmooth && hypot(jump[0], jump[1]) <= 2.0 * kStep * hypot(t[0], t[1]);
+}
+
 // Derivatives of displacement by arc length where they are most accurate: the Gauss points of an element, one fewer than
 // functional nodes. Constant elements have their value in the middle, and differences in place of derivatives.
 struct Slopes {
@@ -82,6 +102,15 @@ void add_slopes(const Session& session, int b, int32_t element, double eta, doub
   }
 }
 
+// Those of an element's own image beyond the end at arc length `end`: u there is mirrored, and the direction of travel.
+void add_mirrored_slopes(const Slopes& own, double end, int image, Slopes& out) {
+  for (int i = own.count - 1; i >= 0; --i) {
+    out.s[out.count] = 2.0 * end - own.s[i];
+    for (int c = 0; c < 2; ++c) out.du_ds[out.count][c] = -image_sign(image, c) * own.du_ds[i][c];
+    ++out.count;
+  }
+}
+
 // The polynomial through the (at most four) samples nearest to s = 0, there.
 void interpolate_slopes(const Slopes& x, double du_ds[2]) {
   int first = 0, count = x.count < 4 ? x.count : 4;
@@ -98,30 +127,44 @@ void interpolate_slopes(const Slopes& x, double du_ds[2]) {
 // From this element and the neighbours that join it smoothly.
 void recover_slope(const Session& session, int b, int32_t element, double eta, double du_ds[2]) {
   const Model& m = session.model;
-  const int32_t next = region_neighbour(m, b, element, 1), previous = region_neighbour(m, b, element, -1);
+  const Neighbour next = region_neighbour(m, b, element, 1), previous = region_neighbour(m, b, element, -1);
+  const bool apart = previous.element != next.element || previous.image != next.image;
   const double before = arc_length(element_of(m, b, element), -1.0, eta),
                after = arc_length(element_of(m, b, element), eta, 1.0);
-  Slopes slopes = {};
-  if (previous != next && joins_smoothly(session, b, previous, element))
-    add_slopes(session, b, previous, 1.0, -before, slopes);
+  Slopes slopes = {}, own = {};
+  if (previous.image != 0 || next.image != 0) add_slopes(session, b, element, eta, 0.0, own);
+  if (apart && joins_neighbour(session, b, element, -1, previous)) {
+    if (previous.image != 0) add_mirrored_slopes(own, -before, previous.image, slopes);
+    else add_slopes(session, b, previous.element, 1.0, -before, slopes);
+  }
   add_slopes(session, b, element, eta, 0.0, slopes);
-  if (previous != next && joins_smoothly(session, b, element, next))
-    add_slopes(session, b, next, -1.0, after, slopes);
+  if (apart && joins_neighbour(session, b, element, 1, next)) {
+    if (next.image != 0) add_mirrored_slopes(own, after, next.image, slopes);
+    else add_slopes(session, b, next.element, -1.0, after, slopes);
+  }
   interpolate_slopes(slopes, du_ds);
+}
+
+Point mirrored_middle(const Session& session, int b, const Neighbour& other) {
+  Point p = element_point(element_of(session.model, b, other.element), 0.0);
+  p.x = mirrored(*session.model.head, other.image, 0, p.x);
+  p.y = mirrored(*session.model.head, other.image, 1, p.y);
+  return p;
 }
 
 // Constant elements tell nothing of slopes: difference of the neighbours, along the chords between the three middles.
 void slope_of_neighbours(const Session& session, int b, int32_t element, double du_ds[2]) {
   const Model& m = session.model;
-  int32_t next = region_neighbour(m, b, element, 1), previous = region_neighbour(m, b, element, -1);
-  if (!joins_smoothly(session, b, element, next)) next = element;
-  if (!joins_smoothly(session, b, previous, element)) previous = element;
-  const Point at = element_point(element_of(m, b, element), 0.0), after = element_point(element_of(m, b, next), 0.0),
-              before = element_point(element_of(m, b, previous), 0.0);
+  Neighbour next = region_neighbour(m, b, element, 1), previous = region_neighbour(m, b, element, -1);
+  if (!joins_neighbour(session, b, element, 1, next)) next = Neighbour{element, 0};
+  if (!joins_neighbour(session, b, element, -1, previous)) previous = Neighbour{element, 0};
+  const Point at = element_point(element_of(m, b, element), 0.0), after = mirrored_middle(session, b, next),
+              before = mirrored_middle(session, b, previous);
   const double run = hypot(after.x - at.x, after.y - at.y) + hypot(at.x - before.x, at.y - before.y);
-  const double* u = session.area.displacement[b] + 2 * static_cast<int64_t>(functional_node(m, b, next, 0));
-  const double* v = session.area.displacement[b] + 2 * static_cast<int64_t>(functional_node(m, b, previous, 0));
-  for (int c = 0; c < 2; ++c) du_ds[c] = run > 0.0 ? (u[c] - v[c]) / run : 0.0;
+  const double* u = session.area.displacement[b] + 2 * static_cast<int64_t>(functional_node(m, b, next.element, 0));
+  const double* v = session.area.displacement[b] + 2 * static_cast<int64_t>(functional_node(m, b, previous.element, 0));
+  for (int c = 0; c < 2; ++c)
+    du_ds[c] = run > 0.0 ? (image_sign(next.image, c) * u[c] - image_sign(previous.image, c) * v[c]) / run : 0.0;
 }
 
 } // namespace
@@ -172,16 +215,29 @@ double stress_across(const Session& session, int b, const PlaneStress& s) {
   return stress_across(s, head.plane == C2D_PLANE_STRAIN, head.body[b].poisson_ratio);
 }
 
+BoundaryState mirrored_state(const BoundaryState& s, int image) {
+  BoundaryState out = s;
+  for (int c = 0; c < 2; ++c) {
+    out.u[c] *= image_sign(image, c);
+    out.t[c] *= image_sign(image, c);
+    out.n[c] *= image_sign(image, c);
+    out.du_ds[c] *= -image_sign(image, c); // travel is reversed too
+  }
+  return out;
+}
+
 // On an element; at its ends from both elements that meet there: from their tractions at a corner, else the mean.
 PlaneStress joint_stress(const Session& session, int b, int32_t element, double eta) {
   double hoop;
   const PlaneStress here = stress_at(session, b, element, eta, &hoop);
   if (fabs(eta) < 1.0) return here;
-  const int32_t other = region_neighbour(session.model, b, element, eta < 0.0 ? -1 : 1);
-  const BoundaryState s = boundary_state(session, b, element, eta), t = boundary_state(session, b, other, -eta);
+  const Neighbour other = region_neighbour(session.model, b, element, eta < 0.0 ? -1 : 1);
+  const BoundaryState s = boundary_state(session, b, element, eta);
+  const BoundaryState t = other.image != 0 ? mirrored_state(s, other.image) : boundary_state(session, b, other.element, -eta);
   if (fabs(s.n[0] * t.n[1] - s.n[1] * t.n[0]) > kCorner && session.model.head->function_nodes > 1)
     return corner_stress(s, t);
-  const PlaneStress there = stress_at(session, b, other, -eta, &hoop);
+  if (other.image != 0) return {here.xx, here.yy, 0.0};
+  const PlaneStress there = stress_at(session, b, other.element, -eta, &hoop);
   return {0.5 * (here.xx + there.xx), 0.5 * (here.yy + there.yy), 0.5 * (here.xy + there.xy)};
 }
 

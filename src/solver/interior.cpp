@@ -7,6 +7,7 @@
 #include "bie/boundary_stress.hpp"
 #include "bie/columns.hpp"
 #include "bie/interior_detail.hpp"
+#include "model/symmetry.hpp"
 
 namespace c2d {
 
@@ -41,8 +42,21 @@ struct Points {
   double unit;
 
   PointState& state(int32_t i) const { return *reinterpret_cast<PointState*>(out + i * out_stride); }
-  double x(int32_t i) const { return xy[i * xy_stride] / unit; }
-  double y(int32_t i) const { return xy[i * xy_stride + 1] / unit; }
+  const ModelHeader* head;
+
+  // Symmetric bodies are looked at in the part that is modelled, and the answer is mirrored back.
+  double folded(int32_t i, int c) const {
+    double p[2] = {xy[i * xy_stride], xy[i * xy_stride + 1]};
+    fold(*head, p);
+    return p[c];
+  }
+  double folding(int32_t i, int c) const { return folded(i, c) != xy[i * xy_stride + c] ? -1.0 : 1.0; }
+  double x(int32_t i) const { return folded(i, 0) / unit; }
+  double y(int32_t i) const { return folded(i, 1) / unit; }
+  // A coordinate in the length unit as an image's element sees it.
+  double seen(int image, int c, double scaled) const {
+    return (image >> c & 1) != 0 ? 2.0 * (head->line_at[c] / unit) - scaled : scaled;
+  }
 };
 
 double place_of(int b, int32_t flag) { return 4 * (b + 1) + flag; }
@@ -73,7 +87,9 @@ void look_at_element(const Integrator& in, int b, int32_t element, const Points&
       }
       if (near.distance <= 2.0 * kOnBoundary * in.radius) p.place = place_of(b, C2D_POINT_BOUNDARY);
     }
-    if (p.place == kUnplaced) p.reference[0] += winding(in, x, y);
+    for (int image = 0; image <= points.head->symmetry && p.place == kUnplaced; ++image)
+      if (is_image(*points.head, image))
+        p.reference[0] += winding(in, points.seen(image, 0, x), points.seen(image, 1, y));
   }
 }
 
@@ -93,7 +109,7 @@ bool find_near_node(const Model& m, int b, const PointState& p, double x, double
   const double first_distance = length_of(unit * x - e.x[0], unit * y - e.y[0]),
                last_distance = length_of(unit * x - e.x[last], unit * y - e.y[last]);
   out.end = first_distance <= last_distance ? 0 : 1;
-  const Element other = element_of(m, b, region_neighbour(m, b, element, out.end == 0 ? -1 : 1));
+  const Element other = element_of(m, b, region_neighbour(m, b, element, out.end == 0 ? -1 : 1).element);
   const double length = 2.0 * (e.half_length < other.half_length ? e.half_length : other.half_length);
   const double distance = out.end == 0 ? first_distance : last_distance, range = (m.head->function_nodes == 1 ? kNearStep : kNearNode) * length;
   out.part = range > 0.0 ? distance / range : 1.0;
@@ -130,7 +146,7 @@ c2d_status place_points(const Session& session, int b, const Points& points) {
     p.distance = 1e300;
   }
   for (int32_t element = 0; element < m.head->body[b].elements; ++element) {
-    if (is_zero_length(m, b, element)) continue;
+    if (!is_integrated(m, b, element)) continue;
     const c2d_status status = pause(session, b, element);
     if (status != C2D_OK) return status;
     Integrator in;
@@ -146,26 +162,33 @@ c2d_status place_points(const Session& session, int b, const Points& points) {
 
 // ---- the integrals ------------------------------------------------------------------------------------------------
 
-void add_stress(const PointField& sum, PointState& p) {
+// What an image contributes is what the element itself does at the mirrored point, mirrored.
+void add_stress(int image, const PointField& sum, PointState& p) {
   p.stress[0] += sum.trace;
   p.stress[1] += sum.deviator.re;
-  p.stress[2] += sum.deviator.im;
+  p.stress[2] += image_sign(image, 0) * image_sign(image, 1) * sum.deviator.im;
+}
+void add_displacement(int image, const PointField& sum, PointState& p) {
+  p.u[0] += image_sign(image, 0) * sum.u.re;
+  p.u[1] += image_sign(image, 1) * sum.u.im;
 }
 
 void add_element(const FieldElement& e, int b, const Points& points) {
   for (int32_t i = 0; i < points.count; ++i) {
     PointState& p = points.state(i);
     if (!is_inside(p, b)) continue;
-    const Complex reference = {p.reference[0], p.reference[1]};
-    PointField sum = {};
-    add_field(e, reference, p.eta, p.distance, sum);
-    add_stress(sum, p);
-    if (is_near_node(p, b)) {
-      sum = PointField{};
-      add_field(e, reference, points.x(i), points.y(i), sum);
+    for (int image = 0; image <= points.head->symmetry; ++image) {
+      if (!is_image(*points.head, image)) continue;
+      const Complex reference = {image_sign(image, 0) * p.reference[0], image_sign(image, 1) * p.reference[1]};
+      PointField sum = {};
+      add_field(e, reference, points.seen(image, 0, p.eta), points.seen(image, 1, p.distance), sum);
+      add_stress(image, sum, p);
+      if (is_near_node(p, b)) {
+        sum = PointField{};
+        add_field(e, reference, points.seen(image, 0, points.x(i)), points.seen(image, 1, points.y(i)), sum);
+      }
+      add_displacement(image, sum, p);
     }
-    p.u[0] += sum.u.re;
-    p.u[1] += sum.u.im;
   }
 }
 
@@ -222,14 +245,17 @@ PointField known_field(const Session& session, int b, double x, double y) {
 }
 
 // That, the reference, and rho + omega e_z x (x - x0) of the balanced equations.
-void complete_sums(const Session& session, int b, double x, double y, PointState& p) {
+void complete_sums(const Session& session, int b, const Points& points, double x, double y, PointState& p) {
   const double unit = session.model.head->length_unit;
   const double* rigid = session.solver->multiplier[b];
   const double* centre = session.model.head->body[b].centre;
-  const PointField here = known_field(session, b, x, y);
-  p.u[0] += here.u.re + p.reference[0] + rigid[0] - rigid[2] * (y - centre[1] / unit);
-  p.u[1] += here.u.im + p.reference[1] + rigid[1] + rigid[2] * (x - centre[0] / unit);
-  add_stress(known_field(session, b, p.eta, p.distance), p);
+  for (int image = 0; image <= points.head->symmetry; ++image) {
+    if (!is_image(*points.head, image)) continue;
+    add_displacement(image, known_field(session, b, points.seen(image, 0, x), points.seen(image, 1, y)), p);
+    add_stress(image, known_field(session, b, points.seen(image, 0, p.eta), points.seen(image, 1, p.distance)), p);
+  }
+  p.u[0] += p.reference[0] + rigid[0] - rigid[2] * (y - centre[1] / unit);
+  p.u[1] += p.reference[1] + rigid[1] + rigid[2] * (x - centre[0] / unit);
 }
 
 // ---- results ------------------------------------------------------------------------------------------------------
@@ -265,16 +291,21 @@ void finish_point(const Session& session, int b, const Points& points, int32_t i
   const Model& m = session.model;
   PointState p = points.state(i);
   double* out = points.out + i * points.out_stride;
+  const double fx = points.folding(i, 0), fy = points.folding(i, 1);
   if (p.place == place_of(b, C2D_POINT_BOUNDARY)) {
     const int32_t element = static_cast<int32_t>(p.element);
     const BoundaryState s = boundary_state(session, b, element, p.eta);
-    write_point(session, b, s.u, joint_stress(session, b, element, p.eta), C2D_POINT_BOUNDARY, out);
+    const double u[2] = {fx * s.u[0], fy * s.u[1]};
+    PlaneStress stress = joint_stress(session, b, element, p.eta);
+    stress.xy *= fx * fy;
+    write_point(session, b, u, stress, C2D_POINT_BOUNDARY, out);
   } else if (is_inside(p, b)) {
     const double x = points.x(i), y = points.y(i), g = shear_modulus(m, b);
-    complete_sums(session, b, x, y, p);
-    const double u[2] = {p.u[0] * points.unit, p.u[1] * points.unit};
+    complete_sums(session, b, points, x, y, p);
+    const double u[2] = {fx * p.u[0] * points.unit, fy * p.u[1] * points.unit};
     PlaneStress s = {g * (p.stress[0] + p.stress[1]), g * (p.stress[0] - p.stress[1]), -g * p.stress[2]};
     if (is_near_node(p, b)) join_to_node(session, b, p, x, y, s);
+    s.xy *= fx * fy;
     write_point(session, b, u, s, is_near_node(p, b) ? C2D_POINT_NEAR_NODE : C2D_POINT_INSIDE, out);
   }
 }
@@ -283,7 +314,7 @@ void finish_point(const Session& session, int b, const Points& points, int32_t i
 c2d_status evaluate_body(const Session& session, int b, const Points& points) {
   c2d_status status = place_points(session, b, points);
   for (int32_t element = 0; element < session.model.head->body[b].elements && status == C2D_OK; ++element) {
-    if (is_zero_length(session.model, b, element)) continue;
+    if (!is_integrated(session.model, b, element)) continue;
     status = pause(session, b, element);
     if (status == C2D_OK) add_elements_values(session, b, element, points);
   }
@@ -342,7 +373,7 @@ extern "C" c2d_status c2d_interior(c2d_solver* s, int32_t body, int32_t count, c
   if (s->blocked || s->floating) clear_boundary(session);
   status = back_substitute_all(session);
   if (status != C2D_OK) return fail_store(s, status);
-  const Points points = {count, xy, xy_stride, out, out_stride, s->model.length_unit};
+  const Points points = {count, xy, xy_stride, out, out_stride, s->model.length_unit, &s->model};
   for (int32_t i = 0; i < count; ++i) points.state(i).place = may_lie_inside(points, i) ? kUnplaced : kNowhere;
   for (int b = 0; b < s->model.bodies && status == C2D_OK; ++b)
     if (body == 0 || body == b + 1) status = evaluate_body(session, b, points);

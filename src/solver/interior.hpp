@@ -7,8 +7,12 @@
 
 namespace c2d {
 
-// The element before (step -1) or after (1) in its region, double nodes skipped.
-int32_t region_neighbour(const Model& m, int b, int32_t element, int32_t step);
+// The element before (step -1) or after (1) in its region, double nodes skipped; at a line of symmetry its own image.
+struct Neighbour {
+  int32_t element;
+  int image;
+};
+Neighbour region_neighbour(const Model& m, int b, int32_t element, int32_t step);
 Element element_of(const Model& m, int b, int32_t element);
 
 struct BoundaryState {

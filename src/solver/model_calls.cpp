@@ -97,8 +97,11 @@ extern "C" c2d_status c2d_set_options(c2d_solver* s, const c2d_options* options)
   c2d_options ours;
   if (status != C2D_OK) return status;
   if (!options || !copy_in(options, &ours, sizeof ours)) return fail(s, C2D_ERR_ARGUMENT, "no options given");
-  if (!in_range(ours.quadrature, 0, 1) || !in_range(ours.stepping, 0, 1) || !in_range(ours.every_change, 0, 1))
+  if (!in_range(ours.quadrature, 0, 1) || !in_range(ours.stepping, 0, 1) || !in_range(ours.every_change, 0, 1) ||
+      !in_range(ours.symmetry, 0, 1))
     return fail(s, C2D_ERR_ARGUMENT, "an option is out of range");
+  if (s->state == C2D_STATE_MODEL && ours.symmetry != s->options.symmetry)
+    return fail(s, C2D_ERR_STATE, "symmetry by images is chosen before the model is complete");
   s->options = ours;
   return C2D_OK;
 }
@@ -152,7 +155,9 @@ c2d_status check_body(c2d_solver* s, int32_t body, const c2d_body& data) {
     return refuse_number(s, C2D_ERR_LIMIT, "number of elements", data.elements, 1, sizes.elements);
   if (!in_range(data.regions, 1, sizes.regions))
     return refuse_number(s, C2D_ERR_LIMIT, "number of regions", data.regions, 1, sizes.regions);
-  const int64_t points = static_cast<int64_t>(data.elements) * (data.element_nodes - 1);
+  if (!in_range(data.open_regions, 0, data.regions))
+    return refuse_number(s, C2D_ERR_ARGUMENT, "number of open regions", data.open_regions, 0, data.regions);
+  const int64_t points = static_cast<int64_t>(data.elements) * (data.element_nodes - 1) + data.open_regions;
   if (points > sizes.geometry_nodes)
     return refuse_number(s, C2D_ERR_LIMIT, "number of boundary points", points, 1, sizes.geometry_nodes);
   if (!is_usable(data.youngs_modulus) || data.youngs_modulus <= 0.0)
@@ -173,7 +178,8 @@ extern "C" c2d_status c2d_set_body(c2d_solver* s, int32_t body, const c2d_body* 
   if (status == C2D_OK) status = check_body(s, body, ours);
   if (status != C2D_OK) return status;
   Body& b = s->model.body[body - 1];
-  const bool same = ours.element_nodes == b.element_nodes && ours.elements == b.elements && ours.regions == b.regions;
+  const bool same = ours.element_nodes == b.element_nodes && ours.elements == b.elements &&
+                    ours.regions == b.regions && ours.open_regions == b.open_regions;
   if (b.is_set && !same)
     return refuse(s, C2D_ERR_ARGUMENT, "this body was given before, with other numbers of elements or regions");
   b.youngs_modulus = ours.youngs_modulus;
@@ -181,9 +187,11 @@ extern "C" c2d_status c2d_set_body(c2d_solver* s, int32_t body, const c2d_body* 
   if (b.is_set) return built(s);
   b.element_nodes = ours.element_nodes;
   b.elements = ours.elements;
-  b.geometry_nodes = ours.elements * (ours.element_nodes - 1);
+  b.open_regions = ours.open_regions;
+  b.geometry_nodes = ours.elements * (ours.element_nodes - 1) + b.open_regions;
   b.regions = ours.regions;
-  b.nodes = ours.elements * (s->sizes.function_nodes == 1 ? 1 : s->sizes.function_nodes - 1);
+  b.nodes = s->sizes.function_nodes == 1 ? ours.elements
+                                         : ours.elements * (s->sizes.function_nodes - 1) + b.open_regions;
   b.region_count = 0;
   b.is_set = 1;
   return built(s);
@@ -205,7 +213,8 @@ extern "C" c2d_status c2d_add_region(c2d_solver* s, int32_t body, int32_t first,
     return refuse_number(s, C2D_ERR_ARGUMENT, "last element of the region", last, first, b.elements);
   if (b.region_count + 1 == b.regions && last != b.elements)
     return refuse_number(s, C2D_ERR_ARGUMENT, "last element of the last region", last, b.elements, b.elements);
-  regions[b.region_count++] = Region{first - 1, last - 1};
+  const int32_t index = b.region_count, open = b.open_regions;
+  regions[b.region_count++] = Region{first - 1, last - 1, index < open ? 1 : 0, index < open ? index : open};
   return built(s);
 }
 
@@ -322,12 +331,12 @@ extern "C" c2d_status c2d_add_point_load(c2d_solver* s, int32_t body, double x, 
 
 namespace {
 
-// Steps of +1 or -1 that lead from first to last in count-1 steps, round the ring [start, start + size) if need be;
+// Steps of +1 or -1 that lead from first to last in count-1 steps, round the ring [start, start + size) if there is one;
 // 0: none does. `preferred` decides where both do.
 int32_t range_step(int64_t first, int64_t last, int64_t count, int64_t start, int64_t size, int32_t preferred) {
   for (int32_t sign = 1; sign >= -1; sign -= 2)
     if (first + sign * (count - 1) == last && (count > 1 || sign == preferred)) return sign;
-  for (int32_t sign = 1; sign >= -1; sign -= 2) {
+  for (int32_t sign = 1; sign >= -1 && size > 0; sign -= 2) {
     const int64_t turned = ((first - start + sign * (count - 1)) % size + size) % size + start;
     if (count <= size && turned == last) return sign;
   }
@@ -351,13 +360,16 @@ c2d_status fill_zone(c2d_solver* s, const Model& m, const c2d_zone& given, Zone&
     z.first_node[b] = given.first_node[b] - 1;
     z.region[b] = region_of_element(m, b, z.first_element[b]);
     const Region region = m.region[b][z.region[b]];
-    const int32_t per_element = s->sizes.function_nodes == 1 ? 1 : s->sizes.function_nodes - 1;
-    const int64_t ring = region.last - region.first + 1;
+    int32_t first_node, last_node;
+    nodes_of_region(m, b, z.region[b], &first_node, &last_node);
+    // An open region is no ring to go round.
+    const int64_t ring = region.open ? 0 : region.last - region.first + 1;
+    const int64_t node_ring = region.open ? 0 : last_node - first_node + 1;
     const int32_t by_nodes = given.last_node[b] >= given.first_node[b] ? 1 : -1;
     z.element_step[b] =
         range_step(z.first_element[b], given.last_element[b] - 1, given.elements, region.first, ring, by_nodes);
     z.node_step[b] = range_step(z.first_node[b], given.last_node[b] - 1, given.pairs,
-                                static_cast<int64_t>(region.first) * per_element, ring * per_element,
+                                first_node, node_ring,
                                 z.element_step[b] == 0 ? 1 : z.element_step[b]);
     if (z.element_step[b] == 0)
       return refuse(s, C2D_ERR_ARGUMENT,
@@ -409,6 +421,21 @@ namespace c2d {
 bool is_coefficient(double mu) { return isinf(mu) ? mu > 0.0 : (is_usable(mu) && mu >= 0.0); }
 } // namespace c2d
 
+extern "C" c2d_status c2d_set_symmetry(c2d_solver* s, int32_t axis, double value) {
+  const c2d_status status = enter_building(s);
+  if (status != C2D_OK) return status;
+  if (!in_range(axis, 0, 1)) return refuse_number(s, C2D_ERR_ARGUMENT, "axis of symmetry", axis, 0, 1);
+  if (!is_usable(value)) return refuse_value(s, "place of the line of symmetry", value, "a finite number");
+  ModelHeader& m = s->model;
+  if ((m.symmetry_asked >> axis & 1) != 0)
+    return refuse(s, C2D_ERR_ARGUMENT,
+                  axis == 0 ? "a second line of symmetry x = value, expected one at most"
+                            : "a second line of symmetry y = value, expected one at most");
+  m.symmetry_asked |= 1 << axis;
+  m.line_at[axis] = value;
+  return built(s);
+}
+
 extern "C" c2d_status c2d_add_friction(c2d_solver* s, double mu) {
   const c2d_status status = enter_building(s);
   if (status != C2D_OK) return status;
@@ -438,6 +465,7 @@ extern "C" c2d_status c2d_complete(c2d_solver* s) {
   s->model.line = s->model.column = s->model.column_end = 0;
   Reporter reporter{s, [](void* solver, const c2d_error& e) { report_fault(static_cast<c2d_solver*>(solver), e); }, 0};
   const Model m = model_of(s);
+  m.head->images = s->options.symmetry == C2D_SYMMETRY_IMAGES;
   if (!complete_model(m, reporter)) {
     const c2d_error first = s->error;
     clear_model(s);

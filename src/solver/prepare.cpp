@@ -23,6 +23,10 @@ template <class T> uint64_t hash_array(uint64_t hash, const T* data, int64_t cou
 uint64_t hash_model(const Model& m, const c2d_options& options) {
   uint64_t hash = checksum(sizeof(Real), &options.quadrature, sizeof options.quadrature);
   hash = checksum(hash, &m.head->plane, sizeof m.head->plane);
+  if (m.head->symmetry != 0) {
+    hash = checksum(hash, &m.head->symmetry, sizeof m.head->symmetry);
+    hash = hash_array(hash, m.head->line_at, 2);
+  }
   for (int b = 0; b < m.head->bodies; ++b) {
     const Body& body = m.head->body[b];
     const int64_t ends = static_cast<int64_t>(body.elements) * m.head->function_nodes, cases = m.head->load_cases;

@@ -134,6 +134,8 @@ void fill_model(c2d_solver* s, c2d_summary& out) {
   memcpy(out.title, m.title, sizeof out.title);
   memcpy(out.unit_length, m.unit_length, sizeof out.unit_length);
   memcpy(out.unit_force, m.unit_force, sizeof out.unit_force);
+  out.symmetry = m.symmetry;
+  memcpy(out.symmetry_at, m.line_at, sizeof out.symmetry_at);
 }
 
 void fill_motion(const c2d_solver* s, c2d_summary& out) {

@@ -127,7 +127,7 @@ void case_resultant(const Model& m, int b, int32_t load_case, double out[3], dou
   const double cx = body.centre[0] / unit, cy = body.centre[1] / unit;
   out[0] = out[1] = out[2] = *size = 0.0;
   for (int32_t element = 0; element < body.elements; ++element) {
-    if (is_zero_length(m, b, element)) continue;
+    if (!is_integrated(m, b, element)) continue;
     EndResultant weight[4];
     end_resultants(m, b, element, Measure::own_length, weight);
     for (int l = 0; l < nf; ++l) {

@@ -1,0 +1,43 @@
+#pragma once
+// Symmetry by images (design 2.6): the lines across which bodies, loads and results are mirrored. Of a
+// symmetric body only one side is modelled; its curves end on the lines, or the elements there (axis
+// elements) are passed over.
+#include "model/model.hpp"
+#include "model/validate.hpp"
+
+namespace c2d {
+
+// Lines through a point, bit 1: x = line_at[0], bit 2: y = line_at[1]. Exact: points near a line are moved
+// onto it when the model is completed.
+inline int32_t lines_through(const ModelHeader& head, double x, double y) {
+  return ((head.symmetry & 1) != 0 && x == head.line_at[0] ? 1 : 0) |
+         ((head.symmetry & 2) != 0 && y == head.line_at[1] ? 2 : 0);
+}
+// Lines on which all points of an element lie.
+int32_t lines_along(const Model& m, int b, int32_t element);
+inline bool is_axis_element(const Model& m, int b, int32_t element) {
+  return m.head->symmetry != 0 && lines_along(m, b, element) != 0;
+}
+int32_t lines_at_node(const Model& m, int b, int32_t node);
+
+// Is this displacement zero by symmetry, or the node one of axis elements alone? Its row is then u = 0.
+bool is_held_by_symmetry(const Model& m, int b, int32_t node, int component);
+
+// Images are numbered 0 (the body itself) ... 3 by the lines they are mirrored across.
+inline bool is_image(const ModelHeader& head, int image) {
+  return (image & ~head.symmetry) == 0;
+}
+inline double image_sign(int image, int component) {
+  return (image >> component & 1) != 0 ? -1.0 : 1.0;
+}
+inline double mirrored(const ModelHeader& head, int image, int component, double coordinate) {
+  return (image >> component & 1) != 0 ? 2.0 * head.line_at[component] - coordinate : coordinate;
+}
+// Moves a point into the modelled part by reflection.
+void fold(const ModelHeader& head, double p[2]);
+
+// Sets head->symmetry to the lines asked for or found among the elements (head->images), moves points onto
+// them, and checks that the model fits. Needs set_units. Returns false if it told a fault.
+bool validate_symmetry(const Model& m, Reporter& reporter);
+
+} // namespace c2d
