@@ -1,5 +1,7 @@
 #include "contact/start.hpp"
 
+#include "model/free_zones.hpp"
+
 #include <math.h>
 
 namespace c2d {
@@ -23,7 +25,7 @@ void touch_statuses(Tableau& t) {
 // Change of w of a pair per unit of the body's free motion, in the length unit.
 void pair_motion(const FreeBody& body, const Model& m, const Pair& pair, double out[2]) {
   double x, y;
-  node_position(m, body.body, pair.node[body.body], &x, &y);
+  pair_position(m, pair, body.body, &x, &y);
   const double unit = m.head->length_unit;
   const double ux = body.motion[0] - body.motion[2] * (y - body.centre[1]) / unit;
   const double uy = body.motion[1] + body.motion[2] * (x - body.centre[0]) / unit;

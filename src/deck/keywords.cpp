@@ -15,10 +15,12 @@ struct Keyword {
 // must allow for either order. Keywords and where they are read:
 //   *UNITS length force      units.cpp      names of the units, for titles of axes
 //   *SYMMETRY X value        symmetry.cpp   line x = value (Y: y = value), everything mirrored across it
-// Names set aside for: *CASES, *PATH (load histories), *FRICTION (coefficients by zone), *BODY FORCE (weight, rotation), *RIGID, *INTERFERENCE, *ZONE (meshes that do not match), *POINTS.
+//   *ZONE e1 e1 e2 e2        free_zones.cpp contact between elements of both bodies, meshed independently
+// Names set aside for: *CASES, *PATH (load histories), *FRICTION (coefficients by zone), *BODY FORCE (weight, rotation), *RIGID, *INTERFERENCE, *POINTS.
 constexpr Keyword kKeywords[] = {
     {"UNITS", read_units, false},
     {"SYMMETRY", read_symmetry, true},
+    {"ZONE", read_free_zone, true},
 };
 constexpr int32_t kKeywordCount = static_cast<int32_t>(sizeof kKeywords / sizeof kKeywords[0]);
 static_assert(kKeywordCount <= 32, "Deck::keywords_seen has a bit for each");

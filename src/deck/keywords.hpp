@@ -17,6 +17,7 @@ bool next_data_card(Deck& deck, Words& words);
 // One handler for each keyword; the table is in keywords.cpp, the handlers in files named after what they
 // read.
 void read_units(Deck& deck, const Words& keyword_card);    // units.cpp
+void read_free_zone(Deck& deck, const Words& keyword_card); // free_zones.cpp
 void read_symmetry(Deck& deck, const Words& keyword_card); // symmetry.cpp
 
 } // namespace c2d
