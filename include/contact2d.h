@@ -313,7 +313,15 @@ typedef struct c2d_free_zone {
                                                 go round the end of its region                      */
 } c2d_free_zone;
 c2d_status c2d_add_free_zone(c2d_solver* solver, const c2d_free_zone* zone);
-c2d_status c2d_add_friction(c2d_solver* solver, double mu);  /* a coefficient to be run by c2d_run   */
+/* What an end already given carries in another load case: values[4] in the order tx ty ux uy; the codes stay those of
+   c2d_set_condition (ends without a condition: tractions known), and a value other than zero for something unknown,
+   or for a traction of the contact, is refused. A displacement belongs to its node. local 0: all ends of the element. */
+c2d_status c2d_set_case_values(c2d_solver* solver, int32_t body, int32_t element, int32_t local,
+                               const double values[4], int32_t load_case);
+/* A coefficient to be run by c2d_run: zero or more, infinity is full adhesion. */
+c2d_status c2d_add_friction(c2d_solver* solver, double mu);
+/* The coefficient of one zone in the i-th of these runs, instead of the one for all zones. */
+c2d_status c2d_set_zone_friction(c2d_solver* solver, int32_t zone, int32_t i, double mu);
 /* Symmetry by images: everything is mirrored across the line x = value (axis 0) or y = value (axis 1), one of each at
    most. Of every body, only what lies on one side of the line (in one quarter of two lines) is given, without
    elements on the lines: a curve that crosses a line is an open region, whose two ends lie on the lines. Open regions
@@ -322,8 +330,12 @@ c2d_status c2d_add_friction(c2d_solver* solver, double mu);  /* a coefficient to
    line the displacement across it is 0; conditions there say the rest. Resultants, forces and moments, given and
    answered, are those of the part that is modelled. Any time before c2d_complete. Errors: ARGUMENT, STATE. */
 c2d_status c2d_set_symmetry(c2d_solver* solver, int32_t axis, double value);
-/* `increments` equal steps from the load reached so far to `load` (load factor of case 1). */
+/* `increments` equal steps from the load reached so far to `load` (load factor of case 1; all others go to zero). */
 c2d_status c2d_add_path(c2d_solver* solver, int32_t increments, double load);
+/* The same with a factor for every load case: a straight piece through the space of factors, from where the last one
+   ended (zero at first) to load[0 .. cases). cases is the number of load cases. */
+c2d_status c2d_add_path_point(c2d_solver* solver, int32_t increments, const double* load, int32_t cases);
+c2d_status c2d_clear_paths(c2d_solver* solver); /* forget the pieces of path given so far */
 /* Names of the units of length and force, each at most 15 characters, for titles of axes; null is empty. Nothing is
    converted. Legal also in model, prepared and running. */
 c2d_status c2d_set_units(c2d_solver* solver, const char* length, const char* force);
@@ -363,6 +375,11 @@ c2d_status c2d_begin(c2d_solver* solver, const double* mu, int32_t zones);
 /* Go in a straight line from the load factors reached to load[0 .. cases). If *outcome is not C2D_REACHED the
    solver stays, valid, at the last load it could reach. Legal: running. */
 c2d_status c2d_advance(c2d_solver* solver, const double* load, int32_t cases, c2d_outcome* outcome);
+/* How far the load factors can go along direction[0 .. cases) until a pair changes its status: *step times the
+   direction; infinity if no pair ever does; 0 if the path cannot go on that way at all. The load stays where it is;
+   a pair on the border of its status (zero pressure, or about to slip) may be given the status that goes with the
+   direction. Legal: running. */
+c2d_status c2d_next_event(c2d_solver* solver, const double* direction, int32_t cases, double* step);
 
 /* What a step callback sees. `table` has a row per pair and the columns C2D_TN ... of section 8 (column c of pair
    p: table[(p-1)*stride + c]); it is valid during the call only. */
@@ -377,8 +394,18 @@ typedef struct c2d_step {
   int32_t iterations;         /* of the deck's stepping in this increment, else 0                   */
   c2d_outcome outcome;
   int64_t stride;             /* doubles from one row to the next                                   */
-  double mu, load;
+  double mu, load;            /* coefficient (of zone 1); factor of load case 1                     */
   const double* table;
+  int32_t cases, reserved;
+  const double* loads;        /* [cases] factors reached                                            */
+  const double* work_by_case; /* [cases] work done by each load case since zero load: its tractions, point loads
+                                 and prescribed displacements, integrated along the path            */
+  double work;                /* their sum                                                          */
+  double dissipated;          /* by friction: sum over pairs of W q dslip, W the integral of the pair's shape
+                                 functions along body 1                                             */
+  double elastic;             /* energy stored in both bodies                                       */
+  double energy_defect;       /* (work - elastic - dissipated) over the largest of the three on the path so far;
+                                 the error of the mesh                                              */
 } c2d_step;
 enum { C2D_STEP_RECORDED = 0, C2D_STEP_CHANGE = 1, C2D_STEP_STOPPED = 2 };
 typedef int32_t (*c2d_step_fn)(void* context, const c2d_step* step); /* non-zero: stop, C2D_ERR_CALLBACK */
@@ -469,20 +496,43 @@ typedef struct c2d_summary {
                                      the contact                                                    */
   double contact[2][3];           /* per body: the same of the contact tractions                    */
   double force_applied, force_contact, force_error; /* design: magnitudes along what the body is free to follow */
-  double free_motion[3];          /* with C2D_FREE_MOTION, C2D_GROSS_SLIDING: (ux, uy, rotation) about the origin */
+  double free_motion[3];          /* with C2D_FREE_MOTION, C2D_GROSS_SLIDING: how outcome_body starts to move,
+                                     (ux, uy, rotation) about the origin, of length one              */
   double tension_ratio;           /* smallest pressure inside an element over the largest nodal one */
   double youngs_modulus[2], poisson_ratio[2];
   char title[80];
   char unit_length[16], unit_force[16]; /* as c2d_set_units said, else empty                        */
+  int32_t load_cases, reserved;
+  double work, dissipated, elastic, energy_defect; /* as in c2d_step, at the load reached          */
+  double least_dissipation;       /* most negative contribution of a pair and event: round-off      */
   int32_t symmetry;               /* lines of symmetry by images: 1: x = symmetry_at[0], 2: y = symmetry_at[1], 3: both;
                                      forces and moments are those of the part that is modelled        */
-  int32_t reserved;
+  int32_t reserved2;
   double symmetry_at[2];
 } c2d_summary;
 c2d_status c2d_get_summary(c2d_solver* solver, c2d_summary* out); /* legal: always */
+
+/* The contact of a zone as it stands. Forces are on body 2, per unit thickness; the moment is about the origin.
+   A mean is weighted with the length along body 1 that belongs to a pair. */
+typedef struct c2d_zone_state {
+  uint32_t struct_size;
+  int32_t open, stick, slip;      /* pairs                                                          */
+  int32_t near_change;            /* pairs within 1 % of another status: pressure or gap below 1 % of the zone's
+                                     largest, or friction within 1 % of its bound                   */
+  int32_t reserved;
+  double force[2], moment;
+  double approach;                /* mean of (u1 - u2).n over all pairs of the zone: how far the bodies came closer */
+  double shift;                   /* mean of (u2 - u1).t                                            */
+  double largest_pressure, largest_friction, length; /* length: of the touching pairs               */
+} c2d_zone_state;
+/* Legal: running, also inside a step callback. */
+c2d_status c2d_get_zone_state(c2d_solver* solver, int32_t zone, c2d_zone_state* out);
+
 /* Item i (from 1) of the model's lists; out of range: ARGUMENT. Legal: model, prepared, running. */
 c2d_status c2d_get_friction(c2d_solver* solver, int32_t i, double* mu);
+c2d_status c2d_get_zone_friction(c2d_solver* solver, int32_t zone, int32_t i, double* mu);
 c2d_status c2d_get_path(c2d_solver* solver, int32_t i, int32_t* increments, double* load);
+c2d_status c2d_get_path_point(c2d_solver* solver, int32_t i, int32_t* increments, double* load, int32_t cases);
 /* Of a free zone: elements that are in contact at all, `elements` and nodes those of body 2, and 0 nodes of body 1. */
 c2d_status c2d_get_zone(c2d_solver* solver, int32_t i, c2d_zone* out);
 c2d_status c2d_get_region(c2d_solver* solver, int32_t body, int32_t i, int32_t* first_element, int32_t* last_element);
@@ -498,9 +548,10 @@ c2d_status c2d_get_point_load(c2d_solver* solver, int32_t i, int32_t* body, doub
    building     all of section 5                                        -> model by complete; empty if that fails
    model        set_options, prepare                                    -> prepared
    prepared     begin, run                                              -> running
-   running      begin, advance, run, get, interior
+   running      begin, advance, next_event, run, get, get_zone_state, interior
    broken       after an error of the store: nothing but c2d_create in the same memory
-   In model, prepared and running also positions by get, and the lists: get_friction, _path, _zone, _region,
+   In model, prepared and running also positions by get, and the lists: get_friction, _zone_friction, _path,
+   _path_point, _zone, _region,
    _condition, _point_load. */
 enum { C2D_STATE_EMPTY = 0, C2D_STATE_BUILDING = 1, C2D_STATE_MODEL = 2, C2D_STATE_PREPARED = 3,
        C2D_STATE_RUNNING = 4, C2D_STATE_BROKEN = 5 };
@@ -544,7 +595,7 @@ const char* c2d_version(void);               /* "0.1.0" */
 #ifndef C2D_REAL_BYTES
 #define C2D_REAL_BYTES 8      /* of a stored matrix's number: 4 for a library compiled with C2D_REAL=float   */
 #endif
-#define C2D_SOLVER_BYTES 2688 /* of c2d_solver, at most, on any target                                      */
+#define C2D_SOLVER_BYTES 2880 /* of c2d_solver, at most, on any target                                      */
 #define C2D_ROUND_(bytes) (((bytes) + UINT64_C(63)) / 64 * 64)
 #define C2D_ARRAY_(count, size) C2D_ROUND_(UINT64_C(1) * (count) * (size))
 #define C2D_BLOCK_(numbers) C2D_ROUND_(64 + UINT64_C(1) * C2D_REAL_BYTES * (numbers)) /* with its header           */
@@ -571,10 +622,13 @@ const char* c2d_version(void);               /* "0.1.0" */
 
 /* What belongs to both. */
 #define C2D_LIST_BYTES_(zones, pairs, point_loads, coefficients, paths, cases)                                         \
-  (C2D_ARRAY_(zones, 64) + C2D_ARRAY_(pairs, 152) + C2D_ARRAY_(point_loads, 48) + C2D_ARRAY_(coefficients, 8) +        \
+  (C2D_ARRAY_(zones, 64) + C2D_ARRAY_(pairs, 168) + C2D_ARRAY_(point_loads, 48) +                                      \
+   C2D_ARRAY_((coefficients) * (UINT64_C(1) + (zones)), 8) +           /* friction                        */          \
    C2D_ARRAY_(paths, 16) +                                                                                             \
    C2D_ARRAY_(pairs, 128) +                                            /* result table                    */          \
-   C2D_ARRAY_(cases, 32))                                              /* load factors                    */
+   C2D_ARRAY_(cases, 32) +                                             /* load factors                    */          \
+   C2D_ARRAY_(UINT64_C(1) * (paths) * (cases), 8) +                    /* path                            */          \
+   C2D_ARRAY_((cases) * (2 * (UINT64_C(4) * (pairs) + (cases)) + 5), 8)) /* energy                        */
 
 /* What assembly, reduction and the load path use one after another; m contact unknowns, of
    which `free` make an equation of body 1 each. */

@@ -229,6 +229,27 @@ double largest_difference(const Numbers& a, const Numbers& b) {
   return difference / most;
 }
 
+// f . x of a solution x is w . c for the coefficients c it was made of.
+void check_functional(const EliminationPlan& plan, Tapes& tapes, const Numbers& c, const Numbers& x,
+                      double tolerance) {
+  Numbers f(x.size() + 1), w(static_cast<size_t>(plan.trailing) + 1, Real(7));
+  double expected = 0, found = 0, size = 0;
+  for (size_t i = 0; i < x.size(); ++i) {
+    f[i] = static_cast<Real>(std::sin(2.0 + static_cast<double>(i)));
+    expected += static_cast<double>(f[i]) * static_cast<double>(x[i]);
+    size += std::fabs(static_cast<double>(f[i]) * static_cast<double>(x[i]));
+  }
+  Work work(back_substitution_bytes(plan));
+  REQUIRE(transposed_functional(plan, tapes, f.data(), w.data(), work.start) == C2D_OK);
+  CHECK(work.intact());
+  CHECK(w.back() == Real(7));
+  for (size_t k = 0; k + 1 < w.size(); ++k) {
+    found += static_cast<double>(w[k]) * static_cast<double>(c[k]);
+    size += std::fabs(static_cast<double>(w[k]) * static_cast<double>(c[k]));
+  }
+  CHECK(std::fabs(found - expected) <= tolerance * size);
+}
+
 // Eliminate, substitute back; everything against the reference. Returns x.
 Numbers check_against_reference(Problem& p, const EliminationPlan& plan, Tapes& tapes, double tolerance) {
   PivotStats stats;
@@ -245,6 +266,10 @@ Numbers check_against_reference(Problem& p, const EliminationPlan& plan, Tapes& 
   CHECK(x.back() == Real(9));
   x.pop_back();
   CHECK(back_error(p, reference, c, x) < tolerance);
+  const Tapes counted = tapes;
+  check_functional(plan, tapes, c, x, tolerance);
+  CHECK(tapes.reads[C2D_TAPE_UPPER] - counted.reads[C2D_TAPE_UPPER] == upper_use(plan).blocks);
+  tapes = counted;
   CHECK(tapes.bytes_written[C2D_TAPE_LOWER] == lower_use(plan).bytes_written);
   CHECK(tapes.bytes_read[C2D_TAPE_LOWER] == lower_use(plan).bytes_read);
   CHECK(tapes.writes[C2D_TAPE_LOWER] == lower_use(plan).blocks);

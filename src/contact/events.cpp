@@ -144,6 +144,17 @@ double slip_sum(const Follower& f, int32_t index) {
   return pair.slip_done + pair_state(*f.t, index, f.y).wt - pair.slip_from;
 }
 
+c2d_status find_event(Follower& f, double reach, double* part, c2d_outcome* outcome) {
+  *part = 0.0;
+  const c2d_status status = settle(f, outcome);
+  if (status != C2D_OK || *outcome != C2D_REACHED) return status;
+  refresh(f);
+  const Event event = nearest_event(f, reach);
+  *part = event.pair < 0 ? HUGE_VAL : event.step;
+  if (event.pair >= 0) f.last_pair = event.pair;
+  return C2D_OK;
+}
+
 c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome) {
   for (int32_t k = 0; k < f.t->cases; ++k) {
     f.origin[k] = f.load[k];
@@ -164,6 +175,7 @@ c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome
     told = f.stats.changes;
     refresh(f);
     const Event event = nearest_event(f, 1.0 - part);
+    if (f.watch.moving) f.watch.moving(f.watch.context, event.step);
     if (event.pair < 0) break;
     standing = event.step > 0.0 ? 0 : standing + 1;
     if (standing > 20 + 8 * f.t->pairs) {

@@ -9,6 +9,7 @@ struct PathWatch {
   void* context;
   c2d_status (*tick)(void* context);                 // at least once per event: progress, cancel
   c2d_status (*changed)(void* context, double load); // a status changed (may be null)
+  void (*moving)(void* context, double part);        // the loads go on by this part of the direction (may be null)
 };
 
 struct PathStats {
@@ -50,6 +51,10 @@ bool release_with_partner(Follower& f, int32_t pair, int32_t sign, double at, co
 // Follow from `load` to `target` exactly, event by event. *outcome says whether it was reached; `load` holds how far
 // it got. Errors: what the watch returns.
 c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome);
+
+// The part of f.direction to the next event from where the load stands, without going there; statuses are settled for
+// that direction. Infinite if none is met within `reach`. *outcome as follow_events.
+c2d_status find_event(Follower& f, double reach, double* part, c2d_outcome* outcome);
 
 // Make the statuses consistent with the rates along f.direction without moving the load (design: tableau and
 // events; start (b)). If none are found the statuses are what they were, and *outcome says why.

@@ -22,16 +22,8 @@ void touch_statuses(Tableau& t) {
   }
 }
 
-// Change of w of a pair per unit of the body's free motion, in the length unit.
 void pair_motion(const FreeBody& body, const Model& m, const Pair& pair, double out[2]) {
-  double x, y;
-  pair_position(m, pair, body.body, &x, &y);
-  const double unit = m.head->length_unit;
-  const double ux = body.motion[0] - body.motion[2] * (y - body.centre[1]) / unit;
-  const double uy = body.motion[1] + body.motion[2] * (x - body.centre[0]) / unit;
-  const double side = body.body == 1 ? 1.0 : -1.0;
-  out[0] = side * (ux * pair.nx + uy * pair.ny);
-  out[1] = side * (ux * pair.ny - uy * pair.nx);
+  motion_at_pair(m, body.body, body.motion, body.centre, pair, out);
 }
 
 // At zero load the state is known exactly: the initial gaps and `flight` units of the free motion. Round-off of the
@@ -65,6 +57,18 @@ int32_t first_to_touch(const Tableau& t, const FreeBody& body, const Model& m, d
 }
 
 } // namespace
+
+void motion_at_pair(const Model& m, int b, const double motion[3], const double centre[2], const Pair& pair,
+                    double out[2]) {
+  double x, y;
+  pair_position(m, pair, b, &x, &y);
+  const double unit = m.head->length_unit;
+  const double ux = motion[0] - motion[2] * (y - centre[1]) / unit;
+  const double uy = motion[1] + motion[2] * (x - centre[0]) / unit;
+  const double side = b == 1 ? 1.0 : -1.0;
+  out[0] = side * (ux * pair.nx + uy * pair.ny);
+  out[1] = side * (ux * pair.ny - uy * pair.nx);
+}
 
 c2d_status start_path(Follower& f, const FreeBody& body, const Model& model, int32_t* floating) {
   Tableau& t = *f.t;

@@ -16,6 +16,10 @@ struct FreeBody {           // the body that may float: how it can move
 // Errors: the block store's.
 c2d_status start_path(Follower& f, const FreeBody& body, const Model& model, int32_t* floating);
 
+// Change of w of a pair per unit of a rigid motion of body b (as FreeBody::motion), in the length unit.
+void motion_at_pair(const Model& model, int b, const double motion[3], const double centre[2], const Pair& pair,
+                    double out[2]);
+
 // Nothing is loaded yet and the body floats with one motion: follow it without force in the direction in which the
 // load does work (`work` per unit of the motion, along the path's direction) until the first pair touches.
 // C2D_FREE_MOTION if it never does, if there is no work, or if more than one motion is free.

@@ -103,8 +103,8 @@ bool read_body(Deck& deck, int b) {
   const int32_t beyond = sizes.geometry_nodes[b] - expected;
   deck.open_regions[b] = order_known && beyond > 0 && beyond <= sizes.regions[b] ? beyond : 0;
   if (order_known && beyond != deck.open_regions[b])
-    field_fault(cards, 16, 20, "number of boundary points is ", sizes.geometry_nodes[b], ", expected ", expected,
-                ": ", sizes.elements[b], " elements of ", deck.element_nodes[b], " nodes");
+    field_fault(cards, 16, 20, "number of boundary points is ", sizes.geometry_nodes[b], ", expected ",
+                expected, ": ", sizes.elements[b], " elements of ", deck.element_nodes[b], " nodes");
   if (sizes.regions[b] > sizes.elements[b]) {
     field_fault(cards, 1, 5, "number of regions is ", sizes.regions[b], ", expected at most ",
                 sizes.elements[b], ", the number of elements");

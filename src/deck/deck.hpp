@@ -32,6 +32,12 @@ struct DeckSink {
   c2d_status (*add_zone)(c2d_solver*, const c2d_zone*);
   c2d_status (*add_friction)(c2d_solver*, double mu);
   c2d_status (*add_path)(c2d_solver*, int32_t increments, double load);
+  // of the keywords *CASES, *PATH and *FRICTION
+  c2d_status (*set_case_values)(c2d_solver*, int32_t body, int32_t element, int32_t local, const double values[4],
+                                int32_t load_case);
+  c2d_status (*clear_paths)(c2d_solver*);
+  c2d_status (*add_path_point)(c2d_solver*, int32_t increments, const double* load, int32_t cases);
+  c2d_status (*set_zone_friction)(c2d_solver*, int32_t zone, int32_t i, double mu);
   c2d_status (*set_units)(c2d_solver*, const char* length, const char* force);
   c2d_status (*set_symmetry)(c2d_solver*, int32_t axis, double value);
   c2d_status (*add_free_zone)(c2d_solver*, const c2d_free_zone*);

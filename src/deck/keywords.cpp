@@ -14,11 +14,17 @@ struct Keyword {
 // The place to add to. A deck may have its keywords in any order, so a handler that needs another one's data
 // must allow for either order. Keywords and where they are read:
 //   *UNITS length force      units.cpp      names of the units, for titles of axes
+//   *CASES n                 history.cpp    load cases beside the deck's own
+//   *PATH                    history.cpp    pieces of path through their factors, instead of the load cards
+//   *FRICTION                history.cpp    coefficients by zone
 //   *SYMMETRY X value        symmetry.cpp   line x = value (Y: y = value), everything mirrored across it
 //   *ZONE e1 e1 e2 e2        free_zones.cpp contact between elements of both bodies, meshed independently
-// Names set aside for: *CASES, *PATH (load histories), *FRICTION (coefficients by zone), *BODY FORCE (weight, rotation), *RIGID, *INTERFERENCE, *POINTS.
+// Names set aside for: *BODY FORCE (weight, rotation), *RIGID, *INTERFERENCE, *POINTS.
 constexpr Keyword kKeywords[] = {
     {"UNITS", read_units, false},
+    {"CASES", read_cases, false},
+    {"PATH", read_path, false},
+    {"FRICTION", read_friction, false},
     {"SYMMETRY", read_symmetry, true},
     {"ZONE", read_free_zone, true},
 };

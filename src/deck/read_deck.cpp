@@ -55,6 +55,10 @@ c2d_status walk(Reading& reading) {
   sink.add_zone = c2d_add_zone;
   sink.add_friction = c2d_add_friction;
   sink.add_path = c2d_add_path;
+  sink.set_case_values = c2d_set_case_values;
+  sink.clear_paths = c2d_clear_paths;
+  sink.add_path_point = c2d_add_path_point;
+  sink.set_zone_friction = c2d_set_zone_friction;
   sink.set_units = c2d_set_units;
   sink.set_symmetry = c2d_set_symmetry;
   sink.add_free_zone = c2d_add_free_zone;

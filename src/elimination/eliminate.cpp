@@ -220,4 +220,40 @@ c2d_status back_substitute(const EliminationPlan& plan, Tapes& tapes, const Real
   return C2D_OK;
 }
 
+namespace {
+
+Real dot(int32_t n, const Real* a, const Real* b) {
+  Real sum = 0;
+  for (int32_t i = 0; i < n; ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+} // namespace
+
+c2d_status transposed_functional(const EliminationPlan& plan, Tapes& tapes, Real* f, Real* w, void* work) {
+  if (plan.pivots == 0) {
+    for (int32_t j = 0; j < plan.trailing; ++j) w[j] = 0;
+    return C2D_OK;
+  }
+  const Real* data = reinterpret_cast<const Real*>(static_cast<unsigned char*>(work) + kBlockHeaderBytes);
+  for (Chunk chunk = first_chunk(plan); chunk.count > 0; chunk = next_chunk(plan, chunk)) {
+    const c2d_status status =
+        read_block(tapes, C2D_TAPE_UPPER, plan.upper_first_block + chunk.index, work, upper_bytes(plan, chunk));
+    if (status != C2D_OK) return status;
+    const bool trailing = chunk.first >= plan.pivots;
+    const int32_t rows = trailing ? plan.pivots : chunk.first + chunk.count;
+    for (int32_t j = 0; j < chunk.count; ++j) {
+      const Real* column = data + static_cast<int64_t>(j) * rows;
+      if (trailing) {
+        w[chunk.first - plan.pivots + j] = dot(rows, column, f);
+        continue;
+      }
+      const int32_t i = chunk.first + j; // forward substitution: U^T is lower triangular
+      const Real diagonal = column[i];
+      f[i] = diagonal == Real(0) ? Real(0) : (f[i] - dot(i, column, f)) / diagonal;
+    }
+  }
+  return C2D_OK;
+}
+
 } // namespace c2d

@@ -96,10 +96,14 @@ c2d_status lay_out(const Sizes& sizes, uint64_t header, Layout& out) {
   carver.carve(kZones, static_cast<uint64_t>(sizes.zones), kZoneBytes);
   carver.carve(kPairs, static_cast<uint64_t>(sizes.pairs), kPairBytes);
   carver.carve(kPointLoads, static_cast<uint64_t>(sizes.point_loads), kPointLoadBytes);
-  carver.carve(kFriction, static_cast<uint64_t>(sizes.coefficients), sizeof(double));
+  carver.carve(kFriction, static_cast<uint64_t>(sizes.coefficients) * (1 + static_cast<uint64_t>(sizes.zones)),
+               sizeof(double));
   carver.carve(kPaths, static_cast<uint64_t>(sizes.paths), kPathBytes);
   carver.carve(kPairTable, static_cast<uint64_t>(sizes.pairs) * C2D_PAIR_FIELDS, sizeof(double));
   carver.carve(kLoads, 4 * cases, sizeof(double));
+  carver.carve(kPathLoads, static_cast<uint64_t>(sizes.paths) * cases, sizeof(double));
+  const uint64_t per_case = energy_numbers(static_cast<uint64_t>(sizes.contact), cases) / cases;
+  carver.carve(kEnergy, cases, per_case * sizeof(double));
   carver.carve(kPhase, 0, 1);
   out.persistent = carver.used;
   return carver.fits ? C2D_OK : C2D_ERR_OVERFLOW;

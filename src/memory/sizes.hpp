@@ -5,7 +5,7 @@
 namespace c2d {
 
 // Bytes of one element of the arrays whose types belong to the model (checked there with static_assert).
-constexpr uint64_t kRegionBytes = 16, kZoneBytes = 64, kPairBytes = 152, kPointLoadBytes = 48, kPathBytes = 16;
+constexpr uint64_t kRegionBytes = 16, kZoneBytes = 64, kPairBytes = 168, kPointLoadBytes = 48, kPathBytes = 16;
 
 // Every array that lives in the workspace, in the order in which memory is carved. Two arrays per body follow one
 // another (`kXy + body`). The README maps them to the arrays of the 1987 program.
@@ -21,12 +21,14 @@ enum ArrayId : int32_t {
   kZones = 16,        // Zone   [zones]                   (MCF, MCEL)
   kPairs = 17,        // Pair   [pairs]                   (MPAIR, UNTAVG)
   kPointLoads = 18,   // PointLoad [point loads]          (PTLOAD)
-  kFriction = 19,     // double [coefficients]            (FMU)
+  kFriction = 19,     // double [coefficients]            (FMU), then [coefficients * zones], negative: the former
   kPaths = 20,        // Path   [paths]                   (PATH)
   kPairTable = 21,    // double [pairs * C2D_PAIR_FIELDS] results (UNION)
   kLoads = 22,        // double [4 * cases]               load factors: reached, target, direction, at stick
-  kPhase = 23,        // the rest: what assembly, reduction and contact use one after another (A)
-  kArrays = 24
+  kPathLoads = 23,    // double [paths * cases]           factors at the end of each piece of the path
+  kEnergy = 24,       // double [energy_numbers]          solver/energy.hpp
+  kPhase = 25,        // the rest: what assembly, reduction and contact use one after another (A)
+  kArrays = 26
 };
 
 // What a model within given limits needs, per body.
@@ -43,6 +45,9 @@ struct Sizes {
   int64_t contact;     // contact unknowns at most: 2 pairs
   int64_t free_pairs;  // of them, those of free zones
 };
+
+// Work, reaction and what they grow by per load case: 2 functionals of 2 m + cases numbers, and 5 numbers.
+inline uint64_t energy_numbers(uint64_t m, uint64_t cases) { return cases * (2 * (2 * m + cases) + 5); }
 
 // Checks and completes the limits. Errors: C2D_ERR_ARGUMENT.
 c2d_status derive_sizes(const c2d_limits& limits, Sizes& out);

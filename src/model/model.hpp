@@ -55,6 +55,8 @@ struct Pair {
   int32_t saved_status, saved_sign;
   int32_t weak;             // this pair sits on the border of its conditions (within one event)
   double saved_offset, saved_slip_done, saved_slip_from;
+  double weight;            // integral of the pair's shape functions along the body of its measure, length unit
+  double saved_q;           // q at the start of the increment (deck stepping)
 };
 
 static_assert(sizeof(Region) == kRegionBytes && sizeof(Zone) == kZoneBytes && sizeof(Pair) == kPairBytes &&
@@ -106,6 +108,7 @@ struct Model { // a view, rebuilt at every entry into the library: plain pointer
   PointLoad* point_load;
   double* friction;
   Path* path;
+  double* path_load;        // [path * cases + case]
 };
 
 // ---- topology ---------------------------------------------------------------------------------------------------

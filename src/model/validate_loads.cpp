@@ -83,11 +83,36 @@ void check_point_load(const Model& m, int32_t i, Reporter& reporter) {
   tell(reporter, f);
 }
 
+// Does the case load anything? Whatever else may load a case adds itself here.
+bool case_prescribes(const Model& m, int32_t k) {
+  for (int32_t i = 0; i < m.head->point_loads; ++i)
+    if (m.point_load[i].load_case == k && (m.point_load[i].fx != 0 || m.point_load[i].fy != 0)) return true;
+  for (int b = 0; b < m.head->bodies; ++b) {
+    const int64_t nodes = 2 * static_cast<int64_t>(body_of(m, b).nodes);
+    const int64_t ends = 2 * static_cast<int64_t>(body_of(m, b).elements) * m.head->function_nodes;
+    for (int64_t i = 0; i < ends; ++i)
+      if (m.end_traction[b][k * ends + i] != 0) return true;
+    for (int64_t i = 0; i < nodes; ++i)
+      if (m.node_disp[b][k * nodes + i] != 0) return true;
+  }
+  return false;
+}
+
+void check_cases(const Model& m, Reporter& reporter) {
+  for (int32_t k = 0; k < m.head->load_cases && m.head->load_cases > 1; ++k) {
+    if (case_prescribes(m, k)) continue;
+    Finding f = fault();
+    say(f, "load case ", k + 1, " loads nothing, expected a traction, a displacement or a point load that is not zero");
+    tell(reporter, f);
+  }
+}
+
 } // namespace
 
 bool validate_loads(const Model& m, Reporter& reporter) {
   const int32_t before = reporter.faults;
   for (int32_t i = 0; i < m.head->point_loads; ++i) check_point_load(m, i, reporter);
+  check_cases(m, reporter);
   return reporter.faults == before;
 }
 

@@ -137,6 +137,55 @@ void append_runs(std::string& out, const RunRecord& record) {
   out += ']';
 }
 
+void append_list(std::string& out, const std::vector<double>& numbers) {
+  out += '[';
+  for (size_t i = 0; i < numbers.size(); ++i) {
+    if (i > 0) out += ", ";
+    append_number(out, numbers[i]);
+  }
+  out += ']';
+}
+
+void append_zone(std::string& out, const c2d_zone_state& z) {
+  Object o(out, "{", ", ");
+  o.integer("open", z.open);
+  o.integer("stick", z.stick);
+  o.integer("slip", z.slip);
+  o.integer("near_change", z.near_change);
+  append_list(o.key("force"), {z.force[0], z.force[1]});
+  o.number("moment", z.moment);
+  o.number("approach", z.approach);
+  o.number("shift", z.shift);
+  out += '}';
+}
+
+// Per recorded step: factors of all load cases, energy, zones.
+void append_history(std::string& out, const RunRecord& record) {
+  out += '[';
+  bool first = true;
+  for (const CoefficientRecord& c : record.coefficients)
+    for (const StepRecord& step : c.steps) {
+      out += first ? "\n    " : ",\n    ";
+      first = false;
+      Object o(out, "{", ", ");
+      o.number("mu", c.mu);
+      o.integer("step", step.step);
+      append_list(o.key("loads"), step.loads);
+      o.number("work", step.work);
+      append_list(o.key("work_by_case"), step.work_by_case);
+      o.number("dissipated", step.dissipated);
+      o.number("elastic", step.elastic);
+      o.number("energy_defect", step.defect);
+      o.key("zones") += '[';
+      for (size_t z = 0; z < step.zones.size(); ++z) {
+        if (z > 0) out += ", ";
+        append_zone(out, step.zones[z]);
+      }
+      out += "]}";
+    }
+  out += ']';
+}
+
 void append_incomplete(std::string& out, const CoefficientRecord& c) {
   Object o(out, "{", ", ");
   o.number("mu", c.mu);
@@ -206,6 +255,7 @@ void append_json(std::string& out, const RunRecord& record, const c2d_summary& s
   o.number("tension_ratio", s.tension_ratio);
   append_force(o.key("force"), s);
   append_runs(o.key("runs"), record);
+  append_history(o.key("steps_detail"), record);
   append_warnings(o.key("warnings"), record);
   out += "\n}\n";
 }

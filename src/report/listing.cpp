@@ -337,10 +337,31 @@ c2d_status append_global(std::string& out, c2d_solver* solver, const c2d_summary
   return C2D_OK;
 }
 
+namespace {
+
+void append_energy(std::string& out, const RunRecord& record) {
+  append_section(out, "Energy");
+  for (const CoefficientRecord& c : record.coefficients) {
+    if (c.steps.empty()) continue;
+    append_number(append_name(out, "coefficient of friction"), c.mu);
+    out += "\n\n    step         work      elastic   dissipated       defect   load factors\n";
+    for (const StepRecord& step : c.steps) {
+      append_column(out, step.step, 8);
+      for (const double v : {step.work, step.elastic, step.dissipated, step.defect}) append_general(out, v, 13, 5);
+      out += "  ";
+      for (const double load : step.loads) append_general(out, load, 13, 8);
+      out += '\n';
+    }
+  }
+}
+
+} // namespace
+
 void append_ending(std::string& out, const RunRecord& record, const c2d_summary& s) {
   const bool solved =
       !record.checked_only && (record.incomplete() == nullptr || !record.incomplete()->singular);
   if (solved) append_balance(out, s);
+  if (solved) append_energy(out, record);
   if (!record.warnings.empty()) {
     append_section(out, "Warnings");
     for (const c2d_error& w : record.warnings) {

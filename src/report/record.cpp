@@ -37,6 +37,21 @@ CoefficientRecord& keep_step(RunRecord& record, const c2d_step& step) {
   return c;
 }
 
+void keep_history(CoefficientRecord& c, const c2d_step& step, c2d_solver* solver) {
+  if (step.kind == C2D_STEP_CHANGE) return;
+  StepRecord now;
+  now.step = step.step;
+  now.work = step.work;
+  now.dissipated = step.dissipated;
+  now.elastic = step.elastic;
+  now.defect = step.energy_defect;
+  now.loads.assign(step.loads, step.loads + step.cases);
+  now.work_by_case.assign(step.work_by_case, step.work_by_case + step.cases);
+  c2d_zone_state zone = C2D_INIT(c2d_zone_state);
+  for (int32_t i = 1; c2d_get_zone_state(solver, i, &zone) == C2D_OK; ++i) now.zones.push_back(zone);
+  c.steps.push_back(now);
+}
+
 void explain(CoefficientRecord& c, const c2d_summary& summary, const std::string& said) {
   c.why = c2d_outcome_message(c.outcome);
   if (!said.empty() && said != c.why) c.why += ": " + said;

@@ -10,6 +10,14 @@
 
 namespace app {
 
+// Energy, load factors and zones at the end of an increment.
+struct StepRecord {
+  int32_t step = 0;
+  double work = 0.0, dissipated = 0.0, elastic = 0.0, defect = 0.0;
+  std::vector<double> loads, work_by_case;
+  std::vector<c2d_zone_state> zones;
+};
+
 // How far one coefficient of friction came, with the pairs' table at its last valid state.
 struct CoefficientRecord {
   double mu = 0.0;
@@ -21,6 +29,7 @@ struct CoefficientRecord {
   std::string why;                   // if the path ended early
   int32_t body = 0, pair = 0;        // then: the body that can move, the pair whose status changed last
   std::vector<double> table;         // C2D_PAIR_FIELDS numbers per pair
+  std::vector<StepRecord> steps;     // as many as were recorded
 };
 
 struct RunRecord {
@@ -39,6 +48,8 @@ struct RunRecord {
 
 // Takes over what a step callback was shown. Returns the record of the step's coefficient.
 CoefficientRecord& keep_step(RunRecord& record, const c2d_step& step);
+// The same step's energy and zones; inside the callback.
+void keep_history(CoefficientRecord& coefficient, const c2d_step& step, c2d_solver* solver);
 
 // Why a path ended, in a line: the outcome, the body and its motion, the last pair; `said` is what the
 // library said of it, may be empty. Sets the record's why, body and pair.

@@ -276,7 +276,9 @@ bool displacement_agrees(const Model& m, int b, int32_t node, int32_t end, int c
     if (ends[i] == end) continue;
     if ((m.end_code[b][ends[i]] & (component == 0 ? kKnownUx : kKnownUy)) == 0) continue;
     const int64_t at = (static_cast<int64_t>(load_case) * m.head->body[b].nodes + node) * 2 + component;
-    if (m.node_disp[b][at] != value) return false;
+    const double known = m.node_disp[b][at];
+    if (load_case > 0 && known == 0.0) continue; // the codes are older than this case's values
+    if (known != value) return false;
   }
   return true;
 }
@@ -479,6 +481,8 @@ extern "C" c2d_status c2d_add_free_zone(c2d_solver* s, const c2d_free_zone* zone
                          s->sizes.contact_elements - head.contact_elements);
   z.is_free = 1;
   z.pairs = static_cast<int32_t>(pairs);
+  z.node_step[1] = z.element_step[1];
+  z.first_node[1] = functional_node(m, 1, z.first_element[1], z.element_step[1] > 0 ? 0 : f - 1);
   z.first_pair = head.pairs;
   z.line = head.line;
   m.zone[head.zones++] = z;
@@ -490,6 +494,14 @@ extern "C" c2d_status c2d_add_free_zone(c2d_solver* s, const c2d_free_zone* zone
 namespace c2d {
 // Zero or more; infinity is full adhesion. Not-a-numbers are told apart without comparing them.
 bool is_coefficient(double mu) { return isinf(mu) ? mu > 0.0 : (is_usable(mu) && mu >= 0.0); }
+double* zone_friction(c2d_solver* s, int32_t i) {
+  return array_of<double>(s, kFriction) + s->sizes.coefficients + i * s->sizes.zones;
+}
+double coefficient_of_zone(c2d_solver* s, int32_t zone, int32_t i) {
+  if (s->model.coefficients == 0) return 0.0;
+  const double own = zone < s->model.zones ? zone_friction(s, i)[zone] : -1.0;
+  return own < 0.0 ? array_of<double>(s, kFriction)[i] : own;
+}
 } // namespace c2d
 
 extern "C" c2d_status c2d_set_symmetry(c2d_solver* s, int32_t axis, double value) {
@@ -514,7 +526,22 @@ extern "C" c2d_status c2d_add_friction(c2d_solver* s, double mu) {
   if (s->model.coefficients >= s->sizes.coefficients)
     return refuse_number(s, C2D_ERR_LIMIT, "number of coefficients of friction", s->model.coefficients + 1, 0,
                          s->sizes.coefficients);
-  array_of<double>(s, kFriction)[s->model.coefficients++] = mu;
+  const int32_t i = s->model.coefficients++;
+  array_of<double>(s, kFriction)[i] = mu;
+  double* zones = zone_friction(s, i);
+  for (int64_t z = 0; z < s->sizes.zones; ++z) zones[z] = -1.0;
+  return built(s);
+}
+
+extern "C" c2d_status c2d_set_zone_friction(c2d_solver* s, int32_t zone, int32_t i, double mu) {
+  const c2d_status status = enter_building(s);
+  if (status != C2D_OK) return status;
+  if (!is_coefficient(mu)) return refuse_value(s, "coefficient of friction", mu, "zero or more");
+  if (!in_range(zone, 1, s->model.zones))
+    return refuse_number(s, C2D_ERR_ARGUMENT, "contact zone", zone, 1, s->model.zones);
+  if (!in_range(i, 1, s->model.coefficients))
+    return refuse_number(s, C2D_ERR_ARGUMENT, "number of the coefficient of friction", i, 1, s->model.coefficients);
+  zone_friction(s, i - 1)[zone - 1] = mu;
   return built(s);
 }
 
@@ -526,7 +553,32 @@ extern "C" c2d_status c2d_add_path(c2d_solver* s, int32_t increments, double loa
   if (!is_usable(load)) return refuse_value(s, "load factor", load, "a finite number");
   if (s->model.paths >= s->sizes.paths)
     return refuse_number(s, C2D_ERR_LIMIT, "number of load cards", s->model.paths + 1, 0, s->sizes.paths);
+  double* factors = array_of<double>(s, kPathLoads) + static_cast<int64_t>(s->model.paths) * s->sizes.load_cases;
+  for (int32_t k = 0; k < s->sizes.load_cases; ++k) factors[k] = k == 0 ? load : 0.0;
   array_of<Path>(s, kPaths)[s->model.paths++] = Path{increments, 0, load};
+  return built(s);
+}
+
+extern "C" c2d_status c2d_add_path_point(c2d_solver* s, int32_t increments, const double* load, int32_t cases) {
+  c2d_status status = enter_building(s);
+  if (status != C2D_OK) return status;
+  if (cases != s->sizes.load_cases)
+    return refuse_number(s, C2D_ERR_ARGUMENT, "number of load factors", cases, s->sizes.load_cases,
+                         s->sizes.load_cases);
+  if (!load) return refuse(s, C2D_ERR_ARGUMENT, "no load factors given");
+  for (int32_t k = 0; k < cases; ++k)
+    if (!is_usable(load[k])) return refuse_value(s, "load factor", load[k], "a finite number");
+  status = c2d_add_path(s, increments, load[0]);
+  if (status != C2D_OK) return status;
+  double* factors = array_of<double>(s, kPathLoads) + static_cast<int64_t>(s->model.paths - 1) * cases;
+  for (int32_t k = 0; k < cases; ++k) factors[k] = load[k];
+  return built(s);
+}
+
+extern "C" c2d_status c2d_clear_paths(c2d_solver* s) {
+  const c2d_status status = enter_building(s);
+  if (status != C2D_OK) return status;
+  s->model.paths = 0;
   return built(s);
 }
 

@@ -7,6 +7,7 @@
 #include "model/free_zones.hpp"
 #include "model/rigid.hpp"
 #include "solver/phases.hpp"
+#include "solver/energy.hpp"
 #include "solver/session.hpp"
 #include "solver/solver.hpp"
 
@@ -212,7 +213,8 @@ c2d_status run_phases(c2d_solver* s, const Model& m) {
   status = begin_run(s->tapes, hash_model(m, s->options), array_of<char>(s, kPhase));
   if (status == C2D_OK) status = open_tapes(s, m);
   for (int b = 0; b < m.head->bodies && status == C2D_OK; ++b) status = eliminate_body(s, m, sizes, b);
-  return status == C2D_OK ? reduce_bodies(s, m, sizes) : status;
+  if (status == C2D_OK) status = reduce_bodies(s, m, sizes);
+  return status == C2D_OK ? build_energy(s, m) : status;
 }
 
 void warn_condition(c2d_solver* s) {

@@ -134,6 +134,7 @@ void fill_model(c2d_solver* s, c2d_summary& out) {
   memcpy(out.title, m.title, sizeof out.title);
   memcpy(out.unit_length, m.unit_length, sizeof out.unit_length);
   memcpy(out.unit_force, m.unit_force, sizeof out.unit_force);
+  out.load_cases = m.load_cases;
   out.symmetry = m.symmetry;
   memcpy(out.symmetry_at, m.line_at, sizeof out.symmetry_at);
 }
@@ -141,9 +142,8 @@ void fill_model(c2d_solver* s, c2d_summary& out) {
 void fill_motion(const c2d_solver* s, c2d_summary& out) {
   if (s->outcome_body < 1 || s->outcome_body > 2) return;
   const Body& body = s->model.body[s->outcome_body - 1];
-  if (body.free_motions < 1) return;
   // (ux, uy) of the centre and a rotation about it, as a motion about the origin.
-  const double* motion = body.free_motion[0];
+  const double* motion = s->outcome_motion;
   const double rotation = motion[2] / s->model.length_unit;
   out.free_motion[0] = motion[0] + rotation * body.centre[1];
   out.free_motion[1] = motion[1] - rotation * body.centre[0];
@@ -175,6 +175,11 @@ void fill_work(c2d_solver* s, c2d_summary& out) {
   out.force_contact = s->force_contact;
   out.force_error = s->force_error;
   out.tension_ratio = s->tension_ratio;
+  out.work = s->work;
+  out.dissipated = s->dissipated;
+  out.elastic = s->elastic;
+  out.energy_defect = s->energy_defect;
+  out.least_dissipation = s->least_dissipation;
 }
 
 } // namespace
@@ -229,6 +234,26 @@ extern "C" c2d_status c2d_get_path(c2d_solver* s, int32_t i, int32_t* increments
   const Path& path = array_of<Path>(s, kPaths)[i - 1];
   *increments = path.increments;
   *load = path.load;
+  return C2D_OK;
+}
+
+extern "C" c2d_status c2d_get_path_point(c2d_solver* s, int32_t i, int32_t* increments, double* load, int32_t cases) {
+  double first = 0.0;
+  const c2d_status status = c2d_get_path(s, i, increments, &first);
+  if (status != C2D_OK) return status;
+  if (!load || cases != s->model.load_cases)
+    return fail(s, C2D_ERR_ARGUMENT, "give room for a factor for every load case");
+  for (int32_t k = 0; k < cases; ++k)
+    load[k] = array_of<double>(s, kPathLoads)[static_cast<int64_t>(i - 1) * cases + k];
+  return C2D_OK;
+}
+
+extern "C" c2d_status c2d_get_zone_friction(c2d_solver* s, int32_t zone, int32_t i, double* mu) {
+  const c2d_status status = enter(s, kComplete);
+  if (status != C2D_OK) return status;
+  if (!mu || i < 1 || i > s->model.coefficients || zone < 1 || zone > s->model.zones)
+    return fail(s, C2D_ERR_ARGUMENT, "there is no such coefficient or contact zone");
+  *mu = coefficient_of_zone(s, zone - 1, i - 1);
   return C2D_OK;
 }
 

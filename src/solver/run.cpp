@@ -46,13 +46,9 @@ c2d_status show_step(Session& session, int32_t kind) {
   c2d_solver* s = session.solver;
   c2d_status status = fill_table(session);
   if (status != C2D_OK || !session.step) return status;
-  c2d_step now = session.now;
-  now.kind = kind;
-  now.load = session.follower.load[0];
+  c2d_step now = describe_step(session, kind);
   now.outcome = s->outcome;
-  now.iterations = session.follower.stats.iterations;
   now.changes = static_cast<int32_t>(session.follower.stats.changes - session.now.changes);
-  now.table = array_of<double>(s, kPairTable);
   close_session(session); // so that c2d_get_summary tells the callback what is so now
   session.now.changes = static_cast<int32_t>(session.follower.stats.changes);
   s->busy = 1;
@@ -64,28 +60,38 @@ c2d_status show_step(Session& session, int32_t kind) {
   return C2D_ERR_CALLBACK;
 }
 
-// The load card that ends at the largest load: where the residual of the contact equations says most.
+// Factor of a case at the end of piece p of the path; p = -1: where it begins.
+double path_load(const Model& m, int32_t p, int32_t load_case) {
+  return p < 0 ? 0.0 : m.path_load[static_cast<int64_t>(p) * m.head->load_cases + load_case];
+}
+
+// The piece that ends at the largest load: where the residual of the contact equations says most.
 int32_t largest_load(const Model& m) {
   int32_t best = 0;
-  for (int32_t p = 1; p < m.head->paths; ++p)
-    if (fabs(m.path[p].load) > fabs(m.path[best].load)) best = p;
+  double most = -1.0;
+  for (int32_t p = 0; p < m.head->paths; ++p) {
+    double size = 0.0;
+    for (int32_t k = 0; k < m.head->load_cases; ++k) size += fabs(path_load(m, p, k));
+    if (size > most) best = p;
+    if (size > most) most = size;
+  }
   return best;
 }
 
-// All load cards for the coefficient that the pairs hold. Case 1 follows the cards, other cases stay at zero.
+// The whole path for the coefficients that the pairs hold.
 c2d_status run_cards(Session& session) {
   c2d_solver* s = session.solver;
   double* target = array_of<double>(s, kLoads) + s->model.load_cases;
-  double from = 0.0;
   const int32_t peak = largest_load(session.model);
   session.now.step = 0;
   for (int32_t p = 0; p < s->model.paths; ++p) {
     const Path& path = session.model.path[p];
     for (int32_t i = 1; i <= path.increments; ++i) {
       ++session.now.step;
-      const double load =
-          i == path.increments ? path.load : from + (path.load - from) * i / static_cast<double>(path.increments);
-      for (int32_t k = 0; k < s->model.load_cases; ++k) target[k] = k == 0 ? load : 0.0;
+      for (int32_t k = 0; k < s->model.load_cases; ++k) {
+        const double from = path_load(session.model, p - 1, k), to = path_load(session.model, p, k);
+        target[k] = i == path.increments ? to : from + (to - from) * i / static_cast<double>(path.increments);
+      }
       const bool last = p + 1 == s->model.paths && i == path.increments;
       c2d_status status = advance(session, target, last);
       if (status != C2D_OK) return status;
@@ -93,7 +99,6 @@ c2d_status run_cards(Session& session) {
       status = show_step(session, reached ? C2D_STEP_RECORDED : C2D_STEP_STOPPED);
       if (status != C2D_OK || !reached) return status;
     }
-    from = path.load;
     const c2d_status status = p == peak ? guard_drift(session, true) : C2D_OK;
     if (status != C2D_OK) return status;
   }
@@ -102,10 +107,11 @@ c2d_status run_cards(Session& session) {
 
 c2d_status run_coefficient(Session& session, int32_t index, c2d_outcome* worst) {
   c2d_solver* s = session.solver;
-  const double mu = s->model.coefficients > 0 ? session.model.friction[index] : 0.0;
+  for (int32_t i = 0; i < s->model.pairs; ++i)
+    session.model.pair[i].mu = coefficient_of_zone(s, session.model.pair[i].zone, index);
+  const double mu = s->model.coefficients > 0 ? coefficient_of_zone(s, 0, index) : 0.0;
   s->mu = mu;
   s->coefficient = index + 1;
-  for (int32_t i = 0; i < s->model.pairs; ++i) session.model.pair[i].mu = mu;
   c2d_status status = begin(session);
   if (status != C2D_OK) return status;
   session.now.mu = mu;
@@ -153,6 +159,25 @@ extern "C" c2d_status c2d_advance(c2d_solver* s, const double* load, int32_t cas
   return status;
 }
 
+extern "C" c2d_status c2d_next_event(c2d_solver* s, const double* direction, int32_t cases, double* step) {
+  c2d_status status = enter(s, state_bit(C2D_STATE_RUNNING));
+  if (status != C2D_OK) return status;
+  if (!direction || !step || cases != s->model.load_cases)
+    return fail(s, C2D_ERR_ARGUMENT, "give a direction for every load case, and room for the step");
+  for (int32_t k = 0; k < cases; ++k)
+    if (!is_usable(direction[k])) return fail(s, C2D_ERR_ARGUMENT, "a number of the direction is not usable");
+  *step = s->model.contact == 0 && !s->blocked ? HUGE_VAL : 0.0;
+  if (s->model.contact == 0 || s->blocked || s->floating) return C2D_OK;
+  Session session;
+  open_session(s, session);
+  for (int32_t k = 0; k < cases; ++k) session.follower.direction[k] = direction[k];
+  c2d_outcome outcome = C2D_REACHED;
+  constexpr double kReach = 1e30; // further than any load, and no product with it overflows
+  status = find_event(session.follower, kReach, step, &outcome);
+  s->back_substituted = s->table_is_current = 0;
+  return finish(session, status);
+}
+
 extern "C" c2d_status c2d_run(c2d_solver* s, c2d_step_fn step, void* context) {
   c2d_status status = enter(s, kStarted);
   if (status != C2D_OK) return status;
@@ -164,6 +189,7 @@ extern "C" c2d_status c2d_run(c2d_solver* s, c2d_step_fn step, void* context) {
   memset(&session.now, 0, sizeof session.now);
   session.now.struct_size = static_cast<uint32_t>(sizeof session.now);
   session.now.pairs = s->model.pairs;
+  session.now.cases = s->model.load_cases;
   session.now.stride = C2D_PAIR_FIELDS;
   // Without contact there is no friction: one run serves all coefficients.
   const int32_t runs = s->model.contact == 0 || s->model.coefficients == 0 ? 1 : s->model.coefficients;

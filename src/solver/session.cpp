@@ -1,5 +1,5 @@
 // The load path: begin, advance, look at the drift, fill the result table.
-#include "solver/session.hpp"
+#include "solver/energy.hpp"
 
 #include <math.h>
 #include <string.h>
@@ -26,11 +26,8 @@ c2d_status changed(void* context, double) {
   if (!session.step || !session.solver->options.every_change) return C2D_OK;
   const c2d_status status = fill_table(session);
   if (status != C2D_OK) return status;
-  c2d_step now = session.now;
-  now.kind = C2D_STEP_CHANGE;
-  now.load = session.follower.load[0];
-  now.iterations = session.follower.stats.iterations;
-  now.table = array_of<double>(session.solver, kPairTable);
+  if (session.solver->options.stepping == C2D_STEPPING_EVENTS) close_balance(session);
+  const c2d_step now = describe_step(session, C2D_STEP_CHANGE);
   session.solver->busy = 1;
   const int32_t code = session.step(session.step_context, &now);
   session.solver->busy = 0;
@@ -39,6 +36,8 @@ c2d_status changed(void* context, double) {
   session.solver->error.host_code = code;
   return C2D_ERR_CALLBACK;
 }
+
+void moving(void* context, double part) { add_segment(*static_cast<Session*>(context), part); }
 
 FreeBody free_body(const c2d_solver* s, const Model& m) {
   FreeBody out{};
@@ -72,7 +71,7 @@ void open_session(c2d_solver* s, Session& session) {
   session.follower.y = area.y;
   session.follower.dy = area.dy;
   session.follower.gap_scale = s->gap_scale;
-  session.follower.watch = PathWatch{&session, tick, changed};
+  session.follower.watch = PathWatch{&session, tick, changed, moving};
   session.follower.stats = s->stats;
   session.follower.last_pair = s->last_pair;
   session.free_body = free_body(s, session.model);
@@ -103,6 +102,7 @@ c2d_status begin_path(Session& session) {
   s->outcome = C2D_REACHED;
   s->outcome_body = s->last_pair = s->back_substituted = s->table_is_current = s->floating = 0;
   s->warned = 0;
+  begin_energy(s);
   s->peak_pressure = 0.0;
   s->gap_scale = session.follower.gap_scale = 0.0;
   if (s->blocked || head.contact == 0) return C2D_OK;
@@ -152,14 +152,8 @@ void case_resultant(const Model& m, int b, int32_t load_case, double out[3], dou
 
 // Work of the loads along `direction` on the free body's one motion; zero if it is no more than round-off.
 double work_on_motion(const Session& session, const double* direction) {
-  const FreeBody& body = session.free_body;
-  double work = 0.0, size = 0.0;
-  for (int32_t k = 0; k < session.model.head->load_cases; ++k) {
-    double force[3], magnitude;
-    case_resultant(session.model, body.body, k, force, &magnitude);
-    for (int i = 0; i < 3; ++i) work += direction[k] * force[i] * body.motion[i];
-    size += fabs(direction[k]) * magnitude;
-  }
+  double size = 0.0;
+  const double work = load_work(session, direction, session.free_body.motion, &size);
   return fabs(work) > 1e-10 * size ? work : 0.0;
 }
 
@@ -174,9 +168,14 @@ c2d_status take_off(Session& session, const double* target, c2d_outcome* outcome
 
 c2d_status follow(Session& session, const double* target, c2d_outcome* outcome) {
   c2d_solver* s = session.solver;
-  if (s->options.stepping == C2D_STEPPING_DECK)
-    return follow_increment(session.follower, target, s->model.iteration_limit, outcome);
-  return follow_events(session.follower, target, outcome);
+  Follower& f = session.follower;
+  if (s->options.stepping != C2D_STEPPING_DECK) return follow_events(f, target, outcome);
+  refresh(f);
+  before_jump(session);
+  const int32_t by_events = f.stats.unconverged;
+  const c2d_status status = follow_increment(f, target, s->model.iteration_limit, outcome);
+  if (status == C2D_OK && f.stats.unconverged == by_events) after_jump(session);
+  return status;
 }
 
 // ---- drift ----------------------------------------------------------------------------------------------------------
@@ -258,6 +257,35 @@ c2d_status guard_drift(Session& session, bool always) {
   return status;
 }
 
+c2d_step describe_step(const Session& session, int32_t kind) {
+  c2d_solver* s = session.solver;
+  c2d_step now = session.now;
+  now.kind = kind;
+  now.load = session.follower.load[0];
+  now.iterations = session.follower.stats.iterations;
+  now.table = array_of<double>(s, kPairTable);
+  now.cases = s->model.load_cases;
+  now.loads = session.follower.load;
+  now.work_by_case = energy_book(s).work;
+  now.work = s->work;
+  now.dissipated = s->dissipated;
+  now.elastic = s->elastic;
+  now.energy_defect = s->energy_defect;
+  return now;
+}
+
+double load_work(const Session& session, const double* direction, const double motion[3], double* size) {
+  double work = 0.0;
+  *size = 0.0;
+  for (int32_t k = 0; k < session.model.head->load_cases; ++k) {
+    double force[3], magnitude;
+    case_resultant(session.model, session.free_body.body, k, force, &magnitude);
+    for (int i = 0; i < 3; ++i) work += direction[k] * force[i] * motion[i];
+    *size += fabs(direction[k]) * magnitude;
+  }
+  return work;
+}
+
 namespace {
 
 // Which body the outcome is about: the one that the contact has to hold.
@@ -266,6 +294,11 @@ void name_outcome(Session& session, c2d_outcome outcome) {
   s->outcome = outcome;
   if (outcome == C2D_FREE_MOTION || outcome == C2D_GROSS_SLIDING)
     s->outcome_body = s->blocked ? s->blocked : session.free_body.body + 1;
+  // Where no pressure is left, nothing slides: the body lifts off.
+  if (outcome == C2D_GROSS_SLIDING && s->peak_pressure > 0.0 &&
+      path_scales(session.follower).p <= kNoPressure * s->peak_pressure)
+    s->outcome = outcome = C2D_FREE_MOTION;
+  if (s->outcome_body > 0) find_outcome_motion(session, outcome);
 }
 
 } // namespace
@@ -281,7 +314,10 @@ c2d_status advance_path(Session& session, const double* target) {
   }
   c2d_outcome outcome = C2D_REACHED;
   if (s->model.contact == 0 || (s->floating && all_zero(target, cases))) {
+    for (int32_t k = 0; k < cases; ++k) f.direction[k] = target[k] - f.load[k];
+    if (!s->floating) add_segment(session, 1.0);
     for (int32_t k = 0; k < cases; ++k) f.load[k] = target[k];
+    if (!s->floating) close_balance(session);
     s->outcome = outcome;
     return C2D_OK;
   }
@@ -297,6 +333,10 @@ c2d_status advance_path(Session& session, const double* target) {
     if (status == C2D_OK && outcome == C2D_REACHED) status = follow(session, target, &outcome);
   }
   if (status == C2D_OK) status = guard_drift(session, false);
+  if (status == C2D_OK && !s->floating) {
+    refresh(f);
+    close_balance(session);
+  }
   s->peak_pressure = fmax(s->peak_pressure, path_scales(session.follower).p);
   s->seconds[C2D_PHASE_CONTACT] += clock_now(s) - start;
   name_outcome(session, outcome);

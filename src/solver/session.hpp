@@ -38,6 +38,13 @@ void fill_positions(const Model& model, double* table);
 // of a piece per length of body 2 (solver/back.cpp).
 void transferred_traction(const Session& session, int b, int32_t element, int l, double out[2]);
 void transferred_values(const Session& session, const Transfer& piece, int k, double out[2]);
+// What a step callback sees of the present state; outcome and changes are the caller's. The table is filled already.
+c2d_step describe_step(const Session& session, int32_t kind);
+// Work of the loads along `direction` on a rigid motion of the free body; *size: sum of its magnitudes.
+double load_work(const Session& session, const double* direction, const double motion[3], double* size);
+constexpr double kNoPressure = 1e-9; // of the largest on the path
+// How the free body starts to move when the contact cannot hold it: solver->outcome_motion (solver/motion.cpp).
+void find_outcome_motion(Session& session, c2d_outcome outcome);
 // Look at the residual of the contact equations, and build the tableau anew if it has grown. Errors: the block store's.
 c2d_status guard_drift(Session& session, bool always);
 // Everything outside the contact, force balance (2.5). Errors: the block store's.

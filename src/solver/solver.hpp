@@ -42,6 +42,8 @@ struct c2d_solver {
   int64_t exchanges, rebuilds;
   c2d::PathStats stats;
   double stiffness, gap_scale, max_residual, peak_pressure, mu;
+  double dissipated, elastic, work, energy_size, energy_defect, least_dissipation; // solver/energy.hpp
+  double outcome_motion[3];   // of outcome_body, as Body::free_motion
   double applied[2][3], contact_force[2][3];
   double force_applied, force_contact, force_error, tension_ratio;
   double multiplier[2][3];    // rho, omega of the balanced equations, of each body, at the load reached
@@ -76,5 +78,7 @@ template <class T> T* array_of(c2d_solver* solver, int32_t id) {
 }
 Model model_of(c2d_solver* solver);
 bool is_coefficient(double mu); // of friction: zero or more, infinity included
+double coefficient_of_zone(c2d_solver* solver, int32_t zone, int32_t i); // both from 0
+double* zone_friction(c2d_solver* solver, int32_t i); // [zones] of the i-th run (from 0); negative: that for all
 
 } // namespace c2d

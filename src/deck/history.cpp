@@ -1,0 +1,151 @@
+// *CASES n: what load cases 1 ... n carry beside the deck's own cards, which are case 1. Below it, cards
+//   case k                                        the cards that follow are of case k
+//   condition body elements local tx ty ux uy     elements: e or e1-e2, numbered as on the condition cards; local 0:
+//                                                 all ends; known quantities only, the codes are the deck's
+//   load body x y fx fy                           a point load, in global coordinates
+// *PATH: instead of the load cards; below it, cards `increments f1 ... fn` with the factors of all cases at the end of
+//   a straight piece of path, which begins where the last one ended (at zero at first).
+// *FRICTION: below it, cards `zone mu ...`, as many coefficients as the deck has; INF is full adhesion.
+#include "deck/keywords.hpp"
+
+#include <math.h>
+
+namespace c2d {
+namespace {
+
+// Element numbers e or e1-e2.
+bool range_word(Cards& cards, const Words& words, int32_t i, int32_t least, int32_t most, int32_t range[2]) {
+  char text[24];
+  copy_word(words, i, text, sizeof text);
+  int64_t value[2] = {0, 0};
+  int32_t part = 0, digits = 0;
+  bool sound = text[0] != '\0';
+  for (const char* c = text; *c != '\0' && sound; ++c) {
+    if (*c == '-' && part == 0 && digits > 0) {
+      part = 1;
+      digits = 0;
+      continue;
+    }
+    sound = *c >= '0' && *c <= '9' && ++digits <= 10;
+    if (sound) value[part] = 10 * value[part] + (*c - '0');
+  }
+  sound = sound && digits > 0;
+  if (part == 0) value[1] = value[0];
+  if (!sound || value[0] < least || value[1] > most || value[1] < value[0]) {
+    word_fault(cards, words, i, "elements are '", text, "', expected a number or a range e1-e2 within ", least, " to ",
+               most);
+    return false;
+  }
+  for (int b = 0; b < 2; ++b) range[b] = static_cast<int32_t>(value[b]);
+  return true;
+}
+
+bool body_word(Deck& deck, const Words& words, int32_t* body) {
+  return integer_word(deck.cards, words, 1, "body number", 1, deck.sizes.bodies, body);
+}
+
+bool real_words(Deck& deck, const Words& words, int32_t first, int32_t count, const char* const* names, double* out) {
+  bool sound = true;
+  for (int32_t i = 0; i < count; ++i) sound = real_word(deck.cards, words, first + i, names[i], &out[i]) && sound;
+  return end_of_words(deck.cards, words, first + count) && sound;
+}
+
+void read_case_condition(Deck& deck, const Words& words, int32_t load_case) {
+  static const char* const kNames[] = {"tx", "ty", "ux", "uy"};
+  int32_t body = 0, range[2] = {0, 0}, local = 0;
+  double values[4];
+  if (!body_word(deck, words, &body)) return;
+  const int32_t offset = element_offset(deck, body - 1);
+  bool sound = range_word(deck.cards, words, 2, offset + 1, offset + deck.sizes.elements[body - 1], range);
+  sound = integer_word(deck.cards, words, 3, "local functional node (0: all)", 0, deck.sizes.function_nodes, &local) &&
+          sound;
+  sound = real_words(deck, words, 4, 4, kNames, values) && sound;
+  if (!sound || deck.sink == nullptr) return;
+  place_words(deck, words);
+  for (int32_t element = range[0]; element <= range[1]; ++element) {
+    const c2d_status status =
+        deck.sink->set_case_values(deck.sink->solver, body, element - offset, local, values, load_case);
+    if (!accept(deck, status) || status != C2D_OK) return;
+  }
+}
+
+void read_case_load(Deck& deck, const Words& words, int32_t load_case) {
+  static const char* const kNames[] = {"x", "y", "force fx", "force fy"};
+  int32_t body = 0;
+  double v[4];
+  if (!body_word(deck, words, &body) || !real_words(deck, words, 2, 4, kNames, v)) return;
+  if (deck.sink == nullptr) {
+    ++deck.sizes.point_loads;
+    return;
+  }
+  place_words(deck, words);
+  accept(deck, deck.sink->add_point_load(deck.sink->solver, body, v[0], v[1], v[2], v[3], load_case));
+}
+
+} // namespace
+
+void read_cases(Deck& deck, const Words& keyword_card) {
+  Cards& cards = deck.cards;
+  int32_t cases = 1;
+  const bool known = integer_word(cards, keyword_card, 0, "number of load cases", 1, 10000, &cases);
+  end_of_words(cards, keyword_card, 1);
+  if (known) deck.sizes.load_cases = cases;
+  int32_t load_case = 0;
+  for (Words words; next_data_card(deck, words) && known;) {
+    if (word_is(words, 0, "CASE")) {
+      integer_word(cards, words, 1, "load case", 1, cases, &load_case);
+      end_of_words(cards, words, 2);
+    } else if (load_case == 0) {
+      word_fault(cards, words, 0, "expected a card `case k` before the first values of a load case");
+    } else if (word_is(words, 0, "CONDITION")) {
+      read_case_condition(deck, words, load_case);
+    } else if (word_is(words, 0, "LOAD")) {
+      read_case_load(deck, words, load_case);
+    } else {
+      word_fault(cards, words, 0, "expected one of: case, condition, load");
+    }
+    if (cards.ended) return;
+  }
+}
+
+void read_path(Deck& deck, const Words& keyword_card) {
+  Cards& cards = deck.cards;
+  end_of_words(cards, keyword_card, 0);
+  int32_t pieces = 0;
+  for (Words words; next_data_card(deck, words) && !cards.ended;) {
+    int32_t increments = 0;
+    double factor[kMaximumWords];
+    bool sound = integer_word(cards, words, 0, "number of load increments", 1, INT32_MAX, &increments);
+    const int32_t factors = words.count - 1;
+    for (int32_t k = 0; k < factors; ++k)
+      sound = real_word(cards, words, k + 1, "load factor", &factor[k]) && sound;
+    if (factors == 0) word_fault(cards, words, 0, "no load factors, expected one for every load case");
+    ++pieces;
+    if (!sound || factors == 0 || deck.sink == nullptr) continue;
+    place_words(deck, words);
+    if (pieces == 1 && !accept(deck, deck.sink->clear_paths(deck.sink->solver))) return;
+    accept(deck, deck.sink->add_path_point(deck.sink->solver, increments, factor, factors));
+  }
+  if (pieces == 0) fault(cards, 0, 0, "*PATH without cards, expected at least one: increments f1 ... fn");
+  if (pieces > deck.sizes.paths) deck.sizes.paths = pieces;
+}
+
+void read_friction(Deck& deck, const Words& keyword_card) {
+  Cards& cards = deck.cards;
+  end_of_words(cards, keyword_card, 0);
+  for (Words words; next_data_card(deck, words) && !cards.ended;) {
+    int32_t zone = 0;
+    if (!integer_word(cards, words, 0, "contact zone", 1, deck.sizes.zones, &zone)) continue;
+    for (int32_t i = 1; i <= deck.sizes.coefficients; ++i) {
+      double mu = HUGE_VAL;
+      if (!word_is(words, i, "INF") && !real_word(cards, words, i, "coefficient of friction", &mu)) break;
+      if (mu < 0.0) word_fault(cards, words, i, "the coefficient of friction is negative, expected 0 or more, or INF");
+      if (mu < 0.0 || deck.sink == nullptr) continue;
+      place_words(deck, words);
+      if (!accept(deck, deck.sink->set_zone_friction(deck.sink->solver, zone, i, mu))) return;
+    }
+    end_of_words(cards, words, deck.sizes.coefficients + 1);
+  }
+}
+
+} // namespace c2d

@@ -1,0 +1,152 @@
+// The books of energy: work, friction, elastic energy, and their balance.
+#include "solver/energy.hpp"
+
+#include <math.h>
+
+namespace c2d {
+
+EnergyBook energy_book(c2d_solver* s) {
+  EnergyBook book{};
+  book.m = s->model.contact;
+  book.cases = s->model.load_cases;
+  double* at = array_of<double>(s, kEnergy);
+  double** const lists[] = {&book.work, &book.u0, &book.r0, &book.u, &book.r};
+  for (double** list : lists) {
+    *list = at;
+    at += book.cases;
+  }
+  book.first = at;
+  return book;
+}
+
+void begin_energy(c2d_solver* s) {
+  const EnergyBook book = energy_book(s);
+  for (int32_t k = 0; k < book.cases; ++k) book.work[k] = 0.0;
+  s->dissipated = s->elastic = s->work = s->energy_size = s->energy_defect = s->least_dissipation = 0.0;
+}
+
+namespace {
+
+double energy_unit(const Session& session) {
+  const ModelHeader& head = *session.model.head;
+  return head.stress_unit * head.length_unit * head.length_unit;
+}
+
+// U and R of every case out of values (with gaps and load factors) or rates (without gaps, along the direction).
+void evaluate(const Session& session, const EnergyBook& book, bool values) {
+  const Follower& f = session.follower;
+  const int64_t size = 2 * static_cast<int64_t>(book.m) + book.cases;
+  const double* factor = values ? f.load : f.direction;
+  for (int32_t k = 0; k < book.cases; ++k) {
+    const double* load_part = book.first + 2 * k * size + 2 * static_cast<int64_t>(book.m);
+    book.u[k] = book.r[k] = 0.0;
+    for (int32_t i = 0; i < book.cases; ++i) {
+      book.u[k] += load_part[i] * factor[i];
+      book.r[k] += load_part[size + i] * factor[i];
+    }
+  }
+  for (int32_t i = 0; i < f.t->pairs && book.m > 0; ++i) {
+    const Pair& pair = f.t->pair[i];
+    const PairState now = values ? pair_state(*f.t, i, f.y) : pair_rates(*f.t, i, f.dy);
+    const double force[2] = {now.p, now.q};
+    const double motion[2] = {now.wn - (values ? pair.gap / f.t->length_unit : 0.0), now.wt};
+    for (int32_t k = 0; k < book.cases; ++k) {
+      const double* work = book.first + 2 * k * size;
+      const double* reaction = work + size;
+      for (int32_t d = 0; d <= pair.tangential; ++d) {
+        const int32_t j = pair.dof + d;
+        book.u[k] += work[j] * force[d] + work[book.m + j] * motion[d];
+        book.r[k] += reaction[j] * force[d] + reaction[book.m + j] * motion[d];
+      }
+    }
+  }
+}
+
+bool rubs(const Pair& pair) { return pair.status == C2D_SLIP && pair.tangential && pair.mu > 0.0; }
+
+void add_friction(Session& session, double term) {
+  c2d_solver* s = session.solver;
+  s->dissipated += term;
+  if (term < s->least_dissipation) s->least_dissipation = term;
+}
+
+} // namespace
+
+void add_segment(Session& session, double part) {
+  if (part <= 0.0) return;
+  const Follower& f = session.follower;
+  const EnergyBook book = energy_book(session.solver);
+  const double unit = energy_unit(session);
+  evaluate(session, book, true);
+  for (int32_t k = 0; k < book.cases; ++k) {
+    book.u0[k] = book.u[k];
+    book.r0[k] = book.r[k];
+  }
+  evaluate(session, book, false);
+  for (int32_t k = 0; k < book.cases; ++k) {
+    const double half = 0.5 * part;
+    book.work[k] += unit * part *
+                    ((f.load[k] + half * f.direction[k]) * book.u[k] +
+                     (book.r0[k] + half * book.r[k]) * f.direction[k]);
+  }
+  for (int32_t i = 0; i < f.t->pairs && book.m > 0; ++i) {
+    const Pair& pair = f.t->pair[i];
+    if (!rubs(pair)) continue;
+    const PairState now = pair_state(*f.t, i, f.y), rate = pair_rates(*f.t, i, f.dy);
+    add_friction(session, -unit * pair.weight * part * (now.q + 0.5 * part * rate.q) * rate.wt);
+  }
+}
+
+void before_jump(Session& session) {
+  const Follower& f = session.follower;
+  const EnergyBook book = energy_book(session.solver);
+  evaluate(session, book, true);
+  for (int32_t k = 0; k < book.cases; ++k) {
+    book.u0[k] = book.u[k];
+    book.r0[k] = book.r[k];
+  }
+  for (int32_t i = 0; i < f.t->pairs; ++i) f.t->pair[i].saved_q = pair_state(*f.t, i, f.y).q;
+}
+
+void after_jump(Session& session) {
+  const Follower& f = session.follower;
+  const EnergyBook book = energy_book(session.solver);
+  const double unit = energy_unit(session);
+  evaluate(session, book, true);
+  for (int32_t k = 0; k < book.cases; ++k)
+    book.work[k] += 0.5 * unit *
+                    ((f.origin[k] + f.load[k]) * (book.u[k] - book.u0[k]) +
+                     (book.r0[k] + book.r[k]) * (f.load[k] - f.origin[k]));
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    const Pair& pair = f.t->pair[i];
+    if (!rubs(pair) || pair.saved_status == C2D_OPEN) continue;
+    const PairState now = pair_state(*f.t, i, f.y);
+    add_friction(session, -0.5 * unit * pair.weight * (pair.saved_q + now.q) * (now.wt - pair.increment_from));
+  }
+}
+
+void close_balance(Session& session) {
+  c2d_solver* s = session.solver;
+  const Follower& f = session.follower;
+  const EnergyBook book = energy_book(s);
+  const double unit = energy_unit(session);
+  evaluate(session, book, true);
+  double elastic = 0.0;
+  s->work = 0.0;
+  for (int32_t k = 0; k < book.cases; ++k) {
+    s->work += book.work[k];
+    elastic += f.load[k] * (book.u[k] + book.r[k]);
+  }
+  for (int32_t i = 0; i < f.t->pairs && book.m > 0; ++i) {
+    const Pair& pair = f.t->pair[i];
+    const PairState now = pair_state(*f.t, i, f.y);
+    elastic += pair.weight * (now.p * (now.wn - pair.gap / f.t->length_unit) + now.q * now.wt);
+  }
+  s->elastic = 0.5 * unit * elastic;
+  const double sizes[] = {fabs(s->work), fabs(s->elastic), fabs(s->dissipated)};
+  for (double size : sizes)
+    if (size > s->energy_size) s->energy_size = size;
+  s->energy_defect = s->energy_size > 0.0 ? (s->work - s->elastic - s->dissipated) / s->energy_size : 0.0;
+}
+
+} // namespace c2d

@@ -1,0 +1,40 @@
+#pragma once
+// Energy along the path. Every sum over a boundary is nodal: the integral of an end's shape function times traction
+// times displacement, the measure in which the contact conditions hold node by node (a pair that is open carries no
+// force, a closed one does not move along the normal), so that the contact exchanges energy by friction alone.
+//   work of load case k      integral of lambda_k dU_k + R_k dlambda_k
+//     U_k  its tractions and point loads times the displacements they move through
+//     R_k  reactions times its prescribed displacements
+//   dissipated               sum over pairs of W_i |q_i| |dw_t|, W_i = integral of the pair's shape functions along body 1
+//   elastic                  half of all tractions times displacements
+// U_k and R_k are linear in tau, w' = (u2 - u1) and lambda, which are linear between two events: the trapezoidal rule
+// is exact. Their coefficients are found once, by one adjoint pass over the tape each.
+// A point load's displacement is infinite where it acts: its own field counts at the distance of the body's size, in
+// work and elastic energy alike.
+#include "solver/session.hpp"
+
+namespace c2d {
+
+// Numbers of array kEnergy: per case work, U and R at the start of a step, U and R of the moment; then the functionals.
+struct EnergyBook {
+  int32_t m, cases;
+  double* work;    // [cases] so far
+  double *u0, *r0; // [cases] scratch
+  double *u, *r;   // [cases] scratch
+  double* first;   // functionals of 2 m + cases numbers (tau, w', lambda): U and R of case 0, of case 1, ...
+};
+EnergyBook energy_book(c2d_solver* solver);
+
+// Pair weights and functionals, after the reduction; uses the path area. Errors: the block store's.
+c2d_status build_energy(c2d_solver* solver, const Model& model);
+// Nothing has been done yet. Part of begin_path.
+void begin_energy(c2d_solver* solver);
+// `part` of the follower's direction is about to be gone, from its present y along its dy.
+void add_segment(Session& session, double part);
+// The same for a step whose inside is not known (deck stepping): before, and after it.
+void before_jump(Session& session);
+void after_jump(Session& session);
+// Elastic energy and the balance of the state reached.
+void close_balance(Session& session);
+
+} // namespace c2d
