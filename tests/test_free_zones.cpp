@@ -148,3 +148,212 @@ TEST_CASE("free zones: on matching meshes they are ordinary zones") {
       CHECK(boundary_difference(a, c) < 1e-9);
     }
 }
+
+namespace {
+
+// A cylinder of radius 8 on a block, with so many elements over -1 ... 1 on either; the cylinder ends above in a block.
+Problem cylinder(int32_t lower, int32_t upper, double mu, int32_t functions, bool free) {
+  Problem p;
+  p.function_nodes = functions;
+  p.friction = {mu};
+  p.bodies.resize(2);
+  add_sides(p.bodies[0], {{-4, -4, 6}, {4, -4, 6}, {4, 0, 6, 0.2}, {1, 0, lower}, {-1, 0, 6, 5}, {-4, 0, 6}});
+  Body& body = p.bodies[1];
+  body.youngs_modulus = 1500;
+  const auto arc = [](double x) { return 8 - std::sqrt(64 - x * x); };
+  std::vector<Side> sides;
+  for (int32_t i = 0; i < upper; ++i) sides.push_back({-1 + 2.0 * i / upper, arc(-1 + 2.0 * i / upper), 1});
+  sides.insert(sides.end(), {{1, arc(1), 8, 4}, {2, 3, 5}, {-2, 3, 8, 0.25}});
+  add_sides(body, sides);
+  for (int b = 1; b <= 2; ++b)
+    set_ends(p, b, [&](double, double y, double, double ny, End& end) {
+      if (ny < -0.9 && y < -3) end = End{{1, 1, 0, 0}, {0, 0, 0, 0}};
+      if (ny > 0.9 && y > 2.9) end = End{{1, 1, 0, 0}, {0, 0, mu > 0 ? 0.002 : 0.0, -0.03}};
+    });
+  const int32_t f = functions - 1;
+  if (free) {
+    c2d_free_zone zone = C2D_INIT(c2d_free_zone);
+    zone.first_element[0] = 19, zone.last_element[0] = 18 + lower;
+    zone.first_element[1] = upper, zone.last_element[1] = 1;
+    p.free_zones = {zone};
+  } else {
+    c2d_zone zone = C2D_INIT(c2d_zone);
+    zone.elements = lower, zone.pairs = lower * f + 1;
+    zone.first_element[0] = 19, zone.last_element[0] = 18 + lower;
+    zone.first_node[0] = 18 * f + 1, zone.last_node[0] = (18 + lower) * f + 1;
+    zone.first_element[1] = upper, zone.last_element[1] = 1;
+    zone.first_node[1] = upper * f + 1, zone.last_node[1] = 1;
+    p.zones = {zone};
+  }
+  return p;
+}
+double largest(const Result& r, int field) {
+  double most = 0;
+  const Step& step = r.steps.back();
+  for (int i = 0; i < step.pairs(); ++i) most = std::max(most, std::fabs(step.at(i, field)));
+  return most;
+}
+double half_width(const Result& r) { // the outermost pair that touches, by the pressure's slope to zero
+  const Step& step = r.steps.back();
+  double touching = 0;
+  for (int i = 0; i < step.pairs(); ++i)
+    if (step.at(i, C2D_TN) > 0) touching = std::max(touching, std::fabs(step.at(i, C2D_X)));
+  return touching;
+}
+double imbalance(const Result& r) { // of the contact's forces on the two bodies
+  const c2d_summary& s = r.summary;
+  return std::hypot(s.contact[0][0] + s.contact[1][0], s.contact[0][1] + s.contact[1][1]) /
+         std::hypot(s.contact[1][0], s.contact[1][1]);
+}
+
+} // namespace
+
+TEST_CASE("free zones: a cylinder on a block with other meshes is close to the matching one") {
+  for (double mu : {0.0, 0.3})
+    for (int32_t functions : {2, 3}) {
+      const Result matching = solve(cylinder(24, 24, mu, functions, false));
+      REQUIRE(matching.status == C2D_OK);
+      REQUIRE(matching.outcome == C2D_REACHED);
+      for (const auto& meshes : {std::pair<int32_t, int32_t>{24, 36}, {36, 24}, {24, 24}, {31, 24}}) {
+        const Result r = solve(cylinder(meshes.first, meshes.second, mu, functions, true));
+        INFO(meshes.first, " ", meshes.second, " ", mu, " ", functions, " ", r.messages());
+        REQUIRE(r.status == C2D_OK);
+        REQUIRE(r.outcome == C2D_REACHED);
+        MESSAGE(largest(matching, C2D_TN), " ", largest(r, C2D_TN), " ", largest(matching, C2D_TT), " ", largest(r, C2D_TT),
+             " ", half_width(matching), " ", half_width(r), " ", r.summary.force_error, " ", imbalance(r), " ",
+             r.summary.contact[0][2] + r.summary.contact[1][2], " ", r.summary.energy_defect, " ", matching.summary.energy_defect);
+        CHECK(largest(r, C2D_TN) == doctest::Approx(largest(matching, C2D_TN)).epsilon(0.01));
+        CHECK(half_width(r) == doctest::Approx(half_width(matching)).epsilon(2.0 / 24 / half_width(matching)));
+        CHECK(imbalance(r) < 1e-12);
+        CHECK(r.summary.force_error < 1e-12);
+        CHECK(coulomb_breach(cylinder(meshes.first, meshes.second, mu, functions, true), r) == "");
+      }
+    }
+}
+
+TEST_CASE("free zones: the same in the least memory, panel by panel") {
+  for (int32_t functions : {1, 2, 3}) {
+    const Problem p = cylinder(9, 13, 0.3, functions, true);
+    Setup least;
+    least.memory = Memory::minimum;
+    const Result a = solve(p), b = solve(p, least);
+    INFO(functions, a.messages(), b.messages());
+    REQUIRE(a.status == C2D_OK);
+    REQUIRE(b.status == C2D_OK);
+    CHECK(compare(a, b).worst() < 1e-9);
+    CHECK(boundary_difference(a, b) < 1e-9);
+    CHECK(imbalance(a) < 1e-12);
+  }
+}
+
+TEST_CASE("free zones: ordinary zones beside them") {
+  const auto feet = [](bool free) {
+    Problem p;
+    p.friction = {0.2};
+    p.bodies.resize(2);
+    add_sides(p.bodies[0], {{0, 0, 6}, {3, 0, 3}, {3, 1, 4}, {2, 1, 3}, {1, 1, 5}, {0, 1, 3}});
+    add_sides(p.bodies[1], {{0, 1, 5}, {1, 1, 1}, {1, 1.4, 2}, {2, 1.4, 1}, {2, 1, 4}, {3, 1, 3}, {3, 2, 6}, {0, 2, 3}});
+    for (int body = 1; body <= 2; ++body)
+      set_ends(p, body, [&](double x, double y, double, double ny, End& end) {
+        if (ny < -0.9 && y < 0.5) end = End{{1, 1, 0, 0}, {0, 0, 0, 0}};
+        if (ny > 0.9 && y > 1.5) end = End{{0, 0, 1, 1}, {0.1, x < 1.4 ? -2.0 : -3.0, 0, 0}};
+      });
+    c2d_zone zone = C2D_INIT(c2d_zone);
+    zone.elements = 5, zone.pairs = 6;
+    zone.first_element[0] = 17, zone.last_element[0] = 21, zone.first_node[0] = 17, zone.last_node[0] = 22;
+    zone.first_element[1] = 5, zone.last_element[1] = 1, zone.first_node[1] = 6, zone.last_node[1] = 1;
+    c2d_zone other = zone;
+    other.elements = 4, other.pairs = 5;
+    other.first_element[0] = 10, other.last_element[0] = 13, other.first_node[0] = 10, other.last_node[0] = 14;
+    other.first_element[1] = 13, other.last_element[1] = 10, other.first_node[1] = 14, other.last_node[1] = 10;
+    p.zones = {zone};
+    if (!free) {
+      p.zones.push_back(other);
+    } else {
+      c2d_free_zone z = C2D_INIT(c2d_free_zone);
+      z.first_element[0] = 10, z.last_element[0] = 13, z.first_element[1] = 10, z.last_element[1] = 13;
+      p.free_zones = {z};
+    }
+    return p;
+  };
+  const Result a = solve(feet(false)), b = solve(feet(true));
+  INFO(a.messages(), b.messages());
+  REQUIRE(a.status == C2D_OK);
+  REQUIRE(b.status == C2D_OK);
+  CHECK(compare(a, b).worst() < 1e-9);
+  CHECK(boundary_difference(a, b) < 1e-9);
+}
+
+TEST_CASE("free zones: what reaches beyond body 1 is left out, a body 1 that floats is carried") {
+  Blocks b;
+  b.lower = 5, b.upper = 12;
+  Problem p = pressed_blocks(b);
+  p.free_zones[0].first_element[0] = 9; // body 1 from x = 1.6 down
+  const Result r = solve(p);
+  INFO(r.messages());
+  REQUIRE(r.status == C2D_OK);
+  CHECK(r.steps.back().pairs() == 10); // nine of the twelve elements lie below 1.6
+  CHECK(imbalance(r) < 1e-12);
+  b.lower = 7, b.upper = 10;
+  Problem floating = pressed_blocks(b);
+  const auto carried = [&](double, double y, double nx, double ny, End& end) {
+    if (nx < -0.9) end = End{{1, 0, 0, 1}, {0, 0, 0, 0}};
+    if (ny < -0.9 && y < 0.5) end = End{{0, 0, 1, 1}, {0, b.pressure, 0, 0}};
+    if (ny > 0.9 && y > 1.5) end = End{{0, 1, 1, 0}, {0, 0, 0, 0}};
+  };
+  for (int body = 1; body <= 2; ++body) set_ends(floating, body, carried);
+  const Result f = solve(floating);
+  INFO(f.messages());
+  REQUIRE(f.status == C2D_OK);
+  REQUIRE(f.outcome == C2D_REACHED);
+  CHECK(patch_error(b, f) < 1e-9);
+}
+
+TEST_CASE("free zones: stress inside, zone state, symmetry by images") {
+  Blocks b;
+  b.lower = 6, b.upper = 7;
+  Setup setup;
+  setup.points = {0.7, 0.5, 1.1, 0.99, 1.3, 1.02, 1.9, 0.1};
+  const Result r = solve(pressed_blocks(b), setup);
+  REQUIRE(r.status == C2D_OK);
+  for (size_t i = 0; i < 4; ++i) {
+    const double* row = &r.interior[i * C2D_POINT_FIELDS];
+    CHECK(row[C2D_POINT_SYY] == doctest::Approx(-b.pressure).epsilon(1e-8));
+    CHECK(std::fabs(row[C2D_POINT_SXX]) < 1e-7);
+    CHECK(std::fabs(row[C2D_POINT_SXY]) < 1e-7);
+  }
+}
+
+TEST_CASE("free zones: bad input") {
+  const auto fault = [](const std::function<void(Problem&)>& spoil) {
+    Problem p = pressed_blocks(Blocks{});
+    spoil(p);
+    const Result r = solve(p);
+    CHECK(r.status != C2D_OK);
+    return r.messages();
+  };
+  const auto says = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
+  const std::string top = fault([](Problem& p) { // the upper block's upper side
+    p.free_zones[0].first_element[1] = 14, p.free_zones[0].last_element[1] = 17;
+  });
+  CHECK_MESSAGE(says(top, "does not face"), top);
+  const std::string beside = fault([](Problem& p) { // its right side
+    p.free_zones[0].first_element[1] = 11, p.free_zones[0].last_element[1] = 13;
+  });
+  CHECK_MESSAGE(says(beside, "does not face"), beside);
+  const std::string away = fault([](Problem& p) {
+    for (size_t i = 0; i < p.bodies[1].xy.size(); i += 2) p.bodies[1].xy[i] += 5;
+  });
+  CHECK_MESSAGE(says(away, "expected ranges that face each other"), away);
+  const std::string twice = fault([](Problem& p) {
+    p.free_zones.push_back(p.free_zones[0]);
+    p.free_zones[0].last_element[0] = 12, p.free_zones[1].first_element[0] = 11;
+  });
+  CHECK_MESSAGE(says(twice, "is in zones 1 and 2"), twice);
+  const std::string range = fault([](Problem& p) { p.free_zones[0].last_element[1] = 1000; });
+  CHECK_MESSAGE(says(range, "contact element of body 2 is 1000"), range);
+  const std::string overlap = fault([](Problem& p) {
+    for (size_t i = 1; i < p.bodies[1].xy.size(); i += 2) p.bodies[1].xy[i] -= 0.1;
+  });
+  CHECK_MESSAGE(says(overlap, "overlap by 0.1"), overlap);
+}
