@@ -303,7 +303,8 @@ c2d_status c2d_add_zone(c2d_solver* solver, const c2d_zone* zone);
    through it (normals joined continuously across corners); elements of body 2 that do not face body 1 from end to end
    are left out. In such a zone tn and tt are per unit undeformed length of body 2, C2D_X and C2D_Y are the point of body
    1, and C2D_PAIR_NODE1 is 0. Force passes over exactly, its moment so far as matching points coincide. Nodes of body 1
-   in the zone keep their conditions, and tractions given there add to those of the contact. Limits: `pairs` and
+   in the zone keep their conditions (traction and displacement both unknown: left to the contact), and tractions given
+   there add to those of the contact. Limits: `pairs` and
    `free_pairs` count all functional nodes of the elements of body 2. Errors: ARGUMENT, STATE, LIMIT; sides that do not
    face each other are found by c2d_complete. */
 typedef struct c2d_free_zone {
