@@ -403,7 +403,7 @@ TEST_CASE("free zones: *ZONE in a deck") {
   };
   refused("*ZONE 26 34 43", "element of body 2");
   refused("*ZONE 26 340 43 35", "element of body 1");
-  refused("*ZONE 26 34 43 35 9 9 1", "1");
+  refused("*ZONE 26 34 43 35 9 9 1", "7 fields, expected 6");
   refused("*ZONE 26 34 43 35 9 8", "does not hold the number of elements");
   refused("*ZONE 1 8 43 35", "face");
 }
