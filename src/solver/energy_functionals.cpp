@@ -141,7 +141,9 @@ void add_point_fields(Adjoint& a, const double at[2], const double factor[2]) {
   const Model& m = a.model();
   const double unit = m.head->length_unit, nu = strain_poisson_ratio(m, a.b);
   const Box box = box_of_body(m, a.b);
-  const double size = hypot(box.x_max - box.x_min, box.y_max - box.y_min) / unit;
+  const double width = (m.head->symmetry & 1 ? 2.0 : 1.0) * (box.x_max - box.x_min),
+               height = (m.head->symmetry & 2 ? 2.0 : 1.0) * (box.y_max - box.y_min);
+  const double size = hypot(width, height) / unit; // of the whole body
   for (int32_t i = 0; i < m.head->point_loads; ++i) {
     const PointLoad& other = m.point_load[i];
     if (other.body != a.b) continue;
