@@ -1,5 +1,6 @@
-// Contact zones whose sides are meshed independently: the patch test, where uniform pressure must pass whatever the
-// meshes; the ordinary zone where the meshes happen to match; a cylinder on a block against matching meshes.
+// Contact zones whose sides are meshed independently: the patch test, where uniform pressure must pass
+// whatever the meshes; the ordinary zone where the meshes happen to match; a cylinder on a block against
+// matching meshes.
 #include "problem.hpp"
 
 #include <doctest/doctest.h>
@@ -12,7 +13,9 @@ using namespace problem;
 
 namespace {
 
-size_t at(int64_t i) { return static_cast<size_t>(i); }
+size_t at(int64_t i) {
+  return static_cast<size_t>(i);
+}
 
 struct Side {
   double x, y;
@@ -39,7 +42,8 @@ void add_sides(Body& body, const std::vector<Side>& sides) {
   body.regions.push_back({1, elements});
 }
 
-// Two blocks of width 2 and height 1 on top of each other, on rollers at the left and below, pressed by `pressure`.
+// Two blocks of width 2 and height 1 on top of each other, on rollers at the left and below, pressed by
+// `pressure`.
 struct Blocks {
   int32_t lower = 7, upper = 10;
   double growth1 = 1, growth2 = 1, pressure = 3, mu = 0;
@@ -93,8 +97,10 @@ double patch_error(const Blocks& b, const Result& r) {
   for (int body = 0; body < 2; ++body)
     for (const EndResult& end : r.boundary[body]) {
       const bool flat = std::fabs(end.y) < 1e-9 || std::fabs(end.y - 1) < 1e-9 || std::fabs(end.y - 2) < 1e-9;
-      if (!flat) worst = std::max(worst, std::hypot(end.tx, end.ty));
-      else worst = std::max(worst, std::min(std::fabs(std::fabs(end.ty) - b.pressure), std::fabs(end.ty)));
+      if (!flat)
+        worst = std::max(worst, std::hypot(end.tx, end.ty));
+      else
+        worst = std::max(worst, std::min(std::fabs(std::fabs(end.ty) - b.pressure), std::fabs(end.ty)));
     }
   return worst / b.pressure;
 }
@@ -106,8 +112,8 @@ TEST_CASE("free zones: the patch test passes with unequal meshes") {
     int32_t lower, upper;
     double growth1, growth2;
   };
-  for (const Case& c : {Case{7, 10, 1, 1}, Case{3, 11, 1, 1}, Case{11, 3, 1, 1}, Case{7, 10, 6, 4}, Case{9, 4, 0.2, 5},
-                        Case{6, 6, 1, 1}, Case{1, 5, 1, 1}, Case{5, 1, 1, 1}})
+  for (const Case& c : {Case{7, 10, 1, 1}, Case{3, 11, 1, 1}, Case{11, 3, 1, 1}, Case{7, 10, 6, 4},
+                        Case{9, 4, 0.2, 5}, Case{6, 6, 1, 1}, Case{1, 5, 1, 1}, Case{5, 1, 1, 1}})
     for (int32_t nodes : {2, 3, 4})
       for (int32_t functions : {2, 3, 4})
         for (double mu : {0.0, 0.3}) {
@@ -153,7 +159,8 @@ TEST_CASE("free zones: on matching meshes they are ordinary zones") {
 
 namespace {
 
-// A cylinder of radius 8 on a block, with so many elements over -1 ... 1 on either; the cylinder ends above in a block.
+// A cylinder of radius 8 on a block, with so many elements over -1 ... 1 on either; the cylinder ends above
+// in a block.
 Problem cylinder(int32_t lower, int32_t upper, double mu, int32_t functions, bool free) {
   Problem p;
   p.function_nodes = functions;
@@ -224,7 +231,8 @@ TEST_CASE("free zones: a cylinder on a block with other meshes is close to the m
         REQUIRE(r.status == C2D_OK);
         REQUIRE(r.outcome == C2D_REACHED);
         CHECK(largest(r, C2D_TN) == doctest::Approx(largest(matching, C2D_TN)).epsilon(0.01));
-        CHECK(half_width(r) == doctest::Approx(half_width(matching)).epsilon(2.0 / 32 / half_width(matching)));
+        CHECK(half_width(r) ==
+              doctest::Approx(half_width(matching)).epsilon(2.0 / 32 / half_width(matching)));
         CHECK(imbalance(r) < 1e-12);
         CHECK(r.summary.force_error < 1e-12);
         CHECK(coulomb_breach(cylinder(meshes.first, meshes.second, mu, functions, true), r) == "");
@@ -253,7 +261,8 @@ TEST_CASE("free zones: ordinary zones beside them") {
     p.friction = {0.2};
     p.bodies.resize(2);
     add_sides(p.bodies[0], {{0, 0, 6}, {3, 0, 3}, {3, 1, 4}, {2, 1, 3}, {1, 1, 5}, {0, 1, 3}});
-    add_sides(p.bodies[1], {{0, 1, 5}, {1, 1, 1}, {1, 1.4, 2}, {2, 1.4, 1}, {2, 1, 4}, {3, 1, 3}, {3, 2, 6}, {0, 2, 3}});
+    add_sides(p.bodies[1],
+              {{0, 1, 5}, {1, 1, 1}, {1, 1.4, 2}, {2, 1.4, 1}, {2, 1, 4}, {3, 1, 3}, {3, 2, 6}, {0, 2, 3}});
     for (int body = 1; body <= 2; ++body)
       set_ends(p, body, [&](double x, double y, double, double ny, End& end) {
         if (ny < -0.9 && y < 0.5) end = End{{1, 1, 0, 0}, {0, 0, 0, 0}};
@@ -265,8 +274,10 @@ TEST_CASE("free zones: ordinary zones beside them") {
     zone.first_element[1] = 5, zone.last_element[1] = 1, zone.first_node[1] = 6, zone.last_node[1] = 1;
     c2d_zone other = zone;
     other.elements = 4, other.pairs = 5;
-    other.first_element[0] = 10, other.last_element[0] = 13, other.first_node[0] = 10, other.last_node[0] = 14;
-    other.first_element[1] = 13, other.last_element[1] = 10, other.first_node[1] = 14, other.last_node[1] = 10;
+    other.first_element[0] = 10, other.last_element[0] = 13, other.first_node[0] = 10,
+    other.last_node[0] = 14;
+    other.first_element[1] = 13, other.last_element[1] = 10, other.first_node[1] = 14,
+    other.last_node[1] = 10;
     p.zones = {zone};
     if (!free) {
       p.zones.push_back(other);
@@ -354,7 +365,9 @@ TEST_CASE("free zones: bad input") {
     CHECK(r.status != C2D_OK);
     return r.messages();
   };
-  const auto says = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
+  const auto says = [](const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  };
   const std::string top = fault([](Problem& p) { // the upper block's upper side
     p.free_zones[0].first_element[1] = 14, p.free_zones[0].last_element[1] = 17;
   });
@@ -390,7 +403,8 @@ std::string hertz_deck(const std::string& zone) {
   lines[5] = "    2    0    2"; // no ordinary zone
   const size_t first = lines.size() - 7;
   REQUIRE(lines[first] == "    1    2   10    9");
-  lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(first), lines.begin() + static_cast<std::ptrdiff_t>(first) + 3);
+  lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(first),
+              lines.begin() + static_cast<std::ptrdiff_t>(first) + 3);
   lines[first] = lines[first + 1] = "    0    0";
   std::string text;
   for (const std::string& line : lines) text += line + "\n";

@@ -16,8 +16,8 @@ bool is_ring(const Model& m, const Zone& z, int b) {
   return !r.open && zone_elements(z, b) == r.last - r.first + 1;
 }
 
-// Zero of f between a and b, where it has the values fa and fb of unlike sign: false position, with the value at an end
-// that stays halved (Illinois), exact for a linear f.
+// Zero of f between a and b, where it has the values fa and fb of unlike sign: false position, with the value
+// at an end that stays halved (Illinois), exact for a linear f.
 template <class F> double zero_between(double a, double b, double fa, double fb, F f) {
   double at = a;
   for (int i = 0; i < 100; ++i) {
@@ -48,7 +48,8 @@ void normalise(double n[2]) {
   if (size > 0) n[0] /= size, n[1] /= size;
 }
 
-// At the start (-1) or end (+1) of an element by its direction of travel: the mean of its own normal and its neighbour's.
+// At the start (-1) or end (+1) of an element by its direction of travel: the mean of its own normal and its
+// neighbour's.
 void corner_normal(const Model& m, const Zone& z, int32_t element, int32_t place, int end, double n[2]) {
   n[0] = n[1] = 0;
   add_normal(m, element, end, 1, n);
@@ -137,10 +138,14 @@ bool facing_point(const Model& m, const Zone& z, const FacePoint& at, int32_t* e
     };
     const double start = off(-1), end = off(1), tolerance = kSnap * element_length(m, 1, other);
     double where;
-    if (fabs(start) <= tolerance) where = -1;
-    else if (fabs(end) <= tolerance) where = 1;
-    else if ((start > 0) == (end > 0)) continue;
-    else where = zero_between(-1.0, 1.0, start, end, off);
+    if (fabs(start) <= tolerance)
+      where = -1;
+    else if (fabs(end) <= tolerance)
+      where = 1;
+    else if ((start > 0) == (end > 0))
+      continue;
+    else
+      where = zero_between(-1.0, 1.0, start, end, off);
     const CurvePoint q = curve_point(m, 1, other, where);
     const double distance = (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y);
     if (nearest >= 0 && distance >= nearest) continue;
@@ -158,12 +163,15 @@ int32_t node_at(const Model& m, const FacePoint& at) {
   return -1;
 }
 
-// ---- pieces -----------------------------------------------------------------------------------------------------
+// ---- pieces
+// -----------------------------------------------------------------------------------------------------
 
 namespace {
 
 // In the order of the zone, one unit per element.
-double position(const Zone& z, const FacePoint& p) { return p.place + 0.5 * (1 + z.element_step[0] * p.eta); }
+double position(const Zone& z, const FacePoint& p) {
+  return p.place + 0.5 * (1 + z.element_step[0] * p.eta);
+}
 
 // The `stop`-th place at which an element of body 2 is cut for its own nodes, from 0; false beyond its end.
 bool own_cut(const Model& m, const Zone& z, int32_t stop, double* eta) {
@@ -215,7 +223,8 @@ bool next_piece(PieceWalk& w, FacingPiece& out) {
   const Zone& z = *w.z;
   const int32_t count = zone_elements(z, 0);
   if (w.eta2 == w.target_eta2) { // on to the next node of its own
-    if (!own_cut(m, z, w.stop, &w.target_eta2) || !face_own_cut(m, z, w.element2, w.target_eta2, w.target)) return false;
+    if (!own_cut(m, z, w.stop, &w.target_eta2) || !face_own_cut(m, z, w.element2, w.target_eta2, w.target))
+      return false;
     ++w.stop;
   }
   if (z.element_step[0] * w.now.eta >= 1 - kSnap) { // on to the next element of body 1
@@ -229,8 +238,10 @@ bool next_piece(PieceWalk& w, FacingPiece& out) {
   out.element1 = w.now.element;
   out.eta1[0] = w.now.eta;
   out.eta2[0] = w.eta2;
-  if (beyond > kSnap) w.now.eta = w.target.eta;
-  else w.now.eta = cut.eta;
+  if (beyond > kSnap)
+    w.now.eta = w.target.eta;
+  else
+    w.now.eta = cut.eta;
   if (beyond >= -kSnap) {
     w.eta2 = w.target_eta2;
   } else {
@@ -248,7 +259,8 @@ bool next_piece(PieceWalk& w, FacingPiece& out) {
   return true;
 }
 
-// ---- fitting ----------------------------------------------------------------------------------------------------
+// ---- fitting
+// ----------------------------------------------------------------------------------------------------
 
 namespace {
 
@@ -306,17 +318,20 @@ bool fit_free_zone(const Model& m, int32_t zone, Reporter& reporter) {
       return false;
     }
     if (first >= 0 && place != first + count) {
-      tell_free_zone(m, zone, "body 1 faces elements of body 2 in several places, expected one run of elements", reporter);
+      tell_free_zone(m, zone,
+                     "body 1 faces elements of body 2 in several places, expected one run of elements",
+                     reporter);
       return false;
     }
     if (first < 0) first = place;
     ++count;
   }
   if (first < 0) {
-    tell_free_zone(m, zone,
-                   "no normal of body 1's elements meets an element of body 2 from end to end, expected ranges that "
-                   "face each other",
-                   reporter);
+    tell_free_zone(
+        m, zone,
+        "no normal of body 1's elements meets an element of body 2 from end to end, expected ranges that "
+        "face each other",
+        reporter);
     return false;
   }
   keep_elements(m, z, first, count);
