@@ -65,6 +65,13 @@ bool surface_faced(const Model& m, int32_t pair, Surface& out) {
   return normalise(out.n);
 }
 
+double bulge_at(const Model& m, const Pair& p, double* doubt) {
+  FacePoint at{p.element, 0, p.eta};
+  int32_t zone;
+  if (!find_contact_element(m, 0, p.element, &zone, &at.place)) return 0;
+  return face_bulge(m, m.zone[zone], at, doubt);
+}
+
 // Does g lie between the directions a and b, widened by one degree on either side?
 bool in_wedge(const double g[2], const double a[2], const double b[2]) {
   const double opening = atan2(a[0] * b[1] - a[1] * b[0], dot(a, b));
@@ -179,10 +186,11 @@ bool set_normal(const Model& m, int32_t pair, const Surface& s1, const Surface& 
   return true;
 }
 
-void set_gap(const Model& m, int32_t pair, const double g[2], Reporter& reporter) {
+// Adds to what p.gap holds. `doubt`: how much of it may come from elements that are not quite the surfaces.
+void set_gap(const Model& m, int32_t pair, const double g[2], double doubt, Reporter& reporter) {
   Pair& p = m.pair[pair];
-  p.gap = g[0] * p.nx + g[1] * p.ny;
-  if (fabs(p.gap) <= kGapTolerance * p.length) p.gap = 0;
+  p.gap += g[0] * p.nx + g[1] * p.ny;
+  if (fabs(p.gap) <= kGapTolerance * p.length + doubt) p.gap = 0;
   if (p.gap >= 0) return;
   Finding f = fault();
   locate_pair(f, m, pair);
@@ -215,7 +223,9 @@ void build_frame(const Model& m, int32_t pair, Spread& spread, Reporter& reporte
   for (int b = 0; b < 2; ++b) pair_position(m, p, b, &position[b][0], &position[b][1]);
   const double g[2] = {position[1][0] - position[0][0], position[1][1] - position[0][1]};
   if (!set_normal(m, pair, s1, s2, g, reporter)) return;
-  set_gap(m, pair, g, reporter);
+  double doubt = 0;
+  if (p.node[0] < 0) p.gap = -bulge_at(m, p, &doubt); // gaps are those of the surfaces, not of the elements
+  set_gap(m, pair, g, doubt, reporter);
 
   const double opposite[2] = {-s2.n[0], -s2.n[1]};
   spread.add(pair, angle_between(s1.n, opposite) / kDegree);

@@ -112,6 +112,30 @@ void face_normal(const Model& m, const Zone& z, const FacePoint& at, double n[2]
   normalise(n);
 }
 
+// The element turns by `turn` against the smooth surface at its ends. A fourth degree polynomial in eta (the third for
+// linear elements) with these slopes that vanishes at the boundary points.
+double face_bulge(const Model& m, const Zone& z, const FacePoint& at, double* doubt) {
+  double turn[2];
+  bool ends[2];
+  for (int i = 0; i < 2; ++i) {
+    const int end = i == 0 ? -1 : 1;
+    double own[2], corner[2];
+    outward_normal(m, 0, at.element, end, own);
+    corner_normal(m, z, at.element, at.place, end, corner);
+    turn[i] = end * (own[0] * corner[1] - own[1] * corner[0]); // positive: the surface is convex
+    const int32_t next = at.place + end * z.element_step[0];
+    ends[i] = !is_ring(m, z, 0) && (next < 0 || next >= zone_elements(z, 0));
+  }
+  for (int i = 0; i < 2; ++i)
+    if (ends[i] && !ends[1 - i]) turn[i] = turn[1 - i]; // as if the zone went on as it ends
+  const double eta2 = at.eta * at.eta, scale = 0.25 * element_length(m, 0, at.element);
+  const int nodes = body_of(m, 0).element_nodes;
+  const double inner = nodes == 2 ? 1 : (nodes == 3 ? eta2 : 1.125 * (eta2 - 1.0 / 9));
+  const double mean = 0.5 * (turn[0] + turn[1]), half = 0.5 * (turn[1] - turn[0]);
+  *doubt = 0.1 * scale * fmax(fabs(turn[0]), fabs(turn[1]));
+  return scale * (1 - eta2) * inner * (mean + half * at.eta);
+}
+
 bool face_point(const Model& m, const Zone& z, double x, double y, FacePoint& out) {
   double nearest = -1;
   for (int32_t place = 0; place < zone_elements(z, 0); ++place) {
