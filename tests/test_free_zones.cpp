@@ -357,6 +357,55 @@ TEST_CASE("free zones: symmetry by images, patch test on the line x = 0") {
     }
 }
 
+TEST_CASE("free zones: a ring pressed onto a ring, all round, against Lame") {
+  // Outer ring 1 < r < 2 under pressure 5, inner ring 0.5 < r < 1 held inside, nu = 0.3: with sigma_r = A -
+  // B/r^2 and u = k (0.4 A r + B/r) on either, u is the same at r = 1 for this pressure.
+  const double pressure = (1.4 * 5 / 0.75) / (1.4 / 0.75 - 0.4 + 0.3 / 1.1);
+  const auto circle = [](double r, double from, double sense) {
+    return [=](double s, double& x, double& y) {
+      const double angle = from + sense * 2 * 3.14159265358979323846 * s;
+      x = r * std::cos(angle), y = r * std::sin(angle);
+    };
+  };
+  struct Case {
+    int32_t element_nodes, function_nodes;
+    double tolerance;
+  };
+  for (const Case& c :
+       {Case{2, 2, 0.01}, Case{3, 1, 0.025}, Case{3, 2, 0.01}, Case{3, 3, 0.002}, Case{4, 4, 2e-5}})
+    for (const auto& meshes : {std::pair<int32_t, int32_t>{30, 43}, {43, 30}}) {
+      Problem p;
+      p.function_nodes = c.function_nodes;
+      p.friction = {0.5};
+      p.bodies.resize(2);
+      for (Body& body : p.bodies) body.element_nodes = c.element_nodes;
+      add_curve(p.bodies[0], 40, circle(2, 0, 1));
+      add_curve(p.bodies[0], meshes.first, circle(1, 0.3, -1));
+      add_curve(p.bodies[1], meshes.second, circle(1, 0, 1));
+      add_curve(p.bodies[1], 24, circle(0.5, 0, -1));
+      set_ends(p, 1, [](double x, double y, double nx, double ny, End& end) {
+        if (x * x + y * y > 2.5) end = End{{0, 0, 1, 1}, {-nx * 5, -ny * 5, 0, 0}};
+      });
+      set_ends(p, 2, [](double x, double y, double, double, End& end) {
+        if (x * x + y * y < 0.5) end = End{{1, 1, 0, 0}, {0, 0, 0, 0}};
+      });
+      c2d_free_zone zone = C2D_INIT(c2d_free_zone);
+      zone.first_element[0] = 41, zone.last_element[0] = 40 + meshes.first;
+      zone.first_element[1] = 1, zone.last_element[1] = meshes.second;
+      p.free_zones = {zone};
+      const Result r = solve(p);
+      INFO(c.element_nodes, " ", c.function_nodes, " ", meshes.first, " ", r.messages());
+      REQUIRE(r.status == C2D_OK);
+      REQUIRE(r.outcome == C2D_REACHED);
+      const Step& step = r.steps.back();
+      REQUIRE(step.pairs() == meshes.second * std::max(c.function_nodes - 1, 1));
+      for (int i = 0; i < step.pairs(); ++i)
+        CHECK(step.at(i, C2D_TN) == doctest::Approx(pressure).epsilon(c.tolerance));
+      for (int k = 0; k < 2; ++k) // resultants vanish: against the size of what is summed, 2 pi p
+        CHECK(std::fabs(r.summary.contact[0][k] + r.summary.contact[1][k]) < 1e-12 * 6.3 * pressure);
+    }
+}
+
 TEST_CASE("free zones: bad input") {
   const auto fault = [](const std::function<void(Problem&)>& spoil) {
     Problem p = pressed_blocks(Blocks{});

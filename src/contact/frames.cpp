@@ -65,11 +65,27 @@ bool surface_faced(const Model& m, int32_t pair, Surface& out) {
   return normalise(out.n);
 }
 
-double bulge_at(const Model& m, const Pair& p, double* doubt) {
+// What the smooth surfaces of both bodies take off the gap between their elements.
+double bulges(const Model& m, int32_t pair, double* doubt) {
+  const Pair& p = m.pair[pair];
+  const int32_t f = m.head->function_nodes;
+  const Zone& z = m.zone[p.zone];
   FacePoint at{p.element, 0, p.eta};
-  int32_t zone;
-  if (!find_contact_element(m, 0, p.element, &zone, &at.place)) return 0;
-  return face_bulge(m, m.zone[zone], at, doubt);
+  int32_t zone, ends[2];
+  if (!find_contact_element(m, 0, at.element, &zone, &at.place)) return 0;
+  const double first = bulge_at(m, z, 0, at, doubt);
+  const int count = ends_at_node(m, 1, p.node[1], ends);
+  for (int i = 0; i < count; ++i) {
+    if (pair_of_end(m, 1, ends[i] / f, ends[i] % f) != pair) continue;
+    at.element = ends[i] / f;
+    at.eta = local_eta(f, ends[i] % f);
+    find_contact_element(m, 1, at.element, &zone, &at.place);
+    double other;
+    const double second = bulge_at(m, z, 1, at, &other);
+    *doubt += other;
+    return first + second;
+  }
+  return first;
 }
 
 // Does g lie between the directions a and b, widened by one degree on either side?
@@ -224,7 +240,7 @@ void build_frame(const Model& m, int32_t pair, Spread& spread, Reporter& reporte
   const double g[2] = {position[1][0] - position[0][0], position[1][1] - position[0][1]};
   if (!set_normal(m, pair, s1, s2, g, reporter)) return;
   double doubt = 0;
-  if (p.node[0] < 0) p.gap = -bulge_at(m, p, &doubt); // gaps are those of the surfaces, not of the elements
+  if (p.node[0] < 0) p.gap = -bulges(m, pair, &doubt); // gaps are those of the surfaces, not of the elements
   set_gap(m, pair, g, doubt, reporter);
 
   const double opposite[2] = {-s2.n[0], -s2.n[1]};

@@ -36,9 +36,9 @@ template <class F> double zero_between(double a, double b, double fa, double fb,
   return at;
 }
 
-void add_normal(const Model& m, int32_t element, double eta, double factor, double n[2]) {
+void add_normal(const Model& m, int b, int32_t element, double eta, double factor, double n[2]) {
   double own[2];
-  outward_normal(m, 0, element, eta, own);
+  outward_normal(m, b, element, eta, own);
   n[0] += factor * own[0];
   n[1] += factor * own[1];
 }
@@ -50,13 +50,14 @@ void normalise(double n[2]) {
 
 // At the start (-1) or end (+1) of an element by its direction of travel: the mean of its own normal and its
 // neighbour's.
-void corner_normal(const Model& m, const Zone& z, int32_t element, int32_t place, int end, double n[2]) {
+void corner_normal(const Model& m, const Zone& z, int b, int32_t element, int32_t place, int end,
+                   double n[2]) {
   n[0] = n[1] = 0;
-  add_normal(m, element, end, 1, n);
-  const int32_t count = zone_elements(z, 0);
-  int32_t next = place + end * z.element_step[0];
-  if (is_ring(m, z, 0)) next = (next + count) % count;
-  if (next >= 0 && next < count) add_normal(m, zone_element(m, z, 0, next), -end, 1, n);
+  add_normal(m, b, element, end, 1, n);
+  const int32_t count = zone_elements(z, b);
+  int32_t next = place + end * z.element_step[b];
+  if (is_ring(m, z, b)) next = (next + count) % count;
+  if (next >= 0 && next < count) add_normal(m, b, zone_element(m, z, b, next), -end, 1, n);
   normalise(n);
 }
 
@@ -104,7 +105,7 @@ void face_normal(const Model& m, const Zone& z, const FacePoint& at, double n[2]
   double corner[2], own[2];
   outward_normal(m, 0, at.element, at.eta, n);
   for (int end = -1; end <= 1; end += 2) { // what the corner's normal adds fades towards the other end
-    corner_normal(m, z, at.element, at.place, end, corner);
+    corner_normal(m, z, 0, at.element, at.place, end, corner);
     outward_normal(m, 0, at.element, end, own);
     const double part = 0.5 * (1 + end * at.eta);
     for (int c = 0; c < 2; ++c) n[c] += part * (corner[c] - own[c]);
@@ -112,24 +113,24 @@ void face_normal(const Model& m, const Zone& z, const FacePoint& at, double n[2]
   normalise(n);
 }
 
-// The element turns by `turn` against the smooth surface at its ends. A fourth degree polynomial in eta (the third for
-// linear elements) with these slopes that vanishes at the boundary points.
-double face_bulge(const Model& m, const Zone& z, const FacePoint& at, double* doubt) {
+// The element turns by `turn` against the smooth surface at its ends. A fourth degree polynomial in eta (the
+// third for linear elements) with these slopes that vanishes at the boundary points.
+double bulge_at(const Model& m, const Zone& z, int b, const FacePoint& at, double* doubt) {
   double turn[2];
   bool ends[2];
   for (int i = 0; i < 2; ++i) {
     const int end = i == 0 ? -1 : 1;
     double own[2], corner[2];
-    outward_normal(m, 0, at.element, end, own);
-    corner_normal(m, z, at.element, at.place, end, corner);
+    outward_normal(m, b, at.element, end, own);
+    corner_normal(m, z, b, at.element, at.place, end, corner);
     turn[i] = end * (own[0] * corner[1] - own[1] * corner[0]); // positive: the surface is convex
-    const int32_t next = at.place + end * z.element_step[0];
-    ends[i] = !is_ring(m, z, 0) && (next < 0 || next >= zone_elements(z, 0));
+    const int32_t next = at.place + end * z.element_step[b];
+    ends[i] = !is_ring(m, z, b) && (next < 0 || next >= zone_elements(z, b));
   }
   for (int i = 0; i < 2; ++i)
     if (ends[i] && !ends[1 - i]) turn[i] = turn[1 - i]; // as if the zone went on as it ends
-  const double eta2 = at.eta * at.eta, scale = 0.25 * element_length(m, 0, at.element);
-  const int nodes = body_of(m, 0).element_nodes;
+  const double eta2 = at.eta * at.eta, scale = 0.25 * element_length(m, b, at.element);
+  const int nodes = body_of(m, b).element_nodes;
   const double inner = nodes == 2 ? 1 : (nodes == 3 ? eta2 : 1.125 * (eta2 - 1.0 / 9));
   const double mean = 0.5 * (turn[0] + turn[1]), half = 0.5 * (turn[1] - turn[0]);
   *doubt = 0.1 * scale * fmax(fabs(turn[0]), fabs(turn[1]));

@@ -18,9 +18,9 @@ struct FacePoint {
 bool face_point(const Model& m, const Zone& z, double x, double y, FacePoint& out);
 // Unit normal there, continuous along the zone.
 void face_normal(const Model& m, const Zone& z, const FacePoint& at, double n[2]);
-// How far the smooth surface that the elements stand for lies outside them there, from the angles at which neighbours
-// meet: zero at the boundary points. *doubt: what of it may be wrong.
-double face_bulge(const Model& m, const Zone& z, const FacePoint& at, double* doubt);
+// How far the smooth surface that a body's elements stand for lies outside them at a point of the zone, from
+// the angles at which neighbours meet: zero at the boundary points. *doubt: what of it may be wrong.
+double bulge_at(const Model& m, const Zone& z, int b, const FacePoint& at, double* doubt);
 // The reverse: element of body 2 in the zone and local coordinate of the point that a point of body 1 faces.
 bool facing_point(const Model& m, const Zone& z, const FacePoint& at, int32_t* element, double* eta);
 // Functional node of body 1 at a point, -1 between nodes.
