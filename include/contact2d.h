@@ -301,12 +301,12 @@ c2d_status c2d_add_zone(c2d_solver* solver, const c2d_zone* zone);
 /* A contact zone whose sides are meshed independently of each other: elements of body 1 and of body 2, which need not
    match in number or size. Every functional node of body 2 makes a pair with the point of body 1 whose normal passes
    through it (normals joined continuously across corners); elements of body 2 that do not face body 1 from end to end
-   are left out. Gaps are those of the smooth surfaces that the elements of both sides stand for. In such a zone tn and tt are per unit undeformed length of body 2, C2D_X and C2D_Y are the point of body
-   1, and C2D_PAIR_NODE1 is 0. Force passes over exactly, its moment so far as matching points coincide. Nodes of body 1
-   in the zone keep their conditions (traction and displacement both unknown: left to the contact), and tractions given
-   there add to those of the contact. Limits: `pairs` and
-   `free_pairs` count all functional nodes of the elements of body 2. Errors: ARGUMENT, STATE, LIMIT; sides that do not
-   face each other are found by c2d_complete. */
+   are left out. Gaps are those of the smooth surfaces that the elements of both sides stand for. In such a zone tn and
+   tt are per unit undeformed length of body 2, C2D_X and C2D_Y are the point of body 1, and C2D_PAIR_NODE1 is 0. Force
+   passes over exactly, its moment so far as matching points coincide. Nodes of body 1 in the zone keep their conditions
+   (traction and displacement both unknown: left to the contact), and tractions given there add to those of the contact.
+   Limits: `pairs` and `free_pairs` count all functional nodes of the elements of body 2. Errors: ARGUMENT, STATE, LIMIT;
+   sides that do not face each other are found by c2d_complete. */
 typedef struct c2d_free_zone {
   uint32_t struct_size;
   int32_t first_element[2], last_element[2]; /* of body 1, of body 2: either may run up or down     */
