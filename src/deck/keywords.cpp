@@ -20,7 +20,8 @@ struct Keyword {
 //   *SYMMETRY X value        symmetry.cpp   line x = value (Y: y = value), everything mirrored across it
 //   *INTERFERENCE load_case  interference.cpp   initial overlaps are closed as a load case
 //   *BODY FORCE ...          body_force.cpp weight and rotation of a body in a load case
-// Names set aside for: *RIGID, *ZONE (meshes that do not match), *POINTS.
+//   *ZONE e1 e1 e2 e2        free_zones.cpp contact between elements of both bodies, meshed independently
+// Names set aside for: *RIGID, *POINTS.
 constexpr Keyword kKeywords[] = {
     {"UNITS", read_units, false},
     {"CASES", read_cases, false},
@@ -29,6 +30,7 @@ constexpr Keyword kKeywords[] = {
     {"SYMMETRY", read_symmetry, true},
     {"BODY FORCE", read_body_force, true},
     {"INTERFERENCE", read_interference, false},
+    {"ZONE", read_free_zone, true},
 };
 constexpr int32_t kKeywordCount = static_cast<int32_t>(sizeof kKeywords / sizeof kKeywords[0]);
 static_assert(kKeywordCount <= 32, "Deck::keywords_seen has a bit for each");
