@@ -38,6 +38,7 @@ CORE_SOURCES += src/deck/nodes.cpp
 CORE_SOURCES += src/deck/number.cpp
 CORE_SOURCES += src/deck/polar.cpp
 CORE_SOURCES += src/deck/read_deck.cpp
+CORE_SOURCES += src/deck/rigid.cpp
 CORE_SOURCES += src/deck/scan_deck.cpp
 CORE_SOURCES += src/deck/symmetry.cpp
 CORE_SOURCES += src/deck/units.cpp
