@@ -1,7 +1,6 @@
 # What is compiled, one file a line: read by Makefile (include) and by CMakeLists.txt (file(STRINGS)).
 # `make list` compares it with the folders, `make relist` writes it anew.
 PORTS += memory
-PORTS += packaging
 PORTS += posix
 PORTS += stdio
 CORE_SOURCES += src/bie/body_force.cpp

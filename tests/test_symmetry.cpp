@@ -335,6 +335,8 @@ TEST_CASE("symmetry: quarter, half and whole are the same equations") {
     REQUIRE_MESSAGE(c.status == C2D_OK, c.messages());
     CHECK(difference(a, b, 1, to_half, f) < 1e-9);
     CHECK(difference(b, c, 1, to_whole, f) < 1e-9);
+    CHECK(2 * a.summary.work == doctest::Approx(b.summary.work).epsilon(1e-9));
+    CHECK(4 * a.summary.work == doctest::Approx(c.summary.work).epsilon(1e-9));
     double most[C2D_POINT_FIELDS] = {}, worst[C2D_POINT_FIELDS] = {};
     for (size_t i = 0; i < c.interior.size(); ++i) {
       const size_t field = i % C2D_POINT_FIELDS;
@@ -451,6 +453,9 @@ TEST_CASE("symmetry: contact of half a stamp is that of the whole one") {
         }
         for (int body = 1; body <= 2; ++body) CHECK(difference(a, b, body, map[body - 1], f) < 1e-9);
         CHECK(a.summary.force_error < 1e-12);
+        CHECK(2 * a.summary.work == doctest::Approx(b.summary.work).epsilon(1e-9));
+        CHECK(2 * a.summary.elastic == doctest::Approx(b.summary.elastic).epsilon(1e-9));
+        CHECK(2 * a.summary.dissipated == doctest::Approx(b.summary.dissipated).epsilon(1e-9).scale(b.summary.work));
         CHECK(2 * a.summary.contact[0][1] == doctest::Approx(b.summary.contact[0][1]).epsilon(1e-10));
         // A pair on the line has no tangential freedom; constant elements have none there.
         CHECK(a.summary.contact_unknowns == 2 * half.zones[0].pairs - (f > 1 ? 1 : 0));

@@ -4,7 +4,8 @@
 // force, a closed one does not move along the normal), so that the contact exchanges energy by friction alone.
 //   work of load case k      integral of lambda_k dU_k + R_k dlambda_k
 //     U_k  its tractions, point and body forces times the displacements they move through; body forces by Betti with
-//          the particular solution: int b.u = int (t.u_p - t_p.u) over the boundary + int b'.u_p, b' all body forces
+//          the particular solution: int b.u = int (t.u_p - t_p.u) over the boundary + int b'.u_p, b' all body and
+//          point forces
 //     R_k  reactions times its prescribed displacements, pressures times the overlaps that it closes
 //   dissipated               sum over pairs of W_i |q_i| |dw_t|, W_i = integral of the pair's shape functions along body 1
 //   elastic                  half of all tractions times displacements

@@ -6,6 +6,7 @@
 #include "bie/kernels.hpp"
 #include "bie/shape.hpp"
 #include "model/geometry.hpp"
+#include "model/symmetry.hpp"
 #include "quadrature/gauss.hpp"
 #include "solver/energy.hpp"
 
@@ -96,7 +97,7 @@ double given_displacement(const Model& m, int b, int32_t node, int c, int32_t k)
 void add_boundary(Adjoint& a, int32_t k, bool reactions) {
   const Model& m = a.model();
   for (int32_t element = 0; element < m.head->body[a.b].elements; ++element) {
-    if (is_zero_length(m, a.b, element)) continue;
+    if (!is_integrated(m, a.b, element)) continue;
     EndResultant weight[4];
     bool known = false;
     for (int l = 0; l < m.head->function_nodes; ++l)
@@ -119,6 +120,25 @@ void add_boundary(Adjoint& a, int32_t k, bool reactions) {
 
 // ---- point loads --------------------------------------------------------------------------------------------------
 
+// The boundary integrals hold for u - u_p and t - t_p: what the body forces' own part of an element takes off.
+void take_particular(Adjoint& a, int32_t element, const Blocks& blocks, const double factor[2]) {
+  const Model& m = a.model();
+  for (int32_t k = 0; k < m.head->load_cases && has_body_force(m, a.b); ++k) {
+    if (!is_loaded(body_force(m, a.b, k))) continue;
+    for (int l = 0; l < m.head->function_nodes; ++l) {
+      double x, y, t[2];
+      node_position(m, a.b, functional_node(m, a.b, element, l), &x, &y);
+      const Particular p = particular_solution(m, a.b, k, x, y);
+      particular_traction(m, a.b, k, element, l, t);
+      for (int c = 0; c < 2; ++c) {
+        const double h = factor[0] * blocks.h[l][0][c] + factor[1] * blocks.h[l][1][c];
+        const double g = factor[0] * blocks.g[l][0][c] + factor[1] * blocks.g[l][1][c];
+        a.lambda[k] += h * p.u[c] / m.head->length_unit - g * t[c] / (2.0 * shear_modulus(m, a.b));
+      }
+    }
+  }
+}
+
 // factor[i] times what an element's tractions and displacements do to the displacement at (x, y) in the length unit.
 void add_element_at(Adjoint& a, int32_t element, Measure measure, const double at[2], const double factor[2]) {
   const Model& m = a.model();
@@ -136,18 +156,21 @@ void add_element_at(Adjoint& a, int32_t element, Measure measure, const double a
       if (contact == !own)
         add_traction(a, element, l, c, factor[0] * blocks.g[l][0][c] + factor[1] * blocks.g[l][1][c]);
     }
+  if (own) take_particular(a, element, blocks, factor);
 }
 
 // The field of all point loads of the body.
-void add_point_fields(Adjoint& a, const PointLoad& load, const double factor[2]) {
+void add_point_fields(Adjoint& a, const double at[2], const double factor[2]) {
   const Model& m = a.model();
   const double unit = m.head->length_unit, nu = strain_poisson_ratio(m, a.b);
   const Box box = box_of_body(m, a.b);
-  const double size = hypot(box.x_max - box.x_min, box.y_max - box.y_min) / unit;
+  const double width = (m.head->symmetry & 1 ? 2.0 : 1.0) * (box.x_max - box.x_min),
+               height = (m.head->symmetry & 2 ? 2.0 : 1.0) * (box.y_max - box.y_min);
+  const double size = hypot(width, height) / unit; // of the whole body
   for (int32_t i = 0; i < m.head->point_loads; ++i) {
     const PointLoad& other = m.point_load[i];
     if (other.body != a.b) continue;
-    const double rx = (other.x - load.x) / unit, ry = (other.y - load.y) / unit, r2 = rx * rx + ry * ry;
+    const double rx = other.x / unit - at[0], ry = other.y / unit - at[1], r2 = rx * rx + ry * ry;
     const bool own = r2 <= 1e-18 * size * size;
     const double scale = 1.0 / (2.0 * shear_modulus(m, a.b) * unit * 4.0 * M_PI * (1.0 - nu));
     double u[2][2];
@@ -159,6 +182,24 @@ void add_point_fields(Adjoint& a, const PointLoad& load, const double factor[2])
   }
 }
 
+// All elements and point loads as one of their images, which act as they themselves at the mirrored point, mirrored.
+void add_image_at(Adjoint& a, int image, const double point[2], const double force[2]) {
+  const Model& m = a.model();
+  double at[2], factor[2];
+  for (int c = 0; c < 2; ++c) {
+    at[c] = (image >> c & 1) != 0 ? 2.0 * (m.head->line_at[c] / m.head->length_unit) - point[c] : point[c];
+    factor[c] = image_sign(image, c) * force[c];
+  }
+  for (int32_t element = 0; element < m.head->body[a.b].elements; ++element) {
+    if (!is_integrated(m, a.b, element)) continue;
+    add_element_at(a, element, Measure::own_length, at, factor);
+    int32_t zone = 0, place = 0;
+    if (a.b == 1 && find_contact_element(m, a.b, element, &zone, &place))
+      add_element_at(a, element, Measure::contact, at, factor);
+  }
+  add_point_fields(a, at, factor);
+}
+
 // Its force times the displacement there, from the boundary integrals (the interior form of the equations).
 void add_point_load(Adjoint& a, const PointLoad& load) {
   const Model& m = a.model();
@@ -166,18 +207,16 @@ void add_point_load(Adjoint& a, const PointLoad& load) {
   const double unit = m.head->length_unit;
   const double at[2] = {load.x / unit, load.y / unit};
   const double factor[2] = {load.fx / (m.head->stress_unit * unit), load.fy / (m.head->stress_unit * unit)};
-  for (int32_t element = 0; element < body.elements; ++element) {
-    if (is_zero_length(m, a.b, element)) continue;
-    add_element_at(a, element, Measure::own_length, at, factor);
-    int32_t zone = 0, place = 0;
-    if (a.b == 1 && find_contact_element(m, a.b, element, &zone, &place))
-      add_element_at(a, element, Measure::contact, at, factor);
-  }
+  for (int image = 0; image <= m.head->symmetry; ++image)
+    if (is_image(*m.head, image)) add_image_at(a, image, at, factor);
   const double dx = at[0] - body.centre[0] / unit, dy = at[1] - body.centre[1] / unit;
   add_outer(a, body.columns, factor[0]);
   add_outer(a, body.columns + 1, factor[1]);
   add_outer(a, body.columns + 2, factor[1] * dx - factor[0] * dy);
-  add_point_fields(a, load, factor);
+  for (int32_t k = 0; k < m.head->load_cases && has_body_force(m, a.b); ++k) {
+    const Particular p = particular_solution(m, a.b, k, load.x, load.y);
+    a.lambda[k] += (factor[0] * p.u[0] + factor[1] * p.u[1]) / unit;
+  }
 }
 
 // ---- body forces --------------------------------------------------------------------------------------------------
@@ -220,6 +259,12 @@ void add_body_force(Adjoint& a, int32_t k) {
   for (int32_t element = 0; element < body_of(m, a.b).elements; ++element)
     if (is_integrated(m, a.b, element)) add_particular(a, element, k);
   for (int32_t i = 0; i < m.head->load_cases; ++i) a.lambda[i] += body_force_work(m, a.b, i, k) / unit;
+  for (int32_t i = 0; i < m.head->point_loads; ++i) {
+    const PointLoad& load = m.point_load[i];
+    if (load.body != a.b) continue;
+    const Particular p = particular_solution(m, a.b, k, load.x, load.y);
+    a.lambda[load.load_case] += (load.fx * p.u[0] + load.fy * p.u[1]) / unit;
+  }
 }
 
 // What holds the rigid body 1 against the contact, times its motion in case k.
