@@ -48,6 +48,7 @@ struct Problem {
   std::vector<std::vector<double>> motions;
   int32_t interference = 0; // load case that closes overlaps
   std::vector<c2d_zone> zones;
+  std::vector<c2d_free_zone> free_zones;
   std::vector<double> friction = {0.0};
   std::vector<Path> paths = {{1, 1.0}};
   int32_t symmetry = 0; // lines of symmetry by images: 1: x = symmetry_at[0], 2: y = symmetry_at[1]

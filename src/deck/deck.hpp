@@ -45,6 +45,7 @@ struct DeckSink {
   c2d_status (*set_interference)(c2d_solver*, int32_t load_case);
   c2d_status (*set_body_force)(c2d_solver*, int32_t body, int32_t load_case, double bx, double by,
                                double rho_omega2, double x0, double y0);
+  c2d_status (*add_free_zone)(c2d_solver*, const c2d_free_zone*);
 };
 
 // What later sections must know of earlier ones. Bodies are counted from 0 in here.

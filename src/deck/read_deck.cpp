@@ -64,6 +64,7 @@ c2d_status walk(Reading& reading) {
   sink.set_rigid = c2d_set_rigid;
   sink.set_interference = c2d_set_interference;
   sink.set_body_force = c2d_set_body_force;
+  sink.add_free_zone = c2d_add_free_zone;
   return read_deck_cards(&sink, read_line, &reading, deck_fault, &reading, nullptr);
 }
 

@@ -146,6 +146,13 @@ void check_rigid(const Model& m, Reporter& reporter) {
     say(f, "body 1 is rigid, expected no tractions, displacements other than zero or forces there (*RIGID moves it)");
     tell(reporter, f);
   }
+  for (int32_t z = 0; z < m.head->zones; ++z) {
+    if (m.zone[z].is_free == 0) continue;
+    Finding f = fault();
+    f.entry.zone = z + 1;
+    say(f, "zone ", z + 1, " joins meshes that do not match, expected matching ones where body 1 is rigid");
+    tell(reporter, f);
+  }
   for (int32_t k = 0; k < m.head->load_cases; ++k) {
     const RigidMotion& motion = m.rigid_motion[k];
     const bool across = ((m.head->symmetry & 1) != 0 && motion.ux != 0) || ((m.head->symmetry & 2) != 0 && motion.uy != 0);
