@@ -290,6 +290,13 @@ c2d_status c2d_set_condition(c2d_solver* solver, int32_t body, int32_t element, 
    the part that is modelled; it acts along the line. */
 c2d_status c2d_add_point_load(c2d_solver* solver, int32_t body, double x, double y, double fx, double fy,
                               int32_t load_case);
+/* Body 1 is a rigid obstacle: there are no equations for it, its mesh gives frames, lengths and pictures, and its moduli
+   count for nothing. In a load case it moves by (ux, uy) and turns by `rotation` (radians, small, counter-clockwise) about
+   (x0, y0); load_case 0: no motion is told, the body is only made rigid. Its conditions are passed over; tractions,
+   displacements and forces other than zero are refused by c2d_complete. Results of it: its motion, the contact's
+   tractions, no stresses; the force that holds it is its `applied`. */
+c2d_status c2d_set_rigid(c2d_solver* solver, int32_t load_case, double ux, double uy, double rotation, double x0,
+                         double y0);
 /* Pairs whose bodies overlap before any load (a press fit) are legal, and touch at first; the factor of this load case
    closes their overlaps: they are gone at factor 1. c2d_run brings it from 0 to 1 before the first step of the path, and
    keeps it there; with c2d_advance it is the caller's. Given again it replaces the one before. */
@@ -641,7 +648,8 @@ const char* c2d_version(void);               /* "0.1.0" */
    C2D_ARRAY_(cases, 32) +                                             /* load factors                    */          \
    C2D_ARRAY_(UINT64_C(1) * (paths) * (cases), 8) +                    /* path                            */          \
    C2D_ARRAY_((cases) * (2 * (UINT64_C(4) * (pairs) + (cases)) + 5), 8) + /* energy                        */          \
-   C2D_ARRAY_(2 * (cases), 40))                                        /* body forces                     */
+   C2D_ARRAY_(2 * (cases), 40) +                                       /* body forces                     */          \
+   C2D_ARRAY_(cases, 40))                                              /* motions of a rigid body 1       */
 
 /* What assembly, reduction and the load path use one after another; m contact unknowns, of
    which `free` make an equation of body 1 each. */

@@ -118,6 +118,10 @@ inline c2d::DeckSink recording_sink(Recorder& r, int32_t function_nodes = 0) {
   sink.set_symmetry = [](c2d_solver* s, int32_t axis, double value) -> c2d_status {
     return recorder(s)->record("symmetry", {double(axis), value});
   };
+  sink.set_rigid = [](c2d_solver* s, int32_t load_case, double ux, double uy, double w, double x0,
+                      double y0) -> c2d_status {
+    return recorder(s)->record("rigid", {double(load_case), ux, uy, w, x0, y0});
+  };
   sink.set_interference = [](c2d_solver* s, int32_t load_case) -> c2d_status {
     return recorder(s)->record("interference", {double(load_case)});
   };

@@ -113,6 +113,7 @@ c2d_limits limits_of(const Problem& p) {
   }
   for (const Body& body : p.bodies)
     if (!body.second_case.empty()) limits.load_cases = 2;
+  if (p.motions.size() > 1) limits.load_cases = static_cast<int32_t>(p.motions.size());
   if (p.interference > 1) limits.load_cases = p.interference;
   for (const BodyForce& f : p.body_forces)
     if (f.load_case > limits.load_cases) limits.load_cases = f.load_case;
@@ -171,6 +172,10 @@ c2d_status feed(c2d_solver* s, const Problem& p) {
     status = feed_body(s, p, static_cast<int32_t>(b) + 1);
   for (const PointLoad& l : p.point_loads)
     if (status == C2D_OK) status = c2d_add_point_load(s, l.body, l.x, l.y, l.fx, l.fy, 1);
+  if (p.rigid && status == C2D_OK) status = c2d_set_rigid(s, 0, 0, 0, 0, 0, 0);
+  for (size_t k = 0; k < p.motions.size(); ++k)
+    if (status == C2D_OK)
+      status = c2d_set_rigid(s, static_cast<int32_t>(k) + 1, p.motions[k][0], p.motions[k][1], p.motions[k][2], 0, 0);
   if (p.interference > 0 && status == C2D_OK) status = c2d_set_interference(s, p.interference);
   for (const BodyForce& f : p.body_forces)
     if (status == C2D_OK)

@@ -44,6 +44,8 @@ struct Problem {
   std::vector<Body> bodies;
   std::vector<PointLoad> point_loads;
   std::vector<BodyForce> body_forces;
+  bool rigid = false;       // body 1; `motions` of load cases 1 ...: ux, uy, rotation about the origin
+  std::vector<std::vector<double>> motions;
   int32_t interference = 0; // load case that closes overlaps
   std::vector<c2d_zone> zones;
   std::vector<c2d_free_zone> free_zones;

@@ -375,6 +375,7 @@ bool complete_model(const Model& m, Reporter& reporter) {
   validate_conditions(m, frames, reporter);
   if (reporter.faults != before) return false;
   for (int b = 0; b < m.head->bodies; ++b) find_free_motions(m, b);
+  if (m.head->rigid != 0) m.head->body[0].free_motions = 0;
   return true;
 }
 

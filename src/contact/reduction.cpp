@@ -16,8 +16,26 @@ c2d_status factor(const Reduction& r, Real* matrix) {
   return lu_factor(r.tape.m, matrix, r.tape.m, r.pivots, nullptr) == 0 ? C2D_OK : C2D_ERR_SINGULAR;
 }
 
+// A rigid body 1 does not give way, F = 0, and v is its motion at the pairs.
+c2d_status move_rigidly(const Reduction& r) {
+  const int32_t m = r.tape.m;
+  for (int64_t i = 0; i < static_cast<int64_t>(m) * m; ++i) r.second[i] = 0;
+  c2d_status status = write_matrix(r.tape, Matrix::flexibility, r.second);
+  for (int32_t k = 0; k < r.tape.cases && status == C2D_OK; ++k) {
+    for (int32_t i = 0; i < r.model.head->pairs; ++i) {
+      const Pair& pair = r.model.pair[i];
+      double v[2];
+      rigid_motion_at_pair(r.model, pair, k, v);
+      for (int32_t d = 0; d <= pair.tangential; ++d) r.strip[pair.dof + d] = static_cast<Real>(v[d]);
+    }
+    status = write_column(r.tape, Matrix::flexibility_load, k, r.strip);
+  }
+  return status;
+}
+
 // F and v of the inverted body; F stays in `second`, its factored S_u in `first`.
 c2d_status invert_body(const Reduction& r) {
+  if (r.model.head->rigid != 0) return move_rigidly(r);
   const int32_t m = r.tape.m;
   c2d_status status = read_matrix(r.tape, of_body(Matrix::displacement1, r.inverted), r.first);
   if (status == C2D_OK) status = factor(r, r.first);
@@ -100,6 +118,14 @@ c2d_status form_stiffness(const Reduction& r) {
 }
 
 } // namespace
+
+void rigid_motion_at_pair(const Model& m, const Pair& pair, int32_t load_case, double v[2]) {
+  double x, y, u[2];
+  node_position(m, 0, pair.node[0], &x, &y);
+  rigid_displacement(m, load_case, x, y, u);
+  v[0] = (u[0] * pair.nx + u[1] * pair.ny) / m.head->length_unit;
+  v[1] = (u[0] * pair.ny - u[1] * pair.nx) / m.head->length_unit;
+}
 
 c2d_status reduce(const Reduction& r) {
   c2d_status (*const steps[])(const Reduction&) = {invert_body, form_compliance, form_closing, form_stiffness};

@@ -23,6 +23,9 @@ struct Reduction {
 };
 constexpr int32_t kStripColumns = 4;
 
+// Motion of the rigid body 1 at a pair: along n and t, in the length unit, at factor 1 of a load case.
+void rigid_motion_at_pair(const Model& m, const Pair& pair, int32_t load_case, double v[2]);
+
 // Reads the six matrices of the bodies, writes the other six. C2D_ERR_SINGULAR if a pivot is unusable.
 c2d_status reduce(const Reduction& r);
 

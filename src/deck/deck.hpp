@@ -40,6 +40,8 @@ struct DeckSink {
   c2d_status (*set_zone_friction)(c2d_solver*, int32_t zone, int32_t i, double mu);
   c2d_status (*set_units)(c2d_solver*, const char* length, const char* force);
   c2d_status (*set_symmetry)(c2d_solver*, int32_t axis, double value);
+  c2d_status (*set_rigid)(c2d_solver*, int32_t load_case, double ux, double uy, double rotation, double x0,
+                          double y0);
   c2d_status (*set_interference)(c2d_solver*, int32_t load_case);
   c2d_status (*set_body_force)(c2d_solver*, int32_t body, int32_t load_case, double bx, double by,
                                double rho_omega2, double x0, double y0);

@@ -18,10 +18,11 @@ struct Keyword {
 //   *PATH                    history.cpp    pieces of path through their factors, instead of the load cards
 //   *FRICTION                history.cpp    coefficients by zone
 //   *SYMMETRY X value        symmetry.cpp   line x = value (Y: y = value), everything mirrored across it
+//   *ZONE e1 e1 e2 e2        free_zones.cpp contact between elements of both bodies, meshed independently
+//   *RIGID                   rigid.cpp      body 1 is a rigid obstacle, with motions by load case
 //   *INTERFERENCE load_case  interference.cpp   initial overlaps are closed as a load case
 //   *BODY FORCE ...          body_force.cpp weight and rotation of a body in a load case
-//   *ZONE e1 e1 e2 e2        free_zones.cpp contact between elements of both bodies, meshed independently
-// Names set aside for: *RIGID, *POINTS.
+// Names set aside for: *POINTS.
 constexpr Keyword kKeywords[] = {
     {"UNITS", read_units, false},
     {"CASES", read_cases, false},
@@ -30,6 +31,7 @@ constexpr Keyword kKeywords[] = {
     {"SYMMETRY", read_symmetry, true},
     {"BODY FORCE", read_body_force, true},
     {"INTERFERENCE", read_interference, false},
+    {"RIGID", read_rigid, false},
     {"ZONE", read_free_zone, true},
 };
 constexpr int32_t kKeywordCount = static_cast<int32_t>(sizeof kKeywords / sizeof kKeywords[0]);

@@ -61,6 +61,7 @@ c2d_status walk(Reading& reading) {
   sink.set_zone_friction = c2d_set_zone_friction;
   sink.set_units = c2d_set_units;
   sink.set_symmetry = c2d_set_symmetry;
+  sink.set_rigid = c2d_set_rigid;
   sink.set_interference = c2d_set_interference;
   sink.set_body_force = c2d_set_body_force;
   sink.add_free_zone = c2d_add_free_zone;

@@ -105,6 +105,7 @@ c2d_status lay_out(const Sizes& sizes, uint64_t header, Layout& out) {
   const uint64_t per_case = energy_numbers(static_cast<uint64_t>(sizes.contact), cases) / cases;
   carver.carve(kEnergy, cases, per_case * sizeof(double));
   carver.carve(kBodyForces, 2 * cases, kBodyForceBytes);
+  carver.carve(kRigidMotions, cases, kRigidMotionBytes);
   carver.carve(kPhase, 0, 1);
   out.persistent = carver.used;
   return carver.fits ? C2D_OK : C2D_ERR_OVERFLOW;

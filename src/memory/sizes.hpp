@@ -6,7 +6,7 @@ namespace c2d {
 
 // Bytes of one element of the arrays whose types belong to the model (checked there with static_assert).
 constexpr uint64_t kRegionBytes = 16, kZoneBytes = 64, kPairBytes = 176, kPointLoadBytes = 48, kPathBytes = 16,
-                   kBodyForceBytes = 40;
+                   kBodyForceBytes = 40, kRigidMotionBytes = 40;
 
 // Every array that lives in the workspace, in the order in which memory is carved. Two arrays per body follow one
 // another (`kXy + body`). The README maps them to the arrays of the 1987 program.
@@ -29,8 +29,9 @@ enum ArrayId : int32_t {
   kPathLoads = 23,    // double [paths * cases]           factors at the end of each piece of the path
   kEnergy = 24,       // double [energy_numbers]          solver/energy.hpp
   kBodyForces = 25,   // BodyForce [2 * cases]            of both bodies, case by case
-  kPhase = 26,        // the rest: what assembly, reduction and contact use one after another (A)
-  kArrays = 27
+  kRigidMotions = 26, // RigidMotion [cases]              of body 1
+  kPhase = 27,        // the rest: what assembly, reduction and contact use one after another (A)
+  kArrays = 28
 };
 
 // What a model within given limits needs, per body.

@@ -26,6 +26,10 @@ struct Path {
 struct BodyForce {
   double bx, by, rho_omega2, x0, y0;
 };
+// A load case's motion of a rigid body 1: (ux, uy) and a rotation about (x0, y0), linear in the angle.
+struct RigidMotion {
+  double ux, uy, rotation, x0, y0;
+};
 // Element k of a zone is first_element[b] + k * element_step[b] on body b; pair k joins the functional nodes
 // zone_node(..., k). Ranges may wrap round their region. In a free zone (model/free_zones.hpp) the sides are meshed
 // independently: `elements` are those of body 2, whose nodes make the pairs; body 1 has `facing` elements and no nodes.
@@ -66,7 +70,7 @@ struct Pair {
 
 static_assert(sizeof(Region) == kRegionBytes && sizeof(Zone) == kZoneBytes && sizeof(Pair) == kPairBytes &&
                   sizeof(PointLoad) == kPointLoadBytes && sizeof(Path) == kPathBytes &&
-                  sizeof(BodyForce) == kBodyForceBytes,
+                  sizeof(BodyForce) == kBodyForceBytes && sizeof(RigidMotion) == kRigidMotionBytes,
               "memory/sizes.hpp states the size of every array element");
 
 struct Body {               // lives in the solver's header
@@ -92,6 +96,7 @@ struct ModelHeader {        // lives in the solver's header; the arrays live in 
   int32_t symmetry_asked, symmetry;
   int32_t images;           // 1: elements on a symmetry line are replaced by images
   int32_t interference;     // the load case, from 1, whose factor closes initial overlaps; 0: there may be none
+  int32_t rigid;            // 1: body 1 has no equations, it moves as the load cases say
   int32_t body_forces;      // bodies with body forces: 1: body 1, 2: body 2
   double line_at[2], line_side[2];
   double length_unit;       // power of two near the size of the bodies
@@ -116,6 +121,7 @@ struct Model { // a view, rebuilt at every entry into the library: plain pointer
   PointLoad* point_load;
   double* friction;
   Path* path;
+  RigidMotion* rigid_motion; // [case]
   BodyForce* body_force;    // [2 * case + body]
   double* path_load;        // [path * cases + case]
 };
@@ -171,6 +177,14 @@ struct Unknown {
 };
 Unknown unknown_at(const Model& m, int b, int32_t node, int component);
 bool displacement_known(const Model& m, int b, int32_t node, int component);
+
+inline bool is_rigid(const Model& m, int b) { return b == 0 && m.head->rigid != 0; }
+// Displacement of a point of the rigid body 1 in a load case, at factor 1.
+inline void rigid_displacement(const Model& m, int32_t load_case, double x, double y, double u[2]) {
+  const RigidMotion& motion = m.rigid_motion[load_case];
+  u[0] = motion.ux - motion.rotation * (y - motion.y0);
+  u[1] = motion.uy + motion.rotation * (x - motion.x0);
+}
 
 // (u2 - u1).n + this is the normal gap, at these load factors: the initial gap, or less the overlap closed so far.
 inline double effective_gap(const ModelHeader& head, const Pair& pair, const double* load) {

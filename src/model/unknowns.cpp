@@ -100,7 +100,7 @@ void set_units(const Model& m) {
   for (int b = 0; b < m.head->bodies; ++b) {
     const Box box = box_of_body(m, b);
     size = fmax(size, fmax(box.x_max - box.x_min, box.y_max - box.y_min));
-    modulus = fmin(modulus, 2 * shear_modulus(m, b));
+    modulus = is_rigid(m, 0) ? 2 * shear_modulus(m, b) : fmin(modulus, 2 * shear_modulus(m, b));
   }
   m.head->length_unit = size > 0 ? power_of_two_near(size) : 1;
   m.head->stress_unit = modulus > 0 ? power_of_two_near(modulus) : 1;

@@ -79,6 +79,7 @@ void check_double_node(const Model& m, int b, int32_t node, int component, Repor
 bool validate_conditions(const Model& m, bool frames, Reporter& reporter) {
   const int32_t before = reporter.faults;
   for (int b = 0; b < m.head->bodies; ++b) {
+    if (is_rigid(m, b)) continue; // nothing is solved for there
     for (int32_t node = 0; node < body_of(m, b).nodes; ++node) {
       if (!frames && pair_of_node(m, b, node) >= 0) continue;
       for (int component = 0; component < 2; ++component) {

@@ -126,8 +126,33 @@ void fill_end_traction(const Session& session, int b, int32_t element, int l) {
   for (int c = 0; c < 2; ++c) t[c] += transferred[c];
 }
 
+// Of the rigid body 1: its motion, and what the contact does to it.
+void fill_rigid(const Session& session) {
+  const Model& m = session.model;
+  for (int32_t node = 0; node < m.head->body[0].nodes; ++node) {
+    double* u = session.area.displacement[0] + 2 * static_cast<int64_t>(node);
+    double x, y;
+    node_position(m, 0, node, &x, &y);
+    rigid_displacement_now(session, x, y, u);
+  }
+  for (int32_t element = 0; element < m.head->body[0].elements; ++element)
+    for (int l = 0; l < m.head->function_nodes; ++l) {
+      double* t = session.area.traction[0] + 2 * (static_cast<int64_t>(element) * m.head->function_nodes + l);
+      const int32_t index = pair_of_end(m, 0, element, l);
+      t[0] = t[1] = 0.0;
+      if (index < 0) continue;
+      const PairState now = pair_state(*session.follower.t, index, session.follower.y);
+      to_global(m.pair[index], -now.p * m.head->stress_unit, -now.q * m.head->stress_unit, t);
+    }
+  for (double& multiplier : session.solver->multiplier[0]) multiplier = 0.0;
+}
+
 c2d_status back_substitute_body(Session& session, int b) {
   const Model& m = session.model;
+  if (is_rigid(m, b)) {
+    fill_rigid(session);
+    return C2D_OK;
+  }
   trailing_coefficients(session, b, session.area.coefficient);
   const c2d_status status = back_substitute(session.solver->plan[b], session.solver->tapes, session.area.coefficient,
                                             session.area.outer, session.area.work);
@@ -192,7 +217,7 @@ void sum_forces(Session& session, int b) {
       for (int c = 0; c < 2; ++c) t[c] = total[c] - t[c];
       const EndResultant& w = own[l];
       for (int c = 0; c < 2; ++c) {
-        if (index >= 0 && unknown_at(m, b, node, c).kind == UnknownKind::contact) continue;
+        if (index >= 0 && (is_rigid(m, b) || unknown_at(m, b, node, c).kind == UnknownKind::contact)) continue;
         add_force(applied, c == 0 ? unit * w.w * t[0] : 0.0, c == 1 ? unit * w.w * t[1] : 0.0,
                   unit * unit * (c == 1 ? w.wx * t[1] : -w.wy * t[0]));
       }
@@ -211,6 +236,8 @@ void sum_forces(Session& session, int b) {
     const double f = session.follower.load[k];
     add_force(applied, f * force[0], f * force[1], f * force[2]);
   }
+  if (!is_rigid(m, b)) return;
+  for (int i = 0; i < 3; ++i) applied[i] = -contact[i]; // what holds it
 }
 
 // Part of a force along the translations that the body is free to follow; all of it if it is held.

@@ -192,6 +192,10 @@ BoundaryState boundary_state(const Session& session, int b, int32_t element, dou
 namespace {
 
 PlaneStress stress_at(const Session& session, int b, int32_t element, double eta, double* hoop) {
+  if (is_rigid(session.model, b)) { // a rigid body has none that could be known
+    *hoop = 0.0;
+    return {0.0, 0.0, 0.0};
+  }
   const BoundaryState s = boundary_state(session, b, element, eta);
   const Model& m = session.model;
   return boundary_stress(s.n, s.t, s.du_ds, shear_modulus(m, b), strain_poisson_ratio(m, b), hoop);
@@ -228,6 +232,7 @@ BoundaryState mirrored_state(const BoundaryState& s, int image) {
 
 // On an element; at its ends from both elements that meet there: from their tractions at a corner, else the mean.
 PlaneStress joint_stress(const Session& session, int b, int32_t element, double eta) {
+  if (is_rigid(session.model, b)) return {0.0, 0.0, 0.0};
   double hoop;
   const PlaneStress here = stress_at(session, b, element, eta, &hoop);
   if (fabs(eta) < 1.0) return here;

@@ -291,6 +291,17 @@ void add_body_force(Adjoint& a, int32_t k) {
   }
 }
 
+// What holds the rigid body 1 against the contact, times its motion in case k.
+void add_rigid_motion(Adjoint& a, int32_t k) {
+  const Model& m = a.model();
+  for (int32_t i = 0; i < m.head->pairs; ++i) {
+    const Pair& pair = m.pair[i];
+    double v[2];
+    rigid_motion_at_pair(m, pair, k, v);
+    for (int32_t d = 0; d <= pair.tangential; ++d) a.tau[pair.dof + d] += pair.weight * v[d];
+  }
+}
+
 // Pressures times the overlaps that case k closes.
 void add_overlaps(const Model& m, double* tau) {
   for (int32_t i = 0; i < m.head->pairs; ++i)
@@ -306,7 +317,11 @@ c2d_status add_body(Adjoint& a, int32_t k, bool reactions) {
   a.u = area.u[a.b];
   a.touched = false;
   for (int32_t j = 0; j < contact; ++j) a.u[j] = 0;
-  for (int32_t i = 0; i < outer_columns(m, a.b); ++i) a.outer[i] = 0;
+  for (int32_t i = 0; i < outer_columns(m, a.b) && !is_rigid(m, a.b); ++i) a.outer[i] = 0;
+  if (is_rigid(m, a.b)) {
+    if (reactions) add_rigid_motion(a, k);
+    return C2D_OK;
+  }
   add_boundary(a, k, reactions);
   for (int32_t i = 0; i < m.head->point_loads && !reactions; ++i)
     if (m.point_load[i].body == a.b && m.point_load[i].load_case == k) add_point_load(a, m.point_load[i]);

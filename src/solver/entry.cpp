@@ -142,6 +142,7 @@ Model model_of(c2d_solver* s) {
   m.point_load = array_of<PointLoad>(s, kPointLoads);
   m.friction = array_of<double>(s, kFriction);
   m.path = array_of<Path>(s, kPaths);
+  m.rigid_motion = array_of<RigidMotion>(s, kRigidMotions);
   m.body_force = array_of<BodyForce>(s, kBodyForces);
   m.path_load = array_of<double>(s, kPathLoads);
   return m;

@@ -389,6 +389,11 @@ void finish_point(const Session& session, int b, const Points& points, int32_t i
     PlaneStress stress = joint_stress(session, b, element, p.eta);
     stress.xy *= fx * fy;
     write_point(session, b, u, stress, C2D_POINT_BOUNDARY, out);
+  } else if (is_inside(p, b) && is_rigid(m, b)) {
+    double u[2];
+    rigid_displacement_now(session, points.x(i) * points.unit, points.y(i) * points.unit, u);
+    for (int c = 0; c < 2; ++c) u[c] *= c == 0 ? fx : fy;
+    write_point(session, b, u, PlaneStress{0.0, 0.0, 0.0}, C2D_POINT_INSIDE, out);
   } else if (is_inside(p, b)) {
     const double x = points.x(i), y = points.y(i), g = shear_modulus(m, b);
     complete_sums(session, b, points, x, y, p);
@@ -404,7 +409,7 @@ void finish_point(const Session& session, int b, const Points& points, int32_t i
 c2d_status evaluate_body(const Session& session, int b, const Points& points) {
   c2d_status status = place_points(session, b, points);
   for (int32_t element = 0; element < session.model.head->body[b].elements && status == C2D_OK; ++element) {
-    if (!is_integrated(session.model, b, element)) continue;
+    if (!is_integrated(session.model, b, element) || is_rigid(session.model, b)) continue;
     status = pause(session, b, element);
     if (status == C2D_OK) add_elements_values(session, b, element, points);
   }

@@ -39,6 +39,7 @@ uint64_t hash_model(const Model& m, const c2d_options& options) {
     hash = hash_array(hash, m.end_code[b], ends);
     hash = hash_array(hash, m.region[b], body.regions);
   }
+  if (m.head->rigid != 0) hash = hash_array(hash, m.rigid_motion, m.head->load_cases);
   if (m.head->interference != 0) hash = checksum(hash, &m.head->interference, sizeof m.head->interference);
   if (m.head->body_forces != 0) hash = hash_array(hash, m.body_force, 2 * static_cast<int64_t>(m.head->load_cases));
   hash = hash_array(hash, m.zone, m.head->zones);
@@ -72,6 +73,7 @@ bool contact_holds(const Model& m, int b) {
 c2d_status open_tapes(c2d_solver* s, const Model& m) {
   uint64_t blocks[C2D_TAPES] = {}, data[C2D_TAPES] = {};
   for (int b = 0; b < m.head->bodies; ++b) {
+    if (is_rigid(m, b)) continue;
     const TapeUse lower = lower_use(s->plan[b]), upper = upper_use(s->plan[b]);
     s->plan[b].lower_first_block = blocks[C2D_TAPE_LOWER];
     s->plan[b].upper_first_block = blocks[C2D_TAPE_UPPER];
@@ -214,7 +216,8 @@ c2d_status run_phases(c2d_solver* s, const Model& m) {
   s->peak_bytes = s->layout.persistent + phases_use(sizes, s->plan, flexibility);
   status = begin_run(s->tapes, hash_model(m, s->options), array_of<char>(s, kPhase));
   if (status == C2D_OK) status = open_tapes(s, m);
-  for (int b = 0; b < m.head->bodies && status == C2D_OK; ++b) status = eliminate_body(s, m, sizes, b);
+  for (int b = 0; b < m.head->bodies && status == C2D_OK; ++b)
+    if (!is_rigid(m, b)) status = eliminate_body(s, m, sizes, b);
   if (status == C2D_OK) status = reduce_bodies(s, m, sizes);
   return status == C2D_OK ? build_energy(s, m) : status;
 }
@@ -257,6 +260,7 @@ PhaseSizes model_sizes(const Model& m) {
     const Body& body = m.head->body[b];
     sizes.nodes[b] = body.nodes;
     sizes.ends[b] = static_cast<int64_t>(body.elements) * m.head->function_nodes;
+    if (is_rigid(m, b)) continue;
     sizes.rows[b] = system_rows(m, b);
     sizes.outer[b] = outer_columns(m, b);
   }

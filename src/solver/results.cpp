@@ -127,7 +127,7 @@ void fill_model(c2d_solver* s, c2d_summary& out) {
     out.geometry_nodes[b] = body.geometry_nodes;
     out.element_nodes[b] = body.element_nodes;
     out.regions[b] = body.regions;
-    out.unknowns[b] = body.nodes > 0 ? 2 * body.nodes + 3 : 0;
+    out.unknowns[b] = body.nodes > 0 && !(b == 0 && m.rigid != 0) ? 2 * body.nodes + 3 : 0;
     out.youngs_modulus[b] = body.youngs_modulus;
     out.poisson_ratio[b] = body.poisson_ratio;
   }

@@ -47,6 +47,15 @@ constexpr double kNoPressure = 1e-9; // of the largest on the path
 void find_outcome_motion(Session& session, c2d_outcome outcome);
 // Look at the residual of the contact equations, and build the tableau anew if it has grown. Errors: the block store's.
 c2d_status guard_drift(Session& session, bool always);
+// Displacement of a point of the rigid body 1 at the load reached.
+inline void rigid_displacement_now(const Session& session, double x, double y, double u[2]) {
+  u[0] = u[1] = 0.0;
+  for (int32_t k = 0; k < session.model.head->load_cases; ++k) {
+    double part[2];
+    rigid_displacement(session.model, k, x, y, part);
+    for (int c = 0; c < 2; ++c) u[c] += session.follower.load[k] * part[c];
+  }
+}
 // Everything outside the contact, force balance (2.5). Errors: the block store's.
 c2d_status back_substitute_all(Session& session);
 
