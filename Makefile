@@ -98,8 +98,9 @@ test: $(TESTS) $(PROGRAM) $(LIBRARY) $(SHARED)
 demo: $(PROGRAM)
 	@mkdir -p $(BUILD)/demo
 	$(PROGRAM) run examples/hertz.dat --listing $(BUILD)/demo/hertz.lst --csv $(BUILD)/demo/hertz.csv \
-	  --boundary $(BUILD)/demo/hertz_boundary.csv --json $(BUILD)/demo/hertz.json
-	@echo 'Results: $(BUILD)/demo/hertz.lst (listing), hertz.csv, hertz_boundary.csv, hertz.json'
+	  --boundary $(BUILD)/demo/hertz_boundary.csv --json $(BUILD)/demo/hertz.json --report $(BUILD)/demo/report.html
+	@echo 'Results: $(BUILD)/demo/hertz.lst (listing), hertz.csv, hertz_boundary.csv, hertz.json;'
+	@echo 'pictures: $(BUILD)/demo/report.html (open it with a browser)'
 
 # Speed, as a table: make bench SAVE=file keeps it, BASE=file compares with one that was kept.
 BENCH_OBJECTS := $(patsubst tests/bench/%.cpp,$(BUILD)/bench/%.o,$(wildcard tests/bench/*.cpp))

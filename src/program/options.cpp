@@ -18,8 +18,9 @@ const Known kRunOptions[] = {{"--listing", true},   {"--csv", true},          {"
                              {"--json", true},      {"--stepping", true},     {"--quadrature", true},
                              {"--symmetry", true},
                              {"--memory", true},    {"--store", true},        {"--threads", true},
+                             {"--report", true},    {"--figures", true},      {"--vtk", true},
                              {"--progress", false}, {"--no-progress", false}, {"--keep", false}};
-const char* const kLaterOptions[] = {"--points", "--interior", "--report", "--figures", "--vtk"};
+const char* const kLaterOptions[] = {"--points", "--interior"};
 const char* const kLaterCommands[] = {"make", "resume"};
 
 template <size_t n> bool is_one_of(const std::string& word, const char* const (&list)[n]) {
@@ -50,6 +51,9 @@ bool set_option(Options& o, const std::string& name, const std::string& value, s
   if (name == "--csv") o.csv = value;
   if (name == "--boundary") o.boundary = value;
   if (name == "--json") o.json = value;
+  if (name == "--report") o.report = value;
+  if (name == "--figures") o.figures = value;
+  if (name == "--vtk") o.vtk = value;
   if (name == "--progress") o.progress = Progress::kAlways;
   if (name == "--no-progress") o.progress = Progress::kNever;
   if (name == "--keep") o.keep = true;
@@ -229,6 +233,10 @@ const char* help_text() {
          "  --csv FILE         contact results, a row per pair and recorded step\n"
          "  --boundary FILE    CSV of every element end of every body at the last step\n"
          "  --json FILE        summary of the run\n"
+         "  --report FILE      one HTML page with pictures of the model and the results\n"
+         "  --figures DIR      the same pictures as single SVG files\n"
+         "  --vtk FILE         boundary with displacements, tractions and stresses at the last step, for "
+         "ParaView\n"
          "  --stepping WORD    events (default): follow every change of status; deck: the increments of the "
          "deck\n"
          "  --quadrature WORD  accurate (default) or thesis: the rule of 2, 4 and 10 points\n"

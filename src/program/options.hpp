@@ -12,10 +12,11 @@ enum class Progress { kAutomatic, kAlways, kNever };
 struct Options {
   Command command = Command::kHelp;
   std::string deck;
-  std::string listing, csv, boundary, json; // empty: not asked for; "-": standard output
-  std::string store;                        // empty: chosen by size; "memory"; "file:DIR"
-  std::string convert_to, output;           // of convert: empty (the other form), "fixed", "free"; FILE
-  uint64_t memory = 0;                      // workspace bytes; 0: chosen by size
+  std::string listing, csv, boundary, json, report, vtk; // empty: not asked for; "-": standard output
+  std::string figures;                                   // folder; empty: not asked for
+  std::string store;                                     // empty: chosen by size; "memory"; "file:DIR"
+  std::string convert_to, output; // of convert: empty (the other form), "fixed", "free"; FILE
+  uint64_t memory = 0;            // workspace bytes; 0: chosen by size
   int32_t threads = 1;
   int32_t stepping = 0, quadrature = 0, symmetry = 0; // C2D_STEPPING_, C2D_QUADRATURE_, C2D_SYMMETRY_
   Progress progress = Progress::kAutomatic;

@@ -3,50 +3,67 @@
 #include <sys/stat.h>
 
 namespace app {
+namespace {
 
-bool Outputs::open(const Options& options, std::string& error) {
-  const bool taken = options.csv == "-" || options.boundary == "-" || options.json == "-";
-  const std::string& wanted = options.listing;
-  if (!wanted.empty() && !listing.open(wanted, error)) return false;
-  if (wanted.empty() && !taken && !listing.open("-", error)) return false;
-  if (!options.csv.empty() && !csv.open(options.csv, error)) return false;
-  if (!options.boundary.empty() && !boundary.open(options.boundary, error)) return false;
-  return options.json.empty() || json.open(options.json, error);
+constexpr int kNamed = 7; // the deck and the outputs that are single files
+struct Named {
+  const std::string* name;
+  const char* what;
+};
+
+} // namespace
+
+bool Outputs::open(const Options& o, std::string& error) {
+  const auto wanted = [&](const std::string& name, OutputFile& file) {
+    return name.empty() || file.open(name, error);
+  };
+  bool taken = false;
+  for (const std::string* name : {&o.csv, &o.boundary, &o.json, &o.report, &o.vtk})
+    taken = taken || *name == "-";
+  if (o.listing.empty() && !taken && !listing.open("-", error)) return false;
+  return wanted(o.listing, listing) && wanted(o.csv, csv) && wanted(o.boundary, boundary) &&
+         wanted(o.json, json) && wanted(o.report, report) && wanted(o.vtk, vtk) &&
+         (o.figures.empty() || figures.open(o.figures, error));
 }
 
 bool Outputs::flush(std::string& error) {
-  for (OutputFile* file : {&listing, &csv, &boundary, &json})
+  for (OutputFile* file : {&listing, &csv, &boundary, &json, &report, &vtk})
     if (file->is_open() && !file->flush(error)) return false;
   return true;
 }
 
 bool Outputs::publish(std::string& error) {
-  OutputFile* const files[] = {&listing, &csv, &boundary, &json};
+  std::vector<OutputFile*> files = figures.files();
+  for (OutputFile* file : {&listing, &csv, &boundary, &json, &report, &vtk}) files.push_back(file);
   for (OutputFile* file : files) // what can be taken back first
     if (file->renames() && !file->finish(error)) return false;
   for (OutputFile* file : files)
     if (!file->finish(error)) return false;
   for (OutputFile* file : files)
     if (!file->publish(error)) return false;
+  figures.keep();
   return true;
 }
 
-std::string find_clash(const Options& options) {
-  const std::string* const names[] = {&options.deck, &options.listing, &options.csv, &options.boundary,
-                                      &options.json};
-  static const char* const kWhat[] = {"the deck", "--listing", "--csv", "--boundary", "--json"};
-  struct stat about[5];
-  bool regular[5];
-  for (int i = 0; i < 5; ++i)
-    regular[i] = !names[i]->empty() && *names[i] != "-" && ::stat(names[i]->c_str(), &about[i]) == 0 &&
-                 S_ISREG(about[i].st_mode);
-  for (int i = 0; i < 5; ++i)
-    for (int k = i + 1; k < 5; ++k) {
-      const bool same_name = i > 0 && *names[i] == *names[k] && !names[i]->empty() && *names[i] != "-" &&
-                             ::stat(names[i]->c_str(), &about[i]) != 0;
+std::string find_clash(const Options& o) {
+  const Named all[kNamed] = {
+      {&o.deck, "the deck"}, {&o.listing, "--listing"}, {&o.csv, "--csv"}, {&o.boundary, "--boundary"},
+      {&o.json, "--json"},   {&o.report, "--report"},   {&o.vtk, "--vtk"}};
+  struct stat about[kNamed];
+  bool regular[kNamed];
+  for (int i = 0; i < kNamed; ++i) {
+    const std::string& name = *all[i].name;
+    regular[i] =
+        !name.empty() && name != "-" && ::stat(name.c_str(), &about[i]) == 0 && S_ISREG(about[i].st_mode);
+  }
+  for (int i = 0; i < kNamed; ++i)
+    for (int k = i + 1; k < kNamed; ++k) {
+      const std::string &a = *all[i].name, &b = *all[k].name;
+      const bool same_name = i > 0 && a == b && !a.empty() && a != "-" && ::stat(a.c_str(), &about[i]) != 0;
       const bool same_file = regular[i] && regular[k] && about[i].st_dev == about[k].st_dev &&
                              about[i].st_ino == about[k].st_ino;
-      if (same_name || same_file) return std::string(kWhat[i]) + " and " + kWhat[k] + " are the same file";
+      if (same_name || same_file)
+        return std::string(all[i].what) + " and " + all[k].what + " are the same file";
     }
   return std::string();
 }

@@ -1,6 +1,7 @@
 // All outputs of a run: opened before the work, published together after it.
 #pragma once
 
+#include "program/figure_folder.hpp"
 #include "program/options.hpp"
 #include "program/output_file.hpp"
 
@@ -9,7 +10,8 @@
 namespace app {
 
 struct Outputs {
-  OutputFile listing, csv, boundary, json;
+  OutputFile listing, csv, boundary, json, report, vtk;
+  FigureFolder figures;
 
   // Opens those that are asked for; the listing goes to standard output by default, unless another output
   // does.

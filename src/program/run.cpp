@@ -9,8 +9,10 @@
 #include "report/csv.hpp"
 #include "report/json.hpp"
 #include "report/listing.hpp"
+#include "report/page.hpp"
 #include "report/record.hpp"
 #include "report/text.hpp"
+#include "report/vtk.hpp"
 
 #include <cstdio>
 
@@ -35,6 +37,8 @@ private:
   void stopped_before_load(c2d_status status);
   void show_contact_zone();
   int report();
+  c2d_status show_pictures();
+  bool has_pictures() const { return outputs_.report.is_open() || outputs_.figures.is_open(); }
   int close_store();
   int publish();
   int file_failed() {
@@ -51,6 +55,8 @@ private:
   Session session_;
   Outputs outputs_;
   RunRecord record_;
+  History history_;            // only if there will be pictures
+  bool shows_changes_ = false; // the deck wants every change of status in the listing
   c2d_summary summary_ = C2D_INIT(c2d_summary);
   std::vector<ContactEnd> ends_[2];
   int32_t coefficient_shown_ = 0; // the coefficient whose heading stands in the listing
@@ -65,6 +71,8 @@ void Run::on_log(void* context, const c2d_error* entry) {
 
 int32_t Run::on_step(void* context, const c2d_step* step) {
   Run& run = self(context);
+  if (run.has_pictures()) run.history_.note(*step);
+  if (step->kind == C2D_STEP_CHANGE && !run.shows_changes_) return 0;
   const CoefficientRecord* before =
       static_cast<size_t>(step->coefficient) <= run.record_.coefficients.size()
           ? &run.record_.coefficients[static_cast<size_t>(step->coefficient) - 1]
@@ -143,8 +151,10 @@ int Run::prepare() {
   c2d_options options = C2D_INIT(c2d_options);
   options.stepping = options_.stepping;
   options.quadrature = options_.quadrature;
+  shows_changes_ = summary_.analysis >= C2D_ANALYSIS_ITERATIONS;
+  options.every_change = shows_changes_ || has_pictures();
+  history_.begin(summary_.steps);
   options.symmetry = options_.symmetry;
-  options.every_change = summary_.analysis >= C2D_ANALYSIS_ITERATIONS;
   c2d_status status = c2d_set_options(solver, &options);
   c2d_get_summary(solver, &summary_);
   if (status == C2D_OK && outputs_.listing.is_open())
@@ -212,13 +222,32 @@ int Run::report() {
     const bool all = summary_.analysis == C2D_ANALYSIS_STRESS || summary_.analysis >= C2D_ANALYSIS_FULL;
     if (solved && all) status = append_global(out, solver, summary_);
   }
+  record_.warnings = session_.messages.warnings();
+  if (status == C2D_OK) status = show_pictures();
   if (status != C2D_OK) return library_failed(status);
   c2d_get_summary(solver, &summary_);
-  record_.warnings = session_.messages.warnings();
   if (outputs_.listing.is_open()) append_ending(outputs_.listing.text, record_, summary_);
   record_.write_seconds = clock_seconds(nullptr) - start;
   if (outputs_.json.is_open()) append_json(outputs_.json.text, record_, summary_);
   return 0;
+}
+
+// The pictures as a page and as files, and the boundary for ParaView.
+c2d_status Run::show_pictures() {
+  if (!has_pictures() && !outputs_.vtk.is_open()) return C2D_OK;
+  Scene scene;
+  c2d_status status = gather_scene(session_.solver, record_, history_, scene);
+  if (status == C2D_OK && outputs_.vtk.is_open()) status = append_vtk(outputs_.vtk.text, scene, {});
+  if (status != C2D_OK || !has_pictures()) return status;
+  Pictures pictures;
+  status = draw_pictures(scene, pictures);
+  if (status == C2D_OK) status = c2d_get_summary(session_.solver, &scene.summary);
+  if (status != C2D_OK) return status;
+  if (outputs_.report.is_open()) append_page(outputs_.report.text, scene, pictures, options_.deck);
+  for (const Picture& picture : pictures)
+    if (outputs_.figures.is_open() && !outputs_.figures.add(picture.name + ".svg", picture.svg, error_))
+      return C2D_ERR_CALLBACK;
+  return C2D_OK;
 }
 
 int Run::close_store() {

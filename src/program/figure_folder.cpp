@@ -1,0 +1,42 @@
+#include "program/figure_folder.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace app {
+
+FigureFolder::~FigureFolder() {
+  files_.clear(); // what lies aside goes first
+  if (made_) ::rmdir(folder_.c_str());
+}
+
+bool FigureFolder::open(const std::string& folder, std::string& error) {
+  const auto fail = [&](int code) {
+    error = folder + ": cannot be written: " + std::strerror(code);
+    return false;
+  };
+  made_ = ::mkdir(folder.c_str(), 0777) == 0;
+  if (!made_ && errno != EEXIST) return fail(errno);
+  folder_ = folder;
+  struct stat about;
+  if (::stat(folder.c_str(), &about) != 0) return fail(errno);
+  if (!S_ISDIR(about.st_mode)) return fail(ENOTDIR);
+  return ::access(folder.c_str(), W_OK | X_OK) == 0 || fail(errno);
+}
+
+bool FigureFolder::add(const std::string& name, const std::string& text, std::string& error) {
+  files_.push_back(std::make_unique<OutputFile>());
+  if (!files_.back()->open(folder_ + "/" + name, error)) return false;
+  files_.back()->text = text;
+  return files_.back()->flush(error);
+}
+
+std::vector<OutputFile*> FigureFolder::files() const {
+  std::vector<OutputFile*> out;
+  for (const auto& file : files_) out.push_back(file.get());
+  return out;
+}
+
+} // namespace app

@@ -1,0 +1,87 @@
+#include "report/history.hpp"
+
+#include <cmath>
+
+namespace app {
+namespace {
+
+bool is_kept(int32_t step, int32_t steps) {
+  for (int32_t quarter = 1; quarter <= 3; ++quarter)
+    if (step < steps && step == (static_cast<int64_t>(steps) * quarter + 2) / 4) return true;
+  return false;
+}
+
+} // namespace
+
+void History::note(const c2d_step& step) {
+  const size_t index = step.coefficient > 0 ? static_cast<size_t>(step.coefficient) - 1 : 0;
+  if (coefficients_.size() <= index) coefficients_.resize(index + 1);
+  CoefficientHistory& c = coefficients_[index];
+  c.mu = step.mu;
+  PathPoint now;
+  now.step = step.step;
+  now.kind = step.kind;
+  now.load = step.load;
+  now.travel = c.points.empty() ? 0.0 : c.points.back().travel;
+  for (int32_t k = 0; k < step.cases; ++k) {
+    const size_t at = static_cast<size_t>(k);
+    if (c.loads.size() <= at) c.loads.push_back(0.0);
+    now.travel += std::fabs(step.loads[k] - c.loads[at]);
+    c.loads[at] = step.loads[k];
+  }
+  now.events = (c.points.empty() ? 0 : c.points.back().events) + (step.kind == C2D_STEP_CHANGE ? 1 : 0);
+  const size_t pairs = static_cast<size_t>(step.pairs);
+  const bool keep_status = status_bytes_ + pairs <= kMostStatusBytes;
+  if (keep_status) now.status.resize(pairs);
+  for (size_t p = 0; p < pairs; ++p) {
+    const double* row = step.table + static_cast<int64_t>(p) * step.stride;
+    const int status = static_cast<int>(row[C2D_STATUS]);
+    if (status >= 0 && status < 3) ++now.count[status];
+    if (p == 0 || row[C2D_TN] > now.peak) now.peak = row[C2D_TN];
+    if (keep_status) now.status[p] = static_cast<char>(status);
+  }
+  if (keep_status) status_bytes_ += pairs;
+  c.points.push_back(now);
+  if (step.kind == C2D_STEP_CHANGE) return;
+  c.energy.push_back({now.travel, step.load, step.work, step.dissipated, step.elastic, step.energy_defect});
+  if (step.kind != C2D_STEP_RECORDED || !is_kept(step.step, steps_)) return;
+  Snapshot kept;
+  kept.step = step.step;
+  kept.load = step.load;
+  for (size_t p = 0; p < pairs; ++p) {
+    const double* row = step.table + static_cast<int64_t>(p) * step.stride;
+    kept.table.insert(kept.table.end(), row, row + C2D_PAIR_FIELDS);
+  }
+  c.earlier.push_back(kept);
+}
+
+bool rises(const CoefficientHistory& history) {
+  if (history.loads.size() > 1) return false;
+  double last = 0.0;
+  for (const PathPoint& p : history.points) {
+    if (p.load < last) return false;
+    last = p.load;
+  }
+  return last > 0.0;
+}
+
+std::vector<double> positions_by_step(const CoefficientHistory& history) {
+  std::vector<double> out;
+  const std::vector<PathPoint>& points = history.points;
+  double start = 0.0;
+  for (size_t first = 0; first < points.size();) {
+    size_t end = first + 1;
+    while (end < points.size() && points[end].step == points[first].step) ++end;
+    const double whole = points[end - 1].travel - start;
+    for (size_t i = first; i < end; ++i) {
+      const double by_count = static_cast<double>(i - first + 1) / static_cast<double>(end - first);
+      const double part = whole > 0.0 ? (points[i].travel - start) / whole : by_count;
+      out.push_back(points[i].step - 1 + part);
+    }
+    start = points[end - 1].travel;
+    first = end;
+  }
+  return out;
+}
+
+} // namespace app

@@ -1,0 +1,60 @@
+// The load path as the pictures need it: every change of status in brief, and the whole table at a few steps.
+#pragma once
+
+#include <contact2d.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace app {
+
+// One call of the step callback.
+struct PathPoint {
+  int32_t step = 0, kind = 0;   // C2D_STEP_...
+  double load = 0.0;            // of load case 1
+  double travel = 0.0;          // sum of the changes of all load factors so far
+  double peak = 0.0;            // largest tn
+  int32_t count[3] = {0, 0, 0}; // open, stick, slip
+  int32_t events = 0;           // so far, this one included
+  std::string status;           // a byte per pair: C2D_OPEN ...; empty once kMostStatusBytes are in use
+};
+struct Snapshot {
+  int32_t step = 0;
+  double load = 0.0;
+  std::vector<double> table; // C2D_PAIR_FIELDS numbers per pair
+};
+// Work and its whereabouts at a recorded step.
+struct EnergyPoint {
+  double travel, load, work, dissipated, elastic, defect;
+};
+struct CoefficientHistory {
+  double mu = 0.0;
+  std::vector<PathPoint> points;
+  std::vector<double> loads;     // factors reached, per load case
+  std::vector<Snapshot> earlier; // at about a quarter, a half and three quarters of the steps
+  std::vector<EnergyPoint> energy;
+};
+
+class History {
+public:
+  // `steps`: increments of all load cards.
+  void begin(int32_t steps) { steps_ = steps; }
+  void note(const c2d_step& step);
+  const std::vector<CoefficientHistory>& coefficients() const { return coefficients_; }
+
+private:
+  static constexpr size_t kMostStatusBytes = size_t{1} << 26;
+  std::vector<CoefficientHistory> coefficients_;
+  int32_t steps_ = 0;
+  size_t status_bytes_ = 0;
+};
+
+// Does the path consist of one load factor that only grows? Then charts are drawn over the load, else over
+// the steps.
+bool rises(const CoefficientHistory& history);
+// Where each point of the path lies between the ends of the steps: step - 1 and the part of its way that is
+// done.
+std::vector<double> positions_by_step(const CoefficientHistory& history);
+
+} // namespace app

@@ -1,0 +1,132 @@
+#include "report/axes.hpp"
+#include "report/pictures.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+namespace {
+
+// One component of force of one body.
+struct Row {
+  std::string name;
+  double applied, contact;
+};
+
+void draw_bar(Svg& svg, const Chart& chart, double y, double value, const std::string& fill,
+              const char* ink) {
+  const double zero = chart.at(0.0, 0.0).x, end = chart.at(value, 0.0).x;
+  svg.rectangle({std::min(zero, end), y, std::max(zero, end), y + 11.0}, fill, Stroke{ink, 0.8, ""});
+}
+
+std::string caption(const Scene& scene) {
+  const c2d_summary& s = scene.summary;
+  std::string out = "Forces per unit thickness on each body at the last load: loads and supports";
+  out += scene.pairs.empty() ? " add up to zero" : " and contact tractions cancel";
+  double largest = 0.0, worst = 0.0;
+  for (int32_t b = 0; b < s.bodies; ++b)
+    for (int k = 0; k < 2; ++k) {
+      largest = std::max({largest, std::fabs(s.applied[b][k]), std::fabs(s.contact[b][k])});
+      worst = std::max(worst, std::fabs(s.applied[b][k] + s.contact[b][k]));
+    }
+  if (largest > 0.0) out += " to within " + figure(worst / largest, 2) + " of the largest force";
+  if (!scene.pairs.empty())
+    out +=
+        "; the contact carries " + figure(std::hypot(s.contact[0][0], s.contact[0][1]), scene.force_unit, 6);
+  return out + ".";
+}
+
+} // namespace
+
+void draw_balance(const Scene& scene, Pictures& out) {
+  const c2d_summary& s = scene.summary;
+  std::vector<Row> rows;
+  Range range;
+  range.include(0.0);
+  for (int32_t b = 0; b < s.bodies; ++b)
+    for (int k = 0; k < 2; ++k) {
+      rows.push_back(
+          {"body " + std::to_string(b + 1) + (k == 0 ? ", fx" : ", fy"), s.applied[b][k], s.contact[b][k]});
+      range.include(s.applied[b][k]);
+      range.include(s.contact[b][k]);
+    }
+  const bool contact = !scene.pairs.empty();
+  const double row = contact ? 40.0 : 28.0, left = 96.0, right = kPictureWidth - 130.0, top = 54.0;
+  const double bottom = top + row * static_cast<double>(rows.size());
+  Svg svg("balance", kPictureWidth, bottom + 44.0);
+  const std::string hatched = svg.hatch(colour::kOrange, "#fbe3d0");
+  std::vector<LegendEntry> entries{
+      {"loads and supports", Stroke{colour::kBlue, 0.8, ""}, Mark::kNone, true, colour::kBlue}};
+  if (contact) entries.push_back({"contact", Stroke{colour::kOrange, 0.8, ""}, Mark::kNone, true, hatched});
+  draw_legend(&svg, {left, 4.0}, right - left, entries);
+  Chart chart{
+      {left, top, right, bottom}, make_axis(range, "force per thickness", scene.force_unit, 7), Axis{}};
+  chart.y.name = "";
+  chart.y.low = 0.0, chart.y.high = 1.0, chart.y.ticks = 0;
+  draw_axes(svg, chart);
+  svg.text({right + 122.0, top - 8.0}, "sum", 11.0, Anchor::kEnd);
+  for (size_t i = 0; i < rows.size(); ++i) {
+    const double y = top + row * static_cast<double>(i);
+    if (i > 0) svg.line({left, y}, {right, y}, Stroke{colour::kGrid, 0.7, ""});
+    draw_bar(svg, chart, y + 8.0, rows[i].applied, colour::kBlue, colour::kBlue);
+    if (contact) draw_bar(svg, chart, y + 22.0, rows[i].contact, hatched, colour::kOrange);
+    const double middle = y + 0.5 * row + 4.0;
+    svg.text({left - 8.0, middle}, rows[i].name, 12.0, Anchor::kEnd);
+    svg.text({right + 122.0, middle}, figure(rows[i].applied + rows[i].contact, scene.force_unit, 3), 11.0,
+             Anchor::kEnd);
+  }
+  const double zero = chart.at(0.0, 0.0).x;
+  svg.line({zero, top}, {zero, bottom}, Stroke{colour::kInk, 1.0, ""});
+  Picture picture{"balance", "Balance of forces", caption(scene), ""};
+  picture.svg = svg.finish(picture.title, picture.caption);
+  out.push_back(picture);
+}
+
+void draw_energy(const Scene& scene, Pictures& out) {
+  if (scene.history->coefficients().empty()) return;
+  const CoefficientHistory& h = scene.history->coefficients().back();
+  if (h.energy.empty()) return;
+  const bool by_load = rises(h);
+  const auto place = [&](size_t i) { return by_load ? h.energy[i].load : static_cast<double>(i + 1); };
+  Range load, size;
+  load.include(0.0);
+  size.include(0.0);
+  for (size_t i = 0; i < h.energy.size(); ++i) {
+    const EnergyPoint& e = h.energy[i];
+    load.include(place(i));
+    for (const double v : {e.work, e.elastic, e.dissipated}) size.include(v);
+  }
+  const Chart chart{{76.0, 34.0, kPictureWidth - 16.0, 284.0},
+                    make_axis(load, by_load ? "load factor" : "step", "", 9, true, !by_load),
+                    make_axis(size, "energy per thickness", scene.work_unit, 6)};
+  Svg svg("energy", kPictureWidth, 328.0);
+  const Stroke lines[] = {
+      {colour::kBlue, 2.0, ""}, {colour::kGreen, 2.0, "7 3"}, {colour::kOrange, 2.0, "2 2"}};
+  draw_legend(&svg, {76.0, 4.0}, 660.0,
+              {{"work of the loads", lines[0], Mark::kCircle, true, ""},
+               {"elastic energy", lines[1], Mark::kSquare, true, ""},
+               {"dissipated by friction", lines[2], Mark::kTriangle, true, ""}});
+  draw_axes(svg, chart);
+  const Mark marks[] = {Mark::kCircle, Mark::kSquare, Mark::kTriangle};
+  for (int k = 0; k < 3; ++k) {
+    std::vector<Point> points{chart.at(0.0, 0.0)};
+    for (size_t i = 0; i < h.energy.size(); ++i) {
+      const EnergyPoint& e = h.energy[i];
+      points.push_back(chart.at(place(i), k == 0 ? e.work : k == 1 ? e.elastic : e.dissipated));
+    }
+    svg.polyline(points, lines[k]);
+    const size_t every = points.size() / 40 + 1;
+    for (size_t i = 1; i < points.size(); i += every) svg.mark(marks[k], points[i], 5.0, lines[k].colour);
+  }
+  const EnergyPoint& last = h.energy.back();
+  Picture picture{"energy", "Balance of energy, &#956; = " + figure(h.mu), "", ""};
+  picture.caption = "At load factor " + figure(last.load) + " the loads have done the work " +
+                    figure(last.work, scene.work_unit, 6) + ": " + figure(last.elastic, scene.work_unit, 6) +
+                    " is stored, " + figure(last.dissipated, scene.work_unit, 6) +
+                    " dissipated by friction; the defect of the balance is " +
+                    figure(100.0 * last.defect, 2) + " %.";
+  picture.svg = svg.finish(picture.title, picture.caption);
+  out.push_back(picture);
+}
+
+} // namespace app

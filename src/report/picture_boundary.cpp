@@ -1,0 +1,80 @@
+#include "report/axes.hpp"
+#include "report/pictures.hpp"
+#include "report/record.hpp"
+
+#include <cmath>
+
+namespace app {
+namespace {
+
+const Stroke kLines[] = {{colour::kBlue, 1.8, ""},
+                         {colour::kOrange, 1.8, "7 3"},
+                         {colour::kGreen, 1.8, "2 2"},
+                         {colour::kPurple, 1.8, "10 3 2 3"}};
+
+struct Sample {
+  double s, hoop;
+};
+
+// Stress along one closed curve over its length, end by end.
+std::vector<Sample> follow(const BodyScene& body, const std::vector<double>& hoop, size_t first,
+                           size_t last) {
+  std::vector<Sample> out;
+  double s = 0.0;
+  for (size_t i = first; i < last; ++i) {
+    if (i > first) s += std::hypot(body.ends[i].x - body.ends[i - 1].x, body.ends[i].y - body.ends[i - 1].y);
+    out.push_back({s, hoop[i]});
+  }
+  return out;
+}
+
+} // namespace
+
+void draw_boundary_stress(const Scene& scene, Pictures& out) {
+  const c2d_summary& summary = scene.summary;
+  if (!scene.pairs.empty() || scene.bodies.empty()) return;
+  const int32_t field = C2D_END_HOOP;
+  std::vector<std::vector<double>> hoop;
+  if (get_ends(scene.solver, summary, 1, &field, 1, hoop) != C2D_OK) return;
+  std::vector<std::vector<Sample>> curves;
+  std::vector<LegendEntry> entries;
+  Range s, stress;
+  stress.include(0.0);
+  double largest = 0.0;
+  Point where;
+  for (int32_t r = 1; r <= summary.regions[0]; ++r) {
+    int32_t first = 0, last = 0;
+    if (c2d_get_region(scene.solver, 1, r, &first, &last) != C2D_OK) return;
+    const size_t from = static_cast<size_t>((first - 1) * summary.function_nodes);
+    const size_t to = static_cast<size_t>(last * summary.function_nodes);
+    curves.push_back(follow(scene.bodies[0], hoop[0], from, to));
+    for (size_t i = from; i < to; ++i)
+      if (std::fabs(hoop[0][i]) > std::fabs(largest)) largest = hoop[0][i], where = scene.bodies[0].ends[i];
+    for (const Sample& p : curves.back()) s.include(p.s), stress.include(p.hoop);
+    const Point start = scene.bodies[0].ends[from];
+    entries.push_back(
+        {"curve " + std::to_string(r) + ", s = 0 at (" + figure(start.x) + ", " + figure(start.y) + ")",
+         kLines[static_cast<size_t>(r - 1) % 4], Mark::kNone, true, ""});
+  }
+  const double left = 76.0, right = kPictureWidth - 16.0;
+  const double top = draw_legend(nullptr, {left, 4.0}, right - left, entries) + 12.0;
+  Svg svg("boundary", kPictureWidth, top + 250.0 + 44.0);
+  draw_legend(&svg, {left, 4.0}, right - left, entries);
+  const Chart chart{{left, top, right, top + 250.0},
+                    make_axis(s, "distance s along the boundary", scene.length_unit, 9),
+                    make_axis(stress, "stress along the boundary", scene.stress_unit, 6)};
+  draw_axes(svg, chart);
+  for (size_t r = 0; r < curves.size(); ++r) {
+    std::vector<Point> points;
+    for (const Sample& p : curves[r]) points.push_back(chart.at(p.s, p.hoop));
+    svg.polyline(points, kLines[r % 4]);
+  }
+  Picture picture{"boundary", "Stress along the boundary", "", ""};
+  picture.caption = "Normal stress along the boundary (hoop stress) at load factor " + figure(summary.load) +
+                    ": the largest in size is " + figure(largest, scene.stress_unit, 6) + " at (" +
+                    figure(where.x) + ", " + figure(where.y) + ").";
+  picture.svg = svg.finish(picture.title, picture.caption);
+  out.push_back(picture);
+}
+
+} // namespace app

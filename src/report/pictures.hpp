@@ -1,0 +1,54 @@
+// The pictures of a run, in the order of the page. Each is drawn by a file of its own.
+#pragma once
+
+#include "report/scene.hpp"
+
+#include <string>
+#include <vector>
+
+namespace app {
+
+struct Picture {
+  std::string name;    // file name without .svg, begins its ids
+  std::string title;   // may hold entities, as all text here
+  std::string caption; // one or two sentences with the key numbers
+  std::string svg;     // the whole file
+};
+using Pictures = std::vector<Picture>;
+
+constexpr double kPictureWidth = 760.0;
+// Coefficients of friction and zones that get charts of their own; the rest is left to the CSV.
+constexpr size_t kMostCharts = 16;
+
+// Both bodies, nodes, supports, loads, pairs; beside it the contact zone.
+void draw_model(const Scene& scene, Pictures& out);
+// Pressure and friction along a zone with the Coulomb bounds, per coefficient and zone.
+void draw_tractions(const Scene& scene, Pictures& out);
+// Open, stick and slip over position and load, per coefficient and zone.
+void draw_status_map(const Scene& scene, Pictures& out);
+// Gap and slip along a zone, per coefficient and zone.
+void draw_gap(const Scene& scene, Pictures& out);
+// The deformed shape over the undeformed one.
+void draw_deformed(const Scene& scene, Pictures& out);
+// Normal traction and stress along the boundary of a body without contact: hoop stress over arc length.
+void draw_boundary_stress(const Scene& scene, Pictures& out);
+// Changes of status, peak pressure and pairs in contact against the load.
+void draw_path(const Scene& scene, Pictures& out);
+// Loads and supports against contact forces of each body.
+void draw_balance(const Scene& scene, Pictures& out);
+// Work, elastic energy and dissipation against the load; nothing if the library tells no energies.
+void draw_energy(const Scene& scene, Pictures& out);
+// Filled contours of the stress inside the bodies, on grids of their own. Fails as c2d_interior does.
+c2d_status draw_stress(const Scene& scene, Pictures& out);
+
+// All of them. Fails only if results could not be had from the solver.
+c2d_status draw_pictures(const Scene& scene, Pictures& out);
+
+// "mu = 0.3" and, if there are several zones, ", zone 2".
+std::string chart_title(const Scene& scene, double mu, size_t zone);
+// "_1" and "_1_2": coefficient and zone, numbers only if there are several.
+std::string chart_suffix(const Scene& scene, size_t coefficient, size_t zone);
+// What s means, for axes.
+std::string position_name(const ZoneScene& zone);
+
+} // namespace app

@@ -1,0 +1,230 @@
+#include "report/svg.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+namespace {
+
+void append_attribute(std::string& out, const char* name, double value) {
+  out += ' ';
+  out += name;
+  out += "=\"";
+  append_pixel(out, value);
+  out += '"';
+}
+
+void append_stroke(std::string& out, const Stroke& stroke) {
+  out += " stroke=\"";
+  out += stroke.colour;
+  out += '"';
+  if (std::string("none") == stroke.colour) return;
+  append_attribute(out, "stroke-width", stroke.width);
+  if (stroke.dash[0] == '\0') return;
+  out += " stroke-dasharray=\"";
+  out += stroke.dash;
+  out += '"';
+}
+
+} // namespace
+
+void append_pixel(std::string& out, double value) {
+  const int64_t hundredths = std::llround(value * 100.0);
+  const int64_t size = hundredths < 0 ? -hundredths : hundredths;
+  if (hundredths < 0) out += '-';
+  out += std::to_string(size / 100);
+  const int64_t rest = size % 100;
+  if (rest == 0) return;
+  out += '.';
+  out += static_cast<char>('0' + rest / 10);
+  if (rest % 10 != 0) out += static_cast<char>('0' + rest % 10);
+}
+
+void append_curves(std::string& out, const std::vector<std::vector<Point>>& curves) {
+  for (const std::vector<Point>& curve : curves) {
+    for (size_t i = 0; i < curve.size(); ++i) {
+      out += i == 0 ? 'M' : 'L';
+      append_pixel(out, curve[i].x);
+      out += ' ';
+      append_pixel(out, curve[i].y);
+    }
+    if (!curve.empty()) out += 'Z';
+  }
+}
+
+std::string escape_xml(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    const unsigned char byte = static_cast<unsigned char>(c);
+    if (c == '&')
+      out += "&amp;";
+    else if (c == '<')
+      out += "&lt;";
+    else if (c == '>')
+      out += "&gt;";
+    else if (c == '"')
+      out += "&quot;";
+    else if (byte < 0x20 || byte >= 0x7f)
+      out += '?';
+    else
+      out += c;
+  }
+  return out;
+}
+
+double text_width(const std::string& text, double size) {
+  size_t characters = 0;
+  for (size_t i = 0; i < text.size(); ++i, ++characters)
+    if (text[i] == '&') i = std::min(text.find(';', i), text.size());
+  return 0.6 * size * static_cast<double>(characters);
+}
+
+Svg::Svg(const std::string& name, double width, double height)
+    : name_(name), width_(width), height_(height) {}
+
+void Svg::line(Point from, Point to, const Stroke& stroke) {
+  body_ += "<line";
+  append_attribute(body_, "x1", from.x);
+  append_attribute(body_, "y1", from.y);
+  append_attribute(body_, "x2", to.x);
+  append_attribute(body_, "y2", to.y);
+  append_stroke(body_, stroke);
+  body_ += "/>\n";
+}
+
+void Svg::polyline(const std::vector<Point>& points, const Stroke& stroke) {
+  if (points.empty()) return;
+  body_ += "<polyline points=\"";
+  for (const Point& p : points) {
+    append_pixel(body_, p.x);
+    body_ += ',';
+    append_pixel(body_, p.y);
+    body_ += ' ';
+  }
+  body_.back() = '"';
+  body_ += " fill=\"none\" stroke-linejoin=\"round\"";
+  append_stroke(body_, stroke);
+  body_ += "/>\n";
+}
+
+void Svg::area(const std::vector<std::vector<Point>>& curves, const std::string& fill, const Stroke& stroke) {
+  body_ += "<path d=\"";
+  append_curves(body_, curves);
+  body_ += "\" fill=\"" + fill + "\" fill-rule=\"evenodd\" stroke-linejoin=\"round\"";
+  append_stroke(body_, stroke);
+  body_ += "/>\n";
+}
+
+void Svg::rectangle(const Box& box, const std::string& fill, const Stroke& stroke) {
+  body_ += "<rect";
+  append_attribute(body_, "x", box.left);
+  append_attribute(body_, "y", box.top);
+  append_attribute(body_, "width", box.width());
+  append_attribute(body_, "height", box.height());
+  body_ += " fill=\"" + fill + '"';
+  append_stroke(body_, stroke);
+  body_ += "/>\n";
+}
+
+void Svg::mark(Mark mark, Point at, double size, const char* ink, bool filled) {
+  const double r = size / 2.0;
+  const std::string fill = filled ? ink : "white";
+  const Stroke edge{ink, 1.2, ""};
+  switch (mark) {
+  case Mark::kNone:
+    return;
+  case Mark::kCircle:
+    body_ += "<circle";
+    append_attribute(body_, "cx", at.x);
+    append_attribute(body_, "cy", at.y);
+    append_attribute(body_, "r", r);
+    body_ += " fill=\"" + fill + '"';
+    append_stroke(body_, edge);
+    body_ += "/>\n";
+    return;
+  case Mark::kSquare:
+    rectangle({at.x - r, at.y - r, at.x + r, at.y + r}, fill, edge);
+    return;
+  case Mark::kTriangle:
+    area({{{at.x - r, at.y + r}, {at.x + r, at.y + r}, {at.x, at.y - r}}}, fill, edge);
+    return;
+  case Mark::kDiamond:
+    area({{{at.x - r, at.y}, {at.x, at.y + r}, {at.x + r, at.y}, {at.x, at.y - r}}}, fill, edge);
+    return;
+  case Mark::kCross:
+    line({at.x - r, at.y - r}, {at.x + r, at.y + r}, edge);
+    line({at.x - r, at.y + r}, {at.x + r, at.y - r}, edge);
+    return;
+  }
+}
+
+void Svg::arrow(Point from, Point to, const Stroke& stroke, double head) {
+  const double dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
+  if (length < 0.1) return;
+  const double ex = dx / length, ey = dy / length, h = head < length ? head : length;
+  const Point neck{to.x - h * ex, to.y - h * ey};
+  line(from, neck, stroke);
+  const double w = 0.42 * h;
+  area({{to, {neck.x - w * ey, neck.y + w * ex}, {neck.x + w * ey, neck.y - w * ex}}}, stroke.colour,
+       Stroke{});
+}
+
+void Svg::text(Point at, const std::string& text, double size, Anchor anchor, const char* ink, bool turned,
+               bool halo) {
+  body_ += "<text";
+  append_attribute(body_, "x", at.x);
+  append_attribute(body_, "y", at.y);
+  append_attribute(body_, "font-size", size);
+  if (anchor != Anchor::kStart)
+    body_ += anchor == Anchor::kMiddle ? " text-anchor=\"middle\"" : " text-anchor=\"end\"";
+  body_ += " fill=\"";
+  body_ += ink;
+  body_ += '"';
+  if (turned) {
+    body_ += " transform=\"rotate(-90 ";
+    append_pixel(body_, at.x);
+    body_ += ' ';
+    append_pixel(body_, at.y);
+    body_ += ")\"";
+  }
+  if (halo) body_ += " stroke=\"white\" stroke-width=\"3\" paint-order=\"stroke\"";
+  body_ += '>' + text + "</text>\n";
+}
+
+std::string Svg::hatch(const char* ink, const char* ground) {
+  const std::string id = name_ + "-" + std::to_string(++ids_);
+  definitions_ += "<pattern id=\"" + id +
+                  "\" width=\"6\" height=\"6\" patternUnits=\"userSpaceOnUse\" "
+                  "patternTransform=\"rotate(45)\"><rect width=\"6\" height=\"6\" fill=\"" +
+                  ground + "\"/><rect width=\"2\" height=\"6\" fill=\"" + ink + "\"/></pattern>\n";
+  return "url(#" + id + ")";
+}
+
+void Svg::begin_clip(const Box& box) {
+  begin_clip({{{box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}, {box.left, box.bottom}}});
+}
+
+void Svg::begin_clip(const std::vector<std::vector<Point>>& curves) {
+  const std::string id = name_ + "-" + std::to_string(++ids_);
+  definitions_ += "<clipPath id=\"" + id + "\"><path clip-rule=\"evenodd\" d=\"";
+  append_curves(definitions_, curves);
+  definitions_ += "\"/></clipPath>\n";
+  body_ += "<g clip-path=\"url(#" + id + ")\">\n";
+}
+
+std::string Svg::finish(const std::string& title, const std::string& description) const {
+  std::string size;
+  append_attribute(size, "width", width_);
+  append_attribute(size, "height", height_);
+  std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\"" + size + " viewBox=\"0 0 ";
+  append_pixel(out, width_);
+  out += ' ';
+  append_pixel(out, height_);
+  out += "\" font-family=\"Helvetica, Arial, 'Liberation Sans', sans-serif\" role=\"img\">\n<title>" + title +
+         "</title>\n<desc>" + description + "</desc>\n";
+  if (!definitions_.empty()) out += "<defs>\n" + definitions_ + "</defs>\n";
+  out += "<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n";
+  return out + body_ + "</svg>\n";
+}
+
+} // namespace app

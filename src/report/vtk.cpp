@@ -1,0 +1,110 @@
+#include "report/vtk.hpp"
+
+#include "report/text.hpp"
+
+namespace app {
+namespace {
+
+// Cell types of the format: vertex, line, quadratic edge, cubic line; ends first, then what lies between.
+constexpr int kTypes[] = {1, 3, 21, 35};
+constexpr int kOrder[4][4] = {{0, 0, 0, 0}, {0, 1, 0, 0}, {0, 2, 1, 0}, {0, 3, 1, 2}};
+
+struct Collected {
+  std::string points, displacement, traction, stress, status; // point data
+  std::string cells, types, body, element;                    // cells and their data
+  int64_t point_count = 0, cell_count = 0, cell_numbers = 0;
+};
+
+void append_vector(std::string& out, double x, double y) {
+  append_number(out, x);
+  out += ' ';
+  append_number(out, y);
+  out += " 0\n";
+}
+
+void append_tensor(std::string& out, double xx, double yy, double xy, double zz) {
+  append_vector(out, xx, xy);
+  append_vector(out, xy, yy);
+  out += "0 0 ";
+  append_number(out, zz);
+  out += '\n';
+}
+
+void append_cell(Collected& c, int32_t body, int32_t element, int32_t nodes) {
+  c.cells += std::to_string(nodes);
+  for (int32_t k = 0; k < nodes; ++k) c.cells += ' ' + std::to_string(c.point_count + kOrder[nodes - 1][k]);
+  c.cells += '\n';
+  c.types += std::to_string(kTypes[nodes - 1]) + '\n';
+  c.body += std::to_string(body) + '\n';
+  c.element += std::to_string(element) + '\n';
+  c.cell_count += 1;
+  c.cell_numbers += nodes + 1;
+}
+
+c2d_status collect_body(Collected& c, const Scene& scene, int32_t body) {
+  const c2d_summary& s = scene.summary;
+  const BodyScene& b = scene.bodies[static_cast<size_t>(body) - 1];
+  std::vector<std::vector<double>> stress;
+  if (scene.solved) {
+    const int32_t fields[] = {C2D_END_SXX, C2D_END_SYY, C2D_END_SXY, C2D_END_SZZ};
+    const c2d_status status = get_ends(scene.solver, s, body, fields, 4, stress);
+    if (status != C2D_OK) return status;
+  }
+  for (int32_t e = 1; e <= s.elements[body - 1]; ++e) {
+    append_cell(c, body, e, s.function_nodes);
+    for (int32_t l = 0; l < s.function_nodes; ++l) {
+      const size_t i = static_cast<size_t>((e - 1) * s.function_nodes + l);
+      append_vector(c.points, b.ends[i].x, b.ends[i].y);
+      if (scene.solved) {
+        append_vector(c.displacement, b.displacement[i].x, b.displacement[i].y);
+        append_vector(c.traction, b.traction[i].x, b.traction[i].y);
+        append_tensor(c.stress, stress[0][i], stress[1][i], stress[2][i], stress[3][i]);
+        c.status += std::to_string(b.status[i]) + '\n';
+      }
+      c.point_count += 1;
+    }
+  }
+  return C2D_OK;
+}
+
+void collect_interior(Collected& c, const InteriorPoint& p) {
+  append_cell(c, p.body, 0, 1);
+  append_vector(c.points, p.x, p.y);
+  append_vector(c.displacement, p.values[C2D_POINT_UX], p.values[C2D_POINT_UY]);
+  append_vector(c.traction, 0.0, 0.0);
+  append_tensor(c.stress, p.values[C2D_POINT_SXX], p.values[C2D_POINT_SYY], p.values[C2D_POINT_SXY],
+                p.values[C2D_POINT_SZZ]);
+  c.status += "-1\n";
+  c.point_count += 1;
+}
+
+} // namespace
+
+c2d_status append_vtk(std::string& out, const Scene& scene, const std::vector<InteriorPoint>& interior) {
+  Collected c;
+  for (int32_t body = 1; body <= scene.summary.bodies; ++body) {
+    const c2d_status status = collect_body(c, scene, body);
+    if (status != C2D_OK) return status;
+  }
+  if (scene.solved)
+    for (const InteriorPoint& p : interior) collect_interior(c, p);
+  std::string title = scene.summary.title[0] != '\0' ? scene.summary.title : "contact2d";
+  for (char& character : title)
+    if (static_cast<unsigned char>(character) < 0x20 || static_cast<unsigned char>(character) >= 0x7f)
+      character = '?';
+  const std::string points = std::to_string(c.point_count), cells = std::to_string(c.cell_count);
+  out += "# vtk DataFile Version 3.0\n" + title + "\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS " + points +
+         " double\n" + c.points;
+  out += "CELLS " + cells + ' ' + std::to_string(c.cell_numbers) + '\n' + c.cells;
+  out += "CELL_TYPES " + cells + '\n' + c.types;
+  out += "CELL_DATA " + cells + "\nSCALARS body int 1\nLOOKUP_TABLE default\n" + c.body;
+  out += "SCALARS element int 1\nLOOKUP_TABLE default\n" + c.element;
+  if (!scene.solved) return C2D_OK;
+  out += "POINT_DATA " + points + "\nVECTORS displacement double\n" + c.displacement;
+  out += "VECTORS traction double\n" + c.traction;
+  out += "TENSORS stress double\n" + c.stress;
+  out += "SCALARS status int 1\nLOOKUP_TABLE default\n" + c.status;
+  return C2D_OK;
+}
+
+} // namespace app
