@@ -85,14 +85,17 @@ c2d_status gather_pairs(Scene& scene) {
   const int32_t count = scene.summary.pairs;
   if (count == 0) return C2D_OK;
   std::vector<int32_t> node[2], zone;
+  std::vector<Point> place; // on body 1: in zones of meshes that do not match no node lies there
   c2d_status status = get_integers(scene.solver, C2D_PAIR_NODE1, 1, count, node[0]);
   if (status == C2D_OK) status = get_integers(scene.solver, C2D_PAIR_NODE2, 1, count, node[1]);
+  if (status == C2D_OK) status = get_points(scene.solver, C2D_X, 1, count, place);
   if (status == C2D_OK) status = get_integers(scene.solver, C2D_PAIR_ZONE, 1, count, zone);
   if (status != C2D_OK) return status;
   scene.zones.resize(static_cast<size_t>(scene.summary.zones));
   for (size_t p = 0; p < zone.size(); ++p) {
     PairScene pair{zone[p], {}, 0.0, false};
     for (size_t b = 0; b < 2; ++b) pair.on[b] = place_of_node(scene.bodies[b], node[b][p], pair.symmetric);
+    pair.on[0] = place[p];
     const c2d_summary& s = scene.summary;
     pair.symmetric = pair.symmetric || ((s.symmetry & 1) != 0 && pair.on[0].x == s.symmetry_at[0]) ||
                      ((s.symmetry & 2) != 0 && pair.on[0].y == s.symmetry_at[1]);
