@@ -112,7 +112,8 @@ enum { /* c2d_error.status of warnings */
   C2D_WARN_CORNER = 208,           /* one shared unknown traction where the ends' directions differ by > 1 degree */
   C2D_WARN_INCREMENT = 209,        /* an increment of --stepping deck did not converge; finished by events        */
   C2D_WARN_RESIDUAL = 210,         /* the tableau had drifted and was rebuilt                                     */
-  C2D_WARN_CONDITION = 211         /* the elimination is badly conditioned                                        */
+  C2D_WARN_CONDITION = 211,        /* the elimination is badly conditioned                                        */
+  C2D_WARN_OFFSET = 212            /* nodes of a pair are shifted by more than half an element along the surface  */
 };
 
 /* ---------------------------------------------------------------- 2 sizes and memory ---------------------------

@@ -159,6 +159,28 @@ TEST_CASE("frames: kinks and paired normals that differ warn, with numbers") {
   CHECK(d.pairs[0].ny == doctest::Approx(1).epsilon(1e-14));
 }
 
+TEST_CASE("frames: nodes shifted along the surface do not face each other") {
+  const auto shifted = [](double s) {
+    ModelData d(2);
+    d.body(2, {{-1, -3, 1, -3, 1, 0, 0, 0, -1, 0}});
+    d.body(2, {{-1 + s, 0, s, 0, 1 + s, 0, 1 + s, 2, -1 + s, 2}});
+    d.condition(1, 1, 1, "1100");
+    d.condition(1, 1, 2, "1100");
+    d.zone(3, 2, 3, 1, 3, 2, -1, 3);
+    return d;
+  };
+  ModelData near = shifted(0.49), half = shifted(-0.51), far = shifted(1.0);
+  CHECK(near.complete());
+  CHECK(near.count(C2D_WARN_OFFSET) == 0);
+  CHECK(half.complete());
+  CHECK(half.count(C2D_WARN_OFFSET) == 3);
+  CHECK_FALSE(far.complete());
+  const c2d_error* fault = far.find("shifted by 1 along the surface");
+  REQUIRE(fault != nullptr);
+  CHECK(fault->pair == 1);
+  CHECK(fault->severity == C2D_FAULT);
+}
+
 TEST_CASE("frames: symmetry conditions that are none") {
   auto axis = [](const char* below, const char* above, double ux) {
     ModelData d = blocks();

@@ -15,6 +15,7 @@ namespace {
 constexpr double kDegree = 0.017453292519943295;
 constexpr double kGapDirection = 1e-3; // of the element length: a longer gap has a direction of its own
 constexpr double kGapTolerance = 1e-5; // of the element length: a smaller gap touches
+constexpr double kOffset = 0.5;        // of the element length: nodes shifted further do not face each other
 constexpr double kAlongNormal = 0.5;   // least cosine between the average normal and a symmetric pair's frame
 
 double dot(const double a[2], const double b[2]) {
@@ -168,6 +169,19 @@ void set_gap(const Model& m, int32_t pair, const double g[2], Reporter& reporter
   tell(reporter, f);
 }
 
+// Nodes of a pair lie opposite each other: what lies between them is gap, not a shift along the surfaces.
+void check_offset(const Model& m, int32_t pair, const double g[2], Reporter& reporter) {
+  const Pair& p = m.pair[pair];
+  const double offset = fabs(g[0] * p.ny - g[1] * p.nx);
+  if (offset <= kOffset * p.length) return;
+  Finding f = offset < p.length ? warning(C2D_WARN_OFFSET) : fault();
+  locate_pair(f, m, pair);
+  say(f, "pair ", pair + 1, " (node ", p.node[0] + 1, " of body 1, node ", p.node[1] + 1,
+      " of body 2): the nodes do not face each other, they are shifted by ", offset);
+  say(f, " along the surface, where contact elements are ", p.length, " long, expected at most half of it");
+  tell(reporter, f);
+}
+
 // How far the normals of a zone's pairs differ.
 struct Spread {
   int32_t count, pair; // pairs beyond 15 degrees; the worst
@@ -193,6 +207,7 @@ void build_frame(const Model& m, int32_t pair, Spread& spread, Reporter& reporte
   const double g[2] = {position[1][0] - position[0][0], position[1][1] - position[0][1]};
   if (!set_normal(m, pair, s1, s2, g, reporter)) return;
   set_gap(m, pair, g, reporter);
+  check_offset(m, pair, g, reporter);
 
   const double opposite[2] = {-s2.n[0], -s2.n[1]};
   spread.add(pair, angle_between(s1.n, opposite) / kDegree);

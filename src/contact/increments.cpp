@@ -42,15 +42,20 @@ c2d_status restore(Follower& f) {
   return restore_pairs(f);
 }
 
-// A pair that was open when the increment began and slides at its end: how it moved while open is no slip, and an
-// increment does not tell the two apart. Its slip begins at the end of the increment.
-void forget_flight(Follower& f) {
+// The books of slip by what a pair was before the increment and is after it; what its trial states were is forgotten.
+// A pair that was open and slides at the end: how it moved while open is no slip, and an increment does not tell the
+// two apart, so its slip begins at the end.
+void settle_books(Follower& f) {
   refresh(f);
   for (int32_t i = 0; i < f.t->pairs; ++i) {
     Pair& pair = f.t->pair[i];
-    if (pair.saved_status != C2D_OPEN || pair.status != C2D_SLIP) continue;
     pair.slip_done = pair.saved_slip_done;
-    pair.slip_from = pair_state(*f.t, i, f.y).wt;
+    const bool slides = pair.status == C2D_SLIP;
+    if (pair.saved_status == C2D_SLIP && !slides) pair.slip_done += pair.increment_from - pair.saved_slip_from;
+    if (!slides) continue;
+    pair.slip_from = pair.saved_status == C2D_SLIP    ? pair.saved_slip_from
+                     : pair.saved_status == C2D_STICK ? pair.increment_from
+                                                      : pair_state(*f.t, i, f.y).wt;
   }
 }
 
@@ -90,7 +95,7 @@ c2d_status follow_increment(Follower& f, const double* target, int32_t iteration
     f.stats.iterations = round;
     const int32_t changes = correct(f);
     if (changes == 0) {
-      forget_flight(f);
+      settle_books(f);
       return C2D_OK;
     }
     if (changes < 0) break;

@@ -45,6 +45,7 @@ const Word kStatusWords[] = {
     {C2D_WARN_INCREMENT, "an increment did not converge"},
     {C2D_WARN_RESIDUAL, "the tableau was rebuilt"},
     {C2D_WARN_CONDITION, "badly conditioned equations"},
+    {C2D_WARN_OFFSET, "nodes of a pair are shifted"},
 };
 
 const Word kOutcomeWords[] = {

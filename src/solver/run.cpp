@@ -91,6 +91,7 @@ c2d_status run_cards(Session& session) {
       for (int32_t k = 0; k < s->model.load_cases; ++k) {
         const double from = path_load(session.model, p - 1, k), to = path_load(session.model, p, k);
         target[k] = i == path.increments ? to : from + (to - from) * i / static_cast<double>(path.increments);
+        if (fabs(target[k]) < 1e-15 * (fabs(from) + fabs(to))) target[k] = 0.0; // a crossing, not its round-off
       }
       const bool last = p + 1 == s->model.paths && i == path.increments;
       c2d_status status = advance(session, target, last);

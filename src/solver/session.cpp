@@ -99,7 +99,8 @@ c2d_status begin_path(Session& session) {
   const ModelHeader& head = s->model;
   for (int32_t k = 0; k < 4 * head.load_cases; ++k) array_of<double>(s, kLoads)[k] = 0.0;
   s->outcome = C2D_REACHED;
-  s->outcome_body = s->last_pair = s->back_substituted = s->table_is_current = s->floating = 0;
+  s->last_pair = session.follower.last_pair = -1; // none yet
+  s->outcome_body = s->back_substituted = s->table_is_current = s->floating = 0;
   s->warned = 0;
   begin_energy(s);
   s->peak_pressure = 0.0;
