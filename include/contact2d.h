@@ -11,7 +11,7 @@
    holes clockwise. Numbers of bodies, elements, nodes, pairs and zones start at 1. `codes` are those of the
    condition cards: 0 known, 1 unknown, in the order tx ty ux uy.
    The contact frame of a pair: n points from body 1 to body 2, t is n turned by -90 degrees. tn and tt are the
-   force on body 2 per unit undeformed length of body 1's boundary; tn >= 0 is pressure. */
+   force on body 2 per unit undeformed length of body 1's boundary (of body 2's in a free zone); tn >= 0 is pressure. */
 #ifndef CONTACT2D_H
 #define CONTACT2D_H
 
@@ -130,12 +130,13 @@ typedef struct c2d_limits {
   int32_t regions[2];         /* closed curves of each body (NREN)                                 */
   int32_t zones;              /* contact zones (MCP)                                               */
   int32_t pairs;              /* node pairs of all zones                                           */
-  int32_t contact_elements;   /* element pairs of all zones                                        */
+  int32_t contact_elements;   /* element pairs of all zones; elements of body 2 in free zones      */
   int32_t point_loads;        /* of both bodies together                                           */
   int32_t coefficients;       /* coefficients of friction to be run one after another (NMU)        */
   int32_t paths;              /* load cards (NPATH)                                                */
   int32_t load_cases;         /* 0 means 1                                                         */
   int32_t panel_columns;      /* columns eliminated at a time; 0: as many as the memory allows     */
+  int32_t free_pairs;         /* those of the pairs that belong to zones of c2d_add_free_zone      */
 } c2d_limits;
 
 /* Bytes of workspace for these limits: `minimum` solves any model within them with blocks of the smallest size,
@@ -298,6 +299,22 @@ typedef struct c2d_zone {
   int32_t first_node[2], last_node[2];     /* functional nodes, numbered from 1 in each body        */
 } c2d_zone;
 c2d_status c2d_add_zone(c2d_solver* solver, const c2d_zone* zone);
+/* A contact zone whose sides are meshed independently of each other: elements of body 1 and of body 2, which need not
+   match in number or size. Every functional node of body 2 makes a pair with the point of body 1 whose normal passes
+   through it (normals joined continuously across corners); elements of body 2 that do not face body 1 from end to end
+   are left out. Gaps are those of the smooth surfaces that the elements of both sides stand for. In such a zone tn and
+   tt are per unit undeformed length of body 2, C2D_X and C2D_Y are the point of body 1, and C2D_PAIR_NODE1 is 0. Force
+   passes over exactly, its moment so far as matching points coincide. Nodes of body 1 in the zone keep their conditions
+   (traction and displacement both unknown: left to the contact), and tractions given there add to those of the contact.
+   Limits: `pairs` and `free_pairs` count all functional nodes of the elements of body 2. Errors: ARGUMENT, STATE, LIMIT;
+   sides that do not face each other are found by c2d_complete. */
+typedef struct c2d_free_zone {
+  uint32_t struct_size;
+  int32_t first_element[2], last_element[2]; /* of body 1, of body 2: either may run up or down     */
+  int32_t elements[2];                       /* 0: from first to last by their numbers; else how many: the range may
+                                                go round the end of its region                      */
+} c2d_free_zone;
+c2d_status c2d_add_free_zone(c2d_solver* solver, const c2d_free_zone* zone);
 /* What an end already given carries in another load case: values[4] in the order tx ty ux uy; the codes stay those of
    c2d_set_condition (ends without a condition: tractions known), and a value other than zero for something unknown,
    or for a traction of the contact, is refused. A displacement belongs to its node. local 0: all ends of the element. */
@@ -518,6 +535,7 @@ c2d_status c2d_get_friction(c2d_solver* solver, int32_t i, double* mu);
 c2d_status c2d_get_zone_friction(c2d_solver* solver, int32_t zone, int32_t i, double* mu);
 c2d_status c2d_get_path(c2d_solver* solver, int32_t i, int32_t* increments, double* load);
 c2d_status c2d_get_path_point(c2d_solver* solver, int32_t i, int32_t* increments, double* load, int32_t cases);
+/* Of a free zone: elements that are in contact at all, `elements` and nodes those of body 2, and 0 nodes of body 1. */
 c2d_status c2d_get_zone(c2d_solver* solver, int32_t i, c2d_zone* out);
 c2d_status c2d_get_region(c2d_solver* solver, int32_t body, int32_t i, int32_t* first_element, int32_t* last_element);
 c2d_status c2d_get_condition(c2d_solver* solver, int32_t body, int32_t element, int32_t local, int32_t codes[4],
@@ -556,9 +574,15 @@ const char* c2d_version(void);               /* "0.1.0" */
 
      static unsigned char memory[C2D_MEMORY_BYTES(2, 40, 40, 40, 40, 1, 1, 1, 12, 11, 0, 2, 1, 1)];
 
+   C2D_FREE_MEMORY_BYTES(..., load_cases, free_pairs) is the same with one argument more, for limits with free zones.
+
    The macros below are its parts: they repeat, line by line, what the library lays out. */
 #define C2D_MEMORY_BYTES(function_nodes, points1, points2, elements1, elements2, regions1, regions2, zones, pairs,     \
                          contact_elements, point_loads, coefficients, paths, load_cases)                               \
+  C2D_FREE_MEMORY_BYTES(function_nodes, points1, points2, elements1, elements2, regions1, regions2, zones, pairs,      \
+                        contact_elements, point_loads, coefficients, paths, load_cases, 0)
+#define C2D_FREE_MEMORY_BYTES(function_nodes, points1, points2, elements1, elements2, regions1, regions2, zones,       \
+                              pairs, contact_elements, point_loads, coefficients, paths, load_cases, free_pairs)       \
   (63 /* to the first multiple of 64 */ + C2D_ROUND_(C2D_SOLVER_BYTES) +                                               \
    C2D_BODY_BYTES_(function_nodes, points1, elements1, regions1, C2D_CASES_(load_cases)) +                             \
    C2D_BODY_BYTES_(function_nodes, points2, elements2, regions2, C2D_CASES_(load_cases)) +                             \
@@ -568,7 +592,7 @@ const char* c2d_version(void);               /* "0.1.0" */
                     C2D_ENDS_(function_nodes, elements1),                                                              \
                     C2D_NODES_(function_nodes, points2, elements2, regions2),                                          \
                     C2D_ENDS_(function_nodes, elements2),                                                              \
-                    UINT64_C(2) * (pairs), UINT64_C(1) * C2D_CASES_(load_cases)))
+                    UINT64_C(2) * (pairs), UINT64_C(1) * C2D_CASES_(load_cases), UINT64_C(2) * (free_pairs)))
 
 #ifndef C2D_REAL_BYTES
 #define C2D_REAL_BYTES 8      /* of a stored matrix's number: 4 for a library compiled with C2D_REAL=float   */
@@ -600,7 +624,7 @@ const char* c2d_version(void);               /* "0.1.0" */
 
 /* What belongs to both. */
 #define C2D_LIST_BYTES_(zones, pairs, point_loads, coefficients, paths, cases)                                         \
-  (C2D_ARRAY_(zones, 56) + C2D_ARRAY_(pairs, 152) + C2D_ARRAY_(point_loads, 48) +                                      \
+  (C2D_ARRAY_(zones, 64) + C2D_ARRAY_(pairs, 168) + C2D_ARRAY_(point_loads, 48) +                                      \
    C2D_ARRAY_((coefficients) * (UINT64_C(1) + (zones)), 8) +           /* friction                        */          \
    C2D_ARRAY_(paths, 16) +                                                                                             \
    C2D_ARRAY_(pairs, 128) +                                            /* result table                    */          \
@@ -608,15 +632,17 @@ const char* c2d_version(void);               /* "0.1.0" */
    C2D_ARRAY_(UINT64_C(1) * (paths) * (cases), 8) +                    /* path                            */          \
    C2D_ARRAY_((cases) * (2 * (UINT64_C(4) * (pairs) + (cases)) + 5), 8)) /* energy                        */
 
-/* What assembly, reduction and the load path use one after another; m contact unknowns. */
-#define C2D_PHASE_BYTES_(nodes1, ends1, nodes2, ends2, m, cases)                                                       \
-  C2D_LARGER_(C2D_ELIMINATION_BYTES_(C2D_LARGER_(nodes1, nodes2), m),                                                  \
+/* What assembly, reduction and the load path use one after another; m contact unknowns, of
+   which `free` make an equation of body 1 each. */
+#define C2D_PHASE_BYTES_(nodes1, ends1, nodes2, ends2, m, cases, free)                                                 \
+  C2D_LARGER_(C2D_LARGER_(C2D_ELIMINATION_BYTES_(nodes1, C2D_ROWS_(nodes1) + (free), m),                               \
+                          C2D_ELIMINATION_BYTES_(nodes2, C2D_ROWS_(nodes2), m)),                                       \
               C2D_LARGER_(C2D_REDUCTION_BYTES_(m), C2D_PATH_BYTES_(nodes1, ends1, nodes2, ends2, m, cases)))
-#define C2D_ELIMINATION_BYTES_(nodes, m)                                                                               \
+#define C2D_ELIMINATION_BYTES_(nodes, rows, m)                                                                         \
   (C2D_ARRAY_(nodes, 32) + C2D_ARRAY_(nodes, 16) +                     /* diagonal blocks; positions      */          \
    C2D_ARRAY_(nodes, 4) + C2D_BLOCK_(m) +                              /* double nodes; contact tape      */          \
-   C2D_COLUMN_BYTES_(C2D_ROWS_(nodes)) + 64 +                          /* a panel of one column, its norm */          \
-   C2D_BLOCK_(C2D_ROWS_(nodes)) +                                      /* a block of one column           */          \
+   C2D_COLUMN_BYTES_(rows) + 64 +                                      /* a panel of one column, its norm */          \
+   C2D_BLOCK_(rows) +                                                  /* a block of one column           */          \
    C2D_ARRAY_(C2D_ROWS_(nodes), 4))                                    /* row exchanges                   */
 #define C2D_COLUMN_BYTES_(rows) /* columns do not start at multiples of 512 numbers */                                 \
   (C2D_ARRAY_(rows, C2D_REAL_BYTES) + (C2D_ARRAY_(rows, C2D_REAL_BYTES) % (512 * C2D_REAL_BYTES) == 0 ? 64 : 0))

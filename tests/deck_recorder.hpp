@@ -110,6 +110,11 @@ inline c2d::DeckSink recording_sink(Recorder& r, int32_t function_nodes = 0) {
   sink.set_zone_friction = [](c2d_solver* s, int32_t zone, int32_t i, double mu) -> c2d_status {
     return recorder(s)->record("zone friction", {double(zone), double(i), mu});
   };
+  sink.add_free_zone = [](c2d_solver* s, const c2d_free_zone* z) -> c2d_status {
+    return recorder(s)->record("free zone", {double(z->first_element[0]), double(z->last_element[0]),
+                                             double(z->first_element[1]), double(z->last_element[1]),
+                                             double(z->elements[0]), double(z->elements[1])});
+  };
   sink.set_symmetry = [](c2d_solver* s, int32_t axis, double value) -> c2d_status {
     return recorder(s)->record("symmetry", {double(axis), value});
   };

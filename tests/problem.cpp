@@ -118,6 +118,15 @@ c2d_limits limits_of(const Problem& p) {
     limits.pairs += z.pairs;
     limits.contact_elements += z.elements;
   }
+  limits.zones += static_cast<int32_t>(p.free_zones.size());
+  for (const c2d_free_zone& z : p.free_zones) {
+    const int32_t elements =
+        z.elements[1] > 0 ? z.elements[1] : std::abs(z.last_element[1] - z.first_element[1]) + 1;
+    const int32_t pairs = p.function_nodes > 1 ? elements * (p.function_nodes - 1) + 1 : elements;
+    limits.pairs += pairs;
+    limits.free_pairs += pairs;
+    limits.contact_elements += elements;
+  }
   limits.point_loads = static_cast<int32_t>(p.point_loads.size());
   limits.coefficients = static_cast<int32_t>(p.friction.size());
   limits.paths = static_cast<int32_t>(p.paths.size());
@@ -161,6 +170,8 @@ c2d_status feed(c2d_solver* s, const Problem& p) {
     if (status == C2D_OK) status = c2d_add_point_load(s, l.body, l.x, l.y, l.fx, l.fy, 1);
   for (const c2d_zone& z : p.zones)
     if (status == C2D_OK) status = c2d_add_zone(s, &z);
+  for (const c2d_free_zone& z : p.free_zones)
+    if (status == C2D_OK) status = c2d_add_free_zone(s, &z);
   for (double mu : p.friction)
     if (status == C2D_OK) status = c2d_add_friction(s, mu);
   for (const Path& path : p.paths)

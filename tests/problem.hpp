@@ -40,6 +40,7 @@ struct Problem {
   std::vector<Body> bodies;
   std::vector<PointLoad> point_loads;
   std::vector<c2d_zone> zones;
+  std::vector<c2d_free_zone> free_zones;
   std::vector<double> friction = {0.0};
   std::vector<Path> paths = {{1, 1.0}};
   int32_t symmetry = 0; // lines of symmetry by images: 1: x = symmetry_at[0], 2: y = symmetry_at[1]

@@ -22,13 +22,14 @@ Need need_of(const c2d_limits& limits) {
 
 uint64_t bound_of(const c2d_limits& l) {
   const bool two = l.bodies == 2;
-  return C2D_MEMORY_BYTES(static_cast<uint64_t>(l.function_nodes), static_cast<uint64_t>(l.geometry_nodes[0]),
+  return C2D_FREE_MEMORY_BYTES(static_cast<uint64_t>(l.function_nodes), static_cast<uint64_t>(l.geometry_nodes[0]),
                           static_cast<uint64_t>(two ? l.geometry_nodes[1] : 0), static_cast<uint64_t>(l.elements[0]),
                           static_cast<uint64_t>(two ? l.elements[1] : 0), static_cast<uint64_t>(l.regions[0]),
                           static_cast<uint64_t>(two ? l.regions[1] : 0), static_cast<uint64_t>(l.zones),
                           static_cast<uint64_t>(l.pairs), static_cast<uint64_t>(l.contact_elements),
                           static_cast<uint64_t>(l.point_loads), static_cast<uint64_t>(l.coefficients),
-                          static_cast<uint64_t>(l.paths), static_cast<uint64_t>(l.load_cases));
+                          static_cast<uint64_t>(l.paths), static_cast<uint64_t>(l.load_cases),
+                          static_cast<uint64_t>(l.free_pairs));
 }
 
 c2d_limits smallest_limits() {
@@ -100,6 +101,7 @@ TEST_CASE("memory: the constant bound holds for all limits and is tight") {
     for (int b = 0; b < 2; ++b) l.geometry_nodes[b] = any(1), l.elements[b] = any(1), l.regions[b] = any(1);
     for (auto member : counts()) l.*member = any(0);
     l.panel_columns = 0;
+    if (i % 2 == 0) l.free_pairs = static_cast<int32_t>(random() % (static_cast<uint32_t>(l.pairs) + 1));
     spread.take(l);
   }
   // Extremes: one number large, the rest as small as they may be; every row count near the odd leading dimensions.

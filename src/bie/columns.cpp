@@ -4,6 +4,7 @@
 
 #include "bie/kernels.hpp"
 #include "bie/shape.hpp"
+#include "bie/transfer.hpp"
 #include "model/symmetry.hpp"
 
 namespace c2d {
@@ -48,6 +49,7 @@ int32_t facing_element(const Model& m, int b, int32_t element, bool* reversed) {
   int32_t zone = 0, place = 0;
   if (b != 1 || !find_contact_element(m, b, element, &zone, &place)) return -1;
   const Zone& z = m.zone[zone];
+  if (z.is_free != 0) return -1; // tau is per length of body 2
   *reversed = z.element_step[0] != z.element_step[1];
   return zone_element(m, z, 0, place);
 }
@@ -253,12 +255,8 @@ int singular_node(const int32_t node[4], int count, int32_t source, int32_t twin
   return -1;
 }
 
-// The source as an image of the element sees it, in the length unit. With R the reflection T(P, RQ) R = R T(RP, Q), and
-// U likewise: the image of an element acts on P as the element itself on RP, rows times the signs of R.
-struct Source {
-  double x, y;
-  bool on_itself; // it lies on every line it is mirrored across
-};
+} // namespace
+
 Source mirrored_source(const ModelHeader& head, int image, const double at[2]) {
   if (image == 0) return Source{at[0], at[1], true};
   double p[2];
@@ -266,6 +264,8 @@ Source mirrored_source(const ModelHeader& head, int image, const double at[2]) {
     p[c] = (image >> c & 1) != 0 ? 2.0 * (head.line_at[c] / head.length_unit) - at[c] : at[c];
   return Source{p[0], p[1], p[0] == at[0] && p[1] == at[1]};
 }
+
+namespace {
 
 void sign_rows(int image, int functions, double block[4][2][2]) {
   for (int l = 0; l < functions; ++l)
@@ -458,6 +458,7 @@ void fill_columns(const ColumnSystem& system, int32_t first, int32_t count, Real
   for (int32_t i = 0; i < m.head->point_loads && range.holds_right(); ++i)
     if (m.point_load[i].body == b) add_point_load(system, panel, m.point_load[i]);
   if (m.head->symmetry != 0) hold_by_symmetry(system, panel);
+  if (b == 0 && m.head->free_rows > 0) fill_transfer(system, first, count, data, ld);
 }
 
 void fill_diagonal(const ColumnSystem& system, int32_t first_node, int32_t count) {

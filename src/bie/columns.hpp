@@ -5,7 +5,8 @@
 // leaves empty say that their unknown is zero.
 // Lengths are in ModelHeader::length_unit, outer tractions of body b in 2 G_b, contact tractions tau in stress_unit.
 //
-// Rows: 2 p, 2 p + 1 for functional node p; the last three are the balances of force x, force y and moment.
+// Rows: 2 p, 2 p + 1 for functional node p; then three, the balances of force x, force y and moment; on body 1 then,
+// for each contact unknown of free zones, u_c = sum N_l u_l at the pair's point (bie/transfer.hpp).
 // Columns, in this order:
 //   outer unknowns, node by node (Body::columns of them), then rho_x, rho_y, omega    A_o
 //   contact displacements u_c in the pairs' frames                                      H_c   (m columns)
@@ -28,10 +29,20 @@ struct ColumnSystem {
 };
 constexpr int32_t kSingle = -1, kSecondTwin = -2, kAxisNode = -3; // kAxisNode: only axis elements meet there
 
+// The source as an image of the element sees it, in the length unit. With R the reflection T(P, RQ) R = R T(RP, Q), and
+// U likewise: the image of an element acts on P as the element itself on RP, rows times the signs of R.
+struct Source {
+  double x, y;
+  bool on_itself; // it lies on every line it is mirrored across
+};
+Source mirrored_source(const ModelHeader& head, int image, const double at[2]);
+
 // Fill `point` and `twin`. Before everything else.
 void place_sources(const ColumnSystem& system);
 
-inline int32_t system_rows(const Model& m, int b) { return 2 * m.head->body[b].nodes + 3; }
+inline int32_t system_rows(const Model& m, int b) {
+  return 2 * m.head->body[b].nodes + 3 + (b == 0 ? m.head->free_rows : 0);
+}
 inline int32_t outer_columns(const Model& m, int b) { return m.head->body[b].columns + 3; }
 inline int32_t trailing_columns(const Model& m) { return 2 * m.head->contact + m.head->load_cases; }
 

@@ -1,5 +1,6 @@
 #include "contact/frames.hpp"
 
+#include "model/free_zones.hpp"
 #include "model/geometry.hpp"
 #include "model/rigid.hpp"
 #include "model/symmetry.hpp"
@@ -54,6 +55,40 @@ bool surface_at(const Model& m, int b, int32_t pair, Surface& out) {
   return normalise(out.n);
 }
 
+// The same where a node of body 2 faces body 1 in a free zone.
+bool surface_faced(const Model& m, int32_t pair, Surface& out) {
+  const Pair& p = m.pair[pair];
+  FacePoint at{p.element, 0, p.eta};
+  int32_t zone;
+  if (!find_contact_element(m, 0, p.element, &zone, &at.place)) return false;
+  face_normal(m, m.zone[zone], at, out.n);
+  out.length = element_length(m, 0, p.element);
+  return normalise(out.n);
+}
+
+// What the smooth surfaces of both bodies take off the gap between their elements.
+double bulges(const Model& m, int32_t pair, double* doubt) {
+  const Pair& p = m.pair[pair];
+  const int32_t f = m.head->function_nodes;
+  const Zone& z = m.zone[p.zone];
+  FacePoint at{p.element, 0, p.eta};
+  int32_t zone, ends[2];
+  if (!find_contact_element(m, 0, at.element, &zone, &at.place)) return 0;
+  const double first = bulge_at(m, z, 0, at, doubt);
+  const int count = ends_at_node(m, 1, p.node[1], ends);
+  for (int i = 0; i < count; ++i) {
+    if (pair_of_end(m, 1, ends[i] / f, ends[i] % f) != pair) continue;
+    at.element = ends[i] / f;
+    at.eta = local_eta(f, ends[i] % f);
+    find_contact_element(m, 1, at.element, &zone, &at.place);
+    double other;
+    const double second = bulge_at(m, z, 1, at, &other);
+    *doubt += other;
+    return first + second;
+  }
+  return first;
+}
+
 // Does g lie between the directions a and b, widened by one degree on either side?
 bool in_wedge(const double g[2], const double a[2], const double b[2]) {
   const double opening = atan2(a[0] * b[1] - a[1] * b[0], dot(a, b));
@@ -61,11 +96,20 @@ bool in_wedge(const double g[2], const double a[2], const double b[2]) {
   return angle >= fmin(opening, 0) - kDegree && angle <= fmax(opening, 0) + kDegree;
 }
 
+// "pair 3 (node 7 of body 1, node 9 of body 2)"
+void say_pair(Finding& f, const Model& m, int32_t pair) {
+  const Pair& p = m.pair[pair];
+  say(f, "pair ", pair + 1);
+  if (p.node[0] >= 0) say(f, " (node ", p.node[0] + 1, " of body 1");
+  else say(f, " (on element ", p.element + 1, " of body 1");
+  say(f, ", node ", p.node[1] + 1, " of body 2)");
+}
+
 void tell_pair(const Model& m, int32_t pair, const char* found, const char* expected, Reporter& reporter) {
   Finding f = fault();
   locate_pair(f, m, pair);
-  say(f, "pair ", pair + 1, " (node ", m.pair[pair].node[0] + 1, " of body 1, node ",
-      m.pair[pair].node[1] + 1, " of body 2): ", found, ", expected ", expected);
+  say_pair(f, m, pair);
+  say(f, ": ", found, ", expected ", expected);
   tell(reporter, f);
 }
 
@@ -83,12 +127,15 @@ bool has_value(const Model& m, int b, int32_t node, int component) {
 bool find_symmetry(const Model& m, int32_t pair, int* component, Reporter& reporter) {
   const Pair& p = m.pair[pair];
   *component = -1;
+  const int32_t node[2] = {p.node[0] >= 0 ? p.node[0] : node_at(m, FacePoint{p.element, 0, p.eta}), p.node[1]};
   bool fixed[2][2]; // [body][component]
   for (int b = 0; b < 2; ++b) {
     for (int c = 0; c < 2; ++c)
-      fixed[b][c] = displacement_known(m, b, p.node[b], c) || is_held_by_symmetry(m, b, p.node[b], c);
+      fixed[b][c] = node[b] >= 0 && (displacement_known(m, b, node[b], c) || is_held_by_symmetry(m, b, node[b], c));
   }
-  if (lines_at_node(m, 0, p.node[0]) != lines_at_node(m, 1, p.node[1])) {
+  // What holds body 1 in a free zone is symmetry only if it holds body 2 as well; else it is a support.
+  for (int c = 0; c < 2 && p.node[0] < 0; ++c) fixed[0][c] = fixed[0][c] && fixed[1][c];
+  if ((node[0] >= 0 ? lines_at_node(m, 0, node[0]) : 0) != lines_at_node(m, 1, node[1])) {
     tell_pair(m, pair, "one of the nodes lies on a symmetry line", "both on it or neither", reporter);
     return false;
   }
@@ -107,7 +154,7 @@ bool find_symmetry(const Model& m, int32_t pair, int* component, Reporter& repor
                 "it on both bodies (symmetry) or on neither", reporter);
       return false;
     }
-    if (has_value(m, 0, p.node[0], c) || has_value(m, 1, p.node[1], c)) {
+    if (has_value(m, 0, node[0], c) || has_value(m, 1, node[1], c)) {
       tell_pair(m, pair, c == 0 ? "a nonzero ux is prescribed" : "a nonzero uy is prescribed",
                 "zero (symmetry)", reporter);
       return false;
@@ -156,16 +203,16 @@ bool set_normal(const Model& m, int32_t pair, const Surface& s1, const Surface& 
   return true;
 }
 
-void set_gap(const Model& m, int32_t pair, const double g[2], Reporter& reporter) {
+// Adds to what p.gap holds. `doubt`: how much of it may come from elements that are not quite the surfaces.
+void set_gap(const Model& m, int32_t pair, const double g[2], double doubt, Reporter& reporter) {
   Pair& p = m.pair[pair];
-  p.gap = g[0] * p.nx + g[1] * p.ny;
-  if (fabs(p.gap) <= kGapTolerance * p.length) p.gap = 0;
+  p.gap += g[0] * p.nx + g[1] * p.ny;
+  if (fabs(p.gap) <= kGapTolerance * p.length + doubt) p.gap = 0;
   if (p.gap >= 0) return;
   Finding f = fault();
   locate_pair(f, m, pair);
-  say(f, "pair ", pair + 1, " (node ", p.node[0] + 1, " of body 1, node ", p.node[1] + 1,
-      " of body 2): the bodies overlap by ", -p.gap,
-      " before any load (interference), expected a gap of 0 or more");
+  say_pair(f, m, pair);
+  say(f, ": the bodies overlap by ", -p.gap, " before any load (interference), expected a gap of 0 or more");
   tell(reporter, f);
 }
 
@@ -198,16 +245,18 @@ struct Spread {
 void build_frame(const Model& m, int32_t pair, Spread& spread, Reporter& reporter) {
   Pair& p = m.pair[pair];
   Surface s1, s2;
-  const bool first = surface_at(m, 0, pair, s1), second = surface_at(m, 1, pair, s2);
+  const bool first = p.node[0] < 0 ? surface_faced(m, pair, s1) : surface_at(m, 0, pair, s1), second = surface_at(m, 1, pair, s2);
   if (!first || !second)
     return tell_pair(m, pair, "no normal on one of the bodies", "a smooth contact element", reporter);
   p.length = fmin(s1.length, s2.length);
   double position[2][2];
-  for (int b = 0; b < 2; ++b) node_position(m, b, p.node[b], &position[b][0], &position[b][1]);
+  for (int b = 0; b < 2; ++b) pair_position(m, p, b, &position[b][0], &position[b][1]);
   const double g[2] = {position[1][0] - position[0][0], position[1][1] - position[0][1]};
   if (!set_normal(m, pair, s1, s2, g, reporter)) return;
-  set_gap(m, pair, g, reporter);
-  check_offset(m, pair, g, reporter);
+  double doubt = 0;
+  if (p.node[0] < 0) p.gap = -bulges(m, pair, &doubt); // gaps are those of the surfaces, not of the elements
+  set_gap(m, pair, g, doubt, reporter);
+  if (p.node[0] >= 0) check_offset(m, pair, g, reporter); // points of a free zone face each other by construction
 
   const double opposite[2] = {-s2.n[0], -s2.n[1]};
   spread.add(pair, angle_between(s1.n, opposite) / kDegree);
@@ -216,12 +265,12 @@ void build_frame(const Model& m, int32_t pair, Spread& spread, Reporter& reporte
 // One warning for a zone, about the worst of its pairs.
 void warn_spread(const Model& m, int32_t zone, const Spread& spread, Reporter& reporter) {
   if (spread.count == 0) return;
-  const Pair& p = m.pair[spread.pair];
   Finding f = warning(C2D_WARN_NORMALS);
   locate_pair(f, m, spread.pair);
   say(f, "zone ", zone + 1, ": the normals of the two surfaces differ by more than 15 degrees at ", spread.count,
-      " pairs, most at pair ", spread.pair + 1);
-  say(f, " (node ", p.node[0] + 1, " of body 1, node ", p.node[1] + 1, " of body 2): ", spread.angle, " degrees");
+      " pairs, most at ");
+  say_pair(f, m, spread.pair);
+  say(f, ": ", spread.angle, " degrees");
   tell(reporter, f);
 }
 
@@ -229,7 +278,7 @@ void warn_spread(const Model& m, int32_t zone, const Spread& spread, Reporter& r
 
 void check_kink(const Model& m, int32_t zone, int b, int32_t k, Reporter& reporter) {
   const Zone& z = m.zone[zone];
-  int32_t before = zone_element(m, z, b, k), after = zone_element(m, z, b, (k + 1) % z.elements);
+  int32_t before = zone_element(m, z, b, k), after = zone_element(m, z, b, (k + 1) % zone_elements(z, b));
   const int last = body_of(m, b).element_nodes - 1;
   if (geometry_node(m, b, before, last) != geometry_node(m, b, after, 0)) {
     const int32_t swap = before;
@@ -245,7 +294,7 @@ void check_kink(const Model& m, int32_t zone, int b, int32_t k, Reporter& report
   Finding f = warning(C2D_WARN_KINK);
   locate_zone(f, m, zone);
   locate_element(f, m, b, after);
-  if (m.head->function_nodes > 1) {
+  if (m.head->function_nodes > 1 && (z.is_free == 0 || b == 1)) {
     const int32_t node = functional_node(m, b, after, 0);
     f.entry.node = node + 1;
     f.entry.pair = pair_of_node(m, b, node) + 1;
@@ -257,6 +306,17 @@ void check_kink(const Model& m, int32_t zone, int b, int32_t k, Reporter& report
 
 } // namespace
 
+namespace {
+void face_node(const Model& m, const Zone& z, Pair& p) {
+  double x, y;
+  FacePoint at{z.first_element[0], 0, 0};
+  node_position(m, 1, p.node[1], &x, &y);
+  face_point(m, z, x, y, at); // there is one: the zone was fitted
+  p.element = at.element;
+  p.eta = at.eta;
+}
+} // namespace
+
 bool build_frames(const Model& m, Reporter& reporter) {
   const int32_t before = reporter.faults;
   for (int32_t i = 0; i < m.head->zones; ++i) {
@@ -266,34 +326,40 @@ bool build_frames(const Model& m, Reporter& reporter) {
       const int32_t pair = z.first_pair + k;
       Pair& p = m.pair[pair];
       p = Pair{};
-      p.node[0] = zone_node(m, z, 0, k);
+      p.node[0] = z.is_free != 0 ? -1 : zone_node(m, z, 0, k);
       p.node[1] = zone_node(m, z, 1, k);
       p.zone = i;
       p.tangential = 1;
       p.status = C2D_OPEN;
       p.ny = 1; // until its own is known: a pair with a fault
+      if (z.is_free != 0) face_node(m, z, p);
       build_frame(m, pair, spread, reporter);
     }
     warn_spread(m, i, spread, reporter);
     for (int b = 0; b < 2; ++b) {
       // A zone that goes all round its region has a last neighbour more.
       const Region& r = m.region[b][z.region[b]];
-      const int32_t joints = z.elements - (z.elements == r.last - r.first + 1 && !r.open ? 0 : 1);
+      const int32_t count = zone_elements(z, b);
+      const int32_t joints = count - (count == r.last - r.first + 1 && !r.open ? 0 : 1);
       for (int32_t k = 0; k < joints; ++k) check_kink(m, i, b, k, reporter);
     }
   }
-  int32_t dof = 0;
+  int32_t dof = 0, row = 0;
   for (int32_t pair = 0; pair < m.head->pairs; ++pair) {
     m.pair[pair].dof = dof;
     dof += 1 + m.pair[pair].tangential;
+    if (m.zone[m.pair[pair].zone].is_free == 0) continue;
+    m.pair[pair].row = row;
+    row += 1 + m.pair[pair].tangential;
   }
+  m.head->free_rows = row;
   m.head->contact = dof;
   return reporter.faults == before;
 }
 
 bool complete_model(const Model& m, Reporter& reporter) {
   const int32_t before = reporter.faults;
-  m.head->contact = 0;
+  m.head->contact = m.head->free_rows = 0;
   if (!validate_data(m, reporter)) return false; // nothing else can be looked at
   set_units(m);
   const bool sound = validate_symmetry(m, reporter) && validate_geometry(m, reporter);

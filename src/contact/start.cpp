@@ -1,5 +1,7 @@
 #include "contact/start.hpp"
 
+#include "model/free_zones.hpp"
+
 #include <math.h>
 
 namespace c2d {
@@ -59,7 +61,7 @@ int32_t first_to_touch(const Tableau& t, const FreeBody& body, const Model& m, d
 void motion_at_pair(const Model& m, int b, const double motion[3], const double centre[2], const Pair& pair,
                     double out[2]) {
   double x, y;
-  node_position(m, b, pair.node[b], &x, &y);
+  pair_position(m, pair, b, &x, &y);
   const double unit = m.head->length_unit;
   const double ux = motion[0] - motion[2] * (y - centre[1]) / unit;
   const double uy = motion[1] + motion[2] * (x - centre[0]) / unit;

@@ -40,6 +40,7 @@ struct DeckSink {
   c2d_status (*set_zone_friction)(c2d_solver*, int32_t zone, int32_t i, double mu);
   c2d_status (*set_units)(c2d_solver*, const char* length, const char* force);
   c2d_status (*set_symmetry)(c2d_solver*, int32_t axis, double value);
+  c2d_status (*add_free_zone)(c2d_solver*, const c2d_free_zone*);
 };
 
 // What later sections must know of earlier ones. Bodies are counted from 0 in here.

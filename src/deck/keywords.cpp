@@ -18,13 +18,15 @@ struct Keyword {
 //   *PATH                    history.cpp    pieces of path through their factors, instead of the load cards
 //   *FRICTION                history.cpp    coefficients by zone
 //   *SYMMETRY X value        symmetry.cpp   line x = value (Y: y = value), everything mirrored across it
-// Names set aside for: *BODY FORCE (weight, rotation), *RIGID, *INTERFERENCE, *ZONE (meshes that do not match), *POINTS.
+//   *ZONE e1 e1 e2 e2        free_zones.cpp contact between elements of both bodies, meshed independently
+// Names set aside for: *BODY FORCE (weight, rotation), *RIGID, *INTERFERENCE, *POINTS.
 constexpr Keyword kKeywords[] = {
     {"UNITS", read_units, false},
     {"CASES", read_cases, false},
     {"PATH", read_path, false},
     {"FRICTION", read_friction, false},
     {"SYMMETRY", read_symmetry, true},
+    {"ZONE", read_free_zone, true},
 };
 constexpr int32_t kKeywordCount = static_cast<int32_t>(sizeof kKeywords / sizeof kKeywords[0]);
 static_assert(kKeywordCount <= 32, "Deck::keywords_seen has a bit for each");

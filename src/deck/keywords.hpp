@@ -20,6 +20,7 @@ void read_units(Deck& deck, const Words& keyword_card);    // units.cpp
 void read_cases(Deck& deck, const Words& keyword_card);    // history.cpp
 void read_path(Deck& deck, const Words& keyword_card);     //
 void read_friction(Deck& deck, const Words& keyword_card); //
+void read_free_zone(Deck& deck, const Words& keyword_card); // free_zones.cpp
 void read_symmetry(Deck& deck, const Words& keyword_card); // symmetry.cpp
 
 } // namespace c2d

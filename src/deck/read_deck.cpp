@@ -61,6 +61,7 @@ c2d_status walk(Reading& reading) {
   sink.set_zone_friction = c2d_set_zone_friction;
   sink.set_units = c2d_set_units;
   sink.set_symmetry = c2d_set_symmetry;
+  sink.add_free_zone = c2d_add_free_zone;
   return read_deck_cards(&sink, read_line, &reading, deck_fault, &reading, nullptr);
 }
 

@@ -21,7 +21,7 @@ bool counts_are_legal(const c2d_limits& l) {
     if (b < l.bodies && (l.geometry_nodes[b] < 1 || l.elements[b] < 1 || l.regions[b] < 1)) return false;
   }
   return l.zones >= 0 && l.pairs >= 0 && l.contact_elements >= 0 && l.point_loads >= 0 && l.coefficients >= 0 &&
-         l.paths >= 0 && l.load_cases >= 0 && l.panel_columns >= 0;
+         l.paths >= 0 && l.load_cases >= 0 && l.panel_columns >= 0 && l.free_pairs >= 0 && l.free_pairs <= l.pairs;
 }
 
 } // namespace
@@ -53,6 +53,8 @@ c2d_status derive_sizes(const c2d_limits& limits, Sizes& out) {
   out.coefficients = limits.coefficients;
   out.paths = limits.paths;
   out.contact = 2 * out.pairs;
+  out.free_pairs = limits.free_pairs;
+  out.body[0].rows += 2 * out.free_pairs;
   return C2D_OK;
 }
 

@@ -5,7 +5,7 @@
 namespace c2d {
 
 // Bytes of one element of the arrays whose types belong to the model (checked there with static_assert).
-constexpr uint64_t kRegionBytes = 16, kZoneBytes = 56, kPairBytes = 152, kPointLoadBytes = 48, kPathBytes = 16;
+constexpr uint64_t kRegionBytes = 16, kZoneBytes = 64, kPairBytes = 168, kPointLoadBytes = 48, kPathBytes = 16;
 
 // Every array that lives in the workspace, in the order in which memory is carved. Two arrays per body follow one
 // another (`kXy + body`). The README maps them to the arrays of the 1987 program.
@@ -36,13 +36,14 @@ struct BodySizes {
   int64_t geometry_nodes, elements, regions;
   int64_t nodes;       // functional nodes
   int64_t ends;        // element ends: elements * function_nodes
-  int64_t rows;        // equations: 2 nodes + 3
+  int64_t rows;        // equations: 2 nodes + 3, and on body 1 2 for each pair of a free zone
 };
 struct Sizes {
   int32_t bodies, function_nodes, load_cases, panel_columns;
   BodySizes body[2];
   int64_t zones, pairs, contact_elements, point_loads, coefficients, paths;
   int64_t contact;     // contact unknowns at most: 2 pairs
+  int64_t free_pairs;  // of them, those of free zones
 };
 
 // Work, reaction and what they grow by per load case: 2 functionals of 2 m + cases numbers, and 5 numbers.

@@ -23,7 +23,8 @@ struct Path {
   double load;
 };
 // Element k of a zone is first_element[b] + k * element_step[b] on body b; pair k joins the functional nodes
-// zone_node(..., k). Ranges may wrap round their region.
+// zone_node(..., k). Ranges may wrap round their region. In a free zone (model/free_zones.hpp) the sides are meshed
+// independently: `elements` are those of body 2, whose nodes make the pairs; body 1 has `facing` elements and no nodes.
 struct Zone {
   int32_t pairs, elements;
   int32_t first_element[2], element_step[2];
@@ -31,9 +32,12 @@ struct Zone {
   int32_t region[2];
   int32_t first_pair;       // pairs of earlier zones
   int32_t line;
+  int32_t is_free, facing;
 };
 struct Pair {
-  int32_t node[2];          // functional nodes
+  int32_t node[2];          // functional nodes; in a free zone -1 on body 1, where the pair is a point of an element:
+  int32_t element, row;     // free zone: that element, and the pair's first equation u_c = u there, from 0
+  double eta;
   int32_t zone;
   int32_t dof;              // first contact unknown: normal; tangential follows if there is one
   int32_t tangential;       // 0: symmetry fixes the tangential direction
@@ -51,7 +55,7 @@ struct Pair {
   int32_t saved_status, saved_sign;
   int32_t weak;             // this pair sits on the border of its conditions (within one event)
   double saved_offset, saved_slip_done, saved_slip_from;
-  double weight;            // integral of the pair's shape functions along body 1, in the length unit
+  double weight;            // integral of the pair's shape functions along the body of its measure, length unit
   double saved_q;           // q at the start of the increment (deck stepping)
 };
 
@@ -75,6 +79,7 @@ struct ModelHeader {        // lives in the solver's header; the arrays live in 
   int32_t plane, analysis, iteration_limit;
   int32_t zones, pairs, contact_elements, point_loads, coefficients, paths;
   int32_t contact;          // contact unknowns m
+  int32_t free_rows;        // those of them in free zones
   int32_t line, column, column_end;
   // Lines x = line_at[0] (bit 1) and y = line_at[1] (bit 2) across which everything is mirrored: those asked for, and
   // those in force from the model's completion on; the model lies where line_side * (x - line_at) >= 0.
@@ -135,11 +140,13 @@ void element_coordinates(const Model& m, int b, int32_t element, double x[4], do
 void node_position(const Model& m, int b, int32_t node, double* x, double* y);
 
 // ---- contact topology -------------------------------------------------------------------------------------------
+inline int32_t zone_elements(const Zone& z, int b) { return z.is_free != 0 && b == 0 ? z.facing : z.elements; }
 int32_t zone_element(const Model& m, const Zone& z, int b, int32_t k);
 int32_t zone_node(const Model& m, const Zone& z, int b, int32_t k);
 // Position of an element in a zone: zone index in *zone, place k in *place; false if it is no contact element.
 bool find_contact_element(const Model& m, int b, int32_t element, int32_t* zone, int32_t* place);
-int32_t pair_of_node(const Model& m, int b, int32_t node);             // -1: none
+// -1: none, as everywhere on body 1 of a free zone.
+int32_t pair_of_node(const Model& m, int b, int32_t node);
 // Pair whose traction lives at local node l of this element; -1 if the end is not a contact end (2.3).
 int32_t pair_of_end(const Model& m, int b, int32_t element, int l);
 

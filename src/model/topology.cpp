@@ -190,7 +190,7 @@ bool find_contact_element(const Model& m, int b, int32_t element, int32_t* zone,
     const Zone& z = m.zone[i];
     const Region& r = m.region[b][z.region[b]];
     const int32_t k = place_in_range(element, z.first_element[b], z.element_step[b], r.first, r.last, r.open != 0);
-    if (k < 0 || k >= z.elements) continue;
+    if (k < 0 || k >= zone_elements(z, b)) continue;
     *zone = i;
     *place = k;
     return true;
@@ -201,6 +201,7 @@ bool find_contact_element(const Model& m, int b, int32_t element, int32_t* zone,
 namespace {
 
 int32_t pair_in_zone(const Model& m, const Zone& z, int b, int32_t node) {
+  if (z.is_free != 0 && b == 0) return -1;
   int32_t first, last;
   nodes_of_region(m, b, z.region[b], &first, &last);
   const int32_t k = place_in_range(node, z.first_node[b], z.node_step[b], first, last, m.region[b][z.region[b]].open != 0);

@@ -7,9 +7,19 @@
 
 namespace c2d {
 
+// Body 1 of a free zone has ordinary nodes, and what the contact brings is no unknown of theirs: cards that call
+// traction and displacement unknown there mean the contact.
+static bool is_left_to_contact(const Model& m, int b, int32_t end, int component) {
+  int32_t zone, place;
+  const int32_t f = m.head->function_nodes, element = end / f;
+  return b == 0 && find_contact_element(m, b, element, &zone, &place) && m.zone[zone].is_free != 0 &&
+         !displacement_known(m, b, functional_node(m, b, element, end % f), component);
+}
+
 bool traction_known(const Model& m, int b, int32_t end, int component) {
   const uint8_t code = m.end_code[b][end];
-  return (code & kGiven) == 0 || (code & (component == 0 ? kKnownTx : kKnownTy)) != 0;
+  return (code & kGiven) == 0 || (code & (component == 0 ? kKnownTx : kKnownTy)) != 0 ||
+         is_left_to_contact(m, b, end, component);
 }
 
 bool displacement_known(const Model& m, int b, int32_t node, int component) {

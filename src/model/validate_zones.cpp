@@ -1,4 +1,5 @@
 // Do contact zones refer to what is there, and do their sides face each other?
+#include "model/free_zones.hpp"
 #include "model/geometry.hpp"
 #include "model/validate.hpp"
 #include "model/validate_finding.hpp"
@@ -49,8 +50,10 @@ bool in_range(const Model& m, int32_t zone, int b, Reporter& reporter) {
   nodes_of_region(m, b, z.region[b], &first_node, &last_node);
   if (z.first_element[b] < r.first || z.first_element[b] > r.last)
     tell_zone(m, zone, b, "first element ", z.first_element[b] + 1, " is not in the zone's region", reporter);
-  if (z.elements > elements)
-    tell_zone(m, zone, b, "elements: ", z.elements, ", more than its region has", reporter);
+  const int32_t count = zone_elements(z, b);
+  if (count > elements)
+    tell_zone(m, zone, b, "elements: ", count, ", more than its region has", reporter);
+  if (z.is_free != 0) return reporter.faults == before; // fitted later
   if (z.first_node[b] < first_node || z.first_node[b] > last_node)
     tell_zone(m, zone, b, "first node ", z.first_node[b] + 1, " is not in the region of its elements",
               reporter);
@@ -113,7 +116,7 @@ void check_nodes(const Model& m, int32_t zone, Reporter& reporter) {
 // Elements in two zones, nodes in two pairs: in this zone and an earlier one.
 void check_overlap(const Model& m, int32_t zone, int b, Reporter& reporter) {
   const Zone& z = m.zone[zone];
-  for (int32_t k = 0; k < z.elements; ++k) {
+  for (int32_t k = 0; k < zone_elements(z, b); ++k) {
     int32_t other, place;
     const int32_t element = zone_element(m, z, b, k);
     if (!find_contact_element(m, b, element, &other, &place) || other == zone)
@@ -125,7 +128,7 @@ void check_overlap(const Model& m, int32_t zone, int b, Reporter& reporter) {
         ", expected in one");
     tell(reporter, f);
   }
-  for (int32_t k = 0; k < z.pairs; ++k) {
+  for (int32_t k = 0; k < z.pairs && (z.is_free == 0 || b == 1); ++k) {
     const int32_t node = zone_node(m, z, b, k), pair = pair_of_node(m, b, node);
     if (pair == z.first_pair + k) continue;
     Finding f = fault();
@@ -141,13 +144,13 @@ void check_overlap(const Model& m, int32_t zone, int b, Reporter& reporter) {
 
 void check_lengths(const Model& m, int32_t zone, int b, Reporter& reporter) {
   const Zone& z = m.zone[zone];
-  for (int32_t k = 0; k < z.elements; ++k) {
+  for (int32_t k = 0; k < zone_elements(z, b); ++k) {
     const int32_t element = zone_element(m, z, b, k);
     if (is_zero_length(m, b, element))
       tell_zone(m, zone, b, "element ", element + 1, " has zero length, expected none in a contact zone",
                 reporter);
   }
-  for (int32_t k = 0; k < z.pairs; ++k) {
+  for (int32_t k = 0; k < z.pairs && (z.is_free == 0 || b == 1); ++k) {
     const int32_t node = zone_node(m, z, b, k);
     if (twin_node(m, b, node) >= 0)
       tell_zone(m, zone, b, "node ", node + 1, " is a double node, expected none in a contact zone",
@@ -203,6 +206,27 @@ bool check_counts(const Model& m, int32_t zone, Reporter& reporter) {
 
 } // namespace
 
+namespace {
+
+// Cut free zones down to what faces each other, and number the pairs of all zones again.
+bool fit_zones(const Model& m, Reporter& reporter) {
+  const int32_t before = reporter.faults;
+  int32_t pairs = 0;
+  for (int32_t i = 0; i < m.head->zones; ++i) {
+    if (m.zone[i].is_free != 0) {
+      check_lengths(m, i, 0, reporter);
+      if (reporter.faults != before) return false; // points would have no normals
+      fit_free_zone(m, i, reporter);
+    }
+    m.zone[i].first_pair = pairs;
+    pairs += m.zone[i].pairs;
+  }
+  m.head->pairs = pairs;
+  return reporter.faults == before;
+}
+
+} // namespace
+
 bool validate_zones(const Model& m, Reporter& reporter) {
   const int32_t before = reporter.faults;
   if (m.head->zones > 0 && m.head->bodies < 2) {
@@ -214,9 +238,12 @@ bool validate_zones(const Model& m, Reporter& reporter) {
   }
   for (int32_t i = 0; i < m.head->zones; ++i) check_counts(m, i, reporter);
   if (reporter.faults != before) return false; // the rest looks up what the zones name
+  if (!fit_zones(m, reporter)) return false;
   for (int32_t i = 0; i < m.head->zones; ++i) {
-    check_nodes(m, i, reporter);
-    check_facing(m, i, reporter);
+    if (m.zone[i].is_free == 0) {
+      check_nodes(m, i, reporter);
+      check_facing(m, i, reporter);
+    }
     for (int b = 0; b < 2; ++b) {
       check_overlap(m, i, b, reporter);
       check_lengths(m, i, b, reporter);

@@ -155,6 +155,11 @@ int Run::prepare() {
     record_.friction.push_back(0.0);
     status = c2d_get_friction(solver, i, &record_.friction.back());
   }
+  for (int32_t i = 1; i <= summary_.zones && status == C2D_OK; ++i) {
+    c2d_zone zone = C2D_INIT(c2d_zone);
+    status = c2d_get_zone(solver, i, &zone);
+    record_.measure.push_back(zone.first_node[0] == 0 ? 2 : 1); // free zones have no nodes of body 1
+  }
   if (outputs_.csv.is_open()) append_contact_header(outputs_.csv.text);
   if (outputs_.boundary.is_open()) append_boundary_header(outputs_.boundary.text);
   if (status != C2D_OK) return library_failed(status);

@@ -237,6 +237,15 @@ void append_json(std::string& out, const RunRecord& record, const c2d_summary& s
   append_memory(o.key("memory"), s);
   append_tapes(o.key("tapes"), s);
   append_seconds(o.key("seconds"), record, s);
+  o.key("zones") += '[';
+  for (size_t i = 0; i < record.measure.size(); ++i) {
+    if (i > 0) out += ", ";
+    Object zone(out, "{", ", ");
+    zone.integer("zone", static_cast<int64_t>(i) + 1);
+    zone.word("measure", record.measure[i] == 2 ? "body 2" : "body 1");
+    out += '}';
+  }
+  out += ']';
   o.integer("events", s.events);
   o.integer("exchanges", s.exchanges);
   o.integer("tableau_rebuilds", s.tableau_rebuilds);

@@ -36,6 +36,7 @@ struct RunRecord {
   std::vector<CoefficientRecord> coefficients;
   std::vector<double> friction; // all coefficients of the deck
   std::vector<c2d_error> warnings;
+  std::vector<int32_t> measure; // of each zone: the body per whose length tn and tt are
   double read_seconds = 0.0, write_seconds = 0.0; // spent by the program itself
   bool checked_only = false;                      // the deck asks for a data check, nothing was solved
 

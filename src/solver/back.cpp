@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "bie/columns.hpp"
+#include "bie/transfer.hpp"
 #include "solver/session.hpp"
 
 namespace c2d {
@@ -68,6 +69,38 @@ void fill_displacements(const Session& session, int b) {
   }
 }
 
+} // namespace
+
+void transferred_traction(const Session& session, int b, int32_t element, int l, double out[2]) {
+  const Model& m = session.model;
+  TransferredEnd end;
+  out[0] = out[1] = 0.0;
+  if (b != 0 || m.head->free_rows == 0 || !transferred_end(m, element, l, end)) return;
+  for (int k = 0; k < m.head->function_nodes; ++k) {
+    if (end.pair[k] < 0) continue;
+    const PairState now = pair_state(*session.follower.t, end.pair[k], session.follower.y);
+    const double scale = -m.head->stress_unit * end.ratio * end.weight[k];
+    double t[2];
+    to_global(m.pair[end.pair[k]], now.p * scale, now.q * scale, t);
+    for (int c = 0; c < 2; ++c) out[c] += t[c];
+  }
+}
+
+void transferred_values(const Session& session, const Transfer& piece, int k, double out[2]) {
+  const Model& m = session.model;
+  out[0] = out[1] = 0.0;
+  for (int l = 0; l < m.head->function_nodes; ++l) {
+    if (piece.pair[l] < 0) continue;
+    const PairState now = pair_state(*session.follower.t, piece.pair[l], session.follower.y);
+    const double scale = -m.head->stress_unit * piece.weight[k][l];
+    double t[2];
+    to_global(m.pair[piece.pair[l]], now.p * scale, now.q * scale, t);
+    for (int c = 0; c < 2; ++c) out[c] += t[c];
+  }
+}
+
+namespace {
+
 void fill_end_traction(const Session& session, int b, int32_t element, int l) {
   const Model& m = session.model;
   const int32_t end = element * m.head->function_nodes + l, node = functional_node(m, b, element, l);
@@ -87,6 +120,9 @@ void fill_end_traction(const Session& session, int b, int32_t element, int l) {
     else if (solved && here) t[c] = session.area.outer[outer_column(m, b, node, c)] * 2.0 * shear_modulus(m, b);
     else t[c] = prescribed_traction(session, b, end, c);
   }
+  double transferred[2];
+  transferred_traction(session, b, element, l, transferred);
+  for (int c = 0; c < 2; ++c) t[c] += transferred[c];
 }
 
 c2d_status back_substitute_body(Session& session, int b) {
@@ -120,6 +156,21 @@ void add_contact_end(const Session& session, int b, int32_t index, const EndResu
   add_force(out, w.w * t[0], w.w * t[1], head.length_unit * (w.wx * t[1] - w.wy * t[0]));
 }
 
+// Body 1's share in free zones, from the integrals that its equations hold.
+void add_transferred(const Session& session, double out[3]) {
+  const double unit = session.model.head->length_unit;
+  TransferWalk walk{};
+  Transfer piece;
+  while (next_transfer(session.model, Quadrature::accurate, walk, piece)) {
+    double w[4], wx[4], wy[4], t[2];
+    resultants(piece.in, 0.0, 0.0, w, wx, wy);
+    for (int k = 0; k < piece.in.functions; ++k) {
+      transferred_values(session, piece, k, t);
+      add_force(out, unit * w[k] * t[0], unit * w[k] * t[1], unit * unit * (wx[k] * t[1] - wy[k] * t[0]));
+    }
+  }
+}
+
 void sum_forces(Session& session, int b) {
   const Model& m = session.model;
   const double unit = m.head->length_unit;
@@ -134,7 +185,10 @@ void sum_forces(Session& session, int b) {
       const int32_t index = pair_of_end(m, b, element, l);
       if (index >= 0) add_contact_end(session, b, index, shared[l], contact);
       const int32_t end = element * m.head->function_nodes + l, node = functional_node(m, b, element, l);
-      const double* t = session.area.traction[b] + 2 * static_cast<int64_t>(end);
+      const double* total = session.area.traction[b] + 2 * static_cast<int64_t>(end);
+      double t[2];
+      transferred_traction(session, b, element, l, t);
+      for (int c = 0; c < 2; ++c) t[c] = total[c] - t[c];
       const EndResultant& w = own[l];
       for (int c = 0; c < 2; ++c) {
         if (index >= 0 && unknown_at(m, b, node, c).kind == UnknownKind::contact) continue;
@@ -143,6 +197,7 @@ void sum_forces(Session& session, int b) {
       }
     }
   }
+  if (b == 0) add_transferred(session, contact);
   for (int32_t i = 0; i < m.head->point_loads; ++i) {
     const PointLoad& p = m.point_load[i];
     if (p.body != b) continue;

@@ -159,6 +159,29 @@ void add_point_fields(Adjoint& a, const double at[2], const double factor[2]) {
   }
 }
 
+// The tractions that free zones hand over to body 1.
+void add_transferred_at(Adjoint& a, const double at[2], const double factor[2]) {
+  const Model& m = a.model();
+  const double scale = -m.head->stress_unit / (2.0 * shear_modulus(m, 0));
+  TransferWalk walk{};
+  Transfer piece;
+  Blocks blocks;
+  while (next_transfer(m, Quadrature::accurate, walk, piece)) {
+    integrate(piece.in, at[0], at[1], -1, false, true, blocks);
+    for (int l = 0; l < m.head->function_nodes; ++l) {
+      if (piece.pair[l] < 0) continue;
+      const Pair& pair = m.pair[piece.pair[l]];
+      for (int c = 0; c < 2; ++c) {
+        double sum = 0.0;
+        for (int k = 0; k < piece.in.functions; ++k)
+          sum += piece.weight[k][l] * (factor[0] * blocks.g[k][0][c] + factor[1] * blocks.g[k][1][c]);
+        a.tau[pair.dof] += scale * sum * (c == 0 ? pair.nx : pair.ny);
+        if (pair.tangential) a.tau[pair.dof + 1] += scale * sum * (c == 0 ? pair.ny : -pair.nx);
+      }
+    }
+  }
+}
+
 // All elements and point loads as one of their images, which act as they themselves at the mirrored point, mirrored.
 void add_image_at(Adjoint& a, int image, const double point[2], const double force[2]) {
   const Model& m = a.model();
@@ -175,6 +198,7 @@ void add_image_at(Adjoint& a, int image, const double point[2], const double for
       add_element_at(a, element, Measure::contact, at, factor);
   }
   add_point_fields(a, at, factor);
+  if (a.b == 0 && m.head->free_rows > 0) add_transferred_at(a, at, factor);
 }
 
 // Its force times the displacement there, from the boundary integrals (the interior form of the equations).
@@ -264,11 +288,12 @@ void weigh_pairs(const Model& m) {
   for (int32_t i = 0; i < m.head->pairs; ++i) m.pair[i].weight = 0.0;
   for (int32_t z = 0; z < m.head->zones; ++z)
     for (int32_t place = 0; place < m.zone[z].elements; ++place) {
-      const int32_t element = zone_element(m, m.zone[z], 0, place);
+      const int b = m.zone[z].is_free != 0 ? 1 : 0;
+      const int32_t element = zone_element(m, m.zone[z], b, place);
       EndResultant weight[4];
-      end_resultants(m, 0, element, Measure::own_length, weight);
+      end_resultants(m, b, element, Measure::own_length, weight);
       for (int l = 0; l < m.head->function_nodes; ++l) {
-        const int32_t pair = pair_of_end(m, 0, element, l);
+        const int32_t pair = pair_of_end(m, b, element, l);
         if (pair >= 0) m.pair[pair].weight += weight[l].w;
       }
     }

@@ -205,10 +205,12 @@ bool nodal_values(const Session& session, int b, int32_t element, Complex u[4], 
     const double* t = session.area.traction[b] + 2 * (static_cast<int64_t>(element) * nf + l);
     u[l] = {length * d[0], length * d[1]};
     double part[2][2] = {{0.0, 0.0}, {0.0, 0.0}};
+    double transferred[2]; // of free zones: comes by pieces
+    transferred_traction(session, b, element, l, transferred);
     const bool shared = b == 1 && pair_of_end(m, b, element, l) >= 0;
     for (int c = 0; c < 2; ++c) {
       const bool foreign = shared && unknown_at(m, b, node, c).kind == UnknownKind::contact;
-      part[foreign ? 1 : 0][c] = stress * t[c] / (foreign ? traction_ratio(m, b, element, l) : 1.0);
+      part[foreign ? 1 : 0][c] = stress * (t[c] - transferred[c]) / (foreign ? traction_ratio(m, b, element, l) : 1.0);
     }
     own[l] = {part[0][0], part[0][1]};
     contact[l] = {part[1][0], part[1][1]};
@@ -228,6 +230,29 @@ void add_elements_values(const Session& session, int b, int32_t element, const P
   make_integrator(session.model, b, element, Quadrature::accurate, Measure::contact, e.in);
   prepare_field(contact, nullptr, e);
   add_element(e, b, points);
+}
+
+// Tractions that free zones hand over to body 1.
+c2d_status add_transferred(const Session& session, const Points& points) {
+  const Model& m = session.model;
+  const double stress = 1.0 / (2.0 * shear_modulus(m, 0));
+  TransferWalk walk{};
+  Transfer piece;
+  while (next_transfer(m, Quadrature::accurate, walk, piece)) {
+    const c2d_status status = pause(session, 0, piece.element1);
+    if (status != C2D_OK) return status;
+    FieldElement e;
+    Complex t[4];
+    e.in = piece.in;
+    for (int k = 0; k < piece.in.functions; ++k) {
+      double value[2];
+      transferred_values(session, piece, k, value);
+      t[k] = {stress * value[0], stress * value[1]};
+    }
+    prepare_field(t, nullptr, e);
+    add_element(e, 0, points);
+  }
+  return C2D_OK;
 }
 
 // Whatever is known in closed form at a point: so far point loads.
@@ -318,6 +343,7 @@ c2d_status evaluate_body(const Session& session, int b, const Points& points) {
     status = pause(session, b, element);
     if (status == C2D_OK) add_elements_values(session, b, element, points);
   }
+  if (status == C2D_OK && b == 0 && session.model.head->free_rows > 0) status = add_transferred(session, points);
   return status;
 }
 

@@ -37,7 +37,7 @@ PhaseSizes phase_sizes(const Sizes& sizes) {
     s.nodes[b] = sizes.body[b].nodes;
     s.ends[b] = sizes.body[b].ends;
     s.rows[b] = sizes.body[b].rows;
-    s.outer[b] = s.rows[b]; // without contact, every unknown is an outer one
+    s.outer[b] = 2 * s.nodes[b] + 3; // without contact, every unknown is an outer one
   }
   return s;
 }

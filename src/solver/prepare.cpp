@@ -4,6 +4,7 @@
 #include "bie/columns.hpp"
 #include "contact/reduction.hpp"
 #include "memory/text.hpp"
+#include "model/free_zones.hpp"
 #include "model/rigid.hpp"
 #include "solver/phases.hpp"
 #include "solver/energy.hpp"
@@ -51,7 +52,7 @@ bool contact_holds(const Model& m, int b) {
   for (int32_t i = 0; i < m.head->pairs && rank < k; ++i) {
     const Pair& pair = m.pair[i];
     double x, y;
-    node_position(m, b, pair.node[b], &x, &y);
+    pair_position(m, pair, b, &x, &y);
     const double dx = (x - body.centre[0]) / m.head->length_unit, dy = (y - body.centre[1]) / m.head->length_unit;
     const double directions[2][2] = {{pair.nx, pair.ny}, {pair.ny, -pair.nx}};
     for (int d = 0; d <= pair.tangential && rank < k; ++d) {

@@ -269,7 +269,8 @@ extern "C" c2d_status c2d_get_zone(c2d_solver* s, int32_t i, c2d_zone* out) {
   ours.elements = zone.elements;
   for (int b = 0; b < 2; ++b) {
     ours.first_element[b] = zone.first_element[b] + 1;
-    ours.last_element[b] = zone_element(m, zone, b, zone.elements - 1) + 1;
+    ours.last_element[b] = zone_element(m, zone, b, zone_elements(zone, b) - 1) + 1;
+    if (zone.is_free != 0 && b == 0) continue;
     ours.first_node[b] = zone.first_node[b] + 1;
     ours.last_node[b] = zone_node(m, zone, b, zone.pairs - 1) + 1;
   }

@@ -6,6 +6,7 @@
 
 #include "bie/columns.hpp"
 #include "memory/text.hpp"
+#include "model/free_zones.hpp"
 #include "model/rigid.hpp"
 
 namespace c2d {
@@ -422,7 +423,7 @@ void fill_positions(const Model& m, double* table) {
   for (int32_t i = 0; i < m.head->pairs; ++i) {
     double* row = table + static_cast<int64_t>(i) * C2D_PAIR_FIELDS;
     const Pair& pair = m.pair[i];
-    node_position(m, 0, pair.node[0], &row[C2D_X], &row[C2D_Y]);
+    pair_position(m, pair, 0, &row[C2D_X], &row[C2D_Y]);
     row[C2D_NX] = pair.nx;
     row[C2D_NY] = pair.ny;
     row[C2D_PAIR_NODE1] = pair.node[0] + 1;

@@ -1,5 +1,6 @@
 #pragma once
 // A load path in progress: the tableau, the follower and their arrays, put together at every entry and put away after.
+#include "bie/transfer.hpp"
 #include "contact/path.hpp"
 #include "contact/start.hpp"
 #include "solver/phases.hpp"
@@ -33,6 +34,10 @@ c2d_status advance_path(Session& session, const double* target);
 c2d_status fill_table(Session& session);
 // Zone, normals and positions, which do not change.
 void fill_positions(const Model& model, double* table);
+// Traction that free zones hand over to body 1: at an end of an element (zero elsewhere and on body 2), and at function k
+// of a piece per length of body 2 (solver/back.cpp).
+void transferred_traction(const Session& session, int b, int32_t element, int l, double out[2]);
+void transferred_values(const Session& session, const Transfer& piece, int k, double out[2]);
 // What a step callback sees of the present state; outcome and changes are the caller's. The table is filled already.
 c2d_step describe_step(const Session& session, int32_t kind);
 // Work of the loads along `direction` on a rigid motion of the free body; *size: sum of its magnitudes.

@@ -74,12 +74,12 @@ void warn_slip(Session& session) {
 }
 
 // Pressure at eta of a contact element, from its listed ends.
-double pressure_inside(const Session& session, int32_t element, double eta) {
+double pressure_inside(const Session& session, int b, int32_t element, double eta) {
   const int nf = session.model.head->function_nodes;
   double shapes[4], sum = 0.0;
   shape(nf, eta, shapes);
   for (int l = 0; l < nf; ++l) {
-    const int32_t pair = pair_of_end(session.model, 0, element, l);
+    const int32_t pair = pair_of_end(session.model, b, element, l);
     if (pair >= 0) sum += shapes[l] * pair_state(*session.follower.t, pair, session.follower.y).p;
   }
   return sum;
@@ -95,7 +95,8 @@ double tension_ratio(const Session& session) {
   for (int32_t z = 0; z < m.head->zones; ++z)
     for (int32_t k = 0; k < m.zone[z].elements; ++k)
       for (int sample = -10; sample <= 10; ++sample) {
-        const double p = pressure_inside(session, zone_element(m, m.zone[z], 0, k), 0.1 * sample);
+        const int b = m.zone[z].is_free != 0 ? 1 : 0; // where tau has its shape functions
+        const double p = pressure_inside(session, b, zone_element(m, m.zone[z], b, k), 0.1 * sample);
         if (p < least) least = p;
       }
   for (int32_t i = 0; i < m.head->pairs; ++i) {

@@ -17,15 +17,16 @@ struct Largest {
 
 double larger(double a, double b) { return a > b ? a : b; }
 
-// Force and moment on body 2 of one element of body 1, from the exact resultants of its shape functions.
-void add_element_force(const Session& session, int32_t element, c2d_zone_state& out) {
+// Force and moment on body 2 of one element of the body whose length tau is measured by, from the exact resultants of its
+// shape functions.
+void add_element_force(const Session& session, int b, int32_t element, c2d_zone_state& out) {
   const Model& m = session.model;
   const Follower& f = session.follower;
   EndResultant weight[4];
-  end_resultants(m, 0, element, Measure::own_length, weight);
+  end_resultants(m, b, element, Measure::own_length, weight);
   const double unit = m.head->length_unit * m.head->stress_unit;
   for (int l = 0; l < m.head->function_nodes; ++l) {
-    const int32_t i = pair_of_end(m, 0, element, l);
+    const int32_t i = pair_of_end(m, b, element, l);
     if (i < 0) continue;
     const Pair& pair = m.pair[i];
     const PairState now = pair_state(*f.t, i, f.y);
@@ -70,8 +71,9 @@ void fill_zone_state(const Session& session, const Zone& zone, c2d_zone_state& o
   }
   out.largest_pressure = largest.p * m.head->stress_unit;
   out.largest_friction = friction * m.head->stress_unit;
+  const int b = zone.is_free != 0 ? 1 : 0;
   for (int32_t place = 0; place < zone.elements; ++place)
-    add_element_force(session, zone_element(m, zone, 0, place), out);
+    add_element_force(session, b, zone_element(m, zone, b, place), out);
 }
 
 } // namespace

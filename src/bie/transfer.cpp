@@ -1,0 +1,212 @@
+#include "bie/transfer.hpp"
+
+#include "bie/shape.hpp"
+#include "model/symmetry.hpp"
+
+#include <math.h>
+
+namespace c2d {
+
+namespace {
+
+// The part of an element between two local coordinates, in the length unit; ends that are nodes are exactly
+// those.
+Element part_of(const Model& m, int b, int32_t element, double from, double to, const int32_t node[2]) {
+  const double unit = m.head->length_unit;
+  double x[4], y[4], px[4], py[4];
+  element_coordinates(m, b, element, x, y);
+  const int nodes = m.head->body[b].element_nodes;
+  for (int k = 0; k < nodes; ++k) x[k] /= unit, y[k] /= unit;
+  const Element whole = make_element(nodes, x, y);
+  for (int k = 0; k < nodes; ++k) {
+    const double eta = k == nodes - 1 ? to : from + (to - from) * k / (nodes - 1);
+    const Point p = element_point(whole, eta);
+    px[k] = eta == -1.0 ? x[0] : (eta == 1.0 ? x[nodes - 1] : p.x);
+    py[k] = eta == -1.0 ? y[0] : (eta == 1.0 ? y[nodes - 1] : p.y);
+    const int end = k == 0 ? 0 : (k == nodes - 1 ? 1 : -1);
+    if (end < 0 || node[end] < 0) continue;
+    node_position(m, b, node[end], &px[k], &py[k]);
+    px[k] /= unit, py[k] /= unit;
+  }
+  return make_element(nodes, px, py);
+}
+
+int32_t functions_of_piece(const Model& m) {
+  return m.head->function_nodes < 2 ? 2 : m.head->function_nodes;
+}
+
+void make_transfer(const Model& m, Quadrature quadrature, const PieceWalk& walk, const FacingPiece& piece,
+                   Transfer& out) {
+  const int nf = m.head->function_nodes, functions = functions_of_piece(m);
+  const int first =
+      piece.eta1[0] < piece.eta1[1] ? 0 : 1; // in body 1's direction of travel, which is against body 2's
+  const double from = piece.eta1[first], to = piece.eta1[1 - first];
+  const double high = piece.eta2[first], low = piece.eta2[1 - first];
+  const int32_t none[2] = {-1, -1};
+  out.element1 = piece.element1;
+  out.node[0] = node_at(m, FacePoint{piece.element1, 0, from});
+  out.node[1] = node_at(m, FacePoint{piece.element1, 0, to});
+  prepare(out.in, part_of(m, 0, piece.element1, from, to, out.node), functions, strain_poisson_ratio(m, 0),
+          quadrature);
+  set_arc(out.in, part_of(m, 1, walk.element2, low, high, none), true);
+  for (int l = 0; l < 4; ++l) out.pair[l] = l < nf ? pair_of_end(m, 1, walk.element2, l) : -1;
+  for (int k = 0; k < functions; ++k) shape(nf, high + (low - high) * k / (functions - 1), out.weight[k]);
+}
+
+} // namespace
+
+bool next_transfer(const Model& m, Quadrature quadrature, TransferWalk& walk, Transfer& out) {
+  for (; walk.zone < m.head->zones; ++walk.zone, walk.place = 0) {
+    const Zone& z = m.zone[walk.zone];
+    if (z.is_free == 0) continue;
+    for (; walk.place < z.elements; ++walk.place) {
+      if (!walk.inside) walk.pieces = start_pieces(m, z, walk.place);
+      FacingPiece piece;
+      walk.inside = next_piece(walk.pieces, piece);
+      if (!walk.inside) continue;
+      make_transfer(m, quadrature, walk.pieces, piece, out);
+      return true;
+    }
+  }
+  return false;
+}
+
+namespace {
+
+struct Columns { // the panel
+  int32_t first, count;
+  Real* data;
+  int64_t ld;
+  void add(int32_t row, int32_t j, double value) const {
+    if (j >= first && j < first + count) data[(j - first) * ld + row] += static_cast<Real>(value);
+  }
+};
+
+// Components of the pair's contact unknowns d = 0 (n) and 1 (t).
+double along(const Pair& pair, int d, int component) {
+  const double n[2] = {pair.nx, pair.ny}, t[2] = {pair.ny, -pair.nx};
+  return d == 0 ? n[component] : t[component];
+}
+
+// weight * u of a node's component into one of the rows below the balances.
+void add_displacement(const Model& m, const Columns& panel, int32_t row, int32_t node, int component,
+                      double weight) {
+  const Unknown unknown = unknown_at(m, 0, node, component);
+  const int32_t outer = outer_columns(m, 0);
+  if (unknown.kind == UnknownKind::displacement) {
+    panel.add(row, outer_column(m, 0, node, component), weight);
+  } else if (unknown.kind == UnknownKind::contact) { // of an ordinary zone beside this one
+    const Pair& pair = m.pair[pair_of_node(m, 0, node)];
+    for (int d = 0; d <= pair.tangential; ++d)
+      panel.add(row, outer + pair.dof + d, weight * along(pair, d, component));
+  } else {
+    for (int32_t k = 0; k < m.head->load_cases; ++k) {
+      const int64_t at = (static_cast<int64_t>(k) * m.head->body[0].nodes + node) * 2 + component;
+      panel.add(row, outer + 2 * m.head->contact + k, -weight * m.node_disp[0][at] / m.head->length_unit);
+    }
+  }
+}
+
+void add_constraints(const Model& m, const Columns& panel) {
+  const int nf = m.head->function_nodes;
+  const int32_t below = 2 * m.head->body[0].nodes + 3;
+  for (int32_t i = 0; i < m.head->pairs; ++i) {
+    const Pair& pair = m.pair[i];
+    if (pair.node[0] >= 0) continue;
+    double value[4];
+    shape(nf, pair.eta, value);
+    for (int d = 0; d <= pair.tangential; ++d) {
+      const int32_t row = below + pair.row + d;
+      for (int l = 0; l < nf; ++l)
+        for (int c = 0; c < 2; ++c) {
+          const double weight = value[l] * along(pair, d, c);
+          if (weight != 0.0)
+            add_displacement(m, panel, row, functional_node(m, 0, pair.element, l), c, weight);
+        }
+      panel.add(row, outer_columns(m, 0) + pair.dof + d, -1.0);
+    }
+  }
+}
+
+// Integrals of the functions of a piece become those of tau at the ends of the element of body 2, in columns
+// of tau.
+void send(const Model& m, const Columns& panel, const Transfer& t, const double value[4], int32_t row,
+          int component) {
+  const double scale = m.head->stress_unit / (2.0 * shear_modulus(m, 0));
+  for (int l = 0; l < m.head->function_nodes; ++l) {
+    if (t.pair[l] < 0) continue;
+    const Pair& pair = m.pair[t.pair[l]];
+    double sum = 0.0;
+    for (int k = 0; k < t.in.functions; ++k) sum += t.weight[k][l] * value[k];
+    const int32_t column = outer_columns(m, 0) + m.head->contact + pair.dof;
+    for (int d = 0; d <= pair.tangential; ++d)
+      panel.add(row, column + d, scale * along(pair, d, component) * sum);
+  }
+}
+
+void add_piece(const ColumnSystem& system, const Columns& panel, const Transfer& t) {
+  const Model& m = system.model;
+  Blocks blocks;
+  for (int32_t source = 0; source < m.head->body[0].nodes; ++source) {
+    if (system.twin[source] == kSecondTwin || system.twin[source] == kAxisNode) continue;
+    for (int image = 0; image <= m.head->symmetry; ++image) {
+      if (!is_image(*m.head, image)) continue;
+      const Source p = mirrored_source(*m.head, image, system.point + 2 * static_cast<int64_t>(source));
+      const int at =
+          !p.on_itself ? -1 : (t.node[0] == source ? 0 : (t.node[1] == source ? t.in.functions - 1 : -1));
+      integrate(t.in, p.x, p.y, at, false, true, blocks);
+      for (int i = 0; i < 2; ++i)
+        for (int c = 0; c < 2; ++c) {
+          double value[4];
+          for (int k = 0; k < t.in.functions; ++k) value[k] = image_sign(image, i) * blocks.g[k][i][c];
+          if (!is_held_by_symmetry(m, 0, source, i)) send(m, panel, t, value, 2 * source + i, c);
+        }
+    }
+  }
+  const Body& body = m.head->body[0];
+  const int32_t row = 2 * body.nodes, held = m.head->symmetry;
+  double w[4], wx[4], wy[4];
+  resultants(t.in, body.centre[0] / m.head->length_unit, body.centre[1] / m.head->length_unit, w, wx, wy);
+  for (int c = 0; c < 2; ++c)
+    if ((held >> c & 1) == 0) send(m, panel, t, w, row + c, c);
+  if (held != 0) return;
+  for (double& moment : wy) moment = -moment;
+  send(m, panel, t, wy, row + 2, 0);
+  send(m, panel, t, wx, row + 2, 1);
+}
+
+} // namespace
+
+void fill_transfer(const ColumnSystem& system, int32_t first, int32_t count, Real* data, int64_t ld) {
+  const Model& m = system.model;
+  const Columns panel{first, count, data, ld};
+  add_constraints(m, panel);
+  const int32_t from = outer_columns(m, 0) + m.head->contact;
+  if (first + count <= from || first >= from + m.head->contact) return;
+  TransferWalk walk{};
+  Transfer transfer;
+  while (next_transfer(m, system.quadrature, walk, transfer)) add_piece(system, panel, transfer);
+}
+
+bool transferred_end(const Model& m, int32_t element, int l, TransferredEnd& out) {
+  const int nf = m.head->function_nodes;
+  FacePoint at{element, 0, node_eta(nf, l)};
+  int32_t zone, other;
+  double eta, n[2];
+  if (!find_contact_element(m, 0, element, &zone, &at.place) || m.zone[zone].is_free == 0) return false;
+  if (!facing_point(m, m.zone[zone], at, &other, &eta)) return false;
+  face_normal(m, m.zone[zone], at, n);
+  double x[4], y[4];
+  element_coordinates(m, 0, element, x, y);
+  const Point p = element_point(make_element(m.head->body[0].element_nodes, x, y), at.eta);
+  element_coordinates(m, 1, other, x, y);
+  const Point q = element_point(make_element(m.head->body[1].element_nodes, x, y), eta);
+  // Both advance equally across the line along n that joins them.
+  const double advance1 = p.nx * n[0] + p.ny * n[1], advance2 = -(q.nx * n[0] + q.ny * n[1]);
+  out.ratio = advance2 > 0.0 ? advance1 / advance2 : 1.0;
+  shape(nf, eta, out.weight);
+  for (int k = 0; k < 4; ++k) out.pair[k] = k < nf ? pair_of_end(m, 1, other, k) : -1;
+  return true;
+}
+
+} // namespace c2d

@@ -1,0 +1,376 @@
+#include "model/free_zones.hpp"
+
+#include "model/geometry.hpp"
+#include "model/validate_finding.hpp"
+
+#include <math.h>
+
+namespace c2d {
+
+namespace {
+
+constexpr double kSnap = 1e-9; // local coordinates nearer to a node are the node's
+
+bool is_ring(const Model& m, const Zone& z, int b) {
+  const Region& r = m.region[b][z.region[b]];
+  return !r.open && zone_elements(z, b) == r.last - r.first + 1;
+}
+
+// Zero of f between a and b, where it has the values fa and fb of unlike sign: false position, with the value
+// at an end that stays halved (Illinois), exact for a linear f.
+template <class F> double zero_between(double a, double b, double fa, double fb, F f) {
+  double at = a;
+  for (int i = 0; i < 100; ++i) {
+    const double size = fb - fa;
+    if (size == 0) break;
+    at = b - fb * (b - a) / size;
+    const double value = f(at);
+    if (value == 0 || fabs(b - a) <= 4e-16) break;
+    if ((value > 0) == (fb > 0)) {
+      b = at, fb = value, fa *= 0.5;
+    } else {
+      a = b, fa = fb, b = at, fb = value;
+    }
+    if (fabs(value) < 1e-300) break;
+  }
+  return at;
+}
+
+void add_normal(const Model& m, int b, int32_t element, double eta, double factor, double n[2]) {
+  double own[2];
+  outward_normal(m, b, element, eta, own);
+  n[0] += factor * own[0];
+  n[1] += factor * own[1];
+}
+
+void normalise(double n[2]) {
+  const double size = sqrt(n[0] * n[0] + n[1] * n[1]);
+  if (size > 0) n[0] /= size, n[1] /= size;
+}
+
+// At the start (-1) or end (+1) of an element by its direction of travel: the mean of its own normal and its
+// neighbour's.
+void corner_normal(const Model& m, const Zone& z, int b, int32_t element, int32_t place, int end,
+                   double n[2]) {
+  n[0] = n[1] = 0;
+  add_normal(m, b, element, end, 1, n);
+  const int32_t count = zone_elements(z, b);
+  int32_t next = place + end * z.element_step[b];
+  if (is_ring(m, z, b)) next = (next + count) % count;
+  if (next >= 0 && next < count) add_normal(m, b, zone_element(m, z, b, next), -end, 1, n);
+  normalise(n);
+}
+
+FacePoint point_at(const Model& m, const Zone& z, int32_t place, double eta) {
+  return FacePoint{zone_element(m, z, 0, place), place, eta};
+}
+
+// How far (x, y) lies ahead of the normal of a point, in body 1's direction of travel.
+double ahead(const Model& m, const Zone& z, const FacePoint& at, double x, double y) {
+  const CurvePoint p = curve_point(m, 0, at.element, at.eta);
+  double n[2];
+  face_normal(m, z, at, n);
+  return (y - p.y) * n[0] - (x - p.x) * n[1];
+}
+
+double snapped(const Model& m, double eta) {
+  for (int end = -1; end <= 1; end += 2)
+    if (fabs(eta - end) <= kSnap) return end;
+  const int f = m.head->function_nodes;
+  for (int l = 0; l < f; ++l)
+    if (fabs(eta - local_eta(f, l)) <= kSnap) return local_eta(f, l);
+  return eta;
+}
+
+// The point of one element whose normal passes through (x, y).
+bool face_in_element(const Model& m, const Zone& z, int32_t place, double x, double y, FacePoint& out) {
+  out = point_at(m, z, place, -1);
+  const double tolerance = kSnap * element_length(m, 0, out.element);
+  const double start = ahead(m, z, out, x, y);
+  if (start < -tolerance) return false;
+  if (start <= tolerance) return true;
+  out.eta = 1;
+  const double end = ahead(m, z, out, x, y);
+  if (end > tolerance) return false;
+  if (end >= -tolerance) return true;
+  out.eta = snapped(m, zero_between(-1.0, 1.0, start, end, [&](double eta) {
+                      return ahead(m, z, FacePoint{out.element, place, eta}, x, y);
+                    }));
+  return true;
+}
+
+} // namespace
+
+void face_normal(const Model& m, const Zone& z, const FacePoint& at, double n[2]) {
+  double corner[2], own[2];
+  outward_normal(m, 0, at.element, at.eta, n);
+  for (int end = -1; end <= 1; end += 2) { // what the corner's normal adds fades towards the other end
+    corner_normal(m, z, 0, at.element, at.place, end, corner);
+    outward_normal(m, 0, at.element, end, own);
+    const double part = 0.5 * (1 + end * at.eta);
+    for (int c = 0; c < 2; ++c) n[c] += part * (corner[c] - own[c]);
+  }
+  normalise(n);
+}
+
+// The element turns by `turn` against the smooth surface at its ends. A fourth degree polynomial in eta (the
+// third for linear elements) with these slopes that vanishes at the boundary points.
+double bulge_at(const Model& m, const Zone& z, int b, const FacePoint& at, double* doubt) {
+  double turn[2];
+  bool ends[2];
+  for (int i = 0; i < 2; ++i) {
+    const int end = i == 0 ? -1 : 1;
+    double own[2], corner[2];
+    outward_normal(m, b, at.element, end, own);
+    corner_normal(m, z, b, at.element, at.place, end, corner);
+    turn[i] = end * (own[0] * corner[1] - own[1] * corner[0]); // positive: the surface is convex
+    const int32_t next = at.place + end * z.element_step[b];
+    ends[i] = !is_ring(m, z, b) && (next < 0 || next >= zone_elements(z, b));
+  }
+  for (int i = 0; i < 2; ++i)
+    if (ends[i] && !ends[1 - i]) turn[i] = turn[1 - i]; // as if the zone went on as it ends
+  const double eta2 = at.eta * at.eta, scale = 0.25 * element_length(m, b, at.element);
+  const int nodes = body_of(m, b).element_nodes;
+  const double inner = nodes == 2 ? 1 : (nodes == 3 ? eta2 : 1.125 * (eta2 - 1.0 / 9));
+  const double mean = 0.5 * (turn[0] + turn[1]), half = 0.5 * (turn[1] - turn[0]);
+  *doubt = 0.1 * scale * fmax(fabs(turn[0]), fabs(turn[1]));
+  return scale * (1 - eta2) * inner * (mean + half * at.eta);
+}
+
+bool face_point(const Model& m, const Zone& z, double x, double y, FacePoint& out) {
+  double nearest = -1;
+  for (int32_t place = 0; place < zone_elements(z, 0); ++place) {
+    FacePoint found;
+    if (!face_in_element(m, z, place, x, y, found)) continue;
+    const CurvePoint p = curve_point(m, 0, found.element, found.eta);
+    const double distance = (x - p.x) * (x - p.x) + (y - p.y) * (y - p.y);
+    if (nearest >= 0 && distance >= nearest) continue;
+    nearest = distance;
+    out = found;
+  }
+  return nearest >= 0;
+}
+
+bool facing_point(const Model& m, const Zone& z, const FacePoint& at, int32_t* element, double* eta) {
+  const CurvePoint p = curve_point(m, 0, at.element, at.eta);
+  double n[2], nearest = -1;
+  face_normal(m, z, at, n);
+  for (int32_t place = 0; place < zone_elements(z, 1); ++place) {
+    const int32_t other = zone_element(m, z, 1, place);
+    const auto off = [&](double where) {
+      const CurvePoint q = curve_point(m, 1, other, where);
+      return (q.y - p.y) * n[0] - (q.x - p.x) * n[1];
+    };
+    const double start = off(-1), end = off(1), tolerance = kSnap * element_length(m, 1, other);
+    double where;
+    if (fabs(start) <= tolerance)
+      where = -1;
+    else if (fabs(end) <= tolerance)
+      where = 1;
+    else if ((start > 0) == (end > 0))
+      continue;
+    else
+      where = zero_between(-1.0, 1.0, start, end, off);
+    const CurvePoint q = curve_point(m, 1, other, where);
+    const double distance = (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y);
+    if (nearest >= 0 && distance >= nearest) continue;
+    nearest = distance;
+    *element = other;
+    *eta = where;
+  }
+  return nearest >= 0;
+}
+
+int32_t node_at(const Model& m, const FacePoint& at) {
+  const int f = m.head->function_nodes;
+  for (int l = 0; l < f; ++l)
+    if (at.eta == local_eta(f, l)) return functional_node(m, 0, at.element, l);
+  return -1;
+}
+
+// ---- pieces
+// -----------------------------------------------------------------------------------------------------
+
+namespace {
+
+// In the order of the zone, one unit per element.
+double position(const Zone& z, const FacePoint& p) {
+  return p.place + 0.5 * (1 + z.element_step[0] * p.eta);
+}
+
+// The `stop`-th place at which an element of body 2 is cut for its own nodes, from 0; false beyond its end.
+bool own_cut(const Model& m, const Zone& z, int32_t stop, double* eta) {
+  const int f = m.head->function_nodes, cuts = f < 2 ? 3 : f;
+  if (stop >= cuts) return false;
+  const double at = local_eta(cuts, stop);
+  *eta = z.element_step[1] > 0 ? at : -at;
+  return true;
+}
+
+bool face_own_cut(const Model& m, const Zone& z, int32_t element2, double eta2, FacePoint& out) {
+  const int f = m.head->function_nodes;
+  for (int l = 0; l < f && f > 1; ++l) { // a pair's node: its point has been found
+    const int32_t pair = eta2 == local_eta(f, l) ? pair_of_end(m, 1, element2, l) : -1;
+    if (pair < 0) continue;
+    int32_t zone;
+    out.element = m.pair[pair].element;
+    out.eta = m.pair[pair].eta;
+    return find_contact_element(m, 0, out.element, &zone, &out.place);
+  }
+  const CurvePoint p = curve_point(m, 1, element2, eta2);
+  return face_point(m, z, p.x, p.y, out);
+}
+
+// The next node or end of body 1 behind `now` within its element, in the order of the zone.
+double next_cut(const Model& m, const Zone& z, double eta) {
+  const int f = m.head->function_nodes, step = z.element_step[0];
+  double next = step;
+  for (int l = 0; l < f; ++l) {
+    const double node = local_eta(f, l);
+    if (step * (node - eta) > kSnap && step * (node - next) < 0) next = node;
+  }
+  return next;
+}
+
+} // namespace
+
+PieceWalk start_pieces(const Model& m, const Zone& z, int32_t place2) {
+  PieceWalk walk{&m, &z, zone_element(m, z, 1, place2), 1, {}, {}, 0, 0};
+  own_cut(m, z, 0, &walk.eta2);
+  if (!face_own_cut(m, z, walk.element2, walk.eta2, walk.now)) walk.stop = INT32_MAX - 1;
+  walk.target = walk.now;
+  walk.target_eta2 = walk.eta2;
+  return walk;
+}
+
+bool next_piece(PieceWalk& w, FacingPiece& out) {
+  const Model& m = *w.m;
+  const Zone& z = *w.z;
+  const int32_t count = zone_elements(z, 0);
+  if (w.eta2 == w.target_eta2) { // on to the next node of its own
+    if (!own_cut(m, z, w.stop, &w.target_eta2) || !face_own_cut(m, z, w.element2, w.target_eta2, w.target))
+      return false;
+    ++w.stop;
+  }
+  if (z.element_step[0] * w.now.eta >= 1 - kSnap) { // on to the next element of body 1
+    w.now = point_at(m, z, w.now.place + 1 < count ? w.now.place + 1 : 0, -z.element_step[0]);
+  }
+  double goal = position(z, w.target);
+  if (goal < position(z, w.now) - 0.5 * count) goal += count; // round a ring
+  FacePoint cut = w.now;
+  cut.eta = next_cut(m, z, w.now.eta);
+  const double beyond = position(z, cut) - goal;
+  out.element1 = w.now.element;
+  out.eta1[0] = w.now.eta;
+  out.eta2[0] = w.eta2;
+  if (beyond > kSnap)
+    w.now.eta = w.target.eta;
+  else
+    w.now.eta = cut.eta;
+  if (beyond >= -kSnap) {
+    w.eta2 = w.target_eta2;
+  } else {
+    const CurvePoint p = curve_point(m, 0, cut.element, cut.eta);
+    double n[2];
+    face_normal(m, z, cut, n);
+    const auto off = [&](double eta) {
+      const CurvePoint q = curve_point(m, 1, w.element2, eta);
+      return (q.y - p.y) * n[0] - (q.x - p.x) * n[1];
+    };
+    w.eta2 = zero_between(w.eta2, w.target_eta2, off(w.eta2), off(w.target_eta2), off);
+  }
+  out.eta1[1] = w.now.eta;
+  out.eta2[1] = w.eta2;
+  return true;
+}
+
+// ---- fitting
+// ----------------------------------------------------------------------------------------------------
+
+namespace {
+
+void tell_free_zone(const Model& m, int32_t zone, const char* found, Reporter& reporter) {
+  Finding f = fault();
+  locate_zone(f, m, zone);
+  say(f, "zone ", zone + 1, ": ", found);
+  tell(reporter, f);
+}
+
+enum class Cover { none, whole, averted };
+
+// Does an element of body 2 face body 1 with all its nodes and both ends?
+Cover cover(const Model& m, const Zone& z, int32_t element2) {
+  double before = 0, eta2, n[2], own[2];
+  FacePoint at;
+  for (int32_t stop = 0; own_cut(m, z, stop, &eta2); ++stop) {
+    const CurvePoint p = curve_point(m, 1, element2, eta2);
+    if (!face_point(m, z, p.x, p.y, at)) return Cover::none;
+    face_normal(m, z, at, n);
+    outward_normal(m, 1, element2, eta2, own);
+    double now = position(z, at);
+    if (is_ring(m, z, 0) && stop > 0 && now < before - 0.5 * zone_elements(z, 0)) now += zone_elements(z, 0);
+    if (n[0] * own[0] + n[1] * own[1] > -0.5 || (stop > 0 && now <= before + kSnap)) return Cover::averted;
+    before = now;
+  }
+  return Cover::whole;
+}
+
+void keep_elements(const Model& m, Zone& z, int32_t first, int32_t count) {
+  const int32_t f = m.head->function_nodes;
+  z.first_element[1] = zone_element(m, z, 1, first);
+  z.elements = count;
+  z.node_step[1] = z.element_step[1];
+  z.first_node[1] = functional_node(m, 1, z.first_element[1], z.element_step[1] > 0 ? 0 : f - 1);
+  z.pairs = f == 1 ? count : count * (f - 1) + (is_ring(m, z, 1) ? 0 : 1);
+}
+
+} // namespace
+
+bool fit_free_zone(const Model& m, int32_t zone, Reporter& reporter) {
+  Zone& z = m.zone[zone];
+  int32_t first = -1, count = 0;
+  for (int32_t place = 0; place < z.elements; ++place) {
+    const int32_t element = zone_element(m, z, 1, place);
+    const Cover found = cover(m, z, element);
+    if (found == Cover::none) continue;
+    if (found == Cover::averted) {
+      Finding f = fault();
+      locate_zone(f, m, zone);
+      f.entry.body = 2;
+      f.entry.element = element + 1;
+      say(f, "zone ", zone + 1, ": element ", element + 1, " of body 2 does not face the elements of body 1");
+      tell(reporter, f);
+      return false;
+    }
+    if (first >= 0 && place != first + count) {
+      tell_free_zone(m, zone,
+                     "body 1 faces elements of body 2 in several places, expected one run of elements",
+                     reporter);
+      return false;
+    }
+    if (first < 0) first = place;
+    ++count;
+  }
+  if (first < 0) {
+    tell_free_zone(
+        m, zone,
+        "no normal of body 1's elements meets an element of body 2 from end to end, expected ranges that "
+        "face each other",
+        reporter);
+    return false;
+  }
+  keep_elements(m, z, first, count);
+  return true;
+}
+
+void pair_position(const Model& m, const Pair& pair, int b, double* x, double* y) {
+  if (pair.node[b] >= 0) return node_position(m, b, pair.node[b], x, y);
+  const FacePoint at{pair.element, 0, pair.eta};
+  const int32_t node = node_at(m, at);
+  if (node >= 0) return node_position(m, b, node, x, y);
+  const CurvePoint p = curve_point(m, b, pair.element, pair.eta);
+  *x = p.x;
+  *y = p.y;
+}
+
+} // namespace c2d

@@ -1,0 +1,493 @@
+// Contact zones whose sides are meshed independently: the patch test, where uniform pressure must pass
+// whatever the meshes; the ordinary zone where the meshes happen to match; a cylinder on a block against
+// matching meshes.
+#include "problem.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+using namespace problem;
+
+namespace {
+
+size_t at(int64_t i) {
+  return static_cast<size_t>(i);
+}
+
+struct Side {
+  double x, y;
+  int32_t elements;
+  double growth = 1;
+};
+void add_sides(Body& body, const std::vector<Side>& sides) {
+  const int32_t steps = body.element_nodes - 1;
+  int32_t elements = 0;
+  for (size_t i = 0; i < sides.size(); ++i) {
+    const Side &a = sides[i], &b = sides[(i + 1) % sides.size()];
+    std::vector<double> p = {0};
+    const double ratio = a.elements > 1 ? std::pow(a.growth, 1.0 / (a.elements - 1)) : 1;
+    double length = 1;
+    for (int32_t e = 0; e < a.elements; ++e, length *= ratio) p.push_back(p.back() + length);
+    for (int32_t e = 0; e < a.elements; ++e)
+      for (int32_t k = 0; k < steps; ++k) {
+        const double s = (p[at(e)] + (p[at(e + 1)] - p[at(e)]) * k / steps) / p.back();
+        body.xy.push_back(a.x + s * (b.x - a.x));
+        body.xy.push_back(a.y + s * (b.y - a.y));
+      }
+    elements += a.elements;
+  }
+  body.regions.push_back({1, elements});
+}
+
+// Two blocks of width 2 and height 1 on top of each other, on rollers at the left and below, pressed by
+// `pressure`.
+struct Blocks {
+  int32_t lower = 7, upper = 10;
+  double growth1 = 1, growth2 = 1, pressure = 3, mu = 0;
+  int32_t element_nodes = 2, function_nodes = 2;
+  bool free = true;
+};
+Problem pressed_blocks(const Blocks& b) {
+  Problem p;
+  p.function_nodes = b.function_nodes;
+  p.friction = {b.mu};
+  p.bodies.resize(2);
+  for (Body& body : p.bodies) body.element_nodes = b.element_nodes;
+  p.bodies[1].youngs_modulus = 700;
+  p.bodies[1].poisson_ratio = 0.3;
+  p.bodies[0].poisson_ratio = 0.21; // E/nu is not the same, so that free sliding and sticking differ
+  if (b.mu > 0) p.bodies[0].poisson_ratio = 0.3, p.bodies[1].youngs_modulus = 1000;
+  add_sides(p.bodies[0], {{0, 0, 4}, {2, 0, 3}, {2, 1, b.lower, b.growth1}, {0, 1, 3}});
+  add_sides(p.bodies[1], {{0, 1, b.upper, b.growth2}, {2, 1, 3}, {2, 2, 4}, {0, 2, 3}});
+  for (int body = 1; body <= 2; ++body)
+    set_ends(p, body, [&](double, double y, double nx, double ny, End& end) {
+      if (nx < -0.9) end = End{{1, 0, 0, 1}, {0, 0, 0, 0}};
+      if (ny < -0.9 && y < 0.5) end = End{{0, 1, 1, 0}, {0, 0, 0, 0}};
+      if (ny > 0.9 && y > 1.5) end = End{{0, 0, 1, 1}, {0, -b.pressure, 0, 0}};
+    });
+  if (b.free) {
+    c2d_free_zone zone = C2D_INIT(c2d_free_zone);
+    zone.first_element[0] = 8, zone.last_element[0] = 7 + b.lower;
+    zone.first_element[1] = 1, zone.last_element[1] = b.upper;
+    p.free_zones = {zone};
+  } else {
+    c2d_zone zone = C2D_INIT(c2d_zone);
+    const int32_t f = b.function_nodes - 1;
+    zone.elements = b.lower, zone.pairs = b.lower * f + 1;
+    zone.first_element[0] = 8, zone.last_element[0] = 7 + b.lower;
+    zone.first_node[0] = 7 * f + 1, zone.last_node[0] = (7 + b.lower) * f + 1;
+    zone.first_element[1] = b.upper, zone.last_element[1] = 1;
+    zone.first_node[1] = b.upper * f + 1, zone.last_node[1] = 1;
+    p.zones = {zone};
+  }
+  return p;
+}
+
+// Largest deviation from uniform pressure and from its uniaxial state of stress, relative to it.
+double patch_error(const Blocks& b, const Result& r) {
+  double worst = 0;
+  const Step& step = r.steps.back();
+  for (int i = 0; i < step.pairs(); ++i) {
+    worst = std::max(worst, std::fabs(step.at(i, C2D_TN) - b.pressure));
+    worst = std::max(worst, std::fabs(step.at(i, C2D_TT)));
+  }
+  for (int body = 0; body < 2; ++body)
+    for (const EndResult& end : r.boundary[body]) {
+      const bool flat = std::fabs(end.y) < 1e-9 || std::fabs(end.y - 1) < 1e-9 || std::fabs(end.y - 2) < 1e-9;
+      if (!flat)
+        worst = std::max(worst, std::hypot(end.tx, end.ty));
+      else
+        worst = std::max(worst, std::min(std::fabs(std::fabs(end.ty) - b.pressure), std::fabs(end.ty)));
+    }
+  return worst / b.pressure;
+}
+
+} // namespace
+
+TEST_CASE("free zones: the patch test passes with unequal meshes") {
+  struct Case {
+    int32_t lower, upper;
+    double growth1, growth2;
+  };
+  for (const Case& c : {Case{7, 10, 1, 1}, Case{3, 11, 1, 1}, Case{11, 3, 1, 1}, Case{7, 10, 6, 4},
+                        Case{9, 4, 0.2, 5}, Case{6, 6, 1, 1}, Case{1, 5, 1, 1}, Case{5, 1, 1, 1}})
+    for (int32_t nodes : {2, 3, 4})
+      for (int32_t functions : {2, 3, 4})
+        for (double mu : {0.0, 0.3}) {
+          if ((nodes == 4 || functions == 4) && c.lower != 7) continue;
+          Blocks b;
+          b.lower = c.lower, b.upper = c.upper, b.growth1 = c.growth1, b.growth2 = c.growth2, b.mu = mu;
+          b.element_nodes = nodes, b.function_nodes = functions;
+          const Result r = solve(pressed_blocks(b));
+          INFO(c.lower, " ", c.upper, " ", c.growth1, " ", nodes, " ", functions, " ", mu, " ", r.messages());
+          REQUIRE(r.status == C2D_OK);
+          REQUIRE(r.outcome == C2D_REACHED);
+          REQUIRE(r.steps.back().pairs() == c.upper * (functions - 1) + 1);
+          CHECK(patch_error(b, r) < 1e-9);
+          CHECK(r.summary.force_error < 1e-12);
+        }
+}
+
+TEST_CASE("free zones: on matching meshes they are ordinary zones") {
+  for (int32_t functions : {2, 3, 4})
+    for (double mu : {0.0, 0.2}) {
+      Blocks b;
+      b.lower = b.upper = 8, b.growth1 = 3, b.growth2 = 1 / 3.0, b.mu = mu, b.function_nodes = functions;
+      Problem free = pressed_blocks(b);
+      b.free = false;
+      Problem ordinary = pressed_blocks(b);
+      for (Problem* p : {&free, &ordinary}) {
+        p->bodies[0].youngs_modulus = 300; // with friction: not uniform
+        set_ends(*p, 2, [&](double x, double y, double nx, double ny, End& end) {
+          if (nx < -0.9) end = End{{1, 0, 0, 1}, {0, 0, 0, 0}};
+          if (ny > 0.9 && y > 1.5) end = End{{0, 0, 1, 1}, {0, x < 1.1 ? -5.0 : 0.0, 0, 0}};
+        });
+      }
+      const Result a = solve(ordinary), c = solve(free);
+      INFO(functions, " ", mu, a.messages(), c.messages());
+      REQUIRE(a.status == C2D_OK);
+      REQUIRE(c.status == C2D_OK);
+      const Difference d = compare(a, c);
+      CHECK(d.worst() < 1e-9);
+      CHECK(d.statuses == 0);
+      CHECK(boundary_difference(a, c) < 1e-9);
+    }
+}
+
+namespace {
+
+// A cylinder of radius 8 on a block, with so many elements over -1 ... 1 on either; the cylinder ends above
+// in a block.
+Problem cylinder(int32_t lower, int32_t upper, double mu, int32_t functions, bool free) {
+  Problem p;
+  p.function_nodes = functions;
+  p.friction = {mu};
+  p.bodies.resize(2);
+  add_sides(p.bodies[0], {{-4, -4, 6}, {4, -4, 6}, {4, 0, 6, 0.2}, {1, 0, lower}, {-1, 0, 6, 5}, {-4, 0, 6}});
+  Body& body = p.bodies[1];
+  body.youngs_modulus = 1500;
+  const auto arc = [](double x) { return 8 - std::sqrt(64 - x * x); };
+  std::vector<Side> sides;
+  for (int32_t i = 0; i < upper; ++i) sides.push_back({-1 + 2.0 * i / upper, arc(-1 + 2.0 * i / upper), 1});
+  sides.insert(sides.end(), {{1, arc(1), 8, 4}, {2, 3, 5}, {-2, 3, 8, 0.25}});
+  body.element_nodes = functions == 3 ? 3 : 2; // quadratic functions feel every kink of a polygon
+  add_sides(body, sides);
+  for (size_t i = 0; i < 2 * at(upper) * at(body.element_nodes - 1); i += 2) body.xy[i + 1] = arc(body.xy[i]);
+  for (int b = 1; b <= 2; ++b)
+    set_ends(p, b, [&](double, double y, double, double ny, End& end) {
+      if (ny < -0.9 && y < -3) end = End{{1, 1, 0, 0}, {0, 0, 0, 0}};
+      if (ny > 0.9 && y > 2.9) end = End{{1, 1, 0, 0}, {0, 0, mu > 0 ? 0.002 : 0.0, -0.03}};
+    });
+  const int32_t f = functions - 1;
+  if (free) {
+    c2d_free_zone zone = C2D_INIT(c2d_free_zone);
+    zone.first_element[0] = 19, zone.last_element[0] = 18 + lower;
+    zone.first_element[1] = upper, zone.last_element[1] = 1;
+    p.free_zones = {zone};
+  } else {
+    c2d_zone zone = C2D_INIT(c2d_zone);
+    zone.elements = lower, zone.pairs = lower * f + 1;
+    zone.first_element[0] = 19, zone.last_element[0] = 18 + lower;
+    zone.first_node[0] = 18 * f + 1, zone.last_node[0] = (18 + lower) * f + 1;
+    zone.first_element[1] = upper, zone.last_element[1] = 1;
+    zone.first_node[1] = upper * f + 1, zone.last_node[1] = 1;
+    p.zones = {zone};
+  }
+  return p;
+}
+double largest(const Result& r, int field) {
+  double most = 0;
+  const Step& step = r.steps.back();
+  for (int i = 0; i < step.pairs(); ++i) most = std::max(most, std::fabs(step.at(i, field)));
+  return most;
+}
+double half_width(const Result& r) { // the outermost pair that touches, by the pressure's slope to zero
+  const Step& step = r.steps.back();
+  double touching = 0;
+  for (int i = 0; i < step.pairs(); ++i)
+    if (step.at(i, C2D_TN) > 0) touching = std::max(touching, std::fabs(step.at(i, C2D_X)));
+  return touching;
+}
+double imbalance(const Result& r) { // of the contact's forces on the two bodies
+  const c2d_summary& s = r.summary;
+  return std::hypot(s.contact[0][0] + s.contact[1][0], s.contact[0][1] + s.contact[1][1]) /
+         std::hypot(s.contact[1][0], s.contact[1][1]);
+}
+
+} // namespace
+
+TEST_CASE("free zones: a cylinder on a block with other meshes is close to the matching one") {
+  for (double mu : {0.0, 0.3})
+    for (int32_t functions : {2, 3}) {
+      const Result matching = solve(cylinder(48, 48, mu, functions, false));
+      REQUIRE(matching.status == C2D_OK);
+      REQUIRE(matching.outcome == C2D_REACHED);
+      for (const auto& meshes : {std::pair<int32_t, int32_t>{48, 72}, {72, 48}, {48, 32}}) {
+        const Result r = solve(cylinder(meshes.first, meshes.second, mu, functions, true));
+        INFO(meshes.first, " ", meshes.second, " ", mu, " ", functions, " ", r.messages());
+        REQUIRE(r.status == C2D_OK);
+        REQUIRE(r.outcome == C2D_REACHED);
+        CHECK(largest(r, C2D_TN) == doctest::Approx(largest(matching, C2D_TN)).epsilon(0.01));
+        CHECK(half_width(r) ==
+              doctest::Approx(half_width(matching)).epsilon(2.0 / 32 / half_width(matching)));
+        CHECK(imbalance(r) < 1e-12);
+        CHECK(r.summary.force_error < 1e-12);
+        CHECK(coulomb_breach(cylinder(meshes.first, meshes.second, mu, functions, true), r) == "");
+      }
+    }
+}
+
+TEST_CASE("free zones: the same in the least memory, panel by panel") {
+  for (int32_t functions : {1, 2, 3}) {
+    const Problem p = cylinder(9, 13, 0.3, functions, true);
+    Setup least;
+    least.memory = Memory::minimum;
+    const Result a = solve(p), b = solve(p, least);
+    INFO(functions, a.messages(), b.messages());
+    REQUIRE(a.status == C2D_OK);
+    REQUIRE(b.status == C2D_OK);
+    CHECK(compare(a, b).worst() < 1e-9);
+    CHECK(boundary_difference(a, b) < 1e-9);
+    CHECK(imbalance(a) < 1e-12);
+  }
+}
+
+TEST_CASE("free zones: ordinary zones beside them") {
+  const auto feet = [](bool free) {
+    Problem p;
+    p.friction = {0.2};
+    p.bodies.resize(2);
+    add_sides(p.bodies[0], {{0, 0, 6}, {3, 0, 3}, {3, 1, 4}, {2, 1, 3}, {1, 1, 5}, {0, 1, 3}});
+    add_sides(p.bodies[1],
+              {{0, 1, 5}, {1, 1, 1}, {1, 1.4, 2}, {2, 1.4, 1}, {2, 1, 4}, {3, 1, 3}, {3, 2, 6}, {0, 2, 3}});
+    for (int body = 1; body <= 2; ++body)
+      set_ends(p, body, [&](double x, double y, double, double ny, End& end) {
+        if (ny < -0.9 && y < 0.5) end = End{{1, 1, 0, 0}, {0, 0, 0, 0}};
+        if (ny > 0.9 && y > 1.5) end = End{{0, 0, 1, 1}, {0.1, x < 1.4 ? -2.0 : -3.0, 0, 0}};
+      });
+    c2d_zone zone = C2D_INIT(c2d_zone);
+    zone.elements = 5, zone.pairs = 6;
+    zone.first_element[0] = 17, zone.last_element[0] = 21, zone.first_node[0] = 17, zone.last_node[0] = 22;
+    zone.first_element[1] = 5, zone.last_element[1] = 1, zone.first_node[1] = 6, zone.last_node[1] = 1;
+    c2d_zone other = zone;
+    other.elements = 4, other.pairs = 5;
+    other.first_element[0] = 10, other.last_element[0] = 13, other.first_node[0] = 10,
+    other.last_node[0] = 14;
+    other.first_element[1] = 13, other.last_element[1] = 10, other.first_node[1] = 14,
+    other.last_node[1] = 10;
+    p.zones = {zone};
+    if (!free) {
+      p.zones.push_back(other);
+    } else {
+      c2d_free_zone z = C2D_INIT(c2d_free_zone);
+      z.first_element[0] = 10, z.last_element[0] = 13, z.first_element[1] = 10, z.last_element[1] = 13;
+      p.free_zones = {z};
+    }
+    return p;
+  };
+  const Result a = solve(feet(false)), b = solve(feet(true));
+  INFO(a.messages(), b.messages());
+  REQUIRE(a.status == C2D_OK);
+  REQUIRE(b.status == C2D_OK);
+  CHECK(compare(a, b).worst() < 1e-9);
+  CHECK(boundary_difference(a, b) < 1e-9);
+}
+
+TEST_CASE("free zones: what reaches beyond body 1 is left out, a body 1 that floats is carried") {
+  Blocks b;
+  b.lower = 5, b.upper = 12;
+  Problem p = pressed_blocks(b);
+  p.free_zones[0].first_element[0] = 9; // body 1 from x = 1.6 down
+  const Result r = solve(p);
+  INFO(r.messages());
+  REQUIRE(r.status == C2D_OK);
+  CHECK(r.steps.back().pairs() == 10); // nine of the twelve elements lie below 1.6
+  CHECK(imbalance(r) < 1e-12);
+  b.lower = 7, b.upper = 10;
+  Problem floating = pressed_blocks(b);
+  const auto carried = [&](double, double y, double nx, double ny, End& end) {
+    if (nx < -0.9) end = End{{1, 0, 0, 1}, {0, 0, 0, 0}};
+    if (ny < -0.9 && y < 0.5) end = End{{0, 0, 1, 1}, {0, b.pressure, 0, 0}};
+    if (ny > 0.9 && y > 1.5) end = End{{0, 1, 1, 0}, {0, 0, 0, 0}};
+  };
+  for (int body = 1; body <= 2; ++body) set_ends(floating, body, carried);
+  const Result f = solve(floating);
+  INFO(f.messages());
+  REQUIRE(f.status == C2D_OK);
+  REQUIRE(f.outcome == C2D_REACHED);
+  CHECK(patch_error(b, f) < 1e-9);
+}
+
+TEST_CASE("free zones: stress inside") {
+  Blocks b;
+  b.lower = 6, b.upper = 7;
+  Setup setup;
+  setup.points = {0.7, 0.5, 1.1, 0.99, 1.3, 1.02, 1.9, 0.1};
+  const Result r = solve(pressed_blocks(b), setup);
+  REQUIRE(r.status == C2D_OK);
+  for (size_t i = 0; i < 4; ++i) {
+    const double* row = &r.interior[i * C2D_POINT_FIELDS];
+    CHECK(row[C2D_POINT_SYY] == doctest::Approx(-b.pressure).epsilon(1e-8));
+    CHECK(std::fabs(row[C2D_POINT_SXX]) < 1e-7);
+    CHECK(std::fabs(row[C2D_POINT_SXY]) < 1e-7);
+  }
+}
+
+TEST_CASE("free zones: symmetry by images, patch test on the line x = 0") {
+  for (int32_t functions : {2, 3})
+    for (double mu : {0.0, 0.3}) {
+      Blocks b;
+      b.lower = 5, b.upper = 8, b.growth1 = 3, b.function_nodes = functions, b.mu = mu;
+      Problem p = pressed_blocks(b);
+      for (Body& body : p.bodies) { // without the left side, whose three elements come last
+        body.open_regions = 1;
+        body.regions[0].last -= 3;
+        body.xy.resize(body.xy.size() - 4); // the curve ends where that side began
+        body.ends.resize(body.ends.size() - 3 * at(functions));
+      }
+      p.symmetry = 1;
+      const Result r = solve(p);
+      INFO(functions, " ", mu, " ", r.messages());
+      REQUIRE(r.status == C2D_OK);
+      REQUIRE(r.outcome == C2D_REACHED);
+      CHECK(patch_error(b, r) < 1e-9);
+    }
+}
+
+TEST_CASE("free zones: a ring pressed onto a ring, all round, against Lame") {
+  // Outer ring 1 < r < 2 under pressure 5, inner ring 0.5 < r < 1 held inside, nu = 0.3: with sigma_r = A -
+  // B/r^2 and u = k (0.4 A r + B/r) on either, u is the same at r = 1 for this pressure.
+  const double pressure = (1.4 * 5 / 0.75) / (1.4 / 0.75 - 0.4 + 0.3 / 1.1);
+  const auto circle = [](double r, double from, double sense) {
+    return [=](double s, double& x, double& y) {
+      const double angle = from + sense * 2 * 3.14159265358979323846 * s;
+      x = r * std::cos(angle), y = r * std::sin(angle);
+    };
+  };
+  struct Case {
+    int32_t element_nodes, function_nodes;
+    double tolerance;
+  };
+  for (const Case& c :
+       {Case{2, 2, 0.01}, Case{3, 1, 0.025}, Case{3, 2, 0.01}, Case{3, 3, 0.002}, Case{4, 4, 2e-5}})
+    for (const auto& meshes : {std::pair<int32_t, int32_t>{30, 43}, {43, 30}}) {
+      Problem p;
+      p.function_nodes = c.function_nodes;
+      p.friction = {0.5};
+      p.bodies.resize(2);
+      for (Body& body : p.bodies) body.element_nodes = c.element_nodes;
+      add_curve(p.bodies[0], 40, circle(2, 0, 1));
+      add_curve(p.bodies[0], meshes.first, circle(1, 0.3, -1));
+      add_curve(p.bodies[1], meshes.second, circle(1, 0, 1));
+      add_curve(p.bodies[1], 24, circle(0.5, 0, -1));
+      set_ends(p, 1, [](double x, double y, double nx, double ny, End& end) {
+        if (x * x + y * y > 2.5) end = End{{0, 0, 1, 1}, {-nx * 5, -ny * 5, 0, 0}};
+      });
+      set_ends(p, 2, [](double x, double y, double, double, End& end) {
+        if (x * x + y * y < 0.5) end = End{{1, 1, 0, 0}, {0, 0, 0, 0}};
+      });
+      c2d_free_zone zone = C2D_INIT(c2d_free_zone);
+      zone.first_element[0] = 41, zone.last_element[0] = 40 + meshes.first;
+      zone.first_element[1] = 1, zone.last_element[1] = meshes.second;
+      p.free_zones = {zone};
+      const Result r = solve(p);
+      INFO(c.element_nodes, " ", c.function_nodes, " ", meshes.first, " ", r.messages());
+      REQUIRE(r.status == C2D_OK);
+      REQUIRE(r.outcome == C2D_REACHED);
+      const Step& step = r.steps.back();
+      REQUIRE(step.pairs() == meshes.second * std::max(c.function_nodes - 1, 1));
+      for (int i = 0; i < step.pairs(); ++i)
+        CHECK(step.at(i, C2D_TN) == doctest::Approx(pressure).epsilon(c.tolerance));
+      for (int k = 0; k < 2; ++k) // resultants vanish: against the size of what is summed, 2 pi p
+        CHECK(std::fabs(r.summary.contact[0][k] + r.summary.contact[1][k]) < 1e-12 * 6.3 * pressure);
+    }
+}
+
+TEST_CASE("free zones: bad input") {
+  const auto fault = [](const std::function<void(Problem&)>& spoil) {
+    Problem p = pressed_blocks(Blocks{});
+    spoil(p);
+    const Result r = solve(p);
+    CHECK(r.status != C2D_OK);
+    return r.messages();
+  };
+  const auto says = [](const std::string& text, const char* part) {
+    return text.find(part) != std::string::npos;
+  };
+  const std::string top = fault([](Problem& p) { // the upper block's upper side
+    p.free_zones[0].first_element[1] = 14, p.free_zones[0].last_element[1] = 17;
+  });
+  CHECK_MESSAGE(says(top, "does not face"), top);
+  const std::string beside = fault([](Problem& p) { // its right side
+    p.free_zones[0].first_element[1] = 11, p.free_zones[0].last_element[1] = 13;
+  });
+  CHECK_MESSAGE(says(beside, "does not face"), beside);
+  const std::string away = fault([](Problem& p) {
+    for (size_t i = 0; i < p.bodies[1].xy.size(); i += 2) p.bodies[1].xy[i] += 5;
+  });
+  CHECK_MESSAGE(says(away, "expected ranges that face each other"), away);
+  const std::string twice = fault([](Problem& p) {
+    p.free_zones.push_back(p.free_zones[0]);
+    p.free_zones[0].last_element[0] = 12, p.free_zones[1].first_element[0] = 11;
+  });
+  CHECK_MESSAGE(says(twice, "is in zones 1 and 2"), twice);
+  const std::string range = fault([](Problem& p) { p.free_zones[0].last_element[1] = 1000; });
+  CHECK_MESSAGE(says(range, "contact element of body 2 is 1000"), range);
+  const std::string overlap = fault([](Problem& p) {
+    for (size_t i = 1; i < p.bodies[1].xy.size(); i += 2) p.bodies[1].xy[i] -= 0.1;
+  });
+  CHECK_MESSAGE(says(overlap, "overlap by 0.1"), overlap);
+}
+
+namespace {
+
+// The lines of a deck, its zones' cards given by hand.
+std::string hertz_deck(const std::string& zone) {
+  std::istringstream in(deck_text("hertz_lin_l.dat"));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  lines[5] = "    2    0    2"; // no ordinary zone
+  const size_t first = lines.size() - 7;
+  REQUIRE(lines[first] == "    1    2   10    9");
+  lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(first),
+              lines.begin() + static_cast<std::ptrdiff_t>(first) + 3);
+  lines[first] = lines[first + 1] = "    0    0";
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return text + zone + "\n";
+}
+
+} // namespace
+
+TEST_CASE("free zones: *ZONE in a deck") {
+  const Result ordinary = solve_text(deck_text("hertz_lin_l.dat"));
+  REQUIRE(ordinary.status == C2D_OK);
+  for (const char* card : {"*ZONE 26 34 43 35", "*zone 34 26 35 43", "*ZONE 26,34,43,35,9,9"}) {
+    const Result r = solve_text(hertz_deck(card));
+    INFO(card, " ", r.messages());
+    REQUIRE(r.status == C2D_OK);
+    CHECK(r.steps.back().pairs() == ordinary.steps.back().pairs());
+    CHECK(largest(r, C2D_TN) == doctest::Approx(largest(ordinary, C2D_TN)).epsilon(0.01));
+    CHECK(imbalance(r) < 1e-12);
+    CHECK(r.steps.back().at(0, C2D_PAIR_NODE1) == 0);
+  }
+  const auto refused = [](const char* card, const char* part) {
+    std::string said;
+    try { // what the deck alone shows is thrown
+      const Result r = solve_text(hertz_deck(card));
+      CHECK(r.status == C2D_ERR_INPUT);
+      said = r.messages();
+    } catch (const std::runtime_error& error) {
+      said = error.what();
+    }
+    CHECK_MESSAGE(said.find(part) != std::string::npos, said);
+  };
+  refused("*ZONE 26 34 43", "element of body 2");
+  refused("*ZONE 26 340 43 35", "element of body 1");
+  refused("*ZONE 26 34 43 35 9 9 1", "7 fields, expected 6");
+  refused("*ZONE 26 34 43 35 9 8", "does not hold the number of elements");
+  refused("*ZONE 1 8 43 35", "face");
+}
