@@ -480,12 +480,33 @@ TEST_CASE("program: the deck says how much is printed") {
   CHECK(changes.status == 0);
   CHECK(contains(changes.out, "in global components"));
   CHECK(contains(changes.out, "\n  change "));
+  // After a change every touching pair tells its answers: after the first one, pair 15 and the one that closed.
+  const std::vector<std::string> lines = lines_of(changes.out);
+  size_t at = 0;
+  while (at < lines.size() && !contains(lines[at], "  change ")) ++at;
+  REQUIRE(at + 3 < lines.size());
+  CHECK(contains(lines[at + 1], "tn"));
+  CHECK(lines[at + 2].substr(0, 16) == "              14");
+  CHECK(lines[at + 3].substr(0, 16) == "              15");
   CHECK(lines_of(read_file(folder / "c")).size() == 1 + 2 * 28 * 15); // changes are no rows
   const Result check = run_with("   -1");
   CHECK(check.status == 0);
   CHECK(contains(check.out, "data check only"));
   CHECK(read_file(folder / "c") == kCsvHeader + "\n");
   CHECK(JsonReader::read(read_file(folder / "j"))["outcome"].text == "checked");
+}
+
+TEST_CASE("program: two outputs cannot be one file, however it is spelled") {
+  const Folder folder;
+  const std::string run = "run " + quoted(kHertz), name = folder / "a";
+  for (const std::string& outputs :
+       {" --csv " + quoted(name) + " --json " + quoted(name), " --csv " + quoted(name) + " --json " + quoted(folder / "./a"),
+        std::string(" --csv - --json -")}) {
+    const Result result = contact2d(run + outputs);
+    CHECK_MESSAGE(result.status == 64, outputs);
+    CHECK_FALSE(fs::exists(name));
+  }
+  CHECK(contact2d(run + " --csv /dev/null --json /dev/null").status == 0);
 }
 
 TEST_CASE("program: every example is in order") {

@@ -1,9 +1,17 @@
 #include "program/outputs.hpp"
 
+#include <filesystem>
 #include <sys/stat.h>
 
 namespace app {
 namespace {
+
+// One spelling for names that lead to the same place, whether or not anything is there yet.
+std::string spelled_out(const std::string& name) {
+  std::error_code error;
+  const std::filesystem::path path = std::filesystem::weakly_canonical(name, error);
+  return error ? name : path.string();
+}
 
 constexpr int kNamed = 7; // the deck and the outputs that are single files
 struct Named {
@@ -59,7 +67,10 @@ std::string find_clash(const Options& o) {
   for (int i = 0; i < kNamed; ++i)
     for (int k = i + 1; k < kNamed; ++k) {
       const std::string &a = *all[i].name, &b = *all[k].name;
-      const bool same_name = i > 0 && a == b && !a.empty() && a != "-" && ::stat(a.c_str(), &about[i]) != 0;
+      if (i > 0 && a == "-" && b == "-")
+        return std::string(all[i].what) + " and " + all[k].what + " both go to standard output";
+      const bool names = i > 0 && !a.empty() && !b.empty() && a != "-" && b != "-";
+      const bool same_name = names && ::stat(a.c_str(), &about[i]) != 0 && spelled_out(a) == spelled_out(b);
       const bool same_file = regular[i] && regular[k] && about[i].st_dev == about[k].st_dev &&
                              about[i].st_ino == about[k].st_ino;
       if (same_name || same_file)

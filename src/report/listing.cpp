@@ -255,6 +255,25 @@ c2d_status append_model(std::string& out, c2d_solver* solver, const c2d_summary&
   return status;
 }
 
+namespace {
+
+// What every touching pair carries after a change of status (IOUT of 3 or more).
+void append_answers(std::string& out, const c2d_step& step) {
+  static const int kColumns[] = {C2D_TN,  C2D_TT,  C2D_UN1, C2D_UT1,
+                                 C2D_UN2, C2D_UT2, C2D_GAP, C2D_SLIP_SUM};
+  out += "            pair           tn           tt          un1          ut1          un2          ut2"
+         "          gap         slip\n";
+  for (int32_t p = 0; p < step.pairs; ++p) {
+    const double* row = step.table + p * step.stride;
+    if (row[C2D_STATUS] == C2D_OPEN) continue;
+    append_column(out, p + 1, 16);
+    for (const int c : kColumns) append_scientific(out, row[c], 13);
+    out += '\n';
+  }
+}
+
+} // namespace
+
 void append_step(std::string& out, const c2d_step& step, bool first) {
   int32_t count[3] = {0, 0, 0};
   for (int32_t p = 0; p < step.pairs; ++p) {
@@ -284,6 +303,7 @@ void append_step(std::string& out, const c2d_step& step, bool first) {
     out += status >= 0 && status < 3 ? kMark[status] : '?';
   }
   out += '\n';
+  if (step.kind == C2D_STEP_CHANGE) append_answers(out, step);
 }
 
 void append_contact_zone(std::string& out, const CoefficientRecord& c, const std::vector<ContactEnd>* ends,
