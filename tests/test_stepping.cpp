@@ -198,7 +198,7 @@ TEST_CASE("stepping: slip of the deck's own increments knows nothing of trial st
     REQUIRE(r.steps.size() >= 1);
     for (const Step& step : r.steps)
       for (int i = 0; i < step.pairs(); ++i)
-        if (step.at(i, C2D_STATUS) == C2D_OPEN) CHECK(step.at(i, C2D_SLIP_SUM) == 0.0);
+        if (static_cast<int>(step.at(i, C2D_STATUS)) == C2D_OPEN) CHECK(step.at(i, C2D_SLIP_SUM) == 0.0);
   }
   // Down and up again: the slip of every pair comes to that of the events.
   Problem p = load("sample.dat");

@@ -125,7 +125,7 @@ Body whole(const Body& half, int32_t function_nodes, int axis, double line, std:
   out.xy.clear();
   out.ends.clear();
   out.open_regions = 0;
-  map.assign(half.regions.back().last, 0);
+  map.assign(static_cast<size_t>(half.regions.back().last), 0);
   const auto on_line = [&](const std::vector<double>& xy, size_t point) {
     return std::fabs(xy[2 * point + at(axis)] - line) < 1e-12;
   };
@@ -537,7 +537,7 @@ TEST_CASE("symmetry: a smooth disc in a hole comes to its reference at second or
     double open_from = 0, closed_to = 90; // angles from the pole
     for (int k = n; k >= 0; --k) {
       const double place = 90.0 - 90.0 * k / n;
-      if (last.at(k, C2D_STATUS) == C2D_OPEN) {
+      if (static_cast<int>(last.at(k, C2D_STATUS)) == C2D_OPEN) {
         open_from = place;
         break;
       }

@@ -265,7 +265,7 @@ void append_answers(std::string& out, const c2d_step& step) {
          "          gap         slip\n";
   for (int32_t p = 0; p < step.pairs; ++p) {
     const double* row = step.table + p * step.stride;
-    if (row[C2D_STATUS] == C2D_OPEN) continue;
+    if (static_cast<int>(row[C2D_STATUS]) == C2D_OPEN) continue;
     append_column(out, p + 1, 16);
     for (const int c : kColumns) append_scientific(out, row[c], 13);
     out += '\n';
