@@ -80,7 +80,7 @@ int32_t Run::on_step(void* context, const c2d_step* step) {
   const bool again = before != nullptr && !before->table.empty() && before->load == step->load;
   if (run.coefficient_shown_ != step->coefficient) run.show_contact_zone();
   CoefficientRecord& kept = keep_step(run.record_, *step);
-  keep_history(kept, *step, run.session_.solver);
+  keep_history(kept, *step, run.outputs_.json.is_open() ? run.session_.solver : nullptr);
   if (run.outputs_.listing.is_open()) {
     append_step(run.outputs_.listing.text, *step, run.coefficient_shown_ != step->coefficient);
     run.coefficient_shown_ = step->coefficient;

@@ -48,7 +48,7 @@ struct RunRecord {
 
 // Takes over what a step callback was shown. Returns the record of the step's coefficient.
 CoefficientRecord& keep_step(RunRecord& record, const c2d_step& step);
-// The same step's energy and zones; inside the callback.
+// The same step's energy and, unless solver is null, its zones; inside the callback.
 void keep_history(CoefficientRecord& coefficient, const c2d_step& step, c2d_solver* solver);
 
 // Why a path ended, in a line: the outcome, the body and its motion, the last pair; `said` is what the
