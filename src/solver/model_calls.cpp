@@ -426,18 +426,30 @@ c2d_status fill_zone(c2d_solver* s, const Model& m, const c2d_zone& given, Zone&
 
 } // namespace
 
-extern "C" c2d_status c2d_add_zone(c2d_solver* s, const c2d_zone* zone) {
-  c2d_status status = enter_building(s);
-  c2d_zone given;
-  if (status != C2D_OK) return status;
-  if (!zone || !copy_in(zone, &given, sizeof given)) return refuse(s, C2D_ERR_ARGUMENT, "no zone given");
-  ModelHeader& head = s->model;
+namespace {
+
+// What any kind of zone needs: two bodies that are known, and room.
+c2d_status check_room_for_zone(c2d_solver* s) {
+  const ModelHeader& head = s->model;
   if (s->sizes.bodies < 2) return refuse(s, C2D_ERR_ARGUMENT, "a contact zone needs two bodies");
   for (const Body& body : head.body)
     if (!body.is_set || body.region_count < body.regions)
       return refuse(s, C2D_ERR_ARGUMENT, "give both bodies and all their regions before the contact zones");
   if (head.zones >= s->sizes.zones)
     return refuse_number(s, C2D_ERR_LIMIT, "number of contact zones", head.zones + 1, 0, s->sizes.zones);
+  return C2D_OK;
+}
+
+} // namespace
+
+extern "C" c2d_status c2d_add_zone(c2d_solver* s, const c2d_zone* zone) {
+  c2d_status status = enter_building(s);
+  c2d_zone given;
+  if (status != C2D_OK) return status;
+  if (!zone || !copy_in(zone, &given, sizeof given)) return refuse(s, C2D_ERR_ARGUMENT, "no zone given");
+  ModelHeader& head = s->model;
+  status = check_room_for_zone(s);
+  if (status != C2D_OK) return status;
   if (!in_range(given.pairs, 1, s->sizes.pairs - head.pairs))
     return refuse_number(s, C2D_ERR_LIMIT, "number of contact pairs", given.pairs, 1, s->sizes.pairs - head.pairs);
   if (!in_range(given.elements, 1, s->sizes.contact_elements - head.contact_elements))
@@ -497,12 +509,8 @@ extern "C" c2d_status c2d_add_free_zone(c2d_solver* s, const c2d_free_zone* zone
   if (status != C2D_OK) return status;
   if (!zone || !copy_in(zone, &given, sizeof given)) return refuse(s, C2D_ERR_ARGUMENT, "no zone given");
   ModelHeader& head = s->model;
-  if (s->sizes.bodies < 2) return refuse(s, C2D_ERR_ARGUMENT, "a contact zone needs two bodies");
-  for (const Body& body : head.body)
-    if (!body.is_set || body.region_count < body.regions)
-      return refuse(s, C2D_ERR_ARGUMENT, "give both bodies and all their regions before the contact zones");
-  if (head.zones >= s->sizes.zones)
-    return refuse_number(s, C2D_ERR_LIMIT, "number of contact zones", head.zones + 1, 0, s->sizes.zones);
+  status = check_room_for_zone(s);
+  if (status != C2D_OK) return status;
   const Model m = model_of(s);
   Zone z;
   memset(&z, 0, sizeof z);
