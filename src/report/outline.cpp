@@ -34,6 +34,7 @@ public:
     std::vector<bool> on_line;
     for (int32_t e = first; e <= last; ++e) {
       on_line.push_back(lies_on_line(e));
+      out_.on_line.push_back(on_line.back());
       out_.corners.push_back(at(e, -1.0));
       add_normals(e);
     }

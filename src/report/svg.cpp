@@ -158,15 +158,16 @@ void Svg::mark(Mark mark, Point at, double size, const char* ink, bool filled) {
   }
 }
 
-void Svg::arrow(Point from, Point to, const Stroke& stroke, double head) {
+void Svg::arrow(Point from, Point to, const Stroke& stroke, double size, Head head) {
   const double dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
   if (length < 0.1) return;
-  const double ex = dx / length, ey = dy / length, h = head < length ? head : length;
+  const double ex = dx / length, ey = dy / length, h = size < length ? size : length;
   const Point neck{to.x - h * ex, to.y - h * ey};
-  line(from, neck, stroke);
   const double w = 0.42 * h;
-  area({{to, {neck.x - w * ey, neck.y + w * ex}, {neck.x + w * ey, neck.y - w * ex}}}, stroke.colour,
-       Stroke{});
+  const Point left{neck.x - w * ey, neck.y + w * ex}, right{neck.x + w * ey, neck.y - w * ex};
+  line(from, head == Head::kFilled ? neck : to, stroke);
+  if (head == Head::kFilled) area({{to, left, right}}, stroke.colour, Stroke{});
+  if (head == Head::kOpen) polyline({left, to, right}, Stroke{stroke.colour, stroke.width, ""});
 }
 
 void Svg::text(Point at, const std::string& text, double size, Anchor anchor, const char* ink, bool turned,

@@ -22,6 +22,7 @@ struct Stroke {
   const char* dash = ""; // as stroke-dasharray; empty: solid
 };
 enum class Anchor { kStart, kMiddle, kEnd };
+enum class Head { kNone, kFilled, kOpen };
 enum class Mark { kNone, kCircle, kSquare, kTriangle, kDiamond, kCross };
 
 // Colours that stay apart for colour-blind people and in grey print, each used with one line style or marker.
@@ -53,8 +54,8 @@ public:
   void area(const std::vector<std::vector<Point>>& curves, const std::string& fill, const Stroke& stroke);
   void rectangle(const Box& box, const std::string& fill, const Stroke& stroke);
   void mark(Mark mark, Point at, double size, const char* ink, bool filled = true);
-  // A shaft with a filled head at `to`.
-  void arrow(Point from, Point to, const Stroke& stroke, double head = 5.0);
+  // A shaft with a head of `size` at `to`; the shaft alone is dashed.
+  void arrow(Point from, Point to, const Stroke& stroke, double size = 5.0, Head head = Head::kFilled);
   // `text` may hold entities: pass words of the user through escape_xml first. `turned`: reads upwards.
   // `halo`: with a white rim, over lines.
   void text(Point at, const std::string& text, double size, Anchor anchor = Anchor::kStart,
