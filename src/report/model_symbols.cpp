@@ -204,7 +204,10 @@ void draw_supports(Svg& svg, const Scene& scene, const Chart& view, Present& pre
     const size_t ends = static_cast<size_t>(scene.summary.function_nodes);
     for (const Image& image : scene.images)
       for (size_t i = 0; i < body.conditions.size(); ++i) {
-        const bool fixed[2] = {is_held(body.conditions[i], 2), is_held(body.conditions[i], 3)};
+        // On a line of symmetry by images what holds a node across it is the line.
+        const int line = image_line_at(scene.summary, body.ends[i]);
+        const bool fixed[2] = {line != 1 && is_held(body.conditions[i], 2),
+                               line != 2 && is_held(body.conditions[i], 3)};
         const Point at = image.place(body.ends[i]), p = view.at(at.x, at.y);
         if ((!fixed[0] && !fixed[1]) || body.on_line[i / ends] || !visible(view, p)) continue;
         const bool both = fixed[0] && fixed[1];

@@ -21,8 +21,7 @@ void draw_bar(Svg& svg, const Chart& chart, double y, double value, const std::s
 
 std::string caption(const Scene& scene) {
   const c2d_summary& s = scene.summary;
-  std::string out = "Forces per unit thickness on each body at load factor " + figure(s.load);
-  if (!scene.pairs.empty()) out += ", &#956; = " + figure(s.mu);
+  std::string out = "Forces per unit thickness on each body at " + place_at_end(scene);
   out += ": loads and supports";
   out += scene.pairs.empty() ? " add up to zero" : " and contact tractions cancel";
   double largest = 0.0, worst = 0.0;

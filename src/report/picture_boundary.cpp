@@ -70,8 +70,7 @@ void draw_boundary_stress(const Scene& scene, Pictures& out) {
     svg.polyline(points, kLines[r % 4]);
   }
   Picture picture{"boundary", "Stress along the boundary", "", ""};
-  picture.caption = "Normal stress along the boundary (hoop stress) at load factor " + figure(summary.load) +
-                    ": the largest in size is " + figure(largest, scene.stress_unit, 6) + " at (" +
+  picture.caption = "Normal stress along the boundary (hoop stress) at " + place_at_end(scene) + ": the largest in size is " + figure(largest, scene.stress_unit, 6) + " at (" +
                     figure(where.x) + ", " + figure(where.y) + ").";
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);

@@ -42,6 +42,7 @@ void draw_nodes(Svg& svg, const Scene& scene, const BodyScene& body, const Chart
                 const char* ink) {
   for (const Image& image : scene.images)
     for (size_t i = 0; i < body.ends.size(); ++i) {
+      if (body.on_line[i / static_cast<size_t>(scene.summary.function_nodes)]) continue;
       const Point at = image.place(body.ends[i]), u = image.direction(body.displacement[i]);
       const Point p = view.at(at.x + magnification * u.x, at.y + magnification * u.y);
       if (p.x >= view.frame.left && p.x <= view.frame.right) svg.mark(Mark::kCircle, p, 3.0, ink);
@@ -57,10 +58,11 @@ void draw_view(Svg& svg, const Scene& scene, const Chart& view, double magnifica
       std::vector<std::vector<Point>> curves = outline_of(scene.bodies[b], pass == 0 ? magnification : 0.0);
       for (auto& curve : curves)
         for (Point& p : curve) p = view.at(p.x, p.y);
-      if (pass == 0)
-        svg.area(curves, colour::kBody[b], Stroke{edge[b], 1.6, b == 0 ? "" : "7 2"});
-      else
-        svg.area(curves, "none", Stroke{colour::kFaint, 1.0, "2 3"});
+      if (pass == 0) svg.area(curves, colour::kBody[b], Stroke{});
+      // Dashes need lines that do not run far outside the view.
+      for (const std::vector<Point>& piece : pieces_within(curves, view.frame))
+        svg.polyline(piece, pass == 0 ? Stroke{edge[b], 1.6, b == 0 ? "" : "7 2"}
+                                      : Stroke{colour::kFaint, 1.0, "2 3"});
       if (pass == 0 && nodes) draw_nodes(svg, scene, scene.bodies[b], view, magnification, edge[b]);
     }
   svg.end_clip();
@@ -79,12 +81,12 @@ Zoom choose_zoom(const Scene& scene) {
   Zoom out;
   double gap = 0.0, displacement = 0.0;
   const auto each_pair = [&](auto&& take) {
-    for (const Image& image : scene.images)
+    for (const Image& image : scene.zone_images)
       for (const PairScene& pair : scene.pairs)
         for (const Point& p : pair.on) take(image.place(p));
   };
   const auto each_end = [&](auto&& take) {
-    for (const Image& image : scene.images)
+    for (const Image& image : scene.zone_images)
       for (const BodyScene& body : scene.bodies)
         for (size_t i = 0; i < body.ends.size(); ++i)
           if (body.status[i] >= 0) take(image.place(body.ends[i]), image.direction(body.displacement[i]));
@@ -165,8 +167,7 @@ void draw_deformed(const Scene& scene, Pictures& out) {
   const Point at =
       scene.bodies[extent.body].ends.empty() ? Point{} : scene.bodies[extent.body].ends[extent.end];
   Picture picture{"deformed", "Deformed shape", "", ""};
-  picture.caption = "Shape at load factor " + figure(scene.summary.load);
-  if (!scene.pairs.empty()) picture.caption += ", &#956; = " + figure(scene.summary.mu);
+  picture.caption = "Shape at " + place_at_end(scene);
   picture.caption += ", " + scale_text(magnification) + ": the largest displacement is " +
                      figure(extent.displacement, scene.length_unit, 6) + " at (" + figure(at.x) + ", " +
                      figure(at.y) + ")";

@@ -177,8 +177,12 @@ void draw_model(const Scene& scene, Pictures& out) {
   for (const BodyScene& body : scene.bodies)
     for (const auto& curve : body.curves)
       for (const OutlinePoint& p : curve) x.include(p.at.x), y.include(p.at.y);
-  for (const PairScene& pair : scene.pairs)
-    for (const Point& p : pair.on) zoom_x.include(p.x), zoom_y.include(p.y);
+  for (const Image& image : scene.zone_images)
+    for (const PairScene& pair : scene.pairs)
+      for (const Point& on : pair.on) {
+        const Point p = image.place(on);
+        zoom_x.include(p.x), zoom_y.include(p.y);
+      }
   if (x.empty) return;
   const bool zoom = !scene.pairs.empty();
   const double left = 62.0, gap = 66.0, right = 14.0, top = 30.0;

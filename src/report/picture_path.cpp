@@ -78,7 +78,7 @@ const CoefficientRecord& longest(const Scene& scene) {
 std::vector<LegendEntry> load_legend(const Scene& scene) {
   std::vector<LegendEntry> out;
   for (size_t k = 0; scene.cases > 1 && k < std::min(scene.cases, kMostLines); ++k)
-    out.push_back({"load case " + std::to_string(k + 1), kLines[k], kMarks[k], k != 1, ""});
+    out.push_back({"factor of load case " + std::to_string(k + 1), kLines[k], kMarks[k], k != 1, ""});
   return out;
 }
 
@@ -137,6 +137,7 @@ void draw_path(const Scene& scene, Pictures& out) {
   const Axis x = make_axis(load, by_load ? "load factor" : "step", "", 9, true, !by_load);
   const double left = 76.0, right = kPictureWidth - 16.0, high = 120.0, step = high + 32.0;
   const std::vector<LegendEntry> cases = by_load ? std::vector<LegendEntry>{} : load_legend(scene);
+  if (entries.size() == 1 && !cases.empty()) entries.clear(); // the title names the only coefficient
   const double first = draw_legend(nullptr, {left, 4.0}, right - left, entries);
   const double top = first + draw_legend(nullptr, {left, 4.0}, right - left, cases) + 30.0;
   const int charts = (by_load ? 0 : 1) + (any ? 1 : 0) + 2;
@@ -160,6 +161,8 @@ void draw_path(const Scene& scene, Pictures& out) {
   draw_value(svg, scene, frame, x, "pairs", "", true, true, true, touching);
   draw_heading(svg, frame, "Pairs in contact");
   Picture picture{"path", "The load path", caption(scene), ""};
+  if (scene.history->coefficients().size() == 1)
+    picture.title += ", &#956; = " + figure(scene.history->coefficients()[0].mu);
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);
 }

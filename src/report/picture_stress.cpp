@@ -162,8 +162,7 @@ c2d_status draw_one(const Scene& scene, const std::string& name, const std::stri
   const double middle = top + 0.5 * high;
   draw_bar(svg, {right + 16.0, middle - 0.5 * bar_high, right + 34.0, middle + 0.5 * bar_high}, axis, levels);
   Picture picture{name, title, "", ""};
-  picture.caption = "von Mises' stress at load factor " + figure(scene.summary.load);
-  if (!scene.pairs.empty()) picture.caption += ", &#956; = " + figure(scene.summary.mu);
+  picture.caption = "von Mises' stress at " + place_at_end(scene);
   picture.caption += ": the largest value on the grid drawn is " + figure(peak.value, scene.stress_unit) +
                      " at (" + figure(peak.at.x) + ", " + figure(peak.at.y) + ")";
   if (scene.bodies.size() > 1) picture.caption += " in body " + std::to_string(peak.body + 1);
@@ -185,7 +184,9 @@ c2d_status draw_stress(const Scene& scene, Pictures& out) {
   const std::vector<double>& table = scene.record->coefficients.back().table;
   for (size_t p = 0; p < scene.pairs.size() && !table.empty(); ++p)
     if (static_cast<int>(table[p * C2D_PAIR_FIELDS + C2D_STATUS]) != C2D_OPEN)
-      for (const Point& at : scene.pairs[p].on) zoom_x.include(at.x), zoom_y.include(at.y);
+      for (const Image& image : scene.zone_images)
+        for (const Point& on : scene.pairs[p].on)
+          zoom_x.include(image.place(on).x), zoom_y.include(image.place(on).y);
   if (zoom_x.empty) return status;
   const double size = std::max(zoom_x.high - zoom_x.low, zoom_y.high - zoom_y.low);
   if (size <= 0.0 || size > 0.6 * std::max(x.high - x.low, y.high - y.low)) return status;

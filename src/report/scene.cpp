@@ -132,6 +132,13 @@ std::string place_on_path(const Scene& scene, size_t coefficient) {
          (histories[coefficient].loads.size() > 1 ? "s " : " ") + list_of(histories[coefficient].loads) + ")";
 }
 
+std::string place_at_end(const Scene& scene) {
+  const size_t count = scene.record->coefficients.size();
+  std::string out = count > 0 ? place_on_path(scene, count - 1) : "load factor " + figure(scene.summary.load);
+  if (!scene.pairs.empty()) out += ", &#956; = " + figure(scene.summary.mu);
+  return out;
+}
+
 std::string list_of(const std::vector<double>& numbers) {
   std::string out;
   for (size_t i = 0; i < numbers.size(); ++i) out += (i > 0 ? ", " : "") + figure(numbers[i]);

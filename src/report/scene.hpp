@@ -99,6 +99,7 @@ struct Scene {
   std::vector<RigidMotion> motions; // of it, other than none
   size_t interference = 0;          // the load case, from 1, that closes overlaps; 0: none
   std::vector<Image> images;        // the model first
+  std::vector<Image> zone_images;   // those of them that make one zone of a part and its image
   std::string length_unit, stress_unit, force_unit, work_unit; // escaped; empty if the user named none
 };
 
@@ -110,6 +111,9 @@ c2d_status gather_scene(c2d_solver* solver, const RunRecord& record, const Histo
 
 // Coefficient of friction of a zone (from 0) in a run (from 0): zones may have their own.
 double friction_of(const Scene& scene, size_t coefficient, size_t zone);
+
+// 1 or 2: the point lies on the line x = ... or y = ... of symmetry by images, 0: on none.
+int image_line_at(const c2d_summary& summary, Point p);
 
 // Outlines moved by `magnification` times the displacement.
 std::vector<std::vector<Point>> outline_of(const BodyScene& body, double magnification);
@@ -127,6 +131,8 @@ ZoneFacts find_facts(const Scene& scene, const ZoneScene& zone, const std::vecto
 // Where on the load path a coefficient's last table stands: "load factor 1", and with several load cases or a load
 // that also falls "step 5 (load factors 1, 0.5)".
 std::string place_on_path(const Scene& scene, size_t coefficient);
+// The same of the last coefficient, whose results the solver still has, with its name: "load factor 1, mu = 0.3".
+std::string place_at_end(const Scene& scene);
 
 // "1, 0.5, -1"
 std::string list_of(const std::vector<double>& numbers);

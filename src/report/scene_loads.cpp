@@ -42,6 +42,13 @@ void find_images(Scene& scene) {
   for (int y = 0; y <= (s.symmetry >> 1 & 1); ++y)
     for (int x = 0; x <= (s.symmetry & 1); ++x)
       scene.images.push_back({{x == 0 ? 1.0 : -1.0, y == 0 ? 1.0 : -1.0}, line});
+  scene.zone_images = {scene.images[0]};
+  for (const int axis : {1, 2})
+    for (const ZoneScene& zone : scene.zones)
+      if (zone.has_images && scene.pairs[zone.origin].image_line == axis) {
+        scene.zone_images.push_back({{axis == 1 ? -1.0 : 1.0, axis == 2 ? -1.0 : 1.0}, line});
+        break;
+      }
 }
 
 } // namespace

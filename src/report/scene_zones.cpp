@@ -17,13 +17,6 @@ Point place_of_node(const BodyScene& body, size_t node, bool& held) {
   return place;
 }
 
-int image_line_at(const c2d_summary& s, Point p) {
-  const double near = 1e-9 * (std::fabs(p.x) + std::fabs(p.y));
-  if ((s.symmetry & 1) != 0 && std::fabs(p.x - s.symmetry_at[0]) <= near) return 1;
-  if ((s.symmetry & 2) != 0 && std::fabs(p.y - s.symmetry_at[1]) <= near) return 2;
-  return 0;
-}
-
 // The pairs in the order of s, and beyond the line of symmetry their images.
 void make_samples(const Scene& scene, ZoneScene& zone) {
   const PairScene& origin = scene.pairs[zone.origin];
@@ -75,6 +68,13 @@ c2d_status get_pairs(const Scene& scene, PairFields& out) {
 }
 
 } // namespace
+
+int image_line_at(const c2d_summary& s, Point p) {
+  const double near = 1e-9 * (std::fabs(p.x) + std::fabs(p.y));
+  if ((s.symmetry & 1) != 0 && std::fabs(p.x - s.symmetry_at[0]) <= near) return 1;
+  if ((s.symmetry & 2) != 0 && std::fabs(p.y - s.symmetry_at[1]) <= near) return 2;
+  return 0;
+}
 
 c2d_status gather_zones(Scene& scene) {
   if (scene.summary.pairs == 0) return C2D_OK;

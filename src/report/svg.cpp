@@ -26,7 +26,51 @@ void append_stroke(std::string& out, const Stroke& stroke) {
   out += '"';
 }
 
+// Cuts a segment to a box; false if it lies outside.
+bool cut(const Box& box, Point& a, Point& b) {
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  const double p[4] = {-dx, dx, -dy, dy};
+  const double q[4] = {a.x - box.left, box.right - a.x, a.y - box.top, box.bottom - a.y};
+  double first = 0.0, last = 1.0;
+  for (int i = 0; i < 4; ++i) {
+    if (p[i] == 0.0) {
+      if (q[i] < 0.0) return false;
+      continue;
+    }
+    const double at = q[i] / p[i];
+    if (p[i] < 0.0)
+      first = std::max(first, at);
+    else
+      last = std::min(last, at);
+  }
+  if (first > last) return false;
+  b = {a.x + last * dx, a.y + last * dy};
+  a = {a.x + first * dx, a.y + first * dy};
+  return true;
+}
+
 } // namespace
+
+std::vector<std::vector<Point>> pieces_within(const std::vector<std::vector<Point>>& curves, const Box& box) {
+  const double room = 10.0;
+  const Box wider{box.left - room, box.top - room, box.right + room, box.bottom + room};
+  std::vector<std::vector<Point>> out;
+  for (const std::vector<Point>& curve : curves) {
+    bool joined = false;
+    for (size_t i = 0; i < curve.size(); ++i) {
+      Point a = curve[i], b = curve[(i + 1) % curve.size()];
+      const Point end = b;
+      if (!cut(wider, a, b)) {
+        joined = false;
+        continue;
+      }
+      if (!joined) out.push_back({a});
+      out.back().push_back(b);
+      joined = b.x == end.x && b.y == end.y;
+    }
+  }
+  return out;
+}
 
 void append_pixel(std::string& out, double value) {
   const int64_t hundredths = std::llround(value * 100.0);

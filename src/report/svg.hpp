@@ -80,6 +80,9 @@ private:
   int ids_ = 0;
 };
 
+// The parts of closed curves that lie within a box or close to it.
+std::vector<std::vector<Point>> pieces_within(const std::vector<std::vector<Point>>& curves, const Box& box);
+
 // Appends a coordinate with two decimals at most.
 void append_pixel(std::string& out, double value);
 void append_curves(std::string& out, const std::vector<std::vector<Point>>& curves);
