@@ -147,9 +147,10 @@ std::string model_caption(const Scene& scene) {
            std::to_string(s.zones) + (s.zones == 1 ? " zone." : " zones.");
   for (size_t z = 0; z < scene.zones.size(); ++z)
     if (scene.zones[z].measure == 2)
-      out += " Zone " + std::to_string(z + 1) + " joins nodes of body 2 to points of body 1, whose mesh does not match.";
+      out += " Zone " + std::to_string(z + 1) + " joins nodes of body 2 to points of body 1: the meshes need not match.";
   if (scene.summary.symmetry != 0)
-    out += " One side of a line of symmetry was given, the other is its image; pairs are numbered on the side given.";
+    out += " One side of a line of symmetry was given, the other is its image.";
+  if (scene.summary.symmetry != 0 && !scene.pairs.empty()) out += " Pairs are numbered on the side given.";
   if (scene.cases > 1) out += " Each load is multiplied by the factor of its load case.";
   if (scene.interference > 0)
     out += " The factor of load case " + std::to_string(scene.interference) + " closes the overlaps of the press fit.";

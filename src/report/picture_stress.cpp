@@ -73,7 +73,7 @@ Peak find_peak(const Window& window) {
 }
 
 // Between values that all but a hundredth of the points stay above or below: a corner may have any stress.
-// From zero unless the stress is everywhere far from it.
+// From zero unless the stress is everywhere far from it and yet differs from place to place.
 std::vector<double> choose_levels(const Window& window, Axis& axis, const std::string& unit) {
   std::vector<double> values;
   for (const Grid& g : window.grids)
@@ -86,7 +86,7 @@ std::vector<double> choose_levels(const Window& window, Axis& axis, const std::s
     std::nth_element(values.begin(), values.begin() + static_cast<ptrdiff_t>(rank), values.end());
     range.include(values[rank]);
   }
-  if (range.low < 0.25 * range.high) range.include(0.0);
+  if (range.low < 0.25 * range.high || range.high - range.low < 0.02 * range.high) range.include(0.0);
   axis = make_axis(range, "von Mises' stress", unit, static_cast<int>(kBands));
   std::vector<double> levels;
   for (int i = 0; i < axis.ticks; ++i) levels.push_back(axis.tick(i));

@@ -1,6 +1,7 @@
 // Answers: fields, lists, the summary.
 #include <string.h>
 
+#include "model/symmetry.hpp"
 #include "solver/interior.hpp"
 
 namespace c2d {
@@ -89,7 +90,8 @@ double end_value(const Session& session, int32_t field, int b, int32_t end) {
   case C2D_END_UY: return session.area.displacement[b][2 * static_cast<int64_t>(node) + (field - C2D_END_UX)];
   case C2D_END_TX:
   case C2D_END_TY: return session.area.traction[b][2 * static_cast<int64_t>(end) + (field - C2D_END_TX)];
-  default: return end_stress(session, field, b, end);
+  default: // an element that images replace is no boundary
+    return is_axis_element(m, b, element) ? 0.0 : end_stress(session, field, b, end);
   }
 }
 
