@@ -16,7 +16,8 @@ struct Model {
   std::vector<unsigned char> memory;
   c2d_solver* solver = nullptr;
 
-  explicit Model(Deck cards, const std::string& more = "") : deck(std::move(cards)), limits(C2D_INIT(c2d_limits)) {
+  explicit Model(Deck cards, const std::string& more = "")
+      : deck(std::move(cards)), limits(C2D_INIT(c2d_limits)) {
     std::istringstream in(more);
     for (std::string line; std::getline(in, line);) deck.lines.push_back(line);
     limits = deck.limits();
@@ -52,7 +53,8 @@ Deck free_hertz() {
   return deck;
 }
 
-// C2D_PAIR_ELEMENT1 and _ETA1, put into the element's chord, give the pair's place. Returns how many lie between nodes.
+// C2D_PAIR_ELEMENT1 and _ETA1, put into the element's chord, give the pair's place. Returns how many lie
+// between nodes.
 int check_places(const Model& model) {
   c2d_summary s = C2D_INIT(c2d_summary);
   REQUIRE(c2d_get_summary(model.solver, &s) == C2D_OK);

@@ -1,5 +1,5 @@
-// What pictures show of load cases, symmetry by images, zones of meshes that do not match, rigid bodies and several
-// coefficients of friction.
+// What pictures show of load cases, symmetry by images, zones of meshes that do not match, rigid bodies and
+// several coefficients of friction.
 #include "json.hpp"
 #include "picture_runs.hpp"
 
@@ -59,10 +59,11 @@ std::string free_deck() {
 
 TEST_CASE("pictures: the loads of all cases are drawn and named") {
   const Folder folder;
-  write_file(folder / "deck", read_file(example("sliding_block.dat")) +
-                                  "*CASES 3\ncase 2\ncondition 2 25-48 0 0.05 0 0 0\nload 2 0 0.5 0.02 -0.01\n"
-                                  "*BODY FORCE 2 3 0 -0.02 0.001 0 0.6\n*PATH\n2 1 0 0\n6 1 0.3 0.5\n"
-                                  "6 1 -0.5 1\n");
+  write_file(folder / "deck",
+             read_file(example("sliding_block.dat")) +
+                 "*CASES 3\ncase 2\ncondition 2 25-48 0 0.05 0 0 0\nload 2 0 0.5 0.02 -0.01\n"
+                 "*BODY FORCE 2 3 0 -0.02 0.001 0 0.6\n*PATH\n2 1 0 0\n6 1 0.3 0.5\n"
+                 "6 1 -0.5 1\n");
   Shown shown;
   show(shown, folder / "deck");
   REQUIRE_MESSAGE(shown.result.status == 0, shown.result.err);
@@ -86,9 +87,10 @@ TEST_CASE("pictures: the loads of all cases are drawn and named") {
 
 TEST_CASE("pictures: the listing has the loads of all cases") {
   const Folder folder;
-  write_file(folder / "deck", read_file(example("sliding_block.dat")) +
-                                  "*CASES 2\ncase 2\ncondition 2 25-26 0 0.0625 0 0 0\nload 2 0 0.5 0.02 -0.01\n"
-                                  "*BODY FORCE 2 2 0 -0.03125 0 0 0\n*PATH\n2 1 0\n1 1 0.375\n");
+  write_file(folder / "deck",
+             read_file(example("sliding_block.dat")) +
+                 "*CASES 2\ncase 2\ncondition 2 25-26 0 0.0625 0 0 0\nload 2 0 0.5 0.02 -0.01\n"
+                 "*BODY FORCE 2 2 0 -0.03125 0 0 0\n*PATH\n2 1 0\n1 1 0.375\n");
   const Result run = contact2d("run " + quoted(folder / "deck") + " --listing -");
   REQUIRE(run.status == 0);
   int conditions = 0;
@@ -181,7 +183,8 @@ TEST_CASE("pictures: zones of meshes that do not match say what tractions are me
   const size_t zone = run.out.find("Contact zone of body 1");
   REQUIRE(zone != std::string::npos);
   int whole = 0, between = 0; // pair, element, place
-  for (const std::string& line : lines_of(run.out.substr(zone, run.out.find("Contact zone of body 2") - zone))) {
+  for (const std::string& line :
+       lines_of(run.out.substr(zone, run.out.find("Contact zone of body 2") - zone))) {
     std::istringstream in(line);
     int pair = 0, element = 0;
     double place = 9.0;
@@ -196,8 +199,8 @@ TEST_CASE("pictures: zones of meshes that do not match say what tractions are me
 
 TEST_CASE("pictures: a rigid body is shown as one, with its motion") {
   const Folder folder;
-  write_file(folder / "deck", read_file(example("hertz.dat")) +
-                                  "*CASES 2\n*RIGID\n2 0 0.02 0 0 0\n*PATH\n4 0.5 0\n4 0.5 1\n");
+  write_file(folder / "deck",
+             read_file(example("hertz.dat")) + "*CASES 2\n*RIGID\n2 0 0.02 0 0 0\n*PATH\n4 0.5 0\n4 0.5 1\n");
   Shown shown;
   show(shown, folder / "deck");
   REQUIRE_MESSAGE(shown.result.status == 0, shown.result.err);
@@ -206,7 +209,8 @@ TEST_CASE("pictures: a rigid body is shown as one, with its motion") {
   for (const char* entry : {">body 1, rigid<", ">motion of the rigid body, case 2<"})
     CHECK_MESSAGE(contains(model, entry), entry);
   CHECK(contains(model, kHatched));
-  CHECK(contains(caption_of(shown, "model"), "body 1 has 46 elements, rigid; body 2 has 58 elements, E = 1000"));
+  CHECK(contains(caption_of(shown, "model"),
+                 "body 1 has 46 elements, rigid; body 2 has 58 elements, E = 1000"));
   const Result run = contact2d("run " + quoted(folder / "deck") + " --listing -");
   CHECK(contains(run.out, "Body 1 is rigid"));
 }

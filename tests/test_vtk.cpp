@@ -64,10 +64,11 @@ Vtk read_vtk(const std::string& text) {
       in >> tuples;
     } else if (word == "SCALARS") {
       in >> name >> word;
-      read_scalars(in, tuples, name == "body"      ? out.body
-                               : name == "element" ? out.element
-                               : name == "image"   ? out.image
-                                                   : out.status);
+      read_scalars(in, tuples,
+                   name == "body"      ? out.body
+                   : name == "element" ? out.element
+                   : name == "image"   ? out.image
+                                       : out.status);
     } else if (word == "VECTORS") {
       in >> name >> word;
       read_tuples(in, tuples, name == "displacement" ? out.displacement : out.traction);
@@ -166,13 +167,13 @@ TEST_CASE("VTK: the whole of a symmetric model") {
   size_t matched = 0;
   for (size_t c = 0; c < b.cells.size(); ++c) {
     if (b.image[c] != 1) continue;
-    const size_t other = static_cast<size_t>(std::find_if(b.cells.begin(), b.cells.end(),
-                                                          [&](const std::vector<int>& cell) {
-                                                            const size_t k = static_cast<size_t>(&cell - b.cells.data());
-                                                            return b.image[k] == 0 && b.body[k] == b.body[c] &&
-                                                                   b.element[k] == b.element[c];
-                                                          }) -
-                                             b.cells.begin());
+    const size_t other = static_cast<size_t>(
+        std::find_if(b.cells.begin(), b.cells.end(),
+                     [&](const std::vector<int>& cell) {
+                       const size_t k = static_cast<size_t>(&cell - b.cells.data());
+                       return b.image[k] == 0 && b.body[k] == b.body[c] && b.element[k] == b.element[c];
+                     }) -
+        b.cells.begin());
     REQUIRE(other < b.cells.size());
     for (size_t n = 0; n < b.cells[c].size(); ++n) {
       const size_t i = static_cast<size_t>(b.cells[c][n]), k = static_cast<size_t>(b.cells[other][n]);

@@ -32,7 +32,8 @@ void append_energy(std::string& out, const RunRecord& record) {
     out += "\n\n    step         work      elastic   dissipated       defect   load factors\n";
     for (const StepRecord& step : c.steps) {
       append_column(out, step.step, 8);
-      for (const double v : {step.work, step.elastic, step.dissipated, step.defect}) append_general(out, v, 13, 5);
+      for (const double v : {step.work, step.elastic, step.dissipated, step.defect})
+        append_general(out, v, 13, 5);
       out += "  ";
       for (const double load : step.loads) append_general(out, load, 13, 8);
       out += '\n';

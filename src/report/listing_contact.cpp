@@ -10,8 +10,7 @@ namespace {
 
 // What every touching pair carries after a change of status (IOUT of 3 or more).
 void append_answers(std::string& out, const c2d_step& step) {
-  static const int kColumns[] = {C2D_TN,  C2D_TT,  C2D_UN1, C2D_UT1,
-                                 C2D_UN2, C2D_UT2, C2D_GAP, C2D_SLIP_SUM};
+  static const int kColumns[] = {C2D_TN, C2D_TT, C2D_UN1, C2D_UT1, C2D_UN2, C2D_UT2, C2D_GAP, C2D_SLIP_SUM};
   out += "            pair           tn           tt          un1          ut1          un2          ut2"
          "          gap         slip\n";
   for (int32_t p = 0; p < step.pairs; ++p) {
@@ -106,11 +105,14 @@ void append_contact_zone(std::string& out, const CoefficientRecord& c, const std
     append_section(out, body == 1 ? "Contact zone of body 1" : "Contact zone of body 2");
     append_item(out, "coefficient of friction", c.mu);
     append_item(out, "load factor", c.load);
-    out += "  Frame: n from body 1 to body 2, t is n turned by -90 degrees. Tractions act on body 2 per length ";
-    out += any_free(ends) ? "of body 1,\n  in zones between meshes that do not match of body 2; their pairs have a place on "
+    out +=
+        "  Frame: n from body 1 to body 2, t is n turned by -90 degrees. Tractions act on body 2 per length ";
+    out += any_free(ends) ? "of body 1,\n  in zones between meshes that do not match of body 2; their pairs "
+                            "have a place on "
                             "an element of body 1, from -1 to 1,\n  instead of an end.\n\n"
                           : "of body 1.\n\n";
-    out += "    pair element    end            x            y           un           ut           tn           tt"
+    out += "    pair element    end            x            y           un           ut           tn         "
+           "  tt"
            "  status\n";
     for (const ContactEnd& end : ends[body - 1]) {
       const double* row = c.table.data() + static_cast<size_t>(end.pair - 1) * C2D_PAIR_FIELDS;

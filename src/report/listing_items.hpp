@@ -16,7 +16,8 @@ void append_item(std::string& out, const char* name, int64_t value);
 void append_item(std::string& out, const char* name, double value);
 void append_item(std::string& out, const char* name, const char* value);
 
-// Known components of every element end that is neither free of traction nor left to the contact, case by case.
+// Known components of every element end that is neither free of traction nor left to the contact, case by
+// case.
 c2d_status append_conditions(std::string& out, c2d_solver* solver, const c2d_summary& summary, int32_t body);
 // Point loads, body forces, motions of a rigid body 1, press fit: nothing of what there is none.
 c2d_status append_other_loads(std::string& out, c2d_solver* solver, const c2d_summary& summary);

@@ -38,7 +38,8 @@ bool take_place(std::vector<Point>& placed, Point p, double spacing) {
   return true;
 }
 
-// A triangle with its tip at `p`, its base away along (dx, dy); with a line behind it where the body may slide.
+// A triangle with its tip at `p`, its base away along (dx, dy); with a line behind it where the body may
+// slide.
 void draw_support(Svg& svg, Point p, double dx, double dy, bool both) {
   const double h = 8.0, w = 4.5;
   const Point base{p.x + h * dx, p.y + h * dy};
@@ -96,8 +97,8 @@ void draw_turn(Svg& svg, Point centre, bool positive, const Stroke& stroke, Head
   svg.polyline(arc, stroke);
   const Point end = arc.back(), way{end.x - arc[23].x, end.y - arc[23].y};
   const double size = std::hypot(way.x, way.y);
-  svg.arrow(end, {end.x + 9.0 * way.x / size, end.y + 9.0 * way.y / size}, Stroke{stroke.colour, stroke.width, ""},
-            9.0, head);
+  svg.arrow(end, {end.x + 9.0 * way.x / size, end.y + 9.0 * way.y / size},
+            Stroke{stroke.colour, stroke.width, ""}, 9.0, head);
   svg.mark(Mark::kCross, centre, 7.0, stroke.colour);
 }
 
@@ -166,7 +167,8 @@ public:
     const Point p = view_.at(middle.x, middle.y), axis = view_.at(motion.axis.x, motion.axis.y);
     if ((motion.by.x != 0.0 || motion.by.y != 0.0) && visible(view_, p))
       arrow(Symbol::kRigidMotion, p, motion.by, motion.by, 44.0, 12.0);
-    if (motion.rotation != 0.0 && visible(view_, axis)) turn(Symbol::kRigidMotion, axis, motion.rotation > 0.0);
+    if (motion.rotation != 0.0 && visible(view_, axis))
+      turn(Symbol::kRigidMotion, axis, motion.rotation > 0.0);
   }
 
 private:
@@ -235,10 +237,11 @@ void draw_loads(Svg& svg, const Scene& scene, const Chart& view, Present& presen
 }
 
 std::vector<LegendEntry> symbol_legend(const Scene& scene, const Present& present) {
-  static const char* const kWords[] = {"traction", "point load", "prescribed displacement",
+  static const char* const kWords[] = {"traction",   "point load", "prescribed displacement",
                                        "body force", "rotation",   "motion of the rigid body"};
   std::vector<LegendEntry> out;
-  if (present.support) out.push_back({"held (filled: in both directions)", Stroke{}, Mark::kTriangle, false, ""});
+  if (present.support)
+    out.push_back({"held (filled: in both directions)", Stroke{}, Mark::kTriangle, false, ""});
   for (size_t k = 0; k < scene.cases; ++k)
     for (size_t s = 0; s < static_cast<size_t>(Symbol::kSymbols); ++s) {
       if (k >= present.load[s].size() || !present.load[s][k]) continue;

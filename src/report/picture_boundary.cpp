@@ -18,7 +18,8 @@ struct Sample {
 
 using Pieces = std::vector<std::vector<Sample>>;
 
-// Stress along one curve over its length, end by end; elements on a line of symmetry are no boundary and break it.
+// Stress along one curve over its length, end by end; elements on a line of symmetry are no boundary and
+// break it.
 Pieces follow(const Scene& scene, const std::vector<double>& hoop, size_t first, size_t last) {
   const BodyScene& body = scene.bodies[0];
   const size_t per_element = static_cast<size_t>(scene.summary.function_nodes);
@@ -63,7 +64,8 @@ void draw_boundary_stress(const Scene& scene, Pictures& out) {
     for (const std::vector<Sample>& piece : curves.back())
       for (const Sample& p : piece) s.include(p.s), stress.include(p.hoop);
     size_t begin = from; // of what is boundary
-    while (begin + 1 < to && scene.bodies[0].on_line[begin / static_cast<size_t>(summary.function_nodes)]) ++begin;
+    while (begin + 1 < to && scene.bodies[0].on_line[begin / static_cast<size_t>(summary.function_nodes)])
+      ++begin;
     const Point start = scene.bodies[0].ends[begin];
     entries.push_back(
         {"curve " + std::to_string(r) + ", s = 0 at (" + figure(start.x) + ", " + figure(start.y) + ")",
@@ -84,7 +86,8 @@ void draw_boundary_stress(const Scene& scene, Pictures& out) {
       svg.polyline(points, kLines[r % 4]);
     }
   Picture picture{"boundary", "Stress along the boundary", "", ""};
-  picture.caption = "Normal stress along the boundary (hoop stress) at " + place_at_end(scene) + ": the largest in size is " + figure(largest, scene.stress_unit, 6) + " at (" +
+  picture.caption = "Normal stress along the boundary (hoop stress) at " + place_at_end(scene) +
+                    ": the largest in size is " + figure(largest, scene.stress_unit, 6) + " at (" +
                     figure(where.x) + ", " + figure(where.y) + ").";
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);

@@ -75,8 +75,9 @@ struct Zoom {
   int stretched = 0; // 1: x, 2: y has a larger scale, so that a gap is seen that is small against the zone
 };
 
-// The pairs' range, deformed and undeformed, images included. A flat zone is drawn true but stretched. Otherwise
-// surfaces that lie on each other from the start may be drawn with larger displacements, a gap may not.
+// The pairs' range, deformed and undeformed, images included. A flat zone is drawn true but stretched.
+// Otherwise surfaces that lie on each other from the start may be drawn with larger displacements, a gap may
+// not.
 Zoom choose_zoom(const Scene& scene) {
   Zoom out;
   double gap = 0.0, displacement = 0.0;
@@ -104,8 +105,8 @@ Zoom choose_zoom(const Scene& scene) {
     out.x = x, out.y = y;
     return out;
   }
-  const double size = std::max(out.x.high - out.x.low, out.y.high - out.y.low), m =
-      gap <= 1e-9 * size ? choose_magnification(size, displacement) : 1.0;
+  const double size = std::max(out.x.high - out.x.low, out.y.high - out.y.low),
+               m = gap <= 1e-9 * size ? choose_magnification(size, displacement) : 1.0;
   each_end([&](Point p, Point u) { out.x.include(p.x + m * u.x), out.y.include(p.y + m * u.y); });
   out.magnification = m;
   return out;
@@ -160,9 +161,10 @@ void draw_deformed(const Scene& scene, Pictures& out) {
     const Chart view = near.stretched != 0 ? stretched_view(part, near, scene.length_unit)
                                            : make_view(part, near.x, near.y, 26.0, scene.length_unit);
     draw_view(svg, scene, view, near.magnification, true);
-    draw_heading(svg, part, near.stretched == 0   ? "Contact zone, " + scale_text(near.magnification)
-                            : near.stretched == 1 ? "Contact zone, true, x stretched"
-                                                  : "Contact zone, true, y stretched");
+    draw_heading(svg, part,
+                 near.stretched == 0   ? "Contact zone, " + scale_text(near.magnification)
+                 : near.stretched == 1 ? "Contact zone, true, x stretched"
+                                       : "Contact zone, true, y stretched");
   }
   const Point at =
       scene.bodies[extent.body].ends.empty() ? Point{} : scene.bodies[extent.body].ends[extent.end];

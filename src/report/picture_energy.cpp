@@ -7,9 +7,10 @@
 namespace app {
 namespace {
 
-// A quantity of energy and how it is drawn; the work, which the elastic energy often covers, in large hollow marks.
+// A quantity of energy and how it is drawn; the work, which the elastic energy often covers, in large hollow
+// marks.
 struct Curve {
-  double EnergyPoint::* value;
+  double EnergyPoint::*value;
   const char* name;
   Stroke stroke;
   Mark mark;
@@ -18,7 +19,11 @@ struct Curve {
 const Curve kCurves[] = {
     {&EnergyPoint::work, "work of the loads", {colour::kBlue, 2.0, ""}, Mark::kCircle, 7.5},
     {&EnergyPoint::elastic, "elastic energy", {colour::kGreen, 1.4, "7 3"}, Mark::kSquare, 4.0},
-    {&EnergyPoint::dissipated, "dissipated by friction", {colour::kOrange, 2.0, "2 2"}, Mark::kTriangle, 5.5}};
+    {&EnergyPoint::dissipated,
+     "dissipated by friction",
+     {colour::kOrange, 2.0, "2 2"},
+     Mark::kTriangle,
+     5.5}};
 
 struct Axes {
   bool by_load;
@@ -43,7 +48,8 @@ Axes make_axes(const Scene& scene, size_t count) {
       for (size_t k = 0; k < 3; ++k) size[k / 2].include(all[c].energy[i].*kCurves[k].value);
     }
   const double largest = std::max(std::fabs(size[0].low), std::fabs(size[0].high));
-  if (std::max(std::fabs(size[1].low), std::fabs(size[1].high)) < 1e-12 * largest) size[1] = Range{0.0, 0.0, false};
+  if (std::max(std::fabs(size[1].low), std::fabs(size[1].high)) < 1e-12 * largest)
+    size[1] = Range{0.0, 0.0, false};
   out.x = make_axis(place, out.by_load ? "load factor" : "step", "", 5, true, !out.by_load);
   out.y[0] = make_axis(size[0], "energy per thickness", scene.work_unit, 5);
   out.y[1] = make_axis(size[1], "dissipated", scene.work_unit, 5);
@@ -61,13 +67,15 @@ void draw_curve(Svg& svg, const Chart& chart, const CoefficientHistory& h, const
 }
 
 // One row: work and elastic energy on the left, what friction took, which may be much less, on the right.
-void draw_row(Svg& svg, const CoefficientHistory& h, const Axes& axes, double top, double bottom, bool labels) {
+void draw_row(Svg& svg, const CoefficientHistory& h, const Axes& axes, double top, double bottom,
+              bool labels) {
   const Box frames[2] = {{76.0, top, 372.0, bottom}, {464.0, top, kPictureWidth - 16.0, bottom}};
   for (size_t side = 0; side < 2; ++side) {
     const Chart chart{frames[side], axes.x, axes.y[side]};
     draw_axes(svg, chart, labels);
-    draw_heading(svg, frames[side], "&#956; = " + figure(h.mu) + (side == 0 ? ": work and elastic energy"
-                                                                             : ": dissipated by friction"));
+    draw_heading(svg, frames[side],
+                 "&#956; = " + figure(h.mu) +
+                     (side == 0 ? ": work and elastic energy" : ": dissipated by friction"));
     for (size_t k = 0; k < 3; ++k)
       if (k / 2 == side) draw_curve(svg, chart, h, kCurves[k], axes.by_load);
   }

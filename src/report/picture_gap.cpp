@@ -60,8 +60,7 @@ void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Picture
                bottom = top + 2.0 * high + 30.0;
   const std::string name = "gap" + chart_suffix(scene, coefficient, zone_index);
   Svg svg(name, kPictureWidth, bottom + 44.0);
-  draw_legend(&svg, {left, 4.0}, right - left,
-              status_legend());
+  draw_legend(&svg, {left, 4.0}, right - left, status_legend());
   Range s, gap, slip;
   gap.include(0.0);
   slip.include(0.0);

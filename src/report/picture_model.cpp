@@ -135,7 +135,8 @@ std::string describe_body(const Scene& scene, size_t b) {
 
 std::string model_caption(const Scene& scene) {
   const c2d_summary& s = scene.summary;
-  std::string out = s.bodies == 1 ? "The body as the deck describes it: " : "Both bodies as the deck describes them: ";
+  std::string out =
+      s.bodies == 1 ? "The body as the deck describes it: " : "Both bodies as the deck describes them: ";
   for (size_t b = 0; b < scene.bodies.size(); ++b) {
     if (b > 0) out += "; ";
     if (s.bodies > 1) out += "body " + std::to_string(b + 1) + " has ";
@@ -147,13 +148,15 @@ std::string model_caption(const Scene& scene) {
            std::to_string(s.zones) + (s.zones == 1 ? " zone." : " zones.");
   for (size_t z = 0; z < scene.zones.size(); ++z)
     if (scene.zones[z].measure == 2)
-      out += " Zone " + std::to_string(z + 1) + " joins nodes of body 2 to points of body 1: the meshes need not match.";
+      out += " Zone " + std::to_string(z + 1) +
+             " joins nodes of body 2 to points of body 1: the meshes need not match.";
   if (scene.summary.symmetry != 0)
     out += " One side of a line of symmetry was given, the other is its image.";
   if (scene.summary.symmetry != 0 && !scene.pairs.empty()) out += " Pairs are numbered on the side given.";
   if (scene.cases > 1) out += " Each load is multiplied by the factor of its load case.";
   if (scene.interference > 0)
-    out += " The factor of load case " + std::to_string(scene.interference) + " closes the overlaps of the press fit.";
+    out += " The factor of load case " + std::to_string(scene.interference) +
+           " closes the overlaps of the press fit.";
   return out;
 }
 
@@ -196,10 +199,12 @@ void draw_model(const Scene& scene, Pictures& out) {
   Present present;
   Svg trial("model", kPictureWidth, 0.0); // tells what is present before the height is known
   ModelView(trial, scene, view, false, present).draw();
-  if (zoom) ModelView(trial, scene, make_view(part, zoom_x, zoom_y, 30.0, scene.length_unit), true, present).draw();
+  if (zoom)
+    ModelView(trial, scene, make_view(part, zoom_x, zoom_y, 30.0, scene.length_unit), true, present).draw();
   const double legend_top = whole.bottom + 44.0, legend_width = kPictureWidth - left - right;
   const double height =
-      legend_top + draw_legend(nullptr, {left, legend_top}, legend_width, legend(trial, scene, present)) + 4.0;
+      legend_top + draw_legend(nullptr, {left, legend_top}, legend_width, legend(trial, scene, present)) +
+      4.0;
   Svg svg("model", kPictureWidth, height);
   ModelView(svg, scene, view, false, present).draw();
   draw_heading(svg, whole, "Whole model");

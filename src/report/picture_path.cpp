@@ -52,13 +52,16 @@ void draw_value(Svg& svg, const Scene& scene, Box frame, const Axis& x, const ch
     const bool steady = stairs && !all[c].points.empty() && all[c].points[0].events == 0;
     std::vector<Point> points{chart.at(0.0, steady ? value(all[c].points[0]) : 0.0)}, steps;
     const std::vector<double> place = places(all[c], all_rise(scene));
+    bool recorded = false;
     for (size_t i = 0; i < place.size(); ++i) {
+      recorded = recorded || all[c].points[i].kind != C2D_STEP_CHANGE;
       if (i + 1 < place.size() && place[i + 1] == place[i]) continue; // the last of each place counts
       const PathPoint& p = all[c].points[i];
       const Point at = chart.at(place[i], value(p));
       if (stairs) points.push_back({at.x, points.back().y});
       points.push_back(at);
-      if (p.kind != C2D_STEP_CHANGE) steps.push_back(at);
+      if (recorded) steps.push_back(at);
+      recorded = false;
     }
     svg.polyline(points, kLines[c]);
     const size_t every = steps.size() / 40 + 1;
@@ -67,12 +70,13 @@ void draw_value(Svg& svg, const Scene& scene, Box frame, const Axis& x, const ch
   }
 }
 
-// Load factors over the steps; the path is the same for all coefficients, the one that came furthest shows most of it.
+// Load factors over the steps; the path is the same for all coefficients, the one that came furthest shows
+// most of it.
 const CoefficientRecord& longest(const Scene& scene) {
   const std::vector<CoefficientRecord>& all = scene.record->coefficients;
-  return *std::max_element(all.begin(), all.end(), [](const CoefficientRecord& a, const CoefficientRecord& b) {
-    return a.steps.size() < b.steps.size();
-  });
+  return *std::max_element(
+      all.begin(), all.end(),
+      [](const CoefficientRecord& a, const CoefficientRecord& b) { return a.steps.size() < b.steps.size(); });
 }
 
 std::vector<LegendEntry> load_legend(const Scene& scene) {

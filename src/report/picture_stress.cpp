@@ -34,6 +34,7 @@ c2d_status sample(const Scene& scene, size_t b, const Chart& view, Grid& grid) {
   grid.y0 = view.y.low;
   grid.values.assign(grid.columns * grid.rows, 0.0);
   grid.known.assign(grid.values.size(), 0);
+  if (scene.rigid && b == 0) return C2D_OK; // has no stress
   const std::vector<std::vector<Point>> outline = outline_of(scene.bodies[b], 0.0);
   std::vector<double> points;
   std::vector<size_t> where;

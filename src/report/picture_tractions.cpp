@@ -12,8 +12,8 @@ namespace {
 const Stroke kEarlier[] = {
     {colour::kFaint, 1.1, "2 3"}, {colour::kFaint, 1.1, "6 3"}, {colour::kFaint, 1.1, "10 3 2 3"}};
 
-std::vector<Point> curve_of(const ZoneScene& zone, const std::vector<double>& table,
-                            size_t column, const Chart& chart, double factor = 1.0) {
+std::vector<Point> curve_of(const ZoneScene& zone, const std::vector<double>& table, size_t column,
+                            const Chart& chart, double factor = 1.0) {
   std::vector<Point> out;
   for (const ZoneSample& p : zone.samples) {
     const double turn = column == C2D_TT ? p.turn : 1.0;
@@ -27,8 +27,8 @@ struct Layers {
   const ZoneScene& zone;
   const CoefficientHistory& history;
   const CoefficientRecord& record;
-  double mu;    // of the zone
-  bool by_load; // the path is one load that rises
+  double mu;         // of the zone
+  bool by_load;      // the path is one load that rises
   std::string place; // of the table on the path
 };
 
@@ -38,7 +38,8 @@ double find_top(const Layers& l, size_t column) {
   std::vector<std::pair<double, double>> sizes; // size, and the length along which it stands
   double length = 0.0, below = 0.0;
   for (size_t p = l.zone.first; p < l.zone.first + l.zone.pairs; ++p) {
-    const size_t before = p > l.zone.first ? p - 1 : p, behind = p + 1 < l.zone.first + l.zone.pairs ? p + 1 : p;
+    const size_t before = p > l.zone.first ? p - 1 : p,
+                 behind = p + 1 < l.zone.first + l.zone.pairs ? p + 1 : p;
     const double share = 0.5 * std::fabs(l.scene.pairs[behind].s - l.scene.pairs[before].s);
     const double value = std::fabs(l.record.table[p * C2D_PAIR_FIELDS + column]);
     sizes.emplace_back(value, share);
@@ -100,11 +101,12 @@ void tell_beyond(Svg& svg, const Layers& l, size_t column, const Chart& chart) {
     if (size(p) > size(largest)) largest = p;
   }
   if (beyond == 0) return;
-  const std::string text = std::to_string(beyond) + (beyond == 1 ? " pair" : " pairs") + " beyond the axis: up to " +
+  const std::string text = std::to_string(beyond) + (beyond == 1 ? " pair" : " pairs") +
+                           " beyond the axis: up to " +
                            figure(l.record.table[largest * C2D_PAIR_FIELDS + column], l.scene.stress_unit) +
                            " at s = " + figure(l.scene.pairs[largest].s, l.scene.length_unit);
-  svg.text({0.5 * (chart.frame.left + chart.frame.right), chart.frame.top + 16.0}, text, 11.0, Anchor::kMiddle,
-           colour::kInk, false, true);
+  svg.text({0.5 * (chart.frame.left + chart.frame.right), chart.frame.top + 16.0}, text, 11.0,
+           Anchor::kMiddle, colour::kInk, false, true);
 }
 
 std::vector<LegendEntry> legend(const Layers& l, bool friction) {
@@ -155,9 +157,9 @@ std::string caption(const Layers& l) {
 
 void draw_pressure(Svg& svg, const Layers& l, const Box& frame, const Axis& axis, bool labels) {
   const double top = find_top(l, C2D_TN);
-  const Chart chart{frame, axis,
-                    make_axis(range_of(l, C2D_TN, 0.0, top), traction_name(l.zone, "pressure tn"),
-                              l.scene.stress_unit, 6)};
+  const Chart chart{
+      frame, axis,
+      make_axis(range_of(l, C2D_TN, 0.0, top), traction_name(l.zone, "pressure tn"), l.scene.stress_unit, 6)};
   draw_axes(svg, chart, labels);
   draw_heading(svg, frame, "Pressure");
   svg.begin_clip(Box{frame.left - 5.0, frame.top - 1.0, frame.right + 5.0, frame.bottom + 5.0});

@@ -48,7 +48,8 @@ void keep_history(CoefficientRecord& c, const c2d_step& step, c2d_solver* solver
   now.loads.assign(step.loads, step.loads + step.cases);
   now.work_by_case.assign(step.work_by_case, step.work_by_case + step.cases);
   c2d_zone_state zone = C2D_INIT(c2d_zone_state);
-  for (int32_t i = 1; solver != nullptr && c2d_get_zone_state(solver, i, &zone) == C2D_OK; ++i) now.zones.push_back(zone);
+  for (int32_t i = 1; solver != nullptr && c2d_get_zone_state(solver, i, &zone) == C2D_OK; ++i)
+    now.zones.push_back(zone);
   c.steps.push_back(now);
 }
 
@@ -98,7 +99,8 @@ c2d_status add_places(c2d_solver* solver, const c2d_summary& summary, int32_t zo
   }
   for (size_t p = 0; p < v[0].size(); ++p)
     if (static_cast<int32_t>(v[0][p]) == zone)
-      ends.push_back({static_cast<int32_t>(v[1][p]), 0, static_cast<int32_t>(p) + 1, v[3][p], v[4][p], v[2][p]});
+      ends.push_back(
+          {static_cast<int32_t>(v[1][p]), 0, static_cast<int32_t>(p) + 1, v[3][p], v[4][p], v[2][p]});
   return C2D_OK;
 }
 

@@ -127,7 +127,8 @@ ZoneFacts find_facts(const Scene& scene, const ZoneScene& zone, const std::vecto
 std::string place_on_path(const Scene& scene, size_t coefficient) {
   const CoefficientRecord& record = scene.record->coefficients[coefficient];
   const std::vector<CoefficientHistory>& histories = scene.history->coefficients();
-  if (coefficient >= histories.size() || rises(histories[coefficient])) return "load factor " + figure(record.load);
+  if (coefficient >= histories.size() || rises(histories[coefficient]))
+    return "load factor " + figure(record.load);
   return "step " + std::to_string(record.step) + " (load factor" +
          (histories[coefficient].loads.size() > 1 ? "s " : " ") + list_of(histories[coefficient].loads) + ")";
 }

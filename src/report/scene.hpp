@@ -52,8 +52,9 @@ struct ZoneScene {
   size_t origin = 0; // the pair where s = 0: on a line of symmetry, or the zone's left or lower end
   bool symmetric_origin = false;
   bool has_images = false;
-  std::vector<ZoneSample> samples; // in the order of s; a zone that ends on a line of images goes on beyond it
-  int32_t measure = 1;         // the body per whose length tn and tt are
+  std::vector<ZoneSample>
+      samples;         // in the order of s; a zone that ends on a line of images goes on beyond it
+  int32_t measure = 1; // the body per whose length tn and tt are
 };
 
 // What a load case does beside the conditions of element ends.
@@ -128,10 +129,11 @@ struct ZoneFacts {
 };
 ZoneFacts find_facts(const Scene& scene, const ZoneScene& zone, const std::vector<double>& table);
 
-// Where on the load path a coefficient's last table stands: "load factor 1", and with several load cases or a load
-// that also falls "step 5 (load factors 1, 0.5)".
+// Where on the load path a coefficient's last table stands: "load factor 1", and with several load cases or a
+// load that also falls "step 5 (load factors 1, 0.5)".
 std::string place_on_path(const Scene& scene, size_t coefficient);
-// The same of the last coefficient, whose results the solver still has, with its name: "load factor 1, mu = 0.3".
+// The same of the last coefficient, whose results the solver still has, with its name: "load factor 1, mu =
+// 0.3".
 std::string place_at_end(const Scene& scene);
 
 // "1, 0.5, -1"

@@ -18,8 +18,8 @@ c2d_status gather_body_forces(Scene& scene, int32_t load_case) {
     const c2d_status status = c2d_get_body_force(scene.solver, body, load_case, force, &rho_omega2, axis);
     if (status != C2D_OK) return status;
     if (force[0] != 0.0 || force[1] != 0.0 || rho_omega2 != 0.0)
-      scene.body_forces.push_back({body, static_cast<size_t>(load_case) - 1, {force[0], force[1]}, rho_omega2,
-                                   {axis[0], axis[1]}});
+      scene.body_forces.push_back(
+          {body, static_cast<size_t>(load_case) - 1, {force[0], force[1]}, rho_omega2, {axis[0], axis[1]}});
   }
   return C2D_OK;
 }

@@ -1,6 +1,5 @@
 #include "report/text.hpp"
 
-
 #include <charconv>
 #include <cmath>
 #include <cstdio>
