@@ -127,8 +127,11 @@ $(BUILD)/convergence/run_convergence: $(CONVERGENCE_OBJECTS) $(FAMILY_OBJECTS) $
 convergence: $(BUILD)/convergence/run_convergence
 	@$(BUILD)/convergence/run_convergence
 
+include port/cortex-m/embedded.mk
+
 # The list of sources against the folders: what is missing from either.
-FOUND_SOURCES := $(sort $(wildcard src/*/*.cpp src/program/*/*.cpp port/*/*.cpp port/*/*.c))
+# (port/cortex-m is compiled for its own machines only)
+FOUND_SOURCES := $(sort $(filter-out port/cortex-m/%,$(wildcard src/*/*.cpp src/program/*/*.cpp port/*/*.cpp port/*/*.c)))
 LISTED_SOURCES := $(sort $(CORE_SOURCES) $(PORT_SOURCES) $(REPORT_SOURCES) $(PROGRAM_SOURCES))
 NOT_LISTED := $(filter-out $(LISTED_SOURCES),$(FOUND_SOURCES))
 NOT_FOUND := $(filter-out $(FOUND_SOURCES),$(LISTED_SOURCES))
@@ -142,9 +145,9 @@ list:
 	   echo 'src/sources.mk lists every source file')
 relist:
 	@{ sed -n '/^#/p' src/sources.mk; \
-	   ls port/*/*.cpp | cut -d/ -f2 | sort -u | sed 's/^/PORTS += /'; \
+	   ls port/*/*.cpp | grep -v '^port/cortex-m/' | cut -d/ -f2 | sort -u | sed 's/^/PORTS += /'; \
 	   ls src/*/*.cpp | grep -v -e '^src/report/' -e '^src/program/' | sed 's/^/CORE_SOURCES += /'; \
-	   ls port/*/*.cpp port/*/*.c 2>/dev/null | sed 's/^/PORT_SOURCES += /'; \
+	   ls port/*/*.cpp port/*/*.c 2>/dev/null | grep -v '^port/cortex-m/' | sed 's/^/PORT_SOURCES += /'; \
 	   ls src/report/*.cpp | sed 's/^/REPORT_SOURCES += /'; \
 	   ls src/program/*.cpp src/program/*/*.cpp | sed 's/^/PROGRAM_SOURCES += /'; } > src/sources.mk.new
 	@mv src/sources.mk.new src/sources.mk
@@ -179,7 +182,7 @@ uninstall:
 	-rmdir $(DESTDIR)$(CMAKEDIR) 2>/dev/null || true
 
 clean:
-	rm -rf $(BUILD)/obj $(BUILD)/tests $(BUILD)/demo $(BUILD)/bench $(BUILD)/convergence
+	rm -rf $(BUILD)/obj $(BUILD)/tests $(BUILD)/demo $(BUILD)/bench $(BUILD)/convergence $(BUILD)/embedded
 	rm -f $(LIBRARY) $(BUILD)/libcontact2d.so.* $(PROGRAM) $(BUILD)/flags $(BUILD)/exports
 	-rmdir $(BUILD) 2>/dev/null || true
 
