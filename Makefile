@@ -80,6 +80,9 @@ $(PROGRAM): $(PROGRAM_OBJECTS) $(REPORT_OBJECTS) $(LIBRARY)
 	$(CXX) $(CXXFLAGS) $(LDFLAGS) -static-libstdc++ -static-libgcc -o $@ $^ -lm 2>/dev/null || \
 	  $(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm
 
+# ---------------------------------------------------------------- microcontrollers
+include port/cortex-m/embedded.mk
+
 # ---------------------------------------------------------------- tests
 TEST_DEFINES = -DC2D_TEST_ROOT='"$(CURDIR)"' -DC2D_TEST_BUILD='"$(abspath $(BUILD))"' -DC2D_TEST_CC='"$(CC)"' \
   -DC2D_TEST_CXX='"$(CXX)"' -DC2D_TEST_LIBRARY='"$(abspath $(LIBRARY))"' \
@@ -92,7 +95,8 @@ $(BUILD)/tests/%.o: tests/%.cpp $(BUILD)/flags $(BUILD)/tests/doctest Makefile
 	  -c $< -o $@
 $(TESTS): $(TEST_OBJECTS) $(REPORT_OBJECTS) $(FAMILY_OBJECTS) $(LIBRARY)
 	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $(TEST_OBJECTS) $(REPORT_OBJECTS) $(FAMILY_OBJECTS) $(LIBRARY) -lm -pthread
-test: $(TESTS) $(PROGRAM) $(LIBRARY) $(SHARED)
+# C2D_ALL_HOSTS=1: also what needs other compilers and an emulator.
+test: $(if $(C2D_ALL_HOSTS),$(EMBEDDED_TESTED)) $(TESTS) $(PROGRAM) $(LIBRARY) $(SHARED)
 	@sh tests/run_shards.sh $(TESTS) $(JOBS)
 
 # ---------------------------------------------------------------- for the user
@@ -126,8 +130,6 @@ $(BUILD)/convergence/run_convergence: $(CONVERGENCE_OBJECTS) $(FAMILY_OBJECTS) $
 	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm
 convergence: $(BUILD)/convergence/run_convergence
 	@$(BUILD)/convergence/run_convergence
-
-include port/cortex-m/embedded.mk
 
 # The list of sources against the folders: what is missing from either.
 # (port/cortex-m is compiled for its own machines only)

@@ -77,7 +77,8 @@ int32_t sync_tape(void* context, int32_t tape) {
 int32_t next_byte(c2d_semihosting_deck* deck) {
   if (deck->first == deck->last) {
     if (deck->left == 0) return -1;
-    const uint32_t bytes = deck->left < sizeof deck->buffer ? deck->left : static_cast<uint32_t>(sizeof deck->buffer);
+    const uint32_t bytes =
+        deck->left < sizeof deck->buffer ? deck->left : static_cast<uint32_t>(sizeof deck->buffer);
     if (host::read(deck->file, deck->buffer, bytes) != 0) return C2D_SEMIHOSTING_HOST;
     deck->first = 0;
     deck->last = bytes;
@@ -92,7 +93,8 @@ extern "C" {
 
 int32_t c2d_semihosting_store_init(c2d_semihosting_store* store, const char* folder) {
   memset(store, 0, sizeof *store);
-  if (folder == nullptr || folder[0] == '\0' || strlen(folder) >= sizeof store->folder) return C2D_SEMIHOSTING_NAME;
+  if (folder == nullptr || folder[0] == '\0' || strlen(folder) >= sizeof store->folder)
+    return C2D_SEMIHOSTING_NAME;
   memcpy(store->folder, folder, strlen(folder));
   return 0;
 }

@@ -55,7 +55,9 @@ $(EMBEDDED)/compare: tests/embedded/compare.cpp $(BUILD)/flags
 	$(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(LDFLAGS) -o $@ $<
 $(EMBEDDED)/desktop.csv: $(PROGRAM) examples/hertz.dat
 	@mkdir -p $(@D)
-	$(PROGRAM) run examples/hertz.dat --no-progress --csv $@ 2>/dev/null
+	$(PROGRAM) run examples/hertz.dat --no-progress --listing $(@:.csv=.lst) --csv $@ 2>/dev/null
+
+EMBEDDED_TESTED := $(BOARDS:%=$(EMBEDDED)/%/run_deck.elf) $(EMBEDDED)/compare
 
 # The sample deck on every board, compared with this machine's run.
 .PHONY: embedded $(BOARDS:%=embedded-%)

@@ -1,6 +1,6 @@
 // Solves a deck on a board and prints the contact results as the desktop program's --csv does.
-// Command line (by semihosting): the deck, the folder for the tapes, the file for the results ("-": the console).
-// Ends with 0, or with the c2d_status of the call that failed.
+// Command line (by semihosting): the deck, the folder for the tapes, the file for the results ("-": the
+// console). Ends with 0, or with the c2d_status of the call that failed.
 #include "c2d_semihosting.h"
 #include "contact2d.h"
 #include "semihosting.hpp"
@@ -22,7 +22,7 @@ c2d_semihosting_store store;
 c2d_semihosting_deck deck;
 char arguments[160];
 char line[400];
-int32_t results = -1;
+int32_t results;
 
 void put_line(c2d::Text& text) {
   c2d::put_character(text, '\n');

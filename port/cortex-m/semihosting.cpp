@@ -1,4 +1,5 @@
-// The calls: number in r0, one argument or the address of a block of them in r1, breakpoint 0xAB, answer in r0.
+// The calls: number in r0, one argument or the address of a block of them in r1, breakpoint 0xAB, answer in
+// r0.
 #include "semihosting.hpp"
 
 #include <string.h>
@@ -36,7 +37,8 @@ uint32_t word(int32_t number) {
 } // namespace
 
 int32_t open(const char* name, Mode mode) {
-  const uint32_t block[3] = {address(name), word(static_cast<int32_t>(mode)), static_cast<uint32_t>(strlen(name))};
+  const uint32_t block[3] = {address(name), word(static_cast<int32_t>(mode)),
+                             static_cast<uint32_t>(strlen(name))};
   return call(kOpen, block);
 }
 

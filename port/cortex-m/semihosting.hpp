@@ -1,6 +1,7 @@
 #pragma once
-// What a debugger or an emulator does for a Cortex-M program that has no operating system (Arm's "semihosting"):
-// files of the host, its console, the command line, the end of the program. Without a debugger the first call faults.
+// What a debugger or an emulator does for a Cortex-M program that has no operating system (Arm's
+// "semihosting"): files of the host, its console, the command line, the end of the program. Without a
+// debugger the first call faults.
 #include <stdint.h>
 
 namespace host {

@@ -1,5 +1,6 @@
 #pragma once
-// What is asked of short texts, so that the core needs nothing of the C library but memory moves and mathematics.
+// What is asked of short texts, so that the core needs nothing of the C library but memory moves and
+// mathematics.
 #include <stdint.h>
 
 namespace c2d {
