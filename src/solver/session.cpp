@@ -87,14 +87,10 @@ void close_session(Session& session) {
   s->last_pair = session.follower.last_pair;
 }
 
-namespace {
-
 c2d_status load_flexibility(Session& session) {
-  if (!session.area.flexibility) return C2D_OK;
+  if (!session.area.flexibility || session.model.head->contact == 0) return C2D_OK;
   return read_matrix(session.tape, ContactMatrix::flexibility, session.area.flexibility);
 }
-
-} // namespace
 
 c2d_status begin_path(Session& session) {
   c2d_solver* s = session.solver;
