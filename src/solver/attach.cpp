@@ -23,11 +23,15 @@ bool is_consistent(const char* at) {
   const Layout layout = C2D_MEMBER(layout);
   const uint64_t bytes = C2D_MEMBER(bytes);
   uint64_t minimum = 0;
-  if (c2d_memory_need(&limits, &minimum, nullptr) != C2D_OK || bytes < minimum - (kAlignment - 1)) return false;
+  if (c2d_memory_need(&limits, &minimum, nullptr) != C2D_OK || bytes < minimum - (kAlignment - 1) ||
+      bytes > SIZE_MAX - kAlignment)
+    return false;
+  const Sizes found = C2D_MEMBER(sizes);
   Sizes sizes;
   Layout expected;
-  return derive_sizes(limits, sizes) == C2D_OK && lay_out(sizes, sizeof(c2d_solver), expected) == C2D_OK &&
-         memcmp(&layout, &expected, sizeof layout) == 0;
+  static_assert(sizeof(Sizes) == 4 * 4 + 20 * 8 && sizeof(Layout) == 8 * (kArrays + 1), "no padding");
+  return derive_sizes(limits, sizes) == C2D_OK && memcmp(&found, &sizes, sizeof sizes) == 0 &&
+         lay_out(sizes, sizeof(c2d_solver), expected) == C2D_OK && memcmp(&layout, &expected, sizeof layout) == 0;
 }
 
 // Where the solver stands in memory[0 .. bytes): *slack. MEMORY with *needed if the memory ends too early.

@@ -313,10 +313,10 @@ extern "C" c2d_status c2d_restore(c2d_solver* s) {
                                          state_bit(C2D_STATE_RUNNING) | state_bit(C2D_STATE_BROKEN));
   if (status != C2D_OK) return status;
   if (!has_store(s->port)) return fail(s, C2D_ERR_ARGUMENT, "the port has no block store (open, read, write, sync, close)");
-  const int32_t warnings = s->warnings;
   const c2d_status restored = restore_state(s);
   if (restored != C2D_OK) return restored;
+  const int32_t warnings = s->warnings; // counted already, but told to another
+  if (!s->blocked) warn_condition(s);
   s->warnings = warnings;
-  if (!s->blocked) warn_condition(s); // as c2d_prepare does
   return C2D_OK;
 }
