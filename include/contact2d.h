@@ -584,14 +584,17 @@ c2d_status c2d_get_point_load(c2d_solver* solver, int32_t i, int32_t* body, doub
 
 /* ---------------------------------------------------------------- 9 errors and state ---------------------------
 
-   State        legal calls (besides memory need, get_state, get_summary, last_error, message, cancel, close: always)
+   State        legal calls (besides memory need, attach, get_state, get_summary, last_error, message, cancel, close:
+                always)
    empty        read_deck                                               -> model
                 all of section 5 but complete                           -> building (set_line, set_options: empty)
    building     all of section 5                                        -> model by complete; empty if that fails
    model        set_options, prepare                                    -> prepared
+                restore                                                 -> prepared or running, as saved
    prepared     begin, run                                              -> running
-   running      begin, advance, next_event, run, get, get_zone_state, interior
-   broken       after an error of the store: nothing but c2d_create in the same memory
+                save, restore
+   running      begin, advance, next_event, run, get, get_zone_state, interior, save, restore
+   broken       after an error of the store: restore, or c2d_create in the same memory
    In model, prepared and running also positions by get, and the lists: get_friction, _zone_friction, _path,
    _path_point, _zone, _region,
    _condition, _point_load. */

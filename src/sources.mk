@@ -148,6 +148,7 @@ PROGRAM_SOURCES += src/program/output_file.cpp
 PROGRAM_SOURCES += src/program/outputs.cpp
 PROGRAM_SOURCES += src/program/progress.cpp
 PROGRAM_SOURCES += src/program/real_in_columns.cpp
+PROGRAM_SOURCES += src/program/restart.cpp
 PROGRAM_SOURCES += src/program/run.cpp
 PROGRAM_SOURCES += src/program/session.cpp
 PROGRAM_SOURCES += src/program/store_choice.cpp

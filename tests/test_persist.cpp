@@ -1,12 +1,15 @@
 // A solver that outlives its address, its process and its store's mishaps: c2d_attach, c2d_save, c2d_restore.
+#include "shell.hpp"
 #include "solver_runs.hpp"
 #include "store/block.hpp"
 
+#include <c2d_posix.h>
 #include <doctest/doctest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <thread>
 
 using namespace runs;
 
@@ -540,4 +543,145 @@ TEST_CASE("restore: a store that dies while the state is taken over breaks the s
   }
   CHECK(broken > 5);
   CHECK(kept > 5);
+}
+
+namespace {
+
+// A file of bytes, and a store in files that another process can go on with.
+void write_bytes(const std::string& path, const unsigned char* data, size_t size) {
+  std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
+}
+
+} // namespace
+
+TEST_CASE("attach: a workspace dumped by one process and taken up by another") {
+  for (const char* name : {"hertz_lin_l", "layer_mu"}) {
+    CAPTURE(std::string(name));
+    const Deck deck = deck_named(name);
+    const c2d_limits limits = deck.limits();
+    const std::vector<double> expected = whole_path(deck, false);
+    const test::Folder folder;
+    const std::string image = folder / "image", answer = folder / "answer";
+    // Each step is made by a process of its own; all that passes from one to the next is in files.
+    for (size_t i = 0; i <= std::size(kLoads); ++i) {
+      const pid_t child = ::fork();
+      REQUIRE(child >= 0);
+      if (child == 0) {
+        c2d_posix_store store;
+        c2d_port port = C2D_INIT(c2d_port);
+        if (c2d_posix_store_init(&store, (folder / "tapes").c_str()) != 0) ::_exit(2);
+        c2d_posix_store_port(&store, &port);
+        const std::string before = i == 0 ? std::string() : test::read_file(image);
+        const uint64_t size = memory_for(limits, false);
+        Room room(size, 7 * i % 64);
+        c2d_solver* s = nullptr;
+        if (i == 0) {
+          const double mu = 0.3;
+          if (c2d_create(&s, room.memory(), room.size, &limits, &port, nullptr) != C2D_OK || read_deck(s, deck) != C2D_OK ||
+              c2d_prepare(s) != C2D_OK || c2d_begin(s, &mu, 1) != C2D_OK)
+            ::_exit(3);
+        } else {
+          std::memcpy(room.memory(), before.data(), before.size());
+          if (c2d_attach(&s, room.memory(), room.size, &port, nullptr) != C2D_OK) ::_exit(4);
+        }
+        std::vector<double> out;
+        if (i < std::size(kLoads)) {
+          step(s, i, out);
+        } else {
+          Numbers numbers;
+          if (get_boundary(s, numbers) != C2D_OK) ::_exit(5);
+          out = numbers.boundary;
+        }
+        write_bytes(image, room.memory(), room.size);
+        std::ofstream(answer, std::ios::binary | std::ios::app)
+            .write(reinterpret_cast<const char*>(out.data()), static_cast<std::streamsize>(out.size() * sizeof(double)));
+        ::_exit(0); // killed, as it were: nothing is closed
+      }
+      int status = -1;
+      REQUIRE(::waitpid(child, &status, 0) == child);
+      REQUIRE(WIFEXITED(status));
+      REQUIRE(WEXITSTATUS(status) == 0);
+    }
+    const std::string bytes = test::read_file(answer);
+    REQUIRE(bytes.size() == expected.size() * sizeof(double));
+    CHECK(std::memcmp(bytes.data(), expected.data(), bytes.size()) == 0);
+  }
+}
+
+namespace {
+
+struct Walker {
+  Deck deck;
+  Host host;
+  Machine machine;
+  std::vector<double> out;
+  size_t next = 0;
+  Walker(const char* name, bool in_core)
+      : deck(deck_named(name)), machine(deck.limits(), memory_for(deck.limits(), in_core), &host.port) {}
+  // One call; false when there is no more to do.
+  bool go() {
+    c2d_solver* s = machine.solver;
+    switch (next++) {
+    case 0: return read_deck(s, deck) == C2D_OK;
+    case 1: return c2d_prepare(s) == C2D_OK;
+    case 2: {
+      const double mu = 0.3;
+      return c2d_begin(s, &mu, 1) == C2D_OK;
+    }
+    default: break;
+    }
+    if (next - 4 < std::size(kLoads)) {
+      step(s, next - 4, out);
+      return true;
+    }
+    Numbers numbers;
+    if (get_boundary(s, numbers) == C2D_OK) out.insert(out.end(), numbers.boundary.begin(), numbers.boundary.end());
+    return false;
+  }
+};
+
+} // namespace
+
+TEST_CASE("two solvers: call by call in turn, and each in a thread of its own, the same bits") {
+  const char* const names[] = {"layer_mu", "hertz_lin_l"};
+  const std::vector<double> expected[] = {whole_path(deck_named(names[0]), false), whole_path(deck_named(names[1]), true)};
+  {
+    Walker first(names[0], false), second(names[1], true);
+    bool more[2] = {true, true};
+    while (more[0] || more[1]) {
+      if (more[0]) more[0] = first.go();
+      if (more[1]) more[1] = second.go();
+    }
+    CHECK(Numbers::same(first.out, expected[0]));
+    CHECK(Numbers::same(second.out, expected[1]));
+  }
+  // One inside the other: a whole run from a callback of the first.
+  {
+    Walker outer(names[0], false);
+    size_t inside = 0;
+    outer.host.before = [&](const RamStore::Operation&, size_t n) {
+      if (n % 150 != 0) return 0;
+      Walker inner(names[1], true);
+      while (inner.go()) {}
+      inside += Numbers::same(inner.out, expected[1]);
+      return 0;
+    };
+    while (outer.go()) {}
+    CHECK(Numbers::same(outer.out, expected[0]));
+    CHECK(inside > 2);
+  }
+  for (int round = 0; round < 3; ++round) {
+    std::vector<double> out[2];
+    std::thread threads[2];
+    for (size_t i = 0; i < 2; ++i)
+      threads[i] = std::thread([&, i] {
+        for (int turn = 0; turn < 3; ++turn) {
+          Walker walker(names[i], i == 1);
+          while (walker.go()) {}
+          out[i] = walker.out;
+        }
+      });
+    for (std::thread& thread : threads) thread.join();
+    for (size_t i = 0; i < 2; ++i) CHECK(Numbers::same(out[i], expected[i]));
+  }
 }

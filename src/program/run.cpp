@@ -162,9 +162,13 @@ int Run::read() {
 // Assemble and eliminate, or take what a run before has left; what is new is left for a run after this one.
 c2d_status Run::factorise() {
   c2d_solver* solver = session_.solver;
-  if (options_.resume) restored_ = c2d_restore(solver) == C2D_OK;
-  if (restored_) return C2D_OK;
-  const c2d_status status = c2d_prepare(solver);
+  c2d_status status = C2D_OK;
+  if (options_.resume) {
+    status = c2d_restore(solver);
+    restored_ = status == C2D_OK;
+    if (restored_ || c2d_get_state(solver) == C2D_STATE_BROKEN) return status;
+  }
+  status = c2d_prepare(solver);
   return status == C2D_OK && !store_.named_folder().empty() ? c2d_save(solver) : status;
 }
 
@@ -266,8 +270,7 @@ c2d_status Run::show_pictures() {
   status = draw_pictures(scene, pictures);
   if (status == C2D_OK) status = c2d_get_summary(session_.solver, &scene.summary);
   if (status != C2D_OK) return status;
-  if (outputs_.report.is_open()) append_page(outputs_.report.text, scene, pictures,
-                                                    options_.deck_name.empty() ? options_.deck : options_.deck_name);
+  if (outputs_.report.is_open()) append_page(outputs_.report.text, scene, pictures, session_.deck.name());
   for (const Picture& picture : pictures)
     if (outputs_.figures.is_open() && !outputs_.figures.add(picture.name + ".svg", picture.svg, error_))
       return C2D_ERR_CALLBACK;

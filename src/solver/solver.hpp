@@ -57,6 +57,7 @@ struct c2d_solver {
 
 namespace c2d {
 
+constexpr int32_t kInStepCallback = 2; // of c2d_solver::busy: results may be looked at
 constexpr uint64_t kSolverMagic = 0x6332645f73303031u;
 // Tells apart libraries that would not understand each other's workspaces and saved states: version, size of the struct,
 // stored scalar.

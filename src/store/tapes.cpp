@@ -292,7 +292,11 @@ c2d_status read_record(Tapes& tapes, uint64_t block, void* buffer, uint64_t data
 
 c2d_status read_count(Tapes& tapes, uint64_t* count, void* buffer) {
   const unsigned char* data = static_cast<unsigned char*>(buffer) + kBlockHeaderBytes;
+  const uint64_t reads = tapes.reads[C2D_TAPE_CONTROL], bytes = tapes.bytes_read[C2D_TAPE_CONTROL];
   const c2d_status found = read_record(tapes, 0, buffer, kControlBytes);
+  // Not counted: whether it is there depends on what happened before this run.
+  tapes.reads[C2D_TAPE_CONTROL] = reads;
+  tapes.bytes_read[C2D_TAPE_CONTROL] = bytes;
   *count = 0;
   for (size_t i = 0; i < kControlBytes && found == C2D_OK; ++i) *count |= static_cast<uint64_t>(data[i]) << (8 * i);
   return found;
