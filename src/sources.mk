@@ -57,6 +57,7 @@ CORE_SOURCES += src/elimination/plan.cpp
 CORE_SOURCES += src/linalg/dense.cpp
 CORE_SOURCES += src/linalg/exchange.cpp
 CORE_SOURCES += src/linalg/lu.cpp
+CORE_SOURCES += src/memory/characters.cpp
 CORE_SOURCES += src/memory/sizes.cpp
 CORE_SOURCES += src/memory/text.cpp
 CORE_SOURCES += src/model/free_zones.cpp

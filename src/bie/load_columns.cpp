@@ -36,7 +36,7 @@ void add_point_load(const ColumnSystem& system, const Hole* hole, const Panel& p
       double u[2][2];
       const Source p = mirrored_source(*m.head, image, at);
       const double rx = load.x / unit - p.x, ry = load.y / unit - p.y;
-      store(displacement_kernel(rx, ry, rx * rx + ry * ry, 3.0 - 4.0 * nu), 1.0 / (4.0 * M_PI * (1.0 - nu)), u);
+      store(displacement_kernel(rx, ry, rx * rx + ry * ry, 3.0 - 4.0 * nu), 1.0 / (4.0 * kPi * (1.0 - nu)), u);
       for (int i = 0; i < 2; ++i)
         panel.add(2 * node + i, column, image_sign(image, i) * (u[i][0] * f[0] + u[i][1] * f[1]));
     }
