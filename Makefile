@@ -86,7 +86,8 @@ $(PROGRAM): $(PROGRAM_OBJECTS) $(REPORT_OBJECTS) $(LIBRARY)
 # ---------------------------------------------------------------- tests
 TEST_DEFINES = -DC2D_TEST_ROOT='"$(CURDIR)"' -DC2D_TEST_BUILD='"$(abspath $(BUILD))"' -DC2D_TEST_CC='"$(CC)"' \
   -DC2D_TEST_CXX='"$(CXX)"' -DC2D_TEST_LIBRARY='"$(abspath $(LIBRARY))"' \
-  -DC2D_TEST_CORE='"$(abspath $(LIBRARY))"' -DC2D_TEST_PROGRAM='"$(abspath $(PROGRAM))"'
+  -DC2D_TEST_CORE='"$(abspath $(LIBRARY))"' -DC2D_TEST_PROGRAM='"$(abspath $(PROGRAM))"' \
+  -DC2D_TEST_CHAPTER9='"$(abspath $(BUILD))/obj/chapter9"'
 
 $(BUILD)/tests/doctest: tests/doctest.sh | $(BUILD)/flags
 	CXX='$(CXX)' DOCTEST_INCLUDE='$(DOCTEST_INCLUDE)' NO_INSTALL='$(NO_INSTALL)' sh tests/doctest.sh $@
@@ -96,7 +97,7 @@ $(BUILD)/tests/%.o: tests/%.cpp $(BUILD)/flags $(BUILD)/tests/doctest Makefile
 $(TESTS): $(TEST_OBJECTS) $(STUDY_OBJECT) $(REPORT_OBJECTS) $(FAMILY_OBJECTS) $(LIBRARY)
 	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $(TEST_OBJECTS) $(STUDY_OBJECT) $(REPORT_OBJECTS) $(FAMILY_OBJECTS) $(LIBRARY) \
 	  -lm -pthread
-test: $(TESTS) $(PROGRAM) $(LIBRARY) $(SHARED)
+test: $(TESTS) $(PROGRAM) $(LIBRARY) $(SHARED) $(BUILD)/obj/chapter9
 	@sh tests/run_shards.sh $(TESTS) $(JOBS)
 
 # ---------------------------------------------------------------- for the user

@@ -144,7 +144,7 @@ bool run_study(const std::string& folder) {
                      {"events", &exact, Look::kEvents}},
                     Against::kContinuum});
 
-  Panel sizes{"Figure 40: sizes of elements, events", {}, Against::kDifference};
+  Panel sizes{"The same sizes, event following", {}, Against::kDifference};
   const Look looks[] = {Look::kEvents, Look::kFirst, Look::kThird};
   const char* const names[] = {"equal", "jump", "gradual"};
   Panel sizes_200{"Figure 40: sizes of elements, 200 equal increments", {}, Against::kDifference};

@@ -158,13 +158,13 @@ std::string make_deck(const std::vector<std::string>& settings, const LoadCards&
 // ---- the continuum
 
 Adhesion::Adhesion(double nu) : epsilon_(std::atanh((1 - 2 * nu) / (2 * (1 - nu))) / kPi), load_(0) {
-  // Slopes of the surface under the cylinder: x / R is the sum over all stamps narrower than x.
+  // Slopes of the surface under the cylinder: x / R is the sum over all stamps narrower than x, x tanh u wide.
   const int n = 4000;
-  const double end = 40;
+  const double end = 6.5;
   double sum = 0;
   for (int i = 0; i < n; ++i) {
-    const double u = (i + 0.5) * end / n;
-    sum += std::tanh(u) * std::cos(2 * epsilon_ * u) / std::cosh(u) * end / n;
+    const double v = (i + 0.5) * end / n, u = v * v;
+    sum += std::tanh(u) * std::cos(2 * epsilon_ * u) / std::cosh(u) * 2 * v * end / n;
   }
   load_ = 1 / sum;
 }
