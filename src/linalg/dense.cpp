@@ -115,7 +115,7 @@ void plain_upper(int32_t n, int32_t nrhs, const Real* u, int64_t ldu, Real* b, i
 
 // Packing pays when enough columns share it.
 bool packs(const Engine& engine, int32_t n, int32_t k) {
-  return n >= 4 && k >= 4 && can_pack(engine);
+  return !kSmallCode && n >= 4 && k >= 4 && can_pack(engine);
 }
 
 } // namespace
@@ -150,7 +150,7 @@ void trsm_upper(const Engine& engine, int32_t n, int32_t nrhs, const Real* u, in
 }
 
 Real largest(const Engine& engine, int32_t n, const Real* x) {
-  if (engine.kernel) return engine.kernel->largest(n, x);
+  if (!kSmallCode && engine.kernel) return engine.kernel->largest(n, x);
   Real most = 0;
   for (int32_t i = 0; i < n; ++i) {
     const Real size = x[i] < 0 ? -x[i] : x[i];

@@ -3,10 +3,6 @@
 // small code was asked for (C2D_SMALL, which -Os implies).
 #include "linalg/kernel.hpp"
 
-#if defined(__OPTIMIZE_SIZE__) && !defined(C2D_SMALL)
-#define C2D_SMALL
-#endif
-
 namespace c2d {
 
 const Kernel* baseline_kernel();

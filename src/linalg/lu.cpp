@@ -89,7 +89,7 @@ int32_t finish_column(const Work& w, int32_t first, int32_t j) {
     const Real f = x[p];
     for (int32_t i = p + 1; i < j; ++i) x[i] -= l[i] * f;
   }
-  const auto update = w.engine.kernel ? w.engine.kernel->column : plain_column;
+  const auto update = !kSmallCode && w.engine.kernel ? w.engine.kernel->column : plain_column;
   const int32_t row = update(w.rows - j, before, w.column(first) + j, w.lda, x + first, x + j);
   return row < 0 ? row : row + j;
 }
@@ -98,7 +98,7 @@ int32_t finish_column(const Work& w, int32_t first, int32_t j) {
 // `first` down. Only these columns are touched.
 int32_t factor_leaf(const Work& w, int32_t first, int32_t count, const Real* norms) {
   int32_t unusable = 0;
-  const auto divide = w.engine.kernel ? w.engine.kernel->divide : plain_divide;
+  const auto divide = !kSmallCode && w.engine.kernel ? w.engine.kernel->divide : plain_divide;
   for (int32_t j = first; j < first + count; ++j) {
     Real* column = w.column(j);
     const Real norm = norms[j - first];
