@@ -94,6 +94,7 @@ CORE_SOURCES += src/solver/model_calls.cpp
 CORE_SOURCES += src/solver/motion.cpp
 CORE_SOURCES += src/solver/phases.cpp
 CORE_SOURCES += src/solver/prepare.cpp
+CORE_SOURCES += src/solver/rehearsal.cpp
 CORE_SOURCES += src/solver/results.cpp
 CORE_SOURCES += src/solver/run.cpp
 CORE_SOURCES += src/solver/save.cpp

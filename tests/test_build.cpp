@@ -116,7 +116,8 @@ TEST_CASE("build: src/sources.mk lists what the folders hold, and nothing twice"
   for (const char* folder : {"src", "port"})
     for (const fs::path& path : files_below(folder))
       if ((path.extension() == ".cpp" || path.extension() == ".c") &&
-          name_of(path).compare(0, 14, "port/cortex-m/") != 0) // compiled for its own machines only
+          name_of(path).compare(0, 14, "port/cortex-m/") != 0 && // compiled for its own machines only
+          name_of(path).compare(0, 15, "port/packaging/") != 0)  // tools
         found.insert(name_of(path));
   for (const std::string& name : found) CHECK_MESSAGE(listed.count(name) == 1, name << " (make relist)");
   for (const std::string& name : listed) CHECK_MESSAGE(found.count(name) == 1, name << " (make relist)");
@@ -141,7 +142,9 @@ TEST_CASE("build: make and CMake read that list and no other") {
 TEST_CASE("build: every text is ASCII without tabs or trailing blanks") {
   for (const char* folder : {"src", "include", "port", "tests", "examples"})
     for (const fs::path& path : files_below(folder)) {
-      if (!is_source(path) && path.extension() != ".dat" && path.extension() != ".in") continue;
+      if (!is_source(path) && path.extension() != ".dat" && path.extension() != ".in" &&
+          path.extension() != ".md" && path.extension() != ".mk" && path.extension() != ".sh")
+        continue;
       const std::string text = read_file(path.string());
       const auto odd = std::find_if(text.begin(), text.end(), [](char c) {
         return c != '\n' && (static_cast<unsigned char>(c) < 32 || static_cast<unsigned char>(c) > 126);
