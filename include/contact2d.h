@@ -500,7 +500,7 @@ typedef struct c2d_options {
   int32_t every_change;       /* 1: c2d_run's callback also sees every change of status             */
   int32_t symmetry;           /* C2D_SYMMETRY_...; before c2d_complete or c2d_read_deck             */
 } c2d_options;
-/* Any time before c2d_prepare; another `symmetry` for a complete model: STATE. */
+/* Any time before c2d_prepare; another `symmetry` for a complete model: STATE. Errors: ARGUMENT, STATE. */
 c2d_status c2d_set_options(c2d_solver* solver, const c2d_options* options);
 
 /* ---------------------------------------------------------------- 6 prepare ------------------------------------
@@ -539,7 +539,7 @@ c2d_status c2d_advance(c2d_solver* solver, const double* load, int32_t cases, c2
 /* How far the load factors can go along direction[0 .. cases) until a pair changes its status: *step times the
    direction; infinity if no pair ever does; 0 if the path cannot go on that way at all. The load stays where it is;
    a pair on the border of its status (zero pressure, or about to slip) may be given the status that goes with the
-   direction. Legal: running. */
+   direction. Legal: running. Errors: ARGUMENT, STATE, STORE_.... */
 c2d_status c2d_next_event(c2d_solver* solver, const double* direction, int32_t cases, double* step);
 
 /* Keep the state of the path on tape 0: statuses, history, load factors, energies, tableau, or, in state prepared, that
@@ -549,11 +549,12 @@ c2d_status c2d_next_event(c2d_solver* solver, const double* direction, int32_t c
 c2d_status c2d_save(c2d_solver* solver);
 /* Go back to the newest state that is whole, with the tapes as they are: nothing is assembled or eliminated again, and
    what follows gives the same bits. In another process: c2d_create with the same limits, the same model and options
-   (state model), the same store, then c2d_restore instead of c2d_prepare. The state is then prepared or running, as it
-   was. Legal: model, prepared, running, broken. Errors: MISMATCH: saved for another model, path, limits or stepping, or
-   by another library; STORE_STALE: c2d_prepare has begun anew since; STORE_FORMAT or _READ: nothing was saved there;
-   STORE_...: nothing whole is there; MEMORY with bytes_needed: saved in a larger workspace; after all these the solver is
-   as before. If the store fails while the state is taken over: broken. */
+   (state model), the same store, then c2d_restore instead of c2d_prepare. The state is then prepared or running, as
+   it was. Legal: model, prepared, running, broken. Errors: MISMATCH: saved for another model, path, limits or
+   stepping, or by another library or kind of machine (c2d_last_error names what is strange about a block);
+   STORE_STALE: c2d_prepare has begun anew since; STORE_FORMAT or _READ: nothing was saved there; STORE_...: nothing
+   whole is there; MEMORY with bytes_needed: saved in a larger workspace; after all these the solver is as before. If
+   the store fails while the state is taken over: broken. */
 c2d_status c2d_restore(c2d_solver* solver);
 
 /* What a step callback sees. `table` has a row per pair and the columns C2D_TN ... of section 8 (column c of pair
@@ -589,7 +590,8 @@ typedef int32_t (*c2d_step_fn)(void* context, const c2d_step* step); /* non-zero
    running, at the last load reached, also after CALLBACK and CANCELLED. Errors: ARGUMENT (no paths), STATE, CALLBACK,
    CANCELLED, STORE_.... `step` may be null. */
 c2d_status c2d_run(c2d_solver* solver, c2d_step_fn step, void* context);
-/* May be called from any callback or another thread: the solver stops at the next chance. */
+/* May be called from any callback or another thread: the solver stops at the next chance, and the call at work returns
+   C2D_ERR_CANCELLED. Without one the next call that can be cancelled does. Errors: ARGUMENT. */
 c2d_status c2d_cancel(c2d_solver* solver);
 
 /* ---------------------------------------------------------------- 8 results ------------------------------------
@@ -697,7 +699,7 @@ typedef struct c2d_summary {
   int32_t reserved2;
   double symmetry_at[2];
 } c2d_summary;
-c2d_status c2d_get_summary(c2d_solver* solver, c2d_summary* out); /* legal: always */
+c2d_status c2d_get_summary(c2d_solver* solver, c2d_summary* out); /* legal: always; errors: ARGUMENT */
 
 /* The contact of a zone as it stands. Forces are on body 2, per unit thickness; the moment is about the origin.
    A mean is weighted with the length along body 1 that belongs to a pair. */
@@ -712,7 +714,7 @@ typedef struct c2d_zone_state {
   double shift;                   /* mean of (u2 - u1).t                                            */
   double largest_pressure, largest_friction, length; /* length: of the touching pairs               */
 } c2d_zone_state;
-/* Legal: running, also inside a step callback. */
+/* Legal: running, also inside a step callback. Errors: ARGUMENT, STATE, STORE_.... */
 c2d_status c2d_get_zone_state(c2d_solver* solver, int32_t zone, c2d_zone_state* out);
 
 /* Item i (from 1) of the model's lists; out of range: ARGUMENT. Legal: model, prepared, running. */
