@@ -320,7 +320,7 @@ module contact2d
 
   type, bind(C) :: c2d_stdio_store
     character(kind=c_char) :: folder(1000) = c_null_char
-    type(c_ptr) :: file = c_null_ptr
+    type(c_ptr) :: file(C2D_TAPES) = c_null_ptr
     integer(c_int64_t) :: blocks(C2D_TAPES) = 0
     integer(c_int64_t) :: block_bytes(C2D_TAPES) = 0
   end type
