@@ -51,7 +51,7 @@ c2d_status show_step(Session& session, int32_t kind) {
   now.changes = static_cast<int32_t>(session.follower.stats.changes - session.now.changes);
   close_session(session); // so that c2d_get_summary tells the callback what is so now
   session.now.changes = static_cast<int32_t>(session.follower.stats.changes);
-  s->busy = 1;
+  s->busy = kInStepCallback;
   const int32_t code = session.step(session.step_context, &now);
   s->busy = 0;
   if (code == 0) return C2D_OK;
@@ -116,7 +116,7 @@ c2d_status run_cards(Session& session) {
       status = show_step(session, reached ? C2D_STEP_RECORDED : C2D_STEP_STOPPED);
       if (status != C2D_OK || !reached) return status;
     }
-    const c2d_status status = p == peak ? guard_drift(session, true) : C2D_OK;
+    const c2d_status status = p == peak ? guard_drift(session, true) : c2d_status{C2D_OK};
     if (status != C2D_OK) return status;
   }
   return C2D_OK;

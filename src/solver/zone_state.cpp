@@ -83,6 +83,7 @@ using namespace c2d;
 
 extern "C" c2d_status c2d_get_zone_state(c2d_solver* s, int32_t zone, c2d_zone_state* out) {
   if (!s || s->magic != kSolverMagic) return C2D_ERR_ARGUMENT;
+  if (s->busy && s->busy != kInStepCallback) return C2D_ERR_BUSY;
   if (s->busy) { // inside a step callback: nothing is changed, not even what c2d_last_error tells
     if (s->state != C2D_STATE_RUNNING) return C2D_ERR_STATE;
     if (!out || zone < 1 || zone > s->model.zones) return C2D_ERR_ARGUMENT;
@@ -102,5 +103,5 @@ extern "C" c2d_status c2d_get_zone_state(c2d_solver* s, int32_t zone, c2d_zone_s
     refresh(session.follower);
     fill_zone_state(session, z, ours);
   }
-  return copy_out(&ours, sizeof ours, out) ? C2D_OK : fail(s, C2D_ERR_ARGUMENT, "the struct has no size");
+  return copy_out(&ours, sizeof ours, out) ? c2d_status{C2D_OK} : fail(s, C2D_ERR_ARGUMENT, "the struct has no size");
 }
