@@ -99,6 +99,7 @@ CORE_SOURCES += src/store/block.cpp
 CORE_SOURCES += src/store/tapes.cpp
 PORT_SOURCES += port/fortran/fortran77.cpp
 PORT_SOURCES += port/fortran/fortran77_deck.cpp
+PORT_SOURCES += port/fortran/fortran77_keep.cpp
 PORT_SOURCES += port/fortran/fortran77_model.cpp
 PORT_SOURCES += port/fortran/fortran77_results.cpp
 PORT_SOURCES += port/fortran/fortran77_solve.cpp

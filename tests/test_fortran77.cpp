@@ -406,6 +406,68 @@ TEST_CASE("fortran77: blocks in files, which C2DROP deletes and C2CLOS leaves") 
   }
 }
 
+TEST_CASE("fortran77: a workspace moved with its blocks goes on with the same bits") {
+  const std::string name = kRoot + "/examples/hertz.dat";
+  Odd memory(8 * kWords, 4), store(1 << 20, 4), moved(8 * kWords, 49), moved_store(1 << 20, 8);
+  int32_t error = open(memory.at()), outcome = 0;
+  c2core_(memory.at(), store.at(), I{(1 << 20) / 8}, &error);
+  c2deck_(memory.at(), name.data(), I{static_cast<int32_t>(name.size())}, &error);
+  c2prep_(memory.at(), &error);
+  c2begn_(memory.at(), R{0.4}, I{1}, &error);
+  c2advn_(memory.at(), R{0.5}, I{1}, &outcome, &error);
+  REQUIRE(error == 0);
+  std::memcpy(moved.at(), memory.at(), 8 * kWords);
+  std::memcpy(moved_store.at(), store.at(), 1 << 20);
+  double here[15], there[15];
+  c2advn_(memory.at(), R{1.0}, I{1}, &outcome, &error);
+  c2get_(memory.at(), I{C2D_END_UY}, I{2}, I{1}, I{15}, here, I{1}, &error);
+  REQUIRE(error == 0);
+  std::memset(memory.at(), 255, 8 * kWords); // nothing may be left there
+  std::memset(store.at(), 255, 1 << 20);
+  c2advn_(moved.at(), R{1.0}, I{1}, &outcome, &error);
+  CHECK(error == 54); // not attached
+  const double single[2] = {0, 0};
+  c2atch_(moved.at(), I{kWords}, kIntegers, single, moved_store.at(), &error);
+  CHECK(error == 52);
+  c2atch_(moved.at(), I{kWords}, kIntegers, kReals, moved_store.at(), &error);
+  REQUIRE(error == 0);
+  c2advn_(moved.at(), R{1.0}, I{1}, &outcome, &error);
+  c2get_(moved.at(), I{C2D_END_UY}, I{2}, I{1}, I{15}, there, I{1}, &error);
+  CHECK(error == 0);
+  CHECK(std::memcmp(here, there, sizeof here) == 0);
+  c2clos_(moved.at(), &error);
+  CHECK(error == 0);
+}
+
+TEST_CASE("fortran77: what was saved is restored by another workspace over the same files") {
+  const Folder folder;
+  const std::string name = kRoot + "/examples/hertz.dat", path = folder.path();
+  Odd first(8 * kWords, 4), second(8 * kWords, 20);
+  double before[15], after[15];
+  for (const bool restored : {false, true}) {
+    void* work = restored ? second.at() : first.at();
+    int32_t error = open(work), outcome = 0;
+    c2tape_(work, path.data(), I{static_cast<int32_t>(path.size())}, &error);
+    c2deck_(work, name.data(), I{static_cast<int32_t>(name.size())}, &error);
+    REQUIRE(error == 0);
+    if (restored) {
+      c2rest_(work, &error);
+      REQUIRE(error == 0);
+    } else {
+      c2prep_(work, &error);
+      c2begn_(work, R{0.4}, I{1}, &error);
+      c2advn_(work, R{0.6}, I{1}, &outcome, &error);
+      c2save_(work, &error);
+      REQUIRE(error == 0);
+    }
+    c2get_(work, I{C2D_TN}, I{0}, I{1}, I{15}, restored ? after : before, I{1}, &error);
+    CHECK(error == 0);
+    c2clos_(work, &error);
+  }
+  CHECK(std::memcmp(before, after, sizeof before) == 0);
+  CHECK(before[14] > 100.0);
+}
+
 TEST_CASE("fortran77: a model by calls is checked as in C, and every call reaches its function") {
   Odd memory(8 * kWords, 4), real(8 * 40, 4);
   void* work = memory.at();

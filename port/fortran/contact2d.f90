@@ -439,6 +439,15 @@ module contact2d
       type(c2d_error), intent(inout) :: why
       integer(c_int32_t) :: status
     end function
+    function c2d_attach(out, memory, bytes, port, why) bind(C) result(status)
+      import
+      type(c_ptr), intent(out) :: out
+      type(c_ptr), value :: memory
+      integer(c_size_t), value :: bytes
+      type(c2d_port), intent(in) :: port
+      type(c2d_error), intent(inout) :: why
+      integer(c_int32_t) :: status
+    end function
     function c2d_close(solver) bind(C) result(status)
       import
       type(c_ptr), value :: solver
@@ -650,6 +659,16 @@ module contact2d
       integer(c_int32_t), value :: cases
       real(c_double), intent(out) :: step
       real(c_double), intent(in) :: direction(cases)
+      integer(c_int32_t) :: status
+    end function
+    function c2d_save(solver) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
+      integer(c_int32_t) :: status
+    end function
+    function c2d_restore(solver) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
       integer(c_int32_t) :: status
     end function
     function c2d_run(solver, step, context) bind(C) result(status)

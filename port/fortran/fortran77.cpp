@@ -15,6 +15,10 @@ struct Mark {
   uint64_t magic, host_at;
 };
 
+uint64_t host_place(uintptr_t address) {
+  return (address + sizeof(Mark) + 63) / 64 * 64 - address;
+}
+
 } // namespace
 
 int32_t integer_at(In from, int32_t i) {
@@ -73,6 +77,20 @@ Host* host_of(Work work) {
   if ((address + mark.host_at) % 64 != 0) return nullptr;
   Host* host = reinterpret_cast<Host*>(static_cast<char*>(work) + mark.host_at);
   return host->address == address ? host : nullptr;
+}
+
+Host* moved_host_of(Work work) {
+  Mark mark;
+  memcpy(&mark, work, sizeof mark);
+  if (mark.magic != kMark || mark.host_at >= 16 + 64) return nullptr;
+  const uintptr_t address = reinterpret_cast<uintptr_t>(work);
+  char* old = static_cast<char*>(work) + mark.host_at;
+  mark.host_at = host_place(address);
+  Host* host = reinterpret_cast<Host*>(static_cast<char*>(work) + mark.host_at);
+  memmove(static_cast<void*>(host), old, sizeof *host);
+  memcpy(work, &mark, sizeof mark);
+  host->address = address;
+  return host;
 }
 
 c2d_error blank_error() {
@@ -158,34 +176,42 @@ c2d_status check_reals(In rcheck) {
   return kBadReal;
 }
 
-} // namespace
-
-// An array of two 8-byte integers begins with 1987, 0 or 0, 1987 in units of 4 bytes, whichever end is first.
-// IERR has then 8 bytes too, and all of them are set.
-void c2open_(Work work, In nwords, In icheck, In rcheck, Out ierr) {
-  const int32_t first = integer_at(icheck), second = integer_at(icheck, 1);
-  if (first != kIntegers[0] || second != kIntegers[1]) {
-    const bool wide = (first == kIntegers[0] && second == 0) || (first == 0 && second == kIntegers[0]);
-    const int64_t wide_error = kBadInteger;
-    if (wide)
-      memcpy(ierr, &wide_error, sizeof wide_error);
-    else
-      put_integer(ierr, kBadCheck);
-    return;
-  }
-  c2d_status status = check_reals(rcheck);
-  const int64_t words = integer_at(nwords);
-  if (status == C2D_OK && words < static_cast<int64_t>(kHostSlack / 8 + 1)) status = C2D_ERR_MEMORY;
-  put_integer(ierr, status);
-  if (status != C2D_OK) return;
+void open_work(Work work, int64_t words) {
   const uintptr_t address = reinterpret_cast<uintptr_t>(work);
-  const Mark mark = {kMark, (address + sizeof(Mark) + 63) / 64 * 64 - address};
+  const Mark mark = {kMark, host_place(address)};
   memcpy(work, &mark, sizeof mark);
   Host* host = reinterpret_cast<Host*>(static_cast<char*>(work) + mark.host_at);
   memset(static_cast<void*>(host), 0, sizeof *host);
   host->address = address;
   host->bytes = static_cast<uint64_t>(words) * 8;
   host->options.struct_size = static_cast<uint32_t>(sizeof host->options);
+}
+
+} // namespace
+
+// An array of two 8-byte integers begins with 1987, 0 or 0, 1987 in units of 4 bytes, whichever end is first.
+// IERR has then 8 bytes too, and all of them are set.
+bool c2d::fortran::check_caller(In icheck, In rcheck, Out ierr) {
+  const int32_t first = integer_at(icheck), second = integer_at(icheck, 1);
+  const bool wide = (first == kIntegers[0] && second == 0) || (first == 0 && second == kIntegers[0]);
+  if (wide) {
+    const int64_t error = kBadInteger;
+    memcpy(ierr, &error, sizeof error);
+    return false;
+  }
+  const bool right = first == kIntegers[0] && second == kIntegers[1];
+  const c2d_status status = right ? check_reals(rcheck) : static_cast<c2d_status>(kBadCheck);
+  put_integer(ierr, status);
+  return status == C2D_OK;
+}
+
+void c2open_(Work work, In nwords, In icheck, In rcheck, Out ierr) {
+  if (!check_caller(icheck, rcheck, ierr)) return;
+  const int64_t words = integer_at(nwords);
+  if (words > static_cast<int64_t>(kHostSlack / 8))
+    open_work(work, words);
+  else
+    put_integer(ierr, C2D_ERR_MEMORY);
 }
 
 namespace {

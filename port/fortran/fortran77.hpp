@@ -51,7 +51,9 @@ struct Host {
   Entry entry[kEntriesKept];
 };
 enum { kNoStore = 0, kMemoryStore = 1, kFileStore = 2 };
-constexpr uint64_t kHostSlack = 16 + 63 + sizeof(Host); // bytes of WORK that are not the solver's, at most
+// Bytes in front of the memory that the solver is given. The host stands at the first multiple of 64 behind
+// the mark; the solver's memory has a fixed place, so that WORK may be moved (C2ATCH).
+constexpr uint64_t kHostSlack = 16 + 64 + sizeof(Host);
 
 int32_t integer_at(In from, int32_t i = 0);
 double real_at(In from, int32_t i = 0);
@@ -95,10 +97,16 @@ private:
 };
 
 Host* host_of(Work work); // null: not open
+// Finds the host in WORK also when it was opened at another address, and puts it where it belongs now; null:
+// none.
+Host* moved_host_of(Work work);
+// Were these the check values of C2OPEN? Else IERR says what is wrong with the caller's numbers.
+bool check_caller(In icheck, In rcheck, Out ierr);
 Entry entry_of(const c2d_error& error);
 c2d_error blank_error();
 // Words of WORK for a solver of this many bytes; 0 if INTEGER*4 cannot count them.
 int32_t words_for(uint64_t solver_bytes);
+c2d_port port_of(Host* host);
 // Makes the solver with these limits; call.status says how it went.
 void make_solver(Call& call, Work work, const c2d_limits& limits);
 
@@ -147,11 +155,14 @@ void c2unit_(Work work, Text length, In llen, Text force, In lforce, Out ierr);
 void c2line_(Work work, In iline, In icol, In icol2, Out ierr);
 void c2done_(Work work, Out ierr);
 
-// solving: fortran77_solve.cpp
+// solving: fortran77_solve.cpp, fortran77_keep.cpp
 using c2_step = void (*)(const int32_t* kind, const int32_t* imu, const int32_t* istep, const int32_t* iout,
                          const double* fmu, const double* factor, const int32_t* npairs, const double* table,
                          const int32_t* ldt, int32_t* istop);
 void c2prep_(Work work, Out ierr);
+void c2save_(Work work, Out ierr);
+void c2rest_(Work work, Out ierr);
+void c2atch_(Work work, In nwords, In icheck, In rcheck, Out store, Out ierr);
 void c2begn_(Work work, In fmu, In nzones, Out ierr);
 void c2advn_(Work work, In factor, In ncases, Out iout, Out ierr);
 void c2next_(Work work, In direct, In ncases, Out step, Out ierr);

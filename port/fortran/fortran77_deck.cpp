@@ -76,12 +76,6 @@ c2d_status sizes_of(Call& call, Cards& cards, c2d_limits& limits) {
   return call.status;
 }
 
-void keep_entry(void* context, const c2d_error* error) {
-  Host* host = static_cast<Host*>(context);
-  if (host->entries < kEntriesKept) host->entry[host->entries] = entry_of(*error);
-  ++host->entries;
-}
-
 // Read the deck, and forget the solver again if that fails: the next deck has other sizes.
 void read_cards(Call& call, Work work, Cards& cards) {
   c2d_limits limits;
@@ -118,21 +112,32 @@ void tell_words(Call& call, const c2d_limits& limits, Out nmin, Out nall) {
   put_integer(nall, most_words > 0 ? most_words : INT32_MAX);
 }
 
+void keep_entry(void* context, const c2d_error* error) {
+  Host* host = static_cast<Host*>(context);
+  if (host->entries < kEntriesKept) host->entry[host->entries] = entry_of(*error);
+  ++host->entries;
+}
+
 } // namespace
 
-void make_solver(Call& call, Work work, const c2d_limits& limits) {
-  Host* host = call.host;
+c2d_port port_of(Host* host) {
   c2d_port port = C2D_INIT(c2d_port);
   if (host->store_kind == kMemoryStore) c2d_memory_store_port(&host->store.memory, &port);
   if (host->store_kind == kFileStore) c2d_stdio_store_port(&host->store.files, &port);
   port.context = host;
   port.log = keep_entry;
+  return port;
+}
+
+void make_solver(Call& call, Work work, const c2d_limits& limits) {
+  Host* host = call.host;
+  const c2d_port port = port_of(host);
   host->entries = 0;
-  char* begin = reinterpret_cast<char*>(host + 1);
-  const uint64_t before = static_cast<uint64_t>(begin - static_cast<char*>(work));
+  char* memory = static_cast<char*>(work) + kHostSlack;
   c2d_error why = blank_error();
   c2d_solver* solver = nullptr;
-  call.status = c2d_create(&solver, begin, static_cast<size_t>(host->bytes - before), &limits, &port, &why);
+  call.status =
+      c2d_create(&solver, memory, static_cast<size_t>(host->bytes - kHostSlack), &limits, &port, &why);
   if (call.status != C2D_OK) {
     call.tell(why);
     return;
