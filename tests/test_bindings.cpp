@@ -260,7 +260,9 @@ const Interface& module() {
 
 TEST_CASE("bindings: every function of the headers is in the Fortran module, argument by argument") {
   REQUIRE(headers().functions.size() > 55);
-  for (const auto& [name, c] : headers().functions) {
+  for (const auto& each : headers().functions) {
+    const std::string& name = each.first;
+    const Function& c = each.second;
     const auto found = module().functions.find(name);
     CHECK_MESSAGE(found != module().functions.end(), name << " is not in contact2d.f90");
     if (found == module().functions.end()) continue;
@@ -280,7 +282,9 @@ TEST_CASE("bindings: every function of the headers is in the Fortran module, arg
 
 TEST_CASE("bindings: every constant of the headers is in the Fortran module, with its value") {
   REQUIRE(headers().constants.size() > 120);
-  for (const auto& [name, value] : headers().constants) {
+  for (const auto& each : headers().constants) {
+    const std::string& name = each.first;
+    const std::string& value = each.second;
     const auto found = module().constants.find(name);
     CHECK_MESSAGE(found != module().constants.end(), name << " is not in contact2d.f90");
     if (found != module().constants.end()) CHECK_MESSAGE(found->second == value, name);
@@ -291,7 +295,9 @@ TEST_CASE("bindings: every constant of the headers is in the Fortran module, wit
 
 TEST_CASE("bindings: every struct of the headers is in the Fortran module, member by member") {
   REQUIRE(headers().structs.size() > 14);
-  for (const auto& [name, members] : headers().structs) {
+  for (const auto& each : headers().structs) {
+    const std::string& name = each.first;
+    const Words& members = each.second;
     const auto found = module().structs.find(name);
     CHECK_MESSAGE(found != module().structs.end(), name << " is not in contact2d.f90");
     if (found == module().structs.end()) continue;
@@ -310,7 +316,9 @@ std::string c_layout() {
   std::string text = "#include <stddef.h>\n#include <stdio.h>\n";
   for (const char* header : kHeaders) text += "#include \"" + kRoot + header + "\"\n";
   text += "int main(void) {\n";
-  for (const auto& [name, members] : headers().structs) {
+  for (const auto& each : headers().structs) {
+    const std::string& name = each.first;
+    const Words& members = each.second;
     text += "  printf(\"" + name + " %d\\n\", (int)sizeof(" + name + "));\n";
     for (const std::string& member : members)
       text +=
@@ -324,7 +332,9 @@ std::string c_layout() {
 
 std::string fortran_layout() {
   std::string declared, text;
-  for (const auto& [name, members] : headers().structs) {
+  for (const auto& each : headers().structs) {
+    const std::string& name = each.first;
+    const Words& members = each.second;
     declared += "  type(" + name + "), target :: " + name + "_\n";
     const std::string x = name + "_";
     text += "  print '(a,1x,i0)', '" + name + "', c_sizeof(" + x + ")\n";

@@ -204,7 +204,7 @@ TEST_CASE("fortran77: a deck at every odd address gives the bits of the C interf
   REQUIRE(c2d_run(desktop.solver, keep_step, &expected) == C2D_OK);
   const std::string cards = padded(cards_of("hertz.dat"));
   const I count{static_cast<int32_t>(cards.size() / 80)};
-  for (const size_t odd : {0, 4, 33}) {
+  for (const size_t odd : {size_t{0}, size_t{4}, size_t{33}}) {
     Odd memory(8 * kWords, odd), store(1 << 20, odd), numbers(8 * 1000, odd), integer(4, odd);
     void* work = memory.at();
     int32_t error = open(work);
