@@ -307,9 +307,9 @@ TEST_CASE("fortran77: a path of the caller's own, events, summary, lists and zon
   int32_t codes[4];
   double values[4];
   REQUIRE(c2d_get_condition(desktop.solver, 1, 8, 1, codes, values) == C2D_OK);
-  c2gcon_(work, I{1}, I{8}, I{1}, i1, real.at(), &error);
+  c2gcon_(work, I{1}, I{8}, I{1}, I{1}, i1, real.at(), &error);
   CHECK(std::memcmp(i1, codes, sizeof codes) == 0);
-  c2gpld_(work, I{1}, &a, real.at(), real.at(), &error);
+  c2gpld_(work, I{1}, &a, &b, real.at(), real.at(), &error);
   CHECK(error == C2D_ERR_ARGUMENT); // the deck has none
 
   c2solv_(work, stop_step, &error);
@@ -535,10 +535,19 @@ TEST_CASE("fortran77: a model by calls is checked as in C, and every call reache
   c2stat_(work, &state);
   CHECK(state == C2D_STATE_MODEL);
 
-  int32_t body = 0, increments = 0;
+  int32_t body = 0, increments = 0, load_case = 0, rigid = -1, codes[4];
   double xy[2], force[2];
-  c2gpld_(work, I{1}, &body, xy, force, &error);
-  CHECK((body == 1 && xy[1] == -0.5 && force[1] == -1.0));
+  c2gpld_(work, I{1}, &body, &load_case, xy, force, &error);
+  CHECK((body == 1 && load_case == 1 && xy[1] == -0.5 && force[1] == -1.0));
+  c2gcon_(work, I{2}, I{10}, I{1}, I{2}, codes, real.at(), &error);
+  CHECK((codes[3] == 0 && real_at(real.at(), 3) == -0.01));
+  double turning = -1.0;
+  c2gbfo_(work, I{1}, I{1}, force, &turning, xy, &error);
+  CHECK((error == 0 && force[1] == -2.0 && turning == 0.0));
+  c2grig_(work, I{1}, &rigid, real.at(), xy, &error);
+  CHECK((error == 0 && rigid == 0));
+  c2gint_(work, &load_case, &error);
+  CHECK((error == 0 && load_case == 0));
   c2gpth_(work, I{1}, &increments, real.at(), I{2}, &error);
   CHECK((increments == 3 && real_at(real.at(), 1) == 1.0));
   c2gmu_(work, I{1}, I{2}, real.at(), &error);

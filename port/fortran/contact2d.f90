@@ -54,7 +54,8 @@ module contact2d
       C2D_NY = 12, C2D_PAIR_NODE1 = 13, C2D_PAIR_NODE2 = 14, C2D_PAIR_ZONE = 15, C2D_PAIR_FIELDS = 16, &
       C2D_END_X = 100, C2D_END_Y = 101, C2D_END_NODE = 102, C2D_END_UX = 103, C2D_END_UY = 104, &
       C2D_END_TX = 105, C2D_END_TY = 106, C2D_END_STATUS = 107, C2D_END_SXX = 108, C2D_END_SYY = 109, &
-      C2D_END_SXY = 110, C2D_END_SZZ = 111, C2D_END_HOOP = 112, C2D_NODE_X = 120, C2D_NODE_Y = 121
+      C2D_END_SXY = 110, C2D_END_SZZ = 111, C2D_END_HOOP = 112, C2D_NODE_X = 120, C2D_NODE_Y = 121, &
+      C2D_PAIR_ELEMENT1 = 130, C2D_PAIR_ETA1 = 131
   integer(c_int32_t), parameter :: C2D_POINT_UX = 0, C2D_POINT_UY = 1, C2D_POINT_SXX = 2, &
       C2D_POINT_SYY = 3, C2D_POINT_SXY = 4, C2D_POINT_SZZ = 5, C2D_POINT_VON_MISES = 6, &
       C2D_POINT_MAX_SHEAR = 7, C2D_POINT_PRINCIPAL1 = 8, C2D_POINT_PRINCIPAL2 = 9, C2D_POINT_FLAG = 10, &
@@ -772,6 +773,46 @@ module contact2d
       integer(c_int32_t), value :: i
       integer(c_int32_t), intent(out) :: body
       real(c_double), intent(out) :: xy(2), force(2)
+      integer(c_int32_t) :: status
+    end function
+    function c2d_get_case_condition(solver, body, element, local, codes, values, &
+        load_case) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
+      integer(c_int32_t), value :: body, element, local
+      integer(c_int32_t), intent(out) :: codes(4)
+      real(c_double), intent(out) :: values(4)
+      integer(c_int32_t), value :: load_case
+      integer(c_int32_t) :: status
+    end function
+    function c2d_get_case_point_load(solver, i, body, xy, force, load_case) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
+      integer(c_int32_t), value :: i
+      integer(c_int32_t), intent(out) :: body
+      real(c_double), intent(out) :: xy(2), force(2)
+      integer(c_int32_t), intent(out) :: load_case
+      integer(c_int32_t) :: status
+    end function
+    function c2d_get_body_force(solver, body, load_case, force, rho_omega2, axis) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
+      integer(c_int32_t), value :: body, load_case
+      real(c_double), intent(out) :: force(2), rho_omega2, axis(2)
+      integer(c_int32_t) :: status
+    end function
+    function c2d_get_rigid(solver, load_case, is_rigid, motion, axis) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
+      integer(c_int32_t), value :: load_case
+      integer(c_int32_t), intent(out) :: is_rigid
+      real(c_double), intent(out) :: motion(3), axis(2)
+      integer(c_int32_t) :: status
+    end function
+    function c2d_get_interference(solver, load_case) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
+      integer(c_int32_t), intent(out) :: load_case
       integer(c_int32_t) :: status
     end function
     function c2d_get_state(solver) bind(C) result(state)

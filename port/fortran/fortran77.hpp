@@ -181,8 +181,11 @@ void c2gmu_(Work work, In izone, In i, Out fmu, Out ierr);
 void c2gpth_(Work work, In i, Out ninc, Out factor, In ncases, Out ierr);
 void c2gzon_(Work work, In i, Out npairs, Out nelem, Out ielem, Out inode, Out ierr);
 void c2greg_(Work work, In ibody, In i, Out ifirst, Out ilast, Out ierr);
-void c2gcon_(Work work, In ibody, In ielem, In ilocal, Out icodes, Out values, Out ierr);
-void c2gpld_(Work work, In i, Out ibody, Out xy, Out force, Out ierr);
+void c2gcon_(Work work, In ibody, In ielem, In ilocal, In icase, Out icodes, Out values, Out ierr);
+void c2gpld_(Work work, In i, Out ibody, Out icase, Out xy, Out force, Out ierr);
+void c2gbfo_(Work work, In ibody, In icase, Out force, Out rhom2, Out axis, Out ierr);
+void c2grig_(Work work, In icase, Out irigid, Out motion, Out axis, Out ierr);
+void c2gint_(Work work, Out icase, Out ierr);
 
 // errors and words: fortran77_words.cpp
 void c2stat_(Work work, Out istate);

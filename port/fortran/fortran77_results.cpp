@@ -192,13 +192,13 @@ void c2greg_(Work work, In ibody, In i, Out ifirst, Out ilast, Out ierr) {
   call.leave(ierr);
 }
 
-void c2gcon_(Work work, In ibody, In ielem, In ilocal, Out icodes, Out values, Out ierr) {
+void c2gcon_(Work work, In ibody, In ielem, In ilocal, In icase, Out icodes, Out values, Out ierr) {
   Call call(work);
   if (call.ready()) {
     int32_t codes[4];
     double known[4];
-    call.status = c2d_get_condition(call.solver, integer_at(ibody), integer_at(ielem), integer_at(ilocal),
-                                    codes, known);
+    call.status = c2d_get_case_condition(call.solver, integer_at(ibody), integer_at(ielem),
+                                         integer_at(ilocal), codes, known, integer_at(icase));
     if (call.status == C2D_OK) {
       memcpy(icodes, codes, sizeof codes);
       memcpy(values, known, sizeof known);
@@ -207,17 +207,58 @@ void c2gcon_(Work work, In ibody, In ielem, In ilocal, Out icodes, Out values, O
   call.leave(ierr);
 }
 
-void c2gpld_(Work work, In i, Out ibody, Out xy, Out force, Out ierr) {
+void c2gpld_(Work work, In i, Out ibody, Out icase, Out xy, Out force, Out ierr) {
   Call call(work);
   if (call.ready()) {
-    int32_t body = 0;
+    int32_t body = 0, load_case = 0;
     double at[2], load[2];
-    call.status = c2d_get_point_load(call.solver, integer_at(i), &body, at, load);
+    call.status = c2d_get_case_point_load(call.solver, integer_at(i), &body, at, load, &load_case);
     if (call.status == C2D_OK) {
       put_integer(ibody, body);
+      put_integer(icase, load_case);
       memcpy(xy, at, sizeof at);
       memcpy(force, load, sizeof load);
     }
+  }
+  call.leave(ierr);
+}
+
+void c2gbfo_(Work work, In ibody, In icase, Out force, Out rhom2, Out axis, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    double weight[2], turning = 0.0, centre[2];
+    call.status =
+        c2d_get_body_force(call.solver, integer_at(ibody), integer_at(icase), weight, &turning, centre);
+    if (call.status == C2D_OK) {
+      memcpy(force, weight, sizeof weight);
+      put_real(rhom2, turning);
+      memcpy(axis, centre, sizeof centre);
+    }
+  }
+  call.leave(ierr);
+}
+
+void c2grig_(Work work, In icase, Out irigid, Out motion, Out axis, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    int32_t rigid = 0;
+    double moved[3], centre[2];
+    call.status = c2d_get_rigid(call.solver, integer_at(icase), &rigid, moved, centre);
+    if (call.status == C2D_OK) {
+      put_integer(irigid, rigid);
+      memcpy(motion, moved, sizeof moved);
+      memcpy(axis, centre, sizeof centre);
+    }
+  }
+  call.leave(ierr);
+}
+
+void c2gint_(Work work, Out icase, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    int32_t load_case = 0;
+    call.status = c2d_get_interference(call.solver, &load_case);
+    if (call.status == C2D_OK) put_integer(icase, load_case);
   }
   call.leave(ierr);
 }
