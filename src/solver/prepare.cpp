@@ -21,7 +21,8 @@ template <class T> uint64_t hash_array(uint64_t hash, const T* data, int64_t cou
   return checksum(hash, data, static_cast<uint64_t>(count) * sizeof(T));
 }
 
-// Everything that decides the numbers on the tapes.
+} // namespace
+
 uint64_t hash_model(const Model& m, const c2d_options& options) {
   uint64_t hash = checksum(sizeof(Real), &options.quadrature, sizeof options.quadrature);
   hash = checksum(hash, &m.head->plane, sizeof m.head->plane);
@@ -45,6 +46,8 @@ uint64_t hash_model(const Model& m, const c2d_options& options) {
   hash = hash_array(hash, m.zone, m.head->zones);
   return hash_array(hash, m.point_load, m.head->point_loads);
 }
+
+namespace {
 
 // Do the contact pairs, all sticking, hold every free motion of this body?
 bool contact_holds(const Model& m, int b) {
@@ -222,6 +225,8 @@ c2d_status run_phases(c2d_solver* s, const Model& m) {
   return status == C2D_OK ? build_energy(s, m) : status;
 }
 
+} // namespace
+
 void warn_condition(c2d_solver* s) {
   s->condition = s->smallest_pivot > 0.0 ? s->largest_pivot / s->smallest_pivot : 0.0;
   if (!(s->condition > 1e11)) return;
@@ -234,8 +239,6 @@ void warn_condition(c2d_solver* s) {
   put(text, "): supports may be too close together or elements of very unlike size");
   report_fault(s, e);
 }
-
-} // namespace
 
 int extend_basis(double basis[3][3], int rank, int n, double row[3]) {
   double before = 0.0, after = 0.0;
@@ -284,6 +287,7 @@ extern "C" c2d_status c2d_prepare(c2d_solver* s) {
   s->largest_pivot = s->pivot_growth = s->condition = 0.0;
   for (double& seconds : s->seconds) seconds = 0.0;
   find_support(s, m);
+  s->saves = 0;
   status = close_all(s->tapes);
   s->tapes.port = &s->port;
   s->tapes.busy = &s->busy;
