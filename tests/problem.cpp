@@ -674,7 +674,7 @@ Problem cut_in_two(const Problem& p,
         double middle[2] = {0.5 * (one[0] + two[0]), 0.5 * (one[1] + two[1])};
         place(static_cast<int>(b) + 1, one, two, middle);
         to.xy.insert(to.xy.end(), {one[0], one[1], middle[0], middle[1]});
-        for (const size_t l : {0, 1, 1, 2}) to.ends.push_back(ends[index(3 * (e - 1)) + l]);
+        for (const int32_t l : {0, 1, 1, 2}) to.ends.push_back(ends[index(3 * (e - 1) + l)]);
       }
     }
   }

@@ -16,7 +16,7 @@ namespace {
 
 int touching(const Step& s) {
   int count = 0;
-  for (int i = 0; i < s.pairs(); ++i) count += s.at(i, C2D_STATUS) != C2D_OPEN;
+  for (int i = 0; i < s.pairs(); ++i) count += static_cast<int>(s.at(i, C2D_STATUS)) != C2D_OPEN;
   return count;
 }
 
