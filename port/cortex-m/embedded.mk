@@ -44,7 +44,8 @@ $(EMBEDDED)/$(1)/run_deck.elf: $(EMBEDDED)/$(1)/libcontact2d.a $(call arm_object
 $(EMBEDDED)/$(1)/hertz.csv: $(EMBEDDED)/$(1)/run_deck.elf examples/hertz.dat
 	@mkdir -p $$(@D)/tapes
 	$(QEMU_ARM) -M $(board_$(1)) -nographic -monitor none -serial none -kernel $$< \
-	  -semihosting-config enable=on,target=native,arg=examples/hertz.dat,arg=$$(@D)/tapes,arg=$$@.new </dev/null
+	  -semihosting-config enable=on,target=native,arg=examples/hertz.dat,arg=$$(@D)/tapes,arg=$$@.new </dev/null \
+	  > $$(@D)/run.log 2>&1 || { cat $$(@D)/run.log; exit 1; }
 	@mv $$@.new $$@
 -include $(wildcard $(EMBEDDED)/$(1)/obj/*.d)
 endef
@@ -65,3 +66,51 @@ embedded: $(BOARDS:%=embedded-%)
 $(BOARDS:%=embedded-%): embedded-%: $(EMBEDDED)/%/hertz.csv $(EMBEDDED)/desktop.csv $(EMBEDDED)/compare
 	@echo 'embedded: $* ($(board_$*))'
 	@$(EMBEDDED)/compare $(EMBEDDED)/desktop.csv $< $(agree_$*)
+
+# ---- the bill: what every target takes ----------------------------------------------------------------------------
+# Images of calls of the header and of what they need, linked with --gc-sections:
+#   whole        every call                      no-deck, no-points   without the deck reader, without c2d_interior
+#   solver       a model by calls, one load case, zones of pairs: all orders, both quadratures, both steppings,
+#                interior points                 solver-deck          the same and the deck reader
+open := (
+ALL_CALLS    := $(sort $(shell sed -n 's/^[a-z][a-z0-9_ *]*\(c2d_[a-z0-9_]*\)$(open)[a-z].*/\1/p' include/contact2d.h))
+DECK_CALLS   := c2d_scan_deck c2d_check_deck c2d_walk_deck c2d_read_deck
+SOLVER_CALLS := c2d_memory_need c2d_create c2d_close c2d_set_problem c2d_set_body c2d_add_region c2d_set_nodes \
+  c2d_set_condition c2d_add_point_load c2d_add_zone c2d_add_friction c2d_add_path c2d_complete c2d_set_options \
+  c2d_prepare c2d_begin c2d_advance c2d_next_event c2d_run c2d_cancel c2d_get c2d_interior c2d_get_summary \
+  c2d_get_state c2d_last_error c2d_message c2d_outcome_message c2d_version
+CONFIGURATIONS := whole no-deck no-points solver solver-deck
+calls_whole       := $(ALL_CALLS)
+calls_no-deck     := $(filter-out $(DECK_CALLS),$(ALL_CALLS))
+calls_no-points   := $(filter-out c2d_interior,$(ALL_CALLS))
+calls_solver      := $(SOLVER_CALLS)
+calls_solver-deck := $(SOLVER_CALLS) $(DECK_CALLS)
+wanted = $(foreach c,$(calls_$(1)),-Wl,-u,$(c))
+
+# $(1) board, $(2) configuration
+define arm_size
+$(EMBEDDED)/$(1)/$(2).elf: $(EMBEDDED)/$(1)/libcontact2d.a $(EMBEDDED)/$(1)/obj/port_cortex-m_math.o port/cortex-m/sizes.ld
+	$(ARM_PREFIX)g++ $(cpu_$(1)) -nostdlib -Wl,--gc-sections -Wl,-e,c2d_create $(call wanted,$(2)) -T port/cortex-m/sizes.ld \
+	  $(EMBEDDED)/$(1)/obj/port_cortex-m_math.o $(EMBEDDED)/$(1)/libcontact2d.a -lm -lc -lgcc -o $$@
+$(EMBEDDED)/$(1)/$(2).size: $(EMBEDDED)/$(1)/$(2).elf
+	$(ARM_PREFIX)size -A $$< > $$@
+endef
+define arm_bill
+$(foreach c,$(CONFIGURATIONS),$(eval $(call arm_size,$(1),$(c))))
+$(EMBEDDED)/$(1)/whole.dis: $(EMBEDDED)/$(1)/whole.elf $(EMBEDDED)/$(1)/run_deck.elf
+	$(ARM_PREFIX)objdump -d $(EMBEDDED)/$(1)/run_deck.elf $$< > $$@
+	$(ARM_PREFIX)nm $(EMBEDDED)/$(1)/whole.elf > $$(@:.dis=.nm)
+	@echo $(ALL_CALLS) > $$(@D)/calls
+$(EMBEDDED)/$(1)/bill: $(EMBEDDED)/footprint $(CONFIGURATIONS:%=$(EMBEDDED)/$(1)/%.size) $(EMBEDDED)/$(1)/whole.dis \
+  $(EMBEDDED)/$(1)/hertz.csv tests/footprint/indirect.txt
+	@$(EMBEDDED)/footprint $(1) $$(@D) tests/footprint/indirect.txt > $$@.new; status=$$$$?; mv $$@.new $$@; \
+	  [ $$$$status = 0 ] || { cat $$@; rm $$@; exit 1; }
+endef
+$(foreach b,$(BOARDS),$(eval $(call arm_bill,$(b))))
+
+$(EMBEDDED)/footprint: tests/footprint/footprint.cpp tests/footprint/stack.cpp tests/footprint/stack.hpp $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(LDFLAGS) -o $@ $(filter %.cpp,$^)
+.PHONY: footprint
+footprint: $(BOARDS:%=$(EMBEDDED)/%/bill)
+	@cat $^
