@@ -58,7 +58,7 @@ $(EMBEDDED)/desktop.csv: $(PROGRAM) examples/hertz.dat
 	@mkdir -p $(@D)
 	$(PROGRAM) run examples/hertz.dat --no-progress --listing $(@:.csv=.lst) --csv $@ 2>/dev/null
 
-EMBEDDED_TESTED := $(BOARDS:%=$(EMBEDDED)/%/run_deck.elf) $(EMBEDDED)/compare
+EMBEDDED_TESTED = $(BOARDS:%=$(EMBEDDED)/%/run_deck.elf) $(EMBEDDED)/compare $(BILLS) $(EMBEDDED)/workspace
 
 # The sample deck on every board, compared with this machine's run.
 .PHONY: embedded $(BOARDS:%=embedded-%)
@@ -108,9 +108,41 @@ $(EMBEDDED)/$(1)/bill: $(EMBEDDED)/footprint $(CONFIGURATIONS:%=$(EMBEDDED)/$(1)
 endef
 $(foreach b,$(BOARDS),$(eval $(call arm_bill,$(b))))
 
+# This machine, with the same flags; its C library is shared and not counted.
+DESKTOP := $(EMBEDDED)/desktop
+desktop_object = $(DESKTOP)/obj/$(subst /,_,$(basename $(patsubst src/%,%,$(1)))).o
+DESKTOP_OBJECTS := $(foreach s,$(CORE_SOURCES),$(call desktop_object,$(s)))
+define desktop_compile
+$(call desktop_object,$(1)): $(1) port/cortex-m/embedded.mk
+	@mkdir -p $$(@D)
+	$(CXX) $(CPPFLAGS) $(ARM_FLAGS) -Isrc -Iinclude $(DEPS) -c $(1) -o $$@
+endef
+$(foreach s,$(CORE_SOURCES),$(eval $(call desktop_compile,$(s))))
+define desktop_size
+$(DESKTOP)/$(1).size: $(DESKTOP_OBJECTS)
+	$(CXX) -nostdlib -r -Wl,--gc-sections -Wl,-e,c2d_create $(call wanted,$(1)) $$^ -o $$(@:.size=.o)
+	size -A $$(@:.size=.o) > $$@
+endef
+$(foreach c,$(CONFIGURATIONS),$(eval $(call desktop_size,$(c))))
+$(DESKTOP)/bill: $(EMBEDDED)/footprint $(CONFIGURATIONS:%=$(DESKTOP)/%.size) tests/footprint/indirect.txt
+	@echo $(ALL_CALLS) > $(@D)/calls
+	@$(EMBEDDED)/footprint desktop $(@D) tests/footprint/indirect.txt > $@.new; status=$$?; mv $@.new $@; \
+	  [ $$status = 0 ] || { cat $@; rm $@; exit 1; }
+-include $(wildcard $(DESKTOP)/obj/*.d)
+
 $(EMBEDDED)/footprint: tests/footprint/footprint.cpp tests/footprint/stack.cpp tests/footprint/stack.hpp $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(LDFLAGS) -o $@ $(filter %.cpp,$^)
+$(EMBEDDED)/workspace: tests/footprint/workspace.cpp $(LIBRARY)
+	@mkdir -p $(@D)
+	$(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm
+BILLS := $(EMBEDDED)/desktop/bill $(BOARDS:%=$(EMBEDDED)/%/bill)
 .PHONY: footprint
-footprint: $(BOARDS:%=$(EMBEDDED)/%/bill)
-	@cat $^
+footprint: $(BILLS) $(EMBEDDED)/workspace
+	@grep -hv '^|' $(BILLS)
+	@echo
+	@echo '| target | calls | code | constants | static data | stack | workspace | painted |'
+	@echo '| --- | --- | --- | --- | --- | --- | --- | --- |'
+	@grep -h '^|' $(BILLS)
+	@echo
+	@$(EMBEDDED)/workspace

@@ -1,6 +1,6 @@
 // footprint TARGET FOLDER TABLE: the bill of one target as rows of a table (README, "On a microcontroller").
 // FOLDER holds what `make footprint` put there: obj/*.ci (call graphs), <configuration>.size (size -A of an image),
-// whole.dis and whole.nm (of the image with every function), calls (the functions of the header), run.log (what the
+// whole.dis and whole.nm (of the image with every function; not on the desktop, whose libm is apart), calls (the functions of the header), run.log (what the
 // emulator run told; not on the desktop). Ends with 1 if the stack cannot be bounded or painted use exceeds the bound.
 #include "stack.hpp"
 
@@ -51,7 +51,10 @@ Graph read_graph(const std::string& folder, const std::string& table, const std:
   const Indirect indirect = read_table(table, graph.faults);
   for (const auto& entry : fs::directory_iterator(folder + "/obj"))
     if (entry.path().extension() == ".ci") read_call_graph(entry.path().string(), indirect, host, graph);
-  read_disassembly(folder + "/whole.dis", folder + "/whole.nm", graph);
+  if (fs::exists(folder + "/whole.dis"))
+    read_disassembly(folder + "/whole.dis", folder + "/whole.nm", graph);
+  else
+    graph.libraries_apart = true;
   return graph;
 }
 

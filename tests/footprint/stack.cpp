@@ -66,7 +66,8 @@ void read_call_graph(const std::string& file, const Indirect& table, const std::
       const size_t bytes = label.find(" bytes (");
       if (bytes == std::string::npos) continue;
       f.frame = std::max(f.frame, std::stol(label.substr(label.rfind("\\n", bytes) + 2)));
-      if (label.compare(bytes, 15, " bytes (static)") != 0) graph.faults.push_back(f.name + ": dynamic frame");
+      // "dynamic,bounded" frames move the pointer by constants only: the number is their maximum.
+      if (label.compare(bytes, 16, " bytes (dynamic)") == 0) graph.faults.push_back(f.name + ": dynamic frame");
     } else if (line.compare(0, 5, "edge:") == 0) {
       const std::string from = quoted(line, "sourcename:"), to = quoted(line, "targetname:");
       if (to != "__indirect_call") {
@@ -251,7 +252,16 @@ std::vector<std::string> resolve(Walk& walk, const std::string& target) {
       keys.push_back(target);
     else if (alias != walk.graph.alias.end() && walk.graph.function.count(alias->second) != 0)
       keys.push_back(alias->second);
+    for (const char* part : {"C1E", "D1E"}) { // whole constructors and destructors are other names of C2, D2
+      const size_t at = keys.empty() ? target.find(part) : std::string::npos;
+      if (at == std::string::npos) continue;
+      std::string same = target;
+      same[at + 1] = '2';
+      if (walk.graph.function.count(same) != 0) keys.push_back(same);
+    }
   }
+  if (keys.empty() && walk.graph.libraries_apart && target[0] != '=' && target.find("c2d") == std::string::npos)
+    return keys;
   if (keys.empty())
     walk.graph.faults.push_back((walk.path.empty() ? "" : walk.path.back() + " calls ") + target + ": unknown");
   return keys;

@@ -20,6 +20,7 @@ struct Graph {
   std::map<std::string, Function> function; // by the compiler's key: "file:symbol" for local ones
   std::map<std::string, std::string> alias; // symbols of one address: the label that the disassembly shows
   std::vector<std::string> faults;
+  bool libraries_apart = false; // where the C library is the system's: its stack is not counted
 };
 
 // What an indirect call in a source file may reach: names of functions, or the caller's callbacks.
