@@ -56,12 +56,19 @@ $(BUILD)/flags: FORCE
 	@mkdir -p $(BUILD)/obj $(BUILD)/tests
 	@echo '$(subst ','\'',$(FLAGS_NOW))' | cmp -s - $@ || echo '$(subst ','\'',$(FLAGS_NOW))' > $@
 
+# The loops of the dense kernels ask for fused additions, and for the instruction set they are named after: which
+# of them runs is decided by the processor. src/linalg/kernel.hpp.
+ifneq ($(findstring x86_64,$(shell $(CXX) -dumpmachine 2>/dev/null)),)
+KERNEL_kernel_avx2 := -mavx2 -mfma
+KERNEL_kernel_avx512 := -mavx512f -mfma
+endif
+kernel_flags = $(if $(findstring /linalg/kernel_,$(1)),-ffp-contract=fast $(KERNEL_$(basename $(notdir $(1)))))
 define compile
 $(call object,$(1)): $(1) $(BUILD)/flags Makefile
 	$(if $(filter %.c,$(1)),$(CC) $(CPPFLAGS) $(INCLUDES) -std=c99 -Wall -Wextra -Wpedantic $(CFLAGS) -fPIC,\
 	  $(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(EXACT) $(2)) $(DEPS) -c $(1) -o $$@
 endef
-$(foreach s,$(CORE_SOURCES) $(PORT_SOURCES),$(eval $(call compile,$(s),$(CORE_ONLY))))
+$(foreach s,$(CORE_SOURCES) $(PORT_SOURCES),$(eval $(call compile,$(s),$(CORE_ONLY) $(call kernel_flags,$(s)))))
 $(foreach s,$(REPORT_SOURCES) $(PROGRAM_SOURCES),$(eval $(call compile,$(s),)))
 
 $(LIBRARY): $(CORE_OBJECTS) $(PORT_OBJECTS) src/sources.mk
