@@ -1,6 +1,6 @@
 #include "bie/transfer.hpp"
 
-#include "bie/holes.hpp"
+#include "bie/panel.hpp"
 #include "bie/shape.hpp"
 #include "model/symmetry.hpp"
 
@@ -149,7 +149,7 @@ void send(const Model& m, const Columns& panel, const Transfer& t, const double 
 void add_to_hole(const ColumnSystem& system, const Hole& hole, const Columns& panel, const Transfer& t) {
   const Model& m = system.model;
   HoleRow row;
-  hole_row(m, hole, t.in, false, true, row);
+  hole_row(m, hole, t.in, false, true, system.scratch->hole_field, row);
   visit_hole(system, hole, [&](int32_t node, const double n[2]) {
     for (int i = 0; i < 2; ++i)
       for (int c = 0; c < 2; ++c) {

@@ -140,7 +140,7 @@ void take_particular(Adjoint& a, int32_t element, const Blocks& blocks, const do
 }
 
 // factor[i] times what an element's tractions and displacements do to the displacement at (x, y) in the length unit.
-void add_element_at(Adjoint& a, int32_t element, Measure measure, const double at[2], const double factor[2]) {
+[[gnu::noinline]] void add_element_at(Adjoint& a, int32_t element, Measure measure, const double at[2], const double factor[2]) {
   const Model& m = a.model();
   Integrator integrator;
   make_integrator(m, a.b, element, Quadrature::accurate, measure, integrator);
@@ -183,7 +183,7 @@ void add_point_fields(Adjoint& a, const double at[2], const double factor[2]) {
 }
 
 // The tractions that free zones hand over to body 1.
-void add_transferred_at(Adjoint& a, const double at[2], const double factor[2]) {
+[[gnu::noinline]] void add_transferred_at(Adjoint& a, const double at[2], const double factor[2]) {
   const Model& m = a.model();
   const double scale = -m.head->stress_unit / (2.0 * shear_modulus(m, 0));
   TransferWalk walk{};
@@ -225,7 +225,7 @@ void add_image_at(Adjoint& a, int image, const double point[2], const double for
 }
 
 // Its force times the displacement there, from the boundary integrals (the interior form of the equations).
-void add_point_load(Adjoint& a, const PointLoad& load) {
+[[gnu::noinline]] void add_point_load(Adjoint& a, const PointLoad& load) {
   const Model& m = a.model();
   const Body& body = m.head->body[a.b];
   const double unit = m.head->length_unit;
@@ -246,7 +246,7 @@ void add_point_load(Adjoint& a, const PointLoad& load) {
 // ---- body forces --------------------------------------------------------------------------------------------------
 
 // t.u_p - t_p.u along one element, u_p and t_p those of case k.
-void add_particular(Adjoint& a, int32_t element, int32_t k) {
+[[gnu::noinline]] void add_particular(Adjoint& a, int32_t element, int32_t k) {
   const Model& m = a.model();
   const int nf = m.head->function_nodes;
   const double unit = m.head->length_unit, stress = m.head->stress_unit;
@@ -276,7 +276,7 @@ void add_particular(Adjoint& a, int32_t element, int32_t k) {
     }
 }
 
-void add_body_force(Adjoint& a, int32_t k) {
+[[gnu::noinline]] void add_body_force(Adjoint& a, int32_t k) {
   const Model& m = a.model();
   if (!is_loaded(body_force(m, a.b, k))) return;
   const double unit = m.head->stress_unit * m.head->length_unit * m.head->length_unit;
@@ -307,6 +307,8 @@ void add_overlaps(const Model& m, double* tau) {
   for (int32_t i = 0; i < m.head->pairs; ++i)
     tau[m.pair[i].dof] += m.pair[i].weight * m.pair[i].overlap / m.head->length_unit;
 }
+
+// (What is not inlined above keeps large frames out of the way of deeper ones.)
 
 // ---- one functional -------------------------------------------------------------------------------------------------
 

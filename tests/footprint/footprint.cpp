@@ -1,7 +1,7 @@
 // footprint TARGET FOLDER TABLE: the bill of one target as rows of a table (README, "On a microcontroller").
 // FOLDER holds what `make footprint` put there: obj/*.ci (call graphs), <configuration>.size (size -A of an image),
 // whole.dis and whole.nm (of the image with every function; not on the desktop, whose libm is apart), calls (the functions of the header), run.log (what the
-// emulator run told; not on the desktop). Ends with 1 if the stack cannot be bounded or painted use exceeds the bound.
+// emulator run told; not on the desktop). Every call's deepest chain goes to FOLDER/stacks. Ends with 1 if the stack cannot be bounded or painted use exceeds the bound.
 #include "stack.hpp"
 
 #include <algorithm>
@@ -81,8 +81,12 @@ int main(int count, char** argument) {
   Worst worst;
   std::vector<std::pair<long, std::string>> calls;
   std::ifstream names(folder + "/calls");
+  std::ofstream chains(folder + "/stacks");
   for (std::string name; names >> name;) {
     const Worst here = worst_stack(graph, name);
+    chains << here.bytes;
+    for (const std::string& step : here.chain) chains << ' ' << step;
+    chains << '\n';
     calls.emplace_back(here.bytes, name);
     if (here.bytes > worst.bytes) worst = here;
   }

@@ -67,7 +67,7 @@ void read_call_graph(const std::string& file, const Indirect& table, const std::
       if (bytes == std::string::npos) continue;
       f.frame = std::max(f.frame, std::stol(label.substr(label.rfind("\\n", bytes) + 2)));
       // "dynamic,bounded" frames move the pointer by constants only: the number is their maximum.
-      if (label.compare(bytes, 16, " bytes (dynamic)") == 0) graph.faults.push_back(f.name + ": dynamic frame");
+      if (label.compare(bytes, 16, " bytes (dynamic)") == 0) f.faults.insert(f.name + ": dynamic frame");
     } else if (line.compare(0, 5, "edge:") == 0) {
       const std::string from = quoted(line, "sourcename:"), to = quoted(line, "targetname:");
       if (to != "__indirect_call") {
@@ -81,7 +81,7 @@ void read_call_graph(const std::string& file, const Indirect& table, const std::
       if (table.host.count(source) != 0)
         for (const std::string& target : host) graph.function[from].calls.insert("=" + target);
       if (known == table.targets.end() && table.host.count(source) == 0)
-        graph.faults.push_back(place + ": indirect call that the table does not know");
+        graph.function[from].faults.insert(place + ": indirect call that the table does not know");
     }
   }
 }
@@ -125,7 +125,7 @@ void take_instruction(const std::string& op, const std::string& rest, const std:
              rest.find("]!") != std::string::npos) {
     f.frame += number_after(rest, "[sp, #-");
   }
-  if (op.compare(0, 3, "nop") == 0) {
+  if (op.compare(0, 3, "nop") == 0 || (op == "movs" && rest == "r0, r0")) {
     goes_on = went_on; // padding
     return;
   }
@@ -175,7 +175,7 @@ void join_labels(std::map<std::string, Function>& all, std::map<std::string, std
   std::map<std::string, Function> joined;
   for (const auto& entry : all) {
     Function& f = joined[owner[entry.first]];
-    if (f.frame == -1) f = Function{owner[entry.first], 0, {}, {}};
+    if (f.frame == -1) f = Function{owner[entry.first], 0, {}, {}, {}};
     f.frame = f.frame < 0 || entry.second.frame < 0 ? -2 : f.frame + entry.second.frame;
     for (const std::string& call : entry.second.calls) f.calls.insert(owner.count(call) ? owner[call] : call);
     for (const std::string& jump : entry.second.jumps)
@@ -203,7 +203,7 @@ void read_disassembly(const std::string& file, const std::string& nm, Graph& gra
       if (goes_on && !own.empty()) found[own].jumps.insert(next); // falls through
       own = next;
       label[std::stoul(line, nullptr, 16)] = own;
-      found[own] = Function{own, 0, {}, {}};
+      found[own] = Function{own, 0, {}, {}, {}};
       goes_on = true;
       continue;
     }
@@ -277,6 +277,7 @@ const Worst& visit(Walk& walk, const std::string& key) {
   }
   walk.path.push_back(key);
   const Function f = walk.graph.function[key];
+  for (const std::string& fault : f.faults) walk.graph.faults.push_back(fault);
   if (f.frame < 0) walk.graph.faults.push_back(f.name + " (" + key + "): frame not known");
   Worst worst;
   for (const std::string& call : f.calls)

@@ -13,6 +13,7 @@ struct Function {
   std::string name;            // as a reader knows it
   long frame = -1;             // bytes; -1: not known
   std::set<std::string> calls; // keys of other functions
+  std::set<std::string> faults; // told when it is reached
   std::set<std::string> jumps; // labels of a library's assembler that it goes on at; empty once read
 };
 
