@@ -61,8 +61,15 @@ $(EMBEDDED)/desktop.csv: $(PROGRAM) examples/hertz.dat
 EMBEDDED_TESTED = $(BOARDS:%=$(EMBEDDED)/%/run_deck.elf) $(EMBEDDED)/compare $(BILLS) $(EMBEDDED)/workspace
 
 # The sample deck on every board, compared with this machine's run.
-.PHONY: embedded $(BOARDS:%=embedded-%)
-embedded: $(BOARDS:%=embedded-%)
+.PHONY: embedded embedded-float $(BOARDS:%=embedded-%)
+embedded: $(BOARDS:%=embedded-%) embedded-float
+# Matrices in single precision on this machine.
+embedded-float: $(EMBEDDED)/desktop.csv $(EMBEDDED)/compare
+	@$(MAKE) -s BUILD=$(EMBEDDED)/float CPPFLAGS='$(CPPFLAGS) -DC2D_REAL=float -DC2D_REAL_BYTES=4' $(EMBEDDED)/float/contact2d
+	@$(EMBEDDED)/float/contact2d run examples/hertz.dat --no-progress --listing $(EMBEDDED)/float/hertz.lst \
+	  --csv $(EMBEDDED)/float/hertz.csv 2>$(EMBEDDED)/float/run.log || { cat $(EMBEDDED)/float/run.log; exit 1; }
+	@echo 'embedded: this machine, C2D_REAL=float'
+	@$(EMBEDDED)/compare $(EMBEDDED)/desktop.csv $(EMBEDDED)/float/hertz.csv $(agree_m4f)
 $(BOARDS:%=embedded-%): embedded-%: $(EMBEDDED)/%/hertz.csv $(EMBEDDED)/desktop.csv $(EMBEDDED)/compare
 	@echo 'embedded: $* ($(board_$*))'
 	@$(EMBEDDED)/compare $(EMBEDDED)/desktop.csv $< $(agree_$*)

@@ -165,7 +165,7 @@ void note_scratch(c2d_solver* s, uint64_t area, int64_t used) {
   if (bytes > s->peak_bytes) s->peak_bytes = bytes;
 }
 
-c2d_status eliminate_body(c2d_solver* s, const Model& m, const PhaseSizes& sizes, int b) {
+[[gnu::noinline]] c2d_status eliminate_body(c2d_solver* s, const Model& m, const PhaseSizes& sizes, int b) {
   EliminationArea area;
   const uint64_t bytes = elimination_area(sizes, b, s->plan[b], array_of<char>(s, kPhase), &area);
   const Quadrature quadrature =
@@ -201,7 +201,7 @@ c2d_status tick(void* context) {
   return asked_to_stop(s) ? C2D_ERR_CANCELLED : C2D_OK;
 }
 
-c2d_status reduce_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes) {
+[[gnu::noinline]] c2d_status reduce_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes) {
   if (m.head->contact == 0) return C2D_OK;
   ReductionArea area;
   const uint64_t bytes = reduction_area(sizes, array_of<char>(s, kPhase), &area);
@@ -246,7 +246,7 @@ c2d_status run_phases(c2d_solver* s, const Model& m) {
 
 } // namespace
 
-[[gnu::noinline]] void warn_condition(c2d_solver* s) {
+void warn_condition(c2d_solver* s) {
   s->condition = s->smallest_pivot > 0.0 ? s->largest_pivot / s->smallest_pivot : 0.0;
   if (!(s->condition > 1e11)) return;
   c2d_error e = blank_error();
