@@ -1,4 +1,5 @@
-# contact2d. Targets: all (default) demo test bench convergence install uninstall list relist format clean.
+# contact2d. Targets: all (default) demo chapter9 test bench convergence install uninstall list relist symbols
+#   format clean.
 # Variables: CXX CC AR CXXFLAGS CFLAGS CPPFLAGS LDFLAGS BUILD PREFIX DESTDIR LIBDIR DOCTEST_INCLUDE NO_INSTALL.
 # What is compiled stands in src/sources.mk, which CMakeLists.txt reads too.
 include src/sources.mk
@@ -38,6 +39,9 @@ REPORT_OBJECTS  := $(call objects,$(REPORT_SOURCES))
 PROGRAM_OBJECTS := $(call objects,$(PROGRAM_SOURCES))
 FAMILY_OBJECTS  := $(filter $(BUILD)/obj/program_families_%,$(PROGRAM_OBJECTS))
 TEST_SOURCES    := $(wildcard tests/*.cpp)
+CHAPTER9_SOURCES := $(wildcard examples/chapter9/*.cpp)
+CHAPTER9_OBJECTS := $(call objects,$(CHAPTER9_SOURCES))
+STUDY_OBJECT     := $(call object,examples/chapter9/study.cpp)
 TEST_OBJECTS    := $(patsubst tests/%.cpp,$(BUILD)/tests/%.o,$(TEST_SOURCES))
 
 LIBRARY := $(BUILD)/libcontact2d.a
@@ -46,7 +50,7 @@ PROGRAM := $(BUILD)/contact2d
 TESTS   := $(BUILD)/tests/run_tests
 
 .DELETE_ON_ERROR:
-.PHONY: all demo test bench convergence install uninstall list relist format clean FORCE
+.PHONY: all demo chapter9 test bench convergence install uninstall list relist symbols format clean FORCE
 all: $(LIBRARY) $(PROGRAM)
 
 # ---------------------------------------------------------------- objects
@@ -69,18 +73,19 @@ $(call object,$(1)): $(1) $(BUILD)/flags Makefile
 	  $(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(EXACT) $(2)) $(DEPS) -c $(1) -o $$@
 endef
 $(foreach s,$(CORE_SOURCES) $(PORT_SOURCES),$(eval $(call compile,$(s),$(CORE_ONLY) $(call kernel_flags,$(s)))))
-$(foreach s,$(REPORT_SOURCES) $(PROGRAM_SOURCES),$(eval $(call compile,$(s),)))
+$(foreach s,$(REPORT_SOURCES) $(PROGRAM_SOURCES) $(CHAPTER9_SOURCES),$(eval $(call compile,$(s),)))
 
 $(LIBRARY): $(CORE_OBJECTS) $(PORT_OBJECTS) src/sources.mk
 	rm -f $@
 	$(AR) rcs $@ $(CORE_OBJECTS) $(PORT_OBJECTS)
 
-# Only the names of the interface leave the shared library.
-$(BUILD)/exports: Makefile | $(BUILD)/flags
-	echo '{ global: c2d_*; local: *; };' > $@
-$(SHARED): $(CORE_OBJECTS) $(PORT_OBJECTS) $(BUILD)/exports
-	$(CC) -shared $(LDFLAGS) -Wl,-soname,libcontact2d.so.$(SOVERSION) -Wl,--version-script,$(BUILD)/exports \
+# Linked as C: nothing of the C++ run-time is needed. Only the names of the interface leave it; a list of them is kept.
+EXPORTS := port/packaging/contact2d.map
+$(SHARED): $(CORE_OBJECTS) $(PORT_OBJECTS) $(EXPORTS)
+	$(CC) -shared $(LDFLAGS) -Wl,-soname,libcontact2d.so.$(SOVERSION) -Wl,--version-script,$(EXPORTS) \
 	  -o $@ $(CORE_OBJECTS) $(PORT_OBJECTS) -lm
+symbols: $(SHARED)
+	sh port/packaging/symbols.sh $(SHARED) port/packaging/contact2d.symbols $(VERSION)
 
 # With the C++ run-time inside, where there is a static one: a run of 5 ms would spend a tenth on loading it.
 $(PROGRAM): $(PROGRAM_OBJECTS) $(REPORT_OBJECTS) $(LIBRARY)
@@ -93,17 +98,20 @@ include port/cortex-m/embedded.mk
 # ---------------------------------------------------------------- tests
 TEST_DEFINES = -DC2D_TEST_ROOT='"$(CURDIR)"' -DC2D_TEST_BUILD='"$(abspath $(BUILD))"' -DC2D_TEST_CC='"$(CC)"' \
   -DC2D_TEST_CXX='"$(CXX)"' -DC2D_TEST_LIBRARY='"$(abspath $(LIBRARY))"' \
-  -DC2D_TEST_CORE='"$(abspath $(LIBRARY))"' -DC2D_TEST_PROGRAM='"$(abspath $(PROGRAM))"'
+  -DC2D_TEST_CORE='"$(abspath $(LIBRARY))"' -DC2D_TEST_PROGRAM='"$(abspath $(PROGRAM))"' \
+  -DC2D_TEST_SHARED='"$(abspath $(SHARED))"' \
+  -DC2D_TEST_CHAPTER9='"$(abspath $(BUILD))/obj/chapter9"'
 
 $(BUILD)/tests/doctest: tests/doctest.sh | $(BUILD)/flags
 	CXX='$(CXX)' DOCTEST_INCLUDE='$(DOCTEST_INCLUDE)' NO_INSTALL='$(NO_INSTALL)' sh tests/doctest.sh $@
 $(BUILD)/tests/%.o: tests/%.cpp $(BUILD)/flags $(BUILD)/tests/doctest Makefile
 	$(CXX) $(CPPFLAGS) $(COMMON) $$(cat $(BUILD)/tests/doctest) $(CXXFLAGS) -O1 $(EXACT) $(TEST_DEFINES) $(DEPS) \
 	  -c $< -o $@
-$(TESTS): $(TEST_OBJECTS) $(REPORT_OBJECTS) $(FAMILY_OBJECTS) $(LIBRARY)
-	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $(TEST_OBJECTS) $(REPORT_OBJECTS) $(FAMILY_OBJECTS) $(LIBRARY) -lm -pthread
+$(TESTS): $(TEST_OBJECTS) $(STUDY_OBJECT) $(REPORT_OBJECTS) $(FAMILY_OBJECTS) $(LIBRARY)
+	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $(TEST_OBJECTS) $(STUDY_OBJECT) $(REPORT_OBJECTS) $(FAMILY_OBJECTS) $(LIBRARY) \
+	  -lm -pthread
 # C2D_ALL_HOSTS=1: also what needs other compilers and an emulator.
-test: $(if $(C2D_ALL_HOSTS),$(EMBEDDED_TESTED)) $(TESTS) $(PROGRAM) $(LIBRARY) $(SHARED)
+test: $(if $(C2D_ALL_HOSTS),$(EMBEDDED_TESTED)) $(TESTS) $(PROGRAM) $(LIBRARY) $(SHARED) $(BUILD)/obj/chapter9
 	@sh tests/run_shards.sh $(TESTS) $(JOBS)
 
 # ---------------------------------------------------------------- for the user
@@ -113,6 +121,14 @@ demo: $(PROGRAM)
 	  --boundary $(BUILD)/demo/hertz_boundary.csv --json $(BUILD)/demo/hertz.json --report $(BUILD)/demo/report.html
 	@echo 'Results: $(BUILD)/demo/hertz.lst (listing), hertz.csv, hertz_boundary.csv, hertz.json;'
 	@echo 'pictures: $(BUILD)/demo/report.html (open it with a browser)'
+
+# Chapter 9 of the dissertation: figures 36 to 41, as increments give them and as events do.
+$(BUILD)/obj/chapter9: $(CHAPTER9_OBJECTS) $(REPORT_OBJECTS) $(FAMILY_OBJECTS) $(LIBRARY)
+	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm
+chapter9: $(BUILD)/obj/chapter9
+	@mkdir -p $(BUILD)/chapter9
+	@$(BUILD)/obj/chapter9 $(BUILD)/chapter9
+	@echo 'Figures 36 to 41: $(BUILD)/chapter9/chapter9.svg; numbers: curves.csv; a deck per curve: *.dat'
 
 # Speed, as a table: make bench SAVE=file keeps it, BASE=file compares with one that was kept.
 BENCH_OBJECTS := $(patsubst tests/bench/%.cpp,$(BUILD)/bench/%.o,$(wildcard tests/bench/*.cpp))
@@ -165,7 +181,7 @@ format:
 	clang-format -i $(wildcard src/*/*.[ch]pp port/*/*.[ch]* tests/*.[ch]pp)
 
 # ---------------------------------------------------------------- install
-PORT_HEADERS := $(wildcard port/*/c2d_*.h)
+PORT_HEADERS := $(wildcard port/*/c2d_*.h) port/fortran/contact2d.f90
 CMAKEDIR := $(LIBDIR)/cmake/contact2d
 INSTALLED := $(BINDIR)/contact2d $(LIBDIR)/libcontact2d.a $(LIBDIR)/libcontact2d.so.$(VERSION) \
   $(LIBDIR)/libcontact2d.so.$(SOVERSION) $(LIBDIR)/libcontact2d.so $(INCLUDEDIR)/contact2d.h \
@@ -191,8 +207,9 @@ uninstall:
 	-rmdir $(DESTDIR)$(CMAKEDIR) 2>/dev/null || true
 
 clean:
-	rm -rf $(BUILD)/obj $(BUILD)/tests $(BUILD)/demo $(BUILD)/bench $(BUILD)/convergence $(BUILD)/embedded
-	rm -f $(LIBRARY) $(BUILD)/libcontact2d.so.* $(PROGRAM) $(BUILD)/flags $(BUILD)/exports
+	rm -rf $(BUILD)/obj $(BUILD)/tests $(BUILD)/demo $(BUILD)/bench $(BUILD)/convergence $(BUILD)/chapter9 \
+	  $(BUILD)/embedded
+	rm -f $(LIBRARY) $(BUILD)/libcontact2d.so.* $(PROGRAM) $(BUILD)/flags
 	-rmdir $(BUILD) 2>/dev/null || true
 
 -include $(wildcard $(BUILD)/obj/*.d $(BUILD)/tests/*.d $(BUILD)/bench/*.d $(BUILD)/convergence/*.d)

@@ -3,6 +3,7 @@
 #include "bie/holes.hpp"
 #include "bie/interior.hpp"
 #include "bie/targets.hpp"
+#include "bie/transfer.hpp"
 
 namespace c2d {
 
@@ -63,6 +64,7 @@ struct AssemblyScratch {
   Deposits deposits;
   HoleRow hole_row;
   FieldElement hole_field;
+  Transfer transfer;
 };
 constexpr uint64_t kAssemblyBytes = C2D_ASSEMBLY_BYTES;
 static_assert(sizeof(AssemblyScratch) <= kAssemblyBytes, "C2D_ASSEMBLY_BYTES of contact2d.h bounds it on any target");

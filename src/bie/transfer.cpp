@@ -200,7 +200,7 @@ void fill_transfer(const ColumnSystem& system, int32_t first, int32_t count, Rea
   const int32_t from = outer_columns(m, 0) + m.head->contact;
   if (first + count <= from || first >= from + m.head->contact) return;
   TransferWalk walk{};
-  Transfer transfer;
+  Transfer& transfer = system.scratch->transfer;
   while (next_transfer(m, system.quadrature, walk, transfer)) add_piece(system, panel, transfer);
   HoleWalk holes{};
   Hole hole;
