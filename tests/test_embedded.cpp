@@ -185,7 +185,8 @@ TEST_CASE("embedded: the README's bill is what make footprint prints, and stacks
       REQUIRE(told != readme.end());
       for (size_t i = 2; i < 8; ++i) {
         const double now = std::atof(row.second[i].c_str()), then = std::atof(told->second[i].c_str());
-        CHECK_MESSAGE(std::fabs(now - then) <= 0.03 * now, "column " << i << ": " << now << ", the README says " << then);
+        CHECK_MESSAGE(std::fabs(now - then) <= 0.03 * now,
+                      "column " << i << ": " << now << ", the README says " << then);
       }
       if (std::string(target) != "desktop") {
         CHECK(std::atol(row.second[5].c_str()) <= kStackOfAnyCall);
@@ -201,9 +202,11 @@ TEST_CASE("embedded: what is not called is not linked") {
     const Result points = run_shell("arm-none-eabi-nm -C '" + kFolder + board.name + "/no-points.elf'"),
                  deck = run_shell("arm-none-eabi-nm -C '" + kFolder + board.name + "/no-deck.elf'"),
                  whole = run_shell("arm-none-eabi-nm -C '" + kFolder + board.name + "/whole.elf'");
-    for (const char* name : {"c2d_interior", "c2d::read_deck_cards", "c2d::read_nodes"}) CHECK(contains(whole.out, name));
+    for (const char* name : {"c2d_interior", "c2d::read_deck_cards", "c2d::read_nodes"})
+      CHECK(contains(whole.out, name));
     CHECK_FALSE(contains(points.out, "c2d_interior"));
-    for (const char* name : {"c2d_read_deck", "c2d::read_deck_cards", "c2d::read_nodes", "c2d::read_extensions"})
+    for (const char* name :
+         {"c2d_read_deck", "c2d::read_deck_cards", "c2d::read_nodes", "c2d::read_extensions"})
       CHECK_FALSE(contains(deck.out, name));
   }
 }

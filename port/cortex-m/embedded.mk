@@ -97,10 +97,10 @@ wanted = $(foreach c,$(calls_$(1)),-Wl,-u,$(c))
 # $(1) board, $(2) configuration
 define arm_size
 $(EMBEDDED)/$(1)/$(2).elf: $(EMBEDDED)/$(1)/libcontact2d.a $(EMBEDDED)/$(1)/obj/port_cortex-m_math.o port/cortex-m/sizes.ld
-	$(ARM_PREFIX)g++ $(cpu_$(1)) -nostdlib -Wl,--gc-sections -Wl,-e,c2d_create $(call wanted,$(2)) -T port/cortex-m/sizes.ld \
+	@$(ARM_PREFIX)g++ $(cpu_$(1)) -nostdlib -Wl,--gc-sections -Wl,-e,c2d_create $(call wanted,$(2)) -T port/cortex-m/sizes.ld \
 	  $(EMBEDDED)/$(1)/obj/port_cortex-m_math.o $(EMBEDDED)/$(1)/libcontact2d.a -lm -lc -lgcc -o $$@
 $(EMBEDDED)/$(1)/$(2).size: $(EMBEDDED)/$(1)/$(2).elf
-	$(ARM_PREFIX)size -A $$< > $$@
+	@$(ARM_PREFIX)size -A $$< > $$@
 endef
 define arm_bill
 $(foreach c,$(CONFIGURATIONS),$(eval $(call arm_size,$(1),$(c))))
@@ -127,8 +127,8 @@ endef
 $(foreach s,$(CORE_SOURCES),$(eval $(call desktop_compile,$(s))))
 define desktop_size
 $(DESKTOP)/$(1).size: $(DESKTOP_OBJECTS)
-	$(CXX) -nostdlib -r -Wl,--gc-sections -Wl,-e,c2d_create $(call wanted,$(1)) $$^ -o $$(@:.size=.o)
-	size -A $$(@:.size=.o) > $$@
+	@$(CXX) -nostdlib -r -Wl,--gc-sections -Wl,-e,c2d_create $(call wanted,$(1)) $$^ -o $$(@:.size=.o)
+	@size -A $$(@:.size=.o) > $$@
 endef
 $(foreach c,$(CONFIGURATIONS),$(eval $(call desktop_size,$(c))))
 $(DESKTOP)/bill: $(EMBEDDED)/footprint $(CONFIGURATIONS:%=$(DESKTOP)/%.size) tests/footprint/indirect.txt
@@ -143,12 +143,19 @@ $(EMBEDDED)/footprint: tests/footprint/footprint.cpp tests/footprint/stack.cpp t
 $(EMBEDDED)/workspace: tests/footprint/workspace.cpp $(LIBRARY)
 	@mkdir -p $(@D)
 	$(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm
+BILL_HEAD := | target | calls | code | constants | static data | stack | workspace | painted |
 BILLS := $(EMBEDDED)/desktop/bill $(BOARDS:%=$(EMBEDDED)/%/bill)
-.PHONY: footprint
+.PHONY: footprint footprint-readme
+# The rows of the README's table, anew.
+footprint-readme: $(BILLS)
+	@{ echo; echo '$(BILL_HEAD)'; echo '| --- | --- | --- | --- | --- | --- | --- | --- |'; grep -h '^|' $(BILLS); } > $(EMBEDDED)/rows
+	@awk '/^<!-- make footprint-readme/ { print; while ((getline row < "$(EMBEDDED)/rows") > 0) print row; skip = 1 } \
+	  /^<!-- end -->/ { skip = 0 } !skip && !/^<!-- make footprint-readme/ { print }' README.md > $(EMBEDDED)/README.new
+	@cat $(EMBEDDED)/README.new > README.md
 footprint: $(BILLS) $(EMBEDDED)/workspace
 	@grep -hv '^|' $(BILLS)
 	@echo
-	@echo '| target | calls | code | constants | static data | stack | workspace | painted |'
+	@echo '$(BILL_HEAD)'
 	@echo '| --- | --- | --- | --- | --- | --- | --- | --- |'
 	@grep -h '^|' $(BILLS)
 	@echo

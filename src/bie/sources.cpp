@@ -59,7 +59,8 @@ void pay_hole(const ColumnSystem& system, const Hole& hole, bool want_h, bool wa
 
 } // namespace
 
-void pay_sources(const ColumnSystem& system, const Hole* hole, const int32_t node[4], bool want_h, bool want_g) {
+void pay_sources(const ColumnSystem& system, const Hole* hole, const int32_t node[4], bool want_h,
+                 bool want_g) {
   if (hole) return pay_hole(system, *hole, want_h, want_g);
   const Integrator& integrator = system.scratch->integrator;
   const Deposits& deposits = system.scratch->deposits;
@@ -85,7 +86,8 @@ void pay_sources(const ColumnSystem& system, const Hole* hole, const int32_t nod
 void fill_diagonal(const ColumnSystem& system, int32_t first_node, int32_t count) {
   const Model& m = system.model;
   const int b = system.body;
-  for (int64_t i = 4 * static_cast<int64_t>(first_node); i < 4 * static_cast<int64_t>(first_node + count); ++i)
+  for (int64_t i = 4 * static_cast<int64_t>(first_node); i < 4 * static_cast<int64_t>(first_node + count);
+       ++i)
     system.diagonal[i] = 0.0;
   for (int32_t element = 0; element < m.head->body[b].elements; ++element) {
     if (!is_integrated(m, b, element)) continue;

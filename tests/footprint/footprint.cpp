@@ -1,7 +1,9 @@
 // footprint TARGET FOLDER TABLE: the bill of one target as rows of a table (README, "On a microcontroller").
-// FOLDER holds what `make footprint` put there: obj/*.ci (call graphs), <configuration>.size (size -A of an image),
-// whole.dis and whole.nm (of the image with every function; not on the desktop, whose libm is apart), calls (the functions of the header), run.log (what the
-// emulator run told; not on the desktop). Every call's deepest chain goes to FOLDER/stacks. Ends with 1 if the stack cannot be bounded or painted use exceeds the bound.
+// FOLDER holds what `make footprint` put there: obj/*.ci (call graphs), <configuration>.size (size -A of an
+// image), whole.dis and whole.nm (of the image with every function; not on the desktop, whose libm is apart),
+// calls (the functions of the header), run.log (what the emulator run told; not on the desktop). Every call's
+// deepest chain goes to FOLDER/stacks. Ends with 1 if the stack cannot be bounded or painted use exceeds the
+// bound.
 #include "stack.hpp"
 
 #include <algorithm>
@@ -31,9 +33,12 @@ Sizes read_sizes(const std::string& file) {
     long bytes;
     if (!(words >> section >> bytes)) continue;
     const auto begins = [&](const char* with) { return section.compare(0, std::strlen(with), with) == 0; };
-    if (begins(".text")) out.code += bytes;
-    else if (begins(".rodata") || begins(".data.rel.ro")) out.constants += bytes;
-    else if (begins(".data") || begins(".bss")) out.data += bytes;
+    if (begins(".text"))
+      out.code += bytes;
+    else if (begins(".rodata") || begins(".data.rel.ro"))
+      out.constants += bytes;
+    else if (begins(".data") || begins(".bss"))
+      out.data += bytes;
   }
   return out;
 }
@@ -101,10 +106,11 @@ int main(int count, char** argument) {
   const std::string log = folder + "/run.log";
   const long painted = number_in(log, "painted over ");
   if (fs::exists(log)) {
-    Graph image = read_graph(folder, table,
-                             {"port/cortex-m/:open_tape", "port/cortex-m/:read_block", "port/cortex-m/:write_block",
-                              "port/cortex-m/:sync_tape", "port/cortex-m/:close_tape", "port/cortex-m/:print_step",
-                              "port/cortex-m/:tell", "c2d_semihosting_next_card"});
+    Graph image =
+        read_graph(folder, table,
+                   {"port/cortex-m/:open_tape", "port/cortex-m/:read_block", "port/cortex-m/:write_block",
+                    "port/cortex-m/:sync_tape", "port/cortex-m/:close_tape", "port/cortex-m/:print_step",
+                    "port/cortex-m/:tell", "c2d_semihosting_next_card"});
     const Worst whole = worst_stack(image, "c2d_reset");
     good = tell_faults(image) && good;
     show_chain("sample with its callbacks", whole);
@@ -117,10 +123,12 @@ int main(int count, char** argument) {
   const long workspace = number_in(log, "workspace ");
   for (const char* configuration : {"whole", "no-deck", "no-points", "solver", "solver-deck"}) {
     const Sizes sizes = read_sizes(folder + "/" + configuration + ".size");
-    std::printf("| %s | %s | %ld | %ld | %ld | %ld |", target.c_str(), configuration, sizes.code, sizes.constants,
-                sizes.data, worst.bytes);
-    if (workspace >= 0) std::printf(" %ld | %ld |\n", workspace, painted);
-    else std::printf(" | |\n");
+    std::printf("| %s | %s | %ld | %ld | %ld | %ld |", target.c_str(), configuration, sizes.code,
+                sizes.constants, sizes.data, worst.bytes);
+    if (workspace >= 0)
+      std::printf(" %ld | %ld |\n", workspace, painted);
+    else
+      std::printf(" | |\n");
   }
   return good ? 0 : 1;
 }

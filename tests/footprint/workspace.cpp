@@ -1,5 +1,5 @@
-// Workspace as a table and a formula: two bodies of N linear elements each, p pairs, panels of w columns (numbers of 8
-// bytes). Ends with 1 if the formula is more than 2 % off anywhere.
+// Workspace as a table and a formula: two bodies of N linear elements each, p pairs, panels of w columns
+// (numbers of 8 bytes). Ends with 1 if the formula is more than 2 % off anywhere.
 #include "contact2d.h"
 
 #include <algorithm>
@@ -27,8 +27,8 @@ uint64_t need(int nodes, int pairs, int width) {
 }
 
 double formula(double N, double p, double w) {
-  const double eliminate = 3776 + 240 * N + 393 * p + 8 * (2 * N + 9) * w, follow = 292 * N + 562 * p + 32 * p * p,
-               reduce = 164 * N + 454 * p + 64 * p * p;
+  const double eliminate = 3776 + 240 * N + 393 * p + 8 * (2 * N + 9) * w,
+               follow = 292 * N + 562 * p + 32 * p * p, reduce = 164 * N + 454 * p + 64 * p * p;
   return 3900 + std::max(eliminate, std::max(follow, reduce));
 }
 
@@ -36,8 +36,10 @@ double formula(double N, double p, double w) {
 
 int main() {
   const int widths[] = {1, 8, 32};
-  std::printf("workspace, two bodies of N linear elements, p pairs, panels of w columns, one load case, double precision:\n"
-              "  3900 + max(3776 + 240 N + 393 p + 8 (2 N + 9) w, 292 N + 562 p + 32 p^2, 164 N + 454 p + 64 p^2) bytes\n"
+  std::printf("workspace, two bodies of N linear elements, p pairs, panels of w columns, one load case, "
+              "double precision:\n"
+              "  3900 + max(3776 + 240 N + 393 p + 8 (2 N + 9) w, 292 N + 562 p + 32 p^2, 164 N + 454 p + 64 "
+              "p^2) bytes\n"
               "| p | N | w = 1 | w = 8 | w = 32 |\n| --- | --- | --- | --- | --- |\n");
   double worst = 0.0;
   for (const int pairs : {8, 15, 30, 60})
