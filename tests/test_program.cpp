@@ -98,12 +98,6 @@ TEST_CASE("program: bad usage ends with 64 and says why") {
 
 TEST_CASE("program: what later versions bring is refused by name") {
   const std::string deck = " " + quoted(kHertz) + " ";
-  for (const char* arguments :
-       {"--points p", "--interior p"}) {
-    const Result result = contact2d("run" + deck + arguments);
-    CHECK_MESSAGE(result.status == 64, arguments);
-    CHECK_MESSAGE(contains(result.err, "not available in this version"), arguments);
-  }
   for (const char* command : {"resume"}) {
     const Result result = contact2d(std::string(command) + deck);
     CHECK_MESSAGE(result.status == 64, command);

@@ -67,8 +67,7 @@ c2d_status collect_body(Collected& c, const Scene& scene, int32_t body) {
   return C2D_OK;
 }
 
-void collect_interior(Collected& c, const InteriorPoint& p) {
-  append_cell(c, p.body, 0, 1);
+void collect_point(Collected& c, const InteriorPoint& p) {
   append_vector(c.points, p.x, p.y);
   append_vector(c.displacement, p.values[C2D_POINT_UX], p.values[C2D_POINT_UY]);
   append_vector(c.traction, 0.0, 0.0);
@@ -78,16 +77,51 @@ void collect_interior(Collected& c, const InteriorPoint& p) {
   c.point_count += 1;
 }
 
+void append_inner_cell(Collected& c, int32_t body, const std::vector<int64_t>& corners) {
+  c.cells += std::to_string(corners.size());
+  for (const int64_t corner : corners) c.cells += ' ' + std::to_string(corner);
+  c.cells += '\n';
+  c.types += corners.size() == 4 ? "9\n" : "1\n";
+  c.body += std::to_string(body) + '\n';
+  c.element += "0\n";
+  c.cell_count += 1;
+  c.cell_numbers += static_cast<int64_t>(corners.size()) + 1;
+}
+
+void collect_interior(Collected& c, const Interior& interior) {
+  std::vector<int64_t> number; // in the file, -1: outside
+  for (const InteriorPoint& p : interior.points) {
+    const bool there = flag_of(p) != C2D_POINT_OUTSIDE;
+    number.push_back(there ? c.point_count : -1);
+    if (there) collect_point(c, p);
+  }
+  std::vector<char> in_grid(number.size(), 0);
+  for (const InteriorGrid& g : interior.grids)
+    for (size_t row = 0; row + 1 < g.rows; ++row)
+      for (size_t column = 0; column + 1 < g.columns; ++column) {
+        const size_t first = row * g.columns + column;
+        const int64_t at[] = {g.at[first], g.at[first + 1], g.at[first + g.columns + 1], g.at[first + g.columns]};
+        if (at[0] < 0 || at[1] < 0 || at[2] < 0 || at[3] < 0) continue;
+        std::vector<int64_t> corners;
+        for (const int64_t i : at) {
+          corners.push_back(number[static_cast<size_t>(i)]);
+          in_grid[static_cast<size_t>(i)] = 1;
+        }
+        append_inner_cell(c, g.body, corners);
+      }
+  for (size_t i = 0; i < number.size(); ++i)
+    if (number[i] >= 0 && !in_grid[i]) append_inner_cell(c, interior.points[i].body, {number[i]});
+}
+
 } // namespace
 
-c2d_status append_vtk(std::string& out, const Scene& scene, const std::vector<InteriorPoint>& interior) {
+c2d_status append_vtk(std::string& out, const Scene& scene, const Interior& interior) {
   Collected c;
   for (int32_t body = 1; body <= scene.summary.bodies; ++body) {
     const c2d_status status = collect_body(c, scene, body);
     if (status != C2D_OK) return status;
   }
-  if (scene.solved)
-    for (const InteriorPoint& p : interior) collect_interior(c, p);
+  if (scene.solved) collect_interior(c, interior);
   std::string title = scene.summary.title[0] != '\0' ? scene.summary.title : "contact2d";
   for (char& character : title)
     if (static_cast<unsigned char>(character) < 0x20 || static_cast<unsigned char>(character) >= 0x7f)

@@ -1,6 +1,7 @@
 // The boundary at the last load as a legacy VTK file (ASCII, unstructured grid), for ParaView.
 #pragma once
 
+#include "report/interior.hpp"
 #include "report/scene.hpp"
 
 #include <string>
@@ -9,13 +10,8 @@ namespace app {
 
 // A point per element end, a cell per element: a vertex (constant), a line, a quadratic edge or a cubic line.
 // Point data: displacement and traction vectors, stress tensor, status of the pair (-1: none); cell data:
-// body, element. `interior` (x, y and C2D_POINT_FIELDS numbers per point, with its body) follows as vertices
-// with status -1 and element 0.
-struct InteriorPoint {
-  int32_t body;
-  double x, y;
-  double values[C2D_POINT_FIELDS];
-};
-c2d_status append_vtk(std::string& out, const Scene& scene, const std::vector<InteriorPoint>& interior);
+// body, element. The points of `interior` that do not lie outside follow with status -1 and element 0: grids as
+// quadrilaterals where all four corners are there, everything else as vertices.
+c2d_status append_vtk(std::string& out, const Scene& scene, const Interior& interior);
 
 } // namespace app
