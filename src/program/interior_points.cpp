@@ -2,6 +2,8 @@
 
 #include "report/text.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 namespace app {
@@ -10,6 +12,7 @@ namespace {
 constexpr size_t kMostPoints = 10000000;
 constexpr size_t kTogether = 4096; // in one call of the library
 constexpr int64_t kMostTold = 20;  // points outside, one by one
+constexpr double kAlongBody = 40;  // spacings of the grid over a body along its longer side
 
 std::string place_text(const InteriorPoint& p) {
   std::string out = "point (";
@@ -38,21 +41,47 @@ bool InteriorPoints::read_file(const std::string& name, int32_t bodies) {
   return false;
 }
 
+void InteriorPoints::take_set(const c2d_points& set) {
+  const size_t columns = static_cast<size_t>(set.count[0]), rows = static_cast<size_t>(set.count[1]);
+  if (set.kind == C2D_POINTS_GRID) grids_.push_back({wanted_.size(), columns, rows});
+  std::vector<double> xy(2 * columns * rows);
+  c2d_expand_points(&set, 1, static_cast<int32_t>(columns * rows), xy.data(), 2, nullptr);
+  for (size_t k = 0; k < xy.size(); k += 2) wanted_.push_back({set.body, xy[k], xy[k + 1], set.line});
+}
+
 bool InteriorPoints::take_sets(c2d_solver* solver, std::string& error) {
   c2d_points set = C2D_INIT(c2d_points);
   for (int32_t i = 1; !from_file_ && c2d_get_points(solver, i, &set) == C2D_OK; ++i) {
-    const size_t first = wanted_.size(), columns = static_cast<size_t>(set.count[0]),
-                 rows = static_cast<size_t>(set.count[1]), count = columns * rows;
-    if (count > kMostPoints - first) {
+    if (static_cast<size_t>(set.count[0]) * static_cast<size_t>(set.count[1]) > kMostPoints - wanted_.size()) {
       error = "more than " + std::to_string(kMostPoints) + " points under *POINTS";
       return false;
     }
-    if (set.kind == C2D_POINTS_GRID) grids_.push_back({first, columns, rows});
-    std::vector<double> xy(2 * count);
-    c2d_expand_points(&set, 1, static_cast<int32_t>(count), xy.data(), 2, nullptr);
-    for (size_t k = 0; k < count; ++k) wanted_.push_back({set.body, xy[2 * k], xy[2 * k + 1], set.line});
+    take_set(set);
   }
   return true;
+}
+
+c2d_status InteriorPoints::take_bodies(c2d_solver* solver, const c2d_summary& s) {
+  for (int32_t body = 1; body <= s.bodies; ++body) {
+    c2d_points set = C2D_INIT(c2d_points);
+    set.kind = C2D_POINTS_GRID;
+    set.body = body;
+    double size[2];
+    for (int c = 0; c < 2; ++c) {
+      std::vector<double> at(static_cast<size_t>(s.geometry_nodes[body - 1]));
+      const c2d_status status = c2d_get(solver, c == 0 ? C2D_NODE_X : C2D_NODE_Y, body, 1,
+                                        s.geometry_nodes[body - 1], at.data(), 1);
+      if (status != C2D_OK) return status;
+      const auto ends = std::minmax_element(at.begin(), at.end());
+      set.from[c] = *ends.first;
+      set.to[c] = *ends.second;
+      size[c] = set.to[c] - set.from[c];
+    }
+    const double spacing = std::max(size[0], size[1]) / kAlongBody;
+    for (int c = 0; c < 2; ++c) set.count[c] = std::max(2, static_cast<int32_t>(std::lround(size[c] / spacing)) + 1);
+    take_set(set);
+  }
+  return C2D_OK;
 }
 
 c2d_status InteriorPoints::evaluate(c2d_solver* solver, int32_t bodies) {

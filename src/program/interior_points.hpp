@@ -20,6 +20,8 @@ public:
   bool read_file(const std::string& name, int32_t bodies);
   // The deck's points, unless a file was read. False with `error`: there are too many.
   bool take_sets(c2d_solver* solver, std::string& error);
+  // A grid over each body. Returns the status of the first call that failed.
+  c2d_status take_bodies(c2d_solver* solver, const c2d_summary& summary);
   bool any() const { return !wanted_.empty(); }
 
   // Results of all points at the load reached. Returns the status of the first call that failed.
@@ -40,6 +42,7 @@ private:
     bool of_grid;
     int32_t other;
   };
+  void take_set(const c2d_points& set);
   c2d_status find_others(c2d_solver* solver, int32_t bodies);
   void keep(const std::vector<double>& values);
 

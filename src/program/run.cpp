@@ -40,6 +40,7 @@ private:
   void show_contact_zone();
   int report();
   c2d_status show_interior();
+  c2d_status show_vtk(const Scene& scene);
   c2d_status show_pictures();
   bool has_pictures() const { return outputs_.report.is_open() || outputs_.figures.is_open(); }
   int close_store();
@@ -267,12 +268,22 @@ c2d_status Run::show_interior() {
   return C2D_OK;
 }
 
+// With the points asked for, or a grid over each body.
+c2d_status Run::show_vtk(const Scene& scene) {
+  InteriorPoints all;
+  c2d_status status = C2D_OK;
+  if (!interior_.any() && scene.solved) status = all.take_bodies(session_.solver, scene.summary);
+  if (status == C2D_OK && all.any()) status = all.evaluate(session_.solver, scene.summary.bodies);
+  if (status != C2D_OK) return status;
+  return append_vtk(outputs_.vtk.text, scene, all.any() ? all.results() : interior_.results());
+}
+
 // The pictures as a page and as files, and the boundary for ParaView.
 c2d_status Run::show_pictures() {
   if (!has_pictures() && !outputs_.vtk.is_open()) return C2D_OK;
   Scene scene;
   c2d_status status = gather_scene(session_.solver, record_, history_, scene);
-  if (status == C2D_OK && outputs_.vtk.is_open()) status = append_vtk(outputs_.vtk.text, scene, interior_.results());
+  if (status == C2D_OK && outputs_.vtk.is_open()) status = show_vtk(scene);
   if (status != C2D_OK || !has_pictures()) return status;
   Pictures pictures;
   status = draw_pictures(scene, pictures);

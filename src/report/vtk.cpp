@@ -10,7 +10,7 @@ constexpr int kTypes[] = {1, 3, 21, 35};
 constexpr int kOrder[4][4] = {{0, 0, 0, 0}, {0, 1, 0, 0}, {0, 2, 1, 0}, {0, 3, 1, 2}};
 
 struct Collected {
-  std::string points, displacement, traction, stress, status; // point data
+  std::string points, displacement, traction, stress, von_mises, status; // point data
   std::string cells, types, body, element;                    // cells and their data
   int64_t point_count = 0, cell_count = 0, cell_numbers = 0;
 };
@@ -46,8 +46,8 @@ c2d_status collect_body(Collected& c, const Scene& scene, int32_t body) {
   const BodyScene& b = scene.bodies[static_cast<size_t>(body) - 1];
   std::vector<std::vector<double>> stress;
   if (scene.solved) {
-    const int32_t fields[] = {C2D_END_SXX, C2D_END_SYY, C2D_END_SXY, C2D_END_SZZ};
-    const c2d_status status = get_ends(scene.solver, s, body, fields, 4, stress);
+    const int32_t fields[] = {C2D_END_SXX, C2D_END_SYY, C2D_END_SXY, C2D_END_SZZ, C2D_END_VON_MISES};
+    const c2d_status status = get_ends(scene.solver, s, body, fields, 5, stress);
     if (status != C2D_OK) return status;
   }
   for (int32_t e = 1; e <= s.elements[body - 1]; ++e) {
@@ -59,6 +59,8 @@ c2d_status collect_body(Collected& c, const Scene& scene, int32_t body) {
         append_vector(c.displacement, b.displacement[i].x, b.displacement[i].y);
         append_vector(c.traction, b.traction[i].x, b.traction[i].y);
         append_tensor(c.stress, stress[0][i], stress[1][i], stress[2][i], stress[3][i]);
+        append_number(c.von_mises, stress[4][i]);
+        c.von_mises += '\n';
         c.status += std::to_string(b.status[i]) + '\n';
       }
       c.point_count += 1;
@@ -73,6 +75,8 @@ void collect_point(Collected& c, const InteriorPoint& p) {
   append_vector(c.traction, 0.0, 0.0);
   append_tensor(c.stress, p.values[C2D_POINT_SXX], p.values[C2D_POINT_SYY], p.values[C2D_POINT_SXY],
                 p.values[C2D_POINT_SZZ]);
+  append_number(c.von_mises, p.values[C2D_POINT_VON_MISES]);
+  c.von_mises += '\n';
   c.status += "-1\n";
   c.point_count += 1;
 }
@@ -137,6 +141,7 @@ c2d_status append_vtk(std::string& out, const Scene& scene, const Interior& inte
   out += "POINT_DATA " + points + "\nVECTORS displacement double\n" + c.displacement;
   out += "VECTORS traction double\n" + c.traction;
   out += "TENSORS stress double\n" + c.stress;
+  out += "SCALARS von_mises double 1\nLOOKUP_TABLE default\n" + c.von_mises;
   out += "SCALARS status int 1\nLOOKUP_TABLE default\n" + c.status;
   return C2D_OK;
 }

@@ -1,4 +1,4 @@
-// The boundary at the last load as a legacy VTK file (ASCII, unstructured grid), for ParaView.
+// The boundary and the inside at the last load as a legacy VTK file (ASCII, unstructured grid), for ParaView.
 #pragma once
 
 #include "report/interior.hpp"
@@ -9,7 +9,7 @@
 namespace app {
 
 // A point per element end, a cell per element: a vertex (constant), a line, a quadratic edge or a cubic line.
-// Point data: displacement and traction vectors, stress tensor, status of the pair (-1: none); cell data:
+// Point data: displacement and traction vectors, stress tensor, von Mises' stress, status of the pair (-1: none); cell data:
 // body, element. The points of `interior` that do not lie outside follow with status -1 and element 0: grids as
 // quadrilaterals where all four corners are there, everything else as vertices.
 c2d_status append_vtk(std::string& out, const Scene& scene, const Interior& interior);
