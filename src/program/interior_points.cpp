@@ -52,7 +52,8 @@ void InteriorPoints::take_set(const c2d_points& set) {
 bool InteriorPoints::take_sets(c2d_solver* solver, std::string& error) {
   c2d_points set = C2D_INIT(c2d_points);
   for (int32_t i = 1; !from_file_ && c2d_get_points(solver, i, &set) == C2D_OK; ++i) {
-    if (static_cast<size_t>(set.count[0]) * static_cast<size_t>(set.count[1]) > kMostPoints - wanted_.size()) {
+    if (static_cast<size_t>(set.count[0]) * static_cast<size_t>(set.count[1]) >
+        kMostPoints - wanted_.size()) {
       error = "more than " + std::to_string(kMostPoints) + " points under *POINTS";
       return false;
     }
@@ -78,7 +79,8 @@ c2d_status InteriorPoints::take_bodies(c2d_solver* solver, const c2d_summary& s)
       size[c] = set.to[c] - set.from[c];
     }
     const double spacing = std::max(size[0], size[1]) / kAlongBody;
-    for (int c = 0; c < 2; ++c) set.count[c] = std::max(2, static_cast<int32_t>(std::lround(size[c] / spacing)) + 1);
+    for (int c = 0; c < 2; ++c)
+      set.count[c] = std::max(2, static_cast<int32_t>(std::lround(size[c] / spacing)) + 1);
     take_set(set);
   }
   return C2D_OK;
@@ -104,7 +106,8 @@ c2d_status InteriorPoints::evaluate(c2d_solver* solver, int32_t bodies) {
   return find_others(solver, bodies);
 }
 
-// A wrong number of the body is the likeliest reason for a point outside: of those that will be told, the body they are in.
+// A wrong number of the body is the likeliest reason for a point outside: of those that will be told, the
+// body they are in.
 c2d_status InteriorPoints::find_others(c2d_solver* solver, int32_t bodies) {
   int64_t told = 0;
   for (size_t i = 0; i < source_.size() && bodies > 1; ++i) {
@@ -139,8 +142,9 @@ void InteriorPoints::keep(const std::vector<double>& values) {
   }
   for (const GridAt& g : grids_) {
     const auto first = at.begin() + static_cast<ptrdiff_t>(g.first);
-    results_.grids.push_back({wanted_[g.first].body, g.columns, g.rows,
-                              std::vector<int64_t>(first, first + static_cast<ptrdiff_t>(g.columns * g.rows))});
+    results_.grids.push_back(
+        {wanted_[g.first].body, g.columns, g.rows,
+         std::vector<int64_t>(first, first + static_cast<ptrdiff_t>(g.columns * g.rows))});
   }
 }
 

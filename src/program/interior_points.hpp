@@ -27,8 +27,8 @@ public:
   // Results of all points at the load reached. Returns the status of the first call that failed.
   c2d_status evaluate(c2d_solver* solver, int32_t bodies);
   const Interior& results() const { return results_; }
-  // Tells what lies outside (a warning each, up to a number), on the boundary and near a node; `deck` is told about the
-  // deck's points. Warnings that did not go there are added to `warnings`.
+  // Tells what lies outside (a warning each, up to a number), on the boundary and near a node; `deck` is told
+  // about the deck's points. Warnings that did not go there are added to `warnings`.
   void tell(Messages& deck, std::vector<c2d_error>& warnings);
 
 private:

@@ -116,8 +116,8 @@ bool read_points(const DeckFile& file, int32_t bodies, Messages& messages, std::
       text.remove_prefix(kByteOrderMark.size());
     const std::vector<Field> fields = split(text);
     if (fields.size() == 1 && fields[0].text.empty()) continue;
-    const bool heading = first && fields.size() == 3 && is_word(fields[0], "body") && is_word(fields[1], "x") &&
-                         is_word(fields[2], "y");
+    const bool heading = first && fields.size() == 3 && is_word(fields[0], "body") &&
+                         is_word(fields[1], "x") && is_word(fields[2], "y");
     first = false;
     WantedPoint point{};
     if (!heading && reader.row(fields, static_cast<int32_t>(line), point)) points.push_back(point);

@@ -15,8 +15,8 @@ struct WantedPoint {
   int32_t line; // of the file, or of the card in the deck
 };
 
-// Takes the rows of a file that has been read; bodies are 1 ... `bodies`. Blank lines count for nothing. Every fault is
-// told to `messages`; false after any, and if there is no row at all.
+// Takes the rows of a file that has been read; bodies are 1 ... `bodies`. Blank lines count for nothing.
+// Every fault is told to `messages`; false after any, and if there is no row at all.
 bool read_points(const DeckFile& file, int32_t bodies, Messages& messages, std::vector<WantedPoint>& points);
 
 } // namespace app

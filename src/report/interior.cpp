@@ -51,12 +51,13 @@ void append_interior_section(std::string& out, const Interior& interior, const c
     out += ", coefficient of friction ";
     append_number(out, s.mu);
   }
-  out += "\n  s1 >= s2: principal stresses of the plane; max shear is half their difference. On the boundary: its own "
+  out += "\n  s1 >= s2: principal stresses of the plane; max shear is half their difference. On the "
+         "boundary: its own "
          "stress;\n  near a node: between the stress there and that farther inside.\n\n"
          "  body            x            y           ux           uy          sxx          syy          sxy"
          "          szz           s1           s2    von Mises    max shear  place\n";
-  const int columns[] = {C2D_POINT_UX,         C2D_POINT_UY,         C2D_POINT_SXX,       C2D_POINT_SYY,
-                         C2D_POINT_SXY,        C2D_POINT_SZZ,        C2D_POINT_PRINCIPAL1, C2D_POINT_PRINCIPAL2,
+  const int columns[] = {C2D_POINT_UX,        C2D_POINT_UY,       C2D_POINT_SXX,        C2D_POINT_SYY,
+                         C2D_POINT_SXY,       C2D_POINT_SZZ,      C2D_POINT_PRINCIPAL1, C2D_POINT_PRINCIPAL2,
                          C2D_POINT_VON_MISES, C2D_POINT_MAX_SHEAR};
   for (const InteriorPoint& p : interior.points) {
     append_column(out, p.body, 6);

@@ -14,7 +14,9 @@ struct InteriorPoint {
   double x, y;
   double values[C2D_POINT_FIELDS];
 };
-inline int flag_of(const InteriorPoint& p) { return static_cast<int>(p.values[C2D_POINT_FLAG]); }
+inline int flag_of(const InteriorPoint& p) {
+  return static_cast<int>(p.values[C2D_POINT_FLAG]);
+}
 
 // Points that form a grid, row by row: `at` says which of the points, -1 outside the body.
 struct InteriorGrid {
@@ -26,12 +28,12 @@ struct InteriorGrid {
 struct Interior {
   std::vector<InteriorPoint> points; // in the order asked for, without what lies outside of grids
   std::vector<InteriorGrid> grids;
-  int64_t count[4] = {0, 0, 0, 0};   // of the points, by C2D_POINT_INSIDE ... C2D_POINT_OUTSIDE
-  int64_t clipped = 0;               // points of grids that were left out
+  int64_t count[4] = {0, 0, 0, 0}; // of the points, by C2D_POINT_INSIDE ... C2D_POINT_OUTSIDE
+  int64_t clipped = 0;             // points of grids that were left out
 };
 
-// body,x,y,ux,uy,sxx,syy,sxy,szz,von_mises,max_shear, part of the program's contract. The results of a point outside
-// its body are written as nan.
+// body,x,y,ux,uy,sxx,syy,sxy,szz,von_mises,max_shear, part of the program's contract. The results of a point
+// outside its body are written as nan.
 void append_interior_header(std::string& out);
 void append_interior_rows(std::string& out, const Interior& interior);
 

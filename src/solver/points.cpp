@@ -63,7 +63,12 @@ extern "C" c2d_status c2d_add_points(c2d_solver* s, const c2d_points* points) {
   if (s->model.point_sets >= s->sizes.point_sets)
     return refuse(s, C2D_ERR_LIMIT, "more sets of points than c2d_limits.point_sets");
   PointSet& set = array_of<PointSet>(s, kPointSets)[s->model.point_sets++];
-  set = PointSet{ours.kind,    ours.body, {1, 1}, s->model.line, 0, {ours.from[0], ours.from[1]},
+  set = PointSet{ours.kind,
+                 ours.body,
+                 {1, 1},
+                 s->model.line,
+                 0,
+                 {ours.from[0], ours.from[1]},
                  {ours.from[0], ours.from[1]}};
   for (int c = 0; c < 2; ++c) {
     if (c < ours.kind) set.count[c] = ours.count[c];
@@ -77,7 +82,8 @@ extern "C" c2d_status c2d_get_points(c2d_solver* s, int32_t i, c2d_points* out) 
   const c2d_status status =
       enter(s, state_bit(C2D_STATE_MODEL) | state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING));
   if (status != C2D_OK) return status;
-  if (!out || i < 1 || i > s->model.point_sets) return fail(s, C2D_ERR_ARGUMENT, "there is no such set of points");
+  if (!out || i < 1 || i > s->model.point_sets)
+    return fail(s, C2D_ERR_ARGUMENT, "there is no such set of points");
   const PointSet& set = array_of<PointSet>(s, kPointSets)[i - 1];
   c2d_points ours;
   memset(&ours, 0, sizeof ours);
