@@ -13,7 +13,7 @@
 //   contact tractions tau, as force on body 2, in the pairs' frames                     G_c   (m columns)
 //   right-hand sides of the load cases                                                  r     (L columns)
 // so that A_o x_o + H_c u_c = G_c t_c + sum_k lambda_k r_k with t_c = +tau on body 2 and -tau on body 1.
-#include "bie/integrals.hpp"
+#include "bie/measure.hpp"
 #include "memory/real.hpp"
 #include "model/model.hpp"
 
@@ -57,20 +57,5 @@ void fill_diagonal(const ColumnSystem& system, int32_t first_node, int32_t count
 
 // Assign all rows of columns first ... first+count-1; panel is column-major with leading dimension ld.
 void fill_columns(const ColumnSystem& system, int32_t first, int32_t count, Real* panel, int64_t ld);
-
-// On a contact element of body 2 tau is per length of body 1, any other traction on its own length.
-enum class Measure { own_length, contact };
-// An element of a body with its length unit applied, for tractions in this measure.
-void make_integrator(const Model& model, int b, int32_t element, Quadrature quadrature, Measure measure,
-                     Integrator& out);
-
-// Resultants of the shape functions at the ends of an element: force per unit of traction and first moments about the
-// origin, in the length unit.
-struct EndResultant {
-  double w, wx, wy;
-};
-void end_resultants(const Model& model, int b, int32_t element, Measure measure, EndResultant out[4]);
-// Ratio J1/J2 at local node l of a contact element of body 2: true traction = tau * ratio; 1 elsewhere.
-double traction_ratio(const Model& model, int b, int32_t element, int l);
 
 } // namespace c2d

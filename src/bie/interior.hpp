@@ -8,13 +8,10 @@
 //   D t: 2k Re(t/rho),      k [ kappa t*/rho + t rho*/rho^2 ]
 //  -S u: 2k Re(n u/rho^2),  2k [ (n.u)/rho^2 + n u rho*/rho^3 ].
 // Lengths and displacements in one unit, tractions and stresses in 2G.
+#include "bie/complex.hpp"
 #include "bie/integrals.hpp"
 
 namespace c2d {
-
-struct Complex {
-  double re, im;
-};
 
 struct PointField {
   Complex u;

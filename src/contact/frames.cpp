@@ -368,7 +368,9 @@ bool complete_model(const Model& m, Reporter& reporter) {
   m.head->contact = m.head->free_rows = 0;
   if (!validate_data(m, reporter)) return false; // nothing else can be looked at
   set_units(m);
-  const bool sound = validate_symmetry(m, reporter) && validate_geometry(m, reporter);
+  const bool symmetric = validate_symmetry(m, reporter); // moves points onto its lines
+  measure_elements(m);
+  const bool sound = symmetric && validate_geometry(m, reporter);
   validate_loads(m, reporter);
   if (!validate_zones(m, reporter)) return false; // conditions depend on who is in contact
   const bool frames = sound && build_frames(m, reporter);

@@ -6,8 +6,11 @@
 
 namespace c2d {
 
-// Bits of an element end's code: quantity is known. kGiven: a condition card named this end.
-enum EndCode : uint8_t { kKnownTx = 1, kKnownTy = 2, kKnownUx = 4, kKnownUy = 8, kGiven = 16 };
+// Bits of an element end's code: quantity is known. kGiven: a condition card named this end. At an element's first end:
+// kMeasured: kNoLength says whether the element has zero length, without looking at its nodes.
+enum EndCode : uint8_t {
+  kKnownTx = 1, kKnownTy = 2, kKnownUx = 4, kKnownUy = 8, kGiven = 16, kMeasured = 32, kNoLength = 64
+};
 
 struct Region {    // elements first ... last form a closed curve, or one that is open between symmetry lines
   int32_t first, last;
@@ -152,6 +155,8 @@ int all_ends_at_node(const Model& m, int b, int32_t node, int32_t ends[2]);
 // The boundary point at which an element begins or ends there; -1 for a node inside an element.
 int32_t corner_point(const Model& m, int b, int32_t node);
 bool is_zero_length(const Model& m, int b, int32_t element);
+// Notes for all elements whether they have zero length. Once the nodes have their final places.
+void measure_elements(const Model& m);
 // Does the element carry integrals? Not if it has no length or is replaced by images (model/symmetry.hpp).
 bool is_integrated(const Model& m, int b, int32_t element);
 // The other node of a double node (joined by a zero-length element), or -1. The first of the two carries the

@@ -1,0 +1,23 @@
+#pragma once
+// Elements of a body in the units of its equations, and the length that a traction on them is measured per.
+#include "bie/integrals.hpp"
+#include "model/model.hpp"
+
+namespace c2d {
+
+// On a contact element of body 2 tau is per length of body 1, any other traction on its own length.
+enum class Measure { own_length, contact };
+// An element of a body with its length unit applied, for tractions in this measure.
+void make_integrator(const Model& model, int b, int32_t element, Quadrature quadrature, Measure measure,
+                     Integrator& out);
+
+// Resultants of the shape functions at the ends of an element: force per unit of traction and first moments about the
+// origin, in the length unit.
+struct EndResultant {
+  double w, wx, wy;
+};
+void end_resultants(const Model& model, int b, int32_t element, Measure measure, EndResultant out[4]);
+// Ratio J1/J2 at local node l of a contact element of body 2: true traction = tau * ratio; 1 elsewhere.
+double traction_ratio(const Model& model, int b, int32_t element, int l);
+
+} // namespace c2d

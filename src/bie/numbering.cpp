@@ -1,0 +1,24 @@
+// Columns of the outer unknowns.
+#include "bie/columns.hpp"
+
+namespace c2d {
+
+void number_unknowns(const Model& m, int b) {
+  Body& body = m.head->body[b];
+  int32_t column = 0;
+  for (int32_t node = 0; node < body.nodes; ++node) {
+    m.node_column[b][node] = column;
+    for (int c = 0; c < 2; ++c)
+      if (unknown_at(m, b, node, c).kind != UnknownKind::contact) ++column;
+  }
+  m.node_column[b][body.nodes] = column;
+  body.columns = column;
+}
+
+int32_t outer_column(const Model& m, int b, int32_t node, int component) {
+  if (unknown_at(m, b, node, component).kind == UnknownKind::contact) return -1;
+  const bool second = component == 1 && unknown_at(m, b, node, 0).kind != UnknownKind::contact;
+  return m.node_column[b][node] + (second ? 1 : 0);
+}
+
+} // namespace c2d

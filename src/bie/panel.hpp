@@ -1,0 +1,70 @@
+#pragma once
+// Adding into a panel of columns, by one number or by the integrals of an element for one source after another.
+#include "bie/targets.hpp"
+
+namespace c2d {
+
+struct Panel {
+  const Model& m;
+  int b;
+  Range range;
+  Real* data;
+  int64_t ld;
+
+  Real* column(int32_t j) const { return range.holds(j) ? data + (j - range.first) * ld : nullptr; }
+  void add(int32_t row, int32_t j, double value) const {
+    if (Real* to = column(j)) to[row] += static_cast<Real>(value);
+  }
+  template <class Value> void send(const Destination& d, int32_t row, double integral, Value value) const {
+    for (const Target& target : d.target)
+      if (target.column >= 0) add(row, target.column, target.factor * integral);
+    if (!d.known || !range.holds_right()) return;
+    for (int32_t k = 0; k < m.head->load_cases; ++k) add(row, range.right + k, value(k) * integral);
+  }
+  void send_h(const Destination& d, int32_t node, int c, int32_t row, double integral) const {
+    send(d, row, integral, [&](int32_t k) { return known_displacement(m, b, node, c, k); });
+  }
+  void send_g(const Destination& d, int32_t element, int l, int c, int32_t row, double integral) const {
+    send(d, row, integral, [&](int32_t k) { return known_traction(m, b, element, l, c, k); });
+  }
+};
+
+// Where the integrals of one element go, worked out once for all sources: column[2 s + i] += factor * block[i] with
+// `block` the place of the component's integral for i = 0; i = 1 stands two doubles on.
+struct Deposit {
+  const double* block;
+  Real* column;
+  double factor;
+};
+constexpr int kMostDeposits = 48; // 4 nodes, 2 components, h and g: at most two contact columns, or one, each
+struct Deposits {
+  Deposit list[kMostDeposits];
+  int count;
+
+  void add(const double* block, Real* column, double factor) {
+    if (column && factor != 0.0 && count < kMostDeposits) list[count++] = Deposit{block, column, factor};
+  }
+  void pay(int32_t source) const {
+    for (int n = 0; n < count; ++n) {
+      const Deposit& d = list[n];
+      Real* to = d.column + 2 * source;
+      to[0] += static_cast<Real>(d.factor * d.block[0]);
+      to[1] += static_cast<Real>(d.factor * d.block[2]);
+    }
+  }
+};
+
+inline void aim_deposits(const Panel& panel, const Destination& d, const double* block, Deposits& out) {
+  for (const Target& target : d.target)
+    if (target.column >= 0) out.add(block, panel.column(target.column), target.factor);
+}
+
+// Integrals of an element for every source and image, paid where the deposits say.
+void pay_sources(const ColumnSystem& system, const Integrator& integrator, const int32_t node[4], bool want_h,
+                 bool want_g, Blocks& blocks, const Deposits& deposits);
+
+// Point loads of the body and its body force of one load case, into the right-hand sides.
+void add_point_load(const ColumnSystem& system, const Panel& panel, const PointLoad& load);
+void add_body_force(const ColumnSystem& system, const Panel& panel, int32_t load_case);
+
+} // namespace c2d

@@ -1,0 +1,95 @@
+// Collocation points, their images, and what every one of them takes from an element.
+#include "bie/panel.hpp"
+#include "model/symmetry.hpp"
+
+namespace c2d {
+
+Source mirrored_source(const ModelHeader& head, int image, const double at[2]) {
+  if (image == 0) return Source{at[0], at[1], true};
+  double p[2];
+  for (int c = 0; c < 2; ++c)
+    p[c] = (image >> c & 1) != 0 ? 2.0 * (head.line_at[c] / head.length_unit) - at[c] : at[c];
+  return Source{p[0], p[1], p[0] == at[0] && p[1] == at[1]};
+}
+
+void place_sources(const ColumnSystem& system) {
+  const Model& m = system.model;
+  for (int32_t node = 0; node < m.head->body[system.body].nodes; ++node) {
+    double x, y;
+    node_position(m, system.body, node, &x, &y);
+    system.point[2 * static_cast<int64_t>(node)] = x / m.head->length_unit;
+    system.point[2 * static_cast<int64_t>(node) + 1] = y / m.head->length_unit;
+    const bool second = is_second_twin(m, system.body, node);
+    system.twin[node] = second ? kSecondTwin : twin_node(m, system.body, node);
+    int32_t ends[2];
+    if (m.head->symmetry != 0 && ends_at_node(m, system.body, node, ends) == 0) system.twin[node] = kAxisNode;
+  }
+}
+
+namespace {
+
+// Local node of the element at which the source sits, itself or its twin; -1: none.
+int singular_node(const int32_t node[4], int count, int32_t source, int32_t twin) {
+  for (int l = 0; l < count; ++l)
+    if (node[l] == source || (twin >= 0 && node[l] == twin)) return l;
+  return -1;
+}
+
+void sign_rows(int image, int functions, double block[4][2][2]) {
+  for (int l = 0; l < functions; ++l)
+    for (int i = 0; i < 2; ++i)
+      for (int j = 0; j < 2; ++j) block[l][i][j] *= image_sign(image, i);
+}
+
+} // namespace
+
+void pay_sources(const ColumnSystem& system, const Integrator& integrator, const int32_t node[4], bool want_h,
+                 bool want_g, Blocks& blocks, const Deposits& deposits) {
+  const Model& m = system.model;
+  const int nf = m.head->function_nodes;
+  for (int32_t source = 0; source < m.head->body[system.body].nodes; ++source) {
+    const int32_t twin = system.twin[source];
+    if (twin == kSecondTwin || twin == kAxisNode) continue;
+    const double* at = system.point + 2 * static_cast<int64_t>(source);
+    for (int image = 0; image <= m.head->symmetry; ++image) {
+      if (!is_image(*m.head, image)) continue;
+      const Source p = mirrored_source(*m.head, image, at);
+      const int singular = p.on_itself ? singular_node(node, nf, source, twin) : -1;
+      integrate(integrator, p.x, p.y, singular, want_h, want_g, blocks);
+      if (image > 0 && want_h) sign_rows(image, nf, blocks.h);
+      if (image > 0 && want_g) sign_rows(image, nf, blocks.g);
+      deposits.pay(source);
+    }
+  }
+}
+
+void fill_diagonal(const ColumnSystem& system, int32_t first_node, int32_t count) {
+  const Model& m = system.model;
+  const int b = system.body;
+  for (int64_t i = 4 * static_cast<int64_t>(first_node); i < 4 * static_cast<int64_t>(first_node + count); ++i)
+    system.diagonal[i] = 0.0;
+  for (int32_t element = 0; element < m.head->body[b].elements; ++element) {
+    if (!is_integrated(m, b, element)) continue;
+    Integrator integrator;
+    make_integrator(m, b, element, system.quadrature, Measure::own_length, integrator);
+    int32_t node[4];
+    for (int l = 0; l < m.head->function_nodes; ++l) node[l] = functional_node(m, b, element, l);
+    for (int32_t source = first_node; source < first_node + count; ++source) {
+      const int32_t twin = system.twin[source];
+      if (twin == kSecondTwin || twin == kAxisNode) continue;
+      double sum[2][2];
+      const double* at = system.point + 2 * static_cast<int64_t>(source);
+      double* block = system.diagonal + 4 * static_cast<int64_t>(source);
+      for (int image = 0; image <= m.head->symmetry; ++image) {
+        if (!is_image(*m.head, image)) continue;
+        const Source p = mirrored_source(*m.head, image, at);
+        const int singular = p.on_itself ? singular_node(node, m.head->function_nodes, source, twin) : -1;
+        rigid_sum(integrator, p.x, p.y, singular, sum);
+        for (int i = 0; i < 4; ++i)
+          block[i] -= image_sign(image, i / 2) * image_sign(image, i % 2) * sum[i / 2][i % 2];
+      }
+    }
+  }
+}
+
+} // namespace c2d

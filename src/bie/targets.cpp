@@ -1,0 +1,87 @@
+#include "bie/targets.hpp"
+
+namespace c2d {
+
+namespace {
+
+void aim_contact(const Pair& pair, int component, int32_t base, double factor, Destination& out) {
+  const double n[2] = {pair.nx, pair.ny}, t[2] = {pair.ny, -pair.nx};
+  out.target[0] = Target{base + pair.dof, factor * n[component]};
+  if (pair.tangential) out.target[1] = Target{base + pair.dof + 1, factor * t[component]};
+}
+
+Destination nowhere() { return Destination{{{-1, 0.0}, {-1, 0.0}}, false, false}; }
+
+Destination traction_destination(const Model& m, int b, int32_t element, int l, int component,
+                                 const Unknown& unknown, int32_t pair) {
+  Destination out = nowhere();
+  const int32_t end = element * m.head->function_nodes + l;
+  const bool holds_unknown =
+      (unknown.kind == UnknownKind::traction && unknown.end[0] == end) ||
+      (unknown.kind == UnknownKind::shared_traction && (unknown.end[0] == end || unknown.end[1] == end));
+  if (pair >= 0 && unknown.kind == UnknownKind::contact) {
+    const double scale = m.head->stress_unit / (2.0 * shear_modulus(m, b));
+    aim_contact(m.pair[pair], component, outer_columns(m, b) + m.head->contact, scale, out);
+    out.contact = b == 1; // on body 1 both measures are one
+  } else if (holds_unknown) {
+    out.target[0] =
+        Target{outer_column(m, b, functional_node(m, b, element, l), component), -1.0};
+  } else {
+    out.known = true;
+  }
+  return out;
+}
+
+// Something of this destination falls into the range (for a prescribed one: is not zero in every case).
+template <class Value> bool wanted(const Model& m, const Destination& d, const Range& range, Value value) {
+  if (range.holds(d.target[0].column) || range.holds(d.target[1].column)) return true;
+  if (!d.known || !range.holds_right()) return false;
+  for (int32_t k = 0; k < m.head->load_cases; ++k)
+    if (range.holds(range.right + k) && value(k) != 0.0) return true;
+  return false;
+}
+
+} // namespace
+
+Destination displacement_destination(const Model& m, int b, int32_t node, int component, const Unknown& unknown) {
+  Destination out = nowhere();
+  if (unknown.kind == UnknownKind::contact)
+    aim_contact(m.pair[pair_of_node(m, b, node)], component, outer_columns(m, b), 1.0, out);
+  else if (unknown.kind == UnknownKind::displacement)
+    out.target[0] = Target{outer_column(m, b, node, component), 1.0};
+  else
+    out.known = true;
+  return out;
+}
+
+double known_displacement(const Model& m, int b, int32_t node, int component, int32_t load_case) {
+  const int64_t at = (static_cast<int64_t>(load_case) * m.head->body[b].nodes + node) * 2 + component;
+  return -m.node_disp[b][at] / m.head->length_unit;
+}
+double known_traction(const Model& m, int b, int32_t element, int l, int component, int32_t load_case) {
+  const int64_t ends = static_cast<int64_t>(m.head->body[b].elements) * m.head->function_nodes;
+  const int64_t end = static_cast<int64_t>(element) * m.head->function_nodes + l;
+  return m.end_traction[b][(load_case * ends + end) * 2 + component] / (2.0 * shear_modulus(m, b));
+}
+
+void aim(const Model& m, int b, int32_t element, const Range& range, ElementTargets& out) {
+  out.want_h = out.want_g = out.want_contact = false;
+  for (int l = 0; l < m.head->function_nodes; ++l) {
+    const int32_t node = functional_node(m, b, element, l);
+    out.node[l] = node;
+    const int32_t pair = pair_of_end(m, b, element, l);
+    for (int c = 0; c < 2; ++c) {
+      const Unknown unknown = unknown_at(m, b, node, c);
+      Destination& h = out.h[l][c] = displacement_destination(m, b, node, c, unknown);
+      Destination& g = out.g[l][c] = traction_destination(m, b, element, l, c, unknown, pair);
+      const bool want_h = wanted(m, h, range, [&](int32_t k) { return known_displacement(m, b, node, c, k); });
+      const bool want_g = wanted(m, g, range, [&](int32_t k) { return known_traction(m, b, element, l, c, k); });
+      if (!want_h) h = nowhere();
+      if (!want_g) g = nowhere();
+      out.want_h = out.want_h || want_h;
+      (g.contact ? out.want_contact : out.want_g) |= want_g;
+    }
+  }
+}
+
+} // namespace c2d

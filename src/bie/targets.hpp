@@ -1,0 +1,41 @@
+#pragma once
+// Where the integrals of an element go: columns of the unknowns, or the right-hand sides for what is prescribed.
+#include "bie/columns.hpp"
+
+namespace c2d {
+
+struct Target { // column -= or += factor * integral; column < 0: nowhere
+  int32_t column;
+  double factor;
+};
+// Of one component of one local node: at most the two contact columns of its pair, or one outer column. What is
+// prescribed goes to the right-hand sides.
+struct Destination {
+  Target target[2];
+  bool known;   // times value(case), into the right-hand sides
+  bool contact; // a contact traction, see Measure
+};
+
+struct Range { // the columns wanted, and the first right-hand side
+  int32_t first, last, right;
+  bool holds(int32_t column) const { return column >= first && column < last; }
+  bool holds_right() const { return last > right; }
+};
+
+struct ElementTargets {
+  Destination h[4][2], g[4][2];
+  int32_t node[4];
+  bool want_h, want_g;  // tractions on the element's own length
+  bool want_contact;    // contact tractions
+};
+
+Destination displacement_destination(const Model& m, int b, int32_t node, int component, const Unknown& unknown);
+
+// Prescribed values in the units of the equations; displacement carries the sign of its move to the right.
+double known_displacement(const Model& m, int b, int32_t node, int component, int32_t load_case);
+double known_traction(const Model& m, int b, int32_t element, int l, int component, int32_t load_case);
+
+// Targets of all that falls into the range; what does not goes nowhere.
+void aim(const Model& m, int b, int32_t element, const Range& range, ElementTargets& out);
+
+} // namespace c2d
