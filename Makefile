@@ -80,6 +80,9 @@ $(PROGRAM): $(PROGRAM_OBJECTS) $(REPORT_OBJECTS) $(LIBRARY)
 	$(CXX) $(CXXFLAGS) $(LDFLAGS) -static-libstdc++ -static-libgcc -o $@ $^ -lm 2>/dev/null || \
 	  $(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm
 
+# ---------------------------------------------------------------- microcontrollers
+include port/cortex-m/embedded.mk
+
 # ---------------------------------------------------------------- tests
 TEST_DEFINES = -DC2D_TEST_ROOT='"$(CURDIR)"' -DC2D_TEST_BUILD='"$(abspath $(BUILD))"' -DC2D_TEST_CC='"$(CC)"' \
   -DC2D_TEST_CXX='"$(CXX)"' -DC2D_TEST_LIBRARY='"$(abspath $(LIBRARY))"' \
@@ -92,7 +95,8 @@ $(BUILD)/tests/%.o: tests/%.cpp $(BUILD)/flags $(BUILD)/tests/doctest Makefile
 	  -c $< -o $@
 $(TESTS): $(TEST_OBJECTS) $(REPORT_OBJECTS) $(FAMILY_OBJECTS) $(LIBRARY)
 	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $(TEST_OBJECTS) $(REPORT_OBJECTS) $(FAMILY_OBJECTS) $(LIBRARY) -lm -pthread
-test: $(TESTS) $(PROGRAM) $(LIBRARY) $(SHARED)
+# C2D_ALL_HOSTS=1: also what needs other compilers and an emulator.
+test: $(if $(C2D_ALL_HOSTS),$(EMBEDDED_TESTED)) $(TESTS) $(PROGRAM) $(LIBRARY) $(SHARED)
 	@sh tests/run_shards.sh $(TESTS) $(JOBS)
 
 # ---------------------------------------------------------------- for the user
@@ -128,7 +132,8 @@ convergence: $(BUILD)/convergence/run_convergence
 	@$(BUILD)/convergence/run_convergence
 
 # The list of sources against the folders: what is missing from either.
-FOUND_SOURCES := $(sort $(wildcard src/*/*.cpp src/program/*/*.cpp port/*/*.cpp port/*/*.c))
+# (port/cortex-m is compiled for its own machines only)
+FOUND_SOURCES := $(sort $(filter-out port/cortex-m/%,$(wildcard src/*/*.cpp src/program/*/*.cpp port/*/*.cpp port/*/*.c)))
 LISTED_SOURCES := $(sort $(CORE_SOURCES) $(PORT_SOURCES) $(REPORT_SOURCES) $(PROGRAM_SOURCES))
 NOT_LISTED := $(filter-out $(LISTED_SOURCES),$(FOUND_SOURCES))
 NOT_FOUND := $(filter-out $(FOUND_SOURCES),$(LISTED_SOURCES))
@@ -142,9 +147,9 @@ list:
 	   echo 'src/sources.mk lists every source file')
 relist:
 	@{ sed -n '/^#/p' src/sources.mk; \
-	   ls port/*/*.cpp | cut -d/ -f2 | sort -u | sed 's/^/PORTS += /'; \
+	   ls port/*/*.cpp | grep -v '^port/cortex-m/' | cut -d/ -f2 | sort -u | sed 's/^/PORTS += /'; \
 	   ls src/*/*.cpp | grep -v -e '^src/report/' -e '^src/program/' | sed 's/^/CORE_SOURCES += /'; \
-	   ls port/*/*.cpp port/*/*.c 2>/dev/null | sed 's/^/PORT_SOURCES += /'; \
+	   ls port/*/*.cpp port/*/*.c 2>/dev/null | grep -v '^port/cortex-m/' | sed 's/^/PORT_SOURCES += /'; \
 	   ls src/report/*.cpp | sed 's/^/REPORT_SOURCES += /'; \
 	   ls src/program/*.cpp src/program/*/*.cpp | sed 's/^/PROGRAM_SOURCES += /'; } > src/sources.mk.new
 	@mv src/sources.mk.new src/sources.mk
@@ -179,7 +184,7 @@ uninstall:
 	-rmdir $(DESTDIR)$(CMAKEDIR) 2>/dev/null || true
 
 clean:
-	rm -rf $(BUILD)/obj $(BUILD)/tests $(BUILD)/demo $(BUILD)/bench $(BUILD)/convergence
+	rm -rf $(BUILD)/obj $(BUILD)/tests $(BUILD)/demo $(BUILD)/bench $(BUILD)/convergence $(BUILD)/embedded
 	rm -f $(LIBRARY) $(BUILD)/libcontact2d.so.* $(PROGRAM) $(BUILD)/flags $(BUILD)/exports
 	-rmdir $(BUILD) 2>/dev/null || true
 

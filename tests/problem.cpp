@@ -701,10 +701,16 @@ struct Place {
 Place element_place(const Body& body, int32_t element, double eta) {
   const int n = body.element_nodes;
   const Range r = region_of(body, element);
+  int32_t shift = 0; // a point more for every open region before it
+  bool open = false;
+  for (int32_t i = 0; i < body.open_regions; ++i) {
+    if (body.regions[index(i)].last < element) ++shift;
+    open = open || body.regions[index(i)].last == r.last;
+  }
   Place out = {0, 0, 0, 0};
   for (int k = 0; k < n; ++k) {
-    int32_t node = (element - 1) * (n - 1) + k;
-    if (k == n - 1 && element == r.last) node = (r.first - 1) * (n - 1);
+    int32_t node = (element - 1) * (n - 1) + k + shift;
+    if (k == n - 1 && element == r.last && !open) node = (r.first - 1) * (n - 1) + shift;
     const double here = -1 + 2.0 * k / (n - 1);
     double value = 1, slope = 0;
     for (int j = 0; j < n; ++j) {

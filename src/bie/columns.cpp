@@ -24,7 +24,7 @@ void aim_right_hand_side(const Panel& panel, int32_t element, const ElementTarge
 }
 
 // The blocks of one element for every source, tractions in one measure; h goes with the element's own length.
-void add_element(const ColumnSystem& system, const Panel& panel, int32_t element, const ElementTargets& t,
+void add_element(const ColumnSystem& system, const Hole* hole, const Panel& panel, int32_t element, const ElementTargets& t,
                  Measure measure) {
   const Model& m = system.model;
   const int nf = m.head->function_nodes;
@@ -47,7 +47,7 @@ void add_element(const ColumnSystem& system, const Panel& panel, int32_t element
     if (panel.range.holds_right())
       aim_right_hand_side(panel, element, t, pass, want_h, want_g, contact, blocks, deposits);
     if (deposits.count == 0) continue;
-    pay_sources(system, integrator, t.node, want_h, want_g, blocks, deposits);
+    pay_sources(system, hole, integrator, t.node, want_h, want_g, blocks, deposits);
   }
 }
 
@@ -97,6 +97,25 @@ void add_node(const ColumnSystem& system, const Panel& panel, int32_t node) {
   panel.add(2 * node + 1, body.columns + 2, -(at[0] - body.centre[0] / m.head->length_unit));
 }
 
+// Everything that is integrated or acts at points; with a hole, what its equations have beside those of other nodes.
+void add_all(const ColumnSystem& system, const Hole* hole, const Panel& panel) {
+  const Model& m = system.model;
+  const int b = system.body;
+  for (int32_t element = 0; element < m.head->body[b].elements; ++element) {
+    if (!is_integrated(m, b, element)) continue;
+    ElementTargets targets;
+    aim(m, b, element, panel.range, targets);
+    if (targets.want_h || targets.want_g) add_element(system, hole, panel, element, targets, Measure::own_length);
+    if (targets.want_g && !hole) add_balance(system, panel, element, targets, Measure::own_length);
+    if (!targets.want_contact) continue;
+    add_element(system, hole, panel, element, targets, Measure::contact);
+    if (!hole) add_balance(system, panel, element, targets, Measure::contact);
+  }
+  for (int32_t i = 0; i < m.head->point_loads && panel.range.holds_right(); ++i)
+    if (m.point_load[i].body == b) add_point_load(system, hole, panel, m.point_load[i]);
+  for (int32_t k = 0; k < m.head->load_cases && has_body_force(m, b); ++k) add_body_force(system, hole, panel, k);
+}
+
 // This row says: the unknown of column j is zero.
 void hold(const Panel& panel, int32_t row, int32_t j) {
   for (int32_t k = panel.range.first; k < panel.range.last; ++k) *(panel.column(k) + row) = 0;
@@ -126,20 +145,11 @@ void fill_columns(const ColumnSystem& system, int32_t first, int32_t count, Real
     for (int32_t i = 0; i < rows; ++i) data[j * ld + i] = 0;
   const Range range{first, first + count, outer_columns(m, b) + 2 * m.head->contact};
   const Panel panel{m, b, range, data, ld};
-  for (int32_t element = 0; element < m.head->body[b].elements; ++element) {
-    if (!is_integrated(m, b, element)) continue;
-    ElementTargets targets;
-    aim(m, b, element, range, targets);
-    if (targets.want_h || targets.want_g) add_element(system, panel, element, targets, Measure::own_length);
-    if (targets.want_g) add_balance(system, panel, element, targets, Measure::own_length);
-    if (!targets.want_contact) continue;
-    add_element(system, panel, element, targets, Measure::contact);
-    add_balance(system, panel, element, targets, Measure::contact);
-  }
+  add_all(system, nullptr, panel);
+  HoleWalk walk{};
+  Hole hole;
+  while (next_hole(m, b, walk, hole)) add_all(system, &hole, panel);
   for (int32_t node = 0; node < m.head->body[b].nodes; ++node) add_node(system, panel, node);
-  for (int32_t i = 0; i < m.head->point_loads && range.holds_right(); ++i)
-    if (m.point_load[i].body == b) add_point_load(system, panel, m.point_load[i]);
-  for (int32_t k = 0; k < m.head->load_cases && has_body_force(m, b); ++k) add_body_force(system, panel, k);
   if (m.head->symmetry != 0) hold_by_symmetry(system, panel);
   if (b == 0 && m.head->free_rows > 0) fill_transfer(system, first, count, data, ld);
 }

@@ -11,7 +11,6 @@ namespace {
 
 constexpr double kTolerance = 1e-13;
 constexpr double kNever = 1e300; // a squared distance no source has
-constexpr double kPi = 3.14159265358979323846;
 
 double length(const double v[2]) {
   return sqrt(v[0] * v[0] + v[1] * v[1]);

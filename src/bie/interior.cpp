@@ -3,13 +3,13 @@
 
 #include "bie/integrals_detail.hpp"
 #include "bie/interior_detail.hpp"
+#include "bie/kernels.hpp"
 #include "bie/shape.hpp"
 #include "quadrature/gauss.hpp"
 
 namespace c2d {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 
 // What both kernels of a source-field pair need.
 struct Ray {

@@ -8,6 +8,8 @@
 
 namespace c2d {
 
+constexpr double kPi = 3.14159265358979323846; // M_PI is no name of C++
+
 struct Tensor {
   double alpha, beta, gamma, delta;
 };

@@ -8,7 +8,19 @@
 
 namespace c2d {
 
-void add_point_load(const ColumnSystem& system, const Panel& panel, const PointLoad& load) {
+namespace {
+
+void add_load_to_hole(const ColumnSystem& system, const Hole& hole, const Panel& panel, const PointLoad& load) {
+  const double row = hole_load(system.model, system.body, hole, load);
+  visit_hole(system, hole, [&](int32_t node, const double n[2]) {
+    for (int i = 0; i < 2; ++i) panel.add(2 * node + i, panel.range.right + load.load_case, n[i] * row);
+  });
+}
+
+} // namespace
+
+void add_point_load(const ColumnSystem& system, const Hole* hole, const Panel& panel, const PointLoad& load) {
+  if (hole) return add_load_to_hole(system, *hole, panel, load);
   const Model& m = system.model;
   const int b = system.body;
   const Body& body = m.head->body[b];
@@ -24,7 +36,7 @@ void add_point_load(const ColumnSystem& system, const Panel& panel, const PointL
       double u[2][2];
       const Source p = mirrored_source(*m.head, image, at);
       const double rx = load.x / unit - p.x, ry = load.y / unit - p.y;
-      store(displacement_kernel(rx, ry, rx * rx + ry * ry, 3.0 - 4.0 * nu), 1.0 / (4.0 * M_PI * (1.0 - nu)), u);
+      store(displacement_kernel(rx, ry, rx * rx + ry * ry, 3.0 - 4.0 * nu), 1.0 / (4.0 * kPi * (1.0 - nu)), u);
       for (int i = 0; i < 2; ++i)
         panel.add(2 * node + i, column, image_sign(image, i) * (u[i][0] * f[0] + u[i][1] * f[1]));
     }
@@ -38,7 +50,7 @@ void add_point_load(const ColumnSystem& system, const Panel& panel, const PointL
 namespace {
 
 // H u_p - G t_p of one element, into the right-hand side of one load case.
-void add_particular(const ColumnSystem& system, const Panel& panel, int32_t element, int32_t load_case) {
+void add_particular(const ColumnSystem& system, const Hole* hole, const Panel& panel, int32_t element, int32_t load_case) {
   const Model& m = system.model;
   const int b = system.body, nf = m.head->function_nodes;
   Real* column = panel.column(panel.range.right + load_case);
@@ -59,20 +71,21 @@ void add_particular(const ColumnSystem& system, const Panel& panel, int32_t elem
       deposits.add(&blocks.g[l][0][c], column, -t[c] / (2.0 * shear_modulus(m, b)));
     }
   }
-  if (deposits.count > 0) pay_sources(system, integrator, node, true, true, blocks, deposits);
+  if (deposits.count > 0) pay_sources(system, hole, integrator, node, true, true, blocks, deposits);
 }
 
 } // namespace
 
 // What the body force of a load case adds to its right-hand side: the equations hold for u - u_p and t - t_p.
-void add_body_force(const ColumnSystem& system, const Panel& panel, int32_t load_case) {
+void add_body_force(const ColumnSystem& system, const Hole* hole, const Panel& panel, int32_t load_case) {
   const Model& m = system.model;
   const int b = system.body;
   const Body& body = m.head->body[b];
   const int32_t column = panel.range.right + load_case;
   if (!panel.range.holds(column) || !is_loaded(body_force(m, b, load_case))) return;
   for (int32_t element = 0; element < body.elements; ++element)
-    if (is_integrated(m, b, element)) add_particular(system, panel, element, load_case);
+    if (is_integrated(m, b, element)) add_particular(system, hole, panel, element, load_case);
+  if (hole) return;
   for (int32_t node = 0; node < body.nodes; ++node) {
     if (system.twin[node] == kSecondTwin || system.twin[node] == kAxisNode) continue;
     double x, y;

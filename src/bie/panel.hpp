@@ -1,5 +1,6 @@
 #pragma once
 // Adding into a panel of columns, by one number or by the integrals of an element for one source after another.
+#include "bie/holes.hpp"
 #include "bie/targets.hpp"
 
 namespace c2d {
@@ -59,12 +60,13 @@ inline void aim_deposits(const Panel& panel, const Destination& d, const double*
     if (target.column >= 0) out.add(block, panel.column(target.column), target.factor);
 }
 
-// Integrals of an element for every source and image, paid where the deposits say.
-void pay_sources(const ColumnSystem& system, const Integrator& integrator, const int32_t node[4], bool want_h,
-                 bool want_g, Blocks& blocks, const Deposits& deposits);
+// Integrals of an element for every source and image, paid where the deposits say; of a hole, if one is given, what its
+// nodes' equations have beside those.
+void pay_sources(const ColumnSystem& system, const Hole* hole, const Integrator& integrator, const int32_t node[4],
+                 bool want_h, bool want_g, Blocks& blocks, const Deposits& deposits);
 
-// Point loads of the body and its body force of one load case, into the right-hand sides.
-void add_point_load(const ColumnSystem& system, const Panel& panel, const PointLoad& load);
-void add_body_force(const ColumnSystem& system, const Panel& panel, int32_t load_case);
+// Point loads of the body and its body force of one load case, into the right-hand sides; `hole` as above.
+void add_point_load(const ColumnSystem& system, const Hole* hole, const Panel& panel, const PointLoad& load);
+void add_body_force(const ColumnSystem& system, const Hole* hole, const Panel& panel, int32_t load_case);
 
 } // namespace c2d

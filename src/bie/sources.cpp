@@ -1,4 +1,5 @@
 // Collocation points, their images, and what every one of them takes from an element.
+#include "bie/holes.hpp"
 #include "bie/panel.hpp"
 #include "model/symmetry.hpp"
 
@@ -41,10 +42,26 @@ void sign_rows(int image, int functions, double block[4][2][2]) {
       for (int j = 0; j < 2; ++j) block[l][i][j] *= image_sign(image, i);
 }
 
+void pay_hole(const ColumnSystem& system, const Hole& hole, const Integrator& integrator, bool want_h, bool want_g,
+              Blocks& blocks, const Deposits& deposits) {
+  HoleRow row;
+  hole_row(system.model, hole, integrator, want_h, want_g, row);
+  visit_hole(system, hole, [&](int32_t node, const double n[2]) {
+    for (int l = 0; l < integrator.functions; ++l)
+      for (int i = 0; i < 2; ++i)
+        for (int c = 0; c < 2; ++c) {
+          if (want_h) blocks.h[l][i][c] = n[i] * row.h[l][c];
+          if (want_g) blocks.g[l][i][c] = n[i] * row.g[l][c];
+        }
+    deposits.pay(node);
+  });
+}
+
 } // namespace
 
-void pay_sources(const ColumnSystem& system, const Integrator& integrator, const int32_t node[4], bool want_h,
-                 bool want_g, Blocks& blocks, const Deposits& deposits) {
+void pay_sources(const ColumnSystem& system, const Hole* hole, const Integrator& integrator, const int32_t node[4],
+                 bool want_h, bool want_g, Blocks& blocks, const Deposits& deposits) {
+  if (hole) return pay_hole(system, *hole, integrator, want_h, want_g, blocks, deposits);
   const Model& m = system.model;
   const int nf = m.head->function_nodes;
   for (int32_t source = 0; source < m.head->body[system.body].nodes; ++source) {

@@ -1,5 +1,6 @@
 #include "bie/transfer.hpp"
 
+#include "bie/holes.hpp"
 #include "bie/shape.hpp"
 #include "model/symmetry.hpp"
 
@@ -144,6 +145,21 @@ void send(const Model& m, const Columns& panel, const Transfer& t, const double 
   }
 }
 
+// What a piece adds to the equations at the nodes of a hole.
+void add_to_hole(const ColumnSystem& system, const Hole& hole, const Columns& panel, const Transfer& t) {
+  const Model& m = system.model;
+  HoleRow row;
+  hole_row(m, hole, t.in, false, true, row);
+  visit_hole(system, hole, [&](int32_t node, const double n[2]) {
+    for (int i = 0; i < 2; ++i)
+      for (int c = 0; c < 2; ++c) {
+        double value[4];
+        for (int k = 0; k < t.in.functions; ++k) value[k] = n[i] * row.g[k][c];
+        if (!is_held_by_symmetry(m, 0, node, i)) send(m, panel, t, value, 2 * node + i, c);
+      }
+  });
+}
+
 void add_piece(const ColumnSystem& system, const Columns& panel, const Transfer& t) {
   const Model& m = system.model;
   Blocks blocks;
@@ -186,6 +202,12 @@ void fill_transfer(const ColumnSystem& system, int32_t first, int32_t count, Rea
   TransferWalk walk{};
   Transfer transfer;
   while (next_transfer(m, system.quadrature, walk, transfer)) add_piece(system, panel, transfer);
+  HoleWalk holes{};
+  Hole hole;
+  while (next_hole(m, 0, holes, hole)) {
+    walk = TransferWalk{};
+    while (next_transfer(m, system.quadrature, walk, transfer)) add_to_hole(system, hole, panel, transfer);
+  }
 }
 
 bool transferred_end(const Model& m, int32_t element, int l, TransferredEnd& out) {

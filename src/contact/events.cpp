@@ -66,7 +66,7 @@ c2d_outcome failed_outcome(int32_t status) {
 }
 
 c2d_status tell_change(const Follower& f) {
-  return f.watch.changed ? f.watch.changed(f.watch.context, f.load[0]) : C2D_OK;
+  return f.watch.changed ? f.watch.changed(f.watch.context, f.load[0]) : c2d_status{C2D_OK};
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "deck/cards.hpp"
 
 #include "deck/number.hpp"
+#include "memory/characters.hpp"
 
 #include <string.h>
 
@@ -101,9 +102,8 @@ void start_cards(Cards& cards, c2d_read_line read, void* context, c2d_report rep
 
 void refuse_tabs(Cards& cards) {
   if (cards.free_form) return;
-  const void* tab = memchr(cards.text, '\t', kCardColumns);
-  if (tab == nullptr) return;
-  const int32_t column = static_cast<int32_t>(static_cast<const char*>(tab) - cards.text) + 1;
+  const int32_t column = place_of('\t', cards.text, kCardColumns) + 1;
+  if (column > kCardColumns) return;
   fault(cards, column, column, "column ", column,
         " holds a tab, expected blanks: fields stand in fixed columns, and a tab does not say how many");
   cards.refused = true;
@@ -200,7 +200,7 @@ void begin_fault(Cards& cards, int32_t column, int32_t column_end) {
 
 void end_fault(Cards& cards) {
   if (cards.vital) {
-    Text text = {cards.entry.text, sizeof cards.entry.text, strlen(cards.entry.text)};
+    Text text = {cards.entry.text, sizeof cards.entry.text, static_cast<size_t>(text_length(cards.entry.text))};
     put(text, "; what follows cannot be read without it");
   }
   if (cards.faults >= kMaximumFaults) {

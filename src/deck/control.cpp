@@ -18,9 +18,7 @@ bool read_problem_type(Deck& deck) {
   integer(cards, 6, 5, "type of output (IOUT)", INT32_MIN, INT32_MAX, &output);
   end_of_fields(cards, 11);
   deck.problem.plane = plane;
-  deck.problem.analysis = output < C2D_ANALYSIS_CHECK        ? C2D_ANALYSIS_CHECK
-                          : output > C2D_ANALYSIS_ITERATIONS ? C2D_ANALYSIS_ITERATIONS
-                                                             : output;
+  deck.problem.analysis = output;
   if (deck.sink == nullptr) return true;
   place(deck, 1, 10);
   return accept(deck, deck.sink->set_problem(deck.sink->solver, &deck.problem));

@@ -2,8 +2,7 @@
 #include "deck/cards.hpp"
 
 #include "deck/number.hpp"
-
-#include <string.h>
+#include "memory/characters.hpp"
 
 namespace c2d {
 namespace {
@@ -198,7 +197,7 @@ void end_of_fields(Cards& cards, int32_t column) {
     tell_field(cards, C2D_CARD_REMARK, column, 0, cards.text + column - 1, kLastColumn - column + 1, 0);
   int32_t first = column;
   while (first <= kLastColumn && cards.text[first - 1] == ' ') ++first;
-  if (first > kLastColumn || strchr("+-.0123456789", cards.text[first - 1]) == nullptr) return;
+  if (first > kLastColumn || !one_of(cards.text[first - 1], "+-.0123456789")) return;
   int32_t last = first;
   while (last < kLastColumn && cards.text[last] != ' ') ++last;
   malformed_field(cards, first, last - first + 1, "blanks",

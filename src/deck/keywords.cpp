@@ -1,6 +1,6 @@
 #include "deck/keywords.hpp"
 
-#include <string.h>
+#include "memory/characters.hpp"
 
 namespace c2d {
 namespace {
@@ -57,7 +57,7 @@ void join_name(const Words& words, int32_t count, char (&name)[kMaximumName]) {
 }
 
 int32_t words_in(const char* name) {
-  return strchr(name, ' ') != nullptr ? 2 : 1;
+  return name[place_of(' ', name, text_length(name))] == ' ' ? 2 : 1;
 }
 
 int32_t least_of(int32_t a, int32_t b) {
@@ -67,7 +67,7 @@ int32_t least_of(int32_t a, int32_t b) {
 // How many letters must be put in, taken out or changed to turn one name into the other.
 int32_t edit_distance(const char* a, const char* b) {
   int32_t row[kMaximumName];
-  const int32_t length = static_cast<int32_t>(strlen(b));
+  const int32_t length = text_length(b);
   for (int32_t j = 0; j <= length; ++j) row[j] = j;
   for (int32_t i = 0; a[i] != '\0'; ++i) {
     int32_t diagonal = row[0];
@@ -91,7 +91,7 @@ const char* nearest(const Words& words) {
     int32_t distance = edit_distance(name, keyword.name);
     join_name(words, 1, name); // two words written as one
     distance = least_of(distance, edit_distance(name, keyword.name));
-    if (distance >= least || 2 * distance > static_cast<int32_t>(strlen(keyword.name))) continue;
+    if (distance >= least || 2 * distance > text_length(keyword.name)) continue;
     least = distance;
     found = keyword.name;
   }
@@ -124,7 +124,7 @@ int32_t find_keyword(const Words& words) {
   for (int32_t i = 0; i < kKeywordCount; ++i) {
     char name[kMaximumName];
     join_name(words, words_in(kKeywords[i].name), name);
-    if (strcmp(name, kKeywords[i].name) == 0) return i;
+    if (same_text(name, kKeywords[i].name)) return i;
   }
   return -1;
 }

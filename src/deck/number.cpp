@@ -1,5 +1,6 @@
 #include "deck/number.hpp"
 
+#include "memory/characters.hpp"
 #include "memory/wide_integer.hpp"
 
 #include <string.h>
@@ -25,7 +26,7 @@ FieldFault malformed(const char* text, int32_t width) {
   bool numeric = true, blank = false;
   for (int32_t i = 0; i < width; ++i) {
     blank = blank || text[i] == ' ';
-    numeric = numeric && (is_digit(text[i]) || (text[i] != '\0' && strchr(" +-.EDed", text[i]) != nullptr));
+    numeric = numeric && (is_digit(text[i]) || one_of(text[i], " +-.EDed"));
   }
   return numeric && blank ? FieldFault::blank_inside : FieldFault::not_a_number;
 }
@@ -43,7 +44,7 @@ struct Parts {
 bool exponent_part(const char* text, int32_t at, int32_t width, int32_t* exponent) {
   *exponent = 0;
   if (at == width) return true;
-  const bool letter = text[at] != '\0' && strchr("EDed", text[at]) != nullptr;
+  const bool letter = one_of(text[at], "EDed");
   if (letter) ++at;
   const bool sign = at < width && (text[at] == '+' || text[at] == '-');
   if (!letter && !sign) return false;

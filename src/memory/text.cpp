@@ -26,7 +26,7 @@ void put(Text& text, const char* characters) {
   put(text, characters, SIZE_MAX);
 }
 
-void put(Text& text, uint64_t number) {
+void put_unsigned(Text& text, uint64_t number) {
   char digits[20];
   size_t first = sizeof digits;
   do {
@@ -36,16 +36,9 @@ void put(Text& text, uint64_t number) {
   put(text, digits + first, sizeof digits - first);
 }
 
-void put(Text& text, int64_t number) {
+void put_signed(Text& text, int64_t number) {
   if (number < 0) put_character(text, '-');
-  put(text, number < 0 ? 0 - static_cast<uint64_t>(number) : static_cast<uint64_t>(number));
-}
-
-void put(Text& text, int32_t number) {
-  put(text, static_cast<int64_t>(number));
-}
-void put(Text& text, uint32_t number) {
-  put(text, static_cast<uint64_t>(number));
+  put_unsigned(text, number < 0 ? 0 - static_cast<uint64_t>(number) : static_cast<uint64_t>(number));
 }
 
 namespace {

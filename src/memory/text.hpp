@@ -4,6 +4,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include <type_traits>
+
 namespace c2d {
 
 struct Text {
@@ -22,10 +24,16 @@ template <size_t N> Text text_in(char (&bytes)[N]) {
 void put(Text& text, const char* characters);
 void put(Text& text, const char* characters, size_t count); // exactly `count` of them, or up to a zero byte
 void put_character(Text& text, char character);
-void put(Text& text, int32_t number);
-void put(Text& text, int64_t number);
-void put(Text& text, uint32_t number);
-void put(Text& text, uint64_t number);
+void put_signed(Text& text, int64_t number);
+void put_unsigned(Text& text, uint64_t number);
+// Any type of integer: which of them are int32_t and int64_t differs from machine to machine.
+template <class Integer, class = std::enable_if_t<std::is_integral<Integer>::value>>
+void put(Text& text, Integer number) {
+  if (std::is_signed<Integer>::value)
+    put_signed(text, static_cast<int64_t>(number));
+  else
+    put_unsigned(text, static_cast<uint64_t>(number));
+}
 // As C's "%.<digits>g" in the C locale, correctly rounded (ties to even), 1 <= digits <= 17; "nan", "inf",
 // "-inf". No floating-point operation is carried out, so nothing can trap.
 void put(Text& text, double number, int32_t digits = 6);

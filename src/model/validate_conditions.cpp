@@ -1,8 +1,11 @@
 // Exactly one unknown per functional node and global component.
 #include "model/geometry.hpp"
+#include "model/symmetry.hpp"
 #include "model/unknowns.hpp"
 #include "model/validate.hpp"
 #include "model/validate_finding.hpp"
+
+#include <math.h>
 
 namespace c2d {
 
@@ -74,6 +77,32 @@ void check_double_node(const Model& m, int b, int32_t node, int component, Repor
   tell(reporter, f);
 }
 
+// May a boundary point move along the normal somewhere?
+bool can_move_outward(const Model& m, int b) {
+  const int32_t f = m.head->function_nodes;
+  for (int32_t element = 0; element < body_of(m, b).elements; ++element) {
+    if (!is_integrated(m, b, element)) continue;
+    for (int l = 0; l < f; ++l) {
+      double n[2];
+      outward_normal(m, b, element, local_eta(f, l), n);
+      const int32_t node = functional_node(m, b, element, l);
+      for (int c = 0; c < 2; ++c)
+        if (fabs(n[c]) > 1e-6 && !displacement_known(m, b, node, c) && !is_held_by_symmetry(m, b, node, c)) return true;
+    }
+  }
+  return false;
+}
+
+// A body that cannot change its volume, held everywhere: its pressure does no work and may be anything.
+void check_pressure(const Model& m, int b, Reporter& reporter) {
+  if (strain_poisson_ratio(m, b) < 0.5 - 1e-12 || can_move_outward(m, b)) return;
+  Finding f = fault();
+  locate_element(f, m, b, 0);
+  say(f, "body ", b + 1, " is incompressible (plane strain, Poisson's ratio 0.5) and its displacement along the normal is ",
+      "prescribed everywhere: nothing determines its pressure; expected a ratio below 0.5, or a free part of the boundary");
+  tell(reporter, f);
+}
+
 } // namespace
 
 bool validate_conditions(const Model& m, bool frames, Reporter& reporter) {
@@ -91,6 +120,7 @@ bool validate_conditions(const Model& m, bool frames, Reporter& reporter) {
         check_double_node(m, b, node, component, reporter);
       }
     }
+    if (frames) check_pressure(m, b, reporter);
   }
   return reporter.faults == before;
 }

@@ -279,7 +279,7 @@ c2d_status back_substitute_all(Session& session) {
   c2d_solver* s = session.solver;
   if (s->back_substituted || s->blocked || s->floating) return C2D_OK;
   const double start = clock_now(s);
-  c2d_status status = s->table_is_current ? C2D_OK : fill_table(session);
+  c2d_status status = s->table_is_current ? c2d_status{C2D_OK} : fill_table(session);
   for (int b = 0; b < s->model.bodies && status == C2D_OK; ++b) status = back_substitute_body(session, b);
   if (status == C2D_OK) {
     for (int b = 0; b < s->model.bodies; ++b) sum_forces(session, b);

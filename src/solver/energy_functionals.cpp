@@ -172,7 +172,7 @@ void add_point_fields(Adjoint& a, const double at[2], const double factor[2]) {
     if (other.body != a.b) continue;
     const double rx = other.x / unit - at[0], ry = other.y / unit - at[1], r2 = rx * rx + ry * ry;
     const bool own = r2 <= 1e-18 * size * size;
-    const double scale = 1.0 / (2.0 * shear_modulus(m, a.b) * unit * 4.0 * M_PI * (1.0 - nu));
+    const double scale = 1.0 / (2.0 * shear_modulus(m, a.b) * unit * 4.0 * kPi * (1.0 - nu));
     double u[2][2];
     store(own ? displacement_kernel(0.0, 0.0, 0.0, size * size, 3.0 - 4.0 * nu)
               : displacement_kernel(rx, ry, r2, 3.0 - 4.0 * nu),

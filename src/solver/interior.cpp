@@ -70,7 +70,7 @@ bool is_inside(const PointState& p, int b) {
 c2d_status pause(const Session& session, int b, int32_t element) {
   c2d_solver* s = session.solver;
   tell_progress(s, C2D_PHASE_BACK, b + 1, element, s->model.body[b].elements);
-  return asked_to_stop(s) ? fail(s, C2D_ERR_CANCELLED, "cancelled while computing interior points") : C2D_OK;
+  return asked_to_stop(s) ? fail(s, C2D_ERR_CANCELLED, "cancelled while computing interior points") : c2d_status{C2D_OK};
 }
 
 // Nearest boundary point and winding number of the points not yet placed, from one element.
@@ -441,8 +441,8 @@ void clear_boundary(const Session& session) {
   const ModelHeader& head = *session.model.head;
   for (int b = 0; b < head.bodies; ++b) {
     const int64_t ends = static_cast<int64_t>(head.body[b].elements) * head.function_nodes;
-    memset(session.area.displacement[b], 0, 2 * sizeof(double) * static_cast<uint64_t>(head.body[b].nodes));
-    memset(session.area.traction[b], 0, 2 * sizeof(double) * static_cast<uint64_t>(ends));
+    memset(session.area.displacement[b], 0, 2 * sizeof(double) * static_cast<size_t>(head.body[b].nodes));
+    memset(session.area.traction[b], 0, 2 * sizeof(double) * static_cast<size_t>(ends));
     memset(session.solver->multiplier[b], 0, sizeof session.solver->multiplier[b]);
   }
 }

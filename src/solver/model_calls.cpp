@@ -4,6 +4,7 @@
 
 #include "bie/columns.hpp"
 #include "contact/frames.hpp"
+#include "memory/characters.hpp"
 #include "memory/text.hpp"
 #include "model/unknowns.hpp"
 #include "solver/solver.hpp"
@@ -120,7 +121,9 @@ extern "C" c2d_status c2d_set_problem(c2d_solver* s, const c2d_problem* problem)
   m.function_nodes = s->sizes.function_nodes;
   m.load_cases = s->sizes.load_cases;
   m.plane = ours.plane;
-  m.analysis = ours.analysis < -1 ? C2D_ANALYSIS_CHECK : (ours.analysis > 3 ? C2D_ANALYSIS_ITERATIONS : ours.analysis);
+  m.analysis = ours.analysis;
+  if (m.analysis < C2D_ANALYSIS_CHECK) m.analysis = C2D_ANALYSIS_CHECK;
+  if (m.analysis > C2D_ANALYSIS_ITERATIONS) m.analysis = C2D_ANALYSIS_ITERATIONS;
   m.iteration_limit = ours.iteration_limit == 0 ? 50 : ours.iteration_limit;
   ours.title[sizeof ours.title - 1] = '\0';
   memcpy(m.title, ours.title, sizeof m.title);
@@ -136,13 +139,14 @@ extern "C" c2d_status c2d_set_units(c2d_solver* s, const char* length, const cha
   char* const places[2] = {s->model.unit_length, s->model.unit_force};
   static_assert(sizeof s->model.unit_length == 16 && sizeof s->model.unit_force == 16, "as the header says");
   for (const char* name : names)
-    if (!memchr(name, '\0', 16))
+    if (place_of('\0', name, 16) == 16)
       return refuse(s, C2D_ERR_ARGUMENT, "the name of a unit is too long, expected at most 15 characters");
   for (int i = 0; i < 2; ++i) {
     memset(places[i], 0, 16);
-    memcpy(places[i], names[i], strlen(names[i]));
+    memcpy(places[i], names[i], static_cast<size_t>(text_length(names[i])));
   }
-  return s->state == C2D_STATE_EMPTY ? built(s) : C2D_OK;
+  if (s->state != C2D_STATE_EMPTY) return C2D_OK;
+  return built(s);
 }
 
 namespace {

@@ -116,7 +116,7 @@ c2d_status run_cards(Session& session) {
       status = show_step(session, reached ? C2D_STEP_RECORDED : C2D_STEP_STOPPED);
       if (status != C2D_OK || !reached) return status;
     }
-    const c2d_status status = p == peak ? guard_drift(session, true) : C2D_OK;
+    const c2d_status status = p == peak ? guard_drift(session, true) : c2d_status{C2D_OK};
     if (status != C2D_OK) return status;
   }
   return C2D_OK;

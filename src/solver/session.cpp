@@ -204,8 +204,8 @@ c2d_status contact_residual(Session& session, double* out) {
   const ContactMatrix other =
       session.solver->inverted == 0 ? ContactMatrix::displacement2 : ContactMatrix::displacement1;
   for (int32_t i = 0; i < m; ++i) sum[i] = magnitude[i] = 0;
-  const auto add = [&](ContactMatrix matrix, int32_t j, double factor) {
-    if (factor == 0.0) return C2D_OK + 0;
+  const auto add = [&](ContactMatrix matrix, int32_t j, double factor) -> c2d_status {
+    if (factor == 0.0) return C2D_OK;
     const c2d_status status = read_column(session.tape, matrix, j, column);
     for (int32_t i = 0; i < m && status == C2D_OK; ++i) {
       sum[i] += static_cast<Real>(factor) * column[i];
@@ -332,7 +332,8 @@ c2d_status advance_path(Session& session, const double* target) {
   const double start = clock_now(s);
   for (int32_t k = 0; k < cases; ++k) array_of<double>(s, kLoads)[cases + k] = target[k];
   const bool from_zero = all_zero(f.load, cases);
-  c2d_status status = s->floating ? take_off(session, target, &outcome) : C2D_OK;
+  c2d_status status = C2D_OK;
+  if (s->floating) status = take_off(session, target, &outcome);
   if (status == C2D_OK && outcome == C2D_REACHED) status = follow(session, target, &outcome);
   // What touched at zero load was pulled off: nothing is loaded yet, so the body may fly to other pairs once.
   if (status == C2D_OK && outcome == C2D_FREE_MOTION && from_zero && all_zero(f.load, cases) &&
@@ -412,9 +413,8 @@ void fill_row(const Session& session, int32_t i, double* row) {
   const PairState now = pair_state(*f.t, i, f.y);
   const double length = head.length_unit;
   const int32_t n = pair.dof, t = pair.dof + 1;
-  row[C2D_STATUS] = pair.status == C2D_OPEN ? C2D_OPEN
-                    : !pair.tangential     ? (pair.mu > 0.0 ? C2D_STICK : C2D_SLIP)
-                                           : pair.status;
+  row[C2D_STATUS] = pair.status;
+  if (pair.status != C2D_OPEN && !pair.tangential) row[C2D_STATUS] = pair.mu > 0.0 ? C2D_STICK : C2D_SLIP;
   row[C2D_TN] = now.p * head.stress_unit;
   row[C2D_TT] = now.q * head.stress_unit;
   row[C2D_UN1] = session.area.u[0][n] * length;

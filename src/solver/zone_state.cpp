@@ -102,5 +102,5 @@ extern "C" c2d_status c2d_get_zone_state(c2d_solver* s, int32_t zone, c2d_zone_s
     refresh(session.follower);
     fill_zone_state(session, z, ours);
   }
-  return copy_out(&ours, sizeof ours, out) ? C2D_OK : fail(s, C2D_ERR_ARGUMENT, "the struct has no size");
+  return copy_out(&ours, sizeof ours, out) ? c2d_status{C2D_OK} : fail(s, C2D_ERR_ARGUMENT, "the struct has no size");
 }

@@ -247,14 +247,14 @@ c2d_status read_block(Tapes& tapes, int32_t tape, uint64_t block, void* buffer, 
 c2d_status sync_tape(Tapes& tapes, int32_t tape) {
   if (!is_tape(tape) || !tapes.is_open[tape]) return broken_promise(tapes, tape, 0, "the tape is not open");
   const int32_t code = (AtWork(tapes), tapes.port->sync(tapes.port->context, tape));
-  return code == 0 ? C2D_OK : host_error(tapes, C2D_ERR_STORE_SYNC, tape, "making it safe", code);
+  return code == 0 ? c2d_status{C2D_OK} : host_error(tapes, C2D_ERR_STORE_SYNC, tape, "making it safe", code);
 }
 
 c2d_status close_tape(Tapes& tapes, int32_t tape) {
   if (!is_tape(tape) || !tapes.is_open[tape]) return broken_promise(tapes, tape, 0, "the tape is not open");
   tapes.is_open[tape] = 0;
   const int32_t code = (AtWork(tapes), tapes.port->close(tapes.port->context, tape));
-  return code == 0 ? C2D_OK : host_error(tapes, C2D_ERR_STORE_CLOSE, tape, "closing", code);
+  return code == 0 ? c2d_status{C2D_OK} : host_error(tapes, C2D_ERR_STORE_CLOSE, tape, "closing", code);
 }
 
 c2d_status close_all(Tapes& tapes) {

@@ -1,0 +1,7 @@
+#pragma once
+// What a board's program needs around main, and what the stack has been used for.
+#include <stdint.h>
+
+// Bytes between the end of the static data and the top of RAM, and how many of them were ever written to.
+uint32_t stack_size();
+uint32_t stack_used();

@@ -1,0 +1,56 @@
+#pragma once
+// Equations that holes need. The boundary equations say that the displacement V = int U t - int T u vanishes in the
+// filling of every hole. If the material is incompressible, that leaves the filling a constant pressure: H and G both
+// lose the normal n of the hole on the left, and the hole's own state of pressure is in the null space of H. (In symbols,
+// n.(H u - G t) summed over the hole is 1 - 2 nu times something: the errors of the discretisation are divided by it.)
+// The equations at the nodes of a hole are therefore
+//   H u - G t + L n tr V = 0,   tr V: trace of the stress of V at a point inside the hole, 0 in the exact solution,
+// with a length L of the hole. The sign is that of a filling which no pressure of its own can hold displaced.
+#include "bie/columns.hpp"
+
+namespace c2d {
+
+// A closed curve with the material outside it, as it is or completed by its images: a run of elements of one region.
+struct Hole {
+  int32_t region, first, elements;
+  double x, y;   // a point inside, in the length unit
+  double length; // across the hole, likewise
+};
+
+// Holes one after another: start with HoleWalk{}; false when there is none left.
+struct HoleWalk {
+  int32_t region, element, done; // the next run begins here; elements of the region dealt with
+};
+bool next_hole(const Model& model, int b, HoleWalk& walk, Hole& out);
+
+// What each local node's displacement and traction (in the integrator's measure) add to L tr V, with the signs of the
+// sums h u - g t.
+struct HoleRow {
+  double h[4][2], g[4][2];
+};
+void hole_row(const Model& model, const Hole& hole, const Integrator& integrator, bool want_h, bool want_g,
+              HoleRow& out);
+// The same of a point load: added to G t's side.
+double hole_load(const Model& model, int b, const Hole& hole, const PointLoad& load);
+
+// Visits every node of the hole that has equations of its own: visit(node, n) with a normal n, not of unit length.
+void hole_normal(const Model& model, int b, int32_t node, double n[2]);
+template <class Visit> void visit_hole(const ColumnSystem& system, const Hole& hole, Visit visit) {
+  const Model& m = system.model;
+  const int b = system.body, nf = m.head->function_nodes;
+  int32_t element = hole.first, before = -1;
+  for (int32_t k = 0; k < hole.elements; ++k) {
+    for (int l = 0; l < nf; ++l) {
+      const int32_t node = functional_node(m, b, element, l);
+      const bool closes = k + 1 == hole.elements && k > 0 && node == functional_node(m, b, hole.first, 0);
+      if (node == before || closes || system.twin[node] == kSecondTwin || system.twin[node] == kAxisNode) continue;
+      before = node;
+      double n[2];
+      hole_normal(m, b, node, n);
+      visit(node, n);
+    }
+    element = element_after(m, b, element);
+  }
+}
+
+} // namespace c2d

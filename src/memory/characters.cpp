@@ -1,0 +1,26 @@
+#include "memory/characters.hpp"
+
+namespace c2d {
+
+int32_t place_of(char wanted, const char* text, int32_t size) {
+  int32_t i = 0;
+  while (i < size && text[i] != wanted) ++i;
+  return i;
+}
+
+int32_t text_length(const char* text) {
+  return place_of('\0', text, INT32_MAX);
+}
+
+bool one_of(char character, const char* set) {
+  const int32_t size = text_length(set);
+  return character != '\0' && place_of(character, set, size) < size;
+}
+
+bool same_text(const char* a, const char* b) {
+  int32_t i = 0;
+  while (a[i] == b[i] && a[i] != '\0') ++i;
+  return a[i] == b[i];
+}
+
+} // namespace c2d

@@ -1,0 +1,16 @@
+#pragma once
+// What is asked of short texts, so that the core needs nothing of the C library but memory moves and
+// mathematics.
+#include <stdint.h>
+
+namespace c2d {
+
+// Place of the first `wanted` in text[0 .. size), size if there is none; nothing behind it is looked at.
+int32_t place_of(char wanted, const char* text, int32_t size);
+// Characters before the zero byte.
+int32_t text_length(const char* text);
+// Is it one of the characters of `set`? A zero byte is none.
+bool one_of(char character, const char* set);
+bool same_text(const char* a, const char* b);
+
+} // namespace c2d

@@ -1,0 +1,148 @@
+// The library on Cortex-M3, M4F and M7: the sample deck in an emulator against this machine's run.
+#include "shell.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <math.h>
+
+// The port's mathematics under other names; what it takes from newlib is the C library's here.
+namespace firmware {
+extern "C" {
+double firmware_sqrt(double), firmware_log(double), firmware_exp(double), firmware_sin(double),
+    firmware_cos(double);
+double firmware_atan2(double, double), firmware_fmod(double, double), firmware_hypot(double, double);
+double firmware_ldexp(double, int);
+}
+} // namespace firmware
+extern "C" {
+double __ieee754_atan2(double y, double x) {
+  return atan2(y, x);
+}
+double __ieee754_fmod(double x, double y) {
+  return fmod(x, y);
+}
+double __ieee754_hypot(double x, double y) {
+  return hypot(x, y);
+}
+double __ieee754_sqrt(double x) {
+  return sqrt(x);
+}
+double __kernel_sin(double x, double low, int) {
+  return sin(x + low);
+}
+double __kernel_cos(double x, double low) {
+  return cos(x + low);
+}
+}
+#define sqrt firmware_sqrt
+#define log firmware_log
+#define exp firmware_exp
+#define sin firmware_sin
+#define cos firmware_cos
+#define atan2 firmware_atan2
+#define fmod firmware_fmod
+#define hypot firmware_hypot
+#define ldexp firmware_ldexp
+#include "../port/cortex-m/math.cpp"
+#undef sqrt
+#undef log
+#undef exp
+#undef sin
+#undef cos
+#undef atan2
+#undef fmod
+#undef hypot
+#undef ldexp
+
+using namespace test;
+
+namespace {
+
+struct Board {
+  const char *name, *machine, *tolerance;
+};
+constexpr Board kBoards[] = {
+    {"m3", "lm3s6965evb", "1e-9"}, {"m4f", "mps2-an386", "2e-4"}, {"m7", "mps2-an500", "1e-9"}};
+
+const std::string kFolder = C2D_TEST_BUILD "/embedded/";
+
+// Images are built by C2D_ALL_HOSTS=1 make test (and make embedded); older ones tell nothing.
+bool skipped() {
+  if (std::getenv("C2D_ALL_HOSTS") != nullptr) return false;
+  MESSAGE(
+      "skipped: Cortex-M boards (C2D_ALL_HOSTS=1 make test; needs arm-none-eabi-g++ and qemu-system-arm)");
+  return true;
+}
+
+// Errors in units of the last place of the true value.
+double ulps(double value, long double truth) {
+  int exponent;
+  std::frexp(static_cast<double>(truth), &exponent);
+  return static_cast<double>(std::fabs(value - truth) / std::ldexp(1.0L, exponent - 53));
+}
+
+} // namespace
+
+TEST_CASE(
+    "embedded: the port's logarithm, exponential, sine and cosine are right to 1.5 units in the last place") {
+  double worst[4] = {};
+  for (int i = 1; i < 20000; ++i) {
+    const double x = i * 0.00271, wide = std::ldexp(x, i % 600 - 300), angle = (i % 2 ? 1 : -1) * x * 37.0;
+    worst[0] = std::max(worst[0], ulps(firmware_log(wide), logl(wide)));
+    worst[1] = std::max(worst[1], ulps(firmware_exp(i % 2 ? x : -x), expl(i % 2 ? x : -x)));
+    worst[2] = std::max(worst[2], ulps(firmware_sin(angle), sinl(angle)));
+    worst[3] = std::max(worst[3], ulps(firmware_cos(angle), cosl(angle)));
+  }
+  for (const double error : worst) CHECK(error < 1.5);
+  CHECK(firmware_log(1.0) == 0.0);
+  CHECK(firmware_exp(0.0) == 1.0);
+  CHECK(firmware_log(5e-324) == doctest::Approx(-744.4400719213812).epsilon(1e-15));
+  CHECK(firmware_exp(-701.0) == 0.0);
+}
+
+TEST_CASE("embedded: the sample deck on three boards, blocks in files, agrees with this machine") {
+  if (skipped()) return;
+  const Folder folder;
+  const std::string root = C2D_TEST_ROOT, desktop = folder / "desktop.csv";
+  REQUIRE(run_shell("'" C2D_TEST_PROGRAM "' run '" + root + "/examples/hertz.dat' --no-progress --listing '" +
+                    (folder / "lst") + "' --csv '" + desktop + "'")
+              .status == 0);
+  for (const Board& board : kBoards) {
+    CAPTURE(board.name);
+    const std::string image = kFolder + board.name + "/run_deck.elf", csv = folder / board.name;
+    REQUIRE_MESSAGE(fs::exists(image), image << " is not there: is arm-none-eabi-g++ installed?");
+    fs::create_directories(folder / "tapes");
+    const Result run = run_shell("cd '" + folder.path() + "' && qemu-system-arm -M " + board.machine +
+                                 " -nographic -monitor none -serial none -kernel '" + image +
+                                 "' -semihosting-config enable=on,target=native,arg=" + root +
+                                 "/examples/hertz.dat,arg=tapes,arg=" + board.name + " </dev/null");
+    CHECK_MESSAGE(run.status == 0, run.out << run.err);
+    for (const char* tape : {"tapes/tape1.c2d", "tapes/tape2.c2d", "tapes/tape3.c2d"}) {
+      REQUIRE_MESSAGE(fs::exists(folder / tape), tape);
+      CHECK_MESSAGE(fs::file_size(folder / tape) > 4096, tape);
+    }
+    fs::remove_all(folder / "tapes");
+    const Result agrees =
+        run_shell("'" + kFolder + "compare' '" + desktop + "' '" + csv + "' " + board.tolerance);
+    CHECK_MESSAGE(agrees.status == 0, agrees.out << agrees.err);
+  }
+}
+
+TEST_CASE("embedded: no heap, no errno, no struct of the C library in the images") {
+  if (skipped()) return;
+  for (const Board& board : kBoards) {
+    CAPTURE(board.name);
+    const std::string image = kFolder + board.name + "/run_deck.elf";
+    const Result names = run_shell("arm-none-eabi-nm -P '" + image + "'");
+    REQUIRE(names.status == 0);
+    CHECK(contains(names.out, "c2d_run"));
+    for (const char* part :
+         {"_sbrk", "errno", "_reent", "_impure", "malloc", "heap", "_Unwind", "__cxa", "_Zn", "_Zd"})
+      CHECK_FALSE_MESSAGE(contains(names.out, part), part);
+    const Result sections = run_shell("arm-none-eabi-objdump -h '" + image + "'");
+    CHECK(contains(sections.out, ".bss"));
+    CHECK_FALSE(contains(sections.out, "heap"));
+    CHECK_FALSE(contains(sections.out, "exidx"));
+  }
+}

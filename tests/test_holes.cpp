@@ -1,0 +1,265 @@
+// Holes at any Poisson's ratio up to 0.5: Lame's ring, exact states with several holes of odd shapes, and incompressible
+// bodies whose pressure nothing determines.
+#include "problem.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <functional>
+#include <vector>
+
+using namespace problem;
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+struct State { // displacements and stresses at a point
+  double ux, uy, sxx, syy, sxy;
+};
+using Field = std::function<State(double x, double y)>;
+struct Elastic {
+  double g, nu; // shear modulus and Poisson's ratio, plane strain
+};
+Elastic moduli(const Problem& p) {
+  const Body& body = p.bodies[0];
+  return {body.youngs_modulus / (2 * (1 + body.poisson_ratio)), body.poisson_ratio};
+}
+
+// Kolosov's formulas: 2G (ux + i uy) = (3 - 4 nu) phi - z conj(phi') - conj(psi).
+using C = std::complex<double>;
+State kolosov(const Elastic& m, C z, C phi, C phi1, C phi2, C psi, C psi1) {
+  const C u = ((3 - 4 * m.nu) * phi - z * std::conj(phi1) - std::conj(psi)) / (2 * m.g);
+  const double trace = 4 * phi1.real();
+  const C deviator = 2.0 * (std::conj(z) * phi2 + psi1); // syy - sxx + 2i sxy
+  return {u.real(), u.imag(), 0.5 * (trace - deviator.real()), 0.5 * (trace + deviator.real()), 0.5 * deviator.imag()};
+}
+Field lame(const Elastic& m, double pressure_inside, double a, double b, double cx, double cy) {
+  const double s = pressure_inside * a * a / (b * b - a * a);
+  return [=](double x, double y) {
+    const C z(x - cx, y - cy);
+    return kolosov(m, z, 0.5 * s * z, 0.5 * s, 0.0, -s * b * b / z, s * b * b / (z * z));
+  };
+}
+// A pressure and a force without resultant out of each of two points, one in either hole, in a field of constant stress.
+Field two_sources(const Elastic& m, C a, C b) {
+  return [=](double x, double y) {
+    const C z(x, y), da = 1.0 / (z - a), db = 1.0 / (z - b), c(0.03, -0.02);
+    return kolosov(m, z, 0.2 * z + c * da, 0.2 - c * da * da, 2.0 * c * da * da * da, -0.3 * da - 0.2 * db + 0.1 * z,
+                   0.3 * da * da + 0.2 * db * db + 0.1);
+  };
+}
+
+enum class Given { traction, displacement };
+using Choice = std::function<Given(double x, double y, double nx, double ny)>;
+
+double error(Problem p, const Field& exact, const Choice& choose, const Setup& setup = Setup()) {
+  std::vector<State> wanted;
+  std::vector<double> normal;
+  set_ends(p, 1, [&](double x, double y, double nx, double ny, End& end) {
+    const State s = exact(x, y);
+    const double t[2] = {s.sxx * nx + s.sxy * ny, s.sxy * nx + s.syy * ny}, u[2] = {s.ux, s.uy};
+    const bool fixed = choose(x, y, nx, ny) == Given::displacement;
+    for (int c = 0; c < 2; ++c) {
+      end.codes[c] = fixed ? 1 : 0;
+      end.codes[2 + c] = fixed ? 0 : 1;
+      end.values[fixed ? 2 + c : c] = fixed ? u[c] : t[c];
+    }
+    wanted.push_back({u[0], u[1], t[0], t[1], 0});
+  });
+  const Result r = solve(p, setup);
+  REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
+  REQUIRE(r.boundary[0].size() == wanted.size());
+  double du = 0, dt = 0, u = 0, t = 0;
+  for (size_t i = 0; i < wanted.size(); ++i) {
+    const EndResult& end = r.boundary[0][i];
+    u = std::max(u, std::hypot(wanted[i].ux, wanted[i].uy));
+    t = std::max(t, std::hypot(wanted[i].sxx, wanted[i].syy));
+    du = std::max(du, std::hypot(end.ux - wanted[i].ux, end.uy - wanted[i].uy));
+    dt = std::max(dt, std::hypot(end.tx - wanted[i].sxx, end.ty - wanted[i].syy));
+  }
+  return std::max(du / u, dt / t);
+}
+
+Problem body(double nu, int32_t functions = 3, double unit = 1, double modulus = 1000) {
+  Problem p;
+  p.analysis = C2D_ANALYSIS_STRESS;
+  p.function_nodes = functions;
+  p.bodies.resize(1);
+  p.bodies[0].element_nodes = functions < 3 ? 2 : functions;
+  p.bodies[0].youngs_modulus = modulus / (unit * unit);
+  p.bodies[0].poisson_ratio = nu;
+  return p;
+}
+void add_circle(Problem& p, int32_t n, double cx, double cy, double r, bool hole) {
+  add_curve(p.bodies[0], n, [=](double s, double& x, double& y) {
+    const double angle = 2 * kPi * (hole ? -s : s);
+    x = cx + r * std::cos(angle), y = cy + r * std::sin(angle);
+  });
+}
+constexpr double kRatios[] = {0.0, 0.3, 0.49, 0.4999, 0.499999, 0.5};
+
+Given outer_given(double x, double y, double nx, double ny) {
+  return nx * (x - 2) + ny * (y + 1) > 0 ? Given::displacement : Given::traction;
+}
+Given inner_given(double x, double y, double nx, double ny) {
+  return nx * (x - 2) + ny * (y + 1) < 0 ? Given::displacement : Given::traction;
+}
+
+} // namespace
+
+TEST_CASE("holes: Lame's ring, pressed inside and held outside, or the other way, up to nu = 0.5") {
+  for (const Choice& choose : {Choice(outer_given), Choice(inner_given)})
+    for (double nu : kRatios) {
+      double before = 1;
+      for (int32_t n : {8, 16}) {
+        CAPTURE(nu);
+        CAPTURE(n);
+        Problem p = body(nu);
+        add_circle(p, 2 * n, 2, -1, 2, false);
+        add_circle(p, n, 2, -1, 1, true);
+        const double now = error(p, lame(moduli(p), 5, 1, 2, 2, -1), choose);
+        CAPTURE(now);
+        CHECK(now < before / 5); // quadratic elements: third order
+        before = now;
+      }
+      CHECK(before < 5e-3); // measured 2e-4 and 3.1e-3, for every ratio
+    }
+}
+
+TEST_CASE("holes: units of length and stress do not matter") {
+  double first = 0;
+  for (double unit : {1.0, 1e-3, 77.0})
+    for (double modulus : {1000.0, 2e9}) {
+      Problem p = body(0.5, 3, unit, modulus);
+      add_circle(p, 16, 2 * unit, -unit, 2 * unit, false);
+      add_circle(p, 8, 2 * unit, -unit, unit, true);
+      const double now =
+          error(p, lame(moduli(p), p.bodies[0].youngs_modulus, unit, 2 * unit, 2 * unit, -unit),
+                [unit](double x, double y, double nx, double ny) { return outer_given(x / unit, y / unit, nx, ny); });
+      if (first == 0) first = now;
+      CHECK(std::fabs(now - first) < 1e-9);
+    }
+}
+
+TEST_CASE("holes: two of them, a square and a slanted one, in an exact state") {
+  for (int32_t functions : {2, 3, 4}) {
+    double compressible[2] = {0, 0};
+    for (double nu : kRatios)
+      for (int32_t n : {2, 4}) {
+        CAPTURE(functions);
+        CAPTURE(nu);
+        CAPTURE(n);
+        Problem p = body(nu, functions);
+        add_polygon(p.bodies[0], {{0, -1, 6 * n}, {4, -1, 4 * n}, {4, 2, 6 * n}, {0, 2, 4 * n}});
+        add_polygon(p.bodies[0], {{0.4, 0, 2 * n}, {0.4, 1, 2 * n}, {1.4, 1, 2 * n}, {1.4, 0, 2 * n}});
+        add_polygon(p.bodies[0], {{1.9, -0.5, 4 * n}, {2.5, 1.2, 2 * n}, {3.5, 1.4, 4 * n}, {2.9, -0.4, 2 * n}});
+        const Field exact = two_sources(moduli(p), {0.9, 0.5}, {2.7, 0.45});
+        const double now = error(p, exact, [](double x, double, double nx, double) {
+          return nx < -0.999 && x == 0 ? Given::displacement : Given::traction;
+        });
+        CAPTURE(now);
+        double& reference = compressible[n == 2 ? 0 : 1];
+        if (nu == 0.0) {
+          reference = now;
+          if (n == 4) CHECK(now < 0.5 * compressible[0]);
+        }
+        CHECK(now < 3 * reference); // incompressible or not; 1/(1 - 2 nu) goes up to 5e5
+      }
+    CHECK(compressible[1] < (functions == 2 ? 0.02 : 0.003));
+  }
+}
+
+TEST_CASE("holes: by images, closed ones beside the lines and open ones across them") {
+  // A block [-3,3] x [-2,2] with holes at (+-1.5, 0) and one at the origin; a field that both lines mirror.
+  const auto exact = [](const Elastic& m) {
+    return Field([m](double x, double y) {
+      const C z(x, y), l = 1.0 / (z + 1.6), r = 1.0 / (z - 1.6), o = 1.0 / z;
+      return kolosov(m, z, 0.2 * z, 0.2, 0.0, -0.3 * (l + r) - 0.2 * o + 0.1 * z, 0.3 * (l * l + r * r) + 0.2 * o * o + 0.1);
+    });
+  };
+  for (double nu : {0.3, 0.5}) {
+    CAPTURE(nu);
+    Problem whole = body(nu);
+    const int n = 6;
+    add_polygon(whole.bodies[0], {{-3, -2, 2 * n}, {3, -2, 2 * n}, {3, 2, 2 * n}, {-3, 2, 2 * n}});
+    for (double x : {-1.6, 0.0, 1.6}) add_circle(whole, 2 * n, x, 0, 0.6, true);
+    const Choice outside = [](double, double y, double, double ny) {
+      return std::fabs(ny) > 0.999 && std::fabs(y) == 2 ? Given::displacement : Given::traction;
+    };
+    const Choice inside = [](double x, double y, double, double) {
+      return std::fabs(x) == 3 || std::fabs(y) == 2 ? Given::traction : Given::displacement;
+    };
+    for (const Choice& choose : {outside, inside}) {
+      const double full = error(whole, exact(moduli(whole)), choose);
+      CAPTURE(full);
+      CHECK(full < 0.02);
+      Problem half = body(nu); // x >= 0: the hole at the origin is cut, the one at 1.6 is closed
+      half.symmetry = 1;
+      Body& b = half.bodies[0];
+      const auto point = [&](double x, double y) { b.xy.insert(b.xy.end(), {x, y}); };
+      const double corner[][3] = {{0, -2, n}, {3, -2, 2 * n}, {3, 2, n}, {0, 2, 0}};
+      for (int i = 0; i < 3; ++i)
+        for (int k = 0; k < 2 * corner[i][2]; ++k) {
+          const double s = k / (2 * corner[i][2]);
+          point(corner[i][0] + s * (corner[i + 1][0] - corner[i][0]), corner[i][1] + s * (corner[i + 1][1] - corner[i][1]));
+        }
+      point(0, 2);
+      for (int k = 0; k <= 2 * n; ++k) {
+        const double angle = kPi / 2 - kPi * k / (2 * n);
+        point(k == 0 || k == 2 * n ? 0 : 0.6 * std::cos(angle), 0.6 * std::sin(angle));
+      }
+      b.regions = {{1, 4 * n}, {4 * n + 1, 5 * n}};
+      b.open_regions = 2;
+      add_circle(half, 2 * n, 1.6, 0, 0.6, true);
+      const double cut = error(half, exact(moduli(half)), choose);
+      CAPTURE(cut);
+      CHECK(cut < 0.02);
+      CHECK(cut < 1.1 * full); // the same mesh
+    }
+  }
+}
+
+TEST_CASE("holes: point loads, weight and double nodes at nu = 0.5 are the limit of those below") {
+  // Solutions are analytic in the ratio: 1 - 2 nu changes them in proportion.
+  const auto state = [](double nu) {
+    Problem p = body(nu, 2);
+    add_polygon(p.bodies[0], {{0, 0, 16}, {4, 0, 12}, {4, 3, 16}, {0, 3, 12}});
+    add_polygon(p.bodies[0], {{1, 1, 1}, {1, 1, 6}, {1, 2, 6}, {2, 2, 6}, {2, 1, 6}}); // its first corner is double
+    add_circle(p, 16, 3, 1.5, 0.5, true);
+    set_ends(p, 1, [](double, double y, double, double ny, End& end) {
+      if (ny < -0.999 && y == 0) end = End{{1, 1, 0, 0}, {0, 0, 0, 0}};
+    });
+    p.point_loads = {{1, 2.3, 0.6, 2, -3}};
+    p.body_forces = {{1, 1, 0.5, -2}};
+    const Result r = solve(p);
+    REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
+    return r;
+  };
+  const Result limit = state(0.5);
+  const double near = boundary_difference(limit, state(0.4999)), nearer = boundary_difference(limit, state(0.499999));
+  CAPTURE(near);
+  CAPTURE(nearer);
+  CHECK(near < 1e-3);
+  CHECK(nearer < 0.011 * near);
+}
+
+TEST_CASE("holes: an incompressible body that is held everywhere has no definite pressure") {
+  for (bool rollers : {false, true})
+    for (double nu : {0.5, 0.499}) {
+      CAPTURE(rollers);
+      Problem p = body(nu, 2);
+      add_polygon(p.bodies[0], {{0, 0, 4}, {2, 0, 4}, {2, 1, 4}, {0, 1, 4}});
+      set_ends(p, 1, [&](double, double, double nx, double, End& end) {
+        for (int c = 0; c < 2; ++c)
+          if (!rollers || (c == 0) == (std::fabs(nx) > 0.5)) end.codes[c] = 1, end.codes[2 + c] = 0;
+      });
+      if (!rollers) p.bodies[0].ends[0].values[1] = 1; // no matter what
+      const Result r = solve(p);
+      CAPTURE(r.messages());
+      CHECK((r.status == C2D_OK) == (nu < 0.5));
+      if (nu == 0.5) CHECK(r.messages().find("nothing determines its pressure") != std::string::npos);
+    }
+}
