@@ -199,6 +199,15 @@ typedef struct c2d_port {
    solver. `why` may be null. Errors: ARGUMENT, OVERFLOW, MEMORY with why->bytes_needed. State afterwards: empty. */
 c2d_status c2d_create(c2d_solver** out, void* memory, size_t bytes, const c2d_limits* limits, const c2d_port* port,
                       c2d_error* why);
+/* Take up a solver whose memory was moved to memory[0 .. bytes), dumped and reloaded, or handed to another process: of
+   the same build of the library, on any alignment. The memory is a copy of the whole that c2d_create was given, taken
+   between calls; it may be longer. Nothing is computed: the solver is in the state it was in and goes on with the same
+   bits. Every c2d_solver* from before the move is void. `port` is as for c2d_create; tapes that were open are opened by
+   it again, which may be a second time for it, and must hold what they held. On failure *out is null and the image can
+   still be attached. Errors: ARGUMENT: no solver stands there; MISMATCH: one of another version, size of pointers or
+   scalar; MEMORY: memory shorter than it was, with why->bytes_needed; BUSY: copied inside a callback; STORE_OPEN. The
+   numbers in the memory are trusted: an image that may have been damaged needs a checksum of the host's. */
+c2d_status c2d_attach(c2d_solver** out, void* memory, size_t bytes, const c2d_port* port, c2d_error* why);
 /* Close the store (errors: STORE_CLOSE). The memory is the caller's again, whatever is returned. */
 c2d_status c2d_close(c2d_solver* solver);
 
@@ -415,6 +424,20 @@ c2d_status c2d_advance(c2d_solver* solver, const double* load, int32_t cases, c2
    direction. Legal: running. */
 c2d_status c2d_next_event(c2d_solver* solver, const double* direction, int32_t cases, double* step);
 
+/* Keep the state of the path on tape 0: statuses, history, load factors, energies, tableau, or, in state prepared, that
+   there is a factorisation. A crash at any moment leaves this state or the one saved before, and the tapes are made
+   safe (sync) first. Tape 0 is opened with room for two states; what that transfers is not counted in c2d_summary.
+   Legal: prepared, running. Errors: STORE_... (state broken: c2d_restore brings back what was saved before). */
+c2d_status c2d_save(c2d_solver* solver);
+/* Go back to the newest state that is whole, with the tapes as they are: nothing is assembled or eliminated again, and
+   what follows gives the same bits. In another process: c2d_create with the same limits, the same model and options
+   (state model), the same store, then c2d_restore instead of c2d_prepare. The state is then prepared or running, as it
+   was. Legal: model, prepared, running, broken. Errors: MISMATCH: saved for another model, path, limits or stepping, or
+   by another library; STORE_STALE: c2d_prepare has begun anew since; STORE_FORMAT or _READ: nothing was saved there;
+   STORE_...: nothing whole is there; MEMORY with bytes_needed: saved in a larger workspace; after all these the solver is
+   as before. If the store fails while the state is taken over: broken. */
+c2d_status c2d_restore(c2d_solver* solver);
+
 /* What a step callback sees. `table` has a row per pair and the columns C2D_TN ... of section 8 (column c of pair
    p: table[(p-1)*stride + c]); it is valid during the call only. */
 typedef struct c2d_step {
@@ -584,14 +607,17 @@ c2d_status c2d_expand_points(const c2d_points* points, int32_t first, int32_t co
 
 /* ---------------------------------------------------------------- 9 errors and state ---------------------------
 
-   State        legal calls (besides memory need, get_state, get_summary, last_error, message, cancel, close: always)
+   State        legal calls (besides memory need, attach, get_state, get_summary, last_error, message, cancel, close:
+                always)
    empty        read_deck                                               -> model
                 all of section 5 but complete                           -> building (set_line, set_options: empty)
    building     all of section 5                                        -> model by complete; empty if that fails
    model        set_options, prepare                                    -> prepared
+                restore                                                 -> prepared or running, as saved
    prepared     begin, run                                              -> running
-   running      begin, advance, next_event, run, get, get_zone_state, interior
-   broken       after an error of the store: nothing but c2d_create in the same memory
+                save, restore
+   running      begin, advance, next_event, run, get, get_zone_state, interior, save, restore
+   broken       after an error of the store: restore, or c2d_create in the same memory
    In model, prepared and running also positions by get, and the lists: get_friction, _zone_friction, _path,
    _path_point, _zone, _region,
    _condition, _point_load, _points. */

@@ -304,6 +304,23 @@ TEST_CASE("points: nothing solved, nothing but the heading") {
   CHECK(result.out == kHeader + "\n");
 }
 
+TEST_CASE("points: a run that is resumed has its points, whatever has become of the file") {
+  const Folder folder;
+  write_file(folder / "p", "1,1.5,0.1\n1,7,7\n");
+  const Result first =
+      run_shell("cat " + quoted(folder / "p") + " | '" C2D_TEST_PROGRAM "' run " + quoted(kRing) +
+                " --listing /dev/null --points - --interior " + quoted(folder / "i") + " --keep --store file:" +
+                quoted(folder / "tapes"));
+  REQUIRE(first.status == 0);
+  const std::string rows = read_file(folder / "i");
+  CHECK(rows_of(rows).size() == 2);
+  fs::remove(folder / "p");
+  fs::remove(folder / "i");
+  const Result again = contact2d("resume " + quoted(folder / "tapes"));
+  CHECK_MESSAGE(again.status == 0, again.err);
+  CHECK(read_file(folder / "i") == rows);
+}
+
 TEST_CASE("points: faulty files of points") {
   const Folder in, out;
   struct Case {

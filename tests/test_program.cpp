@@ -96,15 +96,6 @@ TEST_CASE("program: bad usage ends with 64 and says why") {
   }
 }
 
-TEST_CASE("program: what later versions bring is refused by name") {
-  const std::string deck = " " + quoted(kHertz) + " ";
-  for (const char* command : {"resume"}) {
-    const Result result = contact2d(std::string(command) + deck);
-    CHECK_MESSAGE(result.status == 64, command);
-    CHECK_MESSAGE(contains(result.err, "not available in this version"), command);
-  }
-}
-
 TEST_CASE("program: an unreadable deck ends with 2 and leaves no output") {
   const Folder in, out;
   write_file(in / "empty", "");

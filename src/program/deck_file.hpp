@@ -19,6 +19,8 @@ public:
   bool read(const std::string& name, c2d_error& fault);
 
   const std::string& name() const { return name_; }
+  void call(const std::string& name) { name_ = name; }
+  const std::string& text() const { return text_; }
   size_t cards() const { return starts_.size(); }
   // Card `line` (from 1) without its line end; empty if there is no such card.
   std::string_view card(size_t line) const;

@@ -18,6 +18,7 @@ public:
 
   // The CSV `name`; false if it cannot be read or has faults, all of which have been told.
   bool read_file(const std::string& name, int32_t bodies);
+  const std::string& file_text() const { return file_.text(); }
   // The deck's points, unless a file was read. False with `error`: there are too many.
   bool take_sets(c2d_solver* solver, std::string& error);
   // A grid over each body. Returns the status of the first call that failed.

@@ -5,6 +5,7 @@
 #include "program/interrupt.hpp"
 #include "program/make.hpp"
 #include "program/options.hpp"
+#include "program/restart.hpp"
 #include "program/run.hpp"
 
 #include <contact2d.h>
@@ -19,6 +20,13 @@ int print(const char* text) {
   return written ? app::kExitSolved : app::kExitFiles;
 }
 
+int resume(app::Options options) {
+  std::string error;
+  if (app::read_restart(options, error)) return app::run_deck(options);
+  std::fprintf(stderr, "contact2d: %s\n", error.c_str());
+  return app::kExitInput;
+}
+
 int run_command(const app::Options& options) {
   switch (options.command) {
   case app::Command::kRun:
@@ -29,6 +37,8 @@ int run_command(const app::Options& options) {
     return app::make_deck(options);
   case app::Command::kConvert:
     return app::convert_deck(options);
+  case app::Command::kResume:
+    return resume(options);
   case app::Command::kVersion:
     return print((std::string("contact2d ") + c2d_version() + "\n").c_str());
   case app::Command::kHelp:

@@ -20,13 +20,6 @@ const Known kRunOptions[] = {{"--listing", true},   {"--csv", true},          {"
                              {"--memory", true},    {"--store", true},        {"--threads", true},
                              {"--report", true},    {"--figures", true},      {"--vtk", true},
                              {"--progress", false}, {"--no-progress", false}, {"--keep", false}};
-const char* const kLaterCommands[] = {"resume"};
-
-template <size_t n> bool is_one_of(const std::string& word, const char* const (&list)[n]) {
-  for (const char* entry : list)
-    if (word == entry) return true;
-  return false;
-}
 
 bool choose(const std::string& value, const char* first, const char* second, int32_t& choice) {
   if (value != first && value != second) return false;
@@ -99,6 +92,7 @@ bool read_run_option(const std::vector<std::string>& words, size_t& at, Options&
       error = name + " needs a value";
       return false;
     }
+    options.given.emplace_back(name, value);
     return set_option(options, name, value, error);
   }
   error = "unknown option " + name;
@@ -129,6 +123,21 @@ bool read_convert_option(const std::vector<std::string>& words, size_t& at, Opti
   }
   (name == "--to" ? options.convert_to : options.output) = value;
   return true;
+}
+
+bool read_resume(const std::vector<std::string>& words, Options& options, std::string& error) {
+  options.command = Command::kResume;
+  for (size_t at = 1; at < words.size(); ++at) {
+    const std::string& word = words[at];
+    if (word == "--help") options.command = Command::kHelp;
+    else if (word == "--progress" || word == "--no-progress")
+      options.progress = word == "--progress" ? Progress::kAlways : Progress::kNever;
+    else if (word.size() > 1 && word[0] == '-') error = "resume takes no option " + word;
+    else if (!options.folder.empty()) error = "more than one folder: " + options.folder + " and " + word;
+    else options.folder = word;
+  }
+  if (error.empty() && options.folder.empty() && options.command != Command::kHelp) error = "resume needs a folder";
+  return error.empty();
 }
 
 } // namespace
@@ -162,17 +171,13 @@ bool read_size(const std::string& text, uint64_t& bytes) {
 bool read_options(int argc, const char* const* argv, Options& options, std::string& error) {
   const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
   if (words.empty()) {
-    error = "no command: expected run, check, convert, make, --version or --help";
+    error = "no command: expected run, check, convert, make, resume, --version or --help";
     return false;
   }
   const std::string& command = words[0];
   if (command == "--version" || command == "--help" || command == "-h" || command == "help") {
     options.command = command == "--version" ? Command::kVersion : Command::kHelp;
     return true;
-  }
-  if (is_one_of(command, kLaterCommands)) {
-    error = command + ": not available in this version";
-    return false;
   }
   if (command == "make") {
     options.command = Command::kMake;
@@ -181,8 +186,9 @@ bool read_options(int argc, const char* const* argv, Options& options, std::stri
     error = "make needs the name of a family, or --list";
     return false;
   }
+  if (command == "resume") return read_resume(words, options, error);
   if (command != "run" && command != "check" && command != "convert") {
-    error = "unknown command " + command + ": expected run, check, convert, make, --version or --help";
+    error = "unknown command " + command + ": expected run, check, convert, make, resume, --version or --help";
     return false;
   }
   options.command = command == "run"     ? Command::kRun
@@ -237,6 +243,7 @@ bool has_listing(const Options& o) {
 const char* help_text() {
   return "usage: contact2d run DECK [options]\n"
          "       contact2d check DECK\n"
+         "       contact2d resume DIR\n"
          "       contact2d convert DECK [--to fixed|free] [-o FILE]\n"
          "       contact2d make NAME key=value ...\n"
          "       contact2d make --list\n"
@@ -247,6 +254,9 @@ const char* help_text() {
          "other\n"
          "form (fixed columns or free) without changing a number. DECK may be - for standard input.\n"
          "make writes the deck of a problem known by name to standard output; --list tells names and keys.\n"
+         "\n"
+         "resume goes on after a crash of a run with --store file:DIR: the deck, the options and the tapes are in DIR;\n"
+         "outputs are written whole.\n"
          "\n"
          "options of run:\n"
          "  --listing FILE     printed results; default: standard output, unless another output is sent "

@@ -3,16 +3,20 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace app {
 
-enum class Command { kRun, kCheck, kConvert, kMake, kVersion, kHelp };
+enum class Command { kRun, kCheck, kConvert, kMake, kResume, kVersion, kHelp };
 enum class Progress { kAutomatic, kAlways, kNever };
 
 struct Options {
   Command command = Command::kHelp;
   std::string deck;
+  std::string deck_name;                                 // what the reports call it, if not `deck`
+  std::string folder;                                    // of resume
+  std::vector<std::pair<std::string, std::string>> given; // options of run as they were given, with their values
   std::vector<std::string> words;                        // of make: the family and its settings, or --list
   std::string listing, csv, boundary, interior, json, report, vtk; // empty: not asked for; "-": standard output
   std::string points;                                    // CSV that is read; "-": standard input
@@ -24,6 +28,7 @@ struct Options {
   int32_t stepping = 0, quadrature = 0, symmetry = 0; // C2D_STEPPING_, C2D_QUADRATURE_, C2D_SYMMETRY_
   Progress progress = Progress::kAutomatic;
   bool keep = false;
+  bool resume = false; // take the factorisation from the tapes if it is there
 };
 
 // Reads the arguments. On failure says why in `error`.

@@ -5,6 +5,7 @@
 #include "program/interrupt.hpp"
 #include "program/outputs.hpp"
 #include "program/progress.hpp"
+#include "program/restart.hpp"
 #include "program/session.hpp"
 #include "program/store_choice.hpp"
 #include "report/csv.hpp"
@@ -24,6 +25,8 @@ class Run {
 public:
   explicit Run(const Options& options) : options_(options), line_(options.progress) {}
   int go();
+  // The tapes that a resumed run found turned out to be damaged: only a run from the beginning helps.
+  bool wants_fresh_start() const { return fresh_start_; }
 
 private:
   // The functions of the port; their context is the Run.
@@ -35,6 +38,7 @@ private:
   int read();
   int read_points();
   int prepare();
+  c2d_status factorise();
   int follow();
   void stopped_before_load(c2d_status status);
   void show_contact_zone();
@@ -64,6 +68,7 @@ private:
   bool shows_changes_ = false; // the deck wants every change of status in the listing
   c2d_summary summary_ = C2D_INIT(c2d_summary);
   std::vector<ContactEnd> ends_[2];
+  bool restored_ = false, fresh_start_ = false;
   int32_t coefficient_shown_ = 0; // the coefficient whose heading stands in the listing
   std::string error_;
 };
@@ -127,6 +132,10 @@ c2d_port Run::make_port() {
 int Run::library_failed(c2d_status status) {
   line_.clear();
   if (status == C2D_ERR_CALLBACK && !error_.empty()) return file_failed();
+  if (restored_ && (status == C2D_ERR_STORE_READ || (status >= C2D_ERR_STORE_FORMAT && status <= C2D_ERR_STORE_STALE))) {
+    fresh_start_ = true;
+    return kExitFiles;
+  }
   c2d_error last = C2D_INIT(c2d_error);
   if (session_.solver != nullptr) c2d_last_error(session_.solver, &last);
   const int exit = session_.failed(status);
@@ -138,7 +147,7 @@ int Run::library_failed(c2d_status status) {
 // The deck, the workspace and the store; outputs are opened as soon as the deck is known to be in order.
 int Run::read() {
   const double start = clock_seconds(nullptr);
-  int exit = session_.read_file(options_.deck);
+  int exit = session_.read_file(options_.deck, options_.deck_name);
   record_.read_seconds = clock_seconds(nullptr) - start;
   if (exit == 0) exit = read_points();
   if (exit == 0) exit = session_.take_memory(options_.memory);
@@ -152,7 +161,25 @@ int Run::read() {
     return kExitInput;
   }
   if (!outputs_.open(options_, error_)) return file_failed();
-  return store_.choose(options_.store, budget, options_.keep, error_) ? 0 : file_failed();
+  if (!store_.choose(options_.store, budget, options_.keep, error_)) return file_failed();
+  if (store_.named_folder().empty() || options_.resume) return 0;
+  return leave_restart(store_.named_folder(), options_, session_.deck.name(), session_.deck.text(),
+                       interior_.file_text(), session_.workspace.bytes, error_)
+             ? 0
+             : file_failed();
+}
+
+// Assemble and eliminate, or take what a run before has left; what is new is left for a run after this one.
+c2d_status Run::factorise() {
+  c2d_solver* solver = session_.solver;
+  c2d_status status = C2D_OK;
+  if (options_.resume) {
+    status = c2d_restore(solver);
+    restored_ = status == C2D_OK;
+    if (restored_ || c2d_get_state(solver) == C2D_STATE_BROKEN) return status;
+  }
+  status = c2d_prepare(solver);
+  return status == C2D_OK && !store_.named_folder().empty() ? c2d_save(solver) : status;
 }
 
 // Those of a file, once it is known how many bodies there are.
@@ -199,7 +226,7 @@ int Run::prepare() {
   record_.checked_only = summary_.analysis <= C2D_ANALYSIS_CHECK;
   if (record_.checked_only) return 0;
   session_.messages.forget_latest();
-  status = c2d_prepare(solver);
+  status = factorise();
   if (status == C2D_ERR_SINGULAR) {
     stopped_before_load(status);
     return 0;
@@ -289,7 +316,7 @@ c2d_status Run::show_pictures() {
   status = draw_pictures(scene, pictures);
   if (status == C2D_OK) status = c2d_get_summary(session_.solver, &scene.summary);
   if (status != C2D_OK) return status;
-  if (outputs_.report.is_open()) append_page(outputs_.report.text, scene, pictures, options_.deck);
+  if (outputs_.report.is_open()) append_page(outputs_.report.text, scene, pictures, session_.deck.name());
   for (const Picture& picture : pictures)
     if (outputs_.figures.is_open() && !outputs_.figures.add(picture.name + ".svg", picture.svg, error_))
       return C2D_ERR_CALLBACK;
@@ -308,6 +335,8 @@ int Run::close_store() {
 int Run::publish() {
   if (interrupted()) return kExitCancelled;
   if (!outputs_.publish(error_)) return file_failed();
+  if (!options_.keep && !store_.named_folder().empty() && !remove_restart(store_.named_folder(), error_))
+    return file_failed();
   if (!options_.keep && !store_.remove_tapes(error_)) return file_failed();
   if (options_.keep && !store_.folder().empty())
     std::fprintf(stderr, "contact2d: tapes are kept in %s\n", store_.folder().c_str());
@@ -343,7 +372,15 @@ int run_deck(const Options& options) {
     std::fprintf(stderr, "contact2d: %s\n", clash.c_str());
     return kExitUsage;
   }
-  Run run(options);
+  {
+    Run run(options);
+    const int exit = run.go();
+    if (!run.wants_fresh_start()) return exit;
+  }
+  std::fprintf(stderr, "contact2d: the tapes in %s are damaged, the run begins anew\n", options.folder.c_str());
+  Options anew = options;
+  anew.resume = false;
+  Run run(anew);
   return run.go();
 }
 

@@ -22,13 +22,14 @@ int Session::failed(c2d_status status) {
   return exit_code(status);
 }
 
-int Session::read_file(const std::string& name) {
+int Session::read_file(const std::string& name, const std::string& shown) {
   c2d_error why = C2D_INIT(c2d_error);
   if (!deck.read(name, why)) {
     if (interrupted()) return kExitCancelled;
     messages.fault(why);
     return kExitInput;
   }
+  if (!shown.empty()) deck.call(shown);
   messages.print_warnings = false; // the model will say them again
   deck.rewind();
   c2d_status status = c2d_check_deck(DeckFile::read_line, &deck, &limits, Messages::log, &messages);

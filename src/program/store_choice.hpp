@@ -35,6 +35,8 @@ public:
   std::string system_text(int32_t host_code) const;
   // The folder that --keep leaves behind; empty if all tapes were in memory.
   const std::string& folder() const { return folder_; }
+  // The folder that --store names; empty if there is none.
+  std::string named_folder() const { return temporary_ ? std::string() : folder_; }
 
 private:
   struct Tape {

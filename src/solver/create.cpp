@@ -29,6 +29,23 @@ c2d_status aligned_need(const Sizes& sizes, Layout& layout, uint64_t* minimum, u
   return *minimum > SIZE_MAX - kAlignment ? C2D_ERR_OVERFLOW : C2D_OK;
 }
 
+void fill_header(c2d_solver* s, uint64_t bytes, uint32_t slack, const c2d_limits& limits, const Sizes& sizes,
+                 const Layout& layout) {
+  memset(static_cast<void*>(s), 0, sizeof *s);
+  s->magic = kSolverMagic;
+  s->maker = solver_maker();
+  s->slack = slack;
+  s->bytes = bytes;
+  s->limits = limits;
+  s->sizes = sizes;
+  s->layout = layout;
+  s->peak_bytes = layout.persistent;
+  s->options.struct_size = static_cast<uint32_t>(sizeof s->options);
+  s->error = blank_error();
+}
+
+} // namespace
+
 void explain(c2d_error* why, c2d_status status, uint64_t needed) {
   if (!why) return;
   c2d_error e = blank_error();
@@ -45,20 +62,6 @@ void explain(c2d_error* why, c2d_status status, uint64_t needed) {
   copy_out(&e, sizeof e, why);
 }
 
-void fill_header(c2d_solver* s, uint64_t bytes, const c2d_limits& limits, const Sizes& sizes, const Layout& layout) {
-  memset(static_cast<void*>(s), 0, sizeof *s);
-  s->magic = kSolverMagic;
-  s->bytes = bytes;
-  s->limits = limits;
-  s->sizes = sizes;
-  s->layout = layout;
-  s->peak_bytes = layout.persistent;
-  s->options.struct_size = static_cast<uint32_t>(sizeof s->options);
-  s->error = blank_error();
-}
-
-} // namespace
-
 void clear_model(c2d_solver* s) {
   // Keep what c2d_last_error tells; forget everything else but memory, limits, options and port.
   const c2d_error error = s->error;
@@ -69,7 +72,9 @@ void clear_model(c2d_solver* s) {
   const c2d_limits limits = s->limits;
   const Sizes sizes = s->sizes;
   const Layout layout = s->layout;
-  fill_header(s, s->bytes, limits, sizes, layout);
+  const uint64_t saves = s->saves;
+  fill_header(s, s->bytes, s->slack, limits, sizes, layout);
+  s->saves = saves;
   s->error = error;
   s->options = options;
   s->port = port;
@@ -126,13 +131,13 @@ extern "C" c2d_status c2d_create(c2d_solver** out, void* memory, size_t bytes, c
     return status;
   }
   const uintptr_t address = reinterpret_cast<uintptr_t>(memory);
-  const uint64_t slack = (kAlignment - address % kAlignment) % kAlignment;
+  const uint32_t slack = static_cast<uint32_t>((kAlignment - address % kAlignment) % kAlignment);
   if (bytes < least + kAlignment - 1) { // the same answer at every alignment
     explain(why, C2D_ERR_MEMORY, least + kAlignment - 1);
     return C2D_ERR_MEMORY;
   }
   c2d_solver* s = reinterpret_cast<c2d_solver*>(static_cast<char*>(memory) + slack);
-  fill_header(s, bytes - slack, ours, sizes, layout);
+  fill_header(s, bytes - (kAlignment - 1), slack, ours, sizes, layout); // so that it may move to any alignment
   s->port = our_port;
   s->tapes.port = &s->port;
   s->tapes.busy = &s->busy;

@@ -64,6 +64,13 @@ c2d_status fail_store(c2d_solver* s, c2d_status status) {
   s->error = s->tapes.error;
   s->error.struct_size = static_cast<uint32_t>(sizeof s->error);
   s->error.severity = C2D_FAULT;
+  if (s->error.status != status) { // no tape said it
+    s->error = blank_error();
+    s->error.status = status;
+    s->error.severity = C2D_FAULT;
+    Text text = text_in(s->error.text);
+    put(text, c2d_message(status));
+  }
   s->has_fault = 1;
   s->state = C2D_STATE_BROKEN;
   return status;

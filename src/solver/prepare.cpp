@@ -21,7 +21,8 @@ template <class T> uint64_t hash_array(uint64_t hash, const T* data, int64_t cou
   return checksum(hash, data, static_cast<uint64_t>(count) * sizeof(T));
 }
 
-// Everything that decides the numbers on the tapes.
+} // namespace
+
 uint64_t hash_model(const Model& m, const c2d_options& options) {
   uint64_t hash = checksum(sizeof(Real), &options.quadrature, sizeof options.quadrature);
   hash = checksum(hash, &m.head->plane, sizeof m.head->plane);
@@ -45,6 +46,8 @@ uint64_t hash_model(const Model& m, const c2d_options& options) {
   hash = hash_array(hash, m.zone, m.head->zones);
   return hash_array(hash, m.point_load, m.head->point_loads);
 }
+
+namespace {
 
 // Do the contact pairs, all sticking, hold every free motion of this body?
 bool contact_holds(const Model& m, int b) {
@@ -149,9 +152,22 @@ void note_pivots(c2d_solver* s, const PivotStats& stats) {
   if (stats.growth > s->pivot_growth) s->pivot_growth = stats.growth;
 }
 
+// What a phase that uses `area` bytes leaves of the phase area, for the kernels of this machine.
+Engine engine_beside(c2d_solver* s, const PhaseSizes& sizes, uint64_t area, int64_t* used) {
+  const uint64_t left = s->bytes - s->layout.persistent - area, full = scratch_bytes(sizes);
+  const uint64_t bytes = left < full ? left : full;
+  return Engine{kernel_for(best_instructions()), reinterpret_cast<Real*>(array_of<char>(s, kPhase) + area),
+                static_cast<int64_t>(bytes / sizeof(Real)), used};
+}
+
+void note_scratch(c2d_solver* s, uint64_t area, int64_t used) {
+  const uint64_t bytes = s->layout.persistent + area + static_cast<uint64_t>(used) * sizeof(Real);
+  if (bytes > s->peak_bytes) s->peak_bytes = bytes;
+}
+
 c2d_status eliminate_body(c2d_solver* s, const Model& m, const PhaseSizes& sizes, int b) {
   EliminationArea area;
-  elimination_area(sizes, b, s->plan[b], array_of<char>(s, kPhase), &area);
+  const uint64_t bytes = elimination_area(sizes, b, s->plan[b], array_of<char>(s, kPhase), &area);
   const Quadrature quadrature =
       s->options.quadrature == C2D_QUADRATURE_THESIS ? Quadrature::thesis : Quadrature::accurate;
   BodyJob job{s, ColumnSystem{m, b, quadrature, area.diagonal, area.point, area.twin},
@@ -167,9 +183,11 @@ c2d_status eliminate_body(c2d_solver* s, const Model& m, const PhaseSizes& sizes
   }
   job.assembling += clock_now(s) - start;
   PivotStats stats{};
+  int64_t scratch = 0;
   const c2d_status status =
       eliminate(s->plan[b], ColumnSource{&job, assemble_columns}, RowSink{&job, keep_reduced}, s->tapes, area.work,
-                &stats, Watch{&job, watch_column});
+                &stats, Watch{&job, watch_column}, engine_beside(s, sizes, bytes, &scratch));
+  note_scratch(s, bytes, scratch);
   note_pivots(s, stats);
   s->seconds[C2D_PHASE_ASSEMBLE] += job.assembling;
   s->seconds[C2D_PHASE_ELIMINATE] += clock_now(s) - start - job.assembling;
@@ -185,11 +203,14 @@ c2d_status tick(void* context) {
 c2d_status reduce_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes) {
   if (m.head->contact == 0) return C2D_OK;
   ReductionArea area;
-  reduction_area(sizes, array_of<char>(s, kPhase), &area);
+  const uint64_t bytes = reduction_area(sizes, array_of<char>(s, kPhase), &area);
   const double start = clock_now(s);
+  int64_t scratch = 0;
   const Reduction reduction{ContactTape{&s->tapes, m.head->contact, m.head->load_cases, area.buffer}, m,
-                            s->inverted, area.first, area.second, area.strip, area.pivots, s, tick};
+                            s->inverted, area.first, area.second, area.strip, area.pivots, s, tick,
+                            engine_beside(s, sizes, bytes, &scratch)};
   const c2d_status status = reduce(reduction);
+  note_scratch(s, bytes, scratch);
   s->seconds[C2D_PHASE_REDUCE] += clock_now(s) - start;
   return status;
 }
@@ -222,6 +243,8 @@ c2d_status run_phases(c2d_solver* s, const Model& m) {
   return status == C2D_OK ? build_energy(s, m) : status;
 }
 
+} // namespace
+
 void warn_condition(c2d_solver* s) {
   s->condition = s->smallest_pivot > 0.0 ? s->largest_pivot / s->smallest_pivot : 0.0;
   if (!(s->condition > 1e11)) return;
@@ -234,8 +257,6 @@ void warn_condition(c2d_solver* s) {
   put(text, "): supports may be too close together or elements of very unlike size");
   report_fault(s, e);
 }
-
-} // namespace
 
 int extend_basis(double basis[3][3], int rank, int n, double row[3]) {
   double before = 0.0, after = 0.0;
@@ -284,6 +305,7 @@ extern "C" c2d_status c2d_prepare(c2d_solver* s) {
   s->largest_pivot = s->pivot_growth = s->condition = 0.0;
   for (double& seconds : s->seconds) seconds = 0.0;
   find_support(s, m);
+  s->saves = 0;
   status = close_all(s->tapes);
   s->tapes.port = &s->port;
   s->tapes.busy = &s->busy;

@@ -51,7 +51,7 @@ c2d_status show_step(Session& session, int32_t kind) {
   now.changes = static_cast<int32_t>(session.follower.stats.changes - session.now.changes);
   close_session(session); // so that c2d_get_summary tells the callback what is so now
   session.now.changes = static_cast<int32_t>(session.follower.stats.changes);
-  s->busy = 1;
+  s->busy = kInStepCallback;
   const int32_t code = session.step(session.step_context, &now);
   s->busy = 0;
   if (code == 0) return C2D_OK;

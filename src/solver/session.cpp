@@ -29,7 +29,7 @@ c2d_status changed(void* context, double) {
   if (status != C2D_OK) return status;
   if (session.solver->options.stepping == C2D_STEPPING_EVENTS) close_balance(session);
   const c2d_step now = describe_step(session, C2D_STEP_CHANGE);
-  session.solver->busy = 1;
+  session.solver->busy = kInStepCallback;
   const int32_t code = session.step(session.step_context, &now);
   session.solver->busy = 0;
   if (code == 0) return C2D_OK;
@@ -87,14 +87,10 @@ void close_session(Session& session) {
   s->last_pair = session.follower.last_pair;
 }
 
-namespace {
-
 c2d_status load_flexibility(Session& session) {
-  if (!session.area.flexibility) return C2D_OK;
+  if (!session.area.flexibility || session.model.head->contact == 0) return C2D_OK;
   return read_matrix(session.tape, ContactMatrix::flexibility, session.area.flexibility);
 }
-
-} // namespace
 
 c2d_status begin_path(Session& session) {
   c2d_solver* s = session.solver;

@@ -26,6 +26,8 @@ struct Session {
 void open_session(c2d_solver* solver, Session& session);
 void close_session(Session& session);
 
+// F of the inverted body, if the memory has room for it. Errors: the block store's.
+c2d_status load_flexibility(Session& session);
 // Zero load for coefficients that the pairs already hold. Errors: the block store's.
 c2d_status begin_path(Session& session);
 // Follow to target[cases]; sets solver->outcome and load.
@@ -60,6 +62,9 @@ inline void rigid_displacement_now(const Session& session, double x, double y, d
 c2d_status back_substitute_all(Session& session);
 
 PhaseSizes model_sizes(const Model& model);
+// Everything that decides the numbers on the tapes (solver/prepare.cpp).
+uint64_t hash_model(const Model& model, const c2d_options& options);
+void warn_condition(c2d_solver* solver);
 bool is_store_error(c2d_status status);
 // Add what is new of row[0 .. n) to an orthonormal basis of `rank` rows; 1 if there was something new.
 int extend_basis(double basis[3][3], int rank, int n, double row[3]);

@@ -3,13 +3,17 @@
 #include "contact/path.hpp"
 #include "contact2d.h"
 #include "elimination/eliminate.hpp"
+#include "memory/real.hpp"
 #include "model/model.hpp"
 #include "store/tapes.hpp"
 
-// Stands at the first multiple of kAlignment in the caller's memory. Holds offsets, no addresses, but for the port.
+// Stands at the first multiple of kAlignment in the caller's memory. Holds offsets, no addresses, but for the port, which
+// c2d_attach gives anew: a workspace may be moved.
 struct c2d_solver {
   uint64_t magic;
-  uint64_t bytes;             // of workspace from this address on
+  uint32_t maker;             // solver_maker() of the library that made it
+  uint32_t slack;             // bytes from the start of the caller's memory to this struct
+  uint64_t bytes;             // of workspace from this address on, whatever the alignment
   int32_t state;              // C2D_STATE_...
   int32_t busy;               // inside one of the caller's functions
   volatile int32_t cancelled; // set by c2d_cancel, possibly from another thread
@@ -17,11 +21,13 @@ struct c2d_solver {
   c2d_limits limits;
   c2d::Sizes sizes;
   c2d::Layout layout;
-  c2d::ModelHeader model;
-  c2d_options options;
   c2d_port port;
   c2d::Tapes tapes;
   c2d_error error;
+  uint64_t saves;             // number of the last c2d_save of this run
+  // From here to the end of the arrays: what c2d_save keeps (solver/save.cpp).
+  c2d::ModelHeader model;
+  c2d_options options;
   // written by c2d_prepare
   c2d::EliminationPlan plan[2];
   int32_t inverted;           // the supported body, whose contact displacements follow from tau
@@ -51,7 +57,14 @@ struct c2d_solver {
 
 namespace c2d {
 
+constexpr int32_t kInStepCallback = 2; // of c2d_solver::busy: results may be looked at
 constexpr uint64_t kSolverMagic = 0x6332645f73303031u;
+// Tells apart libraries that would not understand each other's workspaces and saved states: version, size of the struct,
+// stored scalar.
+constexpr uint32_t solver_maker() {
+  return ((C2D_VERSION_MAJOR * 100u + C2D_VERSION_MINOR) * 100u + C2D_VERSION_PATCH) * 65536u +
+         static_cast<uint32_t>(sizeof(c2d_solver) / 8 * 16 + sizeof(Real));
+}
 
 // ---- entry and errors (solver/entry.cpp) --------------------------------------------------------------------------
 constexpr uint32_t state_bit(int32_t state) { return 1u << state; }
@@ -65,6 +78,8 @@ void clear_model(c2d_solver* solver);
 // Tell a fault, warning or note: through c2d_port.log, and keep the first fault for c2d_last_error.
 void report_fault(c2d_solver* solver, const c2d_error& entry);
 c2d_error blank_error();
+// Fill the caller's c2d_error of a call that has no solver to ask; `why` may be null.
+void explain(c2d_error* why, c2d_status status, uint64_t bytes_needed);
 // Copy a struct of ours into the caller's of possibly another size, whose struct_size is kept; and back.
 bool copy_out(const void* ours, size_t our_size, void* theirs);
 bool copy_in(const void* theirs, void* ours, size_t our_size);

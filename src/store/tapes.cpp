@@ -268,32 +268,81 @@ c2d_status close_all(Tapes& tapes) {
   return host_error(tapes, C2D_ERR_STORE_CLOSE, failed_tape, "closing", failed_code);
 }
 
-c2d_status begin_run(Tapes& tapes, uint64_t model_hash, void* buffer) {
+namespace {
+
+// The count belongs to the store, not to a run: its label is the same for ever.
+BlockLabel record_label(uint64_t block, uint64_t data_bytes) { return {0, block, data_bytes, C2D_TAPE_CONTROL, 0}; }
+
+c2d_status write_count(Tapes& tapes, void* buffer) {
   unsigned char* data = static_cast<unsigned char*>(buffer) + kBlockHeaderBytes;
-  if (!tapes.is_open[C2D_TAPE_CONTROL]) {
-    const c2d_status status = open_tape(tapes, C2D_TAPE_CONTROL, 1, kControlBytes);
-    if (status != C2D_OK) return status;
-  }
-  // The count belongs to the store, not to a run: its label is the same for ever.
-  const BlockLabel label = {0, 0, kControlBytes, C2D_TAPE_CONTROL, 0};
-  const c2d_status found = read_labelled(tapes, label, buffer);
+  for (size_t i = 0; i < kControlBytes; ++i) data[i] = static_cast<unsigned char>(tapes.count >> (8 * i));
+  const c2d_status status = write_record(tapes, 0, buffer, kControlBytes);
+  return status == C2D_OK ? sync_tape(tapes, C2D_TAPE_CONTROL) : status;
+}
+
+} // namespace
+
+c2d_status write_record(Tapes& tapes, uint64_t block, void* buffer, uint64_t data_bytes) {
+  return write_labelled(tapes, record_label(block, data_bytes), buffer);
+}
+
+c2d_status read_record(Tapes& tapes, uint64_t block, void* buffer, uint64_t data_bytes) {
+  return read_labelled(tapes, record_label(block, data_bytes), buffer);
+}
+
+c2d_status read_count(Tapes& tapes, uint64_t* count, void* buffer) {
+  const unsigned char* data = static_cast<unsigned char*>(buffer) + kBlockHeaderBytes;
+  const uint64_t reads = tapes.reads[C2D_TAPE_CONTROL], bytes = tapes.bytes_read[C2D_TAPE_CONTROL];
+  const c2d_status found = read_record(tapes, 0, buffer, kControlBytes);
+  // Not counted: whether it is there depends on what happened before this run.
+  tapes.reads[C2D_TAPE_CONTROL] = reads;
+  tapes.bytes_read[C2D_TAPE_CONTROL] = bytes;
+  *count = 0;
+  for (size_t i = 0; i < kControlBytes && found == C2D_OK; ++i) *count |= static_cast<uint64_t>(data[i]) << (8 * i);
+  return found;
+}
+
+c2d_status keep_count(Tapes& tapes, void* buffer) {
+  uint64_t there = 0;
+  const c2d_status found = read_count(tapes, &there, buffer);
+  return found == C2D_OK && there == tapes.count ? C2D_OK : write_count(tapes, buffer);
+}
+
+c2d_status recount_run(Tapes& tapes, void* buffer) {
   uint64_t count = 0;
-  if (found == C2D_OK) {
-    for (size_t i = 0; i < kControlBytes; ++i) count |= static_cast<uint64_t>(data[i]) << (8 * i);
-  } else if (found == C2D_ERR_STORE_CHECKSUM || found == C2D_ERR_STORE_SHORT) {
+  const c2d_status found = read_count(tapes, &count, buffer);
+  if (found == C2D_ERR_STORE_CHECKSUM || found == C2D_ERR_STORE_SHORT) {
     // The count is lost: go on from a number that an earlier run hardly had.
     count = checksum(0, buffer, kBlockHeaderBytes + kControlBytes);
   } else if (found == C2D_ERR_INTERNAL) {
     return found;
   }
   memset(&tapes.error, 0, sizeof tapes.error); // nothing there is no error
-  ++count;
-  for (size_t i = 0; i < kControlBytes; ++i) data[i] = static_cast<unsigned char>(count >> (8 * i));
-  c2d_status status = write_labelled(tapes, label, buffer);
-  if (status == C2D_OK) status = sync_tape(tapes, C2D_TAPE_CONTROL);
+  // Stores in memory may have lost it with the shape of the tape.
+  tapes.count = (count > tapes.count ? count : tapes.count) + 1;
+  return write_count(tapes, buffer);
+}
+
+c2d_status begin_run(Tapes& tapes, uint64_t model_hash, void* buffer) {
+  c2d_status status = C2D_OK;
+  if (!tapes.is_open[C2D_TAPE_CONTROL]) status = open_tape(tapes, C2D_TAPE_CONTROL, 1, kControlBytes);
+  if (status == C2D_OK) status = recount_run(tapes, buffer);
   if (status != C2D_OK) return status;
-  tapes.run_id = mix(mix(model_hash) ^ count);
+  tapes.run_id = mix(mix(model_hash) ^ tapes.count);
   if (tapes.run_id == 0) tapes.run_id = 1; // 0 labels the count itself
+  return C2D_OK;
+}
+
+c2d_status reopen_tapes(Tapes& tapes) {
+  const c2d_port* port = tapes.port;
+  for (int32_t tape = 0; tape < C2D_TAPES; ++tape) {
+    if (!tapes.is_open[tape]) continue;
+    if (!port || !port->open || !port->read || !port->write || !port->sync || !port->close)
+      return host_error(tapes, C2D_ERR_STORE_OPEN, tape, "opening it without a complete block store", 0);
+    const int32_t code =
+        (AtWork(tapes), port->open(port->context, tape, tapes.blocks[tape], tapes.block_bytes[tape]));
+    if (code != 0) return host_error(tapes, C2D_ERR_STORE_OPEN, tape, "opening", code);
+  }
   return C2D_OK;
 }
 

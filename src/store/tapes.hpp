@@ -13,6 +13,7 @@ struct Tapes {
   const c2d_port* port;
   int32_t* busy; // set to 1 while the port is at work; may be null
   uint64_t run_id;
+  uint64_t count; // of runs and of changes to their tapes, as it stands on the store; 0: not begun
   uint32_t generation[C2D_TAPES];
   uint8_t is_open[C2D_TAPES];
   uint64_t blocks[C2D_TAPES], block_bytes[C2D_TAPES];       // as opened, headers included
@@ -50,6 +51,21 @@ c2d_status close_all(Tapes& tapes);
 // kControlBytes bytes. Errors: STORE_OPEN, STORE_WRITE, STORE_SYNC; a failing read counts as "nothing there".
 constexpr uint64_t kControlBytes = 8;
 c2d_status begin_run(Tapes& tapes, uint64_t model_hash, void* buffer);
+// The run in progress is about to change blocks in place: states saved so far no longer belong to its tapes. Counts on
+// without another run id. Tape CONTROL is open; buffer and errors as begin_run.
+c2d_status recount_run(Tapes& tapes, void* buffer);
+// The count on tape CONTROL, which is open. Errors: as read_block.
+c2d_status read_count(Tapes& tapes, uint64_t* count, void* buffer);
+// Put tapes.count where it belongs unless it stands there. Errors: STORE_WRITE, STORE_SYNC.
+c2d_status keep_count(Tapes& tapes, void* buffer);
+
+// Blocks of tape CONTROL that belong to the store and not to a run: run id 0, generation 0. As write_block, read_block.
+c2d_status write_record(Tapes& tapes, uint64_t block, void* buffer, uint64_t data_bytes);
+c2d_status read_record(Tapes& tapes, uint64_t block, void* buffer, uint64_t data_bytes);
+
+// Ask the port to open, as they were, the tapes that count as open: it may be another port in another process. Errors:
+// STORE_OPEN.
+c2d_status reopen_tapes(Tapes& tapes);
 
 // The tape's contents are about to be written anew: what stands there becomes stale.
 void next_generation(Tapes& tapes, int32_t tape);

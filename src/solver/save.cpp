@@ -1,0 +1,322 @@
+// The state of the path kept on tape CONTROL, so that a crash in the middle of keeping leaves the state kept before
+// (store/FORMAT.md: saved states).
+#include <stddef.h>
+#include <string.h>
+
+#include "solver/session.hpp"
+
+namespace c2d {
+
+namespace {
+
+constexpr uint64_t kPieceBytes = 512; // data of a block: small enough to be put together on the stack
+
+// What stands in the block of a slot, as the machine has it.
+struct SaveRecord {
+  uint64_t number;      // of the save within its run, from 1
+  uint64_t count;       // of tape CONTROL: other tapes since then are not those of this state
+  uint64_t run_id;
+  uint64_t model_hash;
+  uint64_t image_bytes; // kept from c2d_solver::model on
+  uint64_t image_sum;   // checksum over all pieces
+  uint64_t path_bytes;  // the phase area must have them
+  uint32_t maker;
+  int32_t state;
+  uint32_t generation[C2D_TAPES];
+  uint32_t is_open[C2D_TAPES];
+  uint64_t blocks[C2D_TAPES], block_bytes[C2D_TAPES];
+  uint64_t writes[C2D_TAPES], reads[C2D_TAPES], bytes_written[C2D_TAPES], bytes_read[C2D_TAPES];
+};
+static_assert(sizeof(SaveRecord) <= kPieceBytes, "a record is one block");
+
+struct Piece {
+  alignas(8) unsigned char bytes[kBlockHeaderBytes + kPieceBytes];
+  unsigned char* data() { return bytes + kBlockHeaderBytes; }
+};
+
+// Two slots behind the run's count: their records are blocks 1 and 2, their pieces follow.
+struct Slots {
+  uint64_t pieces; // of a slot, enough for every state of this model
+  uint64_t record(uint64_t number) const { return 1 + number % 2; }
+  uint64_t piece(uint64_t number, uint64_t i) const { return 3 + number % 2 * pieces + i; }
+  uint64_t blocks() const { return 3 + 2 * pieces; }
+};
+
+constexpr uint64_t kImageStart = offsetof(c2d_solver, model);
+
+// From the model in the header to the last of what the path keeps: tableau, values and rates, contact displacements.
+uint64_t image_bytes(c2d_solver* s, bool running) {
+  if (!running) return s->layout.persistent - kImageStart;
+  const Model m = model_of(s);
+  PathArea area;
+  path_area(model_sizes(m), s->plan, false, array_of<char>(s, kPhase), &area);
+  const char* end = reinterpret_cast<const char*>(area.column + m.head->contact);
+  return static_cast<uint64_t>(end - reinterpret_cast<const char*>(s)) - kImageStart;
+}
+
+Slots slots_of(c2d_solver* s) { return Slots{(image_bytes(s, true) + kPieceBytes - 1) / kPieceBytes}; }
+
+unsigned char* image_of(c2d_solver* s) { return reinterpret_cast<unsigned char*>(s) + kImageStart; }
+
+// The model, its path, and how it is followed.
+uint64_t hash_state(c2d_solver* s) {
+  const Model m = model_of(s);
+  uint64_t hash = hash_model(m, s->options);
+  hash = checksum(hash, &s->options.stepping, sizeof s->options.stepping);
+  hash = checksum(hash, &m.head->iteration_limit, sizeof m.head->iteration_limit);
+  hash = checksum(hash, &s->layout, sizeof s->layout);
+  hash = checksum(hash, m.friction,
+                  static_cast<uint64_t>(s->sizes.coefficients * (1 + s->sizes.zones)) * sizeof(double));
+  hash = checksum(hash, m.path, static_cast<uint64_t>(m.head->paths) * sizeof(Path));
+  return checksum(hash, m.path_load,
+                  static_cast<uint64_t>(m.head->paths) * static_cast<uint64_t>(m.head->load_cases) * sizeof(double));
+}
+
+// Saving and restoring is not counted among the transfers of the solution.
+struct Uncounted {
+  Tapes& tapes;
+  uint64_t writes, reads, bytes_written, bytes_read;
+  explicit Uncounted(Tapes& t)
+      : tapes(t), writes(t.writes[0]), reads(t.reads[0]), bytes_written(t.bytes_written[0]),
+        bytes_read(t.bytes_read[0]) {}
+  void done() const {
+    tapes.writes[0] = writes, tapes.reads[0] = reads;
+    tapes.bytes_written[0] = bytes_written, tapes.bytes_read[0] = bytes_read;
+  }
+};
+
+// Tape CONTROL with room for two slots.
+c2d_status open_slots(c2d_solver* s, const Slots& slots) {
+  Tapes& tapes = s->tapes;
+  const bool is_open = tapes.is_open[C2D_TAPE_CONTROL] != 0;
+  if (is_open && tapes.blocks[C2D_TAPE_CONTROL] == slots.blocks()) return C2D_OK;
+  const c2d_status status = is_open ? close_tape(tapes, C2D_TAPE_CONTROL) : C2D_OK;
+  // Whatever a store that has died says to being closed, it may come back.
+  if (status != C2D_OK && s->state != C2D_STATE_BROKEN) return status;
+  return open_tape(tapes, C2D_TAPE_CONTROL, slots.blocks(), kPieceBytes);
+}
+
+bool has_store(const c2d_port& p) { return p.open && p.read && p.write && p.sync && p.close; }
+
+uint64_t length_of(uint64_t image, uint64_t i) {
+  const uint64_t left = image - i * kPieceBytes;
+  return left < kPieceBytes ? left : kPieceBytes;
+}
+
+// ---- save ---------------------------------------------------------------------------------------------------------
+
+void describe(c2d_solver* s, SaveRecord& out) {
+  const Tapes& tapes = s->tapes;
+  memset(&out, 0, sizeof out);
+  out.number = s->saves + 1;
+  out.count = tapes.count;
+  out.run_id = tapes.run_id;
+  out.model_hash = hash_state(s);
+  out.image_bytes = image_bytes(s, s->state == C2D_STATE_RUNNING);
+  out.path_bytes = path_area(model_sizes(model_of(s)), s->plan, s->keeps_flexibility != 0, nullptr, nullptr);
+  out.maker = solver_maker();
+  out.state = s->state;
+  for (int32_t tape = 0; tape < C2D_TAPES; ++tape) {
+    out.generation[tape] = tapes.generation[tape];
+    out.is_open[tape] = tapes.is_open[tape];
+    out.blocks[tape] = tapes.blocks[tape];
+    out.block_bytes[tape] = tapes.block_bytes[tape];
+    out.writes[tape] = tapes.writes[tape];
+    out.reads[tape] = tapes.reads[tape];
+    out.bytes_written[tape] = tapes.bytes_written[tape];
+    out.bytes_read[tape] = tapes.bytes_read[tape];
+  }
+}
+
+c2d_status write_image(c2d_solver* s, const Slots& slots, SaveRecord& record, Piece& piece) {
+  const uint64_t pieces = (record.image_bytes + kPieceBytes - 1) / kPieceBytes;
+  s->tapes.generation[C2D_TAPE_CONTROL] = static_cast<uint32_t>(record.number);
+  record.image_sum = 0;
+  for (uint64_t i = 0; i < pieces; ++i) {
+    const uint64_t bytes = length_of(record.image_bytes, i);
+    memcpy(piece.data(), image_of(s) + i * kPieceBytes, static_cast<size_t>(bytes));
+    record.image_sum = checksum(record.image_sum, piece.data(), bytes);
+    const c2d_status status =
+        write_block(s->tapes, C2D_TAPE_CONTROL, slots.piece(record.number, i), piece.bytes, bytes);
+    if (status != C2D_OK) return status;
+    tell_progress(s, C2D_PHASE_WRITE, 0, static_cast<int64_t>(i + 1), static_cast<int64_t>(pieces));
+  }
+  return sync_tape(s->tapes, C2D_TAPE_CONTROL);
+}
+
+c2d_status save_state(c2d_solver* s) {
+  Tapes& tapes = s->tapes;
+  const Slots slots = slots_of(s);
+  Piece piece;
+  SaveRecord record;
+  const Uncounted uncounted(tapes);
+  c2d_status status = open_slots(s, slots);
+  if (status == C2D_OK)
+    status = tapes.run_id == 0 ? begin_run(tapes, hash_model(model_of(s), s->options), piece.bytes)
+                               : keep_count(tapes, piece.bytes);
+  // A state is worth as much as the tapes it goes with.
+  for (int32_t tape = C2D_TAPE_LOWER; tape < C2D_TAPES && status == C2D_OK; ++tape)
+    if (tapes.is_open[tape]) status = sync_tape(tapes, tape);
+  if (status != C2D_OK) return status;
+  uncounted.done();
+  describe(s, record);
+  status = write_image(s, slots, record, piece);
+  memcpy(piece.data(), &record, sizeof record);
+  if (status == C2D_OK) status = write_record(tapes, slots.record(record.number), piece.bytes, sizeof record);
+  if (status == C2D_OK) status = sync_tape(tapes, C2D_TAPE_CONTROL);
+  if (status == C2D_OK) s->saves = record.number;
+  uncounted.done();
+  return status;
+}
+
+// ---- restore ------------------------------------------------------------------------------------------------------
+
+// Is the state of this record whole, piece by piece? With `load` it is put in its place.
+c2d_status read_image(c2d_solver* s, const Slots& slots, const SaveRecord& record, Piece& piece, bool load) {
+  Tapes& tapes = s->tapes;
+  const uint64_t run_id = tapes.run_id;
+  const uint32_t generation = tapes.generation[C2D_TAPE_CONTROL];
+  tapes.run_id = record.run_id;
+  tapes.generation[C2D_TAPE_CONTROL] = static_cast<uint32_t>(record.number);
+  c2d_status status = C2D_OK;
+  uint64_t sum = 0;
+  for (uint64_t i = 0; i * kPieceBytes < record.image_bytes && status == C2D_OK; ++i) {
+    const uint64_t bytes = length_of(record.image_bytes, i);
+    status = read_block(tapes, C2D_TAPE_CONTROL, slots.piece(record.number, i), piece.bytes, bytes);
+    if (status != C2D_OK) break;
+    sum = checksum(sum, piece.data(), bytes);
+    tell_progress(s, C2D_PHASE_READ, 0, static_cast<int64_t>(i + 1), 0);
+    if (load) memcpy(image_of(s) + i * kPieceBytes, piece.data(), static_cast<size_t>(bytes));
+  }
+  tapes.run_id = run_id;
+  tapes.generation[C2D_TAPE_CONTROL] = generation;
+  return status == C2D_OK && sum != record.image_sum ? C2D_ERR_STORE_STALE : status;
+}
+
+// May this state become that of the solver?
+c2d_status judge(c2d_solver* s, const SaveRecord& record, uint64_t count, uint64_t hash) {
+  if (record.maker != solver_maker() || record.model_hash != hash) return C2D_ERR_MISMATCH;
+  if (record.count != count) return C2D_ERR_STORE_STALE;
+  const bool running = record.state == C2D_STATE_RUNNING;
+  if ((!running && record.state != C2D_STATE_PREPARED) || record.image_bytes != image_bytes(s, running))
+    return C2D_ERR_MISMATCH;
+  return record.path_bytes > s->bytes - s->layout.persistent ? C2D_ERR_MEMORY : C2D_OK;
+}
+
+// The more a reason says, the higher.
+int weight(c2d_status status) {
+  switch (status) {
+  case C2D_ERR_STORE_READ: return 0; // a file that is not as long
+  case C2D_ERR_STORE_FORMAT: return 1;
+  case C2D_ERR_STORE_STALE: return 2;
+  case C2D_ERR_MISMATCH: return 4;
+  case C2D_ERR_MEMORY: return 5;
+  default: return 3;
+  }
+}
+
+// The newest state that is whole and belongs to the tapes and the model. The solver is not touched.
+c2d_status find_state(c2d_solver* s, const Slots& slots, Piece& piece, SaveRecord& best) {
+  Tapes& tapes = s->tapes;
+  const uint64_t hash = hash_state(s);
+  uint64_t count = 0;
+  best.number = 0;
+  c2d_status reason = read_count(tapes, &count, piece.bytes);
+  if (reason != C2D_OK) return reason == C2D_ERR_STORE_VERSION ? C2D_ERR_MISMATCH : reason;
+  reason = C2D_ERR_STORE_READ;
+  for (uint64_t slot = 0; slot < 2; ++slot) {
+    c2d_status status = read_record(tapes, slots.record(slot), piece.bytes, sizeof(SaveRecord));
+    if (status == C2D_ERR_STORE_VERSION) status = C2D_ERR_MISMATCH;
+    SaveRecord found;
+    if (status == C2D_OK) {
+      memcpy(&found, piece.data(), sizeof found);
+      status = judge(s, found, count, hash);
+    }
+    if (status == C2D_OK && found.number % 2 != slot) status = C2D_ERR_STORE_SWAPPED;
+    if (status == C2D_OK && found.number < best.number) continue;
+    if (status == C2D_OK) status = read_image(s, slots, found, piece, false);
+    if (status == C2D_OK) best = found;
+    else if (status == C2D_ERR_MEMORY) s->error.bytes_needed = s->layout.persistent + found.path_bytes + kAlignment - 1;
+    if (weight(status) > weight(reason)) reason = status;
+  }
+  return best.number > 0 ? C2D_OK : reason;
+}
+
+// The tapes that belong to the state are opened, and it takes the place of what the solver holds.
+c2d_status load_state(c2d_solver* s, const Slots& slots, Piece& piece, const SaveRecord& record) {
+  Tapes& tapes = s->tapes;
+  for (int32_t tape = C2D_TAPE_LOWER; tape < C2D_TAPES; ++tape) {
+    const c2d_status status = tapes.is_open[tape] ? close_tape(tapes, tape) : C2D_OK;
+    if (status != C2D_OK && s->state != C2D_STATE_BROKEN) return status;
+  }
+  const int32_t every_change = s->options.every_change;
+  c2d_status status = read_image(s, slots, record, piece, true);
+  if (status != C2D_OK) return status;
+  s->options.every_change = every_change;
+  tapes.run_id = record.run_id;
+  tapes.count = record.count;
+  s->saves = record.number;
+  for (int32_t tape = 0; tape < C2D_TAPES; ++tape) {
+    tapes.generation[tape] = record.generation[tape];
+    if (tape != C2D_TAPE_CONTROL && record.is_open[tape])
+      status = open_tape(tapes, tape, record.blocks[tape], record.block_bytes[tape] - kBlockHeaderBytes);
+    if (status != C2D_OK) return status;
+    tapes.writes[tape] = record.writes[tape];
+    tapes.reads[tape] = record.reads[tape];
+    tapes.bytes_written[tape] = record.bytes_written[tape];
+    tapes.bytes_read[tape] = record.bytes_read[tape];
+  }
+  s->back_substituted = 0; // those results were not kept
+  s->state = record.state;
+  if (s->state != C2D_STATE_RUNNING || s->blocked) return C2D_OK;
+  Session session;
+  open_session(s, session);
+  return load_flexibility(session);
+}
+
+c2d_status restore_state(c2d_solver* s) {
+  const Slots slots = slots_of(s);
+  Piece piece;
+  SaveRecord record;
+  c2d_status status = open_slots(s, slots);
+  if (status != C2D_OK) return fail_store(s, status);
+  const Uncounted uncounted(s->tapes);
+  status = find_state(s, slots, piece, record);
+  uncounted.done();
+  if (status != C2D_OK) {
+    const uint64_t needed = s->error.bytes_needed;
+    fail(s, status, c2d_message(status));
+    s->error.tape = C2D_TAPE_CONTROL;
+    s->error.host_code = status == C2D_ERR_STORE_READ ? s->tapes.error.host_code : 0;
+    s->error.bytes_needed = status == C2D_ERR_MEMORY ? needed : 0;
+    return status;
+  }
+  status = load_state(s, slots, piece, record);
+  return status == C2D_OK ? C2D_OK : fail_store(s, status);
+}
+
+} // namespace
+} // namespace c2d
+
+using namespace c2d;
+
+extern "C" c2d_status c2d_save(c2d_solver* s) {
+  c2d_status status = enter(s, state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING));
+  if (status != C2D_OK) return status;
+  if (!has_store(s->port)) return fail(s, C2D_ERR_ARGUMENT, "the port has no block store (open, read, write, sync, close)");
+  status = save_state(s);
+  return status == C2D_OK ? C2D_OK : fail_store(s, status);
+}
+
+extern "C" c2d_status c2d_restore(c2d_solver* s) {
+  const c2d_status status = enter(s, state_bit(C2D_STATE_MODEL) | state_bit(C2D_STATE_PREPARED) |
+                                         state_bit(C2D_STATE_RUNNING) | state_bit(C2D_STATE_BROKEN));
+  if (status != C2D_OK) return status;
+  if (!has_store(s->port)) return fail(s, C2D_ERR_ARGUMENT, "the port has no block store (open, read, write, sync, close)");
+  const c2d_status restored = restore_state(s);
+  if (restored != C2D_OK) return restored;
+  const int32_t warnings = s->warnings; // counted already, but told to another
+  if (!s->blocked) warn_condition(s);
+  s->warnings = warnings;
+  return C2D_OK;
+}

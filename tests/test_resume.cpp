@@ -1,0 +1,188 @@
+// `contact2d resume`: after a crash at any moment the outputs are those of a run that was not interrupted.
+#include "shell.hpp"
+
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <csignal>
+#include <fcntl.h>
+#include <map>
+#include <thread>
+
+using namespace test;
+
+namespace {
+
+const std::string kProgram = "'" C2D_TEST_PROGRAM "' ";
+
+struct Outputs {
+  Folder folder;
+  // Small panels, so that there is much to transfer.
+  std::string options() const {
+    return " --memory 800K --csv '" + (folder / "csv") + "' --boundary '" + (folder / "boundary") + "' --json '" +
+           (folder / "json") + "' --listing '" + (folder / "listing") + "' --vtk '" + (folder / "vtk") +
+           "' --no-progress";
+  }
+  // Every file but for the times in it, the names without the folder.
+  std::map<std::string, std::string> files() const {
+    std::map<std::string, std::string> out;
+    for (const auto& entry : fs::recursive_directory_iterator(folder.path())) {
+      if (!entry.is_regular_file()) continue;
+      std::string text;
+      for (const std::string& line : lines_of(read_file(entry.path().string())))
+        if (!contains(line, "\"seconds\"")) text += line + "\n";
+      out[entry.path().string().substr(folder.path().size())] = text;
+    }
+    return out;
+  }
+};
+
+const std::string& deck() {
+  static const Folder folder;
+  static const std::string path = folder / "deck.dat";
+  if (!fs::exists(path)) REQUIRE(run_shell(kProgram + "make disc_in_hole n=40 > '" + path + "'").status == 0);
+  return path;
+}
+
+std::string run_command(const std::string& tapes, const Outputs& outputs, const std::string& more = "") {
+  return "'" C2D_TEST_PROGRAM "' run '" + deck() + "' --store 'file:" + tapes + "'" + outputs.options() + " " + more;
+}
+
+// Start the command and kill it after a while; false if it had ended before.
+// With `file` the while begins when it has appeared.
+bool killed(const std::string& command, const std::string& file, int microseconds, int signal) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    const int nowhere = ::open("/dev/null", O_RDWR);
+    ::dup2(nowhere, 1);
+    ::dup2(nowhere, 2);
+    ::execl("/bin/sh", "sh", "-c", ("exec " + command).c_str(), static_cast<char*>(nullptr));
+    ::_exit(127);
+  }
+  int status = 0;
+  bool ended = false;
+  while (!file.empty() && !ended && !fs::exists(file)) ended = ::waitpid(child, &status, WNOHANG) == child;
+  if (ended) return false;
+  std::this_thread::sleep_for(std::chrono::microseconds(microseconds));
+  ::kill(child, signal);
+  ::waitpid(child, &status, 0);
+  return signal == SIGKILL ? WIFSIGNALED(status) : WIFEXITED(status) && WEXITSTATUS(status) == 130;
+}
+
+} // namespace
+
+TEST_CASE("resume: killed at any moment, resumed, the outputs are those of one run") {
+  Outputs whole;
+  const Folder tapes;
+  REQUIRE(run_shell(run_command(tapes / "whole", whole)).status == 0);
+  const auto expected = whole.files();
+  REQUIRE(expected.size() == 5);
+  int kills = 0, resumed = 0, finished = 0, early = 0;
+  for (int n = 0; n < 14; ++n) {
+    CAPTURE(n);
+    Outputs outputs;
+    const std::string folder = tapes / std::to_string(n);
+    const int microseconds = n * n * 150; // 0 to 25 ms
+    const std::string sign = n < 2 ? "" : folder + "/options";
+    if (!killed(run_command(folder, outputs, n % 2 == 0 ? "--keep" : ""), sign, microseconds, n % 3 == 2 ? SIGINT : SIGKILL)) {
+      ++finished;
+      continue;
+    }
+    ++kills;
+    for (const auto& file : outputs.files()) CHECK(file.first.find("/.contact2d-") != std::string::npos);
+    for (const auto& file : outputs.files()) fs::remove(outputs.folder.path() + file.first); // those lay aside
+    if (!fs::exists(folder + "/options")) { // it had hardly begun
+      CHECK(run_shell(kProgram + "resume '" + folder + "'").status == 2);
+      ++early;
+      continue;
+    }
+    ++resumed;
+    const Result result = run_shell(kProgram + "resume '" + folder + "'");
+    CHECK_MESSAGE(result.status == 0, result.err);
+    CHECK(outputs.files() == expected);
+    CHECK(fs::exists(folder + "/tape0.c2d") == (n % 2 == 0));
+    CHECK(fs::exists(folder + "/options") == (n % 2 == 0));
+  }
+  MESSAGE("killed " << kills << ", of these resumed " << resumed << " and too early " << early << "; ended before " << finished);
+}
+
+TEST_CASE("resume: a factorisation that is there is not computed again; one that is damaged is") {
+  Outputs outputs;
+  const Folder tapes;
+  const std::string folder = tapes / "t";
+  REQUIRE(run_shell(run_command(folder, outputs, "--keep")).status == 0);
+  const auto expected = outputs.files();
+  const auto resume = [&] { // from another folder, with the tapes under another name
+    fs::rename(folder, tapes / "u");
+    const Result result = run_shell("cd / && " + kProgram + "resume '" + (tapes / "u") + "'");
+    fs::rename(tapes / "u", folder);
+    return result;
+  };
+  const auto again = [&] {
+    for (const auto& file : expected) fs::remove(outputs.folder.path() + file.first);
+    const Result result = resume();
+    CHECK_MESSAGE(result.status == 0, result.err);
+    CHECK(outputs.files() == expected);
+    return result;
+  };
+  for (const char* tape : {"/tape1.c2d", "/tape2.c2d", "/tape3.c2d"}) {
+    if (!fs::exists(folder + tape)) continue;
+    const auto before = fs::last_write_time(folder + tape);
+    again();
+    CHECK(fs::last_write_time(folder + tape) == before);
+  }
+  for (const char* tape : {"/tape0.c2d", "/tape2.c2d", "/tape3.c2d"}) {
+    CAPTURE(std::string(tape));
+    const auto size = fs::file_size(folder + tape);
+    fs::resize_file(folder + tape, size / 2); // the end is gone
+    again();
+    std::string bytes = read_file(folder + tape);
+    for (size_t i = 150; i < bytes.size(); i += 997) bytes[i] = static_cast<char>(bytes[i] ^ 1);
+    write_file(folder + tape, bytes);
+    const Result result = again();
+    CHECK(contains(result.err, "damaged") == (std::string(tape) != "/tape0.c2d"));
+    fs::remove(folder + tape);
+    again();
+  }
+  // Other options on the same tapes, killed by a store that is full: the new ones count.
+  Outputs others;
+  const Result full = run_shell("ulimit -f 60; " + run_command(folder, others, "--keep --stepping deck"));
+  CHECK(full.status == 3);
+  CHECK(others.files().empty());
+  CHECK(run_shell(kProgram + "resume '" + folder + "'").status == 0);
+  Outputs direct;
+  REQUIRE(run_shell(run_command(tapes / "v", direct, "--stepping deck")).status == 0);
+  CHECK(others.files() == direct.files());
+}
+
+TEST_CASE("resume: what cannot be resumed is said") {
+  const Folder folder;
+  Outputs outputs;
+  CHECK(run_shell(kProgram + "resume").status == 64);
+  CHECK(run_shell(kProgram + "resume a b").status == 64);
+  CHECK(run_shell(kProgram + "resume a --csv b").status == 64);
+  CHECK(run_shell(kProgram + "resume --help").status == 0);
+  const Result none = run_shell(kProgram + "resume '" + folder.path() + "'");
+  CHECK(none.status == 2);
+  CHECK(contains(none.err, "no run"));
+  write_file(folder / "options", "contact2d run 2\ndeck=x\n");
+  CHECK(run_shell(kProgram + "resume '" + folder.path() + "'").status == 2);
+  write_file(folder / "options", "contact2d run 1\ndeck=x\n--no-such-option=3\n");
+  CHECK(run_shell(kProgram + "resume '" + folder.path() + "'").status == 2);
+  write_file(folder / "options", "contact2d run 1\ndeck=some\\\\name\n");
+  const Result missing = run_shell(kProgram + "resume '" + folder.path() + "'");
+  CHECK(missing.status == 2); // the deck is gone
+  // A name with everything in it comes back as it was.
+  const std::string strange = folder / "a \\ b\nc=d";
+  fs::copy_file(deck(), strange);
+  const std::string tapes = folder / "tapes";
+  const auto run = [&](const std::string& command) { return run_shell("cd '" + folder.path() + "' && " + kProgram + command); };
+  const Result first = run("run 'a \\ b\nc=d' --keep --store 'file:" + tapes + "' --report 'r \\ n\ns.html'");
+  REQUIRE_MESSAGE(first.status == 0, first.err);
+  const std::string page = read_file(folder / "r \\ n\ns.html");
+  fs::remove(folder / "r \\ n\ns.html");
+  const Result second = run_shell("cd / && " + kProgram + "resume '" + tapes + "'");
+  REQUIRE_MESSAGE(second.status == 0, second.err);
+  CHECK(second.out == first.out);
+  CHECK(read_file(folder / "r \\ n\ns.html").size() > page.size() / 2);
+}
