@@ -29,7 +29,7 @@ bool is_consistent(const char* at) {
   const Sizes found = C2D_MEMBER(sizes);
   Sizes sizes;
   Layout expected;
-  static_assert(sizeof(Sizes) == 4 * 4 + 20 * 8 && sizeof(Layout) == 8 * (kArrays + 1), "no padding");
+  static_assert(sizeof(Sizes) == 4 * 4 + 21 * 8 && sizeof(Layout) == 8 * (kArrays + 1), "no padding");
   return derive_sizes(limits, sizes) == C2D_OK && memcmp(&found, &sizes, sizeof sizes) == 0 &&
          lay_out(sizes, sizeof(c2d_solver), expected) == C2D_OK && memcmp(&layout, &expected, sizeof layout) == 0;
 }
