@@ -76,6 +76,10 @@ c2d_status InteriorPoints::take_bodies(c2d_solver* solver, const c2d_summary& s)
       const auto ends = std::minmax_element(at.begin(), at.end());
       set.from[c] = *ends.first;
       set.to[c] = *ends.second;
+      if ((s.symmetry >> c & 1) != 0) { // the whole of it, with its images
+        set.from[c] = std::min(*ends.first, 2.0 * s.symmetry_at[c] - *ends.second);
+        set.to[c] = std::max(*ends.second, 2.0 * s.symmetry_at[c] - *ends.first);
+      }
       size[c] = set.to[c] - set.from[c];
     }
     const double spacing = std::max(size[0], size[1]) / kAlongBody;
