@@ -289,6 +289,13 @@ c2d_status c2d_add_region(c2d_solver* solver, int32_t body, int32_t first_elemen
    Element e of a region has its first geometry node at (e-1)*(element_nodes-1)+1, plus the open regions before it. */
 c2d_status c2d_set_nodes(c2d_solver* solver, int32_t body, int32_t first, int32_t count, const double* xy,
                          int64_t stride);
+/* Boundary points first ... last, both ends included, at equal distances along a straight line, or along an arc between
+   two angles (degrees, counter-clockwise from the x axis; downwards if the second is smaller), as between two node cards
+   of a deck: the same bits. `from` and `to` count from `origin` (null: (0, 0)). last > first, radius >= 0. */
+c2d_status c2d_set_line_nodes(c2d_solver* solver, int32_t body, int32_t first, int32_t last, const double origin[2],
+                              const double from[2], const double to[2]);
+c2d_status c2d_set_arc_nodes(c2d_solver* solver, int32_t body, int32_t first, int32_t last, const double centre[2],
+                             double radius, double from_degrees, double to_degrees);
 /* Condition at local functional node `local` (1 ...) of an element: codes[4] and values[4] in the order
    tx ty ux uy, global components; values of unknown quantities are ignored. Ends without a condition are free of
    traction; ends of contact elements at listed pairs belong to the contact. All values scale with the factor of
