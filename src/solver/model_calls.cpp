@@ -24,10 +24,11 @@ extern "C" c2d_status c2d_set_options(c2d_solver* s, const c2d_options* options)
   if (status != C2D_OK) return status;
   if (!options || !copy_in(options, &ours, sizeof ours)) return fail(s, C2D_ERR_ARGUMENT, "no options given");
   if (!in_range(ours.quadrature, 0, 1) || !in_range(ours.stepping, 0, 1) || !in_range(ours.every_change, 0, 1) ||
-      !in_range(ours.symmetry, 0, 1))
+      !in_range(ours.symmetry, 0, 1) || !in_range(ours.keep_factors, 0, 1))
     return fail(s, C2D_ERR_ARGUMENT, "an option is out of range");
   if (s->state == C2D_STATE_MODEL && ours.symmetry != s->options.symmetry)
     return fail(s, C2D_ERR_STATE, "symmetry by images is chosen before the model is complete");
+  if (ours.quadrature != s->options.quadrature || ours.keep_factors != s->options.keep_factors) s->factors = 0;
   s->options = ours;
   return C2D_OK;
 }

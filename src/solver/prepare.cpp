@@ -6,6 +6,7 @@
 #include "memory/text.hpp"
 #include "model/free_zones.hpp"
 #include "model/rigid.hpp"
+#include "model/validate.hpp"
 #include "solver/phases.hpp"
 #include "solver/energy.hpp"
 #include "solver/session.hpp"
@@ -152,7 +153,8 @@ void note_pivots(c2d_solver* s, const PivotStats& stats) {
   if (stats.growth > s->pivot_growth) s->pivot_growth = stats.growth;
 }
 
-c2d_status eliminate_body(c2d_solver* s, const Model& m, const PhaseSizes& sizes, int b) {
+// With `loads_only` the matrix has been eliminated, and the loads have changed.
+c2d_status eliminate_body(c2d_solver* s, const Model& m, const PhaseSizes& sizes, int b, bool loads_only) {
   EliminationArea area;
   elimination_area(sizes, b, s->plan[b], array_of<char>(s, kPhase), &area);
   const Quadrature quadrature =
@@ -169,11 +171,17 @@ c2d_status eliminate_body(c2d_solver* s, const Model& m, const PhaseSizes& sizes
     if (asked_to_stop(s)) return C2D_ERR_CANCELLED;
   }
   job.assembling += clock_now(s) - start;
-  PivotStats stats{};
-  const c2d_status status =
-      eliminate(s->plan[b], ColumnSource{&job, assemble_columns}, RowSink{&job, keep_reduced}, s->tapes, area.work,
-                &stats, Watch{&job, watch_column});
-  note_pivots(s, stats);
+  const ColumnSource source{&job, assemble_columns};
+  const RowSink sink{&job, keep_reduced};
+  const Watch watch{&job, watch_column};
+  c2d_status status;
+  if (loads_only) {
+    status = eliminate_again(s->plan[b], 2 * m.head->contact, source, sink, s->tapes, area.work, watch);
+  } else {
+    PivotStats stats{};
+    status = eliminate(s->plan[b], source, sink, s->tapes, area.work, &stats, watch);
+    note_pivots(s, stats);
+  }
   s->seconds[C2D_PHASE_ASSEMBLE] += job.assembling;
   s->seconds[C2D_PHASE_ELIMINATE] += clock_now(s) - start - job.assembling;
   return status;
@@ -185,14 +193,14 @@ c2d_status tick(void* context) {
   return asked_to_stop(s) ? C2D_ERR_CANCELLED : C2D_OK;
 }
 
-c2d_status reduce_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes) {
+c2d_status reduce_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, bool loads_only) {
   if (m.head->contact == 0) return C2D_OK;
   ReductionArea area;
   reduction_area(sizes, array_of<char>(s, kPhase), &area);
   const double start = clock_now(s);
   const Reduction reduction{ContactTape{&s->tapes, m.head->contact, m.head->load_cases, area.buffer}, m,
                             s->inverted, area.first, area.second, area.strip, area.pivots, s, tick};
-  const c2d_status status = reduce(reduction);
+  const c2d_status status = loads_only ? reduce_loads(reduction) : reduce(reduction);
   s->seconds[C2D_PHASE_REDUCE] += clock_now(s) - start;
   return status;
 }
@@ -209,6 +217,14 @@ void find_support(c2d_solver* s, const Model& m) {
   else if (!contact_holds(m, 1 - s->inverted)) s->blocked = 2 - s->inverted;
 }
 
+c2d_status solve_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, bool loads_only) {
+  c2d_status status = C2D_OK;
+  for (int b = 0; b < m.head->bodies && status == C2D_OK; ++b)
+    if (!is_rigid(m, b)) status = eliminate_body(s, m, sizes, b, loads_only);
+  if (status == C2D_OK) status = reduce_bodies(s, m, sizes, loads_only);
+  return status == C2D_OK ? build_energy(s, m) : status;
+}
+
 c2d_status run_phases(c2d_solver* s, const Model& m) {
   const PhaseSizes sizes = model_sizes(m);
   const uint64_t bytes = s->bytes - s->layout.persistent;
@@ -216,13 +232,23 @@ c2d_status run_phases(c2d_solver* s, const Model& m) {
   c2d_status status = choose_plans(sizes, bytes, s->limits.panel_columns, s->plan, &flexibility);
   s->keeps_flexibility = flexibility;
   if (status != C2D_OK) return status;
+  for (EliminationPlan& plan : s->plan) plan.keep_lower = s->options.keep_factors;
   s->peak_bytes = s->layout.persistent + phases_use(sizes, s->plan, flexibility);
   status = begin_run(s->tapes, hash_model(m, s->options), array_of<char>(s, kPhase));
   if (status == C2D_OK) status = open_tapes(s, m);
-  for (int b = 0; b < m.head->bodies && status == C2D_OK; ++b)
-    if (!is_rigid(m, b)) status = eliminate_body(s, m, sizes, b);
-  if (status == C2D_OK) status = reduce_bodies(s, m, sizes);
-  return status == C2D_OK ? build_energy(s, m) : status;
+  return status == C2D_OK ? solve_bodies(s, m, sizes, false) : status;
+}
+
+// New right-hand sides go through the factorisation that is on the tapes.
+c2d_status run_loads(c2d_solver* s, const Model& m) {
+  const c2d_status status = recount_run(s->tapes, array_of<char>(s, kPhase));
+  return status == C2D_OK ? solve_bodies(s, m, model_sizes(m), true) : status;
+}
+
+c2d_status validate_changes(c2d_solver* s, const Model& m) {
+  if (s->loads_changed == 0) return C2D_OK;
+  Reporter reporter{s, [](void* solver, const c2d_error& e) { report_fault(static_cast<c2d_solver*>(solver), e); }, 0};
+  return validate_loads(m, reporter) ? C2D_OK : C2D_ERR_INPUT;
 }
 
 } // namespace
@@ -283,19 +309,28 @@ extern "C" c2d_status c2d_prepare(c2d_solver* s) {
   if (!p.open || !p.read || !p.write || !p.sync || !p.close)
     return fail(s, C2D_ERR_ARGUMENT, "the port has no block store (open, read, write, sync, close)");
   const Model m = model_of(s);
-  s->smallest_pivot = 1e300;
-  s->largest_pivot = s->pivot_growth = s->condition = 0.0;
+  status = validate_changes(s, m);
+  if (status != C2D_OK) return status;
+  const bool loads_only = s->factors != 0;
+  s->loads_changed = s->factors = 0;
   for (double& seconds : s->seconds) seconds = 0.0;
-  find_support(s, m);
   s->saves = 0;
-  status = close_all(s->tapes);
-  s->tapes.port = &s->port;
-  s->tapes.busy = &s->busy;
-  if (status == C2D_OK && !s->blocked) status = run_phases(s, m);
-  if (s->blocked) s->peak_bytes = s->layout.persistent + path_area(model_sizes(m), s->plan, false, nullptr, nullptr);
+  if (loads_only) {
+    status = run_loads(s, m);
+  } else {
+    s->smallest_pivot = 1e300;
+    s->largest_pivot = s->pivot_growth = s->condition = 0.0;
+    find_support(s, m);
+    status = close_all(s->tapes);
+    s->tapes.port = &s->port;
+    s->tapes.busy = &s->busy;
+    if (status == C2D_OK && !s->blocked) status = run_phases(s, m);
+    if (s->blocked) s->peak_bytes = s->layout.persistent + path_area(model_sizes(m), s->plan, false, nullptr, nullptr);
+  }
   if (status == C2D_OK) {
     s->state = C2D_STATE_PREPARED;
-    if (!s->blocked) warn_condition(s);
+    s->factors = s->options.keep_factors != 0 && !s->blocked;
+    if (!s->blocked && !loads_only) warn_condition(s);
     return C2D_OK;
   }
   if (is_store_error(status)) return fail_store(s, status);

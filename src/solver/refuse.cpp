@@ -52,6 +52,13 @@ c2d_status built(c2d_solver* s) {
   return C2D_OK;
 }
 
+c2d_status enter_loads(c2d_solver* s) { return enter(s, kBuilding | state_bit(C2D_STATE_MODEL)); }
+c2d_status loaded(c2d_solver* s) {
+  if (s->state != C2D_STATE_MODEL) return built(s);
+  s->loads_changed = 1;
+  return C2D_OK;
+}
+
 c2d_status check_body_number(c2d_solver* s, int32_t body) {
   if (in_range(body, 1, s->sizes.bodies)) return C2D_OK;
   return refuse_number(s, C2D_ERR_ARGUMENT, "body number", body, 1, s->sizes.bodies);

@@ -20,6 +20,9 @@ c2d_status refuse_value(c2d_solver* solver, const char* what, double value, cons
 constexpr uint32_t kBuilding = state_bit(C2D_STATE_EMPTY) | state_bit(C2D_STATE_BUILDING);
 c2d_status enter_building(c2d_solver* solver);
 c2d_status built(c2d_solver* solver);
+// Loads may also be changed in state model, where they do not make the model incomplete.
+c2d_status enter_loads(c2d_solver* solver);
+c2d_status loaded(c2d_solver* solver);
 c2d_status check_body_number(c2d_solver* solver, int32_t body); // 1 ... bodies
 c2d_status check_load_case(c2d_solver* solver, int32_t load_case);
 
