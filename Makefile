@@ -1,4 +1,4 @@
-# contact2d. Targets: all (default) demo test bench convergence install uninstall list relist format clean.
+# contact2d. Targets: all (default) demo chapter9 test bench convergence install uninstall list relist format clean.
 # Variables: CXX CC AR CXXFLAGS CFLAGS CPPFLAGS LDFLAGS BUILD PREFIX DESTDIR LIBDIR DOCTEST_INCLUDE NO_INSTALL.
 # What is compiled stands in src/sources.mk, which CMakeLists.txt reads too.
 include src/sources.mk
@@ -38,6 +38,9 @@ REPORT_OBJECTS  := $(call objects,$(REPORT_SOURCES))
 PROGRAM_OBJECTS := $(call objects,$(PROGRAM_SOURCES))
 FAMILY_OBJECTS  := $(filter $(BUILD)/obj/program_families_%,$(PROGRAM_OBJECTS))
 TEST_SOURCES    := $(wildcard tests/*.cpp)
+CHAPTER9_SOURCES := $(wildcard examples/chapter9/*.cpp)
+CHAPTER9_OBJECTS := $(call objects,$(CHAPTER9_SOURCES))
+STUDY_OBJECT     := $(call object,examples/chapter9/study.cpp)
 TEST_OBJECTS    := $(patsubst tests/%.cpp,$(BUILD)/tests/%.o,$(TEST_SOURCES))
 
 LIBRARY := $(BUILD)/libcontact2d.a
@@ -46,7 +49,7 @@ PROGRAM := $(BUILD)/contact2d
 TESTS   := $(BUILD)/tests/run_tests
 
 .DELETE_ON_ERROR:
-.PHONY: all demo test bench convergence install uninstall list relist format clean FORCE
+.PHONY: all demo chapter9 test bench convergence install uninstall list relist format clean FORCE
 all: $(LIBRARY) $(PROGRAM)
 
 # ---------------------------------------------------------------- objects
@@ -56,13 +59,20 @@ $(BUILD)/flags: FORCE
 	@mkdir -p $(BUILD)/obj $(BUILD)/tests
 	@echo '$(subst ','\'',$(FLAGS_NOW))' | cmp -s - $@ || echo '$(subst ','\'',$(FLAGS_NOW))' > $@
 
+# The loops of the dense kernels ask for fused additions, and for the instruction set they are named after: which
+# of them runs is decided by the processor. src/linalg/kernel.hpp.
+ifneq ($(findstring x86_64,$(shell $(CXX) -dumpmachine 2>/dev/null)),)
+KERNEL_kernel_avx2 := -mavx2 -mfma
+KERNEL_kernel_avx512 := -mavx512f -mfma
+endif
+kernel_flags = $(if $(findstring /linalg/kernel_,$(1)),-ffp-contract=fast $(KERNEL_$(basename $(notdir $(1)))))
 define compile
 $(call object,$(1)): $(1) $(BUILD)/flags Makefile
 	$(if $(filter %.c,$(1)),$(CC) $(CPPFLAGS) $(INCLUDES) -std=c99 -Wall -Wextra -Wpedantic $(CFLAGS) -fPIC,\
 	  $(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(EXACT) $(2)) $(DEPS) -c $(1) -o $$@
 endef
-$(foreach s,$(CORE_SOURCES) $(PORT_SOURCES),$(eval $(call compile,$(s),$(CORE_ONLY))))
-$(foreach s,$(REPORT_SOURCES) $(PROGRAM_SOURCES),$(eval $(call compile,$(s),)))
+$(foreach s,$(CORE_SOURCES) $(PORT_SOURCES),$(eval $(call compile,$(s),$(CORE_ONLY) $(call kernel_flags,$(s)))))
+$(foreach s,$(REPORT_SOURCES) $(PROGRAM_SOURCES) $(CHAPTER9_SOURCES),$(eval $(call compile,$(s),)))
 
 $(LIBRARY): $(CORE_OBJECTS) $(PORT_OBJECTS) src/sources.mk
 	rm -f $@
@@ -86,17 +96,19 @@ include port/cortex-m/embedded.mk
 # ---------------------------------------------------------------- tests
 TEST_DEFINES = -DC2D_TEST_ROOT='"$(CURDIR)"' -DC2D_TEST_BUILD='"$(abspath $(BUILD))"' -DC2D_TEST_CC='"$(CC)"' \
   -DC2D_TEST_CXX='"$(CXX)"' -DC2D_TEST_LIBRARY='"$(abspath $(LIBRARY))"' \
-  -DC2D_TEST_CORE='"$(abspath $(LIBRARY))"' -DC2D_TEST_PROGRAM='"$(abspath $(PROGRAM))"'
+  -DC2D_TEST_CORE='"$(abspath $(LIBRARY))"' -DC2D_TEST_PROGRAM='"$(abspath $(PROGRAM))"' \
+  -DC2D_TEST_CHAPTER9='"$(abspath $(BUILD))/obj/chapter9"'
 
 $(BUILD)/tests/doctest: tests/doctest.sh | $(BUILD)/flags
 	CXX='$(CXX)' DOCTEST_INCLUDE='$(DOCTEST_INCLUDE)' NO_INSTALL='$(NO_INSTALL)' sh tests/doctest.sh $@
 $(BUILD)/tests/%.o: tests/%.cpp $(BUILD)/flags $(BUILD)/tests/doctest Makefile
 	$(CXX) $(CPPFLAGS) $(COMMON) $$(cat $(BUILD)/tests/doctest) $(CXXFLAGS) -O1 $(EXACT) $(TEST_DEFINES) $(DEPS) \
 	  -c $< -o $@
-$(TESTS): $(TEST_OBJECTS) $(REPORT_OBJECTS) $(FAMILY_OBJECTS) $(LIBRARY)
-	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $(TEST_OBJECTS) $(REPORT_OBJECTS) $(FAMILY_OBJECTS) $(LIBRARY) -lm -pthread
+$(TESTS): $(TEST_OBJECTS) $(STUDY_OBJECT) $(REPORT_OBJECTS) $(FAMILY_OBJECTS) $(LIBRARY)
+	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $(TEST_OBJECTS) $(STUDY_OBJECT) $(REPORT_OBJECTS) $(FAMILY_OBJECTS) $(LIBRARY) \
+	  -lm -pthread
 # C2D_ALL_HOSTS=1: also what needs other compilers and an emulator.
-test: $(if $(C2D_ALL_HOSTS),$(EMBEDDED_TESTED)) $(TESTS) $(PROGRAM) $(LIBRARY) $(SHARED)
+test: $(if $(C2D_ALL_HOSTS),$(EMBEDDED_TESTED)) $(TESTS) $(PROGRAM) $(LIBRARY) $(SHARED) $(BUILD)/obj/chapter9
 	@sh tests/run_shards.sh $(TESTS) $(JOBS)
 
 # ---------------------------------------------------------------- for the user
@@ -106,6 +118,14 @@ demo: $(PROGRAM)
 	  --boundary $(BUILD)/demo/hertz_boundary.csv --json $(BUILD)/demo/hertz.json --report $(BUILD)/demo/report.html
 	@echo 'Results: $(BUILD)/demo/hertz.lst (listing), hertz.csv, hertz_boundary.csv, hertz.json;'
 	@echo 'pictures: $(BUILD)/demo/report.html (open it with a browser)'
+
+# Chapter 9 of the dissertation: figures 36 to 41, as increments give them and as events do.
+$(BUILD)/obj/chapter9: $(CHAPTER9_OBJECTS) $(REPORT_OBJECTS) $(FAMILY_OBJECTS) $(LIBRARY)
+	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm
+chapter9: $(BUILD)/obj/chapter9
+	@mkdir -p $(BUILD)/chapter9
+	@$(BUILD)/obj/chapter9 $(BUILD)/chapter9
+	@echo 'Figures 36 to 41: $(BUILD)/chapter9/chapter9.svg; numbers: curves.csv; a deck per curve: *.dat'
 
 # Speed, as a table: make bench SAVE=file keeps it, BASE=file compares with one that was kept.
 BENCH_OBJECTS := $(patsubst tests/bench/%.cpp,$(BUILD)/bench/%.o,$(wildcard tests/bench/*.cpp))
@@ -184,7 +204,8 @@ uninstall:
 	-rmdir $(DESTDIR)$(CMAKEDIR) 2>/dev/null || true
 
 clean:
-	rm -rf $(BUILD)/obj $(BUILD)/tests $(BUILD)/demo $(BUILD)/bench $(BUILD)/convergence $(BUILD)/embedded
+	rm -rf $(BUILD)/obj $(BUILD)/tests $(BUILD)/demo $(BUILD)/bench $(BUILD)/convergence $(BUILD)/chapter9 \
+	  $(BUILD)/embedded
 	rm -f $(LIBRARY) $(BUILD)/libcontact2d.so.* $(PROGRAM) $(BUILD)/flags $(BUILD)/exports
 	-rmdir $(BUILD) 2>/dev/null || true
 

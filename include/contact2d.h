@@ -501,13 +501,16 @@ enum {
      first call at a load, then kept) except C2D_END_X, _Y, _NODE */
   C2D_END_X = 100, C2D_END_Y = 101, C2D_END_NODE = 102,
   C2D_END_UX = 103, C2D_END_UY = 104, C2D_END_TX = 105, C2D_END_TY = 106, /* true traction on own length */
-  C2D_END_STATUS = 107,       /* status of the pair this end belongs to, -1: none                   */
+  C2D_END_STATUS = 107,       /* status of the pair this end belongs to, -1: none, as on body 1 of a free zone, whose
+                                 pairs lie between its nodes (C2D_PAIR_ELEMENT1)                     */
   C2D_END_SXX = 108, C2D_END_SYY = 109, C2D_END_SXY = 110, /* stress tensor: from this end's traction and the slope of
                                  the displacement along the boundary, recovered at Gauss points     */
   C2D_END_SZZ = 111,          /* out of the plane: nu (sxx + syy), 0 in plane stress                */
   C2D_END_HOOP = 112,         /* normal stress along the boundary                                   */
   /* per geometry node of a body */
-  C2D_NODE_X = 120, C2D_NODE_Y = 121
+  C2D_NODE_X = 120, C2D_NODE_Y = 121,
+  /* per pair, no columns of the table: where it lies on body 1, an element and its local coordinate -1 ... 1 */
+  C2D_PAIR_ELEMENT1 = 130, C2D_PAIR_ETA1 = 131
 };
 /* Errors: ARGUMENT; STATE (legal: running; positions also in model, prepared); STORE_... */
 c2d_status c2d_get(c2d_solver* solver, int32_t field, int32_t body, int32_t first, int32_t count, double* out,
@@ -608,6 +611,19 @@ c2d_status c2d_get_region(c2d_solver* solver, int32_t body, int32_t i, int32_t* 
 c2d_status c2d_get_condition(c2d_solver* solver, int32_t body, int32_t element, int32_t local, int32_t codes[4],
                              double values[4]);
 c2d_status c2d_get_point_load(c2d_solver* solver, int32_t i, int32_t* body, double xy[2], double force[2]);
+/* c2d_get_condition is that of case 1. The codes are the same in every case, the values those of `load_case`. */
+c2d_status c2d_get_case_condition(c2d_solver* solver, int32_t body, int32_t element, int32_t local, int32_t codes[4],
+                                  double values[4], int32_t load_case);
+/* The point loads of all cases are one list: this one also says whose the i-th is. */
+c2d_status c2d_get_case_point_load(c2d_solver* solver, int32_t i, int32_t* body, double xy[2], double force[2],
+                                   int32_t* load_case);
+/* As c2d_set_body_force was told: (bx, by), rho_omega2, (x0, y0); zeros if it was not called. */
+c2d_status c2d_get_body_force(c2d_solver* solver, int32_t body, int32_t load_case, double force[2], double* rho_omega2,
+                              double axis[2]);
+/* is_rigid: 1 if body 1 is a rigid obstacle; motion: ux, uy, rotation in that case; axis: x0, y0. */
+c2d_status c2d_get_rigid(c2d_solver* solver, int32_t load_case, int32_t* is_rigid, double motion[3], double axis[2]);
+/* The load case that closes initial overlaps, 0: none. */
+c2d_status c2d_get_interference(c2d_solver* solver, int32_t* load_case);
 
 /* ---------------------------------------------------------------- 9 errors and state ---------------------------
 
@@ -625,8 +641,8 @@ c2d_status c2d_get_point_load(c2d_solver* solver, int32_t i, int32_t* body, doub
                 change_loads                                            -> model
    broken       after an error of the store: restore, or c2d_create in the same memory
    In model, prepared and running also positions by get, and the lists: get_friction, _zone_friction, _path,
-   _path_point, _zone, _region,
-   _condition, _point_load. */
+   _path_point, _zone, _region, _condition, _point_load, _case_condition, _case_point_load, _body_force, _rigid,
+   _interference. */
 enum { C2D_STATE_EMPTY = 0, C2D_STATE_BUILDING = 1, C2D_STATE_MODEL = 2, C2D_STATE_PREPARED = 3,
        C2D_STATE_RUNNING = 4, C2D_STATE_BROKEN = 5 };
 int32_t c2d_get_state(const c2d_solver* solver);                 /* -1: not a solver                */

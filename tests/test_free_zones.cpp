@@ -440,6 +440,8 @@ TEST_CASE("free zones: bad input") {
     for (size_t i = 1; i < p.bodies[1].xy.size(); i += 2) p.bodies[1].xy[i] -= 0.1;
   });
   CHECK_MESSAGE(says(overlap, "overlap by 0.1"), overlap);
+  const std::string rigid = fault([](Problem& p) { p.rigid = true; });
+  CHECK_MESSAGE(says(rigid, "expected matching ones where body 1 is rigid"), rigid);
 }
 
 namespace {

@@ -192,6 +192,12 @@ const std::vector<Call>& calls() {
     add("get_zone", complete, [](c2d_solver* s) { c2d_zone z = C2D_INIT(c2d_zone); return c2d_get_zone(s, 1, &z); });
     add("get_region", complete, [](c2d_solver* s) { int32_t a, b; return c2d_get_region(s, 1, 1, &a, &b); });
     add("get_condition", complete, [](c2d_solver* s) { int32_t codes[4]; return c2d_get_condition(s, 1, 1, 1, codes, g_numbers); });
+    add("get_case_condition", complete, [](c2d_solver* s) { int32_t codes[4]; return c2d_get_case_condition(s, 1, 1, 1, codes, g_numbers, 1); });
+    add("get_case_point_load", complete, [](c2d_solver* s) { int32_t b, k; double f[2]; return c2d_get_case_point_load(s, 1, &b, g_numbers, f, &k); });
+    add("get_body_force", complete, [](c2d_solver* s) { double f[2], axis[2]; return c2d_get_body_force(s, 1, 1, f, g_numbers, axis); });
+    add("get_rigid", complete, [](c2d_solver* s) { int32_t rigid; double u[3]; return c2d_get_rigid(s, 1, &rigid, u, g_numbers); });
+    add("get_interference", complete, [](c2d_solver* s) { int32_t k; return c2d_get_interference(s, &k); });
+    add("get place", complete, [](c2d_solver* s) { return c2d_get(s, C2D_PAIR_ELEMENT1, 1, 1, 1, g_numbers, 1); });
     add("get_point_load", complete, [](c2d_solver* s) { int32_t b; double f[2]; return c2d_get_point_load(s, 1, &b, g_numbers, f); });
     return out;
   }();
@@ -365,8 +371,9 @@ TEST_CASE("interface: every function in every state") {
         CHECK(status != C2D_ERR_STATE);
         CHECK(status != C2D_ERR_BUSY);
         const std::string name = call.name;
+        const bool empty_list = name.find("point_load") != std::string::npos; // here
         if (name == "restore") CHECK(status == C2D_ERR_STORE_FORMAT); // nothing was saved
-        else if (state >= C2D_STATE_MODEL && name.find("point_load") == std::string::npos) CHECK(status == C2D_OK);
+        else if (state >= C2D_STATE_MODEL && !empty_list) CHECK(status == C2D_OK);
       } else {
         CHECK(status == C2D_ERR_STATE);
         CHECK(without_error(machine.solver) == before);
@@ -483,6 +490,11 @@ std::vector<Wrong> wrong_calls() {
       add(state, "condition", [i](c2d_solver* s) { int32_t c[4]; return c2d_get_condition(s, 1, i == 100 ? 1000 : i, 1, c, g_numbers); });
       add(state, "condition end", [i](c2d_solver* s) { int32_t c[4]; return c2d_get_condition(s, 1, 1, i, c, g_numbers); });
       add(state, "point load", [i](c2d_solver* s) { int32_t b; double f[2]; return c2d_get_point_load(s, i, &b, g_numbers, f); });
+      add(state, "case of condition", [i](c2d_solver* s) { int32_t c[4]; return c2d_get_case_condition(s, 1, 1, 1, c, g_numbers, i); });
+      add(state, "case point load", [i](c2d_solver* s) { int32_t b, k; double f[2]; return c2d_get_case_point_load(s, i, &b, g_numbers, f, &k); });
+      add(state, "body force body", [i](c2d_solver* s) { double f[2], axis[2]; return c2d_get_body_force(s, i, 1, f, g_numbers, axis); });
+      add(state, "body force case", [i](c2d_solver* s) { double f[2], axis[2]; return c2d_get_body_force(s, 1, i, f, g_numbers, axis); });
+      add(state, "rigid case", [i](c2d_solver* s) { int32_t rigid; double u[3]; return c2d_get_rigid(s, i, &rigid, u, g_numbers); });
       add(state, "get body", [i](c2d_solver* s) { return c2d_get(s, C2D_NODE_X, i, 1, 1, g_numbers, 1); });
     }
     add(state, "nulls", [](c2d_solver* s) { return c2d_get_friction(s, 1, nullptr); });
@@ -491,9 +503,14 @@ std::vector<Wrong> wrong_calls() {
     add(state, "nulls", [](c2d_solver* s) { return c2d_get_region(s, 1, 1, nullptr, nullptr); });
     add(state, "nulls", [](c2d_solver* s) { return c2d_get_condition(s, 1, 1, 1, nullptr, nullptr); });
     add(state, "nulls", [](c2d_solver* s) { return c2d_get_point_load(s, 1, nullptr, nullptr, nullptr); });
+    add(state, "nulls", [](c2d_solver* s) { return c2d_get_case_condition(s, 1, 1, 1, nullptr, nullptr, 1); });
+    add(state, "nulls", [](c2d_solver* s) { return c2d_get_case_point_load(s, 1, nullptr, nullptr, nullptr, nullptr); });
+    add(state, "nulls", [](c2d_solver* s) { return c2d_get_body_force(s, 1, 1, nullptr, nullptr, nullptr); });
+    add(state, "nulls", [](c2d_solver* s) { return c2d_get_rigid(s, 1, nullptr, nullptr, nullptr); });
+    add(state, "nulls", [](c2d_solver* s) { return c2d_get_interference(s, nullptr); });
     add(state, "summary", [](c2d_solver* s) { return c2d_get_summary(s, nullptr); });
     add(state, "error", [](c2d_solver* s) { return c2d_last_error(s, nullptr); });
-    for (int32_t field : {-1, 16, 99, 113, 119, 122, INT32_MAX, INT32_MIN})
+    for (int32_t field : {-1, 16, 99, 113, 119, 122, 129, 132, INT32_MAX, INT32_MIN})
       add(state, "field", [field](c2d_solver* s) { return c2d_get(s, field, 1, 1, 1, g_numbers, 1); });
     for (int32_t field : {C2D_X, C2D_END_X, C2D_NODE_X, C2D_TN, C2D_END_TX}) {
       if (state == C2D_STATE_PREPARED && (field == C2D_TN || field == C2D_END_TX)) continue;

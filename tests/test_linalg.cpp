@@ -6,6 +6,7 @@
 #include <fenv.h>
 #include <limits>
 #include <random>
+#include <string>
 #include <vector>
 
 using namespace c2d;
@@ -67,6 +68,40 @@ double lu_residual(Matrix a, const Matrix& lu, const std::vector<int32_t>& pivot
   return norm == 0 ? most : most / (n * norm * kEps);
 }
 
+// Every form of the kernels that this build has and this machine runs: the plain one, and each instruction
+// set with all the scratch it can use, with very little, and with too little.
+struct TestEngine {
+  std::string name;
+  std::vector<Real> memory;
+  Engine engine;
+};
+std::vector<TestEngine> test_engines() {
+  std::vector<TestEngine> all;
+  all.push_back({"plain", {}, kPlainEngine});
+  for (int32_t set = 1; set <= static_cast<int32_t>(best_instructions()); ++set) {
+    const Kernel* kernel = kernel_for(static_cast<Instructions>(set));
+    if (!kernel) continue;
+    const int64_t least = kernel->rows + kernel->cols;
+    for (const int64_t numbers : {full_scratch(128, 128), 3 * least + 5, least - 1}) {
+      TestEngine e{"set " + std::to_string(set) + ", scratch " + std::to_string(numbers),
+                   {},
+                   {kernel, nullptr, numbers, nullptr}};
+      e.memory.assign(static_cast<size_t>(numbers) + 9, Real(-55));
+      all.push_back(std::move(e));
+    }
+  }
+  for (TestEngine& e : all) // vectors have moved for the last time
+    if (e.engine.kernel)
+      e.engine.scratch =
+          e.memory.data() + (64 - reinterpret_cast<uintptr_t>(e.memory.data()) % 64) % 64 / sizeof(Real);
+  return all;
+}
+
+const TestEngine& best_engine() {
+  static const std::vector<TestEngine> all = test_engines();
+  return all.size() > 1 ? all[all.size() - 3] : all[0];
+}
+
 // Traps on for the length of a scope: what must not raise anything ends the program if it does.
 struct Traps {
   Traps() {
@@ -79,65 +114,116 @@ struct Traps {
 } // namespace
 
 TEST_CASE("product subtracts what the definition says, for every remainder of the tiling") {
-  for (int32_t m : {0, 1, 3, 4, 5, 8, 31, 259}) {
-    for (int32_t n : {0, 1, 4, 7, 9}) {
-      for (int32_t k : {0, 1, 2, 63, 64, 65, 130}) {
+  const std::vector<TestEngine> engines = test_engines();
+  for (int32_t m : {0, 1, 2, 3, 5, 7, 15, 16, 17, 31, 33, 63, 65, 127, 129, 259}) {
+    for (int32_t n : {0, 1, 4, 7, 9, 16, 17, 33}) {
+      for (int32_t k : {0, 1, 2, 5, 63, 65, 130}) {
         Matrix a = random_matrix(m, k, 1, 3), b = random_matrix(k, n, 2, 1), c = random_matrix(m, n, 3, 2);
-        Matrix d = c;
-        gemm_minus(m, n, k, a.data(), a.ld, b.data(), b.ld, d.data(), d.ld);
-        double worst = 0;
+        Matrix exact = c;
         for (int32_t j = 0; j < n; ++j) {
           for (int32_t i = 0; i < m; ++i) {
             long double sum = c(i, j);
             for (int32_t p = 0; p < k; ++p) sum -= static_cast<long double>(a(i, p)) * b(p, j);
-            worst = std::fmax(worst, std::fabs(static_cast<double>(sum - d(i, j))));
+            exact(i, j) = static_cast<Real>(sum);
           }
-          for (int64_t g = m; g < d.ld; ++g) CHECK(d(static_cast<int32_t>(g), j) == Real(-77));
         }
-        CHECK(worst <= (k + 1) * kEps * (k + 1)); // |a b| <= 1: the usual bound for a sum of k + 1 terms
+        for (const TestEngine& e : engines) {
+          Matrix d = c;
+          {
+            Traps traps;
+            gemm_minus(e.engine, m, n, k, a.data(), a.ld, b.data(), b.ld, d.data(), d.ld);
+          }
+          double worst = 0;
+          bool kept = true;
+          for (int32_t j = 0; j < n; ++j) {
+            for (int32_t i = 0; i < m; ++i)
+              worst = std::fmax(worst, std::fabs(static_cast<double>(exact(i, j) - d(i, j))));
+            for (int64_t g = m; g < d.ld; ++g) kept = kept && d(static_cast<int32_t>(g), j) == Real(-77);
+          }
+          INFO(e.name, " m ", m, " n ", n, " k ", k);
+          CHECK(kept);
+          CHECK(worst <= (k + 1) * kEps * (k + 1)); // |a b| <= 1: the usual bound for a sum of k + 1 terms
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("an update is a triangular solve and a product, and writes nowhere else") {
+  for (const TestEngine& e : test_engines()) {
+    for (int32_t w : {0, 1, 2, 3, 5, 16, 31, 33, 127, 129, 150}) {
+      for (int32_t m : {0, 1, 7, 25, 64}) {
+        for (int32_t n : {1, 3, 8, 17, 40}) {
+          Matrix l = random_matrix(w + m, w, 51, 2), x = random_matrix(w + m, n, 52, 3), y = x;
+          for (Real& entry : l.a) entry /= static_cast<Real>(w + 1); // well conditioned
+          {
+            Traps traps;
+            update_by(e.engine, w, m, n, l.data(), l.ld, y.data(), y.ld);
+          }
+          double worst = 0;
+          bool kept = true;
+          for (int32_t j = 0; j < n; ++j) {
+            for (int32_t i = 0; i < w + m; ++i) {
+              long double sum = y(i, j);
+              for (int32_t p = 0; p < w && p < i; ++p) sum += static_cast<long double>(l(i, p)) * y(p, j);
+              worst = std::fmax(worst, std::fabs(static_cast<double>(sum - x(i, j))));
+            }
+            for (int64_t g = w + m; g < y.ld; ++g) kept = kept && y(static_cast<int32_t>(g), j) == Real(-77);
+          }
+          INFO(e.name, " w ", w, " m ", m, " n ", n);
+          CHECK(kept);
+          CHECK(worst <= 10 * (w + 1) * kEps);
+        }
       }
     }
   }
 }
 
 TEST_CASE("triangular solves reproduce the right-hand side") {
-  for (int32_t n : {0, 1, 2, 5, 31, 32, 33, 100}) {
-    for (int32_t nrhs : {0, 1, 3, 8}) {
+  const std::vector<TestEngine> engines = test_engines();
+  for (int32_t n : {0, 1, 2, 5, 31, 32, 33, 100, 129, 300}) {
+    for (int32_t nrhs : {0, 1, 3, 8, 21}) {
       Matrix t = random_matrix(n, n, 5), b = random_matrix(n, nrhs, 6, 1);
       for (int32_t j = 0; j < n; ++j) {
         for (int32_t i = 0; i < n; ++i) t(i, j) = i == j ? t(i, j) + 3 : t(i, j) / static_cast<Real>(n);
       }
-      Matrix x = b, y = b;
-      trsm_lower_unit(n, nrhs, t.data(), t.ld, x.data(), x.ld);
-      trsm_upper(n, nrhs, t.data(), t.ld, y.data(), y.ld);
-      double worst = 0;
-      for (int32_t j = 0; j < nrhs; ++j) {
-        for (int32_t i = 0; i < n; ++i) {
-          long double low = x(i, j), up = 0;
-          for (int32_t k = 0; k < i; ++k) low += static_cast<long double>(t(i, k)) * x(k, j);
-          for (int32_t k = i; k < n; ++k) up += static_cast<long double>(t(i, k)) * y(k, j);
-          worst = std::fmax(worst, std::fabs(static_cast<double>(low - b(i, j))));
-          worst = std::fmax(worst, std::fabs(static_cast<double>(up - b(i, j))));
+      for (const TestEngine& e : engines) {
+        Matrix x = b, y = b;
+        trsm_lower_unit(e.engine, n, nrhs, t.data(), t.ld, x.data(), x.ld);
+        trsm_upper(e.engine, n, nrhs, t.data(), t.ld, y.data(), y.ld);
+        double worst = 0;
+        for (int32_t j = 0; j < nrhs; ++j) {
+          for (int32_t i = 0; i < n; ++i) {
+            long double low = x(i, j), up = 0;
+            for (int32_t k = 0; k < i; ++k) low += static_cast<long double>(t(i, k)) * x(k, j);
+            for (int32_t k = i; k < n; ++k) up += static_cast<long double>(t(i, k)) * y(k, j);
+            worst = std::fmax(worst, std::fabs(static_cast<double>(low - b(i, j))));
+            worst = std::fmax(worst, std::fabs(static_cast<double>(up - b(i, j))));
+          }
         }
+        INFO(e.name, " n ", n, " right-hand sides ", nrhs);
+        CHECK(worst <= 10 * (n + 1) * kEps);
       }
-      CHECK(worst <= 10 * (n + 1) * kEps);
     }
   }
 }
 
 TEST_CASE("LU residual ratio for many sizes, and for panels of many widths") {
-  for (int32_t n : {0, 1, 2, 3, 5, 10, 50, 200}) {
-    for (int32_t width : {1, 3, 20, n}) {
-      if (width > n) continue;
-      Matrix a = random_matrix(n, width, static_cast<uint32_t>(n + 7)), lu = a;
-      std::vector<int32_t> pivots(static_cast<size_t>(n) + 1);
-      PivotStats stats;
-      start_stats(stats);
-      CHECK(lu_panel(n, width, lu.data(), lu.ld, pivots.data(), nullptr, &stats) == 0);
-      CHECK(lu_residual(a, lu, pivots) < 30);
-      CHECK(stats.unusable == 0);
-      for (int32_t j = 0; j < width; ++j) {
-        for (int32_t i = j + 1; i < n; ++i) REQUIRE(std::fabs(lu(i, j)) <= 1); // partial pivoting
+  for (const TestEngine& e : test_engines()) {
+    for (int32_t n : {0, 1, 2, 3, 5, 7, 15, 16, 17, 31, 33, 63, 65, 127, 129, 200, 270}) {
+      for (int32_t width : {1, 3, 20, 140, n}) {
+        if (width > n) continue;
+        INFO(e.name, " n ", n, " width ", width);
+        Matrix a = random_matrix(n, width, static_cast<uint32_t>(n + 7)), lu = a;
+        std::vector<int32_t> pivots(static_cast<size_t>(n) + 1);
+        PivotStats stats;
+        start_stats(stats);
+        CHECK(lu_panel(e.engine, n, width, lu.data(), lu.ld, pivots.data(), nullptr, &stats) == 0);
+        CHECK(lu_residual(a, lu, pivots) < 30);
+        CHECK(stats.unusable == 0);
+        for (int32_t j = 0; j < width; ++j) {
+          for (int32_t i = j + 1; i < n; ++i) REQUIRE(std::fabs(lu(i, j)) <= 1); // partial pivoting
+        }
       }
     }
   }
@@ -145,27 +231,30 @@ TEST_CASE("LU residual ratio for many sizes, and for panels of many widths") {
 
 TEST_CASE(
     "columns without a pivot are counted, not divided by, and the factors still multiply to the matrix") {
-  for (int32_t n : {1, 2, 3, 5, 10, 50, 200}) {
-    for (int32_t which = 0; which < 3; ++which) { // the first, the last, or every second column is zero
-      Matrix a = random_matrix(n, n, 11);
-      int32_t zero = 0, first = -1;
-      for (int32_t j = 0; j < n; ++j) {
-        if (!(which == 0 ? j == 0 : which == 1 ? j == n - 1 : j % 2 == 1)) continue;
-        if (first < 0) first = j;
-        ++zero;
-        for (int32_t i = 0; i < n; ++i) a(i, j) = 0;
+  for (const TestEngine& e : test_engines()) {
+    for (int32_t n : {1, 2, 3, 5, 10, 50, 200}) {
+      for (int32_t which = 0; which < 3; ++which) { // the first, the last, or every second column is zero
+        Matrix a = random_matrix(n, n, 11);
+        int32_t zero = 0, first = -1;
+        for (int32_t j = 0; j < n; ++j) {
+          if (!(which == 0 ? j == 0 : which == 1 ? j == n - 1 : j % 2 == 1)) continue;
+          if (first < 0) first = j;
+          ++zero;
+          for (int32_t i = 0; i < n; ++i) a(i, j) = 0;
+        }
+        Matrix lu = a, b = random_matrix(n, 2, 12);
+        std::vector<int32_t> pivots(static_cast<size_t>(n));
+        PivotStats stats;
+        {
+          Traps traps;
+          CHECK(lu_factor(e.engine, n, lu.data(), lu.ld, pivots.data(), &stats) == zero);
+          lu_solve(e.engine, n, 2, lu.data(), lu.ld, pivots.data(), b.data(), b.ld);
+        }
+        CHECK(stats.unusable == zero);
+        CHECK(stats.first_unusable == first);
+        lu_settle(n, lu.data(), lu.ld, pivots.data());
+        CHECK(lu_residual(a, lu, pivots) < 30);
       }
-      Matrix lu = a, b = random_matrix(n, 2, 12);
-      std::vector<int32_t> pivots(static_cast<size_t>(n));
-      PivotStats stats;
-      {
-        Traps traps;
-        CHECK(lu_factor(n, lu.data(), lu.ld, pivots.data(), &stats) == zero);
-        lu_solve(n, 2, lu.data(), lu.ld, pivots.data(), b.data(), b.ld);
-      }
-      CHECK(stats.unusable == zero);
-      CHECK(stats.first_unusable == first);
-      CHECK(lu_residual(a, lu, pivots) < 30);
     }
   }
 }
@@ -178,8 +267,8 @@ TEST_CASE("a column too small to divide by is emptied, so that later divisions c
   PivotStats stats;
   {
     Traps traps;
-    CHECK(lu_factor(n, a.data(), a.ld, pivots.data(), &stats) == 1);
-    lu_solve(n, 1, a.data(), a.ld, pivots.data(), b.data(), b.ld);
+    CHECK(lu_factor(best_engine().engine, n, a.data(), a.ld, pivots.data(), &stats) == 1);
+    lu_solve(best_engine().engine, n, 1, a.data(), a.ld, pivots.data(), b.data(), b.ld);
   }
   CHECK(stats.first_unusable == tiny);
   CHECK(pivots[tiny] == tiny);
@@ -199,8 +288,9 @@ TEST_CASE("columns of wildly different scale neither trap nor spoil the judgemen
   PivotStats stats, scaled_stats;
   {
     Traps traps;
-    lu_factor(n, a.data(), a.ld, pivots.data(), &stats);
-    CHECK(lu_factor(n, scaled.data(), scaled.ld, scaled_pivots.data(), &scaled_stats) == 0);
+    lu_factor(best_engine().engine, n, a.data(), a.ld, pivots.data(), &stats);
+    CHECK(lu_factor(best_engine().engine, n, scaled.data(), scaled.ld, scaled_pivots.data(), &scaled_stats) ==
+          0);
   }
   CHECK(pivots == scaled_pivots);
   CHECK(stats.smallest_column == scaled_stats.smallest_column);
@@ -216,7 +306,7 @@ TEST_CASE("pivot growth of Wilkinson's matrix is 2^(n-1)") {
   }
   std::vector<int32_t> pivots(n);
   PivotStats stats;
-  CHECK(lu_factor(n, a.data(), a.ld, pivots.data(), &stats) == 0);
+  CHECK(lu_factor(best_engine().engine, n, a.data(), a.ld, pivots.data(), &stats) == 0);
   CHECK(stats.growth == std::pow(2.0, n - 1));
   CHECK(stats.largest_ratio == std::pow(2.0, n - 1));
   CHECK(stats.smallest_ratio == 1);
@@ -231,7 +321,7 @@ TEST_CASE("a nearly dependent column is named with the size of its pivot") {
   }
   std::vector<int32_t> pivots(n);
   PivotStats stats;
-  CHECK(lu_factor(n, a.data(), a.ld, pivots.data(), &stats) == 0);
+  CHECK(lu_factor(best_engine().engine, n, a.data(), a.ld, pivots.data(), &stats) == 0);
   CHECK(stats.smallest_column == bad);
   CHECK(stats.smallest_ratio < 10 * distance);
   CHECK(stats.smallest_ratio > 0.01 * distance);
@@ -241,9 +331,9 @@ TEST_CASE("solutions satisfy the equations") {
   for (int32_t n : {0, 1, 2, 33, 150}) {
     Matrix a = random_matrix(n, n, 41), lu = a, x = random_matrix(n, 5, 42, 4), b = x;
     std::vector<int32_t> pivots(static_cast<size_t>(n) + 1);
-    lu_factor(n, lu.data(), lu.ld, pivots.data(), nullptr);
-    lu_solve(n, 5, lu.data(), lu.ld, pivots.data(), x.data(), x.ld);
-    gemm_minus(n, 5, n, a.data(), a.ld, x.data(), x.ld, b.data(), b.ld);
+    lu_factor(best_engine().engine, n, lu.data(), lu.ld, pivots.data(), nullptr);
+    lu_solve(best_engine().engine, n, 5, lu.data(), lu.ld, pivots.data(), x.data(), x.ld);
+    gemm_minus(kPlainEngine, n, 5, n, a.data(), a.ld, x.data(), x.ld, b.data(), b.ld);
     double residual = 0;
     for (int32_t j = 0; j < 5; ++j) {
       for (int32_t i = 0; i < n; ++i) residual = std::fmax(residual, std::fabs(static_cast<double>(b(i, j))));

@@ -13,7 +13,7 @@ ContactMatrix of_body(ContactMatrix first_body, int body) {
 }
 
 c2d_status factor(const Reduction& r, Real* matrix) {
-  return lu_factor(r.tape.m, matrix, r.tape.m, r.pivots, nullptr) == 0 ? C2D_OK : C2D_ERR_SINGULAR;
+  return lu_factor(r.engine, r.tape.m, matrix, r.tape.m, r.pivots, nullptr) == 0 ? C2D_OK : C2D_ERR_SINGULAR;
 }
 
 // v of a rigid body 1 is its motion at the pairs.
@@ -38,7 +38,7 @@ c2d_status solve_loads(const Reduction& r) {
   for (int32_t k = 0; k < r.tape.cases && status == C2D_OK; ++k) {
     status = read_column(r.tape, of_body(Matrix::load1, r.inverted), k, r.strip);
     if (status != C2D_OK) break;
-    lu_solve(r.tape.m, 1, r.first, r.tape.m, r.pivots, r.strip, r.tape.m);
+    lu_solve(r.engine, r.tape.m, 1, r.first, r.tape.m, r.pivots, r.strip, r.tape.m);
     status = write_column(r.tape, Matrix::flexibility_load, k, r.strip);
   }
   return status;
@@ -58,7 +58,7 @@ c2d_status invert_body(const Reduction& r) {
   if (status == C2D_OK && !rigid) status = read_matrix(r.tape, of_body(Matrix::traction1, r.inverted), r.second);
   if (status != C2D_OK) return status;
   for (int64_t i = 0; i < static_cast<int64_t>(m) * m; ++i) r.second[i] = rigid ? Real(0) : -r.second[i];
-  if (!rigid) lu_solve(m, m, r.first, m, r.pivots, r.second, m);
+  if (!rigid) lu_solve(r.engine, m, m, r.first, m, r.pivots, r.second, m);
   status = write_matrix(r.tape, Matrix::flexibility, r.second);
   return status == C2D_OK ? solve_loads(r) : status;
 }
@@ -74,7 +74,7 @@ c2d_status form_compliance(const Reduction& r) {
       status = read_column(r.tape, of_body(Matrix::traction1, other), j + c, r.strip + static_cast<int64_t>(c) * m);
     if (status != C2D_OK) return status;
     Real* columns = r.second + static_cast<int64_t>(j) * m;
-    gemm_minus(m, count, m, r.first, m, columns, m, r.strip, m);
+    gemm_minus(r.engine, m, count, m, r.first, m, columns, m, r.strip, m);
     for (int64_t i = 0; i < static_cast<int64_t>(count) * m; ++i) columns[i] = r.strip[i];
   }
   return status == C2D_OK ? write_matrix(r.tape, Matrix::compliance, r.second) : status;
@@ -100,7 +100,7 @@ c2d_status form_closing(const Reduction& r) {
     c2d_status status = read_column(r.tape, of_body(Matrix::load1, 1 - r.inverted), k, r.strip);
     if (status == C2D_OK) status = read_column(r.tape, Matrix::flexibility_load, k, v);
     if (status != C2D_OK) return status;
-    gemm_minus(m, 1, m, r.first, m, v, m, r.strip, m);
+    gemm_minus(r.engine, m, 1, m, r.first, m, v, m, r.strip, m);
     if (r.inverted == 1)
       for (int32_t i = 0; i < m; ++i) r.strip[i] = -r.strip[i];
     if (k + 1 == r.model.head->interference) close_overlaps(r);
@@ -117,7 +117,7 @@ c2d_status form_rates(const Reduction& r) {
   for (int32_t k = 0; k < r.tape.cases && status == C2D_OK; ++k) {
     status = read_column(r.tape, Matrix::closing, k, r.strip);
     if (status != C2D_OK) break;
-    lu_solve(m, 1, r.second, m, r.pivots, r.strip, m);
+    lu_solve(r.engine, m, 1, r.second, m, r.pivots, r.strip, m);
     for (int32_t i = 0; i < m; ++i) r.strip[i] = -r.strip[i];
     status = write_column(r.tape, Matrix::stiffness_load, k, r.strip);
   }
@@ -129,7 +129,7 @@ c2d_status form_stiffness(const Reduction& r) {
   const int32_t m = r.tape.m;
   c2d_status status = factor(r, r.second);
   if (status != C2D_OK) return status;
-  lu_solve(m, m, r.second, m, r.pivots, r.first, m);
+  lu_solve(r.engine, m, m, r.second, m, r.pivots, r.first, m);
   status = write_matrix(r.tape, Matrix::stiffness, r.first);
   return status == C2D_OK ? form_rates(r) : status;
 }

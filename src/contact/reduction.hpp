@@ -20,6 +20,7 @@ struct Reduction {
   int32_t* pivots;   // m
   void* watch_context;
   c2d_status (*tick)(void* context); // called between steps; anything but C2D_OK stops
+  Engine engine;     // of the dense kernels
 };
 constexpr int32_t kStripColumns = 4;
 

@@ -18,6 +18,7 @@ struct Panel {
   int32_t first, count; // columns of the matrix
   int32_t own;          // how many of them are eliminated
   bool last;            // no panel comes after it
+  const Engine& engine;
 
   Real* column(int32_t j) const { return columns + j * ld; }
   Real* data() const { return reinterpret_cast<Real*>(block + kBlockHeaderBytes); }
@@ -37,7 +38,7 @@ c2d_status fill(const Panel& panel, const ColumnSource& source) {
   if (status != C2D_OK) return status;
   for (int32_t j = 0; j < panel.count; ++j) {
     if (!all_finite(rows, panel.column(j))) return C2D_ERR_INTERNAL;
-    panel.norms[j] = largest(rows, panel.column(j));
+    panel.norms[j] = largest(panel.engine, rows, panel.column(j));
   }
   return tell(panel.watch, panel.first, panel.count);
 }
@@ -46,9 +47,7 @@ c2d_status fill(const Panel& panel, const ColumnSource& source) {
 // the matrix and have the leading dimension ldl. Their rows have been exchanged already.
 void update(const Panel& panel, int32_t from, int32_t count, const Real* l, int64_t ldl, int32_t f,
             int32_t w) {
-  Real* top = panel.column(from) + f;
-  trsm_lower_unit(w, count, l, ldl, top, panel.ld);
-  gemm_minus(panel.plan.rows - f - w, count, w, l + w, ldl, top, panel.ld, top + w, panel.ld);
+  update_by(panel.engine, w, panel.plan.rows - f - w, count, l, ldl, panel.column(from) + f, panel.ld);
 }
 
 // Bring a panel up to date with the panels before it. The blocks of L of a panel are as they were when it was
@@ -83,18 +82,19 @@ c2d_status factor(const Panel& panel, PivotStats* stats) {
   int32_t* pivots = panel.pivots + panel.first; // relative to the corner until the end
   stats->base = panel.first;
   for (int32_t j = 0, n = 0; j < panel.count; j += n) {
-    // A strip must not reach from the own to the trailing columns.
+    // A block must not reach from the own to the trailing columns.
     const int32_t end = j < panel.own ? panel.own : panel.count;
-    n = end - j < kLuStrip ? end - j : kLuStrip;
+    n = end - j < kLuBlock ? end - j : kLuBlock;
     if (j < panel.own) {
-      if (lu_strip(rows, j, n, corner, panel.ld, pivots, panel.norms, stats) > 0) return C2D_ERR_SINGULAR;
+      if (lu_block(panel.engine, rows, j, n, corner, panel.ld, pivots, panel.norms, stats) > 0)
+        return C2D_ERR_SINGULAR;
     } else {
-      apply_pivots(n, corner + j * panel.ld, panel.ld, pivots, 0, panel.own);
-      update(panel, j, n, corner, panel.ld, panel.first, panel.own);
+      lu_apply(panel.engine, rows, panel.own, corner, panel.ld, pivots, n, corner + j * panel.ld, panel.ld);
     }
     const c2d_status status = tell(panel.watch, panel.first + j, n);
     if (status != C2D_OK) return status;
   }
+  if (!panel.last) lu_settle(panel.own, corner, panel.ld, pivots); // later panels exchange first, then update
   for (int32_t j = 0; j < panel.own; ++j) pivots[j] += panel.first;
   return C2D_OK;
 }
@@ -149,7 +149,7 @@ int32_t between(int32_t low, int32_t x, int32_t high) {
   return x < low ? low : (x > high ? high : x);
 }
 
-Panel make_panel(const EliminationPlan& plan, Tapes& tapes, void* work, const Watch& watch) {
+Panel make_panel(const EliminationPlan& plan, Tapes& tapes, void* work, const Watch& watch, const Engine& engine) {
   const WorkLayout at = work_layout(plan.rows, plan.pivots, plan.panel_columns, plan.block_columns);
   unsigned char* base = static_cast<unsigned char*>(work);
   return Panel{plan,
@@ -163,7 +163,8 @@ Panel make_panel(const EliminationPlan& plan, Tapes& tapes, void* work, const Wa
                0,
                0,
                0,
-               false};
+               false,
+               engine};
 }
 
 // ---- row exchanges on the tape --------------------------------------------------------------------------------------
@@ -214,8 +215,8 @@ c2d_status rewrite_trailing(const Panel& panel) {
 } // namespace
 
 c2d_status eliminate_again(const EliminationPlan& plan, int32_t first_trailing, const ColumnSource& source,
-                           const RowSink& sink, Tapes& tapes, void* work, const Watch& watch) {
-  Panel panel = make_panel(plan, tapes, work, watch);
+                           const RowSink& sink, Tapes& tapes, void* work, const Watch& watch, const Engine& engine) {
+  Panel panel = make_panel(plan, tapes, work, watch, engine);
   c2d_status status = load_exchanges(panel);
   const int32_t end = plan.pivots + plan.trailing;
   for (panel.first = plan.pivots + first_trailing; panel.first < end && status == C2D_OK; panel.first += panel.count) {
@@ -230,11 +231,11 @@ c2d_status eliminate_again(const EliminationPlan& plan, int32_t first_trailing, 
 }
 
 c2d_status eliminate(const EliminationPlan& plan, const ColumnSource& source, const RowSink& sink,
-                     Tapes& tapes, void* work, PivotStats* stats, const Watch& watch) {
+                     Tapes& tapes, void* work, PivotStats* stats, const Watch& watch, const Engine& engine) {
   PivotStats own_stats;
   PivotStats* used = stats ? stats : &own_stats;
   start_stats(*used);
-  Panel panel = make_panel(plan, tapes, work, watch);
+  Panel panel = make_panel(plan, tapes, work, watch, engine);
   const int32_t columns = plan.pivots + plan.trailing, panels = panel_count(plan);
   Chunk chunk = first_chunk(plan);
   for (int32_t p = 0; p < panels; ++p) {
@@ -279,8 +280,8 @@ c2d_status back_substitute(const EliminationPlan& plan, Tapes& tapes, const Real
     const c2d_status status =
         read_block(tapes, C2D_TAPE_UPPER, first_block + chunk.index, work, upper_bytes(plan, chunk));
     if (status != C2D_OK) return status;
-    trsm_upper(w, 1, data + f, end, x + f, plan.pivots);
-    gemm_minus(f, 1, w, data, end, x + f, plan.pivots, x, plan.pivots);
+    trsm_upper(kPlainEngine, w, 1, data + f, end, x + f, plan.pivots);
+    gemm_minus(kPlainEngine, f, 1, w, data, end, x + f, plan.pivots, x, plan.pivots);
   }
   return C2D_OK;
 }

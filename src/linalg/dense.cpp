@@ -1,4 +1,5 @@
 #include "linalg/dense.hpp"
+#include "linalg/packed.hpp"
 #include <math.h>
 
 namespace c2d {
@@ -70,10 +71,8 @@ void gemm_piece(int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, con
   }
 }
 
-} // namespace
-
-void gemm_minus(int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, const Real* b, int64_t ldb,
-                Real* c, int64_t ldc) {
+void plain_product(int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, const Real* b, int64_t ldb,
+                   Real* c, int64_t ldc) {
   for (int32_t p = 0; p < k; p += kInner) {
     for (int32_t i = 0; i < m; i += kRows) {
       gemm_piece(smaller(kRows, m - i), n, smaller(kInner, k - p), a + i + p * lda, lda, b + p, ldb, c + i,
@@ -82,22 +81,22 @@ void gemm_minus(int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, con
   }
 }
 
-void trsm_lower_unit(int32_t n, int32_t nrhs, const Real* l, int64_t ldl, Real* b, int64_t ldb) {
-  for (int32_t d = 0; d < n; d += kTriangle) {
-    const int32_t end = smaller(d + kTriangle, n);
-    for (int32_t j = 0; j < nrhs; ++j) {
-      Real* x = b + j * ldb;
+void plain_update(int32_t w, int32_t m, int32_t n, const Real* l, int64_t ldl, Real* x, int64_t ldx) {
+  for (int32_t d = 0; d < w; d += kTriangle) {
+    const int32_t end = smaller(d + kTriangle, w);
+    for (int32_t j = 0; j < n; ++j) {
+      Real* column = x + j * ldx;
       for (int32_t p = d; p < end; ++p) {
-        const Real f = x[p];
-        const Real* column = l + p * ldl;
-        for (int32_t i = p + 1; i < end; ++i) x[i] -= column[i] * f;
+        const Real f = column[p];
+        const Real* left = l + p * ldl;
+        for (int32_t i = p + 1; i < end; ++i) column[i] -= left[i] * f;
       }
     }
-    gemm_minus(n - end, nrhs, end - d, l + end + d * ldl, ldl, b + d, ldb, b + end, ldb);
+    plain_product(w + m - end, n, end - d, l + end + d * ldl, ldl, x + d, ldx, x + end, ldx);
   }
 }
 
-void trsm_upper(int32_t n, int32_t nrhs, const Real* u, int64_t ldu, Real* b, int64_t ldb) {
+void plain_upper(int32_t n, int32_t nrhs, const Real* u, int64_t ldu, Real* b, int64_t ldb) {
   for (int32_t end = n; end > 0;) {
     const int32_t d = (end - 1) / kTriangle * kTriangle;
     for (int32_t j = 0; j < nrhs; ++j) {
@@ -109,16 +108,53 @@ void trsm_upper(int32_t n, int32_t nrhs, const Real* u, int64_t ldu, Real* b, in
         for (int32_t i = d; i < p; ++i) x[i] -= column[i] * f;
       }
     }
-    gemm_minus(d, nrhs, end - d, u + d * ldu, ldu, b + d, ldb, b, ldb);
+    plain_product(d, nrhs, end - d, u + d * ldu, ldu, b + d, ldb, b, ldb);
     end = d;
   }
 }
 
-Real largest(int32_t n, const Real* x) {
+// Packing pays when enough columns share it.
+bool packs(const Engine& engine, int32_t n, int32_t k) {
+  return !kSmallCode && n >= 4 && k >= 4 && can_pack(engine);
+}
+
+} // namespace
+
+void gemm_minus(const Engine& engine, int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda,
+                const Real* b, int64_t ldb, Real* c, int64_t ldc) {
+  if (packs(engine, n, k))
+    packed_product(engine, m, n, k, a, lda, b, ldb, c, ldc);
+  else
+    plain_product(m, n, k, a, lda, b, ldb, c, ldc);
+}
+
+void update_by(const Engine& engine, int32_t w, int32_t m, int32_t n, const Real* l, int64_t ldl, Real* x,
+               int64_t ldx) {
+  if (packs(engine, n, w))
+    packed_update(engine, w, m, n, l, ldl, x, ldx);
+  else
+    plain_update(w, m, n, l, ldl, x, ldx);
+}
+
+void trsm_lower_unit(const Engine& engine, int32_t n, int32_t nrhs, const Real* l, int64_t ldl, Real* b,
+                     int64_t ldb) {
+  update_by(engine, n, 0, nrhs, l, ldl, b, ldb);
+}
+
+void trsm_upper(const Engine& engine, int32_t n, int32_t nrhs, const Real* u, int64_t ldu, Real* b,
+                int64_t ldb) {
+  if (packs(engine, nrhs, n))
+    packed_upper(engine, n, nrhs, u, ldu, b, ldb);
+  else
+    plain_upper(n, nrhs, u, ldu, b, ldb);
+}
+
+Real largest(const Engine& engine, int32_t n, const Real* x) {
+  if (!kSmallCode && engine.kernel) return engine.kernel->largest(n, x);
   Real most = 0;
   for (int32_t i = 0; i < n; ++i) {
     const Real size = x[i] < 0 ? -x[i] : x[i];
-    if (size > most) most = size;
+    most = size > most ? size : most;
   }
   return most;
 }

@@ -1,7 +1,7 @@
 #pragma once
 // LU factors with partial pivoting, P A = L U, of tall panels. A square matrix is a panel with as many
 // columns as rows; there is no other LU. Column-major as in dense.hpp.
-#include "memory/real.hpp"
+#include "linalg/kernel.hpp"
 #include <stdint.h>
 
 namespace c2d {
@@ -25,23 +25,31 @@ void start_stats(PivotStats& stats);
 // so far below its norm (sqrt of the smallest normal number) that arithmetic with it could overflow, has no
 // usable pivot: its remaining entries are set to zero, no rows are exchanged, and the factoring goes on.
 // Returns the number of such columns in this panel.
-int32_t lu_panel(int32_t rows, int32_t cols, Real* a, int64_t lda, int32_t* pivots, const Real* norms,
-                 PivotStats* stats);
-
-// One step of lu_panel, for callers who want to be asked between steps: columns first ... first+count-1 are
-// updated by those before them, and factored. Steps of at most kLuStrip columns, in order, from 0 to the last
-// column, make up lu_panel. `norms` as there, for all columns of the panel.
-constexpr int32_t kLuStrip = 32;
-int32_t lu_strip(int32_t rows, int32_t first, int32_t count, Real* a, int64_t lda, int32_t* pivots,
+int32_t lu_panel(const Engine& engine, int32_t rows, int32_t cols, Real* a, int64_t lda, int32_t* pivots,
                  const Real* norms, PivotStats* stats);
+
+// The steps of lu_panel, for callers who want to be asked between them. A panel is factored in blocks of
+// kLuBlock columns, counted from its first. lu_block brings one block up to date with the blocks before it
+// and factors it; it leaves the blocks before alone, so the rows of their L stay as they were when they were
+// factored, until lu_settle puts all of them into the order of P. Blocks in order and lu_settle make up
+// lu_panel.
+constexpr int32_t kLuBlock = 128;
+int32_t lu_block(const Engine& engine, int32_t rows, int32_t first, int32_t count, Real* a, int64_t lda,
+                 int32_t* pivots, const Real* norms, PivotStats* stats);
+void lu_settle(int32_t cols, Real* a, int64_t lda, const int32_t* pivots);
+
+// X (rows x count) := L^-1 P X for the first `cols` columns of a factored panel that has not been settled:
+// what elimination does to columns further right.
+void lu_apply(const Engine& engine, int32_t rows, int32_t cols, const Real* a, int64_t lda,
+              const int32_t* pivots, int32_t count, Real* x, int64_t ldx);
 
 // Exchange rows i and pivots[i] of A (cols columns) for i = first ... first+count-1, in this order.
 void apply_pivots(int32_t cols, Real* a, int64_t lda, const int32_t* pivots, int32_t first, int32_t count);
 
-// P A = L U of a square matrix; as lu_panel, with `stats` (may be null) started anew.
-int32_t lu_factor(int32_t n, Real* a, int64_t lda, int32_t* pivots, PivotStats* stats);
+// P A = L U of a square matrix, not settled, for lu_solve; `stats` (may be null) is started anew.
+int32_t lu_factor(const Engine& engine, int32_t n, Real* a, int64_t lda, int32_t* pivots, PivotStats* stats);
 // B (n x nrhs) := A^-1 B by the factors of lu_factor. Meaningless, but harmless, if a pivot was not usable.
-void lu_solve(int32_t n, int32_t nrhs, const Real* lu, int64_t lda, const int32_t* pivots, Real* b,
-              int64_t ldb);
+void lu_solve(const Engine& engine, int32_t n, int32_t nrhs, const Real* lu, int64_t lda,
+              const int32_t* pivots, Real* b, int64_t ldb);
 
 } // namespace c2d

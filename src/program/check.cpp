@@ -29,6 +29,7 @@ void append_check(std::string& out, const Session& session, const c2d_summary& s
   append_line(out, "elements", two(s, s.elements));
   append_line(out, "functional nodes", two(s, s.nodes));
   append_line(out, "equations", two(s, s.unknowns));
+  append_line(out, "symmetry by images", symmetry_text(s));
   append_line(out, "contact zones", std::to_string(s.zones));
   append_line(out, "pairs", std::to_string(s.pairs));
   append_line(out, "coefficients of friction", std::to_string(s.coefficients));
@@ -55,7 +56,7 @@ int check_deck(const Options& options) {
   c2d_port port = C2D_INIT(c2d_port);
   port.context = &session.messages;
   port.log = Messages::log;
-  exit = session.read_model(port);
+  exit = session.read_model(port, options.symmetry);
   if (exit != 0) return exit;
 
   c2d_summary summary = C2D_INIT(c2d_summary);

@@ -211,7 +211,7 @@ bool read_options(int argc, const char* const* argv, Options& options, std::stri
         options.command = Command::kHelp;
         return true;
       }
-      if (options.command == Command::kCheck) {
+      if (options.command == Command::kCheck && word.compare(0, word.find('='), "--symmetry") != 0) {
         error = "check takes no option " + word;
         return false;
       }
@@ -237,7 +237,7 @@ bool read_options(int argc, const char* const* argv, Options& options, std::stri
 
 const char* help_text() {
   return "usage: contact2d run DECK [options]\n"
-         "       contact2d check DECK\n"
+         "       contact2d check DECK [--symmetry deck|images]\n"
          "       contact2d resume DIR\n"
          "       contact2d convert DECK [--to fixed|free] [-o FILE]\n"
          "       contact2d make NAME key=value ...\n"

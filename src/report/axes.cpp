@@ -144,8 +144,13 @@ Chart make_view(const Box& frame, Range x, Range y, double margin, const std::st
   Chart chart;
   chart.frame = frame;
   chart.zero_line = false;
-  chart.x = make_axis(x, "x", unit, std::max(2, static_cast<int>(frame.width() / 75.0)), true);
-  chart.y = make_axis(y, "y", unit, std::max(2, static_cast<int>(frame.height() / 60.0)), true);
+  const auto axis = [&](const Range& range, const char* name, double about) {
+    Axis out = make_axis(range, name, unit, static_cast<int>(about), true);
+    for (int n = 3; out.ticks < 3 && n < 10; ++n) out = make_axis(range, name, unit, n, true);
+    return out;
+  };
+  chart.x = axis(x, "x", std::max(2.0, frame.width() / 75.0));
+  chart.y = axis(y, "y", std::max(2.0, frame.height() / 60.0));
   return chart;
 }
 
@@ -164,6 +169,8 @@ double draw_legend(Svg* svg, Point corner, double width, const std::vector<Legen
     if (svg != nullptr) {
       if (!e.fill.empty())
         svg->rectangle({x, y - 6.0, x + sample, y + 5.0}, e.fill, e.stroke);
+      else if (std::string("none") != e.stroke.colour && e.head != Head::kNone)
+        svg->arrow({x, y}, {x + sample, y}, e.stroke, 5.5 + 1.2 * e.stroke.width, e.head);
       else if (std::string("none") != e.stroke.colour)
         svg->line({x, y}, {x + sample, y}, e.stroke);
       svg->mark(e.mark, {x + 0.5 * sample, y}, 6.0,

@@ -56,7 +56,8 @@ struct LegendEntry {
   Stroke stroke;
   Mark mark = Mark::kNone;
   bool mark_filled = true;
-  std::string fill; // not empty: a box
+  std::string fill;        // not empty: a box
+  Head head = Head::kNone; // at the right end of the line
 };
 // Draws from (left, top) and returns the height used; with `svg` null only the height.
 double draw_legend(Svg* svg, Point corner, double width, const std::vector<LegendEntry>& entries);

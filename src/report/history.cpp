@@ -48,6 +48,7 @@ void History::note(const c2d_step& step) {
   Snapshot kept;
   kept.step = step.step;
   kept.load = step.load;
+  kept.loads.assign(step.loads, step.loads + step.cases);
   for (size_t p = 0; p < pairs; ++p) {
     const double* row = step.table + static_cast<int64_t>(p) * step.stride;
     kept.table.insert(kept.table.end(), row, row + C2D_PAIR_FIELDS);

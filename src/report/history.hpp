@@ -22,6 +22,7 @@ struct PathPoint {
 struct Snapshot {
   int32_t step = 0;
   double load = 0.0;
+  std::vector<double> loads; // factors of all load cases
   std::vector<double> table; // C2D_PAIR_FIELDS numbers per pair
 };
 // Work and its whereabouts at a recorded step.

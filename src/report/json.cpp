@@ -186,6 +186,22 @@ void append_history(std::string& out, const RunRecord& record) {
   out += ']';
 }
 
+// Lines across which images continue the model.
+void append_symmetry(std::string& out, const c2d_summary& s) {
+  out += '[';
+  bool first = true;
+  for (int axis = 0; axis < 2; ++axis) {
+    if ((s.symmetry >> axis & 1) == 0) continue;
+    if (!first) out += ", ";
+    first = false;
+    Object line(out, "{", ", ");
+    line.word("axis", axis == 0 ? "x" : "y");
+    line.number("at", s.symmetry_at[axis]);
+    out += '}';
+  }
+  out += ']';
+}
+
 void append_incomplete(std::string& out, const CoefficientRecord& c) {
   Object o(out, "{", ", ");
   o.number("mu", c.mu);
@@ -237,6 +253,7 @@ void append_json(std::string& out, const RunRecord& record, const c2d_summary& s
   append_memory(o.key("memory"), s);
   append_tapes(o.key("tapes"), s);
   append_seconds(o.key("seconds"), record, s);
+  append_symmetry(o.key("symmetry"), s);
   o.key("zones") += '[';
   for (size_t i = 0; i < record.measure.size(); ++i) {
     if (i > 0) out += ", ";

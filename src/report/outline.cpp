@@ -34,9 +34,11 @@ public:
     std::vector<bool> on_line;
     for (int32_t e = first; e <= last; ++e) {
       on_line.push_back(lies_on_line(e));
-      out_.corners.push_back(at(e, -1.0));
+      out_.on_line.push_back(on_line.back());
+      if (!on_line.back()) out_.corners.push_back(at(e, -1.0));
       add_normals(e);
     }
+    if (is_open_) out_.corners.push_back(at(last, 1.0));
     // A closed curve with a break begins behind it.
     const int32_t count = last - first + 1;
     int32_t start = 0;

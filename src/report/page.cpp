@@ -32,6 +32,10 @@ void append_row(std::string& out, const std::vector<std::string>& cells, const c
   out += "</tr>\n";
 }
 
+std::string with_unit(const char* name, const std::string& unit) {
+  return unit.empty() ? std::string(name) : name + (", " + unit);
+}
+
 void append_outcome(std::string& out, const Scene& scene) {
   const RunRecord& record = *scene.record;
   const bool stopped = record.incomplete() != nullptr;
@@ -61,10 +65,11 @@ void append_picture(std::string& out, const Picture& picture) {
 void append_key_numbers(std::string& out, const Scene& scene) {
   if (scene.zones.empty() || scene.record->coefficients.empty()) return;
   out += "<section id=\"key\">\n<h2>Key numbers at the last step</h2>\n<table>\n";
-  append_row(
-      out,
-      {"&#956;", "zone", "load", "peak pressure", "at s", "touch", "stick", "slip", "contact from s", "to s"},
-      "th");
+  append_row(out,
+             {"&#956;", "zone", "load", with_unit("peak pressure", scene.stress_unit),
+              with_unit("at s", scene.length_unit), "touch", "stick", "slip",
+              with_unit("contact from s", scene.length_unit), with_unit("to s", scene.length_unit)},
+             "th");
   for (size_t i = 0; i < scene.record->coefficients.size(); ++i)
     for (size_t z = 0; z < scene.zones.size(); ++z) {
       const CoefficientRecord& c = scene.record->coefficients[i];
@@ -82,7 +87,10 @@ void append_key_numbers(std::string& out, const Scene& scene) {
 void append_balance(std::string& out, const Scene& scene) {
   const c2d_summary& s = scene.summary;
   out += "<section id=\"equilibrium\">\n<h2>Equilibrium</h2>\n<table>\n";
-  append_row(out, {"per unit thickness", "fx", "fy", "moment about the origin"}, "th");
+  append_row(out,
+             {"per unit thickness", with_unit("fx", scene.force_unit), with_unit("fy", scene.force_unit),
+              with_unit("moment about the origin", scene.work_unit)},
+             "th");
   for (int32_t b = 0; b < s.bodies; ++b) {
     const std::string body = "body " + std::to_string(b + 1) + ": ";
     const double* applied = s.applied[b];

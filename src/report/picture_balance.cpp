@@ -21,7 +21,8 @@ void draw_bar(Svg& svg, const Chart& chart, double y, double value, const std::s
 
 std::string caption(const Scene& scene) {
   const c2d_summary& s = scene.summary;
-  std::string out = "Forces per unit thickness on each body at the last load: loads and supports";
+  std::string out = "Forces per unit thickness on each body at " + place_at_end(scene);
+  out += ": loads and supports";
   out += scene.pairs.empty() ? " add up to zero" : " and contact tractions cancel";
   double largest = 0.0, worst = 0.0;
   for (int32_t b = 0; b < s.bodies; ++b)
@@ -33,6 +34,7 @@ std::string caption(const Scene& scene) {
   if (!scene.pairs.empty())
     out +=
         "; the contact carries " + figure(std::hypot(s.contact[0][0], s.contact[0][1]), scene.force_unit, 6);
+  if (scene.summary.symmetry != 0) out += ". They are those of the part that is modelled";
   return out + ".";
 }
 
@@ -78,53 +80,6 @@ void draw_balance(const Scene& scene, Pictures& out) {
   const double zero = chart.at(0.0, 0.0).x;
   svg.line({zero, top}, {zero, bottom}, Stroke{colour::kInk, 1.0, ""});
   Picture picture{"balance", "Balance of forces", caption(scene), ""};
-  picture.svg = svg.finish(picture.title, picture.caption);
-  out.push_back(picture);
-}
-
-void draw_energy(const Scene& scene, Pictures& out) {
-  if (scene.history->coefficients().empty()) return;
-  const CoefficientHistory& h = scene.history->coefficients().back();
-  if (h.energy.empty()) return;
-  const bool by_load = rises(h);
-  const auto place = [&](size_t i) { return by_load ? h.energy[i].load : static_cast<double>(i + 1); };
-  Range load, size;
-  load.include(0.0);
-  size.include(0.0);
-  for (size_t i = 0; i < h.energy.size(); ++i) {
-    const EnergyPoint& e = h.energy[i];
-    load.include(place(i));
-    for (const double v : {e.work, e.elastic, e.dissipated}) size.include(v);
-  }
-  const Chart chart{{76.0, 34.0, kPictureWidth - 16.0, 284.0},
-                    make_axis(load, by_load ? "load factor" : "step", "", 9, true, !by_load),
-                    make_axis(size, "energy per thickness", scene.work_unit, 6)};
-  Svg svg("energy", kPictureWidth, 328.0);
-  const Stroke lines[] = {
-      {colour::kBlue, 2.0, ""}, {colour::kGreen, 2.0, "7 3"}, {colour::kOrange, 2.0, "2 2"}};
-  draw_legend(&svg, {76.0, 4.0}, 660.0,
-              {{"work of the loads", lines[0], Mark::kCircle, true, ""},
-               {"elastic energy", lines[1], Mark::kSquare, true, ""},
-               {"dissipated by friction", lines[2], Mark::kTriangle, true, ""}});
-  draw_axes(svg, chart);
-  const Mark marks[] = {Mark::kCircle, Mark::kSquare, Mark::kTriangle};
-  for (int k = 0; k < 3; ++k) {
-    std::vector<Point> points{chart.at(0.0, 0.0)};
-    for (size_t i = 0; i < h.energy.size(); ++i) {
-      const EnergyPoint& e = h.energy[i];
-      points.push_back(chart.at(place(i), k == 0 ? e.work : k == 1 ? e.elastic : e.dissipated));
-    }
-    svg.polyline(points, lines[k]);
-    const size_t every = points.size() / 40 + 1;
-    for (size_t i = 1; i < points.size(); i += every) svg.mark(marks[k], points[i], 5.0, lines[k].colour);
-  }
-  const EnergyPoint& last = h.energy.back();
-  Picture picture{"energy", "Balance of energy, &#956; = " + figure(h.mu), "", ""};
-  picture.caption = "At load factor " + figure(last.load) + " the loads have done the work " +
-                    figure(last.work, scene.work_unit, 6) + ": " + figure(last.elastic, scene.work_unit, 6) +
-                    " is stored, " + figure(last.dissipated, scene.work_unit, 6) +
-                    " dissipated by friction; the defect of the balance is " +
-                    figure(100.0 * last.defect, 2) + " %.";
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);
 }

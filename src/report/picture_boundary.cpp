@@ -16,14 +16,25 @@ struct Sample {
   double s, hoop;
 };
 
-// Stress along one closed curve over its length, end by end.
-std::vector<Sample> follow(const BodyScene& body, const std::vector<double>& hoop, size_t first,
-                           size_t last) {
-  std::vector<Sample> out;
+using Pieces = std::vector<std::vector<Sample>>;
+
+// Stress along one curve over its length, end by end; elements on a line of symmetry are no boundary and
+// break it.
+Pieces follow(const Scene& scene, const std::vector<double>& hoop, size_t first, size_t last) {
+  const BodyScene& body = scene.bodies[0];
+  const size_t per_element = static_cast<size_t>(scene.summary.function_nodes);
+  Pieces out;
   double s = 0.0;
+  bool broken = true;
   for (size_t i = first; i < last; ++i) {
-    if (i > first) s += std::hypot(body.ends[i].x - body.ends[i - 1].x, body.ends[i].y - body.ends[i - 1].y);
-    out.push_back({s, hoop[i]});
+    if (body.on_line[i / per_element]) {
+      broken = true;
+      continue;
+    }
+    if (broken) out.emplace_back();
+    if (!broken) s += std::hypot(body.ends[i].x - body.ends[i - 1].x, body.ends[i].y - body.ends[i - 1].y);
+    out.back().push_back({s, hoop[i]});
+    broken = false;
   }
   return out;
 }
@@ -36,7 +47,7 @@ void draw_boundary_stress(const Scene& scene, Pictures& out) {
   const int32_t field = C2D_END_HOOP;
   std::vector<std::vector<double>> hoop;
   if (get_ends(scene.solver, summary, 1, &field, 1, hoop) != C2D_OK) return;
-  std::vector<std::vector<Sample>> curves;
+  std::vector<Pieces> curves;
   std::vector<LegendEntry> entries;
   Range s, stress;
   stress.include(0.0);
@@ -47,11 +58,15 @@ void draw_boundary_stress(const Scene& scene, Pictures& out) {
     if (c2d_get_region(scene.solver, 1, r, &first, &last) != C2D_OK) return;
     const size_t from = static_cast<size_t>((first - 1) * summary.function_nodes);
     const size_t to = static_cast<size_t>(last * summary.function_nodes);
-    curves.push_back(follow(scene.bodies[0], hoop[0], from, to));
+    curves.push_back(follow(scene, hoop[0], from, to));
     for (size_t i = from; i < to; ++i)
       if (std::fabs(hoop[0][i]) > std::fabs(largest)) largest = hoop[0][i], where = scene.bodies[0].ends[i];
-    for (const Sample& p : curves.back()) s.include(p.s), stress.include(p.hoop);
-    const Point start = scene.bodies[0].ends[from];
+    for (const std::vector<Sample>& piece : curves.back())
+      for (const Sample& p : piece) s.include(p.s), stress.include(p.hoop);
+    size_t begin = from; // of what is boundary
+    while (begin + 1 < to && scene.bodies[0].on_line[begin / static_cast<size_t>(summary.function_nodes)])
+      ++begin;
+    const Point start = scene.bodies[0].ends[begin];
     entries.push_back(
         {"curve " + std::to_string(r) + ", s = 0 at (" + figure(start.x) + ", " + figure(start.y) + ")",
          kLines[static_cast<size_t>(r - 1) % 4], Mark::kNone, true, ""});
@@ -64,13 +79,14 @@ void draw_boundary_stress(const Scene& scene, Pictures& out) {
                     make_axis(s, "distance s along the boundary", scene.length_unit, 9),
                     make_axis(stress, "stress along the boundary", scene.stress_unit, 6)};
   draw_axes(svg, chart);
-  for (size_t r = 0; r < curves.size(); ++r) {
-    std::vector<Point> points;
-    for (const Sample& p : curves[r]) points.push_back(chart.at(p.s, p.hoop));
-    svg.polyline(points, kLines[r % 4]);
-  }
+  for (size_t r = 0; r < curves.size(); ++r)
+    for (const std::vector<Sample>& piece : curves[r]) {
+      std::vector<Point> points;
+      for (const Sample& p : piece) points.push_back(chart.at(p.s, p.hoop));
+      svg.polyline(points, kLines[r % 4]);
+    }
   Picture picture{"boundary", "Stress along the boundary", "", ""};
-  picture.caption = "Normal stress along the boundary (hoop stress) at load factor " + figure(summary.load) +
+  picture.caption = "Normal stress along the boundary (hoop stress) at " + place_at_end(scene) +
                     ": the largest in size is " + figure(largest, scene.stress_unit, 6) + " at (" +
                     figure(where.x) + ", " + figure(where.y) + ").";
   picture.svg = svg.finish(picture.title, picture.caption);

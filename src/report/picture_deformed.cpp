@@ -38,6 +38,17 @@ double choose_magnification(double size, double displacement) {
   return power * (part < 2.0 ? 1.0 : part < 5.0 ? 2.0 : 5.0);
 }
 
+void draw_nodes(Svg& svg, const Scene& scene, const BodyScene& body, const Chart& view, double magnification,
+                const char* ink) {
+  for (const Image& image : scene.images)
+    for (size_t i = 0; i < body.ends.size(); ++i) {
+      if (body.on_line[i / static_cast<size_t>(scene.summary.function_nodes)]) continue;
+      const Point at = image.place(body.ends[i]), u = image.direction(body.displacement[i]);
+      const Point p = view.at(at.x + magnification * u.x, at.y + magnification * u.y);
+      if (p.x >= view.frame.left && p.x <= view.frame.right) svg.mark(Mark::kCircle, p, 3.0, ink);
+    }
+}
+
 void draw_view(Svg& svg, const Scene& scene, const Chart& view, double magnification, bool nodes) {
   draw_axes(svg, view);
   svg.begin_clip(view.frame);
@@ -47,39 +58,72 @@ void draw_view(Svg& svg, const Scene& scene, const Chart& view, double magnifica
       std::vector<std::vector<Point>> curves = outline_of(scene.bodies[b], pass == 0 ? magnification : 0.0);
       for (auto& curve : curves)
         for (Point& p : curve) p = view.at(p.x, p.y);
-      if (pass == 0)
-        svg.area(curves, colour::kBody[b], Stroke{edge[b], 1.6, b == 0 ? "" : "7 2"});
-      else
-        svg.area(curves, "none", Stroke{colour::kFaint, 1.0, "2 3"});
-      if (pass == 1 || !nodes) continue;
-      const BodyScene& body = scene.bodies[b];
-      for (size_t i = 0; i < body.ends.size(); ++i) {
-        const Point p = view.at(body.ends[i].x + magnification * body.displacement[i].x,
-                                body.ends[i].y + magnification * body.displacement[i].y);
-        if (p.x >= view.frame.left && p.x <= view.frame.right) svg.mark(Mark::kCircle, p, 3.0, edge[b]);
-      }
+      if (pass == 0) svg.area(curves, colour::kBody[b], Stroke{});
+      // Dashes need lines that do not run far outside the view.
+      for (const std::vector<Point>& piece : pieces_within(curves, view.frame))
+        svg.polyline(piece, pass == 0 ? Stroke{edge[b], 1.6, b == 0 ? "" : "7 2"}
+                                      : Stroke{colour::kFaint, 1.0, "2 3"});
+      if (pass == 0 && nodes) draw_nodes(svg, scene, scene.bodies[b], view, magnification, edge[b]);
     }
   svg.end_clip();
 }
 
-// The contact zone's range, deformed and undeformed. Surfaces that lie on each other from the start may be
-// drawn with larger displacements, a gap may not.
-double choose_zoom(const Scene& scene, Range& x, Range& y) {
+// How the zone's surroundings are drawn.
+struct Zoom {
+  Range x, y;
+  double magnification = 1.0;
+  int stretched = 0; // 1: x, 2: y has a larger scale, so that a gap is seen that is small against the zone
+};
+
+// The pairs' range, deformed and undeformed, images included. A flat zone is drawn true but stretched.
+// Otherwise surfaces that lie on each other from the start may be drawn with larger displacements, a gap may
+// not.
+Zoom choose_zoom(const Scene& scene) {
+  Zoom out;
   double gap = 0.0, displacement = 0.0;
-  for (const PairScene& pair : scene.pairs) {
-    for (const Point& p : pair.on) x.include(p.x), y.include(p.y);
-    gap = std::max(gap, std::hypot(pair.on[1].x - pair.on[0].x, pair.on[1].y - pair.on[0].y));
-  }
-  const double size = std::max(x.high - x.low, y.high - y.low);
-  const auto each = [&](auto&& take) {
-    for (const BodyScene& body : scene.bodies)
-      for (size_t i = 0; i < body.ends.size(); ++i)
-        if (body.status[i] >= 0) take(body.ends[i], body.displacement[i]);
+  const auto each_pair = [&](auto&& take) {
+    for (const Image& image : scene.zone_images)
+      for (const PairScene& pair : scene.pairs)
+        for (const Point& p : pair.on) take(image.place(p));
   };
-  each([&](Point, Point u) { displacement = std::max(displacement, std::hypot(u.x, u.y)); });
-  const double m = gap <= 1e-9 * size ? choose_magnification(size, displacement) : 1.0;
-  each([&](Point p, Point u) { x.include(p.x + m * u.x), y.include(p.y + m * u.y); });
-  return m;
+  const auto each_end = [&](auto&& take) {
+    for (const Image& image : scene.zone_images)
+      for (const BodyScene& body : scene.bodies)
+        for (size_t i = 0; i < body.ends.size(); ++i)
+          if (body.status[i] >= 0) take(image.place(body.ends[i]), image.direction(body.displacement[i]));
+  };
+  each_pair([&](Point p) { out.x.include(p.x), out.y.include(p.y); });
+  for (const PairScene& pair : scene.pairs)
+    gap = std::max(gap, std::hypot(pair.on[1].x - pair.on[0].x, pair.on[1].y - pair.on[0].y));
+  each_end([&](Point, Point u) { displacement = std::max(displacement, std::hypot(u.x, u.y)); });
+  Range x = out.x, y = out.y;
+  each_end([&](Point p, Point u) { x.include(p.x + u.x), y.include(p.y + u.y); });
+  const double wide = x.high - x.low, high = y.high - y.low;
+  if (high < 0.05 * wide && high > 0.0) out.stretched = 2;
+  if (wide < 0.05 * high && wide > 0.0) out.stretched = 1;
+  if (out.stretched != 0) {
+    out.x = x, out.y = y;
+    return out;
+  }
+  const double size = std::max(out.x.high - out.x.low, out.y.high - out.y.low),
+               m = gap <= 1e-9 * size ? choose_magnification(size, displacement) : 1.0;
+  each_end([&](Point p, Point u) { out.x.include(p.x + m * u.x), out.y.include(p.y + m * u.y); });
+  out.magnification = m;
+  return out;
+}
+
+// Axes of their own scales, with room around the ranges.
+Chart stretched_view(const Box& frame, const Zoom& zoom, const std::string& unit) {
+  const auto wider = [](const Range& r) {
+    const double room = 0.12 * (r.high - r.low);
+    return Range{r.low - room, r.high + room, false};
+  };
+  Chart chart;
+  chart.frame = frame;
+  chart.zero_line = false;
+  chart.x = make_axis(wider(zoom.x), "x", unit, 4, true);
+  chart.y = make_axis(wider(zoom.y), "y", unit, 5, true);
+  return chart;
 }
 
 std::string scale_text(double magnification) {
@@ -92,12 +136,12 @@ void draw_deformed(const Scene& scene, Pictures& out) {
   const Extent extent = measure(scene);
   const double magnification = choose_magnification(extent.size, extent.displacement);
   const bool zoom = !scene.pairs.empty();
-  Range x, y, zoom_x, zoom_y;
+  Range x, y;
   for (const BodyScene& body : scene.bodies)
     for (const double m : {0.0, magnification})
       for (const auto& curve : outline_of(body, m))
         for (const Point& p : curve) x.include(p.x), y.include(p.y);
-  const double zoom_magnification = choose_zoom(scene, zoom_x, zoom_y);
+  const Zoom near = choose_zoom(scene);
   const double left = 62.0, gap = 66.0, right = 14.0, top = 54.0;
   const double wide = zoom ? (kPictureWidth - left - gap - right) / 2.0 : kPictureWidth - left - right;
   const double high = view_height(x, y, wide, 240.0, zoom ? 420.0 : 460.0);
@@ -114,20 +158,24 @@ void draw_deformed(const Scene& scene, Pictures& out) {
   draw_heading(svg, whole, "Whole model, " + scale_text(magnification));
   if (zoom) {
     const Box part{whole.right + gap, top, whole.right + gap + wide, top + high};
-    draw_view(svg, scene, make_view(part, zoom_x, zoom_y, 26.0, scene.length_unit), zoom_magnification, true);
-    draw_heading(svg, part, "Contact zone, " + scale_text(zoom_magnification));
+    const Chart view = near.stretched != 0 ? stretched_view(part, near, scene.length_unit)
+                                           : make_view(part, near.x, near.y, 26.0, scene.length_unit);
+    draw_view(svg, scene, view, near.magnification, true);
+    draw_heading(svg, part,
+                 near.stretched == 0   ? "Contact zone, " + scale_text(near.magnification)
+                 : near.stretched == 1 ? "Contact zone, true, x stretched"
+                                       : "Contact zone, true, y stretched");
   }
   const Point at =
       scene.bodies[extent.body].ends.empty() ? Point{} : scene.bodies[extent.body].ends[extent.end];
   Picture picture{"deformed", "Deformed shape", "", ""};
-  picture.caption = "Shape at load factor " + figure(scene.summary.load);
-  if (!scene.pairs.empty()) picture.caption += ", &#956; = " + figure(scene.summary.mu);
+  picture.caption = "Shape at " + place_at_end(scene);
   picture.caption += ", " + scale_text(magnification) + ": the largest displacement is " +
                      figure(extent.displacement, scene.length_unit, 6) + " at (" + figure(at.x) + ", " +
                      figure(at.y) + ")";
   if (scene.bodies.size() > 1) picture.caption += " of body " + std::to_string(extent.body + 1);
   picture.caption += ".";
-  if (zoom && magnification > zoom_magnification && zoom_magnification == 1.0)
+  if (zoom && magnification > near.magnification && near.magnification == 1.0)
     picture.caption +=
         " The gap between the bodies is not magnified, so they seem to overlap in the left view.";
   picture.svg = svg.finish(picture.title, picture.caption);

@@ -37,11 +37,11 @@ std::vector<Band> find_bands(const CoefficientHistory& history, const std::vecto
   return out;
 }
 
-// Borders of the pairs' columns: half way to their neighbours.
-std::vector<double> borders(const Scene& scene, const ZoneScene& zone) {
-  const size_t n = zone.pairs;
+// Borders of the samples' columns: half way to their neighbours.
+std::vector<double> borders(const ZoneScene& zone) {
+  const std::vector<ZoneSample>& p = zone.samples;
+  const size_t n = p.size();
   std::vector<double> out(n + 1, 0.0);
-  const PairScene* p = scene.pairs.data() + zone.first;
   for (size_t i = 1; i < n; ++i) out[i] = 0.5 * (p[i - 1].s + p[i].s);
   out[0] = p[0].s;
   out[n] = p[n - 1].s;
@@ -49,13 +49,14 @@ std::vector<double> borders(const Scene& scene, const ZoneScene& zone) {
   return out;
 }
 
-std::string caption(const Scene& scene, const ZoneScene& zone, const CoefficientRecord& record,
-                    const CoefficientHistory& history) {
+std::string caption(const Scene& scene, const ZoneScene& zone, size_t coefficient) {
+  const CoefficientRecord& record = scene.record->coefficients[coefficient];
+  const CoefficientHistory& history = scene.history->coefficients()[coefficient];
   const ZoneFacts f = find_facts(scene, zone, record.table);
   const size_t events = static_cast<size_t>(history.points.empty() ? 0 : history.points.back().events);
   std::string out = "Which part of the zone was open, stuck or slipped along the load path, with " +
-                    std::to_string(events) + (events == 1 ? " event" : " events") + "; at load factor " +
-                    figure(record.load) + " " + std::to_string(f.sticking) + " of " +
+                    std::to_string(events) + (events == 1 ? " event" : " events") + "; at " +
+                    place_on_path(scene, coefficient) + ": " + std::to_string(f.sticking) + " of " +
                     std::to_string(zone.pairs) + " pairs stick, " + std::to_string(f.slipping) + " slip, " +
                     std::to_string(static_cast<int32_t>(zone.pairs) - f.touching) + " are open";
   if (f.sticking > 0)
@@ -81,20 +82,20 @@ void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Picture
               {{"open", thin, Mark::kNone, true, fills[0]},
                {"stick", thin, Mark::kNone, true, fills[1]},
                {"slip", thin, Mark::kNone, true, fills[2]}});
-  const std::vector<double> border = borders(scene, zone);
+  const std::vector<double> border = borders(zone);
   Range s, y;
   for (const double b : border) s.include(b);
   y.include(0.0);
   for (const double h : height) y.include(h);
-  const Chart chart{frame, make_axis(s, position_name(zone), scene.length_unit, 9, true),
+  const Chart chart{frame, make_axis(s, position_name(scene, zone), scene.length_unit, 9, true),
                     make_axis(y, by_load ? "load factor" : "step", "", 7, true, !by_load)};
   draw_axes(svg, chart);
   svg.raw("<g shape-rendering=\"crispEdges\">\n"); // no seams
   for (const Band& band : bands)
-    for (size_t i = 0; i < zone.pairs;) {
-      const char status = (*band.status)[zone.first + i];
+    for (size_t i = 0; i < zone.samples.size();) {
+      const char status = (*band.status)[zone.samples[i].pair];
       size_t end = i + 1;
-      while (end < zone.pairs && (*band.status)[zone.first + end] == status) ++end;
+      while (end < zone.samples.size() && (*band.status)[zone.samples[end].pair] == status) ++end;
       const Point a = chart.at(border[i], band.from), b = chart.at(border[end], band.to);
       i = end;
       if (status == C2D_OPEN) continue;
@@ -103,15 +104,14 @@ void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Picture
     }
   svg.raw("</g>\n");
   svg.rectangle(frame, "none", Stroke{colour::kInk, 1.0, ""});
-  for (size_t p = zone.first; p < zone.first + zone.pairs; ++p) { // where the pairs are
-    const double x = chart.at(scene.pairs[p].s, 0.0).x;
+  for (const ZoneSample& p : zone.samples) { // where the pairs are
+    const double x = chart.at(p.s, 0.0).x;
     svg.line({x, frame.top - 4.0}, {x, frame.top}, Stroke{colour::kGreen, 1.2, ""});
   }
-  const CoefficientRecord& record = scene.record->coefficients[coefficient];
   Picture picture{name,
                   "Open, stick and slip over the load, " +
                       chart_title(scene, friction_of(scene, coefficient, zone_index), zone_index),
-                  caption(scene, zone, record, history), ""};
+                  caption(scene, zone, coefficient), ""};
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);
 }

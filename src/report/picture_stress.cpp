@@ -34,6 +34,7 @@ c2d_status sample(const Scene& scene, size_t b, const Chart& view, Grid& grid) {
   grid.y0 = view.y.low;
   grid.values.assign(grid.columns * grid.rows, 0.0);
   grid.known.assign(grid.values.size(), 0);
+  if (scene.rigid && b == 0) return C2D_OK; // has no stress
   const std::vector<std::vector<Point>> outline = outline_of(scene.bodies[b], 0.0);
   std::vector<double> points;
   std::vector<size_t> where;
@@ -73,7 +74,7 @@ Peak find_peak(const Window& window) {
 }
 
 // Between values that all but a hundredth of the points stay above or below: a corner may have any stress.
-// From zero unless the stress is everywhere far from it.
+// From zero unless the stress is everywhere far from it and yet differs from place to place.
 std::vector<double> choose_levels(const Window& window, Axis& axis, const std::string& unit) {
   std::vector<double> values;
   for (const Grid& g : window.grids)
@@ -86,7 +87,7 @@ std::vector<double> choose_levels(const Window& window, Axis& axis, const std::s
     std::nth_element(values.begin(), values.begin() + static_cast<ptrdiff_t>(rank), values.end());
     range.include(values[rank]);
   }
-  if (range.low < 0.25 * range.high) range.include(0.0);
+  if (range.low < 0.25 * range.high || range.high - range.low < 0.02 * range.high) range.include(0.0);
   axis = make_axis(range, "von Mises' stress", unit, static_cast<int>(kBands));
   std::vector<double> levels;
   for (int i = 0; i < axis.ticks; ++i) levels.push_back(axis.tick(i));
@@ -162,8 +163,7 @@ c2d_status draw_one(const Scene& scene, const std::string& name, const std::stri
   const double middle = top + 0.5 * high;
   draw_bar(svg, {right + 16.0, middle - 0.5 * bar_high, right + 34.0, middle + 0.5 * bar_high}, axis, levels);
   Picture picture{name, title, "", ""};
-  picture.caption = "von Mises' stress at load factor " + figure(scene.summary.load);
-  if (!scene.pairs.empty()) picture.caption += ", &#956; = " + figure(scene.summary.mu);
+  picture.caption = "von Mises' stress at " + place_at_end(scene);
   picture.caption += ": the largest value on the grid drawn is " + figure(peak.value, scene.stress_unit) +
                      " at (" + figure(peak.at.x) + ", " + figure(peak.at.y) + ")";
   if (scene.bodies.size() > 1) picture.caption += " in body " + std::to_string(peak.body + 1);
@@ -185,7 +185,9 @@ c2d_status draw_stress(const Scene& scene, Pictures& out) {
   const std::vector<double>& table = scene.record->coefficients.back().table;
   for (size_t p = 0; p < scene.pairs.size() && !table.empty(); ++p)
     if (static_cast<int>(table[p * C2D_PAIR_FIELDS + C2D_STATUS]) != C2D_OPEN)
-      for (const Point& at : scene.pairs[p].on) zoom_x.include(at.x), zoom_y.include(at.y);
+      for (const Image& image : scene.zone_images)
+        for (const Point& on : scene.pairs[p].on)
+          zoom_x.include(image.place(on).x), zoom_y.include(image.place(on).y);
   if (zoom_x.empty) return status;
   const double size = std::max(zoom_x.high - zoom_x.low, zoom_y.high - zoom_y.low);
   if (size <= 0.0 || size > 0.6 * std::max(x.high - x.low, y.high - y.low)) return status;

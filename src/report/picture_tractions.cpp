@@ -1,7 +1,9 @@
 #include "report/axes.hpp"
 #include "report/pictures.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace app {
 namespace {
@@ -10,11 +12,13 @@ namespace {
 const Stroke kEarlier[] = {
     {colour::kFaint, 1.1, "2 3"}, {colour::kFaint, 1.1, "6 3"}, {colour::kFaint, 1.1, "10 3 2 3"}};
 
-std::vector<Point> curve_of(const Scene& scene, const ZoneScene& zone, const std::vector<double>& table,
-                            size_t column, const Chart& chart, double factor = 1.0) {
+std::vector<Point> curve_of(const ZoneScene& zone, const std::vector<double>& table, size_t column,
+                            const Chart& chart, double factor = 1.0) {
   std::vector<Point> out;
-  for (size_t p = zone.first; p < zone.first + zone.pairs; ++p)
-    out.push_back(chart.at(scene.pairs[p].s, factor * table[p * C2D_PAIR_FIELDS + column]));
+  for (const ZoneSample& p : zone.samples) {
+    const double turn = column == C2D_TT ? p.turn : 1.0;
+    out.push_back(chart.at(p.s, turn * factor * table[p.pair * C2D_PAIR_FIELDS + column]));
+  }
   return out;
 }
 
@@ -23,19 +27,45 @@ struct Layers {
   const ZoneScene& zone;
   const CoefficientHistory& history;
   const CoefficientRecord& record;
-  double mu; // of the zone
+  double mu;         // of the zone
+  bool by_load;      // the path is one load that rises
+  std::string place; // of the table on the path
 };
 
-Range range_of(const Layers& l, size_t column, double mu_bound) {
+// At an edge the pressure may be as large as one likes. Where the rest of the zone, 97 % of its length, stays
+// below a sixth of the largest value, the axis ends above the rest.
+double find_top(const Layers& l, size_t column) {
+  std::vector<std::pair<double, double>> sizes; // size, and the length along which it stands
+  double length = 0.0, below = 0.0;
+  for (size_t p = l.zone.first; p < l.zone.first + l.zone.pairs; ++p) {
+    const size_t before = p > l.zone.first ? p - 1 : p,
+                 behind = p + 1 < l.zone.first + l.zone.pairs ? p + 1 : p;
+    const double share = 0.5 * std::fabs(l.scene.pairs[behind].s - l.scene.pairs[before].s);
+    const double value = std::fabs(l.record.table[p * C2D_PAIR_FIELDS + column]);
+    sizes.emplace_back(value, share);
+    length += share;
+  }
+  std::sort(sizes.begin(), sizes.end());
+  for (const auto& entry : sizes) {
+    below += entry.second;
+    if (below < 0.97 * length) continue;
+    return entry.first > 0.0 && sizes.back().first > 6.0 * entry.first ? 1.3 * entry.first : HUGE_VAL;
+  }
+  return HUGE_VAL;
+}
+
+// Values and, with a coefficient, Coulomb's bounds, as far as `top`.
+Range range_of(const Layers& l, size_t column, double mu_bound, double top) {
   Range range;
   range.include(0.0);
+  const auto within = [&](double value) { return std::max(-top, std::min(top, value)); };
   const auto take = [&](const std::vector<double>& table) {
-    for (size_t p = l.zone.first; p < l.zone.first + l.zone.pairs; ++p) {
-      range.include(table[p * C2D_PAIR_FIELDS + column]);
-      const double bound = mu_bound * table[p * C2D_PAIR_FIELDS + C2D_TN];
+    for (const ZoneSample& p : l.zone.samples) {
+      const double* row = table.data() + p.pair * C2D_PAIR_FIELDS;
+      range.include(within((column == C2D_TT ? p.turn : 1.0) * row[column]));
       if (&table != &l.record.table || mu_bound == 0.0) continue;
-      range.include(bound);
-      range.include(-bound);
+      range.include(within(mu_bound * row[C2D_TN]));
+      range.include(within(-mu_bound * row[C2D_TN]));
     }
   };
   for (const Snapshot& s : l.history.earlier) take(s.table);
@@ -47,28 +77,43 @@ void draw_earlier(Svg& svg, const Layers& l, size_t column, const Chart& chart) 
   size_t i = 0;
   for (const Snapshot& s : l.history.earlier) {
     if (s.load == l.record.load && s.step == l.record.step) continue;
-    svg.polyline(curve_of(l.scene, l.zone, s.table, column, chart), kEarlier[i++ % 3]);
+    svg.polyline(curve_of(l.zone, s.table, column, chart), kEarlier[i++ % 3]);
   }
 }
 
-// Markers tell the status: full circle stick, triangle slip, cross open.
+// Markers tell the status: full circle stick, triangle slip, cross open. Those beyond the axis are left out.
 void draw_marks(Svg& svg, const Layers& l, size_t column, const Chart& chart, const char* ink) {
-  for (size_t p = l.zone.first; p < l.zone.first + l.zone.pairs; ++p) {
-    const double* row = l.record.table.data() + p * C2D_PAIR_FIELDS;
-    const int status = static_cast<int>(row[C2D_STATUS]);
-    const Mark mark = status == C2D_STICK  ? Mark::kCircle
-                      : status == C2D_SLIP ? Mark::kTriangle
-                                           : Mark::kCross;
-    svg.mark(mark, chart.at(l.scene.pairs[p].s, row[column]), status == C2D_OPEN ? 5.0 : 6.0, ink);
+  const std::vector<Point> places = curve_of(l.zone, l.record.table, column, chart);
+  for (size_t i = 0; i < places.size(); ++i) {
+    if (places[i].y < chart.frame.top - 1.0 || places[i].y > chart.frame.bottom + 1.0) continue;
+    const int status =
+        static_cast<int>(l.record.table[l.zone.samples[i].pair * C2D_PAIR_FIELDS + C2D_STATUS]);
+    svg.mark(status_mark(status), places[i], status == C2D_OPEN ? 5.0 : 6.0, ink);
   }
+}
+
+// Says which values the axis leaves out.
+void tell_beyond(Svg& svg, const Layers& l, size_t column, const Chart& chart) {
+  size_t beyond = 0, largest = l.zone.first;
+  for (size_t p = l.zone.first; p < l.zone.first + l.zone.pairs; ++p) {
+    const auto size = [&](size_t pair) { return std::fabs(l.record.table[pair * C2D_PAIR_FIELDS + column]); };
+    if (size(p) > std::max(std::fabs(chart.y.low), std::fabs(chart.y.high))) ++beyond;
+    if (size(p) > size(largest)) largest = p;
+  }
+  if (beyond == 0) return;
+  const std::string text = std::to_string(beyond) + (beyond == 1 ? " pair" : " pairs") +
+                           " beyond the axis: up to " +
+                           figure(l.record.table[largest * C2D_PAIR_FIELDS + column], l.scene.stress_unit) +
+                           " at s = " + figure(l.scene.pairs[largest].s, l.scene.length_unit);
+  svg.text({0.5 * (chart.frame.left + chart.frame.right), chart.frame.top + 16.0}, text, 11.0,
+           Anchor::kMiddle, colour::kInk, false, true);
 }
 
 std::vector<LegendEntry> legend(const Layers& l, bool friction) {
   std::vector<LegendEntry> out;
-  const std::string load = "load " + figure(l.record.load);
-  out.push_back({"pressure tn, " + load, Stroke{colour::kBlue, 2.0, ""}, Mark::kNone, true, ""});
+  out.push_back({"pressure tn", Stroke{colour::kBlue, 2.0, ""}, Mark::kNone, true, ""});
   if (friction) {
-    out.push_back({"friction tt, " + load, Stroke{colour::kOrange, 2.0, ""}, Mark::kNone, true, ""});
+    out.push_back({"friction tt", Stroke{colour::kOrange, 2.0, ""}, Mark::kNone, true, ""});
     if (std::isfinite(l.mu))
       out.push_back(
           {"Coulomb bounds &#177;&#956; tn", Stroke{colour::kInk, 0.8, "4 2"}, Mark::kNone, true, "#eeeeee"});
@@ -76,11 +121,11 @@ std::vector<LegendEntry> legend(const Layers& l, bool friction) {
   size_t i = 0;
   for (const Snapshot& s : l.history.earlier) {
     if (s.load == l.record.load && s.step == l.record.step) continue;
-    out.push_back({"load " + figure(s.load), kEarlier[i++ % 3], Mark::kNone, true, ""});
+    const std::string when = l.by_load ? "load " + figure(s.load)
+                                       : "step " + std::to_string(s.step) + ": load " + list_of(s.loads);
+    out.push_back({when, kEarlier[i++ % 3], Mark::kNone, true, ""});
   }
-  out.push_back({"stick", Stroke{}, Mark::kCircle, true, ""});
-  out.push_back({"slip", Stroke{}, Mark::kTriangle, true, ""});
-  out.push_back({"open", Stroke{}, Mark::kCross, true, ""});
+  for (const LegendEntry& entry : status_legend()) out.push_back(entry);
   return out;
 }
 
@@ -88,7 +133,7 @@ std::string caption(const Layers& l) {
   const Scene& scene = l.scene;
   const ZoneFacts f = find_facts(scene, l.zone, l.record.table);
   const std::string& length = scene.length_unit;
-  std::string out = "At load factor " + figure(l.record.load) + " ";
+  std::string out = "At " + l.place + " ";
   if (f.touching == 0) return out + "no pair touches.";
   const PairScene& peak = scene.pairs[f.peak_pair];
   out += "the peak pressure is " + figure(f.peak, scene.stress_unit, 6) +
@@ -105,58 +150,79 @@ std::string caption(const Layers& l) {
            ", " + std::to_string(f.slipping) + (f.slipping == 1 ? " pair slips" : " pairs slip");
   else if (l.mu > 0.0)
     out += "; no pair sticks";
-  return out + ".";
+  out += l.zone.measure == 2 ? ". tn and tt are per unit of length of body 2." : ".";
+  if (l.zone.has_images) out += " What lies beyond the line of symmetry is the image.";
+  return out;
+}
+
+void draw_pressure(Svg& svg, const Layers& l, const Box& frame, const Axis& axis, bool labels) {
+  const double top = find_top(l, C2D_TN);
+  const Chart chart{
+      frame, axis,
+      make_axis(range_of(l, C2D_TN, 0.0, top), traction_name(l.zone, "pressure tn"), l.scene.stress_unit, 6)};
+  draw_axes(svg, chart, labels);
+  draw_heading(svg, frame, "Pressure");
+  svg.begin_clip(Box{frame.left - 5.0, frame.top - 1.0, frame.right + 5.0, frame.bottom + 5.0});
+  draw_earlier(svg, l, C2D_TN, chart);
+  svg.polyline(curve_of(l.zone, l.record.table, C2D_TN, chart), Stroke{colour::kBlue, 2.0, ""});
+  draw_marks(svg, l, C2D_TN, chart, colour::kBlue);
+  svg.end_clip();
+  tell_beyond(svg, l, C2D_TN, chart);
+}
+
+void draw_friction(Svg& svg, const Layers& l, const Box& frame, const Axis& axis) {
+  const double bound = std::isfinite(l.mu) ? l.mu : 0.0;
+  const double highest = find_top(l, C2D_TN);
+  const double top = bound > 0.0 && std::isfinite(highest) ? bound * highest : find_top(l, C2D_TT);
+  const Chart chart{frame, axis,
+                    make_axis(range_of(l, C2D_TT, bound, top), traction_name(l.zone, "friction tt"),
+                              l.scene.stress_unit, 6)};
+  std::vector<Point> upper = curve_of(l.zone, l.record.table, C2D_TN, chart, bound);
+  const std::vector<Point> lower = curve_of(l.zone, l.record.table, C2D_TN, chart, -bound);
+  std::vector<Point> band = upper;
+  band.insert(band.end(), lower.rbegin(), lower.rend());
+  const Box room{frame.left - 5.0, frame.top, frame.right + 5.0, frame.bottom};
+  svg.begin_clip(room);
+  if (bound > 0.0) svg.area({band}, "#eeeeee", Stroke{});
+  svg.end_clip();
+  draw_axes(svg, chart);
+  draw_heading(svg, frame, "Friction");
+  svg.begin_clip(room);
+  if (bound > 0.0) {
+    svg.polyline(upper, Stroke{colour::kInk, 0.8, "4 2"});
+    svg.polyline(lower, Stroke{colour::kInk, 0.8, "4 2"});
+  }
+  draw_earlier(svg, l, C2D_TT, chart);
+  svg.polyline(curve_of(l.zone, l.record.table, C2D_TT, chart), Stroke{colour::kOrange, 2.0, ""});
+  draw_marks(svg, l, C2D_TT, chart, colour::kOrange);
+  svg.end_clip();
+  tell_beyond(svg, l, C2D_TT, chart);
 }
 
 void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Pictures& out) {
   static const CoefficientHistory kNone;
   const std::vector<CoefficientHistory>& histories = scene.history->coefficients();
-  const Layers l{scene, scene.zones[zone_index],
-                 coefficient < histories.size() ? histories[coefficient] : kNone,
-                 scene.record->coefficients[coefficient], friction_of(scene, coefficient, zone_index)};
+  const CoefficientHistory& history = coefficient < histories.size() ? histories[coefficient] : kNone;
+  const Layers l{scene,
+                 scene.zones[zone_index],
+                 history,
+                 scene.record->coefficients[coefficient],
+                 friction_of(scene, coefficient, zone_index),
+                 rises(history),
+                 place_on_path(scene, coefficient)};
   const bool friction = l.mu > 0.0;
-  const double bound = std::isfinite(l.mu) ? l.mu : 0.0;
   const double left = 76.0, right = kPictureWidth - 16.0;
   const std::vector<LegendEntry> entries = legend(l, friction);
-  const double legend_height = draw_legend(nullptr, {left, 4.0}, right - left, entries);
-  const double top = legend_height + 32.0, high = friction ? 210.0 : 280.0;
-  const double bottom = friction ? top + 2.0 * high + 30.0 : top + high;
+  const double top = draw_legend(nullptr, {left, 4.0}, right - left, entries) + 32.0;
+  const double high = friction ? 210.0 : 280.0, bottom = friction ? top + 2.0 * high + 30.0 : top + high;
   const std::string name = "tractions" + chart_suffix(scene, coefficient, zone_index);
   Svg svg(name, kPictureWidth, bottom + 44.0);
   draw_legend(&svg, {left, 4.0}, right - left, entries);
-
   Range s;
-  for (size_t p = l.zone.first; p < l.zone.first + l.zone.pairs; ++p) s.include(scene.pairs[p].s);
-  const Axis axis = make_axis(s, position_name(l.zone), scene.length_unit, 9, false);
-  const Range pressure_range = range_of(l, C2D_TN, 0.0);
-  const Chart pressure{
-      {left, top, right, top + high}, axis, make_axis(pressure_range, "pressure tn", scene.stress_unit, 6)};
-  draw_axes(svg, pressure, !friction);
-  draw_heading(svg, pressure.frame, "Pressure");
-  svg.begin_clip(Box{left - 5.0, top - 5.0, right + 5.0, bottom + 5.0});
-  draw_earlier(svg, l, C2D_TN, pressure);
-  svg.polyline(curve_of(scene, l.zone, l.record.table, C2D_TN, pressure), Stroke{colour::kBlue, 2.0, ""});
-  draw_marks(svg, l, C2D_TN, pressure, colour::kBlue);
-  svg.end_clip();
-  if (friction) {
-    const Chart chart{{left, top + high + 30.0, right, bottom},
-                      axis,
-                      make_axis(range_of(l, C2D_TT, bound), "friction tt", scene.stress_unit, 6)};
-    std::vector<Point> upper = curve_of(scene, l.zone, l.record.table, C2D_TN, chart, bound);
-    const std::vector<Point> lower = curve_of(scene, l.zone, l.record.table, C2D_TN, chart, -bound);
-    std::vector<Point> band = upper;
-    band.insert(band.end(), lower.rbegin(), lower.rend());
-    if (bound > 0.0) svg.area({band}, "#eeeeee", Stroke{});
-    draw_axes(svg, chart);
-    draw_heading(svg, chart.frame, "Friction");
-    if (bound > 0.0) {
-      svg.polyline(upper, Stroke{colour::kInk, 0.8, "4 2"});
-      svg.polyline(lower, Stroke{colour::kInk, 0.8, "4 2"});
-    }
-    draw_earlier(svg, l, C2D_TT, chart);
-    svg.polyline(curve_of(scene, l.zone, l.record.table, C2D_TT, chart), Stroke{colour::kOrange, 2.0, ""});
-    draw_marks(svg, l, C2D_TT, chart, colour::kOrange);
-  }
+  for (const ZoneSample& p : l.zone.samples) s.include(p.s);
+  const Axis axis = make_axis(s, position_name(scene, l.zone), scene.length_unit, 9, false);
+  draw_pressure(svg, l, {left, top, right, top + high}, axis, !friction);
+  if (friction) draw_friction(svg, l, {left, top + high + 30.0, right, bottom}, axis);
   Picture picture{name, "Pressure and friction, " + chart_title(scene, l.mu, zone_index), caption(l), ""};
   if (!friction) picture.title = "Pressure, " + chart_title(scene, l.mu, zone_index);
   picture.svg = svg.finish(picture.title, picture.caption);

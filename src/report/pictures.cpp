@@ -15,9 +15,30 @@ std::string chart_suffix(const Scene& scene, size_t coefficient, size_t zone) {
   return out;
 }
 
-std::string position_name(const ZoneScene& zone) {
-  return zone.symmetric_origin ? "distance s from the line of symmetry, along body 1"
-                               : "distance s from pair " + std::to_string(zone.origin + 1) + ", along body 1";
+Mark status_mark(int status) {
+  return status == C2D_STICK ? Mark::kCircle : status == C2D_SLIP ? Mark::kTriangle : Mark::kCross;
+}
+
+std::vector<LegendEntry> status_legend() {
+  return {{"stick", Stroke{}, Mark::kCircle, true, ""},
+          {"slip", Stroke{}, Mark::kTriangle, true, ""},
+          {"open", Stroke{}, Mark::kCross, true, ""}};
+}
+
+std::string position_name(const Scene& scene, const ZoneScene& zone) {
+  if (!zone.symmetric_origin)
+    return "distance s from pair " + std::to_string(zone.origin + 1) + ", along body 1";
+  const c2d_summary& s = scene.summary;
+  std::string line;
+  if (s.symmetry == 3) // which of the two
+    line = scene.pairs[zone.origin].image_line == 1 ? " x = " + figure(s.symmetry_at[0])
+                                                    : " y = " + figure(s.symmetry_at[1]);
+  return "distance s from the line of symmetry" + line + ", along body 1";
+}
+
+std::string traction_name(const ZoneScene& zone, const char* name) {
+  const std::string text = name;
+  return zone.measure == 2 ? text.substr(text.rfind(' ') + 1) + " per length of body 2" : text;
 }
 
 c2d_status draw_pictures(const Scene& scene, Pictures& out) {

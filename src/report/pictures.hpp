@@ -1,6 +1,7 @@
 // The pictures of a run, in the order of the page. Each is drawn by a file of its own.
 #pragma once
 
+#include "report/axes.hpp"
 #include "report/scene.hpp"
 
 #include <string>
@@ -48,7 +49,12 @@ c2d_status draw_pictures(const Scene& scene, Pictures& out);
 std::string chart_title(const Scene& scene, double mu, size_t zone);
 // "_1" and "_1_2": coefficient and zone, numbers only if there are several.
 std::string chart_suffix(const Scene& scene, size_t coefficient, size_t zone);
+// How a status is marked everywhere: stick a full circle, slip a triangle, open a cross.
+Mark status_mark(int status);
+std::vector<LegendEntry> status_legend();
 // What s means, for axes.
-std::string position_name(const ZoneScene& zone);
+std::string position_name(const Scene& scene, const ZoneScene& zone);
+// "pressure tn"; in zones of meshes that do not match "tn per length of body 2".
+std::string traction_name(const ZoneScene& zone, const char* name);
 
 } // namespace app

@@ -48,7 +48,8 @@ void keep_history(CoefficientRecord& c, const c2d_step& step, c2d_solver* solver
   now.loads.assign(step.loads, step.loads + step.cases);
   now.work_by_case.assign(step.work_by_case, step.work_by_case + step.cases);
   c2d_zone_state zone = C2D_INIT(c2d_zone_state);
-  for (int32_t i = 1; solver != nullptr && c2d_get_zone_state(solver, i, &zone) == C2D_OK; ++i) now.zones.push_back(zone);
+  for (int32_t i = 1; solver != nullptr && c2d_get_zone_state(solver, i, &zone) == C2D_OK; ++i)
+    now.zones.push_back(zone);
   c.steps.push_back(now);
 }
 
@@ -84,6 +85,27 @@ c2d_status get_ends(c2d_solver* solver, const c2d_summary& summary, int32_t body
   return C2D_OK;
 }
 
+namespace {
+
+// Pairs of a free zone by their places on body 1.
+c2d_status add_places(c2d_solver* solver, const c2d_summary& summary, int32_t zone,
+                      std::vector<ContactEnd>& ends) {
+  const int32_t fields[5] = {C2D_PAIR_ZONE, C2D_PAIR_ELEMENT1, C2D_PAIR_ETA1, C2D_X, C2D_Y};
+  std::vector<double> v[5];
+  for (int f = 0; f < 5; ++f) {
+    v[f].resize(static_cast<size_t>(summary.pairs));
+    const c2d_status status = c2d_get(solver, fields[f], 1, 1, summary.pairs, v[f].data(), 1);
+    if (status != C2D_OK) return status;
+  }
+  for (size_t p = 0; p < v[0].size(); ++p)
+    if (static_cast<int32_t>(v[0][p]) == zone)
+      ends.push_back(
+          {static_cast<int32_t>(v[1][p]), 0, static_cast<int32_t>(p) + 1, v[3][p], v[4][p], v[2][p]});
+  return C2D_OK;
+}
+
+} // namespace
+
 c2d_status find_contact_ends(c2d_solver* solver, const c2d_summary& summary, int32_t body,
                              std::vector<ContactEnd>& ends) {
   ends.clear();
@@ -106,6 +128,11 @@ c2d_status find_contact_ends(c2d_solver* solver, const c2d_summary& summary, int
     c2d_zone zone = C2D_INIT(c2d_zone);
     status = c2d_get_zone(solver, z, &zone);
     if (status != C2D_OK) return status;
+    if (zone.first_node[body - 1] == 0) {
+      status = add_places(solver, summary, z, ends);
+      if (status != C2D_OK) return status;
+      continue;
+    }
     const int32_t first = zone.first_element[body - 1], last = zone.last_element[body - 1];
     const int32_t low = first < last ? first : last, high = first < last ? last : first;
     for (int32_t e = low; e <= high; ++e)
@@ -113,7 +140,7 @@ c2d_status find_contact_ends(c2d_solver* solver, const c2d_summary& summary, int
         const size_t i = static_cast<size_t>((e - 1) * summary.function_nodes + local - 1);
         const size_t node = i < values[0].size() ? static_cast<size_t>(values[0][i]) : 0;
         if (node < pair_of_node.size() && pair_of_node[node] != 0)
-          ends.push_back({e, local, pair_of_node[node], values[1][i], values[2][i]});
+          ends.push_back({e, local, pair_of_node[node], values[1][i], values[2][i], 0.0});
       }
   }
   return C2D_OK;

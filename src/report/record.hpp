@@ -36,7 +36,7 @@ struct RunRecord {
   std::vector<CoefficientRecord> coefficients;
   std::vector<double> friction; // all coefficients of the deck
   std::vector<c2d_error> warnings;
-  std::vector<int32_t> measure; // of each zone: the body per whose length tn and tt are
+  std::vector<int32_t> measure;                   // of each zone: the body per whose length tn and tt are
   double read_seconds = 0.0, write_seconds = 0.0; // spent by the program itself
   bool checked_only = false;                      // the deck asks for a data check, nothing was solved
 
@@ -55,10 +55,11 @@ void keep_history(CoefficientRecord& coefficient, const c2d_step& step, c2d_solv
 // library said of it, may be empty. Sets the record's why, body and pair.
 void explain(CoefficientRecord& coefficient, const c2d_summary& summary, const std::string& said);
 
-// An end of a contact element and the pair (from 1) that its node belongs to.
+// An end of a contact element and the pair (from 1) that its node belongs to; on body 1 of a zone between
+// meshes that do not match local is 0, and eta the pair's place on the element.
 struct ContactEnd {
   int32_t element, local, pair;
-  double x, y;
+  double x, y, eta;
 };
 // The ends of all contact elements at listed pairs, of one body, in the order of the zones. Returns the
 // status of the first query that failed.

@@ -45,66 +45,15 @@ c2d_status gather_body(Scene& scene, int32_t body) {
   if (status != C2D_OK) return status;
   for (int32_t e = 1; e <= s.elements[b]; ++e)
     for (int32_t l = 1; l <= s.function_nodes; ++l) {
-      EndCondition c{{0, 0, 1, 1}, {0.0, 0.0, 0.0, 0.0}};
-      status = c2d_get_condition(solver, body, e, l, c.codes, c.values);
-      if (status != C2D_OK) return status;
+      EndCondition c{};
+      double values[4];
+      for (int32_t k = 1; k <= s.load_cases; ++k) {
+        status = c2d_get_case_condition(solver, body, e, l, c.codes, values, k);
+        if (status != C2D_OK) return status;
+        for (int q = 0; q < 4; ++q) c.values[q].push_back(values[q]);
+      }
       out.conditions.push_back(c);
     }
-  return C2D_OK;
-}
-
-// Where a functional node lies, and whether a displacement of it is prescribed.
-Point place_of_node(const BodyScene& body, int32_t node, bool& held) {
-  Point place;
-  for (size_t i = 0; i < body.nodes.size(); ++i) {
-    if (body.nodes[i] != node) continue;
-    place = body.ends[i];
-    held = held || body.conditions[i].codes[2] == 0 || body.conditions[i].codes[3] == 0;
-  }
-  return place;
-}
-
-// s along body 1, chord by chord, from the zone's origin; towards larger x, in a steep zone towards larger y.
-void measure(Scene& scene, ZoneScene& zone) {
-  if (zone.pairs == 0) return;
-  PairScene* p = scene.pairs.data() + zone.first;
-  p[0].s = 0.0;
-  for (size_t i = 1; i < zone.pairs; ++i)
-    p[i].s = p[i - 1].s + std::hypot(p[i].on[0].x - p[i - 1].on[0].x, p[i].on[0].y - p[i - 1].on[0].y);
-  const Point a = p[0].on[0], b = p[zone.pairs - 1].on[0];
-  const bool steep = std::fabs(b.y - a.y) > 1.001 * std::fabs(b.x - a.x);
-  const bool reversed = steep ? b.y < a.y : b.x < a.x;
-  const bool at_first = p[0].symmetric, at_last = p[zone.pairs - 1].symmetric;
-  zone.symmetric_origin = at_first != at_last;
-  zone.origin = at_first != at_last ? (at_first ? 0 : zone.pairs - 1) : (reversed ? zone.pairs - 1 : 0);
-  const double from = p[zone.origin].s, sign = reversed ? -1.0 : 1.0;
-  for (size_t i = 0; i < zone.pairs; ++i) p[i].s = sign * (p[i].s - from) + 0.0;
-}
-
-c2d_status gather_pairs(Scene& scene) {
-  const int32_t count = scene.summary.pairs;
-  if (count == 0) return C2D_OK;
-  std::vector<int32_t> node[2], zone;
-  std::vector<Point> place; // on body 1: in zones of meshes that do not match no node lies there
-  c2d_status status = get_integers(scene.solver, C2D_PAIR_NODE1, 1, count, node[0]);
-  if (status == C2D_OK) status = get_integers(scene.solver, C2D_PAIR_NODE2, 1, count, node[1]);
-  if (status == C2D_OK) status = get_points(scene.solver, C2D_X, 1, count, place);
-  if (status == C2D_OK) status = get_integers(scene.solver, C2D_PAIR_ZONE, 1, count, zone);
-  if (status != C2D_OK) return status;
-  scene.zones.resize(static_cast<size_t>(scene.summary.zones));
-  for (size_t p = 0; p < zone.size(); ++p) {
-    PairScene pair{zone[p], {}, 0.0, false};
-    for (size_t b = 0; b < 2; ++b) pair.on[b] = place_of_node(scene.bodies[b], node[b][p], pair.symmetric);
-    pair.on[0] = place[p];
-    const c2d_summary& s = scene.summary;
-    pair.symmetric = pair.symmetric || ((s.symmetry & 1) != 0 && pair.on[0].x == s.symmetry_at[0]) ||
-                     ((s.symmetry & 2) != 0 && pair.on[0].y == s.symmetry_at[1]);
-    scene.pairs.push_back(pair);
-    const size_t z = static_cast<size_t>(zone[p]) - 1;
-    if (z >= scene.zones.size()) continue;
-    if (scene.zones[z].pairs++ == 0) scene.zones[z].first = p;
-  }
-  for (ZoneScene& z : scene.zones) measure(scene, z);
   return C2D_OK;
 }
 
@@ -131,15 +80,8 @@ c2d_status gather_scene(c2d_solver* solver, const RunRecord& record, const Histo
   scene.bodies.resize(static_cast<size_t>(scene.summary.bodies));
   for (int32_t body = 1; body <= scene.summary.bodies && status == C2D_OK; ++body)
     status = gather_body(scene, body);
-  if (status == C2D_OK) status = gather_pairs(scene);
-  PointLoad load{};
-  double at[2], force[2];
-  for (int32_t i = 1; status == C2D_OK && c2d_get_point_load(solver, i, &load.body, at, force) == C2D_OK;
-       ++i) {
-    load.at = {at[0], at[1]};
-    load.force = {force[0], force[1]};
-    scene.point_loads.push_back(load);
-  }
+  if (status == C2D_OK) status = gather_zones(scene);
+  if (status == C2D_OK) status = gather_loads(scene);
   return status;
 }
 
@@ -180,6 +122,28 @@ ZoneFacts find_facts(const Scene& scene, const ZoneScene& zone, const std::vecto
     ++f.sticking;
   }
   return f;
+}
+
+std::string place_on_path(const Scene& scene, size_t coefficient) {
+  const CoefficientRecord& record = scene.record->coefficients[coefficient];
+  const std::vector<CoefficientHistory>& histories = scene.history->coefficients();
+  if (coefficient >= histories.size() || rises(histories[coefficient]))
+    return "load factor " + figure(record.load);
+  return "step " + std::to_string(record.step) + " (load factor" +
+         (histories[coefficient].loads.size() > 1 ? "s " : " ") + list_of(histories[coefficient].loads) + ")";
+}
+
+std::string place_at_end(const Scene& scene) {
+  const size_t count = scene.record->coefficients.size();
+  std::string out = count > 0 ? place_on_path(scene, count - 1) : "load factor " + figure(scene.summary.load);
+  if (!scene.pairs.empty()) out += ", &#956; = " + figure(scene.summary.mu);
+  return out;
+}
+
+std::string list_of(const std::vector<double>& numbers) {
+  std::string out;
+  for (size_t i = 0; i < numbers.size(); ++i) out += (i > 0 ? ", " : "") + figure(numbers[i]);
+  return out;
 }
 
 std::string figure(double value, int digits) {

@@ -26,7 +26,51 @@ void append_stroke(std::string& out, const Stroke& stroke) {
   out += '"';
 }
 
+// Cuts a segment to a box; false if it lies outside.
+bool cut(const Box& box, Point& a, Point& b) {
+  const double dx = b.x - a.x, dy = b.y - a.y;
+  const double p[4] = {-dx, dx, -dy, dy};
+  const double q[4] = {a.x - box.left, box.right - a.x, a.y - box.top, box.bottom - a.y};
+  double first = 0.0, last = 1.0;
+  for (int i = 0; i < 4; ++i) {
+    if (p[i] == 0.0) {
+      if (q[i] < 0.0) return false;
+      continue;
+    }
+    const double at = q[i] / p[i];
+    if (p[i] < 0.0)
+      first = std::max(first, at);
+    else
+      last = std::min(last, at);
+  }
+  if (first > last) return false;
+  b = {a.x + last * dx, a.y + last * dy};
+  a = {a.x + first * dx, a.y + first * dy};
+  return true;
+}
+
 } // namespace
+
+std::vector<std::vector<Point>> pieces_within(const std::vector<std::vector<Point>>& curves, const Box& box) {
+  const double room = 10.0;
+  const Box wider{box.left - room, box.top - room, box.right + room, box.bottom + room};
+  std::vector<std::vector<Point>> out;
+  for (const std::vector<Point>& curve : curves) {
+    bool joined = false;
+    for (size_t i = 0; i < curve.size(); ++i) {
+      Point a = curve[i], b = curve[(i + 1) % curve.size()];
+      const Point end = b;
+      if (!cut(wider, a, b)) {
+        joined = false;
+        continue;
+      }
+      if (!joined) out.push_back({a});
+      out.back().push_back(b);
+      joined = b.x == end.x && b.y == end.y;
+    }
+  }
+  return out;
+}
 
 void append_pixel(std::string& out, double value) {
   const int64_t hundredths = std::llround(value * 100.0);
@@ -158,15 +202,16 @@ void Svg::mark(Mark mark, Point at, double size, const char* ink, bool filled) {
   }
 }
 
-void Svg::arrow(Point from, Point to, const Stroke& stroke, double head) {
+void Svg::arrow(Point from, Point to, const Stroke& stroke, double size, Head head) {
   const double dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
   if (length < 0.1) return;
-  const double ex = dx / length, ey = dy / length, h = head < length ? head : length;
+  const double ex = dx / length, ey = dy / length, h = size < length ? size : length;
   const Point neck{to.x - h * ex, to.y - h * ey};
-  line(from, neck, stroke);
   const double w = 0.42 * h;
-  area({{to, {neck.x - w * ey, neck.y + w * ex}, {neck.x + w * ey, neck.y - w * ex}}}, stroke.colour,
-       Stroke{});
+  const Point left{neck.x - w * ey, neck.y + w * ex}, right{neck.x + w * ey, neck.y - w * ex};
+  line(from, head == Head::kFilled ? neck : to, stroke);
+  if (head == Head::kFilled) area({{to, left, right}}, stroke.colour, Stroke{});
+  if (head == Head::kOpen) polyline({left, to, right}, Stroke{stroke.colour, stroke.width, ""});
 }
 
 void Svg::text(Point at, const std::string& text, double size, Anchor anchor, const char* ink, bool turned,

@@ -22,6 +22,7 @@ struct Stroke {
   const char* dash = ""; // as stroke-dasharray; empty: solid
 };
 enum class Anchor { kStart, kMiddle, kEnd };
+enum class Head { kNone, kFilled, kOpen };
 enum class Mark { kNone, kCircle, kSquare, kTriangle, kDiamond, kCross };
 
 // Colours that stay apart for colour-blind people and in grey print, each used with one line style or marker.
@@ -33,7 +34,7 @@ constexpr char kBlue[] = "#0060a8";
 constexpr char kOrange[] = "#d55e00";
 constexpr char kGreen[] = "#007a5a";
 constexpr char kPurple[] = "#a0438a";
-constexpr char kBody[2][8] = {"#dce9f5", "#f6ead3"};
+constexpr char kBody[2][8] = {"#dce9f5", "#efd9ad"};
 } // namespace colour
 
 // Text for XML: markup characters and what is not ASCII as entities; control characters as '?'.
@@ -53,8 +54,8 @@ public:
   void area(const std::vector<std::vector<Point>>& curves, const std::string& fill, const Stroke& stroke);
   void rectangle(const Box& box, const std::string& fill, const Stroke& stroke);
   void mark(Mark mark, Point at, double size, const char* ink, bool filled = true);
-  // A shaft with a filled head at `to`.
-  void arrow(Point from, Point to, const Stroke& stroke, double head = 5.0);
+  // A shaft with a head of `size` at `to`; the shaft alone is dashed.
+  void arrow(Point from, Point to, const Stroke& stroke, double size = 5.0, Head head = Head::kFilled);
   // `text` may hold entities: pass words of the user through escape_xml first. `turned`: reads upwards.
   // `halo`: with a white rim, over lines.
   void text(Point at, const std::string& text, double size, Anchor anchor = Anchor::kStart,
@@ -78,6 +79,9 @@ private:
   double width_, height_;
   int ids_ = 0;
 };
+
+// The parts of closed curves that lie within a box or close to it.
+std::vector<std::vector<Point>> pieces_within(const std::vector<std::vector<Point>>& curves, const Box& box);
 
 // Appends a coordinate with two decimals at most.
 void append_pixel(std::string& out, double value);

@@ -1,7 +1,5 @@
 #include "report/text.hpp"
 
-#include <contact2d.h>
-
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -187,6 +185,17 @@ const char* tape_word(int32_t tape) {
   default:
     return "unknown";
   }
+}
+
+std::string symmetry_text(const c2d_summary& s) {
+  std::string out;
+  for (int axis = 0; axis < 2; ++axis) {
+    if ((s.symmetry >> axis & 1) == 0) continue;
+    if (!out.empty()) out += ", ";
+    out += axis == 0 ? "x = " : "y = ";
+    append_number(out, s.symmetry_at[axis]);
+  }
+  return out.empty() ? "none" : out;
 }
 
 } // namespace app

@@ -1,6 +1,8 @@
 // Numbers and columns into a string: what all reports print with. Independent of any locale.
 #pragma once
 
+#include <contact2d.h>
+
 #include <cstdint>
 #include <string>
 
@@ -20,5 +22,7 @@ void append_general(std::string& out, double value, int width, int digits = 6);
 const char* status_word(int32_t status);
 const char* outcome_word(int32_t outcome);
 const char* tape_word(int32_t tape);
+// "x = 0", "x = 0, y = 1": the lines of symmetry by images; "none".
+std::string symmetry_text(const c2d_summary& summary);
 
 } // namespace app

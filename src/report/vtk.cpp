@@ -11,7 +11,7 @@ constexpr int kOrder[4][4] = {{0, 0, 0, 0}, {0, 1, 0, 0}, {0, 2, 1, 0}, {0, 3, 1
 
 struct Collected {
   std::string points, displacement, traction, stress, status; // point data
-  std::string cells, types, body, element;                    // cells and their data
+  std::string cells, types, body, element, image;             // cells and their data
   int64_t point_count = 0, cell_count = 0, cell_numbers = 0;
 };
 
@@ -30,39 +30,51 @@ void append_tensor(std::string& out, double xx, double yy, double xy, double zz)
   out += '\n';
 }
 
-void append_cell(Collected& c, int32_t body, int32_t element, int32_t nodes) {
+void append_cell(Collected& c, int32_t body, int32_t element, int32_t nodes, size_t image = 0) {
   c.cells += std::to_string(nodes);
   for (int32_t k = 0; k < nodes; ++k) c.cells += ' ' + std::to_string(c.point_count + kOrder[nodes - 1][k]);
   c.cells += '\n';
   c.types += std::to_string(kTypes[nodes - 1]) + '\n';
   c.body += std::to_string(body) + '\n';
   c.element += std::to_string(element) + '\n';
+  c.image += std::to_string(image) + '\n';
   c.cell_count += 1;
   c.cell_numbers += nodes + 1;
 }
 
-c2d_status collect_body(Collected& c, const Scene& scene, int32_t body) {
+struct BodyStress {
+  std::vector<std::vector<double>> fields; // sxx, syy, sxy, szz of every element end
+};
+
+void append_end(Collected& c, const Scene& scene, const BodyScene& b, const BodyStress& stress, size_t i,
+                const Image& image) {
+  const Point at = image.place(b.ends[i]);
+  append_vector(c.points, at.x, at.y);
+  c.point_count += 1;
+  if (!scene.solved) return;
+  const Point u = image.direction(b.displacement[i]), t = image.direction(b.traction[i]);
+  const std::vector<std::vector<double>>& s = stress.fields;
+  append_vector(c.displacement, u.x, u.y);
+  append_vector(c.traction, t.x, t.y);
+  append_tensor(c.stress, s[0][i], s[1][i], image.turn.x * image.turn.y * s[2][i], s[3][i]);
+  c.status += std::to_string(b.status[i]) + '\n';
+}
+
+// A body or one of its images. Elements on a line of symmetry are no boundary of the whole body.
+c2d_status collect_body(Collected& c, const Scene& scene, int32_t body, size_t image) {
   const c2d_summary& s = scene.summary;
   const BodyScene& b = scene.bodies[static_cast<size_t>(body) - 1];
-  std::vector<std::vector<double>> stress;
+  BodyStress stress;
   if (scene.solved) {
     const int32_t fields[] = {C2D_END_SXX, C2D_END_SYY, C2D_END_SXY, C2D_END_SZZ};
-    const c2d_status status = get_ends(scene.solver, s, body, fields, 4, stress);
+    const c2d_status status = get_ends(scene.solver, s, body, fields, 4, stress.fields);
     if (status != C2D_OK) return status;
   }
   for (int32_t e = 1; e <= s.elements[body - 1]; ++e) {
-    append_cell(c, body, e, s.function_nodes);
-    for (int32_t l = 0; l < s.function_nodes; ++l) {
-      const size_t i = static_cast<size_t>((e - 1) * s.function_nodes + l);
-      append_vector(c.points, b.ends[i].x, b.ends[i].y);
-      if (scene.solved) {
-        append_vector(c.displacement, b.displacement[i].x, b.displacement[i].y);
-        append_vector(c.traction, b.traction[i].x, b.traction[i].y);
-        append_tensor(c.stress, stress[0][i], stress[1][i], stress[2][i], stress[3][i]);
-        c.status += std::to_string(b.status[i]) + '\n';
-      }
-      c.point_count += 1;
-    }
+    if (b.on_line[static_cast<size_t>(e) - 1]) continue;
+    append_cell(c, body, e, s.function_nodes, image);
+    for (int32_t l = 0; l < s.function_nodes; ++l)
+      append_end(c, scene, b, stress, static_cast<size_t>((e - 1) * s.function_nodes + l), scene.images[image]);
   }
   return C2D_OK;
 }
@@ -82,10 +94,11 @@ void collect_interior(Collected& c, const InteriorPoint& p) {
 
 c2d_status append_vtk(std::string& out, const Scene& scene, const std::vector<InteriorPoint>& interior) {
   Collected c;
-  for (int32_t body = 1; body <= scene.summary.bodies; ++body) {
-    const c2d_status status = collect_body(c, scene, body);
-    if (status != C2D_OK) return status;
-  }
+  for (size_t image = 0; image < scene.images.size(); ++image)
+    for (int32_t body = 1; body <= scene.summary.bodies; ++body) {
+      const c2d_status status = collect_body(c, scene, body, image);
+      if (status != C2D_OK) return status;
+    }
   if (scene.solved)
     for (const InteriorPoint& p : interior) collect_interior(c, p);
   std::string title = scene.summary.title[0] != '\0' ? scene.summary.title : "contact2d";
@@ -99,6 +112,7 @@ c2d_status append_vtk(std::string& out, const Scene& scene, const std::vector<In
   out += "CELL_TYPES " + cells + '\n' + c.types;
   out += "CELL_DATA " + cells + "\nSCALARS body int 1\nLOOKUP_TABLE default\n" + c.body;
   out += "SCALARS element int 1\nLOOKUP_TABLE default\n" + c.element;
+  if (scene.images.size() > 1) out += "SCALARS image int 1\nLOOKUP_TABLE default\n" + c.image;
   if (!scene.solved) return C2D_OK;
   out += "POINT_DATA " + points + "\nVECTORS displacement double\n" + c.displacement;
   out += "VECTORS traction double\n" + c.traction;

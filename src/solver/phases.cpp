@@ -100,6 +100,15 @@ uint64_t path_area(const PhaseSizes& s, const EliminationPlan plan[2], bool flex
   return carver.total();
 }
 
+uint64_t scratch_bytes(const PhaseSizes& s) {
+  int64_t most = full_scratch(s.m, s.m);
+  for (int b = 0; b < 2; ++b) {
+    const int64_t numbers = full_scratch(s.outer[b], s.outer[b] + 2 * s.m + s.cases);
+    if (numbers > most) most = numbers;
+  }
+  return static_cast<uint64_t>(most) * sizeof(Real);
+}
+
 uint64_t phases_use(const PhaseSizes& s, const EliminationPlan plan[2], bool flexibility) {
   uint64_t need = larger(reduction_area(s, nullptr, nullptr), path_area(s, plan, flexibility, nullptr, nullptr));
   for (int b = 0; b < 2; ++b)
@@ -146,7 +155,9 @@ c2d_status choose_plans(const PhaseSizes& s, uint64_t bytes, int32_t forced, Eli
                         bool* flexibility) {
   *flexibility = false;
   // Wide blocks also cost memory in back substitution, beside the tableau: give the panels less until all fits.
-  for (uint64_t share = bytes;; share -= share / 8 + 1) {
+  // Where memory is not scarce, panels leave the kernels their scratch.
+  const uint64_t scratch = scratch_bytes(s);
+  for (uint64_t share = bytes / 8 > scratch ? bytes - scratch : bytes;; share -= share / 8 + 1) {
     const c2d_status status = plan_within(s, share, forced, out);
     if (status != C2D_OK) break;
     if (phases_use(s, out, false) <= bytes) {
@@ -170,7 +181,10 @@ c2d_status phase_need(const Sizes& sizes, uint64_t* minimum, uint64_t* in_core) 
   const c2d_status status = plan_within(s, UINT64_MAX - 1, sizes.panel_columns, plan);
   if (status != C2D_OK) return C2D_ERR_OVERFLOW;
   *in_core = phases_use(s, plan, true);
-  return *minimum == UINT64_MAX || *in_core == UINT64_MAX ? C2D_ERR_OVERFLOW : C2D_OK;
+  const uint64_t scratch = scratch_bytes(s);
+  if (*minimum == UINT64_MAX || *in_core > UINT64_MAX - scratch) return C2D_ERR_OVERFLOW;
+  *in_core += round_up(scratch);
+  return C2D_OK;
 }
 
 } // namespace c2d

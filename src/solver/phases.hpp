@@ -49,7 +49,10 @@ uint64_t elimination_area(const PhaseSizes& s, int b, const EliminationPlan& pla
 uint64_t reduction_area(const PhaseSizes& s, char* base, ReductionArea* out);
 uint64_t path_area(const PhaseSizes& s, const EliminationPlan plan[2], bool flexibility, char* base, PathArea* out);
 
-// The largest of all phases with these plans.
+// Scratch with which the dense kernels run at full speed; taken from what a phase leaves.
+uint64_t scratch_bytes(const PhaseSizes& s);
+
+// The largest of all phases with these plans, without scratch.
 uint64_t phases_use(const PhaseSizes& s, const EliminationPlan plan[2], bool flexibility);
 
 // The plan of one body for these panel and block columns, block numbers not yet set.

@@ -153,10 +153,23 @@ void note_pivots(c2d_solver* s, const PivotStats& stats) {
   if (stats.growth > s->pivot_growth) s->pivot_growth = stats.growth;
 }
 
+// What a phase that uses `area` bytes leaves of the phase area, for the kernels of this machine.
+Engine engine_beside(c2d_solver* s, const PhaseSizes& sizes, uint64_t area, int64_t* used) {
+  const uint64_t left = s->bytes - s->layout.persistent - area, full = scratch_bytes(sizes);
+  const uint64_t bytes = left < full ? left : full;
+  return Engine{kernel_for(best_instructions()), reinterpret_cast<Real*>(array_of<char>(s, kPhase) + area),
+                static_cast<int64_t>(bytes / sizeof(Real)), used};
+}
+
+void note_scratch(c2d_solver* s, uint64_t area, int64_t used) {
+  const uint64_t bytes = s->layout.persistent + area + static_cast<uint64_t>(used) * sizeof(Real);
+  if (bytes > s->peak_bytes) s->peak_bytes = bytes;
+}
+
 // With `loads_only` the matrix has been eliminated, and the loads have changed.
 c2d_status eliminate_body(c2d_solver* s, const Model& m, const PhaseSizes& sizes, int b, bool loads_only) {
   EliminationArea area;
-  elimination_area(sizes, b, s->plan[b], array_of<char>(s, kPhase), &area);
+  const uint64_t bytes = elimination_area(sizes, b, s->plan[b], array_of<char>(s, kPhase), &area);
   const Quadrature quadrature =
       s->options.quadrature == C2D_QUADRATURE_THESIS ? Quadrature::thesis : Quadrature::accurate;
   BodyJob job{s, ColumnSystem{m, b, quadrature, area.diagonal, area.point, area.twin},
@@ -174,14 +187,17 @@ c2d_status eliminate_body(c2d_solver* s, const Model& m, const PhaseSizes& sizes
   const ColumnSource source{&job, assemble_columns};
   const RowSink sink{&job, keep_reduced};
   const Watch watch{&job, watch_column};
+  int64_t scratch = 0;
+  const Engine engine = engine_beside(s, sizes, bytes, &scratch);
   c2d_status status;
   if (loads_only) {
-    status = eliminate_again(s->plan[b], 2 * m.head->contact, source, sink, s->tapes, area.work, watch);
+    status = eliminate_again(s->plan[b], 2 * m.head->contact, source, sink, s->tapes, area.work, watch, engine);
   } else {
     PivotStats stats{};
-    status = eliminate(s->plan[b], source, sink, s->tapes, area.work, &stats, watch);
+    status = eliminate(s->plan[b], source, sink, s->tapes, area.work, &stats, watch, engine);
     note_pivots(s, stats);
   }
+  note_scratch(s, bytes, scratch);
   s->seconds[C2D_PHASE_ASSEMBLE] += job.assembling;
   s->seconds[C2D_PHASE_ELIMINATE] += clock_now(s) - start - job.assembling;
   return status;
@@ -196,11 +212,14 @@ c2d_status tick(void* context) {
 c2d_status reduce_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, bool loads_only) {
   if (m.head->contact == 0) return C2D_OK;
   ReductionArea area;
-  reduction_area(sizes, array_of<char>(s, kPhase), &area);
+  const uint64_t bytes = reduction_area(sizes, array_of<char>(s, kPhase), &area);
   const double start = clock_now(s);
+  int64_t scratch = 0;
   const Reduction reduction{ContactTape{&s->tapes, m.head->contact, m.head->load_cases, area.buffer}, m,
-                            s->inverted, area.first, area.second, area.strip, area.pivots, s, tick};
+                            s->inverted, area.first, area.second, area.strip, area.pivots, s, tick,
+                            engine_beside(s, sizes, bytes, &scratch)};
   const c2d_status status = loads_only ? reduce_loads(reduction) : reduce(reduction);
+  note_scratch(s, bytes, scratch);
   s->seconds[C2D_PHASE_REDUCE] += clock_now(s) - start;
   return status;
 }

@@ -1,6 +1,7 @@
 // Answers: fields, lists, the summary.
 #include <string.h>
 
+#include "model/symmetry.hpp"
 #include "solver/interior.hpp"
 
 namespace c2d {
@@ -45,6 +46,31 @@ c2d_status get_pair_field(c2d_solver* s, int32_t field, int32_t first, int32_t c
   return C2D_OK;
 }
 
+// Where a pair lies on body 1: outside free zones at its node, told as the first element that has it.
+void place_on_body1(const Model& m, const Pair& pair, int32_t* element, double* eta) {
+  *element = pair.element;
+  *eta = pair.eta;
+  if (pair.node[0] < 0) return;
+  int32_t ends[2] = {0, 0};
+  if (all_ends_at_node(m, 0, pair.node[0], ends) == 0) return;
+  const int32_t nf = m.head->function_nodes;
+  *element = ends[0] / nf;
+  *eta = nf > 1 ? -1.0 + 2.0 * (ends[0] % nf) / (nf - 1) : 0.0;
+}
+
+c2d_status get_pair_place(c2d_solver* s, int32_t field, int32_t first, int32_t count, double* out, int64_t stride) {
+  const c2d_status status = check_range(s, s->model.pairs, first, count, out);
+  if (status != C2D_OK) return status;
+  const Model m = model_of(s);
+  for (int32_t i = 0; i < count; ++i) {
+    int32_t element = 0;
+    double eta = 0.0;
+    place_on_body1(m, m.pair[first - 1 + i], &element, &eta);
+    out[i * stride] = field == C2D_PAIR_ELEMENT1 ? element + 1 : eta;
+  }
+  return C2D_OK;
+}
+
 double end_value(const Session& session, int32_t field, int b, int32_t end) {
   const Model& m = session.model;
   const int32_t nf = m.head->function_nodes, element = end / nf, l = end % nf;
@@ -64,7 +90,8 @@ double end_value(const Session& session, int32_t field, int b, int32_t end) {
   case C2D_END_UY: return session.area.displacement[b][2 * static_cast<int64_t>(node) + (field - C2D_END_UX)];
   case C2D_END_TX:
   case C2D_END_TY: return session.area.traction[b][2 * static_cast<int64_t>(end) + (field - C2D_END_TX)];
-  default: return end_stress(session, field, b, end);
+  default: // an element that images replace is no boundary
+    return is_axis_element(m, b, element) ? 0.0 : end_stress(session, field, b, end);
   }
 }
 
@@ -193,8 +220,10 @@ extern "C" c2d_status c2d_get(c2d_solver* s, int32_t field, int32_t body, int32_
   const bool ends = field >= C2D_END_X && field <= C2D_END_HOOP, nodes = field == C2D_NODE_X || field == C2D_NODE_Y;
   const c2d_status status = enter(s, needs_results(field) ? state_bit(C2D_STATE_RUNNING) : kComplete);
   if (status != C2D_OK) return status;
-  if (!pairs && !ends && !nodes) return fail(s, C2D_ERR_ARGUMENT, "there is no such field");
+  const bool places = field == C2D_PAIR_ELEMENT1 || field == C2D_PAIR_ETA1;
+  if (!pairs && !ends && !nodes && !places) return fail(s, C2D_ERR_ARGUMENT, "there is no such field");
   if (pairs) return get_pair_field(s, field, first, count, out, stride);
+  if (places) return get_pair_place(s, field, first, count, out, stride);
   if (body < 1 || body > s->model.bodies) return fail(s, C2D_ERR_ARGUMENT, "there is no such body");
   if (ends) return get_end_field(s, field, body - 1, first, count, out, stride);
   return get_node_field(s, field, body - 1, first, count, out, stride);
@@ -285,40 +314,5 @@ extern "C" c2d_status c2d_get_region(c2d_solver* s, int32_t body, int32_t i, int
   const Region& region = array_of<Region>(s, kRegions + body - 1)[i - 1];
   *first = region.first + 1;
   *last = region.last + 1;
-  return C2D_OK;
-}
-
-extern "C" c2d_status c2d_get_condition(c2d_solver* s, int32_t body, int32_t element, int32_t local, int32_t codes[4],
-                                        double values[4]) {
-  const c2d_status status = enter(s, kComplete);
-  if (status != C2D_OK) return status;
-  if (!codes || !values || body < 1 || body > s->model.bodies || element < 1 ||
-      element > s->model.body[body - 1].elements || local < 1 || local > s->model.function_nodes)
-    return fail(s, C2D_ERR_ARGUMENT, "there is no such element end");
-  const Model m = model_of(s);
-  const int b = body - 1;
-  const int32_t end = (element - 1) * s->model.function_nodes + local - 1;
-  const int32_t node = functional_node(m, b, element - 1, local - 1);
-  const uint8_t code = m.end_code[b][end] & kGiven ? m.end_code[b][end] : static_cast<uint8_t>(kKnownTx | kKnownTy);
-  for (int c = 0; c < 2; ++c) {
-    codes[c] = code & (kKnownTx << c) ? 0 : 1;
-    codes[2 + c] = code & (kKnownUx << c) ? 0 : 1;
-    values[c] = m.end_traction[b][2 * static_cast<int64_t>(end) + c];
-    values[2 + c] = codes[2 + c] == 0 ? m.node_disp[b][2 * static_cast<int64_t>(node) + c] : 0.0;
-  }
-  return C2D_OK;
-}
-
-extern "C" c2d_status c2d_get_point_load(c2d_solver* s, int32_t i, int32_t* body, double xy[2], double force[2]) {
-  const c2d_status status = enter(s, kComplete);
-  if (status != C2D_OK) return status;
-  if (!body || !xy || !force || i < 1 || i > s->model.point_loads)
-    return fail(s, C2D_ERR_ARGUMENT, "there is no such point load");
-  const PointLoad& p = array_of<PointLoad>(s, kPointLoads)[i - 1];
-  *body = p.body + 1;
-  xy[0] = p.x;
-  xy[1] = p.y;
-  force[0] = p.fx;
-  force[1] = p.fy;
   return C2D_OK;
 }

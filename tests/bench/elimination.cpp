@@ -38,8 +38,10 @@ struct Streamed {
   c2d_memory_store store;
   c2d_port port;
   c2d::Tapes tapes;
+  std::vector<Real> scratch;
+  c2d::Engine engine;
 
-  Streamed(int32_t n, uint64_t bytes) : plan(), store(), port(), tapes() {
+  Streamed(int32_t n, uint64_t bytes) : plan(), store(), port(), tapes(), engine() {
     if (c2d::plan_elimination(bytes, n, n, 0, 0, plan, nullptr) != C2D_OK)
       give_up("no plan for the elimination");
     work.resize(c2d::elimination_bytes(n, n, plan.panel_columns, plan.block_columns) + 64);
@@ -54,13 +56,16 @@ struct Streamed {
     if (c2d::open_tape(tapes, C2D_TAPE_LOWER, lower.blocks, lower.max_data_bytes) != C2D_OK ||
         c2d::open_tape(tapes, C2D_TAPE_UPPER, upper.blocks, upper.max_data_bytes) != C2D_OK)
       give_up("no tapes for the elimination");
+    scratch.resize(static_cast<size_t>(c2d::full_scratch(n, n)) + 8);
+    engine = {c2d::kernel_for(c2d::best_instructions()), scratch.data(), c2d::full_scratch(n, n), nullptr};
   }
   Streamed(const Streamed&) = delete;
   Streamed& operator=(const Streamed&) = delete;
   void run(const Matrix& m) {
     unsigned char* start = work.data() + (64 - reinterpret_cast<uintptr_t>(work.data()) % 64) % 64;
     const c2d::ColumnSource source = {const_cast<Matrix*>(&m), Matrix::fill};
-    if (c2d::eliminate(plan, source, {nullptr, nullptr}, tapes, start, nullptr, {nullptr, nullptr}) != C2D_OK)
+    if (c2d::eliminate(plan, source, {nullptr, nullptr}, tapes, start, nullptr, {nullptr, nullptr}, engine) !=
+        C2D_OK)
       give_up("elimination failed");
   }
 };

@@ -86,6 +86,7 @@ private:
   End end(const Outline& region, size_t side, int element, int local) const;
   void zones();
   void loads();
+  void adhesion();
   void symmetry();
 
   const ProblemModel& m_;
@@ -320,6 +321,18 @@ void Writer::loads() {
   for (const Load& load : m_.loads) card(formatted("%5d ", load.increments) + in_10(load.factor));
 }
 
+// The card of coefficients has no word for adhesion; a keyword card has.
+void Writer::adhesion() {
+  if (m_.zones.empty() || std::none_of(m_.friction.begin(), m_.friction.end(), [](double mu) { return std::isinf(mu); }))
+    return;
+  card("*FRICTION");
+  for (size_t zone = 1; zone <= m_.zones.size(); ++zone) {
+    std::string text = std::to_string(zone);
+    for (const double mu : m_.friction) text += std::isinf(mu) ? " INF" : " " + number_in(16, mu);
+    card(text);
+  }
+}
+
 void Writer::symmetry() {
   bool told[2] = {false, false};
   for (const BodyModel& body : m_.bodies)
@@ -338,6 +351,7 @@ std::string Writer::write() {
   for (size_t b = 0; b < m_.bodies.size(); ++b) conditions(b);
   zones();
   loads();
+  adhesion();
   if (m_.images) symmetry();
   for (const std::string& text : m_.keywords) card(text);
   return out_;

@@ -156,8 +156,8 @@ std::string list_families() {
   return out;
 }
 
-bool make_deck(const std::string& name, const std::vector<std::string>& settings, std::string& deck,
-               std::string& error) {
+bool make_model(const std::string& name, const std::vector<std::string>& settings, ProblemModel& model,
+                std::string& error) {
   const Family* family = find_family(name);
   if (family == nullptr) {
     error = "make: '" + name + "' is not a known family; known are";
@@ -168,7 +168,6 @@ bool make_deck(const std::string& name, const std::vector<std::string>& settings
   std::string expected, wrong;
   for (const Parameter& parameter : family->parameters) values.set(parameter, parameter.value, expected);
   std::map<std::string, bool> seen;
-  ProblemModel model;
   bool good = true;
   for (const std::string& setting : settings) good = good && set_one(*family, setting, seen, values, wrong);
   if (good) {
@@ -188,6 +187,13 @@ bool make_deck(const std::string& name, const std::vector<std::string>& settings
     line += (line.empty() ? "  " : " ") + setting;
   }
   if (!line.empty()) model.heading.push_back(line);
+  return true;
+}
+
+bool make_deck(const std::string& name, const std::vector<std::string>& settings, std::string& deck,
+               std::string& error) {
+  ProblemModel model;
+  if (!make_model(name, settings, model, error)) return false;
   deck = write_deck(model);
   return true;
 }

@@ -28,7 +28,7 @@ ProblemModel build(const Values& v) {
   m.title = "HERTZ, " + show(n) + " ELEMENTS OVER THE HALF WIDTH";
   m.function_nodes = v.count("order") + 1;
   m.images = v.word("symmetry") == "images";
-  const std::vector<double> zone = cylinder_zone(radius, h, elements);
+  const std::vector<double> zone = cylinder_zone(radius, {{h, elements}});
   const double ratio = v.number("ratio");
   m.bodies = {{v.number("E1"), v.number("nu1"), {0, 0}, {half_block({zone, size, ratio})}, "the half plane"},
               {v.number("E2"),

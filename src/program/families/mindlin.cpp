@@ -34,7 +34,7 @@ ProblemModel build(const Values& v) {
   const double pi = std::acos(-1.0), compliance = 2 * (1 - nu * nu) / E;
   const double load = pi * a * a / (4 * radius * compliance);
   const int elements = n + (n + 3) / 4 + 1;
-  const std::vector<double> zone = cylinder_zone(radius, a / (n - 0.5), elements);
+  const std::vector<double> zone = cylinder_zone(radius, {{a / (n - 0.5), elements}});
 
   // How far the flanks move for Q mu P: logarithmic in the sizes, as half planes are; the constant is what
   // the shear of block and cylinder and the slip were found to add.

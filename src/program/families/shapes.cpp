@@ -61,12 +61,18 @@ std::vector<double> angles(const std::vector<double>& x, double radius) {
 
 } // namespace
 
-// The step is such that the cards tell the last angle exactly: those between are generated from it. Rounded
+// The angle at the end of every run is one that the cards tell exactly: those between are generated from it. Rounded
 // angles would show in the pressure, as gaps of 1e-8 of the radius do.
-std::vector<double> cylinder_zone(double radius, double step, int elements) {
-  const double edge = std::round(std::asin(elements * step / radius) * kDegrees * 1e6) * 1e-6;
-  std::vector<double> out;
-  for (int i = 0; i <= elements; ++i) out.push_back(radius * std::sin(edge * i / elements / kDegrees));
+std::vector<double> cylinder_zone(double radius, const std::vector<ZoneRun>& runs) {
+  std::vector<double> out{0.0};
+  double from = 0, reached = 0;
+  for (const ZoneRun& run : runs) {
+    reached += run.size * run.elements;
+    const double to = std::round(std::asin(reached / radius) * kDegrees * 1e6) * 1e-6;
+    for (int i = 1; i <= run.elements; ++i)
+      out.push_back(radius * std::sin((from + (to - from) * i / run.elements) / kDegrees));
+    from = to;
+  }
   return out;
 }
 

@@ -20,8 +20,12 @@ Outline half_block(const BlockMesh& mesh);
 // Sides: 0 foot, 1 right, 2 surface, 3 zone, 4 surface, 5 left.
 Outline whole_block(const BlockMesh& mesh);
 
-// Nodes of a zone under a cylinder, about `step` apart there: equal angles.
-std::vector<double> cylinder_zone(double radius, double step, int elements);
+// Nodes of a zone under a cylinder, from its axis: so many elements of about a size, of equal angles, and then others.
+struct ZoneRun {
+  double size;
+  int elements;
+};
+std::vector<double> cylinder_zone(double radius, const std::vector<ZoneRun>& runs);
 
 // The lower half of a cylinder of radius `radius` that touches y = 0, with a flat top at its centre; the
 // zone's nodes lie above those of a block. Arcs are about (0, radius). `top`: the condition of the flat top.

@@ -1,0 +1,64 @@
+#pragma once
+// The inner loops of the elimination, once per instruction set. A product C -= A B goes over tiles of C of
+// `rows` x `cols` numbers that stay in registers: A comes in slices of `rows` rows, B packed, row by row in
+// slices of `cols` columns. Everything around them (blocking, packing, edges) is common: product.cpp, lu.cpp.
+#include "memory/real.hpp"
+#include <stdint.h>
+
+// Small code, as firmware wants it: the plain form alone. -Os asks for it too.
+#if defined(__OPTIMIZE_SIZE__) && !defined(C2D_SMALL)
+#define C2D_SMALL
+#endif
+
+namespace c2d {
+
+#ifdef C2D_SMALL
+constexpr bool kSmallCode = true;
+#else
+constexpr bool kSmallCode = false;
+#endif
+
+struct Kernel {
+  int32_t rows, cols; // of a tile
+  // C (rows x cols) -= A (rows x k) B (k x cols); A and C column-major, B row-major without gaps.
+  void (*tile)(int32_t k, const Real* a, int64_t lda, const Real* b, Real* c, int64_t ldc);
+  // B (n x cols, row-major without gaps) := L^-1 B, L unit lower triangular, column-major.
+  void (*solve)(int32_t n, const Real* l, int64_t ldl, Real* b);
+  // B := U^-1 B, U upper triangular. Where its diagonal is zero, the row of the solution is set to zero.
+  void (*solve_upper)(int32_t n, const Real* u, int64_t ldu, Real* b);
+  // x (m) -= L (m x k) u; returns where the first of the largest absolute values of x is, -1 if all are zero.
+  int32_t (*column)(int32_t m, int32_t k, const Real* l, int64_t ldl, const Real* u, Real* x);
+  // x (n) /= pivot.
+  void (*divide)(int32_t n, Real pivot, Real* x);
+  // The largest absolute value of x (n), 0 if n = 0.
+  Real (*largest)(int32_t n, const Real* x);
+  // A (rows x k) to `to`, without gaps.
+  void (*pack)(int32_t k, const Real* a, int64_t lda, Real* to);
+};
+constexpr int32_t kMostTileNumbers = 24 * 8 * static_cast<int32_t>(sizeof(double) / sizeof(Real));
+
+// Instruction sets, ascending. `plain` is a scalar form that needs no scratch memory and little code.
+enum class Instructions : int32_t { plain = 0, baseline = 1, avx2 = 2, avx512 = 3 };
+// Null for plain, and for a set that this build does not have.
+const Kernel* kernel_for(Instructions set);
+// The best that this build has and this machine runs. Asks the processor each time: keep the answer.
+Instructions best_instructions();
+
+// A kernel and memory to pack into. An engine without a kernel, or with less than engine_numbers(kernel, 1,
+// 1) of scratch, takes the plain form.
+struct Engine {
+  const Kernel* kernel;
+  Real* scratch;   // aligned to 64 bytes
+  int64_t numbers; // its size
+  int64_t* used;   // raised to the most that was taken; or null
+};
+constexpr Engine kPlainEngine = {nullptr, nullptr, 0, nullptr};
+// Numbers of scratch with which engines of any kernel run at full speed on k x n right factors.
+constexpr int64_t kMostTileRows = 24 * static_cast<int64_t>(sizeof(double) / sizeof(Real));
+constexpr int64_t full_scratch(int64_t k, int64_t n) {
+  return (k < 128 ? k : 128) * (kMostTileRows + (n < 128 ? (n + 7) / 8 * 8 : 128));
+}
+// Scratch that packs k x n of a right factor at a time; more makes wider steps.
+int64_t engine_numbers(const Kernel* kernel, int32_t k, int32_t n);
+
+} // namespace c2d

@@ -1,0 +1,137 @@
+#include "report/listing.hpp"
+
+#include "report/listing_items.hpp"
+#include "report/text.hpp"
+
+#include <cmath>
+
+namespace app {
+namespace {
+
+// What every touching pair carries after a change of status (IOUT of 3 or more).
+void append_answers(std::string& out, const c2d_step& step) {
+  static const int kColumns[] = {C2D_TN, C2D_TT, C2D_UN1, C2D_UT1, C2D_UN2, C2D_UT2, C2D_GAP, C2D_SLIP_SUM};
+  out += "            pair           tn           tt          un1          ut1          un2          ut2"
+         "          gap         slip\n";
+  for (int32_t p = 0; p < step.pairs; ++p) {
+    const double* row = step.table + p * step.stride;
+    if (static_cast<int>(row[C2D_STATUS]) == C2D_OPEN) continue;
+    append_column(out, p + 1, 16);
+    for (const int c : kColumns) append_scientific(out, row[c], 13);
+    out += '\n';
+  }
+}
+
+// Does a pair lie between the nodes of body 1?
+bool any_free(const std::vector<ContactEnd>* ends) {
+  for (const ContactEnd& end : ends[0])
+    if (end.local == 0) return true;
+  return false;
+}
+
+// "-0.375", right-aligned in 7 columns.
+void append_place(std::string& out, double eta) {
+  const long thousandths = std::lround(std::fabs(eta) * 1000.0);
+  std::string text = eta < 0.0 && thousandths > 0 ? "-" : "";
+  text += std::to_string(thousandths / 1000) + "." + std::to_string(1000 + thousandths % 1000).substr(1);
+  append_column(out, text.c_str(), 7);
+}
+
+} // namespace
+
+c2d_status append_zones(std::string& out, c2d_solver* solver, const c2d_summary& s) {
+  if (s.zones == 0) return C2D_OK;
+  append_section(out, "Contact zones");
+  out += "    zone   pairs   elements          body 1 elements     nodes             body 2 elements     "
+         "nodes\n";
+  for (int32_t i = 1; i <= s.zones; ++i) {
+    c2d_zone z = C2D_INIT(c2d_zone);
+    const c2d_status status = c2d_get_zone(solver, i, &z);
+    if (status != C2D_OK) return status;
+    append_column(out, i, 8);
+    append_column(out, z.pairs, 8);
+    append_column(out, z.elements, 11);
+    for (int b = 0; b < 2; ++b) {
+      append_column(out, z.first_element[b], b == 0 ? 19 : 20);
+      append_column(out, z.last_element[b], 6);
+      if (z.first_node[b] == 0) { // a free zone: points of body 1, no nodes
+        append_column(out, "points", 12);
+        continue;
+      }
+      append_column(out, z.first_node[b], 6);
+      append_column(out, z.last_node[b], 6);
+    }
+    out += '\n';
+  }
+  return C2D_OK;
+}
+
+void append_step(std::string& out, const c2d_step& step, bool first) {
+  int32_t count[3] = {0, 0, 0};
+  for (int32_t p = 0; p < step.pairs; ++p) {
+    const int32_t status = static_cast<int32_t>(step.table[p * step.stride + C2D_STATUS]);
+    if (status >= 0 && status < 3) ++count[status];
+  }
+  if (first) {
+    append_section(out, "Increments");
+    append_number(append_name(out, "coefficient of friction"), step.mu);
+    out += "\n\n    step    load factor    open   stick    slip changes   status of the pairs (- open, o "
+           "stick, / slip)\n";
+  }
+  if (step.kind == C2D_STEP_CHANGE)
+    append_column(out, "change", 8);
+  else if (step.kind == C2D_STEP_STOPPED)
+    append_column(out, "stopped", 8);
+  else
+    append_column(out, step.step, 8);
+  append_general(out, step.load, 15, 8);
+  for (const int32_t c : count) append_column(out, c, 8);
+  append_column(out, step.changes, 8);
+  out += "   ";
+  static const char kMark[] = "-o/";
+  for (int32_t p = 0; p < step.pairs; ++p) {
+    const int32_t status = static_cast<int32_t>(step.table[p * step.stride + C2D_STATUS]);
+    if (p > 0 && p % 100 == 0) out.append(1, '\n').append(58, ' ');
+    out += status >= 0 && status < 3 ? kMark[status] : '?';
+  }
+  out += '\n';
+  if (step.kind == C2D_STEP_CHANGE) append_answers(out, step);
+}
+
+void append_contact_zone(std::string& out, const CoefficientRecord& c, const std::vector<ContactEnd>* ends,
+                         const c2d_summary& s) {
+  if (s.pairs == 0 || c.table.empty()) return;
+  for (int32_t body = 1; body <= 2; ++body) {
+    append_section(out, body == 1 ? "Contact zone of body 1" : "Contact zone of body 2");
+    append_item(out, "coefficient of friction", c.mu);
+    append_item(out, "load factor", c.load);
+    out +=
+        "  Frame: n from body 1 to body 2, t is n turned by -90 degrees. Tractions act on body 2 per length ";
+    out += any_free(ends) ? "of body 1,\n  in zones between meshes that do not match of body 2; their pairs "
+                            "have a place on "
+                            "an element of body 1, from -1 to 1,\n  instead of an end.\n\n"
+                          : "of body 1.\n\n";
+    out += "    pair element    end            x            y           un           ut           tn         "
+           "  tt"
+           "  status\n";
+    for (const ContactEnd& end : ends[body - 1]) {
+      const double* row = c.table.data() + static_cast<size_t>(end.pair - 1) * C2D_PAIR_FIELDS;
+      append_column(out, end.pair, 8);
+      append_column(out, end.element, 8);
+      if (end.local > 0)
+        append_column(out, end.local, 7);
+      else
+        append_place(out, end.eta);
+      append_scientific(out, end.x, 13);
+      append_scientific(out, end.y, 13);
+      append_scientific(out, row[body == 1 ? C2D_UN1 : C2D_UN2], 13);
+      append_scientific(out, row[body == 1 ? C2D_UT1 : C2D_UT2], 13);
+      append_scientific(out, row[C2D_TN], 13);
+      append_scientific(out, row[C2D_TT], 13);
+      append_column(out, status_word(static_cast<int32_t>(row[C2D_STATUS])), 8);
+      out += '\n';
+    }
+  }
+}
+
+} // namespace app

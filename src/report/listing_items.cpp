@@ -1,0 +1,41 @@
+#include "report/listing_items.hpp"
+
+#include "report/text.hpp"
+
+namespace app {
+
+void append_rule(std::string& out) {
+  out.append(100, '-') += '\n';
+}
+
+void append_section(std::string& out, const char* title) {
+  out += '\n';
+  out += title;
+  out += '\n';
+  append_rule(out);
+}
+
+// "  name ............ value"
+std::string& append_name(std::string& out, const char* name) {
+  const size_t start = out.size();
+  out += "  ";
+  out += name;
+  out += ' ';
+  const size_t used = out.size() - start;
+  if (used < 44) out.append(44 - used, '.');
+  return out += ' ';
+}
+void append_item(std::string& out, const char* name, int64_t value) {
+  append_integer(append_name(out, name), value);
+  out += '\n';
+}
+void append_item(std::string& out, const char* name, double value) {
+  append_number(append_name(out, name), value);
+  out += '\n';
+}
+void append_item(std::string& out, const char* name, const char* value) {
+  append_name(out, name) += value;
+  out += '\n';
+}
+
+} // namespace app

@@ -1,0 +1,284 @@
+// What pictures show of load cases, symmetry by images, zones of meshes that do not match, rigid bodies and
+// several coefficients of friction.
+#include "json.hpp"
+#include "picture_runs.hpp"
+
+using namespace test;
+
+namespace {
+
+const std::string kHatched = "patternTransform";
+
+Result contact2d(const std::string& arguments) {
+  return run_shell("'" C2D_TEST_PROGRAM "' " + arguments);
+}
+
+// Elements of a picture with this name and attribute value.
+std::vector<Element> with(const std::string& svg, const std::string& name, const std::string& attribute,
+                          const std::string& value) {
+  std::vector<Element> all, out;
+  CHECK(read_xml(svg, all).empty());
+  for (const Element& e : all) {
+    const auto found = e.attributes.find(attribute);
+    if (e.name == name && found != e.attributes.end() && found->second == value) out.push_back(e);
+  }
+  return out;
+}
+
+std::vector<app::Point> points_of(const Element& polyline) {
+  std::vector<app::Point> out;
+  std::istringstream in(polyline.attributes.at("points"));
+  char comma;
+  for (app::Point p; in >> p.x >> comma >> p.y;) out.push_back(p);
+  return out;
+}
+
+// The polyline drawn with this colour and width.
+std::vector<app::Point> curve(const std::string& svg, const char* colour, const char* width) {
+  for (const Element& e : with(svg, "polyline", "stroke", colour))
+    if (e.attributes.at("stroke-width") == width) return points_of(e);
+  return {};
+}
+
+// A deck whose zone joins meshes that do not match: nodes 29 and 31 of body 1 are moved.
+std::string free_deck() {
+  std::vector<std::string> lines = lines_of(read_file(C2D_TEST_ROOT "/tests/data/decks/hertz_lin_l.dat"));
+  lines[5] = "    2    0    2";
+  lines[42] = "   29 1.250000000.00000000";
+  lines[44] = "   31 0.830000000.00000000";
+  const size_t first = lines.size() - 7;
+  lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(first),
+              lines.begin() + static_cast<std::ptrdiff_t>(first) + 3);
+  lines[first] = lines[first + 1] = "    0    0";
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return text + "*ZONE 26 34 43 35\n*UNITS mm, kN\n";
+}
+
+} // namespace
+
+TEST_CASE("pictures: the loads of all cases are drawn and named") {
+  const Folder folder;
+  write_file(folder / "deck",
+             read_file(example("sliding_block.dat")) +
+                 "*CASES 3\ncase 2\ncondition 2 25-48 0 0.05 0 0 0\nload 2 0 0.5 0.02 -0.01\n"
+                 "*BODY FORCE 2 3 0 -0.02 0.001 0 0.6\n*PATH\n2 1 0 0\n6 1 0.3 0.5\n"
+                 "6 1 -0.5 1\n");
+  Shown shown;
+  show(shown, folder / "deck");
+  REQUIRE_MESSAGE(shown.result.status == 0, shown.result.err);
+  check_page(shown);
+  const std::string& model = shown.figures["model"];
+  for (const char* entry : {">traction, case 1<", ">traction, case 2<", ">point load, case 2<",
+                            ">body force, case 3<", ">rotation, case 3<"})
+    CHECK_MESSAGE(contains(model, entry), entry);
+  CHECK(!contains(model, "point load, case 1"));
+  CHECK(!contains(model, "traction, case 3"));
+  for (const char* name : {"tractions", "gap", "status", "deformed", "stress", "balance", "path", "energy"})
+    CHECK_MESSAGE(contains(caption_of(shown, name), "step 14 (load factors 1, -0.5, 1)"), name);
+  CHECK(contains(shown.figures["tractions"], ">step 11: load 1, -0.1, 0.75<"));
+  CHECK(contains(shown.figures["path"], "factor of load case 3"));
+
+  Shown one; // a single case needs no number
+  show(one, example("sliding_block.dat"));
+  CHECK(contains(one.figures["model"], ">traction<"));
+  CHECK(!contains(one.figures["model"], ", case"));
+}
+
+TEST_CASE("pictures: the listing has the loads of all cases") {
+  const Folder folder;
+  write_file(folder / "deck",
+             read_file(example("sliding_block.dat")) +
+                 "*CASES 2\ncase 2\ncondition 2 25-26 0 0.0625 0 0 0\nload 2 0 0.5 0.02 -0.01\n"
+                 "*BODY FORCE 2 2 0 -0.03125 0 0 0\n*PATH\n2 1 0\n1 1 0.375\n");
+  const Result run = contact2d("run " + quoted(folder / "deck") + " --listing -");
+  REQUIRE(run.status == 0);
+  int conditions = 0;
+  for (const std::string& line : lines_of(run.out)) {
+    std::istringstream in(line);
+    std::vector<std::string> words;
+    for (std::string word; in >> word;) words.push_back(word);
+    if (words.size() == 8 && words[0] == "2" && words[4] == "0.0625") ++conditions;
+  }
+  CHECK(conditions == 4); // two elements with two ends
+  for (const char* part : {"Point loads", "Body forces", "-0.03125", "0.375", "symmetry by images"})
+    CHECK_MESSAGE(contains(run.out, part), part);
+}
+
+TEST_CASE("pictures: a zone on a line of symmetry goes on beyond it") {
+  Shown shown;
+  show(shown, example("hertz.dat"), "--symmetry images --json -");
+  REQUIRE_MESSAGE(shown.result.status == 0, shown.result.err);
+  check_page(shown);
+  const std::string& svg = shown.figures["tractions_1"];
+  const std::vector<app::Point> pressure = curve(svg, "#0060a8", "2"), friction = curve(svg, "#d55e00", "2");
+  REQUIRE(pressure.size() == 29); // 15 pairs, one of them on the line
+  REQUIRE(friction.size() == 29);
+  const double middle = pressure[14].x, zero = friction[14].y;
+  for (size_t i = 0; i < 14; ++i) {
+    CHECK(pressure[i].x + pressure[28 - i].x == doctest::Approx(2.0 * middle).epsilon(1e-4));
+    CHECK(pressure[i].y == pressure[28 - i].y);
+    CHECK(friction[i].y + friction[28 - i].y == doctest::Approx(2.0 * zero).epsilon(1e-4));
+  }
+  CHECK(friction[18].y < zero - 1.0); // tt > 0 on the side that is modelled, and < 0 on the other
+  CHECK(friction[10].y > zero + 1.0);
+  CHECK(contains(caption_of(shown, "tractions_1"), "is the image"));
+}
+
+TEST_CASE("pictures: loads and supports stand on all sides of a symmetric model") {
+  Shown shown;
+  show(shown, example("make_disc_in_hole.dat"));
+  REQUIRE_MESSAGE(shown.result.status == 0, shown.result.err);
+  check_page(shown);
+  std::vector<Element> arrows, lines;
+  for (const Element& e : with(shown.figures["model"], "line", "stroke", "#d55e00")) arrows.push_back(e);
+  for (const Element& e : with(shown.figures["model"], "line", "stroke-dasharray", "14 4 3 4"))
+    if (number_of(e, "x1") == number_of(e, "x2")) lines.push_back(e);
+  REQUIRE(!lines.empty());
+  const double axis = number_of(lines[0], "x1");
+  int left = 0, right = 0;
+  for (const Element& e : arrows) {
+    if (e.attributes.count("stroke-dasharray") || number_of(e, "y1") > 350.0) continue; // the legend's
+    if (number_of(e, "x2") > axis) {
+      ++right;
+      CHECK(number_of(e, "x2") > number_of(e, "x1")); // pulled outwards
+    } else {
+      ++left;
+      CHECK(number_of(e, "x2") < number_of(e, "x1"));
+    }
+  }
+  CHECK(left == right);
+  CHECK(left > 5);
+  CHECK(contains(shown.figures["tractions"], "from the line of symmetry x = 0"));
+}
+
+TEST_CASE("pictures: hoop stress of a ring by images is Lame's, without the lines") {
+  Shown shown;
+  show(shown, example("thick_ring.dat"), "--symmetry images");
+  REQUIRE_MESSAGE(shown.result.status == 0, shown.result.err);
+  // p (a a + b b) / (b b - a a) with a = 1, b = 2, p = 100: 166.67 at the inner side.
+  const std::string caption = caption_of(shown, "boundary"), words = "the largest in size is ";
+  const size_t at = caption.find(words);
+  REQUIRE(at != std::string::npos);
+  CHECK(std::stod(caption.substr(at + words.size())) == doctest::Approx(166.67).epsilon(0.005));
+}
+
+TEST_CASE("pictures: zones of meshes that do not match say what tractions are measured by") {
+  const Folder folder;
+  write_file(folder / "deck", free_deck());
+  Shown shown;
+  show(shown, folder / "deck");
+  REQUIRE_MESSAGE(shown.result.status == 0, shown.result.err);
+  check_page(shown);
+  CHECK(contains(shown.figures["tractions"], ">tn per length of body 2 [kN/mm&#178;]<"));
+  CHECK(contains(caption_of(shown, "tractions"), "tn and tt are per unit of length of body 2"));
+  CHECK(contains(caption_of(shown, "model"), "Zone 1 joins nodes of body 2 to points of body 1"));
+  Shown matching;
+  show(matching, example("hertz.dat"));
+  CHECK(!contains(matching.page, "length of body 2"));
+
+  const Result run = contact2d("run " + quoted(folder / "deck") + " --listing -");
+  REQUIRE(run.status == 0);
+  CHECK(contains(run.out, "      points  "));
+  const size_t zone = run.out.find("Contact zone of body 1");
+  REQUIRE(zone != std::string::npos);
+  int whole = 0, between = 0; // pair, element, place
+  for (const std::string& line :
+       lines_of(run.out.substr(zone, run.out.find("Contact zone of body 2") - zone))) {
+    std::istringstream in(line);
+    int pair = 0, element = 0;
+    double place = 9.0;
+    if (!(in >> pair >> element >> place)) continue;
+    CHECK(element >= 26);
+    CHECK(element <= 34);
+    (std::fabs(place) == 1.0 ? whole : between)++;
+  }
+  CHECK(whole == 8);
+  CHECK(between == 2);
+}
+
+TEST_CASE("pictures: a rigid body is shown as one, with its motion") {
+  const Folder folder;
+  write_file(folder / "deck",
+             read_file(example("hertz.dat")) + "*CASES 2\n*RIGID\n2 0 0.02 0 0 0\n*PATH\n4 0.5 0\n4 0.5 1\n");
+  Shown shown;
+  show(shown, folder / "deck");
+  REQUIRE_MESSAGE(shown.result.status == 0, shown.result.err);
+  check_page(shown);
+  const std::string& model = shown.figures["model"];
+  for (const char* entry : {">body 1, rigid<", ">motion of the rigid body, case 2<"})
+    CHECK_MESSAGE(contains(model, entry), entry);
+  CHECK(contains(model, kHatched));
+  CHECK(contains(caption_of(shown, "model"),
+                 "body 1 has 46 elements, rigid; body 2 has 58 elements, E = 1000"));
+  const Result run = contact2d("run " + quoted(folder / "deck") + " --listing -");
+  CHECK(contains(run.out, "Body 1 is rigid"));
+}
+
+TEST_CASE("pictures: energy of every coefficient, as the JSON says") {
+  Shown shown;
+  show(shown, example("rough_plates.dat"), "--json " + quoted(shown.folder / "r.json"));
+  REQUIRE(shown.result.status == 0);
+  const Json json = JsonReader::read(read_file(shown.folder / "r.json"));
+  std::map<double, const Json*> last;
+  for (const Json& step : json["steps_detail"].items) last[step["mu"].number] = &step;
+  REQUIRE(last.size() == 4);
+  const std::string caption = caption_of(shown, "energy");
+  for (const auto& entry : last) {
+    for (const char* key : {"work", "elastic", "dissipated"})
+      CHECK_MESSAGE(contains(caption, six((*entry.second)[key].number)), caption << " lacks " << key);
+    CHECK(contains(shown.figures["energy"], "&#956; = " + six(entry.first) + ": dissipated by friction"));
+  }
+  check_page(shown);
+}
+
+TEST_CASE("pictures: a peak at an edge leaves the rest of the zone to be seen") {
+  Shown shown;
+  show(shown, example("make_punch.dat"));
+  REQUIRE(shown.result.status == 0);
+  check_page(shown);
+  const std::vector<PairRow> rows = last_rows(read_file(shown.folder / "c.csv"), 0.265);
+  REQUIRE(rows.size() == 145);
+  double largest = 0.0, centre = 0.0;
+  for (const PairRow& row : rows) {
+    largest = std::max(largest, row.tn);
+    if (row.x == 0.0) centre = row.tn;
+  }
+  REQUIRE(largest > 100.0 * centre);
+  char text[40];
+  std::snprintf(text, sizeof text, "up to %.4g at s = 1<", largest);
+  CHECK_MESSAGE(contains(shown.figures["tractions"], text), text);
+  const std::vector<app::Point> pressure = curve(shown.figures["tractions"], "#0060a8", "2");
+  REQUIRE(pressure.size() == 289);
+  const std::vector<Element> frames = with(shown.figures["tractions"], "rect", "height", "210");
+  REQUIRE(frames.size() >= 2);
+  const double bottom = number_of(frames[0], "y") + 210.0;
+  CHECK(bottom - pressure[144].y > 0.05 * 210.0); // the middle stands clear of the axis
+}
+
+TEST_CASE("pictures: a flat zone is stretched, so that its gap is seen") {
+  Shown shown;
+  show(shown, example("make_mindlin.dat"));
+  REQUIRE(shown.result.status == 0);
+  CHECK(contains(shown.figures["deformed"], "Contact zone, true, y stretched"));
+  check_page(shown);
+}
+
+TEST_CASE("pictures: lines of symmetry are told by check, listing and JSON") {
+  const std::string ring = quoted(example("thick_ring.dat"));
+  const Result images = contact2d("check " + ring + " --symmetry images"), plain = contact2d("check " + ring);
+  CHECK(images.status == 0);
+  CHECK(contains(images.out, "symmetry by images          x = 0, y = 0\n"));
+  CHECK(contains(plain.out, "symmetry by images          none\n"));
+  CHECK(contact2d("check " + ring + " --symmetry=images").status == 0);
+  CHECK(contact2d("check --symmetry mirror " + ring).status == 64);
+  CHECK(contact2d("check " + quoted(example("plate_tension.dat")) + " --symmetry images").status == 0);
+  const Result listing = contact2d("run " + ring + " --symmetry images --listing -");
+  CHECK(contains(listing.out, "symmetry by images ....................... x = 0, y = 0\n"));
+  const Json json = JsonReader::read(contact2d("run " + ring + " --symmetry images --json -").out);
+  REQUIRE(json["symmetry"].items.size() == 2);
+  CHECK(json["symmetry"].items[0]["axis"].text == "x");
+  CHECK(json["symmetry"].items[0]["at"].number == 0.0);
+  CHECK(json["symmetry"].items[1]["axis"].text == "y");
+  CHECK(JsonReader::read(contact2d("run " + ring + " --json -").out)["symmetry"].items.empty());
+}
