@@ -1,4 +1,5 @@
-# contact2d. Targets: all (default) demo chapter9 test bench convergence install uninstall list relist format clean.
+# contact2d. Targets: all (default) demo chapter9 test bench convergence install uninstall list relist symbols
+#   format clean.
 # Variables: CXX CC AR CXXFLAGS CFLAGS CPPFLAGS LDFLAGS BUILD PREFIX DESTDIR LIBDIR DOCTEST_INCLUDE NO_INSTALL.
 # What is compiled stands in src/sources.mk, which CMakeLists.txt reads too.
 include src/sources.mk
@@ -49,7 +50,7 @@ PROGRAM := $(BUILD)/contact2d
 TESTS   := $(BUILD)/tests/run_tests
 
 .DELETE_ON_ERROR:
-.PHONY: all demo chapter9 test bench convergence install uninstall list relist format clean FORCE
+.PHONY: all demo chapter9 test bench convergence install uninstall list relist symbols format clean FORCE
 all: $(LIBRARY) $(PROGRAM)
 
 # ---------------------------------------------------------------- objects
@@ -78,12 +79,13 @@ $(LIBRARY): $(CORE_OBJECTS) $(PORT_OBJECTS) src/sources.mk
 	rm -f $@
 	$(AR) rcs $@ $(CORE_OBJECTS) $(PORT_OBJECTS)
 
-# Only the names of the interface leave the shared library.
-$(BUILD)/exports: Makefile | $(BUILD)/flags
-	echo '{ global: c2d_*; local: *; };' > $@
-$(SHARED): $(CORE_OBJECTS) $(PORT_OBJECTS) $(BUILD)/exports
-	$(CC) -shared $(LDFLAGS) -Wl,-soname,libcontact2d.so.$(SOVERSION) -Wl,--version-script,$(BUILD)/exports \
+# Linked as C: nothing of the C++ run-time is needed. Only the names of the interface leave it; a list of them is kept.
+EXPORTS := port/packaging/contact2d.map
+$(SHARED): $(CORE_OBJECTS) $(PORT_OBJECTS) $(EXPORTS)
+	$(CC) -shared $(LDFLAGS) -Wl,-soname,libcontact2d.so.$(SOVERSION) -Wl,--version-script,$(EXPORTS) \
 	  -o $@ $(CORE_OBJECTS) $(PORT_OBJECTS) -lm
+symbols: $(SHARED)
+	sh port/packaging/symbols.sh $(SHARED) port/packaging/contact2d.symbols $(VERSION)
 
 # With the C++ run-time inside, where there is a static one: a run of 5 ms would spend a tenth on loading it.
 $(PROGRAM): $(PROGRAM_OBJECTS) $(REPORT_OBJECTS) $(LIBRARY)
@@ -97,6 +99,7 @@ include port/cortex-m/embedded.mk
 TEST_DEFINES = -DC2D_TEST_ROOT='"$(CURDIR)"' -DC2D_TEST_BUILD='"$(abspath $(BUILD))"' -DC2D_TEST_CC='"$(CC)"' \
   -DC2D_TEST_CXX='"$(CXX)"' -DC2D_TEST_LIBRARY='"$(abspath $(LIBRARY))"' \
   -DC2D_TEST_CORE='"$(abspath $(LIBRARY))"' -DC2D_TEST_PROGRAM='"$(abspath $(PROGRAM))"' \
+  -DC2D_TEST_SHARED='"$(abspath $(SHARED))"' \
   -DC2D_TEST_CHAPTER9='"$(abspath $(BUILD))/obj/chapter9"'
 
 $(BUILD)/tests/doctest: tests/doctest.sh | $(BUILD)/flags
@@ -178,7 +181,7 @@ format:
 	clang-format -i $(wildcard src/*/*.[ch]pp port/*/*.[ch]* tests/*.[ch]pp)
 
 # ---------------------------------------------------------------- install
-PORT_HEADERS := $(wildcard port/*/c2d_*.h)
+PORT_HEADERS := $(wildcard port/*/c2d_*.h) port/fortran/contact2d.f90
 CMAKEDIR := $(LIBDIR)/cmake/contact2d
 INSTALLED := $(BINDIR)/contact2d $(LIBDIR)/libcontact2d.a $(LIBDIR)/libcontact2d.so.$(VERSION) \
   $(LIBDIR)/libcontact2d.so.$(SOVERSION) $(LIBDIR)/libcontact2d.so $(INCLUDEDIR)/contact2d.h \
@@ -206,7 +209,7 @@ uninstall:
 clean:
 	rm -rf $(BUILD)/obj $(BUILD)/tests $(BUILD)/demo $(BUILD)/bench $(BUILD)/convergence $(BUILD)/chapter9 \
 	  $(BUILD)/embedded
-	rm -f $(LIBRARY) $(BUILD)/libcontact2d.so.* $(PROGRAM) $(BUILD)/flags $(BUILD)/exports
+	rm -f $(LIBRARY) $(BUILD)/libcontact2d.so.* $(PROGRAM) $(BUILD)/flags
 	-rmdir $(BUILD) 2>/dev/null || true
 
 -include $(wildcard $(BUILD)/obj/*.d $(BUILD)/tests/*.d $(BUILD)/bench/*.d $(BUILD)/convergence/*.d)

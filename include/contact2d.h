@@ -474,7 +474,8 @@ typedef struct c2d_step {
                                  functions along body 1                                             */
   double elastic;             /* energy stored in both bodies                                       */
   double energy_defect;       /* (work - elastic - dissipated) over the largest of the three on the path so far;
-                                 the error of the mesh                                              */
+                                 the error of the mesh, whose equations are not quite symmetric: largest at
+                                 corners, as those of a meshed line of symmetry                     */
 } c2d_step;
 enum { C2D_STEP_RECORDED = 0, C2D_STEP_CHANGE = 1, C2D_STEP_STOPPED = 2 };
 typedef int32_t (*c2d_step_fn)(void* context, const c2d_step* step); /* non-zero: stop, C2D_ERR_CALLBACK */

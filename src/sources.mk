@@ -1,5 +1,6 @@
 # What is compiled, one file a line: read by Makefile (include) and by CMakeLists.txt (file(STRINGS)).
 # `make list` compares it with the folders, `make relist` writes it anew.
+PORTS += fortran
 PORTS += memory
 PORTS += posix
 PORTS += stdio
@@ -88,7 +89,9 @@ CORE_SOURCES += src/solver/condition_calls.cpp
 CORE_SOURCES += src/solver/create.cpp
 CORE_SOURCES += src/solver/drift.cpp
 CORE_SOURCES += src/solver/energy.cpp
+CORE_SOURCES += src/solver/energy_boundary.cpp
 CORE_SOURCES += src/solver/energy_functionals.cpp
+CORE_SOURCES += src/solver/energy_loads.cpp
 CORE_SOURCES += src/solver/entry.cpp
 CORE_SOURCES += src/solver/interior.cpp
 CORE_SOURCES += src/solver/load_calls.cpp
@@ -109,6 +112,13 @@ CORE_SOURCES += src/solver/zone_calls.cpp
 CORE_SOURCES += src/solver/zone_state.cpp
 CORE_SOURCES += src/store/block.cpp
 CORE_SOURCES += src/store/tapes.cpp
+PORT_SOURCES += port/fortran/fortran77.cpp
+PORT_SOURCES += port/fortran/fortran77_deck.cpp
+PORT_SOURCES += port/fortran/fortran77_keep.cpp
+PORT_SOURCES += port/fortran/fortran77_model.cpp
+PORT_SOURCES += port/fortran/fortran77_results.cpp
+PORT_SOURCES += port/fortran/fortran77_solve.cpp
+PORT_SOURCES += port/fortran/fortran77_words.cpp
 PORT_SOURCES += port/memory/c2d_memory.cpp
 PORT_SOURCES += port/posix/c2d_posix.cpp
 PORT_SOURCES += port/stdio/c2d_stdio.cpp

@@ -53,7 +53,7 @@ void keep_entry(void* context, const c2d_error* entry) {
 
 int32_t keep_step(void* context, const c2d_step* now) {
   Step step{now->kind, now->coefficient, now->step, now->changes, now->iterations, now->outcome,
-            now->mu,   now->load,        {}};
+            now->mu,   now->load,        {}, now->work, now->dissipated, now->elastic, now->energy_defect};
   for (int32_t p = 0; p < now->pairs; ++p)
     step.table.insert(step.table.end(), now->table + p * now->stride,
                       now->table + p * now->stride + C2D_PAIR_FIELDS);
@@ -202,7 +202,8 @@ c2d_status follow_loads(c2d_solver* s, const Setup& setup, Result& r) {
     const double load[2] = {setup.advance_loads[i], cases == 2 ? setup.advance_second[i] : 0.0};
     status = c2d_advance(s, load, cases, &r.outcome);
     c2d_get_summary(s, &r.summary);
-    Step step{C2D_STEP_RECORDED, 1, ++number, 0, 0, r.outcome, setup.advance_mu, r.summary.load, {}};
+    Step step{C2D_STEP_RECORDED, 1, ++number, 0, 0, r.outcome, setup.advance_mu, r.summary.load, {},
+              r.summary.work, r.summary.dissipated, r.summary.elastic, r.summary.energy_defect};
     if (r.outcome != C2D_REACHED) step.kind = C2D_STEP_STOPPED;
     step.table.resize(index(r.summary.pairs * C2D_PAIR_FIELDS));
     for (int32_t field = 0; field < C2D_PAIR_FIELDS && r.summary.pairs > 0 && status == C2D_OK; ++field)
@@ -652,6 +653,38 @@ Problem with_geometry(const Problem& p, int32_t element_nodes) {
           to.xy.push_back((1 - s) * from[i + 1] + s * from[j + 1]);
         }
       }
+  }
+  return q;
+}
+
+Problem cut_in_two(const Problem& p,
+                   const std::function<void(int body, const double* from, const double* to, double* middle)>& place) {
+  Problem q = with_functions(p, 3); // conditions in the middle
+  q.function_nodes = 2;
+  for (size_t b = 0; b < p.bodies.size(); ++b) {
+    const Body& from = p.bodies[b];
+    Body& to = q.bodies[b];
+    const std::vector<End> ends = to.ends;
+    to.xy.clear(), to.ends.clear(), to.regions.clear();
+    for (const Range& r : from.regions) {
+      to.regions.push_back({2 * r.first - 1, 2 * r.last});
+      for (int32_t e = r.first; e <= r.last; ++e) {
+        const double* one = &from.xy[index(2 * (e - 1))];
+        const double* two = &from.xy[index(2 * ((e == r.last ? r.first : e + 1) - 1))];
+        double middle[2] = {0.5 * (one[0] + two[0]), 0.5 * (one[1] + two[1])};
+        place(static_cast<int>(b) + 1, one, two, middle);
+        to.xy.insert(to.xy.end(), {one[0], one[1], middle[0], middle[1]});
+        for (const int32_t l : {0, 1, 1, 2}) to.ends.push_back(ends[index(3 * (e - 1) + l)]);
+      }
+    }
+  }
+  for (c2d_zone& z : q.zones) { // its nodes follow the functions
+    for (int b = 0; b < 2; ++b) {
+      const bool up = (z.first_element[b] <= z.last_element[b]);
+      z.first_element[b] = up ? 2 * z.first_element[b] - 1 : 2 * z.first_element[b];
+      z.last_element[b] = up ? 2 * z.last_element[b] : 2 * z.last_element[b] - 1;
+    }
+    z.elements *= 2;
   }
   return q;
 }

@@ -84,6 +84,7 @@ struct Step {
   c2d_outcome outcome;
   double mu, load;
   std::vector<double> table; // pairs x C2D_PAIR_FIELDS
+  double work = 0, dissipated = 0, elastic = 0, defect = 0;
   double at(int pair, int field) const { return table[static_cast<size_t>(pair * C2D_PAIR_FIELDS + field)]; }
   int pairs() const { return static_cast<int>(table.size()) / C2D_PAIR_FIELDS; }
 };
@@ -126,6 +127,8 @@ Problem split(Problem p, int32_t times); // every load card into `times` as many
 // Linear elements and functions to these orders; conditions at inner nodes follow from those at both ends.
 Problem with_functions(const Problem& p, int32_t function_nodes);
 Problem with_geometry(const Problem& p, int32_t element_nodes);
+// Every element of linear ones cut in two, between points that `place` moves to where they belong.
+Problem cut_in_two(const Problem& p, const std::function<void(int body, const double* from, const double* to, double* middle)>& place);
 
 // ---- bodies by hand
 // ---------------------------------------------------------------------------------------------

@@ -1,0 +1,207 @@
+// A model by calls: section 5 of contact2d.h in FORTRAN's clothes.
+#include "fortran77.hpp"
+
+#include <string.h>
+
+using namespace c2d::fortran;
+
+void c2prob_(Work work, In iplane, In iout, In itmax, Text title, In ltitle, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    c2d_problem problem = C2D_INIT(c2d_problem);
+    problem.plane = integer_at(iplane);
+    problem.analysis = integer_at(iout);
+    problem.iteration_limit = integer_at(itmax);
+    const int32_t room = static_cast<int32_t>(sizeof problem.title), length = integer_at(ltitle);
+    get_text(title, length < room ? length : room - 1, problem.title, room);
+    call.status = c2d_set_problem(call.solver, &problem);
+  }
+  call.leave(ierr);
+}
+
+void c2body_(Work work, In ibody, In nbn, In nel, In nren, In nopen, In young, In poiss, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    c2d_body body = C2D_INIT(c2d_body);
+    body.element_nodes = integer_at(nbn);
+    body.elements = integer_at(nel);
+    body.regions = integer_at(nren);
+    body.open_regions = integer_at(nopen);
+    body.youngs_modulus = real_at(young);
+    body.poisson_ratio = real_at(poiss);
+    call.status = c2d_set_body(call.solver, integer_at(ibody), &body);
+  }
+  call.leave(ierr);
+}
+
+void c2regn_(Work work, In ibody, In ifirst, In ilast, Out ierr) {
+  Call call(work);
+  if (call.ready())
+    call.status = c2d_add_region(call.solver, integer_at(ibody), integer_at(ifirst), integer_at(ilast));
+  call.leave(ierr);
+}
+
+// The last node goes first: if there are too many, nothing has been changed when that is found.
+void c2node_(Work work, In ibody, In ifirst, In n, In xy, In ldxy, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    const int32_t body = integer_at(ibody), first = integer_at(ifirst), count = integer_at(n);
+    const int64_t stride = integer_at(ldxy);
+    if (is_aligned(xy) || count < 1 || stride < 2) {
+      call.status = c2d_set_nodes(call.solver, body, first, count,
+                                  is_aligned(xy) ? static_cast<const double*>(xy) : nullptr, stride);
+    } else {
+      for (int32_t i = count - 1; i >= 0 && call.status == C2D_OK; --i) {
+        const Reals point(static_cast<const char*>(xy) + i * stride * 8, 2);
+        call.status = first > INT32_MAX - i ? C2D_ERR_ARGUMENT
+                                            : c2d_set_nodes(call.solver, body, first + i, 1, point.data(), 2);
+      }
+    }
+  }
+  call.leave(ierr);
+}
+
+void c2cond_(Work work, In ibody, In ielem, In ilocal, In icodes, In values, In icase, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    int32_t codes[4];
+    memcpy(codes, icodes, sizeof codes);
+    const Reals known(values, 4);
+    call.status = c2d_set_condition(call.solver, integer_at(ibody), integer_at(ielem), integer_at(ilocal),
+                                    codes, known.data(), integer_at(icase));
+  }
+  call.leave(ierr);
+}
+
+void c2case_(Work work, In ibody, In ielem, In ilocal, In values, In icase, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    const Reals known(values, 4);
+    call.status = c2d_set_case_values(call.solver, integer_at(ibody), integer_at(ielem), integer_at(ilocal),
+                                      known.data(), integer_at(icase));
+  }
+  call.leave(ierr);
+}
+
+void c2load_(Work work, In ibody, In x, In y, In fx, In fy, In icase, Out ierr) {
+  Call call(work);
+  if (call.ready())
+    call.status = c2d_add_point_load(call.solver, integer_at(ibody), real_at(x), real_at(y), real_at(fx),
+                                     real_at(fy), integer_at(icase));
+  call.leave(ierr);
+}
+
+void c2rigd_(Work work, In icase, In ux, In uy, In rotatn, In x0, In y0, Out ierr) {
+  Call call(work);
+  if (call.ready())
+    call.status = c2d_set_rigid(call.solver, integer_at(icase), real_at(ux), real_at(uy), real_at(rotatn),
+                                real_at(x0), real_at(y0));
+  call.leave(ierr);
+}
+
+void c2intf_(Work work, In icase, Out ierr) {
+  Call call(work);
+  if (call.ready()) call.status = c2d_set_interference(call.solver, integer_at(icase));
+  call.leave(ierr);
+}
+
+void c2bfor_(Work work, In ibody, In icase, In bx, In by, In rhom2, In x0, In y0, Out ierr) {
+  Call call(work);
+  if (call.ready())
+    call.status = c2d_set_body_force(call.solver, integer_at(ibody), integer_at(icase), real_at(bx),
+                                     real_at(by), real_at(rhom2), real_at(x0), real_at(y0));
+  call.leave(ierr);
+}
+
+// IELEM and INODE as on the zone cards: first and last of body 1, first and last of body 2.
+void c2zone_(Work work, In npairs, In nelem, In ielem, In inode, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    c2d_zone zone = C2D_INIT(c2d_zone);
+    zone.pairs = integer_at(npairs);
+    zone.elements = integer_at(nelem);
+    for (int32_t body = 0; body < 2; ++body) {
+      zone.first_element[body] = integer_at(ielem, 2 * body);
+      zone.last_element[body] = integer_at(ielem, 2 * body + 1);
+      zone.first_node[body] = integer_at(inode, 2 * body);
+      zone.last_node[body] = integer_at(inode, 2 * body + 1);
+    }
+    call.status = c2d_add_zone(call.solver, &zone);
+  }
+  call.leave(ierr);
+}
+
+void c2free_(Work work, In ielem, In nelem, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    c2d_free_zone zone = C2D_INIT(c2d_free_zone);
+    for (int32_t body = 0; body < 2; ++body) {
+      zone.first_element[body] = integer_at(ielem, 2 * body);
+      zone.last_element[body] = integer_at(ielem, 2 * body + 1);
+      zone.elements[body] = integer_at(nelem, body);
+    }
+    call.status = c2d_add_free_zone(call.solver, &zone);
+  }
+  call.leave(ierr);
+}
+
+void c2mu_(Work work, In fmu, Out ierr) {
+  Call call(work);
+  if (call.ready()) call.status = c2d_add_friction(call.solver, real_at(fmu));
+  call.leave(ierr);
+}
+
+void c2muz_(Work work, In izone, In i, In fmu, Out ierr) {
+  Call call(work);
+  if (call.ready())
+    call.status = c2d_set_zone_friction(call.solver, integer_at(izone), integer_at(i), real_at(fmu));
+  call.leave(ierr);
+}
+
+void c2symm_(Work work, In iaxis, In value, Out ierr) {
+  Call call(work);
+  if (call.ready()) call.status = c2d_set_symmetry(call.solver, integer_at(iaxis), real_at(value));
+  call.leave(ierr);
+}
+
+void c2path_(Work work, In ninc, In factor, In ncases, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    const int32_t cases = integer_at(ncases);
+    const Reals load(factor, cases);
+    call.status =
+        !load.ok() ? C2D_ERR_LIMIT : c2d_add_path_point(call.solver, integer_at(ninc), load.data(), cases);
+  }
+  call.leave(ierr);
+}
+
+void c2clrp_(Work work, Out ierr) {
+  Call call(work);
+  if (call.ready()) call.status = c2d_clear_paths(call.solver);
+  call.leave(ierr);
+}
+
+void c2unit_(Work work, Text length, In llen, Text force, In lforce, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    char names[2][24]; // the library refuses what is longer than it keeps
+    const int32_t room = static_cast<int32_t>(sizeof names[0]);
+    get_text(length, integer_at(llen) < room ? integer_at(llen) : room - 1, names[0], room);
+    get_text(force, integer_at(lforce) < room ? integer_at(lforce) : room - 1, names[1], room);
+    call.status = c2d_set_units(call.solver, names[0], names[1]);
+  }
+  call.leave(ierr);
+}
+
+void c2line_(Work work, In iline, In icol, In icol2, Out ierr) {
+  Call call(work);
+  if (call.ready())
+    call.status = c2d_set_line(call.solver, integer_at(iline), integer_at(icol), integer_at(icol2));
+  call.leave(ierr);
+}
+
+void c2done_(Work work, Out ierr) {
+  Call call(work);
+  if (call.ready()) call.status = c2d_complete(call.solver);
+  call.leave(ierr);
+}

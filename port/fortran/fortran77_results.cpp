@@ -1,0 +1,264 @@
+// Answers: fields, points inside, summary, the model's lists.
+#include "fortran77.hpp"
+
+#include <string.h>
+
+using namespace c2d::fortran;
+
+namespace {
+
+const char* behind(In from, int64_t reals) {
+  return static_cast<const char*>(from) + reals * 8;
+}
+char* behind(Out to, int64_t reals) {
+  return static_cast<char*>(to) + reals * 8;
+}
+
+constexpr int32_t kChunk = 32; // entries fetched at a time where the caller's array stands at an odd address
+
+c2d_status get_in_chunks(c2d_solver* solver, int32_t field, int32_t body, int32_t first, int32_t count, Out a,
+                         int64_t stride) {
+  double some[kChunk];
+  for (int32_t done = 0; done < count; done += kChunk) {
+    const int32_t now = count - done < kChunk ? count - done : kChunk;
+    if (first > INT32_MAX - done) return C2D_ERR_ARGUMENT;
+    const c2d_status status = c2d_get(solver, field, body, first + done, now, some, 1);
+    if (status != C2D_OK) return status;
+    for (int32_t i = 0; i < now; ++i) put_real(behind(a, (done + i) * stride), some[i]);
+  }
+  return C2D_OK;
+}
+
+c2d_status points_one_by_one(c2d_solver* solver, int32_t body, int32_t count, In xy, int64_t xy_stride, Out a,
+                             int64_t stride) {
+  double row[C2D_POINT_FIELDS];
+  for (int32_t i = 0; i < count; ++i) {
+    const double point[2] = {real_at(behind(xy, i * xy_stride)), real_at(behind(xy, i * xy_stride), 1)};
+    const c2d_status status = c2d_interior(solver, body, 1, point, 2, row, C2D_POINT_FIELDS);
+    if (status != C2D_OK) return status;
+    memcpy(behind(a, i * stride), row, sizeof row);
+  }
+  return C2D_OK;
+}
+
+// The first `count` of a list of numbers, or all of it.
+template <class T, class Put> void put_list(Out to, int32_t count, const T* list, int32_t length, Put put) {
+  for (int32_t i = 0; i < count && i < length; ++i) put(to, list[i], i);
+}
+
+void put_summary(const c2d_summary& s, Out isum, int32_t ni, Out rsum, int32_t nr) {
+  const int32_t events = s.events > INT32_MAX ? INT32_MAX : static_cast<int32_t>(s.events);
+  const int32_t integers[] = {
+      s.state,      s.outcome,  s.outcome_body, s.outcome_pair, s.bodies,           s.function_nodes,
+      s.pairs,      s.zones,    s.steps,        s.coefficients, s.elements[0],      s.elements[1],
+      s.nodes[0],   s.nodes[1], s.unknowns[0],  s.unknowns[1],  s.contact_unknowns, s.paths,
+      s.load_cases, s.warnings, events};
+  double reals[28] = {s.load,
+                      s.mu,
+                      s.force_applied,
+                      s.force_contact,
+                      s.force_error,
+                      s.max_residual,
+                      s.elimination_residual,
+                      s.condition,
+                      s.work,
+                      s.dissipated,
+                      s.elastic,
+                      s.energy_defect,
+                      s.tension_ratio};
+  memcpy(reals + 13, s.applied, sizeof s.applied);
+  memcpy(reals + 19, s.contact, sizeof s.contact);
+  memcpy(reals + 25, s.free_motion, sizeof s.free_motion);
+  put_list(isum, ni, integers, static_cast<int32_t>(sizeof integers / sizeof *integers), put_integer);
+  put_list(rsum, nr, reals, static_cast<int32_t>(sizeof reals / sizeof *reals), put_real);
+}
+
+} // namespace
+
+void c2get_(Work work, In ifield, In ibody, In ifirst, In n, Out a, In lda, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    const int32_t field = integer_at(ifield), body = integer_at(ibody), first = integer_at(ifirst),
+                  count = integer_at(n);
+    const int64_t stride = integer_at(lda);
+    if (is_aligned(a))
+      call.status = c2d_get(call.solver, field, body, first, count, static_cast<double*>(a), stride);
+    else if (count < 0 || stride < 1)
+      call.status = C2D_ERR_ARGUMENT;
+    else
+      call.status = get_in_chunks(call.solver, field, body, first, count, a, stride);
+  }
+  call.leave(ierr);
+}
+
+void c2intr_(Work work, In ibody, In n, In xy, In ldxy, Out a, In lda, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    const int32_t body = integer_at(ibody), count = integer_at(n);
+    const int64_t xy_stride = integer_at(ldxy), stride = integer_at(lda);
+    if (is_aligned(xy) && is_aligned(a))
+      call.status = c2d_interior(call.solver, body, count, static_cast<const double*>(xy), xy_stride,
+                                 static_cast<double*>(a), stride);
+    else if (count < 0 || xy_stride < 2 || stride < C2D_POINT_FIELDS)
+      call.status = C2D_ERR_ARGUMENT;
+    else
+      call.status = points_one_by_one(call.solver, body, count, xy, xy_stride, a, stride);
+  }
+  call.leave(ierr);
+}
+
+void c2summ_(Work work, Out isum, In ni, Out rsum, In nr, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    c2d_summary summary = C2D_INIT(c2d_summary);
+    call.status = c2d_get_summary(call.solver, &summary);
+    if (call.status == C2D_OK) put_summary(summary, isum, integer_at(ni), rsum, integer_at(nr));
+  }
+  call.leave(ierr);
+}
+
+void c2zsta_(Work work, In izone, Out icount, Out r, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    c2d_zone_state state = C2D_INIT(c2d_zone_state);
+    call.status = c2d_get_zone_state(call.solver, integer_at(izone), &state);
+    const int32_t counts[] = {state.open, state.stick, state.slip, state.near_change};
+    const double reals[] = {state.force[0], state.force[1],         state.moment,           state.approach,
+                            state.shift,    state.largest_pressure, state.largest_friction, state.length};
+    if (call.status == C2D_OK) {
+      memcpy(icount, counts, sizeof counts);
+      memcpy(r, reals, sizeof reals);
+    }
+  }
+  call.leave(ierr);
+}
+
+void c2gmu_(Work work, In izone, In i, Out fmu, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    const int32_t zone = integer_at(izone);
+    double mu = 0.0;
+    call.status = zone == 0 ? c2d_get_friction(call.solver, integer_at(i), &mu)
+                            : c2d_get_zone_friction(call.solver, zone, integer_at(i), &mu);
+    if (call.status == C2D_OK) put_real(fmu, mu);
+  }
+  call.leave(ierr);
+}
+
+void c2gpth_(Work work, In i, Out ninc, Out factor, In ncases, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    double some[64];
+    const int32_t cases = integer_at(ncases);
+    const bool direct = is_aligned(factor);
+    int32_t increments = 0;
+    if (!direct && cases > 64)
+      call.status = C2D_ERR_LIMIT;
+    else
+      call.status = c2d_get_path_point(call.solver, integer_at(i), &increments,
+                                       direct ? static_cast<double*>(factor) : some, cases);
+    if (call.status == C2D_OK && !direct) memcpy(factor, some, static_cast<size_t>(cases) * sizeof(double));
+    if (call.status == C2D_OK) put_integer(ninc, increments);
+  }
+  call.leave(ierr);
+}
+
+void c2gzon_(Work work, In i, Out npairs, Out nelem, Out ielem, Out inode, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    c2d_zone zone = C2D_INIT(c2d_zone);
+    call.status = c2d_get_zone(call.solver, integer_at(i), &zone);
+    if (call.status == C2D_OK) {
+      put_integer(npairs, zone.pairs);
+      put_integer(nelem, zone.elements);
+      for (int32_t body = 0; body < 2; ++body) {
+        put_integer(ielem, zone.first_element[body], 2 * body);
+        put_integer(ielem, zone.last_element[body], 2 * body + 1);
+        put_integer(inode, zone.first_node[body], 2 * body);
+        put_integer(inode, zone.last_node[body], 2 * body + 1);
+      }
+    }
+  }
+  call.leave(ierr);
+}
+
+void c2greg_(Work work, In ibody, In i, Out ifirst, Out ilast, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    int32_t first = 0, last = 0;
+    call.status = c2d_get_region(call.solver, integer_at(ibody), integer_at(i), &first, &last);
+    if (call.status == C2D_OK) put_integer(ifirst, first), put_integer(ilast, last);
+  }
+  call.leave(ierr);
+}
+
+void c2gcon_(Work work, In ibody, In ielem, In ilocal, In icase, Out icodes, Out values, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    int32_t codes[4];
+    double known[4];
+    call.status = c2d_get_case_condition(call.solver, integer_at(ibody), integer_at(ielem),
+                                         integer_at(ilocal), codes, known, integer_at(icase));
+    if (call.status == C2D_OK) {
+      memcpy(icodes, codes, sizeof codes);
+      memcpy(values, known, sizeof known);
+    }
+  }
+  call.leave(ierr);
+}
+
+void c2gpld_(Work work, In i, Out ibody, Out icase, Out xy, Out force, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    int32_t body = 0, load_case = 0;
+    double at[2], load[2];
+    call.status = c2d_get_case_point_load(call.solver, integer_at(i), &body, at, load, &load_case);
+    if (call.status == C2D_OK) {
+      put_integer(ibody, body);
+      put_integer(icase, load_case);
+      memcpy(xy, at, sizeof at);
+      memcpy(force, load, sizeof load);
+    }
+  }
+  call.leave(ierr);
+}
+
+void c2gbfo_(Work work, In ibody, In icase, Out force, Out rhom2, Out axis, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    double weight[2], turning = 0.0, centre[2];
+    call.status =
+        c2d_get_body_force(call.solver, integer_at(ibody), integer_at(icase), weight, &turning, centre);
+    if (call.status == C2D_OK) {
+      memcpy(force, weight, sizeof weight);
+      put_real(rhom2, turning);
+      memcpy(axis, centre, sizeof centre);
+    }
+  }
+  call.leave(ierr);
+}
+
+void c2grig_(Work work, In icase, Out irigid, Out motion, Out axis, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    int32_t rigid = 0;
+    double moved[3], centre[2];
+    call.status = c2d_get_rigid(call.solver, integer_at(icase), &rigid, moved, centre);
+    if (call.status == C2D_OK) {
+      put_integer(irigid, rigid);
+      memcpy(motion, moved, sizeof moved);
+      memcpy(axis, centre, sizeof centre);
+    }
+  }
+  call.leave(ierr);
+}
+
+void c2gint_(Work work, Out icase, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    int32_t load_case = 0;
+    call.status = c2d_get_interference(call.solver, &load_case);
+    if (call.status == C2D_OK) put_integer(icase, load_case);
+  }
+  call.leave(ierr);
+}

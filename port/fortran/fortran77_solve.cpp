@@ -1,0 +1,79 @@
+// Prepare, follow the load, the deck's own path.
+#include "fortran77.hpp"
+
+using namespace c2d::fortran;
+
+namespace {
+
+struct StepCall {
+  c2_step routine;
+};
+
+int32_t pass_on(void* context, const c2d_step* step) {
+  const int32_t stride = static_cast<int32_t>(step->stride);
+  int32_t stop = 0;
+  static_cast<StepCall*>(context)->routine(&step->kind, &step->coefficient, &step->step, &step->outcome,
+                                           &step->mu, &step->load, &step->pairs, step->table, &stride, &stop);
+  return stop;
+}
+
+} // namespace
+
+void c2prep_(Work work, Out ierr) {
+  Call call(work);
+  if (call.ready()) call.status = c2d_prepare(call.solver);
+  call.leave(ierr);
+}
+
+void c2begn_(Work work, In fmu, In nzones, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    const int32_t zones = integer_at(nzones);
+    const Reals mu(fmu, zones);
+    call.status = mu.ok() ? c2d_begin(call.solver, mu.data(), zones) : C2D_ERR_LIMIT;
+  }
+  call.leave(ierr);
+}
+
+void c2advn_(Work work, In factor, In ncases, Out iout, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    const int32_t cases = integer_at(ncases);
+    const Reals load(factor, cases);
+    c2d_outcome outcome = C2D_REACHED;
+    call.status = load.ok() ? c2d_advance(call.solver, load.data(), cases, &outcome) : C2D_ERR_LIMIT;
+    put_integer(iout, outcome);
+  }
+  call.leave(ierr);
+}
+
+void c2next_(Work work, In direct, In ncases, Out step, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    const int32_t cases = integer_at(ncases);
+    const Reals direction(direct, cases);
+    double length = 0.0;
+    call.status =
+        direction.ok() ? c2d_next_event(call.solver, direction.data(), cases, &length) : C2D_ERR_LIMIT;
+    if (call.status == C2D_OK) put_real(step, length);
+  }
+  call.leave(ierr);
+}
+
+void c2solv_(Work work, c2_step step, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    StepCall context = {step};
+    call.status = c2d_run(call.solver, pass_on, &context);
+  }
+  call.leave(ierr);
+}
+
+void c2none_(const int32_t*, const int32_t*, const int32_t*, const int32_t*, const double*, const double*,
+             const int32_t*, const double*, const int32_t*, int32_t*) {}
+
+void c2canc_(Work work, Out ierr) {
+  Call call(work);
+  if (call.ready()) call.status = c2d_cancel(call.solver);
+  call.leave(ierr);
+}

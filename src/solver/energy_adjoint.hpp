@@ -1,0 +1,36 @@
+#pragma once
+// One functional of the energy's books (solver/energy.hpp) while it is put together: coefficients of tau, w' and lambda,
+// and of each body's own unknowns, which the adjoint pass turns into those.
+#include "solver/energy.hpp"
+
+namespace c2d {
+
+struct Adjoint {
+  Session& session;
+  int b;             // the body at hand
+  double* tau;       // [m]
+  double* motion;    // [m] of w'
+  double* lambda;    // [cases]
+  Real* u;           // [m] of the body's contact displacements
+  Real* outer;       // of its outer unknowns
+  bool touched;      // outer is not all zero
+  const Model& model() const { return session.model; }
+};
+
+enum class TractionKind { contact, solved, given };
+TractionKind traction_kind(const Model& m, int b, int32_t element, int l, int c);
+
+void add_outer(Adjoint& a, int32_t column, double factor);
+// factor times a displacement component, in the length unit.
+void add_displacement(Adjoint& a, int32_t node, int c, double factor);
+// factor times a traction component at an end, in 2 G of the body (a contact one in its own measure).
+void add_traction(Adjoint& a, int32_t element, int l, int c, double factor);
+
+// Tractions of case k times displacements, or reactions times prescribed displacements of case k.
+void add_boundary(Adjoint& a, int32_t k, bool reactions);
+// A point load's force times the displacement there, from the boundary integrals (the interior form of the equations).
+void add_point_load(Adjoint& a, const PointLoad& load);
+// The body force of case k times the displacements it moves through.
+void add_body_force(Adjoint& a, int32_t k);
+
+} // namespace c2d

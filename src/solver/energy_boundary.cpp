@@ -1,0 +1,98 @@
+// Displacements and tractions in the energy's functionals, and the work of what the conditions prescribe.
+#include "bie/columns.hpp"
+#include "solver/energy_adjoint.hpp"
+
+namespace c2d {
+
+void add_outer(Adjoint& a, int32_t column, double factor) {
+  a.outer[column] += static_cast<Real>(factor);
+  a.touched = true;
+}
+
+void add_displacement(Adjoint& a, int32_t node, int c, double factor) {
+  const Model& m = a.model();
+  const Unknown unknown = unknown_at(m, a.b, node, c);
+  if (unknown.kind == UnknownKind::contact) {
+    const Pair& pair = m.pair[pair_of_node(m, a.b, node)];
+    a.u[pair.dof] += static_cast<Real>(factor * (c == 0 ? pair.nx : pair.ny));
+    if (pair.tangential) a.u[pair.dof + 1] += static_cast<Real>(factor * (c == 0 ? pair.ny : -pair.nx));
+  } else if (unknown.kind == UnknownKind::displacement) {
+    add_outer(a, outer_column(m, a.b, node, c), factor);
+  } else {
+    const int64_t nodes = m.head->body[a.b].nodes;
+    for (int32_t k = 0; k < m.head->load_cases; ++k)
+      a.lambda[k] += factor * m.node_disp[a.b][(k * nodes + node) * 2 + c] / m.head->length_unit;
+  }
+}
+
+TractionKind traction_kind(const Model& m, int b, int32_t element, int l, int c) {
+  const int32_t end = element * m.head->function_nodes + l;
+  const Unknown unknown = unknown_at(m, b, functional_node(m, b, element, l), c);
+  if (unknown.kind == UnknownKind::contact && pair_of_end(m, b, element, l) >= 0) return TractionKind::contact;
+  const bool first = unknown.end[0] == end, second = unknown.end[1] == end;
+  if (unknown.kind == UnknownKind::traction && first) return TractionKind::solved;
+  if (unknown.kind == UnknownKind::shared_traction && (first || second)) return TractionKind::solved;
+  return TractionKind::given;
+}
+
+void add_traction(Adjoint& a, int32_t element, int l, int c, double factor) {
+  const Model& m = a.model();
+  const double modulus = 2.0 * shear_modulus(m, a.b);
+  const int32_t end = element * m.head->function_nodes + l;
+  switch (traction_kind(m, a.b, element, l, c)) {
+  case TractionKind::contact: {
+    const Pair& pair = m.pair[pair_of_end(m, a.b, element, l)];
+    const double scaled = (a.b == 1 ? 1.0 : -1.0) * factor * m.head->stress_unit / modulus;
+    a.tau[pair.dof] += scaled * (c == 0 ? pair.nx : pair.ny);
+    if (pair.tangential) a.tau[pair.dof + 1] += scaled * (c == 0 ? pair.ny : -pair.nx);
+    return;
+  }
+  case TractionKind::solved: {
+    add_outer(a, outer_column(m, a.b, functional_node(m, a.b, element, l), c), factor);
+    return;
+  }
+  case TractionKind::given: {
+    const int64_t ends = static_cast<int64_t>(m.head->body[a.b].elements) * m.head->function_nodes;
+    for (int32_t k = 0; k < m.head->load_cases; ++k)
+      a.lambda[k] += factor * m.end_traction[a.b][(k * ends + end) * 2 + c] / modulus;
+  }
+  }
+}
+
+namespace {
+
+double given_traction(const Model& m, int b, int32_t element, int l, int c, int32_t k) {
+  const int64_t ends = static_cast<int64_t>(m.head->body[b].elements) * m.head->function_nodes;
+  return m.end_traction[b][(k * ends + static_cast<int64_t>(element) * m.head->function_nodes + l) * 2 + c];
+}
+double given_displacement(const Model& m, int b, int32_t node, int c, int32_t k) {
+  return m.node_disp[b][(static_cast<int64_t>(k) * m.head->body[b].nodes + node) * 2 + c];
+}
+
+} // namespace
+
+void add_boundary(Adjoint& a, int32_t k, bool reactions) {
+  const Model& m = a.model();
+  for (int32_t element = 0; element < m.head->body[a.b].elements; ++element) {
+    if (!is_integrated(m, a.b, element)) continue;
+    EndResultant weight[4];
+    bool known = false;
+    for (int l = 0; l < m.head->function_nodes; ++l)
+      for (int c = 0; c < 2; ++c) {
+        const int32_t node = functional_node(m, a.b, element, l);
+        const TractionKind kind = traction_kind(m, a.b, element, l, c);
+        if (kind != (reactions ? TractionKind::solved : TractionKind::given)) continue;
+        const double value = reactions ? given_displacement(m, a.b, node, c, k) / m.head->length_unit
+                                       : given_traction(m, a.b, element, l, c, k) / m.head->stress_unit;
+        if (value == 0.0) continue;
+        if (!known) end_resultants(m, a.b, element, Measure::own_length, weight);
+        known = true;
+        if (reactions)
+          add_traction(a, element, l, c, weight[l].w * value * 2.0 * shear_modulus(m, a.b) / m.head->stress_unit);
+        else
+          add_displacement(a, node, c, weight[l].w * value);
+      }
+  }
+}
+
+} // namespace c2d

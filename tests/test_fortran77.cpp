@@ -1,0 +1,582 @@
+// The FORTRAN 77 names, called as a compiler of FORTRAN calls them: arrays at odd addresses, texts padded
+// with blanks, everything by reference. What comes out is compared with the C interface.
+#include "fortran77.hpp"
+#include "shell.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cerrno>
+#include <cstring>
+#include <regex>
+#include <set>
+
+using namespace test;
+using c2d::fortran::integer_at;
+using c2d::fortran::put_real;
+using c2d::fortran::real_at;
+
+namespace {
+
+const std::string kRoot = C2D_TEST_ROOT;
+
+// Memory whose address is `odd` bytes behind a multiple of 64.
+class Odd {
+public:
+  Odd(size_t bytes, size_t odd) : bytes_(bytes + 128), odd_(odd) {}
+  void* at() {
+    const uintptr_t address = reinterpret_cast<uintptr_t>(bytes_.data());
+    return bytes_.data() + (64 - address % 64) + odd_;
+  }
+
+private:
+  std::vector<unsigned char> bytes_;
+  size_t odd_;
+};
+
+// Arguments as FORTRAN hands them over: the address of a copy.
+struct I {
+  int32_t value;
+  operator In() const { return &value; }
+};
+struct R {
+  double value;
+  operator In() const { return &value; }
+};
+
+const int32_t kIntegers[2] = {1987, 64};
+const double kReals[2] = {1987.0, 0.015625};
+constexpr int32_t kWords = 60000;
+
+int32_t open(void* work, int32_t words = kWords) {
+  int32_t error = -1;
+  c2open_(work, I{words}, kIntegers, kReals, &error);
+  return error;
+}
+
+std::vector<std::string> cards_of(const std::string& file) {
+  return lines_of(read_file(kRoot + "/examples/" + file));
+}
+
+// CHARACTER*80 CARDS(N).
+std::string padded(const std::vector<std::string>& cards) {
+  std::string out;
+  for (std::string card : cards) {
+    card.resize(80, ' ');
+    out += card;
+  }
+  return out;
+}
+
+std::string message(int32_t code) {
+  char text[60];
+  c2msg_(&code, text, I{60});
+  const std::string all(text, 60);
+  return all.substr(0, all.find_last_not_of(' ') + 1);
+}
+
+} // namespace
+
+TEST_CASE("fortran77: C2OPEN tells integers and reals of other lengths, whichever end is first") {
+  std::vector<double> work(1000, -1.0);
+  const std::vector<double> before = work;
+  union {
+    int32_t narrow[2];
+    int64_t wide;
+  } error;
+  const int64_t words = 1000;
+  const int64_t wide[2] = {1987, 64};
+  error.wide = -1;
+  c2open_(work.data(), &words, wide, kReals, &error);
+  CHECK(error.wide == 51);                     // all of the caller's 8 bytes
+  const int32_t swapped[4] = {0, 1987, 0, 64}; // the same as a machine with the high end first has it
+  error.wide = -1;
+  c2open_(work.data(), &words, swapped, kReals, &error);
+  CHECK(error.wide == 51);
+
+  const float shorter[2] = {1987.0F, 0.015625F};
+  const long double longer[2] = {1987.0L, 0.015625L};
+  const double others[2] = {1987.0, 0.0};
+  for (const void* reals : {static_cast<const void*>(shorter), static_cast<const void*>(longer),
+                            static_cast<const void*>(others)}) {
+    if (sizeof(long double) == sizeof(double) && reals == longer) continue;
+    error.narrow[0] = error.narrow[1] = -1;
+    c2open_(work.data(), I{1000}, kIntegers, reals, &error);
+    CHECK(error.narrow[0] == 52);
+    CHECK(error.narrow[1] == -1); // an IERR of 4 bytes has nothing of ours behind it
+  }
+  const int32_t nonsense[2] = {1987, 63};
+  c2open_(work.data(), I{1000}, nonsense, kReals, &error);
+  CHECK(error.narrow[0] == 53);
+  CHECK(error.narrow[1] == -1);
+  CHECK(std::memcmp(work.data(), before.data(), 1000 * sizeof(double)) == 0);
+  CHECK(open(work.data(), 1000) == 0);
+}
+
+TEST_CASE("fortran77: an array that was not opened, was moved, or is too short") {
+  Odd memory(8 * kWords, 4), other(8 * kWords, 4);
+  int32_t error = 0, state = 0;
+  c2prep_(memory.at(), &error);
+  CHECK(error == 54);
+  c2stat_(memory.at(), &state);
+  CHECK(state == -1);
+  CHECK(open(memory.at(), 100) == C2D_ERR_MEMORY);
+  c2prep_(memory.at(), &error);
+  CHECK(error == 54);
+  REQUIRE(open(memory.at()) == 0);
+  c2prep_(memory.at(), &error);
+  CHECK(error == C2D_ERR_STATE); // open, and nothing in it
+  c2stat_(memory.at(), &state);
+  CHECK(state == C2D_STATE_EMPTY);
+  std::memcpy(other.at(), memory.at(), 8 * kWords);
+  c2prep_(other.at(), &error);
+  CHECK(error == 54);
+  c2clos_(memory.at(), &error);
+  CHECK(error == 0);
+  c2clos_(memory.at(), &error);
+  CHECK(error == 54);
+  CHECK(message(54).substr(0, 6) == "C2OPEN");
+  for (int32_t code = -3; code < 300; ++code) CHECK(message(code) != "");
+  CHECK(message(C2D_ERR_LIMIT) == c2d_message(C2D_ERR_LIMIT));
+}
+
+namespace {
+
+struct Trace {
+  std::vector<double> numbers;
+};
+Trace* g_trace = nullptr; // a FORTRAN step routine has no context either
+
+void trace_step(const int32_t* kind, const int32_t* imu, const int32_t* istep, const int32_t* iout,
+                const double* fmu, const double* factor, const int32_t* npairs, const double* table,
+                const int32_t* ldt, int32_t*) {
+  for (const double x : {1.0 * *kind, 1.0 * *imu, 1.0 * *istep, 1.0 * *iout, *fmu, *factor})
+    g_trace->numbers.push_back(x);
+  for (int32_t p = 0; p < *npairs; ++p)
+    for (int32_t c = 0; c < C2D_PAIR_FIELDS; ++c) g_trace->numbers.push_back(table[p * *ldt + c]);
+}
+void stop_step(const int32_t*, const int32_t*, const int32_t* istep, const int32_t*, const double*,
+               const double*, const int32_t*, const double*, const int32_t*, int32_t* istop) {
+  if (*istep == 3) *istop = 77;
+}
+
+int32_t keep_step(void* context, const c2d_step* s) {
+  Trace& trace = *static_cast<Trace*>(context);
+  for (const double x :
+       {1.0 * s->kind, 1.0 * s->coefficient, 1.0 * s->step, 1.0 * s->outcome, s->mu, s->load})
+    trace.numbers.push_back(x);
+  for (int32_t p = 0; p < s->pairs; ++p)
+    for (int32_t c = 0; c < C2D_PAIR_FIELDS; ++c) trace.numbers.push_back(s->table[p * s->stride + c]);
+  return 0;
+}
+
+int32_t next_line(void* context, char* text, int32_t size) {
+  auto& in = *static_cast<std::istringstream*>(context);
+  std::string card;
+  if (!std::getline(in, card)) return -1;
+  text[card.copy(text, static_cast<size_t>(size) - 1)] = '\0';
+  return static_cast<int32_t>(card.size());
+}
+
+// A solver of the C interface with a deck, in as many bytes as the FORTRAN one has.
+struct Desktop {
+  std::vector<unsigned char> memory, blocks = std::vector<unsigned char>(1 << 20);
+  c2d_memory_store store;
+  c2d_solver* solver = nullptr;
+  Desktop(const std::string& file, size_t bytes) : memory(bytes) {
+    c2d_limits limits = C2D_INIT(c2d_limits);
+    c2d_port port = C2D_INIT(c2d_port);
+    c2d_memory_store_init(&store, blocks.data(), blocks.size());
+    c2d_memory_store_port(&store, &port);
+    const std::string deck = read_file(kRoot + "/examples/" + file);
+    std::istringstream first(deck), second(deck);
+    REQUIRE(c2d_scan_deck(next_line, &first, &limits, nullptr) == C2D_OK);
+    REQUIRE(c2d_create(&solver, memory.data(), memory.size(), &limits, &port, nullptr) == C2D_OK);
+    REQUIRE(c2d_read_deck(solver, next_line, &second) == C2D_OK);
+    REQUIRE(c2d_prepare(solver) == C2D_OK);
+  }
+};
+
+} // namespace
+
+TEST_CASE("fortran77: a deck at every odd address gives the bits of the C interface") {
+  Desktop desktop("hertz.dat", 8 * kWords);
+  Trace expected, found;
+  REQUIRE(c2d_run(desktop.solver, keep_step, &expected) == C2D_OK);
+  const std::string cards = padded(cards_of("hertz.dat"));
+  const I count{static_cast<int32_t>(cards.size() / 80)};
+  for (const size_t odd : {size_t{0}, size_t{4}, size_t{33}}) {
+    Odd memory(8 * kWords, odd), store(1 << 20, odd), numbers(8 * 1000, odd), integer(4, odd);
+    void* work = memory.at();
+    int32_t error = open(work);
+    c2core_(work, store.at(), I{(1 << 20) / 8}, &error);
+    REQUIRE(error == 0);
+    c2card_(work, cards.data(), I{80}, count, integer.at());
+    REQUIRE(integer_at(integer.at()) == 0);
+    c2prep_(work, &error);
+    REQUIRE(error == 0);
+    found.numbers.clear();
+    g_trace = &found;
+    c2solv_(work, trace_step, &error);
+    CHECK(error == 0);
+    CHECK(found.numbers == expected.numbers);
+
+    // Fields of the bodies, with a stride, at the same odd address.
+    for (const int32_t field : {static_cast<int32_t>(C2D_END_UX), static_cast<int32_t>(C2D_END_TY)}) {
+      std::vector<double> straight(92);
+      REQUIRE(c2d_get(desktop.solver, field, 1, 1, 92, straight.data(), 1) == C2D_OK);
+      c2get_(work, I{field}, I{1}, I{1}, I{92}, numbers.at(), I{3}, &error);
+      REQUIRE(error == 0);
+      for (int32_t i = 0; i < 92; ++i)
+        CHECK(real_at(numbers.at(), 3 * i) == straight[static_cast<size_t>(i)]);
+    }
+    const double points[6] = {0.5, 4.0, 0.0, 1.0, 6.0, 0.0};
+    double inside[2 * C2D_POINT_FIELDS];
+    REQUIRE(c2d_interior(desktop.solver, 2, 2, points, 3, inside, C2D_POINT_FIELDS) == C2D_OK);
+    c2intr_(work, I{2}, I{2}, points, I{3}, numbers.at(), I{12}, &error);
+    REQUIRE(error == 0);
+    for (int32_t k = 0; k < 2 * C2D_POINT_FIELDS; ++k)
+      CHECK(real_at(numbers.at(), k + k / C2D_POINT_FIELDS) == inside[k]);
+    c2clos_(work, &error);
+    CHECK(error == 0);
+  }
+}
+
+TEST_CASE("fortran77: a path of the caller's own, events, summary, lists and zones as in C") {
+  Desktop desktop("hertz.dat", 8 * kWords);
+  Odd memory(8 * kWords, 4), store(1 << 20, 4), real(8 * 40, 4);
+  void* work = memory.at();
+  int32_t error = open(work), outcome = -1, increments = 0, ours = 0, i1[4], i2[4], a = 0, b = 0;
+  c2core_(work, store.at(), I{(1 << 20) / 8}, &error);
+  const std::string name = kRoot + "/examples/hertz.dat   ";
+  c2deck_(work, name.data(), I{static_cast<int32_t>(name.size())}, &error);
+  REQUIRE(error == 0);
+  c2prep_(work, &error);
+  REQUIRE(error == 0);
+  c2begn_(work, R{0.4}, I{1}, &error);
+  REQUIRE(error == 0);
+  const double mu = 0.4, load = 0.7, up = 1.0;
+  REQUIRE(c2d_begin(desktop.solver, &mu, 1) == C2D_OK);
+  REQUIRE(c2d_advance(desktop.solver, &load, 1, &ours) == C2D_OK);
+  put_real(real.at(), load);
+  c2advn_(work, real.at(), I{1}, &outcome, &error);
+  CHECK(error == 0);
+  CHECK(outcome == ours);
+  double step = 0;
+  REQUIRE(c2d_next_event(desktop.solver, &up, 1, &step) == C2D_OK);
+  c2next_(work, R{1.0}, I{1}, real.at(), &error);
+  CHECK(error == 0);
+  CHECK(real_at(real.at()) == step);
+
+  c2d_summary summary = C2D_INIT(c2d_summary);
+  REQUIRE(c2d_get_summary(desktop.solver, &summary) == C2D_OK);
+  int32_t isum[22];
+  isum[20] = -7;
+  c2summ_(work, isum, I{20}, real.at(), I{28}, &error);
+  CHECK(error == 0);
+  CHECK(isum[0] == C2D_STATE_RUNNING);
+  CHECK(isum[6] == summary.pairs);
+  CHECK(isum[15] == summary.unknowns[1]);
+  CHECK(isum[17] == summary.paths);
+  CHECK(isum[19] == summary.warnings);
+  CHECK(isum[20] == -7); // only as many as asked for
+  CHECK(real_at(real.at(), 0) == summary.load);
+  CHECK(real_at(real.at(), 12) == summary.tension_ratio);
+  CHECK(real_at(real.at(), 14) == summary.applied[0][1]);
+  CHECK(real_at(real.at(), 24) == summary.contact[1][2]);
+
+  c2d_zone_state zone_state = C2D_INIT(c2d_zone_state);
+  REQUIRE(c2d_get_zone_state(desktop.solver, 1, &zone_state) == C2D_OK);
+  c2zsta_(work, I{1}, i1, real.at(), &error);
+  CHECK(error == 0);
+  CHECK(i1[1] == zone_state.stick);
+  CHECK(real_at(real.at(), 7) == zone_state.length);
+
+  c2gpth_(work, I{14}, &increments, real.at(), I{1}, &error);
+  CHECK(increments == 2);
+  CHECK(real_at(real.at()) == 1.03);
+  c2gmu_(work, I{0}, I{2}, real.at(), &error);
+  CHECK(real_at(real.at()) == 0.3);
+  c2gmu_(work, I{1}, I{1}, real.at(), &error);
+  CHECK(real_at(real.at()) == 0.4);
+  c2gzon_(work, I{1}, &a, &b, i1, i2, &error);
+  CHECK((a == 15 && b == 14));
+  CHECK((i1[0] == 24 && i1[1] == 37 && i1[2] == 48 && i1[3] == 35)); // as on the card
+  CHECK((i2[0] == 24 && i2[1] == 38 && i2[2] == 49 && i2[3] == 35));
+  c2greg_(work, I{1}, I{1}, &a, &b, &error);
+  CHECK((a == 1 && b == 46));
+  int32_t codes[4];
+  double values[4];
+  REQUIRE(c2d_get_condition(desktop.solver, 1, 8, 1, codes, values) == C2D_OK);
+  c2gcon_(work, I{1}, I{8}, I{1}, I{1}, i1, real.at(), &error);
+  CHECK(std::memcmp(i1, codes, sizeof codes) == 0);
+  c2gpld_(work, I{1}, &a, &b, real.at(), real.at(), &error);
+  CHECK(error == C2D_ERR_ARGUMENT); // the deck has none
+
+  c2solv_(work, stop_step, &error);
+  CHECK(error == C2D_ERR_CALLBACK);
+  int32_t info[13];
+  char text[40];
+  c2why_(work, info, I{13}, text, I{40});
+  CHECK(info[0] == C2D_ERR_CALLBACK);
+  CHECK(info[2] == 77);
+  c2solv_(work, c2none_, &error);
+  CHECK(error == 0);
+  c2clos_(work, &error);
+}
+
+TEST_CASE("fortran77: faults of a deck, words that would do, names") {
+  Odd memory(8 * kWords, 4);
+  void* work = memory.at();
+  int32_t error = open(work), info[13], least = 0, most = 0;
+  char text[320];
+  std::vector<std::string> cards = cards_of("hertz.dat");
+  cards[28] = "   16  5.00x0000 0.0000000"; // two faults
+  cards[29] = "   18  4.00y0000 0.0000000";
+  const std::string bad = padded(cards);
+  c2card_(work, bad.data(), I{80}, I{static_cast<int32_t>(cards.size())}, &error);
+  CHECK(error == C2D_ERR_INPUT);
+  c2why_(work, info, I{13}, text, I{320});
+  CHECK(info[0] == C2D_ERR_INPUT);
+  CHECK(info[3] == 29);
+  CHECK(info[4] == 7);
+  CHECK(contains(std::string(text, 320), "5.00x0000"));
+
+  const std::string name = kRoot + "/examples/hertz.dat", none = "/nowhere/at/all";
+  c2deck_(work, none.data(), I{static_cast<int32_t>(none.size())}, &error);
+  CHECK(error == C2D_ERR_READ);
+  c2why_(work, info, I{13}, text, I{320});
+  CHECK(info[2] == ENOENT);
+  c2deck_(work, "   ", I{3}, &error);
+  CHECK(error == 55);
+
+  // Exactly the words that are said to do, and one less.
+  c2need_(work, name.data(), I{static_cast<int32_t>(name.size())}, &least, &most, &error);
+  CHECK(error == 0);
+  CHECK(least < most);
+  for (const int32_t words : {least - 1, least}) {
+    REQUIRE(open(work, words) == 0);
+    c2deck_(work, name.data(), I{static_cast<int32_t>(name.size())}, &error);
+    c2why_(work, info, I{13}, text, I{320});
+    if (words == least) CHECK(error == 0);
+    if (words < least - 16) CHECK(error == C2D_ERR_MEMORY); // the slack of the address may do without
+    if (error != 0) CHECK(info[12] == least);
+  }
+  // Warnings are kept.
+  REQUIRE(open(work) == 0);
+  const std::string whole = padded(cards_of("hertz.dat"));
+  c2card_(work, whole.data(), I{80}, I{static_cast<int32_t>(whole.size() / 80)}, &error);
+  REQUIRE(error == 0);
+  c2note_(work, I{1}, info, I{2}, text, I{320}, &error);
+  CHECK(error == 0);
+  CHECK(info[0] == C2D_WARN_NORMALS);
+  CHECK(info[1] == C2D_WARNING);
+  c2note_(work, I{7}, info, I{2}, text, I{320}, &error);
+  CHECK(error == C2D_ERR_ARGUMENT);
+  // Without a store there is nothing to prepare with; with one that is too short the words are told.
+  c2prep_(work, &error);
+  CHECK(error != 0);
+  std::vector<double> small(100);
+  REQUIRE(open(work) == 0);
+  c2core_(work, small.data(), I{100}, &error);
+  c2card_(work, whole.data(), I{80}, I{static_cast<int32_t>(whole.size() / 80)}, &error);
+  c2prep_(work, &error);
+  CHECK(error == C2D_ERR_STORE_OPEN);
+  c2why_(work, info, I{13}, text, I{320});
+  CHECK(info[12] > 100);
+}
+
+TEST_CASE("fortran77: blocks in files, which C2DROP deletes and C2CLOS leaves") {
+  const Folder folder;
+  Odd memory(8 * kWords, 4);
+  void* work = memory.at();
+  int32_t error = 0;
+  const std::string name = kRoot + "/examples/hertz.dat", path = folder.path();
+  for (const bool drop : {false, true}) {
+    REQUIRE(open(work) == 0);
+    c2tape_(work, path.data(), I{static_cast<int32_t>(path.size())}, &error);
+    REQUIRE(error == 0);
+    c2deck_(work, name.data(), I{static_cast<int32_t>(name.size())}, &error);
+    c2prep_(work, &error);
+    REQUIRE(error == 0);
+    const size_t files = folder.names().size();
+    CHECK(files > 2);
+    drop ? c2drop_(work, &error) : c2clos_(work, &error);
+    CHECK(error == 0);
+    CHECK(folder.names().size() == (drop ? 0U : files));
+  }
+}
+
+TEST_CASE("fortran77: a workspace moved with its blocks goes on with the same bits") {
+  const std::string name = kRoot + "/examples/hertz.dat";
+  Odd memory(8 * kWords, 4), store(1 << 20, 4), moved(8 * kWords, 49), moved_store(1 << 20, 8);
+  int32_t error = open(memory.at()), outcome = 0;
+  c2core_(memory.at(), store.at(), I{(1 << 20) / 8}, &error);
+  c2deck_(memory.at(), name.data(), I{static_cast<int32_t>(name.size())}, &error);
+  c2prep_(memory.at(), &error);
+  c2begn_(memory.at(), R{0.4}, I{1}, &error);
+  c2advn_(memory.at(), R{0.5}, I{1}, &outcome, &error);
+  REQUIRE(error == 0);
+  std::memcpy(moved.at(), memory.at(), 8 * kWords);
+  std::memcpy(moved_store.at(), store.at(), 1 << 20);
+  double here[15], there[15];
+  c2advn_(memory.at(), R{1.0}, I{1}, &outcome, &error);
+  c2get_(memory.at(), I{C2D_END_UY}, I{2}, I{1}, I{15}, here, I{1}, &error);
+  REQUIRE(error == 0);
+  std::memset(memory.at(), 255, 8 * kWords); // nothing may be left there
+  std::memset(store.at(), 255, 1 << 20);
+  c2advn_(moved.at(), R{1.0}, I{1}, &outcome, &error);
+  CHECK(error == 54); // not attached
+  const double single[2] = {0, 0};
+  c2atch_(moved.at(), I{kWords}, kIntegers, single, moved_store.at(), &error);
+  CHECK(error == 52);
+  c2atch_(moved.at(), I{kWords}, kIntegers, kReals, moved_store.at(), &error);
+  REQUIRE(error == 0);
+  c2advn_(moved.at(), R{1.0}, I{1}, &outcome, &error);
+  c2get_(moved.at(), I{C2D_END_UY}, I{2}, I{1}, I{15}, there, I{1}, &error);
+  CHECK(error == 0);
+  CHECK(std::memcmp(here, there, sizeof here) == 0);
+  c2clos_(moved.at(), &error);
+  CHECK(error == 0);
+}
+
+TEST_CASE("fortran77: what was saved is restored by another workspace over the same files") {
+  const Folder folder;
+  const std::string name = kRoot + "/examples/hertz.dat", path = folder.path();
+  Odd first(8 * kWords, 4), second(8 * kWords, 20);
+  double before[15], after[15];
+  for (const bool restored : {false, true}) {
+    void* work = restored ? second.at() : first.at();
+    int32_t error = open(work), outcome = 0;
+    c2tape_(work, path.data(), I{static_cast<int32_t>(path.size())}, &error);
+    c2deck_(work, name.data(), I{static_cast<int32_t>(name.size())}, &error);
+    REQUIRE(error == 0);
+    if (restored) {
+      c2rest_(work, &error);
+      REQUIRE(error == 0);
+    } else {
+      c2prep_(work, &error);
+      c2begn_(work, R{0.4}, I{1}, &error);
+      c2advn_(work, R{0.6}, I{1}, &outcome, &error);
+      c2save_(work, &error);
+      REQUIRE(error == 0);
+    }
+    c2get_(work, I{C2D_TN}, I{0}, I{1}, I{15}, restored ? after : before, I{1}, &error);
+    CHECK(error == 0);
+    c2clos_(work, &error);
+  }
+  CHECK(std::memcmp(before, after, sizeof before) == 0);
+  CHECK(before[14] > 100.0);
+}
+
+TEST_CASE("fortran77: a model by calls is checked as in C, and every call reaches its function") {
+  Odd memory(8 * kWords, 4), real(8 * 40, 4);
+  void* work = memory.at();
+  REQUIRE(open(work) == 0);
+  int32_t error = 0, least = 0, most = 0, state = 0;
+  //                    bodies  nodes points  elements curves zones pairs ce loads mu paths cases
+  const int32_t sizes[] = {2, 2, 16, 16, 16, 16, 1, 1, 1, 5, 4, 1, 2, 2, 2};
+  c2neds_(work, sizes, I{15}, &least, &most, &error);
+  CHECK(error == 0);
+  CHECK(least < most);
+  c2size_(work, sizes, I{99}, &error);
+  CHECK(error == C2D_ERR_ARGUMENT);
+  c2size_(work, sizes, I{15}, &error);
+  REQUIRE(error == 0);
+  c2size_(work, sizes, I{15}, &error);
+  CHECK(error == C2D_ERR_STATE);
+  const auto ok = [&error](int line) { CHECK_MESSAGE(error == 0, "line " << line); };
+  c2opts_(work, I{0}, I{0}, I{0}, I{0}, &error), ok(__LINE__);
+  c2prob_(work, I{0}, I{1}, I{0}, "blocks    ", I{10}, &error), ok(__LINE__);
+  c2line_(work, I{12}, I{1}, I{3}, &error), ok(__LINE__);
+  const int32_t fix_x[4] = {1, 0, 0, 1}, fix_y[4] = {0, 1, 1, 0};
+  for (int32_t body = 1; body <= 2; ++body) {
+    c2body_(work, I{body}, I{2}, I{16}, I{1}, I{0}, R{1000.0}, R{0.3}, &error), ok(__LINE__);
+    c2regn_(work, I{body}, I{1}, I{16}, &error), ok(__LINE__);
+    for (int32_t i = 0; i < 4; ++i) {
+      const double s = 0.25 * i, y = body - 2;
+      const double x[4] = {s, 1, 1 - s, 0}, ys[4] = {y, y + s, y + 1, y + 1 - s};
+      for (int32_t side = 0; side < 4; ++side) {
+        put_real(real.at(), x[side]), put_real(real.at(), ys[side], 1);
+        c2node_(work, I{body}, I{4 * side + i + 1}, I{1}, real.at(), I{2}, &error), ok(__LINE__);
+      }
+    }
+    for (int32_t k = 0; k < 5; ++k) put_real(real.at(), 0.0, k);
+    for (int32_t e = 1; e <= 4; ++e)
+      for (int32_t local = 1; local <= 2; ++local) {
+        c2cond_(work, I{body}, I{12 + e}, I{local}, fix_x, real.at(), I{1}, &error), ok(__LINE__);
+        c2cond_(work, I{body}, I{body == 1 ? e : 8 + e}, I{local}, fix_y, real.at(), I{1}, &error),
+            ok(__LINE__);
+      }
+  }
+  put_real(real.at(), -0.01, 3);
+  for (int32_t e = 9; e <= 12; ++e) c2case_(work, I{2}, I{e}, I{0}, real.at(), I{2}, &error), ok(__LINE__);
+  c2load_(work, I{1}, R{0.5}, R{-0.5}, R{0.0}, R{-1.0}, I{1}, &error), ok(__LINE__);
+  c2bfor_(work, I{1}, I{1}, R{0.0}, R{-2.0}, R{0.0}, R{0.0}, R{0.0}, &error), ok(__LINE__);
+  const int32_t elements[4] = {9, 12, 4, 1}, nodes[4] = {9, 13, 5, 1};
+  c2zone_(work, I{5}, I{4}, elements, nodes, &error), ok(__LINE__);
+  c2mu_(work, R{0.0}, &error), ok(__LINE__);
+  c2mu_(work, R{0.2}, &error), ok(__LINE__);
+  c2muz_(work, I{1}, I{2}, R{0.1}, &error), ok(__LINE__);
+  const double factors[2] = {0.25, 1.0};
+  c2path_(work, I{1}, factors, I{2}, &error), ok(__LINE__);
+  c2clrp_(work, &error), ok(__LINE__);
+  c2path_(work, I{3}, factors, I{2}, &error), ok(__LINE__);
+  c2unit_(work, "mm  ", I{4}, "N", I{1}, &error), ok(__LINE__);
+  c2intf_(work, I{3}, &error);
+  CHECK(error == C2D_ERR_ARGUMENT); // no such case
+  c2symm_(work, I{5}, R{0.0}, &error);
+  CHECK(error == C2D_ERR_ARGUMENT); // no such axis
+  c2free_(work, elements, elements, &error);
+  CHECK(error != 0); // the limits have no room for one
+  c2rigd_(work, I{7}, R{0}, R{0}, R{0}, R{0}, R{0}, &error);
+  CHECK(error == C2D_ERR_ARGUMENT); // no such case
+  c2done_(work, &error);
+  CHECK(error == 0);
+  c2stat_(work, &state);
+  CHECK(state == C2D_STATE_MODEL);
+
+  int32_t body = 0, increments = 0, load_case = 0, rigid = -1, codes[4];
+  double xy[2], force[2];
+  c2gpld_(work, I{1}, &body, &load_case, xy, force, &error);
+  CHECK((body == 1 && load_case == 1 && xy[1] == -0.5 && force[1] == -1.0));
+  c2gcon_(work, I{2}, I{10}, I{1}, I{2}, codes, real.at(), &error);
+  CHECK((codes[3] == 0 && real_at(real.at(), 3) == -0.01));
+  double turning = -1.0;
+  c2gbfo_(work, I{1}, I{1}, force, &turning, xy, &error);
+  CHECK((error == 0 && force[1] == -2.0 && turning == 0.0));
+  c2grig_(work, I{1}, &rigid, real.at(), xy, &error);
+  CHECK((error == 0 && rigid == 0));
+  c2gint_(work, &load_case, &error);
+  CHECK((error == 0 && load_case == 0));
+  c2gpth_(work, I{1}, &increments, real.at(), I{2}, &error);
+  CHECK((increments == 3 && real_at(real.at(), 1) == 1.0));
+  c2gmu_(work, I{1}, I{2}, real.at(), &error);
+  CHECK(real_at(real.at()) == 0.1);
+  c2canc_(work, &error);
+  CHECK(error == 0);
+  c2done_(work, &error);
+  CHECK(error == C2D_ERR_STATE);
+}
+
+TEST_CASE("fortran77: the page has every name with its arguments, and every function of the header") {
+  const std::string page = read_file(kRoot + "/port/fortran/README.md"),
+                    declarations = read_file(kRoot + "/port/fortran/fortran77.hpp"),
+                    header = read_file(kRoot + "/include/contact2d.h");
+  const std::regex declared("void (c2[a-z0-9]+)_\\(([^;]*)\\);"), argument("(\\w+)(,|$)");
+  int names = 0;
+  for (std::sregex_iterator i(declarations.begin(), declarations.end(), declared), end; i != end; ++i) {
+    std::string call = (*i)[1].str() + "(", arguments = (*i)[2].str();
+    if (call == "c2none(") continue;
+    CHECK((*i)[1].str().size() <= 6);
+    ++names;
+    for (std::sregex_iterator a(arguments.begin(), arguments.end(), argument); a != end; ++a)
+      call += (call.back() == '(' ? "" : ", ") + (*a)[1].str();
+    for (char& c : call) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+    CHECK_MESSAGE(contains(page, "| `" + call + ")` |"), call);
+  }
+  CHECK(names > 50);
+  const std::regex function("\\n(?:c2d_status|const char\\*|int32_t) (c2d_\\w+)\\(");
+  for (std::sregex_iterator i(header.begin(), header.end(), function), end; i != end; ++i)
+    CHECK_MESSAGE(contains(page, "`" + (*i)[1].str() + "`"), (*i)[1].str()
+                                                                 << " is not in port/fortran/README.md");
+}

@@ -1,0 +1,203 @@
+// The library in other people's programs: C, C++, Fortran of two ages, Python. Each host solves the sample
+// and must find what the program finds.
+#include "hosts.hpp"
+
+#include <set>
+
+using namespace test;
+
+namespace {
+
+const std::string kRoot = C2D_TEST_ROOT, kDeck = kRoot + "/examples/hertz.dat";
+const std::string kTraps = " -ffpe-trap=invalid,zero,overflow";
+const std::string kC = C2D_TEST_CC, kCxx = C2D_TEST_CXX; // with flags, perhaps
+
+const std::vector<Peak>& expected() {
+  static const std::vector<Peak> peaks = desktop_peaks(kDeck);
+  return peaks;
+}
+
+void check_built(const std::string& command) {
+  const Result built = run_shell(command);
+  REQUIRE_MESSAGE(built.status == 0, command << "\n" << built.out << built.err);
+}
+
+// What a program asks the loader for: nothing of the C++ run-time.
+void check_needs(const Libraries& libraries, const std::string& program) {
+  if (!has_command("readelf")) return;
+  const Result needs = run_shell("readelf -d '" + (libraries / program) + "'");
+  CHECK_MESSAGE(!contains(needs.out, "libstdc++"), needs.out);
+}
+
+// Compiles sources of Fortran in a folder of its own, where the .mod file goes.
+void build_fortran(const Libraries& libraries, const std::string& flags, const std::string& sources,
+                   const std::string& kind, const std::string& program) {
+  check_built("cd '" + (libraries / "static") + "/..' && gfortran " + flags + " " + sources +
+              libraries.link(kind) + " -o '" + (libraries / program) + "'");
+  check_needs(libraries, program);
+}
+
+std::string example(const std::string& name) {
+  return "'" + kRoot + "/examples/fortran/" + name + "'";
+}
+
+} // namespace
+
+TEST_CASE("hosts: C, linked with cc, -lcontact2d and -lm, static and shared") {
+  if (!can_host("cc")) return;
+  const Libraries libraries;
+  const std::string compile = kC + " -std=c99 -I'" + kRoot + "/include' -I'" + kRoot + "/port/memory' '" +
+                              kRoot + "/examples/static_array.c'";
+  for (const std::string kind : {"static", "shared"}) {
+    check_built(compile + libraries.link(kind) + " -lm -o '" + (libraries / "host") + "'");
+    check_needs(libraries, "host");
+    const Result run = run_shell(libraries.run("host") + " '" + kDeck + "'");
+    CHECK_MESSAGE(run.status == 0, run.out << run.err);
+    check_peaks(peaks_of(run.out), expected(), 0.6e-4);
+  }
+}
+
+TEST_CASE("hosts: C++ with a wrapper that owns memory and solver") {
+  if (!can_host("cc")) return;
+  const Libraries libraries;
+  check_built(kCxx + " -std=c++17 -Wall -Wextra -Wpedantic -Werror -I'" + kRoot + "/include' -I'" + kRoot +
+              "/port/memory' '" + kRoot + "/examples/raii.cpp'" + libraries.link("shared") + " -o '" +
+              (libraries / "host") + "'");
+  const Result run = run_shell(libraries.run("host") + " '" + kDeck + "'");
+  CHECK_MESSAGE(run.status == 0, run.out << run.err);
+  check_peaks(peaks_of(run.out), expected(), 0.6e-10);
+  // A failure arrives as an exception with the library's words.
+  const Result refused = run_shell(libraries.run("host") + " '" + kRoot + "/examples/raii.cpp'");
+  CHECK(refused.status == 1);
+  CHECK(!refused.out.empty());
+}
+
+TEST_CASE("hosts: Python, its standard library alone") {
+  if (!can_host("python3")) return;
+  const Result run =
+      run_shell("python3 '" + kRoot + "/examples/python_ctypes.py' '" C2D_TEST_SHARED "' '" + kDeck + "'");
+  CHECK_MESSAGE(run.status == 0, run.out << run.err);
+  check_peaks(peaks_of(run.out), expected(), 0.6e-10);
+}
+
+TEST_CASE("hosts: Fortran 2008 through the module, whatever the default kinds are, with traps") {
+  if (!can_host("gfortran")) return;
+  const Libraries libraries;
+  const std::string sources = "'" + kRoot + "/port/fortran/contact2d.f90' " + example("contact.f90");
+  const struct {
+    const char *flags, *kind;
+  } builds[] = {{"-std=f2008 -Wall -Wextra -Werror", "shared"},
+                {"-std=f2008 -fdefault-integer-8 -fdefault-real-8", "static"}};
+  for (const auto& build : builds) {
+    build_fortran(libraries, build.flags + kTraps, sources, build.kind, "host");
+    const Result run = run_shell(libraries.run("host") + " '" + kDeck + "'");
+    CHECK_MESSAGE(run.status == 0, build.flags << "\n" << run.out << run.err);
+    check_peaks(peaks_of(run.out), expected(), 0.6e-10);
+  }
+  const Result refused = run_shell(libraries.run("host") + " '" + kRoot + "/examples/raii.cpp'");
+  CHECK(refused.status == 1);
+  CHECK_MESSAGE(contains(refused.out, "deck: the deck or the model has faults"), refused.out << refused.err);
+}
+
+TEST_CASE("hosts: a legacy program whose COMMON block is the workspace, aligned or not, with traps") {
+  if (!can_host("gfortran")) return;
+  const Libraries libraries;
+  const struct {
+    const char *flags, *kind;
+  } builds[] = {{"-std=legacy -O2", "static"},
+                {"-std=legacy -fno-align-commons", "shared"},
+                {"-std=legacy -fdefault-real-8", "static"}}; // REAL*8 stays what it is
+  for (const auto& build : builds) {
+    build_fortran(libraries, build.flags + kTraps + " -w", example("legacy.f"), build.kind, "host");
+    const Result run = run_shell(libraries.run("host") + " <'" + kDeck + "'");
+    CHECK_MESSAGE(run.status == 0, build.flags << "\n" << run.out << run.err);
+    check_peaks(peaks_of(run.out), expected(), 0.6e-10);
+    // Its own loop over the 14 load cards, without the stop half-way: events do not depend on that.
+    const std::vector<Peak> own = peaks_of(run.out, true);
+    REQUIRE(own.size() == 14);
+    for (size_t i = 0; i < own.size(); ++i) {
+      const Peak& card = expected()[2 * i + 1];
+      CHECK(own[i].load == doctest::Approx(card.load));
+      CHECK(own[i].pressure == doctest::Approx(card.pressure).epsilon(1e-8));
+    }
+  }
+  const Result refused = run_shell(libraries.run("host") + " <'" + kRoot + "/examples/raii.cpp'");
+  CHECK(refused.status == 1);
+  CHECK_MESSAGE(contains(refused.out, "C2CARD SAYS   7"), refused.out);
+}
+
+TEST_CASE("hosts: a legacy program compiled with other lengths of numbers is told so") {
+  if (!can_host("gfortran")) return;
+  const Libraries libraries;
+  const struct {
+    const char *flags, *says;
+  } builds[] = {{"-fdefault-integer-8", "C2OPEN SAYS  51"},
+                {"-freal-8-real-16", "C2OPEN SAYS  52"},
+                {"-freal-8-real-4", "C2OPEN SAYS  52"}};
+  for (const auto& build : builds) {
+    build_fortran(libraries, std::string("-std=legacy -w ") + build.flags, example("legacy.f"), "static",
+                  "host");
+    const Result run = run_shell(libraries.run("host") + " <'" + kDeck + "'");
+    CHECK_MESSAGE(run.status == 3, build.flags << "\n" << run.out << run.err);
+    CHECK_MESSAGE(contains(run.out, build.says), run.out);
+  }
+}
+
+TEST_CASE("hosts: a model by calls of FORTRAN 77 has the pressure of the closed form") {
+  if (!can_host("gfortran")) return;
+  const Libraries libraries;
+  for (const std::string flags : {"-std=legacy -Wall -Werror", "-std=legacy -fcheck=all"}) {
+    build_fortran(libraries, flags + kTraps, example("blocks.f"), "static", "host");
+    const Result run = run_shell(libraries.run("host"));
+    CHECK_MESSAGE(run.status == 0, run.out << run.err);
+    const std::vector<std::string> lines = lines_of(run.out);
+    REQUIRE(lines.size() == 3);
+    const double pressure = 1000.0 / (1 - 0.09) * 0.005; // E/(1 - nu^2) times the strain
+    int outcome = -1, slipping = 0;
+    double p[5], force = 0, syy = 0;
+    REQUIRE(std::sscanf(lines[0].c_str(), " OUTCOME %d PRESSURE %lf %lf %lf %lf %lf", &outcome, p, p + 1,
+                        p + 2, p + 3, p + 4) == 6);
+    REQUIRE(std::sscanf(lines[1].c_str(), " PAIRS SLIPPING %d FORCE ON BLOCK 2 %lf", &slipping, &force) == 2);
+    REQUIRE(std::sscanf(lines[2].c_str(), " STRESS INSIDE %lf", &syy) == 1);
+    CHECK(outcome == 0);
+    CHECK(slipping == 5);
+    for (const double each : p) CHECK(each == doctest::Approx(pressure).epsilon(1e-9)); // the digits printed
+    CHECK(force == doctest::Approx(pressure).epsilon(1e-9));                            // over a length of 1
+    CHECK(syy == doctest::Approx(-pressure).epsilon(1e-9));
+  }
+}
+
+namespace {
+
+// Names with their versions, as port/packaging/contact2d.symbols has them.
+std::set<std::string> exported_names() {
+  std::set<std::string> out;
+  for (const std::string& line :
+       lines_of(run_shell("nm -D --defined-only --with-symbol-versions '" C2D_TEST_SHARED "'").out)) {
+    const size_t blank = line.rfind(' ');
+    std::string name = line.substr(blank + 1);
+    const size_t twice = name.find("@@");
+    if (twice != std::string::npos) name.erase(twice, 1);
+    if (!contains(line, " A ")) out.insert(name); // A: the version itself
+  }
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("hosts: the shared library exports what contact2d.symbols lists, and nothing else") {
+  if (kSanitized || !has_command("nm") || !has_command("readelf")) return;
+  std::set<std::string> listed;
+  for (const std::string& line : lines_of(read_file(kRoot + "/port/packaging/contact2d.symbols")))
+    if (line[0] == ' ') listed.insert(line.substr(1, line.find(' ', 1) - 1));
+  const std::set<std::string> found = exported_names();
+  REQUIRE(found.size() > 80);
+  for (const std::string& name : found) CHECK_MESSAGE(listed.count(name) == 1, name << ": new? make symbols");
+  for (const std::string& name : listed) CHECK_MESSAGE(found.count(name) == 1, name << " is gone");
+  const std::string dynamic = run_shell("readelf -d '" C2D_TEST_SHARED "'").out;
+  CHECK_MESSAGE(contains(dynamic, "[libcontact2d.so.0]"), dynamic);
+  CHECK_MESSAGE(!contains(dynamic, "libstdc++"), dynamic);
+  // Both build systems link by the same script.
+  for (const char* file : {"/Makefile", "/CMakeLists.txt"})
+    CHECK(contains(read_file(kRoot + file), "port/packaging/contact2d.map"));
+}
