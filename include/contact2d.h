@@ -687,6 +687,7 @@ const char* c2d_version(void);               /* "0.1.0" */
 #define C2D_REAL_BYTES 8      /* of a stored matrix's number: 4 for a library compiled with C2D_REAL=float   */
 #endif
 #define C2D_SOLVER_BYTES 2880 /* of c2d_solver, at most, on any target                                      */
+#define C2D_ASSEMBLY_BYTES 3776 /* of what the assembly of an element needs, at most, on any target         */
 #define C2D_ROUND_(bytes) (((bytes) + UINT64_C(63)) / 64 * 64)
 #define C2D_ARRAY_(count, size) C2D_ROUND_(UINT64_C(1) * (count) * (size))
 #define C2D_BLOCK_(numbers) C2D_ROUND_(64 + UINT64_C(1) * C2D_REAL_BYTES * (numbers)) /* with its header           */
@@ -732,6 +733,7 @@ const char* c2d_version(void);               /* "0.1.0" */
 #define C2D_ELIMINATION_BYTES_(nodes, rows, m)                                                                         \
   (C2D_ARRAY_(nodes, 32) + C2D_ARRAY_(nodes, 16) +                     /* diagonal blocks; positions      */          \
    C2D_ARRAY_(nodes, 4) + C2D_BLOCK_(m) +                              /* double nodes; contact tape      */          \
+   C2D_ROUND_(C2D_ASSEMBLY_BYTES) +                                    /* one element at a time           */          \
    C2D_COLUMN_BYTES_(rows) + 64 +                                      /* a panel of one column, its norm */          \
    C2D_BLOCK_(rows) +                                                  /* a block of one column           */          \
    C2D_ARRAY_(C2D_ROWS_(nodes), 4))                                    /* row exchanges                   */

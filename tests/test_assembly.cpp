@@ -1,6 +1,6 @@
 // The columns of a body's equations against integrals done the slow way, from the kernels as the thesis
 // prints them.
-#include "bie/columns.hpp"
+#include "bie/panel.hpp"
 #include "model_fixture.hpp"
 
 #include <doctest/doctest.h>
@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <memory>
 #include <vector>
 
 using namespace fixture;
@@ -24,13 +25,15 @@ struct Columns {
   std::vector<double> diagonal, point;
   std::vector<int32_t> twin;
   c2d::ColumnSystem system;
+  std::unique_ptr<c2d::AssemblyScratch> scratch = std::make_unique<c2d::AssemblyScratch>();
   std::vector<c2d::Real> data;
 
   Columns(ModelData& d, int body, int32_t width = 0) : model(d.view()), b(body) {
     c2d::number_unknowns(model, b);
     const size_t nodes = static_cast<size_t>(model.head->body[b].nodes);
     diagonal.resize(4 * nodes), point.resize(2 * nodes), twin.resize(nodes);
-    system = {model, b, c2d::Quadrature::accurate, diagonal.data(), point.data(), twin.data()};
+    system = {model, b, c2d::Quadrature::accurate, diagonal.data(), point.data(), twin.data(),
+              scratch.get()};
     c2d::place_sources(system);
     c2d::fill_diagonal(system, 0, static_cast<int32_t>(nodes));
     rows = c2d::system_rows(model, b);

@@ -54,7 +54,8 @@ c2d_status check_end(c2d_solver* s, const Model& m, int b, int32_t element, int 
     if (!is_usable(values[q])) return refuse(s, kQuantity[q], " is not a usable number");
     if (q < 2 && contact) return refuse(s, kQuantity[q], " is a contact traction here, expected 0");
     if (q < 2 && !traction_known(m, b, end, q)) return refuse(s, kQuantity[q], " is unknown here, expected 0");
-    const c2d_status held = replaces ? check_held(s, m, b, element, node, q) : C2D_OK;
+    c2d_status held = C2D_OK;
+    if (replaces) held = check_held(s, m, b, element, node, q);
     if (held != C2D_OK) return held;
     if (q < 2) continue;
     if (!displacement_known(m, b, node, q - 2)) return refuse(s, kQuantity[q], " is unknown here, expected 0");

@@ -20,7 +20,8 @@ c2d_status check_points(c2d_solver* s, int32_t body, int32_t first, int64_t coun
 }
 
 c2d_status check_coordinate(c2d_solver* s, double value) {
-  return is_usable(value) ? C2D_OK : refuse_value(s, "a coordinate", value, "a finite number");
+  if (is_usable(value)) return C2D_OK;
+  return refuse_value(s, "a coordinate", value, "a finite number");
 }
 
 void set_point(c2d_solver* s, int32_t body, int32_t number, double x, double y) {

@@ -1,7 +1,7 @@
 // Assemble, eliminate, reduce: from the model to the contact tableau on the tape.
 #include <math.h>
 
-#include "bie/columns.hpp"
+#include "bie/panel.hpp"
 #include "contact/reduction.hpp"
 #include "memory/text.hpp"
 #include "model/free_zones.hpp"
@@ -167,12 +167,13 @@ void note_scratch(c2d_solver* s, uint64_t area, int64_t used) {
 }
 
 // With `loads_only` the matrix has been eliminated, and the loads have changed.
-c2d_status eliminate_body(c2d_solver* s, const Model& m, const PhaseSizes& sizes, int b, bool loads_only) {
+[[gnu::noinline]] c2d_status eliminate_body(c2d_solver* s, const Model& m, const PhaseSizes& sizes, int b, bool loads_only) {
   EliminationArea area;
   const uint64_t bytes = elimination_area(sizes, b, s->plan[b], array_of<char>(s, kPhase), &area);
   const Quadrature quadrature =
       s->options.quadrature == C2D_QUADRATURE_THESIS ? Quadrature::thesis : Quadrature::accurate;
-  BodyJob job{s, ColumnSystem{m, b, quadrature, area.diagonal, area.point, area.twin},
+  BodyJob job{s, ColumnSystem{m, b, quadrature, area.diagonal, area.point, area.twin,
+                                  static_cast<AssemblyScratch*>(area.scratch)},
               ContactTape{&s->tapes, m.head->contact, m.head->load_cases, area.buffer},
               static_cast<int64_t>(s->plan[b].pivots) + s->plan[b].trailing, 0.0};
   const double start = clock_now(s);
@@ -209,7 +210,7 @@ c2d_status tick(void* context) {
   return asked_to_stop(s) ? C2D_ERR_CANCELLED : C2D_OK;
 }
 
-c2d_status reduce_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, bool loads_only) {
+[[gnu::noinline]] c2d_status reduce_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, bool loads_only) {
   if (m.head->contact == 0) return C2D_OK;
   ReductionArea area;
   const uint64_t bytes = reduction_area(sizes, array_of<char>(s, kPhase), &area);
@@ -272,7 +273,7 @@ c2d_status validate_changes(c2d_solver* s, const Model& m) {
 
 } // namespace
 
-void warn_condition(c2d_solver* s) {
+[[gnu::noinline]] void warn_condition(c2d_solver* s) { // its frame stays off the deepest chain
   s->condition = s->smallest_pivot > 0.0 ? s->largest_pivot / s->smallest_pivot : 0.0;
   if (!(s->condition > 1e11)) return;
   c2d_error e = blank_error();
