@@ -226,7 +226,7 @@ c2d_status tick(void* context) {
 }
 
 // Which body's displacements are eliminated, and whether anything can fly away whatever the contact does.
-void find_support(c2d_solver* s, const Model& m) {
+[[gnu::noinline]] void find_support(c2d_solver* s, const Model& m) {
   s->inverted = 0;
   s->blocked = 0;
   for (int b = 0; b < m.head->bodies; ++b)
@@ -241,11 +241,11 @@ c2d_status solve_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, 
   c2d_status status = C2D_OK;
   for (int b = 0; b < m.head->bodies && status == C2D_OK; ++b)
     if (!is_rigid(m, b)) status = eliminate_body(s, m, sizes, b, loads_only);
-  if (status == C2D_OK) status = reduce_bodies(s, m, sizes, loads_only);
-  return status == C2D_OK ? build_energy(s, m) : status;
+  return status == C2D_OK ? reduce_bodies(s, m, sizes, loads_only) : status;
 }
 
-c2d_status run_phases(c2d_solver* s, const Model& m) {
+// (Neither this nor the next is put into c2d_prepare: their frames would stand below that of build_energy.)
+[[gnu::noinline]] c2d_status run_phases(c2d_solver* s, const Model& m) {
   const PhaseSizes sizes = model_sizes(m);
   const uint64_t bytes = s->bytes - s->layout.persistent;
   bool flexibility = false;
@@ -260,12 +260,12 @@ c2d_status run_phases(c2d_solver* s, const Model& m) {
 }
 
 // New right-hand sides go through the factorisation that is on the tapes.
-c2d_status run_loads(c2d_solver* s, const Model& m) {
+[[gnu::noinline]] c2d_status run_loads(c2d_solver* s, const Model& m) {
   const c2d_status status = recount_run(s->tapes, array_of<char>(s, kPhase));
   return status == C2D_OK ? solve_bodies(s, m, model_sizes(m), true) : status;
 }
 
-c2d_status validate_changes(c2d_solver* s, const Model& m) {
+[[gnu::noinline]] c2d_status validate_changes(c2d_solver* s, const Model& m) {
   if (s->loads_changed == 0) return C2D_OK;
   Reporter reporter{s, [](void* solver, const c2d_error& e) { report_fault(static_cast<c2d_solver*>(solver), e); }, 0};
   return validate_loads(m, reporter) ? C2D_OK : C2D_ERR_INPUT;
@@ -273,7 +273,7 @@ c2d_status validate_changes(c2d_solver* s, const Model& m) {
 
 } // namespace
 
-[[gnu::noinline]] void warn_condition(c2d_solver* s) { // its frame stays off the deepest chain
+void warn_condition(c2d_solver* s) {
   s->condition = s->smallest_pivot > 0.0 ? s->largest_pivot / s->smallest_pivot : 0.0;
   if (!(s->condition > 1e11)) return;
   c2d_error e = blank_error();
@@ -347,6 +347,7 @@ extern "C" c2d_status c2d_prepare(c2d_solver* s) {
     if (status == C2D_OK && !s->blocked) status = run_phases(s, m);
     if (s->blocked) s->peak_bytes = s->layout.persistent + path_area(model_sizes(m), s->plan, false, nullptr, nullptr);
   }
+  if (status == C2D_OK && !s->blocked) status = build_energy(s, m);
   if (status == C2D_OK) {
     s->state = C2D_STATE_PREPARED;
     s->factors = s->options.keep_factors != 0 && !s->blocked;
