@@ -405,6 +405,13 @@ c2d_status c2d_add_region(c2d_solver* solver, int32_t body, int32_t first_elemen
    Element e of a region has its first geometry node at (e-1)*(element_nodes-1)+1, plus the open regions before it. */
 c2d_status c2d_set_nodes(c2d_solver* solver, int32_t body, int32_t first, int32_t count, const double* xy,
                          int64_t stride);
+/* Boundary points first ... last, both ends included, at equal distances along a straight line, or along an arc between
+   two angles (degrees, counter-clockwise from the x axis; downwards if the second is smaller), as between two node cards
+   of a deck: the same bits. `from` and `to` count from `origin` (null: (0, 0)). last > first, radius >= 0. */
+c2d_status c2d_set_line_nodes(c2d_solver* solver, int32_t body, int32_t first, int32_t last, const double origin[2],
+                              const double from[2], const double to[2]);
+c2d_status c2d_set_arc_nodes(c2d_solver* solver, int32_t body, int32_t first, int32_t last, const double centre[2],
+                             double radius, double from_degrees, double to_degrees);
 /* Condition at local functional node `local` (1 ...) of an element: codes[4] and values[4] in the order
    tx ty ux uy, global components; values of unknown quantities are ignored. Ends without a condition are free of
    traction; ends of contact elements at listed pairs belong to the contact. All values scale with the factor of
@@ -514,6 +521,9 @@ typedef struct c2d_options {
   int32_t stepping;           /* C2D_STEPPING_...                                                   */
   int32_t every_change;       /* 1: c2d_run's callback also sees every change of status             */
   int32_t symmetry;           /* C2D_SYMMETRY_...; before c2d_complete or c2d_read_deck             */
+  int32_t keep_factors;       /* 1: c2d_prepare keeps all of L, so that new loads cost little: tape LOWER becomes as
+                                 large as UPPER                                                     */
+  int32_t reserved;
 } c2d_options;
 /* Any time before c2d_prepare; another `symmetry` for a complete model: STATE. Errors: ARGUMENT, STATE. */
 c2d_status c2d_set_options(c2d_solver* solver, const c2d_options* options);
@@ -531,6 +541,23 @@ c2d_status c2d_set_options(c2d_solver* solver, const c2d_options* options);
      }
 */
 c2d_status c2d_prepare(c2d_solver* solver);
+
+/* Other loads for the same bodies. c2d_change_loads ends the path and goes back to state model, where the calls below give
+   load cases other values; c2d_prepare then validates them and, if the options said keep_factors, only sends the new
+   right-hand sides through the factorisation that is there: a small part of the work, and results that agree with those
+   of a solver prepared from the beginning to round-off. Without keep_factors, and after other options, a failure or a
+   cancel, c2d_prepare does everything. What is known stays known: codes, geometry, contact do not change. A load case
+   for later is made by more load_cases in c2d_limits, with any load in it at first. States saved before are stale.
+   Legal: prepared, running. */
+c2d_status c2d_change_loads(c2d_solver* solver);
+/* What an end carries in a load case from now on: values[4] in the order tx ty ux uy, as c2d_set_case_values, but every
+   known quantity takes its value, zero too. Refused (ARGUMENT): a value other than zero for something unknown, for the
+   traction of a contact, a displacement of a contact node or one that symmetry holds. Legal: model. */
+c2d_status c2d_replace_values(c2d_solver* solver, int32_t body, int32_t element, int32_t local, const double values[4],
+                              int32_t load_case);
+/* Place and force of point load i (from 1, in the order given); body and load case stay. Legal: model. Also
+   c2d_set_body_force and c2d_set_rigid (of a body 1 that is rigid, load_case > 0) are legal in state model. */
+c2d_status c2d_replace_point_load(c2d_solver* solver, int32_t i, double x, double y, double fx, double fy);
 
 /* ---------------------------------------------------------------- 7 follow the load ----------------------------
 
@@ -773,11 +800,13 @@ c2d_status c2d_get_interference(c2d_solver* solver, int32_t* load_case);
    empty        read_deck                                               -> model
                 all of section 5 but complete                           -> building (set_line, set_options: empty)
    building     all of section 5                                        -> model by complete; empty if that fails
-   model        set_options, prepare                                    -> prepared
+   model        set_options, replace_values, replace_point_load, set_body_force, set_rigid
+                prepare                                                 -> prepared
                 restore                                                 -> prepared or running, as saved
    prepared     begin, run                                              -> running
-                save, restore
+                save, restore; change_loads                             -> model
    running      begin, advance, next_event, run, get, get_zone_state, interior, save, restore
+                change_loads                                            -> model
    broken       after an error of the store: restore, or c2d_create in the same memory
    In model, prepared and running also positions by get, and the lists: get_friction, _zone_friction, _path,
    _path_point, _zone, _region, _condition, _point_load, _case_condition, _case_point_load, _body_force, _rigid,

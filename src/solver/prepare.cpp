@@ -7,6 +7,7 @@
 #include "memory/text.hpp"
 #include "model/free_zones.hpp"
 #include "model/rigid.hpp"
+#include "model/validate.hpp"
 #include "solver/phases.hpp"
 #include "solver/energy.hpp"
 #include "solver/rehearsal.hpp"
@@ -171,8 +172,13 @@ void note_scratch(c2d_solver* s, uint64_t area, int64_t used) {
   if (bytes > s->peak_bytes) s->peak_bytes = bytes;
 }
 
+<<<<<<< HEAD
 [[gnu::noinline]] c2d_status eliminate_body(c2d_solver* s, const Model& m, const PhaseSizes& sizes, int b) {
   clear_phases(s);
+=======
+// With `loads_only` the matrix has been eliminated, and the loads have changed.
+[[gnu::noinline]] c2d_status eliminate_body(c2d_solver* s, const Model& m, const PhaseSizes& sizes, int b, bool loads_only) {
+>>>>>>> main
   EliminationArea area;
   const uint64_t bytes = elimination_area(sizes, b, s->plan[b], array_of<char>(s, kPhase), &area);
   const Quadrature quadrature =
@@ -190,13 +196,20 @@ void note_scratch(c2d_solver* s, uint64_t area, int64_t used) {
     if (asked_to_stop(s)) return C2D_ERR_CANCELLED;
   }
   job.assembling += clock_now(s) - start;
-  PivotStats stats{};
+  const ColumnSource source{&job, assemble_columns};
+  const RowSink sink{&job, keep_reduced};
+  const Watch watch{&job, watch_column};
   int64_t scratch = 0;
-  const c2d_status status =
-      eliminate(s->plan[b], ColumnSource{&job, assemble_columns}, RowSink{&job, keep_reduced}, s->tapes, area.work,
-                &stats, Watch{&job, watch_column}, engine_beside(s, sizes, bytes, &scratch));
+  const Engine engine = engine_beside(s, sizes, bytes, &scratch);
+  c2d_status status;
+  if (loads_only) {
+    status = eliminate_again(s->plan[b], 2 * m.head->contact, source, sink, s->tapes, area.work, watch, engine);
+  } else {
+    PivotStats stats{};
+    status = eliminate(s->plan[b], source, sink, s->tapes, area.work, &stats, watch, engine);
+    note_pivots(s, stats);
+  }
   note_scratch(s, bytes, scratch);
-  note_pivots(s, stats);
   s->seconds[C2D_PHASE_ASSEMBLE] += job.assembling;
   s->seconds[C2D_PHASE_ELIMINATE] += clock_now(s) - start - job.assembling;
   return status;
@@ -208,7 +221,7 @@ c2d_status tick(void* context) {
   return asked_to_stop(s) ? C2D_ERR_CANCELLED : C2D_OK;
 }
 
-[[gnu::noinline]] c2d_status reduce_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes) {
+[[gnu::noinline]] c2d_status reduce_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, bool loads_only) {
   if (m.head->contact == 0) return C2D_OK;
   clear_phases(s);
   ReductionArea area;
@@ -218,14 +231,14 @@ c2d_status tick(void* context) {
   const Reduction reduction{ContactTape{&s->tapes, m.head->contact, m.head->load_cases, area.buffer}, m,
                             s->inverted, area.first, area.second, area.strip, area.pivots, s, tick,
                             engine_beside(s, sizes, bytes, &scratch)};
-  const c2d_status status = reduce(reduction);
+  const c2d_status status = loads_only ? reduce_loads(reduction) : reduce(reduction);
   note_scratch(s, bytes, scratch);
   s->seconds[C2D_PHASE_REDUCE] += clock_now(s) - start;
   return status;
 }
 
 // Which body's displacements are eliminated, and whether anything can fly away whatever the contact does.
-void find_support(c2d_solver* s, const Model& m) {
+[[gnu::noinline]] void find_support(c2d_solver* s, const Model& m) {
   s->inverted = 0;
   s->blocked = 0;
   for (int b = 0; b < m.head->bodies; ++b)
@@ -236,21 +249,46 @@ void find_support(c2d_solver* s, const Model& m) {
   else if (!contact_holds(m, 1 - s->inverted)) s->blocked = 2 - s->inverted;
 }
 
-c2d_status run_phases(c2d_solver* s, const Model& m) {
+c2d_status solve_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, bool loads_only) {
+  c2d_status status = C2D_OK;
+  for (int b = 0; b < m.head->bodies && status == C2D_OK; ++b)
+    if (!is_rigid(m, b)) status = eliminate_body(s, m, sizes, b, loads_only);
+  return status == C2D_OK ? reduce_bodies(s, m, sizes, loads_only) : status;
+}
+
+// (Neither this nor the next is put into c2d_prepare: their frames would stand below that of build_energy.)
+[[gnu::noinline]] c2d_status run_phases(c2d_solver* s, const Model& m) {
   const PhaseSizes sizes = model_sizes(m);
   const uint64_t bytes = s->bytes - s->layout.persistent;
   bool flexibility = false;
   c2d_status status = choose_plans(sizes, bytes, s->limits.panel_columns, s->plan, &flexibility);
   s->keeps_flexibility = flexibility;
   if (status != C2D_OK) return status;
+  for (EliminationPlan& plan : s->plan) plan.keep_lower = s->options.keep_factors;
   s->peak_bytes = s->layout.persistent + phases_use(sizes, s->plan, flexibility);
   status = begin_run(s->tapes, hash_model(m, s->options), array_of<char>(s, kPhase));
   if (status == C2D_OK) status = open_tapes(s, m);
+<<<<<<< HEAD
   for (int b = 0; b < m.head->bodies && status == C2D_OK; ++b)
     if (!is_rigid(m, b)) status = eliminate_body(s, m, sizes, b);
   if (status == C2D_OK) status = reduce_bodies(s, m, sizes);
   clear_phases(s);
   return status == C2D_OK ? build_energy(s, m) : status;
+=======
+  return status == C2D_OK ? solve_bodies(s, m, sizes, false) : status;
+}
+
+// New right-hand sides go through the factorisation that is on the tapes.
+[[gnu::noinline]] c2d_status run_loads(c2d_solver* s, const Model& m) {
+  const c2d_status status = recount_run(s->tapes, array_of<char>(s, kPhase));
+  return status == C2D_OK ? solve_bodies(s, m, model_sizes(m), true) : status;
+}
+
+[[gnu::noinline]] c2d_status validate_changes(c2d_solver* s, const Model& m) {
+  if (s->loads_changed == 0) return C2D_OK;
+  Reporter reporter{s, [](void* solver, const c2d_error& e) { report_fault(static_cast<c2d_solver*>(solver), e); }, 0};
+  return validate_loads(m, reporter) ? C2D_OK : C2D_ERR_INPUT;
+>>>>>>> main
 }
 
 } // namespace
@@ -309,19 +347,37 @@ namespace {
 // What c2d_prepare does, with this store.
 c2d_status prepare_with(c2d_solver* s, const c2d_port* store) {
   const Model m = model_of(s);
-  s->smallest_pivot = 1e300;
-  s->largest_pivot = s->pivot_growth = s->condition = 0.0;
+  status = validate_changes(s, m);
+  if (status != C2D_OK) return status;
+  const bool loads_only = s->factors != 0;
+  s->loads_changed = s->factors = 0;
   for (double& seconds : s->seconds) seconds = 0.0;
-  find_support(s, m);
   s->saves = 0;
+<<<<<<< HEAD
   c2d_status status = close_all(s->tapes);
   s->tapes.port = store;
   s->tapes.busy = &s->busy;
   if (status == C2D_OK && !s->blocked) status = run_phases(s, m);
   if (s->blocked) s->peak_bytes = s->layout.persistent + path_area(model_sizes(m), s->plan, false, nullptr, nullptr);
+=======
+  if (loads_only) {
+    status = run_loads(s, m);
+  } else {
+    s->smallest_pivot = 1e300;
+    s->largest_pivot = s->pivot_growth = s->condition = 0.0;
+    find_support(s, m);
+    status = close_all(s->tapes);
+    s->tapes.port = &s->port;
+    s->tapes.busy = &s->busy;
+    if (status == C2D_OK && !s->blocked) status = run_phases(s, m);
+    if (s->blocked) s->peak_bytes = s->layout.persistent + path_area(model_sizes(m), s->plan, false, nullptr, nullptr);
+  }
+  if (status == C2D_OK && !s->blocked) status = build_energy(s, m);
+>>>>>>> main
   if (status == C2D_OK) {
     s->state = C2D_STATE_PREPARED;
-    if (!s->blocked) warn_condition(s);
+    s->factors = s->options.keep_factors != 0 && !s->blocked;
+    if (!s->blocked && !loads_only) warn_condition(s);
     return C2D_OK;
   }
   if (is_store_error(status)) return fail_store(s, status);

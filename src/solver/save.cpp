@@ -67,6 +67,7 @@ uint64_t hash_state(c2d_solver* s) {
   hash = checksum(hash, &s->layout, sizeof s->layout);
   hash = checksum(hash, m.friction,
                   static_cast<uint64_t>(s->sizes.coefficients * (1 + s->sizes.zones)) * sizeof(double));
+  hash = checksum(hash, array_of<PointSet>(s, kPointSets), static_cast<uint64_t>(m.head->point_sets) * sizeof(PointSet));
   hash = checksum(hash, m.path, static_cast<uint64_t>(m.head->paths) * sizeof(Path));
   return checksum(hash, m.path_load,
                   static_cast<uint64_t>(m.head->paths) * static_cast<uint64_t>(m.head->load_cases) * sizeof(double));
