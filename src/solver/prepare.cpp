@@ -172,13 +172,9 @@ void note_scratch(c2d_solver* s, uint64_t area, int64_t used) {
   if (bytes > s->peak_bytes) s->peak_bytes = bytes;
 }
 
-<<<<<<< HEAD
-[[gnu::noinline]] c2d_status eliminate_body(c2d_solver* s, const Model& m, const PhaseSizes& sizes, int b) {
-  clear_phases(s);
-=======
 // With `loads_only` the matrix has been eliminated, and the loads have changed.
 [[gnu::noinline]] c2d_status eliminate_body(c2d_solver* s, const Model& m, const PhaseSizes& sizes, int b, bool loads_only) {
->>>>>>> main
+  clear_phases(s);
   EliminationArea area;
   const uint64_t bytes = elimination_area(sizes, b, s->plan[b], array_of<char>(s, kPhase), &area);
   const Quadrature quadrature =
@@ -253,7 +249,9 @@ c2d_status solve_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, 
   c2d_status status = C2D_OK;
   for (int b = 0; b < m.head->bodies && status == C2D_OK; ++b)
     if (!is_rigid(m, b)) status = eliminate_body(s, m, sizes, b, loads_only);
-  return status == C2D_OK ? reduce_bodies(s, m, sizes, loads_only) : status;
+  if (status == C2D_OK) status = reduce_bodies(s, m, sizes, loads_only);
+  clear_phases(s);
+  return status;
 }
 
 // (Neither this nor the next is put into c2d_prepare: their frames would stand below that of build_energy.)
@@ -268,13 +266,6 @@ c2d_status solve_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, 
   s->peak_bytes = s->layout.persistent + phases_use(sizes, s->plan, flexibility);
   status = begin_run(s->tapes, hash_model(m, s->options), array_of<char>(s, kPhase));
   if (status == C2D_OK) status = open_tapes(s, m);
-<<<<<<< HEAD
-  for (int b = 0; b < m.head->bodies && status == C2D_OK; ++b)
-    if (!is_rigid(m, b)) status = eliminate_body(s, m, sizes, b);
-  if (status == C2D_OK) status = reduce_bodies(s, m, sizes);
-  clear_phases(s);
-  return status == C2D_OK ? build_energy(s, m) : status;
-=======
   return status == C2D_OK ? solve_bodies(s, m, sizes, false) : status;
 }
 
@@ -288,7 +279,6 @@ c2d_status solve_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, 
   if (s->loads_changed == 0) return C2D_OK;
   Reporter reporter{s, [](void* solver, const c2d_error& e) { report_fault(static_cast<c2d_solver*>(solver), e); }, 0};
   return validate_loads(m, reporter) ? C2D_OK : C2D_ERR_INPUT;
->>>>>>> main
 }
 
 } // namespace
@@ -347,19 +337,12 @@ namespace {
 // What c2d_prepare does, with this store.
 c2d_status prepare_with(c2d_solver* s, const c2d_port* store) {
   const Model m = model_of(s);
-  status = validate_changes(s, m);
+  c2d_status status = validate_changes(s, m);
   if (status != C2D_OK) return status;
   const bool loads_only = s->factors != 0;
   s->loads_changed = s->factors = 0;
   for (double& seconds : s->seconds) seconds = 0.0;
   s->saves = 0;
-<<<<<<< HEAD
-  c2d_status status = close_all(s->tapes);
-  s->tapes.port = store;
-  s->tapes.busy = &s->busy;
-  if (status == C2D_OK && !s->blocked) status = run_phases(s, m);
-  if (s->blocked) s->peak_bytes = s->layout.persistent + path_area(model_sizes(m), s->plan, false, nullptr, nullptr);
-=======
   if (loads_only) {
     status = run_loads(s, m);
   } else {
@@ -367,13 +350,12 @@ c2d_status prepare_with(c2d_solver* s, const c2d_port* store) {
     s->largest_pivot = s->pivot_growth = s->condition = 0.0;
     find_support(s, m);
     status = close_all(s->tapes);
-    s->tapes.port = &s->port;
+    s->tapes.port = store;
     s->tapes.busy = &s->busy;
     if (status == C2D_OK && !s->blocked) status = run_phases(s, m);
     if (s->blocked) s->peak_bytes = s->layout.persistent + path_area(model_sizes(m), s->plan, false, nullptr, nullptr);
   }
   if (status == C2D_OK && !s->blocked) status = build_energy(s, m);
->>>>>>> main
   if (status == C2D_OK) {
     s->state = C2D_STATE_PREPARED;
     s->factors = s->options.keep_factors != 0 && !s->blocked;
@@ -416,6 +398,7 @@ void rehearse(c2d_solver* s) {
   s->has_fault = 0;
   s->warnings = warnings;
   s->cancelled = cancelled;
+  s->factors = 0;
   s->state = C2D_STATE_MODEL;
 }
 #endif
@@ -429,7 +412,7 @@ extern "C" c2d_status c2d_prepare(c2d_solver* s) {
   if (!p.open || !p.read || !p.write || !p.sync || !p.close)
     return fail(s, C2D_ERR_ARGUMENT, "the port has no block store (open, read, write, sync, close)");
 #ifdef C2D_HOSTILE
-  rehearse(s);
+  if (s->factors == 0 && s->loads_changed == 0) rehearse(s); // what went before must not be lost
 #endif
   return prepare_with(s, &s->port);
 }
