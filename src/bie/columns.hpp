@@ -19,6 +19,7 @@
 
 namespace c2d {
 
+struct BatchKernel;
 struct ColumnSystem {
   Model model;
   int32_t body;
@@ -26,6 +27,7 @@ struct ColumnSystem {
   double* diagonal; // [4 * nodes]: free term and principal value, 2x2 row by row, from rigid translation (A.5)
   double* point;    // [2 * nodes]: collocation points in the length unit
   int32_t* twin;    // [nodes]: the other node of a double node, kSingle, or kSecondTwin (no collocation there)
+  const BatchKernel* batch = nullptr; // bie/batch.hpp; without it sources are taken one by one
 };
 constexpr int32_t kSingle = -1, kSecondTwin = -2, kAxisNode = -3; // kAxisNode: only axis elements meet there
 

@@ -1,4 +1,5 @@
 // Collocation points, their images, and what every one of them takes from an element.
+#include "bie/batch_sources.hpp"
 #include "bie/holes.hpp"
 #include "bie/panel.hpp"
 #include "model/symmetry.hpp"
@@ -27,14 +28,13 @@ void place_sources(const ColumnSystem& system) {
   }
 }
 
-namespace {
-
-// Local node of the element at which the source sits, itself or its twin; -1: none.
 int singular_node(const int32_t node[4], int count, int32_t source, int32_t twin) {
   for (int l = 0; l < count; ++l)
     if (node[l] == source || (twin >= 0 && node[l] == twin)) return l;
   return -1;
 }
+
+namespace {
 
 void sign_rows(int image, int functions, double block[4][2][2]) {
   for (int l = 0; l < functions; ++l)
@@ -62,6 +62,7 @@ void pay_hole(const ColumnSystem& system, const Hole& hole, const Integrator& in
 void pay_sources(const ColumnSystem& system, const Hole* hole, const Integrator& integrator, const int32_t node[4],
                  bool want_h, bool want_g, Blocks& blocks, const Deposits& deposits) {
   if (hole) return pay_hole(system, *hole, integrator, want_h, want_g, blocks, deposits);
+  if (pay_batches(system, integrator, node, blocks, deposits)) return;
   const Model& m = system.model;
   const int nf = m.head->function_nodes;
   for (int32_t source = 0; source < m.head->body[system.body].nodes; ++source) {
@@ -91,6 +92,7 @@ void fill_diagonal(const ColumnSystem& system, int32_t first_node, int32_t count
     make_integrator(m, b, element, system.quadrature, Measure::own_length, integrator);
     int32_t node[4];
     for (int l = 0; l < m.head->function_nodes; ++l) node[l] = functional_node(m, b, element, l);
+    if (fill_diagonal_batches(system, integrator, node, first_node, count)) continue;
     for (int32_t source = first_node; source < first_node + count; ++source) {
       const int32_t twin = system.twin[source];
       if (twin == kSecondTwin || twin == kAxisNode) continue;

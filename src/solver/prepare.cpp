@@ -1,6 +1,7 @@
 // Assemble, eliminate, reduce: from the model to the contact tableau on the tape.
 #include <math.h>
 
+#include "bie/batch.hpp"
 #include "bie/columns.hpp"
 #include "contact/reduction.hpp"
 #include "memory/text.hpp"
@@ -170,7 +171,7 @@ c2d_status eliminate_body(c2d_solver* s, const Model& m, const PhaseSizes& sizes
   const uint64_t bytes = elimination_area(sizes, b, s->plan[b], array_of<char>(s, kPhase), &area);
   const Quadrature quadrature =
       s->options.quadrature == C2D_QUADRATURE_THESIS ? Quadrature::thesis : Quadrature::accurate;
-  BodyJob job{s, ColumnSystem{m, b, quadrature, area.diagonal, area.point, area.twin},
+  BodyJob job{s, ColumnSystem{m, b, quadrature, area.diagonal, area.point, area.twin, batch_for(best_instructions())},
               ContactTape{&s->tapes, m.head->contact, m.head->load_cases, area.buffer},
               static_cast<int64_t>(s->plan[b].pivots) + s->plan[b].trailing, 0.0};
   const double start = clock_now(s);

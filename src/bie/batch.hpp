@@ -1,0 +1,43 @@
+#pragma once
+// Integrals over one straight element for several sources at once, a source per lane of the processor's vectors: closed
+// forms next to the element, series in its length over the distance elsewhere, with logarithm and arctangent of their
+// own. One set of functions per instruction set (linalg/kernel.hpp); the same numbers as integrate() gives one by one,
+// to round-off.
+#include "bie/integrals.hpp"
+#include "linalg/kernel.hpp"
+
+namespace c2d {
+
+constexpr int kBatch = 8; // sources
+
+// The blocks of integrals.hpp, [l][j][2 s + i]: as the rows of a column follow each other.
+struct BatchBlocks {
+  double h[4][2][2 * kBatch];
+  double g[4][2][2 * kBatch];
+};
+
+struct BatchKernel {
+  // Sources at xy = x0 y0 x1 y1 ..., for which is_batched() holds. A source at one of the element's functional nodes
+  // gets finite numbers without meaning. Blocks not wanted are not touched.
+  void (*integrate)(const Integrator& in, const double* xy, bool want_h, bool want_g, BatchBlocks& out);
+  // rigid_sum(): sum[i][2 s + j].
+  void (*rigid)(const Integrator& in, const double* xy, double sum[2][2 * kBatch]);
+  // to[2 s + i] += factor[i] * values[2 s + i].
+  void (*deposit)(const double* values, const double factor[2], Real* to);
+  // Of kBatch numbers each, for tests: ln x, x > 0 and normal; atan2(y, x), 0 if both are.
+  void (*logarithm)(const double* x, double* out);
+  void (*angle)(const double* y, const double* x, double* out);
+};
+
+// Null for plain, and for a set that this build does not have.
+const BatchKernel* batch_for(Instructions set);
+
+// Does the element have closed forms for what is wanted?
+bool is_batched(const Integrator& in, bool want_g);
+
+// One function per file with loops, see linalg/kernel_sets.hpp.
+const BatchKernel* baseline_batch();
+const BatchKernel* avx2_batch();
+const BatchKernel* avx512_batch();
+
+} // namespace c2d
