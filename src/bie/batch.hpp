@@ -16,12 +16,23 @@ struct BatchBlocks {
   double g[4][2][2 * kBatch];
 };
 
+// An element as the batch wants it: ends, half-vector over its squared length, and the factors of all that depends on
+// the source. Names as in integrals.hpp.
+struct BatchElement {
+  double x0, y0, x1, y1, ux, uy;
+  double h_alpha, h_delta, h_cos2, h_sin2;           // -k t2, k t1, -k cos2, -k sin2
+  double g_alpha, g_log, g_cos2, g_sin2;             // k J (1/2 - kappa ln|h|), k J kappa, -k J cos2, -k J sin2
+  double g_half_cos2, g_half_sin2;                   // k J cos2 / 2, k J sin2 / 2
+  int functions;
+};
+BatchElement batch_element(const Integrator& in);
+
 struct BatchKernel {
-  // Sources at xy = x0 y0 x1 y1 ..., for which is_batched() holds. A source at one of the element's functional nodes
-  // gets finite numbers without meaning. Blocks not wanted are not touched.
-  void (*integrate)(const Integrator& in, const double* xy, bool want_h, bool want_g, BatchBlocks& out);
+  // Sources at xy = x0 y0 x1 y1 ... and an element for which is_batched() holds. A source at one of the element's
+  // functional nodes gets finite numbers without meaning. Blocks not wanted are not touched.
+  void (*integrate)(const BatchElement& e, const double* xy, bool want_h, bool want_g, BatchBlocks& out);
   // rigid_sum(): sum[i][2 s + j].
-  void (*rigid)(const Integrator& in, const double* xy, double sum[2][2 * kBatch]);
+  void (*rigid)(const BatchElement& e, const double* xy, double sum[2][2 * kBatch]);
   // to[2 s + i] += factor[i] * values[2 s + i].
   void (*deposit)(const double* values, const double factor[2], Real* to);
   // Of kBatch numbers each, for tests: ln x, x > 0 and normal; atan2(y, x), 0 if both are.

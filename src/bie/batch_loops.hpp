@@ -15,40 +15,42 @@ namespace {
 struct Pair { // a complex number per lane
   Vector re, im;
 };
-inline Pair operator+(Pair a, Pair b) {
+INLINE Pair operator+(Pair a, Pair b) {
   return {a.re + b.re, a.im + b.im};
 }
-inline Pair operator-(Pair a, Pair b) {
+INLINE Pair operator-(Pair a, Pair b) {
   return {a.re - b.re, a.im - b.im};
 }
-inline Pair operator*(Pair a, Pair b) {
+INLINE Pair operator*(Pair a, Pair b) {
   return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
 }
-inline Pair operator*(double s, Pair a) {
+INLINE Pair operator*(double s, Pair a) {
   return {s * a.re, s * a.im};
 }
-inline Pair choose(Bits which, Pair a, Pair b) {
+INLINE Pair choose(Bits which, Pair a, Pair b) {
   return {which ? a.re : b.re, which ? a.im : b.im};
 }
 
 // The sources as the element's ends see them: z = xi + i zeta from the nearer one.
 struct Seen {
-  Vector xi1, xi2, z2; // Re (z + 1), Re (z - 1), |z|^2
+  Vector xi1, xi2; // Re (z + 1), Re (z - 1)
   Pair z;
 };
 
-inline Seen see(const Integrator& in, Vector x, Vector y) {
-  const Element& e = in.element;
-  const int last = e.nodes - 1;
-  const Vector ax = x - e.x[0], ay = y - e.y[0], bx = x - e.x[last], by = y - e.y[last];
+INLINE Seen see(const BatchElement& e, const double* xy) {
+  const Vector v = load(xy), w = load(xy + kLanes), x = evens(v, w), y = odds(v, w);
+  const Vector ax = x - e.x0, ay = y - e.y0, bx = x - e.x1, by = y - e.y1;
   Seen s;
-  s.xi1 = ax * in.ux + ay * in.uy;
-  s.xi2 = bx * in.ux + by * in.uy;
+  s.xi1 = ax * e.ux + ay * e.uy;
+  s.xi2 = bx * e.ux + by * e.uy;
   const Bits first = s.xi1 < -s.xi2;
-  s.z.im = first ? ay * in.ux - ax * in.uy : by * in.ux - bx * in.uy;
+  s.z.im = (first ? ay : by) * e.ux - (first ? ax : bx) * e.uy;
   s.z.re = first ? s.xi1 - 1.0 : s.xi2 + 1.0;
-  s.z2 = s.z.re * s.z.re + s.z.im * s.z.im;
   return s;
+}
+
+INLINE Vector squared_size(Pair z) {
+  return z.re * z.re + z.im * z.im;
 }
 
 template <int F> struct Many {
@@ -63,7 +65,7 @@ struct Ends {
   Vector log_product;
 };
 
-inline Ends see_ends(const Seen& s) {
+INLINE Ends see_ends(const Seen& s) {
   const Vector zeta2 = s.z.im * s.z.im + 1e-290; // a source on an end must not divide by zero
   const Vector n1 = s.xi1 * s.xi1 + zeta2, n2 = s.xi2 * s.xi2 + zeta2;
   const Vector q = 1.0 / (n1 * n2), q1 = n2 * q, q2 = n1 * q;
@@ -76,7 +78,7 @@ inline Ends see_ends(const Seen& s) {
   return e;
 }
 
-template <int F> inline void near_moments(const Seen& s, Many<F>& m) {
+template <int F> INLINE void near_moments(const Seen& s, Many<F>& m) {
   const Ends e = see_ends(s);
   m.c[0] = e.c0;
   for (int k = 0; k < F; ++k) {
@@ -92,12 +94,12 @@ template <int F> inline void near_moments(const Seen& s, Many<F>& m) {
 // ---- far: series --------------------------------------------------------------------------------------------------
 
 // Terms after which w^m < 1e-15.
-inline int terms_of(double z2) {
-  if (z2 < 32.0) return 14;
-  if (z2 < 1e2) return 10;
-  if (z2 < 1e3) return 8;
-  if (z2 < 1e4) return 5;
-  return z2 < 1e5 ? 4 : 3;
+INLINE int terms_of(double z2) {
+  if (z2 >= 1e5) return 3;
+  if (z2 >= 1e4) return 4;
+  if (z2 >= 1e3) return 5;
+  if (z2 >= 1e2) return 8;
+  return z2 >= 32.0 ? 10 : 14;
 }
 
 constexpr double kThirds[] = {1.0 / 3,  1.0 / 5,  1.0 / 7,  1.0 / 9,  1.0 / 11, 1.0 / 13, 1.0 / 15,
@@ -105,44 +107,40 @@ constexpr double kThirds[] = {1.0 / 3,  1.0 / 5,  1.0 / 7,  1.0 / 9,  1.0 / 11, 
 constexpr double kEach[] = {1.0,     1.0 / 2, 1.0 / 3,  1.0 / 4,  1.0 / 5,  1.0 / 6,  1.0 / 7,
                             1.0 / 8, 1.0 / 9, 1.0 / 10, 1.0 / 11, 1.0 / 12, 1.0 / 13, 1.0 / 14};
 
-// A polynomial with real coefficients at a complex argument, from the highest down.
-struct Descent {
-  Vector b1, b2;
-  inline void take(double a, Vector trace, Vector norm) {
-    const Vector b = a + trace * b1 - norm * b2;
-    b2 = b1;
-    b1 = b;
-  }
-  inline Pair end(double a, Pair w, Vector norm) const { return {a + w.re * b1 - norm * b2, w.im * b1}; }
-};
-
-// 1/z and w, and sum w^m/(2m+q), q = 3 or 5, sum w^m = 1/(1-w), sum w^m/(m+1) = -ln(1-w)/w.
+// 1/z and w, and sum w^m/(2m+q), q = 3 or 5, sum w^m = 1/(1-w), Re sum w^m/(m+1) = -ln(1-w)/w. A polynomial with
+// real coefficients at a complex argument takes two real recurrences, here all three together, highest power first.
 struct Series {
-  Pair iz, w, odd, geometric, logs;
+  Pair iz, w, odd, geometric;
+  Vector log_1_w; // ln |1-w|
 };
 
-template <int Q, bool LOGS> inline Series sum_series(const Pair& z, Vector z2, double least_z2) {
+template <int Q> INLINE Series sum_series(Pair z, Vector z2, int terms) {
   const double* a = kThirds + (Q - 3) / 2;
   const Vector q = 1.0 / z2;
   Series s;
   s.iz = {z.re * q, -z.im * q};
-  s.w = s.iz * s.iz;
+  s.w = {s.iz.re * s.iz.re - s.iz.im * s.iz.im, 2.0 * (s.iz.re * s.iz.im)};
   const Vector trace = 2.0 * s.w.re, norm = q * q;
-  Descent odd{}, geometric{}, logs{};
-  for (int m = terms_of(least_z2) - 1; m > 0; --m) {
-    odd.take(a[m], trace, norm);
-    geometric.take(1.0, trace, norm);
-    if (LOGS) logs.take(kEach[m], trace, norm);
+  // The highest terms: b_(n-1) = a_(n-1), b_(n-2) = a_(n-2) + trace b_(n-1).
+  int m = terms - 2;
+  Vector odd2 = all(a[m + 1]), each2 = all(kEach[m + 1]), one2 = all(1.0);
+  Vector odd = a[m] + trace * odd2, each = kEach[m] + trace * each2, one = 1.0 + trace;
+  while (--m > 0) {
+    const Vector next_odd = a[m] + (trace * odd - norm * odd2), next_each = kEach[m] + (trace * each - norm * each2),
+                 next_one = 1.0 + (trace * one - norm * one2);
+    odd2 = odd, each2 = each, one2 = one;
+    odd = next_odd, each = next_each, one = next_one;
   }
-  s.odd = odd.end(a[0], s.w, norm);
-  s.geometric = geometric.end(1.0, s.w, norm);
-  if (LOGS) s.logs = logs.end(1.0, s.w, norm);
+  s.odd = {a[0] + (s.w.re * odd - norm * odd2), s.w.im * odd};
+  s.geometric = {1.0 + (s.w.re * one - norm * one2), s.w.im * one};
+  const Pair logs = {1.0 + (s.w.re * each - norm * each2), s.w.im * each};
+  s.log_1_w = s.w.im * logs.im - s.w.re * logs.re;
   return s;
 }
 
-template <int F> inline void far_moments(const Pair& z, Vector z2, double least_z2, bool want_log, Many<F>& m) {
+template <int F> INLINE void far_moments(Pair z, Vector z2, double least_z2, bool want_log, Many<F>& m) {
   constexpr bool high = F > 2;
-  const Series s = sum_series<high ? 5 : 3, true>(z, z2, least_z2);
+  const Series s = sum_series<high ? 5 : 3>(z, z2, terms_of(least_z2));
   Pair s3 = s.odd;
   if (high) {
     s3 = s.w * s.odd;
@@ -150,180 +148,180 @@ template <int F> inline void far_moments(const Pair& z, Vector z2, double least_
   }
   Pair s1 = s.w * s3;
   s1.re += 1.0;
-  const Pair minus_w = -2.0 * s.w, minus_iz = -2.0 * s.iz;
+  const Pair two_w = 2.0 * s.w, minus_w = {-two_w.re, -two_w.im}, minus_iz = -2.0 * s.iz;
   m.c[0] = minus_iz * s1;
   m.c[1] = minus_w * s3;
-  m.d[0] = 2.0 * (s.w * s.geometric);
-  const Pair iz3 = 2.0 * (s.iz * s.w);
+  m.d[0] = two_w * s.geometric;
+  const Pair iz3 = two_w * s.iz;
   if (F > 1) {
     m.c[2] = minus_iz * s3;
     m.d[1] = iz3 * (s.geometric - s3);
   }
   if (F > 2) {
     m.c[3] = minus_w * s.odd;
-    m.d[2] = 2.0 * (s.w * (s.geometric - 2.0 * s3));
+    m.d[2] = two_w * (s.geometric - 2.0 * s3);
   }
   if (F > 3) {
     m.c[4] = minus_iz * s.odd;
     m.d[3] = iz3 * (s.geometric - 3.0 * s.odd);
   }
-  if (want_log) m.log_product = logarithm(z2) - (s.w.re * s.logs.re - s.w.im * s.logs.im);
-}
-
-// ---- both ---------------------------------------------------------------------------------------------------------
-
-// Lanes that the series must not see are given z = 8.
-struct Split {
-  Bits near;
-  Pair z;
-  Vector z2;
-  double least, least_far;
-  inline Split(const Seen& s, double start) {
-    least = c2d::least(s.z2);
-    near = s.z2 < start;
-    z = s.z;
-    z2 = s.z2;
-    least_far = least;
-    if (!(least < start)) return;
-    z.re = near ? all(8.0) : s.z.re;
-    z.im = near ? all(0.0) : s.z.im;
-    z2 = near ? all(64.0) : s.z2;
-    least_far = c2d::least(z2);
-  }
-};
-
-inline bool any_far(const Seen& s, double start) {
-  return !(-least(-s.z2) < start);
-}
-
-template <int F> inline void find_moments(const Seen& s, bool want_log, Many<F>& m) {
-  constexpr double start = kFarStart[F];
-  const Split split(s, start);
-  if (!(split.least < start)) return far_moments<F>(s.z, s.z2, split.least, want_log, m);
-  near_moments<F>(s, m);
-  if (!any_far(s, start)) return;
-  Many<F> far;
-  far_moments<F>(split.z, split.z2, split.least_far, want_log, far);
-  for (int k = 0; k <= F; ++k) m.c[k] = choose(split.near, m.c[k], far.c[k]);
-  for (int k = 0; k < F; ++k) m.d[k] = choose(split.near, m.d[k], far.d[k]);
-  if (want_log) m.log_product = split.near ? m.log_product : far.log_product;
+  m.log_product = want_log ? logarithm(z2) + s.log_1_w : Vector{};
 }
 
 // ---- blocks -------------------------------------------------------------------------------------------------------
 
 // Rows 0 and 1 of one column of a block, as they follow each other.
-inline void save_rows(double* to, Vector row0, Vector row1) {
+INLINE void save_rows(double* to, Vector row0, Vector row1) {
   save(to, evens(row0, row1));
   save(to + kLanes, odds(row0, row1));
 }
 
-template <int F> inline void store_h(const Integrator& in, const Pair* c, const Pair* d, Vector zeta, int at,
-                                     BatchBlocks& out) {
-  const double a = -in.k * in.t2, delta = in.k * in.t1;
-  const Vector turn_re = zeta * (-in.k * in.cos2), turn_im = zeta * (-in.k * in.sin2);
-  for (int l = 0; l < F; ++l) {
-    const Vector beta = turn_re * d[l].re + turn_im * d[l].im, gamma = turn_im * d[l].re - turn_re * d[l].im;
-    save_rows(out.h[l][0] + at, beta + a * c[l].im, gamma + delta * c[l].re);
-    save_rows(out.h[l][1] + at, gamma - delta * c[l].re, a * c[l].im - beta);
-  }
-}
-
-// Tractions: alpha = mean (1/2 - kappa ln|h|) - kappa E, and what turns with the axes about mean/2.
-template <int F> inline void store_g(const Integrator& in, const Pair* c, const Vector* e, Vector zeta, int at,
-                                     BatchBlocks& out) {
-  const double k = in.k * in.g_jacobian, half_re = 0.5 * k * in.cos2, half_im = 0.5 * k * in.sin2;
-  const double constant = k * (0.5 - in.kappa * in.log_half), per_e = k * in.kappa;
-  const Vector turn_re = zeta * (-k * in.cos2), turn_im = zeta * (-k * in.sin2);
-  for (int l = 0; l < F; ++l) {
-    const double* s = shape_coefficients(F, l);
-    const double mean = F == 2 ? 1.0 : 2.0 * s[0] + (F > 2 ? 2.0 / 3.0 * s[F > 2 ? 2 : 0] : 0.0);
-    const Vector alpha = mean * constant - per_e * e[l];
-    const Vector beta = mean * half_re + turn_re * c[l].im - turn_im * c[l].re;
-    const Vector gamma = mean * half_im + turn_im * c[l].im + turn_re * c[l].re;
-    save_rows(out.g[l][0] + at, alpha + beta, gamma);
-    save_rows(out.g[l][1] + at, gamma, alpha - beta);
-  }
-}
-
 // From powers of eta to shape functions.
-template <int F, class T> inline void shaped(const T* power, T* node) {
+template <int F, class T> INLINE void shaped(const T* power, T* node) {
   if (F == 1) {
     node[0] = power[0];
   } else if (F == 2) {
-    const T even = 0.5 * power[0], odd = 0.5 * power[1];
+    const T even = 0.5 * power[0], odd = 0.5 * power[F - 1];
     node[0] = even - odd;
-    node[1] = even + odd;
+    node[F - 1] = even + odd;
   } else {
+#pragma GCC unroll 4
     for (int l = 0; l < F; ++l) {
       const double* a = shape_coefficients(F, l);
       node[l] = a[0] * power[0];
+#pragma GCC unroll 4
       for (int k = 1; k < F; ++k) node[l] = node[l] + a[k] * power[k];
     }
   }
 }
 
-template <int F> void integrate_sources(const Integrator& in, const double* xy, bool want_h, bool want_g,
+template <int F> INLINE void store_h(const BatchElement& e, const Pair* c, const Pair* moment, Vector zeta,
+                                     double (*out)[2][2 * kBatch], int at) {
+  Pair d[F];
+  shaped<F>(moment, d);
+  const Vector turn_re = zeta * e.h_cos2, turn_im = zeta * e.h_sin2;
+#pragma GCC unroll 4
+  for (int l = 0; l < F; ++l) {
+    const Vector beta = turn_re * d[l].re + turn_im * d[l].im, gamma = turn_im * d[l].re - turn_re * d[l].im;
+    save_rows(out[l][0] + at, beta + e.h_alpha * c[l].im, gamma + e.h_delta * c[l].re);
+    save_rows(out[l][1] + at, gamma - e.h_delta * c[l].re, e.h_alpha * c[l].im - beta);
+  }
+}
+
+// int M_l.
+constexpr double kMean[4][4] = {{2.0, 0.0, 0.0, 0.0},
+                                {1.0, 1.0, 0.0, 0.0},
+                                {1.0 / 3, 4.0 / 3, 1.0 / 3, 0.0},
+                                {0.25, 0.75, 0.75, 0.25}};
+
+// E by parts: (k+1) E_k = [eta^(k+1) ln|eta-z|] - Re C_{k+1}.
+template <int F> INLINE void store_g(const BatchElement& e, const Pair* c, const Many<F>& m, Vector zeta,
+                                     double (*out)[2][2 * kBatch], int at) {
+  Vector power[F], logs[F];
+#pragma GCC unroll 4
+  for (int k = 0; k < F; ++k)
+    power[k] = ((k % 2 == 0 ? m.log_product : m.c[0].re) - m.c[k + 1].re) * (1.0 / (k + 1));
+  shaped<F>(power, logs);
+  const Vector turn_re = zeta * e.g_cos2, turn_im = zeta * e.g_sin2;
+#pragma GCC unroll 4
+  for (int l = 0; l < F; ++l) {
+    const double mean = kMean[F - 1][l];
+    const Vector alpha = mean * e.g_alpha - e.g_log * logs[l];
+    const Vector beta = mean * e.g_half_cos2 + (turn_re * c[l].im - turn_im * c[l].re);
+    const Vector gamma = mean * e.g_half_sin2 + (turn_im * c[l].im + turn_re * c[l].re);
+    save_rows(out[l][0] + at, alpha + beta, gamma);
+    save_rows(out[l][1] + at, gamma, alpha - beta);
+  }
+}
+
+template <int F> INLINE void store(const BatchElement& e, const Many<F>& m, Vector zeta, bool want_h, bool want_g,
+                                   BatchBlocks& out, int at) {
+  Pair c[F];
+  shaped<F>(m.c, c);
+  if (want_h) store_h<F>(e, c, m.d, zeta, out.h, at);
+  if (want_g) store_g<F>(e, c, m, zeta, out.g, at);
+}
+
+// Some sources near: lanes that the series must not see are given z = 8 there.
+template <int F> INLINE void mixed_moments(const Seen& s, bool want_log, Many<F>& m) {
+  const Vector z2 = squared_size(s.z);
+  const Bits near = z2 < kFarStart[F];
+  near_moments<F>(s, m);
+  if (!(least(-z2) <= -kFarStart[F])) return;
+  const Vector far_z2 = near ? all(64.0) : z2;
+  Many<F> far;
+  far_moments<F>(choose(near, Pair{all(8.0), all(0.0)}, s.z), far_z2, least(far_z2), want_log, far);
+  for (int k = 0; k <= F; ++k) m.c[k] = choose(near, m.c[k], far.c[k]);
+  for (int k = 0; k < F; ++k) m.d[k] = choose(near, m.d[k], far.d[k]);
+  m.log_product = near ? m.log_product : far.log_product;
+}
+
+// Apart, so that the frequent case keeps its numbers in registers.
+template <int F> OUTLINE void integrate_mixed(const BatchElement& e, const double* xy, bool want_h, bool want_g,
+                                              BatchBlocks& out, int at) {
+  const Seen s = see(e, xy);
+  Many<F> m;
+  mixed_moments<F>(s, want_g, m);
+  store<F>(e, m, s.z.im, want_h, want_g, out, at);
+}
+
+template <int F> void integrate_sources(const BatchElement& e, const double* xy, bool want_h, bool want_g,
                                         BatchBlocks& out) {
   for (int at = 0; at < 2 * kBatch; at += 2 * kLanes) {
-    const Vector first = load(xy + at), second = load(xy + at + kLanes);
-    const Seen s = see(in, evens(first, second), odds(first, second));
+    const Seen s = see(e, xy + at);
+    const Vector z2 = squared_size(s.z);
+    const double least_z2 = least(z2);
+    if (least_z2 < kFarStart[F]) {
+      integrate_mixed<F>(e, xy + at, want_h, want_g, out, at);
+      continue;
+    }
     Many<F> m;
-    find_moments<F>(s, want_g, m);
-    Pair c[F];
-    shaped<F>(m.c, c);
-    if (want_h) {
-      Pair d[F];
-      shaped<F>(m.d, d);
-      store_h<F>(in, c, d, s.z.im, at, out);
-    }
-    if (!want_g) continue;
-    Vector power[F], e[F]; // by parts: (k+1) E_k = [eta^(k+1) ln|eta-z|] - Re C_{k+1}
-    for (int k = 0; k < F; ++k)
-      power[k] = ((k % 2 == 0 ? m.log_product : m.c[0].re) - m.c[k + 1].re) * (1.0 / (k + 1));
-    shaped<F>(power, e);
-    store_g<F>(in, c, e, s.z.im, at, out);
+    far_moments<F>(s.z, z2, least_z2, want_g, m);
+    store<F>(e, m, s.z.im, want_h, want_g, out, at);
   }
 }
 
-void integrate_batch(const Integrator& in, const double* xy, bool want_h, bool want_g, BatchBlocks& out) {
-  switch (in.functions) {
+void integrate_batch(const BatchElement& e, const double* xy, bool want_h, bool want_g, BatchBlocks& out) {
+  switch (e.functions) {
   case 1:
-    return integrate_sources<1>(in, xy, want_h, want_g, out);
+    return integrate_sources<1>(e, xy, want_h, want_g, out);
   case 2:
-    return integrate_sources<2>(in, xy, want_h, want_g, out);
+    return integrate_sources<2>(e, xy, want_h, want_g, out);
   case 3:
-    return integrate_sources<3>(in, xy, want_h, want_g, out);
+    return integrate_sources<3>(e, xy, want_h, want_g, out);
   default:
-    return integrate_sources<4>(in, xy, want_h, want_g, out);
+    return integrate_sources<4>(e, xy, want_h, want_g, out);
   }
 }
 
-void rigid_batch(const Integrator& in, const double* xy, double sum[2][2 * kBatch]) {
-  constexpr double start = kFarStart[1];
-  const double a = -in.k * in.t2, delta = in.k * in.t1;
+// ---- rigid translation --------------------------------------------------------------------------------------------
+
+INLINE void store_rigid(const BatchElement& e, Pair c, Pair d, Vector zeta, double sum[2][2 * kBatch], int at) {
+  const Vector turn_re = zeta * e.h_cos2, turn_im = zeta * e.h_sin2;
+  const Vector beta = turn_re * d.re + turn_im * d.im, gamma = turn_im * d.re - turn_re * d.im;
+  save_rows(sum[0] + at, beta + e.h_alpha * c.im, gamma - e.h_delta * c.re);
+  save_rows(sum[1] + at, gamma + e.h_delta * c.re, e.h_alpha * c.im - beta);
+}
+
+OUTLINE void rigid_mixed(const BatchElement& e, const double* xy, double sum[2][2 * kBatch], int at) {
+  const Seen s = see(e, xy);
+  Many<1> m;
+  mixed_moments<1>(s, false, m);
+  store_rigid(e, m.c[0], m.d[0], s.z.im, sum, at);
+}
+
+void rigid_batch(const BatchElement& e, const double* xy, double sum[2][2 * kBatch]) {
   for (int at = 0; at < 2 * kBatch; at += 2 * kLanes) {
-    const Vector first = load(xy + at), second = load(xy + at + kLanes);
-    const Seen s = see(in, evens(first, second), odds(first, second));
-    const Split split(s, start);
-    Pair c, d;
-    if (!(split.least < start) || any_far(s, start)) {
-      const Series series = sum_series<3, false>(split.z, split.z2, split.least_far);
-      Pair s1 = series.w * series.odd;
-      s1.re += 1.0;
-      c = -2.0 * (series.iz * s1);
-      d = 2.0 * (series.w * series.geometric);
+    const Seen s = see(e, xy + at);
+    const Vector z2 = squared_size(s.z);
+    const double least_z2 = least(z2);
+    if (least_z2 < kFarStart[1]) {
+      rigid_mixed(e, xy + at, sum, at);
+      continue;
     }
-    if (split.least < start) {
-      const Ends e = see_ends(s);
-      const Pair near_d = 2.0 * (e.iw1 * e.iw2);
-      const bool mixed = any_far(s, start);
-      c = mixed ? choose(split.near, e.c0, c) : e.c0;
-      d = mixed ? choose(split.near, near_d, d) : near_d;
-    }
-    const Vector turn_re = s.z.im * (-in.k * in.cos2), turn_im = s.z.im * (-in.k * in.sin2);
-    const Vector beta = turn_re * d.re + turn_im * d.im, gamma = turn_im * d.re - turn_re * d.im;
-    save_rows(sum[0] + at, beta + a * c.im, gamma - delta * c.re);
-    save_rows(sum[1] + at, gamma + delta * c.re, a * c.im - beta);
+    Many<1> m;
+    far_moments<1>(s.z, z2, least_z2, false, m);
+    store_rigid(e, m.c[0], m.d[0], s.z.im, sum, at);
   }
 }
 

@@ -131,13 +131,14 @@ bool pay_batches(const ColumnSystem& system, const Integrator& integrator, const
   const ModelHeader& head = *system.model.head;
   const int32_t end = head.body[system.body].nodes;
   const OwnSources own = own_sources(system, node, integrator.functions);
+  const BatchElement element = batch_element(integrator);
   BatchBlocks out;
   double room[2 * kBatch];
   for (int32_t first = 0; first < end; first += kBatch) {
     const Group g = group_of(system, own, first, end);
     for (int image = 0; image <= head.symmetry; ++image) {
       if (!is_image(head, image)) continue;
-      system.batch->integrate(integrator, places(system, g, image, room), job.want_h, job.want_g, out);
+      system.batch->integrate(element, places(system, g, image, room), job.want_h, job.want_g, out);
       if (!g.plain) mend_lanes(job, g, image, blocks, out);
       pay_group(job, g, image, blocks, out);
     }
@@ -167,12 +168,13 @@ bool fill_diagonal_batches(const ColumnSystem& system, const Integrator& integra
   const ModelHeader& head = *system.model.head;
   const int32_t end = first_node + count;
   const OwnSources own = own_sources(system, node, integrator.functions);
+  const BatchElement element = batch_element(integrator);
   double room[2 * kBatch], sum[2][2 * kBatch];
   for (int32_t first = first_node; first < end; first += kBatch) {
     const Group g = group_of(system, own, first, end);
     for (int image = 0; image <= head.symmetry; ++image) {
       if (!is_image(head, image)) continue;
-      system.batch->rigid(integrator, places(system, g, image, room), sum);
+      system.batch->rigid(element, places(system, g, image, room), sum);
       for (int s = 0; s < g.count && !g.plain; ++s) {
         Source p;
         const int singular = singular_lane(system, integrator, node, g, image, s, p);

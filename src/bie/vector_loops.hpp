@@ -3,6 +3,9 @@
 // anything for the arguments they are made for. tests/test_batch.cpp compares them with the C library.
 #include <stdint.h>
 
+#define INLINE inline __attribute__((always_inline))
+#define OUTLINE __attribute__((noinline))
+
 namespace c2d {
 namespace {
 
@@ -14,13 +17,13 @@ typedef uint64_t Unsigned __attribute__((vector_size(C2D_VECTOR_BYTES)));
 // Vectors that may lie anywhere a number may.
 typedef double Loose __attribute__((vector_size(C2D_VECTOR_BYTES), aligned(8), may_alias));
 
-inline Vector load(const double* from) {
+INLINE Vector load(const double* from) {
   return *reinterpret_cast<const Loose*>(from);
 }
-inline void save(double* to, Vector v) {
+INLINE void save(double* to, Vector v) {
   *reinterpret_cast<Loose*>(to) = v;
 }
-inline Vector all(double x) {
+INLINE Vector all(double x) {
   return Vector{} + x;
 }
 
@@ -32,36 +35,36 @@ inline Vector all(double x) {
 #define C2D_SHUFFLE(a, b, ...) __builtin_shuffle(a, b, Bits{__VA_ARGS__})
 #endif
 #if C2D_VECTOR_BYTES == 64
-inline Vector evens(Vector a, Vector b) {
+INLINE Vector evens(Vector a, Vector b) {
   return C2D_SHUFFLE(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
 }
-inline Vector odds(Vector a, Vector b) {
+INLINE Vector odds(Vector a, Vector b) {
   return C2D_SHUFFLE(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
 }
 #elif C2D_VECTOR_BYTES == 32
-inline Vector evens(Vector a, Vector b) {
+INLINE Vector evens(Vector a, Vector b) {
   return C2D_SHUFFLE(a, b, 0, 4, 2, 6);
 }
-inline Vector odds(Vector a, Vector b) {
+INLINE Vector odds(Vector a, Vector b) {
   return C2D_SHUFFLE(a, b, 1, 5, 3, 7);
 }
 #else
-inline Vector evens(Vector a, Vector b) {
+INLINE Vector evens(Vector a, Vector b) {
   return C2D_SHUFFLE(a, b, 0, 2);
 }
-inline Vector odds(Vector a, Vector b) {
+INLINE Vector odds(Vector a, Vector b) {
   return C2D_SHUFFLE(a, b, 1, 3);
 }
 #endif
 #undef C2D_SHUFFLE
 
-inline double least(Vector v) {
+INLINE double least(Vector v) {
   double lowest = v[0];
   for (int i = 1; i < kLanes; ++i) lowest = v[i] < lowest ? v[i] : lowest;
   return lowest;
 }
 
-inline Vector size_of(Vector x) {
+INLINE Vector size_of(Vector x) {
   return x < 0.0 ? -x : x;
 }
 
@@ -73,7 +76,7 @@ constexpr double kLogarithm[] = {0.66666666666666696862, 0.3999999999989950449, 
                                  0.1461644968504340586};
 
 // ln x, x > 0 and normal: x = 2^k (1+f), 1+f within a factor sqrt 2 of 1, s = f/(2+f).
-inline Vector logarithm(Vector x) {
+INLINE Vector logarithm(Vector x) {
   constexpr int64_t kHalfRoot = 0x3fe6a09e667f3bcd, kBias = int64_t(1023) << 52, kTwo52 = 0x4330000000000000;
   const Bits bits = (Bits)x;
   const Bits e = (Bits)((Unsigned)(bits + (kBias - kHalfRoot)) >> 52); // k + 1023
@@ -94,7 +97,7 @@ constexpr double kArctangent[] = {-0.3333333333333333016,   0.199999999999955206
 
 // atan2(y, x), sizes below 1e300; 0 where both are 0. The smaller over the larger, less atan 1 = pi/4 where that leaves
 // a smaller number.
-inline Vector angle(Vector y, Vector x) {
+INLINE Vector angle(Vector y, Vector x) {
   constexpr double kQuarter = 0x1.921fb54442d00p-1, kQuarterRest = 2.6951514290790595e-15; // times 4 exact
   const Vector ax = size_of(x), ay = size_of(y);
   const Bits steep = ay > ax;
