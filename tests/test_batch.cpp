@@ -80,7 +80,7 @@ struct Worst {
 // Eight sources at xy, none at a functional node.
 void compare_sources(const BatchKernel& kernel, const Integrator& in, const double* xy, Worst& worst) {
   BatchBlocks out;
-  double sum[2][2 * kBatch];
+  double sum[4 * kBatch];
   {
     Traps traps;
     const BatchElement e = batch_element(in);
@@ -100,7 +100,7 @@ void compare_sources(const BatchKernel& kernel, const Integrator& in, const doub
     worst.h = std::fmax(worst.h, compare(out.h, one.h, in.functions, s, size));
     worst.g = std::fmax(worst.g, compare(out.g, one.g, in.functions, s, largest(one.g, in.functions)));
     for (int i = 0; i < 4; ++i)
-      worst.rigid = std::fmax(worst.rigid, std::fabs(sum[i / 2][2 * s + i % 2] - one_sum[i / 2][i % 2]) / size);
+      worst.rigid = std::fmax(worst.rigid, std::fabs(sum[4 * s + i] - one_sum[i / 2][i % 2]) / size);
   }
 }
 
@@ -211,7 +211,7 @@ TEST_CASE("batch: sources on the element give finite numbers and raise nothing")
         xy[2 * s + 1] = s < nodes ? in.element.y[s] : 0.2 + 0.7 * t;
       }
       BatchBlocks out;
-      double sum[2][2 * kBatch];
+      double sum[4 * kBatch];
       {
         Traps traps;
         set.kernel->integrate(batch_element(in), xy, true, true, out);
@@ -220,7 +220,7 @@ TEST_CASE("batch: sources on the element give finite numbers and raise nothing")
       for (int l = 0; l < functions; ++l)
         for (int n = 0; n < 4 * kBatch; ++n)
           CHECK(std::isfinite(out.h[l][n / (2 * kBatch)][n % (2 * kBatch)] + out.g[l][n / (2 * kBatch)][n % (2 * kBatch)]));
-      for (int n = 0; n < 2 * kBatch; ++n) CHECK(std::isfinite(sum[0][n] + sum[1][n]));
+      for (const double value : sum) CHECK(std::isfinite(value));
     }
 }
 
@@ -243,12 +243,20 @@ TEST_CASE("batch: a block not wanted is not touched, a wanted one does not depen
           CHECK(h.g[l][j][n] == 0.0);
           CHECK(g.h[l][j][n] == 0.0);
         }
-    Real to[2 * kBatch];
-    for (int n = 0; n < 2 * kBatch; ++n) to[n] = static_cast<Real>(n);
-    const double factor[2] = {2, -0.5};
-    set.kernel->deposit(both.h[0][0], factor, to);
-    const double tolerance = 4.0 * std::numeric_limits<Real>::epsilon();
-    for (int n = 0; n < 2 * kBatch; ++n)
-      CHECK(std::fabs(static_cast<double>(to[n]) - (n + factor[n % 2] * both.h[0][0][n])) <= tolerance * (n + 1));
+    Real column[2 * kBatch];
+    for (const int count : {kBatch, 3}) {
+      for (int n = 0; n < 2 * kBatch; ++n) column[n] = static_cast<Real>(n);
+      Blocks blocks;
+      Deposits deposits;
+      deposits.count = 0;
+      deposits.add(&blocks.h[2][0][1], column, 2);
+      deposits.add(&blocks.g[1][0][0], column, 0.5);
+      set.kernel->pay(BatchRun{e, &deposits, &blocks, true, true, {1, -1}}, 0, count, both);
+      for (int n = 0; n < 2 * kBatch; ++n) {
+        const double paid = (n % 2 ? -1 : 1) * (2 * both.h[2][1][n] + 0.5 * both.g[1][0][n]);
+        const double tolerance = 4.0 * std::numeric_limits<Real>::epsilon() * (n + 1);
+        CHECK(std::fabs(static_cast<double>(column[n]) - (n + (n < 2 * count ? paid : 0))) <= tolerance);
+      }
+    }
   }
 }

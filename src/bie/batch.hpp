@@ -3,7 +3,7 @@
 // forms next to the element, series in its length over the distance elsewhere, with logarithm and arctangent of their
 // own. One set of functions per instruction set (linalg/kernel.hpp); the same numbers as integrate() gives one by one,
 // to round-off.
-#include "bie/integrals.hpp"
+#include "bie/deposits.hpp"
 #include "linalg/kernel.hpp"
 
 namespace c2d {
@@ -27,14 +27,27 @@ struct BatchElement {
 };
 BatchElement batch_element(const Integrator& in);
 
+// Batches of an element: sources at xy = x0 y0 x1 y1 ..., the first of which has the panel's rows 2 first, 2 first + 1.
+struct BatchRun {
+  BatchElement element;
+  const Deposits* deposits; // of `blocks`
+  const Blocks* blocks;
+  bool want_h, want_g;
+  double sign[2]; // of the rows of an image
+};
+
 struct BatchKernel {
-  // Sources at xy = x0 y0 x1 y1 ... and an element for which is_batched() holds. A source at one of the element's
+  // The blocks of the sources at xy, for an element for which is_batched() holds. A source at one of the element's
   // functional nodes gets finite numbers without meaning. Blocks not wanted are not touched.
   void (*integrate)(const BatchElement& e, const double* xy, bool want_h, bool want_g, BatchBlocks& out);
-  // rigid_sum(): sum[i][2 s + j].
-  void (*rigid)(const BatchElement& e, const double* xy, double sum[2][2 * kBatch]);
-  // to[2 s + i] += factor[i] * values[2 s + i].
-  void (*deposit)(const double* values, const double factor[2], Real* to);
+  // Pays the deposits of one batch from its blocks: of all sources, or of the first `count`.
+  void (*pay)(const BatchRun& run, int32_t first, int32_t count, const BatchBlocks& out);
+  // Both for `count` sources, whole batches of them, none at a functional node. The blocks are room for the work.
+  void (*integrate_and_pay)(const BatchRun& run, const double* xy, int32_t first, int32_t count, BatchBlocks& room);
+  // rigid_sum(): sum[4 s + 2 i + j].
+  void (*rigid)(const BatchElement& e, const double* xy, double sum[4 * kBatch]);
+  // Taken off the diagonals of `count` sources, whole batches.
+  void (*rigid_off)(const BatchElement& e, const double* xy, int32_t count, double* diagonal);
   // Of kBatch numbers each, for tests: ln x, x > 0 and normal; atan2(y, x), 0 if both are.
   void (*logarithm)(const double* x, double* out);
   void (*angle)(const double* y, const double* x, double* out);

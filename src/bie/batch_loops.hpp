@@ -49,6 +49,12 @@ INLINE Seen see(const BatchElement& e, const double* xy) {
   return s;
 }
 
+// z of sources farther away, from the first end alone.
+INLINE Pair see_far(const BatchElement& e, const double* xy) {
+  const Vector v = load(xy), w = load(xy + kLanes), ax = evens(v, w) - e.x0, ay = odds(v, w) - e.y0;
+  return {(ax * e.ux + ay * e.uy) - 1.0, ay * e.ux - ax * e.uy};
+}
+
 INLINE Vector squared_size(Pair z) {
   return z.re * z.re + z.im * z.im;
 }
@@ -265,19 +271,52 @@ template <int F> OUTLINE void integrate_mixed(const BatchElement& e, const doubl
   store<F>(e, m, s.z.im, want_h, want_g, out, at);
 }
 
-template <int F> void integrate_sources(const BatchElement& e, const double* xy, bool want_h, bool want_g,
-                                        BatchBlocks& out) {
+template <int F> INLINE void integrate_sources(const BatchElement& e, const double* xy, bool want_h, bool want_g,
+                                               BatchBlocks& out) {
   for (int at = 0; at < 2 * kBatch; at += 2 * kLanes) {
-    const Seen s = see(e, xy + at);
-    const Vector z2 = squared_size(s.z);
+    const Pair z = see_far(e, xy + at);
+    const Vector z2 = squared_size(z);
     const double least_z2 = least(z2);
     if (least_z2 < kFarStart[F]) {
       integrate_mixed<F>(e, xy + at, want_h, want_g, out, at);
       continue;
     }
     Many<F> m;
-    far_moments<F>(s.z, z2, least_z2, want_g, m);
-    store<F>(e, m, s.z.im, want_h, want_g, out, at);
+    far_moments<F>(z, z2, least_z2, want_g, m);
+    store<F>(e, m, z.im, want_h, want_g, out, at);
+  }
+}
+
+// ---- deposits -----------------------------------------------------------------------------------------------------
+
+INLINE void pay_batch(const BatchRun& run, int32_t first, const BatchBlocks& out) {
+  const double* numbers = &out.h[0][0][0];
+  const double* blocks = &run.blocks->h[0][0][0];
+  for (int n = 0; n < run.deposits->count; ++n) {
+    const Deposit& d = run.deposits->list[n];
+    const uint32_t at = static_cast<uint32_t>(d.block - blocks); // h and g one after the other in both
+    const double* values = numbers + (at / 4 * 2 + at % 2) * (2 * kBatch);
+    Real* to = d.column + 2 * static_cast<int64_t>(first);
+    if constexpr (sizeof(Real) == sizeof(double)) {
+      double* sums = reinterpret_cast<double*>(to);
+      const Vector factor = evens(all(run.sign[0] * d.factor), all(run.sign[1] * d.factor));
+#pragma GCC unroll 8
+      for (int i = 0; i < 2 * kBatch; i += kLanes) save(sums + i, load(sums + i) + factor * load(values + i));
+    } else {
+      for (int i = 0; i < 2 * kBatch; ++i) to[i] += static_cast<Real>(run.sign[i % 2] * d.factor * values[i]);
+    }
+  }
+}
+
+void pay(const BatchRun& run, int32_t first, int32_t count, const BatchBlocks& out) {
+  if (count == kBatch) return pay_batch(run, first, out);
+  const double* blocks = &run.blocks->h[0][0][0];
+  for (int n = 0; n < run.deposits->count; ++n) {
+    const Deposit& d = run.deposits->list[n];
+    const uint32_t at = static_cast<uint32_t>(d.block - blocks);
+    const double* values = &out.h[0][0][0] + (at / 4 * 2 + at % 2) * (2 * kBatch);
+    Real* to = d.column + 2 * static_cast<int64_t>(first);
+    for (int i = 0; i < 2 * count; ++i) to[i] += static_cast<Real>(run.sign[i % 2] * d.factor * values[i]);
   }
 }
 
@@ -294,44 +333,64 @@ void integrate_batch(const BatchElement& e, const double* xy, bool want_h, bool 
   }
 }
 
-// ---- rigid translation --------------------------------------------------------------------------------------------
-
-INLINE void store_rigid(const BatchElement& e, Pair c, Pair d, Vector zeta, double sum[2][2 * kBatch], int at) {
-  const Vector turn_re = zeta * e.h_cos2, turn_im = zeta * e.h_sin2;
-  const Vector beta = turn_re * d.re + turn_im * d.im, gamma = turn_im * d.re - turn_re * d.im;
-  save_rows(sum[0] + at, beta + e.h_alpha * c.im, gamma - e.h_delta * c.re);
-  save_rows(sum[1] + at, gamma + e.h_delta * c.re, e.h_alpha * c.im - beta);
-}
-
-OUTLINE void rigid_mixed(const BatchElement& e, const double* xy, double sum[2][2 * kBatch], int at) {
-  const Seen s = see(e, xy);
-  Many<1> m;
-  mixed_moments<1>(s, false, m);
-  store_rigid(e, m.c[0], m.d[0], s.z.im, sum, at);
-}
-
-void rigid_batch(const BatchElement& e, const double* xy, double sum[2][2 * kBatch]) {
-  for (int at = 0; at < 2 * kBatch; at += 2 * kLanes) {
-    const Seen s = see(e, xy + at);
-    const Vector z2 = squared_size(s.z);
-    const double least_z2 = least(z2);
-    if (least_z2 < kFarStart[1]) {
-      rigid_mixed(e, xy + at, sum, at);
-      continue;
-    }
-    Many<1> m;
-    far_moments<1>(s.z, z2, least_z2, false, m);
-    store_rigid(e, m.c[0], m.d[0], s.z.im, sum, at);
+void integrate_and_pay(const BatchRun& run, const double* xy, int32_t first, int32_t count, BatchBlocks& room) {
+  for (int32_t s = 0; s < count; s += kBatch) {
+    integrate_batch(run.element, xy + 2 * s, run.want_h, run.want_g, room);
+    pay_batch(run, first + s, room);
   }
 }
 
-void deposit(const double* values, const double factor[2], Real* to) {
-  if constexpr (sizeof(Real) == sizeof(double)) {
-    double* numbers = reinterpret_cast<double*>(to);
-    const Vector factors = evens(all(factor[0]), all(factor[1]));
-    for (int i = 0; i < 2 * kBatch; i += kLanes) save(numbers + i, load(numbers + i) + factors * load(values + i));
-  } else {
-    for (int i = 0; i < 2 * kBatch; ++i) to[i] += static_cast<Real>(factor[i % 2] * values[i]);
+// ---- rigid translation --------------------------------------------------------------------------------------------
+
+// The first and the last half of kLanes sources, four numbers each, 2 i + j.
+struct Rigid {
+  Vector part[4];
+};
+
+INLINE Rigid rigid_blocks(const BatchElement& e, Pair c, Pair d, Vector zeta) {
+  const Vector turn_re = zeta * e.h_cos2, turn_im = zeta * e.h_sin2;
+  const Vector beta = turn_re * d.re + turn_im * d.im, gamma = turn_im * d.re - turn_re * d.im;
+  const Vector h00 = beta + e.h_alpha * c.im, h01 = gamma - e.h_delta * c.re;
+  const Vector h10 = gamma + e.h_delta * c.re, h11 = e.h_alpha * c.im - beta;
+  const Vector row0 = evens(h00, h01), row1 = evens(h10, h11), last0 = odds(h00, h01), last1 = odds(h10, h11);
+  return {{low_pairs(row0, row1), high_pairs(row0, row1), low_pairs(last0, last1), high_pairs(last0, last1)}};
+}
+
+OUTLINE void rigid_mixed(const BatchElement& e, const double* xy, Rigid& out) {
+  const Seen s = see(e, xy);
+  Many<1> m;
+  mixed_moments<1>(s, false, m);
+  out = rigid_blocks(e, m.c[0], m.d[0], s.z.im);
+}
+
+// add(i, v): v belongs to the numbers i ... i + kLanes - 1 of 4 kBatch.
+template <class Add> INLINE void sum_rigid(const BatchElement& e, const double* xy, Add add) {
+  for (int at = 0; at < 2 * kBatch; at += 2 * kLanes) {
+    const Pair z = see_far(e, xy + at);
+    const Vector z2 = squared_size(z);
+    const double least_z2 = least(z2);
+    if (least_z2 < kFarStart[1]) {
+      Rigid near;
+      rigid_mixed(e, xy + at, near);
+      for (int k = 0; k < 4; ++k) add(2 * at + k * kLanes, near.part[k]);
+      continue;
+    }
+    Many<1> m;
+    far_moments<1>(z, z2, least_z2, false, m);
+    const Rigid far = rigid_blocks(e, m.c[0], m.d[0], z.im);
+#pragma GCC unroll 4
+    for (int k = 0; k < 4; ++k) add(2 * at + k * kLanes, far.part[k]);
+  }
+}
+
+void rigid(const BatchElement& e, const double* xy, double* sum) {
+  sum_rigid(e, xy, [&](int i, Vector v) INLINED { save(sum + i, v); });
+}
+
+void rigid_off(const BatchElement& e, const double* xy, int32_t count, double* diagonal) {
+  for (int32_t s = 0; s < count; s += kBatch) {
+    double* to = diagonal + 4 * s;
+    sum_rigid(e, xy + 2 * s, [&](int i, Vector v) INLINED { save(to + i, load(to + i) - v); });
   }
 }
 
@@ -343,7 +402,7 @@ void angles(const double* y, const double* x, double* out) {
   for (int i = 0; i < kBatch; i += kLanes) save(out + i, angle(load(y + i), load(x + i)));
 }
 
-constexpr BatchKernel kLoops = {integrate_batch, rigid_batch, deposit, logarithms, angles};
+constexpr BatchKernel kLoops = {integrate_batch, pay, integrate_and_pay, rigid, rigid_off, logarithms, angles};
 
 } // namespace
 } // namespace c2d

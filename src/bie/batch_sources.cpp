@@ -30,35 +30,42 @@ OwnSources own_sources(const ColumnSystem& system, const int32_t node[4], int fu
   return own;
 }
 
-// Consecutive sources, fewer than a batch at the body's end.
+// Consecutive sources: whole batches of which every lane is a source that does not sit on the element, or one batch of
+// any kind, fewer at the body's end.
 struct Group {
-  int32_t first;
-  int count;
-  bool plain; // every lane is a source that does not sit on the element
+  int32_t first, count;
+  bool plain;
 };
 
-Group group_of(const ColumnSystem& system, const OwnSources& own, int32_t first, int32_t end) {
-  Group g;
-  g.first = first;
-  g.count = end - first < kBatch ? end - first : kBatch;
-  g.plain = g.count == kBatch;
-  if (!g.plain) return g;
+bool is_plain(const ColumnSystem& system, const OwnSources& own, int32_t first) {
+  for (int n = 0; n < own.count; ++n)
+    if (own.source[n] >= first && own.source[n] < first + kBatch) return false;
+  if (!system.some_passed_over) return true;
   const int32_t* twin = system.twin + first;
-  int32_t signs = 0;
-  for (int s = 0; s < kBatch; ++s) signs |= twin[s] - kSingle;
-  g.plain = signs >= 0;
-  for (int n = 0; n < own.count; ++n) g.plain = g.plain && (own.source[n] < first || own.source[n] >= first + kBatch);
+  for (int s = 0; s < kBatch; ++s)
+    if (twin[s] < kSingle) return false;
+  return true;
+}
+
+Group group_at(const ColumnSystem& system, const OwnSources& own, int32_t first, int32_t end) {
+  Group g{first, end - first, false};
+  if (g.count < kBatch) return g;
+  g.count = 0;
+  while (first + g.count + kBatch <= end && is_plain(system, own, first + g.count)) g.count += kBatch;
+  g.plain = g.count > 0;
+  if (!g.plain) g.count = kBatch;
   return g;
 }
 
 bool is_passed_over(int32_t twin) { return twin == kSecondTwin || twin == kAxisNode; }
 
-// Where the sources of a group stand for an image; `room` if not where they are stored.
-const double* places(const ColumnSystem& system, const Group& g, int image, double room[2 * kBatch]) {
-  const double* at = system.point + 2 * static_cast<int64_t>(g.first);
-  if (image == 0 && g.count == kBatch) return at;
+// Where a batch of sources stands for an image: in `room`, if not where it is stored. Beyond the body's end the last
+// source stands again.
+const double* places(const ColumnSystem& system, int32_t first, int32_t count, int image, double room[2 * kBatch]) {
+  const double* at = system.point + 2 * static_cast<int64_t>(first);
+  if (image == 0 && count >= kBatch) return at;
   for (int s = 0; s < kBatch; ++s) {
-    const Source p = mirrored_source(*system.model.head, image, at + 2 * (s < g.count ? s : g.count - 1));
+    const Source p = mirrored_source(*system.model.head, image, at + 2 * (s < count ? s : count - 1));
     room[2 * s] = p.x;
     room[2 * s + 1] = p.y;
   }
@@ -73,18 +80,11 @@ int singular_lane(const ColumnSystem& system, const Integrator& in, const int32_
   return p.on_itself ? singular_node(node, in.functions, source, system.twin[source]) : -1;
 }
 
-// Where a deposit's integrals stand in the batch's blocks.
-int place_in_batch(const Blocks& blocks, const double* block) {
-  const int at = static_cast<int>(block - &blocks.h[0][0][0]), own = at % 16;
-  return (at / 16 * 8 + own / 4 * 2 + own % 2) * 2 * kBatch;
-}
-
 struct BatchJob {
   const ColumnSystem& system;
   const Integrator& in;
   const int32_t* node;
-  const Deposits& deposits;
-  bool want_h, want_g;
+  BatchRun run;
 };
 
 // Lanes that are no source get nothing, those on the element what is theirs.
@@ -94,69 +94,71 @@ void mend_lanes(const BatchJob& job, const Group& g, int image, Blocks& blocks, 
     const bool none = is_passed_over(job.system.twin[g.first + s]);
     const int singular = none ? -1 : singular_lane(job.system, job.in, job.node, g, image, s, p);
     if (!none && singular < 0) continue;
-    if (!none) integrate(job.in, p.x, p.y, singular, job.want_h, job.want_g, blocks);
+    if (!none) integrate(job.in, p.x, p.y, singular, job.run.want_h, job.run.want_g, blocks);
     for (int l = 0; l < job.in.functions; ++l)
       for (int i = 0; i < 2; ++i)
         for (int j = 0; j < 2; ++j) {
-          if (job.want_h) out.h[l][j][2 * s + i] = none ? 0.0 : blocks.h[l][i][j];
-          if (job.want_g) out.g[l][j][2 * s + i] = none ? 0.0 : blocks.g[l][i][j];
+          if (job.run.want_h) out.h[l][j][2 * s + i] = none ? 0.0 : blocks.h[l][i][j];
+          if (job.run.want_g) out.g[l][j][2 * s + i] = none ? 0.0 : blocks.g[l][i][j];
         }
   }
 }
 
-void pay_group(const BatchJob& job, const Group& g, int image, const Blocks& blocks, const BatchBlocks& out) {
-  const double* numbers = &out.h[0][0][0];
-  const double sign[2] = {image_sign(image, 0), image_sign(image, 1)};
-  for (int n = 0; n < job.deposits.count; ++n) {
-    const Deposit& d = job.deposits.list[n];
-    const double* values = numbers + place_in_batch(blocks, d.block);
-    const double factor[2] = {d.factor * sign[0], d.factor * sign[1]};
-    Real* to = d.column + 2 * static_cast<int64_t>(g.first);
-    if (g.count == kBatch) {
-      job.system.batch->deposit(values, factor, to);
-      continue;
-    }
-    for (int i = 0; i < 2 * g.count; ++i) to[i] += static_cast<Real>(factor[i % 2] * values[i]);
+void pay_group(BatchJob& job, const Group& g, int image, Blocks& blocks, BatchBlocks& out) {
+  const BatchKernel& kernel = *job.system.batch;
+  BatchRun& run = job.run;
+  for (int i = 0; i < 2; ++i) run.sign[i] = image_sign(image, i);
+  double room[2 * kBatch];
+  if (!g.plain) {
+    kernel.integrate(run.element, places(job.system, g.first, g.count, image, room), run.want_h, run.want_g, out);
+    mend_lanes(job, g, image, blocks, out);
+    kernel.pay(run, g.first, g.count, out);
+    return;
   }
+  const int32_t step = image == 0 ? g.count : kBatch;
+  for (int32_t s = 0; s < g.count; s += step)
+    kernel.integrate_and_pay(run, places(job.system, g.first + s, step, image, room), g.first + s, step, out);
 }
 
 } // namespace
 
 bool pay_batches(const ColumnSystem& system, const Integrator& integrator, const int32_t node[4], Blocks& blocks,
                  const Deposits& deposits) {
-  BatchJob job{system, integrator, node, deposits, false, false};
+  if (!system.batch) return false;
+  BatchJob job{system, integrator, node, BatchRun{{}, &deposits, &blocks, false, false, {1.0, 1.0}}};
   for (int n = 0; n < deposits.count; ++n)
-    (deposits.list[n].block < &blocks.g[0][0][0] ? job.want_h : job.want_g) = true;
-  if (!system.batch || !is_batched(integrator, job.want_g)) return false;
+    (deposits.list[n].block < &blocks.g[0][0][0] ? job.run.want_h : job.run.want_g) = true;
+  if (!is_batched(integrator, job.run.want_g)) return false;
+  job.run.element = batch_element(integrator);
   const ModelHeader& head = *system.model.head;
   const int32_t end = head.body[system.body].nodes;
   const OwnSources own = own_sources(system, node, integrator.functions);
-  const BatchElement element = batch_element(integrator);
   BatchBlocks out;
-  double room[2 * kBatch];
-  for (int32_t first = 0; first < end; first += kBatch) {
-    const Group g = group_of(system, own, first, end);
-    for (int image = 0; image <= head.symmetry; ++image) {
-      if (!is_image(head, image)) continue;
-      system.batch->integrate(element, places(system, g, image, room), job.want_h, job.want_g, out);
-      if (!g.plain) mend_lanes(job, g, image, blocks, out);
-      pay_group(job, g, image, blocks, out);
-    }
+  for (int32_t first = 0; first < end;) {
+    const Group g = group_at(system, own, first, end);
+    for (int image = 0; image <= head.symmetry; ++image)
+      if (is_image(head, image)) pay_group(job, g, image, blocks, out);
+    first += g.count;
   }
   return true;
 }
 
 namespace {
 
-void add_to_diagonal(const ColumnSystem& system, const Group& g, int image, const double sum[2][2 * kBatch]) {
-  const double same = image_sign(image, 0) * image_sign(image, 1), own = 1.0; // of rows and columns together
-  double* block = system.diagonal + 4 * static_cast<int64_t>(g.first);
-  for (int s = 0; s < g.count; ++s, block += 4) {
+// One batch, source by source.
+void take_off(const ColumnSystem& system, const Integrator& in, const int32_t node[4], const Group& g, int image,
+              double* sum) {
+  double* diagonal = system.diagonal + 4 * static_cast<int64_t>(g.first);
+  for (int s = 0; s < g.count; ++s) {
     if (is_passed_over(system.twin[g.first + s])) continue;
-    block[0] -= own * sum[0][2 * s];
-    block[1] -= same * sum[0][2 * s + 1];
-    block[2] -= same * sum[1][2 * s];
-    block[3] -= own * sum[1][2 * s + 1];
+    Source p;
+    double own[2][2];
+    const int singular = singular_lane(system, in, node, g, image, s, p);
+    if (singular >= 0) rigid_sum(in, p.x, p.y, singular, own);
+    for (int i = 0; i < 4; ++i) {
+      const double value = singular >= 0 ? own[i / 2][i % 2] : sum[4 * s + i];
+      diagonal[4 * s + i] -= image_sign(image, i / 2) * image_sign(image, i % 2) * value;
+    }
   }
 }
 
@@ -166,25 +168,26 @@ bool fill_diagonal_batches(const ColumnSystem& system, const Integrator& integra
                            int32_t first_node, int32_t count) {
   if (!system.batch || !is_batched(integrator, false)) return false;
   const ModelHeader& head = *system.model.head;
+  const BatchElement element = batch_element(integrator);
   const int32_t end = first_node + count;
   const OwnSources own = own_sources(system, node, integrator.functions);
-  const BatchElement element = batch_element(integrator);
-  double room[2 * kBatch], sum[2][2 * kBatch];
-  for (int32_t first = first_node; first < end; first += kBatch) {
-    const Group g = group_of(system, own, first, end);
+  double room[2 * kBatch], sum[4 * kBatch];
+  for (int32_t first = first_node; first < end;) {
+    const Group g = group_at(system, own, first, end);
     for (int image = 0; image <= head.symmetry; ++image) {
       if (!is_image(head, image)) continue;
-      system.batch->rigid(element, places(system, g, image, room), sum);
-      for (int s = 0; s < g.count && !g.plain; ++s) {
-        Source p;
-        const int singular = singular_lane(system, integrator, node, g, image, s, p);
-        double of_own[2][2];
-        if (singular < 0) continue;
-        rigid_sum(integrator, p.x, p.y, singular, of_own);
-        for (int i = 0; i < 4; ++i) sum[i / 2][2 * s + i % 2] = of_own[i / 2][i % 2];
+      if (image == 0 && g.plain) {
+        system.batch->rigid_off(element, system.point + 2 * static_cast<int64_t>(first), g.count,
+                                system.diagonal + 4 * static_cast<int64_t>(first));
+        continue;
       }
-      add_to_diagonal(system, g, image, sum);
+      for (int32_t s = 0; s < g.count; s += kBatch) {
+        const Group part{first + s, g.count - s < kBatch ? g.count - s : kBatch, false};
+        system.batch->rigid(element, places(system, part.first, part.count, image, room), sum);
+        take_off(system, integrator, node, part, image, sum);
+      }
     }
+    first += g.count;
   }
   return true;
 }

@@ -14,7 +14,8 @@ Source mirrored_source(const ModelHeader& head, int image, const double at[2]) {
   return Source{p[0], p[1], p[0] == at[0] && p[1] == at[1]};
 }
 
-void place_sources(const ColumnSystem& system) {
+bool place_sources(const ColumnSystem& system) {
+  bool some_passed_over = false;
   const Model& m = system.model;
   for (int32_t node = 0; node < m.head->body[system.body].nodes; ++node) {
     double x, y;
@@ -25,7 +26,9 @@ void place_sources(const ColumnSystem& system) {
     system.twin[node] = second ? kSecondTwin : twin_node(m, system.body, node);
     int32_t ends[2];
     if (m.head->symmetry != 0 && ends_at_node(m, system.body, node, ends) == 0) system.twin[node] = kAxisNode;
+    some_passed_over = some_passed_over || system.twin[node] < kSingle;
   }
+  return some_passed_over;
 }
 
 int singular_node(const int32_t node[4], int count, int32_t source, int32_t twin) {

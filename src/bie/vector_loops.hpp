@@ -3,7 +3,8 @@
 // anything for the arguments they are made for. tests/test_batch.cpp compares them with the C library.
 #include <stdint.h>
 
-#define INLINE inline __attribute__((always_inline))
+#define INLINED __attribute__((always_inline))
+#define INLINE inline INLINED
 #define OUTLINE __attribute__((noinline))
 
 namespace c2d {
@@ -28,7 +29,8 @@ INLINE Vector all(double x) {
 }
 
 // Pairs of lanes 0, 2, ... of a and b; of lanes 1, 3, ...: cheap on every machine. What was loaded by these two from
-// x y x y ... is stored in its place by the same two.
+// x y x y ... is stored in its place by the same two. low_pairs,
+// high_pairs: pairs of a and b in turns, from the first and from the second halves.
 #if defined(__clang__) || __GNUC__ >= 12
 #define C2D_SHUFFLE(a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
 #else
@@ -41,6 +43,12 @@ INLINE Vector evens(Vector a, Vector b) {
 INLINE Vector odds(Vector a, Vector b) {
   return C2D_SHUFFLE(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
 }
+INLINE Vector low_pairs(Vector a, Vector b) {
+  return C2D_SHUFFLE(a, b, 0, 1, 8, 9, 2, 3, 10, 11);
+}
+INLINE Vector high_pairs(Vector a, Vector b) {
+  return C2D_SHUFFLE(a, b, 4, 5, 12, 13, 6, 7, 14, 15);
+}
 #elif C2D_VECTOR_BYTES == 32
 INLINE Vector evens(Vector a, Vector b) {
   return C2D_SHUFFLE(a, b, 0, 4, 2, 6);
@@ -48,12 +56,24 @@ INLINE Vector evens(Vector a, Vector b) {
 INLINE Vector odds(Vector a, Vector b) {
   return C2D_SHUFFLE(a, b, 1, 5, 3, 7);
 }
+INLINE Vector low_pairs(Vector a, Vector b) {
+  return C2D_SHUFFLE(a, b, 0, 1, 4, 5);
+}
+INLINE Vector high_pairs(Vector a, Vector b) {
+  return C2D_SHUFFLE(a, b, 2, 3, 6, 7);
+}
 #else
 INLINE Vector evens(Vector a, Vector b) {
   return C2D_SHUFFLE(a, b, 0, 2);
 }
 INLINE Vector odds(Vector a, Vector b) {
   return C2D_SHUFFLE(a, b, 1, 3);
+}
+INLINE Vector low_pairs(Vector a, Vector) {
+  return a;
+}
+INLINE Vector high_pairs(Vector, Vector b) {
+  return b;
 }
 #endif
 #undef C2D_SHUFFLE

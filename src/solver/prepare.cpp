@@ -175,7 +175,7 @@ c2d_status eliminate_body(c2d_solver* s, const Model& m, const PhaseSizes& sizes
               ContactTape{&s->tapes, m.head->contact, m.head->load_cases, area.buffer},
               static_cast<int64_t>(s->plan[b].pivots) + s->plan[b].trailing, 0.0};
   const double start = clock_now(s);
-  place_sources(job.system);
+  job.system.some_passed_over = place_sources(job.system);
   for (int32_t node = 0; node < m.head->body[b].nodes; node += kColumnsAtOnce) {
     const int32_t rest = m.head->body[b].nodes - node;
     fill_diagonal(job.system, node, rest < kColumnsAtOnce ? rest : kColumnsAtOnce);
