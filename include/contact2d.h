@@ -137,6 +137,7 @@ typedef struct c2d_limits {
   int32_t load_cases;         /* 0 means 1                                                         */
   int32_t panel_columns;      /* columns eliminated at a time; 0: as many as the memory allows     */
   int32_t free_pairs;         /* those of the pairs that belong to zones of c2d_add_free_zone      */
+  int32_t point_sets;         /* of c2d_add_points (cards under *POINTS)                           */
 } c2d_limits;
 
 /* Bytes of workspace for these limits: `minimum` solves any model within them with blocks of the smallest size,
@@ -364,6 +365,20 @@ c2d_status c2d_add_path(c2d_solver* solver, int32_t increments, double load);
    ended (zero at first) to load[0 .. cases). cases is the number of load cases. */
 c2d_status c2d_add_path_point(c2d_solver* solver, int32_t increments, const double* load, int32_t cases);
 c2d_status c2d_clear_paths(c2d_solver* solver); /* forget the pieces of path given so far */
+/* Where interior results are wanted: a list that the model only keeps, for whoever asks c2d_interior for them after the
+   solution (c2d_get_points, c2d_expand_points in section 8). The points need not lie inside. */
+enum { C2D_POINTS_ONE = 0, C2D_POINTS_LINE = 1, C2D_POINTS_GRID = 2 };
+typedef struct c2d_points {
+  uint32_t struct_size;
+  int32_t kind;               /* C2D_POINTS_...                                                     */
+  int32_t body;               /* 1 or 2                                                             */
+  int32_t count[2];           /* line: count[0] points from one end to the other; grid: count[0] in x and count[1] in y,
+                                 row by row, x first; else unused. At least 1 each, together fewer than 2^31   */
+  int32_t line;               /* of the deck or of c2d_set_line; an answer of c2d_get_points, else unused      */
+  double from[2], to[2];      /* the point; the line's ends; opposite corners of the grid           */
+} c2d_points;
+/* Errors: ARGUMENT, STATE, LIMIT (c2d_limits.point_sets). */
+c2d_status c2d_add_points(c2d_solver* solver, const c2d_points* points);
 /* Names of the units of length and force, each at most 15 characters, for titles of axes; null is empty. Nothing is
    converted. Legal also in model, prepared and running. */
 c2d_status c2d_set_units(c2d_solver* solver, const char* length, const char* force);
@@ -481,6 +496,8 @@ enum {
                                  the displacement along the boundary, recovered at Gauss points     */
   C2D_END_SZZ = 111,          /* out of the plane: nu (sxx + syy), 0 in plane stress                */
   C2D_END_HOOP = 112,         /* normal stress along the boundary                                   */
+  C2D_END_VON_MISES = 113, C2D_END_MAX_SHEAR = 114, C2D_END_PRINCIPAL1 = 115, C2D_END_PRINCIPAL2 = 116, /* of that
+                                 tensor, as for interior points below                               */
   /* per geometry node of a body */
   C2D_NODE_X = 120, C2D_NODE_Y = 121,
   /* per pair, no columns of the table: where it lies on body 1, an element and its local coordinate -1 ... 1 */
@@ -585,6 +602,12 @@ c2d_status c2d_get_region(c2d_solver* solver, int32_t body, int32_t i, int32_t* 
 c2d_status c2d_get_condition(c2d_solver* solver, int32_t body, int32_t element, int32_t local, int32_t codes[4],
                              double values[4]);
 c2d_status c2d_get_point_load(c2d_solver* solver, int32_t i, int32_t* body, double xy[2], double force[2]);
+c2d_status c2d_get_points(c2d_solver* solver, int32_t i, c2d_points* out);
+/* Points first ... first+count-1 (from 1) of a set: x and y of the k-th to xy[k * stride], xy[k * stride + 1], ready for
+   c2d_interior. *total (may be null): how many the set has. Needs no solver. Errors: ARGUMENT (also a set that
+   c2d_add_points would refuse; `body` is not looked at). */
+c2d_status c2d_expand_points(const c2d_points* points, int32_t first, int32_t count, double* xy, int64_t stride,
+                             int32_t* total);
 /* c2d_get_condition is that of case 1. The codes are the same in every case, the values those of `load_case`. */
 c2d_status c2d_get_case_condition(c2d_solver* solver, int32_t body, int32_t element, int32_t local, int32_t codes[4],
                                   double values[4], int32_t load_case);
@@ -614,7 +637,7 @@ c2d_status c2d_get_interference(c2d_solver* solver, int32_t* load_case);
    broken       after an error of the store: restore, or c2d_create in the same memory
    In model, prepared and running also positions by get, and the lists: get_friction, _zone_friction, _path,
    _path_point, _zone, _region, _condition, _point_load, _case_condition, _case_point_load, _body_force, _rigid,
-   _interference. */
+   _interference, _points. */
 enum { C2D_STATE_EMPTY = 0, C2D_STATE_BUILDING = 1, C2D_STATE_MODEL = 2, C2D_STATE_PREPARED = 3,
        C2D_STATE_RUNNING = 4, C2D_STATE_BROKEN = 5 };
 int32_t c2d_get_state(const c2d_solver* solver);                 /* -1: not a solver                */
@@ -636,6 +659,8 @@ const char* c2d_version(void);               /* "0.1.0" */
 
    C2D_FREE_MEMORY_BYTES(..., load_cases, free_pairs) is the same with one argument more, for limits with free zones.
 
+   Limits with point_sets add C2D_POINTS_BYTES(point_sets) to either.
+
    The macros below are its parts: they repeat, line by line, what the library lays out. */
 #define C2D_MEMORY_BYTES(function_nodes, points1, points2, elements1, elements2, regions1, regions2, zones, pairs,     \
                          contact_elements, point_loads, coefficients, paths, load_cases)                               \
@@ -654,10 +679,13 @@ const char* c2d_version(void);               /* "0.1.0" */
                     C2D_ENDS_(function_nodes, elements2),                                                              \
                     UINT64_C(2) * (pairs), UINT64_C(1) * C2D_CASES_(load_cases), UINT64_C(2) * (free_pairs)))
 
+#define C2D_POINTS_BYTES(point_sets) C2D_ARRAY_(point_sets, 56)
+
 #ifndef C2D_REAL_BYTES
 #define C2D_REAL_BYTES 8      /* of a stored matrix's number: 4 for a library compiled with C2D_REAL=float   */
 #endif
 #define C2D_SOLVER_BYTES 2880 /* of c2d_solver, at most, on any target                                      */
+#define C2D_ASSEMBLY_BYTES 3776 /* of what the assembly of an element needs, at most, on any target         */
 #define C2D_ROUND_(bytes) (((bytes) + UINT64_C(63)) / 64 * 64)
 #define C2D_ARRAY_(count, size) C2D_ROUND_(UINT64_C(1) * (count) * (size))
 #define C2D_BLOCK_(numbers) C2D_ROUND_(64 + UINT64_C(1) * C2D_REAL_BYTES * (numbers)) /* with its header           */
@@ -703,6 +731,7 @@ const char* c2d_version(void);               /* "0.1.0" */
 #define C2D_ELIMINATION_BYTES_(nodes, rows, m)                                                                         \
   (C2D_ARRAY_(nodes, 32) + C2D_ARRAY_(nodes, 16) +                     /* diagonal blocks; positions      */          \
    C2D_ARRAY_(nodes, 4) + C2D_BLOCK_(m) +                              /* double nodes; contact tape      */          \
+   C2D_ROUND_(C2D_ASSEMBLY_BYTES) +                                    /* one element at a time           */          \
    C2D_COLUMN_BYTES_(rows) + 64 +                                      /* a panel of one column, its norm */          \
    C2D_BLOCK_(rows) +                                                  /* a block of one column           */          \
    C2D_ARRAY_(C2D_ROWS_(nodes), 4))                                    /* row exchanges                   */

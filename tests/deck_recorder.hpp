@@ -115,6 +115,10 @@ inline c2d::DeckSink recording_sink(Recorder& r, int32_t function_nodes = 0) {
                                              double(z->first_element[1]), double(z->last_element[1]),
                                              double(z->elements[0]), double(z->elements[1])});
   };
+  sink.add_points = [](c2d_solver* s, const c2d_points* p) -> c2d_status {
+    return recorder(s)->record("points", {double(p->kind), double(p->body), double(p->count[0]), double(p->count[1]),
+                                          p->from[0], p->from[1], p->to[0], p->to[1]});
+  };
   sink.set_symmetry = [](c2d_solver* s, int32_t axis, double value) -> c2d_status {
     return recorder(s)->record("symmetry", {double(axis), value});
   };

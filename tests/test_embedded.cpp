@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <map>
 #include <math.h>
 
 // The port's mathematics under other names; what it takes from newlib is the C library's here.
@@ -144,5 +145,68 @@ TEST_CASE("embedded: no heap, no errno, no struct of the C library in the images
     CHECK(contains(sections.out, ".bss"));
     CHECK_FALSE(contains(sections.out, "heap"));
     CHECK_FALSE(contains(sections.out, "exidx"));
+  }
+}
+
+namespace {
+
+// Cells of the rows of a table, by their first two cells ("m7 whole").
+std::map<std::string, std::vector<std::string>> table_rows(const std::string& text) {
+  std::map<std::string, std::vector<std::string>> rows;
+  for (const std::string& line : lines_of(text)) {
+    if (line.compare(0, 2, "| ") != 0) continue;
+    std::vector<std::string> cells;
+    std::istringstream in(line.substr(2));
+    for (std::string cell; std::getline(in, cell, '|');) {
+      const size_t first = cell.find_first_not_of(' '), last = cell.find_last_not_of(' ');
+      cells.push_back(first == std::string::npos ? "" : cell.substr(first, last - first + 1));
+    }
+    if (cells.size() >= 8) rows[cells[0] + ' ' + cells[1]] = cells;
+  }
+  return rows;
+}
+
+constexpr long kStackOfAnyCall = 4096; // bytes, the caller's callbacks apart
+
+} // namespace
+
+// Another version of the compiler may differ by a few per cent; more means that the table is old.
+TEST_CASE("embedded: the README's bill is what make footprint prints, and stacks stay within 4 KiB") {
+  if (skipped()) return;
+  const auto readme = table_rows(read_file(C2D_TEST_ROOT "/README.md"));
+  for (const char* target : {"desktop", "m3", "m4f", "m7"}) {
+    const std::string bill = kFolder + target + "/bill";
+    REQUIRE_MESSAGE(fs::exists(bill), bill);
+    const auto rows = table_rows(read_file(bill));
+    CHECK(rows.size() == 5);
+    for (const auto& row : rows) {
+      CAPTURE(row.first);
+      const auto told = readme.find(row.first);
+      REQUIRE(told != readme.end());
+      for (size_t i = 2; i < 8; ++i) {
+        const double now = std::atof(row.second[i].c_str()), then = std::atof(told->second[i].c_str());
+        CHECK_MESSAGE(std::fabs(now - then) <= 0.03 * now,
+                      "column " << i << ": " << now << ", the README says " << then);
+      }
+      if (std::string(target) != "desktop") {
+        CHECK(std::atol(row.second[5].c_str()) <= kStackOfAnyCall);
+        CHECK(std::atol(row.second[4].c_str()) == 0); // no static data
+      }
+    }
+  }
+}
+
+TEST_CASE("embedded: what is not called is not linked") {
+  if (skipped()) return;
+  for (const Board& board : kBoards) {
+    const Result points = run_shell("arm-none-eabi-nm -C '" + kFolder + board.name + "/no-points.elf'"),
+                 deck = run_shell("arm-none-eabi-nm -C '" + kFolder + board.name + "/no-deck.elf'"),
+                 whole = run_shell("arm-none-eabi-nm -C '" + kFolder + board.name + "/whole.elf'");
+    for (const char* name : {"c2d_interior", "c2d::read_deck_cards", "c2d::read_nodes"})
+      CHECK(contains(whole.out, name));
+    CHECK_FALSE(contains(points.out, "c2d_interior"));
+    for (const char* name :
+         {"c2d_read_deck", "c2d::read_deck_cards", "c2d::read_nodes", "c2d::read_extensions"})
+      CHECK_FALSE(contains(deck.out, name));
   }
 }

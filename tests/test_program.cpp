@@ -96,16 +96,6 @@ TEST_CASE("program: bad usage ends with 64 and says why") {
   }
 }
 
-TEST_CASE("program: what later versions bring is refused by name") {
-  const std::string deck = " " + quoted(kHertz) + " ";
-  for (const char* arguments :
-       {"--points p", "--interior p"}) {
-    const Result result = contact2d("run" + deck + arguments);
-    CHECK_MESSAGE(result.status == 64, arguments);
-    CHECK_MESSAGE(contains(result.err, "not available in this version"), arguments);
-  }
-}
-
 TEST_CASE("program: an unreadable deck ends with 2 and leaves no output") {
   const Folder in, out;
   write_file(in / "empty", "");

@@ -44,7 +44,8 @@ $(EMBEDDED)/$(1)/run_deck.elf: $(EMBEDDED)/$(1)/libcontact2d.a $(call arm_object
 $(EMBEDDED)/$(1)/hertz.csv: $(EMBEDDED)/$(1)/run_deck.elf examples/hertz.dat
 	@mkdir -p $$(@D)/tapes
 	$(QEMU_ARM) -M $(board_$(1)) -nographic -monitor none -serial none -kernel $$< \
-	  -semihosting-config enable=on,target=native,arg=examples/hertz.dat,arg=$$(@D)/tapes,arg=$$@.new </dev/null
+	  -semihosting-config enable=on,target=native,arg=examples/hertz.dat,arg=$$(@D)/tapes,arg=$$@.new </dev/null \
+	  > $$(@D)/run.log 2>&1 || { cat $$(@D)/run.log; exit 1; }
 	@mv $$@.new $$@
 -include $(wildcard $(EMBEDDED)/$(1)/obj/*.d)
 endef
@@ -57,11 +58,105 @@ $(EMBEDDED)/desktop.csv: $(PROGRAM) examples/hertz.dat
 	@mkdir -p $(@D)
 	$(PROGRAM) run examples/hertz.dat --no-progress --listing $(@:.csv=.lst) --csv $@ 2>/dev/null
 
-EMBEDDED_TESTED := $(BOARDS:%=$(EMBEDDED)/%/run_deck.elf) $(EMBEDDED)/compare
+EMBEDDED_TESTED = $(BOARDS:%=$(EMBEDDED)/%/run_deck.elf) $(EMBEDDED)/compare $(BILLS) $(EMBEDDED)/workspace
 
 # The sample deck on every board, compared with this machine's run.
-.PHONY: embedded $(BOARDS:%=embedded-%)
-embedded: $(BOARDS:%=embedded-%)
+.PHONY: embedded embedded-float $(BOARDS:%=embedded-%)
+embedded: $(BOARDS:%=embedded-%) embedded-float
+# Matrices in single precision on this machine.
+embedded-float: $(EMBEDDED)/desktop.csv $(EMBEDDED)/compare
+	@$(MAKE) -s BUILD=$(EMBEDDED)/float CPPFLAGS='$(CPPFLAGS) -DC2D_REAL=float -DC2D_REAL_BYTES=4' $(EMBEDDED)/float/contact2d
+	@$(EMBEDDED)/float/contact2d run examples/hertz.dat --no-progress --listing $(EMBEDDED)/float/hertz.lst \
+	  --csv $(EMBEDDED)/float/hertz.csv 2>$(EMBEDDED)/float/run.log || { cat $(EMBEDDED)/float/run.log; exit 1; }
+	@echo 'embedded: this machine, C2D_REAL=float'
+	@$(EMBEDDED)/compare $(EMBEDDED)/desktop.csv $(EMBEDDED)/float/hertz.csv $(agree_m4f)
 $(BOARDS:%=embedded-%): embedded-%: $(EMBEDDED)/%/hertz.csv $(EMBEDDED)/desktop.csv $(EMBEDDED)/compare
 	@echo 'embedded: $* ($(board_$*))'
 	@$(EMBEDDED)/compare $(EMBEDDED)/desktop.csv $< $(agree_$*)
+
+# ---- the bill: what every target takes ----------------------------------------------------------------------------
+# Images of calls of the header and of what they need, linked with --gc-sections:
+#   whole        every call                      no-deck, no-points   without the deck reader, without c2d_interior
+#   solver       a model by calls, one load case, zones of pairs: all orders, both quadratures, both steppings,
+#                interior points                 solver-deck          the same and the deck reader
+open := (
+ALL_CALLS    := $(sort $(shell sed -n 's/^[a-z][a-z0-9_ *]*\(c2d_[a-z0-9_]*\)$(open)[a-z].*/\1/p' include/contact2d.h))
+DECK_CALLS   := c2d_scan_deck c2d_check_deck c2d_walk_deck c2d_read_deck
+SOLVER_CALLS := c2d_memory_need c2d_create c2d_close c2d_set_problem c2d_set_body c2d_add_region c2d_set_nodes \
+  c2d_set_condition c2d_add_point_load c2d_add_zone c2d_add_friction c2d_add_path c2d_complete c2d_set_options \
+  c2d_prepare c2d_begin c2d_advance c2d_next_event c2d_run c2d_cancel c2d_get c2d_interior c2d_get_summary \
+  c2d_get_state c2d_last_error c2d_message c2d_outcome_message c2d_version
+CONFIGURATIONS := whole no-deck no-points solver solver-deck
+calls_whole       := $(ALL_CALLS)
+calls_no-deck     := $(filter-out $(DECK_CALLS),$(ALL_CALLS))
+calls_no-points   := $(filter-out c2d_interior,$(ALL_CALLS))
+calls_solver      := $(SOLVER_CALLS)
+calls_solver-deck := $(SOLVER_CALLS) $(DECK_CALLS)
+wanted = $(foreach c,$(calls_$(1)),-Wl,-u,$(c))
+
+# $(1) board, $(2) configuration
+define arm_size
+$(EMBEDDED)/$(1)/$(2).elf: $(EMBEDDED)/$(1)/libcontact2d.a $(EMBEDDED)/$(1)/obj/port_cortex-m_math.o port/cortex-m/sizes.ld
+	@$(ARM_PREFIX)g++ $(cpu_$(1)) -nostdlib -Wl,--gc-sections -Wl,-e,c2d_create $(call wanted,$(2)) -T port/cortex-m/sizes.ld \
+	  $(EMBEDDED)/$(1)/obj/port_cortex-m_math.o $(EMBEDDED)/$(1)/libcontact2d.a -lm -lc -lgcc -o $$@
+$(EMBEDDED)/$(1)/$(2).size: $(EMBEDDED)/$(1)/$(2).elf
+	@$(ARM_PREFIX)size -A $$< > $$@
+endef
+define arm_bill
+$(foreach c,$(CONFIGURATIONS),$(eval $(call arm_size,$(1),$(c))))
+$(EMBEDDED)/$(1)/whole.dis: $(EMBEDDED)/$(1)/whole.elf $(EMBEDDED)/$(1)/run_deck.elf
+	$(ARM_PREFIX)objdump -d $(EMBEDDED)/$(1)/run_deck.elf $$< > $$@
+	$(ARM_PREFIX)nm $(EMBEDDED)/$(1)/whole.elf > $$(@:.dis=.nm)
+	@echo $(ALL_CALLS) > $$(@D)/calls
+$(EMBEDDED)/$(1)/bill: $(EMBEDDED)/footprint $(CONFIGURATIONS:%=$(EMBEDDED)/$(1)/%.size) $(EMBEDDED)/$(1)/whole.dis \
+  $(EMBEDDED)/$(1)/hertz.csv tests/footprint/indirect.txt
+	@$(EMBEDDED)/footprint $(1) $$(@D) tests/footprint/indirect.txt > $$@.new; status=$$$$?; mv $$@.new $$@; \
+	  [ $$$$status = 0 ] || { cat $$@; rm $$@; exit 1; }
+endef
+$(foreach b,$(BOARDS),$(eval $(call arm_bill,$(b))))
+
+# This machine, with the same flags; its C library is shared and not counted.
+DESKTOP := $(EMBEDDED)/desktop
+desktop_object = $(DESKTOP)/obj/$(subst /,_,$(basename $(patsubst src/%,%,$(1)))).o
+DESKTOP_OBJECTS := $(foreach s,$(CORE_SOURCES),$(call desktop_object,$(s)))
+define desktop_compile
+$(call desktop_object,$(1)): $(1) port/cortex-m/embedded.mk
+	@mkdir -p $$(@D)
+	$(CXX) $(CPPFLAGS) $(ARM_FLAGS) -Isrc -Iinclude $(DEPS) -c $(1) -o $$@
+endef
+$(foreach s,$(CORE_SOURCES),$(eval $(call desktop_compile,$(s))))
+define desktop_size
+$(DESKTOP)/$(1).size: $(DESKTOP_OBJECTS)
+	@$(CXX) -nostdlib -r -Wl,--gc-sections -Wl,-e,c2d_create $(call wanted,$(1)) $$^ -o $$(@:.size=.o)
+	@size -A $$(@:.size=.o) > $$@
+endef
+$(foreach c,$(CONFIGURATIONS),$(eval $(call desktop_size,$(c))))
+$(DESKTOP)/bill: $(EMBEDDED)/footprint $(CONFIGURATIONS:%=$(DESKTOP)/%.size) tests/footprint/indirect.txt
+	@echo $(ALL_CALLS) > $(@D)/calls
+	@$(EMBEDDED)/footprint desktop $(@D) tests/footprint/indirect.txt > $@.new; status=$$?; mv $@.new $@; \
+	  [ $$status = 0 ] || { cat $@; rm $@; exit 1; }
+-include $(wildcard $(DESKTOP)/obj/*.d)
+
+$(EMBEDDED)/footprint: tests/footprint/footprint.cpp tests/footprint/stack.cpp tests/footprint/stack.hpp $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(LDFLAGS) -o $@ $(filter %.cpp,$^)
+$(EMBEDDED)/workspace: tests/footprint/workspace.cpp $(LIBRARY)
+	@mkdir -p $(@D)
+	$(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm
+BILL_HEAD := | target | calls | code | constants | static data | stack | workspace | painted |
+BILLS := $(EMBEDDED)/desktop/bill $(BOARDS:%=$(EMBEDDED)/%/bill)
+.PHONY: footprint footprint-readme
+# The rows of the README's table, anew.
+footprint-readme: $(BILLS)
+	@{ echo; echo '$(BILL_HEAD)'; echo '| --- | --- | --- | --- | --- | --- | --- | --- |'; grep -h '^|' $(BILLS); } > $(EMBEDDED)/rows
+	@awk '/^<!-- make footprint-readme/ { print; while ((getline row < "$(EMBEDDED)/rows") > 0) print row; skip = 1 } \
+	  /^<!-- end -->/ { skip = 0 } !skip && !/^<!-- make footprint-readme/ { print }' README.md > $(EMBEDDED)/README.new
+	@cat $(EMBEDDED)/README.new > README.md
+footprint: $(BILLS) $(EMBEDDED)/workspace
+	@grep -hv '^|' $(BILLS)
+	@echo
+	@echo '$(BILL_HEAD)'
+	@echo '| --- | --- | --- | --- | --- | --- | --- | --- |'
+	@grep -h '^|' $(BILLS)
+	@echo
+	@$(EMBEDDED)/workspace

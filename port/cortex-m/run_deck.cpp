@@ -23,6 +23,7 @@ c2d_semihosting_deck deck;
 char arguments[160];
 char line[400];
 int32_t results;
+c2d_error why;
 
 void put_line(c2d::Text& text) {
   c2d::put_character(text, '\n');
@@ -71,7 +72,7 @@ void tell(void*, const c2d_error* entry) {
   host::say("\n");
 }
 
-int failed(const char* what, c2d_status status, const c2d_error& why) {
+int failed(const char* what, c2d_status status) {
   host::say(what);
   host::say(": ");
   host::say(c2d_message(status));
@@ -82,15 +83,10 @@ int failed(const char* what, c2d_status status, const c2d_error& why) {
 }
 
 // What of the board was used, to the host's messages.
-void tell_memory(c2d_solver* solver) {
-  static c2d_summary summary;
-  summary.struct_size = sizeof summary;
-  c2d_get_summary(solver, &summary);
+void tell_memory() {
   c2d::Text text = c2d::text_in(line);
   c2d::put(text, "memory: workspace ");
   c2d::put(text, sizeof workspace);
-  c2d::put(text, ", its peak ");
-  c2d::put(text, summary.peak_bytes);
   c2d::put(text, ", stack ");
   c2d::put(text, stack_size());
   c2d::put(text, ", of it painted over ");
@@ -100,16 +96,14 @@ void tell_memory(c2d_solver* solver) {
 }
 
 int solve(c2d_solver* solver) {
-  static c2d_error why;
-  why.struct_size = sizeof why;
   c2d_status status = c2d_read_deck(solver, c2d_semihosting_next_card, &deck);
   if (status == C2D_OK) status = c2d_prepare(solver);
   if (status == C2D_OK) status = c2d_run(solver, print_step, nullptr);
   if (status != C2D_OK) {
     c2d_last_error(solver, &why);
-    return failed("solving", status, why);
+    return failed("solving", status);
   }
-  tell_memory(solver);
+  tell_memory();
   return 0;
 }
 
@@ -118,7 +112,6 @@ int solve(c2d_solver* solver) {
 int main() {
   static c2d_limits limits;
   static c2d_port port;
-  static c2d_error why;
   limits.struct_size = sizeof limits;
   port.struct_size = sizeof port;
   why.struct_size = sizeof why;
@@ -128,8 +121,8 @@ int main() {
   const char* const folder = next_word(&rest);
   const char* name = next_word(&rest);
   if (name[0] == '-' || name[0] == '\0') name = ":tt";
-  if (c2d_semihosting_open_deck(&deck, deck_name) != 0) return failed(deck_name, C2D_ERR_READ, why);
-  if (c2d_semihosting_store_init(&store, folder) != 0) return failed(folder, C2D_ERR_STORE_OPEN, why);
+  if (c2d_semihosting_open_deck(&deck, deck_name) != 0) return failed(deck_name, C2D_ERR_READ);
+  if (c2d_semihosting_store_init(&store, folder) != 0) return failed(folder, C2D_ERR_STORE_OPEN);
   c2d_semihosting_store_port(&store, &port);
   port.log = tell;
   results = host::open(name, host::Mode::write);
@@ -141,7 +134,7 @@ int main() {
   c2d_status status = c2d_scan_deck(c2d_semihosting_next_card, &deck, &limits, &why);
   if (c2d_semihosting_rewind_deck(&deck) != 0) status = C2D_ERR_READ;
   if (status == C2D_OK) status = c2d_create(&solver, workspace, sizeof workspace, &limits, &port, &why);
-  const int ended = status == C2D_OK ? solve(solver) : failed(deck_name, status, why);
+  const int ended = status == C2D_OK ? solve(solver) : failed(deck_name, status);
   if (solver != nullptr) c2d_close(solver);
   c2d_semihosting_close_deck(&deck);
   host::close(results);

@@ -48,13 +48,15 @@ module contact2d
   integer(c_int32_t), parameter :: C2D_QUADRATURE_ACCURATE = 0, C2D_QUADRATURE_THESIS = 1
   integer(c_int32_t), parameter :: C2D_STEPPING_EVENTS = 0, C2D_STEPPING_DECK = 1
   integer(c_int32_t), parameter :: C2D_SYMMETRY_DECK = 0, C2D_SYMMETRY_IMAGES = 1
+  integer(c_int32_t), parameter :: C2D_POINTS_ONE = 0, C2D_POINTS_LINE = 1, C2D_POINTS_GRID = 2
   integer(c_int32_t), parameter :: C2D_STEP_RECORDED = 0, C2D_STEP_CHANGE = 1, C2D_STEP_STOPPED = 2
   integer(c_int32_t), parameter :: C2D_X = 0, C2D_Y = 1, C2D_STATUS = 2, C2D_TN = 3, C2D_TT = 4, &
       C2D_UN1 = 5, C2D_UT1 = 6, C2D_UN2 = 7, C2D_UT2 = 8, C2D_GAP = 9, C2D_SLIP_SUM = 10, C2D_NX = 11, &
       C2D_NY = 12, C2D_PAIR_NODE1 = 13, C2D_PAIR_NODE2 = 14, C2D_PAIR_ZONE = 15, C2D_PAIR_FIELDS = 16, &
       C2D_END_X = 100, C2D_END_Y = 101, C2D_END_NODE = 102, C2D_END_UX = 103, C2D_END_UY = 104, &
       C2D_END_TX = 105, C2D_END_TY = 106, C2D_END_STATUS = 107, C2D_END_SXX = 108, C2D_END_SYY = 109, &
-      C2D_END_SXY = 110, C2D_END_SZZ = 111, C2D_END_HOOP = 112, C2D_NODE_X = 120, C2D_NODE_Y = 121, &
+      C2D_END_SXY = 110, C2D_END_SZZ = 111, C2D_END_HOOP = 112, C2D_END_VON_MISES = 113, &
+      C2D_END_MAX_SHEAR = 114, C2D_END_PRINCIPAL1 = 115, C2D_END_PRINCIPAL2 = 116, C2D_NODE_X = 120, C2D_NODE_Y = 121, &
       C2D_PAIR_ELEMENT1 = 130, C2D_PAIR_ETA1 = 131
   integer(c_int32_t), parameter :: C2D_POINT_UX = 0, C2D_POINT_UY = 1, C2D_POINT_SXX = 2, &
       C2D_POINT_SYY = 3, C2D_POINT_SXY = 4, C2D_POINT_SZZ = 5, C2D_POINT_VON_MISES = 6, &
@@ -99,7 +101,7 @@ module contact2d
   end type
 
   type, bind(C) :: c2d_limits
-    integer(c_int32_t) :: struct_size = 72
+    integer(c_int32_t) :: struct_size = 76
     integer(c_int32_t) :: bodies = 0
     integer(c_int32_t) :: function_nodes = 0
     integer(c_int32_t) :: geometry_nodes(2) = 0
@@ -114,6 +116,7 @@ module contact2d
     integer(c_int32_t) :: load_cases = 0
     integer(c_int32_t) :: panel_columns = 0
     integer(c_int32_t) :: free_pairs = 0
+    integer(c_int32_t) :: point_sets = 0
   end type
 
   type, bind(C) :: c2d_progress
@@ -189,6 +192,16 @@ module contact2d
     integer(c_int32_t) :: first_element(2) = 0
     integer(c_int32_t) :: last_element(2) = 0
     integer(c_int32_t) :: elements(2) = 0
+  end type
+
+  type, bind(C) :: c2d_points
+    integer(c_int32_t) :: struct_size = 56
+    integer(c_int32_t) :: kind = 0
+    integer(c_int32_t) :: body = 0
+    integer(c_int32_t) :: count(2) = 0
+    integer(c_int32_t) :: line = 0
+    real(c_double) :: from(2) = 0
+    real(c_double) :: to(2) = 0
   end type
 
   type, bind(C) :: c2d_options
@@ -564,6 +577,12 @@ module contact2d
       type(c2d_free_zone), intent(in) :: zone
       integer(c_int32_t) :: status
     end function
+    function c2d_add_points(solver, points) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
+      type(c2d_points), intent(in) :: points
+      integer(c_int32_t) :: status
+    end function
     function c2d_set_case_values(solver, body, element, local, values, load_case) bind(C) result(status)
       import
       type(c_ptr), value :: solver
@@ -773,6 +792,22 @@ module contact2d
       integer(c_int32_t), value :: i
       integer(c_int32_t), intent(out) :: body
       real(c_double), intent(out) :: xy(2), force(2)
+      integer(c_int32_t) :: status
+    end function
+    function c2d_get_points(solver, i, out) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
+      integer(c_int32_t), value :: i
+      type(c2d_points), intent(inout) :: out
+      integer(c_int32_t) :: status
+    end function
+    function c2d_expand_points(points, first, count, xy, stride, total) bind(C) result(status)
+      import
+      type(c2d_points), intent(in) :: points
+      integer(c_int32_t), value :: first, count
+      integer(c_int64_t), value :: stride
+      real(c_double), intent(inout) :: xy(stride,*)
+      integer(c_int32_t), intent(out) :: total
       integer(c_int32_t) :: status
     end function
     function c2d_get_case_condition(solver, body, element, local, codes, values, &

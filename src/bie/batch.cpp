@@ -41,7 +41,8 @@ BatchElement batch_element(const Integrator& in) {
 }
 
 bool is_batched(const Integrator& in, bool want_g) {
-  return in.mode == Quadrature::accurate && !in.degenerate && in.element.straight && (!want_g || in.closed_form_g);
+  return in.mode == Quadrature::accurate && !in.degenerate && in.element.straight &&
+         (!want_g || in.closed_form_g);
 }
 
 } // namespace c2d

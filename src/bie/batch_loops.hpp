@@ -1,9 +1,9 @@
-// The loops of one instruction set: included by one source file per set, which defines C2D_VECTOR_BYTES and is compiled
-// with that set's flags. Nothing in here may be seen by another file, nor anything be used that is inline elsewhere: a
-// function shared by the linker would carry instructions into machines that lack them.
+// The loops of one instruction set: included by one source file per set, which defines C2D_VECTOR_BYTES and
+// is compiled with that set's flags. Nothing in here may be seen by another file, nor anything be used that
+// is inline elsewhere: a function shared by the linker would carry instructions into machines that lack them.
 //
-// Names and formulas are those of straight_moments.hpp and integrals_straight.cpp; series there and here are those of
-// C_k, in w = 1/z^2.
+// Names and formulas are those of straight_moments.hpp and integrals_straight.cpp; series there and here are
+// those of C_k, in w = 1/z^2.
 #include "bie/batch.hpp"
 #include "bie/shape.hpp"
 #include "bie/straight_moments.hpp"
@@ -64,7 +64,8 @@ template <int F> struct Many {
   Vector log_product; // ln |z^2 - 1|
 };
 
-// ---- near: forward recurrences ------------------------------------------------------------------------------------
+// ---- near: forward recurrences
+// ------------------------------------------------------------------------------------
 
 struct Ends {
   Pair iw1, iw2, c0; // 1/(z+1), 1/(z-1), C_0
@@ -97,7 +98,8 @@ template <int F> INLINE void near_moments(const Seen& s, Many<F>& m) {
   m.log_product = e.log_product;
 }
 
-// ---- far: series --------------------------------------------------------------------------------------------------
+// ---- far: series
+// --------------------------------------------------------------------------------------------------
 
 // Terms after which w^m < 1e-15.
 INLINE int terms_of(double z2) {
@@ -108,13 +110,14 @@ INLINE int terms_of(double z2) {
   return z2 >= 32.0 ? 10 : 14;
 }
 
-constexpr double kThirds[] = {1.0 / 3,  1.0 / 5,  1.0 / 7,  1.0 / 9,  1.0 / 11, 1.0 / 13, 1.0 / 15,
-                              1.0 / 17, 1.0 / 19, 1.0 / 21, 1.0 / 23, 1.0 / 25, 1.0 / 27, 1.0 / 29, 1.0 / 31};
+constexpr double kThirds[] = {1.0 / 3,  1.0 / 5,  1.0 / 7,  1.0 / 9,  1.0 / 11, 1.0 / 13, 1.0 / 15, 1.0 / 17,
+                              1.0 / 19, 1.0 / 21, 1.0 / 23, 1.0 / 25, 1.0 / 27, 1.0 / 29, 1.0 / 31};
 constexpr double kEach[] = {1.0,     1.0 / 2, 1.0 / 3,  1.0 / 4,  1.0 / 5,  1.0 / 6,  1.0 / 7,
                             1.0 / 8, 1.0 / 9, 1.0 / 10, 1.0 / 11, 1.0 / 12, 1.0 / 13, 1.0 / 14};
 
-// 1/z and w, and sum w^m/(2m+q), q = 3 or 5, sum w^m = 1/(1-w), Re sum w^m/(m+1) = -ln(1-w)/w. A polynomial with
-// real coefficients at a complex argument takes two real recurrences, here all three together, highest power first.
+// 1/z and w, and sum w^m/(2m+q), q = 3 or 5, sum w^m = 1/(1-w), Re sum w^m/(m+1) = -ln(1-w)/w. A polynomial
+// with real coefficients at a complex argument takes two real recurrences, here all three together, highest
+// power first.
 struct Series {
   Pair iz, w, odd, geometric;
   Vector log_1_w; // ln |1-w|
@@ -132,7 +135,8 @@ template <int Q> INLINE Series sum_series(Pair z, Vector z2, int terms) {
   Vector odd2 = all(a[m + 1]), each2 = all(kEach[m + 1]), one2 = all(1.0);
   Vector odd = a[m] + trace * odd2, each = kEach[m] + trace * each2, one = 1.0 + trace;
   while (--m > 0) {
-    const Vector next_odd = a[m] + (trace * odd - norm * odd2), next_each = kEach[m] + (trace * each - norm * each2),
+    const Vector next_odd = a[m] + (trace * odd - norm * odd2),
+                 next_each = kEach[m] + (trace * each - norm * each2),
                  next_one = 1.0 + (trace * one - norm * one2);
     odd2 = odd, each2 = each, one2 = one;
     odd = next_odd, each = next_each, one = next_one;
@@ -146,7 +150,7 @@ template <int Q> INLINE Series sum_series(Pair z, Vector z2, int terms) {
 
 template <int F> INLINE void far_moments(Pair z, Vector z2, double least_z2, bool want_log, Many<F>& m) {
   constexpr bool high = F > 2;
-  const Series s = sum_series<high ? 5 : 3>(z, z2, terms_of(least_z2));
+  const Series s = sum_series < high ? 5 : 3 > (z, z2, terms_of(least_z2));
   Pair s3 = s.odd;
   if (high) {
     s3 = s.w * s.odd;
@@ -174,7 +178,8 @@ template <int F> INLINE void far_moments(Pair z, Vector z2, double least_z2, boo
   m.log_product = want_log ? logarithm(z2) + s.log_1_w : Vector{};
 }
 
-// ---- blocks -------------------------------------------------------------------------------------------------------
+// ---- blocks
+// -------------------------------------------------------------------------------------------------------
 
 // Rows 0 and 1 of one column of a block, as they follow each other.
 INLINE void save_rows(double* to, Vector row0, Vector row1) {
@@ -201,8 +206,9 @@ template <int F, class T> INLINE void shaped(const T* power, T* node) {
   }
 }
 
-template <int F> INLINE void store_h(const BatchElement& e, const Pair* c, const Pair* moment, Vector zeta,
-                                     double (*out)[2][2 * kBatch], int at) {
+template <int F>
+INLINE void store_h(const BatchElement& e, const Pair* c, const Pair* moment, Vector zeta,
+                    double (*out)[2][2 * kBatch], int at) {
   Pair d[F];
   shaped<F>(moment, d);
   const Vector turn_re = zeta * e.h_cos2, turn_im = zeta * e.h_sin2;
@@ -215,14 +221,13 @@ template <int F> INLINE void store_h(const BatchElement& e, const Pair* c, const
 }
 
 // int M_l.
-constexpr double kMean[4][4] = {{2.0, 0.0, 0.0, 0.0},
-                                {1.0, 1.0, 0.0, 0.0},
-                                {1.0 / 3, 4.0 / 3, 1.0 / 3, 0.0},
-                                {0.25, 0.75, 0.75, 0.25}};
+constexpr double kMean[4][4] = {
+    {2.0, 0.0, 0.0, 0.0}, {1.0, 1.0, 0.0, 0.0}, {1.0 / 3, 4.0 / 3, 1.0 / 3, 0.0}, {0.25, 0.75, 0.75, 0.25}};
 
 // E by parts: (k+1) E_k = [eta^(k+1) ln|eta-z|] - Re C_{k+1}.
-template <int F> INLINE void store_g(const BatchElement& e, const Pair* c, const Many<F>& m, Vector zeta,
-                                     double (*out)[2][2 * kBatch], int at) {
+template <int F>
+INLINE void store_g(const BatchElement& e, const Pair* c, const Many<F>& m, Vector zeta,
+                    double (*out)[2][2 * kBatch], int at) {
   Vector power[F], logs[F];
 #pragma GCC unroll 4
   for (int k = 0; k < F; ++k)
@@ -240,8 +245,9 @@ template <int F> INLINE void store_g(const BatchElement& e, const Pair* c, const
   }
 }
 
-template <int F> INLINE void store(const BatchElement& e, const Many<F>& m, Vector zeta, bool want_h, bool want_g,
-                                   BatchBlocks& out, int at) {
+template <int F>
+INLINE void store(const BatchElement& e, const Many<F>& m, Vector zeta, bool want_h, bool want_g,
+                  BatchBlocks& out, int at) {
   Pair c[F];
   shaped<F>(m.c, c);
   if (want_h) store_h<F>(e, c, m.d, zeta, out.h, at);
@@ -263,16 +269,18 @@ template <int F> INLINE void mixed_moments(const Seen& s, bool want_log, Many<F>
 }
 
 // Apart, so that the frequent case keeps its numbers in registers.
-template <int F> OUTLINE void integrate_mixed(const BatchElement& e, const double* xy, bool want_h, bool want_g,
-                                              BatchBlocks& out, int at) {
+template <int F>
+OUTLINE void integrate_mixed(const BatchElement& e, const double* xy, bool want_h, bool want_g,
+                             BatchBlocks& out, int at) {
   const Seen s = see(e, xy);
   Many<F> m;
   mixed_moments<F>(s, want_g, m);
   store<F>(e, m, s.z.im, want_h, want_g, out, at);
 }
 
-template <int F> INLINE void integrate_sources(const BatchElement& e, const double* xy, bool want_h, bool want_g,
-                                               BatchBlocks& out) {
+template <int F>
+INLINE void integrate_sources(const BatchElement& e, const double* xy, bool want_h, bool want_g,
+                              BatchBlocks& out) {
   for (int at = 0; at < 2 * kBatch; at += 2 * kLanes) {
     const Pair z = see_far(e, xy + at);
     const Vector z2 = squared_size(z);
@@ -287,7 +295,8 @@ template <int F> INLINE void integrate_sources(const BatchElement& e, const doub
   }
 }
 
-// ---- deposits -----------------------------------------------------------------------------------------------------
+// ---- deposits
+// -----------------------------------------------------------------------------------------------------
 
 INLINE void pay_batch(const BatchRun& run, int32_t first, const BatchBlocks& out) {
   const double* numbers = &out.h[0][0][0];
@@ -333,14 +342,16 @@ void integrate_batch(const BatchElement& e, const double* xy, bool want_h, bool 
   }
 }
 
-void integrate_and_pay(const BatchRun& run, const double* xy, int32_t first, int32_t count, BatchBlocks& room) {
+void integrate_and_pay(const BatchRun& run, const double* xy, int32_t first, int32_t count,
+                       BatchBlocks& room) {
   for (int32_t s = 0; s < count; s += kBatch) {
     integrate_batch(run.element, xy + 2 * s, run.want_h, run.want_g, room);
     pay_batch(run, first + s, room);
   }
 }
 
-// ---- rigid translation --------------------------------------------------------------------------------------------
+// ---- rigid translation
+// --------------------------------------------------------------------------------------------
 
 // The first and the last half of kLanes sources, four numbers each, 2 i + j.
 struct Rigid {
@@ -402,7 +413,8 @@ void angles(const double* y, const double* x, double* out) {
   for (int i = 0; i < kBatch; i += kLanes) save(out + i, angle(load(y + i), load(x + i)));
 }
 
-constexpr BatchKernel kLoops = {integrate_batch, pay, integrate_and_pay, rigid, rigid_off, logarithms, angles};
+constexpr BatchKernel kLoops = {integrate_batch, pay,   integrate_and_pay, rigid, rigid_off,
+                                logarithms,      angles};
 
 } // namespace
 } // namespace c2d

@@ -7,9 +7,13 @@ namespace c2d {
 
 #ifdef C2D_SMALL
 
-bool pay_batches(const ColumnSystem&, const Integrator&, const int32_t*, Blocks&, const Deposits&) { return false; }
+bool pay_batches(const ColumnSystem&, const Integrator&, const int32_t*, Blocks&, const Deposits&) {
+  return false;
+}
 
-bool fill_diagonal_batches(const ColumnSystem&, const Integrator&, const int32_t*, int32_t, int32_t) { return false; }
+bool fill_diagonal_batches(const ColumnSystem&, const Integrator&, const int32_t*, int32_t, int32_t) {
+  return false;
+}
 
 #else
 
@@ -30,8 +34,8 @@ OwnSources own_sources(const ColumnSystem& system, const int32_t node[4], int fu
   return own;
 }
 
-// Consecutive sources: whole batches of which every lane is a source that does not sit on the element, or one batch of
-// any kind, fewer at the body's end.
+// Consecutive sources: whole batches of which every lane is a source that does not sit on the element, or one
+// batch of any kind, fewer at the body's end.
 struct Group {
   int32_t first, count;
   bool plain;
@@ -57,11 +61,14 @@ Group group_at(const ColumnSystem& system, const OwnSources& own, int32_t first,
   return g;
 }
 
-bool is_passed_over(int32_t twin) { return twin == kSecondTwin || twin == kAxisNode; }
+bool is_passed_over(int32_t twin) {
+  return twin == kSecondTwin || twin == kAxisNode;
+}
 
-// Where a batch of sources stands for an image: in `room`, if not where it is stored. Beyond the body's end the last
-// source stands again.
-const double* places(const ColumnSystem& system, int32_t first, int32_t count, int image, double room[2 * kBatch]) {
+// Where a batch of sources stands for an image: in `room`, if not where it is stored. Beyond the body's end
+// the last source stands again.
+const double* places(const ColumnSystem& system, int32_t first, int32_t count, int image,
+                     double room[2 * kBatch]) {
   const double* at = system.point + 2 * static_cast<int64_t>(first);
   if (image == 0 && count >= kBatch) return at;
   for (int s = 0; s < kBatch; ++s) {
@@ -73,8 +80,8 @@ const double* places(const ColumnSystem& system, int32_t first, int32_t count, i
 }
 
 // Local node at which lane s sits, -1 if none.
-int singular_lane(const ColumnSystem& system, const Integrator& in, const int32_t node[4], const Group& g, int image,
-                  int s, Source& p) {
+int singular_lane(const ColumnSystem& system, const Integrator& in, const int32_t node[4], const Group& g,
+                  int image, int s, Source& p) {
   const int32_t source = g.first + s;
   p = mirrored_source(*system.model.head, image, system.point + 2 * static_cast<int64_t>(source));
   return p.on_itself ? singular_node(node, in.functions, source, system.twin[source]) : -1;
@@ -110,7 +117,8 @@ void pay_group(BatchJob& job, const Group& g, int image, Blocks& blocks, BatchBl
   for (int i = 0; i < 2; ++i) run.sign[i] = image_sign(image, i);
   double room[2 * kBatch];
   if (!g.plain) {
-    kernel.integrate(run.element, places(job.system, g.first, g.count, image, room), run.want_h, run.want_g, out);
+    kernel.integrate(run.element, places(job.system, g.first, g.count, image, room), run.want_h, run.want_g,
+                     out);
     mend_lanes(job, g, image, blocks, out);
     kernel.pay(run, g.first, g.count, out);
     return;
@@ -122,8 +130,8 @@ void pay_group(BatchJob& job, const Group& g, int image, Blocks& blocks, BatchBl
 
 } // namespace
 
-bool pay_batches(const ColumnSystem& system, const Integrator& integrator, const int32_t node[4], Blocks& blocks,
-                 const Deposits& deposits) {
+bool pay_batches(const ColumnSystem& system, const Integrator& integrator, const int32_t node[4],
+                 Blocks& blocks, const Deposits& deposits) {
   if (!system.batch) return false;
   BatchJob job{system, integrator, node, BatchRun{{}, &deposits, &blocks, false, false, {1.0, 1.0}}};
   for (int n = 0; n < deposits.count; ++n)
@@ -146,8 +154,8 @@ bool pay_batches(const ColumnSystem& system, const Integrator& integrator, const
 namespace {
 
 // One batch, source by source.
-void take_off(const ColumnSystem& system, const Integrator& in, const int32_t node[4], const Group& g, int image,
-              double* sum) {
+void take_off(const ColumnSystem& system, const Integrator& in, const int32_t node[4], const Group& g,
+              int image, double* sum) {
   double* diagonal = system.diagonal + 4 * static_cast<int64_t>(g.first);
   for (int s = 0; s < g.count; ++s) {
     if (is_passed_over(system.twin[g.first + s])) continue;

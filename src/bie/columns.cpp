@@ -30,10 +30,9 @@ void add_element(const ColumnSystem& system, const Hole* hole, const Panel& pane
   const int nf = m.head->function_nodes;
   const bool contact = measure == Measure::contact;
   const bool want_h = t.want_h && !contact, want_g = contact ? t.want_contact : t.want_g;
-  Integrator integrator;
-  make_integrator(m, system.body, element, system.quadrature, measure, integrator);
-  Blocks blocks;
-  Deposits deposits;
+  make_integrator(m, system.body, element, system.quadrature, measure, system.scratch->integrator);
+  const Blocks& blocks = system.scratch->blocks;
+  Deposits& deposits = system.scratch->deposits;
   deposits.count = 0;
   for (int l = 0; l < nf; ++l)
     for (int c = 0; c < 2; ++c) {
@@ -47,7 +46,7 @@ void add_element(const ColumnSystem& system, const Hole* hole, const Panel& pane
     if (panel.range.holds_right())
       aim_right_hand_side(panel, element, t, pass, want_h, want_g, contact, blocks, deposits);
     if (deposits.count == 0) continue;
-    pay_sources(system, hole, integrator, t.node, want_h, want_g, blocks, deposits);
+    pay_sources(system, hole, t.node, want_h, want_g);
   }
 }
 
@@ -58,7 +57,7 @@ void add_balance(const ColumnSystem& system, const Panel& panel, int32_t element
   const int b = system.body;
   const Body& body = m.head->body[b];
   const int32_t row = 2 * body.nodes;
-  Integrator integrator;
+  Integrator& integrator = system.scratch->integrator;
   make_integrator(m, b, element, system.quadrature, measure, integrator);
   double w[4], wx[4], wy[4];
   resultants(integrator, body.centre[0] / m.head->length_unit, body.centre[1] / m.head->length_unit, w, wx, wy);
@@ -104,7 +103,7 @@ void add_all(const ColumnSystem& system, const Hole* hole, const Panel& panel) {
   const int b = system.body;
   for (int32_t element = 0; element < m.head->body[b].elements; ++element) {
     if (!is_integrated(m, b, element)) continue;
-    ElementTargets targets;
+    ElementTargets& targets = system.scratch->targets;
     aim(m, b, element, panel.range, targets);
     if (targets.want_h || targets.want_g) add_element(system, hole, panel, element, targets, Measure::own_length);
     if (targets.want_g && !hole) add_balance(system, panel, element, targets, Measure::own_length);

@@ -19,6 +19,7 @@
 
 namespace c2d {
 
+struct AssemblyScratch; // bie/panel.hpp: what one element at a time needs, too much for a small stack
 struct BatchKernel;
 struct ColumnSystem {
   Model model;
@@ -27,6 +28,7 @@ struct ColumnSystem {
   double* diagonal; // [4 * nodes]: free term and principal value, 2x2 row by row, from rigid translation (A.5)
   double* point;    // [2 * nodes]: collocation points in the length unit
   int32_t* twin;    // [nodes]: the other node of a double node, kSingle, or kSecondTwin (no collocation there)
+  AssemblyScratch* scratch;
   const BatchKernel* batch = nullptr; // bie/batch.hpp; without it sources are taken one by one
   bool some_passed_over = true;       // second twins or nodes of axis elements; place_sources() tells
 };

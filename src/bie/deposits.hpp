@@ -6,8 +6,8 @@
 
 namespace c2d {
 
-// Where the integrals of one element go, worked out once for all sources: column[2 s + i] += factor * block[i] with
-// `block` the place of the component's integral for i = 0; i = 1 stands two doubles on.
+// Where the integrals of one element go, worked out once for all sources: column[2 s + i] += factor *
+// block[i] with `block` the place of the component's integral for i = 0; i = 1 stands two doubles on.
 struct Deposit {
   const double* block;
   Real* column;

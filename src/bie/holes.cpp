@@ -145,8 +145,8 @@ bool next_hole(const Model& m, int b, HoleWalk& walk, Hole& out) {
   return false;
 }
 
-void hole_row(const Model& m, const Hole& hole, const Integrator& in, bool want_h, bool want_g, HoleRow& out) {
-  FieldElement e;
+void hole_row(const Model& m, const Hole& hole, const Integrator& in, bool want_h, bool want_g, FieldElement& e,
+              HoleRow& out) {
   e.in = in;
   const double inside[2] = {hole.x, hole.y};
   for (int l = 0; l < in.functions; ++l)

@@ -25,11 +25,12 @@ bool next_hole(const Model& model, int b, HoleWalk& walk, Hole& out);
 
 // What each local node's displacement and traction (in the integrator's measure) add to L tr V, with the signs of the
 // sums h u - g t.
+struct FieldElement; // bie/interior.hpp
 struct HoleRow {
   double h[4][2], g[4][2];
 };
 void hole_row(const Model& model, const Hole& hole, const Integrator& integrator, bool want_h, bool want_g,
-              HoleRow& out);
+              FieldElement& scratch, HoleRow& out);
 // The same of a point load: added to G t's side.
 double hole_load(const Model& model, int b, const Hole& hole, const PointLoad& load);
 

@@ -54,10 +54,9 @@ void add_particular(const ColumnSystem& system, const Hole* hole, const Panel& p
   const Model& m = system.model;
   const int b = system.body, nf = m.head->function_nodes;
   Real* column = panel.column(panel.range.right + load_case);
-  Integrator integrator;
-  make_integrator(m, b, element, system.quadrature, Measure::own_length, integrator);
-  Blocks blocks;
-  Deposits deposits;
+  make_integrator(m, b, element, system.quadrature, Measure::own_length, system.scratch->integrator);
+  const Blocks& blocks = system.scratch->blocks;
+  Deposits& deposits = system.scratch->deposits;
   deposits.count = 0;
   int32_t node[4];
   for (int l = 0; l < nf; ++l) {
@@ -71,7 +70,7 @@ void add_particular(const ColumnSystem& system, const Hole* hole, const Panel& p
       deposits.add(&blocks.g[l][0][c], column, -t[c] / (2.0 * shear_modulus(m, b)));
     }
   }
-  if (deposits.count > 0) pay_sources(system, hole, integrator, node, true, true, blocks, deposits);
+  if (deposits.count > 0) pay_sources(system, hole, node, true, true);
 }
 
 } // namespace

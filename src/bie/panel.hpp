@@ -1,8 +1,11 @@
 #pragma once
-// Adding into a panel of columns, by one number or by the integrals of an element for one source after another.
+// Adding into a panel of columns, by one number or by the integrals of an element for one source after
+// another.
 #include "bie/deposits.hpp"
 #include "bie/holes.hpp"
+#include "bie/interior.hpp"
 #include "bie/targets.hpp"
+#include "bie/transfer.hpp"
 
 namespace c2d {
 
@@ -31,15 +34,28 @@ struct Panel {
   }
 };
 
+struct AssemblyScratch {
+  ElementTargets targets;
+  Integrator integrator;
+  Blocks blocks;
+  Deposits deposits;
+  HoleRow hole_row;
+  FieldElement hole_field;
+  Transfer transfer;
+};
+constexpr uint64_t kAssemblyBytes = C2D_ASSEMBLY_BYTES;
+static_assert(sizeof(AssemblyScratch) <= kAssemblyBytes,
+              "C2D_ASSEMBLY_BYTES of contact2d.h bounds it on any target");
+
 inline void aim_deposits(const Panel& panel, const Destination& d, const double* block, Deposits& out) {
   for (const Target& target : d.target)
     if (target.column >= 0) out.add(block, panel.column(target.column), target.factor);
 }
 
-// Integrals of an element for every source and image, paid where the deposits say; of a hole, if one is given, what its
-// nodes' equations have beside those.
-void pay_sources(const ColumnSystem& system, const Hole* hole, const Integrator& integrator, const int32_t node[4],
-                 bool want_h, bool want_g, Blocks& blocks, const Deposits& deposits);
+// Integrals of the scratch's element for every source and image, paid where its deposits say; of a hole, if
+// one is given, what its nodes' equations have beside those.
+void pay_sources(const ColumnSystem& system, const Hole* hole, const int32_t node[4], bool want_h,
+                 bool want_g);
 
 // Point loads of the body and its body force of one load case, into the right-hand sides; `hole` as above.
 void add_point_load(const ColumnSystem& system, const Hole* hole, const Panel& panel, const PointLoad& load);

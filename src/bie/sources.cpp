@@ -45,26 +45,29 @@ void sign_rows(int image, int functions, double block[4][2][2]) {
       for (int j = 0; j < 2; ++j) block[l][i][j] *= image_sign(image, i);
 }
 
-void pay_hole(const ColumnSystem& system, const Hole& hole, const Integrator& integrator, bool want_h, bool want_g,
-              Blocks& blocks, const Deposits& deposits) {
-  HoleRow row;
-  hole_row(system.model, hole, integrator, want_h, want_g, row);
+void pay_hole(const ColumnSystem& system, const Hole& hole, bool want_h, bool want_g) {
+  Blocks& blocks = system.scratch->blocks;
+  HoleRow& row = system.scratch->hole_row;
+  hole_row(system.model, hole, system.scratch->integrator, want_h, want_g, system.scratch->hole_field, row);
   visit_hole(system, hole, [&](int32_t node, const double n[2]) {
-    for (int l = 0; l < integrator.functions; ++l)
+    for (int l = 0; l < system.scratch->integrator.functions; ++l)
       for (int i = 0; i < 2; ++i)
         for (int c = 0; c < 2; ++c) {
           if (want_h) blocks.h[l][i][c] = n[i] * row.h[l][c];
           if (want_g) blocks.g[l][i][c] = n[i] * row.g[l][c];
         }
-    deposits.pay(node);
+    system.scratch->deposits.pay(node);
   });
 }
 
 } // namespace
 
-void pay_sources(const ColumnSystem& system, const Hole* hole, const Integrator& integrator, const int32_t node[4],
-                 bool want_h, bool want_g, Blocks& blocks, const Deposits& deposits) {
-  if (hole) return pay_hole(system, *hole, integrator, want_h, want_g, blocks, deposits);
+void pay_sources(const ColumnSystem& system, const Hole* hole, const int32_t node[4], bool want_h,
+                 bool want_g) {
+  if (hole) return pay_hole(system, *hole, want_h, want_g);
+  const Integrator& integrator = system.scratch->integrator;
+  const Deposits& deposits = system.scratch->deposits;
+  Blocks& blocks = system.scratch->blocks;
   if (pay_batches(system, integrator, node, blocks, deposits)) return;
   const Model& m = system.model;
   const int nf = m.head->function_nodes;
@@ -87,11 +90,12 @@ void pay_sources(const ColumnSystem& system, const Hole* hole, const Integrator&
 void fill_diagonal(const ColumnSystem& system, int32_t first_node, int32_t count) {
   const Model& m = system.model;
   const int b = system.body;
-  for (int64_t i = 4 * static_cast<int64_t>(first_node); i < 4 * static_cast<int64_t>(first_node + count); ++i)
+  for (int64_t i = 4 * static_cast<int64_t>(first_node); i < 4 * static_cast<int64_t>(first_node + count);
+       ++i)
     system.diagonal[i] = 0.0;
   for (int32_t element = 0; element < m.head->body[b].elements; ++element) {
     if (!is_integrated(m, b, element)) continue;
-    Integrator integrator;
+    Integrator& integrator = system.scratch->integrator;
     make_integrator(m, b, element, system.quadrature, Measure::own_length, integrator);
     int32_t node[4];
     for (int l = 0; l < m.head->function_nodes; ++l) node[l] = functional_node(m, b, element, l);

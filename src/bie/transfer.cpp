@@ -1,6 +1,6 @@
 #include "bie/transfer.hpp"
 
-#include "bie/holes.hpp"
+#include "bie/panel.hpp"
 #include "bie/shape.hpp"
 #include "model/symmetry.hpp"
 
@@ -148,8 +148,8 @@ void send(const Model& m, const Columns& panel, const Transfer& t, const double 
 // What a piece adds to the equations at the nodes of a hole.
 void add_to_hole(const ColumnSystem& system, const Hole& hole, const Columns& panel, const Transfer& t) {
   const Model& m = system.model;
-  HoleRow row;
-  hole_row(m, hole, t.in, false, true, row);
+  HoleRow& row = system.scratch->hole_row;
+  hole_row(m, hole, t.in, false, true, system.scratch->hole_field, row);
   visit_hole(system, hole, [&](int32_t node, const double n[2]) {
     for (int i = 0; i < 2; ++i)
       for (int c = 0; c < 2; ++c) {
@@ -162,7 +162,7 @@ void add_to_hole(const ColumnSystem& system, const Hole& hole, const Columns& pa
 
 void add_piece(const ColumnSystem& system, const Columns& panel, const Transfer& t) {
   const Model& m = system.model;
-  Blocks blocks;
+  Blocks& blocks = system.scratch->blocks;
   for (int32_t source = 0; source < m.head->body[0].nodes; ++source) {
     if (system.twin[source] == kSecondTwin || system.twin[source] == kAxisNode) continue;
     for (int image = 0; image <= m.head->symmetry; ++image) {
@@ -200,7 +200,7 @@ void fill_transfer(const ColumnSystem& system, int32_t first, int32_t count, Rea
   const int32_t from = outer_columns(m, 0) + m.head->contact;
   if (first + count <= from || first >= from + m.head->contact) return;
   TransferWalk walk{};
-  Transfer transfer;
+  Transfer& transfer = system.scratch->transfer;
   while (next_transfer(m, system.quadrature, walk, transfer)) add_piece(system, panel, transfer);
   HoleWalk holes{};
   Hole hole;

@@ -1,6 +1,7 @@
-// Vectors of C2D_VECTOR_BYTES, their logarithm and arctangent: part of batch_loops.hpp, seen by nothing else. Both
-// functions are polynomials after the usual reductions, interpolated at Chebyshev's points to 1e-17; neither raises
-// anything for the arguments they are made for. tests/test_batch.cpp compares them with the C library.
+// Vectors of C2D_VECTOR_BYTES, their logarithm and arctangent: part of batch_loops.hpp, seen by nothing else.
+// Both functions are polynomials after the usual reductions, interpolated at Chebyshev's points to 1e-17;
+// neither raises anything for the arguments they are made for. tests/test_batch.cpp compares them with the C
+// library.
 #include <stdint.h>
 
 #define INLINED __attribute__((always_inline))
@@ -28,9 +29,9 @@ INLINE Vector all(double x) {
   return Vector{} + x;
 }
 
-// Pairs of lanes 0, 2, ... of a and b; of lanes 1, 3, ...: cheap on every machine. What was loaded by these two from
-// x y x y ... is stored in its place by the same two. low_pairs,
-// high_pairs: pairs of a and b in turns, from the first and from the second halves.
+// Pairs of lanes 0, 2, ... of a and b; of lanes 1, 3, ...: cheap on every machine. What was loaded by these
+// two from x y x y ... is stored in its place by the same two. low_pairs, high_pairs: pairs of a and b in
+// turns, from the first and from the second halves.
 #if defined(__clang__) || __GNUC__ >= 12
 #define C2D_SHUFFLE(a, b, ...) __builtin_shufflevector(a, b, __VA_ARGS__)
 #else
@@ -88,10 +89,11 @@ INLINE Vector size_of(Vector x) {
   return x < 0.0 ? -x : x;
 }
 
-constexpr double kLn2 = 0x1.62e42fefa0000p-1, kLn2Rest = 1.6465949582897081e-12; // the first times 1100 is exact
+constexpr double kLn2 = 0x1.62e42fefa0000p-1,
+                 kLn2Rest = 1.6465949582897081e-12; // the first times 1100 is exact
 
 // (ln((1+s)/(1-s)) / s - 2) / s^2 in powers of s^2, |s| <= (sqrt 2 - 1)/(sqrt 2 + 1).
-constexpr double kLogarithm[] = {0.66666666666666696862, 0.3999999999989950449,  0.28571428625975484921,
+constexpr double kLogarithm[] = {0.66666666666666696862, 0.3999999999989950449, 0.28571428625975484921,
                                  0.22222211134795079855, 0.1818288912526172208, 0.15331721600556041269,
                                  0.1461644968504340586};
 
@@ -110,13 +112,13 @@ INLINE Vector logarithm(Vector x) {
 }
 
 // (atan(t)/t - 1) / t^2 in powers of t^2, |t| <= sqrt 2 - 1.
-constexpr double kArctangent[] = {-0.3333333333333333016,   0.19999999999995520678,  -0.14285714284666542922,
-                                  0.11111111015256361727,   -0.090909045781239018905, 0.076921831908260865637,
-                                  -0.066645114473819480001, 0.058581489128022098816, -0.050854497379402598613,
-                                  0.039231658295587191303,  -0.019176887119062258989};
+constexpr double kArctangent[] = {
+    -0.3333333333333333016,   0.19999999999995520678,  -0.14285714284666542922,  0.11111111015256361727,
+    -0.090909045781239018905, 0.076921831908260865637, -0.066645114473819480001, 0.058581489128022098816,
+    -0.050854497379402598613, 0.039231658295587191303, -0.019176887119062258989};
 
-// atan2(y, x), sizes below 1e300; 0 where both are 0. The smaller over the larger, less atan 1 = pi/4 where that leaves
-// a smaller number.
+// atan2(y, x), sizes below 1e300; 0 where both are 0. The smaller over the larger, less atan 1 = pi/4 where
+// that leaves a smaller number.
 INLINE Vector angle(Vector y, Vector x) {
   constexpr double kQuarter = 0x1.921fb54442d00p-1, kQuarterRest = 2.6951514290790595e-15; // times 4 exact
   const Vector ax = size_of(x), ay = size_of(y);

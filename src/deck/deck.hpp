@@ -46,6 +46,7 @@ struct DeckSink {
   c2d_status (*set_body_force)(c2d_solver*, int32_t body, int32_t load_case, double bx, double by,
                                double rho_omega2, double x0, double y0);
   c2d_status (*add_free_zone)(c2d_solver*, const c2d_free_zone*);
+  c2d_status (*add_points)(c2d_solver*, const c2d_points*);
 };
 
 // What later sections must know of earlier ones. Bodies are counted from 0 in here.

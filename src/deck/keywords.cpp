@@ -22,7 +22,7 @@ struct Keyword {
 //   *RIGID                   rigid.cpp      body 1 is a rigid obstacle, with motions by load case
 //   *INTERFERENCE load_case  interference.cpp   initial overlaps are closed as a load case
 //   *BODY FORCE ...          body_force.cpp weight and rotation of a body in a load case
-// Names set aside for: *POINTS.
+//   *POINTS                  points.cpp     where interior results are wanted
 constexpr Keyword kKeywords[] = {
     {"UNITS", read_units, false},
     {"CASES", read_cases, false},
@@ -33,6 +33,7 @@ constexpr Keyword kKeywords[] = {
     {"INTERFERENCE", read_interference, false},
     {"RIGID", read_rigid, false},
     {"ZONE", read_free_zone, true},
+    {"POINTS", read_points, true},
 };
 constexpr int32_t kKeywordCount = static_cast<int32_t>(sizeof kKeywords / sizeof kKeywords[0]);
 static_assert(kKeywordCount <= 32, "Deck::keywords_seen has a bit for each");

@@ -25,5 +25,6 @@ void read_symmetry(Deck& deck, const Words& keyword_card); // symmetry.cpp
 void read_rigid(Deck& deck, const Words& keyword_card);        // rigid.cpp
 void read_interference(Deck& deck, const Words& keyword_card); // interference.cpp
 void read_body_force(Deck& deck, const Words& keyword_card); // body_force.cpp
+void read_points(Deck& deck, const Words& keyword_card);     // points.cpp
 
 } // namespace c2d

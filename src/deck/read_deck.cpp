@@ -65,6 +65,7 @@ c2d_status walk(Reading& reading) {
   sink.set_interference = c2d_set_interference;
   sink.set_body_force = c2d_set_body_force;
   sink.add_free_zone = c2d_add_free_zone;
+  sink.add_points = c2d_add_points;
   return read_deck_cards(&sink, read_line, &reading, deck_fault, &reading, nullptr);
 }
 

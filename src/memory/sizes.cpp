@@ -21,7 +21,8 @@ bool counts_are_legal(const c2d_limits& l) {
     if (b < l.bodies && (l.geometry_nodes[b] < 1 || l.elements[b] < 1 || l.regions[b] < 1)) return false;
   }
   return l.zones >= 0 && l.pairs >= 0 && l.contact_elements >= 0 && l.point_loads >= 0 && l.coefficients >= 0 &&
-         l.paths >= 0 && l.load_cases >= 0 && l.panel_columns >= 0 && l.free_pairs >= 0 && l.free_pairs <= l.pairs;
+         l.paths >= 0 && l.load_cases >= 0 && l.panel_columns >= 0 && l.free_pairs >= 0 && l.free_pairs <= l.pairs &&
+         l.point_sets >= 0;
 }
 
 } // namespace
@@ -54,6 +55,7 @@ c2d_status derive_sizes(const c2d_limits& limits, Sizes& out) {
   out.paths = limits.paths;
   out.contact = 2 * out.pairs;
   out.free_pairs = limits.free_pairs;
+  out.point_sets = limits.point_sets;
   out.body[0].rows += 2 * out.free_pairs;
   return C2D_OK;
 }
@@ -106,6 +108,7 @@ c2d_status lay_out(const Sizes& sizes, uint64_t header, Layout& out) {
   carver.carve(kEnergy, cases, per_case * sizeof(double));
   carver.carve(kBodyForces, 2 * cases, kBodyForceBytes);
   carver.carve(kRigidMotions, cases, kRigidMotionBytes);
+  carver.carve(kPointSets, static_cast<uint64_t>(sizes.point_sets), kPointSetBytes);
   carver.carve(kPhase, 0, 1);
   out.persistent = carver.used;
   return carver.fits ? C2D_OK : C2D_ERR_OVERFLOW;

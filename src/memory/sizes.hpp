@@ -6,7 +6,7 @@ namespace c2d {
 
 // Bytes of one element of the arrays whose types belong to the model (checked there with static_assert).
 constexpr uint64_t kRegionBytes = 16, kZoneBytes = 64, kPairBytes = 176, kPointLoadBytes = 48, kPathBytes = 16,
-                   kBodyForceBytes = 40, kRigidMotionBytes = 40;
+                   kBodyForceBytes = 40, kRigidMotionBytes = 40, kPointSetBytes = 56;
 
 // Every array that lives in the workspace, in the order in which memory is carved. Two arrays per body follow one
 // another (`kXy + body`). The README maps them to the arrays of the 1987 program.
@@ -30,8 +30,9 @@ enum ArrayId : int32_t {
   kEnergy = 24,       // double [energy_numbers]          solver/energy.hpp
   kBodyForces = 25,   // BodyForce [2 * cases]            of both bodies, case by case
   kRigidMotions = 26, // RigidMotion [cases]              of body 1
-  kPhase = 27,        // the rest: what assembly, reduction and contact use one after another (A)
-  kArrays = 28
+  kPointSets = 27,    // PointSet [point sets]            where interior results are wanted
+  kPhase = 28,        // the rest: what assembly, reduction and contact use one after another (A)
+  kArrays = 29
 };
 
 // What a model within given limits needs, per body.
@@ -47,6 +48,7 @@ struct Sizes {
   int64_t zones, pairs, contact_elements, point_loads, coefficients, paths;
   int64_t contact;     // contact unknowns at most: 2 pairs
   int64_t free_pairs;  // of them, those of free zones
+  int64_t point_sets;
 };
 
 // Work, reaction and what they grow by per load case: 2 functionals of 2 m + cases numbers, and 5 numbers.

@@ -21,6 +21,11 @@ struct PointLoad {
   int32_t body, load_case, line, column;
   double x, y, fx, fy;
 };
+// Where interior results are wanted: one point, a line, a grid, as in c2d_points. Nothing is solved with it.
+struct PointSet {
+  int32_t kind, body, count[2], line, padding;
+  double from[2], to[2];
+};
 struct Path {
   int32_t increments, padding;
   double load;
@@ -73,7 +78,8 @@ struct Pair {
 
 static_assert(sizeof(Region) == kRegionBytes && sizeof(Zone) == kZoneBytes && sizeof(Pair) == kPairBytes &&
                   sizeof(PointLoad) == kPointLoadBytes && sizeof(Path) == kPathBytes &&
-                  sizeof(BodyForce) == kBodyForceBytes && sizeof(RigidMotion) == kRigidMotionBytes,
+                  sizeof(BodyForce) == kBodyForceBytes && sizeof(RigidMotion) == kRigidMotionBytes &&
+                  sizeof(PointSet) == kPointSetBytes,
               "memory/sizes.hpp states the size of every array element");
 
 struct Body {               // lives in the solver's header
@@ -101,6 +107,7 @@ struct ModelHeader {        // lives in the solver's header; the arrays live in 
   int32_t interference;     // the load case, from 1, whose factor closes initial overlaps; 0: there may be none
   int32_t rigid;            // 1: body 1 has no equations, it moves as the load cases say
   int32_t body_forces;      // bodies with body forces: 1: body 1, 2: body 2
+  int32_t point_sets;       // where interior results are wanted
   double line_at[2], line_side[2];
   double length_unit;       // power of two near the size of the bodies
   double stress_unit;       // power of two near 2G of the softer body

@@ -42,7 +42,7 @@ bool DeckFile::read(const std::string& name, c2d_error& fault) {
   const int code = errno;
   if (file > 0) ::close(file);
   if (got < 0) {
-    set_fault(fault, C2D_ERR_READ, std::string("the deck cannot be read: ") + std::strerror(code));
+    set_fault(fault, C2D_ERR_READ, std::string("cannot be read: ") + std::strerror(code));
     return false;
   }
   for (size_t at = 0; at < text_.size();) {

@@ -38,4 +38,8 @@ void Messages::fail(const std::string& text) const {
   print("contact2d: " + deck_.name() + ": error: " + text + '\n');
 }
 
+void Messages::note(const std::string& text) const {
+  print("contact2d: " + deck_.name() + ": note: " + text + '\n');
+}
+
 } // namespace app

@@ -21,6 +21,8 @@ public:
   void fault(const c2d_error& error);
   // A line `contact2d: DECK: error: text` of the program's own.
   void fail(const std::string& text) const;
+  // Something to know that is no warning: `contact2d: DECK: note: text`.
+  void note(const std::string& text) const;
 
   const std::vector<c2d_error>& warnings() const { return warnings_; }
   // Text of the latest fault or note; empty if there was none.

@@ -15,18 +15,11 @@ struct Known {
   bool takes_value;
 };
 const Known kRunOptions[] = {{"--listing", true},   {"--csv", true},          {"--boundary", true},
-                             {"--json", true},      {"--stepping", true},     {"--quadrature", true},
+                             {"--points", true},    {"--interior", true},     {"--json", true},      {"--stepping", true},     {"--quadrature", true},
                              {"--symmetry", true},
                              {"--memory", true},    {"--store", true},        {"--threads", true},
                              {"--report", true},    {"--figures", true},      {"--vtk", true},
                              {"--progress", false}, {"--no-progress", false}, {"--keep", false}};
-const char* const kLaterOptions[] = {"--points", "--interior"};
-
-template <size_t n> bool is_one_of(const std::string& word, const char* const (&list)[n]) {
-  for (const char* entry : list)
-    if (word == entry) return true;
-  return false;
-}
 
 bool choose(const std::string& value, const char* first, const char* second, int32_t& choice) {
   if (value != first && value != second) return false;
@@ -49,6 +42,8 @@ bool set_option(Options& o, const std::string& name, const std::string& value, s
   if (name == "--listing") o.listing = value;
   if (name == "--csv") o.csv = value;
   if (name == "--boundary") o.boundary = value;
+  if (name == "--points") o.points = value;
+  if (name == "--interior") o.interior = value;
   if (name == "--json") o.json = value;
   if (name == "--report") o.report = value;
   if (name == "--figures") o.figures = value;
@@ -100,8 +95,7 @@ bool read_run_option(const std::vector<std::string>& words, size_t& at, Options&
     options.given.emplace_back(name, value);
     return set_option(options, name, value, error);
   }
-  error =
-      is_one_of(name, kLaterOptions) ? name + ": not available in this version" : "unknown option " + name;
+  error = "unknown option " + name;
   return false;
 }
 
@@ -232,6 +226,17 @@ bool read_options(int argc, const char* const* argv, Options& options, std::stri
     error = command + " needs a deck";
     return false;
   }
+  if (!options.points.empty() && options.interior.empty() && options.vtk.empty() && !has_listing(options)) {
+    error = "--points " + options.points + ": no output shows them, expected --interior, --listing or --vtk";
+    return false;
+  }
+  return true;
+}
+
+bool has_listing(const Options& o) {
+  if (!o.listing.empty()) return true;
+  for (const std::string* name : {&o.csv, &o.boundary, &o.interior, &o.json, &o.report, &o.vtk})
+    if (*name == "-") return false;
   return true;
 }
 
@@ -258,11 +263,16 @@ const char* help_text() {
          "there\n"
          "  --csv FILE         contact results, a row per pair and recorded step\n"
          "  --boundary FILE    CSV of every element end of every body at the last step\n"
+         "  --points FILE      CSV body,x,y of points inside, instead of those under *POINTS in the deck; - for "
+         "standard\n"
+         "                     input\n"
+         "  --interior FILE    CSV of displacements and stresses there at the last step\n"
          "  --json FILE        summary of the run\n"
          "  --report FILE      one HTML page with pictures of the model and the results\n"
          "  --figures DIR      the same pictures as single SVG files\n"
-         "  --vtk FILE         boundary with displacements, tractions and stresses at the last step, for "
-         "ParaView\n"
+         "  --vtk FILE         boundary with displacements, tractions and stresses at the last step, and the "
+         "points\n"
+         "                     inside, for ParaView\n"
          "  --stepping WORD    events (default): follow every change of status; deck: the increments of the "
          "deck\n"
          "  --quadrature WORD  accurate (default) or thesis: the rule of 2, 4 and 10 points\n"

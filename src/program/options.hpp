@@ -18,7 +18,8 @@ struct Options {
   std::string folder;                                    // of resume
   std::vector<std::pair<std::string, std::string>> given; // options of run as they were given, with their values
   std::vector<std::string> words;                        // of make: the family and its settings, or --list
-  std::string listing, csv, boundary, json, report, vtk; // empty: not asked for; "-": standard output
+  std::string listing, csv, boundary, interior, json, report, vtk; // empty: not asked for; "-": standard output
+  std::string points;                                    // CSV that is read; "-": standard input
   std::string figures;                                   // folder; empty: not asked for
   std::string store;                                     // empty: chosen by size; "memory"; "file:DIR"
   std::string convert_to, output; // of convert: empty (the other form), "fixed", "free"; FILE
@@ -35,6 +36,9 @@ bool read_options(int argc, const char* const* argv, Options& options, std::stri
 
 // "65536", "64K", "16M", "1G", "2T" (powers of 1024, either case, an added B or iB is understood) as bytes.
 bool read_size(const std::string& text, uint64_t& bytes);
+
+// Is there a listing? Standard output has it unless something else goes there.
+bool has_listing(const Options& options);
 
 // What --help prints.
 const char* help_text();

@@ -10,7 +10,7 @@
 namespace app {
 
 struct Outputs {
-  OutputFile listing, csv, boundary, json, report, vtk;
+  OutputFile listing, csv, boundary, interior, json, report, vtk;
   FigureFolder figures;
 
   // Opens those that are asked for; the listing goes to standard output by default, unless another output

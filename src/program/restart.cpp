@@ -13,7 +13,7 @@
 namespace app {
 namespace {
 
-const char kDeck[] = "/deck.dat", kOptions[] = "/options", kFirstLine[] = "contact2d run 1";
+const char kDeck[] = "/deck.dat", kOptions[] = "/options", kPoints[] = "/points.csv", kFirstLine[] = "contact2d run 1";
 
 bool fail(const std::string& path, const char* what, std::string& error) {
   error = path + ": " + what + ": " + std::strerror(errno);
@@ -72,7 +72,8 @@ bool is_word(const std::string& name) {
   return name == "--stepping" || name == "--quadrature" || name == "--symmetry" || name == "--threads";
 }
 bool is_left_out(const std::string& name) {
-  return name == "--store" || name == "--memory" || name == "--progress" || name == "--no-progress";
+  return name == "--store" || name == "--memory" || name == "--progress" || name == "--no-progress" ||
+         name == "--points";
 }
 
 std::string absolute(const std::string& name) {
@@ -84,10 +85,12 @@ std::string absolute(const std::string& name) {
 } // namespace
 
 bool leave_restart(const std::string& folder, const Options& options, const std::string& deck_name,
-                   const std::string& deck_text, uint64_t workspace, std::string& error) {
+                   const std::string& deck_text, const std::string& points_text, uint64_t workspace, std::string& error) {
   if (!remove_restart(folder, error) || !write_safely(folder + kDeck, deck_text, error)) return false;
+  if (!options.points.empty() && !write_safely(folder + kPoints, points_text, error)) return false;
   std::string text = std::string(kFirstLine) + "\ndeck=" + escaped(deck_name) + "\n--memory=" +
                      std::to_string(workspace) + "\n";
+  if (!options.points.empty()) text += "points\n";
   for (const auto& given : options.given) {
     if (is_left_out(given.first)) continue;
     text += given.first;
@@ -111,6 +114,7 @@ bool read_restart(Options& options, std::string& error) {
   std::vector<std::string> words = {"contact2d", "run"};
   while (std::getline(lines, line)) {
     if (line.compare(0, 5, "deck=") == 0) shown = unescaped(line.substr(5));
+    else if (line == "points") words.push_back("--points=" + folder + kPoints);
     else words.push_back(unescaped(line));
   }
   words.insert(words.end(), {"--store=file:" + folder, "--", folder + kDeck});
@@ -130,7 +134,7 @@ bool read_restart(Options& options, std::string& error) {
 }
 
 bool remove_restart(const std::string& folder, std::string& error) {
-  for (const char* name : {kOptions, kDeck}) {
+  for (const char* name : {kOptions, kDeck, kPoints}) {
     const std::string path = folder + name;
     for (const std::string& file : {path, path + ".new"})
       if (::unlink(file.c_str()) != 0 && errno != ENOENT) return fail(file, "cannot be removed", error);

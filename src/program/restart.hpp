@@ -8,16 +8,16 @@
 
 namespace app {
 
-// Writes FOLDER/deck.dat and FOLDER/options: what was asked for, with names of files made absolute, and the workspace
+// Writes FOLDER/deck.dat, FOLDER/points.csv if there is a file of points, and FOLDER/options: what was asked for, with names of files made absolute, and the workspace
 // that was taken. `options` appears last and whole. False with an error text on failure.
 bool leave_restart(const std::string& folder, const Options& options, const std::string& deck_name,
-                   const std::string& deck_text, uint64_t workspace, std::string& error);
+                   const std::string& deck_text, const std::string& points_text, uint64_t workspace, std::string& error);
 
 // The options of the run that was left in options.folder, for run_deck; what the command line says of progress stays.
 // False with an error text if there is none.
 bool read_restart(Options& options, std::string& error);
 
-// Removes both files; those that are not there are no failure.
+// Removes these files; those that are not there are no failure.
 bool remove_restart(const std::string& folder, std::string& error);
 
 } // namespace app

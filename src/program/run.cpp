@@ -1,6 +1,7 @@
 #include "program/run.hpp"
 
 #include "program/exit_code.hpp"
+#include "program/interior_points.hpp"
 #include "program/interrupt.hpp"
 #include "program/outputs.hpp"
 #include "program/progress.hpp"
@@ -35,12 +36,15 @@ private:
   c2d_port make_port();
 
   int read();
+  int read_points();
   int prepare();
   c2d_status factorise();
   int follow();
   void stopped_before_load(c2d_status status);
   void show_contact_zone();
   int report();
+  c2d_status show_interior();
+  c2d_status show_vtk(const Scene& scene);
   c2d_status show_pictures();
   bool has_pictures() const { return outputs_.report.is_open() || outputs_.figures.is_open(); }
   int close_store();
@@ -59,6 +63,7 @@ private:
   Session session_;
   Outputs outputs_;
   RunRecord record_;
+  InteriorPoints interior_;
   History history_;            // only if there will be pictures
   bool shows_changes_ = false; // the deck wants every change of status in the listing
   c2d_summary summary_ = C2D_INIT(c2d_summary);
@@ -144,17 +149,22 @@ int Run::read() {
   const double start = clock_seconds(nullptr);
   int exit = session_.read_file(options_.deck, options_.deck_name);
   record_.read_seconds = clock_seconds(nullptr) - start;
+  if (exit == 0) exit = read_points();
   if (exit == 0) exit = session_.take_memory(options_.memory);
   if (exit != 0) return exit;
   const uint64_t free = free_memory() / 2;
   const uint64_t budget = free > session_.workspace.bytes ? free - session_.workspace.bytes : 0;
   exit = session_.read_model(make_port(), options_.symmetry);
   if (exit != 0) return exit;
+  if (!interior_.take_sets(session_.solver, error_)) {
+    session_.messages.fail(error_);
+    return kExitInput;
+  }
   if (!outputs_.open(options_, error_)) return file_failed();
   if (!store_.choose(options_.store, budget, options_.keep, error_)) return file_failed();
   if (store_.named_folder().empty() || options_.resume) return 0;
   return leave_restart(store_.named_folder(), options_, session_.deck.name(), session_.deck.text(),
-                       session_.workspace.bytes, error_)
+                       interior_.file_text(), session_.workspace.bytes, error_)
              ? 0
              : file_failed();
 }
@@ -170,6 +180,18 @@ c2d_status Run::factorise() {
   }
   status = c2d_prepare(solver);
   return status == C2D_OK && !store_.named_folder().empty() ? c2d_save(solver) : status;
+}
+
+// Those of a file, once it is known how many bodies there are.
+int Run::read_points() {
+  if (!options_.points.empty())
+    return interior_.read_file(options_.points, session_.limits.bodies) ? 0
+           : interrupted()                                              ? kExitCancelled
+                                                                        : kExitInput;
+  if (options_.interior.empty() || session_.limits.point_sets > 0) return 0;
+  session_.messages.fail("--interior " + options_.interior +
+                         ": there are no points, expected --points FILE or *POINTS in the deck");
+  return kExitUsage;
 }
 
 int Run::prepare() {
@@ -199,6 +221,7 @@ int Run::prepare() {
   }
   if (outputs_.csv.is_open()) append_contact_header(outputs_.csv.text);
   if (outputs_.boundary.is_open()) append_boundary_header(outputs_.boundary.text);
+  if (outputs_.interior.is_open()) append_interior_header(outputs_.interior.text);
   if (status != C2D_OK) return library_failed(status);
   record_.checked_only = summary_.analysis <= C2D_ANALYSIS_CHECK;
   if (record_.checked_only) return 0;
@@ -250,6 +273,7 @@ int Run::report() {
     if (solved && all) status = append_global(out, solver, summary_);
   }
   record_.warnings = session_.messages.warnings();
+  if (status == C2D_OK && solved && interior_.any()) status = show_interior();
   if (status == C2D_OK) status = show_pictures();
   if (status != C2D_OK) return library_failed(status);
   c2d_get_summary(solver, &summary_);
@@ -259,12 +283,34 @@ int Run::report() {
   return 0;
 }
 
+// What was asked for inside the bodies, at the load reached.
+c2d_status Run::show_interior() {
+  const c2d_status status = interior_.evaluate(session_.solver, summary_.bodies);
+  if (status != C2D_OK) return status;
+  record_.interior = &interior_.results();
+  line_.clear();
+  interior_.tell(session_.messages, record_.warnings);
+  if (outputs_.interior.is_open()) append_interior_rows(outputs_.interior.text, interior_.results());
+  if (outputs_.listing.is_open()) append_interior_section(outputs_.listing.text, interior_.results(), summary_);
+  return C2D_OK;
+}
+
+// With the points asked for, or a grid over each body.
+c2d_status Run::show_vtk(const Scene& scene) {
+  InteriorPoints all;
+  c2d_status status = C2D_OK;
+  if (!interior_.any() && scene.solved) status = all.take_bodies(session_.solver, scene.summary);
+  if (status == C2D_OK && all.any()) status = all.evaluate(session_.solver, scene.summary.bodies);
+  if (status != C2D_OK) return status;
+  return append_vtk(outputs_.vtk.text, scene, all.any() ? all.results() : interior_.results());
+}
+
 // The pictures as a page and as files, and the boundary for ParaView.
 c2d_status Run::show_pictures() {
   if (!has_pictures() && !outputs_.vtk.is_open()) return C2D_OK;
   Scene scene;
   c2d_status status = gather_scene(session_.solver, record_, history_, scene);
-  if (status == C2D_OK && outputs_.vtk.is_open()) status = append_vtk(outputs_.vtk.text, scene, {});
+  if (status == C2D_OK && outputs_.vtk.is_open()) status = show_vtk(scene);
   if (status != C2D_OK || !has_pictures()) return status;
   Pictures pictures;
   status = draw_pictures(scene, pictures);

@@ -213,6 +213,17 @@ void append_incomplete(std::string& out, const CoefficientRecord& c) {
   out += '}';
 }
 
+void append_interior(std::string& out, const Interior& interior) {
+  Object o(out, "{", ", ");
+  o.integer("points", static_cast<int64_t>(interior.points.size()));
+  o.integer("inside", interior.count[C2D_POINT_INSIDE]);
+  o.integer("near_node", interior.count[C2D_POINT_NEAR_NODE]);
+  o.integer("boundary", interior.count[C2D_POINT_BOUNDARY]);
+  o.integer("outside", interior.count[C2D_POINT_OUTSIDE]);
+  o.integer("clipped", interior.clipped);
+  out += '}';
+}
+
 void append_warnings(std::string& out, const RunRecord& record) {
   out += '[';
   bool first = true;
@@ -273,6 +284,7 @@ void append_json(std::string& out, const RunRecord& record, const c2d_summary& s
   append_force(o.key("force"), s);
   append_runs(o.key("runs"), record);
   append_history(o.key("steps_detail"), record);
+  if (record.interior != nullptr) append_interior(o.key("interior"), *record.interior);
   append_warnings(o.key("warnings"), record);
   out += "\n}\n";
 }

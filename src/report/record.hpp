@@ -2,6 +2,8 @@
 // from pairs to element ends.
 #pragma once
 
+#include "report/interior.hpp"
+
 #include <contact2d.h>
 
 #include <cstdint>
@@ -37,6 +39,7 @@ struct RunRecord {
   std::vector<double> friction; // all coefficients of the deck
   std::vector<c2d_error> warnings;
   std::vector<int32_t> measure;                   // of each zone: the body per whose length tn and tt are
+  const Interior* interior = nullptr;             // results inside; null if none were asked for
   double read_seconds = 0.0, write_seconds = 0.0; // spent by the program itself
   bool checked_only = false;                      // the deck asks for a data check, nothing was solved
 

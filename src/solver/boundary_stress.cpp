@@ -255,6 +255,10 @@ double end_stress(const Session& session, int32_t field, int b, int32_t end) {
   case C2D_END_SYY: return s.yy;
   case C2D_END_SXY: return s.xy;
   case C2D_END_SZZ: return stress_across(session, b, s);
+  case C2D_END_VON_MISES: return von_mises(s, stress_across(session, b, s));
+  case C2D_END_MAX_SHEAR: return largest_shear(s);
+  case C2D_END_PRINCIPAL1: return 0.5 * (s.xx + s.yy) + largest_shear(s);
+  case C2D_END_PRINCIPAL2: return 0.5 * (s.xx + s.yy) - largest_shear(s);
   default: return hoop;
   }
 }

@@ -35,7 +35,7 @@ void take_particular(Adjoint& a, int32_t element, const Blocks& blocks, const do
 }
 
 // factor[i] times what an element's tractions and displacements do to the displacement at (x, y) in the length unit.
-void add_element_at(Adjoint& a, int32_t element, Measure measure, const double at[2], const double factor[2]) {
+[[gnu::noinline]] void add_element_at(Adjoint& a, int32_t element, Measure measure, const double at[2], const double factor[2]) {
   const Model& m = a.model();
   Integrator integrator;
   make_integrator(m, a.b, element, Quadrature::accurate, measure, integrator);
@@ -78,7 +78,7 @@ void add_point_fields(Adjoint& a, const double at[2], const double factor[2]) {
 }
 
 // The tractions that free zones hand over to body 1.
-void add_transferred_at(Adjoint& a, const double at[2], const double factor[2]) {
+[[gnu::noinline]] void add_transferred_at(Adjoint& a, const double at[2], const double factor[2]) {
   const Model& m = a.model();
   const double scale = -m.head->stress_unit / (2.0 * shear_modulus(m, 0));
   TransferWalk walk{};
@@ -120,7 +120,7 @@ void add_image_at(Adjoint& a, int image, const double point[2], const double for
 }
 
 // t.u_p - t_p.u along one element, u_p and t_p those of case k.
-void add_particular(Adjoint& a, int32_t element, int32_t k) {
+[[gnu::noinline]] void add_particular(Adjoint& a, int32_t element, int32_t k) {
   const Model& m = a.model();
   const int nf = m.head->function_nodes;
   const double unit = m.head->length_unit, stress = m.head->stress_unit;

@@ -405,8 +405,9 @@ void finish_point(const Session& session, int b, const Points& points, int32_t i
   }
 }
 
-// The points of one body that are not in an earlier one, complete but for writing them out.
-c2d_status evaluate_body(const Session& session, int b, const Points& points) {
+// The points of one body that are not in an earlier one, complete but for writing them out. (Not inlined, like the next:
+// their frames would stand below that of back substitution.)
+[[gnu::noinline]] c2d_status evaluate_body(const Session& session, int b, const Points& points) {
   c2d_status status = place_points(session, b, points);
   for (int32_t element = 0; element < session.model.head->body[b].elements && status == C2D_OK; ++element) {
     if (!is_integrated(session.model, b, element) || is_rigid(session.model, b)) continue;
@@ -417,7 +418,7 @@ c2d_status evaluate_body(const Session& session, int b, const Points& points) {
   return status;
 }
 
-void finish_points(const Session& session, const Points& points) {
+[[gnu::noinline]] void finish_points(const Session& session, const Points& points) {
   for (int32_t i = 0; i < points.count; ++i) {
     const double place = points.state(i).place;
     if (place == kUnplaced || place == kNowhere) {

@@ -26,7 +26,7 @@ BoundaryState boundary_state(const Session& session, int b, int32_t element, dou
 PlaneStress joint_stress(const Session& session, int b, int32_t element, double eta);
 double stress_across(const Session& session, int b, const PlaneStress& s);
 
-// field: C2D_END_SXX ... C2D_END_HOOP; end = element * function_nodes + local.
+// field: C2D_END_SXX ... C2D_END_PRINCIPAL2; end = element * function_nodes + local.
 double end_stress(const Session& session, int32_t field, int b, int32_t end);
 
 } // namespace c2d

@@ -54,6 +54,7 @@ uint64_t elimination_area(const PhaseSizes& s, int b, const EliminationPlan& pla
   carver.take(area.diagonal, 4 * s.nodes[b]);
   carver.take(area.point, 2 * s.nodes[b]);
   carver.take(area.twin, s.nodes[b]);
+  carver.take_bytes(area.scratch, C2D_ASSEMBLY_BYTES);
   carver.take_bytes(area.buffer, contact_buffer_bytes(s.m));
   carver.take_bytes(area.work,
                     elimination_bytes(plan.rows, plan.pivots, plan.panel_columns, plan.block_columns));
@@ -122,7 +123,7 @@ namespace {
 uint64_t beside_elimination(const PhaseSizes& s, int b) {
   const uint64_t nodes = static_cast<uint64_t>(s.nodes[b]);
   return round_up(4 * nodes * sizeof(double)) + round_up(2 * nodes * sizeof(double)) +
-         round_up(nodes * sizeof(int32_t)) + round_up(contact_buffer_bytes(s.m));
+         round_up(nodes * sizeof(int32_t)) + round_up(C2D_ASSEMBLY_BYTES) + round_up(contact_buffer_bytes(s.m));
 }
 
 int64_t all_columns(const PhaseSizes& s, int b) { return s.outer[b] + 2 * s.m + s.cases; }

@@ -13,6 +13,7 @@ struct EliminationArea {
   double* diagonal;   // [4 * nodes]
   double* point;      // [2 * nodes] collocation points in the length unit
   int32_t* twin;      // [nodes], see bie/columns.hpp
+  void* scratch;      // AssemblyScratch of bie/panel.hpp
   void* work;         // of eliminate()
   void* buffer;       // of the contact tape
 };

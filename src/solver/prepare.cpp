@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "bie/batch.hpp"
-#include "bie/columns.hpp"
+#include "bie/panel.hpp"
 #include "contact/reduction.hpp"
 #include "memory/text.hpp"
 #include "model/free_zones.hpp"
@@ -166,12 +166,13 @@ void note_scratch(c2d_solver* s, uint64_t area, int64_t used) {
   if (bytes > s->peak_bytes) s->peak_bytes = bytes;
 }
 
-c2d_status eliminate_body(c2d_solver* s, const Model& m, const PhaseSizes& sizes, int b) {
+[[gnu::noinline]] c2d_status eliminate_body(c2d_solver* s, const Model& m, const PhaseSizes& sizes, int b) {
   EliminationArea area;
   const uint64_t bytes = elimination_area(sizes, b, s->plan[b], array_of<char>(s, kPhase), &area);
   const Quadrature quadrature =
       s->options.quadrature == C2D_QUADRATURE_THESIS ? Quadrature::thesis : Quadrature::accurate;
-  BodyJob job{s, ColumnSystem{m, b, quadrature, area.diagonal, area.point, area.twin, batch_for(best_instructions())},
+  BodyJob job{s, ColumnSystem{m, b, quadrature, area.diagonal, area.point, area.twin,
+                              static_cast<AssemblyScratch*>(area.scratch), batch_for(best_instructions())},
               ContactTape{&s->tapes, m.head->contact, m.head->load_cases, area.buffer},
               static_cast<int64_t>(s->plan[b].pivots) + s->plan[b].trailing, 0.0};
   const double start = clock_now(s);
@@ -201,7 +202,7 @@ c2d_status tick(void* context) {
   return asked_to_stop(s) ? C2D_ERR_CANCELLED : C2D_OK;
 }
 
-c2d_status reduce_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes) {
+[[gnu::noinline]] c2d_status reduce_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes) {
   if (m.head->contact == 0) return C2D_OK;
   ReductionArea area;
   const uint64_t bytes = reduction_area(sizes, array_of<char>(s, kPhase), &area);

@@ -26,7 +26,7 @@ c2d_status check_range(c2d_solver* s, int64_t items, int32_t first, int32_t coun
 
 bool needs_results(int32_t field) {
   return (field >= C2D_STATUS && field <= C2D_SLIP_SUM) || (field >= C2D_END_UX && field <= C2D_END_TY) ||
-         (field >= C2D_END_SXX && field <= C2D_END_HOOP);
+         (field >= C2D_END_SXX && field <= C2D_END_PRINCIPAL2);
 }
 
 c2d_status get_pair_field(c2d_solver* s, int32_t field, int32_t first, int32_t count, double* out, int64_t stride) {
@@ -217,7 +217,7 @@ using namespace c2d;
 extern "C" c2d_status c2d_get(c2d_solver* s, int32_t field, int32_t body, int32_t first, int32_t count, double* out,
                               int64_t stride) {
   const bool pairs = field >= 0 && field < C2D_PAIR_FIELDS;
-  const bool ends = field >= C2D_END_X && field <= C2D_END_HOOP, nodes = field == C2D_NODE_X || field == C2D_NODE_Y;
+  const bool ends = field >= C2D_END_X && field <= C2D_END_PRINCIPAL2, nodes = field == C2D_NODE_X || field == C2D_NODE_Y;
   const c2d_status status = enter(s, needs_results(field) ? state_bit(C2D_STATE_RUNNING) : kComplete);
   if (status != C2D_OK) return status;
   const bool places = field == C2D_PAIR_ELEMENT1 || field == C2D_PAIR_ETA1;

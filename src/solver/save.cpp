@@ -90,7 +90,7 @@ c2d_status open_slots(c2d_solver* s, const Slots& slots) {
   Tapes& tapes = s->tapes;
   const bool is_open = tapes.is_open[C2D_TAPE_CONTROL] != 0;
   if (is_open && tapes.blocks[C2D_TAPE_CONTROL] == slots.blocks()) return C2D_OK;
-  const c2d_status status = is_open ? close_tape(tapes, C2D_TAPE_CONTROL) : C2D_OK;
+  const c2d_status status = is_open ? close_tape(tapes, C2D_TAPE_CONTROL) : c2d_status{C2D_OK};
   // Whatever a store that has died says to being closed, it may come back.
   if (status != C2D_OK && s->state != C2D_STATE_BROKEN) return status;
   return open_tape(tapes, C2D_TAPE_CONTROL, slots.blocks(), kPieceBytes);
@@ -190,7 +190,7 @@ c2d_status read_image(c2d_solver* s, const Slots& slots, const SaveRecord& recor
   }
   tapes.run_id = run_id;
   tapes.generation[C2D_TAPE_CONTROL] = generation;
-  return status == C2D_OK && sum != record.image_sum ? C2D_ERR_STORE_STALE : status;
+  return status == C2D_OK && sum != record.image_sum ? c2d_status{C2D_ERR_STORE_STALE} : status;
 }
 
 // May this state become that of the solver?
@@ -222,7 +222,7 @@ c2d_status find_state(c2d_solver* s, const Slots& slots, Piece& piece, SaveRecor
   uint64_t count = 0;
   best.number = 0;
   c2d_status reason = read_count(tapes, &count, piece.bytes);
-  if (reason != C2D_OK) return reason == C2D_ERR_STORE_VERSION ? C2D_ERR_MISMATCH : reason;
+  if (reason != C2D_OK) return reason == C2D_ERR_STORE_VERSION ? c2d_status{C2D_ERR_MISMATCH} : reason;
   reason = C2D_ERR_STORE_READ;
   for (uint64_t slot = 0; slot < 2; ++slot) {
     c2d_status status = read_record(tapes, slots.record(slot), piece.bytes, sizeof(SaveRecord));
@@ -239,14 +239,14 @@ c2d_status find_state(c2d_solver* s, const Slots& slots, Piece& piece, SaveRecor
     else if (status == C2D_ERR_MEMORY) s->error.bytes_needed = s->layout.persistent + found.path_bytes + kAlignment - 1;
     if (weight(status) > weight(reason)) reason = status;
   }
-  return best.number > 0 ? C2D_OK : reason;
+  return best.number > 0 ? c2d_status{C2D_OK} : reason;
 }
 
 // The tapes that belong to the state are opened, and it takes the place of what the solver holds.
 c2d_status load_state(c2d_solver* s, const Slots& slots, Piece& piece, const SaveRecord& record) {
   Tapes& tapes = s->tapes;
   for (int32_t tape = C2D_TAPE_LOWER; tape < C2D_TAPES; ++tape) {
-    const c2d_status status = tapes.is_open[tape] ? close_tape(tapes, tape) : C2D_OK;
+    const c2d_status status = tapes.is_open[tape] ? close_tape(tapes, tape) : c2d_status{C2D_OK};
     if (status != C2D_OK && s->state != C2D_STATE_BROKEN) return status;
   }
   const int32_t every_change = s->options.every_change;
@@ -292,7 +292,7 @@ c2d_status restore_state(c2d_solver* s) {
     return status;
   }
   status = load_state(s, slots, piece, record);
-  return status == C2D_OK ? C2D_OK : fail_store(s, status);
+  return status == C2D_OK ? c2d_status{C2D_OK} : fail_store(s, status);
 }
 
 } // namespace
@@ -305,7 +305,7 @@ extern "C" c2d_status c2d_save(c2d_solver* s) {
   if (status != C2D_OK) return status;
   if (!has_store(s->port)) return fail(s, C2D_ERR_ARGUMENT, "the port has no block store (open, read, write, sync, close)");
   status = save_state(s);
-  return status == C2D_OK ? C2D_OK : fail_store(s, status);
+  return status == C2D_OK ? c2d_status{C2D_OK} : fail_store(s, status);
 }
 
 extern "C" c2d_status c2d_restore(c2d_solver* s) {

@@ -19,6 +19,7 @@ struct c2d_solver {
   volatile int32_t cancelled; // set by c2d_cancel, possibly from another thread
   int32_t has_fault;          // `error` holds the first fault of the call that is running
   c2d_limits limits;
+  uint32_t zero;              // instead of padding: c2d_attach looks at every byte from limits to layout
   c2d::Sizes sizes;
   c2d::Layout layout;
   c2d_port port;

@@ -305,7 +305,7 @@ c2d_status read_count(Tapes& tapes, uint64_t* count, void* buffer) {
 c2d_status keep_count(Tapes& tapes, void* buffer) {
   uint64_t there = 0;
   const c2d_status found = read_count(tapes, &there, buffer);
-  return found == C2D_OK && there == tapes.count ? C2D_OK : write_count(tapes, buffer);
+  return found == C2D_OK && there == tapes.count ? c2d_status{C2D_OK} : write_count(tapes, buffer);
 }
 
 c2d_status recount_run(Tapes& tapes, void* buffer) {

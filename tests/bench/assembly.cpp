@@ -29,7 +29,8 @@ double pairs_per_second(const Ring& ring, int32_t quadrature) {
   return median(rates);
 }
 
-// H and G of a disc with nodes on the unit circle, column-major: what a solver assembles, without its bookkeeping.
+// H and G of a disc with nodes on the unit circle, column-major: what a solver assembles, without its
+// bookkeeping.
 struct Polygon {
   size_t n;
   std::vector<double> xy, h, g;
@@ -64,7 +65,8 @@ void textbook(Polygon& p) {
   const double nu = 0.3, k = 1 / (4 * 3.14159265358979324 * (1 - nu));
   for (size_t e = 0; e < p.n; ++e) {
     const c2d::Element& at = p.integrator[e].element;
-    const double dx = 0.5 * (at.x[1] - at.x[0]), dy = 0.5 * (at.y[1] - at.y[0]), jacobian = std::sqrt(dx * dx + dy * dy);
+    const double dx = 0.5 * (at.x[1] - at.x[0]), dy = 0.5 * (at.y[1] - at.y[0]),
+                 jacobian = std::sqrt(dx * dx + dy * dy);
     const double n[2] = {dy / jacobian, -dx / jacobian};
     for (size_t s = 0; s < p.n; ++s) {
       double h[2][2][2] = {}, g[2][2][2] = {};
@@ -72,14 +74,16 @@ void textbook(Polygon& p) {
         const double shape[2] = {0.5 * (1 - eta[q]), 0.5 * (1 + eta[q])};
         const double rx = shape[0] * at.x[0] + shape[1] * at.x[1] - p.xy[2 * s];
         const double ry = shape[0] * at.y[0] + shape[1] * at.y[1] - p.xy[2 * s + 1];
-        const double r = std::sqrt(rx * rx + ry * ry), d[2] = {rx / r, ry / r}, dn = d[0] * n[0] + d[1] * n[1];
+        const double r = std::sqrt(rx * rx + ry * ry), d[2] = {rx / r, ry / r},
+                     dn = d[0] * n[0] + d[1] * n[1];
         const double log_r = std::log(r), weight = w[q] * jacobian * k;
         for (int i = 0; i < 2; ++i)
           for (int j = 0; j < 2; ++j) {
             const double same = i == j ? 1 : 0;
             const double u = -(3 - 4 * nu) * log_r * same + d[i] * d[j];
             const double t =
-                -(dn * ((1 - 2 * nu) * same + 2 * d[i] * d[j]) - (1 - 2 * nu) * (d[i] * n[j] - d[j] * n[i])) / r;
+                -(dn * ((1 - 2 * nu) * same + 2 * d[i] * d[j]) - (1 - 2 * nu) * (d[i] * n[j] - d[j] * n[i])) /
+                r;
             for (int l = 0; l < 2; ++l) {
               h[l][i][j] += weight * shape[l] * t;
               g[l][i][j] += weight * shape[l] * u;
@@ -136,24 +140,32 @@ void matrices() {
   std::vector<double> seconds[5];
   for (int turn = 0; turn < 7; ++turn)
     for (int way = 0; way <= sets + 1; ++way) {
-      const c2d::BatchKernel* kernel = way > sets ? nullptr : c2d::batch_for(static_cast<c2d::Instructions>(way));
+      const c2d::BatchKernel* kernel =
+          way > sets ? nullptr : c2d::batch_for(static_cast<c2d::Instructions>(way));
       if (way > 0 && way <= sets && !kernel) continue;
       p.clear();
       const double start = processor_seconds();
-      if (way > sets) textbook(p);
-      else if (kernel) batched(p, *kernel);
-      else one_by_one(p);
+      if (way > sets)
+        textbook(p);
+      else if (kernel)
+        batched(p, *kernel);
+      else
+        one_by_one(p);
       seconds[way].push_back(processor_seconds() - start);
     }
   const double pairs = static_cast<double>(p.n * p.n) * 1e-6, loop = median(seconds[sets + 1]);
-  row("assembly.matrices.textbook", pairs / loop, "M/s", "four Gauss points everywhere, nothing near or singular");
+  row("assembly.matrices.textbook", pairs / loop, "M/s",
+      "four Gauss points everywhere, nothing near or singular");
   for (int way = 0; way <= sets; ++way) {
     const double t = median(seconds[way]);
-    if (t > 0) row(std::string("assembly.matrices.") + names[way], pairs / t, "M/s", times(loop / t) + " of the textbook");
+    if (t > 0)
+      row(std::string("assembly.matrices.") + names[way], pairs / t, "M/s",
+          times(loop / t) + " of the textbook");
   }
 }
 
-// What c2d_prepare spends in assembly: the matrix of the unknowns, its diagonal, balances and right-hand side.
+// What c2d_prepare spends in assembly: the matrix of the unknowns, its diagonal, balances and right-hand
+// side.
 void whole_body() {
   const Disc disc = {1000};
   std::vector<double> seconds;

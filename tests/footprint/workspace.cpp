@@ -1,0 +1,57 @@
+// Workspace as a table and a formula: two bodies of N linear elements each, p pairs, panels of w columns
+// (numbers of 8 bytes). Ends with 1 if the formula is more than 2 % off anywhere.
+#include "contact2d.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace {
+
+uint64_t need(int nodes, int pairs, int width) {
+  c2d_limits limits = C2D_INIT(c2d_limits);
+  limits.bodies = 2;
+  limits.function_nodes = 2;
+  for (int b = 0; b < 2; ++b) {
+    limits.geometry_nodes[b] = limits.elements[b] = nodes;
+    limits.regions[b] = 1;
+  }
+  limits.zones = 1;
+  limits.pairs = pairs;
+  limits.contact_elements = pairs - 1;
+  limits.coefficients = 1;
+  limits.paths = 1;
+  limits.panel_columns = width;
+  uint64_t minimum = 0;
+  return c2d_memory_need(&limits, &minimum, nullptr) == C2D_OK ? minimum : 0;
+}
+
+double formula(double N, double p, double w) {
+  const double eliminate = 3776 + 240 * N + 393 * p + 8 * (2 * N + 9) * w,
+               follow = 292 * N + 562 * p + 32 * p * p, reduce = 164 * N + 454 * p + 64 * p * p;
+  return 3900 + std::max(eliminate, std::max(follow, reduce));
+}
+
+} // namespace
+
+int main() {
+  const int widths[] = {1, 8, 32};
+  std::printf("workspace, two bodies of N linear elements, p pairs, panels of w columns, one load case, "
+              "double precision:\n"
+              "  3900 + max(3776 + 240 N + 393 p + 8 (2 N + 9) w, 292 N + 562 p + 32 p^2, 164 N + 454 p + 64 "
+              "p^2) bytes\n"
+              "| p | N | w = 1 | w = 8 | w = 32 |\n| --- | --- | --- | --- | --- |\n");
+  double worst = 0.0;
+  for (const int pairs : {8, 15, 30, 60})
+    for (const int nodes : {32, 64, 128, 256}) {
+      std::printf("| %d | %d |", pairs, nodes);
+      for (const int width : widths) {
+        const double bytes = static_cast<double>(need(nodes, pairs, width));
+        worst = std::max(worst, std::fabs(formula(nodes, pairs, width) / bytes - 1.0));
+        std::printf(" %.0f |", bytes);
+      }
+      std::printf("\n");
+    }
+  std::printf("the formula is at most %.1f %% off\n", 100.0 * worst);
+  return worst < 0.02 ? 0 : 1;
+}
