@@ -60,8 +60,8 @@ $(BUILD)/flags: FORCE
 	@mkdir -p $(BUILD)/obj $(BUILD)/tests
 	@echo '$(subst ','\'',$(FLAGS_NOW))' | cmp -s - $@ || echo '$(subst ','\'',$(FLAGS_NOW))' > $@
 
-# The loops of the dense kernels and of the batched integrals ask for fused additions, and for the instruction set they are named after: which
-# of them runs is decided by the processor. src/linalg/kernel.hpp.
+# The loops of the dense kernels and of the batched integrals ask for fused additions, and for the instruction set
+# they are named after: which of them runs is decided by the processor. src/linalg/kernel.hpp.
 ifneq ($(findstring x86_64,$(shell $(CXX) -dumpmachine 2>/dev/null)),)
 KERNEL_kernel_avx2 := -mavx2 -mfma
 KERNEL_kernel_avx512 := -mavx512f -mfma

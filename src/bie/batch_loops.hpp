@@ -418,3 +418,7 @@ constexpr BatchKernel kLoops = {integrate_batch, pay,   integrate_and_pay, rigid
 
 } // namespace
 } // namespace c2d
+
+#undef INLINE
+#undef INLINED
+#undef OUTLINE

@@ -1,4 +1,5 @@
 #pragma once
+// Adding the integrals of an element to columns of a panel.
 #include "bie/integrals.hpp"
 #include "memory/real.hpp"
 
