@@ -104,6 +104,7 @@ CORE_SOURCES += src/solver/phases.cpp
 CORE_SOURCES += src/solver/points.cpp
 CORE_SOURCES += src/solver/prepare.cpp
 CORE_SOURCES += src/solver/refuse.cpp
+CORE_SOURCES += src/solver/rehearsal.cpp
 CORE_SOURCES += src/solver/results.cpp
 CORE_SOURCES += src/solver/run.cpp
 CORE_SOURCES += src/solver/save.cpp

@@ -1,5 +1,6 @@
 #include "elimination/eliminate.hpp"
 #include "linalg/dense.hpp"
+#include "memory/hostile.hpp"
 #include <string.h>
 
 namespace c2d {
@@ -243,6 +244,7 @@ c2d_status eliminate(const EliminationPlan& plan, const ColumnSource& source, co
     panel.count = between(0, columns - panel.first, plan.panel_columns);
     panel.own = between(0, plan.pivots - panel.first, panel.count);
     panel.last = p == panels - 1;
+    C2D_ASSERT(panel.count > 0 && panel.own >= 0 && panel.own <= panel.count && panel.count <= plan.panel_columns);
     while (chunk.first < panel.first) chunk = next_chunk(plan, chunk);
     const c2d_status status = do_panel(panel, source, sink, chunk, used);
     if (status != C2D_OK) return status;

@@ -6,6 +6,7 @@
 
 #include "bie/body_force.hpp"
 #include "bie/columns.hpp"
+#include "memory/hostile.hpp"
 #include "memory/text.hpp"
 #include "model/free_zones.hpp"
 #include "model/rigid.hpp"
@@ -58,7 +59,10 @@ void open_session(c2d_solver* s, Session& session) {
   session.solver = s;
   session.model = model_of(s);
   const ModelHeader& head = s->model;
-  path_area(model_sizes(session.model), s->plan, s->keeps_flexibility != 0, array_of<char>(s, kPhase), &session.area);
+  const uint64_t bytes = path_area(model_sizes(session.model), s->plan, s->keeps_flexibility != 0,
+                                   array_of<char>(s, kPhase), &session.area);
+  C2D_ASSERT(bytes <= s->bytes - s->layout.persistent);
+  static_cast<void>(bytes);
   const PathArea& area = session.area;
   session.tape = ContactTape{&s->tapes, head.contact, head.load_cases, area.buffer};
   session.tableau = Tableau{head.contact, head.load_cases, head.pairs,   session.model.pair,
