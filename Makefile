@@ -1,5 +1,5 @@
-# contact2d. Targets: all (default) demo chapter9 test bench convergence install uninstall list relist symbols
-#   format clean.
+# contact2d. Targets: all (default) demo chapter9 test bench convergence embedded hostile cross amalgamation deb install
+#   uninstall list relist symbols format clean.
 # Variables: CXX CC AR CXXFLAGS CFLAGS CPPFLAGS LDFLAGS BUILD PREFIX DESTDIR LIBDIR DOCTEST_INCLUDE NO_INSTALL.
 # What is compiled stands in src/sources.mk, which CMakeLists.txt reads too.
 include src/sources.mk
@@ -16,6 +16,7 @@ MAKEFLAGS += -j$(JOBS)
 PREFIX     ?= /usr/local
 LIBDIR     ?= $(PREFIX)/lib
 BINDIR     ?= $(PREFIX)/bin
+MANDIR     ?= $(PREFIX)/share/man
 INCLUDEDIR ?= $(PREFIX)/include
 
 version_part = $(shell sed -n 's/^\#define C2D_VERSION_$(1) *//p' include/contact2d.h)
@@ -95,6 +96,11 @@ $(PROGRAM): $(PROGRAM_OBJECTS) $(REPORT_OBJECTS) $(LIBRARY)
 # ---------------------------------------------------------------- microcontrollers
 include port/cortex-m/embedded.mk
 
+# ---------------------------------------------------------------- hostile build, other machines, packages
+include tests/hostile.mk
+include tests/cross/cross.mk
+include port/packaging/packaging.mk
+
 # ---------------------------------------------------------------- tests
 TEST_DEFINES = -DC2D_TEST_ROOT='"$(CURDIR)"' -DC2D_TEST_BUILD='"$(abspath $(BUILD))"' -DC2D_TEST_CC='"$(CC)"' \
   -DC2D_TEST_CXX='"$(CXX)"' -DC2D_TEST_LIBRARY='"$(abspath $(LIBRARY))"' \
@@ -155,8 +161,8 @@ convergence: $(BUILD)/convergence/run_convergence
 	@$(BUILD)/convergence/run_convergence
 
 # The list of sources against the folders: what is missing from either.
-# (port/cortex-m is compiled for its own machines only)
-FOUND_SOURCES := $(sort $(filter-out port/cortex-m/%,$(wildcard src/*/*.cpp src/program/*/*.cpp port/*/*.cpp port/*/*.c)))
+# (port/cortex-m is compiled for its own machines only, port/packaging has tools)
+FOUND_SOURCES := $(sort $(filter-out port/cortex-m/% port/packaging/%,$(wildcard src/*/*.cpp src/program/*/*.cpp port/*/*.cpp port/*/*.c)))
 LISTED_SOURCES := $(sort $(CORE_SOURCES) $(PORT_SOURCES) $(REPORT_SOURCES) $(PROGRAM_SOURCES))
 NOT_LISTED := $(filter-out $(LISTED_SOURCES),$(FOUND_SOURCES))
 NOT_FOUND := $(filter-out $(FOUND_SOURCES),$(LISTED_SOURCES))
@@ -170,9 +176,9 @@ list:
 	   echo 'src/sources.mk lists every source file')
 relist:
 	@{ sed -n '/^#/p' src/sources.mk; \
-	   ls port/*/*.cpp | grep -v '^port/cortex-m/' | cut -d/ -f2 | sort -u | sed 's/^/PORTS += /'; \
+	   ls port/*/*.cpp | grep -v -e '^port/cortex-m/' -e '^port/packaging/' | cut -d/ -f2 | sort -u | sed 's/^/PORTS += /'; \
 	   ls src/*/*.cpp | grep -v -e '^src/report/' -e '^src/program/' | sed 's/^/CORE_SOURCES += /'; \
-	   ls port/*/*.cpp port/*/*.c 2>/dev/null | grep -v '^port/cortex-m/' | sed 's/^/PORT_SOURCES += /'; \
+	   ls port/*/*.cpp port/*/*.c 2>/dev/null | grep -v -e '^port/cortex-m/' -e '^port/packaging/' | sed 's/^/PORT_SOURCES += /'; \
 	   ls src/report/*.cpp | sed 's/^/REPORT_SOURCES += /'; \
 	   ls src/program/*.cpp src/program/*/*.cpp | sed 's/^/PROGRAM_SOURCES += /'; } > src/sources.mk.new
 	@mv src/sources.mk.new src/sources.mk
@@ -183,7 +189,7 @@ format:
 # ---------------------------------------------------------------- install
 PORT_HEADERS := $(wildcard port/*/c2d_*.h) port/fortran/contact2d.f90
 CMAKEDIR := $(LIBDIR)/cmake/contact2d
-INSTALLED := $(BINDIR)/contact2d $(LIBDIR)/libcontact2d.a $(LIBDIR)/libcontact2d.so.$(VERSION) \
+INSTALLED := $(BINDIR)/contact2d $(MANDIR)/man1/contact2d.1 $(LIBDIR)/libcontact2d.a $(LIBDIR)/libcontact2d.so.$(VERSION) \
   $(LIBDIR)/libcontact2d.so.$(SOVERSION) $(LIBDIR)/libcontact2d.so $(INCLUDEDIR)/contact2d.h \
   $(addprefix $(INCLUDEDIR)/,$(notdir $(PORT_HEADERS))) $(LIBDIR)/pkgconfig/contact2d.pc \
   $(CMAKEDIR)/contact2dConfig.cmake $(CMAKEDIR)/contact2dConfigVersion.cmake
@@ -191,13 +197,14 @@ fill = sed -e 's|@PREFIX@|$(PREFIX)|g' -e 's|@LIBDIR@|$(LIBDIR)|g' -e 's|@INCLUD
   -e 's|@VERSION@|$(VERSION)|g' -e 's|@SOVERSION@|$(SOVERSION)|g'
 
 install: all $(SHARED)
-	mkdir -p $(DESTDIR)$(BINDIR) $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(CMAKEDIR) $(DESTDIR)$(INCLUDEDIR)
+	mkdir -p $(DESTDIR)$(BINDIR) $(DESTDIR)$(MANDIR)/man1 $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(CMAKEDIR) $(DESTDIR)$(INCLUDEDIR)
 	install -m 755 $(PROGRAM) $(DESTDIR)$(BINDIR)/contact2d
 	install -m 644 include/contact2d.h $(PORT_HEADERS) $(DESTDIR)$(INCLUDEDIR)/
 	install -m 644 $(LIBRARY) $(DESTDIR)$(LIBDIR)/
 	install -m 755 $(SHARED) $(DESTDIR)$(LIBDIR)/
 	ln -sf libcontact2d.so.$(VERSION) $(DESTDIR)$(LIBDIR)/libcontact2d.so.$(SOVERSION)
 	ln -sf libcontact2d.so.$(SOVERSION) $(DESTDIR)$(LIBDIR)/libcontact2d.so
+	$(fill) port/packaging/contact2d.1.in > $(DESTDIR)$(MANDIR)/man1/contact2d.1
 	$(fill) port/packaging/contact2d.pc.in > $(DESTDIR)$(LIBDIR)/pkgconfig/contact2d.pc
 	$(fill) port/packaging/contact2dConfig.cmake.in > $(DESTDIR)$(CMAKEDIR)/contact2dConfig.cmake
 	$(fill) port/packaging/contact2dConfigVersion.cmake.in > $(DESTDIR)$(CMAKEDIR)/contact2dConfigVersion.cmake
@@ -208,7 +215,7 @@ uninstall:
 
 clean:
 	rm -rf $(BUILD)/obj $(BUILD)/tests $(BUILD)/demo $(BUILD)/bench $(BUILD)/convergence $(BUILD)/chapter9 \
-	  $(BUILD)/embedded
+	  $(BUILD)/embedded $(BUILD)/hostile-* $(BUILD)/cross $(BUILD)/amalgamation $(BUILD)/deb
 	rm -f $(LIBRARY) $(BUILD)/libcontact2d.so.* $(PROGRAM) $(BUILD)/flags
 	-rmdir $(BUILD) 2>/dev/null || true
 

@@ -2,9 +2,27 @@
    in memory that the caller hands over, with matrix blocks streamed through a block store of the caller's.
 
    Plain C99, valid C++. Every function returns a status; nothing is printed, allocated, thrown or ended.
-   The header reads from top to bottom in the order in which a program uses it:
-     1 numbers and words   2 sizes and memory   3 the port   4 a model from a deck   5 a model by calls
-     6 prepare             7 follow the load    8 results    9 errors and state
+   The header reads from top to bottom in the order in which a program uses it, and the pieces of code in its comments,
+   read in that order, are one program that runs:
+
+   you want to                                    section
+   know what a number or a word means             1 numbers and words
+   know how much memory it takes, give it         2 sizes and memory, 10 memory as a constant
+   keep matrix blocks, see progress, cancel       3 the port
+   solve a deck of cards                          4 a model from a deck
+   describe bodies, loads and contact in code     5 a model by calls
+   have the equations assembled and eliminated    6 prepare
+   follow loads, save and take up a state         7 follow the load
+   read pressures, displacements, stresses        8 results
+   understand a refusal                           9 errors and state
+
+   After a failure. A call that does not return C2D_OK has changed nothing, and its output arguments are as they were,
+   with these exceptions, which its comment repeats: c2d_create and c2d_attach set *out to null; a failed c2d_read_deck
+   or c2d_complete leaves an empty model; a cancelled c2d_advance or c2d_run leaves the solver at the last load
+   reached; an error of the store (C2D_ERR_STORE_...) in any call that uses it leaves the state `broken`. A status is
+   about the call; that the load cannot go further is no failure but an outcome. Pointers may be null only where that
+   is said; a null solver is C2D_ERR_ARGUMENT. Calls on one solver come from one thread at a time, but for c2d_cancel;
+   solvers know nothing of each other.
 
    Conventions, everywhere. Lengths, forces and stresses are in the caller's units, any consistent set. Forces
    are per unit thickness. A body's boundary runs with the material on its left: outer boundary counter-clockwise,
@@ -39,8 +57,14 @@ extern "C" {
 
 /* ---------------------------------------------------------------- 1 numbers and words --------------------------
 
-   Public structs begin with struct_size, set by `c2d_limits sizes = C2D_INIT(c2d_limits);`. The library touches
-   only the smaller of that and its own size; members are only ever appended; zero means the default. */
+   Public structs begin with struct_size, which C2D_INIT sets:
+
+     c2d_limits sizes = C2D_INIT(c2d_limits);
+     c2d_error why = C2D_INIT(c2d_error);
+     c2d_status bad = C2D_OK;
+
+   The library touches only the smaller of that and its own size; members are only ever appended; zero means the
+   default. */
 
 typedef struct c2d_solver c2d_solver; /* lives inside the caller's memory */
 
@@ -119,7 +143,22 @@ enum { /* c2d_error.status of warnings */
 /* ---------------------------------------------------------------- 2 sizes and memory ---------------------------
 
    Ask for sizes, make memory of at least `minimum` bytes (static, on a heap, in a COMMON block; any alignment),
-   create the solver in it. The solver needs nothing else. */
+   create the solver in it. The solver needs nothing else. Two squares of 8 linear elements each, one on the other:
+
+     static unsigned char workspace[1 << 16];
+     uint64_t least = 0;
+     sizes.bodies = 2;
+     sizes.function_nodes = 2;
+     sizes.geometry_nodes[0] = sizes.geometry_nodes[1] = 8;
+     sizes.elements[0] = sizes.elements[1] = 8;
+     sizes.regions[0] = sizes.regions[1] = 1;
+     sizes.zones = 1;
+     sizes.pairs = 3;
+     sizes.contact_elements = 2;
+     sizes.coefficients = sizes.paths = 1;
+     bad |= c2d_memory_need(&sizes, &least, NULL);
+     if (bad || least > sizeof workspace) return 1;
+*/
 
 typedef struct c2d_limits {
   uint32_t struct_size;
@@ -149,8 +188,27 @@ c2d_status c2d_memory_need(const c2d_limits* limits, uint64_t* minimum, uint64_t
 /* ---------------------------------------------------------------- 3 the port -----------------------------------
 
    What the library asks of its surroundings. Zero a struct with C2D_INIT, set what you have. Ready ports for RAM,
-   stdio and POSIX files are in port/. All functions return 0 for success; anything else is an error code of yours
-   that comes back in c2d_error.host_code. They must return: no exception, longjmp or exit may leave them. */
+   stdio and POSIX files are in port/, and port/README.md says what breaks if a duty is cheated. All functions return 0
+   for success; anything else is an error code of yours that comes back in c2d_error.host_code. They must return: no
+   exception, longjmp or exit may leave them. Inside them c2d_cancel, c2d_memory_need and c2d_get_state are legal for
+   the solver that calls, everything else is C2D_ERR_BUSY.
+
+     static void tell(void* context, const c2d_error* entry) {
+       (void)context;
+       fprintf(stderr, "line %d: %s\n", (int)entry->line, entry->text);
+     }
+
+   With that as `log`, and blocks in memory (c2d_memory.h of port/memory):
+
+     static unsigned char blocks[1 << 16];
+     c2d_memory_store store;
+     c2d_solver* solver = NULL;
+     c2d_port port = C2D_INIT(c2d_port);
+     c2d_memory_store_init(&store, blocks, sizeof blocks);
+     c2d_memory_store_port(&store, &port);
+     port.log = tell;
+     if (c2d_create(&solver, workspace, sizeof workspace, &sizes, &port, &why) != C2D_OK) puts(why.text);
+*/
 
 typedef struct c2d_progress {
   uint32_t struct_size;
@@ -215,7 +273,22 @@ c2d_status c2d_close(c2d_solver* solver);
 
    A deck is the 1987 program's card deck. read_line puts the next card, without its line end, into text[0 ..
    size), ended by a zero byte, and returns its length (a longer line: what fits, and its full length); -1 at the
-   end of the deck; any other negative number is an error of the caller's (C2D_ERR_READ, host_code). */
+   end of the deck; any other negative number is an error of the caller's (C2D_ERR_READ, host_code).
+
+     static int32_t next_card(void* deck, char* text, int32_t size) {
+       if (fgets(text, (int)size, (FILE*)deck) == NULL) return -1;
+       text[strcspn(text, "\r\n")] = '\0';
+       return (int32_t)strlen(text);
+     }
+
+     static c2d_status read_file(FILE* deck, unsigned char* memory, size_t bytes, const c2d_port* port, c2d_solver** out) {
+       c2d_limits sizes = C2D_INIT(c2d_limits);
+       c2d_status status = c2d_scan_deck(next_card, deck, &sizes, NULL);
+       if (status == C2D_OK) status = c2d_create(out, memory, bytes, &sizes, port, NULL);
+       rewind(deck);
+       return status == C2D_OK ? c2d_read_deck(*out, next_card, deck) : status;
+     }
+*/
 typedef int32_t (*c2d_read_line)(void* context, char* text, int32_t size);
 typedef void (*c2d_report)(void* context, const c2d_error* entry);
 
@@ -259,7 +332,49 @@ c2d_status c2d_read_deck(c2d_solver* solver, c2d_read_line read, void* context);
 
    The order: problem, bodies with regions and nodes, conditions and point loads, zones, friction, paths, and
    c2d_complete. Legal: empty or building. Errors of all: ARGUMENT, STATE, LIMIT; a refused call changes nothing,
-   and what it said is found by c2d_last_error. */
+   and what it said is found by c2d_last_error. A square [0,2] x [0,2] stands on another, [0,2] x [-2,0]; both slide
+   along x = 0, the lower one on y = -2, and a pressure of 1 acts on top:
+
+     static const double square[2][8][2] = {
+         {{0, -2}, {1, -2}, {2, -2}, {2, -1}, {2, 0}, {1, 0}, {0, 0}, {0, -1}},
+         {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}};
+     static const int32_t along_y[4] = {1, 0, 0, 1}, along_x[4] = {0, 1, 1, 0}, loaded[4] = {0, 0, 1, 1};
+     static const double zero[4] = {0, 0, 0, 0}, pressure[4] = {0, -1, 0, 0};
+     c2d_problem problem = C2D_INIT(c2d_problem);
+     c2d_body body = C2D_INIT(c2d_body);
+     c2d_zone zone = C2D_INIT(c2d_zone);
+     problem.analysis = C2D_ANALYSIS_FULL;
+     bad |= c2d_set_problem(solver, &problem);
+     body.element_nodes = 2;
+     body.elements = 8;
+     body.regions = 1;
+     body.youngs_modulus = 1000.0;
+     body.poisson_ratio = 0.3;
+     for (int32_t b = 1; b <= 2; ++b) {
+       bad |= c2d_set_body(solver, b, &body);
+       bad |= c2d_add_region(solver, b, 1, 8);
+       bad |= c2d_set_nodes(solver, b, 1, 8, square[b - 1][0], 2);
+       for (int32_t end = 1; end <= 2; ++end) {
+         bad |= c2d_set_condition(solver, b, 7, end, along_y, zero, 1);
+         bad |= c2d_set_condition(solver, b, 8, end, along_y, zero, 1);
+         for (int32_t e = 1; e <= 2; ++e)
+           bad |= b == 1 ? c2d_set_condition(solver, 1, e, end, along_x, zero, 1)
+                         : c2d_set_condition(solver, 2, e + 4, end, loaded, pressure, 1);
+       }
+     }
+
+   Elements 5, 6 of the lower square face elements 2, 1 of the upper one:
+
+     zone.pairs = 3;
+     zone.elements = 2;
+     zone.first_element[0] = 5, zone.last_element[0] = 6, zone.first_node[0] = 5, zone.last_node[0] = 7;
+     zone.first_element[1] = 2, zone.last_element[1] = 1, zone.first_node[1] = 3, zone.last_node[1] = 1;
+     bad |= c2d_add_zone(solver, &zone);
+     bad |= c2d_add_friction(solver, 0.3);
+     bad |= c2d_add_path(solver, 1, 1.0);
+     bad |= c2d_complete(solver);
+     if (bad) return 1;
+*/
 
 enum { C2D_ANALYSIS_CHECK = -1, C2D_ANALYSIS_STRESS = 0, C2D_ANALYSIS_CONTACT = 1, C2D_ANALYSIS_FULL = 2,
        C2D_ANALYSIS_ITERATIONS = 3 };
@@ -290,6 +405,13 @@ c2d_status c2d_add_region(c2d_solver* solver, int32_t body, int32_t first_elemen
    Element e of a region has its first geometry node at (e-1)*(element_nodes-1)+1, plus the open regions before it. */
 c2d_status c2d_set_nodes(c2d_solver* solver, int32_t body, int32_t first, int32_t count, const double* xy,
                          int64_t stride);
+/* Boundary points first ... last, both ends included, at equal distances along a straight line, or along an arc between
+   two angles (degrees, counter-clockwise from the x axis; downwards if the second is smaller), as between two node cards
+   of a deck: the same bits. `from` and `to` count from `origin` (null: (0, 0)). last > first, radius >= 0. */
+c2d_status c2d_set_line_nodes(c2d_solver* solver, int32_t body, int32_t first, int32_t last, const double origin[2],
+                              const double from[2], const double to[2]);
+c2d_status c2d_set_arc_nodes(c2d_solver* solver, int32_t body, int32_t first, int32_t last, const double centre[2],
+                             double radius, double from_degrees, double to_degrees);
 /* Condition at local functional node `local` (1 ...) of an element: codes[4] and values[4] in the order
    tx ty ux uy, global components; values of unknown quantities are ignored. Ends without a condition are free of
    traction; ends of contact elements at listed pairs belong to the contact. All values scale with the factor of
@@ -399,29 +521,67 @@ typedef struct c2d_options {
   int32_t stepping;           /* C2D_STEPPING_...                                                   */
   int32_t every_change;       /* 1: c2d_run's callback also sees every change of status             */
   int32_t symmetry;           /* C2D_SYMMETRY_...; before c2d_complete or c2d_read_deck             */
+  int32_t keep_factors;       /* 1: c2d_prepare keeps all of L, so that new loads cost little: tape LOWER becomes as
+                                 large as UPPER                                                     */
+  int32_t reserved;
 } c2d_options;
-/* Any time before c2d_prepare; another `symmetry` for a complete model: STATE. */
+/* Any time before c2d_prepare; another `symmetry` for a complete model: STATE. Errors: ARGUMENT, STATE. */
 c2d_status c2d_set_options(c2d_solver* solver, const c2d_options* options);
 
 /* ---------------------------------------------------------------- 6 prepare ------------------------------------
 
    Assemble (2.1), eliminate what lies outside the contact (2.2), reduce to the contact unknowns (2.3): once per
    model. Legal: model. State afterwards: prepared; after a failure or a cancel: model. Errors: STORE_..., SINGULAR,
-   CANCELLED. A body with a free rigid motion that contact cannot hold is no error: c2d_advance tells it. */
+   CANCELLED. A body with a free rigid motion that contact cannot hold is no error: c2d_advance tells it.
+
+     if (c2d_prepare(solver) != C2D_OK) {
+       c2d_last_error(solver, &why);
+       puts(why.text);
+       return 1;
+     }
+*/
 c2d_status c2d_prepare(c2d_solver* solver);
+
+/* Other loads for the same bodies. c2d_change_loads ends the path and goes back to state model, where the calls below give
+   load cases other values; c2d_prepare then validates them and, if the options said keep_factors, only sends the new
+   right-hand sides through the factorisation that is there: a small part of the work, and results that agree with those
+   of a solver prepared from the beginning to round-off. Without keep_factors, and after other options, a failure or a
+   cancel, c2d_prepare does everything. What is known stays known: codes, geometry, contact do not change. A load case
+   for later is made by more load_cases in c2d_limits, with any load in it at first. States saved before are stale.
+   Legal: prepared, running. */
+c2d_status c2d_change_loads(c2d_solver* solver);
+/* What an end carries in a load case from now on: values[4] in the order tx ty ux uy, as c2d_set_case_values, but every
+   known quantity takes its value, zero too. Refused (ARGUMENT): a value other than zero for something unknown, for the
+   traction of a contact, a displacement of a contact node or one that symmetry holds. Legal: model. */
+c2d_status c2d_replace_values(c2d_solver* solver, int32_t body, int32_t element, int32_t local, const double values[4],
+                              int32_t load_case);
+/* Place and force of point load i (from 1, in the order given); body and load case stay. Legal: model. Also
+   c2d_set_body_force and c2d_set_rigid (of a body 1 that is rigid, load_case > 0) are legal in state model. */
+c2d_status c2d_replace_point_load(c2d_solver* solver, int32_t i, double x, double y, double fx, double fy);
 
 /* ---------------------------------------------------------------- 7 follow the load ----------------------------
 
+   Up to the full load, and half of the way back:
+
+     const double mu = 0.3, full = 1.0, half = 0.5;
+     c2d_outcome outcome = C2D_REACHED;
+     bad |= c2d_begin(solver, &mu, 1);
+     bad |= c2d_advance(solver, &full, 1, &outcome);
+     if (outcome == C2D_REACHED) bad |= c2d_advance(solver, &half, 1, &outcome);
+     if (outcome != C2D_REACHED) puts(c2d_outcome_message(outcome));
+
    Begin: zero load, no history, coefficients of friction mu[0 .. zones) per zone (one number serves all if
-   zones = 1), each >= 0, infinity is full adhesion. Legal: prepared, running. */
+   zones = 1), each >= 0, infinity is full adhesion. Legal: prepared, running. State afterwards: running. Errors:
+   ARGUMENT, STATE, STORE_.... */
 c2d_status c2d_begin(c2d_solver* solver, const double* mu, int32_t zones);
 /* Go in a straight line from the load factors reached to load[0 .. cases). If *outcome is not C2D_REACHED the
-   solver stays, valid, at the last load it could reach. Legal: running. */
+   solver stays, valid, at the last load it could reach. Legal: running. Errors: ARGUMENT, STATE, STORE_..., CANCELLED
+   (the solver then stays, valid, at the load reached; c2d_advance goes on from there). */
 c2d_status c2d_advance(c2d_solver* solver, const double* load, int32_t cases, c2d_outcome* outcome);
 /* How far the load factors can go along direction[0 .. cases) until a pair changes its status: *step times the
    direction; infinity if no pair ever does; 0 if the path cannot go on that way at all. The load stays where it is;
    a pair on the border of its status (zero pressure, or about to slip) may be given the status that goes with the
-   direction. Legal: running. */
+   direction. Legal: running. Errors: ARGUMENT, STATE, STORE_.... */
 c2d_status c2d_next_event(c2d_solver* solver, const double* direction, int32_t cases, double* step);
 
 /* Keep the state of the path on tape 0: statuses, history, load factors, energies, tableau, or, in state prepared, that
@@ -431,11 +591,12 @@ c2d_status c2d_next_event(c2d_solver* solver, const double* direction, int32_t c
 c2d_status c2d_save(c2d_solver* solver);
 /* Go back to the newest state that is whole, with the tapes as they are: nothing is assembled or eliminated again, and
    what follows gives the same bits. In another process: c2d_create with the same limits, the same model and options
-   (state model), the same store, then c2d_restore instead of c2d_prepare. The state is then prepared or running, as it
-   was. Legal: model, prepared, running, broken. Errors: MISMATCH: saved for another model, path, limits or stepping, or
-   by another library; STORE_STALE: c2d_prepare has begun anew since; STORE_FORMAT or _READ: nothing was saved there;
-   STORE_...: nothing whole is there; MEMORY with bytes_needed: saved in a larger workspace; after all these the solver is
-   as before. If the store fails while the state is taken over: broken. */
+   (state model), the same store, then c2d_restore instead of c2d_prepare. The state is then prepared or running, as
+   it was. Legal: model, prepared, running, broken. Errors: MISMATCH: saved for another model, path, limits or
+   stepping, or by another library or kind of machine (c2d_last_error names what is strange about a block);
+   STORE_STALE: c2d_prepare has begun anew since; STORE_FORMAT or _READ: nothing was saved there; STORE_...: nothing
+   whole is there; MEMORY with bytes_needed: saved in a larger workspace; after all these the solver is as before. If
+   the store fails while the state is taken over: broken. */
 c2d_status c2d_restore(c2d_solver* solver);
 
 /* What a step callback sees. `table` has a row per pair and the columns C2D_TN ... of section 8 (column c of pair
@@ -468,14 +629,24 @@ typedef struct c2d_step {
 enum { C2D_STEP_RECORDED = 0, C2D_STEP_CHANGE = 1, C2D_STEP_STOPPED = 2 };
 typedef int32_t (*c2d_step_fn)(void* context, const c2d_step* step); /* non-zero: stop, C2D_ERR_CALLBACK */
 /* The model's own load cards for each of its coefficients of friction. A path that stops is no error of this call:
-   the callback and c2d_get_summary tell; the next coefficient is then run. Legal: prepared, running. */
+   the callback and c2d_get_summary tell; the next coefficient is then run. Legal: prepared, running. State afterwards:
+   running, at the last load reached, also after CALLBACK and CANCELLED. Errors: ARGUMENT (no paths), STATE, CALLBACK,
+   CANCELLED, STORE_.... `step` may be null. */
 c2d_status c2d_run(c2d_solver* solver, c2d_step_fn step, void* context);
-/* May be called from any callback or another thread: the solver stops at the next chance. */
+/* May be called from any callback or another thread: the solver stops at the next chance, and the call at work returns
+   C2D_ERR_CANCELLED. Without one the next call that can be cancelled does. Errors: ARGUMENT. */
 c2d_status c2d_cancel(c2d_solver* solver);
 
 /* ---------------------------------------------------------------- 8 results ------------------------------------
 
-   out[0], out[stride], ...: entries first ... first+count-1 (from 1) of a field. */
+   out[0], out[stride], ...: entries first ... first+count-1 (from 1) of a field. A failed call leaves out[] as it was.
+
+     double normal[3], stress[C2D_POINT_FIELDS], at[2] = {1.0, 1.0};
+     bad |= c2d_get(solver, C2D_TN, 0, 1, 3, normal, 1);
+     bad |= c2d_interior(solver, 2, 1, at, 2, stress, C2D_POINT_FIELDS);
+     printf("pressure %.6f, stress at (1, 1) %.6f\n", normal[1], stress[C2D_POINT_SYY]);
+     bad |= c2d_close(solver);
+*/
 enum {
   /* per pair (body is ignored); also the columns of c2d_step.table, in this order from 0 */
   C2D_X = 0, C2D_Y = 1,       /* position on body 1                                                 */
@@ -573,7 +744,7 @@ typedef struct c2d_summary {
   int32_t reserved2;
   double symmetry_at[2];
 } c2d_summary;
-c2d_status c2d_get_summary(c2d_solver* solver, c2d_summary* out); /* legal: always */
+c2d_status c2d_get_summary(c2d_solver* solver, c2d_summary* out); /* legal: always; errors: ARGUMENT */
 
 /* The contact of a zone as it stands. Forces are on body 2, per unit thickness; the moment is about the origin.
    A mean is weighted with the length along body 1 that belongs to a pair. */
@@ -588,7 +759,7 @@ typedef struct c2d_zone_state {
   double shift;                   /* mean of (u2 - u1).t                                            */
   double largest_pressure, largest_friction, length; /* length: of the touching pairs               */
 } c2d_zone_state;
-/* Legal: running, also inside a step callback. */
+/* Legal: running, also inside a step callback. Errors: ARGUMENT, STATE, STORE_.... */
 c2d_status c2d_get_zone_state(c2d_solver* solver, int32_t zone, c2d_zone_state* out);
 
 /* Item i (from 1) of the model's lists; out of range: ARGUMENT. Legal: model, prepared, running. */
@@ -629,11 +800,13 @@ c2d_status c2d_get_interference(c2d_solver* solver, int32_t* load_case);
    empty        read_deck                                               -> model
                 all of section 5 but complete                           -> building (set_line, set_options: empty)
    building     all of section 5                                        -> model by complete; empty if that fails
-   model        set_options, prepare                                    -> prepared
+   model        set_options, replace_values, replace_point_load, set_body_force, set_rigid
+                prepare                                                 -> prepared
                 restore                                                 -> prepared or running, as saved
    prepared     begin, run                                              -> running
-                save, restore
+                save, restore; change_loads                             -> model
    running      begin, advance, next_event, run, get, get_zone_state, interior, save, restore
+                change_loads                                            -> model
    broken       after an error of the store: restore, or c2d_create in the same memory
    In model, prepared and running also positions by get, and the lists: get_friction, _zone_friction, _path,
    _path_point, _zone, _region, _condition, _point_load, _case_condition, _case_point_load, _body_force, _rigid,

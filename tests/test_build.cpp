@@ -116,7 +116,8 @@ TEST_CASE("build: src/sources.mk lists what the folders hold, and nothing twice"
   for (const char* folder : {"src", "port"})
     for (const fs::path& path : files_below(folder))
       if ((path.extension() == ".cpp" || path.extension() == ".c") &&
-          name_of(path).compare(0, 14, "port/cortex-m/") != 0) // compiled for its own machines only
+          name_of(path).compare(0, 14, "port/cortex-m/") != 0 && // compiled for its own machines only
+          name_of(path).compare(0, 15, "port/packaging/") != 0)  // tools
         found.insert(name_of(path));
   for (const std::string& name : found) CHECK_MESSAGE(listed.count(name) == 1, name << " (make relist)");
   for (const std::string& name : listed) CHECK_MESSAGE(found.count(name) == 1, name << " (make relist)");
@@ -139,17 +140,24 @@ TEST_CASE("build: make and CMake read that list and no other") {
 }
 
 TEST_CASE("build: every text is ASCII without tabs or trailing blanks") {
+  std::vector<fs::path> files = {kRoot / "README.md", kRoot / "CMakeLists.txt", kRoot / "Makefile"};
   for (const char* folder : {"src", "include", "port", "tests", "examples"})
-    for (const fs::path& path : files_below(folder)) {
-      if (!is_source(path) && path.extension() != ".dat" && path.extension() != ".in") continue;
-      const std::string text = read_file(path.string());
-      const auto odd = std::find_if(text.begin(), text.end(), [](char c) {
-        return c != '\n' && (static_cast<unsigned char>(c) < 32 || static_cast<unsigned char>(c) > 126);
-      });
-      CHECK_MESSAGE(odd == text.end(), name_of(path) << ": byte " << (odd - text.begin()));
-      if (is_source(path))
-        CHECK_MESSAGE(!contains(text, " \n"), name_of(path) << ": blanks at the end of a line");
-    }
+    for (const fs::path& path : files_below(folder)) files.push_back(path);
+  static const std::set<std::string> kTexts = {".dat", ".in", ".md", ".mk", ".sh", ".txt", ".f", ".f90", ".py", ".map"};
+  int seen = 0;
+  for (const fs::path& path : files) {
+    const bool rules = path.extension() == ".mk" || path.filename() == "Makefile"; // which begin with tabs
+    if (!is_source(path) && !rules && kTexts.count(path.extension().string()) == 0) continue;
+    ++seen;
+    const std::string text = read_file(path.string());
+    const auto odd = std::find_if(text.begin(), text.end(), [&](char c) {
+      return c != '\n' && !(rules && c == '\t') &&
+             (static_cast<unsigned char>(c) < 32 || static_cast<unsigned char>(c) > 126);
+    });
+    CHECK_MESSAGE(odd == text.end(), name_of(path) << ": byte " << (odd - text.begin()));
+    if (is_source(path)) CHECK_MESSAGE(!contains(text, " \n"), name_of(path) << ": blanks at the end of a line");
+  }
+  CHECK(seen > 300);
 }
 
 TEST_CASE("build: the public headers compile alone, as C99 and as C++, with all warnings") {

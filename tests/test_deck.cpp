@@ -1,6 +1,6 @@
 // Decks that are right: every call they lead to, against a parser written for this test alone.
 #include "deck/number.hpp"
-#include "deck/polar.hpp"
+#include "model/polar.hpp"
 #include "deck_recorder.hpp"
 #include "memory/text.hpp"
 

@@ -408,7 +408,12 @@ TEST_CASE("restore: what does not belong to the model, the tapes or the library 
     CHECK(status == expected);
     if (expected != C2D_OK) CHECK(error_of(s).status == expected);
     CHECK(c2d_get_state(s) == (expected == C2D_OK ? C2D_STATE_RUNNING : C2D_STATE_MODEL));
-    if (expected == C2D_ERR_MISMATCH) CHECK(std::string(error_of(s).text) == c2d_message(C2D_ERR_MISMATCH));
+    if (expected == C2D_ERR_MISMATCH) { // or what is strange about the block
+      const std::string text = error_of(s).text;
+      CHECK_MESSAGE((text == c2d_message(C2D_ERR_MISMATCH) || text.find(" (another version of the library) is ") < 320 ||
+                     text.find(" (a machine of the other byte order) is ") < 320 ||
+                     text.find(" (a library with another C2D_REAL) is ") < 320), text);
+    }
     return machine.guards_are_whole();
   };
   CHECK(refused(deck, C2D_ERR_STORE_FORMAT)); // an empty store

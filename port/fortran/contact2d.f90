@@ -205,11 +205,13 @@ module contact2d
   end type
 
   type, bind(C) :: c2d_options
-    integer(c_int32_t) :: struct_size = 20
+    integer(c_int32_t) :: struct_size = 28
     integer(c_int32_t) :: quadrature = 0
     integer(c_int32_t) :: stepping = 0
     integer(c_int32_t) :: every_change = 0
     integer(c_int32_t) :: symmetry = 0
+    integer(c_int32_t) :: keep_factors = 0
+    integer(c_int32_t) :: reserved = 0
   end type
 
   type, bind(C) :: c2d_step
@@ -528,6 +530,22 @@ module contact2d
       real(c_double), intent(in) :: xy(stride,*)
       integer(c_int32_t) :: status
     end function
+    function c2d_set_line_nodes(solver, body, first, last, origin, from, to) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
+      integer(c_int32_t), value :: body, first, last
+      real(c_double), intent(in) :: origin(2), from(2), to(2)
+      integer(c_int32_t) :: status
+    end function
+    function c2d_set_arc_nodes(solver, body, first, last, centre, radius, from_degrees, to_degrees) &
+        bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
+      integer(c_int32_t), value :: body, first, last
+      real(c_double), intent(in) :: centre(2)
+      real(c_double), value :: radius, from_degrees, to_degrees
+      integer(c_int32_t) :: status
+    end function
     function c2d_set_condition(solver, body, element, local, codes, values, load_case) bind(C) result(status)
       import
       type(c_ptr), value :: solver
@@ -679,6 +697,26 @@ module contact2d
       integer(c_int32_t), value :: cases
       real(c_double), intent(out) :: step
       real(c_double), intent(in) :: direction(cases)
+      integer(c_int32_t) :: status
+    end function
+    function c2d_change_loads(solver) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
+      integer(c_int32_t) :: status
+    end function
+    function c2d_replace_values(solver, body, element, local, values, load_case) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
+      integer(c_int32_t), value :: body, element, local
+      real(c_double), intent(in) :: values(4)
+      integer(c_int32_t), value :: load_case
+      integer(c_int32_t) :: status
+    end function
+    function c2d_replace_point_load(solver, i, x, y, fx, fy) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
+      integer(c_int32_t), value :: i
+      real(c_double), value :: x, y, fx, fy
       integer(c_int32_t) :: status
     end function
     function c2d_save(solver) bind(C) result(status)

@@ -4,9 +4,10 @@
      c2d_posix_store store;
      c2d_port port = C2D_INIT(c2d_port);
      int32_t code = c2d_posix_store_init(&store, "/var/tmp/run7");
-     if (code == C2D_POSIX_STORE_LOCKED) ...
+     if (code == C2D_POSIX_STORE_LOCKED) return 3;
      c2d_posix_store_port(&store, &port);
-     ... c2d_close(solver); c2d_posix_store_remove(&store) if it went well; c2d_posix_store_done(&store)          */
+
+   and after c2d_close c2d_posix_store_remove(&store) if it went well, and c2d_posix_store_done(&store) in any case. */
 #ifndef C2D_POSIX_H
 #define C2D_POSIX_H
 

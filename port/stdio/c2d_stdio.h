@@ -4,8 +4,9 @@
 
      c2d_stdio_store store;
      c2d_port port = C2D_INIT(c2d_port);
-     if (c2d_stdio_store_init(&store, "/var/tmp/run7") != 0) ...
-     c2d_stdio_store_port(&store, &port);                                                                     */
+     if (c2d_stdio_store_init(&store, "/var/tmp/run7") != 0) return 3;
+     c2d_stdio_store_port(&store, &port);
+*/
 #ifndef C2D_STDIO_H
 #define C2D_STDIO_H
 

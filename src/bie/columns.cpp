@@ -3,6 +3,7 @@
 #include "bie/body_force.hpp"
 #include "bie/panel.hpp"
 #include "bie/transfer.hpp"
+#include "memory/hostile.hpp"
 #include "model/symmetry.hpp"
 
 namespace c2d {
@@ -141,6 +142,7 @@ void fill_columns(const ColumnSystem& system, int32_t first, int32_t count, Real
   const Model& m = system.model;
   const int b = system.body;
   const int32_t rows = system_rows(m, b);
+  C2D_ASSERT(rows <= ld && first >= 0);
   for (int32_t j = 0; j < count; ++j)
     for (int32_t i = 0; i < rows; ++i) data[j * ld + i] = 0;
   const Range range{first, first + count, outer_columns(m, b) + 2 * m.head->contact};

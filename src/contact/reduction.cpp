@@ -16,11 +16,9 @@ c2d_status factor(const Reduction& r, Real* matrix) {
   return lu_factor(r.engine, r.tape.m, matrix, r.tape.m, r.pivots, nullptr) == 0 ? C2D_OK : C2D_ERR_SINGULAR;
 }
 
-// A rigid body 1 does not give way, F = 0, and v is its motion at the pairs.
+// v of a rigid body 1 is its motion at the pairs.
 c2d_status move_rigidly(const Reduction& r) {
-  const int32_t m = r.tape.m;
-  for (int64_t i = 0; i < static_cast<int64_t>(m) * m; ++i) r.second[i] = 0;
-  c2d_status status = write_matrix(r.tape, Matrix::flexibility, r.second);
+  c2d_status status = C2D_OK;
   for (int32_t k = 0; k < r.tape.cases && status == C2D_OK; ++k) {
     for (int32_t i = 0; i < r.model.head->pairs; ++i) {
       const Pair& pair = r.model.pair[i];
@@ -33,24 +31,36 @@ c2d_status move_rigidly(const Reduction& r) {
   return status;
 }
 
-// F and v of the inverted body; F stays in `second`, its factored S_u in `first`.
-c2d_status invert_body(const Reduction& r) {
+// v of the inverted body, whose factored S_u is in `first`.
+c2d_status solve_loads(const Reduction& r) {
   if (r.model.head->rigid != 0) return move_rigidly(r);
-  const int32_t m = r.tape.m;
-  c2d_status status = read_matrix(r.tape, of_body(Matrix::displacement1, r.inverted), r.first);
-  if (status == C2D_OK) status = factor(r, r.first);
-  if (status == C2D_OK) status = read_matrix(r.tape, of_body(Matrix::traction1, r.inverted), r.second);
-  if (status != C2D_OK) return status;
-  for (int64_t i = 0; i < static_cast<int64_t>(m) * m; ++i) r.second[i] = -r.second[i];
-  lu_solve(r.engine, m, m, r.first, m, r.pivots, r.second, m);
-  status = write_matrix(r.tape, Matrix::flexibility, r.second);
+  c2d_status status = C2D_OK;
   for (int32_t k = 0; k < r.tape.cases && status == C2D_OK; ++k) {
     status = read_column(r.tape, of_body(Matrix::load1, r.inverted), k, r.strip);
     if (status != C2D_OK) break;
-    lu_solve(r.engine, m, 1, r.first, m, r.pivots, r.strip, m);
+    lu_solve(r.engine, r.tape.m, 1, r.first, r.tape.m, r.pivots, r.strip, r.tape.m);
     status = write_column(r.tape, Matrix::flexibility_load, k, r.strip);
   }
   return status;
+}
+
+c2d_status factor_inverted(const Reduction& r) {
+  if (r.model.head->rigid != 0) return C2D_OK;
+  const c2d_status status = read_matrix(r.tape, of_body(Matrix::displacement1, r.inverted), r.first);
+  return status == C2D_OK ? factor(r, r.first) : status;
+}
+
+// F and v of the inverted body; F stays in `second`. A rigid body does not give way, F = 0.
+c2d_status invert_body(const Reduction& r) {
+  const int32_t m = r.tape.m;
+  const bool rigid = r.model.head->rigid != 0;
+  c2d_status status = factor_inverted(r);
+  if (status == C2D_OK && !rigid) status = read_matrix(r.tape, of_body(Matrix::traction1, r.inverted), r.second);
+  if (status != C2D_OK) return status;
+  for (int64_t i = 0; i < static_cast<int64_t>(m) * m; ++i) r.second[i] = rigid ? Real(0) : -r.second[i];
+  if (!rigid) lu_solve(r.engine, m, m, r.first, m, r.pivots, r.second, m);
+  status = write_matrix(r.tape, Matrix::flexibility, r.second);
+  return status == C2D_OK ? solve_loads(r) : status;
 }
 
 // M = S_t - S_u F of the other body, in place of F, whose columns are used up one strip after another.
@@ -100,13 +110,10 @@ c2d_status form_closing(const Reduction& r) {
   return C2D_OK;
 }
 
-// T = M^-1 B in place of B, b = -M^-1 h.
-c2d_status form_stiffness(const Reduction& r) {
+// b = -M^-1 h; M, factored, is in `second`.
+c2d_status form_rates(const Reduction& r) {
   const int32_t m = r.tape.m;
-  c2d_status status = factor(r, r.second);
-  if (status != C2D_OK) return status;
-  lu_solve(r.engine, m, m, r.second, m, r.pivots, r.first, m);
-  status = write_matrix(r.tape, Matrix::stiffness, r.first);
+  c2d_status status = C2D_OK;
   for (int32_t k = 0; k < r.tape.cases && status == C2D_OK; ++k) {
     status = read_column(r.tape, Matrix::closing, k, r.strip);
     if (status != C2D_OK) break;
@@ -115,6 +122,41 @@ c2d_status form_stiffness(const Reduction& r) {
     status = write_column(r.tape, Matrix::stiffness_load, k, r.strip);
   }
   return status;
+}
+
+// T = M^-1 B in place of B, and b.
+c2d_status form_stiffness(const Reduction& r) {
+  const int32_t m = r.tape.m;
+  c2d_status status = factor(r, r.second);
+  if (status != C2D_OK) return status;
+  lu_solve(r.engine, m, m, r.second, m, r.pivots, r.first, m);
+  status = write_matrix(r.tape, Matrix::stiffness, r.first);
+  return status == C2D_OK ? form_rates(r) : status;
+}
+
+// The same steps for the loads alone, with the matrices that are on the tape.
+c2d_status solve_loads_again(const Reduction& r) {
+  const c2d_status status = factor_inverted(r);
+  return status == C2D_OK ? solve_loads(r) : status;
+}
+c2d_status form_closing_again(const Reduction& r) {
+  const c2d_status status = read_matrix(r.tape, of_body(Matrix::displacement1, 1 - r.inverted), r.first);
+  return status == C2D_OK ? form_closing(r) : status;
+}
+c2d_status form_rates_again(const Reduction& r) {
+  c2d_status status = read_matrix(r.tape, Matrix::compliance, r.second);
+  if (status == C2D_OK) status = factor(r, r.second);
+  return status == C2D_OK ? form_rates(r) : status;
+}
+
+using Step = c2d_status (*)(const Reduction&);
+template <int n> c2d_status take_steps(const Reduction& r, const Step (&steps)[n]) {
+  for (const Step& step : steps) {
+    c2d_status status = r.tick(r.watch_context);
+    if (status == C2D_OK) status = step(r);
+    if (status != C2D_OK) return status;
+  }
+  return C2D_OK;
 }
 
 } // namespace
@@ -128,13 +170,13 @@ void rigid_motion_at_pair(const Model& m, const Pair& pair, int32_t load_case, d
 }
 
 c2d_status reduce(const Reduction& r) {
-  c2d_status (*const steps[])(const Reduction&) = {invert_body, form_compliance, form_closing, form_stiffness};
-  for (const auto& step : steps) {
-    c2d_status status = r.tick(r.watch_context);
-    if (status == C2D_OK) status = step(r);
-    if (status != C2D_OK) return status;
-  }
-  return C2D_OK;
+  const Step steps[] = {invert_body, form_compliance, form_closing, form_stiffness};
+  return take_steps(r, steps);
+}
+
+c2d_status reduce_loads(const Reduction& r) {
+  const Step steps[] = {solve_loads_again, form_closing_again, form_rates_again};
+  return take_steps(r, steps);
 }
 
 } // namespace c2d

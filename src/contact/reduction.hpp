@@ -29,5 +29,7 @@ void rigid_motion_at_pair(const Model& m, const Pair& pair, int32_t load_case, d
 
 // Reads the six matrices of the bodies, writes the other six. C2D_ERR_SINGULAR if a pivot is unusable.
 c2d_status reduce(const Reduction& r);
+// After a reduction, when the columns s of the bodies have been replaced: everything that depends on them anew.
+c2d_status reduce_loads(const Reduction& r);
 
 } // namespace c2d

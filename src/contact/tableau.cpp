@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "linalg/exchange.hpp"
+#include "memory/hostile.hpp"
 
 namespace c2d {
 
@@ -28,6 +29,7 @@ bool compliant(const Tableau& t, double value) { return fabs(value) * t.stiffnes
 // Both slots of a pair, the larger pivot first. `usable` judges each pivot before anything changes.
 bool exchange_pair(Tableau& t, const Pair& pair, bool (*usable)(const Tableau&, double)) {
   const int32_t a = pair.dof, b = pair.dof + 1;
+  C2D_ASSERT(a >= 0 && a + pair.tangential < t.m);
   if (!pair.tangential) {
     if (!usable(t, entry(t, a, a))) return false;
     pivot(t, a);

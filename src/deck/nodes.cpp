@@ -1,6 +1,6 @@
 // Boundary points: origin, node cards, generation along lines and arcs.
 #include "deck/deck.hpp"
-#include "deck/polar.hpp"
+#include "model/polar.hpp"
 
 #include <math.h>
 
@@ -107,16 +107,13 @@ bool generate(Deck& deck, int b, const NodeCard& from, const NodeCard& to) {
                 ": the nodes before this one lie on an arc from the card before");
     return !deck.cards.ended;
   }
-  const double steps = to.node - from.node;
-  for (int32_t i = 1; i < to.node - from.node; ++i) {
-    double x = from.x + (to.x - from.x) * i / steps;
-    double y = from.y + (to.y - from.y) * i / steps;
-    if (to.polar) {
-      cosine_and_sine(from.angle + (to.angle - from.angle) * i / steps, &x, &y);
-      x *= to.radius;
-      y *= to.radius;
-    }
-    if (!set_node(deck, b, from.node + i, x, y)) return false;
+  const int32_t steps = to.node - from.node;
+  for (int32_t i = 1; i < steps; ++i) {
+    const double start[2] = {from.x, from.y}, end[2] = {to.x, to.y};
+    double point[2];
+    if (to.polar) point_on_arc(to.radius, from.angle, to.angle, i, steps, point);
+    else point_on_line(start, end, i, steps, point);
+    if (!set_node(deck, b, from.node + i, point[0], point[1])) return false;
   }
   return true;
 }

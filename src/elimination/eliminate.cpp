@@ -1,5 +1,6 @@
 #include "elimination/eliminate.hpp"
 #include "linalg/dense.hpp"
+#include "memory/hostile.hpp"
 #include <string.h>
 
 namespace c2d {
@@ -115,7 +116,7 @@ c2d_status write_panel(const Panel& panel, Chunk chunk) {
   const EliminationPlan& plan = panel.plan;
   for (; chunk.count > 0 && chunk.first < panel.first + panel.count; chunk = next_chunk(plan, chunk)) {
     c2d_status status = C2D_OK;
-    if (chunk.first < plan.pivots && !panel.last) {
+    if (chunk.first < plan.pivots && (!panel.last || plan.keep_lower != 0)) {
       status = write_part(panel, C2D_TAPE_LOWER, plan.lower_first_block + chunk.index, chunk, chunk.first,
                           lower_bytes(plan, chunk));
     }
@@ -149,28 +150,93 @@ int32_t between(int32_t low, int32_t x, int32_t high) {
   return x < low ? low : (x > high ? high : x);
 }
 
+Panel make_panel(const EliminationPlan& plan, Tapes& tapes, void* work, const Watch& watch, const Engine& engine) {
+  const WorkLayout at = work_layout(plan.rows, plan.pivots, plan.panel_columns, plan.block_columns);
+  unsigned char* base = static_cast<unsigned char*>(work);
+  return Panel{plan,
+               tapes,
+               watch,
+               reinterpret_cast<Real*>(base + at.panel),
+               at.leading,
+               base + at.block,
+               reinterpret_cast<Real*>(base + at.norms),
+               reinterpret_cast<int32_t*>(base + at.pivots),
+               0,
+               0,
+               0,
+               false,
+               engine};
+}
+
+// ---- row exchanges on the tape --------------------------------------------------------------------------------------
+
+uint64_t exchanges_bytes(const EliminationPlan& plan) { return static_cast<uint64_t>(plan.pivots) * sizeof(int32_t); }
+
+c2d_status keep_exchanges(const Panel& panel) {
+  const EliminationPlan& plan = panel.plan;
+  if (plan.keep_lower == 0 || plan.pivots == 0) return C2D_OK;
+  memcpy(panel.block + kBlockHeaderBytes, panel.pivots, static_cast<size_t>(exchanges_bytes(plan)));
+  return write_block(panel.tapes, C2D_TAPE_LOWER, plan.lower_first_block + exchanges_block(plan), panel.block,
+                     exchanges_bytes(plan));
+}
+
+c2d_status load_exchanges(const Panel& panel) {
+  const EliminationPlan& plan = panel.plan;
+  if (plan.pivots == 0) return C2D_OK;
+  const c2d_status status = read_block(panel.tapes, C2D_TAPE_LOWER, plan.lower_first_block + exchanges_block(plan),
+                                       panel.block, exchanges_bytes(plan));
+  if (status == C2D_OK)
+    memcpy(panel.pivots, panel.block + kBlockHeaderBytes, static_cast<size_t>(exchanges_bytes(plan)));
+  return status;
+}
+
+// The panel's columns, all trailing ones, take their places in the chunks of Y.
+c2d_status rewrite_trailing(const Panel& panel) {
+  const EliminationPlan& plan = panel.plan;
+  if (plan.pivots == 0) return C2D_OK;
+  const size_t column_bytes = static_cast<size_t>(plan.pivots) * sizeof(Real);
+  const int32_t end = panel.first + panel.count;
+  Chunk chunk = next_chunk(plan, chunk_before(plan, plan.pivots));
+  for (; chunk.count > 0 && chunk.first < end; chunk = next_chunk(plan, chunk)) {
+    if (chunk.first + chunk.count <= panel.first) continue;
+    const uint64_t block = plan.upper_first_block + chunk.index, bytes = upper_bytes(plan, chunk);
+    c2d_status status = read_block(panel.tapes, C2D_TAPE_UPPER, block, panel.block, bytes);
+    if (status != C2D_OK) return status;
+    for (int32_t j = 0; j < chunk.count; ++j) {
+      const int32_t column = chunk.first + j - panel.first;
+      if (column < 0 || column >= panel.count) continue;
+      memcpy(panel.block + kBlockHeaderBytes + static_cast<size_t>(j) * column_bytes, panel.column(column), column_bytes);
+    }
+    status = write_block(panel.tapes, C2D_TAPE_UPPER, block, panel.block, bytes);
+    if (status != C2D_OK) return status;
+  }
+  return C2D_OK;
+}
+
 } // namespace
+
+c2d_status eliminate_again(const EliminationPlan& plan, int32_t first_trailing, const ColumnSource& source,
+                           const RowSink& sink, Tapes& tapes, void* work, const Watch& watch, const Engine& engine) {
+  Panel panel = make_panel(plan, tapes, work, watch, engine);
+  c2d_status status = load_exchanges(panel);
+  const int32_t end = plan.pivots + plan.trailing;
+  for (panel.first = plan.pivots + first_trailing; panel.first < end && status == C2D_OK; panel.first += panel.count) {
+    panel.count = between(0, end - panel.first, plan.panel_columns);
+    status = fill(panel, source);
+    if (status == C2D_OK) status = apply_earlier(panel);
+    if (status == C2D_OK) status = rewrite_trailing(panel);
+    if (status == C2D_OK) status = hand_over(panel, sink);
+    if (status == C2D_OK) status = tell(watch, panel.first, panel.count);
+  }
+  return status;
+}
 
 c2d_status eliminate(const EliminationPlan& plan, const ColumnSource& source, const RowSink& sink,
                      Tapes& tapes, void* work, PivotStats* stats, const Watch& watch, const Engine& engine) {
   PivotStats own_stats;
   PivotStats* used = stats ? stats : &own_stats;
   start_stats(*used);
-  const WorkLayout at = work_layout(plan.rows, plan.pivots, plan.panel_columns, plan.block_columns);
-  unsigned char* base = static_cast<unsigned char*>(work);
-  Panel panel = {plan,
-                 tapes,
-                 watch,
-                 reinterpret_cast<Real*>(base + at.panel),
-                 at.leading,
-                 base + at.block,
-                 reinterpret_cast<Real*>(base + at.norms),
-                 reinterpret_cast<int32_t*>(base + at.pivots),
-                 0,
-                 0,
-                 0,
-                 false,
-                 engine};
+  Panel panel = make_panel(plan, tapes, work, watch, engine);
   const int32_t columns = plan.pivots + plan.trailing, panels = panel_count(plan);
   Chunk chunk = first_chunk(plan);
   for (int32_t p = 0; p < panels; ++p) {
@@ -178,11 +244,12 @@ c2d_status eliminate(const EliminationPlan& plan, const ColumnSource& source, co
     panel.count = between(0, columns - panel.first, plan.panel_columns);
     panel.own = between(0, plan.pivots - panel.first, panel.count);
     panel.last = p == panels - 1;
+    C2D_ASSERT(panel.count > 0 && panel.own >= 0 && panel.own <= panel.count && panel.count <= plan.panel_columns);
     while (chunk.first < panel.first) chunk = next_chunk(plan, chunk);
     const c2d_status status = do_panel(panel, source, sink, chunk, used);
     if (status != C2D_OK) return status;
   }
-  return C2D_OK;
+  return keep_exchanges(panel);
 }
 
 uint64_t back_substitution_bytes(const EliminationPlan& plan) {

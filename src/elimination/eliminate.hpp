@@ -46,6 +46,13 @@ c2d_status eliminate(const EliminationPlan& plan, const ColumnSource& source, co
                      Tapes& tapes, void* work, PivotStats* stats, const Watch& watch,
                      const Engine& engine = kPlainEngine);
 
+// New columns in place of the trailing ones first_trailing ... (from 0) of an elimination whose plan keeps all of L: they
+// come from the source, go through L and the row exchanges, replace their part of Y on tape UPPER, and their rows of S go
+// to the sink. Reads LOWER once per panel of them. Arguments and errors as for `eliminate`.
+c2d_status eliminate_again(const EliminationPlan& plan, int32_t first_trailing, const ColumnSource& source,
+                           const RowSink& sink, Tapes& tapes, void* work, const Watch& watch,
+                           const Engine& engine = kPlainEngine);
+
 // Bytes of the work area of back_substitute, which may be the one of `eliminate`.
 uint64_t back_substitution_bytes(const EliminationPlan& plan);
 

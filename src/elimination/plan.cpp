@@ -103,7 +103,7 @@ c2d_status plan_elimination(uint64_t bytes, int32_t rows, int32_t pivots, int32_
       forced_columns < 0) {
     return C2D_ERR_ARGUMENT;
   }
-  EliminationPlan plan = {rows, pivots, trailing, 1, 1, 0, 0};
+  EliminationPlan plan = {rows, pivots, trailing, 1, 1, 0, 0, 0};
   const int32_t columns = all_columns(plan) > 0 ? all_columns(plan) : 1;
   const int32_t forced = smaller(forced_columns, columns);
   const int32_t least = forced > 0 ? forced : 1;
@@ -149,16 +149,24 @@ uint64_t upper_bytes(const EliminationPlan& plan, const Chunk& chunk) {
   return static_cast<uint64_t>(rows) * static_cast<uint64_t>(chunk.count) * sizeof(Real);
 }
 
+uint64_t exchanges_block(const EliminationPlan& plan) {
+  return plan.pivots > 0 ? chunk_before(plan, plan.pivots).index + 1 : 0;
+}
+
 TapeUse lower_use(const EliminationPlan& plan) {
   TapeUse use = {0, 0, 0, 0};
   const int32_t last = panel_count(plan) - 1;
   for (Chunk chunk = first_chunk(plan); chunk.first < plan.pivots; chunk = next_chunk(plan, chunk)) {
-    if (chunk.panel >= last) break;
+    if (chunk.panel >= last && plan.keep_lower == 0) break;
     const uint64_t data = lower_bytes(plan, chunk);
     use.blocks += 1;
     if (data > use.max_data_bytes) use.max_data_bytes = data;
     use.bytes_written += data + kBlockHeaderBytes;
     use.bytes_read += (data + kBlockHeaderBytes) * static_cast<uint64_t>(last - chunk.panel);
+  }
+  if (plan.keep_lower != 0 && plan.pivots > 0) { // no longer than the first block of L
+    use.blocks += 1;
+    use.bytes_written += static_cast<uint64_t>(plan.pivots) * sizeof(int32_t) + kBlockHeaderBytes;
   }
   return use;
 }

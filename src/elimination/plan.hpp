@@ -16,6 +16,8 @@ struct EliminationPlan {
   int32_t rows, pivots, trailing;                // 0 <= pivots <= rows, 0 <= trailing
   int32_t panel_columns, block_columns;          // both >= 1, block_columns <= panel_columns
   uint64_t lower_first_block, upper_first_block; // set by the caller: where this elimination's blocks start
+  int32_t keep_lower;                            // set by the caller: 1: tape LOWER shall hold all of L, and one block
+                                                 // more the row exchanges, so that eliminate_again is possible
 };
 
 // Bytes of the work area of `eliminate`: a panel, a block with room for its header, a norm for each column of
@@ -49,6 +51,8 @@ struct Chunk {
   int32_t panel;        // from 0
   uint64_t index;       // from 0; the eliminated columns' chunks come first
 };
+// Place on tape LOWER, from the plan's first block, of the row exchanges.
+uint64_t exchanges_block(const EliminationPlan& plan);
 // The first chunk, and the one after `chunk`: count is 0 when there is none.
 Chunk first_chunk(const EliminationPlan& plan);
 Chunk next_chunk(const EliminationPlan& plan, const Chunk& chunk);

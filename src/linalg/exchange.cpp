@@ -1,4 +1,5 @@
 #include "linalg/exchange.hpp"
+#include "memory/hostile.hpp"
 #include <limits>
 
 namespace c2d {
@@ -11,6 +12,7 @@ void add(int32_t n, Real factor, const Real* __restrict x, Real* __restrict y) {
 } // namespace
 
 bool exchange(int32_t rows, int32_t cols, Real* t, int64_t ld, int32_t r, int32_t c) {
+  C2D_ASSERT(r >= 0 && r < rows && c >= 0 && c < cols && ld >= rows);
   Real* pivot_column = t + c * ld;
   const Real pivot = pivot_column[r];
   if ((pivot < 0 ? -pivot : pivot) < std::numeric_limits<Real>::min()) return false;

@@ -1,5 +1,6 @@
 #include "linalg/lu.hpp"
 #include "linalg/dense.hpp"
+#include "memory/hostile.hpp"
 #include <limits>
 
 namespace c2d {
@@ -103,6 +104,7 @@ int32_t factor_leaf(const Work& w, int32_t first, int32_t count, const Real* nor
     Real* column = w.column(j);
     const Real norm = norms[j - first];
     const int32_t row = finish_column(w, first, j);
+    C2D_ASSERT(row < 0 || (row >= j && row < w.rows));
     const Real size = row < 0 ? Real(0) : (column[row] < 0 ? -column[row] : column[row]);
     const bool usable = size > norm * smallest_safe() && size >= std::numeric_limits<Real>::min();
     w.pivots[j] = usable ? row : j;
@@ -179,6 +181,7 @@ void apply_pivots(int32_t cols, Real* a, int64_t lda, const int32_t* pivots, int
   for (int32_t j = 0; j < cols; ++j) {
     Real* column = a + j * lda;
     for (int32_t i = first; i < first + count; ++i) {
+      C2D_ASSERT(pivots[i] >= i);
       const Real kept = column[i];
       column[i] = column[pivots[i]];
       column[pivots[i]] = kept;

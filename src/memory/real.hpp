@@ -4,8 +4,8 @@
 #define C2D_REAL double
 #endif
 
-#ifdef __FAST_MATH__
-#error "contact2d must not be compiled with -ffast-math: its checks for non-finite numbers would vanish"
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "contact2d must not be compiled with -ffast-math or -ffinite-math-only: its checks for numbers would vanish"
 #endif
 
 namespace c2d {

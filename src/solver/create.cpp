@@ -1,6 +1,7 @@
 // Memory: how much, and the solver made in it.
 #include <string.h>
 
+#include "memory/hostile.hpp"
 #include "memory/text.hpp"
 #include "solver/phases.hpp"
 #include "solver/solver.hpp"
@@ -27,6 +28,22 @@ c2d_status aligned_need(const Sizes& sizes, Layout& layout, uint64_t* minimum, u
   for (uint64_t* need : needs)
     if (!add_bytes(*need, 1, layout.persistent) || *need > UINT64_MAX - kAlignment) return C2D_ERR_OVERFLOW;
   return *minimum > SIZE_MAX - kAlignment ? C2D_ERR_OVERFLOW : C2D_OK;
+}
+
+// The hostile build: panels of its width and no more memory than they need, if there is that much.
+void make_tiny(c2d_limits& limits, Sizes& sizes, Layout& layout, size_t& bytes) {
+  c2d_limits narrow = limits;
+  if (narrow.panel_columns == 0) narrow.panel_columns = kHostileWidth;
+  Sizes narrow_sizes;
+  Layout narrow_layout;
+  uint64_t least = 0, most = 0;
+  if (derive_sizes(narrow, narrow_sizes) != C2D_OK ||
+      aligned_need(narrow_sizes, narrow_layout, &least, &most) != C2D_OK || least + kAlignment - 1 > bytes)
+    return;
+  limits = narrow;
+  sizes = narrow_sizes;
+  layout = narrow_layout;
+  bytes = static_cast<size_t>(least + kAlignment - 1);
 }
 
 void fill_header(c2d_solver* s, uint64_t bytes, uint32_t slack, const c2d_limits& limits, const Sizes& sizes,
@@ -136,6 +153,8 @@ extern "C" c2d_status c2d_create(c2d_solver** out, void* memory, size_t bytes, c
     explain(why, C2D_ERR_MEMORY, least + kAlignment - 1);
     return C2D_ERR_MEMORY;
   }
+  poison(memory, bytes);
+  if (kHostile) make_tiny(ours, sizes, layout, bytes);
   c2d_solver* s = reinterpret_cast<c2d_solver*>(static_cast<char*>(memory) + slack);
   fill_header(s, bytes - (kAlignment - 1), slack, ours, sizes, layout); // so that it may move to any alignment
   s->port = our_port;
@@ -157,6 +176,7 @@ extern "C" c2d_status c2d_close(c2d_solver* s) {
     const c2d_error last = s->error;
     report_fault(s, last);
   }
+  poison(s, s->bytes);
   s->magic = 0;
   return status;
 }

@@ -4,11 +4,14 @@
 #include "bie/batch.hpp"
 #include "bie/panel.hpp"
 #include "contact/reduction.hpp"
+#include "memory/hostile.hpp"
 #include "memory/text.hpp"
 #include "model/free_zones.hpp"
 #include "model/rigid.hpp"
+#include "model/validate.hpp"
 #include "solver/phases.hpp"
 #include "solver/energy.hpp"
+#include "solver/rehearsal.hpp"
 #include "solver/session.hpp"
 #include "solver/solver.hpp"
 
@@ -153,8 +156,12 @@ void note_pivots(c2d_solver* s, const PivotStats& stats) {
   if (stats.growth > s->pivot_growth) s->pivot_growth = stats.growth;
 }
 
+// The phase before has left nothing that the next one may use.
+void clear_phases(c2d_solver* s) { poison(array_of<char>(s, kPhase), s->bytes - s->layout.persistent); }
+
 // What a phase that uses `area` bytes leaves of the phase area, for the kernels of this machine.
 Engine engine_beside(c2d_solver* s, const PhaseSizes& sizes, uint64_t area, int64_t* used) {
+  C2D_ASSERT(s->layout.persistent <= s->bytes && area <= s->bytes - s->layout.persistent);
   const uint64_t left = s->bytes - s->layout.persistent - area, full = scratch_bytes(sizes);
   const uint64_t bytes = left < full ? left : full;
   return Engine{kernel_for(best_instructions()), reinterpret_cast<Real*>(array_of<char>(s, kPhase) + area),
@@ -166,7 +173,9 @@ void note_scratch(c2d_solver* s, uint64_t area, int64_t used) {
   if (bytes > s->peak_bytes) s->peak_bytes = bytes;
 }
 
-[[gnu::noinline]] c2d_status eliminate_body(c2d_solver* s, const Model& m, const PhaseSizes& sizes, int b) {
+// With `loads_only` the matrix has been eliminated, and the loads have changed.
+[[gnu::noinline]] c2d_status eliminate_body(c2d_solver* s, const Model& m, const PhaseSizes& sizes, int b, bool loads_only) {
+  clear_phases(s);
   EliminationArea area;
   const uint64_t bytes = elimination_area(sizes, b, s->plan[b], array_of<char>(s, kPhase), &area);
   const Quadrature quadrature =
@@ -184,13 +193,20 @@ void note_scratch(c2d_solver* s, uint64_t area, int64_t used) {
     if (asked_to_stop(s)) return C2D_ERR_CANCELLED;
   }
   job.assembling += clock_now(s) - start;
-  PivotStats stats{};
+  const ColumnSource source{&job, assemble_columns};
+  const RowSink sink{&job, keep_reduced};
+  const Watch watch{&job, watch_column};
   int64_t scratch = 0;
-  const c2d_status status =
-      eliminate(s->plan[b], ColumnSource{&job, assemble_columns}, RowSink{&job, keep_reduced}, s->tapes, area.work,
-                &stats, Watch{&job, watch_column}, engine_beside(s, sizes, bytes, &scratch));
+  const Engine engine = engine_beside(s, sizes, bytes, &scratch);
+  c2d_status status;
+  if (loads_only) {
+    status = eliminate_again(s->plan[b], 2 * m.head->contact, source, sink, s->tapes, area.work, watch, engine);
+  } else {
+    PivotStats stats{};
+    status = eliminate(s->plan[b], source, sink, s->tapes, area.work, &stats, watch, engine);
+    note_pivots(s, stats);
+  }
   note_scratch(s, bytes, scratch);
-  note_pivots(s, stats);
   s->seconds[C2D_PHASE_ASSEMBLE] += job.assembling;
   s->seconds[C2D_PHASE_ELIMINATE] += clock_now(s) - start - job.assembling;
   return status;
@@ -202,8 +218,9 @@ c2d_status tick(void* context) {
   return asked_to_stop(s) ? C2D_ERR_CANCELLED : C2D_OK;
 }
 
-[[gnu::noinline]] c2d_status reduce_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes) {
+[[gnu::noinline]] c2d_status reduce_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, bool loads_only) {
   if (m.head->contact == 0) return C2D_OK;
+  clear_phases(s);
   ReductionArea area;
   const uint64_t bytes = reduction_area(sizes, array_of<char>(s, kPhase), &area);
   const double start = clock_now(s);
@@ -211,14 +228,14 @@ c2d_status tick(void* context) {
   const Reduction reduction{ContactTape{&s->tapes, m.head->contact, m.head->load_cases, area.buffer}, m,
                             s->inverted, area.first, area.second, area.strip, area.pivots, s, tick,
                             engine_beside(s, sizes, bytes, &scratch)};
-  const c2d_status status = reduce(reduction);
+  const c2d_status status = loads_only ? reduce_loads(reduction) : reduce(reduction);
   note_scratch(s, bytes, scratch);
   s->seconds[C2D_PHASE_REDUCE] += clock_now(s) - start;
   return status;
 }
 
 // Which body's displacements are eliminated, and whether anything can fly away whatever the contact does.
-void find_support(c2d_solver* s, const Model& m) {
+[[gnu::noinline]] void find_support(c2d_solver* s, const Model& m) {
   s->inverted = 0;
   s->blocked = 0;
   for (int b = 0; b < m.head->bodies; ++b)
@@ -229,20 +246,40 @@ void find_support(c2d_solver* s, const Model& m) {
   else if (!contact_holds(m, 1 - s->inverted)) s->blocked = 2 - s->inverted;
 }
 
-c2d_status run_phases(c2d_solver* s, const Model& m) {
+c2d_status solve_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, bool loads_only) {
+  c2d_status status = C2D_OK;
+  for (int b = 0; b < m.head->bodies && status == C2D_OK; ++b)
+    if (!is_rigid(m, b)) status = eliminate_body(s, m, sizes, b, loads_only);
+  if (status == C2D_OK) status = reduce_bodies(s, m, sizes, loads_only);
+  clear_phases(s);
+  return status;
+}
+
+// (Neither this nor the next is put into c2d_prepare: their frames would stand below that of build_energy.)
+[[gnu::noinline]] c2d_status run_phases(c2d_solver* s, const Model& m) {
   const PhaseSizes sizes = model_sizes(m);
   const uint64_t bytes = s->bytes - s->layout.persistent;
   bool flexibility = false;
   c2d_status status = choose_plans(sizes, bytes, s->limits.panel_columns, s->plan, &flexibility);
   s->keeps_flexibility = flexibility;
   if (status != C2D_OK) return status;
+  for (EliminationPlan& plan : s->plan) plan.keep_lower = s->options.keep_factors;
   s->peak_bytes = s->layout.persistent + phases_use(sizes, s->plan, flexibility);
   status = begin_run(s->tapes, hash_model(m, s->options), array_of<char>(s, kPhase));
   if (status == C2D_OK) status = open_tapes(s, m);
-  for (int b = 0; b < m.head->bodies && status == C2D_OK; ++b)
-    if (!is_rigid(m, b)) status = eliminate_body(s, m, sizes, b);
-  if (status == C2D_OK) status = reduce_bodies(s, m, sizes);
-  return status == C2D_OK ? build_energy(s, m) : status;
+  return status == C2D_OK ? solve_bodies(s, m, sizes, false) : status;
+}
+
+// New right-hand sides go through the factorisation that is on the tapes.
+[[gnu::noinline]] c2d_status run_loads(c2d_solver* s, const Model& m) {
+  const c2d_status status = recount_run(s->tapes, array_of<char>(s, kPhase));
+  return status == C2D_OK ? solve_bodies(s, m, model_sizes(m), true) : status;
+}
+
+[[gnu::noinline]] c2d_status validate_changes(c2d_solver* s, const Model& m) {
+  if (s->loads_changed == 0) return C2D_OK;
+  Reporter reporter{s, [](void* solver, const c2d_error& e) { report_fault(static_cast<c2d_solver*>(solver), e); }, 0};
+  return validate_loads(m, reporter) ? C2D_OK : C2D_ERR_INPUT;
 }
 
 } // namespace
@@ -296,26 +333,34 @@ bool is_store_error(c2d_status status) { return status >= C2D_ERR_STORE_OPEN && 
 
 using namespace c2d;
 
-extern "C" c2d_status c2d_prepare(c2d_solver* s) {
-  c2d_status status = enter(s, state_bit(C2D_STATE_MODEL));
-  if (status != C2D_OK) return status;
-  const c2d_port& p = s->port;
-  if (!p.open || !p.read || !p.write || !p.sync || !p.close)
-    return fail(s, C2D_ERR_ARGUMENT, "the port has no block store (open, read, write, sync, close)");
+namespace {
+
+// What c2d_prepare does, with this store.
+c2d_status prepare_with(c2d_solver* s, const c2d_port* store) {
   const Model m = model_of(s);
-  s->smallest_pivot = 1e300;
-  s->largest_pivot = s->pivot_growth = s->condition = 0.0;
+  c2d_status status = validate_changes(s, m);
+  if (status != C2D_OK) return status;
+  const bool loads_only = s->factors != 0;
+  s->loads_changed = s->factors = 0;
   for (double& seconds : s->seconds) seconds = 0.0;
-  find_support(s, m);
   s->saves = 0;
-  status = close_all(s->tapes);
-  s->tapes.port = &s->port;
-  s->tapes.busy = &s->busy;
-  if (status == C2D_OK && !s->blocked) status = run_phases(s, m);
-  if (s->blocked) s->peak_bytes = s->layout.persistent + path_area(model_sizes(m), s->plan, false, nullptr, nullptr);
+  if (loads_only) {
+    status = run_loads(s, m);
+  } else {
+    s->smallest_pivot = 1e300;
+    s->largest_pivot = s->pivot_growth = s->condition = 0.0;
+    find_support(s, m);
+    status = close_all(s->tapes);
+    s->tapes.port = store;
+    s->tapes.busy = &s->busy;
+    if (status == C2D_OK && !s->blocked) status = run_phases(s, m);
+    if (s->blocked) s->peak_bytes = s->layout.persistent + path_area(model_sizes(m), s->plan, false, nullptr, nullptr);
+  }
+  if (status == C2D_OK && !s->blocked) status = build_energy(s, m);
   if (status == C2D_OK) {
     s->state = C2D_STATE_PREPARED;
-    if (!s->blocked) warn_condition(s);
+    s->factors = s->options.keep_factors != 0 && !s->blocked;
+    if (!s->blocked && !loads_only) warn_condition(s);
     return C2D_OK;
   }
   if (is_store_error(status)) return fail_store(s, status);
@@ -325,4 +370,50 @@ extern "C" c2d_status c2d_prepare(c2d_solver* s) {
   if (status == C2D_ERR_SINGULAR)
     return fail(s, status, "the equations are singular: the conditions do not hold the bodies, or the mesh is degenerate");
   return fail(s, status, c2d_message(status));
+}
+
+#ifdef C2D_HOSTILE
+// Prepare with a store that fails somewhere on the way, unseen by the caller's other functions. The model must be
+// none the worse for it, and what it left on the tapes must not be taken for the next preparation's.
+void rehearse(c2d_solver* s) {
+  const c2d_port port = s->port;
+  const c2d_error error = s->error;
+  const int32_t warnings = s->warnings, cancelled = s->cancelled;
+  FailingStore failing;
+  make_failing(port, static_cast<int64_t>(hash_model(model_of(s), s->options) % 61), failing);
+  s->port.progress = nullptr;
+  s->port.cancel = nullptr;
+  s->port.log = nullptr;
+  s->port.clock = nullptr;
+  s->cancelled = 0;
+  const c2d_status status = prepare_with(s, &failing.port);
+  C2D_ASSERT(status == C2D_OK || is_store_error(status) || status == C2D_ERR_SINGULAR || status == C2D_ERR_MEMORY);
+  C2D_ASSERT(s->state == (status == C2D_OK             ? C2D_STATE_PREPARED
+                          : is_store_error(status) ? C2D_STATE_BROKEN
+                                                   : C2D_STATE_MODEL));
+  s->tapes.port = &failing.port;
+  close_all(s->tapes);
+  s->tapes.port = &s->port;
+  s->port = port;
+  s->error = error;
+  s->has_fault = 0;
+  s->warnings = warnings;
+  s->cancelled = cancelled;
+  s->factors = 0;
+  s->state = C2D_STATE_MODEL;
+}
+#endif
+
+} // namespace
+
+extern "C" c2d_status c2d_prepare(c2d_solver* s) {
+  const c2d_status status = enter(s, state_bit(C2D_STATE_MODEL));
+  if (status != C2D_OK) return status;
+  const c2d_port& p = s->port;
+  if (!p.open || !p.read || !p.write || !p.sync || !p.close)
+    return fail(s, C2D_ERR_ARGUMENT, "the port has no block store (open, read, write, sync, close)");
+#ifdef C2D_HOSTILE
+  if (s->factors == 0 && s->loads_changed == 0) rehearse(s); // what went before must not be lost
+#endif
+  return prepare_with(s, &s->port);
 }

@@ -67,6 +67,7 @@ uint64_t hash_state(c2d_solver* s) {
   hash = checksum(hash, &s->layout, sizeof s->layout);
   hash = checksum(hash, m.friction,
                   static_cast<uint64_t>(s->sizes.coefficients * (1 + s->sizes.zones)) * sizeof(double));
+  hash = checksum(hash, array_of<PointSet>(s, kPointSets), static_cast<uint64_t>(m.head->point_sets) * sizeof(PointSet));
   hash = checksum(hash, m.path, static_cast<uint64_t>(m.head->paths) * sizeof(Path));
   return checksum(hash, m.path_load,
                   static_cast<uint64_t>(m.head->paths) * static_cast<uint64_t>(m.head->load_cases) * sizeof(double));
@@ -281,11 +282,14 @@ c2d_status restore_state(c2d_solver* s) {
   c2d_status status = open_slots(s, slots);
   if (status != C2D_OK) return fail_store(s, status);
   const Uncounted uncounted(s->tapes);
+  s->tapes.error.status = C2D_OK;
   status = find_state(s, slots, piece, record);
   uncounted.done();
   if (status != C2D_OK) {
     const uint64_t needed = s->error.bytes_needed;
-    fail(s, status, c2d_message(status));
+    // A block of another machine says more than that there is a mismatch.
+    const bool foreign = status == C2D_ERR_MISMATCH && s->tapes.error.status == C2D_ERR_STORE_VERSION;
+    fail(s, status, foreign ? s->tapes.error.text : c2d_message(status));
     s->error.tape = C2D_TAPE_CONTROL;
     s->error.host_code = status == C2D_ERR_STORE_READ ? s->tapes.error.host_code : 0;
     s->error.bytes_needed = status == C2D_ERR_MEMORY ? needed : 0;

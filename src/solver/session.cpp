@@ -1,4 +1,4 @@
-// The load path: begin, advance, look at the drift, fill the result table.
+// The load path: begin and advance.
 #include "solver/energy.hpp"
 
 #include <math.h>
@@ -6,6 +6,7 @@
 
 #include "bie/body_force.hpp"
 #include "bie/columns.hpp"
+#include "memory/hostile.hpp"
 #include "memory/text.hpp"
 #include "model/free_zones.hpp"
 #include "model/rigid.hpp"
@@ -58,7 +59,10 @@ void open_session(c2d_solver* s, Session& session) {
   session.solver = s;
   session.model = model_of(s);
   const ModelHeader& head = s->model;
-  path_area(model_sizes(session.model), s->plan, s->keeps_flexibility != 0, array_of<char>(s, kPhase), &session.area);
+  const uint64_t bytes = path_area(model_sizes(session.model), s->plan, s->keeps_flexibility != 0,
+                                   array_of<char>(s, kPhase), &session.area);
+  C2D_ASSERT(bytes <= s->bytes - s->layout.persistent);
+  static_cast<void>(bytes);
   const PathArea& area = session.area;
   session.tape = ContactTape{&s->tapes, head.contact, head.load_cases, area.buffer};
   session.tableau = Tableau{head.contact, head.load_cases, head.pairs,   session.model.pair,
@@ -182,84 +186,7 @@ c2d_status follow(Session& session, const double* target, c2d_outcome* outcome) 
   return status;
 }
 
-// ---- drift ----------------------------------------------------------------------------------------------------------
-
-double largest_magnitude(const Real* x, int32_t n) {
-  double size = 0.0;
-  for (int32_t i = 0; i < n; ++i)
-    if (fabs(static_cast<double>(x[i])) > size) size = fabs(static_cast<double>(x[i]));
-  return size;
-}
-
-// Relative residual of B w' - M tau - sum lambda h, from the matrices on the tape.
-c2d_status contact_residual(Session& session, double* out) {
-  Follower& f = session.follower;
-  const int32_t m = f.t->m;
-  Real *sum = session.area.u[0], *magnitude = session.area.u[1], *column = session.area.column;
-  session.solver->table_is_current = 0; // its displacements make room
-  const ContactMatrix other =
-      session.solver->inverted == 0 ? ContactMatrix::displacement2 : ContactMatrix::displacement1;
-  for (int32_t i = 0; i < m; ++i) sum[i] = magnitude[i] = 0;
-  const auto add = [&](ContactMatrix matrix, int32_t j, double factor) -> c2d_status {
-    if (factor == 0.0) return C2D_OK;
-    const c2d_status status = read_column(session.tape, matrix, j, column);
-    for (int32_t i = 0; i < m && status == C2D_OK; ++i) {
-      sum[i] += static_cast<Real>(factor) * column[i];
-      magnitude[i] += static_cast<Real>(fabs(factor * column[i]));
-    }
-    return status;
-  };
-  c2d_status status = C2D_OK;
-  for (int32_t i = 0; i < f.t->pairs && status == C2D_OK; ++i) {
-    const Pair& pair = f.t->pair[i];
-    const PairState now = pair_state(*f.t, i, f.y);
-    status = add(other, pair.dof, now.wn - pair.gap / f.t->length_unit);
-    if (status == C2D_OK) status = add(ContactMatrix::compliance, pair.dof, -now.p);
-    if (status == C2D_OK && pair.tangential) status = add(other, pair.dof + 1, now.wt);
-    if (status == C2D_OK && pair.tangential) status = add(ContactMatrix::compliance, pair.dof + 1, -now.q);
-  }
-  for (int32_t k = 0; k < f.t->cases && status == C2D_OK; ++k) status = add(ContactMatrix::closing, k, -f.load[k]);
-  const double size = largest_magnitude(magnitude, m);
-  *out = size > 0.0 ? largest_magnitude(sum, m) / size : 0.0;
-  return status;
-}
-
-void warn_drift(c2d_solver* s, double residual) {
-  c2d_error e = blank_error();
-  e.status = C2D_WARN_RESIDUAL;
-  e.severity = C2D_WARNING;
-  Text text = text_in(e.text);
-  put(text, "the contact tableau had drifted (relative residual ");
-  put(text, residual);
-  put(text, ") and was built anew");
-  report_fault(s, e);
-}
-
-// Look at the residual now and then; build the tableau anew when it has grown.
-constexpr int64_t kExchangesBetweenLooks = 200;
-constexpr double kDrift = sizeof(Real) == 8 ? 1e-10 : 1e-3;
-
 } // namespace
-
-c2d_status guard_drift(Session& session, bool always) {
-  c2d_solver* s = session.solver;
-  if (s->floating || s->model.contact == 0 || s->blocked) return C2D_OK;
-  if (!always && session.tableau.exchanges - s->checked_exchanges < kExchangesBetweenLooks) return C2D_OK;
-  s->checked_exchanges = session.tableau.exchanges;
-  const double pressure = path_scales(session.follower).p;
-  s->peak_pressure = fmax(s->peak_pressure, pressure);
-  if (pressure < 1e-3 * s->peak_pressure) return C2D_OK; // unloaded: round-off of what was is all there is to see
-  double residual = 0.0;
-  c2d_status status = contact_residual(session, &residual);
-  if (status != C2D_OK) return status;
-  if (residual > s->max_residual) s->max_residual = residual;
-  if (residual <= kDrift) return C2D_OK;
-  warn_drift(s, residual);
-  ++s->rebuilds;
-  status = build_tableau(session.tableau, session.tape, &session.follower.last_pair);
-  refresh(session.follower);
-  return status;
-}
 
 c2d_step describe_step(const Session& session, int32_t kind) {
   c2d_solver* s = session.solver;
@@ -346,120 +273,6 @@ c2d_status advance_path(Session& session, const double* target) {
   s->seconds[C2D_PHASE_CONTACT] += clock_now(s) - start;
   name_outcome(session, outcome);
   return status;
-}
-
-// ---- the result table ---------------------------------------------------------------------------------------------
-
-namespace {
-
-// u of the inverted body: -+F tau + sum lambda v, with F stored with a minus sign.
-c2d_status inverted_displacements(Session& session) {
-  const Follower& f = session.follower;
-  const c2d_solver* s = session.solver;
-  const int32_t m = f.t->m;
-  Real *u = session.area.u[s->inverted], *column = session.area.column;
-  const double sign = s->inverted == 0 ? 1.0 : -1.0;
-  for (int32_t i = 0; i < m; ++i) u[i] = 0;
-  const auto add = [&](const Real* from, double factor) {
-    for (int32_t i = 0; i < m; ++i) u[i] += static_cast<Real>(factor) * from[i];
-  };
-  for (int32_t i = 0; i < f.t->pairs; ++i) {
-    const Pair& pair = f.t->pair[i];
-    const PairState now = pair_state(*f.t, i, f.y);
-    const double tau[2] = {now.p, now.q};
-    for (int32_t d = 0; d <= pair.tangential; ++d) {
-      if (tau[d] == 0.0) continue;
-      const int32_t j = pair.dof + d;
-      const Real* from = session.area.flexibility ? session.area.flexibility + static_cast<int64_t>(j) * m : column;
-      if (!session.area.flexibility) {
-        const c2d_status status = read_column(session.tape, ContactMatrix::flexibility, j, column);
-        if (status != C2D_OK) return status;
-      }
-      add(from, sign * tau[d]);
-    }
-  }
-  for (int32_t k = 0; k < f.t->cases; ++k) {
-    if (f.load[k] == 0.0) continue;
-    const c2d_status status = read_column(session.tape, ContactMatrix::flexibility_load, k, column);
-    if (status != C2D_OK) return status;
-    add(column, f.load[k]);
-  }
-  return C2D_OK;
-}
-
-void other_displacements(Session& session) {
-  const Follower& f = session.follower;
-  const int inverted = session.solver->inverted;
-  const double sign = inverted == 0 ? 1.0 : -1.0; // u_2 = u_1 + w', u_1 = u_2 - w'
-  const Real* known = session.area.u[inverted];
-  Real* out = session.area.u[1 - inverted];
-  for (int32_t i = 0; i < f.t->pairs; ++i) {
-    const Pair& pair = f.t->pair[i];
-    const PairState now = pair_state(*f.t, i, f.y);
-    const double gap = effective_gap(*session.model.head, pair, f.load) / f.t->length_unit;
-    out[pair.dof] = known[pair.dof] + static_cast<Real>(sign * (now.wn - gap));
-    if (pair.tangential) out[pair.dof + 1] = known[pair.dof + 1] + static_cast<Real>(sign * now.wt);
-  }
-}
-
-void fill_row(const Session& session, int32_t i, double* row) {
-  const Follower& f = session.follower;
-  const Pair& pair = f.t->pair[i];
-  const ModelHeader& head = *session.model.head;
-  const PairState now = pair_state(*f.t, i, f.y);
-  const double length = head.length_unit;
-  const int32_t n = pair.dof, t = pair.dof + 1;
-  row[C2D_STATUS] = pair.status;
-  if (pair.status != C2D_OPEN && !pair.tangential) row[C2D_STATUS] = pair.mu > 0.0 ? C2D_STICK : C2D_SLIP;
-  row[C2D_TN] = now.p * head.stress_unit;
-  row[C2D_TT] = now.q * head.stress_unit;
-  row[C2D_UN1] = session.area.u[0][n] * length;
-  row[C2D_UT1] = pair.tangential ? session.area.u[0][t] * length : 0.0;
-  row[C2D_UN2] = session.area.u[1][n] * length;
-  row[C2D_UT2] = pair.tangential ? session.area.u[1][t] * length : 0.0;
-  row[C2D_GAP] = now.wn * length;
-  row[C2D_SLIP_SUM] = slip_sum(f, i) * length;
-}
-
-} // namespace
-
-void fill_positions(const Model& m, double* table) {
-  for (int32_t i = 0; i < m.head->pairs; ++i) {
-    double* row = table + static_cast<int64_t>(i) * C2D_PAIR_FIELDS;
-    const Pair& pair = m.pair[i];
-    pair_position(m, pair, 0, &row[C2D_X], &row[C2D_Y]);
-    row[C2D_NX] = pair.nx;
-    row[C2D_NY] = pair.ny;
-    row[C2D_PAIR_NODE1] = pair.node[0] + 1;
-    row[C2D_PAIR_NODE2] = pair.node[1] + 1;
-    row[C2D_PAIR_ZONE] = pair.zone + 1;
-  }
-}
-
-c2d_status fill_table(Session& session) {
-  c2d_solver* s = session.solver;
-  double* table = array_of<double>(s, kPairTable);
-  fill_positions(session.model, table);
-  s->table_is_current = 1;
-  if (s->model.contact == 0) return C2D_OK;
-  const int32_t m = s->model.contact;
-  if (s->blocked || s->floating) { // nothing has happened yet: zero load, or no solution at all
-    for (int b = 0; b < 2; ++b)
-      for (int32_t i = 0; i < m; ++i) session.area.u[b][i] = 0;
-    for (int32_t i = 0; i < s->model.pairs; ++i) {
-      double* row = table + static_cast<int64_t>(i) * C2D_PAIR_FIELDS;
-      for (int c = C2D_STATUS; c <= C2D_SLIP_SUM; ++c) row[c] = 0.0;
-      row[C2D_GAP] = session.model.pair[i].gap;
-    }
-    return C2D_OK;
-  }
-  refresh(session.follower);
-  const c2d_status status = inverted_displacements(session);
-  if (status != C2D_OK) return status;
-  other_displacements(session);
-  for (int32_t i = 0; i < s->model.pairs; ++i)
-    fill_row(session, i, table + static_cast<int64_t>(i) * C2D_PAIR_FIELDS);
-  return C2D_OK;
 }
 
 } // namespace c2d

@@ -35,6 +35,8 @@ struct c2d_solver {
   int32_t blocked;            // nothing holds some motion: c2d_advance says so at once
   int32_t keeps_flexibility;  // the phase area has room for F
   int32_t warnings;
+  int32_t factors;            // the tapes hold a factorisation of this model that new right-hand sides can go through
+  int32_t loads_changed;      // since they were last validated
   double smallest_pivot, largest_pivot, pivot_growth, condition;
   uint64_t peak_bytes;
   double seconds[C2D_PHASES];

@@ -94,7 +94,9 @@ bool foreign(const unsigned char* header, BlockReport* report) {
   memcpy(&order, header + kByteOrder, sizeof order);
   const uint64_t found[3] = {load(header + kVersion, 2), order, header[kScalar]};
   const uint64_t expected[3] = {kBlockVersion, kByteOrderMark, sizeof(Real)};
-  static const char* const names[3] = {"format version", "byte order mark", "scalar size"};
+  static const char* const names[3] = {"format version (another version of the library)",
+                                       "byte order mark (a machine of the other byte order)",
+                                       "bytes of a stored number (a library with another C2D_REAL)"};
   for (int32_t i = 0; i < 3; ++i) {
     if (found[i] == expected[i]) continue;
     *report = {BlockFault::version, found[i], expected[i], names[i]};

@@ -2,10 +2,10 @@
 #include "program/families/model.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
-#include <cstdlib>
 
 namespace families {
 namespace {
@@ -359,6 +359,16 @@ std::string Writer::write() {
 
 } // namespace
 
+namespace {
+
+// With a point in every locale.
+std::string digits_of(double value, std::chars_format format, int digits) {
+  char text[400];
+  return std::string(text, std::to_chars(text, text + sizeof text, value, format, digits).ptr);
+}
+
+} // namespace
+
 // As few digits as tell the number; plain rather than with an exponent where both are as near.
 std::string number_in(int columns, double value) {
   if (value == 0) return "0.0";
@@ -366,18 +376,20 @@ std::string number_in(int columns, double value) {
   double error = HUGE_VAL;
   const auto consider = [&](const std::string& text) {
     if (text.size() > static_cast<size_t>(columns)) return;
-    const double now = std::fabs(std::strtod(text.c_str(), nullptr) - value);
+    double read = 0;
+    std::from_chars(text.data(), text.data() + text.size(), read);
+    const double now = std::fabs(read - value);
     if (now < error) error = now, best = text;
   };
   for (int digits = 1; digits < columns; ++digits) {
-    const std::string text = formatted("%.*f", digits, value);
+    const std::string text = digits_of(value, std::chars_format::fixed, digits);
     consider(text);
     if (text.compare(0, 2, "0.") == 0) consider(text.substr(1));
     if (text.compare(0, 3, "-0.") == 0) consider("-" + text.substr(2));
   }
   for (int digits = 0; digits <= 8; ++digits) { // 1.2345E-06 as 1.2345E-6
-    const std::string text = formatted("%.*E", digits, value);
-    const size_t e = text.find('E');
+    const std::string text = digits_of(value, std::chars_format::scientific, digits);
+    const size_t e = text.find('e');
     size_t power = e + 2;
     while (power + 1 < text.size() && text[power] == '0') ++power;
     consider(text.substr(0, e) + (digits == 0 ? "." : "") + "E" + (text[e + 1] == '-' ? "-" : "") +

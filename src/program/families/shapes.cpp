@@ -1,7 +1,7 @@
 #include "program/families/shapes.hpp"
 
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 
 namespace families {
 
@@ -21,8 +21,7 @@ std::vector<double> mirrored(const std::vector<double>& s) {
 
 std::string show(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.6g", value);
-  return text;
+  return std::string(text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6).ptr);
 }
 
 Outline half_block(const BlockMesh& m) {

@@ -1,7 +1,6 @@
-#include "deck/polar.hpp"
+#include "model/polar.hpp"
 
 #include <math.h>
-#include <stdint.h>
 
 namespace c2d {
 namespace {
@@ -40,6 +39,25 @@ void cosine_and_sine(double degrees, double* cosine, double* sine) {
     *cosine = s, *sine = -c;
     break;
   }
+}
+
+namespace {
+
+double between(double from, double to, int32_t i, int32_t steps) {
+  return i == steps ? to : from + (to - from) * i / static_cast<double>(steps);
+}
+
+} // namespace
+
+void point_on_line(const double from[2], const double to[2], int32_t i, int32_t steps, double point[2]) {
+  for (int c = 0; c < 2; ++c) point[c] = between(from[c], to[c], i, steps);
+}
+
+void point_on_arc(double radius, double from, double to, int32_t i, int32_t steps, double point[2]) {
+  double cosine, sine;
+  cosine_and_sine(between(from, to, i, steps), &cosine, &sine);
+  point[0] = radius * cosine;
+  point[1] = radius * sine;
 }
 
 } // namespace c2d

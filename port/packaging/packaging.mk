@@ -1,0 +1,36 @@
+# One file for those who vendor the library, and a Debian package: included by the Makefile.
+.PHONY: amalgamation deb
+
+# ---------------------------------------------------------------- make amalgamation
+# The core and the block store in memory as one contact2d.cpp, and the headers beside it.
+AMALGAMATION := $(BUILD)/amalgamation
+AMALGAMATED  := $(CORE_SOURCES) port/memory/c2d_memory.cpp
+$(BUILD)/obj/amalgamate: port/packaging/amalgamate.cpp $(BUILD)/flags
+	$(CXX) $(CPPFLAGS) -std=c++17 $(WARNINGS) $(CXXFLAGS) $(LDFLAGS) -o $@ $<
+amalgamation: $(BUILD)/obj/amalgamate
+	@mkdir -p $(AMALGAMATION)
+	@$(BUILD)/obj/amalgamate $(VERSION) $(AMALGAMATED) > $(AMALGAMATION)/contact2d.cpp.new
+	@mv $(AMALGAMATION)/contact2d.cpp.new $(AMALGAMATION)/contact2d.cpp
+	@cp include/contact2d.h port/memory/c2d_memory.h $(AMALGAMATION)/
+	@echo 'One file: $(AMALGAMATION)/contact2d.cpp, with contact2d.h (and c2d_memory.h for the store that is in it)'
+
+# ---------------------------------------------------------------- make deb
+# Needs dpkg-dev and debhelper, and lintian to look at the outcome (none of them reaches for a network). All in a
+# folder of its own, made anew: the sources as they stand there, then the packages beside them.
+DEB := $(BUILD)/deb
+DEB_TREE := $(DEB)/contact2d-$(VERSION)
+DEB_SOURCES := CMakeLists.txt LICENSE Makefile README.md examples include port src tests
+deb:
+	@command -v dpkg-buildpackage >/dev/null && command -v dh >/dev/null || \
+	  { echo 'make deb needs dpkg-buildpackage and dh (Debian: dpkg-dev debhelper)'; exit 1; }
+	@rm -rf $(DEB)
+	@mkdir -p $(DEB_TREE)
+	@cp -R $(DEB_SOURCES) $(DEB_TREE)/
+	@mv $(DEB_TREE)/port/debian $(DEB_TREE)/debian
+	@grep -q '^contact2d ($(VERSION)) ' $(DEB_TREE)/debian/changelog || \
+	  { echo 'port/debian/changelog does not begin with version $(VERSION)'; exit 1; }
+	@cd $(DEB_TREE) && env -u MAKEFLAGS -u MAKELEVEL dpkg-buildpackage --build=binary --unsigned-changes \
+	  --unsigned-buildinfo > ../build.log 2>&1 || { tail -40 ../build.log; exit 1; }
+	@if command -v lintian >/dev/null; then lintian --fail-on error --allow-root $(DEB)/*.changes; \
+	  else echo 'lintian is not installed: the packages were not looked at'; fi
+	@ls $(DEB)/*.deb

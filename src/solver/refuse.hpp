@@ -1,0 +1,31 @@
+#pragma once
+// Refused calls of the model: told like a fault of the deck, with the place that c2d_set_line gave.
+#include "memory/text.hpp"
+#include "solver/solver.hpp"
+
+namespace c2d {
+
+struct Refusal {
+  c2d_error error;
+  Text text;
+};
+void start_refusal(Refusal& r, c2d_solver* solver, c2d_status status);
+// Each tells the fault and returns its status. "what is VALUE, expected FIRST to LAST"
+c2d_status refuse(c2d_solver* solver, c2d_status status, const char* text);
+c2d_status refuse_number(c2d_solver* solver, c2d_status status, const char* what, int64_t value, int64_t first,
+                         int64_t last);
+c2d_status refuse_value(c2d_solver* solver, const char* what, double value, const char* expected);
+
+// The calls of section 5: legal in empty and building; `built`: something was changed.
+constexpr uint32_t kBuilding = state_bit(C2D_STATE_EMPTY) | state_bit(C2D_STATE_BUILDING);
+c2d_status enter_building(c2d_solver* solver);
+c2d_status built(c2d_solver* solver);
+// Loads may also be changed in state model, where they do not make the model incomplete.
+c2d_status enter_loads(c2d_solver* solver);
+c2d_status loaded(c2d_solver* solver);
+c2d_status check_body_number(c2d_solver* solver, int32_t body); // 1 ... bodies
+c2d_status check_load_case(c2d_solver* solver, int32_t load_case);
+
+inline bool in_range(int64_t value, int64_t first, int64_t last) { return value >= first && value <= last; }
+
+} // namespace c2d

@@ -1,0 +1,49 @@
+/* blocks write FOLDER: solve the first load cards of the sample, blocks in files, and keep the state.
+   blocks read FOLDER: go on from there. Prints the status and what the library says of it. */
+#include "c2d_stdio.h"
+#include "contact2d.h"
+#include <stdio.h>
+#include <string.h>
+
+static unsigned char memory[1 << 19];
+
+static int32_t next_card(void* deck, char* text, int32_t size) {
+  if (fgets(text, (int)size, (FILE*)deck) == NULL) return -1;
+  text[strcspn(text, "\r\n")] = '\0';
+  return (int32_t)strlen(text);
+}
+
+int main(int count, char** argument) {
+  FILE* deck = fopen("examples/hertz.dat", "r");
+  c2d_limits limits = C2D_INIT(c2d_limits);
+  c2d_port port = C2D_INIT(c2d_port);
+  c2d_error why = C2D_INIT(c2d_error);
+  c2d_stdio_store store;
+  c2d_solver* solver = NULL;
+  c2d_outcome outcome;
+  const double mu = 0.4, load = 0.5, further = 1.0;
+  c2d_status status;
+  int writes;
+  if (count != 3 || deck == NULL) return 64;
+  writes = strcmp(argument[1], "write") == 0;
+  c2d_stdio_store_init(&store, argument[2]);
+  c2d_stdio_store_port(&store, &port);
+  status = c2d_scan_deck(next_card, deck, &limits, &why);
+  rewind(deck);
+  if (status == C2D_OK) status = c2d_create(&solver, memory, sizeof memory, &limits, &port, &why);
+  if (status == C2D_OK) status = c2d_read_deck(solver, next_card, deck);
+  if (writes) {
+    if (status == C2D_OK) status = c2d_prepare(solver);
+    if (status == C2D_OK) status = c2d_begin(solver, &mu, 1);
+    if (status == C2D_OK) status = c2d_advance(solver, &load, 1, &outcome);
+    if (status == C2D_OK) status = c2d_save(solver);
+  } else {
+    if (status == C2D_OK) status = c2d_restore(solver);
+    if (status == C2D_OK) status = c2d_advance(solver, &further, 1, &outcome);
+  }
+  if (solver != NULL) c2d_last_error(solver, &why);
+  printf("%d %s\n", (int)status, status == C2D_OK ? "as one's own" : why.text);
+  if (solver != NULL) c2d_close(solver);
+  fclose(deck);
+  return status == C2D_OK ? 0 : 1;
+}

@@ -1,0 +1,7 @@
+# make cross: the library and the program for other machines and by other compilers; the sample deck against this
+# machine's run; blocks of one machine before the library of another. What is not installed is told and left out, with
+# C2D_ALL_HOSTS=1 it is an error. Debian: g++-i686-linux-gnu g++-s390x-linux-gnu qemu-user g++-11 clang-13.
+.PHONY: cross
+CROSS := $(BUILD)/cross
+cross: $(PROGRAM) $(LIBRARY) $(EMBEDDED)/compare
+	@MAKEFLAGS= CC='$(CC)' MAKE='$(MAKE)' sh tests/cross/cross.sh $(CROSS) $(BUILD) $(EMBEDDED)/compare

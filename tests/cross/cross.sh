@@ -1,0 +1,73 @@
+#!/bin/sh
+# cross.sh FOLDER BUILD COMPARE: see cross.mk. BUILD holds this machine's library and program.
+set -eu
+folder=$1
+here=$2
+compare=$3
+skipped=0
+
+die() { echo "cross: $*" >&2; exit 1; }
+available() { # name, commands ...; old compilers are not in every release of a system
+  name=$1; shift
+  for command; do
+    command -v "$command" >/dev/null && continue
+    [ -z "${C2D_ALL_HOSTS:-}" ] || [ "$name" = "$command" ] || die "$name: $command is not installed"
+    echo "cross: $name SKIPPED: $command is not installed"
+    skipped=$((skipped + 1))
+    return 1
+  done
+}
+solve() { # folder, emulator and program ...
+  out=$1; shift
+  rm -rf "$out/tapes"
+  "$@" run examples/hertz.dat --no-progress --listing "$out/hertz.lst" --csv "$out/hertz.csv" --memory 64K \
+    --store "file:$out/tapes" --keep
+}
+blocks() { # folder, compiler ...
+  out=$1; shift
+  "$@" -std=c99 -Wall -Wextra -Werror -Iinclude -Iport/stdio tests/cross/blocks.c "$out/libcontact2d.a" -lm -o "$out/blocks"
+  rm -rf "$out/saved"; mkdir -p "$out/saved"
+}
+check() { # name, make's variables; static: linked so, needs no libraries of that machine
+  name=$1 emulator=$2; shift 2
+  out=$folder/$name
+  "$MAKE" -s --no-print-directory BUILD="$out" "$@" "$out/libcontact2d.a" "$out/contact2d"
+  solve "$out" $emulator "$out/contact2d"
+  echo "cross: $name: the sample against this machine"
+  "$compare" "$folder/here/hertz.csv" "$out/hertz.csv" 1e-9
+}
+# Blocks that `from` wrote, read by `to`: the status that must come out, and words that must be in what is said.
+pass() { # from, to's emulator, to's program, expected
+  said=$($2 "$3" read "$1") || true
+  case $said in
+    $4) echo "cross: blocks of $1 read by $3: $said" ;;
+    *) die "blocks of $1 read by $3: expected $4, got: $said" ;;
+  esac
+}
+
+mkdir -p "$folder/here"
+cp "$here/libcontact2d.a" "$folder/here/"
+solve "$folder/here" "$here/contact2d"
+blocks "$folder/here" "$CC"
+"$folder/here/blocks" write "$folder/here/saved" >/dev/null
+pass "$folder/here/saved" '' "$folder/here/blocks" '0 *'
+
+if available 'i686 (32 bits)' i686-linux-gnu-g++; then
+  # 32-bit programs run on x86-64 as they are
+  case $(uname -m) in x86_64 | i686) run=;; *) run=qemu-i386; available 'i686 (32 bits)' qemu-i386 || exit 1;; esac
+  check i686 "$run" CXX=i686-linux-gnu-g++ CC=i686-linux-gnu-gcc AR=i686-linux-gnu-ar LDFLAGS=-static
+  blocks "$folder/i686" i686-linux-gnu-gcc -static
+  $run "$folder/i686/blocks" write "$folder/i686/saved" >/dev/null
+  pass "$folder/i686/saved" '' "$folder/here/blocks" '40 *' # C2D_ERR_MISMATCH: a state is a machine's own
+  pass "$folder/here/saved" "$run" "$folder/i686/blocks" '40 *'
+fi
+if available 's390x (big-endian)' s390x-linux-gnu-g++ qemu-s390x; then
+  check s390x qemu-s390x CXX=s390x-linux-gnu-g++ CC=s390x-linux-gnu-gcc AR=s390x-linux-gnu-ar LDFLAGS=-static
+  blocks "$folder/s390x" s390x-linux-gnu-gcc -static
+  qemu-s390x "$folder/s390x/blocks" write "$folder/s390x/saved" >/dev/null
+  pass "$folder/s390x/saved" '' "$folder/here/blocks" '40 *the other byte order*'
+  pass "$folder/here/saved" qemu-s390x "$folder/s390x/blocks" '40 *the other byte order*'
+fi
+available g++-11 g++-11 && check g++-11 '' CXX=g++-11 CC=gcc-11 CXXFLAGS='-O2 -Werror'
+available clang++-13 clang++-13 && check clang-13 '' CXX=clang++-13 CC=clang-13 CXXFLAGS='-O2 -Werror'
+echo "cross: done, $skipped skipped"
