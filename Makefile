@@ -61,13 +61,13 @@ $(BUILD)/flags: FORCE
 	@mkdir -p $(BUILD)/obj $(BUILD)/tests
 	@echo '$(subst ','\'',$(FLAGS_NOW))' | cmp -s - $@ || echo '$(subst ','\'',$(FLAGS_NOW))' > $@
 
-# The loops of the dense kernels ask for fused additions, and for the instruction set they are named after: which
-# of them runs is decided by the processor. src/linalg/kernel.hpp.
+# The loops of the dense kernels and of the batched integrals ask for fused additions, and for the instruction set
+# they are named after: which of them runs is decided by the processor. src/linalg/kernel.hpp.
 ifneq ($(findstring x86_64,$(shell $(CXX) -dumpmachine 2>/dev/null)),)
 KERNEL_kernel_avx2 := -mavx2 -mfma
 KERNEL_kernel_avx512 := -mavx512f -mfma
 endif
-kernel_flags = $(if $(findstring /linalg/kernel_,$(1)),-ffp-contract=fast $(KERNEL_$(basename $(notdir $(1)))))
+kernel_flags = $(if $(findstring /kernel_,$(1)),-ffp-contract=fast $(KERNEL_$(basename $(notdir $(1)))))
 define compile
 $(call object,$(1)): $(1) $(BUILD)/flags Makefile
 	$(if $(filter %.c,$(1)),$(CC) $(CPPFLAGS) $(INCLUDES) -std=c99 -Wall -Wextra -Wpedantic $(CFLAGS) -fPIC,\

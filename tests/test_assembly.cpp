@@ -1,5 +1,6 @@
 // The columns of a body's equations against integrals done the slow way, from the kernels as the thesis
 // prints them.
+#include "bie/batch.hpp"
 #include "bie/panel.hpp"
 #include "model_fixture.hpp"
 
@@ -7,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <memory>
 #include <vector>
@@ -16,6 +18,10 @@ using namespace fixture;
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
+
+const c2d::BatchKernel* best_batch() {
+  return c2d::batch_for(c2d::best_instructions());
+}
 
 // The whole matrix of a body, column by column.
 struct Columns {
@@ -28,13 +34,14 @@ struct Columns {
   std::unique_ptr<c2d::AssemblyScratch> scratch = std::make_unique<c2d::AssemblyScratch>();
   std::vector<c2d::Real> data;
 
-  Columns(ModelData& d, int body, int32_t width = 0) : model(d.view()), b(body) {
+  Columns(ModelData& d, int body, int32_t width = 0, const c2d::BatchKernel* batch = best_batch())
+      : model(d.view()), b(body) {
     c2d::number_unknowns(model, b);
     const size_t nodes = static_cast<size_t>(model.head->body[b].nodes);
     diagonal.resize(4 * nodes), point.resize(2 * nodes), twin.resize(nodes);
     system = {model, b, c2d::Quadrature::accurate, diagonal.data(), point.data(), twin.data(),
-              scratch.get()};
-    c2d::place_sources(system);
+              scratch.get(), batch};
+    system.some_passed_over = c2d::place_sources(system);
     c2d::fill_diagonal(system, 0, static_cast<int32_t>(nodes));
     rows = c2d::system_rows(model, b);
     columns = c2d::outer_columns(model, b) + c2d::trailing_columns(model);
@@ -301,6 +308,33 @@ TEST_CASE("assembly: any panels give the same columns") {
       CAPTURE(width);
       const Columns pieces(d, b, width);
       CHECK(pieces.data == whole.data);
+    }
+  }
+}
+
+TEST_CASE("assembly: sources in batches, by every instruction set, give what they give one by one") {
+  std::vector<ModelData> models = {hertz()};
+  for (int32_t functions : {1, 2, 3, 4}) models.push_back(bulged(functions, functions == 1 ? 2 : 3));
+  for (ModelData& d : models) {
+    REQUIRE_MESSAGE(d.complete(), d.all());
+    for (int b = 0; b < d.view().head->bodies; ++b) {
+      const Columns single(d, b, 0, nullptr);
+      double most = 0;
+      for (const c2d::Real value : single.data) most = std::max(most, std::fabs(static_cast<double>(value)));
+      for (int32_t set = 1; set <= static_cast<int32_t>(c2d::best_instructions()); ++set) {
+        const c2d::BatchKernel* batch = c2d::batch_for(static_cast<c2d::Instructions>(set));
+        if (!batch) continue;
+        CAPTURE(set);
+        const Columns batched(d, b, 0, batch);
+        double worst = 0;
+        for (size_t i = 0; i < single.data.size(); ++i)
+          worst = std::max(worst, std::fabs(static_cast<double>(batched.data[i] - single.data[i])));
+        CHECK(worst < 40 * static_cast<double>(std::numeric_limits<c2d::Real>::epsilon()) * most);
+        double diagonal = 0;
+        for (size_t i = 0; i < single.diagonal.size(); ++i)
+          diagonal = std::max(diagonal, std::fabs(batched.diagonal[i] - single.diagonal[i]));
+        CHECK(diagonal < 1e-14 * static_cast<double>(single.diagonal.size())); // a sum over all elements
+      }
     }
   }
 }

@@ -77,6 +77,7 @@ void add_node(const ColumnSystem& system, const Panel& panel, int32_t node) {
   const Body& body = m.head->body[b];
   if (system.twin[node] == kAxisNode) return;
   const bool second = system.twin[node] == kSecondTwin;
+  if (!second && !concerns(m, b, node, panel.range)) return;
   const int32_t twin = second ? twin_node(m, b, node) : kSingle;
   for (int c = 0; c < 2; ++c) {
     const Destination d = displacement_destination(m, b, node, c, unknown_at(m, b, node, c));

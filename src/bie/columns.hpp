@@ -20,6 +20,7 @@
 namespace c2d {
 
 struct AssemblyScratch; // bie/panel.hpp: what one element at a time needs, too much for a small stack
+struct BatchKernel;
 struct ColumnSystem {
   Model model;
   int32_t body;
@@ -28,6 +29,8 @@ struct ColumnSystem {
   double* point;    // [2 * nodes]: collocation points in the length unit
   int32_t* twin;    // [nodes]: the other node of a double node, kSingle, or kSecondTwin (no collocation there)
   AssemblyScratch* scratch;
+  const BatchKernel* batch = nullptr; // bie/batch.hpp; without it sources are taken one by one
+  bool some_passed_over = true;       // second twins or nodes of axis elements; place_sources() tells
 };
 constexpr int32_t kSingle = -1, kSecondTwin = -2, kAxisNode = -3; // kAxisNode: only axis elements meet there
 
@@ -39,8 +42,8 @@ struct Source {
 };
 Source mirrored_source(const ModelHeader& head, int image, const double at[2]);
 
-// Fill `point` and `twin`. Before everything else.
-void place_sources(const ColumnSystem& system);
+// Fill `point` and `twin`. Before everything else. Returns whether there are nodes without collocation.
+bool place_sources(const ColumnSystem& system);
 
 inline int32_t system_rows(const Model& m, int b) {
   return 2 * m.head->body[b].nodes + 3 + (b == 0 ? m.head->free_rows : 0);

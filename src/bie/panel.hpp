@@ -1,6 +1,7 @@
 #pragma once
 // Adding into a panel of columns, by one number or by the integrals of an element for one source after
 // another.
+#include "bie/deposits.hpp"
 #include "bie/holes.hpp"
 #include "bie/interior.hpp"
 #include "bie/targets.hpp"
@@ -30,31 +31,6 @@ struct Panel {
   }
   void send_g(const Destination& d, int32_t element, int l, int c, int32_t row, double integral) const {
     send(d, row, integral, [&](int32_t k) { return known_traction(m, b, element, l, c, k); });
-  }
-};
-
-// Where the integrals of one element go, worked out once for all sources: column[2 s + i] += factor *
-// block[i] with `block` the place of the component's integral for i = 0; i = 1 stands two doubles on.
-struct Deposit {
-  const double* block;
-  Real* column;
-  double factor;
-};
-constexpr int kMostDeposits = 48; // 4 nodes, 2 components, h and g: at most two contact columns, or one, each
-struct Deposits {
-  Deposit list[kMostDeposits];
-  int count;
-
-  void add(const double* block, Real* column, double factor) {
-    if (column && factor != 0.0 && count < kMostDeposits) list[count++] = Deposit{block, column, factor};
-  }
-  void pay(int32_t source) const {
-    for (int n = 0; n < count; ++n) {
-      const Deposit& d = list[n];
-      Real* to = d.column + 2 * source;
-      to[0] += static_cast<Real>(d.factor * d.block[0]);
-      to[1] += static_cast<Real>(d.factor * d.block[2]);
-    }
   }
 };
 

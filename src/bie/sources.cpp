@@ -1,4 +1,5 @@
 // Collocation points, their images, and what every one of them takes from an element.
+#include "bie/batch_sources.hpp"
 #include "bie/holes.hpp"
 #include "bie/panel.hpp"
 #include "model/symmetry.hpp"
@@ -13,7 +14,8 @@ Source mirrored_source(const ModelHeader& head, int image, const double at[2]) {
   return Source{p[0], p[1], p[0] == at[0] && p[1] == at[1]};
 }
 
-void place_sources(const ColumnSystem& system) {
+bool place_sources(const ColumnSystem& system) {
+  bool some_passed_over = false;
   const Model& m = system.model;
   for (int32_t node = 0; node < m.head->body[system.body].nodes; ++node) {
     double x, y;
@@ -24,17 +26,18 @@ void place_sources(const ColumnSystem& system) {
     system.twin[node] = second ? kSecondTwin : twin_node(m, system.body, node);
     int32_t ends[2];
     if (m.head->symmetry != 0 && ends_at_node(m, system.body, node, ends) == 0) system.twin[node] = kAxisNode;
+    some_passed_over = some_passed_over || system.twin[node] < kSingle;
   }
+  return some_passed_over;
 }
 
-namespace {
-
-// Local node of the element at which the source sits, itself or its twin; -1: none.
 int singular_node(const int32_t node[4], int count, int32_t source, int32_t twin) {
   for (int l = 0; l < count; ++l)
     if (node[l] == source || (twin >= 0 && node[l] == twin)) return l;
   return -1;
 }
+
+namespace {
 
 void sign_rows(int image, int functions, double block[4][2][2]) {
   for (int l = 0; l < functions; ++l)
@@ -65,6 +68,7 @@ void pay_sources(const ColumnSystem& system, const Hole* hole, const int32_t nod
   const Integrator& integrator = system.scratch->integrator;
   const Deposits& deposits = system.scratch->deposits;
   Blocks& blocks = system.scratch->blocks;
+  if (pay_batches(system, integrator, node, blocks, deposits)) return;
   const Model& m = system.model;
   const int nf = m.head->function_nodes;
   for (int32_t source = 0; source < m.head->body[system.body].nodes; ++source) {
@@ -95,6 +99,7 @@ void fill_diagonal(const ColumnSystem& system, int32_t first_node, int32_t count
     make_integrator(m, b, element, system.quadrature, Measure::own_length, integrator);
     int32_t node[4];
     for (int l = 0; l < m.head->function_nodes; ++l) node[l] = functional_node(m, b, element, l);
+    if (fill_diagonal_batches(system, integrator, node, first_node, count)) continue;
     for (int32_t source = first_node; source < first_node + count; ++source) {
       const int32_t twin = system.twin[source];
       if (twin == kSecondTwin || twin == kAxisNode) continue;

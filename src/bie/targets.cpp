@@ -64,8 +64,17 @@ double known_traction(const Model& m, int b, int32_t element, int l, int compone
   return m.end_traction[b][(load_case * ends + end) * 2 + component] / (2.0 * shear_modulus(m, b));
 }
 
+bool concerns(const Model& m, int b, int32_t node, const Range& range) {
+  if (range.last > m.head->body[b].columns) return true;
+  return m.node_column[b][node] < range.last && m.node_column[b][node + 1] > range.first;
+}
+
 void aim(const Model& m, int b, int32_t element, const Range& range, ElementTargets& out) {
   out.want_h = out.want_g = out.want_contact = false;
+  bool concerned = false;
+  for (int l = 0; l < m.head->function_nodes && !concerned; ++l)
+    concerned = concerns(m, b, functional_node(m, b, element, l), range);
+  if (!concerned) return;
   for (int l = 0; l < m.head->function_nodes; ++l) {
     const int32_t node = functional_node(m, b, element, l);
     out.node[l] = node;

@@ -35,6 +35,9 @@ Destination displacement_destination(const Model& m, int b, int32_t node, int co
 double known_displacement(const Model& m, int b, int32_t node, int component, int32_t load_case);
 double known_traction(const Model& m, int b, int32_t element, int l, int component, int32_t load_case);
 
+// May the range hold columns of a node's own unknowns? Always, if it goes beyond the columns of nodes.
+bool concerns(const Model& m, int b, int32_t node, const Range& range);
+
 // Targets of all that falls into the range; what does not goes nowhere.
 void aim(const Model& m, int b, int32_t element, const Range& range, ElementTargets& out);
 

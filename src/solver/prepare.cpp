@@ -1,6 +1,7 @@
 // Assemble, eliminate, reduce: from the model to the contact tableau on the tape.
 #include <math.h>
 
+#include "bie/batch.hpp"
 #include "bie/panel.hpp"
 #include "contact/reduction.hpp"
 #include "memory/hostile.hpp"
@@ -180,11 +181,11 @@ void note_scratch(c2d_solver* s, uint64_t area, int64_t used) {
   const Quadrature quadrature =
       s->options.quadrature == C2D_QUADRATURE_THESIS ? Quadrature::thesis : Quadrature::accurate;
   BodyJob job{s, ColumnSystem{m, b, quadrature, area.diagonal, area.point, area.twin,
-                                  static_cast<AssemblyScratch*>(area.scratch)},
+                              static_cast<AssemblyScratch*>(area.scratch), batch_for(best_instructions())},
               ContactTape{&s->tapes, m.head->contact, m.head->load_cases, area.buffer},
               static_cast<int64_t>(s->plan[b].pivots) + s->plan[b].trailing, 0.0};
   const double start = clock_now(s);
-  place_sources(job.system);
+  job.system.some_passed_over = place_sources(job.system);
   for (int32_t node = 0; node < m.head->body[b].nodes; node += kColumnsAtOnce) {
     const int32_t rest = m.head->body[b].nodes - node;
     fill_diagonal(job.system, node, rest < kColumnsAtOnce ? rest : kColumnsAtOnce);

@@ -2,6 +2,11 @@
 #include "bench.hpp"
 #include "model.hpp"
 
+#include "bie/batch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
 namespace bench {
 
 namespace {
@@ -24,9 +29,160 @@ double pairs_per_second(const Ring& ring, int32_t quadrature) {
   return median(rates);
 }
 
+// H and G of a disc with nodes on the unit circle, column-major: what a solver assembles, without its
+// bookkeeping.
+struct Polygon {
+  size_t n;
+  std::vector<double> xy, h, g;
+  std::vector<c2d::Integrator> integrator;
+
+  explicit Polygon(size_t elements) : n(elements), h(4 * n * n), g(4 * n * n) {
+    for (size_t i = 0; i < n; ++i) {
+      const double angle = 2 * 3.14159265358979324 * static_cast<double>(i) / static_cast<double>(n);
+      xy.push_back(std::cos(angle)), xy.push_back(std::sin(angle));
+    }
+    for (size_t i = 0; i < n; ++i) {
+      const size_t j = next(i);
+      const double x[2] = {xy[2 * i], xy[2 * j]}, y[2] = {xy[2 * i + 1], xy[2 * j + 1]};
+      integrator.emplace_back();
+      c2d::prepare(integrator.back(), c2d::make_element(2, x, y), 2, 0.3, c2d::Quadrature::accurate);
+    }
+  }
+  size_t next(size_t i) const { return (i + 1) % n; }
+  double* column(std::vector<double>& of, size_t element, int l, int c) const {
+    return of.data() + 2 * n * (2 * (l == 0 ? element : next(element)) + static_cast<size_t>(c));
+  }
+  void clear() {
+    std::fill(h.begin(), h.end(), 0.0);
+    std::fill(g.begin(), g.end(), 0.0);
+  }
+};
+
+// Four Gauss points per pair, wherever the source is, as textbooks do it.
+void textbook(Polygon& p) {
+  const double eta[4] = {-0.861136311594053, -0.339981043584856, 0.339981043584856, 0.861136311594053};
+  const double w[4] = {0.347854845137454, 0.652145154862546, 0.652145154862546, 0.347854845137454};
+  const double nu = 0.3, k = 1 / (4 * 3.14159265358979324 * (1 - nu));
+  for (size_t e = 0; e < p.n; ++e) {
+    const c2d::Element& at = p.integrator[e].element;
+    const double dx = 0.5 * (at.x[1] - at.x[0]), dy = 0.5 * (at.y[1] - at.y[0]),
+                 jacobian = std::sqrt(dx * dx + dy * dy);
+    const double n[2] = {dy / jacobian, -dx / jacobian};
+    for (size_t s = 0; s < p.n; ++s) {
+      double h[2][2][2] = {}, g[2][2][2] = {};
+      for (int q = 0; q < 4; ++q) {
+        const double shape[2] = {0.5 * (1 - eta[q]), 0.5 * (1 + eta[q])};
+        const double rx = shape[0] * at.x[0] + shape[1] * at.x[1] - p.xy[2 * s];
+        const double ry = shape[0] * at.y[0] + shape[1] * at.y[1] - p.xy[2 * s + 1];
+        const double r = std::sqrt(rx * rx + ry * ry), d[2] = {rx / r, ry / r},
+                     dn = d[0] * n[0] + d[1] * n[1];
+        const double log_r = std::log(r), weight = w[q] * jacobian * k;
+        for (int i = 0; i < 2; ++i)
+          for (int j = 0; j < 2; ++j) {
+            const double same = i == j ? 1 : 0;
+            const double u = -(3 - 4 * nu) * log_r * same + d[i] * d[j];
+            const double t =
+                -(dn * ((1 - 2 * nu) * same + 2 * d[i] * d[j]) - (1 - 2 * nu) * (d[i] * n[j] - d[j] * n[i])) /
+                r;
+            for (int l = 0; l < 2; ++l) {
+              h[l][i][j] += weight * shape[l] * t;
+              g[l][i][j] += weight * shape[l] * u;
+            }
+          }
+      }
+      for (int l = 0; l < 2; ++l)
+        for (int j = 0; j < 2; ++j)
+          for (int i = 0; i < 2; ++i) {
+            p.column(p.h, e, l, j)[2 * s + static_cast<size_t>(i)] += h[l][i][j];
+            p.column(p.g, e, l, j)[2 * s + static_cast<size_t>(i)] += g[l][i][j];
+          }
+    }
+  }
+}
+
+void batched(Polygon& p, const c2d::BatchKernel& kernel) {
+  c2d::BatchBlocks room;
+  c2d::Blocks blocks;
+  c2d::Deposits deposits;
+  for (size_t e = 0; e < p.n; ++e) {
+    deposits.count = 0;
+    for (int l = 0; l < 2; ++l)
+      for (int j = 0; j < 2; ++j) {
+        deposits.add(&blocks.h[l][0][j], p.column(p.h, e, l, j), 1);
+        deposits.add(&blocks.g[l][0][j], p.column(p.g, e, l, j), 1);
+      }
+    const c2d::BatchRun run = {c2d::batch_element(p.integrator[e]), &deposits, &blocks, true, true, {1, 1}};
+    kernel.integrate_and_pay(run, p.xy.data(), 0, static_cast<int32_t>(p.n), room);
+  }
+}
+
+void one_by_one(Polygon& p) {
+  c2d::Blocks out;
+  for (size_t e = 0; e < p.n; ++e)
+    for (size_t s = 0; s < p.n; ++s) {
+      const int singular = s == e ? 0 : s == p.next(e) ? 1 : -1;
+      c2d::integrate(p.integrator[e], p.xy[2 * s], p.xy[2 * s + 1], singular, true, true, out);
+      for (int l = 0; l < 2; ++l)
+        for (int j = 0; j < 2; ++j)
+          for (int i = 0; i < 2; ++i) {
+            p.column(p.h, e, l, j)[2 * s + static_cast<size_t>(i)] += out.h[l][i][j];
+            p.column(p.g, e, l, j)[2 * s + static_cast<size_t>(i)] += out.g[l][i][j];
+          }
+    }
+}
+
+// The textbook's loop and every instruction set in turns, so that a slow spell of the machine strikes all.
+void matrices() {
+  heading("Assembly of H and G of 1000 linear elements: millions of source-element pairs per second");
+  Polygon p(1000);
+  const char* names[] = {"one_by_one", "baseline", "avx2", "avx512"};
+  const int sets = static_cast<int>(c2d::best_instructions());
+  std::vector<double> seconds[5];
+  for (int turn = 0; turn < 7; ++turn)
+    for (int way = 0; way <= sets + 1; ++way) {
+      const c2d::BatchKernel* kernel =
+          way > sets ? nullptr : c2d::batch_for(static_cast<c2d::Instructions>(way));
+      if (way > 0 && way <= sets && !kernel) continue;
+      p.clear();
+      const double start = processor_seconds();
+      if (way > sets)
+        textbook(p);
+      else if (kernel)
+        batched(p, *kernel);
+      else
+        one_by_one(p);
+      seconds[way].push_back(processor_seconds() - start);
+    }
+  const double pairs = static_cast<double>(p.n * p.n) * 1e-6, loop = median(seconds[sets + 1]);
+  row("assembly.matrices.textbook", pairs / loop, "M/s",
+      "four Gauss points everywhere, nothing near or singular");
+  for (int way = 0; way <= sets; ++way) {
+    const double t = median(seconds[way]);
+    if (t > 0)
+      row(std::string("assembly.matrices.") + names[way], pairs / t, "M/s",
+          times(loop / t) + " of the textbook");
+  }
+}
+
+// What c2d_prepare spends in assembly: the matrix of the unknowns, its diagonal, balances and right-hand
+// side.
+void whole_body() {
+  const Disc disc = {1000};
+  std::vector<double> seconds;
+  for (int turn = 0; turn < 7; ++turn) {
+    const Solver solver(disc.limits());
+    disc.build(solver);
+    solver.must(c2d_prepare(solver));
+    seconds.push_back(solver.summary().seconds[C2D_PHASE_ASSEMBLE]);
+  }
+  row("assembly.disc.1000", median(seconds) * 1e3, "ms", "a disc of 1000 linear elements, all of it");
+}
+
 } // namespace
 
 void assembly() {
+  matrices();
+  whole_body();
   heading(
       "Assembly: millions of source-element pairs per second, all in one panel (ring of 2 x 60 elements)");
   for (const int order : {2, 3, 4}) {

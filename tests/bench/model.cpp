@@ -235,4 +235,31 @@ void Ring::build(const Solver& s) const {
   s.must(c2d_complete(s));
 }
 
+c2d_limits Disc::limits() const {
+  c2d_limits out = C2D_INIT(c2d_limits);
+  out.bodies = 1;
+  out.function_nodes = 2;
+  out.elements[0] = out.geometry_nodes[0] = elements;
+  out.regions[0] = out.coefficients = out.paths = 1;
+  return out;
+}
+
+void Disc::build(const Solver& s) const {
+  c2d_problem problem = C2D_INIT(c2d_problem);
+  problem.analysis = C2D_ANALYSIS_STRESS;
+  s.must(c2d_set_problem(s, &problem));
+  std::vector<double> xy;
+  for (int32_t i = 0; i < elements; ++i) {
+    const double angle = 2 * kPi * i / elements;
+    xy.push_back(std::cos(angle)), xy.push_back(std::sin(angle));
+  }
+  add_body(s, 1, xy, 1000);
+  condition(s, 1, 1, elements / 4, "1100");
+  condition_at(s, 1, elements / 4 + 1, 1, "0000");
+  condition_at(s, 1, elements, 2, "0000");
+  condition(s, 1, elements / 2, 3 * elements / 4, "0011", -1);
+  s.must(c2d_add_path(s, 1, 1));
+  s.must(c2d_complete(s));
+}
+
 } // namespace bench

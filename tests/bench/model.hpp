@@ -46,4 +46,11 @@ struct Ring {
   void build(const Solver& solver) const;
 };
 
+// A disc of straight linear elements, radius 1: held on a quarter of its boundary, pressed on another.
+struct Disc {
+  int32_t elements;
+  c2d_limits limits() const;
+  void build(const Solver& solver) const;
+};
+
 } // namespace bench

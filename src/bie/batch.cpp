@@ -1,0 +1,48 @@
+#include "bie/batch.hpp"
+
+namespace c2d {
+
+const BatchKernel* batch_for(Instructions set) {
+  switch (set) {
+  case Instructions::avx512:
+    return avx512_batch();
+  case Instructions::avx2:
+    return avx2_batch();
+  case Instructions::baseline:
+    return baseline_batch();
+  default:
+    return nullptr;
+  }
+}
+
+BatchElement batch_element(const Integrator& in) {
+  const Element& e = in.element;
+  const int last = e.nodes - 1;
+  const double k = in.k, kg = in.k * in.g_jacobian;
+  BatchElement b;
+  b.x0 = e.x[0];
+  b.y0 = e.y[0];
+  b.x1 = e.x[last];
+  b.y1 = e.y[last];
+  b.ux = in.ux;
+  b.uy = in.uy;
+  b.h_alpha = -k * in.t2;
+  b.h_delta = k * in.t1;
+  b.h_cos2 = -k * in.cos2;
+  b.h_sin2 = -k * in.sin2;
+  b.g_alpha = kg * (0.5 - in.kappa * in.log_half);
+  b.g_log = kg * in.kappa;
+  b.g_cos2 = -kg * in.cos2;
+  b.g_sin2 = -kg * in.sin2;
+  b.g_half_cos2 = 0.5 * kg * in.cos2;
+  b.g_half_sin2 = 0.5 * kg * in.sin2;
+  b.functions = in.functions;
+  return b;
+}
+
+bool is_batched(const Integrator& in, bool want_g) {
+  return in.mode == Quadrature::accurate && !in.degenerate && in.element.straight &&
+         (!want_g || in.closed_form_g);
+}
+
+} // namespace c2d

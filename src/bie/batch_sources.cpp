@@ -1,0 +1,205 @@
+#include "bie/batch_sources.hpp"
+
+#include "bie/batch.hpp"
+#include "model/symmetry.hpp"
+
+namespace c2d {
+
+#ifdef C2D_SMALL
+
+bool pay_batches(const ColumnSystem&, const Integrator&, const int32_t*, Blocks&, const Deposits&) {
+  return false;
+}
+
+bool fill_diagonal_batches(const ColumnSystem&, const Integrator&, const int32_t*, int32_t, int32_t) {
+  return false;
+}
+
+#else
+
+namespace {
+
+// Sources at the element's own functional nodes: they have integrals of their own kind.
+struct OwnSources {
+  int32_t source[4];
+  int count;
+};
+
+OwnSources own_sources(const ColumnSystem& system, const int32_t node[4], int functions) {
+  OwnSources own;
+  own.count = functions;
+  for (int l = 0; l < functions; ++l)
+    own.source[l] =
+        system.twin[node[l]] == kSecondTwin ? twin_node(system.model, system.body, node[l]) : node[l];
+  return own;
+}
+
+// Consecutive sources: whole batches of which every lane is a source that does not sit on the element, or one
+// batch of any kind, fewer at the body's end.
+struct Group {
+  int32_t first, count;
+  bool plain;
+};
+
+bool is_plain(const ColumnSystem& system, const OwnSources& own, int32_t first) {
+  for (int n = 0; n < own.count; ++n)
+    if (own.source[n] >= first && own.source[n] < first + kBatch) return false;
+  if (!system.some_passed_over) return true;
+  const int32_t* twin = system.twin + first;
+  for (int s = 0; s < kBatch; ++s)
+    if (twin[s] < kSingle) return false;
+  return true;
+}
+
+Group group_at(const ColumnSystem& system, const OwnSources& own, int32_t first, int32_t end) {
+  Group g{first, end - first, false};
+  if (g.count < kBatch) return g;
+  g.count = 0;
+  while (first + g.count + kBatch <= end && is_plain(system, own, first + g.count)) g.count += kBatch;
+  g.plain = g.count > 0;
+  if (!g.plain) g.count = kBatch;
+  return g;
+}
+
+bool is_passed_over(int32_t twin) {
+  return twin == kSecondTwin || twin == kAxisNode;
+}
+
+// Where a batch of sources stands for an image: in `room`, if not where it is stored. Beyond the body's end
+// the last source stands again.
+const double* places(const ColumnSystem& system, int32_t first, int32_t count, int image,
+                     double room[2 * kBatch]) {
+  const double* at = system.point + 2 * static_cast<int64_t>(first);
+  if (image == 0 && count >= kBatch) return at;
+  for (int s = 0; s < kBatch; ++s) {
+    const Source p = mirrored_source(*system.model.head, image, at + 2 * (s < count ? s : count - 1));
+    room[2 * s] = p.x;
+    room[2 * s + 1] = p.y;
+  }
+  return room;
+}
+
+// Local node at which lane s sits, -1 if none.
+int singular_lane(const ColumnSystem& system, const Integrator& in, const int32_t node[4], const Group& g,
+                  int image, int s, Source& p) {
+  const int32_t source = g.first + s;
+  p = mirrored_source(*system.model.head, image, system.point + 2 * static_cast<int64_t>(source));
+  return p.on_itself ? singular_node(node, in.functions, source, system.twin[source]) : -1;
+}
+
+struct BatchJob {
+  const ColumnSystem& system;
+  const Integrator& in;
+  const int32_t* node;
+  BatchRun run;
+};
+
+// Lanes that are no source get nothing, those on the element what is theirs.
+void mend_lanes(const BatchJob& job, const Group& g, int image, Blocks& blocks, BatchBlocks& out) {
+  for (int s = 0; s < g.count; ++s) {
+    Source p;
+    const bool none = is_passed_over(job.system.twin[g.first + s]);
+    const int singular = none ? -1 : singular_lane(job.system, job.in, job.node, g, image, s, p);
+    if (!none && singular < 0) continue;
+    if (!none) integrate(job.in, p.x, p.y, singular, job.run.want_h, job.run.want_g, blocks);
+    for (int l = 0; l < job.in.functions; ++l)
+      for (int i = 0; i < 2; ++i)
+        for (int j = 0; j < 2; ++j) {
+          if (job.run.want_h) out.h[l][j][2 * s + i] = none ? 0.0 : blocks.h[l][i][j];
+          if (job.run.want_g) out.g[l][j][2 * s + i] = none ? 0.0 : blocks.g[l][i][j];
+        }
+  }
+}
+
+void pay_group(BatchJob& job, const Group& g, int image, Blocks& blocks, BatchBlocks& out) {
+  const BatchKernel& kernel = *job.system.batch;
+  BatchRun& run = job.run;
+  for (int i = 0; i < 2; ++i) run.sign[i] = image_sign(image, i);
+  double room[2 * kBatch];
+  if (!g.plain) {
+    kernel.integrate(run.element, places(job.system, g.first, g.count, image, room), run.want_h, run.want_g,
+                     out);
+    mend_lanes(job, g, image, blocks, out);
+    kernel.pay(run, g.first, g.count, out);
+    return;
+  }
+  const int32_t step = image == 0 ? g.count : kBatch;
+  for (int32_t s = 0; s < g.count; s += step)
+    kernel.integrate_and_pay(run, places(job.system, g.first + s, step, image, room), g.first + s, step, out);
+}
+
+} // namespace
+
+bool pay_batches(const ColumnSystem& system, const Integrator& integrator, const int32_t node[4],
+                 Blocks& blocks, const Deposits& deposits) {
+  if (!system.batch) return false;
+  BatchJob job{system, integrator, node, BatchRun{{}, &deposits, &blocks, false, false, {1.0, 1.0}}};
+  for (int n = 0; n < deposits.count; ++n)
+    (deposits.list[n].block < &blocks.g[0][0][0] ? job.run.want_h : job.run.want_g) = true;
+  if (!is_batched(integrator, job.run.want_g)) return false;
+  job.run.element = batch_element(integrator);
+  const ModelHeader& head = *system.model.head;
+  const int32_t end = head.body[system.body].nodes;
+  const OwnSources own = own_sources(system, node, integrator.functions);
+  BatchBlocks out;
+  for (int32_t first = 0; first < end;) {
+    const Group g = group_at(system, own, first, end);
+    for (int image = 0; image <= head.symmetry; ++image)
+      if (is_image(head, image)) pay_group(job, g, image, blocks, out);
+    first += g.count;
+  }
+  return true;
+}
+
+namespace {
+
+// One batch, source by source.
+void take_off(const ColumnSystem& system, const Integrator& in, const int32_t node[4], const Group& g,
+              int image, double* sum) {
+  double* diagonal = system.diagonal + 4 * static_cast<int64_t>(g.first);
+  for (int s = 0; s < g.count; ++s) {
+    if (is_passed_over(system.twin[g.first + s])) continue;
+    Source p;
+    double own[2][2];
+    const int singular = singular_lane(system, in, node, g, image, s, p);
+    if (singular >= 0) rigid_sum(in, p.x, p.y, singular, own);
+    for (int i = 0; i < 4; ++i) {
+      const double value = singular >= 0 ? own[i / 2][i % 2] : sum[4 * s + i];
+      diagonal[4 * s + i] -= image_sign(image, i / 2) * image_sign(image, i % 2) * value;
+    }
+  }
+}
+
+} // namespace
+
+bool fill_diagonal_batches(const ColumnSystem& system, const Integrator& integrator, const int32_t node[4],
+                           int32_t first_node, int32_t count) {
+  if (!system.batch || !is_batched(integrator, false)) return false;
+  const ModelHeader& head = *system.model.head;
+  const BatchElement element = batch_element(integrator);
+  const int32_t end = first_node + count;
+  const OwnSources own = own_sources(system, node, integrator.functions);
+  double room[2 * kBatch], sum[4 * kBatch];
+  for (int32_t first = first_node; first < end;) {
+    const Group g = group_at(system, own, first, end);
+    for (int image = 0; image <= head.symmetry; ++image) {
+      if (!is_image(head, image)) continue;
+      if (image == 0 && g.plain) {
+        system.batch->rigid_off(element, system.point + 2 * static_cast<int64_t>(first), g.count,
+                                system.diagonal + 4 * static_cast<int64_t>(first));
+        continue;
+      }
+      for (int32_t s = 0; s < g.count; s += kBatch) {
+        const Group part{first + s, g.count - s < kBatch ? g.count - s : kBatch, false};
+        system.batch->rigid(element, places(system, part.first, part.count, image, room), sum);
+        take_off(system, integrator, node, part, image, sum);
+      }
+    }
+    first += g.count;
+  }
+  return true;
+}
+
+#endif
+
+} // namespace c2d

@@ -1,0 +1,35 @@
+#pragma once
+// Adding the integrals of an element to columns of a panel.
+#include "bie/integrals.hpp"
+#include "memory/real.hpp"
+
+#include <stdint.h>
+
+namespace c2d {
+
+// Where the integrals of one element go, worked out once for all sources: column[2 s + i] += factor *
+// block[i] with `block` the place of the component's integral for i = 0; i = 1 stands two doubles on.
+struct Deposit {
+  const double* block;
+  Real* column;
+  double factor;
+};
+constexpr int kMostDeposits = 48; // 4 nodes, 2 components, h and g: at most two contact columns, or one, each
+struct Deposits {
+  Deposit list[kMostDeposits];
+  int count;
+
+  void add(const double* block, Real* column, double factor) {
+    if (column && factor != 0.0 && count < kMostDeposits) list[count++] = Deposit{block, column, factor};
+  }
+  void pay(int32_t source) const {
+    for (int n = 0; n < count; ++n) {
+      const Deposit& d = list[n];
+      Real* to = d.column + 2 * source;
+      to[0] += static_cast<Real>(d.factor * d.block[0]);
+      to[1] += static_cast<Real>(d.factor * d.block[2]);
+    }
+  }
+};
+
+} // namespace c2d

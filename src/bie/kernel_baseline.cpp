@@ -1,0 +1,14 @@
+// Two sources at a time, on any machine. See batch_loops.hpp.
+#include "bie/batch.hpp"
+#if !defined(C2D_SMALL)
+#define C2D_VECTOR_BYTES 16
+#include "bie/batch_loops.hpp"
+
+const c2d::BatchKernel* c2d::baseline_batch() {
+  return &kBatchLoops;
+}
+#else
+const c2d::BatchKernel* c2d::baseline_batch() {
+  return nullptr;
+}
+#endif
