@@ -429,7 +429,7 @@ std::string number_in(int columns, double value) {
 }
 
 bool write_deck(const ProblemModel& model, std::string& deck) {
-  constexpr double kMostMiss = 0.02; // more would be felt in the gaps
+  constexpr double kMostMiss = 0.1; // half of it changes the peak of a flat Hertzian contact by 1e-4
   Writer writer(model);
   deck = writer.write();
   return writer.worst_miss() <= kMostMiss;
