@@ -46,6 +46,7 @@ const Word kStatusWords[] = {
     {C2D_WARN_RESIDUAL, "the tableau was rebuilt"},
     {C2D_WARN_CONDITION, "badly conditioned equations"},
     {C2D_WARN_OFFSET, "nodes of a pair are shifted"},
+    {C2D_WARN_LEFT_OUT, "an element is left out of a contact zone"},
 };
 
 const Word kOutcomeWords[] = {
