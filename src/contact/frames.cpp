@@ -321,7 +321,8 @@ void warn_unsure(const Model& m, int32_t zone, const Unsure& unsure, Reporter& r
   if (unsure.count == 0) return;
   Finding f = warning(C2D_WARN_OVERLAP);
   locate_pair(f, m, unsure.pair);
-  say(f, "zone ", zone + 1, ": ", unsure.count, " overlaps are smaller than what the elements may be off the surfaces, ");
+  say(f, "zone ", zone + 1, ": ", unsure.count,
+      " overlaps are smaller than what the elements may be off the surfaces, ");
   say_pair(f, m, unsure.pair);
   say(f, ": ", unsure.overlap, " against ", unsure.doubt);
   tell(reporter, f);
