@@ -65,6 +65,18 @@ TEST_CASE("families: Hertz, a larger block and a larger cylinder change little")
   CHECK(std::fabs(here - larger) < 1e-4);
 }
 
+TEST_CASE("families: Hertz as flat as a/R = 1e-5, where the first neighbours all but touch") {
+  const struct {
+    const char* key;
+    double radius;
+  } cases[] = {{"R=1e3", 1e3}, {"R=1e4", 1e4}, {"R=1e5", 1e5}};
+  for (const auto& c : cases) {
+    const Solution s = solve("hertz", {c.key, "n=40"});
+    CAPTURE(c.key);
+    CHECK(std::fabs(solved(s)[0].tn / (1000 / (2 * 0.91) / (2 * c.radius)) - 1) < 1e-3); // measured 1.2e-4
+  }
+}
+
 // ------------------------------------------------------------------ receding layer
 TEST_CASE("families: receding layer, three ratios of stiffness") {
   const struct {

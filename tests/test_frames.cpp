@@ -80,7 +80,7 @@ TEST_CASE("frames: small gaps touch, overlap is a fault") {
     REQUIRE(d.complete());
     for (const c2d::Pair& p : d.pairs) CHECK(p.gap == 0);
   }
-  ModelData open = blocks(1.1e-5);
+  ModelData open = blocks(1.1e-5); // a little more is a gap
   REQUIRE(open.complete());
   CHECK(open.pairs[2].gap == doctest::Approx(1.1e-5).epsilon(1e-9));
   ModelData overlap = blocks(-0.01);

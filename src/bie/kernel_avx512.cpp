@@ -5,7 +5,7 @@
 #include "bie/batch_loops.hpp"
 
 const c2d::BatchKernel* c2d::avx512_batch() {
-  return &kLoops;
+  return &kBatchLoops;
 }
 #else
 const c2d::BatchKernel* c2d::avx512_batch() {

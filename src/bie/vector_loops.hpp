@@ -11,22 +11,22 @@
 namespace c2d {
 namespace {
 
-constexpr int kLanes = C2D_VECTOR_BYTES / 8;
+constexpr int kDoubles = C2D_VECTOR_BYTES / 8;
 
-typedef double Vector __attribute__((vector_size(C2D_VECTOR_BYTES)));
+typedef double Doubles __attribute__((vector_size(C2D_VECTOR_BYTES)));
 typedef int64_t Bits __attribute__((vector_size(C2D_VECTOR_BYTES)));
 typedef uint64_t Unsigned __attribute__((vector_size(C2D_VECTOR_BYTES)));
 // Vectors that may lie anywhere a number may.
 typedef double Loose __attribute__((vector_size(C2D_VECTOR_BYTES), aligned(8), may_alias));
 
-INLINE Vector load(const double* from) {
+INLINE Doubles load(const double* from) {
   return *reinterpret_cast<const Loose*>(from);
 }
-INLINE void save(double* to, Vector v) {
+INLINE void save(double* to, Doubles v) {
   *reinterpret_cast<Loose*>(to) = v;
 }
-INLINE Vector all(double x) {
-  return Vector{} + x;
+INLINE Doubles all(double x) {
+  return Doubles{} + x;
 }
 
 // Pairs of lanes 0, 2, ... of a and b; of lanes 1, 3, ...: cheap on every machine. What was loaded by these
@@ -38,54 +38,54 @@ INLINE Vector all(double x) {
 #define C2D_SHUFFLE(a, b, ...) __builtin_shuffle(a, b, Bits{__VA_ARGS__})
 #endif
 #if C2D_VECTOR_BYTES == 64
-INLINE Vector evens(Vector a, Vector b) {
+INLINE Doubles evens(Doubles a, Doubles b) {
   return C2D_SHUFFLE(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
 }
-INLINE Vector odds(Vector a, Vector b) {
+INLINE Doubles odds(Doubles a, Doubles b) {
   return C2D_SHUFFLE(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
 }
-INLINE Vector low_pairs(Vector a, Vector b) {
+INLINE Doubles low_pairs(Doubles a, Doubles b) {
   return C2D_SHUFFLE(a, b, 0, 1, 8, 9, 2, 3, 10, 11);
 }
-INLINE Vector high_pairs(Vector a, Vector b) {
+INLINE Doubles high_pairs(Doubles a, Doubles b) {
   return C2D_SHUFFLE(a, b, 4, 5, 12, 13, 6, 7, 14, 15);
 }
 #elif C2D_VECTOR_BYTES == 32
-INLINE Vector evens(Vector a, Vector b) {
+INLINE Doubles evens(Doubles a, Doubles b) {
   return C2D_SHUFFLE(a, b, 0, 4, 2, 6);
 }
-INLINE Vector odds(Vector a, Vector b) {
+INLINE Doubles odds(Doubles a, Doubles b) {
   return C2D_SHUFFLE(a, b, 1, 5, 3, 7);
 }
-INLINE Vector low_pairs(Vector a, Vector b) {
+INLINE Doubles low_pairs(Doubles a, Doubles b) {
   return C2D_SHUFFLE(a, b, 0, 1, 4, 5);
 }
-INLINE Vector high_pairs(Vector a, Vector b) {
+INLINE Doubles high_pairs(Doubles a, Doubles b) {
   return C2D_SHUFFLE(a, b, 2, 3, 6, 7);
 }
 #else
-INLINE Vector evens(Vector a, Vector b) {
+INLINE Doubles evens(Doubles a, Doubles b) {
   return C2D_SHUFFLE(a, b, 0, 2);
 }
-INLINE Vector odds(Vector a, Vector b) {
+INLINE Doubles odds(Doubles a, Doubles b) {
   return C2D_SHUFFLE(a, b, 1, 3);
 }
-INLINE Vector low_pairs(Vector a, Vector) {
+INLINE Doubles low_pairs(Doubles a, Doubles) {
   return a;
 }
-INLINE Vector high_pairs(Vector, Vector b) {
+INLINE Doubles high_pairs(Doubles, Doubles b) {
   return b;
 }
 #endif
 #undef C2D_SHUFFLE
 
-INLINE double least(Vector v) {
+INLINE double least(Doubles v) {
   double lowest = v[0];
-  for (int i = 1; i < kLanes; ++i) lowest = v[i] < lowest ? v[i] : lowest;
+  for (int i = 1; i < kDoubles; ++i) lowest = v[i] < lowest ? v[i] : lowest;
   return lowest;
 }
 
-INLINE Vector size_of(Vector x) {
+INLINE Doubles magnitude(Doubles x) {
   return x < 0.0 ? -x : x;
 }
 
@@ -98,14 +98,14 @@ constexpr double kLogarithm[] = {0.66666666666666696862, 0.3999999999989950449, 
                                  0.1461644968504340586};
 
 // ln x, x > 0 and normal: x = 2^k (1+f), 1+f within a factor sqrt 2 of 1, s = f/(2+f).
-INLINE Vector logarithm(Vector x) {
+INLINE Doubles logarithm(Doubles x) {
   constexpr int64_t kHalfRoot = 0x3fe6a09e667f3bcd, kBias = int64_t(1023) << 52, kTwo52 = 0x4330000000000000;
   const Bits bits = (Bits)x;
   const Bits e = (Bits)((Unsigned)(bits + (kBias - kHalfRoot)) >> 52); // k + 1023
-  const Vector k = (Vector)(e | kTwo52) - (4503599627370496.0 + 1023.0);
-  const Vector f = (Vector)(bits - (e << 52) + kBias) - 1.0;
-  const Vector s = f / (2.0 + f), z = s * s;
-  Vector p = all(kLogarithm[6]);
+  const Doubles k = (Doubles)(e | kTwo52) - (4503599627370496.0 + 1023.0);
+  const Doubles f = (Doubles)(bits - (e << 52) + kBias) - 1.0;
+  const Doubles s = f / (2.0 + f), z = s * s;
+  Doubles p = all(kLogarithm[6]);
 #pragma GCC unroll 6
   for (int i = 5; i >= 0; --i) p = p * z + kLogarithm[i];
   return k * kLn2 + (f - (s * (f - z * p) - k * kLn2Rest));
@@ -119,26 +119,26 @@ constexpr double kArctangent[] = {
 
 // atan2(y, x), sizes below 1e300; 0 where both are 0. The smaller over the larger, less atan 1 = pi/4 where
 // that leaves a smaller number.
-INLINE Vector angle(Vector y, Vector x) {
+INLINE Doubles angle(Doubles y, Doubles x) {
   constexpr double kQuarter = 0x1.921fb54442d00p-1, kQuarterRest = 2.6951514290790595e-15; // times 4 exact
-  const Vector ax = size_of(x), ay = size_of(y);
+  const Doubles ax = magnitude(x), ay = magnitude(y);
   const Bits steep = ay > ax;
-  const Vector small = steep ? ax : ay, large = steep ? ay : ax;
+  const Doubles small = steep ? ax : ay, large = steep ? ay : ax;
   const Bits turned = small > 0.41421356237309503 * large;
-  const Vector over = turned ? small - large : small, under = (turned ? small + large : large) + 1e-300;
-  const Vector t = over / under, z = t * t;
-  Vector p = all(kArctangent[10]);
+  const Doubles over = turned ? small - large : small, under = (turned ? small + large : large) + 1e-300;
+  const Doubles t = over / under, z = t * t;
+  Doubles p = all(kArctangent[10]);
 #pragma GCC unroll 10
   for (int i = 9; i >= 0; --i) p = p * z + kArctangent[i];
   // In quarters of pi: 1 if turned; steep: 2 - that; x < 0: 4 - that.
-  const Vector one = all(1.0), zero = all(0.0);
-  Vector quarters = turned ? one : zero, sign = one;
+  const Doubles one = all(1.0), zero = all(0.0);
+  Doubles quarters = turned ? one : zero, sign = one;
   quarters = steep ? 2.0 - quarters : quarters;
   sign = steep ? -sign : sign;
   quarters = x < 0.0 ? 4.0 - quarters : quarters;
   sign = x < 0.0 ? -sign : sign;
-  const Vector part = sign * t;
-  const Vector a = quarters * kQuarter + (part + (part * (z * p) + quarters * kQuarterRest));
+  const Doubles part = sign * t;
+  const Doubles a = quarters * kQuarter + (part + (part * (z * p) + quarters * kQuarterRest));
   return y < 0.0 ? -a : a;
 }
 

@@ -15,7 +15,12 @@ namespace {
 
 constexpr double kDegree = 0.017453292519943295;
 constexpr double kGapDirection = 1e-3; // of the element length: a longer gap has a direction of its own
-constexpr double kGapTolerance = 1e-5; // of the element length: a smaller gap touches
+// Of the element length. A smaller overlap is none. A smaller gap is none if it is within the digits that cards hold, or if
+// the whole zone has no larger one, as surfaces that are meant to coincide: the first neighbours of a point of
+// first contact may be as close, and their gaps count (1e-5 elements are 5 % of the pressure at a/R = 1e-4).
+constexpr double kGapTolerance = 1e-5;
+constexpr double kExactGap = 1e-9;
+constexpr double kCardDigits = 2e-7; // of a coordinate
 constexpr double kOffset = 0.5;        // of the element length: nodes shifted further do not face each other
 constexpr double kAlongNormal = 0.5;   // least cosine between the average normal and a symmetric pair's frame
 
@@ -203,11 +208,18 @@ bool set_normal(const Model& m, int32_t pair, const Surface& s1, const Surface& 
   return true;
 }
 
-// Adds to what p.gap holds. `doubt`: how much of it may come from elements that are not quite the surfaces.
-void set_gap(const Model& m, int32_t pair, const double g[2], double doubt, Reporter& reporter) {
+// Gaps up to this cannot be told from none, with the node of body 1 at (x, y).
+double least_gap(const Pair& p, double x, double y) {
+  const double digits = kCardDigits * (fabs(p.nx * x) + fabs(p.ny * y));
+  return fmin(kGapTolerance * p.length, fmax(kExactGap * p.length, digits));
+}
+
+// Adds to what p.gap holds. `least`: a gap up to it is none. `doubt`: how much of it may come from elements that are not
+// quite the surfaces.
+void set_gap(const Model& m, int32_t pair, const double g[2], double least, double doubt, Reporter& reporter) {
   Pair& p = m.pair[pair];
   p.gap += g[0] * p.nx + g[1] * p.ny;
-  if (fabs(p.gap) <= kGapTolerance * p.length + doubt) p.gap = 0;
+  if (p.gap >= -kGapTolerance * p.length - doubt && p.gap <= least + doubt) p.gap = 0;
   if (p.gap >= 0) return;
   if (m.head->interference != 0) {
     p.overlap = -p.gap;
@@ -261,11 +273,19 @@ void build_frame(const Model& m, int32_t pair, Spread& spread, Reporter& reporte
   if (!set_normal(m, pair, s1, s2, g, reporter)) return;
   double doubt = 0;
   if (p.node[0] < 0) p.gap = -bulges(m, pair, &doubt); // gaps are those of the surfaces, not of the elements
-  set_gap(m, pair, g, doubt, reporter);
+  set_gap(m, pair, g, least_gap(p, position[0][0], position[0][1]), doubt, reporter);
   if (p.node[0] >= 0) check_offset(m, pair, g, reporter); // points of a free zone face each other by construction
 
   const double opposite[2] = {-s2.n[0], -s2.n[1]};
   spread.add(pair, angle_between(s1.n, opposite) / kDegree);
+}
+
+// Surfaces that coincide but for the last digits of their nodes.
+void close_gaps(const Model& m, const Zone& z) {
+  Pair* pairs = m.pair + z.first_pair;
+  for (int32_t k = 0; k < z.pairs; ++k)
+    if (pairs[k].gap > kGapTolerance * pairs[k].length || pairs[k].overlap > 0) return;
+  for (int32_t k = 0; k < z.pairs; ++k) pairs[k].gap = 0;
 }
 
 // One warning for a zone, about the worst of its pairs.
@@ -341,6 +361,7 @@ bool build_frames(const Model& m, Reporter& reporter) {
       if (z.is_free != 0) face_node(m, z, p);
       build_frame(m, pair, spread, reporter);
     }
+    close_gaps(m, z);
     warn_spread(m, i, spread, reporter);
     for (int b = 0; b < 2; ++b) {
       // A zone that goes all round its region has a last neighbour more.
