@@ -91,7 +91,7 @@ bool may_press(const Session& session, int32_t i) {
 }
 
 // Product of a row and a motion.
-double along(const double a[3], const double b[3], int n) {
+double row_times(const double a[3], const double b[3], int n) {
   double sum = 0.0;
   for (int j = 0; j < n; ++j) sum += a[j] * b[j];
   return sum;
@@ -109,16 +109,16 @@ double push_pair(const Session& session, const Motions& motions, Pair& pair, dou
   const int n = motions.count;
   double normal[3], tangential[3];
   motion_rows(session, motions, pair, normal, tangential);
-  const double nn = along(normal, normal, n), tt = along(tangential, tangential, n);
+  const double nn = row_times(normal, normal, n), tt = row_times(tangential, tangential, n);
   double moved = 0.0;
   if (nn > 1e-18) {
-    const double p = fmax(0.0, pair.saved_slip_done - along(normal, v, n) / nn);
+    const double p = fmax(0.0, pair.saved_slip_done - row_times(normal, v, n) / nn);
     moved += push_along(v, normal, n, p - pair.saved_slip_done);
     pair.saved_slip_done = p;
   }
   if (pair.tangential && tt > 1e-18) {
     const double most = friction * fmin(pair.mu, 1e12) * pair.saved_slip_done;
-    const double q = fmax(-most, fmin(most, pair.saved_slip_from - along(tangential, v, n) / tt));
+    const double q = fmax(-most, fmin(most, pair.saved_slip_from - row_times(tangential, v, n) / tt));
     moved += push_along(v, tangential, n, q - pair.saved_slip_from);
     pair.saved_slip_from = q;
   }
@@ -127,7 +127,8 @@ double push_pair(const Session& session, const Motions& motions, Pair& pair, dou
 
 // v = drive + forces of the pairs, in balance with the conditions of contact (projected Gauss-Seidel iteration).
 // `friction`: part of every coefficient that counts.
-void rigid_response(const Session& session, const Motions& motions, double friction, const double drive[3], double v[3]) {
+void rigid_response(const Session& session, const Motions& motions, double friction, const double drive[3],
+                    double v[3]) {
   for (int j = 0; j < motions.count; ++j) v[j] = drive[j];
   for (int32_t i = 0; i < session.model.head->pairs; ++i)
     session.model.pair[i].saved_slip_done = session.model.pair[i].saved_slip_from = 0.0;
@@ -140,7 +141,7 @@ void rigid_response(const Session& session, const Motions& motions, double frict
   }
 }
 
-// Take from v what contact prevents, which the iteration left there as round-off. True if a pair that is pressed slides.
+// Take from v what contact prevents, which the iteration left there as round-off. True if a pressed pair slides.
 bool remove_round_off(const Session& session, const Motions& motions, double v[3]) {
   const int n = motions.count;
   const double size = length_of(v, n), small = 1e-5 * size;
@@ -152,9 +153,9 @@ bool remove_round_off(const Session& session, const Motions& motions, double v[3
     const Pair& pair = session.model.pair[i];
     double normal[3], tangential[3];
     motion_rows(session, motions, pair, normal, tangential);
-    const bool pressed = pair.saved_slip_done > 0.0 && fabs(along(normal, v, n)) <= small;
+    const bool pressed = pair.saved_slip_done > 0.0 && fabs(row_times(normal, v, n)) <= small;
     if (!pressed) continue;
-    const bool slips = pair.tangential && fabs(along(tangential, v, n)) > small;
+    const bool slips = pair.tangential && fabs(row_times(tangential, v, n)) > small;
     slides = slides || slips;
     if (rank < n - 1) rank += extend_basis(basis, rank, n, normal);
     if (pair.tangential && !slips && rank < n - 1) rank += extend_basis(basis, rank, n, tangential);
