@@ -137,7 +137,9 @@ enum { /* c2d_error.status of warnings */
   C2D_WARN_INCREMENT = 209,        /* an increment of --stepping deck did not converge; finished by events        */
   C2D_WARN_RESIDUAL = 210,         /* the tableau had drifted and was rebuilt                                     */
   C2D_WARN_CONDITION = 211,        /* the elimination is badly conditioned                                        */
-  C2D_WARN_OFFSET = 212            /* nodes of a pair are shifted by more than half an element along the surface  */
+  C2D_WARN_OFFSET = 212,           /* nodes of a pair are shifted by more than half an element along the surface  */
+  C2D_WARN_LEFT_OUT = 213,         /* free zone: an element of body 2 that faces body 1 in part is left out       */
+  C2D_WARN_OVERLAP = 214           /* free zone: an overlap that the elements are too coarse to tell              */
 };
 
 /* ---------------------------------------------------------------- 2 sizes and memory ---------------------------

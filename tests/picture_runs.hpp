@@ -100,6 +100,21 @@ inline app::Box box_of(const Element& e) {
   return {x - part * wide, y - 0.75 * size, x + (1.0 - part) * wide, y + 0.2 * size};
 }
 
+// The largest number in an attribute with coordinates or sizes, 0 in others.
+inline double largest_number(const std::string& name, const std::string& value) {
+  static const std::set<std::string> kNames = {"d",  "points", "x",  "y", "x1",    "y1",     "x2",
+                                               "y2", "cx",     "cy", "r", "width", "height", "transform"};
+  double most = 0.0;
+  if (kNames.count(name) == 0) return most;
+  const std::string digits = "0123456789.";
+  for (size_t at = 0; (at = value.find_first_of(digits, at)) != std::string::npos;) {
+    const size_t end = std::min(value.find_first_not_of(digits, at), value.size());
+    most = std::max(most, std::stod(value.substr(at, end - at)));
+    at = end;
+  }
+  return most;
+}
+
 inline void check_picture(const std::string& name, const std::string& svg) {
   std::vector<Element> elements;
   const std::string fault = read_xml(svg, elements);
@@ -112,6 +127,8 @@ inline void check_picture(const std::string& name, const std::string& svg) {
     for (const auto& attribute : e.attributes) {
       CHECK_MESSAGE(!contains(attribute.second, "nan"), name << ": " << attribute.second);
       CHECK_MESSAGE(!contains(attribute.second, "inf"), name << ": " << attribute.second);
+      // Renderers with fixed-point coordinates draw what is far out wrongly.
+      CHECK_MESSAGE(largest_number(attribute.first, attribute.second) <= 1e5, name << ": " << e.name);
     }
     if (e.name != "text") continue;
     CHECK_MESSAGE(number_of(e, "font-size") >= 11.0, name << ": " << e.text);

@@ -494,6 +494,14 @@ TEST_CASE("body force: the keyword card") {
   CHECK(with("*BODY FORCE 1 1 0").status == C2D_ERR_INPUT);
   CHECK(with("*BODY FORCE 1 1 0 -9.81 2").status == C2D_ERR_INPUT);
   CHECK(with("*BODY FORCE 1 0 0 -9.81").status == C2D_ERR_INPUT);
+  CHECK(with("*BODY FORCE 1 1 0 -9.81\n*BODY FORCE 2 1 0 -9.81\n*BODY FORCE 1 2 0 -9.81").status == C2D_OK);
+  const deck_test::Reading twice = with("*BODY FORCE 1 2 0 -9.81\n*BODY FORCE 1 2 0 -9.81");
+  CHECK(twice.status == C2D_ERR_INPUT);
+  REQUIRE(twice.faults.size() == 1);
+  CHECK(twice.faults[0].text ==
+        "body 1 has a body force in load case 2 twice, expected one card for a body and load case");
+  CHECK(twice.faults[0].line == static_cast<int>(deck_test::squares().size()) + 2);
+  CHECK(twice.faults[0].column == 15);
   const deck_test::Reading near = with("*BODYFORCE 1 1 0 -9.81");
   REQUIRE(near.faults.size() == 1);
   CHECK(near.faults[0].text == "*BODYFORCE is not a known keyword; did you mean *BODY FORCE?");

@@ -50,6 +50,7 @@ TEST_CASE("families: wrong names, keys and values end with 64 and list the keys"
                          {"hertz order=4", "order=4: expected 1, 2 or 3"},
                          {"hertz a=50", "a is above R/10"},
                          {"hertz L=1", "L is below 3"},
+                         {"hertz R=1e4 a=1e-3", "cannot tell their ends apart"}, // angles of 1e-6 degrees
                          {"punch mu=-1", "expected a number from 0, or inf"},
                          {"punch grading=1", "grading is to be from 0.25 to below 1"},
                          {"ring plane=flat", "plane=flat: expected one of strain|stress"},
@@ -99,4 +100,18 @@ TEST_CASE("families: the ready decks are what make writes") {
     const families_test::Solution solution = families_test::solve_deck(deck);
     CHECK_MESSAGE(solution.error.empty(), family.name << ": " << solution.error);
   }
+}
+
+// The receding contact is wider than this zone; punches and layers end where a body does.
+TEST_CASE("families: a zone that ends within a contact closed from the start is warned of") {
+  const auto warned = [](const std::string& arguments) {
+    const Result run = run_shell("'" C2D_TEST_PROGRAM "' make " + arguments +
+                                 " | '" C2D_TEST_PROGRAM "' run - --listing /dev/null");
+    CHECK_MESSAGE(run.status == 0, run.err);
+    return contains(run.err, "at an end of a contact zone carries pressure");
+  };
+  CHECK(warned("receding_layer zone=0.5"));
+  CHECK(!warned("receding_layer"));
+  CHECK(!warned("punch"));
+  CHECK(!warned("layer_pressed"));
 }

@@ -225,7 +225,8 @@ TEST_CASE("interface: a word for every number") {
   const auto is_word = [](const char* text) { return text && std::strlen(text) > 3 && std::strlen(text) < 200; };
   std::set<std::string> seen;
   for (int32_t status : {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11,  20,  21,  22,  23,  24,  30,  31,
-                         32, 33, 34, 35, 40, 99, 201, 202, 203, 204, 205, 206, 207, 208, 209, 210, 211}) {
+                         32, 33, 34, 35, 40, 99, 201, 202, 203, 204, 205, 206, 207, 208, 209, 210, 211,
+                         212, 213, 214}) {
     CAPTURE(status);
     CHECK(is_word(c2d_message(status)));
     CHECK(std::string(c2d_message(status)) != c2d_message(-12345));

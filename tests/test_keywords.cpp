@@ -127,6 +127,21 @@ TEST_CASE("wrong keyword cards") {
         "the card does not belong to *UNITS above it, expected a keyword card or the end of the deck");
 }
 
+TEST_CASE("keywords that say a thing twice, or nothing") {
+  Fault f = the_fault({"*CASES 2", "case 2", "case 1", " case 2"});
+  CHECK(f.text == "case 2 stands below *CASES twice, expected it once");
+  CHECK(f.line == 4);
+  CHECK(f.column == 7);
+  f = the_fault({"*PATH", "*UNITS mm N"});
+  CHECK(f.text == "*PATH without cards, expected at least one: increments f1 ... fn");
+  CHECK(f.line == 1);
+  f = the_fault({"", "*FRICTION", "", "*UNITS mm N"});
+  CHECK(f.text == "*FRICTION without cards, expected at least one: zone mu ...");
+  CHECK(f.line == 2);
+  f = the_fault({"*UNITS"}); // two fields are missing, which is told once
+  CHECK(f.text == "the card ends here, expected name of the unit of length");
+}
+
 TEST_CASE("wrong fields on a keyword card") {
   Fault f = the_fault({"*UNITS mm   ! no force"});
   CHECK(f.text == "the card ends here, expected name of the unit of force");

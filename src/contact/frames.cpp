@@ -219,7 +219,8 @@ double least_gap(const Pair& p, double x, double y) {
 void set_gap(const Model& m, int32_t pair, const double g[2], double least, double doubt, Reporter& reporter) {
   Pair& p = m.pair[pair];
   p.gap += g[0] * p.nx + g[1] * p.ny;
-  if (p.gap >= -kGapTolerance * p.length - doubt && p.gap <= least + doubt) p.gap = 0;
+  const double unsure = m.head->interference != 0 ? 0 : doubt; // overlaps that are meant are those drawn
+  if (p.gap >= -kGapTolerance * p.length - unsure && p.gap <= least + doubt) p.gap = 0;
   if (p.gap >= 0) return;
   if (m.head->interference != 0) {
     p.overlap = -p.gap;
@@ -260,7 +261,21 @@ struct Spread {
   }
 };
 
-void build_frame(const Model& m, int32_t pair, Spread& spread, Reporter& reporter) {
+// Overlaps of a free zone that are no longer than what its elements leave open.
+struct Unsure {
+  int32_t count, pair; // the worst
+  double overlap, doubt;
+  void add(const Model& m, int32_t of_pair, double of_doubt) {
+    const double size = m.pair[of_pair].overlap;
+    if (size <= 0 || size > of_doubt) return;
+    if (count++ > 0 && size * doubt >= overlap * of_doubt) return;
+    pair = of_pair;
+    overlap = size;
+    doubt = of_doubt;
+  }
+};
+
+void build_frame(const Model& m, int32_t pair, Spread& spread, Unsure& unsure, Reporter& reporter) {
   Pair& p = m.pair[pair];
   Surface s1, s2;
   const bool first = p.node[0] < 0 ? surface_faced(m, pair, s1) : surface_at(m, 0, pair, s1), second = surface_at(m, 1, pair, s2);
@@ -274,6 +289,7 @@ void build_frame(const Model& m, int32_t pair, Spread& spread, Reporter& reporte
   double doubt = 0;
   if (p.node[0] < 0) p.gap = -bulges(m, pair, &doubt); // gaps are those of the surfaces, not of the elements
   set_gap(m, pair, g, least_gap(p, position[0][0], position[0][1]), doubt, reporter);
+  unsure.add(m, pair, doubt);
   if (p.node[0] >= 0) check_offset(m, pair, g, reporter); // points of a free zone face each other by construction
 
   const double opposite[2] = {-s2.n[0], -s2.n[1]};
@@ -297,6 +313,18 @@ void warn_spread(const Model& m, int32_t zone, const Spread& spread, Reporter& r
       " pairs, most at ");
   say_pair(f, m, spread.pair);
   say(f, ": ", spread.angle, " degrees");
+  tell(reporter, f);
+}
+
+// The same for overlaps that the elements leave open.
+void warn_unsure(const Model& m, int32_t zone, const Unsure& unsure, Reporter& reporter) {
+  if (unsure.count == 0) return;
+  Finding f = warning(C2D_WARN_OVERLAP);
+  locate_pair(f, m, unsure.pair);
+  say(f, "zone ", zone + 1, ": ", unsure.count,
+      " overlaps are smaller than what the elements may be off the surfaces, ");
+  say_pair(f, m, unsure.pair);
+  say(f, ": ", unsure.overlap, " against ", unsure.doubt);
   tell(reporter, f);
 }
 
@@ -348,6 +376,7 @@ bool build_frames(const Model& m, Reporter& reporter) {
   for (int32_t i = 0; i < m.head->zones; ++i) {
     const Zone& z = m.zone[i];
     Spread spread{0, 0, 0.0};
+    Unsure unsure{0, 0, 0.0, 0.0};
     for (int32_t k = 0; k < z.pairs; ++k) {
       const int32_t pair = z.first_pair + k;
       Pair& p = m.pair[pair];
@@ -359,10 +388,11 @@ bool build_frames(const Model& m, Reporter& reporter) {
       p.status = C2D_OPEN;
       p.ny = 1; // until its own is known: a pair with a fault
       if (z.is_free != 0) face_node(m, z, p);
-      build_frame(m, pair, spread, reporter);
+      build_frame(m, pair, spread, unsure, reporter);
     }
     close_gaps(m, z);
     warn_spread(m, i, spread, reporter);
+    warn_unsure(m, i, unsure, reporter);
     for (int b = 0; b < 2; ++b) {
       // A zone that goes all round its region has a last neighbour more.
       const Region& r = m.region[b][z.region[b]];

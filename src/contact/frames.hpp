@@ -10,7 +10,7 @@ namespace c2d {
 // unless the initial gap vector is long enough, closes and lies between n1 and -n2: then n is its direction.
 // Contact unknowns are numbered in the order of pairs, the normal one before the tangential one. Needs zones
 // that validate_zones has passed. Faults: interference; normals that do not oppose each other; prescribed
-// displacements that are no symmetry condition. Warnings: C2D_WARN_NORMALS, C2D_WARN_KINK. Returns false if
+// displacements that are no symmetry condition. Warnings: C2D_WARN_NORMALS, C2D_WARN_KINK, C2D_WARN_OVERLAP. Returns false if
 // it told a fault.
 bool build_frames(const Model& m, Reporter& reporter);
 

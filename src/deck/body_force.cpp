@@ -17,6 +17,9 @@ void read_body_force(Deck& deck, const Words& keyword_card) {
   const int32_t given = keyword_card.count > 4 ? 5 : 2;
   for (int32_t i = 0; i < given; ++i) real_word(cards, keyword_card, 2 + i, kNames[i], &value[i]);
   const bool ended = end_of_words(cards, keyword_card, 2 + given);
+  if (cards.faults == old_faults && deck.body_forces[body - 1].again(load_case))
+    word_fault(cards, keyword_card, 1, "body ", body, " has a body force in load case ", load_case,
+               " twice, expected one card for a body and load case");
   if (!ended || cards.faults != old_faults || deck.sink == nullptr) return;
   place_words(deck, keyword_card);
   accept(deck, deck.sink->set_body_force(deck.sink->solver, body, load_case, value[0], value[1], value[2], value[3],

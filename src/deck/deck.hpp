@@ -49,6 +49,21 @@ struct DeckSink {
   c2d_status (*add_points)(c2d_solver*, const c2d_points*);
 };
 
+// Which numbers from 1 have stood on a card already; only the first kNoted are looked after.
+struct NumbersSeen {
+  static constexpr int32_t kNoted = 256;
+  uint32_t bits[kNoted / 32];
+  // Notes it; true if it was there before.
+  bool again(int32_t number) {
+    if (number < 1 || number > kNoted) return false;
+    uint32_t& word = bits[(number - 1) / 32];
+    const uint32_t bit = uint32_t{1} << ((number - 1) % 32);
+    const bool before = (word & bit) != 0;
+    word |= bit;
+    return before;
+  }
+};
+
 // What later sections must know of earlier ones. Bodies are counted from 0 in here.
 struct Deck {
   Cards cards;
@@ -64,6 +79,7 @@ struct Deck {
   bool nodes_continue;             // so are its nodes
   int64_t pairs, contact_elements; // of all zones
   uint32_t keywords_seen;          // bit: place in the table of keywords.cpp
+  NumbersSeen body_forces[2];      // load cases that *BODY FORCE gave, by body
 };
 
 // Read a deck to its end. Every fault goes to `report` (may be null), those of the sink's calls excepted: the

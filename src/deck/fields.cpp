@@ -113,6 +113,7 @@ void tell_field(Cards& cards, int32_t kind, int32_t column, int32_t width, const
 
 bool is_there(Cards& cards, const Words& words, int32_t i, const char* name) {
   if (i < words.count) return true;
+  if (cards.refused) return false;
   word_fault(cards, words, i, "the card ends here, expected ", name);
   cards.refused = true;
   return false;

@@ -82,6 +82,14 @@ void read_case_load(Deck& deck, const Words& words, int32_t load_case) {
   accept(deck, deck.sink->add_point_load(deck.sink->solver, body, v[0], v[1], v[2], v[3], load_case));
 }
 
+// The card at hand may be another keyword by now.
+void no_cards(Cards& cards, int32_t keyword_line, const char* text) {
+  const int32_t line = cards.line;
+  cards.line = keyword_line;
+  fault(cards, 0, 0, text);
+  cards.line = line;
+}
+
 } // namespace
 
 void read_cases(Deck& deck, const Words& keyword_card) {
@@ -91,9 +99,11 @@ void read_cases(Deck& deck, const Words& keyword_card) {
   end_of_words(cards, keyword_card, 1);
   if (known && cases > deck.sizes.load_cases) deck.sizes.load_cases = cases;
   int32_t load_case = 0;
+  NumbersSeen seen = NumbersSeen();
   for (Words words; next_data_card(deck, words) && known;) {
     if (word_is(words, 0, "CASE")) {
-      integer_word(cards, words, 1, "load case", 1, cases, &load_case);
+      if (integer_word(cards, words, 1, "load case", 1, cases, &load_case) && seen.again(load_case))
+        word_fault(cards, words, 1, "case ", load_case, " stands below *CASES twice, expected it once");
       end_of_words(cards, words, 2);
     } else if (load_case == 0) {
       word_fault(cards, words, 0, "expected a card `case k` before the first values of a load case");
@@ -111,6 +121,7 @@ void read_cases(Deck& deck, const Words& keyword_card) {
 void read_path(Deck& deck, const Words& keyword_card) {
   Cards& cards = deck.cards;
   end_of_words(cards, keyword_card, 0);
+  const int32_t line = cards.line;
   int32_t pieces = 0;
   for (Words words; next_data_card(deck, words) && !cards.ended;) {
     int32_t increments = 0;
@@ -126,16 +137,24 @@ void read_path(Deck& deck, const Words& keyword_card) {
     if (pieces == 1 && !accept(deck, deck.sink->clear_paths(deck.sink->solver))) return;
     accept(deck, deck.sink->add_path_point(deck.sink->solver, increments, factor, factors));
   }
-  if (pieces == 0) fault(cards, 0, 0, "*PATH without cards, expected at least one: increments f1 ... fn");
+  if (pieces == 0) no_cards(cards, line, "*PATH without cards, expected at least one: increments f1 ... fn");
   if (pieces > deck.sizes.paths) deck.sizes.paths = pieces;
 }
 
 void read_friction(Deck& deck, const Words& keyword_card) {
   Cards& cards = deck.cards;
   end_of_words(cards, keyword_card, 0);
+  const int32_t line = cards.line;
+  bool any = false;
+  NumbersSeen seen = NumbersSeen();
   for (Words words; next_data_card(deck, words) && !cards.ended;) {
     int32_t zone = 0;
+    any = true;
     if (!integer_word(cards, words, 0, "contact zone", 1, deck.sizes.zones, &zone)) continue;
+    if (seen.again(zone)) {
+      word_fault(cards, words, 0, "zone ", zone, " stands below *FRICTION twice, expected it once");
+      continue;
+    }
     for (int32_t i = 1; i <= deck.sizes.coefficients; ++i) {
       double mu = HUGE_VAL;
       if (!word_is(words, i, "INF") && !real_word(cards, words, i, "coefficient of friction", &mu)) break;
@@ -146,6 +165,7 @@ void read_friction(Deck& deck, const Words& keyword_card) {
     }
     end_of_words(cards, words, deck.sizes.coefficients + 1);
   }
+  if (!any) no_cards(cards, line, "*FRICTION without cards, expected at least one: zone mu ...");
 }
 
 } // namespace c2d

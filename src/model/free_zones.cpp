@@ -1,6 +1,7 @@
 #include "model/free_zones.hpp"
 
 #include "model/geometry.hpp"
+#include "model/symmetry.hpp"
 #include "model/validate_finding.hpp"
 
 #include <math.h>
@@ -48,8 +49,20 @@ void normalise(double n[2]) {
   if (size > 0) n[0] /= size, n[1] /= size;
 }
 
-// At the start (-1) or end (+1) of an element by its direction of travel: the mean of its own normal and its
-// neighbour's.
+// Does the zone end there, at the start (-1) or end (+1) of an element by its direction of travel?
+bool zone_ends(const Model& m, const Zone& z, int b, int32_t place, int end) {
+  const int32_t next = place + end * z.element_step[b];
+  return !is_ring(m, z, b) && (next < 0 || next >= zone_elements(z, b));
+}
+
+// Lines of symmetry through that point.
+int32_t lines_at_end(const Model& m, int b, int32_t element, int end) {
+  const int32_t point = geometry_node(m, b, element, end < 0 ? 0 : body_of(m, b).element_nodes - 1);
+  return lines_through(*m.head, m.xy[b][2 * point], m.xy[b][2 * point + 1]);
+}
+
+// At the start or end of an element: the mean of its own normal and its neighbour's, which on a line of symmetry is
+// its own image.
 void corner_normal(const Model& m, const Zone& z, int b, int32_t element, int32_t place, int end,
                    double n[2]) {
   n[0] = n[1] = 0;
@@ -57,7 +70,13 @@ void corner_normal(const Model& m, const Zone& z, int b, int32_t element, int32_
   const int32_t count = zone_elements(z, b);
   int32_t next = place + end * z.element_step[b];
   if (is_ring(m, z, b)) next = (next + count) % count;
-  if (next >= 0 && next < count) add_normal(m, b, zone_element(m, z, b, next), -end, 1, n);
+  if (next >= 0 && next < count) {
+    add_normal(m, b, zone_element(m, z, b, next), -end, 1, n);
+  } else {
+    const int32_t lines = lines_at_end(m, b, element, end);
+    for (int c = 0; c < 2; ++c)
+      if ((lines >> c & 1) != 0 && fabs(n[1 - c]) > kSnap) n[c] = 0;
+  }
   normalise(n);
 }
 
@@ -124,8 +143,7 @@ double bulge_at(const Model& m, const Zone& z, int b, const FacePoint& at, doubl
     outward_normal(m, b, at.element, end, own);
     corner_normal(m, z, b, at.element, at.place, end, corner);
     turn[i] = end * (own[0] * corner[1] - own[1] * corner[0]); // positive: the surface is convex
-    const int32_t next = at.place + end * z.element_step[b];
-    ends[i] = !is_ring(m, z, b) && (next < 0 || next >= zone_elements(z, b));
+    ends[i] = zone_ends(m, z, b, at.place, end) && lines_at_end(m, b, at.element, end) == 0;
   }
   for (int i = 0; i < 2; ++i)
     if (ends[i] && !ends[1 - i]) turn[i] = turn[1 - i]; // as if the zone went on as it ends
@@ -315,6 +333,42 @@ Cover cover(const Model& m, const Zone& z, int32_t element2) {
   return Cover::whole;
 }
 
+// The element of body 2 opposite the start (-1) or end (+1) of body 1's side in the order of the zone, if more than
+// `part` of it faces body 1; else -1.
+int32_t element_faced_in_part(const Model& m, const Zone& z, int way, double part) {
+  const FacePoint end = point_at(m, z, way < 0 ? 0 : zone_elements(z, 0) - 1, way * z.element_step[0]);
+  int32_t element;
+  double eta, n[2], other[2];
+  if (!facing_point(m, z, end, &element, &eta)) return -1;
+  face_normal(m, z, end, n);
+  outward_normal(m, 1, element, eta, other);
+  const double faced = 0.5 * (1 + way * z.element_step[1] * eta);
+  return faced > part && n[0] * other[0] + n[1] * other[1] < 0 ? element : -1;
+}
+
+// Elements at the ends of what is kept that face body 1 in part: the contact ends short of body 1's elements there.
+void warn_left_out(const Model& m, int32_t zone, int32_t first, int32_t count, Reporter& reporter) {
+  constexpr double kPart = 1e-3; // of an element: less is rounding
+  const Zone& z = m.zone[zone];
+  int32_t left_out[2] = {-1, -1};
+  if (is_ring(m, z, 0)) return;
+  for (int i = 0; i < 2; ++i) {
+    left_out[i] = element_faced_in_part(m, z, 2 * i - 1, kPart);
+    for (int32_t k = 0; k < count; ++k)
+      if (zone_element(m, z, 1, first + k) == left_out[i]) left_out[i] = -1;
+  }
+  if (left_out[0] == left_out[1]) left_out[1] = -1;
+  for (const int32_t element : left_out) {
+    if (element < 0) continue;
+    Finding f = warning(C2D_WARN_LEFT_OUT);
+    locate_zone(f, m, zone);
+    locate_element(f, m, 1, element);
+    say(f, "zone ", zone + 1, ": element ", element + 1,
+        " of body 2 faces the elements of body 1 in part only and is left out: nothing touches there");
+    tell(reporter, f);
+  }
+}
+
 void keep_elements(const Model& m, Zone& z, int32_t first, int32_t count) {
   const int32_t f = m.head->function_nodes;
   z.first_element[1] = zone_element(m, z, 1, first);
@@ -359,6 +413,7 @@ bool fit_free_zone(const Model& m, int32_t zone, Reporter& reporter) {
         reporter);
     return false;
   }
+  warn_left_out(m, zone, first, count, reporter);
   keep_elements(m, z, first, count);
   return true;
 }

@@ -44,7 +44,8 @@ PieceWalk start_pieces(const Model& m, const Zone& z, int32_t place2);
 bool next_piece(PieceWalk& walk, FacingPiece& out);
 
 // Cut the zone down to the elements of body 2 that face body 1 wholly, and fill its nodes and pairs. Faults:
-// no such element, several runs of them, sides that do not face each other. Returns false if it told one.
+// no such element, several runs of them, sides that do not face each other. Warning: C2D_WARN_LEFT_OUT, elements
+// that face body 1 in part. Returns false if it told a fault.
 bool fit_free_zone(const Model& m, int32_t zone, Reporter& reporter);
 
 // Where a pair is on a body: at its node, on body 1 of such a zone at the point its node faces.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace app {
 namespace {
@@ -44,9 +45,68 @@ bool cut(const Box& box, Point& a, Point& b) {
       last = std::min(last, at);
   }
   if (first > last) return false;
-  b = {a.x + last * dx, a.y + last * dy};
-  a = {a.x + first * dx, a.y + first * dy};
+  if (last < 1.0) b = {a.x + last * dx, a.y + last * dy};
+  if (first > 0.0) a = {a.x + first * dx, a.y + first * dy};
   return true;
+}
+
+// What is far outside a picture is left out before it is written: renderers count in fixed point, some to
+// 2^23 pixels only, and draw shapes that reach further wrongly.
+constexpr Box kPaper{-5e4, -5e4, 5e4, 5e4};
+
+bool on_paper(Point p) {
+  return p.x >= kPaper.left && p.x <= kPaper.right && p.y >= kPaper.top && p.y <= kPaper.bottom;
+}
+
+// How far a point lies within side k of the paper.
+double within(Point p, int k) {
+  switch (k) {
+  case 0:
+    return p.x - kPaper.left;
+  case 1:
+    return kPaper.right - p.x;
+  case 2:
+    return p.y - kPaper.top;
+  default:
+    return kPaper.bottom - p.y;
+  }
+}
+
+// A closed curve cut to the paper side by side (Sutherland and Hodgman): what it encloses there stays the
+// same, and its new edges run along the paper's.
+std::vector<Point> closed_on_paper(std::vector<Point> curve) {
+  if (std::all_of(curve.begin(), curve.end(), on_paper)) return curve;
+  for (int k = 0; k < 4; ++k) {
+    std::vector<Point> kept;
+    for (size_t i = 0; i < curve.size(); ++i) {
+      const Point a = curve[i], b = curve[(i + 1) % curve.size()];
+      const double from = within(a, k), to = within(b, k);
+      if (from >= 0.0) kept.push_back(a);
+      if ((from >= 0.0) == (to >= 0.0)) continue;
+      const double f = from / (from - to);
+      kept.push_back({a.x + f * (b.x - a.x), a.y + f * (b.y - a.y)});
+    }
+    curve = kept;
+  }
+  return curve;
+}
+
+// The parts of lines that lie within a box.
+std::vector<std::vector<Point>> parts_within(const std::vector<Point>& line, bool closed, const Box& box) {
+  std::vector<std::vector<Point>> out;
+  bool joined = false;
+  for (size_t i = 0; i + (closed ? 0 : 1) < line.size(); ++i) {
+    Point a = line[i], b = line[(i + 1) % line.size()];
+    const Point end = b;
+    if (!cut(box, a, b)) {
+      joined = false;
+      continue;
+    }
+    if (!joined) out.push_back({a});
+    out.back().push_back(b);
+    joined = b.x == end.x && b.y == end.y;
+  }
+  return out;
 }
 
 } // namespace
@@ -55,20 +115,8 @@ std::vector<std::vector<Point>> pieces_within(const std::vector<std::vector<Poin
   const double room = 10.0;
   const Box wider{box.left - room, box.top - room, box.right + room, box.bottom + room};
   std::vector<std::vector<Point>> out;
-  for (const std::vector<Point>& curve : curves) {
-    bool joined = false;
-    for (size_t i = 0; i < curve.size(); ++i) {
-      Point a = curve[i], b = curve[(i + 1) % curve.size()];
-      const Point end = b;
-      if (!cut(wider, a, b)) {
-        joined = false;
-        continue;
-      }
-      if (!joined) out.push_back({a});
-      out.back().push_back(b);
-      joined = b.x == end.x && b.y == end.y;
-    }
-  }
+  for (const std::vector<Point>& curve : curves)
+    for (std::vector<Point>& part : parts_within(curve, true, wider)) out.push_back(std::move(part));
   return out;
 }
 
@@ -85,7 +133,8 @@ void append_pixel(std::string& out, double value) {
 }
 
 void append_curves(std::string& out, const std::vector<std::vector<Point>>& curves) {
-  for (const std::vector<Point>& curve : curves) {
+  for (const std::vector<Point>& whole : curves) {
+    const std::vector<Point> curve = closed_on_paper(whole);
     for (size_t i = 0; i < curve.size(); ++i) {
       out += i == 0 ? 'M' : 'L';
       append_pixel(out, curve[i].x);
@@ -127,6 +176,7 @@ Svg::Svg(const std::string& name, double width, double height)
     : name_(name), width_(width), height_(height) {}
 
 void Svg::line(Point from, Point to, const Stroke& stroke) {
+  if (!(on_paper(from) && on_paper(to)) && !cut(kPaper, from, to)) return;
   body_ += "<line";
   append_attribute(body_, "x1", from.x);
   append_attribute(body_, "y1", from.y);
@@ -138,17 +188,21 @@ void Svg::line(Point from, Point to, const Stroke& stroke) {
 
 void Svg::polyline(const std::vector<Point>& points, const Stroke& stroke) {
   if (points.empty()) return;
-  body_ += "<polyline points=\"";
-  for (const Point& p : points) {
-    append_pixel(body_, p.x);
-    body_ += ',';
-    append_pixel(body_, p.y);
-    body_ += ' ';
+  std::vector<std::vector<Point>> parts{points};
+  if (!std::all_of(points.begin(), points.end(), on_paper)) parts = parts_within(points, false, kPaper);
+  for (const std::vector<Point>& part : parts) {
+    body_ += "<polyline points=\"";
+    for (const Point& p : part) {
+      append_pixel(body_, p.x);
+      body_ += ',';
+      append_pixel(body_, p.y);
+      body_ += ' ';
+    }
+    body_.back() = '"';
+    body_ += " fill=\"none\" stroke-linejoin=\"round\"";
+    append_stroke(body_, stroke);
+    body_ += "/>\n";
   }
-  body_.back() = '"';
-  body_ += " fill=\"none\" stroke-linejoin=\"round\"";
-  append_stroke(body_, stroke);
-  body_ += "/>\n";
 }
 
 void Svg::area(const std::vector<std::vector<Point>>& curves, const std::string& fill, const Stroke& stroke) {
@@ -159,7 +213,10 @@ void Svg::area(const std::vector<std::vector<Point>>& curves, const std::string&
   body_ += "/>\n";
 }
 
-void Svg::rectangle(const Box& box, const std::string& fill, const Stroke& stroke) {
+void Svg::rectangle(const Box& whole, const std::string& fill, const Stroke& stroke) {
+  const Box box{std::max(whole.left, kPaper.left), std::max(whole.top, kPaper.top),
+                std::min(whole.right, kPaper.right), std::min(whole.bottom, kPaper.bottom)};
+  if (box.right < box.left || box.bottom < box.top) return;
   body_ += "<rect";
   append_attribute(body_, "x", box.left);
   append_attribute(body_, "y", box.top);
@@ -171,6 +228,7 @@ void Svg::rectangle(const Box& box, const std::string& fill, const Stroke& strok
 }
 
 void Svg::mark(Mark mark, Point at, double size, const char* ink, bool filled) {
+  if (!on_paper(at)) return;
   const double r = size / 2.0;
   const std::string fill = filled ? ink : "white";
   const Stroke edge{ink, 1.2, ""};
@@ -216,6 +274,7 @@ void Svg::arrow(Point from, Point to, const Stroke& stroke, double size, Head he
 
 void Svg::text(Point at, const std::string& text, double size, Anchor anchor, const char* ink, bool turned,
                bool halo) {
+  if (!on_paper(at)) return;
   body_ += "<text";
   append_attribute(body_, "x", at.x);
   append_attribute(body_, "y", at.y);

@@ -1,5 +1,6 @@
 // A picture as SVG text: shapes, markers, hatching and text with presentation attributes only, so that a
-// picture stands alone as well as inside a page. Coordinates are pixels, y downwards.
+// picture stands alone as well as inside a page. Coordinates are pixels, y downwards; of what
+// reaches far out of the picture only the parts within 5e4 pixels are written.
 #pragma once
 
 #include <cstdint>

@@ -46,6 +46,8 @@ const Word kStatusWords[] = {
     {C2D_WARN_RESIDUAL, "the tableau was rebuilt"},
     {C2D_WARN_CONDITION, "badly conditioned equations"},
     {C2D_WARN_OFFSET, "nodes of a pair are shifted"},
+    {C2D_WARN_LEFT_OUT, "an element is left out of a contact zone"},
+    {C2D_WARN_OVERLAP, "overlaps that the elements are too coarse to tell"},
 };
 
 const Word kOutcomeWords[] = {

@@ -3,6 +3,7 @@
 
 #include "bie/shape.hpp"
 #include "memory/text.hpp"
+#include "model/geometry.hpp"
 #include "solver/session.hpp"
 
 namespace c2d {
@@ -42,18 +43,56 @@ void warn(Session& session, int32_t number, int32_t zone, int32_t pair, const ch
 
 bool is_closed(const Pair& pair) { return pair.status != C2D_OPEN; }
 
-// An end of a zone where symmetry holds the pair is no end of the contact, and a pair that touches from the start,
-// as at the edge of a punch, says nothing about the zone.
-void warn_zone_ends(Session& session) {
+double pressure_of(const Session& session, int32_t pair) {
+  return pair_state(*session.follower.t, pair, session.follower.y).p;
+}
+
+// Does body b's surface go on beyond an end (-1: first, +1: last) of a zone without a corner, and out of
+// contact zones?
+bool goes_on(const Model& m, const Zone& z, int b, int end) {
+  const int32_t element = zone_element(m, z, b, end < 0 ? 0 : zone_elements(z, b) - 1);
+  const int travel = end * z.element_step[b];
+  const Region& r = m.region[b][z.region[b]];
+  int32_t next = element + (travel > 0 ? 1 : -1);
+  if (next < r.first || next > r.last) next = r.open != 0 ? -1 : (travel > 0 ? r.first : r.last);
+  int32_t zone, place;
+  if (next < 0 || !is_integrated(m, b, next) || find_contact_element(m, b, next, &zone, &place)) return false;
+  double here[2], there[2];
+  outward_normal(m, b, element, travel > 0 ? 1.0 : -1.0, here);
+  outward_normal(m, b, next, travel > 0 ? -1.0 : 1.0, there);
+  constexpr double kTenDegrees = 0.985; // cosine
+  return here[0] * there[0] + here[1] * there[1] > kTenDegrees;
+}
+
+// A pair that touches from the start says nothing about the zone where a body ends, as at the edge of a
+// punch. Where both surfaces go on, pressure on it does.
+bool is_cut_short(const Session& session, const Zone& zone, int32_t pair, int end) {
+  if (!goes_on(session.model, zone, 0, end) || !goes_on(session.model, zone, 1, end)) return false;
+  double most = 0.0;
+  for (int32_t i = zone.first_pair; i < zone.first_pair + zone.pairs; ++i) {
+    const double p = pressure_of(session, i);
+    if (p > most) most = p;
+  }
+  return pressure_of(session, pair) > 0.1 * most;
+}
+
+// An end of a zone where symmetry holds the pair is no end of the contact.
+void warn_zone_ends(Session& session, bool at_end) {
   const Model& m = session.model;
   for (int32_t z = 0; z < m.head->zones; ++z) {
     const Zone& zone = m.zone[z];
     const int32_t ends[2] = {zone.first_pair, zone.first_pair + zone.pairs - 1};
-    for (int32_t i : ends) {
+    for (int k = 0; k < 2; ++k) {
+      const int32_t i = ends[k];
       const Pair& pair = m.pair[i];
-      if (is_closed(pair) && pair.tangential && pair.gap > 0.0)
+      if (!is_closed(pair) || !pair.tangential) continue;
+      if (pair.gap > 0.0)
         warn(session, C2D_WARN_ZONE_END, z + 1, i + 1,
              "the last pair at an end of a contact zone has closed: the contact may reach further than the zone");
+      else if (at_end && is_cut_short(session, zone, i, k == 0 ? -1 : 1))
+        warn(session, C2D_WARN_ZONE_END, z + 1, i + 1,
+             "the last pair at an end of a contact zone carries pressure: the contact may reach further than "
+             "the zone");
     }
   }
 }
@@ -80,7 +119,7 @@ double pressure_inside(const Session& session, int b, int32_t element, double et
   shape(nf, eta, shapes);
   for (int l = 0; l < nf; ++l) {
     const int32_t pair = pair_of_end(session.model, b, element, l);
-    if (pair >= 0) sum += shapes[l] * pair_state(*session.follower.t, pair, session.follower.y).p;
+    if (pair >= 0) sum += shapes[l] * pressure_of(session, pair);
   }
   return sum;
 }
@@ -100,7 +139,7 @@ double tension_ratio(const Session& session) {
         if (p < least) least = p;
       }
   for (int32_t i = 0; i < m.head->pairs; ++i) {
-    const double p = pair_state(*session.follower.t, i, session.follower.y).p;
+    const double p = pressure_of(session, i);
     if (p > most) most = p;
   }
   return most > 0.0 ? least / most : 0.0;
@@ -109,7 +148,7 @@ double tension_ratio(const Session& session) {
 void warn_contact(Session& session, bool at_end) {
   c2d_solver* s = session.solver;
   if (s->model.contact == 0 || s->floating || s->blocked) return;
-  warn_zone_ends(session);
+  warn_zone_ends(session, at_end);
   if (at_end) warn_few_pairs(session);
   warn_slip(session);
   const double ratio = tension_ratio(session);

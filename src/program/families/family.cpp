@@ -194,8 +194,12 @@ bool make_deck(const std::string& name, const std::vector<std::string>& settings
                std::string& error) {
   ProblemModel model;
   if (!make_model(name, settings, model, error)) return false;
-  deck = write_deck(model);
-  return true;
+  if (write_deck(model, deck)) return true;
+  error =
+      "make " + name +
+      ": elements are so small against the bodies that the ten columns of a number on the cards cannot tell "
+      "their ends apart; expected sizes that differ less";
+  return false;
 }
 
 } // namespace families
