@@ -177,10 +177,11 @@ c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome
     const Event event = nearest_event(f, 1.0 - part);
     if (f.watch.moving) f.watch.moving(f.watch.context, event.step);
     if (event.pair < 0) break;
-    standing = event.step > 0.0 ? 0 : standing + 1;
+    standing = part + event.step > part ? 0 : standing + 1; // steps below round-off lead nowhere, however many
     if (standing > 20 + 8 * f.t->pairs) {
       *outcome = C2D_ENDLESS_EXCHANGE;
-      return C2D_OK;
+      if (part < kAllButThere) return C2D_OK;
+      break;
     }
     part += event.step;
     move(f, part);
