@@ -275,6 +275,8 @@ TEST_CASE("pictures: lines of symmetry are told by check, listing and JSON") {
   CHECK(contact2d("check " + quoted(example("plate_tension.dat")) + " --symmetry images").status == 0);
   const Result listing = contact2d("run " + ring + " --symmetry images --listing -");
   CHECK(contains(listing.out, "symmetry by images ....................... x = 0, y = 0\n"));
+  CHECK(contains(listing.out, "forces across the lines of symmetry are not in it"));
+  CHECK_FALSE(contains(contact2d("run " + ring + " --listing -").out, "across the lines of symmetry"));
   const Json json = JsonReader::read(contact2d("run " + ring + " --symmetry images --json -").out);
   REQUIRE(json["symmetry"].items.size() == 2);
   CHECK(json["symmetry"].items[0]["axis"].text == "x");

@@ -436,6 +436,26 @@ TEST_CASE("program: a path that ends early leaves its rows and says where and wh
   for (size_t i = 1; i < rows.size(); ++i) CHECK(std::stod(columns_of(rows[i])[2]) > -1e-6);
 }
 
+TEST_CASE("program: where a path ends is told by the factors of all load cases") {
+  const Folder folder;
+  std::string deck = read_file(kExamples + "sliding_block.dat");
+  for (size_t at; (at = deck.find("0.2000   -1.0000")) != std::string::npos;) deck.replace(at, 6, "0.0000");
+  write_file(folder / "deck", deck + "*CASES 2\ncase 2\ncondition 2 33-48 0 1 0 0 0\n*PATH\n1 1 0\n10 1 1\n");
+  const Result result = contact2d("run " + quoted(folder / "deck") + " --json " + quoted(folder / "j") +
+                                  " --listing " + quoted(folder / "l") + " --report " + quoted(folder / "r"));
+  REQUIRE(result.status == 1);
+  // mu = 0.3: sliding begins at 0.3 of the sideward load, straight to the right.
+  CHECK(contains(result.err, "load factors 1, 0.3: gross sliding"));
+  CHECK(contains(result.err, "can move by (1, 0) and turn by 0 about"));
+  CHECK(contains(read_file(folder / "l"), "at load factors 1, 0.3, step"));
+  CHECK(contains(read_file(folder / "r"), "stopped at load factors 1, 0.3 in step"));
+  const Json json = JsonReader::read(read_file(folder / "j"));
+  CHECK(json["incomplete"]["load"].number == 1.0);
+  REQUIRE(json["incomplete"]["loads"].items.size() == 2);
+  CHECK(json["incomplete"]["loads"][0].number == 1.0);
+  CHECK(json["incomplete"]["loads"][1].number == doctest::Approx(0.3).epsilon(1e-9));
+}
+
 TEST_CASE("program: one body without contact") {
   const Folder folder;
   const Result result =

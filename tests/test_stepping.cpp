@@ -307,6 +307,28 @@ TEST_CASE("stepping: more than one free motion before anything touches is an out
   CHECK(block.recorded().empty());
 }
 
+TEST_CASE("stepping: a block pulled aside and off flies, one pushed at its top tips about its leading corner") {
+  const auto with_top_load = [](double tx, double ty) {
+    Problem p = load("block.dat");
+    for (End& end : p.bodies[1].ends)
+      if (end.values[1] == -1.0) end.values[0] = tx, end.values[1] = ty;
+    return p;
+  };
+  Problem p = with_top_load(0.2, 1.0);
+  p.friction = {0.3};
+  const Result off = solved(p);
+  CHECK(off.outcome == C2D_FREE_MOTION);
+  CHECK(off.summary.free_motion[1] > 0.9);
+  p = with_top_load(3.0, -1.0); // moment about the corner: 3 x height 1 against 1 x half width 1
+  p.friction = {1e9};
+  const Result tips = solved(p);
+  CHECK(tips.outcome == C2D_FREE_MOTION);
+  const double* motion = tips.summary.free_motion;
+  CHECK(motion[2] < 0.0);
+  CHECK(std::fabs(motion[0]) < 1e-6 * std::fabs(motion[2])); // of the corner (1, 0)
+  CHECK(motion[1] + motion[2] * 1.0 == doctest::Approx(0.0).epsilon(1e-6).scale(std::fabs(motion[2])));
+}
+
 TEST_CASE("stepping: the block slides as a whole when the load leaves the cone") {
   // Tractions (0.2, -1) on its top: Q/N = 0.2 at every load.
   Problem p = load("block.dat");
@@ -317,6 +339,18 @@ TEST_CASE("stepping: the block slides as a whole when the load leaves the cone")
   const Result slides = solved(p);
   CHECK(slides.outcome == C2D_GROSS_SLIDING);
   CHECK(slides.summary.load == doctest::Approx(0.0).epsilon(1e-12).scale(1));
+  // Nothing is pressed yet where it starts; it goes along the foundation, whichever pairs were tried last.
+  for (const double mu : {0.19999, 0.19, 0.15, 0.1, 0.05}) {
+    p.friction = {mu};
+    for (const double side : {1.0, -1.0}) {
+      const Result r = solved(side > 0 ? p : reflected(p));
+      INFO(mu, " ", side);
+      CHECK(r.outcome == C2D_GROSS_SLIDING);
+      CHECK(r.summary.free_motion[0] == doctest::Approx(side).epsilon(1e-9));
+      CHECK(r.summary.free_motion[1] == 0.0);
+      CHECK(r.summary.free_motion[2] == 0.0);
+    }
+  }
   p.friction = {0.3, 0.19, 0.25}; // one that fails does not keep the next from being run
   CHECK(solved(p).recorded().size() == 8);
 }

@@ -345,8 +345,7 @@ int Run::publish() {
   if (!stopped->singular) {
     std::string text = "incomplete: mu ";
     append_number(text, stopped->mu);
-    text += ", step " + std::to_string(stopped->step) + ", load ";
-    append_number(text, stopped->load);
+    text += ", step " + std::to_string(stopped->step) + ", " + load_reached(*stopped);
     session_.messages.fail(text + ": " + stopped->why);
   }
   return kExitNoSolution;

@@ -207,6 +207,7 @@ void append_incomplete(std::string& out, const CoefficientRecord& c) {
   o.number("mu", c.mu);
   o.integer("step", c.step);
   o.number("load", c.load);
+  append_list(o.key("loads"), c.loads.empty() ? std::vector<double>{c.load} : c.loads);
   o.word("why", c.why.c_str());
   o.integer("body", c.body);
   o.integer("pair", c.pair);

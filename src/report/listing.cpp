@@ -22,6 +22,10 @@ void append_balance(std::string& out, const c2d_summary& s) {
     if (s.pairs > 0) append_vector(out, "contact", s.contact[b]);
     append_vector(out, "sum", sum);
   }
+  if (s.symmetry != 0)
+    out +=
+        "\n  of the half or quarter modelled; forces across the lines of symmetry are not in it, the sum is "
+        "what they balance\n";
 }
 
 void append_energy(std::string& out, const RunRecord& record) {
@@ -85,8 +89,7 @@ void append_ending(std::string& out, const RunRecord& record, const c2d_summary&
     append_number(out, c.mu);
     out += stopped ? "  incomplete: " : "  ";
     out += c.singular ? "singular" : outcome_word(c.outcome);
-    out += " at load factor ";
-    append_number(out, c.load);
+    out += " at " + load_reached(c);
     if (stopped) {
       out += ", step ";
       append_integer(out, c.step);

@@ -47,10 +47,10 @@ void append_outcome(std::string& out, const Scene& scene) {
     if (c.singular)
       out += "<b>not solved</b>: " + escape_xml(c.why);
     else if (c.outcome != C2D_REACHED)
-      out += "<b>incomplete</b>, stopped at load factor " + figure(c.load, 6) + " in step " +
-             std::to_string(c.step) + ": " + escape_xml(c.why);
+      out += "<b>incomplete</b>, stopped at " + load_reached(c) + " in step " + std::to_string(c.step) +
+             ": " + escape_xml(c.why);
     else
-      out += "reached load factor " + figure(c.load, 6) + " in " + std::to_string(c.step) +
+      out += "reached " + load_reached(c) + " in " + std::to_string(c.step) +
              (c.step == 1 ? " step." : " steps.");
     out += "</div>\n";
   }
@@ -103,7 +103,12 @@ void append_balance(std::string& out, const Scene& scene) {
     append_row(out, {body + "sum", figure(applied[0] + contact[0], 2), figure(applied[1] + contact[1], 2),
                      figure(applied[2] + contact[2], 2)});
   }
-  out += "</table>\n</section>\n";
+  out += "</table>\n";
+  if (s.symmetry != 0)
+    out +=
+        "<p>Of the half or quarter modelled; forces across the lines of symmetry are not in it, the sum is "
+        "what they balance.</p>\n";
+  out += "</section>\n";
 }
 
 void append_sizes(std::string& out, const Scene& scene) {

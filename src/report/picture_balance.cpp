@@ -34,7 +34,8 @@ std::string caption(const Scene& scene) {
   if (!scene.pairs.empty())
     out +=
         "; the contact carries " + figure(std::hypot(s.contact[0][0], s.contact[0][1]), scene.force_unit, 6);
-  if (scene.summary.symmetry != 0) out += ". They are those of the part that is modelled";
+  if (scene.summary.symmetry != 0)
+    out += ". They are those of the part that is modelled, without the forces across the lines of symmetry";
   return out + ".";
 }
 

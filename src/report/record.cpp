@@ -26,6 +26,7 @@ CoefficientRecord& keep_step(RunRecord& record, const c2d_step& step) {
   c.mu = step.mu;
   if (step.kind == C2D_STEP_CHANGE) return c;
   c.load = step.load;
+  c.loads.assign(step.loads, step.loads + step.cases);
   c.step = step.step;
   c.changes += step.changes;
   c.outcome = step.kind == C2D_STEP_STOPPED ? step.outcome : C2D_REACHED;
@@ -35,6 +36,16 @@ CoefficientRecord& keep_step(RunRecord& record, const c2d_step& step) {
       c.table[static_cast<size_t>(p) * C2D_PAIR_FIELDS + static_cast<size_t>(k)] =
           step.table[p * step.stride + k];
   return c;
+}
+
+std::string load_reached(const CoefficientRecord& c) {
+  std::string text = c.loads.size() > 1 ? "load factors " : "load factor ";
+  if (c.loads.size() < 2) append_number(text, c.load);
+  for (size_t k = 0; k < c.loads.size() && c.loads.size() > 1; ++k) {
+    if (k > 0) text += ", ";
+    append_number(text, c.loads[k]);
+  }
+  return text;
 }
 
 void keep_history(CoefficientRecord& c, const c2d_step& step, c2d_solver* solver) {

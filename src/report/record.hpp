@@ -23,7 +23,8 @@ struct StepRecord {
 // How far one coefficient of friction came, with the pairs' table at its last valid state.
 struct CoefficientRecord {
   double mu = 0.0;
-  double load = 0.0;                 // load factor reached
+  double load = 0.0;                 // load factor reached, of the first load case
+  std::vector<double> loads;         // the same of every load case
   int32_t step = 0;                  // the last increment reached, or the one in which the path ended
   int32_t changes = 0;               // changes of status, all steps
   c2d_outcome outcome = C2D_REACHED; //
@@ -51,6 +52,8 @@ struct RunRecord {
 
 // Takes over what a step callback was shown. Returns the record of the step's coefficient.
 CoefficientRecord& keep_step(RunRecord& record, const c2d_step& step);
+// "load factor 1", or "load factors 1, 0.3": how far a coefficient came; of every load case.
+std::string load_reached(const CoefficientRecord& coefficient);
 // The same step's energy and, unless solver is null, its zones; inside the callback.
 void keep_history(CoefficientRecord& coefficient, const c2d_step& step, c2d_solver* solver);
 

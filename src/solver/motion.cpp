@@ -1,5 +1,7 @@
 // How a body starts to move when the contact can hold it no longer: the free rigid motions that the pairs still in
-// contact allow, and among them the one that friction resists most, or that the loads push most.
+// contact allow, and among them the one that friction resists most, or that the loads push most. Where nothing is
+// pressed yet (a load that no contact can carry from the start) there is no friction to go by: then the motion of the
+// body as if rigid, against unilateral contact with friction.
 #include <math.h>
 
 #include "model/rigid.hpp"
@@ -76,33 +78,147 @@ void remove_prevented(const double basis[3][3], int rank, int n, double v[3]) {
   }
 }
 
+bool is_pressed(const Session& session) {
+  if (session.solver->floating) return false;
+  return path_scales(session.follower).p > kNoPressure * session.solver->peak_pressure;
+}
+
+bool may_press(const Session& session, int32_t i) {
+  const Pair& pair = session.model.pair[i];
+  if (pair.status != C2D_OPEN) return true;
+  return !session.solver->floating &&
+         pair_state(*session.follower.t, i, session.follower.y).wn <= 1e-9 * session.follower.gap_scale;
+}
+
+// Product of a row and a motion.
+double row_times(const double a[3], const double b[3], int n) {
+  double sum = 0.0;
+  for (int j = 0; j < n; ++j) sum += a[j] * b[j];
+  return sum;
+}
+
+// v += change * row; how far v went.
+double push_along(double v[3], const double row[3], int n, double change) {
+  for (int j = 0; j < n; ++j) v[j] += change * row[j];
+  return fabs(change) * length_of(row, n);
+}
+
+// The forces of a pair on the free motions, so that it does not penetrate and friction opposes its slip. Kept in what
+// settle() needs only while it runs: p in saved_slip_done, q in saved_slip_from.
+double push_pair(const Session& session, const Motions& motions, Pair& pair, double friction, double v[3]) {
+  const int n = motions.count;
+  double normal[3], tangential[3];
+  motion_rows(session, motions, pair, normal, tangential);
+  const double nn = row_times(normal, normal, n), tt = row_times(tangential, tangential, n);
+  double moved = 0.0;
+  if (nn > 1e-18) {
+    const double p = fmax(0.0, pair.saved_slip_done - row_times(normal, v, n) / nn);
+    moved += push_along(v, normal, n, p - pair.saved_slip_done);
+    pair.saved_slip_done = p;
+  }
+  if (pair.tangential && tt > 1e-18) {
+    const double most = friction * fmin(pair.mu, 1e12) * pair.saved_slip_done;
+    const double q = fmax(-most, fmin(most, pair.saved_slip_from - row_times(tangential, v, n) / tt));
+    moved += push_along(v, tangential, n, q - pair.saved_slip_from);
+    pair.saved_slip_from = q;
+  }
+  return moved;
+}
+
+// v = drive + forces of the pairs, in balance with the conditions of contact (projected Gauss-Seidel iteration).
+// `friction`: part of every coefficient that counts.
+void rigid_response(const Session& session, const Motions& motions, double friction, const double drive[3],
+                    double v[3]) {
+  for (int j = 0; j < motions.count; ++j) v[j] = drive[j];
+  for (int32_t i = 0; i < session.model.head->pairs; ++i)
+    session.model.pair[i].saved_slip_done = session.model.pair[i].saved_slip_from = 0.0;
+  const double enough = 1e-14 * length_of(drive, motions.count);
+  for (int sweep = 0; sweep < 4000; ++sweep) {
+    double moved = 0.0;
+    for (int32_t i = 0; i < session.model.head->pairs; ++i)
+      if (may_press(session, i)) moved = fmax(moved, push_pair(session, motions, session.model.pair[i], friction, v));
+    if (moved <= enough) return;
+  }
+}
+
+// Take from v what contact prevents, which the iteration left there as round-off. True if a pressed pair slides.
+bool remove_round_off(const Session& session, const Motions& motions, double v[3]) {
+  const int n = motions.count;
+  const double size = length_of(v, n), small = 1e-5 * size;
+  double basis[3][3];
+  int rank = 0;
+  bool slides = false;
+  for (int32_t i = 0; i < session.model.head->pairs; ++i) {
+    if (!may_press(session, i)) continue;
+    const Pair& pair = session.model.pair[i];
+    double normal[3], tangential[3];
+    motion_rows(session, motions, pair, normal, tangential);
+    const bool pressed = pair.saved_slip_done > 0.0 && fabs(row_times(normal, v, n)) <= small;
+    if (!pressed) continue;
+    const bool slips = pair.tangential && fabs(row_times(tangential, v, n)) > small;
+    slides = slides || slips;
+    if (rank < n - 1) rank += extend_basis(basis, rank, n, normal);
+    if (pair.tangential && !slips && rank < n - 1) rank += extend_basis(basis, rank, n, tangential);
+  }
+  double rest[3] = {v[0], v[1], v[2]};
+  remove_prevented(basis, rank, n, rest);
+  if (length_of(rest, n) > 0.99 * size)
+    for (int j = 0; j < n; ++j) v[j] = rest[j];
+  return slides;
+}
+
+// The motion from a state in which nothing is pressed, and with it what to call the outcome. False: the loads push
+// no motion, or the rigid body would not move.
+bool find_unpressed_motion(const Session& session, const Motions& motions, c2d_outcome* outcome, double v[3]) {
+  double drive[3] = {0.0, 0.0, 0.0}, size = 0.0;
+  for (int j = 0; j < motions.count; ++j)
+    drive[j] = load_work(session, session.follower.direction, motions.body.free_motion[j], &size);
+  const double pushed = length_of(drive, motions.count);
+  if (!(pushed > 1e-10 * size)) return false;
+  for (int j = 0; j < motions.count; ++j) drive[j] /= pushed;
+  rigid_response(session, motions, 1.0, drive, v);
+  if (length_of(v, motions.count) <= 1e-8) rigid_response(session, motions, 0.0, drive, v);
+  if (length_of(v, motions.count) <= 1e-8) return false;
+  const bool slides = remove_round_off(session, motions, v);
+  if (!session.solver->floating) *outcome = slides ? C2D_GROSS_SLIDING : C2D_FREE_MOTION;
+  return true;
+}
+
+// The motion where pairs are pressed: along what friction resists most, or the loads push most.
+bool find_pressed_motion(const Session& session, const Motions& motions, c2d_outcome outcome, double choice[3]) {
+  double basis[3][3];
+  const int rank = prevented(session, motions, outcome, basis);
+  driving(session, motions, outcome, choice);
+  const double before = length_of(choice, motions.count);
+  remove_prevented(basis, rank, motions.count, choice);
+  for (int j = 0; j < motions.count && !(length_of(choice, motions.count) > 1e-9 * before); ++j) {
+    for (int i = 0; i < motions.count; ++i) choice[i] = i == j ? 1.0 : 0.0;
+    remove_prevented(basis, rank, motions.count, choice);
+    if (length_of(choice, motions.count) > 1e-6) return true;
+  }
+  return length_of(choice, motions.count) > 1e-9 * before;
+}
+
 } // namespace
 
-void find_outcome_motion(Session& session, c2d_outcome outcome) {
+c2d_outcome find_outcome_motion(Session& session, c2d_outcome outcome) {
   c2d_solver* s = session.solver;
   for (double& number : s->outcome_motion) number = 0.0;
-  if (s->outcome_body < 1 || s->outcome_body > session.model.head->bodies) return;
+  if (s->outcome_body < 1 || s->outcome_body > session.model.head->bodies) return outcome;
   const Motions motions{session.model.head->body[s->outcome_body - 1], s->outcome_body - 1,
                         session.model.head->body[s->outcome_body - 1].free_motions};
-  if (motions.count < 1) return;
+  if (motions.count < 1) return outcome;
   double choice[3] = {1.0, 0.0, 0.0}; // in coordinates of the free motions
-  if (!s->blocked) {
-    double basis[3][3];
-    const int rank = prevented(session, motions, outcome, basis);
-    driving(session, motions, outcome, choice);
-    const double before = length_of(choice, motions.count);
-    remove_prevented(basis, rank, motions.count, choice);
-    for (int j = 0; j < motions.count && !(length_of(choice, motions.count) > 1e-9 * before); ++j) {
-      for (int i = 0; i < motions.count; ++i) choice[i] = i == j ? 1.0 : 0.0;
-      remove_prevented(basis, rank, motions.count, choice);
-      if (length_of(choice, motions.count) > 1e-6) break;
-    }
-    const double size = length_of(choice, motions.count);
-    if (!(size > 0.0)) return;
-    for (int j = 0; j < motions.count; ++j) choice[j] /= size;
-  }
+  if (!s->blocked && (is_pressed(session) || !find_unpressed_motion(session, motions, &outcome, choice)) &&
+      !find_pressed_motion(session, motions, outcome, choice))
+    return outcome;
+  const double size = length_of(choice, motions.count);
+  if (!(size > 0.0)) return outcome;
   for (int j = 0; j < motions.count; ++j)
-    for (int c = 0; c < 3; ++c) s->outcome_motion[c] += choice[j] * motions.body.free_motion[j][c];
+    for (int c = 0; c < 3; ++c) s->outcome_motion[c] += choice[j] / size * motions.body.free_motion[j][c];
+  for (double& number : s->outcome_motion)
+    if (fabs(number) < 1e-9) number = 0.0; // round-off
+  return outcome;
 }
 
 } // namespace c2d

@@ -1,4 +1,5 @@
 // Answers: fields, lists, the summary.
+#include <math.h>
 #include <string.h>
 
 #include "model/symmetry.hpp"
@@ -172,8 +173,11 @@ void fill_motion(const c2d_solver* s, c2d_summary& out) {
   // (ux, uy) of the centre and a rotation about it, as a motion about the origin.
   const double* motion = s->outcome_motion;
   const double rotation = motion[2] / s->model.length_unit;
-  out.free_motion[0] = motion[0] + rotation * body.centre[1];
-  out.free_motion[1] = motion[1] - rotation * body.centre[0];
+  const double turned[2] = {rotation * body.centre[1], -rotation * body.centre[0]};
+  for (int c = 0; c < 2; ++c) {
+    const double sum = motion[c] + turned[c];
+    out.free_motion[c] = fabs(sum) > 1e-9 * (fabs(motion[c]) + fabs(turned[c])) ? sum : 0.0;
+  }
   out.free_motion[2] = rotation;
 }
 

@@ -229,7 +229,7 @@ void name_outcome(Session& session, c2d_outcome outcome) {
   if (outcome == C2D_GROSS_SLIDING && s->peak_pressure > 0.0 &&
       path_scales(session.follower).p <= kNoPressure * s->peak_pressure)
     s->outcome = outcome = C2D_FREE_MOTION;
-  if (s->outcome_body > 0) find_outcome_motion(session, outcome);
+  if (s->outcome_body > 0) s->outcome = find_outcome_motion(session, outcome);
 }
 
 } // namespace

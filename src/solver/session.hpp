@@ -45,8 +45,9 @@ c2d_step describe_step(const Session& session, int32_t kind);
 // Work of the loads along `direction` on a rigid motion of the free body; *size: sum of its magnitudes.
 double load_work(const Session& session, const double* direction, const double motion[3], double* size);
 constexpr double kNoPressure = 1e-9; // of the largest on the path
-// How the free body starts to move when the contact cannot hold it: solver->outcome_motion (solver/motion.cpp).
-void find_outcome_motion(Session& session, c2d_outcome outcome);
+// How the free body starts to move when the contact cannot hold it: solver->outcome_motion (solver/motion.cpp). Returns
+// the outcome; where nothing is pressed the motion decides whether that is sliding or free motion.
+c2d_outcome find_outcome_motion(Session& session, c2d_outcome outcome);
 // Look at the residual of the contact equations, and build the tableau anew if it has grown. Errors: the block store's.
 c2d_status guard_drift(Session& session, bool always);
 // Displacement of a point of the rigid body 1 at the load reached.
