@@ -1,9 +1,6 @@
-// Registers of 16 bytes, on any machine but those that calculate with more digits than they store (x87: i386 without
-// SSE), which have no such registers, and where a number looked for is not equal to itself. See kernel_loops.hpp.
-#include <float.h>
-
+// Registers of 16 bytes, on any machine. See kernel_loops.hpp.
 #include "linalg/kernel_sets.hpp"
-#if !defined(C2D_SMALL) && (FLT_EVAL_METHOD == 0 || FLT_EVAL_METHOD == 1)
+#ifdef C2D_VECTOR_LOOPS
 #define C2D_VECTOR_BYTES 16
 #define C2D_TILE_VECTORS 2
 #define C2D_TILE_COLUMNS 4
