@@ -15,21 +15,28 @@ constexpr int32_t kVectors = C2D_TILE_VECTORS;
 constexpr int32_t kCols = C2D_TILE_COLUMNS;
 static_assert(kLanes * kVectors * kCols <= kMostTileNumbers, "a tile fits into the buffer for edges");
 
-// Vectors that may lie anywhere a number may. Row: one row of a packed right factor.
-typedef Real Vector __attribute__((vector_size(C2D_VECTOR_BYTES), aligned(sizeof(Real)), may_alias));
-typedef Real Row __attribute__((vector_size(kCols * sizeof(Real)), aligned(sizeof(Real)), may_alias));
+typedef Real Vector __attribute__((vector_size(C2D_VECTOR_BYTES)));
+typedef Real Row __attribute__((vector_size(kCols * sizeof(Real)))); // one row of a packed right factor
 
-inline const Vector& vector_at(const Real* x) {
-  return *reinterpret_cast<const Vector*>(x);
+// In memory they may lie anywhere a number may. Members of packed structs, because a reference to a type of lower
+// alignment is taken by clang for one to the aligned type.
+struct __attribute__((packed, may_alias)) LooseVector {
+  Vector v;
+};
+struct __attribute__((packed, may_alias)) LooseRow {
+  Row v;
+};
+inline const LooseVector* vector_at(const Real* x) {
+  return reinterpret_cast<const LooseVector*>(x);
 }
-inline Vector& vector_at(Real* x) {
-  return *reinterpret_cast<Vector*>(x);
+inline LooseVector* vector_at(Real* x) {
+  return reinterpret_cast<LooseVector*>(x);
 }
-inline const Row& row_at(const Real* x) {
-  return *reinterpret_cast<const Row*>(x);
+inline const LooseRow* row_at(const Real* x) {
+  return reinterpret_cast<const LooseRow*>(x);
 }
-inline Row& row_at(Real* x) {
-  return *reinterpret_cast<Row*>(x);
+inline LooseRow* row_at(Real* x) {
+  return reinterpret_cast<LooseRow*>(x);
 }
 
 void tile(int32_t k, const Real* a, int64_t lda, const Real* b, Real* c, int64_t ldc) {
@@ -38,7 +45,7 @@ void tile(int32_t k, const Real* a, int64_t lda, const Real* b, Real* c, int64_t
   for (int32_t p = 0; p < k; ++p) {
     Vector column[kVectors];
 #pragma GCC unroll 8
-    for (int32_t i = 0; i < kVectors; ++i) column[i] = vector_at(a + i * kLanes);
+    for (int32_t i = 0; i < kVectors; ++i) column[i] = vector_at(a + i * kLanes)->v;
 #pragma GCC unroll 8
     for (int32_t j = 0; j < kCols; ++j) {
 #pragma GCC unroll 8
@@ -50,7 +57,7 @@ void tile(int32_t k, const Real* a, int64_t lda, const Real* b, Real* c, int64_t
 #pragma GCC unroll 8
   for (int32_t j = 0; j < kCols; ++j) {
 #pragma GCC unroll 8
-    for (int32_t i = 0; i < kVectors; ++i) vector_at(c + i * kLanes + j * ldc) -= sum[j][i];
+    for (int32_t i = 0; i < kVectors; ++i) vector_at(c + i * kLanes + j * ldc)->v -= sum[j][i];
   }
 }
 
@@ -60,21 +67,21 @@ void solve(int32_t n, const Real* l, int64_t ldl, Real* b) {
   for (; p + 4 <= n; p += 4) {
     const Real *l0 = l + p * ldl, *l1 = l0 + ldl, *l2 = l1 + ldl, *l3 = l2 + ldl;
     Real* x = b + static_cast<int64_t>(p) * kCols;
-    const Row x0 = row_at(x);
-    const Row x1 = row_at(x + kCols) - x0 * l0[p + 1];
-    const Row x2 = row_at(x + 2 * kCols) - x0 * l0[p + 2] - x1 * l1[p + 2];
-    const Row x3 = row_at(x + 3 * kCols) - x0 * l0[p + 3] - x1 * l1[p + 3] - x2 * l2[p + 3];
-    row_at(x + kCols) = x1;
-    row_at(x + 2 * kCols) = x2;
-    row_at(x + 3 * kCols) = x3;
+    const Row x0 = row_at(x)->v;
+    const Row x1 = row_at(x + kCols)->v - x0 * l0[p + 1];
+    const Row x2 = row_at(x + 2 * kCols)->v - x0 * l0[p + 2] - x1 * l1[p + 2];
+    const Row x3 = row_at(x + 3 * kCols)->v - x0 * l0[p + 3] - x1 * l1[p + 3] - x2 * l2[p + 3];
+    row_at(x + kCols)->v = x1;
+    row_at(x + 2 * kCols)->v = x2;
+    row_at(x + 3 * kCols)->v = x3;
     for (int32_t i = p + 4; i < n; ++i) {
-      Row& y = row_at(b + static_cast<int64_t>(i) * kCols);
-      y = y - x0 * l0[i] - x1 * l1[i] - x2 * l2[i] - x3 * l3[i];
+      LooseRow* y = row_at(b + static_cast<int64_t>(i) * kCols);
+      y->v = y->v - x0 * l0[i] - x1 * l1[i] - x2 * l2[i] - x3 * l3[i];
     }
   }
   for (; p < n; ++p) {
-    const Row x = row_at(b + static_cast<int64_t>(p) * kCols);
-    for (int32_t i = p + 1; i < n; ++i) row_at(b + static_cast<int64_t>(i) * kCols) -= x * l[i + p * ldl];
+    const Row x = row_at(b + static_cast<int64_t>(p) * kCols)->v;
+    for (int32_t i = p + 1; i < n; ++i) row_at(b + static_cast<int64_t>(i) * kCols)->v -= x * l[i + p * ldl];
   }
 }
 
@@ -82,9 +89,11 @@ void solve(int32_t n, const Real* l, int64_t ldl, Real* b) {
 void solve_upper(int32_t n, const Real* u, int64_t ldu, Real* b) {
   for (int32_t p = n - 1; p >= 0; --p) {
     const Real* at = u + p * ldu;
-    Row& x = row_at(b + static_cast<int64_t>(p) * kCols);
-    x = at[p] == 0 ? Row{} : x / at[p];
-    for (int32_t i = 0; i < p; ++i) row_at(b + static_cast<int64_t>(i) * kCols) -= x * at[i];
+    LooseRow* row = row_at(b + static_cast<int64_t>(p) * kCols);
+    Row x = {};
+    if (at[p] != 0) x = row->v / at[p];
+    row->v = x;
+    for (int32_t i = 0; i < p; ++i) row_at(b + static_cast<int64_t>(i) * kCols)->v -= x * at[i];
   }
 }
 
@@ -107,15 +116,15 @@ int32_t column(int32_t m, int32_t k, const Real* l, int64_t ldl, const Real* u, 
   for (; i + kGroup * kLanes <= m; i += kGroup * kLanes) {
     Vector y[kGroup];
 #pragma GCC unroll 4
-    for (int32_t v = 0; v < kGroup; ++v) y[v] = vector_at(x + i + v * kLanes);
+    for (int32_t v = 0; v < kGroup; ++v) y[v] = vector_at(x + i + v * kLanes)->v;
     const Real* at = l + i;
     for (int32_t p = 0; p < k; ++p, at += ldl) {
 #pragma GCC unroll 4
-      for (int32_t v = 0; v < kGroup; ++v) y[v] -= vector_at(at + v * kLanes) * u[p];
+      for (int32_t v = 0; v < kGroup; ++v) y[v] -= vector_at(at + v * kLanes)->v * u[p];
     }
 #pragma GCC unroll 4
     for (int32_t v = 0; v < kGroup; ++v) {
-      vector_at(x + i + v * kLanes) = y[v];
+      vector_at(x + i + v * kLanes)->v = y[v];
       const Vector size = size_of(y[v]);
       most_each = size > most_each ? size : most_each;
     }
@@ -135,7 +144,7 @@ int32_t column(int32_t m, int32_t k, const Real* l, int64_t ldl, const Real* u, 
 
 void divide(int32_t n, Real pivot, Real* x) {
   int32_t i = 0;
-  for (; i + kLanes <= n; i += kLanes) vector_at(x + i) = vector_at(x + i) / pivot;
+  for (; i + kLanes <= n; i += kLanes) vector_at(x + i)->v = vector_at(x + i)->v / pivot;
   for (; i < n; ++i) x[i] /= pivot;
 }
 
@@ -145,7 +154,7 @@ Real largest_entry(int32_t n, const Real* x) {
   for (; i + 2 * kLanes <= n; i += 2 * kLanes) {
 #pragma GCC unroll 2
     for (int32_t v = 0; v < 2; ++v) {
-      const Vector size = size_of(vector_at(x + i + v * kLanes));
+      const Vector size = size_of(vector_at(x + i + v * kLanes)->v);
       most_each[v] = size > most_each[v] ? size : most_each[v];
     }
   }
@@ -161,7 +170,7 @@ void pack(int32_t k, const Real* a, int64_t lda, Real* to) {
   for (int32_t p = 0; p < k; ++p, a += lda, to += kVectors * kLanes) {
     __builtin_prefetch(a + 4 * lda);
 #pragma GCC unroll 8
-    for (int32_t v = 0; v < kVectors; ++v) vector_at(to + v * kLanes) = vector_at(a + v * kLanes);
+    for (int32_t v = 0; v < kVectors; ++v) vector_at(to + v * kLanes)->v = vector_at(a + v * kLanes)->v;
   }
 }
 

@@ -23,4 +23,12 @@ bool same_text(const char* a, const char* b) {
   return a[i] == b[i];
 }
 
+bool same_bytes(const void* a, const void* b, size_t size) {
+  const unsigned char* x = static_cast<const unsigned char*>(a);
+  const unsigned char* y = static_cast<const unsigned char*>(b);
+  size_t i = 0;
+  while (i < size && x[i] == y[i]) ++i;
+  return i == size;
+}
+
 } // namespace c2d

@@ -1,6 +1,7 @@
 #pragma once
 // What is asked of short texts, so that the core needs nothing of the C library but memory moves and
 // mathematics.
+#include <stddef.h>
 #include <stdint.h>
 
 namespace c2d {
@@ -12,5 +13,7 @@ int32_t text_length(const char* text);
 // Is it one of the characters of `set`? A zero byte is none.
 bool one_of(char character, const char* set);
 bool same_text(const char* a, const char* b);
+// A loop, because clang makes bcmp of a memcmp whose sign is not asked for, and a host need not have that.
+bool same_bytes(const void* a, const void* b, size_t size);
 
 } // namespace c2d

@@ -2,6 +2,7 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "memory/characters.hpp"
 #include "solver/solver.hpp"
 
 namespace c2d {
@@ -32,8 +33,8 @@ bool is_consistent(const char* at) {
   Sizes sizes;
   Layout expected;
   static_assert(sizeof(Sizes) == 4 * 4 + 21 * 8 && sizeof(Layout) == 8 * (kArrays + 1), "no padding");
-  return derive_sizes(limits, sizes) == C2D_OK && memcmp(&found, &sizes, sizeof sizes) == 0 &&
-         lay_out(sizes, sizeof(c2d_solver), expected) == C2D_OK && memcmp(&layout, &expected, sizeof layout) == 0;
+  return derive_sizes(limits, sizes) == C2D_OK && same_bytes(&found, &sizes, sizeof sizes) &&
+         lay_out(sizes, sizeof(c2d_solver), expected) == C2D_OK && same_bytes(&layout, &expected, sizeof layout);
 }
 
 // Where the solver stands in memory[0 .. bytes): *slack. MEMORY with *needed if the memory ends too early.
@@ -41,7 +42,7 @@ c2d_status find_solver(const char* memory, size_t bytes, uint32_t* slack, uint64
   c2d_status status = C2D_ERR_ARGUMENT;
   for (uint32_t i = 0; i < kAlignment && bytes >= sizeof(c2d_solver) && i <= bytes - sizeof(c2d_solver); ++i) {
     const char* at = memory + i;
-    if (memcmp(at, &kSolverMagic, sizeof kSolverMagic) != 0 || C2D_MEMBER(slack) != i) continue;
+    if (!same_bytes(at, &kSolverMagic, sizeof kSolverMagic) || C2D_MEMBER(slack) != i) continue;
     if (C2D_MEMBER(maker) != solver_maker()) {
       status = C2D_ERR_MISMATCH;
       continue;
