@@ -98,11 +98,7 @@ void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Picture
 } // namespace
 
 void draw_gap(const Scene& scene, Pictures& out) {
-  size_t drawn = 0;
-  for (size_t c = 0; c < scene.record->coefficients.size(); ++c)
-    for (size_t z = 0; z < scene.zones.size(); ++z)
-      if (!scene.record->coefficients[c].table.empty() && scene.zones[z].pairs > 0 && drawn++ < kMostCharts)
-        draw_one(scene, c, z, out);
+  draw_charts(scene, scene.record->coefficients.size(), draw_one, out);
 }
 
 } // namespace app

@@ -119,12 +119,7 @@ void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Picture
 } // namespace
 
 void draw_status_map(const Scene& scene, Pictures& out) {
-  size_t drawn = 0;
-  const size_t known = std::min(scene.record->coefficients.size(), scene.history->coefficients().size());
-  for (size_t c = 0; c < known; ++c)
-    for (size_t z = 0; z < scene.zones.size(); ++z)
-      if (!scene.record->coefficients[c].table.empty() && scene.zones[z].pairs > 0 && drawn++ < kMostCharts)
-        draw_one(scene, c, z, out);
+  draw_charts(scene, std::min(scene.record->coefficients.size(), scene.history->coefficients().size()), draw_one, out);
 }
 
 } // namespace app

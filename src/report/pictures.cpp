@@ -2,6 +2,15 @@
 
 namespace app {
 
+void draw_charts(const Scene& scene, size_t coefficients, void (*draw)(const Scene&, size_t, size_t, Pictures&),
+                 Pictures& out) {
+  size_t drawn = 0;
+  for (size_t c = 0; c < coefficients; ++c)
+    for (size_t z = 0; z < scene.zones.size(); ++z)
+      if (!scene.record->coefficients[c].table.empty() && scene.zones[z].pairs > 0 && drawn++ < kMostCharts)
+        draw(scene, c, z, out);
+}
+
 std::string chart_title(const Scene& scene, double mu, size_t zone) {
   std::string out = "&#956; = " + figure(mu);
   if (scene.zones.size() > 1) out += ", zone " + std::to_string(zone + 1);

@@ -45,6 +45,10 @@ c2d_status draw_stress(const Scene& scene, Pictures& out);
 // All of them. Fails only if results could not be had from the solver.
 c2d_status draw_pictures(const Scene& scene, Pictures& out);
 
+// Calls `draw` for every zone with results of the first coefficients, up to kMostCharts times.
+void draw_charts(const Scene& scene, size_t coefficients,
+                 void (*draw)(const Scene& scene, size_t coefficient, size_t zone, Pictures& out), Pictures& out);
+
 // "mu = 0.3" and, if there are several zones, ", zone 2".
 std::string chart_title(const Scene& scene, double mu, size_t zone);
 // "_1" and "_1_2": coefficient and zone, numbers only if there are several.

@@ -1,9 +1,8 @@
 // Where interior results are wanted: kept with the model, expanded for whoever asks.
 #include <string.h>
 
-#include "memory/text.hpp"
 #include "model/validate.hpp"
-#include "solver/solver.hpp"
+#include "solver/refuse.hpp"
 
 namespace c2d {
 
@@ -31,19 +30,6 @@ double place_between(double from, double to, int32_t i, int32_t count) {
   if (i == count - 1) return to;
   const double part = static_cast<double>(i) / (count - 1);
   return (1.0 - part) * from + part * to;
-}
-
-c2d_status refuse(c2d_solver* s, c2d_status status, const char* text) {
-  c2d_error e = blank_error();
-  e.status = status;
-  e.severity = C2D_FAULT;
-  e.line = s->model.line;
-  e.column = s->model.column;
-  e.column_end = s->model.column_end;
-  Text out = text_in(e.text);
-  put(out, text);
-  report_fault(s, e);
-  return status;
 }
 
 } // namespace
@@ -74,8 +60,7 @@ extern "C" c2d_status c2d_add_points(c2d_solver* s, const c2d_points* points) {
     if (c < ours.kind) set.count[c] = ours.count[c];
     if (ours.kind != C2D_POINTS_ONE) set.to[c] = ours.to[c];
   }
-  s->state = C2D_STATE_BUILDING;
-  return C2D_OK;
+  return built(s);
 }
 
 extern "C" c2d_status c2d_get_points(c2d_solver* s, int32_t i, c2d_points* out) {
