@@ -92,99 +92,125 @@ Settings with(Settings settings, const std::string& more) {
   return settings;
 }
 
-bool run_study(const std::string& folder) {
-  Study study(folder);
-  const Settings adhesion = {"mu=inf", "n=15", "edge=0"}, friction = {"mu=0.4", "n=15", "edge=0"};
-  std::vector<Panel> panels;
-  print_head();
+const Settings kAdhesion = {"mu=inf", "n=15", "edge=0"}, kFriction = {"mu=0.4", "n=15", "edge=0"};
 
-  const Run& exact = study.events("events", adhesion);
-  study.print(exact);
-  if (!study.good()) return false;
-  Convergence equal_ones{"equal increments", {}, {}, Look::kFirst},
-      pairs{"pair by pair, divided", {}, {}, Look::kSecond};
-  std::vector<const Run*> equals;
-  for (const int count : {25, 50, 100, 200, 400, 800, 1600, 3200}) {
-    equals.push_back(&study.stepped("equal_" + std::to_string(count), adhesion, equal(count)));
-    equal_ones.increments.push_back(count);
-    equal_ones.difference.push_back(study.print(exact).rms);
+// The figures in their order; each may use curves of those before it.
+class Sheet {
+public:
+  explicit Sheet(const std::string& folder) : study_(folder) {}
+  bool draw() {
+    print_head();
+    exact_ = &study_.events("events", kAdhesion);
+    study_.print(*exact_);
+    if (!study_.good()) return false;
+    equal_increments();
+    coarse_at_first();
+    pair_after_pair();
+    sizes_of_elements();
+    with_slip();
+    quadratic_elements();
+    std::printf("\n* an increment had no solution and was finished by following events\n");
+    return study_.finish(draw_sheet(panels_, study_.continuum, convergence_));
   }
-  panels.push_back({"Figure 36: 25, 50 and 200 equal increments",
-                    {{"25", equals[0], Look::kFirst},
-                     {"50", equals[1], Look::kSecond},
-                     {"200", equals[3], Look::kThird},
-                     {"events", &exact, Look::kEvents}},
-                    Against::kContinuum});
-  panels.push_back({"Figure 37: 100 and 200 equal increments",
-                    {{"100", equals[2], Look::kFirst},
-                     {"200", equals[3], Look::kThird},
-                     {"events", &exact, Look::kEvents}},
-                    Against::kContinuum});
 
-  const Run& first_coarse = study.stepped("first_coarse", adhesion, {{4, 0.16}, {168, 1.0}});
-  study.print(exact);
-  panels.push_back({"Figure 38: the first 16 % of the load in 4 increments",
-                    {{"4 and 168", &first_coarse, Look::kFirst},
-                     {"200 equal", equals[3], Look::kThird},
-                     {"events", &exact, Look::kEvents}},
-                    Against::kContinuum});
-
-  const LoadCards cards = pair_by_pair(adhesion, exact.touching);
-  std::vector<const Run*> runs;
-  for (const int parts : {1, 2, 4, 8, 16, 32, 64}) {
-    const LoadCards all = divided(cards, parts);
-    runs.push_back(&study.stepped("pairs_" + std::to_string(parts), adhesion, all));
-    pairs.increments.push_back(count_of(all));
-    pairs.difference.push_back(study.print(exact).rms);
+private:
+  void equal_increments() { // figures 36, 37
+    Convergence falling{"equal increments", {}, {}, Look::kFirst};
+    std::vector<const Run*> equals;
+    for (const int count : {25, 50, 100, 200, 400, 800, 1600, 3200}) {
+      equals.push_back(&study_.stepped("equal_" + std::to_string(count), kAdhesion, equal(count)));
+      falling.increments.push_back(count);
+      falling.difference.push_back(study_.print(*exact_).rms);
+    }
+    equal_200_ = equals[3];
+    panels_.push_back({"Figure 36: 25, 50 and 200 equal increments",
+                       {{"25", equals[0], Look::kFirst},
+                        {"50", equals[1], Look::kSecond},
+                        {"200", equal_200_, Look::kThird},
+                        {"events", exact_, Look::kEvents}},
+                       Against::kContinuum});
+    panels_.push_back({"Figure 37: 100 and 200 equal increments",
+                       {{"100", equals[2], Look::kFirst},
+                        {"200", equal_200_, Look::kThird},
+                        {"events", exact_, Look::kEvents}},
+                       Against::kContinuum});
+    convergence_.push_back(falling);
   }
-  panels.push_back({"Figure 39: each increment brings one pair into contact",
-                    {{"as they are", runs[0], Look::kFirst},
-                     {"halved", runs[1], Look::kSecond},
-                     {"quartered", runs[2], Look::kThird},
-                     {"events", &exact, Look::kEvents}},
-                    Against::kContinuum});
-
-  Panel sizes{"The same sizes, event following", {}, Against::kDifference};
-  const Look looks[] = {Look::kEvents, Look::kFirst, Look::kThird};
-  const char* const names[] = {"equal", "jump", "gradual"};
-  Panel sizes_200{"Figure 40: sizes of elements, 200 equal increments", {}, Against::kDifference};
-  for (int i = 0; i < 3; ++i) {
-    const Settings mesh = with(adhesion, std::string("sizes=") + names[i]);
-    const Run& by_events = study.events(std::string("sizes_") + names[i] + "_events", mesh);
-    study.print(by_events);
-    const Run& by_200 = study.stepped(std::string("sizes_") + names[i] + "_200", mesh, equal(200));
-    study.print(by_events);
-    const std::string name = std::string(names[i]) + (i == 1 ? " 2.5 : 1 at 0.71" : "");
-    sizes.series.push_back({name, &by_events, looks[i]});
-    sizes_200.series.push_back({name, &by_200, looks[i]});
+  void coarse_at_first() { // figure 38
+    const Run& first_coarse = study_.stepped("first_coarse", kAdhesion, {{4, 0.16}, {168, 1.0}});
+    study_.print(*exact_);
+    panels_.push_back({"Figure 38: the first 16 % of the load in 4 increments",
+                       {{"4 and 168", &first_coarse, Look::kFirst},
+                        {"200 equal", equal_200_, Look::kThird},
+                        {"events", exact_, Look::kEvents}},
+                       Against::kContinuum});
   }
-  panels.push_back(sizes_200);
-  panels.push_back(sizes);
+  void pair_after_pair() { // figure 39
+    Convergence falling{"pair by pair, divided", {}, {}, Look::kSecond};
+    const LoadCards cards = pair_by_pair(kAdhesion, exact_->touching);
+    std::vector<const Run*> runs;
+    for (const int parts : {1, 2, 4, 8, 16, 32, 64}) {
+      const LoadCards all = divided(cards, parts);
+      runs.push_back(&study_.stepped("pairs_" + std::to_string(parts), kAdhesion, all));
+      falling.increments.push_back(count_of(all));
+      falling.difference.push_back(study_.print(*exact_).rms);
+    }
+    panels_.push_back({"Figure 39: each increment brings one pair into contact",
+                       {{"as they are", runs[0], Look::kFirst},
+                        {"halved", runs[1], Look::kSecond},
+                        {"quartered", runs[2], Look::kThird},
+                        {"events", exact_, Look::kEvents}},
+                       Against::kContinuum});
+    convergence_.push_back(falling);
+  }
+  void sizes_of_elements() { // figure 40
+    Panel sizes{"The same sizes, event following", {}, Against::kDifference};
+    const Look looks[] = {Look::kEvents, Look::kFirst, Look::kThird};
+    const char* const names[] = {"equal", "jump", "gradual"};
+    Panel sizes_200{"Figure 40: sizes of elements, 200 equal increments", {}, Against::kDifference};
+    for (int i = 0; i < 3; ++i) {
+      const Settings mesh = with(kAdhesion, std::string("sizes=") + names[i]);
+      const Run& by_events = study_.events(std::string("sizes_") + names[i] + "_events", mesh);
+      study_.print(by_events);
+      const Run& by_200 = study_.stepped(std::string("sizes_") + names[i] + "_200", mesh, equal(200));
+      study_.print(by_events);
+      const std::string name = std::string(names[i]) + (i == 1 ? " 2.5 : 1 at 0.71" : "");
+      sizes.series.push_back({name, &by_events, looks[i]});
+      sizes_200.series.push_back({name, &by_200, looks[i]});
+    }
+    panels_.push_back(sizes_200);
+    panels_.push_back(sizes);
+  }
+  void with_slip() { // figure 41
+    const Run& slipping = study_.events("mu_0.4_events", kFriction);
+    study_.print(slipping, false);
+    const Run& slipping_20 = study_.stepped("mu_0.4_equal_20", kFriction, equal(20));
+    study_.print(slipping, false);
+    const Run& slipping_pairs =
+        study_.stepped("mu_0.4_pairs", kFriction, pair_by_pair(kFriction, slipping.touching));
+    study_.print(slipping, false);
+    panels_.push_back({"Figure 41: friction coefficient 0.4 and adhesion",
+                       {{"0.4: 20 equal", &slipping_20, Look::kFirst},
+                        {"0.4: pair by pair", &slipping_pairs, Look::kSecond},
+                        {"events, both", &slipping, Look::kEvents},
+                        {"adhesion: 200 equal", equal_200_, Look::kThird},
+                        {"", exact_, Look::kEvents}},
+                       Against::kNothing});
+  }
+  void quadratic_elements() {
+    const Run& quadratic = study_.events("quadratic_events", {"mu=inf", "n=8", "edge=0", "order=2"});
+    study_.print(quadratic);
+    panels_.push_back(
+        {"Beyond 1987: quadratic elements, events",
+         {{"7 quadratic elements", &quadratic, Look::kFirst}, {"14 linear elements", exact_, Look::kEvents}},
+         Against::kDifference});
+  }
 
-  const Run& slipping = study.events("mu_0.4_events", friction);
-  study.print(slipping, false);
-  const Run& slipping_20 = study.stepped("mu_0.4_equal_20", friction, equal(20));
-  study.print(slipping, false);
-  const Run& slipping_pairs =
-      study.stepped("mu_0.4_pairs", friction, pair_by_pair(friction, slipping.touching));
-  study.print(slipping, false);
-  panels.push_back({"Figure 41: friction coefficient 0.4 and adhesion",
-                    {{"0.4: 20 equal", &slipping_20, Look::kFirst},
-                     {"0.4: pair by pair", &slipping_pairs, Look::kSecond},
-                     {"events, both", &slipping, Look::kEvents},
-                     {"adhesion: 200 equal", equals[3], Look::kThird},
-                     {"", &exact, Look::kEvents}},
-                    Against::kNothing});
-
-  const Run& quadratic = study.events("quadratic_events", {"mu=inf", "n=8", "edge=0", "order=2"});
-  study.print(quadratic);
-  panels.push_back(
-      {"Beyond 1987: quadratic elements, events",
-       {{"7 quadratic elements", &quadratic, Look::kFirst}, {"14 linear elements", &exact, Look::kEvents}},
-       Against::kDifference});
-  std::printf("\n* an increment had no solution and was finished by following events\n");
-  return study.finish(draw_sheet(panels, study.continuum, {equal_ones, pairs}));
-}
+  Study study_;
+  const Run *exact_ = nullptr, *equal_200_ = nullptr;
+  std::vector<Panel> panels_;
+  std::vector<Convergence> convergence_;
+};
 
 } // namespace
 
@@ -193,7 +219,7 @@ int main(int count, char** words) {
     std::fprintf(stderr, "usage: chapter9 FOLDER\n");
     return 64;
   }
-  if (run_study(words[1])) return 0;
+  if (Sheet(words[1]).draw()) return 0;
   std::fprintf(stderr, "chapter9: not all of it could be done or written\n");
   return 1;
 }
