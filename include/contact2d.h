@@ -252,6 +252,7 @@ typedef struct c2d_port {
   int32_t (*cancel)(void* context);                         /* non-zero: stop with C2D_ERR_CANCELLED */
   void (*log)(void* context, const c2d_error* entry);       /* every fault, warning and note         */
   double (*clock)(void* context);                           /* seconds from any origin, monotonic    */
+  int32_t threads;            /* tasks that parallel_for runs at once; 0 and 1: it is not called    */
 } c2d_port;
 
 /* Make a solver in memory[0 .. bytes). On success *out points into that memory; on failure it is null. `port` may

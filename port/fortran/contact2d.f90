@@ -131,7 +131,7 @@ module contact2d
   end type
 
   type, bind(C) :: c2d_port
-    integer(c_int32_t) :: struct_size = 120
+    integer(c_int32_t) :: struct_size = 128
     type(c_ptr) :: context = c_null_ptr
     type(c_funptr) :: open = c_null_funptr
     type(c_funptr) :: read = c_null_funptr
@@ -146,6 +146,7 @@ module contact2d
     type(c_funptr) :: cancel = c_null_funptr
     type(c_funptr) :: log = c_null_funptr
     type(c_funptr) :: clock = c_null_funptr
+    integer(c_int32_t) :: threads = 0
   end type
 
   type, bind(C) :: c2d_card
