@@ -27,6 +27,12 @@ struct BatchElement {
 };
 BatchElement batch_element(const Integrator& in);
 
+// The one column that takes a component of one local node, [kind][l][j] with h before g; null: none does.
+struct BatchColumns {
+  Real* to[2][4][2];
+  double factor[2][4][2];
+};
+
 // Batches of an element: sources at xy = x0 y0 x1 y1 ..., the first of which has the panel's rows 2 first, 2
 // first + 1.
 struct BatchRun {
@@ -35,7 +41,11 @@ struct BatchRun {
   const Blocks* blocks;
   bool want_h, want_g;
   double sign[2]; // of the rows of an image
+  const BatchColumns* direct; // the same deposits, see aim_columns(); null: one by one
 };
+// Are the deposits so simple that each component has one column at most, and the image the element itself?
+// Then they stand in `out` as well.
+bool aim_columns(const BatchRun& run, BatchColumns& out);
 
 struct BatchKernel {
   // The blocks of the sources at xy, for an element for which is_batched() holds. A source at one of the

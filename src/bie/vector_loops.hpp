@@ -29,6 +29,10 @@ INLINE Doubles all(double x) {
   return Doubles{} + x;
 }
 
+INLINE Doubles lower(Doubles a, Doubles b) {
+  return a < b ? a : b;
+}
+
 // Pairs of lanes 0, 2, ... of a and b; of lanes 1, 3, ...: cheap on every machine. What was loaded by these
 // two from x y x y ... is stored in its place by the same two. low_pairs, high_pairs: pairs of a and b in
 // turns, from the first and from the second halves.
@@ -77,13 +81,16 @@ INLINE Doubles high_pairs(Doubles, Doubles b) {
   return b;
 }
 #endif
-#undef C2D_SHUFFLE
-
 INLINE double least(Doubles v) {
-  double lowest = v[0];
-  for (int i = 1; i < kDoubles; ++i) lowest = v[i] < lowest ? v[i] : lowest;
-  return lowest;
+#if C2D_VECTOR_BYTES == 64
+  v = lower(v, C2D_SHUFFLE(v, v, 4, 5, 6, 7, 0, 1, 2, 3));
+  v = lower(v, C2D_SHUFFLE(v, v, 2, 3, 0, 1, 6, 7, 4, 5));
+#elif C2D_VECTOR_BYTES == 32
+  v = lower(v, C2D_SHUFFLE(v, v, 2, 3, 0, 1));
+#endif
+  return v[0] < v[1] ? v[0] : v[1];
 }
+#undef C2D_SHUFFLE
 
 INLINE Doubles magnitude(Doubles x) {
   return x < 0.0 ? -x : x;
@@ -97,18 +104,28 @@ constexpr double kLogarithm[] = {0.66666666666666696862, 0.3999999999989950449, 
                                  0.22222211134795079855, 0.1818288912526172208, 0.15331721600556041269,
                                  0.1461644968504340586};
 
-// ln x, x > 0 and normal: x = 2^k (1+f), 1+f within a factor sqrt 2 of 1, s = f/(2+f).
-INLINE Doubles logarithm(Doubles x) {
+// x = 2^k (1+f), 1+f within a factor sqrt 2 of 1; x > 0 and normal.
+struct Reduced {
+  Doubles k, f;
+};
+INLINE Reduced reduce(Doubles x) {
   constexpr int64_t kHalfRoot = 0x3fe6a09e667f3bcd, kBias = int64_t(1023) << 52, kTwo52 = 0x4330000000000000;
   const Bits bits = (Bits)x;
   const Bits e = (Bits)((Unsigned)(bits + (kBias - kHalfRoot)) >> 52); // k + 1023
-  const Doubles k = (Doubles)(e | kTwo52) - (4503599627370496.0 + 1023.0);
-  const Doubles f = (Doubles)(bits - (e << 52) + kBias) - 1.0;
-  const Doubles s = f / (2.0 + f), z = s * s;
+  return {(Doubles)(e | kTwo52) - (4503599627370496.0 + 1023.0), (Doubles)(bits - (e << 52) + kBias) - 1.0};
+}
+
+// ln of that number with s = f/(2+f), which may be off by a few ulp: it multiplies f^2/2 at most.
+INLINE Doubles logarithm(Reduced x, Doubles s) {
+  const Doubles z = s * s;
   Doubles p = all(kLogarithm[6]);
 #pragma GCC unroll 6
   for (int i = 5; i >= 0; --i) p = p * z + kLogarithm[i];
-  return k * kLn2 + (f - (s * (f - z * p) - k * kLn2Rest));
+  return x.k * kLn2 + (x.f - (s * (x.f - z * p) - x.k * kLn2Rest));
+}
+INLINE Doubles logarithm(Doubles x) {
+  const Reduced r = reduce(x);
+  return logarithm(r, r.f / (2.0 + r.f));
 }
 
 // (atan(t)/t - 1) / t^2 in powers of t^2, |t| <= sqrt 2 - 1.
