@@ -43,10 +43,7 @@ constexpr double kLogs[] = {1.0 / 6,   1.0 / 20,  1.0 / 42,  1.0 / 72,  1.0 / 11
 
 INLINE LinearFar linear_far(Complexes z, Doubles z2, int terms, bool want_log) {
   LinearFar f;
-  // One quotient serves 1/z^2 and the logarithm.
-  const Reduced x = want_log ? reduce(z2) : Reduced{};
-  const Doubles two_f = 2.0 + x.f, quotient = want_log ? 1.0 / (z2 * two_f) : 1.0 / z2;
-  const Doubles q = want_log ? quotient * two_f : quotient;
+  const Doubles q = 1.0 / z2;
   const Complexes iz = {z.re * q, -z.im * q};
   const Complexes w = {iz.re * iz.re - iz.im * iz.im, 2.0 * (iz.re * iz.im)};
   // Polynomials with real coefficients at a complex argument, as in sum_series().
@@ -70,7 +67,7 @@ INLINE LinearFar linear_far(Complexes z, Doubles z2, int terms, bool want_log) {
   if (want_log) {
     const Complexes p = {kLogs[0] + (w.re * log - norm * log2), w.im * log};
     const Complexes v = {(f.c1.re - s3.re) + 1.0, f.c1.im - s3.im};
-    f.log0 = 0.5 * logarithm(x, x.f * (z2 * quotient)) + (w.im * p.im - w.re * p.re);
+    f.log0 = 0.5 * logarithm(z2) + (w.im * p.im - w.re * p.re);
     f.log1 = -0.5 * (iz.re * v.re - iz.im * v.im);
   }
   return f;
@@ -90,7 +87,7 @@ template <class Sink> INLINE void pay_linear(const Entries& even, const Entries&
 INLINE Entries entries_h(const BatchElement& e, Complexes c, Complexes d, Complexes turn) {
   const Doubles alpha = e.h_alpha * c.im, delta = e.h_delta * c.re; // of the negative moment
   const Doubles beta = turn.re * d.re + turn.im * d.im, gamma = turn.im * d.re - turn.re * d.im;
-  return {beta - alpha, gamma + delta, gamma - delta, -alpha - beta};
+  return {beta - alpha, gamma - delta, gamma + delta, -alpha - beta};
 }
 
 INLINE Entries entries_g(Doubles alpha, Doubles beta, Doubles gamma) {

@@ -26,7 +26,7 @@ INLINE void save(double* to, Doubles v) {
   *reinterpret_cast<Loose*>(to) = v;
 }
 INLINE Doubles all(double x) {
-  return Doubles{} + x;
+  return x - Doubles{}; // not the sum, which costs an addition for the sake of -0
 }
 
 INLINE Doubles lower(Doubles a, Doubles b) {
@@ -104,28 +104,18 @@ constexpr double kLogarithm[] = {0.66666666666666696862, 0.3999999999989950449, 
                                  0.22222211134795079855, 0.1818288912526172208, 0.15331721600556041269,
                                  0.1461644968504340586};
 
-// x = 2^k (1+f), 1+f within a factor sqrt 2 of 1; x > 0 and normal.
-struct Reduced {
-  Doubles k, f;
-};
-INLINE Reduced reduce(Doubles x) {
+// ln x, x > 0 and normal: x = 2^k (1+f), 1+f within a factor sqrt 2 of 1, s = f/(2+f).
+INLINE Doubles logarithm(Doubles x) {
   constexpr int64_t kHalfRoot = 0x3fe6a09e667f3bcd, kBias = int64_t(1023) << 52, kTwo52 = 0x4330000000000000;
   const Bits bits = (Bits)x;
   const Bits e = (Bits)((Unsigned)(bits + (kBias - kHalfRoot)) >> 52); // k + 1023
-  return {(Doubles)(e | kTwo52) - (4503599627370496.0 + 1023.0), (Doubles)(bits - (e << 52) + kBias) - 1.0};
-}
-
-// ln of that number with s = f/(2+f), which may be off by a few ulp: it multiplies f^2/2 at most.
-INLINE Doubles logarithm(Reduced x, Doubles s) {
-  const Doubles z = s * s;
+  const Doubles k = (Doubles)(e | kTwo52) - (4503599627370496.0 + 1023.0);
+  const Doubles f = (Doubles)(bits - (e << 52) + kBias) - 1.0;
+  const Doubles s = f / (2.0 + f), z = s * s;
   Doubles p = all(kLogarithm[6]);
 #pragma GCC unroll 6
   for (int i = 5; i >= 0; --i) p = p * z + kLogarithm[i];
-  return x.k * kLn2 + (x.f - (s * (x.f - z * p) - x.k * kLn2Rest));
-}
-INLINE Doubles logarithm(Doubles x) {
-  const Reduced r = reduce(x);
-  return logarithm(r, r.f / (2.0 + r.f));
+  return k * kLn2 + (f - (s * (f - z * p) - k * kLn2Rest));
 }
 
 // (atan(t)/t - 1) / t^2 in powers of t^2, |t| <= sqrt 2 - 1.
