@@ -142,7 +142,13 @@ void pay(const BatchRun& run, int32_t first, int32_t count, const BatchBlocks& o
     const Deposit& d = run.deposits->list[n];
     const double* values = paid_from(run, d, out);
     Real* to = d.column + 2 * static_cast<int64_t>(first);
-    for (int i = 0; i < 2 * count; ++i) to[i] += static_cast<Real>(run.sign[i % 2] * d.factor * values[i]);
+    int i = 0;
+    if constexpr (sizeof(Real) == sizeof(double)) {
+      double* sums = reinterpret_cast<double*>(to);
+      const Doubles factor = evens(all(run.sign[0] * d.factor), all(run.sign[1] * d.factor));
+      for (; i + kDoubles <= 2 * count; i += kDoubles) save(sums + i, load(sums + i) + factor * load(values + i));
+    }
+    for (; i < 2 * count; ++i) to[i] += static_cast<Real>(run.sign[i % 2] * d.factor * values[i]);
   }
 }
 

@@ -117,14 +117,22 @@ c2d_status watch_column(void* context, int32_t column) {
   return asked_to_stop(job.solver) ? C2D_ERR_CANCELLED : C2D_OK;
 }
 
-// Columns are assembled a few at a time, so that a watchdog is fed also while a wide panel is filled.
+// Columns are assembled a few at a time, so that they stay in the second-level cache until all elements have added to
+// them, and a watchdog is fed also while a wide panel is filled.
 constexpr int32_t kColumnsAtOnce = 256;
+constexpr int64_t kCachedBytes = 1 << 20;
+
+int32_t columns_at_once(int64_t ld) {
+  const int64_t fit = kCachedBytes / (ld * static_cast<int64_t>(sizeof(Real)));
+  return static_cast<int32_t>(fit < 16 ? 16 : fit < kColumnsAtOnce ? fit : kColumnsAtOnce);
+}
 
 c2d_status assemble_columns(void* context, int32_t first, int32_t count, Real* panel, int64_t ld) {
   BodyJob& job = *static_cast<BodyJob*>(context);
   const double start = clock_now(job.solver);
-  for (int32_t done = 0; done < count; done += kColumnsAtOnce) {
-    const int32_t now = count - done < kColumnsAtOnce ? count - done : kColumnsAtOnce;
+  const int32_t step = columns_at_once(ld);
+  for (int32_t done = 0; done < count; done += step) {
+    const int32_t now = count - done < step ? count - done : step;
     fill_columns(job.system, first + done, now, panel + done * ld, ld);
     tell_progress(job.solver, C2D_PHASE_ASSEMBLE, job.system.body + 1, first + done + now, job.total);
     if (asked_to_stop(job.solver)) return C2D_ERR_CANCELLED;
