@@ -3,7 +3,8 @@
 // is inline elsewhere: a function shared by the linker would carry instructions into machines that lack them.
 //
 // Names and formulas are those of integrals_straight.cpp.
-#include "bie/batch_linear.hpp"
+#include "bie/field_loops.hpp"
+#include "bie/linear_loops.hpp"
 #include "bie/shape.hpp"
 
 namespace c2d {
@@ -268,8 +269,8 @@ void angles(const double* y, const double* x, double* out) {
   for (int i = 0; i < kBatch; i += kDoubles) save(out + i, angle(load(y + i), load(x + i)));
 }
 
-constexpr BatchKernel kBatchLoops = {integrate_batch, pay,   integrate_and_pay, rigid, rigid_off,
-                                     logarithms,      angles};
+constexpr BatchKernel kBatchLoops = {integrate_batch, pay,   integrate_and_pay, rigid,
+                                     rigid_off,       field, logarithms,        angles};
 
 } // namespace
 } // namespace c2d

@@ -1,3 +1,4 @@
+#pragma once
 // Complex numbers, the sources as an element sees them, and the moments of its kernels: part of batch_loops.hpp,
 // seen by nothing else. Names and formulas are those of straight_moments.hpp; series there and here are those of
 // C_k, in w = 1/z^2.
