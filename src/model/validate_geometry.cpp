@@ -99,7 +99,7 @@ bool joined(const Model& m, int b, int32_t i, int32_t j) {
 #ifdef C2D_SMALL
 bool some_coincide(const Model&, int) { return true; }
 #else
-constexpr int32_t kBlock = 32;
+constexpr int32_t kBoxes = 32;
 
 void widen(Box& box, const Box& by) {
   box.x_min = fmin(box.x_min, by.x_min);
@@ -110,9 +110,9 @@ void widen(Box& box, const Box& by) {
 
 // visit(i, j) for i <= j < count whose boxes meet, until it says true; returns whether it did.
 template <class BoxOf, class Visit> bool visit_meeting(int32_t count, BoxOf box_of, Visit visit) {
-  Box box[kBlock];
-  for (int32_t first = 0; first < count; first += kBlock) {
-    const int32_t end = count - first < kBlock ? count : first + kBlock;
+  Box box[kBoxes];
+  for (int32_t first = 0; first < count; first += kBoxes) {
+    const int32_t end = count - first < kBoxes ? count : first + kBoxes;
     Box all = box_of(first);
     for (int32_t j = first; j < end; ++j) {
       box[j - first] = box_of(j);
