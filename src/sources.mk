@@ -61,6 +61,7 @@ CORE_SOURCES += src/deck/zones.cpp
 CORE_SOURCES += src/elimination/eliminate.cpp
 CORE_SOURCES += src/elimination/plan.cpp
 CORE_SOURCES += src/linalg/dense.cpp
+CORE_SOURCES += src/linalg/engine.cpp
 CORE_SOURCES += src/linalg/exchange.cpp
 CORE_SOURCES += src/linalg/kernel.cpp
 CORE_SOURCES += src/linalg/kernel_avx2.cpp
