@@ -37,6 +37,8 @@ struct Kernel {
   // B (k x cols), column-major, to rows without gaps, and back.
   void (*to_rows)(int32_t k, const Real* b, int64_t ldb, Real* to);
   void (*from_rows)(int32_t k, const Real* from, Real* b, int64_t ldb);
+  // y (n) += factor x.
+  void (*add)(int32_t n, Real factor, const Real* x, Real* y);
 };
 constexpr int32_t kMostTileNumbers = 24 * 8 * static_cast<int32_t>(sizeof(double) / sizeof(Real));
 

@@ -211,6 +211,16 @@ void scale(int32_t n, Real factor, Real* x) {
   for (; i < n; ++i) x[i] *= factor;
 }
 
+void add(int32_t n, Real factor, const Real* x, Real* y) {
+  int32_t i = 0;
+  for (; i + 2 * kLanes <= n; i += 2 * kLanes) {
+#pragma GCC unroll 2
+    for (int32_t v = 0; v < 2; ++v)
+      vector_at(y + i + v * kLanes)->v += factor * vector_at(x + i + v * kLanes)->v;
+  }
+  for (; i < n; ++i) y[i] += factor * x[i];
+}
+
 Real largest_entry(int32_t n, const Real* x) {
   Vector most_each[2] = {};
   int32_t i = 0;
@@ -299,7 +309,7 @@ void from_rows(int32_t k, const Real* from, Real* b, int64_t ldb) {
 }
 
 constexpr Kernel kLoops = {kVectors * kLanes, kCols, tile, solve,   solve_upper, column, scale,
-                           largest_entry,     pack,  to_rows, from_rows};
+                           largest_entry,     pack,  to_rows, from_rows, add};
 
 } // namespace
 } // namespace c2d
