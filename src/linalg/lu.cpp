@@ -44,7 +44,7 @@ void plain_scale(int32_t n, Real factor, Real* x) {
 // By the reciprocal of the pivot, unless that has lost digits. The quotients are at most 1.
 void divide(const Engine& engine, int32_t n, Real pivot, Real* x) {
   const Real size = pivot < 0 ? -pivot : pivot;
-  if (size * std::numeric_limits<Real>::min() > Real(0.25)) {
+  if (kSmallCode || size * std::numeric_limits<Real>::min() > Real(0.25)) {
     for (int32_t i = 0; i < n; ++i) x[i] /= pivot;
     return;
   }
@@ -172,12 +172,17 @@ int32_t at_least_none(int32_t n) { return n > 0 ? n : 0; }
 } // namespace
 
 int32_t lu_width(int32_t rows) {
+  if (kSmallCode) return 32;
   return rows <= 256 ? 32 : (rows <= 640 ? 64 : (rows <= 1280 ? 128 : kWidestLuBlock));
 }
 
 int32_t lu_step(const Lu& lu, int32_t first) {
   const int32_t most = lu_width(lu.rows), width = smaller(most, lu.own - first), next = first + width;
   int32_t unusable = first == 0 ? factor_block(lu, lu.engine, 0, width) : 0;
+  if (kSmallCode) {
+    if (next < lu.cols) update_right(lu, lu.engine, first, width, next, lu.cols - next);
+    return next < lu.own ? unusable + factor_block(lu, lu.engine, next, smaller(most, lu.own - next)) : unusable;
+  }
   Step step = {lu, first, width, next, smaller(most, at_least_none(lu.own - next)), 0, 0, 0};
   step.chunks = chunks_of(lu.cols - next - step.next_width, parts_of(lu.engine), &step.chunk);
   run_items(lu.engine, step.chunks + 1, take_part, &step);
@@ -215,7 +220,7 @@ int32_t lu_panel(const Lu& lu) {
 // Four columns at a time: what one waits for the others do not.
 void apply_pivots(int32_t cols, Real* a, int64_t lda, const int32_t* pivots, int32_t first, int32_t count) {
   int32_t j = 0;
-  for (; j + 4 <= cols; j += 4) {
+  for (; !kSmallCode && j + 4 <= cols; j += 4) {
     Real *a0 = a + j * lda, *a1 = a0 + lda, *a2 = a1 + lda, *a3 = a2 + lda;
     for (int32_t i = first; i < first + count; ++i) {
       const int32_t k = pivots[i];
