@@ -1,0 +1,68 @@
+#include "ours.hpp"
+
+#include "rivals/serve.hpp"
+
+#include <memory>
+
+namespace bench {
+
+const char* name_of(c2d::Instructions set) {
+  const char* names[] = {"plain", "baseline", "avx2", "avx512"};
+  return names[static_cast<int>(set)];
+}
+
+bool has(c2d::Instructions set) {
+  return c2d::kernel_for(set) != nullptr && set <= c2d::best_instructions();
+}
+
+double peak_of(c2d::Instructions set) {
+  const auto loop = set == c2d::Instructions::avx512 ? peak_avx512
+                    : set == c2d::Instructions::avx2 ? peak_avx2
+                                                     : peak_baseline;
+  double best = 0, keep = 0;
+  for (int turn = 0; turn < 5; ++turn) {
+    const double start = rival::processor_seconds(), work = loop(100000, &keep);
+    best = std::max(best, work / (rival::processor_seconds() - start) * 1e-9);
+  }
+  return best;
+}
+
+struct OwnEngine::Pool {};
+
+bool OwnEngine::threads_possible() {
+  return false;
+}
+
+OwnEngine::OwnEngine(c2d::Instructions set, int32_t n, int32_t) {
+  const size_t numbers = (static_cast<size_t>(c2d::full_scratch(n, n)) + 63) / 8 * 8;
+  scratch_ = std::aligned_alloc(64, numbers * sizeof(c2d::Real));
+  engine_.kernel = c2d::kernel_for(set);
+  engine_.scratch = static_cast<c2d::Real*>(scratch_);
+  engine_.numbers = static_cast<int64_t>(numbers);
+}
+
+OwnEngine::~OwnEngine() {
+  delete pool_;
+  std::free(scratch_);
+}
+
+int serve_own(const std::string& name, int threads) {
+  c2d::Instructions set = c2d::Instructions::plain;
+  while (name != name_of(set) && set != c2d::Instructions::avx512)
+    set = static_cast<c2d::Instructions>(static_cast<int>(set) + 1);
+  if (!has(set) || (threads > 1 && !OwnEngine::threads_possible())) return 2;
+  std::unique_ptr<OwnEngine> engine;
+  std::vector<int32_t> pivots;
+  return rival::serve(
+      [&](int n, double* a, double* x) {
+        if (static_cast<int>(pivots.size()) != n) { // memory is the caller's; rivals keep theirs, too
+          engine = std::make_unique<OwnEngine>(set, n, threads);
+          pivots.resize(static_cast<size_t>(n));
+        }
+        c2d::lu_factor(engine->engine(), n, a, n, pivots.data(), nullptr);
+        c2d::lu_solve(engine->engine(), n, 1, a, n, pivots.data(), x, n);
+      },
+      [&] { return threads == 1 ? peak_of(set) : 0.0; });
+}
+
+} // namespace bench
