@@ -1,4 +1,4 @@
-# contact2d. Targets: all (default) demo chapter9 test bench convergence embedded hostile cross amalgamation deb install
+# contact2d. Targets: all (default) demo chapter9 test bench guard convergence embedded hostile cross amalgamation deb install
 #   uninstall list relist symbols format clean.
 # Variables: CXX CC AR CXXFLAGS CFLAGS CPPFLAGS LDFLAGS BUILD PREFIX DESTDIR LIBDIR DOCTEST_INCLUDE NO_INSTALL.
 # What is compiled stands in src/sources.mk, which CMakeLists.txt reads too.

@@ -1,6 +1,9 @@
 // What the benchmarks share: time by medians, a table that can be saved and compared.
 #pragma once
 
+#include "linalg/kernel.hpp"
+
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -49,6 +52,13 @@ struct Options {
 
 // The matrix of a mixed problem of a disc with so many nodes, column-major, 2 nodes x 2 nodes, to a file.
 void write_boundary_matrix(const std::string& file, int nodes);
+
+// Fixed amounts of work, whose instructions are counted: guard.cpp.
+std::function<void()> assembly_job(c2d::Instructions set, int nodes); // empty: this build has no such set
+std::function<void()> interior_job(int32_t elements, int32_t points); // points x points
+std::function<void()> contact_job(int32_t pairs, int sweeps);
+// run_bench --guard JOB; --guard list tells their names.
+int guard(const std::string& job);
 
 void elimination(const Options& options);
 void out_of_core(const Options& options);

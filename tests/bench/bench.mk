@@ -53,3 +53,10 @@ bench: $(BENCH)/run_bench $(BENCH)/empty $(BENCH)/spawn $(RIVALS) $(PROGRAM)
 	@$(BENCH)/run_bench --program $(PROGRAM) --empty $(BENCH)/empty --spawn $(BENCH)/spawn --examples examples --decks tests/data/decks \
 	  --folder $(BENCH) --openblas '$(OPENBLAS)' --blas '$(REFERENCE_BLAS)' --lapack '$(REFERENCE_LAPACK)' \
 	  --large '$(LARGE)' --only '$(ONLY)' --save '$(SAVE)' --base '$(BASE)'
+
+# Guards against regressions that need no quiet machine: instruction counts. guard-save keeps those of this compiler.
+GUARD = sh tests/bench/guard.sh $(1) $(BENCH)/run_bench $(call object,src/linalg/kernel_avx512.cpp) tests/bench/guard.txt \
+  '$(CXX)' '$(strip $(CPPFLAGS) $(CXXFLAGS))'
+guard guard-save: $(BENCH)/run_bench
+	@$(call GUARD,$(if $(filter guard,$@),check,save))
+.PHONY: guard guard-save

@@ -95,15 +95,17 @@ std::string judged(const std::string& key, double value, const char* relation, d
                    const std::string& words) {
   if (save.is_open()) save << key << '=' << value << '\n';
   char text[200];
-  std::snprintf(text, sizeof text, "%.3g%s %s", value, before(key, value).c_str(), words.c_str());
-  std::string out = text;
+  std::snprintf(text, sizeof text, "%.3g%s ", value, before(key, value).c_str());
+  const std::string number = text;
+  std::string out = words.empty() ? "" : number + words;
   if (figure <= 0) return out;
   const bool holds = relation[0] == '>' ? value >= figure : value <= figure;
-  std::snprintf(text, sizeof text, ", asked %s %.4g: %s", relation, figure, holds ? "met" : "MISSED");
+  std::snprintf(text, sizeof text, "%sasked %s %.4g: %s", out.empty() ? "" : ", ", relation, figure,
+                holds ? "met" : "MISSED");
   if (holds)
     ++met;
   else
-    missed.push_back(key + " " + out + text);
+    missed.push_back(key + "  " + (words.empty() ? number : "") + out + text);
   return out + text;
 }
 
@@ -149,6 +151,7 @@ void read_options(int argc, char** argv, bench::Options& options, std::string& o
 
 int main(int argc, char** argv) {
   if (argc == 4 && std::string(argv[1]) == "--serve") return bench::serve_own(argv[2], std::atoi(argv[3]));
+  if (argc == 3 && std::string(argv[1]) == "--guard") return bench::guard(argv[2]);
   bench::Options options;
   std::string only;
   read_options(argc, argv, options, only);

@@ -140,8 +140,9 @@ void compare(int32_t n, const std::string& folder) {
                "of in core, panels of " + std::to_string(width[p])));
     const double most = m / (3.0 * width[p]) + 2.5;
     row(key + ".moved", moved[p] / matrix, "matrices",
-        judged(key + ".moved_over_most", moved[p] / matrix / most, "<=", 1, "of n/(3w) + 2.5; ") +
-            (moved[p] == expected[p] ? "as the plan says" : "NOT WHAT THE PLAN SAYS"));
+        judged(key + ".moved_over_most", moved[p] / matrix / most, "<=", 1,
+               std::string("of n/(3w) + 2.5, ") +
+                   (moved[p] == expected[p] ? "as the plan says" : "NOT WHAT THE PLAN SAYS")));
   }
 }
 
