@@ -65,7 +65,6 @@ private:
   void add_own(Instructions set, int threads) {
     const std::string name = name_of(set);
     if (threads > 1 && set != c2d::best_instructions()) return;
-    if (threads > 1 && !OwnEngine::threads_possible()) return;
     add(name, {options_.self, "--serve", name, std::to_string(threads)}, {}, false, threads);
     all_.back().own = true;
     if (!has(set)) all_.back().absent = "not on this machine";

@@ -24,13 +24,14 @@ public:
     return time_of(5, 0.03,
                    [&] {
                      for (int twice = 0; twice < 2; ++twice)
-                       c2d::exchange(m_, m_ + 2, t_.data(), m_, place_, place_);
+                       c2d::exchange(m_, m_ + 2, t_.data(), m_, place_, place_, kernel_);
                      place_ = (place_ + 7) % m_;
                    }) /
            2;
   }
 
 private:
+  const c2d::Kernel* kernel_ = c2d::kernel_for(c2d::best_instructions());
   int32_t m_, place_ = 0;
   std::vector<c2d::Real> t_;
 };

@@ -1,5 +1,6 @@
 #include "ours.hpp"
 
+#include "c2d_threads.h"
 #include "rivals/serve.hpp"
 
 #include <memory>
@@ -27,21 +28,27 @@ double peak_of(c2d::Instructions set) {
   return best;
 }
 
-struct OwnEngine::Pool {};
+struct OwnEngine::Pool {
+  c2d_threads threads;
+  c2d_port port = C2D_INIT(c2d_port);
+};
 
-bool OwnEngine::threads_possible() {
-  return false;
-}
-
-OwnEngine::OwnEngine(c2d::Instructions set, int32_t n, int32_t) {
-  const size_t numbers = (static_cast<size_t>(c2d::full_scratch(n, n)) + 63) / 8 * 8;
+OwnEngine::OwnEngine(c2d::Instructions set, int32_t n, int32_t threads) {
+  // Every worker packs for itself.
+  const size_t numbers = (static_cast<size_t>(c2d::full_scratch(n, n)) * static_cast<size_t>(threads) + 63) / 8 * 8;
   scratch_ = std::aligned_alloc(64, numbers * sizeof(c2d::Real));
   engine_.kernel = c2d::kernel_for(set);
   engine_.scratch = static_cast<c2d::Real*>(scratch_);
   engine_.numbers = static_cast<int64_t>(numbers);
+  if (threads == 1) return;
+  pool_ = new Pool;
+  if (c2d_threads_start(&pool_->threads, threads) != 0) std::exit(2);
+  c2d_threads_port(&pool_->threads, &pool_->port);
+  engine_.workers = c2d::workers_of(&pool_->port);
 }
 
 OwnEngine::~OwnEngine() {
+  if (pool_) c2d_threads_stop(&pool_->threads);
   delete pool_;
   std::free(scratch_);
 }
@@ -50,7 +57,7 @@ int serve_own(const std::string& name, int threads) {
   c2d::Instructions set = c2d::Instructions::plain;
   while (name != name_of(set) && set != c2d::Instructions::avx512)
     set = static_cast<c2d::Instructions>(static_cast<int>(set) + 1);
-  if (!has(set) || (threads > 1 && !OwnEngine::threads_possible())) return 2;
+  if (!has(set)) return 2;
   std::unique_ptr<OwnEngine> engine;
   std::vector<int32_t> pivots;
   return rival::serve(

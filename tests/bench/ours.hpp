@@ -26,7 +26,6 @@ public:
   OwnEngine(const OwnEngine&) = delete;
   OwnEngine& operator=(const OwnEngine&) = delete;
   const c2d::Engine& engine() const { return engine_; }
-  static bool threads_possible();
 
 private:
   struct Pool;
