@@ -16,11 +16,14 @@ std::function<void()> elimination_job(c2d::Instructions set, int32_t n) {
     rival::Matrix m;
     OwnEngine engine;
     std::vector<int32_t> pivots;
+    std::vector<double> norms;
   };
-  const std::shared_ptr<Data> d(
-      new Data{rival::make_matrix("random:1", n), {set, n, 1}, std::vector<int32_t>(static_cast<size_t>(n))});
+  const std::shared_ptr<Data> d(new Data{rival::make_matrix("random:1", n),
+                                         {set, n, 1},
+                                         std::vector<int32_t>(static_cast<size_t>(n)),
+                                         std::vector<double>(static_cast<size_t>(n))});
   return [d, n] {
-    c2d::lu_factor(d->engine.engine(), n, d->m.a.data(), n, d->pivots.data(), nullptr);
+    c2d::lu_factor(d->engine.engine(), n, d->m.a.data(), n, d->pivots.data(), d->norms.data(), nullptr);
     c2d::lu_solve(d->engine.engine(), n, 1, d->m.a.data(), n, d->pivots.data(), d->m.b.data(), n);
   };
 }

@@ -35,7 +35,8 @@ struct OwnEngine::Pool {
 
 OwnEngine::OwnEngine(c2d::Instructions set, int32_t n, int32_t threads) {
   // Every worker packs for itself.
-  const size_t numbers = (static_cast<size_t>(c2d::full_scratch(n, n)) * static_cast<size_t>(threads) + 63) / 8 * 8;
+  const size_t numbers =
+      (static_cast<size_t>(c2d::full_scratch(n, n)) * static_cast<size_t>(threads) + 63) / 8 * 8;
   scratch_ = std::aligned_alloc(64, numbers * sizeof(c2d::Real));
   engine_.kernel = c2d::kernel_for(set);
   engine_.scratch = static_cast<c2d::Real*>(scratch_);
@@ -60,13 +61,15 @@ int serve_own(const std::string& name, int threads) {
   if (!has(set)) return 2;
   std::unique_ptr<OwnEngine> engine;
   std::vector<int32_t> pivots;
+  std::vector<double> norms;
   return rival::serve(
       [&](int n, double* a, double* x) {
         if (static_cast<int>(pivots.size()) != n) { // memory is the caller's; rivals keep theirs, too
           engine = std::make_unique<OwnEngine>(set, n, threads);
           pivots.resize(static_cast<size_t>(n));
+          norms.resize(static_cast<size_t>(n));
         }
-        c2d::lu_factor(engine->engine(), n, a, n, pivots.data(), nullptr);
+        c2d::lu_factor(engine->engine(), n, a, n, pivots.data(), norms.data(), nullptr);
         c2d::lu_solve(engine->engine(), n, 1, a, n, pivots.data(), x, n);
       },
       [&] { return threads == 1 ? peak_of(set) : 0.0; });
