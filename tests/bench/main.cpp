@@ -121,6 +121,11 @@ namespace {
 
 // What the numbers are of, and whether times by the clock can be believed.
 void tell_machine() {
+#ifdef __clang__
+  const char* compiler = __VERSION__;
+#else
+  const char* compiler = "g++ " __VERSION__;
+#endif
   std::ifstream cpu("/proc/cpuinfo");
   for (std::string line; std::getline(cpu, line);)
     if (line.compare(0, 10, "model name") == 0) {
@@ -131,7 +136,7 @@ void tell_machine() {
   const unsigned cores = std::thread::hardware_concurrency();
   if (std::ifstream file("/proc/loadavg"); file) file >> load;
   std::printf("%u cores, best set %s, compiled by %s\n", cores, bench::name_of(c2d::best_instructions()),
-              __VERSION__);
+              compiler);
   if (load > 0.3 * cores)
     std::printf(
         "NOT QUIET: a load of %.1f by others; times by the clock, two threads above all, mean little\n",
