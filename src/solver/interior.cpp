@@ -47,7 +47,9 @@ struct Points {
   double unit;
 
   const ModelHeader* head;
+#ifndef C2D_SMALL
   const BatchKernel* kernel; // null: one by one
+#endif
 
   PointState& state(int32_t i) const { return *reinterpret_cast<PointState*>(out + i * out_stride); }
 
@@ -666,8 +668,11 @@ extern "C" c2d_status c2d_interior(c2d_solver* s, int32_t body, int32_t count, c
   if (s->blocked || s->floating) clear_boundary(session);
   status = back_substitute_all(session);
   if (status != C2D_OK) return fail_store(s, status);
-  const Points points = {count, xy, xy_stride, out, out_stride, s->model.length_unit, &s->model,
-                         batch_for(best_instructions())};
+  const Points points = {count, xy, xy_stride, out, out_stride, s->model.length_unit, &s->model
+#ifndef C2D_SMALL
+                         , batch_for(best_instructions())
+#endif
+  };
   for (int32_t i = 0; i < count; ++i) points.state(i).place = may_lie_inside(points, i) ? kUnplaced : kNowhere;
   for (int b = 0; b < s->model.bodies && status == C2D_OK; ++b)
     if (body == 0 || body == b + 1) status = evaluate_body(session, b, points);

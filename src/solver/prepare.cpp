@@ -118,12 +118,19 @@ c2d_status watch_column(void* context, int32_t column) {
   return asked_to_stop(job.solver) ? C2D_ERR_CANCELLED : C2D_OK;
 }
 
-// Columns are assembled a few at a time, so that they stay in the second-level cache until all elements have added to
-// them, and a watchdog is fed also while a wide panel is filled.
+// Columns are assembled a few at a time, so that a watchdog is fed also while a wide panel is filled.
 constexpr int32_t kColumnsAtOnce = 256;
-constexpr int64_t kCachedBytes = 1 << 20;
 
+#ifdef C2D_SMALL
+int32_t fill_some(BodyJob& job, int32_t first, int32_t count, Real* data, int64_t ld) {
+  const int32_t now = count < kColumnsAtOnce ? count : kColumnsAtOnce;
+  fill_columns(job.system, first, now, data, ld);
+  return now;
+}
+#else
+// So few that they stay in the second-level cache until all elements have added to them.
 int32_t columns_at_once(int64_t ld) {
+  constexpr int64_t kCachedBytes = 1 << 20;
   const int64_t fit = kCachedBytes / (ld * static_cast<int64_t>(sizeof(Real)));
   return static_cast<int32_t>(fit < 16 ? 16 : fit < kColumnsAtOnce ? fit : kColumnsAtOnce);
 }
@@ -135,10 +142,9 @@ struct Columns { // of a panel, `step` at a time
   int64_t ld;
   bool shared; // several steps at once: what an element needs comes from the engine's memory
 };
-
 static_assert(kDepth * 4 * sizeof(Real) >= sizeof(AssemblyScratch), "a part of an engine's memory has room for it");
 
-void fill_some(void* argument, const Engine& engine, int32_t i) {
+void fill_step(void* argument, const Engine& engine, int32_t i) {
   const Columns& c = *static_cast<const Columns*>(argument);
   ColumnSystem system = c.job.system;
   if (c.shared) system.scratch = reinterpret_cast<AssemblyScratch*>(engine.scratch);
@@ -146,16 +152,23 @@ void fill_some(void* argument, const Engine& engine, int32_t i) {
   fill_columns(system, c.first + done, rest < c.step ? rest : c.step, c.data + done * c.ld, c.ld);
 }
 
+// The first of these columns, one step for each part of the engine; how many.
+int32_t fill_some(BodyJob& job, int32_t first, int32_t count, Real* data, int64_t ld) {
+  const int32_t parts = parts_of(job.engine), each = count / parts + 1, most = columns_at_once(ld);
+  const int32_t step = each < 16 ? 16 : each < most ? each : most;
+  const int32_t now = count < parts * step ? count : parts * step, items = (now + step - 1) / step;
+  Columns columns{job, first, now, step, data, ld, parts > 1 && items > 1};
+  run_items(job.engine, items, fill_step, &columns);
+  return now;
+}
+#endif
+
 c2d_status assemble_columns(void* context, int32_t first, int32_t count, Real* panel, int64_t ld) {
   BodyJob& job = *static_cast<BodyJob*>(context);
   const double start = clock_now(job.solver);
-  const int32_t parts = parts_of(job.engine), each = count / parts + 1, most = columns_at_once(ld);
-  const int32_t step = each < 16 ? 16 : each < most ? each : most;
-  for (int32_t done = 0; done < count; done += parts * step) {
-    const int32_t rest = count - done, now = rest < parts * step ? rest : parts * step, items = (now + step - 1) / step;
-    Columns columns{job, first + done, now, step, panel + done * ld, ld, parts > 1 && items > 1};
-    run_items(job.engine, items, fill_some, &columns);
-    tell_progress(job.solver, C2D_PHASE_ASSEMBLE, job.system.body + 1, first + done + now, job.total);
+  for (int32_t done = 0; done < count;) {
+    done += fill_some(job, first + done, count - done, panel + done * ld, ld);
+    tell_progress(job.solver, C2D_PHASE_ASSEMBLE, job.system.body + 1, first + done, job.total);
     if (asked_to_stop(job.solver)) return C2D_ERR_CANCELLED;
   }
   job.assembling += clock_now(job.solver) - start;

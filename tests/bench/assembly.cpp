@@ -191,28 +191,6 @@ void whole_body() {
   row("assembly.disc.1000", median(seconds) * 1e3, "ms", "a disc of 1000 linear elements, all of it");
 }
 
-// A square grid over that disc, points outside among them: displacement and stress at each.
-void interior_grid() {
-  const Disc disc = {1000};
-  const Solver solver(disc.limits());
-  disc.build(solver);
-  solver.must(c2d_prepare(solver));
-  solver.must(c2d_run(solver, nullptr, nullptr));
-  constexpr int32_t n = 200;
-  std::vector<double> xy, out(n * n * C2D_POINT_FIELDS);
-  for (int32_t i = 0; i < n * n; ++i) {
-    xy.push_back((2.0 * (i % n) + 1) / n - 1);
-    xy.push_back((2.0 * (i / n) + 1) / n - 1);
-  }
-  std::vector<double> seconds;
-  for (int turn = 0; turn < 3; ++turn) {
-    const double start = processor_seconds();
-    solver.must(c2d_interior(solver, 0, n * n, xy.data(), 2, out.data(), C2D_POINT_FIELDS));
-    seconds.push_back(processor_seconds() - start);
-  }
-  row("assembly.interior.grid", median(seconds), "s", "200 x 200 points under a boundary of 1000 nodes");
-}
-
 } // namespace
 
 void write_boundary_matrix(const std::string& file, int nodes) {
@@ -236,7 +214,6 @@ std::function<void()> assembly_job(c2d::Instructions set, int nodes) {
 void assembly() {
   matrices();
   whole_body();
-  interior_grid();
   heading(
       "Assembly: millions of source-element pairs per second, all in one panel (ring of 2 x 60 elements)");
   for (const int order : {2, 3, 4}) {
