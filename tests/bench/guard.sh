@@ -2,13 +2,13 @@
 # Instructions of fixed work, counted by valgrind (whatever else the machine does), and of the AVX-512 inner loop, read
 # from its disassembly, against the numbers kept in guard.txt: more than 5 % above them is a failure.
 # Usage: guard.sh check|save RUN_BENCH KERNEL_AVX512_OBJECT FILE COMPILER [FLAGS]
-# Lines of FILE: compiler:flags, name, number. Compilers differ: numbers are kept per compiler with its major version
-# and flags; where there are none for this one, that is said, and is a failure only with GUARD_MUST=1.
+# Lines of FILE: machine-compiler-version:flags, name, number. Compilers differ: numbers are kept per compiler with its
+# major version and flags; where there are none for this one, that is said, and is a failure only with GUARD_MUST=1.
 set -eu
 what=$1 bench=$2 object=$3 file=$4 compiler=$5 flags=${6:-}
 family=gcc
 $compiler --version | grep -qi clang && family=clang
-key=$family-$($compiler -dumpversion | cut -d. -f1):$(echo $flags | tr ' ' ,)
+key=$($compiler -dumpmachine | cut -d- -f1)-$family-$($compiler -dumpversion | cut -d. -f1):$(echo $flags | tr ' ' ,)
 found=$(mktemp)
 trap 'rm -f "$found"' EXIT
 
