@@ -85,12 +85,10 @@ INLINE void field_at(const BatchFieldElement& e, const BatchPoints& p, int at, B
   const Doubles ax = load(p.x + at) - e.x0, ay = load(p.y + at) - e.y0;
   Complexes z = {(ax * e.ux + ay * e.uy) - 1.0, ay * e.ux - ax * e.uy};
   Doubles z2 = squared_size(z);
-  double least_z2 = least(z2);
-  if (!(least_z2 >= kFarStart[F])) { // those are given some place far away
+  if (!(least(z2) >= kFarStart[F])) { // those are given some place far away
     const Bits near = z2 < kFarStart[F];
     z = choose(near, Complexes{all(8.0), all(0.0)}, z);
     z2 = near ? all(64.0) : z2;
-    least_z2 = least(z2);
     const Doubles mark = near ? all(1.0) : all(0.0);
     save(out.near + at, mark);
     out.some_near = true;
@@ -98,7 +96,7 @@ INLINE void field_at(const BatchFieldElement& e, const BatchPoints& p, int at, B
     save(out.near + at, all(0.0));
   }
   Many<F> m;
-  far_moments<F>(z, z2, least_z2, true, m);
+  far_moments<F>(z, z2, kFarStart[F], true, m); // as many terms for all: no point depends on its companions
   FieldSums sum;
   add_tractions<F>(e, z, m, sum);
   if (e.displaced) {

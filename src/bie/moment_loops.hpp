@@ -101,10 +101,11 @@ template <int F> INLINE void near_moments(const Seen& s, Many<F>& m) {
 // Terms after which w^m < 1e-15.
 INLINE int terms_of(double z2) {
   if (z2 >= 1e5) return 3;
-  if (z2 >= 1e4) return 4;
+  if (z2 >= 5.7e3) return 4;
   if (z2 >= 1e3) return 5;
-  if (z2 >= 1e2) return 8;
-  return z2 >= 32.0 ? 10 : 14;
+  if (z2 >= 320.0) return 6;
+  if (z2 >= 140.0) return 7;
+  return z2 >= 75.0 ? 8 : (z2 >= 32.0 ? 10 : 14);
 }
 
 constexpr double kThirds[] = {1.0 / 3,  1.0 / 5,  1.0 / 7,  1.0 / 9,  1.0 / 11, 1.0 / 13, 1.0 / 15, 1.0 / 17,
