@@ -150,7 +150,7 @@ EliminationPlan plan_of(const Problem& p, int32_t width, int32_t block) {
 }
 
 uint64_t work_bytes(const EliminationPlan& plan) {
-  return elimination_bytes(plan.rows, plan.pivots, plan.panel_columns, plan.block_columns);
+  return elimination_bytes(plan);
 }
 
 c2d_status run(Problem& p, const EliminationPlan& plan, Tapes& tapes, PivotStats* stats) {

@@ -349,6 +349,7 @@ module contact2d
     integer(c_int32_t) :: file(C2D_TAPES) = 0
     integer(c_int64_t) :: blocks(C2D_TAPES) = 0
     integer(c_int64_t) :: block_bytes(C2D_TAPES) = 0
+    type(c_ptr) :: helper = c_null_ptr
   end type
 
   ! ---- functions of the caller's. None of them may STOP.

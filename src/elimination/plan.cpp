@@ -5,6 +5,7 @@ namespace c2d {
 namespace {
 
 constexpr int32_t kWidestBlock = 64;                 // wider ones do not make the kernels faster
+constexpr uint64_t kLeastAhead = 16384;              // bytes of a block for which reading ahead pays
 constexpr uint64_t kMostNumbers = uint64_t(1) << 56; // in a work area; far more than any machine has
 
 uint64_t aligned(uint64_t bytes) {
@@ -29,11 +30,13 @@ int32_t all_columns(const EliminationPlan& plan) {
 }
 
 // The widest panel that fits together with blocks of this width; 0 if none. Memory grows with the width.
-int32_t widest_panel(uint64_t bytes, const EliminationPlan& plan, int32_t block_columns) {
+int32_t widest_panel(uint64_t bytes, EliminationPlan plan, int32_t block_columns) {
+  plan.block_columns = block_columns;
   int32_t fits = 0, too_wide = all_columns(plan) + 1;
   while (too_wide - fits > 1) {
     const int32_t middle = fits + (too_wide - fits) / 2;
-    if (elimination_bytes(plan.rows, plan.pivots, middle, block_columns) <= bytes)
+    plan.panel_columns = middle;
+    if (elimination_bytes(plan) <= bytes)
       fits = middle;
     else
       too_wide = middle;
@@ -47,7 +50,7 @@ void choose_streamed(uint64_t bytes, EliminationPlan& plan) {
     const int32_t panel = widest_panel(bytes, plan, block);
     if (panel < 4 * block && block > 1) continue;
     plan.block_columns = block;
-    plan.panel_columns = panel / block * block; // whole blocks
+    plan.panel_columns = panel;
     return;
   }
 }
@@ -55,10 +58,9 @@ void choose_streamed(uint64_t bytes, EliminationPlan& plan) {
 // The widest blocks that fit beside panels of this width; false if none do.
 bool choose_blocks(uint64_t bytes, int32_t panel, EliminationPlan& plan) {
   for (int32_t block = smaller(kWidestBlock, panel); block >= 1; block = block == 1 ? 0 : (block + 1) / 2) {
-    if (elimination_bytes(plan.rows, plan.pivots, panel, block) > bytes) continue;
     plan.panel_columns = panel;
     plan.block_columns = block;
-    return true;
+    if (elimination_bytes(plan) <= bytes) return true;
   }
   return false;
 }
@@ -73,23 +75,32 @@ Chunk chunk_at(const EliminationPlan& plan, int32_t first, uint64_t index) {
 
 } // namespace
 
-WorkLayout work_layout(int32_t rows, int32_t pivots, int32_t panel_columns, int32_t block_columns) {
-  WorkLayout at = {0, 0, 0, 0, 0, leading_dimension(rows)};
-  const uint64_t leading = static_cast<uint64_t>(at.leading), panel = static_cast<uint64_t>(panel_columns);
-  const uint64_t block = static_cast<uint64_t>(block_columns);
+int32_t block_buffers(const EliminationPlan& plan) {
+  const uint64_t bytes = static_cast<uint64_t>(plan.rows) * static_cast<uint64_t>(plan.block_columns) * sizeof(Real);
+  return plan.panel_columns < all_columns(plan) && bytes >= kLeastAhead ? kMostBuffers : 1;
+}
+
+WorkLayout work_layout(const EliminationPlan& plan) {
+  WorkLayout at = {0, 0, 0, 0, 0, 0, leading_dimension(plan.rows)};
+  const uint64_t leading = static_cast<uint64_t>(at.leading), panel = static_cast<uint64_t>(plan.panel_columns);
+  const uint64_t block = static_cast<uint64_t>(plan.block_columns);
   if (leading * (panel + block) > kMostNumbers) {
     at.total = UINT64_MAX;
     return at;
   }
   at.block = leading * panel * sizeof(Real);
-  at.norms = aligned(at.block + kBlockHeaderBytes + static_cast<uint64_t>(rows) * block * sizeof(Real));
+  at.block_step = aligned(kBlockHeaderBytes + static_cast<uint64_t>(plan.rows) * block * sizeof(Real));
+  at.norms = at.block + at.block_step * static_cast<uint64_t>(block_buffers(plan));
   at.pivots = aligned(at.norms + panel * sizeof(Real));
-  at.total = aligned(at.pivots + static_cast<uint64_t>(pivots) * sizeof(int32_t));
+  at.total = aligned(at.pivots + static_cast<uint64_t>(plan.pivots) * sizeof(int32_t));
   return at;
 }
 
+uint64_t elimination_bytes(const EliminationPlan& plan) { return work_layout(plan).total; }
+
 uint64_t elimination_bytes(int32_t rows, int32_t pivots, int32_t panel_columns, int32_t block_columns) {
-  return work_layout(rows, pivots, panel_columns, block_columns).total;
+  // (as if there were no other columns)
+  return elimination_bytes({rows, pivots, panel_columns - pivots, panel_columns, block_columns, 0, 0, 0});
 }
 
 uint64_t elimination_bytes_in_core(int32_t rows, int32_t pivots, int32_t trailing) {

@@ -20,8 +20,14 @@ struct EliminationPlan {
                                                  // more the row exchanges, so that eliminate_again is possible
 };
 
-// Bytes of the work area of `eliminate`: a panel, a block with room for its header, a norm for each column of
-// the panel, the pivots. UINT64_MAX if the number is beyond any memory.
+// Buffers for blocks: while one block is worked on, another may be on its way. One alone where there is nothing to
+// overlap (a single panel) or blocks are so small that it would not pay; then the buffer costs what it did.
+constexpr int32_t kMostBuffers = 2;
+int32_t block_buffers(const EliminationPlan& plan);
+
+// Bytes of the work area of `eliminate`: a panel, buffers for blocks with room for their headers, a norm for each
+// column of the panel, the pivots. UINT64_MAX if the number is beyond any memory. The second form has one buffer.
+uint64_t elimination_bytes(const EliminationPlan& plan);
 uint64_t elimination_bytes(int32_t rows, int32_t pivots, int32_t panel_columns, int32_t block_columns);
 
 // The same for the widest panel that is of any use: every column at once, nothing on tape LOWER.
@@ -69,8 +75,9 @@ uint64_t upper_bytes(const EliminationPlan& plan, const Chunk& chunk);
 // Where things are in the work area, in bytes from its start, which is aligned to 64 bytes.
 struct WorkLayout {
   uint64_t panel, block, norms, pivots, total;
-  int64_t leading; // from one column of the panel to the next
+  uint64_t block_step; // from one buffer for blocks to the next
+  int64_t leading;     // from one column of the panel to the next
 };
-WorkLayout work_layout(int32_t rows, int32_t pivots, int32_t panel_columns, int32_t block_columns);
+WorkLayout work_layout(const EliminationPlan& plan);
 
 } // namespace c2d

@@ -56,8 +56,7 @@ uint64_t elimination_area(const PhaseSizes& s, int b, const EliminationPlan& pla
   carver.take(area.twin, s.nodes[b]);
   carver.take_bytes(area.scratch, C2D_ASSEMBLY_BYTES);
   carver.take_bytes(area.buffer, contact_buffer_bytes(s.m));
-  carver.take_bytes(area.work,
-                    elimination_bytes(plan.rows, plan.pivots, plan.panel_columns, plan.block_columns));
+  carver.take_bytes(area.work, elimination_bytes(plan));
   if (out) *out = area;
   return carver.total();
 }

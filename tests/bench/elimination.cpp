@@ -44,7 +44,7 @@ struct Streamed {
   Streamed(int32_t n, uint64_t bytes) : plan(), store(), port(), tapes(), engine() {
     if (c2d::plan_elimination(bytes, n, n, 0, 0, plan, nullptr) != C2D_OK)
       give_up("no plan for the elimination");
-    work.resize(c2d::elimination_bytes(n, n, plan.panel_columns, plan.block_columns) + 64);
+    work.resize(c2d::elimination_bytes(plan) + 64);
     const c2d::TapeUse lower = c2d::lower_use(plan), upper = c2d::upper_use(plan);
     const uint64_t block = std::max(lower.max_data_bytes, upper.max_data_bytes);
     region.resize((lower.blocks + upper.blocks + 2) * (block + c2d::kBlockHeaderBytes + 64) + (1 << 16));
