@@ -98,12 +98,13 @@ struct Streamed {
   c2d::Tapes tapes;
   int32_t told = 0, refuse_at = -1;
 
-  Streamed() : plan(), tapes() {
+  explicit Streamed(int32_t strip_rows = 0) : plan(), tapes() {
     const int32_t rows = 180, pivots = 150, trailing = 70;
     // What streaming in a third of the memory comes to, and memory to read ahead.
     const uint64_t bytes = c2d::elimination_bytes_in_core(rows, pivots, trailing) * 2 / 3;
     REQUIRE(c2d::plan_elimination(bytes, rows, pivots, trailing, 90, plan, nullptr) == C2D_OK);
     REQUIRE(c2d::block_buffers(plan) == 2);
+    if (strip_rows > 0) plan.block_rows = strip_rows;
     plan.keep_lower = 1;
     std::mt19937 random(5);
     a.resize(static_cast<size_t>(rows * (pivots + trailing)));
@@ -166,12 +167,14 @@ c2d_port port_of(LateStore& late) {
 } // namespace
 
 TEST_CASE("ahead: the same bits and the same bytes as block by block") {
+  for (int32_t strip_rows : {0, 64, 75}) {
+  CAPTURE(strip_rows);
   RamStore ram;
   LateStore late;
   c2d_port plain = C2D_INIT(c2d_port);
   ram.serve(plain);
   const c2d_port port = port_of(late);
-  Streamed one, other;
+  Streamed one(strip_rows), other(strip_rows);
   REQUIRE(one.open(&plain) == C2D_OK);
   REQUIRE(other.open(&port) == C2D_OK);
   REQUIRE(one.run() == C2D_OK);
@@ -197,11 +200,12 @@ TEST_CASE("ahead: the same bits and the same bytes as block by block") {
     if (which == 0) some.start_read = nullptr;
     if (which == 1) some.start_write = nullptr;
     if (which == 2) some.wait = nullptr;
-    Streamed third;
+    Streamed third(strip_rows);
     REQUIRE(third.open(&some) == C2D_OK);
     REQUIRE(third.run() == C2D_OK);
     CHECK(third.x == one.x);
     CHECK(unused.starts + unused.waits == 0);
+  }
   }
 }
 

@@ -55,7 +55,8 @@ struct Pass {
 
   bool wanted(const Chunk& chunk) const { return chunk.count > 0 && chunk.first < end; }
   Chunk after(const Chunk& chunk) const {
-    if (back && chunk.first < plan.pivots) return chunk.first > 0 ? chunk_before(plan, chunk.first) : Chunk{0, 0, 0, 0};
+    if (tape == C2D_TAPE_LOWER) return next_strip(plan, chunk);
+    if (back && chunk.first < plan.pivots) return chunk.first > 0 ? chunk_before(plan, chunk.first) : Chunk{0, 0, 0, 0, 0};
     const Chunk next = next_chunk(plan, chunk);
     return back && next.count == 0 ? chunk_before(plan, plan.pivots) : next;
   }
@@ -136,11 +137,15 @@ c2d_status fill(const Panel& panel, const ColumnSource& source) {
   return tell(panel.watch, panel.first, panel.count);
 }
 
-// Columns [from, from+count) of the panel are updated by w columns of L, which start in row and column f of
-// the matrix and have the leading dimension ldl. Their rows have been exchanged already.
-void update(const Panel& panel, int32_t from, int32_t count, const Real* l, int64_t ldl, int32_t f,
-            int32_t w) {
-  update_by(panel.engine, w, panel.plan.rows - f - w, count, l, ldl, panel.column(from) + f, panel.ld);
+// The panel is updated by a strip of w columns of L, which start in column f of the matrix, or, if it is not the chunk's
+// first, once that one has made the rows f ... f+w-1 final. Its rows have been exchanged already.
+void update(const Panel& panel, const Chunk& strip, const Real* l) {
+  const int32_t f = strip.first, w = strip.count, rows = rows_of_strip(panel.plan, strip);
+  Real* top = panel.columns + f;
+  if (strip.row == f)
+    update_by(panel.engine, w, rows - w, panel.count, l, rows, top, panel.ld);
+  else
+    gemm_minus(panel.engine, rows, panel.count, w, l, rows, top, panel.ld, panel.columns + strip.row, panel.ld);
 }
 
 // Bring a panel up to date with the panels before it. The blocks of L of a panel are as they were when it was
@@ -161,7 +166,7 @@ c2d_status apply_earlier(const Panel& panel) {
       apply_pivots(panel.count, panel.columns, panel.ld, panel.pivots, exchanged, count);
       exchanged += count;
     }
-    update(panel, 0, panel.count, l, plan.rows - chunk.first, chunk.first, chunk.count);
+    update(panel, chunk, l);
     status = tell(panel.watch, panel.first, 1);
     if (status != C2D_OK) return status;
   }
@@ -191,10 +196,9 @@ c2d_status factor(const Panel& panel, PivotStats* stats) {
   return C2D_OK;
 }
 
-// Put rows from `from` on of a chunk into a buffer, without gaps, and begin to write them.
-c2d_status write_part(const Panel& panel, int32_t tape, uint64_t block, const Chunk& chunk, int32_t from,
-                      uint64_t data_bytes) {
-  const size_t column_bytes = static_cast<size_t>(data_bytes / static_cast<uint64_t>(chunk.count));
+// Put `rows` rows from `from` on of a chunk into a buffer, without gaps, and begin to write them.
+c2d_status write_part(const Panel& panel, int32_t tape, uint64_t block, const Chunk& chunk, int32_t from, int32_t rows) {
+  const size_t column_bytes = static_cast<size_t>(rows) * sizeof(Real);
   int32_t slot;
   const c2d_status status = take_buffer(panel.buffers, &slot);
   if (status != C2D_OK) return status;
@@ -203,24 +207,24 @@ c2d_status write_part(const Panel& panel, int32_t tape, uint64_t block, const Ch
     memcpy(to, panel.column(chunk.first - panel.first + j) + from, column_bytes);
     to += column_bytes;
   }
-  return start_write(panel.buffers, slot, tape, block, data_bytes);
+  return start_write(panel.buffers, slot, tape, block, static_cast<uint64_t>(chunk.count) * column_bytes);
 }
 
-c2d_status write_panel(const Panel& panel, Chunk chunk) {
+// `lower` and `upper` are the panel's first chunks, and then the next panel's.
+c2d_status write_panel(const Panel& panel, Chunk& lower, Chunk& upper) {
   const EliminationPlan& plan = panel.plan;
-  for (; chunk.count > 0 && chunk.first < panel.first + panel.count; chunk = next_chunk(plan, chunk)) {
-    c2d_status status = C2D_OK;
-    if (chunk.first < plan.pivots && (!panel.last || plan.keep_lower != 0)) {
-      status = write_part(panel, C2D_TAPE_LOWER, plan.lower_first_block + chunk.index, chunk, chunk.first,
-                          lower_bytes(plan, chunk));
-    }
-    if (status == C2D_OK && plan.pivots > 0) {
-      status = write_part(panel, C2D_TAPE_UPPER, plan.upper_first_block + chunk.index, chunk, 0,
-                          upper_bytes(plan, chunk));
-    }
-    if (status != C2D_OK) return status;
-  }
-  return C2D_OK;
+  const EliminationPlan cut = upper_cut(plan);
+  c2d_status status = C2D_OK;
+  const bool wanted = panel.own > 0 && (!panel.last || plan.keep_lower != 0);
+  const int32_t own_end = wanted ? panel.first + panel.own : 0;
+  for (; lower.first < own_end && status == C2D_OK; lower = next_strip(plan, lower))
+    status = write_part(panel, C2D_TAPE_LOWER, plan.lower_first_block + lower.index, lower, lower.row,
+                        rows_of_strip(plan, lower));
+  const int32_t end = plan.pivots > 0 ? panel.first + panel.count : 0;
+  for (; upper.first < end && upper.count > 0 && status == C2D_OK; upper = next_chunk(cut, upper))
+    status = write_part(panel, C2D_TAPE_UPPER, plan.upper_first_block + upper.index, upper, 0,
+                        upper.first < plan.pivots ? upper.first + upper.count : plan.pivots);
+  return status;
 }
 
 c2d_status hand_over(const Panel& panel, const RowSink& sink) {
@@ -230,12 +234,12 @@ c2d_status hand_over(const Panel& panel, const RowSink& sink) {
   return sink.take(sink.context, first, trailing, panel.column(panel.own) + panel.plan.pivots, panel.ld);
 }
 
-c2d_status do_panel(const Panel& panel, const ColumnSource& source, const RowSink& sink, const Chunk& chunk,
+c2d_status do_panel(const Panel& panel, const ColumnSource& source, const RowSink& sink, Chunk& lower, Chunk& upper,
                     PivotStats* stats) {
   c2d_status status = fill(panel, source);
   if (status == C2D_OK) status = apply_earlier(panel);
   if (status == C2D_OK) status = factor(panel, stats);
-  if (status == C2D_OK) status = write_panel(panel, chunk);
+  if (status == C2D_OK) status = write_panel(panel, lower, upper);
   if (status == C2D_OK) status = hand_over(panel, sink);
   return status;
 }
@@ -292,7 +296,7 @@ c2d_status load_exchanges(const Panel& panel) {
 
 // The panel's columns, all trailing ones, take their places in the chunks of Y.
 c2d_status rewrite_trailing(const Panel& panel) {
-  const EliminationPlan& plan = panel.plan;
+  const EliminationPlan plan = upper_cut(panel.plan);
   if (plan.pivots == 0) return C2D_OK;
   const size_t column_bytes = static_cast<size_t>(plan.pivots) * sizeof(Real);
   const int32_t end = panel.first + panel.count;
@@ -346,7 +350,7 @@ c2d_status eliminate(const EliminationPlan& plan, const ColumnSource& source, co
   Buffers buffers = make_buffers(plan, tapes, static_cast<unsigned char*>(work) + at.block, at.block_step);
   Panel panel = make_panel(plan, at, buffers, work, watch, engine);
   const int32_t columns = plan.pivots + plan.trailing, panels = panel_count(plan);
-  Chunk chunk = first_chunk(plan);
+  Chunk lower = first_chunk(plan), upper = first_chunk(upper_cut(plan));
   c2d_status status = C2D_OK;
   for (int32_t p = 0; p < panels && status == C2D_OK; ++p) {
     panel.first = p * plan.panel_columns;
@@ -354,8 +358,7 @@ c2d_status eliminate(const EliminationPlan& plan, const ColumnSource& source, co
     panel.own = between(0, plan.pivots - panel.first, panel.count);
     panel.last = p == panels - 1;
     C2D_ASSERT(panel.count > 0 && panel.own >= 0 && panel.own <= panel.count && panel.count <= plan.panel_columns);
-    while (chunk.first < panel.first) chunk = next_chunk(plan, chunk);
-    status = do_panel(panel, source, sink, chunk, used);
+    status = do_panel(panel, source, sink, lower, upper, used);
   }
   if (status == C2D_OK) status = keep_exchanges(panel);
   return finish_all(buffers, status);
@@ -386,15 +389,16 @@ void substitute(const EliminationPlan& plan, const Chunk& chunk, const Real* dat
 } // namespace
 
 uint64_t back_substitution_bytes(const EliminationPlan& plan) {
-  return back_step(plan) * static_cast<uint64_t>(block_buffers(plan));
+  return back_step(upper_cut(plan)) * static_cast<uint64_t>(block_buffers(plan));
 }
 
-c2d_status back_substitute(const EliminationPlan& plan, Tapes& tapes, const Real* coefficient, Real* x,
+c2d_status back_substitute(const EliminationPlan& uncut, Tapes& tapes, const Real* coefficient, Real* x,
                            void* work) {
+  const EliminationPlan plan = upper_cut(uncut);
   if (plan.pivots == 0) return C2D_OK;
   for (int32_t i = 0; i < plan.pivots; ++i) x[i] = 0;
   // x = Y c: chunks of the trailing columns; then x := U^-1 x, by block columns from the last to the first.
-  Buffers buffers = make_buffers(plan, tapes, work, back_step(plan));
+  Buffers buffers = make_buffers(uncut, tapes, work, back_step(plan));
   Pass pass = backward(plan, buffers);
   for (;;) {
     Chunk chunk;
@@ -415,12 +419,13 @@ Real dot(int32_t n, const Real* a, const Real* b) {
 
 } // namespace
 
-c2d_status transposed_functional(const EliminationPlan& plan, Tapes& tapes, Real* f, Real* w, void* work) {
+c2d_status transposed_functional(const EliminationPlan& uncut, Tapes& tapes, Real* f, Real* w, void* work) {
+  const EliminationPlan plan = upper_cut(uncut);
   if (plan.pivots == 0) {
     for (int32_t j = 0; j < plan.trailing; ++j) w[j] = 0;
     return C2D_OK;
   }
-  Buffers buffers = make_buffers(plan, tapes, work, back_step(plan));
+  Buffers buffers = make_buffers(uncut, tapes, work, back_step(plan));
   Pass pass = forward(plan, buffers, C2D_TAPE_UPPER, plan.pivots + plan.trailing);
   for (;;) {
     Chunk chunk;

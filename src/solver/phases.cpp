@@ -44,7 +44,7 @@ PhaseSizes phase_sizes(const Sizes& sizes) {
 
 EliminationPlan plan_of(const PhaseSizes& s, int b, int32_t panel_columns, int32_t block_columns) {
   return EliminationPlan{static_cast<int32_t>(s.rows[b]), static_cast<int32_t>(s.outer[b]),
-                         static_cast<int32_t>(2 * s.m + s.cases), panel_columns, block_columns, 0, 0, 0};
+                         static_cast<int32_t>(2 * s.m + s.cases), panel_columns, block_columns, 0, 0, 0, 0};
 }
 
 uint64_t elimination_area(const PhaseSizes& s, int b, const EliminationPlan& plan, char* base,
