@@ -168,44 +168,44 @@ c2d_port port_of(LateStore& late) {
 
 TEST_CASE("ahead: the same bits and the same bytes as block by block") {
   for (int32_t strip_rows : {0, 64, 75}) {
-  CAPTURE(strip_rows);
-  RamStore ram;
-  LateStore late;
-  c2d_port plain = C2D_INIT(c2d_port);
-  ram.serve(plain);
-  const c2d_port port = port_of(late);
-  Streamed one(strip_rows), other(strip_rows);
-  REQUIRE(one.open(&plain) == C2D_OK);
-  REQUIRE(other.open(&port) == C2D_OK);
-  REQUIRE(one.run() == C2D_OK);
-  REQUIRE(other.run() == C2D_OK);
-  CHECK(one.x == other.x);
-  CHECK(late.at_rest());
-  CHECK(late.most == 2);
-  CHECK(late.starts == late.waits);
-  for (int32_t t = 0; t < C2D_TAPES; ++t) {
-    CAPTURE(t);
-    CHECK(ram.tape[t] == late.ram.tape[t]);
-    CHECK(one.tapes.reads[t] == other.tapes.reads[t]);
-    CHECK(one.tapes.writes[t] == other.tapes.writes[t]);
-    CHECK(one.tapes.bytes_read[t] == other.tapes.bytes_read[t]);
-    CHECK(one.tapes.bytes_written[t] == other.tapes.bytes_written[t]);
-    CHECK(late.ram.bytes_read[t] == other.tapes.bytes_read[t]);
-    CHECK(late.ram.bytes_written[t] == other.tapes.bytes_written[t]);
-  }
-  // Two of the three are as good as none.
-  for (int32_t which = 0; which < 3; ++which) {
-    LateStore unused;
-    c2d_port some = port_of(unused);
-    if (which == 0) some.start_read = nullptr;
-    if (which == 1) some.start_write = nullptr;
-    if (which == 2) some.wait = nullptr;
-    Streamed third(strip_rows);
-    REQUIRE(third.open(&some) == C2D_OK);
-    REQUIRE(third.run() == C2D_OK);
-    CHECK(third.x == one.x);
-    CHECK(unused.starts + unused.waits == 0);
-  }
+    CAPTURE(strip_rows);
+    RamStore ram;
+    LateStore late;
+    c2d_port plain = C2D_INIT(c2d_port);
+    ram.serve(plain);
+    const c2d_port port = port_of(late);
+    Streamed one(strip_rows), other(strip_rows);
+    REQUIRE(one.open(&plain) == C2D_OK);
+    REQUIRE(other.open(&port) == C2D_OK);
+    REQUIRE(one.run() == C2D_OK);
+    REQUIRE(other.run() == C2D_OK);
+    CHECK(one.x == other.x);
+    CHECK(late.at_rest());
+    CHECK(late.most == 2);
+    CHECK(late.starts == late.waits);
+    for (int32_t t = 0; t < C2D_TAPES; ++t) {
+      CAPTURE(t);
+      CHECK(ram.tape[t] == late.ram.tape[t]);
+      CHECK(one.tapes.reads[t] == other.tapes.reads[t]);
+      CHECK(one.tapes.writes[t] == other.tapes.writes[t]);
+      CHECK(one.tapes.bytes_read[t] == other.tapes.bytes_read[t]);
+      CHECK(one.tapes.bytes_written[t] == other.tapes.bytes_written[t]);
+      CHECK(late.ram.bytes_read[t] == other.tapes.bytes_read[t]);
+      CHECK(late.ram.bytes_written[t] == other.tapes.bytes_written[t]);
+    }
+    // Two of the three are as good as none.
+    for (int32_t which = 0; which < 3; ++which) {
+      LateStore unused;
+      c2d_port some = port_of(unused);
+      if (which == 0) some.start_read = nullptr;
+      if (which == 1) some.start_write = nullptr;
+      if (which == 2) some.wait = nullptr;
+      Streamed third(strip_rows);
+      REQUIRE(third.open(&some) == C2D_OK);
+      REQUIRE(third.run() == C2D_OK);
+      CHECK(third.x == one.x);
+      CHECK(unused.starts + unused.waits == 0);
+    }
   }
 }
 
