@@ -78,7 +78,8 @@ module contact2d
 
   ! ---- numbers of c2d_posix.h
   integer(c_int32_t), parameter :: C2D_POSIX_STORE_TAPE = -1, C2D_POSIX_STORE_RANGE = -2, &
-      C2D_POSIX_STORE_END = -3, C2D_POSIX_STORE_LOCKED = -4, C2D_POSIX_STORE_STUCK = -5
+      C2D_POSIX_STORE_END = -3, C2D_POSIX_STORE_LOCKED = -4, C2D_POSIX_STORE_STUCK = -5, &
+      C2D_POSIX_STORE_TICKET = -6
 
   ! ---- numbers of c2d_threads.h
   integer(c_int32_t), parameter :: C2D_THREADS_MOST = 64

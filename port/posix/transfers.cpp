@@ -55,7 +55,7 @@ void wake(Helper* h, pthread_cond_t* bell, const std::atomic<bool>& sleeps) {
   pthread_mutex_unlock(&h->mutex);
 }
 
-extern "C" void* c2d_posix_transfers(void* argument) {
+void* work(void* argument) {
   Helper* h = static_cast<Helper*>(argument);
   for (;;) {
     const uint32_t mine = h->taken.load();
@@ -74,7 +74,7 @@ bool start_thread(Helper* h) {
   sigset_t all, before;
   sigfillset(&all);
   if (pthread_sigmask(SIG_SETMASK, &all, &before) != 0) return false;
-  const bool started = pthread_create(&h->thread, nullptr, c2d_posix_transfers, h) == 0;
+  const bool started = pthread_create(&h->thread, nullptr, work, h) == 0;
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
   return started;
 }

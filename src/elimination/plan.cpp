@@ -7,6 +7,7 @@ namespace {
 constexpr int32_t kWidestBlock = 64;                 // whole blocks; wider ones take too much from the panel
 constexpr int32_t kWidestStrip = 256;                // inner steps for which the kernels run at full speed
 constexpr int32_t kNarrowestStrip = 32;              // below, whole blocks do
+constexpr int32_t kTileRows = 24, kTileColumns = 8;  // of the kernels, or a multiple: edges cost more
 constexpr int32_t kLongestStrip = 1024;              // rows that pay for packing the right factor anew
 constexpr uint64_t kMostNumbers = uint64_t(1) << 56; // in a work area; far more than any machine has
 
@@ -72,9 +73,11 @@ bool choose_strips(uint64_t bytes, int32_t forced, EliminationPlan& plan) {
     const uint64_t fits = numbers / static_cast<uint64_t>(width);
     strips.block_rows = smaller(plan.rows, fits < kLongestStrip ? static_cast<int32_t>(fits) : kLongestStrip);
     strips.block_columns = width;
+    if (strips.block_rows < plan.rows) strips.block_rows -= strips.block_rows % kTileRows;
     if (strips.block_rows < smaller(plan.rows, 3 * width)) continue;
     if (static_cast<int64_t>(strips.block_rows) * width < plan.rows) continue; // room for a column, and for the exchanges
-    strips.panel_columns = forced > 0 ? forced : widest_panel(bytes, strips, width);
+    const int32_t widest = forced > 0 ? forced : widest_panel(bytes, strips, width);
+    strips.panel_columns = forced > 0 ? forced : widest - widest % kTileColumns;
     if (strips.panel_columns < width || elimination_bytes(strips) > bytes) continue;
     plan = strips;
     return true;
@@ -116,7 +119,7 @@ WorkLayout work_layout(const EliminationPlan& plan) {
   WorkLayout at = {0, 0, 0, 0, 0, 0, leading_dimension(plan.rows)};
   const uint64_t leading = static_cast<uint64_t>(at.leading), panel = static_cast<uint64_t>(plan.panel_columns);
   const uint64_t block = static_cast<uint64_t>(plan.block_columns);
-  if (leading * (panel + block) > kMostNumbers) {
+  if (leading * panel > kMostNumbers) { // blocks are no wider
     at.total = UINT64_MAX;
     return at;
   }

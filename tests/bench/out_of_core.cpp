@@ -39,9 +39,7 @@ public:
       : folder_(folder), own_(c2d::best_instructions(), n, 1) {
     if (c2d::plan_elimination(bytes, n, n, 1, 0, plan_, nullptr) != C2D_OK)
       give_up("no plan for the elimination");
-    work_.resize(std::max(c2d::elimination_bytes(plan_),
-                          c2d::back_substitution_bytes(plan_)) +
-                 64);
+    work_.resize(std::max(c2d::elimination_bytes(plan_), c2d::back_substitution_bytes(plan_)) + 64);
     const c2d::TapeUse lower = c2d::lower_use(plan_), upper = c2d::upper_use(plan_);
     port_ = C2D_INIT(c2d_port);
     if (folder.empty()) {
