@@ -221,6 +221,16 @@ void add(int32_t n, Real factor, const Real* x, Real* y) {
   for (; i < n; ++i) y[i] += factor * x[i];
 }
 
+void add_two(int32_t n, Real f, const Real* x, Real g, const Real* z, Real* y) {
+  int32_t i = 0;
+  for (; i + 2 * kLanes <= n; i += 2 * kLanes) {
+#pragma GCC unroll 2
+    for (int32_t v = i; v < i + 2 * kLanes; v += kLanes)
+      vector_at(y + v)->v = vector_at(y + v)->v + f * vector_at(x + v)->v + g * vector_at(z + v)->v;
+  }
+  for (; i < n; ++i) y[i] = y[i] + f * x[i] + g * z[i];
+}
+
 // The last vector may overlap with the one before it.
 Real largest_entry(int32_t n, const Real* x) {
   if (n < kLanes) {
@@ -309,7 +319,7 @@ void from_rows(int32_t k, const Real* from, Real* b, int64_t ldb) {
 }
 
 constexpr Kernel kLoops = {kVectors * kLanes, kCols, tile, solve,   solve_upper, column, scale,
-                           largest_entry,     pack,  to_rows, from_rows, add};
+                           largest_entry,     pack,  to_rows, from_rows, add,    add_two};
 
 } // namespace
 } // namespace c2d
