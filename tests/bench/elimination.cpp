@@ -150,6 +150,7 @@ void race(Field& field, int n) {
       if (!takes_part(c, n) || (c.slow && turn > 0 && n >= 1000)) continue;
       const Answer a = ask(*c.child, "time", "random:1", n);
       if (a.ok) c.answers.push_back(a);
+      if (n > 2000) ask(*c.child, "time", "random:1", 10); // gives the large matrix back
     }
   const Contender* own[3] = {};
   for (const Contender& c : field.all())

@@ -63,8 +63,8 @@ if ! grep -qF "$key " "$file"; then
   echo "guard: no numbers are kept for $key (make guard-save); nothing is compared"
   exit "${GUARD_MUST:-0}"
 fi
-awk '
-  NR == FNR { kept[$1 " " $2] = $3; next }
+awk -v key="$key" -v must="${GUARD_MUST:-0}" '
+  NR == FNR { if ($1 == key) kept[$1 " " $2] = $3; next }
   ($1 " " $2) in kept {
     before = kept[$1 " " $2]
     verdict = "as kept"
@@ -74,4 +74,7 @@ awk '
     ++compared; delete kept[$1 " " $2]; next
   }
   { printf "  %-44s %12d not kept\n", $2, $3 }
-  END { if (!compared) bad = 1; exit bad }' "$file" "$found" || { echo "guard: failed for $key"; exit 1; }
+  END {
+    for (name in kept) { print "  " name " is kept, and was not counted"; if (must) bad = 1 }
+    exit bad || !compared
+  }' "$file" "$found" || { echo "guard: failed for $key"; exit 1; }

@@ -10,6 +10,7 @@
 #include <ctime>
 #include <fstream>
 #include <map>
+#include <thread>
 
 namespace bench {
 
@@ -118,6 +119,30 @@ void give_up(const std::string& why) {
 
 namespace {
 
+// What the numbers are of, and whether times by the clock can be believed.
+void tell_machine() {
+#ifdef __clang__
+  const char* compiler = __VERSION__;
+#else
+  const char* compiler = "g++ " __VERSION__;
+#endif
+  std::ifstream cpu("/proc/cpuinfo");
+  for (std::string line; std::getline(cpu, line);)
+    if (line.compare(0, 10, "model name") == 0) {
+      std::printf("%s, ", line.substr(line.find(':') + 2).c_str());
+      break;
+    }
+  double load = 0;
+  const unsigned cores = std::thread::hardware_concurrency();
+  if (std::ifstream file("/proc/loadavg"); file) file >> load;
+  std::printf("%u cores, best set %s, compiled by %s\n", cores, bench::name_of(c2d::best_instructions()),
+              compiler);
+  if (load > 0.3 * cores)
+    std::printf(
+        "NOT QUIET: a load of %.1f by others; times by the clock, two threads above all, mean little\n",
+        load);
+}
+
 void read_options(int argc, char** argv, bench::Options& options, std::string& only) {
   std::string large;
   const std::map<std::string, std::string*> words = {{"--program", &options.program},
@@ -155,6 +180,7 @@ int main(int argc, char** argv) {
   bench::Options options;
   std::string only;
   read_options(argc, argv, options, only);
+  tell_machine();
   const auto wanted = [&](const std::string& part) {
     return only.empty() || ("," + only + ",").find("," + part + ",") != std::string::npos;
   };
