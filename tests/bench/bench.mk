@@ -55,8 +55,8 @@ bench: $(BENCH)/run_bench $(BENCH)/empty $(BENCH)/spawn $(RIVALS) $(PROGRAM)
 	  --large '$(LARGE)' --only '$(ONLY)' --save '$(SAVE)' --base '$(BASE)'
 
 # Guards against regressions that need no quiet machine: instruction counts. guard-save keeps those of this compiler.
-GUARD = sh tests/bench/guard.sh $(1) $(BENCH)/run_bench $(call object,src/linalg/kernel_avx512.cpp) tests/bench/guard.txt \
+GUARD = sh tests/bench/guard.sh $(1) $(BENCH)/run_bench $(PROGRAM) $(call object,src/linalg/kernel_avx512.cpp) tests/bench/guard.txt \
   '$(CXX)' '$(strip $(CPPFLAGS) $(CXXFLAGS))'
-guard guard-save: $(BENCH)/run_bench
+guard guard-save: $(BENCH)/run_bench $(PROGRAM)
 	@$(call GUARD,$(if $(filter guard,$@),check,save))
 .PHONY: guard guard-save

@@ -1,22 +1,33 @@
 #!/bin/sh
 # Instructions of fixed work, counted by valgrind (whatever else the machine does), and of the AVX-512 inner loop, read
 # from its disassembly, against the numbers kept in guard.txt: more than 5 % above them is a failure.
-# Usage: guard.sh check|save RUN_BENCH KERNEL_AVX512_OBJECT FILE COMPILER [FLAGS]
-# Lines of FILE: compiler:flags, name, number. Compilers differ: numbers are kept per compiler with its major version
-# and flags; where there are none for this one, that is said, and is a failure only with GUARD_MUST=1.
+# Usage: guard.sh check|save RUN_BENCH PROGRAM KERNEL_AVX512_OBJECT FILE COMPILER [FLAGS]
+# Lines of FILE: machine-compiler-version:flags, name, number. Compilers differ: numbers are kept per compiler with its
+# major version and flags; where there are none for this one, that is said, and is a failure only with GUARD_MUST=1.
 set -eu
-what=$1 bench=$2 object=$3 file=$4 compiler=$5 flags=${6:-}
+what=$1 bench=$2 program=$3 object=$4 file=$5 compiler=$6 flags=${7:-}
 family=gcc
 $compiler --version | grep -qi clang && family=clang
-key=$family-$($compiler -dumpversion | cut -d. -f1):$(echo $flags | tr ' ' ,)
-found=$(mktemp)
-trap 'rm -f "$found"' EXIT
+key=$($compiler -dumpmachine | cut -d- -f1)-$family-$($compiler -dumpversion | cut -d. -f1):$(echo $flags | tr ' ' ,)
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+found=$folder/found
+
+count() { # options of valgrind, program and arguments: instructions, empty if it failed
+  LD_BIND_NOW=1 valgrind --tool=callgrind --callgrind-out-file=/dev/null "$@" 2>&1 >/dev/null |
+    sed -n 's/.*Collected : *\([0-9]*\).*/\1/p'
+}
+keep() { # name, instructions: none if the processor that valgrind plays lacks the set
+  if [ "${2:-0}" = 0 ]; then echo "guard: $1 cannot run here"; else echo "$key $1 $2" >>"$found"; fi
+}
 
 if command -v valgrind >/dev/null; then
   for job in $("$bench" --guard list); do
-    counted=$(LD_BIND_NOW=1 valgrind --tool=callgrind --callgrind-out-file=/dev/null --collect-atstart=no \
-      --toggle-collect=guarded_work "$bench" --guard "$job" 2>&1) || { echo "guard: $job cannot run here"; continue; }
-    echo "$key $job $(echo "$counted" | sed -n 's/.*Collected : *\([0-9]*\).*/\1/p')" >>"$found"
+    keep "$job" "$(count --collect-atstart=no --toggle-collect=guarded_work "$bench" --guard "$job")"
+  done
+  for deck in examples/hertz.dat tests/data/decks/sample56.dat; do
+    keep "job.$(basename $deck .dat)" "$(count "$program" run $deck --listing "$folder/listing" --csv "$folder/csv" \
+      --store memory --threads 1)"
   done
 else
   echo 'guard: there is no valgrind, instructions are not counted'
