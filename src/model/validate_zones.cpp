@@ -1,4 +1,5 @@
 // Do contact zones refer to what is there, and do their sides face each other?
+#include "memory/optional.hpp"
 #include "model/free_zones.hpp"
 #include "model/geometry.hpp"
 #include "model/validate.hpp"
@@ -7,6 +8,8 @@
 #include <math.h>
 
 namespace c2d {
+
+C2D_OPTIONAL(fit_free_zone);
 
 namespace {
 

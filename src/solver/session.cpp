@@ -7,11 +7,14 @@
 #include "bie/body_force.hpp"
 #include "bie/columns.hpp"
 #include "memory/hostile.hpp"
+#include "memory/optional.hpp"
 #include "memory/text.hpp"
 #include "model/free_zones.hpp"
 #include "model/rigid.hpp"
 
 namespace c2d {
+
+C2D_OPTIONAL(body_force_resultant);
 
 namespace {
 
