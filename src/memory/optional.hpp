@@ -5,12 +5,15 @@
 // A part has object files of its own. Who uses it where a model has one names what it calls with C2D_OPTIONAL: such a
 // reference brings no object file into a link. The call that declares the part, and whatever else may bring a model that
 // has one (c2d_attach, c2d_restore), names one function of each of its files with C2D_BRINGS. So a call of an optional
-// function stands behind the question whether the model has the part, which only a model with the part answers with yes.
+// function stands behind the question whether the model has the part, which only a model with the part answers with yes; C2D_LINKED tells whether
+// the program has it.
 // Needs ELF, an archive of objects and GCC or clang; elsewhere, and in one file, everything is linked.
 #if defined(__ELF__) && defined(__GNUC__) && !defined(C2D_ONE_FILE)
 #define C2D_OPTIONAL(function) extern decltype(function) function __attribute__((weak))
+#define C2D_LINKED(function) (&function != nullptr)
 #define C2D_BRINGS(function) __attribute__((used)) static decltype(&function) const brings_##function = &function
 #else
 #define C2D_OPTIONAL(function) static_assert(true, "always linked")
+#define C2D_LINKED(function) true
 #define C2D_BRINGS(function) static_assert(true, "always linked")
 #endif

@@ -93,25 +93,9 @@ c2d_status build_functional(Session& session, int32_t k, bool reactions, double*
   return status == C2D_OK && m > 0 ? remove_displacements(a) : status;
 }
 
-void weigh_pairs(const Model& m) {
-  for (int32_t i = 0; i < m.head->pairs; ++i) m.pair[i].weight = 0.0;
-  for (int32_t z = 0; z < m.head->zones; ++z)
-    for (int32_t place = 0; place < m.zone[z].elements; ++place) {
-      const int b = m.zone[z].is_free != 0 ? 1 : 0;
-      const int32_t element = zone_element(m, m.zone[z], b, place);
-      EndResultant weight[4];
-      end_resultants(m, b, element, Measure::own_length, weight);
-      for (int l = 0; l < m.head->function_nodes; ++l) {
-        const int32_t pair = pair_of_end(m, b, element, l);
-        if (pair >= 0) m.pair[pair].weight += weight[l].w;
-      }
-    }
-}
-
 } // namespace
 
-c2d_status build_energy(c2d_solver* s, const Model& model) {
-  weigh_pairs(model);
+c2d_status build_energy(c2d_solver* s) {
   Session session;
   open_session(s, session);
   const EnergyBook book = energy_book(s);

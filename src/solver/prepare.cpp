@@ -5,6 +5,7 @@
 #include "bie/panel.hpp"
 #include "contact/reduction.hpp"
 #include "memory/hostile.hpp"
+#include "memory/optional.hpp"
 #include "memory/text.hpp"
 #include "model/free_zones.hpp"
 #include "model/rigid.hpp"
@@ -16,6 +17,8 @@
 #include "solver/solver.hpp"
 
 namespace c2d {
+
+C2D_OPTIONAL(build_energy);
 
 namespace {
 
@@ -276,6 +279,22 @@ c2d_status solve_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, 
   return status == C2D_OK ? solve_bodies(s, m, model_sizes(m), true) : status;
 }
 
+// Pair::weight.
+void weigh_pairs(const Model& m) {
+  for (int32_t i = 0; i < m.head->pairs; ++i) m.pair[i].weight = 0.0;
+  for (int32_t z = 0; z < m.head->zones; ++z)
+    for (int32_t place = 0; place < m.zone[z].elements; ++place) {
+      const int b = m.zone[z].is_free != 0 ? 1 : 0;
+      const int32_t element = zone_element(m, m.zone[z], b, place);
+      EndResultant weight[4];
+      end_resultants(m, b, element, Measure::own_length, weight);
+      for (int l = 0; l < m.head->function_nodes; ++l) {
+        const int32_t pair = pair_of_end(m, b, element, l);
+        if (pair >= 0) m.pair[pair].weight += weight[l].w;
+      }
+    }
+}
+
 [[gnu::noinline]] c2d_status validate_changes(c2d_solver* s, const Model& m) {
   if (s->loads_changed == 0) return C2D_OK;
   Reporter reporter{s, [](void* solver, const c2d_error& e) { report_fault(static_cast<c2d_solver*>(solver), e); }, 0};
@@ -356,7 +375,9 @@ c2d_status prepare_with(c2d_solver* s, const c2d_port* store) {
     if (status == C2D_OK && !s->blocked) status = run_phases(s, m);
     if (s->blocked) s->peak_bytes = s->layout.persistent + path_area(model_sizes(m), s->plan, false, nullptr, nullptr);
   }
-  if (status == C2D_OK && !s->blocked) status = build_energy(s, m);
+  s->keeps_energy = C2D_LINKED(build_energy);
+  if (status == C2D_OK && !s->blocked) weigh_pairs(m);
+  if (status == C2D_OK && !s->blocked && s->keeps_energy) status = build_energy(s);
   if (status == C2D_OK) {
     s->state = C2D_STATE_PREPARED;
     s->factors = s->options.keep_factors != 0 && !s->blocked;

@@ -38,8 +38,8 @@ c2d_status fill_table(Session& session);
 void fill_positions(const Model& model, double* table);
 // Traction that free zones hand over to body 1 at an end of an element; zero elsewhere and on body 2 (solver/back.cpp).
 void transferred_traction(const Session& session, int b, int32_t element, int l, double out[2]);
-// What a step callback sees of the present state; outcome and changes are the caller's. The table is filled already.
-c2d_step describe_step(const Session& session, int32_t kind);
+// Tells c2d_run's callback that a status changed. Optional (memory/optional.hpp): part of c2d_run.
+c2d_status show_change(Session& session);
 // Work of the loads along `direction` on a rigid motion of the free body; *size: sum of its magnitudes.
 double load_work(const Session& session, const double* direction, const double motion[3], double* size);
 constexpr double kNoPressure = 1e-9; // of the largest on the path

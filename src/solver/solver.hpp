@@ -37,6 +37,8 @@ struct c2d_solver {
   int32_t warnings;
   int32_t factors;            // the tapes hold a factorisation of this model that new right-hand sides can go through
   int32_t loads_changed;      // since they were last validated
+  int32_t keeps_energy;       // this program has calls that tell energies, so that they are kept (solver/energy.hpp)
+  int32_t nothing;            // instead of padding
   double smallest_pivot, largest_pivot, pivot_growth, condition;
   uint64_t peak_bytes;
   double seconds[C2D_PHASES];
