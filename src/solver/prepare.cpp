@@ -310,9 +310,8 @@ void warn_condition(c2d_solver* s) {
   e.status = C2D_WARN_CONDITION;
   e.severity = C2D_WARNING;
   Text text = text_in(e.text);
-  put(text, "the equations are badly conditioned (pivots differ by a factor of ");
-  put(text, s->condition);
-  put(text, "): supports may be too close together or elements of very unlike size");
+  put_all(text, "the equations are badly conditioned (pivots differ by a factor of ", s->condition,
+          "): supports may be too close together or elements of very unlike size");
   report_fault(s, e);
 }
 
