@@ -21,7 +21,7 @@ agree_m7  := 1e-9
 STACK_LEAST ?= 4096
 
 ARM_FLAGS := -std=c++17 -Os -ffreestanding -fbuiltin -fno-math-errno -fno-exceptions -fno-rtti -ffunction-sections \
-  -fdata-sections -fno-threadsafe-statics $(EXACT) $(WARNINGS) -fstack-usage -fcallgraph-info=su
+  -fdata-sections -fno-threadsafe-statics -DC2D_SYMMETRY_BY_CALL $(EXACT) $(WARNINGS) -fstack-usage -fcallgraph-info=su
 ARM_PORT := $(wildcard port/cortex-m/*.cpp)
 
 define arm_object

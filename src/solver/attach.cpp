@@ -10,6 +10,7 @@
 C2D_BRINGS(c2d_add_free_zone);
 C2D_BRINGS(c2d_set_body_force);
 C2D_BRINGS(c2d_set_rigid);
+C2D_BRINGS(c2d_set_symmetry);
 C2D_BRINGS(c2d_get_summary);
 
 namespace c2d {
