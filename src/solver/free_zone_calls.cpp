@@ -31,7 +31,7 @@ c2d_status fill_free_zone(c2d_solver* s, const Model& m, const c2d_free_zone& gi
     const int32_t count = given.elements[b] == 0 ? distance + 1 : given.elements[b];
     z.region[b] = region_of_element(m, b, ends[0] - 1);
     const Region& region = m.region[b][z.region[b]];
-    const int64_t ring = region.open ? 0 : region.last - region.first + 1;
+    const int32_t ring = region.open ? 0 : region.last - region.first + 1;
     z.first_element[b] = ends[0] - 1;
     z.element_step[b] = count < 1 ? 0 : range_step(ends[0] - 1, ends[1] - 1, count, region.first, ring, 1);
     (b == 0 ? z.facing : z.elements) = count;

@@ -8,12 +8,14 @@ using namespace c2d;
 
 namespace c2d {
 
-int32_t range_step(int64_t first, int64_t last, int64_t count, int64_t start, int64_t size, int32_t preferred) {
-  for (int32_t sign = 1; sign >= -1; sign -= 2)
-    if (first + sign * (count - 1) == last && (count > 1 || sign == preferred)) return sign;
-  for (int32_t sign = 1; sign >= -1 && size > 0; sign -= 2) {
-    const int64_t turned = ((first - start + sign * (count - 1)) % size + size) % size + start;
-    if (count <= size && turned == last) return sign;
+int32_t range_step(int32_t first, int32_t last, int32_t count, int32_t start, int32_t size, int32_t preferred) {
+  if (last - first == count - 1 && (count > 1 || preferred == 1)) return 1;
+  if (first - last == count - 1 && (count > 1 || preferred == -1)) return -1;
+  for (int32_t sign = 1; sign >= -1 && count <= size; sign -= 2) {
+    int32_t place = first - start + sign * (count - 1);
+    while (place < 0) place += size;
+    while (place >= size) place -= size;
+    if (place + start == last) return sign;
   }
   return 0;
 }
@@ -53,8 +55,8 @@ c2d_status fill_zone(c2d_solver* s, const Model& m, const c2d_zone& given, Zone&
     int32_t first_node, last_node;
     nodes_of_region(m, b, z.region[b], &first_node, &last_node);
     // An open region is no ring to go round.
-    const int64_t ring = region.open ? 0 : region.last - region.first + 1;
-    const int64_t node_ring = region.open ? 0 : last_node - first_node + 1;
+    const int32_t ring = region.open ? 0 : region.last - region.first + 1;
+    const int32_t node_ring = region.open ? 0 : last_node - first_node + 1;
     const int32_t by_nodes = given.last_node[b] >= given.first_node[b] ? 1 : -1;
     z.element_step[b] =
         range_step(z.first_element[b], given.last_element[b] - 1, given.elements, region.first, ring, by_nodes);
