@@ -128,8 +128,11 @@ $(call desktop_object,$(1)): $(1) port/cortex-m/embedded.mk
 	$(CXX) $(CPPFLAGS) $(ARM_FLAGS) -Isrc -Iinclude $(DEPS) -c $(1) -o $$@
 endef
 $(foreach s,$(CORE_SOURCES),$(eval $(call desktop_compile,$(s))))
+$(DESKTOP)/libcontact2d.a: $(DESKTOP_OBJECTS)
+	@rm -f $@
+	@$(AR) rcs $@ $(DESKTOP_OBJECTS)
 define desktop_size
-$(DESKTOP)/$(1).size: $(DESKTOP_OBJECTS)
+$(DESKTOP)/$(1).size: $(DESKTOP)/libcontact2d.a
 	@$(CXX) -nostdlib -r -Wl,--gc-sections -Wl,-e,c2d_create $(call wanted,$(1)) $$^ -o $$(@:.size=.o)
 	@size -A $$(@:.size=.o) > $$@
 endef

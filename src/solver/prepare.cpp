@@ -24,34 +24,41 @@ namespace {
 
 using Matrix = ContactMatrix;
 
-template <class T> uint64_t hash_array(uint64_t hash, const T* data, int64_t count) {
-  return checksum(hash, data, static_cast<uint64_t>(count) * sizeof(T));
-}
+struct Hash {
+  uint64_t value;
+  void add(const void* data, size_t bytes);
+  template <class T> void add_array(const T* data, int32_t count) { add(data, static_cast<size_t>(count) * sizeof(T)); }
+};
+
+[[gnu::noinline]] void Hash::add(const void* data, size_t bytes) { value = checksum(value, data, bytes); }
 
 } // namespace
 
 uint64_t hash_model(const Model& m, const c2d_options& options) {
-  uint64_t hash = checksum(sizeof(Real), &options.quadrature, sizeof options.quadrature);
-  hash = checksum(hash, &m.head->plane, sizeof m.head->plane);
+  Hash hash{sizeof(Real)};
+  hash.add(&options.quadrature, sizeof options.quadrature);
+  hash.add(&m.head->plane, sizeof m.head->plane);
   if (m.head->symmetry != 0) {
-    hash = checksum(hash, &m.head->symmetry, sizeof m.head->symmetry);
-    hash = hash_array(hash, m.head->line_at, 2);
+    hash.add(&m.head->symmetry, sizeof m.head->symmetry);
+    hash.add_array(m.head->line_at, 2);
   }
   for (int b = 0; b < m.head->bodies; ++b) {
     const Body& body = m.head->body[b];
-    const int64_t ends = static_cast<int64_t>(body.elements) * m.head->function_nodes, cases = m.head->load_cases;
-    hash = checksum(hash, &body.youngs_modulus, 2 * sizeof(double));
-    hash = hash_array(hash, m.xy[b], 2 * static_cast<int64_t>(body.geometry_nodes));
-    hash = hash_array(hash, m.end_traction[b], 2 * ends * cases);
-    hash = hash_array(hash, m.node_disp[b], 2 * static_cast<int64_t>(body.nodes) * cases);
-    hash = hash_array(hash, m.end_code[b], ends);
-    hash = hash_array(hash, m.region[b], body.regions);
+    const int32_t ends = body.elements * m.head->function_nodes;
+    const size_t pairs_of_numbers = 2 * sizeof(double) * static_cast<size_t>(m.head->load_cases);
+    hash.add(&body.youngs_modulus, 2 * sizeof(double));
+    hash.add(m.xy[b], 2 * sizeof(double) * static_cast<size_t>(body.geometry_nodes));
+    hash.add(m.end_traction[b], pairs_of_numbers * static_cast<size_t>(ends));
+    hash.add(m.node_disp[b], pairs_of_numbers * static_cast<size_t>(body.nodes));
+    hash.add_array(m.end_code[b], ends);
+    hash.add_array(m.region[b], body.regions);
   }
-  if (m.head->rigid != 0) hash = hash_array(hash, m.rigid_motion, m.head->load_cases);
-  if (m.head->interference != 0) hash = checksum(hash, &m.head->interference, sizeof m.head->interference);
-  if (m.head->body_forces != 0) hash = hash_array(hash, m.body_force, 2 * static_cast<int64_t>(m.head->load_cases));
-  hash = hash_array(hash, m.zone, m.head->zones);
-  return hash_array(hash, m.point_load, m.head->point_loads);
+  if (m.head->rigid != 0) hash.add_array(m.rigid_motion, m.head->load_cases);
+  if (m.head->interference != 0) hash.add(&m.head->interference, sizeof m.head->interference);
+  if (m.head->body_forces != 0) hash.add(m.body_force, 2 * sizeof(BodyForce) * static_cast<size_t>(m.head->load_cases));
+  hash.add_array(m.zone, m.head->zones);
+  hash.add_array(m.point_load, m.head->point_loads);
+  return hash.value;
 }
 
 namespace {
