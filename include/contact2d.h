@@ -860,7 +860,7 @@ const char* c2d_version(void);               /* "0.1.0" */
 #ifndef C2D_REAL_BYTES
 #define C2D_REAL_BYTES 8      /* of a stored matrix's number: 4 for a library compiled with C2D_REAL=float   */
 #endif
-#define C2D_SOLVER_BYTES 2880 /* of c2d_solver, at most, on any target                                      */
+#define C2D_SOLVER_BYTES 2944 /* of c2d_solver, at most, on any target                                      */
 #define C2D_ASSEMBLY_BYTES 3776 /* of what the assembly of an element needs, at most, on any target         */
 #define C2D_ROUND_(bytes) (((bytes) + UINT64_C(63)) / 64 * 64)
 #define C2D_ARRAY_(count, size) C2D_ROUND_(UINT64_C(1) * (count) * (size))

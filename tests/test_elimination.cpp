@@ -332,7 +332,8 @@ TEST_CASE("the whole system is solved: reduced equations, then back substitution
   // S u = s for the kept unknowns; the eliminated ones from A_o x = s - B u.
   std::vector<int32_t> small_pivots(static_cast<size_t>(rest)), pivots_dense(static_cast<size_t>(n));
   Real* right = p.s.data() + static_cast<size_t>(rest) * static_cast<size_t>(rest);
-  lu_factor(kPlainEngine, rest, p.s.data(), rest, small_pivots.data(), nullptr);
+  std::vector<Real> norms(static_cast<size_t>(n) + 1);
+  lu_factor(kPlainEngine, rest, p.s.data(), rest, small_pivots.data(), norms.data(), nullptr);
   lu_solve(kPlainEngine, rest, 1, p.s.data(), rest, small_pivots.data(), right, rest);
   Numbers c(static_cast<size_t>(rest) + 1, Real(1)), x(static_cast<size_t>(pivots));
   for (int32_t k = 0; k < rest; ++k) c[static_cast<size_t>(k)] = -right[k];
@@ -341,7 +342,7 @@ TEST_CASE("the whole system is solved: reduced equations, then back substitution
   x.insert(x.end(), right, right + rest);
   Numbers dense(p.a.begin(), p.a.begin() + n * n), y(p.a.begin() + n * n, p.a.end());
   const Numbers b = y;
-  lu_factor(kPlainEngine, n, dense.data(), n, pivots_dense.data(), nullptr);
+  lu_factor(kPlainEngine, n, dense.data(), n, pivots_dense.data(), norms.data(), nullptr);
   lu_solve(kPlainEngine, n, 1, dense.data(), n, pivots_dense.data(), y.data(), n);
   double most = 0, difference = 0, residual = 0;
   for (int32_t i = 0; i < n; ++i) {

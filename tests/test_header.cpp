@@ -48,7 +48,7 @@ std::string program_of(const std::vector<std::string>& code, const std::string& 
 Result compile(const std::string& compiler, const Folder& folder, const std::string& program, bool link) {
   write_file(folder / "a.c", program);
   std::string command = compiler + " -Wall -Wextra -Wpedantic -Werror -Wno-unused -I'" + kRoot + "/include'";
-  for (const char* port : {"memory", "stdio", "posix"}) command += " -I'" + kRoot + "/port/" + port + "'";
+  for (const char* port : {"memory", "stdio", "posix", "threads"}) command += " -I'" + kRoot + "/port/" + port + "'";
   command += " '" + (folder / "a.c") + "' -o '" + (folder / "a") + "' " + (link ? "-x none '" C2D_TEST_LIBRARY "' -lm" : "-c");
   return run_shell(command);
 }
@@ -75,7 +75,7 @@ TEST_CASE("header: the code in its comments is a program in C99 and C++ that run
 }
 
 TEST_CASE("header: the code in the comments of the ports' headers compiles as C99 and C++") {
-  for (const char* port : {"memory", "stdio", "posix"}) {
+  for (const char* port : {"memory", "stdio", "posix", "threads"}) {
     const std::string name = std::string("c2d_") + port + ".h";
     const std::vector<std::string> code = snippets(read_file(kRoot + "/port/" + port + "/" + name));
     CHECK_MESSAGE(!code.empty(), name);

@@ -1,5 +1,5 @@
-! contact2d for Fortran: the whole of contact2d.h and of the block stores c2d_memory.h, c2d_stdio.h, c2d_posix.h, under
-! the same names. The headers are the manual; here stands only how their arguments look from Fortran.
+! contact2d for Fortran: the whole of contact2d.h and of the ports c2d_memory.h, c2d_stdio.h, c2d_posix.h and
+! c2d_threads.h, under the same names. The headers are the manual; here stands only how their arguments look from Fortran.
 !
 !   gfortran -c contact2d.f90
 !   gfortran program.f90 contact2d.o -lcontact2d
@@ -79,6 +79,9 @@ module contact2d
   ! ---- numbers of c2d_posix.h
   integer(c_int32_t), parameter :: C2D_POSIX_STORE_TAPE = -1, C2D_POSIX_STORE_RANGE = -2, &
       C2D_POSIX_STORE_END = -3, C2D_POSIX_STORE_LOCKED = -4, C2D_POSIX_STORE_STUCK = -5
+
+  ! ---- numbers of c2d_threads.h
+  integer(c_int32_t), parameter :: C2D_THREADS_MOST = 64
 
   ! ---- structs: each is a first value of itself, `type(c2d_limits) :: limits`, as C2D_INIT makes it
   type, bind(C) :: c2d_error
@@ -349,6 +352,10 @@ module contact2d
     integer(c_int32_t) :: file(C2D_TAPES) = 0
     integer(c_int64_t) :: blocks(C2D_TAPES) = 0
     integer(c_int64_t) :: block_bytes(C2D_TAPES) = 0
+  end type
+
+  type, bind(C) :: c2d_threads
+    integer(c_int64_t) :: room(192) = 0
   end type
 
   ! ---- functions of the caller's. None of them may STOP.
@@ -974,6 +981,30 @@ module contact2d
       character(kind=c_char), intent(in) :: folder(*)
       integer(c_int32_t) :: status
     end function
+
+    ! ---- threads
+    function c2d_threads_start(pool, threads) bind(C) result(status)
+      import
+      type(c2d_threads), intent(inout) :: pool
+      integer(c_int32_t), value :: threads
+      integer(c_int32_t) :: status
+    end function
+    subroutine c2d_threads_port(pool, out) bind(C)
+      import
+      type(c2d_threads), intent(inout) :: pool
+      type(c2d_port), intent(inout) :: out
+    end subroutine
+    subroutine c2d_threads_run(pool, n, task, argument) bind(C)
+      import
+      type(c2d_threads), intent(inout) :: pool
+      integer(c_int32_t), value :: n
+      type(c_funptr), value :: task
+      type(c_ptr), value :: argument
+    end subroutine
+    subroutine c2d_threads_stop(pool) bind(C)
+      import
+      type(c2d_threads), intent(inout) :: pool
+    end subroutine
   end interface
 
 contains

@@ -148,7 +148,6 @@ c2d_status find_event(Follower& f, double reach, double* part, c2d_outcome* outc
   *part = 0.0;
   const c2d_status status = settle(f, outcome);
   if (status != C2D_OK || *outcome != C2D_REACHED) return status;
-  refresh(f);
   const Event event = nearest_event(f, reach);
   *part = event.pair < 0 ? HUGE_VAL : event.step;
   if (event.pair >= 0) f.last_pair = event.pair;
@@ -173,7 +172,6 @@ c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome
     if (f.stats.changes != told) status = tell_change(f); // what the event and all that followed from it came to
     if (status != C2D_OK) return status;
     told = f.stats.changes;
-    refresh(f);
     const Event event = nearest_event(f, 1.0 - part);
     if (f.watch.moving) f.watch.moving(f.watch.context, event.step);
     if (event.pair < 0) break;

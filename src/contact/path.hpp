@@ -57,7 +57,7 @@ c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome
 c2d_status find_event(Follower& f, double reach, double* part, c2d_outcome* outcome);
 
 // Make the statuses consistent with the rates along f.direction without moving the load (design: tableau and
-// events; start (b)). If none are found the statuses are what they were, and *outcome says why.
+// events; start (b)); y and dy are refreshed. If none are found the statuses are what they were, and *outcome says why.
 c2d_status settle(Follower& f, c2d_outcome* outcome);
 // The same by following an artificial load down to zero (contact/homotopy.cpp); true if that led to consistent
 // statuses. Pairs marked `weak` may change.

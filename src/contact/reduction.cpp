@@ -15,8 +15,9 @@ ContactMatrix of_body(ContactMatrix first_body, int body) {
   return static_cast<Matrix>(static_cast<int32_t>(first_body) + 3 * body);
 }
 
+// The strip is free: norms take a part of it.
 c2d_status factor(const Reduction& r, Real* matrix) {
-  return lu_factor(r.engine, r.tape.m, matrix, r.tape.m, r.pivots, nullptr) == 0 ? C2D_OK : C2D_ERR_SINGULAR;
+  return lu_factor(r.engine, r.tape.m, matrix, r.tape.m, r.pivots, r.strip, nullptr) == 0 ? C2D_OK : C2D_ERR_SINGULAR;
 }
 
 // v of the inverted body, whose factored S_u is in `first`.

@@ -19,7 +19,7 @@ Real entry(const Tableau& t, int32_t i, int32_t j) { return column(t, j)[i]; }
 int32_t all_columns(const Tableau& t) { return static_cast<int32_t>(tableau_columns(t.m, t.cases)); }
 
 void pivot(Tableau& t, int32_t slot) {
-  exchange(t.m, all_columns(t), t.t, t.m, slot, slot);
+  exchange(t.m, all_columns(t), t.t, t.m, slot, slot, t.kernel);
   ++t.exchanges;
 }
 

@@ -7,6 +7,7 @@
 //   slip   z = w_n, r   y = p, w_t            r = q - sign mu p
 // A change of status is one or two Gauss-Jordan exchanges of 2 m^2 operations each.
 #include "contact/contact_tape.hpp"
+#include "linalg/kernel.hpp"
 #include "model/model.hpp"
 
 namespace c2d {
@@ -18,6 +19,7 @@ struct Tableau {
   double length_unit;
   double stiffness;    // largest diagonal entry with every pair sticking; 0 until built
   int64_t exchanges;   // so far
+  const Kernel* kernel;
 };
 
 inline Real* constants(const Tableau& t) { return t.t + static_cast<int64_t>(t.m) * t.m; }

@@ -78,24 +78,20 @@ c2d_status apply_earlier(const Panel& panel) {
 
 // Factor the panel's own columns, and update trailing columns that are in the same panel.
 c2d_status factor(const Panel& panel, PivotStats* stats) {
-  const int32_t rows = panel.plan.rows - panel.first;
+  const int32_t rows = panel.plan.rows - panel.first, width = lu_width(rows);
   Real* corner = panel.columns + panel.first;
   int32_t* pivots = panel.pivots + panel.first; // relative to the corner until the end
   stats->base = panel.first;
-  for (int32_t j = 0, n = 0; j < panel.count; j += n) {
-    // A block must not reach from the own to the trailing columns.
-    const int32_t end = j < panel.own ? panel.own : panel.count;
-    n = end - j < kLuBlock ? end - j : kLuBlock;
-    if (j < panel.own) {
-      if (lu_block(panel.engine, rows, j, n, corner, panel.ld, pivots, panel.norms, stats) > 0)
-        return C2D_ERR_SINGULAR;
-    } else {
-      lu_apply(panel.engine, rows, panel.own, corner, panel.ld, pivots, n, corner + j * panel.ld, panel.ld);
-    }
-    const c2d_status status = tell(panel.watch, panel.first + j, n);
-    if (status != C2D_OK) return status;
+  const Lu lu = {panel.engine, rows, panel.own, panel.count, corner, panel.ld, pivots, panel.norms, stats};
+  c2d_status status = C2D_OK;
+  for (int32_t j = 0; j < panel.own && status == C2D_OK; j += width) {
+    if (lu_step(lu, j) > 0) return C2D_ERR_SINGULAR;
+    status = tell(panel.watch, panel.first + j, panel.own - j < width ? panel.own - j : width);
   }
-  if (!panel.last) lu_settle(panel.own, corner, panel.ld, pivots); // later panels exchange first, then update
+  if (status == C2D_OK) status = tell(panel.watch, panel.first + panel.own, panel.count - panel.own);
+  if (status != C2D_OK) return status;
+  // Whoever reads L again exchanges all of a panel's rows first, then updates.
+  if (!panel.last || panel.plan.keep_lower != 0) lu_settle(rows, panel.own, corner, panel.ld, pivots);
   for (int32_t j = 0; j < panel.own; ++j) pivots[j] += panel.first;
   return C2D_OK;
 }

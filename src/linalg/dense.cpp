@@ -118,22 +118,96 @@ bool packs(const Engine& engine, int32_t n, int32_t k) {
   return !kSmallCode && n >= 4 && k >= 4 && can_pack(engine);
 }
 
+// One column and a kernel: a few columns of A at a time.
+void thin_product(const Kernel& kernel, int32_t m, int32_t k, const Real* a, int64_t lda, const Real* b, Real* c) {
+  for (int32_t p = 0; p < k; p += kTriangle) kernel.column(m, smaller(kTriangle, k - p), a + p * lda, lda, b + p, c);
+}
+
+// The same for a solve: triangles of kTriangle, and what is beyond them by whole columns of L or U.
+void thin_update(const Kernel& kernel, int32_t w, int32_t m, const Real* l, int64_t ldl, Real* x) {
+  for (int32_t d = 0; d < w; d += kTriangle) {
+    const int32_t end = smaller(d + kTriangle, w);
+    for (int32_t p = d; p < end; ++p) {
+      const Real* left = l + p * ldl;
+      for (int32_t i = p + 1; i < end; ++i) x[i] -= left[i] * x[p];
+    }
+    kernel.column(w + m - end, end - d, l + end + d * ldl, ldl, x + d, x + end);
+  }
+}
+
+void thin_upper(const Kernel& kernel, int32_t n, const Real* u, int64_t ldu, Real* x) {
+  for (int32_t end = n; end > 0;) {
+    const int32_t d = (end - 1) / kTriangle * kTriangle;
+    for (int32_t p = end - 1; p >= d; --p) {
+      const Real* column = u + p * ldu;
+      x[p] = column[p] == 0 ? Real(0) : x[p] / column[p];
+      for (int32_t i = d; i < p; ++i) x[i] -= column[i] * x[p];
+    }
+    kernel.column(d, end - d, u + d * ldu, ldu, x + d, x);
+    end = d;
+  }
+}
+
+// A routine of packed.hpp on the columns of X or C, cut between the workers: whole slices of any kernel, wide enough to
+// be worth the packing of A.
+constexpr int32_t kLeastCut = 64;
+
+struct Columns {
+  void (*work)(const Columns& all, const Engine& engine, int32_t first, int32_t count);
+  int32_t n, m, k, items, chunk;
+  const Real *a, *b;
+  int64_t lda, ldb;
+  Real* c;
+  int64_t ldc;
+};
+
+void take_columns(void* argument, const Engine& engine, int32_t item) {
+  const Columns& all = *static_cast<const Columns*>(argument);
+  const int32_t first = item * all.chunk;
+  all.work(all, engine, first, item + 1 < all.items ? all.chunk : all.n - first);
+}
+
+void cut_columns(const Engine& engine, Columns all) {
+  all.items = chunks_of(all.n, parts_of(engine), &all.chunk);
+  run_items(engine, all.items, take_columns, &all);
+}
+
 } // namespace
+
+int32_t chunks_of(int32_t columns, int32_t parts, int32_t* chunk) {
+  *chunk = columns;
+  if (parts <= 1) return columns > 0;
+  const int32_t even = (columns / (2 * parts) + 7) / 8 * 8;
+  *chunk = even < kLeastCut ? kLeastCut : (even > kWidth ? kWidth : even);
+  return columns < *chunk ? columns > 0 : columns / *chunk;
+}
 
 void gemm_minus(const Engine& engine, int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda,
                 const Real* b, int64_t ldb, Real* c, int64_t ldc) {
-  if (packs(engine, n, k))
-    packed_product(engine, m, n, k, a, lda, b, ldb, c, ldc);
-  else
-    plain_product(m, n, k, a, lda, b, ldb, c, ldc);
+  if (!packs(engine, n, k)) {
+    if (kSmallCode || !engine.kernel) return plain_product(m, n, k, a, lda, b, ldb, c, ldc);
+    for (int32_t j = 0; j < n; ++j) thin_product(*engine.kernel, m, k, a, lda, b + j * ldb, c + j * ldc);
+    return;
+  }
+  cut_columns(engine, {[](const Columns& all, const Engine& own, int32_t j, int32_t count) {
+                         packed_product(own, all.m, count, all.k, all.a, all.lda, all.b + j * all.ldb, all.ldb,
+                                        all.c + j * all.ldc, all.ldc);
+                       },
+                       n, m, k, 0, 0, a, b, lda, ldb, c, ldc});
 }
 
 void update_by(const Engine& engine, int32_t w, int32_t m, int32_t n, const Real* l, int64_t ldl, Real* x,
                int64_t ldx) {
-  if (packs(engine, n, w))
-    packed_update(engine, w, m, n, l, ldl, x, ldx);
-  else
+  if (packs(engine, n, w)) {
+    cut_columns(engine, {[](const Columns& all, const Engine& own, int32_t j, int32_t count) {
+                           packed_update(own, all.k, all.m, count, all.a, all.lda, all.c + j * all.ldc, all.ldc);
+                         },
+                         n, m, w, 0, 0, l, nullptr, ldl, 0, x, ldx});
+  } else if (!kSmallCode && engine.kernel) {
+    for (int32_t j = 0; j < n; ++j) thin_update(*engine.kernel, w, m, l, ldl, x + j * ldx);
+  } else {
     plain_update(w, m, n, l, ldl, x, ldx);
+  }
 }
 
 void trsm_lower_unit(const Engine& engine, int32_t n, int32_t nrhs, const Real* l, int64_t ldl, Real* b,
@@ -143,10 +217,16 @@ void trsm_lower_unit(const Engine& engine, int32_t n, int32_t nrhs, const Real* 
 
 void trsm_upper(const Engine& engine, int32_t n, int32_t nrhs, const Real* u, int64_t ldu, Real* b,
                 int64_t ldb) {
-  if (packs(engine, nrhs, n))
-    packed_upper(engine, n, nrhs, u, ldu, b, ldb);
-  else
+  if (packs(engine, nrhs, n)) {
+    cut_columns(engine, {[](const Columns& all, const Engine& own, int32_t j, int32_t count) {
+                           packed_upper(own, all.k, count, all.a, all.lda, all.c + j * all.ldc, all.ldc);
+                         },
+                         nrhs, 0, n, 0, 0, u, nullptr, ldu, 0, b, ldb});
+  } else if (!kSmallCode && engine.kernel) {
+    for (int32_t j = 0; j < nrhs; ++j) thin_upper(*engine.kernel, n, u, ldu, b + j * ldb);
+  } else {
     plain_upper(n, nrhs, u, ldu, b, ldb);
+  }
 }
 
 Real largest(const Engine& engine, int32_t n, const Real* x) {

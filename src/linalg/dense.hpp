@@ -3,7 +3,7 @@
 // j) of A is a[i + j * lda], lda >= max(1, rows). Sizes may be 0. Arguments that are written must not overlap
 // others. Nothing here traps: no division by zero, no operation on anything but the numbers given. Where an
 // engine is asked for, kPlainEngine does; another one is faster and rounds differently.
-#include "linalg/kernel.hpp"
+#include "linalg/engine.hpp"
 #include <stdint.h>
 
 namespace c2d {
@@ -25,6 +25,10 @@ void update_by(const Engine& engine, int32_t w, int32_t m, int32_t n, const Real
 // entry is zero the solution's entry is set to zero; the result is then no solution.
 void trsm_upper(const Engine& engine, int32_t n, int32_t nrhs, const Real* u, int64_t ldu, Real* b,
                 int64_t ldb);
+
+// Into how many chunks columns are cut for so many parts, and how wide all but the last are, which takes the rest: some
+// two for each part, so that a late one costs little, but none too narrow to be worth packing.
+int32_t chunks_of(int32_t columns, int32_t parts, int32_t* chunk);
 
 // Largest absolute value of x[0 .. n); 0 if n = 0.
 Real largest(const Engine& engine, int32_t n, const Real* x);

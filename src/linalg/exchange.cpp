@@ -5,17 +5,18 @@
 namespace c2d {
 namespace {
 
-void add(int32_t n, Real factor, const Real* __restrict x, Real* __restrict y) {
+void plain_add(int32_t n, Real factor, const Real* __restrict x, Real* __restrict y) {
   for (int32_t i = 0; i < n; ++i) y[i] += factor * x[i];
 }
 
 } // namespace
 
-bool exchange(int32_t rows, int32_t cols, Real* t, int64_t ld, int32_t r, int32_t c) {
+bool exchange(int32_t rows, int32_t cols, Real* t, int64_t ld, int32_t r, int32_t c, const Kernel* kernel) {
   C2D_ASSERT(r >= 0 && r < rows && c >= 0 && c < cols && ld >= rows);
   Real* pivot_column = t + c * ld;
   const Real pivot = pivot_column[r];
   if ((pivot < 0 ? -pivot : pivot) < std::numeric_limits<Real>::min()) return false;
+  const auto add = !kSmallCode && kernel ? kernel->add : plain_add;
   for (int32_t j = 0; j < cols; ++j) {
     Real* column = t + j * ld;
     if (j == c || column[r] == 0) continue;

@@ -2,7 +2,7 @@
 // Operations on a tableau y = T z (design: contact statuses change by exchanging a basic y with a nonbasic
 // z). T is column-major, rows x cols; constants and rates of loads are further columns, treated like any
 // other.
-#include "memory/real.hpp"
+#include "linalg/kernel.hpp"
 #include <stdint.h>
 
 namespace c2d {
@@ -10,8 +10,10 @@ namespace c2d {
 // Gauss-Jordan exchange: y_r and z_c change places. With p = T_rc: T_rc' = 1/p, T_rj' = -T_rj/p, T_ic' =
 // T_ic/p, T_ij' = T_ij - T_ic T_rj / p. Returns false, with T unchanged, if |p| is below the smallest normal
 // number. A pivot that is merely small against its row or column is the caller's business. Applied twice it
-// gives T back, up to round-off. Cost: 2 rows cols operations.
-bool exchange(int32_t rows, int32_t cols, Real* t, int64_t ld, int32_t r, int32_t c);
+// gives T back, up to round-off. Cost: 2 rows cols operations; with a kernel, as fast
+// as T comes from memory and goes back.
+bool exchange(int32_t rows, int32_t cols, Real* t, int64_t ld, int32_t r, int32_t c,
+              const Kernel* kernel = nullptr);
 
 // Row `target` += factor * row `source`: y_target is replaced by y_target + factor y_source.
 void row_add(int32_t cols, Real* t, int64_t ld, int32_t target, int32_t source, Real factor);

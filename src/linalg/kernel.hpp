@@ -28,12 +28,17 @@ struct Kernel {
   void (*solve_upper)(int32_t n, const Real* u, int64_t ldu, Real* b);
   // x (m) -= L (m x k) u; returns where the first of the largest absolute values of x is, -1 if all are zero.
   int32_t (*column)(int32_t m, int32_t k, const Real* l, int64_t ldl, const Real* u, Real* x);
-  // x (n) /= pivot.
-  void (*divide)(int32_t n, Real pivot, Real* x);
+  // x (n) *= factor.
+  void (*scale)(int32_t n, Real factor, Real* x);
   // The largest absolute value of x (n), 0 if n = 0.
   Real (*largest)(int32_t n, const Real* x);
   // A (rows x k) to `to`, without gaps.
   void (*pack)(int32_t k, const Real* a, int64_t lda, Real* to);
+  // B (k x cols), column-major, to rows without gaps, and back.
+  void (*to_rows)(int32_t k, const Real* b, int64_t ldb, Real* to);
+  void (*from_rows)(int32_t k, const Real* from, Real* b, int64_t ldb);
+  // y (n) += factor x.
+  void (*add)(int32_t n, Real factor, const Real* x, Real* y);
 };
 constexpr int32_t kMostTileNumbers = 24 * 8 * static_cast<int32_t>(sizeof(double) / sizeof(Real));
 
@@ -43,22 +48,5 @@ enum class Instructions : int32_t { plain = 0, baseline = 1, avx2 = 2, avx512 = 
 const Kernel* kernel_for(Instructions set);
 // The best that this build has and this machine runs. Asks the processor each time: keep the answer.
 Instructions best_instructions();
-
-// A kernel and memory to pack into. An engine without a kernel, or with less than engine_numbers(kernel, 1,
-// 1) of scratch, takes the plain form.
-struct Engine {
-  const Kernel* kernel;
-  Real* scratch;   // aligned to 64 bytes
-  int64_t numbers; // its size
-  int64_t* used;   // raised to the most that was taken; or null
-};
-constexpr Engine kPlainEngine = {nullptr, nullptr, 0, nullptr};
-// Numbers of scratch with which engines of any kernel run at full speed on k x n right factors.
-constexpr int64_t kMostTileRows = 24 * static_cast<int64_t>(sizeof(double) / sizeof(Real));
-constexpr int64_t full_scratch(int64_t k, int64_t n) {
-  return (k < 128 ? k : 128) * (kMostTileRows + (n < 128 ? (n + 7) / 8 * 8 : 128));
-}
-// Scratch that packs k x n of a right factor at a time; more makes wider steps.
-int64_t engine_numbers(const Kernel* kernel, int32_t k, int32_t n);
 
 } // namespace c2d

@@ -41,7 +41,10 @@ inline LooseRow* row_at(Real* x) {
 
 void tile(int32_t k, const Real* a, int64_t lda, const Real* b, Real* c, int64_t ldc) {
   Vector sum[kCols][kVectors] = {};
-  for (int32_t j = 0; j < kCols; ++j) __builtin_prefetch(c + j * ldc, 1);
+  for (int32_t j = 0; j < kCols; ++j) {
+#pragma GCC unroll 8
+    for (int32_t i = 0; i < kVectors; ++i) __builtin_prefetch(c + i * kLanes + j * ldc, 1);
+  }
   for (int32_t p = 0; p < k; ++p) {
     Vector column[kVectors];
 #pragma GCC unroll 8
@@ -61,27 +64,35 @@ void tile(int32_t k, const Real* a, int64_t lda, const Real* b, Real* c, int64_t
   }
 }
 
-// Four rows are finished at a time and taken out of all rows below in one pass.
+// kSolved rows stay in registers while the rows above them pass by, are freed from one another, and are stored once.
+constexpr int32_t kSolved = C2D_VECTOR_BYTES == 16 ? 4 : 8;
+
 void solve(int32_t n, const Real* l, int64_t ldl, Real* b) {
-  int32_t p = 0;
-  for (; p + 4 <= n; p += 4) {
-    const Real *l0 = l + p * ldl, *l1 = l0 + ldl, *l2 = l1 + ldl, *l3 = l2 + ldl;
-    Real* x = b + static_cast<int64_t>(p) * kCols;
-    const Row x0 = row_at(x)->v;
-    const Row x1 = row_at(x + kCols)->v - x0 * l0[p + 1];
-    const Row x2 = row_at(x + 2 * kCols)->v - x0 * l0[p + 2] - x1 * l1[p + 2];
-    const Row x3 = row_at(x + 3 * kCols)->v - x0 * l0[p + 3] - x1 * l1[p + 3] - x2 * l2[p + 3];
-    row_at(x + kCols)->v = x1;
-    row_at(x + 2 * kCols)->v = x2;
-    row_at(x + 3 * kCols)->v = x3;
-    for (int32_t i = p + 4; i < n; ++i) {
-      LooseRow* y = row_at(b + static_cast<int64_t>(i) * kCols);
-      y->v = y->v - x0 * l0[i] - x1 * l1[i] - x2 * l2[i] - x3 * l3[i];
+  int32_t i = 0;
+  for (; i + kSolved <= n; i += kSolved) {
+    Real* rows = b + static_cast<int64_t>(i) * kCols;
+    Row y[kSolved];
+#pragma GCC unroll 8
+    for (int32_t r = 0; r < kSolved; ++r) y[r] = row_at(rows + r * kCols)->v;
+    const Real* left = l + i;
+    for (int32_t p = 0; p < i; ++p, left += ldl) {
+      const Row x = row_at(b + static_cast<int64_t>(p) * kCols)->v;
+#pragma GCC unroll 8
+      for (int32_t r = 0; r < kSolved; ++r) y[r] -= x * left[r];
     }
+#pragma GCC unroll 8
+    for (int32_t p = 0; p < kSolved; ++p, left += ldl) {
+#pragma GCC unroll 8
+      for (int32_t r = p + 1; r < kSolved; ++r) y[r] -= y[p] * left[r];
+    }
+#pragma GCC unroll 8
+    for (int32_t r = 0; r < kSolved; ++r) row_at(rows + r * kCols)->v = y[r];
   }
-  for (; p < n; ++p) {
-    const Row x = row_at(b + static_cast<int64_t>(p) * kCols)->v;
-    for (int32_t i = p + 1; i < n; ++i) row_at(b + static_cast<int64_t>(i) * kCols)->v -= x * l[i + p * ldl];
+  for (; i < n; ++i) {
+    LooseRow* row = row_at(b + static_cast<int64_t>(i) * kCols);
+    Row y = row->v;
+    for (int32_t p = 0; p < i; ++p) y -= row_at(b + static_cast<int64_t>(p) * kCols)->v * l[i + p * ldl];
+    row->v = y;
   }
 }
 
@@ -97,55 +108,117 @@ void solve_upper(int32_t n, const Real* u, int64_t ldu, Real* b) {
   }
 }
 
-// kGroup vectors of x stay in registers while the columns of L pass by.
-constexpr int32_t kGroup = 4;
-
 inline Vector size_of(Vector x) {
   return x < 0 ? -x : x;
 }
 
 inline Real most_of(const Vector& sizes) {
-  Real most = 0;
-  for (int32_t v = 0; v < kLanes; ++v) most = sizes[v] > most ? sizes[v] : most;
-  return most;
+  Real most[kLanes];
+  for (int32_t v = 0; v < kLanes; ++v) most[v] = sizes[v];
+#pragma GCC unroll 4
+  for (int32_t half = kLanes / 2; half > 0; half /= 2) {
+#pragma GCC unroll 8
+    for (int32_t v = 0; v < half; ++v) most[v] = most[v] > most[v + half] ? most[v] : most[v + half];
+  }
+  return most[0];
 }
 
-int32_t column(int32_t m, int32_t k, const Real* l, int64_t ldl, const Real* u, Real* x) {
-  Vector most_each = {};
-  int32_t i = 0;
-  for (; i + kGroup * kLanes <= m; i += kGroup * kLanes) {
-    Vector y[kGroup];
-#pragma GCC unroll 4
-    for (int32_t v = 0; v < kGroup; ++v) y[v] = vector_at(x + i + v * kLanes)->v;
-    const Real* at = l + i;
-    for (int32_t p = 0; p < k; ++p, at += ldl) {
-#pragma GCC unroll 4
-      for (int32_t v = 0; v < kGroup; ++v) y[v] -= vector_at(at + v * kLanes)->v * u[p];
-    }
-#pragma GCC unroll 4
-    for (int32_t v = 0; v < kGroup; ++v) {
-      vector_at(x + i + v * kLanes)->v = y[v];
-      const Vector size = size_of(y[v]);
-      most_each = size > most_each ? size : most_each;
-    }
+// The largest entry so far in each lane, and where it stands.
+typedef decltype(Vector{} < Vector{}) Places;
+struct Largest {
+  Vector most = {};
+  Places place = {};
+  void meet(const Vector& x, const Places& at) {
+    const Vector size = size_of(x);
+    const Places more = size > most;
+    most = more ? size : most;
+    place = more ? at : place;
   }
-  Real most = most_of(most_each);
-  for (; i < m; ++i) {
-    Real y = x[i];
-    for (int32_t p = 0; p < k; ++p) y -= l[i + p * ldl] * u[p];
-    x[i] = y;
-    const Real size = y < 0 ? -y : y;
+  int32_t first() const {
+    const Real whole = most_of(most);
+    if (whole == 0) return -1;
+    int32_t found = INT32_MAX;
+    for (int32_t v = 0; v < kLanes; ++v) {
+      if (most[v] == whole && place[v] < found) found = static_cast<int32_t>(place[v]);
+    }
+    return found;
+  }
+};
+
+// kGroup vectors of x stay in registers while the columns of L pass by: enough that additions need not wait for those
+// before them.
+constexpr int32_t kGroup = 8;
+
+template <int32_t vectors> inline void take_out(int32_t k, const Real* l, int64_t ldl, const Real* u, Vector* y) {
+  for (int32_t p = 0; p < k; ++p, l += ldl) {
+#pragma GCC unroll 8
+    for (int32_t v = 0; v < vectors; ++v) y[v] -= vector_at(l + v * kLanes)->v * u[p];
+  }
+}
+
+int32_t short_column(int32_t m, int32_t k, const Real* l, int64_t ldl, const Real* u, Real* x) {
+  Real most = 0;
+  int32_t row = -1;
+  for (int32_t i = 0; i < m; ++i) {
+    for (int32_t p = 0; p < k; ++p) x[i] -= l[i + p * ldl] * u[p];
+    const Real size = x[i] < 0 ? -x[i] : x[i];
+    row = size > most ? i : row;
     most = size > most ? size : most;
   }
-  if (most == 0) return -1;
-  for (i = 0; i < m && x[i] != most && -x[i] != most;) ++i;
-  return i;
+  return row;
 }
 
-void divide(int32_t n, Real pivot, Real* x) {
+// The vectors between lie on vectors of memory. The first and the last ones may overlap with them: they are calculated
+// before, from the same numbers, and stored after.
+int32_t column(int32_t m, int32_t k, const Real* l, int64_t ldl, const Real* u, Real* x) {
+  if (m < kLanes) return short_column(m, k, l, ldl, u, x);
+  const int32_t past = static_cast<int32_t>(reinterpret_cast<uintptr_t>(x) % C2D_VECTOR_BYTES / sizeof(Real));
+  const int32_t last = m - kLanes;
+  Places lanes = {};
+  for (int32_t v = 0; v < kLanes; ++v) lanes[v] = v;
+  Vector head = vector_at(x)->v, tail = vector_at(x + last)->v;
+  take_out<1>(k, l, ldl, u, &head);
+  take_out<1>(k, l + last, ldl, u, &tail);
+  Largest largest;
+  largest.meet(head, lanes);
+  int32_t i = past > 0 ? kLanes - past : 0;
+  for (; i + kGroup * kLanes <= m; i += kGroup * kLanes) {
+    Vector y[kGroup];
+#pragma GCC unroll 8
+    for (int32_t v = 0; v < kGroup; ++v) y[v] = vector_at(x + i + v * kLanes)->v;
+    take_out<kGroup>(k, l + i, ldl, u, y);
+#pragma GCC unroll 8
+    for (int32_t v = 0; v < kGroup; ++v) {
+      vector_at(x + i + v * kLanes)->v = y[v];
+      largest.meet(y[v], lanes + (i + v * kLanes));
+    }
+  }
+  for (; i + kLanes <= m; i += kLanes) {
+    Vector y = vector_at(x + i)->v;
+    take_out<1>(k, l + i, ldl, u, &y);
+    vector_at(x + i)->v = y;
+    largest.meet(y, lanes + i);
+  }
+  largest.meet(tail, lanes + last);
+  vector_at(x)->v = head;
+  vector_at(x + last)->v = tail;
+  return largest.first();
+}
+
+void scale(int32_t n, Real factor, Real* x) {
   int32_t i = 0;
-  for (; i + kLanes <= n; i += kLanes) vector_at(x + i)->v = vector_at(x + i)->v / pivot;
-  for (; i < n; ++i) x[i] /= pivot;
+  for (; i + kLanes <= n; i += kLanes) vector_at(x + i)->v = vector_at(x + i)->v * factor;
+  for (; i < n; ++i) x[i] *= factor;
+}
+
+void add(int32_t n, Real factor, const Real* x, Real* y) {
+  int32_t i = 0;
+  for (; i + 2 * kLanes <= n; i += 2 * kLanes) {
+#pragma GCC unroll 2
+    for (int32_t v = 0; v < 2; ++v)
+      vector_at(y + i + v * kLanes)->v += factor * vector_at(x + i + v * kLanes)->v;
+  }
+  for (; i < n; ++i) y[i] += factor * x[i];
 }
 
 Real largest_entry(int32_t n, const Real* x) {
@@ -168,14 +241,75 @@ Real largest_entry(int32_t n, const Real* x) {
 
 void pack(int32_t k, const Real* a, int64_t lda, Real* to) {
   for (int32_t p = 0; p < k; ++p, a += lda, to += kVectors * kLanes) {
-    __builtin_prefetch(a + 4 * lda);
 #pragma GCC unroll 8
-    for (int32_t v = 0; v < kVectors; ++v) vector_at(to + v * kLanes)->v = vector_at(a + v * kLanes)->v;
+    for (int32_t v = 0; v < kVectors; ++v) {
+      __builtin_prefetch(a + v * kLanes + 6 * lda);
+      vector_at(to + v * kLanes)->v = vector_at(a + v * kLanes)->v;
+    }
   }
 }
 
-constexpr Kernel kLoops = {kVectors * kLanes, kCols, tile, solve, solve_upper, column, divide,
-                           largest_entry,     pack};
+// A square of as many rows as a row is long changes places in registers: to interleave the first half of its rows with
+// the second, as many times as halves can be halved, transposes it.
+#if defined(__has_builtin)
+#if __has_builtin(__builtin_shufflevector)
+#define C2D_SHUFFLES
+#endif
+#endif
+#ifdef C2D_SHUFFLES
+inline void transpose(Row* x) {
+  Row y[kCols];
+#pragma GCC unroll 8
+  for (int32_t half = 1; half < kCols; half *= 2) {
+#pragma GCC unroll 8
+    for (int32_t i = 0; i < kCols / 2; ++i) {
+#if C2D_TILE_COLUMNS == 8
+      y[2 * i] = __builtin_shufflevector(x[i], x[i + 4], 0, 8, 1, 9, 2, 10, 3, 11);
+      y[2 * i + 1] = __builtin_shufflevector(x[i], x[i + 4], 4, 12, 5, 13, 6, 14, 7, 15);
+#else
+      y[2 * i] = __builtin_shufflevector(x[i], x[i + 2], 0, 4, 1, 5);
+      y[2 * i + 1] = __builtin_shufflevector(x[i], x[i + 2], 2, 6, 3, 7);
+#endif
+    }
+#pragma GCC unroll 8
+    for (int32_t i = 0; i < kCols; ++i) x[i] = y[i];
+  }
+}
+#endif
+
+// From columns at a distance of `from_step` to rows at a distance of `to_step`, or the other way.
+inline int32_t turn_squares(int32_t k, const Real* from, int64_t across, Real* to, int64_t to_across, int64_t along,
+                            int64_t to_along) {
+  int32_t i = 0;
+#ifdef C2D_SHUFFLES
+  for (; i + kCols <= k; i += kCols) {
+    Row x[kCols];
+#pragma GCC unroll 8
+    for (int32_t j = 0; j < kCols; ++j) x[j] = row_at(from + i * along + j * across)->v;
+    transpose(x);
+#pragma GCC unroll 8
+    for (int32_t j = 0; j < kCols; ++j) row_at(to + i * to_along + j * to_across)->v = x[j];
+  }
+#endif
+  return i;
+}
+
+void to_rows(int32_t k, const Real* b, int64_t ldb, Real* to) {
+  int32_t i = turn_squares(k, b, ldb, to, kCols, 1, kCols);
+  for (; i < k; ++i) {
+    for (int32_t j = 0; j < kCols; ++j) to[static_cast<int64_t>(i) * kCols + j] = b[i + j * ldb];
+  }
+}
+
+void from_rows(int32_t k, const Real* from, Real* b, int64_t ldb) {
+  int32_t i = turn_squares(k, from, kCols, b, ldb, kCols, 1);
+  for (; i < k; ++i) {
+    for (int32_t j = 0; j < kCols; ++j) b[i + j * ldb] = from[static_cast<int64_t>(i) * kCols + j];
+  }
+}
+
+constexpr Kernel kLoops = {kVectors * kLanes, kCols, tile, solve,   solve_upper, column, scale,
+                           largest_entry,     pack,  to_rows, from_rows, add};
 
 } // namespace
 } // namespace c2d

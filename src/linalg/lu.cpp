@@ -37,9 +37,19 @@ int32_t plain_column(int32_t m, int32_t k, const Real* l, int64_t ldl, const Rea
   return row;
 }
 
-// Divide, do not multiply by the reciprocal, which could overflow: the quotients are at most 1.
-void plain_divide(int32_t n, Real pivot, Real* x) {
-  for (int32_t i = 0; i < n; ++i) x[i] /= pivot;
+void plain_scale(int32_t n, Real factor, Real* x) {
+  for (int32_t i = 0; i < n; ++i) x[i] *= factor;
+}
+
+// By the reciprocal of the pivot, unless that has lost digits. The quotients are at most 1.
+void divide(const Engine& engine, int32_t n, Real pivot, Real* x) {
+  const Real size = pivot < 0 ? -pivot : pivot;
+  if (kSmallCode || size * std::numeric_limits<Real>::min() > Real(0.25)) {
+    for (int32_t i = 0; i < n; ++i) x[i] /= pivot;
+    return;
+  }
+  const auto scale = !kSmallCode && engine.kernel ? engine.kernel->scale : plain_scale;
+  scale(n, 1 / pivot, x);
 }
 
 void note_unusable(int32_t column, PivotStats* stats) {
@@ -69,29 +79,22 @@ void exchange_rows(int32_t cols, Real* a, int64_t lda, int32_t i, int32_t k) {
   }
 }
 
-// A panel on its way.
-struct Work {
-  const Engine& engine;
-  int32_t rows;
-  Real* a;
-  int64_t lda;
-  int32_t* pivots;
-  PivotStats* stats;
-  Real* column(int32_t j) const { return a + j * lda; }
-};
+using Work = Lu;
+
+inline Real* column_of(const Work& w, int32_t j) { return w.a + j * w.lda; }
 
 // Column j is brought up to date with the columns from `first` on, which belong to its leaf. Returns the row
 // of its largest entry on and below the diagonal, or -1.
 int32_t finish_column(const Work& w, int32_t first, int32_t j) {
-  Real* x = w.column(j);
+  Real* x = column_of(w, j);
   const int32_t before = j - first;
   for (int32_t p = first; p < j; ++p) {
-    const Real* l = w.column(p);
+    const Real* l = column_of(w, p);
     const Real f = x[p];
     for (int32_t i = p + 1; i < j; ++i) x[i] -= l[i] * f;
   }
   const auto update = !kSmallCode && w.engine.kernel ? w.engine.kernel->column : plain_column;
-  const int32_t row = update(w.rows - j, before, w.column(first) + j, w.lda, x + first, x + j);
+  const int32_t row = update(w.rows - j, before, column_of(w, first) + j, w.lda, x + first, x + j);
   return row < 0 ? row : row + j;
 }
 
@@ -99,9 +102,8 @@ int32_t finish_column(const Work& w, int32_t first, int32_t j) {
 // `first` down. Only these columns are touched.
 int32_t factor_leaf(const Work& w, int32_t first, int32_t count, const Real* norms) {
   int32_t unusable = 0;
-  const auto divide = !kSmallCode && w.engine.kernel ? w.engine.kernel->divide : plain_divide;
   for (int32_t j = first; j < first + count; ++j) {
-    Real* column = w.column(j);
+    Real* column = column_of(w, j);
     const Real norm = norms[j - first];
     const int32_t row = finish_column(w, first, j);
     C2D_ASSERT(row < 0 || (row >= j && row < w.rows));
@@ -114,74 +116,124 @@ int32_t factor_leaf(const Work& w, int32_t first, int32_t count, const Real* nor
       ++unusable;
       continue;
     }
-    exchange_rows(count, w.column(first), w.lda, j, row);
-    divide(w.rows - j - 1, column[j], column + j + 1);
+    exchange_rows(count, column_of(w, first), w.lda, j, row);
+    divide(w.engine, w.rows - j - 1, column[j], column + j + 1);
     note_pivot(w.engine, j, column, norm, w.stats);
   }
   return unusable;
 }
 
-// The same for a block: leaf after leaf, each updated by the leaves before it.
-int32_t factor_block(const Work& w, int32_t first, int32_t count, const Real* norms) {
+// The same for a block: after every leaf as many columns as end there and make up a power of two of leaves update as
+// many columns behind them. So each column is updated by few and ever wider groups, as by halving the block again and
+// again, without recursion.
+int32_t factor_block(const Work& w, const Engine& engine, int32_t first, int32_t count) {
   int32_t unusable = 0;
-  const int32_t end = first + count;
-  for (int32_t leaf = first; leaf < end; leaf += kLeaf) {
-    const int32_t n = smaller(kLeaf, end - leaf);
-    update_by(w.engine, leaf - first, w.rows - leaf, n, w.column(first) + first, w.lda,
-              w.column(leaf) + first, w.lda);
-    unusable += factor_leaf(w, leaf, n, norms + (leaf - first));
-    apply_pivots(leaf - first, w.column(first), w.lda, w.pivots, leaf, n);
-    apply_pivots(end - leaf - n, w.column(leaf + n), w.lda, w.pivots, leaf, n);
+  for (int32_t leaf = 0; leaf < count; leaf += kLeaf) {
+    const int32_t at = first + leaf, n = smaller(kLeaf, count - leaf), end = leaf + n;
+    unusable += factor_leaf(w, at, n, w.norms + at);
+    apply_pivots(leaf, column_of(w, first), w.lda, w.pivots, at, n);
+    apply_pivots(count - end, column_of(w, first + end), w.lda, w.pivots, at, n);
+    const int32_t group = end & -end, from = first + end - group;
+    update_by(engine, group, w.rows - first - end, smaller(group, count - end), column_of(w, from) + from, w.lda,
+              column_of(w, first + end) + from, w.lda);
   }
   return unusable;
 }
 
+// A block takes part in columns to the right of it.
+void update_right(const Work& w, const Engine& engine, int32_t first, int32_t width, int32_t from, int32_t count) {
+  apply_pivots(count, column_of(w, from), w.lda, w.pivots, first, width);
+  update_by(engine, width, w.rows - first - width, count, column_of(w, first) + first, w.lda, column_of(w, from) + first,
+            w.lda);
+}
+
+// One step: item 0 brings the next block up to date and factors it, while the others update what is right of it.
+struct Step {
+  const Work& work;
+  int32_t first, width, next, next_width; // the block that is factored, and the one that will be
+  int32_t chunks, chunk;                  // of the columns beyond
+  int32_t unusable;                       // of the next block
+};
+
+void take_part(void* argument, const Engine& engine, int32_t item) {
+  Step& s = *static_cast<Step*>(argument);
+  const int32_t beyond = s.next + s.next_width;
+  if (item > 0) {
+    const int32_t from = beyond + (item - 1) * s.chunk;
+    return update_right(s.work, engine, s.first, s.width, from, item < s.chunks ? s.chunk : s.work.cols - from);
+  }
+  if (s.next_width == 0) return;
+  update_right(s.work, engine, s.first, s.width, s.next, s.next_width);
+  s.unusable = factor_block(s.work, engine, s.next, s.next_width);
+}
+
+int32_t at_least_none(int32_t n) { return n > 0 ? n : 0; }
+
 } // namespace
+
+int32_t lu_width(int32_t rows) {
+  if (kSmallCode) return 32;
+  return rows <= 256 ? 32 : (rows <= 640 ? 64 : (rows <= 1280 ? 128 : kWidestLuBlock));
+}
+
+int32_t lu_step(const Lu& lu, int32_t first) {
+  const int32_t most = lu_width(lu.rows), width = smaller(most, lu.own - first), next = first + width;
+  int32_t unusable = first == 0 ? factor_block(lu, lu.engine, 0, width) : 0;
+  if (kSmallCode) {
+    if (next < lu.cols) update_right(lu, lu.engine, first, width, next, lu.cols - next);
+    return next < lu.own ? unusable + factor_block(lu, lu.engine, next, smaller(most, lu.own - next)) : unusable;
+  }
+  Step step = {lu, first, width, next, smaller(most, at_least_none(lu.own - next)), 0, 0, 0};
+  step.chunks = chunks_of(lu.cols - next - step.next_width, parts_of(lu.engine), &step.chunk);
+  run_items(lu.engine, step.chunks + 1, take_part, &step);
+  return unusable + step.unusable;
+}
 
 void start_stats(PivotStats& stats) {
   stats = {0, 0, -1, -1, std::numeric_limits<double>::infinity(), 0, 0};
 }
 
-int32_t lu_block(const Engine& engine, int32_t rows, int32_t first, int32_t count, Real* a, int64_t lda,
-                 int32_t* pivots, const Real* norms, PivotStats* stats) {
-  Real own_norms[kLuBlock];
-  Real* block = a + first * lda;
-  for (int32_t j = 0; j < count; ++j)
-    own_norms[j] = norms ? norms[first + j] : largest(engine, rows, block + j * lda);
-  lu_apply(engine, rows, first, a, lda, pivots, count, block, lda);
-  return factor_block({engine, rows, a, lda, pivots, stats}, first, count, own_norms);
-}
-
-void lu_settle(int32_t cols, Real* a, int64_t lda, const int32_t* pivots) {
-  for (int32_t first = 0; first < cols; first += kLuBlock) {
-    const int32_t end = smaller(first + kLuBlock, cols);
+void lu_settle(int32_t rows, int32_t cols, Real* a, int64_t lda, const int32_t* pivots) {
+  const int32_t width = lu_width(rows);
+  for (int32_t first = 0; first < cols; first += width) {
+    const int32_t end = smaller(first + width, cols);
     apply_pivots(end - first, a + first * lda, lda, pivots, end, cols - end);
   }
 }
 
 void lu_apply(const Engine& engine, int32_t rows, int32_t cols, const Real* a, int64_t lda,
               const int32_t* pivots, int32_t count, Real* x, int64_t ldx) {
-  for (int32_t first = 0; first < cols; first += kLuBlock) {
-    const int32_t w = smaller(kLuBlock, cols - first);
+  const int32_t width = lu_width(rows);
+  for (int32_t first = 0; first < cols; first += width) {
+    const int32_t w = smaller(width, cols - first);
     apply_pivots(count, x, ldx, pivots, first, w);
     update_by(engine, w, rows - first - w, count, a + first + first * lda, lda, x + first, ldx);
   }
 }
 
-int32_t lu_panel(const Engine& engine, int32_t rows, int32_t cols, Real* a, int64_t lda, int32_t* pivots,
-                 const Real* norms, PivotStats* stats) {
+int32_t lu_panel(const Lu& lu) {
   int32_t unusable = 0;
-  for (int32_t first = 0; first < cols; first += kLuBlock)
-    unusable += lu_block(engine, rows, first, smaller(kLuBlock, cols - first), a, lda, pivots, norms, stats);
-  lu_settle(cols, a, lda, pivots);
+  for (int32_t first = 0; first < lu.own; first += lu_width(lu.rows)) unusable += lu_step(lu, first);
   return unusable;
 }
 
+// Four columns at a time: what one waits for the others do not.
 void apply_pivots(int32_t cols, Real* a, int64_t lda, const int32_t* pivots, int32_t first, int32_t count) {
-  for (int32_t j = 0; j < cols; ++j) {
+  int32_t j = 0;
+  for (; !kSmallCode && j + 4 <= cols; j += 4) {
+    Real *a0 = a + j * lda, *a1 = a0 + lda, *a2 = a1 + lda, *a3 = a2 + lda;
+    for (int32_t i = first; i < first + count; ++i) {
+      const int32_t k = pivots[i];
+      C2D_ASSERT(k >= i);
+      if (k == i) continue;
+      const Real x0 = a0[i], x1 = a1[i], x2 = a2[i], x3 = a3[i];
+      a0[i] = a0[k], a1[i] = a1[k], a2[i] = a2[k], a3[i] = a3[k];
+      a0[k] = x0, a1[k] = x1, a2[k] = x2, a3[k] = x3;
+    }
+  }
+  for (; j < cols; ++j) {
     Real* column = a + j * lda;
     for (int32_t i = first; i < first + count; ++i) {
-      C2D_ASSERT(pivots[i] >= i);
       const Real kept = column[i];
       column[i] = column[pivots[i]];
       column[pivots[i]] = kept;
@@ -189,14 +241,13 @@ void apply_pivots(int32_t cols, Real* a, int64_t lda, const int32_t* pivots, int
   }
 }
 
-int32_t lu_factor(const Engine& engine, int32_t n, Real* a, int64_t lda, int32_t* pivots, PivotStats* stats) {
+int32_t lu_factor(const Engine& engine, int32_t n, Real* a, int64_t lda, int32_t* pivots, Real* norms,
+                  PivotStats* stats) {
   PivotStats own;
   PivotStats* used = stats ? stats : &own;
   start_stats(*used);
-  int32_t unusable = 0;
-  for (int32_t first = 0; first < n; first += kLuBlock)
-    unusable += lu_block(engine, n, first, smaller(kLuBlock, n - first), a, lda, pivots, nullptr, used);
-  return unusable;
+  for (int32_t j = 0; j < n; ++j) norms[j] = largest(engine, n, a + j * lda);
+  return lu_panel({engine, n, n, n, a, lda, pivots, norms, used});
 }
 
 void lu_solve(const Engine& engine, int32_t n, int32_t nrhs, const Real* lu, int64_t lda,

@@ -3,10 +3,8 @@
 namespace c2d {
 namespace {
 
-// A slice of A (rows of a tile x kDepth) stays in the first-level cache, a packed right factor of kDepth x
-// kWidth (512 KiB) in the second-level cache.
-constexpr int32_t kDepth = 128;
-constexpr int32_t kWidth = 512;
+// Triangles are solved in pieces: the rows below each are left to the tiles.
+constexpr int32_t kTriangle = 32;
 
 int32_t smaller(int32_t a, int32_t b) {
   return a < b ? a : b;
@@ -48,22 +46,42 @@ void pack_left(const Packing& p, int32_t m, int32_t k, const Real* a, int64_t ld
   }
 }
 
-// B (k x n) in slices of a tile's columns, each row by row; zeros to the right of it.
-void pack_right(const Packing& p, int32_t n, int32_t k, const Real* b, int64_t ldb) {
+// What is packed on the right: slices of as many columns as a tile has, each row by row, `stride` numbers for each
+// column.
+struct Right {
+  Real* slices;
+  int64_t stride;
+  Real* slice(int32_t j) const { return slices + j * stride; }
+};
+
+// B (k x n) to slices; zeros to the right of it.
+void pack_right(const Packing& p, int32_t n, int32_t k, const Real* b, int64_t ldb, const Right& right) {
   const int32_t cols = p.kernel.cols;
-  for (int32_t j = 0; j < whole(n, cols); ++j) {
-    Real* to = p.right + static_cast<int64_t>(j / cols * cols) * k + j % cols;
-    const Real* column = b + j * ldb;
-    for (int32_t i = 0; i < k; ++i) to[static_cast<int64_t>(i) * cols] = j < n ? column[i] : Real(0);
+  for (int32_t j = 0; j < n; j += cols) {
+    const int32_t some = smaller(cols, n - j);
+    Real* to = right.slice(j);
+    if (some == cols) {
+      p.kernel.to_rows(k, b + j * ldb, ldb, to);
+      continue;
+    }
+    for (int32_t i = 0; i < k; ++i) {
+      for (int32_t c = 0; c < cols; ++c) to[static_cast<int64_t>(i) * cols + c] = c < some ? b[i + (j + c) * ldb] : Real(0);
+    }
   }
 }
 
-void unpack_right(const Packing& p, int32_t n, int32_t k, Real* b, int64_t ldb) {
+void unpack_right(const Packing& p, int32_t n, int32_t k, const Right& right, Real* b, int64_t ldb) {
   const int32_t cols = p.kernel.cols;
-  for (int32_t j = 0; j < n; ++j) {
-    const Real* from = p.right + static_cast<int64_t>(j / cols * cols) * k + j % cols;
-    Real* column = b + j * ldb;
-    for (int32_t i = 0; i < k; ++i) column[i] = from[static_cast<int64_t>(i) * cols];
+  for (int32_t j = 0; j < n; j += cols) {
+    const int32_t some = smaller(cols, n - j);
+    const Real* from = right.slice(j);
+    if (some == cols) {
+      p.kernel.from_rows(k, from, b + j * ldb, ldb);
+      continue;
+    }
+    for (int32_t c = 0; c < some; ++c) {
+      for (int32_t i = 0; i < k; ++i) b[i + (j + c) * ldb] = from[static_cast<int64_t>(i) * cols + c];
+    }
   }
 }
 
@@ -76,23 +94,65 @@ void edge(const Packing& p, int32_t m, int32_t n, int32_t k, const Real* right, 
   }
 }
 
+// Asks for a part of the slice of A that comes next, so that packing it need not wait: its columns lie far apart.
+void ask_for(int32_t from, int32_t to, int32_t rows, const Real* a, int64_t lda) {
+#ifdef __GNUC__
+  constexpr int32_t kLine = 64 / static_cast<int32_t>(sizeof(Real));
+  for (int32_t k = from; k < to; ++k) {
+    for (int32_t i = 0; i < rows; i += kLine) __builtin_prefetch(a + i + k * lda, 0, 2);
+  }
+#endif
+}
+
 // C (m x n) -= A (m x k) times what is packed on the right.
-void product(const Packing& p, int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, Real* c,
+void product(const Packing& p, int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, const Right& right, Real* c,
              int64_t ldc) {
-  const int32_t rows = p.kernel.rows, cols = p.kernel.cols;
+  const int32_t rows = p.kernel.rows, cols = p.kernel.cols, share = k * cols / n + 1;
   for (int32_t i = 0; i < m; i += rows) {
     const int32_t high = smaller(rows, m - i);
     // For few columns packing costs more than it saves.
     const bool packed = n > 2 * cols || high < rows || n % cols != 0;
     if (packed) pack_left(p, high, k, a + i, lda);
+    int32_t asked = 0;
     for (int32_t j = 0; j < n; j += cols) {
-      const Real* right = p.right + static_cast<int64_t>(j) * k;
       Real* at = c + i + j * ldc;
+      if (i + 2 * rows <= m && packed) {
+        ask_for(asked, asked + share < k ? asked + share : k, rows, a + i + rows, lda);
+        asked += share;
+      }
       if (high < rows || n - j < cols)
-        edge(p, high, smaller(cols, n - j), k, right, at, ldc);
+        edge(p, high, smaller(cols, n - j), k, right.slice(j), at, ldc);
       else
-        p.kernel.tile(k, packed ? p.left : a + i, packed ? rows : lda, right, at, ldc);
+        p.kernel.tile(k, packed ? p.left : a + i, packed ? rows : lda, right.slice(j), at, ldc);
     }
+  }
+}
+
+// X (w + m x n) with w at most the depth of the packing, for L of as many columns.
+void update_once(const Packing& p, int32_t w, int32_t m, int32_t n, const Real* l, int64_t ldl, Real* x, int64_t ldx) {
+  const int32_t cols = p.kernel.cols;
+  for (int32_t d = 0; d < w; d += kTriangle) {
+    const int32_t deep = smaller(kTriangle, w - d), below = d + deep;
+    const Right part = {p.right + static_cast<int64_t>(d) * cols, w};
+    pack_right(p, n, deep, x + d, ldx, part);
+    for (int32_t j = 0; j < n; j += cols) p.kernel.solve(deep, l + d + d * ldl, ldl, part.slice(j));
+    unpack_right(p, n, deep, part, x + d, ldx);
+    product(p, w - below, n, deep, l + below + d * ldl, ldl, part, x + below, ldx);
+  }
+  product(p, m, n, w, l + w, ldl, {p.right, w}, x + w, ldx);
+}
+
+// X (w x n) := U^-1 X in the same way, from below.
+void upper_once(const Packing& p, int32_t w, int32_t n, const Real* u, int64_t ldu, Real* x, int64_t ldx) {
+  const int32_t cols = p.kernel.cols;
+  for (int32_t end = w; end > 0;) {
+    const int32_t d = (end - 1) / kTriangle * kTriangle, deep = end - d;
+    const Right part = {p.right + static_cast<int64_t>(d) * cols, w};
+    pack_right(p, n, deep, x + d, ldx, part);
+    for (int32_t j = 0; j < n; j += cols) p.kernel.solve_upper(deep, u + d + d * ldu, ldu, part.slice(j));
+    unpack_right(p, n, deep, part, x + d, ldx);
+    product(p, d, n, deep, u + d * ldu, ldu, part, x, ldx);
+    end = d;
   }
 }
 
@@ -114,8 +174,9 @@ void packed_product(const Engine& engine, int32_t m, int32_t n, int32_t k, const
     const int32_t wide = smaller(p.width, n - j);
     for (int32_t d = 0; d < k; d += p.depth) {
       const int32_t deep = smaller(p.depth, k - d);
-      pack_right(p, wide, deep, b + d + j * ldb, ldb);
-      product(p, m, wide, deep, a + d * lda, lda, c + j * ldc, ldc);
+      const Right right = {p.right, deep};
+      pack_right(p, wide, deep, b + d + j * ldb, ldb, right);
+      product(p, m, wide, deep, a + d * lda, lda, right, c + j * ldc, ldc);
     }
   }
 }
@@ -126,13 +187,8 @@ void packed_update(const Engine& engine, int32_t w, int32_t m, int32_t n, const 
   for (int32_t j = 0; j < n; j += p.width) {
     const int32_t wide = smaller(p.width, n - j);
     for (int32_t d = 0; d < w; d += p.depth) {
-      const int32_t deep = smaller(p.depth, w - d), below = d + deep;
-      Real* top = x + d + j * ldx;
-      pack_right(p, wide, deep, top, ldx);
-      for (int32_t s = 0; s < wide; s += p.kernel.cols)
-        p.kernel.solve(deep, l + d + d * ldl, ldl, p.right + static_cast<int64_t>(s) * deep);
-      unpack_right(p, wide, deep, top, ldx);
-      product(p, w + m - below, wide, deep, l + below + d * ldl, ldl, x + below + j * ldx, ldx);
+      const int32_t deep = smaller(p.depth, w - d);
+      update_once(p, deep, w + m - d - deep, wide, l + d + d * ldl, ldl, x + d + j * ldx, ldx);
     }
   }
 }
@@ -144,11 +200,8 @@ void packed_upper(const Engine& engine, int32_t n, int32_t nrhs, const Real* u, 
     const int32_t wide = smaller(p.width, nrhs - j);
     for (int32_t end = n; end > 0;) {
       const int32_t deep = smaller(p.depth, end), d = end - deep;
-      pack_right(p, wide, deep, x + d + j * ldx, ldx);
-      for (int32_t s = 0; s < wide; s += p.kernel.cols)
-        p.kernel.solve_upper(deep, u + d + d * ldu, ldu, p.right + static_cast<int64_t>(s) * deep);
-      unpack_right(p, wide, deep, x + d + j * ldx, ldx);
-      product(p, d, wide, deep, u + d * ldu, ldu, x + j * ldx, ldx);
+      upper_once(p, deep, wide, u + d + d * ldu, ldu, x + d + j * ldx, ldx);
+      product(p, d, wide, deep, u + d * ldu, ldu, {p.right, deep}, x + j * ldx, ldx);
       end = d;
     }
   }

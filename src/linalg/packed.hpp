@@ -2,7 +2,7 @@
 // Products and triangular solves through a kernel. A right factor is packed once, in slices of as many
 // columns as a tile has, and serves all rows below; the left factor is packed a slice at a time, just before
 // it is used.
-#include "linalg/kernel.hpp"
+#include "linalg/engine.hpp"
 
 namespace c2d {
 

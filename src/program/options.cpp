@@ -1,5 +1,6 @@
 #include "program/options.hpp"
 
+#include <c2d_threads.h>
 #include <contact2d.h>
 
 #include <cctype>
@@ -30,7 +31,7 @@ bool choose(const std::string& value, const char* first, const char* second, int
 bool read_threads(const std::string& value, int32_t& threads) {
   const char* end = value.data() + value.size();
   const auto result = std::from_chars(value.data(), end, threads);
-  return result.ec == std::errc() && result.ptr == end && threads >= 1;
+  return result.ec == std::errc() && result.ptr == end && threads >= 1 && threads <= C2D_THREADS_MOST;
 }
 
 // Takes over one option with its value; false with `error` if the value is none of those allowed.
@@ -57,7 +58,7 @@ bool set_option(Options& o, const std::string& name, const std::string& value, s
   if (name == "--symmetry" && !choose(value, "deck", "images", o.symmetry)) return wrong("deck or images");
   if (name == "--memory" && (!read_size(value, o.memory) || o.memory == 0))
     return wrong("a number of bytes such as 65536, 64K, 16M or 1G");
-  if (name == "--threads" && !read_threads(value, o.threads)) return wrong("a whole number from 1");
+  if (name == "--threads" && !read_threads(value, o.threads)) return wrong("a whole number from 1 to 64");
   if (name == "--store") {
     if (value != "memory" && (value.compare(0, 5, "file:") != 0 || value.size() == 5))
       return wrong("memory or file:DIR");
@@ -282,7 +283,7 @@ const char* help_text() {
          "half of\n"
          "                     what is free\n"
          "  --store WHERE      memory, or file:DIR; default: memory if it fits, else a folder under $TMPDIR\n"
-         "  --threads N        1\n"
+         "  --threads N        tasks at once in the elimination, 1 to 64; default 1. No result depends on it\n"
          "  --progress, --no-progress\n"
          "                     a line on standard error; default: only on a terminal\n"
          "  --keep             leave the tapes in their folder\n"

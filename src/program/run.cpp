@@ -16,6 +16,7 @@
 #include "report/text.hpp"
 #include "report/vtk.hpp"
 
+#include <c2d_threads.h>
 #include <cstdio>
 
 namespace app {
@@ -24,6 +25,11 @@ namespace {
 class Run {
 public:
   explicit Run(const Options& options) : options_(options), line_(options.progress) {}
+  ~Run() {
+    if (has_threads_) c2d_threads_stop(&threads_);
+  }
+  Run(const Run&) = delete;
+  Run& operator=(const Run&) = delete;
   int go();
   // The tapes that a resumed run found turned out to be damaged: only a run from the beginning helps.
   bool wants_fresh_start() const { return fresh_start_; }
@@ -58,6 +64,8 @@ private:
 
   const Options& options_;
   // In the order in which they need each other: the solver closes its tapes before the store goes.
+  c2d_threads threads_;
+  bool has_threads_ = false;
   StoreChoice store_;
   ProgressLine line_;
   Session session_;
@@ -126,6 +134,12 @@ c2d_port Run::make_port() {
   port.cancel = [](void*) { return static_cast<int32_t>(interrupted()); };
   port.log = on_log;
   port.clock = clock_seconds;
+  if (has_threads_) {
+    port.parallel_for = [](void* c, int32_t n, void (*task)(void*, int32_t), void* argument) {
+      c2d_threads_run(&self(c).threads_, n, task, argument);
+    };
+    port.threads = options_.threads;
+  }
   return port;
 }
 
@@ -154,6 +168,14 @@ int Run::read() {
   if (exit != 0) return exit;
   const uint64_t free = free_memory() / 2;
   const uint64_t budget = free > session_.workspace.bytes ? free - session_.workspace.bytes : 0;
+  if (options_.threads > 1) {
+    const int32_t code = c2d_threads_start(&threads_, options_.threads);
+    has_threads_ = code == 0;
+    if (!has_threads_) {
+      session_.messages.fail(std::to_string(options_.threads) + " threads: " + store_.system_text(code));
+      return kExitMemory;
+    }
+  }
   exit = session_.read_model(make_port(), options_.symmetry);
   if (exit != 0) return exit;
   if (!interior_.take_sets(session_.solver, error_)) {

@@ -172,10 +172,12 @@ void clear_phases(c2d_solver* s) { poison(array_of<char>(s, kPhase), s->bytes - 
 // What a phase that uses `area` bytes leaves of the phase area, for the kernels of this machine.
 Engine engine_beside(c2d_solver* s, const PhaseSizes& sizes, uint64_t area, int64_t* used) {
   C2D_ASSERT(s->layout.persistent <= s->bytes && area <= s->bytes - s->layout.persistent);
-  const uint64_t left = s->bytes - s->layout.persistent - area, full = scratch_bytes(sizes);
+  const Workers workers = workers_of(&s->port);
+  const uint64_t left = s->bytes - s->layout.persistent - area;
+  const uint64_t full = scratch_bytes(sizes) * static_cast<uint64_t>(workers.count);
   const uint64_t bytes = left < full ? left : full;
   return Engine{kernel_for(best_instructions()), reinterpret_cast<Real*>(array_of<char>(s, kPhase) + area),
-                static_cast<int64_t>(bytes / sizeof(Real)), used};
+                static_cast<int64_t>(bytes / sizeof(Real)), used, workers};
 }
 
 void note_scratch(c2d_solver* s, uint64_t area, int64_t used) {

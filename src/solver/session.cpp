@@ -67,7 +67,7 @@ void open_session(c2d_solver* s, Session& session) {
   const PathArea& area = session.area;
   session.tape = ContactTape{&s->tapes, head.contact, head.load_cases, area.buffer};
   session.tableau = Tableau{head.contact, head.load_cases, head.pairs,   session.model.pair,
-                            area.tableau, head.length_unit, s->stiffness, s->exchanges};
+                            area.tableau, head.length_unit, s->stiffness, s->exchanges, kernel_for(best_instructions())};
   double* loads = array_of<double>(s, kLoads);
   session.follower.t = &session.tableau;
   session.follower.tape = &session.tape;

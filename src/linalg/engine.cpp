@@ -1,0 +1,53 @@
+#include "linalg/engine.hpp"
+
+namespace c2d {
+namespace {
+
+// The narrowest right factor that is worth packing for.
+constexpr int64_t kLeastWidth = 32;
+
+// Items are taken by whichever task is free. Without a counter that tasks can share there is one task.
+#if defined(__GCC_ATOMIC_INT_LOCK_FREE) && __GCC_ATOMIC_INT_LOCK_FREE == 2
+constexpr bool kShared = !kSmallCode;
+int32_t take(int32_t* next) { return __atomic_fetch_add(next, 1, __ATOMIC_RELAXED); }
+#else
+constexpr bool kShared = false;
+int32_t take(int32_t* next) { return (*next)++; }
+#endif
+
+struct Items {
+  const Engine& engine;
+  int32_t parts, count;
+  ItemWork work;
+  void* argument;
+  int32_t next;
+};
+
+void take_items(void* argument, int32_t part) {
+  Items& items = *static_cast<Items*>(argument);
+  const int64_t numbers = items.engine.numbers / items.parts / 8 * 8;
+  const Engine own = {items.engine.kernel, items.engine.scratch + part * numbers, numbers, nullptr, kAlone};
+  for (int32_t i = take(&items.next); i < items.count; i = take(&items.next)) items.work(items.argument, own, i);
+}
+
+} // namespace
+
+int32_t parts_of(const Engine& engine) {
+  if (!kShared || !engine.kernel || engine.workers.count <= 1) return 1;
+  const int64_t each = kDepth * (engine.kernel->rows + kLeastWidth) + 8;
+  const int64_t most = engine.numbers / each;
+  return most < 1 ? 1 : (most < engine.workers.count ? static_cast<int32_t>(most) : engine.workers.count);
+}
+
+void run_items(const Engine& engine, int32_t items, ItemWork work, void* argument) {
+  const int32_t most = parts_of(engine), parts = most < items ? most : items;
+  if (parts <= 1) {
+    for (int32_t i = 0; i < items; ++i) work(argument, engine, i);
+    return;
+  }
+  if (engine.used) *engine.used = engine.numbers;
+  Items all = {engine, parts, items, work, argument, 0};
+  run_tasks(engine.workers, parts, take_items, &all);
+}
+
+} // namespace c2d

@@ -1,0 +1,40 @@
+#pragma once
+// What the dense routines work with: a kernel, memory to pack into, and workers to share the columns of a matrix.
+#include "linalg/kernel.hpp"
+#include "memory/workers.hpp"
+
+namespace c2d {
+
+// An engine without a kernel, or with less than engine_numbers(kernel, 1, 1) of scratch, takes the plain form. How many
+// workers there are changes no bit of any result.
+struct Engine {
+  const Kernel* kernel;
+  Real* scratch;   // aligned to 64 bytes
+  int64_t numbers; // its size
+  int64_t* used;   // raised to the most that was taken; or null
+  Workers workers = kAlone;
+};
+constexpr Engine kPlainEngine = {nullptr, nullptr, 0, nullptr, kAlone};
+
+// Products go over kDepth of the inner index at a time: a slice of A of a tile's rows (24 KiB) stays in the first-level
+// cache (32 KiB and more). Of B, up to kWidth columns are packed at a time (384 KiB), which stay in the second-level
+// cache (1 MiB) while all slices of A pass by, each packed once for all of them.
+constexpr int32_t kDepth = 256, kWidth = 384;
+// Numbers of scratch with which engines of any kernel run at full speed on k x n right factors.
+constexpr int64_t kMostTileRows = 24 * static_cast<int64_t>(sizeof(double) / sizeof(Real));
+constexpr int64_t full_scratch(int64_t k, int64_t n) {
+  return (k < kDepth ? k : kDepth) * (kMostTileRows + (n < kWidth ? (n + 7) / 8 * 8 : kWidth));
+}
+// Scratch that packs k x n of a right factor at a time; more makes wider steps.
+int64_t engine_numbers(const Kernel* kernel, int32_t k, int32_t n);
+
+// Into how many engines this one can be divided that calculate as it does itself: each worker's with scratch for full
+// depth. At least 1.
+int32_t parts_of(const Engine& engine);
+
+// work(argument, engine, 0) ... work(argument, engine, items - 1), each once, in any order, by all workers, each with an
+// engine of its own. Item 0 is begun first. Items own what they write.
+typedef void (*ItemWork)(void* argument, const Engine& engine, int32_t item);
+void run_items(const Engine& engine, int32_t items, ItemWork work, void* argument);
+
+} // namespace c2d
