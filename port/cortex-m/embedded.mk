@@ -20,7 +20,7 @@ agree_m7  := 1e-9
 # Bytes that the linker must find between static data and the top of RAM.
 STACK_LEAST ?= 4096
 
-ARM_FLAGS := -std=c++17 -Os -ffreestanding -fbuiltin -fno-math-errno -fno-exceptions -fno-rtti -ffunction-sections \
+ARM_FLAGS := -std=c++17 -Os -fno-move-loop-invariants -fno-inline-small-functions -ffreestanding -fbuiltin -fno-math-errno -fno-exceptions -fno-rtti -ffunction-sections \
   -fdata-sections -fno-threadsafe-statics -DC2D_SYMMETRY_BY_CALL $(EXACT) $(WARNINGS) -fstack-usage -fcallgraph-info=su
 ARM_PORT := $(wildcard port/cortex-m/*.cpp)
 
