@@ -52,7 +52,7 @@ double prescribed_traction(const Session& session, int b, int32_t end, int c) {
 void fill_displacements(const Session& session, int b) {
   const Model& m = session.model;
   for (int32_t node = 0; node < m.head->body[b].nodes; ++node) {
-    double* u = session.area.displacement[b] + 2 * static_cast<int64_t>(node);
+    double u[2];
     const int32_t index = pair_of_node(m, b, node);
     double contact[2] = {0.0, 0.0};
     if (index >= 0) {
@@ -67,10 +67,28 @@ void fill_displacements(const Session& session, int b) {
         u[c] = session.area.outer[outer_column(m, b, node, c)] * m.head->length_unit;
       else u[c] = prescribed_displacement(session, b, node, c);
     }
+    keep_displacement(session, b, node, u);
   }
 }
 
 } // namespace
+
+void get_displacement(const Session& session, int b, int32_t node, double u[2]) {
+  const Real* kept = session.area.displacement[b] + 2 * static_cast<ptrdiff_t>(node);
+  for (int c = 0; c < 2; ++c) u[c] = kept[c] * session.model.head->length_unit;
+}
+void get_traction(const Session& session, int b, int32_t end, double t[2]) {
+  const Real* kept = session.area.traction[b] + 2 * static_cast<ptrdiff_t>(end);
+  for (int c = 0; c < 2; ++c) t[c] = kept[c] * session.model.head->stress_unit;
+}
+void keep_displacement(const Session& session, int b, int32_t node, const double u[2]) {
+  Real* kept = session.area.displacement[b] + 2 * static_cast<ptrdiff_t>(node);
+  for (int c = 0; c < 2; ++c) kept[c] = static_cast<Real>(u[c] / session.model.head->length_unit);
+}
+void keep_traction(const Session& session, int b, int32_t end, const double t[2]) {
+  Real* kept = session.area.traction[b] + 2 * static_cast<ptrdiff_t>(end);
+  for (int c = 0; c < 2; ++c) kept[c] = static_cast<Real>(t[c] / session.model.head->stress_unit);
+}
 
 void transferred_traction(const Session& session, int b, int32_t element, int l, double out[2]) {
   out[0] = out[1] = 0.0;
@@ -82,7 +100,7 @@ namespace {
 void fill_end_traction(const Session& session, int b, int32_t element, int l) {
   const Model& m = session.model;
   const int32_t end = element * m.head->function_nodes + l, node = functional_node(m, b, element, l);
-  double* t = session.area.traction[b] + 2 * static_cast<int64_t>(end);
+  double t[2];
   const int32_t index = pair_of_end(m, b, element, l);
   double contact[2] = {0.0, 0.0};
   if (index >= 0) {
@@ -101,6 +119,7 @@ void fill_end_traction(const Session& session, int b, int32_t element, int l) {
   double transferred[2];
   transferred_traction(session, b, element, l, transferred);
   for (int c = 0; c < 2; ++c) t[c] += transferred[c];
+  keep_traction(session, b, end, t);
 }
 
 c2d_status back_substitute_body(Session& session, int b) {
@@ -146,8 +165,8 @@ void sum_forces(Session& session, int b) {
       const int32_t index = pair_of_end(m, b, element, l);
       if (index >= 0) add_contact_end(session, b, index, shared[l], contact);
       const int32_t end = element * m.head->function_nodes + l, node = functional_node(m, b, element, l);
-      const double* total = session.area.traction[b] + 2 * static_cast<int64_t>(end);
-      double t[2];
+      double total[2], t[2];
+      get_traction(session, b, end, total);
       transferred_traction(session, b, element, l, t);
       for (int c = 0; c < 2; ++c) t[c] = total[c] - t[c];
       const EndResultant& w = own[l];

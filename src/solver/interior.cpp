@@ -217,8 +217,9 @@ bool nodal_values(const Session& session, int b, int32_t element, Complex u[4], 
   bool any = false;
   for (int l = 0; l < nf; ++l) {
     const int32_t node = functional_node(m, b, element, l);
-    const double* d = session.area.displacement[b] + 2 * static_cast<int64_t>(node);
-    const double* t = session.area.traction[b] + 2 * (static_cast<int64_t>(element) * nf + l);
+    double d[2], t[2];
+    get_displacement(session, b, node, d);
+    get_traction(session, b, element * nf + l, t);
     u[l] = {length * d[0], length * d[1]};
     double part[2][2] = {{0.0, 0.0}, {0.0, 0.0}};
     double transferred[2]; // of free zones: comes by pieces
@@ -403,8 +404,8 @@ void clear_boundary(const Session& session) {
   const ModelHeader& head = *session.model.head;
   for (int b = 0; b < head.bodies; ++b) {
     const int64_t ends = static_cast<int64_t>(head.body[b].elements) * head.function_nodes;
-    memset(session.area.displacement[b], 0, 2 * sizeof(double) * static_cast<size_t>(head.body[b].nodes));
-    memset(session.area.traction[b], 0, 2 * sizeof(double) * static_cast<size_t>(ends));
+    memset(session.area.displacement[b], 0, 2 * sizeof(Real) * static_cast<size_t>(head.body[b].nodes));
+    memset(session.area.traction[b], 0, 2 * sizeof(Real) * static_cast<size_t>(ends));
     memset(session.solver->multiplier[b], 0, sizeof session.solver->multiplier[b]);
   }
 }

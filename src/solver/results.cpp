@@ -76,7 +76,7 @@ double end_value(const Session& session, int32_t field, int b, int32_t end) {
   const Model& m = session.model;
   const int32_t nf = m.head->function_nodes, element = end / nf, l = end % nf;
   const int32_t node = functional_node(m, b, element, l);
-  double x, y;
+  double x, y, value[2];
   switch (field) {
   case C2D_END_X: node_position(m, b, node, &x, &y); return x;
   case C2D_END_Y: node_position(m, b, node, &x, &y); return y;
@@ -88,9 +88,9 @@ double end_value(const Session& session, int32_t field, int b, int32_t end) {
     return row[C2D_STATUS];
   }
   case C2D_END_UX:
-  case C2D_END_UY: return session.area.displacement[b][2 * static_cast<int64_t>(node) + (field - C2D_END_UX)];
+  case C2D_END_UY: get_displacement(session, b, node, value); return value[field - C2D_END_UX];
   case C2D_END_TX:
-  case C2D_END_TY: return session.area.traction[b][2 * static_cast<int64_t>(end) + (field - C2D_END_TX)];
+  case C2D_END_TY: get_traction(session, b, end, value); return value[field - C2D_END_TX];
   default: // an element that images replace is no boundary
     return is_axis_element(m, b, element) ? 0.0 : end_stress(session, field, b, end);
   }

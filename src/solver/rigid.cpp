@@ -17,19 +17,20 @@ void rigid_displacement_now(const Session& session, double x, double y, double u
 void fill_rigid(const Session& session) {
   const Model& m = session.model;
   for (int32_t node = 0; node < m.head->body[0].nodes; ++node) {
-    double* u = session.area.displacement[0] + 2 * static_cast<int64_t>(node);
-    double x, y;
+    double x, y, u[2];
     node_position(m, 0, node, &x, &y);
     rigid_displacement_now(session, x, y, u);
+    keep_displacement(session, 0, node, u);
   }
   for (int32_t element = 0; element < m.head->body[0].elements; ++element)
     for (int l = 0; l < m.head->function_nodes; ++l) {
-      double* t = session.area.traction[0] + 2 * (static_cast<int64_t>(element) * m.head->function_nodes + l);
       const int32_t index = pair_of_end(m, 0, element, l);
-      t[0] = t[1] = 0.0;
-      if (index < 0) continue;
-      const PairState now = pair_state(*session.follower.t, index, session.follower.y);
-      to_global(m.pair[index], -now.p * m.head->stress_unit, -now.q * m.head->stress_unit, t);
+      double t[2] = {0.0, 0.0};
+      if (index >= 0) {
+        const PairState now = pair_state(*session.follower.t, index, session.follower.y);
+        to_global(m.pair[index], -now.p * m.head->stress_unit, -now.q * m.head->stress_unit, t);
+      }
+      keep_traction(session, 0, element * m.head->function_nodes + l, t);
     }
   for (double& multiplier : session.solver->multiplier[0]) multiplier = 0.0;
 }

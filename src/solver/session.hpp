@@ -48,6 +48,11 @@ constexpr double kNoPressure = 1e-9; // of the largest on the path
 c2d_outcome find_outcome_motion(Session& session, c2d_outcome outcome);
 // Look at the residual of the contact equations, and build the tableau anew if it has grown. Errors: the block store's.
 c2d_status guard_drift(Session& session, bool always);
+// Results of the whole boundary in the caller's units (solver/back.cpp): read and written here alone.
+void get_displacement(const Session& session, int b, int32_t node, double u[2]);
+void get_traction(const Session& session, int b, int32_t end, double t[2]);
+void keep_displacement(const Session& session, int b, int32_t node, const double u[2]);
+void keep_traction(const Session& session, int b, int32_t end, const double t[2]);
 // Everything outside the contact, force balance (2.5). Errors: the block store's.
 c2d_status back_substitute_all(Session& session);
 
