@@ -80,7 +80,6 @@ CORE_SOURCES += src/model/free_zones.cpp
 CORE_SOURCES += src/model/geometry.cpp
 CORE_SOURCES += src/model/polar.cpp
 CORE_SOURCES += src/model/rigid.cpp
-CORE_SOURCES += src/model/symmetry.cpp
 CORE_SOURCES += src/model/topology.cpp
 CORE_SOURCES += src/model/unknowns.cpp
 CORE_SOURCES += src/model/validate_body_force.cpp

@@ -207,7 +207,7 @@ TEST_CASE("embedded: parts that no call declares are not linked, and come with t
       {"c2d_add_free_zone", {"c2d::fit_free_zone", "c2d::fill_transfer", "c2d::surface_faced", "c2d::transferred_values"}},
       {"c2d_set_body_force", {"c2d::particular_solution", "c2d::add_body_force_columns", "c2d::check_body_force"}},
       {"c2d_set_rigid", {"c2d::check_rigid", "c2d::move_rigidly", "c2d::fill_rigid"}},
-      {"c2d_set_symmetry", {"c2d::validate_lines", "c2d::is_held_by_lines"}},
+      {"c2d_set_symmetry", {"c2d::validate_lines", "c2d::is_held_by_lines", "c2d::fold_across"}},
       {"c2d_get_summary", {"c2d::build_energy", "c2d::close_balance"}},
   };
   const Folder folder;
@@ -245,6 +245,7 @@ TEST_CASE("embedded: what is not called is not linked") {
                  whole = run_shell("arm-none-eabi-nm -C '" + kFolder + board.name + "/whole.elf'");
     for (const char* name : {"c2d_interior", "c2d::read_deck_cards", "c2d::read_nodes"})
       CHECK(contains(whole.out, name));
+    CHECK_FALSE(contains(whole.out, " w c2d::"));
     CHECK_FALSE(contains(points.out, "c2d_interior"));
     for (const char* name :
          {"c2d_read_deck", "c2d::read_deck_cards", "c2d::read_nodes", "c2d::read_extensions"})

@@ -7,6 +7,7 @@
 // has one (c2d_attach, c2d_restore), names one function of each of its files with C2D_BRINGS. So a call of an optional
 // function stands behind the question whether the model has the part, which only a model with the part answers with yes; C2D_LINKED tells whether
 // the program has it.
+// Where a header names a function with C2D_OPTIONAL, C2D_BRINGS must name another one of that file.
 // Needs ELF, an archive of objects and GCC or clang; elsewhere, and in one file, everything is linked.
 #if defined(__ELF__) && defined(__GNUC__) && !defined(C2D_ONE_FILE)
 #define C2D_OPTIONAL(function) extern decltype(function) function __attribute__((weak))

@@ -14,7 +14,6 @@ namespace c2d {
 C2D_OPTIONAL(validate_lines);
 #else
 C2D_BRINGS(validate_lines);
-C2D_BRINGS(is_held_by_lines);
 #endif
 } // namespace c2d
 

@@ -5,7 +5,6 @@
 
 namespace c2d {
 C2D_BRINGS(validate_lines);
-C2D_BRINGS(is_held_by_lines);
 } // namespace c2d
 
 using namespace c2d;
