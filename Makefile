@@ -1,4 +1,4 @@
-# contact2d. Targets: all (default) demo chapter9 test bench convergence embedded hostile cross amalgamation deb install
+# contact2d. Targets: all (default) demo chapter9 test bench guard convergence embedded hostile cross amalgamation deb install
 #   uninstall list relist symbols format clean.
 # Variables: CXX CC AR CXXFLAGS CFLAGS CPPFLAGS LDFLAGS BUILD PREFIX DESTDIR LIBDIR DOCTEST_INCLUDE NO_INSTALL.
 # What is compiled stands in src/sources.mk, which CMakeLists.txt reads too.
@@ -136,19 +136,7 @@ chapter9: $(BUILD)/obj/chapter9
 	@$(BUILD)/obj/chapter9 $(BUILD)/chapter9
 	@echo 'Figures 36 to 41: $(BUILD)/chapter9/chapter9.svg; numbers: curves.csv; a deck per curve: *.dat'
 
-# Speed, as a table: make bench SAVE=file keeps it, BASE=file compares with one that was kept.
-BENCH_OBJECTS := $(patsubst tests/bench/%.cpp,$(BUILD)/bench/%.o,$(wildcard tests/bench/*.cpp))
-$(BUILD)/bench/%.o: tests/bench/%.cpp $(BUILD)/flags Makefile
-	@mkdir -p $(@D)
-	$(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(EXACT) $(DEPS) -c $< -o $@
-$(BUILD)/bench/run_bench: $(BENCH_OBJECTS) $(LIBRARY)
-	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm
-$(BUILD)/bench/empty: tests/bench/empty.c $(BUILD)/flags
-	@mkdir -p $(@D)
-	$(CC) $(CFLAGS) $(LDFLAGS) -o $@ $<
-bench: $(BUILD)/bench/run_bench $(BUILD)/bench/empty $(PROGRAM)
-	@$(BUILD)/bench/run_bench --program $(PROGRAM) --empty $(BUILD)/bench/empty --examples examples \
-	  --save '$(SAVE)' --base '$(BASE)'
+include tests/bench/bench.mk
 
 # Error against number of elements for every reference problem, with the observed order.
 CONVERGENCE_OBJECTS := $(patsubst tests/convergence/%.cpp,$(BUILD)/convergence/%.o,$(wildcard tests/convergence/*.cpp))

@@ -5,7 +5,9 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <regex>
 #include <set>
@@ -556,6 +558,164 @@ TEST_CASE("fortran77: a model by calls is checked as in C, and every call reache
   CHECK(error == 0);
   c2done_(work, &error);
   CHECK(error == C2D_ERR_STATE);
+}
+
+TEST_CASE("fortran77: other loads through kept factors, as in C and as from the beginning") {
+  // With the right side pulled twice as hard everything doubles; numbers stand at odd addresses.
+  Odd memory(8 * kWords, 4), store(1 << 20, 4), real(8 * 4, 4);
+  void* work = memory.at();
+  int32_t error = open(work);
+  const auto ok = [&error](int line) { CHECK_MESSAGE(error == 0, "line " << line); };
+  c2core_(work, store.at(), I{(1 << 20) / 8}, &error), ok(__LINE__);
+  c2keep_(work, I{2}, &error); // kept for a solver to come, which refuses it
+  const std::string cards = padded(cards_of("plate_tension.dat"));
+  const I count{static_cast<int32_t>(cards.size() / 80)};
+  c2card_(work, cards.data(), I{80}, count, &error);
+  CHECK(error == C2D_ERR_ARGUMENT);
+  error = open(work);
+  c2core_(work, store.at(), I{(1 << 20) / 8}, &error), ok(__LINE__);
+  c2keep_(work, I{1}, &error), ok(__LINE__);
+  c2card_(work, cards.data(), I{80}, count, &error), ok(__LINE__);
+  c2chld_(work, &error);
+  CHECK(error == C2D_ERR_STATE); // nothing is prepared
+  c2prep_(work, &error), ok(__LINE__);
+  c2keep_(work, I{2}, &error);
+  CHECK(error == C2D_ERR_STATE); // options are for the model
+  c2solv_(work, c2none_, &error), ok(__LINE__);
+  double once[48], twice[48];
+  c2get_(work, I{C2D_END_UX}, I{1}, I{1}, I{48}, once, I{1}, &error), ok(__LINE__);
+  c2chld_(work, &error), ok(__LINE__);
+  int32_t codes[4], state = 0, pulled = 0;
+  c2stat_(work, &state);
+  CHECK(state == C2D_STATE_MODEL);
+  for (int32_t element = 1; element <= 24; ++element)
+    for (int32_t local = 1; local <= 2; ++local) {
+      c2gcon_(work, I{1}, I{element}, I{local}, I{1}, codes, real.at(), &error), ok(__LINE__);
+      if (real_at(real.at()) == 0) continue;
+      ++pulled;
+      put_real(real.at(), 2 * real_at(real.at()));
+      c2rval_(work, I{1}, I{element}, I{local}, real.at(), I{1}, &error), ok(__LINE__);
+    }
+  CHECK(pulled == 8); // both ends of four elements
+  c2prep_(work, &error), ok(__LINE__);
+  c2solv_(work, c2none_, &error), ok(__LINE__);
+  c2get_(work, I{C2D_END_UX}, I{1}, I{1}, I{48}, twice, I{1}, &error), ok(__LINE__);
+  double largest = 0;
+  for (const double u : twice) largest = std::max(largest, std::fabs(u));
+  CHECK(largest == doctest::Approx(0.4).epsilon(1e-6)); // 200 / 1000 of a length of 2
+  for (int i = 0; i < 48; ++i) CHECK(std::fabs(twice[i] - 2 * once[i]) < 1e-12 * largest);
+  c2clos_(work, &error), ok(__LINE__);
+}
+
+TEST_CASE("fortran77: nodes on lines and arcs, points and a point load as the C interface has them") {
+  Odd memory(8 * kWords, 12), real(8 * 8, 4), places(8 * 60, 4);
+  void* work = memory.at();
+  REQUIRE(open(work) == 0);
+  int32_t error = 0;
+  const auto ok = [&error](int line) { CHECK_MESSAGE(error == 0, "line " << line); };
+  const int32_t sizes[] = {1, 2, 12, 0, 12, 0, 1, 0, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2}; // a quarter of a ring
+  c2size_(work, sizes, I{18}, &error), ok(__LINE__);
+  c2prob_(work, I{0}, I{0}, I{0}, " ", I{1}, &error), ok(__LINE__);
+  c2body_(work, I{1}, I{2}, I{12}, I{1}, I{0}, R{1000.0}, R{0.3}, &error), ok(__LINE__);
+  c2regn_(work, I{1}, I{1}, I{12}, &error), ok(__LINE__);
+  const double ends[6] = {0, 0, 1, 0, 2, 0}, high[6] = {0, 0, 0, 2, 0, 1};
+  std::memcpy(real.at(), ends, sizeof ends);
+  char* at = static_cast<char*>(real.at());
+  c2nlin_(work, I{1}, I{1}, I{3}, at, at + 16, at + 32, &error), ok(__LINE__);
+  c2narc_(work, I{1}, I{3}, I{7}, at, R{2.0}, R{0.0}, R{90.0}, &error), ok(__LINE__);
+  std::memcpy(real.at(), high, sizeof high);
+  c2nlin_(work, I{1}, I{7}, I{9}, at, at + 16, at + 32, &error), ok(__LINE__);
+  c2narc_(work, I{1}, I{9}, I{12}, at, R{1.0}, R{90.0}, R{22.5}, &error), ok(__LINE__);
+  c2narc_(work, I{1}, I{9}, I{9}, at, R{1.0}, R{90.0}, R{22.5}, &error);
+  CHECK(error == C2D_ERR_ARGUMENT); // the last is not behind the first
+  const int32_t fix_x[4] = {1, 0, 0, 1}, fix_y[4] = {0, 1, 1, 0};
+  const double none[4] = {0, 0, 0, 0};
+  for (int32_t i = 0; i < 4; ++i) {
+    c2cond_(work, I{1}, I{1 + i / 2}, I{1 + i % 2}, fix_y, none, I{1}, &error), ok(__LINE__);
+    c2cond_(work, I{1}, I{7 + i / 2}, I{1 + i % 2}, fix_x, none, I{1}, &error), ok(__LINE__);
+  }
+  c2load_(work, I{1}, R{1.2}, R{0.9}, R{0.0}, R{1.0}, I{1}, &error), ok(__LINE__);
+  const int32_t three_by_two[2] = {3, 2}, few[2] = {0, 0};
+  std::memcpy(real.at(), ends, sizeof ends);
+  c2apts_(work, I{C2D_POINTS_GRID}, I{1}, three_by_two, at, at + 32, &error), ok(__LINE__);
+  c2apts_(work, I{C2D_POINTS_LINE}, I{1}, few, at, at + 32, &error);
+  CHECK(error == C2D_ERR_ARGUMENT);
+  c2apts_(work, I{C2D_POINTS_ONE}, I{1}, few, at + 16, at, &error), ok(__LINE__);
+  c2apts_(work, I{C2D_POINTS_ONE}, I{1}, few, at + 16, at, &error);
+  CHECK(error == C2D_ERR_LIMIT);
+  c2path_(work, I{1}, R{1.0}, I{1}, &error), ok(__LINE__);
+  c2done_(work, &error), ok(__LINE__);
+
+  // Nodes: the field of the bodies' points is that of a line and of an arc.
+  c2get_(work, I{C2D_END_X}, I{1}, I{1}, I{24}, places.at(), I{1}, &error), ok(__LINE__);
+  CHECK(real_at(places.at(), 2) == 1.5);                                                // node 2
+  CHECK(real_at(places.at(), 6) == doctest::Approx(2 * std::cos(std::atan(1.0) / 2)));  // node 4: 22.5 degrees
+  CHECK(real_at(places.at(), 22) == doctest::Approx(std::cos(std::atan(1.0) / 2)));     // node 12
+
+  int32_t kind = -1, body = 0, of[2], line = -1, total = 0, load_case = 0;
+  double xy[4], force[2], inside[12];
+  c2gpts_(work, I{1}, &kind, &body, of, &line, at, at + 16, &error), ok(__LINE__);
+  CHECK((kind == C2D_POINTS_GRID && body == 1 && of[0] == 3 && of[1] == 2 && line == 0 && real_at(at, 2) == 2));
+  c2gpts_(work, I{3}, &kind, &body, of, &line, at, at + 16, &error);
+  CHECK(error == C2D_ERR_ARGUMENT);
+  c2d_points grid = C2D_INIT(c2d_points);
+  grid.kind = C2D_POINTS_GRID, grid.body = 1, grid.count[0] = 3, grid.count[1] = 2, grid.to[0] = 2;
+  REQUIRE(c2d_expand_points(&grid, 1, 6, inside, 2, nullptr) == C2D_OK);
+  for (const bool odd : {false, true}) {
+    double aligned[18];
+    void* to = odd ? places.at() : aligned;
+    put_real(to, -9, 15);
+    c2xpts_(work, I{1}, I{2}, I{5}, to, I{3}, &total, &error), ok(__LINE__);
+    CHECK(total == 6);
+    for (int i = 0; i < 10; ++i) CHECK(real_at(to, i / 2 * 3 + i % 2) == inside[i + 2]);
+    CHECK(real_at(to, 15) == -9); // five points, not six
+    c2xpts_(work, I{1}, I{2}, I{6}, to, I{3}, &total, &error);
+    CHECK(error == C2D_ERR_ARGUMENT); // there are no more
+    c2xpts_(work, I{1}, I{1}, I{2}, to, I{1}, &total, &error);
+    CHECK(error == C2D_ERR_ARGUMENT); // they would overlap
+  }
+  c2xpts_(work, I{2}, I{1}, I{0}, xy, I{2}, &total, &error), ok(__LINE__);
+  CHECK(total == 1);
+
+  c2rpld_(work, I{1}, R{1.1}, R{1.0}, R{3.0}, R{4.0}, &error), ok(__LINE__);
+  c2gpld_(work, I{1}, &body, &load_case, xy, force, &error), ok(__LINE__);
+  CHECK((xy[0] == 1.1 && xy[1] == 1.0 && force[0] == 3.0 && force[1] == 4.0));
+  c2rpld_(work, I{2}, R{1.1}, R{1.0}, R{3.0}, R{4.0}, &error);
+  CHECK(error == C2D_ERR_ARGUMENT);
+}
+
+TEST_CASE("fortran77: IERR from 50 on is what the page says, and nothing else is") {
+  const std::string page = read_file(kRoot + "/port/fortran/README.md");
+  std::set<std::string> words;
+  for (int32_t code = 50; code < 60; ++code) {
+    const bool listed = contains(page, "\n| " + std::to_string(code) + " | ");
+    CHECK((message(code) != message(50)) == listed); // 50 itself is in nobody's list
+    words.insert(message(code));
+  }
+  CHECK(words.size() == 6); // 51 ... 55, and what is said of all others
+
+  // A name too long, for a file and for a folder; the checks of C2ATCH are those of C2OPEN.
+  std::vector<double> work(kWords);
+  const std::string name(1200, 'n');
+  int32_t error = open(work.data()), least = 0, most = 0;
+  c2deck_(work.data(), name.data(), I{1200}, &error);
+  CHECK(error == 55);
+  c2need_(work.data(), name.data(), I{1200}, &least, &most, &error);
+  CHECK(error == 55);
+  c2tape_(work.data(), name.data(), I{1200}, &error);
+  CHECK(error == 55);
+  c2tape_(work.data(), name.data(), I{0}, &error);
+  CHECK(error == 55);
+  int64_t wide_error = -1;
+  const int64_t wide[2] = {1987, 64};
+  c2atch_(work.data(), I{kWords}, wide, kReals, work.data(), &wide_error);
+  CHECK(wide_error == 51);
+  const int32_t nonsense[2] = {1986, 64};
+  c2atch_(work.data(), I{kWords}, nonsense, kReals, work.data(), &error);
+  CHECK(error == 53);
+  work[0] = 0; // overwritten
+  c2atch_(work.data(), I{kWords}, kIntegers, kReals, work.data(), &error);
+  CHECK(error == 54);
 }
 
 TEST_CASE("fortran77: the page has every name with its arguments, and every function of the header") {

@@ -151,19 +151,23 @@ TEST_CASE("hosts: a model by calls of FORTRAN 77 has the pressure of the closed 
     const Result run = run_shell(libraries.run("host"));
     CHECK_MESSAGE(run.status == 0, run.out << run.err);
     const std::vector<std::string> lines = lines_of(run.out);
-    REQUIRE(lines.size() == 3);
+    REQUIRE(lines.size() == 4);
     const double pressure = 1000.0 / (1 - 0.09) * 0.005; // E/(1 - nu^2) times the strain
     int outcome = -1, slipping = 0;
-    double p[5], force = 0, syy = 0;
+    double p[5], force = 0, syy[3];
     REQUIRE(std::sscanf(lines[0].c_str(), " OUTCOME %d PRESSURE %lf %lf %lf %lf %lf", &outcome, p, p + 1,
                         p + 2, p + 3, p + 4) == 6);
     REQUIRE(std::sscanf(lines[1].c_str(), " PAIRS SLIPPING %d FORCE ON BLOCK 2 %lf", &slipping, &force) == 2);
-    REQUIRE(std::sscanf(lines[2].c_str(), " STRESS INSIDE %lf", &syy) == 1);
+    REQUIRE(std::sscanf(lines[2].c_str(), " STRESS INSIDE %lf %lf %lf", syy, syy + 1, syy + 2) == 3);
     CHECK(outcome == 0);
     CHECK(slipping == 5);
     for (const double each : p) CHECK(each == doctest::Approx(pressure).epsilon(1e-9)); // the digits printed
     CHECK(force == doctest::Approx(pressure).epsilon(1e-9));                            // over a length of 1
-    CHECK(syy == doctest::Approx(-pressure).epsilon(1e-9));
+    for (const double each : syy) CHECK(each == doctest::Approx(-pressure).epsilon(1e-9));
+    REQUIRE(std::sscanf(lines[3].c_str(), " OUTCOME %d PRESSURE %lf %lf %lf %lf %lf", &outcome, p, p + 1,
+                        p + 2, p + 3, p + 4) == 6); // twice as far, through the factors that were kept
+    CHECK(outcome == 0);
+    for (const double each : p) CHECK(each == doctest::Approx(2 * pressure).epsilon(1e-9));
   }
 }
 

@@ -125,6 +125,7 @@ void c2open_(Work work, In nwords, In icheck, In rcheck, Out ierr);
 void c2tape_(Work work, Text name, In lname, Out ierr);
 void c2core_(Work work, Out store, In nstore, Out ierr);
 void c2opts_(Work work, In iquad, In istep, In ichang, In isymm, Out ierr);
+void c2keep_(Work work, In ikeep, Out ierr);
 void c2deck_(Work work, Text name, In lname, Out ierr);
 void c2card_(Work work, Text cards, In lcard, In ncards, Out ierr);
 void c2need_(Work work, Text name, In lname, Out nmin, Out nall, Out ierr);
@@ -138,6 +139,8 @@ void c2prob_(Work work, In iplane, In iout, In itmax, Text title, In ltitle, Out
 void c2body_(Work work, In ibody, In nbn, In nel, In nren, In nopen, In young, In poiss, Out ierr);
 void c2regn_(Work work, In ibody, In ifirst, In ilast, Out ierr);
 void c2node_(Work work, In ibody, In ifirst, In n, In xy, In ldxy, Out ierr);
+void c2nlin_(Work work, In ibody, In ifirst, In ilast, In origin, In from, In to, Out ierr);
+void c2narc_(Work work, In ibody, In ifirst, In ilast, In centre, In radius, In angle1, In angle2, Out ierr);
 void c2cond_(Work work, In ibody, In ielem, In ilocal, In icodes, In values, In icase, Out ierr);
 void c2case_(Work work, In ibody, In ielem, In ilocal, In values, In icase, Out ierr);
 void c2load_(Work work, In ibody, In x, In y, In fx, In fy, In icase, Out ierr);
@@ -151,6 +154,7 @@ void c2muz_(Work work, In izone, In i, In fmu, Out ierr);
 void c2symm_(Work work, In iaxis, In value, Out ierr);
 void c2path_(Work work, In ninc, In factor, In ncases, Out ierr);
 void c2clrp_(Work work, Out ierr);
+void c2apts_(Work work, In ikind, In ibody, In icount, In from, In to, Out ierr);
 void c2unit_(Work work, Text length, In llen, Text force, In lforce, Out ierr);
 void c2line_(Work work, In iline, In icol, In icol2, Out ierr);
 void c2done_(Work work, Out ierr);
@@ -163,6 +167,9 @@ void c2prep_(Work work, Out ierr);
 void c2save_(Work work, Out ierr);
 void c2rest_(Work work, Out ierr);
 void c2atch_(Work work, In nwords, In icheck, In rcheck, Out store, Out ierr);
+void c2chld_(Work work, Out ierr);
+void c2rval_(Work work, In ibody, In ielem, In ilocal, In values, In icase, Out ierr);
+void c2rpld_(Work work, In i, In x, In y, In fx, In fy, Out ierr);
 void c2begn_(Work work, In fmu, In nzones, Out ierr);
 void c2advn_(Work work, In factor, In ncases, Out iout, Out ierr);
 void c2next_(Work work, In direct, In ncases, Out step, Out ierr);
@@ -186,6 +193,8 @@ void c2gpld_(Work work, In i, Out ibody, Out icase, Out xy, Out force, Out ierr)
 void c2gbfo_(Work work, In ibody, In icase, Out force, Out rhom2, Out axis, Out ierr);
 void c2grig_(Work work, In icase, Out irigid, Out motion, Out axis, Out ierr);
 void c2gint_(Work work, Out icase, Out ierr);
+void c2gpts_(Work work, In i, Out ikind, Out ibody, Out icount, Out iline, Out from, Out to, Out ierr);
+void c2xpts_(Work work, In i, In ifirst, In n, Out xy, In ldxy, Out ntotal, Out ierr);
 
 // errors and words: fortran77_words.cpp
 void c2stat_(Work work, Out istate);

@@ -112,6 +112,12 @@ void tell_words(Call& call, const c2d_limits& limits, Out nmin, Out nall) {
   put_integer(nall, most_words > 0 ? most_words : INT32_MAX);
 }
 
+// For the solver that is there, and for those to come.
+void take_options(Call& call, const c2d_options& options) {
+  if (call.solver) call.status = c2d_set_options(call.solver, &options);
+  if (call.status == C2D_OK) call.host->options = options;
+}
+
 void keep_entry(void* context, const c2d_error* error) {
   Host* host = static_cast<Host*>(context);
   if (host->entries < kEntriesKept) host->entry[host->entries] = entry_of(*error);
@@ -186,8 +192,17 @@ void c2opts_(Work work, In iquad, In istep, In ichang, In isymm, Out ierr) {
     options.stepping = integer_at(istep);
     options.every_change = integer_at(ichang);
     options.symmetry = integer_at(isymm);
-    if (call.solver) call.status = c2d_set_options(call.solver, &options);
-    if (call.status == C2D_OK) call.host->options = options;
+    take_options(call, options);
+  }
+  call.leave(ierr);
+}
+
+void c2keep_(Work work, In ikeep, Out ierr) {
+  Call call(work);
+  if (call.has_host()) {
+    c2d_options options = call.host->options;
+    options.keep_factors = integer_at(ikeep);
+    take_options(call, options);
   }
   call.leave(ierr);
 }

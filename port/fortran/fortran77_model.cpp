@@ -61,6 +61,26 @@ void c2node_(Work work, In ibody, In ifirst, In n, In xy, In ldxy, Out ierr) {
   call.leave(ierr);
 }
 
+void c2nlin_(Work work, In ibody, In ifirst, In ilast, In origin, In from, In to, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    const Reals base(origin, 2), start(from, 2), end(to, 2);
+    call.status = c2d_set_line_nodes(call.solver, integer_at(ibody), integer_at(ifirst), integer_at(ilast),
+                                     base.data(), start.data(), end.data());
+  }
+  call.leave(ierr);
+}
+
+void c2narc_(Work work, In ibody, In ifirst, In ilast, In centre, In radius, In angle1, In angle2, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    const Reals middle(centre, 2);
+    call.status = c2d_set_arc_nodes(call.solver, integer_at(ibody), integer_at(ifirst), integer_at(ilast),
+                                    middle.data(), real_at(radius), real_at(angle1), real_at(angle2));
+  }
+  call.leave(ierr);
+}
+
 void c2cond_(Work work, In ibody, In ielem, In ilocal, In icodes, In values, In icase, Out ierr) {
   Call call(work);
   if (call.ready()) {
@@ -178,6 +198,22 @@ void c2path_(Work work, In ninc, In factor, In ncases, Out ierr) {
 void c2clrp_(Work work, Out ierr) {
   Call call(work);
   if (call.ready()) call.status = c2d_clear_paths(call.solver);
+  call.leave(ierr);
+}
+
+void c2apts_(Work work, In ikind, In ibody, In icount, In from, In to, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    c2d_points points = C2D_INIT(c2d_points);
+    points.kind = integer_at(ikind);
+    points.body = integer_at(ibody);
+    for (int32_t j = 0; j < 2; ++j) {
+      points.count[j] = integer_at(icount, j);
+      points.from[j] = real_at(from, j);
+      points.to[j] = real_at(to, j);
+    }
+    call.status = c2d_add_points(call.solver, &points);
+  }
   call.leave(ierr);
 }
 

@@ -41,6 +41,19 @@ c2d_status points_one_by_one(c2d_solver* solver, int32_t body, int32_t count, In
   return C2D_OK;
 }
 
+// The last point goes first: if there are fewer, nothing has been written when that is found.
+c2d_status expand_one_by_one(const c2d_points& points, int32_t first, int32_t count, Out xy, int64_t stride,
+                             int32_t& total) {
+  double point[2];
+  if (count < 0 || first > INT32_MAX - count) return C2D_ERR_ARGUMENT;
+  c2d_status status = c2d_expand_points(&points, first, 0, point, 2, &total);
+  for (int32_t i = count - 1; i >= 0 && status == C2D_OK; --i) {
+    status = c2d_expand_points(&points, first + i, 1, point, 2, &total);
+    if (status == C2D_OK) memcpy(behind(xy, i * stride), point, sizeof point);
+  }
+  return status;
+}
+
 // The first `count` of a list of numbers, or all of it.
 template <class T, class Put> void put_list(Out to, int32_t count, const T* list, int32_t length, Put put) {
   for (int32_t i = 0; i < count && i < length; ++i) put(to, list[i], i);
@@ -259,6 +272,41 @@ void c2gint_(Work work, Out icase, Out ierr) {
     int32_t load_case = 0;
     call.status = c2d_get_interference(call.solver, &load_case);
     if (call.status == C2D_OK) put_integer(icase, load_case);
+  }
+  call.leave(ierr);
+}
+
+void c2gpts_(Work work, In i, Out ikind, Out ibody, Out icount, Out iline, Out from, Out to, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    c2d_points points = C2D_INIT(c2d_points);
+    call.status = c2d_get_points(call.solver, integer_at(i), &points);
+    if (call.status == C2D_OK) {
+      put_integer(ikind, points.kind);
+      put_integer(ibody, points.body);
+      put_integer(iline, points.line);
+      memcpy(icount, points.count, sizeof points.count);
+      memcpy(from, points.from, sizeof points.from);
+      memcpy(to, points.to, sizeof points.to);
+    }
+  }
+  call.leave(ierr);
+}
+
+void c2xpts_(Work work, In i, In ifirst, In n, Out xy, In ldxy, Out ntotal, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    c2d_points points = C2D_INIT(c2d_points);
+    const int32_t first = integer_at(ifirst), count = integer_at(n);
+    const int64_t stride = integer_at(ldxy);
+    int32_t total = 0;
+    call.status =
+        count > 0 && stride < 2 ? C2D_ERR_ARGUMENT : c2d_get_points(call.solver, integer_at(i), &points);
+    if (call.status == C2D_OK)
+      call.status = is_aligned(xy)
+                        ? c2d_expand_points(&points, first, count, static_cast<double*>(xy), stride, &total)
+                        : expand_one_by_one(points, first, count, xy, stride, total);
+    if (call.status == C2D_OK) put_integer(ntotal, total);
   }
   call.leave(ierr);
 }

@@ -1,4 +1,4 @@
-// Prepare, follow the load, the deck's own path.
+// Prepare, other loads, follow the load, the deck's own path.
 #include "fortran77.hpp"
 
 using namespace c2d::fortran;
@@ -22,6 +22,30 @@ int32_t pass_on(void* context, const c2d_step* step) {
 void c2prep_(Work work, Out ierr) {
   Call call(work);
   if (call.ready()) call.status = c2d_prepare(call.solver);
+  call.leave(ierr);
+}
+
+void c2chld_(Work work, Out ierr) {
+  Call call(work);
+  if (call.ready()) call.status = c2d_change_loads(call.solver);
+  call.leave(ierr);
+}
+
+void c2rval_(Work work, In ibody, In ielem, In ilocal, In values, In icase, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    const Reals known(values, 4);
+    call.status = c2d_replace_values(call.solver, integer_at(ibody), integer_at(ielem), integer_at(ilocal),
+                                     known.data(), integer_at(icase));
+  }
+  call.leave(ierr);
+}
+
+void c2rpld_(Work work, In i, In x, In y, In fx, In fy, Out ierr) {
+  Call call(work);
+  if (call.ready())
+    call.status =
+        c2d_replace_point_load(call.solver, integer_at(i), real_at(x), real_at(y), real_at(fx), real_at(fy));
   call.leave(ierr);
 }
 

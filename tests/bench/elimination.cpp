@@ -1,126 +1,210 @@
-// Speed of the streamed elimination, all in memory and with an eighth of it, against the loops of 1987.
-#include "elimination/eliminate.hpp"
-
+// Elimination with one solution against the libraries that people would have linked, and against the loops of
+// 1987.
 #include "bench.hpp"
-#include "c2d_memory.h"
+#include "children.hpp"
+#include "ours.hpp"
 
-#include <algorithm>
-#include <cstring>
+#include <cstdio>
+#include <memory>
+#include <unistd.h>
 
 namespace bench {
 
 namespace {
 
-using c2d::Real;
+using c2d::Instructions;
 
-struct Matrix {
-  int32_t n;
-  std::vector<Real> a;
-  explicit Matrix(int32_t size) : n(size), a(static_cast<size_t>(size) * static_cast<size_t>(size)) {
-    uint32_t seed = 1;
-    for (Real& v : a) v = static_cast<Real>((seed = seed * 1664525u + 1013904223u) >> 8) / 8388608 - 1;
-    for (int32_t i = 0; i < n; ++i)
-      a[static_cast<size_t>(i) * static_cast<size_t>(n + 1)] += static_cast<Real>(n);
-  }
-  static c2d_status fill(void* context, int32_t first, int32_t count, Real* panel, int64_t ld) {
-    const Matrix* m = static_cast<const Matrix*>(context);
-    const size_t rows = static_cast<size_t>(m->n);
-    for (int32_t j = 0; j < count; ++j)
-      std::memcpy(panel + j * ld, m->a.data() + static_cast<size_t>(first + j) * rows, rows * sizeof(Real));
-    return C2D_OK;
-  }
+struct Contender {
+  std::string name;   // in the table
+  std::string absent; // why it is not here; empty: it is
+  bool own, slow;     // slow: measured once where it takes seconds, and not at all where it takes minutes
+  int threads;
+  std::unique_ptr<Child> child;
+  std::vector<Answer> answers;
 };
 
-// The store and work area for one plan.
-struct Streamed {
-  c2d::EliminationPlan plan;
-  std::vector<unsigned char> region, work;
-  c2d_memory_store store;
-  c2d_port port;
-  c2d::Tapes tapes;
-  std::vector<Real> scratch;
-  c2d::Engine engine;
+const std::string kForget = "OPENBLAS_CORETYPE=";
 
-  Streamed(int32_t n, uint64_t bytes) : plan(), store(), port(), tapes(), engine() {
-    if (c2d::plan_elimination(bytes, n, n, 0, 0, plan, nullptr) != C2D_OK)
-      give_up("no plan for the elimination");
-    work.resize(c2d::elimination_bytes(n, n, plan.panel_columns, plan.block_columns) + 64);
-    const c2d::TapeUse lower = c2d::lower_use(plan), upper = c2d::upper_use(plan);
-    const uint64_t block = std::max(lower.max_data_bytes, upper.max_data_bytes);
-    region.resize((lower.blocks + upper.blocks + 2) * (block + c2d::kBlockHeaderBytes + 64) + (1 << 16));
-    c2d_memory_store_init(&store, region.data(), region.size());
-    port = C2D_INIT(c2d_port);
-    c2d_memory_store_port(&store, &port);
-    tapes.port = &port;
-    tapes.run_id = 1;
-    if (c2d::open_tape(tapes, C2D_TAPE_LOWER, lower.blocks, lower.max_data_bytes) != C2D_OK ||
-        c2d::open_tape(tapes, C2D_TAPE_UPPER, upper.blocks, upper.max_data_bytes) != C2D_OK)
-      give_up("no tapes for the elimination");
-    scratch.resize(static_cast<size_t>(c2d::full_scratch(n, n)) + 8);
-    engine = {c2d::kernel_for(c2d::best_instructions()), scratch.data(), c2d::full_scratch(n, n), nullptr};
-  }
-  Streamed(const Streamed&) = delete;
-  Streamed& operator=(const Streamed&) = delete;
-  void run(const Matrix& m) {
-    unsigned char* start = work.data() + (64 - reinterpret_cast<uintptr_t>(work.data()) % 64) % 64;
-    const c2d::ColumnSource source = {const_cast<Matrix*>(&m), Matrix::fill};
-    if (c2d::eliminate(plan, source, {nullptr, nullptr}, tapes, start, nullptr, {nullptr, nullptr}, engine) !=
-        C2D_OK)
-      give_up("elimination failed");
-  }
-};
-
-// Row k from the rows below it, one after another, as DECOMP did, but for the rows' being contiguous here.
-void row_loops(int32_t n, int32_t pivots, Real* a) {
-  const size_t ld = static_cast<size_t>(n);
-  for (size_t i = 0; i < static_cast<size_t>(pivots); ++i) {
-    for (size_t j = i + 1; j < ld; ++j) {
-      const Real factor = -a[j * ld + i] / a[i * ld + i];
-      for (size_t k = i + 1; k < ld; ++k) a[j * ld + k] += factor * a[i * ld + k];
+class Field {
+public:
+  explicit Field(const Options& options) : options_(options) {
+    for (int threads = 1; threads <= 2; ++threads) {
+      for (int set = 3; set >= 1; --set) add_own(static_cast<Instructions>(set), threads);
+      add_openblas("openblas", kForget, threads);
     }
+    if (!options.openblas.empty()) {
+      best_core_ = best_core();
+      for (int threads = 1; threads <= 2; ++threads)
+        add_openblas("openblas_best", "OPENBLAS_CORETYPE=" + best_core_, threads);
+    }
+    add("eigen", {options.folder + "/rival_eigen"}, {}, false, 1);
+    add("eigen_native", {options.folder + "/rival_eigen_native"}, {}, false, 1);
+    const bool lapack = !options.lapack.empty();
+    add("lapack", {lapack ? options.folder + "/rival_lapack" : "", options.blas, options.lapack}, {}, true,
+        1);
+    add("rows_c", {options.folder + "/rival_rows"}, {}, true, 1);
+    add("rows_fortran", {options.folder + "/rival_rows_fortran"}, {}, true, 1);
   }
+  std::vector<Contender>& all() { return all_; }
+  const std::string& best_core_name() const { return best_core_; }
+
+private:
+  void add(const std::string& name, const std::vector<std::string>& words,
+           const std::vector<std::string>& environment, bool slow, int threads) {
+    Contender c = {name + (threads > 1 ? ".two_threads" : ""), "", false, slow, threads, nullptr, {}};
+    if (!is_program(words[0])) c.absent = "not installed when this was built";
+    if (c.absent.empty()) {
+      std::vector<std::string> all = environment;
+      for (const char* variable : {"OPENBLAS_NUM_THREADS=", "OMP_NUM_THREADS="})
+        all.push_back(variable + std::to_string(threads));
+      c.child = std::make_unique<Child>(words, all);
+      if (!c.child->alive()) c.absent = "does not start";
+    }
+    all_.push_back(std::move(c));
+  }
+  void add_own(Instructions set, int threads) {
+    const std::string name = name_of(set);
+    if (threads > 1 && set != c2d::best_instructions()) return;
+    add(name, {options_.self, "--serve", name, std::to_string(threads)}, {}, false, threads);
+    all_.back().own = true;
+    if (!has(set)) all_.back().absent = "not on this machine";
+  }
+  void add_openblas(const std::string& name, const std::string& core, int threads) {
+    add(name, {options_.openblas.empty() ? "" : options_.folder + "/rival_lapack", options_.openblas}, {core},
+        false, threads);
+  }
+  // The kernels of OpenBLAS that are fastest here, whatever it would choose by itself.
+  std::string best_core() const {
+    std::string best;
+    double least = 0;
+    for (const char* core : {"Haswell", "Zen", "SkylakeX", "Cooperlake", "Sapphirerapids"}) {
+      Child child({options_.folder + "/rival_lapack", options_.openblas},
+                  {std::string("OPENBLAS_CORETYPE=") + core, "OPENBLAS_NUM_THREADS=1"});
+      std::vector<double> seconds;
+      for (int turn = 0; turn < 3 && child.alive(); ++turn) {
+        const Answer a = ask(child, "time", "random:1", 1000);
+        if (a.ok) seconds.push_back(a.processor);
+      }
+      if (seconds.empty() || (least > 0 && median(seconds) >= least)) continue;
+      least = median(seconds);
+      best = core;
+    }
+    return best;
+  }
+
+  const Options& options_;
+  std::string best_core_;
+  std::vector<Contender> all_;
+};
+
+double seconds_of(const Answer& a, int threads) {
+  return threads > 1 ? a.wall : a.processor; // what others do on the machine counts least in processor time
 }
 
-// Operations of eliminating the first p of n columns, no right-hand side.
-double operations(double n, double p) {
-  return 2 * (p * n * n - p * p * n + p * p * p / 3);
+double asked_over_openblas(int n, bool best, int threads) {
+  if (threads > 1) return best || n < 320 ? 0 : n <= 1000 ? 1.8 : n == 2000 ? 1.25 : 1.0;
+  if (best) return n < 200 || n > 4000 ? 0 : n <= 2000 ? 1.1 : 1.0;
+  return n < 200 ? 0 : n <= 520 ? 1.4 : n <= 1000 ? 1.3 : n <= 2000 ? 1.1 : n <= 4000 ? 1.0 : 0.95;
+}
+
+bool takes_part(const Contender& c, int n) {
+  if (!c.absent.empty()) return false;
+  if (n > 2000)
+    return !c.slow && c.name != "eigen" &&
+           (n <= 4000 || !c.own || c.name == name_of(c2d::best_instructions()) || c.threads > 1);
+  return true;
+}
+
+void tell(const Contender& c, const Contender* own, int n) {
+  const std::string key = "lu." + std::to_string(n) + "." + c.name;
+  if (!c.absent.empty()) return note(key, c.absent);
+  if (c.answers.empty()) return;
+  std::vector<double> seconds, ratios, shares;
+  for (size_t i = 0; i < c.answers.size(); ++i) {
+    const double t = seconds_of(c.answers[i], c.threads);
+    seconds.push_back(t);
+    if (own && i < own->answers.size()) ratios.push_back(t / seconds_of(own->answers[i], c.threads));
+    if (c.answers[i].peak > 0) shares.push_back(c.answers[i].peak);
+  }
+  const double m = n, work = 2.0 / 3 * m * m * m + 2 * m * m;
+  std::string remark;
+  const bool openblas = c.name.compare(0, 8, "openblas") == 0;
+  if (!shares.empty()) {
+    for (size_t i = 0; i < shares.size(); ++i) shares[i] = work / seconds[i] * 1e-9 / shares[i];
+    const bool baseline = c.name == "baseline", best = c.name == name_of(c2d::best_instructions());
+    const double figure = best && n >= 1000 ? (n >= 2000 ? 0.80 : 0.75) : baseline && n >= 520 ? 0.55 : 0;
+    remark = judged(key + ".share", median(shares), ">=", figure, "of the peak");
+  } else if (!ratios.empty() && !c.own) {
+    const double figure =
+        openblas ? asked_over_openblas(n, c.name.compare(0, 13, "openblas_best") == 0, c.threads) : 0;
+    remark = judged(key + ".ratio", median(ratios), ">=", figure, "times as long as ours");
+  }
+  row(key, work / median(seconds) * 1e-9, "GFLOP/s", remark);
+}
+
+void race(Field& field, int n) {
+  const int turns = n <= 1000 ? 7 : n <= 4000 ? 3 : 1;
+  for (Contender& c : field.all()) c.answers.clear();
+  for (int turn = 0; turn < turns; ++turn)
+    for (Contender& c : field.all()) {
+      if (!takes_part(c, n) || (c.slow && turn > 0 && n >= 1000)) continue;
+      const Answer a = ask(*c.child, "time", "random:1", n);
+      if (a.ok) c.answers.push_back(a);
+      if (n > 2000) ask(*c.child, "time", "random:1", 10); // gives the large matrix back
+    }
+  const Contender* own[3] = {};
+  for (const Contender& c : field.all())
+    if (c.own && !own[c.threads] && !c.answers.empty()) own[c.threads] = &c;
+  for (const Contender& c : field.all()) tell(c, own[c.threads], n);
+}
+
+// Residuals beside those of LAPACK on three kinds of matrices.
+void residuals(Field& field) {
+  Contender* lapack = nullptr;
+  for (Contender& c : field.all())
+    if (c.absent.empty() && (c.name == "lapack" || (!lapack && c.name == "openblas"))) lapack = &c;
+  if (!lapack) return note("residual", "no LAPACK to compare with");
+  const int n = 800;
+  const std::string file = "/tmp/contact2d-bench-matrix-" + std::to_string(getpid());
+  write_boundary_matrix(file, n / 2);
+  const struct {
+    const char* name;
+    std::vector<std::string> matrices;
+  } kinds[] = {{"random", {"random:1", "random:2", "random:3", "random:4", "random:5"}},
+               {"graded", {"graded:1", "graded:2", "graded:3", "graded:4", "graded:5"}},
+               {"boundary", {"file:" + file}}};
+  heading("Scaled residual |b - A x| / (n eps |A| |x|), n = 800: medians, and over " + lapack->name + "'s");
+  for (const auto& kind : kinds)
+    for (Contender& c : field.all()) {
+      if (!c.own || c.threads > 1 || !c.absent.empty()) continue;
+      std::vector<double> ours, ratios;
+      for (const std::string& matrix : kind.matrices) {
+        const Answer a = ask(*c.child, "residual", matrix, n), b = ask(*lapack->child, "residual", matrix, n);
+        if (!a.ok || !b.ok) continue;
+        ours.push_back(a.residual);
+        ratios.push_back(a.residual / b.residual);
+      }
+      const std::string key = std::string("residual.") + kind.name + "." + c.name;
+      row(key, median(ours), "", judged(key + ".ratio", median(ratios), "<=", 2, "times LAPACK's"));
+    }
+  unlink(file.c_str());
 }
 
 } // namespace
 
-void elimination() {
-  heading("Elimination: GFLOP/s of n x n, partial pivoting, store in memory");
-  for (const int32_t n : {100, 200, 500, 1000, 2000}) {
-    const Matrix matrix(n);
-    const std::string name = "elimination." + std::to_string(n) + ".";
-    const uint64_t all = c2d::elimination_bytes_in_core(n, n, 0);
-    Streamed in_core(n, all), eighth(n, all / 8);
-    const double work = operations(n, n);
-    std::vector<Real> copy;
-    const int32_t pivots = n > 500 ? 500 * 500 / n : n; // a part will do where it lasts
-    // Taken in turns, so that a slow spell of the machine strikes all three.
-    std::vector<double> t[3];
-    for (int turn = 0; turn < 3; ++turn) {
-      const double enough = 0.1;
-      t[0].push_back(time_of(1, enough, [&] { in_core.run(matrix); }));
-      t[1].push_back(time_of(1, enough, [&] { eighth.run(matrix); }));
-      double last = 0;
-      std::vector<double> loops;
-      for (double spent = 0; loops.empty() || spent < enough; spent += last) {
-        copy = matrix.a;
-        const double start = processor_seconds();
-        row_loops(n, pivots, copy.data());
-        loops.push_back(last = processor_seconds() - start);
-      }
-      t[2].push_back(median(loops));
-    }
-    const double fast = work / median(t[0]) * 1e-9, small = work / median(t[1]) * 1e-9;
-    const double old = operations(n, pivots) / median(t[2]) * 1e-9;
-    row(name + "in_core", fast, "GFLOP/s", times(fast / old) + " of the row loops");
-    row(name + "eighth", small, "GFLOP/s",
-        times(small / old) + ", panels of " + std::to_string(eighth.plan.panel_columns) + " columns");
-    row(name + "row_loops", old, "GFLOP/s");
-  }
+void elimination(const Options& options) {
+  Field field(options);
+  heading("Elimination with one solution, n x n, partial pivoting; one thread by processor time, two by the "
+          "clock\n"
+          "openblas: the kernels it chooses; openblas_best: " +
+          (field.best_core_name().empty() ? "none" : field.best_core_name()) +
+          "; eigen: -O2; eigen_native: -O3 -march=native; rows: the loops of 1987");
+  for (const int n : {100, 200, 320, 520, 1000, 2000}) race(field, n);
+  if (options.large)
+    for (const int n : {4000, 8000}) race(field, n);
+  else
+    note("lu.4000, lu.8000", "make bench LARGE=1 (some minutes more)");
+  residuals(field);
 }
 
 } // namespace bench
