@@ -20,10 +20,12 @@ bool is_held_by_lines(const Model& m, int b, int32_t node, int component);
 void fold_across(const ModelHeader& head, double p[2]);
 // Lines on which all points of an element lie.
 int32_t lines_along(const Model& m, int b, int32_t element);
+#ifndef C2D_SYMMETRY_HERE // the file that has them
 C2D_OPTIONAL(lines_at_corner);
 C2D_OPTIONAL(is_held_by_lines);
 C2D_OPTIONAL(fold_across);
 C2D_OPTIONAL(lines_along);
+#endif
 
 inline bool is_axis_element(const Model& m, int b, int32_t element) {
   return m.head->symmetry != 0 && lines_along(m, b, element) != 0;

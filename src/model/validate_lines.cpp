@@ -1,4 +1,5 @@
 // Lines of symmetry: those asked for, or found among the elements, and whether the model fits them.
+#define C2D_SYMMETRY_HERE
 #include "model/geometry.hpp"
 #include "model/symmetry.hpp"
 #include "model/unknowns.hpp"
