@@ -278,6 +278,23 @@ TEST_CASE("kernels: an exchange is the plain one to the last digits") {
       }
       CHECK(fast.marks_stand());
       for (int64_t i = 0; i < size_of_all; ++i) CHECK(size(plain.at[i] - fast.at[i]) <= 4 * kEps);
+      // Two at once are two, one after the other.
+      const int32_t q = n / 3;
+      if (q == r || n < 2) continue;
+      Numbers one(size_of_all, 1, 15), two(size_of_all, 1, 15), both(size_of_all, 1, 15);
+      for (Numbers* each : {&one, &two, &both}) each->at[r + r * n] = each->at[q + q * n] = Real(2.5);
+      REQUIRE(exchange(n, n + 2, one.at, n, r, r));
+      REQUIRE(exchange(n, n + 2, one.at, n, q, q));
+      {
+        Traps traps;
+        REQUIRE(exchange_two(n, n + 2, two.at, n, r, q));
+        REQUIRE(exchange_two(n, n + 2, both.at, n, r, q, kernel));
+      }
+      CHECK(both.marks_stand());
+      for (int64_t i = 0; i < size_of_all; ++i) {
+        CHECK(size(one.at[i] - two.at[i]) <= 16 * kEps);
+        CHECK(size(one.at[i] - both.at[i]) <= 16 * kEps);
+      }
     }
   }
 }

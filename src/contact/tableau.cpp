@@ -40,8 +40,14 @@ bool exchange_pair(Tableau& t, const Pair& pair, bool (*usable)(const Tableau&, 
   const double first = normal_first ? aa : bb, second = normal_first ? bb : aa;
   if (!usable(t, first)) return false;
   if (!usable(t, second - static_cast<double>(entry(t, a, b)) * entry(t, b, a) / first)) return false;
-  pivot(t, normal_first ? a : b);
-  pivot(t, normal_first ? b : a);
+  const int32_t one = normal_first ? a : b, other = normal_first ? b : a;
+  if (kSmallCode) {
+    pivot(t, one);
+    pivot(t, other);
+  } else {
+    exchange_two(t.m, all_columns(t), t.t, t.m, one, other, t.kernel);
+    t.exchanges += 2;
+  }
   return true;
 }
 

@@ -9,13 +9,26 @@ void plain_add(int32_t n, Real factor, const Real* __restrict x, Real* __restric
   for (int32_t i = 0; i < n; ++i) y[i] += factor * x[i];
 }
 
+void plain_add_two(int32_t n, Real f, const Real* __restrict x, Real g, const Real* __restrict z, Real* __restrict y) {
+  for (int32_t i = 0; i < n; ++i) y[i] = y[i] + f * x[i] + g * z[i];
+}
+
+bool usable(Real pivot) { return (pivot < 0 ? -pivot : pivot) >= std::numeric_limits<Real>::min(); }
+
+// The pivot's own column, when the others have been dealt with.
+void finish(int32_t rows, int32_t r, Real* column) {
+  const Real pivot = column[r];
+  for (int32_t i = 0; i < rows; ++i) column[i] /= pivot;
+  column[r] = 1 / pivot;
+}
+
 } // namespace
 
 bool exchange(int32_t rows, int32_t cols, Real* t, int64_t ld, int32_t r, int32_t c, const Kernel* kernel) {
   C2D_ASSERT(r >= 0 && r < rows && c >= 0 && c < cols && ld >= rows);
   Real* pivot_column = t + c * ld;
   const Real pivot = pivot_column[r];
-  if ((pivot < 0 ? -pivot : pivot) < std::numeric_limits<Real>::min()) return false;
+  if (!usable(pivot)) return false;
   const auto add = !kSmallCode && kernel ? kernel->add : plain_add;
   for (int32_t j = 0; j < cols; ++j) {
     Real* column = t + j * ld;
@@ -24,8 +37,33 @@ bool exchange(int32_t rows, int32_t cols, Real* t, int64_t ld, int32_t r, int32_
     add(rows, entry, pivot_column, column);
     column[r] = entry;
   }
-  for (int32_t i = 0; i < rows; ++i) pivot_column[i] /= pivot;
-  pivot_column[r] = 1 / pivot;
+  finish(rows, r, pivot_column);
+  return true;
+}
+
+// Every other column is met once: what the first exchange leaves of its entry in row b is known before.
+bool exchange_two(int32_t rows, int32_t cols, Real* t, int64_t ld, int32_t a, int32_t b, const Kernel* kernel) {
+  if (kSmallCode) return exchange(rows, cols, t, ld, a, a) && exchange(rows, cols, t, ld, b, b);
+  Real *first = t + a * ld, *second = t + b * ld;
+  if (!usable(first[a]) || !usable(second[b] - first[b] * second[a] / first[a])) return false;
+  const auto add = kernel ? kernel->add : plain_add;
+  const auto add_two = kernel ? kernel->add_two : plain_add_two;
+  const Real corner = -second[a] / first[a];
+  add(rows, corner, first, second);
+  second[a] = corner;
+  for (int32_t j = 0; j < cols; ++j) {
+    Real* column = t + j * ld;
+    if (j == a || j == b || (column[a] == 0 && column[b] == 0)) continue;
+    const Real f = -column[a] / first[a], g = -(column[b] + f * first[b]) / second[b];
+    add_two(rows, f, first, g, second, column);
+    column[a] = f + g * second[a];
+    column[b] = g;
+  }
+  finish(rows, a, first);
+  const Real entry = -first[b] / second[b];
+  add(rows, entry, second, first);
+  first[b] = entry;
+  finish(rows, b, second);
   return true;
 }
 

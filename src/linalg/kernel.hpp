@@ -39,6 +39,8 @@ struct Kernel {
   void (*from_rows)(int32_t k, const Real* from, Real* b, int64_t ldb);
   // y (n) += factor x.
   void (*add)(int32_t n, Real factor, const Real* x, Real* y);
+  // y (n) += f x + g z.
+  void (*add_two)(int32_t n, Real f, const Real* x, Real g, const Real* z, Real* y);
 };
 constexpr int32_t kMostTileNumbers = 24 * 8 * static_cast<int32_t>(sizeof(double) / sizeof(Real));
 

@@ -221,22 +221,32 @@ void add(int32_t n, Real factor, const Real* x, Real* y) {
   for (; i < n; ++i) y[i] += factor * x[i];
 }
 
-Real largest_entry(int32_t n, const Real* x) {
-  Vector most_each[2] = {};
+void add_two(int32_t n, Real f, const Real* x, Real g, const Real* z, Real* y) {
   int32_t i = 0;
   for (; i + 2 * kLanes <= n; i += 2 * kLanes) {
 #pragma GCC unroll 2
-    for (int32_t v = 0; v < 2; ++v) {
-      const Vector size = size_of(vector_at(x + i + v * kLanes)->v);
-      most_each[v] = size > most_each[v] ? size : most_each[v];
-    }
+    for (int32_t v = i; v < i + 2 * kLanes; v += kLanes)
+      vector_at(y + v)->v = vector_at(y + v)->v + f * vector_at(x + v)->v + g * vector_at(z + v)->v;
   }
-  Real most = most_of(most_each[0] > most_each[1] ? most_each[0] : most_each[1]);
-  for (; i < n; ++i) {
-    const Real size = x[i] < 0 ? -x[i] : x[i];
-    most = size > most ? size : most;
+  for (; i < n; ++i) y[i] = y[i] + f * x[i] + g * z[i];
+}
+
+// The last vector may overlap with the one before it.
+Real largest_entry(int32_t n, const Real* x) {
+  if (n < kLanes) {
+    Real most = 0;
+    for (int32_t i = 0; i < n; ++i) most = x[i] > most ? x[i] : (-x[i] > most ? -x[i] : most);
+    return most;
   }
-  return most;
+  Vector most_each[2] = {size_of(vector_at(x + n - kLanes)->v), {}};
+  for (int32_t i = 0; i + kLanes <= n; i += 2 * kLanes) {
+    const Vector size = size_of(vector_at(x + i)->v);
+    most_each[0] = size > most_each[0] ? size : most_each[0];
+    if (i + 2 * kLanes > n) break;
+    const Vector next = size_of(vector_at(x + i + kLanes)->v);
+    most_each[1] = next > most_each[1] ? next : most_each[1];
+  }
+  return most_of(most_each[0] > most_each[1] ? most_each[0] : most_each[1]);
 }
 
 void pack(int32_t k, const Real* a, int64_t lda, Real* to) {
@@ -309,7 +319,7 @@ void from_rows(int32_t k, const Real* from, Real* b, int64_t ldb) {
 }
 
 constexpr Kernel kLoops = {kVectors * kLanes, kCols, tile, solve,   solve_upper, column, scale,
-                           largest_entry,     pack,  to_rows, from_rows, add};
+                           largest_entry,     pack,  to_rows, from_rows, add,    add_two};
 
 } // namespace
 } // namespace c2d

@@ -173,7 +173,8 @@ int32_t at_least_none(int32_t n) { return n > 0 ? n : 0; }
 
 int32_t lu_width(int32_t rows) {
   if (kSmallCode) return 32;
-  return rows <= 256 ? 32 : (rows <= 640 ? 64 : (rows <= 1280 ? 128 : kWidestLuBlock));
+  if (rows <= 640) return rows <= 256 ? 32 : 64;
+  return rows <= 1280 ? 128 : (rows <= 2400 ? 256 : kWidestLuBlock);
 }
 
 int32_t lu_step(const Lu& lu, int32_t first) {

@@ -41,7 +41,7 @@ struct Lu {
 // updated by it, and the block after it is factored meanwhile. Returns the number of columns without a usable pivot
 // found. A block of L is left alone once it is factored: its rows stay as they were then, until lu_settle puts all
 // blocks into the order of P.
-constexpr int32_t kWidestLuBlock = 256;
+constexpr int32_t kWidestLuBlock = 384;
 int32_t lu_width(int32_t rows);
 int32_t lu_step(const Lu& lu, int32_t first);
 // All steps.

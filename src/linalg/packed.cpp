@@ -14,31 +14,33 @@ int32_t whole(int32_t n, int32_t step) {
   return (n + step - 1) / step * step;
 }
 
-// How an engine's scratch is divided: `depth` steps of the inner index and `width` columns at a time.
+// How an engine's scratch is divided: for `depth` steps of the inner index, `slices` of a tile's rows of A and `width`
+// columns of B.
 struct Packing {
   const Kernel& kernel;
   Real *left, *right;
-  int32_t depth, width;
+  int32_t depth, slices, width;
 };
 
+// Depth first, since the numbers depend on it; a quarter of the rest for A.
 Packing packing(const Engine& engine, int32_t k, int32_t n) {
   const Kernel& kernel = *engine.kernel;
   const int64_t for_depth = engine.numbers / (kernel.rows + kernel.cols);
-  const int32_t depth =
-      smaller(smaller(k, kDepth), for_depth > kDepth ? kDepth : static_cast<int32_t>(for_depth));
-  const int64_t for_width = engine.numbers / (depth > 0 ? depth : 1) - kernel.rows;
-  const int32_t width =
-      for_width > kWidth ? kWidth : static_cast<int32_t>(for_width) / kernel.cols * kernel.cols;
+  const int32_t depth = smaller(smaller(k, kDepth), for_depth > kDepth ? kDepth : static_cast<int32_t>(for_depth));
+  const int64_t each = engine.numbers / (depth > 0 ? depth : 1); // numbers for each step of the inner index
+  const int64_t some = each / 4 / kernel.rows;
+  const int32_t slices = some < 1 ? 1 : (some > kSlices ? kSlices : static_cast<int32_t>(some));
+  const int64_t rest = each - static_cast<int64_t>(slices) * kernel.rows;
+  const int32_t width = rest > kWidth ? kWidth : static_cast<int32_t>(rest) / kernel.cols * kernel.cols;
   const int32_t wide = smaller(width, whole(n, kernel.cols));
-  const int64_t used = static_cast<int64_t>(depth) * (kernel.rows + wide);
+  const int64_t left = static_cast<int64_t>(depth) * slices * kernel.rows, used = left + static_cast<int64_t>(depth) * wide;
   if (engine.used && used > *engine.used) *engine.used = used;
-  return {kernel, engine.scratch, engine.scratch + static_cast<int64_t>(depth) * kernel.rows, depth, wide};
+  return {kernel, engine.scratch, engine.scratch + left, depth, slices, wide};
 }
 
 // A (m x k, m <= rows of a tile) without gaps, zeros below it.
-void pack_left(const Packing& p, int32_t m, int32_t k, const Real* a, int64_t lda) {
-  if (m == p.kernel.rows) return p.kernel.pack(k, a, lda, p.left);
-  Real* to = p.left;
+void pack_left(const Packing& p, int32_t m, int32_t k, const Real* a, int64_t lda, Real* to) {
+  if (m == p.kernel.rows) return p.kernel.pack(k, a, lda, to);
   for (int32_t j = 0; j < k; ++j, a += lda) {
     for (int32_t i = 0; i < m; ++i) to[i] = a[i];
     for (int32_t i = m; i < p.kernel.rows; ++i) to[i] = 0;
@@ -86,44 +88,35 @@ void unpack_right(const Packing& p, int32_t n, int32_t k, const Right& right, Re
 }
 
 // A tile of m x n that may be smaller than the kernel's.
-void edge(const Packing& p, int32_t m, int32_t n, int32_t k, const Real* right, Real* c, int64_t ldc) {
+void edge(const Packing& p, int32_t m, int32_t n, int32_t k, const Real* left, const Real* right, Real* c, int64_t ldc) {
   Real buffer[kMostTileNumbers] = {};
-  p.kernel.tile(k, p.left, p.kernel.rows, right, buffer, p.kernel.rows);
+  p.kernel.tile(k, left, p.kernel.rows, right, buffer, p.kernel.rows);
   for (int32_t j = 0; j < n; ++j) {
     for (int32_t i = 0; i < m; ++i) c[i + j * ldc] += buffer[i + j * p.kernel.rows];
   }
 }
 
-// Asks for a part of the slice of A that comes next, so that packing it need not wait: its columns lie far apart.
-void ask_for(int32_t from, int32_t to, int32_t rows, const Real* a, int64_t lda) {
-#ifdef __GNUC__
-  constexpr int32_t kLine = 64 / static_cast<int32_t>(sizeof(Real));
-  for (int32_t k = from; k < to; ++k) {
-    for (int32_t i = 0; i < rows; i += kLine) __builtin_prefetch(a + i + k * lda, 0, 2);
-  }
-#endif
-}
-
-// C (m x n) -= A (m x k) times what is packed on the right.
+// C (m x n) -= A (m x k) times what is packed on the right. A few slices of A at a time: each column of C is met in
+// longer pieces, and each slice of B serves all of them while it is near.
 void product(const Packing& p, int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, const Right& right, Real* c,
              int64_t ldc) {
-  const int32_t rows = p.kernel.rows, cols = p.kernel.cols, share = k * cols / n + 1;
-  for (int32_t i = 0; i < m; i += rows) {
-    const int32_t high = smaller(rows, m - i);
-    // For few columns packing costs more than it saves.
-    const bool packed = n > 2 * cols || high < rows || n % cols != 0;
-    if (packed) pack_left(p, high, k, a + i, lda);
-    int32_t asked = 0;
+  const int32_t rows = p.kernel.rows, cols = p.kernel.cols, band = rows * p.slices;
+  // For few columns packing costs more than it saves.
+  const bool packed = n > 2 * cols || n % cols != 0;
+  for (int32_t top = 0; top < m; top += band) {
+    const int32_t end = smaller(top + band, m);
+    for (int32_t i = top; i < end; i += rows) {
+      if (packed || end - i < rows) pack_left(p, smaller(rows, end - i), k, a + i, lda, p.left + (i - top) * k);
+    }
     for (int32_t j = 0; j < n; j += cols) {
-      Real* at = c + i + j * ldc;
-      if (i + 2 * rows <= m && packed) {
-        ask_for(asked, asked + share < k ? asked + share : k, rows, a + i + rows, lda);
-        asked += share;
+      for (int32_t i = top; i < end; i += rows) {
+        const Real* left = p.left + (i - top) * k;
+        Real* at = c + i + j * ldc;
+        if (end - i < rows || n - j < cols)
+          edge(p, smaller(rows, end - i), smaller(cols, n - j), k, left, right.slice(j), at, ldc);
+        else
+          p.kernel.tile(k, packed ? left : a + i, packed ? rows : lda, right.slice(j), at, ldc);
       }
-      if (high < rows || n - j < cols)
-        edge(p, high, smaller(cols, n - j), k, right.slice(j), at, ldc);
-      else
-        p.kernel.tile(k, packed ? p.left : a + i, packed ? rows : lda, right.slice(j), at, ldc);
     }
   }
 }
@@ -160,7 +153,7 @@ void upper_once(const Packing& p, int32_t w, int32_t n, const Real* u, int64_t l
 
 int64_t engine_numbers(const Kernel* kernel, int32_t k, int32_t n) {
   const int32_t depth = smaller(k, kDepth), width = smaller(whole(n, kernel->cols), kWidth);
-  return static_cast<int64_t>(depth) * (kernel->rows + width);
+  return static_cast<int64_t>(depth) * (kSlices * kernel->rows + width);
 }
 
 bool can_pack(const Engine& engine) {
