@@ -77,10 +77,12 @@ Strip strip_of(const Reduction& r) {
   const int64_t half = full_scratch(m, m) / 2 / 8 * 8, wide = half / m / 8 * 8;
   if (kSmallCode || !r.engine.kernel || r.engine.numbers < 2 * half || wide < 2 * kStripColumns)
     return {r.engine, r.strip, kStripColumns};
-  Strip strip = {r.engine, r.engine.scratch + half, wide < 64 ? static_cast<int32_t>(wide) : 64};
+  const int32_t most = m < 64 ? m : 64;
+  Strip strip = {r.engine, r.engine.scratch + half, wide < most ? static_cast<int32_t>(wide) : most};
   strip.engine.numbers = half;
   strip.engine.used = nullptr;
-  if (r.engine.used && *r.engine.used < 2 * half) *r.engine.used = 2 * half;
+  const int64_t used = half + static_cast<int64_t>(strip.count) * m;
+  if (r.engine.used && *r.engine.used < used) *r.engine.used = used;
   return strip;
 }
 
