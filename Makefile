@@ -84,14 +84,14 @@ $(LIBRARY): $(CORE_OBJECTS) $(PORT_OBJECTS) src/sources.mk
 EXPORTS := port/packaging/contact2d.map
 $(SHARED): $(CORE_OBJECTS) $(PORT_OBJECTS) $(EXPORTS)
 	$(CC) -shared $(LDFLAGS) -Wl,-soname,libcontact2d.so.$(SOVERSION) -Wl,--version-script,$(EXPORTS) \
-	  -o $@ $(CORE_OBJECTS) $(PORT_OBJECTS) -lm
+	  -o $@ $(CORE_OBJECTS) $(PORT_OBJECTS) -lm -pthread
 symbols: $(SHARED)
 	sh port/packaging/symbols.sh $(SHARED) port/packaging/contact2d.symbols $(VERSION)
 
 # With the C++ run-time inside, where there is a static one: a run of 5 ms would spend a tenth on loading it.
 $(PROGRAM): $(PROGRAM_OBJECTS) $(REPORT_OBJECTS) $(LIBRARY)
-	$(CXX) $(CXXFLAGS) $(LDFLAGS) -static-libstdc++ -static-libgcc -o $@ $^ -lm 2>/dev/null || \
-	  $(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm
+	$(CXX) $(CXXFLAGS) $(LDFLAGS) -static-libstdc++ -static-libgcc -o $@ $^ -lm -pthread 2>/dev/null || \
+	  $(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm -pthread
 
 # ---------------------------------------------------------------- microcontrollers
 include port/cortex-m/embedded.mk

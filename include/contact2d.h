@@ -239,8 +239,10 @@ typedef struct c2d_port {
   int32_t (*write)(void* context, int32_t tape, uint64_t block, const void* data, uint64_t bytes);
   int32_t (*sync)(void* context, int32_t tape);
   int32_t (*close)(void* context, int32_t tape);
-  /* Optional: overlap of transfers with arithmetic. The buffer is the port's until wait(ticket) returns; at most
-     4 transfers are outstanding; all calls come from the thread that called the library.            */
+  /* Optional, all three or none: overlap of transfers with arithmetic. The buffer is the port's until wait(ticket)
+     returns; at most 4 transfers are outstanding, and each is waited for before the library's call returns; reads see
+     writes begun earlier; read and write may be called in between. All calls come from the thread that called the
+     library. A start that fails has no ticket.                                                       */
   int32_t (*start_read)(void* context, int32_t tape, uint64_t block, void* data, uint64_t bytes, int32_t* ticket);
   int32_t (*start_write)(void* context, int32_t tape, uint64_t block, const void* data, uint64_t bytes,
                          int32_t* ticket);

@@ -131,6 +131,7 @@ PORT_SOURCES += port/fortran/fortran77_solve.cpp
 PORT_SOURCES += port/fortran/fortran77_words.cpp
 PORT_SOURCES += port/memory/c2d_memory.cpp
 PORT_SOURCES += port/posix/c2d_posix.cpp
+PORT_SOURCES += port/posix/transfers.cpp
 PORT_SOURCES += port/stdio/c2d_stdio.cpp
 PORT_SOURCES += port/threads/c2d_threads.cpp
 REPORT_SOURCES += src/report/axes.cpp

@@ -146,11 +146,11 @@ c2d_status open_for(const EliminationPlan& plan, Tapes& tapes) {
 }
 
 EliminationPlan plan_of(const Problem& p, int32_t width, int32_t block) {
-  return {p.rows, p.pivots, p.trailing, width, block, 0, 0, 0};
+  return {p.rows, p.pivots, p.trailing, width, block, 0, 0, 0, 0};
 }
 
 uint64_t work_bytes(const EliminationPlan& plan) {
-  return elimination_bytes(plan.rows, plan.pivots, plan.panel_columns, plan.block_columns);
+  return elimination_bytes(plan);
 }
 
 c2d_status run(Problem& p, const EliminationPlan& plan, Tapes& tapes, PivotStats* stats) {
@@ -306,6 +306,53 @@ TEST_CASE("eliminating in panels of any width gives what textbook elimination gi
         // Random matrices of this size have condition numbers up to some 1e3.
         check_against_reference(p, plan, store.tapes, 1e4 * kEps);
       }
+    }
+  }
+}
+
+TEST_CASE("strips of L and narrower chunks of U give the same numbers") {
+  for (int32_t rows : {67, 130}) {
+    for (int32_t width : {16, 33, 60}) {
+      for (int32_t high : {16, 17, 40, 66, 130}) {
+        Problem p(rows, rows - 12, 31, 19), q(rows, rows - 12, 31, 19);
+        EliminationPlan plan = plan_of(p, width, 16);
+        Store store, whole;
+        REQUIRE(open_for(plan, whole.tapes) == C2D_OK);
+        const Numbers expected = check_against_reference(p, plan, whole.tapes, 1e4 * kEps);
+        plan.block_rows = high;
+        CAPTURE(rows);
+        CAPTURE(width);
+        CAPTURE(high);
+        REQUIRE(open_for(plan, store.tapes) == C2D_OK);
+        const Numbers x = check_against_reference(q, plan, store.tapes, 1e4 * kEps);
+        CHECK(largest_difference(x, expected) < 5000 * kEps);
+        if (high < rows) CHECK(lower_use(plan).blocks > lower_use(plan_of(p, width, 16)).blocks);
+        // The strips of a chunk are its rows; only headers are more.
+        const TapeUse cut = lower_use(plan), uncut = lower_use(plan_of(p, width, 16));
+        CHECK(cut.bytes_written - 64 * cut.blocks == uncut.bytes_written - 64 * uncut.blocks);
+        CHECK(cut.max_data_bytes <= 16 * static_cast<uint64_t>(high) * sizeof(Real));
+        CHECK(upper_use(plan).max_data_bytes <= 16 * static_cast<uint64_t>(high) * sizeof(Real));
+      }
+    }
+  }
+}
+
+TEST_CASE("bytes moved stay below n / (3 w) + 2.5 matrices, whatever the memory") {
+  for (int32_t n : {500, 1000, 2000, 4000, 8000, 20000}) {
+    const double matrix = static_cast<double>(n) * n * sizeof(Real);
+    for (int32_t part : {2, 3, 4, 8, 16, 32, 64}) {
+      CAPTURE(n);
+      CAPTURE(part);
+      EliminationPlan plan;
+      REQUIRE(plan_elimination(static_cast<uint64_t>(matrix) / static_cast<uint64_t>(part), n, n, 1, 0, plan, nullptr) ==
+              C2D_OK);
+      const TapeUse lower = lower_use(plan), upper = upper_use(plan);
+      const double moved = static_cast<double>(lower.bytes_written + lower.bytes_read + upper.bytes_written + upper.bytes_read);
+      CHECK(moved / matrix <= n / (3.0 * plan.panel_columns) + 2.5);
+      if (n / part < 64) continue; // narrow panels make do with one buffer
+      CHECK(block_buffers(plan) == 2);
+      // Buffers take little from the panel, so that the bound itself is near n^3 / 3 over the memory.
+      CHECK(plan.panel_columns >= 0.8 * n / part);
     }
   }
 }

@@ -78,7 +78,8 @@ module contact2d
 
   ! ---- numbers of c2d_posix.h
   integer(c_int32_t), parameter :: C2D_POSIX_STORE_TAPE = -1, C2D_POSIX_STORE_RANGE = -2, &
-      C2D_POSIX_STORE_END = -3, C2D_POSIX_STORE_LOCKED = -4, C2D_POSIX_STORE_STUCK = -5
+      C2D_POSIX_STORE_END = -3, C2D_POSIX_STORE_LOCKED = -4, C2D_POSIX_STORE_STUCK = -5, &
+      C2D_POSIX_STORE_TICKET = -6
 
   ! ---- numbers of c2d_threads.h
   integer(c_int32_t), parameter :: C2D_THREADS_MOST = 64
@@ -352,6 +353,7 @@ module contact2d
     integer(c_int32_t) :: file(C2D_TAPES) = 0
     integer(c_int64_t) :: blocks(C2D_TAPES) = 0
     integer(c_int64_t) :: block_bytes(C2D_TAPES) = 0
+    type(c_ptr) :: helper = c_null_ptr
   end type
 
   type, bind(C) :: c2d_threads

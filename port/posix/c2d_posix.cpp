@@ -1,7 +1,7 @@
 #ifndef _FILE_OFFSET_BITS
 #define _FILE_OFFSET_BITS 64
 #endif
-#include "c2d_posix.h"
+#include "transfers.hpp"
 #include <errno.h>
 #include <fcntl.h>
 #include <string.h>
@@ -136,9 +136,21 @@ int32_t sync_tape(void* context, int32_t tape) {
 }
 
 int32_t close_tape(void* context, int32_t tape) {
-  if (!is_open(self(context), tape)) return C2D_POSIX_STORE_TAPE;
-  return close_file(&self(context)->file[tape]);
+  c2d_posix_store* s = self(context);
+  if (!is_open(s, tape)) return C2D_POSIX_STORE_TAPE;
+  bool others = false;
+  for (int32_t other = 0; other < C2D_TAPES; ++other) others |= other != tape && is_open(s, other);
+  if (!others) stop_posix_transfers(s);
+  return close_file(&s->file[tape]);
 }
+
+int32_t start_read(void* context, int32_t tape, uint64_t block, void* data, uint64_t bytes, int32_t* ticket) {
+  return start_posix_transfer(self(context), {tape, false, block, bytes, data}, ticket);
+}
+int32_t start_write(void* context, int32_t tape, uint64_t block, const void* data, uint64_t bytes, int32_t* ticket) {
+  return start_posix_transfer(self(context), {tape, true, block, bytes, const_cast<void*>(data)}, ticket);
+}
+int32_t wait(void* context, int32_t ticket) { return wait_posix_transfer(self(context), ticket); }
 
 // 0: locked; C2D_POSIX_STORE_LOCKED: by someone else; or errno.
 int32_t lock_file(int file) {
@@ -168,6 +180,11 @@ int32_t lock_folder(c2d_posix_store* s) {
 
 } // namespace
 
+int32_t do_posix_transfer(c2d_posix_store* store, const PosixTransfer& t) {
+  return t.writes ? write_block(store, t.tape, t.block, t.data, t.bytes)
+                  : read_block(store, t.tape, t.block, t.data, t.bytes);
+}
+
 extern "C" {
 
 int32_t c2d_posix_store_init(c2d_posix_store* store, const char* folder) {
@@ -193,10 +210,14 @@ void c2d_posix_store_port(c2d_posix_store* store, c2d_port* out) {
   out->write = write_block;
   out->sync = sync_tape;
   out->close = close_tape;
+  out->start_read = start_read;
+  out->start_write = start_write;
+  out->wait = wait;
 }
 
 int32_t c2d_posix_store_remove(c2d_posix_store* store) {
   int32_t first = 0;
+  stop_posix_transfers(store);
   for (int32_t tape = 0; tape < C2D_TAPES; ++tape) {
     const int32_t closed = close_file(&store->file[tape]);
     if (first == 0) first = closed;
@@ -208,6 +229,7 @@ int32_t c2d_posix_store_remove(c2d_posix_store* store) {
 
 int32_t c2d_posix_store_done(c2d_posix_store* store) {
   int32_t first = 0;
+  stop_posix_transfers(store);
   for (int32_t tape = 0; tape < C2D_TAPES; ++tape) {
     const int32_t code = close_file(&store->file[tape]);
     if (first == 0) first = code;

@@ -1,5 +1,7 @@
 /* A block store in files tape0.c2d ... tape3.c2d of a folder, for POSIX systems: transfers at given offsets that go on
    after interruptions, fsync, and a lock that keeps a second solver, in this or another process, out of the folder.
+   Blocks are read ahead and written behind by a thread of the store's, from the first such transfer on until the last
+   tape is closed; it blocks all signals. (Before glibc 2.34 programs then link with -pthread.)
 
      c2d_posix_store store;
      c2d_port port = C2D_INIT(c2d_port);
@@ -24,7 +26,8 @@ enum {
   C2D_POSIX_STORE_RANGE = -2, /* a block beyond the end of the tape, too many bytes, an offset too large */
   C2D_POSIX_STORE_END = -3,   /* read: the file ends before the block does                              */
   C2D_POSIX_STORE_LOCKED = -4,/* init: the folder is in use by another store                            */
-  C2D_POSIX_STORE_STUCK = -5  /* write: the system takes no more bytes without saying why               */
+  C2D_POSIX_STORE_STUCK = -5, /* write: the system takes no more bytes without saying why               */
+  C2D_POSIX_STORE_TICKET = -6 /* start: four transfers are under way; wait: no such transfer is          */
 };
 
 /* Members are the store's own; do not touch. They are file descriptors, -1: none. */
@@ -32,12 +35,13 @@ typedef struct c2d_posix_store {
   int32_t folder, lock;
   int32_t file[C2D_TAPES];
   uint64_t blocks[C2D_TAPES], block_bytes[C2D_TAPES];
+  void* helper; /* the thread and its queue; null: none */
 } c2d_posix_store;
 
 /* Make the folder unless it is there (its parent must be), and lock it by its file `lock` until _done or the end of
    the process. Returns 0, C2D_POSIX_STORE_LOCKED or errno; after a failure nothing is held. */
 int32_t c2d_posix_store_init(c2d_posix_store* store, const char* folder);
-/* Set context, open, read, write, sync and close of *out; the rest of it is left alone. */
+/* Set context, open, read, write, sync, close, start_read, start_write and wait of *out; the rest of it is left alone. */
 void c2d_posix_store_port(c2d_posix_store* store, c2d_port* out);
 /* Close and delete the tapes; the folder stays locked. Returns 0 or the first errno; a file that is not there is
    no failure. */

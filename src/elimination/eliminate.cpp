@@ -6,14 +6,108 @@
 namespace c2d {
 namespace {
 
+// The buffers for blocks, taken in turns, and what is on its way to and from them.
+struct Buffers {
+  Tapes& tapes;
+  unsigned char* base;
+  uint64_t step;  // bytes from one to the next
+  int32_t count;
+  int32_t next;   // in turn
+  BlockTransfer transfer[kMostBuffers];
+
+  unsigned char* at(int32_t slot) const { return base + step * static_cast<uint64_t>(slot); }
+  bool ahead() const { return count > 1; }
+};
+
+// The buffer in turn, once what was under way there has ended.
+c2d_status take_buffer(Buffers& buffers, int32_t* slot) {
+  *slot = buffers.next;
+  buffers.next = (buffers.next + 1) % buffers.count;
+  return finish_transfer(buffers.tapes, buffers.transfer[*slot]);
+}
+
+// Nothing is under way when this returns: the error there was already, or the first that turns up.
+c2d_status finish_all(Buffers& buffers, c2d_status status) {
+  for (int32_t turn = 0; turn < buffers.count; ++turn) {
+    const int32_t slot = (buffers.next + turn) % buffers.count; // the oldest first
+    if (status == C2D_OK)
+      status = finish_transfer(buffers.tapes, buffers.transfer[slot]);
+    else
+      abandon_transfer(buffers.tapes, buffers.transfer[slot]);
+  }
+  return status;
+}
+
+c2d_status start_write(Buffers& buffers, int32_t slot, int32_t tape, uint64_t block, uint64_t data_bytes) {
+  return start_transfer(buffers.tapes, buffers.transfer[slot], BlockTransfer::write, tape, block, buffers.at(slot),
+                        data_bytes, buffers.ahead());
+}
+
+// The blocks of a tape in the order in which they are wanted: chunks before column `end`, forward, or for back
+// substitution those of the trailing columns and then backward through the eliminated ones.
+struct Pass {
+  const EliminationPlan& plan;
+  Buffers& buffers;
+  int32_t tape, end;
+  bool back;
+  int32_t under_way;
+  Chunk now, ahead; // the next to be worked on, and to be asked for
+
+  bool wanted(const Chunk& chunk) const { return chunk.count > 0 && chunk.first < end; }
+  Chunk after(const Chunk& chunk) const {
+    if (tape == C2D_TAPE_LOWER) return next_strip(plan, chunk);
+    if (back && chunk.first < plan.pivots) return chunk.first > 0 ? chunk_before(plan, chunk.first) : Chunk{0, 0, 0, 0, 0};
+    const Chunk next = next_chunk(plan, chunk);
+    return back && next.count == 0 ? chunk_before(plan, plan.pivots) : next;
+  }
+};
+
+Pass forward(const EliminationPlan& plan, Buffers& buffers, int32_t tape, int32_t end) {
+  const Chunk start = first_chunk(plan);
+  return {plan, buffers, tape, end, false, 0, start, start};
+}
+
+Pass backward(const EliminationPlan& plan, Buffers& buffers) {
+  const Chunk last = chunk_before(plan, plan.pivots), start = plan.trailing > 0 ? next_chunk(plan, last) : last;
+  return {plan, buffers, C2D_TAPE_UPPER, plan.pivots + plan.trailing, true, 0, start, start};
+}
+
+// Ask for as many blocks as there are buffers, and wait for the first of them: the numbers of chunk.count columns.
+// chunk.count = 0: that was all. They stay until the next call.
+c2d_status next_block(Pass& pass, Chunk& chunk, const Real** data) {
+  Buffers& buffers = pass.buffers;
+  const EliminationPlan& plan = pass.plan;
+  const bool lower = pass.tape == C2D_TAPE_LOWER;
+  for (; pass.under_way < buffers.count && pass.wanted(pass.ahead); ++pass.under_way) {
+    const int32_t slot = (buffers.next + pass.under_way) % buffers.count;
+    c2d_status status = finish_transfer(buffers.tapes, buffers.transfer[slot]);
+    if (status != C2D_OK) return status;
+    status = start_transfer(buffers.tapes, buffers.transfer[slot], BlockTransfer::read, pass.tape,
+                            (lower ? plan.lower_first_block : plan.upper_first_block) + pass.ahead.index, buffers.at(slot),
+                            lower ? lower_bytes(plan, pass.ahead) : upper_bytes(plan, pass.ahead), buffers.ahead());
+    if (status != C2D_OK) return status;
+    pass.ahead = pass.after(pass.ahead);
+  }
+  chunk = pass.now;
+  if (pass.under_way == 0) {
+    chunk.count = 0;
+    return C2D_OK;
+  }
+  pass.now = pass.after(pass.now);
+  --pass.under_way;
+  int32_t slot;
+  const c2d_status status = take_buffer(buffers, &slot);
+  *data = reinterpret_cast<const Real*>(buffers.at(slot) + kBlockHeaderBytes);
+  return status;
+}
+
 // The panel in memory and everything needed to work on it.
 struct Panel {
   const EliminationPlan& plan;
-  Tapes& tapes;
   const Watch& watch;
   Real* columns; // rows x count
   int64_t ld;
-  unsigned char* block; // header room and data of one block
+  Buffers& buffers;
   Real* norms;          // largest entry of each column as filled
   int32_t* pivots;      // for all eliminated columns, absolute rows
   int32_t first, count; // columns of the matrix
@@ -22,7 +116,6 @@ struct Panel {
   const Engine& engine;
 
   Real* column(int32_t j) const { return columns + j * ld; }
-  Real* data() const { return reinterpret_cast<Real*>(block + kBlockHeaderBytes); }
 };
 
 c2d_status tell(const Watch& watch, int32_t first, int32_t count) {
@@ -44,11 +137,15 @@ c2d_status fill(const Panel& panel, const ColumnSource& source) {
   return tell(panel.watch, panel.first, panel.count);
 }
 
-// Columns [from, from+count) of the panel are updated by w columns of L, which start in row and column f of
-// the matrix and have the leading dimension ldl. Their rows have been exchanged already.
-void update(const Panel& panel, int32_t from, int32_t count, const Real* l, int64_t ldl, int32_t f,
-            int32_t w) {
-  update_by(panel.engine, w, panel.plan.rows - f - w, count, l, ldl, panel.column(from) + f, panel.ld);
+// The panel is updated by a strip of w columns of L, which start in column f of the matrix, or, if it is not the chunk's
+// first, once that one has made the rows f ... f+w-1 final. Its rows have been exchanged already.
+void update(const Panel& panel, const Chunk& strip, const Real* l) {
+  const int32_t f = strip.first, w = strip.count, rows = rows_of_strip(panel.plan, strip);
+  Real* top = panel.columns + f;
+  if (strip.row == f)
+    update_by(panel.engine, w, rows - w, panel.count, l, rows, top, panel.ld);
+  else
+    gemm_minus(panel.engine, rows, panel.count, w, l, rows, top, panel.ld, panel.columns + strip.row, panel.ld);
 }
 
 // Bring a panel up to date with the panels before it. The blocks of L of a panel are as they were when it was
@@ -57,23 +154,22 @@ void update(const Panel& panel, int32_t from, int32_t count, const Real* l, int6
 c2d_status apply_earlier(const Panel& panel) {
   const EliminationPlan& plan = panel.plan;
   int32_t exchanged = 0;
-  Chunk chunk = first_chunk(plan);
-  while (chunk.first < plan.pivots && chunk.first < panel.first) {
+  Pass pass = forward(plan, panel.buffers, C2D_TAPE_LOWER, panel.first < plan.pivots ? panel.first : plan.pivots);
+  for (;;) {
+    Chunk chunk;
+    const Real* l = nullptr;
+    c2d_status status = next_block(pass, chunk, &l);
+    if (status != C2D_OK || chunk.count == 0) return status;
     if (chunk.first == exchanged) {
       const int32_t left = plan.pivots - exchanged;
       const int32_t count = left < plan.panel_columns ? left : plan.panel_columns;
       apply_pivots(panel.count, panel.columns, panel.ld, panel.pivots, exchanged, count);
       exchanged += count;
     }
-    c2d_status status = read_block(panel.tapes, C2D_TAPE_LOWER, plan.lower_first_block + chunk.index,
-                                   panel.block, lower_bytes(plan, chunk));
-    if (status != C2D_OK) return status;
-    update(panel, 0, panel.count, panel.data(), plan.rows - chunk.first, chunk.first, chunk.count);
+    update(panel, chunk, l);
     status = tell(panel.watch, panel.first, 1);
     if (status != C2D_OK) return status;
-    chunk = next_chunk(plan, chunk);
   }
-  return C2D_OK;
 }
 
 // Factor the panel's own columns, and update trailing columns that are in the same panel.
@@ -96,33 +192,35 @@ c2d_status factor(const Panel& panel, PivotStats* stats) {
   return C2D_OK;
 }
 
-// Put rows [from, from+rows) of a chunk into the block buffer, without gaps, and write them.
-c2d_status write_part(const Panel& panel, int32_t tape, uint64_t block, const Chunk& chunk, int32_t from,
-                      uint64_t data_bytes) {
-  const size_t column_bytes = static_cast<size_t>(data_bytes / static_cast<uint64_t>(chunk.count));
-  unsigned char* to = panel.block + kBlockHeaderBytes;
+// Put `rows` rows from `from` on of a chunk into a buffer, without gaps, and begin to write them.
+c2d_status write_part(const Panel& panel, int32_t tape, uint64_t block, const Chunk& chunk, int32_t from, int32_t rows) {
+  const size_t column_bytes = static_cast<size_t>(rows) * sizeof(Real);
+  int32_t slot;
+  const c2d_status status = take_buffer(panel.buffers, &slot);
+  if (status != C2D_OK) return status;
+  unsigned char* to = panel.buffers.at(slot) + kBlockHeaderBytes;
   for (int32_t j = 0; j < chunk.count; ++j) {
     memcpy(to, panel.column(chunk.first - panel.first + j) + from, column_bytes);
     to += column_bytes;
   }
-  return write_block(panel.tapes, tape, block, panel.block, data_bytes);
+  return start_write(panel.buffers, slot, tape, block, static_cast<uint64_t>(chunk.count) * column_bytes);
 }
 
-c2d_status write_panel(const Panel& panel, Chunk chunk) {
+// `lower` and `upper` are the panel's first chunks, and then the next panel's.
+c2d_status write_panel(const Panel& panel, Chunk& lower, Chunk& upper) {
   const EliminationPlan& plan = panel.plan;
-  for (; chunk.count > 0 && chunk.first < panel.first + panel.count; chunk = next_chunk(plan, chunk)) {
-    c2d_status status = C2D_OK;
-    if (chunk.first < plan.pivots && (!panel.last || plan.keep_lower != 0)) {
-      status = write_part(panel, C2D_TAPE_LOWER, plan.lower_first_block + chunk.index, chunk, chunk.first,
-                          lower_bytes(plan, chunk));
-    }
-    if (status == C2D_OK && plan.pivots > 0) {
-      status = write_part(panel, C2D_TAPE_UPPER, plan.upper_first_block + chunk.index, chunk, 0,
-                          upper_bytes(plan, chunk));
-    }
-    if (status != C2D_OK) return status;
-  }
-  return C2D_OK;
+  const EliminationPlan cut = upper_cut(plan);
+  c2d_status status = C2D_OK;
+  const bool wanted = panel.own > 0 && (!panel.last || plan.keep_lower != 0);
+  const int32_t own_end = wanted ? panel.first + panel.own : 0;
+  for (; lower.first < own_end && status == C2D_OK; lower = next_strip(plan, lower))
+    status = write_part(panel, C2D_TAPE_LOWER, plan.lower_first_block + lower.index, lower, lower.row,
+                        rows_of_strip(plan, lower));
+  const int32_t end = plan.pivots > 0 ? panel.first + panel.count : 0;
+  for (; upper.first < end && upper.count > 0 && status == C2D_OK; upper = next_chunk(cut, upper))
+    status = write_part(panel, C2D_TAPE_UPPER, plan.upper_first_block + upper.index, upper, 0,
+                        upper.first < plan.pivots ? upper.first + upper.count : plan.pivots);
+  return status;
 }
 
 c2d_status hand_over(const Panel& panel, const RowSink& sink) {
@@ -132,12 +230,12 @@ c2d_status hand_over(const Panel& panel, const RowSink& sink) {
   return sink.take(sink.context, first, trailing, panel.column(panel.own) + panel.plan.pivots, panel.ld);
 }
 
-c2d_status do_panel(const Panel& panel, const ColumnSource& source, const RowSink& sink, const Chunk& chunk,
+c2d_status do_panel(const Panel& panel, const ColumnSource& source, const RowSink& sink, Chunk& lower, Chunk& upper,
                     PivotStats* stats) {
   c2d_status status = fill(panel, source);
   if (status == C2D_OK) status = apply_earlier(panel);
   if (status == C2D_OK) status = factor(panel, stats);
-  if (status == C2D_OK) status = write_panel(panel, chunk);
+  if (status == C2D_OK) status = write_panel(panel, lower, upper);
   if (status == C2D_OK) status = hand_over(panel, sink);
   return status;
 }
@@ -146,15 +244,18 @@ int32_t between(int32_t low, int32_t x, int32_t high) {
   return x < low ? low : (x > high ? high : x);
 }
 
-Panel make_panel(const EliminationPlan& plan, Tapes& tapes, void* work, const Watch& watch, const Engine& engine) {
-  const WorkLayout at = work_layout(plan.rows, plan.pivots, plan.panel_columns, plan.block_columns);
+Buffers make_buffers(const EliminationPlan& plan, Tapes& tapes, void* base, uint64_t step) {
+  return {tapes, static_cast<unsigned char*>(base), step, block_buffers(plan), 0, {}};
+}
+
+Panel make_panel(const EliminationPlan& plan, const WorkLayout& at, Buffers& buffers, void* work, const Watch& watch,
+                 const Engine& engine) {
   unsigned char* base = static_cast<unsigned char*>(work);
   return Panel{plan,
-               tapes,
                watch,
                reinterpret_cast<Real*>(base + at.panel),
                at.leading,
-               base + at.block,
+               buffers,
                reinterpret_cast<Real*>(base + at.norms),
                reinterpret_cast<int32_t*>(base + at.pivots),
                0,
@@ -171,24 +272,27 @@ uint64_t exchanges_bytes(const EliminationPlan& plan) { return static_cast<uint6
 c2d_status keep_exchanges(const Panel& panel) {
   const EliminationPlan& plan = panel.plan;
   if (plan.keep_lower == 0 || plan.pivots == 0) return C2D_OK;
-  memcpy(panel.block + kBlockHeaderBytes, panel.pivots, static_cast<size_t>(exchanges_bytes(plan)));
-  return write_block(panel.tapes, C2D_TAPE_LOWER, plan.lower_first_block + exchanges_block(plan), panel.block,
+  int32_t slot;
+  const c2d_status status = take_buffer(panel.buffers, &slot);
+  if (status != C2D_OK) return status;
+  memcpy(panel.buffers.at(slot) + kBlockHeaderBytes, panel.pivots, static_cast<size_t>(exchanges_bytes(plan)));
+  return start_write(panel.buffers, slot, C2D_TAPE_LOWER, plan.lower_first_block + exchanges_block(plan),
                      exchanges_bytes(plan));
 }
 
 c2d_status load_exchanges(const Panel& panel) {
   const EliminationPlan& plan = panel.plan;
   if (plan.pivots == 0) return C2D_OK;
-  const c2d_status status = read_block(panel.tapes, C2D_TAPE_LOWER, plan.lower_first_block + exchanges_block(plan),
-                                       panel.block, exchanges_bytes(plan));
-  if (status == C2D_OK)
-    memcpy(panel.pivots, panel.block + kBlockHeaderBytes, static_cast<size_t>(exchanges_bytes(plan)));
+  unsigned char* block = panel.buffers.at(0);
+  const c2d_status status = read_block(panel.buffers.tapes, C2D_TAPE_LOWER,
+                                       plan.lower_first_block + exchanges_block(plan), block, exchanges_bytes(plan));
+  if (status == C2D_OK) memcpy(panel.pivots, block + kBlockHeaderBytes, static_cast<size_t>(exchanges_bytes(plan)));
   return status;
 }
 
 // The panel's columns, all trailing ones, take their places in the chunks of Y.
 c2d_status rewrite_trailing(const Panel& panel) {
-  const EliminationPlan& plan = panel.plan;
+  const EliminationPlan plan = upper_cut(panel.plan);
   if (plan.pivots == 0) return C2D_OK;
   const size_t column_bytes = static_cast<size_t>(plan.pivots) * sizeof(Real);
   const int32_t end = panel.first + panel.count;
@@ -196,14 +300,18 @@ c2d_status rewrite_trailing(const Panel& panel) {
   for (; chunk.count > 0 && chunk.first < end; chunk = next_chunk(plan, chunk)) {
     if (chunk.first + chunk.count <= panel.first) continue;
     const uint64_t block = plan.upper_first_block + chunk.index, bytes = upper_bytes(plan, chunk);
-    c2d_status status = read_block(panel.tapes, C2D_TAPE_UPPER, block, panel.block, bytes);
+    int32_t slot;
+    c2d_status status = take_buffer(panel.buffers, &slot);
+    if (status == C2D_OK)
+      status = read_block(panel.buffers.tapes, C2D_TAPE_UPPER, block, panel.buffers.at(slot), bytes);
     if (status != C2D_OK) return status;
+    unsigned char* data = panel.buffers.at(slot) + kBlockHeaderBytes;
     for (int32_t j = 0; j < chunk.count; ++j) {
       const int32_t column = chunk.first + j - panel.first;
       if (column < 0 || column >= panel.count) continue;
-      memcpy(panel.block + kBlockHeaderBytes + static_cast<size_t>(j) * column_bytes, panel.column(column), column_bytes);
+      memcpy(data + static_cast<size_t>(j) * column_bytes, panel.column(column), column_bytes);
     }
-    status = write_block(panel.tapes, C2D_TAPE_UPPER, block, panel.block, bytes);
+    status = start_write(panel.buffers, slot, C2D_TAPE_UPPER, block, bytes);
     if (status != C2D_OK) return status;
   }
   return C2D_OK;
@@ -213,7 +321,9 @@ c2d_status rewrite_trailing(const Panel& panel) {
 
 c2d_status eliminate_again(const EliminationPlan& plan, int32_t first_trailing, const ColumnSource& source,
                            const RowSink& sink, Tapes& tapes, void* work, const Watch& watch, const Engine& engine) {
-  Panel panel = make_panel(plan, tapes, work, watch, engine);
+  const WorkLayout at = work_layout(plan);
+  Buffers buffers = make_buffers(plan, tapes, static_cast<unsigned char*>(work) + at.block, at.block_step);
+  Panel panel = make_panel(plan, at, buffers, work, watch, engine);
   c2d_status status = load_exchanges(panel);
   const int32_t end = plan.pivots + plan.trailing;
   for (panel.first = plan.pivots + first_trailing; panel.first < end && status == C2D_OK; panel.first += panel.count) {
@@ -224,7 +334,7 @@ c2d_status eliminate_again(const EliminationPlan& plan, int32_t first_trailing, 
     if (status == C2D_OK) status = hand_over(panel, sink);
     if (status == C2D_OK) status = tell(watch, panel.first, panel.count);
   }
-  return status;
+  return finish_all(buffers, status);
 }
 
 c2d_status eliminate(const EliminationPlan& plan, const ColumnSource& source, const RowSink& sink,
@@ -232,56 +342,67 @@ c2d_status eliminate(const EliminationPlan& plan, const ColumnSource& source, co
   PivotStats own_stats;
   PivotStats* used = stats ? stats : &own_stats;
   start_stats(*used);
-  Panel panel = make_panel(plan, tapes, work, watch, engine);
+  const WorkLayout at = work_layout(plan);
+  Buffers buffers = make_buffers(plan, tapes, static_cast<unsigned char*>(work) + at.block, at.block_step);
+  Panel panel = make_panel(plan, at, buffers, work, watch, engine);
   const int32_t columns = plan.pivots + plan.trailing, panels = panel_count(plan);
-  Chunk chunk = first_chunk(plan);
-  for (int32_t p = 0; p < panels; ++p) {
+  Chunk lower = first_chunk(plan), upper = first_chunk(upper_cut(plan));
+  c2d_status status = C2D_OK;
+  for (int32_t p = 0; p < panels && status == C2D_OK; ++p) {
     panel.first = p * plan.panel_columns;
     panel.count = between(0, columns - panel.first, plan.panel_columns);
     panel.own = between(0, plan.pivots - panel.first, panel.count);
     panel.last = p == panels - 1;
     C2D_ASSERT(panel.count > 0 && panel.own >= 0 && panel.own <= panel.count && panel.count <= plan.panel_columns);
-    while (chunk.first < panel.first) chunk = next_chunk(plan, chunk);
-    const c2d_status status = do_panel(panel, source, sink, chunk, used);
-    if (status != C2D_OK) return status;
+    status = do_panel(panel, source, sink, lower, upper, used);
   }
-  return keep_exchanges(panel);
+  if (status == C2D_OK) status = keep_exchanges(panel);
+  return finish_all(buffers, status);
 }
+
+namespace {
+
+// From one buffer of back substitution to the next.
+uint64_t back_step(const EliminationPlan& plan) {
+  const uint64_t data = static_cast<uint64_t>(plan.pivots) * static_cast<uint64_t>(plan.block_columns);
+  return (kBlockHeaderBytes + data * sizeof(Real) + 63) / 64 * 64;
+}
+
+// x += columns of Y for a trailing chunk; a step of U^-1 x for a chunk of eliminated columns.
+void substitute(const EliminationPlan& plan, const Chunk& chunk, const Real* data, const Real* coefficient, Real* x) {
+  const int32_t f = chunk.first, w = chunk.count;
+  if (f < plan.pivots) {
+    trsm_upper(kPlainEngine, w, 1, data + f, f + w, x + f, plan.pivots);
+    gemm_minus(kPlainEngine, f, 1, w, data, f + w, x + f, plan.pivots, x, plan.pivots);
+    return;
+  }
+  for (int32_t j = 0; j < w; ++j, data += plan.pivots) {
+    const Real factor = coefficient[f - plan.pivots + j];
+    for (int32_t i = 0; i < plan.pivots; ++i) x[i] += factor * data[i];
+  }
+}
+
+} // namespace
 
 uint64_t back_substitution_bytes(const EliminationPlan& plan) {
-  const uint64_t data = static_cast<uint64_t>(plan.pivots) * static_cast<uint64_t>(plan.block_columns);
-  return kBlockHeaderBytes + data * sizeof(Real);
+  return back_step(upper_cut(plan)) * static_cast<uint64_t>(block_buffers(plan));
 }
 
-c2d_status back_substitute(const EliminationPlan& plan, Tapes& tapes, const Real* coefficient, Real* x,
+c2d_status back_substitute(const EliminationPlan& uncut, Tapes& tapes, const Real* coefficient, Real* x,
                            void* work) {
+  const EliminationPlan plan = upper_cut(uncut);
   if (plan.pivots == 0) return C2D_OK;
-  const Real* data = reinterpret_cast<const Real*>(static_cast<unsigned char*>(work) + kBlockHeaderBytes);
-  const uint64_t first_block = plan.upper_first_block;
   for (int32_t i = 0; i < plan.pivots; ++i) x[i] = 0;
-  // x = Y c: chunks of the trailing columns follow those of the eliminated ones.
-  Chunk chunk = next_chunk(plan, chunk_before(plan, plan.pivots));
-  for (; chunk.count > 0; chunk = next_chunk(plan, chunk)) {
-    const c2d_status status =
-        read_block(tapes, C2D_TAPE_UPPER, first_block + chunk.index, work, upper_bytes(plan, chunk));
-    if (status != C2D_OK) return status;
-    for (int32_t j = 0; j < chunk.count; ++j) {
-      const Real factor = coefficient[chunk.first - plan.pivots + j];
-      const Real* column = data + static_cast<int64_t>(j) * plan.pivots;
-      for (int32_t i = 0; i < plan.pivots; ++i) x[i] += factor * column[i];
-    }
+  // x = Y c: chunks of the trailing columns; then x := U^-1 x, by block columns from the last to the first.
+  Buffers buffers = make_buffers(uncut, tapes, work, back_step(plan));
+  Pass pass = backward(plan, buffers);
+  for (;;) {
+    Chunk chunk;
+    const Real* data = nullptr;
+    const c2d_status status = next_block(pass, chunk, &data);
+    if (status != C2D_OK || chunk.count == 0) return finish_all(buffers, status);
+    substitute(plan, chunk, data, coefficient, x);
   }
-  // x := U^-1 x, by block columns from the last to the first.
-  for (int32_t end = plan.pivots; end > 0; end = chunk.first) {
-    chunk = chunk_before(plan, end);
-    const int32_t f = chunk.first, w = chunk.count;
-    const c2d_status status =
-        read_block(tapes, C2D_TAPE_UPPER, first_block + chunk.index, work, upper_bytes(plan, chunk));
-    if (status != C2D_OK) return status;
-    trsm_upper(kPlainEngine, w, 1, data + f, end, x + f, plan.pivots);
-    gemm_minus(kPlainEngine, f, 1, w, data, end, x + f, plan.pivots, x, plan.pivots);
-  }
-  return C2D_OK;
 }
 
 namespace {
@@ -294,16 +415,19 @@ Real dot(int32_t n, const Real* a, const Real* b) {
 
 } // namespace
 
-c2d_status transposed_functional(const EliminationPlan& plan, Tapes& tapes, Real* f, Real* w, void* work) {
+c2d_status transposed_functional(const EliminationPlan& uncut, Tapes& tapes, Real* f, Real* w, void* work) {
+  const EliminationPlan plan = upper_cut(uncut);
   if (plan.pivots == 0) {
     for (int32_t j = 0; j < plan.trailing; ++j) w[j] = 0;
     return C2D_OK;
   }
-  const Real* data = reinterpret_cast<const Real*>(static_cast<unsigned char*>(work) + kBlockHeaderBytes);
-  for (Chunk chunk = first_chunk(plan); chunk.count > 0; chunk = next_chunk(plan, chunk)) {
-    const c2d_status status =
-        read_block(tapes, C2D_TAPE_UPPER, plan.upper_first_block + chunk.index, work, upper_bytes(plan, chunk));
-    if (status != C2D_OK) return status;
+  Buffers buffers = make_buffers(uncut, tapes, work, back_step(plan));
+  Pass pass = forward(plan, buffers, C2D_TAPE_UPPER, plan.pivots + plan.trailing);
+  for (;;) {
+    Chunk chunk;
+    const Real* data = nullptr;
+    const c2d_status status = next_block(pass, chunk, &data);
+    if (status != C2D_OK || chunk.count == 0) return finish_all(buffers, status);
     const bool trailing = chunk.first >= plan.pivots;
     const int32_t rows = trailing ? plan.pivots : chunk.first + chunk.count;
     for (int32_t j = 0; j < chunk.count; ++j) {
@@ -317,7 +441,6 @@ c2d_status transposed_functional(const EliminationPlan& plan, Tapes& tapes, Real
       f[i] = diagonal == Real(0) ? Real(0) : (f[i] - dot(i, column, f)) / diagonal;
     }
   }
-  return C2D_OK;
 }
 
 } // namespace c2d

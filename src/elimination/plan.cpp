@@ -4,7 +4,11 @@
 namespace c2d {
 namespace {
 
-constexpr int32_t kWidestBlock = 64;                 // wider ones do not make the kernels faster
+constexpr int32_t kWidestBlock = 64;                 // whole blocks; wider ones take too much from the panel
+constexpr int32_t kWidestStrip = 256;                // inner steps for which the kernels run at full speed
+constexpr int32_t kNarrowestStrip = 32;              // below, whole blocks do
+constexpr int32_t kTileRows = 24, kTileColumns = 8;  // of the kernels, or a multiple: edges cost more
+constexpr int32_t kLongestStrip = 1024;              // rows that pay for packing the right factor anew
 constexpr uint64_t kMostNumbers = uint64_t(1) << 56; // in a work area; far more than any machine has
 
 uint64_t aligned(uint64_t bytes) {
@@ -24,16 +28,22 @@ int64_t leading_dimension(int32_t rows) {
   return leading % (8 * 64) == 0 ? leading + line : leading;
 }
 
+int32_t strip_rows(const EliminationPlan& plan) {
+  return plan.block_rows > 0 ? plan.block_rows : plan.rows;
+}
+
 int32_t all_columns(const EliminationPlan& plan) {
   return plan.pivots + plan.trailing;
 }
 
 // The widest panel that fits together with blocks of this width; 0 if none. Memory grows with the width.
-int32_t widest_panel(uint64_t bytes, const EliminationPlan& plan, int32_t block_columns) {
+int32_t widest_panel(uint64_t bytes, EliminationPlan plan, int32_t block_columns) {
+  plan.block_columns = block_columns;
   int32_t fits = 0, too_wide = all_columns(plan) + 1;
   while (too_wide - fits > 1) {
     const int32_t middle = fits + (too_wide - fits) / 2;
-    if (elimination_bytes(plan.rows, plan.pivots, middle, block_columns) <= bytes)
+    plan.panel_columns = middle;
+    if (elimination_bytes(plan) <= bytes)
       fits = middle;
     else
       too_wide = middle;
@@ -47,18 +57,40 @@ void choose_streamed(uint64_t bytes, EliminationPlan& plan) {
     const int32_t panel = widest_panel(bytes, plan, block);
     if (panel < 4 * block && block > 1) continue;
     plan.block_columns = block;
-    plan.panel_columns = panel / block * block; // whole blocks
+    plan.panel_columns = panel;
     return;
   }
+}
+
+// Two buffers for strips: an eighth of the memory, or what a panel of forced width leaves. False if that is too little for
+// strips that are longer than wide, and longer than the narrowest are.
+bool choose_strips(uint64_t bytes, int32_t forced, EliminationPlan& plan) {
+  EliminationPlan strips = plan;
+  const uint64_t beside = forced > 0 ? elimination_bytes(plan.rows, plan.pivots, forced, 0) : bytes / 8 * 7;
+  // (headers, and what else rounds up, are small beside that)
+  const uint64_t numbers = (bytes < beside + 1024 ? 0 : (bytes - beside - 1024) / 2) / sizeof(Real);
+  for (int32_t width = kWidestStrip; width >= kNarrowestStrip; width /= 2) {
+    const uint64_t fits = numbers / static_cast<uint64_t>(width);
+    strips.block_rows = smaller(plan.rows, fits < kLongestStrip ? static_cast<int32_t>(fits) : kLongestStrip);
+    strips.block_columns = width;
+    if (strips.block_rows < plan.rows) strips.block_rows -= strips.block_rows % kTileRows;
+    if (strips.block_rows < smaller(plan.rows, 3 * width)) continue;
+    if (static_cast<int64_t>(strips.block_rows) * width < plan.rows) continue; // room for a column, and for the exchanges
+    const int32_t widest = forced > 0 ? forced : widest_panel(bytes, strips, width);
+    strips.panel_columns = forced > 0 ? forced : widest - widest % kTileColumns;
+    if (strips.panel_columns < width || elimination_bytes(strips) > bytes) continue;
+    plan = strips;
+    return true;
+  }
+  return false;
 }
 
 // The widest blocks that fit beside panels of this width; false if none do.
 bool choose_blocks(uint64_t bytes, int32_t panel, EliminationPlan& plan) {
   for (int32_t block = smaller(kWidestBlock, panel); block >= 1; block = block == 1 ? 0 : (block + 1) / 2) {
-    if (elimination_bytes(plan.rows, plan.pivots, panel, block) > bytes) continue;
     plan.panel_columns = panel;
     plan.block_columns = block;
-    return true;
+    if (elimination_bytes(plan) <= bytes) return true;
   }
   return false;
 }
@@ -68,28 +100,41 @@ Chunk chunk_at(const EliminationPlan& plan, int32_t first, uint64_t index) {
   const int32_t panel = first / plan.panel_columns;
   const int32_t left_in_panel = plan.panel_columns - first % plan.panel_columns;
   const int32_t count = smaller(plan.block_columns, smaller(left_in_panel, kind_end - first));
-  return {first, count, panel, index};
+  return {first, count, panel, first, index};
 }
 
 } // namespace
 
-WorkLayout work_layout(int32_t rows, int32_t pivots, int32_t panel_columns, int32_t block_columns) {
-  WorkLayout at = {0, 0, 0, 0, 0, leading_dimension(rows)};
-  const uint64_t leading = static_cast<uint64_t>(at.leading), panel = static_cast<uint64_t>(panel_columns);
-  const uint64_t block = static_cast<uint64_t>(block_columns);
-  if (leading * (panel + block) > kMostNumbers) {
+int32_t block_buffers(const EliminationPlan& plan) { return plan.block_rows > 0 ? kMostBuffers : 1; }
+
+EliminationPlan upper_cut(const EliminationPlan& plan) {
+  EliminationPlan cut = plan;
+  cut.block_rows = 0;
+  if (plan.block_rows > 0 && plan.block_rows < plan.rows)
+    cut.block_columns = static_cast<int32_t>(static_cast<int64_t>(plan.block_columns) * plan.block_rows / plan.rows);
+  return cut;
+}
+
+WorkLayout work_layout(const EliminationPlan& plan) {
+  WorkLayout at = {0, 0, 0, 0, 0, 0, leading_dimension(plan.rows)};
+  const uint64_t leading = static_cast<uint64_t>(at.leading), panel = static_cast<uint64_t>(plan.panel_columns);
+  const uint64_t block = static_cast<uint64_t>(plan.block_columns);
+  if (leading * panel > kMostNumbers) { // blocks are no wider
     at.total = UINT64_MAX;
     return at;
   }
   at.block = leading * panel * sizeof(Real);
-  at.norms = aligned(at.block + kBlockHeaderBytes + static_cast<uint64_t>(rows) * block * sizeof(Real));
+  at.block_step = aligned(kBlockHeaderBytes + static_cast<uint64_t>(strip_rows(plan)) * block * sizeof(Real));
+  at.norms = at.block + at.block_step * static_cast<uint64_t>(block_buffers(plan));
   at.pivots = aligned(at.norms + panel * sizeof(Real));
-  at.total = aligned(at.pivots + static_cast<uint64_t>(pivots) * sizeof(int32_t));
+  at.total = aligned(at.pivots + static_cast<uint64_t>(plan.pivots) * sizeof(int32_t));
   return at;
 }
 
+uint64_t elimination_bytes(const EliminationPlan& plan) { return work_layout(plan).total; }
+
 uint64_t elimination_bytes(int32_t rows, int32_t pivots, int32_t panel_columns, int32_t block_columns) {
-  return work_layout(rows, pivots, panel_columns, block_columns).total;
+  return elimination_bytes({rows, pivots, 0, panel_columns, block_columns, 0, 0, 0, 0});
 }
 
 uint64_t elimination_bytes_in_core(int32_t rows, int32_t pivots, int32_t trailing) {
@@ -103,16 +148,19 @@ c2d_status plan_elimination(uint64_t bytes, int32_t rows, int32_t pivots, int32_
       forced_columns < 0) {
     return C2D_ERR_ARGUMENT;
   }
-  EliminationPlan plan = {rows, pivots, trailing, 1, 1, 0, 0, 0};
+  EliminationPlan plan = {rows, pivots, trailing, 1, 1, 0, 0, 0, 0};
   const int32_t columns = all_columns(plan) > 0 ? all_columns(plan) : 1;
   const int32_t forced = smaller(forced_columns, columns);
   const int32_t least = forced > 0 ? forced : 1;
   if (needed) *needed = elimination_bytes(rows, pivots, least, 1);
   if (elimination_bytes(rows, pivots, least, 1) > bytes) return C2D_ERR_MEMORY;
-  if (forced > 0) {
-    choose_blocks(bytes, forced, plan);
-  } else if (!choose_blocks(bytes, columns, plan)) {
-    choose_streamed(bytes, plan);
+  const int32_t whole = forced > 0 ? forced : columns;
+  const bool in_core = whole == columns && choose_blocks(bytes, columns, plan);
+  if (!in_core && !choose_strips(bytes, forced, plan)) {
+    if (forced > 0)
+      choose_blocks(bytes, forced, plan);
+    else
+      choose_streamed(bytes, plan);
   }
   out = plan;
   return C2D_OK;
@@ -131,6 +179,15 @@ Chunk next_chunk(const EliminationPlan& plan, const Chunk& chunk) {
   return chunk_at(plan, chunk.first + chunk.count, chunk.index + 1);
 }
 
+Chunk next_strip(const EliminationPlan& plan, const Chunk& chunk) {
+  if (rows_of_strip(plan, chunk) == plan.rows - chunk.row) return next_chunk(plan, chunk);
+  return {chunk.first, chunk.count, chunk.panel, chunk.row + plan.block_rows, chunk.index + 1};
+}
+
+int32_t rows_of_strip(const EliminationPlan& plan, const Chunk& chunk) {
+  return smaller(strip_rows(plan), plan.rows - chunk.row);
+}
+
 Chunk chunk_before(const EliminationPlan& plan, int32_t end) {
   const int32_t panel = (end - 1) / plan.panel_columns;
   const int32_t place = (end - 1) % plan.panel_columns / plan.block_columns; // of the chunk in its panel
@@ -141,7 +198,7 @@ Chunk chunk_before(const EliminationPlan& plan, int32_t end) {
 }
 
 uint64_t lower_bytes(const EliminationPlan& plan, const Chunk& chunk) {
-  return static_cast<uint64_t>(plan.rows - chunk.first) * static_cast<uint64_t>(chunk.count) * sizeof(Real);
+  return static_cast<uint64_t>(rows_of_strip(plan, chunk)) * static_cast<uint64_t>(chunk.count) * sizeof(Real);
 }
 
 uint64_t upper_bytes(const EliminationPlan& plan, const Chunk& chunk) {
@@ -150,13 +207,15 @@ uint64_t upper_bytes(const EliminationPlan& plan, const Chunk& chunk) {
 }
 
 uint64_t exchanges_block(const EliminationPlan& plan) {
-  return plan.pivots > 0 ? chunk_before(plan, plan.pivots).index + 1 : 0;
+  Chunk chunk = first_chunk(plan);
+  while (chunk.first < plan.pivots) chunk = next_strip(plan, chunk);
+  return chunk.index;
 }
 
 TapeUse lower_use(const EliminationPlan& plan) {
   TapeUse use = {0, 0, 0, 0};
   const int32_t last = panel_count(plan) - 1;
-  for (Chunk chunk = first_chunk(plan); chunk.first < plan.pivots; chunk = next_chunk(plan, chunk)) {
+  for (Chunk chunk = first_chunk(plan); chunk.first < plan.pivots; chunk = next_strip(plan, chunk)) {
     if (chunk.panel >= last && plan.keep_lower == 0) break;
     const uint64_t data = lower_bytes(plan, chunk);
     use.blocks += 1;
@@ -164,14 +223,17 @@ TapeUse lower_use(const EliminationPlan& plan) {
     use.bytes_written += data + kBlockHeaderBytes;
     use.bytes_read += (data + kBlockHeaderBytes) * static_cast<uint64_t>(last - chunk.panel);
   }
-  if (plan.keep_lower != 0 && plan.pivots > 0) { // no longer than the first block of L
+  if (plan.keep_lower != 0 && plan.pivots > 0) {
+    const uint64_t data = static_cast<uint64_t>(plan.pivots) * sizeof(int32_t);
     use.blocks += 1;
-    use.bytes_written += static_cast<uint64_t>(plan.pivots) * sizeof(int32_t) + kBlockHeaderBytes;
+    if (data > use.max_data_bytes) use.max_data_bytes = data;
+    use.bytes_written += data + kBlockHeaderBytes;
   }
   return use;
 }
 
-TapeUse upper_use(const EliminationPlan& plan) {
+TapeUse upper_use(const EliminationPlan& uncut) {
+  const EliminationPlan plan = upper_cut(uncut);
   TapeUse use = {0, 0, 0, 0};
   if (plan.pivots == 0) return use;
   for (Chunk chunk = first_chunk(plan); chunk.count > 0; chunk = next_chunk(plan, chunk)) {

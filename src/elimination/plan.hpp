@@ -4,9 +4,11 @@
 // The matrix has `rows` rows and the columns 0 ... pivots-1, which are eliminated, and pivots ...
 // pivots+trailing-1, which are only updated. A panel of panel_columns columns is in memory at a time (the
 // last one may be narrower, one may hold columns of both kinds). On the tapes a panel is cut into chunks of
-// block_columns columns, which do not reach over the end of a panel or from the eliminated to the trailing
-// columns. Chunk k is block upper_first_block + k of tape UPPER and, if a later panel needs it,
-// lower_first_block + k of tape LOWER.
+// columns, which do not reach over the end of a panel or from the eliminated to the trailing columns. Chunk k of
+// block_columns columns is block lower_first_block + k of tape LOWER, if a later panel needs it. A column of L is
+// worked on as a whole, so wide chunks are good for the arithmetic; where they would take too much of the memory, a
+// chunk is cut into strips of block_rows rows, each a block. Tape UPPER holds chunks of as many columns as a buffer
+// takes (upper_cut): block upper_first_block + k.
 #include "contact2d.h"
 #include "memory/real.hpp"
 
@@ -18,17 +20,26 @@ struct EliminationPlan {
   uint64_t lower_first_block, upper_first_block; // set by the caller: where this elimination's blocks start
   int32_t keep_lower;                            // set by the caller: 1: tape LOWER shall hold all of L, and one block
                                                  // more the row exchanges, so that eliminate_again is possible
+  int32_t block_rows; // of a block of LOWER; 0: all
 };
+// The plan with the chunks of tape UPPER.
+EliminationPlan upper_cut(const EliminationPlan& plan);
 
-// Bytes of the work area of `eliminate`: a panel, a block with room for its header, a norm for each column of
-// the panel, the pivots. UINT64_MAX if the number is beyond any memory.
+// Buffers for blocks: two where a chunk is cut into strips, so that while one is worked on another may be on its way.
+constexpr int32_t kMostBuffers = 2;
+int32_t block_buffers(const EliminationPlan& plan);
+
+// Bytes of the work area of `eliminate`: a panel, buffers for blocks with room for their headers, a norm for each
+// column of the panel, the pivots. UINT64_MAX if the number is beyond any memory. The second form has one buffer.
+uint64_t elimination_bytes(const EliminationPlan& plan);
 uint64_t elimination_bytes(int32_t rows, int32_t pivots, int32_t panel_columns, int32_t block_columns);
 
 // The same for the widest panel that is of any use: every column at once, nothing on tape LOWER.
 uint64_t elimination_bytes_in_core(int32_t rows, int32_t pivots, int32_t trailing);
 
-// Choose panels and blocks for a work area of `bytes` bytes: all in one panel if that fits, else wide panels
-// with blocks of at most a quarter of their width. forced_columns > 0 is the width of the panels. The
+// Choose panels and blocks for a work area of `bytes` bytes: all in one panel if that fits, else wide panels and
+// strips in an eighth of the memory, or, where that is too little to read ahead, whole blocks of at most a quarter of the
+// panels' width. forced_columns > 0 is the width of the panels. The
 // first-block numbers are set to 0. Errors: C2D_ERR_MEMORY with *needed = the bytes that would do (at least
 // panels of the forced width, or of one column), C2D_ERR_ARGUMENT for sizes out of range. `needed` may be
 // null.
@@ -49,28 +60,33 @@ TapeUse upper_use(const EliminationPlan& plan);
 struct Chunk {
   int32_t first, count; // columns
   int32_t panel;        // from 0
-  uint64_t index;       // from 0; the eliminated columns' chunks come first
+  int32_t row;          // on LOWER: the first row of the strip
+  uint64_t index;       // from 0, of blocks; the eliminated columns' chunks come first
 };
 // Place on tape LOWER, from the plan's first block, of the row exchanges.
 uint64_t exchanges_block(const EliminationPlan& plan);
 // The first chunk, and the one after `chunk`: count is 0 when there is none.
 Chunk first_chunk(const EliminationPlan& plan);
 Chunk next_chunk(const EliminationPlan& plan, const Chunk& chunk);
+// On LOWER: the next strip of the chunk, or the first of the next chunk.
+Chunk next_strip(const EliminationPlan& plan, const Chunk& chunk);
+int32_t rows_of_strip(const EliminationPlan& plan, const Chunk& chunk);
 // The chunk of eliminated columns that ends before column `end` > 0, which is where a chunk or the eliminated
 // columns end.
 Chunk chunk_before(const EliminationPlan& plan, int32_t end);
 
 int32_t panel_count(const EliminationPlan& plan);
-// Bytes of data of a chunk's blocks: LOWER holds the rows from the chunk's first column down (for eliminated
-// columns only), UPPER the rows down to its last column, or the first `pivots` rows of trailing columns.
+// Bytes of data of a chunk's blocks: LOWER holds the rows of a strip, the first of which begins in the row of the
+// chunk's first column (for eliminated columns only), UPPER (chunks of upper_cut) the rows down to its last column, or the first `pivots` rows of trailing columns.
 uint64_t lower_bytes(const EliminationPlan& plan, const Chunk& chunk);
 uint64_t upper_bytes(const EliminationPlan& plan, const Chunk& chunk);
 
 // Where things are in the work area, in bytes from its start, which is aligned to 64 bytes.
 struct WorkLayout {
   uint64_t panel, block, norms, pivots, total;
-  int64_t leading; // from one column of the panel to the next
+  uint64_t block_step; // from one buffer for blocks to the next
+  int64_t leading;     // from one column of the panel to the next
 };
-WorkLayout work_layout(int32_t rows, int32_t pivots, int32_t panel_columns, int32_t block_columns);
+WorkLayout work_layout(const EliminationPlan& plan);
 
 } // namespace c2d

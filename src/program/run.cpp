@@ -127,6 +127,13 @@ c2d_port Run::make_port() {
   port.write = [](void* c, int32_t tape, uint64_t block, const void* data, uint64_t bytes) {
     return self(c).store_.write(tape, block, data, bytes);
   };
+  port.start_read = [](void* c, int32_t tape, uint64_t block, void* data, uint64_t bytes, int32_t* ticket) {
+    return self(c).store_.start_read(tape, block, data, bytes, ticket);
+  };
+  port.start_write = [](void* c, int32_t tape, uint64_t block, const void* data, uint64_t bytes, int32_t* ticket) {
+    return self(c).store_.start_write(tape, block, data, bytes, ticket);
+  };
+  port.wait = [](void* c, int32_t ticket) { return self(c).store_.wait(ticket); };
   port.sync = [](void* c, int32_t tape) { return self(c).store_.sync(tape); };
   port.close = [](void* c, int32_t tape) { return self(c).store_.close(tape); };
   port.progress = [](void* c, const c2d_progress* now) { self(c).line_.show(*now); };

@@ -7,10 +7,13 @@
 #include <unistd.h>
 #include <vector>
 
+#include "program/workspace.hpp"
+
 namespace app {
 namespace {
 
 const int32_t kNoTape = 1000, kNoMemory = 1001; // host codes of our own
+const int32_t kDoneAtOnce = 1000;               // a ticket of our own
 
 } // namespace
 
@@ -72,6 +75,7 @@ bool StoreChoice::place_in_memory(Tape& tape, uint64_t blocks, uint64_t block_by
     tape.region = std::calloc(bytes > 0 ? static_cast<size_t>(bytes) : 1, 1);
     tape.bytes = tape.region != nullptr ? bytes : 0;
     if (tape.region == nullptr) return false;
+    ask_for_huge_pages(tape.region, tape.bytes);
     c2d_memory_store_init(&tape.store, tape.region, bytes);
     tape.port = C2D_INIT(c2d_port);
     c2d_memory_store_port(&tape.store, &tape.port);
@@ -103,6 +107,25 @@ int32_t StoreChoice::read(int32_t tape, uint64_t block, void* data, uint64_t byt
 int32_t StoreChoice::write(int32_t tape, uint64_t block, const void* data, uint64_t bytes) const {
   const c2d_port& port = port_of(tape);
   return port.write(port.context, tape, block, data, bytes);
+}
+
+// A tape in memory is read and written at once.
+int32_t StoreChoice::start_read(int32_t tape, uint64_t block, void* data, uint64_t bytes, int32_t* ticket) const {
+  const c2d_port& port = port_of(tape);
+  if (port.start_read != nullptr) return port.start_read(port.context, tape, block, data, bytes, ticket);
+  *ticket = kDoneAtOnce;
+  return port.read(port.context, tape, block, data, bytes);
+}
+
+int32_t StoreChoice::start_write(int32_t tape, uint64_t block, const void* data, uint64_t bytes, int32_t* ticket) const {
+  const c2d_port& port = port_of(tape);
+  if (port.start_write != nullptr) return port.start_write(port.context, tape, block, data, bytes, ticket);
+  *ticket = kDoneAtOnce;
+  return port.write(port.context, tape, block, data, bytes);
+}
+
+int32_t StoreChoice::wait(int32_t ticket) const {
+  return ticket == kDoneAtOnce ? 0 : files_port_.wait(files_port_.context, ticket);
 }
 
 int32_t StoreChoice::sync(int32_t tape) const {

@@ -27,6 +27,9 @@ public:
   int32_t open(int32_t tape, uint64_t blocks, uint64_t block_bytes);
   int32_t read(int32_t tape, uint64_t block, void* data, uint64_t bytes) const;
   int32_t write(int32_t tape, uint64_t block, const void* data, uint64_t bytes) const;
+  int32_t start_read(int32_t tape, uint64_t block, void* data, uint64_t bytes, int32_t* ticket) const;
+  int32_t start_write(int32_t tape, uint64_t block, const void* data, uint64_t bytes, int32_t* ticket) const;
+  int32_t wait(int32_t ticket) const;
   int32_t sync(int32_t tape) const;
   int32_t close(int32_t tape) const;
   // Removes the files of the tapes. False with an error text if that failed.

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 namespace app {
@@ -24,6 +25,17 @@ uint64_t free_memory() {
   if (pages > 0 && page > 0) return static_cast<uint64_t>(pages) * static_cast<uint64_t>(page);
 #endif
   return uint64_t{1} << 30;
+}
+
+void ask_for_huge_pages(void* memory, uint64_t bytes) {
+#ifdef MADV_HUGEPAGE
+  const uint64_t page = uint64_t{2} << 20; // of all usual machines; elsewhere it is a multiple of theirs, or refused
+  const uint64_t start = reinterpret_cast<uintptr_t>(memory), skipped = (page - start % page) % page;
+  if (bytes < skipped + page) return;
+  ::madvise(static_cast<char*>(memory) + skipped, static_cast<size_t>((bytes - skipped) / page * page), MADV_HUGEPAGE);
+#else
+  static_cast<void>(memory), static_cast<void>(bytes);
+#endif
 }
 
 c2d_status take_workspace(const c2d_limits& limits, uint64_t wanted, Workspace& out, std::string& error) {
@@ -48,6 +60,7 @@ c2d_status take_workspace(const c2d_limits& limits, uint64_t wanted, Workspace& 
             " bytes of workspace would do (--memory)";
     return C2D_ERR_MEMORY;
   }
+  ask_for_huge_pages(out.memory.get(), out.bytes);
   return C2D_OK;
 }
 

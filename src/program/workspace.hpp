@@ -22,6 +22,10 @@ struct Workspace {
 // Bytes of RAM that are free now; a guess if the system does not tell.
 uint64_t free_memory();
 
+// Ask the system to back memory[0 .. bytes) by large pages: a page is paid for when it is first touched, and a large one
+// costs hardly more than one of 4 KiB. A hint; nothing follows from it but speed.
+void ask_for_huge_pages(void* memory, uint64_t bytes);
+
 // Takes `wanted` bytes, 0: everything in memory but at most half of what is free, at least the minimum.
 // Returns a c2d_status; C2D_ERR_MEMORY with a text that names the bytes that would do.
 c2d_status take_workspace(const c2d_limits& limits, uint64_t wanted, Workspace& out, std::string& error);

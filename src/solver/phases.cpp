@@ -44,7 +44,7 @@ PhaseSizes phase_sizes(const Sizes& sizes) {
 
 EliminationPlan plan_of(const PhaseSizes& s, int b, int32_t panel_columns, int32_t block_columns) {
   return EliminationPlan{static_cast<int32_t>(s.rows[b]), static_cast<int32_t>(s.outer[b]),
-                         static_cast<int32_t>(2 * s.m + s.cases), panel_columns, block_columns, 0, 0, 0};
+                         static_cast<int32_t>(2 * s.m + s.cases), panel_columns, block_columns, 0, 0, 0, 0};
 }
 
 uint64_t elimination_area(const PhaseSizes& s, int b, const EliminationPlan& plan, char* base,
@@ -56,8 +56,7 @@ uint64_t elimination_area(const PhaseSizes& s, int b, const EliminationPlan& pla
   carver.take(area.twin, s.nodes[b]);
   carver.take_bytes(area.scratch, C2D_ASSEMBLY_BYTES);
   carver.take_bytes(area.buffer, contact_buffer_bytes(s.m));
-  carver.take_bytes(area.work,
-                    elimination_bytes(plan.rows, plan.pivots, plan.panel_columns, plan.block_columns));
+  carver.take_bytes(area.work, elimination_bytes(plan));
   if (out) *out = area;
   return carver.total();
 }

@@ -161,21 +161,6 @@ c2d_status compare(Tapes& tapes, const BlockLabel& found, const BlockLabel& expe
   return C2D_OK;
 }
 
-c2d_status write_labelled(Tapes& tapes, const BlockLabel& label, void* buffer) {
-  const c2d_status status = check_transfer(tapes, label.tape, label.block, label.length);
-  if (status != C2D_OK) return status;
-  const uint64_t bytes = kBlockHeaderBytes + label.length;
-  seal_block(label, buffer);
-  const int32_t code = (AtWork(tapes), tapes.port->write(tapes.port->context, label.tape, label.block, buffer, bytes));
-  unseal_block(buffer, label.length);
-  if (code != 0) {
-    return host_block_error(tapes, C2D_ERR_STORE_WRITE, label.tape, label.block, "writing", bytes, code);
-  }
-  tapes.writes[label.tape] += 1;
-  tapes.bytes_written[label.tape] += bytes;
-  return C2D_OK;
-}
-
 // A port that fills less than it says must not get by with what happened to be in the buffer: neither an old
 // header nor an old end mark may be there beforehand.
 void clear_ends(unsigned char* buffer, uint64_t data_bytes) {
@@ -184,24 +169,29 @@ void clear_ends(unsigned char* buffer, uint64_t data_bytes) {
   memset(buffer + kBlockHeaderBytes + data_bytes - tail, 0, tail);
 }
 
-c2d_status read_labelled(Tapes& tapes, const BlockLabel& expected, void* buffer) {
-  const int32_t tape = expected.tape;
-  const uint64_t block = expected.block;
-  const c2d_status status = check_transfer(tapes, tape, block, expected.length);
+c2d_status start_labelled(Tapes& tapes, BlockTransfer& transfer, BlockTransfer::Kind kind, const BlockLabel& label, void* buffer,
+                          bool ahead) {
+  const c2d_status status = check_transfer(tapes, label.tape, label.block, label.length);
   if (status != C2D_OK) return status;
-  const uint64_t bytes = kBlockHeaderBytes + expected.length;
-  clear_ends(static_cast<unsigned char*>(buffer), expected.length);
-  const int32_t code = (AtWork(tapes), tapes.port->read(tapes.port->context, tape, block, buffer, bytes));
-  if (code != 0) return host_block_error(tapes, C2D_ERR_STORE_READ, tape, block, "reading", bytes, code);
-  BlockLabel found = {};
-  const BlockReport report = inspect_block(buffer, expected.length, &found);
-  if (report.fault != BlockFault::none) return damaged(tapes, tape, block, report);
-  const c2d_status verdict = compare(tapes, found, expected);
-  if (verdict != C2D_OK) return verdict;
-  unseal_block(buffer, expected.length);
-  tapes.reads[tape] += 1;
-  tapes.bytes_read[tape] += bytes;
-  return C2D_OK;
+  const c2d_port& port = *tapes.port;
+  ahead = ahead && port.start_read && port.start_write && port.wait;
+  const uint64_t bytes = kBlockHeaderBytes + label.length;
+  const bool writes = kind == BlockTransfer::write;
+  transfer = {label, buffer, kind, 0, 0, false};
+  if (writes)
+    seal_block(label, buffer);
+  else
+    clear_ends(static_cast<unsigned char*>(buffer), label.length);
+  const AtWork at_work(tapes);
+  if (ahead) {
+    transfer.code = writes ? port.start_write(port.context, label.tape, label.block, buffer, bytes, &transfer.ticket)
+                           : port.start_read(port.context, label.tape, label.block, buffer, bytes, &transfer.ticket);
+    transfer.waiting = transfer.code == 0;
+  } else {
+    transfer.code = writes ? port.write(port.context, label.tape, label.block, buffer, bytes)
+                           : port.read(port.context, label.tape, label.block, buffer, bytes);
+  }
+  return C2D_OK; // finish_transfer looks at the code
 }
 
 // Blocks of the run in progress. Tapes out of range are caught by check_transfer.
@@ -236,12 +226,61 @@ c2d_status open_tape(Tapes& tapes, int32_t tape, uint64_t blocks, uint64_t data_
   return C2D_OK;
 }
 
+c2d_status start_transfer(Tapes& tapes, BlockTransfer& transfer, BlockTransfer::Kind kind, int32_t tape, uint64_t block,
+                          void* buffer, uint64_t data_bytes, bool ahead) {
+  const c2d_status status =
+      start_labelled(tapes, transfer, kind, current_label(tapes, tape, block, data_bytes), buffer, ahead);
+  return status == C2D_OK && transfer.code != 0 ? finish_transfer(tapes, transfer) : status;
+}
+
+void abandon_transfer(Tapes& tapes, BlockTransfer& transfer) {
+  transfer.kind = BlockTransfer::none;
+  if (!transfer.waiting) return;
+  transfer.waiting = false;
+  const AtWork at_work(tapes);
+  transfer.code = tapes.port->wait(tapes.port->context, transfer.ticket);
+}
+
+c2d_status finish_transfer(Tapes& tapes, BlockTransfer& transfer) {
+  const bool writes = transfer.kind == BlockTransfer::write;
+  if (transfer.kind == BlockTransfer::none) return C2D_OK;
+  abandon_transfer(tapes, transfer);
+  const int32_t tape = transfer.label.tape;
+  const uint64_t block = transfer.label.block, bytes = kBlockHeaderBytes + transfer.label.length;
+  if (writes) unseal_block(transfer.buffer, transfer.label.length);
+  if (transfer.code != 0) {
+    return host_block_error(tapes, writes ? C2D_ERR_STORE_WRITE : C2D_ERR_STORE_READ, tape, block,
+                            writes ? "writing" : "reading", bytes, transfer.code);
+  }
+  if (!writes) {
+    BlockLabel found = {};
+    const BlockReport report = inspect_block(transfer.buffer, transfer.label.length, &found);
+    if (report.fault != BlockFault::none) return damaged(tapes, tape, block, report);
+    const c2d_status verdict = compare(tapes, found, transfer.label);
+    if (verdict != C2D_OK) return verdict;
+    unseal_block(transfer.buffer, transfer.label.length);
+  }
+  (writes ? tapes.writes : tapes.reads)[tape] += 1;
+  (writes ? tapes.bytes_written : tapes.bytes_read)[tape] += bytes;
+  return C2D_OK;
+}
+
+namespace {
+
+c2d_status transfer_now(Tapes& tapes, BlockTransfer::Kind kind, const BlockLabel& label, void* buffer) {
+  BlockTransfer transfer;
+  const c2d_status status = start_labelled(tapes, transfer, kind, label, buffer, false);
+  return status == C2D_OK ? finish_transfer(tapes, transfer) : status;
+}
+
+} // namespace
+
 c2d_status write_block(Tapes& tapes, int32_t tape, uint64_t block, void* buffer, uint64_t data_bytes) {
-  return write_labelled(tapes, current_label(tapes, tape, block, data_bytes), buffer);
+  return transfer_now(tapes, BlockTransfer::write, current_label(tapes, tape, block, data_bytes), buffer);
 }
 
 c2d_status read_block(Tapes& tapes, int32_t tape, uint64_t block, void* buffer, uint64_t data_bytes) {
-  return read_labelled(tapes, current_label(tapes, tape, block, data_bytes), buffer);
+  return transfer_now(tapes, BlockTransfer::read, current_label(tapes, tape, block, data_bytes), buffer);
 }
 
 c2d_status sync_tape(Tapes& tapes, int32_t tape) {
@@ -283,11 +322,11 @@ c2d_status write_count(Tapes& tapes, void* buffer) {
 } // namespace
 
 c2d_status write_record(Tapes& tapes, uint64_t block, void* buffer, uint64_t data_bytes) {
-  return write_labelled(tapes, record_label(block, data_bytes), buffer);
+  return transfer_now(tapes, BlockTransfer::write, record_label(block, data_bytes), buffer);
 }
 
 c2d_status read_record(Tapes& tapes, uint64_t block, void* buffer, uint64_t data_bytes) {
-  return read_labelled(tapes, record_label(block, data_bytes), buffer);
+  return transfer_now(tapes, BlockTransfer::read, record_label(block, data_bytes), buffer);
 }
 
 c2d_status read_count(Tapes& tapes, uint64_t* count, void* buffer) {

@@ -39,6 +39,30 @@ c2d_status write_block(Tapes& tapes, int32_t tape, uint64_t block, void* buffer,
 // _STALE.
 c2d_status read_block(Tapes& tapes, int32_t tape, uint64_t block, void* buffer, uint64_t data_bytes);
 
+// A transfer that may be on its way while other work is done. Zeroed: none. Its buffer is the port's until it is
+// finished or abandoned; the caller sees to that before the buffer or the tapes are used otherwise, and that at most
+// kMostTransfers are under way at once. The data must not be looked at in between.
+struct BlockTransfer {
+  enum Kind : int32_t { none, read, write };
+  BlockLabel label;
+  void* buffer;
+  Kind kind;
+  int32_t code;   // what the port said
+  int32_t ticket; // of the port's, if it is still to be waited for
+  bool waiting;
+};
+constexpr int32_t kMostTransfers = 4;
+
+// Begin to read or write a block of data_bytes bytes, buffer as in write_block. Without `ahead`, or without the port's
+// start_read, start_write and wait, the transfer happens now. What fails at once is told at once; what was read is judged
+// by finish_transfer. `transfer` is one that is not under way.
+c2d_status start_transfer(Tapes& tapes, BlockTransfer& transfer, BlockTransfer::Kind kind, int32_t tape, uint64_t block,
+                          void* buffer, uint64_t data_bytes, bool ahead);
+// Wait for it, judge what was read, count it. Then the buffer holds the data. Errors as write_block and read_block.
+c2d_status finish_transfer(Tapes& tapes, BlockTransfer& transfer);
+// Wait for it, if need be, whatever becomes of it; tapes.error stays.
+void abandon_transfer(Tapes& tapes, BlockTransfer& transfer);
+
 c2d_status sync_tape(Tapes& tapes, int32_t tape); // Errors: STORE_SYNC.
 c2d_status close_tape(Tapes& tapes,
                       int32_t tape); // Errors: STORE_CLOSE; the tape counts as closed all the same.

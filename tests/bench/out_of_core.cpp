@@ -32,14 +32,6 @@ struct System {
   }
 };
 
-// The work area of a plan, with as many buffers for blocks as it wants.
-template <class Plan> auto work_bytes(const Plan& plan, int) -> decltype(c2d::elimination_bytes(plan)) {
-  return c2d::elimination_bytes(plan);
-}
-template <class Plan> uint64_t work_bytes(const Plan& plan, long) {
-  return c2d::elimination_bytes(plan.rows, plan.pivots, plan.panel_columns, plan.block_columns);
-}
-
 // A plan with its work area and its tapes, in memory or in files of a folder.
 class Streamed {
 public:
@@ -47,7 +39,7 @@ public:
       : folder_(folder), own_(c2d::best_instructions(), n, 1) {
     if (c2d::plan_elimination(bytes, n, n, 1, 0, plan_, nullptr) != C2D_OK)
       give_up("no plan for the elimination");
-    work_.resize(std::max(work_bytes(plan_, 0), c2d::back_substitution_bytes(plan_)) + 64);
+    work_.resize(std::max(c2d::elimination_bytes(plan_), c2d::back_substitution_bytes(plan_)) + 64);
     const c2d::TapeUse lower = c2d::lower_use(plan_), upper = c2d::upper_use(plan_);
     port_ = C2D_INIT(c2d_port);
     if (folder.empty()) {
