@@ -1,8 +1,11 @@
 #include "contact/reduction.hpp"
 
 #include "linalg/dense.hpp"
+#include "memory/optional.hpp"
 
 namespace c2d {
+
+C2D_OPTIONAL(move_rigidly);
 
 namespace {
 
@@ -15,21 +18,6 @@ ContactMatrix of_body(ContactMatrix first_body, int body) {
 // The strip is free: norms take a part of it.
 c2d_status factor(const Reduction& r, Real* matrix) {
   return lu_factor(r.engine, r.tape.m, matrix, r.tape.m, r.pivots, r.strip, nullptr) == 0 ? C2D_OK : C2D_ERR_SINGULAR;
-}
-
-// v of a rigid body 1 is its motion at the pairs.
-c2d_status move_rigidly(const Reduction& r) {
-  c2d_status status = C2D_OK;
-  for (int32_t k = 0; k < r.tape.cases && status == C2D_OK; ++k) {
-    for (int32_t i = 0; i < r.model.head->pairs; ++i) {
-      const Pair& pair = r.model.pair[i];
-      double v[2];
-      rigid_motion_at_pair(r.model, pair, k, v);
-      for (int32_t d = 0; d <= pair.tangential; ++d) r.strip[pair.dof + d] = static_cast<Real>(v[d]);
-    }
-    status = write_column(r.tape, Matrix::flexibility_load, k, r.strip);
-  }
-  return status;
 }
 
 // v of the inverted body, whose factored S_u is in `first`.
@@ -184,14 +172,6 @@ template <int n> c2d_status take_steps(const Reduction& r, const Step (&steps)[n
 }
 
 } // namespace
-
-void rigid_motion_at_pair(const Model& m, const Pair& pair, int32_t load_case, double v[2]) {
-  double x, y, u[2];
-  node_position(m, 0, pair.node[0], &x, &y);
-  rigid_displacement(m, load_case, x, y, u);
-  v[0] = (u[0] * pair.nx + u[1] * pair.ny) / m.head->length_unit;
-  v[1] = (u[0] * pair.ny - u[1] * pair.nx) / m.head->length_unit;
-}
 
 c2d_status reduce(const Reduction& r) {
   const Step steps[] = {invert_body, form_compliance, form_closing, form_stiffness};
