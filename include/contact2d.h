@@ -922,8 +922,8 @@ const char* c2d_version(void);               /* "0.1.0" */
 #define C2D_PATH_BYTES_(nodes1, ends1, nodes2, ends2, m, cases)                                                        \
   (C2D_ARRAY_((m) * ((m) + 2 + (cases)), C2D_REAL_BYTES) +             /* tableau                         */          \
    5 * C2D_ARRAY_(m, C2D_REAL_BYTES) + C2D_BLOCK_(m) +                 /* forces, rates, u1, u2, a column */          \
-   C2D_ARRAY_(nodes1, 16) + C2D_ARRAY_(nodes2, 16) +                   /* displacements                   */          \
-   C2D_ARRAY_(ends1, 16) + C2D_ARRAY_(ends2, 16) +                     /* tractions                       */          \
+   C2D_ARRAY_(2 * (nodes1), C2D_REAL_BYTES) + C2D_ARRAY_(2 * (nodes2), C2D_REAL_BYTES) + /* displacements */           \
+   C2D_ARRAY_(2 * (ends1), C2D_REAL_BYTES) + C2D_ARRAY_(2 * (ends2), C2D_REAL_BYTES) + /* tractions       */           \
    C2D_ARRAY_(C2D_ROWS_(C2D_LARGER_(nodes1, nodes2)), C2D_REAL_BYTES) + /* unknowns of one body            */         \
    C2D_ARRAY_(2 * (m) + (cases), C2D_REAL_BYTES) +                     /* and what multiplies the rest    */          \
    C2D_BLOCK_(C2D_ROWS_(C2D_LARGER_(nodes1, nodes2))))                 /* a block of tape UPPER           */

@@ -178,7 +178,7 @@ TEST_CASE("embedded: the README's bill is what make footprint prints, and stacks
     const std::string bill = kFolder + target + "/bill";
     REQUIRE_MESSAGE(fs::exists(bill), bill);
     const auto rows = table_rows(read_file(bill));
-    CHECK(rows.size() == 5);
+    CHECK(rows.size() == 6);
     for (const auto& row : rows) {
       CAPTURE(row.first);
       const auto told = readme.find(row.first);
@@ -196,6 +196,47 @@ TEST_CASE("embedded: the README's bill is what make footprint prints, and stacks
   }
 }
 
+// The parts of src/memory/optional.hpp, and a function or two of each file that only they need.
+TEST_CASE("embedded: parts that no call declares are not linked, and come with the call") {
+  if (skipped()) return;
+  struct Part {
+    const char* call;
+    std::vector<std::string> names;
+  };
+  const Part parts[] = {
+      {"c2d_add_free_zone", {"c2d::fit_free_zone", "c2d::fill_transfer", "c2d::surface_faced", "c2d::transferred_values"}},
+      {"c2d_set_body_force", {"c2d::particular_solution", "c2d::add_body_force_columns", "c2d::check_body_force"}},
+      {"c2d_set_rigid", {"c2d::check_rigid", "c2d::move_rigidly", "c2d::fill_rigid"}},
+      {"c2d_set_symmetry", {"c2d::validate_lines", "c2d::is_held_by_lines", "c2d::fold_across"}},
+      {"c2d_get_summary", {"c2d::build_energy", "c2d::close_balance"}},
+  };
+  const Folder folder;
+  const std::string root = C2D_TEST_ROOT;
+  for (const Board& board : kBoards) {
+    const std::string place = kFolder + board.name;
+    const auto names_in = [&](const std::string& image) { return run_shell("arm-none-eabi-nm -C '" + image + "'").out; };
+    const std::string solver = names_in(place + "/solver.elf");
+    CHECK(contains(solver, "c2d_interior"));
+    for (const Part& part : parts) {
+      CAPTURE(part.call);
+      const std::string image = folder / "part.elf";
+      const Result linked = run_shell("cd '" + root + "' && arm-none-eabi-g++ -nostdlib -Wl,--gc-sections -Wl,-e,c2d_create "
+                                      "-Wl,-u,c2d_complete -Wl,-u,c2d_prepare -Wl,-u,c2d_advance -Wl,-u,c2d_interior -Wl,-u," +
+                                      part.call + " -T port/cortex-m/sizes.ld '" + place + "/obj/port_cortex-m_math.o' '" +
+                                      place + "/libcontact2d.a' -lm -lc -lgcc -o '" + image + "'" +
+                                      (board.name[1] == '3' ? " -mcpu=cortex-m3 -mthumb -mfloat-abi=soft"
+                                       : board.name[1] == '4' ? " -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard"
+                                                              : " -mcpu=cortex-m7 -mthumb -mfpu=fpv5-d16 -mfloat-abi=hard"));
+      REQUIRE_MESSAGE(linked.status == 0, linked.err);
+      const std::string with = names_in(image);
+      for (const std::string& name : part.names) {
+        CHECK_MESSAGE(contains(with, name + '('), name);
+        CHECK_MESSAGE(!contains(solver, name + '('), name);
+      }
+    }
+  }
+}
+
 TEST_CASE("embedded: what is not called is not linked") {
   if (skipped()) return;
   for (const Board& board : kBoards) {
@@ -204,6 +245,7 @@ TEST_CASE("embedded: what is not called is not linked") {
                  whole = run_shell("arm-none-eabi-nm -C '" + kFolder + board.name + "/whole.elf'");
     for (const char* name : {"c2d_interior", "c2d::read_deck_cards", "c2d::read_nodes"})
       CHECK(contains(whole.out, name));
+    CHECK(contains(whole.out, "c2d::fold_across("));
     CHECK_FALSE(contains(points.out, "c2d_interior"));
     for (const char* name :
          {"c2d_read_deck", "c2d::read_deck_cards", "c2d::read_nodes", "c2d::read_extensions"})

@@ -1,3 +1,5 @@
+#include "gauss_points.hpp"
+
 #include "bie/integrals.hpp"
 #include "bie/shape.hpp"
 #include "quadrature/gauss.hpp"
@@ -97,7 +99,7 @@ struct Reference {
       return;
     }
     for (int i = 0; i < 18; ++i) { // the nearest singularity is at least 2 half-lengths from the middle
-      const GaussPoint p = gauss_point(gauss_legendre(18), i);
+      const GaussPoint p = test::reference_gauss_point(18, i);
       kernel_point((a + b) / 2 + (b - a) / 2 * p.x, (b - a) / 2 * p.w);
     }
   }
@@ -531,7 +533,7 @@ TEST_CASE("arc mode: g and resultants per length of the other element, h untouch
         resultants(in, 0.0, 0.0, w, wx, wy);
         for (int l = 0; l < 3; ++l) sum += w[l];
         for (int i = 0; i < 320; ++i) { // ten panels of 32 points
-          const GaussPoint p = gauss_point(gauss_legendre(32), i % 32);
+          const GaussPoint p = test::reference_gauss_point(32, i % 32);
           arc_length += 0.1 * p.w * element_point(arc, -0.9 + 0.2 * (i / 32) + 0.1 * p.x).jacobian;
         }
         CHECK(std::fabs(sum - arc_length) < 1e-13);
@@ -550,7 +552,7 @@ TEST_CASE("resultants: forces and first moments of every functional order") {
       double w[4], wx[4], wy[4], f[4][3] = {};
       resultants(in, 0.3, -0.4, w, wx, wy);
       for (int i = 0; i < 320; ++i) {
-        const GaussPoint g = gauss_point(gauss_legendre(32), i % 32);
+        const GaussPoint g = test::reference_gauss_point(32, i % 32);
         const double eta = -0.9 + 0.2 * (i / 32) + 0.1 * g.x;
         const Point p = element_point(e, eta);
         double N[4];

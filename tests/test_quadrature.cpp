@@ -1,3 +1,5 @@
+#include "gauss_points.hpp"
+
 #include "bie/shape.hpp"
 #include "quadrature/gauss.hpp"
 
@@ -12,7 +14,7 @@ using namespace c2d;
 namespace {
 
 constexpr double kEps = std::numeric_limits<double>::epsilon();
-constexpr int kOrders[] = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 24, 32};
+constexpr int kOrders[] = {1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20};
 
 } // namespace
 
@@ -37,6 +39,9 @@ TEST_CASE("Gauss-Legendre rules integrate every even power they must, with posit
       CHECK(p.x == -q.x);
       CHECK(p.w == q.w);
       if (i > 0) CHECK(p.x > gauss_point(rule, i - 1).x);
+      const GaussPoint r = test::reference_gauss_point(n, i);
+      CHECK(std::fabs(p.x - r.x) <= kEps);
+      CHECK(std::fabs(p.w - r.w) <= 4 * kEps);
     }
     // Degree 2n is not integrated exactly: the rule is not a longer one by mistake.
     if (n <= 12) {
@@ -45,7 +50,7 @@ TEST_CASE("Gauss-Legendre rules integrate every even power they must, with posit
       CHECK(std::fabs(sum - 2.0 / (2 * n + 1)) > 1e-9);
     }
   }
-  for (const int n : {-1, 0, 21, 23, 25, 31, 33}) CHECK(gauss_legendre(n).n == 0);
+  for (const int n : {-1, 0, 7, 9, 11, 13, 19, 21, 24, 32}) CHECK(gauss_legendre(n).n == 0);
 }
 
 TEST_CASE("logarithmic rules integrate x^k ln(1/x) = 1/(k+1)^2") {
@@ -83,7 +88,9 @@ TEST_CASE("the a-priori bound holds for 1/(z - x) times a power, and is not wast
         }
         CHECK(std::fabs(sum - exact) <= tolerance * largest + 1e-14 * z * z * z);
         CHECK(gauss_error_bound(n, inner, degree) <= tolerance);
-        if (n > 1 && n <= 20) CHECK(gauss_error_bound(n - 1, inner, degree) > tolerance);
+        int fewer = n - 1;
+        while (fewer > 0 && gauss_legendre(fewer).n == 0) --fewer;
+        if (fewer > 0) CHECK(gauss_error_bound(fewer, inner, degree) > tolerance);
       }
     }
   }
@@ -105,7 +112,7 @@ TEST_CASE("a pole of order two just outside the prescribed ellipse is integrated
       }
       double exact = 0;
       for (int i = 0; i < 32; ++i) {
-        const GaussPoint p = gauss_point(gauss_legendre(32), i);
+        const GaussPoint p = test::reference_gauss_point(32, i);
         exact += p.w * std::pow(p.x, degree) / ((z - p.x) * (z - p.x));
         scale += p.w / ((z - p.x) * (z - p.x));
       }

@@ -20,8 +20,8 @@ agree_m7  := 1e-9
 # Bytes that the linker must find between static data and the top of RAM.
 STACK_LEAST ?= 4096
 
-ARM_FLAGS := -std=c++17 -Os -ffreestanding -fbuiltin -fno-math-errno -fno-exceptions -fno-rtti -ffunction-sections \
-  -fdata-sections -fno-threadsafe-statics $(EXACT) $(WARNINGS) -fstack-usage -fcallgraph-info=su
+ARM_FLAGS := -std=c++17 -Os -fno-move-loop-invariants -fno-inline-small-functions -ffreestanding -fbuiltin -fno-math-errno -fno-exceptions -fno-rtti -ffunction-sections \
+  -fdata-sections -fno-threadsafe-statics -DC2D_SYMMETRY_BY_CALL $(EXACT) $(WARNINGS) -fstack-usage -fcallgraph-info=su
 ARM_PORT := $(wildcard port/cortex-m/*.cpp)
 
 define arm_object
@@ -77,21 +77,24 @@ $(BOARDS:%=embedded-%): embedded-%: $(EMBEDDED)/%/hertz.csv $(EMBEDDED)/desktop.
 # ---- the bill: what every target takes ----------------------------------------------------------------------------
 # Images of calls of the header and of what they need, linked with --gc-sections:
 #   whole        every call                      no-deck, no-points   without the deck reader, without c2d_interior
-#   solver       a model by calls, one load case, zones of pairs: all orders, both quadratures, both steppings,
-#                interior points                 solver-deck          the same and the deck reader
+#   solver       a model by calls, one load case, zones of pairs, begin and advance: all orders, both quadratures,
+#                both steppings, interior points
+#   solver-run   the same and c2d_run, c2d_get_summary, with energies       solver-deck   that and the deck reader
 open := (
 ALL_CALLS    := $(sort $(shell sed -n 's/^[a-z][a-z0-9_ *]*\(c2d_[a-z0-9_]*\)$(open)[a-z].*/\1/p' include/contact2d.h))
 DECK_CALLS   := c2d_scan_deck c2d_check_deck c2d_walk_deck c2d_read_deck
 SOLVER_CALLS := c2d_memory_need c2d_create c2d_close c2d_set_problem c2d_set_body c2d_add_region c2d_set_nodes \
   c2d_set_condition c2d_add_point_load c2d_add_zone c2d_add_friction c2d_add_path c2d_complete c2d_set_options \
-  c2d_prepare c2d_begin c2d_advance c2d_next_event c2d_run c2d_cancel c2d_get c2d_interior c2d_get_summary \
-  c2d_get_state c2d_last_error c2d_message c2d_outcome_message c2d_version
-CONFIGURATIONS := whole no-deck no-points solver solver-deck
+  c2d_prepare c2d_begin c2d_advance c2d_next_event c2d_cancel c2d_get c2d_interior c2d_get_state c2d_last_error c2d_message \
+  c2d_outcome_message c2d_version
+RUN_CALLS := c2d_run c2d_get_summary
+CONFIGURATIONS := whole no-deck no-points solver solver-run solver-deck
 calls_whole       := $(ALL_CALLS)
 calls_no-deck     := $(filter-out $(DECK_CALLS),$(ALL_CALLS))
 calls_no-points   := $(filter-out c2d_interior,$(ALL_CALLS))
 calls_solver      := $(SOLVER_CALLS)
-calls_solver-deck := $(SOLVER_CALLS) $(DECK_CALLS)
+calls_solver-run  := $(SOLVER_CALLS) $(RUN_CALLS)
+calls_solver-deck := $(SOLVER_CALLS) $(RUN_CALLS) $(DECK_CALLS)
 wanted = $(foreach c,$(calls_$(1)),-Wl,-u,$(c))
 
 # $(1) board, $(2) configuration
@@ -125,8 +128,11 @@ $(call desktop_object,$(1)): $(1) port/cortex-m/embedded.mk
 	$(CXX) $(CPPFLAGS) $(ARM_FLAGS) -Isrc -Iinclude $(DEPS) -c $(1) -o $$@
 endef
 $(foreach s,$(CORE_SOURCES),$(eval $(call desktop_compile,$(s))))
+$(DESKTOP)/libcontact2d.a: $(DESKTOP_OBJECTS)
+	@rm -f $@
+	@$(AR) rcs $@ $(DESKTOP_OBJECTS)
 define desktop_size
-$(DESKTOP)/$(1).size: $(DESKTOP_OBJECTS)
+$(DESKTOP)/$(1).size: $(DESKTOP)/libcontact2d.a
 	@$(CXX) -nostdlib -r -Wl,--gc-sections -Wl,-e,c2d_create $(call wanted,$(1)) $$^ -o $$(@:.size=.o)
 	@size -A $$(@:.size=.o) > $$@
 endef

@@ -12,7 +12,7 @@ constexpr int32_t kSlots = 4;    // more are never asked for at once
 constexpr int32_t kDone = -1;    // ticket of what was done at once
 constexpr int32_t kPatience = 64; // looks for news, the processor offered in between, before a thread goes to sleep
 
-enum State : int32_t { idle, asked, done };
+enum State : int32_t { idle, asked, done }; // asked: in the queue, or being done
 
 struct Slot {
   PosixTransfer transfer;
@@ -20,7 +20,8 @@ struct Slot {
   std::atomic<int32_t> state;
 };
 
-// The caller alone adds to the queue, the thread alone takes from it. A thread that found no news for a while says so
+// The caller alone adds to the queue. The thread takes from it, and so does a caller who has to wait: on a machine with
+// more to do than processors the thread may not have got one yet. A thread that found no news for a while says so
 // and sleeps; who has news looks, after telling them, whether the other sleeps: with both in one order for all
 // (sequentially consistent), at least one sees what the other did.
 struct Helper {
@@ -29,7 +30,7 @@ struct Helper {
   pthread_mutex_t mutex;
   pthread_cond_t for_thread, for_caller;
   Slot slot[kSlots];
-  int32_t queue[kSlots];
+  std::atomic<int32_t> queue[kSlots];
   std::atomic<uint32_t> put, taken; // how many ever
   std::atomic<bool> thread_sleeps, caller_sleeps, stop;
 };
@@ -58,15 +59,39 @@ void wake(Helper* h, pthread_cond_t* bell, const std::atomic<bool>& sleeps) {
 void* work(void* argument) {
   Helper* h = static_cast<Helper*>(argument);
   for (;;) {
-    const uint32_t mine = h->taken.load();
-    await(h, &h->for_thread, &h->thread_sleeps, [h, mine] { return h->put.load() != mine || h->stop.load(); });
-    if (h->put.load() == mine) return nullptr; // told to stop, and nothing is left
-    Slot& slot = h->slot[h->queue[mine % kSlots]];
-    h->taken.store(mine + 1);
+    await(h, &h->for_thread, &h->thread_sleeps, [h] { return h->put.load() != h->taken.load() || h->stop.load(); });
+    uint32_t mine = h->taken.load();
+    if (h->put.load() == mine) {
+      if (h->stop.load()) return nullptr; // nothing is left
+      continue;                           // the caller was quicker
+    }
+    Slot& slot = h->slot[h->queue[mine % kSlots].load()];
+    if (!h->taken.compare_exchange_strong(mine, mine + 1)) continue;
     slot.code = do_posix_transfer(h->store, slot.transfer);
     slot.state.store(done);
     wake(h, &h->for_caller, h->caller_sleeps);
   }
+}
+
+// Nothing of that block is under way elsewhere.
+bool is_alone(const Helper* h, int32_t i) {
+  const PosixTransfer& own = h->slot[i].transfer;
+  for (int32_t other = 0; other < kSlots; ++other) {
+    const PosixTransfer& t = h->slot[other].transfer;
+    if (other != i && h->slot[other].state.load() == asked && t.tape == own.tape && t.block == own.block) return false;
+  }
+  return true;
+}
+
+// The caller takes its turn at the queue's head. False: there is nothing to be done but waiting.
+bool lend_a_hand(Helper* h) {
+  uint32_t mine = h->taken.load();
+  if (h->put.load() == mine) return false;
+  const int32_t i = h->queue[mine % kSlots].load();
+  if (!is_alone(h, i) || !h->taken.compare_exchange_strong(mine, mine + 1)) return false;
+  h->slot[i].code = do_posix_transfer(h->store, h->slot[i].transfer);
+  h->slot[i].state.store(done);
+  return true;
 }
 
 // Signals are the caller's business.
@@ -112,7 +137,7 @@ int32_t start_posix_transfer(c2d_posix_store* store, const PosixTransfer& transf
     slot.transfer = transfer;
     slot.state.store(asked);
     const uint32_t place = h->put.load();
-    h->queue[place % kSlots] = i;
+    h->queue[place % kSlots].store(i);
     h->put.store(place + 1);
     wake(h, &h->for_thread, h->thread_sleeps);
     *ticket = i;
@@ -126,6 +151,8 @@ int32_t wait_posix_transfer(c2d_posix_store* store, int32_t ticket) {
   Helper* h = helper_of(store);
   if (!h || ticket < 0 || ticket >= kSlots || h->slot[ticket].state.load() == idle) return C2D_POSIX_STORE_TICKET;
   Slot& slot = h->slot[ticket];
+  while (slot.state.load() != done && lend_a_hand(h)) {
+  }
   await(h, &h->for_caller, &h->caller_sleeps, [&slot] { return slot.state.load() == done; });
   slot.state.store(idle);
   return slot.code;

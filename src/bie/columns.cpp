@@ -4,9 +4,13 @@
 #include "bie/panel.hpp"
 #include "bie/transfer.hpp"
 #include "memory/hostile.hpp"
+#include "memory/optional.hpp"
 #include "model/symmetry.hpp"
 
 namespace c2d {
+
+C2D_OPTIONAL(add_body_force_columns);
+C2D_OPTIONAL(fill_transfer);
 
 namespace {
 
@@ -114,7 +118,7 @@ void add_all(const ColumnSystem& system, const Hole* hole, const Panel& panel) {
   }
   for (int32_t i = 0; i < m.head->point_loads && panel.range.holds_right(); ++i)
     if (m.point_load[i].body == b) add_point_load(system, hole, panel, m.point_load[i]);
-  for (int32_t k = 0; k < m.head->load_cases && has_body_force(m, b); ++k) add_body_force(system, hole, panel, k);
+  for (int32_t k = 0; k < m.head->load_cases && has_body_force(m, b); ++k) add_body_force_columns(system, hole, panel, k);
 }
 
 // This row says: the unknown of column j is zero.

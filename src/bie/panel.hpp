@@ -59,6 +59,6 @@ void pay_sources(const ColumnSystem& system, const Hole* hole, const int32_t nod
 
 // Point loads of the body and its body force of one load case, into the right-hand sides; `hole` as above.
 void add_point_load(const ColumnSystem& system, const Hole* hole, const Panel& panel, const PointLoad& load);
-void add_body_force(const ColumnSystem& system, const Hole* hole, const Panel& panel, int32_t load_case);
+void add_body_force_columns(const ColumnSystem& system, const Hole* hole, const Panel& panel, int32_t load_case);
 
 } // namespace c2d

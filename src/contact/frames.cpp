@@ -1,6 +1,7 @@
 #include "contact/frames.hpp"
 
-#include "model/free_zones.hpp"
+#include "contact/facing_pairs.hpp"
+#include "memory/optional.hpp"
 #include "model/geometry.hpp"
 #include "model/rigid.hpp"
 #include "model/symmetry.hpp"
@@ -10,6 +11,12 @@
 #include <math.h>
 
 namespace c2d {
+
+C2D_OPTIONAL(surface_faced);
+C2D_OPTIONAL(bulges);
+C2D_OPTIONAL(face_node);
+C2D_OPTIONAL(faced_node);
+C2D_OPTIONAL(warn_unsure);
 
 namespace {
 
@@ -28,7 +35,9 @@ double dot(const double a[2], const double b[2]) {
   return a[0] * b[0] + a[1] * b[1];
 }
 
-bool normalise(double v[2]) {
+} // namespace
+
+bool make_unit(double v[2]) {
   const double size = sqrt(dot(v, v));
   if (size <= 1e-6) return false;
   v[0] /= size;
@@ -36,11 +45,15 @@ bool normalise(double v[2]) {
   return true;
 }
 
-// What the contact elements that meet at one node of a pair say.
-struct Surface {
-  double n[2];   // normalised sum of their outward normals
-  double length; // of the shortest
-};
+void say_pair(Finding& f, const Model& m, int32_t pair) {
+  const Pair& p = m.pair[pair];
+  say(f, "pair ", pair + 1);
+  if (p.node[0] >= 0) say(f, " (node ", p.node[0] + 1, " of body 1");
+  else say(f, " (on element ", p.element + 1, " of body 1");
+  say(f, ", node ", p.node[1] + 1, " of body 2)");
+}
+
+namespace {
 
 bool surface_at(const Model& m, int b, int32_t pair, Surface& out) {
   const int32_t f = m.head->function_nodes;
@@ -57,41 +70,7 @@ bool surface_at(const Model& m, int b, int32_t pair, Surface& out) {
     const double length = element_length(m, b, element);
     if (out.length < 0 || length < out.length) out.length = length;
   }
-  return normalise(out.n);
-}
-
-// The same where a node of body 2 faces body 1 in a free zone.
-bool surface_faced(const Model& m, int32_t pair, Surface& out) {
-  const Pair& p = m.pair[pair];
-  FacePoint at{p.element, 0, p.eta};
-  int32_t zone;
-  if (!find_contact_element(m, 0, p.element, &zone, &at.place)) return false;
-  face_normal(m, m.zone[zone], at, out.n);
-  out.length = element_length(m, 0, p.element);
-  return normalise(out.n);
-}
-
-// What the smooth surfaces of both bodies take off the gap between their elements.
-double bulges(const Model& m, int32_t pair, double* doubt) {
-  const Pair& p = m.pair[pair];
-  const int32_t f = m.head->function_nodes;
-  const Zone& z = m.zone[p.zone];
-  FacePoint at{p.element, 0, p.eta};
-  int32_t zone, ends[2];
-  if (!find_contact_element(m, 0, at.element, &zone, &at.place)) return 0;
-  const double first = bulge_at(m, z, 0, at, doubt);
-  const int count = ends_at_node(m, 1, p.node[1], ends);
-  for (int i = 0; i < count; ++i) {
-    if (pair_of_end(m, 1, ends[i] / f, ends[i] % f) != pair) continue;
-    at.element = ends[i] / f;
-    at.eta = local_eta(f, ends[i] % f);
-    find_contact_element(m, 1, at.element, &zone, &at.place);
-    double other;
-    const double second = bulge_at(m, z, 1, at, &other);
-    *doubt += other;
-    return first + second;
-  }
-  return first;
+  return make_unit(out.n);
 }
 
 // Does g lie between the directions a and b, widened by one degree on either side?
@@ -99,15 +78,6 @@ bool in_wedge(const double g[2], const double a[2], const double b[2]) {
   const double opening = atan2(a[0] * b[1] - a[1] * b[0], dot(a, b));
   const double angle = atan2(a[0] * g[1] - a[1] * g[0], dot(a, g));
   return angle >= fmin(opening, 0) - kDegree && angle <= fmax(opening, 0) + kDegree;
-}
-
-// "pair 3 (node 7 of body 1, node 9 of body 2)"
-void say_pair(Finding& f, const Model& m, int32_t pair) {
-  const Pair& p = m.pair[pair];
-  say(f, "pair ", pair + 1);
-  if (p.node[0] >= 0) say(f, " (node ", p.node[0] + 1, " of body 1");
-  else say(f, " (on element ", p.element + 1, " of body 1");
-  say(f, ", node ", p.node[1] + 1, " of body 2)");
 }
 
 void tell_pair(const Model& m, int32_t pair, const char* found, const char* expected, Reporter& reporter) {
@@ -132,7 +102,7 @@ bool has_value(const Model& m, int b, int32_t node, int component) {
 bool find_symmetry(const Model& m, int32_t pair, int* component, Reporter& reporter) {
   const Pair& p = m.pair[pair];
   *component = -1;
-  const int32_t node[2] = {p.node[0] >= 0 ? p.node[0] : node_at(m, FacePoint{p.element, 0, p.eta}), p.node[1]};
+  const int32_t node[2] = {p.node[0] >= 0 ? p.node[0] : faced_node(m, p), p.node[1]};
   bool fixed[2][2]; // [body][component]
   for (int b = 0; b < 2; ++b) {
     for (int c = 0; c < 2; ++c)
@@ -176,7 +146,7 @@ bool set_normal(const Model& m, int32_t pair, const Surface& s1, const Surface& 
                 Reporter& reporter) {
   Pair& p = m.pair[pair];
   double n[2] = {s1.n[0] - s2.n[0], s1.n[1] - s2.n[1]};
-  if (dot(s1.n, s2.n) > 0 || !normalise(n)) {
+  if (dot(s1.n, s2.n) > 0 || !make_unit(n)) {
     tell_pair(m, pair, "the surfaces do not face each other", "opposed outward normals", reporter);
     return false;
   }
@@ -261,24 +231,11 @@ struct Spread {
   }
 };
 
-// Overlaps of a free zone that are no longer than what its elements leave open.
-struct Unsure {
-  int32_t count, pair; // the worst
-  double overlap, doubt;
-  void add(const Model& m, int32_t of_pair, double of_doubt) {
-    const double size = m.pair[of_pair].overlap;
-    if (size <= 0 || size > of_doubt) return;
-    if (count++ > 0 && size * doubt >= overlap * of_doubt) return;
-    pair = of_pair;
-    overlap = size;
-    doubt = of_doubt;
-  }
-};
-
 void build_frame(const Model& m, int32_t pair, Spread& spread, Unsure& unsure, Reporter& reporter) {
   Pair& p = m.pair[pair];
   Surface s1, s2;
-  const bool first = p.node[0] < 0 ? surface_faced(m, pair, s1) : surface_at(m, 0, pair, s1), second = surface_at(m, 1, pair, s2);
+  const bool first = p.node[0] < 0 ? surface_faced(m, pair, s1) : surface_at(m, 0, pair, s1),
+             second = surface_at(m, 1, pair, s2);
   if (!first || !second)
     return tell_pair(m, pair, "no normal on one of the bodies", "a smooth contact element", reporter);
   p.length = fmin(s1.length, s2.length);
@@ -316,18 +273,6 @@ void warn_spread(const Model& m, int32_t zone, const Spread& spread, Reporter& r
   tell(reporter, f);
 }
 
-// The same for overlaps that the elements leave open.
-void warn_unsure(const Model& m, int32_t zone, const Unsure& unsure, Reporter& reporter) {
-  if (unsure.count == 0) return;
-  Finding f = warning(C2D_WARN_OVERLAP);
-  locate_pair(f, m, unsure.pair);
-  say(f, "zone ", zone + 1, ": ", unsure.count,
-      " overlaps are smaller than what the elements may be off the surfaces, ");
-  say_pair(f, m, unsure.pair);
-  say(f, ": ", unsure.overlap, " against ", unsure.doubt);
-  tell(reporter, f);
-}
-
 // ---- kinks ----
 
 void check_kink(const Model& m, int32_t zone, int b, int32_t k, Reporter& reporter) {
@@ -360,17 +305,6 @@ void check_kink(const Model& m, int32_t zone, int b, int32_t k, Reporter& report
 
 } // namespace
 
-namespace {
-void face_node(const Model& m, const Zone& z, Pair& p) {
-  double x, y;
-  FacePoint at{z.first_element[0], 0, 0};
-  node_position(m, 1, p.node[1], &x, &y);
-  face_point(m, z, x, y, at); // there is one: the zone was fitted
-  p.element = at.element;
-  p.eta = at.eta;
-}
-} // namespace
-
 bool build_frames(const Model& m, Reporter& reporter) {
   const int32_t before = reporter.faults;
   for (int32_t i = 0; i < m.head->zones; ++i) {
@@ -392,7 +326,7 @@ bool build_frames(const Model& m, Reporter& reporter) {
     }
     close_gaps(m, z);
     warn_spread(m, i, spread, reporter);
-    warn_unsure(m, i, unsure, reporter);
+    if (unsure.count > 0) warn_unsure(m, i, unsure, reporter);
     for (int b = 0; b < 2; ++b) {
       // A zone that goes all round its region has a last neighbour more.
       const Region& r = m.region[b][z.region[b]];

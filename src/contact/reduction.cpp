@@ -1,8 +1,11 @@
 #include "contact/reduction.hpp"
 
 #include "linalg/dense.hpp"
+#include "memory/optional.hpp"
 
 namespace c2d {
+
+C2D_OPTIONAL(move_rigidly);
 
 namespace {
 
@@ -15,21 +18,6 @@ ContactMatrix of_body(ContactMatrix first_body, int body) {
 // The strip is free: norms take a part of it.
 c2d_status factor(const Reduction& r, Real* matrix) {
   return lu_factor(r.engine, r.tape.m, matrix, r.tape.m, r.pivots, r.strip, nullptr) == 0 ? C2D_OK : C2D_ERR_SINGULAR;
-}
-
-// v of a rigid body 1 is its motion at the pairs.
-c2d_status move_rigidly(const Reduction& r) {
-  c2d_status status = C2D_OK;
-  for (int32_t k = 0; k < r.tape.cases && status == C2D_OK; ++k) {
-    for (int32_t i = 0; i < r.model.head->pairs; ++i) {
-      const Pair& pair = r.model.pair[i];
-      double v[2];
-      rigid_motion_at_pair(r.model, pair, k, v);
-      for (int32_t d = 0; d <= pair.tangential; ++d) r.strip[pair.dof + d] = static_cast<Real>(v[d]);
-    }
-    status = write_column(r.tape, Matrix::flexibility_load, k, r.strip);
-  }
-  return status;
 }
 
 // v of the inverted body, whose factored S_u is in `first`.
@@ -64,19 +52,42 @@ c2d_status invert_body(const Reduction& r) {
   return status == C2D_OK ? solve_loads(r) : status;
 }
 
+// Columns of a product that go through memory of their own. With a kernel half of its scratch holds more of them, so
+// that packing the left factor serves more columns; how many depends on m alone.
+struct Strip {
+  Engine engine;
+  Real* columns;
+  int32_t count;
+};
+
+Strip strip_of(const Reduction& r) {
+  const int32_t m = r.tape.m;
+  const int64_t half = full_scratch(m, m) / 2 / 8 * 8, wide = half / m / 8 * 8;
+  if (kSmallCode || !r.engine.kernel || r.engine.numbers < 2 * half || wide < 2 * kStripColumns)
+    return {r.engine, r.strip, kStripColumns};
+  const int32_t most = m < 64 ? m : 64;
+  Strip strip = {r.engine, r.engine.scratch + half, wide < most ? static_cast<int32_t>(wide) : most};
+  strip.engine.numbers = half;
+  strip.engine.used = nullptr;
+  const int64_t used = half + static_cast<int64_t>(strip.count) * m;
+  if (r.engine.used && *r.engine.used < used) *r.engine.used = used;
+  return strip;
+}
+
 // M = S_t - S_u F of the other body, in place of F, whose columns are used up one strip after another.
 c2d_status form_compliance(const Reduction& r) {
   const int32_t m = r.tape.m;
   const int other = 1 - r.inverted;
   c2d_status status = read_matrix(r.tape, of_body(Matrix::displacement1, other), r.first);
-  for (int32_t j = 0; j < m && status == C2D_OK; j += kStripColumns) {
-    const int32_t count = m - j < kStripColumns ? m - j : kStripColumns;
+  const Strip strip = strip_of(r);
+  for (int32_t j = 0; j < m && status == C2D_OK; j += strip.count) {
+    const int32_t count = m - j < strip.count ? m - j : strip.count;
     for (int32_t c = 0; c < count && status == C2D_OK; ++c)
-      status = read_column(r.tape, of_body(Matrix::traction1, other), j + c, r.strip + static_cast<int64_t>(c) * m);
+      status = read_column(r.tape, of_body(Matrix::traction1, other), j + c, strip.columns + static_cast<int64_t>(c) * m);
     if (status != C2D_OK) return status;
     Real* columns = r.second + static_cast<int64_t>(j) * m;
-    gemm_minus(r.engine, m, count, m, r.first, m, columns, m, r.strip, m);
-    for (int64_t i = 0; i < static_cast<int64_t>(count) * m; ++i) columns[i] = r.strip[i];
+    gemm_minus(strip.engine, m, count, m, r.first, m, columns, m, strip.columns, m);
+    for (int64_t i = 0; i < static_cast<int64_t>(count) * m; ++i) columns[i] = strip.columns[i];
   }
   return status == C2D_OK ? write_matrix(r.tape, Matrix::compliance, r.second) : status;
 }
@@ -161,14 +172,6 @@ template <int n> c2d_status take_steps(const Reduction& r, const Step (&steps)[n
 }
 
 } // namespace
-
-void rigid_motion_at_pair(const Model& m, const Pair& pair, int32_t load_case, double v[2]) {
-  double x, y, u[2];
-  node_position(m, 0, pair.node[0], &x, &y);
-  rigid_displacement(m, load_case, x, y, u);
-  v[0] = (u[0] * pair.nx + u[1] * pair.ny) / m.head->length_unit;
-  v[1] = (u[0] * pair.ny - u[1] * pair.nx) / m.head->length_unit;
-}
 
 c2d_status reduce(const Reduction& r) {
   const Step steps[] = {invert_body, form_compliance, form_closing, form_stiffness};

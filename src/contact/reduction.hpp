@@ -24,8 +24,11 @@ struct Reduction {
 };
 constexpr int32_t kStripColumns = 4;
 
-// Motion of the rigid body 1 at a pair: along n and t, in the length unit, at factor 1 of a load case.
+// ---- optional, for a rigid body 1 (memory/optional.hpp, rigid_reduction.cpp) ----
+// Its motion at a pair: along n and t, in the length unit, at factor 1 of a load case.
 void rigid_motion_at_pair(const Model& m, const Pair& pair, int32_t load_case, double v[2]);
+// v of the inverted body where that is the rigid one: its motion at the pairs.
+c2d_status move_rigidly(const Reduction& r);
 
 // Reads the six matrices of the bodies, writes the other six. C2D_ERR_SINGULAR if a pivot is unusable.
 c2d_status reduce(const Reduction& r);

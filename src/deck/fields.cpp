@@ -25,18 +25,14 @@ void malformed_field(Cards& cards, int32_t column, int32_t width, const char* ex
   const int32_t column_end = column + width - 1;
   begin_fault(cards, column, column_end);
   Text text = text_in(cards.entry.text);
-  put(text, width == 1 ? "column " : "columns ");
-  put(text, column);
+  put_all(text, width == 1 ? "column " : "columns ", column);
   if (width > 1) {
     put_character(text, '-');
     put(text, column_end);
   }
   put(text, width == 1 ? " holds " : " hold ");
   put_field(text, cards.text + column - 1, width);
-  put(text, ", expected ");
-  put(text, expected);
-  put(text, ": ");
-  put(text, name);
+  put_all(text, ", expected ", expected, ": ", name);
   end_fault(cards);
 }
 
@@ -233,10 +229,7 @@ bool end_of_words(Cards& cards, const Words& words, int32_t count) {
   const int32_t column_end = words.word[words.count - 1].column_end;
   if (column_end > cards.entry.column_end) cards.entry.column_end = column_end;
   Text text = text_in(cards.entry.text);
-  put(text, "the card has ");
-  put(text, words.count);
-  put(text, words.count == 1 ? " field, expected " : " fields, expected ");
-  put(text, count);
+  put_all(text, "the card has ", words.count, words.count == 1 ? " field, expected " : " fields, expected ", count);
   end_fault(cards);
   return false;
 }

@@ -105,9 +105,7 @@ void unknown_keyword(Cards& cards, const Words& words) {
   begin_word_fault(cards, words, 0);
   Text text = text_in(cards.entry.text);
   put_character(text, '*');
-  put(text, name);
-  put(text, " is not a known keyword; ");
-  put(text, near != nullptr ? "did you mean *" : "known are *");
+  put_all(text, name, " is not a known keyword; ", near != nullptr ? "did you mean *" : "known are *");
   if (near != nullptr) {
     put(text, near);
     put_character(text, '?');

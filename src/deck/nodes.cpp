@@ -47,15 +47,12 @@ void refuse_letter(Cards& cards, char letter) {
   const bool is_one = at.column == at.column_end;
   begin_fault(cards, at.column, at.column_end);
   Text text = text_in(cards.entry.text);
-  put(text, is_one ? "column " : "columns ");
-  put(text, int32_t{at.column});
+  put_all(text, is_one ? "column " : "columns ", int32_t{at.column});
   if (!is_one) {
     put_character(text, '-');
     put(text, int32_t{at.column_end});
   }
-  put(text, is_one ? " holds '" : " hold '");
-  put(text, shown);
-  put(text, "', expected a coordinate letter, which is blank or P");
+  put_all(text, is_one ? " holds '" : " hold '", shown, "', expected a coordinate letter, which is blank or P");
   end_fault(cards);
 }
 

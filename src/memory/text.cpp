@@ -11,34 +11,48 @@ Text text_in(char* bytes, size_t size) {
   return Text{bytes, size, 0};
 }
 
-void put_character(Text& text, char character) {
-  if (text.used + 1 >= text.size) return;
+Text& put_character(Text& text, char character) {
+  if (text.used + 1 >= text.size) return text;
   text.data[text.used++] = character;
   text.data[text.used] = '\0';
+  return text;
 }
 
-void put(Text& text, const char* characters, size_t count) {
-  if (characters == nullptr) return;
+Text& put(Text& text, const char* characters, size_t count) {
+  if (characters == nullptr) return text;
   for (size_t i = 0; i < count && characters[i] != '\0'; ++i) put_character(text, characters[i]);
+  return text;
 }
 
-void put(Text& text, const char* characters) {
-  put(text, characters, SIZE_MAX);
+Text& put(Text& text, const char* characters) {
+  return put(text, characters, SIZE_MAX);
 }
 
-void put_unsigned(Text& text, uint64_t number) {
+Text& put_unsigned(Text& text, uint64_t number) {
   char digits[20];
   size_t first = sizeof digits;
   do {
     digits[--first] = static_cast<char>('0' + number % 10);
     number /= 10;
   } while (number != 0);
-  put(text, digits + first, sizeof digits - first);
+  return put(text, digits + first, sizeof digits - first);
 }
 
-void put_signed(Text& text, int64_t number) {
+Text& put_signed(Text& text, int64_t number) {
   if (number < 0) put_character(text, '-');
-  put_unsigned(text, number < 0 ? 0 - static_cast<uint64_t>(number) : static_cast<uint64_t>(number));
+  return put_unsigned(text, number < 0 ? 0 - static_cast<uint64_t>(number) : static_cast<uint64_t>(number));
+}
+
+Text& put_with_integer(Text& text, const char* characters, int32_t number) {
+  return put_signed(put(text, characters), number);
+}
+
+Text& put_with_number(Text& text, const char* characters, double number) {
+  return put(put(text, characters), number);
+}
+
+Text& put(Text& text, double number) {
+  return put(text, number, 6);
 }
 
 namespace {
@@ -116,7 +130,7 @@ void put_digits(Text& text, const char* digits, int32_t count, int32_t exponent,
 
 } // namespace
 
-void put(Text& text, double number, int32_t digits) {
+Text& put(Text& text, double number, int32_t digits) {
   uint64_t pattern;
   static_assert(sizeof pattern == sizeof number, "a double has 64 bits");
   memcpy(&pattern, &number, sizeof pattern);
@@ -137,6 +151,7 @@ void put(Text& text, double number, int32_t digits) {
   int32_t count = digits;
   while (count > 1 && shown[count - 1] == '0') --count;
   put_digits(text, shown, count, value.exponent, value.exponent < -4 || value.exponent >= digits);
+  return text;
 }
 
 } // namespace c2d

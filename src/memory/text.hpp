@@ -20,22 +20,49 @@ template <size_t N> Text text_in(char (&bytes)[N]) {
   return text_in(bytes, N);
 }
 
-// Append. A null pointer appends nothing.
-void put(Text& text, const char* characters);
-void put(Text& text, const char* characters, size_t count); // exactly `count` of them, or up to a zero byte
-void put_character(Text& text, char character);
-void put_signed(Text& text, int64_t number);
-void put_unsigned(Text& text, uint64_t number);
+// Append, and return the text: what follows another call then needs no argument loaded. A null pointer appends nothing.
+Text& put(Text& text, const char* characters);
+Text& put(Text& text, const char* characters, size_t count); // exactly `count` of them, or up to a zero byte
+Text& put_character(Text& text, char character);
+Text& put_signed(Text& text, int64_t number);
+Text& put_unsigned(Text& text, uint64_t number);
+Text& put_with_integer(Text& text, const char* characters, int32_t number); // both
+Text& put_with_number(Text& text, const char* characters, double number);
 // Any type of integer: which of them are int32_t and int64_t differs from machine to machine.
 template <class Integer, class = std::enable_if_t<std::is_integral<Integer>::value>>
-void put(Text& text, Integer number) {
-  if (std::is_signed<Integer>::value)
-    put_signed(text, static_cast<int64_t>(number));
-  else
-    put_unsigned(text, static_cast<uint64_t>(number));
+Text& put(Text& text, Integer number) {
+  if (std::is_signed<Integer>::value) return put_signed(text, static_cast<int64_t>(number));
+  return put_unsigned(text, static_cast<uint64_t>(number));
 }
 // As C's "%.<digits>g" in the C locale, correctly rounded (ties to even), 1 <= digits <= 17; "nan", "inf",
 // "-inf". No floating-point operation is carried out, so nothing can trap.
-void put(Text& text, double number, int32_t digits = 6);
+Text& put(Text& text, double number, int32_t digits);
+Text& put(Text& text, double number); // 6 digits
+
+#if defined(__GNUC__)
+#define C2D_IN_PLACE [[gnu::always_inline]]
+#else
+#define C2D_IN_PLACE
+#endif
+
+// Characters and numbers one after another, in as few calls as there can be: messages are a good part of a small program.
+template <class Last> C2D_IN_PLACE inline Text& put_all(Text& text, Last last) {
+  return put(text, last);
+}
+template <class First, class Second, class... More>
+C2D_IN_PLACE inline Text& put_all(Text& text, First first, Second second, More... more) {
+  constexpr bool names = std::is_same<First, const char*>::value,
+                 integer = std::is_integral<Second>::value && std::is_signed<Second>::value && sizeof(Second) <= 4;
+  if constexpr (names && integer && sizeof...(more) == 0)
+    return put_with_integer(text, first, static_cast<int32_t>(second));
+  else if constexpr (names && integer)
+    return put_all(put_with_integer(text, first, static_cast<int32_t>(second)), more...);
+  else if constexpr (names && std::is_same<Second, double>::value && sizeof...(more) == 0)
+    return put_with_number(text, first, second);
+  else if constexpr (names && std::is_same<Second, double>::value)
+    return put_all(put_with_number(text, first, second), more...);
+  else
+    return put_all(put(text, first), second, more...);
+}
 
 } // namespace c2d

@@ -418,12 +418,11 @@ bool fit_free_zone(const Model& m, int32_t zone, Reporter& reporter) {
   return true;
 }
 
-void pair_position(const Model& m, const Pair& pair, int b, double* x, double* y) {
-  if (pair.node[b] >= 0) return node_position(m, b, pair.node[b], x, y);
+void faced_position(const Model& m, const Pair& pair, double* x, double* y) {
   const FacePoint at{pair.element, 0, pair.eta};
   const int32_t node = node_at(m, at);
-  if (node >= 0) return node_position(m, b, node, x, y);
-  const CurvePoint p = curve_point(m, b, pair.element, pair.eta);
+  if (node >= 0) return node_position(m, 0, node, x, y);
+  const CurvePoint p = curve_point(m, 0, pair.element, pair.eta);
   *x = p.x;
   *y = p.y;
 }

@@ -48,7 +48,7 @@ bool next_piece(PieceWalk& walk, FacingPiece& out);
 // that face body 1 in part. Returns false if it told a fault.
 bool fit_free_zone(const Model& m, int32_t zone, Reporter& reporter);
 
-// Where a pair is on a body: at its node, on body 1 of such a zone at the point its node faces.
-void pair_position(const Model& m, const Pair& pair, int b, double* x, double* y);
+// The parts of these zones are optional (memory/optional.hpp): this file, contact/facing_pairs.hpp, bie/transfer.hpp and
+// solver/transferred.hpp.
 
 } // namespace c2d

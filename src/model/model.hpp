@@ -165,6 +165,9 @@ int32_t twin_node(const Model& m, int b, int32_t node);
 bool is_second_twin(const Model& m, int b, int32_t node);
 void element_coordinates(const Model& m, int b, int32_t element, double x[4], double y[4]);
 void node_position(const Model& m, int b, int32_t node, double* x, double* y);
+// Where a pair is on a body: at its node, on body 1 of a free zone at the point its node faces (model/free_zones.cpp).
+void pair_position(const Model& m, const Pair& pair, int b, double* x, double* y);
+void faced_position(const Model& m, const Pair& pair, double* x, double* y);
 
 // ---- contact topology -------------------------------------------------------------------------------------------
 inline int32_t zone_elements(const Zone& z, int b) { return z.is_free != 0 && b == 0 ? z.facing : z.elements; }

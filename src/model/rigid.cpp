@@ -111,22 +111,15 @@ void put_motion(Text& text, const Model& m, int b, const double motion[3]) {
   const double size = sqrt(motion[0] * motion[0] + motion[1] * motion[1]);
   if (fabs(motion[2]) <= kIndependent * size) {
     put(text, "along ");
-    if (fabs(motion[1]) <= kIndependent * size) return put(text, "x");
-    if (fabs(motion[0]) <= kIndependent * size) return put(text, "y");
-    put(text, "(");
-    put(text, motion[0] / size);
-    put(text, ", ");
-    put(text, motion[1] / size);
-    return put(text, ")");
+    if (fabs(motion[1]) <= kIndependent * size) return void(put(text, "x"));
+    if (fabs(motion[0]) <= kIndependent * size) return void(put(text, "y"));
+    put_all(text, "(", motion[0] / size, ", ", motion[1] / size, ")");
+    return;
   }
   const double turn = motion[2] / m.head->length_unit;
   double centre[2] = {body.centre[0] - motion[1] / turn, body.centre[1] + motion[0] / turn};
   for (double& c : centre) c = fabs(c) <= 1e-12 * m.head->length_unit ? 0 : c; // round-off is no position
-  put(text, "rotation about (");
-  put(text, centre[0]);
-  put(text, ", ");
-  put(text, centre[1]);
-  put(text, ")");
+  put_all(text, "rotation about (", centre[0], ", ", centre[1], ")");
 }
 
 } // namespace c2d

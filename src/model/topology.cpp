@@ -1,5 +1,6 @@
 // Which nodes, elements and ends belong together. Every region is a curve of its own: closed, or open between
 // symmetry lines.
+#include "memory/optional.hpp"
 #include "model/geometry.hpp"
 #include "model/model.hpp"
 #include "model/symmetry.hpp"
@@ -7,6 +8,8 @@
 #include <math.h>
 
 namespace c2d {
+
+C2D_OPTIONAL(faced_position);
 
 namespace {
 
@@ -235,6 +238,11 @@ int32_t pair_of_end(const Model& m, int b, int32_t element, int l) {
   int32_t zone, place;
   if (!find_contact_element(m, b, element, &zone, &place)) return -1;
   return pair_in_zone(m, m.zone[zone], b, functional_node(m, b, element, l));
+}
+
+void pair_position(const Model& m, const Pair& pair, int b, double* x, double* y) {
+  if (pair.node[b] >= 0) node_position(m, b, pair.node[b], x, y);
+  else faced_position(m, pair, x, y);
 }
 
 } // namespace c2d

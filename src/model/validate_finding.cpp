@@ -4,12 +4,17 @@
 
 namespace c2d {
 
-Finding::Finding(int32_t severity, int32_t status) {
+Finding::Finding() {
   memset(&entry, 0, sizeof entry);
   entry.struct_size = static_cast<uint32_t>(sizeof entry);
-  entry.severity = severity;
-  entry.status = status;
+  entry.severity = C2D_FAULT;
+  entry.status = C2D_ERR_INPUT;
   text = text_in(entry.text);
+}
+
+Finding::Finding(int32_t number) : Finding() {
+  entry.severity = C2D_WARNING;
+  entry.status = number;
 }
 
 namespace {

@@ -1,4 +1,5 @@
 // Point loads lie inside their body, away from its boundary.
+#include "memory/optional.hpp"
 #include "model/geometry.hpp"
 #include "model/symmetry.hpp"
 #include "model/validate.hpp"
@@ -7,6 +8,9 @@
 #include <math.h>
 
 namespace c2d {
+
+C2D_OPTIONAL(check_body_force);
+C2D_OPTIONAL(check_rigid);
 
 namespace {
 
@@ -85,24 +89,6 @@ void check_point_load(const Model& m, int32_t i, Reporter& reporter) {
   tell(reporter, f);
 }
 
-// A body force that is not symmetric has no part in a symmetric model.
-void check_body_force(const Model& m, int b, int32_t load_case, Reporter& reporter) {
-  const ModelHeader& head = *m.head;
-  const BodyForce& f = m.body_force[2 * static_cast<int64_t>(load_case) + b];
-  const double weight[2] = {f.bx, f.by}, axis[2] = {f.x0, f.y0};
-  for (int c = 0; c < 2; ++c) {
-    if ((head.symmetry >> c & 1) == 0) continue;
-    const bool turns = f.rho_omega2 != 0.0 && fabs(axis[c] - head.line_at[c]) > kCoincident * head.length_unit;
-    if (weight[c] == 0.0 && !turns) continue;
-    Finding found = fault();
-    found.entry.body = b + 1;
-    say(found, "the body force of body ", b + 1, " in load case ", load_case + 1,
-        turns ? " turns about a point off the line of symmetry " : " acts across the line of symmetry ",
-        c == 0 ? "x = " : "y = ", head.line_at[c], turns ? ", expected an axis on it" : ", expected one along it");
-    tell(reporter, found);
-  }
-}
-
 // Does the case load anything? Whatever else may load a case adds itself here.
 bool case_prescribes(const Model& m, int32_t k) {
   for (int32_t i = 0; i < m.head->point_loads; ++i)
@@ -128,38 +114,6 @@ void check_cases(const Model& m, Reporter& reporter) {
     if (case_prescribes(m, k)) continue;
     Finding f = fault();
     say(f, "load case ", k + 1, " loads nothing, expected a traction, a displacement, a point load or a body force that is not zero");
-    tell(reporter, f);
-  }
-}
-
-// A rigid body 1 takes no loads and moves by its cards alone, as the lines of symmetry allow.
-void check_rigid(const Model& m, Reporter& reporter) {
-  const int64_t cases = m.head->load_cases, nodes = 2 * static_cast<int64_t>(body_of(m, 0).nodes) * cases;
-  const int64_t ends = 2 * static_cast<int64_t>(body_of(m, 0).elements) * m.head->function_nodes * cases;
-  bool loaded = (m.head->body_forces & 1) != 0;
-  for (int64_t i = 0; i < ends; ++i) loaded = loaded || m.end_traction[0][i] != 0;
-  for (int64_t i = 0; i < nodes; ++i) loaded = loaded || m.node_disp[0][i] != 0;
-  for (int32_t i = 0; i < m.head->point_loads; ++i) loaded = loaded || m.point_load[i].body == 0;
-  if (loaded) {
-    Finding f = fault();
-    f.entry.body = 1;
-    say(f, "body 1 is rigid, expected no tractions, displacements other than zero or forces there (*RIGID moves it)");
-    tell(reporter, f);
-  }
-  for (int32_t z = 0; z < m.head->zones; ++z) {
-    if (m.zone[z].is_free == 0) continue;
-    Finding f = fault();
-    f.entry.zone = z + 1;
-    say(f, "zone ", z + 1, " joins meshes that do not match, expected matching ones where body 1 is rigid");
-    tell(reporter, f);
-  }
-  for (int32_t k = 0; k < m.head->load_cases; ++k) {
-    const RigidMotion& motion = m.rigid_motion[k];
-    const bool across = ((m.head->symmetry & 1) != 0 && motion.ux != 0) || ((m.head->symmetry & 2) != 0 && motion.uy != 0);
-    if (!across && (m.head->symmetry == 0 || motion.rotation == 0)) continue;
-    Finding f = fault();
-    f.entry.body = 1;
-    say(f, "the motion of the rigid body 1 in load case ", k + 1, " leaves the line of symmetry, expected one along it");
     tell(reporter, f);
   }
 }

@@ -1,4 +1,5 @@
 // Do contact zones refer to what is there, and do their sides face each other?
+#include "memory/optional.hpp"
 #include "model/free_zones.hpp"
 #include "model/geometry.hpp"
 #include "model/validate.hpp"
@@ -7,6 +8,8 @@
 #include <math.h>
 
 namespace c2d {
+
+C2D_OPTIONAL(fit_free_zone);
 
 namespace {
 
@@ -37,7 +40,7 @@ int32_t direction(const Zone& z, int b) {
   return z.elements > 1 ? z.element_step[b] : 0;
 }
 
-bool in_range(const Model& m, int32_t zone, int b, Reporter& reporter) {
+bool lies_in_region(const Model& m, int32_t zone, int b, Reporter& reporter) {
   const Zone& z = m.zone[zone];
   const int32_t before = reporter.faults;
   if (z.region[b] < 0 || z.region[b] >= body_of(m, b).regions) {
@@ -200,7 +203,7 @@ bool check_counts(const Model& m, int32_t zone, Reporter& reporter) {
   if (z.elements < 1) tell_zone(m, zone, -1, "elements: ", z.elements, ", expected 1 or more", reporter);
   if (z.pairs < 1) tell_zone(m, zone, -1, "pairs: ", z.pairs, ", expected 1 or more", reporter);
   if (reporter.faults != before) return false;
-  for (int b = 0; b < 2; ++b) in_range(m, zone, b, reporter);
+  for (int b = 0; b < 2; ++b) lies_in_region(m, zone, b, reporter);
   return reporter.faults == before;
 }
 

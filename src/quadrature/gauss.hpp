@@ -16,7 +16,7 @@ struct GaussPoint {
   double x, w;
 };
 
-// The rule with n = 1..20, 24 or 32 points; any other n gives { nullptr, nullptr, 0 }.
+// The rule with n = 1, 2, 3, 4, 5, 6, 8, 10, 12, 16 or 20 points, what the core needs; any other n gives { nullptr, nullptr, 0 }.
 GaussRule gauss_legendre(int n);
 
 // Point i = 0..n-1 of a rule, from left to right.
@@ -43,7 +43,7 @@ LogRule log_gauss(int n);
 // rho^(degree-k), the rule is exact up to k = 2n-1, and odd terms integrate to zero.
 double gauss_error_bound(int n, double rho, int degree);
 
-// Smallest available number of points for which gauss_error_bound is at most `tolerance`; 0 if 32 are not
+// Smallest available number of points for which gauss_error_bound is at most `tolerance`; 0 if 20 are not
 // enough or rho <= 1.
 int gauss_order(double rho, int degree, double tolerance);
 

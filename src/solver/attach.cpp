@@ -3,7 +3,15 @@
 #include <string.h>
 
 #include "memory/characters.hpp"
+#include "memory/optional.hpp"
 #include "solver/solver.hpp"
+
+// A model may come in that no call of this program declared.
+C2D_BRINGS(c2d_add_free_zone);
+C2D_BRINGS(c2d_set_body_force);
+C2D_BRINGS(c2d_set_rigid);
+C2D_BRINGS(c2d_set_symmetry);
+C2D_BRINGS(c2d_get_summary);
 
 namespace c2d {
 
@@ -48,6 +56,11 @@ c2d_status find_solver(const char* memory, size_t bytes, uint32_t* slack, uint64
       continue;
     }
     if (!is_consistent(at)) continue;
+    const int32_t state = C2D_MEMBER(state);
+    if ((state == C2D_STATE_PREPARED || state == C2D_STATE_RUNNING) && C2D_MEMBER(keeps_energy) == 0) {
+      status = C2D_ERR_MISMATCH; // a program that tells no energies prepared it, this one does
+      continue;
+    }
     *slack = i;
     *needed = C2D_MEMBER(bytes) + kAlignment - 1;
     if (bytes < *needed) return C2D_ERR_MEMORY;

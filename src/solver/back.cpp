@@ -3,10 +3,16 @@
 
 #include "bie/body_force.hpp"
 #include "bie/columns.hpp"
-#include "bie/transfer.hpp"
-#include "solver/session.hpp"
+#include "memory/optional.hpp"
+#include "solver/rigid.hpp"
+#include "solver/transferred.hpp"
 
 namespace c2d {
+
+C2D_OPTIONAL(fill_rigid);
+C2D_OPTIONAL(body_force_resultant);
+C2D_OPTIONAL(add_transferred_traction);
+C2D_OPTIONAL(add_transferred_force);
 
 namespace {
 
@@ -25,12 +31,6 @@ void trailing_coefficients(const Session& session, int b, Real* out) {
     }
   }
   for (int32_t k = 0; k < session.model.head->load_cases; ++k) out[2 * m + k] = static_cast<Real>(f.load[k]);
-}
-
-// A vector in a pair's frame as global components.
-void to_global(const Pair& pair, double normal, double tangential, double out[2]) {
-  out[0] = normal * pair.nx + tangential * pair.ny;
-  out[1] = normal * pair.ny - tangential * pair.nx;
 }
 
 double prescribed_displacement(const Session& session, int b, int32_t node, int c) {
@@ -52,7 +52,7 @@ double prescribed_traction(const Session& session, int b, int32_t end, int c) {
 void fill_displacements(const Session& session, int b) {
   const Model& m = session.model;
   for (int32_t node = 0; node < m.head->body[b].nodes; ++node) {
-    double* u = session.area.displacement[b] + 2 * static_cast<int64_t>(node);
+    double u[2];
     const int32_t index = pair_of_node(m, b, node);
     double contact[2] = {0.0, 0.0};
     if (index >= 0) {
@@ -67,37 +67,32 @@ void fill_displacements(const Session& session, int b) {
         u[c] = session.area.outer[outer_column(m, b, node, c)] * m.head->length_unit;
       else u[c] = prescribed_displacement(session, b, node, c);
     }
+    keep_displacement(session, b, node, u);
   }
 }
 
 } // namespace
 
-void transferred_traction(const Session& session, int b, int32_t element, int l, double out[2]) {
-  const Model& m = session.model;
-  TransferredEnd end;
-  out[0] = out[1] = 0.0;
-  if (b != 0 || m.head->free_rows == 0 || !transferred_end(m, element, l, end)) return;
-  for (int k = 0; k < m.head->function_nodes; ++k) {
-    if (end.pair[k] < 0) continue;
-    const PairState now = pair_state(*session.follower.t, end.pair[k], session.follower.y);
-    const double scale = -m.head->stress_unit * end.ratio * end.weight[k];
-    double t[2];
-    to_global(m.pair[end.pair[k]], now.p * scale, now.q * scale, t);
-    for (int c = 0; c < 2; ++c) out[c] += t[c];
-  }
+void get_displacement(const Session& session, int b, int32_t node, double u[2]) {
+  const Real* kept = session.area.displacement[b] + 2 * static_cast<ptrdiff_t>(node);
+  for (int c = 0; c < 2; ++c) u[c] = kept[c] * session.model.head->length_unit;
+}
+void get_traction(const Session& session, int b, int32_t end, double t[2]) {
+  const Real* kept = session.area.traction[b] + 2 * static_cast<ptrdiff_t>(end);
+  for (int c = 0; c < 2; ++c) t[c] = kept[c] * session.model.head->stress_unit;
+}
+void keep_displacement(const Session& session, int b, int32_t node, const double u[2]) {
+  Real* kept = session.area.displacement[b] + 2 * static_cast<ptrdiff_t>(node);
+  for (int c = 0; c < 2; ++c) kept[c] = static_cast<Real>(u[c] / session.model.head->length_unit);
+}
+void keep_traction(const Session& session, int b, int32_t end, const double t[2]) {
+  Real* kept = session.area.traction[b] + 2 * static_cast<ptrdiff_t>(end);
+  for (int c = 0; c < 2; ++c) kept[c] = static_cast<Real>(t[c] / session.model.head->stress_unit);
 }
 
-void transferred_values(const Session& session, const Transfer& piece, int k, double out[2]) {
-  const Model& m = session.model;
+void transferred_traction(const Session& session, int b, int32_t element, int l, double out[2]) {
   out[0] = out[1] = 0.0;
-  for (int l = 0; l < m.head->function_nodes; ++l) {
-    if (piece.pair[l] < 0) continue;
-    const PairState now = pair_state(*session.follower.t, piece.pair[l], session.follower.y);
-    const double scale = -m.head->stress_unit * piece.weight[k][l];
-    double t[2];
-    to_global(m.pair[piece.pair[l]], now.p * scale, now.q * scale, t);
-    for (int c = 0; c < 2; ++c) out[c] += t[c];
-  }
+  if (b == 0 && session.model.head->free_rows > 0) add_transferred_traction(session, element, l, out);
 }
 
 namespace {
@@ -105,7 +100,7 @@ namespace {
 void fill_end_traction(const Session& session, int b, int32_t element, int l) {
   const Model& m = session.model;
   const int32_t end = element * m.head->function_nodes + l, node = functional_node(m, b, element, l);
-  double* t = session.area.traction[b] + 2 * static_cast<int64_t>(end);
+  double t[2];
   const int32_t index = pair_of_end(m, b, element, l);
   double contact[2] = {0.0, 0.0};
   if (index >= 0) {
@@ -124,27 +119,7 @@ void fill_end_traction(const Session& session, int b, int32_t element, int l) {
   double transferred[2];
   transferred_traction(session, b, element, l, transferred);
   for (int c = 0; c < 2; ++c) t[c] += transferred[c];
-}
-
-// Of the rigid body 1: its motion, and what the contact does to it.
-void fill_rigid(const Session& session) {
-  const Model& m = session.model;
-  for (int32_t node = 0; node < m.head->body[0].nodes; ++node) {
-    double* u = session.area.displacement[0] + 2 * static_cast<int64_t>(node);
-    double x, y;
-    node_position(m, 0, node, &x, &y);
-    rigid_displacement_now(session, x, y, u);
-  }
-  for (int32_t element = 0; element < m.head->body[0].elements; ++element)
-    for (int l = 0; l < m.head->function_nodes; ++l) {
-      double* t = session.area.traction[0] + 2 * (static_cast<int64_t>(element) * m.head->function_nodes + l);
-      const int32_t index = pair_of_end(m, 0, element, l);
-      t[0] = t[1] = 0.0;
-      if (index < 0) continue;
-      const PairState now = pair_state(*session.follower.t, index, session.follower.y);
-      to_global(m.pair[index], -now.p * m.head->stress_unit, -now.q * m.head->stress_unit, t);
-    }
-  for (double& multiplier : session.solver->multiplier[0]) multiplier = 0.0;
+  keep_traction(session, b, end, t);
 }
 
 c2d_status back_substitute_body(Session& session, int b) {
@@ -166,12 +141,6 @@ c2d_status back_substitute_body(Session& session, int b) {
 
 // ---- resultants ---------------------------------------------------------------------------------------------------
 
-void add_force(double out[3], double fx, double fy, double moment) {
-  out[0] += fx;
-  out[1] += fy;
-  out[2] += moment;
-}
-
 // The contact's share of an element, from tau itself in its own measure.
 void add_contact_end(const Session& session, int b, int32_t index, const EndResultant& w, double out[3]) {
   const ModelHeader& head = *session.model.head;
@@ -180,21 +149,6 @@ void add_contact_end(const Session& session, int b, int32_t index, const EndResu
   double t[2];
   to_global(session.model.pair[index], now.p * scale, now.q * scale, t);
   add_force(out, w.w * t[0], w.w * t[1], head.length_unit * (w.wx * t[1] - w.wy * t[0]));
-}
-
-// Body 1's share in free zones, from the integrals that its equations hold.
-void add_transferred(const Session& session, double out[3]) {
-  const double unit = session.model.head->length_unit;
-  TransferWalk walk{};
-  Transfer piece;
-  while (next_transfer(session.model, Quadrature::accurate, walk, piece)) {
-    double w[4], wx[4], wy[4], t[2];
-    resultants(piece.in, 0.0, 0.0, w, wx, wy);
-    for (int k = 0; k < piece.in.functions; ++k) {
-      transferred_values(session, piece, k, t);
-      add_force(out, unit * w[k] * t[0], unit * w[k] * t[1], unit * unit * (wx[k] * t[1] - wy[k] * t[0]));
-    }
-  }
 }
 
 void sum_forces(Session& session, int b) {
@@ -211,8 +165,8 @@ void sum_forces(Session& session, int b) {
       const int32_t index = pair_of_end(m, b, element, l);
       if (index >= 0) add_contact_end(session, b, index, shared[l], contact);
       const int32_t end = element * m.head->function_nodes + l, node = functional_node(m, b, element, l);
-      const double* total = session.area.traction[b] + 2 * static_cast<int64_t>(end);
-      double t[2];
+      double total[2], t[2];
+      get_traction(session, b, end, total);
       transferred_traction(session, b, element, l, t);
       for (int c = 0; c < 2; ++c) t[c] = total[c] - t[c];
       const EndResultant& w = own[l];
@@ -223,7 +177,7 @@ void sum_forces(Session& session, int b) {
       }
     }
   }
-  if (b == 0) add_transferred(session, contact);
+  if (b == 0 && m.head->free_rows > 0) add_transferred_force(session, contact);
   for (int32_t i = 0; i < m.head->point_loads; ++i) {
     const PointLoad& p = m.point_load[i];
     if (p.body != b) continue;

@@ -53,8 +53,9 @@ bool joins_smoothly(const Session& session, int b, int32_t element, int32_t next
   if (p.nx * q.nx + p.ny * q.ny < kSmooth || geometry_node(m, b, element, m.head->body[b].element_nodes - 1) !=
                                                  geometry_node(m, b, next, 0))
     return false;
-  const double* t = session.area.traction[b] + 2 * (static_cast<int64_t>(element) * nf + nf - 1);
-  const double* v = session.area.traction[b] + 2 * (static_cast<int64_t>(next) * nf);
+  double t[2], v[2];
+  get_traction(session, b, element * nf + nf - 1, t);
+  get_traction(session, b, next * nf, v);
   return hypot(t[0] - v[0], t[1] - v[1]) <= kStep * (hypot(t[0], t[1]) + hypot(v[0], v[1]));
 }
 
@@ -65,8 +66,9 @@ bool joins_neighbour(const Session& session, int b, int32_t element, int32_t ste
                     : joins_smoothly(session, b, other.element, element);
   const int nf = session.model.head->function_nodes, l = step > 0 ? nf - 1 : 0;
   const Point p = element_point(element_of(session.model, b, element), step > 0 ? 1.0 : -1.0);
-  const double n[2] = {p.nx, p.ny}, *t = session.area.traction[b] + 2 * (static_cast<int64_t>(element) * nf + l);
-  double cosine = 0.0, jump[2];
+  const double n[2] = {p.nx, p.ny};
+  double cosine = 0.0, jump[2], t[2];
+  get_traction(session, b, element * nf + l, t);
   for (int c = 0; c < 2; ++c) {
     cosine += image_sign(other.image, c) * n[c] * n[c];
     jump[c] = t[c] - image_sign(other.image, c) * t[c];
@@ -95,7 +97,8 @@ void add_slopes(const Session& session, int b, int32_t element, double eta, doub
     double* du_ds = out.du_ds[out.count];
     du_ds[0] = du_ds[1] = 0.0;
     for (int l = 0; l < nf; ++l) {
-      const double* u = session.area.displacement[b] + 2 * static_cast<int64_t>(functional_node(m, b, element, l));
+      double u[2];
+      get_displacement(session, b, functional_node(m, b, element, l), u);
       for (int c = 0; c < 2; ++c) du_ds[c] += slope[l] * u[c] / jacobian;
     }
     out.s[out.count++] = s + arc_length(e, eta, at);
@@ -161,8 +164,9 @@ void slope_of_neighbours(const Session& session, int b, int32_t element, double 
   const Point at = element_point(element_of(m, b, element), 0.0), after = mirrored_middle(session, b, next),
               before = mirrored_middle(session, b, previous);
   const double run = hypot(after.x - at.x, after.y - at.y) + hypot(at.x - before.x, at.y - before.y);
-  const double* u = session.area.displacement[b] + 2 * static_cast<int64_t>(functional_node(m, b, next.element, 0));
-  const double* v = session.area.displacement[b] + 2 * static_cast<int64_t>(functional_node(m, b, previous.element, 0));
+  double u[2], v[2];
+  get_displacement(session, b, functional_node(m, b, next.element, 0), u);
+  get_displacement(session, b, functional_node(m, b, previous.element, 0), v);
   for (int c = 0; c < 2; ++c)
     du_ds[c] = run > 0.0 ? (image_sign(next.image, c) * u[c] - image_sign(previous.image, c) * v[c]) / run : 0.0;
 }
@@ -177,8 +181,9 @@ BoundaryState boundary_state(const Session& session, int b, int32_t element, dou
   shape(nf, eta, value);
   BoundaryState s = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {p.nx, p.ny}};
   for (int l = 0; l < nf; ++l) {
-    const double* u = session.area.displacement[b] + 2 * static_cast<int64_t>(functional_node(m, b, element, l));
-    const double* t = session.area.traction[b] + 2 * (static_cast<int64_t>(element) * nf + l);
+    double u[2], t[2];
+    get_displacement(session, b, functional_node(m, b, element, l), u);
+    get_traction(session, b, element * nf + l, t);
     for (int c = 0; c < 2; ++c) {
       s.u[c] += value[l] * u[c];
       s.t[c] += value[l] * t[c];

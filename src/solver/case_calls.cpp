@@ -13,8 +13,7 @@ constexpr const char* kQuantity[4] = {"tx", "ty", "ux", "uy"};
 c2d_status refuse(c2d_solver* s, const char* what, const char* why) {
   Refusal r;
   start_refusal(r, s, C2D_ERR_ARGUMENT);
-  put(r.text, what);
-  put(r.text, why);
+  put_all(r.text, what, why);
   report_fault(s, r.error);
   return C2D_ERR_ARGUMENT;
 }

@@ -72,9 +72,7 @@ void explain(c2d_error* why, c2d_status status, uint64_t needed) {
   Text text = text_in(e.text);
   put(text, c2d_message(status));
   if (needed > 0) {
-    put(text, ": ");
-    put(text, needed);
-    put(text, " bytes would do");
+    put_all(text, ": ", needed, " bytes would do");
   }
   copy_out(&e, sizeof e, why);
 }

@@ -53,9 +53,7 @@ void warn_drift(c2d_solver* s, double residual) {
   e.status = C2D_WARN_RESIDUAL;
   e.severity = C2D_WARNING;
   Text text = text_in(e.text);
-  put(text, "the contact tableau had drifted (relative residual ");
-  put(text, residual);
-  put(text, ") and was built anew");
+  put_all(text, "the contact tableau had drifted (relative residual ", residual, ") and was built anew");
   report_fault(s, e);
 }
 

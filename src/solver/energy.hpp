@@ -27,8 +27,10 @@ struct EnergyBook {
 };
 EnergyBook energy_book(c2d_solver* solver);
 
-// Pair weights and functionals, after the reduction; uses the path area. Errors: the block store's.
-c2d_status build_energy(c2d_solver* solver, const Model& model);
+// All of this is optional (memory/optional.hpp): it is linked with the calls that tell energies, and kept where
+// c2d_solver::keeps_energy says so.
+// Functionals, after the reduction; uses the path area. Errors: the block store's.
+c2d_status build_energy(c2d_solver* solver);
 // Nothing has been done yet. Part of begin_path.
 void begin_energy(c2d_solver* solver);
 // `part` of the follower's direction is about to be gone, from its present y along its dy.

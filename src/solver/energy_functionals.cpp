@@ -1,22 +1,17 @@
 // What multiplies tau, w' and lambda in the work and reaction of every load case (solver/energy.hpp).
+#include "bie/body_force.hpp"
 #include "bie/columns.hpp"
+#include "memory/optional.hpp"
 #include "model/free_zones.hpp"
 #include "solver/energy_adjoint.hpp"
+#include "solver/rigid.hpp"
 
 namespace c2d {
 
-namespace {
+C2D_OPTIONAL(add_rigid_motion);
+C2D_OPTIONAL(add_body_force);
 
-// What holds the rigid body 1 against the contact, times its motion in case k.
-void add_rigid_motion(Adjoint& a, int32_t k) {
-  const Model& m = a.model();
-  for (int32_t i = 0; i < m.head->pairs; ++i) {
-    const Pair& pair = m.pair[i];
-    double v[2];
-    rigid_motion_at_pair(m, pair, k, v);
-    for (int32_t d = 0; d <= pair.tangential; ++d) a.tau[pair.dof + d] += pair.weight * v[d];
-  }
-}
+namespace {
 
 // Pressures times the overlaps that case k closes.
 void add_overlaps(const Model& m, double* tau) {
@@ -35,13 +30,13 @@ c2d_status add_body(Adjoint& a, int32_t k, bool reactions) {
   for (int32_t j = 0; j < contact; ++j) a.u[j] = 0;
   for (int32_t i = 0; i < outer_columns(m, a.b) && !is_rigid(m, a.b); ++i) a.outer[i] = 0;
   if (is_rigid(m, a.b)) {
-    if (reactions) add_rigid_motion(a, k);
+    if (reactions) add_rigid_motion(m, k, a.tau);
     return C2D_OK;
   }
   add_boundary(a, k, reactions);
   for (int32_t i = 0; i < m.head->point_loads && !reactions; ++i)
     if (m.point_load[i].body == a.b && m.point_load[i].load_case == k) add_point_load(a, m.point_load[i]);
-  if (!reactions) add_body_force(a, k);
+  if (!reactions && has_body_force(m, a.b)) add_body_force(a, k);
   if (!a.touched) return C2D_OK;
   c2d_solver* s = a.session.solver;
   const c2d_status status = transposed_functional(s->plan[a.b], s->tapes, a.outer, area.coefficient, area.work);
@@ -98,25 +93,9 @@ c2d_status build_functional(Session& session, int32_t k, bool reactions, double*
   return status == C2D_OK && m > 0 ? remove_displacements(a) : status;
 }
 
-void weigh_pairs(const Model& m) {
-  for (int32_t i = 0; i < m.head->pairs; ++i) m.pair[i].weight = 0.0;
-  for (int32_t z = 0; z < m.head->zones; ++z)
-    for (int32_t place = 0; place < m.zone[z].elements; ++place) {
-      const int b = m.zone[z].is_free != 0 ? 1 : 0;
-      const int32_t element = zone_element(m, m.zone[z], b, place);
-      EndResultant weight[4];
-      end_resultants(m, b, element, Measure::own_length, weight);
-      for (int l = 0; l < m.head->function_nodes; ++l) {
-        const int32_t pair = pair_of_end(m, b, element, l);
-        if (pair >= 0) m.pair[pair].weight += weight[l].w;
-      }
-    }
-}
-
 } // namespace
 
-c2d_status build_energy(c2d_solver* s, const Model& model) {
-  weigh_pairs(model);
+c2d_status build_energy(c2d_solver* s) {
   Session session;
   open_session(s, session);
   const EnergyBook book = energy_book(s);

@@ -88,9 +88,7 @@ c2d_status enter(c2d_solver* s, uint32_t legal_states) {
     e.status = C2D_ERR_STATE;
     e.severity = C2D_FAULT;
     Text text = text_in(e.text);
-    put(text, "this call is not legal in state '");
-    put(text, names[s->state]);
-    put(text, "'");
+    put_all(text, "this call is not legal in state '", names[s->state], "'");
     s->error = e;
     s->has_fault = 1;
     return C2D_ERR_STATE;

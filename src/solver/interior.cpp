@@ -9,12 +9,22 @@
 #include "bie/boundary_stress.hpp"
 #include "bie/columns.hpp"
 #include "bie/interior_detail.hpp"
-#include "bie/shape.hpp"
 #include "bie/kernels.hpp"
+#include "memory/optional.hpp"
 #include "memory/workers.hpp"
 #include "model/symmetry.hpp"
+#include "solver/particular.hpp"
+#include "solver/rigid.hpp"
+#include "solver/transferred.hpp"
 
 namespace c2d {
+
+C2D_OPTIONAL(rigid_displacement_now);
+C2D_OPTIONAL(interpolated_particular);
+C2D_OPTIONAL(particular_at_end);
+C2D_OPTIONAL(add_particular_at);
+C2D_OPTIONAL(next_transfer);
+C2D_OPTIONAL(transferred_values);
 
 namespace {
 
@@ -182,49 +192,6 @@ bool find_near_node(const Model& m, int b, const PointState& p, double x, double
   return out.part < 1.0;
 }
 
-// ---- body forces --------------------------------------------------------------------------------------------------
-// The boundary integrals are those of u - u_p and t - t_p; u_p and sigma_p are known at every point.
-
-Particular particular_now(const Session& session, int b, double x, double y) {
-  const Model& m = session.model;
-  Particular sum = {{0.0, 0.0}, {0.0, 0.0, 0.0}};
-  for (int32_t k = 0; k < m.head->load_cases && has_body_force(m, b); ++k) {
-    const double f = session.follower.load[k];
-    const Particular p = particular_solution(m, b, k, x, y);
-    for (int c = 0; c < 2; ++c) sum.u[c] += f * p.u[c];
-    for (int c = 0; c < 3; ++c) sum.stress[c] += f * p.stress[c];
-  }
-  return sum;
-}
-
-void particular_traction_now(const Session& session, int b, int32_t element, int l, double t[2]) {
-  const Model& m = session.model;
-  t[0] = t[1] = 0.0;
-  for (int32_t k = 0; k < m.head->load_cases && has_body_force(m, b); ++k) {
-    double part[2];
-    particular_traction(m, b, k, element, l, part);
-    for (int c = 0; c < 2; ++c) t[c] += session.follower.load[k] * part[c];
-  }
-}
-
-Particular particular_at_node(const Session& session, int b, int32_t node) {
-  double x, y;
-  node_position(session.model, b, node, &x, &y);
-  return particular_now(session, b, x, y);
-}
-
-// u_p on an element as the shape functions have it.
-void interpolated_particular(const Session& session, int b, int32_t element, double eta, double u[2]) {
-  const Model& m = session.model;
-  double value[4];
-  shape(m.head->function_nodes, eta, value);
-  u[0] = u[1] = 0.0;
-  for (int l = 0; l < m.head->function_nodes; ++l) {
-    const Particular p = particular_at_node(session, b, functional_node(m, b, element, l));
-    for (int c = 0; c < 2; ++c) u[c] += value[l] * p.u[c];
-  }
-}
-
 // ---- where points lie ---------------------------------------------------------------------------------------------
 
 void place_inside(const Session& session, int b, double x, double y, PointState& p) {
@@ -367,8 +334,9 @@ bool nodal_values(const Session& session, int b, int32_t element, Complex u[4], 
   bool any = false;
   for (int l = 0; l < nf; ++l) {
     const int32_t node = functional_node(m, b, element, l);
-    const double* d = session.area.displacement[b] + 2 * static_cast<int64_t>(node);
-    const double* t = session.area.traction[b] + 2 * (static_cast<int64_t>(element) * nf + l);
+    double d[2], t[2];
+    get_displacement(session, b, node, d);
+    get_traction(session, b, element * nf + l, t);
     u[l] = {length * d[0], length * d[1]};
     double part[2][2] = {{0.0, 0.0}, {0.0, 0.0}};
     double transferred[2]; // of free zones: comes by pieces
@@ -379,10 +347,9 @@ bool nodal_values(const Session& session, int b, int32_t element, Complex u[4], 
       part[foreign ? 1 : 0][c] = stress * (t[c] - transferred[c]) / (foreign ? traction_ratio(m, b, element, l) : 1.0);
     }
     if (has_body_force(m, b)) {
-      const Particular p = particular_at_node(session, b, node);
-      double tp[2];
-      particular_traction_now(session, b, element, l, tp);
-      u[l] = {length * (d[0] - p.u[0]), length * (d[1] - p.u[1])};
+      double up[2], tp[2];
+      particular_at_end(session, b, element, l, up, tp);
+      u[l] = {length * (d[0] - up[0]), length * (d[1] - up[1])};
       for (int c = 0; c < 2; ++c) part[0][c] -= stress * tp[c];
     }
     own[l] = {part[0][0], part[0][1]};
@@ -453,13 +420,8 @@ void complete_sums(const Session& session, int b, const Points& points, double x
     add_stress(image, known_field(session, b, points.seen(image, 0, p.eta), points.seen(image, 1, p.distance)), p);
   }
   if (has_body_force(session.model, b)) {
-    const double g = shear_modulus(session.model, b);
-    const Particular at = particular_now(session, b, x * unit, y * unit);
-    const Particular s = particular_now(session, b, p.eta * unit, p.distance * unit);
-    for (int c = 0; c < 2; ++c) p.u[c] += at.u[c] / unit;
-    p.stress[0] += 0.5 * (s.stress[0] + s.stress[1]) / g;
-    p.stress[1] += 0.5 * (s.stress[0] - s.stress[1]) / g;
-    p.stress[2] -= s.stress[2] / g;
+    const double at[2] = {x * unit, y * unit}, stress_at[2] = {p.eta * unit, p.distance * unit};
+    add_particular_at(session, b, at, stress_at, p.u, p.stress);
   }
   p.u[0] += p.reference[0] + rigid[0] - rigid[2] * (y - centre[1] / unit);
   p.u[1] += p.reference[1] + rigid[1] + rigid[2] * (x - centre[0] / unit);
@@ -640,8 +602,8 @@ void clear_boundary(const Session& session) {
   const ModelHeader& head = *session.model.head;
   for (int b = 0; b < head.bodies; ++b) {
     const int64_t ends = static_cast<int64_t>(head.body[b].elements) * head.function_nodes;
-    memset(session.area.displacement[b], 0, 2 * sizeof(double) * static_cast<size_t>(head.body[b].nodes));
-    memset(session.area.traction[b], 0, 2 * sizeof(double) * static_cast<size_t>(ends));
+    memset(session.area.displacement[b], 0, 2 * sizeof(Real) * static_cast<size_t>(head.body[b].nodes));
+    memset(session.area.traction[b], 0, 2 * sizeof(Real) * static_cast<size_t>(ends));
     memset(session.solver->multiplier[b], 0, sizeof session.solver->multiplier[b]);
   }
 }

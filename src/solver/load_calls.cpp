@@ -23,23 +23,6 @@ extern "C" c2d_status c2d_add_point_load(c2d_solver* s, int32_t body, double x, 
   return built(s);
 }
 
-extern "C" c2d_status c2d_set_rigid(c2d_solver* s, int32_t load_case, double ux, double uy, double rotation, double x0,
-                                    double y0) {
-  const c2d_status status = enter_loads(s);
-  if (status != C2D_OK) return status;
-  if (s->sizes.bodies < 2) return refuse(s, C2D_ERR_ARGUMENT, "a rigid body 1 needs a second one that is not");
-  if (!in_range(load_case, 0, s->sizes.load_cases))
-    return refuse_number(s, C2D_ERR_ARGUMENT, "load case", load_case, 0, s->sizes.load_cases);
-  if (s->state == C2D_STATE_MODEL && (s->model.rigid == 0 || load_case == 0))
-    return refuse(s, C2D_ERR_STATE, "body 1 is made rigid before the model is complete");
-  const double numbers[5] = {ux, uy, rotation, x0, y0};
-  for (double number : numbers)
-    if (!is_usable(number)) return refuse_value(s, "a number of the rigid motion", number, "a finite number");
-  s->model.rigid = 1;
-  if (load_case > 0) array_of<RigidMotion>(s, kRigidMotions)[load_case - 1] = RigidMotion{ux, uy, rotation, x0, y0};
-  return loaded(s);
-}
-
 extern "C" c2d_status c2d_set_interference(c2d_solver* s, int32_t load_case) {
   const c2d_status status = enter_building(s);
   if (status != C2D_OK) return status;
@@ -47,22 +30,6 @@ extern "C" c2d_status c2d_set_interference(c2d_solver* s, int32_t load_case) {
     return refuse_number(s, C2D_ERR_ARGUMENT, "load case", load_case, 1, s->sizes.load_cases);
   s->model.interference = load_case;
   return built(s);
-}
-
-extern "C" c2d_status c2d_set_body_force(c2d_solver* s, int32_t body, int32_t load_case, double bx, double by,
-                                         double rho_omega2, double x0, double y0) {
-  c2d_status status = enter_loads(s);
-  if (status == C2D_OK) status = check_body_number(s, body);
-  if (status != C2D_OK) return status;
-  if (!in_range(load_case, 1, s->sizes.load_cases))
-    return refuse_number(s, C2D_ERR_ARGUMENT, "load case", load_case, 1, s->sizes.load_cases);
-  const double numbers[5] = {bx, by, rho_omega2, x0, y0};
-  for (double number : numbers)
-    if (!is_usable(number)) return refuse_value(s, "a number of the body force", number, "a finite number");
-  array_of<BodyForce>(s, kBodyForces)[2 * static_cast<int64_t>(load_case - 1) + body - 1] =
-      BodyForce{bx, by, rho_omega2, x0, y0};
-  s->model.body_forces |= 1 << (body - 1);
-  return loaded(s);
 }
 
 namespace c2d {

@@ -5,7 +5,17 @@
 #include "bie/columns.hpp"
 #include "contact/frames.hpp"
 #include "memory/characters.hpp"
+#include "memory/optional.hpp"
+#include "model/symmetry.hpp"
 #include "solver/refuse.hpp"
+
+namespace c2d {
+#ifdef C2D_SYMMETRY_BY_CALL // symmetry is left out of programs without c2d_set_symmetry, not only of those without options
+C2D_OPTIONAL(validate_lines);
+#else
+C2D_BRINGS(validate_lines);
+#endif
+} // namespace c2d
 
 using namespace c2d;
 
@@ -26,6 +36,10 @@ extern "C" c2d_status c2d_set_options(c2d_solver* s, const c2d_options* options)
   if (!in_range(ours.quadrature, 0, 1) || !in_range(ours.stepping, 0, 1) || !in_range(ours.every_change, 0, 1) ||
       !in_range(ours.symmetry, 0, 1) || !in_range(ours.keep_factors, 0, 1))
     return fail(s, C2D_ERR_ARGUMENT, "an option is out of range");
+#ifdef C2D_SYMMETRY_BY_CALL
+  if (ours.symmetry == C2D_SYMMETRY_IMAGES && !C2D_LINKED(validate_lines))
+    return fail(s, C2D_ERR_ARGUMENT, "this program is linked without symmetry by images (C2D_SYMMETRY_BY_CALL): c2d_set_symmetry links it");
+#endif
   if (s->state == C2D_STATE_MODEL && ours.symmetry != s->options.symmetry)
     return fail(s, C2D_ERR_STATE, "symmetry by images is chosen before the model is complete");
   if (ours.quadrature != s->options.quadrature || ours.keep_factors != s->options.keep_factors) s->factors = 0;
@@ -145,21 +159,6 @@ extern "C" c2d_status c2d_add_region(c2d_solver* s, int32_t body, int32_t first,
     return refuse_number(s, C2D_ERR_ARGUMENT, "last element of the last region", last, b.elements, b.elements);
   const int32_t index = b.region_count, open = b.open_regions;
   regions[b.region_count++] = Region{first - 1, last - 1, index < open ? 1 : 0, index < open ? index : open};
-  return built(s);
-}
-
-extern "C" c2d_status c2d_set_symmetry(c2d_solver* s, int32_t axis, double value) {
-  const c2d_status status = enter_building(s);
-  if (status != C2D_OK) return status;
-  if (!in_range(axis, 0, 1)) return refuse_number(s, C2D_ERR_ARGUMENT, "axis of symmetry", axis, 0, 1);
-  if (!is_usable(value)) return refuse_value(s, "place of the line of symmetry", value, "a finite number");
-  ModelHeader& m = s->model;
-  if ((m.symmetry_asked >> axis & 1) != 0)
-    return refuse(s, C2D_ERR_ARGUMENT,
-                  axis == 0 ? "a second line of symmetry x = value, expected one at most"
-                            : "a second line of symmetry y = value, expected one at most");
-  m.symmetry_asked |= 1 << axis;
-  m.line_at[axis] = value;
   return built(s);
 }
 

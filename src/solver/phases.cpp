@@ -11,19 +11,19 @@ struct Carver {
   bool fits;
 
   template <class T> void take(T*& out, int64_t count) {
-    out = base ? reinterpret_cast<T*>(base + used) : nullptr;
-    skip(static_cast<uint64_t>(count), sizeof(T));
+    out = static_cast<T*>(items(static_cast<uint64_t>(count), static_cast<uint32_t>(sizeof(T))));
   }
-  void take_bytes(void*& out, uint64_t bytes) {
-    out = base ? base + used : nullptr;
-    skip(bytes, 1);
-  }
-  void skip(uint64_t count, uint64_t size) {
-    fits = fits && add_bytes(used, count, size) && used <= UINT64_MAX - 2 * kAlignment;
-    if (fits) used = round_up(used);
-  }
+  void take_bytes(void*& out, uint64_t bytes) { out = items(bytes, 1); }
+  void* items(uint64_t count, uint32_t size);
   uint64_t total() const { return fits ? used : UINT64_MAX; }
 };
+
+void* Carver::items(uint64_t count, uint32_t size) {
+  void* const first = base ? base + used : nullptr;
+  fits = fits && add_bytes(used, count, size) && used <= UINT64_MAX - 2 * kAlignment;
+  if (fits) used = round_up(used);
+  return first;
+}
 
 uint64_t larger(uint64_t a, uint64_t b) { return a > b ? a : b; }
 

@@ -31,8 +31,8 @@ struct PathArea {
   Real* column;         // m
   Real* flexibility;    // m * m, or null
   void* buffer;         // of the contact tape
-  double* displacement[2]; // [2 * nodes] results
-  double* traction[2];     // [2 * ends] results, true tractions
+  Real* displacement[2];   // [2 * nodes] results, in length_unit
+  Real* traction[2];       // [2 * ends] results, true tractions, in stress_unit
   Real* outer;             // outer unknowns of one body
   Real* coefficient;       // of its trailing columns
   void* work;              // of back_substitute()

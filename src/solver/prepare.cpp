@@ -5,6 +5,7 @@
 #include "bie/panel.hpp"
 #include "contact/reduction.hpp"
 #include "memory/hostile.hpp"
+#include "memory/optional.hpp"
 #include "memory/text.hpp"
 #include "model/free_zones.hpp"
 #include "model/rigid.hpp"
@@ -17,38 +18,47 @@
 
 namespace c2d {
 
+C2D_OPTIONAL(build_energy);
+
 namespace {
 
 using Matrix = ContactMatrix;
 
-template <class T> uint64_t hash_array(uint64_t hash, const T* data, int64_t count) {
-  return checksum(hash, data, static_cast<uint64_t>(count) * sizeof(T));
-}
+struct Hash {
+  uint64_t value;
+  void add(const void* data, size_t bytes);
+  template <class T> void add_array(const T* data, int32_t count) { add(data, static_cast<size_t>(count) * sizeof(T)); }
+};
+
+[[gnu::noinline]] void Hash::add(const void* data, size_t bytes) { value = checksum(value, data, bytes); }
 
 } // namespace
 
 uint64_t hash_model(const Model& m, const c2d_options& options) {
-  uint64_t hash = checksum(sizeof(Real), &options.quadrature, sizeof options.quadrature);
-  hash = checksum(hash, &m.head->plane, sizeof m.head->plane);
+  Hash hash{sizeof(Real)};
+  hash.add(&options.quadrature, sizeof options.quadrature);
+  hash.add(&m.head->plane, sizeof m.head->plane);
   if (m.head->symmetry != 0) {
-    hash = checksum(hash, &m.head->symmetry, sizeof m.head->symmetry);
-    hash = hash_array(hash, m.head->line_at, 2);
+    hash.add(&m.head->symmetry, sizeof m.head->symmetry);
+    hash.add_array(m.head->line_at, 2);
   }
   for (int b = 0; b < m.head->bodies; ++b) {
     const Body& body = m.head->body[b];
-    const int64_t ends = static_cast<int64_t>(body.elements) * m.head->function_nodes, cases = m.head->load_cases;
-    hash = checksum(hash, &body.youngs_modulus, 2 * sizeof(double));
-    hash = hash_array(hash, m.xy[b], 2 * static_cast<int64_t>(body.geometry_nodes));
-    hash = hash_array(hash, m.end_traction[b], 2 * ends * cases);
-    hash = hash_array(hash, m.node_disp[b], 2 * static_cast<int64_t>(body.nodes) * cases);
-    hash = hash_array(hash, m.end_code[b], ends);
-    hash = hash_array(hash, m.region[b], body.regions);
+    const int32_t ends = body.elements * m.head->function_nodes;
+    const size_t pairs_of_numbers = 2 * sizeof(double) * static_cast<size_t>(m.head->load_cases);
+    hash.add(&body.youngs_modulus, 2 * sizeof(double));
+    hash.add(m.xy[b], 2 * sizeof(double) * static_cast<size_t>(body.geometry_nodes));
+    hash.add(m.end_traction[b], pairs_of_numbers * static_cast<size_t>(ends));
+    hash.add(m.node_disp[b], pairs_of_numbers * static_cast<size_t>(body.nodes));
+    hash.add_array(m.end_code[b], ends);
+    hash.add_array(m.region[b], body.regions);
   }
-  if (m.head->rigid != 0) hash = hash_array(hash, m.rigid_motion, m.head->load_cases);
-  if (m.head->interference != 0) hash = checksum(hash, &m.head->interference, sizeof m.head->interference);
-  if (m.head->body_forces != 0) hash = hash_array(hash, m.body_force, 2 * static_cast<int64_t>(m.head->load_cases));
-  hash = hash_array(hash, m.zone, m.head->zones);
-  return hash_array(hash, m.point_load, m.head->point_loads);
+  if (m.head->rigid != 0) hash.add_array(m.rigid_motion, m.head->load_cases);
+  if (m.head->interference != 0) hash.add(&m.head->interference, sizeof m.head->interference);
+  if (m.head->body_forces != 0) hash.add(m.body_force, 2 * sizeof(BodyForce) * static_cast<size_t>(m.head->load_cases));
+  hash.add_array(m.zone, m.head->zones);
+  hash.add_array(m.point_load, m.head->point_loads);
+  return hash.value;
 }
 
 namespace {
@@ -321,6 +331,22 @@ c2d_status solve_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, 
   return status == C2D_OK ? solve_bodies(s, m, model_sizes(m), true) : status;
 }
 
+// Pair::weight.
+void weigh_pairs(const Model& m) {
+  for (int32_t i = 0; i < m.head->pairs; ++i) m.pair[i].weight = 0.0;
+  for (int32_t z = 0; z < m.head->zones; ++z)
+    for (int32_t place = 0; place < m.zone[z].elements; ++place) {
+      const int b = m.zone[z].is_free != 0 ? 1 : 0;
+      const int32_t element = zone_element(m, m.zone[z], b, place);
+      EndResultant weight[4];
+      end_resultants(m, b, element, Measure::own_length, weight);
+      for (int l = 0; l < m.head->function_nodes; ++l) {
+        const int32_t pair = pair_of_end(m, b, element, l);
+        if (pair >= 0) m.pair[pair].weight += weight[l].w;
+      }
+    }
+}
+
 [[gnu::noinline]] c2d_status validate_changes(c2d_solver* s, const Model& m) {
   if (s->loads_changed == 0) return C2D_OK;
   Reporter reporter{s, [](void* solver, const c2d_error& e) { report_fault(static_cast<c2d_solver*>(solver), e); }, 0};
@@ -336,9 +362,8 @@ void warn_condition(c2d_solver* s) {
   e.status = C2D_WARN_CONDITION;
   e.severity = C2D_WARNING;
   Text text = text_in(e.text);
-  put(text, "the equations are badly conditioned (pivots differ by a factor of ");
-  put(text, s->condition);
-  put(text, "): supports may be too close together or elements of very unlike size");
+  put_all(text, "the equations are badly conditioned (pivots differ by a factor of ", s->condition,
+          "): supports may be too close together or elements of very unlike size");
   report_fault(s, e);
 }
 
@@ -401,7 +426,9 @@ c2d_status prepare_with(c2d_solver* s, const c2d_port* store) {
     if (status == C2D_OK && !s->blocked) status = run_phases(s, m);
     if (s->blocked) s->peak_bytes = s->layout.persistent + path_area(model_sizes(m), s->plan, false, nullptr, nullptr);
   }
-  if (status == C2D_OK && !s->blocked) status = build_energy(s, m);
+  s->keeps_energy = C2D_LINKED(build_energy);
+  if (status == C2D_OK && !s->blocked) weigh_pairs(m);
+  if (status == C2D_OK && !s->blocked && s->keeps_energy) status = build_energy(s);
   if (status == C2D_OK) {
     s->state = C2D_STATE_PREPARED;
     s->factors = s->options.keep_factors != 0 && !s->blocked;

@@ -18,18 +18,13 @@ c2d_status refuse(c2d_solver* s, c2d_status status, const char* text) {
   report_fault(s, r.error);
   return status;
 }
-c2d_status refuse_number(c2d_solver* s, c2d_status status, const char* what, int64_t value, int64_t first,
-                         int64_t last) {
+c2d_status refuse_integer(c2d_solver* s, c2d_status status, const char* what, int32_t value, int32_t first,
+                          int32_t last) {
   Refusal r;
   start_refusal(r, s, status);
-  put(r.text, what);
-  put(r.text, " is ");
-  put(r.text, value);
-  put(r.text, ", expected ");
-  put(r.text, first);
+  put_all(r.text, what, " is ", value, ", expected ", first);
   if (last != first) {
-    put(r.text, " to ");
-    put(r.text, last);
+    put_all(r.text, " to ", last);
   }
   report_fault(s, r.error);
   return status;
@@ -37,11 +32,7 @@ c2d_status refuse_number(c2d_solver* s, c2d_status status, const char* what, int
 c2d_status refuse_value(c2d_solver* s, const char* what, double value, const char* expected) {
   Refusal r;
   start_refusal(r, s, C2D_ERR_ARGUMENT);
-  put(r.text, what);
-  put(r.text, " is ");
-  put(r.text, value);
-  put(r.text, ", expected ");
-  put(r.text, expected);
+  put_all(r.text, what, " is ", value, ", expected ", expected);
   report_fault(s, r.error);
   return C2D_ERR_ARGUMENT;
 }

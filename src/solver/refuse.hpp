@@ -12,8 +12,8 @@ struct Refusal {
 void start_refusal(Refusal& r, c2d_solver* solver, c2d_status status);
 // Each tells the fault and returns its status. "what is VALUE, expected FIRST to LAST"
 c2d_status refuse(c2d_solver* solver, c2d_status status, const char* text);
-c2d_status refuse_number(c2d_solver* solver, c2d_status status, const char* what, int64_t value, int64_t first,
-                         int64_t last);
+c2d_status refuse_integer(c2d_solver* solver, c2d_status status, const char* what, int32_t value, int32_t first,
+                          int32_t last);
 c2d_status refuse_value(c2d_solver* solver, const char* what, double value, const char* expected);
 
 // The calls of section 5: legal in empty and building; `built`: something was changed.
@@ -26,6 +26,14 @@ c2d_status loaded(c2d_solver* solver);
 c2d_status check_body_number(c2d_solver* solver, int32_t body); // 1 ... bodies
 c2d_status check_load_case(c2d_solver* solver, int32_t load_case);
 
-inline bool in_range(int64_t value, int64_t first, int64_t last) { return value >= first && value <= last; }
+// Numbers of the interface and limits, whatever type they are kept in, have 32 bits (solver/create.cpp).
+template <class Value, class First, class Last>
+inline c2d_status refuse_number(c2d_solver* solver, c2d_status status, const char* what, Value value, First first, Last last) {
+  return refuse_integer(solver, status, what, static_cast<int32_t>(value), static_cast<int32_t>(first),
+                        static_cast<int32_t>(last));
+}
+template <class First, class Last> inline bool in_range(int32_t value, First first, Last last) {
+  return value >= static_cast<int32_t>(first) && value <= static_cast<int32_t>(last);
+}
 
 } // namespace c2d

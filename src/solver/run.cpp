@@ -1,46 +1,52 @@
-// Begin, advance, and the deck's own load cards.
+// The model's own load path.
 #include <math.h>
 #include <string.h>
 
-#include "memory/text.hpp"
-#include "model/rigid.hpp"
-#include "model/validate.hpp"
-#include "solver/session.hpp"
+#include "memory/optional.hpp"
+#include "solver/advance.hpp"
+#include "solver/energy.hpp"
 
 namespace c2d {
 
+C2D_BRINGS(build_energy);
+
 namespace {
 
-constexpr uint32_t kStarted = state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING);
-
-// What a call of the path returns: store errors break the solver, a cancel leaves it valid where it is.
-c2d_status finish(Session& session, c2d_status status) {
+// What a step callback sees of the present state; outcome and changes are the caller's. The table is filled already.
+c2d_step describe_step(const Session& session, int32_t kind) {
   c2d_solver* s = session.solver;
-  close_session(session);
-  if (status == C2D_OK) {
-    s->cancelled = 0; // a cancel that came too late must not stop the next call
-    return C2D_OK;
-  }
-  if (is_store_error(status)) return fail_store(s, status);
-  s->cancelled = 0;
-  const int32_t host_code = s->error.host_code;
-  fail(s, status, c2d_message(status));
-  if (status == C2D_ERR_CALLBACK) s->error.host_code = host_code;
-  return status;
+  c2d_step now = session.now;
+  now.kind = kind;
+  now.load = session.follower.load[0];
+  now.iterations = session.follower.stats.iterations;
+  now.table = array_of<double>(s, kPairTable);
+  now.cases = s->model.load_cases;
+  now.loads = session.follower.load;
+  now.work_by_case = energy_book(s).work;
+  now.work = s->work;
+  now.dissipated = s->dissipated;
+  now.elastic = s->elastic;
+  now.energy_defect = s->energy_defect;
+  return now;
 }
 
-c2d_status begin(Session& session) {
-  session.solver->state = C2D_STATE_RUNNING;
-  return begin_path(session);
+} // namespace
+
+c2d_status show_change(Session& session) {
+  const c2d_status status = fill_table(session);
+  if (status != C2D_OK) return status;
+  if (session.solver->options.stepping == C2D_STEPPING_EVENTS) close_balance(session);
+  const c2d_step now = describe_step(session, C2D_STEP_CHANGE);
+  session.solver->busy = kInStepCallback;
+  const int32_t code = session.step(session.step_context, &now);
+  session.solver->busy = 0;
+  if (code == 0) return C2D_OK;
+  session.solver->error = blank_error();
+  session.solver->error.host_code = code;
+  return C2D_ERR_CALLBACK;
 }
 
-c2d_status advance(Session& session, const double* target, bool at_end) {
-  const c2d_status status = advance_path(session, target);
-  if (status == C2D_OK) warn_contact(session, at_end);
-  return status;
-}
-
-// ---- c2d_run ------------------------------------------------------------------------------------------------------
+namespace {
 
 c2d_status show_step(Session& session, int32_t kind) {
   c2d_solver* s = session.solver;
@@ -143,57 +149,6 @@ c2d_status run_coefficient(Session& session, int32_t index, c2d_outcome* worst) 
 } // namespace c2d
 
 using namespace c2d;
-
-extern "C" c2d_status c2d_begin(c2d_solver* s, const double* mu, int32_t zones) {
-  c2d_status status = enter(s, kStarted);
-  if (status != C2D_OK) return status;
-  if (zones < 0 || (zones > 0 && !mu) || (s->model.zones > 0 && zones != 1 && zones != s->model.zones))
-    return fail(s, C2D_ERR_ARGUMENT, "give one coefficient of friction, or one per contact zone");
-  for (int32_t i = 0; i < zones; ++i)
-    if (!is_coefficient(mu[i])) return fail(s, C2D_ERR_ARGUMENT, "a coefficient of friction is not zero or more");
-  Session session;
-  open_session(s, session);
-  for (int32_t i = 0; i < s->model.pairs; ++i) {
-    Pair& pair = session.model.pair[i];
-    pair.mu = mu[zones == 1 ? 0 : pair.zone];
-  }
-  s->mu = zones > 0 ? mu[0] : 0.0;
-  s->coefficient = 0;
-  return finish(session, begin(session));
-}
-
-extern "C" c2d_status c2d_advance(c2d_solver* s, const double* load, int32_t cases, c2d_outcome* outcome) {
-  c2d_status status = enter(s, state_bit(C2D_STATE_RUNNING));
-  if (status != C2D_OK) return status;
-  if (!load || !outcome || cases != s->model.load_cases)
-    return fail(s, C2D_ERR_ARGUMENT, "give a load factor for every load case, and room for the outcome");
-  for (int32_t k = 0; k < cases; ++k)
-    if (!is_usable(load[k])) return fail(s, C2D_ERR_ARGUMENT, "a load factor is not a usable number");
-  Session session;
-  open_session(s, session);
-  status = finish(session, advance(session, load, true));
-  *outcome = s->outcome;
-  return status;
-}
-
-extern "C" c2d_status c2d_next_event(c2d_solver* s, const double* direction, int32_t cases, double* step) {
-  c2d_status status = enter(s, state_bit(C2D_STATE_RUNNING));
-  if (status != C2D_OK) return status;
-  if (!direction || !step || cases != s->model.load_cases)
-    return fail(s, C2D_ERR_ARGUMENT, "give a direction for every load case, and room for the step");
-  for (int32_t k = 0; k < cases; ++k)
-    if (!is_usable(direction[k])) return fail(s, C2D_ERR_ARGUMENT, "a number of the direction is not usable");
-  *step = s->model.contact == 0 && !s->blocked ? HUGE_VAL : 0.0;
-  if (s->model.contact == 0 || s->blocked || s->floating) return C2D_OK;
-  Session session;
-  open_session(s, session);
-  for (int32_t k = 0; k < cases; ++k) session.follower.direction[k] = direction[k];
-  c2d_outcome outcome = C2D_REACHED;
-  constexpr double kReach = 1e30; // further than any load, and no product with it overflows
-  status = find_event(session.follower, kReach, step, &outcome);
-  s->back_substituted = s->table_is_current = 0;
-  return finish(session, status);
-}
 
 extern "C" c2d_status c2d_run(c2d_solver* s, c2d_step_fn step, void* context) {
   c2d_status status = enter(s, kStarted);

@@ -3,7 +3,15 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "memory/optional.hpp"
 #include "solver/session.hpp"
+
+// A model may come in that no call of this program declared.
+C2D_BRINGS(c2d_add_free_zone);
+C2D_BRINGS(c2d_set_body_force);
+C2D_BRINGS(c2d_set_rigid);
+C2D_BRINGS(c2d_set_symmetry);
+C2D_BRINGS(c2d_get_summary);
 
 namespace c2d {
 

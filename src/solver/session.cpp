@@ -7,11 +7,20 @@
 #include "bie/body_force.hpp"
 #include "bie/columns.hpp"
 #include "memory/hostile.hpp"
+#include "memory/optional.hpp"
 #include "memory/text.hpp"
 #include "model/free_zones.hpp"
 #include "model/rigid.hpp"
 
 namespace c2d {
+
+C2D_OPTIONAL(body_force_resultant);
+C2D_OPTIONAL(show_change);
+C2D_OPTIONAL(begin_energy);
+C2D_OPTIONAL(before_jump);
+C2D_OPTIONAL(after_jump);
+C2D_OPTIONAL(add_segment);
+C2D_OPTIONAL(close_balance);
 
 namespace {
 
@@ -25,21 +34,13 @@ c2d_status tick(void* context) {
 // A status changed: show it to c2d_run's callback, if it asked for that.
 c2d_status changed(void* context, double) {
   Session& session = *static_cast<Session*>(context);
-  if (!session.step || !session.solver->options.every_change) return C2D_OK;
-  const c2d_status status = fill_table(session);
-  if (status != C2D_OK) return status;
-  if (session.solver->options.stepping == C2D_STEPPING_EVENTS) close_balance(session);
-  const c2d_step now = describe_step(session, C2D_STEP_CHANGE);
-  session.solver->busy = kInStepCallback;
-  const int32_t code = session.step(session.step_context, &now);
-  session.solver->busy = 0;
-  if (code == 0) return C2D_OK;
-  session.solver->error = blank_error();
-  session.solver->error.host_code = code;
-  return C2D_ERR_CALLBACK;
+  return session.step && session.solver->options.every_change ? show_change(session) : c2d_status{C2D_OK};
 }
 
-void moving(void* context, double part) { add_segment(*static_cast<Session*>(context), part); }
+void moving(void* context, double part) {
+  Session& session = *static_cast<Session*>(context);
+  if (session.solver->keeps_energy) add_segment(session, part);
+}
 
 FreeBody free_body(const c2d_solver* s, const Model& m) {
   FreeBody out{};
@@ -104,7 +105,7 @@ c2d_status begin_path(Session& session) {
   s->last_pair = session.follower.last_pair = -1; // none yet
   s->outcome_body = s->back_substituted = s->table_is_current = s->floating = 0;
   s->warned = 0;
-  begin_energy(s);
+  if (s->keeps_energy) begin_energy(s);
   s->peak_pressure = 0.0;
   s->gap_scale = session.follower.gap_scale = 0.0;
   if (s->blocked || head.contact == 0) return C2D_OK;
@@ -179,31 +180,14 @@ c2d_status follow(Session& session, const double* target, c2d_outcome* outcome) 
   Follower& f = session.follower;
   if (s->options.stepping != C2D_STEPPING_DECK) return follow_events(f, target, outcome);
   refresh(f);
-  before_jump(session);
+  if (s->keeps_energy) before_jump(session);
   const int32_t by_events = f.stats.unconverged;
   const c2d_status status = follow_increment(f, target, s->model.iteration_limit, outcome);
-  if (status == C2D_OK && f.stats.unconverged == by_events) after_jump(session);
+  if (status == C2D_OK && f.stats.unconverged == by_events && s->keeps_energy) after_jump(session);
   return status;
 }
 
 } // namespace
-
-c2d_step describe_step(const Session& session, int32_t kind) {
-  c2d_solver* s = session.solver;
-  c2d_step now = session.now;
-  now.kind = kind;
-  now.load = session.follower.load[0];
-  now.iterations = session.follower.stats.iterations;
-  now.table = array_of<double>(s, kPairTable);
-  now.cases = s->model.load_cases;
-  now.loads = session.follower.load;
-  now.work_by_case = energy_book(s).work;
-  now.work = s->work;
-  now.dissipated = s->dissipated;
-  now.elastic = s->elastic;
-  now.energy_defect = s->energy_defect;
-  return now;
-}
 
 double load_work(const Session& session, const double* direction, const double motion[3], double* size) {
   double work = 0.0;
@@ -246,9 +230,9 @@ c2d_status advance_path(Session& session, const double* target) {
   c2d_outcome outcome = C2D_REACHED;
   if (s->model.contact == 0 || (s->floating && all_zero(target, cases))) {
     for (int32_t k = 0; k < cases; ++k) f.direction[k] = target[k] - f.load[k];
-    if (!s->floating) add_segment(session, 1.0);
+    if (!s->floating && s->keeps_energy) add_segment(session, 1.0);
     for (int32_t k = 0; k < cases; ++k) f.load[k] = target[k];
-    if (!s->floating) close_balance(session);
+    if (!s->floating && s->keeps_energy) close_balance(session);
     s->outcome = outcome;
     return C2D_OK;
   }
@@ -267,7 +251,7 @@ c2d_status advance_path(Session& session, const double* target) {
   if (status == C2D_OK) status = guard_drift(session, false);
   if (status == C2D_OK && !s->floating) {
     refresh(f);
-    close_balance(session);
+    if (s->keeps_energy) close_balance(session);
   }
   s->peak_pressure = fmax(s->peak_pressure, path_scales(session.follower).p);
   s->seconds[C2D_PHASE_CONTACT] += clock_now(s) - start;

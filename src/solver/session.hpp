@@ -36,12 +36,10 @@ c2d_status advance_path(Session& session, const double* target);
 c2d_status fill_table(Session& session);
 // Zone, normals and positions, which do not change.
 void fill_positions(const Model& model, double* table);
-// Traction that free zones hand over to body 1: at an end of an element (zero elsewhere and on body 2), and at function k
-// of a piece per length of body 2 (solver/back.cpp).
+// Traction that free zones hand over to body 1 at an end of an element; zero elsewhere and on body 2 (solver/back.cpp).
 void transferred_traction(const Session& session, int b, int32_t element, int l, double out[2]);
-void transferred_values(const Session& session, const Transfer& piece, int k, double out[2]);
-// What a step callback sees of the present state; outcome and changes are the caller's. The table is filled already.
-c2d_step describe_step(const Session& session, int32_t kind);
+// Tells c2d_run's callback that a status changed. Optional (memory/optional.hpp): part of c2d_run.
+c2d_status show_change(Session& session);
 // Work of the loads along `direction` on a rigid motion of the free body; *size: sum of its magnitudes.
 double load_work(const Session& session, const double* direction, const double motion[3], double* size);
 constexpr double kNoPressure = 1e-9; // of the largest on the path
@@ -50,15 +48,11 @@ constexpr double kNoPressure = 1e-9; // of the largest on the path
 c2d_outcome find_outcome_motion(Session& session, c2d_outcome outcome);
 // Look at the residual of the contact equations, and build the tableau anew if it has grown. Errors: the block store's.
 c2d_status guard_drift(Session& session, bool always);
-// Displacement of a point of the rigid body 1 at the load reached.
-inline void rigid_displacement_now(const Session& session, double x, double y, double u[2]) {
-  u[0] = u[1] = 0.0;
-  for (int32_t k = 0; k < session.model.head->load_cases; ++k) {
-    double part[2];
-    rigid_displacement(session.model, k, x, y, part);
-    for (int c = 0; c < 2; ++c) u[c] += session.follower.load[k] * part[c];
-  }
-}
+// Results of the whole boundary in the caller's units (solver/back.cpp): read and written here alone.
+void get_displacement(const Session& session, int b, int32_t node, double u[2]);
+void get_traction(const Session& session, int b, int32_t end, double t[2]);
+void keep_displacement(const Session& session, int b, int32_t node, const double u[2]);
+void keep_traction(const Session& session, int b, int32_t end, const double t[2]);
 // Everything outside the contact, force balance (2.5). Errors: the block store's.
 c2d_status back_substitute_all(Session& session);
 

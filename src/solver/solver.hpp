@@ -33,7 +33,8 @@ struct c2d_solver {
   c2d::EliminationPlan plan[2];
   int32_t inverted;           // the supported body, whose contact displacements follow from tau
   int32_t blocked;            // nothing holds some motion: c2d_advance says so at once
-  int32_t keeps_flexibility;  // the phase area has room for F
+  int16_t keeps_flexibility;  // the phase area has room for F
+  int16_t keeps_energy;       // this program has calls that tell energies (solver/energy.hpp)
   int32_t warnings;
   int32_t factors;            // the tapes hold a factorisation of this model that new right-hand sides can go through
   int32_t loads_changed;      // since they were last validated

@@ -23,21 +23,12 @@ void warn(Session& session, int32_t number, int32_t zone, int32_t pair, const ch
   e.load = session.follower.load[0];
   Text out = text_in(e.text);
   if (zone > 0) {
-    put(out, "zone ");
-    put(out, zone);
-    put(out, ", ");
+    put_all(out, "zone ", zone, ", ");
   }
   if (pair > 0) {
-    put(out, "pair ");
-    put(out, pair);
-    put(out, ", ");
+    put_all(out, "pair ", pair, ", ");
   }
-  put(out, "load factor ");
-  put(out, e.load);
-  put(out, ", mu ");
-  put(out, s->mu);
-  put(out, ": ");
-  put(out, text);
+  put_all(out, "load factor ", e.load, ", mu ", s->mu, ": ", text);
   report_fault(s, e);
 }
 

@@ -30,29 +30,19 @@ Text begin_error(Tapes& tapes, c2d_status status, int32_t tape, uint64_t block) 
   error.tape = tape;
   error.block = static_cast<int64_t>(block);
   Text text = text_in(error.text);
-  put(text, "block store: tape ");
-  put(text, tape);
-  put(text, " (");
-  put(text, tape_name(tape));
-  put(text, ")");
+  put_all(text, "block store: tape ", tape, " (", tape_name(tape), ")");
   return text;
 }
 
 Text begin_block_error(Tapes& tapes, c2d_status status, int32_t tape, uint64_t block) {
   Text text = begin_error(tapes, status, tape, block);
-  put(text, ", block ");
-  put(text, block);
-  put(text, ": ");
+  put_all(text, ", block ", block, ": ");
   return text;
 }
 
 // "<what> is <found>, expected <expected>"
 void put_difference(Text& text, const char* what, uint64_t found, uint64_t expected) {
-  put(text, what);
-  put(text, " is ");
-  put(text, found);
-  put(text, ", expected ");
-  put(text, expected);
+  put_all(text, what, " is ", found, ", expected ", expected);
 }
 
 c2d_status broken_promise(Tapes& tapes, int32_t tape, uint64_t block, const char* what) {
@@ -64,10 +54,7 @@ c2d_status broken_promise(Tapes& tapes, int32_t tape, uint64_t block, const char
 c2d_status host_error(Tapes& tapes, c2d_status status, int32_t tape, const char* what, int32_t code) {
   Text text = begin_error(tapes, status, tape, 0);
   tapes.error.host_code = code;
-  put(text, ": ");
-  put(text, what);
-  put(text, " failed with code ");
-  put(text, code);
+  put_all(text, ": ", what, " failed with code ", code);
   return status;
 }
 
@@ -75,11 +62,7 @@ c2d_status host_block_error(Tapes& tapes, c2d_status status, int32_t tape, uint6
                             uint64_t bytes, int32_t code) {
   Text text = begin_block_error(tapes, status, tape, block);
   tapes.error.host_code = code;
-  put(text, what);
-  put(text, " of ");
-  put(text, bytes);
-  put(text, " bytes failed with code ");
-  put(text, code);
+  put_all(text, what, " of ", bytes, " bytes failed with code ", code);
   return status;
 }
 
@@ -137,11 +120,7 @@ c2d_status compare(Tapes& tapes, const BlockLabel& found, const BlockLabel& expe
   const uint64_t block = expected.block;
   if (found.tape != tape || found.block != block) {
     Text text = begin_block_error(tapes, C2D_ERR_STORE_SWAPPED, tape, block);
-    put(text, "block ");
-    put(text, found.block);
-    put(text, " of tape ");
-    put(text, found.tape);
-    put(text, " was found in its place");
+    put_all(text, "block ", found.block, " of tape ", found.tape, " was found in its place");
     return C2D_ERR_STORE_SWAPPED;
   }
   if (found.run_id != expected.run_id || found.generation != expected.generation) {

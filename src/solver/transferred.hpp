@@ -1,0 +1,27 @@
+#pragma once
+// What free zones hand over to body 1 (bie/transfer.hpp): optional, for models with ModelHeader::free_rows (memory/optional.hpp).
+#include "bie/measure.hpp"
+#include "solver/session.hpp"
+
+namespace c2d {
+
+// Adds the traction at an end of an element of body 1.
+void add_transferred_traction(const Session& session, int32_t element, int l, double out[2]);
+// The traction at function k of a piece per length of body 2.
+void transferred_values(const Session& session, const Transfer& piece, int k, double out[2]);
+// Adds force and moment about the origin, from the integrals that body 1's equations hold.
+void add_transferred_force(const Session& session, double out[3]);
+
+// ---- shared with the rest of the back substitution ----
+// A vector in a pair's frame as global components.
+inline void to_global(const Pair& pair, double normal, double tangential, double out[2]) {
+  out[0] = normal * pair.nx + tangential * pair.ny;
+  out[1] = normal * pair.ny - tangential * pair.nx;
+}
+inline void add_force(double out[3], double fx, double fy, double moment) {
+  out[0] += fx;
+  out[1] += fy;
+  out[2] += moment;
+}
+
+} // namespace c2d
