@@ -11,6 +11,7 @@ CORE_SOURCES += src/bie/body_force.cpp
 CORE_SOURCES += src/bie/body_force_columns.cpp
 CORE_SOURCES += src/bie/boundary_stress.cpp
 CORE_SOURCES += src/bie/columns.cpp
+CORE_SOURCES += src/bie/diagonal.cpp
 CORE_SOURCES += src/bie/element.cpp
 CORE_SOURCES += src/bie/holes.cpp
 CORE_SOURCES += src/bie/integrals.cpp

@@ -390,3 +390,21 @@ TEST_CASE("assembly: both bodies feel the same contact force") {
   CHECK(fx == doctest::Approx(0.2 * pair.nx * scale).epsilon(1e-12));
   CHECK(fy == doctest::Approx(0.2 * pair.ny * scale).epsilon(1e-12));
 }
+
+TEST_CASE("assembly: the diagonal in closed form is the sum over the elements: corners of all kinds, holes, double nodes") {
+  for (int32_t functions = 1; functions <= 4; ++functions)
+    for (const bool twins : {false, true}) {
+      if (twins && functions != 2) continue;
+      CAPTURE(functions);
+      ModelData d(functions);
+      Points outer = {0, 0, 3, 0, 3.1, 1.2, 1.4, 1.1, 1.2, 2.9, 0.7, 3, -0.1, 1.5}; // a corner turns inwards
+      if (twins) outer.insert(outer.begin() + 4, {3, 0});
+      Points hole = {0.4, 0.3, 0.35, 0.8, 0.6, 0.6, 0.9, 0.5}, other = {2, 0.4, 2.2, 0.7, 2.6, 0.3};
+      if (twins) hole.insert(hole.end(), {0.9, 0.5});
+      d.body(2, {outer, hole, other}, 2600, 0.3);
+      REQUIRE_MESSAGE(d.complete(), d.all());
+      const Columns closed(d, 0), summed(d, 0, 0, nullptr);
+      for (size_t i = 0; i < closed.diagonal.size(); ++i)
+        CHECK(std::fabs(closed.diagonal[i] - summed.diagonal[i]) < 2e-15 * 8); // entries below 1, a dozen elements
+    }
+}

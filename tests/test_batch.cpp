@@ -262,7 +262,7 @@ TEST_CASE("batch: a block not wanted is not touched, a wanted one does not depen
       deposits.count = 0;
       deposits.add(&blocks.h[2][0][1], column, 2);
       deposits.add(&blocks.g[1][0][0], column, 0.5);
-      set.kernel->pay(BatchRun{e, &deposits, &blocks, true, true, {1, -1}}, 0, count, both);
+      set.kernel->pay(BatchRun{e, &deposits, &blocks, true, true, {1, -1}, nullptr}, 0, count, both);
       for (int n = 0; n < 2 * kBatch; ++n) {
         const double paid = (n % 2 ? -1 : 1) * (2 * both.h[2][1][n] + 0.5 * both.g[1][0][n]);
         const double tolerance = 4.0 * std::numeric_limits<Real>::epsilon() * (n + 1);
@@ -270,4 +270,62 @@ TEST_CASE("batch: a block not wanted is not touched, a wanted one does not depen
       }
     }
   }
+}
+
+TEST_CASE("batch: displacement and stress at far points are those of one point at a time") {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (const Set& set : sets())
+    for (int functions = 1; functions <= 3; ++functions)
+      for (const bool displaced : {true, false}) {
+        double worst_u = 0, worst_s = 0;
+        int near_lanes = 0;
+        for (int n = 0; n < 2000; ++n) {
+          const double size = std::exp(8 * unit(random) - 6), turn = 7 * unit(random);
+          const double x0 = 4 * unit(random) - 2, y0 = 4 * unit(random) - 2;
+          FieldElement e;
+          prepare(e.in, line(functions < 2 ? 2 : functions, x0, y0, x0 + size * std::cos(turn), y0 + size * std::sin(turn)),
+                  functions, n % 2 ? 0.3 : 0.5, Quadrature::accurate);
+          Complex t[4], u[4];
+          for (int l = 0; l < 4; ++l) {
+            t[l] = {2 * unit(random) - 1, 2 * unit(random) - 1};
+            u[l] = {2 * unit(random) - 1, 2 * unit(random) - 1};
+          }
+          prepare_field(t, displaced ? u : nullptr, e);
+          BatchFieldElement batch;
+          REQUIRE(batch_field_element(e, batch));
+          BatchPoints at;
+          for (int s = 0; s < kBatch; ++s) {
+            const double away = size * std::exp(8 * unit(random) + (n % 3 == 0 ? -1 : 1.5)), angle = 7 * unit(random);
+            at.x[s] = x0 + away * std::cos(angle), at.y[s] = y0 + away * std::sin(angle);
+            at.reference_x[s] = unit(random), at.reference_y[s] = unit(random);
+          }
+          BatchField out;
+          {
+            Traps traps;
+            set.kernel->field(batch, at, out);
+          }
+          for (int s = 0; s < kBatch; ++s) {
+            if (out.near[s] != 0.0) {
+              CHECK(out.some_near);
+              ++near_lanes;
+              continue;
+            }
+            PointField one = {};
+            add_field(e, {at.reference_x[s], at.reference_y[s]}, at.x[s], at.y[s], one);
+            // Sizes of the terms: tractions ~ 1 on the length, displacements ~ 1 on the angle; one power of the
+            // distance less in the stress.
+            const double away = std::hypot(at.x[s] - x0, at.y[s] - y0), part = displaced ? size / away : 0.0;
+            const double most_u = std::fmax(size, part) * e.in.k, most_s = (size + part) / away * e.in.k;
+            worst_u = std::fmax(worst_u, std::hypot(out.ux[s] - one.u.re, out.uy[s] - one.u.im) / most_u);
+            worst_s = std::fmax(worst_s, std::hypot(out.trace[s] - one.trace, std::hypot(out.deviator_re[s] - one.deviator.re,
+                                                                                      out.deviator_im[s] - one.deviator.im)) /
+                                             most_s);
+          }
+        }
+        INFO(set.name << ", functions " << functions << ": u " << worst_u << ", stress " << worst_s);
+        CHECK(worst_u < 2e-13); // of the size of the terms; 1e-10 is what interior points promise
+        CHECK(worst_s < 2e-13);
+        CHECK(near_lanes > 100);
+      }
 }

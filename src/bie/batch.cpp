@@ -1,5 +1,7 @@
 #include "bie/batch.hpp"
 
+#include <math.h>
+
 namespace c2d {
 
 const BatchKernel* batch_for(Instructions set) {
@@ -39,6 +41,52 @@ BatchElement batch_element(const Integrator& in) {
   b.functions = in.functions;
   return b;
 }
+
+#ifndef C2D_SMALL
+
+bool batch_field_element(const FieldElement& e, BatchFieldElement& out) {
+  const Integrator& in = e.in;
+  if (!e.closed_form || in.functions > 3) return false;
+  const double per_length = sqrt(in.ux * in.ux + in.uy * in.uy); // 1/|h|
+  out.x0 = in.element.x[0];
+  out.y0 = in.element.y[0];
+  out.ux = in.ux;
+  out.uy = in.uy;
+  out.kappa = in.kappa;
+  out.k_t = in.k * in.g_jacobian;
+  out.k_log = out.k_t * in.kappa;
+  out.k_d = out.k_t * per_length;
+  out.k_s = 2.0 * in.k * per_length;
+  out.half_k = 0.5 * in.k;
+  out.axis = e.axis;
+  out.axis2 = e.axis * e.axis;
+  Complex mean = {0.0, 0.0};
+  for (int k = 0; k < 3; ++k) {
+    out.t[k] = e.t[k];
+    out.u[k] = e.u[k];
+    if (k % 2 == 0) add(mean, (2.0 / (k + 1)) * e.t[k]);
+  }
+  const double logs = out.k_log * in.log_half;
+  out.u0 = {out.k_t * mean.re - logs * mean.re, -logs * mean.im};
+  out.functions = in.functions;
+  out.displaced = e.displaced;
+  return true;
+}
+
+bool aim_columns(const BatchRun& run, BatchColumns& out) {
+  out = BatchColumns{};
+  if (sizeof(Real) != sizeof(double) || run.sign[0] != 1.0 || run.sign[1] != 1.0) return false;
+  for (int n = 0; n < run.deposits->count; ++n) {
+    const Deposit& d = run.deposits->list[n];
+    const int64_t at = d.block - &run.blocks->h[0][0][0], kind = at / 16, l = at / 4 % 4, j = at % 2;
+    if (out.to[kind][l][j]) return false;
+    out.to[kind][l][j] = d.column;
+    out.factor[kind][l][j] = d.factor;
+  }
+  return true;
+}
+
+#endif
 
 bool is_batched(const Integrator& in, bool want_g) {
   return in.mode == Quadrature::accurate && !in.degenerate && in.element.straight &&

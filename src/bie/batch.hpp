@@ -4,6 +4,7 @@
 // and arctangent of their own. One set of functions per instruction set (linalg/kernel.hpp); the same numbers
 // as integrate() gives one by one, to round-off.
 #include "bie/deposits.hpp"
+#include "bie/interior.hpp"
 #include "linalg/kernel.hpp"
 
 namespace c2d {
@@ -27,6 +28,12 @@ struct BatchElement {
 };
 BatchElement batch_element(const Integrator& in);
 
+// The one column that takes a component of one local node, [kind][l][j] with h before g; null: none does.
+struct BatchColumns {
+  Real* to[2][4][2];
+  double factor[2][4][2];
+};
+
 // Batches of an element: sources at xy = x0 y0 x1 y1 ..., the first of which has the panel's rows 2 first, 2
 // first + 1.
 struct BatchRun {
@@ -35,6 +42,31 @@ struct BatchRun {
   const Blocks* blocks;
   bool want_h, want_g;
   double sign[2]; // of the rows of an image
+  const BatchColumns* direct; // the same deposits, see aim_columns(); null: one by one
+};
+// Are the deposits so simple that each component has one column at most, and the image the element itself?
+// Then they stand in `out` as well.
+bool aim_columns(const BatchRun& run, BatchColumns& out);
+
+// An element with its values for points far away: names as in interior.hpp and interior_straight.cpp. 1 to 3
+// functions.
+struct BatchFieldElement {
+  double x0, y0, ux, uy, kappa;
+  double k_t, k_log, k_d, k_s, half_k; // k J, k J kappa, k J/|h|, 2k/|h|, k/2
+  Complex axis, axis2;                 // that and its square
+  Complex t[3], u[3];
+  Complex u0; // of the displacement, all that does not depend on the point
+  int functions;
+  bool displaced;
+};
+// False if the element has no closed form, or too many functions.
+bool batch_field_element(const FieldElement& e, BatchFieldElement& out);
+struct BatchPoints {
+  double x[kBatch], y[kBatch], reference_x[kBatch], reference_y[kBatch];
+};
+struct BatchField { // as PointField; near: 1 where the element is too near for this, nothing else holds there
+  double ux[kBatch], uy[kBatch], trace[kBatch], deviator_re[kBatch], deviator_im[kBatch], near[kBatch];
+  bool some_near;
 };
 
 struct BatchKernel {
@@ -51,7 +83,9 @@ struct BatchKernel {
   void (*rigid)(const BatchElement& e, const double* xy, double sum[4 * kBatch]);
   // Taken off the diagonals of `count` sources, whole batches.
   void (*rigid_off)(const BatchElement& e, const double* xy, int32_t count, double* diagonal);
-  // Of kBatch numbers each, for tests: ln x, x > 0 and normal; atan2(y, x), 0 if both are.
+  // add_field() of sums that begin with 0.
+  void (*field)(const BatchFieldElement& e, const BatchPoints& points, BatchField& out);
+  // Of kBatch numbers each: ln x, x > 0 and normal; atan2(y, x), 0 if both are.
   void (*logarithm)(const double* x, double* out);
   void (*angle)(const double* y, const double* x, double* out);
 };

@@ -41,21 +41,22 @@ struct Group {
   bool plain;
 };
 
-bool is_plain(const ColumnSystem& system, const OwnSources& own, int32_t first) {
-  for (int n = 0; n < own.count; ++n)
-    if (own.source[n] >= first && own.source[n] < first + kBatch) return false;
-  if (!system.some_passed_over) return true;
+bool has_passed_over(const ColumnSystem& system, int32_t first) {
   const int32_t* twin = system.twin + first;
   for (int s = 0; s < kBatch; ++s)
-    if (twin[s] < kSingle) return false;
-  return true;
+    if (twin[s] < kSingle) return true;
+  return false;
 }
 
 Group group_at(const ColumnSystem& system, const OwnSources& own, int32_t first, int32_t end) {
   Group g{first, end - first, false};
   if (g.count < kBatch) return g;
-  g.count = 0;
-  while (first + g.count + kBatch <= end && is_plain(system, own, first + g.count)) g.count += kBatch;
+  g.count -= g.count % kBatch;
+  for (int n = 0; n < own.count; ++n) // up to the batch with the first of the own ones
+    if (own.source[n] >= first && own.source[n] < first + g.count)
+      g.count = (own.source[n] - first) / kBatch * kBatch;
+  for (int32_t s = 0; system.some_passed_over && s < g.count; s += kBatch)
+    if (has_passed_over(system, first + s)) g.count = s;
   g.plain = g.count > 0;
   if (!g.plain) g.count = kBatch;
   return g;
@@ -92,6 +93,8 @@ struct BatchJob {
   const Integrator& in;
   const int32_t* node;
   BatchRun run;
+  BatchColumns columns;
+  bool direct; // the columns hold what there is to pay
 };
 
 // Lanes that are no source get nothing, those on the element what is theirs.
@@ -115,6 +118,7 @@ void pay_group(BatchJob& job, const Group& g, int image, Blocks& blocks, BatchBl
   const BatchKernel& kernel = *job.system.batch;
   BatchRun& run = job.run;
   for (int i = 0; i < 2; ++i) run.sign[i] = image_sign(image, i);
+  run.direct = image == 0 && job.direct ? &job.columns : nullptr;
   double room[2 * kBatch];
   if (!g.plain) {
     kernel.integrate(run.element, places(job.system, g.first, g.count, image, room), run.want_h, run.want_g,
@@ -133,11 +137,12 @@ void pay_group(BatchJob& job, const Group& g, int image, Blocks& blocks, BatchBl
 bool pay_batches(const ColumnSystem& system, const Integrator& integrator, const int32_t node[4],
                  Blocks& blocks, const Deposits& deposits) {
   if (!system.batch) return false;
-  BatchJob job{system, integrator, node, BatchRun{{}, &deposits, &blocks, false, false, {1.0, 1.0}}};
+  BatchJob job{system, integrator, node, BatchRun{{}, &deposits, &blocks, false, false, {1.0, 1.0}, nullptr}, {}, false};
   for (int n = 0; n < deposits.count; ++n)
     (deposits.list[n].block < &blocks.g[0][0][0] ? job.run.want_h : job.run.want_g) = true;
   if (!is_batched(integrator, job.run.want_g)) return false;
   job.run.element = batch_element(integrator);
+  job.direct = aim_columns(job.run, job.columns);
   const ModelHeader& head = *system.model.head;
   const int32_t end = head.body[system.body].nodes;
   const OwnSources own = own_sources(system, node, integrator.functions);

@@ -16,9 +16,9 @@ void number_unknowns(const Model& m, int b) {
 }
 
 int32_t outer_column(const Model& m, int b, int32_t node, int component) {
-  if (unknown_at(m, b, node, component).kind == UnknownKind::contact) return -1;
-  const bool second = component == 1 && unknown_at(m, b, node, 0).kind != UnknownKind::contact;
-  return m.node_column[b][node] + (second ? 1 : 0);
+  const int32_t first = m.node_column[b][node], columns = m.node_column[b][node + 1] - first;
+  if (columns == 2) return first + component;
+  return columns == 0 || unknown_at(m, b, node, component).kind == UnknownKind::contact ? -1 : first;
 }
 
 } // namespace c2d

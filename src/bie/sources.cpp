@@ -1,5 +1,6 @@
 // Collocation points, their images, and what every one of them takes from an element.
 #include "bie/batch_sources.hpp"
+#include "bie/diagonal.hpp"
 #include "bie/holes.hpp"
 #include "bie/panel.hpp"
 #include "model/symmetry.hpp"
@@ -93,6 +94,7 @@ void fill_diagonal(const ColumnSystem& system, int32_t first_node, int32_t count
   for (int64_t i = 4 * static_cast<int64_t>(first_node); i < 4 * static_cast<int64_t>(first_node + count);
        ++i)
     system.diagonal[i] = 0.0;
+  if (fill_diagonal_closed(system, first_node, count)) return;
   for (int32_t element = 0; element < m.head->body[b].elements; ++element) {
     if (!is_integrated(m, b, element)) continue;
     Integrator& integrator = system.scratch->integrator;

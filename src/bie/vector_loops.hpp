@@ -1,3 +1,4 @@
+#pragma once
 // Vectors of C2D_VECTOR_BYTES, their logarithm and arctangent: part of batch_loops.hpp, seen by nothing else.
 // Both functions are polynomials after the usual reductions, interpolated at Chebyshev's points to 1e-17;
 // neither raises anything for the arguments they are made for. tests/test_batch.cpp compares them with the C
@@ -26,7 +27,11 @@ INLINE void save(double* to, Doubles v) {
   *reinterpret_cast<Loose*>(to) = v;
 }
 INLINE Doubles all(double x) {
-  return Doubles{} + x;
+  return x - Doubles{}; // not the sum, which costs an addition for the sake of -0
+}
+
+INLINE Doubles lower(Doubles a, Doubles b) {
+  return a < b ? a : b;
 }
 
 // Pairs of lanes 0, 2, ... of a and b; of lanes 1, 3, ...: cheap on every machine. What was loaded by these
@@ -77,13 +82,16 @@ INLINE Doubles high_pairs(Doubles, Doubles b) {
   return b;
 }
 #endif
-#undef C2D_SHUFFLE
-
 INLINE double least(Doubles v) {
-  double lowest = v[0];
-  for (int i = 1; i < kDoubles; ++i) lowest = v[i] < lowest ? v[i] : lowest;
-  return lowest;
+#if C2D_VECTOR_BYTES == 64
+  v = lower(v, C2D_SHUFFLE(v, v, 4, 5, 6, 7, 0, 1, 2, 3));
+  v = lower(v, C2D_SHUFFLE(v, v, 2, 3, 0, 1, 6, 7, 4, 5));
+#elif C2D_VECTOR_BYTES == 32
+  v = lower(v, C2D_SHUFFLE(v, v, 2, 3, 0, 1));
+#endif
+  return v[0] < v[1] ? v[0] : v[1];
 }
+#undef C2D_SHUFFLE
 
 INLINE Doubles magnitude(Doubles x) {
   return x < 0.0 ? -x : x;

@@ -94,10 +94,57 @@ bool joined(const Model& m, int b, int32_t i, int32_t j) {
   return false;
 }
 
+// Pairs are looked at in a first pass by blocks: a member outside the box of a block meets none in it. Only if that
+// finds anything are all pairs gone through in order, to tell of them. Small builds go straight to that.
+#ifdef C2D_SMALL
+bool some_coincide(const Model&, int) { return true; }
+#else
+constexpr int32_t kBoxes = 32;
+
+void widen(Box& box, const Box& by) {
+  box.x_min = fmin(box.x_min, by.x_min);
+  box.x_max = fmax(box.x_max, by.x_max);
+  box.y_min = fmin(box.y_min, by.y_min);
+  box.y_max = fmax(box.y_max, by.y_max);
+}
+
+// visit(i, j) for i <= j < count whose boxes meet, until it says true; returns whether it did.
+template <class BoxOf, class Visit> bool visit_meeting(int32_t count, BoxOf box_of, Visit visit) {
+  Box box[kBoxes];
+  for (int32_t first = 0; first < count; first += kBoxes) {
+    const int32_t end = count - first < kBoxes ? count : first + kBoxes;
+    Box all = box_of(first);
+    for (int32_t j = first; j < end; ++j) {
+      box[j - first] = box_of(j);
+      widen(all, box[j - first]);
+    }
+    for (int32_t i = 0; i < end; ++i) {
+      const Box own = box_of(i);
+      if (!boxes_meet(own, all)) continue;
+      for (int32_t j = i > first ? i : first; j < end; ++j)
+        if (boxes_meet(own, box[j - first]) && visit(i, j)) return true;
+    }
+  }
+  return false;
+}
+
+bool some_coincide(const Model& m, int b) {
+  const double half = 0.6 * kCoincident * m.head->length_unit; // a little more than half the tolerance
+  const auto box_of = [&](int32_t i) {
+    const double* p = m.xy[b] + 2 * static_cast<int64_t>(i);
+    return Box{p[0] - half, p[0] + half, p[1] - half, p[1] + half};
+  };
+  return visit_meeting(body_of(m, b).geometry_nodes, box_of, [&](int32_t i, int32_t j) {
+    return i != j && !(body_of(m, b).element_nodes == 2 && joined(m, b, i, j));
+  });
+}
+#endif
+
 // Boundary points of one body must differ, except the two of a legal double node.
 int32_t check_coincidence(const Model& m, int b, Reporter& reporter) {
   const Body& body = body_of(m, b);
   int32_t told = 0;
+  if (!some_coincide(m, b)) return told;
   for (int32_t i = 0; i < body.geometry_nodes; ++i) {
     const double* p = m.xy[b] + 2 * i;
     for (int32_t j = i + 1; j < body.geometry_nodes; ++j) {
@@ -146,9 +193,27 @@ bool pair_crosses(const Model& m, const Chords& p, const Chords& q) {
   return elements_cross(p, q, after, before);
 }
 
+#ifdef C2D_SMALL
+bool some_cross(const Model&, int) { return true; }
+#else
+bool some_cross(const Model& m, int b) {
+  Chords p, q;
+  return visit_meeting(
+      body_of(m, b).elements, [&](int32_t i) { return box_around(m, b, i); },
+      [&](int32_t i, int32_t j) {
+        if (is_zero_length(m, b, i) || is_zero_length(m, b, j)) return false;
+        chords_of(m, b, i, p);
+        if (i == j) return crosses_itself(p);
+        chords_of(m, b, j, q);
+        return pair_crosses(m, p, q);
+      });
+}
+#endif
+
 void check_crossing(const Model& m, int b, Reporter& reporter) {
   const int32_t elements = body_of(m, b).elements;
   int32_t told = 0;
+  if (!some_cross(m, b)) return;
   Chords p, q;
   for (int32_t i = 0; i < elements; ++i) {
     if (is_zero_length(m, b, i)) continue;

@@ -4,11 +4,14 @@
 #include <math.h>
 #include <string.h>
 
+#include "bie/batch.hpp"
 #include "bie/body_force.hpp"
 #include "bie/boundary_stress.hpp"
 #include "bie/columns.hpp"
 #include "bie/interior_detail.hpp"
+#include "bie/kernels.hpp"
 #include "memory/optional.hpp"
+#include "memory/workers.hpp"
 #include "model/symmetry.hpp"
 #include "solver/particular.hpp"
 #include "solver/rigid.hpp"
@@ -53,8 +56,12 @@ struct Points {
   int64_t out_stride;
   double unit;
 
-  PointState& state(int32_t i) const { return *reinterpret_cast<PointState*>(out + i * out_stride); }
   const ModelHeader* head;
+#ifndef C2D_SMALL
+  const BatchKernel* kernel; // null: one by one
+#endif
+
+  PointState& state(int32_t i) const { return *reinterpret_cast<PointState*>(out + i * out_stride); }
 
   // Symmetric bodies are looked at in the part that is modelled, and the answer is mirrored back.
   double folded(int32_t i, int c) const {
@@ -83,25 +90,82 @@ c2d_status pause(const Session& session, int b, int32_t element) {
   return asked_to_stop(s) ? fail(s, C2D_ERR_CANCELLED, "cancelled while computing interior points") : c2d_status{C2D_OK};
 }
 
-// Nearest boundary point and winding number of the points not yet placed, from one element.
-void look_at_element(const Integrator& in, int b, int32_t element, const Points& points) {
-  const Element& e = in.element;
+#ifndef C2D_SMALL
+// A point of the element as an upper bound of the distance from the boundary, squared: most elements need no closer
+// look then.
+void look_from_afar(const Element& e, const Points& points) {
   for (int32_t i = 0; i < points.count; ++i) {
     PointState& p = points.state(i);
     if (p.place != kUnplaced) continue;
-    const double x = points.x(i), y = points.y(i);
-    if (length_of(x - e.c[0][0], y - e.c[0][1]) - in.radius <= p.distance) {
-      const Nearest near = nearest_point(e, x, y);
-      if (near.distance < p.distance) {
-        p.distance = near.distance;
-        p.element = element;
-        p.eta = near.eta;
-      }
-      if (near.distance <= 2.0 * kOnBoundary * in.radius) p.place = place_of(b, C2D_POINT_BOUNDARY);
-    }
-    for (int image = 0; image <= points.head->symmetry && p.place == kUnplaced; ++image)
-      if (is_image(*points.head, image))
-        p.reference[0] += winding(in, points.seen(image, 0, x), points.seen(image, 1, y));
+    const double x = p.u[0] - e.c[0][0], y = p.u[1] - e.c[0][1], square = x * x + y * y;
+    if (square < p.distance) p.distance = square;
+  }
+}
+#endif
+
+// Where a point is that is not yet placed: p.u, as long as there are no sums.
+void look_closely(const Integrator& in, int b, int32_t element, PointState& p) {
+  const Nearest near = nearest_point(in.element, p.u[0], p.u[1]);
+  if (near.distance < p.distance) {
+    p.distance = near.distance;
+    p.element = element;
+    p.eta = near.eta;
+  }
+  if (near.distance <= 2.0 * kOnBoundary * in.radius) p.place = place_of(b, C2D_POINT_BOUNDARY);
+}
+
+bool may_be_nearest(const Integrator& in, const PointState& p) {
+  const double x = p.u[0] - in.element.c[0][0], y = p.u[1] - in.element.c[0][1];
+#ifdef C2D_SMALL
+  return length_of(x, y) - in.radius <= p.distance;
+#else
+  const double reach = p.distance + in.radius;
+  return x * x + y * y <= reach * reach;
+#endif
+}
+
+void add_winding(const Integrator& in, const Points& points, PointState& p) {
+  for (int image = 0; image <= points.head->symmetry && p.place == kUnplaced; ++image)
+    if (is_image(*points.head, image))
+      p.reference[0] += winding(in, points.seen(image, 0, p.u[0]), points.seen(image, 1, p.u[1]));
+}
+
+#ifdef C2D_SMALL
+bool add_crossings(const Integrator&, const Points&) { return false; }
+#else
+// How often the chord crosses the ray from P along x, upwards less downwards: over a closed boundary that is the winding
+// number as well. Curves near P may pass it on the other side than their chords.
+bool add_crossings(const Integrator& in, const Points& points) {
+  if (points.head->symmetry != 0 || in.degenerate) return false;
+  const Element& e = in.element;
+  const int last = e.nodes - 1;
+  const double x0 = e.x[0], y0 = e.y[0], x1 = e.x[last], y1 = e.y[last];
+  for (int32_t i = 0; i < points.count; ++i) {
+    PointState& p = points.state(i);
+    const double y = p.u[1];
+    if (p.place != kUnplaced) continue;
+    const bool crosses = (y0 <= y) != (y1 <= y);
+    if (!crosses && e.straight) continue;
+    const double ax = x0 - p.u[0], ay = y0 - y, bx = x1 - p.u[0], by = y1 - y, side = ax * by - ay * bx;
+    if (crosses && (side > 0.0) == (y0 <= y)) p.reference[0] += y0 <= y ? 1.0 : -1.0;
+    const double mx = 0.5 * (ax + bx), my = 0.5 * (ay + by);
+    if (!e.straight && mx * mx + my * my <= 4.0 * in.radius * in.radius)
+      p.reference[0] += winding(in, p.u[0], y) - atan2(side, ax * bx + ay * by) / (2.0 * kPi);
+  }
+  return true;
+}
+#endif
+
+// Nearest boundary point and winding number of the points not yet placed, from one element.
+void look_at_element(const Integrator& in, int b, int32_t element, const Points& points) {
+  for (int32_t i = 0; i < points.count; ++i) {
+    PointState& p = points.state(i);
+    if (p.place == kUnplaced && may_be_nearest(in, p)) look_closely(in, b, element, p);
+  }
+  if (add_crossings(in, points)) return;
+  for (int32_t i = 0; i < points.count; ++i) {
+    PointState& p = points.state(i);
+    if (p.place == kUnplaced) add_winding(in, points, p);
   }
 }
 
@@ -153,27 +217,35 @@ void place_inside(const Session& session, int b, double x, double y, PointState&
   p.distance = y;
 }
 
-c2d_status place_points(const Session& session, int b, const Points& points) {
-  const Model& m = session.model;
+void begin_placing(const Points& points) {
   for (int32_t i = 0; i < points.count; ++i) {
     PointState& p = points.state(i);
     if (p.place != kUnplaced) continue;
     p = PointState{};
+    p.u[0] = points.x(i);
+    p.u[1] = points.y(i);
     p.distance = 1e300;
   }
-  for (int32_t element = 0; element < m.head->body[b].elements; ++element) {
-    if (!is_integrated(m, b, element)) continue;
-    const c2d_status status = pause(session, b, element);
-    if (status != C2D_OK) return status;
-    Integrator in;
-    make_integrator(m, b, element, Quadrature::accurate, Measure::own_length, in);
-    look_at_element(in, b, element, points);
-  }
+}
+
+#ifndef C2D_SMALL
+// The bound must be undercut, also by a point to which it belongs.
+constexpr double kRounding = 1e-14; // of the coordinates, in the length unit
+void leave_afar(const Points& points) {
+  for (int32_t i = 0; i < points.count; ++i)
+    if (points.state(i).place == kUnplaced)
+      points.state(i).distance = (1.0 + 1e-12) * sqrt(points.state(i).distance) + kRounding;
+}
+#endif
+
+void end_placing(const Session& session, int b, const Points& points) {
   for (int32_t i = 0; i < points.count; ++i) {
     PointState& p = points.state(i);
-    if (p.place == kUnplaced && p.reference[0] > 0.5) place_inside(session, b, points.x(i), points.y(i), p);
+    if (p.place != kUnplaced) continue;
+    const double x = p.u[0], y = p.u[1];
+    p.u[0] = p.u[1] = 0.0;
+    if (p.reference[0] > 0.5) place_inside(session, b, x, y, p);
   }
-  return C2D_OK;
 }
 
 // ---- the integrals ------------------------------------------------------------------------------------------------
@@ -189,23 +261,68 @@ void add_displacement(int image, const PointField& sum, PointState& p) {
   p.u[1] += image_sign(image, 1) * sum.u.im;
 }
 
-void add_element(const FieldElement& e, int b, const Points& points) {
-  for (int32_t i = 0; i < points.count; ++i) {
-    PointState& p = points.state(i);
-    if (!is_inside(p, b)) continue;
-    for (int image = 0; image <= points.head->symmetry; ++image) {
-      if (!is_image(*points.head, image)) continue;
-      const Complex reference = {image_sign(image, 0) * p.reference[0], image_sign(image, 1) * p.reference[1]};
-      PointField sum = {};
-      add_field(e, reference, points.seen(image, 0, p.eta), points.seen(image, 1, p.distance), sum);
-      add_stress(image, sum, p);
-      if (is_near_node(p, b)) {
-        sum = PointField{};
-        add_field(e, reference, points.seen(image, 0, points.x(i)), points.seen(image, 1, points.y(i)), sum);
+void add_element_at(const FieldElement& e, int b, const Points& points, int32_t i) {
+  PointState& p = points.state(i);
+  if (!is_inside(p, b)) return;
+  for (int image = 0; image <= points.head->symmetry; ++image) {
+    if (!is_image(*points.head, image)) continue;
+    const Complex reference = {image_sign(image, 0) * p.reference[0], image_sign(image, 1) * p.reference[1]};
+    PointField sum = {};
+    add_field(e, reference, points.seen(image, 0, p.eta), points.seen(image, 1, p.distance), sum);
+    add_stress(image, sum, p);
+    if (is_near_node(p, b)) {
+      sum = PointField{};
+      add_field(e, reference, points.seen(image, 0, points.x(i)), points.seen(image, 1, points.y(i)), sum);
+    }
+    add_displacement(image, sum, p);
+  }
+}
+
+#ifdef C2D_SMALL
+bool add_element_batches(const FieldElement&, int, const Points&) { return false; }
+#else
+// Eight points at a time; those near the element, and near a node, one by one.
+bool add_element_batches(const FieldElement& e, int b, const Points& points) {
+  const BatchKernel* kernel = points.kernel;
+  BatchFieldElement element;
+  if (!kernel || points.head->symmetry != 0 || !batch_field_element(e, element)) return false;
+  const double inside = place_of(b, C2D_POINT_INSIDE), away = 64.0 * e.in.radius;
+  BatchPoints at;
+  BatchField sum;
+  sum.some_near = false;
+  for (int32_t first = 0; first < points.count; first += kBatch) {
+    const int count = points.count - first < kBatch ? points.count - first : kBatch;
+    bool any = false;
+    for (int s = 0; s < kBatch; ++s) {
+      const bool has = s < count && points.state(first + s).place == inside;
+      const PointState& p = points.state(has ? first + s : first);
+      at.x[s] = has ? p.eta : element.x0 + away;
+      at.y[s] = has ? p.distance : element.y0;
+      at.reference_x[s] = has ? p.reference[0] : 0.0;
+      at.reference_y[s] = has ? p.reference[1] : 0.0;
+      any = any || has;
+    }
+    if (any) kernel->field(element, at, sum);
+    for (int s = 0; s < count; ++s) {
+      PointState& p = points.state(first + s);
+      if (p.place != inside || (sum.some_near && sum.near[s] != 0.0)) {
+        add_element_at(e, b, points, first + s);
+        continue;
       }
-      add_displacement(image, sum, p);
+      p.stress[0] += sum.trace[s];
+      p.stress[1] += sum.deviator_re[s];
+      p.stress[2] += sum.deviator_im[s];
+      p.u[0] += sum.ux[s];
+      p.u[1] += sum.uy[s];
     }
   }
+  return true;
+}
+#endif
+
+void add_element(const FieldElement& e, int b, const Points& points) {
+  if (add_element_batches(e, b, points)) return;
+  for (int32_t i = 0; i < points.count; ++i) add_element_at(e, b, points, i);
 }
 
 // Nodal values of an element in the units of the equations. Contact tractions of body 2 are per length of body 1 and
@@ -367,15 +484,96 @@ void finish_point(const Session& session, int b, const Points& points, int32_t i
   }
 }
 
+enum class Pass { afar, placing, integrals };
+
+// One element on these points. Small builds do without the first pass.
+void act(const Session& session, int b, int32_t element, Pass pass, const Points& points) {
+  if (pass == Pass::integrals) return add_elements_values(session, b, element, points);
+  Integrator in;
+  make_integrator(session.model, b, element, Quadrature::accurate, Measure::own_length, in);
+#ifndef C2D_SMALL
+  if (pass == Pass::afar) return look_from_afar(in.element, points);
+#endif
+  look_at_element(in, b, element, points);
+}
+
+#ifdef C2D_SMALL
+c2d_status run_pass(const Session& session, int b, const Points& points, Pass pass) {
+  for (int32_t element = 0; element < session.model.head->body[b].elements; ++element) {
+    if (!is_integrated(session.model, b, element)) continue;
+    const c2d_status status = pause(session, b, element);
+    if (status != C2D_OK) return status;
+    act(session, b, element, pass, points);
+  }
+  return C2D_OK;
+}
+#else
+// Points are taken in blocks that stay in the cache while all elements act on them, several blocks at once where there
+// are threads for it; and elements in runs, between which the caller is told of the progress.
+constexpr int32_t kBlockOfPoints = 1024, kRunOfElements = 32; // the first a multiple of kBatch
+
+struct BlockJob {
+  const Session* session;
+  const Points* points;
+  int b;
+  Pass pass;
+  int32_t first_point, first_element, last_element; // this one not
+
+  Points block(int32_t i) const {
+    const int32_t first = first_point + i * kBlockOfPoints, rest = points->count - first;
+    Points out = *points;
+    out.count = rest < kBlockOfPoints ? rest : kBlockOfPoints;
+    out.xy += first * points->xy_stride;
+    out.out += first * points->out_stride;
+    return out;
+  }
+};
+
+// Task `i` of a BlockJob: one block of points and a run of elements.
+void run_block(void* argument, int32_t i) {
+  const BlockJob& job = *static_cast<const BlockJob*>(argument);
+  const Points points = job.block(i);
+  for (int32_t element = job.first_element; element < job.last_element; ++element)
+    if (is_integrated(job.session->model, job.b, element)) act(*job.session, job.b, element, job.pass, points);
+}
+
+// All elements of the body on all points, in one of the passes.
+c2d_status run_pass(const Session& session, int b, const Points& points, Pass pass) {
+  const int32_t elements = session.model.head->body[b].elements;
+  const int32_t blocks = (points.count + kBlockOfPoints - 1) / kBlockOfPoints;
+  const Workers workers = workers_of(&session.solver->port);
+  for (int32_t block = 0; block < blocks; block += workers.count) {
+    const int32_t tasks = blocks - block < workers.count ? blocks - block : workers.count;
+    for (int32_t first = 0; first < elements; first += kRunOfElements) {
+      const int32_t last = elements - first < kRunOfElements ? elements : first + kRunOfElements;
+      const int64_t done = (static_cast<int64_t>(block) * elements + static_cast<int64_t>(tasks) * first) / blocks;
+      const c2d_status status = pause(session, b, static_cast<int32_t>(done));
+      if (status != C2D_OK) return status;
+      BlockJob job{&session, &points, b, pass, block * kBlockOfPoints, first, last};
+      run_tasks(workers, tasks, run_block, &job);
+    }
+  }
+  return C2D_OK;
+}
+#endif
+
+c2d_status place_points(const Session& session, int b, const Points& points) {
+  begin_placing(points);
+  c2d_status status = C2D_OK;
+#ifndef C2D_SMALL
+  status = run_pass(session, b, points, Pass::afar);
+  if (status == C2D_OK) leave_afar(points);
+#endif
+  if (status == C2D_OK) status = run_pass(session, b, points, Pass::placing);
+  if (status == C2D_OK) end_placing(session, b, points);
+  return status;
+}
+
 // The points of one body that are not in an earlier one, complete but for writing them out. (Not inlined, like the next:
 // their frames would stand below that of back substitution.)
 [[gnu::noinline]] c2d_status evaluate_body(const Session& session, int b, const Points& points) {
   c2d_status status = place_points(session, b, points);
-  for (int32_t element = 0; element < session.model.head->body[b].elements && status == C2D_OK; ++element) {
-    if (!is_integrated(session.model, b, element) || is_rigid(session.model, b)) continue;
-    status = pause(session, b, element);
-    if (status == C2D_OK) add_elements_values(session, b, element, points);
-  }
+  if (status == C2D_OK && !is_rigid(session.model, b)) status = run_pass(session, b, points, Pass::integrals);
   if (status == C2D_OK && b == 0 && session.model.head->free_rows > 0) status = add_transferred(session, points);
   return status;
 }
@@ -432,7 +630,11 @@ extern "C" c2d_status c2d_interior(c2d_solver* s, int32_t body, int32_t count, c
   if (s->blocked || s->floating) clear_boundary(session);
   status = back_substitute_all(session);
   if (status != C2D_OK) return fail_store(s, status);
-  const Points points = {count, xy, xy_stride, out, out_stride, s->model.length_unit, &s->model};
+  const Points points = {count, xy, xy_stride, out, out_stride, s->model.length_unit, &s->model
+#ifndef C2D_SMALL
+                         , batch_for(best_instructions())
+#endif
+  };
   for (int32_t i = 0; i < count; ++i) points.state(i).place = may_lie_inside(points, i) ? kUnplaced : kNowhere;
   for (int b = 0; b < s->model.bodies && status == C2D_OK; ++b)
     if (body == 0 || body == b + 1) status = evaluate_body(session, b, points);

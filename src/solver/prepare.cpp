@@ -119,6 +119,7 @@ struct BodyJob {
   ContactTape tape;
   int64_t total; // columns
   double assembling;
+  Engine engine;
 };
 
 c2d_status watch_column(void* context, int32_t column) {
@@ -130,13 +131,54 @@ c2d_status watch_column(void* context, int32_t column) {
 // Columns are assembled a few at a time, so that a watchdog is fed also while a wide panel is filled.
 constexpr int32_t kColumnsAtOnce = 256;
 
+#ifdef C2D_SMALL
+int32_t fill_some(BodyJob& job, int32_t first, int32_t count, Real* data, int64_t ld) {
+  const int32_t now = count < kColumnsAtOnce ? count : kColumnsAtOnce;
+  fill_columns(job.system, first, now, data, ld);
+  return now;
+}
+#else
+// So few that they stay in the second-level cache until all elements have added to them.
+int32_t columns_at_once(int64_t ld) {
+  constexpr int64_t kCachedBytes = 1 << 20;
+  const int64_t fit = kCachedBytes / (ld * static_cast<int64_t>(sizeof(Real)));
+  return static_cast<int32_t>(fit < 16 ? 16 : fit < kColumnsAtOnce ? fit : kColumnsAtOnce);
+}
+
+struct Columns { // of a panel, `step` at a time
+  const BodyJob& job;
+  int32_t first, count, step;
+  Real* data;
+  int64_t ld;
+  bool shared; // several steps at once: what an element needs comes from the engine's memory
+};
+static_assert(kDepth * 4 * sizeof(Real) >= sizeof(AssemblyScratch), "a part of an engine's memory has room for it");
+
+void fill_step(void* argument, const Engine& engine, int32_t i) {
+  const Columns& c = *static_cast<const Columns*>(argument);
+  ColumnSystem system = c.job.system;
+  if (c.shared) system.scratch = reinterpret_cast<AssemblyScratch*>(engine.scratch);
+  const int32_t done = i * c.step, rest = c.count - done;
+  fill_columns(system, c.first + done, rest < c.step ? rest : c.step, c.data + done * c.ld, c.ld);
+}
+
+// The first of these columns, one step for each part of the engine; how many.
+int32_t fill_some(BodyJob& job, int32_t first, int32_t count, Real* data, int64_t ld) {
+  const int32_t parts = parts_of(job.engine), each = count / parts + 1, most = columns_at_once(ld);
+  const int32_t step = each < 16 ? 16 : each < most ? each : most;
+  const int32_t now = count < parts * step ? count : parts * step, items = (now + step - 1) / step;
+  Columns columns{job, first, now, step, data, ld, parts > 1 && items > 1};
+  run_items(job.engine, items, fill_step, &columns);
+  return now;
+}
+#endif
+
 c2d_status assemble_columns(void* context, int32_t first, int32_t count, Real* panel, int64_t ld) {
   BodyJob& job = *static_cast<BodyJob*>(context);
   const double start = clock_now(job.solver);
-  for (int32_t done = 0; done < count; done += kColumnsAtOnce) {
-    const int32_t now = count - done < kColumnsAtOnce ? count - done : kColumnsAtOnce;
-    fill_columns(job.system, first + done, now, panel + done * ld, ld);
-    tell_progress(job.solver, C2D_PHASE_ASSEMBLE, job.system.body + 1, first + done + now, job.total);
+  for (int32_t done = 0; done < count;) {
+    done += fill_some(job, first + done, count - done, panel + done * ld, ld);
+    tell_progress(job.solver, C2D_PHASE_ASSEMBLE, job.system.body + 1, first + done, job.total);
     if (asked_to_stop(job.solver)) return C2D_ERR_CANCELLED;
   }
   job.assembling += clock_now(job.solver) - start;
@@ -195,7 +237,9 @@ void note_scratch(c2d_solver* s, uint64_t area, int64_t used) {
   BodyJob job{s, ColumnSystem{m, b, quadrature, area.diagonal, area.point, area.twin,
                               static_cast<AssemblyScratch*>(area.scratch), batch_for(best_instructions())},
               ContactTape{&s->tapes, m.head->contact, m.head->load_cases, area.buffer},
-              static_cast<int64_t>(s->plan[b].pivots) + s->plan[b].trailing, 0.0};
+              static_cast<int64_t>(s->plan[b].pivots) + s->plan[b].trailing, 0.0, kPlainEngine};
+  int64_t scratch = 0;
+  job.engine = engine_beside(s, sizes, bytes, &scratch);
   const double start = clock_now(s);
   job.system.some_passed_over = place_sources(job.system);
   for (int32_t node = 0; node < m.head->body[b].nodes; node += kColumnsAtOnce) {
@@ -208,8 +252,7 @@ void note_scratch(c2d_solver* s, uint64_t area, int64_t used) {
   const ColumnSource source{&job, assemble_columns};
   const RowSink sink{&job, keep_reduced};
   const Watch watch{&job, watch_column};
-  int64_t scratch = 0;
-  const Engine engine = engine_beside(s, sizes, bytes, &scratch);
+  const Engine& engine = job.engine;
   c2d_status status;
   if (loads_only) {
     status = eliminate_again(s->plan[b], 2 * m.head->contact, source, sink, s->tapes, area.work, watch, engine);

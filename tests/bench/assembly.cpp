@@ -115,7 +115,9 @@ void batched(Polygon& p, const c2d::BatchKernel& kernel) {
         deposits.add(&blocks.h[l][0][j], p.column(p.h, e, l, j), 1);
         deposits.add(&blocks.g[l][0][j], p.column(p.g, e, l, j), 1);
       }
-    const c2d::BatchRun run = {c2d::batch_element(p.integrator[e]), &deposits, &blocks, true, true, {1, 1}};
+    c2d::BatchRun run = {c2d::batch_element(p.integrator[e]), &deposits, &blocks, true, true, {1, 1}, nullptr};
+    c2d::BatchColumns columns;
+    if (c2d::aim_columns(run, columns)) run.direct = &columns;
     kernel.integrate_and_pay(run, p.xy.data(), 0, static_cast<int32_t>(p.n), room);
   }
 }

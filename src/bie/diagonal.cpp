@@ -1,0 +1,80 @@
+#include "bie/diagonal.hpp"
+
+#include "bie/integrals_detail.hpp"
+#include "bie/panel.hpp"
+
+#include <math.h>
+
+namespace c2d {
+
+#ifdef C2D_SMALL
+
+bool fill_diagonal_closed(const ColumnSystem&, int32_t, int32_t) { return false; }
+
+#else
+
+namespace {
+
+// Rays from a source along the boundary that is left without the elements at it: to where it starts and ends.
+struct Rays {
+  double start[2], end[2];
+};
+
+// Leaves out the elements at the node, whose own sums are taken off the diagonal.
+void leave_out(const ColumnSystem& system, const Integrator& any, int32_t node, const double at[2], Rays& rays,
+               double* diagonal) {
+  const Model& m = system.model;
+  const int b = system.body, f = m.head->function_nodes;
+  int32_t ends[2];
+  const int count = ends_at_node(m, b, node, ends);
+  for (int n = 0; n < count; ++n) {
+    const int32_t element = ends[n] / f;
+    const int l = ends[n] % f;
+    double x[4], y[4], own[2][2];
+    element_coordinates(m, b, element, x, y);
+    const bool to_start = f == 1 || l < f - 1, to_end = f == 1 || l > 0;
+    if (to_start) rays.start[0] = x[1] / m.head->length_unit - at[0], rays.start[1] = y[1] / m.head->length_unit - at[1];
+    if (to_end) rays.end[0] = x[0] / m.head->length_unit - at[0], rays.end[1] = y[0] / m.head->length_unit - at[1];
+    rigid_sum_own_line(any, l, own);
+    for (int i = 0; i < 4; ++i) diagonal[i] -= own[i / 2][i % 2];
+  }
+}
+
+// Takes the path off the diagonal.
+void take_path_off(const Integrator& any, const Rays& rays, double* diagonal) {
+  const double(&p)[2] = rays.start, (&q)[2] = rays.end;
+  const double p2 = p[0] * p[0] + p[1] * p[1], q2 = q[0] * q[0] + q[1] * q[1];
+  const double turn = atan2(p[0] * q[1] - p[1] * q[0], p[0] * q[0] + p[1] * q[1]);
+  const double alpha = -any.t2 * (turn < 0.0 ? turn + 2.0 * kPi : turn);
+  const double beta = p[0] * p[1] / p2 - q[0] * q[1] / q2;
+  const double gamma = 0.5 * ((q[0] * q[0] - q[1] * q[1]) / q2 - (p[0] * p[0] - p[1] * p[1]) / p2);
+  double sum[2][2];
+  store({alpha, beta, gamma, -0.5 * any.t1 * log(q2 / p2)}, any.k, sum);
+  for (int i = 0; i < 4; ++i) diagonal[i] -= sum[i / 2][i % 2];
+}
+
+} // namespace
+
+bool fill_diagonal_closed(const ColumnSystem& system, int32_t first_node, int32_t count) {
+  const Model& m = system.model;
+  if (!system.batch || system.quadrature != Quadrature::accurate || m.head->symmetry != 0 ||
+      m.head->body[system.body].element_nodes != 2)
+    return false;
+  Integrator& any = system.scratch->integrator; // material and functions are the same for all elements
+  make_integrator(m, system.body, 0, system.quadrature, Measure::own_length, any);
+  for (int32_t node = first_node; node < first_node + count; ++node) {
+    const int32_t twin = system.twin[node];
+    double* diagonal = system.diagonal + 4 * static_cast<int64_t>(node);
+    const double* at = system.point + 2 * static_cast<int64_t>(node);
+    if (twin == kSecondTwin) continue;
+    Rays rays = {};
+    leave_out(system, any, node, at, rays, diagonal);
+    if (twin >= 0) leave_out(system, any, twin, at, rays, diagonal);
+    take_path_off(any, rays, diagonal);
+  }
+  return true;
+}
+
+#endif
+
+} // namespace c2d

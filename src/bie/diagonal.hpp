@@ -1,0 +1,15 @@
+#pragma once
+// The diagonal in closed form. With r, theta the ray from the source to a point of a path and k as in integrals.hpp,
+//   int T ds = k [ -(2-2nu) theta - sin(2 theta)/2, cos(2 theta)/2 - (1-2nu) ln r ]
+//                [ cos(2 theta)/2 + (1-2nu) ln r,   -(2-2nu) theta + sin(2 theta)/2 ]   between its ends:
+// a rigid translation does no work on the way. The boundary without the elements at the source is such a path, over
+// which theta grows by the angle of the material there, holes and all. No element need be looked at.
+#include "bie/columns.hpp"
+
+namespace c2d {
+
+// fill_diagonal() for bodies of straight elements with closed boundaries; false, having done nothing, for others and
+// in small builds. Agrees with the sum over the elements to round-off.
+bool fill_diagonal_closed(const ColumnSystem& system, int32_t first_node, int32_t count);
+
+} // namespace c2d
