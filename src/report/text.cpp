@@ -24,10 +24,11 @@ double scaled(double value, int exponent) {
 // the first of them. Off by one unit only where the value is within 1e-3 units of a tie. False where `scaled`
 // does not reach.
 bool leading_digits(double value, int digits, uint64_t& integer, int& exponent) {
-  int binary = 0;
-  std::frexp(value, &binary);
-  // Not above the decimal exponent, at most one below.
-  exponent = static_cast<int>(std::floor((binary - 1) * 0.30103));
+  uint64_t bits;
+  std::memcpy(&bits, &value, sizeof bits);
+  const int binary = static_cast<int>(bits >> 52) - 1023;
+  // Rounded down: not above the decimal exponent, at most one below.
+  exponent = static_cast<int>(binary * 0.30103 + 400) - 400;
   const uint64_t limit = static_cast<uint64_t>(kPowers[digits]);
   for (int attempt = 0; attempt < 2; ++attempt, ++exponent) {
     const int shift = exponent - (digits - 1);
@@ -47,18 +48,41 @@ char* print_exponent(char* at, int exponent) {
   return at;
 }
 
-// d.ddd or ddd.d or 0.00ddd from `count` digits, the first of which stands for 10^exponent.
+// "00", "01", ... "99".
+struct Pairs {
+  char text[200];
+};
+constexpr Pairs make_pairs() {
+  Pairs pairs = {};
+  for (int i = 0; i < 100; ++i) {
+    pairs.text[2 * i] = static_cast<char>('0' + i / 10);
+    pairs.text[2 * i + 1] = static_cast<char>('0' + i % 10);
+  }
+  return pairs;
+}
+constexpr Pairs kPairs = make_pairs();
+
+constexpr int kMostDigits = 16; // copied whole, which is quicker than as many as there are
+
+// The `count` digits of an integer, an even number from 2 to 16 of them, with zeros in front.
+void spell(char* digits, int count, uint64_t integer) {
+  for (int i = count; i > 0; i -= 2, integer /= 100) std::memcpy(digits + i - 2, kPairs.text + 2 * (integer % 100), 2);
+}
+
+// d.ddd or ddd.d or 0.00ddd from `count` of kMostDigits digits, the first of which stands for 10^exponent; those behind
+// them are zeros as far as they stand before the point. Writes up to 24 characters beyond those.
 char* print_digits(char* at, const char* digits, int count, int exponent) {
   if (exponent < 0) {
-    *at++ = '0';
-    *at++ = '.';
-    for (int i = -1; i > exponent; --i) *at++ = '0';
+    std::memcpy(at, "0.000", 5);
+    std::memcpy(at + 1 - exponent, digits, kMostDigits);
+    return at + 1 - exponent + count;
   }
-  for (int i = 0; i < count || i <= exponent; ++i) {
-    if (i > 0 && i == exponent + 1) *at++ = '.';
-    *at++ = i < count ? digits[i] : '0';
-  }
-  return at;
+  std::memcpy(at, digits, kMostDigits);
+  const int before = exponent + 1;
+  if (count <= before) return at + before;
+  at[before] = '.';
+  std::memcpy(at + before + 1, digits + before, kMostDigits);
+  return at + count + 1;
 }
 
 // What the standard library makes of it.
@@ -82,14 +106,9 @@ int print_double(char* text, double value, Form form, int digits) {
   const bool fast = size <= 1e30 && significant <= 15 &&
                     (size == 0.0 || leading_digits(size, significant, integer, exponent));
   if (!fast) return print_slowly(text, value, form, digits);
-  char all[16];
-  int i = significant;
-  for (; i >= 2; integer /= 100) {
-    const unsigned pair = static_cast<unsigned>(integer % 100);
-    all[--i] = static_cast<char>('0' + pair % 10);
-    all[--i] = static_cast<char>('0' + pair / 10);
-  }
-  if (i == 1) all[0] = static_cast<char>('0' + integer);
+  char all[2 * kMostDigits] = {}; // with room behind them to copy from
+  const int odd = significant & 1;
+  spell(all, significant + odd, odd ? integer * 10 : integer);
   int count = significant;
   if (form == Form::kGeneral)
     while (count > 1 && all[count - 1] == '0') --count;
