@@ -11,7 +11,9 @@ AR       ?= ar
 CXXFLAGS ?= -O2
 CFLAGS   ?= -O2
 JOBS     ?= $(shell nproc 2>/dev/null || echo 2)
+ifeq ($(MAKELEVEL),0) # make within make takes part in the jobs of the first
 MAKEFLAGS += -j$(JOBS)
+endif
 
 PREFIX     ?= /usr/local
 LIBDIR     ?= $(PREFIX)/lib

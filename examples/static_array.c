@@ -1,7 +1,9 @@
 /* Solves a deck in a static array: no heap, no files but the deck. C99, and valid C++.
 
-     cc -std=c99 static_array.c -lcontact2d -lm -o static_array
-     ./static_array hertz.dat                                                             */
+     cc -std=c99 -Iinclude -Iport/memory examples/static_array.c build/libcontact2d.a -lm -o build/static_array
+     build/static_array examples/hertz.dat
+
+   after make in the project, or with an installed library `cc -std=c99 static_array.c -lcontact2d -lm`.          */
 #include "c2d_memory.h"
 #include "contact2d.h"
 
@@ -30,8 +32,9 @@ static int32_t read_card(void* context, char* text, int32_t size) {
 /* Every fault and every warning comes here. */
 static void tell(void* context, const c2d_error* entry) {
   (void)context;
-  fprintf(stderr, "%s: line %d, column %d: %s\n", entry->severity == C2D_FAULT ? "error" : "warning", (int)entry->line,
-          (int)entry->column, entry->text);
+  fprintf(stderr, "%s: ", entry->severity == C2D_FAULT ? "error" : "warning");
+  if (entry->line > 0) fprintf(stderr, "line %d, column %d: ", (int)entry->line, (int)entry->column);
+  fprintf(stderr, "%s\n", entry->text);
 }
 
 /* After every increment: the largest pressure of all pairs. */

@@ -268,8 +268,9 @@ c2d_status c2d_create(c2d_solver** out, void* memory, size_t bytes, const c2d_li
    bits. Every c2d_solver* from before the move is void. `port` is as for c2d_create; tapes that were open are opened by
    it again, which may be a second time for it, and must hold what they held. On failure *out is null and the image can
    still be attached. Errors: ARGUMENT: no solver stands there; MISMATCH: one of another version, size of pointers or
-   scalar; MEMORY: memory shorter than it was, with why->bytes_needed; BUSY: copied inside a callback; STORE_OPEN. The
-   numbers in the memory are trusted: an image that may have been damaged needs a checksum of the host's. */
+   scalar, or prepared by a program that is linked without energies; MEMORY: memory shorter than it was, with
+   why->bytes_needed; BUSY: copied inside a callback; STORE_OPEN. The numbers in the memory are trusted: an image that may
+   have been damaged needs a checksum of the host's. */
 c2d_status c2d_attach(c2d_solver** out, void* memory, size_t bytes, const c2d_port* port, c2d_error* why);
 /* Close the store (errors: STORE_CLOSE). The memory is the caller's again, whatever is returned. */
 c2d_status c2d_close(c2d_solver* solver);

@@ -60,6 +60,10 @@ $(EMBEDDED)/desktop.csv: $(PROGRAM) examples/hertz.dat
 
 EMBEDDED_TESTED = $(BOARDS:%=$(EMBEDDED)/%/run_deck.elf) $(EMBEDDED)/compare $(BILLS) $(EMBEDDED)/workspace
 
+# $(1) which run, $(2) its results, $(3) what they may differ: told in one piece, as other runs end at the same time.
+comma := ,
+agree = @told=$$($(EMBEDDED)/compare $(EMBEDDED)/desktop.csv $(2) $(3)); status=$$?; \
+  printf 'embedded: %s\n%s\n' '$(1)' "$$told"; exit $$status
 # The sample deck on every board, compared with this machine's run.
 .PHONY: embedded embedded-float $(BOARDS:%=embedded-%)
 embedded: $(BOARDS:%=embedded-%) embedded-float
@@ -68,11 +72,9 @@ embedded-float: $(EMBEDDED)/desktop.csv $(EMBEDDED)/compare
 	@$(MAKE) -s BUILD=$(EMBEDDED)/float CPPFLAGS='$(CPPFLAGS) -DC2D_REAL=float -DC2D_REAL_BYTES=4' $(EMBEDDED)/float/contact2d
 	@$(EMBEDDED)/float/contact2d run examples/hertz.dat --no-progress --listing $(EMBEDDED)/float/hertz.lst \
 	  --csv $(EMBEDDED)/float/hertz.csv 2>$(EMBEDDED)/float/run.log || { cat $(EMBEDDED)/float/run.log; exit 1; }
-	@echo 'embedded: this machine, C2D_REAL=float'
-	@$(EMBEDDED)/compare $(EMBEDDED)/desktop.csv $(EMBEDDED)/float/hertz.csv $(agree_m4f)
+	$(call agree,this machine$(comma) C2D_REAL=float,$(EMBEDDED)/float/hertz.csv,$(agree_m4f))
 $(BOARDS:%=embedded-%): embedded-%: $(EMBEDDED)/%/hertz.csv $(EMBEDDED)/desktop.csv $(EMBEDDED)/compare
-	@echo 'embedded: $* ($(board_$*))'
-	@$(EMBEDDED)/compare $(EMBEDDED)/desktop.csv $< $(agree_$*)
+	$(call agree,$* ($(board_$*)),$<,$(agree_$*))
 
 # ---- the bill: what every target takes ----------------------------------------------------------------------------
 # Images of calls of the header and of what they need, linked with --gc-sections:

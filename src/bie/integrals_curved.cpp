@@ -67,7 +67,8 @@ void add_panel(const Job& job, const Expansion& x, const Panel& p, bool own, int
 }
 
 // Does the rule do on this panel? In the disc about its middle that holds the panel's ellipse neither x -
-// source (q in the source's own panel) nor, for g, dx/deta of J may vanish; both by the triangle inequality.
+// source (q in the source's own panel) nor dx/deta of J may vanish; both by the triangle inequality. The latter also where
+// g is not wanted: h must not depend on what else is.
 bool resolved(const Job& job, const Expansion& x, const Panel& p, bool own) {
   const double t = p.sign * 0.5 * (p.from + p.to), radius = job.in.semi_axis * 0.5 * (p.to - p.from);
   double at[2], d1[2], d2[2], d3[2];
@@ -80,7 +81,7 @@ bool resolved(const Job& job, const Expansion& x, const Panel& p, bool own) {
     d3[i] = own ? 0.0 : b3;
   }
   if (!(length(at) > radius * (length(d1) + radius * (length(d2) + radius * length(d3))))) return false;
-  return !job.want_g || has_no_zero(job.in.d, x.origin + t, radius);
+  return has_no_zero(job.in.d, x.origin + t, radius);
 }
 
 // One side of the origin, |tau| from 0 to `end`. The loops are bounded; the bounds are out of reach unless

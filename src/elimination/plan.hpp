@@ -10,7 +10,7 @@
 // chunk is cut into strips of block_rows rows, each a block. Tape UPPER holds chunks of as many columns as a buffer
 // takes (upper_cut): block upper_first_block + k.
 #include "contact2d.h"
-#include "memory/real.hpp"
+#include "linalg/kernel.hpp"
 
 namespace c2d {
 
@@ -26,7 +26,8 @@ struct EliminationPlan {
 EliminationPlan upper_cut(const EliminationPlan& plan);
 
 // Buffers for blocks: two where a chunk is cut into strips, so that while one is worked on another may be on its way.
-constexpr int32_t kMostBuffers = 2;
+// Small code does one thing at a time: its stack is short.
+constexpr int32_t kMostBuffers = kSmallCode ? 1 : 2;
 int32_t block_buffers(const EliminationPlan& plan);
 
 // Bytes of the work area of `eliminate`: a panel, buffers for blocks with room for their headers, a norm for each
