@@ -287,11 +287,12 @@ inline void transpose(Row* x) {
 }
 #endif
 
-// From columns at a distance of `from_step` to rows at a distance of `to_step`, or the other way.
+// From columns `across` apart, `along` from number to number, to the other way round, as many squares as there are; how
+// many of the k numbers that were. A compiler without shuffles leaves all to the caller.
+#ifdef C2D_SHUFFLES
 inline int32_t turn_squares(int32_t k, const Real* from, int64_t across, Real* to, int64_t to_across, int64_t along,
                             int64_t to_along) {
   int32_t i = 0;
-#ifdef C2D_SHUFFLES
   for (; i + kCols <= k; i += kCols) {
     Row x[kCols];
 #pragma GCC unroll 8
@@ -300,9 +301,11 @@ inline int32_t turn_squares(int32_t k, const Real* from, int64_t across, Real* t
 #pragma GCC unroll 8
     for (int32_t j = 0; j < kCols; ++j) row_at(to + i * to_along + j * to_across)->v = x[j];
   }
-#endif
   return i;
 }
+#else
+inline int32_t turn_squares(int32_t, const Real*, int64_t, Real*, int64_t, int64_t, int64_t) { return 0; }
+#endif
 
 void to_rows(int32_t k, const Real* b, int64_t ldb, Real* to) {
   int32_t i = turn_squares(k, b, ldb, to, kCols, 1, kCols);
