@@ -4,15 +4,13 @@
 #include <math.h>
 #include <string.h>
 
-#include "bie/batch.hpp"
 #include "bie/body_force.hpp"
 #include "bie/boundary_stress.hpp"
-#include "bie/columns.hpp"
 #include "bie/interior_detail.hpp"
 #include "bie/kernels.hpp"
 #include "memory/optional.hpp"
 #include "memory/workers.hpp"
-#include "model/symmetry.hpp"
+#include "solver/interior_placing.hpp"
 #include "solver/particular.hpp"
 #include "solver/rigid.hpp"
 #include "solver/transferred.hpp"
@@ -20,7 +18,6 @@
 namespace c2d {
 
 C2D_OPTIONAL(rigid_displacement_now);
-C2D_OPTIONAL(interpolated_particular);
 C2D_OPTIONAL(particular_at_end);
 C2D_OPTIONAL(add_particular_at);
 C2D_OPTIONAL(next_transfer);
@@ -28,224 +25,10 @@ C2D_OPTIONAL(transferred_values);
 
 namespace {
 
-constexpr double kOnBoundary = 1e-9; // of the element's length
-constexpr double kNearNode = 0.1;    // of the shorter element that meets there
-constexpr double kNearStep = 0.5;    // the same where displacement itself is in steps, constant elements
-
-double length_of(double x, double y) { return sqrt(x * x + y * y); }
-
-// ---- points under way ---------------------------------------------------------------------------------------------
-
-// What is known of a point until its results are complete, kept in its row of the caller's answer.
-struct PointState {
-  double u[2], stress[3];    // sums: trace, deviator
-  double reference[2];       // displacement of the nearest boundary point; before that [0] counts windings
-  double element;            // with the nearest boundary point
-  double eta, distance;      // of that point; once placed inside: x, y at which the stress is taken
-  double place;              // kUnplaced, kNowhere, or 4 * (body + 1) + flag
-};
-static_assert(sizeof(PointState) == C2D_POINT_FIELDS * sizeof(double), "fills a row of the answer");
-constexpr double kUnplaced = 0.0, kNowhere = 1.0;
-constexpr double kBeyondAll = 1e60; // of the bodies' size: squares must not overflow
-
-struct Points {
-  int32_t count;
-  const double* xy;
-  int64_t xy_stride;
-  double* out;
-  int64_t out_stride;
-  double unit;
-
-  const ModelHeader* head;
-#ifndef C2D_SMALL
-  const BatchKernel* kernel; // null: one by one
-#endif
-
-  PointState& state(int32_t i) const { return *reinterpret_cast<PointState*>(out + i * out_stride); }
-
-  // Symmetric bodies are looked at in the part that is modelled, and the answer is mirrored back.
-  double folded(int32_t i, int c) const {
-    double p[2] = {xy[i * xy_stride], xy[i * xy_stride + 1]};
-    fold(*head, p);
-    return p[c];
-  }
-  double folding(int32_t i, int c) const { return folded(i, c) != xy[i * xy_stride + c] ? -1.0 : 1.0; }
-  double x(int32_t i) const { return folded(i, 0) / unit; }
-  double y(int32_t i) const { return folded(i, 1) / unit; }
-  // A coordinate in the length unit as an image's element sees it.
-  double seen(int image, int c, double scaled) const {
-    return (image >> c & 1) != 0 ? 2.0 * (head->line_at[c] / unit) - scaled : scaled;
-  }
-};
-
-double place_of(int b, int32_t flag) { return 4 * (b + 1) + flag; }
-bool is_near_node(const PointState& p, int b) { return p.place == place_of(b, C2D_POINT_NEAR_NODE); }
-bool is_inside(const PointState& p, int b) {
-  return p.place == place_of(b, C2D_POINT_INSIDE) || is_near_node(p, b);
-}
-
 c2d_status pause(const Session& session, int b, int32_t element) {
   c2d_solver* s = session.solver;
   tell_progress(s, C2D_PHASE_BACK, b + 1, element, s->model.body[b].elements);
   return asked_to_stop(s) ? fail(s, C2D_ERR_CANCELLED, "cancelled while computing interior points") : c2d_status{C2D_OK};
-}
-
-#ifndef C2D_SMALL
-// A point of the element as an upper bound of the distance from the boundary, squared: most elements need no closer
-// look then.
-void look_from_afar(const Element& e, const Points& points) {
-  for (int32_t i = 0; i < points.count; ++i) {
-    PointState& p = points.state(i);
-    if (p.place != kUnplaced) continue;
-    const double x = p.u[0] - e.c[0][0], y = p.u[1] - e.c[0][1], square = x * x + y * y;
-    if (square < p.distance) p.distance = square;
-  }
-}
-#endif
-
-// Where a point is that is not yet placed: p.u, as long as there are no sums.
-void look_closely(const Integrator& in, int b, int32_t element, PointState& p) {
-  const Nearest near = nearest_point(in.element, p.u[0], p.u[1]);
-  if (near.distance < p.distance) {
-    p.distance = near.distance;
-    p.element = element;
-    p.eta = near.eta;
-  }
-  if (near.distance <= 2.0 * kOnBoundary * in.radius) p.place = place_of(b, C2D_POINT_BOUNDARY);
-}
-
-bool may_be_nearest(const Integrator& in, const PointState& p) {
-  const double x = p.u[0] - in.element.c[0][0], y = p.u[1] - in.element.c[0][1];
-#ifdef C2D_SMALL
-  return length_of(x, y) - in.radius <= p.distance;
-#else
-  const double reach = p.distance + in.radius;
-  return x * x + y * y <= reach * reach;
-#endif
-}
-
-void add_winding(const Integrator& in, const Points& points, PointState& p) {
-  for (int image = 0; image <= points.head->symmetry && p.place == kUnplaced; ++image)
-    if (is_image(*points.head, image))
-      p.reference[0] += winding(in, points.seen(image, 0, p.u[0]), points.seen(image, 1, p.u[1]));
-}
-
-#ifdef C2D_SMALL
-bool add_crossings(const Integrator&, const Points&) { return false; }
-#else
-// How often the chord crosses the ray from P along x, upwards less downwards: over a closed boundary that is the winding
-// number as well. Curves near P may pass it on the other side than their chords.
-bool add_crossings(const Integrator& in, const Points& points) {
-  if (points.head->symmetry != 0 || in.degenerate) return false;
-  const Element& e = in.element;
-  const int last = e.nodes - 1;
-  const double x0 = e.x[0], y0 = e.y[0], x1 = e.x[last], y1 = e.y[last];
-  for (int32_t i = 0; i < points.count; ++i) {
-    PointState& p = points.state(i);
-    const double y = p.u[1];
-    if (p.place != kUnplaced) continue;
-    const bool crosses = (y0 <= y) != (y1 <= y);
-    if (!crosses && e.straight) continue;
-    const double ax = x0 - p.u[0], ay = y0 - y, bx = x1 - p.u[0], by = y1 - y, side = ax * by - ay * bx;
-    if (crosses && (side > 0.0) == (y0 <= y)) p.reference[0] += y0 <= y ? 1.0 : -1.0;
-    const double mx = 0.5 * (ax + bx), my = 0.5 * (ay + by);
-    if (!e.straight && mx * mx + my * my <= 4.0 * in.radius * in.radius)
-      p.reference[0] += winding(in, p.u[0], y) - atan2(side, ax * bx + ay * by) / (2.0 * kPi);
-  }
-  return true;
-}
-#endif
-
-// Nearest boundary point and winding number of the points not yet placed, from one element.
-void look_at_element(const Integrator& in, int b, int32_t element, const Points& points) {
-  for (int32_t i = 0; i < points.count; ++i) {
-    PointState& p = points.state(i);
-    if (p.place == kUnplaced && may_be_nearest(in, p)) look_closely(in, b, element, p);
-  }
-  if (add_crossings(in, points)) return;
-  for (int32_t i = 0; i < points.count; ++i) {
-    PointState& p = points.state(i);
-    if (p.place == kUnplaced) add_winding(in, points, p);
-  }
-}
-
-// Close to a node, where tractions and slopes of displacement jump from element to element, the integrals have a
-// logarithm that the exact solution lacks. Their stress is then taken farther away, at a point that lies to the boundary
-// as this one does, `part` times farther from the node, and joined to the boundary's tensor at the node.
-struct NearNode {
-  int end;      // 0: first, else last node of the element
-  double part;  // distance from the node over the range, < 1
-};
-
-bool find_near_node(const Model& m, int b, const PointState& p, double x, double y, NearNode& out) {
-  const int32_t element = static_cast<int32_t>(p.element);
-  const Element e = element_of(m, b, element);
-  const double unit = m.head->length_unit;
-  const int last = e.nodes - 1;
-  const double first_distance = length_of(unit * x - e.x[0], unit * y - e.y[0]),
-               last_distance = length_of(unit * x - e.x[last], unit * y - e.y[last]);
-  out.end = first_distance <= last_distance ? 0 : 1;
-  const Element other = element_of(m, b, region_neighbour(m, b, element, out.end == 0 ? -1 : 1).element);
-  const double length = 2.0 * (e.half_length < other.half_length ? e.half_length : other.half_length);
-  const double distance = out.end == 0 ? first_distance : last_distance, range = (m.head->function_nodes == 1 ? kNearStep : kNearNode) * length;
-  out.part = range > 0.0 ? distance / range : 1.0;
-  return out.part < 1.0;
-}
-
-// ---- where points lie ---------------------------------------------------------------------------------------------
-
-void place_inside(const Session& session, int b, double x, double y, PointState& p) {
-  const Model& m = session.model;
-  const int32_t element = static_cast<int32_t>(p.element);
-  const double unit = m.head->length_unit, eta = p.eta;
-  const BoundaryState s = boundary_state(session, b, element, eta);
-  double known[2] = {0.0, 0.0};
-  if (has_body_force(m, b)) interpolated_particular(session, b, element, eta, known);
-  for (int c = 0; c < 2; ++c) p.reference[c] = (s.u[c] - known[c]) / unit;
-  p.place = place_of(b, C2D_POINT_INSIDE);
-  NearNode near;
-  if (find_near_node(m, b, p, x, y, near)) {
-    const Element e = element_of(m, b, element);
-    const double node = near.end == 0 ? -1.0 : 1.0;
-    const Point foot = element_point(e, eta), moved = element_point(e, node + (eta - node) / near.part);
-    x = moved.x / unit + (x - foot.x / unit) / near.part;
-    y = moved.y / unit + (y - foot.y / unit) / near.part;
-    p.place = place_of(b, C2D_POINT_NEAR_NODE);
-    p.element = 2.0 * element + near.end;
-  }
-  p.eta = x;
-  p.distance = y;
-}
-
-void begin_placing(const Points& points) {
-  for (int32_t i = 0; i < points.count; ++i) {
-    PointState& p = points.state(i);
-    if (p.place != kUnplaced) continue;
-    p = PointState{};
-    p.u[0] = points.x(i);
-    p.u[1] = points.y(i);
-    p.distance = 1e300;
-  }
-}
-
-#ifndef C2D_SMALL
-// The bound must be undercut, also by a point to which it belongs.
-constexpr double kRounding = 1e-14; // of the coordinates, in the length unit
-void leave_afar(const Points& points) {
-  for (int32_t i = 0; i < points.count; ++i)
-    if (points.state(i).place == kUnplaced)
-      points.state(i).distance = (1.0 + 1e-12) * sqrt(points.state(i).distance) + kRounding;
-}
-#endif
-
-void end_placing(const Session& session, int b, const Points& points) {
-  for (int32_t i = 0; i < points.count; ++i) {
-    PointState& p = points.state(i);
-    if (p.place != kUnplaced) continue;
-    const double x = p.u[0], y = p.u[1];
-    p.u[0] = p.u[1] = 0.0;
-    if (p.reference[0] > 0.5) place_inside(session, b, x, y, p);
-  }
 }
 
 // ---- the integrals ------------------------------------------------------------------------------------------------

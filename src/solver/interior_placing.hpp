@@ -1,0 +1,80 @@
+#pragma once
+// Points of c2d_interior on their way: where they lie, found element by element. Coordinates, distances and sums are in
+// the length unit of the equations.
+#include "bie/batch.hpp"
+#include "bie/columns.hpp"
+#include "bie/integrals.hpp"
+#include "model/symmetry.hpp"
+#include "solver/session.hpp"
+
+namespace c2d {
+
+// What is known of a point until its results are complete, kept in its row of the caller's answer.
+struct PointState {
+  double u[2], stress[3];    // sums: trace, deviator
+  double reference[2];       // displacement of the nearest boundary point; before that [0] counts windings
+  double element;            // with the nearest boundary point
+  double eta, distance;      // of that point; once placed inside: x, y at which the stress is taken
+  double place;              // kUnplaced, kNowhere, or 4 * (body + 1) + flag
+};
+static_assert(sizeof(PointState) == C2D_POINT_FIELDS * sizeof(double), "fills a row of the answer");
+constexpr double kUnplaced = 0.0, kNowhere = 1.0;
+constexpr double kBeyondAll = 1e60; // of the bodies' size: squares must not overflow
+
+struct Points {
+  int32_t count;
+  const double* xy;
+  int64_t xy_stride;
+  double* out;
+  int64_t out_stride;
+  double unit;
+
+  const ModelHeader* head;
+#ifndef C2D_SMALL
+  const BatchKernel* kernel; // null: one by one
+#endif
+
+  PointState& state(int32_t i) const { return *reinterpret_cast<PointState*>(out + i * out_stride); }
+
+  // Symmetric bodies are looked at in the part that is modelled, and the answer is mirrored back.
+  double folded(int32_t i, int c) const {
+    double p[2] = {xy[i * xy_stride], xy[i * xy_stride + 1]};
+    fold(*head, p);
+    return p[c];
+  }
+  double folding(int32_t i, int c) const { return folded(i, c) != xy[i * xy_stride + c] ? -1.0 : 1.0; }
+  double x(int32_t i) const { return folded(i, 0) / unit; }
+  double y(int32_t i) const { return folded(i, 1) / unit; }
+  // A coordinate in the length unit as an image's element sees it.
+  double seen(int image, int c, double scaled) const {
+    return (image >> c & 1) != 0 ? 2.0 * (head->line_at[c] / unit) - scaled : scaled;
+  }
+};
+
+inline double place_of(int b, int32_t flag) { return 4 * (b + 1) + flag; }
+inline bool is_near_node(const PointState& p, int b) { return p.place == place_of(b, C2D_POINT_NEAR_NODE); }
+inline bool is_inside(const PointState& p, int b) {
+  return p.place == place_of(b, C2D_POINT_INSIDE) || is_near_node(p, b);
+}
+
+// In this order: begin_placing; for all elements look_from_afar, then leave_afar (without them, in small builds, the same is
+// found in more time); for all elements look_at_element; end_placing. Then every point is placed that lies in body b or on
+// its boundary, and has displacement and place of the nearest boundary point.
+void begin_placing(const Points& points);
+#ifndef C2D_SMALL
+void look_from_afar(const Element& e, const Points& points);
+void leave_afar(const Points& points);
+#endif
+void look_at_element(const Integrator& in, int b, int32_t element, const Points& points);
+void end_placing(const Session& session, int b, const Points& points);
+
+// Close to a node, where tractions and slopes of displacement jump from element to element, the integrals have a
+// logarithm that the exact solution lacks. Their stress is then taken farther away, at a point that lies to the boundary
+// as this one does, `part` times farther from the node, and joined to the boundary's tensor at the node.
+struct NearNode {
+  int end;      // 0: first, else last node of the element
+  double part;  // distance from the node over the range, < 1
+};
+bool find_near_node(const Model& m, int b, const PointState& p, double x, double y, NearNode& out);
+
+} // namespace c2d
