@@ -144,6 +144,15 @@ int32_t close_tape(void* context, int32_t tape) {
   return close_file(&s->file[tape]);
 }
 
+int32_t read_in_turn(void* context, int32_t tape, uint64_t block, void* data, uint64_t bytes) {
+  settle_posix_transfers(self(context), tape, block);
+  return read_block(context, tape, block, data, bytes);
+}
+int32_t write_in_turn(void* context, int32_t tape, uint64_t block, const void* data, uint64_t bytes) {
+  settle_posix_transfers(self(context), tape, block);
+  return write_block(context, tape, block, data, bytes);
+}
+
 int32_t start_read(void* context, int32_t tape, uint64_t block, void* data, uint64_t bytes, int32_t* ticket) {
   return start_posix_transfer(self(context), {tape, false, block, bytes, data}, ticket);
 }
@@ -206,8 +215,8 @@ int32_t c2d_posix_store_init(c2d_posix_store* store, const char* folder) {
 void c2d_posix_store_port(c2d_posix_store* store, c2d_port* out) {
   out->context = store;
   out->open = open_tape;
-  out->read = read_block;
-  out->write = write_block;
+  out->read = read_in_turn;
+  out->write = write_in_turn;
   out->sync = sync_tape;
   out->close = close_tape;
   out->start_read = start_read;

@@ -158,6 +158,15 @@ int32_t wait_posix_transfer(c2d_posix_store* store, int32_t ticket) {
   return slot.code;
 }
 
+void settle_posix_transfers(c2d_posix_store* store, int32_t tape, uint64_t block) {
+  Helper* h = helper_of(store);
+  for (int32_t i = 0; h && i < kSlots; ++i) {
+    Slot& slot = h->slot[i];
+    if (slot.state.load() != asked || slot.transfer.tape != tape || slot.transfer.block != block) continue;
+    await(h, &h->for_caller, &h->caller_sleeps, [&slot] { return slot.state.load() == done; });
+  }
+}
+
 void stop_posix_transfers(c2d_posix_store* store) {
   Helper* h = helper_of(store);
   if (!h) return;

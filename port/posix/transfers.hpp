@@ -17,5 +17,7 @@ int32_t do_posix_transfer(c2d_posix_store* store, const PosixTransfer& transfer)
 int32_t start_posix_transfer(c2d_posix_store* store, const PosixTransfer& transfer, int32_t* ticket);
 // Wait for it; returns what became of it.
 int32_t wait_posix_transfer(c2d_posix_store* store, int32_t ticket);
+// What was asked for of this block is done; tickets are still to be waited for.
+void settle_posix_transfers(c2d_posix_store* store, int32_t tape, uint64_t block);
 // All transfers asked for are done, and the thread has ended.
 void stop_posix_transfers(c2d_posix_store* store);
