@@ -883,10 +883,10 @@ const char* c2d_version(void);               /* "0.1.0" */
   (C2D_ARRAY_(points, 16) +                                            /* boundary points                 */          \
    C2D_ARRAY_(points, 4) +                                             /* their lines in the deck         */          \
    C2D_ARRAY_(C2D_ENDS_(function_nodes, elements) * (cases), 16) +     /* prescribed tractions            */          \
-   C2D_ARRAY_(C2D_NODES_(function_nodes, points, elements, regions) * (cases), 16) +    /* prescribed displacements        */          \
+   C2D_ARRAY_(C2D_NODES_(function_nodes, points, elements, regions) * (cases), 16) + /* prescribed displacements    */ \
    C2D_ARRAY_(C2D_ENDS_(function_nodes, elements), 1) +                /* what is known                   */          \
    C2D_ARRAY_(C2D_ENDS_(function_nodes, elements), 4) +                /* lines of the conditions         */          \
-   C2D_ARRAY_(C2D_NODES_(function_nodes, points, elements, regions) + 1, 4) +           /* columns of the unknowns         */          \
+   C2D_ARRAY_(C2D_NODES_(function_nodes, points, elements, regions) + 1, 4) +   /* columns of the unknowns         */   \
    C2D_ARRAY_(regions, 16))
 
 /* What belongs to both. */

@@ -90,9 +90,9 @@ static Deck uneven_ring() {
 }
 
 TEST_CASE("tasks: no bit of a solution or of interior points depends on their number") {
-  for (const char* name : {"sample56", "hertz_lin_l", "ring3", "uneven ring"}) {
+  for (const std::string name : {"sample56", "hertz_lin_l", "ring3", "uneven ring"}) {
     CAPTURE(name);
-    const Deck deck = std::string(name) == "uneven ring" ? uneven_ring() : deck_named(name);
+    const Deck deck = name == "uneven ring" ? uneven_ring() : deck_named(name);
     std::mt19937_64 random(5);
     std::uniform_real_distribution<double> within(-3, 3);
     std::vector<double> xy(2 * 3 * 1024 + 2 * 77); // three blocks and a bit

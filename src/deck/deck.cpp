@@ -15,8 +15,8 @@ void check_open_regions(Deck& deck) {
     cards.line = deck.body_line[b];
     const int32_t points = deck.sizes.geometry_nodes[b];
     const bool fixed = !cards.free_form; // the card itself is gone, and with it its fields' places
-    fault(cards, fixed ? 16 : 0, fixed ? 20 : 0, "number of boundary points is ", points, ", expected ", points - deck.open_regions[b], ": ",
-          deck.sizes.elements[b], " elements of ", deck.element_nodes[b],
+    fault(cards, fixed ? 16 : 0, fixed ? 20 : 0, "number of boundary points is ", points, ", expected ",
+          points - deck.open_regions[b], ": ", deck.sizes.elements[b], " elements of ", deck.element_nodes[b],
           " nodes; more only with *SYMMETRY, one for each open region");
   }
   cards.line = line;

@@ -78,7 +78,8 @@ Chunk chunk_before(const EliminationPlan& plan, int32_t end);
 
 int32_t panel_count(const EliminationPlan& plan);
 // Bytes of data of a chunk's blocks: LOWER holds the rows of a strip, the first of which begins in the row of the
-// chunk's first column (for eliminated columns only), UPPER (chunks of upper_cut) the rows down to its last column, or the first `pivots` rows of trailing columns.
+// chunk's first column (for eliminated columns only), UPPER (chunks of upper_cut) the rows down to its last column, or
+// the first `pivots` rows of trailing columns.
 uint64_t lower_bytes(const EliminationPlan& plan, const Chunk& chunk);
 uint64_t upper_bytes(const EliminationPlan& plan, const Chunk& chunk);
 

@@ -1,12 +1,12 @@
 #pragma once
-// Parts of the core that only some models need: free zones, body forces, a rigid body 1, symmetry, energies. A linker leaves them out where no
-// call that declares one is linked (README, "On a microcontroller").
+// Parts of the core that only some models need: free zones, body forces, a rigid body 1, symmetry, energies. A linker
+// leaves them out where no call that declares one is linked (README, "On a microcontroller").
 //
 // A part has object files of its own. Who uses it where a model has one names what it calls with C2D_OPTIONAL: such a
 // reference brings no object file into a link. The call that declares the part, and whatever else may bring a model that
 // has one (c2d_attach, c2d_restore), names one function of each of its files with C2D_BRINGS. So a call of an optional
-// function stands behind the question whether the model has the part, which only a model with the part answers with yes; C2D_LINKED tells whether
-// the program has it.
+// function stands behind the question whether the model has the part, which only a model with the part answers with yes;
+// C2D_LINKED tells whether the program has it.
 // Where a header names a function with C2D_OPTIONAL, C2D_BRINGS must name another one of that file.
 // Needs ELF, an archive of objects and GCC or clang; elsewhere, and in one file, everything is linked.
 #if defined(__ELF__) && defined(__GNUC__) && !defined(C2D_ONE_FILE)

@@ -113,7 +113,8 @@ void check_cases(const Model& m, Reporter& reporter) {
   for (int32_t k = 0; k < m.head->load_cases && m.head->load_cases > 1; ++k) {
     if (case_prescribes(m, k)) continue;
     Finding f = fault();
-    say(f, "load case ", k + 1, " loads nothing, expected a traction, a displacement, a point load or a body force that is not zero");
+    say(f, "load case ", k + 1,
+        " loads nothing, expected a traction, a displacement, a point load or a body force that is not zero");
     tell(reporter, f);
   }
 }

@@ -16,8 +16,8 @@ struct Known {
   bool takes_value;
 };
 const Known kRunOptions[] = {{"--listing", true},   {"--csv", true},          {"--boundary", true},
-                             {"--points", true},    {"--interior", true},     {"--json", true},      {"--stepping", true},     {"--quadrature", true},
-                             {"--symmetry", true},
+                             {"--points", true},    {"--interior", true},     {"--json", true},
+                             {"--stepping", true},  {"--quadrature", true},   {"--symmetry", true},
                              {"--memory", true},    {"--store", true},        {"--threads", true},
                              {"--report", true},    {"--figures", true},      {"--vtk", true},
                              {"--progress", false}, {"--no-progress", false}, {"--keep", false}};

@@ -8,8 +8,9 @@
 
 namespace app {
 
-// Writes FOLDER/deck.dat, FOLDER/points.csv if there is a file of points, and FOLDER/options: what was asked for, with names of files made absolute, and the workspace
-// that was taken. `options` appears last and whole. False with an error text on failure.
+// Writes FOLDER/deck.dat, FOLDER/points.csv if there is a file of points, and FOLDER/options: what was asked for, with
+// names of files made absolute, and the workspace that was taken. `options` appears last and whole. False with an error
+// text on failure.
 bool leave_restart(const std::string& folder, const Options& options, const std::string& deck_name,
                    const std::string& deck_text, const std::string& points_text, uint64_t workspace, std::string& error);
 

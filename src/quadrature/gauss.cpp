@@ -6,7 +6,8 @@
 namespace c2d {
 namespace {
 
-// Non-negative halves of the Legendre rules of kGaussOrders, one after the other. Computed with 60 digits by Newton's method on the three-term recurrence.
+// Non-negative halves of the Legendre rules of kGaussOrders, one after the other. Computed with 60 digits by Newton's
+// method on the three-term recurrence.
 // clang-format off
 constexpr double kGaussX[] = {
     0.0, 0.57735026918962576, 0.0, 0.77459666924148338, 0.33998104358485626, 0.86113631159405258, 0.0,

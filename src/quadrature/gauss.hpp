@@ -16,7 +16,8 @@ struct GaussPoint {
   double x, w;
 };
 
-// The rule with n = 1, 2, 3, 4, 5, 6, 8, 10, 12, 16 or 20 points, what the core needs; any other n gives { nullptr, nullptr, 0 }.
+// The rule with n = 1, 2, 3, 4, 5, 6, 8, 10, 12, 16 or 20 points, what the core needs; any other n gives
+// { nullptr, nullptr, 0 }.
 GaussRule gauss_legendre(int n);
 
 // Point i = 0..n-1 of a rule, from left to right.

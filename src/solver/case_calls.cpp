@@ -36,7 +36,8 @@ bool contradicts(double known, double value) { return known != 0.0 && known != v
 // Values that replace others contradict nobody, but symmetry and contact hold their displacements.
 c2d_status check_held(c2d_solver* s, const Model& m, int b, int32_t element, int32_t node, int q) {
   if (is_rigid(m, b)) return refuse(s, kQuantity[q], " belongs to the rigid body 1, expected 0");
-  if (!is_integrated(m, b, element)) return refuse(s, kQuantity[q], " is on an element without length or on a line of symmetry, expected 0");
+  if (!is_integrated(m, b, element))
+    return refuse(s, kQuantity[q], " is on an element without length or on a line of symmetry, expected 0");
   if (q < 2) return C2D_OK;
   if (m.head->symmetry != 0 && is_held_by_symmetry(m, b, node, q - 2))
     return refuse(s, kQuantity[q], " is held by symmetry here, expected 0");

@@ -38,7 +38,8 @@ extern "C" c2d_status c2d_set_options(c2d_solver* s, const c2d_options* options)
     return fail(s, C2D_ERR_ARGUMENT, "an option is out of range");
 #ifdef C2D_SYMMETRY_BY_CALL
   if (ours.symmetry == C2D_SYMMETRY_IMAGES && !C2D_LINKED(validate_lines))
-    return fail(s, C2D_ERR_ARGUMENT, "this program is linked without symmetry by images (C2D_SYMMETRY_BY_CALL): c2d_set_symmetry links it");
+    return fail(s, C2D_ERR_ARGUMENT,
+                "this program is linked without symmetry by images (C2D_SYMMETRY_BY_CALL): c2d_set_symmetry links it");
 #endif
   if (s->state == C2D_STATE_MODEL && ours.symmetry != s->options.symmetry)
     return fail(s, C2D_ERR_STATE, "symmetry by images is chosen before the model is complete");
