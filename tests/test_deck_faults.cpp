@@ -293,14 +293,15 @@ TEST_CASE("conditions and point loads") {
 TEST_CASE("contact zones") {
   check_squares(30, "    2    2    2    1", 1, 5, "is 2, expected 1");
   check_squares(30, "    1    1    2    1", 6, 10, "is 1, expected 2");
-  check_squares(30, "    1    2    0    1", 11, 15, "number of contact nodes is 0, expected at least 1");
-  check_squares(30, "    1    2    3    1", 11, 15, "number of contact nodes is 3, expected at most 2");
+  check_squares(30, "    1    2    0    1", 11, 15, "number of contact nodes of the zone is 0, expected at least 1");
+  check_squares(30, "    1    2    3    1", 11, 15, "number of contact nodes of the zone is 3, expected at most 2");
   check_squares(31, "    2    3    1    1", 1, 10, "2 to 3 of body 1 make 2, expected 1");
   check_squares(31, "    3    3    0    1", 11, 15, "is 0, expected 1 to 4");
   check_squares(32, "    3    4    2    4", 11, 20, "2 to 4 of body 2 make 3, expected 2");
   check_squares(32, "    3    5    2    1", 6, 10, "is 5, expected 1 to 4");
-  check_squares(33, "    3    1", 1, 5, "is 3, expected 2, the sum of the zones");
-  check_squares(34, "    2    2", 6, 10, "is 2, expected 1, the sum of the zones");
+  check_squares(33, "    3    1", 1, 5, "number of contact nodes of body 1 is 3, expected 2, the sum of the zones");
+  check_squares(34, "    2    2", 6, 10, "number of contact elements of body 2 is 2, expected 1, the sum of the zones");
+  check_squares(34, "   -2    1", 1, 5, "number of contact nodes of body 2 is -2, expected at least 0");
   std::vector<std::string> deck = squares(); // a shorter list of nodes is legal
   deck[29] = "    1    2    1    1";
   deck[31] = "    4    4    1    1";

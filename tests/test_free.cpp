@@ -212,7 +212,7 @@ TEST_CASE("wrong nodes and conditions in the free form") {
               "conditions are generated up to element 1 node 1, expected an end");
   check_fault(32, "1 .5 .5 0 -2 7", 14, 14, "the card has 6 fields, expected 5");
   check_fault(34, "3 2 1 1", 1, 3, "contact elements 3 to 2 of body 1 make 2, expected 1");
-  check_fault(36, "1 1", 1, 1, "number of contact nodes of the body is 1, expected 2, the sum of the zones");
+  check_fault(36, "1 1", 1, 1, "number of contact nodes of body 1 is 1, expected 2, the sum of the zones");
   check_fault(38, "1 0", 3, 3, "limit of iterations is 0, expected at least 1");
 }
 

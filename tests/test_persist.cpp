@@ -1,5 +1,6 @@
 // A solver that outlives its address, its process and its store's mishaps: c2d_attach, c2d_save, c2d_restore.
 #include "shell.hpp"
+#include "solver/solver.hpp"
 #include "solver_runs.hpp"
 #include "store/block.hpp"
 
@@ -144,6 +145,7 @@ TEST_CASE("attach: what is no solver, or not all of it, is refused and left alon
   const size_t at = static_cast<size_t>(reinterpret_cast<unsigned char*>(s) - room.memory());
   const Bytes image(room.memory(), room.memory() + room.size);
   uint64_t needed = 0;
+  std::string told;
   const auto attach = [&](Bytes& from, size_t size, const c2d_port* port) {
     const Bytes before = from;
     c2d_solver* out = reinterpret_cast<c2d_solver*>(1);
@@ -155,6 +157,7 @@ TEST_CASE("attach: what is no solver, or not all of it, is refused and left alon
       CHECK(from == before);
     }
     needed = why.bytes_needed;
+    told = why.text;
     return status;
   };
   Bytes copy = image;
@@ -173,6 +176,7 @@ TEST_CASE("attach: what is no solver, or not all of it, is refused and left alon
     copy[at + i] ^= 0x41;
     const c2d_status status = attach(copy, copy.size(), nullptr);
     CAPTURE(i);
+    CHECK((status == C2D_ERR_MISMATCH) == (told.find("another version of the library, size of pointers or number type") < 200));
     if (i >= 16) CHECK(status != C2D_OK);
     else CHECK(status == (i >= 8 && i < 12 ? C2D_ERR_MISMATCH : C2D_ERR_ARGUMENT));
   }
@@ -209,6 +213,17 @@ TEST_CASE("attach: what is no solver, or not all of it, is refused and left alon
   REQUIRE(read_deck(s, deck) == C2D_OK);
   REQUIRE(c2d_prepare(s) == C2D_OK);
   CHECK(attach(copier.taken, copier.taken.size(), &port) == C2D_ERR_BUSY);
+  // Prepared by a program without energies, which keeps nothing of what they need: the answer says which call links them.
+  copy.assign(room.memory(), room.memory() + room.size);
+  const size_t flag = static_cast<size_t>(reinterpret_cast<unsigned char*>(&s->keeps_energy) - room.memory());
+  REQUIRE(s->keeps_energy == 1);
+  copy[flag] = copy[flag + 1] = 0;
+  CHECK(attach(copy, copy.size(), &port) == C2D_ERR_MISMATCH);
+  CHECK(told == "the solver in this memory was prepared by a program that is linked without energies: "
+                "c2d_get_summary, c2d_run, c2d_attach or c2d_restore in that program links them");
+  copy = image; // before preparing there is nothing to keep
+  copy[flag] = copy[flag + 1] = 0;
+  CHECK(attach(copy, copy.size(), nullptr) == C2D_OK);
   // A store that cannot be opened: the image stays, and can be attached when it can.
   copy.assign(room.memory(), room.memory() + room.size);
   copier.host.before = [](const RamStore::Operation&, size_t) { return 17; };

@@ -35,14 +35,14 @@ bool read_zone(Deck& deck, bool* sound) {
   const int32_t old_faults = cards.faults;
   integer(cards, 1, 5, "lower body of the zone", 1, 1, &body);
   integer(cards, 6, 5, "upper body of the zone", 2, 2, &body);
-  const bool pairs_known = integer(cards, 11, 5, "number of contact nodes", 1, INT32_MAX, &zone.pairs);
+  const bool pairs_known = integer(cards, 11, 5, "number of contact nodes of the zone", 1, INT32_MAX, &zone.pairs);
   const bool elements_known =
-      integer(cards, 16, 5, "number of contact elements", 1, INT32_MAX, &zone.elements);
+      integer(cards, 16, 5, "number of contact elements of the zone", 1, INT32_MAX, &zone.elements);
   end_of_fields(cards, 21);
   const int32_t order = deck.sizes.function_nodes;
   const int32_t most = order > 1 ? zone.elements * (order - 1) + 1 : zone.elements;
   if (pairs_known && elements_known && zone.pairs > most)
-    field_fault(cards, 11, 15, "number of contact nodes is ", zone.pairs, ", expected at most ", most, " on ",
+    field_fault(cards, 11, 15, "number of contact nodes of the zone is ", zone.pairs, ", expected at most ", most, " on ",
                 zone.elements, " elements of ", order, " nodes");
   const bool count_sound = pairs_known && !(elements_known && zone.pairs > most);
   deck.pairs += zone.pairs;
@@ -69,21 +69,22 @@ int32_t bounded(int64_t size) {
   return size > INT32_MAX ? INT32_MAX : static_cast<int32_t>(size);
 }
 
+const char* const kNodeSum[] = {"number of contact nodes of body 1", "number of contact nodes of body 2"};
+const char* const kElementSum[] = {"number of contact elements of body 1", "number of contact elements of body 2"};
+
 // The sums stand once more on a card for each body; `sound`: the zones were read without a fault.
-bool read_sums(Deck& deck, bool sound) {
+bool read_sums(Deck& deck, int b, bool sound) {
   Cards& cards = deck.cards;
   if (!next_card(cards, "the card with the numbers of contact nodes and elements of a body")) return false;
   int32_t nodes = 0, elements = 0;
-  const bool nodes_known = integer(cards, 1, 5, "number of contact nodes of the body", 0, INT32_MAX, &nodes);
-  const bool elements_known =
-      integer(cards, 6, 5, "number of contact elements of the body", 0, INT32_MAX, &elements);
+  const bool nodes_known = integer(cards, 1, 5, kNodeSum[b], 0, INT32_MAX, &nodes);
+  const bool elements_known = integer(cards, 6, 5, kElementSum[b], 0, INT32_MAX, &elements);
   end_of_fields(cards, 11);
   if (sound && nodes_known && nodes != deck.pairs)
-    field_fault(cards, 1, 5, "number of contact nodes of the body is ", nodes, ", expected ", deck.pairs,
-                ", the sum of the zones");
+    field_fault(cards, 1, 5, kNodeSum[b], " is ", nodes, ", expected ", deck.pairs, ", the sum of the zones");
   if (sound && elements_known && elements != deck.contact_elements)
-    field_fault(cards, 6, 10, "number of contact elements of the body is ", elements, ", expected ",
-                deck.contact_elements, ", the sum of the zones");
+    field_fault(cards, 6, 10, kElementSum[b], " is ", elements, ", expected ", deck.contact_elements,
+                ", the sum of the zones");
   return !cards.ended;
 }
 
@@ -102,7 +103,7 @@ bool read_zones(Deck& deck) {
   deck.sizes.contact_elements = bounded(deck.contact_elements);
   for (int b = 0; b < deck.sizes.bodies; ++b) {
     deck.cards.body = b + 1;
-    if (!read_sums(deck, all_sound)) return false;
+    if (!read_sums(deck, b, all_sound)) return false;
   }
   deck.cards.body = 0;
   return true;

@@ -45,24 +45,33 @@ bool is_consistent(const char* at) {
          lay_out(sizes, sizeof(c2d_solver), expected) == C2D_OK && same_bytes(&layout, &expected, sizeof layout);
 }
 
-// Where the solver stands in memory[0 .. bytes): *slack. MEMORY with *needed if the memory ends too early.
-c2d_status find_solver(const char* memory, size_t bytes, uint32_t* slack, uint64_t* needed) {
+const char kOtherMaker[] = "the solver in this memory is of another version of the library, size of pointers or number type";
+// (This program has all parts: see above.)
+const char kNoEnergies[] = "the solver in this memory was prepared by a program that is linked without energies: "
+                           "c2d_get_summary, c2d_run, c2d_attach or c2d_restore in that program links them";
+
+// Where the solver stands in memory[0 .. bytes): *slack. MEMORY with *needed if the memory ends too early; MISMATCH with
+// the reason.
+c2d_status find_solver(const char* memory, size_t bytes, uint32_t* slack, uint64_t* needed, const char** what) {
   c2d_status status = C2D_ERR_ARGUMENT;
   for (uint32_t i = 0; i < kAlignment && bytes >= sizeof(c2d_solver) && i <= bytes - sizeof(c2d_solver); ++i) {
     const char* at = memory + i;
     if (!same_bytes(at, &kSolverMagic, sizeof kSolverMagic) || C2D_MEMBER(slack) != i) continue;
     if (C2D_MEMBER(maker) != solver_maker()) {
       status = C2D_ERR_MISMATCH;
+      *what = kOtherMaker;
       continue;
     }
     if (!is_consistent(at)) continue;
     const int32_t state = C2D_MEMBER(state);
     if ((state == C2D_STATE_PREPARED || state == C2D_STATE_RUNNING) && C2D_MEMBER(keeps_energy) == 0) {
-      status = C2D_ERR_MISMATCH; // a program that tells no energies prepared it, this one does
+      status = C2D_ERR_MISMATCH;
+      *what = kNoEnergies;
       continue;
     }
     *slack = i;
     *needed = C2D_MEMBER(bytes) + kAlignment - 1;
+    *what = nullptr;
     if (bytes < *needed) return C2D_ERR_MEMORY;
     return C2D_MEMBER(busy) != 0 ? C2D_ERR_BUSY : C2D_OK;
   }
@@ -82,10 +91,11 @@ extern "C" c2d_status c2d_attach(c2d_solver** out, void* memory, size_t bytes, c
   memset(&our_port, 0, sizeof our_port);
   uint32_t found = 0;
   uint64_t needed = 0;
+  const char* what = nullptr;
   c2d_status status = !memory || (port && !copy_in(port, &our_port, sizeof our_port)) ? C2D_ERR_ARGUMENT : C2D_OK;
-  if (status == C2D_OK) status = find_solver(static_cast<const char*>(memory), bytes, &found, &needed);
+  if (status == C2D_OK) status = find_solver(static_cast<const char*>(memory), bytes, &found, &needed, &what);
   if (status != C2D_OK) {
-    explain(why, status, status == C2D_ERR_MEMORY ? needed : 0);
+    explain(why, status, status == C2D_ERR_MEMORY ? needed : 0, what);
     return status;
   }
   const uint32_t slack =
