@@ -215,8 +215,9 @@ TEST_CASE("embedded: parts that no call declares are not linked, and come with t
   for (const Board& board : kBoards) {
     const std::string place = kFolder + board.name;
     const auto names_in = [&](const std::string& image) { return run_shell("arm-none-eabi-nm -C '" + image + "'").out; };
-    const std::string solver = names_in(place + "/solver.elf");
+    const std::string solver = names_in(place + "/solver.elf"), deck = names_in(place + "/solver-deck.elf");
     CHECK(contains(solver, "c2d_interior"));
+    CHECK(contains(deck, "c2d_read_deck"));
     for (const Part& part : parts) {
       CAPTURE(part.call);
       const std::string image = folder / "part.elf";
@@ -232,6 +233,7 @@ TEST_CASE("embedded: parts that no call declares are not linked, and come with t
       for (const std::string& name : part.names) {
         CHECK_MESSAGE(contains(with, name + '('), name);
         CHECK_MESSAGE(!contains(solver, name + '('), name);
+        if (part.call != std::string("c2d_get_summary")) CHECK_MESSAGE(!contains(deck, name + '('), name);
       }
     }
   }

@@ -21,8 +21,10 @@ agree_m7  := 1e-9
 STACK_LEAST ?= 4096
 
 ARM_FLAGS := -std=c++17 -Os -fno-move-loop-invariants -fno-inline-small-functions -ffreestanding -fbuiltin -fno-math-errno -fno-exceptions -fno-rtti -ffunction-sections \
-  -fdata-sections -fno-threadsafe-statics -DC2D_SYMMETRY_BY_CALL $(EXACT) $(WARNINGS) -fstack-usage -fcallgraph-info=su
+  -fdata-sections -fno-threadsafe-statics -DC2D_PARTS_BY_CALL $(EXACT) $(WARNINGS) -fstack-usage -fcallgraph-info=su
 ARM_PORT := $(wildcard port/cortex-m/*.cpp)
+# Calls that declare a part of the library (src/memory/optional.hpp). run_deck links them, so that it reads any deck.
+PART_CALLS := c2d_add_free_zone c2d_set_body_force c2d_set_rigid c2d_set_symmetry
 
 define arm_object
 $(EMBEDDED)/$(1)/obj/$(subst /,_,$(basename $(patsubst src/%,%,$(2)))).o: $(2) port/cortex-m/embedded.mk | $(EMBEDDED)/$(1)/obj
@@ -39,7 +41,7 @@ $(EMBEDDED)/$(1)/libcontact2d.a: $(call arm_objects,$(1),$(CORE_SOURCES)) src/so
 	$(ARM_PREFIX)ar rcs $$@ $(call arm_objects,$(1),$(CORE_SOURCES))
 $(EMBEDDED)/$(1)/run_deck.elf: $(EMBEDDED)/$(1)/libcontact2d.a $(call arm_objects,$(1),$(ARM_PORT)) $(wildcard port/cortex-m/*.ld)
 	$(ARM_PREFIX)g++ $(cpu_$(1)) -nostdlib -Wl,--gc-sections -Wl,-Map,$$(@:.elf=.map) -Lport/cortex-m \
-	  -Wl,--defsym=stack_least=$(STACK_LEAST) -T port/cortex-m/$(board_$(1)).ld $(call arm_objects,$(1),$(ARM_PORT)) \
+	  -Wl,--defsym=stack_least=$(STACK_LEAST) -T port/cortex-m/$(board_$(1)).ld $(PART_CALLS:%=-Wl,-u,%) $(call arm_objects,$(1),$(ARM_PORT)) \
 	  $(EMBEDDED)/$(1)/libcontact2d.a -lm -lc -lgcc -o $$@
 $(EMBEDDED)/$(1)/hertz.csv: $(EMBEDDED)/$(1)/run_deck.elf examples/hertz.dat
 	@mkdir -p $$(@D)/tapes

@@ -39,14 +39,15 @@ struct DeckSink {
   c2d_status (*add_path_point)(c2d_solver*, int32_t increments, const double* load, int32_t cases);
   c2d_status (*set_zone_friction)(c2d_solver*, int32_t zone, int32_t i, double mu);
   c2d_status (*set_units)(c2d_solver*, const char* length, const char* force);
+  c2d_status (*set_interference)(c2d_solver*, int32_t load_case);
+  c2d_status (*add_points)(c2d_solver*, const c2d_points*);
+  // of keywords whose part of the library may be missing: null
   c2d_status (*set_symmetry)(c2d_solver*, int32_t axis, double value);
   c2d_status (*set_rigid)(c2d_solver*, int32_t load_case, double ux, double uy, double rotation, double x0,
                           double y0);
-  c2d_status (*set_interference)(c2d_solver*, int32_t load_case);
   c2d_status (*set_body_force)(c2d_solver*, int32_t body, int32_t load_case, double bx, double by,
                                double rho_omega2, double x0, double y0);
   c2d_status (*add_free_zone)(c2d_solver*, const c2d_free_zone*);
-  c2d_status (*add_points)(c2d_solver*, const c2d_points*);
 };
 
 // Which numbers from 1 have stood on a card already; only the first kNoted are looked after.

@@ -9,6 +9,9 @@ struct Keyword {
   const char* name; // capitals, without the star; at most one blank inside
   KeywordHandler read;
   bool repeats; // may stand in a deck more than once
+  // The call that declares the part of the library which the keyword needs, null: it needs none; is it linked?
+  const char* call = nullptr;
+  bool (*has_part)(const DeckSink& sink) = nullptr;
 };
 
 // The place to add to. A deck may have its keywords in any order, so a handler that needs another one's data
@@ -28,11 +31,14 @@ constexpr Keyword kKeywords[] = {
     {"CASES", read_cases, false},
     {"PATH", read_path, false},
     {"FRICTION", read_friction, false},
-    {"SYMMETRY", read_symmetry, true},
-    {"BODY FORCE", read_body_force, true},
+    {"SYMMETRY", read_symmetry, true, "c2d_set_symmetry",
+     [](const DeckSink& sink) { return sink.set_symmetry != nullptr; }},
+    {"BODY FORCE", read_body_force, true, "c2d_set_body_force",
+     [](const DeckSink& sink) { return sink.set_body_force != nullptr; }},
     {"INTERFERENCE", read_interference, false},
-    {"RIGID", read_rigid, false},
-    {"ZONE", read_free_zone, true},
+    {"RIGID", read_rigid, false, "c2d_set_rigid", [](const DeckSink& sink) { return sink.set_rigid != nullptr; }},
+    {"ZONE", read_free_zone, true, "c2d_add_free_zone",
+     [](const DeckSink& sink) { return sink.add_free_zone != nullptr; }},
     {"POINTS", read_points, true},
 };
 constexpr int32_t kKeywordCount = static_cast<int32_t>(sizeof kKeywords / sizeof kKeywords[0]);
@@ -157,6 +163,13 @@ void read_keyword(Deck& deck, Words& words) {
     return;
   }
   deck.keywords_seen |= bit;
+  if (deck.sink != nullptr && keyword.call != nullptr && !keyword.has_part(*deck.sink)) {
+    word_fault(cards, words, 0, "*", keyword.name,
+               " needs a part of the library that this program is linked without (C2D_PARTS_BY_CALL): ", keyword.call,
+               " links it");
+    leave_cards(deck, keyword.name, true);
+    return;
+  }
   const int32_t old_faults = cards.faults;
   drop_words(words, words_in(keyword.name));
   keyword.read(deck, words);

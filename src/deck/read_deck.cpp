@@ -1,6 +1,12 @@
 // A deck into a solver, through the calls of the C interface.
 #include "deck/deck.hpp"
+#include "memory/optional.hpp"
 #include "solver/solver.hpp"
+
+C2D_NEEDS(c2d_set_symmetry);
+C2D_NEEDS(c2d_set_rigid);
+C2D_NEEDS(c2d_set_body_force);
+C2D_NEEDS(c2d_add_free_zone);
 
 namespace c2d {
 namespace {
@@ -60,12 +66,12 @@ c2d_status walk(Reading& reading) {
   sink.add_path_point = c2d_add_path_point;
   sink.set_zone_friction = c2d_set_zone_friction;
   sink.set_units = c2d_set_units;
+  sink.set_interference = c2d_set_interference;
+  sink.add_points = c2d_add_points;
   sink.set_symmetry = c2d_set_symmetry;
   sink.set_rigid = c2d_set_rigid;
-  sink.set_interference = c2d_set_interference;
   sink.set_body_force = c2d_set_body_force;
   sink.add_free_zone = c2d_add_free_zone;
-  sink.add_points = c2d_add_points;
   return read_deck_cards(&sink, read_line, &reading, deck_fault, &reading, nullptr);
 }
 

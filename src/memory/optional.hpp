@@ -3,11 +3,14 @@
 // leaves them out where no call that declares one is linked (README, "On a microcontroller").
 //
 // A part has object files of its own. Who uses it where a model has one names what it calls with C2D_OPTIONAL: such a
-// reference brings no object file into a link. The call that declares the part, and whatever else may bring a model that
-// has one (c2d_attach, c2d_restore), names one function of each of its files with C2D_BRINGS. So a call of an optional
-// function stands behind the question whether the model has the part, which only a model with the part answers with yes;
-// C2D_LINKED tells whether the program has it.
+// reference brings no object file into a link. The call that declares the part names one function of each of its files
+// with C2D_BRINGS. So a call of an optional function stands behind the question whether the model has the part, which
+// only a model with the part answers with yes; C2D_LINKED tells whether the program has it.
 // Where a header names a function with C2D_OPTIONAL, C2D_BRINGS must name another one of that file.
+//
+// What brings models of any kind (the deck reader, c2d_attach, options) names one function of each part with C2D_NEEDS,
+// which links it. In a library compiled with C2D_PARTS_BY_CALL, for firmware, it does not: only the declaring calls do,
+// and what C2D_HAS denies is refused.
 // Needs ELF, an archive of objects and GCC or clang; elsewhere, and in one file, everything is linked.
 #if defined(__ELF__) && defined(__GNUC__) && !defined(C2D_ONE_FILE)
 #define C2D_OPTIONAL(function) extern decltype(function) function __attribute__((weak))
@@ -17,4 +20,12 @@
 #define C2D_OPTIONAL(function) static_assert(true, "always linked")
 #define C2D_LINKED(function) true
 #define C2D_BRINGS(function) static_assert(true, "always linked")
+#endif
+
+#ifdef C2D_PARTS_BY_CALL
+#define C2D_NEEDS(function) C2D_OPTIONAL(function)
+#define C2D_HAS(function) C2D_LINKED(function)
+#else
+#define C2D_NEEDS(function) C2D_BRINGS(function)
+#define C2D_HAS(function) true
 #endif

@@ -63,14 +63,14 @@ void fill_header(c2d_solver* s, uint64_t bytes, uint32_t slack, const c2d_limits
 
 } // namespace
 
-void explain(c2d_error* why, c2d_status status, uint64_t needed, const char* what) {
+void explain(c2d_error* why, c2d_status status, uint64_t needed, const char* what, const char* end) {
   if (!why) return;
   c2d_error e = blank_error();
   e.status = status;
   e.severity = C2D_FAULT;
   e.bytes_needed = needed;
   Text text = text_in(e.text);
-  put(text, what ? what : c2d_message(status));
+  put(put(text, what ? what : c2d_message(status)), end);
   if (needed > 0) {
     put_all(text, ": ", needed, " bytes would do");
   }

@@ -10,11 +10,7 @@
 #include "solver/refuse.hpp"
 
 namespace c2d {
-#ifdef C2D_SYMMETRY_BY_CALL // symmetry is left out of programs without c2d_set_symmetry, not only of those without options
-C2D_OPTIONAL(validate_lines);
-#else
-C2D_BRINGS(validate_lines);
-#endif
+C2D_NEEDS(validate_lines); // c2d_set_options may ask for images
 } // namespace c2d
 
 using namespace c2d;
@@ -36,11 +32,9 @@ extern "C" c2d_status c2d_set_options(c2d_solver* s, const c2d_options* options)
   if (!in_range(ours.quadrature, 0, 1) || !in_range(ours.stepping, 0, 1) || !in_range(ours.every_change, 0, 1) ||
       !in_range(ours.symmetry, 0, 1) || !in_range(ours.keep_factors, 0, 1))
     return fail(s, C2D_ERR_ARGUMENT, "an option is out of range");
-#ifdef C2D_SYMMETRY_BY_CALL
-  if (ours.symmetry == C2D_SYMMETRY_IMAGES && !C2D_LINKED(validate_lines))
+  if (ours.symmetry == C2D_SYMMETRY_IMAGES && !C2D_HAS(validate_lines))
     return fail(s, C2D_ERR_ARGUMENT,
-                "this program is linked without symmetry by images (C2D_SYMMETRY_BY_CALL): c2d_set_symmetry links it");
-#endif
+                "this program is linked without symmetry by images (C2D_PARTS_BY_CALL): c2d_set_symmetry links it");
   if (s->state == C2D_STATE_MODEL && ours.symmetry != s->options.symmetry)
     return fail(s, C2D_ERR_STATE, "symmetry by images is chosen before the model is complete");
   if (ours.quadrature != s->options.quadrature || ours.keep_factors != s->options.keep_factors) s->factors = 0;

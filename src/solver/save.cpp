@@ -4,16 +4,13 @@
 #include <string.h>
 
 #include "memory/optional.hpp"
+#include "solver/energy.hpp"
 #include "solver/session.hpp"
 
-// A model may come in that no call of this program declared.
-C2D_BRINGS(c2d_add_free_zone);
-C2D_BRINGS(c2d_set_body_force);
-C2D_BRINGS(c2d_set_rigid);
-C2D_BRINGS(c2d_set_symmetry);
-C2D_BRINGS(c2d_get_summary);
-
 namespace c2d {
+
+// The model that a state belongs to is there already, with its parts; its energies may be those of another program.
+C2D_NEEDS(build_energy);
 
 namespace {
 
@@ -70,6 +67,7 @@ unsigned char* image_of(c2d_solver* s) { return reinterpret_cast<unsigned char*>
 uint64_t hash_state(c2d_solver* s) {
   const Model m = model_of(s);
   uint64_t hash = hash_model(m, s->options);
+  if (!C2D_HAS(build_energy)) hash = ~hash; // of no use to a program with energies, and the other way round
   hash = checksum(hash, &s->options.stepping, sizeof s->options.stepping);
   hash = checksum(hash, &m.head->iteration_limit, sizeof m.head->iteration_limit);
   hash = checksum(hash, &s->layout, sizeof s->layout);

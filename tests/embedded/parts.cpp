@@ -1,0 +1,98 @@
+// A program that names no call of an optional part (src/memory/optional.hpp), with a library compiled with
+// C2D_PARTS_BY_CALL: what it is told when a deck, an option, a workspace or a saved state wants one (test_parts.cpp).
+//   parts deck DECK             parts images
+//   parts attach WORKSPACE      parts restore DECK FOLDER
+#include <c2d_posix.h>
+#include <contact2d.h>
+
+#include <cstdio>
+#include <cstring>
+
+namespace {
+
+alignas(64) unsigned char workspace[1 << 22];
+
+int32_t next_card(void* deck, char* text, int32_t size) {
+  std::FILE* const file = static_cast<std::FILE*>(deck);
+  if (std::fgets(text, size, file) == nullptr) return -1;
+  text[std::strcspn(text, "\n")] = '\0';
+  return static_cast<int32_t>(std::strlen(text));
+}
+
+void tell(void*, const c2d_error* e) {
+  if (e->severity == C2D_FAULT) std::printf("line %d, columns %d-%d: %s\n", e->line, e->column, e->column_end, e->text);
+}
+
+int end(c2d_solver* solver, c2d_status status) {
+  c2d_error why = C2D_INIT(c2d_error);
+  if (solver != nullptr && status != C2D_OK && c2d_last_error(solver, &why) == C2D_OK) std::printf("%s\n", why.text);
+  std::printf("status %d\n", status);
+  return 0;
+}
+
+c2d_status read_model(const char* name, c2d_port& port, c2d_solver** solver) {
+  c2d_limits limits = C2D_INIT(c2d_limits);
+  std::FILE* const deck = std::fopen(name, "r");
+  if (deck == nullptr) return C2D_ERR_READ;
+  port.log = tell;
+  c2d_status status = c2d_scan_deck(next_card, deck, &limits, nullptr);
+  std::rewind(deck);
+  if (status == C2D_OK) status = c2d_create(solver, workspace, sizeof workspace, &limits, &port, nullptr);
+  if (status == C2D_OK) status = c2d_read_deck(*solver, next_card, deck);
+  std::fclose(deck);
+  return status;
+}
+
+int ask_for_images() {
+  c2d_limits limits = C2D_INIT(c2d_limits);
+  c2d_options options = C2D_INIT(c2d_options);
+  c2d_solver* solver = nullptr;
+  limits.bodies = limits.regions[0] = 1;
+  limits.function_nodes = 2;
+  limits.geometry_nodes[0] = limits.elements[0] = 4;
+  if (c2d_create(&solver, workspace, sizeof workspace, &limits, nullptr, nullptr) != C2D_OK) return 1;
+  options.symmetry = C2D_SYMMETRY_IMAGES;
+  return end(solver, c2d_set_options(solver, &options));
+}
+
+int attach(const char* name) {
+  c2d_port port = C2D_INIT(c2d_port);
+  c2d_posix_store store; // of no use: nothing is read
+  c2d_solver* solver = nullptr;
+  std::FILE* const file = std::fopen(name, "rb");
+  if (file == nullptr) return 1;
+  const size_t bytes = std::fread(workspace, 1, sizeof workspace, file);
+  std::fclose(file);
+  c2d_posix_store_port(&store, &port);
+  c2d_error why = C2D_INIT(c2d_error);
+  const c2d_status status = c2d_attach(&solver, workspace, bytes, &port, &why);
+  if (status != C2D_OK) std::printf("%s\n", why.text);
+  return end(nullptr, status);
+}
+
+int restore(const char* deck, const char* folder) {
+  c2d_port port = C2D_INIT(c2d_port);
+  c2d_posix_store store;
+  c2d_solver* solver = nullptr;
+  if (c2d_posix_store_init(&store, folder) != 0) return 1;
+  c2d_posix_store_port(&store, &port);
+  if (read_model(deck, port, &solver) != C2D_OK) return 1;
+  const c2d_status status = c2d_restore(solver);
+  end(solver, status);
+  return c2d_posix_store_done(&store) != 0;
+}
+
+} // namespace
+
+int main(int count, char** argument) {
+  const auto is = [&](const char* what, int arguments) {
+    return count == 2 + arguments && std::strcmp(argument[1], what) == 0;
+  };
+  if (is("images", 0)) return ask_for_images();
+  if (is("attach", 1)) return attach(argument[2]);
+  if (is("restore", 2)) return restore(argument[2], argument[3]);
+  if (!is("deck", 1)) return 64;
+  c2d_port port = C2D_INIT(c2d_port);
+  c2d_solver* solver = nullptr;
+  return end(nullptr, read_model(argument[2], port, &solver));
+}

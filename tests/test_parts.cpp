@@ -1,0 +1,221 @@
+// A library compiled with C2D_PARTS_BY_CALL: a program has the parts whose calls it names, and is told of the others
+// where a deck, an option, a workspace or a saved state wants one. (The bytes: test_embedded.cpp.)
+#include "deck_recorder.hpp"
+#include "shell.hpp"
+#include "solver_runs.hpp"
+
+#include <c2d_posix.h>
+#include <doctest/doctest.h>
+
+using namespace test;
+
+namespace {
+
+struct Part {
+  const char* card;
+  const char* call;
+  int columns; // of the keyword
+};
+const Part kParts[] = {{"*RIGID", "c2d_set_rigid", 6},
+                       {"*Body Force 1 1 0.0 -1.0", "c2d_set_body_force", 5},
+                       {"*SYMMETRY X 0.0", "c2d_set_symmetry", 9},
+                       {"*ZONE 3 3 1 1", "c2d_add_free_zone", 5}};
+
+// What the deck reader says at a card of a part that is not there.
+std::string missing(const Part& part) {
+  std::string name;
+  for (const char* c = part.card + 1; *c != '\0' && !(*c >= '0' && *c <= '9'); ++c) name += c2d::capital(*c);
+  if (name.compare(0, 8, "SYMMETRY") == 0) name = "SYMMETRY";
+  while (name.back() == ' ') name.pop_back();
+  return "*" + name + " needs a part of the library that this program is linked without (C2D_PARTS_BY_CALL): " +
+         part.call + " links it";
+}
+
+} // namespace
+
+TEST_CASE("parts: a keyword whose part is not linked is a fault of its card, and its cards are passed over") {
+  for (const Part& part : kParts) {
+    CAPTURE(part.card);
+    std::vector<std::string> lines = deck_test::squares();
+    const int line = static_cast<int>(lines.size()) + 1;
+    lines.insert(lines.end(), {part.card, "1 2 3", "*UNITS mm N"});
+    deck_test::Bytes deck;
+    deck.bytes = deck_test::joined(lines);
+    deck_test::Recorder model;
+    c2d::DeckSink sink = deck_test::recording_sink(model);
+    sink.set_rigid = nullptr;
+    sink.set_body_force = nullptr;
+    sink.set_symmetry = nullptr;
+    sink.add_free_zone = nullptr;
+    std::vector<deck_test::Fault> faults;
+    CHECK(c2d::read_deck_cards(&sink, deck_test::read_bytes, &deck, deck_test::keep_fault, &faults, nullptr) ==
+          C2D_ERR_INPUT);
+    REQUIRE(faults.size() == 1);
+    CHECK(faults[0].text == missing(part));
+    CHECK(faults[0].line == line);
+    CHECK(faults[0].column == 1);
+    CHECK(faults[0].column_end == part.columns);
+    CHECK(faults[0].status == C2D_ERR_INPUT);
+    CHECK(model.units == "mm N");
+  }
+}
+
+#if defined(__ELF__) && !defined(C2D_HOSTILE)
+namespace {
+
+// The program of tests/embedded/parts.cpp: the files that C2D_PARTS_BY_CALL changes in place of the library's own.
+class Program {
+public:
+  explicit Program(const std::string& calls = "") {
+    const std::string root = C2D_TEST_ROOT;
+    std::string command = "cd '" + root + "' && " C2D_TEST_CXX " -std=c++17 -Wall -Wextra -Werror -ffp-contract=off " +
+                          calls + " -DC2D_PARTS_BY_CALL -Isrc -Iinclude -Iport/posix tests/embedded/parts.cpp";
+    for (const char* file : {"deck/read_deck", "solver/model_calls", "solver/attach", "solver/save"})
+      command += std::string(" src/") + file + ".cpp";
+    built_ = run_shell(command + " '" C2D_TEST_LIBRARY "' -lm -pthread -o '" + (folder_ / "parts") + "'");
+  }
+  const Result& built() const { return built_; }
+  std::string operator/(const std::string& name) const { return folder_ / name; }
+  std::string path() const { return folder_.path(); }
+  std::string run(const std::string& arguments) const {
+    const Result result = run_shell("cd '" + folder_.path() + "' && ./parts " + arguments);
+    CHECK_MESSAGE(result.status == 0, arguments << "\n" << result.out << result.err);
+    return result.out;
+  }
+
+private:
+  Folder folder_;
+  Result built_;
+};
+
+std::string deck_with(const std::string& card) {
+  return deck_test::joined(deck_test::squares()) + card + "\n";
+}
+
+// The two squares with a free zone in place of their pairs.
+std::string free_zone_deck() {
+  std::vector<std::string> lines = deck_test::squares();
+  lines[3] = "    2    0    2";
+  const auto zone = std::find(lines.begin(), lines.end(), "    1    2    2    1");
+  REQUIRE(zone != lines.end());
+  zone[3] = zone[4] = "    0    0"; // nodes and elements of each body
+  lines.erase(zone, zone + 3);
+  lines.push_back("*ZONE 3 3 1 1");
+  return deck_test::joined(lines);
+}
+
+// A solver of this program, which has every part, in a workspace of its own.
+struct Whole {
+  std::vector<unsigned char> memory;
+  c2d_solver* solver = nullptr;
+  Whole(const std::string& text, const c2d_port* port, bool images = false) {
+    runs::Deck deck;
+    deck.lines = deck_test::lines_of(text);
+    const c2d_limits limits = deck.limits();
+    uint64_t least = 0;
+    REQUIRE(c2d_memory_need(&limits, &least, nullptr) == C2D_OK);
+    memory.resize(static_cast<size_t>(least));
+    REQUIRE(c2d_create(&solver, memory.data(), memory.size(), &limits, port, nullptr) == C2D_OK);
+    c2d_options options = C2D_INIT(c2d_options);
+    options.symmetry = images ? C2D_SYMMETRY_IMAGES : C2D_SYMMETRY_DECK;
+    REQUIRE(c2d_set_options(solver, &options) == C2D_OK);
+    c2d_error why = C2D_INIT(c2d_error);
+    const c2d_status status = runs::read_deck(solver, deck);
+    c2d_last_error(solver, &why);
+    REQUIRE_MESSAGE(status == C2D_OK, why.text);
+  }
+  void write(const std::string& name) const {
+    write_file(name, std::string(reinterpret_cast<const char*>(memory.data()), memory.size()));
+  }
+};
+
+std::string status_line(c2d_status status) {
+  return "status " + std::to_string(status) + "\n";
+}
+
+} // namespace
+
+TEST_CASE("parts: a program without them, and the same with their calls") {
+  if (kSanitized || !has_command("nm")) return;
+  const Program without;
+  REQUIRE_MESSAGE(without.built().status == 0, without.built().err);
+  const Program with("-Wl,-u,c2d_set_rigid -Wl,-u,c2d_set_body_force -Wl,-u,c2d_set_symmetry -Wl,-u,c2d_add_free_zone "
+                     "-Wl,-u,c2d_get_summary");
+  REQUIRE_MESSAGE(with.built().status == 0, with.built().err);
+  const std::string names = run_shell("nm '" + (without / "parts") + "'").out;
+  for (const char* call : {"T c2d_set_rigid", "T c2d_set_body_force", "T c2d_set_symmetry", "T c2d_add_free_zone",
+                           "T c2d_get_summary"})
+    CHECK_FALSE(contains(names, call));
+
+  SUBCASE("decks") {
+    for (const Program* program : {&without, &with}) {
+      write_file(*program / "plain.dat", deck_with("*UNITS mm N"));
+      CHECK(program->run("deck plain.dat") == status_line(C2D_OK));
+    }
+    for (const Part& part : kParts) {
+      write_file(without / "deck.dat", deck_with(part.card));
+      const std::string told = without.run("deck deck.dat");
+      CHECK_MESSAGE(contains(told, "columns 1-" + std::to_string(part.columns) + ": " + missing(part) + "\n"), told);
+      CHECK_MESSAGE(contains(told, status_line(C2D_ERR_INPUT)), told);
+      write_file(with / "deck.dat", deck_with(part.card)); // whatever the model's faults are
+      CHECK_FALSE(contains(with.run("deck deck.dat"), "C2D_PARTS_BY_CALL"));
+    }
+  }
+  SUBCASE("options") {
+    CHECK(without.run("images") == "this program is linked without symmetry by images (C2D_PARTS_BY_CALL): "
+                                   "c2d_set_symmetry links it\n" +
+                                       status_line(C2D_ERR_ARGUMENT));
+    CHECK(with.run("images") == status_line(C2D_OK));
+  }
+  SUBCASE("workspaces of another program") {
+    const auto refused = [](const char* call) {
+      return std::string("the solver in this memory uses a part of the library that this program is linked without "
+                         "(C2D_PARTS_BY_CALL), it is linked by ") +
+             call + '\n' + status_line(C2D_ERR_MISMATCH);
+    };
+    const struct {
+      std::string deck;
+      bool images;
+      const char* call;
+    } models[] = {{deck_with("*UNITS mm N"), false, nullptr},
+                  {deck_with("*BODY FORCE 1 1 0.0 -1.0"), false, "c2d_set_body_force"},
+                  {deck_with("*RIGID"), false, "c2d_set_rigid"},
+                  {read_file(C2D_TEST_ROOT "/examples/make_hertz.dat"), false, "c2d_set_symmetry"},
+                  {free_zone_deck(), false, "c2d_add_free_zone"},
+                  {read_file(C2D_TEST_ROOT "/tests/data/decks/plate.dat"), true, "c2d_set_symmetry"}};
+    for (const auto& model : models) {
+      Whole whole(model.deck, nullptr, model.images);
+      whole.write(without / "workspace");
+      whole.write(with / "workspace");
+      CHECK(without.run("attach workspace") == (model.call == nullptr ? status_line(C2D_OK) : refused(model.call)));
+      CHECK(with.run("attach workspace") == status_line(C2D_OK));
+    }
+    // A prepared one keeps energies, which a program without them would let go stale.
+    runs::RamStore store;
+    c2d_port port = C2D_INIT(c2d_port);
+    store.serve(port);
+    Whole whole(deck_with(""), &port);
+    REQUIRE(c2d_prepare(whole.solver) == C2D_OK);
+    whole.write(without / "workspace");
+    CHECK(without.run("attach workspace") == refused("c2d_get_summary"));
+  }
+  SUBCASE("saved states of another program") {
+    const std::string text = deck_with("");
+    write_file(without / "deck.dat", text);
+    write_file(with / "deck.dat", text);
+    for (const Program* program : {&without, &with}) {
+      c2d_posix_store store;
+      c2d_port port = C2D_INIT(c2d_port);
+      REQUIRE(c2d_posix_store_init(&store, (*program / "tapes").c_str()) == 0);
+      c2d_posix_store_port(&store, &port);
+      Whole whole(text, &port);
+      REQUIRE(c2d_prepare(whole.solver) == C2D_OK);
+      REQUIRE(c2d_save(whole.solver) == C2D_OK);
+      REQUIRE(c2d_close(whole.solver) == C2D_OK);
+      REQUIRE(c2d_posix_store_done(&store) == 0);
+    }
+    CHECK(contains(without.run("restore deck.dat tapes"), status_line(C2D_ERR_MISMATCH)));
+    CHECK(with.run("restore deck.dat tapes") == status_line(C2D_OK));
+  }
+}
+#endif
