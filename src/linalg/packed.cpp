@@ -28,10 +28,12 @@ Packing packing(const Engine& engine, int32_t k, int32_t n) {
   const int64_t for_depth = engine.numbers / (kernel.rows + kernel.cols);
   const int32_t depth = smaller(smaller(k, kDepth), for_depth > kDepth ? kDepth : static_cast<int32_t>(for_depth));
   const int64_t each = engine.numbers / (depth > 0 ? depth : 1); // numbers for each step of the inner index
+  const int32_t band = kBand / kernel.rows;
   const int64_t some = each / 4 / kernel.rows;
-  const int32_t slices = some < 1 ? 1 : (some > kSlices ? kSlices : static_cast<int32_t>(some));
+  const int32_t slices = some < 1 ? 1 : (some > band ? band : static_cast<int32_t>(some));
   const int64_t rest = each - static_cast<int64_t>(slices) * kernel.rows;
-  const int32_t width = rest > kWidth ? kWidth : static_cast<int32_t>(rest) / kernel.cols * kernel.cols;
+  const int64_t most = static_cast<int64_t>(kDepth) * kWidth / (depth > 0 ? depth : 1); // shallower, wider: as large
+  const int32_t width = static_cast<int32_t>(rest > most ? most : rest) / kernel.cols * kernel.cols;
   const int32_t wide = smaller(width, whole(n, kernel.cols));
   const int64_t left = static_cast<int64_t>(depth) * slices * kernel.rows, used = left + static_cast<int64_t>(depth) * wide;
   if (engine.used && used > *engine.used) *engine.used = used;
@@ -153,7 +155,7 @@ void upper_once(const Packing& p, int32_t w, int32_t n, const Real* u, int64_t l
 
 int64_t engine_numbers(const Kernel* kernel, int32_t k, int32_t n) {
   const int32_t depth = smaller(k, kDepth), width = smaller(whole(n, kernel->cols), kWidth);
-  return static_cast<int64_t>(depth) * (kSlices * kernel->rows + width);
+  return static_cast<int64_t>(depth) * (kBand + width);
 }
 
 bool can_pack(const Engine& engine) {
