@@ -11,11 +11,9 @@ namespace c2d {
 
 #ifdef C2D_HOSTILE
 constexpr bool kHostile = true;
-constexpr int32_t kHostileWidth = C2D_HOSTILE;
 #define C2D_ASSERT(promise) ((promise) ? static_cast<void>(0) : __builtin_trap())
 #else
 constexpr bool kHostile = false;
-constexpr int32_t kHostileWidth = 0;
 #define C2D_ASSERT(promise) static_cast<void>(0)
 #endif
 

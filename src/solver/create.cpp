@@ -34,7 +34,7 @@ c2d_status aligned_need(const Sizes& sizes, Layout& layout, uint64_t* minimum, u
 // The hostile build: panels of its width and no more memory than they need with two buffers, if there is that much.
 void make_tiny(c2d_limits& limits, Sizes& sizes, Layout& layout, size_t& bytes) {
   c2d_limits narrow = limits;
-  if (narrow.panel_columns == 0) narrow.panel_columns = kHostileWidth;
+  if (narrow.panel_columns == 0) narrow.panel_columns = hostile_width();
   Sizes narrow_sizes;
   Layout narrow_layout;
   uint64_t least = 0, most = 0;

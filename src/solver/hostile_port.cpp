@@ -137,6 +137,8 @@ HostilePort::~HostilePort() {
   tapes_.port = before_;
 }
 
+int32_t hostile_width() { return C2D_HOSTILE; }
+
 void make_tasks_hostile(c2d_port& port) {
   if (port.parallel_for && port.threads > 1) return;
   port.parallel_for = tasks_backward;

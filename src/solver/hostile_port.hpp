@@ -36,6 +36,8 @@ private:
   const c2d_port* before_;
 };
 
+// Columns of a panel where the caller leaves that to the library. (No other object file depends on the number.)
+int32_t hostile_width();
 // A caller without threads has three, which take the tasks in the wrong order.
 void make_tasks_hostile(c2d_port& port);
 
@@ -44,6 +46,7 @@ void make_tasks_hostile(c2d_port& port);
 struct HostilePort {
   explicit HostilePort(const Tapes&) {}
 };
+inline int32_t hostile_width() { return 0; }
 inline void make_tasks_hostile(c2d_port&) {}
 
 #endif
