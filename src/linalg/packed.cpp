@@ -98,6 +98,11 @@ void edge(const Packing& p, int32_t m, int32_t n, int32_t k, const Real* left, c
   }
 }
 
+// Column p of what is packed next comes nearer.
+void ask_for(int32_t m, const Real* column) {
+  for (int32_t i = 0; i < m; i += 64 / static_cast<int32_t>(sizeof(Real))) __builtin_prefetch(column + i, 0, 2);
+}
+
 // C (m x n) -= A (m x k) times what is packed on the right. A few slices of A at a time: each column of C is met in
 // longer pieces, and each slice of B serves all of them while it is near.
 void product(const Packing& p, int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, const Right& right, Real* c,
@@ -110,7 +115,11 @@ void product(const Packing& p, int32_t m, int32_t n, int32_t k, const Real* a, i
     for (int32_t i = top; i < end; i += rows) {
       if (packed || end - i < rows) pack_left(p, smaller(rows, end - i), k, a + i, lda, p.left + (i - top) * k);
     }
+    const int32_t next = packed ? smaller(band, m - end) : 0;
+    int32_t asked = 0;
     for (int32_t j = 0; j < n; j += cols) {
+      for (const int64_t until = static_cast<int64_t>(j + cols) * k / n; asked < until && asked < k && next > 0; ++asked)
+        ask_for(next, a + end + asked * lda);
       for (int32_t i = top; i < end; i += rows) {
         const Real* left = p.left + (i - top) * k;
         Real* at = c + i + j * ldc;
