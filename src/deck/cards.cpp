@@ -15,9 +15,7 @@ int32_t fetch(Cards& cards) {
   const int32_t size = static_cast<int32_t>(sizeof cards.text);
   const int32_t length = cards.read(cards.context, cards.text, size);
   if (length < -1) {
-    begin_fault(cards, 0, 0);
-    Text text = text_in(cards.entry.text);
-    put(text, "the next card could not be read");
+    put(begin_fault(cards, 0, 0), "the next card could not be read");
     cards.entry.status = C2D_ERR_READ;
     cards.entry.host_code = length;
     end_fault(cards);
@@ -185,7 +183,7 @@ void hold_card(Cards& cards) {
   cards.held = true;
 }
 
-void begin_fault(Cards& cards, int32_t column, int32_t column_end) {
+Text& begin_fault(Cards& cards, int32_t column, int32_t column_end) {
   c2d_error& entry = cards.entry;
   memset(&entry, 0, sizeof entry);
   entry.struct_size = static_cast<uint32_t>(sizeof entry);
@@ -196,17 +194,17 @@ void begin_fault(Cards& cards, int32_t column, int32_t column_end) {
   entry.column_end = column_end;
   entry.body = cards.body;
   entry.zone = cards.zone;
+  return cards.text_of_entry = text_in(entry.text);
 }
 
 void end_fault(Cards& cards) {
   if (cards.vital) {
-    Text text = {cards.entry.text, sizeof cards.entry.text, static_cast<size_t>(text_length(cards.entry.text))};
-    put(text, "; what follows cannot be read without it");
+    put(cards.text_of_entry, "; what follows cannot be read without it");
   }
   if (cards.faults >= kMaximumFaults) {
     if (!cards.ended && cards.report != nullptr) {
-      Text text = text_in(cards.entry.text);
-      put(text, "too many faults, the rest of the deck was not read");
+      cards.text_of_entry = text_in(cards.entry.text);
+      put(cards.text_of_entry, "too many faults, the rest of the deck was not read");
       cards.report(cards.report_context, &cards.entry);
     }
     cards.ended = true;

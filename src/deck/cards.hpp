@@ -39,6 +39,7 @@ struct Cards {
   int32_t length;     // columns of the line, blanks behind it included
   int32_t taken;      // fields of `words` read so far
   c2d_error entry;    // being put together
+  Text text_of_entry;
   c2d_card_fn card;   // is told every field; may be null
   void* card_context;
   char text[168];            // the card, blank-padded
@@ -98,28 +99,28 @@ bool text_word(Cards& cards, const Words& words, int32_t i, const char* name, ch
 // The card has no more fields than `count`.
 bool end_of_words(Cards& cards, const Words& words, int32_t count);
 
-// Report a fault in columns column ... column_end (0: the card as a whole); the parts are put() together.
-void begin_fault(Cards& cards, int32_t column, int32_t column_end);
+// Report a fault in columns column ... column_end (0: the card as a whole): begin, put() its text together, end.
+Text& begin_fault(Cards& cards, int32_t column, int32_t column_end);
 void end_fault(Cards& cards);
-template <class... Parts> void fault(Cards& cards, int32_t column, int32_t column_end, Parts... parts) {
-  begin_fault(cards, column, column_end);
-  Text text = text_in(cards.entry.text);
-  (put(text, parts), ...);
+template <class... Parts>
+C2D_IN_PLACE inline void fault(Cards& cards, int32_t column, int32_t column_end, Parts... parts) {
+  put_all(begin_fault(cards, column, column_end), parts...);
   end_fault(cards);
 }
 
 // The same in the field, or the fields, that stand in these columns in the fixed form.
 Word columns_of(const Cards& cards, int32_t column, int32_t column_end);
-template <class... Parts> void field_fault(Cards& cards, int32_t column, int32_t column_end, Parts... parts) {
-  const Word found = columns_of(cards, column, column_end);
-  fault(cards, int32_t{found.column}, int32_t{found.column_end}, parts...);
+Text& begin_field_fault(Cards& cards, int32_t column, int32_t column_end);
+template <class... Parts>
+C2D_IN_PLACE inline void field_fault(Cards& cards, int32_t column, int32_t column_end, Parts... parts) {
+  put_all(begin_field_fault(cards, column, column_end), parts...);
+  end_fault(cards);
 }
 // The same in field i of a free-form card; without such a field, where it would stand.
-void begin_word_fault(Cards& cards, const Words& words, int32_t i);
-template <class... Parts> void word_fault(Cards& cards, const Words& words, int32_t i, Parts... parts) {
-  begin_word_fault(cards, words, i);
-  Text text = text_in(cards.entry.text);
-  (put(text, parts), ...);
+Text& begin_word_fault(Cards& cards, const Words& words, int32_t i);
+template <class... Parts>
+C2D_IN_PLACE inline void word_fault(Cards& cards, const Words& words, int32_t i, Parts... parts) {
+  put_all(begin_word_fault(cards, words, i), parts...);
   end_fault(cards);
 }
 

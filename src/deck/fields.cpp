@@ -23,8 +23,7 @@ void put_field(Text& text, const char* field, int32_t width) {
 
 void malformed_field(Cards& cards, int32_t column, int32_t width, const char* expected, const char* name) {
   const int32_t column_end = column + width - 1;
-  begin_fault(cards, column, column_end);
-  Text text = text_in(cards.entry.text);
+  Text& text = begin_fault(cards, column, column_end);
   put_all(text, width == 1 ? "column " : "columns ", column);
   if (width > 1) {
     put_character(text, '-');
@@ -225,20 +224,24 @@ bool text_word(Cards& cards, const Words& words, int32_t i, const char* name, ch
 
 bool end_of_words(Cards& cards, const Words& words, int32_t count) {
   if (words.count <= count) return true;
-  begin_word_fault(cards, words, count);
+  Text& text = begin_word_fault(cards, words, count);
   const int32_t column_end = words.word[words.count - 1].column_end;
   if (column_end > cards.entry.column_end) cards.entry.column_end = column_end;
-  Text text = text_in(cards.entry.text);
   put_all(text, "the card has ", words.count, words.count == 1 ? " field, expected " : " fields, expected ", count);
   end_fault(cards);
   return false;
 }
 
-void begin_word_fault(Cards& cards, const Words& words, int32_t i) {
+Text& begin_field_fault(Cards& cards, int32_t column, int32_t column_end) {
+  const Word found = columns_of(cards, column, column_end);
+  return begin_fault(cards, found.column, found.column_end);
+}
+
+Text& begin_word_fault(Cards& cards, const Words& words, int32_t i) {
   const bool is_there = i < words.count;
   const int32_t column = is_there ? words.word[i].column : words.end;
   const int32_t column_end = is_there ? words.word[i].column_end : column;
-  begin_fault(cards, column, column_end > column ? column_end : column);
+  return begin_fault(cards, column, column_end > column ? column_end : column);
 }
 
 } // namespace c2d

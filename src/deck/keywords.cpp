@@ -108,8 +108,7 @@ void unknown_keyword(Cards& cards, const Words& words) {
   char name[kMaximumName];
   join_name(words, 1, name);
   const char* near = nearest(words);
-  begin_word_fault(cards, words, 0);
-  Text text = text_in(cards.entry.text);
+  Text& text = begin_word_fault(cards, words, 0);
   put_character(text, '*');
   put_all(text, name, " is not a known keyword; ", near != nullptr ? "did you mean *" : "known are *");
   if (near != nullptr) {

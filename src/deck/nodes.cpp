@@ -45,8 +45,7 @@ void refuse_letter(Cards& cards, char letter) {
   if (cards.free_form) copy_word(cards.words, 0, shown, sizeof shown);
   const Word at = columns_of(cards, 1, 1);
   const bool is_one = at.column == at.column_end;
-  begin_fault(cards, at.column, at.column_end);
-  Text text = text_in(cards.entry.text);
+  Text& text = begin_fault(cards, at.column, at.column_end);
   put_all(text, is_one ? "column " : "columns ", int32_t{at.column});
   if (!is_one) {
     put_character(text, '-');
