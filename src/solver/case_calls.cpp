@@ -123,11 +123,3 @@ extern "C" c2d_status c2d_replace_point_load(c2d_solver* s, int32_t i, double x,
   s->loads_changed = 1;
   return C2D_OK;
 }
-
-extern "C" c2d_status c2d_change_loads(c2d_solver* s) {
-  const c2d_status status = enter(s, state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING));
-  if (status != C2D_OK) return status;
-  s->loads_changed = 1;
-  s->state = C2D_STATE_MODEL;
-  return C2D_OK;
-}

@@ -28,7 +28,7 @@ struct EnergyBook {
 EnergyBook energy_book(c2d_solver* solver);
 
 // All of this is optional (memory/optional.hpp): it is linked with the calls that tell energies, and kept where
-// c2d_solver::keeps_energy says so.
+// c2d_solver::keeps_energy says so; and with it the balance of forces and the motion of a body that contact cannot hold.
 // Functionals, after the reduction; uses the path area. Errors: the block store's.
 c2d_status build_energy(c2d_solver* solver);
 // Nothing has been done yet. Part of begin_path.

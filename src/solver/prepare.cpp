@@ -12,7 +12,7 @@
 #include "model/validate.hpp"
 #include "solver/phases.hpp"
 #include "solver/energy.hpp"
-#include "solver/hostile_port.hpp"
+#include "solver/new_loads.hpp"
 #include "solver/rehearsal.hpp"
 #include "solver/session.hpp"
 #include "solver/solver.hpp"
@@ -20,6 +20,8 @@
 namespace c2d {
 
 C2D_OPTIONAL(build_energy);
+C2D_OPTIONAL(eliminate_new_loads);
+C2D_OPTIONAL(reduce_new_loads);
 
 namespace {
 
@@ -256,7 +258,7 @@ void note_scratch(c2d_solver* s, uint64_t area, int64_t used) {
   const Engine& engine = job.engine;
   c2d_status status;
   if (loads_only) {
-    status = eliminate_again(s->plan[b], 2 * m.head->contact, source, sink, s->tapes, area.work, watch, engine);
+    status = eliminate_new_loads(s->plan[b], 2 * m.head->contact, source, sink, s->tapes, area.work, watch, engine);
   } else {
     PivotStats stats{};
     status = eliminate(s->plan[b], source, sink, s->tapes, area.work, &stats, watch, engine);
@@ -284,7 +286,7 @@ c2d_status tick(void* context) {
   const Reduction reduction{ContactTape{&s->tapes, m.head->contact, m.head->load_cases, area.buffer}, m,
                             s->inverted, area.first, area.second, area.strip, area.pivots, s, tick,
                             engine_beside(s, sizes, bytes, &scratch)};
-  const c2d_status status = loads_only ? reduce_loads(reduction) : reduce(reduction);
+  const c2d_status status = loads_only ? reduce_new_loads(reduction) : reduce(reduction);
   note_scratch(s, bytes, scratch);
   s->seconds[C2D_PHASE_REDUCE] += clock_now(s) - start;
   return status;
@@ -411,7 +413,7 @@ c2d_status prepare_with(c2d_solver* s, const c2d_port* store) {
   const Model m = model_of(s);
   c2d_status status = validate_changes(s, m);
   if (status != C2D_OK) return status;
-  const bool loads_only = s->factors != 0;
+  const bool loads_only = s->factors != 0 && C2D_LINKED(eliminate_new_loads);
   s->loads_changed = s->factors = 0;
   for (double& seconds : s->seconds) seconds = 0.0;
   s->saves = 0;
@@ -452,28 +454,26 @@ void rehearse(c2d_solver* s) {
   const c2d_port port = s->port;
   const c2d_error error = s->error;
   const int32_t warnings = s->warnings, cancelled = s->cancelled;
-  HostilePort late(s->tapes);
   FailingStore failing;
-  const uint64_t chance = hash_model(model_of(s), s->options);
-  make_failing(late.port, static_cast<int64_t>(chance / 2 % (chance % 2 == 0 ? 61 : 997)), failing); // early, or far into it
+  make_failing(port, static_cast<int64_t>(hash_model(model_of(s), s->options) % 61), failing);
   s->port.progress = nullptr;
   s->port.cancel = nullptr;
   s->port.log = nullptr;
   s->port.clock = nullptr;
   s->cancelled = 0;
   const c2d_status status = prepare_with(s, &failing.port);
-  C2D_ASSERT(status == C2D_OK || is_store_error(status) || status == C2D_ERR_SINGULAR || status == C2D_ERR_MEMORY ||
-             status == C2D_ERR_CANCELLED);
+  C2D_ASSERT(status == C2D_OK || is_store_error(status) || status == C2D_ERR_SINGULAR || status == C2D_ERR_MEMORY);
   C2D_ASSERT(s->state == (status == C2D_OK             ? C2D_STATE_PREPARED
                           : is_store_error(status) ? C2D_STATE_BROKEN
                                                    : C2D_STATE_MODEL));
   s->tapes.port = &failing.port;
   close_all(s->tapes);
+  s->tapes.port = &s->port;
   s->port = port;
   s->error = error;
   s->has_fault = 0;
   s->warnings = warnings;
-  s->cancelled = cancelled != 0 || s->cancelled != 0 || status == C2D_ERR_CANCELLED; // meant for both
+  s->cancelled = cancelled;
   s->factors = 0;
   s->state = C2D_STATE_MODEL;
 }
@@ -490,6 +490,5 @@ extern "C" c2d_status c2d_prepare(c2d_solver* s) {
 #ifdef C2D_HOSTILE
   if (s->factors == 0 && s->loads_changed == 0) rehearse(s); // what went before must not be lost
 #endif
-  const HostilePort hostile(s->tapes);
-  return prepare_with(s, s->tapes.port);
+  return prepare_with(s, &s->port);
 }

@@ -55,6 +55,9 @@ void keep_displacement(const Session& session, int b, int32_t node, const double
 void keep_traction(const Session& session, int b, int32_t end, const double t[2]);
 // Everything outside the contact, force balance (2.5). Errors: the block store's.
 c2d_status back_substitute_all(Session& session);
+// Forces on both bodies; the contact's equals what is applied, on the body that the contact has to hold. Optional, with
+// the calls that tell it (solver/energy.hpp).
+void balance_forces(Session& session);
 
 PhaseSizes model_sizes(const Model& model);
 // Everything that decides the numbers on the tapes (solver/prepare.cpp).

@@ -1,0 +1,77 @@
+// The motion of a body whose pressed pairs hold it no longer, and what is told of it. Optional (memory/optional.hpp).
+#include <math.h>
+
+#include "model/rigid.hpp"
+#include "solver/motion.hpp"
+
+namespace c2d {
+
+namespace {
+
+// Orthonormal basis of what the contact prevents once the last pair has been given up.
+int prevented(const Session& session, const Motions& motions, c2d_outcome outcome, double basis[3][3]) {
+  int rank = 0;
+  for (int32_t i = 0; i < session.model.head->pairs && rank < motions.count; ++i) {
+    const Pair& pair = session.model.pair[i];
+    const bool last = i == session.follower.last_pair;
+    if (pair.status == C2D_OPEN || (last && outcome == C2D_FREE_MOTION)) continue;
+    const double p = pair_state(*session.follower.t, i, session.follower.y).p;
+    if (outcome == C2D_FREE_MOTION && p <= kNoPressure * session.solver->peak_pressure) continue;
+    double normal[3], tangential[3];
+    motion_rows(session, motions, pair, normal, tangential);
+    rank += extend_basis(basis, rank, motions.count, normal);
+    const bool sticks = pair.status == C2D_STICK && pair.tangential && !(last && outcome == C2D_GROSS_SLIDING);
+    if (sticks && rank < motions.count) rank += extend_basis(basis, rank, motions.count, tangential);
+  }
+  return rank;
+}
+
+// What drives each motion: the friction that it overcomes, or the loads.
+void driving(const Session& session, const Motions& motions, c2d_outcome outcome, double out[3]) {
+  const Follower& f = session.follower;
+  for (int j = 0; j < motions.count; ++j) {
+    double size = 0.0;
+    out[j] = load_work(session, f.direction, motions.body.free_motion[j], &size);
+    if (fabs(out[j]) <= 1e-10 * size) out[j] = load_work(session, f.load, motions.body.free_motion[j], &size);
+  }
+  if (outcome != C2D_GROSS_SLIDING) return;
+  for (int j = 0; j < motions.count; ++j) out[j] = 0.0;
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    const Pair& pair = f.t->pair[i];
+    if (pair.status == C2D_OPEN || !pair.tangential) continue;
+    double normal[3], tangential[3];
+    motion_rows(session, motions, pair, normal, tangential);
+    const double q = pair_state(*f.t, i, f.y).q;
+    for (int j = 0; j < motions.count; ++j) out[j] -= pair.weight * q * tangential[j];
+  }
+}
+
+// The motion where pairs are pressed: along what friction resists most, or the loads push most.
+bool find_pressed_motion(const Session& session, const Motions& motions, c2d_outcome outcome, double choice[3]) {
+  double basis[3][3];
+  const int rank = prevented(session, motions, outcome, basis);
+  driving(session, motions, outcome, choice);
+  const double before = length_of(choice, motions.count);
+  remove_prevented(basis, rank, motions.count, choice);
+  for (int j = 0; j < motions.count && !(length_of(choice, motions.count) > 1e-9 * before); ++j) {
+    for (int i = 0; i < motions.count; ++i) choice[i] = i == j ? 1.0 : 0.0;
+    remove_prevented(basis, rank, motions.count, choice);
+    if (length_of(choice, motions.count) > 1e-6) return true;
+  }
+  return length_of(choice, motions.count) > 1e-9 * before;
+}
+
+} // namespace
+
+void keep_motion(Session& session, const Motions& motions, c2d_outcome outcome, bool found, double choice[3]) {
+  if (!found && !find_pressed_motion(session, motions, outcome, choice)) return;
+  const double size = length_of(choice, motions.count);
+  if (!(size > 0.0)) return;
+  double* const motion = session.solver->outcome_motion;
+  for (int j = 0; j < motions.count; ++j)
+    for (int c = 0; c < 3; ++c) motion[c] += choice[j] / size * motions.body.free_motion[j][c];
+  for (int c = 0; c < 3; ++c)
+    if (fabs(motion[c]) < 1e-9) motion[c] = 0.0; // round-off
+}
+
+} // namespace c2d
