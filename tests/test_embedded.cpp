@@ -208,7 +208,8 @@ TEST_CASE("embedded: parts that no call declares are not linked, and come with t
       {"c2d_set_body_force", {"c2d::particular_solution", "c2d::add_body_force_columns", "c2d::check_body_force"}},
       {"c2d_set_rigid", {"c2d::check_rigid", "c2d::move_rigidly", "c2d::fill_rigid"}},
       {"c2d_set_symmetry", {"c2d::validate_lines", "c2d::is_held_by_lines", "c2d::fold_across"}},
-      {"c2d_get_summary", {"c2d::build_energy", "c2d::close_balance"}},
+      {"c2d_get_summary", {"c2d::build_energy", "c2d::close_balance", "c2d::balance_forces", "c2d::keep_motion"}},
+      {"c2d_change_loads", {"c2d::eliminate_again", "c2d::reduce_loads"}},
   };
   const Folder folder;
   const std::string root = C2D_TEST_ROOT;

@@ -2,6 +2,7 @@
 
 #include "bie/integrals_detail.hpp"
 #include "bie/panel.hpp"
+#include "memory/small_code.hpp"
 
 #include <math.h>
 

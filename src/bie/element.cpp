@@ -70,4 +70,52 @@ Point element_point(const Element& e, double eta) {
   return p;
 }
 
+namespace {
+
+struct Offset { // of a point of the element from P, with derivatives
+  double rx, ry, dx, dy, ddx, ddy;
+  double distance2() const { return rx * rx + ry * ry; }
+};
+
+Offset offset_at(const Element& e, double eta, double x, double y) {
+  const double(&c)[4][2] = e.c;
+  return {(c[0][0] - x) + eta * (c[1][0] + eta * (c[2][0] + eta * c[3][0])),
+          (c[0][1] - y) + eta * (c[1][1] + eta * (c[2][1] + eta * c[3][1])),
+          c[1][0] + eta * (2.0 * c[2][0] + 3.0 * eta * c[3][0]),
+          c[1][1] + eta * (2.0 * c[2][1] + 3.0 * eta * c[3][1]),
+          2.0 * c[2][0] + 6.0 * eta * c[3][0],
+          2.0 * c[2][1] + 6.0 * eta * c[3][1]};
+}
+
+double clamped(double eta) { return eta < -1.0 ? -1.0 : (eta > 1.0 ? 1.0 : eta); }
+
+// Newton's step on the squared distance; without curvature where that would lead to a maximum. Exact on a straight
+// element.
+double newton_step(const Offset& o) {
+  const double slope = o.rx * o.dx + o.ry * o.dy, speed = o.dx * o.dx + o.dy * o.dy;
+  const double curvature = speed + o.rx * o.ddx + o.ry * o.ddy;
+  const double divisor = curvature > 0.1 * speed ? curvature : speed;
+  return divisor > 0.0 ? slope / divisor : 0.0;
+}
+
+} // namespace
+
+Nearest nearest_point(const Element& e, double x, double y) {
+  double best = 0.0, best2 = offset_at(e, 0.0, x, y).distance2();
+  for (int i = 0; i <= 8 && !e.straight; ++i) {
+    const double eta = -1.0 + 0.25 * i, d2 = offset_at(e, eta, x, y).distance2();
+    if (!(d2 < best2)) continue;
+    best = eta;
+    best2 = d2;
+  }
+  for (int i = 0; i < 20; ++i) {
+    const double eta = clamped(best - newton_step(offset_at(e, best, x, y)));
+    const double d2 = offset_at(e, eta, x, y).distance2();
+    if (!(d2 < best2)) break;
+    best = eta;
+    best2 = d2;
+  }
+  return {best, sqrt(best2)};
+}
+
 } // namespace c2d

@@ -24,4 +24,10 @@ Element make_element(int nodes, const double* x, const double* y);
 // Point at eta in [-1,1]. Where the Jacobian vanishes the normal is (0,0).
 Point element_point(const Element& element, double eta);
 
+// The point of an element nearest to (x, y).
+struct Nearest {
+  double eta, distance;
+};
+Nearest nearest_point(const Element& element, double x, double y);
+
 } // namespace c2d

@@ -2,6 +2,7 @@
 
 #include "bie/integrals_detail.hpp"
 #include "bie/shape.hpp"
+#include "memory/small_code.hpp"
 #include "quadrature/gauss.hpp"
 
 #include <math.h>
@@ -152,7 +153,7 @@ void integrate(const Integrator& in, double sx, double sy, int singular, bool wa
 }
 
 void rigid_sum(const Integrator& in, double sx, double sy, int singular, double sum[2][2]) {
-  if (in.mode == Quadrature::accurate && !in.degenerate) {
+  if (!kSmallCode && in.mode == Quadrature::accurate && !in.degenerate) {
     const double x = sx - 0.5 * (in.element.x[0] + in.element.x[in.element.nodes - 1]);
     const double y = sy - 0.5 * (in.element.y[0] + in.element.y[in.element.nodes - 1]);
     const bool outside = in.chord2 > 0.0 && x * x + y * y > in.radius * in.radius;

@@ -4,6 +4,7 @@
 // source.
 #include "bie/integrals_detail.hpp"
 #include "bie/shape.hpp"
+#include "memory/small_code.hpp"
 #include "quadrature/gauss.hpp"
 
 #include <math.h>
@@ -15,11 +16,6 @@ struct Job {
   const Integrator& in;
   int singular;
   bool want_h, want_g;
-};
-
-struct Panel {
-  double from, to; // |tau|
-  double sign;     // side of the origin
 };
 
 double square(const double v[2]) {
@@ -47,7 +43,7 @@ void add_point(const Job& job, const Sample& s, double weight, double r2, double
 
 // Gauss on a panel. In the panel at the source (`own`), ln r = ln(tau/c) + ln(c |q|), c = length of the
 // panel: the second part here, the first by the logarithmic rule.
-void add_panel(const Job& job, const Expansion& x, const Panel& p, bool own, int order, Sums& sums) {
+void add_panel(const Job& job, const Expansion& x, const Stretch& p, bool own, int order, Sums& sums) {
   const GaussRule rule = gauss_legendre(order);
   const double half = 0.5 * (p.to - p.from), middle = 0.5 * (p.from + p.to);
   for (int i = 0; i < order; ++i) {
@@ -66,31 +62,13 @@ void add_panel(const Job& job, const Expansion& x, const Panel& p, bool own, int
   }
 }
 
-// Does the rule do on this panel? In the disc about its middle that holds the panel's ellipse neither x -
-// source (q in the source's own panel) nor dx/deta of J may vanish; both by the triangle inequality. The latter also where
-// g is not wanted: h must not depend on what else is.
-bool resolved(const Job& job, const Expansion& x, const Panel& p, bool own) {
-  const double t = p.sign * 0.5 * (p.from + p.to), radius = job.in.semi_axis * 0.5 * (p.to - p.from);
-  double at[2], d1[2], d2[2], d3[2];
-  for (int i = 0; i < 2; ++i) {
-    const double b1 = x.b[0][i], b2 = x.b[1][i], b3 = x.b[2][i];
-    const double q = b1 + t * (b2 + t * b3);
-    at[i] = own ? q : x.delta[i] + t * q;
-    d1[i] = own ? b2 + 2.0 * t * b3 : b1 + t * (2.0 * b2 + 3.0 * t * b3);
-    d2[i] = own ? b3 : b2 + 3.0 * t * b3;
-    d3[i] = own ? 0.0 : b3;
-  }
-  if (!(length(at) > radius * (length(d1) + radius * (length(d2) + radius * length(d3))))) return false;
-  return has_no_zero(job.in.d, x.origin + t, radius);
-}
-
 // One side of the origin, |tau| from 0 to `end`. The loops are bounded; the bounds are out of reach unless
 // the source lies on the element without being a node of it.
 void add_side(const Job& job, const Expansion& x, double sign, double end, Sums& sums) {
-  Panel p = {0.0, end, sign};
+  Stretch p = {0.0, end, sign};
   for (int panel = 0; panel < 200 && p.from < end; ++panel) {
     const bool own = job.singular >= 0 && panel == 0;
-    for (int cut = 0; cut < 100 && !resolved(job, x, p, own); ++cut) p.to = p.from + 0.7 * (p.to - p.from);
+    for (int cut = 0; cut < 100 && !resolved(job.in, x, p, own); ++cut) p.to = p.from + 0.7 * (p.to - p.from);
     add_panel(job, x, p, own, kNearOrder, sums);
     const double next = p.to + 5.0 * (p.to - p.from);
     p.from = p.to;
@@ -107,7 +85,7 @@ double distance2(const Expansion& x, double tau) {
 
 // Parameter, relative to the expansion's origin and within [lo, hi], close to the point nearest to the
 // source: real part of the complex root of x = source by Newton's method, if that is nearer than the best of
-// a few points.
+// a few points. (Small code makes do with the point itself, from which there are more panels.)
 double nearest(const Expansion& x, double lo, double hi) {
   double best = 0.0, best2 = distance2(x, 0.0);
   for (int i = 0; i <= 8; ++i) {
@@ -170,13 +148,28 @@ void add_near(const Job& job, double sx, double sy, Sums& sums) {
   Expansion end = expand(job.in, first ? -1.0 : 1.0, sx, sy, false);
   for (int i = 0; i < 2; ++i) end.delta[i] = first ? a[i] : b[i];
   const double lo = first ? 0.0 : -2.0, hi = first ? 2.0 : 0.0;
-  const double tau = nearest(end, lo, hi);
+  const double tau = kSmallCode ? nearest_point(e, sx, sy).eta - end.origin : nearest(end, lo, hi);
   const Expansion x = moved(end, tau);
   if (tau < hi) add_side(job, x, 1.0, hi - tau, sums);
   if (tau > lo) add_side(job, x, -1.0, tau - lo, sums);
 }
 
 } // namespace
+
+bool resolved(const Integrator& in, const Expansion& x, const Stretch& p, bool own) {
+  const double t = p.sign * 0.5 * (p.from + p.to), radius = in.semi_axis * 0.5 * (p.to - p.from);
+  double at[2], d1[2], d2[2], d3[2];
+  for (int i = 0; i < 2; ++i) {
+    const double b1 = x.b[0][i], b2 = x.b[1][i], b3 = x.b[2][i];
+    const double q = b1 + t * (b2 + t * b3);
+    at[i] = own ? q : x.delta[i] + t * q;
+    d1[i] = own ? b2 + 2.0 * t * b3 : b1 + t * (2.0 * b2 + 3.0 * t * b3);
+    d2[i] = own ? b3 : b2 + 3.0 * t * b3;
+    d3[i] = own ? 0.0 : b3;
+  }
+  if (!(length(at) > radius * (length(d1) + radius * (length(d2) + radius * length(d3))))) return false;
+  return has_no_zero(in.d, x.origin + t, radius);
+}
 
 void integrate_curved(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g,
                       Blocks& out) {
@@ -194,7 +187,7 @@ void integrate_curved(const Integrator& in, double sx, double sy, int singular, 
     while (i < kFarOrderCount && r2 <= in.reach2[i]) ++i;
     if (i < kFarOrderCount) {
       add_panel(job, x, {-1.0, 1.0, 1.0}, false, kFarOrders[i], sums);
-    } else if (resolved(job, x, {0.0, 1.0, 1.0}, false) && resolved(job, x, {0.0, 1.0, -1.0}, false)) {
+    } else if (resolved(in, x, {0.0, 1.0, 1.0}, false) && resolved(in, x, {0.0, 1.0, -1.0}, false)) {
       add_panel(job, x, {0.0, 1.0, 1.0}, false, kNearOrder, sums);
       add_panel(job, x, {0.0, 1.0, -1.0}, false, kNearOrder, sums);
     } else {

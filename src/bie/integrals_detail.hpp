@@ -28,6 +28,17 @@ struct Sample {
   double rx, ry, nx, ny, jacobian;
 };
 
+// A panel: part of an element on one side of an expansion's origin.
+struct Stretch {
+  double from, to; // |tau|; on both sides from < 0
+  double sign;     // side of the origin
+};
+
+// Does the rule do on the panel? In the disc about its middle that holds the panel's ellipse neither x -
+// source (q in the source's own panel) nor dx/deta of J may vanish; both by the triangle inequality. The latter also where
+// g is not wanted: h must not depend on what else is.
+bool resolved(const Integrator& in, const Expansion& x, const Stretch& p, bool own);
+
 // Blocks under way, divided by k.
 struct Sums {
   Tensor h[4];

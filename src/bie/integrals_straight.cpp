@@ -7,6 +7,7 @@
 #include "bie/kernels.hpp"
 #include "bie/shape.hpp"
 #include "bie/straight_moments.hpp"
+#include "memory/small_code.hpp"
 
 namespace c2d {
 namespace {
@@ -89,7 +90,7 @@ void integrate_straight(const Integrator& in, double sx, double sy, int singular
   }
   const SeenPoint s = see(in, sx, sy);
   Moments m;
-  if (in.functions == 2) {
+  if (!kSmallCode && in.functions == 2) {
     find_moments(s, 2, want_g, m);
     store_linear(in, s.z.im, m, want_h, want_g, out);
     return;

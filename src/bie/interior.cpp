@@ -57,11 +57,7 @@ Complex polynomial(const Complex* c, int n, double eta) {
   return sum;
 }
 
-struct Panel { // parameters from the expansion's origin
-  double from, to;
-};
-
-void add_panel(const FieldElement& e, Complex reference, const Expansion& x, const Panel& panel, int order,
+void add_panel(const FieldElement& e, Complex reference, const Expansion& x, const Stretch& panel, int order,
                PointField& sum) {
   const GaussRule rule = gauss_legendre(order);
   const double half = 0.5 * (panel.to - panel.from), middle = 0.5 * (panel.from + panel.to);
@@ -80,21 +76,6 @@ void add_panel(const FieldElement& e, Complex reference, const Expansion& x, con
   }
 }
 
-// Neither x - P nor the measure vanishes in the disc round the panel's middle that holds the rule's ellipse, by the
-// triangle inequality.
-bool resolved(const FieldElement& e, const Expansion& x, const Panel& panel) {
-  const double t = 0.5 * (panel.from + panel.to), radius = e.in.semi_axis * 0.5 * (panel.to - panel.from);
-  double at[2], d1[2], d2[2];
-  for (int i = 0; i < 2; ++i) {
-    const double b1 = x.b[0][i], b2 = x.b[1][i], b3 = x.b[2][i];
-    at[i] = x.delta[i] + t * (b1 + t * (b2 + t * b3));
-    d1[i] = b1 + t * (2.0 * b2 + 3.0 * t * b3);
-    d2[i] = b2 + 3.0 * t * b3;
-  }
-  const double bound = hypot(d1[0], d1[1]) + radius * (hypot(d2[0], d2[1]) + radius * hypot(x.b[2][0], x.b[2][1]));
-  return hypot(at[0], at[1]) > radius * bound && has_no_zero(e.in.d, x.origin + t, radius);
-}
-
 // One rule far away; else panels that shrink on the way to the nearest point and grow behind it, with parameters counted
 // from there, so that the rounding of the distance is the same for all. The bounds of the loops are out of reach for
 // points off the boundary.
@@ -102,16 +83,16 @@ void add_field_curved(const FieldElement& e, Complex reference, double px, doubl
   const double x0 = e.in.element.c[0][0] - px, y0 = e.in.element.c[0][1] - py, r2 = x0 * x0 + y0 * y0;
   for (int i = 0; i < kFarOrderCount; ++i)
     if (r2 > e.in.reach2[i])
-      return add_panel(e, reference, expand(e.in, 0.0, px, py, false), {-1.0, 1.0}, kFarOrders[i], sum);
+      return add_panel(e, reference, expand(e.in, 0.0, px, py, false), {-1.0, 1.0, 1.0}, kFarOrders[i], sum);
   const double origin = nearest_point(e.in.element, px, py).eta, end = 1.0 - origin;
   const Expansion x = expand(e.in, origin, px, py, false);
-  Panel panel = {-1.0 - origin, end};
+  Stretch panel = {-1.0 - origin, end, 1.0};
   for (int count = 0; count < 400 && panel.from < end; ++count) {
-    for (int cut = 0; cut < 100 && !resolved(e, x, panel); ++cut)
+    for (int cut = 0; cut < 100 && !resolved(e.in, x, panel, false); ++cut)
       panel.to = panel.from + 0.7 * (panel.to - panel.from);
     add_panel(e, reference, x, panel, kNearOrder, sum);
     const double next = panel.to + 5.0 * (panel.to - panel.from);
-    panel = {panel.to, next < end ? next : end};
+    panel = {panel.to, next < end ? next : end, 1.0};
   }
 }
 
@@ -164,54 +145,6 @@ double winding(const Integrator& in, double x, double y) {
   double sum[2][2];
   rigid_sum(in, x, y, -1, sum);
   return -0.5 * (sum[0][0] + sum[1][1]);
-}
-
-namespace {
-
-struct Offset { // of a point of the element from P, with derivatives
-  double rx, ry, dx, dy, ddx, ddy;
-  double distance2() const { return rx * rx + ry * ry; }
-};
-
-Offset offset_at(const Element& e, double eta, double x, double y) {
-  const double(&c)[4][2] = e.c;
-  return {(c[0][0] - x) + eta * (c[1][0] + eta * (c[2][0] + eta * c[3][0])),
-          (c[0][1] - y) + eta * (c[1][1] + eta * (c[2][1] + eta * c[3][1])),
-          c[1][0] + eta * (2.0 * c[2][0] + 3.0 * eta * c[3][0]),
-          c[1][1] + eta * (2.0 * c[2][1] + 3.0 * eta * c[3][1]),
-          2.0 * c[2][0] + 6.0 * eta * c[3][0],
-          2.0 * c[2][1] + 6.0 * eta * c[3][1]};
-}
-
-double clamped(double eta) { return eta < -1.0 ? -1.0 : (eta > 1.0 ? 1.0 : eta); }
-
-// Newton's step on the squared distance; without curvature where that would lead to a maximum. Exact on a straight
-// element.
-double newton_step(const Offset& o) {
-  const double slope = o.rx * o.dx + o.ry * o.dy, speed = o.dx * o.dx + o.dy * o.dy;
-  const double curvature = speed + o.rx * o.ddx + o.ry * o.ddy;
-  const double divisor = curvature > 0.1 * speed ? curvature : speed;
-  return divisor > 0.0 ? slope / divisor : 0.0;
-}
-
-} // namespace
-
-Nearest nearest_point(const Element& e, double x, double y) {
-  double best = 0.0, best2 = offset_at(e, 0.0, x, y).distance2();
-  for (int i = 0; i <= 8 && !e.straight; ++i) {
-    const double eta = -1.0 + 0.25 * i, d2 = offset_at(e, eta, x, y).distance2();
-    if (!(d2 < best2)) continue;
-    best = eta;
-    best2 = d2;
-  }
-  for (int i = 0; i < 20; ++i) {
-    const double eta = clamped(best - newton_step(offset_at(e, best, x, y)));
-    const double d2 = offset_at(e, eta, x, y).distance2();
-    if (!(d2 < best2)) break;
-    best = eta;
-    best2 = d2;
-  }
-  return {best, sqrt(best2)};
 }
 
 } // namespace c2d

@@ -44,10 +44,4 @@ void add_force_field(Complex force, double nu, double fx, double fy, double x, d
 // The element's share in the number of times that the boundary winds round a point off it.
 double winding(const Integrator& in, double x, double y);
 
-// The point of an element nearest to (x, y).
-struct Nearest {
-  double eta, distance;
-};
-Nearest nearest_point(const Element& element, double x, double y);
-
 } // namespace c2d

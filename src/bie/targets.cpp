@@ -32,12 +32,23 @@ Destination traction_destination(const Model& m, int b, int32_t element, int l, 
   return out;
 }
 
+// A component at a local node of an element.
+struct Place {
+  int b;
+  int32_t element, node;
+  int l, component;
+};
+
 // Something of this destination falls into the range (for a prescribed one: is not zero in every case).
-template <class Value> bool wanted(const Model& m, const Destination& d, const Range& range, Value value) {
+bool wanted(const Model& m, const Destination& d, const Range& range, const Place& at, bool traction) {
   if (range.holds(d.target[0].column) || range.holds(d.target[1].column)) return true;
   if (!d.known || !range.holds_right()) return false;
-  for (int32_t k = 0; k < m.head->load_cases; ++k)
-    if (range.holds(range.right + k) && value(k) != 0.0) return true;
+  for (int32_t k = 0; k < m.head->load_cases; ++k) {
+    if (!range.holds(range.right + k)) continue;
+    const double value = traction ? known_traction(m, at.b, at.element, at.l, at.component, k)
+                                  : known_displacement(m, at.b, at.node, at.component, k);
+    if (value != 0.0) return true;
+  }
   return false;
 }
 
@@ -83,8 +94,8 @@ void aim(const Model& m, int b, int32_t element, const Range& range, ElementTarg
       const Unknown unknown = unknown_at(m, b, node, c);
       Destination& h = out.h[l][c] = displacement_destination(m, b, node, c, unknown);
       Destination& g = out.g[l][c] = traction_destination(m, b, element, l, c, unknown, pair);
-      const bool want_h = wanted(m, h, range, [&](int32_t k) { return known_displacement(m, b, node, c, k); });
-      const bool want_g = wanted(m, g, range, [&](int32_t k) { return known_traction(m, b, element, l, c, k); });
+      const Place at{b, element, node, l, c};
+      const bool want_h = wanted(m, h, range, at, false), want_g = wanted(m, g, range, at, true);
       if (!want_h) h = nowhere();
       if (!want_g) g = nowhere();
       out.want_h = out.want_h || want_h;

@@ -11,25 +11,26 @@ struct Buffers {
   Tapes& tapes;
   unsigned char* base;
   uint64_t step;  // bytes from one to the next
-  int32_t count;
+  int32_t made;   // how many there are
   int32_t next;   // in turn
   BlockTransfer transfer[kMostBuffers];
 
   unsigned char* at(int32_t slot) const { return base + step * static_cast<uint64_t>(slot); }
-  bool ahead() const { return count > 1; }
+  int32_t count() const { return kMostBuffers == 1 ? 1 : made; }
+  bool ahead() const { return count() > 1; }
 };
 
 // The buffer in turn, once what was under way there has ended.
 c2d_status take_buffer(Buffers& buffers, int32_t* slot) {
   *slot = buffers.next;
-  buffers.next = (buffers.next + 1) % buffers.count;
+  buffers.next = (buffers.next + 1) % buffers.count();
   return finish_transfer(buffers.tapes, buffers.transfer[*slot]);
 }
 
 // Nothing is under way when this returns: the error there was already, or the first that turns up.
 c2d_status finish_all(Buffers& buffers, c2d_status status) {
-  for (int32_t turn = 0; turn < buffers.count; ++turn) {
-    const int32_t slot = (buffers.next + turn) % buffers.count; // the oldest first
+  for (int32_t turn = 0; turn < buffers.count(); ++turn) {
+    const int32_t slot = (buffers.next + turn) % buffers.count(); // the oldest first
     if (status == C2D_OK)
       status = finish_transfer(buffers.tapes, buffers.transfer[slot]);
     else
@@ -78,8 +79,8 @@ c2d_status next_block(Pass& pass, Chunk& chunk, const Real** data) {
   Buffers& buffers = pass.buffers;
   const EliminationPlan& plan = pass.plan;
   const bool lower = pass.tape == C2D_TAPE_LOWER;
-  for (; pass.under_way < buffers.count && pass.wanted(pass.ahead); ++pass.under_way) {
-    const int32_t slot = (buffers.next + pass.under_way) % buffers.count;
+  for (; pass.under_way < buffers.count() && pass.wanted(pass.ahead); ++pass.under_way) {
+    const int32_t slot = (buffers.next + pass.under_way) % buffers.count();
     c2d_status status = finish_transfer(buffers.tapes, buffers.transfer[slot]);
     if (status != C2D_OK) return status;
     status = start_transfer(buffers.tapes, buffers.transfer[slot], BlockTransfer::read, pass.tape,

@@ -3,20 +3,10 @@
 // `rows` x `cols` numbers that stay in registers: A comes in slices of `rows` rows, B packed, row by row in
 // slices of `cols` columns. Everything around them (blocking, packing, edges) is common: product.cpp, lu.cpp.
 #include "memory/real.hpp"
+#include "memory/small_code.hpp"
 #include <stdint.h>
 
-// Small code, as firmware wants it: the plain form alone. -Os asks for it too.
-#if defined(__OPTIMIZE_SIZE__) && !defined(C2D_SMALL)
-#define C2D_SMALL
-#endif
-
 namespace c2d {
-
-#ifdef C2D_SMALL
-constexpr bool kSmallCode = true;
-#else
-constexpr bool kSmallCode = false;
-#endif
 
 struct Kernel {
   int32_t rows, cols; // of a tile

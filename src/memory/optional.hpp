@@ -1,6 +1,7 @@
 #pragma once
-// Parts of the core that only some models need: free zones, body forces, a rigid body 1, symmetry, energies. A linker
-// leaves them out where no call that declares one is linked (README, "On a microcontroller").
+// Parts of the core that only some models or programs need: free zones, body forces, a rigid body 1, symmetry, what the
+// summary tells, new loads. A linker leaves them out where no call that declares one is linked (README, "On a
+// microcontroller").
 //
 // A part has object files of its own. Who uses it where a model has one names what it calls with C2D_OPTIONAL: such a
 // reference brings no object file into a link. The call that declares the part names one function of each of its files

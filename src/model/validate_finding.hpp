@@ -1,10 +1,15 @@
 #pragma once
 // One fault or warning while it is being put together. The text is written in place, so a Finding never
 // moves.
+#include "memory/small_code.hpp"
 #include "memory/text.hpp"
 #include "model/validate.hpp"
 
 namespace c2d {
+
+// Every call refuses numbers that are none and places that are not there (solver/..._calls.cpp). Where a model is put
+// together they are looked at once more, but in small code.
+constexpr bool kOnceMore = !kSmallCode;
 
 struct Finding {
   Finding(); // a fault

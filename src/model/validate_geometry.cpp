@@ -1,4 +1,5 @@
 // Are the boundaries proper closed curves with the material on their left?
+#include "memory/small_code.hpp"
 #include "model/geometry.hpp"
 #include "model/validate.hpp"
 #include "model/validate_finding.hpp"

@@ -1,9 +1,9 @@
 // Memory: how much, and the solver made in it.
+#include <stddef.h>
 #include <string.h>
 
 #include "memory/hostile.hpp"
 #include "memory/text.hpp"
-#include "solver/hostile_port.hpp"
 #include "solver/phases.hpp"
 #include "solver/solver.hpp"
 
@@ -31,10 +31,10 @@ c2d_status aligned_need(const Sizes& sizes, Layout& layout, uint64_t* minimum, u
   return *minimum > SIZE_MAX - kAlignment ? C2D_ERR_OVERFLOW : C2D_OK;
 }
 
-// The hostile build: panels of its width and no more memory than they need with two buffers, if there is that much.
+// The hostile build: panels of its width and no more memory than they need, if there is that much.
 void make_tiny(c2d_limits& limits, Sizes& sizes, Layout& layout, size_t& bytes) {
   c2d_limits narrow = limits;
-  if (narrow.panel_columns == 0) narrow.panel_columns = hostile_width();
+  if (narrow.panel_columns == 0) narrow.panel_columns = kHostileWidth;
   Sizes narrow_sizes;
   Layout narrow_layout;
   uint64_t least = 0, most = 0;
@@ -44,9 +44,7 @@ void make_tiny(c2d_limits& limits, Sizes& sizes, Layout& layout, size_t& bytes) 
   limits = narrow;
   sizes = narrow_sizes;
   layout = narrow_layout;
-  const int64_t rows = sizes.body[0].rows > sizes.body[1].rows ? sizes.body[0].rows : sizes.body[1].rows;
-  least += kAlignment - 1 + round_up(kBlockHeaderBytes + static_cast<uint64_t>(rows) * sizeof(Real));
-  if (least < bytes) bytes = static_cast<size_t>(least);
+  bytes = static_cast<size_t>(least + kAlignment - 1);
 }
 
 void fill_header(c2d_solver* s, uint64_t bytes, uint32_t slack, const c2d_limits& limits, const Sizes& sizes,
@@ -59,7 +57,6 @@ void fill_header(c2d_solver* s, uint64_t bytes, uint32_t slack, const c2d_limits
   s->limits = limits;
   s->sizes = sizes;
   s->layout = layout;
-  s->peak_bytes = layout.persistent;
   s->options.struct_size = static_cast<uint32_t>(sizeof s->options);
   s->error = blank_error();
 }
@@ -81,25 +78,15 @@ void explain(c2d_error* why, c2d_status status, uint64_t needed, const char* wha
 }
 
 void clear_model(c2d_solver* s) {
-  // Keep what c2d_last_error tells; forget everything else but memory, limits, options and port.
-  const c2d_error error = s->error;
+  // What stands before the model stays: memory, limits, port and tapes, and what c2d_last_error tells; options do too.
   const c2d_options options = s->options;
-  const c2d_port port = s->port;
-  const Tapes tapes = s->tapes;
-  const int32_t has_fault = s->has_fault, warnings = s->warnings, cancelled = s->cancelled;
-  const c2d_limits limits = s->limits;
-  const Sizes sizes = s->sizes;
-  const Layout layout = s->layout;
-  const uint64_t saves = s->saves;
-  fill_header(s, s->bytes, s->slack, limits, sizes, layout);
-  s->saves = saves;
-  s->error = error;
+  const int32_t warnings = s->warnings;
+  memset(static_cast<void*>(&s->model), 0, sizeof *s - offsetof(c2d_solver, model));
+  s->state = C2D_STATE_EMPTY;
+  s->busy = 0;
+  s->peak_bytes = s->layout.persistent;
   s->options = options;
-  s->port = port;
-  s->tapes = tapes;
-  s->has_fault = has_fault;
   s->warnings = warnings;
-  s->cancelled = cancelled;
   s->model.function_nodes = s->sizes.function_nodes;
   s->model.load_cases = s->sizes.load_cases;
   s->model.length_unit = s->model.stress_unit = 1.0;
@@ -159,7 +146,6 @@ extern "C" c2d_status c2d_create(c2d_solver** out, void* memory, size_t bytes, c
   c2d_solver* s = reinterpret_cast<c2d_solver*>(static_cast<char*>(memory) + slack);
   fill_header(s, bytes - (kAlignment - 1), slack, ours, sizes, layout); // so that it may move to any alignment
   s->port = our_port;
-  make_tasks_hostile(s->port);
   s->tapes.port = &s->port;
   s->tapes.busy = &s->busy;
   clear_model(s);

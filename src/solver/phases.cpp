@@ -1,7 +1,5 @@
 #include "solver/phases.hpp"
 
-#include "memory/hostile.hpp"
-
 namespace c2d {
 
 namespace {
@@ -49,15 +47,23 @@ EliminationPlan plan_of(const PhaseSizes& s, int b, int32_t panel_columns, int32
                          static_cast<int32_t>(2 * s.m + s.cases), panel_columns, block_columns, 0, 0, 0, 0};
 }
 
-uint64_t elimination_area(const PhaseSizes& s, int b, const EliminationPlan& plan, char* base,
-                          EliminationArea* out) {
-  Carver carver{base, 0, true};
-  EliminationArea area{};
+namespace {
+
+void take_beside_elimination(Carver& carver, const PhaseSizes& s, int b, EliminationArea& area) {
   carver.take(area.diagonal, 4 * s.nodes[b]);
   carver.take(area.point, 2 * s.nodes[b]);
   carver.take(area.twin, s.nodes[b]);
   carver.take_bytes(area.scratch, C2D_ASSEMBLY_BYTES);
   carver.take_bytes(area.buffer, contact_buffer_bytes(s.m));
+}
+
+} // namespace
+
+uint64_t elimination_area(const PhaseSizes& s, int b, const EliminationPlan& plan, char* base,
+                          EliminationArea* out) {
+  Carver carver{base, 0, true};
+  EliminationArea area{};
+  take_beside_elimination(carver, s, b, area);
   carver.take_bytes(area.work, elimination_bytes(plan));
   if (out) *out = area;
   return carver.total();
@@ -122,9 +128,10 @@ namespace {
 
 // What elimination_area holds beside the work of the elimination.
 uint64_t beside_elimination(const PhaseSizes& s, int b) {
-  const uint64_t nodes = static_cast<uint64_t>(s.nodes[b]);
-  return round_up(4 * nodes * sizeof(double)) + round_up(2 * nodes * sizeof(double)) +
-         round_up(nodes * sizeof(int32_t)) + round_up(C2D_ASSEMBLY_BYTES) + round_up(contact_buffer_bytes(s.m));
+  Carver carver{nullptr, 0, true};
+  EliminationArea area{};
+  take_beside_elimination(carver, s, b, area);
+  return carver.total();
 }
 
 int64_t all_columns(const PhaseSizes& s, int b) { return s.outer[b] + 2 * s.m + s.cases; }
@@ -151,17 +158,6 @@ c2d_status plan_within(const PhaseSizes& s, uint64_t bytes, int32_t forced, Elim
   return C2D_OK;
 }
 
-// The hostile build: whole blocks go through two buffers where there is room for that, with transfers on their way.
-void double_buffers(const PhaseSizes& s, uint64_t bytes, EliminationPlan plan[2]) {
-  for (int b = 0; b < 2 && kHostile; ++b)
-    for (int32_t width = plan[b].block_columns; s.rows[b] > 0 && plan[b].block_rows == 0 && width > 0; width /= 2) {
-      const EliminationPlan single = plan[b];
-      plan[b].block_rows = plan[b].rows;
-      plan[b].block_columns = width;
-      if (phases_use(s, plan, false) > bytes) plan[b] = single;
-    }
-}
-
 } // namespace
 
 c2d_status choose_plans(const PhaseSizes& s, uint64_t bytes, int32_t forced, EliminationPlan out[2],
@@ -174,7 +170,6 @@ c2d_status choose_plans(const PhaseSizes& s, uint64_t bytes, int32_t forced, Eli
     const c2d_status status = plan_within(s, share, forced, out);
     if (status != C2D_OK) break;
     if (phases_use(s, out, false) <= bytes) {
-      double_buffers(s, bytes, out);
       *flexibility = phases_use(s, out, true) <= bytes;
       return C2D_OK;
     }
@@ -182,7 +177,6 @@ c2d_status choose_plans(const PhaseSizes& s, uint64_t bytes, int32_t forced, Eli
   }
   narrow_plans(s, forced, out);
   if (phases_use(s, out, false) > bytes) return C2D_ERR_MEMORY;
-  double_buffers(s, bytes, out);
   *flexibility = phases_use(s, out, true) <= bytes;
   return C2D_OK;
 }

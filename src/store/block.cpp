@@ -1,5 +1,6 @@
 #include "store/block.hpp"
 #include "memory/real.hpp"
+#include "memory/small_code.hpp"
 #include <string.h>
 
 namespace c2d {
@@ -49,6 +50,18 @@ uint64_t load_word(const unsigned char* p) {
 uint64_t take(uint64_t state, uint64_t word) {
   state = (state ^ word) * kMultiplier;
   return state ^ (state >> 32);
+}
+
+// A word in each lane; spelt out, so that lanes stay in registers.
+inline void take_four(uint64_t lane[4], const unsigned char* p) {
+  if (kSmallCode) {
+    for (int i = 0; i < 4; ++i) lane[i] = take(lane[i], load_word(p + 8 * i));
+    return;
+  }
+  lane[0] = take(lane[0], load_word(p));
+  lane[1] = take(lane[1], load_word(p + 8));
+  lane[2] = take(lane[2], load_word(p + 16));
+  lane[3] = take(lane[3], load_word(p + 24));
 }
 
 uint64_t end_bytes(uint64_t length) {
@@ -116,15 +129,10 @@ uint64_t mix(uint64_t word) {
 uint64_t checksum(uint64_t start, const void* bytes, uint64_t count) {
   const unsigned char* p = static_cast<const unsigned char*>(bytes);
   // Four lanes, because a multiplication can start before the one before it has ended.
-  uint64_t a = start, b = ~start, c = start + kMultiplier, d = start - kMultiplier;
+  uint64_t lane[4] = {start, ~start, start + kMultiplier, start - kMultiplier};
   uint64_t left = count;
-  for (; left >= 32; left -= 32, p += 32) {
-    a = take(a, load_word(p));
-    b = take(b, load_word(p + 8));
-    c = take(c, load_word(p + 16));
-    d = take(d, load_word(p + 24));
-  }
-  uint64_t sum = mix(take(take(take(a, b), c), d));
+  for (; left >= 32; left -= 32, p += 32) take_four(lane, p);
+  uint64_t sum = mix(take(take(take(lane[0], lane[1]), lane[2]), lane[3]));
   for (; left >= 8; left -= 8, p += 8) sum = take(sum, load_word(p));
   sum = take(sum, load(p, static_cast<size_t>(left)));
   return mix(take(sum, count));

@@ -1,4 +1,5 @@
 #include "store/tapes.hpp"
+#include "memory/small_code.hpp"
 #include "memory/text.hpp"
 #include <string.h>
 
@@ -153,7 +154,7 @@ c2d_status start_labelled(Tapes& tapes, BlockTransfer& transfer, BlockTransfer::
   const c2d_status status = check_transfer(tapes, label.tape, label.block, label.length);
   if (status != C2D_OK) return status;
   const c2d_port& port = *tapes.port;
-  ahead = ahead && port.start_read && port.start_write && port.wait;
+  ahead = !kSmallCode && ahead && port.start_read && port.start_write && port.wait;
   const uint64_t bytes = kBlockHeaderBytes + label.length;
   const bool writes = kind == BlockTransfer::write;
   transfer = {label, buffer, kind, 0, 0, false};
@@ -214,7 +215,7 @@ c2d_status start_transfer(Tapes& tapes, BlockTransfer& transfer, BlockTransfer::
 
 void abandon_transfer(Tapes& tapes, BlockTransfer& transfer) {
   transfer.kind = BlockTransfer::none;
-  if (!transfer.waiting) return;
+  if (kSmallCode || !transfer.waiting) return;
   transfer.waiting = false;
   const AtWork at_work(tapes);
   transfer.code = tapes.port->wait(tapes.port->context, transfer.ticket);

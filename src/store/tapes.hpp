@@ -55,7 +55,7 @@ constexpr int32_t kMostTransfers = 4;
 
 // Begin to read or write a block of data_bytes bytes, buffer as in write_block. Without `ahead`, or without the port's
 // start_read, start_write and wait, the transfer happens now. What fails at once is told at once; what was read is judged
-// by finish_transfer. `transfer` is one that is not under way.
+// by finish_transfer. `transfer` is one that is not under way. Small code never asks ahead (memory/small_code.hpp).
 c2d_status start_transfer(Tapes& tapes, BlockTransfer& transfer, BlockTransfer::Kind kind, int32_t tape, uint64_t block,
                           void* buffer, uint64_t data_bytes, bool ahead);
 // Wait for it, judge what was read, count it. Then the buffer holds the data. Errors as write_block and read_block.
