@@ -70,12 +70,14 @@ KERNEL_kernel_avx2 := -mavx2 -mfma
 KERNEL_kernel_avx512 := -mavx512f -mfma
 endif
 kernel_flags = $(if $(findstring /kernel_,$(1)),-ffp-contract=fast $(KERNEL_$(basename $(notdir $(1)))))
+# tests/hostile.mk
+hostile_flags = $(if $(HOSTILE_WIDTH),$(if $(findstring /hostile_,$(1)),-UC2D_HOSTILE -DC2D_HOSTILE=$(HOSTILE_WIDTH)))
 define compile
 $(call object,$(1)): $(1) $(BUILD)/flags Makefile
 	$(if $(filter %.c,$(1)),$(CC) $(CPPFLAGS) $(INCLUDES) -std=c99 -Wall -Wextra -Wpedantic $(CFLAGS) -fPIC,\
 	  $(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(EXACT) $(2)) $(DEPS) -c $(1) -o $$@
 endef
-$(foreach s,$(CORE_SOURCES) $(PORT_SOURCES),$(eval $(call compile,$(s),$(CORE_ONLY) $(call kernel_flags,$(s)))))
+$(foreach s,$(CORE_SOURCES) $(PORT_SOURCES),$(eval $(call compile,$(s),$(CORE_ONLY) $(call kernel_flags,$(s)) $(call hostile_flags,$(s)))))
 $(foreach s,$(REPORT_SOURCES) $(PROGRAM_SOURCES) $(CHAPTER9_SOURCES),$(eval $(call compile,$(s),)))
 
 $(LIBRARY): $(CORE_OBJECTS) $(PORT_OBJECTS) src/sources.mk
@@ -205,7 +207,7 @@ uninstall:
 
 clean:
 	rm -rf $(BUILD)/obj $(BUILD)/tests $(BUILD)/demo $(BUILD)/bench $(BUILD)/convergence $(BUILD)/chapter9 \
-	  $(BUILD)/embedded $(BUILD)/hostile-* $(BUILD)/cross $(BUILD)/amalgamation $(BUILD)/deb
+	  $(BUILD)/embedded $(BUILD)/hostile $(BUILD)/cross $(BUILD)/amalgamation $(BUILD)/deb
 	rm -f $(LIBRARY) $(BUILD)/libcontact2d.so.* $(PROGRAM) $(BUILD)/flags
 	-rmdir $(BUILD) 2>/dev/null || true
 

@@ -112,6 +112,7 @@ CORE_SOURCES += src/solver/energy_functionals.cpp
 CORE_SOURCES += src/solver/energy_loads.cpp
 CORE_SOURCES += src/solver/entry.cpp
 CORE_SOURCES += src/solver/free_zone_calls.cpp
+CORE_SOURCES += src/solver/hostile_port.cpp
 CORE_SOURCES += src/solver/interior.cpp
 CORE_SOURCES += src/solver/interior_placing.cpp
 CORE_SOURCES += src/solver/load_calls.cpp

@@ -16,15 +16,14 @@ struct Engine {
 };
 constexpr Engine kPlainEngine = {nullptr, nullptr, 0, nullptr, kAlone};
 
-// Products go over up to kDepth of the inner index at a time. Of B, up to kWidth columns are packed at a time, which stay
-// in the second-level cache (a block of 256: 768 KiB), of A kSlices slices of a tile's rows (24 to 72 KiB each), which
-// come from there fast enough for the tiles. Measured at n = 2000 and 4000: half the depth or width costs 5 %, by fetching
-// C or packing A twice as often; one slice of A in place of four costs 5 %.
-constexpr int32_t kDepth = 384, kWidth = 384, kSlices = 4;
+// Products go over up to kDepth of the inner index at a time. Of B, up to kWidth columns are packed at a time, more where
+// the inner index is shorter, which stay in or near the second-level cache (a block of 256: 768 KiB), of A up to kBand rows
+// (98 to 295 KB), which come from there fast enough for the tiles. Measured at n = 2000 and 4000: half the depth or width
+// costs 5 %, by fetching C or packing A twice as often; a band of 24 rows costs 5 %, with tiles of 4 rows more.
+constexpr int32_t kDepth = 384, kWidth = 384, kBand = 96;
 // Numbers of scratch with which engines of any kernel run at full speed on k x n right factors.
-constexpr int64_t kMostTileRows = 24 * static_cast<int64_t>(sizeof(double) / sizeof(Real));
 constexpr int64_t full_scratch(int64_t k, int64_t n) {
-  return (k < kDepth ? k : kDepth) * (kSlices * kMostTileRows + (n < kWidth ? (n + 7) / 8 * 8 : kWidth));
+  return (k < kDepth ? k : kDepth) * (kBand + (n < kWidth ? (n + 7) / 8 * 8 : kWidth));
 }
 // Scratch that packs k x n of a right factor at a time; more makes wider steps.
 int64_t engine_numbers(const Kernel* kernel, int32_t k, int32_t n);

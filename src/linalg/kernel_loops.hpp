@@ -39,12 +39,54 @@ inline LooseRow* row_at(Real* x) {
   return reinterpret_cast<LooseRow*>(x);
 }
 
-void tile(int32_t k, const Real* a, int64_t lda, const Real* b, Real* c, int64_t ldc) {
-  Vector sum[kCols][kVectors] = {};
+// What a tile is taken from at last comes nearer while its products are summed.
+inline void ask_for(Real* c, int64_t ldc) {
   for (int32_t j = 0; j < kCols; ++j) {
 #pragma GCC unroll 8
-    for (int32_t i = 0; i < kVectors; ++i) __builtin_prefetch(c + i * kLanes + j * ldc, 1);
+    for (int32_t i = 0; i < kVectors; i += 64 / C2D_VECTOR_BYTES) __builtin_prefetch(c + i * kLanes + j * ldc, 1);
   }
+}
+
+#if defined(__has_builtin)
+#if __has_builtin(__builtin_shufflevector)
+#define C2D_SHUFFLES
+#endif
+#endif
+#if defined(C2D_SHUFFLES) && C2D_VECTOR_BYTES == 16 && (!defined(C2D_REAL_BYTES) || C2D_REAL_BYTES == 8)
+static_assert(kLanes == 2, "C2D_REAL=float needs C2D_REAL_BYTES=4");
+// Two numbers to a vector: a column times two numbers of a row at once gives the sums of entries (0, 0) and (1, 1) of a
+// square, the column turned round those of (1, 0) and (0, 1). One exchange for each vector of A costs less than one
+// broadcast for each number of B: 0.80 of the peak in place of 0.67. The sums are the same.
+void tile(int32_t k, const Real* a, int64_t lda, const Real* b, Real* c, int64_t ldc) {
+  Vector along[kCols / 2][kVectors] = {}, across[kCols / 2][kVectors] = {};
+  ask_for(c, ldc);
+  for (int32_t p = 0; p < k; ++p) {
+#pragma GCC unroll 8
+    for (int32_t i = 0; i < kVectors; ++i) {
+      const Vector column = vector_at(a + i * kLanes)->v, turned = __builtin_shufflevector(column, column, 1, 0);
+#pragma GCC unroll 8
+      for (int32_t j = 0; j < kCols / 2; ++j) {
+        along[j][i] += column * vector_at(b + 2 * j)->v;
+        across[j][i] += turned * vector_at(b + 2 * j)->v;
+      }
+    }
+    a += lda;
+    b += kCols;
+  }
+#pragma GCC unroll 8
+  for (int32_t j = 0; j < kCols / 2; ++j) {
+#pragma GCC unroll 8
+    for (int32_t i = 0; i < kVectors; ++i) {
+      Real* at = c + i * kLanes + 2 * j * ldc;
+      vector_at(at)->v -= __builtin_shufflevector(along[j][i], across[j][i], 0, 2);
+      vector_at(at + ldc)->v -= __builtin_shufflevector(across[j][i], along[j][i], 1, 3);
+    }
+  }
+}
+#else
+void tile(int32_t k, const Real* a, int64_t lda, const Real* b, Real* c, int64_t ldc) {
+  Vector sum[kCols][kVectors] = {};
+  ask_for(c, ldc);
   for (int32_t p = 0; p < k; ++p) {
     Vector column[kVectors];
 #pragma GCC unroll 8
@@ -63,6 +105,7 @@ void tile(int32_t k, const Real* a, int64_t lda, const Real* b, Real* c, int64_t
     for (int32_t i = 0; i < kVectors; ++i) vector_at(c + i * kLanes + j * ldc)->v -= sum[j][i];
   }
 }
+#endif
 
 // kSolved rows stay in registers while the rows above them pass by, are freed from one another, and are stored once.
 constexpr int32_t kSolved = C2D_VECTOR_BYTES == 16 ? 4 : 8;
@@ -249,11 +292,12 @@ Real largest_entry(int32_t n, const Real* x) {
   return most_of(most_each[0] > most_each[1] ? most_each[0] : most_each[1]);
 }
 
+// What the next slice will ask for, the rows below, comes nearer meanwhile.
 void pack(int32_t k, const Real* a, int64_t lda, Real* to) {
   for (int32_t p = 0; p < k; ++p, a += lda, to += kVectors * kLanes) {
 #pragma GCC unroll 8
     for (int32_t v = 0; v < kVectors; ++v) {
-      __builtin_prefetch(a + v * kLanes + 6 * lda);
+      __builtin_prefetch(a + (kVectors + v) * kLanes, 0, 2);
       vector_at(to + v * kLanes)->v = vector_at(a + v * kLanes)->v;
     }
   }
@@ -261,11 +305,6 @@ void pack(int32_t k, const Real* a, int64_t lda, Real* to) {
 
 // A square of as many rows as a row is long changes places in registers: to interleave the first half of its rows with
 // the second, as many times as halves can be halved, transposes it.
-#if defined(__has_builtin)
-#if __has_builtin(__builtin_shufflevector)
-#define C2D_SHUFFLES
-#endif
-#endif
 #ifdef C2D_SHUFFLES
 inline void transpose(Row* x) {
   Row y[kCols];

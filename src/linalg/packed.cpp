@@ -28,10 +28,12 @@ Packing packing(const Engine& engine, int32_t k, int32_t n) {
   const int64_t for_depth = engine.numbers / (kernel.rows + kernel.cols);
   const int32_t depth = smaller(smaller(k, kDepth), for_depth > kDepth ? kDepth : static_cast<int32_t>(for_depth));
   const int64_t each = engine.numbers / (depth > 0 ? depth : 1); // numbers for each step of the inner index
+  const int32_t band = kBand / kernel.rows;
   const int64_t some = each / 4 / kernel.rows;
-  const int32_t slices = some < 1 ? 1 : (some > kSlices ? kSlices : static_cast<int32_t>(some));
+  const int32_t slices = some < 1 ? 1 : (some > band ? band : static_cast<int32_t>(some));
   const int64_t rest = each - static_cast<int64_t>(slices) * kernel.rows;
-  const int32_t width = rest > kWidth ? kWidth : static_cast<int32_t>(rest) / kernel.cols * kernel.cols;
+  const int64_t most = static_cast<int64_t>(kDepth) * kWidth / (depth > 0 ? depth : 1); // shallower, wider: as large
+  const int32_t width = static_cast<int32_t>(rest > most ? most : rest) / kernel.cols * kernel.cols;
   const int32_t wide = smaller(width, whole(n, kernel.cols));
   const int64_t left = static_cast<int64_t>(depth) * slices * kernel.rows, used = left + static_cast<int64_t>(depth) * wide;
   if (engine.used && used > *engine.used) *engine.used = used;
@@ -96,6 +98,11 @@ void edge(const Packing& p, int32_t m, int32_t n, int32_t k, const Real* left, c
   }
 }
 
+// Column p of what is packed next comes nearer.
+void ask_for(int32_t m, const Real* column) {
+  for (int32_t i = 0; i < m; i += 64 / static_cast<int32_t>(sizeof(Real))) __builtin_prefetch(column + i, 0, 2);
+}
+
 // C (m x n) -= A (m x k) times what is packed on the right. A few slices of A at a time: each column of C is met in
 // longer pieces, and each slice of B serves all of them while it is near.
 void product(const Packing& p, int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, const Right& right, Real* c,
@@ -108,7 +115,11 @@ void product(const Packing& p, int32_t m, int32_t n, int32_t k, const Real* a, i
     for (int32_t i = top; i < end; i += rows) {
       if (packed || end - i < rows) pack_left(p, smaller(rows, end - i), k, a + i, lda, p.left + (i - top) * k);
     }
+    const int32_t next = packed ? smaller(band, m - end) : 0;
+    int32_t asked = 0;
     for (int32_t j = 0; j < n; j += cols) {
+      for (const int64_t until = static_cast<int64_t>(j + cols) * k / n; asked < until && asked < k && next > 0; ++asked)
+        ask_for(next, a + end + asked * lda);
       for (int32_t i = top; i < end; i += rows) {
         const Real* left = p.left + (i - top) * k;
         Real* at = c + i + j * ldc;
@@ -153,7 +164,7 @@ void upper_once(const Packing& p, int32_t w, int32_t n, const Real* u, int64_t l
 
 int64_t engine_numbers(const Kernel* kernel, int32_t k, int32_t n) {
   const int32_t depth = smaller(k, kDepth), width = smaller(whole(n, kernel->cols), kWidth);
-  return static_cast<int64_t>(depth) * (kSlices * kernel->rows + width);
+  return static_cast<int64_t>(depth) * (kBand + width);
 }
 
 bool can_pack(const Engine& engine) {

@@ -1,8 +1,9 @@
 #pragma once
 // A build against the grain, for tests (`make hostile`): -DC2D_HOSTILE=width. Panels have that many columns where the
 // caller leaves the width to the library, a workspace counts as the least that will do, memory that holds nothing is
-// full of NaN and huge negative integers, promises inside the library are checked, and every preparation is preceded
-// by one whose block store fails. Without the macro all of this is nothing.
+// full of NaN and huge negative integers, promises inside the library are checked, transfers happen as late and tasks run
+// in as strange an order as they may (solver/hostile_port.hpp), and every preparation is preceded by one whose block store
+// fails. Without the macro all of this is nothing.
 #include <stdint.h>
 #include <string.h>
 
@@ -10,11 +11,9 @@ namespace c2d {
 
 #ifdef C2D_HOSTILE
 constexpr bool kHostile = true;
-constexpr int32_t kHostileWidth = C2D_HOSTILE;
 #define C2D_ASSERT(promise) ((promise) ? static_cast<void>(0) : __builtin_trap())
 #else
 constexpr bool kHostile = false;
-constexpr int32_t kHostileWidth = 0;
 #define C2D_ASSERT(promise) static_cast<void>(0)
 #endif
 

@@ -1,6 +1,7 @@
 // Back substitution: displacements and tractions of whole boundaries.
 #include "bie/columns.hpp"
 #include "memory/optional.hpp"
+#include "solver/hostile_port.hpp"
 #include "solver/rigid.hpp"
 #include "solver/transferred.hpp"
 
@@ -125,8 +126,10 @@ c2d_status back_substitute_body(Session& session, int b) {
     return C2D_OK;
   }
   trailing_coefficients(session, b, session.area.coefficient);
-  const c2d_status status = back_substitute(session.solver->plan[b], session.solver->tapes, session.area.coefficient,
-                                            session.area.outer, session.area.work);
+  Tapes& tapes = session.solver->tapes;
+  const HostilePort hostile(tapes);
+  const c2d_status status =
+      back_substitute(session.solver->plan[b], tapes, session.area.coefficient, session.area.outer, session.area.work);
   if (status != C2D_OK) return status;
   for (int i = 0; i < 3; ++i) session.solver->multiplier[b][i] = session.area.outer[m.head->body[b].columns + i];
   fill_displacements(session, b);

@@ -4,6 +4,7 @@
 
 #include "memory/hostile.hpp"
 #include "memory/text.hpp"
+#include "solver/hostile_port.hpp"
 #include "solver/phases.hpp"
 #include "solver/solver.hpp"
 
@@ -31,10 +32,10 @@ c2d_status aligned_need(const Sizes& sizes, Layout& layout, uint64_t* minimum, u
   return *minimum > SIZE_MAX - kAlignment ? C2D_ERR_OVERFLOW : C2D_OK;
 }
 
-// The hostile build: panels of its width and no more memory than they need, if there is that much.
+// The hostile build: panels of its width and no more memory than they need with two buffers, if there is that much.
 void make_tiny(c2d_limits& limits, Sizes& sizes, Layout& layout, size_t& bytes) {
   c2d_limits narrow = limits;
-  if (narrow.panel_columns == 0) narrow.panel_columns = kHostileWidth;
+  if (narrow.panel_columns == 0) narrow.panel_columns = hostile_width();
   Sizes narrow_sizes;
   Layout narrow_layout;
   uint64_t least = 0, most = 0;
@@ -44,7 +45,9 @@ void make_tiny(c2d_limits& limits, Sizes& sizes, Layout& layout, size_t& bytes) 
   limits = narrow;
   sizes = narrow_sizes;
   layout = narrow_layout;
-  bytes = static_cast<size_t>(least + kAlignment - 1);
+  const int64_t rows = sizes.body[0].rows > sizes.body[1].rows ? sizes.body[0].rows : sizes.body[1].rows;
+  least += kAlignment - 1 + round_up(kBlockHeaderBytes + static_cast<uint64_t>(rows) * sizeof(Real));
+  if (least < bytes) bytes = static_cast<size_t>(least);
 }
 
 void fill_header(c2d_solver* s, uint64_t bytes, uint32_t slack, const c2d_limits& limits, const Sizes& sizes,
@@ -146,6 +149,7 @@ extern "C" c2d_status c2d_create(c2d_solver** out, void* memory, size_t bytes, c
   c2d_solver* s = reinterpret_cast<c2d_solver*>(static_cast<char*>(memory) + slack);
   fill_header(s, bytes - (kAlignment - 1), slack, ours, sizes, layout); // so that it may move to any alignment
   s->port = our_port;
+  make_tasks_hostile(s->port);
   s->tapes.port = &s->port;
   s->tapes.busy = &s->busy;
   clear_model(s);

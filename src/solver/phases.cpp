@@ -1,5 +1,7 @@
 #include "solver/phases.hpp"
 
+#include "memory/hostile.hpp"
+
 namespace c2d {
 
 namespace {
@@ -158,6 +160,17 @@ c2d_status plan_within(const PhaseSizes& s, uint64_t bytes, int32_t forced, Elim
   return C2D_OK;
 }
 
+// The hostile build: whole blocks go through two buffers where there is room for that, with transfers on their way.
+void double_buffers(const PhaseSizes& s, uint64_t bytes, EliminationPlan plan[2]) {
+  for (int b = 0; b < 2 && kHostile; ++b)
+    for (int32_t width = plan[b].block_columns; s.rows[b] > 0 && plan[b].block_rows == 0 && width > 0; width /= 2) {
+      const EliminationPlan single = plan[b];
+      plan[b].block_rows = plan[b].rows;
+      plan[b].block_columns = width;
+      if (phases_use(s, plan, false) > bytes) plan[b] = single;
+    }
+}
+
 } // namespace
 
 c2d_status choose_plans(const PhaseSizes& s, uint64_t bytes, int32_t forced, EliminationPlan out[2],
@@ -170,6 +183,7 @@ c2d_status choose_plans(const PhaseSizes& s, uint64_t bytes, int32_t forced, Eli
     const c2d_status status = plan_within(s, share, forced, out);
     if (status != C2D_OK) break;
     if (phases_use(s, out, false) <= bytes) {
+      double_buffers(s, bytes, out);
       *flexibility = phases_use(s, out, true) <= bytes;
       return C2D_OK;
     }
@@ -177,6 +191,7 @@ c2d_status choose_plans(const PhaseSizes& s, uint64_t bytes, int32_t forced, Eli
   }
   narrow_plans(s, forced, out);
   if (phases_use(s, out, false) > bytes) return C2D_ERR_MEMORY;
+  double_buffers(s, bytes, out);
   *flexibility = phases_use(s, out, true) <= bytes;
   return C2D_OK;
 }

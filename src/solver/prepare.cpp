@@ -12,6 +12,7 @@
 #include "model/validate.hpp"
 #include "solver/phases.hpp"
 #include "solver/energy.hpp"
+#include "solver/hostile_port.hpp"
 #include "solver/new_loads.hpp"
 #include "solver/rehearsal.hpp"
 #include "solver/session.hpp"
@@ -454,26 +455,28 @@ void rehearse(c2d_solver* s) {
   const c2d_port port = s->port;
   const c2d_error error = s->error;
   const int32_t warnings = s->warnings, cancelled = s->cancelled;
+  HostilePort late(s->tapes);
   FailingStore failing;
-  make_failing(port, static_cast<int64_t>(hash_model(model_of(s), s->options) % 61), failing);
+  const uint64_t chance = hash_model(model_of(s), s->options);
+  make_failing(late.port, static_cast<int64_t>(chance / 2 % (chance % 2 == 0 ? 61 : 997)), failing); // early, or far into it
   s->port.progress = nullptr;
   s->port.cancel = nullptr;
   s->port.log = nullptr;
   s->port.clock = nullptr;
   s->cancelled = 0;
   const c2d_status status = prepare_with(s, &failing.port);
-  C2D_ASSERT(status == C2D_OK || is_store_error(status) || status == C2D_ERR_SINGULAR || status == C2D_ERR_MEMORY);
+  C2D_ASSERT(status == C2D_OK || is_store_error(status) || status == C2D_ERR_SINGULAR || status == C2D_ERR_MEMORY ||
+             status == C2D_ERR_CANCELLED);
   C2D_ASSERT(s->state == (status == C2D_OK             ? C2D_STATE_PREPARED
                           : is_store_error(status) ? C2D_STATE_BROKEN
                                                    : C2D_STATE_MODEL));
   s->tapes.port = &failing.port;
   close_all(s->tapes);
-  s->tapes.port = &s->port;
   s->port = port;
   s->error = error;
   s->has_fault = 0;
   s->warnings = warnings;
-  s->cancelled = cancelled;
+  s->cancelled = cancelled != 0 || s->cancelled != 0 || status == C2D_ERR_CANCELLED; // meant for both
   s->factors = 0;
   s->state = C2D_STATE_MODEL;
 }
@@ -490,5 +493,6 @@ extern "C" c2d_status c2d_prepare(c2d_solver* s) {
 #ifdef C2D_HOSTILE
   if (s->factors == 0 && s->loads_changed == 0) rehearse(s); // what went before must not be lost
 #endif
-  return prepare_with(s, &s->port);
+  const HostilePort hostile(s->tapes);
+  return prepare_with(s, s->tapes.port);
 }

@@ -26,6 +26,22 @@ int32_t write_until(void* context, int32_t tape, uint64_t block, const void* dat
   const c2d_port* port = still(context);
   return port ? port->write(port->context, tape, block, data, bytes) : kRehearsedFailure;
 }
+// (A start that fails has no ticket.)
+int32_t start_read_until(void* context, int32_t tape, uint64_t block, void* data, uint64_t bytes, int32_t* ticket) {
+  const c2d_port* port = still(context);
+  return port ? port->start_read(port->context, tape, block, data, bytes, ticket) : kRehearsedFailure;
+}
+int32_t start_write_until(void* context, int32_t tape, uint64_t block, const void* data, uint64_t bytes,
+                          int32_t* ticket) {
+  const c2d_port* port = still(context);
+  return port ? port->start_write(port->context, tape, block, data, bytes, ticket) : kRehearsedFailure;
+}
+// It may have failed on its way, and is over all the same.
+int32_t wait_until(void* context, int32_t ticket) {
+  const c2d_port& caller = static_cast<FailingStore*>(context)->caller;
+  const int32_t code = caller.wait(caller.context, ticket);
+  return still(context) ? code : kRehearsedFailure;
+}
 int32_t sync_until(void* context, int32_t tape) {
   const c2d_port* port = still(context);
   return port ? port->sync(port->context, tape) : kRehearsedFailure;
@@ -46,6 +62,9 @@ void make_failing(const c2d_port& caller, int64_t left, FailingStore& out) {
   out.port.open = open_until;
   out.port.read = read_until;
   out.port.write = write_until;
+  out.port.start_read = start_read_until;
+  out.port.start_write = start_write_until;
+  out.port.wait = wait_until;
   out.port.sync = sync_until;
   out.port.close = close_always;
 }

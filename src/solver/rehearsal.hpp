@@ -4,7 +4,7 @@
 
 namespace c2d {
 
-// The caller's store, until it has been asked `left` times. Trivial; `port` holds functions that expect this struct.
+// The solver's store, until it has been asked `left` times. Trivial; `port` holds functions that expect this struct.
 struct FailingStore {
   c2d_port caller;
   int64_t left;
