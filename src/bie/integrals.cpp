@@ -2,7 +2,6 @@
 
 #include "bie/integrals_detail.hpp"
 #include "bie/shape.hpp"
-#include "memory/small_code.hpp"
 #include "quadrature/gauss.hpp"
 
 #include <math.h>
@@ -28,7 +27,7 @@ void prepare_chord(Integrator& in) {
   in.chord2 = hx * hx + hy * hy;
   in.radius = length(e.c[1]) + length(e.c[2]) + length(e.c[3]);
   in.degenerate = !(in.radius > 0.0);
-  if (!(in.chord2 > 0.0)) return;
+  if (!kClosedForms || !(in.chord2 > 0.0)) return;
   in.ux = hx / in.chord2;
   in.uy = hy / in.chord2;
   in.cos2 = (hx * hx - hy * hy) / in.chord2;
@@ -52,7 +51,7 @@ void prepare_reach(Integrator& in) {
 }
 
 void refresh(Integrator& in) {
-  in.closed_form_g = in.element.straight && constant_jacobian(in);
+  in.closed_form_g = kClosedForms && in.element.straight && constant_jacobian(in);
   in.g_jacobian = length(in.d[0]);
   if (!in.closed_form_g) prepare_reach(in);
 }
@@ -145,15 +144,15 @@ void integrate(const Integrator& in, double sx, double sy, int singular, bool wa
     integrate_thesis(in, sx, sy, singular, want_h, want_g, out);
     return;
   }
-  const bool closed_h = want_h && in.element.straight, closed_g = want_g && in.closed_form_g;
-  if (closed_h || closed_g) integrate_straight(in, sx, sy, singular, closed_h, closed_g, out);
+  const bool closed_h = kClosedForms && want_h && in.element.straight, closed_g = want_g && in.closed_form_g;
+  if (kClosedForms && (closed_h || closed_g)) integrate_straight(in, sx, sy, singular, closed_h, closed_g, out);
   if (want_h != closed_h || want_g != closed_g) {
     integrate_curved(in, sx, sy, singular, want_h && !closed_h, want_g && !closed_g, out);
   }
 }
 
 void rigid_sum(const Integrator& in, double sx, double sy, int singular, double sum[2][2]) {
-  if (!kSmallCode && in.mode == Quadrature::accurate && !in.degenerate) {
+  if (kClosedForms && in.mode == Quadrature::accurate && !in.degenerate) {
     const double x = sx - 0.5 * (in.element.x[0] + in.element.x[in.element.nodes - 1]);
     const double y = sy - 0.5 * (in.element.y[0] + in.element.y[in.element.nodes - 1]);
     const bool outside = in.chord2 > 0.0 && x * x + y * y > in.radius * in.radius;

@@ -3,8 +3,12 @@
 
 #include "bie/integrals.hpp"
 #include "bie/kernels.hpp"
+#include "memory/small_code.hpp"
 
 namespace c2d {
+
+// Straight elements have closed forms, a third of the work. Small code integrates them as it does curved ones.
+constexpr bool kClosedForms = !kSmallCode;
 
 // Gauss rules from which the far rule is chosen, cheapest first; Integrator::reach2 has one entry for each.
 constexpr int kFarOrders[] = {2, 3, 4, 5, 6, 8, 10, 12, 16, 20};

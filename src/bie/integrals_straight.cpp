@@ -7,7 +7,6 @@
 #include "bie/kernels.hpp"
 #include "bie/shape.hpp"
 #include "bie/straight_moments.hpp"
-#include "memory/small_code.hpp"
 
 namespace c2d {
 namespace {
@@ -90,7 +89,7 @@ void integrate_straight(const Integrator& in, double sx, double sy, int singular
   }
   const SeenPoint s = see(in, sx, sy);
   Moments m;
-  if (!kSmallCode && in.functions == 2) {
+  if (in.functions == 2) {
     find_moments(s, 2, want_g, m);
     store_linear(in, s.z.im, m, want_h, want_g, out);
     return;

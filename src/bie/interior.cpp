@@ -101,7 +101,7 @@ void add_field_curved(const FieldElement& e, Complex reference, double px, doubl
 void prepare_field(const Complex t[4], const Complex* u, FieldElement& out) {
   const Integrator& in = out.in;
   out.displaced = u != nullptr;
-  out.closed_form = in.closed_form_g && !in.degenerate;
+  out.closed_form = kClosedForms && in.closed_form_g && !in.degenerate;
   const double h2 = in.chord2;
   out.axis = out.closed_form ? sqrt(h2) * Complex{in.ux, in.uy} : Complex{1.0, 0.0};
   for (int k = 0; k < 4; ++k) {
@@ -118,7 +118,7 @@ void prepare_field(const Complex t[4], const Complex* u, FieldElement& out) {
 void add_field(const FieldElement& e, Complex reference, double x, double y, PointField& sum) {
   if (e.in.degenerate) return;
   if (!e.displaced) reference = Complex{0.0, 0.0};
-  if (e.closed_form) return add_field_straight(e, reference, x, y, sum);
+  if (kClosedForms && e.closed_form) return add_field_straight(e, reference, x, y, sum);
   PointField part = {};
   add_field_curved(e, reference, x, y, part);
   add_scaled(sum, e.in.k, part);

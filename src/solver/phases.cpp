@@ -111,6 +111,7 @@ uint64_t path_area(const PhaseSizes& s, const EliminationPlan plan[2], bool flex
 }
 
 uint64_t scratch_bytes(const PhaseSizes& s) {
+  if (kSmallCode) return 0; // plain products take none
   int64_t most = full_scratch(s.m, s.m);
   for (int b = 0; b < 2; ++b) {
     const int64_t numbers = full_scratch(s.outer[b], s.outer[b] + 2 * s.m + s.cases);

@@ -218,6 +218,7 @@ void clear_phases(c2d_solver* s) { poison(array_of<char>(s, kPhase), s->bytes - 
 // What a phase that uses `area` bytes leaves of the phase area, for the kernels of this machine.
 Engine engine_beside(c2d_solver* s, const PhaseSizes& sizes, uint64_t area, int64_t* used) {
   C2D_ASSERT(s->layout.persistent <= s->bytes && area <= s->bytes - s->layout.persistent);
+  if (kSmallCode) return kPlainEngine;
   const Workers workers = workers_of(&s->port);
   const uint64_t left = s->bytes - s->layout.persistent - area;
   const uint64_t full = scratch_bytes(sizes) * static_cast<uint64_t>(workers.count);
