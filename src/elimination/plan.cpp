@@ -70,8 +70,9 @@ bool choose_strips(uint64_t bytes, int32_t forced, EliminationPlan& plan) {
   // (headers, and what else rounds up, are small beside that)
   const uint64_t numbers = (bytes < beside + 1024 ? 0 : (bytes - beside - 1024) / 2) / sizeof(Real);
   for (int32_t width = kWidestStrip; width >= kNarrowestStrip; width /= 2) {
-    const uint64_t fits = numbers / static_cast<uint64_t>(width);
-    strips.block_rows = smaller(plan.rows, fits < kLongestStrip ? static_cast<int32_t>(fits) : kLongestStrip);
+    const uint64_t most = static_cast<uint64_t>(kLongestStrip) * static_cast<uint64_t>(width);
+    const int32_t fits = numbers < most ? static_cast<int32_t>(numbers) / width : kLongestStrip;
+    strips.block_rows = smaller(plan.rows, fits);
     strips.block_columns = width;
     if (strips.block_rows < plan.rows) strips.block_rows -= strips.block_rows % kTileRows;
     if (strips.block_rows < smaller(plan.rows, 3 * width)) continue;
@@ -111,7 +112,7 @@ EliminationPlan upper_cut(const EliminationPlan& plan) {
   EliminationPlan cut = plan;
   cut.block_rows = 0;
   if (plan.block_rows > 0 && plan.block_rows < plan.rows)
-    cut.block_columns = static_cast<int32_t>(static_cast<int64_t>(plan.block_columns) * plan.block_rows / plan.rows);
+    cut.block_columns = plan.block_columns * plan.block_rows / plan.rows; // at most kWidestStrip * kLongestStrip
   return cut;
 }
 

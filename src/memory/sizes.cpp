@@ -5,8 +5,12 @@
 namespace c2d {
 
 bool add_bytes(uint64_t& sum, uint64_t count, uint64_t size) {
-  if (size != 0 && count > (UINT64_MAX - sum) / size) return false;
-  sum += count * size;
+  if (count >> 32 != 0 && size >> 32 != 0) return false;
+  const uint64_t wide = count > size ? count : size, narrow = count > size ? size : count; // below 2^32
+  const uint64_t high = (wide >> 32) * narrow, low = (wide & UINT32_MAX) * narrow;
+  const uint64_t bytes = (high << 32) + low;
+  if (high >> 32 != 0 || bytes < low || bytes > UINT64_MAX - sum) return false;
+  sum += bytes;
   return true;
 }
 
@@ -104,8 +108,7 @@ c2d_status lay_out(const Sizes& sizes, uint64_t header, Layout& out) {
   carver.carve(kPairTable, static_cast<uint64_t>(sizes.pairs) * C2D_PAIR_FIELDS, sizeof(double));
   carver.carve(kLoads, 4 * cases, sizeof(double));
   carver.carve(kPathLoads, static_cast<uint64_t>(sizes.paths) * cases, sizeof(double));
-  const uint64_t per_case = energy_numbers(static_cast<uint64_t>(sizes.contact), cases) / cases;
-  carver.carve(kEnergy, cases, per_case * sizeof(double));
+  carver.carve(kEnergy, cases, energy_numbers(static_cast<uint64_t>(sizes.contact), cases) * sizeof(double));
   carver.carve(kBodyForces, 2 * cases, kBodyForceBytes);
   carver.carve(kRigidMotions, cases, kRigidMotionBytes);
   carver.carve(kPointSets, static_cast<uint64_t>(sizes.point_sets), kPointSetBytes);

@@ -51,8 +51,8 @@ struct Sizes {
   int64_t point_sets;
 };
 
-// Work, reaction and what they grow by per load case: 2 functionals of 2 m + cases numbers, and 5 numbers.
-inline uint64_t energy_numbers(uint64_t m, uint64_t cases) { return cases * (2 * (2 * m + cases) + 5); }
+// Work, reaction and what they grow by, of each load case: 2 functionals of 2 m + cases numbers, and 5 numbers.
+inline uint64_t energy_numbers(uint64_t m, uint64_t cases) { return 2 * (2 * m + cases) + 5; }
 
 // Checks and completes the limits. Errors: C2D_ERR_ARGUMENT.
 c2d_status derive_sizes(const c2d_limits& limits, Sizes& out);

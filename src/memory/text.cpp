@@ -1,5 +1,6 @@
 #include "memory/text.hpp"
 
+#include "memory/small_code.hpp"
 #include "memory/wide_integer.hpp"
 
 #include <string.h>
@@ -28,13 +29,32 @@ Text& put(Text& text, const char* characters) {
   return put(text, characters, SIZE_MAX);
 }
 
+namespace {
+
+// Takes off the last digit. Small code divides by pieces: the compiler's division of 64-bit numbers is long.
+char take_digit(uint64_t& number) {
+  uint64_t quotient = 0;
+  uint32_t rest = 0;
+  if (!kSmallCode) {
+    quotient = number / 10;
+    rest = static_cast<uint32_t>(number % 10);
+  }
+  for (int32_t shift = 48; kSmallCode && shift >= 0; shift -= 16) {
+    rest = rest << 16 | static_cast<uint32_t>(number >> shift & 0xffff);
+    quotient = quotient << 16 | rest / 10;
+    rest %= 10;
+  }
+  number = quotient;
+  return static_cast<char>('0' + rest);
+}
+
+} // namespace
+
 Text& put_unsigned(Text& text, uint64_t number) {
   char digits[20];
   size_t first = sizeof digits;
-  do {
-    digits[--first] = static_cast<char>('0' + number % 10);
-    number /= 10;
-  } while (number != 0);
+  do digits[--first] = take_digit(number);
+  while (number != 0);
   return put(text, digits + first, sizeof digits - first);
 }
 
@@ -147,7 +167,7 @@ Text& put(Text& text, double number, int32_t digits) {
 
   char shown[17];
   uint64_t rest = value.digits;
-  for (int32_t i = digits - 1; i >= 0; --i, rest /= 10) shown[i] = static_cast<char>('0' + rest % 10);
+  for (int32_t i = digits - 1; i >= 0; --i) shown[i] = take_digit(rest);
   int32_t count = digits;
   while (count > 1 && shown[count - 1] == '0') --count;
   put_digits(text, shown, count, value.exponent, value.exponent < -4 || value.exponent >= digits);

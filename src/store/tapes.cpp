@@ -1,4 +1,5 @@
 #include "store/tapes.hpp"
+#include "memory/sizes.hpp"
 #include "memory/small_code.hpp"
 #include "memory/text.hpp"
 #include <string.h>
@@ -191,8 +192,9 @@ c2d_status open_tape(Tapes& tapes, int32_t tape, uint64_t blocks, uint64_t data_
   }
   // The buffers must be addressable and the tape's length must be a file offset.
   const uint64_t most = static_cast<uint64_t>(PTRDIFF_MAX);
-  if (data_bytes > most - kBlockHeaderBytes ||
-      (blocks > 0 && data_bytes + kBlockHeaderBytes > static_cast<uint64_t>(INT64_MAX) / blocks)) {
+  uint64_t length = 0;
+  if (data_bytes > most - kBlockHeaderBytes || !add_bytes(length, blocks, data_bytes + kBlockHeaderBytes) ||
+      length > static_cast<uint64_t>(INT64_MAX)) {
     Text text = begin_error(tapes, C2D_ERR_OVERFLOW, tape, 0);
     put(text, ": its length does not fit into 63 bits");
     return C2D_ERR_OVERFLOW;
