@@ -17,23 +17,8 @@ double firmware_ldexp(double, int);
 }
 } // namespace firmware
 extern "C" {
-double __ieee754_atan2(double y, double x) {
-  return atan2(y, x);
-}
-double __ieee754_fmod(double x, double y) {
-  return fmod(x, y);
-}
-double __ieee754_hypot(double x, double y) {
-  return hypot(x, y);
-}
 double __ieee754_sqrt(double x) {
   return sqrt(x);
-}
-double __kernel_sin(double x, double low, int) {
-  return sin(x + low);
-}
-double __kernel_cos(double x, double low) {
-  return cos(x + low);
 }
 }
 #define sqrt firmware_sqrt
@@ -100,6 +85,28 @@ TEST_CASE(
   CHECK(firmware_exp(0.0) == 1.0);
   CHECK(firmware_log(5e-324) == doctest::Approx(-744.4400719213812).epsilon(1e-15));
   CHECK(firmware_exp(-701.0) == 0.0);
+}
+
+TEST_CASE("embedded: the port's hypotenuse, angle, remainder and powers of two") {
+  double worst[2] = {};
+  for (int i = 1; i < 20000; ++i) {
+    const double x = (i % 2 ? 1 : -1) * std::ldexp(i * 0.00271, i % 61 - 30), y = (i % 3 ? 1 : -1) * i * 0.00137;
+    worst[0] = std::max(worst[0], ulps(firmware_hypot(x, y), hypotl(x, y)));
+    worst[1] = std::max(worst[1], ulps(firmware_atan2(y, x), atan2l(y, x)));
+    CHECK(firmware_fmod(x, y) == std::fmod(x, y));
+    CHECK(firmware_fmod(1e9 * x, 360.0) == std::fmod(1e9 * x, 360.0));
+    CHECK(firmware_ldexp(x, i % 1500 - 750) == std::ldexp(x, i % 1500 - 750));
+  }
+  for (const double error : worst) CHECK(error < 3.5);
+  for (const double x : {0.0, -0.0, 1.0, -1.0, 1e-300, 1e300})
+    for (const double y : {0.0, -0.0, 1.0, -1.0, 1e-300, 1e300}) {
+      CHECK(firmware_atan2(y, x) == doctest::Approx(std::atan2(y, x)).epsilon(1e-15));
+      CHECK(std::signbit(firmware_atan2(y, x)) == std::signbit(std::atan2(y, x)));
+      CHECK(firmware_hypot(x, y) == doctest::Approx(std::hypot(x, y)).epsilon(1e-15));
+    }
+  CHECK(std::signbit(firmware_fmod(-720.0, 360.0)));
+  CHECK(firmware_fmod(1e100, 360.0) == std::fmod(1e100, 360.0));
+  CHECK(firmware_fmod(5.0, 1e300) == 5.0);
 }
 
 TEST_CASE("embedded: the sample deck on three boards, blocks in files, agrees with this machine") {
@@ -225,7 +232,7 @@ TEST_CASE("embedded: parts that no call declares are not linked, and come with t
       const Result linked = run_shell("cd '" + root + "' && arm-none-eabi-g++ -nostdlib -Wl,--gc-sections -Wl,-e,c2d_create "
                                       "-Wl,-u,c2d_complete -Wl,-u,c2d_prepare -Wl,-u,c2d_advance -Wl,-u,c2d_interior -Wl,-u," +
                                       part.call + " -T port/cortex-m/sizes.ld '" + place + "/obj/port_cortex-m_math.o' '" +
-                                      place + "/libcontact2d.a' -lm -lc -lgcc -o '" + image + "'" +
+                                      place + "/libcontact2d.a' -lm -lc_nano -lgcc -o '" + image + "'" +
                                       (board.name[1] == '3' ? " -mcpu=cortex-m3 -mthumb -mfloat-abi=soft"
                                        : board.name[1] == '4' ? " -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard"
                                                               : " -mcpu=cortex-m7 -mthumb -mfpu=fpv5-d16 -mfloat-abi=hard"));

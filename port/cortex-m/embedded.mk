@@ -42,7 +42,7 @@ $(EMBEDDED)/$(1)/libcontact2d.a: $(call arm_objects,$(1),$(CORE_SOURCES)) src/so
 $(EMBEDDED)/$(1)/run_deck.elf: $(EMBEDDED)/$(1)/libcontact2d.a $(call arm_objects,$(1),$(ARM_PORT)) $(wildcard port/cortex-m/*.ld)
 	$(ARM_PREFIX)g++ $(cpu_$(1)) -nostdlib -Wl,--gc-sections -Wl,-Map,$$(@:.elf=.map) -Lport/cortex-m \
 	  -Wl,--defsym=stack_least=$(STACK_LEAST) -T port/cortex-m/$(board_$(1)).ld $(PART_CALLS:%=-Wl,-u,%) $(call arm_objects,$(1),$(ARM_PORT)) \
-	  $(EMBEDDED)/$(1)/libcontact2d.a -lm -lc -lgcc -o $$@
+	  $(EMBEDDED)/$(1)/libcontact2d.a -lm -lc_nano -lgcc -o $$@
 $(EMBEDDED)/$(1)/hertz.csv: $(EMBEDDED)/$(1)/run_deck.elf examples/hertz.dat
 	@mkdir -p $$(@D)/tapes
 	$(QEMU_ARM) -M $(board_$(1)) -nographic -monitor none -serial none -kernel $$< \
@@ -105,7 +105,7 @@ wanted = $(foreach c,$(calls_$(1)),-Wl,-u,$(c))
 define arm_size
 $(EMBEDDED)/$(1)/$(2).elf: $(EMBEDDED)/$(1)/libcontact2d.a $(EMBEDDED)/$(1)/obj/port_cortex-m_math.o port/cortex-m/sizes.ld
 	@$(ARM_PREFIX)g++ $(cpu_$(1)) -nostdlib -Wl,--gc-sections -Wl,-e,c2d_create $(call wanted,$(2)) -T port/cortex-m/sizes.ld \
-	  $(EMBEDDED)/$(1)/obj/port_cortex-m_math.o $(EMBEDDED)/$(1)/libcontact2d.a -lm -lc -lgcc -o $$@
+	  $(EMBEDDED)/$(1)/obj/port_cortex-m_math.o $(EMBEDDED)/$(1)/libcontact2d.a -lm -lc_nano -lgcc -o $$@
 $(EMBEDDED)/$(1)/$(2).size: $(EMBEDDED)/$(1)/$(2).elf
 	@$(ARM_PREFIX)size -A $$< > $$@
 endef
