@@ -1,5 +1,5 @@
-# contact2d. Targets: all (default) demo chapter9 test bench guard convergence embedded hostile cross amalgamation deb install
-#   uninstall list relist symbols format clean.
+# contact2d. Targets: all (default) demo chapter9 test bench guard convergence embedded hostile small cross amalgamation
+#   deb install uninstall list relist symbols format clean.
 # Variables: CXX CC AR CXXFLAGS CFLAGS CPPFLAGS LDFLAGS BUILD PREFIX DESTDIR LIBDIR DOCTEST_INCLUDE NO_INSTALL.
 # What is compiled stands in src/sources.mk, which CMakeLists.txt reads too.
 include src/sources.mk
@@ -207,7 +207,7 @@ uninstall:
 
 clean:
 	rm -rf $(BUILD)/obj $(BUILD)/tests $(BUILD)/demo $(BUILD)/bench $(BUILD)/convergence $(BUILD)/chapter9 \
-	  $(BUILD)/embedded $(BUILD)/hostile $(BUILD)/cross $(BUILD)/amalgamation $(BUILD)/deb
+	  $(BUILD)/embedded $(BUILD)/hostile $(BUILD)/small $(BUILD)/cross $(BUILD)/amalgamation $(BUILD)/deb
 	rm -f $(LIBRARY) $(BUILD)/libcontact2d.so.* $(PROGRAM) $(BUILD)/flags
 	-rmdir $(BUILD) 2>/dev/null || true
 

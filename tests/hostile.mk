@@ -10,3 +10,9 @@ hostile:
 	   C2D_TESTS_NOT=tests/hostile.txt $(MAKE) -s test BUILD=$(BUILD)/hostile HOSTILE_WIDTH=$$width \
 	     CPPFLAGS='$(CPPFLAGS) -DC2D_HOSTILE=1' || exit 1; \
 	 done
+# make small: the whole test suite in small code (src/memory/small_code.hpp), as firmware has it. tests/small.txt: what
+# cannot hold there.
+.PHONY: small
+small:
+	@echo "small: plain loops, no closed forms of integrals, one block at a time"
+	@C2D_TESTS_NOT=tests/small.txt $(MAKE) -s test BUILD=$(BUILD)/small CPPFLAGS='$(CPPFLAGS) -DC2D_SMALL'

@@ -69,6 +69,9 @@ void refuse_tabs(Cards& cards);
 // card had been refused), *value is unchanged. `name` is the quantity in words, as in "number of elements".
 bool integer(Cards& cards, int32_t column, int32_t width, const char* name, int32_t least, int32_t most,
              int32_t* value);
+// Of five columns (format I5): any number; one of at least `least`.
+bool any_integer(Cards& cards, int32_t column, const char* name, int32_t* value);
+bool integer_from(Cards& cards, int32_t column, const char* name, int32_t least, int32_t* value);
 // An I5 number that says how many cards follow: without it the reading ends.
 bool count(Cards& cards, int32_t column, const char* name, int32_t least, int32_t* value);
 // An F10.0 field of at most 1e100 in size, so that sums and differences of card values cannot overflow.

@@ -118,7 +118,7 @@ bool read_point_load(Deck& deck, int b) {
   Cards& cards = deck.cards;
   if (!next_card(cards, "a point load card")) return false;
   int32_t number; // the cards count anyway
-  integer(cards, 1, 5, "number of the point load", INT32_MIN, INT32_MAX, &number);
+  any_integer(cards, 1, "number of the point load", &number);
   unused_column(cards, 6);
   double data[4] = {0, 0, 0, 0};
   bool sound = true;

@@ -15,7 +15,7 @@ bool read_problem_type(Deck& deck) {
   int32_t plane = 0;
   int32_t output = C2D_ANALYSIS_CONTACT; // where it is unreadable: with this any number of zones is legal
   integer(cards, 1, 5, "problem type (IPTYPE, 0 plane strain, 1 plane stress)", 0, 1, &plane);
-  integer(cards, 6, 5, "type of output (IOUT)", INT32_MIN, INT32_MAX, &output);
+  any_integer(cards, 6, "type of output (IOUT)", &output);
   end_of_fields(cards, 11);
   deck.problem.plane = plane;
   deck.problem.analysis = output;
@@ -44,7 +44,7 @@ bool read_counts(Deck& deck) {
   if (!next_card(cards, "the card with the numbers of bodies and contact zones")) return false;
   cards.vital = true;
   const bool bodies_known = integer(cards, 1, 5, "number of bodies", 1, 2, &sizes.bodies);
-  const bool zones_known = integer(cards, 6, 5, "number of contact zones", 0, INT32_MAX, &sizes.zones);
+  const bool zones_known = integer_from(cards, 6, "number of contact zones", 0, &sizes.zones);
   const bool nodes_known =
       integer(cards, 11, 5, "number of functional nodes per element", 1, 4, &sizes.function_nodes);
   cards.vital = false;
@@ -85,14 +85,14 @@ bool read_body(Deck& deck, int b) {
   deck.element_nodes[b] = 2;
   const int32_t old_faults = cards.faults;
   cards.vital = true;
-  const bool regions_known = integer(cards, 1, 5, "number of regions", 1, INT32_MAX, &sizes.regions[b]);
+  const bool regions_known = integer_from(cards, 1, "number of regions", 1, &sizes.regions[b]);
   cards.vital = false;
   const bool order_known =
       integer(cards, 6, 5, "number of boundary nodes per element", 2, 4, &deck.element_nodes[b]);
   cards.vital = true;
-  const bool elements_known = integer(cards, 11, 5, "number of elements", 1, INT32_MAX, &sizes.elements[b]);
+  const bool elements_known = integer_from(cards, 11, "number of elements", 1, &sizes.elements[b]);
   const bool nodes_known =
-      integer(cards, 16, 5, "number of boundary points", 1, INT32_MAX, &sizes.geometry_nodes[b]);
+      integer_from(cards, 16, "number of boundary points", 1, &sizes.geometry_nodes[b]);
   cards.vital = false;
   end_of_fields(cards, 21);
   if (!regions_known || !elements_known || !nodes_known) return false;
@@ -126,8 +126,8 @@ bool read_region(Deck& deck, int b, int32_t number, int32_t* next) {
   if (!next_card(cards, "the card with the first and last element of a region")) return false;
   const int32_t elements = deck.sizes.elements[b];
   int32_t first = 0, last = 0;
-  const bool first_known = integer(cards, 1, 5, "first element of the region", INT32_MIN, INT32_MAX, &first);
-  const bool last_known = integer(cards, 6, 5, "last element of the region", INT32_MIN, INT32_MAX, &last);
+  const bool first_known = any_integer(cards, 1, "first element of the region", &first);
+  const bool last_known = any_integer(cards, 6, "last element of the region", &last);
   end_of_fields(cards, 11);
   if (b == 1 && number == 1) deck.elements_continue = continues(deck, first_known, first, last);
   const int32_t offset = element_offset(deck, b);

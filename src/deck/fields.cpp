@@ -159,9 +159,17 @@ bool integer(Cards& cards, int32_t column, int32_t width, const char* name, int3
   return true;
 }
 
+bool any_integer(Cards& cards, int32_t column, const char* name, int32_t* value) {
+  return integer(cards, column, 5, name, INT32_MIN, INT32_MAX, value);
+}
+
+bool integer_from(Cards& cards, int32_t column, const char* name, int32_t least, int32_t* value) {
+  return integer(cards, column, 5, name, least, INT32_MAX, value);
+}
+
 bool count(Cards& cards, int32_t column, const char* name, int32_t least, int32_t* value) {
   cards.vital = true;
-  const bool found = integer(cards, column, 5, name, least, INT32_MAX, value);
+  const bool found = integer_from(cards, column, name, least, value);
   cards.vital = false;
   if (!found) cards.ended = true;
   return found;

@@ -9,7 +9,7 @@ bool read_load_header(Deck& deck) {
   if (!next_card(cards, "the card with the number of load cards")) return false;
   const bool paths_known = count(cards, 1, "number of load cards", 1, &deck.sizes.paths);
   const bool limit_known =
-      integer(cards, 6, 5, "limit of iterations", 1, INT32_MAX, &deck.problem.iteration_limit);
+      integer_from(cards, 6, "limit of iterations", 1, &deck.problem.iteration_limit);
   end_of_fields(cards, 11);
   if (!paths_known || cards.ended) return false;
   if (deck.sink == nullptr || !limit_known) return true;
@@ -22,7 +22,7 @@ bool read_load(Deck& deck) {
   if (!next_card(cards, "a load card")) return false;
   int32_t increments = 0;
   double load = 0;
-  const bool increments_known = integer(cards, 1, 5, "number of load increments", 1, INT32_MAX, &increments);
+  const bool increments_known = integer_from(cards, 1, "number of load increments", 1, &increments);
   unused_column(cards, 6);
   const bool load_known = real(cards, 7, "load factor", &load);
   end_of_fields(cards, 17);

@@ -35,9 +35,9 @@ bool read_zone(Deck& deck, bool* sound) {
   const int32_t old_faults = cards.faults;
   integer(cards, 1, 5, "lower body of the zone", 1, 1, &body);
   integer(cards, 6, 5, "upper body of the zone", 2, 2, &body);
-  const bool pairs_known = integer(cards, 11, 5, "number of contact nodes of the zone", 1, INT32_MAX, &zone.pairs);
+  const bool pairs_known = integer_from(cards, 11, "number of contact nodes of the zone", 1, &zone.pairs);
   const bool elements_known =
-      integer(cards, 16, 5, "number of contact elements of the zone", 1, INT32_MAX, &zone.elements);
+      integer_from(cards, 16, "number of contact elements of the zone", 1, &zone.elements);
   end_of_fields(cards, 21);
   const int32_t order = deck.sizes.function_nodes;
   const int32_t most = order > 1 ? zone.elements * (order - 1) + 1 : zone.elements;
@@ -77,8 +77,8 @@ bool read_sums(Deck& deck, int b, bool sound) {
   Cards& cards = deck.cards;
   if (!next_card(cards, "the card with the numbers of contact nodes and elements of a body")) return false;
   int32_t nodes = 0, elements = 0;
-  const bool nodes_known = integer(cards, 1, 5, kNodeSum[b], 0, INT32_MAX, &nodes);
-  const bool elements_known = integer(cards, 6, 5, kElementSum[b], 0, INT32_MAX, &elements);
+  const bool nodes_known = integer_from(cards, 1, kNodeSum[b], 0, &nodes);
+  const bool elements_known = integer_from(cards, 6, kElementSum[b], 0, &elements);
   end_of_fields(cards, 11);
   if (sound && nodes_known && nodes != deck.pairs)
     field_fault(cards, 1, 5, kNodeSum[b], " is ", nodes, ", expected ", deck.pairs, ", the sum of the zones");
