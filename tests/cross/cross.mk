@@ -4,4 +4,4 @@
 .PHONY: cross
 CROSS := $(BUILD)/cross
 cross: $(PROGRAM) $(LIBRARY) $(EMBEDDED)/compare
-	@MAKEFLAGS= CC='$(CC)' MAKE='$(MAKE)' sh tests/cross/cross.sh $(CROSS) $(BUILD) $(EMBEDDED)/compare
+	@MAKEFLAGS= JOBS='$(JOBS)' CC='$(CC)' MAKE='$(MAKE)' sh tests/cross/cross.sh $(CROSS) $(BUILD) $(EMBEDDED)/compare

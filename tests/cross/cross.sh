@@ -31,7 +31,7 @@ blocks() { # folder, compiler ...
 check() { # name, make's variables; static: linked so, needs no libraries of that machine
   name=$1 emulator=$2; shift 2
   out=$folder/$name
-  "$MAKE" -s --no-print-directory BUILD="$out" "$@" "$out/libcontact2d.a" "$out/contact2d"
+  "$MAKE" -s -j"$JOBS" --no-print-directory BUILD="$out" "$@" "$out/libcontact2d.a" "$out/contact2d"
   solve "$out" $emulator "$out/contact2d"
   echo "cross: $name: the sample against this machine"
   "$compare" "$folder/here/hertz.csv" "$out/hertz.csv" 1e-9
