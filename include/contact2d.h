@@ -15,13 +15,14 @@
    follow loads, save and take up a state         7 follow the load
    read pressures, displacements, stresses        8 results
    understand a refusal                           9 errors and state
+   know what is solved, and how                   src/METHOD.md: METHOD 7 is its section 7, METHOD (7.2) an equation
 
    After a failure. A call that does not return C2D_OK has changed nothing, and its output arguments are as they were,
    with these exceptions, which its comment repeats: c2d_create and c2d_attach set *out to null; a failed c2d_read_deck
    or c2d_complete leaves an empty model; a cancelled c2d_advance or c2d_run leaves the solver at the last load
    reached; an error of the store (C2D_ERR_STORE_...) in any call that uses it leaves the state `broken`. A status is
    about the call; that the load cannot go further is no failure but an outcome. Pointers may be null only where that
-   is said; a null solver is C2D_ERR_ARGUMENT. Calls on one solver come from one thread at a time, but for c2d_cancel;
+   is said; a null solver is C2D_ERR_ARGUMENT. Calls on one solver come from one thread at a time, except c2d_cancel;
    solvers know nothing of each other.
 
    Conventions, everywhere. Lengths, forces and stresses are in the caller's units, any consistent set. Forces
@@ -103,7 +104,23 @@ enum {
   C2D_FREE_MOTION = 1,         /* a body can fly away: nothing holds one of its rigid motions                     */
   C2D_GROSS_SLIDING = 2,       /* the whole contact slides: friction can carry no more                            */
   C2D_NO_ADMISSIBLE_CHANGE = 3,/* no change of a pair's status leads on                                           */
-  C2D_ENDLESS_EXCHANGE = 4     /* the statuses of some pairs alternate without end                                */
+  C2D_ENDLESS_EXCHANGE = 4,    /* changes of status follow each other without progress                            */
+  C2D_UNDECIDED = 5,           /* whether the path goes on could not be decided                                   */
+  C2D_TIPPING = 6,             /* a body turns over: it stays in contact where it turns                           */
+  C2D_BEYOND_LIMITS = 7        /* what comes next is not accurate enough (c2d_summary.breach): this is the last state
+                                  that is                                                                         */
+};
+
+enum { /* c2d_summary.breach: why a path ended with C2D_BEYOND_LIMITS */
+  C2D_BREACH_NONE = 0,
+  C2D_BREACH_TABLEAU = 1,      /* residual of the contact tableau                                                 */
+  C2D_BREACH_EQUATIONS = 2,    /* residual of the contact equations                                               */
+  C2D_BREACH_BALANCE = 3,      /* force and moment of the body that contact has to hold                           */
+  C2D_BREACH_SIGN = 4,         /* pressure or gap below zero                                                      */
+  C2D_BREACH_CONE = 5,         /* friction above mu times the pressure                                            */
+  C2D_BREACH_SLIP = 6,         /* a pair that slips the way its friction pushes                                   */
+  C2D_BREACH_SINGULAR = 7,     /* no tableau: the statuses leave a motion free                                    */
+  C2D_BREACHES = 8
 };
 
 enum { C2D_OPEN = 0, C2D_STICK = 1, C2D_SLIP = 2 };               /* status of a pair                         */
@@ -127,19 +144,27 @@ typedef struct c2d_error {
 
 enum { /* c2d_error.status of warnings */
   C2D_WARN_ZONE_END = 201,         /* the last pair at an end of a zone closed: the zone may be too short         */
-  C2D_WARN_FEW_PAIRS = 202,        /* fewer than 5 pairs touch                                                    */
-  C2D_WARN_LARGE_SLIP = 203,       /* slip exceeds half a contact element                                         */
+  C2D_WARN_FEW_PAIRS = 202,        /* fewer than 4 elements between an edge and the peak, or in a zone of slip    */
+  C2D_WARN_LARGE_SLIP = 203,       /* slip since the pair last touched exceeds half a contact element             */
   C2D_WARN_NORMALS = 204,          /* normals of paired nodes differ by more than 15 degrees                      */
   C2D_WARN_KINK = 205,             /* a kink of more than 10 degrees inside a zone                                */
   C2D_WARN_POINT_LOAD = 206,       /* a point load within one element length of the boundary                      */
   C2D_WARN_TENSION = 207,          /* pressure inside an element below -1 % of the largest nodal pressure         */
   C2D_WARN_CORNER = 208,           /* one shared unknown traction where the ends' directions differ by > 1 degree */
   C2D_WARN_INCREMENT = 209,        /* an increment of --stepping deck did not converge; finished by events        */
-  C2D_WARN_RESIDUAL = 210,         /* the tableau had drifted and was rebuilt                                     */
+  C2D_WARN_RESIDUAL = 210,         /* numbers beyond their limits: the path ends before them                      */
   C2D_WARN_CONDITION = 211,        /* the elimination is badly conditioned                                        */
   C2D_WARN_OFFSET = 212,           /* nodes of a pair are shifted by more than half an element along the surface  */
   C2D_WARN_LEFT_OUT = 213,         /* free zone: an element of body 2 that faces body 1 in part is left out       */
-  C2D_WARN_OVERLAP = 214           /* free zone: an overlap that the elements are too coarse to tell              */
+  C2D_WARN_OVERLAP = 214,          /* free zone: an overlap that the elements are too coarse to tell              */
+  C2D_WARN_NOT_UNIQUE = 215,       /* more than one contact state satisfies all conditions                        */
+  C2D_WARN_UNDEFINED_PLACE = 216,  /* nothing fixes where a body is in some direction                             */
+  C2D_WARN_STRAIN = 217,           /* strains above 0.05: the results are for small ones                          */
+  C2D_WARN_FRICTION = 218,         /* a coefficient of friction above 3 that is not meant as adhesion             */
+  C2D_WARN_CONSTANT = 219,         /* constant functions miss even a uniform stress                               */
+  C2D_WARN_FAR = 220,              /* a zone whose surfaces the loads hardly bring nearer                         */
+  C2D_WARN_SIZES = 221,            /* elements of very different length face each other                           */
+  C2D_WARN_SURFACE = 222           /* how far a surface may be off matters beside how far the bodies come closer  */
 };
 
 /* ---------------------------------------------------------------- 2 sizes and memory ---------------------------
@@ -179,6 +204,7 @@ typedef struct c2d_limits {
   int32_t panel_columns;      /* columns eliminated at a time; 0: as many as the memory allows     */
   int32_t free_pairs;         /* those of the pairs that belong to zones of c2d_add_free_zone      */
   int32_t point_sets;         /* of c2d_add_points (cards under *POINTS)                           */
+  int32_t curves;             /* of c2d_add_curve (cards *CURVE)                                   */
 } c2d_limits;
 
 /* Bytes of workspace for these limits: `minimum` solves any model within them with blocks of the smallest size,
@@ -470,6 +496,23 @@ typedef struct c2d_free_zone {
                                                 go round the end of its region                      */
 } c2d_free_zone;
 c2d_status c2d_add_free_zone(c2d_solver* solver, const c2d_free_zone* zone);
+/* What the surface is over elements first_element ... last_element of a body. Gaps, normals and the points that face each
+   other are those of surfaces, not of elements; where nothing is told a surface is a smooth curve through the boundary
+   points that respects corners, kinks and jumps of curvature as far as these show them. A line is straight between its
+   boundary points; an arc is one of the circle; a spline is one smooth curve through all boundary points, whatever their
+   angles. Nothing is concluded across the ends of a curve. Elements stay what they are: this changes contact alone.
+   Errors: ARGUMENT, STATE, LIMIT (c2d_limits.curves); elements in two curves and boundary points farther than a
+   thousandth of their element from a line or an arc are found by c2d_complete. */
+enum { C2D_CURVE_LINE = 0, C2D_CURVE_ARC = 1, C2D_CURVE_SPLINE = 2 };
+typedef struct c2d_curve {
+  uint32_t struct_size;
+  int32_t kind;               /* C2D_CURVE_...                                                      */
+  int32_t body;               /* 1 or 2                                                             */
+  int32_t first_element, last_element; /* of one region, going up                                   */
+  int32_t line;               /* of the deck or of c2d_set_line; an answer of c2d_get_curve, else unused       */
+  double centre[2], radius;   /* of an arc                                                          */
+} c2d_curve;
+c2d_status c2d_add_curve(c2d_solver* solver, const c2d_curve* curve);
 /* What an end already given carries in another load case: values[4] in the order tx ty ux uy; the codes stay those of
    c2d_set_condition (ends without a condition: tractions known), and a value other than zero for something unknown,
    or for a traction of the contact, is refused. A displacement belongs to its node. local 0: all ends of the element. */
@@ -536,8 +579,8 @@ c2d_status c2d_set_options(c2d_solver* solver, const c2d_options* options);
 
 /* ---------------------------------------------------------------- 6 prepare ------------------------------------
 
-   Assemble (2.1), eliminate what lies outside the contact (2.2), reduce to the contact unknowns (2.3): once per
-   model. Legal: model. State afterwards: prepared; after a failure or a cancel: model. Errors: STORE_..., SINGULAR,
+   Assemble (METHOD 2), eliminate what lies outside the contact (METHOD 7), reduce to the contact unknowns (METHOD 10):
+   once per model. Legal: model. State afterwards: prepared; after a failure or a cancel: model. Errors: STORE_..., SINGULAR,
    CANCELLED. A body with a free rigid motion that contact cannot hold is no error: c2d_advance tells it.
 
      if (c2d_prepare(solver) != C2D_OK) {
@@ -553,7 +596,8 @@ c2d_status c2d_prepare(c2d_solver* solver);
    right-hand sides through the factorisation that is there: a small part of the work, and results that agree with those
    of a solver prepared from the beginning to round-off. Without keep_factors, and after other options, a failure or a
    cancel, c2d_prepare does everything. What is known stays known: codes, geometry, contact do not change. A load case
-   for later is made by more load_cases in c2d_limits, with any load in it at first. States saved before are stale.
+   that is needed only later is counted in c2d_limits.load_cases from the beginning; what it holds until then does not
+   matter. States saved before are stale.
    Legal: prepared, running. */
 c2d_status c2d_change_loads(c2d_solver* solver);
 /* What an end carries in a load case from now on: values[4] in the order tx ty ux uy, as c2d_set_case_values, but every
@@ -693,10 +737,11 @@ enum {
   C2D_POINT_FIELDS = 11
 };
 enum {
-  C2D_POINT_INSIDE = 0,       /* (3.32)-(3.34), error below 1e-8 down to 1e-6 of an element length from the boundary */
+  C2D_POINT_INSIDE = 0,       /* METHOD 16.3, error below 1e-8 down to 1e-6 of an element length from the boundary */
   C2D_POINT_NEAR_NODE = 1,    /* within a tenth (constant functions: half) of the shorter element that meets there of an
-                                 element's end: stress linear between the boundary's tensor at the end and the
-                                 inside at the border of this range; displacement as inside         */
+                                 element's end: tractions and slopes of displacement jump there by what the mesh is
+                                 off, and the stress is that of elements on which they are smoothed (up to half the
+                                 shorter element away, fading); exact where the state is uniform; displacement as inside */
   C2D_POINT_BOUNDARY = 2,     /* within 1e-9 of an element length: displacement and tensor of the boundary point */
   C2D_POINT_OUTSIDE = 3       /* of the body asked for, or of all: every other column is 0          */
 };
@@ -731,11 +776,11 @@ typedef struct c2d_summary {
   double load, mu;                /* factor reached, coefficient in force                           */
   double max_residual;            /* largest relative residual of the contact equations seen        */
   double elimination_residual;    /* pivot growth in the elimination                                */
-  double condition;               /* estimate: largest over smallest pivot, columns scaled          */
+  double condition;               /* estimate: times the last digit, how much of displacements is round-off */
   double applied[2][3];           /* per body: fx, fy, moment about the origin of all loads and reactions outside
                                      the contact                                                    */
   double contact[2][3];           /* per body: the same of the contact tractions                    */
-  double force_applied, force_contact, force_error; /* design: magnitudes along what the body is free to follow */
+  double force_applied, force_contact, force_error; /* magnitudes along what the body is free to follow */
   double free_motion[3];          /* with C2D_FREE_MOTION, C2D_GROSS_SLIDING: how outcome_body starts to move,
                                      (ux, uy, rotation) about the origin, of length one              */
   double tension_ratio;           /* smallest pressure inside an element over the largest nodal one */
@@ -747,8 +792,9 @@ typedef struct c2d_summary {
   double least_dissipation;       /* most negative contribution of a pair and event: round-off      */
   int32_t symmetry;               /* lines of symmetry by images: 1: x = symmetry_at[0], 2: y = symmetry_at[1], 3: both;
                                      forces and moments are those of the part that is modelled        */
-  int32_t reserved2;
+  int32_t breach;                 /* with C2D_BEYOND_LIMITS: C2D_BREACH_...                             */
   double symmetry_at[2];
+  double breach_size;             /* of what the breach is measured against                          */
 } c2d_summary;
 c2d_status c2d_get_summary(c2d_solver* solver, c2d_summary* out); /* legal: always; errors: ARGUMENT */
 
@@ -780,6 +826,7 @@ c2d_status c2d_get_condition(c2d_solver* solver, int32_t body, int32_t element, 
                              double values[4]);
 c2d_status c2d_get_point_load(c2d_solver* solver, int32_t i, int32_t* body, double xy[2], double force[2]);
 c2d_status c2d_get_points(c2d_solver* solver, int32_t i, c2d_points* out);
+c2d_status c2d_get_curve(c2d_solver* solver, int32_t i, c2d_curve* out);
 /* Points first ... first+count-1 (from 1) of a set: x and y of the k-th to xy[k * stride], xy[k * stride + 1], ready for
    c2d_interior. *total (may be null): how many the set has. Needs no solver. Errors: ARGUMENT (also a set that
    c2d_add_points would refuse; `body` is not looked at). */
@@ -816,7 +863,7 @@ c2d_status c2d_get_interference(c2d_solver* solver, int32_t* load_case);
    broken       after an error of the store: restore, or c2d_create in the same memory
    In model, prepared and running also positions by get, and the lists: get_friction, _zone_friction, _path,
    _path_point, _zone, _region, _condition, _point_load, _case_condition, _case_point_load, _body_force, _rigid,
-   _interference, _points. */
+   _interference, _points, _curve. */
 enum { C2D_STATE_EMPTY = 0, C2D_STATE_BUILDING = 1, C2D_STATE_MODEL = 2, C2D_STATE_PREPARED = 3,
        C2D_STATE_RUNNING = 4, C2D_STATE_BROKEN = 5 };
 int32_t c2d_get_state(const c2d_solver* solver);                 /* -1: not a solver                */
@@ -838,7 +885,7 @@ const char* c2d_version(void);               /* "0.1.0" */
 
    C2D_FREE_MEMORY_BYTES(..., load_cases, free_pairs) is the same with one argument more, for limits with free zones.
 
-   Limits with point_sets add C2D_POINTS_BYTES(point_sets) to either.
+   Limits with point_sets add C2D_POINTS_BYTES(point_sets) to either, those with curves C2D_CURVES_BYTES(curves).
 
    The macros below are its parts: they repeat, line by line, what the library lays out. */
 #define C2D_MEMORY_BYTES(function_nodes, points1, points2, elements1, elements2, regions1, regions2, zones, pairs,     \
@@ -859,11 +906,12 @@ const char* c2d_version(void);               /* "0.1.0" */
                     UINT64_C(2) * (pairs), UINT64_C(1) * C2D_CASES_(load_cases), UINT64_C(2) * (free_pairs)))
 
 #define C2D_POINTS_BYTES(point_sets) C2D_ARRAY_(point_sets, 56)
+#define C2D_CURVES_BYTES(curves) C2D_ARRAY_(curves, 48)
 
 #ifndef C2D_REAL_BYTES
 #define C2D_REAL_BYTES 8      /* of a stored matrix's number: 4 for a library compiled with C2D_REAL=float   */
 #endif
-#define C2D_SOLVER_BYTES 2944 /* of c2d_solver, at most, on any target                                      */
+#define C2D_SOLVER_BYTES 3072 /* of c2d_solver, at most, on any target                                      */
 #define C2D_ASSEMBLY_BYTES 3776 /* of what the assembly of an element needs, at most, on any target         */
 #define C2D_ROUND_(bytes) (((bytes) + UINT64_C(63)) / 64 * 64)
 #define C2D_ARRAY_(count, size) C2D_ROUND_(UINT64_C(1) * (count) * (size))
@@ -891,15 +939,16 @@ const char* c2d_version(void);               /* "0.1.0" */
 
 /* What belongs to both. */
 #define C2D_LIST_BYTES_(zones, pairs, point_loads, coefficients, paths, cases)                                         \
-  (C2D_ARRAY_(zones, 64) + C2D_ARRAY_(pairs, 176) + C2D_ARRAY_(point_loads, 48) +                                      \
+  (C2D_ARRAY_(zones, 72) + C2D_ARRAY_(pairs, 104 + 14 * C2D_REAL_BYTES) + C2D_ARRAY_(point_loads, 48) +                                      \
    C2D_ARRAY_((coefficients) * (UINT64_C(1) + (zones)), 8) +           /* friction                        */          \
    C2D_ARRAY_(paths, 16) +                                                                                             \
    C2D_ARRAY_(pairs, 128) +                                            /* result table                    */          \
    C2D_ARRAY_(cases, 32) +                                             /* load factors                    */          \
    C2D_ARRAY_(UINT64_C(1) * (paths) * (cases), 8) +                    /* path                            */          \
-   C2D_ARRAY_((cases) * (2 * (UINT64_C(4) * (pairs) + (cases)) + 5), 8) + /* energy                        */          \
+   C2D_ARRAY_(cases, UINT64_C(8) * (2 * (cases) + 5 + C2D_REAL_BYTES * (pairs))) + /* energy                      */   \
    C2D_ARRAY_(2 * (cases), 40) +                                       /* body forces                     */          \
-   C2D_ARRAY_(cases, 40))                                              /* motions of a rigid body 1       */
+   C2D_ARRAY_(cases, 40) +                                             /* motions of a rigid body 1       */          \
+   C2D_ARRAY_(8, UINT64_C(8) * (cases) + UINT64_C(1) * C2D_REAL_BYTES * (pairs))) /* what states are judged by    */
 
 /* What assembly, reduction and the load path use one after another; m contact unknowns, of
    which `free` make an equation of body 1 each. */
@@ -921,8 +970,13 @@ const char* c2d_version(void);               /* "0.1.0" */
    C2D_ARRAY_((m) * 4, C2D_REAL_BYTES) +                               /* columns of a third              */          \
    C2D_ARRAY_(m, 4) + C2D_BLOCK_(m))                                   /* row exchanges; contact tape     */
 #define C2D_PATH_BYTES_(nodes1, ends1, nodes2, ends2, m, cases)                                                        \
-  (C2D_ARRAY_((m) * ((m) + 2 + (cases)), C2D_REAL_BYTES) +             /* tableau                         */          \
-   5 * C2D_ARRAY_(m, C2D_REAL_BYTES) + C2D_BLOCK_(m) +                 /* forces, rates, u1, u2, a column */          \
+  (C2D_ARRAY_((m) * ((m) + 1 + (cases)), C2D_REAL_BYTES) +             /* tableau                         */          \
+   3 * C2D_ARRAY_(m, C2D_REAL_BYTES) + C2D_BLOCK_(m) +                 /* forces, rates, kept; the tape   */          \
+   C2D_LARGER_(C2D_RATES_BYTES_((m) + 1), C2D_RESULT_BYTES_(nodes1, ends1, nodes2, ends2, m, cases)))
+#define C2D_RATES_BYTES_(n) /* the rate problem of n - 1 contact unknowns */                                           \
+  C2D_ARRAY_((n) * ((n) + 4), C2D_REAL_BYTES)
+#define C2D_RESULT_BYTES_(nodes1, ends1, nodes2, ends2, m, cases)                                                      \
+  (3 * C2D_ARRAY_(m, C2D_REAL_BYTES) +                                 /* u1, u2 of the contact, a column */          \
    C2D_ARRAY_(2 * (nodes1), C2D_REAL_BYTES) + C2D_ARRAY_(2 * (nodes2), C2D_REAL_BYTES) + /* displacements */           \
    C2D_ARRAY_(2 * (ends1), C2D_REAL_BYTES) + C2D_ARRAY_(2 * (ends2), C2D_REAL_BYTES) + /* tractions       */           \
    C2D_ARRAY_(C2D_ROWS_(C2D_LARGER_(nodes1, nodes2)), C2D_REAL_BYTES) + /* unknowns of one body            */         \

@@ -119,6 +119,10 @@ inline c2d::DeckSink recording_sink(Recorder& r, int32_t function_nodes = 0) {
     return recorder(s)->record("points", {double(p->kind), double(p->body), double(p->count[0]), double(p->count[1]),
                                           p->from[0], p->from[1], p->to[0], p->to[1]});
   };
+  sink.add_curve = [](c2d_solver* s, const c2d_curve* c) -> c2d_status {
+    return recorder(s)->record("curve", {double(c->kind), double(c->body), double(c->first_element),
+                                         double(c->last_element), c->centre[0], c->centre[1], c->radius});
+  };
   sink.set_symmetry = [](c2d_solver* s, int32_t axis, double value) -> c2d_status {
     return recorder(s)->record("symmetry", {double(axis), value});
   };

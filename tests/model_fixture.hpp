@@ -26,6 +26,7 @@ struct ModelData {
   std::vector<c2d::Zone> zones;
   std::vector<c2d::Pair> pairs;
   std::vector<c2d::PointLoad> point_loads;
+  std::vector<c2d::Curve> surfaces;
   std::vector<c2d::Path> paths;
   std::vector<c2d_error> told;
   int32_t faults = 0;
@@ -130,6 +131,8 @@ struct ModelData {
     m.zone = zones.data();
     m.pair = pairs.data();
     m.point_load = point_loads.data();
+    head.curves = static_cast<int32_t>(surfaces.size());
+    m.curve = surfaces.data();
     m.friction = friction.data();
     m.path = paths.data();
     return m;

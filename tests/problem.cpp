@@ -3,6 +3,7 @@
 #include "c2d_memory.h"
 #include "c2d_posix.h"
 #include "c2d_stdio.h"
+#include "c2d_threads.h"
 
 #include <unistd.h>
 
@@ -11,6 +12,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -57,6 +59,7 @@ int32_t keep_step(void* context, const c2d_step* now) {
   for (int32_t p = 0; p < now->pairs; ++p)
     step.table.insert(step.table.end(), now->table + p * now->stride,
                       now->table + p * now->stride + C2D_PAIR_FIELDS);
+  if (now->cases > 1) step.second = now->loads[1];
   static_cast<Result*>(context)->steps.push_back(step);
   return 0;
 }
@@ -111,8 +114,7 @@ c2d_limits limits_of(const Problem& p) {
     limits.elements[b] = p.elements(static_cast<int>(b) + 1);
     limits.regions[b] = static_cast<int32_t>(p.bodies[b].regions.size());
   }
-  for (const Body& body : p.bodies)
-    if (!body.second_case.empty()) limits.load_cases = 2;
+  if (p.two_cases()) limits.load_cases = 2;
   if (p.motions.size() > 1) limits.load_cases = static_cast<int32_t>(p.motions.size());
   if (p.interference > 1) limits.load_cases = p.interference;
   for (const BodyForce& f : p.body_forces)
@@ -171,7 +173,7 @@ c2d_status feed(c2d_solver* s, const Problem& p) {
   for (size_t b = 0; b < p.bodies.size() && status == C2D_OK; ++b)
     status = feed_body(s, p, static_cast<int32_t>(b) + 1);
   for (const PointLoad& l : p.point_loads)
-    if (status == C2D_OK) status = c2d_add_point_load(s, l.body, l.x, l.y, l.fx, l.fy, 1);
+    if (status == C2D_OK) status = c2d_add_point_load(s, l.body, l.x, l.y, l.fx, l.fy, l.load_case);
   if (p.rigid && status == C2D_OK) status = c2d_set_rigid(s, 0, 0, 0, 0, 0, 0);
   for (size_t k = 0; k < p.motions.size(); ++k)
     if (status == C2D_OK)
@@ -186,11 +188,35 @@ c2d_status feed(c2d_solver* s, const Problem& p) {
     if (status == C2D_OK) status = c2d_add_free_zone(s, &z);
   for (double mu : p.friction)
     if (status == C2D_OK) status = c2d_add_friction(s, mu);
-  for (const Path& path : p.paths)
-    if (status == C2D_OK) status = c2d_add_path(s, path.increments, path.load);
+  for (const Path& path : p.paths) {
+    const double factors[2] = {path.load, path.second};
+    if (status == C2D_OK)
+      status = p.two_cases() ? c2d_add_path_point(s, path.increments, factors, 2)
+                             : c2d_add_path(s, path.increments, path.load);
+  }
   for (int32_t axis = 0; axis < 2; ++axis)
     if (status == C2D_OK && (p.symmetry >> axis & 1) != 0) status = c2d_set_symmetry(s, axis, p.symmetry_at[axis]);
   return status == C2D_OK ? c2d_complete(s) : status;
+}
+
+c2d_status fetch_boundary(c2d_solver* s, const c2d_summary& summary, std::vector<EndResult> (&boundary)[2]) {
+  c2d_status status = C2D_OK;
+  for (int32_t b = 1; b <= summary.bodies; ++b) {
+    const int32_t count = summary.elements[b - 1] * summary.function_nodes;
+    std::vector<double> field[8];
+    for (int i = 0; i < 8 && status == C2D_OK; ++i) {
+      field[i].resize(index(count));
+      status = c2d_get(s, C2D_END_X + i, b, 1, count, field[i].data(), 1);
+    }
+    if (status != C2D_OK) return status;
+    for (int32_t i = 0; i < count; ++i) {
+      const size_t k = index(i);
+      boundary[b - 1].push_back({i / summary.function_nodes + 1, static_cast<int32_t>(field[2][k]),
+                                 static_cast<int32_t>(field[7][k]), field[0][k], field[1][k], field[3][k],
+                                 field[4][k], field[5][k], field[6][k]});
+    }
+  }
+  return status;
 }
 
 c2d_status follow_loads(c2d_solver* s, const Setup& setup, Result& r) {
@@ -208,28 +234,13 @@ c2d_status follow_loads(c2d_solver* s, const Setup& setup, Result& r) {
     step.table.resize(index(r.summary.pairs * C2D_PAIR_FIELDS));
     for (int32_t field = 0; field < C2D_PAIR_FIELDS && r.summary.pairs > 0 && status == C2D_OK; ++field)
       status = c2d_get(s, field, 0, 1, r.summary.pairs, step.table.data() + field, C2D_PAIR_FIELDS);
+    if (cases == 2) step.second = load[1];
+    if (setup.boundaries && status == C2D_OK) {
+      const c2d_status fetched = fetch_boundary(s, r.summary, step.boundary);
+      if (r.outcome == C2D_REACHED) status = fetched; // else there may be nothing to be had
+    }
     r.steps.push_back(step);
     if (r.outcome != C2D_REACHED && !setup.go_on) break;
-  }
-  return status;
-}
-
-c2d_status fetch_boundary(c2d_solver* s, Result& r) {
-  c2d_status status = C2D_OK;
-  for (int32_t b = 1; b <= r.summary.bodies; ++b) {
-    const int32_t count = r.summary.elements[b - 1] * r.summary.function_nodes;
-    std::vector<double> field[8];
-    for (int i = 0; i < 8 && status == C2D_OK; ++i) {
-      field[i].resize(index(count));
-      status = c2d_get(s, C2D_END_X + i, b, 1, count, field[i].data(), 1);
-    }
-    if (status != C2D_OK) return status;
-    for (int32_t i = 0; i < count; ++i) {
-      const size_t k = index(i);
-      r.boundary[b - 1].push_back({i / r.summary.function_nodes + 1, static_cast<int32_t>(field[2][k]),
-                                   static_cast<int32_t>(field[7][k]), field[0][k], field[1][k], field[3][k],
-                                   field[4][k], field[5][k], field[6][k]});
-    }
   }
   return status;
 }
@@ -253,7 +264,7 @@ c2d_status follow(c2d_solver* s, const Setup& setup, Result& r) {
   }
   c2d_get_summary(s, &r.summary);
   const bool stopped = r.outcome != C2D_REACHED;
-  status = fetch_boundary(s, r);
+  status = fetch_boundary(s, r.summary, r.boundary);
   if (!setup.points.empty() && status == C2D_OK) {
     const size_t count = setup.points.size() / 2;
     r.interior.resize(count * C2D_POINT_FIELDS);
@@ -335,7 +346,10 @@ Result solve_with(const c2d_limits& wanted, const Setup& setup, const Feeder& fe
   struct Both {
     c2d_port store;
     Result* result;
-  } both = {C2D_INIT(c2d_port), &r};
+    clock_t last; // moment for the run to end, 0: none
+    c2d_threads pool;
+  } both = {C2D_INIT(c2d_port), &r, 0, {}};
+  if (setup.seconds > 0) both.last = clock() + static_cast<clock_t>(setup.seconds * CLOCKS_PER_SEC);
   const uint64_t room = 4 * in_core + (8u << 20);
   Storage storage(setup.store, room, both.store);
   port.context = &both;
@@ -360,6 +374,24 @@ Result solve_with(const c2d_limits& wanted, const Setup& setup, const Feeder& fe
     return p.close(p.context, t);
   };
   port.log = [](void* c, const c2d_error* e) { keep_entry(static_cast<Both*>(c)->result, e); };
+  port.cancel = [](void* c) -> int32_t {
+    const Both* b = static_cast<Both*>(c);
+    return b->last != 0 && clock() > b->last;
+  };
+  struct Threads { // ended on every way out
+    c2d_threads* pool;
+    ~Threads() {
+      if (pool) c2d_threads_stop(pool);
+    }
+  } threads = {nullptr};
+  if (setup.threads > 1) {
+    if (c2d_threads_start(&both.pool, setup.threads) != 0) throw std::runtime_error("no threads");
+    threads.pool = &both.pool;
+    port.threads = setup.threads;
+    port.parallel_for = [](void* c, int32_t n, void (*task)(void*, int32_t), void* argument) {
+      c2d_threads_run(&static_cast<Both*>(c)->pool, n, task, argument);
+    };
+  }
   c2d_solver* s = nullptr;
   c2d_error why = C2D_INIT(c2d_error);
   r.status = c2d_create(&s, workspace.data(), workspace.size(), &limits, &port, &why);
@@ -409,6 +441,12 @@ int32_t Problem::pairs() const {
 }
 End& Problem::end(int body, int32_t element, int32_t local) {
   return bodies[index(body - 1)].ends[index((element - 1) * function_nodes + local - 1)];
+}
+
+bool Problem::two_cases() const {
+  for (const Body& body : bodies)
+    if (!body.second_case.empty()) return true;
+  return false;
 }
 
 bool Result::warned(int32_t number) const {
@@ -467,12 +505,17 @@ Problem scaled(Problem p, double length, double stress) {
   for (Body& body : p.bodies) {
     body.youngs_modulus *= stress;
     for (double& x : body.xy) x *= length;
-    for (End& end : body.ends)
-      for (int k = 0; k < 4; ++k) end.values[k] *= k < 2 ? stress : length;
+    for (std::vector<End>* ends : {&body.ends, &body.second_case})
+      for (End& end : *ends)
+        for (int k = 0; k < 4; ++k) end.values[k] *= k < 2 ? stress : length;
   }
   for (PointLoad& l : p.point_loads) {
     l.x *= length, l.y *= length;
     l.fx *= stress * length, l.fy *= stress * length;
+  }
+  for (BodyForce& f : p.body_forces) {
+    f.bx *= stress / length, f.by *= stress / length, f.rho_omega2 *= stress / (length * length);
+    f.x0 *= length, f.y0 *= length;
   }
   return p;
 }
@@ -488,20 +531,25 @@ Problem rotated(Problem p, double degrees) {
   };
   for (Body& body : p.bodies) {
     for (size_t i = 0; i < body.xy.size(); i += 2) turn(body.xy[i], body.xy[i + 1]);
-    for (End& end : body.ends) {
-      turn(end.values[0], end.values[1]);
-      turn(end.values[2], end.values[3]);
-      if (quarter) {
-        std::swap(end.codes[0], end.codes[1]);
-        std::swap(end.codes[2], end.codes[3]);
-      } else if (end.codes[0] != end.codes[1] || end.codes[2] != end.codes[3]) {
-        throw std::runtime_error("a condition on a single component cannot be turned by this angle");
+    for (std::vector<End>* ends : {&body.ends, &body.second_case})
+      for (End& end : *ends) {
+        turn(end.values[0], end.values[1]);
+        turn(end.values[2], end.values[3]);
+        if (quarter) {
+          std::swap(end.codes[0], end.codes[1]);
+          std::swap(end.codes[2], end.codes[3]);
+        } else if (end.codes[0] != end.codes[1] || end.codes[2] != end.codes[3]) {
+          throw std::runtime_error("a condition on a single component cannot be turned by this angle");
+        }
       }
-    }
   }
   for (PointLoad& l : p.point_loads) {
     turn(l.x, l.y);
     turn(l.fx, l.fy);
+  }
+  for (BodyForce& f : p.body_forces) {
+    turn(f.bx, f.by);
+    turn(f.x0, f.y0);
   }
   return p;
 }
@@ -542,9 +590,12 @@ Problem renumber(const Problem& p, const Renumbering& how) {
         for (int k = 0; k < 2; ++k)
           to.xy[index(2 * (base + how.node(i, n, steps, false)) + k)] = from.xy[index(2 * (base + i) + k)];
       for (int32_t e = 0; e < n; ++e)
-        for (int32_t l = 0; l < f; ++l)
-          to.ends[index((r.first - 1 + how.element(e, n)) * f + (how.flip ? f - 1 - l : l))] =
-              from.ends[index((r.first - 1 + e) * f + l)];
+        for (int32_t l = 0; l < f; ++l) {
+          const size_t here = index((r.first - 1 + e) * f + l),
+                       there = index((r.first - 1 + how.element(e, n)) * f + (how.flip ? f - 1 - l : l));
+          to.ends[there] = from.ends[here];
+          if (!from.second_case.empty()) to.second_case[there] = from.second_case[here];
+        }
     }
   }
   for (c2d_zone& z : q.zones)
@@ -556,6 +607,15 @@ Problem renumber(const Problem& p, const Renumbering& how) {
       for (int32_t* i : {&z.first_node[b], &z.last_node[b]})
         *i = base + 1 + how.node(*i - base - 1, n, per, f == 1);
     }
+  for (c2d_free_zone& z : q.free_zones)
+    for (size_t b = 0; b < 2; ++b) {
+      const int32_t count = z.elements[b] > 0 ? z.elements[b] : std::abs(z.last_element[b] - z.first_element[b]) + 1;
+      const int32_t way = (z.last_element[b] - z.first_element[b]) * (how.flip ? -1 : 1);
+      const Range r = region_of(p.bodies[b], z.first_element[b]);
+      for (int32_t* e : {&z.first_element[b], &z.last_element[b]})
+        *e = r.first + how.element(*e - r.first, r.last - r.first + 1);
+      z.elements[b] = z.last_element[b] - z.first_element[b] == way ? 0 : count; // round the end
+    }
   return q;
 }
 
@@ -565,14 +625,19 @@ Problem reflected(const Problem& p) {
   Problem q = renumber(p, {true, 0});
   for (Body& body : q.bodies) {
     for (size_t i = 0; i < body.xy.size(); i += 2) body.xy[i] = -body.xy[i];
-    for (End& end : body.ends) {
-      end.values[0] = -end.values[0];
-      end.values[2] = -end.values[2];
-    }
+    for (std::vector<End>* ends : {&body.ends, &body.second_case})
+      for (End& end : *ends) {
+        end.values[0] = -end.values[0];
+        end.values[2] = -end.values[2];
+      }
   }
   for (PointLoad& l : q.point_loads) {
     l.x = -l.x;
     l.fx = -l.fx;
+  }
+  for (BodyForce& f : q.body_forces) {
+    f.bx = -f.bx;
+    f.x0 = -f.x0;
   }
   return q;
 }
@@ -584,6 +649,7 @@ Problem renumbered(const Problem& p, int32_t elements) {
 Problem exchanged(Problem p) {
   std::swap(p.bodies[0], p.bodies[1]);
   for (PointLoad& l : p.point_loads) l.body = 3 - l.body;
+  for (BodyForce& f : p.body_forces) f.body = 3 - f.body;
   for (c2d_zone& z : p.zones)
     for (int32_t* two : {z.first_element, z.last_element, z.first_node, z.last_node})
       std::swap(two[0], two[1]);

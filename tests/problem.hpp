@@ -29,10 +29,12 @@ struct Body {
 struct PointLoad {
   int32_t body;
   double x, y, fx, fy;
+  int32_t load_case = 1;
 };
 struct Path {
   int32_t increments;
   double load;
+  double second = 0; // factor of load case 2, if there is one
 };
 struct BodyForce { // per area (bx, by) + rho_omega2 (x - x0, y - y0)
   int32_t body, load_case;
@@ -56,6 +58,7 @@ struct Problem {
 
   int32_t elements(int body) const;
   int32_t pairs() const;
+  bool two_cases() const;
   End& end(int body, int32_t element, int32_t local);
 };
 
@@ -69,6 +72,8 @@ struct Setup {
   int32_t quadrature = C2D_QUADRATURE_ACCURATE, stepping = C2D_STEPPING_EVENTS, every_change = 0;
   int32_t symmetry = C2D_SYMMETRY_DECK;
   std::vector<double> points; // x y x y ...: c2d_interior at the end
+  int32_t threads = 1;
+  double seconds = 0; // of the processor's time, after which the run is cancelled; 0: any
   int runs = 1; // how often c2d_run is called; the last one is kept
   // Instead of c2d_run, unless empty: friction, then a call of c2d_advance per load. Steps then carry numbers
   // 1 ...
@@ -76,9 +81,14 @@ struct Setup {
   std::vector<double> advance_second; // factors of load case 2, if there is one
   double advance_mu = 0;
   bool go_on = false;           // with the next load after one that was not reached
+  bool boundaries = false;      // kept at every load
   bool begin_after_run = false; // c2d_run first, then begin and advance
 };
 
+struct EndResult {
+  int32_t element, node, status;
+  double x, y, ux, uy, tx, ty;
+};
 struct Step {
   int32_t kind, coefficient, step, changes, iterations;
   c2d_outcome outcome;
@@ -87,10 +97,8 @@ struct Step {
   double work = 0, dissipated = 0, elastic = 0, defect = 0;
   double at(int pair, int field) const { return table[static_cast<size_t>(pair * C2D_PAIR_FIELDS + field)]; }
   int pairs() const { return static_cast<int>(table.size()) / C2D_PAIR_FIELDS; }
-};
-struct EndResult {
-  int32_t element, node, status;
-  double x, y, ux, uy, tx, ty;
+  double second = 0; // factor of load case 2
+  std::vector<EndResult> boundary[2] = {}; // with Setup::boundaries
 };
 struct Result {
   c2d_status status = C2D_OK; // of the first call that failed

@@ -11,6 +11,7 @@
 #include <limits>
 #include <set>
 #include <memory>
+#include <random>
 #include <vector>
 
 using namespace fixture;
@@ -308,6 +309,62 @@ TEST_CASE("assembly: any panels give the same columns") {
       CAPTURE(width);
       const Columns pieces(d, b, width);
       CHECK(pieces.data == whole.data);
+    }
+  }
+}
+
+TEST_CASE("assembly: any range of columns gives the same bits: all orders, slanted contacts, several holes, uneven nodes") {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> any(-1, 1);
+  for (int32_t trial = 0; trial < 24; ++trial) {
+    const int32_t functions = 1 + trial % 4, nodes = 2 + trial / 4 % 3;
+    CAPTURE(trial);
+    ModelData d(functions);
+    const double turn = any(random), c = std::cos(turn), s = std::sin(turn);
+    for (int b = 0; b < 2; ++b) { // two squares, one on the other, with holes
+      std::vector<Points> curves;
+      const auto add = [&](const Points& corners) {
+        Points p;
+        const size_t n = corners.size() / 2;
+        for (size_t e = 0; e < n; ++e)
+          for (int k = 0; k < nodes - 1; ++k) {
+            // Inner nodes stand off the middle on some straight sides.
+            const double at = k / (nodes - 1.0) + (k > 0 && e % 3 == 1 ? 0.05 : 0.0);
+            const size_t next = (e + 1) % n * 2;
+            const double x = corners[2 * e] + at * (corners[next] - corners[2 * e]);
+            const double y = corners[2 * e + 1] + at * (corners[next + 1] - corners[2 * e + 1]);
+            p.push_back(c * x - s * y);
+            p.push_back(s * x + c * y);
+          }
+        curves.push_back(p);
+      };
+      add(rectangle(0, b == 0 ? -2 : 0, 3, 2, 3, 2));
+      const int holes = 1 + trial % 3;
+      for (int h = 0; h < holes; ++h) {
+        const double x = 0.5 + h, y = b == 0 ? -1 : 1, r = 0.3 + 0.1 * any(random), a = any(random);
+        Points hole;
+        for (int k = 0; k < 3 + (h + trial) % 3; ++k)
+          arc_to(hole, x, y, r, 57 * a - 360.0 * k / (3 + (h + trial) % 3), 0, 1);
+        add(hole);
+      }
+      d.body(nodes, curves, 1000, b == 0 ? 0.3 : 0.45);
+    }
+    d.conditions(1, 1, 1, 3, functions, "1100");
+    if (functions == 1) {
+      d.zone(3, 3, 6, 1, 6, 3, -1, 3);
+    } else {
+      const int32_t per = functions - 1;
+      d.zone(3 * per + 1, 3, 6, 1, 5 * per + 1, 3, -1, 3 * per + 1);
+    }
+    d.point_load(2, c * 0.2 - s * 1.8, s * 0.2 + c * 1.8, 0.3, -1);
+    REQUIRE_MESSAGE(d.complete(), d.all());
+    for (int b = 0; b < 2; ++b) {
+      const Columns whole(d, b);
+      for (int32_t width : {1, 2, 7, 16}) {
+        CAPTURE(width);
+        const Columns pieces(d, b, width);
+        CHECK(pieces.data == whole.data);
+      }
     }
   }
 }

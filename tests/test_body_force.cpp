@@ -144,6 +144,8 @@ TEST_CASE("body force: a column under its weight is exact") {
       CHECK(e.u < 1e-10);
       CHECK(e.t < 1e-10);
       CHECK(interior_error(p, setup, r, guided, C2D_POINT_INSIDE) < 1e-9);
+      setup.points = {0.334, 7.002, -0.9999, 9.9999, 0.9999, 7.7501, 0.01, 9.999}; // close to nodes
+      CHECK(interior_error(p, setup, solved(p, setup), guided, C2D_POINT_NEAR_NODE) < 1e-9);
       // Nothing but the weight does work: half of its force times displacement, 2 wide, 3 high.
       const double stored = (1 - m.nu * m.nu) / m.e * 4 * 4 * 2 * 3 * 3 * 3 / 6;
       CHECK(r.summary.work == doctest::Approx(stored).epsilon(1e-9).scale(1 / m.e));

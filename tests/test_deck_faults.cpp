@@ -109,6 +109,27 @@ TEST_CASE("the deck that the faults are put into is right") {
   CHECK(read(joined(squares())).status == C2D_OK);
 }
 
+TEST_CASE("a wrong number of cards is one fault, at the card that gives it") {
+  const std::vector<std::string> sample = lines_of(load("sample.dat"));
+  const struct {
+    size_t line;
+    const char *card, *words;
+    int column;
+  } wrong[] = {{72, "   14", "number of boundary condition cards is 14, but line 86 holds another kind of card after 13", 1},
+               {72, "   12", "number of boundary condition cards is 12, but line 85 holds one more, or a wrong card", 1},
+               {86, "    1", "number of point loads is 1, but line 87 holds another kind of card after 0", 1},
+               {87, "    9", "number of boundary condition cards is 9, but line 96", 1},
+               {87, "    7", "number of boundary condition cards is 7, but line 95", 1},
+               {96, "    1", "number of point loads is 1, but line 97", 1},
+               {17, "    2    2    2", "number of contact zones is 2, but line 100 holds another kind of card after 1", 6},
+               {17, "    2    0    2", "number of contact zones is 0, but line 97 holds one more", 6}};
+  for (const auto& w : wrong) {
+    std::vector<std::string> deck = sample;
+    deck[w.line - 1] = w.card;
+    check_first(deck, static_cast<int>(w.line), w.column, w.column + 4, w.words);
+  }
+}
+
 TEST_CASE("an empty deck") {
   const Reading r = read("");
   CHECK(r.status == C2D_ERR_INPUT);

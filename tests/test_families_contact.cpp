@@ -283,6 +283,26 @@ TEST_CASE("families: Cattaneo and Mindlin, stick width and loop") {
   CHECK(std::fabs((s.steps[20].dissipated - s.steps[4].dissipated) / loop - 1) < 0.01);
 }
 
+TEST_CASE("families: Cattaneo and Mindlin, what a loop dissipates at any load, on the default mesh") {
+  for (const char* Q : {"Q=0.1", "Q=0.3", "Q=0.9"}) {
+    const Solution s = solve("mindlin", {Q});
+    solved(s);
+    const auto force = [](const std::vector<Row>& rows) { // over the pressure's sum
+      double friction = 0, pressure = 0;
+      for (size_t i = 0; i + 1 < rows.size(); ++i) {
+        const double width = rows[i + 1].x - rows[i].x;
+        friction += (rows[i].tt + rows[i + 1].tt) / 2 * width;
+        pressure += (rows[i].tn + rows[i + 1].tn) / 2 * width;
+      }
+      return friction / pressure / 0.3;
+    };
+    const double muP = 0.3 * kPi / (4 * 200 * 2 * 0.91 / 1000);
+    const double k = 1 - std::fabs(force(s.steps[4].rows) - force(s.steps[12].rows)) / 2;
+    const double loop = 4 / kPi * muP * muP * (2 * 0.91 / 1000) * (k * std::log(k) + 1 - k - (1 - k) * (1 - k) / 2);
+    CHECK_MESSAGE(std::fabs((s.steps[20].dissipated - s.steps[4].dissipated) / loop - 1) < 0.015, Q);
+  }
+}
+
 TEST_CASE("families: Cattaneo and Mindlin, twice the block and twice the cylinder change little") {
   const struct Largest { // at the largest tangential load
     double pressure, friction, stick;

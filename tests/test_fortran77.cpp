@@ -613,8 +613,8 @@ TEST_CASE("fortran77: nodes on lines and arcs, points and a point load as the C 
   REQUIRE(open(work) == 0);
   int32_t error = 0;
   const auto ok = [&error](int line) { CHECK_MESSAGE(error == 0, "line " << line); };
-  const int32_t sizes[] = {1, 2, 12, 0, 12, 0, 1, 0, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2}; // a quarter of a ring
-  c2size_(work, sizes, I{18}, &error), ok(__LINE__);
+  const int32_t sizes[] = {1, 2, 12, 0, 12, 0, 1, 0, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 1}; // a quarter of a ring
+  c2size_(work, sizes, I{19}, &error), ok(__LINE__);
   c2prob_(work, I{0}, I{0}, I{0}, " ", I{1}, &error), ok(__LINE__);
   c2body_(work, I{1}, I{2}, I{12}, I{1}, I{0}, R{1000.0}, R{0.3}, &error), ok(__LINE__);
   c2regn_(work, I{1}, I{1}, I{12}, &error), ok(__LINE__);
@@ -643,6 +643,12 @@ TEST_CASE("fortran77: nodes on lines and arcs, points and a point load as the C 
   c2apts_(work, I{C2D_POINTS_ONE}, I{1}, few, at + 16, at, &error), ok(__LINE__);
   c2apts_(work, I{C2D_POINTS_ONE}, I{1}, few, at + 16, at, &error);
   CHECK(error == C2D_ERR_LIMIT);
+  const double circle[3] = {0, 0, 2};
+  const int32_t outer[2] = {3, 6};
+  std::memcpy(real.at(), circle, sizeof circle);
+  c2acrv_(work, I{C2D_CURVE_ARC}, I{1}, outer, at, &error), ok(__LINE__);
+  c2acrv_(work, I{C2D_CURVE_ARC}, I{1}, outer, at, &error);
+  CHECK(error == C2D_ERR_LIMIT);
   c2path_(work, I{1}, R{1.0}, I{1}, &error), ok(__LINE__);
   c2done_(work, &error), ok(__LINE__);
 
@@ -657,6 +663,10 @@ TEST_CASE("fortran77: nodes on lines and arcs, points and a point load as the C 
   c2gpts_(work, I{1}, &kind, &body, of, &line, at, at + 16, &error), ok(__LINE__);
   CHECK((kind == C2D_POINTS_GRID && body == 1 && of[0] == 3 && of[1] == 2 && line == 0 && real_at(at, 2) == 2));
   c2gpts_(work, I{3}, &kind, &body, of, &line, at, at + 16, &error);
+  CHECK(error == C2D_ERR_ARGUMENT);
+  c2gcrv_(work, I{1}, &kind, &body, of, &line, at, &error), ok(__LINE__);
+  CHECK((kind == C2D_CURVE_ARC && body == 1 && of[0] == 3 && of[1] == 6 && line == 0 && real_at(at, 2) == 2));
+  c2gcrv_(work, I{2}, &kind, &body, of, &line, at, &error);
   CHECK(error == C2D_ERR_ARGUMENT);
   c2d_points grid = C2D_INIT(c2d_points);
   grid.kind = C2D_POINTS_GRID, grid.body = 1, grid.count[0] = 3, grid.count[1] = 2, grid.to[0] = 2;

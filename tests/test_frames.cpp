@@ -41,7 +41,7 @@ TEST_CASE("frames: flat blocks, every function order") {
     CAPTURE(f);
     ModelData d = blocks(0.5, f);
     REQUIRE(d.complete());
-    CHECK(d.told.empty());
+    CHECK(d.told.size() == (f == 1 ? 1 : 0)); // constant functions are warned of
     CHECK(d.head.contact == 2 * d.head.pairs);
     for (int32_t i = 0; i < d.head.pairs; ++i) {
       const c2d::Pair& p = d.pairs[static_cast<size_t>(i)];
@@ -58,20 +58,16 @@ TEST_CASE("frames: flat blocks, every function order") {
   }
 }
 
-TEST_CASE("frames: the direction of the gap counts only inside the wedge of the normals") {
-  ModelData d = blocks(0.5, 2, 0.004); // 0.46 degrees off the common normal: within the degree
-  REQUIRE(d.complete());
-  CHECK(d.pairs[1].nx == doctest::Approx(0.004 / std::sqrt(0.25 + 0.004 * 0.004)).epsilon(1e-12));
-  CHECK(d.pairs[1].gap == doctest::Approx(std::sqrt(0.25 + 0.004 * 0.004)).epsilon(1e-12));
-  for (double shift : {0.02, -0.02}) { // 2.3 degrees off on either side: not the direction of closing
-    d = blocks(0.5, 2, shift);
-    REQUIRE(d.complete());
-    CHECK(d.pairs[1].nx == 0);
-    CHECK(d.pairs[1].gap == doctest::Approx(0.5).epsilon(1e-15));
-  }
-  d = blocks(9e-4, 2, 1e-5); // shorter than 1e-3 of the element: has no direction
-  REQUIRE(d.complete());
-  CHECK(d.pairs[1].nx == 0);
+TEST_CASE("frames: where nodes stand shifted, the surfaces say the normal, not the nodes") {
+  for (double gap : {9e-4, 0.5})
+    for (double shift : {1e-5, 0.004, 0.02, -0.02}) {
+      ModelData d = blocks(gap, 2, shift);
+      REQUIRE(d.complete());
+      for (const c2d::Pair& p : d.pairs) {
+        CHECK(p.nx == 0);
+        CHECK(p.gap == doctest::Approx(gap).epsilon(1e-15));
+      }
+    }
 }
 
 TEST_CASE("frames: small gaps touch, overlap is a fault") {
@@ -85,7 +81,8 @@ TEST_CASE("frames: small gaps touch, overlap is a fault") {
   CHECK(open.pairs[2].gap == doctest::Approx(1.1e-5).epsilon(1e-9));
   ModelData overlap = blocks(-0.01);
   check_fault(overlap, "pair 1 (node 7 of body 1, node 5 of body 2): the bodies overlap by 0.01", 1);
-  CHECK(overlap.faults == 5);
+  CHECK(overlap.find("the largest of 5 overlaps in zone 1") != nullptr);
+  CHECK(overlap.faults == 1);
 }
 
 TEST_CASE("frames: Hertz's deck, arcs on a flat") {

@@ -333,9 +333,9 @@ TEST_CASE("mutated free decks neither crash nor loop, and every refusal says whe
   CHECK(accepted < 7500);
 }
 
-TEST_CASE("the example of FREE.md is solved") {
-  const std::string page = test::read_file(C2D_TEST_ROOT "/src/deck/FREE.md");
-  const size_t first = page.find("```\n") + 4, last = page.find("```", first);
+TEST_CASE("the example of DECK.md is solved") {
+  const std::string page = test::read_file(C2D_TEST_ROOT "/src/deck/DECK.md");
+  const size_t first = page.find("```\n*FREE") + 4, last = page.find("```", first);
   REQUIRE(last != std::string::npos);
   const std::string deck = page.substr(first, last - first);
   REQUIRE(deck.compare(0, 5, "*FREE") == 0);
@@ -355,14 +355,22 @@ TEST_CASE("convert: every sample deck there and back") {
     for (const auto& entry : test::fs::directory_iterator(path))
       if (entry.path().extension() == ".dat") decks.push_back(entry.path().string());
   CHECK(decks.size() >= 20);
+  int converted = 0;
   for (const std::string& deck : decks) {
     CAPTURE(deck);
     const std::string bytes = test::read_file(deck);
-    const test::Result free = convert(bytes);
-    REQUIRE(free.status == 0);
+    const bool is_free = bytes.compare(0, 6, "*FREE\n") == 0;
+    const test::Result first = convert(bytes);
+    if (is_free && first.status != 0) { // numbers with more digits than the fixed form has columns
+      CHECK(test::contains(first.err, "cannot be written in"));
+      continue;
+    }
+    ++converted;
+    const test::Result second = convert(first.out);
+    const test::Result &free = is_free ? second : first, &fixed = is_free ? first : second;
+    REQUIRE(first.status == 0);
+    REQUIRE(second.status == 0);
     CHECK(free.out.compare(0, 6, "*FREE\n") == 0);
-    const test::Result fixed = convert(free.out);
-    REQUIRE(fixed.status == 0);
     const Reading a = read(bytes), b = read(free.out), c = read(fixed.out);
     REQUIRE(a.status == C2D_OK);
     CHECK(b.status == C2D_OK);
@@ -372,6 +380,7 @@ TEST_CASE("convert: every sample deck there and back") {
     CHECK(std::memcmp(&a.sizes, &b.sizes, sizeof a.sizes) == 0);
     CHECK(convert(fixed.out).out == free.out);
   }
+  CHECK(converted >= 15);
 }
 
 TEST_CASE("convert: a run of the converted deck writes the same bytes") {

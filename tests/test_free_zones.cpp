@@ -500,20 +500,43 @@ TEST_CASE("free zones: a curved one that ends on lines of symmetry is whole") {
 }
 
 TEST_CASE("free zones: overlaps of straight elements are closed") {
-  // Between polygons of 24 and 20 sides the surfaces' overlap is off by up to 7e-5, differently at every fifth pair.
-  // As a wave of pi along the interface, +-3.5e-5 is a pressure of 3.5e-5 / (1 / 1000 + 1 / 2000).
-  const double waves = 3.5e-5 * 667;
+  // Polygons of 24 and 20 sides: their circles' overlap is known to round-off, 2 % are those of a wall of 1 between polygons,
+  // 6 % those of single pairs.
   for (double overlap : {1e-3, 1e-2}) {
     const Result r = solve_text(press_fit(false, 2, 2, {24, 20}, overlap));
     const double pressure = press_fit_pressure(overlap);
     INFO(overlap, " ", pressure, " ", r.messages());
     REQUIRE(r.status == C2D_OK);
     REQUIRE(r.steps.back().pairs() == 20);
-    const double off = 7e-5 / overlap + 0.02; // 2 %: a wall of 1 between polygons
-    CHECK(std::fabs(mean_pressure(r) / pressure - 1) < off);
-    check_pressures(r, pressure, off + waves / pressure);
-    CHECK(r.warned(C2D_WARN_OVERLAP) == (overlap < 4e-3)); // a tenth of the sagittas, 0.017 and 0.025
+    CHECK(std::fabs(mean_pressure(r) / pressure - 1) < 0.02);
+    check_pressures(r, pressure, 0.06);
+    CHECK(!r.warned(C2D_WARN_OVERLAP)); // the circles are certain
   }
+}
+
+TEST_CASE("free zones: elements of very different length, and surfaces that wobble, are told") {
+  Blocks b;
+  b.lower = 3, b.upper = 20;
+  const Result coarse = solve(pressed_blocks(b)), fine = solve(pressed_blocks(Blocks{}));
+  REQUIRE(coarse.status == C2D_OK);
+  CHECK(coarse.warned(C2D_WARN_SIZES));
+  CHECK(coarse.messages().find("zone 1: elements that face each other differ in length more than fourfold at 21 pairs") !=
+        std::string::npos);
+  CHECK(coarse.messages().find("0.666667 and 0.1") != std::string::npos);
+  REQUIRE(fine.status == C2D_OK);
+  CHECK(!fine.warned(C2D_WARN_SIZES));
+  CHECK(!fine.warned(C2D_WARN_SURFACE));
+  CHECK(!fine.warned(C2D_WARN_FAR));
+  Problem p = pressed_blocks(Blocks{});
+  std::vector<double>& xy = p.bodies[0].xy; // the lower block's upper side, up and down by up to 4e-4
+  const double wobble[3] = {0, -4e-4, -1e-4};
+  for (size_t i = 0; i < xy.size(); i += 2)
+    if (xy[i + 1] > 0.999 && xy[i] > 0.01 && xy[i] < 1.99) xy[i + 1] += wobble[(i / 2) % 3];
+  const Result rough = solve(p);
+  INFO(rough.messages());
+  REQUIRE(rough.status == C2D_OK);
+  CHECK(rough.warned(C2D_WARN_SURFACE));
+  CHECK(rough.messages().find("between boundary points the surfaces may be off by") != std::string::npos);
 }
 
 TEST_CASE("free zones: bad input") {

@@ -12,6 +12,7 @@
 namespace {
 
 using Loads = std::vector<double>;
+int told_of_large_slip = 0;
 
 struct Value { // of one side of the block's top, for a load case
   double tx, ty, ux, uy;
@@ -66,7 +67,7 @@ public:
     c2d_memory_store_init(&store_, region_.data(), region_.size());
     c2d_memory_store_port(&store_, &inner_);
     port_ = inner_;
-    port_.log = [](void*, const c2d_error*) {};
+    port_.log = [](void*, const c2d_error* entry) { told_of_large_slip += entry->status == C2D_WARN_LARGE_SLIP; };
     REQUIRE(c2d_create(&s, memory_.data(), memory_.size(), &limits, &port_, nullptr) == C2D_OK);
     build();
   }
@@ -344,6 +345,76 @@ TEST_CASE("history: a cycle closes after the first and dissipates the same") {
       REQUIRE(c.to({1, -0.3}) == C2D_REACHED);
     }
   }
+}
+
+namespace {
+
+// A turn of the loads in which the contact's edge opens and closes while the shear changes: pairs there slip one way
+// while they touch, and go back while they are open.
+Loads turn(double part) {
+  const double angle = 2 * std::acos(-1.0) * part;
+  return {1 + 0.3 * std::sin(angle + 0.5), std::sin(angle)};
+}
+
+} // namespace
+
+TEST_CASE("history: slip is what pairs move while they are pressed, the same every turn") {
+  Case c(cylinder(20));
+  REQUIRE(c.finish() == C2D_OK);
+  c.begin(0.4);
+  constexpr int kPieces = 480, kTurns = 6;
+  REQUIRE(c.to({turn(0)[0], 0}) == C2D_REACHED);
+  std::vector<double> before = c.table();
+  const size_t pairs = before.size() / C2D_PAIR_FIELDS;
+  std::vector<std::vector<double>> summed(kTurns, std::vector<double>(pairs)), told = summed;
+  std::vector<double> sum(pairs);
+  for (int turns = 0; turns < kTurns; ++turns) {
+    for (int k = 1; k <= kPieces; ++k) {
+      REQUIRE(c.to(turn(1.0 * k / kPieces)) == C2D_REACHED);
+      const std::vector<double> now = c.table();
+      for (size_t i = 0; i < pairs; ++i) {
+        const double *a = &before[i * C2D_PAIR_FIELDS], *b = &now[i * C2D_PAIR_FIELDS];
+        if (a[C2D_TN] > 0 && b[C2D_TN] > 0) sum[i] += (b[C2D_UT2] - b[C2D_UT1]) - (a[C2D_UT2] - a[C2D_UT1]);
+      }
+      before = now;
+    }
+    for (size_t i = 0; i < pairs; ++i) {
+      summed[static_cast<size_t>(turns)][i] = sum[i];
+      told[static_cast<size_t>(turns)][i] = before[i * C2D_PAIR_FIELDS + C2D_SLIP_SUM];
+    }
+  }
+  double largest = 0, most_per_turn = 0;
+  for (size_t i = 0; i < pairs; ++i) {
+    largest = std::max(largest, std::fabs(summed.back()[i]));
+    most_per_turn = std::max(most_per_turn, std::fabs(told[3][i] - told[2][i]));
+  }
+  CHECK(most_per_turn > 0.1 * largest); // pairs that only ever go one way
+  for (size_t turns = 0; turns < kTurns; ++turns)
+    for (size_t i = 0; i < pairs; ++i) { // pieces in which a pair touches or lifts count for neither
+      CHECK(std::fabs(told[turns][i] - summed[turns][i]) < 0.02 * largest);
+      // The turns come to repeat: what is locked in settles.
+      if (turns >= 3) CHECK(std::fabs((told[turns][i] - told[turns - 1][i]) - (told[2][i] - told[1][i])) < 1e-4 * largest);
+    }
+}
+
+TEST_CASE("history: the warning of large slip is about the slip since a pair last touched") {
+  Case c(cylinder(20));
+  REQUIRE(c.finish() == C2D_OK);
+  c.begin(0.4);
+  told_of_large_slip = 0;
+  const double half = 0.5 * 2 / 20;
+  double most = 0;
+  REQUIRE(c.to({turn(0)[0], 0}) == C2D_REACHED);
+  for (int k = 1; k <= 12 * 150; ++k) {
+    REQUIRE(c.to(turn(k / 12.0)) == C2D_REACHED);
+    const std::vector<double> now = c.table();
+    for (size_t i = 0; i < now.size(); i += C2D_PAIR_FIELDS) most = std::max(most, std::fabs(now[i + C2D_SLIP_SUM]));
+  }
+  CHECK(most > 1.2 * half); // summed over all that time
+  CHECK(told_of_large_slip == 0);
+  REQUIRE(c.to({1, 0}) == C2D_REACHED);
+  c.to({1, 40}); // and at one go
+  CHECK(told_of_large_slip == 1);
 }
 
 TEST_CASE("history: gross sliding begins where friction can carry no more") {

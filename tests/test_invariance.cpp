@@ -192,6 +192,34 @@ TEST_CASE("invariance: boundaries numbered from another node") {
   }
 }
 
+// Five of eight elements: first and last are as far from each other one way as the other way round.
+TEST_CASE("invariance: a zone over half of its ring, numbered from every node") {
+  Problem p;
+  p.bodies.resize(2);
+  add_polygon(p.bodies[0], {{0, -2, 1}, {5, -2, 1}, {5, 0, 5}, {0, 0, 1}});
+  add_polygon(p.bodies[1], {{0, 0, 5}, {5, 0, 1}, {5, 2, 1}, {0, 2, 1}});
+  set_ends(p, 1, [](double, double, double, double ny, End& end) {
+    const bool held = ny < -0.5;
+    for (int c = 0; c < 2; ++c) end.codes[c] = held, end.codes[2 + c] = !held;
+  });
+  for (int32_t node : {1, 2}) // at both ends of the side that is held
+    for (int c = 0; c < 2; ++c) p.end(1, node == 1 ? 8 : 2, node == 1 ? 2 : 1).codes[2 + c] = 0;
+  set_ends(p, 2, [](double x, double, double, double ny, End& end) {
+    if (ny > 0.5) end.values[0] = 0.1, end.values[1] = -1 - 0.1 * x;
+  });
+  c2d_zone zone = C2D_INIT(c2d_zone);
+  zone.pairs = 6, zone.elements = 5;
+  zone.first_element[0] = 3, zone.last_element[0] = 7, zone.first_node[0] = 3, zone.last_node[0] = 8;
+  zone.first_element[1] = 5, zone.last_element[1] = 1, zone.first_node[1] = 6, zone.last_node[1] = 1;
+  p.zones = {zone};
+  p.friction = {0.5};
+  const Result reference = solved(p);
+  for (int32_t shift = 1; shift < 8; ++shift) {
+    CAPTURE(shift);
+    check_same(reference, solved(renumbered(p, shift)), Mapping(), 1e-9);
+  }
+}
+
 TEST_CASE("invariance: bodies exchanged") {
   Mapping map;
   map.exchanged = true;

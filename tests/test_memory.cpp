@@ -30,7 +30,7 @@ uint64_t bound_of(const c2d_limits& l) {
                           static_cast<uint64_t>(l.point_loads), static_cast<uint64_t>(l.coefficients),
                           static_cast<uint64_t>(l.paths), static_cast<uint64_t>(l.load_cases),
                           static_cast<uint64_t>(l.free_pairs)) +
-         C2D_POINTS_BYTES(static_cast<uint64_t>(l.point_sets));
+         C2D_POINTS_BYTES(static_cast<uint64_t>(l.point_sets)) + C2D_CURVES_BYTES(static_cast<uint64_t>(l.curves));
 }
 
 c2d_limits smallest_limits() {
@@ -44,7 +44,7 @@ c2d_limits smallest_limits() {
 std::vector<int32_t c2d_limits::*> counts() {
   return {&c2d_limits::zones,        &c2d_limits::pairs, &c2d_limits::contact_elements, &c2d_limits::point_loads,
           &c2d_limits::coefficients, &c2d_limits::paths, &c2d_limits::load_cases,       &c2d_limits::panel_columns,
-          &c2d_limits::point_sets};
+          &c2d_limits::point_sets,   &c2d_limits::curves};
 }
 std::vector<int32_t*> numbers_of(c2d_limits& l) {
   std::vector<int32_t*> out;
@@ -293,7 +293,7 @@ TEST_CASE("memory: limits at their overflow") {
     // At least what the plainest arrays take, in a wider arithmetic.
     const long double m = 2.0L * l.pairs, cases = std::max(l.load_cases, 1);
     long double least = m * m * 8 * 2 + 136.0L * l.pairs + 56.0L * l.zones + 48.0L * l.point_loads + 8.0L * l.coefficients +
-                        16.0L * l.paths + 52.0L * l.point_sets;
+                        16.0L * l.paths + 52.0L * l.point_sets + 44.0L * l.curves;
     for (int b = 0; b < l.bodies; ++b)
       least += 20.0L * l.geometry_nodes[b] + 8.0L * l.regions[b] + 16.0L * l.elements[b] * cases;
     if (need.status == C2D_OK) REQUIRE(static_cast<long double>(need.minimum) >= least);

@@ -366,6 +366,39 @@ TEST_CASE("geometry: crossings and spikes") {
   check_fault(bulge, "elements 1 and 3");
 }
 
+TEST_CASE("geometry: straight sides with inner nodes, turned, moved and scaled, do not cross themselves") {
+  const double pi = std::acos(-1.0);
+  for (int nodes = 3; nodes <= 4; ++nodes)
+    for (int i = 0; i < 400; ++i) {
+      const double angle = 2 * pi * i / 400 + 1e-3 * i, size = std::pow(10.0, i % 13 - 6);
+      const double away = i % 3 == 0 ? 0 : (i % 3 == 1 ? 7.3 : -1e4) * size, c = std::cos(angle), s = std::sin(angle);
+      const double corner[5][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}};
+      Points p;
+      for (int side = 0; side < 4; ++side)
+        for (int k = 0; k + 1 < nodes; ++k) {
+          const double part = static_cast<double>(k) / (nodes - 1);
+          const double x = corner[side][0] + part * (corner[side + 1][0] - corner[side][0]),
+                       y = corner[side][1] + part * (corner[side + 1][1] - corner[side][1]);
+          p.push_back(away + size * (c * x - s * y));
+          p.push_back(-0.4 * away + size * (s * x + c * y));
+        }
+      ModelData turned = square(nodes == 3 ? 2 : 3, p, nodes);
+      CAPTURE(nodes);
+      CAPTURE(i);
+      CHECK(turned.complete());
+      // What does cross is found as surely: the side opposite the first one passes through it.
+      for (size_t k = 0; k + 1 < static_cast<size_t>(nodes); ++k)
+        for (size_t j = 0; j < 2; ++j) { // points of the third side, (1 - part, 1), moved to (1 - part, -0.1 + 0.05 part)
+          const double part = static_cast<double>(k) / (nodes - 1), x = 1 - part, y = k == 0 ? 1 : -0.1 * part;
+          if (k == 0) continue;
+          p[2 * (2 * static_cast<size_t>(nodes - 1) + k) + j] =
+              j == 0 ? away + size * (c * x - s * y) : -0.4 * away + size * (s * x + c * y);
+        }
+      ModelData dipped = square(nodes == 3 ? 2 : 3, p, nodes);
+      CHECK_FALSE(dipped.complete());
+    }
+}
+
 TEST_CASE("geometry: orientation and nesting of regions") {
   ModelData d = square(2, reversed(unit_square()));
   check_fault(d, "is the outer boundary and runs clockwise", 0, 1);

@@ -95,7 +95,7 @@ TEST_CASE("points: a file of points in the ring against Lame, in both stores") {
       "run " + quoted(kRing) + " --memory 64K --points " + quoted(folder / "p") + " --interior ";
   const Result memory = contact2d(run + quoted(folder / "a") + " --listing /dev/null --store memory");
   CHECK(memory.status == 0);
-  CHECK(memory.err == "");
+  CHECK(lines_of(memory.err).size() == 1); // the ring's strains are not small
   CHECK(
       contact2d(run + quoted(folder / "b") + " --listing /dev/null --store file:" + quoted(folder / "tapes"))
           .status == 0);
@@ -151,7 +151,7 @@ TEST_CASE("points: outside, on the boundary, and next to it") {
   CHECK(json["interior"]["points"].number == 8);
   CHECK(json["interior"]["boundary"].number == 2);
   CHECK(json["interior"]["outside"].number == 4);
-  CHECK(json["warnings"].items.size() == 4);
+  CHECK(json["warnings"].items.size() == 5); // one of them of large strains
 }
 
 TEST_CASE("points: more points outside than anyone would read") {
@@ -163,7 +163,7 @@ TEST_CASE("points: more points outside than anyone would read") {
       contact2d("run " + quoted(kRing) + " --points " + quoted(folder / "p") + " --interior -");
   CHECK(result.status == 0);
   CHECK(rows_of(result.out).size() == 51);
-  CHECK(lines_of(result.err).size() == 61);
+  CHECK(lines_of(result.err).size() == 62);
   CHECK(contains(result.err, "p: warning: 30 points more lie outside their body\n"));
 }
 
@@ -174,7 +174,8 @@ TEST_CASE("points: a point, a line and a clipped grid in the deck") {
       contact2d("run " + quoted(folder / "d") + " --interior - --listing " + quoted(folder / "l") +
                 " --json " + quoted(folder / "j") + " --vtk " + quoted(folder / "v"));
   CHECK(result.status == 0);
-  CHECK(result.err == "");
+  CHECK(lines_of(result.err).size() == 1);
+  CHECK(contains(result.err, "warning: load factor 1, mu 0: strains reach 0.19 at element 20 of body 1"));
   const std::vector<Row> rows = rows_of(result.out);
   REQUIRE(rows.size() > 5);
   CHECK(rows[0].x == 1.5);

@@ -456,6 +456,58 @@ TEST_CASE("program: where a path ends is told by the factors of all load cases")
   CHECK(json["incomplete"]["loads"][1].number == doctest::Approx(0.3).epsilon(1e-9));
 }
 
+namespace {
+
+// Two squares; body 2 on body 1, which a card for it holds or not.
+std::string two_squares(const std::string& conditions1, const std::string& youngs_modulus = "100",
+                        const std::string& order = "2", const std::string& mu = "0.5") {
+  const std::string square = "1 0 0\n2 1 0\n3 1 1\n4 0 1\n", points = order == "1" ? "1" : "2";
+  const std::string pairs = order == "1" ? "1 2 1 1\n3 3 1 1\n3 3 1 1\n1 1\n1 1\n" : "1 2 2 1\n3 3 1 1\n3 4 2 1\n2 1\n2 1\n";
+  const std::string load = order == "1" ? "1\n3 1 0011 0 -1 0 0\n" : "2\n3 1 0011 0 -1 0 0\n1 3 2 0011 0 -1 0 0\n";
+  return "*FREE\n1\nTWO SQUARES\n0 1\n2 1 " + order + "\n1 2 4 4\n1 2 4 4\n1 4\n1 4\n" + youngs_modulus + " 0.3\n200 0.2\n1 " +
+         mu + "\n0 0\n" + square + "0 1\n" + square + conditions1 + "0\n" + load + "0\n" + pairs + "1 10\n4 1\n";
+}
+
+Result run_text(const std::string& deck) {
+  Folder folder;
+  write_file(folder / "deck.dat", deck);
+  return contact2d("run " + quoted(folder / "deck.dat") + " --listing /dev/null");
+}
+
+} // namespace
+
+TEST_CASE("program: the body that nothing holds is the one that is named") {
+  CHECK(contains(run_text(two_squares("0\n")).err, "body 1 can move"));
+  const Result held = run_text(two_squares("2\n1 1 1100 0 0 0 0\n1 1 2 1100 0 0 0 0\n"));
+  CHECK(held.status == 0);
+  CHECK(held.err == "");
+}
+
+TEST_CASE("program: strains that are not small, very high friction and constant functions are warned of") {
+  const std::string held = "2\n1 1 1100 0 0 0 0\n1 1 2 1100 0 0 0 0\n";
+  const Result soft = run_text(two_squares(held, "10"));
+  CHECK(soft.status == 0);
+  CHECK(contains(soft.err, "strains reach 0."));
+  CHECK(contains(run_text(two_squares(held, "100", "2", "3.5")).err, "coefficient of friction is above 3"));
+  CHECK(!contains(run_text(two_squares(held, "100", "2", "3")).err, "coefficient of friction"));
+  const Result constant = run_text(two_squares("1\n1 1 1100 0 0 0 0\n", "100", "1"));
+  CHECK(contains(constant.err, "constant functions miss even a uniform stress"));
+}
+
+TEST_CASE("program: coarse contact is told once, with how much may be off") {
+  const auto made = [](const std::string& arguments) {
+    return run_shell("'" C2D_TEST_PROGRAM "' make " + arguments + " | '" C2D_TEST_PROGRAM "' run - --listing /dev/null");
+  };
+  const Result two = made("hertz n=2");
+  CHECK(two.status == 0);
+  CHECK(contains(two.err, "rises from the edge to its highest over only 2 elements; the edge may be off by 0.667, 67 % of the width"));
+  CHECK(two.err.find("coarse contact") == two.err.rfind("coarse contact"));
+  // The mesh is made for what slips at Q; with a smaller motion less does.
+  CHECK(contains(made("mindlin move=0.0006").err, "coarse contact: the zone of slip of pairs"));
+  for (const char* fine : {"hertz", "hertz n=6", "mindlin", "mindlin Q=0.1", "cylinder_friction", "receding_layer", "disc_in_hole"})
+    CHECK_MESSAGE(!contains(made(fine).err, "coarse contact"), fine);
+}
+
 TEST_CASE("program: one body without contact") {
   const Folder folder;
   const Result result =

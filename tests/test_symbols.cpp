@@ -10,12 +10,12 @@ using namespace test;
 
 namespace {
 
-// The words in backquotes of the README's line that begins so: what the core may ask of its host.
-std::set<std::string> readme_list(const std::string& beginning) {
+// The words in backquotes of the line of port/cortex-m/README.md that begins so: what the core may ask of its host.
+std::set<std::string> page_list(const std::string& beginning) {
   std::set<std::string> names;
-  const std::string readme = read_file(C2D_TEST_ROOT "/README.md");
-  const size_t at = readme.find(beginning);
-  const std::string text = at == std::string::npos ? "" : readme.substr(at, readme.find('\n', at) - at);
+  const std::string page = read_file(C2D_TEST_ROOT "/port/cortex-m/README.md");
+  const size_t at = page.find(beginning);
+  const std::string text = at == std::string::npos ? "" : page.substr(at, page.find('\n', at) - at);
   for (size_t open = text.find('`'); open != std::string::npos; open = text.find('`', open)) {
     const size_t close = text.find('`', open + 1);
     names.insert(text.substr(open + 1, close - open - 1));
@@ -25,8 +25,8 @@ std::set<std::string> readme_list(const std::string& beginning) {
 }
 
 std::set<std::string> allowed_symbols() {
-  std::set<std::string> names = readme_list("- memory: ");
-  names.merge(readme_list("- mathematics: "));
+  std::set<std::string> names = page_list("- memory: ");
+  names.merge(page_list("- mathematics: "));
   names.insert("_GLOBAL_OFFSET_TABLE_"); // of position-independent code: no symbol of the host
   return names;
 }
@@ -88,7 +88,7 @@ TEST_CASE("symbols: the core asks only for memory moves and mathematics") {
 TEST_CASE("symbols: what a hardened build asks for besides") {
   if (kSanitized || !has_command("nm")) return;
   std::set<std::string> allowed = allowed_symbols();
-  allowed.merge(readme_list("- hardened builds"));
+  allowed.merge(page_list("- hardened builds"));
   const Folder folder;
   for (const char* source : {"memory/text", "store/block", "store/tapes", "deck/cards", "solver/create"}) {
     const std::string object = folder / "object.o";

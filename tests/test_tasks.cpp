@@ -90,7 +90,7 @@ static Deck uneven_ring() {
 }
 
 TEST_CASE("tasks: no bit of a solution or of interior points depends on their number") {
-  for (const std::string name : {"sample56", "hertz_lin_l", "ring3", "uneven ring"}) {
+  for (const std::string name : {"sample56", "hertz_lin_l", "ring3", "uneven ring", "../judge/two_holes"}) {
     CAPTURE(name);
     const Deck deck = name == "uneven ring" ? uneven_ring() : deck_named(name);
     std::mt19937_64 random(5);
@@ -103,7 +103,7 @@ TEST_CASE("tasks: no bit of a solution or of interior points depends on their nu
     int inside = 0;
     for (size_t i = C2D_POINT_FLAG; i < one.inside.size(); i += C2D_POINT_FIELDS) inside += std::fabs(one.inside[i] - double(C2D_POINT_OUTSIDE)) > 0.5;
     CHECK(inside > 0);
-    for (int32_t threads : {2, 3, 7}) {
+    for (int32_t threads : {2, 3, 5, 7}) {
       CAPTURE(threads);
       const All many = solve(deck, threads, xy, &calls);
       CHECK(calls > 0);

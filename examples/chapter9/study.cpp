@@ -152,9 +152,7 @@ std::string make_deck(const std::vector<std::string>& settings, const LoadCards&
   if (!families::make_model("cylinder_friction", settings, model, error)) return "";
   model.loads.clear();
   for (const Increments& card : cards) model.loads.push_back({card.count, card.load});
-  std::string deck;
-  families::write_deck(model, deck);
-  return deck;
+  return families::write_deck(model);
 }
 
 // ---- the continuum

@@ -156,12 +156,12 @@ $(EMBEDDED)/workspace: tests/footprint/workspace.cpp $(LIBRARY)
 BILL_HEAD := | target | calls | code | constants | static data | stack | workspace | painted |
 BILLS := $(EMBEDDED)/desktop/bill $(BOARDS:%=$(EMBEDDED)/%/bill)
 .PHONY: footprint footprint-readme
-# The rows of the README's table, anew.
+# The rows of the table in README.md of this folder, anew.
 footprint-readme: $(BILLS)
 	@{ echo; echo '$(BILL_HEAD)'; echo '| --- | --- | --- | --- | --- | --- | --- | --- |'; grep -h '^|' $(BILLS); } > $(EMBEDDED)/rows
 	@awk '/^<!-- make footprint-readme/ { print; while ((getline row < "$(EMBEDDED)/rows") > 0) print row; skip = 1 } \
-	  /^<!-- end -->/ { skip = 0 } !skip && !/^<!-- make footprint-readme/ { print }' README.md > $(EMBEDDED)/README.new
-	@cat $(EMBEDDED)/README.new > README.md
+	  /^<!-- end -->/ { skip = 0 } !skip && !/^<!-- make footprint-readme/ { print }' port/cortex-m/README.md > $(EMBEDDED)/README.new
+	@cat $(EMBEDDED)/README.new > port/cortex-m/README.md
 footprint: $(BILLS) $(EMBEDDED)/workspace
 	@grep -hv '^|' $(BILLS)
 	@echo

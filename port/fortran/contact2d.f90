@@ -28,7 +28,11 @@ module contact2d
       C2D_ERR_STORE_CHECKSUM = 33, C2D_ERR_STORE_SWAPPED = 34, C2D_ERR_STORE_STALE = 35, &
       C2D_ERR_MISMATCH = 40, C2D_ERR_INTERNAL = 99
   integer(c_int32_t), parameter :: C2D_REACHED = 0, C2D_FREE_MOTION = 1, C2D_GROSS_SLIDING = 2, &
-      C2D_NO_ADMISSIBLE_CHANGE = 3, C2D_ENDLESS_EXCHANGE = 4
+      C2D_NO_ADMISSIBLE_CHANGE = 3, C2D_ENDLESS_EXCHANGE = 4, &
+      C2D_UNDECIDED = 5, C2D_TIPPING = 6, C2D_BEYOND_LIMITS = 7
+  integer(c_int32_t), parameter :: C2D_BREACH_NONE = 0, C2D_BREACH_TABLEAU = 1, C2D_BREACH_EQUATIONS = 2, &
+      C2D_BREACH_BALANCE = 3, C2D_BREACH_SIGN = 4, C2D_BREACH_CONE = 5, C2D_BREACH_SLIP = 6, &
+      C2D_BREACH_SINGULAR = 7, C2D_BREACHES = 8
   integer(c_int32_t), parameter :: C2D_OPEN = 0, C2D_STICK = 1, C2D_SLIP = 2
   integer(c_int32_t), parameter :: C2D_PLANE_STRAIN = 0, C2D_PLANE_STRESS = 1
   integer(c_int32_t), parameter :: C2D_NOTE = 0, C2D_WARNING = 1, C2D_FAULT = 2
@@ -36,7 +40,10 @@ module contact2d
       C2D_WARN_LARGE_SLIP = 203, C2D_WARN_NORMALS = 204, C2D_WARN_KINK = 205, C2D_WARN_POINT_LOAD = 206, &
       C2D_WARN_TENSION = 207, C2D_WARN_CORNER = 208, C2D_WARN_INCREMENT = 209, C2D_WARN_RESIDUAL = 210, &
       C2D_WARN_CONDITION = 211, C2D_WARN_OFFSET = 212, C2D_WARN_LEFT_OUT = 213, &
-      C2D_WARN_OVERLAP = 214
+      C2D_WARN_OVERLAP = 214, C2D_WARN_NOT_UNIQUE = 215, &
+      C2D_WARN_UNDEFINED_PLACE = 216, C2D_WARN_STRAIN = 217, C2D_WARN_FRICTION = 218, &
+      C2D_WARN_CONSTANT = 219, C2D_WARN_FAR = 220, C2D_WARN_SIZES = 221, &
+      C2D_WARN_SURFACE = 222
   integer(c_int32_t), parameter :: C2D_PHASE_READ = 0, C2D_PHASE_ASSEMBLE = 1, C2D_PHASE_ELIMINATE = 2, &
       C2D_PHASE_REDUCE = 3, C2D_PHASE_CONTACT = 4, C2D_PHASE_BACK = 5, C2D_PHASE_WRITE = 6, C2D_PHASES = 7
   integer(c_int32_t), parameter :: C2D_TAPE_CONTROL = 0, C2D_TAPE_LOWER = 1, C2D_TAPE_UPPER = 2, &
@@ -49,6 +56,7 @@ module contact2d
   integer(c_int32_t), parameter :: C2D_QUADRATURE_ACCURATE = 0, C2D_QUADRATURE_THESIS = 1
   integer(c_int32_t), parameter :: C2D_STEPPING_EVENTS = 0, C2D_STEPPING_DECK = 1
   integer(c_int32_t), parameter :: C2D_SYMMETRY_DECK = 0, C2D_SYMMETRY_IMAGES = 1
+  integer(c_int32_t), parameter :: C2D_CURVE_LINE = 0, C2D_CURVE_ARC = 1, C2D_CURVE_SPLINE = 2
   integer(c_int32_t), parameter :: C2D_POINTS_ONE = 0, C2D_POINTS_LINE = 1, C2D_POINTS_GRID = 2
   integer(c_int32_t), parameter :: C2D_STEP_RECORDED = 0, C2D_STEP_CHANGE = 1, C2D_STEP_STOPPED = 2
   integer(c_int32_t), parameter :: C2D_X = 0, C2D_Y = 1, C2D_STATUS = 2, C2D_TN = 3, C2D_TT = 4, &
@@ -106,7 +114,7 @@ module contact2d
   end type
 
   type, bind(C) :: c2d_limits
-    integer(c_int32_t) :: struct_size = 76
+    integer(c_int32_t) :: struct_size = 80
     integer(c_int32_t) :: bodies = 0
     integer(c_int32_t) :: function_nodes = 0
     integer(c_int32_t) :: geometry_nodes(2) = 0
@@ -122,6 +130,7 @@ module contact2d
     integer(c_int32_t) :: panel_columns = 0
     integer(c_int32_t) :: free_pairs = 0
     integer(c_int32_t) :: point_sets = 0
+    integer(c_int32_t) :: curves = 0
   end type
 
   type, bind(C) :: c2d_progress
@@ -210,6 +219,17 @@ module contact2d
     real(c_double) :: to(2) = 0
   end type
 
+  type, bind(C) :: c2d_curve
+    integer(c_int32_t) :: struct_size = 48
+    integer(c_int32_t) :: kind = 0
+    integer(c_int32_t) :: body = 0
+    integer(c_int32_t) :: first_element = 0
+    integer(c_int32_t) :: last_element = 0
+    integer(c_int32_t) :: line = 0
+    real(c_double) :: centre(2) = 0
+    real(c_double) :: radius = 0
+  end type
+
   type, bind(C) :: c2d_options
     integer(c_int32_t) :: struct_size = 28
     integer(c_int32_t) :: quadrature = 0
@@ -244,7 +264,7 @@ module contact2d
   end type
 
   type, bind(C) :: c2d_summary
-    integer(c_int32_t) :: struct_size = 808
+    integer(c_int32_t) :: struct_size = 816
     integer(c_int32_t) :: state = 0
     integer(c_int32_t) :: outcome = 0
     integer(c_int32_t) :: outcome_body = 0
@@ -308,8 +328,9 @@ module contact2d
     real(c_double) :: energy_defect = 0
     real(c_double) :: least_dissipation = 0
     integer(c_int32_t) :: symmetry = 0
-    integer(c_int32_t) :: reserved2 = 0
+    integer(c_int32_t) :: breach = 0
     real(c_double) :: symmetry_at(2) = 0
+    real(c_double) :: breach_size = 0
   end type
 
   type, bind(C) :: c2d_zone_state
@@ -612,6 +633,12 @@ module contact2d
       type(c2d_points), intent(in) :: points
       integer(c_int32_t) :: status
     end function
+    function c2d_add_curve(solver, curve) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
+      type(c2d_curve), intent(in) :: curve
+      integer(c_int32_t) :: status
+    end function
     function c2d_set_case_values(solver, body, element, local, values, load_case) bind(C) result(status)
       import
       type(c_ptr), value :: solver
@@ -848,6 +875,13 @@ module contact2d
       type(c_ptr), value :: solver
       integer(c_int32_t), value :: i
       type(c2d_points), intent(inout) :: out
+      integer(c_int32_t) :: status
+    end function
+    function c2d_get_curve(solver, i, out) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
+      integer(c_int32_t), value :: i
+      type(c2d_curve), intent(inout) :: out
       integer(c_int32_t) :: status
     end function
     function c2d_expand_points(points, first, count, xy, stride, total) bind(C) result(status)

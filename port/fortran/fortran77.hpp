@@ -154,6 +154,7 @@ void c2muz_(Work work, In izone, In i, In fmu, Out ierr);
 void c2symm_(Work work, In iaxis, In value, Out ierr);
 void c2path_(Work work, In ninc, In factor, In ncases, Out ierr);
 void c2clrp_(Work work, Out ierr);
+void c2acrv_(Work work, In ikind, In ibody, In ielem, In circle, Out ierr);
 void c2apts_(Work work, In ikind, In ibody, In icount, In from, In to, Out ierr);
 void c2unit_(Work work, Text length, In llen, Text force, In lforce, Out ierr);
 void c2line_(Work work, In iline, In icol, In icol2, Out ierr);
@@ -193,6 +194,7 @@ void c2gpld_(Work work, In i, Out ibody, Out icase, Out xy, Out force, Out ierr)
 void c2gbfo_(Work work, In ibody, In icase, Out force, Out rhom2, Out axis, Out ierr);
 void c2grig_(Work work, In icase, Out irigid, Out motion, Out axis, Out ierr);
 void c2gint_(Work work, Out icase, Out ierr);
+void c2gcrv_(Work work, In i, Out ikind, Out ibody, Out ielem, Out iline, Out circle, Out ierr);
 void c2gpts_(Work work, In i, Out ikind, Out ibody, Out icount, Out iline, Out from, Out to, Out ierr);
 void c2xpts_(Work work, In i, In ifirst, In n, Out xy, In ldxy, Out ntotal, Out ierr);
 

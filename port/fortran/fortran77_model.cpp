@@ -201,6 +201,21 @@ void c2clrp_(Work work, Out ierr) {
   call.leave(ierr);
 }
 
+void c2acrv_(Work work, In ikind, In ibody, In ielem, In circle, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    c2d_curve curve = C2D_INIT(c2d_curve);
+    curve.kind = integer_at(ikind);
+    curve.body = integer_at(ibody);
+    curve.first_element = integer_at(ielem, 0);
+    curve.last_element = integer_at(ielem, 1);
+    for (int32_t j = 0; j < 2; ++j) curve.centre[j] = real_at(circle, j);
+    curve.radius = real_at(circle, 2);
+    call.status = c2d_add_curve(call.solver, &curve);
+  }
+  call.leave(ierr);
+}
+
 void c2apts_(Work work, In ikind, In ibody, In icount, In from, In to, Out ierr) {
   Call call(work);
   if (call.ready()) {

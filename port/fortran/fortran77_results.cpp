@@ -276,6 +276,24 @@ void c2gint_(Work work, Out icase, Out ierr) {
   call.leave(ierr);
 }
 
+void c2gcrv_(Work work, In i, Out ikind, Out ibody, Out ielem, Out iline, Out circle, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    c2d_curve curve = C2D_INIT(c2d_curve);
+    call.status = c2d_get_curve(call.solver, integer_at(i), &curve);
+    if (call.status == C2D_OK) {
+      const int32_t elements[2] = {curve.first_element, curve.last_element};
+      const double numbers[3] = {curve.centre[0], curve.centre[1], curve.radius};
+      put_integer(ikind, curve.kind);
+      put_integer(ibody, curve.body);
+      put_integer(iline, curve.line);
+      memcpy(ielem, elements, sizeof elements);
+      memcpy(circle, numbers, sizeof numbers);
+    }
+  }
+  call.leave(ierr);
+}
+
 void c2gpts_(Work work, In i, Out ikind, Out ibody, Out icount, Out iline, Out from, Out to, Out ierr) {
   Call call(work);
   if (call.ready()) {

@@ -140,9 +140,10 @@ bool pay_batches(const ColumnSystem& system, const Integrator& integrator, const
   BatchJob job{system, integrator, node, BatchRun{{}, &deposits, &blocks, false, false, {1.0, 1.0}, nullptr}, {}, false};
   for (int n = 0; n < deposits.count; ++n)
     (deposits.list[n].block < &blocks.g[0][0][0] ? job.run.want_h : job.run.want_g) = true;
-  if (!is_batched(integrator, job.run.want_g)) return false;
+  if (!is_batched(integrator, true)) return false; // whichever are wanted: no bit may depend on the range of columns
   job.run.element = batch_element(integrator);
-  job.direct = aim_columns(job.run, job.columns);
+  // Nor on whether only one of a component's two columns lies in it.
+  job.direct = !system.scratch->targets.shared && aim_columns(job.run, job.columns);
   const ModelHeader& head = *system.model.head;
   const int32_t end = head.body[system.body].nodes;
   const OwnSources own = own_sources(system, node, integrator.functions);

@@ -27,6 +27,7 @@ void add_particular(const ColumnSystem& system, const Hole* hole, const Panel& p
       deposits.add(&blocks.g[l][0][c], column, -t[c] / (2.0 * shear_modulus(m, b)));
     }
   }
+  system.scratch->targets.shared = false;
   if (deposits.count > 0) pay_sources(system, hole, node, true, true);
 }
 

@@ -9,7 +9,7 @@ struct PlaneStress {
 
 // t = traction, n = unit outward normal, du_ds = derivative of the displacement by arc length in the direction of
 // travel (material on the left), nu of the equivalent plane strain. *hoop: stress along the boundary,
-//   s_ss = 2G/(1-nu) e_ss + nu/(1-nu) s_nn.
+//   s_ss = 2G/(1-nu) e_ss + nu/(1-nu) s_nn   (METHOD 16.2).
 PlaneStress boundary_stress(const double n[2], const double t[2], const double du_ds[2], double shear_modulus,
                             double nu, double* hoop);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Column-wise assembly of the balanced boundary equations of one body (thesis ch. 4; design: balanced equations):
+// Column-wise assembly of the balanced boundary equations of one body (METHOD 2):
 //   H u - G t - rho - omega e_z x (x - x0) = 0 at every functional node, and forces and moment of all t add to 0.
 // With lines of symmetry (model/symmetry.hpp) every element acts together with its images, and equations that symmetry
 // leaves empty say that their unknown is zero.
@@ -25,7 +25,7 @@ struct ColumnSystem {
   Model model;
   int32_t body;
   Quadrature quadrature;
-  double* diagonal; // [4 * nodes]: free term and principal value, 2x2 row by row, from rigid translation (A.5)
+  double* diagonal; // [4 * nodes]: free term and principal value, 2x2 row by row, from rigid translation, thesis (A.5)
   double* point;    // [2 * nodes]: collocation points in the length unit
   int32_t* twin;    // [nodes]: the other node of a double node, kSingle, or kSecondTwin (no collocation there)
   AssemblyScratch* scratch;

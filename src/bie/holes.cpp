@@ -23,22 +23,7 @@ int32_t first_of_runs(const Model& m, int b, const Region& region) {
   return region.first;
 }
 
-// Twice the area between a run and the lines of symmetry it ends on; negative: a hole.
-double twice_area(const Model& m, int b, const Hole& run) {
-  const double* at = m.head->line_at; // where there is no line any point will do
-  double sum = 0.0;
-  int32_t element = run.first;
-  for (int32_t k = 0; k < run.elements; ++k) {
-    Chords c;
-    chords_of(m, b, element, c);
-    for (int i = 0; i < c.count; ++i)
-      sum += (c.x[i] - at[0]) * (c.y[i + 1] - at[1]) - (c.x[i + 1] - at[0]) * (c.y[i] - at[1]);
-    element = element_after(m, b, element);
-  }
-  return sum;
-}
-
-// ---- a point inside ---------------------------------------------------------------------------------------------------
+// ---- what a run encloses ----------------------------------------------------------------------------------------------
 
 // Visits the chords of a run and of its images: visit(p, q, element, image).
 template <class Visit> void visit_chords(const Model& m, int b, const Hole& run, Visit visit) {
@@ -58,14 +43,45 @@ template <class Visit> void visit_chords(const Model& m, int b, const Hole& run,
   }
 }
 
-// Distance from p along the unit vector n to the chord (a, c); negative: the ray does not meet it.
-double ray_hit(const double p[2], const double n[2], const double a[2], const double c[2]) {
-  const double dx = c[0] - a[0], dy = c[1] - a[1], rx = a[0] - p[0], ry = a[1] - p[1];
-  const double det = n[1] * dx - n[0] * dy;
-  if (fabs(det) <= 1e-9 * (fabs(dx) + fabs(dy))) return -1.0;
-  const double along = (n[0] * ry - n[1] * rx) / det;
-  return along < -1e-9 || along > 1.0 + 1e-9 ? -1.0 : (ry * dx - rx * dy) / det;
+// What a run encloses with the lines of symmetry it ends on, image for image.
+struct Outline {
+  double area;        // negative: a hole
+  double length;
+  double centroid[2];
+  double first[2], last[2]; // where it begins and ends
+};
+
+Outline outline_of(const Model& m, int b, const Hole& run) {
+  const double* at = m.head->line_at; // where there is no line any point will do
+  Outline out{};
+  double moment[2] = {0.0, 0.0};
+  int32_t element = run.first;
+  for (int32_t k = 0; k < run.elements; ++k) {
+    Chords c;
+    chords_of(m, b, element, c);
+    if (k == 0) out.first[0] = c.x[0], out.first[1] = c.y[0];
+    out.last[0] = c.x[c.count], out.last[1] = c.y[c.count];
+    for (int i = 0; i < c.count; ++i) {
+      const double px = c.x[i] - at[0], py = c.y[i] - at[1], qx = c.x[i + 1] - at[0], qy = c.y[i + 1] - at[1];
+      const double twice = px * qy - qx * py;
+      out.area += 0.5 * twice;
+      moment[0] += twice * (px + qx) / 6.0;
+      moment[1] += twice * (py + qy) / 6.0;
+      out.length += hypot(qx - px, qy - py);
+    }
+    element = element_after(m, b, element);
+  }
+  for (int i = 0; i < 2 && out.area != 0.0; ++i) out.centroid[i] = at[i] + moment[i] / out.area;
+  // Images complete a run that begins or ends on a line: their common centroid lies on it.
+  if (out.first[0] == out.last[0] && out.first[1] == out.last[1]) return out;
+  for (int i = 0; i < 2; ++i) {
+    const double from = fabs(out.first[i] - at[i]), to = fabs(out.last[i] - at[i]);
+    if ((m.head->symmetry >> i & 1) != 0 && (from < to ? from : to) < 1e-6 * out.length) out.centroid[i] = at[i];
+  }
+  return out;
 }
+
+// ---- points inside ----------------------------------------------------------------------------------------------------
 
 double chord_distance2(const double p[2], const double a[2], const double c[2]) {
   const double dx = c[0] - a[0], dy = c[1] - a[1], d2 = dx * dx + dy * dy;
@@ -75,43 +91,88 @@ double chord_distance2(const double p[2], const double a[2], const double c[2]) 
   return rx * rx + ry * ry;
 }
 
-// Half way across the hole from the middle of an element; returns the distance across, 0 if there is none.
-double across(const Model& m, int b, const Hole& run, int32_t element, double p[2]) {
-  const CurvePoint middle = curve_point(m, b, element, 0.0);
-  const double start[2] = {middle.x, middle.y}, least = 1e-3 * element_length(m, b, element);
-  double n[2], nearest = -1.0;
-  outward_normal(m, b, element, 0.0, n);
-  visit_chords(m, b, run, [&](const double* a, const double* c, int32_t, int) {
-    const double hit = ray_hit(start, n, a, c);
-    if (hit > least && (nearest < 0.0 || hit < nearest)) nearest = hit;
+// Does the hole wind round p, farther from its boundary than `least`?
+bool is_well_inside(const Model& m, int b, const Hole& run, const double p[2], double least) {
+  double turned = 0.0, distance2 = -1.0;
+  visit_chords(m, b, run, [&](const double* a, const double* c, int32_t, int image) {
+    const double d2 = chord_distance2(p, a, c);
+    if (distance2 < 0.0 || d2 < distance2) distance2 = d2;
+    const double ax = a[0] - p[0], ay = a[1] - p[1], cx = c[0] - p[0], cy = c[1] - p[1];
+    const double angle = atan2(ax * cy - cx * ay, ax * cx + ay * cy);
+    turned += (image & 1) != (image >> 1 & 1) ? -angle : angle; // one reflection runs the other way
   });
-  for (int i = 0; i < 2; ++i) p[i] = start[i] + 0.5 * nearest * n[i];
-  return nearest > 0.0 ? nearest : 0.0;
+  return turned < -3.0 && distance2 > least * least;
 }
 
-// Of a few such points the one that is farthest from the boundary; of equals the first.
-bool find_inside(const Model& m, int b, Hole& run) {
-  constexpr int32_t kTries = 8;
-  const double unit = m.head->length_unit;
-  double best2 = 0.0;
+// Radius of the largest circle that touches the chord (a, c) from its right at its middle and holds no other point of the
+// boundary; p: its centre.
+double touching_circle(const Model& m, int b, const Hole& run, const double a[2], const double c[2], double p[2]) {
+  const double middle[2] = {0.5 * (a[0] + c[0]), 0.5 * (a[1] + c[1])}, length = hypot(c[0] - a[0], c[1] - a[1]);
+  const double n[2] = {(c[1] - a[1]) / length, (a[0] - c[0]) / length};
+  double radius = -1.0;
+  // A point at (x, y) from the middle, t = n.(x, y) ahead, lies on the circle of radius (x^2 + y^2) / (2 t).
+  visit_chords(m, b, run, [&](const double* from, const double* to, int32_t, int) {
+    const double x = from[0] - middle[0], y = from[1] - middle[1], dx = to[0] - from[0], dy = to[1] - from[1];
+    const double ahead = n[0] * x + n[1] * y, slope = n[0] * dx + n[1] * dy, across = n[0] * dy - n[1] * dx;
+    const double least = 1e-9 * length;
+    double s; // along this chord
+    if (fabs(slope) > 1e-9 * (fabs(dx) + fabs(dy))) {
+      // Where the line meets the tangent at u from the middle, circles that touch it do so at the distance |u| from there.
+      const double u = (n[0] * y - n[1] * x) - across * ahead / slope;
+      s = (fabs(u) * fabs(slope) / hypot(dx, dy) - ahead) / slope;
+    } else {
+      const double d2 = dx * dx + dy * dy;
+      s = d2 > 0.0 ? -(x * dx + y * dy) / d2 : 0.0;
+    }
+    s = s < 0.0 ? 0.0 : (s > 1.0 ? 1.0 : s);
+    const double px = x + s * dx, py = y + s * dy, t = ahead + s * slope;
+    if (t > least && (radius < 0.0 || px * px + py * py < 2.0 * t * radius)) radius = (px * px + py * py) / (2.0 * t);
+  });
+  for (int i = 0; i < 2; ++i) p[i] = middle[i] + radius * n[i];
+  return radius;
+}
+
+// Where the centroid will not do: the centre of the widest such circle, less wide ones being taken if nearer to the
+// centroid. A hole that winds round its centroid outside is at most a mirror image of itself: two centres are as good, and
+// both count.
+bool find_widest(const Model& m, int b, const Outline& outline, Hole& run) {
+  double best = -1.0, centre[2][2] = {};
+  run.points = 0;
   int32_t element = run.first;
   for (int32_t k = 0; k < run.elements; ++k, element = element_after(m, b, element)) {
-    const int32_t step = run.elements / kTries + 1;
-    if (k % step != 0 || !is_integrated(m, b, element)) continue;
-    double p[2], distance2 = -1.0;
-    const double length = across(m, b, run, element, p);
-    if (!(length > 0.0)) continue;
-    visit_chords(m, b, run, [&](const double* a, const double* c, int32_t, int) {
-      const double d2 = chord_distance2(p, a, c);
-      if (distance2 < 0.0 || d2 < distance2) distance2 = d2;
-    });
-    if (!(distance2 > (1.0 + 1e-6) * best2)) continue;
-    best2 = distance2;
-    run.x = p[0] / unit;
-    run.y = p[1] / unit;
-    run.length = length / unit;
+    Chords c;
+    chords_of(m, b, element, c);
+    for (int i = 0; i < c.count; ++i) {
+      const double from[2] = {c.x[i], c.y[i]}, to[2] = {c.x[i + 1], c.y[i + 1]};
+      if (from[0] == to[0] && from[1] == to[1]) continue;
+      double p[2];
+      const double radius = touching_circle(m, b, run, from, to, p);
+      const double away = hypot(p[0] - outline.centroid[0], p[1] - outline.centroid[1]) / outline.length;
+      const double merit = radius * (1.0 - away * away);
+      if (!(radius > 0.0) || merit < best * (1.0 - 1e-6)) continue;
+      const bool better = merit > best * (1.0 + 1e-6);
+      if (better) run.points = 0;
+      if (better) best = merit;
+      const bool known = run.points > 0 && hypot(p[0] - centre[0][0], p[1] - centre[0][1]) < 1e-5 * outline.length;
+      if (known || run.points == 2) continue;
+      centre[run.points][0] = p[0];
+      centre[run.points++][1] = p[1];
+    }
   }
-  return best2 > 0.0;
+  for (int32_t k = 0; k < run.points; ++k)
+    for (int i = 0; i < 2; ++i) run.at[k][i] = centre[k][i] / m.head->length_unit;
+  return run.points > 0;
+}
+
+// The centroid of the area, if it lies well inside. No rotation, reflection or numbering changes what is found.
+bool find_inside(const Model& m, int b, const Outline& outline, Hole& run) {
+  constexpr double kWell = 0.31; // of the radius that a circle of this area and length has
+  const double radius = -2.0 * outline.area / outline.length, unit = m.head->length_unit;
+  run.length = 2.0 * radius / unit;
+  if (!is_well_inside(m, b, run, outline.centroid, kWell * radius)) return find_widest(m, b, outline, run);
+  run.points = 1;
+  for (int i = 0; i < 2; ++i) run.at[0][i] = outline.centroid[i] / unit;
+  return true;
 }
 
 // The next run of a region, whatever it encloses; false at the region's end.
@@ -124,7 +185,7 @@ bool next_run(const Model& m, int b, HoleWalk& walk, Hole& out) {
     ++walk.done;
   }
   if (walk.done >= size) return false;
-  out = Hole{walk.region, walk.element, 0, 0.0, 0.0, 0.0};
+  out = Hole{walk.region, walk.element, 0, 0, {}, 0.0};
   for (; walk.done < size && !ends_run(m, b, walk.element); ++walk.done, ++out.elements)
     walk.element = element_after(m, b, walk.element);
   return true;
@@ -140,15 +201,29 @@ bool next_hole(const Model& m, int b, HoleWalk& walk, Hole& out) {
       walk = HoleWalk{walk.region + 1, 0, 0};
       continue;
     }
-    if (twice_area(m, b, out) < 0.0 && find_inside(m, b, out)) return true;
+    const Outline outline = outline_of(m, b, out);
+    if (outline.area < 0.0 && find_inside(m, b, outline, out)) return true;
   }
   return false;
 }
 
+namespace {
+
+// add(x, y) at every point inside and its images; what is added up over them counts by 1 / points.
+template <class Add> void at_points(const Model& m, const Hole& hole, Add add) {
+  for (int32_t k = 0; k < hole.points; ++k)
+    for (int image = 0; image <= m.head->symmetry; ++image) {
+      if (!is_image(*m.head, image)) continue;
+      const Source p = mirrored_source(*m.head, image, hole.at[k]);
+      add(p.x, p.y);
+    }
+}
+
+} // namespace
+
 void hole_row(const Model& m, const Hole& hole, const Integrator& in, bool want_h, bool want_g, FieldElement& e,
               HoleRow& out) {
   e.in = in;
-  const double inside[2] = {hole.x, hole.y};
   for (int l = 0; l < in.functions; ++l)
     for (int c = 0; c < 2; ++c)
       for (int kind = 0; kind < 2; ++kind) { // 0: displacement, 1: traction
@@ -159,25 +234,19 @@ void hole_row(const Model& m, const Hole& hole, const Integrator& in, bool want_
         one[l] = c == 0 ? Complex{1.0, 0.0} : Complex{0.0, 1.0};
         prepare_field(kind == 0 ? zero : one, kind == 0 ? one : nullptr, e);
         PointField field = {};
-        for (int image = 0; image <= m.head->symmetry; ++image) {
-          if (!is_image(*m.head, image)) continue;
-          const Source p = mirrored_source(*m.head, image, inside);
-          add_field(e, Complex{0.0, 0.0}, p.x, p.y, field);
-        }
-        to = (kind == 0 ? 1.0 : -1.0) * hole.length * field.trace;
+        at_points(m, hole, [&](double x, double y) { add_field(e, Complex{0.0, 0.0}, x, y, field); });
+        to = (kind == 0 ? 1.0 : -1.0) * hole.length * field.trace / hole.points;
       }
 }
 
 double hole_load(const Model& m, int b, const Hole& hole, const PointLoad& load) {
   const double unit = m.head->length_unit, nu = strain_poisson_ratio(m, b);
-  const double scale = 1.0 / (2.0 * shear_modulus(m, b) * unit), inside[2] = {hole.x, hole.y};
+  const double scale = 1.0 / (2.0 * shear_modulus(m, b) * unit);
   PointField field = {};
-  for (int image = 0; image <= m.head->symmetry; ++image) {
-    if (!is_image(*m.head, image)) continue;
-    const Source p = mirrored_source(*m.head, image, inside);
-    add_force_field(Complex{load.fx * scale, load.fy * scale}, nu, load.x / unit, load.y / unit, p.x, p.y, field);
-  }
-  return -hole.length * field.trace;
+  at_points(m, hole, [&](double x, double y) {
+    add_force_field(Complex{load.fx * scale, load.fy * scale}, nu, load.x / unit, load.y / unit, x, y, field);
+  });
+  return -hole.length * field.trace / hole.points;
 }
 
 void hole_normal(const Model& m, int b, int32_t node, double n[2]) {

@@ -1,11 +1,14 @@
 #pragma once
-// Equations that holes need. The boundary equations say that the displacement V = int U t - int T u vanishes in the
+// Equations that holes need (METHOD 4). The boundary equations say that the displacement V = int U t - int T u vanishes in the
 // filling of every hole. If the material is incompressible, that leaves the filling a constant pressure: H and G both
 // lose the normal n of the hole on the left, and the hole's own state of pressure is in the null space of H. (In symbols,
 // n.(H u - G t) summed over the hole is 1 - 2 nu times something: the errors of the discretisation are divided by it.)
 // The equations at the nodes of a hole are therefore
-//   H u - G t + L n tr V = 0,   tr V: trace of the stress of V at a point inside the hole, 0 in the exact solution,
-// with a length L of the hole. The sign is that of a filling which no pressure of its own can hold displaced.
+//   H u - G t + L n tr V = 0,   tr V: trace of the stress of V inside the hole, 0 in the exact solution,
+// with a length L of the hole. Where inside is found from its shape alone, so that no rotation, reflection or numbering
+// of the boundary changes results: at the centroid of its area, or, if that does not lie well inside, at the centre of
+// its widest circle; of two that mirror each other, both. The sign is that of a filling which no pressure of its own can
+// hold displaced.
 #include "bie/columns.hpp"
 
 namespace c2d {
@@ -13,8 +16,9 @@ namespace c2d {
 // A closed curve with the material outside it, as it is or completed by its images: a run of elements of one region.
 struct Hole {
   int32_t region, first, elements;
-  double x, y;   // a point inside, in the length unit
-  double length; // across the hole, likewise
+  int32_t points;
+  double at[2][2]; // points inside, in the length unit: their mean counts
+  double length;   // across the hole, likewise: of a circle with its ratio of area to length
 };
 
 // Holes one after another: start with HoleWalk{}; false when there is none left.

@@ -1,5 +1,5 @@
 #pragma once
-// Element integrals of the plane-strain Kelvin kernels, thesis eq. (3.23), (3.24) and appendix A:
+// Element integrals of the plane-strain Kelvin kernels, METHOD (2.2), (2.3) and 3:
 //   U_ij = k [ (3-4 nu) ln(1/r) d_ij + r,i r,j ]                                          (times 2G)
 //   T_ij = -(k/r) { dr/dn [ (1-2 nu) d_ij + 2 r,i r,j ] - (1-2 nu)( r,i n_j - r,j n_i ) }
 // with k = 1/(4 pi (1-nu)), i = direction of the unit load at the source, j = component at the field point,

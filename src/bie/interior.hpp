@@ -1,5 +1,5 @@
 #pragma once
-// Displacement and stress inside a body, thesis eq. (3.32)-(3.34): what one element adds at a point P off the boundary,
+// Displacement and stress inside a body, thesis (3.32) to (3.34), METHOD 16.3: what one element adds at a point P off the boundary,
 //   u(P) = int U t - int T u,   sigma(P) = int D t - int S u.
 // Plane vectors are complex numbers, rho = field point minus P, n = outward normal; then with k = 1/(4 pi (1-nu))
 //   U t = k [ -kappa ln|rho| t + (t + conj(t rho*/rho))/2 ]

@@ -28,14 +28,14 @@ inline void store(const Tensor& t, double factor, double out[2][2]) {
   out[1][1] = factor * (t.alpha - t.beta);
 }
 
-// T J / k, thesis (3.24): (rx,ry) = field point minus source, q = 1/r^2, (nx,ny) = outward normal times J,
+// T J / k, METHOD (2.3): (rx,ry) = field point minus source, q = 1/r^2, (nx,ny) = outward normal times J,
 // t1 = 1-2nu.
 inline Tensor traction_kernel(double rx, double ry, double q, double nx, double ny, double t1) {
   const double rn = (rx * nx + ry * ny) * q, cross = (rx * ny - ry * nx) * q;
   return {-rn * (t1 + 1.0), -rn * (rx * rx - ry * ry) * q, -2.0 * rn * rx * ry * q, t1 * cross};
 }
 
-// U / k times 2G, thesis (3.23): q = 1/r^2, kappa = 3-4nu; the logarithm is half that of `log_of`: r^2,
+// U / k times 2G, METHOD (2.2): q = 1/r^2, kappa = 3-4nu; the logarithm is half that of `log_of`: r^2,
 // unless a factor is split off.
 inline Tensor displacement_kernel(double rx, double ry, double q, double log_of, double kappa) {
   return {0.5 - 0.5 * kappa * log(log_of), 0.5 * (rx * rx - ry * ry) * q, rx * ry * q, 0.0};

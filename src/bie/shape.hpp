@@ -1,5 +1,5 @@
 #pragma once
-// Shape functions, thesis eq. (4.11): Lagrange polynomials on equally spaced nodes including the ends.
+// Shape functions, thesis (4.11): Lagrange polynomials on equally spaced nodes including the ends.
 
 namespace c2d {
 

@@ -75,13 +75,21 @@ double known_traction(const Model& m, int b, int32_t element, int l, int compone
   return m.end_traction[b][(load_case * ends + end) * 2 + component] / (2.0 * shear_modulus(m, b));
 }
 
+namespace {
+
+bool goes_to_two(const Destination& d) {
+  return d.target[1].column >= 0 && d.target[0].factor != 0.0 && d.target[1].factor != 0.0;
+}
+
+} // namespace
+
 bool concerns(const Model& m, int b, int32_t node, const Range& range) {
   if (range.last > m.head->body[b].columns) return true;
   return m.node_column[b][node] < range.last && m.node_column[b][node + 1] > range.first;
 }
 
 void aim(const Model& m, int b, int32_t element, const Range& range, ElementTargets& out) {
-  out.want_h = out.want_g = out.want_contact = false;
+  out.want_h = out.want_g = out.want_contact = out.shared = false;
   bool concerned = false;
   for (int l = 0; l < m.head->function_nodes && !concerned; ++l)
     concerned = concerns(m, b, functional_node(m, b, element, l), range);
@@ -95,6 +103,7 @@ void aim(const Model& m, int b, int32_t element, const Range& range, ElementTarg
       Destination& h = out.h[l][c] = displacement_destination(m, b, node, c, unknown);
       Destination& g = out.g[l][c] = traction_destination(m, b, element, l, c, unknown, pair);
       const Place at{b, element, node, l, c};
+      out.shared = out.shared || goes_to_two(h) || goes_to_two(g);
       const bool want_h = wanted(m, h, range, at, false), want_g = wanted(m, g, range, at, true);
       if (!want_h) h = nowhere();
       if (!want_g) g = nowhere();

@@ -212,22 +212,22 @@ void fill_transfer(const ColumnSystem& system, int32_t first, int32_t count, Rea
 
 bool transferred_end(const Model& m, int32_t element, int l, TransferredEnd& out) {
   const int nf = m.head->function_nodes;
-  FacePoint at{element, 0, node_eta(nf, l)};
-  int32_t zone, other;
-  double eta, n[2];
+  FacePoint at{element, 0, node_eta(nf, l)}, faced;
+  int32_t zone;
+  double n[2];
   if (!find_contact_element(m, 0, element, &zone, &at.place) || m.zone[zone].is_free == 0) return false;
-  if (!facing_point(m, m.zone[zone], at, &other, &eta)) return false;
-  face_normal(m, m.zone[zone], at, n);
+  if (!facing_point(m, m.zone[zone], at, faced)) return false;
+  facing_direction(m, m.zone[zone], at, faced, n);
   double x[4], y[4];
   element_coordinates(m, 0, element, x, y);
   const Point p = element_point(make_element(m.head->body[0].element_nodes, x, y), at.eta);
-  element_coordinates(m, 1, other, x, y);
-  const Point q = element_point(make_element(m.head->body[1].element_nodes, x, y), eta);
+  element_coordinates(m, 1, faced.element, x, y);
+  const Point q = element_point(make_element(m.head->body[1].element_nodes, x, y), faced.eta);
   // Both advance equally across the line along n that joins them.
   const double advance1 = p.nx * n[0] + p.ny * n[1], advance2 = -(q.nx * n[0] + q.ny * n[1]);
   out.ratio = advance2 > 0.0 ? advance1 / advance2 : 1.0;
-  shape(nf, eta, out.weight);
-  for (int k = 0; k < 4; ++k) out.pair[k] = k < nf ? pair_of_end(m, 1, other, k) : -1;
+  shape(nf, faced.eta, out.weight);
+  for (int k = 0; k < 4; ++k) out.pair[k] = k < nf ? pair_of_end(m, 1, faced.element, k) : -1;
   return true;
 }
 

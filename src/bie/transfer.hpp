@@ -1,5 +1,5 @@
 #pragma once
-// What body 1 has of free zones (model/free_zones.hpp), where tau is per length of body 2 and interpolated
+// What body 1 has of free zones (model/free_zones.hpp, METHOD 9.2), where tau is per length of body 2 and interpolated
 // there. Displacement: the equations u_c - sum_l N_l(eta) u_l = 0 at the point that each pair's node faces.
 // Traction: at matching points tau dS2 acts on both bodies, so that int U tau dS1-share = sum over pieces of
 // int U(x1) M_j J2 deta2. The same measure in the balances keeps the force exactly; the moment is kept where

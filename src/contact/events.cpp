@@ -1,4 +1,4 @@
-// From one event to the next: a pair touches, lifts, or starts to slip (design: tableau and events).
+// From one event to the next: a pair touches, lifts, or starts to slip (METHOD 12).
 #include <math.h>
 
 #include "contact/path.hpp"
@@ -10,33 +10,38 @@ namespace {
 // The last pair of a body lifts at zero load exactly: a path that ends there is not cut short by round-off.
 constexpr double kAllButThere = 1.0 - 1e-12;
 
-struct Event {
-  double step; // part of the piece of path, from where we stand
-  int32_t pair, status, sign;
-};
-
 void keep_earlier(Event& best, double step, int32_t pair, int32_t status, int32_t sign) {
   if (step < 0.0) step = 0.0;
   if (step < best.step) best = Event{step, pair, status, sign};
 }
 
-// Where `margin` >= 0 with this rate reaches zero; nothing if it does not shrink within the rest of the piece.
-void meet(Event& best, double margin, double rate, int32_t pair, int32_t status, int32_t sign) {
-  if (rate < 0.0 && margin < -rate * best.step) keep_earlier(best, margin / -rate, pair, status, sign);
+// Rates that count, and values that are zero but for round-off.
+struct Sizes {
+  double value, rate;
+};
+
+// Where `margin` >= 0 with this rate reaches zero; nothing if it does not shrink within the rest of the piece, or if it is
+// zero already and settle() has found the rate to be none.
+void meet(Event& best, double margin, double rate, const Sizes& none, int32_t pair, int32_t status, int32_t sign) {
+  if (!(rate < 0.0) || margin >= -rate * best.step) return;
+  if (margin <= none.value && -rate <= none.rate) return;
+  keep_earlier(best, margin / -rate, pair, status, sign);
 }
 
-void meet_pair(const Follower& f, int32_t i, Event& best) {
+void meet_pair(const Follower& f, int32_t i, const PathScales& s, Event& best) {
   const Pair& pair = f.t->pair[i];
   const PairState now = pair_state(*f.t, i, f.y), rate = pair_rates(*f.t, i, f.dy);
+  const NoRate none = no_rate(pair, s);
+  const Sizes force{kValueTolerance * s.p, none.force}, motion{kValueTolerance * s.w, none.motion};
   if (pair.status == C2D_OPEN) {
     const bool slides = pair.mu == 0.0;
-    meet(best, now.wn, rate.wn, i, slides ? C2D_SLIP : C2D_STICK, slides ? 1 : 0);
+    meet(best, now.wn, rate.wn, motion, i, slides ? C2D_SLIP : C2D_STICK, slides ? 1 : 0);
     return;
   }
-  meet(best, now.p, rate.p, i, C2D_OPEN, 0);
+  meet(best, now.p, rate.p, force, i, C2D_OPEN, 0);
   if (pair.status != C2D_STICK || !pair.tangential || pair.mu > 1e300) return;
   for (int32_t sign = -1; sign <= 1; sign += 2)
-    meet(best, pair.mu * now.p - sign * now.q, pair.mu * rate.p - sign * rate.q, i, C2D_SLIP, sign);
+    meet(best, pair.mu * now.p - sign * now.q, pair.mu * rate.p - sign * rate.q, force, i, C2D_SLIP, sign);
 }
 
 // Round-off must not let a rate that is zero but for its last digits make an event.
@@ -50,19 +55,31 @@ void silence_round_off(Follower& f, const PathScales& s) {
 }
 
 Event nearest_event(Follower& f, double rest) {
-  silence_round_off(f, path_scales(f));
+  const PathScales s = decision_scales(f);
+  silence_round_off(f, s);
   Event best{rest, -1, 0, 0};
-  for (int32_t i = 0; i < f.t->pairs; ++i) meet_pair(f, i, best);
+  for (int32_t i = 0; i < f.t->pairs; ++i) meet_pair(f, i, s, best);
   return best;
 }
 
 void move(Follower& f, double part) {
-  for (int32_t k = 0; k < f.t->cases; ++k) f.load[k] = f.origin[k] + part * f.direction[k];
+  for (int32_t k = 0; k < f.t->cases; ++k) {
+    f.load[k] = f.origin[k] + part * f.direction[k];
+    if (fabs(f.load[k]) < 1e-14 * fabs(f.origin[k])) f.load[k] = 0.0; // a crossing, not its round-off
+  }
 }
 
-c2d_outcome failed_outcome(int32_t status) {
-  if (status == C2D_OPEN) return C2D_FREE_MOTION;
-  return status == C2D_SLIP ? C2D_GROSS_SLIDING : C2D_NO_ADMISSIBLE_CHANGE;
+// Does the path go on in the direction of the piece before it, from a load that is not zero?
+bool goes_straight_on(const Follower& f, const double* target) {
+  double both = 0.0, old = 0.0, now = 0.0, load = 0.0;
+  for (int32_t k = 0; k < f.t->cases; ++k) {
+    const double step = target[k] - f.load[k];
+    both += step * f.direction[k];
+    old += f.direction[k] * f.direction[k];
+    now += step * step;
+    load += f.load[k] * f.load[k];
+  }
+  return load > 0.0 && both > 0.0 && both * both >= (1.0 - 1e-12) * old * now;
 }
 
 c2d_status tell_change(const Follower& f) {
@@ -76,39 +93,25 @@ bool apply_change(Follower& f, int32_t index, int32_t status, int32_t sign, doub
   const bool slipped = pair.status == C2D_SLIP;
   const double from = pair_state(*f.t, index, f.y).wt;
   if (!change_status(*f.t, index, status, sign, at)) return false;
-  if (slipped) pair.slip_done += (status == C2D_STICK ? at : from) - pair.slip_from;
-  if (status == C2D_SLIP) pair.slip_from = from;
+  if (slipped) pair.slip_done += static_cast<Real>((status == C2D_STICK ? at : from) - pair.slip_from);
+  if (status == C2D_SLIP) pair.slip_from = static_cast<Real>(from);
   ++f.stats.changes;
   f.last_pair = index;
   refresh(f);
   return true;
 }
 
-bool release_with_partner(Follower& f, int32_t k, int32_t sign, double at, const Real* rates) {
-  const Tableau& t = *f.t;
-  const Pair& last = t.pair[k];
-  if (last.status != C2D_STICK || !last.tangential) return false;
-  // dw_t of every slipping pair per unit of slip of this one, which goes against its friction.
-  const Real* column = t.t + static_cast<int64_t>(last.dof + 1) * t.m;
-  int32_t partner = -1;
-  double nearest = 0.0;
-  for (int32_t j = 0; j < t.pairs; ++j) {
-    const Pair& pair = t.pair[j];
-    if (pair.status != C2D_SLIP || !pair.tangential || pair.mu == 0.0) continue;
-    const double back = -sign * pair.sign * static_cast<double>(column[pair.dof + 1]);
-    if (back <= 1e-9) continue;
-    const double reach = -pair.sign * pair_rates(t, j, rates).wt / back;
-    if (partner >= 0 && reach >= nearest) continue;
-    partner = j;
-    nearest = reach;
-  }
-  if (partner < 0) return false;
-  const int32_t old = t.pair[partner].sign;
-  const double from = pair_state(t, partner, f.y).wt;
-  if (!apply_change(f, partner, C2D_STICK, 0, from)) return false;
-  if (apply_change(f, k, C2D_SLIP, sign, at)) return true;
-  apply_change(f, partner, C2D_SLIP, old, from);
-  return false;
+void set_status(Follower& f, int32_t index, int32_t status, int32_t sign) {
+  Pair& pair = f.t->pair[index];
+  if (pair.status == status && pair.sign == sign) return;
+  const double from = pair_state(*f.t, index, f.y).wt;
+  if (pair.status == C2D_SLIP) pair.slip_done += static_cast<Real>(from - pair.slip_from);
+  if (status == C2D_SLIP) pair.slip_from = static_cast<Real>(from);
+  if (status == C2D_STICK) pair.offset = static_cast<Real>(from);
+  pair.status = static_cast<int8_t>(status);
+  pair.sign = static_cast<int8_t>(sign);
+  ++f.stats.changes;
+  f.last_pair = index;
 }
 
 void keep_pairs(Follower& f) {
@@ -131,9 +134,12 @@ c2d_status restore_pairs(Follower& f) {
     pair.slip_done = pair.saved_slip_done;
     pair.slip_from = pair.saved_slip_from;
   }
-  const int32_t last_pair = f.last_pair;
-  const c2d_status status = build_tableau(*f.t, *f.tape, &f.last_pair);
-  f.last_pair = last_pair;
+  return rebuild(f);
+}
+
+c2d_status rebuild(Follower& f) {
+  int32_t culprit;
+  const c2d_status status = build_tableau(*f.t, *f.tape, &culprit);
   refresh(f);
   return status;
 }
@@ -146,6 +152,7 @@ double slip_sum(const Follower& f, int32_t index) {
 
 c2d_status find_event(Follower& f, double reach, double* part, c2d_outcome* outcome) {
   *part = 0.0;
+  refresh(f);
   const c2d_status status = settle(f, outcome);
   if (status != C2D_OK || *outcome != C2D_REACHED) return status;
   const Event event = nearest_event(f, reach);
@@ -154,21 +161,24 @@ c2d_status find_event(Follower& f, double reach, double* part, c2d_outcome* outc
   return C2D_OK;
 }
 
+// The path ends here, unless what is left of the piece is round-off: the last pair of a body lifts at zero load exactly.
+static bool is_short(double part) { return part < kAllButThere; }
+
 c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome) {
+  f.goes_on = goes_straight_on(f, target);
   for (int32_t k = 0; k < f.t->cases; ++k) {
     f.origin[k] = f.load[k];
     f.direction[k] = target[k] - f.load[k];
   }
+  refresh(f);
   double part = 0.0;
   int64_t told = f.stats.changes;
   int32_t standing = 0; // events in a row without any progress
   for (;;) {
     c2d_status status = settle(f, outcome);
-    if (status != C2D_OK) return status;
-    if (*outcome != C2D_REACHED) {
-      if (part < kAllButThere) return C2D_OK;
-      break;
-    }
+    if (status != C2D_OK || (*outcome != C2D_REACHED && is_short(part))) return status;
+    if (*outcome != C2D_REACHED) break;
+    f.goes_on = 1;
     if (f.stats.changes != told) status = tell_change(f); // what the event and all that followed from it came to
     if (status != C2D_OK) return status;
     told = f.stats.changes;
@@ -178,21 +188,15 @@ c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome
     standing = part + event.step > part ? 0 : standing + 1; // steps below round-off lead nowhere, however many
     if (standing > 20 + 8 * f.t->pairs) {
       *outcome = C2D_ENDLESS_EXCHANGE;
-      if (part < kAllButThere) return C2D_OK;
+      if (is_short(part)) return C2D_OK;
       break;
     }
     part += event.step;
     move(f, part);
     refresh(f);
     ++f.stats.events;
-    const double at = pair_state(*f.t, event.pair, f.y).wt;
     f.last_pair = event.pair;
-    if (!apply_change(f, event.pair, event.status, event.sign, at) &&
-        !(event.status == C2D_SLIP && release_with_partner(f, event.pair, event.sign, at, f.dy))) {
-      *outcome = failed_outcome(event.status);
-      if (part < kAllButThere) return C2D_OK;
-      break;
-    }
+    f.bound = event;
   }
   *outcome = C2D_REACHED;
   for (int32_t k = 0; k < f.t->cases; ++k) f.load[k] = target[k];

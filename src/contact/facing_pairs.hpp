@@ -7,23 +7,13 @@ namespace c2d {
 
 // What the contact elements that meet at one node of a pair say.
 struct Surface {
-  double n[2];   // normalised sum of their outward normals
-  double length; // of the shortest
+  double n[2];   // normalised sum of the surface's outward normals
+  double x, y;   // the point of the surface
+  double length; // of the shortest element
+  double doubt;  // how far the surface may be off there
 };
-
-// Overlaps of a free zone that are no longer than what its elements leave open.
-struct Unsure {
-  int32_t count, pair; // the worst
-  double overlap, doubt;
-  void add(const Model& m, int32_t of_pair, double of_doubt) {
-    const double size = m.pair[of_pair].overlap;
-    if (size <= 0 || size > of_doubt) return;
-    if (count++ > 0 && size * doubt >= overlap * of_doubt) return;
-    pair = of_pair;
-    overlap = size;
-    doubt = of_doubt;
-  }
-};
+// Adds one of them; start with zeros and length -1.
+void add_surface(const Model& m, int b, int32_t element, double eta, Surface& out);
 
 // False where there is no direction.
 bool make_unit(double v[2]);
@@ -31,15 +21,8 @@ bool make_unit(double v[2]);
 void say_pair(Finding& f, const Model& m, int32_t pair);
 
 // ---- optional (memory/optional.hpp): of pairs of free zones alone ----
-// Body 1's surface where a node of body 2 faces it.
+// Finds the point of body 1 that the pair's node of body 2 faces, and the surface there.
 bool surface_faced(const Model& m, int32_t pair, Surface& out);
-// What the smooth surfaces of both bodies take off the gap between their elements.
-double bulges(const Model& m, int32_t pair, double* doubt);
-// Finds the point of body 1 that the pair's node faces.
-void face_node(const Model& m, const Zone& z, Pair& p);
 // Node of body 1 at that point, -1 between nodes.
 int32_t faced_node(const Model& m, const Pair& p);
-// One warning for a zone, about the worst of its overlaps that the elements leave open.
-void warn_unsure(const Model& m, int32_t zone, const Unsure& unsure, Reporter& reporter);
-
 } // namespace c2d

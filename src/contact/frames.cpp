@@ -13,15 +13,11 @@
 namespace c2d {
 
 C2D_OPTIONAL(surface_faced);
-C2D_OPTIONAL(bulges);
-C2D_OPTIONAL(face_node);
 C2D_OPTIONAL(faced_node);
-C2D_OPTIONAL(warn_unsure);
 
 namespace {
 
 constexpr double kDegree = 0.017453292519943295;
-constexpr double kGapDirection = 1e-3; // of the element length: a longer gap has a direction of its own
 // Of the element length. A smaller overlap is none. A smaller gap is none if it is within the digits that cards hold, or if
 // the whole zone has no larger one, as surfaces that are meant to coincide: the first neighbours of a point of
 // first contact may be as close, and their gaps count (1e-5 elements are 5 % of the pressure at a/R = 1e-4).
@@ -45,6 +41,18 @@ bool make_unit(double v[2]) {
   return true;
 }
 
+void add_surface(const Model& m, int b, int32_t element, double eta, Surface& out) {
+  const SurfaceElement surface = surface_element(m, b, element);
+  const SurfacePoint p = surface_point(surface, eta);
+  const double length = element_length(m, b, element);
+  if (out.length < 0 || length < out.length) out.length = length;
+  out.n[0] += p.nx;
+  out.n[1] += p.ny;
+  out.x = p.x;
+  out.y = p.y;
+  out.doubt = surface.doubt * (1 - eta * eta); // none at boundary points
+}
+
 void say_pair(Finding& f, const Model& m, int32_t pair) {
   const Pair& p = m.pair[pair];
   say(f, "pair ", pair + 1);
@@ -59,25 +67,13 @@ bool surface_at(const Model& m, int b, int32_t pair, Surface& out) {
   const int32_t f = m.head->function_nodes;
   int32_t ends[2];
   const int count = ends_at_node(m, b, m.pair[pair].node[b], ends);
-  out = Surface{{0, 0}, -1};
+  out = Surface{{0, 0}, 0, 0, -1, 0};
   for (int i = 0; i < count; ++i) {
     const int32_t element = ends[i] / f, local = ends[i] % f;
     if (pair_of_end(m, b, element, local) != pair) continue;
-    double n[2];
-    outward_normal(m, b, element, local_eta(f, local), n);
-    out.n[0] += n[0];
-    out.n[1] += n[1];
-    const double length = element_length(m, b, element);
-    if (out.length < 0 || length < out.length) out.length = length;
+    add_surface(m, b, element, local_eta(f, local), out);
   }
   return make_unit(out.n);
-}
-
-// Does g lie between the directions a and b, widened by one degree on either side?
-bool in_wedge(const double g[2], const double a[2], const double b[2]) {
-  const double opening = atan2(a[0] * b[1] - a[1] * b[0], dot(a, b));
-  const double angle = atan2(a[0] * g[1] - a[1] * g[0], dot(a, g));
-  return angle >= fmin(opening, 0) - kDegree && angle <= fmax(opening, 0) + kDegree;
 }
 
 void tell_pair(const Model& m, int32_t pair, const char* found, const char* expected, Reporter& reporter) {
@@ -141,11 +137,11 @@ bool find_symmetry(const Model& m, int32_t pair, int* component, Reporter& repor
 
 // ---- one pair ----
 
-// The frame from the two surfaces and the vector g from the node of body 1 to that of body 2.
-bool set_normal(const Model& m, int32_t pair, const Surface& s1, const Surface& s2, const double g[2],
-                Reporter& reporter) {
+bool set_normal(const Model& m, int32_t pair, const Surface& s1, const Surface& s2, Reporter& reporter) {
   Pair& p = m.pair[pair];
-  double n[2] = {s1.n[0] - s2.n[0], s1.n[1] - s2.n[1]};
+  const double part = m.zone[p.zone].normal_part;
+  double n[2];
+  for (int i = 0; i < 2; ++i) n[i] = part * s1.n[i] - (1 - part) * s2.n[i];
   if (dot(s1.n, s2.n) > 0 || !make_unit(n)) {
     tell_pair(m, pair, "the surfaces do not face each other", "opposed outward normals", reporter);
     return false;
@@ -153,7 +149,6 @@ bool set_normal(const Model& m, int32_t pair, const Surface& s1, const Surface& 
   int fixed;
   if (!find_symmetry(m, pair, &fixed, reporter)) return false;
   p.tangential = fixed < 0;
-  const double opposite[2] = {-s2.n[0], -s2.n[1]};
   if (fixed >= 0) {
     const int other = 1 - fixed;
     if (fabs(n[other]) < kAlongNormal) {
@@ -166,12 +161,6 @@ bool set_normal(const Model& m, int32_t pair, const Surface& s1, const Surface& 
     const double sense = n[other] > 0 ? 1 : -1;
     n[fixed] = 0;
     n[other] = sense;
-  } else {
-    const double size = sqrt(dot(g, g));
-    if (size > kGapDirection * p.length && dot(g, n) > 0 && in_wedge(g, s1.n, opposite)) {
-      n[0] = g[0] / size;
-      n[1] = g[1] / size;
-    }
   }
   p.nx = n[0];
   p.ny = n[1];
@@ -184,25 +173,32 @@ double least_gap(const Pair& p, double x, double y) {
   return fmin(kGapTolerance * p.length, fmax(kExactGap * p.length, digits));
 }
 
-// Adds to what p.gap holds. `least`: a gap up to it is none. `doubt`: how much of it may come from elements that are not
-// quite the surfaces.
-void set_gap(const Model& m, int32_t pair, const double g[2], double least, double doubt, Reporter& reporter) {
-  Pair& p = m.pair[pair];
-  p.gap += g[0] * p.nx + g[1] * p.ny;
-  const double unsure = m.head->interference != 0 ? 0 : doubt; // overlaps that are meant are those drawn
-  if (p.gap >= -kGapTolerance * p.length - unsure && p.gap <= least + doubt) p.gap = 0;
-  if (p.gap >= 0) return;
-  if (m.head->interference != 0) {
-    p.overlap = -p.gap;
-    p.gap = 0;
-    return;
+// Pairs of a zone whose surfaces lie inside each other, or would, were the elements' surfaces right to the last digit.
+struct Overlaps {
+  int32_t count, pair; // the worst
+  double size, doubt;
+  void add(int32_t of_pair, double of_size, double of_doubt) {
+    if (count++ > 0 && of_size * doubt <= size * of_doubt) return; // of_doubt is never zero
+    pair = of_pair;
+    size = of_size;
+    doubt = of_doubt;
   }
-  Finding f = fault();
-  locate_pair(f, m, pair);
-  say_pair(f, m, pair);
-  say(f, ": the bodies overlap by ", -p.gap,
-      " before any load (interference), expected a gap of 0 or more, or *INTERFERENCE");
-  tell(reporter, f);
+};
+struct ZoneOverlaps {
+  Overlaps told, unsure;
+};
+
+// `least`: a gap up to it is none.
+void set_gap(const Model& m, int32_t pair, const double g[2], double least, double doubt, ZoneOverlaps& overlaps) {
+  Pair& p = m.pair[pair];
+  p.gap = g[0] * p.nx + g[1] * p.ny;
+  if (p.gap >= -kGapTolerance * p.length && p.gap <= least) p.gap = 0;
+  if (p.gap >= 0) return;
+  const double size = -p.gap;
+  p.gap = 0;
+  if (m.head->interference != 0) p.overlap = size;
+  if (size <= doubt) overlaps.unsure.add(pair, size, doubt);
+  else if (m.head->interference == 0) overlaps.told.add(pair, size, p.length);
 }
 
 // Nodes of a pair lie opposite each other: what lies between them is gap, not a shift along the surfaces.
@@ -218,6 +214,21 @@ void check_offset(const Model& m, int32_t pair, const double g[2], Reporter& rep
   tell(reporter, f);
 }
 
+// How far the lengths of elements that face each other differ in a zone.
+struct Lengths {
+  int32_t count, pair; // pairs beyond the limit; the worst
+  double length[2];
+  void add(int32_t of_pair, double one, double two) {
+    constexpr double kMost = 4;
+    const double ratio = one > two ? one / two : two / one;
+    if (ratio <= kMost) return;
+    if (count++ > 0 && ratio <= fmax(length[0] / length[1], length[1] / length[0])) return;
+    pair = of_pair;
+    length[0] = one;
+    length[1] = two;
+  }
+};
+
 // How far the normals of a zone's pairs differ.
 struct Spread {
   int32_t count, pair; // pairs beyond 15 degrees; the worst
@@ -231,22 +242,29 @@ struct Spread {
   }
 };
 
-void build_frame(const Model& m, int32_t pair, Spread& spread, Unsure& unsure, Reporter& reporter) {
+// Do the elements of both bodies coincide at a pair of nodes?
+bool on_same_elements(const Model& m, const Pair& p, double tolerance) {
+  if (p.node[0] < 0) return false;
+  double x[2], y[2];
+  for (int b = 0; b < 2; ++b) node_position(m, b, p.node[b], &x[b], &y[b]);
+  return fabs(x[1] - x[0]) <= tolerance && fabs(y[1] - y[0]) <= tolerance;
+}
+
+void build_frame(const Model& m, int32_t pair, Spread& spread, ZoneOverlaps& overlaps, Lengths& lengths,
+                 Reporter& reporter) {
   Pair& p = m.pair[pair];
   Surface s1, s2;
-  const bool first = p.node[0] < 0 ? surface_faced(m, pair, s1) : surface_at(m, 0, pair, s1),
-             second = surface_at(m, 1, pair, s2);
+  const bool second = surface_at(m, 1, pair, s2),
+             first = p.node[0] < 0 ? surface_faced(m, pair, s1) : surface_at(m, 0, pair, s1);
   if (!first || !second)
     return tell_pair(m, pair, "no normal on one of the bodies", "a smooth contact element", reporter);
   p.length = fmin(s1.length, s2.length);
-  double position[2][2];
-  for (int b = 0; b < 2; ++b) pair_position(m, p, b, &position[b][0], &position[b][1]);
-  const double g[2] = {position[1][0] - position[0][0], position[1][1] - position[0][1]};
-  if (!set_normal(m, pair, s1, s2, g, reporter)) return;
-  double doubt = 0;
-  if (p.node[0] < 0) p.gap = -bulges(m, pair, &doubt); // gaps are those of the surfaces, not of the elements
-  set_gap(m, pair, g, least_gap(p, position[0][0], position[0][1]), doubt, reporter);
-  unsure.add(m, pair, doubt);
+  lengths.add(pair, s1.length, s2.length);
+  if (!set_normal(m, pair, s1, s2, reporter)) return;
+  const double least = least_gap(p, s1.x, s1.y);
+  const bool same = on_same_elements(m, p, least); // one surface, whatever lies beyond the zone on either body
+  const double g[2] = {same ? 0 : s2.x - s1.x, same ? 0 : s2.y - s1.y};
+  set_gap(m, pair, g, least, s1.doubt + s2.doubt, overlaps);
   if (p.node[0] >= 0) check_offset(m, pair, g, reporter); // points of a free zone face each other by construction
 
   const double opposite[2] = {-s2.n[0], -s2.n[1]};
@@ -261,7 +279,39 @@ void close_gaps(const Model& m, const Zone& z) {
   for (int32_t k = 0; k < z.pairs; ++k) pairs[k].gap = 0;
 }
 
-// One warning for a zone, about the worst of its pairs.
+// One fault or warning for a zone, about the worst of its pairs.
+void tell_overlaps(const Model& m, int32_t zone, const ZoneOverlaps& overlaps, Reporter& reporter) {
+  if (overlaps.told.count > 0) {
+    Finding f = fault();
+    locate_pair(f, m, overlaps.told.pair);
+    say_pair(f, m, overlaps.told.pair);
+    say(f, ": the bodies overlap by ", overlaps.told.size, " before any load (interference)");
+    if (overlaps.told.count > 1) say(f, ", the largest of ", overlaps.told.count, " overlaps in zone ", zone + 1);
+    say(f, ", expected a gap of 0 or more, or *INTERFERENCE");
+    tell(reporter, f);
+  }
+  if (overlaps.unsure.count > 0) {
+    Finding f = warning(C2D_WARN_OVERLAP);
+    locate_pair(f, m, overlaps.unsure.pair);
+    say(f, "zone ", zone + 1, ": overlaps smaller than what the elements leave open of the surfaces, pairs: ",
+        overlaps.unsure.count, ", most at ");
+    say_pair(f, m, overlaps.unsure.pair);
+    say(f, ": ", overlaps.unsure.size, " against ", overlaps.unsure.doubt);
+    say(f, m.head->interference != 0 ? "" : "; they count as touching");
+    tell(reporter, f);
+  }
+}
+
+void warn_lengths(const Model& m, int32_t zone, const Lengths& lengths, Reporter& reporter) {
+  Finding f = warning(C2D_WARN_SIZES);
+  locate_pair(f, m, lengths.pair);
+  say(f, "zone ", zone + 1, ": elements that face each other differ in length more than fourfold at ", lengths.count,
+      lengths.count == 1 ? " pair, " : " pairs, most at ");
+  say_pair(f, m, lengths.pair);
+  say(f, ": ", lengths.length[0], " and ", lengths.length[1]);
+  tell(reporter, f);
+}
+
 void warn_spread(const Model& m, int32_t zone, const Spread& spread, Reporter& reporter) {
   if (spread.count == 0) return;
   Finding f = warning(C2D_WARN_NORMALS);
@@ -305,12 +355,25 @@ void check_kink(const Model& m, int32_t zone, int b, int32_t k, Reporter& report
 
 } // namespace
 
+double surface_doubt(const Model& m, int32_t pair) {
+  const Pair& p = m.pair[pair];
+  double sum = 0;
+  for (int b = 0; b < 2; ++b) {
+    Surface s{{0, 0}, 0, 0, -1, 0};
+    if (p.node[b] < 0) add_surface(m, b, p.element, p.eta, s);
+    else surface_at(m, b, pair, s);
+    sum += s.doubt;
+  }
+  return sum;
+}
+
 bool build_frames(const Model& m, Reporter& reporter) {
   const int32_t before = reporter.faults;
   for (int32_t i = 0; i < m.head->zones; ++i) {
     const Zone& z = m.zone[i];
     Spread spread{0, 0, 0.0};
-    Unsure unsure{0, 0, 0.0, 0.0};
+    ZoneOverlaps overlaps{{0, 0, 0.0, 0.0}, {0, 0, 0.0, 0.0}};
+    Lengths lengths{0, 0, {0.0, 0.0}};
     for (int32_t k = 0; k < z.pairs; ++k) {
       const int32_t pair = z.first_pair + k;
       Pair& p = m.pair[pair];
@@ -321,12 +384,12 @@ bool build_frames(const Model& m, Reporter& reporter) {
       p.tangential = 1;
       p.status = C2D_OPEN;
       p.ny = 1; // until its own is known: a pair with a fault
-      if (z.is_free != 0) face_node(m, z, p);
-      build_frame(m, pair, spread, unsure, reporter);
+      build_frame(m, pair, spread, overlaps, lengths, reporter);
     }
     close_gaps(m, z);
     warn_spread(m, i, spread, reporter);
-    if (unsure.count > 0) warn_unsure(m, i, unsure, reporter);
+    tell_overlaps(m, i, overlaps, reporter);
+    if (lengths.count > 0) warn_lengths(m, i, lengths, reporter);
     for (int b = 0; b < 2; ++b) {
       // A zone that goes all round its region has a last neighbour more.
       const Region& r = m.region[b][z.region[b]];
@@ -355,7 +418,7 @@ bool complete_model(const Model& m, Reporter& reporter) {
   set_units(m);
   const bool symmetric = validate_symmetry(m, reporter); // moves points onto its lines
   measure_elements(m);
-  const bool sound = symmetric && validate_geometry(m, reporter);
+  const bool sound = symmetric && validate_geometry(m, reporter) && validate_curves(m, reporter);
   validate_loads(m, reporter);
   if (!validate_zones(m, reporter)) return false; // conditions depend on who is in contact
   const bool frames = sound && build_frames(m, reporter);

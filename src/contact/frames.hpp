@@ -1,18 +1,20 @@
 #pragma once
-// One frame per contact pair, for everything: tractions, displacements, gaps (2.3).
+// One frame per contact pair, for everything: tractions, displacements, gaps (METHOD 8).
 #include "model/model.hpp"
 #include "model/validate.hpp"
 
 namespace c2d {
 
-// Fills every Pair and head->contact. n1, n2 are the normalised sums of the unit outward normals of the
-// contact elements that meet at the pair's nodes; n = (n1 - n2) / |n1 - n2|, (5.3) with its sign put right,
-// unless the initial gap vector is long enough, closes and lies between n1 and -n2: then n is its direction.
+// Fills every Pair and head->contact. The normal is METHOD (8.3), of thesis (5.3) with its sign put right, from the
+// normals of both surfaces where they face each other; where symmetry fixes one global direction it is the other.
 // Contact unknowns are numbered in the order of pairs, the normal one before the tangential one. Needs zones
 // that validate_zones has passed. Faults: interference; normals that do not oppose each other; prescribed
-// displacements that are no symmetry condition. Warnings: C2D_WARN_NORMALS, C2D_WARN_KINK, C2D_WARN_OVERLAP. Returns false if
+// displacements that are no symmetry condition. Warnings: C2D_WARN_NORMALS, C2D_WARN_KINK, C2D_WARN_OVERLAP, C2D_WARN_SIZES. Returns false if
 // it told a fault.
 bool build_frames(const Model& m, Reporter& reporter);
+
+// How far the surfaces may be off at a pair, as far as the boundary points tell.
+double surface_doubt(const Model& m, int32_t pair);
 
 // All checks and everything derived from the input, in the order that model/validate.hpp lists: units,
 // frames, contact unknowns, free rigid motions. Returns false if there were faults; the model is then of no

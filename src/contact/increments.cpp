@@ -33,7 +33,7 @@ Verdict table4(const Follower& f, int32_t i, const PathScales& s) {
 }
 
 void save(Follower& f) {
-  for (int32_t i = 0; i < f.t->pairs; ++i) f.t->pair[i].increment_from = pair_state(*f.t, i, f.y).wt;
+  for (int32_t i = 0; i < f.t->pairs; ++i) f.t->pair[i].increment_from = static_cast<Real>(pair_state(*f.t, i, f.y).wt);
   keep_pairs(f);
 }
 
@@ -55,7 +55,7 @@ void settle_books(Follower& f) {
     if (!slides) continue;
     pair.slip_from = pair.saved_status == C2D_SLIP    ? pair.saved_slip_from
                      : pair.saved_status == C2D_STICK ? pair.increment_from
-                                                      : pair_state(*f.t, i, f.y).wt;
+                                                      : static_cast<Real>(pair_state(*f.t, i, f.y).wt);
   }
 }
 
@@ -65,7 +65,7 @@ int32_t correct(Follower& f) {
   for (int32_t i = 0; i < f.t->pairs; ++i) {
     const Verdict v = table4(f, i, s);
     const bool same = v.status == f.t->pair[i].status && (v.status != C2D_SLIP || v.sign == f.t->pair[i].sign);
-    f.t->pair[i].weak = same ? 0 : 1 + v.status * 4 + (v.sign + 1);
+    f.t->pair[i].weak = static_cast<int8_t>(same ? 0 : 1 + v.status * 4 + (v.sign + 1));
   }
   int32_t changes = 0;
   for (int32_t i = 0; i < f.t->pairs; ++i) {

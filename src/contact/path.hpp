@@ -1,6 +1,7 @@
 #pragma once
 // Following a straight piece of the load path through the space of load factors, on one tableau.
-#include "contact/tableau.hpp"
+#include "contact/rate_problem.hpp"
+#include "model/model.hpp"
 
 namespace c2d {
 
@@ -19,6 +20,12 @@ struct PathStats {
   int32_t unconverged; // deck stepping: increments finished by event following
 };
 
+// A load at which a pair reaches what its status demands: its gap or pressure is zero, or its friction at the bound.
+struct Event {
+  double step; // part of the piece of path, from where the load stood
+  int32_t pair, status, sign; // the status next to its own; pair -1: none
+};
+
 struct Follower {
   Tableau* t;
   const ContactTape* tape;
@@ -27,26 +34,45 @@ struct Follower {
   double* origin;     // [cases] load at the start of this piece
   Real* y;            // [m] values at `load`
   Real* dy;           // [m] rates along `direction`
-  double gap_scale;   // largest initial gap or displacement seen, length unit
+  double gap_scale;      // largest initial gap or displacement seen, length unit
+  double pressure_scale; // largest pressure or friction seen on this path, stress unit
+  const Model* model;
+  int32_t floating_body; // 0 or 1: the body that the contact has to hold
+  RateArea rate_area;
+  Event bound;           // the event that led here, until statuses are settled
+  int32_t goes_on;       // this piece of the path goes on in the direction of the one before
+  int32_t solutions;     // most contact states found at one load since the struct was filled, and
+  double solutions_load; // that load, of the first case
   PathWatch watch;
   PathStats stats;
   int32_t last_pair;  // the pair last changed, or that could not be
 };
+
+// Round-off of values after some thousand exchanges stays below 1e-12 of their scale; rates are differences of them.
+constexpr double kValueTolerance = 1e-11;
+constexpr double kRateTolerance = 1e-9;
+constexpr double kMixedNoise = 1e-13; // of a pair's stiffness times a motion, against forces, and the other way round
 
 // Magnitudes against which round-off is judged; derived from values and rates, never from units.
 struct PathScales {
   double p, w, dp, dw;
 };
 
+// Rates of a pair's forces and motions up to these are none: round-off of the largest, and of what the pair's own stiffness
+// makes of the other kind.
+struct NoRate {
+  double force, motion;
+};
+NoRate no_rate(const Pair& pair, const PathScales& s);
+
 void refresh(Follower& f);                       // y and dy from the tableau
 PathScales path_scales(const Follower& f);
+PathScales decision_scales(Follower& f); // the largest on this path so far: what is left of them is round-off
 // Change a status and keep the books of slip. False: the pair is the last to hold a motion.
 bool apply_change(Follower& f, int32_t pair, int32_t status, int32_t sign, double at);
 
-// Let the last sticking pair go where its own exchange has no pivot: nothing else holds the motion it would make. That
-// motion grows until the first pair that slips against it would turn back; this one sticks in its stead. `rates` are
-// those in force. False: there is none, and nothing has changed.
-bool release_with_partner(Follower& f, int32_t pair, int32_t sign, double at, const Real* rates);
+// The same without the exchange: the tableau has to be built anew.
+void set_status(Follower& f, int32_t pair, int32_t status, int32_t sign);
 
 // Follow from `load` to `target` exactly, event by event. *outcome says whether it was reached; `load` holds how far
 // it got. Errors: what the watch returns.
@@ -56,16 +82,18 @@ c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome
 // that direction. Infinite if none is met within `reach`. *outcome as follow_events.
 c2d_status find_event(Follower& f, double reach, double* part, c2d_outcome* outcome);
 
-// Make the statuses consistent with the rates along f.direction without moving the load (design: tableau and
-// events; start (b)); y and dy are refreshed. If none are found the statuses are what they were, and *outcome says why.
+// Make the statuses consistent with the rates along f.direction without moving the load (METHOD 13). y and dy are those of load
+// and direction, before and after. Few pairs in doubt:
+// all sets of cells are tried, which also tells how many solutions there are, f.solutions. Else rounds of changes, then
+// follow_cells. If there are no such statuses, or none are found, they are what they were, and *outcome says why.
 c2d_status settle(Follower& f, c2d_outcome* outcome);
-// The same by following an artificial load down to zero (contact/homotopy.cpp); true if that led to consistent
-// statuses. Pairs marked `weak` may change.
-bool settle_by_homotopy(Follower& f);
+// Is the pair's status for its rates to decide? In any case fills what `d` says of the pair itself.
+bool is_in_doubt(const Follower& f, int32_t pair, const PathScales& s, Doubt& d);
 
 // Keep the statuses and books of all pairs, and go back to what was kept. Errors: the block store's.
 void keep_pairs(Follower& f);
 c2d_status restore_pairs(Follower& f);
+c2d_status rebuild(Follower& f); // the tableau, for the statuses as they are
 
 // One increment of the thesis's own stepping, Table 4, on the same tableau; one that does not settle within
 // `iteration_limit` rounds is followed by events instead.

@@ -1,5 +1,6 @@
 #include "contact/reduction.hpp"
 
+#include "contact/rigid_balance.hpp"
 #include "linalg/dense.hpp"
 #include "memory/optional.hpp"
 
@@ -142,8 +143,9 @@ c2d_status form_stiffness(const Reduction& r) {
   c2d_status status = factor(r, r.second);
   if (status != C2D_OK) return status;
   lu_solve(r.engine, m, m, r.second, m, r.pivots, r.first, m);
-  status = write_matrix(r.tape, Matrix::stiffness, r.first);
-  return status == C2D_OK ? form_rates(r) : status;
+  status = form_rates(r);
+  if (status == C2D_OK) status = balance_stiffness(r);
+  return status == C2D_OK ? write_matrix(r.tape, Matrix::stiffness, r.first) : status;
 }
 
 // The same steps for the loads alone, with the matrices that are on the tape.

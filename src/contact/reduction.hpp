@@ -1,5 +1,5 @@
 #pragma once
-// From the reduced equations of both bodies to the contact system and its tableau (design: reduced contact system):
+// From the reduced equations of both bodies to the contact system and its tableau (METHOD 10):
 //   B w' - M tau = sum_k lambda_k h_k,  w' = w - (gap, 0),  B = S_u of the body that may float,
 //   M = S_t + S_u F, and the tableau with every pair sticking, tau = T w' + sum_k lambda_k b_k.
 // The load case that closes overlaps has B (overlap, 0) taken off its h: at its factor 1 the gap is less by all of it.

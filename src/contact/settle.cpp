@@ -1,15 +1,13 @@
-// Statuses that agree with the rates: the complementarity problem within one load (design: starts (b) and (c)).
+// Statuses that agree with the rates: the complementarity problem within one load (METHOD 13).
 #include <math.h>
 
+#include "contact/limit_analysis.hpp"
 #include "contact/path.hpp"
+#include "contact/rate_cells.hpp"
 
 namespace c2d {
 
 namespace {
-
-// Round-off of values after some thousand exchanges stays below 1e-12 of their scale; rates are differences of them.
-constexpr double kValueTolerance = 1e-11;
-constexpr double kRateTolerance = 1e-9;
 
 double larger(double a, double b) { return a > b ? a : b; }
 
@@ -22,20 +20,20 @@ bool is_finite_friction(const Pair& pair) { return pair.mu <= 1e300; }
 
 // A pair in contact whose pressure is zero: it may stay only if its pressure grows.
 Violation judge_unloaded(const Pair& pair, const PairState& rate, const PathScales& s) {
-  if (s.dp > 0.0 && rate.p < -kRateTolerance * s.dp) return {-rate.p / s.dp, C2D_OPEN, 0};
+  const double none = no_rate(pair, s).force;
+  if (rate.p < -none) return {-rate.p / s.dp, C2D_OPEN, 0};
   if (pair.status == C2D_STICK && pair.tangential && is_finite_friction(pair)) {
     const double excess = fabs(rate.q) - pair.mu * larger(rate.p, 0.0);
-    if (s.dp > 0.0 && excess > kRateTolerance * s.dp) return {excess / s.dp, C2D_SLIP, rate.q > 0.0 ? 1 : -1};
+    if (excess > none) return {excess / s.dp, C2D_SLIP, rate.q > 0.0 ? 1 : -1};
   }
   return {0.0, 0, 0};
 }
 
 Violation judge_sticking(const Pair& pair, const PairState& now, const PairState& rate, const PathScales& s) {
   if (!pair.tangential || !is_finite_friction(pair)) return {0.0, 0, 0};
-  if (pair.mu * now.p - fabs(now.q) > kValueTolerance * (1.0 + pair.mu) * s.p) return {0.0, 0, 0};
   const int32_t sign = now.q > 0.0 ? 1 : -1;
   const double excess = sign * rate.q - pair.mu * rate.p;
-  if (s.dp > 0.0 && excess > kRateTolerance * s.dp) return {excess / s.dp, C2D_SLIP, sign};
+  if (excess > no_rate(pair, s).force) return {excess / s.dp, C2D_SLIP, sign};
   return {0.0, 0, 0};
 }
 
@@ -43,23 +41,44 @@ Violation judge_sticking(const Pair& pair, const PairState& now, const PairState
 Violation judge_slipping(const Pair& pair, const PairState& rate, const PathScales& s) {
   if (!pair.tangential || pair.mu == 0.0) return {0.0, 0, 0};
   const double back = pair.sign * rate.wt;
-  if (s.dw > 0.0 && back > kRateTolerance * s.dw) return {back / s.dw, C2D_STICK, 0};
+  if (back > no_rate(pair, s).motion) return {back / s.dw, C2D_STICK, 0};
   return {0.0, 0, 0};
+}
+
+// Is there no pressure and no gap, or is friction at its bound? The pair of the event that brought the path here is, whatever
+// the last digits say.
+bool is_unloaded(const Follower& f, int32_t i, const PairState& now, const PathScales& s) {
+  const bool open = f.t->pair[i].status == C2D_OPEN;
+  if (i == f.bound.pair && (open || f.bound.status == C2D_OPEN)) return true;
+  return open ? now.wn <= kValueTolerance * s.w : now.p <= kValueTolerance * s.p;
+}
+bool is_at_bound(const Follower& f, int32_t i, const PairState& now, const PathScales& s) {
+  const Pair& pair = f.t->pair[i];
+  if (i == f.bound.pair && f.bound.status == C2D_SLIP) return true;
+  return pair.mu * now.p - fabs(now.q) <= kValueTolerance * (1.0 + pair.mu) * s.p;
 }
 
 Violation judge(const Follower& f, int32_t i, const PathScales& s) {
   const Pair& pair = f.t->pair[i];
   const PairState now = pair_state(*f.t, i, f.y), rate = pair_rates(*f.t, i, f.dy);
   if (pair.status == C2D_OPEN) {
-    if (now.wn > kValueTolerance * s.w || s.dw <= 0.0 || rate.wn >= -kRateTolerance * s.dw) return {0.0, 0, 0};
+    if (!is_unloaded(f, i, now, s) || rate.wn >= -no_rate(pair, s).motion) return {0.0, 0, 0};
     const bool slides = pair.mu == 0.0;
     return {-rate.wn / s.dw, slides ? C2D_SLIP : C2D_STICK, slides ? 1 : 0};
   }
-  if (now.p <= kValueTolerance * s.p) {
+  if (is_unloaded(f, i, now, s)) {
     const Violation v = judge_unloaded(pair, rate, s);
     if (v.size > 0.0 || pair.status == C2D_STICK) return v;
   }
-  return pair.status == C2D_STICK ? judge_sticking(pair, now, rate, s) : judge_slipping(pair, rate, s);
+  if (pair.status == C2D_SLIP) return judge_slipping(pair, rate, s);
+  return is_at_bound(f, i, now, s) ? judge_sticking(pair, now, rate, s) : Violation{0.0, 0, 0};
+}
+
+
+bool anything_offends(const Follower& f, const PathScales& s) {
+  for (int32_t i = 0; i < f.t->pairs; ++i)
+    if (judge(f, i, s).size > 0.0) return true;
+  return false;
 }
 
 // A fingerprint of all statuses and signs, to notice a set that was there before.
@@ -72,85 +91,41 @@ uint64_t fingerprint(const Tableau& t) {
   return hash;
 }
 
-constexpr int kSeen = 32;
-struct Memory { // of the last sets of statuses
-  uint64_t seen[kSeen];
-  int count;
-  bool knows(uint64_t hash) const {
-    for (int i = 0; i < kSeen && i < count; ++i)
-      if (seen[i] == hash) return true;
-    return false;
-  }
-  void add(uint64_t hash) { seen[count++ % kSeen] = hash; }
-};
-
-struct Round {
-  int32_t offenders, changed;
-  int32_t stuck_status; // what a change that had no pivot wanted
-};
-
-bool apply(Follower& f, int32_t i, const Violation& v) {
-  const PairState now = pair_state(*f.t, i, f.y);
-  if (apply_change(f, i, v.status, v.sign, now.wt)) return true;
-  refresh(f);
-  return v.status == C2D_SLIP && release_with_partner(f, i, v.sign, now.wt, f.dy);
-}
+enum class Round : int32_t { quiet, changed, stuck };
 
 // Change every offender, judged on the rates as they stand before.
 Round change_all(Follower& f, const PathScales& s) {
-  Round round{0, 0, C2D_STICK};
   Tableau& t = *f.t;
+  bool changed = false;
   for (int32_t i = 0; i < t.pairs; ++i) t.pair[i].weak = judge(f, i, s).size > 0.0;
   // Values and rates are read before the first exchange of the round changes their meaning.
   for (int32_t i = 0; i < t.pairs; ++i) {
     if (!t.pair[i].weak) continue;
-    ++round.offenders;
-    refresh(f);
     const Violation v = judge(f, i, s);
     if (v.size <= 0.0) continue; // mended by the changes before it
-    if (apply(f, i, v)) {
-      ++round.changed;
-    } else {
-      round.stuck_status = v.status;
-      f.last_pair = i;
-    }
+    if (!apply_change(f, i, v.status, v.sign, pair_state(t, i, f.y).wt)) return Round::stuck;
+    changed = true;
   }
-  return round;
+  return changed ? Round::changed : Round::quiet;
 }
 
-// Change only the largest offender that can be changed; `lowest`: the first one.
-Round change_one(Follower& f, const PathScales& s, bool lowest) {
-  Round round{0, 0, C2D_STICK};
-  Tableau& t = *f.t;
-  for (int32_t i = 0; i < t.pairs; ++i) t.pair[i].weak = 0;
-  for (;;) {
-    int32_t best = -1;
-    Violation worst{0.0, 0, 0};
-    for (int32_t i = 0; i < t.pairs; ++i) {
-      if (t.pair[i].weak) continue;
-      const Violation v = judge(f, i, s);
-      if (v.size <= 0.0) continue;
-      ++round.offenders;
-      if (best < 0 || (!lowest && v.size > worst.size * (1.0 + 1e-6))) {
-        best = i;
-        worst = v;
-      }
+// Rounds of changes as long as they make new sets of statuses: what most events need. y and dy are those of the tableau, before
+// and after.
+c2d_status change_in_rounds(Follower& f, bool* settled) {
+  constexpr int32_t kRounds = 12;
+  uint64_t seen[kRounds];
+  *settled = false;
+  for (int32_t round = 0; round < kRounds; ++round) {
+    seen[round] = fingerprint(*f.t);
+    for (int32_t k = 0; k < round; ++k)
+      if (seen[k] == seen[round]) return C2D_OK;
+    switch (change_all(f, decision_scales(f))) {
+    case Round::quiet: *settled = true; return C2D_OK;
+    case Round::stuck: return C2D_OK;
+    case Round::changed: break;
     }
-    if (best < 0) return round;
-    if (apply(f, best, worst)) {
-      ++round.changed;
-      return round;
-    }
-    t.pair[best].weak = 1; // cannot be changed: try the next
-    round.stuck_status = worst.status;
-    f.last_pair = best;
   }
-}
-
-c2d_outcome stuck_outcome(int32_t wanted) {
-  if (wanted == C2D_OPEN) return C2D_FREE_MOTION;
-  if (wanted == C2D_SLIP) return C2D_GROSS_SLIDING;
-  return C2D_NO_ADMISSIBLE_CHANGE;
+  return C2D_OK;
 }
 
 } // namespace
@@ -167,77 +142,249 @@ PathScales path_scales(const Follower& f) {
   return s;
 }
 
+NoRate no_rate(const Pair& pair, const PathScales& s) {
+  return {kRateTolerance * s.dp + kMixedNoise * pair.stiffness[0] * s.dw,
+          kRateTolerance * s.dw + (pair.stiffness[0] > 0.0 ? kMixedNoise * s.dp / pair.stiffness[0] : 0.0)};
+}
+
+PathScales decision_scales(Follower& f) {
+  PathScales s = path_scales(f);
+  s.p = f.pressure_scale = larger(s.p, f.pressure_scale);
+  s.w = f.gap_scale = larger(s.w, f.gap_scale);
+  return s;
+}
+
 void refresh(Follower& f) {
   combine(*f.t, f.load, true, f.y);
   combine(*f.t, f.direction, false, f.dy);
 }
 
+
+// ---- pairs in doubt -----------------------------------------------------------------------------------------------
+
+bool is_in_doubt(const Follower& f, int32_t i, const PathScales& s, Doubt& d) {
+  const Pair& pair = f.t->pair[i];
+  const PairState now = pair_state(*f.t, i, f.y);
+  const bool unloaded = is_unloaded(f, i, now, s);
+  d = Doubt{};
+  d.pair = i;
+  d.dof = pair.dof;
+  d.slots = 1 + pair.tangential;
+  d.mu = pair.mu;
+  d.kind = !pair.tangential || pair.mu == 0.0 ? DoubtKind::normal
+           : is_finite_friction(pair)         ? DoubtKind::apex
+                                              : DoubtKind::adhesive;
+  if (pair.status == C2D_OPEN || unloaded) {
+    d.cell = pair.status == C2D_OPEN ? Cell::open : closed_cell(d);
+    if (d.kind == DoubtKind::apex && pair.status == C2D_SLIP) d.cell = pair.sign > 0 ? Cell::slip_plus : Cell::slip_minus;
+    return unloaded;
+  }
+  if (d.kind != DoubtKind::apex) return false;
+  d.kind = DoubtKind::cone;
+  d.sign = pair.status == C2D_SLIP ? pair.sign : (now.q > 0.0 ? 1 : -1);
+  d.cell = pair.status == C2D_STICK ? Cell::stick : (d.sign > 0 ? Cell::slip_plus : Cell::slip_minus);
+  return pair.status == C2D_SLIP || is_at_bound(f, i, now, s);
+}
+
 namespace {
 
-// Change offenders, all at once while that makes new sets, then one at a time.
-c2d_status settle_by_rounds(Follower& f, c2d_outcome* outcome) {
-  *outcome = C2D_REACHED;
-  Memory memory{};
-  memory.add(fingerprint(*f.t));
-  const int32_t patience = 60 + 8 * f.t->pairs;
-  bool one_at_a_time = false;
-  for (int32_t round = 0; round < patience; ++round) {
-    const c2d_status status = f.watch.tick(f.watch.context);
-    if (status != C2D_OK) return status;
-    refresh(f);
-    const PathScales scales = path_scales(f);
-    const Round done = one_at_a_time ? change_one(f, scales, round > patience / 2) : change_all(f, scales);
-    if (done.offenders == 0) return C2D_OK;
-    if (done.changed == 0) {
-      *outcome = stuck_outcome(done.stuck_status);
-      return C2D_OK;
-    }
-    const uint64_t hash = fingerprint(*f.t);
-    if (memory.knows(hash)) one_at_a_time = true;
-    memory.add(hash);
-  }
-  *outcome = C2D_ENDLESS_EXCHANGE;
-  return C2D_OK;
-}
-
-// Pairs whose status the rates may decide: on the border of what their status demands.
-void mark_weak(Follower& f) {
-  const PathScales s = path_scales(f);
+// All pairs in doubt, as they stand.
+void gather_doubts(Follower& f, RateProblem& r) {
+  const PathScales s = decision_scales(f);
+  r = rate_problem_in(f.rate_area, f.t->m);
+  r.t = f.t;
+  r.direction = f.direction;
+  r.rates = f.dy;
   for (int32_t i = 0; i < f.t->pairs; ++i) {
-    Pair& pair = f.t->pair[i];
-    const PairState now = pair_state(*f.t, i, f.y);
-    const bool unloaded = pair.status == C2D_OPEN ? now.wn <= kValueTolerance * s.w : now.p <= kValueTolerance * s.p;
-    const bool at_cone = pair.status == C2D_STICK && pair.tangential && is_finite_friction(pair) &&
-                         pair.mu * now.p - fabs(now.q) <= kValueTolerance * (1.0 + pair.mu) * s.p;
-    const bool slides = pair.status == C2D_SLIP && pair.tangential && pair.mu > 0.0;
-    pair.weak = unloaded || at_cone || slides ? (unloaded ? 2 : 1) : 0;
+    Doubt& d = r.doubt[r.count];
+    if (!is_in_doubt(f, i, s, d)) continue;
+    d.row = r.size;
+    r.size += d.slots;
+    ++r.count;
   }
 }
 
-bool nothing_offends(Follower& f) {
-  refresh(f);
-  const PathScales scales = path_scales(f);
-  for (int32_t i = 0; i < f.t->pairs; ++i)
-    if (judge(f, i, scales).size > 0.0) return false;
+void keep_motion_before(const Follower& f, RateProblem& r) {
+  for (int32_t i = 0; i < r.count; ++i) {
+    const Doubt& d = r.doubt[i];
+    const PairState rate = pair_rates(*f.t, d.pair, f.dy);
+    r.before[d.row] = static_cast<Real>(f.goes_on ? rate.wn : 0.0);
+    if (d.slots == 2) r.before[d.row + 1] = static_cast<Real>(f.goes_on ? rate.wt : 0.0);
+  }
+}
+
+// Friction too small, or pairs too far from each other, to make rates that are not unique. Sufficient, not necessary: of
+// slipping pairs alone, when their compliance, per force instead of per pressure, is positive definite.
+bool is_surely_unique(const RateProblem& r) {
+  constexpr int32_t kMost = 8;
+  if (r.count == 0) return true;
+  if (r.count > kMost) return false;
+  const Tableau& t = *r.t;
+  double a[kMost][kMost];
+  for (int32_t i = 0; i < r.count; ++i) {
+    const Doubt& d = r.doubt[i];
+    if (d.kind != DoubtKind::cone || t.pair[d.pair].status != C2D_SLIP) return false;
+    for (int32_t j = 0; j <= i; ++j) {
+      const Doubt& e = r.doubt[j];
+      const double there = t.t[static_cast<int64_t>(e.dof + 1) * t.m + d.dof + 1] / t.pair[e.pair].length;
+      const double back = t.t[static_cast<int64_t>(d.dof + 1) * t.m + e.dof + 1] / t.pair[d.pair].length;
+      a[i][j] = 0.5 * d.sign * e.sign * (there + back);
+    }
+  }
+  for (int32_t j = 0; j < r.count; ++j) { // Cholesky's factors exist
+    const double own = a[j][j];
+    for (int32_t k = 0; k < j; ++k) a[j][j] -= a[j][k] * a[j][k];
+    if (!(a[j][j] > 1e-6 * own)) return false;
+    a[j][j] = sqrt(a[j][j]);
+    for (int32_t i = j + 1; i < r.count; ++i) {
+      for (int32_t k = 0; k < j; ++k) a[i][j] -= a[i][k] * a[j][k];
+      a[i][j] /= a[j][j];
+    }
+  }
   return true;
+}
+
+// Exchanges on the way may have had better pivots than the statuses they led to: a pair that gives way much more than it
+// would alone moves as nothing holds it.
+bool is_held(const Follower& f) {
+  const Tableau& t = *f.t;
+  for (int32_t i = 0; i < t.pairs; ++i) {
+    const Pair& pair = t.pair[i];
+    for (int slot = pair.status == C2D_OPEN ? 0 : 1; slot <= pair.tangential && pair.status != C2D_STICK; ++slot) {
+      const int64_t dof = pair.dof + slot;
+      if (fabs(static_cast<double>(t.t[dof * t.m + dof])) * pair.stiffness[slot] > 1.0 / kRegular) return false;
+    }
+  }
+  return true;
+}
+
+c2d_status settle_by_rounds(Follower& f, bool* settled) {
+  const c2d_status status = change_in_rounds(f, settled);
+  *settled = *settled && is_held(f);
+  return status;
+}
+
+// Give the pairs the statuses of their cells; by building the tableau anew where exchanges have no pivot on the way.
+c2d_status take_cells(Follower& f, const RateProblem& r) {
+  bool exchanged = true;
+  for (int32_t i = 0; i < r.count && exchanged; ++i) {
+    const Doubt& d = r.doubt[i];
+    const double at = pair_state(*f.t, d.pair, f.y).wt;
+    exchanged = apply_change(f, d.pair, cell_status(d, d.cell), cell_sign(d, d.cell), at);
+  }
+  if (exchanged) return C2D_OK;
+  for (int32_t i = 0; i < r.count; ++i) {
+    const Doubt& d = r.doubt[i];
+    set_status(f, d.pair, cell_status(d, d.cell), cell_sign(d, d.cell));
+  }
+  return rebuild(f);
+}
+
+// So many sets of cells may be tried first, in some hundredths of a second; and so many operations may all of them cost where
+// nothing else has helped, a second or two.
+constexpr int64_t kFewSets = 16384;
+constexpr double kLastResort = 2e9;
+
+// Before anything else: in a small model, and where nothing is loaded yet or the path turns. Elsewhere the state before says
+// which of several solutions goes on, and rounds of changes find it.
+bool wants_all(const Follower& f) { return f.t->pairs <= 6 || !f.goes_on; }
+
+void note_solutions(Follower& f, int32_t found) {
+  if (found <= f.solutions) return;
+  f.solutions = found;
+  f.solutions_load = f.load[0];
+}
+
+
+// Rates where rounds of changes find none. The statuses and books are those kept, the tableau is fresh, and they and it are so
+// again where no rates are found.
+c2d_status search_rates(Follower& f, bool on_tableau, Settled* result) {
+  RateProblem r;
+  gather_doubts(f, r);
+  r.on_tableau = on_tableau;
+  for (int32_t i = 0; i < f.t->pairs && on_tableau; ++i) f.t->pair[i].offset = 0.0; // of no account for rates
+  c2d_status found = C2D_OK;
+  *result = follow_cells(r, f.watch.tick, f.watch.context, &found);
+  c2d_status status = on_tableau ? restore_pairs(f) : c2d_status{C2D_OK};
+  if (status != C2D_OK || found != C2D_OK) return status != C2D_OK ? status : found;
+  if (*result != Settled::solved) return C2D_OK;
+  status = take_cells(f, r);
+  if (status != C2D_OK && status != C2D_ERR_SINGULAR) return status;
+  refresh(f);
+  if (status == C2D_OK && (!on_tableau || (is_held(f) && !anything_offends(f, decision_scales(f))))) return C2D_OK;
+  *result = Settled::undecided;
+  return restore_pairs(f);
+}
+
+// Of few pairs by systems, of many on the tableau first, which is faster but knows no cells that leave a motion free.
+c2d_status search(Follower& f, Settled* result) {
+  constexpr int32_t kFew = 40, kMost = 250;
+  RateProblem r;
+  gather_doubts(f, r);
+  const int32_t doubts = r.count;
+  c2d_status status = C2D_OK;
+  *result = Settled::undecided;
+  if (doubts > kFew) status = search_rates(f, true, result);
+  if (status == C2D_OK && *result == Settled::undecided && doubts <= kMost) status = search_rates(f, false, result);
+  return status;
+}
+
+
+// All sets of cells, if they are few and it is not clear beforehand that one solution is all there is. *found: how many there
+// are; -1: not tried. The pairs have been kept.
+c2d_status try_all(Follower& f, bool offends, bool last_resort, int32_t* found) {
+  RateProblem r;
+  gather_doubts(f, r);
+  *found = -1;
+  const double sets = static_cast<double>(count_cells(r)), size = r.size;
+  if (last_resort ? sets * size * size * size > kLastResort : sets > kFewSets) return C2D_OK;
+  if (!offends && is_surely_unique(r)) return C2D_OK;
+  keep_motion_before(f, r);
+  try_all_cells(r, found);
+  note_solutions(f, *found);
+  if (*found < 1 || (*found == 1 && !offends)) return C2D_OK;
+  const c2d_status status = take_cells(f, r);
+  if (status != C2D_ERR_SINGULAR) return status;
+  *found = -1;
+  return restore_pairs(f);
+}
+
+c2d_status settle_at(Follower& f, c2d_outcome* outcome) {
+  *outcome = C2D_REACHED;
+  c2d_status status = f.watch.tick(f.watch.context);
+  if (status != C2D_OK) return status;
+  const bool first = wants_all(f);
+  // Behind an event something offends as a rule, and rounds find out.
+  const bool offends = (f.bound.pair >= 0 && !first) || anything_offends(f, decision_scales(f));
+  if (!offends && !first) return C2D_OK;
+  keep_pairs(f);
+  int32_t found = -1;
+  if (first) status = try_all(f, offends, false, &found);
+  if (status != C2D_OK || found > 0 || !offends) return status;
+  if (found < 0) {
+    bool settled = false;
+    status = settle_by_rounds(f, &settled);
+    if (status != C2D_OK || settled) return status;
+    status = restore_pairs(f);
+    if (status == C2D_OK && !first) status = try_all(f, true, false, &found);
+    if (status != C2D_OK || found > 0) return status;
+  }
+  Settled result = Settled::undecided;
+  if (found < 0) status = search(f, &result);
+  if (status != C2D_OK || result == Settled::solved) return status;
+  status = limit_analysis(f, found == 0, outcome);
+  if (status != C2D_OK || *outcome != C2D_UNDECIDED) return status;
+  status = try_all(f, true, true, &found);
+  if (found > 0) *outcome = C2D_REACHED;
+  return status != C2D_OK || found != 0 ? status : limit_analysis(f, true, outcome);
 }
 
 } // namespace
 
 c2d_status settle(Follower& f, c2d_outcome* outcome) {
-  keep_pairs(f);
-  c2d_status status = settle_by_rounds(f, outcome);
-  if (status != C2D_OK || *outcome == C2D_REACHED) return status;
-  const int32_t last_pair = f.last_pair;
-  status = restore_pairs(f);
-  if (status != C2D_OK) return status;
-  mark_weak(f);
-  if (settle_by_homotopy(f) && nothing_offends(f)) {
-    *outcome = C2D_REACHED;
-    return C2D_OK;
-  }
-  f.last_pair = last_pair;
-  return restore_pairs(f);
+  const c2d_status status = settle_at(f, outcome);
+  f.bound.pair = -1;
+  return status;
 }
 
 } // namespace c2d

@@ -9,7 +9,7 @@ namespace c2d {
 namespace {
 
 void reset_pair(Pair& pair) {
-  pair.offset = pair.slip_done = pair.slip_from = pair.increment_from = 0.0;
+  pair.offset = pair.slip_done = pair.slip_from = pair.increment_from = pair.slip_before = 0;
   pair.sign = pair.weak = 0;
 }
 
@@ -113,7 +113,7 @@ c2d_status fly(Follower& f, const FreeBody& body, const Model& model, double wor
   const double tangential = pair.tangential ? direction * distance * w[1] : 0.0;
   pair.status = pair.mu == 0.0 ? C2D_SLIP : C2D_STICK;
   pair.sign = pair.status == C2D_SLIP ? 1 : 0;
-  (pair.status == C2D_STICK ? pair.offset : pair.slip_from) = tangential;
+  (pair.status == C2D_STICK ? pair.offset : pair.slip_from) = static_cast<Real>(tangential);
   f.last_pair = first;
   const c2d_status status = build_tableau(t, *f.tape, &f.last_pair);
   if (status == C2D_ERR_SINGULAR) return C2D_OK;

@@ -1,5 +1,5 @@
 #pragma once
-// The first state of a load path, and the flight of a body that nothing touches yet (design: start (a)).
+// The first state of a load path, and the flight of a body that nothing touches yet (METHOD 12, start (a)).
 #include "contact/path.hpp"
 
 namespace c2d {

@@ -9,10 +9,12 @@ namespace c2d {
 
 namespace {
 
-// A pivot this small against the stiffest pair means a motion that nothing else holds. Legitimate stiffness ratios of
-// slender supports stay above 1e-8; round-off of a truly free motion is 1e-14.
-constexpr double kFreePivot = 1e-11;
+// A pivot this small against the stiffness of its own pair means a motion that nothing else holds: one about to begin, not a
+// number to divide by. Stiffness ratios of slender supports stay above 1e-8; round-off of a free motion is 1e-14.
+constexpr double kFreePivot = sizeof(Real) == 8 ? 1e-10 : 1e-5;
 constexpr double kTinyCompliance = 1e-14;
+constexpr double kLeastStiffness = 1e-6; // of a pair, against the stiffest
+constexpr double kGoodPivot = 1e-3; // building: no need to look for a better one
 
 Real* column(const Tableau& t, int32_t j) { return t.t + static_cast<int64_t>(t.m) * j; }
 Real entry(const Tableau& t, int32_t i, int32_t j) { return column(t, j)[i]; }
@@ -23,23 +25,24 @@ void pivot(Tableau& t, int32_t slot) {
   ++t.exchanges;
 }
 
-bool stiff(const Tableau& t, double value) { return fabs(value) > kFreePivot * t.stiffness; }
-bool compliant(const Tableau& t, double value) { return fabs(value) * t.stiffness > kTinyCompliance; }
+bool stiff(const Pair& pair, int slot, double value) { return fabs(value) > kFreePivot * pair.stiffness[slot]; }
+bool compliant(const Pair& pair, int slot, double value) { return fabs(value) * pair.stiffness[slot] > kTinyCompliance; }
 
 // Both slots of a pair, the larger pivot first. `usable` judges each pivot before anything changes.
-bool exchange_pair(Tableau& t, const Pair& pair, bool (*usable)(const Tableau&, double)) {
+bool exchange_pair(Tableau& t, const Pair& pair, bool (*usable)(const Pair&, int, double)) {
   const int32_t a = pair.dof, b = pair.dof + 1;
   C2D_ASSERT(a >= 0 && a + pair.tangential < t.m);
   if (!pair.tangential) {
-    if (!usable(t, entry(t, a, a))) return false;
+    if (!usable(pair, 0, entry(t, a, a))) return false;
     pivot(t, a);
     return true;
   }
   const double aa = entry(t, a, a), bb = entry(t, b, b);
   const bool normal_first = fabs(aa) >= fabs(bb);
   const double first = normal_first ? aa : bb, second = normal_first ? bb : aa;
-  if (!usable(t, first)) return false;
-  if (!usable(t, second - static_cast<double>(entry(t, a, b)) * entry(t, b, a) / first)) return false;
+  const int slot = normal_first ? 0 : 1;
+  if (!usable(pair, slot, first)) return false;
+  if (!usable(pair, 1 - slot, second - static_cast<double>(entry(t, a, b)) * entry(t, b, a) / first)) return false;
   const int32_t one = normal_first ? a : b, other = normal_first ? b : a;
   if (kSmallCode) {
     pivot(t, one);
@@ -69,7 +72,7 @@ bool open_to_stick(Tableau& t, Pair& pair, double at) {
     if (offset) *offset += static_cast<Real>(at);
     return false;
   }
-  pair.offset = at;
+  pair.offset = static_cast<Real>(at);
   return true;
 }
 
@@ -83,7 +86,7 @@ bool stick_to_slip(Tableau& t, Pair& pair, int32_t sign) {
   const int32_t a = pair.dof, b = a + 1;
   if (!pair.tangential) return true;
   const double f = friction(pair, sign);
-  if (!stiff(t, entry(t, b, b) - f * entry(t, a, b))) return false;
+  if (!stiff(pair, 1, entry(t, b, b) - f * entry(t, a, b))) return false;
   add_row(t, b, -f, a);
   pivot(t, b);
   constants(t)[b] += static_cast<Real>(pair.offset);
@@ -93,17 +96,17 @@ bool stick_to_slip(Tableau& t, Pair& pair, int32_t sign) {
 bool slip_to_stick(Tableau& t, Pair& pair, double at) {
   const int32_t a = pair.dof, b = a + 1;
   if (!pair.tangential) return true;
-  if (!compliant(t, entry(t, b, b))) return false;
+  if (!compliant(pair, 1, entry(t, b, b))) return false;
   constants(t)[b] -= static_cast<Real>(at);
   pivot(t, b);
   add_row(t, b, friction(pair, pair.sign), a);
-  pair.offset = at;
+  pair.offset = static_cast<Real>(at);
   return true;
 }
 
 bool slip_to_open(Tableau& t, Pair& pair) {
   const int32_t a = pair.dof;
-  if (!stiff(t, entry(t, a, a))) return false;
+  if (!stiff(pair, 0, entry(t, a, a))) return false;
   pivot(t, a);
   if (pair.tangential) add_column(t, a, -friction(pair, pair.sign), a + 1);
   return true;
@@ -113,7 +116,7 @@ bool open_to_slip(Tableau& t, Pair& pair, int32_t sign) {
   const int32_t a = pair.dof, b = a + 1;
   const double f = pair.tangential ? friction(pair, sign) : 0.0;
   const double pivot_value = entry(t, a, a) + (pair.tangential ? f * entry(t, a, b) : 0.0);
-  if (!compliant(t, pivot_value)) return false;
+  if (!compliant(pair, 0, pivot_value)) return false;
   if (pair.tangential) add_column(t, a, f, b);
   pivot(t, a);
   return true;
@@ -144,8 +147,8 @@ bool change_status(Tableau& t, int32_t index, int32_t status, int32_t sign, doub
   } else if (!change(t, pair, status, sign, at)) {
     return false;
   }
-  pair.status = status;
-  pair.sign = status == C2D_SLIP ? sign : 0;
+  pair.status = static_cast<int8_t>(status);
+  pair.sign = static_cast<int8_t>(status == C2D_SLIP ? sign : 0);
   return true;
 }
 
@@ -159,9 +162,15 @@ c2d_status load_all_stick(Tableau& t, const ContactTape& tape) {
   if (status != C2D_OK) return status;
   t.stiffness = 0.0;
   for (int32_t i = 0; i < t.m; ++i) {
-    constants(t)[i] = artificial_rate(t)[i] = 0;
+    constants(t)[i] = 0;
     if (fabs(static_cast<double>(entry(t, i, i))) > t.stiffness) t.stiffness = fabs(static_cast<double>(entry(t, i, i)));
   }
+  if (!(t.stiffness > 0.0)) t.stiffness = 1.0; // pairs that hold a body and nothing else
+  for (int32_t i = 0; i < t.pairs; ++i)
+    for (int slot = 0; slot <= t.pair[i].tangential; ++slot) {
+      const double own = fabs(static_cast<double>(entry(t, t.pair[i].dof + slot, t.pair[i].dof + slot)));
+      t.pair[i].stiffness[slot] = static_cast<Real>(fmax(own, kLeastStiffness * t.stiffness));
+    }
   return C2D_OK;
 }
 
@@ -191,21 +200,100 @@ void impose_contact(Tableau& t) {
   }
 }
 
-// The slot with the largest pivot among those that still must leave; done slots are marked in `weak` (bits 0, 1).
-int32_t largest_pivot(const Tableau& t, int32_t* owner, int* slot) {
-  double best = -1.0;
+// A slot among those that still must leave.
+struct Slot {
+  Pair* pair;
+  int which;
+  int32_t dof() const { return pair->dof + which; }
+  void is_done() const { pair->weak = static_cast<int8_t>(pair->weak | 1 << which); }
+};
+bool stays(const Pair& pair, int which) { return !must_leave(pair, which) || (pair.weak >> which & 1) != 0; }
+
+template <class Visit> void visit_leaving(const Tableau& t, Visit visit) {
   for (int32_t i = 0; i < t.pairs; ++i)
-    for (int s = 0; s <= t.pair[i].tangential; ++s) {
-      const Pair& pair = t.pair[i];
-      if (!must_leave(pair, s) || (pair.weak >> s & 1) != 0) continue;
-      const double size = fabs(static_cast<double>(entry(t, pair.dof + s, pair.dof + s)));
-      if (size > best) {
-        best = size;
-        *owner = i;
-        *slot = s;
+    for (int which = 0; which <= t.pair[i].tangential; ++which)
+      if (!stays(t.pair[i], which)) visit(Slot{&t.pair[i], which});
+}
+
+// The largest pivot: on the diagonal if that is a good one, else anywhere among the slots that must leave. 0: none is left.
+double largest_pivot(const Tableau& t, Slot* row, Slot* column) {
+  double best = 0.0;
+  visit_leaving(t, [&](const Slot& slot) {
+    const double size = fabs(static_cast<double>(entry(t, slot.dof(), slot.dof())));
+    if (size <= best && best > 0.0) return;
+    best = size;
+    *row = *column = slot;
+  });
+  if (!row->pair || best > kGoodPivot * column->pair->stiffness[column->which]) return best;
+  visit_leaving(t, [&](const Slot& c) {
+    visit_leaving(t, [&](const Slot& r) {
+      const double size = fabs(static_cast<double>(entry(t, r.dof(), c.dof())));
+      if (size <= best) return;
+      best = size;
+      *row = r;
+      *column = c;
+    });
+  });
+  return best;
+}
+
+void swap_rows(const Tableau& t, int32_t a, int32_t b) {
+  for (int32_t j = 0; j < all_columns(t) && a != b; ++j) {
+    const Real kept = column(t, j)[a];
+    column(t, j)[a] = column(t, j)[b];
+    column(t, j)[b] = kept;
+  }
+}
+void swap_columns(const Tableau& t, int32_t a, int32_t b) {
+  for (int32_t i = 0; i < t.m && a != b; ++i) {
+    const Real kept = entry(t, i, a);
+    column(t, a)[i] = entry(t, i, b);
+    column(t, b)[i] = kept;
+  }
+}
+
+Slot slot_of(const Tableau& t, int32_t dof) {
+  for (int32_t i = 0;; ++i)
+    if (dof <= t.pair[i].dof + t.pair[i].tangential) return {&t.pair[i], dof - t.pair[i].dof};
+}
+
+// Pivots off the diagonal leave the columns that left in each other's places.
+void sort_columns(const Tableau& t) {
+  for (int32_t i = 0; i < t.pairs; ++i)
+    for (int which = 0; which <= t.pair[i].tangential; ++which) {
+      int32_t* const place = &t.pair[i].place[which];
+      while (*place != t.pair[i].dof + which) {
+        const Slot other = slot_of(t, *place);
+        swap_columns(t, t.pair[i].dof + which, *place);
+        *place = other.pair->place[other.which];
+        other.pair->place[other.which] = other.dof();
       }
     }
-  return best < 0.0 ? -1 : t.pair[*owner].dof + *slot;
+}
+
+// Exchanges all slots that must leave the all-stick basis; false: they leave a motion free.
+bool exchange_leaving(Tableau& t, int32_t* culprit) {
+  for (int32_t i = 0; i < t.pairs; ++i) {
+    t.pair[i].weak = 0;
+    for (int which = 0; which < 2; ++which) t.pair[i].place[which] = t.pair[i].dof + which;
+  }
+  for (;;) {
+    Slot row{nullptr, 0}, column{nullptr, 0};
+    const double size = largest_pivot(t, &row, &column);
+    if (!row.pair) break;
+    if (!(size > kFreePivot * column.pair->stiffness[column.which])) {
+      *culprit = static_cast<int32_t>(column.pair - t.pair);
+      return false;
+    }
+    swap_rows(t, row.dof(), column.dof());
+    const int32_t kept = row.pair->place[row.which];
+    row.pair->place[row.which] = column.pair->place[column.which];
+    column.pair->place[column.which] = kept;
+    pivot(t, column.dof());
+    column.is_done();
+  }
+  sort_columns(t);
+  return true;
 }
 
 void restore_gaps(Tableau& t) {
@@ -220,19 +308,7 @@ c2d_status build_tableau(Tableau& t, const ContactTape& tape, int32_t* culprit) 
   const c2d_status status = load_all_stick(t, tape);
   if (status != C2D_OK) return status;
   impose_contact(t);
-  for (int32_t i = 0; i < t.pairs; ++i) t.pair[i].weak = 0;
-  int32_t owner = 0;
-  int slot = 0;
-  for (int32_t pivot_slot = largest_pivot(t, &owner, &slot); pivot_slot >= 0;
-       pivot_slot = largest_pivot(t, &owner, &slot)) {
-    if (!stiff(t, entry(t, pivot_slot, pivot_slot))) {
-      *culprit = owner;
-      return C2D_ERR_SINGULAR;
-    }
-    pivot(t, pivot_slot);
-    t.pair[owner].weak |= 1 << slot;
-  }
-  for (int32_t i = 0; i < t.pairs; ++i) t.pair[i].weak = 0;
+  if (!exchange_leaving(t, culprit)) return C2D_ERR_SINGULAR;
   restore_gaps(t);
   return C2D_OK;
 }

@@ -112,18 +112,28 @@ bool is_behind(const ConditionCard& card, const ConditionCard& previous) {
   return card.local <= previous.local;
 }
 
-bool read_point_load(Deck& deck, int b) {
+// A zone's card has four whole numbers.
+bool may_be_point_load(const Cards& cards) {
+  const int32_t numbers = numbers_on(cards);
+  if (cards.free_form || numbers != 4) return numbers != 1 && (!cards.free_form || numbers != 4);
+  for (int32_t i = 0; i < kCardColumns; ++i)
+    if (cards.text[i] == '.') return true;
+  return false;
+}
+
+bool read_point_load(Deck& deck, int b, int32_t i) {
   static const char* const kName[4] = {"x of a point load", "y of a point load",
                                        "x component of a point load", "y component of a point load"};
   Cards& cards = deck.cards;
   if (!next_card(cards, "a point load card")) return false;
+  if (!fits_count(deck, may_be_point_load(cards), i)) return false;
   int32_t number; // the cards count anyway
   any_integer(cards, 1, "number of the point load", &number);
   unused_column(cards, 6);
   double data[4] = {0, 0, 0, 0};
   bool sound = true;
-  for (int32_t i = 0; i < 4; ++i)
-    if (!real(cards, 7 + 10 * i, kName[i], &data[i])) sound = false;
+  for (int32_t k = 0; k < 4; ++k)
+    if (!real(cards, 7 + 10 * k, kName[k], &data[k])) sound = false;
   end_of_fields(cards, 47);
   if (deck.sink == nullptr || !sound) return !cards.ended;
   place(deck, 7, 46);
@@ -137,12 +147,13 @@ bool read_conditions(Deck& deck, int b) {
   Cards& cards = deck.cards;
   cards.body = b + 1;
   if (!next_card(cards, "the card with the number of boundary conditions of a body")) return false;
+  if (!fits_count(deck, numbers_on(cards) < 4, deck.counted_cards)) return false;
   int32_t conditions = 0;
-  if (!count(cards, 1, "number of boundary condition cards", 0, &conditions)) return false;
-  end_of_fields(cards, 6);
+  if (!read_count(deck, "number of boundary condition cards", &conditions)) return false;
   ConditionCard previous = ConditionCard();
   for (int32_t i = 0; i < conditions; ++i) {
     if (!next_card(cards, "a boundary condition card")) return false;
+    if (!fits_count(deck, numbers_on(cards) != 1, i)) return false;
     const ConditionCard card = read_condition(deck, b);
     if (cards.ended) return false;
     const bool follows = !card.is_generated || previous.sound;
@@ -163,12 +174,12 @@ bool read_conditions(Deck& deck, int b) {
 bool read_point_loads(Deck& deck, int b) {
   Cards& cards = deck.cards;
   if (!next_card(cards, "the card with the number of point loads of a body")) return false;
+  if (!fits_count(deck, numbers_on(cards) < 4, deck.counted_cards)) return false;
   int32_t loads = 0;
-  if (!count(cards, 1, "number of point loads", 0, &loads)) return false;
-  end_of_fields(cards, 6);
+  if (!read_count(deck, "number of point loads", &loads)) return false;
   deck.sizes.point_loads += loads;
   for (int32_t i = 0; i < loads; ++i)
-    if (!read_point_load(deck, b)) return false;
+    if (!read_point_load(deck, b, i)) return false;
   return !cards.ended;
 }
 

@@ -42,6 +42,7 @@ bool read_counts(Deck& deck) {
   Cards& cards = deck.cards;
   c2d_limits& sizes = deck.sizes;
   if (!next_card(cards, "the card with the numbers of bodies and contact zones")) return false;
+  deck.zones_line = cards.line;
   cards.vital = true;
   const bool bodies_known = integer(cards, 1, 5, "number of bodies", 1, 2, &sizes.bodies);
   const bool zones_known = integer_from(cards, 6, "number of contact zones", 0, &sizes.zones);

@@ -5,6 +5,8 @@
 namespace c2d {
 namespace {
 
+constexpr int32_t kSequenceColumn = 72; // behind it cards carry their sequence numbers
+
 // Whether regions may be open is known at the end of the deck only.
 void check_open_regions(Deck& deck) {
   Cards& cards = deck.cards;
@@ -77,6 +79,44 @@ bool accept(Deck& deck, c2d_status status) {
   }
   if (deck.cards.faults > kMaximumFaults) deck.cards.ended = true;
   return !deck.cards.ended;
+}
+
+int32_t numbers_on(const Cards& cards) {
+  if (cards.free_form) return cards.words.count;
+  int32_t numbers = 0;
+  for (int32_t i = 0; i < kSequenceColumn; ++i) {
+    const char c = cards.text[i];
+    const bool begins = i == 0 || cards.text[i - 1] == ' ';
+    if (begins && ((c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+')) ++numbers;
+  }
+  return numbers;
+}
+
+bool read_count(Deck& deck, const char* name, int32_t* value) {
+  deck.counted = name;
+  deck.counted_line = deck.cards.line;
+  deck.counted_body = deck.cards.body;
+  if (!count(deck.cards, 1, name, 0, value)) return false;
+  deck.counted_cards = *value;
+  end_of_fields(deck.cards, 6);
+  return true;
+}
+
+bool fits_count(Deck& deck, bool fits, int32_t read_so_far) {
+  Cards& cards = deck.cards;
+  if (fits || cards.refused || deck.counted == nullptr) return true;
+  const int32_t line = cards.line, body = cards.body;
+  cards.line = deck.counted_line;
+  cards.body = deck.counted_body;
+  const bool fixed = !cards.free_form; // as above
+  const int32_t column = deck.counted_line == deck.zones_line ? 6 : 1;
+  fault(cards, fixed ? column : 0, fixed ? column + 4 : 0, deck.counted, " is ", deck.counted_cards, ", but line ", line,
+        read_so_far < deck.counted_cards ? " holds another kind of card after " : " holds one more, or a wrong card, after ", read_so_far,
+        " of them; what follows cannot be read without it");
+  cards.line = line;
+  cards.body = body;
+  cards.ended = true;
+  return false;
 }
 
 int32_t element_offset(const Deck& deck, int b) {

@@ -41,6 +41,7 @@ struct DeckSink {
   c2d_status (*set_units)(c2d_solver*, const char* length, const char* force);
   c2d_status (*set_interference)(c2d_solver*, int32_t load_case);
   c2d_status (*add_points)(c2d_solver*, const c2d_points*);
+  c2d_status (*add_curve)(c2d_solver*, const c2d_curve*);
   // of keywords whose part of the library may be missing: null
   c2d_status (*set_symmetry)(c2d_solver*, int32_t axis, double value);
   c2d_status (*set_rigid)(c2d_solver*, int32_t load_case, double ux, double uy, double rotation, double x0,
@@ -79,6 +80,8 @@ struct Deck {
   bool elements_continue;          // body 2's elements are numbered on from body 1's
   bool nodes_continue;             // so are its nodes
   int64_t pairs, contact_elements; // of all zones
+  const char* counted;             // the last number of cards that a card gave, with its place
+  int32_t counted_cards, counted_line, counted_body, zones_line;
   uint32_t keywords_seen;          // bit: place in the table of keywords.cpp
   NumbersSeen body_forces[2];      // load cases that *BODY FORCE gave, by body
 };
@@ -110,6 +113,12 @@ void place(Deck& deck, int32_t column, int32_t column_end);
 void place_words(Deck& deck, const Words& words);
 // Take note of what a call of the sink returned; false if the reading must end.
 bool accept(Deck& deck, c2d_status status);
+// A card that says how many cards of a kind follow. Where they do not fit their number, that alone is told, at its card: what
+// follows is read as something else than it is. Both return false then.
+bool read_count(Deck& deck, const char* name, int32_t* value);
+bool fits_count(Deck& deck, bool fits, int32_t read_so_far);
+// Fields of the card at hand that begin like a number.
+int32_t numbers_on(const Cards& cards);
 // Added to an element's or functional node's number within body b to get that of the cards.
 int32_t element_offset(const Deck& deck, int b);
 int32_t function_node_offset(const Deck& deck, int b);

@@ -22,6 +22,7 @@ struct Keyword {
 //   *FRICTION                history.cpp    coefficients by zone
 //   *SYMMETRY X value        symmetry.cpp   line x = value (Y: y = value), everything mirrored across it
 //   *ZONE e1 e1 e2 e2        free_zones.cpp contact between elements of both bodies, meshed independently
+//   *CURVE kind body e e     curves.cpp     what the surface is over elements of a body
 //   *RIGID                   rigid.cpp      body 1 is a rigid obstacle, with motions by load case
 //   *INTERFERENCE load_case  interference.cpp   initial overlaps are closed as a load case
 //   *BODY FORCE ...          body_force.cpp weight and rotation of a body in a load case
@@ -40,6 +41,7 @@ constexpr Keyword kKeywords[] = {
     {"ZONE", read_free_zone, true, "c2d_add_free_zone",
      [](const DeckSink& sink) { return sink.add_free_zone != nullptr; }},
     {"POINTS", read_points, true},
+    {"CURVE", read_curve, true},
 };
 constexpr int32_t kKeywordCount = static_cast<int32_t>(sizeof kKeywords / sizeof kKeywords[0]);
 static_assert(kKeywordCount <= 32, "Deck::keywords_seen has a bit for each");

@@ -21,6 +21,7 @@ void read_cases(Deck& deck, const Words& keyword_card);    // history.cpp
 void read_path(Deck& deck, const Words& keyword_card);     //
 void read_friction(Deck& deck, const Words& keyword_card); //
 void read_free_zone(Deck& deck, const Words& keyword_card); // free_zones.cpp
+void read_curve(Deck& deck, const Words& keyword_card);    // curves.cpp
 void read_symmetry(Deck& deck, const Words& keyword_card); // symmetry.cpp
 void read_rigid(Deck& deck, const Words& keyword_card);        // rigid.cpp
 void read_interference(Deck& deck, const Words& keyword_card); // interference.cpp

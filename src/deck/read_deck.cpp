@@ -68,6 +68,7 @@ c2d_status walk(Reading& reading) {
   sink.set_units = c2d_set_units;
   sink.set_interference = c2d_set_interference;
   sink.add_points = c2d_add_points;
+  sink.add_curve = c2d_add_curve;
   sink.set_symmetry = c2d_set_symmetry;
   sink.set_rigid = c2d_set_rigid;
   sink.set_body_force = c2d_set_body_force;

@@ -26,11 +26,21 @@ bool read_ranges(Deck& deck, const char* name, int32_t count, const int32_t offs
   return sound;
 }
 
+void count_zones(Deck& deck) {
+  deck.counted = "number of contact zones";
+  deck.counted_cards = deck.sizes.zones;
+  deck.counted_line = deck.zones_line;
+  deck.counted_body = 0;
+}
+
 bool read_zone(Deck& deck, bool* sound) {
   Cards& cards = deck.cards;
   c2d_zone zone = c2d_zone();
   zone.struct_size = static_cast<uint32_t>(sizeof zone);
   if (!next_card(cards, "the card with the bodies and sizes of a contact zone")) return false;
+  if (cards.zone == 1 && !fits_count(deck, numbers_on(cards) < 5, deck.counted_cards)) return false;
+  count_zones(deck);
+  if (!fits_count(deck, numbers_on(cards) != 2, cards.zone - 1)) return false;
   int32_t body;
   const int32_t old_faults = cards.faults;
   integer(cards, 1, 5, "lower body of the zone", 1, 1, &body);
@@ -76,6 +86,8 @@ const char* const kElementSum[] = {"number of contact elements of body 1", "numb
 bool read_sums(Deck& deck, int b, bool sound) {
   Cards& cards = deck.cards;
   if (!next_card(cards, "the card with the numbers of contact nodes and elements of a body")) return false;
+  count_zones(deck);
+  if (!fits_count(deck, numbers_on(cards) != 4, deck.counted_cards)) return false;
   int32_t nodes = 0, elements = 0;
   const bool nodes_known = integer_from(cards, 1, kNodeSum[b], 0, &nodes);
   const bool elements_known = integer_from(cards, 6, kElementSum[b], 0, &elements);

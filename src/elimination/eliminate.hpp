@@ -1,12 +1,12 @@
 #pragma once
-// Streamed elimination: [ A_o | B ] with A_o of rows x pivots and B of rows x trailing becomes, with partial
+// Streamed elimination (METHOD 7.1): [ A_o | B ] with A_o of rows x pivots and B of rows x trailing becomes, with partial
 // pivoting over all remaining rows,
 //     P [ A_o | B ] = [ L_1   ] [ U  Y ]        U pivots x pivots, Y pivots x trailing,
 //                     [ L_2 I ] [ 0  S ]        S (rows - pivots) x trailing.
 // S goes to the sink; U and Y go to tape UPPER for back substitution; L goes to tape LOWER as far as it is
 // needed again. Left-looking by panels: the matrix never exists in memory, a panel is filled, brought up to
-// date with the blocks of L before it, factored, and written. (Partial forward elimination, thesis
-// Figure 20.)
+// date with the blocks of L before it, factored, and written. (Partial forward elimination:
+// figure 20 of the thesis.)
 #include "elimination/plan.hpp"
 #include "linalg/lu.hpp"
 #include "store/tapes.hpp"

@@ -1,5 +1,5 @@
 #pragma once
-// Operations on a tableau y = T z (design: contact statuses change by exchanging a basic y with a nonbasic
+// Operations on a tableau y = T z (METHOD 11: contact statuses change by exchanging a basic y with a nonbasic
 // z). T is column-major, rows x cols; constants and rates of loads are further columns, treated like any
 // other.
 #include "linalg/kernel.hpp"

@@ -1,12 +1,12 @@
 #pragma once
 // Parts of the core that only some models or programs need: free zones, body forces, a rigid body 1, symmetry, what the
-// summary tells, new loads. A linker leaves them out where no call that declares one is linked (README, "On a
-// microcontroller").
+// summary tells, new loads. A linker leaves them out where no call that declares one is linked
+// (port/cortex-m/README.md).
 //
 // A part has object files of its own. Who uses it where a model has one names what it calls with C2D_OPTIONAL: such a
 // reference brings no object file into a link. The call that declares the part names one function of each of its files
-// with C2D_BRINGS. So a call of an optional function stands behind the question whether the model has the part, which
-// only a model with the part answers with yes; C2D_LINKED tells whether the program has it.
+// with C2D_BRINGS. So an optional function is called only after asking whether the model has the part: a
+// model can have it only if the call that declares it was linked. C2D_LINKED tells whether the program has it.
 // Where a header names a function with C2D_OPTIONAL, C2D_BRINGS must name another one of that file.
 //
 // What brings models of any kind (the deck reader, c2d_attach, options) names one function of each part with C2D_NEEDS,

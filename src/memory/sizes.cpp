@@ -1,7 +1,5 @@
 #include "memory/sizes.hpp"
 
-#include "memory/real.hpp"
-
 namespace c2d {
 
 bool add_bytes(uint64_t& sum, uint64_t count, uint64_t size) {
@@ -26,7 +24,7 @@ bool counts_are_legal(const c2d_limits& l) {
   }
   return l.zones >= 0 && l.pairs >= 0 && l.contact_elements >= 0 && l.point_loads >= 0 && l.coefficients >= 0 &&
          l.paths >= 0 && l.load_cases >= 0 && l.panel_columns >= 0 && l.free_pairs >= 0 && l.free_pairs <= l.pairs &&
-         l.point_sets >= 0;
+         l.point_sets >= 0 && l.curves >= 0;
 }
 
 } // namespace
@@ -60,6 +58,7 @@ c2d_status derive_sizes(const c2d_limits& limits, Sizes& out) {
   out.contact = 2 * out.pairs;
   out.free_pairs = limits.free_pairs;
   out.point_sets = limits.point_sets;
+  out.curves = limits.curves;
   out.body[0].rows += 2 * out.free_pairs;
   return C2D_OK;
 }
@@ -108,10 +107,12 @@ c2d_status lay_out(const Sizes& sizes, uint64_t header, Layout& out) {
   carver.carve(kPairTable, static_cast<uint64_t>(sizes.pairs) * C2D_PAIR_FIELDS, sizeof(double));
   carver.carve(kLoads, 4 * cases, sizeof(double));
   carver.carve(kPathLoads, static_cast<uint64_t>(sizes.paths) * cases, sizeof(double));
-  carver.carve(kEnergy, cases, energy_numbers(static_cast<uint64_t>(sizes.contact), cases) * sizeof(double));
+  carver.carve(kEnergy, cases, energy_bytes(static_cast<uint64_t>(sizes.contact), cases));
   carver.carve(kBodyForces, 2 * cases, kBodyForceBytes);
   carver.carve(kRigidMotions, cases, kRigidMotionBytes);
   carver.carve(kPointSets, static_cast<uint64_t>(sizes.point_sets), kPointSetBytes);
+  carver.carve(kJudge, 1, judge_bytes(static_cast<uint64_t>(sizes.contact), cases));
+  carver.carve(kCurves, static_cast<uint64_t>(sizes.curves), kCurveBytes);
   carver.carve(kPhase, 0, 1);
   out.persistent = carver.used;
   return carver.fits ? C2D_OK : C2D_ERR_OVERFLOW;

@@ -1,15 +1,16 @@
 #pragma once
 // Derived sizes and the one layout function that drives both c2d_memory_need and the carving of the workspace.
 #include "contact2d.h"
+#include "memory/real.hpp"
 
 namespace c2d {
 
 // Bytes of one element of the arrays whose types belong to the model (checked there with static_assert).
-constexpr uint64_t kRegionBytes = 16, kZoneBytes = 64, kPairBytes = 176, kPointLoadBytes = 48, kPathBytes = 16,
-                   kBodyForceBytes = 40, kRigidMotionBytes = 40, kPointSetBytes = 56;
+constexpr uint64_t kRegionBytes = 16, kZoneBytes = 72, kPairBytes = 104 + 14 * sizeof(Real), kPointLoadBytes = 48, kPathBytes = 16,
+                   kBodyForceBytes = 40, kRigidMotionBytes = 40, kPointSetBytes = 56, kCurveBytes = 48;
 
 // Every array that lives in the workspace, in the order in which memory is carved. Two arrays per body follow one
-// another (`kXy + body`). The README maps them to the arrays of the 1987 program.
+// another (`kXy + body`). src/FROM-1987.md maps them to the arrays of the 1987 program.
 enum ArrayId : int32_t {
   kXy = 0,            // double [2 * geometry nodes]      boundary points (BNODE)
   kNodeLine = 2,      // int32  [geometry nodes]          line of the caller's input
@@ -27,12 +28,14 @@ enum ArrayId : int32_t {
   kPairTable = 21,    // double [pairs * C2D_PAIR_FIELDS] results (UNION)
   kLoads = 22,        // double [4 * cases]               load factors: reached, target, direction, at stick
   kPathLoads = 23,    // double [paths * cases]           factors at the end of each piece of the path
-  kEnergy = 24,       // double [energy_numbers]          solver/energy.hpp
+  kEnergy = 24,       // double and Real [energy_bytes]   solver/energy.hpp
   kBodyForces = 25,   // BodyForce [2 * cases]            of both bodies, case by case
   kRigidMotions = 26, // RigidMotion [cases]              of body 1
   kPointSets = 27,    // PointSet [point sets]            where interior results are wanted
-  kPhase = 28,        // the rest: what assembly, reduction and contact use one after another (A)
-  kArrays = 29
+  kJudge = 28,        // double and Real [judge_bytes]    solver/judge.hpp
+  kCurves = 29,       // Curve  [curves]                  what surfaces are between boundary points, where it is told
+  kPhase = 30,        // the rest: what assembly, reduction and contact use one after another (A)
+  kArrays = 31
 };
 
 // What a model within given limits needs, per body.
@@ -48,11 +51,14 @@ struct Sizes {
   int64_t zones, pairs, contact_elements, point_loads, coefficients, paths;
   int64_t contact;     // contact unknowns at most: 2 pairs
   int64_t free_pairs;  // of them, those of free zones
-  int64_t point_sets;
+  int64_t point_sets, curves;
 };
 
 // Work, reaction and what they grow by, of each load case: 2 functionals of 2 m + cases numbers, and 5 numbers.
-inline uint64_t energy_numbers(uint64_t m, uint64_t cases) { return 2 * (2 * m + cases) + 5; }
+inline uint64_t energy_bytes(uint64_t m, uint64_t cases) { return (2 * cases + 5) * sizeof(double) + 4 * m * sizeof(Real); }
+
+// 8 numbers of each load case, 4 of each contact unknown.
+inline uint64_t judge_bytes(uint64_t m, uint64_t cases) { return 8 * cases * sizeof(double) + 4 * m * sizeof(Real); }
 
 // Checks and completes the limits. Errors: C2D_ERR_ARGUMENT.
 c2d_status derive_sizes(const c2d_limits& limits, Sizes& out);

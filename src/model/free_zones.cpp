@@ -1,6 +1,7 @@
 #include "model/free_zones.hpp"
 
 #include "model/geometry.hpp"
+#include "model/surface.hpp"
 #include "model/symmetry.hpp"
 #include "model/validate_finding.hpp"
 
@@ -37,22 +38,15 @@ template <class F> double zero_between(double a, double b, double fa, double fb,
   return at;
 }
 
-void add_normal(const Model& m, int b, int32_t element, double eta, double factor, double n[2]) {
-  double own[2];
-  outward_normal(m, b, element, eta, own);
-  n[0] += factor * own[0];
-  n[1] += factor * own[1];
+void add_normal(const Model& m, int b, int32_t element, double eta, double n[2]) {
+  const SurfacePoint p = surface_point(m, b, element, eta);
+  n[0] += p.nx;
+  n[1] += p.ny;
 }
 
 void normalise(double n[2]) {
   const double size = sqrt(n[0] * n[0] + n[1] * n[1]);
   if (size > 0) n[0] /= size, n[1] /= size;
-}
-
-// Does the zone end there, at the start (-1) or end (+1) of an element by its direction of travel?
-bool zone_ends(const Model& m, const Zone& z, int b, int32_t place, int end) {
-  const int32_t next = place + end * z.element_step[b];
-  return !is_ring(m, z, b) && (next < 0 || next >= zone_elements(z, b));
 }
 
 // Lines of symmetry through that point.
@@ -61,35 +55,62 @@ int32_t lines_at_end(const Model& m, int b, int32_t element, int end) {
   return lines_through(*m.head, m.xy[b][2 * point], m.xy[b][2 * point + 1]);
 }
 
-// At the start or end of an element: the mean of its own normal and its neighbour's, which on a line of symmetry is
-// its own image.
-void corner_normal(const Model& m, const Zone& z, int b, int32_t element, int32_t place, int end,
-                   double n[2]) {
-  n[0] = n[1] = 0;
-  add_normal(m, b, element, end, 1, n);
+// Adds to the normal at the start or end of an element its neighbour's, which on a line of symmetry is its own image.
+void add_neighbour(const Model& m, const Zone& z, int b, const FacePoint& at, int end, double n[2]) {
   const int32_t count = zone_elements(z, b);
-  int32_t next = place + end * z.element_step[b];
+  int32_t next = at.place + end * z.element_step[b];
   if (is_ring(m, z, b)) next = (next + count) % count;
   if (next >= 0 && next < count) {
-    add_normal(m, b, zone_element(m, z, b, next), -end, 1, n);
+    add_normal(m, b, zone_element(m, z, b, next), -end, n);
   } else {
-    const int32_t lines = lines_at_end(m, b, element, end);
+    const int32_t lines = lines_at_end(m, b, at.element, end);
     for (int c = 0; c < 2; ++c)
       if ((lines >> c & 1) != 0 && fabs(n[1 - c]) > kSnap) n[c] = 0;
   }
   normalise(n);
 }
 
-FacePoint point_at(const Model& m, const Zone& z, int32_t place, double eta) {
-  return FacePoint{zone_element(m, z, 0, place), place, eta};
+FacePoint point_at(const Model& m, const Zone& z, int b, int32_t place, double eta) {
+  return FacePoint{zone_element(m, z, b, place), place, eta};
 }
 
-// How far (x, y) lies ahead of the normal of a point, in body 1's direction of travel.
-double ahead(const Model& m, const Zone& z, const FacePoint& at, double x, double y) {
-  const CurvePoint p = curve_point(m, 0, at.element, at.eta);
+// Unit normal of body b's surface at a point, continuous along the zone; returns the point.
+SurfacePoint zone_normal(const Model& m, const Zone& z, int b, const SurfaceElement& surface, const FacePoint& at,
+                         double n[2]) {
+  const SurfacePoint here = surface_point(surface, at.eta);
+  n[0] = here.nx;
+  n[1] = here.ny;
+  for (int end = -1; end <= 1; end += 2) { // what a kink's mean normal adds fades towards the other end
+    const double part = 0.5 * (1 + end * at.eta);
+    if (part == 0) continue;
+    const SurfacePoint own = surface_point(surface, end);
+    double kink[2] = {own.nx, own.ny};
+    add_neighbour(m, z, b, at, end, kink);
+    n[0] += part * (kink[0] - own.nx);
+    n[1] += part * (kink[1] - own.ny);
+  }
+  normalise(n);
+  return here;
+}
+
+// A point of a surface and the normal there.
+struct Place {
+  SurfacePoint point;
   double n[2];
-  face_normal(m, z, at, n);
-  return (y - p.y) * n[0] - (x - p.x) * n[1];
+};
+Place place_at(const Model& m, const Zone& z, int b, const SurfaceElement& surface, const FacePoint& at) {
+  Place out;
+  out.point = zone_normal(m, z, b, surface, at, out.n);
+  return out;
+}
+Place place_at(const Model& m, const Zone& z, int b, const FacePoint& at) {
+  return place_at(m, z, b, surface_element(m, b, at.element), at);
+}
+
+// How far p2 lies ahead, in body 1's direction of travel, of the line through p1 along which points face each other.
+double ahead(double part, const Place& p1, const Place& p2) {
+  const double n[2] = {part * p1.n[0] - (1 - part) * p2.n[0], part * p1.n[1] - (1 - part) * p2.n[1]};
+  return (p2.point.y - p1.point.y) * n[0] - (p2.point.x - p1.point.x) * n[1];
 }
 
 double snapped(const Model& m, double eta) {
@@ -101,67 +122,56 @@ double snapped(const Model& m, double eta) {
   return eta;
 }
 
-// The point of one element whose normal passes through (x, y).
-bool face_in_element(const Model& m, const Zone& z, int32_t place, double x, double y, FacePoint& out) {
-  out = point_at(m, z, place, -1);
-  const double tolerance = kSnap * element_length(m, 0, out.element);
-  const double start = ahead(m, z, out, x, y);
+// Is every point of a surface over an element farther off than the root of `square`? The surface stays within
+// half the element's length of it.
+bool is_beyond(const Model& m, int b, int32_t element, const SurfacePoint& from, double square) {
+  const CurvePoint middle = curve_point(m, b, element, 0);
+  const double x = middle.x - from.x, y = middle.y - from.y, far = sqrt(x * x + y * y) - 1.5 * element_length(m, b, element);
+  return far > 0 && far * far > square;
+}
+
+// The element of a side whose middle is nearest: what faces a point is most likely on it, and all that is farther off than
+// that need not be looked at.
+int32_t nearest_place(const Model& m, const Zone& z, int b, const SurfacePoint& from) {
+  int32_t best = 0;
+  double least = -1;
+  for (int32_t place = 0; place < zone_elements(z, b); ++place) {
+    const CurvePoint p = curve_point(m, b, zone_element(m, z, b, place), 0);
+    const double x = p.x - from.x, y = p.y - from.y, square = x * x + y * y;
+    if (least < 0 || square < least) least = square, best = place;
+  }
+  return best;
+}
+
+// The point of one element that faces p2.
+bool face_in_element(const Model& m, const Zone& z, int32_t place, const Place& p2, FacePoint& out) {
+  out = point_at(m, z, 0, place, -1);
+  const SurfaceElement surface = surface_element(m, 0, out.element);
+  const double part = z.normal_part, tolerance = kSnap * element_length(m, 0, out.element);
+  const auto off = [&](double eta) {
+    return ahead(part, place_at(m, z, 0, surface, FacePoint{out.element, place, eta}), p2);
+  };
+  const double start = off(-1);
   if (start < -tolerance) return false;
   if (start <= tolerance) return true;
   out.eta = 1;
-  const double end = ahead(m, z, out, x, y);
+  const double end = off(1);
   if (end > tolerance) return false;
   if (end >= -tolerance) return true;
-  out.eta = snapped(m, zero_between(-1.0, 1.0, start, end, [&](double eta) {
-                      return ahead(m, z, FacePoint{out.element, place, eta}, x, y);
-                    }));
+  out.eta = snapped(m, zero_between(-1.0, 1.0, start, end, off));
   return true;
 }
 
-} // namespace
-
-void face_normal(const Model& m, const Zone& z, const FacePoint& at, double n[2]) {
-  double corner[2], own[2];
-  outward_normal(m, 0, at.element, at.eta, n);
-  for (int end = -1; end <= 1; end += 2) { // what the corner's normal adds fades towards the other end
-    corner_normal(m, z, 0, at.element, at.place, end, corner);
-    outward_normal(m, 0, at.element, end, own);
-    const double part = 0.5 * (1 + end * at.eta);
-    for (int c = 0; c < 2; ++c) n[c] += part * (corner[c] - own[c]);
-  }
-  normalise(n);
-}
-
-// The element turns by `turn` against the smooth surface at its ends. A fourth degree polynomial in eta (the
-// third for linear elements) with these slopes that vanishes at the boundary points.
-double bulge_at(const Model& m, const Zone& z, int b, const FacePoint& at, double* doubt) {
-  double turn[2];
-  bool ends[2];
-  for (int i = 0; i < 2; ++i) {
-    const int end = i == 0 ? -1 : 1;
-    double own[2], corner[2];
-    outward_normal(m, b, at.element, end, own);
-    corner_normal(m, z, b, at.element, at.place, end, corner);
-    turn[i] = end * (own[0] * corner[1] - own[1] * corner[0]); // positive: the surface is convex
-    ends[i] = zone_ends(m, z, b, at.place, end) && lines_at_end(m, b, at.element, end) == 0;
-  }
-  for (int i = 0; i < 2; ++i)
-    if (ends[i] && !ends[1 - i]) turn[i] = turn[1 - i]; // as if the zone went on as it ends
-  const double eta2 = at.eta * at.eta, scale = 0.25 * element_length(m, b, at.element);
-  const int nodes = body_of(m, b).element_nodes;
-  const double inner = nodes == 2 ? 1 : (nodes == 3 ? eta2 : 1.125 * (eta2 - 1.0 / 9));
-  const double mean = 0.5 * (turn[0] + turn[1]), half = 0.5 * (turn[1] - turn[0]);
-  *doubt = 0.1 * scale * fmax(fabs(turn[0]), fabs(turn[1]));
-  return scale * (1 - eta2) * inner * (mean + half * at.eta);
-}
-
-bool face_point(const Model& m, const Zone& z, double x, double y, FacePoint& out) {
+bool face_place(const Model& m, const Zone& z, const Place& p2, FacePoint& out) {
   double nearest = -1;
-  for (int32_t place = 0; place < zone_elements(z, 0); ++place) {
+  const int32_t count = zone_elements(z, 0), from = nearest_place(m, z, 0, p2.point);
+  for (int32_t k = 0; k < count; ++k) {
+    const int32_t place = (from + k) % count;
     FacePoint found;
-    if (!face_in_element(m, z, place, x, y, found)) continue;
-    const CurvePoint p = curve_point(m, 0, found.element, found.eta);
-    const double distance = (x - p.x) * (x - p.x) + (y - p.y) * (y - p.y);
+    if (nearest >= 0 && is_beyond(m, 0, zone_element(m, z, 0, place), p2.point, nearest)) continue;
+    if (!face_in_element(m, z, place, p2, found)) continue;
+    const SurfacePoint p = surface_point(m, 0, found.element, found.eta);
+    const double x = p2.point.x - p.x, y = p2.point.y - p.y, distance = x * x + y * y;
     if (nearest >= 0 && distance >= nearest) continue;
     nearest = distance;
     out = found;
@@ -169,15 +179,27 @@ bool face_point(const Model& m, const Zone& z, double x, double y, FacePoint& ou
   return nearest >= 0;
 }
 
-bool facing_point(const Model& m, const Zone& z, const FacePoint& at, int32_t* element, double* eta) {
-  const CurvePoint p = curve_point(m, 0, at.element, at.eta);
-  double n[2], nearest = -1;
-  face_normal(m, z, at, n);
-  for (int32_t place = 0; place < zone_elements(z, 1); ++place) {
-    const int32_t other = zone_element(m, z, 1, place);
-    const auto off = [&](double where) {
-      const CurvePoint q = curve_point(m, 1, other, where);
-      return (q.y - p.y) * n[0] - (q.x - p.x) * n[1];
+} // namespace
+
+SurfacePoint normal_in_zone(const Model& m, const Zone& z, int b, const FacePoint& at, double n[2]) {
+  return zone_normal(m, z, b, surface_element(m, b, at.element), at, n);
+}
+
+bool face_point(const Model& m, const Zone& z, const FacePoint& at2, FacePoint& out) {
+  return face_place(m, z, place_at(m, z, 1, at2), out);
+}
+
+bool facing_point(const Model& m, const Zone& z, const FacePoint& at, FacePoint& out) {
+  const Place p1 = place_at(m, z, 0, at);
+  const double part = z.normal_part;
+  double nearest = -1;
+  const int32_t count = zone_elements(z, 1), from = nearest_place(m, z, 1, p1.point);
+  for (int32_t k = 0; k < count; ++k) {
+    const int32_t place = (from + k) % count, other = zone_element(m, z, 1, place);
+    if (nearest >= 0 && is_beyond(m, 1, other, p1.point, nearest)) continue;
+    const SurfaceElement surface = surface_element(m, 1, other);
+    const auto off = [&](double eta) {
+      return ahead(part, p1, place_at(m, z, 1, surface, FacePoint{other, place, eta}));
     };
     const double start = off(-1), end = off(1), tolerance = kSnap * element_length(m, 1, other);
     double where;
@@ -189,14 +211,20 @@ bool facing_point(const Model& m, const Zone& z, const FacePoint& at, int32_t* e
       continue;
     else
       where = zero_between(-1.0, 1.0, start, end, off);
-    const CurvePoint q = curve_point(m, 1, other, where);
-    const double distance = (q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y);
+    const SurfacePoint q = surface_point(surface, where);
+    const double x = q.x - p1.point.x, y = q.y - p1.point.y, distance = x * x + y * y;
     if (nearest >= 0 && distance >= nearest) continue;
     nearest = distance;
-    *element = other;
-    *eta = where;
+    out = FacePoint{other, place, where};
   }
   return nearest >= 0;
+}
+
+void facing_direction(const Model& m, const Zone& z, const FacePoint& at1, const FacePoint& at2, double n[2]) {
+  const Place p1 = place_at(m, z, 0, at1), p2 = place_at(m, z, 1, at2);
+  const double part = z.normal_part;
+  for (int c = 0; c < 2; ++c) n[c] = part * p1.n[c] - (1 - part) * p2.n[c];
+  normalise(n);
 }
 
 int32_t node_at(const Model& m, const FacePoint& at) {
@@ -225,18 +253,17 @@ bool own_cut(const Model& m, const Zone& z, int32_t stop, double* eta) {
   return true;
 }
 
-bool face_own_cut(const Model& m, const Zone& z, int32_t element2, double eta2, FacePoint& out) {
+bool face_own_cut(const Model& m, const Zone& z, const FacePoint& at2, FacePoint& out) {
   const int f = m.head->function_nodes;
   for (int l = 0; l < f && f > 1; ++l) { // a pair's node: its point has been found
-    const int32_t pair = eta2 == local_eta(f, l) ? pair_of_end(m, 1, element2, l) : -1;
+    const int32_t pair = at2.eta == local_eta(f, l) ? pair_of_end(m, 1, at2.element, l) : -1;
     if (pair < 0) continue;
     int32_t zone;
     out.element = m.pair[pair].element;
     out.eta = m.pair[pair].eta;
     return find_contact_element(m, 0, out.element, &zone, &out.place);
   }
-  const CurvePoint p = curve_point(m, 1, element2, eta2);
-  return face_point(m, z, p.x, p.y, out);
+  return face_point(m, z, at2, out);
 }
 
 // The next node or end of body 1 behind `now` within its element, in the order of the zone.
@@ -253,9 +280,9 @@ double next_cut(const Model& m, const Zone& z, double eta) {
 } // namespace
 
 PieceWalk start_pieces(const Model& m, const Zone& z, int32_t place2) {
-  PieceWalk walk{&m, &z, zone_element(m, z, 1, place2), 1, {}, {}, 0, 0};
+  PieceWalk walk{&m, &z, zone_element(m, z, 1, place2), place2, 1, {}, {}, 0, 0};
   own_cut(m, z, 0, &walk.eta2);
-  if (!face_own_cut(m, z, walk.element2, walk.eta2, walk.now)) walk.stop = INT32_MAX - 1;
+  if (!face_own_cut(m, z, FacePoint{walk.element2, place2, walk.eta2}, walk.now)) walk.stop = INT32_MAX - 1;
   walk.target = walk.now;
   walk.target_eta2 = walk.eta2;
   return walk;
@@ -266,12 +293,12 @@ bool next_piece(PieceWalk& w, FacingPiece& out) {
   const Zone& z = *w.z;
   const int32_t count = zone_elements(z, 0);
   if (w.eta2 == w.target_eta2) { // on to the next node of its own
-    if (!own_cut(m, z, w.stop, &w.target_eta2) || !face_own_cut(m, z, w.element2, w.target_eta2, w.target))
+    if (!own_cut(m, z, w.stop, &w.target_eta2) || !face_own_cut(m, z, FacePoint{w.element2, w.place2, w.target_eta2}, w.target))
       return false;
     ++w.stop;
   }
   if (z.element_step[0] * w.now.eta >= 1 - kSnap) { // on to the next element of body 1
-    w.now = point_at(m, z, w.now.place + 1 < count ? w.now.place + 1 : 0, -z.element_step[0]);
+    w.now = point_at(m, z, 0, w.now.place + 1 < count ? w.now.place + 1 : 0, -z.element_step[0]);
   }
   double goal = position(z, w.target);
   if (goal < position(z, w.now) - 0.5 * count) goal += count; // round a ring
@@ -288,12 +315,11 @@ bool next_piece(PieceWalk& w, FacingPiece& out) {
   if (beyond >= -kSnap) {
     w.eta2 = w.target_eta2;
   } else {
-    const CurvePoint p = curve_point(m, 0, cut.element, cut.eta);
-    double n[2];
-    face_normal(m, z, cut, n);
+    const Place p1 = place_at(m, z, 0, cut);
+    const SurfaceElement surface = surface_element(m, 1, w.element2);
+    const double part = z.normal_part;
     const auto off = [&](double eta) {
-      const CurvePoint q = curve_point(m, 1, w.element2, eta);
-      return (q.y - p.y) * n[0] - (q.x - p.x) * n[1];
+      return ahead(part, p1, place_at(m, z, 1, surface, FacePoint{w.element2, w.place2, eta}));
     };
     w.eta2 = zero_between(w.eta2, w.target_eta2, off(w.eta2), off(w.target_eta2), off);
   }
@@ -317,17 +343,16 @@ void tell_free_zone(const Model& m, int32_t zone, const char* found, Reporter& r
 enum class Cover { none, whole, averted };
 
 // Does an element of body 2 face body 1 with all its nodes and both ends?
-Cover cover(const Model& m, const Zone& z, int32_t element2) {
-  double before = 0, eta2, n[2], own[2];
+Cover cover(const Model& m, const Zone& z, int32_t place2) {
+  double before = 0, eta2;
   FacePoint at;
   for (int32_t stop = 0; own_cut(m, z, stop, &eta2); ++stop) {
-    const CurvePoint p = curve_point(m, 1, element2, eta2);
-    if (!face_point(m, z, p.x, p.y, at)) return Cover::none;
-    face_normal(m, z, at, n);
-    outward_normal(m, 1, element2, eta2, own);
+    const FacePoint at2 = point_at(m, z, 1, place2, eta2);
+    if (!face_point(m, z, at2, at)) return Cover::none;
+    const Place p1 = place_at(m, z, 0, at), p2 = place_at(m, z, 1, at2);
     double now = position(z, at);
     if (is_ring(m, z, 0) && stop > 0 && now < before - 0.5 * zone_elements(z, 0)) now += zone_elements(z, 0);
-    if (n[0] * own[0] + n[1] * own[1] > -0.5 || (stop > 0 && now <= before + kSnap)) return Cover::averted;
+    if (p1.n[0] * p2.n[0] + p1.n[1] * p2.n[1] > -0.5 || (stop > 0 && now <= before + kSnap)) return Cover::averted;
     before = now;
   }
   return Cover::whole;
@@ -336,14 +361,12 @@ Cover cover(const Model& m, const Zone& z, int32_t element2) {
 // The element of body 2 opposite the start (-1) or end (+1) of body 1's side in the order of the zone, if more than
 // `part` of it faces body 1; else -1.
 int32_t element_faced_in_part(const Model& m, const Zone& z, int way, double part) {
-  const FacePoint end = point_at(m, z, way < 0 ? 0 : zone_elements(z, 0) - 1, way * z.element_step[0]);
-  int32_t element;
-  double eta, n[2], other[2];
-  if (!facing_point(m, z, end, &element, &eta)) return -1;
-  face_normal(m, z, end, n);
-  outward_normal(m, 1, element, eta, other);
-  const double faced = 0.5 * (1 + way * z.element_step[1] * eta);
-  return faced > part && n[0] * other[0] + n[1] * other[1] < 0 ? element : -1;
+  const FacePoint end = point_at(m, z, 0, way < 0 ? 0 : zone_elements(z, 0) - 1, way * z.element_step[0]);
+  FacePoint faced;
+  if (!facing_point(m, z, end, faced)) return -1;
+  const Place p1 = place_at(m, z, 0, end), p2 = place_at(m, z, 1, faced);
+  const double size = 0.5 * (1 + way * z.element_step[1] * faced.eta);
+  return size > part && p1.n[0] * p2.n[0] + p1.n[1] * p2.n[1] < 0 ? faced.element : -1;
 }
 
 // Elements at the ends of what is kept that face body 1 in part: the contact ends short of body 1's elements there.
@@ -385,7 +408,7 @@ bool fit_free_zone(const Model& m, int32_t zone, Reporter& reporter) {
   int32_t first = -1, count = 0;
   for (int32_t place = 0; place < z.elements; ++place) {
     const int32_t element = zone_element(m, z, 1, place);
-    const Cover found = cover(m, z, element);
+    const Cover found = cover(m, z, place);
     if (found == Cover::none) continue;
     if (found == Cover::averted) {
       Finding f = fault();
@@ -408,8 +431,7 @@ bool fit_free_zone(const Model& m, int32_t zone, Reporter& reporter) {
   if (first < 0) {
     tell_free_zone(
         m, zone,
-        "no normal of body 1's elements meets an element of body 2 from end to end, expected ranges that "
-        "face each other",
+        "body 2 does not face body 1, none of its elements does from end to end, expected ranges that face each other",
         reporter);
     return false;
   }

@@ -1,28 +1,28 @@
 #pragma once
-// Contact zones whose sides are meshed independently: which point of body 1 faces a point of body 2. Body 1's
-// outward normals, joined continuously across its corners, are the lines along which points face each other.
-#include "model/model.hpp"
+// Contact zones whose sides are meshed independently: which points of the two surfaces (model/surface.hpp) face each other.
+// The line between them has the direction of the pair's normal, of both surfaces' outward normals, joined continuously
+// across kinks.
+#include "model/surface.hpp"
 #include "model/validate.hpp"
 
 namespace c2d {
 
-// A point on the elements of body 1 in a zone: element number, its place in the order of the zone, local
+// A point on the elements of a body in a zone: element number, its place in the order of the zone, local
 // coordinate.
 struct FacePoint {
   int32_t element, place;
   double eta;
 };
 
-// The point of body 1 whose normal passes through (x, y), the nearest one; false if none does. Coordinates
+// The point of the surface there, and its unit outward normal, continuous along the zone.
+SurfacePoint normal_in_zone(const Model& m, const Zone& z, int b, const FacePoint& at, double n[2]);
+// The point of body 1 that a point of body 2 faces, the nearest one; false if there is none. Coordinates
 // within 1e-9 of a functional node's or of an end's are that node's.
-bool face_point(const Model& m, const Zone& z, double x, double y, FacePoint& out);
-// Unit normal there, continuous along the zone.
-void face_normal(const Model& m, const Zone& z, const FacePoint& at, double n[2]);
-// How far the smooth surface that a body's elements stand for lies outside them at a point of the zone, from
-// the angles at which neighbours meet: zero at the boundary points. *doubt: what of it may be wrong.
-double bulge_at(const Model& m, const Zone& z, int b, const FacePoint& at, double* doubt);
-// The reverse: element of body 2 in the zone and local coordinate of the point that a point of body 1 faces.
-bool facing_point(const Model& m, const Zone& z, const FacePoint& at, int32_t* element, double* eta);
+bool face_point(const Model& m, const Zone& z, const FacePoint& at2, FacePoint& out);
+// The reverse.
+bool facing_point(const Model& m, const Zone& z, const FacePoint& at1, FacePoint& out);
+// Unit direction of the line along which two points face each other, from body 1 to body 2.
+void facing_direction(const Model& m, const Zone& z, const FacePoint& at1, const FacePoint& at2, double n[2]);
 // Functional node of body 1 at a point, -1 between nodes.
 int32_t node_at(const Model& m, const FacePoint& at);
 
@@ -36,7 +36,7 @@ struct FacingPiece {
 struct PieceWalk {
   const Model* m;
   const Zone* z;
-  int32_t element2, stop; // stop: how many functional nodes or ends of element2 have been passed
+  int32_t element2, place2, stop; // stop: how many functional nodes or ends of element2 have been passed
   FacePoint now, target;
   double eta2, target_eta2;
 };

@@ -144,18 +144,30 @@ int side(const double a[2], const double b[2], const double c[2]) {
   return (turn > 0) - (turn < 0);
 }
 
-bool within(const double a[2], const double b[2], const double c[2]) {
-  return fmin(a[0], b[0]) <= c[0] && c[0] <= fmax(a[0], b[0]) && fmin(a[1], b[1]) <= c[1] &&
-         c[1] <= fmax(a[1], b[1]);
+// Points nearer to a line than this lie on it: what rounding leaves of the coordinates of points on a curve.
+double rounding_of(const double a[2], const double b[2], const double c[2]) {
+  double most = 0;
+  for (int i = 0; i < 2; ++i) most = fmax(most, fmax(fabs(a[i]), fmax(fabs(b[i]), fabs(c[i]))));
+  return 4e-15 * most;
+}
+
+// As side(), of a line with a breadth; *touches: c lies on the chord itself.
+int side_of_chord(const double a[2], const double b[2], const double c[2], bool* touches) {
+  const double dx = b[0] - a[0], dy = b[1] - a[1], length = sqrt(dx * dx + dy * dy);
+  const double breadth = rounding_of(a, b, c);
+  const double turn = dx * (c[1] - a[1]) - dy * (c[0] - a[0]), along = dx * (c[0] - a[0]) + dy * (c[1] - a[1]);
+  if (fabs(turn) > breadth * length) return turn > 0 ? 1 : -1;
+  if (along >= -breadth * length && along <= (length + breadth) * length) *touches = true;
+  return 0;
 }
 
 } // namespace
 
 bool chords_cross(const double p0[2], const double p1[2], const double q0[2], const double q1[2]) {
-  const int a = side(q0, q1, p0), b = side(q0, q1, p1), c = side(p0, p1, q0), d = side(p0, p1, q1);
-  if (a * b < 0 && c * d < 0) return true;
-  return (a == 0 && within(q0, q1, p0)) || (b == 0 && within(q0, q1, p1)) || (c == 0 && within(p0, p1, q0)) ||
-         (d == 0 && within(p0, p1, q1));
+  bool touches = false;
+  const int a = side_of_chord(q0, q1, p0, &touches), b = side_of_chord(q0, q1, p1, &touches),
+            c = side_of_chord(p0, p1, q0, &touches), d = side_of_chord(p0, p1, q1, &touches);
+  return touches || (a * b < 0 && c * d < 0);
 }
 
 double distance_to_element(const Model& m, int b, int32_t element, double x, double y) {

@@ -12,7 +12,7 @@ constexpr double kCoincident = 1e-10;
 struct CurvePoint {
   double x, y, dx, dy;
 };
-// Point of the curve through `nodes` (2 ... 4) points that are equally spaced in eta, (4.6) ... (4.9).
+// Point of the curve through `nodes` (2 ... 4) points that are equally spaced in eta, thesis (4.7) to (4.10).
 CurvePoint curve_point(int nodes, const double* x, const double* y, double eta);
 CurvePoint curve_point(const Model& m, int b, int32_t element, double eta);
 // eta of local node l of `nodes`; a constant element has its node in the middle.

@@ -2,6 +2,7 @@
 // The model: one or two bodies with boundary, conditions, contact zones and load cards, as views into the workspace.
 // All numbers in here start at 0 (the interface's start at 1). Coordinates, loads and moduli are the caller's.
 #include "contact2d.h"
+#include "memory/real.hpp"
 #include "memory/sizes.hpp"
 
 namespace c2d {
@@ -26,6 +27,11 @@ struct PointSet {
   int32_t kind, body, count[2], line, padding;
   double from[2], to[2];
 };
+// What the surface is over elements first ... last: kind as in c2d_curve.
+struct Curve {
+  int32_t kind, body, first, last, line, padding;
+  double centre[2], radius;
+};
 struct Path {
   int32_t increments, padding;
   double load;
@@ -49,6 +55,7 @@ struct Zone {
   int32_t first_pair;       // pairs of earlier zones
   int32_t line;
   int32_t is_free, facing;
+  double normal_part;       // of body 1's normal in the pairs' (model/surface.hpp)
 };
 struct Pair {
   int32_t node[2];          // functional nodes; in a free zone -1 on body 1, where the pair is a point of an element:
@@ -56,30 +63,36 @@ struct Pair {
   double eta;
   int32_t zone;
   int32_t dof;              // first contact unknown: normal; tangential follows if there is one
-  int32_t tangential;       // 0: symmetry fixes the tangential direction
-  int32_t status;           // C2D_OPEN, C2D_STICK, C2D_SLIP
+  int8_t tangential;        // 0: symmetry fixes the tangential direction
+  int8_t status;            // C2D_OPEN, C2D_STICK, C2D_SLIP
+  int8_t sign;              // slip: sign of the friction on body 2
+  int8_t weak;              // this pair sits on the border of its conditions (within one event)
+  int8_t saved_status, saved_sign;
+  int8_t good_status, good_sign; // of the last state that was judged and found good (solver/judge.hpp)
   double nx, ny;            // the frame: n from body 1 to body 2; t = (ny, -nx)
   double gap;               // initial normal gap >= 0
   double overlap;           // by which the bodies overlap there; ModelHeader::interference closes it
   double length;            // shorter of the contact elements that meet there, both bodies
-  // History of friction, written by src/contact alone; w_t = (u2 - u1).t in the length unit of the model.
-  double offset;            // stick: w_t at which the pair sticks
-  double slip_done;         // slip summed over finished episodes
-  double slip_from;         // slip: w_t at which this episode began
   double mu;                // coefficient of friction in force
-  double increment_from;    // w_t at the start of the increment (deck stepping)
-  int32_t sign;             // slip: sign of the friction on body 2
-  int32_t saved_status, saved_sign;
-  int32_t weak;             // this pair sits on the border of its conditions (within one event)
-  double saved_offset, saved_slip_done, saved_slip_from;
   double weight;            // integral of the pair's shape functions along the body of its measure, length unit
-  double saved_q;           // q at the start of the increment (deck stepping)
+  int32_t place[2];         // while the tableau is built: where the column of a slot stands
+  // From here on numbers that come from the tableau and have no more digits than it.
+  Real stiffness[2];        // normal and tangential, of this pair alone with every pair sticking
+  // History of friction, written by src/contact alone; w_t = (u2 - u1).t in the length unit of the model.
+  Real offset;              // stick: w_t at which the pair sticks
+  Real slip_done;           // slip summed over finished episodes
+  Real slip_from;           // slip: w_t at which this episode began
+  Real increment_from;      // w_t at the start of the increment (deck stepping)
+  Real saved_offset, saved_slip_done, saved_slip_from;
+  Real saved_q;             // q at the start of the increment (deck stepping)
+  Real good_offset, good_slip_done, good_slip_from;
+  Real slip_before;         // slip summed before the pair last touched (solver/warnings.cpp)
 };
 
 static_assert(sizeof(Region) == kRegionBytes && sizeof(Zone) == kZoneBytes && sizeof(Pair) == kPairBytes &&
                   sizeof(PointLoad) == kPointLoadBytes && sizeof(Path) == kPathBytes &&
                   sizeof(BodyForce) == kBodyForceBytes && sizeof(RigidMotion) == kRigidMotionBytes &&
-                  sizeof(PointSet) == kPointSetBytes,
+                  sizeof(PointSet) == kPointSetBytes && sizeof(Curve) == kCurveBytes,
               "memory/sizes.hpp states the size of every array element");
 
 struct Body {               // lives in the solver's header
@@ -108,6 +121,7 @@ struct ModelHeader {        // lives in the solver's header; the arrays live in 
   int32_t rigid;            // 1: body 1 has no equations, it moves as the load cases say
   int32_t body_forces;      // bodies with body forces: 1: body 1, 2: body 2
   int32_t point_sets;       // where interior results are wanted
+  int32_t curves;           // surfaces that are told
   double line_at[2], line_side[2];
   double length_unit;       // power of two near the size of the bodies
   double stress_unit;       // power of two near 2G of the softer body
@@ -129,6 +143,7 @@ struct Model { // a view, rebuilt at every entry into the library: plain pointer
   Zone* zone;
   Pair* pair;
   PointLoad* point_load;
+  Curve* curve;
   double* friction;
   Path* path;
   RigidMotion* rigid_motion; // [case]
@@ -177,7 +192,7 @@ int32_t zone_node(const Model& m, const Zone& z, int b, int32_t k);
 bool find_contact_element(const Model& m, int b, int32_t element, int32_t* zone, int32_t* place);
 // -1: none, as everywhere on body 1 of a free zone.
 int32_t pair_of_node(const Model& m, int b, int32_t node);
-// Pair whose traction lives at local node l of this element; -1 if the end is not a contact end (2.3).
+// Pair whose traction lives at local node l of this element; -1 if the end is not a contact end (METHOD 9.1).
 int32_t pair_of_end(const Model& m, int b, int32_t element, int l);
 
 // ---- unknowns ---------------------------------------------------------------------------------------------------

@@ -1,5 +1,5 @@
 #pragma once
-// Rigid motions that no prescribed displacement prevents, found and named before anything is assembled (2.2).
+// Rigid motions that no prescribed displacement prevents, found and named before anything is assembled (METHOD 7.3).
 #include "memory/text.hpp"
 #include "model/model.hpp"
 

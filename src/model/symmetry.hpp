@@ -1,5 +1,5 @@
 #pragma once
-// Symmetry by images (design 2.6): the lines across which bodies, loads and results are mirrored. Of a
+// Symmetry by images (METHOD 5): the lines across which bodies, loads and results are mirrored. Of a
 // symmetric body only one side is modelled; its curves end on the lines, or the elements there (axis
 // elements) are passed over.
 #include "memory/optional.hpp"

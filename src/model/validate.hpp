@@ -5,6 +5,7 @@
 //   set_units           (model/unknowns.hpp)
 //   validate_symmetry   (model/symmetry.hpp) lines are found, points moved onto them, the model fits them
 //   validate_geometry   the boundaries are proper closed curves
+//   validate_curves     surfaces that are told fit the boundary points
 //   validate_zones      contact zones refer to what is there, sides face each other
 //   validate_loads      point loads
 //   build_frames        (contact/frames.hpp) needs sound zones
@@ -24,6 +25,7 @@ struct Reporter {
 // The following return false if they told a fault.
 bool validate_data(const Model& m, Reporter& reporter);
 bool validate_geometry(const Model& m, Reporter& reporter);
+bool validate_curves(const Model& m, Reporter& reporter);
 bool validate_zones(const Model& m, Reporter& reporter);
 bool validate_loads(const Model& m, Reporter& reporter);
 // With `frames` false the nodes of pairs are passed over.

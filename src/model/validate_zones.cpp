@@ -216,6 +216,7 @@ bool fit_zones(const Model& m, Reporter& reporter) {
   const int32_t before = reporter.faults;
   int32_t pairs = 0;
   for (int32_t i = 0; i < m.head->zones; ++i) {
+    m.zone[i].normal_part = find_normal_part(m, m.zone[i]);
     if (m.zone[i].is_free != 0) {
       check_lengths(m, i, 0, reporter);
       if (reporter.faults != before) return false; // points would have no normals

@@ -180,7 +180,7 @@ void InteriorPoints::tell(Messages& deck, std::vector<c2d_error>& warnings) {
                   " on the boundary: the stress there is that of the boundary");
   if (near_node > 0)
     messages.note(count(near_node, " point lies", " points lie") +
-                  " so close to a node that the stress is taken between the node's and that farther inside");
+                  " so close to a node that the stress is only as good as the mesh");
 }
 
 } // namespace app

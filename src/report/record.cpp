@@ -67,6 +67,8 @@ void keep_history(CoefficientRecord& c, const c2d_step& step, c2d_solver* solver
 void explain(CoefficientRecord& c, const c2d_summary& summary, const std::string& said) {
   c.why = c2d_outcome_message(c.outcome);
   if (!said.empty() && said != c.why) c.why += ": " + said;
+  if (summary.breach != C2D_BREACH_NONE) c.why += std::string(": ") + breach_word(summary.breach);
+  if (summary.breach_size > 0.0) append_general(c.why += ", relative ", summary.breach_size, 0);
   c.body = summary.outcome_body;
   c.pair = summary.outcome_pair;
   const double* motion = summary.free_motion;

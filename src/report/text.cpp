@@ -185,9 +185,36 @@ const char* outcome_word(int32_t outcome) {
   case C2D_NO_ADMISSIBLE_CHANGE:
     return "no admissible change";
   case C2D_ENDLESS_EXCHANGE:
-    return "endless exchange";
+    return "changes without progress";
+  case C2D_UNDECIDED:
+    return "could not be decided";
+  case C2D_TIPPING:
+    return "tipping";
+  case C2D_BEYOND_LIMITS:
+    return "beyond the limits of accuracy";
   default:
     return "unknown";
+  }
+}
+
+const char* breach_word(int32_t breach) {
+  switch (breach) {
+  case C2D_BREACH_TABLEAU:
+    return "residual of the contact tableau";
+  case C2D_BREACH_EQUATIONS:
+    return "residual of the contact equations";
+  case C2D_BREACH_BALANCE:
+    return "balance of forces";
+  case C2D_BREACH_SIGN:
+    return "pressure or gap below zero";
+  case C2D_BREACH_CONE:
+    return "friction above its bound";
+  case C2D_BREACH_SLIP:
+    return "slip along its friction";
+  case C2D_BREACH_SINGULAR:
+    return "no unique solution";
+  default:
+    return "none";
   }
 }
 

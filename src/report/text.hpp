@@ -21,6 +21,7 @@ void append_general(std::string& out, double value, int width, int digits = 6);
 // Words of the contact statuses, of the outcomes and of the tapes; never null.
 const char* status_word(int32_t status);
 const char* outcome_word(int32_t outcome);
+const char* breach_word(int32_t breach);
 const char* tape_word(int32_t tape);
 // "x = 0", "x = 0, y = 1": the lines of symmetry by images; "none".
 std::string symmetry_text(const c2d_summary& summary);

@@ -27,9 +27,9 @@ c2d_status begin(Session& session) {
   return begin_path(session);
 }
 
-c2d_status advance(Session& session, const double* target, bool at_end) {
+c2d_status advance(Session& session, const double* target, Moment moment) {
   const c2d_status status = advance_path(session, target);
-  if (status == C2D_OK) warn_contact(session, at_end);
+  if (status == C2D_OK) warn_contact(session, moment);
   return status;
 }
 
@@ -64,7 +64,7 @@ extern "C" c2d_status c2d_advance(c2d_solver* s, const double* load, int32_t cas
     if (!is_usable(load[k])) return fail(s, C2D_ERR_ARGUMENT, "a load factor is not a usable number");
   Session session;
   open_session(s, session);
-  status = finish(session, advance(session, load, true));
+  status = finish(session, advance(session, load, Moment::end));
   *outcome = s->outcome;
   return status;
 }

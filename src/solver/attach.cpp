@@ -32,8 +32,7 @@ template <class T> T member_at(const char* solver, size_t offset) {
 bool is_consistent(const char* at) {
   const int32_t state = C2D_MEMBER(state);
   if (state < C2D_STATE_EMPTY || state > C2D_STATE_BROKEN) return false;
-  static_assert(offsetof(c2d_solver, sizes) == offsetof(c2d_solver, zero) + sizeof(uint32_t), "no padding");
-  if (C2D_MEMBER(zero) != 0) return false;
+  static_assert(offsetof(c2d_solver, sizes) == offsetof(c2d_solver, limits) + sizeof(c2d_limits), "no padding");
   const c2d_limits limits = C2D_MEMBER(limits);
   const Layout layout = C2D_MEMBER(layout);
   const uint64_t bytes = C2D_MEMBER(bytes);
@@ -44,7 +43,7 @@ bool is_consistent(const char* at) {
   const Sizes found = C2D_MEMBER(sizes);
   Sizes sizes;
   Layout expected;
-  static_assert(sizeof(Sizes) == 4 * 4 + 21 * 8 && sizeof(Layout) == 8 * (kArrays + 1), "no padding");
+  static_assert(sizeof(Sizes) == 4 * 4 + 22 * 8 && sizeof(Layout) == 8 * (kArrays + 1), "no padding");
   return derive_sizes(limits, sizes) == C2D_OK && same_bytes(&found, &sizes, sizeof sizes) &&
          lay_out(sizes, sizeof(c2d_solver), expected) == C2D_OK && same_bytes(&layout, &expected, sizeof layout);
 }

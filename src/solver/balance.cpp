@@ -98,7 +98,11 @@ void balance_forces(Session& session) {
   s->force_contact = hypot(contact[0], contact[1]);
   const double rest = hypot(applied[0] + contact[0], applied[1] + contact[1]);
   const double size = s->force_applied > s->force_contact ? s->force_applied : s->force_contact;
-  s->force_error = size > 0.0 && s->model.contact > 0 ? rest / size : 0.0;
+  // Where nothing is loaded there is only the round-off of what was.
+  // Nothing is loaded: what there is of forces is the round-off of those before, or of displacements.
+  const double round_off = 1e-12 * path_scales(session.follower).w * s->model.stress_unit * s->model.length_unit;
+  const bool loaded = size > kNoPressure * s->peak_force && size > round_off;
+  s->force_error = s->model.contact > 0 && loaded ? rest / size : 0.0;
 }
 
 } // namespace c2d

@@ -173,6 +173,10 @@ void slope_of_neighbours(const Session& session, int b, int32_t element, double 
 
 } // namespace
 
+bool is_corner(const Session& session, const BoundaryState& s, const BoundaryState& t) {
+  return fabs(s.n[0] * t.n[1] - s.n[1] * t.n[0]) > kCorner && session.model.head->function_nodes > 1;
+}
+
 BoundaryState boundary_state(const Session& session, int b, int32_t element, double eta) {
   const Model& m = session.model;
   const int nf = m.head->function_nodes;
@@ -244,8 +248,7 @@ PlaneStress joint_stress(const Session& session, int b, int32_t element, double 
   const Neighbour other = region_neighbour(session.model, b, element, eta < 0.0 ? -1 : 1);
   const BoundaryState s = boundary_state(session, b, element, eta);
   const BoundaryState t = other.image != 0 ? mirrored_state(s, other.image) : boundary_state(session, b, other.element, -eta);
-  if (fabs(s.n[0] * t.n[1] - s.n[1] * t.n[0]) > kCorner && session.model.head->function_nodes > 1)
-    return corner_stress(s, t);
+  if (is_corner(session, s, t)) return corner_stress(s, t);
   if (other.image != 0) return {here.xx, here.yy, 0.0};
   const PlaneStress there = stress_at(session, b, other.element, -eta, &hoop);
   return {0.5 * (here.xx + there.xx), 0.5 * (here.yy + there.yy), 0.5 * (here.xy + there.xy)};

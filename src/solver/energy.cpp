@@ -15,7 +15,8 @@ EnergyBook energy_book(c2d_solver* s) {
     *list = at;
     at += book.cases;
   }
-  book.first = at;
+  book.of_loads = at;
+  book.of_contact = reinterpret_cast<Real*>(at + 2 * static_cast<int64_t>(book.cases) * book.cases);
   return book;
 }
 
@@ -35,15 +36,15 @@ double energy_unit(const Session& session) {
 // U and R of every case out of values (with gaps and load factors) or rates (without gaps, along the direction).
 void evaluate(const Session& session, const EnergyBook& book, bool values) {
   const Follower& f = session.follower;
-  const int64_t size = 2 * static_cast<int64_t>(book.m) + book.cases;
+  const int64_t size = 2 * static_cast<int64_t>(book.m);
   const double* factor = values ? f.load : f.direction;
   const int32_t fit = session.model.head->interference;
   for (int32_t k = 0; k < book.cases; ++k) {
-    const double* load_part = book.first + 2 * k * size + 2 * static_cast<int64_t>(book.m);
+    const double* load_part = book.of_loads + 2 * static_cast<int64_t>(k) * book.cases;
     book.u[k] = book.r[k] = 0.0;
     for (int32_t i = 0; i < book.cases; ++i) {
       book.u[k] += load_part[i] * factor[i];
-      book.r[k] += load_part[size + i] * factor[i];
+      book.r[k] += load_part[book.cases + i] * factor[i];
     }
   }
   for (int32_t i = 0; i < f.t->pairs && book.m > 0; ++i) {
@@ -53,8 +54,8 @@ void evaluate(const Session& session, const EnergyBook& book, bool values) {
     const double closed = fit != 0 ? factor[fit - 1] * pair.overlap : 0.0;
     const double motion[2] = {now.wn - ((values ? pair.gap : 0.0) - closed) / f.t->length_unit, now.wt};
     for (int32_t k = 0; k < book.cases; ++k) {
-      const double* work = book.first + 2 * k * size;
-      const double* reaction = work + size;
+      const Real* work = book.of_contact + 2 * k * size;
+      const Real* reaction = work + size;
       for (int32_t d = 0; d <= pair.tangential; ++d) {
         const int32_t j = pair.dof + d;
         book.u[k] += work[j] * force[d] + work[book.m + j] * motion[d];
@@ -107,7 +108,7 @@ void before_jump(Session& session) {
     book.u0[k] = book.u[k];
     book.r0[k] = book.r[k];
   }
-  for (int32_t i = 0; i < f.t->pairs; ++i) f.t->pair[i].saved_q = pair_state(*f.t, i, f.y).q;
+  for (int32_t i = 0; i < f.t->pairs; ++i) f.t->pair[i].saved_q = static_cast<Real>(pair_state(*f.t, i, f.y).q);
 }
 
 void after_jump(Session& session) {

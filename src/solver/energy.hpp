@@ -1,5 +1,5 @@
 #pragma once
-// Energy along the path. Every sum over a boundary is nodal: the integral of an end's shape function times traction
+// Energy along the path (METHOD 15). Every sum over a boundary is nodal: the integral of an end's shape function times traction
 // times displacement, the measure in which the contact conditions hold node by node (a pair that is open carries no
 // force, a closed one does not move along the normal), so that the contact exchanges energy by friction alone.
 //   work of load case k      integral of lambda_k dU_k + R_k dlambda_k
@@ -17,13 +17,15 @@
 
 namespace c2d {
 
-// Numbers of array kEnergy: per case work, U and R at the start of a step, U and R of the moment; then the functionals.
+// Array kEnergy: per case work, U and R at the start of a step, U and R of the moment; then the functionals.
 struct EnergyBook {
   int32_t m, cases;
   double* work;    // [cases] so far
   double *u0, *r0; // [cases] scratch
   double *u, *r;   // [cases] scratch
-  double* first;   // functionals of 2 m + cases numbers (tau, w', lambda): U and R of case 0, of case 1, ...
+  // Functionals: U and R of case 0, of case 1, ...
+  double* of_loads; // [cases] each: what multiplies lambda
+  Real* of_contact; // [2 m] each: what multiplies tau, w'
 };
 EnergyBook energy_book(c2d_solver* solver);
 

@@ -8,8 +8,8 @@ namespace c2d {
 struct Adjoint {
   Session& session;
   int b;             // the body at hand
-  double* tau;       // [m]
-  double* motion;    // [m] of w'
+  Real* tau;         // [m]
+  Real* motion;      // [m] of w'
   double* lambda;    // [cases]
   Real* u;           // [m] of the body's contact displacements
   Real* outer;       // of its outer unknowns

@@ -43,8 +43,8 @@ void add_traction(Adjoint& a, int32_t element, int l, int c, double factor) {
   case TractionKind::contact: {
     const Pair& pair = m.pair[pair_of_end(m, a.b, element, l)];
     const double scaled = (a.b == 1 ? 1.0 : -1.0) * factor * m.head->stress_unit / modulus;
-    a.tau[pair.dof] += scaled * (c == 0 ? pair.nx : pair.ny);
-    if (pair.tangential) a.tau[pair.dof + 1] += scaled * (c == 0 ? pair.ny : -pair.nx);
+    a.tau[pair.dof] += static_cast<Real>(scaled * (c == 0 ? pair.nx : pair.ny));
+    if (pair.tangential) a.tau[pair.dof + 1] += static_cast<Real>(scaled * (c == 0 ? pair.ny : -pair.nx));
     return;
   }
   case TractionKind::solved: {

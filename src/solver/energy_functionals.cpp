@@ -17,9 +17,9 @@ C2D_BRINGS(keep_motion);
 namespace {
 
 // Pressures times the overlaps that case k closes.
-void add_overlaps(const Model& m, double* tau) {
+void add_overlaps(const Model& m, Real* tau) {
   for (int32_t i = 0; i < m.head->pairs; ++i)
-    tau[m.pair[i].dof] += m.pair[i].weight * m.pair[i].overlap / m.head->length_unit;
+    tau[m.pair[i].dof] += static_cast<Real>(m.pair[i].weight * m.pair[i].overlap / m.head->length_unit);
 }
 
 // ---- one functional -------------------------------------------------------------------------------------------------
@@ -48,7 +48,7 @@ c2d_status add_body(Adjoint& a, int32_t k, bool reactions) {
   const double side = a.b == 1 ? 1.0 : -1.0;
   for (int32_t j = 0; j < contact; ++j) {
     a.u[j] -= w[j];
-    a.tau[j] += side * static_cast<double>(w[contact + j]);
+    a.tau[j] += static_cast<Real>(side * static_cast<double>(w[contact + j]));
   }
   for (int32_t i = 0; i < m.head->load_cases; ++i) a.lambda[i] += static_cast<double>(w[2 * contact + i]);
   return C2D_OK;
@@ -70,14 +70,14 @@ c2d_status remove_displacements(Adjoint& a) {
   const Real* other = session.area.u[1 - inverted];
   bool any = false;
   for (int32_t j = 0; j < m; ++j) {
-    a.motion[j] = sign * static_cast<double>(other[j]);
+    a.motion[j] = static_cast<Real>(sign) * other[j];
     sum[j] += other[j];
     any = any || sum[j] != Real(0);
   }
   c2d_status status = C2D_OK;
   for (int32_t j = 0; j < m && any && status == C2D_OK; ++j) {
     status = read_column(session.tape, ContactMatrix::flexibility, j, column);
-    if (status == C2D_OK) a.tau[j] += sign * product(column, sum, m);
+    if (status == C2D_OK) a.tau[j] += static_cast<Real>(sign * product(column, sum, m));
   }
   for (int32_t k = 0; k < session.model.head->load_cases && any && status == C2D_OK; ++k) {
     status = read_column(session.tape, ContactMatrix::flexibility_load, k, column);
@@ -86,10 +86,11 @@ c2d_status remove_displacements(Adjoint& a) {
   return status;
 }
 
-c2d_status build_functional(Session& session, int32_t k, bool reactions, double* numbers) {
+c2d_status build_functional(Session& session, int32_t k, bool reactions, Real* contact, double* loads) {
   const int32_t m = session.model.head->contact, cases = session.model.head->load_cases;
-  for (int32_t i = 0; i < 2 * m + cases; ++i) numbers[i] = 0.0;
-  Adjoint a{session, 0, numbers, numbers + m, numbers + 2 * static_cast<int64_t>(m), nullptr, session.area.outer, false};
+  for (int32_t i = 0; i < 2 * m; ++i) contact[i] = 0;
+  for (int32_t i = 0; i < cases; ++i) loads[i] = 0.0;
+  Adjoint a{session, 0, contact, contact + m, loads, nullptr, session.area.outer, false};
   if (reactions && k + 1 == session.model.head->interference) add_overlaps(session.model, a.tau);
   c2d_status status = C2D_OK;
   for (a.b = 0; a.b < session.model.head->bodies && status == C2D_OK; ++a.b) status = add_body(a, k, reactions);
@@ -102,11 +103,11 @@ c2d_status build_energy(c2d_solver* s) {
   Session session;
   open_session(s, session);
   const EnergyBook book = energy_book(s);
-  const int64_t size = 2 * static_cast<int64_t>(book.m) + book.cases;
   for (int32_t k = 0; k < 2 * book.cases; ++k) {
     tell_progress(s, C2D_PHASE_REDUCE, 0, k, 2 * static_cast<int64_t>(book.cases));
     if (asked_to_stop(s)) return C2D_ERR_CANCELLED;
-    const c2d_status status = build_functional(session, k / 2, k % 2 == 1, book.first + k * size);
+    const c2d_status status = build_functional(session, k / 2, k % 2 == 1, book.of_contact + 2 * static_cast<int64_t>(k) * book.m,
+                                               book.of_loads + static_cast<int64_t>(k) * book.cases);
     if (status != C2D_OK) return status;
   }
   return C2D_OK;

@@ -145,6 +145,7 @@ Model model_of(c2d_solver* s) {
   m.zone = array_of<Zone>(s, kZones);
   m.pair = array_of<Pair>(s, kPairs);
   m.point_load = array_of<PointLoad>(s, kPointLoads);
+  m.curve = array_of<Curve>(s, kCurves);
   m.friction = array_of<double>(s, kFriction);
   m.path = array_of<Path>(s, kPaths);
   m.rigid_motion = array_of<RigidMotion>(s, kRigidMotions);

@@ -33,7 +33,8 @@ c2d_status fill_free_zone(c2d_solver* s, const Model& m, const c2d_free_zone& gi
     const Region& region = m.region[b][z.region[b]];
     const int32_t ring = region.open ? 0 : region.last - region.first + 1;
     z.first_element[b] = ends[0] - 1;
-    z.element_step[b] = count < 1 ? 0 : range_step(ends[0] - 1, ends[1] - 1, count, region.first, ring, 1);
+    z.element_step[b] =
+        count < 1 ? 0 : range_step(ends[0] - 1, ends[1] - 1, count, region.first, ring, ends[1] >= ends[0] ? 1 : -1);
     (b == 0 ? z.facing : z.elements) = count;
     if (z.element_step[b] == 0 || region_of_element(m, b, ends[1] - 1) != z.region[b])
       return refuse(s, C2D_ERR_ARGUMENT,

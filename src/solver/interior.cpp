@@ -1,4 +1,4 @@
-// Displacements and stresses at interior points, (3.32)-(3.34).
+// Displacements and stresses at interior points (METHOD 16.3).
 #include "solver/interior.hpp"
 
 #include <math.h>
@@ -10,6 +10,7 @@
 #include "bie/kernels.hpp"
 #include "memory/optional.hpp"
 #include "memory/workers.hpp"
+#include "solver/interior_nodes.hpp"
 #include "solver/interior_placing.hpp"
 #include "solver/particular.hpp"
 #include "solver/rigid.hpp"
@@ -44,32 +45,42 @@ void add_displacement(int image, const PointField& sum, PointState& p) {
   p.u[1] += image_sign(image, 1) * sum.u.im;
 }
 
-void add_element_at(const FieldElement& e, int b, const Points& points, int32_t i) {
+// An element that acts on points. One with displacements, and so with all that the element has of them, smooths the
+// stress close to its nodes.
+struct Acting {
+  const Session* session;
+  int b;
+  int32_t element; // -1: no smoothing
+  FieldElement e;
+  ElementSmoothing smoothing;
+};
+
+void add_element_at(Acting& acting, const Points& points, int32_t i) {
   PointState& p = points.state(i);
-  if (!is_inside(p, b)) return;
+  if (!is_inside(p, acting.b)) return;
   for (int image = 0; image <= points.head->symmetry; ++image) {
     if (!is_image(*points.head, image)) continue;
     const Complex reference = {image_sign(image, 0) * p.reference[0], image_sign(image, 1) * p.reference[1]};
+    const double x = points.seen(image, 0, p.eta), y = points.seen(image, 1, p.distance);
     PointField sum = {};
-    add_field(e, reference, points.seen(image, 0, p.eta), points.seen(image, 1, p.distance), sum);
-    add_stress(image, sum, p);
-    if (is_near_node(p, b)) {
-      sum = PointField{};
-      add_field(e, reference, points.seen(image, 0, points.x(i)), points.seen(image, 1, points.y(i)), sum);
-    }
+    add_field(acting.e, reference, x, y, sum);
     add_displacement(image, sum, p);
+    if (acting.element >= 0)
+      smooth_at_nodes(*acting.session, acting.b, acting.element, acting.e, x, y, acting.smoothing, sum);
+    add_stress(image, sum, p);
   }
 }
 
 #ifdef C2D_SMALL
-bool add_element_batches(const FieldElement&, int, const Points&) { return false; }
+bool add_element_batches(Acting&, const Points&) { return false; }
 #else
-// Eight points at a time; those near the element, and near a node, one by one.
-bool add_element_batches(const FieldElement& e, int b, const Points& points) {
+// Eight points at a time; those near the element one by one.
+bool add_element_batches(Acting& acting, const Points& points) {
+  const FieldElement& e = acting.e;
   const BatchKernel* kernel = points.kernel;
   BatchFieldElement element;
   if (!kernel || points.head->symmetry != 0 || !batch_field_element(e, element)) return false;
-  const double inside = place_of(b, C2D_POINT_INSIDE), away = 64.0 * e.in.radius;
+  const double away = 64.0 * e.in.radius;
   BatchPoints at;
   BatchField sum;
   sum.some_near = false;
@@ -77,7 +88,7 @@ bool add_element_batches(const FieldElement& e, int b, const Points& points) {
     const int count = points.count - first < kBatch ? points.count - first : kBatch;
     bool any = false;
     for (int s = 0; s < kBatch; ++s) {
-      const bool has = s < count && points.state(first + s).place == inside;
+      const bool has = s < count && is_inside(points.state(first + s), acting.b);
       const PointState& p = points.state(has ? first + s : first);
       at.x[s] = has ? p.eta : element.x0 + away;
       at.y[s] = has ? p.distance : element.y0;
@@ -88,8 +99,9 @@ bool add_element_batches(const FieldElement& e, int b, const Points& points) {
     if (any) kernel->field(element, at, sum);
     for (int s = 0; s < count; ++s) {
       PointState& p = points.state(first + s);
-      if (p.place != inside || (sum.some_near && sum.near[s] != 0.0)) {
-        add_element_at(e, b, points, first + s);
+      if (!is_inside(p, acting.b)) continue;
+      if (sum.some_near && sum.near[s] != 0.0) {
+        add_element_at(acting, points, first + s);
         continue;
       }
       p.stress[0] += sum.trace[s];
@@ -103,9 +115,9 @@ bool add_element_batches(const FieldElement& e, int b, const Points& points) {
 }
 #endif
 
-void add_element(const FieldElement& e, int b, const Points& points) {
-  if (add_element_batches(e, b, points)) return;
-  for (int32_t i = 0; i < points.count; ++i) add_element_at(e, b, points, i);
+void add_element(Acting& acting, const Points& points) {
+  if (add_element_batches(acting, points)) return;
+  for (int32_t i = 0; i < points.count; ++i) add_element_at(acting, points, i);
 }
 
 // Nodal values of an element in the units of the equations. Contact tractions of body 2 are per length of body 1 and
@@ -144,15 +156,20 @@ bool nodal_values(const Session& session, int b, int32_t element, Complex u[4], 
 
 void add_elements_values(const Session& session, int b, int32_t element, const Points& points) {
   Complex u[4], own[4], contact[4];
-  FieldElement e;
+  Acting acting;
+  acting.session = &session;
+  acting.b = b;
+  acting.element = element;
+  acting.smoothing.ready = false;
   const bool shared = nodal_values(session, b, element, u, own, contact);
-  make_integrator(session.model, b, element, Quadrature::accurate, Measure::own_length, e.in);
-  prepare_field(own, u, e);
-  add_element(e, b, points);
+  make_integrator(session.model, b, element, Quadrature::accurate, Measure::own_length, acting.e.in);
+  prepare_field(own, u, acting.e);
+  add_element(acting, points);
   if (!shared) return;
-  make_integrator(session.model, b, element, Quadrature::accurate, Measure::contact, e.in);
-  prepare_field(contact, nullptr, e);
-  add_element(e, b, points);
+  acting.element = -1;
+  make_integrator(session.model, b, element, Quadrature::accurate, Measure::contact, acting.e.in);
+  prepare_field(contact, nullptr, acting.e);
+  add_element(acting, points);
 }
 
 // Tractions that free zones hand over to body 1.
@@ -161,19 +178,22 @@ c2d_status add_transferred(const Session& session, const Points& points) {
   const double stress = 1.0 / (2.0 * shear_modulus(m, 0));
   TransferWalk walk{};
   Transfer piece;
+  Acting acting;
+  acting.session = &session;
+  acting.b = 0;
+  acting.element = -1;
   while (next_transfer(m, Quadrature::accurate, walk, piece)) {
     const c2d_status status = pause(session, 0, piece.element1);
     if (status != C2D_OK) return status;
-    FieldElement e;
     Complex t[4];
-    e.in = piece.in;
+    acting.e.in = piece.in;
     for (int k = 0; k < piece.in.functions; ++k) {
       double value[2];
       transferred_values(session, piece, k, value);
       t[k] = {stress * value[0], stress * value[1]};
     }
-    prepare_field(t, nullptr, e);
-    add_element(e, 0, points);
+    prepare_field(t, nullptr, acting.e);
+    add_element(acting, points);
   }
   return C2D_OK;
 }
@@ -199,30 +219,19 @@ void complete_sums(const Session& session, int b, const Points& points, double x
   const double* centre = session.model.head->body[b].centre;
   for (int image = 0; image <= points.head->symmetry; ++image) {
     if (!is_image(*points.head, image)) continue;
-    add_displacement(image, known_field(session, b, points.seen(image, 0, x), points.seen(image, 1, y)), p);
-    add_stress(image, known_field(session, b, points.seen(image, 0, p.eta), points.seen(image, 1, p.distance)), p);
+    const PointField known = known_field(session, b, points.seen(image, 0, x), points.seen(image, 1, y));
+    add_displacement(image, known, p);
+    add_stress(image, known, p);
   }
   if (has_body_force(session.model, b)) {
-    const double at[2] = {x * unit, y * unit}, stress_at[2] = {p.eta * unit, p.distance * unit};
-    add_particular_at(session, b, at, stress_at, p.u, p.stress);
+    const double at[2] = {x * unit, y * unit};
+    add_particular_at(session, b, at, p.u, p.stress);
   }
   p.u[0] += p.reference[0] + rigid[0] - rigid[2] * (y - centre[1] / unit);
   p.u[1] += p.reference[1] + rigid[1] + rigid[2] * (x - centre[0] / unit);
 }
 
 // ---- results ------------------------------------------------------------------------------------------------------
-
-void join_to_node(const Session& session, int b, const PointState& p, double x, double y, PlaneStress& stress) {
-  PointState at = p;
-  NearNode near;
-  at.element = floor(0.5 * p.element);
-  const bool last = p.element > 2.0 * at.element;
-  find_near_node(session.model, b, at, x, y, near);
-  const PlaneStress node = joint_stress(session, b, static_cast<int32_t>(at.element), last ? 1.0 : -1.0);
-  const double w = near.part;
-  stress = {w * stress.xx + (1.0 - w) * node.xx, w * stress.yy + (1.0 - w) * node.yy,
-            w * stress.xy + (1.0 - w) * node.xy};
-}
 
 void write_point(const Session& session, int b, const double u[2], const PlaneStress& s, int32_t flag, double* out) {
   const double szz = stress_across(session, b, s), shear = largest_shear(s), mean = 0.5 * (s.xx + s.yy);
@@ -261,7 +270,6 @@ void finish_point(const Session& session, int b, const Points& points, int32_t i
     complete_sums(session, b, points, x, y, p);
     const double u[2] = {fx * p.u[0] * points.unit, fy * p.u[1] * points.unit};
     PlaneStress s = {g * (p.stress[0] + p.stress[1]), g * (p.stress[0] - p.stress[1]), -g * p.stress[2]};
-    if (is_near_node(p, b)) join_to_node(session, b, p, x, y, s);
     s.xy *= fx * fy;
     write_point(session, b, u, s, is_near_node(p, b) ? C2D_POINT_NEAR_NODE : C2D_POINT_INSIDE, out);
   }

@@ -22,6 +22,11 @@ struct BoundaryState {
 // du_ds: from this element and the neighbours that join it smoothly.
 BoundaryState boundary_state(const Session& session, int b, int32_t element, double eta);
 
+// The same as an image has it.
+BoundaryState mirrored_state(const BoundaryState& s, int image);
+// Is a node a corner whose two tractions make a tensor? The states of both sides.
+bool is_corner(const Session& session, const BoundaryState& s, const BoundaryState& t);
+
 // Stress on an element; at its ends from both elements that meet there: from their tractions at a corner, else the mean.
 PlaneStress joint_stress(const Session& session, int b, int32_t element, double eta);
 double stress_across(const Session& session, int b, const PlaneStress& s);

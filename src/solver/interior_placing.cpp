@@ -74,6 +74,20 @@ bool add_crossings(const Integrator& in, const Points& points) {
 }
 #endif
 
+// Of the ends of the element with the nearest boundary point.
+bool is_near_node(const Model& m, int b, const PointState& p, double x, double y) {
+  const int32_t element = static_cast<int32_t>(p.element);
+  const Element e = element_of(m, b, element);
+  const double unit = m.head->length_unit;
+  const int last = e.nodes - 1;
+  const double first_distance = length_of(unit * x - e.x[0], unit * y - e.y[0]),
+               last_distance = length_of(unit * x - e.x[last], unit * y - e.y[last]);
+  const bool first = first_distance <= last_distance;
+  const Element other = element_of(m, b, region_neighbour(m, b, element, first ? -1 : 1).element);
+  const double length = 2.0 * (e.half_length < other.half_length ? e.half_length : other.half_length);
+  return (first ? first_distance : last_distance) < (m.head->function_nodes == 1 ? kNearStep : kNearNode) * length;
+}
+
 void place_inside(const Session& session, int b, double x, double y, PointState& p) {
   const Model& m = session.model;
   const int32_t element = static_cast<int32_t>(p.element);
@@ -83,16 +97,7 @@ void place_inside(const Session& session, int b, double x, double y, PointState&
   if (has_body_force(m, b)) interpolated_particular(session, b, element, eta, known);
   for (int c = 0; c < 2; ++c) p.reference[c] = (s.u[c] - known[c]) / unit;
   p.place = place_of(b, C2D_POINT_INSIDE);
-  NearNode near;
-  if (find_near_node(m, b, p, x, y, near)) {
-    const Element e = element_of(m, b, element);
-    const double node = near.end == 0 ? -1.0 : 1.0;
-    const Point foot = element_point(e, eta), moved = element_point(e, node + (eta - node) / near.part);
-    x = moved.x / unit + (x - foot.x / unit) / near.part;
-    y = moved.y / unit + (y - foot.y / unit) / near.part;
-    p.place = place_of(b, C2D_POINT_NEAR_NODE);
-    p.element = 2.0 * element + near.end;
-  }
+  if (is_near_node(m, b, p, x, y)) p.place = place_of(b, C2D_POINT_NEAR_NODE);
   p.eta = x;
   p.distance = y;
 }
@@ -144,22 +149,6 @@ void look_at_element(const Integrator& in, int b, int32_t element, const Points&
     PointState& p = points.state(i);
     if (p.place == kUnplaced) add_winding(in, points, p);
   }
-}
-
-bool find_near_node(const Model& m, int b, const PointState& p, double x, double y, NearNode& out) {
-  const int32_t element = static_cast<int32_t>(p.element);
-  const Element e = element_of(m, b, element);
-  const double unit = m.head->length_unit;
-  const int last = e.nodes - 1;
-  const double first_distance = length_of(unit * x - e.x[0], unit * y - e.y[0]),
-               last_distance = length_of(unit * x - e.x[last], unit * y - e.y[last]);
-  out.end = first_distance <= last_distance ? 0 : 1;
-  const Element other = element_of(m, b, region_neighbour(m, b, element, out.end == 0 ? -1 : 1).element);
-  const double length = 2.0 * (e.half_length < other.half_length ? e.half_length : other.half_length);
-  const double distance = out.end == 0 ? first_distance : last_distance;
-  const double range = (m.head->function_nodes == 1 ? kNearStep : kNearNode) * length;
-  out.part = range > 0.0 ? distance / range : 1.0;
-  return out.part < 1.0;
 }
 
 void end_placing(const Session& session, int b, const Points& points) {

@@ -14,7 +14,7 @@ struct PointState {
   double u[2], stress[3];    // sums: trace, deviator
   double reference[2];       // displacement of the nearest boundary point; before that [0] counts windings
   double element;            // with the nearest boundary point
-  double eta, distance;      // of that point; once placed inside: x, y at which the stress is taken
+  double eta, distance;      // of that point; once placed inside: x, y
   double place;              // kUnplaced, kNowhere, or 4 * (body + 1) + flag
 };
 static_assert(sizeof(PointState) == C2D_POINT_FIELDS * sizeof(double), "fills a row of the answer");
@@ -67,14 +67,5 @@ void leave_afar(const Points& points);
 #endif
 void look_at_element(const Integrator& in, int b, int32_t element, const Points& points);
 void end_placing(const Session& session, int b, const Points& points);
-
-// Close to a node, where tractions and slopes of displacement jump from element to element, the integrals have a
-// logarithm that the exact solution lacks. Their stress is then taken farther away, at a point that lies to the boundary
-// as this one does, `part` times farther from the node, and joined to the boundary's tensor at the node.
-struct NearNode {
-  int end;      // 0: first, else last node of the element
-  double part;  // distance from the node over the range, < 1
-};
-bool find_near_node(const Model& m, int b, const PointState& p, double x, double y, NearNode& out);
 
 } // namespace c2d

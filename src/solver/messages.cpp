@@ -35,7 +35,7 @@ const Word kStatusWords[] = {
     {C2D_ERR_MISMATCH, "saved by another model, number type or format"},
     {C2D_ERR_INTERNAL, "internal error: please report it"},
     {C2D_WARN_ZONE_END, "contact reaches the end of its zone"},
-    {C2D_WARN_FEW_PAIRS, "few pairs touch"},
+    {C2D_WARN_FEW_PAIRS, "coarse contact"},
     {C2D_WARN_LARGE_SLIP, "large slip"},
     {C2D_WARN_NORMALS, "normals of a pair differ"},
     {C2D_WARN_KINK, "kink inside a contact zone"},
@@ -43,11 +43,19 @@ const Word kStatusWords[] = {
     {C2D_WARN_TENSION, "tension inside a contact element"},
     {C2D_WARN_CORNER, "one traction at a corner"},
     {C2D_WARN_INCREMENT, "an increment did not converge"},
-    {C2D_WARN_RESIDUAL, "the tableau was rebuilt"},
+    {C2D_WARN_RESIDUAL, "numbers beyond their limits"},
     {C2D_WARN_CONDITION, "badly conditioned equations"},
     {C2D_WARN_OFFSET, "nodes of a pair are shifted"},
     {C2D_WARN_LEFT_OUT, "an element is left out of a contact zone"},
     {C2D_WARN_OVERLAP, "overlaps that the elements are too coarse to tell"},
+    {C2D_WARN_NOT_UNIQUE, "the contact state is not unique"},
+    {C2D_WARN_UNDEFINED_PLACE, "the place of a body is undefined"},
+    {C2D_WARN_STRAIN, "large strains"},
+    {C2D_WARN_FRICTION, "very high friction"},
+    {C2D_WARN_CONSTANT, "constant functions"},
+    {C2D_WARN_FAR, "a contact zone whose surfaces stay far apart"},
+    {C2D_WARN_SIZES, "elements of very different length face each other"},
+    {C2D_WARN_SURFACE, "a surface that is not certain enough"},
 };
 
 const Word kOutcomeWords[] = {
@@ -55,7 +63,10 @@ const Word kOutcomeWords[] = {
     {C2D_FREE_MOTION, "free motion"},
     {C2D_GROSS_SLIDING, "gross sliding"},
     {C2D_NO_ADMISSIBLE_CHANGE, "no admissible change"},
-    {C2D_ENDLESS_EXCHANGE, "endless exchange"},
+    {C2D_ENDLESS_EXCHANGE, "changes without progress"},
+    {C2D_UNDECIDED, "could not be decided"},
+    {C2D_TIPPING, "tipping"},
+    {C2D_BEYOND_LIMITS, "beyond the limits of accuracy"},
 };
 
 } // namespace

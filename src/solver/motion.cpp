@@ -63,24 +63,30 @@ double push_along(double v[3], const double row[3], int n, double change) {
   return fabs(change) * length_of(row, n);
 }
 
-// The forces of a pair on the free motions, so that it does not penetrate and friction opposes its slip. Kept in what
-// settle() needs only while it runs: p in saved_slip_done, q in saved_slip_from.
-double push_pair(const Session& session, const Motions& motions, Pair& pair, double friction, double v[3]) {
+// The forces of a pair on the free motions, so that it does not penetrate and friction opposes its slip. p and q are
+// kept in its row of the result table, which is of no use while the path goes on.
+double* forces_of(const Session& session, int32_t pair) {
+  return array_of<double>(session.solver, kPairTable) + static_cast<int64_t>(pair) * C2D_PAIR_FIELDS;
+}
+
+double push_pair(const Session& session, const Motions& motions, int32_t index, double friction, double v[3]) {
+  const Pair& pair = session.model.pair[index];
+  double* const force = forces_of(session, index);
   const int n = motions.count;
   double normal[3], tangential[3];
   motion_rows(session, motions, pair, normal, tangential);
   const double nn = row_times(normal, normal, n), tt = row_times(tangential, tangential, n);
   double moved = 0.0;
   if (nn > 1e-18) {
-    const double p = fmax(0.0, pair.saved_slip_done - row_times(normal, v, n) / nn);
-    moved += push_along(v, normal, n, p - pair.saved_slip_done);
-    pair.saved_slip_done = p;
+    const double p = fmax(0.0, force[0] - row_times(normal, v, n) / nn);
+    moved += push_along(v, normal, n, p - force[0]);
+    force[0] = p;
   }
   if (pair.tangential && tt > 1e-18) {
-    const double most = friction * fmin(pair.mu, 1e12) * pair.saved_slip_done;
-    const double q = fmax(-most, fmin(most, pair.saved_slip_from - row_times(tangential, v, n) / tt));
-    moved += push_along(v, tangential, n, q - pair.saved_slip_from);
-    pair.saved_slip_from = q;
+    const double most = friction * fmin(pair.mu, 1e12) * force[0];
+    const double q = fmax(-most, fmin(most, force[1] - row_times(tangential, v, n) / tt));
+    moved += push_along(v, tangential, n, q - force[1]);
+    force[1] = q;
   }
   return moved;
 }
@@ -91,32 +97,30 @@ void rigid_response(const Session& session, const Motions& motions, double frict
                     double v[3]) {
   for (int j = 0; j < motions.count; ++j) v[j] = drive[j];
   for (int32_t i = 0; i < session.model.head->pairs; ++i)
-    session.model.pair[i].saved_slip_done = session.model.pair[i].saved_slip_from = 0.0;
+    forces_of(session, i)[0] = forces_of(session, i)[1] = 0.0;
   const double enough = 1e-14 * length_of(drive, motions.count);
   for (int sweep = 0; sweep < 4000; ++sweep) {
     double moved = 0.0;
     for (int32_t i = 0; i < session.model.head->pairs; ++i)
-      if (may_press(session, i)) moved = fmax(moved, push_pair(session, motions, session.model.pair[i], friction, v));
+      if (may_press(session, i)) moved = fmax(moved, push_pair(session, motions, i, friction, v));
     if (moved <= enough) return;
   }
 }
 
-// Take from v what contact prevents, which the iteration left there as round-off. True if a pressed pair slides.
-bool remove_round_off(const Session& session, const Motions& motions, double v[3]) {
+// Take from v what contact prevents, which the iteration left there as round-off.
+void remove_round_off(const Session& session, const Motions& motions, double v[3]) {
   const int n = motions.count;
   const double size = length_of(v, n), small = 1e-5 * size;
   double basis[3][3];
   int rank = 0;
-  bool slides = false;
   for (int32_t i = 0; i < session.model.head->pairs; ++i) {
     if (!may_press(session, i)) continue;
     const Pair& pair = session.model.pair[i];
     double normal[3], tangential[3];
     motion_rows(session, motions, pair, normal, tangential);
-    const bool pressed = pair.saved_slip_done > 0.0 && fabs(row_times(normal, v, n)) <= small;
+    const bool pressed = forces_of(session, i)[0] > 0.0 && fabs(row_times(normal, v, n)) <= small;
     if (!pressed) continue;
     const bool slips = pair.tangential && fabs(row_times(tangential, v, n)) > small;
-    slides = slides || slips;
     if (rank < n - 1) rank += extend_basis(basis, rank, n, normal);
     if (pair.tangential && !slips && rank < n - 1) rank += extend_basis(basis, rank, n, tangential);
   }
@@ -124,12 +128,10 @@ bool remove_round_off(const Session& session, const Motions& motions, double v[3
   remove_prevented(basis, rank, n, rest);
   if (length_of(rest, n) > 0.99 * size)
     for (int j = 0; j < n; ++j) v[j] = rest[j];
-  return slides;
 }
 
-// The motion from a state in which nothing is pressed, and with it what to call the outcome. False: the loads push
-// no motion, or the rigid body would not move.
-bool find_unpressed_motion(const Session& session, const Motions& motions, c2d_outcome* outcome, double v[3]) {
+// The motion from a state in which nothing is pressed. False: the loads push no motion, or the rigid body would not move.
+bool find_unpressed_motion(const Session& session, const Motions& motions, double v[3]) {
   double drive[3] = {0.0, 0.0, 0.0}, size = 0.0;
   for (int j = 0; j < motions.count; ++j)
     drive[j] = load_work(session, session.follower.direction, motions.body.free_motion[j], &size);
@@ -139,8 +141,7 @@ bool find_unpressed_motion(const Session& session, const Motions& motions, c2d_o
   rigid_response(session, motions, 1.0, drive, v);
   if (length_of(v, motions.count) <= 1e-8) rigid_response(session, motions, 0.0, drive, v);
   if (length_of(v, motions.count) <= 1e-8) return false;
-  const bool slides = remove_round_off(session, motions, v);
-  if (!session.solver->floating) *outcome = slides ? C2D_GROSS_SLIDING : C2D_FREE_MOTION;
+  remove_round_off(session, motions, v);
   return true;
 }
 
@@ -154,7 +155,7 @@ c2d_outcome find_outcome_motion(Session& session, c2d_outcome outcome) {
                         session.model.head->body[s->outcome_body - 1].free_motions};
   if (motions.count < 1) return outcome;
   double choice[3] = {1.0, 0.0, 0.0};
-  const bool found = s->blocked || (!is_pressed(session) && find_unpressed_motion(session, motions, &outcome, choice));
+  const bool found = s->blocked || (!is_pressed(session) && find_unpressed_motion(session, motions, choice));
   if (s->keeps_energy) keep_motion(session, motions, outcome, found, choice);
   return outcome;
 }

@@ -55,15 +55,13 @@ void interpolated_particular(const Session& session, int b, int32_t element, dou
   }
 }
 
-void add_particular_at(const Session& session, int b, const double at[2], const double stress_at[2], double u[2],
-                       double stress[3]) {
+void add_particular_at(const Session& session, int b, const double at[2], double u[2], double stress[3]) {
   const double g = shear_modulus(session.model, b), unit = session.model.head->length_unit;
   const Particular p = particular_now(session, b, at[0], at[1]);
-  const Particular s = particular_now(session, b, stress_at[0], stress_at[1]);
   for (int c = 0; c < 2; ++c) u[c] += p.u[c] / unit;
-  stress[0] += 0.5 * (s.stress[0] + s.stress[1]) / g;
-  stress[1] += 0.5 * (s.stress[0] - s.stress[1]) / g;
-  stress[2] -= s.stress[2] / g;
+  stress[0] += 0.5 * (p.stress[0] + p.stress[1]) / g;
+  stress[1] += 0.5 * (p.stress[0] - p.stress[1]) / g;
+  stress[2] -= p.stress[2] / g;
 }
 
 } // namespace c2d

@@ -9,8 +9,7 @@ namespace c2d {
 void particular_at_end(const Session& session, int b, int32_t element, int l, double u[2], double t[2]);
 // u_p on an element as the shape functions have it.
 void interpolated_particular(const Session& session, int b, int32_t element, double eta, double u[2]);
-// Adds u_p at one point, in the length unit, and sigma_p at another: trace, deviator, minus shear, over 2 G.
-void add_particular_at(const Session& session, int b, const double at[2], const double stress_at[2], double u[2],
-                       double stress[3]);
+// Adds u_p at a point, in the length unit, and sigma_p there: trace, deviator, minus shear, over 2 G.
+void add_particular_at(const Session& session, int b, const double at[2], double u[2], double stress[3]);
 
 } // namespace c2d

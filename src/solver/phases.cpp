@@ -1,5 +1,6 @@
 #include "solver/phases.hpp"
 
+#include "contact/rate_problem.hpp"
 #include "memory/hostile.hpp"
 
 namespace c2d {
@@ -90,10 +91,16 @@ uint64_t path_area(const PhaseSizes& s, const EliminationPlan plan[2], bool flex
   carver.take(area.tableau, s.m * tableau_columns(s.m, s.cases));
   carver.take(area.y, s.m);
   carver.take(area.dy, s.m);
+  carver.take(area.good, s.m);
+  carver.take_bytes(area.buffer, contact_buffer_bytes(s.m));
+  Carver shared = carver;
   for (Real*& u : area.u) carver.take(u, s.m);
   carver.take(area.column, s.m);
-  if (flexibility) carver.take(area.flexibility, s.m * s.m);
-  carver.take_bytes(area.buffer, contact_buffer_bytes(s.m));
+  if (flexibility) {
+    carver.take(area.flexibility, s.m * s.m);
+    shared = carver;
+  }
+  shared.take_bytes(area.rates, rate_problem_bytes(s.m));
   uint64_t work = 0;
   int64_t outer = 0;
   for (int b = 0; b < 2; ++b) {
@@ -107,7 +114,7 @@ uint64_t path_area(const PhaseSizes& s, const EliminationPlan plan[2], bool flex
   carver.take(area.coefficient, 2 * s.m + s.cases);
   carver.take_bytes(area.work, work);
   if (out) *out = area;
-  return carver.total();
+  return larger(carver.total(), shared.total());
 }
 
 uint64_t scratch_bytes(const PhaseSizes& s) {

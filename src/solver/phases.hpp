@@ -27,10 +27,13 @@ struct ReductionArea {
 struct PathArea {
   Real* tableau;
   Real *y, *dy;
+  Real* good;           // m: y of the last state found good (solver/judge.hpp)
+  void* buffer;         // of the contact tape
+  void* rates;          // numbers of the rate problem; share their place with all that follows, which is of no use while loads
+                        // move, but begin behind F where that is kept
   Real *u[2];           // contact displacements of both bodies, m each
   Real* column;         // m
   Real* flexibility;    // m * m, or null
-  void* buffer;         // of the contact tape
   Real* displacement[2];   // [2 * nodes] results, in length_unit
   Real* traction[2];       // [2 * ends] results, true tractions, in stress_unit
   Real* outer;             // outer unknowns of one body

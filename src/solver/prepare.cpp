@@ -13,6 +13,7 @@
 #include "solver/phases.hpp"
 #include "solver/energy.hpp"
 #include "solver/hostile_port.hpp"
+#include "solver/judge.hpp"
 #include "solver/new_loads.hpp"
 #include "solver/rehearsal.hpp"
 #include "solver/session.hpp"
@@ -61,6 +62,7 @@ uint64_t hash_model(const Model& m, const c2d_options& options) {
   if (m.head->interference != 0) hash.add(&m.head->interference, sizeof m.head->interference);
   if (m.head->body_forces != 0) hash.add(m.body_force, 2 * sizeof(BodyForce) * static_cast<size_t>(m.head->load_cases));
   hash.add_array(m.zone, m.head->zones);
+  hash.add_array(m.curve, m.head->curves);
   hash.add_array(m.point_load, m.head->point_loads);
   return hash.value;
 }
@@ -302,7 +304,8 @@ c2d_status tick(void* context) {
     if (m.head->contact == 0 && m.head->body[b].free_motions > 0) s->blocked = b + 1;
   if (m.head->contact == 0) return;
   s->inverted = m.head->body[0].free_motions == 0 ? 0 : 1;
-  if (m.head->body[s->inverted].free_motions > 0) s->blocked = 2;
+  const int32_t free1 = m.head->body[0].free_motions, free2 = m.head->body[1].free_motions;
+  if (m.head->body[s->inverted].free_motions > 0) s->blocked = free1 >= free2 ? 1 : 2; // neither is held: the less held one
   else if (!contact_holds(m, 1 - s->inverted)) s->blocked = 2 - s->inverted;
 }
 
@@ -359,18 +362,6 @@ void weigh_pairs(const Model& m) {
 }
 
 } // namespace
-
-void warn_condition(c2d_solver* s) {
-  s->condition = s->smallest_pivot > 0.0 ? s->largest_pivot / s->smallest_pivot : 0.0;
-  if (!(s->condition > 1e11)) return;
-  c2d_error e = blank_error();
-  e.status = C2D_WARN_CONDITION;
-  e.severity = C2D_WARNING;
-  Text text = text_in(e.text);
-  put_all(text, "the equations are badly conditioned (pivots differ by a factor of ", s->condition,
-          "): supports may be too close together or elements of very unlike size");
-  report_fault(s, e);
-}
 
 int extend_basis(double basis[3][3], int rank, int n, double row[3]) {
   double before = 0.0, after = 0.0;
@@ -433,6 +424,8 @@ c2d_status prepare_with(c2d_solver* s, const c2d_port* store) {
   }
   s->keeps_energy = C2D_LINKED(build_energy);
   if (status == C2D_OK && !s->blocked) weigh_pairs(m);
+  if (status == C2D_OK && !s->blocked && !loads_only) status = find_condition(s);
+  if (status == C2D_OK && !s->blocked) status = build_judge(s);
   if (status == C2D_OK && !s->blocked && s->keeps_energy) status = build_energy(s);
   if (status == C2D_OK) {
     s->state = C2D_STATE_PREPARED;

@@ -14,9 +14,9 @@ int prevented(const Session& session, const Motions& motions, c2d_outcome outcom
   for (int32_t i = 0; i < session.model.head->pairs && rank < motions.count; ++i) {
     const Pair& pair = session.model.pair[i];
     const bool last = i == session.follower.last_pair;
-    if (pair.status == C2D_OPEN || (last && outcome == C2D_FREE_MOTION)) continue;
+    if (pair.status == C2D_OPEN || (last && outcome != C2D_GROSS_SLIDING)) continue;
     const double p = pair_state(*session.follower.t, i, session.follower.y).p;
-    if (outcome == C2D_FREE_MOTION && p <= kNoPressure * session.solver->peak_pressure) continue;
+    if (outcome != C2D_GROSS_SLIDING && p <= kNoPressure * session.solver->peak_pressure) continue;
     double normal[3], tangential[3];
     motion_rows(session, motions, pair, normal, tangential);
     rank += extend_basis(basis, rank, motions.count, normal);

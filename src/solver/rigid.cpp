@@ -35,12 +35,12 @@ void fill_rigid(const Session& session) {
   for (double& multiplier : session.solver->multiplier[0]) multiplier = 0.0;
 }
 
-void add_rigid_motion(const Model& m, int32_t k, double* tau) {
+void add_rigid_motion(const Model& m, int32_t k, Real* tau) {
   for (int32_t i = 0; i < m.head->pairs; ++i) {
     const Pair& pair = m.pair[i];
     double v[2];
     rigid_motion_at_pair(m, pair, k, v);
-    for (int32_t d = 0; d <= pair.tangential; ++d) tau[pair.dof + d] += pair.weight * v[d];
+    for (int32_t d = 0; d <= pair.tangential; ++d) tau[pair.dof + d] += static_cast<Real>(pair.weight * v[d]);
   }
 }
 

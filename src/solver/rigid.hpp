@@ -9,6 +9,6 @@ void rigid_displacement_now(const Session& session, double x, double y, double u
 // Its motion, and what the contact does to it: displacements and tractions of its whole boundary.
 void fill_rigid(const Session& session);
 // Into a functional of tau: what holds the body against the contact, times its motion in case k.
-void add_rigid_motion(const Model& m, int32_t k, double* tau);
+void add_rigid_motion(const Model& m, int32_t k, Real* tau);
 
 } // namespace c2d

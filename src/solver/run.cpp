@@ -71,7 +71,7 @@ double path_load(const Model& m, int32_t p, int32_t load_case) {
   return p < 0 ? 0.0 : m.path_load[static_cast<int64_t>(p) * m.head->load_cases + load_case];
 }
 
-// The piece that ends at the largest load: where the residual of the contact equations says most.
+// The piece that ends at the largest load: the first of those where a coarse contact says most.
 int32_t largest_load(const Model& m) {
   int32_t best = 0;
   double most = -1.0;
@@ -89,7 +89,7 @@ c2d_status close_overlaps(Session& session) {
   c2d_solver* s = session.solver;
   double* target = array_of<double>(s, kLoads) + s->model.load_cases;
   for (int32_t k = 0; k < s->model.load_cases; ++k) target[k] = k + 1 == s->model.interference ? 1.0 : 0.0;
-  const c2d_status status = advance(session, target, false);
+  const c2d_status status = advance(session, target, Moment::between);
   if (status != C2D_OK || s->outcome == C2D_REACHED) return status;
   session.now.step = 1;
   return show_step(session, C2D_STEP_STOPPED);
@@ -115,15 +115,16 @@ c2d_status run_cards(Session& session) {
         if (fabs(target[k]) < 1e-15 * (fabs(from) + fabs(to))) target[k] = 0.0; // a crossing, not its round-off
       }
       if (s->model.interference != 0) target[s->model.interference - 1] = 1.0;
-      const bool last = p + 1 == s->model.paths && i == path.increments;
-      c2d_status status = advance(session, target, last);
+      const bool ends = i == path.increments;
+      const Moment moment = ends && p == peak                      ? Moment::peak
+                            : ends && p + 1 == s->model.paths ? Moment::end
+                                                                   : Moment::between;
+      c2d_status status = advance(session, target, moment);
       if (status != C2D_OK) return status;
       const bool reached = s->outcome == C2D_REACHED;
       status = show_step(session, reached ? C2D_STEP_RECORDED : C2D_STEP_STOPPED);
       if (status != C2D_OK || !reached) return status;
     }
-    const c2d_status status = p == peak ? guard_drift(session, true) : c2d_status{C2D_OK};
-    if (status != C2D_OK) return status;
   }
   return C2D_OK;
 }
@@ -168,6 +169,7 @@ extern "C" c2d_status c2d_run(c2d_solver* s, c2d_step_fn step, void* context) {
   c2d_outcome worst = C2D_REACHED;
   for (int32_t i = 0; i < runs && status == C2D_OK; ++i) status = run_coefficient(session, i, &worst);
   if (status == C2D_OK) status = back_substitute_all(session);
+  if (status == C2D_OK && !s->blocked && !s->floating && worst == C2D_REACHED) warn_strains(session);
   status = finish(session, status);
   s->outcome = worst;
   return status;

@@ -11,6 +11,7 @@
 #include "memory/text.hpp"
 #include "model/free_zones.hpp"
 #include "model/rigid.hpp"
+#include "solver/judge.hpp"
 
 namespace c2d {
 
@@ -31,10 +32,18 @@ c2d_status tick(void* context) {
   return asked_to_stop(s) ? C2D_ERR_CANCELLED : C2D_OK;
 }
 
-// A status changed: show it to c2d_run's callback, if it asked for that.
+// A status changed: judge what that came to, after every so many exchanges, and show it to c2d_run's callback, if it asked for
+// that. Within an increment of deck stepping statuses do not agree with the values yet.
 c2d_status changed(void* context, double) {
   Session& session = *static_cast<Session*>(context);
-  return session.step && session.solver->options.every_change ? show_change(session) : c2d_status{C2D_OK};
+  constexpr int64_t kBetweenLooks = 16; // exchanges between pairs that stand well leave nothing to see
+  const c2d_options& options = session.solver->options;
+  if (options.stepping == C2D_STEPPING_EVENTS) note_open_pairs(session); // others are still on trial
+  const bool shown = session.step && options.every_change;
+  if (!shown && session.solver->careful == 0 && session.tableau.exchanges - session.solver->judged_exchanges < kBetweenLooks)
+    return C2D_OK;
+  const c2d_status status = judge(session, options.stepping == C2D_STEPPING_EVENTS ? Agree::rates : Agree::nothing);
+  return status == C2D_OK && shown ? show_change(session) : status;
 }
 
 void moving(void* context, double part) {
@@ -77,6 +86,13 @@ void open_session(c2d_solver* s, Session& session) {
   session.follower.y = area.y;
   session.follower.dy = area.dy;
   session.follower.gap_scale = s->gap_scale;
+  session.follower.pressure_scale = s->pressure_scale;
+  session.follower.model = &session.model;
+  session.follower.floating_body = 1 - s->inverted;
+  // Results per pair are of no use while loads move.
+  static_assert(kRateListBytes <= C2D_PAIR_FIELDS * sizeof(double), "the result table has room for the lists of the rate problem");
+  session.follower.rate_area = RateArea{area.rates, array_of<double>(s, kPairTable), head.pairs};
+  session.follower.bound.pair = -1;
   session.follower.watch = PathWatch{&session, tick, changed, moving};
   session.follower.stats = s->stats;
   session.follower.last_pair = s->last_pair;
@@ -88,6 +104,7 @@ void close_session(Session& session) {
   s->stiffness = session.tableau.stiffness;
   s->exchanges = session.tableau.exchanges;
   s->gap_scale = session.follower.gap_scale;
+  s->pressure_scale = session.follower.pressure_scale;
   s->stats = session.follower.stats;
   s->last_pair = session.follower.last_pair;
 }
@@ -108,9 +125,12 @@ c2d_status begin_path(Session& session) {
   if (s->keeps_energy) begin_energy(s);
   s->peak_pressure = 0.0;
   s->gap_scale = session.follower.gap_scale = 0.0;
+  s->unsound = 0;
+  s->pressure_scale = session.follower.pressure_scale = 0.0;
   if (s->blocked || head.contact == 0) return C2D_OK;
   c2d_status status = load_flexibility(session);
   if (status == C2D_OK) status = start_path(session.follower, session.free_body, session.model, &s->floating);
+  if (status == C2D_OK) begin_judging(session);
   return status;
 }
 
@@ -207,13 +227,77 @@ namespace {
 void name_outcome(Session& session, c2d_outcome outcome) {
   c2d_solver* s = session.solver;
   s->outcome = outcome;
-  if (outcome == C2D_FREE_MOTION || outcome == C2D_GROSS_SLIDING)
+  if (outcome == C2D_FREE_MOTION || outcome == C2D_GROSS_SLIDING || outcome == C2D_TIPPING)
     s->outcome_body = s->blocked ? s->blocked : session.free_body.body + 1;
   // Where no pressure is left, nothing slides: the body lifts off.
   if (outcome == C2D_GROSS_SLIDING && s->peak_pressure > 0.0 &&
       path_scales(session.follower).p <= kNoPressure * s->peak_pressure)
     s->outcome = outcome = C2D_FREE_MOTION;
   if (s->outcome_body > 0) s->outcome = find_outcome_motion(session, outcome);
+}
+
+
+// Once per path.
+void warn_not_unique(Session& session) {
+  Follower& f = session.follower;
+  c2d_solver* s = session.solver;
+  constexpr int32_t kBit = 1 << (C2D_WARN_NOT_UNIQUE - C2D_WARN_ZONE_END);
+  if (f.solutions < 2 || (s->warned & kBit) != 0) return;
+  s->warned |= kBit;
+  c2d_error e = blank_error();
+  e.status = C2D_WARN_NOT_UNIQUE;
+  e.severity = C2D_WARNING;
+  e.load = f.solutions_load;
+  Text text = text_in(e.text);
+  put_all(text, "load factor ", e.load, ", mu ", s->mu, ": the solution is not unique: ", f.solutions,
+          " contact states satisfy all conditions; the one whose motion changes least is taken");
+  report_fault(s, e);
+}
+
+} // namespace
+
+namespace {
+
+// To `target`, or as far as the path leads, and judged there.
+c2d_status go(Session& session, const double* target, c2d_outcome* outcome) {
+  c2d_solver* s = session.solver;
+  Follower& f = session.follower;
+  const int32_t cases = s->model.load_cases;
+  const bool from_zero = all_zero(f.load, cases);
+  *outcome = C2D_REACHED;
+  c2d_status status = C2D_OK;
+  if (s->floating) status = take_off(session, target, outcome);
+  if (status == C2D_OK && *outcome == C2D_REACHED) status = follow(session, target, outcome);
+  // What touched at zero load was pulled off: nothing is loaded yet, so the body may fly to other pairs once.
+  if (status == C2D_OK && *outcome == C2D_FREE_MOTION && from_zero && all_zero(f.load, cases) &&
+      session.free_body.motions == 1) {
+    status = take_off(session, target, outcome);
+    if (status == C2D_OK && *outcome == C2D_REACHED) status = follow(session, target, outcome);
+  }
+  if (status != C2D_OK) return status;
+  const bool by_rates = *outcome == C2D_REACHED && s->options.stepping == C2D_STEPPING_EVENTS;
+  return judge(session, by_rates ? Agree::rates : Agree::values);
+}
+
+bool is_lost(c2d_status status) { return status == kUnsound || status == C2D_ERR_SINGULAR; }
+
+// What the limits do not admit is tried once more from the last good state, with a new tableau after every change; then
+// the path ends there.
+c2d_status go_soundly(Session& session, const double* target, c2d_outcome* outcome) {
+  c2d_solver* s = session.solver;
+  c2d_status status = go(session, target, outcome);
+  if (is_lost(status)) {
+    s->careful = 1;
+    status = return_to_good(session);
+    if (status == C2D_OK) status = go(session, target, outcome);
+    s->careful = 0;
+  }
+  if (!is_lost(status)) return status;
+  if (status == C2D_ERR_SINGULAR) s->breach = C2D_BREACH_SINGULAR;
+  *outcome = C2D_BEYOND_LIMITS;
+  status = s->unsound ? c2d_status{C2D_OK} : return_to_good(session);
+  tell_breach(s);
+  return is_lost(status) ? c2d_status{C2D_OK} : status;
 }
 
 } // namespace
@@ -223,8 +307,8 @@ c2d_status advance_path(Session& session, const double* target) {
   Follower& f = session.follower;
   s->back_substituted = s->table_is_current = 0;
   const int32_t cases = s->model.load_cases;
-  if (s->blocked) {
-    name_outcome(session, C2D_FREE_MOTION);
+  if (s->blocked || s->unsound) {
+    name_outcome(session, s->blocked ? C2D_FREE_MOTION : C2D_BEYOND_LIMITS);
     return C2D_OK;
   }
   c2d_outcome outcome = C2D_REACHED;
@@ -238,23 +322,14 @@ c2d_status advance_path(Session& session, const double* target) {
   }
   const double start = clock_now(s);
   for (int32_t k = 0; k < cases; ++k) array_of<double>(s, kLoads)[cases + k] = target[k];
-  const bool from_zero = all_zero(f.load, cases);
-  c2d_status status = C2D_OK;
-  if (s->floating) status = take_off(session, target, &outcome);
-  if (status == C2D_OK && outcome == C2D_REACHED) status = follow(session, target, &outcome);
-  // What touched at zero load was pulled off: nothing is loaded yet, so the body may fly to other pairs once.
-  if (status == C2D_OK && outcome == C2D_FREE_MOTION && from_zero && all_zero(f.load, cases) &&
-      session.free_body.motions == 1) {
-    status = take_off(session, target, &outcome);
-    if (status == C2D_OK && outcome == C2D_REACHED) status = follow(session, target, &outcome);
-  }
-  if (status == C2D_OK) status = guard_drift(session, false);
+  const c2d_status status = go_soundly(session, target, &outcome);
   if (status == C2D_OK && !s->floating) {
-    refresh(f);
+    if (!s->unsound) refresh(f);
     if (s->keeps_energy) close_balance(session);
   }
   s->peak_pressure = fmax(s->peak_pressure, path_scales(session.follower).p);
   s->seconds[C2D_PHASE_CONTACT] += clock_now(s) - start;
+  warn_not_unique(session);
   name_outcome(session, outcome);
   return status;
 }

@@ -42,18 +42,16 @@ void transferred_traction(const Session& session, int b, int32_t element, int l,
 c2d_status show_change(Session& session);
 // Work of the loads along `direction` on a rigid motion of the free body; *size: sum of its magnitudes.
 double load_work(const Session& session, const double* direction, const double motion[3], double* size);
-constexpr double kNoPressure = 1e-9; // of the largest on the path
+constexpr double kNoPressure = 1e-9; // of the largest on the path; so with forces
 // How the free body starts to move when the contact cannot hold it: solver->outcome_motion (solver/motion.cpp). Returns
 // the outcome; where nothing is pressed the motion decides whether that is sliding or free motion.
 c2d_outcome find_outcome_motion(Session& session, c2d_outcome outcome);
-// Look at the residual of the contact equations, and build the tableau anew if it has grown. Errors: the block store's.
-c2d_status guard_drift(Session& session, bool always);
 // Results of the whole boundary in the caller's units (solver/back.cpp): read and written here alone.
 void get_displacement(const Session& session, int b, int32_t node, double u[2]);
 void get_traction(const Session& session, int b, int32_t end, double t[2]);
 void keep_displacement(const Session& session, int b, int32_t node, const double u[2]);
 void keep_traction(const Session& session, int b, int32_t end, const double t[2]);
-// Everything outside the contact, force balance (2.5). Errors: the block store's.
+// Everything outside the contact, force balance (METHOD 16). Errors: the block store's.
 c2d_status back_substitute_all(Session& session);
 // Forces on both bodies; the contact's equals what is applied, on the body that the contact has to hold. Optional, with
 // the calls that tell it (solver/energy.hpp).
@@ -67,9 +65,14 @@ bool is_store_error(c2d_status status);
 // Add what is new of row[0 .. n) to an orthonormal basis of `rank` rows; 1 if there was something new.
 int extend_basis(double basis[3][3], int rank, int n, double row[3]);
 
-// Warnings about the contact as it stands (solver/warnings.cpp). `at_end`: of a path, where few pairs in contact mean
-// a coarse mesh and not a beginning.
-void warn_contact(Session& session, bool at_end);
+// Warnings about the contact as it stands (solver/warnings.cpp). At the end of a path a contact of few elements means a coarse
+// mesh and not a beginning.
+enum class Moment { between, end, peak }; // of a path; at its peak the loads are largest
+void warn_contact(Session& session, Moment moment);
+// Strains that are not small, after back substitution.
+void warn_strains(Session& session);
+// Where a pair is open, what it slipped so far is no matter for the next time that it touches. With settled statuses.
+void note_open_pairs(Session& session);
 // Smallest pressure inside the contact elements over the largest nodal one, as it stands; 0 if none is negative.
 double tension_ratio(const Session& session);
 

@@ -18,8 +18,7 @@ struct c2d_solver {
   int32_t busy;               // inside one of the caller's functions
   volatile int32_t cancelled; // set by c2d_cancel, possibly from another thread
   int32_t has_fault;          // `error` holds the first fault of the call that is running
-  c2d_limits limits;
-  uint32_t zero;              // instead of padding: c2d_attach looks at every byte from limits to layout
+  c2d_limits limits;          // c2d_attach looks at every byte from here to layout: no padding
   c2d::Sizes sizes;
   c2d::Layout layout;
   c2d_port port;
@@ -48,10 +47,15 @@ struct c2d_solver {
   int32_t table_is_current;
   int32_t coefficient;
   int32_t warned;             // bits: which warnings were given since c2d_begin
-  int64_t checked_exchanges;  // exchanges when the residual was last looked at
+  int64_t judged_exchanges;   // exchanges when the state was last judged
+  int64_t built_exchanges;    // exchanges when the tableau was built; written by solver/judge.cpp, as what follows
+  int32_t unsound;            // there is no tableau for the state kept: the path cannot go on
+  int32_t careful;            // a new tableau after every change
+  int32_t breach, good_floating;
+  double breach_size, fresh_drift, peak_force, peak_terms[2], good_dissipated, good_least_dissipation;
   int64_t exchanges, rebuilds;
   c2d::PathStats stats;
-  double stiffness, gap_scale, max_residual, peak_pressure, mu;
+  double stiffness, gap_scale, pressure_scale, max_residual, peak_pressure, mu;
   double dissipated, elastic, work, energy_size, energy_defect, least_dissipation; // solver/energy.hpp
   double outcome_motion[3];   // of outcome_body, as Body::free_motion
   double applied[2][3], contact_force[2][3];

@@ -89,6 +89,8 @@ void fill_work(c2d_solver* s, c2d_summary& out) {
   out.force_applied = s->force_applied;
   out.force_contact = s->force_contact;
   out.force_error = s->force_error;
+  out.breach = s->outcome == C2D_BEYOND_LIMITS ? s->breach : int32_t{C2D_BREACH_NONE};
+  out.breach_size = out.breach != C2D_BREACH_NONE ? s->breach_size : 0.0;
   out.tension_ratio = s->tension_ratio;
   out.work = s->work;
   out.dissipated = s->dissipated;

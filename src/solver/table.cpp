@@ -106,7 +106,7 @@ c2d_status fill_table(Session& session) {
     }
     return C2D_OK;
   }
-  refresh(session.follower);
+  if (!s->unsound) refresh(session.follower);
   const c2d_status status = inverted_displacements(session);
   if (status != C2D_OK) return status;
   other_displacements(session);

@@ -61,8 +61,8 @@ void add_transferred_at(Adjoint& a, const double at[2], const double factor[2]) 
         double sum = 0.0;
         for (int k = 0; k < piece.in.functions; ++k)
           sum += piece.weight[k][l] * (factor[0] * blocks.g[k][0][c] + factor[1] * blocks.g[k][1][c]);
-        a.tau[pair.dof] += scale * sum * (c == 0 ? pair.nx : pair.ny);
-        if (pair.tangential) a.tau[pair.dof + 1] += scale * sum * (c == 0 ? pair.ny : -pair.nx);
+        a.tau[pair.dof] += static_cast<Real>(scale * sum * (c == 0 ? pair.nx : pair.ny));
+        if (pair.tangential) a.tau[pair.dof + 1] += static_cast<Real>(scale * sum * (c == 0 ? pair.ny : -pair.nx));
       }
     }
   }

@@ -1,18 +1,23 @@
-// What a user should know about a contact state: each warning once per path (design: warnings).
+// What a user should know about a contact state: each warning once per path (src/report/OUTPUT.md).
 #include <math.h>
 
 #include "bie/shape.hpp"
 #include "memory/text.hpp"
 #include "model/geometry.hpp"
+#include "model/symmetry.hpp"
+#include "solver/coarse_contact.hpp"
 #include "solver/session.hpp"
+#include "solver/surface_warnings.hpp"
 
 namespace c2d {
 
 namespace {
 
+int32_t bit_of(int32_t number) { return 1 << (number - C2D_WARN_ZONE_END); }
+
 void warn(Session& session, int32_t number, int32_t zone, int32_t pair, const char* text) {
   c2d_solver* s = session.solver;
-  const int32_t bit = 1 << (number - C2D_WARN_ZONE_END);
+  const int32_t bit = bit_of(number);
   if (s->warned & bit) return;
   s->warned |= bit;
   c2d_error e = blank_error();
@@ -88,19 +93,31 @@ void warn_zone_ends(Session& session, bool at_end) {
   }
 }
 
-void warn_few_pairs(Session& session) {
-  int32_t touching = 0;
-  for (int32_t i = 0; i < session.model.head->pairs; ++i) touching += is_closed(session.model.pair[i]);
-  if (touching > 0 && touching < 5)
-    warn(session, C2D_WARN_FEW_PAIRS, 0, 0, "fewer than 5 pairs touch: refine the contact zone");
+void warn_coarse_contact(Session& session, Moment moment) {
+  if (session.solver->warned & bit_of(C2D_WARN_FEW_PAIRS)) return;
+  char room[sizeof(c2d_error::text)];
+  Text text = text_in(room);
+  int32_t zone = 0, pair = 0;
+  if (tell_coarse_contact(session, moment == Moment::peak, text, &zone, &pair))
+    warn(session, C2D_WARN_FEW_PAIRS, zone + 1, pair + 1, room);
 }
 
 void warn_slip(Session& session) {
   const double unit = session.model.head->length_unit;
   for (int32_t i = 0; i < session.model.head->pairs; ++i)
-    if (fabs(slip_sum(session.follower, i)) * unit > 0.5 * session.model.pair[i].length)
+    if (fabs(slip_sum(session.follower, i) - session.model.pair[i].slip_before) * unit > 0.5 * session.model.pair[i].length)
       warn(session, C2D_WARN_LARGE_SLIP, session.model.pair[i].zone + 1, i + 1,
-           "slip exceeds half a contact element: pairs no longer face each other");
+           "slip since it last touched exceeds half a contact element: pairs no longer face each other");
+}
+
+// Beyond 1e6 adhesion is meant.
+void warn_friction(Session& session) {
+  for (int32_t i = 0; i < session.model.head->pairs; ++i) {
+    const Pair& pair = session.model.pair[i];
+    if (pair.mu > 3.0 && pair.mu < 1e6)
+      return warn(session, C2D_WARN_FRICTION, pair.zone + 1, 0,
+                  "the coefficient of friction is above 3: states are often not unique, and may not exist");
+  }
 }
 
 // Pressure at eta of a contact element, from its listed ends.
@@ -116,6 +133,13 @@ double pressure_inside(const Session& session, int b, int32_t element, double et
 }
 
 } // namespace
+
+void note_open_pairs(Session& session) {
+  for (int32_t i = 0; i < session.model.head->pairs; ++i) {
+    Pair& pair = session.model.pair[i];
+    if (!is_closed(pair)) pair.slip_before = pair.slip_done;
+  }
+}
 
 double tension_ratio(const Session& session) {
   const Model& m = session.model;
@@ -136,12 +160,50 @@ double tension_ratio(const Session& session) {
   return most > 0.0 ? least / most : 0.0;
 }
 
-void warn_contact(Session& session, bool at_end) {
+// Along the boundary and across it, where displacements and tractions are those of the load reached.
+void warn_strains(Session& session) {
+  const Model& m = session.model;
+  const int32_t nf = m.head->function_nodes;
+  double most = 0.0;
+  int body = 0;
+  int32_t at = 0;
+  for (int b = 0; b < m.head->bodies; ++b)
+    for (int32_t e = 0; nf > 1 && !is_rigid(m, b) && e < m.head->body[b].elements; ++e) {
+      double x[4], y[4], u[2], v[2], t[2];
+      element_coordinates(m, b, e, x, y);
+      const int last = m.head->body[b].element_nodes - 1;
+      const double dx = x[last] - x[0], dy = y[last] - y[0], square = dx * dx + dy * dy;
+      if (!is_integrated(m, b, e) || !(square > 0.0)) continue;
+      get_displacement(session, b, functional_node(m, b, e, 0), u);
+      get_displacement(session, b, functional_node(m, b, e, nf - 1), v);
+      get_traction(session, b, e * nf, t);
+      const double along = ((v[0] - u[0]) * dx + (v[1] - u[1]) * dy) / square;
+      const double pull = (t[0] * dy - t[1] * dx) / sqrt(square), nu = strain_poisson_ratio(m, b);
+      const double across = ((1.0 - 2.0 * nu) * pull / (2.0 * shear_modulus(m, b)) - nu * along) / (1.0 - nu);
+      const double strain = fmax(fabs(along), fabs(across));
+      if (strain <= most) continue;
+      most = strain;
+      body = b;
+      at = e;
+    }
+  if (!(most > 0.05)) return;
+  char room[sizeof(c2d_error::text)];
+  Text text = text_in(room);
+  put_all(text, "strains reach ");
+  put(text, most, 2);
+  put_all(text, " at element ", at + 1, " of body ", body + 1, ": the results are for small strains, below 0.05");
+  warn(session, C2D_WARN_STRAIN, 0, 0, room);
+}
+
+void warn_contact(Session& session, Moment moment) {
   c2d_solver* s = session.solver;
   if (s->model.contact == 0 || s->floating || s->blocked) return;
-  warn_zone_ends(session, at_end);
-  if (at_end) warn_few_pairs(session);
+  warn_zone_ends(session, moment != Moment::between);
+  if (moment != Moment::between) warn_coarse_contact(session, moment);
+  if (moment != Moment::between) warn_surfaces(session);
+  note_open_pairs(session);
   warn_slip(session);
+  warn_friction(session);
   const double ratio = tension_ratio(session);
   if (ratio < s->tension_ratio) s->tension_ratio = ratio;
   if (ratio < -0.01)

@@ -9,13 +9,11 @@ using namespace c2d;
 namespace c2d {
 
 int32_t range_step(int32_t first, int32_t last, int32_t count, int32_t start, int32_t size, int32_t preferred) {
-  if (last - first == count - 1 && (count > 1 || preferred == 1)) return 1;
-  if (first - last == count - 1 && (count > 1 || preferred == -1)) return -1;
-  for (int32_t sign = 1; sign >= -1 && count <= size; sign -= 2) {
-    int32_t place = first - start + sign * (count - 1);
-    while (place < 0) place += size;
-    while (place >= size) place -= size;
-    if (place + start == last) return sign;
+  for (int32_t step = preferred, tried = 0; tried < 2; step = -step, ++tried) {
+    int32_t place = first - start + step * (count - 1);
+    while (place < 0 && count <= size) place += size;
+    while (place >= size && count <= size) place -= size;
+    if (place + start == last) return step;
   }
   return 0;
 }
@@ -57,9 +55,12 @@ c2d_status fill_zone(c2d_solver* s, const Model& m, const c2d_zone& given, Zone&
     // An open region is no ring to go round.
     const int32_t ring = region.open ? 0 : region.last - region.first + 1;
     const int32_t node_ring = region.open ? 0 : last_node - first_node + 1;
-    const int32_t by_nodes = given.last_node[b] >= given.first_node[b] ? 1 : -1;
-    z.element_step[b] =
-        range_step(z.first_element[b], given.last_element[b] - 1, given.elements, region.first, ring, by_nodes);
+    // Half of a ring is reached both ways, by its elements or by its nodes, not by both: the other ones tell.
+    const int32_t by_numbers = given.last_node[b] >= given.first_node[b] ? 1 : -1;
+    const int32_t by_nodes =
+        range_step(z.first_node[b], given.last_node[b] - 1, given.pairs, first_node, node_ring, by_numbers);
+    z.element_step[b] = range_step(z.first_element[b], given.last_element[b] - 1, given.elements, region.first, ring,
+                                   by_nodes == 0 ? by_numbers : by_nodes);
     z.node_step[b] = range_step(z.first_node[b], given.last_node[b] - 1, given.pairs,
                                 first_node, node_ring,
                                 z.element_step[b] == 0 ? 1 : z.element_step[b]);

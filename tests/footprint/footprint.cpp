@@ -1,4 +1,4 @@
-// footprint TARGET FOLDER TABLE: the bill of one target as rows of a table (README, "On a microcontroller").
+// footprint TARGET FOLDER TABLE: the bill of one target as rows of a table (port/cortex-m/README.md).
 // FOLDER holds what `make footprint` put there: obj/*.ci (call graphs), <configuration>.size (size -A of an
 // image), whole.dis and whole.nm (of the image with every function; not on the desktop, whose libm is apart),
 // calls (the functions of the header), run.log (what the emulator run told; not on the desktop). Every call's

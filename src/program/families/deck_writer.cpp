@@ -1,4 +1,4 @@
-// The deck of a model, in fixed columns.
+// The deck of a model, in the free form: every number with all its digits.
 #include "program/families/model.hpp"
 
 #include <algorithm>
@@ -19,9 +19,13 @@ __attribute__((format(printf, 1, 2))) std::string formatted(const char* format, 
   return text;
 }
 
-std::string in_10(double value) {
-  const std::string text = number_in(10, value);
-  return std::string(10 - text.size(), ' ') + text;
+// A blank and the number: as few digits as read as the same double, with a point in every locale.
+std::string number(double value) {
+  if (value == 0) return " 0";
+  char text[32] = " ";
+  char* end = std::to_chars(text + 1, text + sizeof text, value).ptr;
+  std::replace(text, end, 'e', 'E');
+  return std::string(text, end);
 }
 
 // One element end of a body with its condition.
@@ -30,7 +34,7 @@ struct End {
   std::array<int, 4> codes;
   std::array<std::string, 4> values; // as on the card
   bool is_free() const {
-    return codes == std::array<int, 4>{{0, 0, 1, 1}} && values[0] == in_10(0) && values[1] == in_10(0);
+    return codes == std::array<int, 4>{{0, 0, 1, 1}} && values[0] == number(0) && values[1] == number(0);
   }
   bool same(const End& other) const { return codes == other.codes && values == other.values; }
 };
@@ -68,12 +72,10 @@ public:
     }
   }
   std::string write();
-  // By how much the digits of the cards miss the lengths of elements, relative to these, at worst.
-  double worst_miss() const { return worst_miss_; }
 
 private:
   void card(const std::string& text) { out_ += text + "\n"; }
-  void comment(const std::string& text) { card("C  " + text); }
+  void comment(const std::string& text) { card("! " + text); }
   bool is_curved(const BodyModel& body) const;
   int elements(size_t body) const;
   int nodes_along(const Curve& curve, int steps) const {
@@ -82,7 +84,6 @@ private:
   int geometry_nodes(size_t body) const;
   void control();
   void nodes(size_t b);
-  void measure_miss(const BodyModel& body, const Outline::Node& a, const Outline::Node& b, size_t steps);
   void conditions(size_t b);
   std::vector<End> ends(size_t b) const;
   void place_of_side(size_t b, int side, int& element, int& node) const;
@@ -95,7 +96,6 @@ private:
   const ProblemModel& m_;
   std::vector<std::vector<Curve>> curves_; // per body
   std::string out_;
-  double worst_miss_ = 0;
 };
 
 bool Writer::is_curved(const BodyModel& body) const {
@@ -119,33 +119,34 @@ int Writer::geometry_nodes(size_t b) const {
 }
 
 void Writer::control() {
-  card(formatted("%5d", static_cast<int>(m_.heading.size()) + 1));
+  card("*FREE");
+  card(std::to_string(m_.heading.size() + 1));
   for (const std::string& line : m_.heading) card(line);
   card(m_.title);
   const int bodies = static_cast<int>(m_.bodies.size());
   comment(m_.plane == 0 ? "plane strain; output" : "plane stress; output");
-  card(formatted("%5d%5d", m_.plane, bodies == 2 ? 1 : 0));
+  card(formatted("%d %d", m_.plane, bodies == 2 ? 1 : 0));
   comment("bodies, contact zones, functional nodes per element");
-  card(formatted("%5d%5d%5d", bodies, static_cast<int>(m_.zones.size()), m_.function_nodes));
+  card(formatted("%d %d %d", bodies, static_cast<int>(m_.zones.size()), m_.function_nodes));
   comment("per body: closed curves, boundary points per element, elements, boundary points");
   for (size_t b = 0; b < m_.bodies.size(); ++b)
-    card(formatted("%5d%5d%5d%5d", static_cast<int>(curves_[b].size()), is_curved(m_.bodies[b]) ? 3 : 2,
+    card(formatted("%d %d %d %d", static_cast<int>(curves_[b].size()), is_curved(m_.bodies[b]) ? 3 : 2,
                    elements(b), geometry_nodes(b)));
   comment("per curve: first and last element");
   for (const std::vector<Curve>& curves : curves_) {
     int first = 1;
     for (const Curve& curve : curves) {
-      card(formatted("%5d%5d", first, first + curve.elements - 1));
+      card(formatted("%d %d", first, first + curve.elements - 1));
       first += curve.elements;
     }
   }
   comment("per body: Young's modulus, Poisson's ratio");
-  for (const BodyModel& body : m_.bodies) card(in_10(body.youngs_modulus) + in_10(body.poisson_ratio));
+  for (const BodyModel& body : m_.bodies) card(number(body.youngs_modulus) + number(body.poisson_ratio));
   comment("coefficients of friction");
-  std::string friction = formatted("%5d ", static_cast<int>(m_.friction.size()));
+  std::string friction = std::to_string(m_.friction.size());
   for (size_t i = 0; i < m_.friction.size(); ++i) {
-    if (i > 0 && i % 7 == 0) card(friction), friction = "      ";
-    friction += in_10(std::min(m_.friction[i], 1e9));
+    if (i > 0 && i % 5 == 0) card(friction), friction.clear();
+    friction += number(std::min(m_.friction[i], 1e9));
   }
   card(friction);
 }
@@ -178,7 +179,7 @@ std::vector<Outline::Node> points_of(const Curve& curve, bool curved) {
 }
 
 bool is_between(double a, double b, double value, double fraction, double scale) {
-  return std::fabs(a + (b - a) * fraction - value) <= 1e-12 * scale;
+  return std::fabs(a + (b - a) * fraction - value) <= 1e-15 * scale;
 }
 
 // Do the points first+1 ... last-1 follow from the cards of first and last?
@@ -197,47 +198,21 @@ bool is_generated(const std::vector<Outline::Node>& p, size_t first, size_t last
   return true;
 }
 
-double as_read(double value) {
-  const std::string text = number_in(10, value);
-  double read = 0;
-  std::from_chars(text.data(), text.data() + text.size(), read);
-  return read;
-}
-
-// Where a boundary point is relative to its body's origin, by its exact numbers or by those of its card.
-Point place_of(const BodyModel& body, const Outline::Node& node, bool card) {
-  const auto of = [card](double value) { return card ? as_read(value) : value; };
-  if (!node.polar) return {of(node.at.x - body.origin.x), of(node.at.y - body.origin.y)};
-  const double angle = of(node.angle) * std::acos(-1.0) / 180.0, radius = of(node.radius);
-  return {radius * std::cos(angle), radius * std::sin(angle)};
-}
-
-void Writer::measure_miss(const BodyModel& body, const Outline::Node& a, const Outline::Node& b,
-                          size_t steps) {
-  const Point from = place_of(body, a, false), to = place_of(body, b, false);
-  const Point card_from = place_of(body, a, true), card_to = place_of(body, b, true);
-  const double length = std::hypot(to.x - from.x, to.y - from.y) / static_cast<double>(steps);
-  const double miss =
-      std::hypot((card_to.x - card_from.x) - (to.x - from.x), (card_to.y - card_from.y) - (to.y - from.y));
-  if (length > 0) worst_miss_ = std::max(worst_miss_, miss / length);
-}
-
 void Writer::nodes(size_t b) {
   const BodyModel& body = m_.bodies[b];
   comment("origin and boundary points of " + body.name);
-  card(in_10(body.origin.x) + in_10(body.origin.y));
-  int number = 1;
+  card(number(body.origin.x) + number(body.origin.y));
+  size_t first = 1;
   for (const Curve& curve : curves_[b]) {
     const auto p = points_of(curve, is_curved(body));
     for (size_t i = 0, next; i < p.size(); i = next) {
-      card((p[i].polar ? "P" : " ") + formatted("%4d ", number + static_cast<int>(i)) +
-           (p[i].polar ? in_10(p[i].radius) + in_10(p[i].angle)
-                       : in_10(p[i].at.x - body.origin.x) + in_10(p[i].at.y - body.origin.y)));
+      card((p[i].polar ? "P " : "") + std::to_string(first + i) +
+           (p[i].polar ? number(p[i].radius) + number(p[i].angle)
+                       : number(p[i].at.x - body.origin.x) + number(p[i].at.y - body.origin.y)));
       next = i + 1;
       while (next + 1 < p.size() && is_generated(p, i, next + 1)) ++next;
-      if (next < p.size()) measure_miss(body, p[i], p[next], next - i);
     }
-    number += static_cast<int>(p.size());
+    first += p.size();
   }
 }
 
@@ -264,7 +239,7 @@ End Writer::end(const Outline& region, size_t side, int element, int local) cons
   if (first) join(sides[side == 0 ? sides.size() - 1 : side - 1]);
   if (last) join(sides[side + 1 == sides.size() ? 0 : side + 1]);
   for (size_t i = 0; i < 4; ++i)
-    out.values[i] = formatted("%10s", number_in(9, values[i]).c_str()); // a blank between them
+    out.values[i] = number(values[i]);
   return out;
 }
 
@@ -306,7 +281,7 @@ void Writer::conditions(size_t b) {
   const std::vector<End> all = ends(b);
   std::vector<std::string> cards;
   const auto add = [&](const End& e, bool generated) {
-    cards.push_back(formatted("%c%4d%5d %d%d%d%d ", generated ? '1' : ' ', e.element, e.local, e.codes[0],
+    cards.push_back(formatted("%s%d %d %d%d%d%d", generated ? "1 " : "", e.element, e.local, e.codes[0],
                               e.codes[1], e.codes[2], e.codes[3]) +
                     e.values[0] + e.values[1] + e.values[2] + e.values[3]);
   };
@@ -318,10 +293,10 @@ void Writer::conditions(size_t b) {
     if (next - i > 1) add(all[next - 1], next - i > 2);
   }
   comment("conditions of " + body.name + ": element, end, codes and values of tx ty ux uy");
-  card(formatted("%5d", static_cast<int>(cards.size())));
+  card(formatted("%d", static_cast<int>(cards.size())));
   for (const std::string& text : cards) card(text);
   comment("point loads of " + body.name);
-  card("    0");
+  card("0");
 }
 
 void Writer::zones() {
@@ -334,21 +309,21 @@ void Writer::zones() {
     place_of_side(0, zone.side1, e1, n1);
     place_of_side(1, zone.side2, e2, n2);
     comment("contact zone: bodies, pairs, elements; its elements; its nodes");
-    card(formatted("    1    2%5d%5d", n * f + 1, n));
-    card(formatted("%5d%5d%5d%5d", e1, e1 + n - 1, e2 + n - 1, e2));
-    card(formatted("%5d%5d%5d%5d", n1, n1 + n * f, n2 + n * f, n2));
+    card(formatted("1 2 %d %d", n * f + 1, n));
+    card(formatted("%d %d %d %d", e1, e1 + n - 1, e2 + n - 1, e2));
+    card(formatted("%d %d %d %d", n1, n1 + n * f, n2 + n * f, n2));
     elements_in_contact += n;
     pairs += n * f + 1;
   }
   comment("per body: nodes and elements in contact");
   for (size_t body = 0; body < m_.bodies.size(); ++body)
-    card(formatted("%5d%5d", pairs, elements_in_contact));
+    card(formatted("%d %d", pairs, elements_in_contact));
 }
 
 void Writer::loads() {
   comment("load cards, limit of iterations; increments and load factor at their end");
-  card(formatted("%5d%5d", static_cast<int>(m_.loads.size()), 50));
-  for (const Load& load : m_.loads) card(formatted("%5d ", load.increments) + in_10(load.factor));
+  card(formatted("%d %d", static_cast<int>(m_.loads.size()), 50));
+  for (const Load& load : m_.loads) card(std::to_string(load.increments) + number(load.factor));
 }
 
 // The card of coefficients has no word for adhesion; a keyword card has.
@@ -358,7 +333,7 @@ void Writer::adhesion() {
   card("*FRICTION");
   for (size_t zone = 1; zone <= m_.zones.size(); ++zone) {
     std::string text = std::to_string(zone);
-    for (const double mu : m_.friction) text += std::isinf(mu) ? " INF" : " " + number_in(16, mu);
+    for (const double mu : m_.friction) text += std::isinf(mu) ? " INF" : number(mu);
     card(text);
   }
 }
@@ -370,7 +345,7 @@ void Writer::symmetry() {
       for (const Outline::Side& side : region.sides()) {
         if (side.axis == 0 || told[side.axis - 'X']) continue;
         const Point at = region.nodes()[static_cast<size_t>(side.first)].at;
-        card(formatted("*SYMMETRY %c ", side.axis) + number_in(16, side.axis == 'X' ? at.x : at.y));
+        card(formatted("*SYMMETRY %c", side.axis) + number(side.axis == 'X' ? at.x : at.y));
         told[side.axis - 'X'] = true;
       }
 }
@@ -389,50 +364,6 @@ std::string Writer::write() {
 
 } // namespace
 
-namespace {
-
-// With a point in every locale.
-std::string digits_of(double value, std::chars_format format, int digits) {
-  char text[400];
-  return std::string(text, std::to_chars(text, text + sizeof text, value, format, digits).ptr);
-}
-
-} // namespace
-
-// As few digits as tell the number; plain rather than with an exponent where both are as near.
-std::string number_in(int columns, double value) {
-  if (value == 0) return "0.0";
-  std::string best;
-  double error = HUGE_VAL;
-  const auto consider = [&](const std::string& text) {
-    if (text.size() > static_cast<size_t>(columns)) return;
-    double read = 0;
-    std::from_chars(text.data(), text.data() + text.size(), read);
-    const double now = std::fabs(read - value);
-    if (now < error) error = now, best = text;
-  };
-  for (int digits = 1; digits < columns; ++digits) {
-    const std::string text = digits_of(value, std::chars_format::fixed, digits);
-    consider(text);
-    if (text.compare(0, 2, "0.") == 0) consider(text.substr(1));
-    if (text.compare(0, 3, "-0.") == 0) consider("-" + text.substr(2));
-  }
-  for (int digits = 0; digits <= 8; ++digits) { // 1.2345E-06 as 1.2345E-6
-    const std::string text = digits_of(value, std::chars_format::scientific, digits);
-    const size_t e = text.find('e');
-    size_t power = e + 2;
-    while (power + 1 < text.size() && text[power] == '0') ++power;
-    consider(text.substr(0, e) + (digits == 0 ? "." : "") + "E" + (text[e + 1] == '-' ? "-" : "") +
-             text.substr(power));
-  }
-  return best;
-}
-
-bool write_deck(const ProblemModel& model, std::string& deck) {
-  constexpr double kMostMiss = 0.1; // half of it changes the peak of a flat Hertzian contact by 1e-4
-  Writer writer(model);
-  deck = writer.write();
-  return writer.worst_miss() <= kMostMiss;
-}
+std::string write_deck(const ProblemModel& model) { return Writer(model).write(); }
 
 } // namespace families

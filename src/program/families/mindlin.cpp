@@ -2,6 +2,7 @@
 #include "program/families/family.hpp"
 #include "program/families/shapes.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace families {
@@ -23,6 +24,36 @@ std::string move_flank(const Outline& body, size_t side, double ux) {
          " 0  0.0 0.0 " + show(ux) + " 0.0";
 }
 
+// Elements of about a/n in the middle; near the edge so small that six lie in the zone that slips at Q, half the contact
+// less the half width sqrt(1 - Q) that sticks; the edge is in the middle of one. In between, and outside, they grow.
+std::vector<ZoneRun> zone_runs(double a, int n, double Q) {
+  constexpr double kGrowth = 1.4;
+  const double coarse = a / (n - 0.5), slip = a * (1 - std::sqrt(1 - Q)), fine = std::min(coarse, slip / 6);
+  const double outside = (n + 3) / 4 * coarse;
+  if (1.2 * slip + 2 * coarse > a) { // slip nearly everywhere: equal elements
+    const int count = std::max(n, static_cast<int>(std::ceil(a / fine + 0.5)));
+    return {{a / (count - 0.5), count + (count + 3) / 4 + 1}};
+  }
+  if (fine == coarse) return {{coarse, n + (n + 3) / 4 + 1}};
+  std::vector<ZoneRun> inwards;
+  const int edge = static_cast<int>(std::ceil(1.2 * slip / fine));
+  double rest = a + 0.5 * fine - (edge + 1) * fine;
+  for (double size = fine * kGrowth; size < coarse && rest > size + coarse; size *= kGrowth) {
+    inwards.push_back({size, 1});
+    rest -= size;
+  }
+  const int equal = std::max(1, static_cast<int>(std::round(rest / coarse)));
+  std::vector<ZoneRun> out{{rest / equal, equal}};
+  out.insert(out.end(), inwards.rbegin(), inwards.rend());
+  out.push_back({fine, edge + 4});
+  double beyond = 3.5 * fine;
+  for (double size = fine * kGrowth; beyond < outside; size = std::min(coarse, size * kGrowth)) {
+    out.push_back({size, 1});
+    beyond += size;
+  }
+  return out;
+}
+
 ProblemModel build(const Values& v) {
   const double radius = v.number("R"), a = v.number("a"), size = v.number("L") * a, ratio = v.number("ratio");
   const double E = v.number("E"), nu = v.number("nu"), mu = v.number("mu"), Q = v.number("Q");
@@ -33,8 +64,7 @@ ProblemModel build(const Values& v) {
   const int n = v.count("n"), steps = v.count("steps");
   const double pi = std::acos(-1.0), compliance = 2 * (1 - nu * nu) / E;
   const double load = pi * a * a / (4 * radius * compliance);
-  const int elements = n + (n + 3) / 4 + 1;
-  const std::vector<double> zone = cylinder_zone(radius, {{a / (n - 0.5), elements}});
+  const std::vector<double> zone = cylinder_zone(radius, zone_runs(a, n, Q));
 
   // How far the flanks move for Q mu P: logarithmic in the sizes, as half planes are; the constant is what
   // the shear of block and cylinder and the slip were found to add.
@@ -82,7 +112,7 @@ Family mindlin_family() {
            {"a", Kind::kPositive, "1", "half width of the contact; gives P"},
            {"E", Kind::kPositive, "1000", "Young's modulus of both"},
            {"nu", Kind::kPoisson, "0.3", "Poisson's ratio of both"},
-           {"n", Kind::kCount, "20", "elements over a"},
+           {"n", Kind::kCount, "20", "elements over a, were they equal; six at least in what slips at Q"},
            {"L", Kind::kPositive, "200", "half width and depth of the block, over a"},
            {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the contact"},
            {"order", Kind::kOrder, "1", "of the functions: 1 linear, 2 quadratic, 3 cubic"}},

@@ -38,12 +38,8 @@ struct ProblemModel {
   std::vector<std::string> keywords; // cards behind the load cards
 };
 
-// The deck in fixed columns. Geometry is that of straight elements between the nodes, or of arcs through an
-// added middle node where function_nodes > 2 and a region has arcs. False: the ten columns of a number cannot
-// tell its boundary points apart, to a tenth of an element's length.
-bool write_deck(const ProblemModel& model, std::string& deck);
-
-// A number in at most `columns` columns, as near as can be.
-std::string number_in(int columns, double value);
+// The deck in the free form. Geometry is that of straight elements between the nodes, or of arcs through an added middle
+// node where function_nodes > 2 and a region has arcs.
+std::string write_deck(const ProblemModel& model);
 
 } // namespace families

@@ -67,7 +67,7 @@ std::vector<double> cylinder_zone(double radius, const std::vector<ZoneRun>& run
   double from = 0, reached = 0;
   for (const ZoneRun& run : runs) {
     reached += run.size * run.elements;
-    const double to = std::round(std::asin(reached / radius) * kDegrees * 1e6) * 1e-6;
+    const double to = std::asin(reached / radius) * kDegrees;
     for (int i = 1; i <= run.elements; ++i)
       out.push_back(radius * std::sin((from + (to - from) * i / run.elements) / kDegrees));
     from = to;

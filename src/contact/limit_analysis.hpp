@@ -1,0 +1,18 @@
+#pragma once
+// Is there an equilibrium at all? Limit analysis of the body that the contact has to hold.
+#include "contact/path.hpp"
+
+namespace c2d {
+
+// The contact's forces can balance the rates of the loads only if these lie in the cone of what the pairs can do to each
+// free motion of the body: both directions of p and q of a pair that sticks within its bounds, one side of a pair on the
+// cone, |q| <= mu p, p >= 0 of a pair at the apex. That is a linear programme of as many equations as there are free motions.
+// Where it has no solution, its dual is a motion of the body on which the loads do work and which no force of a pair
+// opposes: proof that there are no rates, whatever the bodies' compliance. *outcome: C2D_GROSS_SLIDING if with unbounded
+// friction there is a solution, else C2D_TIPPING if the contact takes part of the load, else C2D_FREE_MOTION. Where the
+// programme has a solution: C2D_UNDECIDED unless `all_tried`; then there are no rates all the same (friction is no associated
+// law): C2D_GROSS_SLIDING of a body that the contact holds, C2D_NO_ADMISSIBLE_CHANGE of one that is supported. Errors: the
+// block store's.
+c2d_status limit_analysis(Follower& f, bool all_tried, c2d_outcome* outcome);
+
+} // namespace c2d

@@ -1,0 +1,58 @@
+#pragma once
+// The surfaces that elements stand for: one curve for gaps, normals and the points that face each other, in zones of pairs
+// and in free zones. Elements only sample it: displacements and tractions live on them, as ever.
+//
+// Elements of three and four boundary points are their own curve, bent by a polynomial of the fourth or fifth degree that
+// vanishes at these points, so that neighbours have one tangent, which lies between theirs; not where they meet at more
+// than a tenth of the angle by which either turns.
+//
+// Between two boundary points the curve is the conic with given tangents there whose weight is the cosine of their mean
+// angle with the chord, a0 and a1:
+//   (x, y) = (w 2s(1-s) (q, h) + s^2 (1, 0)) / (1 - 2 (1-w) s(1-s)),  w = cos((a0+a1)/2),
+//   q = tan a1 / (tan a0 + tan a1),  h = q tan a0,
+// in lengths of the chord; a circle where the angles are equal, the chord where they have unlike signs or one is zero. So
+// it bends to one side only. The angles follow from up to three boundary points more on either side. The circle through
+// three of them has a tangent that is wrong by k' b c / 6, b and c the distances to the other two; k' is taken from the
+// curvatures of two neighbouring threes. Four such pairs hold the point, two across it and one on either side; they are
+// weighted with the inverse fourth power of k', so that one across a kink or a jump of curvature counts nothing beside one
+// that ends there. The tangent may differ on either side of a point where the curve has a kink; where the two differ by
+// less than a tenth of the turn of the chords, or such that the curve would bend back, they are one.
+//
+// Points on a circle give this circle. On a curve whose curvature varies smoothly and keeps its sign the error is of the
+// fourth order in the chord's length L, with points of inflection of the third. Where the curvature jumps at a boundary
+// point nothing is lost; elsewhere within an element it costs up to half of L^2/8 times the jump there, a quarter in its
+// neighbours. Where the chords bend to one side, so does the curve. A turn of more than 38 degrees is a corner of the body:
+// nothing is concluded across it. At a line of symmetry the curve goes on as its own image.
+//
+// Where the model tells what the surface is (Curve: a line, an arc, a spline), it is that, and its ends are corners. A
+// spline takes the two rows across a point alone.
+#include "model/model.hpp"
+
+namespace c2d {
+
+// A point of the surface and the unit normal out of the body there, of this element at its ends.
+struct SurfacePoint {
+  double x, y, nx, ny;
+};
+// The surface over one element.
+struct SurfaceElement {
+  int32_t nodes;
+  double x[4], y[4];
+  double bend[2]; // two boundary points: tan a0, tan a1; more: the turns of the tangent at either end
+  double weight;  // of the conic
+  double length;  // of curved elements
+  double centre[2], radius; // of an arc that is told; 0: none is
+  double doubt;   // how far the curve may be off between the boundary points, as far as these tell
+};
+SurfaceElement surface_element(const Model& m, int b, int32_t element);
+SurfacePoint surface_point(const SurfaceElement& element, double eta);
+SurfacePoint surface_point(const Model& m, int b, int32_t element, double eta);
+
+// The normal of the pairs of a zone is part n1 - (1 - part) n2, n1 and n2 the outward normals of the two surfaces. With
+// part = k2 / (k1 + k2) and the curvatures k it is, about the point where two circles touch, the one direction along which
+// half plane theory measures gaps and pressures: the flat's normal where a cylinder meets a flat, whichever body is first
+// and however stiff. k is the mean over the body's side of the zone, counted where it is convex: in a hole the normals are
+// the hole's. One half where both are flat.
+double find_normal_part(const Model& m, const Zone& z);
+
+} // namespace c2d

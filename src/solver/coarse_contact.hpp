@@ -1,0 +1,17 @@
+#pragma once
+// Is the mesh fine enough for the contact that came out? At an edge where a zone goes on the pressure rises from zero to its
+// first highest value; fewer than kFewElements on that way, and a single element decides where the edge lies and how high
+// the pressure is. The same for the zone that slips behind such an edge, and for one that sticks between two that slip.
+// Edges at a corner, where the zone ends, are no matter of this.
+#include "memory/text.hpp"
+#include "solver/session.hpp"
+
+namespace c2d {
+
+constexpr int32_t kFewElements = 4;
+
+// Appends what is too coarse, and by how much it may be off; zones and pairs from 0. False: nothing is. Zones of stick and
+// slip are small wherever they begin: they are looked at where `at_peak` says that the loads are at their largest.
+bool tell_coarse_contact(const Session& session, bool at_peak, Text& out, int32_t* zone, int32_t* pair);
+
+} // namespace c2d

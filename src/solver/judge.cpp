@@ -1,0 +1,409 @@
+#include "solver/judge.hpp"
+
+#include <math.h>
+
+#include "bie/columns.hpp"
+#include "contact/start.hpp"
+#include "memory/optional.hpp"
+#include "memory/text.hpp"
+#include "solver/energy.hpp"
+
+namespace c2d {
+
+C2D_OPTIONAL(energy_book);
+
+namespace {
+
+double larger(double a, double b) { return a > b ? a : b; }
+
+const double* free_motion(const Session& session, int32_t j) {
+  return session.model.head->body[session.free_body.body].free_motion[j];
+}
+
+// Array kJudge.
+struct Book {
+  Real* stick;                                        // v.T [m]
+  double* stick_load;                                 // v.b [cases]
+  Real *equation_w, *equation_tau;                    // v.B, v.M [m]
+  double* equation_load;                              // v.h [cases]
+  Real* moment;                                       // [m] of tau = 1 on the free body about its centre
+  double* load_size;                                  // [cases] sum of the magnitudes of what it prescribes
+  double* load_work;                                  // [3 * cases] its work on each free motion
+  double *load, *work;                                // [cases] of the good state
+};
+
+Book book_of(c2d_solver* s) {
+  Book book{};
+  double* at = array_of<double>(s, kJudge);
+  double** const of_cases[] = {&book.stick_load, &book.equation_load, &book.load, &book.work, &book.load_size,
+                               &book.load_work};
+  for (double** list : of_cases) {
+    *list = at;
+    at += (list == &book.load_work ? 3 : 1) * static_cast<int64_t>(s->model.load_cases);
+  }
+  Real* number = reinterpret_cast<Real*>(at);
+  Real** const of_unknowns[] = {&book.stick, &book.equation_w, &book.equation_tau, &book.moment};
+  for (Real** list : of_unknowns) {
+    *list = number;
+    number += s->model.contact;
+  }
+  return book;
+}
+
+template <class Number>
+c2d_status project(const Session& session, ContactMatrix matrix, int32_t columns, Number* out) {
+  const int32_t m = session.model.head->contact;
+  for (int32_t j = 0; j < columns; ++j) {
+    const c2d_status status = read_column(session.tape, matrix, j, session.area.column);
+    if (status != C2D_OK) return status;
+    double sum = 0.0;
+    for (int32_t i = 0; i < m; ++i) sum += sign_of(i) * static_cast<double>(session.area.column[i]);
+    out[j] = static_cast<Number>(sum);
+  }
+  return C2D_OK;
+}
+
+// The direction of one of a pair's forces on the free body.
+void force_direction(const Session& session, const Pair& pair, int32_t d, double out[2]) {
+  const double side = session.free_body.body == 1 ? 1.0 : -1.0;
+  out[0] = side * (d == 0 ? pair.nx : pair.ny);
+  out[1] = side * (d == 0 ? pair.ny : -pair.nx);
+}
+
+void find_moments(const Session& session, Real* moment) {
+  const Model& m = session.model;
+  const int b = session.free_body.body;
+  const double unit = m.head->length_unit, cx = m.head->body[b].centre[0] / unit, cy = m.head->body[b].centre[1] / unit;
+  for (int32_t j = 0; j < m.head->contact; ++j) moment[j] = 0;
+  for (int32_t element = 0; element < m.head->body[b].elements; ++element) {
+    int32_t zone, place;
+    if (!find_contact_element(m, b, element, &zone, &place) || !is_integrated(m, b, element)) continue;
+    EndResultant weight[4];
+    end_resultants(m, b, element, Measure::contact, weight);
+    for (int l = 0; l < m.head->function_nodes; ++l) {
+      const int32_t index = pair_of_end(m, b, element, l);
+      if (index < 0) continue;
+      const Pair& pair = m.pair[index];
+      for (int32_t d = 0; d <= pair.tangential; ++d) {
+        double direction[2];
+        force_direction(session, pair, d, direction);
+        const EndResultant& w = weight[l];
+        moment[pair.dof + d] += static_cast<Real>((w.wx - cx * w.w) * direction[1] - (w.wy - cy * w.w) * direction[0]);
+      }
+    }
+  }
+}
+
+void find_load_work(Session& session, const Book& book) {
+  const int32_t cases = session.model.head->load_cases;
+  for (int32_t k = 0; k < cases; ++k) book.work[k] = 0.0;
+  for (int32_t k = 0; k < cases; ++k) {
+    book.work[k] = 1.0; // as a direction, one case after another
+    book.load_size[k] = 0.0;
+    for (int32_t j = 0; j < session.free_body.motions; ++j)
+      book.load_work[3 * k + j] = load_work(session, book.work, free_motion(session, j), &book.load_size[k]);
+    book.work[k] = 0.0;
+  }
+}
+
+} // namespace
+
+c2d_status build_judge(c2d_solver* s) {
+  if (s->model.contact == 0) return C2D_OK;
+  Session session;
+  open_session(s, session);
+  const Book book = book_of(s);
+  const int32_t m = s->model.contact, cases = s->model.load_cases;
+  const bool first = s->inverted == 0;
+  c2d_status status = project(session, ContactMatrix::stiffness, m, book.stick);
+  if (status == C2D_OK) status = project(session, ContactMatrix::stiffness_load, cases, book.stick_load);
+  if (status == C2D_OK)
+    status = project(session, first ? ContactMatrix::displacement2 : ContactMatrix::displacement1, m, book.equation_w);
+  if (status == C2D_OK) status = project(session, ContactMatrix::compliance, m, book.equation_tau);
+  if (status == C2D_OK) status = project(session, ContactMatrix::closing, cases, book.equation_load);
+  find_moments(session, book.moment);
+  find_load_work(session, book);
+  return status;
+}
+
+namespace {
+
+// ---- the state kept ---------------------------------------------------------------------------------------------------
+
+void keep_good(Session& session) {
+  c2d_solver* s = session.solver;
+  const Follower& f = session.follower;
+  const Book book = book_of(s);
+  for (int32_t k = 0; k < s->model.load_cases; ++k) {
+    book.load[k] = f.load[k];
+    if (s->keeps_energy) book.work[k] = energy_book(s).work[k];
+  }
+  for (int32_t i = 0; i < s->model.pairs; ++i) {
+    Pair& pair = session.model.pair[i];
+    pair.good_status = pair.status;
+    pair.good_sign = pair.sign;
+    pair.good_offset = pair.offset;
+    pair.good_slip_done = pair.slip_done;
+    pair.good_slip_from = pair.slip_from;
+  }
+  for (int32_t i = 0; i < s->model.contact; ++i) session.area.good[i] = f.y[i];
+  s->good_floating = s->floating;
+  s->good_dissipated = s->dissipated;
+  s->good_least_dissipation = s->least_dissipation;
+}
+
+c2d_status rebuild(Session& session) {
+  Follower& f = session.follower;
+  const int32_t last_pair = f.last_pair;
+  const c2d_status status = build_tableau(session.tableau, session.tape, &f.last_pair);
+  if (status != C2D_OK) return status;
+  f.last_pair = last_pair;
+  session.solver->built_exchanges = session.tableau.exchanges;
+  refresh(f);
+  return C2D_OK;
+}
+
+// ---- what is judged ---------------------------------------------------------------------------------------------------
+
+struct Sum {
+  double value, size;
+  void add(double term) {
+    value += term;
+    size += fabs(term);
+  }
+  double over(double least) const {
+    const double by = larger(size, least);
+    return by > 0.0 ? fabs(value) / by : 0.0;
+  }
+};
+
+// Sums over everything, from one walk over the pairs.
+struct State {
+  Sum tableau, rates, equations;  // of the tableau: values, and rates of the whole piece of the path
+  double resultant[3];            // of the contact on the free body: force, and moment about its centre
+  double force;                   // magnitude of all forces, or of what the piece adds
+  double p, w;                    // largest pressure or friction (likewise), largest gap or motion
+  double tension, overlap, slide; // largest of each; slide: friction beyond its bound, over 1 + mu
+  double dw, back;                // largest rate of a motion, of a slip along its friction
+};
+
+void add_pair(const Session& session, const Book& book, const Pair& pair, const PairState& now, const PairState& rate,
+              State& out) {
+  const double tau[2] = {now.p, now.q}, tau_rate[2] = {rate.p, rate.q};
+  const double motion[2] = {now.wn - pair.gap / session.tableau.length_unit, now.wt}, motion_rate[2] = {rate.wn, rate.wt};
+  for (int32_t d = 0; d <= pair.tangential; ++d) {
+    const int32_t j = pair.dof + d;
+    const double sign = sign_of(j), stick = book.stick[j], size = larger(fabs(tau[d]), fabs(tau_rate[d]));
+    out.tableau.add(sign * tau[d]);
+    out.tableau.add(-stick * motion[d]);
+    out.rates.add(sign * tau_rate[d]);
+    out.rates.add(-stick * motion_rate[d]);
+    out.equations.add(book.equation_w[j] * motion[d]);
+    out.equations.add(-book.equation_tau[j] * tau[d]);
+    out.force += pair.weight * size;
+    out.p = larger(out.p, size);
+    out.resultant[2] += tau[d] * book.moment[j];
+  }
+  const double p = pair.weight * now.p, q = pair.tangential ? pair.weight * now.q : 0.0;
+  out.resultant[0] += p * pair.nx + q * pair.ny;
+  out.resultant[1] += p * pair.ny - q * pair.nx;
+  out.w = larger(out.w, larger(fabs(now.wn), fabs(now.wt)));
+  out.overlap = larger(out.overlap, -now.wn);
+  out.tension = larger(out.tension, -now.p);
+  out.dw = larger(out.dw, larger(fabs(rate.wn), fabs(rate.wt)));
+  if (pair.status == C2D_SLIP && pair.tangential && pair.mu > 0.0) out.back = larger(out.back, pair.sign * rate.wt);
+  if (pair.status == C2D_STICK && pair.tangential && pair.mu <= 1e300)
+    out.slide = larger(out.slide, (fabs(now.q) - pair.mu * now.p) / (1.0 + pair.mu));
+}
+
+State sum_up(const Session& session, const Book& book) {
+  const Follower& f = session.follower;
+  State out{};
+  out.w = f.gap_scale;
+  for (int32_t i = 0; i < f.t->pairs; ++i)
+    add_pair(session, book, f.t->pair[i], pair_state(*f.t, i, f.y), pair_rates(*f.t, i, f.dy), out);
+  const double unit = session.model.head->length_unit * session.model.head->stress_unit;
+  const double side = session.free_body.body == 1 ? unit : -unit;
+  double loads = 0.0;
+  for (int32_t k = 0; k < f.t->cases; ++k) {
+    out.tableau.add(-book.stick_load[k] * f.load[k]);
+    out.rates.add(-book.stick_load[k] * f.direction[k]);
+    out.equations.add(-book.equation_load[k] * f.load[k]);
+    loads += larger(fabs(f.load[k]), fabs(f.direction[k])) * book.load_size[k];
+  }
+  for (int i = 0; i < 3; ++i) out.resultant[i] *= i < 2 ? side : unit;
+  out.force = larger(unit * out.force, loads);
+  return out;
+}
+
+// Work of contact and loads on the j-th free motion.
+double imbalance(const Session& session, const Book& book, const State& state, int32_t j) {
+  const double* motion = free_motion(session, j);
+  double sum = 0.0;
+  for (int i = 0; i < 3; ++i) sum += state.resultant[i] * motion[i];
+  for (int32_t k = 0; k < session.tableau.cases; ++k) sum += session.follower.load[k] * book.load_work[3 * k + j];
+  return fabs(sum);
+}
+
+struct Findings {
+  double drift;              // of the tableau
+  double size[C2D_BREACHES]; // by C2D_BREACH_...
+};
+
+Findings look(Session& session, Agree with) {
+  c2d_solver* s = session.solver;
+  const Book book = book_of(s);
+  const State state = sum_up(session, book);
+  Findings out{};
+  // What is there at no load is the round-off of what was, or of what this piece of the path adds.
+  constexpr double kUnloaded = 1e-3;
+  s->peak_terms[0] = larger(s->peak_terms[0], larger(state.tableau.size, state.rates.size));
+  s->peak_terms[1] = larger(s->peak_terms[1], state.equations.size);
+  s->peak_force = larger(s->peak_force, state.force);
+  out.drift = larger(state.tableau.over(kUnloaded * s->peak_terms[0]), state.rates.over(0.0));
+  out.size[C2D_BREACH_TABLEAU] = out.drift;
+  // At no load at all there is nothing to compare with: the tableau's own residual sees that.
+  if (state.tableau.size > kUnloaded * s->peak_terms[0])
+    out.size[C2D_BREACH_EQUATIONS] = state.equations.over(kUnloaded * s->peak_terms[1]);
+  // In free zones the moment on body 1 is that of tractions handed over, not of the pairs. A body that may turn about a support
+  // has a reaction there, whose line of action is its element's, not the node's.
+  const bool moments_differ = (session.free_body.body == 0 && s->model.free_rows > 0) || session.free_body.motions < 3;
+  for (int32_t j = 0; j < session.free_body.motions && s->peak_force > 0.0; ++j)
+    if (!moments_differ || free_motion(session, j)[2] == 0.0)
+      out.size[C2D_BREACH_BALANCE] = larger(out.size[C2D_BREACH_BALANCE], imbalance(session, book, state, j) / s->peak_force);
+  if (with == Agree::nothing) return out;
+  const double p = larger(state.p, s->peak_pressure), stiffness = session.tableau.stiffness;
+  const double w = stiffness > 0.0 ? larger(state.w, p / stiffness) : state.w;
+  out.size[C2D_BREACH_SIGN] = larger(p > 0.0 ? state.tension / p : 0.0, w > 0.0 ? state.overlap / w : 0.0);
+  out.size[C2D_BREACH_CONE] = p > 0.0 ? state.slide / p : 0.0;
+  if (with == Agree::rates && state.dw > 0.0) out.size[C2D_BREACH_SLIP] = state.back / state.dw;
+  return out;
+}
+
+double limit_of(int32_t breach) {
+  return breach == C2D_BREACH_BALANCE ? kBalanceLimit : breach < C2D_BREACH_BALANCE ? kResidualLimit : kSignLimit;
+}
+
+// The first limit that is exceeded, C2D_BREACH_NONE if none is; a number that is no number exceeds all.
+int32_t breach_in(const Findings& now) {
+  for (int32_t i = C2D_BREACH_NONE + 1; i < C2D_BREACHES; ++i)
+    if (!(now.size[i] <= limit_of(i))) return i;
+  return C2D_BREACH_NONE;
+}
+
+c2d_status note_breach(c2d_solver* s, int32_t breach, double size) {
+  s->breach = breach;
+  s->breach_size = size;
+  return kUnsound;
+}
+
+bool has_drifted(const c2d_solver* s, const Findings& now) {
+  return !(now.drift <= kDriftLimit) && !(now.drift <= 10.0 * s->fresh_drift);
+}
+
+bool is_judged(const c2d_solver* s) {
+  return s->model.contact > 0 && s->floating == 0 && s->blocked == 0 && s->unsound == 0;
+}
+
+} // namespace
+
+void begin_judging(Session& session) {
+  c2d_solver* s = session.solver;
+  s->unsound = s->careful = 0;
+  s->breach = C2D_BREACH_NONE;
+  s->breach_size = s->peak_force = s->peak_terms[0] = s->peak_terms[1] = s->fresh_drift = 0.0;
+  s->built_exchanges = s->judged_exchanges = session.tableau.exchanges;
+  if (s->model.contact > 0) keep_good(session);
+}
+
+namespace {
+
+// A new tableau, and the statuses that go with its rates: once more where that has spoilt it again.
+c2d_status mend(Session& session, Agree with, Findings& now) {
+  c2d_solver* s = session.solver;
+  constexpr int kRounds = 4;
+  for (int round = 0; round < kRounds; ++round) {
+    const c2d_status status = rebuild(session);
+    if (status == C2D_ERR_SINGULAR) return note_breach(s, C2D_BREACH_SINGULAR, 0.0);
+    if (status != C2D_OK) return status;
+    ++s->rebuilds;
+    now = look(session, with);
+    s->fresh_drift = now.drift;
+    if (with != Agree::rates) return C2D_OK;
+    c2d_outcome outcome = C2D_REACHED;
+    const c2d_status settled = settle(session.follower, &outcome);
+    if (settled != C2D_OK || outcome != C2D_REACHED) return settled;
+    now = look(session, with);
+    if (session.tableau.exchanges == s->built_exchanges || !has_drifted(s, now)) return C2D_OK;
+  }
+  return C2D_OK;
+}
+
+} // namespace
+
+c2d_status judge(Session& session, Agree with) {
+  c2d_solver* s = session.solver;
+  if (!is_judged(s)) return C2D_OK;
+  s->judged_exchanges = session.tableau.exchanges;
+  Findings now = look(session, with);
+  const bool changed = session.tableau.exchanges != s->built_exchanges;
+  if (changed && (has_drifted(s, now) || s->careful != 0 || breach_in(now) != C2D_BREACH_NONE)) {
+    // Statuses may have been decided on wrong numbers.
+    if (!(now.drift <= kRepeatLimit) && s->careful == 0) return note_breach(s, C2D_BREACH_TABLEAU, now.drift);
+    const c2d_status status = mend(session, with, now);
+    if (status != C2D_OK) return status;
+  }
+  const int32_t breach = breach_in(now);
+  if (breach != C2D_BREACH_NONE) return note_breach(s, breach, now.size[breach]);
+  s->max_residual = larger(s->max_residual, now.size[C2D_BREACH_EQUATIONS]);
+  if (with != Agree::nothing) keep_good(session);
+  return C2D_OK;
+}
+
+c2d_status return_to_good(Session& session) {
+  c2d_solver* s = session.solver;
+  Follower& f = session.follower;
+  const Book book = book_of(s);
+  for (int32_t k = 0; k < s->model.load_cases; ++k) {
+    f.load[k] = book.load[k];
+    if (s->keeps_energy) energy_book(s).work[k] = book.work[k];
+  }
+  for (int32_t i = 0; i < s->model.pairs; ++i) {
+    Pair& pair = session.model.pair[i];
+    pair.status = pair.good_status;
+    pair.sign = pair.good_sign;
+    pair.offset = pair.good_offset;
+    pair.slip_done = pair.good_slip_done;
+    pair.slip_from = pair.good_slip_from;
+    pair.weak = 0;
+  }
+  s->floating = s->good_floating;
+  s->dissipated = s->good_dissipated;
+  s->least_dissipation = s->good_least_dissipation;
+  if (s->floating != 0) return C2D_OK;
+  const c2d_status status = rebuild(session);
+  if (status != C2D_ERR_SINGULAR) return status;
+  for (int32_t i = 0; i < s->model.contact; ++i) f.y[i] = session.area.good[i];
+  for (int32_t i = 0; i < s->model.contact; ++i) f.dy[i] = 0;
+  s->unsound = 1;
+  return status;
+}
+
+void tell_breach(c2d_solver* s) {
+  constexpr const char* kWhat[] = {"", "the residual of the contact tableau", "the residual of the contact equations",
+                                   "the balance of forces of the free body", "a pressure or a gap below zero",
+                                   "friction above its bound", "slip along its friction"};
+  c2d_error e = blank_error();
+  e.status = C2D_WARN_RESIDUAL;
+  e.severity = C2D_WARNING;
+  e.load = array_of<double>(s, kLoads)[0];
+  Text text = text_in(e.text);
+  if (s->breach == C2D_BREACH_SINGULAR)
+    put_all(text, "the path ends at load factor ", e.load, ": beyond it the contact equations have no unique solution");
+  else
+    put_all(text, "the path ends at load factor ", e.load, ": beyond it ", kWhat[s->breach], " is ", s->breach_size,
+            " of the largest, also with a new tableau");
+  report_fault(s, e);
+}
+
+} // namespace c2d

@@ -1,0 +1,22 @@
+#pragma once
+// A random model: what bodies, how they meet, how they are held, how they are loaded. The seed tells all of it.
+#include "../problem.hpp"
+
+#include <cstdint>
+#include <string>
+
+namespace random_decks {
+
+struct Model {
+  problem::Problem problem;
+  std::string title;      // kind and seed
+  bool same_surfaces = false; // both bodies have the same points in contact: they may be exchanged
+  bool any_angle = false; // no condition holds a single component
+  bool proportional = false;  // everything touches without load, and the first load card is of one case
+};
+
+Model generate(uint64_t seed);
+// Few pairs, all of which touch at zero load, friction up to 3: every set of statuses can be tried.
+Model generate_few_pairs(uint64_t seed);
+
+} // namespace random_decks

@@ -1,0 +1,16 @@
+# make random N=1000 SEED=1: random decks, judged (tests/random/judge.hpp). Those that fail are left in build/random, each
+# named after its seed. KIND=few: few pairs, all their statuses tried. KIND=punch: the 84 punches of Spence.
+.PHONY: random
+N ?= 1000
+SEED ?= 1
+KIND ?= any
+RANDOM_SOURCES := $(wildcard tests/random/*.cpp)
+RANDOM_OBJECTS := $(patsubst tests/random/%.cpp,$(BUILD)/tests/random_%.o,$(RANDOM_SOURCES))
+RANDOM_JUDGE := $(filter-out %/random_main.o,$(RANDOM_OBJECTS))
+$(BUILD)/tests/random_%.o: tests/random/%.cpp $(BUILD)/flags Makefile
+	$(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(EXACT) $(TEST_DEFINES) $(DEPS) -c $< -o $@
+$(BUILD)/tests/run_random: $(RANDOM_OBJECTS) $(BUILD)/tests/problem.o $(FAMILY_OBJECTS) $(LIBRARY)
+	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm -pthread
+random: $(BUILD)/tests/run_random
+	@mkdir -p $(BUILD)/random
+	@$(BUILD)/tests/run_random $(N) $(SEED) $(BUILD)/random $(KIND)

@@ -1,0 +1,292 @@
+// The rate problem on tableaux made by hand: cells, all sets of them, the piecewise linear path; and decks whose states are
+// hard (tests/data/hard).
+#include "contact/rate_problem.hpp"
+#include "json.hpp"
+#include "shell.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <random>
+
+using namespace c2d;
+
+namespace {
+
+size_t sized(int count) { return static_cast<size_t>(count); }
+
+// Pairs without pressure and without gap, all sticking: (p, q) = K (w_n, w_t) + b.
+class Problem {
+public:
+  explicit Problem(int pairs, double mu)
+      : m_(2 * pairs), t_(sized(m_ * (m_ + 2))), pair_(sized(pairs)), rates_(sized(m_)) {
+    area_.resize(rate_problem_bytes(m_) / sizeof(double) + 8);
+    lists_.resize(pair_.size() * kRateListBytes / sizeof(double) + 1);
+    for (int i = 0; i < pairs; ++i) {
+      pair_[sized(i)].dof = 2 * i;
+      pair_[sized(i)].tangential = 1;
+      pair_[sized(i)].status = C2D_STICK;
+      pair_[sized(i)].mu = mu;
+      pair_[sized(i)].stiffness[0] = pair_[sized(i)].stiffness[1] = 1.0;
+    }
+  }
+  double& stiffness(int i, int j) { return t_[sized(j * m_ + i)]; }
+  double& rate(int i) { return rates_[sized(i)]; }
+  RateProblem& start() {
+    tableau_ = Tableau{m_, 1, static_cast<int32_t>(pair_.size()), pair_.data(), t_.data(), 1.0, 1.0, 0, nullptr};
+    r_ = rate_problem_in(RateArea{area_.data(), lists_.data(), tableau_.pairs}, m_);
+    r_.t = &tableau_;
+    r_.direction = &one_;
+    r_.rates = rates_.data();
+    for (int i = 0; i < m_; ++i) r_.before[i] = 0.0;
+    for (int i = 0; i < m_ / 2; ++i) {
+      Doubt& d = r_.doubt[r_.count++];
+      d = Doubt{};
+      d.pair = i;
+      d.dof = d.row = pair_[sized(i)].dof;
+      d.slots = 2;
+      d.kind = DoubtKind::apex;
+      d.cell = Cell::stick;
+      d.mu = pair_[sized(i)].mu;
+      r_.size += 2;
+    }
+    return r_;
+  }
+  // Do the cells satisfy Signorini's and Coulomb's conditions? Solved and judged here from K and b alone.
+  bool holds(const RateProblem& r) const {
+    std::vector<double> a(sized(m_ * (m_ + 1))); // unknowns: w of what moves, force of what is held
+    const auto at = [&](int i, int j) -> double& { return a[sized(i * (m_ + 1) + j)]; };
+    for (int i = 0; i < m_; ++i) at(i, m_) = -rates_[sized(i)];
+    for (int k = 0; k < m_ / 2; ++k) {
+      const Cell cell = r.doubt[k].cell;
+      const int n = 2 * k, s = cell == Cell::slip_plus ? 1 : -1;
+      for (int i = 0; i < m_; ++i) {
+        if (cell == Cell::open) at(i, n) = t_[sized(n * m_ + i)];
+        if (cell != Cell::stick) at(i, n + 1) = t_[sized((n + 1) * m_ + i)];
+      }
+      if (cell != Cell::open) at(n, n) -= 1.0;                                                     // p
+      if (cell == Cell::stick) at(n + 1, n + 1) -= 1.0;                                            // q
+      if (cell == Cell::slip_plus || cell == Cell::slip_minus) at(n + 1, n) -= s * pair_[sized(k)].mu;    // q = s mu p
+    }
+    std::vector<double> x(sized(m_));
+    for (int c = 0; c < m_; ++c) {
+      int best = c;
+      for (int i = c; i < m_; ++i)
+        if (std::fabs(at(i, c)) > std::fabs(at(best, c))) best = i;
+      if (std::fabs(at(best, c)) < 1e-9) return false;
+      for (int j = 0; j <= m_; ++j) std::swap(at(c, j), at(best, j));
+      for (int i = c + 1; i < m_; ++i)
+        for (int j = m_; j >= c; --j) at(i, j) -= at(i, c) / at(c, c) * at(c, j);
+    }
+    for (int c = m_ - 1; c >= 0; --c) {
+      x[sized(c)] = at(c, m_);
+      for (int j = c + 1; j < m_; ++j) x[sized(c)] -= at(c, j) * x[sized(j)];
+      x[sized(c)] /= at(c, c);
+    }
+    constexpr double none = 1e-7;
+    for (int k = 0; k < m_ / 2; ++k) {
+      const double u = x[sized(2 * k)], v = x[sized(2 * k + 1)], mu = pair_[sized(k)].mu;
+      switch (r.doubt[k].cell) {
+      case Cell::open: if (u < -none) return false; break;
+      case Cell::stick: if (u < -none || std::fabs(v) > mu * u + none) return false; break;
+      case Cell::slip_plus: if (u < -none || v > none) return false; break;
+      case Cell::slip_minus: if (u < -none || v < -none) return false; break;
+      }
+    }
+    return true;
+  }
+
+private:
+  int m_;
+  std::vector<double> t_;
+  std::vector<Pair> pair_;
+  std::vector<double> rates_, area_, lists_;
+  double one_ = 1.0;
+  Tableau tableau_{};
+  RateProblem r_{};
+};
+
+c2d_status go_on(void*) { return C2D_OK; }
+
+Problem one_pair(double coupling, double mu, double p, double q) {
+  Problem problem(1, mu);
+  problem.stiffness(0, 0) = problem.stiffness(1, 1) = 1.0;
+  problem.stiffness(0, 1) = problem.stiffness(1, 0) = coupling;
+  problem.rate(0) = p;
+  problem.rate(1) = q;
+  return problem;
+}
+
+} // namespace
+
+TEST_CASE("rates: one pair without coupling does what Coulomb's law says") {
+  struct {
+    double p, q;
+    Cell cell;
+  } const cases[] = {{1, 0.2, Cell::stick}, {1, 0.8, Cell::slip_plus}, {1, -0.8, Cell::slip_minus}, {-1, 0.3, Cell::open}};
+  for (const auto& c : cases) {
+    Problem problem = one_pair(0.0, 0.5, c.p, c.q);
+    int32_t found = 0;
+    CHECK(try_all_cells(problem.start(), &found) == Settled::solved);
+    RateProblem& r = problem.start();
+    CHECK(found == 1);
+    try_all_cells(r, &found);
+    CHECK(r.doubt[0].cell == c.cell);
+    c2d_status status = C2D_OK;
+    RateProblem& again = problem.start();
+    CHECK(follow_cells(again, go_on, nullptr, &status) == Settled::solved);
+    CHECK(again.doubt[0].cell == c.cell);
+  }
+}
+
+// K = (1 k; k 1), k = 0.6, mu = 2. Sticking needs |q| <= 2 p. Slipping with s = 1: w_t = (q - 2 p) / 0.2 <= 0, pressure 3 q - 5 p.
+// Open: w_n = (0.6 q - p) / 0.64. So of the loads (1, q) there are three solutions for 5/3 < q < 2 and one elsewhere.
+TEST_CASE("rates: a wedge has three solutions where friction times coupling exceeds the stiffness, and one elsewhere") {
+  for (double q = 0.05; q < 4.0; q += 0.1) {
+    CAPTURE(q);
+    Problem problem = one_pair(0.6, 2.0, 1.0, q);
+    RateProblem& r = problem.start();
+    int32_t found = 0;
+    REQUIRE(try_all_cells(r, &found) == Settled::solved);
+    CHECK(found == (q > 5.0 / 3 && q < 2.0 ? 3 : 1));
+    CHECK(r.doubt[0].cell == (q < 2.0 ? Cell::stick : Cell::open)); // of three, the one that does not move
+    CHECK(problem.holds(r));
+  }
+}
+
+// det K < 0: pressed, the pair can neither stay nor slip nor open where each is ruled out by its sign.
+TEST_CASE("rates: where no cell satisfies its conditions, all having been tried says so") {
+  Problem problem = one_pair(0.0, 0.5, -1.0, 0.0);
+  problem.stiffness(0, 0) = -1.0; // it would close by pulling
+  RateProblem& r = problem.start();
+  int32_t found = -1;
+  CHECK(try_all_cells(r, &found) == Settled::none);
+  CHECK(found == 0);
+  c2d_status status = C2D_OK;
+  CHECK(follow_cells(problem.start(), go_on, nullptr, &status) == Settled::undecided);
+}
+
+TEST_CASE("rates: the path finds a solution wherever trying all cells does, up to four pairs and mu 3") {
+  std::mt19937 draw(7);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  int solvable = 0, several = 0;
+  for (int trial = 0; trial < 400; ++trial) {
+    const int pairs = 1 + trial % 4, m = 2 * pairs;
+    Problem problem(pairs, 0.1 + 0.97 * (trial % 31) / 10.0);
+    std::vector<double> root(sized(m * m));
+    for (double& x : root) x = uniform(draw);
+    for (int i = 0; i < m; ++i) {
+      problem.rate(i) = uniform(draw);
+      for (int j = 0; j < m; ++j) {
+        problem.stiffness(i, j) = i == j ? 0.3 : 0.05 * uniform(draw); // not quite symmetric, as collocation is
+        for (int k = 0; k < m; ++k) problem.stiffness(i, j) += root[sized(i * m + k)] * root[sized(j * m + k)];
+      }
+    }
+    int32_t found = 0;
+    RateProblem& all = problem.start();
+    const bool has = try_all_cells(all, &found) == Settled::solved;
+    if (has) CHECK(problem.holds(all));
+    solvable += has;
+    several += found > 1;
+    c2d_status status = C2D_OK;
+    RateProblem& path = problem.start();
+    const Settled result = follow_cells(path, go_on, nullptr, &status);
+    CAPTURE(trial);
+    CHECK((result == Settled::solved) == has);
+    if (result == Settled::solved) CHECK(problem.holds(path));
+  }
+  CHECK(solvable > 300);
+  CHECK(several > 1);
+}
+
+TEST_CASE("rates: a cancel stops the search") {
+  Problem problem = one_pair(0.6, 2.0, 1.0, 1.8);
+  c2d_status status = C2D_OK;
+  const auto stop = [](void*) -> c2d_status { return C2D_ERR_CANCELLED; };
+  CHECK(follow_cells(problem.start(), stop, nullptr, &status) == Settled::undecided);
+  CHECK(status == C2D_ERR_CANCELLED);
+}
+
+// ---- decks --------------------------------------------------------------------------------------------------------
+
+namespace {
+
+struct Run {
+  int status;
+  std::string said;
+  test::Json json;
+  size_t rows;
+};
+
+Run run_hard(const std::string& name, const std::string& options = "") {
+  const test::Folder folder;
+  const std::string csv = folder / "a.csv", json = folder / "a.json";
+  const test::Result result = test::run_shell("'" C2D_TEST_PROGRAM "' run '" C2D_TEST_ROOT "/tests/data/hard/" + name +
+                                              ".dat' --listing /dev/null --csv '" + csv + "' --json '" + json + "' " + options);
+  Run run{result.status, result.err, test::JsonReader::read(test::read_file(json)), 0};
+  run.rows = test::lines_of(test::read_file(csv)).size() - 1;
+  return run;
+}
+
+} // namespace
+
+TEST_CASE("hard states: a solution that exists is found") {
+  for (const std::string name : {"D1_4pairs_endless_12", "D1_4pairs_endless_24", "D1_4pairs_endlesslow_2", "D1_punch_nu0_11pairs",
+                           "D1_arc_below_limit_unique_solution", "D2_unload_3-150", "D2_unload_3-41"}) {
+    CAPTURE(name);
+    const Run run = run_hard(name);
+    CHECK(run.status == 0);
+    CHECK(run.json["outcome"].text == "reached");
+    CHECK(run.json["force"]["error"].number < 1e-9);
+    CHECK(run.said.find("the solution is not unique") == std::string::npos);
+  }
+}
+
+TEST_CASE("hard states: a body that nothing holds is said to slide, with the rows up to there") {
+  for (const std::string name : {"W1_arc_1_1_3_3_4_0.25", "W1_arc_1_3_2_3_4_0.21", "W1_arc_1_3_3_2_6_0.3", "W1_arc_1_3_3_3_6_0.25",
+                           "W1_solved_but_slides_4-362", "D4_no_rows_arc"}) {
+    CAPTURE(name);
+    const Run run = run_hard(name);
+    CHECK(run.status == 1);
+    CHECK(run.json["outcome"].text == "gross sliding");
+    CHECK(run.said.find("gross sliding; body 2 can move by") != std::string::npos);
+    CHECK(run.rows > 3);
+  }
+}
+
+TEST_CASE("hard states: several solutions are told, one is not") {
+  CHECK(run_hard("nonunique_19").said.find("the solution is not unique") == std::string::npos); // at mu = 3 there is one
+  const test::Folder folder;
+  std::string deck = test::read_file(C2D_TEST_ROOT "/tests/data/hard/nonunique_19.dat");
+  const size_t at = deck.find("\n1 3\n");
+  REQUIRE(at != std::string::npos);
+  test::write_file(folder / "two.dat", deck.replace(at, 5, "\n1 2\n"));
+  const test::Result two =
+      test::run_shell("'" C2D_TEST_PROGRAM "' run '" + (folder / "two.dat") + "' --listing /dev/null");
+  CHECK(two.status == 0);
+  CHECK(two.err.find("not unique: 3 contact states") != std::string::npos);
+}
+
+TEST_CASE("hard states: a path that shrinks towards zero load ends") {
+  const Run run = run_hard("D5_hang_3-740");
+  CHECK(run.status == 1);
+  CHECK(run.json["outcome"].text == "free motion");
+  CHECK(run.rows > 20);
+}
+
+TEST_CASE("hard states: the memory decides no digit of a drifting tableau") {
+  const Run all = run_hard("W2_drift_2-737m");
+  CHECK(all.status == 0);
+  const auto slip = [](const std::string& memory) {
+    const test::Folder folder;
+    const std::string csv = folder / "a.csv";
+    test::run_shell("'" C2D_TEST_PROGRAM "' run '" C2D_TEST_ROOT "/tests/data/hard/W2_drift_2-737m.dat' --listing /dev/null --csv '" +
+                    csv + "' --memory " + memory);
+    const std::vector<std::string> rows = test::lines_of(test::read_file(csv));
+    REQUIRE(rows.size() > 1);
+    return std::stod(rows.back().substr(rows.back().rfind(',') + 1));
+  };
+  const double expected = slip("1M");
+  CHECK(slip("60K") == doctest::Approx(expected).epsilon(1e-9));
+  CHECK(slip("100K") == doctest::Approx(expected).epsilon(1e-9));
+}
