@@ -1,5 +1,7 @@
 #include "contact/reduction.hpp"
 
+#include <math.h>
+
 #include "contact/rigid_balance.hpp"
 #include "linalg/dense.hpp"
 #include "memory/optional.hpp"
@@ -105,15 +107,27 @@ void close_overlaps(const Reduction& r) {
   }
 }
 
-// h = +-(s - S_u v); S_u of the other body is in `first`.
+double largest(const Real* x, int64_t n) {
+  double most = 0.0;
+  for (int64_t i = 0; i < n; ++i) most = fmax(most, fabs(static_cast<double>(x[i])));
+  return most;
+}
+
+// h = +-(s - S_u v); S_u of the other body is in `first`. What is left of a load that moves all pairs as a rigid body, on a
+// body that is free to go along, is round-off, and set to zero: or its last digits would be the load.
 c2d_status form_closing(const Reduction& r) {
   const int32_t m = r.tape.m;
+  constexpr double kNothing = sizeof(Real) == 8 ? 1e-12 : 1e-5;
   Real* v = r.strip + m;
+  const double most = largest(r.first, static_cast<int64_t>(m) * m);
   for (int32_t k = 0; k < r.tape.cases; ++k) {
     c2d_status status = read_column(r.tape, of_body(Matrix::load1, 1 - r.inverted), k, r.strip);
     if (status == C2D_OK) status = read_column(r.tape, Matrix::flexibility_load, k, v);
     if (status != C2D_OK) return status;
+    const double terms = largest(r.strip, m) + most * largest(v, m);
     gemm_minus(r.engine, m, 1, m, r.first, m, v, m, r.strip, m);
+    if (largest(r.strip, m) <= kNothing * terms)
+      for (int32_t i = 0; i < m; ++i) r.strip[i] = 0;
     if (r.inverted == 1)
       for (int32_t i = 0; i < m; ++i) r.strip[i] = -r.strip[i];
     if (k + 1 == r.model.head->interference) close_overlaps(r);
