@@ -19,21 +19,22 @@ bool is_ring(const Model& m, const Zone& z, int b) {
 }
 
 // Zero of f between a and b, where it has the values fa and fb of unlike sign: false position, with the value
-// at an end that stays halved (Illinois), exact for a linear f.
+// at an end that stays halved (Illinois), exact for a linear f. A value within the last digit of those at the ends is zero:
+// halved a hundred times, they would become as small, and the zero wander off.
 template <class F> double zero_between(double a, double b, double fa, double fb, F f) {
+  const double none = 1e-16 * fmax(fabs(fa), fabs(fb));
   double at = a;
   for (int i = 0; i < 100; ++i) {
     const double size = fb - fa;
     if (size == 0) break;
     at = b - fb * (b - a) / size;
     const double value = f(at);
-    if (value == 0 || fabs(b - a) <= 4e-16) break;
+    if (fabs(value) <= none || fabs(b - a) <= 4e-16) break;
     if ((value > 0) == (fb > 0)) {
       b = at, fb = value, fa *= 0.5;
     } else {
       a = b, fa = fb, b = at, fb = value;
     }
-    if (fabs(value) < 1e-300) break;
   }
   return at;
 }

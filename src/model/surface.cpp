@@ -298,12 +298,14 @@ SurfacePoint surface_point(const SurfaceElement& s, double eta) {
   }
   if (s.nodes > 2) add_bend(s, eta, size, out);
   if (s.nodes > 2 || s.bend[0] * s.bend[1] <= 0) return out;
-  // In lengths of the chord: the tangents cross at (q, h), weight w; the conic's parameter s above the chord's point t.
-  const double sum = s.bend[0] + s.bend[1], q = s.bend[1] / sum, h = s.bend[0] * q, w = s.weight, t = 0.5 * (1 + eta);
-  const double b = w * q + t * (1 - w), a = 1 - 2 * w * q - 2 * t * (1 - w);
-  const double at = t / (b + sqrt(b * b + a * t)), product = at * (1 - at), rise = 1 - 2 * at;
-  const double scaled = 1 - 2 * (1 - w) * product, fall = -2 * (1 - w) * rise, over = 2 * w * product * h / scaled;
-  const double slope = (2 * w * rise * h - over * fall) / (2 * w * rise * q + 2 * at - t * fall);
+  // In lengths of the chord: the tangents cross at (q, h), weight w; the conic's parameters a + b = 1 above the chord's point
+  // t. No difference of large terms: one tangent may be as good as along the chord beside the other.
+  const double sum = s.bend[0] + s.bend[1], p0 = s.bend[0] / sum, q = s.bend[1] / sum, h = s.bend[0] * q, w = s.weight;
+  const double t = 0.5 * (1 + eta), rest = 0.5 * (1 - eta), k = w * (eta < 0 ? q - t : rest - p0);
+  const double root = sqrt(k * k + rest * t), to = k > 0 ? t : root - k, from = k > 0 ? root + k : rest;
+  const double a = from / (from + to), b = to / (from + to);
+  const double over = 2 * w * a * b * h / (a * a + b * b + 2 * w * a * b);
+  const double slope = w * h * (a - b) / (w * (a * a * q + b * b * p0) + a * b);
   out.x += 2 * size * over * uy;
   out.y -= 2 * size * over * ux;
   const double scale = 1 / sqrt(1 + slope * slope);
