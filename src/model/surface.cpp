@@ -17,6 +17,7 @@ constexpr double kTwoTangents = 0.3;
 constexpr double kFlat = 2e-3;      // of the curvature: smaller changes of it are none
 constexpr double kSteepest = 0.05;   // cosine of the largest angle between a chord and its curve
 constexpr double kSideWeight = 0.02;
+constexpr double kUnlike = 100;     // how much larger than the other an angle between a chord and its curve may be
 
 double arc_sine(double sine) {
   return atan2(sine, sqrt(1 - sine * sine));
@@ -278,6 +279,9 @@ SurfaceElement surface_element(const Model& m, int b, int32_t element) {
     sum += t.before;
     s.doubt = fmax(s.doubt, 0.15 * chain.length[kReach] * t.doubt);
   }
+  // Towards a straight part of the curve the other angle becomes none with this one, or its sign were the tangent's.
+  for (int end = 0; end < 2; ++end)
+    s.bend[end] = limited(s.bend[end], -kUnlike * fabs(s.bend[1 - end]), kUnlike * fabs(s.bend[1 - end]));
   s.weight = cos(0.5 * sum);
   return s;
 }
