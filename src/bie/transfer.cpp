@@ -108,23 +108,30 @@ void add_displacement(const Model& m, const Columns& panel, int32_t row, int32_t
   }
 }
 
-void add_constraints(const Model& m, const Columns& panel) {
+// part * u of body 1 at a pair, as an element has it, in the pair's row for direction d.
+void add_faced_displacement(const Model& m, const Columns& panel, const Pair& pair, int d, int32_t element, double part) {
   const int nf = m.head->function_nodes;
+  const int32_t row = 2 * m.head->body[0].nodes + 3 + pair.row + d;
+  double value[4];
+  shape(nf, pair.eta, value);
+  for (int l = 0; l < nf; ++l)
+    for (int c = 0; c < 2; ++c) {
+      const double weight = part * value[l] * along(pair, d, c);
+      if (weight != 0.0) add_displacement(m, panel, row, functional_node(m, 0, element, l), c, weight);
+    }
+}
+
+// Constant functions jump where elements meet: a point there moves with the mean of both, whichever element is said to hold it.
+void add_constraints(const Model& m, const Columns& panel) {
   const int32_t below = 2 * m.head->body[0].nodes + 3;
   for (int32_t i = 0; i < m.head->pairs; ++i) {
     const Pair& pair = m.pair[i];
     if (pair.node[0] >= 0) continue;
-    double value[4];
-    shape(nf, pair.eta, value);
+    const int32_t beside = m.head->function_nodes == 1 ? element_beside_pair(m, pair) : -1;
     for (int d = 0; d <= pair.tangential; ++d) {
-      const int32_t row = below + pair.row + d;
-      for (int l = 0; l < nf; ++l)
-        for (int c = 0; c < 2; ++c) {
-          const double weight = value[l] * along(pair, d, c);
-          if (weight != 0.0)
-            add_displacement(m, panel, row, functional_node(m, 0, pair.element, l), c, weight);
-        }
-      panel.add(row, outer_columns(m, 0) + pair.dof + d, -1.0);
+      add_faced_displacement(m, panel, pair, d, pair.element, beside < 0 ? 1.0 : 0.5);
+      if (beside >= 0) add_faced_displacement(m, panel, pair, d, beside, 0.5);
+      panel.add(below + pair.row + d, outer_columns(m, 0) + pair.dof + d, -1.0);
     }
   }
 }

@@ -56,12 +56,17 @@ int32_t lines_at_end(const Model& m, int b, int32_t element, int end) {
   return lines_through(*m.head, m.xy[b][2 * point], m.xy[b][2 * point + 1]);
 }
 
+// The place of the element that meets the one at a place at its start (-1) or end (1), -1: none in the zone.
+int32_t place_beside(const Model& m, const Zone& z, int b, int32_t place, int end) {
+  const int32_t count = zone_elements(z, b), next = place + end * z.element_step[b];
+  if (is_ring(m, z, b)) return (next + count) % count;
+  return next < count ? next : -1;
+}
+
 // Adds to the normal at the start or end of an element its neighbour's, which on a line of symmetry is its own image.
 void add_neighbour(const Model& m, const Zone& z, int b, const FacePoint& at, int end, double n[2]) {
-  const int32_t count = zone_elements(z, b);
-  int32_t next = at.place + end * z.element_step[b];
-  if (is_ring(m, z, b)) next = (next + count) % count;
-  if (next >= 0 && next < count) {
+  const int32_t next = place_beside(m, z, b, at.place, end);
+  if (next >= 0) {
     add_normal(m, b, zone_element(m, z, b, next), -end, n);
   } else {
     const int32_t lines = lines_at_end(m, b, at.element, end);
@@ -233,6 +238,14 @@ int32_t node_at(const Model& m, const FacePoint& at) {
   for (int l = 0; l < f; ++l)
     if (at.eta == local_eta(f, l)) return functional_node(m, 0, at.element, l);
   return -1;
+}
+
+int32_t element_beside_pair(const Model& m, const Pair& pair) {
+  const Zone& z = m.zone[pair.zone];
+  int32_t zone, place;
+  if (fabs(pair.eta) != 1.0 || !find_contact_element(m, 0, pair.element, &zone, &place)) return -1;
+  const int32_t beside = place_beside(m, z, 0, place, pair.eta > 0 ? 1 : -1);
+  return beside < 0 ? -1 : zone_element(m, z, 0, beside);
 }
 
 // ---- pieces

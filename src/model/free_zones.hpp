@@ -25,6 +25,8 @@ bool facing_point(const Model& m, const Zone& z, const FacePoint& at1, FacePoint
 void facing_direction(const Model& m, const Zone& z, const FacePoint& at1, const FacePoint& at2, double n[2]);
 // Functional node of body 1 at a point, -1 between nodes.
 int32_t node_at(const Model& m, const FacePoint& at);
+// The element of the zone that meets the pair's own at the pair, if that faces its end; -1: none does.
+int32_t element_beside_pair(const Model& m, const Pair& pair);
 
 // A piece of an element of body 2 and what it faces on body 1; matching is linear in the local coordinates of
 // both. [0] comes first in the order of the zone.
