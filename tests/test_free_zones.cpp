@@ -2,6 +2,7 @@
 // whatever the meshes; the ordinary zone where the meshes happen to match; a cylinder on a block against
 // matching meshes.
 #include "problem.hpp"
+#include "shell.hpp"
 
 #include <doctest/doctest.h>
 
@@ -512,6 +513,30 @@ TEST_CASE("free zones: overlaps of straight elements are closed") {
     check_pressures(r, pressure, 0.06);
     CHECK(!r.warned(C2D_WARN_OVERLAP)); // the circles are certain
   }
+}
+
+TEST_CASE("free zones: constant functions, a pair where two elements of body 1 meet") {
+  // Its displacement has two values there; no last digit chooses one.
+  Blocks b;
+  b.lower = 4, b.upper = 5, b.function_nodes = 1;
+  Problem p = pressed_blocks(b);
+  double factor = 1;
+  for (End& end : p.bodies[1].ends) end.values[1] *= end.values[1] != 0 ? factor += 0.2 : 1; // no state of its own mirror
+  const Result plain = solve(p);
+  for (double length = 1.1; length < 3; length *= 1.1) {
+    Mapping units;
+    units.length = 1 / length;
+    const Difference d = compare(plain, solve(scaled(p, length, 1)), units);
+    CHECK(d.traction < 1e-9);
+    CHECK(d.displacement1 < 1e-9);
+  }
+}
+
+TEST_CASE("free zones: a node right above the middle of an element faces it, whatever the last digits of the units") {
+  // A round body over a hollow of seven elements: touching, not a gap of a thousandth, which leaves body 2 free.
+  const Result r = solve_text(test::read_file(C2D_TEST_ROOT "/tests/data/hard/F1_facing_in_other_units.dat"));
+  REQUIRE(r.status == C2D_OK);
+  CHECK(r.outcome == C2D_REACHED);
 }
 
 TEST_CASE("free zones: elements of very different length, and surfaces that wobble, are told") {
