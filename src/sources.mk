@@ -31,6 +31,7 @@ CORE_SOURCES += src/bie/sources.cpp
 CORE_SOURCES += src/bie/straight_moments.cpp
 CORE_SOURCES += src/bie/targets.cpp
 CORE_SOURCES += src/bie/transfer.cpp
+CORE_SOURCES += src/contact/branch_cells.cpp
 CORE_SOURCES += src/contact/contact_tape.cpp
 CORE_SOURCES += src/contact/events.cpp
 CORE_SOURCES += src/contact/facing_pairs.cpp

@@ -33,6 +33,8 @@ public:
   double& stiffness(int i, int j) { return t_[sized(j * m_ + i)]; }
   double& rate(int i) { return rates_[sized(i)]; }
   RateProblem& start() {
+    sticking_ = t_;
+    sticking_rates_ = rates_;
     tableau_ = Tableau{m_, 1, static_cast<int32_t>(pair_.size()), pair_.data(), t_.data(), 1.0, 1.0, 0, nullptr};
     r_ = rate_problem_in(RateArea{area_.data(), lists_.data(), tableau_.pairs}, m_);
     r_.t = &tableau_;
@@ -52,17 +54,38 @@ public:
     }
     return r_;
   }
+  // The same with other statuses, where they hold the pairs; and pairs whose friction is at its bound, or without bound.
+  RateProblem& start_from(std::mt19937& draw, bool other_kinds) {
+    start();
+    for (int i = 0; i < m_; ++i) {
+      t_[sized(m_ * m_ + i)] = 0.0;
+      t_[sized(m_ * (m_ + 1) + i)] = rates_[sized(i)];
+    }
+    for (int i = 0; i < m_ / 2; ++i) {
+      Doubt& d = r_.doubt[i];
+      if (other_kinds && draw() % 2 == 0) {
+        d.kind = draw() % 3 == 0 ? DoubtKind::adhesive : DoubtKind::cone;
+        if (d.kind == DoubtKind::cone) d.sign = draw() % 2 == 0 ? 1 : -1;
+      }
+      const bool slips = d.kind != DoubtKind::adhesive && draw() % 2 == 0;
+      const int sign = d.kind == DoubtKind::cone ? d.sign : draw() % 2 == 0 ? 1 : -1;
+      const int status = slips ? C2D_SLIP : d.kind != DoubtKind::cone && draw() % 2 == 0 ? C2D_OPEN : C2D_STICK;
+      change_status(tableau_, i, status, slips ? sign : 0, 0.0);
+    }
+    combine(tableau_, &one_, false, rates_.data());
+    return r_;
+  }
   // Do the cells satisfy Signorini's and Coulomb's conditions? Solved and judged here from K and b alone.
   bool holds(const RateProblem& r) const {
     std::vector<double> a(sized(m_ * (m_ + 1))); // unknowns: w of what moves, force of what is held
     const auto at = [&](int i, int j) -> double& { return a[sized(i * (m_ + 1) + j)]; };
-    for (int i = 0; i < m_; ++i) at(i, m_) = -rates_[sized(i)];
+    for (int i = 0; i < m_; ++i) at(i, m_) = -sticking_rates_[sized(i)];
     for (int k = 0; k < m_ / 2; ++k) {
       const Cell cell = r.doubt[k].cell;
       const int n = 2 * k, s = cell == Cell::slip_plus ? 1 : -1;
       for (int i = 0; i < m_; ++i) {
-        if (cell == Cell::open) at(i, n) = t_[sized(n * m_ + i)];
-        if (cell != Cell::stick) at(i, n + 1) = t_[sized((n + 1) * m_ + i)];
+        if (cell == Cell::open) at(i, n) = sticking_[sized(n * m_ + i)];
+        if (cell != Cell::stick) at(i, n + 1) = sticking_[sized((n + 1) * m_ + i)];
       }
       if (cell != Cell::open) at(n, n) -= 1.0;                                                     // p
       if (cell == Cell::stick) at(n + 1, n + 1) -= 1.0;                                            // q
@@ -100,7 +123,7 @@ private:
   int m_;
   std::vector<double> t_;
   std::vector<Pair> pair_;
-  std::vector<double> rates_, area_, lists_;
+  std::vector<double> rates_, sticking_, sticking_rates_, area_, lists_;
   double one_ = 1.0;
   Tableau tableau_{};
   RateProblem r_{};
@@ -134,7 +157,7 @@ TEST_CASE("rates: one pair without coupling does what Coulomb's law says") {
     CHECK(r.doubt[0].cell == c.cell);
     c2d_status status = C2D_OK;
     RateProblem& again = problem.start();
-    CHECK(follow_cells(again, go_on, nullptr, &status) == Settled::solved);
+    CHECK(follow_cells(again, false, go_on, nullptr, &status) == Settled::solved);
     CHECK(again.doubt[0].cell == c.cell);
   }
 }
@@ -163,7 +186,7 @@ TEST_CASE("rates: where no cell satisfies its conditions, all having been tried 
   CHECK(try_all_cells(r, &found) == Settled::none);
   CHECK(found == 0);
   c2d_status status = C2D_OK;
-  CHECK(follow_cells(problem.start(), go_on, nullptr, &status) == Settled::undecided);
+  CHECK(follow_cells(problem.start(), false, go_on, nullptr, &status) == Settled::undecided);
 }
 
 TEST_CASE("rates: the path finds a solution wherever trying all cells does, up to four pairs and mu 3") {
@@ -190,7 +213,8 @@ TEST_CASE("rates: the path finds a solution wherever trying all cells does, up t
     several += found > 1;
     c2d_status status = C2D_OK;
     RateProblem& path = problem.start();
-    const Settled result = follow_cells(path, go_on, nullptr, &status);
+    Settled result = follow_cells(path, false, go_on, nullptr, &status);
+    if (result != Settled::solved) result = follow_cells(path, true, go_on, nullptr, &status);
     CAPTURE(trial);
     CHECK((result == Settled::solved) == has);
     if (result == Settled::solved) CHECK(problem.holds(path));
@@ -199,11 +223,44 @@ TEST_CASE("rates: the path finds a solution wherever trying all cells does, up t
   CHECK(several > 1);
 }
 
+TEST_CASE("rates: branch and bound finds rates, or that there are none, as trying all cells does") {
+  std::mt19937 draw(11);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  int solvable = 0, none = 0;
+  for (int trial = 0; trial < 1200; ++trial) {
+    CAPTURE(trial);
+    const int pairs = 1 + trial % 5, m = 2 * pairs;
+    Problem problem(pairs, trial % 7 == 0 ? 1e-3 : 0.05 + 0.97 * (trial % 31) / 10.0);
+    std::vector<double> root(sized(m * m));
+    for (double& x : root) x = uniform(draw);
+    for (int i = 0; i < m; ++i) {
+      problem.rate(i) = uniform(draw);
+      for (int j = 0; j < m; ++j) {
+        problem.stiffness(i, j) = trial % 3 == 0 ? uniform(draw) : 0.3 * uniform(draw) + (i == j);
+        for (int k = 0; k < m && trial % 3 == 2; ++k)
+          problem.stiffness(i, j) += root[sized(i * m + k)] * root[sized(j * m + k)];
+      }
+    }
+    int32_t found = 0;
+    RateProblem& r = problem.start_from(draw, trial % 2 == 0);
+    const Settled all = try_all_cells(r, &found);
+    c2d_status status = C2D_OK;
+    const Settled result = branch_cells(r, go_on, nullptr, &status);
+    CHECK(result == all);
+    CHECK(status == C2D_OK);
+    if (result == Settled::solved && trial % 2 == 1) CHECK(problem.holds(r));
+    solvable += all == Settled::solved;
+    none += all == Settled::none;
+  }
+  CHECK(solvable > 300);
+  CHECK(none > 100);
+}
+
 TEST_CASE("rates: a cancel stops the search") {
   Problem problem = one_pair(0.6, 2.0, 1.0, 1.8);
   c2d_status status = C2D_OK;
   const auto stop = [](void*) -> c2d_status { return C2D_ERR_CANCELLED; };
-  CHECK(follow_cells(problem.start(), stop, nullptr, &status) == Settled::undecided);
+  CHECK(follow_cells(problem.start(), false, stop, nullptr, &status) == Settled::undecided);
   CHECK(status == C2D_ERR_CANCELLED);
 }
 

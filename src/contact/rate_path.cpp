@@ -244,23 +244,20 @@ bool change_friction(RateProblem& r, double part) {
 
 } // namespace
 
-Settled follow_cells(RateProblem& r, c2d_status (*tick)(void*), void* context, c2d_status* status) {
+Settled follow_cells(RateProblem& r, bool drawn, c2d_status (*tick)(void*), void* context, c2d_status* status) {
   constexpr int kPlain = 5;
   Draw draw{20110917u};
   const double parts[] = {1e-3, 3.0, 30.0};
-  for (int attempt = 0; attempt < kPlain + kDraws && r.work < kMostWork; ++attempt) {
+  for (int attempt = 0; attempt < (drawn ? kDraws : kPlain) && r.work < kMostWork; ++attempt) {
     *status = tick(context);
     if (*status != C2D_OK) return Settled::undecided;
-    bool found = false;
-    if (attempt >= 2 && attempt < kPlain) {
-      if (r.on_tableau) continue;
-      found = change_friction(r, parts[attempt - 2]);
-    } else {
-      if (attempt == 1) stick_all(r);
-      if (attempt >= kPlain) draw_cells(r, draw);
-      found = follow(r, attempt < kPlain ? nullptr : &draw);
+    if (!drawn && attempt >= 2) {
+      if (!r.on_tableau && change_friction(r, parts[attempt - 2])) return Settled::solved;
+      continue;
     }
-    if (found) return Settled::solved;
+    if (drawn) draw_cells(r, draw);
+    else if (attempt == 1) stick_all(r);
+    if (follow(r, drawn ? &draw : nullptr)) return Settled::solved;
   }
   return Settled::undecided;
 }

@@ -351,7 +351,10 @@ RateProblem rate_problem_in(const RateArea& area, int32_t slots) {
   const uint64_t n = static_cast<uint64_t>(slots) + 1;
   RateProblem r{};
   r.doubt = static_cast<Doubt*>(area.lists);
-  r.pivots = reinterpret_cast<int32_t*>(r.doubt + area.pairs);
+  r.branch = reinterpret_cast<Branch*>(r.doubt + area.pairs);
+  r.pivots = reinterpret_cast<int32_t*>(r.branch + 3 * area.pairs);
+  r.given = r.pivots + slots + 1;
+  r.free = r.given + slots;
   Real* number = static_cast<Real*>(area.numbers);
   r.matrix = number;
   number += n * n;

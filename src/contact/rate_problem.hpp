@@ -26,8 +26,15 @@ struct Doubt {
   DoubtKind kind;
   Cell cell;                 // as chosen
   Cell taken;                // of the solution taken so far
+  int32_t allowed;           // branch_cells: 1 << cell of those left
   int32_t sign;              // cone: of the friction on body 2
   double mu;
+};
+
+// branch_cells: the cells of a pair divided in two.
+struct Branch {
+  int32_t doubt;
+  int32_t before, left;      // all of its cells, and those still to be looked at
 };
 
 struct RateProblem {
@@ -42,6 +49,8 @@ struct RateProblem {
   Real* matrix;              // (size + 1)^2
   Real *rhs, *cover, *point, *column_scale; // size + 1 each; rhs is lost when the matrix is factored
   int32_t* pivots;           // size + 1
+  int32_t *given, *free;     // branch_cells: quantities that are rows of the matrix, and columns; size each
+  Branch* branch;            // branch_cells: 3 count, the way to where it is
   double work;               // operations so far
   bool on_tableau;           // follow_cells: the tableau goes along, and has to be built anew afterwards
 };
@@ -52,7 +61,8 @@ struct RateArea {
   void* lists;               // doubts and pivots: kRateListBytes for each pair
   int32_t pairs;
 };
-constexpr uint64_t kRateListBytes = sizeof(Doubt) + 3 * sizeof(int32_t); // at most 2 slots a pair, and one
+// At most 2 slots a pair, and one.
+constexpr uint64_t kRateListBytes = sizeof(Doubt) + 3 * sizeof(Branch) + 7 * sizeof(int32_t);
 
 // Bytes of numbers that a problem of `slots` unknowns at most needs; and such a problem, empty, carved from an area.
 uint64_t rate_problem_bytes(int64_t slots);
@@ -70,9 +80,12 @@ int64_t count_cells(const RateProblem& r);
 // from `before` is taken.
 Settled try_all_cells(RateProblem& r, int32_t* found);
 // Follows the piecewise linear path from an artificial load under which one set of cells is right down to none (Lemke's
-// method): from the present cells, from sticking, through increasing and decreasing coefficients of friction, then from cells
-// and artificial loads drawn at random, always the same ones.
-Settled follow_cells(RateProblem& r, c2d_status (*tick)(void*), void* context, c2d_status* status);
+// method): from the present cells, from sticking, and through increasing and decreasing coefficients of friction; or, drawn,
+// from cells and artificial loads drawn at random, always the same ones.
+Settled follow_cells(RateProblem& r, bool drawn, c2d_status (*tick)(void*), void* context, c2d_status* status);
+// Divides the cells of the pairs until what is left of them has rates, or is proven to have none: `none` if no regular set of
+// cells has.
+Settled branch_cells(RateProblem& r, c2d_status (*tick)(void*), void* context, c2d_status* status);
 
 // Status and sign that a cell stands for.
 int32_t cell_status(const Doubt& d, Cell cell);

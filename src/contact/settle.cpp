@@ -280,10 +280,8 @@ c2d_status take_cells(Follower& f, const RateProblem& r) {
   return rebuild(f);
 }
 
-// So many sets of cells may be tried first, in some hundredths of a second; and so many operations may all of them cost where
-// nothing else has helped, a second or two.
+// So many sets of cells may be tried first, in some hundredths of a second.
 constexpr int64_t kFewSets = 16384;
-constexpr double kLastResort = 2e9;
 
 // Before anything else: in a small model, and where nothing is loaded yet or the path turns. Elsewhere the state before says
 // which of several solutions goes on, and rounds of changes find it.
@@ -296,48 +294,57 @@ void note_solutions(Follower& f, int32_t found) {
 }
 
 
-// Rates where rounds of changes find none. The statuses and books are those kept, the tableau is fresh, and they and it are so
-// again where no rates are found.
-c2d_status search_rates(Follower& f, bool on_tableau, Settled* result) {
+// The statuses and books are those kept, the tableau is fresh, and they and it are so again where no rates are found.
+c2d_status take_found(Follower& f, const RateProblem& r, bool check, Settled* result) {
+  const c2d_status status = take_cells(f, r);
+  if (status != C2D_OK && status != C2D_ERR_SINGULAR) return status;
+  refresh(f);
+  if (status == C2D_OK && (!check || (is_held(f) && !anything_offends(f, decision_scales(f))))) return C2D_OK;
+  *result = Settled::undecided;
+  return restore_pairs(f);
+}
+
+// Rates where rounds of changes find none.
+c2d_status search_rates(Follower& f, bool on_tableau, bool drawn, Settled* result) {
   RateProblem r;
   gather_doubts(f, r);
   r.on_tableau = on_tableau;
   for (int32_t i = 0; i < f.t->pairs && on_tableau; ++i) f.t->pair[i].offset = 0.0; // of no account for rates
   c2d_status found = C2D_OK;
-  *result = follow_cells(r, f.watch.tick, f.watch.context, &found);
-  c2d_status status = on_tableau ? restore_pairs(f) : c2d_status{C2D_OK};
+  *result = follow_cells(r, drawn, f.watch.tick, f.watch.context, &found);
+  const c2d_status status = on_tableau ? restore_pairs(f) : c2d_status{C2D_OK};
   if (status != C2D_OK || found != C2D_OK) return status != C2D_OK ? status : found;
-  if (*result != Settled::solved) return C2D_OK;
-  status = take_cells(f, r);
-  if (status != C2D_OK && status != C2D_ERR_SINGULAR) return status;
-  refresh(f);
-  if (status == C2D_OK && (!on_tableau || (is_held(f) && !anything_offends(f, decision_scales(f))))) return C2D_OK;
-  *result = Settled::undecided;
-  return restore_pairs(f);
+  return *result == Settled::solved ? take_found(f, r, on_tableau, result) : status;
 }
 
 // Of few pairs by systems, of many on the tableau first, which is faster but knows no cells that leave a motion free.
-c2d_status search(Follower& f, Settled* result) {
+c2d_status search(Follower& f, bool drawn, Settled* result) {
   constexpr int32_t kFew = 40, kMost = 250;
   RateProblem r;
   gather_doubts(f, r);
   const int32_t doubts = r.count;
   c2d_status status = C2D_OK;
   *result = Settled::undecided;
-  if (doubts > kFew) status = search_rates(f, true, result);
-  if (status == C2D_OK && *result == Settled::undecided && doubts <= kMost) status = search_rates(f, false, result);
+  if (doubts > kFew) status = search_rates(f, true, drawn, result);
+  if (status == C2D_OK && *result == Settled::undecided && doubts <= kMost) status = search_rates(f, false, drawn, result);
   return status;
 }
 
+c2d_status search_branches(Follower& f, Settled* result) {
+  RateProblem r;
+  gather_doubts(f, r);
+  c2d_status status = C2D_OK;
+  *result = branch_cells(r, f.watch.tick, f.watch.context, &status);
+  return status == C2D_OK && *result == Settled::solved ? take_found(f, r, false, result) : status;
+}
 
 // All sets of cells, if they are few and it is not clear beforehand that one solution is all there is. *found: how many there
 // are; -1: not tried. The pairs have been kept.
-c2d_status try_all(Follower& f, bool offends, bool last_resort, int32_t* found) {
+c2d_status try_all(Follower& f, bool offends, int32_t* found) {
   RateProblem r;
   gather_doubts(f, r);
   *found = -1;
-  const double sets = static_cast<double>(count_cells(r)), size = r.size;
-  if (last_resort ? sets * size * size * size > kLastResort : sets > kFewSets) return C2D_OK;
+  if (count_cells(r) > kFewSets) return C2D_OK;
   if (!offends && is_surely_unique(r)) return C2D_OK;
   keep_motion_before(f, r);
   try_all_cells(r, found);
@@ -347,6 +354,21 @@ c2d_status try_all(Follower& f, bool offends, bool last_resort, int32_t* found) 
   if (status != C2D_ERR_SINGULAR) return status;
   *found = -1;
   return restore_pairs(f);
+}
+
+// Where rounds end without rates: by paths, then what can be proven, then by branches, and if those are too many by paths from
+// anywhere.
+c2d_status decide(Follower& f, bool all_tried, c2d_outcome* outcome) {
+  Settled result = Settled::undecided;
+  c2d_status status = all_tried ? c2d_status{C2D_OK} : search(f, false, &result);
+  if (status != C2D_OK || result == Settled::solved) return status;
+  status = limit_analysis(f, all_tried, outcome);
+  if (status != C2D_OK || *outcome != C2D_UNDECIDED) return status;
+  status = search_branches(f, &result);
+  if (status == C2D_OK && result == Settled::undecided) status = search(f, true, &result);
+  if (status != C2D_OK || result == Settled::undecided) return status;
+  *outcome = C2D_REACHED;
+  return result == Settled::solved ? status : limit_analysis(f, true, outcome);
 }
 
 c2d_status settle_at(Follower& f, c2d_outcome* outcome) {
@@ -359,24 +381,17 @@ c2d_status settle_at(Follower& f, c2d_outcome* outcome) {
   if (!offends && !first) return C2D_OK;
   keep_pairs(f);
   int32_t found = -1;
-  if (first) status = try_all(f, offends, false, &found);
+  if (first) status = try_all(f, offends, &found);
   if (status != C2D_OK || found > 0 || !offends) return status;
   if (found < 0) {
     bool settled = false;
     status = settle_by_rounds(f, &settled);
     if (status != C2D_OK || settled) return status;
     status = restore_pairs(f);
-    if (status == C2D_OK && !first) status = try_all(f, true, false, &found);
+    if (status == C2D_OK && !first) status = try_all(f, true, &found);
     if (status != C2D_OK || found > 0) return status;
   }
-  Settled result = Settled::undecided;
-  if (found < 0) status = search(f, &result);
-  if (status != C2D_OK || result == Settled::solved) return status;
-  status = limit_analysis(f, found == 0, outcome);
-  if (status != C2D_OK || *outcome != C2D_UNDECIDED) return status;
-  status = try_all(f, true, true, &found);
-  if (found > 0) *outcome = C2D_REACHED;
-  return status != C2D_OK || found != 0 ? status : limit_analysis(f, true, outcome);
+  return decide(f, found == 0, outcome);
 }
 
 } // namespace
