@@ -37,6 +37,7 @@ CORE_SOURCES += src/contact/events.cpp
 CORE_SOURCES += src/contact/facing_pairs.cpp
 CORE_SOURCES += src/contact/frames.cpp
 CORE_SOURCES += src/contact/increments.cpp
+CORE_SOURCES += src/contact/let_go.cpp
 CORE_SOURCES += src/contact/limit_analysis.cpp
 CORE_SOURCES += src/contact/rate_path.cpp
 CORE_SOURCES += src/contact/rate_problem.cpp

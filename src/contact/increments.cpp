@@ -2,7 +2,7 @@
 // they agree with the values at its end. A pair that closes or turns back sticks where it was when the increment began.
 #include <math.h>
 
-#include "contact/path.hpp"
+#include "contact/let_go.hpp"
 
 namespace c2d {
 
@@ -81,6 +81,7 @@ int32_t correct(Follower& f) {
 
 c2d_status follow_increment(Follower& f, const double* target, int32_t iteration_limit, c2d_outcome* outcome) {
   *outcome = C2D_REACHED;
+  if (is_let_go(*f.t)) return follow_events(f, target, outcome);
   refresh(f);
   save(f);
   for (int32_t k = 0; k < f.t->cases; ++k) {

@@ -29,7 +29,7 @@ Work plus(const Work& a, double factor, const Work& b) {
 // What a pair's p and q do to the free motions: as the tableau has it, to the last digit.
 struct Resultants {
   const Tableau& t;
-  const Real* column[kMotions]; // G; later in coordinates of the free motions
+  Real* column[kMotions]; // G; later in coordinates of the free motions
   int32_t count;
   Work of(int32_t dof) const {
     Work v{};
@@ -226,6 +226,15 @@ c2d_status load_on_motions(const Follower& f, const Resultants& g, Real* rate, W
   return status;
 }
 
+int free_motions(const Follower& f) { return f.model->head->body[f.floating_body].free_motions; }
+
+c2d_status read_resultants(const Follower& f, const Resultants& g) {
+  c2d_status status = C2D_OK;
+  for (int32_t k = 0; k < g.count && status == C2D_OK; ++k)
+    status = read_column(*f.tape, ContactMatrix::resultants, k, g.column[k]);
+  return status;
+}
+
 bool none(const Work& v) { return !(length(v) > 0.0); }
 
 // What keeps the body from its equilibrium: friction, if without bounds there is one; that it turns over, if pressure takes
@@ -238,18 +247,28 @@ c2d_outcome kind_of_motion(Follower& f, const Resultants& g, const Work& load) {
 
 } // namespace
 
+c2d_status loads_balance(const Follower& f, bool* balanced) {
+  *balanced = true;
+  const int count = free_motions(f);
+  if (count == 0) return C2D_OK;
+  const RateProblem r = rate_problem_in(f.rate_area, f.t->m);
+  Resultants g{*f.t, {r.rhs, r.cover, r.point}, count};
+  Work load;
+  c2d_status status = read_resultants(f, g);
+  if (status == C2D_OK) status = load_on_motions(f, g, r.column_scale, &load);
+  *balanced = none(load);
+  return status;
+}
+
 c2d_status limit_analysis(Follower& f, bool all_tried, c2d_outcome* outcome) {
-  const int count = f.model->head->body[f.floating_body].free_motions;
+  const int count = free_motions(f);
   *outcome = !all_tried ? C2D_UNDECIDED : (count > 0 ? C2D_GROSS_SLIDING : C2D_NO_ADMISSIBLE_CHANGE);
   if (count == 0) return C2D_OK;
-  RateProblem r = rate_problem_in(f.rate_area, f.t->m);
-  Real* column[kMotions] = {r.rhs, r.cover, r.point};
-  c2d_status status = C2D_OK;
-  for (int32_t k = 0; k < count && status == C2D_OK; ++k)
-    status = read_column(*f.tape, ContactMatrix::resultants, k, column[k]);
+  const RateProblem r = rate_problem_in(f.rate_area, f.t->m);
+  Resultants g{*f.t, {r.rhs, r.cover, r.point}, count};
+  c2d_status status = read_resultants(f, g);
   if (status != C2D_OK) return status;
-  name_resultants(f, column, count);
-  const Resultants g{*f.t, {column[0], column[1], column[2]}, count};
+  name_resultants(f, g.column, count);
   Work load;
   status = load_on_motions(f, g, r.column_scale, &load);
   if (status != C2D_OK) return status;

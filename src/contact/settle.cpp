@@ -1,6 +1,7 @@
 // Statuses that agree with the rates: the complementarity problem within one load (METHOD 13).
 #include <math.h>
 
+#include "contact/let_go.hpp"
 #include "contact/limit_analysis.hpp"
 #include "contact/path.hpp"
 #include "contact/rate_cells.hpp"
@@ -375,11 +376,16 @@ c2d_status settle_at(Follower& f, c2d_outcome* outcome) {
   *outcome = C2D_REACHED;
   c2d_status status = f.watch.tick(f.watch.context);
   if (status != C2D_OK) return status;
+  bool let_go = is_let_go(*f.t);
+  if (let_go) status = hold_again(f, &let_go, outcome);
+  if (status != C2D_OK || let_go || *outcome != C2D_REACHED) return status;
   const bool first = wants_all(f);
   // Behind an event something offends as a rule, and rounds find out.
   const bool offends = (f.bound.pair >= 0 && !first) || anything_offends(f, decision_scales(f));
   if (!offends && !first) return C2D_OK;
   keep_pairs(f);
+  if (offends) status = try_let_go(f, &let_go);
+  if (status != C2D_OK || let_go) return status;
   int32_t found = -1;
   if (first) status = try_all(f, offends, &found);
   if (status != C2D_OK || found > 0 || !offends) return status;

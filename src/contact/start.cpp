@@ -1,5 +1,7 @@
 #include "contact/start.hpp"
 
+#include "contact/let_go.hpp"
+#include "contact/limit_analysis.hpp"
 #include "model/free_zones.hpp"
 
 #include <math.h>
@@ -93,6 +95,25 @@ c2d_status start_path(Follower& f, const FreeBody& body, const Model& model, int
   set_constants(t, body, model, 0.0);
   refresh(f);
   return C2D_OK;
+}
+
+c2d_status lie_apart(Follower& f, const Model& model, c2d_outcome* outcome) {
+  Tableau& t = *f.t;
+  *outcome = C2D_FREE_MOTION;
+  bool balanced = false;
+  c2d_status status = loads_balance(f, &balanced);
+  if (status != C2D_OK || !balanced || t.free_motions == 0) return status;
+  for (int32_t i = 0; i < t.pairs; ++i) {
+    Pair& pair = t.pair[i];
+    reset_pair(pair);
+    pair.status = C2D_OPEN;
+    pair.slip_from = static_cast<Real>(pair.gap / model.head->length_unit);
+  }
+  status = build_tableau(t, *f.tape, &f.last_pair);
+  if (status == C2D_ERR_SINGULAR) return C2D_OK;
+  if (status == C2D_OK) *outcome = C2D_REACHED;
+  refresh(f);
+  return status;
 }
 
 c2d_status fly(Follower& f, const FreeBody& body, const Model& model, double work, c2d_outcome* outcome) {

@@ -25,4 +25,8 @@ void motion_at_pair(const Model& model, int b, const double motion[3], const dou
 // C2D_FREE_MOTION if it never does, if there is no work, or if more than one motion is free.
 c2d_status fly(Follower& f, const FreeBody& body, const Model& model, double work, c2d_outcome* outcome);
 
+// Nothing is loaded yet and the body floats, but the loads along the path's direction do not move it: it lies where the model
+// has it (contact/let_go.hpp), C2D_REACHED. C2D_FREE_MOTION if they do. Errors: the block store's.
+c2d_status lie_apart(Follower& f, const Model& model, c2d_outcome* outcome);
+
 } // namespace c2d

@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "contact/let_go.hpp"
 #include "linalg/exchange.hpp"
 #include "memory/hostile.hpp"
 
@@ -135,6 +136,7 @@ bool change(Tableau& t, Pair& pair, int32_t status, int32_t sign, double at) {
 bool change_status(Tableau& t, int32_t index, int32_t status, int32_t sign, double at) {
   Pair& pair = t.pair[index];
   if (pair.status == status && (status != C2D_SLIP || pair.sign == sign)) return true;
+  if (pair.status == C2D_OPEN && is_let_go(t)) return false;
   if (pair.status == C2D_SLIP && status == C2D_SLIP) { // the other way: by sticking in between
     const int32_t old_sign = pair.sign;
     if (!slip_to_stick(t, pair, at)) return false;
@@ -271,8 +273,19 @@ void sort_columns(const Tableau& t) {
     }
 }
 
-// Exchanges all slots that must leave the all-stick basis; false: they leave a motion free.
-bool exchange_leaving(Tableau& t, int32_t* culprit) {
+// Slots for which there is no pivot left, if they are no more than the free motions of a body that no pair touches; else -1.
+int32_t slots_left(const Tableau& t, int32_t left[kFreeMotions]) {
+  int32_t count = 0;
+  if (!is_let_go(t)) return -1;
+  visit_leaving(t, [&](const Slot& slot) {
+    if (count < kFreeMotions) left[count] = slot.dof();
+    ++count;
+  });
+  return count == t.free_motions ? count : -1;
+}
+
+// Exchanges all slots that must leave the all-stick basis, but for left[0 .. count): false, if others have no pivot.
+bool exchange_leaving(Tableau& t, int32_t* culprit, int32_t left[kFreeMotions], int32_t* count) {
   for (int32_t i = 0; i < t.pairs; ++i) {
     t.pair[i].weak = 0;
     for (int which = 0; which < 2; ++which) t.pair[i].place[which] = t.pair[i].dof + which;
@@ -283,7 +296,8 @@ bool exchange_leaving(Tableau& t, int32_t* culprit) {
     if (!row.pair) break;
     if (!(size > kFreePivot * column.pair->stiffness[column.which])) {
       *culprit = static_cast<int32_t>(column.pair - t.pair);
-      return false;
+      *count = slots_left(t, left);
+      return *count > 0;
     }
     swap_rows(t, row.dof(), column.dof());
     const int32_t kept = row.pair->place[row.which];
@@ -292,7 +306,6 @@ bool exchange_leaving(Tableau& t, int32_t* culprit) {
     pivot(t, column.dof());
     column.is_done();
   }
-  sort_columns(t);
   return true;
 }
 
@@ -308,8 +321,12 @@ c2d_status build_tableau(Tableau& t, const ContactTape& tape, int32_t* culprit) 
   const c2d_status status = load_all_stick(t, tape);
   if (status != C2D_OK) return status;
   impose_contact(t);
-  if (!exchange_leaving(t, culprit)) return C2D_ERR_SINGULAR;
+  int32_t left[kFreeMotions], count = 0;
+  if (!exchange_leaving(t, culprit, left, &count)) return C2D_ERR_SINGULAR;
+  if (count != (is_let_go(t) ? t.free_motions : 0)) return C2D_ERR_SINGULAR; // round-off held what nothing holds
   restore_gaps(t);
+  if (count > 0 && !place_body(t, left, count)) return C2D_ERR_SINGULAR;
+  sort_columns(t);
   return C2D_OK;
 }
 

@@ -20,6 +20,7 @@ struct Tableau {
   double stiffness;    // largest diagonal entry with every pair sticking; 0 until built
   int64_t exchanges;   // so far
   const Kernel* kernel;
+  int32_t free_motions; // of the body that the contact has to hold: left free where no pair touches (contact/let_go.hpp)
 };
 
 inline Real* constants(const Tableau& t) { return t.t + static_cast<int64_t>(t.m) * t.m; }
@@ -28,7 +29,7 @@ inline int64_t tableau_columns(int64_t m, int64_t cases) { return m + 1 + cases;
 
 // The tableau for the statuses, signs, offsets and coefficients that the pairs have now, from the all-stick tableau on
 // the tape. Load-free reference: w = (gap, 0), tau = 0. Errors: the block store's; C2D_ERR_SINGULAR if the statuses
-// leave a motion free (*culprit: a pair that should have been released).
+// leave a motion free (*culprit: a pair that should have been released), unless no pair touches (contact/let_go.hpp).
 c2d_status build_tableau(Tableau& t, const ContactTape& tape, int32_t* culprit);
 
 // Change one pair's status. `sign`: of friction on body 2, for slip. `at`: w_t at which it will stick, for stick.

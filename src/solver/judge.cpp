@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "bie/columns.hpp"
+#include "contact/let_go.hpp"
 #include "contact/start.hpp"
 #include "memory/optional.hpp"
 #include "memory/text.hpp"
@@ -231,6 +232,7 @@ State sum_up(const Session& session, const Book& book) {
     out.equations.add(-book.equation_load[k] * f.load[k]);
     loads += larger(fabs(f.load[k]), fabs(f.direction[k])) * book.load_size[k];
   }
+  if (is_let_go(*f.t)) out.rates = Sum{}; // loads that move the body are no fault of the tableau: settle() sees them
   for (int i = 0; i < 3; ++i) out.resultant[i] *= i < 2 ? side : unit;
   out.force = larger(unit * out.force, loads);
   return out;

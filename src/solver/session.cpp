@@ -76,7 +76,7 @@ void open_session(c2d_solver* s, Session& session) {
   const PathArea& area = session.area;
   session.tape = ContactTape{&s->tapes, head.contact, head.load_cases, area.buffer};
   session.tableau = Tableau{head.contact, head.load_cases, head.pairs,   session.model.pair,
-                            area.tableau, head.length_unit, s->stiffness, s->exchanges, kernel_for(best_instructions())};
+                            area.tableau, head.length_unit, s->stiffness, s->exchanges, kernel_for(best_instructions()), 0};
   double* loads = array_of<double>(s, kLoads);
   session.follower.t = &session.tableau;
   session.follower.tape = &session.tape;
@@ -97,6 +97,7 @@ void open_session(c2d_solver* s, Session& session) {
   session.follower.stats = s->stats;
   session.follower.last_pair = s->last_pair;
   session.free_body = free_body(s, session.model);
+  session.tableau.free_motions = session.free_body.motions;
 }
 
 void close_session(Session& session) {
@@ -189,8 +190,9 @@ double work_on_motion(const Session& session, const double* direction) {
 c2d_status take_off(Session& session, const double* target, c2d_outcome* outcome) {
   Follower& f = session.follower;
   for (int32_t k = 0; k < f.t->cases; ++k) f.direction[k] = target[k] - f.load[k];
-  const double work = work_on_motion(session, f.direction);
-  const c2d_status status = fly(f, session.free_body, session.model, work, outcome);
+  c2d_status status = lie_apart(f, session.model, outcome);
+  if (status == C2D_OK && *outcome != C2D_REACHED)
+    status = fly(f, session.free_body, session.model, work_on_motion(session, f.direction), outcome);
   if (status == C2D_OK && *outcome == C2D_REACHED) session.solver->floating = 0;
   return status;
 }

@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "bie/shape.hpp"
+#include "contact/let_go.hpp"
 #include "memory/text.hpp"
 #include "model/geometry.hpp"
 #include "model/symmetry.hpp"
@@ -132,6 +133,48 @@ double pressure_inside(const Session& session, int b, int32_t element, double et
   return sum;
 }
 
+// No force at all in the contact, but for round-off of what it carried or of what motions would make of it.
+bool carries_nothing(const Session& session) {
+  const PathScales s = path_scales(session.follower);
+  double least = kNoPressure * session.solver->peak_pressure;
+  if (!(session.solver->peak_pressure > 0.0)) least = kMixedNoise * session.tableau.stiffness * s.w;
+  return s.p <= least;
+}
+
+bool is_loaded(const Session& session) {
+  for (int32_t k = 0; k < session.tableau.cases; ++k)
+    if (session.follower.load[k] != 0.0) return true;
+  return false;
+}
+
+double without_noise(double number) { return fabs(number) < 1e-9 ? 0.0 : number; }
+
+// In which direction: told of the one motion, else of how many there are.
+void put_free_motion(const Session& session, Text& text) {
+  const FreeBody& body = session.free_body;
+  const double turn = body.motion[2] / session.model.head->length_unit;
+  if (body.motions > 1)
+    put_all(text, "in any of its ", body.motions, " free motions");
+  else if (fabs(body.motion[2]) < 1e-9)
+    put_all(text, "in the direction (", without_noise(body.motion[0]), ", ", without_noise(body.motion[1]), ")");
+  else
+    put_all(text, "in its rotation about (", body.centre[0] - body.motion[1] / turn, ", ",
+            body.centre[1] + body.motion[0] / turn, ")");
+}
+
+// A body that is let go, or that touches without force while there are loads: nothing fixes where it is.
+void warn_undefined_place(Session& session) {
+  const bool apart = is_let_go(session.tableau);
+  if (session.solver->outcome != C2D_REACHED || session.free_body.motions == 0) return;
+  if (!apart && (!is_loaded(session) || !carries_nothing(session))) return;
+  char room[sizeof(c2d_error::text)];
+  Text text = text_in(room);
+  put_all(text, "no contact force fixes the place of body ", session.free_body.body + 1, " ");
+  put_free_motion(session, text);
+  put_all(text, ": displacements there mean nothing, forces and stresses do; it keeps its place relative to the other body");
+  warn(session, C2D_WARN_UNDEFINED_PLACE, 0, 0, room);
+}
+
 } // namespace
 
 void note_open_pairs(Session& session) {
@@ -198,6 +241,7 @@ void warn_strains(Session& session) {
 void warn_contact(Session& session, Moment moment) {
   c2d_solver* s = session.solver;
   if (s->model.contact == 0 || s->floating || s->blocked) return;
+  warn_undefined_place(session);
   warn_zone_ends(session, moment != Moment::between);
   if (moment != Moment::between) warn_coarse_contact(session, moment);
   if (moment != Moment::between) warn_surfaces(session);

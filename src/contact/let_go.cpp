@@ -1,0 +1,182 @@
+#include "contact/let_go.hpp"
+
+#include <math.h>
+
+#include "contact/limit_analysis.hpp"
+
+namespace c2d {
+
+bool is_let_go(const Tableau& t) {
+  if (t.free_motions == 0) return false;
+  for (int32_t i = 0; i < t.pairs; ++i)
+    if (t.pair[i].status != C2D_OPEN) return false;
+  return true;
+}
+
+namespace {
+
+Real* column(const Tableau& t, int32_t j) { return t.t + static_cast<int64_t>(t.m) * j; }
+
+// Sums over the pairs' gaps and tangential motions, each with the length of its elements: the same for equivalent models.
+template <class Term> double sum_over_pairs(const Tableau& t, Term term) {
+  double sum = 0.0;
+  for (int32_t i = 0; i < t.pairs; ++i)
+    for (int slot = 0; slot <= t.pair[i].tangential; ++slot)
+      sum += t.pair[i].length * term(t.pair[i], slot);
+  return sum;
+}
+
+// Where a pair was when the body was let go.
+double place_of(const Pair& pair, int slot) { return slot == 0 ? pair.slip_from : pair.offset; }
+
+// The least motion of all pairs that a column allows under the free motions, METHOD (13.3): normal equations.
+struct LeastMotion {
+  const Real* motion[kFreeMotions];
+  double factor[kFreeMotions][kFreeMotions];
+  int32_t count;
+
+  bool prepare(const Tableau& t) {
+    for (int32_t j = 0; j < count; ++j)
+      for (int32_t k = 0; k <= j; ++k) {
+        double sum = sum_over_pairs(t, [&](const Pair& p, int slot) {
+          return static_cast<double>(motion[j][p.dof + slot]) * motion[k][p.dof + slot];
+        });
+        const double own = sum;
+        for (int32_t i = 0; i < k; ++i) sum -= factor[j][i] * factor[k][i];
+        if (j == k && !(sum > 1e-12 * own)) return false;
+        factor[j][k] = j == k ? sqrt(sum) : sum / factor[k][k];
+      }
+    return true;
+  }
+  void solve(double x[kFreeMotions]) const {
+    for (int32_t j = 0; j < count; ++j) {
+      for (int32_t i = 0; i < j; ++i) x[j] -= factor[j][i] * x[i];
+      x[j] /= factor[j][j];
+    }
+    for (int32_t j = count - 1; j >= 0; --j) {
+      for (int32_t i = j + 1; i < count; ++i) x[j] -= factor[i][j] * x[i];
+      x[j] /= factor[j][j];
+    }
+  }
+  // What of the free motions brings `values` nearest to the place to keep, or to zero.
+  void add_to(const Tableau& t, Real* values, bool to_place) const {
+    double x[kFreeMotions];
+    for (int32_t j = 0; j < count; ++j)
+      x[j] = -sum_over_pairs(t, [&](const Pair& p, int slot) {
+        const double from = to_place ? place_of(p, slot) : 0.0;
+        return motion[j][p.dof + slot] * (values[p.dof + slot] - from);
+      });
+    solve(x);
+    for (int32_t j = 0; j < count; ++j)
+      for (int32_t i = 0; i < t.m; ++i) values[i] += static_cast<Real>(x[j] * motion[j][i]);
+  }
+};
+
+} // namespace
+
+bool place_body(const Tableau& t, const int32_t* left, int32_t count) {
+  LeastMotion least{};
+  least.count = count;
+  for (int32_t k = 0; k < count; ++k) {
+    Real* const motion = column(t, left[k]);
+    for (int32_t j = 0; j < count; ++j) motion[left[j]] = static_cast<Real>(j == k ? 1 : 0);
+    least.motion[k] = motion;
+  }
+  if (!least.prepare(t)) return false;
+  for (int32_t j = t.m; j < tableau_columns(t.m, t.cases); ++j) {
+    Real* const values = column(t, j);
+    for (int32_t k = 0; k < count; ++k) values[left[k]] = 0;
+    least.add_to(t, values, j == t.m);
+  }
+  return true;
+}
+
+// ---- letting go and holding again ---------------------------------------------------------------------------------
+
+namespace {
+
+// Without force in every pair that is closed?
+bool may_all_open(const Follower& f, const PathScales& s) {
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    if (f.t->pair[i].status == C2D_OPEN) continue;
+    Doubt d;
+    if (!is_in_doubt(f, i, s, d) || d.kind == DoubtKind::cone) return false;
+    if (fabs(pair_state(*f.t, i, f.y).q) > kRateTolerance * s.p) return false;
+  }
+  return true;
+}
+
+// Is this pair open without a gap?
+bool touches(const Follower& f, int32_t i, const PathScales& s) {
+  Doubt d;
+  return f.t->pair[i].status == C2D_OPEN && is_in_doubt(f, i, s, d);
+}
+
+bool closes(Follower& f) {
+  const PathScales s = decision_scales(f);
+  for (int32_t i = 0; i < f.t->pairs; ++i)
+    if (touches(f, i, s) && pair_rates(*f.t, i, f.dy).wn < -no_rate(f.t->pair[i], s).motion) return true;
+  return false;
+}
+
+} // namespace
+
+void leave_place(Follower& f) {
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    const PairState now = pair_state(*f.t, i, f.y);
+    set_status(f, i, C2D_OPEN, 0);
+    f.t->pair[i].offset = static_cast<Real>(now.wt);
+    f.t->pair[i].slip_from = static_cast<Real>(now.wn);
+  }
+}
+
+c2d_status try_let_go(Follower& f, bool* done) {
+  *done = false;
+  if (f.t->free_motions == 0 || is_let_go(*f.t) || !may_all_open(f, decision_scales(f))) return C2D_OK;
+  bool balanced = false;
+  c2d_status status = loads_balance(f, &balanced);
+  if (status != C2D_OK || !balanced) return status;
+  const int64_t changes = f.stats.changes;
+  const int32_t last_pair = f.last_pair;
+  leave_place(f);
+  status = rebuild(f);
+  if (status != C2D_OK && status != C2D_ERR_SINGULAR) return status;
+  *done = status == C2D_OK && !closes(f);
+  if (*done) return C2D_OK;
+  f.stats.changes = changes;
+  f.last_pair = last_pair;
+  return restore_pairs(f);
+}
+
+namespace {
+
+// All pairs that touch, closed; false: there are none.
+bool close_touching(Follower& f) {
+  const PathScales s = decision_scales(f);
+  bool any = false;
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    if (!touches(f, i, s)) continue;
+    const bool slides = f.t->pair[i].mu == 0.0;
+    set_status(f, i, slides ? C2D_SLIP : C2D_STICK, slides ? 1 : 0);
+    any = true;
+  }
+  return any;
+}
+
+} // namespace
+
+c2d_status hold_again(Follower& f, bool* quiet, c2d_outcome* outcome) {
+  c2d_status status = loads_balance(f, quiet);
+  if (status != C2D_OK) return status;
+  *quiet = *quiet && !closes(f);
+  if (*quiet) return C2D_OK;
+  keep_pairs(f);
+  *outcome = C2D_FREE_MOTION;
+  if (!close_touching(f)) return C2D_OK;
+  status = rebuild(f);
+  if (status == C2D_ERR_SINGULAR) return restore_pairs(f);
+  if (status == C2D_OK) *outcome = C2D_REACHED;
+  return status;
+}
+
+} // namespace c2d

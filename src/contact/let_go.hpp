@@ -1,0 +1,29 @@
+#pragma once
+// A body that the contact has held lies apart from the other, and the loads do not move it (METHOD 13.5): it carries no contact
+// force, and where it is within its free motions nothing says. It then keeps, in the mean over the pairs, the place relative to
+// the other body that it had when the last pair let go.
+#include "contact/path.hpp"
+
+namespace c2d {
+
+constexpr int kFreeMotions = 3; // of a body at most
+
+// No pair touches and the body has free motions: such a tableau is built for the place above and knows no exchanges.
+bool is_let_go(const Tableau& t);
+
+// The last step of building it. Slots `left` have no pivot any more: their columns are the free motions. `t` has for them what
+// the rule asks for instead of forces; gaps stand among the constants already. False: they are no motions of their own.
+bool place_body(const Tableau& t, const int32_t* left, int32_t count);
+
+// All pairs open, with the place that the body has now as the one to keep.
+void leave_place(Follower& f);
+
+// Let the body go if all pairs may open at this load, the loads do not move it, and no pair would close at once. The pairs have
+// been kept. *done: it is let go; if not, everything is as it was.
+c2d_status try_let_go(Follower& f, bool* done);
+
+// A body that is let go, with the rates along f.direction. *quiet: it stays so. Else pairs that touch hold it again as a trial
+// that settle() judges; if none can, the outcome is a free motion.
+c2d_status hold_again(Follower& f, bool* quiet, c2d_outcome* outcome);
+
+} // namespace c2d

@@ -1,0 +1,239 @@
+// A body that the other lets go where nothing else holds it in some direction: its place there is undefined, told, and follows
+// one rule.
+#include "contact2d.h"
+#include "problem.hpp"
+#include "random/forms.hpp"
+#include "shell.hpp"
+#include "solver_runs.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <memory>
+
+using namespace problem;
+
+namespace {
+
+// A block on a wider one that is held below, with `gap` between them. Case 1 moves the block's top down by 0.01 and leaves
+// it free sideways; case 2 pulls its right side by 10.
+Problem block(int32_t elements, double mu, double gap = 0.0) {
+  Problem p;
+  p.bodies.resize(2);
+  add_polygon(p.bodies[0], {{0, -2, 3}, {5, -2, 2}, {5, 0, 2}, {4, 0, elements}, {0, 0, 2}});
+  add_polygon(p.bodies[1], {{0, gap, elements}, {4, gap, 2}, {4, gap + 2, 3}, {0, gap + 2, 2}});
+  set_ends(p, 1, [](double, double y, double, double ny, End& end) {
+    if (y < -1.99) end.codes[2] = end.codes[3] = 0;
+    if (ny < -0.5) end.codes[0] = end.codes[1] = 1;
+  });
+  p.bodies[0].second_case = p.bodies[0].ends;
+  set_ends(p, 2, [&](double, double y, double, double ny, End& end) {
+    if (y > gap + 1.99) end.codes[3] = 0, end.values[3] = -0.01;
+    if (ny > 0.5) end.codes[1] = 1;
+  });
+  p.bodies[1].second_case = p.bodies[1].ends;
+  for (End& end : p.bodies[1].second_case) end.values[3] = 0;
+  for (int32_t e = elements + 1; e <= elements + 2; ++e)
+    for (int32_t l = 1; l <= 2; ++l) p.bodies[1].second_case[static_cast<size_t>((e - 1) * 2 + l - 1)].values[0] = 10;
+  c2d_zone zone = C2D_INIT(c2d_zone);
+  zone.pairs = elements + 1, zone.elements = elements;
+  zone.first_element[0] = 8, zone.last_element[0] = 7 + elements, zone.first_node[0] = 8, zone.last_node[0] = 8 + elements;
+  zone.first_element[1] = elements, zone.last_element[1] = 1, zone.first_node[1] = elements + 1, zone.last_node[1] = 1;
+  p.zones = {zone};
+  p.friction = {mu};
+  return p;
+}
+
+double sideways(const Step& s, int pair) { return s.at(pair, C2D_UT2) - s.at(pair, C2D_UT1); }
+double mean_sideways(const Step& s) {
+  double sum = 0;
+  for (int i = 0; i < s.pairs(); ++i) sum += sideways(s, i) / s.pairs();
+  return sum;
+}
+bool no_force(const Step& s) {
+  for (int i = 0; i < s.pairs(); ++i)
+    if (s.at(i, C2D_TN) != 0 || s.at(i, C2D_TT) != 0 || s.at(i, C2D_STATUS) != C2D_OPEN) return false;
+  return true;
+}
+double tight() { return sizeof(double) == 8 ? 1e-9 : 1e-3; }
+
+const c2d_error* told(const Result& r) {
+  for (const c2d_error& e : r.told)
+    if (e.status == C2D_WARN_UNDEFINED_PLACE) return &e;
+  return nullptr;
+}
+std::string hard(const std::string& name) { return test::read_file(C2D_TEST_ROOT "/tests/data/hard/" + name + ".dat"); }
+
+} // namespace
+
+TEST_CASE("let go: a block lifted straight from a flat table keeps its place, and goes on when it is pushed back") {
+  for (int32_t elements : {1, 5}) {
+    CAPTURE(elements);
+    const Problem p = with_paths(block(elements, 5.0), {{1, 1, 0}, {1, 1, 0.1}, {1, 1, 0}, {2, -1, 0}, {1, 1, 0}, {1, 1, 0.1}});
+    const Result r = solve(p);
+    REQUIRE(r.outcome == C2D_REACHED);
+    const std::vector<Step> rows = r.recorded();
+    REQUIRE(rows.size() == 7);
+    const double size = std::fabs(sideways(rows[1], 0)) + 0.01;
+    CHECK(no_force(rows[4]));
+    for (int i = 0; i <= elements; ++i) {
+      CHECK(std::fabs(rows[4].at(i, C2D_GAP) - 0.01) < tight() * size); // raised by 0.01 straight up, without strain
+      CHECK(std::fabs(sideways(rows[4], i)) < tight() * size);
+    }
+    CHECK(rows[4].elastic < tight() * rows[0].elastic);
+    CHECK(compare(rows[0], rows[5]).worst() < 100 * tight()); // as if it had never been lifted
+    CHECK(compare(rows[1], rows[6]).worst() < 100 * tight());
+    const c2d_error* e = told(r);
+    REQUIRE(e != nullptr);
+    CHECK(e->load < 0);
+    CHECK(std::string(e->text).find("place of body 2 in the direction (1, 0)") != std::string::npos);
+    CHECK_FALSE(r.warned(C2D_WARN_NOT_UNIQUE));
+  }
+}
+
+TEST_CASE("let go: what it has slid before stays, and no slip is counted in the air") {
+  // On a smooth enough table the sides of the block slide outwards as it is pressed, and some of that remains.
+  const Problem p = with_paths(block(6, 0.05), {{1, 1, 0}, {1, 1, 0.02}, {1, 0.02, 0}, {2, -1, 0}});
+  const Result r = solve(p);
+  REQUIRE(r.outcome == C2D_REACHED);
+  const std::vector<Step> rows = r.recorded();
+  REQUIRE(rows.size() == 5);
+  CHECK(no_force(rows[3]));
+  CHECK(no_force(rows[4]));
+  CHECK(std::fabs(mean_sideways(rows[4]) - mean_sideways(rows[3])) < 1e-12);
+  CHECK(std::fabs(rows[4].at(0, C2D_GAP) - rows[3].at(0, C2D_GAP) - 0.0051) < 1e-12);
+  for (int i = 0; i < rows[4].pairs(); ++i) CHECK(rows[4].at(i, C2D_SLIP_SUM) == rows[3].at(i, C2D_SLIP_SUM));
+}
+
+TEST_CASE("let go: a body that loads move flies away") {
+  const Problem p = with_paths(block(4, 0.5), {{1, 1, 0}, {1, -1, 0}, {1, -1, 0.1}});
+  const Result r = solve(p);
+  CHECK(r.outcome == C2D_FREE_MOTION);
+  CHECK(r.summary.load == -1);
+  CHECK(r.recorded().size() == 2);
+  CHECK(r.summary.outcome_body == 2);
+  CHECK(r.summary.free_motion[0] > 0);
+  CHECK(std::fabs(r.summary.free_motion[1]) + std::fabs(r.summary.free_motion[2]) < 1e-9);
+  const Result pulled = solve(with_paths(block(4, 0.5), {{1, 1, 0}, {1, -1, 0.1}})); // slides off before it lifts
+  CHECK(pulled.outcome == C2D_GROSS_SLIDING);
+}
+
+TEST_CASE("let go: a body that hangs over the other comes down where it was made") {
+  const double gap = 0.004;
+  const Result r = solve(with_paths(block(5, 0.3, gap), {{1, 0.2, 0}, {2, 1.4, 0}, {1, 0, 0}}));
+  const Result on_it = solve(with_paths(block(5, 0.3), {{1, 1, 0}}));
+  REQUIRE(r.outcome == C2D_REACHED);
+  REQUIRE(on_it.outcome == C2D_REACHED);
+  const std::vector<Step> rows = r.recorded();
+  REQUIRE(rows.size() == 4);
+  REQUIRE(told(r) != nullptr);
+  CHECK(told(r)->load == 0.2);
+  CHECK(no_force(rows[0]));
+  CHECK(no_force(rows[3]));
+  for (int i = 0; i < rows[2].pairs(); ++i) {
+    CHECK(std::fabs(rows[0].at(i, C2D_GAP) - 0.002) < 1e-12);
+    CHECK(std::fabs(sideways(rows[0], i)) < 1e-12);
+    CHECK(rows[2].at(i, C2D_TN) == doctest::Approx(on_it.recorded()[0].at(i, C2D_TN)).epsilon(1e-3)); // the gap is 1/500 of it
+    CHECK(std::fabs(rows[3].at(i, C2D_GAP) - gap) < 1e-11);
+  }
+}
+
+TEST_CASE("let go: equivalent decks have the same place") {
+  random_decks::Model model;
+  model.problem = from_text(hard("W3_lifted_free_in_x_1-116"));
+  model.same_surfaces = true;
+  const Result deck = solve(model.problem);
+  REQUIRE(deck.outcome == C2D_REACHED);
+  CHECK(no_force(deck.recorded().back()));
+  REQUIRE(told(deck) != nullptr);
+  CHECK_FALSE(deck.warned(C2D_WARN_NOT_UNIQUE));
+  for (uint64_t seed = 1; seed <= 3; ++seed)
+    for (const random_decks::Form& form : random_decks::forms_of(model, seed)) {
+      CAPTURE(form.name);
+      const Result other = solve(form.problem, form.setup);
+      CHECK(random_decks::difference(model, deck, form, other) == "");
+      CHECK(told(other) != nullptr);
+    }
+}
+
+TEST_CASE("let go: the increments of 1987, calls instead of a run, and every change told end at the same place") {
+  const Problem p = with_paths(block(5, 0.5), {{1, 1, 0}, {4, -1, 0}, {1, 0.5, 0}});
+  const Result r = solve(p);
+  REQUIRE(r.outcome == C2D_REACHED);
+  Setup setup;
+  setup.stepping = C2D_STEPPING_DECK;
+  const Result deck = solve(p, setup);
+  REQUIRE(deck.outcome == C2D_REACHED);
+  for (size_t i = 2; i < 5; ++i) CHECK(compare(deck.recorded()[i], r.recorded()[i]).worst() < 1e-9);
+  setup = Setup();
+  setup.every_change = 1;
+  CHECK(compare(solve(p, setup), r).worst() < 1e-9);
+  setup = Setup();
+  setup.advance_mu = 0.5;
+  setup.advance_loads = {1, -1, 0.5};
+  setup.advance_second = {0, 0, 0};
+  const Result calls = solve(p, setup);
+  CHECK(compare(calls.recorded()[1], r.recorded()[4]).worst() < 1e-9);
+  CHECK(compare(calls.recorded()[2], r.recorded()[5]).worst() < 1e-9);
+}
+
+TEST_CASE("let go: saved in the air, restored in another process, the same bits") {
+  runs::Deck deck;
+  for (const std::string& line : test::lines_of(hard("W3_lifted_free_in_x_1-116"))) deck.lines.push_back(line);
+  struct Life {
+    runs::RamStore& store;
+    c2d_port port = C2D_INIT(c2d_port);
+    std::unique_ptr<runs::Machine> machine;
+    Life(const runs::Deck& deck, runs::RamStore& there) : store(there) {
+      store.serve(port);
+      const c2d_limits limits = deck.limits();
+      uint64_t minimum = 0, in_core = 0;
+      REQUIRE(c2d_memory_need(&limits, &minimum, &in_core) == C2D_OK);
+      machine.reset(new runs::Machine(limits, in_core, &port));
+      REQUIRE(machine->created == C2D_OK);
+      REQUIRE(runs::read_deck(machine->solver, deck) == C2D_OK);
+    }
+    std::vector<double> go(double load) const {
+      c2d_outcome outcome = C2D_NO_ADMISSIBLE_CHANGE;
+      REQUIRE(c2d_advance(machine->solver, &load, 1, &outcome) == C2D_OK);
+      CHECK(outcome == C2D_REACHED);
+      std::vector<double> all;
+      for (int32_t field : {C2D_TN, C2D_TT, C2D_UN1, C2D_UT1, C2D_UN2, C2D_UT2, C2D_SLIP_SUM}) {
+        double row[3];
+        REQUIRE(c2d_get(machine->solver, field, 0, 1, 3, row, 1) == C2D_OK);
+        all.insert(all.end(), row, row + 3);
+      }
+      return all;
+    }
+  };
+  runs::RamStore store;
+  const double mu = 0.3;
+  std::vector<double> expected;
+  {
+    const Life first(deck, store);
+    REQUIRE(c2d_prepare(first.machine->solver) == C2D_OK);
+    REQUIRE(c2d_begin(first.machine->solver, &mu, 1) == C2D_OK);
+    first.go(0.7);
+    first.go(-0.3);
+    REQUIRE(c2d_save(first.machine->solver) == C2D_OK);
+    for (double load : {-0.5, 0.4}) {
+      const std::vector<double> row = first.go(load);
+      expected.insert(expected.end(), row.begin(), row.end());
+    }
+  }
+  const Life second(deck, store);
+  REQUIRE(c2d_restore(second.machine->solver) == C2D_OK);
+  std::vector<double> again;
+  for (double load : {-0.5, 0.4}) {
+    const std::vector<double> row = second.go(load);
+    again.insert(again.end(), row.begin(), row.end());
+  }
+  CHECK(again == expected);
+}
+
+TEST_CASE("let go: a free body that touches without any force is told") {
+  const Result r = solve(from_text(hard("unloaded_under_a_moved_body")));
+  REQUIRE(told(r) != nullptr);
+  CHECK(std::string(told(r)->text).find("place of body 1 in any of its 3 free motions") != std::string::npos);
+  CHECK_FALSE(solve(with_paths(block(3, 0.5), {{2, 1, 0}})).warned(C2D_WARN_UNDEFINED_PLACE));
+}
