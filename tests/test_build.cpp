@@ -44,8 +44,9 @@ std::vector<std::string> includes_of(const fs::path& path) {
 
 int level_of(const std::string& folder) {
   static const std::map<std::string, int> kLevels = {
-      {"memory", 0},      {"quadrature", 0}, {"linalg", 0}, {"store", 0}, {"model", 1},  {"bie", 2},
-      {"elimination", 3}, {"contact", 4},    {"solver", 5}, {"deck", 6},  {"report", 7}, {"program", 8}};
+      {"memory", 0},      {"quadrature", 0}, {"linalg", 0},  {"store", 0},   {"model", 1},
+      {"deck", 2},        {"bie", 2},        {"elimination", 3}, {"contact", 4}, {"solver", 5},
+      {"results", 6},     {"interface", 7},  {"report", 8},  {"program", 9}};
   const auto found = kLevels.find(folder);
   return found == kLevels.end() ? -1 : found->second;
 }
@@ -77,6 +78,36 @@ TEST_CASE("build: a file of src/ includes only downward") {
   CHECK(seen > 20);
 }
 
+// By the library's object files, which are named after folder and source here.
+TEST_CASE("build: a file of the core calls only downward") {
+  const Result listing = run_shell("nm -A '" C2D_TEST_LIBRARY "' 2>&1");
+  if (listing.status != 0 || listing.out.find("solver_prepare.o") == std::string::npos) {
+    MESSAGE("skipped: needs nm, and objects named by make");
+    return;
+  }
+  std::map<std::string, std::string> home; // of a symbol: the object that defines it
+  std::vector<std::pair<std::string, std::string>> uses;
+  for (const std::string& line : lines_of(listing.out)) {
+    const size_t end = line.find(".o:"), at = line.rfind(' ');
+    if (end == std::string::npos || at == std::string::npos || at < 2) continue;
+    const size_t start = line.rfind(':', end - 1) + 1;
+    const std::string object = line.substr(start, end - start), symbol = line.substr(at + 1);
+    const char kind = line[at - 1];
+    if (kind == 'T' || kind == 'D' || kind == 'R') home[symbol] = object;
+    if (kind == 'U' || kind == 'w') uses.push_back({object, symbol});
+  }
+  int seen = 0;
+  for (const auto& use : uses) {
+    const auto there = home.find(use.second);
+    if (there == home.end()) continue;
+    const int from = level_of(use.first.substr(0, use.first.find('_')));
+    const int to = level_of(there->second.substr(0, there->second.find('_')));
+    ++seen;
+    CHECK_MESSAGE((from < 0 || to <= from), use.first << " calls " << use.second << " of " << there->second);
+  }
+  CHECK(seen > 500);
+}
+
 TEST_CASE("build: the core includes no header of an operating system or of the C++ run-time") {
   static const std::set<std::string> kAllowed = {"stdint.h",    "stddef.h", "string.h", "math.h",
                                                  "float.h",     "limits.h", "limits",   "type_traits",
@@ -101,7 +132,18 @@ TEST_CASE("build: report and program use the public interface alone") {
     for (const std::string& include : includes_of(path)) {
       const size_t slash = include.find('/');
       const int level = slash == std::string::npos ? -1 : level_of(include.substr(0, slash));
-      CHECK_MESSAGE((level < 0 || level >= 7), name << " includes " << include);
+      CHECK_MESSAGE((level < 0 || level >= 8), name << " includes " << include);
+    }
+  }
+}
+
+TEST_CASE("build: the deck reader uses the public interface, and of the core what is no part of a solver") {
+  for (const fs::path& path : files_below("src/deck")) {
+    if (!is_source(path)) continue;
+    for (const std::string& include : includes_of(path)) {
+      const std::string folder = include.substr(0, include.find('/'));
+      const bool below = folder == "deck" || folder == "memory" || include == "model/polar.hpp";
+      CHECK_MESSAGE((level_of(folder) < 0 || below), name_of(path) << " includes " << include);
     }
   }
 }

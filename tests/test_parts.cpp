@@ -70,7 +70,7 @@ public:
     const std::string root = C2D_TEST_ROOT;
     std::string command = "cd '" + root + "' && " C2D_TEST_CXX " -std=c++17 -Wall -Wextra -Werror -ffp-contract=off " +
                           calls + " -DC2D_PARTS_BY_CALL -Isrc -Iinclude -Iport/posix tests/embedded/parts.cpp";
-    for (const char* file : {"deck/read_deck", "solver/model_calls", "solver/attach", "solver/save"})
+    for (const char* file : {"interface/read_deck", "interface/model_calls", "interface/attach", "interface/save_calls", "solver/save"})
       command += std::string(" src/") + file + ".cpp";
     built_ = run_shell(command + " '" C2D_TEST_LIBRARY "' -lm -pthread -o '" + (folder_ / "parts") + "'");
   }

@@ -90,7 +90,7 @@ TEST_CASE("symbols: what a hardened build asks for besides") {
   std::set<std::string> allowed = allowed_symbols();
   allowed.merge(page_list("- hardened builds"));
   const Folder folder;
-  for (const char* source : {"memory/text", "store/block", "store/tapes", "deck/cards", "solver/create"}) {
+  for (const char* source : {"memory/text", "store/block", "store/tapes", "deck/cards", "interface/create"}) {
     const std::string object = folder / "object.o";
     const std::string root = C2D_TEST_ROOT;
     const Result built = run_shell(

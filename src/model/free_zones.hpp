@@ -51,6 +51,6 @@ bool next_piece(PieceWalk& walk, FacingPiece& out);
 bool fit_free_zone(const Model& m, int32_t zone, Reporter& reporter);
 
 // The parts of these zones are optional (memory/optional.hpp): this file, contact/facing_pairs.hpp, bie/transfer.hpp and
-// solver/transferred.hpp.
+// results/transferred.hpp.
 
 } // namespace c2d

@@ -86,7 +86,7 @@ struct Pair {
   Real saved_offset, saved_slip_done, saved_slip_from;
   Real saved_q;             // q at the start of the increment (deck stepping)
   Real good_offset, good_slip_done, good_slip_from;
-  Real slip_before;         // slip summed before the pair last touched (solver/warnings.cpp)
+  Real slip_before;         // slip summed before the pair last touched (results/warnings.cpp)
 };
 
 static_assert(sizeof(Region) == kRegionBytes && sizeof(Zone) == kZoneBytes && sizeof(Pair) == kPairBytes &&

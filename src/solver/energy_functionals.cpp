@@ -5,13 +5,11 @@
 #include "model/free_zones.hpp"
 #include "solver/energy_adjoint.hpp"
 #include "solver/motion.hpp"
-#include "solver/rigid.hpp"
 
 namespace c2d {
 
 C2D_OPTIONAL(add_rigid_motion);
 C2D_OPTIONAL(add_body_force);
-C2D_BRINGS(balance_forces);
 C2D_BRINGS(keep_motion);
 
 namespace {

@@ -8,6 +8,7 @@
 #include "memory/optional.hpp"
 #include "memory/text.hpp"
 #include "solver/energy.hpp"
+#include "solver/load_path.hpp"
 
 namespace c2d {
 

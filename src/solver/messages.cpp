@@ -1,5 +1,7 @@
 // Words for numbers: any integer has some.
-#include "contact2d.h"
+#include "solver/solver.hpp"
+
+namespace c2d {
 
 namespace {
 
@@ -71,16 +73,16 @@ const Word kOutcomeWords[] = {
 
 } // namespace
 
-extern "C" const char* c2d_message(int32_t status) {
+const char* status_text(int32_t status) {
   for (const Word& word : kStatusWords)
     if (word.number == status) return word.text;
   return "unknown status";
 }
 
-extern "C" const char* c2d_outcome_message(int32_t outcome) {
+const char* outcome_text(int32_t outcome) {
   for (const Word& word : kOutcomeWords)
     if (word.number == outcome) return word.text;
   return "unknown outcome";
 }
 
-extern "C" const char* c2d_version(void) { return "0.1.0"; }
+} // namespace c2d

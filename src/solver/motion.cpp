@@ -8,6 +8,8 @@
 
 #include "memory/optional.hpp"
 #include "model/rigid.hpp"
+#include "solver/load_path.hpp"
+#include "solver/support.hpp"
 
 namespace c2d {
 

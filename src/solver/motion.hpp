@@ -4,6 +4,10 @@
 
 namespace c2d {
 
+// How the free body starts to move when the contact cannot hold it: solver->outcome_motion. Returns the outcome; where
+// nothing is pressed the motion decides whether that is sliding or free motion.
+c2d_outcome find_outcome_motion(Session& session, c2d_outcome outcome);
+
 // What moves, and how many ways it may.
 struct Motions {
   const Body& body;

@@ -1,8 +1,5 @@
-// The call that asks for new loads, and the only references to what they alone need: without the call the linker leaves
-// it all out.
+// The only references to what new loads alone need: without the call that asks for them the linker leaves it all out.
 #include "solver/new_loads.hpp"
-
-#include "solver/solver.hpp"
 
 namespace c2d {
 
@@ -14,13 +11,3 @@ c2d_status eliminate_new_loads(const EliminationPlan& plan, int32_t first_traili
 c2d_status reduce_new_loads(const Reduction& reduction) { return reduce_loads(reduction); }
 
 } // namespace c2d
-
-using namespace c2d;
-
-extern "C" c2d_status c2d_change_loads(c2d_solver* s) {
-  const c2d_status status = enter(s, state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING));
-  if (status != C2D_OK) return status;
-  s->loads_changed = 1;
-  s->state = C2D_STATE_MODEL;
-  return C2D_OK;
-}

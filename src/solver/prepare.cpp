@@ -14,10 +14,11 @@
 #include "solver/energy.hpp"
 #include "solver/hostile_port.hpp"
 #include "solver/judge.hpp"
+#include "solver/model_hash.hpp"
 #include "solver/new_loads.hpp"
+#include "solver/prepare.hpp"
 #include "solver/rehearsal.hpp"
-#include "solver/session.hpp"
-#include "solver/solver.hpp"
+#include "solver/support.hpp"
 
 namespace c2d {
 
@@ -28,70 +29,6 @@ C2D_OPTIONAL(reduce_new_loads);
 namespace {
 
 using Matrix = ContactMatrix;
-
-struct Hash {
-  uint64_t value;
-  void add(const void* data, size_t bytes);
-  template <class T> void add_array(const T* data, int32_t count) { add(data, static_cast<size_t>(count) * sizeof(T)); }
-};
-
-[[gnu::noinline]] void Hash::add(const void* data, size_t bytes) { value = checksum(value, data, bytes); }
-
-} // namespace
-
-uint64_t hash_model(const Model& m, const c2d_options& options) {
-  Hash hash{sizeof(Real)};
-  hash.add(&options.quadrature, sizeof options.quadrature);
-  hash.add(&m.head->plane, sizeof m.head->plane);
-  if (m.head->symmetry != 0) {
-    hash.add(&m.head->symmetry, sizeof m.head->symmetry);
-    hash.add_array(m.head->line_at, 2);
-  }
-  for (int b = 0; b < m.head->bodies; ++b) {
-    const Body& body = m.head->body[b];
-    const int32_t ends = body.elements * m.head->function_nodes;
-    const size_t pairs_of_numbers = 2 * sizeof(double) * static_cast<size_t>(m.head->load_cases);
-    hash.add(&body.youngs_modulus, 2 * sizeof(double));
-    hash.add(m.xy[b], 2 * sizeof(double) * static_cast<size_t>(body.geometry_nodes));
-    hash.add(m.end_traction[b], pairs_of_numbers * static_cast<size_t>(ends));
-    hash.add(m.node_disp[b], pairs_of_numbers * static_cast<size_t>(body.nodes));
-    hash.add_array(m.end_code[b], ends);
-    hash.add_array(m.region[b], body.regions);
-  }
-  if (m.head->rigid != 0) hash.add_array(m.rigid_motion, m.head->load_cases);
-  if (m.head->interference != 0) hash.add(&m.head->interference, sizeof m.head->interference);
-  if (m.head->body_forces != 0) hash.add(m.body_force, 2 * sizeof(BodyForce) * static_cast<size_t>(m.head->load_cases));
-  hash.add_array(m.zone, m.head->zones);
-  hash.add_array(m.curve, m.head->curves);
-  hash.add_array(m.point_load, m.head->point_loads);
-  return hash.value;
-}
-
-namespace {
-
-// Do the contact pairs, all sticking, hold every free motion of this body?
-bool contact_holds(const Model& m, int b) {
-  const Body& body = m.head->body[b];
-  const int k = body.free_motions;
-  double basis[3][3]; // orthonormal: what the pairs seen so far prevent, in coordinates of the free motions
-  int rank = 0;
-  for (int32_t i = 0; i < m.head->pairs && rank < k; ++i) {
-    const Pair& pair = m.pair[i];
-    double x, y;
-    pair_position(m, pair, b, &x, &y);
-    const double dx = (x - body.centre[0]) / m.head->length_unit, dy = (y - body.centre[1]) / m.head->length_unit;
-    const double directions[2][2] = {{pair.nx, pair.ny}, {pair.ny, -pair.nx}};
-    for (int d = 0; d <= pair.tangential && rank < k; ++d) {
-      double row[3] = {0.0, 0.0, 0.0};
-      for (int j = 0; j < k; ++j) {
-        const double* motion = body.free_motion[j];
-        row[j] = directions[d][0] * (motion[0] - motion[2] * dy) + directions[d][1] * (motion[1] + motion[2] * dx);
-      }
-      rank += extend_basis(basis, rank, k, row);
-    }
-  }
-  return rank == k;
-}
 
 c2d_status open_tapes(c2d_solver* s, const Model& m) {
   uint64_t blocks[C2D_TAPES] = {}, data[C2D_TAPES] = {};
@@ -296,19 +233,6 @@ c2d_status tick(void* context) {
   return status;
 }
 
-// Which body's displacements are eliminated, and whether anything can fly away whatever the contact does.
-[[gnu::noinline]] void find_support(c2d_solver* s, const Model& m) {
-  s->inverted = 0;
-  s->blocked = 0;
-  for (int b = 0; b < m.head->bodies; ++b)
-    if (m.head->contact == 0 && m.head->body[b].free_motions > 0) s->blocked = b + 1;
-  if (m.head->contact == 0) return;
-  s->inverted = m.head->body[0].free_motions == 0 ? 0 : 1;
-  const int32_t free1 = m.head->body[0].free_motions, free2 = m.head->body[1].free_motions;
-  if (m.head->body[s->inverted].free_motions > 0) s->blocked = free1 >= free2 ? 1 : 2; // neither is held: the less held one
-  else if (!contact_holds(m, 1 - s->inverted)) s->blocked = 2 - s->inverted;
-}
-
 c2d_status solve_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, bool loads_only) {
   c2d_status status = C2D_OK;
   for (int b = 0; b < m.head->bodies && status == C2D_OK; ++b)
@@ -361,46 +285,6 @@ void weigh_pairs(const Model& m) {
   return validate_loads(m, reporter) ? C2D_OK : C2D_ERR_INPUT;
 }
 
-} // namespace
-
-int extend_basis(double basis[3][3], int rank, int n, double row[3]) {
-  double before = 0.0, after = 0.0;
-  for (int j = 0; j < n; ++j) before += row[j] * row[j];
-  for (int i = 0; i < rank; ++i) {
-    double dot = 0.0;
-    for (int j = 0; j < n; ++j) dot += basis[i][j] * row[j];
-    for (int j = 0; j < n; ++j) row[j] -= dot * basis[i][j];
-  }
-  for (int j = 0; j < n; ++j) after += row[j] * row[j];
-  if (!(after > 1e-16 * before) || !(after > 1e-16)) return 0;
-  const double length = sqrt(after);
-  for (int j = 0; j < n; ++j) basis[rank][j] = row[j] / length;
-  return 1;
-}
-
-PhaseSizes model_sizes(const Model& m) {
-  PhaseSizes sizes{};
-  sizes.m = m.head->contact;
-  sizes.cases = m.head->load_cases;
-  for (int b = 0; b < m.head->bodies; ++b) {
-    const Body& body = m.head->body[b];
-    sizes.nodes[b] = body.nodes;
-    sizes.ends[b] = static_cast<int64_t>(body.elements) * m.head->function_nodes;
-    if (is_rigid(m, b)) continue;
-    sizes.rows[b] = system_rows(m, b);
-    sizes.outer[b] = outer_columns(m, b);
-  }
-  return sizes;
-}
-
-bool is_store_error(c2d_status status) { return status >= C2D_ERR_STORE_OPEN && status < C2D_ERR_MISMATCH; }
-
-} // namespace c2d
-
-using namespace c2d;
-
-namespace {
-
 // What c2d_prepare does, with this store.
 c2d_status prepare_with(c2d_solver* s, const c2d_port* store) {
   const Model m = model_of(s);
@@ -439,7 +323,7 @@ c2d_status prepare_with(c2d_solver* s, const c2d_port* store) {
   if (closed != C2D_OK) return fail_store(s, closed);
   if (status == C2D_ERR_SINGULAR)
     return fail(s, status, "the equations are singular: the conditions do not hold the bodies, or the mesh is degenerate");
-  return fail(s, status, c2d_message(status));
+  return fail(s, status, status_text(status));
 }
 
 #ifdef C2D_HOSTILE
@@ -478,15 +362,12 @@ void rehearse(c2d_solver* s) {
 
 } // namespace
 
-extern "C" c2d_status c2d_prepare(c2d_solver* s) {
-  const c2d_status status = enter(s, state_bit(C2D_STATE_MODEL));
-  if (status != C2D_OK) return status;
-  const c2d_port& p = s->port;
-  if (!p.open || !p.read || !p.write || !p.sync || !p.close)
-    return fail(s, C2D_ERR_ARGUMENT, "the port has no block store (open, read, write, sync, close)");
+c2d_status prepare(c2d_solver* s) {
 #ifdef C2D_HOSTILE
   if (s->factors == 0 && s->loads_changed == 0) rehearse(s); // what went before must not be lost
 #endif
   const HostilePort hostile(s->tapes);
   return prepare_with(s, s->tapes.port);
 }
+
+} // namespace c2d

@@ -2,7 +2,9 @@
 #include <math.h>
 
 #include "model/rigid.hpp"
+#include "solver/load_path.hpp"
 #include "solver/motion.hpp"
+#include "solver/support.hpp"
 
 namespace c2d {
 

@@ -5,7 +5,8 @@
 
 #include "memory/optional.hpp"
 #include "solver/energy.hpp"
-#include "solver/session.hpp"
+#include "solver/model_hash.hpp"
+#include "solver/save.hpp"
 
 namespace c2d {
 
@@ -103,8 +104,6 @@ c2d_status open_slots(c2d_solver* s, const Slots& slots) {
   return open_tape(tapes, C2D_TAPE_CONTROL, slots.blocks(), kPieceBytes);
 }
 
-bool has_store(const c2d_port& p) { return p.open && p.read && p.write && p.sync && p.close; }
-
 uint64_t length_of(uint64_t image, uint64_t i) {
   const uint64_t left = image - i * kPieceBytes;
   return left < kPieceBytes ? left : kPieceBytes;
@@ -151,7 +150,7 @@ c2d_status write_image(c2d_solver* s, const Slots& slots, SaveRecord& record, Pi
   return sync_tape(s->tapes, C2D_TAPE_CONTROL);
 }
 
-c2d_status save_state(c2d_solver* s) {
+c2d_status save(c2d_solver* s) {
   Tapes& tapes = s->tapes;
   const Slots slots = slots_of(s);
   Piece piece;
@@ -201,7 +200,7 @@ c2d_status read_image(c2d_solver* s, const Slots& slots, const SaveRecord& recor
 }
 
 // May this state become that of the solver?
-c2d_status judge(c2d_solver* s, const SaveRecord& record, uint64_t count, uint64_t hash) {
+c2d_status compare(c2d_solver* s, const SaveRecord& record, uint64_t count, uint64_t hash) {
   if (record.maker != solver_maker() || record.model_hash != hash) return C2D_ERR_MISMATCH;
   if (record.count != count) return C2D_ERR_STORE_STALE;
   const bool running = record.state == C2D_STATE_RUNNING;
@@ -237,7 +236,7 @@ c2d_status find_state(c2d_solver* s, const Slots& slots, Piece& piece, SaveRecor
     SaveRecord found;
     if (status == C2D_OK) {
       memcpy(&found, piece.data(), sizeof found);
-      status = judge(s, found, count, hash);
+      status = compare(s, found, count, hash);
     }
     if (status == C2D_OK && found.number % 2 != slot) status = C2D_ERR_STORE_SWAPPED;
     if (status == C2D_OK && found.number < best.number) continue;
@@ -281,6 +280,13 @@ c2d_status load_state(c2d_solver* s, const Slots& slots, Piece& piece, const Sav
   return load_flexibility(session);
 }
 
+} // namespace
+
+c2d_status save_state(c2d_solver* s) {
+  const c2d_status status = save(s);
+  return status == C2D_OK ? c2d_status{C2D_OK} : fail_store(s, status);
+}
+
 c2d_status restore_state(c2d_solver* s) {
   const Slots slots = slots_of(s);
   Piece piece;
@@ -295,7 +301,7 @@ c2d_status restore_state(c2d_solver* s) {
     const uint64_t needed = s->error.bytes_needed;
     // A block of another machine says more than that there is a mismatch.
     const bool foreign = status == C2D_ERR_MISMATCH && s->tapes.error.status == C2D_ERR_STORE_VERSION;
-    fail(s, status, foreign ? s->tapes.error.text : c2d_message(status));
+    fail(s, status, foreign ? s->tapes.error.text : status_text(status));
     s->error.tape = C2D_TAPE_CONTROL;
     s->error.host_code = status == C2D_ERR_STORE_READ ? s->tapes.error.host_code : 0;
     s->error.bytes_needed = status == C2D_ERR_MEMORY ? needed : 0;
@@ -305,28 +311,4 @@ c2d_status restore_state(c2d_solver* s) {
   return status == C2D_OK ? c2d_status{C2D_OK} : fail_store(s, status);
 }
 
-} // namespace
 } // namespace c2d
-
-using namespace c2d;
-
-extern "C" c2d_status c2d_save(c2d_solver* s) {
-  c2d_status status = enter(s, state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING));
-  if (status != C2D_OK) return status;
-  if (!has_store(s->port)) return fail(s, C2D_ERR_ARGUMENT, "the port has no block store (open, read, write, sync, close)");
-  status = save_state(s);
-  return status == C2D_OK ? c2d_status{C2D_OK} : fail_store(s, status);
-}
-
-extern "C" c2d_status c2d_restore(c2d_solver* s) {
-  const c2d_status status = enter(s, state_bit(C2D_STATE_MODEL) | state_bit(C2D_STATE_PREPARED) |
-                                         state_bit(C2D_STATE_RUNNING) | state_bit(C2D_STATE_BROKEN));
-  if (status != C2D_OK) return status;
-  if (!has_store(s->port)) return fail(s, C2D_ERR_ARGUMENT, "the port has no block store (open, read, write, sync, close)");
-  const c2d_status restored = restore_state(s);
-  if (restored != C2D_OK) return restored;
-  const int32_t warnings = s->warnings; // counted already, but told to another
-  if (!s->blocked) warn_condition(s);
-  s->warnings = warnings;
-  return C2D_OK;
-}

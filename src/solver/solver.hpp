@@ -1,5 +1,5 @@
 #pragma once
-// The solver's header in the workspace, and what every call of the C interface does on entry and exit.
+// The solver's header in the workspace, and what all phases use of it.
 #include "contact/path.hpp"
 #include "contact2d.h"
 #include "elimination/eliminate.hpp"
@@ -74,30 +74,21 @@ constexpr uint32_t solver_maker() {
          static_cast<uint32_t>(sizeof(c2d_solver) / 8 * 16 + sizeof(Real));
 }
 
-// ---- entry and errors (solver/entry.cpp) --------------------------------------------------------------------------
-constexpr uint32_t state_bit(int32_t state) { return 1u << state; }
-// Legal to go on? Otherwise the reason is the status, and what c2d_last_error tells.
-c2d_status enter(c2d_solver* solver, uint32_t legal_states);
+// ---- errors and the caller's functions (solver/faults.cpp) -----------------------------------------------------------
+c2d_error blank_error();
+// Tell a fault, warning or note: through c2d_port.log, and keep the first fault for c2d_last_error.
+void report_fault(c2d_solver* solver, const c2d_error& entry);
 // Record an error of this call and return its status.
 c2d_status fail(c2d_solver* solver, c2d_status status, const char* text);
 c2d_status fail_store(c2d_solver* solver, c2d_status status); // takes over tapes.error; the state becomes broken
-// Forget the model and every result; state: empty. For the deck reader and failed model calls.
-void clear_model(c2d_solver* solver);
-// Tell a fault, warning or note: through c2d_port.log, and keep the first fault for c2d_last_error.
-void report_fault(c2d_solver* solver, const c2d_error& entry);
-c2d_error blank_error();
-// Fill the caller's c2d_error of a call that has no solver to ask; `why` may be null. The text is `what`, null:
-// c2d_message(status), and `end`.
-void explain(c2d_error* why, c2d_status status, uint64_t bytes_needed, const char* what = nullptr,
-             const char* end = nullptr);
-// Copy a struct of ours into the caller's of possibly another size, whose struct_size is kept; and back.
-bool copy_out(const void* ours, size_t our_size, void* theirs);
-bool copy_in(const void* theirs, void* ours, size_t our_size);
+bool is_store_error(c2d_status status);
+const char* status_text(int32_t status); // words for any number (solver/messages.cpp)
+const char* outcome_text(int32_t outcome);
 bool asked_to_stop(c2d_solver* solver);
 double clock_now(c2d_solver* solver);
 void tell_progress(c2d_solver* solver, int32_t phase, int32_t body, int64_t done, int64_t total);
 
-// ---- views --------------------------------------------------------------------------------------------------------
+// ---- views (solver/views.cpp) ----------------------------------------------------------------------------------------
 template <class T> T* array_of(c2d_solver* solver, int32_t id) {
   return reinterpret_cast<T*>(reinterpret_cast<char*>(solver) + solver->layout.offset[id]);
 }

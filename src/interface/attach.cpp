@@ -1,0 +1,155 @@
+// A solver that was moved, or dumped and reloaded, is taken up again.
+#include <stddef.h>
+#include <string.h>
+
+#include "interface/entry.hpp"
+#include "memory/characters.hpp"
+#include "memory/optional.hpp"
+#include "results/balance.hpp"
+#include "solver/energy.hpp"
+#include "solver/hostile_port.hpp"
+#include "solver/solver.hpp"
+
+// A model may come in that no call of this program declared.
+C2D_NEEDS(c2d_add_free_zone);
+C2D_NEEDS(c2d_set_body_force);
+C2D_NEEDS(c2d_set_rigid);
+C2D_NEEDS(c2d_set_symmetry);
+namespace c2d {
+C2D_NEEDS(build_energy);
+C2D_NEEDS(balance_forces);
+} // namespace c2d
+
+namespace c2d {
+
+namespace {
+
+template <class T> T member_at(const char* solver, size_t offset) {
+  T value;
+  memcpy(static_cast<void*>(&value), solver + offset, sizeof value);
+  return value;
+}
+#define C2D_MEMBER(name) member_at<decltype(c2d_solver::name)>(at, offsetof(c2d_solver, name))
+
+// The struct at `at`, of any alignment, says of itself what only a whole one can say.
+bool is_consistent(const char* at) {
+  const int32_t state = C2D_MEMBER(state);
+  if (state < C2D_STATE_EMPTY || state > C2D_STATE_BROKEN) return false;
+  static_assert(offsetof(c2d_solver, sizes) == offsetof(c2d_solver, limits) + sizeof(c2d_limits), "no padding");
+  const c2d_limits limits = C2D_MEMBER(limits);
+  const Layout layout = C2D_MEMBER(layout);
+  const uint64_t bytes = C2D_MEMBER(bytes);
+  uint64_t minimum = 0;
+  if (c2d_memory_need(&limits, &minimum, nullptr) != C2D_OK || bytes < minimum - (kAlignment - 1) ||
+      bytes > SIZE_MAX - kAlignment)
+    return false;
+  const Sizes found = C2D_MEMBER(sizes);
+  Sizes sizes;
+  Layout expected;
+  static_assert(sizeof(Sizes) == 4 * 4 + 22 * 8 && sizeof(Layout) == 8 * (kArrays + 1), "no padding");
+  return derive_sizes(limits, sizes) == C2D_OK && same_bytes(&found, &sizes, sizeof sizes) &&
+         lay_out(sizes, sizeof(c2d_solver), expected) == C2D_OK && same_bytes(&layout, &expected, sizeof layout);
+}
+
+const char kOtherMaker[] = "the solver in this memory is of another version of the library, size of pointers or number type";
+const char kNoEnergies[] = "the solver in this memory was prepared by a program that is linked without energies: "
+                           "c2d_get_summary, c2d_run, c2d_attach or c2d_restore in that program links them";
+const char kNoPart[] = "the solver in this memory uses a part of the library that this program is linked without "
+                       "(C2D_PARTS_BY_CALL), it is linked by ";
+
+// The call that links a part which the consistent solver at `at` uses and the program has not; null: there is none.
+const char* missing_part(const char* at) {
+  const ModelHeader head = C2D_MEMBER(model);
+  const bool images = C2D_MEMBER(options).symmetry == C2D_SYMMETRY_IMAGES;
+  if (!C2D_HAS(c2d_set_symmetry) && (head.symmetry_asked != 0 || images)) return "c2d_set_symmetry";
+  if (!C2D_HAS(c2d_set_rigid) && head.rigid != 0) return "c2d_set_rigid";
+  if (!C2D_HAS(c2d_set_body_force) && head.body_forces != 0) return "c2d_set_body_force";
+  const char* const zones = at + C2D_MEMBER(layout).offset[kZones];
+  for (int32_t i = 0; !C2D_HAS(c2d_add_free_zone) && i < head.zones; ++i)
+    if (member_at<Zone>(zones, static_cast<size_t>(i) * sizeof(Zone)).is_free != 0) return "c2d_add_free_zone";
+  const int32_t state = C2D_MEMBER(state);
+  const bool prepared = state == C2D_STATE_PREPARED || state == C2D_STATE_RUNNING;
+  return !C2D_HAS(build_energy) && prepared && C2D_MEMBER(keeps_energy) != 0 ? "c2d_get_summary" : nullptr;
+}
+
+// Why a solver is refused: a text, and what it ends with.
+struct Reason {
+  const char *text, *end;
+};
+
+// Where the solver stands in memory[0 .. bytes): *slack. MEMORY with *needed if the memory ends too early; MISMATCH with
+// the reason.
+c2d_status find_solver(const char* memory, size_t bytes, uint32_t* slack, uint64_t* needed, Reason& why) {
+  c2d_status status = C2D_ERR_ARGUMENT;
+  for (uint32_t i = 0; i < kAlignment && bytes >= sizeof(c2d_solver) && i <= bytes - sizeof(c2d_solver); ++i) {
+    const char* at = memory + i;
+    if (!same_bytes(at, &kSolverMagic, sizeof kSolverMagic) || C2D_MEMBER(slack) != i) continue;
+    if (C2D_MEMBER(maker) != solver_maker()) {
+      status = C2D_ERR_MISMATCH;
+      why.text = kOtherMaker;
+      continue;
+    }
+    if (!is_consistent(at)) continue;
+    const int32_t state = C2D_MEMBER(state);
+    if (C2D_HAS(build_energy) && (state == C2D_STATE_PREPARED || state == C2D_STATE_RUNNING) &&
+        C2D_MEMBER(keeps_energy) == 0) {
+      status = C2D_ERR_MISMATCH;
+      why.text = kNoEnergies;
+      continue;
+    }
+    *slack = i;
+    *needed = C2D_MEMBER(bytes) + kAlignment - 1;
+    why = Reason{nullptr, nullptr};
+    if (bytes < *needed) return C2D_ERR_MEMORY;
+    why.end = missing_part(at);
+    if (why.end) {
+      why.text = kNoPart;
+      return C2D_ERR_MISMATCH;
+    }
+    return C2D_MEMBER(busy) != 0 ? C2D_ERR_BUSY : C2D_OK;
+  }
+  return status;
+}
+#undef C2D_MEMBER
+
+} // namespace
+} // namespace c2d
+
+using namespace c2d;
+
+extern "C" c2d_status c2d_attach(c2d_solver** out, void* memory, size_t bytes, const c2d_port* port, c2d_error* why) {
+  if (!out) return C2D_ERR_ARGUMENT;
+  *out = nullptr;
+  c2d_port our_port;
+  memset(&our_port, 0, sizeof our_port);
+  uint32_t found = 0;
+  uint64_t needed = 0;
+  Reason reason{nullptr, nullptr};
+  c2d_status status = !memory || (port && !copy_in(port, &our_port, sizeof our_port)) ? C2D_ERR_ARGUMENT : C2D_OK;
+  if (status == C2D_OK) status = find_solver(static_cast<const char*>(memory), bytes, &found, &needed, reason);
+  if (status != C2D_OK) {
+    explain(why, status, status == C2D_ERR_MEMORY ? needed : 0, reason.text, reason.end);
+    return status;
+  }
+  const uint32_t slack =
+      static_cast<uint32_t>((kAlignment - reinterpret_cast<uintptr_t>(memory) % kAlignment) % kAlignment);
+  char* base = static_cast<char*>(memory);
+  if (slack != found) {
+    memmove(base + slack, base + found, static_cast<size_t>(needed - (kAlignment - 1)));
+    if (slack > found) memset(base + found, 0, slack - found); // no second beginning is left behind
+  }
+  c2d_solver* s = reinterpret_cast<c2d_solver*>(base + slack);
+  s->slack = slack;
+  s->port = our_port;
+  make_tasks_hostile(s->port);
+  s->tapes.port = &s->port;
+  s->tapes.busy = &s->busy;
+  if (s->state == C2D_STATE_BROKEN) memset(s->tapes.is_open, 0, sizeof s->tapes.is_open); // c2d_restore opens anew
+  status = reopen_tapes(s->tapes);
+  if (status != C2D_OK) {
+    if (why) copy_out(&s->tapes.error, sizeof s->tapes.error, why);
+    return status;
+  }
+  *out = s;
+  return C2D_OK;
+}

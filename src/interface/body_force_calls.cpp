@@ -1,0 +1,34 @@
+// Body forces by calls.
+#include "bie/body_force.hpp"
+#include "bie/panel.hpp"
+#include "interface/refuse.hpp"
+#include "memory/optional.hpp"
+#include "model/validate_finding.hpp"
+#include "solver/energy_adjoint.hpp"
+#include "solver/particular.hpp"
+
+namespace c2d {
+C2D_BRINGS(particular_solution);
+C2D_BRINGS(add_body_force_columns);
+C2D_BRINGS(check_body_force);
+C2D_BRINGS(take_particular);
+C2D_BRINGS(particular_at_end);
+} // namespace c2d
+
+using namespace c2d;
+
+extern "C" c2d_status c2d_set_body_force(c2d_solver* s, int32_t body, int32_t load_case, double bx, double by,
+                                         double rho_omega2, double x0, double y0) {
+  c2d_status status = enter_loads(s);
+  if (status == C2D_OK) status = check_body_number(s, body);
+  if (status != C2D_OK) return status;
+  if (!in_range(load_case, 1, s->sizes.load_cases))
+    return refuse_number(s, C2D_ERR_ARGUMENT, "load case", load_case, 1, s->sizes.load_cases);
+  const double numbers[5] = {bx, by, rho_omega2, x0, y0};
+  for (double number : numbers)
+    if (!is_usable(number)) return refuse_value(s, "a number of the body force", number, "a finite number");
+  array_of<BodyForce>(s, kBodyForces)[2 * static_cast<int64_t>(load_case - 1) + body - 1] =
+      BodyForce{bx, by, rho_omega2, x0, y0};
+  s->model.body_forces |= 1 << (body - 1);
+  return loaded(s);
+}

@@ -1,0 +1,125 @@
+// What an end carries in a load case beyond the one its condition was given with.
+#include "interface/refuse.hpp"
+#include "model/symmetry.hpp"
+#include "model/unknowns.hpp"
+#include "model/validate.hpp"
+
+namespace c2d {
+
+namespace {
+
+constexpr const char* kQuantity[4] = {"tx", "ty", "ux", "uy"};
+
+c2d_status refuse(c2d_solver* s, const char* what, const char* why) {
+  Refusal r;
+  start_refusal(r, s, C2D_ERR_ARGUMENT);
+  put_all(r.text, what, why);
+  report_fault(s, r.error);
+  return C2D_ERR_ARGUMENT;
+}
+
+c2d_status check_place(c2d_solver* s, int32_t body, int32_t element, int32_t local, int32_t load_case) {
+  if (!in_range(body, 1, s->sizes.bodies)) return refuse(s, "body number", ": there is no such body");
+  const Body& b = s->model.body[body - 1];
+  if (!b.is_set || b.region_count < b.regions)
+    return refuse(s, "", "give the body and all its regions before the values of its load cases");
+  if (!in_range(element, 1, b.elements)) return refuse(s, "element number", ": the body has no such element");
+  if (!in_range(local, 0, s->sizes.function_nodes))
+    return refuse(s, "local functional node", ": the element has no such node");
+  if (!in_range(load_case, 1, s->sizes.load_cases)) return refuse(s, "load case", ": there is no such load case");
+  return C2D_OK;
+}
+
+// A prescribed displacement that another card gave this node for this case.
+bool contradicts(double known, double value) { return known != 0.0 && known != value; }
+
+// Values that replace others contradict nobody, but symmetry and contact hold their displacements.
+c2d_status check_held(c2d_solver* s, const Model& m, int b, int32_t element, int32_t node, int q) {
+  if (is_rigid(m, b)) return refuse(s, kQuantity[q], " belongs to the rigid body 1, expected 0");
+  if (!is_integrated(m, b, element))
+    return refuse(s, kQuantity[q], " is on an element without length or on a line of symmetry, expected 0");
+  if (q < 2) return C2D_OK;
+  if (m.head->symmetry != 0 && is_held_by_symmetry(m, b, node, q - 2))
+    return refuse(s, kQuantity[q], " is held by symmetry here, expected 0");
+  if (pair_of_node(m, b, node) >= 0) return refuse(s, kQuantity[q], " belongs to a contact node, expected 0");
+  return C2D_OK;
+}
+
+c2d_status check_end(c2d_solver* s, const Model& m, int b, int32_t element, int l, const double values[4],
+                     int32_t load_case, bool replaces) {
+  const int32_t end = element * m.head->function_nodes + l, node = functional_node(m, b, element, l);
+  const bool contact = pair_of_end(m, b, element, l) >= 0;
+  for (int q = 0; q < 4; ++q) {
+    if (values[q] == 0.0) continue;
+    if (!is_usable(values[q])) return refuse(s, kQuantity[q], " is not a usable number");
+    if (q < 2 && contact) return refuse(s, kQuantity[q], " is a contact traction here, expected 0");
+    if (q < 2 && !traction_known(m, b, end, q)) return refuse(s, kQuantity[q], " is unknown here, expected 0");
+    c2d_status held = C2D_OK;
+    if (replaces) held = check_held(s, m, b, element, node, q);
+    if (held != C2D_OK) return held;
+    if (q < 2) continue;
+    if (!displacement_known(m, b, node, q - 2)) return refuse(s, kQuantity[q], " is unknown here, expected 0");
+    const int64_t at = (static_cast<int64_t>(load_case) * m.head->body[b].nodes + node) * 2 + q - 2;
+    if (!replaces && contradicts(m.node_disp[b][at], values[q]))
+      return refuse(s, kQuantity[q], " was given another value at this node in the same load case");
+  }
+  return C2D_OK;
+}
+
+void set_end(const Model& m, int b, int32_t element, int l, const double values[4], int32_t load_case, bool replaces) {
+  const int64_t ends = static_cast<int64_t>(m.head->body[b].elements) * m.head->function_nodes;
+  const int32_t end = element * m.head->function_nodes + l, node = functional_node(m, b, element, l);
+  for (int c = 0; c < 2; ++c) {
+    if (traction_known(m, b, end, c)) m.end_traction[b][(load_case * ends + end) * 2 + c] = values[c];
+    if (displacement_known(m, b, node, c) && (replaces || values[2 + c] != 0.0))
+      m.node_disp[b][(static_cast<int64_t>(load_case) * m.head->body[b].nodes + node) * 2 + c] = values[2 + c];
+  }
+}
+
+c2d_status set_values(c2d_solver* s, int32_t body, int32_t element, int32_t local, const double values[4],
+                      int32_t load_case, bool replaces) {
+  c2d_status status = check_place(s, body, element, local, load_case);
+  if (status != C2D_OK) return status;
+  if (!values) return refuse(s, "", "no values given");
+  const Model m = model_of(s);
+  const int first = local == 0 ? 0 : local - 1, last = local == 0 ? m.head->function_nodes : local;
+  for (int l = first; l < last; ++l) {
+    status = check_end(s, m, body - 1, element - 1, l, values, load_case - 1, replaces);
+    if (status != C2D_OK) return status;
+  }
+  for (int l = first; l < last; ++l) set_end(m, body - 1, element - 1, l, values, load_case - 1, replaces);
+  return C2D_OK;
+}
+
+} // namespace
+} // namespace c2d
+
+using namespace c2d;
+
+extern "C" c2d_status c2d_set_case_values(c2d_solver* s, int32_t body, int32_t element, int32_t local,
+                                          const double values[4], int32_t load_case) {
+  const c2d_status status = enter(s, state_bit(C2D_STATE_BUILDING));
+  return status == C2D_OK ? set_values(s, body, element, local, values, load_case, false) : status;
+}
+
+extern "C" c2d_status c2d_replace_values(c2d_solver* s, int32_t body, int32_t element, int32_t local,
+                                         const double values[4], int32_t load_case) {
+  c2d_status status = enter(s, state_bit(C2D_STATE_MODEL));
+  if (status == C2D_OK) status = set_values(s, body, element, local, values, load_case, true);
+  if (status == C2D_OK) s->loads_changed = 1;
+  return status;
+}
+
+extern "C" c2d_status c2d_replace_point_load(c2d_solver* s, int32_t i, double x, double y, double fx, double fy) {
+  const c2d_status status = enter(s, state_bit(C2D_STATE_MODEL));
+  if (status != C2D_OK) return status;
+  if (!in_range(i, 1, s->model.point_loads))
+    return refuse_number(s, C2D_ERR_ARGUMENT, "number of the point load", i, 1, s->model.point_loads);
+  const double numbers[4] = {x, y, fx, fy};
+  for (double number : numbers)
+    if (!is_usable(number)) return refuse_value(s, "a number of the point load", number, "a finite number");
+  PointLoad& load = array_of<PointLoad>(s, kPointLoads)[i - 1];
+  load.x = x, load.y = y, load.fx = fx, load.fy = fy;
+  s->loads_changed = 1;
+  return C2D_OK;
+}

@@ -1,0 +1,174 @@
+// Memory: how much, and the solver made in it.
+#include <stddef.h>
+#include <string.h>
+
+#include "interface/entry.hpp"
+#include "memory/hostile.hpp"
+#include "memory/text.hpp"
+#include "solver/hostile_port.hpp"
+#include "solver/phases.hpp"
+
+namespace c2d {
+
+namespace {
+
+static_assert(sizeof(c2d_solver) <= C2D_SOLVER_BYTES && C2D_SOLVER_BYTES <= sizeof(c2d_solver) + 512,
+              "C2D_SOLVER_BYTES of contact2d.h bounds the solver's own struct, and not by much");
+static_assert(sizeof(Real) <= C2D_REAL_BYTES, "C2D_REAL_BYTES of contact2d.h bounds the stored number");
+
+// Bytes for these limits with the workspace at an aligned address.
+c2d_status aligned_need(const Sizes& sizes, Layout& layout, uint64_t* minimum, uint64_t* in_core) {
+  c2d_status status = lay_out(sizes, sizeof(c2d_solver), layout);
+  if (status != C2D_OK) return status;
+  // Row and column numbers are 32-bit throughout; phase_need relies on it.
+  for (const BodySizes& body : sizes.body)
+    if (body.rows + 2 * sizes.contact + sizes.load_cases >= INT32_MAX || body.ends > INT32_MAX / 4)
+      return C2D_ERR_OVERFLOW;
+  status = phase_need(sizes, minimum, in_core);
+  if (status != C2D_OK) return status;
+  uint64_t* const needs[] = {minimum, in_core};
+  for (uint64_t* need : needs)
+    if (!add_bytes(*need, 1, layout.persistent) || *need > UINT64_MAX - kAlignment) return C2D_ERR_OVERFLOW;
+  return *minimum > SIZE_MAX - kAlignment ? C2D_ERR_OVERFLOW : C2D_OK;
+}
+
+// The hostile build: panels of its width and no more memory than they need with two buffers, if there is that much.
+void make_tiny(c2d_limits& limits, Sizes& sizes, Layout& layout, size_t& bytes) {
+  c2d_limits narrow = limits;
+  if (narrow.panel_columns == 0) narrow.panel_columns = hostile_width();
+  Sizes narrow_sizes;
+  Layout narrow_layout;
+  uint64_t least = 0, most = 0;
+  if (derive_sizes(narrow, narrow_sizes) != C2D_OK ||
+      aligned_need(narrow_sizes, narrow_layout, &least, &most) != C2D_OK || least + kAlignment - 1 > bytes)
+    return;
+  limits = narrow;
+  sizes = narrow_sizes;
+  layout = narrow_layout;
+  const int64_t rows = sizes.body[0].rows > sizes.body[1].rows ? sizes.body[0].rows : sizes.body[1].rows;
+  least += kAlignment - 1 + round_up(kBlockHeaderBytes + static_cast<uint64_t>(rows) * sizeof(Real));
+  if (least < bytes) bytes = static_cast<size_t>(least);
+}
+
+void fill_header(c2d_solver* s, uint64_t bytes, uint32_t slack, const c2d_limits& limits, const Sizes& sizes,
+                 const Layout& layout) {
+  memset(static_cast<void*>(s), 0, sizeof *s);
+  s->magic = kSolverMagic;
+  s->maker = solver_maker();
+  s->slack = slack;
+  s->bytes = bytes;
+  s->limits = limits;
+  s->sizes = sizes;
+  s->layout = layout;
+  s->options.struct_size = static_cast<uint32_t>(sizeof s->options);
+  s->error = blank_error();
+}
+
+} // namespace
+
+void explain(c2d_error* why, c2d_status status, uint64_t needed, const char* what, const char* end) {
+  if (!why) return;
+  c2d_error e = blank_error();
+  e.status = status;
+  e.severity = C2D_FAULT;
+  e.bytes_needed = needed;
+  Text text = text_in(e.text);
+  put(put(text, what ? what : c2d_message(status)), end);
+  if (needed > 0) {
+    put_all(text, ": ", needed, " bytes would do");
+  }
+  copy_out(&e, sizeof e, why);
+}
+
+void clear_model(c2d_solver* s) {
+  // What stands before the model stays: memory, limits, port and tapes, and what c2d_last_error tells; options do too.
+  const c2d_options options = s->options;
+  const int32_t warnings = s->warnings;
+  memset(static_cast<void*>(&s->model), 0, sizeof *s - offsetof(c2d_solver, model));
+  s->state = C2D_STATE_EMPTY;
+  s->busy = 0;
+  s->peak_bytes = s->layout.persistent;
+  s->options = options;
+  s->warnings = warnings;
+  s->model.function_nodes = s->sizes.function_nodes;
+  s->model.load_cases = s->sizes.load_cases;
+  s->model.length_unit = s->model.stress_unit = 1.0;
+  char* arrays = reinterpret_cast<char*>(s) + s->layout.offset[kXy];
+  memset(arrays, 0, static_cast<size_t>(s->layout.persistent - s->layout.offset[kXy]));
+  for (int b = 0; b < 2; ++b)
+    for (int64_t i = 0; i < s->sizes.body[b].geometry_nodes; ++i) array_of<int32_t>(s, kNodeLine + b)[i] = -1;
+}
+
+} // namespace c2d
+
+using namespace c2d;
+
+extern "C" c2d_status c2d_memory_need(const c2d_limits* limits, uint64_t* minimum, uint64_t* in_core) {
+  c2d_limits ours;
+  if (!limits || !copy_in(limits, &ours, sizeof ours)) return C2D_ERR_ARGUMENT;
+  Sizes sizes;
+  Layout layout;
+  uint64_t least = 0, most = 0;
+  c2d_status status = derive_sizes(ours, sizes);
+  if (status == C2D_OK) status = aligned_need(sizes, layout, &least, &most);
+  if (status != C2D_OK) return status;
+  if (minimum) *minimum = least + kAlignment - 1;
+  if (in_core) *in_core = most + kAlignment - 1;
+  return C2D_OK;
+}
+
+extern "C" c2d_status c2d_create(c2d_solver** out, void* memory, size_t bytes, const c2d_limits* limits,
+                                 const c2d_port* port, c2d_error* why) {
+  if (!out) return C2D_ERR_ARGUMENT;
+  *out = nullptr;
+  c2d_limits ours;
+  c2d_port our_port;
+  memset(&our_port, 0, sizeof our_port);
+  if (!limits || !copy_in(limits, &ours, sizeof ours) || (port && !copy_in(port, &our_port, sizeof our_port)) ||
+      (!memory && bytes > 0)) {
+    explain(why, C2D_ERR_ARGUMENT, 0);
+    return C2D_ERR_ARGUMENT;
+  }
+  Sizes sizes;
+  Layout layout;
+  uint64_t least = 0, most = 0;
+  c2d_status status = derive_sizes(ours, sizes);
+  if (status == C2D_OK) status = aligned_need(sizes, layout, &least, &most);
+  if (status != C2D_OK) {
+    explain(why, status, 0);
+    return status;
+  }
+  const uintptr_t address = reinterpret_cast<uintptr_t>(memory);
+  const uint32_t slack = static_cast<uint32_t>((kAlignment - address % kAlignment) % kAlignment);
+  if (bytes < least + kAlignment - 1) { // the same answer at every alignment
+    explain(why, C2D_ERR_MEMORY, least + kAlignment - 1);
+    return C2D_ERR_MEMORY;
+  }
+  poison(memory, bytes);
+  if (kHostile) make_tiny(ours, sizes, layout, bytes);
+  c2d_solver* s = reinterpret_cast<c2d_solver*>(static_cast<char*>(memory) + slack);
+  fill_header(s, bytes - (kAlignment - 1), slack, ours, sizes, layout); // so that it may move to any alignment
+  s->port = our_port;
+  make_tasks_hostile(s->port);
+  s->tapes.port = &s->port;
+  s->tapes.busy = &s->busy;
+  clear_model(s);
+  *out = s;
+  return C2D_OK;
+}
+
+extern "C" c2d_status c2d_close(c2d_solver* s) {
+  if (!s || s->magic != kSolverMagic) return C2D_ERR_ARGUMENT;
+  if (s->busy) return C2D_ERR_BUSY;
+  s->tapes.port = &s->port;
+  s->tapes.busy = &s->busy;
+  const c2d_status status = s->port.close ? close_all(s->tapes) : c2d_status{C2D_OK};
+  if (status != C2D_OK) { // the log is the only one left to tell: after this there is no solver to ask
+    fail_store(s, status);
+    const c2d_error last = s->error;
+    report_fault(s, last);
+  }
+  poison(s, s->bytes);
+  s->magic = 0;
+  return status;
+}

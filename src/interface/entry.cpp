@@ -1,0 +1,72 @@
+// What every call does first and last.
+#include "interface/entry.hpp"
+
+#include <string.h>
+
+#include "memory/text.hpp"
+
+namespace c2d {
+
+bool copy_out(const void* ours, size_t our_size, void* theirs) {
+  uint32_t size;
+  memcpy(&size, theirs, sizeof size);
+  if (size < sizeof size) return false;
+  const size_t bytes = size < our_size ? size : our_size;
+  memcpy(static_cast<char*>(theirs) + sizeof size, static_cast<const char*>(ours) + sizeof size, bytes - sizeof size);
+  return true;
+}
+
+bool copy_in(const void* theirs, void* ours, size_t our_size) {
+  uint32_t size;
+  memcpy(&size, theirs, sizeof size);
+  if (size < sizeof size) return false;
+  memset(ours, 0, our_size);
+  memcpy(ours, theirs, size < our_size ? size : our_size);
+  const uint32_t our_mark = static_cast<uint32_t>(our_size);
+  memcpy(ours, &our_mark, sizeof our_mark);
+  return true;
+}
+
+c2d_status enter(c2d_solver* s, uint32_t legal_states) {
+  if (!s || s->magic != kSolverMagic) return C2D_ERR_ARGUMENT;
+  if (s->busy) return C2D_ERR_BUSY;
+  s->tapes.port = &s->port;
+  s->tapes.busy = &s->busy;
+  s->has_fault = 0;
+  if ((legal_states & state_bit(s->state)) == 0) {
+    static const char* const names[] = {"empty", "building", "model", "prepared", "running", "broken"};
+    c2d_error e = blank_error();
+    e.status = C2D_ERR_STATE;
+    e.severity = C2D_FAULT;
+    Text text = text_in(e.text);
+    put_all(text, "this call is not legal in state '", names[s->state], "'");
+    s->error = e;
+    s->has_fault = 1;
+    return C2D_ERR_STATE;
+  }
+  return C2D_OK;
+}
+
+bool has_store(c2d_solver* s) {
+  const c2d_port& p = s->port;
+  if (p.open && p.read && p.write && p.sync && p.close) return true;
+  fail(s, C2D_ERR_ARGUMENT, "the port has no block store (open, read, write, sync, close)");
+  return false;
+}
+
+} // namespace c2d
+
+using namespace c2d;
+
+extern "C" c2d_status c2d_last_error(c2d_solver* s, c2d_error* out) {
+  if (!s || s->magic != kSolverMagic || !out) return C2D_ERR_ARGUMENT;
+  return copy_out(&s->error, sizeof s->error, out) ? C2D_OK : C2D_ERR_ARGUMENT;
+}
+
+extern "C" int32_t c2d_get_state(const c2d_solver* s) { return s && s->magic == kSolverMagic ? s->state : -1; }
+
+extern "C" c2d_status c2d_cancel(c2d_solver* s) {
+  if (!s || s->magic != kSolverMagic) return C2D_ERR_ARGUMENT;
+  s->cancelled = 1;
+  return C2D_OK;
+}

@@ -1,0 +1,89 @@
+// Free zones by calls.
+#include <string.h>
+
+#include "bie/transfer.hpp"
+#include "contact/facing_pairs.hpp"
+#include "interface/zone_calls.hpp"
+#include "memory/optional.hpp"
+#include "results/transferred.hpp"
+#include "solver/energy_adjoint.hpp"
+
+namespace c2d {
+C2D_BRINGS(fit_free_zone);
+C2D_BRINGS(fill_transfer);
+C2D_BRINGS(surface_faced);
+C2D_BRINGS(transferred_values);
+C2D_BRINGS(add_transferred_at);
+} // namespace c2d
+
+using namespace c2d;
+
+namespace {
+
+// Ranges of a free zone: body 2's runs against body 1's, whichever way they were given.
+c2d_status fill_free_zone(c2d_solver* s, const Model& m, const c2d_free_zone& given, Zone& z) {
+  for (int b = 0; b < 2; ++b) {
+    const Body& body = m.head->body[b];
+    const int32_t ends[2] = {given.first_element[b], given.last_element[b]};
+    for (int32_t element : ends)
+      if (!in_range(element, 1, body.elements))
+        return refuse_number(s, C2D_ERR_ARGUMENT, b == 0 ? "contact element of body 1" : "contact element of body 2",
+                             element, 1, body.elements);
+    const int32_t distance = ends[1] > ends[0] ? ends[1] - ends[0] : ends[0] - ends[1];
+    const int32_t count = given.elements[b] == 0 ? distance + 1 : given.elements[b];
+    z.region[b] = region_of_element(m, b, ends[0] - 1);
+    const Region& region = m.region[b][z.region[b]];
+    const int32_t ring = region.open ? 0 : region.last - region.first + 1;
+    z.first_element[b] = ends[0] - 1;
+    z.element_step[b] =
+        count < 1 ? 0 : range_step(ends[0] - 1, ends[1] - 1, count, region.first, ring, ends[1] >= ends[0] ? 1 : -1);
+    (b == 0 ? z.facing : z.elements) = count;
+    if (z.element_step[b] == 0 || region_of_element(m, b, ends[1] - 1) != z.region[b])
+      return refuse(s, C2D_ERR_ARGUMENT,
+                    b == 0 ? "the element range of body 1 does not hold the number of elements given, in one region"
+                           : "the element range of body 2 does not hold the number of elements given, in one region");
+  }
+  if (z.element_step[1] == z.element_step[0]) {
+    z.first_element[1] = given.last_element[1] - 1;
+    z.element_step[1] = -z.element_step[1];
+  }
+  return C2D_OK;
+}
+
+} // namespace
+
+extern "C" c2d_status c2d_add_free_zone(c2d_solver* s, const c2d_free_zone* zone) {
+  c2d_status status = enter_building(s);
+  c2d_free_zone given;
+  if (status != C2D_OK) return status;
+  if (!zone || !copy_in(zone, &given, sizeof given)) return refuse(s, C2D_ERR_ARGUMENT, "no zone given");
+  ModelHeader& head = s->model;
+  status = check_room_for_zone(s);
+  if (status != C2D_OK) return status;
+  const Model m = model_of(s);
+  Zone z;
+  memset(&z, 0, sizeof z);
+  status = fill_free_zone(s, m, given, z);
+  if (status != C2D_OK) return status;
+  const int32_t f = s->sizes.function_nodes;
+  const int64_t pairs = f == 1 ? z.elements : static_cast<int64_t>(z.elements) * (f - 1) + 1;
+  int64_t others = 0; // pairs of the other free zones
+  for (int32_t i = 0; i < head.zones; ++i) others += m.zone[i].is_free != 0 ? m.zone[i].pairs : 0;
+  if (pairs > s->sizes.pairs - head.pairs)
+    return refuse_number(s, C2D_ERR_LIMIT, "number of contact pairs", pairs, 1, s->sizes.pairs - head.pairs);
+  if (pairs > s->sizes.free_pairs - others)
+    return refuse_number(s, C2D_ERR_LIMIT, "number of pairs of free zones", pairs, 1, s->sizes.free_pairs - others);
+  if (z.elements > s->sizes.contact_elements - head.contact_elements)
+    return refuse_number(s, C2D_ERR_LIMIT, "number of contact elements", z.elements, 1,
+                         s->sizes.contact_elements - head.contact_elements);
+  z.is_free = 1;
+  z.pairs = static_cast<int32_t>(pairs);
+  z.node_step[1] = z.element_step[1];
+  z.first_node[1] = functional_node(m, 1, z.first_element[1], z.element_step[1] > 0 ? 0 : f - 1);
+  z.first_pair = head.pairs;
+  z.line = head.line;
+  m.zone[head.zones++] = z;
+  head.pairs += z.pairs;
+  head.contact_elements += z.elements;
+  return built(s);
+}

@@ -1,0 +1,107 @@
+// Where interior results are wanted: kept with the model, expanded for whoever asks.
+#include <string.h>
+
+#include "interface/refuse.hpp"
+#include "model/validate.hpp"
+
+namespace c2d {
+
+namespace {
+
+// Points of a set, 0 if its numbers are not legal. `what` says why.
+int32_t points_of(const c2d_points& p, const char** what) {
+  *what = "kind of points: expected C2D_POINTS_ONE, _LINE or _GRID";
+  if (p.kind < C2D_POINTS_ONE || p.kind > C2D_POINTS_GRID) return 0;
+  *what = "a coordinate of the points is not a usable number";
+  for (int c = 0; c < 2; ++c)
+    if (!is_usable(p.from[c]) || (p.kind != C2D_POINTS_ONE && !is_usable(p.to[c]))) return 0;
+  int64_t total = 1;
+  for (int c = 0; c < p.kind; ++c) {
+    *what = "number of points: expected 1 or more, and in all fewer than 2^31";
+    if (p.count[c] < 1) return 0;
+    total *= p.count[c];
+  }
+  return total > INT32_MAX ? 0 : static_cast<int32_t>(total);
+}
+
+// Both ends are met exactly.
+double place_between(double from, double to, int32_t i, int32_t count) {
+  if (i == 0 || count == 1) return from;
+  if (i == count - 1) return to;
+  const double part = static_cast<double>(i) / (count - 1);
+  return (1.0 - part) * from + part * to;
+}
+
+} // namespace
+} // namespace c2d
+
+using namespace c2d;
+
+extern "C" c2d_status c2d_add_points(c2d_solver* s, const c2d_points* points) {
+  const c2d_status status = enter(s, state_bit(C2D_STATE_EMPTY) | state_bit(C2D_STATE_BUILDING));
+  if (status != C2D_OK) return status;
+  c2d_points ours;
+  if (!points || !copy_in(points, &ours, sizeof ours)) return refuse(s, C2D_ERR_ARGUMENT, "no points given");
+  if (ours.body < 1 || ours.body > s->sizes.bodies)
+    return refuse(s, C2D_ERR_ARGUMENT, "body number of points: there is no such body");
+  const char* what = "";
+  if (points_of(ours, &what) == 0) return refuse(s, C2D_ERR_ARGUMENT, what);
+  if (s->model.point_sets >= s->sizes.point_sets)
+    return refuse(s, C2D_ERR_LIMIT, "more sets of points than c2d_limits.point_sets");
+  PointSet& set = array_of<PointSet>(s, kPointSets)[s->model.point_sets++];
+  set = PointSet{ours.kind,
+                 ours.body,
+                 {1, 1},
+                 s->model.line,
+                 0,
+                 {ours.from[0], ours.from[1]},
+                 {ours.from[0], ours.from[1]}};
+  for (int c = 0; c < 2; ++c) {
+    if (c < ours.kind) set.count[c] = ours.count[c];
+    if (ours.kind != C2D_POINTS_ONE) set.to[c] = ours.to[c];
+  }
+  return built(s);
+}
+
+extern "C" c2d_status c2d_get_points(c2d_solver* s, int32_t i, c2d_points* out) {
+  const c2d_status status =
+      enter(s, state_bit(C2D_STATE_MODEL) | state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING));
+  if (status != C2D_OK) return status;
+  if (!out || i < 1 || i > s->model.point_sets)
+    return fail(s, C2D_ERR_ARGUMENT, "there is no such set of points");
+  const PointSet& set = array_of<PointSet>(s, kPointSets)[i - 1];
+  c2d_points ours;
+  memset(&ours, 0, sizeof ours);
+  ours.kind = set.kind;
+  ours.body = set.body;
+  ours.line = set.line;
+  for (int c = 0; c < 2; ++c) {
+    ours.count[c] = set.count[c];
+    ours.from[c] = set.from[c];
+    ours.to[c] = set.to[c];
+  }
+  return copy_out(&ours, sizeof ours, out) ? C2D_OK : C2D_ERR_ARGUMENT;
+}
+
+extern "C" c2d_status c2d_expand_points(const c2d_points* points, int32_t first, int32_t count, double* xy,
+                                        int64_t stride, int32_t* total) {
+  c2d_points p;
+  const char* what = "";
+  if (!points || !copy_in(points, &p, sizeof p)) return C2D_ERR_ARGUMENT;
+  const int32_t items = points_of(p, &what);
+  if (items == 0) return C2D_ERR_ARGUMENT;
+  if (total) *total = items;
+  if (count < 0 || first < 1 || first - 1 > items || count > items - (first - 1) || (count > 0 && !xy))
+    return C2D_ERR_ARGUMENT;
+  for (int32_t k = 0; k < count; ++k) {
+    const int32_t at = first - 1 + k;
+    double* out = xy + k * stride;
+    for (int c = 0; c < 2; ++c) {
+      if (p.kind == C2D_POINTS_ONE) out[c] = p.from[c];
+      if (p.kind == C2D_POINTS_LINE) out[c] = place_between(p.from[c], p.to[c], at, p.count[0]);
+      if (p.kind == C2D_POINTS_GRID)
+        out[c] = place_between(p.from[c], p.to[c], c == 0 ? at % p.count[0] : at / p.count[0], p.count[c]);
+    }
+  }
+  return C2D_OK;
+}

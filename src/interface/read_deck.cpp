@@ -1,0 +1,105 @@
+// A deck into a solver, through the calls of the C interface.
+#include "deck/deck.hpp"
+#include "interface/entry.hpp"
+#include "memory/optional.hpp"
+
+C2D_NEEDS(c2d_set_symmetry);
+C2D_NEEDS(c2d_set_rigid);
+C2D_NEEDS(c2d_set_body_force);
+C2D_NEEDS(c2d_add_free_zone);
+
+namespace c2d {
+namespace {
+
+// The caller's deck and the solver. Every inner call begins with a clean error, so the first fault is kept
+// here.
+struct Reading {
+  c2d_solver* solver;
+  c2d_read_line read;
+  void* context;
+  c2d_error first;
+};
+
+void keep_first(Reading& reading, const c2d_error& entry) {
+  if (reading.first.status == C2D_OK) reading.first = entry;
+}
+
+void model_refused(void* context) {
+  Reading& reading = *static_cast<Reading*>(context);
+  keep_first(reading, reading.solver->error);
+}
+
+void deck_fault(void* context, const c2d_error* entry) {
+  Reading& reading = *static_cast<Reading*>(context);
+  keep_first(reading, *entry);
+  report_fault(reading.solver, *entry);
+}
+
+// Inside the caller's read_line no call of this solver is legal.
+int32_t read_line(void* context, char* text, int32_t size) {
+  Reading& reading = *static_cast<Reading*>(context);
+  reading.solver->busy = 1;
+  const int32_t length = reading.read(reading.context, text, size);
+  reading.solver->busy = 0;
+  return length;
+}
+
+c2d_status walk(Reading& reading) {
+  DeckSink sink = DeckSink();
+  sink.solver = reading.solver;
+  sink.function_nodes = reading.solver->sizes.function_nodes;
+  sink.bodies = reading.solver->sizes.bodies;
+  sink.refused = model_refused;
+  sink.context = &reading;
+  sink.set_line = c2d_set_line;
+  sink.set_problem = c2d_set_problem;
+  sink.set_body = c2d_set_body;
+  sink.add_region = c2d_add_region;
+  sink.set_nodes = c2d_set_nodes;
+  sink.set_condition = c2d_set_condition;
+  sink.add_point_load = c2d_add_point_load;
+  sink.add_zone = c2d_add_zone;
+  sink.add_friction = c2d_add_friction;
+  sink.add_path = c2d_add_path;
+  sink.set_case_values = c2d_set_case_values;
+  sink.clear_paths = c2d_clear_paths;
+  sink.add_path_point = c2d_add_path_point;
+  sink.set_zone_friction = c2d_set_zone_friction;
+  sink.set_units = c2d_set_units;
+  sink.set_interference = c2d_set_interference;
+  sink.add_points = c2d_add_points;
+  sink.add_curve = c2d_add_curve;
+  sink.set_symmetry = c2d_set_symmetry;
+  sink.set_rigid = c2d_set_rigid;
+  sink.set_body_force = c2d_set_body_force;
+  sink.add_free_zone = c2d_add_free_zone;
+  return read_deck_cards(&sink, read_line, &reading, deck_fault, &reading, nullptr);
+}
+
+} // namespace
+} // namespace c2d
+
+using namespace c2d;
+
+c2d_status c2d_read_deck(c2d_solver* solver, c2d_read_line read, void* context) {
+  c2d_status status = enter(solver, state_bit(C2D_STATE_EMPTY));
+  if (status != C2D_OK) return status;
+  if (read == nullptr) return fail(solver, C2D_ERR_ARGUMENT, "read_line is null, expected a function");
+  const double start = clock_now(solver);
+  Reading reading = Reading();
+  reading.solver = solver;
+  reading.read = read;
+  reading.context = context;
+  status = walk(reading);
+  if (status == C2D_OK) {
+    status = c2d_complete(solver);
+    if (status != C2D_OK) model_refused(&reading);
+  }
+  if (status != C2D_OK) {
+    clear_model(solver);
+    solver->error = reading.first;
+    solver->has_fault = 1;
+  }
+  solver->seconds[C2D_PHASE_READ] = clock_now(solver) - start;
+  return status;
+}

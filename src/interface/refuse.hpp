@@ -1,0 +1,39 @@
+#pragma once
+// Refused calls of the model: told like a fault of the deck, with the place that c2d_set_line gave.
+#include "interface/entry.hpp"
+#include "memory/text.hpp"
+
+namespace c2d {
+
+struct Refusal {
+  c2d_error error;
+  Text text;
+};
+void start_refusal(Refusal& r, c2d_solver* solver, c2d_status status);
+// Each tells the fault and returns its status. "what is VALUE, expected FIRST to LAST"
+c2d_status refuse(c2d_solver* solver, c2d_status status, const char* text);
+c2d_status refuse_integer(c2d_solver* solver, c2d_status status, const char* what, int32_t value, int32_t first,
+                          int32_t last);
+c2d_status refuse_value(c2d_solver* solver, const char* what, double value, const char* expected);
+
+// The calls of section 5: legal in empty and building; `built`: something was changed.
+constexpr uint32_t kBuilding = state_bit(C2D_STATE_EMPTY) | state_bit(C2D_STATE_BUILDING);
+c2d_status enter_building(c2d_solver* solver);
+c2d_status built(c2d_solver* solver);
+// Loads may also be changed in state model, where they do not make the model incomplete.
+c2d_status enter_loads(c2d_solver* solver);
+c2d_status loaded(c2d_solver* solver);
+c2d_status check_body_number(c2d_solver* solver, int32_t body); // 1 ... bodies
+c2d_status check_load_case(c2d_solver* solver, int32_t load_case);
+
+// Numbers of the interface and limits, whatever type they are kept in, have 32 bits (interface/create.cpp).
+template <class Value, class First, class Last>
+inline c2d_status refuse_number(c2d_solver* solver, c2d_status status, const char* what, Value value, First first, Last last) {
+  return refuse_integer(solver, status, what, static_cast<int32_t>(value), static_cast<int32_t>(first),
+                        static_cast<int32_t>(last));
+}
+template <class First, class Last> inline bool in_range(int32_t value, First first, Last last) {
+  return value >= static_cast<int32_t>(first) && value <= static_cast<int32_t>(last);
+}
+
+} // namespace c2d

@@ -1,0 +1,220 @@
+// Answers: fields, lists.
+#include <math.h>
+#include <string.h>
+
+#include "interface/entry.hpp"
+#include "model/symmetry.hpp"
+#include "results/back.hpp"
+#include "results/interior.hpp"
+#include "results/table.hpp"
+
+namespace c2d {
+
+namespace {
+
+constexpr uint32_t kComplete =
+    state_bit(C2D_STATE_MODEL) | state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING);
+
+// Values of one field of `count` items, item i at base[i * step + offset].
+struct Field {
+  const double* base;
+  int64_t step, offset, items;
+};
+
+c2d_status check_range(c2d_solver* s, int64_t items, int32_t first, int32_t count, const double* out) {
+  if (count < 0 || first < 1 || first > items + 1 || count > items - first + 1)
+    return fail(s, C2D_ERR_ARGUMENT, "entries asked for are not all there");
+  if (count > 0 && !out) return fail(s, C2D_ERR_ARGUMENT, "no room given for the answer");
+  return C2D_OK;
+}
+
+bool needs_results(int32_t field) {
+  return (field >= C2D_STATUS && field <= C2D_SLIP_SUM) || (field >= C2D_END_UX && field <= C2D_END_TY) ||
+         (field >= C2D_END_SXX && field <= C2D_END_PRINCIPAL2);
+}
+
+c2d_status get_pair_field(c2d_solver* s, int32_t field, int32_t first, int32_t count, double* out, int64_t stride) {
+  c2d_status status = check_range(s, s->model.pairs, first, count, out);
+  if (status != C2D_OK) return status;
+  if (needs_results(field) && !s->table_is_current) {
+    Session session;
+    open_session(s, session);
+    status = fill_table(session);
+    if (status != C2D_OK) return fail_store(s, status);
+  } else if (!needs_results(field)) {
+    fill_positions(model_of(s), array_of<double>(s, kPairTable));
+  }
+  const double* table = array_of<double>(s, kPairTable);
+  for (int32_t i = 0; i < count; ++i)
+    out[i * stride] = table[static_cast<int64_t>(first - 1 + i) * C2D_PAIR_FIELDS + field];
+  return C2D_OK;
+}
+
+// Where a pair lies on body 1: outside free zones at its node, told as the first element that has it.
+void place_on_body1(const Model& m, const Pair& pair, int32_t* element, double* eta) {
+  *element = pair.element;
+  *eta = pair.eta;
+  if (pair.node[0] < 0) return;
+  int32_t ends[2] = {0, 0};
+  if (all_ends_at_node(m, 0, pair.node[0], ends) == 0) return;
+  const int32_t nf = m.head->function_nodes;
+  *element = ends[0] / nf;
+  *eta = nf > 1 ? -1.0 + 2.0 * (ends[0] % nf) / (nf - 1) : 0.0;
+}
+
+c2d_status get_pair_place(c2d_solver* s, int32_t field, int32_t first, int32_t count, double* out, int64_t stride) {
+  const c2d_status status = check_range(s, s->model.pairs, first, count, out);
+  if (status != C2D_OK) return status;
+  const Model m = model_of(s);
+  for (int32_t i = 0; i < count; ++i) {
+    int32_t element = 0;
+    double eta = 0.0;
+    place_on_body1(m, m.pair[first - 1 + i], &element, &eta);
+    out[i * stride] = field == C2D_PAIR_ELEMENT1 ? element + 1 : eta;
+  }
+  return C2D_OK;
+}
+
+double end_value(const Session& session, int32_t field, int b, int32_t end) {
+  const Model& m = session.model;
+  const int32_t nf = m.head->function_nodes, element = end / nf, l = end % nf;
+  const int32_t node = functional_node(m, b, element, l);
+  double x, y, value[2];
+  switch (field) {
+  case C2D_END_X: node_position(m, b, node, &x, &y); return x;
+  case C2D_END_Y: node_position(m, b, node, &x, &y); return y;
+  case C2D_END_NODE: return node + 1;
+  case C2D_END_STATUS: {
+    const int32_t pair = pair_of_end(m, b, element, l);
+    if (pair < 0) return -1;
+    const double* row = array_of<double>(session.solver, kPairTable) + static_cast<int64_t>(pair) * C2D_PAIR_FIELDS;
+    return row[C2D_STATUS];
+  }
+  case C2D_END_UX:
+  case C2D_END_UY: get_displacement(session, b, node, value); return value[field - C2D_END_UX];
+  case C2D_END_TX:
+  case C2D_END_TY: get_traction(session, b, end, value); return value[field - C2D_END_TX];
+  default: // an element that images replace is no boundary
+    return is_axis_element(m, b, element) ? 0.0 : end_stress(session, field, b, end);
+  }
+}
+
+c2d_status get_end_field(c2d_solver* s, int32_t field, int b, int32_t first, int32_t count, double* out,
+                         int64_t stride) {
+  const int64_t ends = static_cast<int64_t>(s->model.body[b].elements) * s->model.function_nodes;
+  c2d_status status = check_range(s, ends, first, count, out);
+  if (status != C2D_OK) return status;
+  Session session;
+  open_session(s, session);
+  if (needs_results(field) || field == C2D_END_STATUS) {
+    if (s->state != C2D_STATE_RUNNING) return fail(s, C2D_ERR_STATE, "there are no results before c2d_begin");
+    if (s->blocked || s->floating) {
+      for (int32_t i = 0; i < count; ++i) out[i * stride] = field == C2D_END_STATUS ? -1.0 : 0.0;
+      return C2D_OK;
+    }
+    if (!s->table_is_current) status = fill_table(session);
+    if (status == C2D_OK && field != C2D_END_STATUS) status = back_substitute_all(session);
+    if (status != C2D_OK) return fail_store(s, status);
+  }
+  for (int32_t i = 0; i < count; ++i) out[i * stride] = end_value(session, field, b, first - 1 + i);
+  return C2D_OK;
+}
+
+c2d_status get_node_field(c2d_solver* s, int32_t field, int b, int32_t first, int32_t count, double* out,
+                          int64_t stride) {
+  const c2d_status status = check_range(s, s->model.body[b].geometry_nodes, first, count, out);
+  if (status != C2D_OK) return status;
+  const double* xy = array_of<double>(s, kXy + b);
+  for (int32_t i = 0; i < count; ++i)
+    out[i * stride] = xy[2 * static_cast<int64_t>(first - 1 + i) + (field - C2D_NODE_X)];
+  return C2D_OK;
+}
+
+} // namespace
+} // namespace c2d
+
+using namespace c2d;
+
+extern "C" c2d_status c2d_get(c2d_solver* s, int32_t field, int32_t body, int32_t first, int32_t count, double* out,
+                              int64_t stride) {
+  const bool pairs = field >= 0 && field < C2D_PAIR_FIELDS;
+  const bool ends = field >= C2D_END_X && field <= C2D_END_PRINCIPAL2, nodes = field == C2D_NODE_X || field == C2D_NODE_Y;
+  const c2d_status status = enter(s, needs_results(field) ? state_bit(C2D_STATE_RUNNING) : kComplete);
+  if (status != C2D_OK) return status;
+  const bool places = field == C2D_PAIR_ELEMENT1 || field == C2D_PAIR_ETA1;
+  if (!pairs && !ends && !nodes && !places) return fail(s, C2D_ERR_ARGUMENT, "there is no such field");
+  if (pairs) return get_pair_field(s, field, first, count, out, stride);
+  if (places) return get_pair_place(s, field, first, count, out, stride);
+  if (body < 1 || body > s->model.bodies) return fail(s, C2D_ERR_ARGUMENT, "there is no such body");
+  if (ends) return get_end_field(s, field, body - 1, first, count, out, stride);
+  return get_node_field(s, field, body - 1, first, count, out, stride);
+}
+
+extern "C" c2d_status c2d_get_friction(c2d_solver* s, int32_t i, double* mu) {
+  const c2d_status status = enter(s, kComplete);
+  if (status != C2D_OK) return status;
+  if (!mu || i < 1 || i > s->model.coefficients) return fail(s, C2D_ERR_ARGUMENT, "there is no such coefficient");
+  *mu = array_of<double>(s, kFriction)[i - 1];
+  return C2D_OK;
+}
+
+extern "C" c2d_status c2d_get_path(c2d_solver* s, int32_t i, int32_t* increments, double* load) {
+  const c2d_status status = enter(s, kComplete);
+  if (status != C2D_OK) return status;
+  if (!increments || !load || i < 1 || i > s->model.paths) return fail(s, C2D_ERR_ARGUMENT, "there is no such load card");
+  const Path& path = array_of<Path>(s, kPaths)[i - 1];
+  *increments = path.increments;
+  *load = path.load;
+  return C2D_OK;
+}
+
+extern "C" c2d_status c2d_get_path_point(c2d_solver* s, int32_t i, int32_t* increments, double* load, int32_t cases) {
+  double first = 0.0;
+  const c2d_status status = c2d_get_path(s, i, increments, &first);
+  if (status != C2D_OK) return status;
+  if (!load || cases != s->model.load_cases)
+    return fail(s, C2D_ERR_ARGUMENT, "give room for a factor for every load case");
+  for (int32_t k = 0; k < cases; ++k)
+    load[k] = array_of<double>(s, kPathLoads)[static_cast<int64_t>(i - 1) * cases + k];
+  return C2D_OK;
+}
+
+extern "C" c2d_status c2d_get_zone_friction(c2d_solver* s, int32_t zone, int32_t i, double* mu) {
+  const c2d_status status = enter(s, kComplete);
+  if (status != C2D_OK) return status;
+  if (!mu || i < 1 || i > s->model.coefficients || zone < 1 || zone > s->model.zones)
+    return fail(s, C2D_ERR_ARGUMENT, "there is no such coefficient or contact zone");
+  *mu = coefficient_of_zone(s, zone - 1, i - 1);
+  return C2D_OK;
+}
+
+extern "C" c2d_status c2d_get_zone(c2d_solver* s, int32_t i, c2d_zone* out) {
+  const c2d_status status = enter(s, kComplete);
+  if (status != C2D_OK) return status;
+  if (!out || i < 1 || i > s->model.zones) return fail(s, C2D_ERR_ARGUMENT, "there is no such contact zone");
+  const Model m = model_of(s);
+  const Zone& zone = m.zone[i - 1];
+  c2d_zone ours;
+  memset(&ours, 0, sizeof ours);
+  ours.pairs = zone.pairs;
+  ours.elements = zone.elements;
+  for (int b = 0; b < 2; ++b) {
+    ours.first_element[b] = zone.first_element[b] + 1;
+    ours.last_element[b] = zone_element(m, zone, b, zone_elements(zone, b) - 1) + 1;
+    if (zone.is_free != 0 && b == 0) continue;
+    ours.first_node[b] = zone.first_node[b] + 1;
+    ours.last_node[b] = zone_node(m, zone, b, zone.pairs - 1) + 1;
+  }
+  return copy_out(&ours, sizeof ours, out) ? C2D_OK : C2D_ERR_ARGUMENT;
+}
+
+extern "C" c2d_status c2d_get_region(c2d_solver* s, int32_t body, int32_t i, int32_t* first, int32_t* last) {
+  const c2d_status status = enter(s, kComplete);
+  if (status != C2D_OK) return status;
+  if (!first || !last || body < 1 || body > s->model.bodies || i < 1 || i > s->model.body[body - 1].regions)
+    return fail(s, C2D_ERR_ARGUMENT, "there is no such region");
+  const Region& region = array_of<Region>(s, kRegions + body - 1)[i - 1];
+  *first = region.first + 1;
+  *last = region.last + 1;
+  return C2D_OK;
+}

@@ -1,0 +1,177 @@
+// The model's own load path.
+#include <math.h>
+#include <string.h>
+
+#include "interface/advance.hpp"
+#include "memory/optional.hpp"
+#include "results/back.hpp"
+#include "results/balance.hpp"
+#include "results/table.hpp"
+#include "solver/energy.hpp"
+
+namespace c2d {
+
+C2D_BRINGS(build_energy);
+C2D_BRINGS(balance_forces);
+
+namespace {
+
+// What a step callback sees of the present state; outcome and changes are the caller's. The table is filled already.
+c2d_step describe_step(const Session& session, int32_t kind) {
+  c2d_solver* s = session.solver;
+  c2d_step now = session.now;
+  now.kind = kind;
+  now.load = session.follower.load[0];
+  now.iterations = session.follower.stats.iterations;
+  now.table = array_of<double>(s, kPairTable);
+  now.cases = s->model.load_cases;
+  now.loads = session.follower.load;
+  now.work_by_case = energy_book(s).work;
+  now.work = s->work;
+  now.dissipated = s->dissipated;
+  now.elastic = s->elastic;
+  now.energy_defect = s->energy_defect;
+  return now;
+}
+
+c2d_status show_change(Session& session) {
+  const c2d_status status = fill_table(session);
+  if (status != C2D_OK) return status;
+  if (session.solver->options.stepping == C2D_STEPPING_EVENTS) close_balance(session);
+  const c2d_step now = describe_step(session, C2D_STEP_CHANGE);
+  session.solver->busy = kInStepCallback;
+  const int32_t code = session.step(session.step_context, &now);
+  session.solver->busy = 0;
+  if (code == 0) return C2D_OK;
+  session.solver->error = blank_error();
+  session.solver->error.host_code = code;
+  return C2D_ERR_CALLBACK;
+}
+
+c2d_status show_step(Session& session, int32_t kind) {
+  c2d_solver* s = session.solver;
+  c2d_status status = fill_table(session);
+  if (status != C2D_OK || !session.step) return status;
+  c2d_step now = describe_step(session, kind);
+  now.outcome = s->outcome;
+  now.changes = static_cast<int32_t>(session.follower.stats.changes - session.now.changes);
+  close_session(session); // so that c2d_get_summary tells the callback what is so now
+  session.now.changes = static_cast<int32_t>(session.follower.stats.changes);
+  s->busy = kInStepCallback;
+  const int32_t code = session.step(session.step_context, &now);
+  s->busy = 0;
+  if (code == 0) return C2D_OK;
+  s->error = blank_error();
+  s->error.host_code = code;
+  return C2D_ERR_CALLBACK;
+}
+
+// Factor of a case at the end of piece p of the path; p = -1: where it begins.
+double path_load(const Model& m, int32_t p, int32_t load_case) {
+  return p < 0 ? 0.0 : m.path_load[static_cast<int64_t>(p) * m.head->load_cases + load_case];
+}
+
+// The piece that ends at the largest load: the first of those where a coarse contact says most.
+int32_t largest_load(const Model& m) {
+  int32_t best = 0;
+  double most = -1.0;
+  for (int32_t p = 0; p < m.head->paths; ++p) {
+    double size = 0.0;
+    for (int32_t k = 0; k < m.head->load_cases; ++k) size += fabs(path_load(m, p, k));
+    if (size > most) best = p;
+    if (size > most) most = size;
+  }
+  return best;
+}
+
+// Overlaps are closed before anything else: their load case goes from 0 to 1 and stays there.
+c2d_status close_overlaps(Session& session) {
+  c2d_solver* s = session.solver;
+  double* target = array_of<double>(s, kLoads) + s->model.load_cases;
+  for (int32_t k = 0; k < s->model.load_cases; ++k) target[k] = k + 1 == s->model.interference ? 1.0 : 0.0;
+  const c2d_status status = advance(session, target, Moment::between);
+  if (status != C2D_OK || s->outcome == C2D_REACHED) return status;
+  session.now.step = 1;
+  return show_step(session, C2D_STEP_STOPPED);
+}
+
+// The whole path for the coefficients that the pairs hold.
+c2d_status run_cards(Session& session) {
+  c2d_solver* s = session.solver;
+  double* target = array_of<double>(s, kLoads) + s->model.load_cases;
+  const int32_t peak = largest_load(session.model);
+  session.now.step = 0;
+  if (s->model.interference != 0) {
+    const c2d_status status = close_overlaps(session);
+    if (status != C2D_OK || s->outcome != C2D_REACHED) return status;
+  }
+  for (int32_t p = 0; p < s->model.paths; ++p) {
+    const Path& path = session.model.path[p];
+    for (int32_t i = 1; i <= path.increments; ++i) {
+      ++session.now.step;
+      for (int32_t k = 0; k < s->model.load_cases; ++k) {
+        const double from = path_load(session.model, p - 1, k), to = path_load(session.model, p, k);
+        target[k] = i == path.increments ? to : from + (to - from) * i / static_cast<double>(path.increments);
+        if (fabs(target[k]) < 1e-15 * (fabs(from) + fabs(to))) target[k] = 0.0; // a crossing, not its round-off
+      }
+      if (s->model.interference != 0) target[s->model.interference - 1] = 1.0;
+      const bool ends = i == path.increments;
+      const Moment moment = ends && p == peak                      ? Moment::peak
+                            : ends && p + 1 == s->model.paths ? Moment::end
+                                                                   : Moment::between;
+      c2d_status status = advance(session, target, moment);
+      if (status != C2D_OK) return status;
+      const bool reached = s->outcome == C2D_REACHED;
+      status = show_step(session, reached ? C2D_STEP_RECORDED : C2D_STEP_STOPPED);
+      if (status != C2D_OK || !reached) return status;
+    }
+  }
+  return C2D_OK;
+}
+
+c2d_status run_coefficient(Session& session, int32_t index, c2d_outcome* worst) {
+  c2d_solver* s = session.solver;
+  for (int32_t i = 0; i < s->model.pairs; ++i)
+    session.model.pair[i].mu = coefficient_of_zone(s, session.model.pair[i].zone, index);
+  const double mu = s->model.coefficients > 0 ? coefficient_of_zone(s, 0, index) : 0.0;
+  s->mu = mu;
+  s->coefficient = index + 1;
+  c2d_status status = begin(session);
+  if (status != C2D_OK) return status;
+  session.now.mu = mu;
+  session.now.coefficient = index + 1;
+  session.now.changes = static_cast<int32_t>(session.follower.stats.changes);
+  status = run_cards(session);
+  if (s->outcome != C2D_REACHED && *worst == C2D_REACHED) *worst = s->outcome;
+  return status;
+}
+
+} // namespace
+} // namespace c2d
+
+using namespace c2d;
+
+extern "C" c2d_status c2d_run(c2d_solver* s, c2d_step_fn step, void* context) {
+  c2d_status status = enter(s, kStarted);
+  if (status != C2D_OK) return status;
+  if (s->model.paths == 0) return fail(s, C2D_ERR_ARGUMENT, "the model has no load path");
+  Session session;
+  open_session(s, session);
+  session.step = step;
+  session.step_context = context;
+  session.show_change = show_change;
+  memset(&session.now, 0, sizeof session.now);
+  session.now.struct_size = static_cast<uint32_t>(sizeof session.now);
+  session.now.pairs = s->model.pairs;
+  session.now.cases = s->model.load_cases;
+  session.now.stride = C2D_PAIR_FIELDS;
+  // Without contact there is no friction: one run serves all coefficients.
+  const int32_t runs = s->model.contact == 0 || s->model.coefficients == 0 ? 1 : s->model.coefficients;
+  c2d_outcome worst = C2D_REACHED;
+  for (int32_t i = 0; i < runs && status == C2D_OK; ++i) status = run_coefficient(session, i, &worst);
+  if (status == C2D_OK) status = back_substitute_all(session);
+  if (status == C2D_OK && !s->blocked && !s->floating && worst == C2D_REACHED) warn_strains(session);
+  status = finish(session, status);
+  s->outcome = worst;
+  return status;
+}

@@ -1,0 +1,30 @@
+// The state of the path kept on tape CONTROL, and taken up again.
+#include "interface/entry.hpp"
+#include "memory/optional.hpp"
+#include "results/balance.hpp"
+#include "solver/prepare.hpp"
+#include "solver/save.hpp"
+
+namespace c2d {
+C2D_NEEDS(balance_forces); // with energies, which solver/save.cpp needs
+} // namespace c2d
+
+using namespace c2d;
+
+extern "C" c2d_status c2d_save(c2d_solver* s) {
+  const c2d_status status = enter(s, kStarted);
+  if (status != C2D_OK) return status;
+  return has_store(s) ? save_state(s) : c2d_status{C2D_ERR_ARGUMENT};
+}
+
+extern "C" c2d_status c2d_restore(c2d_solver* s) {
+  c2d_status status = enter(s, state_bit(C2D_STATE_MODEL) | kStarted | state_bit(C2D_STATE_BROKEN));
+  if (status != C2D_OK) return status;
+  if (!has_store(s)) return C2D_ERR_ARGUMENT;
+  status = restore_state(s);
+  if (status != C2D_OK) return status;
+  const int32_t warnings = s->warnings; // counted already, but told to another
+  if (!s->blocked) warn_condition(s);
+  s->warnings = warnings;
+  return C2D_OK;
+}

@@ -1,0 +1,127 @@
+// The summary of model, path and work done.
+#include <math.h>
+#include <string.h>
+
+#include "interface/entry.hpp"
+#include "memory/optional.hpp"
+#include "results/balance.hpp"
+#include "solver/energy.hpp"
+
+namespace c2d {
+
+C2D_BRINGS(build_energy);
+C2D_BRINGS(balance_forces);
+
+namespace {
+
+int32_t total_steps(c2d_solver* s) {
+  int64_t steps = 0;
+  for (int32_t p = 0; p < s->model.paths; ++p) steps += array_of<Path>(s, kPaths)[p].increments;
+  return steps > INT32_MAX ? INT32_MAX : static_cast<int32_t>(steps);
+}
+
+void fill_model(c2d_solver* s, c2d_summary& out) {
+  const ModelHeader& m = s->model;
+  out.bodies = m.bodies;
+  out.function_nodes = m.function_nodes;
+  out.pairs = m.pairs;
+  out.zones = m.zones;
+  out.steps = total_steps(s);
+  out.coefficients = m.coefficients;
+  out.paths = m.paths;
+  out.analysis = m.analysis;
+  out.plane = m.plane;
+  out.iteration_limit = m.iteration_limit;
+  out.stepping = s->options.stepping;
+  out.quadrature = s->options.quadrature;
+  out.contact_unknowns = m.contact;
+  for (int b = 0; b < m.bodies && b < 2; ++b) {
+    const Body& body = m.body[b];
+    out.elements[b] = body.elements;
+    out.nodes[b] = body.nodes;
+    out.geometry_nodes[b] = body.geometry_nodes;
+    out.element_nodes[b] = body.element_nodes;
+    out.regions[b] = body.regions;
+    out.unknowns[b] = body.nodes > 0 && !(b == 0 && m.rigid != 0) ? 2 * body.nodes + 3 : 0;
+    out.youngs_modulus[b] = body.youngs_modulus;
+    out.poisson_ratio[b] = body.poisson_ratio;
+  }
+  memcpy(out.title, m.title, sizeof out.title);
+  memcpy(out.unit_length, m.unit_length, sizeof out.unit_length);
+  memcpy(out.unit_force, m.unit_force, sizeof out.unit_force);
+  out.load_cases = m.load_cases;
+  out.symmetry = m.symmetry;
+  memcpy(out.symmetry_at, m.line_at, sizeof out.symmetry_at);
+}
+
+void fill_motion(const c2d_solver* s, c2d_summary& out) {
+  if (s->outcome_body < 1 || s->outcome_body > 2) return;
+  const Body& body = s->model.body[s->outcome_body - 1];
+  // (ux, uy) of the centre and a rotation about it, as a motion about the origin.
+  const double* motion = s->outcome_motion;
+  const double rotation = motion[2] / s->model.length_unit;
+  const double turned[2] = {rotation * body.centre[1], -rotation * body.centre[0]};
+  for (int c = 0; c < 2; ++c) {
+    const double sum = motion[c] + turned[c];
+    out.free_motion[c] = fabs(sum) > 1e-9 * (fabs(motion[c]) + fabs(turned[c])) ? sum : 0.0;
+  }
+  out.free_motion[2] = rotation;
+}
+
+void fill_work(c2d_solver* s, c2d_summary& out) {
+  out.panel_columns = s->plan[0].panel_columns;
+  for (const EliminationPlan& plan : s->plan)
+    if (plan.panel_columns > out.panel_columns) out.panel_columns = plan.panel_columns;
+  out.warnings = s->warnings;
+  out.events = s->stats.events;
+  out.exchanges = s->exchanges;
+  out.tableau_rebuilds = s->rebuilds;
+  for (int32_t tape = 0; tape < C2D_TAPES; ++tape) {
+    out.tape_blocks[tape] = s->tapes.blocks[tape];
+    out.tape_bytes_written[tape] = s->tapes.bytes_written[tape];
+    out.tape_bytes_read[tape] = s->tapes.bytes_read[tape];
+    out.tape_writes[tape] = s->tapes.writes[tape];
+    out.tape_reads[tape] = s->tapes.reads[tape];
+  }
+  memcpy(out.seconds, s->seconds, sizeof out.seconds);
+  out.max_residual = s->max_residual;
+  out.elimination_residual = s->pivot_growth;
+  out.condition = s->condition;
+  memcpy(out.applied, s->applied, sizeof out.applied);
+  memcpy(out.contact, s->contact_force, sizeof out.contact);
+  out.force_applied = s->force_applied;
+  out.force_contact = s->force_contact;
+  out.force_error = s->force_error;
+  out.breach = s->outcome == C2D_BEYOND_LIMITS ? s->breach : int32_t{C2D_BREACH_NONE};
+  out.breach_size = out.breach != C2D_BREACH_NONE ? s->breach_size : 0.0;
+  out.tension_ratio = s->tension_ratio;
+  out.work = s->work;
+  out.dissipated = s->dissipated;
+  out.elastic = s->elastic;
+  out.energy_defect = s->energy_defect;
+  out.least_dissipation = s->least_dissipation;
+}
+
+} // namespace
+} // namespace c2d
+
+using namespace c2d;
+
+extern "C" c2d_status c2d_get_summary(c2d_solver* s, c2d_summary* out) {
+  if (!s || s->magic != kSolverMagic || !out) return C2D_ERR_ARGUMENT;
+  c2d_summary ours;
+  memset(&ours, 0, sizeof ours);
+  ours.state = s->state;
+  ours.outcome = s->outcome;
+  ours.outcome_body = s->outcome_body;
+  ours.outcome_pair = s->model.pairs > 0 ? s->last_pair + 1 : 0;
+  fill_model(s, ours);
+  fill_motion(s, ours);
+  fill_work(s, ours);
+  c2d_memory_need(&s->limits, &ours.minimum_bytes, &ours.in_core_bytes);
+  ours.workspace_bytes = s->bytes;
+  ours.peak_bytes = s->peak_bytes;
+  if (s->state == C2D_STATE_RUNNING) ours.load = array_of<double>(s, kLoads)[0];
+  ours.mu = s->mu;
+  return copy_out(&ours, sizeof ours, out) ? C2D_OK : C2D_ERR_ARGUMENT;
+}

@@ -1,0 +1,13 @@
+#pragma once
+// What the calls for both kinds of contact zones share.
+#include "interface/refuse.hpp"
+
+namespace c2d {
+
+// Steps of +1 or -1 that lead from first to last in count-1 steps, round the ring [start, start + size) if there is one;
+// 0: none does. `preferred` decides where both do.
+int32_t range_step(int32_t first, int32_t last, int32_t count, int32_t start, int32_t size, int32_t preferred);
+// What any kind of zone needs: two bodies that are known, and room.
+c2d_status check_room_for_zone(c2d_solver* s);
+
+} // namespace c2d

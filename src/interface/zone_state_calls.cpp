@@ -1,0 +1,32 @@
+#include "results/zone_state.hpp"
+
+#include <string.h>
+
+#include "interface/entry.hpp"
+
+using namespace c2d;
+
+extern "C" c2d_status c2d_get_zone_state(c2d_solver* s, int32_t zone, c2d_zone_state* out) {
+  if (!s || s->magic != kSolverMagic) return C2D_ERR_ARGUMENT;
+  if (s->busy && s->busy != kInStepCallback) return C2D_ERR_BUSY;
+  if (s->busy) { // inside a step callback: nothing is changed, not even what c2d_last_error tells
+    if (s->state != C2D_STATE_RUNNING) return C2D_ERR_STATE;
+    if (!out || zone < 1 || zone > s->model.zones) return C2D_ERR_ARGUMENT;
+  } else {
+    const c2d_status status = enter(s, state_bit(C2D_STATE_RUNNING));
+    if (status != C2D_OK) return status;
+    if (!out || zone < 1 || zone > s->model.zones) return fail(s, C2D_ERR_ARGUMENT, "there is no such contact zone");
+  }
+  c2d_zone_state ours;
+  memset(&ours, 0, sizeof ours);
+  Session session;
+  open_session(s, session);
+  const Zone& z = session.model.zone[zone - 1];
+  if (s->blocked || s->floating || s->model.contact == 0) {
+    ours.open = z.pairs;
+  } else {
+    refresh(session.follower);
+    fill_zone_state(session, z, ours);
+  }
+  return copy_out(&ours, sizeof ours, out) ? c2d_status{C2D_OK} : fail(s, C2D_ERR_ARGUMENT, "the struct has no size");
+}

@@ -1,0 +1,161 @@
+// Back substitution: displacements and tractions of whole boundaries.
+#include "bie/columns.hpp"
+#include "memory/optional.hpp"
+#include "results/back.hpp"
+#include "results/balance.hpp"
+#include "results/rigid.hpp"
+#include "results/table.hpp"
+#include "results/transferred.hpp"
+#include "solver/hostile_port.hpp"
+
+namespace c2d {
+
+C2D_OPTIONAL(fill_rigid);
+C2D_OPTIONAL(add_transferred_traction);
+C2D_OPTIONAL(balance_forces);
+
+namespace {
+
+// What multiplies the trailing columns [H_c | G_c | r]: -u_c, t_c = +-tau, lambda.
+void trailing_coefficients(const Session& session, int b, Real* out) {
+  const Follower& f = session.follower;
+  const int32_t m = session.model.head->contact;
+  const double side = b == 1 ? 1.0 : -1.0;
+  for (int32_t i = 0; i < session.model.head->pairs; ++i) {
+    const Pair& pair = session.model.pair[i];
+    const PairState now = pair_state(*f.t, i, f.y);
+    const double tau[2] = {now.p, now.q};
+    for (int32_t d = 0; d <= pair.tangential; ++d) {
+      out[pair.dof + d] = -session.area.u[b][pair.dof + d];
+      out[m + pair.dof + d] = static_cast<Real>(side * tau[d]);
+    }
+  }
+  for (int32_t k = 0; k < session.model.head->load_cases; ++k) out[2 * m + k] = static_cast<Real>(f.load[k]);
+}
+
+double prescribed_displacement(const Session& session, int b, int32_t node, int c) {
+  double sum = 0.0;
+  const int64_t nodes = session.model.head->body[b].nodes;
+  for (int32_t k = 0; k < session.model.head->load_cases; ++k)
+    sum += session.follower.load[k] * session.model.node_disp[b][(k * nodes + node) * 2 + c];
+  return sum;
+}
+double prescribed_traction(const Session& session, int b, int32_t end, int c) {
+  double sum = 0.0;
+  const int64_t ends =
+      static_cast<int64_t>(session.model.head->body[b].elements) * session.model.head->function_nodes;
+  for (int32_t k = 0; k < session.model.head->load_cases; ++k)
+    sum += session.follower.load[k] * session.model.end_traction[b][(k * ends + end) * 2 + c];
+  return sum;
+}
+
+void fill_displacements(const Session& session, int b) {
+  const Model& m = session.model;
+  for (int32_t node = 0; node < m.head->body[b].nodes; ++node) {
+    double u[2];
+    const int32_t index = pair_of_node(m, b, node);
+    double contact[2] = {0.0, 0.0};
+    if (index >= 0) {
+      const Pair& pair = m.pair[index];
+      const Real* uc = session.area.u[b] + pair.dof;
+      to_global(pair, uc[0] * m.head->length_unit, pair.tangential ? uc[1] * m.head->length_unit : 0.0, contact);
+    }
+    for (int c = 0; c < 2; ++c) {
+      const Unknown unknown = unknown_at(m, b, node, c);
+      if (unknown.kind == UnknownKind::contact) u[c] = contact[c];
+      else if (unknown.kind == UnknownKind::displacement)
+        u[c] = session.area.outer[outer_column(m, b, node, c)] * m.head->length_unit;
+      else u[c] = prescribed_displacement(session, b, node, c);
+    }
+    keep_displacement(session, b, node, u);
+  }
+}
+
+} // namespace
+
+void get_displacement(const Session& session, int b, int32_t node, double u[2]) {
+  const Real* kept = session.area.displacement[b] + 2 * static_cast<ptrdiff_t>(node);
+  for (int c = 0; c < 2; ++c) u[c] = kept[c] * session.model.head->length_unit;
+}
+void get_traction(const Session& session, int b, int32_t end, double t[2]) {
+  const Real* kept = session.area.traction[b] + 2 * static_cast<ptrdiff_t>(end);
+  for (int c = 0; c < 2; ++c) t[c] = kept[c] * session.model.head->stress_unit;
+}
+void keep_displacement(const Session& session, int b, int32_t node, const double u[2]) {
+  Real* kept = session.area.displacement[b] + 2 * static_cast<ptrdiff_t>(node);
+  for (int c = 0; c < 2; ++c) kept[c] = static_cast<Real>(u[c] / session.model.head->length_unit);
+}
+void keep_traction(const Session& session, int b, int32_t end, const double t[2]) {
+  Real* kept = session.area.traction[b] + 2 * static_cast<ptrdiff_t>(end);
+  for (int c = 0; c < 2; ++c) kept[c] = static_cast<Real>(t[c] / session.model.head->stress_unit);
+}
+
+void transferred_traction(const Session& session, int b, int32_t element, int l, double out[2]) {
+  out[0] = out[1] = 0.0;
+  if (b == 0 && session.model.head->free_rows > 0) add_transferred_traction(session, element, l, out);
+}
+
+namespace {
+
+void fill_end_traction(const Session& session, int b, int32_t element, int l) {
+  const Model& m = session.model;
+  const int32_t end = element * m.head->function_nodes + l, node = functional_node(m, b, element, l);
+  double t[2];
+  const int32_t index = pair_of_end(m, b, element, l);
+  double contact[2] = {0.0, 0.0};
+  if (index >= 0) {
+    const PairState now = pair_state(*session.follower.t, index, session.follower.y);
+    const double scale = (b == 1 ? 1.0 : -1.0) * m.head->stress_unit * traction_ratio(m, b, element, l);
+    to_global(m.pair[index], now.p * scale, now.q * scale, contact);
+  }
+  for (int c = 0; c < 2; ++c) {
+    const Unknown unknown = unknown_at(m, b, node, c);
+    const bool here = unknown.end[0] == end || (unknown.kind == UnknownKind::shared_traction && unknown.end[1] == end);
+    const bool solved = unknown.kind == UnknownKind::traction || unknown.kind == UnknownKind::shared_traction;
+    if (index >= 0 && unknown.kind == UnknownKind::contact) t[c] = contact[c];
+    else if (solved && here) t[c] = session.area.outer[outer_column(m, b, node, c)] * 2.0 * shear_modulus(m, b);
+    else t[c] = prescribed_traction(session, b, end, c);
+  }
+  double transferred[2];
+  transferred_traction(session, b, element, l, transferred);
+  for (int c = 0; c < 2; ++c) t[c] += transferred[c];
+  keep_traction(session, b, end, t);
+}
+
+c2d_status back_substitute_body(Session& session, int b) {
+  const Model& m = session.model;
+  if (is_rigid(m, b)) {
+    fill_rigid(session);
+    return C2D_OK;
+  }
+  trailing_coefficients(session, b, session.area.coefficient);
+  Tapes& tapes = session.solver->tapes;
+  const HostilePort hostile(tapes);
+  const c2d_status status =
+      back_substitute(session.solver->plan[b], tapes, session.area.coefficient, session.area.outer, session.area.work);
+  if (status != C2D_OK) return status;
+  for (int i = 0; i < 3; ++i) session.solver->multiplier[b][i] = session.area.outer[m.head->body[b].columns + i];
+  fill_displacements(session, b);
+  for (int32_t element = 0; element < m.head->body[b].elements; ++element)
+    for (int l = 0; l < m.head->function_nodes; ++l) fill_end_traction(session, b, element, l);
+  return C2D_OK;
+}
+
+} // namespace
+
+c2d_status back_substitute_all(Session& session) {
+  c2d_solver* s = session.solver;
+  if (s->back_substituted || s->blocked || s->floating) return C2D_OK;
+  const double start = clock_now(s);
+  c2d_status status = s->table_is_current ? c2d_status{C2D_OK} : fill_table(session);
+  for (int b = 0; b < s->model.bodies && status == C2D_OK; ++b) status = back_substitute_body(session, b);
+  if (status == C2D_OK) {
+    if (s->keeps_energy) balance_forces(session);
+    s->back_substituted = 1;
+  }
+  tell_progress(s, C2D_PHASE_BACK, 0, 0, 0);
+  s->seconds[C2D_PHASE_BACK] += clock_now(s) - start;
+  return status;
+}
+
+} // namespace c2d

@@ -1,0 +1,17 @@
+#pragma once
+// Everything outside the contact (METHOD 16).
+#include "solver/session.hpp"
+
+namespace c2d {
+
+// Results of the whole boundary, and the balance of forces. Errors: the block store's.
+c2d_status back_substitute_all(Session& session);
+// They are read and written here alone; in the caller's units.
+void get_displacement(const Session& session, int b, int32_t node, double u[2]);
+void get_traction(const Session& session, int b, int32_t end, double t[2]);
+void keep_displacement(const Session& session, int b, int32_t node, const double u[2]);
+void keep_traction(const Session& session, int b, int32_t end, const double t[2]);
+// Traction that free zones hand over to body 1 at an end of an element; zero elsewhere and on body 2.
+void transferred_traction(const Session& session, int b, int32_t element, int l, double out[2]);
+
+} // namespace c2d

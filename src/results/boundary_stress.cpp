@@ -1,0 +1,275 @@
+// Stress tensor on the boundary: tractions, and slopes of the displacement recovered from where they are most accurate.
+#include <math.h>
+
+#include "bie/boundary_stress.hpp"
+#include "bie/columns.hpp"
+#include "bie/shape.hpp"
+#include "model/symmetry.hpp"
+#include "quadrature/gauss.hpp"
+#include "results/back.hpp"
+#include "results/interior.hpp"
+
+namespace c2d {
+
+Neighbour region_neighbour(const Model& m, int b, int32_t element, int32_t step) {
+  const Region& region = m.region[b][region_of_element(m, b, element)];
+  const double* end = m.xy[b] + 2 * geometry_node(m, b, element, step > 0 ? body_of(m, b).element_nodes - 1 : 0);
+  const int lines = lines_through(*m.head, end[0], end[1]);
+  if (lines != 0) return Neighbour{element, lines};
+  const int32_t count = region.last - region.first + 1;
+  int32_t other = element;
+  do other = region.first + (other - region.first + step + count) % count;
+  while (other != element && is_zero_length(m, b, other));
+  return Neighbour{other, 0};
+}
+
+Element element_of(const Model& m, int b, int32_t element) {
+  double x[4], y[4];
+  element_coordinates(m, b, element, x, y);
+  return make_element(m.head->body[b].element_nodes, x, y);
+}
+
+namespace {
+
+constexpr double kSmooth = 0.985; // cosine of 10 degrees: less is a kink
+constexpr double kCorner = 0.5;   // sine of 30 degrees: from there on two tractions make a tensor
+constexpr double kStep = 0.05;    // of the tractions at a node: more is a step
+
+// Along an element between two of its points.
+double arc_length(const Element& e, double from, double to) {
+  const GaussRule rule = gauss_legendre(6);
+  double sum = 0.0;
+  for (int i = 0; i < rule.n; ++i) {
+    const GaussPoint p = gauss_point(rule, i);
+    sum += 0.5 * (to - from) * p.w * element_point(e, 0.5 * (from + to) + 0.5 * (to - from) * p.x).jacobian;
+  }
+  return sum;
+}
+
+// Nothing jumps between the end of one element and the start of the next: no kink, double node or step of traction.
+bool joins_smoothly(const Session& session, int b, int32_t element, int32_t next) {
+  const Model& m = session.model;
+  const int nf = m.head->function_nodes;
+  const Point p = element_point(element_of(m, b, element), 1.0), q = element_point(element_of(m, b, next), -1.0);
+  if (p.nx * q.nx + p.ny * q.ny < kSmooth || geometry_node(m, b, element, m.head->body[b].element_nodes - 1) !=
+                                                 geometry_node(m, b, next, 0))
+    return false;
+  double t[2], v[2];
+  get_traction(session, b, element * nf + nf - 1, t);
+  get_traction(session, b, next * nf, v);
+  return hypot(t[0] - v[0], t[1] - v[1]) <= kStep * (hypot(t[0], t[1]) + hypot(v[0], v[1]));
+}
+
+// The same between an element and the neighbour beyond one of its ends.
+bool joins_neighbour(const Session& session, int b, int32_t element, int32_t step, const Neighbour& other) {
+  if (other.image == 0)
+    return step > 0 ? joins_smoothly(session, b, element, other.element)
+                    : joins_smoothly(session, b, other.element, element);
+  const int nf = session.model.head->function_nodes, l = step > 0 ? nf - 1 : 0;
+  const Point p = element_point(element_of(session.model, b, element), step > 0 ? 1.0 : -1.0);
+  const double n[2] = {p.nx, p.ny};
+  double cosine = 0.0, jump[2], t[2];
+  get_traction(session, b, element * nf + l, t);
+  for (int c = 0; c < 2; ++c) {
+    cosine += image_sign(other.image, c) * n[c] * n[c];
+    jump[c] = t[c] - image_sign(other.image, c) * t[c];
+  }
+  return cosine >= kSmooth && hypot(jump[0], jump[1]) <= 2.0 * kStep * hypot(t[0], t[1]);
+}
+
+// Derivatives of displacement by arc length where they are most accurate: the Gauss points of an element, one fewer than
+// functional nodes. Constant elements have their value in the middle, and differences in place of derivatives.
+struct Slopes {
+  int count;
+  double s[9], du_ds[9][2];
+};
+
+// Those of one element, whose point `eta` lies at arc length s from the point sought.
+void add_slopes(const Session& session, int b, int32_t element, double eta, double s, Slopes& out) {
+  const Model& m = session.model;
+  const int nf = m.head->function_nodes;
+  const Element e = element_of(m, b, element);
+  const GaussRule rule = gauss_legendre(nf - 1);
+  for (int i = 0; i < rule.n; ++i) {
+    const double at = gauss_point(rule, i).x, jacobian = element_point(e, at).jacobian;
+    double slope[4];
+    shape_derivative(nf, at, slope);
+    if (!(jacobian > 0.0)) continue;
+    double* du_ds = out.du_ds[out.count];
+    du_ds[0] = du_ds[1] = 0.0;
+    for (int l = 0; l < nf; ++l) {
+      double u[2];
+      get_displacement(session, b, functional_node(m, b, element, l), u);
+      for (int c = 0; c < 2; ++c) du_ds[c] += slope[l] * u[c] / jacobian;
+    }
+    out.s[out.count++] = s + arc_length(e, eta, at);
+  }
+}
+
+// Those of an element's own image beyond the end at arc length `end`: u there is mirrored, and the direction of travel.
+void add_mirrored_slopes(const Slopes& own, double end, int image, Slopes& out) {
+  for (int i = own.count - 1; i >= 0; --i) {
+    out.s[out.count] = 2.0 * end - own.s[i];
+    for (int c = 0; c < 2; ++c) out.du_ds[out.count][c] = -image_sign(image, c) * own.du_ds[i][c];
+    ++out.count;
+  }
+}
+
+// The polynomial through the (at most four) samples nearest to s = 0, there.
+void interpolate_slopes(const Slopes& x, double du_ds[2]) {
+  int first = 0, count = x.count < 4 ? x.count : 4;
+  while (first + count < x.count && x.s[first + count] < -x.s[first]) ++first;
+  du_ds[0] = du_ds[1] = 0.0;
+  for (int i = first; i < first + count; ++i) {
+    double weight = 1.0;
+    for (int j = first; j < first + count; ++j)
+      if (j != i) weight *= x.s[j] / (x.s[j] - x.s[i]);
+    for (int c = 0; c < 2; ++c) du_ds[c] += weight * x.du_ds[i][c];
+  }
+}
+
+// From this element and the neighbours that join it smoothly.
+void recover_slope(const Session& session, int b, int32_t element, double eta, double du_ds[2]) {
+  const Model& m = session.model;
+  const Neighbour next = region_neighbour(m, b, element, 1), previous = region_neighbour(m, b, element, -1);
+  const bool apart = previous.element != next.element || previous.image != next.image;
+  const double before = arc_length(element_of(m, b, element), -1.0, eta),
+               after = arc_length(element_of(m, b, element), eta, 1.0);
+  Slopes slopes = {}, own = {};
+  if (previous.image != 0 || next.image != 0) add_slopes(session, b, element, eta, 0.0, own);
+  if (apart && joins_neighbour(session, b, element, -1, previous)) {
+    if (previous.image != 0) add_mirrored_slopes(own, -before, previous.image, slopes);
+    else add_slopes(session, b, previous.element, 1.0, -before, slopes);
+  }
+  add_slopes(session, b, element, eta, 0.0, slopes);
+  if (apart && joins_neighbour(session, b, element, 1, next)) {
+    if (next.image != 0) add_mirrored_slopes(own, after, next.image, slopes);
+    else add_slopes(session, b, next.element, -1.0, after, slopes);
+  }
+  interpolate_slopes(slopes, du_ds);
+}
+
+Point mirrored_middle(const Session& session, int b, const Neighbour& other) {
+  Point p = element_point(element_of(session.model, b, other.element), 0.0);
+  p.x = mirrored(*session.model.head, other.image, 0, p.x);
+  p.y = mirrored(*session.model.head, other.image, 1, p.y);
+  return p;
+}
+
+// Constant elements tell nothing of slopes: difference of the neighbours, along the chords between the three middles.
+void slope_of_neighbours(const Session& session, int b, int32_t element, double du_ds[2]) {
+  const Model& m = session.model;
+  Neighbour next = region_neighbour(m, b, element, 1), previous = region_neighbour(m, b, element, -1);
+  if (!joins_neighbour(session, b, element, 1, next)) next = Neighbour{element, 0};
+  if (!joins_neighbour(session, b, element, -1, previous)) previous = Neighbour{element, 0};
+  const Point at = element_point(element_of(m, b, element), 0.0), after = mirrored_middle(session, b, next),
+              before = mirrored_middle(session, b, previous);
+  const double run = hypot(after.x - at.x, after.y - at.y) + hypot(at.x - before.x, at.y - before.y);
+  double u[2], v[2];
+  get_displacement(session, b, functional_node(m, b, next.element, 0), u);
+  get_displacement(session, b, functional_node(m, b, previous.element, 0), v);
+  for (int c = 0; c < 2; ++c)
+    du_ds[c] = run > 0.0 ? (image_sign(next.image, c) * u[c] - image_sign(previous.image, c) * v[c]) / run : 0.0;
+}
+
+} // namespace
+
+bool is_corner(const Session& session, const BoundaryState& s, const BoundaryState& t) {
+  return fabs(s.n[0] * t.n[1] - s.n[1] * t.n[0]) > kCorner && session.model.head->function_nodes > 1;
+}
+
+BoundaryState boundary_state(const Session& session, int b, int32_t element, double eta) {
+  const Model& m = session.model;
+  const int nf = m.head->function_nodes;
+  const Point p = element_point(element_of(m, b, element), eta);
+  double value[4];
+  shape(nf, eta, value);
+  BoundaryState s = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {p.nx, p.ny}};
+  for (int l = 0; l < nf; ++l) {
+    double u[2], t[2];
+    get_displacement(session, b, functional_node(m, b, element, l), u);
+    get_traction(session, b, element * nf + l, t);
+    for (int c = 0; c < 2; ++c) {
+      s.u[c] += value[l] * u[c];
+      s.t[c] += value[l] * t[c];
+    }
+  }
+  if (nf == 1) slope_of_neighbours(session, b, element, s.du_ds);
+  else recover_slope(session, b, element, eta, s.du_ds);
+  return s;
+}
+
+namespace {
+
+PlaneStress stress_at(const Session& session, int b, int32_t element, double eta, double* hoop) {
+  if (is_rigid(session.model, b)) { // a rigid body has none that could be known
+    *hoop = 0.0;
+    return {0.0, 0.0, 0.0};
+  }
+  const BoundaryState s = boundary_state(session, b, element, eta);
+  const Model& m = session.model;
+  return boundary_stress(s.n, s.t, s.du_ds, shear_modulus(m, b), strain_poisson_ratio(m, b), hoop);
+}
+
+// Two sides of a corner: with s_ij = n_i.sigma n_j and the reciprocal vectors m_i, sigma = sum s_ij m_i m_j.
+PlaneStress corner_stress(const BoundaryState& a, const BoundaryState& c) {
+  const double cross = a.n[0] * c.n[1] - a.n[1] * c.n[0];
+  const double m1[2] = {c.n[1] / cross, -c.n[0] / cross}, m2[2] = {-a.n[1] / cross, a.n[0] / cross};
+  const double s11 = a.n[0] * a.t[0] + a.n[1] * a.t[1], s22 = c.n[0] * c.t[0] + c.n[1] * c.t[1];
+  const double s12 = 0.5 * (a.n[0] * c.t[0] + a.n[1] * c.t[1] + c.n[0] * a.t[0] + c.n[1] * a.t[1]);
+  return {s11 * m1[0] * m1[0] + 2.0 * s12 * m1[0] * m2[0] + s22 * m2[0] * m2[0],
+          s11 * m1[1] * m1[1] + 2.0 * s12 * m1[1] * m2[1] + s22 * m2[1] * m2[1],
+          s11 * m1[0] * m1[1] + s12 * (m1[0] * m2[1] + m1[1] * m2[0]) + s22 * m2[0] * m2[1]};
+}
+
+} // namespace
+
+double stress_across(const Session& session, int b, const PlaneStress& s) {
+  const ModelHeader& head = *session.model.head;
+  return stress_across(s, head.plane == C2D_PLANE_STRAIN, head.body[b].poisson_ratio);
+}
+
+BoundaryState mirrored_state(const BoundaryState& s, int image) {
+  BoundaryState out = s;
+  for (int c = 0; c < 2; ++c) {
+    out.u[c] *= image_sign(image, c);
+    out.t[c] *= image_sign(image, c);
+    out.n[c] *= image_sign(image, c);
+    out.du_ds[c] *= -image_sign(image, c); // travel is reversed too
+  }
+  return out;
+}
+
+// On an element; at its ends from both elements that meet there: from their tractions at a corner, else the mean.
+PlaneStress joint_stress(const Session& session, int b, int32_t element, double eta) {
+  if (is_rigid(session.model, b)) return {0.0, 0.0, 0.0};
+  double hoop;
+  const PlaneStress here = stress_at(session, b, element, eta, &hoop);
+  if (fabs(eta) < 1.0) return here;
+  const Neighbour other = region_neighbour(session.model, b, element, eta < 0.0 ? -1 : 1);
+  const BoundaryState s = boundary_state(session, b, element, eta);
+  const BoundaryState t = other.image != 0 ? mirrored_state(s, other.image) : boundary_state(session, b, other.element, -eta);
+  if (is_corner(session, s, t)) return corner_stress(s, t);
+  if (other.image != 0) return {here.xx, here.yy, 0.0};
+  const PlaneStress there = stress_at(session, b, other.element, -eta, &hoop);
+  return {0.5 * (here.xx + there.xx), 0.5 * (here.yy + there.yy), 0.5 * (here.xy + there.xy)};
+}
+
+double end_stress(const Session& session, int32_t field, int b, int32_t end) {
+  const int32_t nf = session.model.head->function_nodes;
+  double hoop;
+  const PlaneStress s = stress_at(session, b, end / nf, node_eta(nf, end % nf), &hoop);
+  switch (field) {
+  case C2D_END_SXX: return s.xx;
+  case C2D_END_SYY: return s.yy;
+  case C2D_END_SXY: return s.xy;
+  case C2D_END_SZZ: return stress_across(session, b, s);
+  case C2D_END_VON_MISES: return von_mises(s, stress_across(session, b, s));
+  case C2D_END_MAX_SHEAR: return largest_shear(s);
+  case C2D_END_PRINCIPAL1: return 0.5 * (s.xx + s.yy) + largest_shear(s);
+  case C2D_END_PRINCIPAL2: return 0.5 * (s.xx + s.yy) - largest_shear(s);
+  default: return hoop;
+  }
+}
+
+} // namespace c2d

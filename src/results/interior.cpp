@@ -1,0 +1,422 @@
+// Displacements and stresses at interior points (METHOD 16.3).
+#include "results/interior.hpp"
+
+#include <math.h>
+#include <string.h>
+
+#include "bie/body_force.hpp"
+#include "bie/boundary_stress.hpp"
+#include "bie/interior_detail.hpp"
+#include "bie/kernels.hpp"
+#include "memory/optional.hpp"
+#include "memory/workers.hpp"
+#include "results/back.hpp"
+#include "results/interior_nodes.hpp"
+#include "results/interior_placing.hpp"
+#include "results/rigid.hpp"
+#include "results/transferred.hpp"
+#include "solver/particular.hpp"
+
+namespace c2d {
+
+C2D_OPTIONAL(rigid_displacement_now);
+C2D_OPTIONAL(particular_at_end);
+C2D_OPTIONAL(add_particular_at);
+C2D_OPTIONAL(next_transfer);
+C2D_OPTIONAL(transferred_values);
+
+namespace {
+
+c2d_status pause(const Session& session, int b, int32_t element) {
+  c2d_solver* s = session.solver;
+  tell_progress(s, C2D_PHASE_BACK, b + 1, element, s->model.body[b].elements);
+  return asked_to_stop(s) ? fail(s, C2D_ERR_CANCELLED, "cancelled while computing interior points") : c2d_status{C2D_OK};
+}
+
+// ---- the integrals ------------------------------------------------------------------------------------------------
+
+// What an image contributes is what the element itself does at the mirrored point, mirrored.
+void add_stress(int image, const PointField& sum, PointState& p) {
+  p.stress[0] += sum.trace;
+  p.stress[1] += sum.deviator.re;
+  p.stress[2] += image_sign(image, 0) * image_sign(image, 1) * sum.deviator.im;
+}
+void add_displacement(int image, const PointField& sum, PointState& p) {
+  p.u[0] += image_sign(image, 0) * sum.u.re;
+  p.u[1] += image_sign(image, 1) * sum.u.im;
+}
+
+// An element that acts on points. One with displacements, and so with all that the element has of them, smooths the
+// stress close to its nodes.
+struct Acting {
+  const Session* session;
+  int b;
+  int32_t element; // -1: no smoothing
+  FieldElement e;
+  ElementSmoothing smoothing;
+};
+
+void add_element_at(Acting& acting, const Points& points, int32_t i) {
+  PointState& p = points.state(i);
+  if (!is_inside(p, acting.b)) return;
+  for (int image = 0; image <= points.head->symmetry; ++image) {
+    if (!is_image(*points.head, image)) continue;
+    const Complex reference = {image_sign(image, 0) * p.reference[0], image_sign(image, 1) * p.reference[1]};
+    const double x = points.seen(image, 0, p.eta), y = points.seen(image, 1, p.distance);
+    PointField sum = {};
+    add_field(acting.e, reference, x, y, sum);
+    add_displacement(image, sum, p);
+    if (acting.element >= 0)
+      smooth_at_nodes(*acting.session, acting.b, acting.element, acting.e, x, y, acting.smoothing, sum);
+    add_stress(image, sum, p);
+  }
+}
+
+#ifdef C2D_SMALL
+bool add_element_batches(Acting&, const Points&) { return false; }
+#else
+// Eight points at a time; those near the element one by one.
+bool add_element_batches(Acting& acting, const Points& points) {
+  const FieldElement& e = acting.e;
+  const BatchKernel* kernel = points.kernel;
+  BatchFieldElement element;
+  if (!kernel || points.head->symmetry != 0 || !batch_field_element(e, element)) return false;
+  const double away = 64.0 * e.in.radius;
+  BatchPoints at;
+  BatchField sum;
+  sum.some_near = false;
+  for (int32_t first = 0; first < points.count; first += kBatch) {
+    const int count = points.count - first < kBatch ? points.count - first : kBatch;
+    bool any = false;
+    for (int s = 0; s < kBatch; ++s) {
+      const bool has = s < count && is_inside(points.state(first + s), acting.b);
+      const PointState& p = points.state(has ? first + s : first);
+      at.x[s] = has ? p.eta : element.x0 + away;
+      at.y[s] = has ? p.distance : element.y0;
+      at.reference_x[s] = has ? p.reference[0] : 0.0;
+      at.reference_y[s] = has ? p.reference[1] : 0.0;
+      any = any || has;
+    }
+    if (any) kernel->field(element, at, sum);
+    for (int s = 0; s < count; ++s) {
+      PointState& p = points.state(first + s);
+      if (!is_inside(p, acting.b)) continue;
+      if (sum.some_near && sum.near[s] != 0.0) {
+        add_element_at(acting, points, first + s);
+        continue;
+      }
+      p.stress[0] += sum.trace[s];
+      p.stress[1] += sum.deviator_re[s];
+      p.stress[2] += sum.deviator_im[s];
+      p.u[0] += sum.ux[s];
+      p.u[1] += sum.uy[s];
+    }
+  }
+  return true;
+}
+#endif
+
+void add_element(Acting& acting, const Points& points) {
+  if (add_element_batches(acting, points)) return;
+  for (int32_t i = 0; i < points.count; ++i) add_element_at(acting, points, i);
+}
+
+// Nodal values of an element in the units of the equations. Contact tractions of body 2 are per length of body 1 and
+// come apart from the others; false if there are none.
+bool nodal_values(const Session& session, int b, int32_t element, Complex u[4], Complex own[4], Complex contact[4]) {
+  const Model& m = session.model;
+  const int nf = m.head->function_nodes;
+  const double stress = 1.0 / (2.0 * shear_modulus(m, b)), length = 1.0 / m.head->length_unit;
+  bool any = false;
+  for (int l = 0; l < nf; ++l) {
+    const int32_t node = functional_node(m, b, element, l);
+    double d[2], t[2];
+    get_displacement(session, b, node, d);
+    get_traction(session, b, element * nf + l, t);
+    u[l] = {length * d[0], length * d[1]};
+    double part[2][2] = {{0.0, 0.0}, {0.0, 0.0}};
+    double transferred[2]; // of free zones: comes by pieces
+    transferred_traction(session, b, element, l, transferred);
+    const bool shared = b == 1 && pair_of_end(m, b, element, l) >= 0;
+    for (int c = 0; c < 2; ++c) {
+      const bool foreign = shared && unknown_at(m, b, node, c).kind == UnknownKind::contact;
+      part[foreign ? 1 : 0][c] = stress * (t[c] - transferred[c]) / (foreign ? traction_ratio(m, b, element, l) : 1.0);
+    }
+    if (has_body_force(m, b)) {
+      double up[2], tp[2];
+      particular_at_end(session, b, element, l, up, tp);
+      u[l] = {length * (d[0] - up[0]), length * (d[1] - up[1])};
+      for (int c = 0; c < 2; ++c) part[0][c] -= stress * tp[c];
+    }
+    own[l] = {part[0][0], part[0][1]};
+    contact[l] = {part[1][0], part[1][1]};
+    any = any || shared;
+  }
+  return any;
+}
+
+void add_elements_values(const Session& session, int b, int32_t element, const Points& points) {
+  Complex u[4], own[4], contact[4];
+  Acting acting;
+  acting.session = &session;
+  acting.b = b;
+  acting.element = element;
+  acting.smoothing.ready = false;
+  const bool shared = nodal_values(session, b, element, u, own, contact);
+  make_integrator(session.model, b, element, Quadrature::accurate, Measure::own_length, acting.e.in);
+  prepare_field(own, u, acting.e);
+  add_element(acting, points);
+  if (!shared) return;
+  acting.element = -1;
+  make_integrator(session.model, b, element, Quadrature::accurate, Measure::contact, acting.e.in);
+  prepare_field(contact, nullptr, acting.e);
+  add_element(acting, points);
+}
+
+// Tractions that free zones hand over to body 1.
+c2d_status add_transferred(const Session& session, const Points& points) {
+  const Model& m = session.model;
+  const double stress = 1.0 / (2.0 * shear_modulus(m, 0));
+  TransferWalk walk{};
+  Transfer piece;
+  Acting acting;
+  acting.session = &session;
+  acting.b = 0;
+  acting.element = -1;
+  while (next_transfer(m, Quadrature::accurate, walk, piece)) {
+    const c2d_status status = pause(session, 0, piece.element1);
+    if (status != C2D_OK) return status;
+    Complex t[4];
+    acting.e.in = piece.in;
+    for (int k = 0; k < piece.in.functions; ++k) {
+      double value[2];
+      transferred_values(session, piece, k, value);
+      t[k] = {stress * value[0], stress * value[1]};
+    }
+    prepare_field(t, nullptr, acting.e);
+    add_element(acting, points);
+  }
+  return C2D_OK;
+}
+
+// Whatever is known in closed form at a point: so far point loads.
+PointField known_field(const Session& session, int b, double x, double y) {
+  const Model& m = session.model;
+  const double nu = strain_poisson_ratio(m, b), unit = m.head->length_unit;
+  PointField sum = {};
+  for (int32_t i = 0; i < m.head->point_loads; ++i) {
+    const PointLoad& load = m.point_load[i];
+    if (load.body != b) continue;
+    const double scale = session.follower.load[load.load_case] / (2.0 * shear_modulus(m, b) * unit);
+    add_force_field({scale * load.fx, scale * load.fy}, nu, load.x / unit, load.y / unit, x, y, sum);
+  }
+  return sum;
+}
+
+// That, the reference, and rho + omega e_z x (x - x0) of the balanced equations.
+void complete_sums(const Session& session, int b, const Points& points, double x, double y, PointState& p) {
+  const double unit = session.model.head->length_unit;
+  const double* rigid = session.solver->multiplier[b];
+  const double* centre = session.model.head->body[b].centre;
+  for (int image = 0; image <= points.head->symmetry; ++image) {
+    if (!is_image(*points.head, image)) continue;
+    const PointField known = known_field(session, b, points.seen(image, 0, x), points.seen(image, 1, y));
+    add_displacement(image, known, p);
+    add_stress(image, known, p);
+  }
+  if (has_body_force(session.model, b)) {
+    const double at[2] = {x * unit, y * unit};
+    add_particular_at(session, b, at, p.u, p.stress);
+  }
+  p.u[0] += p.reference[0] + rigid[0] - rigid[2] * (y - centre[1] / unit);
+  p.u[1] += p.reference[1] + rigid[1] + rigid[2] * (x - centre[0] / unit);
+}
+
+// ---- results ------------------------------------------------------------------------------------------------------
+
+void write_point(const Session& session, int b, const double u[2], const PlaneStress& s, int32_t flag, double* out) {
+  const double szz = stress_across(session, b, s), shear = largest_shear(s), mean = 0.5 * (s.xx + s.yy);
+  out[C2D_POINT_UX] = u[0];
+  out[C2D_POINT_UY] = u[1];
+  out[C2D_POINT_SXX] = s.xx;
+  out[C2D_POINT_SYY] = s.yy;
+  out[C2D_POINT_SXY] = s.xy;
+  out[C2D_POINT_SZZ] = szz;
+  out[C2D_POINT_VON_MISES] = von_mises(s, szz);
+  out[C2D_POINT_MAX_SHEAR] = shear;
+  out[C2D_POINT_PRINCIPAL1] = mean + shear;
+  out[C2D_POINT_PRINCIPAL2] = mean - shear;
+  out[C2D_POINT_FLAG] = flag;
+}
+
+void finish_point(const Session& session, int b, const Points& points, int32_t i) {
+  const Model& m = session.model;
+  PointState p = points.state(i);
+  double* out = points.out + i * points.out_stride;
+  const double fx = points.folding(i, 0), fy = points.folding(i, 1);
+  if (p.place == place_of(b, C2D_POINT_BOUNDARY)) {
+    const int32_t element = static_cast<int32_t>(p.element);
+    const BoundaryState s = boundary_state(session, b, element, p.eta);
+    const double u[2] = {fx * s.u[0], fy * s.u[1]};
+    PlaneStress stress = joint_stress(session, b, element, p.eta);
+    stress.xy *= fx * fy;
+    write_point(session, b, u, stress, C2D_POINT_BOUNDARY, out);
+  } else if (is_inside(p, b) && is_rigid(m, b)) {
+    double u[2];
+    rigid_displacement_now(session, points.x(i) * points.unit, points.y(i) * points.unit, u);
+    for (int c = 0; c < 2; ++c) u[c] *= c == 0 ? fx : fy;
+    write_point(session, b, u, PlaneStress{0.0, 0.0, 0.0}, C2D_POINT_INSIDE, out);
+  } else if (is_inside(p, b)) {
+    const double x = points.x(i), y = points.y(i), g = shear_modulus(m, b);
+    complete_sums(session, b, points, x, y, p);
+    const double u[2] = {fx * p.u[0] * points.unit, fy * p.u[1] * points.unit};
+    PlaneStress s = {g * (p.stress[0] + p.stress[1]), g * (p.stress[0] - p.stress[1]), -g * p.stress[2]};
+    s.xy *= fx * fy;
+    write_point(session, b, u, s, is_near_node(p, b) ? C2D_POINT_NEAR_NODE : C2D_POINT_INSIDE, out);
+  }
+}
+
+enum class Pass { afar, placing, integrals };
+
+// One element on these points. Small builds do without the first pass.
+void act(const Session& session, int b, int32_t element, Pass pass, const Points& points) {
+  if (pass == Pass::integrals) return add_elements_values(session, b, element, points);
+  Integrator in;
+  make_integrator(session.model, b, element, Quadrature::accurate, Measure::own_length, in);
+#ifndef C2D_SMALL
+  if (pass == Pass::afar) return look_from_afar(in.element, points);
+#endif
+  look_at_element(in, b, element, points);
+}
+
+#ifdef C2D_SMALL
+c2d_status run_pass(const Session& session, int b, const Points& points, Pass pass) {
+  for (int32_t element = 0; element < session.model.head->body[b].elements; ++element) {
+    if (!is_integrated(session.model, b, element)) continue;
+    const c2d_status status = pause(session, b, element);
+    if (status != C2D_OK) return status;
+    act(session, b, element, pass, points);
+  }
+  return C2D_OK;
+}
+#else
+// Points are taken in blocks that stay in the cache while all elements act on them, several blocks at once where there
+// are threads for it; and elements in runs, between which the caller is told of the progress.
+constexpr int32_t kBlockOfPoints = 1024, kRunOfElements = 32; // the first a multiple of kBatch
+
+struct BlockJob {
+  const Session* session;
+  const Points* points;
+  int b;
+  Pass pass;
+  int32_t first_point, first_element, last_element; // this one not
+
+  Points block(int32_t i) const {
+    const int32_t first = first_point + i * kBlockOfPoints, rest = points->count - first;
+    Points out = *points;
+    out.count = rest < kBlockOfPoints ? rest : kBlockOfPoints;
+    out.xy += first * points->xy_stride;
+    out.out += first * points->out_stride;
+    return out;
+  }
+};
+
+// Task `i` of a BlockJob: one block of points and a run of elements.
+void run_block(void* argument, int32_t i) {
+  const BlockJob& job = *static_cast<const BlockJob*>(argument);
+  const Points points = job.block(i);
+  for (int32_t element = job.first_element; element < job.last_element; ++element)
+    if (is_integrated(job.session->model, job.b, element)) act(*job.session, job.b, element, job.pass, points);
+}
+
+// All elements of the body on all points, in one of the passes.
+c2d_status run_pass(const Session& session, int b, const Points& points, Pass pass) {
+  const int32_t elements = session.model.head->body[b].elements;
+  const int32_t blocks = (points.count + kBlockOfPoints - 1) / kBlockOfPoints;
+  const Workers workers = workers_of(&session.solver->port);
+  for (int32_t block = 0; block < blocks; block += workers.count) {
+    const int32_t tasks = blocks - block < workers.count ? blocks - block : workers.count;
+    for (int32_t first = 0; first < elements; first += kRunOfElements) {
+      const int32_t last = elements - first < kRunOfElements ? elements : first + kRunOfElements;
+      const int64_t done = (static_cast<int64_t>(block) * elements + static_cast<int64_t>(tasks) * first) / blocks;
+      const c2d_status status = pause(session, b, static_cast<int32_t>(done));
+      if (status != C2D_OK) return status;
+      BlockJob job{&session, &points, b, pass, block * kBlockOfPoints, first, last};
+      run_tasks(workers, tasks, run_block, &job);
+    }
+  }
+  return C2D_OK;
+}
+#endif
+
+c2d_status place_points(const Session& session, int b, const Points& points) {
+  begin_placing(points);
+  c2d_status status = C2D_OK;
+#ifndef C2D_SMALL
+  status = run_pass(session, b, points, Pass::afar);
+  if (status == C2D_OK) leave_afar(points);
+#endif
+  if (status == C2D_OK) status = run_pass(session, b, points, Pass::placing);
+  if (status == C2D_OK) end_placing(session, b, points);
+  return status;
+}
+
+// The points of one body that are not in an earlier one, complete but for writing them out. (Not inlined, like the next:
+// their frames would stand below that of back substitution.)
+[[gnu::noinline]] c2d_status evaluate_body(const Session& session, int b, const Points& points) {
+  c2d_status status = place_points(session, b, points);
+  if (status == C2D_OK && !is_rigid(session.model, b)) status = run_pass(session, b, points, Pass::integrals);
+  if (status == C2D_OK && b == 0 && session.model.head->free_rows > 0) status = add_transferred(session, points);
+  return status;
+}
+
+[[gnu::noinline]] void finish_points(const Session& session, const Points& points) {
+  for (int32_t i = 0; i < points.count; ++i) {
+    const double place = points.state(i).place;
+    if (place == kUnplaced || place == kNowhere) {
+      double* out = points.out + i * points.out_stride;
+      for (int c = 0; c < C2D_POINT_FLAG; ++c) out[c] = 0.0;
+      out[C2D_POINT_FLAG] = C2D_POINT_OUTSIDE;
+    } else {
+      finish_point(session, static_cast<int>(place) / 4 - 1, points, i);
+    }
+  }
+}
+
+// A number, and no absurd one.
+bool may_lie_inside(const Points& points, int32_t i) {
+  const double bound = kBeyondAll * points.unit, *at = points.xy + i * points.xy_stride;
+  return isfinite(at[0]) && isfinite(at[1]) && fabs(at[0]) < bound && fabs(at[1]) < bound;
+}
+
+// Results while nothing is solved yet.
+void clear_boundary(const Session& session) {
+  const ModelHeader& head = *session.model.head;
+  for (int b = 0; b < head.bodies; ++b) {
+    const int64_t ends = static_cast<int64_t>(head.body[b].elements) * head.function_nodes;
+    memset(session.area.displacement[b], 0, 2 * sizeof(Real) * static_cast<size_t>(head.body[b].nodes));
+    memset(session.area.traction[b], 0, 2 * sizeof(Real) * static_cast<size_t>(ends));
+    memset(session.solver->multiplier[b], 0, sizeof session.solver->multiplier[b]);
+  }
+}
+
+} // namespace
+
+c2d_status evaluate_points(Session& session, int32_t body, const PointsAsked& asked) {
+  c2d_solver* s = session.solver;
+  if (s->blocked || s->floating) clear_boundary(session);
+  c2d_status status = back_substitute_all(session);
+  if (status != C2D_OK) return fail_store(s, status);
+  const Points points = {asked.count, asked.xy, asked.xy_stride, asked.out, asked.out_stride, s->model.length_unit, &s->model
+#ifndef C2D_SMALL
+                         , batch_for(best_instructions())
+#endif
+  };
+  for (int32_t i = 0; i < points.count; ++i) points.state(i).place = may_lie_inside(points, i) ? kUnplaced : kNowhere;
+  for (int b = 0; b < s->model.bodies && status == C2D_OK; ++b)
+    if (body == 0 || body == b + 1) status = evaluate_body(session, b, points);
+  if (status == C2D_OK) finish_points(session, points);
+  return status;
+}
+
+} // namespace c2d

@@ -1,0 +1,48 @@
+#pragma once
+// Interior points, and the boundary's state between its nodes, for interior points and c2d_get. The boundary results must be current;
+// body and element count from 0. Everything in the caller's units.
+#include "bie/boundary_stress.hpp"
+#include "bie/element.hpp"
+#include "solver/session.hpp"
+
+namespace c2d {
+
+// The element before (step -1) or after (1) in its region, double nodes skipped; at a line of symmetry its own image.
+struct Neighbour {
+  int32_t element;
+  int image;
+};
+Neighbour region_neighbour(const Model& m, int b, int32_t element, int32_t step);
+Element element_of(const Model& m, int b, int32_t element);
+
+struct BoundaryState {
+  double u[2], t[2], du_ds[2], n[2];
+};
+
+// du_ds: from this element and the neighbours that join it smoothly.
+BoundaryState boundary_state(const Session& session, int b, int32_t element, double eta);
+
+// The same as an image has it.
+BoundaryState mirrored_state(const BoundaryState& s, int image);
+// Is a node a corner whose two tractions make a tensor? The states of both sides.
+bool is_corner(const Session& session, const BoundaryState& s, const BoundaryState& t);
+
+// Stress on an element; at its ends from both elements that meet there: from their tractions at a corner, else the mean.
+PlaneStress joint_stress(const Session& session, int b, int32_t element, double eta);
+double stress_across(const Session& session, int b, const PlaneStress& s);
+
+// field: C2D_END_SXX ... C2D_END_PRINCIPAL2; end = element * function_nodes + local.
+double end_stress(const Session& session, int32_t field, int b, int32_t end);
+
+// What c2d_interior is asked: as its arguments.
+struct PointsAsked {
+  int32_t count;
+  const double* xy;
+  int64_t xy_stride;
+  double* out;
+  int64_t out_stride;
+};
+// All of it, in body 1, 2 or any (0), back substitution included. Errors are recorded.
+c2d_status evaluate_points(Session& session, int32_t body, const PointsAsked& asked);
+
+} // namespace c2d

@@ -1,0 +1,48 @@
+#include "results/transferred.hpp"
+
+#include "bie/transfer.hpp"
+
+namespace c2d {
+
+void add_transferred_traction(const Session& session, int32_t element, int l, double out[2]) {
+  const Model& m = session.model;
+  TransferredEnd end;
+  if (!transferred_end(m, element, l, end)) return;
+  for (int k = 0; k < m.head->function_nodes; ++k) {
+    if (end.pair[k] < 0) continue;
+    const PairState now = pair_state(*session.follower.t, end.pair[k], session.follower.y);
+    const double scale = -m.head->stress_unit * end.ratio * end.weight[k];
+    double t[2];
+    to_global(m.pair[end.pair[k]], now.p * scale, now.q * scale, t);
+    for (int c = 0; c < 2; ++c) out[c] += t[c];
+  }
+}
+
+void transferred_values(const Session& session, const Transfer& piece, int k, double out[2]) {
+  const Model& m = session.model;
+  out[0] = out[1] = 0.0;
+  for (int l = 0; l < m.head->function_nodes; ++l) {
+    if (piece.pair[l] < 0) continue;
+    const PairState now = pair_state(*session.follower.t, piece.pair[l], session.follower.y);
+    const double scale = -m.head->stress_unit * piece.weight[k][l];
+    double t[2];
+    to_global(m.pair[piece.pair[l]], now.p * scale, now.q * scale, t);
+    for (int c = 0; c < 2; ++c) out[c] += t[c];
+  }
+}
+
+void add_transferred_force(const Session& session, double out[3]) {
+  const double unit = session.model.head->length_unit;
+  TransferWalk walk{};
+  Transfer piece;
+  while (next_transfer(session.model, Quadrature::accurate, walk, piece)) {
+    double w[4], wx[4], wy[4], t[2];
+    resultants(piece.in, 0.0, 0.0, w, wx, wy);
+    for (int k = 0; k < piece.in.functions; ++k) {
+      transferred_values(session, piece, k, t);
+      add_force(out, unit * w[k] * t[0], unit * w[k] * t[1], unit * unit * (wx[k] * t[1] - wy[k] * t[0]));
+    }
+  }
+}
+
+} // namespace c2d

@@ -1,0 +1,257 @@
+// What a user should know about a contact state: each warning once per path (src/report/OUTPUT.md).
+#include <math.h>
+
+#include "bie/shape.hpp"
+#include "contact/let_go.hpp"
+#include "memory/text.hpp"
+#include "model/geometry.hpp"
+#include "model/symmetry.hpp"
+#include "results/back.hpp"
+#include "results/coarse_contact.hpp"
+#include "results/surface_warnings.hpp"
+#include "results/warnings.hpp"
+#include "solver/load_path.hpp"
+
+namespace c2d {
+
+namespace {
+
+int32_t bit_of(int32_t number) { return 1 << (number - C2D_WARN_ZONE_END); }
+
+void warn(Session& session, int32_t number, int32_t zone, int32_t pair, const char* text) {
+  c2d_solver* s = session.solver;
+  const int32_t bit = bit_of(number);
+  if (s->warned & bit) return;
+  s->warned |= bit;
+  c2d_error e = blank_error();
+  e.status = number;
+  e.severity = C2D_WARNING;
+  e.zone = zone;
+  e.pair = pair;
+  e.load = session.follower.load[0];
+  Text out = text_in(e.text);
+  if (zone > 0) {
+    put_all(out, "zone ", zone, ", ");
+  }
+  if (pair > 0) {
+    put_all(out, "pair ", pair, ", ");
+  }
+  put_all(out, "load factor ", e.load, ", mu ", s->mu, ": ", text);
+  report_fault(s, e);
+}
+
+bool is_closed(const Pair& pair) { return pair.status != C2D_OPEN; }
+
+double pressure_of(const Session& session, int32_t pair) {
+  return pair_state(*session.follower.t, pair, session.follower.y).p;
+}
+
+// Does body b's surface go on beyond an end (-1: first, +1: last) of a zone without a corner, and out of
+// contact zones?
+bool goes_on(const Model& m, const Zone& z, int b, int end) {
+  const int32_t element = zone_element(m, z, b, end < 0 ? 0 : zone_elements(z, b) - 1);
+  const int travel = end * z.element_step[b];
+  const Region& r = m.region[b][z.region[b]];
+  int32_t next = element + (travel > 0 ? 1 : -1);
+  if (next < r.first || next > r.last) next = r.open != 0 ? -1 : (travel > 0 ? r.first : r.last);
+  int32_t zone, place;
+  if (next < 0 || !is_integrated(m, b, next) || find_contact_element(m, b, next, &zone, &place)) return false;
+  double here[2], there[2];
+  outward_normal(m, b, element, travel > 0 ? 1.0 : -1.0, here);
+  outward_normal(m, b, next, travel > 0 ? -1.0 : 1.0, there);
+  constexpr double kTenDegrees = 0.985; // cosine
+  return here[0] * there[0] + here[1] * there[1] > kTenDegrees;
+}
+
+// A pair that touches from the start says nothing about the zone where a body ends, as at the edge of a
+// punch. Where both surfaces go on, pressure on it does.
+bool is_cut_short(const Session& session, const Zone& zone, int32_t pair, int end) {
+  if (!goes_on(session.model, zone, 0, end) || !goes_on(session.model, zone, 1, end)) return false;
+  double most = 0.0;
+  for (int32_t i = zone.first_pair; i < zone.first_pair + zone.pairs; ++i) {
+    const double p = pressure_of(session, i);
+    if (p > most) most = p;
+  }
+  return pressure_of(session, pair) > 0.1 * most;
+}
+
+// An end of a zone where symmetry holds the pair is no end of the contact.
+void warn_zone_ends(Session& session, bool at_end) {
+  const Model& m = session.model;
+  for (int32_t z = 0; z < m.head->zones; ++z) {
+    const Zone& zone = m.zone[z];
+    const int32_t ends[2] = {zone.first_pair, zone.first_pair + zone.pairs - 1};
+    for (int k = 0; k < 2; ++k) {
+      const int32_t i = ends[k];
+      const Pair& pair = m.pair[i];
+      if (!is_closed(pair) || !pair.tangential) continue;
+      if (pair.gap > 0.0)
+        warn(session, C2D_WARN_ZONE_END, z + 1, i + 1,
+             "the last pair at an end of a contact zone has closed: the contact may reach further than the zone");
+      else if (at_end && is_cut_short(session, zone, i, k == 0 ? -1 : 1))
+        warn(session, C2D_WARN_ZONE_END, z + 1, i + 1,
+             "the last pair at an end of a contact zone carries pressure: the contact may reach further than "
+             "the zone");
+    }
+  }
+}
+
+void warn_coarse_contact(Session& session, Moment moment) {
+  if (session.solver->warned & bit_of(C2D_WARN_FEW_PAIRS)) return;
+  char room[sizeof(c2d_error::text)];
+  Text text = text_in(room);
+  int32_t zone = 0, pair = 0;
+  if (tell_coarse_contact(session, moment == Moment::peak, text, &zone, &pair))
+    warn(session, C2D_WARN_FEW_PAIRS, zone + 1, pair + 1, room);
+}
+
+void warn_slip(Session& session) {
+  const double unit = session.model.head->length_unit;
+  for (int32_t i = 0; i < session.model.head->pairs; ++i)
+    if (fabs(slip_sum(session.follower, i) - session.model.pair[i].slip_before) * unit > 0.5 * session.model.pair[i].length)
+      warn(session, C2D_WARN_LARGE_SLIP, session.model.pair[i].zone + 1, i + 1,
+           "slip since it last touched exceeds half a contact element: pairs no longer face each other");
+}
+
+// Beyond 1e6 adhesion is meant.
+void warn_friction(Session& session) {
+  for (int32_t i = 0; i < session.model.head->pairs; ++i) {
+    const Pair& pair = session.model.pair[i];
+    if (pair.mu > 3.0 && pair.mu < 1e6)
+      return warn(session, C2D_WARN_FRICTION, pair.zone + 1, 0,
+                  "the coefficient of friction is above 3: states are often not unique, and may not exist");
+  }
+}
+
+// Pressure at eta of a contact element, from its listed ends.
+double pressure_inside(const Session& session, int b, int32_t element, double eta) {
+  const int nf = session.model.head->function_nodes;
+  double shapes[4], sum = 0.0;
+  shape(nf, eta, shapes);
+  for (int l = 0; l < nf; ++l) {
+    const int32_t pair = pair_of_end(session.model, b, element, l);
+    if (pair >= 0) sum += shapes[l] * pressure_of(session, pair);
+  }
+  return sum;
+}
+
+// No force at all in the contact, but for round-off of what it carried or of what motions would make of it.
+bool carries_nothing(const Session& session) {
+  const PathScales s = path_scales(session.follower);
+  double least = kNoPressure * session.solver->peak_pressure;
+  if (!(session.solver->peak_pressure > 0.0)) least = kMixedNoise * session.tableau.stiffness * s.w;
+  return s.p <= least;
+}
+
+bool is_loaded(const Session& session) {
+  for (int32_t k = 0; k < session.tableau.cases; ++k)
+    if (session.follower.load[k] != 0.0) return true;
+  return false;
+}
+
+double without_noise(double number) { return fabs(number) < 1e-9 ? 0.0 : number; }
+
+// In which direction: told of the one motion, else of how many there are.
+void put_free_motion(const Session& session, Text& text) {
+  const FreeBody& body = session.free_body;
+  const double turn = body.motion[2] / session.model.head->length_unit;
+  if (body.motions > 1)
+    put_all(text, "in any of its ", body.motions, " free motions");
+  else if (fabs(body.motion[2]) < 1e-9)
+    put_all(text, "in the direction (", without_noise(body.motion[0]), ", ", without_noise(body.motion[1]), ")");
+  else
+    put_all(text, "in its rotation about (", body.centre[0] - body.motion[1] / turn, ", ",
+            body.centre[1] + body.motion[0] / turn, ")");
+}
+
+// A body that is let go, or that touches without force while there are loads: nothing fixes where it is.
+void warn_undefined_place(Session& session) {
+  const bool apart = is_let_go(session.tableau);
+  if (session.solver->outcome != C2D_REACHED || session.free_body.motions == 0) return;
+  if (!apart && (!is_loaded(session) || !carries_nothing(session))) return;
+  char room[sizeof(c2d_error::text)];
+  Text text = text_in(room);
+  put_all(text, "no contact force fixes the place of body ", session.free_body.body + 1, " ");
+  put_free_motion(session, text);
+  put_all(text, ": displacements there mean nothing, forces and stresses do; it keeps its place relative to the other body");
+  warn(session, C2D_WARN_UNDEFINED_PLACE, 0, 0, room);
+}
+
+} // namespace
+
+double tension_ratio(const Session& session) {
+  const Model& m = session.model;
+  if (m.head->function_nodes < 3 || m.head->contact == 0 || session.solver->floating || session.solver->blocked)
+    return 0.0; // constant and linear pressures have no minimum inside
+  double most = 0.0, least = 0.0;
+  for (int32_t z = 0; z < m.head->zones; ++z)
+    for (int32_t k = 0; k < m.zone[z].elements; ++k)
+      for (int sample = -10; sample <= 10; ++sample) {
+        const int b = m.zone[z].is_free != 0 ? 1 : 0; // where tau has its shape functions
+        const double p = pressure_inside(session, b, zone_element(m, m.zone[z], b, k), 0.1 * sample);
+        if (p < least) least = p;
+      }
+  for (int32_t i = 0; i < m.head->pairs; ++i) {
+    const double p = pressure_of(session, i);
+    if (p > most) most = p;
+  }
+  return most > 0.0 ? least / most : 0.0;
+}
+
+// Along the boundary and across it, where displacements and tractions are those of the load reached.
+void warn_strains(Session& session) {
+  const Model& m = session.model;
+  const int32_t nf = m.head->function_nodes;
+  double most = 0.0;
+  int body = 0;
+  int32_t at = 0;
+  for (int b = 0; b < m.head->bodies; ++b)
+    for (int32_t e = 0; nf > 1 && !is_rigid(m, b) && e < m.head->body[b].elements; ++e) {
+      double x[4], y[4], u[2], v[2], t[2];
+      element_coordinates(m, b, e, x, y);
+      const int last = m.head->body[b].element_nodes - 1;
+      const double dx = x[last] - x[0], dy = y[last] - y[0], square = dx * dx + dy * dy;
+      if (!is_integrated(m, b, e) || !(square > 0.0)) continue;
+      get_displacement(session, b, functional_node(m, b, e, 0), u);
+      get_displacement(session, b, functional_node(m, b, e, nf - 1), v);
+      get_traction(session, b, e * nf, t);
+      const double along = ((v[0] - u[0]) * dx + (v[1] - u[1]) * dy) / square;
+      const double pull = (t[0] * dy - t[1] * dx) / sqrt(square), nu = strain_poisson_ratio(m, b);
+      const double across = ((1.0 - 2.0 * nu) * pull / (2.0 * shear_modulus(m, b)) - nu * along) / (1.0 - nu);
+      const double strain = fmax(fabs(along), fabs(across));
+      if (strain <= most) continue;
+      most = strain;
+      body = b;
+      at = e;
+    }
+  if (!(most > 0.05)) return;
+  char room[sizeof(c2d_error::text)];
+  Text text = text_in(room);
+  put_all(text, "strains reach ");
+  put(text, most, 2);
+  put_all(text, " at element ", at + 1, " of body ", body + 1, ": the results are for small strains, below 0.05");
+  warn(session, C2D_WARN_STRAIN, 0, 0, room);
+}
+
+void warn_contact(Session& session, Moment moment) {
+  c2d_solver* s = session.solver;
+  if (s->model.contact == 0 || s->floating || s->blocked) return;
+  warn_undefined_place(session);
+  warn_zone_ends(session, moment != Moment::between);
+  if (moment != Moment::between) warn_coarse_contact(session, moment);
+  if (moment != Moment::between) warn_surfaces(session);
+  note_open_pairs(session);
+  warn_slip(session);
+  warn_friction(session);
+  const double ratio = tension_ratio(session);
+  if (ratio < s->tension_ratio) s->tension_ratio = ratio;
+  if (ratio < -0.01)
+    warn(session, C2D_WARN_TENSION, 0, 0,
+         "the pressure inside a contact element falls below -1 % of the largest nodal pressure: contact conditions "
+         "hold at nodes only; refine, or use linear functions");
+  if (session.follower.stats.unconverged > 0)
+    warn(session, C2D_WARN_INCREMENT, 0, 0,
+         "an increment did not converge within the iteration limit and was finished by following events");
+}
+
+} // namespace c2d

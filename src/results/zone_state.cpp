@@ -1,0 +1,80 @@
+// Resultants and statuses of a contact zone as it stands.
+#include <math.h>
+
+#include "bie/columns.hpp"
+#include "results/zone_state.hpp"
+
+namespace c2d {
+
+namespace {
+
+constexpr double kNear = 0.01;
+
+struct Largest {
+  double p, gap;
+};
+
+double larger(double a, double b) { return a > b ? a : b; }
+
+// Force and moment on body 2 of one element of the body whose length tau is measured by, from the exact resultants of its
+// shape functions.
+void add_element_force(const Session& session, int b, int32_t element, c2d_zone_state& out) {
+  const Model& m = session.model;
+  const Follower& f = session.follower;
+  EndResultant weight[4];
+  end_resultants(m, b, element, Measure::own_length, weight);
+  const double unit = m.head->length_unit * m.head->stress_unit;
+  for (int l = 0; l < m.head->function_nodes; ++l) {
+    const int32_t i = pair_of_end(m, b, element, l);
+    if (i < 0) continue;
+    const Pair& pair = m.pair[i];
+    const PairState now = pair_state(*f.t, i, f.y);
+    const double tx = now.p * pair.nx + now.q * pair.ny, ty = now.p * pair.ny - now.q * pair.nx;
+    out.force[0] += unit * weight[l].w * tx;
+    out.force[1] += unit * weight[l].w * ty;
+    out.moment += unit * m.head->length_unit * (weight[l].wx * ty - weight[l].wy * tx);
+  }
+}
+
+bool is_near(const Pair& pair, const PairState& now, const Largest& largest) {
+  if (pair.status == C2D_OPEN) return now.wn <= kNear * largest.gap;
+  if (now.p <= kNear * largest.p) return true;
+  if (pair.status != C2D_STICK || !pair.tangential || pair.mu > 1e300) return false;
+  return fabs(now.q) >= (1.0 - kNear) * pair.mu * now.p;
+}
+
+} // namespace
+
+void fill_zone_state(const Session& session, const Zone& zone, c2d_zone_state& out) {
+  const Model& m = session.model;
+  const Follower& f = session.follower;
+  Largest largest{0.0, 0.0};
+  double length = 0.0, friction = 0.0;
+  for (int32_t i = zone.first_pair; i < zone.first_pair + zone.pairs; ++i) {
+    const Pair& pair = m.pair[i];
+    const PairState now = pair_state(*f.t, i, f.y);
+    largest.p = larger(largest.p, now.p);
+    largest.gap = larger(largest.gap, now.wn);
+    friction = larger(friction, fabs(now.q));
+    length += pair.weight;
+    out.approach -= pair.weight * (now.wn - effective_gap(*m.head, pair, f.load) / m.head->length_unit);
+    out.shift += pair.weight * now.wt;
+    if (pair.status != C2D_OPEN) out.length += pair.weight * m.head->length_unit;
+    if (pair.status == C2D_OPEN) ++out.open;
+    else if (pair.tangential ? pair.status == C2D_STICK : pair.mu > 0.0) ++out.stick;
+    else ++out.slip;
+  }
+  for (int32_t i = zone.first_pair; i < zone.first_pair + zone.pairs; ++i)
+    out.near_change += is_near(m.pair[i], pair_state(*f.t, i, f.y), largest);
+  if (length > 0.0) {
+    out.approach *= m.head->length_unit / length;
+    out.shift *= m.head->length_unit / length;
+  }
+  out.largest_pressure = largest.p * m.head->stress_unit;
+  out.largest_friction = friction * m.head->stress_unit;
+  const int b = zone.is_free != 0 ? 1 : 0;
+  for (int32_t place = 0; place < zone.elements; ++place)
+    add_element_force(session, b, zone_element(m, zone, b, place), out);
+}
+
+} // namespace c2d

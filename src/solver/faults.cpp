@@ -1,0 +1,93 @@
+// Errors and warnings on their way out, and the caller's other functions.
+#include <string.h>
+
+#include "memory/text.hpp"
+#include "solver/solver.hpp"
+
+namespace c2d {
+
+c2d_error blank_error() {
+  c2d_error e;
+  memset(&e, 0, sizeof e);
+  e.struct_size = static_cast<uint32_t>(sizeof e);
+  return e;
+}
+
+void report_fault(c2d_solver* s, const c2d_error& entry) {
+  if (entry.severity == C2D_FAULT && !s->has_fault) {
+    s->error = entry;
+    s->has_fault = 1;
+  }
+  if (entry.severity == C2D_WARNING) ++s->warnings;
+  if (!s->port.log) return;
+  s->busy = 1;
+  s->port.log(s->port.context, &entry);
+  s->busy = 0;
+}
+
+c2d_status fail(c2d_solver* s, c2d_status status, const char* text) {
+  c2d_error e = blank_error();
+  e.status = status;
+  e.severity = C2D_FAULT;
+  e.line = s->model.line;
+  e.column = s->model.column;
+  e.column_end = s->model.column_end;
+  Text out = text_in(e.text);
+  put(out, text);
+  s->error = e;
+  s->has_fault = 1;
+  return status;
+}
+
+c2d_status fail_store(c2d_solver* s, c2d_status status) {
+  s->error = s->tapes.error;
+  s->error.struct_size = static_cast<uint32_t>(sizeof s->error);
+  s->error.severity = C2D_FAULT;
+  if (s->error.status != status) { // no tape said it
+    s->error = blank_error();
+    s->error.status = status;
+    s->error.severity = C2D_FAULT;
+    Text text = text_in(s->error.text);
+    put(text, status_text(status));
+  }
+  s->has_fault = 1;
+  s->state = C2D_STATE_BROKEN;
+  return status;
+}
+
+bool is_store_error(c2d_status status) { return status >= C2D_ERR_STORE_OPEN && status < C2D_ERR_MISMATCH; }
+
+bool asked_to_stop(c2d_solver* s) {
+  if (s->port.cancel) {
+    s->busy = 1;
+    if (s->port.cancel(s->port.context) != 0) s->cancelled = 1;
+    s->busy = 0;
+  }
+  return s->cancelled != 0;
+}
+
+double clock_now(c2d_solver* s) {
+  if (!s->port.clock) return 0.0;
+  s->busy = 1;
+  const double now = s->port.clock(s->port.context);
+  s->busy = 0;
+  return now;
+}
+
+void tell_progress(c2d_solver* s, int32_t phase, int32_t body, int64_t done, int64_t total) {
+  if (!s->port.progress) return;
+  c2d_progress now;
+  memset(&now, 0, sizeof now);
+  now.struct_size = static_cast<uint32_t>(sizeof now);
+  now.phase = phase;
+  now.body = body;
+  now.done = done;
+  now.total = total;
+  now.load = s->state == C2D_STATE_RUNNING ? array_of<double>(s, kLoads)[0] : 0.0;
+  now.target = s->state == C2D_STATE_RUNNING ? array_of<double>(s, kLoads)[s->sizes.load_cases] : 0.0;
+  s->busy = 1;
+  s->port.progress(s->port.context, &now);
+  s->busy = 0;
+}
+
+} // namespace c2d

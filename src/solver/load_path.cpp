@@ -1,0 +1,282 @@
+#include "solver/load_path.hpp"
+
+#include <math.h>
+
+#include "bie/body_force.hpp"
+#include "bie/columns.hpp"
+#include "memory/optional.hpp"
+#include "memory/text.hpp"
+#include "solver/energy.hpp"
+#include "solver/judge.hpp"
+#include "solver/motion.hpp"
+
+namespace c2d {
+
+C2D_OPTIONAL(body_force_resultant);
+C2D_OPTIONAL(begin_energy);
+C2D_OPTIONAL(before_jump);
+C2D_OPTIONAL(after_jump);
+C2D_OPTIONAL(add_segment);
+C2D_OPTIONAL(close_balance);
+
+void note_open_pairs(Session& session) {
+  for (int32_t i = 0; i < session.model.head->pairs; ++i) {
+    Pair& pair = session.model.pair[i];
+    if (pair.status == C2D_OPEN) pair.slip_before = pair.slip_done;
+  }
+}
+
+namespace {
+
+c2d_status tick(void* context) {
+  Session& session = *static_cast<Session*>(context);
+  c2d_solver* s = session.solver;
+  tell_progress(s, C2D_PHASE_CONTACT, 0, session.follower.stats.events, 0);
+  return asked_to_stop(s) ? C2D_ERR_CANCELLED : C2D_OK;
+}
+
+// A status changed: judge what that came to, after every so many exchanges, and show it to c2d_run's callback, if it asked for
+// that. Within an increment of deck stepping statuses do not agree with the values yet.
+c2d_status changed(void* context, double) {
+  Session& session = *static_cast<Session*>(context);
+  constexpr int64_t kBetweenLooks = 16; // exchanges between pairs that stand well leave nothing to see
+  const c2d_options& options = session.solver->options;
+  if (options.stepping == C2D_STEPPING_EVENTS) note_open_pairs(session); // others are still on trial
+  const bool shown = session.step && options.every_change;
+  if (!shown && session.solver->careful == 0 && session.tableau.exchanges - session.solver->judged_exchanges < kBetweenLooks)
+    return C2D_OK;
+  const c2d_status status = judge(session, options.stepping == C2D_STEPPING_EVENTS ? Agree::rates : Agree::nothing);
+  return status == C2D_OK && shown ? session.show_change(session) : status;
+}
+
+void moving(void* context, double part) {
+  Session& session = *static_cast<Session*>(context);
+  if (session.solver->keeps_energy) add_segment(session, part);
+}
+
+} // namespace
+
+PathWatch path_watch(Session& session) { return PathWatch{&session, tick, changed, moving}; }
+
+c2d_status begin_path(Session& session) {
+  c2d_solver* s = session.solver;
+  const ModelHeader& head = s->model;
+  for (int32_t k = 0; k < 4 * head.load_cases; ++k) array_of<double>(s, kLoads)[k] = 0.0;
+  s->outcome = C2D_REACHED;
+  s->last_pair = session.follower.last_pair = -1; // none yet
+  s->outcome_body = s->back_substituted = s->table_is_current = s->floating = 0;
+  s->warned = 0;
+  if (s->keeps_energy) begin_energy(s);
+  s->peak_pressure = 0.0;
+  s->gap_scale = session.follower.gap_scale = 0.0;
+  s->unsound = 0;
+  s->pressure_scale = session.follower.pressure_scale = 0.0;
+  if (s->blocked || head.contact == 0) return C2D_OK;
+  c2d_status status = load_flexibility(session);
+  if (status == C2D_OK) status = start_path(session.follower, session.free_body, session.model, &s->floating);
+  if (status == C2D_OK) begin_judging(session);
+  return status;
+}
+
+namespace {
+
+bool all_zero(const double* numbers, int32_t count) {
+  for (int32_t i = 0; i < count; ++i)
+    if (numbers[i] != 0.0) return false;
+  return true;
+}
+
+// Force and moment about the body's centre of what a load case prescribes on a body; *size: sum of magnitudes.
+void case_resultant(const Model& m, int b, int32_t load_case, double out[3], double* size) {
+  const Body& body = m.head->body[b];
+  const double unit = m.head->length_unit;
+  const int nf = m.head->function_nodes;
+  const int64_t ends = static_cast<int64_t>(body.elements) * nf;
+  const double cx = body.centre[0] / unit, cy = body.centre[1] / unit;
+  out[0] = out[1] = out[2] = *size = 0.0;
+  for (int32_t element = 0; element < body.elements; ++element) {
+    if (!is_integrated(m, b, element)) continue;
+    EndResultant weight[4];
+    end_resultants(m, b, element, Measure::own_length, weight);
+    for (int l = 0; l < nf; ++l) {
+      const double* t = m.end_traction[b] + (load_case * ends + static_cast<int64_t>(element) * nf + l) * 2;
+      const EndResultant& w = weight[l];
+      out[0] += w.w * unit * t[0];
+      out[1] += w.w * unit * t[1];
+      out[2] += unit * ((w.wx - cx * w.w) * t[1] - (w.wy - cy * w.w) * t[0]);
+      *size += w.w * unit * (fabs(t[0]) + fabs(t[1]));
+    }
+  }
+  for (int32_t i = 0; i < m.head->point_loads; ++i) {
+    const PointLoad& p = m.point_load[i];
+    if (p.body != b || p.load_case != load_case) continue;
+    out[0] += p.fx;
+    out[1] += p.fy;
+    out[2] += (p.x - body.centre[0]) / unit * p.fy - (p.y - body.centre[1]) / unit * p.fx;
+    *size += fabs(p.fx) + fabs(p.fy);
+  }
+  if (!has_body_force(m, b)) return;
+  double force[3];
+  body_force_resultant(m, b, load_case, body.centre[0], body.centre[1], force);
+  for (int i = 0; i < 2; ++i) out[i] += force[i];
+  out[2] += force[2] / unit;
+  *size += fabs(force[0]) + fabs(force[1]);
+}
+
+// Work of the loads along `direction` on the free body's one motion; zero if it is no more than round-off.
+double work_on_motion(const Session& session, const double* direction) {
+  double size = 0.0;
+  const double work = load_work(session, direction, session.free_body.motion, &size);
+  return fabs(work) > 1e-10 * size ? work : 0.0;
+}
+
+c2d_status take_off(Session& session, const double* target, c2d_outcome* outcome) {
+  Follower& f = session.follower;
+  for (int32_t k = 0; k < f.t->cases; ++k) f.direction[k] = target[k] - f.load[k];
+  c2d_status status = lie_apart(f, session.model, outcome);
+  if (status == C2D_OK && *outcome != C2D_REACHED)
+    status = fly(f, session.free_body, session.model, work_on_motion(session, f.direction), outcome);
+  if (status == C2D_OK && *outcome == C2D_REACHED) session.solver->floating = 0;
+  return status;
+}
+
+c2d_status follow(Session& session, const double* target, c2d_outcome* outcome) {
+  c2d_solver* s = session.solver;
+  Follower& f = session.follower;
+  if (s->options.stepping != C2D_STEPPING_DECK) return follow_events(f, target, outcome);
+  refresh(f);
+  if (s->keeps_energy) before_jump(session);
+  const int32_t by_events = f.stats.unconverged;
+  const c2d_status status = follow_increment(f, target, s->model.iteration_limit, outcome);
+  if (status == C2D_OK && f.stats.unconverged == by_events && s->keeps_energy) after_jump(session);
+  return status;
+}
+
+} // namespace
+
+double load_work(const Session& session, const double* direction, const double motion[3], double* size) {
+  double work = 0.0;
+  *size = 0.0;
+  for (int32_t k = 0; k < session.model.head->load_cases; ++k) {
+    double force[3], magnitude;
+    case_resultant(session.model, session.free_body.body, k, force, &magnitude);
+    for (int i = 0; i < 3; ++i) work += direction[k] * force[i] * motion[i];
+    *size += fabs(direction[k]) * magnitude;
+  }
+  return work;
+}
+
+namespace {
+
+// Which body the outcome is about: the one that the contact has to hold.
+void name_outcome(Session& session, c2d_outcome outcome) {
+  c2d_solver* s = session.solver;
+  s->outcome = outcome;
+  if (outcome == C2D_FREE_MOTION || outcome == C2D_GROSS_SLIDING || outcome == C2D_TIPPING)
+    s->outcome_body = s->blocked ? s->blocked : session.free_body.body + 1;
+  // Where no pressure is left, nothing slides: the body lifts off.
+  if (outcome == C2D_GROSS_SLIDING && s->peak_pressure > 0.0 &&
+      path_scales(session.follower).p <= kNoPressure * s->peak_pressure)
+    s->outcome = outcome = C2D_FREE_MOTION;
+  if (s->outcome_body > 0) s->outcome = find_outcome_motion(session, outcome);
+}
+
+
+// Once per path.
+void warn_not_unique(Session& session) {
+  Follower& f = session.follower;
+  c2d_solver* s = session.solver;
+  constexpr int32_t kBit = 1 << (C2D_WARN_NOT_UNIQUE - C2D_WARN_ZONE_END);
+  if (f.solutions < 2 || (s->warned & kBit) != 0) return;
+  s->warned |= kBit;
+  c2d_error e = blank_error();
+  e.status = C2D_WARN_NOT_UNIQUE;
+  e.severity = C2D_WARNING;
+  e.load = f.solutions_load;
+  Text text = text_in(e.text);
+  put_all(text, "load factor ", e.load, ", mu ", s->mu, ": the solution is not unique: ", f.solutions,
+          " contact states satisfy all conditions; the one whose motion changes least is taken");
+  report_fault(s, e);
+}
+
+} // namespace
+
+namespace {
+
+// To `target`, or as far as the path leads, and judged there.
+c2d_status go(Session& session, const double* target, c2d_outcome* outcome) {
+  c2d_solver* s = session.solver;
+  Follower& f = session.follower;
+  const int32_t cases = s->model.load_cases;
+  const bool from_zero = all_zero(f.load, cases);
+  *outcome = C2D_REACHED;
+  c2d_status status = C2D_OK;
+  if (s->floating) status = take_off(session, target, outcome);
+  if (status == C2D_OK && *outcome == C2D_REACHED) status = follow(session, target, outcome);
+  // What touched at zero load was pulled off: nothing is loaded yet, so the body may fly to other pairs once.
+  if (status == C2D_OK && *outcome == C2D_FREE_MOTION && from_zero && all_zero(f.load, cases) &&
+      session.free_body.motions == 1) {
+    status = take_off(session, target, outcome);
+    if (status == C2D_OK && *outcome == C2D_REACHED) status = follow(session, target, outcome);
+  }
+  if (status != C2D_OK) return status;
+  const bool by_rates = *outcome == C2D_REACHED && s->options.stepping == C2D_STEPPING_EVENTS;
+  return judge(session, by_rates ? Agree::rates : Agree::values);
+}
+
+bool is_lost(c2d_status status) { return status == kUnsound || status == C2D_ERR_SINGULAR; }
+
+// What the limits do not admit is tried once more from the last good state, with a new tableau after every change; then
+// the path ends there.
+c2d_status go_soundly(Session& session, const double* target, c2d_outcome* outcome) {
+  c2d_solver* s = session.solver;
+  c2d_status status = go(session, target, outcome);
+  if (is_lost(status)) {
+    s->careful = 1;
+    status = return_to_good(session);
+    if (status == C2D_OK) status = go(session, target, outcome);
+    s->careful = 0;
+  }
+  if (!is_lost(status)) return status;
+  if (status == C2D_ERR_SINGULAR) s->breach = C2D_BREACH_SINGULAR;
+  *outcome = C2D_BEYOND_LIMITS;
+  status = s->unsound ? c2d_status{C2D_OK} : return_to_good(session);
+  tell_breach(s);
+  return is_lost(status) ? c2d_status{C2D_OK} : status;
+}
+
+} // namespace
+
+c2d_status advance_path(Session& session, const double* target) {
+  c2d_solver* s = session.solver;
+  Follower& f = session.follower;
+  s->back_substituted = s->table_is_current = 0;
+  const int32_t cases = s->model.load_cases;
+  if (s->blocked || s->unsound) {
+    name_outcome(session, s->blocked ? C2D_FREE_MOTION : C2D_BEYOND_LIMITS);
+    return C2D_OK;
+  }
+  c2d_outcome outcome = C2D_REACHED;
+  if (s->model.contact == 0 || (s->floating && all_zero(target, cases))) {
+    for (int32_t k = 0; k < cases; ++k) f.direction[k] = target[k] - f.load[k];
+    if (!s->floating && s->keeps_energy) add_segment(session, 1.0);
+    for (int32_t k = 0; k < cases; ++k) f.load[k] = target[k];
+    if (!s->floating && s->keeps_energy) close_balance(session);
+    s->outcome = outcome;
+    return C2D_OK;
+  }
+  const double start = clock_now(s);
+  for (int32_t k = 0; k < cases; ++k) array_of<double>(s, kLoads)[cases + k] = target[k];
+  const c2d_status status = go_soundly(session, target, &outcome);
+  if (status == C2D_OK && !s->floating) {
+    if (!s->unsound) refresh(f);
+    if (s->keeps_energy) close_balance(session);
+  }
+  s->peak_pressure = fmax(s->peak_pressure, path_scales(session.follower).p);
+  s->seconds[C2D_PHASE_CONTACT] += clock_now(s) - start;
+  warn_not_unique(session);
+  name_outcome(session, outcome);
+  return status;
+}
+
+} // namespace c2d

@@ -1,0 +1,12 @@
+#pragma once
+// Fingerprint and sizes of a model.
+#include "solver/phases.hpp"
+#include "solver/solver.hpp"
+
+namespace c2d {
+
+// Of everything that decides the numbers on the tapes.
+uint64_t hash_model(const Model& model, const c2d_options& options);
+PhaseSizes model_sizes(const Model& model);
+
+} // namespace c2d
