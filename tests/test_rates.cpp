@@ -2,6 +2,7 @@
 // hard (tests/data/hard).
 #include "contact/rate_problem.hpp"
 #include "json.hpp"
+#include "problem.hpp"
 #include "shell.hpp"
 
 #include <doctest/doctest.h>
@@ -308,6 +309,25 @@ TEST_CASE("hard states: a body that nothing holds is said to slide, with the row
     CHECK(run.json["outcome"].text == "gross sliding");
     CHECK(run.said.find("gross sliding; body 2 can move by") != std::string::npos);
     CHECK(run.rows > 3);
+  }
+}
+
+TEST_CASE("hard states: what the last digits would decide has its outcome in every form") {
+  // A path back to no load at all, whose last pair lifts within round-off of it; a body that moves along its guide without any
+  // force; one without friction on an arc, which may turn about the arc's centre.
+  const char* const expected[][2] = {{"F2_unloaded_to_nothing", "reached"},
+                                     {"F3_goes_along_without_force", "reached"},
+                                     {"F4_turns_on_its_arc", "gross sliding"}};
+  for (const auto& of : expected) {
+    CAPTURE(std::string(of[0]));
+    const Run run = run_hard(of[0]);
+    CHECK(run.json["outcome"].text == of[1]);
+    std::string deck = test::read_file(C2D_TEST_ROOT "/tests/data/hard/" + std::string(of[0]) + ".dat");
+    const problem::Problem p = problem::from_text(deck);
+    const c2d_outcome plain = problem::solve(p).outcome;
+    for (double size = 0.001; size < 1000; size *= 7) CHECK(problem::solve(problem::scaled(p, size, 3 / size)).outcome == plain);
+    CHECK(problem::solve(problem::rotated(p, 90)).outcome == plain);
+    CHECK(problem::solve(problem::reflected(p)).outcome == plain);
   }
 }
 

@@ -7,8 +7,10 @@ namespace c2d {
 
 namespace {
 
-// The last pair of a body lifts at zero load exactly: a path that ends there is not cut short by round-off.
+// The last pair of a body lifts at zero load exactly: a path that ends there is not cut short by round-off. That of the load at
+// which it lifts is as large as that of the pressures, which is judged by the largest of the path so far.
 constexpr double kAllButThere = 1.0 - 1e-12;
+constexpr double kNearlyThere = 1.0 - 1e-6;
 
 void keep_earlier(Event& best, double step, int32_t pair, int32_t status, int32_t sign) {
   if (step < 0.0) step = 0.0;
@@ -161,8 +163,11 @@ c2d_status find_event(Follower& f, double reach, double* part, c2d_outcome* outc
   return C2D_OK;
 }
 
-// The path ends here, unless what is left of the piece is round-off: the last pair of a body lifts at zero load exactly.
-static bool is_short(double part) { return part < kAllButThere; }
+// The path ends here, unless what is left of the piece is round-off.
+static bool is_short(const Follower& f, double part) {
+  if (part >= kAllButThere) return false;
+  return part < kNearlyThere || path_scales(f).p > kValueTolerance * f.pressure_scale;
+}
 
 c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome) {
   f.goes_on = goes_straight_on(f, target);
@@ -176,7 +181,7 @@ c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome
   int32_t standing = 0; // events in a row without any progress
   for (;;) {
     c2d_status status = settle(f, outcome);
-    if (status != C2D_OK || (*outcome != C2D_REACHED && is_short(part))) return status;
+    if (status != C2D_OK || (*outcome != C2D_REACHED && is_short(f, part))) return status;
     if (*outcome != C2D_REACHED) break;
     f.goes_on = 1;
     if (f.stats.changes != told) status = tell_change(f); // what the event and all that followed from it came to
@@ -188,7 +193,7 @@ c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome
     standing = part + event.step > part ? 0 : standing + 1; // steps below round-off lead nowhere, however many
     if (standing > 20 + 8 * f.t->pairs) {
       *outcome = C2D_ENDLESS_EXCHANGE;
-      if (is_short(part)) return C2D_OK;
+      if (is_short(f, part)) return C2D_OK;
       break;
     }
     part += event.step;

@@ -352,8 +352,9 @@ c2d_status try_all(Follower& f, bool offends, int32_t* found) {
   note_solutions(f, *found);
   if (*found < 1 || (*found == 1 && !offends)) return C2D_OK;
   const c2d_status status = take_cells(f, r);
-  if (status != C2D_ERR_SINGULAR) return status;
-  *found = -1;
+  if (status == C2D_OK && is_held(f)) return status;
+  if (status != C2D_OK && status != C2D_ERR_SINGULAR) return status;
+  *found = status == C2D_OK ? 0 : -1; // a motion that the last digits hold is none of a solution
   return restore_pairs(f);
 }
 

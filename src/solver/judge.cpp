@@ -277,8 +277,9 @@ Findings look(Session& session, Agree with) {
   if (with == Agree::nothing) return out;
   const double p = larger(state.p, s->peak_pressure), stiffness = session.tableau.stiffness;
   const double w = stiffness > 0.0 ? larger(state.w, p / stiffness) : state.w;
-  out.size[C2D_BREACH_SIGN] = larger(p > 0.0 ? state.tension / p : 0.0, w > 0.0 ? state.overlap / w : 0.0);
-  out.size[C2D_BREACH_CONE] = p > 0.0 ? state.slide / p : 0.0;
+  const double none = kMixedNoise * stiffness * state.w; // a body that goes along without force has only such pressures
+  out.size[C2D_BREACH_SIGN] = larger(state.tension > none ? state.tension / p : 0.0, w > 0.0 ? state.overlap / w : 0.0);
+  out.size[C2D_BREACH_CONE] = state.slide > none ? state.slide / p : 0.0;
   if (with == Agree::rates && state.dw > 0.0) out.size[C2D_BREACH_SLIP] = state.back / state.dw;
   return out;
 }
