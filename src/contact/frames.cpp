@@ -353,16 +353,22 @@ void check_kink(const Model& m, int32_t zone, int b, int32_t k, Reporter& report
   tell(reporter, f);
 }
 
+// How far the surface may be off at a point of an element: not at all at its ends.
+double doubt_at(const Model& m, int b, int32_t element, double eta) {
+  const double part = 1 - eta * eta;
+  return part == 0 ? 0 : part * surface_element(m, b, element).doubt;
+}
+
 } // namespace
 
 double surface_doubt(const Model& m, int32_t pair) {
   const Pair& p = m.pair[pair];
+  const int32_t f = m.head->function_nodes;
   double sum = 0;
   for (int b = 0; b < 2; ++b) {
-    Surface s{{0, 0}, 0, 0, -1, 0};
-    if (p.node[b] < 0) add_surface(m, b, p.element, p.eta, s);
-    else surface_at(m, b, pair, s);
-    sum += s.doubt;
+    int32_t ends[2];
+    if (p.node[b] < 0) sum += doubt_at(m, b, p.element, p.eta);
+    else if (ends_at_node(m, b, p.node[b], ends) == 1) sum += doubt_at(m, b, ends[0] / f, local_eta(f, ends[0] % f));
   }
   return sum;
 }

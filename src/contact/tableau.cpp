@@ -55,8 +55,6 @@ bool exchange_pair(Tableau& t, const Pair& pair, bool (*usable)(const Pair&, int
   return true;
 }
 
-double friction(const Pair& pair, int32_t sign) { return sign * pair.mu; }
-
 void add_row(Tableau& t, int32_t target, double factor, int32_t source) {
   if (factor != 0.0) row_add(all_columns(t), t.t, t.m, target, source, static_cast<Real>(factor));
 }
@@ -340,23 +338,5 @@ void combine(const Tableau& t, const double* factor, bool with_constants, Real* 
     for (int32_t i = 0; i < t.m; ++i) out[i] += f * rate[i];
   }
 }
-
-namespace {
-
-PairState read_pair(const Pair& pair, const Real* y, double offset) {
-  const double normal = y[pair.dof], tangential = pair.tangential ? static_cast<double>(y[pair.dof + 1]) : 0.0;
-  switch (pair.status) {
-  case C2D_OPEN: return {normal, tangential, 0.0, 0.0};
-  case C2D_STICK: return {0.0, offset, normal, tangential};
-  default: return {0.0, tangential, normal, pair.tangential ? friction(pair, pair.sign) * normal : 0.0};
-  }
-}
-
-} // namespace
-
-PairState pair_state(const Tableau& t, int32_t pair, const Real* y) {
-  return read_pair(t.pair[pair], y, t.pair[pair].tangential ? t.pair[pair].offset : 0.0);
-}
-PairState pair_rates(const Tableau& t, int32_t pair, const Real* dy) { return read_pair(t.pair[pair], dy, 0.0); }
 
 } // namespace c2d

@@ -39,12 +39,24 @@ bool change_status(Tableau& t, int32_t pair, int32_t status, int32_t sign, doubl
 // c + sum_k factor_k b_k (with_constants) or sum_k factor_k b_k into out[m].
 void combine(const Tableau& t, const double* factor, bool with_constants, Real* out);
 
-// Quantities of a pair out of combined values y (zero where z holds them; w_t of a sticking pair: its offset).
+// Quantities of a pair out of combined values y (zero where z holds them; w_t of a sticking pair: its offset). They are read
+// all the time, and a call would cost more than that.
 struct PairState {
   double wn, wt, p, q;
 };
-PairState pair_state(const Tableau& t, int32_t pair, const Real* y);
+inline double friction(const Pair& pair, int32_t sign) { return sign * pair.mu; }
+inline PairState read_pair(const Pair& pair, const Real* y, double offset) {
+  const double normal = y[pair.dof], tangential = pair.tangential ? static_cast<double>(y[pair.dof + 1]) : 0.0;
+  switch (pair.status) {
+  case C2D_OPEN: return {normal, tangential, 0.0, 0.0};
+  case C2D_STICK: return {0.0, offset, normal, tangential};
+  default: return {0.0, tangential, normal, pair.tangential ? friction(pair, pair.sign) * normal : 0.0};
+  }
+}
+inline PairState pair_state(const Tableau& t, int32_t pair, const Real* y) {
+  return read_pair(t.pair[pair], y, t.pair[pair].tangential ? t.pair[pair].offset : 0.0);
+}
 // The same out of combined rates (the offset does not move).
-PairState pair_rates(const Tableau& t, int32_t pair, const Real* dy);
+inline PairState pair_rates(const Tableau& t, int32_t pair, const Real* dy) { return read_pair(t.pair[pair], dy, 0.0); }
 
 } // namespace c2d

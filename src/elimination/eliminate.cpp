@@ -419,11 +419,11 @@ Real dot(int32_t n, const Real* a, const Real* b) {
 c2d_status transposed_functional(const EliminationPlan& uncut, Tapes& tapes, Real* f, Real* w, void* work) {
   const EliminationPlan plan = upper_cut(uncut);
   if (plan.pivots == 0) {
-    for (int32_t j = 0; j < plan.trailing; ++j) w[j] = 0;
+    for (int32_t j = 0; j < plan.trailing && w != nullptr; ++j) w[j] = 0;
     return C2D_OK;
   }
   Buffers buffers = make_buffers(uncut, tapes, work, back_step(plan));
-  Pass pass = forward(plan, buffers, C2D_TAPE_UPPER, plan.pivots + plan.trailing);
+  Pass pass = forward(plan, buffers, C2D_TAPE_UPPER, plan.pivots + (w != nullptr ? plan.trailing : 0));
   for (;;) {
     Chunk chunk;
     const Real* data = nullptr;

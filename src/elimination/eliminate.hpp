@@ -65,7 +65,7 @@ c2d_status back_substitute(const EliminationPlan& plan, Tapes& tapes, const Real
 // The adjoint of back_substitute: for weights f of the unknowns, w with f . x = w . coefficient for every
 // coefficient (w = f^T U^-1 Y): a functional of the solution costs one pass, and then a product of length
 // `trailing` per state. f[0 .. pivots) comes back as U^-T f; w[0 .. trailing). Reads every block of UPPER once.
-// `work` and errors as for back_substitute.
+// Without w it ends at U^-T f. `work` and errors as for back_substitute.
 c2d_status transposed_functional(const EliminationPlan& plan, Tapes& tapes, Real* f, Real* w, void* work);
 
 } // namespace c2d

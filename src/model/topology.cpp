@@ -34,9 +34,16 @@ NodePlace place_of_node(const Model& m, int b, int32_t node) {
   return NodePlace{place / steps, place % steps};
 }
 
+// (within this file, which asks for it all the time)
+const Region* region_with(const Model& m, int b, int32_t element) {
+  const Region* r = m.region[b];
+  for (const Region* const last = r + body_of(m, b).regions - 1; r < last && element > r->last;) ++r;
+  return r;
+}
+
 // The element that ends where this one begins; -1 at the start of an open region.
 int32_t element_before(const Model& m, int b, int32_t element) {
-  const Region& r = m.region[b][region_of_element(m, b, element)];
+  const Region& r = *region_with(m, b, element);
   if (element != r.first) return element - 1;
   return r.open ? -1 : r.last;
 }
@@ -72,10 +79,7 @@ bool joins_twins(const Model& m, int b, int32_t element) {
 } // namespace
 
 int32_t region_of_element(const Model& m, int b, int32_t element) {
-  const int32_t regions = body_of(m, b).regions;
-  int32_t r = 0;
-  while (r + 1 < regions && element > m.region[b][r].last) ++r;
-  return r;
+  return static_cast<int32_t>(region_with(m, b, element) - m.region[b]);
 }
 
 void nodes_of_region(const Model& m, int b, int32_t region, int32_t* first, int32_t* last) {
@@ -87,14 +91,14 @@ void nodes_of_region(const Model& m, int b, int32_t region, int32_t* first, int3
 }
 
 int32_t element_after(const Model& m, int b, int32_t element) {
-  const Region& r = m.region[b][region_of_element(m, b, element)];
+  const Region& r = *region_with(m, b, element);
   if (element != r.last) return element + 1;
   return r.open ? -1 : r.first;
 }
 
 int32_t geometry_node(const Model& m, int b, int32_t element, int k) {
   const int32_t steps = body_of(m, b).element_nodes - 1;
-  const Region& r = m.region[b][region_of_element(m, b, element)];
+  const Region& r = *region_with(m, b, element);
   if (k == steps && element == r.last && !r.open) return r.first * steps + r.shift;
   return element * steps + k + r.shift;
 }
@@ -102,7 +106,7 @@ int32_t geometry_node(const Model& m, int b, int32_t element, int k) {
 int32_t functional_node(const Model& m, int b, int32_t element, int l) {
   if (m.head->function_nodes == 1) return element;
   const int32_t steps = nodes_per_element(m);
-  const Region& r = m.region[b][region_of_element(m, b, element)];
+  const Region& r = *region_with(m, b, element);
   if (l == steps && element == r.last && !r.open) return r.first * steps + r.shift;
   return element * steps + l + r.shift;
 }

@@ -22,7 +22,7 @@ c2d_status find_growth(Session& session, int b, double* growth) {
     for (int c = 0; c < 2; ++c)
       if (unknown_at(m, b, node, c).kind == UnknownKind::displacement)
         f[outer_column(m, b, node, c)] = static_cast<Real>(sign_of(2 * node + c));
-  const c2d_status status = transposed_functional(s->plan[b], s->tapes, f, session.area.coefficient, session.area.work);
+  const c2d_status status = transposed_functional(s->plan[b], s->tapes, f, nullptr, session.area.work);
   double sum = 0.0;
   for (int32_t j = 0; j < columns && status == C2D_OK; ++j) sum += static_cast<double>(f[j]) * static_cast<double>(f[j]);
   *growth = sqrt(sum);

@@ -52,14 +52,16 @@ Book book_of(c2d_solver* s) {
   return book;
 }
 
+// v.A, with v in the place of y.
 template <class Number>
 c2d_status project(const Session& session, ContactMatrix matrix, int32_t columns, Number* out) {
   const int32_t m = session.model.head->contact;
+  const Real *sign = session.area.y, *column = session.area.column;
   for (int32_t j = 0; j < columns; ++j) {
     const c2d_status status = read_column(session.tape, matrix, j, session.area.column);
     if (status != C2D_OK) return status;
     double sum = 0.0;
-    for (int32_t i = 0; i < m; ++i) sum += sign_of(i) * static_cast<double>(session.area.column[i]);
+    for (int32_t i = 0; i < m; ++i) sum += static_cast<double>(sign[i]) * static_cast<double>(column[i]);
     out[j] = static_cast<Number>(sum);
   }
   return C2D_OK;
@@ -117,6 +119,7 @@ c2d_status build_judge(c2d_solver* s) {
   const Book book = book_of(s);
   const int32_t m = s->model.contact, cases = s->model.load_cases;
   const bool first = s->inverted == 0;
+  for (int32_t i = 0; i < m; ++i) session.area.y[i] = static_cast<Real>(sign_of(i)); // no path has begun
   c2d_status status = project(session, ContactMatrix::stiffness, m, book.stick);
   if (status == C2D_OK) status = project(session, ContactMatrix::stiffness_load, cases, book.stick_load);
   if (status == C2D_OK)
