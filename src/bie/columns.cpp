@@ -140,9 +140,8 @@ void hold_by_symmetry(const ColumnSystem& system, const Panel& panel) {
     if (c == 2 || (m.head->symmetry >> c & 1) != 0) hold(panel, 2 * body.nodes + c, body.columns + c);
 }
 
-} // namespace
-
-void fill_columns(const ColumnSystem& system, int32_t first, int32_t count, Real* data, int64_t ld) {
+// All but what free zones hand over. (Not inlined: that goes deep.)
+[[gnu::noinline]] void fill_own_columns(const ColumnSystem& system, int32_t first, int32_t count, Real* data, int64_t ld) {
   const Model& m = system.model;
   const int b = system.body;
   const int32_t rows = system_rows(m, b);
@@ -157,7 +156,13 @@ void fill_columns(const ColumnSystem& system, int32_t first, int32_t count, Real
   while (next_hole(m, b, walk, hole)) add_all(system, &hole, panel);
   for (int32_t node = 0; node < m.head->body[b].nodes; ++node) add_node(system, panel, node);
   if (m.head->symmetry != 0) hold_by_symmetry(system, panel);
-  if (b == 0 && m.head->free_rows > 0) fill_transfer(system, first, count, data, ld);
+}
+
+} // namespace
+
+void fill_columns(const ColumnSystem& system, int32_t first, int32_t count, Real* data, int64_t ld) {
+  fill_own_columns(system, first, count, data, ld);
+  if (system.body == 0 && system.model.head->free_rows > 0) fill_transfer(system, first, count, data, ld);
 }
 
 } // namespace c2d

@@ -36,8 +36,10 @@ int32_t functions_of_piece(const Model& m) {
   return m.head->function_nodes < 2 ? 2 : m.head->function_nodes;
 }
 
-void make_transfer(const Model& m, Quadrature quadrature, const PieceWalk& walk, const FacingPiece& piece,
-                   Transfer& out) {
+} // namespace
+
+void make_transfer(const Model& m, Quadrature quadrature, const TransferWalk& walk, Transfer& out) {
+  const FacingPiece& piece = walk.piece;
   const int nf = m.head->function_nodes, functions = functions_of_piece(m);
   const int first =
       piece.eta1[0] < piece.eta1[1] ? 0 : 1; // in body 1's direction of travel, which is against body 2's
@@ -49,24 +51,19 @@ void make_transfer(const Model& m, Quadrature quadrature, const PieceWalk& walk,
   out.node[1] = node_at(m, FacePoint{piece.element1, 0, to});
   prepare(out.in, part_of(m, 0, piece.element1, from, to, out.node), functions, strain_poisson_ratio(m, 0),
           quadrature);
-  set_arc(out.in, part_of(m, 1, walk.element2, low, high, none), true);
-  for (int l = 0; l < 4; ++l) out.pair[l] = l < nf ? pair_of_end(m, 1, walk.element2, l) : -1;
+  set_arc(out.in, part_of(m, 1, walk.pieces.element2, low, high, none), true);
+  for (int l = 0; l < 4; ++l) out.pair[l] = l < nf ? pair_of_end(m, 1, walk.pieces.element2, l) : -1;
   for (int k = 0; k < functions; ++k) shape(nf, high + (low - high) * k / (functions - 1), out.weight[k]);
 }
 
-} // namespace
-
-bool next_transfer(const Model& m, Quadrature quadrature, TransferWalk& walk, Transfer& out) {
+bool next_transfer(const Model& m, TransferWalk& walk) {
   for (; walk.zone < m.head->zones; ++walk.zone, walk.place = 0) {
     const Zone& z = m.zone[walk.zone];
     if (z.is_free == 0) continue;
     for (; walk.place < z.elements; ++walk.place) {
       if (!walk.inside) walk.pieces = start_pieces(m, z, walk.place);
-      FacingPiece piece;
-      walk.inside = next_piece(walk.pieces, piece);
-      if (!walk.inside) continue;
-      make_transfer(m, quadrature, walk.pieces, piece, out);
-      return true;
+      walk.inside = next_piece(walk.pieces, walk.piece);
+      if (walk.inside) return true;
     }
   }
   return false;
@@ -122,7 +119,7 @@ void add_faced_displacement(const Model& m, const Columns& panel, const Pair& pa
 }
 
 // Constant functions jump where elements meet: a point there moves with the mean of both, whichever element is said to hold it.
-void add_constraints(const Model& m, const Columns& panel) {
+[[gnu::noinline]] void add_constraints(const Model& m, const Columns& panel) {
   const int32_t below = 2 * m.head->body[0].nodes + 3;
   for (int32_t i = 0; i < m.head->pairs; ++i) {
     const Pair& pair = m.pair[i];
@@ -152,8 +149,9 @@ void send(const Model& m, const Columns& panel, const Transfer& t, const double 
   }
 }
 
-// What a piece adds to the equations at the nodes of a hole.
-void add_to_hole(const ColumnSystem& system, const Hole& hole, const Columns& panel, const Transfer& t) {
+// What a piece adds to the equations at the nodes of a hole. (Not inlined, like the others: the search for the next piece would
+// stand on their frames.)
+[[gnu::noinline]] void add_to_hole(const ColumnSystem& system, const Hole& hole, const Columns& panel, const Transfer& t) {
   const Model& m = system.model;
   HoleRow& row = system.scratch->hole_row;
   hole_row(m, hole, t.in, false, true, system.scratch->hole_field, row);
@@ -167,7 +165,7 @@ void add_to_hole(const ColumnSystem& system, const Hole& hole, const Columns& pa
   });
 }
 
-void add_piece(const ColumnSystem& system, const Columns& panel, const Transfer& t) {
+[[gnu::noinline]] void add_piece(const ColumnSystem& system, const Columns& panel, const Transfer& t) {
   const Model& m = system.model;
   Blocks& blocks = system.scratch->blocks;
   for (int32_t source = 0; source < m.head->body[0].nodes; ++source) {
@@ -198,6 +196,17 @@ void add_piece(const ColumnSystem& system, const Columns& panel, const Transfer&
   send(m, panel, t, wx, row + 2, 1);
 }
 
+// Every piece, to the equations at the nodes of a hole or to all others.
+[[gnu::noinline]] void add_pieces(const ColumnSystem& system, const Hole* hole, const Columns& panel) {
+  TransferWalk walk{};
+  Transfer& transfer = system.scratch->transfer;
+  while (next_transfer(system.model, walk)) {
+    make_transfer(system.model, system.quadrature, walk, transfer);
+    if (hole) add_to_hole(system, *hole, panel, transfer);
+    else add_piece(system, panel, transfer);
+  }
+}
+
 } // namespace
 
 void fill_transfer(const ColumnSystem& system, int32_t first, int32_t count, Real* data, int64_t ld) {
@@ -206,16 +215,21 @@ void fill_transfer(const ColumnSystem& system, int32_t first, int32_t count, Rea
   add_constraints(m, panel);
   const int32_t from = outer_columns(m, 0) + m.head->contact;
   if (first + count <= from || first >= from + m.head->contact) return;
-  TransferWalk walk{};
-  Transfer& transfer = system.scratch->transfer;
-  while (next_transfer(m, system.quadrature, walk, transfer)) add_piece(system, panel, transfer);
+  add_pieces(system, nullptr, panel);
   HoleWalk holes{};
   Hole hole;
-  while (next_hole(m, 0, holes, hole)) {
-    walk = TransferWalk{};
-    while (next_transfer(m, system.quadrature, walk, transfer)) add_to_hole(system, hole, panel, transfer);
-  }
+  while (next_hole(m, 0, holes, hole)) add_pieces(system, &hole, panel);
 }
+
+namespace {
+
+[[gnu::noinline]] Point point_of(const Model& m, int b, const FacePoint& at) {
+  double x[4], y[4];
+  element_coordinates(m, b, at.element, x, y);
+  return element_point(make_element(m.head->body[b].element_nodes, x, y), at.eta);
+}
+
+} // namespace
 
 bool transferred_end(const Model& m, int32_t element, int l, TransferredEnd& out) {
   const int nf = m.head->function_nodes;
@@ -225,11 +239,7 @@ bool transferred_end(const Model& m, int32_t element, int l, TransferredEnd& out
   if (!find_contact_element(m, 0, element, &zone, &at.place) || m.zone[zone].is_free == 0) return false;
   if (!facing_point(m, m.zone[zone], at, faced)) return false;
   facing_direction(m, m.zone[zone], at, faced, n);
-  double x[4], y[4];
-  element_coordinates(m, 0, element, x, y);
-  const Point p = element_point(make_element(m.head->body[0].element_nodes, x, y), at.eta);
-  element_coordinates(m, 1, faced.element, x, y);
-  const Point q = element_point(make_element(m.head->body[1].element_nodes, x, y), faced.eta);
+  const Point p = point_of(m, 0, at), q = point_of(m, 1, faced);
   // Both advance equally across the line along n that joins them.
   const double advance1 = p.nx * n[0] + p.ny * n[1], advance2 = -(q.nx * n[0] + q.ny * n[1]);
   out.ratio = advance2 > 0.0 ? advance1 / advance2 : 1.0;

@@ -18,13 +18,16 @@ struct Transfer {
   int32_t pair[4];
   double weight[4][4];
 };
-// All pieces of all free zones: start with zeros. False after the last one.
+// All pieces of all free zones: start with zeros. False after the last one. What a piece stands for is made apart from
+// finding it, which goes deep: none need be in memory then.
 struct TransferWalk {
   int32_t zone, place; // of the element of body 2
   bool inside;         // pieces of that element are under way
   PieceWalk pieces;
+  FacingPiece piece;
 };
-bool next_transfer(const Model& m, Quadrature quadrature, TransferWalk& walk, Transfer& out);
+bool next_transfer(const Model& m, TransferWalk& walk);
+void make_transfer(const Model& m, Quadrature quadrature, const TransferWalk& walk, Transfer& out);
 
 // The share of free zones in the columns of body 1.
 void fill_transfer(const ColumnSystem& system, int32_t first, int32_t count, Real* panel, int64_t ld);

@@ -173,8 +173,9 @@ c2d_status apply_earlier(const Panel& panel) {
   }
 }
 
-// Factor the panel's own columns, and update trailing columns that are in the same panel.
-c2d_status factor(const Panel& panel, PivotStats* stats) {
+// Factor the panel's own columns, and update trailing columns that are in the same panel. (Not inlined, like what writes
+// columns: they are assembled below the frame of eliminate, and that goes deep.)
+[[gnu::noinline]] c2d_status factor(const Panel& panel, PivotStats* stats) {
   const int32_t rows = panel.plan.rows - panel.first, width = lu_width(rows);
   Real* corner = panel.columns + panel.first;
   int32_t* pivots = panel.pivots + panel.first; // relative to the corner until the end
@@ -208,7 +209,7 @@ c2d_status write_part(const Panel& panel, int32_t tape, uint64_t block, const Ch
 }
 
 // `lower` and `upper` are the panel's first chunks, and then the next panel's.
-c2d_status write_panel(const Panel& panel, Chunk& lower, Chunk& upper) {
+[[gnu::noinline]] c2d_status write_panel(const Panel& panel, Chunk& lower, Chunk& upper) {
   const EliminationPlan& plan = panel.plan;
   const EliminationPlan cut = upper_cut(plan);
   c2d_status status = C2D_OK;
@@ -292,7 +293,7 @@ c2d_status load_exchanges(const Panel& panel) {
 }
 
 // The panel's columns, all trailing ones, take their places in the chunks of Y.
-c2d_status rewrite_trailing(const Panel& panel) {
+[[gnu::noinline]] c2d_status rewrite_trailing(const Panel& panel) {
   const EliminationPlan plan = upper_cut(panel.plan);
   if (plan.pivots == 0) return C2D_OK;
   const size_t column_bytes = static_cast<size_t>(plan.pivots) * sizeof(Real);

@@ -18,27 +18,6 @@ bool is_ring(const Model& m, const Zone& z, int b) {
   return !r.open && zone_elements(z, b) == r.last - r.first + 1;
 }
 
-// Zero of f between a and b, where it has the values fa and fb of unlike sign: false position, with the value
-// at an end that stays halved (Illinois), exact for a linear f. A value within the last digit of those at the ends is zero:
-// halved a hundred times, they would become as small, and the zero wander off.
-template <class F> double zero_between(double a, double b, double fa, double fb, F f) {
-  const double none = 1e-16 * fmax(fabs(fa), fabs(fb));
-  double at = a;
-  for (int i = 0; i < 100; ++i) {
-    const double size = fb - fa;
-    if (size == 0) break;
-    at = b - fb * (b - a) / size;
-    const double value = f(at);
-    if (fabs(value) <= none || fabs(b - a) <= 4e-16) break;
-    if ((value > 0) == (fb > 0)) {
-      b = at, fb = value, fa *= 0.5;
-    } else {
-      a = b, fa = fb, b = at, fb = value;
-    }
-  }
-  return at;
-}
-
 void add_normal(const Model& m, int b, int32_t element, double eta, double n[2]) {
   const SurfacePoint p = surface_point(m, b, element, eta);
   n[0] += p.nx;
@@ -119,6 +98,47 @@ double ahead(double part, const Place& p1, const Place& p2) {
   return (p2.point.y - p1.point.y) * n[0] - (p2.point.x - p1.point.x) * n[1];
 }
 
+// What an element of body b has opposite a place of the other body.
+struct Search {
+  const Model& m;
+  const Zone& z;
+  const Place& from;
+  int b;
+  int32_t element, place;
+  SurfaceElement surface;
+
+  // How far body 2's point lies ahead, for a point of the element. (Not inlined, like what follows: they go deep.)
+  [[gnu::noinline]] double operator()(double eta) const {
+    const Place there = place_at(m, z, b, surface, FacePoint{element, place, eta});
+    return b == 0 ? ahead(z.normal_part, there, from) : ahead(z.normal_part, from, there);
+  }
+};
+Search search_in(const Model& m, const Zone& z, const Place& from, int b, int32_t place) {
+  const int32_t element = zone_element(m, z, b, place);
+  return Search{m, z, from, b, element, place, surface_element(m, b, element)};
+}
+
+// Zero of f between a and b, where it has the values fa and fb of unlike sign: false position, with the value
+// at an end that stays halved (Illinois), exact for a linear f. A value within the last digit of those at the ends is zero:
+// halved a hundred times, they would become as small, and the zero wander off.
+double zero_between(double a, double b, double fa, double fb, const Search& f) {
+  const double none = 1e-16 * fmax(fabs(fa), fabs(fb));
+  double at = a;
+  for (int i = 0; i < 100; ++i) {
+    const double size = fb - fa;
+    if (size == 0) break;
+    at = b - fb * (b - a) / size;
+    const double value = f(at);
+    if (fabs(value) <= none || fabs(b - a) <= 4e-16) break;
+    if ((value > 0) == (fb > 0)) {
+      b = at, fb = value, fa *= 0.5;
+    } else {
+      a = b, fa = fb, b = at, fb = value;
+    }
+  }
+  return at;
+}
+
 double snapped(const Model& m, double eta) {
   for (int end = -1; end <= 1; end += 2)
     if (fabs(eta - end) <= kSnap) return end;
@@ -129,8 +149,8 @@ double snapped(const Model& m, double eta) {
 }
 
 // Is every point of a surface over an element farther off than the root of `square`? The surface stays within
-// half the element's length of it.
-bool is_beyond(const Model& m, int b, int32_t element, const SurfacePoint& from, double square) {
+// half the element's length of it. (Not inlined, like nearest_place: what looks for a facing point goes deep.)
+[[gnu::noinline]] bool is_beyond(const Model& m, int b, int32_t element, const SurfacePoint& from, double square) {
   const CurvePoint middle = curve_point(m, b, element, 0);
   const double x = middle.x - from.x, y = middle.y - from.y, far = sqrt(x * x + y * y) - 1.5 * element_length(m, b, element);
   return far > 0 && far * far > square;
@@ -138,7 +158,7 @@ bool is_beyond(const Model& m, int b, int32_t element, const SurfacePoint& from,
 
 // The element of a side whose middle is nearest: what faces a point is most likely on it, and all that is farther off than
 // that need not be looked at.
-int32_t nearest_place(const Model& m, const Zone& z, int b, const SurfacePoint& from) {
+[[gnu::noinline]] int32_t nearest_place(const Model& m, const Zone& z, int b, const SurfacePoint& from) {
   int32_t best = 0;
   double least = -1;
   for (int32_t place = 0; place < zone_elements(z, b); ++place) {
@@ -152,11 +172,8 @@ int32_t nearest_place(const Model& m, const Zone& z, int b, const SurfacePoint& 
 // The point of one element that faces p2.
 bool face_in_element(const Model& m, const Zone& z, int32_t place, const Place& p2, FacePoint& out) {
   out = point_at(m, z, 0, place, -1);
-  const SurfaceElement surface = surface_element(m, 0, out.element);
-  const double part = z.normal_part, tolerance = kSnap * element_length(m, 0, out.element);
-  const auto off = [&](double eta) {
-    return ahead(part, place_at(m, z, 0, surface, FacePoint{out.element, place, eta}), p2);
-  };
+  const Search off = search_in(m, z, p2, 0, place);
+  const double tolerance = kSnap * element_length(m, 0, out.element);
   const double start = off(-1);
   if (start < -tolerance) return false;
   if (start <= tolerance) return true;
@@ -197,16 +214,12 @@ bool face_point(const Model& m, const Zone& z, const FacePoint& at2, FacePoint& 
 
 bool facing_point(const Model& m, const Zone& z, const FacePoint& at, FacePoint& out) {
   const Place p1 = place_at(m, z, 0, at);
-  const double part = z.normal_part;
   double nearest = -1;
   const int32_t count = zone_elements(z, 1), from = nearest_place(m, z, 1, p1.point);
   for (int32_t k = 0; k < count; ++k) {
     const int32_t place = (from + k) % count, other = zone_element(m, z, 1, place);
     if (nearest >= 0 && is_beyond(m, 1, other, p1.point, nearest)) continue;
-    const SurfaceElement surface = surface_element(m, 1, other);
-    const auto off = [&](double eta) {
-      return ahead(part, p1, place_at(m, z, 1, surface, FacePoint{other, place, eta}));
-    };
+    const Search off = search_in(m, z, p1, 1, place);
     const double start = off(-1), end = off(1), tolerance = kSnap * element_length(m, 1, other);
     double where;
     if (fabs(start) <= tolerance)
@@ -217,7 +230,7 @@ bool facing_point(const Model& m, const Zone& z, const FacePoint& at, FacePoint&
       continue;
     else
       where = zero_between(-1.0, 1.0, start, end, off);
-    const SurfacePoint q = surface_point(surface, where);
+    const SurfacePoint q = surface_point(off.surface, where);
     const double x = q.x - p1.point.x, y = q.y - p1.point.y, distance = x * x + y * y;
     if (nearest >= 0 && distance >= nearest) continue;
     nearest = distance;
@@ -291,6 +304,16 @@ double next_cut(const Model& m, const Zone& z, double eta) {
   return next;
 }
 
+// Where between two points of an element of body 2 lies what a point of body 1 faces? (Not inlined: the search for the next
+// target would stand on its frame.)
+[[gnu::noinline]] double face_within(const PieceWalk& w, const FacePoint& at1) {
+  const Model& m = *w.m;
+  const Zone& z = *w.z;
+  const Place p1 = place_at(m, z, 0, at1);
+  const Search off = search_in(m, z, p1, 1, w.place2);
+  return zero_between(w.eta2, w.target_eta2, off(w.eta2), off(w.target_eta2), off);
+}
+
 } // namespace
 
 PieceWalk start_pieces(const Model& m, const Zone& z, int32_t place2) {
@@ -326,17 +349,7 @@ bool next_piece(PieceWalk& w, FacingPiece& out) {
     w.now.eta = w.target.eta;
   else
     w.now.eta = cut.eta;
-  if (beyond >= -kSnap) {
-    w.eta2 = w.target_eta2;
-  } else {
-    const Place p1 = place_at(m, z, 0, cut);
-    const SurfaceElement surface = surface_element(m, 1, w.element2);
-    const double part = z.normal_part;
-    const auto off = [&](double eta) {
-      return ahead(part, p1, place_at(m, z, 1, surface, FacePoint{w.element2, w.place2, eta}));
-    };
-    w.eta2 = zero_between(w.eta2, w.target_eta2, off(w.eta2), off(w.target_eta2), off);
-  }
+  w.eta2 = beyond >= -kSnap ? w.target_eta2 : face_within(w, cut);
   out.eta1[1] = w.now.eta;
   out.eta2[1] = w.eta2;
   return true;

@@ -9,6 +9,13 @@ double local_eta(int nodes, int l) {
   return nodes == 1 ? 0 : -1 + 2.0 * l / (nodes - 1);
 }
 
+namespace {
+
+// Where chord i of an element's polyline begins.
+double chord_eta(int i, int chords) { return -1 + 2.0 * i / chords; }
+
+} // namespace
+
 CurvePoint curve_point(int nodes, const double* x, const double* y, double eta) {
   CurvePoint p = {0, 0, 0, 0};
   for (int i = 0; i < nodes; ++i) {
@@ -43,12 +50,16 @@ void outward_normal(const Model& m, int b, int32_t element, double eta, double n
 }
 
 double element_length(const Model& m, int b, int32_t element) {
-  Chords c;
-  chords_of(m, b, element, c);
-  double sum = 0;
-  for (int i = 0; i < c.count; ++i) {
-    const double dx = c.x[i + 1] - c.x[i], dy = c.y[i + 1] - c.y[i];
+  const int nodes = body_of(m, b).element_nodes, chords = nodes == 2 ? 1 : kChords;
+  double x[4], y[4], sum = 0;
+  element_coordinates(m, b, element, x, y);
+  double from[2] = {x[0], y[0]};
+  for (int i = 1; i <= chords; ++i) {
+    const CurvePoint p =
+        i < chords ? curve_point(nodes, x, y, chord_eta(i, chords)) : CurvePoint{x[nodes - 1], y[nodes - 1], 0, 0};
+    const double dx = p.x - from[0], dy = p.y - from[1];
     sum += sqrt(dx * dx + dy * dy);
+    from[0] = p.x, from[1] = p.y;
   }
   return sum;
 }
@@ -94,7 +105,7 @@ void chords_of(const Model& m, int b, int32_t element, Chords& out) {
   element_coordinates(m, b, element, x, y);
   out.count = nodes == 2 ? 1 : kChords;
   for (int i = 0; i <= out.count; ++i) {
-    const CurvePoint p = curve_point(nodes, x, y, -1 + 2.0 * i / out.count);
+    const CurvePoint p = curve_point(nodes, x, y, chord_eta(i, out.count));
     out.x[i] = p.x;
     out.y[i] = p.y;
   }

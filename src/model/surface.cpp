@@ -158,7 +158,7 @@ struct Tangents {
   double before, behind, doubt;
 };
 
-Tangents tangents_at(const View& v, bool spline) {
+[[gnu::noinline]] Tangents tangents_at(const View& v, bool spline) {
   if (!v.has(1)) { // the last chord: a circle, or more
     if (!v.has(0)) return Tangents{0, 0, 0};
     double angle = circle_angle(v, 0, 0);
@@ -170,7 +170,7 @@ Tangents tangents_at(const View& v, bool spline) {
     if (corner * angle > 0) angle = limited(angle, -fabs(corner), fabs(corner));
     return Tangents{angle, angle, fabs(angle - circle_angle(v, 0, 0))};
   }
-  double largest = 0, change[4];
+  double largest = 0;
   for (int j = -1; j <= 3; ++j)
     if (v.has(j)) largest = fmax(largest, fabs(v.bend(j)));
   const double single = circle_angle(v, 1, 0), turn = v.turn(1);
@@ -178,8 +178,7 @@ Tangents tangents_at(const View& v, bool spline) {
   Mean before = {0, 0}, behind = {0, 0};
   for (int pair = -1; pair <= 2 && largest > 0; ++pair) {
     if (!v.has(pair) || !v.has(pair + 1)) continue;
-    double& rate = change[pair + 1];
-    rate = 3 * (v.bend(pair + 1) - v.bend(pair)) / (v.length(pair - 1) + v.length(pair) + v.length(pair + 1));
+    const double rate = 3 * (v.bend(pair + 1) - v.bend(pair)) / (v.length(pair - 1) + v.length(pair) + v.length(pair + 1));
     const double size = rate * 0.5 * (v.length(0) + v.length(1)) / largest, square = size * size + kFlat * kFlat;
     const bool beside = pair == -1 || pair == 2;
     if (spline && beside) continue; // no jumps and kinks are looked for
@@ -231,7 +230,8 @@ double half_kink(const Model& m, int b, int32_t element, const SurfaceElement& s
   return 0.5 * kink * (spline ? 1 : 1 - kink_part(fabs(kink) / turn));
 }
 
-void bend_curved(const Model& m, int b, int32_t element, bool spline, SurfaceElement& s) {
+// (Not inlined, like bend_chords: one frame would stand below what either calls.)
+[[gnu::noinline]] void bend_curved(const Model& m, int b, int32_t element, bool spline, SurfaceElement& s) {
   bool known[2];
   for (int end = 0; end < 2; ++end) s.bend[end] = half_kink(m, b, element, s, spline, 2 * end - 1, &known[end]);
   for (int end = 0; end < 2; ++end)
@@ -254,6 +254,25 @@ void add_bend(const SurfaceElement& s, double eta, double size, SurfacePoint& p)
   p.ny = unit * (ny - slope * nx);
 }
 
+// Between two boundary points: the conic with the tangents that the chords around give.
+[[gnu::noinline]] void bend_chords(const Model& m, int b, int32_t element, bool spline, SurfaceElement& s) {
+  Chain chain = Chain();
+  add_chord(m, b, Walk{element, 1, {1, 1}}, 0, chain);
+  chain.after = follow(m, b, element, 1, spline, chain);
+  chain.before = follow(m, b, element, -1, spline, chain);
+  double sum = 0;
+  for (int end = 0; end < 2; ++end) {
+    const Tangents t = tangents_at(View{&chain, end == 0 ? -1 : 1}, spline);
+    s.bend[end] = sin(t.before) / fmax(cos(t.before), kSteepest);
+    sum += t.before;
+    s.doubt = fmax(s.doubt, 0.15 * chain.length[kReach] * t.doubt);
+  }
+  // Towards a straight part of the curve the other angle becomes none with this one, or its sign were the tangent's.
+  for (int end = 0; end < 2; ++end)
+    s.bend[end] = limited(s.bend[end], -kUnlike * fabs(s.bend[1 - end]), kUnlike * fabs(s.bend[1 - end]));
+  s.weight = cos(0.5 * sum);
+}
+
 } // namespace
 
 SurfaceElement surface_element(const Model& m, int b, int32_t element) {
@@ -267,22 +286,7 @@ SurfaceElement surface_element(const Model& m, int b, int32_t element) {
   }
   if (told != nullptr && told->kind != C2D_CURVE_SPLINE) return s;
   if (s.nodes > 2) bend_curved(m, b, element, told != nullptr, s);
-  if (s.nodes > 2 || is_zero_length(m, b, element)) return s;
-  Chain chain = Chain();
-  add_chord(m, b, Walk{element, 1, {1, 1}}, 0, chain);
-  chain.after = follow(m, b, element, 1, told != nullptr, chain);
-  chain.before = follow(m, b, element, -1, told != nullptr, chain);
-  double sum = 0;
-  for (int end = 0; end < 2; ++end) {
-    const Tangents t = tangents_at(View{&chain, end == 0 ? -1 : 1}, told != nullptr);
-    s.bend[end] = sin(t.before) / fmax(cos(t.before), kSteepest);
-    sum += t.before;
-    s.doubt = fmax(s.doubt, 0.15 * chain.length[kReach] * t.doubt);
-  }
-  // Towards a straight part of the curve the other angle becomes none with this one, or its sign were the tangent's.
-  for (int end = 0; end < 2; ++end)
-    s.bend[end] = limited(s.bend[end], -kUnlike * fabs(s.bend[1 - end]), kUnlike * fabs(s.bend[1 - end]));
-  s.weight = cos(0.5 * sum);
+  else if (!is_zero_length(m, b, element)) bend_chords(m, b, element, told != nullptr, s);
   return s;
 }
 

@@ -35,6 +35,11 @@ constexpr double kSmooth = 0.985; // cosine of 10 degrees: less is a kink
 constexpr double kCorner = 0.5;   // sine of 30 degrees: from there on two tractions make a tensor
 constexpr double kStep = 0.05;    // of the tractions at a node: more is a step
 
+// (Not inlined, for the stack: elements and slopes are large, and none of them is needed while neighbours are asked for.)
+[[gnu::noinline]] Point point_of(const Model& m, int b, int32_t element, double eta) {
+  return element_point(element_of(m, b, element), eta);
+}
+
 // Along an element between two of its points.
 double arc_length(const Element& e, double from, double to) {
   const GaussRule rule = gauss_legendre(6);
@@ -50,7 +55,7 @@ double arc_length(const Element& e, double from, double to) {
 bool joins_smoothly(const Session& session, int b, int32_t element, int32_t next) {
   const Model& m = session.model;
   const int nf = m.head->function_nodes;
-  const Point p = element_point(element_of(m, b, element), 1.0), q = element_point(element_of(m, b, next), -1.0);
+  const Point p = point_of(m, b, element, 1.0), q = point_of(m, b, next, -1.0);
   if (p.nx * q.nx + p.ny * q.ny < kSmooth || geometry_node(m, b, element, m.head->body[b].element_nodes - 1) !=
                                                  geometry_node(m, b, next, 0))
     return false;
@@ -66,7 +71,7 @@ bool joins_neighbour(const Session& session, int b, int32_t element, int32_t ste
     return step > 0 ? joins_smoothly(session, b, element, other.element)
                     : joins_smoothly(session, b, other.element, element);
   const int nf = session.model.head->function_nodes, l = step > 0 ? nf - 1 : 0;
-  const Point p = element_point(element_of(session.model, b, element), step > 0 ? 1.0 : -1.0);
+  const Point p = point_of(session.model, b, element, step > 0 ? 1.0 : -1.0);
   const double n[2] = {p.nx, p.ny};
   double cosine = 0.0, jump[2], t[2];
   get_traction(session, b, element * nf + l, t);
@@ -128,41 +133,47 @@ void interpolate_slopes(const Slopes& x, double du_ds[2]) {
   }
 }
 
+// Those of this element and of the neighbours that join it.
+[[gnu::noinline]] void slope_from(const Session& session, int b, int32_t element, double eta, const Neighbour* previous,
+                                  const Neighbour* next, bool mirrored, double du_ds[2]) {
+  const Model& m = session.model;
+  const double before = arc_length(element_of(m, b, element), -1.0, eta),
+               after = arc_length(element_of(m, b, element), eta, 1.0);
+  Slopes slopes = {}, own = {};
+  if (mirrored) add_slopes(session, b, element, eta, 0.0, own);
+  if (previous && previous->image != 0) add_mirrored_slopes(own, -before, previous->image, slopes);
+  else if (previous) add_slopes(session, b, previous->element, 1.0, -before, slopes);
+  add_slopes(session, b, element, eta, 0.0, slopes);
+  if (next && next->image != 0) add_mirrored_slopes(own, after, next->image, slopes);
+  else if (next) add_slopes(session, b, next->element, -1.0, after, slopes);
+  interpolate_slopes(slopes, du_ds);
+}
+
 // From this element and the neighbours that join it smoothly.
 void recover_slope(const Session& session, int b, int32_t element, double eta, double du_ds[2]) {
   const Model& m = session.model;
   const Neighbour next = region_neighbour(m, b, element, 1), previous = region_neighbour(m, b, element, -1);
   const bool apart = previous.element != next.element || previous.image != next.image;
-  const double before = arc_length(element_of(m, b, element), -1.0, eta),
-               after = arc_length(element_of(m, b, element), eta, 1.0);
-  Slopes slopes = {}, own = {};
-  if (previous.image != 0 || next.image != 0) add_slopes(session, b, element, eta, 0.0, own);
-  if (apart && joins_neighbour(session, b, element, -1, previous)) {
-    if (previous.image != 0) add_mirrored_slopes(own, -before, previous.image, slopes);
-    else add_slopes(session, b, previous.element, 1.0, -before, slopes);
-  }
-  add_slopes(session, b, element, eta, 0.0, slopes);
-  if (apart && joins_neighbour(session, b, element, 1, next)) {
-    if (next.image != 0) add_mirrored_slopes(own, after, next.image, slopes);
-    else add_slopes(session, b, next.element, -1.0, after, slopes);
-  }
-  interpolate_slopes(slopes, du_ds);
+  const bool joined[2] = {apart && joins_neighbour(session, b, element, -1, previous),
+                          apart && joins_neighbour(session, b, element, 1, next)};
+  slope_from(session, b, element, eta, joined[0] ? &previous : nullptr, joined[1] ? &next : nullptr,
+             previous.image != 0 || next.image != 0, du_ds);
 }
 
 Point mirrored_middle(const Session& session, int b, const Neighbour& other) {
-  Point p = element_point(element_of(session.model, b, other.element), 0.0);
+  Point p = point_of(session.model, b, other.element, 0.0);
   p.x = mirrored(*session.model.head, other.image, 0, p.x);
   p.y = mirrored(*session.model.head, other.image, 1, p.y);
   return p;
 }
 
 // Constant elements tell nothing of slopes: difference of the neighbours, along the chords between the three middles.
-void slope_of_neighbours(const Session& session, int b, int32_t element, double du_ds[2]) {
+[[gnu::noinline]] void slope_of_neighbours(const Session& session, int b, int32_t element, double du_ds[2]) {
   const Model& m = session.model;
   Neighbour next = region_neighbour(m, b, element, 1), previous = region_neighbour(m, b, element, -1);
   if (!joins_neighbour(session, b, element, 1, next)) next = Neighbour{element, 0};
   if (!joins_neighbour(session, b, element, -1, previous)) previous = Neighbour{element, 0};
-  const Point at = element_point(element_of(m, b, element), 0.0), after = mirrored_middle(session, b, next),
+  const Point at = point_of(m, b, element, 0.0), after = mirrored_middle(session, b, next),
               before = mirrored_middle(session, b, previous);
   const double run = hypot(after.x - at.x, after.y - at.y) + hypot(at.x - before.x, at.y - before.y);
   double u[2], v[2];
@@ -181,7 +192,7 @@ bool is_corner(const Session& session, const BoundaryState& s, const BoundarySta
 BoundaryState boundary_state(const Session& session, int b, int32_t element, double eta) {
   const Model& m = session.model;
   const int nf = m.head->function_nodes;
-  const Point p = element_point(element_of(m, b, element), eta);
+  const Point p = point_of(m, b, element, eta);
   double value[4];
   shape(nf, eta, value);
   BoundaryState s = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {p.nx, p.ny}};
@@ -199,16 +210,14 @@ BoundaryState boundary_state(const Session& session, int b, int32_t element, dou
   return s;
 }
 
+BoundaryState beyond(const Session& session, int b, const BoundaryState& s, const Neighbour& other, double eta) {
+  return other.image != 0 ? mirrored_state(s, other.image) : boundary_state(session, b, other.element, -eta);
+}
+
 namespace {
 
-PlaneStress stress_at(const Session& session, int b, int32_t element, double eta, double* hoop) {
-  if (is_rigid(session.model, b)) { // a rigid body has none that could be known
-    *hoop = 0.0;
-    return {0.0, 0.0, 0.0};
-  }
-  const BoundaryState s = boundary_state(session, b, element, eta);
-  const Model& m = session.model;
-  return boundary_stress(s.n, s.t, s.du_ds, shear_modulus(m, b), strain_poisson_ratio(m, b), hoop);
+PlaneStress stress_of(const Session& session, int b, const BoundaryState& s, double* hoop) {
+  return boundary_stress(s.n, s.t, s.du_ds, shear_modulus(session.model, b), strain_poisson_ratio(session.model, b), hoop);
 }
 
 // Two sides of a corner: with s_ij = n_i.sigma n_j and the reciprocal vectors m_i, sigma = sum s_ij m_i m_j.
@@ -240,25 +249,29 @@ BoundaryState mirrored_state(const BoundaryState& s, int image) {
   return out;
 }
 
-// On an element; at its ends from both elements that meet there: from their tractions at a corner, else the mean.
-PlaneStress joint_stress(const Session& session, int b, int32_t element, double eta) {
-  if (is_rigid(session.model, b)) return {0.0, 0.0, 0.0};
+PlaneStress joint_stress(const Session& session, int b, const BoundaryState& s, const BoundaryState& t, int image) {
   double hoop;
-  const PlaneStress here = stress_at(session, b, element, eta, &hoop);
-  if (fabs(eta) < 1.0) return here;
-  const Neighbour other = region_neighbour(session.model, b, element, eta < 0.0 ? -1 : 1);
-  const BoundaryState s = boundary_state(session, b, element, eta);
-  const BoundaryState t = other.image != 0 ? mirrored_state(s, other.image) : boundary_state(session, b, other.element, -eta);
   if (is_corner(session, s, t)) return corner_stress(s, t);
-  if (other.image != 0) return {here.xx, here.yy, 0.0};
-  const PlaneStress there = stress_at(session, b, other.element, -eta, &hoop);
+  const PlaneStress here = stress_of(session, b, s, &hoop);
+  if (image != 0) return {here.xx, here.yy, 0.0};
+  const PlaneStress there = stress_of(session, b, t, &hoop);
   return {0.5 * (here.xx + there.xx), 0.5 * (here.yy + there.yy), 0.5 * (here.xy + there.xy)};
+}
+
+PlaneStress joint_stress(const Session& session, int b, int32_t element, double eta) {
+  if (is_rigid(session.model, b)) return {0.0, 0.0, 0.0}; // none that could be known
+  const BoundaryState s = boundary_state(session, b, element, eta);
+  double hoop;
+  if (fabs(eta) < 1.0) return stress_of(session, b, s, &hoop);
+  const Neighbour other = region_neighbour(session.model, b, element, eta < 0.0 ? -1 : 1);
+  return joint_stress(session, b, s, beyond(session, b, s, other, eta), other.image);
 }
 
 double end_stress(const Session& session, int32_t field, int b, int32_t end) {
   const int32_t nf = session.model.head->function_nodes;
+  if (is_rigid(session.model, b)) return 0.0;
   double hoop;
-  const PlaneStress s = stress_at(session, b, end / nf, node_eta(nf, end % nf), &hoop);
+  const PlaneStress s = stress_of(session, b, boundary_state(session, b, end / nf, node_eta(nf, end % nf)), &hoop);
   switch (field) {
   case C2D_END_SXX: return s.xx;
   case C2D_END_SYY: return s.yy;

@@ -23,6 +23,7 @@ C2D_OPTIONAL(rigid_displacement_now);
 C2D_OPTIONAL(particular_at_end);
 C2D_OPTIONAL(add_particular_at);
 C2D_OPTIONAL(next_transfer);
+C2D_OPTIONAL(make_transfer);
 C2D_OPTIONAL(transferred_values);
 
 namespace {
@@ -51,9 +52,9 @@ void add_displacement(int image, const PointField& sum, PointState& p) {
 struct Acting {
   const Session* session;
   int b;
-  int32_t element; // -1: no smoothing
+  int32_t element;
+  ElementSmoothing* smoothing; // null: none
   FieldElement e;
-  ElementSmoothing smoothing;
 };
 
 void add_element_at(Acting& acting, const Points& points, int32_t i) {
@@ -66,8 +67,8 @@ void add_element_at(Acting& acting, const Points& points, int32_t i) {
     PointField sum = {};
     add_field(acting.e, reference, x, y, sum);
     add_displacement(image, sum, p);
-    if (acting.element >= 0)
-      smooth_at_nodes(*acting.session, acting.b, acting.element, acting.e, x, y, acting.smoothing, sum);
+    if (acting.smoothing)
+      smooth_at_nodes(*acting.session, acting.b, acting.element, acting.e, x, y, *acting.smoothing, sum);
     add_stress(image, sum, p);
   }
 }
@@ -122,18 +123,23 @@ void add_element(Acting& acting, const Points& points) {
 }
 
 // Nodal values of an element in the units of the equations. Contact tractions of body 2 are per length of body 1 and
-// come apart from the others; false if there are none.
-bool nodal_values(const Session& session, int b, int32_t element, Complex u[4], Complex own[4], Complex contact[4]) {
+// come apart from the others.
+struct NodalValues {
+  Complex u[4], own[4], contact[4];
+  bool any_contact;
+};
+// (Not inlined, like those below that need them: each goes deep, and has large frames.)
+[[gnu::noinline]] void nodal_values(const Session& session, int b, int32_t element, NodalValues& out) {
   const Model& m = session.model;
   const int nf = m.head->function_nodes;
   const double stress = 1.0 / (2.0 * shear_modulus(m, b)), length = 1.0 / m.head->length_unit;
-  bool any = false;
+  out.any_contact = false;
   for (int l = 0; l < nf; ++l) {
     const int32_t node = functional_node(m, b, element, l);
     double d[2], t[2];
     get_displacement(session, b, node, d);
     get_traction(session, b, element * nf + l, t);
-    u[l] = {length * d[0], length * d[1]};
+    out.u[l] = {length * d[0], length * d[1]};
     double part[2][2] = {{0.0, 0.0}, {0.0, 0.0}};
     double transferred[2]; // of free zones: comes by pieces
     transferred_traction(session, b, element, l, transferred);
@@ -145,56 +151,68 @@ bool nodal_values(const Session& session, int b, int32_t element, Complex u[4], 
     if (has_body_force(m, b)) {
       double up[2], tp[2];
       particular_at_end(session, b, element, l, up, tp);
-      u[l] = {length * (d[0] - up[0]), length * (d[1] - up[1])};
+      out.u[l] = {length * (d[0] - up[0]), length * (d[1] - up[1])};
       for (int c = 0; c < 2; ++c) part[0][c] -= stress * tp[c];
     }
-    own[l] = {part[0][0], part[0][1]};
-    contact[l] = {part[1][0], part[1][1]};
-    any = any || shared;
+    out.own[l] = {part[0][0], part[0][1]};
+    out.contact[l] = {part[1][0], part[1][1]};
+    out.any_contact = out.any_contact || shared;
   }
-  return any;
 }
 
-void add_elements_values(const Session& session, int b, int32_t element, const Points& points) {
-  Complex u[4], own[4], contact[4];
+[[gnu::noinline]] void add_elements_values(const Session& session, int b, int32_t element, const NodalValues& values,
+                                           const Points& points) {
+  ElementSmoothing smoothing;
+  smoothing.ready = false;
   Acting acting;
   acting.session = &session;
   acting.b = b;
   acting.element = element;
-  acting.smoothing.ready = false;
-  const bool shared = nodal_values(session, b, element, u, own, contact);
+  acting.smoothing = &smoothing;
   make_integrator(session.model, b, element, Quadrature::accurate, Measure::own_length, acting.e.in);
-  prepare_field(own, u, acting.e);
+  prepare_field(values.own, values.u, acting.e);
   add_element(acting, points);
-  if (!shared) return;
-  acting.element = -1;
+  if (!values.any_contact) return;
+  acting.smoothing = nullptr;
   make_integrator(session.model, b, element, Quadrature::accurate, Measure::contact, acting.e.in);
-  prepare_field(contact, nullptr, acting.e);
+  prepare_field(values.contact, nullptr, acting.e);
+  add_element(acting, points);
+}
+
+// What a piece of a free zone acts with. (None of this may stand below the search for the next piece, nor the piece below
+// what it does.)
+[[gnu::noinline]] void field_of_piece(const Session& session, const TransferWalk& walk, FieldElement& out) {
+  const Model& m = session.model;
+  const double stress = 1.0 / (2.0 * shear_modulus(m, 0));
+  Transfer piece;
+  make_transfer(m, Quadrature::accurate, walk, piece);
+  Complex t[4];
+  out.in = piece.in;
+  for (int k = 0; k < piece.in.functions; ++k) {
+    double value[2];
+    transferred_values(session, piece, k, value);
+    t[k] = {stress * value[0], stress * value[1]};
+  }
+  prepare_field(t, nullptr, out);
+}
+
+[[gnu::noinline]] void act_on_points(const Session& session, const TransferWalk& walk, const Points& points) {
+  Acting acting;
+  acting.session = &session;
+  acting.b = 0;
+  acting.element = walk.piece.element1;
+  acting.smoothing = nullptr;
+  field_of_piece(session, walk, acting.e);
   add_element(acting, points);
 }
 
 // Tractions that free zones hand over to body 1.
-c2d_status add_transferred(const Session& session, const Points& points) {
-  const Model& m = session.model;
-  const double stress = 1.0 / (2.0 * shear_modulus(m, 0));
+[[gnu::noinline]] c2d_status add_transferred(const Session& session, const Points& points) {
   TransferWalk walk{};
-  Transfer piece;
-  Acting acting;
-  acting.session = &session;
-  acting.b = 0;
-  acting.element = -1;
-  while (next_transfer(m, Quadrature::accurate, walk, piece)) {
-    const c2d_status status = pause(session, 0, piece.element1);
+  while (next_transfer(session.model, walk)) {
+    const c2d_status status = pause(session, 0, walk.piece.element1);
     if (status != C2D_OK) return status;
-    Complex t[4];
-    acting.e.in = piece.in;
-    for (int k = 0; k < piece.in.functions; ++k) {
-      double value[2];
-      transferred_values(session, piece, k, value);
-      t[k] = {stress * value[0], stress * value[1]};
-    }
-    prepare_field(t, nullptr, acting.e);
-    add_element(acting, points);
+    act_on_points(session, walk, points);
   }
   return C2D_OK;
 }
@@ -278,15 +296,21 @@ void finish_point(const Session& session, int b, const Points& points, int32_t i
 
 enum class Pass { afar, placing, integrals };
 
-// One element on these points. Small builds do without the first pass.
-void act(const Session& session, int b, int32_t element, Pass pass, const Points& points) {
-  if (pass == Pass::integrals) return add_elements_values(session, b, element, points);
+[[gnu::noinline]] void place_by_element(const Session& session, int b, int32_t element, bool from_afar, const Points& points) {
   Integrator in;
   make_integrator(session.model, b, element, Quadrature::accurate, Measure::own_length, in);
 #ifndef C2D_SMALL
-  if (pass == Pass::afar) return look_from_afar(in.element, points);
+  if (from_afar) return look_from_afar(in.element, points);
 #endif
-  look_at_element(in, b, element, points);
+  if (!from_afar) look_at_element(in, b, element, points);
+}
+
+// One element on these points. Small builds do without the first pass.
+void act(const Session& session, int b, int32_t element, Pass pass, const Points& points) {
+  if (pass != Pass::integrals) return place_by_element(session, b, element, pass == Pass::afar, points);
+  NodalValues values;
+  nodal_values(session, b, element, values);
+  add_elements_values(session, b, element, values, points);
 }
 
 #ifdef C2D_SMALL

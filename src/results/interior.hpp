@@ -24,11 +24,15 @@ BoundaryState boundary_state(const Session& session, int b, int32_t element, dou
 
 // The same as an image has it.
 BoundaryState mirrored_state(const BoundaryState& s, int image);
+// The state on the other side of the node at an element's end eta, where it has the state s itself.
+BoundaryState beyond(const Session& session, int b, const BoundaryState& s, const Neighbour& other, double eta);
 // Is a node a corner whose two tractions make a tensor? The states of both sides.
 bool is_corner(const Session& session, const BoundaryState& s, const BoundaryState& t);
 
 // Stress on an element; at its ends from both elements that meet there: from their tractions at a corner, else the mean.
 PlaneStress joint_stress(const Session& session, int b, int32_t element, double eta);
+// At a node, from the states on its two sides; image: of which line of symmetry the second is the first's, 0: of none.
+PlaneStress joint_stress(const Session& session, int b, const BoundaryState& s, const BoundaryState& t, int image);
 double stress_across(const Session& session, int b, const PlaneStress& s);
 
 // field: C2D_END_SXX ... C2D_END_PRINCIPAL2; end = element * function_nodes + local.

@@ -51,14 +51,13 @@ bool tractions_step(const Joint& j) {
   return j.corner ? size_of(j.apart[0]) + size_of(j.apart[1]) > kCornerStep * size : size_of(t[0] - t[1]) > kStep * size;
 }
 
-Joint joint_at(const Session& session, int b, int32_t element, int end, const Neighbour& other) {
-  Joint j;
+// (Not inlined, like smooth_joint: this looks at the neighbourhood, and goes deep; that computes, with a large frame.)
+[[gnu::noinline]] void find_joint(const Session& session, int b, int32_t element, int end, const Neighbour& other, Joint& j) {
   const double eta = end == 0 ? -1.0 : 1.0;
   j.side[1 - end] = boundary_state(session, b, element, eta);
-  j.side[end] = other.image != 0 ? mirrored_state(j.side[1 - end], other.image)
-                                 : boundary_state(session, b, other.element, -eta);
+  j.side[end] = beyond(session, b, j.side[1 - end], other, eta);
   const BoundaryState &before = j.side[0], &behind = j.side[1];
-  j.stress = joint_stress(session, b, element, eta);
+  j.stress = joint_stress(session, b, j.side[1 - end], j.side[end], other.image);
   j.corner = is_corner(session, before, behind);
   j.rotation = 0.0;
   for (const BoundaryState& s : j.side) // the normal is turned by -90 degrees against what a rotation adds
@@ -67,7 +66,6 @@ Joint joint_at(const Session& session, int b, int32_t element, int end, const Ne
   const Complex half = 0.5 * (j.apart[0] - j.apart[1]);
   if (!tractions_step(j)) j.apart[0] = j.apart[1] = Complex{0.0, 0.0};
   else if (!j.corner) j.apart[0] = half, j.apart[1] = -1.0 * half;
-  return j;
 }
 
 // Constant elements have their value in the middle: what the slope makes of both at the node, on average.
@@ -83,18 +81,13 @@ Complex particular_at(const Session& session, int b, const double at[2], const d
   return complex_of(u);
 }
 
-void prepare_smoothing(const Session& session, int b, int32_t element, const FieldElement& e, int end,
-                       NodeSmoothing& out) {
+// `next`: half length of the element beyond the node, length unit.
+[[gnu::noinline]] void smooth_joint(const Session& session, int b, const FieldElement& e, int end, double next, const Joint& j,
+                                    NodeSmoothing& out) {
   const Model& m = session.model;
   const Element& shape = e.in.element;
   const int last = end == 0 ? 0 : shape.nodes - 1;
-  const Neighbour other = region_neighbour(m, b, element, end == 0 ? -1 : 1);
-  const double unit = m.head->length_unit, own = shape.half_length,
-               next = element_of(m, b, other.element).half_length / unit;
-  out.ready = true;
-  out.range = 2.0 * kRange * (own < next ? own : next);
-
-  const Joint j = joint_at(session, b, element, end, other);
+  const double unit = m.head->length_unit, own = shape.half_length;
   const double g2 = 2.0 * shear_modulus(m, b), nu = strain_poisson_ratio(m, b);
   Complex slope[2];
   for (int k = 0; k < 2; ++k) { // at a straight boundary a step of pressure stretches, one of shear turns
@@ -125,13 +118,39 @@ void prepare_smoothing(const Session& session, int b, int32_t element, const Fie
   const Complex force = (1.0 / g2) * (traction * turned);
   // (2 + 3 x - x^3)/4 is 1 at x = 1 and flat there and at -1; (1 + x)^2 (x - 1)/4 rises by 1 there.
   const double flat[4] = {0.5, 0.75 * eta, 0.0, -0.25 * eta}, steep[4] = {-0.25 * eta, -0.25, 0.25 * eta, 0.25};
-  out.field = e;
-  out.field.in.functions = 4;
-  out.field.displaced = true;
   for (int k = 0; k < 4; ++k) {
-    out.field.t[k] = flat[k] * force;
-    out.field.u[k] = flat[k] * start + steep[k] * rise;
+    out.t[k] = flat[k] * force;
+    out.u[k] = flat[k] * start + steep[k] * rise;
   }
+}
+
+[[gnu::noinline]] double half_length_of(const Model& m, int b, int32_t element) {
+  return element_of(m, b, element).half_length / m.head->length_unit;
+}
+
+void prepare_smoothing(const Session& session, int b, int32_t element, const FieldElement& e, int end,
+                       NodeSmoothing& out) {
+  const Neighbour other = region_neighbour(session.model, b, element, end == 0 ? -1 : 1);
+  const double own = e.in.element.half_length, next = half_length_of(session.model, b, other.element);
+  out.ready = true;
+  out.range = 2.0 * kRange * (own < next ? own : next);
+  Joint j;
+  find_joint(session, b, element, end, other, j);
+  smooth_joint(session, b, e, end, next, j, out);
+}
+
+// Its field. (Not inlined: the element with these coefficients must not stand below their making.)
+[[gnu::noinline]] PointField smoothing_at(const FieldElement& e, const NodeSmoothing& node, double x, double y) {
+  FieldElement field = e;
+  field.in.functions = 4;
+  field.displaced = true;
+  for (int k = 0; k < 4; ++k) {
+    field.t[k] = node.t[k];
+    field.u[k] = node.u[k];
+  }
+  PointField added = {};
+  add_field(field, Complex{0.0, 0.0}, x, y, added);
+  return added;
 }
 
 } // namespace
@@ -151,8 +170,7 @@ void smooth_at_nodes(const Session& session, int b, int32_t element, const Field
     if (!node.ready) prepare_smoothing(session, b, element, e, end, node);
     const double part = node.range > 0.0 ? square / (node.range * node.range) : 1.0;
     if (part >= 1.0) continue;
-    PointField added = {};
-    add_field(node.field, Complex{0.0, 0.0}, x, y, added);
+    const PointField added = smoothing_at(e, node, x, y);
     const double weight = (1.0 - part) * (1.0 - part);
     sum.trace += weight * added.trace;
     add(sum.deviator, weight * added.deviator);

@@ -12,11 +12,12 @@
 
 namespace c2d {
 
-// What is added to one element for one of its ends (0, 1); made when the first point is that near.
+// What is added to one element for one of its ends (0, 1): coefficients of powers of eta, as in FieldElement; made when the
+// first point is that near.
 struct NodeSmoothing {
   bool ready;
   double range; // length unit
-  FieldElement field;
+  Complex t[4], u[4];
 };
 struct ElementSmoothing {
   bool ready;

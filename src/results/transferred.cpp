@@ -31,18 +31,26 @@ void transferred_values(const Session& session, const Transfer& piece, int k, do
   }
 }
 
-void add_transferred_force(const Session& session, double out[3]) {
+namespace {
+
+// Not inlined: a piece must not stand below the search for the next.
+[[gnu::noinline]] void add_piece_force(const Session& session, const TransferWalk& walk, double out[3]) {
   const double unit = session.model.head->length_unit;
-  TransferWalk walk{};
   Transfer piece;
-  while (next_transfer(session.model, Quadrature::accurate, walk, piece)) {
-    double w[4], wx[4], wy[4], t[2];
-    resultants(piece.in, 0.0, 0.0, w, wx, wy);
-    for (int k = 0; k < piece.in.functions; ++k) {
-      transferred_values(session, piece, k, t);
-      add_force(out, unit * w[k] * t[0], unit * w[k] * t[1], unit * unit * (wx[k] * t[1] - wy[k] * t[0]));
-    }
+  make_transfer(session.model, Quadrature::accurate, walk, piece);
+  double w[4], wx[4], wy[4], t[2];
+  resultants(piece.in, 0.0, 0.0, w, wx, wy);
+  for (int k = 0; k < piece.in.functions; ++k) {
+    transferred_values(session, piece, k, t);
+    add_force(out, unit * w[k] * t[0], unit * w[k] * t[1], unit * unit * (wx[k] * t[1] - wy[k] * t[0]));
   }
+}
+
+} // namespace
+
+void add_transferred_force(const Session& session, double out[3]) {
+  TransferWalk walk{};
+  while (next_transfer(session.model, walk)) add_piece_force(session, walk, out);
 }
 
 } // namespace c2d
