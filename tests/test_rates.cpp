@@ -56,6 +56,7 @@ public:
     return r_;
   }
   // The same with other statuses, where they hold the pairs; and pairs whose friction is at its bound, or without bound.
+  RateProblem& last() { return r_; }
   RateProblem& start_from(std::mt19937& draw, bool other_kinds) {
     start();
     for (int i = 0; i < m_; ++i) {
@@ -246,7 +247,10 @@ TEST_CASE("rates: branch and bound finds rates, or that there are none, as tryin
     RateProblem& r = problem.start_from(draw, trial % 2 == 0);
     const Settled all = try_all_cells(r, &found);
     c2d_status status = C2D_OK;
-    const Settled result = branch_cells(r, go_on, nullptr, &status);
+    int32_t branched = 0;
+    CHECK(branch_cells(r, true, 100000, &branched, go_on, nullptr, &status) == all);
+    CHECK(branched == found);
+    const Settled result = branch_cells(r, false, 100000, &branched, go_on, nullptr, &status);
     CHECK(result == all);
     CHECK(status == C2D_OK);
     if (result == Settled::solved && trial % 2 == 1) CHECK(problem.holds(r));
@@ -257,11 +261,47 @@ TEST_CASE("rates: branch and bound finds rates, or that there are none, as tryin
   CHECK(none > 100);
 }
 
+TEST_CASE("rates: branch and bound does not rule out what a path finds, with up to fourteen pairs") {
+  std::mt19937 draw(5);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  int by_path = 0, none = 0, larger_none = 0, given_up = 0;
+  for (int trial = 0; trial < 120; ++trial) {
+    CAPTURE(trial);
+    const int pairs = 6 + trial % 9, m = 2 * pairs;
+    Problem problem(pairs, 0.1 + 0.1 * (trial % 20));
+    for (int i = 0; i < m; ++i) {
+      problem.rate(i) = uniform(draw);
+      for (int j = 0; j < m; ++j) problem.stiffness(i, j) = uniform(draw) + (trial % 2) * 0.4 * m * (i == j);
+    }
+    c2d_status status = C2D_OK;
+    int32_t found = 0;
+    const Settled branched = branch_cells(problem.start(), false, 20000, &found, go_on, nullptr, &status);
+    if (branched == Settled::solved) CHECK(problem.holds(problem.last()));
+    const Settled soon = branch_cells(problem.start(), false, 4, &found, go_on, nullptr, &status); // in four parts at most
+    CHECK((soon == branched || soon == Settled::undecided));
+    given_up += soon == Settled::undecided;
+    const Settled followed = follow_cells(problem.start(), false, go_on, nullptr, &status);
+    if (followed == Settled::solved) CHECK(branched == Settled::solved);
+    CHECK(branched != Settled::undecided);
+    by_path += followed == Settled::solved;
+    none += branched == Settled::none;
+    larger_none += branched == Settled::none && pairs > 8;
+  }
+  CHECK(by_path > 20);
+  CHECK(none > 10);
+  CHECK(larger_none > 0);
+  CHECK(given_up > 20);
+}
+
 TEST_CASE("rates: a cancel stops the search") {
   Problem problem = one_pair(0.6, 2.0, 1.0, 1.8);
   c2d_status status = C2D_OK;
   const auto stop = [](void*) -> c2d_status { return C2D_ERR_CANCELLED; };
   CHECK(follow_cells(problem.start(), false, stop, nullptr, &status) == Settled::undecided);
+  CHECK(status == C2D_ERR_CANCELLED);
+  status = C2D_OK;
+  int32_t found = 0;
+  CHECK(branch_cells(problem.start(), true, 100, &found, stop, nullptr, &status) == Settled::undecided);
   CHECK(status == C2D_ERR_CANCELLED);
 }
 
@@ -328,6 +368,16 @@ TEST_CASE("hard states: what the last digits would decide has its outcome in eve
     for (double size = 0.001; size < 1000; size *= 7) CHECK(problem::solve(problem::scaled(p, size, 3 / size)).outcome == plain);
     CHECK(problem::solve(problem::rotated(p, 90)).outcome == plain);
     CHECK(problem::solve(problem::reflected(p)).outcome == plain);
+  }
+}
+
+// Ten pairs at zero load. Limit analysis has a solution; all 4^10 sets of cells, tried one by one, have none.
+TEST_CASE("hard states: that no set of cells has rates is proven") {
+  for (const std::string name : {"no_rates_bump_10pairs", "no_rates_bridge_10pairs"}) {
+    CAPTURE(name);
+    const Run run = run_hard(name);
+    CHECK(run.status == 1);
+    CHECK(run.json["outcome"].text == "gross sliding");
   }
 }
 

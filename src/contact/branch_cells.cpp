@@ -18,7 +18,6 @@ namespace {
 constexpr int kParts = 4;
 constexpr int kBelow = 1, kAbove = 2; // signs a quantity may have
 
-constexpr int32_t kMostNodes = 20000;
 constexpr double kMostWork = 2e9; // operations: some seconds at most
 
 int32_t bit(Cell cell) { return 1 << static_cast<int32_t>(cell); }
@@ -193,12 +192,12 @@ bool has_point(RateProblem& r) {
   return true; // not known: no cells are left out for that
 }
 
-// Motions to r.cover, forces to r.point, at the rows of their slots.
+// Motions to r.rhs, forces to r.point, at the rows of their slots.
 void read_point(RateProblem& r) {
-  for (int32_t i = 0; i < r.size; ++i) r.cover[i] = r.point[i] = 0;
+  for (int32_t i = 0; i < r.size; ++i) r.rhs[i] = r.point[i] = 0;
   for (int32_t i = 0; i < r.size; ++i) {
     const int32_t part = r.given[i] % kParts, row = r.doubt[r.given[i] / kParts].row;
-    (part < 2 ? r.cover : r.point)[row + part % 2] = at(r, i, r.size);
+    (part < 2 ? r.rhs : r.point)[row + part % 2] = at(r, i, r.size);
   }
 }
 
@@ -217,7 +216,7 @@ struct PairPoint {
 };
 PairPoint point_of(const RateProblem& r, const Doubt& d) {
   const bool two = d.slots == 2;
-  return {static_cast<double>(r.cover[d.row]), two ? static_cast<double>(r.cover[d.row + 1]) : 0.0,
+  return {static_cast<double>(r.rhs[d.row]), two ? static_cast<double>(r.rhs[d.row + 1]) : 0.0,
           {static_cast<double>(r.point[d.row]), two ? static_cast<double>(r.point[d.row + 1]) : 0.0}};
 }
 
@@ -267,9 +266,9 @@ Cell cell_at(const Doubt& d, const PairPoint& x, double none) {
   return Cell::open;
 }
 
-// Where no pair is between two cells. False: they have no rates, being no regular system, and the first pair that still has
-// a choice is to be divided.
-bool take_point(RateProblem& r, Division* next) {
+// Where no pair is between two cells: cells that have rates there, unless they are no regular system. False: they are not.
+// *next: the first pair that still has a choice.
+bool try_point(RateProblem& r, Division* next) {
   const double none = kConditionTolerance * largest_value(r);
   *next = Division{-1, Cell::open, true, 0.0};
   for (int32_t i = r.count - 1; i >= 0; --i) {
@@ -314,12 +313,15 @@ bool go_back(RateProblem& r, int32_t* depth) {
 
 } // namespace
 
-Settled branch_cells(RateProblem& r, c2d_status (*tick)(void*), void* context, c2d_status* status) {
+Settled branch_cells(RateProblem& r, bool every, int32_t most, int32_t* found, c2d_status (*tick)(void*), void* context,
+                     c2d_status* status) {
+  Solutions all{};
   int32_t depth = 0;
   double fresh = 0.0; // work when the matrix was last laid out: what exchanges gather ends there
+  bool done = false;
   allow_all(r);
   lay_out(r);
-  for (int32_t node = 0; node < kMostNodes && r.work < kMostWork; ++node) {
+  for (int32_t node = 0; !done && node < most && r.work < kMostWork; ++node) {
     *status = node % 64 == 0 ? tick(context) : c2d_status{C2D_OK};
     if (*status != C2D_OK) return Settled::undecided;
     if (r.work - fresh > 8.0 * r.size * r.size * r.size) {
@@ -330,12 +332,17 @@ Settled branch_cells(RateProblem& r, c2d_status (*tick)(void*), void* context, c
     if (has_point(r)) {
       read_point(r);
       next = worst_division(r);
-      if (next.doubt < 0 && take_point(r, &next)) return Settled::solved;
+      if (next.doubt < 0 && try_point(r, &next)) {
+        add_solution(r, r.rhs, all);
+        done = !every;
+      }
     }
     if (next.doubt >= 0) descend(r, next, &depth);
-    else if (!go_back(r, &depth)) return Settled::none;
+    else done = !go_back(r, &depth) || done;
   }
-  return Settled::undecided;
+  take_solution(r);
+  *found = all.told();
+  return all.count > 0 ? Settled::solved : done ? Settled::none : Settled::undecided;
 }
 
 } // namespace c2d

@@ -23,6 +23,23 @@ struct CellSizes { // largest rates
   double force, motion;
 };
 
+// Two numbers that tell solutions apart, whatever their cells: forces and motions summed with unlike weights.
+struct Signature {
+  double force, motion;
+  double size; // largest motion
+};
+struct Solutions {
+  static constexpr int kMost = 16;
+  Signature seen[kMost];
+  int32_t count;
+  double nearest; // of the one taken: how far its motion is from that before
+  int32_t told() const; // those that count
+};
+// Adds the present solution, u, unless it is there already under other cells; if its motion is the nearest to r.before so far its
+// cells are taken.
+void add_solution(RateProblem& r, const Real* u, Solutions& all);
+void take_solution(RateProblem& r); // the cells taken are the present ones
+
 double cell_friction(const RateProblem& r, const Doubt& d);
 int cell_conditions(const RateProblem& r, const Doubt& d, Cell cell, Condition out[2]);
 Crossing cross(const RateProblem& r, const Doubt& d, int which, const Real* u);

@@ -250,28 +250,6 @@ bool next_cells(RateProblem& r) {
   return false;
 }
 
-// Two numbers that tell solutions apart, whatever their cells: forces and motions summed with unlike weights.
-struct Signature {
-  double force, motion;
-  double size; // largest motion
-};
-
-struct Solutions {
-  static constexpr int kMost = 16;
-  Signature seen[kMost];
-  int32_t count;
-  double nearest; // of the one taken: how far its motion is from that before
-  // Those that count: one that moves enormously against another is a motion that hardly anything holds.
-  int32_t told() const {
-    constexpr double kEnormous = 1e5;
-    double least = seen[0].size;
-    int32_t out = 0;
-    for (int32_t k = 1; k < count; ++k) least = seen[k].size < least ? seen[k].size : least;
-    for (int32_t k = 0; k < count; ++k) out += seen[k].size <= kEnormous * least;
-    return out;
-  }
-};
-
 Signature sign_solution(const RateProblem& r, const Real* u, double* away) {
   Signature s{0.0, 0.0, 0.0};
   double weight = 1.0;
@@ -299,21 +277,34 @@ bool alike(const Signature& a, const Signature& b, const CellSizes& size) {
          fabs(a.motion - b.motion) <= kAlike * (size.motion + 1e-6 * all);
 }
 
-// Adds the present solution, u, unless it is there already under other cells; true if it is to be taken.
-bool add_solution(const RateProblem& r, const Real* u, Solutions& all) {
+} // namespace
+
+void add_solution(RateProblem& r, const Real* u, Solutions& all) {
   double away;
   Signature own = sign_solution(r, u, &away);
   const CellSizes size = sizes_of(r, u);
   own.size = size.motion + size.force;
   for (int32_t k = 0; k < all.count; ++k)
-    if (alike(own, all.seen[k], size)) return false;
+    if (alike(own, all.seen[k], size)) return;
   if (all.count < Solutions::kMost) all.seen[all.count++] = own;
-  if (all.count > 1 && away >= all.nearest * (1.0 - 1e-9)) return false;
+  if (all.count > 1 && away >= all.nearest * (1.0 - 1e-9)) return;
   all.nearest = away;
-  return true;
+  for (int32_t i = 0; i < r.count; ++i) r.doubt[i].taken = r.doubt[i].cell;
 }
 
-} // namespace
+void take_solution(RateProblem& r) {
+  for (int32_t i = 0; i < r.count; ++i) r.doubt[i].cell = r.doubt[i].taken;
+}
+
+// One that moves enormously against another is a motion that hardly anything holds.
+int32_t Solutions::told() const {
+  constexpr double kEnormous = 1e5;
+  double least = seen[0].size;
+  int32_t out = 0;
+  for (int32_t k = 1; k < count; ++k) least = seen[k].size < least ? seen[k].size : least;
+  for (int32_t k = 0; k < count; ++k) out += seen[k].size <= kEnormous * least;
+  return out;
+}
 
 int64_t count_cells(const RateProblem& r) {
   int64_t sets = 1;
@@ -328,10 +319,9 @@ Settled try_all_cells(RateProblem& r, int32_t* found) {
     r.doubt[i].cell = nth_cell(r.doubt[i], 0);
   }
   do {
-    if (!solve_present_cells(r, r.rhs) || !add_solution(r, r.rhs, all)) continue;
-    for (int32_t i = 0; i < r.count; ++i) r.doubt[i].taken = r.doubt[i].cell;
+    if (solve_present_cells(r, r.rhs)) add_solution(r, r.rhs, all);
   } while (next_cells(r));
-  for (int32_t i = 0; i < r.count; ++i) r.doubt[i].cell = r.doubt[i].taken;
+  take_solution(r);
   *found = all.told();
   return all.count > 0 ? Settled::solved : Settled::none;
 }

@@ -83,9 +83,11 @@ Settled try_all_cells(RateProblem& r, int32_t* found);
 // method): from the present cells, from sticking, and through increasing and decreasing coefficients of friction; or, drawn,
 // from cells and artificial loads drawn at random, always the same ones.
 Settled follow_cells(RateProblem& r, bool drawn, c2d_status (*tick)(void*), void* context, c2d_status* status);
-// Divides the cells of the pairs until what is left of them has rates, or is proven to have none: `none` if no regular set of
-// cells has.
-Settled branch_cells(RateProblem& r, c2d_status (*tick)(void*), void* context, c2d_status* status);
+// Divides the cells of the pairs until what is left of them has rates or is proven to have none, in `most` parts. `every`: all
+// solutions are looked for and the nearest to `before` taken, as try_all_cells does; else one. `none` if no regular set of cells
+// has rates, `undecided` if the parts did not suffice for one.
+Settled branch_cells(RateProblem& r, bool every, int32_t most, int32_t* found, c2d_status (*tick)(void*), void* context,
+                     c2d_status* status);
 
 // Status and sign that a cell stands for.
 int32_t cell_status(const Doubt& d, Cell cell);

@@ -281,8 +281,10 @@ c2d_status take_cells(Follower& f, const RateProblem& r) {
   return rebuild(f);
 }
 
-// So many sets of cells may be tried first, in some hundredths of a second.
-constexpr int64_t kFewSets = 16384;
+// So many sets of cells are tried one by one, of so many pairs all are divided into so many parts at most; and into so many parts
+// where nothing else has found rates.
+constexpr int64_t kFewSets = 256;
+constexpr int32_t kFewPairs = 16, kFewParts = 1000, kMostParts = 20000;
 
 // Before anything else: in a small model, and where nothing is loaded yet or the path turns. Elsewhere the state before says
 // which of several solutions goes on, and rounds of changes find it.
@@ -335,23 +337,32 @@ c2d_status search_branches(Follower& f, Settled* result) {
   RateProblem r;
   gather_doubts(f, r);
   c2d_status status = C2D_OK;
-  *result = branch_cells(r, f.watch.tick, f.watch.context, &status);
-  return status == C2D_OK && *result == Settled::solved ? take_found(f, r, false, result) : status;
+  int32_t found = 0;
+  keep_motion_before(f, r);
+  *result = branch_cells(r, false, kMostParts, &found, f.watch.tick, f.watch.context, &status);
+  if (status != C2D_OK || *result != Settled::solved) return status;
+  status = take_found(f, r, false, result);
+  if (status != C2D_OK || *result != Settled::solved || is_held(f)) return status;
+  *result = Settled::none;
+  return restore_pairs(f);
 }
 
-// All sets of cells, if they are few and it is not clear beforehand that one solution is all there is. *found: how many there
-// are; -1: not tried. The pairs have been kept.
+// All sets of cells, if they are few or few parts of them have to be looked at, and it is not clear beforehand that one solution
+// is all there is. *found: how many there are; -1: not known. The pairs have been kept.
 c2d_status try_all(Follower& f, bool offends, int32_t* found) {
   RateProblem r;
   gather_doubts(f, r);
   *found = -1;
-  if (count_cells(r) > kFewSets) return C2D_OK;
+  if (r.count > kFewPairs) return C2D_OK;
   if (!offends && is_surely_unique(r)) return C2D_OK;
   keep_motion_before(f, r);
-  try_all_cells(r, found);
+  c2d_status status = C2D_OK;
+  if (count_cells(r) <= kFewSets) try_all_cells(r, found);
+  else if (branch_cells(r, true, kFewParts, found, f.watch.tick, f.watch.context, &status) == Settled::undecided) *found = -1;
+  if (status != C2D_OK) return status;
   note_solutions(f, *found);
   if (*found < 1 || (*found == 1 && !offends)) return C2D_OK;
-  const c2d_status status = take_cells(f, r);
+  status = take_cells(f, r);
   if (status == C2D_OK && is_held(f)) return status;
   if (status != C2D_OK && status != C2D_ERR_SINGULAR) return status;
   *found = status == C2D_OK ? 0 : -1; // a motion that the last digits hold is none of a solution
