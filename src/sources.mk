@@ -212,6 +212,7 @@ REPORT_SOURCES += src/report/scene_loads.cpp
 REPORT_SOURCES += src/report/scene_zones.cpp
 REPORT_SOURCES += src/report/svg.cpp
 REPORT_SOURCES += src/report/text.cpp
+REPORT_SOURCES += src/report/trace.cpp
 REPORT_SOURCES += src/report/vtk.cpp
 PROGRAM_SOURCES += src/program/check.cpp
 PROGRAM_SOURCES += src/program/convert.cpp

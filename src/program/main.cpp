@@ -44,7 +44,7 @@ int run_command(const app::Options& options) {
   case app::Command::kHelp:
     break;
   }
-  return print(app::help_text());
+  return print(app::help_text().c_str());
 }
 
 } // namespace

@@ -15,11 +15,8 @@ struct Known {
   const char* name;
   bool takes_value;
 };
-const Known kRunOptions[] = {{"--listing", true},   {"--csv", true},          {"--boundary", true},
-                             {"--points", true},    {"--interior", true},     {"--json", true},
-                             {"--stepping", true},  {"--quadrature", true},   {"--symmetry", true},
-                             {"--memory", true},    {"--store", true},        {"--threads", true},
-                             {"--report", true},    {"--figures", true},      {"--vtk", true},
+const Known kRunOptions[] = {{"--points", true},    {"--figures", true},     {"--stepping", true}, {"--quadrature", true},
+                             {"--symmetry", true},  {"--memory", true},      {"--store", true},    {"--threads", true},
                              {"--progress", false}, {"--no-progress", false}, {"--keep", false}};
 
 bool choose(const std::string& value, const char* first, const char* second, int32_t& choice) {
@@ -40,15 +37,10 @@ bool set_option(Options& o, const std::string& name, const std::string& value, s
     error = name + " " + value + ": expected " + expected;
     return false;
   };
-  if (name == "--listing") o.listing = value;
-  if (name == "--csv") o.csv = value;
-  if (name == "--boundary") o.boundary = value;
+  for (size_t i = 0; i < kOutputs; ++i)
+    if (name == kOutputTable[i].option) o.files[i] = value;
   if (name == "--points") o.points = value;
-  if (name == "--interior") o.interior = value;
-  if (name == "--json") o.json = value;
-  if (name == "--report") o.report = value;
   if (name == "--figures") o.figures = value;
-  if (name == "--vtk") o.vtk = value;
   if (name == "--progress") o.progress = Progress::kAlways;
   if (name == "--no-progress") o.progress = Progress::kNever;
   if (name == "--keep") o.keep = true;
@@ -76,7 +68,9 @@ bool read_run_option(const std::vector<std::string>& words, size_t& at, Options&
     value = name.substr(equals + 1);
     name.resize(equals);
   }
-  for (const Known& known : kRunOptions) {
+  std::vector<Known> all(std::begin(kRunOptions), std::end(kRunOptions));
+  for (const OutputName& output : kOutputTable) all.push_back({output.option, true});
+  for (const Known& known : all) {
     if (name != known.name) continue;
     if (joined && !known.takes_value) {
       error = name + " takes no value";
@@ -227,7 +221,7 @@ bool read_options(int argc, const char* const* argv, Options& options, std::stri
     error = command + " needs a deck";
     return false;
   }
-  if (!options.points.empty() && options.interior.empty() && options.vtk.empty() && !has_listing(options)) {
+  if (!options.points.empty() && options.file(Output::kInterior).empty() && options.file(Output::kVtk).empty() && !has_listing(options)) {
     error = "--points " + options.points + ": no output shows them, expected --interior, --listing or --vtk";
     return false;
   }
@@ -235,64 +229,81 @@ bool read_options(int argc, const char* const* argv, Options& options, std::stri
 }
 
 bool has_listing(const Options& o) {
-  if (!o.listing.empty()) return true;
-  for (const std::string* name : {&o.csv, &o.boundary, &o.interior, &o.json, &o.report, &o.vtk})
-    if (*name == "-") return false;
+  if (!o.file(Output::kListing).empty()) return true;
+  for (const std::string& name : o.files)
+    if (name == "-") return false;
   return true;
 }
 
-const char* help_text() {
-  return "usage: contact2d run DECK [options]\n"
-         "       contact2d check DECK [--symmetry deck|images]\n"
-         "       contact2d resume DIR\n"
-         "       contact2d convert DECK [--to fixed|free] [-o FILE]\n"
-         "       contact2d make NAME key=value ...\n"
-         "       contact2d make --list\n"
-         "       contact2d --version | --help\n"
-         "\n"
-         "run solves a deck, check reads and validates it and tells the memory it needs, convert writes it "
-         "in the "
-         "other\n"
-         "form (fixed columns or free) without changing a number. DECK may be - for standard input.\n"
-         "make writes the deck of a problem known by name to standard output; --list tells names and keys.\n"
-         "\n"
-         "resume goes on after a crash of a run with --store file:DIR: the deck, the options and the tapes are in DIR;\n"
-         "outputs are written whole.\n"
-         "\n"
-         "options of run:\n"
-         "  --listing FILE     printed results; default: standard output, unless another output is sent "
-         "there\n"
-         "  --csv FILE         contact results, a row per pair and recorded step\n"
-         "  --boundary FILE    CSV of every element end of every body at the last step\n"
-         "  --points FILE      CSV body,x,y of points inside, instead of those under *POINTS in the deck; - for "
-         "standard\n"
-         "                     input\n"
-         "  --interior FILE    CSV of displacements and stresses there at the last step\n"
-         "  --json FILE        summary of the run\n"
-         "  --report FILE      one HTML page with pictures of the model and the results\n"
-         "  --figures DIR      the same pictures as single SVG files\n"
-         "  --vtk FILE         boundary with displacements, tractions and stresses at the last step, and the "
-         "points\n"
-         "                     inside, for ParaView\n"
-         "  --stepping WORD    events (default): follow every change of status; deck: the increments of the "
-         "deck\n"
-         "  --quadrature WORD  accurate (default) or thesis: the rule of 2, 4 and 10 points\n"
-         "  --symmetry WORD    deck (default): elements on a line of symmetry are kept; images: they are replaced by\n"
-         "                     images\n"
-         "  --memory SIZE      bytes of workspace, as 65536, 64K, 16M, 1G; default: all in memory, at most "
-         "half of\n"
-         "                     what is free\n"
-         "  --store WHERE      memory, or file:DIR; default: memory if it fits, else a folder under $TMPDIR\n"
-         "  --threads N        tasks at once in assembly, elimination and at interior points, 1 to 64; default 1. No\n"
-         "                     result depends on it\n"
-         "  --progress, --no-progress\n"
-         "                     a line on standard error; default: only on a terminal\n"
-         "  --keep             leave the tapes in their folder\n"
-         "FILE may be - for standard output.\n"
-         "\n"
-         "exit status: 0 solved; 1 no further or no unique solution; 2 bad deck; 3 block store or output "
-         "file failed;\n"
-         "4 workspace too small; 64 bad usage; 130 cancelled\n";
+const std::array<OutputName, kOutputs> kOutputTable = {{
+    {"--listing", "printed results; default: standard output, unless another output is sent there"},
+    {"--csv", "contact results, a row per pair and recorded step"},
+    {"--boundary", "CSV of every element end of every body at the last step"},
+    {"--interior", "CSV of displacements and stresses inside, at the points asked for, at the last step"},
+    {"--json", "summary of the run"},
+    {"--report", "one HTML page with pictures of the model and the results"},
+    {"--vtk", "boundary with displacements, tractions and stresses at the last step, and the points\n"
+              "                     inside, for ParaView"},
+    {"--trace", "CSV of every change of status: load, pair, from, to, why"},
+}};
+
+namespace {
+
+const char kHelpBefore[] =
+    "usage: contact2d run DECK [options]\n"
+    "       contact2d check DECK [--symmetry deck|images]\n"
+    "       contact2d resume DIR\n"
+    "       contact2d convert DECK [--to fixed|free] [-o FILE]\n"
+    "       contact2d make NAME key=value ...\n"
+    "       contact2d make --list\n"
+    "       contact2d --version | --help\n"
+    "\n"
+    "run solves a deck, check reads and validates it and tells the memory it needs, convert writes it "
+    "in the "
+    "other\n"
+    "form (fixed columns or free) without changing a number. DECK may be - for standard input.\n"
+    "make writes the deck of a problem known by name to standard output; --list tells names and keys.\n"
+    "\n"
+    "resume goes on after a crash of a run with --store file:DIR: the deck, the options and the tapes are in DIR;\n"
+    "outputs are written whole.\n"
+    "\n"
+    "options of run:\n";
+
+const char kHelpAfter[] =
+    "  --points FILE      CSV body,x,y of points inside, instead of those under *POINTS in the deck; - for "
+    "standard\n"
+    "                     input\n"
+    "  --figures DIR      the pictures of --report as single SVG files\n"
+    "  --stepping WORD    events (default): follow every change of status; deck: the increments of the "
+    "deck\n"
+    "  --quadrature WORD  accurate (default) or thesis: the rule of 2, 4 and 10 points\n"
+    "  --symmetry WORD    deck (default): elements on a line of symmetry are kept; images: they are replaced by\n"
+    "                     images\n"
+    "  --memory SIZE      bytes of workspace, as 65536, 64K, 16M, 1G; default: all in memory, at most "
+    "half of\n"
+    "                     what is free\n"
+    "  --store WHERE      memory, or file:DIR; default: memory if it fits, else a folder under $TMPDIR\n"
+    "  --threads N        tasks at once in assembly, elimination and at interior points, 1 to 64; default 1. No\n"
+    "                     result depends on it\n"
+    "  --progress, --no-progress\n"
+    "                     a line on standard error; default: only on a terminal\n"
+    "  --keep             leave the tapes in their folder\n"
+    "FILE may be - for standard output.\n"
+    "\n"
+    "exit status: 0 solved; 1 no further or no unique solution; 2 bad deck; 3 block store or output "
+    "file failed;\n"
+    "4 workspace too small; 64 bad usage; 130 cancelled\n";
+
+} // namespace
+
+std::string help_text() {
+  std::string text = kHelpBefore;
+  for (const OutputName& output : kOutputTable) {
+    std::string name = std::string("  ") + output.option + " FILE";
+    name.resize(21, ' ');
+    text += name + output.help + "\n";
+  }
+  return text + kHelpAfter;
 }
 
 } // namespace app

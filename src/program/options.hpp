@@ -1,6 +1,7 @@
 // The command line.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <utility>
@@ -11,6 +12,15 @@ namespace app {
 enum class Command { kRun, kCheck, kConvert, kMake, kResume, kVersion, kHelp };
 enum class Progress { kAutomatic, kAlways, kNever };
 
+// Outputs that are single files. Each is named here and in kOutputTable (options.cpp), nowhere else.
+enum class Output { kListing, kCsv, kBoundary, kInterior, kJson, kReport, kVtk, kTrace };
+struct OutputName {
+  const char* option;
+  const char* help;
+};
+constexpr size_t kOutputs = 8;
+extern const std::array<OutputName, kOutputs> kOutputTable; // in the order of Output
+
 struct Options {
   Command command = Command::kHelp;
   std::string deck;
@@ -18,7 +28,7 @@ struct Options {
   std::string folder;                                    // of resume
   std::vector<std::pair<std::string, std::string>> given; // options of run as they were given, with their values
   std::vector<std::string> words;                        // of make: the family and its settings, or --list
-  std::string listing, csv, boundary, interior, json, report, vtk; // empty: not asked for; "-": standard output
+  std::array<std::string, kOutputs> files;               // by Output; empty: not asked for; "-": standard output
   std::string points;                                    // CSV that is read; "-": standard input
   std::string figures;                                   // folder; empty: not asked for
   std::string store;                                     // empty: chosen by size; "memory"; "file:DIR"
@@ -29,6 +39,8 @@ struct Options {
   Progress progress = Progress::kAutomatic;
   bool keep = false;
   bool resume = false; // take the factorisation from the tapes if it is there
+
+  const std::string& file(Output which) const { return files[static_cast<size_t>(which)]; }
 };
 
 // Reads the arguments. On failure says why in `error`.
@@ -41,6 +53,6 @@ bool read_size(const std::string& text, uint64_t& bytes);
 bool has_listing(const Options& options);
 
 // What --help prints.
-const char* help_text();
+std::string help_text();
 
 } // namespace app

@@ -10,8 +10,12 @@
 namespace app {
 
 struct Outputs {
-  OutputFile listing, csv, boundary, interior, json, report, vtk;
+  std::array<OutputFile, kOutputs> files; // by Output
   FigureFolder figures;
+
+  OutputFile& file(Output output) { return files[static_cast<size_t>(output)]; }
+  bool has(Output output) const { return files[static_cast<size_t>(output)].is_open(); }
+  std::string& text(Output output) { return file(output).text; } // append here
 
   // Opens those that are asked for; the listing goes to standard output by default, unless another output
   // does.

@@ -14,6 +14,7 @@
 #include "report/page.hpp"
 #include "report/record.hpp"
 #include "report/text.hpp"
+#include "report/trace.hpp"
 #include "report/vtk.hpp"
 
 #include <c2d_threads.h>
@@ -52,7 +53,7 @@ private:
   c2d_status show_interior();
   c2d_status show_vtk(const Scene& scene);
   c2d_status show_pictures();
-  bool has_pictures() const { return outputs_.report.is_open() || outputs_.figures.is_open(); }
+  bool has_pictures() const { return outputs_.has(Output::kReport) || outputs_.figures.is_open(); }
   int close_store();
   int publish();
   int file_failed() {
@@ -72,6 +73,7 @@ private:
   Outputs outputs_;
   RunRecord record_;
   InteriorPoints interior_;
+  Trace trace_;
   History history_;            // only if there will be pictures
   bool shows_changes_ = false; // the deck wants every change of status in the listing
   c2d_summary summary_ = C2D_INIT(c2d_summary);
@@ -90,6 +92,7 @@ void Run::on_log(void* context, const c2d_error* entry) {
 int32_t Run::on_step(void* context, const c2d_step* step) {
   Run& run = self(context);
   if (run.has_pictures()) run.history_.note(*step);
+  if (run.outputs_.has(Output::kTrace)) run.trace_.append(run.outputs_.text(Output::kTrace), *step);
   if (step->kind == C2D_STEP_CHANGE && !run.shows_changes_) return 0;
   const CoefficientRecord* before =
       static_cast<size_t>(step->coefficient) <= run.record_.coefficients.size()
@@ -98,14 +101,14 @@ int32_t Run::on_step(void* context, const c2d_step* step) {
   const bool again = before != nullptr && !before->table.empty() && before->load == step->load;
   if (run.coefficient_shown_ != step->coefficient) run.show_contact_zone();
   CoefficientRecord& kept = keep_step(run.record_, *step);
-  keep_history(kept, *step, run.outputs_.json.is_open() ? run.session_.solver : nullptr);
-  if (run.outputs_.listing.is_open()) {
-    append_step(run.outputs_.listing.text, *step, run.coefficient_shown_ != step->coefficient);
+  keep_history(kept, *step, run.outputs_.has(Output::kJson) ? run.session_.solver : nullptr);
+  if (run.outputs_.has(Output::kListing)) {
+    append_step(run.outputs_.text(Output::kListing), *step, run.coefficient_shown_ != step->coefficient);
     run.coefficient_shown_ = step->coefficient;
   }
   // A path that ended in the state of its last row adds no row.
   const bool row = step->kind == C2D_STEP_RECORDED || (step->kind == C2D_STEP_STOPPED && !again);
-  if (row && run.outputs_.csv.is_open()) append_contact_rows(run.outputs_.csv.text, *step);
+  if (row && run.outputs_.has(Output::kCsv)) append_contact_rows(run.outputs_.text(Output::kCsv), *step);
   if (step->kind == C2D_STEP_STOPPED) {
     c2d_summary now = C2D_INIT(c2d_summary);
     c2d_get_summary(run.session_.solver, &now);
@@ -217,8 +220,8 @@ int Run::read_points() {
     return interior_.read_file(options_.points, session_.limits.bodies) ? 0
            : interrupted()                                              ? kExitCancelled
                                                                         : kExitInput;
-  if (options_.interior.empty() || session_.limits.point_sets > 0) return 0;
-  session_.messages.fail("--interior " + options_.interior +
+  if (options_.file(Output::kInterior).empty() || session_.limits.point_sets > 0) return 0;
+  session_.messages.fail("--interior " + options_.file(Output::kInterior) +
                          ": there are no points, expected --points FILE or *POINTS in the deck");
   return kExitUsage;
 }
@@ -230,13 +233,13 @@ int Run::prepare() {
   options.stepping = options_.stepping;
   options.quadrature = options_.quadrature;
   shows_changes_ = summary_.analysis >= C2D_ANALYSIS_ITERATIONS;
-  options.every_change = shows_changes_ || has_pictures();
+  options.every_change = shows_changes_ || has_pictures() || outputs_.has(Output::kTrace);
   history_.begin(summary_.steps);
   options.symmetry = options_.symmetry;
   c2d_status status = c2d_set_options(solver, &options);
   c2d_get_summary(solver, &summary_);
-  if (status == C2D_OK && outputs_.listing.is_open())
-    status = append_model(outputs_.listing.text, solver, summary_, session_.deck.heading());
+  if (status == C2D_OK && outputs_.has(Output::kListing))
+    status = append_model(outputs_.text(Output::kListing), solver, summary_, session_.deck.heading());
   for (int32_t body = 1; body <= 2 && status == C2D_OK && summary_.pairs > 0; ++body)
     status = find_contact_ends(solver, summary_, body, ends_[body - 1]);
   for (int32_t i = 1; i <= summary_.coefficients && status == C2D_OK; ++i) {
@@ -248,9 +251,10 @@ int Run::prepare() {
     status = c2d_get_zone(solver, i, &zone);
     record_.measure.push_back(zone.first_node[0] == 0 ? 2 : 1); // free zones have no nodes of body 1
   }
-  if (outputs_.csv.is_open()) append_contact_header(outputs_.csv.text);
-  if (outputs_.boundary.is_open()) append_boundary_header(outputs_.boundary.text);
-  if (outputs_.interior.is_open()) append_interior_header(outputs_.interior.text);
+  if (outputs_.has(Output::kCsv)) append_contact_header(outputs_.text(Output::kCsv));
+  if (outputs_.has(Output::kTrace)) append_trace_header(outputs_.text(Output::kTrace), summary_.load_cases);
+  if (outputs_.has(Output::kBoundary)) append_boundary_header(outputs_.text(Output::kBoundary));
+  if (outputs_.has(Output::kInterior)) append_interior_header(outputs_.text(Output::kInterior));
   if (status != C2D_OK) return library_failed(status);
   record_.checked_only = summary_.analysis <= C2D_ANALYSIS_CHECK;
   if (record_.checked_only) return 0;
@@ -283,8 +287,8 @@ int Run::follow() {
 
 // The end of the last coefficient that was followed.
 void Run::show_contact_zone() {
-  if (outputs_.listing.is_open() && !record_.coefficients.empty())
-    append_contact_zone(outputs_.listing.text, record_.coefficients.back(), ends_, summary_);
+  if (outputs_.has(Output::kListing) && !record_.coefficients.empty())
+    append_contact_zone(outputs_.text(Output::kListing), record_.coefficients.back(), ends_, summary_);
 }
 
 int Run::report() {
@@ -293,10 +297,10 @@ int Run::report() {
   const bool solved = c2d_get_state(solver) == C2D_STATE_RUNNING;
   c2d_get_summary(solver, &summary_);
   c2d_status status = C2D_OK;
-  if (outputs_.boundary.is_open() && solved)
-    status = append_boundary(outputs_.boundary.text, solver, summary_);
-  if (status == C2D_OK && outputs_.listing.is_open()) {
-    std::string& out = outputs_.listing.text;
+  if (outputs_.has(Output::kBoundary) && solved)
+    status = append_boundary(outputs_.text(Output::kBoundary), solver, summary_);
+  if (status == C2D_OK && outputs_.has(Output::kListing)) {
+    std::string& out = outputs_.text(Output::kListing);
     show_contact_zone();
     const bool all = summary_.analysis == C2D_ANALYSIS_STRESS || summary_.analysis >= C2D_ANALYSIS_FULL;
     if (solved && all) status = append_global(out, solver, summary_);
@@ -306,9 +310,9 @@ int Run::report() {
   if (status == C2D_OK) status = show_pictures();
   if (status != C2D_OK) return library_failed(status);
   c2d_get_summary(solver, &summary_);
-  if (outputs_.listing.is_open()) append_ending(outputs_.listing.text, record_, summary_);
+  if (outputs_.has(Output::kListing)) append_ending(outputs_.text(Output::kListing), record_, summary_);
   record_.write_seconds = clock_seconds(nullptr) - start;
-  if (outputs_.json.is_open()) append_json(outputs_.json.text, record_, summary_);
+  if (outputs_.has(Output::kJson)) append_json(outputs_.text(Output::kJson), record_, summary_);
   return 0;
 }
 
@@ -319,8 +323,8 @@ c2d_status Run::show_interior() {
   record_.interior = &interior_.results();
   line_.clear();
   interior_.tell(session_.messages, record_.warnings);
-  if (outputs_.interior.is_open()) append_interior_rows(outputs_.interior.text, interior_.results());
-  if (outputs_.listing.is_open()) append_interior_section(outputs_.listing.text, interior_.results(), summary_);
+  if (outputs_.has(Output::kInterior)) append_interior_rows(outputs_.text(Output::kInterior), interior_.results());
+  if (outputs_.has(Output::kListing)) append_interior_section(outputs_.text(Output::kListing), interior_.results(), summary_);
   return C2D_OK;
 }
 
@@ -331,21 +335,21 @@ c2d_status Run::show_vtk(const Scene& scene) {
   if (!interior_.any() && scene.solved) status = all.take_bodies(session_.solver, scene.summary);
   if (status == C2D_OK && all.any()) status = all.evaluate(session_.solver, scene.summary.bodies);
   if (status != C2D_OK) return status;
-  return append_vtk(outputs_.vtk.text, scene, all.any() ? all.results() : interior_.results());
+  return append_vtk(outputs_.text(Output::kVtk), scene, all.any() ? all.results() : interior_.results());
 }
 
 // The pictures as a page and as files, and the boundary for ParaView.
 c2d_status Run::show_pictures() {
-  if (!has_pictures() && !outputs_.vtk.is_open()) return C2D_OK;
+  if (!has_pictures() && !outputs_.has(Output::kVtk)) return C2D_OK;
   Scene scene;
   c2d_status status = gather_scene(session_.solver, record_, history_, scene);
-  if (status == C2D_OK && outputs_.vtk.is_open()) status = show_vtk(scene);
+  if (status == C2D_OK && outputs_.has(Output::kVtk)) status = show_vtk(scene);
   if (status != C2D_OK || !has_pictures()) return status;
   Pictures pictures;
   status = draw_pictures(scene, pictures);
   if (status == C2D_OK) status = c2d_get_summary(session_.solver, &scene.summary);
   if (status != C2D_OK) return status;
-  if (outputs_.report.is_open()) append_page(outputs_.report.text, scene, pictures, session_.deck.name());
+  if (outputs_.has(Output::kReport)) append_page(outputs_.text(Output::kReport), scene, pictures, session_.deck.name());
   for (const Picture& picture : pictures)
     if (outputs_.figures.is_open() && !outputs_.figures.add(picture.name + ".svg", picture.svg, error_))
       return C2D_ERR_CALLBACK;

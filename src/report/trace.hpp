@@ -1,0 +1,29 @@
+// Every change of status of the load path, as CSV: what happened where, and why.
+#pragma once
+
+#include <contact2d.h>
+
+#include <string>
+#include <vector>
+
+namespace app {
+
+// mu,step,event,load[,load2 ...],pair,from,to,why
+void append_trace_header(std::string& out, int32_t load_cases);
+
+// Sees every step of c2d_run's callback, changes included. Event 0 lists the statuses with which a coefficient begins;
+// then there is a row for each pair that changed, with the same number for those that changed at one event.
+class Trace {
+public:
+  void append(std::string& out, const c2d_step& step);
+
+private:
+  struct State {
+    int status, side; // side: of the friction on body 2, -1 or +1
+  };
+  std::vector<State> before_;
+  int32_t coefficient_ = 0;
+  int64_t event_ = 0;
+};
+
+} // namespace app
