@@ -138,6 +138,33 @@ TEST_CASE("let go: a body that hangs over the other comes down where it was made
   }
 }
 
+TEST_CASE("let go: free zones, curved functions and rigid obstacles do the same") {
+  const std::vector<Path> path = {{1, 1, 0}, {1, -1, 0}, {1, 1, 0}};
+  Problem facing = block(5, 0.4);
+  facing.zones.clear();
+  c2d_free_zone zone = C2D_INIT(c2d_free_zone);
+  zone.first_element[0] = 8, zone.last_element[0] = 12, zone.first_element[1] = 5, zone.last_element[1] = 1;
+  facing.free_zones = {zone};
+  Problem on_rigid = block(5, 5.0); // with less friction several states are possible on the way back
+  on_rigid.rigid = true;
+  Problem one_case = block(3, 0.4);
+  for (Body& body : one_case.bodies) body.second_case.clear();
+  const Problem all[] = {facing, with_functions(one_case, 3), with_functions(one_case, 4), on_rigid};
+  for (const Problem& p : all) {
+    CAPTURE(&p - all);
+    const Result r = solve(with_paths(p, path));
+    REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
+    REQUIRE_MESSAGE(r.outcome == C2D_REACHED, r.messages());
+    const std::vector<Step> rows = r.recorded();
+    REQUIRE(rows.size() == 3);
+    CHECK(no_force(rows[1]));
+    CHECK(told(r) != nullptr);
+    for (int i = 0; i < rows[1].pairs(); ++i) CHECK(std::fabs(rows[1].at(i, C2D_GAP) - 0.01) < 1e-11);
+    CHECK(std::fabs(mean_sideways(rows[1])) < 1e-11);
+    CHECK(compare(rows[0], rows[2]).traction < 1e-7);
+  }
+}
+
 TEST_CASE("let go: equivalent decks have the same place") {
   random_decks::Model model;
   model.problem = from_text(hard("W3_lifted_free_in_x_1-116"));
