@@ -2,6 +2,7 @@
 // one rule.
 #include "contact2d.h"
 #include "problem.hpp"
+#include "random/dice.hpp"
 #include "random/forms.hpp"
 #include "shell.hpp"
 #include "solver_runs.hpp"
@@ -42,6 +43,38 @@ Problem block(int32_t elements, double mu, double gap = 0.0) {
   p.zones = {zone};
   p.friction = {mu};
   return p;
+}
+
+// Both seats alike by h sin(k x), the upper one rounder by d (x - 1.3)^2, the upper block pressed slantwise.
+Problem waved(Problem p, double h, double k, double d, double slant) {
+  for (size_t b = 0; b < 2; ++b)
+    for (size_t i = 0; i + 1 < p.bodies[b].xy.size(); i += 2) {
+      const double x = p.bodies[b].xy[i];
+      double& y = p.bodies[b].xy[i + 1];
+      if (std::fabs(y) > 0.01 || x > 4.001) continue;
+      y += h * std::sin(k * x) + (b == 1 ? d * (x - 1.3) * (x - 1.3) : 0.0);
+    }
+  Body& upper = p.bodies[1];
+  for (size_t i = 0; i < upper.ends.size(); ++i) {
+    const size_t node = (i / 2 + i % 2) % (upper.xy.size() / 2);
+    upper.ends[i].values[3] *= 1 + slant * (upper.xy[2 * node] - 2) / 2;
+  }
+  return p;
+}
+
+// Pressed, sheared, lifted, pressed again: much of it with pairs that slide while they hardly carry anything.
+Problem drawn(uint64_t seed) {
+  random_decks::Dice dice(seed * 7919);
+  const int32_t elements = dice.whole(1, 7);
+  const double mu = dice.between(0.05, 1.5), gap = dice.chance(0.2) ? dice.between(0.0005, 0.003) : 0.0;
+  Problem p = block(elements, mu, gap);
+  for (Body& body : p.bodies) body.youngs_modulus = dice.power(2, 4);
+  const double h = dice.chance(0.5) ? 0 : dice.between(-0.2, 0.3), k = dice.between(0.5, 1.5);
+  const double d = dice.chance(0.5) ? 0 : dice.power(-4, -2);
+  p = waved(p, h, k, d, dice.chance(0.5) ? 0 : dice.between(-0.3, 0.3));
+  const Path sheared{1, dice.between(0.3, 1), dice.chance(0.5) ? dice.between(0, 0.02) : 0};
+  const double lifted = -dice.between(0.2, 1), again = dice.between(0.2, 1);
+  return with_paths(p, {{1, 1, 0}, sheared, {1, 0.1, 0}, {1, lifted, 0}, {1, again, 0}, {1, dice.chance(0.5) ? 0.0 : -0.5, 0}});
 }
 
 double sideways(const Step& s, int pair) { return s.at(pair, C2D_UT2) - s.at(pair, C2D_UT1); }
@@ -263,4 +296,34 @@ TEST_CASE("let go: a free body that touches without any force is told") {
   REQUIRE(told(r) != nullptr);
   CHECK(std::string(told(r)->text).find("place of body 1 in any of its 3 free motions") != std::string::npos);
   CHECK_FALSE(solve(with_paths(block(3, 0.5), {{2, 1, 0}})).warned(C2D_WARN_UNDEFINED_PLACE));
+}
+
+TEST_CASE("let go: blocks on blocks of many shapes, in all their forms") {
+  int said = 0;
+  for (uint64_t seed : {3, 9, 12, 40, 56, 77, 101, 122, 152, 180, 222, 251}) {
+    CAPTURE(seed);
+    random_decks::Model model;
+    model.problem = drawn(seed);
+    const Result r = solve(model.problem);
+    REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
+    CHECK((r.outcome == C2D_REACHED || r.outcome == C2D_GROSS_SLIDING));
+    CHECK(coulomb_breach(model.problem, r) == "");
+    said += told(r) != nullptr;
+    for (const random_decks::Form& form : random_decks::forms_of(model, seed)) {
+      CAPTURE(form.name);
+      const Result other = solve(form.problem, form.setup);
+      if (r.warned(C2D_WARN_NOT_UNIQUE) && other.warned(C2D_WARN_NOT_UNIQUE)) continue;
+      CHECK(random_decks::difference(model, r, form, other) == "");
+    }
+  }
+  CHECK(said > 9);
+}
+
+TEST_CASE("let go: a pair that slid along without force stays behind when the other body moves away") {
+  const Result r = solve(drawn(9)); // two pairs on a slope that a shrinking load pushes one of them along
+  REQUIRE(r.outcome == C2D_REACHED);
+  const std::vector<Step> rows = r.recorded();
+  REQUIRE(rows.size() == 6);
+  CHECK(no_force(rows[3]));
+  CHECK(std::fabs(mean_sideways(rows[3]) - mean_sideways(rows[2])) < 0.01); // with it, it would go on by 9.4
 }

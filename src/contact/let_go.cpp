@@ -121,6 +121,20 @@ bool closes(Follower& f) {
 
 } // namespace
 
+bool slides_without_force(Follower& f) {
+  if (f.t->free_motions == 0) return false;
+  const PathScales s = decision_scales(f);
+  bool slides = false;
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    const Pair& pair = f.t->pair[i];
+    if (pair.status == C2D_OPEN) continue;
+    const PairState now = pair_state(*f.t, i, f.y), rate = pair_rates(*f.t, i, f.dy);
+    if (now.p > kValueTolerance * s.p || fabs(rate.p) > kRateTolerance * pair.stiffness[0] * s.dw) return false;
+    slides = slides || pair.status == C2D_SLIP;
+  }
+  return slides;
+}
+
 void leave_place(Follower& f) {
   for (int32_t i = 0; i < f.t->pairs; ++i) {
     const PairState now = pair_state(*f.t, i, f.y);

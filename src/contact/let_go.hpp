@@ -18,6 +18,10 @@ bool place_body(const Tableau& t, const int32_t* left, int32_t count);
 // All pairs open, with the place that the body has now as the one to keep.
 void leave_place(Follower& f);
 
+// Does the body slide along with the other without any force, now and as the loads go on? Nothing offends then, and it could be
+// anywhere on its way.
+bool slides_without_force(Follower& f);
+
 // Let the body go if all pairs may open at this load, the loads do not move it, and no pair would close at once. The pairs have
 // been kept. *done: it is let go; if not, everything is as it was.
 c2d_status try_let_go(Follower& f, bool* done);

@@ -394,9 +394,10 @@ c2d_status settle_at(Follower& f, c2d_outcome* outcome) {
   const bool first = wants_all(f);
   // Behind an event something offends as a rule, and rounds find out.
   const bool offends = (f.bound.pair >= 0 && !first) || anything_offends(f, decision_scales(f));
-  if (!offends && !first) return C2D_OK;
+  const bool loose = offends || slides_without_force(f);
+  if (!loose && !first) return C2D_OK;
   keep_pairs(f);
-  if (offends) status = try_let_go(f, &let_go);
+  if (loose) status = try_let_go(f, &let_go);
   if (status != C2D_OK || let_go) return status;
   int32_t found = -1;
   if (first) status = try_all(f, offends, &found);

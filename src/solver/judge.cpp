@@ -187,6 +187,7 @@ struct State {
   Sum tableau, rates, equations;  // of the tableau: values, and rates of the whole piece of the path
   double resultant[3];            // of the contact on the free body: force, and moment about its centre
   double force;                   // magnitude of all forces, or of what the piece adds
+  double no_force;                // that of pressures which round-off of motions makes: a body that goes along has only such
   double p, w;                    // largest pressure or friction (likewise), largest gap or motion
   double tension, overlap, slide; // largest of each; slide: friction beyond its bound, over 1 + mu
   double dw, back;                // largest rate of a motion, of a slip along its friction
@@ -206,6 +207,7 @@ void add_pair(const Session& session, const Book& book, const Pair& pair, const 
     out.equations.add(book.equation_w[j] * motion[d]);
     out.equations.add(-book.equation_tau[j] * tau[d]);
     out.force += pair.weight * size;
+    out.no_force += pair.weight;
     out.p = larger(out.p, size);
     out.resultant[2] += tau[d] * book.moment[j];
   }
@@ -239,6 +241,7 @@ State sum_up(const Session& session, const Book& book) {
   if (is_let_go(*f.t)) out.rates = Sum{}; // loads that move the body are no fault of the tableau: settle() sees them
   for (int i = 0; i < 3; ++i) out.resultant[i] *= i < 2 ? side : unit;
   out.force = larger(unit * out.force, loads);
+  out.no_force *= unit * kMixedNoise * f.t->stiffness * out.w;
   return out;
 }
 
@@ -274,9 +277,11 @@ Findings look(Session& session, Agree with) {
   // In free zones the moment on body 1 is that of tractions handed over, not of the pairs. A body that may turn about a support
   // has a reaction there, whose line of action is its element's, not the node's.
   const bool moments_differ = (session.free_body.body == 0 && s->model.free_rows > 0) || session.free_body.motions < 3;
-  for (int32_t j = 0; j < session.free_body.motions && s->peak_force > 0.0; ++j)
-    if (!moments_differ || free_motion(session, j)[2] == 0.0)
-      out.size[C2D_BREACH_BALANCE] = larger(out.size[C2D_BREACH_BALANCE], imbalance(session, book, state, j) / s->peak_force);
+  for (int32_t j = 0; j < session.free_body.motions && s->peak_force > 0.0; ++j) {
+    const double sum = imbalance(session, book, state, j);
+    if (sum > state.no_force && (!moments_differ || free_motion(session, j)[2] == 0.0))
+      out.size[C2D_BREACH_BALANCE] = larger(out.size[C2D_BREACH_BALANCE], sum / s->peak_force);
+  }
   if (with == Agree::nothing) return out;
   const double p = larger(state.p, s->peak_pressure), stiffness = session.tableau.stiffness;
   const double w = stiffness > 0.0 ? larger(state.w, p / stiffness) : state.w;
