@@ -568,7 +568,8 @@ typedef struct c2d_options {
   uint32_t struct_size;
   int32_t quadrature;         /* C2D_QUADRATURE_...                                                 */
   int32_t stepping;           /* C2D_STEPPING_...                                                   */
-  int32_t every_change;       /* 1: c2d_run's callback also sees every change of status             */
+  int32_t every_change;       /* 1: c2d_run's callback also sees changes of status, but none beyond
+                                 the limits of accuracy                                             */
   int32_t symmetry;           /* C2D_SYMMETRY_...; before c2d_complete or c2d_read_deck             */
   int32_t keep_factors;       /* 1: c2d_prepare keeps all of L, so that new loads cost little: tape LOWER becomes as
                                  large as UPPER                                                     */

@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -379,6 +380,29 @@ TEST_CASE("hard states: that no set of cells has rates is proven") {
     CHECK(run.status == 1);
     CHECK(run.json["outcome"].text == "gross sliding");
   }
+}
+
+TEST_CASE("hard states: friction without bound is let go of where a pair lifts, and no pair overlaps behind that") {
+  const std::string deck = test::read_file(C2D_TEST_ROOT "/tests/data/hard/F5_lets_go_of_friction.dat");
+  problem::Setup told;
+  told.every_change = 1;
+  const problem::Result plain = problem::solve_text(deck), changes = problem::solve_text(deck, told);
+  CHECK(plain.outcome == C2D_REACHED);
+  CHECK(changes.outcome == C2D_REACHED);
+  CHECK(changes.steps.size() > plain.steps.size());
+  REQUIRE(changes.recorded().size() == plain.recorded().size());
+  double gap = 0, pressure = 0;
+  for (const problem::Step& s : changes.steps)
+    for (int i = 0; i < s.pairs(); ++i) {
+      gap = std::max(gap, s.at(i, C2D_GAP));
+      pressure = std::max(pressure, s.at(i, C2D_TN));
+    }
+  for (const problem::Step& s : changes.steps)
+    for (int i = 0; i < s.pairs(); ++i) {
+      CHECK(s.at(i, C2D_GAP) >= -1e-9 * gap);
+      CHECK(s.at(i, C2D_TN) >= -1e-9 * pressure);
+    }
+  for (size_t i = 0; i < plain.recorded().size(); ++i) CHECK(changes.recorded()[i].table == plain.recorded()[i].table);
 }
 
 TEST_CASE("hard states: several solutions are told, one is not") {

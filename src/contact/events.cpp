@@ -84,6 +84,51 @@ bool goes_straight_on(const Follower& f, const double* target) {
   return load > 0.0 && both > 0.0 && both * both >= (1.0 - 1e-12) * old * now;
 }
 
+// ---- friction without bound ---------------------------------------------------------------------------------------------
+
+// A pair whose friction has no bound sticks as long as it has pressure, and lets go of all its friction where that ends: the
+// state jumps.
+bool may_jump(const Follower& f) {
+  for (int32_t i = 0; i < f.t->pairs; ++i)
+    if (f.t->pair[i].tangential && f.t->pair[i].mu > 1e300) return true;
+  return false;
+}
+
+// How far a pair's values are beyond its conditions, of the largest; 0: they are not.
+double beyond(const Follower& f, int32_t i, const PathScales& s) {
+  const PairState now = pair_state(*f.t, i, f.y);
+  const bool open = f.t->pair[i].status == C2D_OPEN;
+  const double size = open ? -now.wn : -now.p, scale = open ? s.w : s.p;
+  return size > 10.0 * kValueTolerance * scale ? size / scale : 0.0;
+}
+
+// What a jump has brought together touches where it has come to, what it has torn lifts, the worst pair first. False: nothing
+// of that kind, or no end of it.
+bool land(Follower& f) {
+  for (int32_t changes = 0; changes < 8 + 4 * f.t->pairs; ++changes) {
+    const PathScales s = decision_scales(f);
+    int32_t worst = -1;
+    double most = 0.0;
+    for (int32_t i = 0; i < f.t->pairs; ++i) {
+      const double size = beyond(f, i, s);
+      if (size > (1.0 + 1e-6) * most) worst = i, most = size;
+    }
+    if (worst < 0) return changes > 0;
+    const Pair& pair = f.t->pair[worst];
+    const int32_t touching = pair.mu == 0.0 ? C2D_SLIP : C2D_STICK, to = pair.status == C2D_OPEN ? touching : C2D_OPEN;
+    if (!apply_change(f, worst, to, to == C2D_SLIP ? 1 : 0, pair_state(*f.t, worst, f.y).wt)) return changes > 0;
+  }
+  return false;
+}
+
+// Statuses that agree with the rates, and behind a jump with the values, too.
+c2d_status settle_all(Follower& f, bool jumps, c2d_outcome* outcome) {
+  constexpr int kRounds = 8;
+  c2d_status status = settle(f, outcome);
+  for (int i = 0; i < kRounds && jumps && status == C2D_OK && *outcome == C2D_REACHED && land(f); ++i) status = settle(f, outcome);
+  return status;
+}
+
 c2d_status tell_change(const Follower& f) {
   return f.watch.changed ? f.watch.changed(f.watch.context, f.load[0]) : c2d_status{C2D_OK};
 }
@@ -179,8 +224,9 @@ c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome
   double part = 0.0;
   int64_t told = f.stats.changes;
   int32_t standing = 0; // events in a row without any progress
+  const bool jumps = may_jump(f);
   for (;;) {
-    c2d_status status = settle(f, outcome);
+    c2d_status status = settle_all(f, jumps, outcome);
     if (status != C2D_OK || (*outcome != C2D_REACHED && is_short(f, part))) return status;
     if (*outcome != C2D_REACHED) break;
     f.goes_on = 1;

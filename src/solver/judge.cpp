@@ -372,6 +372,16 @@ c2d_status judge(Session& session, Agree with) {
   return C2D_OK;
 }
 
+bool may_be_shown(Session& session, Agree with) {
+  c2d_solver* s = session.solver;
+  if (!is_judged(s)) return true;
+  const double terms[2] = {s->peak_terms[0], s->peak_terms[1]}, force = s->peak_force;
+  const Findings now = look(session, with);
+  for (int i = 0; i < 2; ++i) s->peak_terms[i] = terms[i];
+  s->peak_force = force;
+  return breach_in(now) == C2D_BREACH_NONE;
+}
+
 c2d_status return_to_good(Session& session) {
   c2d_solver* s = session.solver;
   Follower& f = session.follower;

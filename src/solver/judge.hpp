@@ -41,6 +41,8 @@ enum class Agree { nothing, values, rates };
 // Judge the state. The tableau may be built anew, and statuses settled once more; y and dy are then new as well. Errors:
 // kUnsound, the block store's.
 c2d_status judge(Session& session, Agree with);
+// Is the state within its limits, as it stands? Nothing is changed or kept.
+bool may_be_shown(Session& session, Agree with);
 // Back to the last good state, with a new tableau. Errors: C2D_ERR_SINGULAR (there is no tableau: values are those kept,
 // and the path cannot go on), the block store's.
 c2d_status return_to_good(Session& session);

@@ -43,10 +43,12 @@ c2d_status changed(void* context, double) {
   const c2d_options& options = session.solver->options;
   if (options.stepping == C2D_STEPPING_EVENTS) note_open_pairs(session); // others are still on trial
   const bool shown = session.step && options.every_change;
-  if (!shown && session.solver->careful == 0 && session.tableau.exchanges - session.solver->judged_exchanges < kBetweenLooks)
-    return C2D_OK;
-  const c2d_status status = judge(session, options.stepping == C2D_STEPPING_EVENTS ? Agree::rates : Agree::nothing);
-  return status == C2D_OK && shown ? session.show_change(session) : status;
+  const Agree with = options.stepping == C2D_STEPPING_EVENTS ? Agree::rates : Agree::nothing;
+  // What is shown must not change the path: where no look is due, a state beyond the limits is passed over.
+  const bool due = session.solver->careful != 0 || session.tableau.exchanges - session.solver->judged_exchanges >= kBetweenLooks;
+  const c2d_status status = due ? judge(session, with) : c2d_status{C2D_OK};
+  if (status != C2D_OK || !shown || (!due && !may_be_shown(session, with))) return status;
+  return session.show_change(session);
 }
 
 void moving(void* context, double part) {
