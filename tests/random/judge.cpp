@@ -117,7 +117,10 @@ void Judge::statuses(const Runs& runs) {
   if (runs.changes.steps.empty()) return;
   const Trial trial = try_statuses(model_, runs.changes.steps[0]);
   verdict_.tried = trial.done;
-  const std::string against = against_trial(model_, trial, deck_, verdict_.not_unique);
+  // Tried are the statuses at the first load; a path that turns may be said to be not unique somewhere else.
+  const bool turns = model_.problem.paths.size() > 1;
+  const bool said = verdict_.not_unique && !(turns && trial.clear() == 1);
+  const std::string against = against_trial(model_, trial, deck_, said);
   if (!against.empty()) find(against);
 }
 
