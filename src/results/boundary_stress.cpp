@@ -86,7 +86,7 @@ bool joins_neighbour(const Session& session, int b, int32_t element, int32_t ste
 // functional nodes. Constant elements have their value in the middle, and differences in place of derivatives.
 struct Slopes {
   int count;
-  double s[9], du_ds[9][2];
+  double *s, (*du_ds)[2];
 };
 
 // Those of one element, whose point `eta` lies at arc length s from the point sought.
@@ -139,7 +139,8 @@ void interpolate_slopes(const Slopes& x, double du_ds[2]) {
   const Model& m = session.model;
   const double before = arc_length(element_of(m, b, element), -1.0, eta),
                after = arc_length(element_of(m, b, element), eta, 1.0);
-  Slopes slopes = {}, own = {};
+  double s[9], du[9][2], own_s[3], own_du[3][2];
+  Slopes slopes = {0, s, du}, own = {0, own_s, own_du};
   if (mirrored) add_slopes(session, b, element, eta, 0.0, own);
   if (previous && previous->image != 0) add_mirrored_slopes(own, -before, previous->image, slopes);
   else if (previous) add_slopes(session, b, previous->element, 1.0, -before, slopes);
