@@ -29,7 +29,7 @@ struct Signature {
   double size; // largest motion
 };
 struct Solutions {
-  static constexpr int kMost = 16;
+  static constexpr int kMost = 12;
   Signature seen[kMost];
   int32_t count;
   double nearest; // of the one taken: how far its motion is from that before
