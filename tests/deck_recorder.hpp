@@ -40,9 +40,7 @@ struct Recorder {
   }
 };
 
-inline Recorder* recorder(c2d_solver* solver) {
-  return reinterpret_cast<Recorder*>(solver);
-}
+inline Recorder* recorder(c2d_solver* solver) { return reinterpret_cast<Recorder*>(solver); }
 
 inline c2d::DeckSink recording_sink(Recorder& r, int32_t function_nodes = 0) {
   c2d::DeckSink sink = {};
@@ -54,12 +52,11 @@ inline c2d::DeckSink recording_sink(Recorder& r, int32_t function_nodes = 0) {
   };
   sink.set_problem = [](c2d_solver* s, const c2d_problem* p) -> c2d_status {
     recorder(s)->title = p->title;
-    return recorder(s)->record("problem",
-                               {double(p->plane), double(p->analysis), double(p->iteration_limit)});
+    return recorder(s)->record("problem", {double(p->plane), double(p->analysis), double(p->iteration_limit)});
   };
   sink.set_body = [](c2d_solver* s, int32_t body, const c2d_body* d) -> c2d_status {
-    return recorder(s)->record("body", {double(body), double(d->element_nodes), double(d->elements),
-                                        double(d->regions), d->youngs_modulus, d->poisson_ratio});
+    return recorder(s)->record("body", {double(body), double(d->element_nodes), double(d->elements), double(d->regions),
+                                        d->youngs_modulus, d->poisson_ratio});
   };
   sink.add_region = [](c2d_solver* s, int32_t body, int32_t first, int32_t last) -> c2d_status {
     return recorder(s)->record("region", {double(body), double(first), double(last)});
@@ -67,16 +64,15 @@ inline c2d::DeckSink recording_sink(Recorder& r, int32_t function_nodes = 0) {
   sink.set_nodes = [](c2d_solver* s, int32_t body, int32_t first, int32_t count, const double* xy,
                       int64_t stride) -> c2d_status {
     for (int32_t i = 0; i < count; ++i)
-      if (c2d_status e = recorder(s)->record(
-              "node", {double(body), double(first + i), xy[i * stride], xy[i * stride + 1]}))
+      if (c2d_status e = recorder(s)->record("node", {double(body), double(first + i), xy[i * stride], xy[i * stride + 1]}))
         return e;
     return C2D_OK;
   };
   sink.set_condition = [](c2d_solver* s, int32_t body, int32_t element, int32_t local, const int32_t codes[4],
                           const double v[4], int32_t load_case) -> c2d_status {
     const double code = codes[0] * 1000 + codes[1] * 100 + codes[2] * 10 + codes[3];
-    return recorder(s)->record("condition", {double(body), double(element), double(local), code, v[0], v[1],
-                                             v[2], v[3], double(load_case)});
+    return recorder(s)->record("condition",
+                               {double(body), double(element), double(local), code, v[0], v[1], v[2], v[3], double(load_case)});
   };
   sink.add_point_load = [](c2d_solver* s, int32_t body, double x, double y, double fx, double fy,
                            int32_t load_case) -> c2d_status {
@@ -84,25 +80,21 @@ inline c2d::DeckSink recording_sink(Recorder& r, int32_t function_nodes = 0) {
   };
   sink.add_zone = [](c2d_solver* s, const c2d_zone* z) -> c2d_status {
     return recorder(s)->record("zone",
-                               {double(z->pairs), double(z->elements), double(z->first_element[0]),
-                                double(z->last_element[0]), double(z->first_element[1]),
-                                double(z->last_element[1]), double(z->first_node[0]), double(z->last_node[0]),
-                                double(z->first_node[1]), double(z->last_node[1])});
+                               {double(z->pairs), double(z->elements), double(z->first_element[0]), double(z->last_element[0]),
+                                double(z->first_element[1]), double(z->last_element[1]), double(z->first_node[0]),
+                                double(z->last_node[0]), double(z->first_node[1]), double(z->last_node[1])});
   };
-  sink.add_friction = [](c2d_solver* s, double mu) -> c2d_status {
-    return recorder(s)->record("friction", {mu});
-  };
+  sink.add_friction = [](c2d_solver* s, double mu) -> c2d_status { return recorder(s)->record("friction", {mu}); };
   sink.add_path = [](c2d_solver* s, int32_t increments, double load) -> c2d_status {
     return recorder(s)->record("path", {double(increments), load});
   };
   sink.set_case_values = [](c2d_solver* s, int32_t body, int32_t element, int32_t local, const double v[4],
                             int32_t load_case) -> c2d_status {
-    return recorder(s)->record("case values", {double(body), double(element), double(local), v[0], v[1], v[2], v[3],
-                                               double(load_case)});
+    return recorder(s)->record("case values",
+                               {double(body), double(element), double(local), v[0], v[1], v[2], v[3], double(load_case)});
   };
   sink.clear_paths = [](c2d_solver* s) -> c2d_status { return recorder(s)->record("clear paths", {}); };
-  sink.add_path_point = [](c2d_solver* s, int32_t increments, const double* factors,
-                           int32_t cases) -> c2d_status {
+  sink.add_path_point = [](c2d_solver* s, int32_t increments, const double* factors, int32_t cases) -> c2d_status {
     std::vector<double> numbers(factors, factors + cases);
     numbers.push_back(increments);
     return recorder(s)->record("path point", numbers);
@@ -111,23 +103,22 @@ inline c2d::DeckSink recording_sink(Recorder& r, int32_t function_nodes = 0) {
     return recorder(s)->record("zone friction", {double(zone), double(i), mu});
   };
   sink.add_free_zone = [](c2d_solver* s, const c2d_free_zone* z) -> c2d_status {
-    return recorder(s)->record("free zone", {double(z->first_element[0]), double(z->last_element[0]),
-                                             double(z->first_element[1]), double(z->last_element[1]),
-                                             double(z->elements[0]), double(z->elements[1])});
+    return recorder(s)->record("free zone",
+                               {double(z->first_element[0]), double(z->last_element[0]), double(z->first_element[1]),
+                                double(z->last_element[1]), double(z->elements[0]), double(z->elements[1])});
   };
   sink.add_points = [](c2d_solver* s, const c2d_points* p) -> c2d_status {
     return recorder(s)->record("points", {double(p->kind), double(p->body), double(p->count[0]), double(p->count[1]),
                                           p->from[0], p->from[1], p->to[0], p->to[1]});
   };
   sink.add_curve = [](c2d_solver* s, const c2d_curve* c) -> c2d_status {
-    return recorder(s)->record("curve", {double(c->kind), double(c->body), double(c->first_element),
-                                         double(c->last_element), c->centre[0], c->centre[1], c->radius});
+    return recorder(s)->record("curve", {double(c->kind), double(c->body), double(c->first_element), double(c->last_element),
+                                         c->centre[0], c->centre[1], c->radius});
   };
   sink.set_symmetry = [](c2d_solver* s, int32_t axis, double value) -> c2d_status {
     return recorder(s)->record("symmetry", {double(axis), value});
   };
-  sink.set_rigid = [](c2d_solver* s, int32_t load_case, double ux, double uy, double w, double x0,
-                      double y0) -> c2d_status {
+  sink.set_rigid = [](c2d_solver* s, int32_t load_case, double ux, double uy, double w, double x0, double y0) -> c2d_status {
     return recorder(s)->record("rigid", {double(load_case), ux, uy, w, x0, y0});
   };
   sink.set_interference = [](c2d_solver* s, int32_t load_case) -> c2d_status {
@@ -194,8 +185,7 @@ struct Reading {
 };
 
 inline void keep_fault(void* context, const c2d_error* e) {
-  static_cast<std::vector<Fault>*>(context)->push_back(
-      {e->line, e->column, e->column_end, e->status, e->host_code, e->text});
+  static_cast<std::vector<Fault>*>(context)->push_back({e->line, e->column, e->column_end, e->status, e->host_code, e->text});
 }
 
 inline Reading read(const std::string& bytes, int refuse_call = -1, c2d_status refusal = C2D_ERR_LIMIT,

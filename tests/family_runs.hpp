@@ -36,8 +36,7 @@ inline int32_t keep_step(void* context, const c2d_step* step) {
   Step out{step->load, step->dissipated, {}};
   for (int32_t i = 0; i < step->pairs; ++i) {
     const double* r = step->table + i * step->stride;
-    out.rows.push_back(
-        {r[C2D_X], r[C2D_Y], static_cast<int>(r[C2D_STATUS]), r[C2D_TN], r[C2D_TT], r[C2D_GAP], r[C2D_SLIP]});
+    out.rows.push_back({r[C2D_X], r[C2D_Y], static_cast<int>(r[C2D_STATUS]), r[C2D_TN], r[C2D_TT], r[C2D_GAP], r[C2D_SLIP]});
   }
   std::sort(out.rows.begin(), out.rows.end(), [](const Row& a, const Row& b) { return a.x < b.x; });
   static_cast<Solution*>(context)->steps.push_back(out);
@@ -50,14 +49,12 @@ inline void keep_ends(c2d_solver* s, Solution& out) {
   out.elements = summary.elements[0] + summary.elements[1];
   if (summary.outcome != C2D_REACHED) out.error = c2d_outcome_message(summary.outcome);
   const int32_t count = summary.elements[0] * summary.function_nodes;
-  const int32_t fields[7] = {C2D_END_X,  C2D_END_Y,  C2D_END_UX,  C2D_END_UY,
-                             C2D_END_TX, C2D_END_TY, C2D_END_HOOP};
+  const int32_t fields[7] = {C2D_END_X, C2D_END_Y, C2D_END_UX, C2D_END_UY, C2D_END_TX, C2D_END_TY, C2D_END_HOOP};
   std::vector<double> table(static_cast<size_t>(count) * 7);
   for (int i = 0; i < 7; ++i)
     if (c2d_get(s, fields[i], 1, 1, count, table.data() + i, 7) != C2D_OK) out.error = "no results of body 1";
   for (size_t i = 0; i < table.size(); i += 7)
-    out.ends.push_back(
-        {table[i], table[i + 1], table[i + 2], table[i + 3], table[i + 4], table[i + 5], table[i + 6]});
+    out.ends.push_back({table[i], table[i + 1], table[i + 2], table[i + 3], table[i + 4], table[i + 5], table[i + 6]});
 }
 
 inline Solution solve_deck(const std::string& text) {
@@ -113,8 +110,7 @@ inline Table reference(const std::string& name) {
   while (std::getline(file, line)) {
     std::istringstream fields(line);
     out.emplace_back();
-    for (std::string field; std::getline(fields, field, ',');)
-      out.back().push_back(field == "nan" ? NAN : std::stod(field));
+    for (std::string field; std::getline(fields, field, ',');) out.back().push_back(field == "nan" ? NAN : std::stod(field));
   }
   return out;
 }

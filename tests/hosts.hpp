@@ -82,8 +82,7 @@ inline std::vector<Peak> desktop_peaks(const std::string& deck) {
   const Result run = run_shell("'" C2D_TEST_PROGRAM "' run '" + deck + "' --csv -");
   for (const std::string& line : lines_of(run.out)) {
     double mu = 0, step = 0, load = 0, tn = 0;
-    if (std::sscanf(line.c_str(), "%lf,%lf,%lf,%*d,%*f,%*f,%*[a-z],%lf", &mu, &step, &load, &tn) != 4)
-      continue;
+    if (std::sscanf(line.c_str(), "%lf,%lf,%lf,%*d,%*f,%*f,%*[a-z],%lf", &mu, &step, &load, &tn) != 4) continue;
     if (out.empty() || out.back().mu != mu || out.back().step != step) out.push_back({mu, step, load, 0});
     if (tn > out.back().pressure) out.back().pressure = tn;
   }
@@ -99,8 +98,7 @@ inline void check_peaks(const std::vector<Peak>& found, const std::vector<Peak>&
     CHECK(found[i].mu == doctest::Approx(expected[i].mu).epsilon(1e-12));
     CHECK(found[i].step == expected[i].step);
     CHECK(std::fabs(found[i].load - expected[i].load) < 1e-9);
-    CHECK(std::fabs(found[i].pressure - expected[i].pressure) <
-          digits + 1e-8 * std::fabs(expected[i].pressure));
+    CHECK(std::fabs(found[i].pressure - expected[i].pressure) < digits + 1e-8 * std::fabs(expected[i].pressure));
   }
 }
 

@@ -13,9 +13,7 @@ struct Totals : doctest::IReporter {
   explicit Totals(const doctest::ContextOptions&) {}
   void report_query(const doctest::QueryData&) override {}
   void test_run_start() override {}
-  void test_run_end(const doctest::TestRunStats& stats) override {
-    cases_failed = stats.numTestCasesFailed;
-  }
+  void test_run_end(const doctest::TestRunStats& stats) override { cases_failed = stats.numTestCasesFailed; }
   void test_case_start(const doctest::TestCaseData&) override { ++cases_run; } // with --first, --last not all do
   void test_case_reenter(const doctest::TestCaseData&) override {}
   void test_case_end(const doctest::CurrentTestCaseStats&) override {}

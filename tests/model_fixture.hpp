@@ -69,8 +69,7 @@ struct ModelData {
   }
 
   // Codes as on the card: tx ty ux uy, 0 known, 1 unknown.
-  void condition(int body, int element, int local, const char* codes, double ux = 0, double uy = 0,
-                 int line = 0) {
+  void condition(int body, int element, int local, const char* codes, double ux = 0, double uy = 0, int line = 0) {
     const int b = body - 1;
     const int32_t end = (element - 1) * head.function_nodes + local - 1;
     uint8_t code = c2d::kGiven;
@@ -90,8 +89,7 @@ struct ModelData {
     }
   }
 
-  void zone(int pairs_in, int elements, int e1, int step1, int node1, int e2, int step2, int node2,
-            int line = 0) {
+  void zone(int pairs_in, int elements, int e1, int step1, int node1, int e2, int step2, int node2, int line = 0) {
     c2d::Zone z = {};
     z.pairs = pairs_in;
     z.elements = elements;
@@ -138,9 +136,7 @@ struct ModelData {
     return m;
   }
 
-  static void keep(void* context, const c2d_error& entry) {
-    static_cast<ModelData*>(context)->told.push_back(entry);
-  }
+  static void keep(void* context, const c2d_error& entry) { static_cast<ModelData*>(context)->told.push_back(entry); }
   bool complete() {
     told.clear();
     c2d::Reporter reporter = {this, keep, 0};

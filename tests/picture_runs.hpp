@@ -13,13 +13,9 @@
 
 namespace test {
 
-inline std::string example(const std::string& name) {
-  return C2D_TEST_ROOT "/examples/" + name;
-}
+inline std::string example(const std::string& name) { return C2D_TEST_ROOT "/examples/" + name; }
 
-inline std::string quoted(const std::string& path) {
-  return "'" + path + "'";
-}
+inline std::string quoted(const std::string& path) { return "'" + path + "'"; }
 
 // ---------------------------------------------------------------- a small XML reader
 struct Element {
@@ -32,8 +28,7 @@ inline bool good_entities(const std::string& text) {
     const size_t end = text.find(';', i);
     if (end == std::string::npos) return false;
     const std::string name = text.substr(i + 1, end - i - 1);
-    const bool number =
-        name.size() > 1 && name[0] == '#' && name.find_first_not_of("0123456789", 1) == std::string::npos;
+    const bool number = name.size() > 1 && name[0] == '#' && name.find_first_not_of("0123456789", 1) == std::string::npos;
     if (!number && name != "amp" && name != "lt" && name != "gt" && name != "quot") return false;
   }
   return text.find('<') == std::string::npos;
@@ -68,8 +63,7 @@ inline std::string read_xml(const std::string& xml, std::vector<Element>& out) {
       const size_t equals = inside.find("=\"", i);
       const size_t close = equals == std::string::npos ? equals : inside.find('"', equals + 2);
       if (close == std::string::npos) return "bad attribute in " + inside;
-      const std::string name = inside.substr(i, equals - i),
-                        value = inside.substr(equals + 2, close - equals - 2);
+      const std::string name = inside.substr(i, equals - i), value = inside.substr(equals + 2, close - equals - 2);
       if (!e.attributes.emplace(name, value).second) return "attribute twice: " + name;
       if (!good_entities(value)) return "bad value: " + value;
       i = close + 1;
@@ -95,8 +89,7 @@ inline app::Box box_of(const Element& e) {
   const double wide = 0.6 * size * static_cast<double>(characters);
   const auto found = e.attributes.find("text-anchor");
   const double part = found == e.attributes.end() ? 0.0 : found->second == "middle" ? 0.5 : 1.0;
-  if (e.attributes.count("transform"))
-    return {x - 0.75 * size, y - (1.0 - part) * wide, x + 0.2 * size, y + part * wide};
+  if (e.attributes.count("transform")) return {x - 0.75 * size, y - (1.0 - part) * wide, x + 0.2 * size, y + part * wide};
   return {x - part * wide, y - 0.75 * size, x + (1.0 - part) * wide, y + 0.2 * size};
 }
 
@@ -138,8 +131,8 @@ inline void check_picture(const std::string& name, const std::string& svg) {
     CHECK_MESSAGE(box.top >= 0.0, name << ": " << e.text);
     CHECK_MESSAGE(box.bottom <= height, name << ": " << e.text);
     for (const auto& other : texts) {
-      const bool apart = box.right <= other.second.left || other.second.right <= box.left ||
-                         box.bottom <= other.second.top || other.second.bottom <= box.top;
+      const bool apart = box.right <= other.second.left || other.second.right <= box.left || box.bottom <= other.second.top ||
+                         other.second.bottom <= box.top;
       CHECK_MESSAGE(apart, name << ": '" << e.text << "' over '" << other.first << "'");
     }
     texts.emplace_back(e.text, box);
@@ -156,10 +149,9 @@ struct Shown {
 
 inline void show(Shown& out, const std::string& deck, const std::string& options = "") {
   out.result =
-      run_shell("'" C2D_TEST_PROGRAM "' run " + quoted(deck) + " --listing /dev/null --csv " +
-                quoted(out.folder / "c.csv") + " --report " + quoted(out.folder / "r.html") + " --figures " +
-                quoted(out.folder / "figures") + " --vtk " + quoted(out.folder / "b.vtk") + " --boundary " +
-                quoted(out.folder / "b.csv") + " " + options);
+      run_shell("'" C2D_TEST_PROGRAM "' run " + quoted(deck) + " --listing /dev/null --csv " + quoted(out.folder / "c.csv") +
+                " --report " + quoted(out.folder / "r.html") + " --figures " + quoted(out.folder / "figures") + " --vtk " +
+                quoted(out.folder / "b.vtk") + " --boundary " + quoted(out.folder / "b.csv") + " " + options);
   out.page = read_file(out.folder / "r.html");
   out.vtk = read_file(out.folder / "b.vtk");
   std::error_code none;
@@ -178,11 +170,9 @@ inline void check_page(const Shown& shown) {
   CHECK(page.compare(0, 15, "<!DOCTYPE html>") == 0);
   CHECK(contains(page, "</html>"));
   CHECK(contains(page, "@media print"));
-  for (const char* never : {"<script", "src=", "href=", "@import"})
-    CHECK_MESSAGE(!contains(page, never), never);
+  for (const char* never : {"<script", "src=", "href=", "@import"}) CHECK_MESSAGE(!contains(page, never), never);
   size_t inline_pictures = 0;
-  for (size_t at = page.find("<svg"); at != std::string::npos; at = page.find("<svg", at + 1))
-    ++inline_pictures;
+  for (size_t at = page.find("<svg"); at != std::string::npos; at = page.find("<svg", at + 1)) ++inline_pictures;
   CHECK(inline_pictures == shown.figures.size());
   for (const auto& figure : shown.figures) {
     CHECK_MESSAGE(contains(page, figure.second), figure.first);

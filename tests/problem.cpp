@@ -25,13 +25,9 @@ namespace problem {
 
 namespace {
 
-size_t index(int64_t i) {
-  return static_cast<size_t>(i);
-}
+size_t index(int64_t i) { return static_cast<size_t>(i); }
 
-int32_t nodes_per_element(int32_t function_nodes) {
-  return function_nodes == 1 ? 1 : function_nodes - 1;
-}
+int32_t nodes_per_element(int32_t function_nodes) { return function_nodes == 1 ? 1 : function_nodes - 1; }
 
 struct Cards {
   const std::string* text;
@@ -49,16 +45,13 @@ int32_t read_card(void* context, char* out, int32_t size) {
   return static_cast<int32_t>(length);
 }
 
-void keep_entry(void* context, const c2d_error* entry) {
-  static_cast<Result*>(context)->told.push_back(*entry);
-}
+void keep_entry(void* context, const c2d_error* entry) { static_cast<Result*>(context)->told.push_back(*entry); }
 
 int32_t keep_step(void* context, const c2d_step* now) {
-  Step step{now->kind, now->coefficient, now->step, now->changes, now->iterations, now->outcome,
-            now->mu,   now->load,        {}, now->work, now->dissipated, now->elastic, now->energy_defect};
+  Step step{now->kind, now->coefficient, now->step,       now->changes, now->iterations,   now->outcome, now->mu, now->load,
+            {},        now->work,        now->dissipated, now->elastic, now->energy_defect};
   for (int32_t p = 0; p < now->pairs; ++p)
-    step.table.insert(step.table.end(), now->table + p * now->stride,
-                      now->table + p * now->stride + C2D_PAIR_FIELDS);
+    step.table.insert(step.table.end(), now->table + p * now->stride, now->table + p * now->stride + C2D_PAIR_FIELDS);
   if (now->cases > 1) step.second = now->loads[1];
   static_cast<Result*>(context)->steps.push_back(step);
   return 0;
@@ -87,8 +80,7 @@ struct Storage {
       c2d_stdio_store_init(&stdio, name);
       c2d_stdio_store_port(&stdio, &port);
     } else {
-      if (c2d_posix_store_init(&posix, name) != 0)
-        throw std::runtime_error("cannot lock the temporary folder");
+      if (c2d_posix_store_init(&posix, name) != 0) throw std::runtime_error("cannot lock the temporary folder");
       c2d_posix_store_port(&posix, &port);
     }
   }
@@ -126,8 +118,7 @@ c2d_limits limits_of(const Problem& p) {
   }
   limits.zones += static_cast<int32_t>(p.free_zones.size());
   for (const c2d_free_zone& z : p.free_zones) {
-    const int32_t elements =
-        z.elements[1] > 0 ? z.elements[1] : std::abs(z.last_element[1] - z.first_element[1]) + 1;
+    const int32_t elements = z.elements[1] > 0 ? z.elements[1] : std::abs(z.last_element[1] - z.first_element[1]) + 1;
     const int32_t pairs = p.function_nodes > 1 ? elements * (p.function_nodes - 1) + 1 : elements;
     limits.pairs += pairs;
     limits.free_pairs += pairs;
@@ -151,15 +142,14 @@ c2d_status feed_body(c2d_solver* s, const Problem& p, int32_t number) {
   c2d_status status = c2d_set_body(s, number, &data);
   for (const Range& r : body.regions)
     if (status == C2D_OK) status = c2d_add_region(s, number, r.first, r.last);
-  if (status == C2D_OK)
-    status = c2d_set_nodes(s, number, 1, static_cast<int32_t>(body.xy.size() / 2), body.xy.data(), 2);
+  if (status == C2D_OK) status = c2d_set_nodes(s, number, 1, static_cast<int32_t>(body.xy.size() / 2), body.xy.data(), 2);
   for (size_t i = 0; i < body.ends.size() && status == C2D_OK; ++i) {
     const int32_t end = static_cast<int32_t>(i);
-    status = c2d_set_condition(s, number, end / p.function_nodes + 1, end % p.function_nodes + 1,
-                               body.ends[i].codes, body.ends[i].values, 1);
+    status = c2d_set_condition(s, number, end / p.function_nodes + 1, end % p.function_nodes + 1, body.ends[i].codes,
+                               body.ends[i].values, 1);
     if (status == C2D_OK && !body.second_case.empty())
-      status = c2d_set_condition(s, number, end / p.function_nodes + 1, end % p.function_nodes + 1,
-                                 body.second_case[i].codes, body.second_case[i].values, 2);
+      status = c2d_set_condition(s, number, end / p.function_nodes + 1, end % p.function_nodes + 1, body.second_case[i].codes,
+                                 body.second_case[i].values, 2);
   }
   return status;
 }
@@ -170,8 +160,7 @@ c2d_status feed(c2d_solver* s, const Problem& p) {
   data.analysis = p.analysis;
   data.iteration_limit = p.iteration_limit;
   c2d_status status = c2d_set_problem(s, &data);
-  for (size_t b = 0; b < p.bodies.size() && status == C2D_OK; ++b)
-    status = feed_body(s, p, static_cast<int32_t>(b) + 1);
+  for (size_t b = 0; b < p.bodies.size() && status == C2D_OK; ++b) status = feed_body(s, p, static_cast<int32_t>(b) + 1);
   for (const PointLoad& l : p.point_loads)
     if (status == C2D_OK) status = c2d_add_point_load(s, l.body, l.x, l.y, l.fx, l.fy, l.load_case);
   if (p.rigid && status == C2D_OK) status = c2d_set_rigid(s, 0, 0, 0, 0, 0, 0);
@@ -180,8 +169,7 @@ c2d_status feed(c2d_solver* s, const Problem& p) {
       status = c2d_set_rigid(s, static_cast<int32_t>(k) + 1, p.motions[k][0], p.motions[k][1], p.motions[k][2], 0, 0);
   if (p.interference > 0 && status == C2D_OK) status = c2d_set_interference(s, p.interference);
   for (const BodyForce& f : p.body_forces)
-    if (status == C2D_OK)
-      status = c2d_set_body_force(s, f.body, f.load_case, f.bx, f.by, f.rho_omega2, f.x0, f.y0);
+    if (status == C2D_OK) status = c2d_set_body_force(s, f.body, f.load_case, f.bx, f.by, f.rho_omega2, f.x0, f.y0);
   for (const c2d_zone& z : p.zones)
     if (status == C2D_OK) status = c2d_add_zone(s, &z);
   for (const c2d_free_zone& z : p.free_zones)
@@ -191,8 +179,7 @@ c2d_status feed(c2d_solver* s, const Problem& p) {
   for (const Path& path : p.paths) {
     const double factors[2] = {path.load, path.second};
     if (status == C2D_OK)
-      status = p.two_cases() ? c2d_add_path_point(s, path.increments, factors, 2)
-                             : c2d_add_path(s, path.increments, path.load);
+      status = p.two_cases() ? c2d_add_path_point(s, path.increments, factors, 2) : c2d_add_path(s, path.increments, path.load);
   }
   for (int32_t axis = 0; axis < 2; ++axis)
     if (status == C2D_OK && (p.symmetry >> axis & 1) != 0) status = c2d_set_symmetry(s, axis, p.symmetry_at[axis]);
@@ -212,8 +199,8 @@ c2d_status fetch_boundary(c2d_solver* s, const c2d_summary& summary, std::vector
     for (int32_t i = 0; i < count; ++i) {
       const size_t k = index(i);
       boundary[b - 1].push_back({i / summary.function_nodes + 1, static_cast<int32_t>(field[2][k]),
-                                 static_cast<int32_t>(field[7][k]), field[0][k], field[1][k], field[3][k],
-                                 field[4][k], field[5][k], field[6][k]});
+                                 static_cast<int32_t>(field[7][k]), field[0][k], field[1][k], field[3][k], field[4][k],
+                                 field[5][k], field[6][k]});
     }
   }
   return status;
@@ -228,8 +215,19 @@ c2d_status follow_loads(c2d_solver* s, const Setup& setup, Result& r) {
     const double load[2] = {setup.advance_loads[i], cases == 2 ? setup.advance_second[i] : 0.0};
     status = c2d_advance(s, load, cases, &r.outcome);
     c2d_get_summary(s, &r.summary);
-    Step step{C2D_STEP_RECORDED, 1, ++number, 0, 0, r.outcome, setup.advance_mu, r.summary.load, {},
-              r.summary.work, r.summary.dissipated, r.summary.elastic, r.summary.energy_defect};
+    Step step{C2D_STEP_RECORDED,
+              1,
+              ++number,
+              0,
+              0,
+              r.outcome,
+              setup.advance_mu,
+              r.summary.load,
+              {},
+              r.summary.work,
+              r.summary.dissipated,
+              r.summary.elastic,
+              r.summary.energy_defect};
     if (r.outcome != C2D_REACHED) step.kind = C2D_STEP_STOPPED;
     step.table.resize(index(r.summary.pairs * C2D_PAIR_FIELDS));
     for (int32_t field = 0; field < C2D_PAIR_FIELDS && r.summary.pairs > 0 && status == C2D_OK; ++field)
@@ -268,8 +266,7 @@ c2d_status follow(c2d_solver* s, const Setup& setup, Result& r) {
   if (!setup.points.empty() && status == C2D_OK) {
     const size_t count = setup.points.size() / 2;
     r.interior.resize(count * C2D_POINT_FIELDS);
-    status = c2d_interior(s, 0, static_cast<int32_t>(count), setup.points.data(), 2, r.interior.data(),
-                          C2D_POINT_FIELDS);
+    status = c2d_interior(s, 0, static_cast<int32_t>(count), setup.points.data(), 2, r.interior.data(), C2D_POINT_FIELDS);
   }
   if (stopped && status != C2D_OK) status = C2D_OK; // nothing to be had before anything touches
   c2d_get_summary(s, &r.summary);
@@ -324,8 +321,7 @@ void capture(c2d_solver* s, Problem& p) {
   p.friction.resize(index(sum.coefficients));
   for (int32_t i = 1; i <= sum.coefficients; ++i) c2d_get_friction(s, i, &p.friction[index(i - 1)]);
   p.paths.resize(index(sum.paths));
-  for (int32_t i = 1; i <= sum.paths; ++i)
-    c2d_get_path(s, i, &p.paths[index(i - 1)].increments, &p.paths[index(i - 1)].load);
+  for (int32_t i = 1; i <= sum.paths; ++i) c2d_get_path(s, i, &p.paths[index(i - 1)].increments, &p.paths[index(i - 1)].load);
 }
 
 Result solve_with(const c2d_limits& wanted, const Setup& setup, const Feeder& feeder, Problem* keep) {
@@ -484,9 +480,7 @@ Problem from_text(const std::string& text) {
   if (r.status != C2D_OK) throw std::runtime_error(r.messages());
   return p;
 }
-Problem load(const std::string& name) {
-  return from_text(deck_text(name));
-}
+Problem load(const std::string& name) { return from_text(deck_text(name)); }
 
 Result solve(const Problem& p, const Setup& setup) {
   return solve_with(
@@ -522,8 +516,7 @@ Problem scaled(Problem p, double length, double stress) {
 
 Problem rotated(Problem p, double degrees) {
   const bool quarter = degrees == 90;
-  const double angle = degrees * std::acos(-1.0) / 180, c = quarter ? 0 : std::cos(angle),
-               s = quarter ? 1 : std::sin(angle);
+  const double angle = degrees * std::acos(-1.0) / 180, c = quarter ? 0 : std::cos(angle), s = quarter ? 1 : std::sin(angle);
   const auto turn = [&](double& x, double& y) {
     const double old = x;
     x = c * old - s * y;
@@ -602,10 +595,8 @@ Problem renumber(const Problem& p, const Renumbering& how) {
     for (size_t b = 0; b < 2; ++b) {
       const Range r = region_of(p.bodies[b], z.first_element[b]);
       const int32_t n = r.last - r.first + 1, base = (r.first - 1) * per;
-      for (int32_t* e : {&z.first_element[b], &z.last_element[b]})
-        *e = r.first + how.element(*e - r.first, n);
-      for (int32_t* i : {&z.first_node[b], &z.last_node[b]})
-        *i = base + 1 + how.node(*i - base - 1, n, per, f == 1);
+      for (int32_t* e : {&z.first_element[b], &z.last_element[b]}) *e = r.first + how.element(*e - r.first, n);
+      for (int32_t* i : {&z.first_node[b], &z.last_node[b]}) *i = base + 1 + how.node(*i - base - 1, n, per, f == 1);
     }
   for (c2d_free_zone& z : q.free_zones)
     for (size_t b = 0; b < 2; ++b) {
@@ -642,17 +633,14 @@ Problem reflected(const Problem& p) {
   return q;
 }
 
-Problem renumbered(const Problem& p, int32_t elements) {
-  return renumber(p, {false, elements});
-}
+Problem renumbered(const Problem& p, int32_t elements) { return renumber(p, {false, elements}); }
 
 Problem exchanged(Problem p) {
   std::swap(p.bodies[0], p.bodies[1]);
   for (PointLoad& l : p.point_loads) l.body = 3 - l.body;
   for (BodyForce& f : p.body_forces) f.body = 3 - f.body;
   for (c2d_zone& z : p.zones)
-    for (int32_t* two : {z.first_element, z.last_element, z.first_node, z.last_node})
-      std::swap(two[0], two[1]);
+    for (int32_t* two : {z.first_element, z.last_element, z.first_node, z.last_node}) std::swap(two[0], two[1]);
   return p;
 }
 
@@ -824,9 +812,7 @@ Place element_place(const Body& body, int32_t element, double eta) {
   return out;
 }
 
-double end_eta(int32_t function_nodes, int32_t l) {
-  return function_nodes == 1 ? 0 : -1 + 2.0 * l / (function_nodes - 1);
-}
+double end_eta(int32_t function_nodes, int32_t l) { return function_nodes == 1 ? 0 : -1 + 2.0 * l / (function_nodes - 1); }
 
 } // namespace
 
@@ -846,9 +832,7 @@ void set_ends(Problem& p, int number, const std::function<void(double, double, d
 // ---- comparison
 // -------------------------------------------------------------------------------------------------
 
-double Difference::worst() const {
-  return std::max({traction, displacement1, displacement2, gap, slip});
-}
+double Difference::worst() const { return std::max({traction, displacement1, displacement2, gap, slip}); }
 void Difference::join(const Difference& o) {
   traction = std::max(traction, o.traction);
   displacement1 = std::max(displacement1, o.displacement1);
@@ -882,12 +866,8 @@ Row row_of(const Step& s, int pair, const Mapping& m) {
   return r;
 }
 
-double max2(double a, double b) {
-  return std::max(std::fabs(a), std::fabs(b));
-}
-double ratio(double difference, double size) {
-  return difference == 0 ? 0 : difference / size;
-}
+double max2(double a, double b) { return std::max(std::fabs(a), std::fabs(b)); }
+double ratio(double difference, double size) { return difference == 0 ? 0 : difference / size; }
 
 } // namespace
 
@@ -932,8 +912,7 @@ double boundary_difference(const Result& a, const Result& b) {
   double worst = 0;
   for (int body = 0; body < 2; ++body) {
     double u = 0, t = 0, du = 0, dt = 0;
-    if (a.boundary[body].size() != b.boundary[body].size())
-      throw std::runtime_error("boundaries of different length");
+    if (a.boundary[body].size() != b.boundary[body].size()) throw std::runtime_error("boundaries of different length");
     for (size_t i = 0; i < a.boundary[body].size(); ++i) {
       const EndResult &x = a.boundary[body][i], &y = b.boundary[body][i];
       u = std::max(u, max2(x.ux, x.uy));
@@ -967,10 +946,8 @@ bool identical(const Result& a, const Result& b) {
 
 Resultant resultant(const Problem& p, const Result& r, int number, int which) {
   // Five-point Gauss-Legendre: exact to degree 9, cubic tractions times cubic geometry times a lever fit in.
-  const double point[5] = {0, 0.5384693101056831, -0.5384693101056831, 0.9061798459386640,
-                           -0.9061798459386640};
-  const double weight[5] = {128.0 / 225, 0.47862867049936647, 0.47862867049936647, 0.23692688505618909,
-                            0.23692688505618909};
+  const double point[5] = {0, 0.5384693101056831, -0.5384693101056831, 0.9061798459386640, -0.9061798459386640};
+  const double weight[5] = {128.0 / 225, 0.47862867049936647, 0.47862867049936647, 0.23692688505618909, 0.23692688505618909};
   const Body& body = p.bodies[index(number - 1)];
   const int32_t f = p.function_nodes;
   Resultant sum;
@@ -1008,8 +985,8 @@ namespace {
 
 std::string breach(const Step& s, int pair, const char* what, double value) {
   char text[200];
-  std::snprintf(text, sizeof text, "coefficient %d step %d load %.6g pair %d: %s (%.3e)", s.coefficient,
-                s.step, s.load, pair + 1, what, value);
+  std::snprintf(text, sizeof text, "coefficient %d step %d load %.6g pair %d: %s (%.3e)", s.coefficient, s.step, s.load,
+                pair + 1, what, value);
   return text;
 }
 
@@ -1021,8 +998,8 @@ std::string coulomb_breach(const Problem& p, const Result& r) {
   for (const Step& s : r.steps)
     for (int i = 0; i < s.pairs(); ++i) {
       pressure = std::max(pressure, std::fabs(s.at(i, C2D_TN)));
-      displacement = std::max(
-          {displacement, max2(s.at(i, C2D_UN1), s.at(i, C2D_UT1)), max2(s.at(i, C2D_UN2), s.at(i, C2D_UT2))});
+      displacement =
+          std::max({displacement, max2(s.at(i, C2D_UN1), s.at(i, C2D_UT1)), max2(s.at(i, C2D_UN2), s.at(i, C2D_UT2))});
     }
   const double small_p = 1e-9 * pressure, small_u = 1e-9 * displacement;
   for (size_t k = 0; k < r.steps.size(); ++k) {
@@ -1050,8 +1027,7 @@ std::string coulomb_breach(const Problem& p, const Result& r) {
       if (before.kind != C2D_STEP_CHANGE || static_cast<int>(before.at(i, C2D_STATUS)) != status) continue;
       const double ut_before = before.at(i, C2D_UT2) - before.at(i, C2D_UT1);
       const double slip = s.at(i, C2D_SLIP_SUM) - before.at(i, C2D_SLIP_SUM);
-      if (status == C2D_STICK && std::fabs(slip) > small_u)
-        return breach(s, i, "a sticking pair slipped", slip);
+      if (status == C2D_STICK && std::fabs(slip) > small_u) return breach(s, i, "a sticking pair slipped", slip);
       if (status == C2D_SLIP && s.mu > 0) {
         if (std::fabs(ut - ut_before - slip) > small_u) return breach(s, i, "slip is not the motion", slip);
         const double friction = std::fabs(tt) > small_p ? tt : before.at(i, C2D_TT);

@@ -46,7 +46,7 @@ struct Problem {
   std::vector<Body> bodies;
   std::vector<PointLoad> point_loads;
   std::vector<BodyForce> body_forces;
-  bool rigid = false;       // body 1; `motions` of load cases 1 ...: ux, uy, rotation about the origin
+  bool rigid = false; // body 1; `motions` of load cases 1 ...: ux, uy, rotation about the origin
   std::vector<std::vector<double>> motions;
   int32_t interference = 0; // load case that closes overlaps
   std::vector<c2d_zone> zones;
@@ -74,7 +74,7 @@ struct Setup {
   std::vector<double> points; // x y x y ...: c2d_interior at the end
   int32_t threads = 1;
   double seconds = 0; // of the processor's time, after which the run is cancelled; 0: any
-  int runs = 1; // how often c2d_run is called; the last one is kept
+  int runs = 1;       // how often c2d_run is called; the last one is kept
   // Instead of c2d_run, unless empty: friction, then a call of c2d_advance per load. Steps then carry numbers
   // 1 ...
   std::vector<double> advance_loads;
@@ -97,7 +97,7 @@ struct Step {
   double work = 0, dissipated = 0, elastic = 0, defect = 0;
   double at(int pair, int field) const { return table[static_cast<size_t>(pair * C2D_PAIR_FIELDS + field)]; }
   int pairs() const { return static_cast<int>(table.size()) / C2D_PAIR_FIELDS; }
-  double second = 0; // factor of load case 2
+  double second = 0;                       // factor of load case 2
   std::vector<EndResult> boundary[2] = {}; // with Setup::boundaries
 };
 struct Result {
@@ -136,7 +136,8 @@ Problem split(Problem p, int32_t times); // every load card into `times` as many
 Problem with_functions(const Problem& p, int32_t function_nodes);
 Problem with_geometry(const Problem& p, int32_t element_nodes);
 // Every element of linear ones cut in two, between points that `place` moves to where they belong.
-Problem cut_in_two(const Problem& p, const std::function<void(int body, const double* from, const double* to, double* middle)>& place);
+Problem cut_in_two(const Problem& p,
+                   const std::function<void(int body, const double* from, const double* to, double* middle)>& place);
 
 // ---- bodies by hand
 // ---------------------------------------------------------------------------------------------
@@ -147,11 +148,9 @@ struct Corner { // start of a straight side of `elements` equal elements
 // Add a closed curve to a body.
 void add_polygon(Body& body, const std::vector<Corner>& corners);
 // Add an element sequence through the points of a parametrised closed curve; s runs from 0 to 1.
-void add_curve(Body& body, int32_t elements,
-               const std::function<void(double s, double& x, double& y)>& curve);
+void add_curve(Body& body, int32_t elements, const std::function<void(double s, double& x, double& y)>& curve);
 // Visit every end with its place and outward normal (size of `ends` is set).
-void set_ends(Problem& p, int body,
-              const std::function<void(double x, double y, double nx, double ny, End&)>& set);
+void set_ends(Problem& p, int body, const std::function<void(double x, double y, double nx, double ny, End&)>& set);
 
 // ---- comparison
 // ------------------------------------------------------------------------------------------------- Largest

@@ -21,8 +21,7 @@ class Folder {
 public:
   Folder() {
     static std::atomic<int> count{0};
-    path_ = fs::temp_directory_path() /
-            ("contact2d-test-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
+    path_ = fs::temp_directory_path() / ("contact2d-test-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
     fs::create_directories(path_);
   }
   ~Folder() {
@@ -50,9 +49,7 @@ inline std::string read_file(const std::string& path) {
   return text.str();
 }
 
-inline void write_file(const std::string& path, const std::string& text) {
-  std::ofstream(path, std::ios::binary) << text;
-}
+inline void write_file(const std::string& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
 inline std::vector<std::string> lines_of(const std::string& text) {
   std::vector<std::string> out;
@@ -78,13 +75,9 @@ inline Result run_shell(const std::string& command) {
   return result;
 }
 
-inline bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-inline bool has_command(const std::string& name) {
-  return run_shell("command -v " + name).status == 0;
-}
+inline bool has_command(const std::string& name) { return run_shell("command -v " + name).status == 0; }
 
 // Were the tests, and so the library, built with a sanitizer? Its calls are in every object then.
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || defined(__SANITIZE_UNDEFINED__)

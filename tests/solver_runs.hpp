@@ -44,8 +44,8 @@ inline Deck deck_named(const std::string& name) {
   return deck;
 }
 inline const std::vector<std::string>& deck_names() {
-  static const std::vector<std::string> names = {"plate", "ring3",  "hertz_lin_l", "sample",       "layer_t",
-                                                 "rect",  "layer_mu", "block",     "half_cylinder", "sample56"};
+  static const std::vector<std::string> names = {"plate", "ring3",    "hertz_lin_l", "sample",        "layer_t",
+                                                 "rect",  "layer_mu", "block",       "half_cylinder", "sample56"};
   return names;
 }
 

@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <memory>
 #include <random>
+#include <set>
 #include <vector>
 
 using namespace fixture;
@@ -20,9 +20,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-const c2d::BatchKernel* best_batch() {
-  return c2d::batch_for(c2d::best_instructions());
-}
+const c2d::BatchKernel* best_batch() { return c2d::batch_for(c2d::best_instructions()); }
 
 // The whole matrix of a body, column by column.
 struct Columns {
@@ -35,13 +33,11 @@ struct Columns {
   std::unique_ptr<c2d::AssemblyScratch> scratch = std::make_unique<c2d::AssemblyScratch>();
   std::vector<c2d::Real> data;
 
-  Columns(ModelData& d, int body, int32_t width = 0, const c2d::BatchKernel* batch = best_batch())
-      : model(d.view()), b(body) {
+  Columns(ModelData& d, int body, int32_t width = 0, const c2d::BatchKernel* batch = best_batch()) : model(d.view()), b(body) {
     c2d::number_unknowns(model, b);
     const size_t nodes = static_cast<size_t>(model.head->body[b].nodes);
     diagonal.resize(4 * nodes), point.resize(2 * nodes), twin.resize(nodes);
-    system = {model, b, c2d::Quadrature::accurate, diagonal.data(), point.data(), twin.data(),
-              scratch.get(), batch};
+    system = {model, b, c2d::Quadrature::accurate, diagonal.data(), point.data(), twin.data(), scratch.get(), batch};
     system.some_passed_over = c2d::place_sources(system);
     c2d::fill_diagonal(system, 0, static_cast<int32_t>(nodes));
     rows = c2d::system_rows(model, b);
@@ -77,17 +73,14 @@ void add_kernels(double nu, double rx, double ry, double nx, double ny, double w
       const double delta = i == j;
       sum.g[i][j] += weight * k * (-(3 - 4 * nu) * std::log(r) * delta + d[i] * d[j]);
       sum.h[i][j] -=
-          weight * k / r *
-          (dn * ((1 - 2 * nu) * delta + 2 * d[i] * d[j]) - (1 - 2 * nu) * (d[i] * n[j] - d[j] * n[i]));
+          weight * k / r * (dn * ((1 - 2 * nu) * delta + 2 * d[i] * d[j]) - (1 - 2 * nu) * (d[i] * n[j] - d[j] * n[i]));
     }
 }
 
 // Ten-point Gauss-Legendre over pieces that shrink towards `near` (eta of the point nearest to the source).
 template <class Integrand> void integrate_slowly(double near, Integrand integrand) {
-  const double x[5] = {0.1488743389816312, 0.4333953941292472, 0.6794095682990244, 0.8650633666889845,
-                       0.9739065285171717};
-  const double w[5] = {0.2955242247147529, 0.2692667193099963, 0.2190863625159820, 0.1494513491505806,
-                       0.0666713443086881};
+  const double x[5] = {0.1488743389816312, 0.4333953941292472, 0.6794095682990244, 0.8650633666889845, 0.9739065285171717};
+  const double w[5] = {0.2955242247147529, 0.2692667193099963, 0.2190863625159820, 0.1494513491505806, 0.0666713443086881};
   for (int side = -1; side <= 1; side += 2) {
     const double length = side < 0 ? near + 1 : 1 - near;
     if (length <= 0) continue;
@@ -95,8 +88,7 @@ template <class Integrand> void integrate_slowly(double near, Integrand integran
     for (int piece = 0; piece < 60; ++piece) {
       const double close = piece == 59 ? 0 : far / 2, middle = (far + close) / 2, half = (far - close) / 2;
       for (int k = 0; k < 5; ++k)
-        for (int sign = -1; sign <= 1; sign += 2)
-          integrand(near + side * (middle + sign * half * x[k]), half * w[k]);
+        for (int sign = -1; sign <= 1; sign += 2) integrand(near + side * (middle + sign * half * x[k]), half * w[k]);
       far = close;
     }
   }
@@ -105,9 +97,7 @@ template <class Integrand> void integrate_slowly(double near, Integrand integran
 double shape_value(int functions, int l, double eta) {
   double value = 1;
   for (int k = 0; k < functions; ++k)
-    if (k != l)
-      value *= (eta - c2d::local_eta(functions, k)) /
-               (c2d::local_eta(functions, l) - c2d::local_eta(functions, k));
+    if (k != l) value *= (eta - c2d::local_eta(functions, k)) / (c2d::local_eta(functions, l) - c2d::local_eta(functions, k));
   return value;
 }
 
@@ -116,8 +106,7 @@ ModelData bulged(int32_t functions, int32_t element_nodes) {
   ModelData d(functions);
   Points corners = {0, 0, 2, -0.3, 2.2, 1.1, 0.9, 1.6, -0.2, 0.8}, p;
   for (size_t e = 0; e < 5; ++e) {
-    const double x0 = corners[2 * e], y0 = corners[2 * e + 1], x1 = corners[(2 * e + 2) % 10],
-                 y1 = corners[(2 * e + 3) % 10];
+    const double x0 = corners[2 * e], y0 = corners[2 * e + 1], x1 = corners[(2 * e + 2) % 10], y1 = corners[(2 * e + 3) % 10];
     for (int k = 0; k < element_nodes - 1; ++k) {
       const double s = k / (element_nodes - 1.0), bulge = e == 2 ? 0.6 * s * (1 - s) : 0;
       p.push_back(x0 + (x1 - x0) * s + bulge);
@@ -130,13 +119,11 @@ ModelData bulged(int32_t functions, int32_t element_nodes) {
 
 // H and G of the body in its own units by slow integration: [source][node or end] blocks, the diagonal of H
 // left out.
-void slow_matrices(const c2d::Model& m, std::vector<std::vector<Block>>& h,
-                   std::vector<std::vector<Block>>& g) {
+void slow_matrices(const c2d::Model& m, std::vector<std::vector<Block>>& h, std::vector<std::vector<Block>>& g) {
   const c2d::Body& body = m.head->body[0];
   const int f = m.head->function_nodes;
   h.assign(static_cast<size_t>(body.nodes), std::vector<Block>(static_cast<size_t>(body.nodes), Block()));
-  g.assign(static_cast<size_t>(body.nodes),
-           std::vector<Block>(static_cast<size_t>(body.elements * f), Block()));
+  g.assign(static_cast<size_t>(body.nodes), std::vector<Block>(static_cast<size_t>(body.elements * f), Block()));
   for (int32_t source = 0; source < body.nodes; ++source) {
     double sx, sy;
     c2d::node_position(m, 0, source, &sx, &sy);
@@ -158,8 +145,8 @@ void slow_matrices(const c2d::Model& m, std::vector<std::vector<Block>>& h,
           const double jacobian = std::hypot(p.dx, p.dy), unit = m.head->length_unit;
           const double rx = p.x - sx, ry = p.y - sy;
           if (rx == 0 && ry == 0) return;
-          add_kernels(c2d::strain_poisson_ratio(m, 0), rx / unit, ry / unit, p.dy / jacobian,
-                      -p.dx / jacobian, weight * jacobian / unit * shape_value(f, l, eta), sum);
+          add_kernels(c2d::strain_poisson_ratio(m, 0), rx / unit, ry / unit, p.dy / jacobian, -p.dx / jacobian,
+                      weight * jacobian / unit * shape_value(f, l, eta), sum);
         });
         Block& to_h = h[static_cast<size_t>(source)][static_cast<size_t>(node)];
         for (int i = 0; i < 2; ++i)
@@ -189,8 +176,8 @@ TEST_CASE("assembly: displacement columns are the integrals of the traction kern
         for (int32_t q = 0; q < nodes; ++q)
           for (int i = 0; i < 2 && p != q; ++i)
             for (int j = 0; j < 2; ++j)
-              worst = std::max(worst, std::fabs(a.at(2 * p + i, 2 * q + j) -
-                                                h[static_cast<size_t>(p)][static_cast<size_t>(q)].h[i][j]));
+              worst = std::max(
+                  worst, std::fabs(a.at(2 * p + i, 2 * q + j) - h[static_cast<size_t>(p)][static_cast<size_t>(q)].h[i][j]));
       CHECK(worst < 1e-11);               // entries are of order one; both sides are good to some 1e-13
       for (int32_t p = 0; p < nodes; ++p) // a translation moves nothing
         for (int i = 0; i < 2; ++i)
@@ -199,9 +186,8 @@ TEST_CASE("assembly: displacement columns are the integrals of the traction kern
             for (int32_t q = 0; q < nodes; ++q) sum += a.at(2 * p + i, 2 * q + j);
             CHECK(std::fabs(sum) < 1e-12);
           }
-      if (functions < element_nodes) continue; // the functions then do not hold a rotation
-      if (functions == 4 && element_nodes == 3)
-        continue; // cubic nodes hold a quadratic curve, checked by 3 and 3
+      if (functions < element_nodes) continue;            // the functions then do not hold a rotation
+      if (functions == 4 && element_nodes == 3) continue; // cubic nodes hold a quadratic curve, checked by 3 and 3
       for (int32_t row = 0; row < 2 * nodes; ++row) {
         double sum = 0;
         for (int32_t q = 0; q < nodes; ++q) {
@@ -241,8 +227,8 @@ TEST_CASE("assembly: traction columns, the right-hand side and the three balance
           for (int l = 0; l < functions; ++l)
             for (int j = 0; j < 2; ++j) {
               const int32_t column = c2d::outer_column(m, 0, c2d::functional_node(m, 0, 0, l), j);
-              worst = std::max(worst, std::fabs(a.at(2 * p + i, column) +
-                                                g[static_cast<size_t>(p)][static_cast<size_t>(l)].g[i][j]));
+              worst = std::max(worst,
+                               std::fabs(a.at(2 * p + i, column) + g[static_cast<size_t>(p)][static_cast<size_t>(l)].g[i][j]));
             }
           double sum = 0;
           for (int l = 0; l < functions; ++l) {
@@ -258,8 +244,7 @@ TEST_CASE("assembly: traction columns, the right-hand side and the three balance
       integrate_slowly(0, [&](double eta, double weight) {
         const c2d::CurvePoint p = c2d::curve_point(m, 0, 2, eta);
         const double length = weight * std::hypot(p.dx, p.dy) / unit;
-        const double x = (p.x - m.head->body[0].centre[0]) / unit,
-                     y = (p.y - m.head->body[0].centre[1]) / unit;
+        const double x = (p.x - m.head->body[0].centre[0]) / unit, y = (p.y - m.head->body[0].centre[1]) / unit;
         weights += length;
         for (int l = 0; l < functions; ++l) {
           const double tx = shape_value(functions, l, eta) * (4.0 + l) / two_g,
@@ -343,8 +328,7 @@ TEST_CASE("assembly: any range of columns gives the same bits: all orders, slant
       for (int h = 0; h < holes; ++h) {
         const double x = 0.5 + h, y = b == 0 ? -1 : 1, r = 0.3 + 0.1 * any(random), a = any(random);
         Points hole;
-        for (int k = 0; k < 3 + (h + trial) % 3; ++k)
-          arc_to(hole, x, y, r, 57 * a - 360.0 * k / (3 + (h + trial) % 3), 0, 1);
+        for (int k = 0; k < 3 + (h + trial) % 3; ++k) arc_to(hole, x, y, r, 57 * a - 360.0 * k / (3 + (h + trial) % 3), 0, 1);
         add(hole);
       }
       d.body(nodes, curves, 1000, b == 0 ? 0.3 : 0.45);
@@ -432,8 +416,7 @@ TEST_CASE("assembly: both bodies feel the same contact force") {
   const c2d::Model& m = one.model;
   for (int32_t k = 0; k < m.head->contact; ++k)
     for (int i = 0; i < 2; ++i) {
-      const int32_t c1 = c2d::outer_columns(m, 0) + m.head->contact + k,
-                    c2 = c2d::outer_columns(m, 1) + m.head->contact + k;
+      const int32_t c1 = c2d::outer_columns(m, 0) + m.head->contact + k, c2 = c2d::outer_columns(m, 1) + m.head->contact + k;
       const double f1 = one.at(2 * m.head->body[0].nodes + i, c1) * 2 * c2d::shear_modulus(m, 0),
                    f2 = two.at(2 * m.head->body[1].nodes + i, c2) * 2 * c2d::shear_modulus(m, 1);
       CHECK(std::fabs(f1 - f2) < 1e-12 * m.head->stress_unit);
@@ -441,8 +424,7 @@ TEST_CASE("assembly: both bodies feel the same contact force") {
   // An inner pair between elements of length 0.2: unit pressure along its normal carries 0.2.
   const c2d::Pair& pair = m.pair[7];
   const int32_t column = c2d::outer_columns(m, 0) + m.head->contact + pair.dof;
-  const double fx = one.at(2 * m.head->body[0].nodes, column),
-               fy = one.at(2 * m.head->body[0].nodes + 1, column);
+  const double fx = one.at(2 * m.head->body[0].nodes, column), fy = one.at(2 * m.head->body[0].nodes + 1, column);
   const double scale = m.head->stress_unit / (2 * c2d::shear_modulus(m, 0)) / m.head->length_unit;
   CHECK(fx == doctest::Approx(0.2 * pair.nx * scale).epsilon(1e-12));
   CHECK(fy == doctest::Approx(0.2 * pair.ny * scale).epsilon(1e-12));

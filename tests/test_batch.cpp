@@ -59,13 +59,11 @@ Element line(int nodes, double x0, double y0, double x1, double y1) {
 }
 
 // Largest difference, relative to the largest entry of the block one by one.
-double compare(const double batch[4][2][2 * kBatch], const double block[4][2][2], int functions, int s,
-               double scale) {
+double compare(const double batch[4][2][2 * kBatch], const double block[4][2][2], int functions, int s, double scale) {
   double worst = 0;
   for (int l = 0; l < functions; ++l)
     for (int i = 0; i < 2; ++i)
-      for (int j = 0; j < 2; ++j)
-        worst = std::fmax(worst, std::fabs(batch[l][j][2 * s + i] - block[l][i][j]) / scale);
+      for (int j = 0; j < 2; ++j) worst = std::fmax(worst, std::fabs(batch[l][j][2 * s + i] - block[l][i][j]) / scale);
   return worst;
 }
 
@@ -98,14 +96,11 @@ void compare_sources(const BatchKernel& kernel, const Integrator& in, const doub
     // Entries of h are of the size k * length / distance, also where they cancel: nu = 0.5, on the element's
     // line.
     const Element& e = in.element;
-    const double away =
-        std::hypot(x - 0.5 * (e.x[0] + e.x[e.nodes - 1]), y - 0.5 * (e.y[0] + e.y[e.nodes - 1]));
-    const double size =
-        std::fmax(largest(one.h, in.functions), in.k * e.half_length / (away + e.half_length));
+    const double away = std::hypot(x - 0.5 * (e.x[0] + e.x[e.nodes - 1]), y - 0.5 * (e.y[0] + e.y[e.nodes - 1]));
+    const double size = std::fmax(largest(one.h, in.functions), in.k * e.half_length / (away + e.half_length));
     worst.h = std::fmax(worst.h, compare(out.h, one.h, in.functions, s, size));
     worst.g = std::fmax(worst.g, compare(out.g, one.g, in.functions, s, largest(one.g, in.functions)));
-    for (int i = 0; i < 4; ++i)
-      worst.rigid = std::fmax(worst.rigid, std::fabs(sum[4 * s + i] - one_sum[i / 2][i % 2]) / size);
+    for (int i = 0; i < 4; ++i) worst.rigid = std::fmax(worst.rigid, std::fabs(sum[4 * s + i] - one_sum[i / 2][i % 2]) / size);
   }
 }
 
@@ -122,9 +117,8 @@ TEST_CASE("batch: logarithm to an ulp over the whole range") {
         const double u = unit(random);
         v = n % 4 == 0   ? std::exp(1400 * u - 700)                     // everything
             : n % 4 == 1 ? 1 + (u - 0.5) * std::exp(-0.01 * (n % 3600)) // about 1
-            : n % 4 == 2
-                ? 0.5 + u
-                : std::ldexp(1, static_cast<int>(2000 * u) - 1000) * (1 + 4e-16 * (n % 9 - 4)); // powers of 2
+            : n % 4 == 2 ? 0.5 + u
+                         : std::ldexp(1, static_cast<int>(2000 * u) - 1000) * (1 + 4e-16 * (n % 9 - 4)); // powers of 2
       }
       {
         Traps traps;
@@ -179,21 +173,18 @@ TEST_CASE("batch: blocks of straight elements are those of one source at a time,
     for (int functions = 1; functions <= 4; ++functions) {
       Worst worst{};
       for (int n = 0; n < 3000; ++n) {
-        const double size = std::exp(8 * unit(random) - 6),
-                     turn = n % 5 == 0 ? 0.5 * kPi * (n % 4) : 7 * unit(random);
+        const double size = std::exp(8 * unit(random) - 6), turn = n % 5 == 0 ? 0.5 * kPi * (n % 4) : 7 * unit(random);
         const double x0 = 4 * unit(random) - 2, y0 = 4 * unit(random) - 2;
         const double x1 = x0 + size * std::cos(turn), y1 = y0 + size * std::sin(turn);
         const double nu[] = {0.3, 0.5, 0.0, -0.9};
         Integrator in;
-        prepare(in, line(functions < 2 ? 2 : functions, x0, y0, x1, y1), functions, nu[n % 4],
-                Quadrature::accurate);
+        prepare(in, line(functions < 2 ? 2 : functions, x0, y0, x1, y1), functions, nu[n % 4], Quadrature::accurate);
         REQUIRE(is_batched(in, true));
         double xy[2 * kBatch];
         for (int s = 0; s < kBatch; ++s) {
           // Up to 6 lengths away, beyond, and both in one batch; close to an end; on the element's line.
           const bool near = n % 3 == 0 || (n % 3 == 1 && s % 2);
-          const double away =
-              size * (near ? std::exp(6 * unit(random) - 4) : std::exp(8 * unit(random) + 1.5));
+          const double away = size * (near ? std::exp(6 * unit(random) - 4) : std::exp(8 * unit(random) + 1.5));
           const double angle = n % 7 == 0 ? turn : 7 * unit(random), sign = n % 14 == 0 ? -1 : 1;
           const bool first = sign < 0 || (n % 7 != 0 && s % 3 == 0);
           xy[2 * s] = (first ? x0 : x1) + sign * away * std::cos(angle);
@@ -201,8 +192,7 @@ TEST_CASE("batch: blocks of straight elements are those of one source at a time,
         }
         compare_sources(*set.kernel, in, xy, worst);
       }
-      INFO(set.name << ", functions " << functions << ": h " << worst.h << ", g " << worst.g << ", rigid "
-                    << worst.rigid);
+      INFO(set.name << ", functions " << functions << ": h " << worst.h << ", g " << worst.g << ", rigid " << worst.rigid);
       CHECK(worst.h < 2e-13); // of the largest entry; 1e-12 is what assembly promises
       CHECK(worst.g < 2e-13);
       CHECK(worst.rigid < 2e-13);
@@ -230,8 +220,7 @@ TEST_CASE("batch: sources on the element give finite numbers and raise nothing")
       }
       for (int l = 0; l < functions; ++l)
         for (int n = 0; n < 4 * kBatch; ++n)
-          CHECK(std::isfinite(out.h[l][n / (2 * kBatch)][n % (2 * kBatch)] +
-                              out.g[l][n / (2 * kBatch)][n % (2 * kBatch)]));
+          CHECK(std::isfinite(out.h[l][n / (2 * kBatch)][n % (2 * kBatch)] + out.g[l][n / (2 * kBatch)][n % (2 * kBatch)]));
       for (const double value : sum) CHECK(std::isfinite(value));
     }
 }
@@ -319,9 +308,10 @@ TEST_CASE("batch: displacement and stress at far points are those of one point a
             const double away = std::hypot(at.x[s] - x0, at.y[s] - y0), part = displaced ? size / away : 0.0;
             const double most_u = std::fmax(size, part) * e.in.k, most_s = (size + part) / away * e.in.k;
             worst_u = std::fmax(worst_u, std::hypot(out.ux[s] - one.u.re, out.uy[s] - one.u.im) / most_u);
-            worst_s = std::fmax(worst_s, std::hypot(out.trace[s] - one.trace, std::hypot(out.deviator_re[s] - one.deviator.re,
-                                                                                      out.deviator_im[s] - one.deviator.im)) /
-                                             most_s);
+            worst_s =
+                std::fmax(worst_s, std::hypot(out.trace[s] - one.trace, std::hypot(out.deviator_re[s] - one.deviator.re,
+                                                                                   out.deviator_im[s] - one.deviator.im)) /
+                                       most_s);
           }
         }
         INFO(set.name << ", functions " << functions << ": u " << worst_u << ", stress " << worst_s);

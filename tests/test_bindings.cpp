@@ -10,8 +10,8 @@ using namespace test;
 namespace {
 
 const std::string kRoot = C2D_TEST_ROOT;
-const char* const kHeaders[] = {"/include/contact2d.h", "/port/memory/c2d_memory.h",
-                                "/port/stdio/c2d_stdio.h", "/port/posix/c2d_posix.h", "/port/threads/c2d_threads.h"};
+const char* const kHeaders[] = {"/include/contact2d.h", "/port/memory/c2d_memory.h", "/port/stdio/c2d_stdio.h",
+                                "/port/posix/c2d_posix.h", "/port/threads/c2d_threads.h"};
 
 using Words = std::vector<std::string>;
 
@@ -29,9 +29,7 @@ struct Interface {
   std::map<std::string, Words> structs; // members in their order
 };
 
-bool is_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
-}
+bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
 std::string trimmed(const std::string& text) {
   const size_t first = text.find_first_not_of(" \n\t"), last = text.find_last_not_of(" \n\t");
@@ -65,8 +63,7 @@ Words split(const std::string& text, char separator) {
 
 std::string between(const std::string& text, char open, char close) {
   const size_t first = text.find(open), last = text.rfind(close);
-  return first == std::string::npos || last == std::string::npos ? ""
-                                                                 : text.substr(first + 1, last - first - 1);
+  return first == std::string::npos || last == std::string::npos ? "" : text.substr(first + 1, last - first - 1);
 }
 
 // ---- C
@@ -124,16 +121,13 @@ void read_c_statement(const std::string& statement, Interface& out) {
       if (contains(each, "(*"))
         members.push_back(last_word(each.substr(0, each.find(")("))));
       else
-        for (const std::string& one : split(each, ','))
-          members.push_back(last_word(one.substr(0, one.find('['))));
+        for (const std::string& one : split(each, ',')) members.push_back(last_word(one.substr(0, one.find('['))));
     }
     out.structs[last_word(statement)] = members;
   } else if (statement.compare(0, 7, "typedef") != 0 && contains(statement, "(")) {
     Function f;
     const std::string head = statement.substr(0, statement.find('('));
-    f.result = contains(head, "char*")            ? "type(c_ptr)"
-               : head.compare(0, 5, "void ") == 0 ? ""
-                                                  : fortran_type(head);
+    f.result = contains(head, "char*") ? "type(c_ptr)" : head.compare(0, 5, "void ") == 0 ? "" : fortran_type(head);
     for (const std::string& each : split(between(statement, '(', ')'), ','))
       if (each != "void") f.arguments.push_back(c_argument(each));
     out.functions[last_word(head)] = f;
@@ -221,8 +215,7 @@ private:
     const size_t other = s.find("name='"); // bound to another name
     if (other != std::string::npos) function_ = s.substr(other + 6, s.find('\'', other + 6) - other - 6);
     Function f;
-    for (const std::string& each : split(s.substr(open + 1, close - open - 1), ','))
-      f.arguments.push_back({each, "", false});
+    for (const std::string& each : split(s.substr(open + 1, close - open - 1), ',')) f.arguments.push_back({each, "", false});
     const size_t result = s.find("result(");
     result_ = result == std::string::npos ? "" : s.substr(result + 7, s.find(')', result) - result - 7);
     out_.functions[function_] = f;
@@ -289,8 +282,7 @@ TEST_CASE("bindings: every constant of the headers is in the Fortran module, wit
     CHECK_MESSAGE(found != module().constants.end(), name << " is not in contact2d.f90");
     if (found != module().constants.end()) CHECK_MESSAGE(found->second == value, name);
   }
-  for (const auto& each : module().constants)
-    CHECK_MESSAGE(headers().constants.count(each.first) == 1, each.first);
+  for (const auto& each : module().constants) CHECK_MESSAGE(headers().constants.count(each.first) == 1, each.first);
 }
 
 TEST_CASE("bindings: every struct of the headers is in the Fortran module, member by member") {
@@ -303,8 +295,7 @@ TEST_CASE("bindings: every struct of the headers is in the Fortran module, membe
     if (found == module().structs.end()) continue;
     CHECK_MESSAGE(found->second.size() == members.size(), name);
     for (size_t i = 0; i < members.size() && i < found->second.size(); ++i)
-      CHECK_MESSAGE(found->second[i] == members[i],
-                    name << ": " << found->second[i] << ", not " << members[i]);
+      CHECK_MESSAGE(found->second[i] == members[i], name << ": " << found->second[i] << ", not " << members[i]);
   }
 }
 
@@ -321,11 +312,9 @@ std::string c_layout() {
     const Words& members = each.second;
     text += "  printf(\"" + name + " %d\\n\", (int)sizeof(" + name + "));\n";
     for (const std::string& member : members)
-      text +=
-          "  printf(\"" + name + " " + member + " %d\\n\", (int)offsetof(" + name + ", " + member + "));\n";
+      text += "  printf(\"" + name + " " + member + " %d\\n\", (int)offsetof(" + name + ", " + member + "));\n";
     if (members[0] == "struct_size")
-      text += "  { " + name + " x = C2D_INIT(" + name + "); printf(\"" + name +
-              " holds %d\\n\", (int)x.struct_size); }\n";
+      text += "  { " + name + " x = C2D_INIT(" + name + "); printf(\"" + name + " holds %d\\n\", (int)x.struct_size); }\n";
   }
   return text + "  return 0;\n}\n";
 }
@@ -339,10 +328,9 @@ std::string fortran_layout() {
     const std::string x = name + "_";
     text += "  print '(a,1x,i0)', '" + name + "', c_sizeof(" + x + ")\n";
     for (const std::string& member : members)
-      text += "  print '(a,1x,i0)', '" + name + " " + member + "', at(c_loc(" + x + "%" + member +
-              ")) - at(c_loc(" + x + "))\n";
-    if (members[0] == "struct_size")
-      text += "  print '(a,1x,i0)', '" + name + " holds', " + x + "%struct_size\n";
+      text +=
+          "  print '(a,1x,i0)', '" + name + " " + member + "', at(c_loc(" + x + "%" + member + ")) - at(c_loc(" + x + "))\n";
+    if (members[0] == "struct_size") text += "  print '(a,1x,i0)', '" + name + " holds', " + x + "%struct_size\n";
   }
   return "program layout\n  use contact2d\n  implicit none\n" + declared + text +
          "contains\n  integer(c_intptr_t) function at(address)\n    type(c_ptr), intent(in) :: address\n"
@@ -356,8 +344,8 @@ TEST_CASE("bindings: structs have the same size, default and places of members i
   const Folder folder;
   write_file(folder / "c.c", c_layout());
   write_file(folder / "f.f90", fortran_layout());
-  const Result c = run_shell(C2D_TEST_CC " -std=c99 -I'" + kRoot + "/include' '" + (folder / "c.c") +
-                             "' -o '" + (folder / "c") + "' && '" + (folder / "c") + "'");
+  const Result c = run_shell(C2D_TEST_CC " -std=c99 -I'" + kRoot + "/include' '" + (folder / "c.c") + "' -o '" +
+                             (folder / "c") + "' && '" + (folder / "c") + "'");
   const Result f = run_shell("cd '" + folder.path() + "' && gfortran -w '" + kRoot +
                              "/port/fortran/contact2d.f90' f.f90 '" C2D_TEST_LIBRARY "' -o f && ./f");
   REQUIRE_MESSAGE(c.status == 0, c.err);

@@ -240,8 +240,7 @@ double spin_error(const Problem& p, const Spinning& s, double cx, double cy) {
   const int slices = 2000;
   for (int i = 0; i < slices; ++i) {
     const double radius = s.a + (i + 0.5) / slices * (s.b - s.a);
-    stored += 0.5 * s.w * radius * s.displacement(radius) * (p.symmetry == 3 ? 0.5 : 2) * kPi * radius *
-              (s.b - s.a) / slices;
+    stored += 0.5 * s.w * radius * s.displacement(radius) * (p.symmetry == 3 ? 0.5 : 2) * kPi * radius * (s.b - s.a) / slices;
   }
   CHECK(r.summary.work == doctest::Approx(stored).epsilon(2e-2).scale(0.01 * s.w * s.b * s.b * s.b * largest));
   CHECK(std::fabs(r.summary.energy_defect) < 1e-9);
@@ -500,8 +499,7 @@ TEST_CASE("body force: the keyword card") {
   const deck_test::Reading twice = with("*BODY FORCE 1 2 0 -9.81\n*BODY FORCE 1 2 0 -9.81");
   CHECK(twice.status == C2D_ERR_INPUT);
   REQUIRE(twice.faults.size() == 1);
-  CHECK(twice.faults[0].text ==
-        "body 1 has a body force in load case 2 twice, expected one card for a body and load case");
+  CHECK(twice.faults[0].text == "body 1 has a body force in load case 2 twice, expected one card for a body and load case");
   CHECK(twice.faults[0].line == static_cast<int>(deck_test::squares().size()) + 2);
   CHECK(twice.faults[0].column == 15);
   const deck_test::Reading near = with("*BODYFORCE 1 1 0 -9.81");

@@ -44,16 +44,13 @@ std::vector<std::string> includes_of(const fs::path& path) {
 
 int level_of(const std::string& folder) {
   static const std::map<std::string, int> kLevels = {
-      {"memory", 0},      {"quadrature", 0}, {"linalg", 0},  {"store", 0},   {"model", 1},
-      {"deck", 2},        {"bie", 2},        {"elimination", 3}, {"contact", 4}, {"solver", 5},
-      {"results", 6},     {"interface", 7},  {"report", 8},  {"program", 9}};
+      {"memory", 0},      {"quadrature", 0}, {"linalg", 0}, {"store", 0},   {"model", 1},     {"deck", 2},   {"bie", 2},
+      {"elimination", 3}, {"contact", 4},    {"solver", 5}, {"results", 6}, {"interface", 7}, {"report", 8}, {"program", 9}};
   const auto found = kLevels.find(folder);
   return found == kLevels.end() ? -1 : found->second;
 }
 
-std::string name_of(const fs::path& path) {
-  return fs::relative(path, kRoot).generic_string();
-}
+std::string name_of(const fs::path& path) { return fs::relative(path, kRoot).generic_string(); }
 
 } // namespace
 
@@ -71,8 +68,7 @@ TEST_CASE("build: a file of src/ includes only downward") {
       if (other < 0) continue;
       ++seen;
       CHECK_MESSAGE(other <= level, name << " includes " << include);
-      CHECK_MESSAGE(fs::exists(kRoot / "src" / include),
-                    name << " includes " << include << ", which is not there");
+      CHECK_MESSAGE(fs::exists(kRoot / "src" / include), name << " includes " << include << ", which is not there");
     }
   }
   CHECK(seen > 20);
@@ -109,17 +105,14 @@ TEST_CASE("build: a file of the core calls only downward") {
 }
 
 TEST_CASE("build: the core includes no header of an operating system or of the C++ run-time") {
-  static const std::set<std::string> kAllowed = {"stdint.h",    "stddef.h", "string.h", "math.h",
-                                                 "float.h",     "limits.h", "limits",   "type_traits",
-                                                 "contact2d.h", "cpuid.h"}; // the processor's own answers
+  static const std::set<std::string> kAllowed = {
+      "stdint.h", "stddef.h", "string.h",    "math.h",      "float.h",
+      "limits.h", "limits",   "type_traits", "contact2d.h", "cpuid.h"}; // the processor's own answers
   for (const fs::path& path : files_below("src")) {
     const std::string name = name_of(path);
-    if (!is_source(path) || name.compare(0, 11, "src/report/") == 0 ||
-        name.compare(0, 12, "src/program/") == 0)
-      continue;
+    if (!is_source(path) || name.compare(0, 11, "src/report/") == 0 || name.compare(0, 12, "src/program/") == 0) continue;
     for (const std::string& include : includes_of(path)) {
-      const bool own =
-          include.find('/') != std::string::npos && level_of(include.substr(0, include.find('/'))) >= 0;
+      const bool own = include.find('/') != std::string::npos && level_of(include.substr(0, include.find('/'))) >= 0;
       CHECK_MESSAGE((own || kAllowed.count(include) == 1), name << " includes " << include);
     }
   }
@@ -166,8 +159,7 @@ TEST_CASE("build: src/sources.mk lists what the folders hold, and nothing twice"
 }
 
 TEST_CASE("build: make and CMake read that list and no other") {
-  const std::string make = read_file((kRoot / "Makefile").string()),
-                    cmake = read_file((kRoot / "CMakeLists.txt").string());
+  const std::string make = read_file((kRoot / "Makefile").string()), cmake = read_file((kRoot / "CMakeLists.txt").string());
   CHECK(contains(make, "include src/sources.mk"));
   CHECK(contains(cmake, "file(STRINGS src/sources.mk"));
   CHECK_FALSE(contains(cmake, ".cpp "));
@@ -176,8 +168,7 @@ TEST_CASE("build: make and CMake read that list and no other") {
   const size_t members = lines_of(run_shell("ar t '" C2D_TEST_LIBRARY "'").out).size();
   size_t sources = 0;
   for (const std::string& line : lines_of(read_file((kRoot / "src/sources.mk").string())))
-    if (line.compare(0, 16, "CORE_SOURCES += ") == 0 || line.compare(0, 16, "PORT_SOURCES += ") == 0)
-      ++sources;
+    if (line.compare(0, 16, "CORE_SOURCES += ") == 0 || line.compare(0, 16, "PORT_SOURCES += ") == 0) ++sources;
   CHECK(members == sources);
 }
 
@@ -193,8 +184,7 @@ TEST_CASE("build: every text is ASCII without tabs or trailing blanks") {
     ++seen;
     const std::string text = read_file(path.string());
     const auto odd = std::find_if(text.begin(), text.end(), [&](char c) {
-      return c != '\n' && !(rules && c == '\t') &&
-             (static_cast<unsigned char>(c) < 32 || static_cast<unsigned char>(c) > 126);
+      return c != '\n' && !(rules && c == '\t') && (static_cast<unsigned char>(c) < 32 || static_cast<unsigned char>(c) > 126);
     });
     CHECK_MESSAGE(odd == text.end(), name_of(path) << ": byte " << (odd - text.begin()));
     if (is_source(path)) CHECK_MESSAGE(!contains(text, " \n"), name_of(path) << ": blanks at the end of a line");
@@ -212,11 +202,11 @@ TEST_CASE("build: the public headers compile alone, as C99 and as C++, with all 
                                    "\"\nint a(void);\nint a(void) { c2d_limits l = "
                                    "C2D_INIT(c2d_limits); return (int)l.struct_size; }\n");
     const std::string include = " -I'" + (kRoot / "include").string() + "' ";
-    const Result c = run_shell(C2D_TEST_CC " -std=c99 -pedantic -Wall -Wextra -Werror" + include + "-c '" +
-                               (folder / "a.c") + "' -o '" + (folder / "a.o") + "'");
+    const Result c = run_shell(C2D_TEST_CC " -std=c99 -pedantic -Wall -Wextra -Werror" + include + "-c '" + (folder / "a.c") +
+                               "' -o '" + (folder / "a.o") + "'");
     CHECK_MESSAGE(c.status == 0, header << "\n" << c.err);
-    const Result cxx = run_shell(C2D_TEST_CXX " -x c++ -std=c++17 -pedantic -Wall -Wextra -Werror" + include +
-                                 "-c '" + (folder / "a.c") + "' -o '" + (folder / "a.o") + "'");
+    const Result cxx = run_shell(C2D_TEST_CXX " -x c++ -std=c++17 -pedantic -Wall -Wextra -Werror" + include + "-c '" +
+                                 (folder / "a.c") + "' -o '" + (folder / "a.o") + "'");
     CHECK_MESSAGE(cxx.status == 0, header << "\n" << cxx.err);
   }
 }
@@ -227,12 +217,10 @@ namespace {
 Result run_example(const std::string& compiler, const std::string& deck) {
   const Folder folder;
   const std::string root = kRoot.string(), object = folder / "a.o", program = folder / "a";
-  const Result compiled =
-      run_shell(compiler + " -Wall -Wextra -Werror -I'" + root + "/include' -I'" + root +
-                "/port/memory' -c '" + root + "/examples/static_array.c' -o '" + object + "'");
+  const Result compiled = run_shell(compiler + " -Wall -Wextra -Werror -I'" + root + "/include' -I'" + root +
+                                    "/port/memory' -c '" + root + "/examples/static_array.c' -o '" + object + "'");
   if (compiled.status != 0) return compiled;
-  const Result linked =
-      run_shell(C2D_TEST_CC " '" + object + "' '" C2D_TEST_LIBRARY "' -lm -o '" + program + "'");
+  const Result linked = run_shell(C2D_TEST_CC " '" + object + "' '" C2D_TEST_LIBRARY "' -lm -o '" + program + "'");
   if (linked.status != 0) return linked;
   return run_shell("'" + program + "' '" + root + "/examples/" + deck + "'");
 }

@@ -15,9 +15,9 @@ namespace {
 struct Host : RamStore {
   c2d_port port = C2D_INIT(c2d_port);
   c2d_solver* solver = nullptr;
-  int64_t calls = 0, cancel_at = -1;     // of cancel
-  int64_t told = 0, tell_cancel_at = -1; // of progress
-  std::vector<int32_t> cancelled_in;     // phase
+  int64_t calls = 0, cancel_at = -1;                                // of cancel
+  int64_t told = 0, tell_cancel_at = -1;                            // of progress
+  std::vector<int32_t> cancelled_in;                                // phase
   std::map<std::pair<int32_t, int32_t>, std::set<int64_t>> columns; // (phase, body): done
   std::map<int32_t, int64_t> phases;
   static int32_t cancel(void* context) {
@@ -135,8 +135,8 @@ TEST_CASE("cancel: an advance that was cancelled goes on to the same state") {
     for (int32_t field : {C2D_STATUS, C2D_TN, C2D_TT, C2D_UN1, C2D_UT2, C2D_GAP, C2D_SLIP_SUM}) {
       REQUIRE(c2d_get(s, field, 1, 1, limits.pairs, row.data(), 1) == C2D_OK);
       const double size = std::max(1e-300, std::fabs(*std::max_element(row.begin(), row.end(), [](double a, double b) {
-                                             return std::fabs(a) < std::fabs(b);
-                                           })));
+                                     return std::fabs(a) < std::fabs(b);
+                                   })));
       for (double value : row) out.push_back(field == C2D_STATUS ? value : value / size);
     }
   };

@@ -22,9 +22,7 @@ Run solved(const Settings& settings, Stepping stepping, const LoadCards& cards) 
 Run by_events(const Settings& settings, const LoadCards& cards = equal(1)) {
   return solved(settings, Stepping::kEvents, cards);
 }
-Run by_increments(const Settings& settings, const LoadCards& cards) {
-  return solved(settings, Stepping::kIncrements, cards);
-}
+Run by_increments(const Settings& settings, const LoadCards& cards) { return solved(settings, Stepping::kIncrements, cards); }
 Settings with(Settings settings, const std::string& more) {
   settings.push_back(more);
   return settings;
@@ -32,8 +30,7 @@ Settings with(Settings settings, const std::string& more) {
 
 } // namespace
 
-TEST_CASE(
-    "chapter9: the closed form of adhesion is the reference, which was made by superposition of stamps") {
+TEST_CASE("chapter9: the closed form of adhesion is the reference, which was made by superposition of stamps") {
   const Adhesion exact(0.3);
   CHECK(exact.half_width() == doctest::Approx(0.9686138354342385).epsilon(1e-8));
   for (const std::vector<double>& row : families_test::reference("p06_pq_adh_nu0.3")) {
@@ -46,9 +43,8 @@ TEST_CASE("chapter9: event following needs no increments") {
   for (const char* mu : {"mu=inf", "mu=0.4"}) {
     const Settings settings = {mu, "n=15", "edge=0"};
     const Run one = by_events(settings);
-    for (const LoadCards& cards :
-         {equal(25), equal(200), LoadCards{{4, 0.16}, {168, 1.0}}, pair_by_pair(settings, one.touching),
-          LoadCards{{3, 0.0137}, {1, 0.77}, {1, 1.0}}}) {
+    for (const LoadCards& cards : {equal(25), equal(200), LoadCards{{4, 0.16}, {168, 1.0}},
+                                   pair_by_pair(settings, one.touching), LoadCards{{3, 0.0137}, {1, 0.77}, {1, 1.0}}}) {
       const Run many = by_events(settings, cards);
       REQUIRE(many.nodes.size() == one.nodes.size());
       for (size_t i = 0; i < one.nodes.size(); ++i) {
@@ -73,8 +69,7 @@ TEST_CASE("chapter9: equal increments oscillate and come closer to the events as
     before = now;
     if (count == 25) CHECK(now > 0.05);
     if (count == 200) CHECK(now < 0.03);
-    for (size_t i = 0; i < run.nodes.size();
-         ++i) // normal tractions hardly depend on them, as the thesis says
+    for (size_t i = 0; i < run.nodes.size(); ++i) // normal tractions hardly depend on them, as the thesis says
       CHECK(std::fabs(run.nodes[i].pressure - exact.nodes[i].pressure) < 0.02);
   }
   CHECK(before < 0.002);
@@ -86,8 +81,7 @@ TEST_CASE("chapter9: what large increments spoil stays where it is (figure 38)")
   for (size_t i = 0; i < run.nodes.size(); ++i) {
     if (run.nodes[i].x > kInside) continue;
     double& worst = run.nodes[i].x < 0.45 ? inside : outside; // the contact reaches 0.39 at 16 % of the load
-    worst =
-        std::max(worst, std::fabs(run.nodes[i].friction - exact.nodes[i].friction) / largest_friction(exact));
+    worst = std::max(worst, std::fabs(run.nodes[i].friction - exact.nodes[i].friction) / largest_friction(exact));
   }
   CHECK(inside > 0.15);  // measured 0.19
   CHECK(outside < 0.03); // measured 0.027
@@ -110,8 +104,7 @@ TEST_CASE("chapter9: increments of one pair each give a smooth curve that is too
   CHECK(compare(by_increments(kAdhesion, divided(cards, 64)), exact).rms < 0.002); // measured 0.0013
 }
 
-TEST_CASE(
-    "chapter9: a jump in the size of elements leaves an error there that no increment removes (figure 40)") {
+TEST_CASE("chapter9: a jump in the size of elements leaves an error there that no increment removes (figure 40)") {
   const Adhesion continuum(0.3);
   double largest[3];
   const char* const sizes[] = {"sizes=equal", "sizes=gradual", "sizes=jump"};
@@ -121,8 +114,7 @@ TEST_CASE(
     largest[i] = compare(exact, continuum).largest; // measured 0.0042, 0.0125, 0.040
     CHECK(compare(exact, continuum).rms < compare(by_increments(mesh, equal(200)), continuum).rms);
     if (i < 2) continue;
-    for (const Node& node :
-         exact.nodes) // but for the nodes at the jump, at 0.714, all is as on equal elements
+    for (const Node& node : exact.nodes) // but for the nodes at the jump, at 0.714, all is as on equal elements
       if (node.x < 0.55 || (node.x > 0.73 && node.x < 0.85))
         CHECK(std::fabs(node.friction - continuum.friction(node.x)) < 0.01 * largest_friction(exact));
   }
@@ -136,8 +128,8 @@ TEST_CASE("chapter9: slip at the edge makes increments matter less (figure 41)")
   const Settings friction = {"mu=0.4", "n=15", "edge=0"};
   const Run exact = by_events(friction), adhesion = by_events(kAdhesion);
   const double twenty = compare(by_increments(friction, equal(20)), exact).rms;
-  CHECK(twenty < 0.03);                                                             // measured 0.018
-  CHECK(twenty < 0.3 * compare(by_increments(kAdhesion, equal(20)), adhesion).rms); // 0.087 with 25
+  CHECK(twenty < 0.03);                                                                              // measured 0.018
+  CHECK(twenty < 0.3 * compare(by_increments(kAdhesion, equal(20)), adhesion).rms);                  // 0.087 with 25
   CHECK(compare(by_increments(friction, pair_by_pair(friction, exact.touching)), exact).rms < 0.01); // 0.0025
 }
 
@@ -147,34 +139,28 @@ TEST_CASE("chapter9: quadratic elements let the friction alternate between end a
   // question open.
   const Adhesion continuum(0.3);
   const Run quadratic = by_events({"mu=inf", "n=8", "edge=0", "order=2"}); // as many nodes as 14 linear ones
-  CHECK(compare(quadratic, continuum).largest >
-        5 * compare(by_events(kAdhesion), continuum).largest); // 0.047, 0.0042
+  CHECK(compare(quadratic, continuum).largest > 5 * compare(by_events(kAdhesion), continuum).largest); // 0.047, 0.0042
 }
 
 TEST_CASE("chapter9: the program writes table, picture, curves, and decks that contact2d runs alike") {
   const test::Folder folder;
   const test::Result result = test::run_shell("'" C2D_TEST_CHAPTER9 "' '" + folder.path() + "'");
   REQUIRE_MESSAGE(result.status == 0, result.err);
-  for (const char* curve :
-       {"\nevents ", "\nequal_25 ", "\nequal_200 ", "\npairs_4 ", "\nsizes_jump_200 ", "\nmu_0.4_pairs "})
+  for (const char* curve : {"\nevents ", "\nequal_25 ", "\nequal_200 ", "\npairs_4 ", "\nsizes_jump_200 ", "\nmu_0.4_pairs "})
     CHECK_MESSAGE(test::contains(result.out, curve), curve);
   const std::string picture = test::read_file(folder / "chapter9.svg");
   for (const char* text : {"<svg", "Figure 36", "Figure 41", "distance from the axis x / a", "</svg>"})
     CHECK_MESSAGE(test::contains(picture, text), text);
   CHECK(!test::contains(picture, "nan"));
 
-  const test::Result run =
-      test::run_shell("'" C2D_TEST_PROGRAM "' run '" + (folder / "equal_100.dat") +
-                      "' --stepping deck --csv '" + (folder / "run.csv") + "' --listing /dev/null");
+  const test::Result run = test::run_shell("'" C2D_TEST_PROGRAM "' run '" + (folder / "equal_100.dat") +
+                                           "' --stepping deck --csv '" + (folder / "run.csv") + "' --listing /dev/null");
   REQUIRE_MESSAGE(run.status == 0, run.err);
-  std::vector<double>
-      friction; // of the last step, over p0, by the numbers of the pairs: from the zone's end to the axis
+  std::vector<double> friction; // of the last step, over p0, by the numbers of the pairs: from the zone's end to the axis
   for (const std::string& line : test::lines_of(test::read_file(folder / "run.csv"))) {
     int step = 0;
     double tn = 0, tt = 0;
-    if (std::sscanf(line.c_str(), "%*[^,],%d,%*[^,],%*d,%*[^,],%*[^,],%*[^,],%lf,%lf", &step, &tn, &tt) ==
-            3 &&
-        step == 100)
+    if (std::sscanf(line.c_str(), "%*[^,],%d,%*[^,],%*d,%*[^,],%*[^,],%*[^,],%lf,%lf", &step, &tn, &tt) == 3 && step == 100)
       friction.push_back(-tt / (1000 / (2 * 0.91) / 100));
   }
   std::vector<double> written;

@@ -83,8 +83,7 @@ TEST_CASE("contours: a plane is continued exactly") {
 }
 
 TEST_CASE("contours: inside and outside of a ring") {
-  const std::vector<std::vector<app::Point>> ring = {{{0, 0}, {4, 0}, {4, 4}, {0, 4}},
-                                                     {{1, 1}, {1, 3}, {3, 3}, {3, 1}}};
+  const std::vector<std::vector<app::Point>> ring = {{{0, 0}, {4, 0}, {4, 4}, {0, 4}}, {{1, 1}, {1, 3}, {3, 3}, {3, 1}}};
   CHECK(app::is_inside(ring, {0.5, 0.5}));
   CHECK(!app::is_inside(ring, {2.0, 2.0}));
   CHECK(!app::is_inside(ring, {5.0, 2.0}));

@@ -96,9 +96,7 @@ TEST_CASE("curves: an ellipse and a parabola to the fourth order, normals to the
     CHECK(e[0].off < 2e-4);
   };
   check_orders("ellipse", [](int elements) {
-    const Curve ellipse = [](double t, double& x, double& y) {
-      x = 2 * std::cos(2 * kPi * t), y = std::sin(2 * kPi * t);
-    };
+    const Curve ellipse = [](double t, double& x, double& y) { x = 2 * std::cos(2 * kPi * t), y = std::sin(2 * kPi * t); };
     ModelData d = body_of_points(sampled(elements, ellipse));
     return errors_of(
         d, 0, elements - 1, [](double x, double y) { return off_ellipse(2, 1, x, y); },
@@ -241,8 +239,12 @@ TEST_CASE("curves: directions, units, mirrors and numbers do not matter") {
     int shift;
     bool mirrored;
   };
-  for (const Change& c : {Change{1.1, 1, 0, false}, {0, 1e-6, 0, false}, {0, 3e5, 0, false}, {0, 1, 9, false},
-                          {0, 1, 0, true}, {2.3, 1e3, 5, true}}) {
+  for (const Change& c : {Change{1.1, 1, 0, false},
+                          {0, 1e-6, 0, false},
+                          {0, 3e5, 0, false},
+                          {0, 1, 9, false},
+                          {0, 1, 0, true},
+                          {2.3, 1e3, 5, true}}) {
     const double cosine = c.size * std::cos(c.angle), sine = c.size * std::sin(c.angle);
     Points q(p.size());
     const auto place = [&](int i) { // of element i in the other body
@@ -276,7 +278,8 @@ TEST_CASE("curves: no last digit turns the ends of flats of few chords") {
   // round-off, either way. Equal as they may be told, also in other directions.
   for (const double rise : {0.02, 0.05, 0.15, 0.25})
     for (const double fall : {0.03, 0.16}) {
-      const Points flat = {0, 0, 1, 0, 1.5, rise, 2, 2 * rise, 2.6, 2 * rise - fall, 3.2, 2 * rise - 2 * fall, 4, 0.1, 4, 3, 0, 3};
+      const Points flat = {0, 0,   1, 0, 1.5, rise, 2, 2 * rise, 2.6, 2 * rise - fall, 3.2, 2 * rise - 2 * fall,
+                           4, 0.1, 4, 3, 0,   3};
       ModelData plain = body_of_points(flat);
       for (int turn = 1; turn < 100; ++turn) {
         const double cosine = std::cos(0.0628 * turn), sine = std::sin(0.0628 * turn);
@@ -287,7 +290,8 @@ TEST_CASE("curves: no last digit turns the ends of flats of few chords") {
         double worst = 0;
         for (int32_t e = 0; e < 9; ++e)
           for (double eta : {-1.0, -0.4, 1.0}) {
-            const c2d::SurfacePoint a = c2d::surface_point(plain.view(), 0, e, eta), b = c2d::surface_point(turned.view(), 0, e, eta);
+            const c2d::SurfacePoint a = c2d::surface_point(plain.view(), 0, e, eta),
+                                    b = c2d::surface_point(turned.view(), 0, e, eta);
             worst = std::max(worst, std::hypot(cosine * a.nx - sine * a.ny - b.nx, sine * a.nx + cosine * a.ny - b.ny));
           }
         CAPTURE(rise);
@@ -298,9 +302,7 @@ TEST_CASE("curves: no last digit turns the ends of flats of few chords") {
 }
 
 TEST_CASE("curves: at a line of symmetry a surface goes on as its own image") {
-  const Curve ellipse = [](double t, double& x, double& y) {
-    x = 2 * std::cos(2 * kPi * t), y = std::sin(2 * kPi * t);
-  };
+  const Curve ellipse = [](double t, double& x, double& y) { x = 2 * std::cos(2 * kPi * t), y = std::sin(2 * kPi * t); };
   const int quarter = 9;
   ModelData whole = body_of_points(sampled(4 * quarter, ellipse, 0));
   Points p = sampled(4 * quarter, ellipse, 0);
@@ -402,9 +404,8 @@ TEST_CASE("curves: a line, an arc and a spline that are told") {
   double off[3];
   for (int i = 0; i < 3; ++i) {
     const int elements = 60 << i;
-    ModelData d = body_of_points(sampled(elements, [](double t, double& x, double& y) {
-      x = 2 * std::cos(2 * kPi * t), y = std::sin(2 * kPi * t);
-    }));
+    ModelData d = body_of_points(
+        sampled(elements, [](double t, double& x, double& y) { x = 2 * std::cos(2 * kPi * t), y = std::sin(2 * kPi * t); }));
     d.surfaces = {{C2D_CURVE_SPLINE, 0, 0, elements - 1, 0, 0, {0, 0}, 0}};
     off[i] = errors_of(
                  d, 0, elements - 1, [](double x, double y) { return off_ellipse(2, 1, x, y); },

@@ -1,8 +1,8 @@
 // Decks that are right: every call they lead to, against a parser written for this test alone.
 #include "deck/number.hpp"
-#include "model/polar.hpp"
 #include "deck_recorder.hpp"
 #include "memory/text.hpp"
+#include "model/polar.hpp"
 
 #include <doctest/doctest.h>
 
@@ -31,8 +31,7 @@ struct NaiveParser {
     } while (card[0] == 'C');
   }
   double real(int first, int width = 10) const {
-    return std::strtod(card.substr(static_cast<size_t>(first - 1), static_cast<size_t>(width)).c_str(),
-                       nullptr);
+    return std::strtod(card.substr(static_cast<size_t>(first - 1), static_cast<size_t>(width)).c_str(), nullptr);
   }
   int integer(int first, int width = 5) const { return static_cast<int>(real(first, width)); }
 
@@ -47,10 +46,8 @@ struct NaiveParser {
     int regions[2], element_nodes[2], elements[2], nodes[2];
     for (int b = 0; b < bodies; ++b) {
       next();
-      regions[b] = integer(1), element_nodes[b] = integer(6), elements[b] = integer(11),
-      nodes[b] = integer(16);
-      calls.push_back(
-          {"body", {b + 1.0, double(element_nodes[b]), double(elements[b]), double(regions[b]), 1, 0}});
+      regions[b] = integer(1), element_nodes[b] = integer(6), elements[b] = integer(11), nodes[b] = integer(16);
+      calls.push_back({"body", {b + 1.0, double(element_nodes[b]), double(elements[b]), double(regions[b]), 1, 0}});
     }
     int element_shift = 0, node_shift = 0;
     for (int b = 0; b < bodies; ++b)
@@ -63,8 +60,7 @@ struct NaiveParser {
     for (int b = 0; b < bodies; ++b) {
       next();
       calls.push_back(
-          {"body",
-           {b + 1.0, double(element_nodes[b]), double(elements[b]), double(regions[b]), real(1), real(11)}});
+          {"body", {b + 1.0, double(element_nodes[b]), double(elements[b]), double(regions[b]), real(1), real(11)}});
     }
     next();
     const int coefficients = integer(1);
@@ -87,12 +83,8 @@ struct NaiveParser {
         for (int k = n0 + 1; k <= n; ++k) {
           const double share = double(k - n0) / (n - n0);
           const double angle = (a0 + (q - a0) * share) * degree;
-          const double x = polar    ? p * std::cos(k == n ? q * degree : angle)
-                           : k == n ? p
-                                    : x0 + (p - x0) * share;
-          const double y = polar    ? p * std::sin(k == n ? q * degree : angle)
-                           : k == n ? q
-                                    : y0 + (q - y0) * share;
+          const double x = polar ? p * std::cos(k == n ? q * degree : angle) : k == n ? p : x0 + (p - x0) * share;
+          const double y = polar ? p * std::sin(k == n ? q * degree : angle) : k == n ? q : y0 + (q - y0) * share;
           calls.push_back({"node", {b + 1.0, double(k), x + origin[b][0], y + origin[b][1]}});
         }
         x0 = polar ? p * std::cos(q * degree) : p;
@@ -111,16 +103,15 @@ struct NaiveParser {
         if (card[0] != '1') e0 = e, l0 = l - 1;
         for (int end = (e0 - 1) * order + l0 + 1; end <= (e - 1) * order + l; ++end)
           calls.push_back({"condition",
-                           {b + 1.0, double((end - 1) / order + 1), double((end - 1) % order + 1),
-                            real(12, 4), real(17), real(27), real(37), real(47), 1}});
+                           {b + 1.0, double((end - 1) / order + 1), double((end - 1) % order + 1), real(12, 4), real(17),
+                            real(27), real(37), real(47), 1}});
         e0 = e, l0 = l;
       }
       next();
       const int loads = integer(1);
       for (int i = 0; i < loads; ++i) {
         next();
-        calls.push_back({"point load",
-                         {b + 1.0, real(7) + origin[b][0], real(17) + origin[b][1], real(27), real(37), 1}});
+        calls.push_back({"point load", {b + 1.0, real(7) + origin[b][0], real(17) + origin[b][1], real(27), real(37), 1}});
       }
     }
     for (int z = 0; z < zones; ++z) {
@@ -153,8 +144,7 @@ void check_same(const std::vector<Call>& found, const std::vector<Call>& expecte
     REQUIRE(found[i].numbers.size() == expected[i].numbers.size());
     for (size_t k = 0; k < found[i].numbers.size(); ++k) {
       CAPTURE(k);
-      REQUIRE(std::fabs(found[i].numbers[k] - expected[i].numbers[k]) <=
-              1e-13 * (1 + std::fabs(expected[i].numbers[k])));
+      REQUIRE(std::fabs(found[i].numbers[k] - expected[i].numbers[k]) <= 1e-13 * (1 + std::fabs(expected[i].numbers[k])));
     }
   }
 }
@@ -180,8 +170,8 @@ int count_calls(const Reading& r, const char* name, double body = 0) {
 } // namespace
 
 TEST_CASE("sample decks lead to the calls that a naive parser finds") {
-  for (const char* name : {"sample.dat", "sample56.dat", "half_cylinder.dat", "layer_mu.dat", "layer_t.dat",
-                           "rect.dat", "block.dat", "plate.dat", "ring3.dat", "hertz_lin_l.dat"}) {
+  for (const char* name : {"sample.dat", "sample56.dat", "half_cylinder.dat", "layer_mu.dat", "layer_t.dat", "rect.dat",
+                           "block.dat", "plate.dat", "ring3.dat", "hertz_lin_l.dat"}) {
     CAPTURE(name);
     const std::string bytes = load(name);
     REQUIRE(!bytes.empty());
@@ -227,8 +217,7 @@ TEST_CASE("sizes of the sample deck") {
 }
 
 TEST_CASE("titles keep 72 columns") {
-  CHECK(read(load("sample.dat")).model.title ==
-        "HERTZ'S PROBLEM. F= 0.4 & 0.3, EQ. SIZE ELEM = .2 LOAD STEPS = 14*2");
+  CHECK(read(load("sample.dat")).model.title == "HERTZ'S PROBLEM. F= 0.4 & 0.3, EQ. SIZE ELEM = .2 LOAD STEPS = 14*2");
   std::vector<std::string> deck = squares();
   deck[1] = std::string(100, 'x');
   CHECK(read(joined(deck)).model.title == std::string(72, 'x'));
@@ -281,8 +270,7 @@ TEST_CASE("numbers of body 2 that continue mean the same") {
 TEST_CASE("coefficients of friction continue on further cards") {
   std::vector<std::string> deck = squares();
   deck[10] = "   16       0.1       0.2       0.3       0.4       0.5       0.6       0.7";
-  deck.insert(deck.begin() + 11,
-              "             0.8       0.9       1.0       1.1       1.2       1.3       1.4");
+  deck.insert(deck.begin() + 11, "             0.8       0.9       1.0       1.1       1.2       1.3       1.4");
   deck.insert(deck.begin() + 12, "             1.5       1.6");
   const Reading r = read(joined(deck));
   REQUIRE(r.status == C2D_OK);
@@ -298,8 +286,8 @@ TEST_CASE("generated points lie on lines and arcs") {
   deck[31] = "   10   11    2    1";
   deck.erase(deck.begin() + 12, deck.begin() + 16);
   deck[11] = "       3.0      -2.0";
-  for (const char* card : {"P  91       2.0     360.0", "   81       8.0       4.0",
-                           "P  61       2.0      90.0", "P   1       2.0     -90.0"})
+  for (const char* card :
+       {"P  91       2.0     360.0", "   81       8.0       4.0", "P  61       2.0      90.0", "P   1       2.0     -90.0"})
     deck.insert(deck.begin() + 12, card);
   deck.insert(deck.begin() + 16, "  101       3.0       3.0");
   const Reading r = read(joined(deck));
@@ -369,8 +357,7 @@ TEST_CASE("real fields are the nearest double") {
     if (form > 0 && n < 8) {
       field[n++] = "EDed"[below(4)];
       if (below(2)) field[n++] = "+-"[below(2)];
-      while (n < 10 && (below(2) || field[n - 1] < '0' || field[n - 1] > '9'))
-        field[n++] = static_cast<char>('0' + below(10));
+      while (n < 10 && (below(2) || field[n - 1] < '0' || field[n - 1] > '9')) field[n++] = static_cast<char>('0' + below(10));
     }
     if (field[n - 1] < '0' || field[n - 1] > '9') continue;
     field[n] = '\0';
@@ -391,9 +378,7 @@ TEST_CASE("real fields are the nearest double") {
 TEST_CASE("what number fields accept and refuse") {
   const auto real = [](const char* field) {
     double value = -1;
-    return c2d::real_field(field, static_cast<int32_t>(std::strlen(field)), &value) == c2d::FieldFault::none
-               ? value
-               : -99;
+    return c2d::real_field(field, static_cast<int32_t>(std::strlen(field)), &value) == c2d::FieldFault::none ? value : -99;
   };
   CHECK(real("          ") == 0);
   CHECK(real("         5") == 5);
@@ -402,8 +387,8 @@ TEST_CASE("what number fields accept and refuse") {
   CHECK(real("   1.5D-3 ") == 0.0015);
   CHECK(real("     -.5  ") == -0.5);
   CHECK(real("   +00012.") == 12);
-  for (const char* bad : {"1 2", "1.2.3", ".", "-", "+", "E5", "1E", "1E+", "1.5E3.0", "NaN", "inf",
-                          "-Infinity", "0x1p3", "1,5", "1e999", "--1", "1-", "- 1", "12a"}) {
+  for (const char* bad : {"1 2", "1.2.3", ".", "-", "+", "E5", "1E", "1E+", "1.5E3.0", "NaN", "inf", "-Infinity", "0x1p3",
+                          "1,5", "1e999", "--1", "1-", "- 1", "12a"}) {
     CAPTURE(bad);
     CHECK(real(bad) == -99);
   }
@@ -427,8 +412,7 @@ TEST_CASE("numbers in messages are those of printf") {
     const uint64_t pattern = random();
     double value;
     std::memcpy(&value, &pattern, sizeof value);
-    if (i % 2 == 0)
-      value = static_cast<double>(static_cast<int64_t>(pattern % 2000001) - 1000000) / (1 << (i % 20));
+    if (i % 2 == 0) value = static_cast<double>(static_cast<int64_t>(pattern % 2000001) - 1000000) / (1 << (i % 20));
     if (!std::isfinite(value)) continue;
     const int digits = 1 + i % 17;
     char found[64], expected[64];

@@ -77,12 +77,9 @@ std::vector<std::string> with(std::vector<std::string> deck, const Field& field,
   return deck;
 }
 
-bool has(const Fault& fault, const char* words) {
-  return fault.text.find(words) != std::string::npos;
-}
+bool has(const Fault& fault, const char* words) { return fault.text.find(words) != std::string::npos; }
 
-void check_first(const std::vector<std::string>& deck, int line, int column, int column_end,
-                 const char* words) {
+void check_first(const std::vector<std::string>& deck, int line, int column, int column_end, const char* words) {
   const Reading r = read(joined(deck));
   CAPTURE(line);
   CAPTURE(words);
@@ -105,9 +102,7 @@ void check_squares(size_t line, const char* card, int column, int column_end, co
 
 } // namespace
 
-TEST_CASE("the deck that the faults are put into is right") {
-  CHECK(read(joined(squares())).status == C2D_OK);
-}
+TEST_CASE("the deck that the faults are put into is right") { CHECK(read(joined(squares())).status == C2D_OK); }
 
 TEST_CASE("a wrong number of cards is one fault, at the card that gives it") {
   const std::vector<std::string> sample = lines_of(load("sample.dat"));
@@ -139,12 +134,10 @@ TEST_CASE("an empty deck") {
 }
 
 TEST_CASE("a deck that ends early says so, wherever it ends") {
-  for (const std::vector<std::string>& deck :
-       {squares(), lines_of(load("sample.dat")), lines_of(load("ring3.dat"))})
+  for (const std::vector<std::string>& deck : {squares(), lines_of(load("sample.dat")), lines_of(load("ring3.dat"))})
     for (size_t n = 0; n < deck.size(); ++n) {
       CAPTURE(n);
-      const Reading r =
-          read(joined(std::vector<std::string>(deck.begin(), deck.begin() + static_cast<long>(n))));
+      const Reading r = read(joined(std::vector<std::string>(deck.begin(), deck.begin() + static_cast<long>(n))));
       CHECK(r.status == C2D_ERR_INPUT);
       REQUIRE(r.faults.size() == 1);
       CHECK(r.faults[0].line == static_cast<int>(n > 0 ? n : 1));
@@ -252,8 +245,7 @@ TEST_CASE("materials and friction") {
   check_squares(9, "       0.0       0.3", 1, 10, "Young's modulus is 0, expected more than 0");
   check_squares(9, "     -10.0       0.3", 1, 10, "Young's modulus is -10");
   check_squares(9, "                 0.3", 1, 10, "Young's modulus is 0");
-  check_squares(9, "     100.0      0.51", 11, 20,
-                "Poisson's ratio is 0.51, expected more than -1 and at most 0.5");
+  check_squares(9, "     100.0      0.51", 11, 20, "Poisson's ratio is 0.51, expected more than -1 and at most 0.5");
   check_squares(9, "     100.0      -1.0", 11, 20, "Poisson's ratio is -1");
   check_squares(11, "    1      -0.1", 7, 16, "coefficient of friction is -0.1, expected at least 0");
   std::vector<std::string> deck = squares();
@@ -270,8 +262,7 @@ TEST_CASE("nodes") {
   check_squares(14, "    1        1.        0.", 2, 5, "node number is 1, expected 2 to 4");
   check_squares(15, "    9        1.        1.", 2, 5, "node number is 9, expected 3 to 4");
   check_squares(16, "    3        0.        1.", 2, 5, "node number is 3, expected 4");
-  check_squares(14, "Q   2        1.        0.", 1, 1,
-                "'Q', expected a coordinate letter, which is blank or P");
+  check_squares(14, "Q   2        1.        0.", 1, 1, "'Q', expected a coordinate letter, which is blank or P");
   check_squares(14, "p   2        1.        0.", 1, 1, "'p', expected a coordinate letter");
   check_squares(14, "C   2        1.        0.", 1, 1, "coordinate letter, which is blank or P");
   check_squares(14, "    2 1      1.        0.", 7, 16, "'1      1.', expected a number without a blank");
@@ -461,18 +452,10 @@ TEST_CASE("mutated decks neither crash nor loop, and every refusal says where") 
       const size_t at = below(bytes.size());
       const char byte = kBytes[below(sizeof kBytes - 1)];
       switch (below(4)) {
-      case 0:
-        bytes[at] = byte;
-        break;
-      case 1:
-        bytes.insert(at, 1, byte);
-        break;
-      case 2:
-        bytes.erase(at, 1 + below(40));
-        break;
-      default:
-        bytes.insert(at, bytes.substr(below(bytes.size()), below(60)));
-        break;
+      case 0: bytes[at] = byte; break;
+      case 1: bytes.insert(at, 1, byte); break;
+      case 2: bytes.erase(at, 1 + below(40)); break;
+      default: bytes.insert(at, bytes.substr(below(bytes.size()), below(60))); break;
       }
       if (bytes.empty()) bytes = "1";
     }
@@ -481,8 +464,8 @@ TEST_CASE("mutated decks neither crash nor loop, and every refusal says where") 
     CAPTURE(i);
     bool sound = r.faults.size() <= 101 && (r.status == C2D_OK) == r.faults.empty();
     for (const Fault& f : r.faults)
-      sound = sound && f.line >= 1 && f.line <= lines && f.column >= 0 && f.column_end >= f.column &&
-              !f.text.empty() && f.text.size() < 300;
+      sound = sound && f.line >= 1 && f.line <= lines && f.column >= 0 && f.column_end >= f.column && !f.text.empty() &&
+              f.text.size() < 300;
     CHECK(sound);
     if (r.status == C2D_OK) ++accepted;
   }

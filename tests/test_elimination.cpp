@@ -30,8 +30,7 @@ struct Problem {
   int32_t calls = 0, refuse_at = -1, calls_after_refusal = 0;
   std::vector<int32_t> told;
 
-  Problem(int32_t m, int32_t p, int32_t t, uint32_t seed, double grade = 0)
-      : rows(m), pivots(p), trailing(t) {
+  Problem(int32_t m, int32_t p, int32_t t, uint32_t seed, double grade = 0) : rows(m), pivots(p), trailing(t) {
     std::mt19937 generator(seed);
     std::uniform_real_distribution<double> uniform(-1, 1);
     a.resize(static_cast<size_t>(m) * static_cast<size_t>(p + t));
@@ -139,8 +138,7 @@ struct Store {
 
 c2d_status open_for(const EliminationPlan& plan, Tapes& tapes) {
   const TapeUse lower = lower_use(plan), upper = upper_use(plan);
-  c2d_status status =
-      open_tape(tapes, C2D_TAPE_LOWER, plan.lower_first_block + lower.blocks, lower.max_data_bytes);
+  c2d_status status = open_tape(tapes, C2D_TAPE_LOWER, plan.lower_first_block + lower.blocks, lower.max_data_bytes);
   if (status != C2D_OK) return status;
   return open_tape(tapes, C2D_TAPE_UPPER, plan.upper_first_block + upper.blocks, upper.max_data_bytes);
 }
@@ -149,9 +147,7 @@ EliminationPlan plan_of(const Problem& p, int32_t width, int32_t block) {
   return {p.rows, p.pivots, p.trailing, width, block, 0, 0, 0, 0};
 }
 
-uint64_t work_bytes(const EliminationPlan& plan) {
-  return elimination_bytes(plan);
-}
+uint64_t work_bytes(const EliminationPlan& plan) { return elimination_bytes(plan); }
 
 c2d_status run(Problem& p, const EliminationPlan& plan, Tapes& tapes, PivotStats* stats) {
   Work work(work_bytes(plan));
@@ -165,8 +161,7 @@ struct Reference {
   int32_t rows, columns;
   std::vector<long double> a;
   long double& at(int32_t i, int32_t j) { return a[static_cast<size_t>(i + static_cast<int64_t>(j) * rows)]; }
-  explicit Reference(const Problem& p)
-      : rows(p.rows), columns(p.pivots + p.trailing), a(p.a.begin(), p.a.end()) {
+  explicit Reference(const Problem& p) : rows(p.rows), columns(p.pivots + p.trailing), a(p.a.begin(), p.a.end()) {
     for (int32_t k = 0; k < p.pivots; ++k) {
       int32_t row = k;
       for (int32_t i = k; i < rows; ++i) row = std::fabs(at(i, k)) > std::fabs(at(row, k)) ? i : row;
@@ -230,8 +225,7 @@ double largest_difference(const Numbers& a, const Numbers& b) {
 }
 
 // f . x of a solution x is w . c for the coefficients c it was made of.
-void check_functional(const EliminationPlan& plan, Tapes& tapes, const Numbers& c, const Numbers& x,
-                      double tolerance) {
+void check_functional(const EliminationPlan& plan, Tapes& tapes, const Numbers& c, const Numbers& x, double tolerance) {
   Numbers f(x.size() + 1), w(static_cast<size_t>(plan.trailing) + 1, Real(7));
   double expected = 0, found = 0, size = 0;
   for (size_t i = 0; i < x.size(); ++i) {
@@ -286,9 +280,8 @@ TEST_CASE("eliminating in panels of any width gives what textbook elimination gi
   struct Shape {
     int32_t rows, pivots, trailing;
   };
-  const Shape shapes[] = {{0, 0, 0},    {1, 0, 0},   {1, 1, 0},   {1, 1, 3},  {2, 1, 1},
-                          {3, 0, 5},    {3, 3, 2},   {5, 4, 3},   {10, 7, 6}, {10, 10, 0},
-                          {50, 30, 41}, {64, 64, 1}, {67, 40, 55}};
+  const Shape shapes[] = {{0, 0, 0}, {1, 0, 0},  {1, 1, 0},   {1, 1, 3},    {2, 1, 1},   {3, 0, 5},   {3, 3, 2},
+                          {5, 4, 3}, {10, 7, 6}, {10, 10, 0}, {50, 30, 41}, {64, 64, 1}, {67, 40, 55}};
   for (const Shape& shape : shapes) {
     const int32_t all = shape.pivots + shape.trailing;
     for (int32_t width : {1, 2, 3, 8, 20, 33, shape.pivots, all - 1, all}) {
@@ -397,8 +390,7 @@ TEST_CASE("the whole system is solved: reduced equations, then back substitution
     for (int32_t j = 0; j < n; ++j) sum -= static_cast<long double>(p.at(i, j)) * x[static_cast<size_t>(j)];
     residual = std::fmax(residual, std::fabs(static_cast<double>(sum)));
     most = std::fmax(most, std::fabs(static_cast<double>(y[static_cast<size_t>(i)])));
-    difference = std::fmax(
-        difference, std::fabs(static_cast<double>(x[static_cast<size_t>(i)] - y[static_cast<size_t>(i)])));
+    difference = std::fmax(difference, std::fabs(static_cast<double>(x[static_cast<size_t>(i)] - y[static_cast<size_t>(i)])));
   }
   CHECK(residual < 30 * n * kEps * most);
   CHECK(difference < 1e5 * kEps * most);
@@ -451,10 +443,8 @@ TEST_CASE("two bodies share the tapes") {
   second.upper_first_block = upper_use(first).blocks;
   Store store;
   Tapes& tapes = store.tapes;
-  REQUIRE(open_tape(tapes, C2D_TAPE_LOWER, second.lower_first_block + lower_use(second).blocks, 31 * 3 * 8) ==
-          C2D_OK);
-  REQUIRE(open_tape(tapes, C2D_TAPE_UPPER, second.upper_first_block + upper_use(second).blocks, 31 * 3 * 8) ==
-          C2D_OK);
+  REQUIRE(open_tape(tapes, C2D_TAPE_LOWER, second.lower_first_block + lower_use(second).blocks, 31 * 3 * 8) == C2D_OK);
+  REQUIRE(open_tape(tapes, C2D_TAPE_UPPER, second.upper_first_block + upper_use(second).blocks, 31 * 3 * 8) == C2D_OK);
   REQUIRE(run(one, first, tapes, nullptr) == C2D_OK);
   REQUIRE(run(two, second, tapes, nullptr) == C2D_OK);
   Problem* problems[] = {&one, &two};
@@ -575,8 +565,7 @@ TEST_CASE("pivot statistics do not depend on the panels and name the weak column
     for (int32_t j = 0; j < p.pivots; ++j) {
       double most = 0, most_u = 0;
       for (int32_t i = 0; i < p.rows; ++i) most = std::fmax(most, std::fabs(static_cast<double>(p.at(i, j))));
-      for (int32_t i = 0; i <= j; ++i)
-        most_u = std::fmax(most_u, std::fabs(static_cast<double>(reference.at(i, j))));
+      for (int32_t i = 0; i <= j; ++i) most_u = std::fmax(most_u, std::fabs(static_cast<double>(reference.at(i, j))));
       growth = std::fmax(growth, most_u / most);
     }
     const double right = std::fabs(static_cast<double>(reference.at(33, 33))) / norm;

@@ -10,16 +10,13 @@
 // The port's mathematics under other names; what it takes from newlib is the C library's here.
 namespace firmware {
 extern "C" {
-double firmware_sqrt(double), firmware_log(double), firmware_exp(double), firmware_sin(double),
-    firmware_cos(double);
+double firmware_sqrt(double), firmware_log(double), firmware_exp(double), firmware_sin(double), firmware_cos(double);
 double firmware_atan2(double, double), firmware_fmod(double, double), firmware_hypot(double, double);
 double firmware_ldexp(double, int);
 }
 } // namespace firmware
 extern "C" {
-double __ieee754_sqrt(double x) {
-  return sqrt(x);
-}
+double __ieee754_sqrt(double x) { return sqrt(x); }
 }
 #define sqrt firmware_sqrt
 #define log firmware_log
@@ -48,16 +45,14 @@ namespace {
 struct Board {
   const char *name, *machine, *tolerance;
 };
-constexpr Board kBoards[] = {
-    {"m3", "lm3s6965evb", "1e-9"}, {"m4f", "mps2-an386", "2e-4"}, {"m7", "mps2-an500", "1e-9"}};
+constexpr Board kBoards[] = {{"m3", "lm3s6965evb", "1e-9"}, {"m4f", "mps2-an386", "2e-4"}, {"m7", "mps2-an500", "1e-9"}};
 
 const std::string kFolder = C2D_TEST_BUILD "/embedded/";
 
 // Images are built by C2D_ALL_HOSTS=1 make test (and make embedded); older ones tell nothing.
 bool skipped() {
   if (std::getenv("C2D_ALL_HOSTS") != nullptr) return false;
-  MESSAGE(
-      "skipped: Cortex-M boards (C2D_ALL_HOSTS=1 make test; needs arm-none-eabi-g++ and qemu-system-arm)");
+  MESSAGE("skipped: Cortex-M boards (C2D_ALL_HOSTS=1 make test; needs arm-none-eabi-g++ and qemu-system-arm)");
   return true;
 }
 
@@ -70,8 +65,7 @@ double ulps(double value, long double truth) {
 
 } // namespace
 
-TEST_CASE(
-    "embedded: the port's logarithm, exponential, sine and cosine are right to 1.5 units in the last place") {
+TEST_CASE("embedded: the port's logarithm, exponential, sine and cosine are right to 1.5 units in the last place") {
   double worst[4] = {};
   for (int i = 1; i < 20000; ++i) {
     const double x = i * 0.00271, wide = std::ldexp(x, i % 600 - 300), angle = (i % 2 ? 1 : -1) * x * 37.0;
@@ -131,8 +125,7 @@ TEST_CASE("embedded: the sample deck on three boards, blocks in files, agrees wi
       CHECK_MESSAGE(fs::file_size(folder / tape) > 4096, tape);
     }
     fs::remove_all(folder / "tapes");
-    const Result agrees =
-        run_shell("'" + kFolder + "compare' '" + desktop + "' '" + csv + "' " + board.tolerance);
+    const Result agrees = run_shell("'" + kFolder + "compare' '" + desktop + "' '" + csv + "' " + board.tolerance);
     CHECK_MESSAGE(agrees.status == 0, agrees.out << agrees.err);
   }
 }
@@ -145,8 +138,7 @@ TEST_CASE("embedded: no heap, no errno, no struct of the C library in the images
     const Result names = run_shell("arm-none-eabi-nm -P '" + image + "'");
     REQUIRE(names.status == 0);
     CHECK(contains(names.out, "c2d_run"));
-    for (const char* part :
-         {"_sbrk", "errno", "_reent", "_impure", "malloc", "heap", "_Unwind", "__cxa", "_Zn", "_Zd"})
+    for (const char* part : {"_sbrk", "errno", "_reent", "_impure", "malloc", "heap", "_Unwind", "__cxa", "_Zn", "_Zd"})
       CHECK_FALSE_MESSAGE(contains(names.out, part), part);
     const Result sections = run_shell("arm-none-eabi-objdump -h '" + image + "'");
     CHECK(contains(sections.out, ".bss"));
@@ -192,8 +184,7 @@ TEST_CASE("embedded: the bill of the page is what make footprint prints, and sta
       REQUIRE(told != page.end());
       for (size_t i = 2; i < 8; ++i) {
         const double now = std::atof(row.second[i].c_str()), then = std::atof(told->second[i].c_str());
-        CHECK_MESSAGE(std::fabs(now - then) <= 0.03 * now,
-                      "column " << i << ": " << now << ", the page says " << then);
+        CHECK_MESSAGE(std::fabs(now - then) <= 0.03 * now, "column " << i << ": " << now << ", the page says " << then);
       }
       if (std::string(target) != "desktop") {
         CHECK(std::atol(row.second[5].c_str()) <= kStackOfAnyCall);
@@ -229,11 +220,12 @@ TEST_CASE("embedded: parts that no call declares are not linked, and come with t
     for (const Part& part : parts) {
       CAPTURE(part.call);
       const std::string image = folder / "part.elf";
-      const Result linked = run_shell("cd '" + root + "' && arm-none-eabi-g++ -nostdlib -Wl,--gc-sections -Wl,-e,c2d_create "
+      const Result linked = run_shell("cd '" + root +
+                                      "' && arm-none-eabi-g++ -nostdlib -Wl,--gc-sections -Wl,-e,c2d_create "
                                       "-Wl,-u,c2d_complete -Wl,-u,c2d_prepare -Wl,-u,c2d_advance -Wl,-u,c2d_interior -Wl,-u," +
                                       part.call + " -T port/cortex-m/sizes.ld '" + place + "/obj/port_cortex-m_math.o' '" +
                                       place + "/libcontact2d.a' -lm -lc_nano -lgcc -o '" + image + "'" +
-                                      (board.name[1] == '3' ? " -mcpu=cortex-m3 -mthumb -mfloat-abi=soft"
+                                      (board.name[1] == '3'   ? " -mcpu=cortex-m3 -mthumb -mfloat-abi=soft"
                                        : board.name[1] == '4' ? " -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard"
                                                               : " -mcpu=cortex-m7 -mthumb -mfpu=fpv5-d16 -mfloat-abi=hard"));
       REQUIRE_MESSAGE(linked.status == 0, linked.err);
@@ -253,12 +245,10 @@ TEST_CASE("embedded: what is not called is not linked") {
     const Result points = run_shell("arm-none-eabi-nm -C '" + kFolder + board.name + "/no-points.elf'"),
                  deck = run_shell("arm-none-eabi-nm -C '" + kFolder + board.name + "/no-deck.elf'"),
                  whole = run_shell("arm-none-eabi-nm -C '" + kFolder + board.name + "/whole.elf'");
-    for (const char* name : {"c2d_interior", "c2d::read_deck_cards", "c2d::read_nodes"})
-      CHECK(contains(whole.out, name));
+    for (const char* name : {"c2d_interior", "c2d::read_deck_cards", "c2d::read_nodes"}) CHECK(contains(whole.out, name));
     CHECK(contains(whole.out, "c2d::fold_across("));
     CHECK_FALSE(contains(points.out, "c2d_interior"));
-    for (const char* name :
-         {"c2d_read_deck", "c2d::read_deck_cards", "c2d::read_nodes", "c2d::read_extensions"})
+    for (const char* name : {"c2d_read_deck", "c2d::read_deck_cards", "c2d::read_nodes", "c2d::read_extensions"})
       CHECK_FALSE(contains(deck.out, name));
   }
 }

@@ -50,8 +50,8 @@ void onto_cylinder(int body, const double* from, const double* to, double* middl
 
 TEST_CASE("energy: the reference meshes balance to 0.2 % at every step, however few pairs touch") {
   // Measured: 6.0e-4 at the first step of sample56.dat, where 3 pairs touch; 3.5e-4 where more than 5 do.
-  for (const char* name : {"sample.dat", "sample56.dat", "half_cylinder.dat", "hertz_lin_l.dat", "layer_t.dat",
-                           "layer_mu.dat", "rect.dat", "block.dat"}) {
+  for (const char* name : {"sample.dat", "sample56.dat", "half_cylinder.dat", "hertz_lin_l.dat", "layer_t.dat", "layer_mu.dat",
+                           "rect.dat", "block.dat"}) {
     CAPTURE(std::string(name));
     const Result r = solve(load(name));
     CHECK(worst_defect(r) < 1e-3);
@@ -61,12 +61,9 @@ TEST_CASE("energy: the reference meshes balance to 0.2 % at every step, however 
 
 TEST_CASE("energy: families of problems balance") {
   const std::vector<std::pair<std::string, std::vector<std::string>>> runs = {
-      {"cylinder_friction", {"n=15"}},
-      {"punch", {"n=15", "unload=0.5", "steps=4"}},
-      {"mindlin", {"n=20"}},
-      {"mindlin", {"n=10"}}, // finer where it slips
-      {"rough_plates", {"n=15"}},
-      {"receding_layer", {"n=10"}}};
+      {"cylinder_friction", {"n=15"}}, {"punch", {"n=15", "unload=0.5", "steps=4"}},
+      {"mindlin", {"n=20"}},           {"mindlin", {"n=10"}}, // finer where it slips
+      {"rough_plates", {"n=15"}},      {"receding_layer", {"n=10"}}};
   for (const auto& run : runs) {
     CAPTURE(run.first);
     std::string deck, error;

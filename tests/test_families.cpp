@@ -8,9 +8,7 @@ using namespace test;
 
 namespace {
 
-Result make(const std::string& arguments) {
-  return run_shell("'" C2D_TEST_PROGRAM "' make " + arguments);
-}
+Result make(const std::string& arguments) { return run_shell("'" C2D_TEST_PROGRAM "' make " + arguments); }
 
 } // namespace
 
@@ -20,8 +18,7 @@ TEST_CASE("families: make --list tells every family with its keys, meanings and 
   for (const families::Family& family : families::all_families()) {
     CHECK_MESSAGE(contains(list.out, std::string(family.name) + ": " + family.summary), family.name);
     for (const families::Parameter& p : family.parameters) {
-      CHECK_MESSAGE(contains(list.out, std::string("  ") + p.key + "=" + p.value),
-                    family.name << " " << p.key);
+      CHECK_MESSAGE(contains(list.out, std::string("  ") + p.key + "=" + p.value), family.name << " " << p.key);
       CHECK_MESSAGE(contains(list.out, p.meaning), family.name << " " << p.key);
     }
   }
@@ -119,8 +116,8 @@ TEST_CASE("families: the ready decks are what make writes") {
 // The receding contact is wider than this zone; punches and layers end where a body does.
 TEST_CASE("families: a zone that ends within a contact closed from the start is warned of") {
   const auto warned = [](const std::string& arguments) {
-    const Result run = run_shell("'" C2D_TEST_PROGRAM "' make " + arguments +
-                                 " | '" C2D_TEST_PROGRAM "' run - --listing /dev/null");
+    const Result run =
+        run_shell("'" C2D_TEST_PROGRAM "' make " + arguments + " | '" C2D_TEST_PROGRAM "' run - --listing /dev/null");
     CHECK_MESSAGE(run.status == 0, run.err);
     return contains(run.err, "at an end of a contact zone carries pressure");
   };

@@ -39,8 +39,8 @@ TEST_CASE("families: hole against Kirsch") {
     CHECK(seen[0]);
     CHECK(seen[1]);
   };
-  check({}, 1e-4);       // the square with the tractions of the infinite plate; measured 1e-5
-  check({"L=10"}, 1e-4); // its size does not matter then
+  check({}, 1e-4);                        // the square with the tractions of the infinite plate; measured 1e-5
+  check({"L=10"}, 1e-4);                  // its size does not matter then
   check({"outer=uniform", "L=40"}, 1e-2); // with S alone the difference falls with (R/L)^2
 }
 

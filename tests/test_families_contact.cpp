@@ -108,10 +108,10 @@ TEST_CASE("families: layer lifted") {
   const struct {
     const char *lambda, *p, *lift;
     double a, peak, u0;
-  } cases[] = {{"lambda=2", "p03_tension_lambda2_p", "p03_tension_lambda2_lift", 0.9518250994943219,
-                1.0816857184683064, 0.6533972762806306},
-               {"lambda=4", "p03_tension_lambda4_p", "p03_tension_lambda4_lift", 2.392934771522195,
-                1.4000055703744354, 8.659071056346853}};
+  } cases[] = {{"lambda=2", "p03_tension_lambda2_p", "p03_tension_lambda2_lift", 0.9518250994943219, 1.0816857184683064,
+                0.6533972762806306},
+               {"lambda=4", "p03_tension_lambda4_p", "p03_tension_lambda4_lift", 2.392934771522195, 1.4000055703744354,
+                8.659071056346853}};
   for (const auto& c : cases) {
     const Solution s = solve("layer_lifted", {c.lambda});
     const std::vector<Row>& rows = solved(s);
@@ -133,8 +133,7 @@ TEST_CASE("families: layer pressed") {
   CHECK(std::fabs(first_with(rows, C2D_OPEN) - 1.228462713443854) < 0.05); // measured 0.022
   CHECK(std::fabs(last_with(rows, C2D_OPEN) - 3.139877067800519) < 0.05);  // measured 0.015
   CHECK(std::fabs(rows[0].tn / 93.07800764228236 - 1) < 5e-3);             // measured 8e-5
-  const Table lift = reference("p03_compression_lambda100_lift"),
-              p = reference("p03_compression_lambda100_p");
+  const Table lift = reference("p03_compression_lambda100_lift"), p = reference("p03_compression_lambda100_p");
   double highest = 0;
   for (const Row& row : rows) {
     highest = std::max(highest, row.gap / unit);
@@ -180,8 +179,7 @@ TEST_CASE("families: Spence's punch") {
 }
 
 TEST_CASE("families: Spence's punch, other friction, twice the block") {
-  const Solution s = solve("punch", {"mu=0.4", "nu=0.3"}),
-                 larger = solve("punch", {"mu=0.4", "nu=0.3", "L=2000"});
+  const Solution s = solve("punch", {"mu=0.4", "nu=0.3"}), larger = solve("punch", {"mu=0.4", "nu=0.3", "L=2000"});
   CHECK(std::fabs(last_with(solved(s), C2D_STICK) - 0.864481667647117) < 0.025);
   CHECK(std::fabs(last_with(solved(larger), C2D_STICK) - last_with(s.last(), C2D_STICK)) < 0.025);
   CHECK(std::fabs(larger.last()[0].tn / s.last()[0].tn - 1) < 2e-3);
@@ -226,8 +224,7 @@ TEST_CASE("families: rigid cylinder with friction and with adhesion") {
     const std::vector<Row>& rows = solved(s);
     CHECK(std::fabs(last_closed(rows) - c.a) < h);
     CHECK(std::fabs(rows[0].tn / p00 / c.peak - 1) < 2e-3); // measured 9e-4
-    if (std::string(c.mu) == "mu=0.4")
-      CHECK(std::fabs(last_with(rows, C2D_STICK) - 0.864481667647117 * c.a) < h);
+    if (std::string(c.mu) == "mu=0.4") CHECK(std::fabs(last_with(rows, C2D_STICK) - 0.864481667647117 * c.a) < h);
     Table by_a0 = t; // x over the half width without friction, which is 1 here
     for (std::vector<double>& row : by_a0) row[0] = row[3];
     double worst = 0;
@@ -239,8 +236,7 @@ TEST_CASE("families: rigid cylinder with friction and with adhesion") {
 
 TEST_CASE("families: rigid cylinder with friction and with adhesion, a larger block") {
   const Solution s = solve("cylinder_friction"), larger = solve("cylinder_friction", {"L=3000"});
-  CHECK(last_with(solved(s), C2D_STICK) ==
-        doctest::Approx(last_with(solved(larger), C2D_STICK)).epsilon(0.02));
+  CHECK(last_with(solved(s), C2D_STICK) == doctest::Approx(last_with(solved(larger), C2D_STICK)).epsilon(0.02));
   CHECK(std::fabs(larger.last()[0].tn / s.last()[0].tn - 1) < 1e-3);
   const Solution stuck = solve("cylinder_friction", {"mu=inf"}),
                  larger_stuck = solve("cylinder_friction", {"mu=inf", "L=3000"});
@@ -260,8 +256,7 @@ TEST_CASE("families: Cattaneo and Mindlin, stick width and loop") {
   const double muP = 0.3 * kPi / (4 * 200 * 2 * 0.91 / 1000), h = 1 / 19.5;
   const auto force = [muP](const std::vector<Row>& rows) { // over mu P; of linear elements, by trapezes
     double sum = 0;
-    for (size_t i = 0; i + 1 < rows.size(); ++i)
-      sum += (rows[i].tt + rows[i + 1].tt) / 2 * (rows[i + 1].x - rows[i].x);
+    for (size_t i = 0; i + 1 < rows.size(); ++i) sum += (rows[i].tt + rows[i + 1].tt) / 2 * (rows[i + 1].x - rows[i].x);
     return std::fabs(sum) > 0 ? sum / muP : 0.0;
   };
   REQUIRE(s.steps.size() == 21); // P; 4 increments to Q, 8 to -Q, 8 to Q
@@ -274,12 +269,10 @@ TEST_CASE("families: Cattaneo and Mindlin, stick width and loop") {
       if (row.status == C2D_STICK) stick = std::max(stick, std::fabs(row.x));
     double slipping = i <= 4 ? std::fabs(Q) : std::fabs((i <= 12 ? largest : least) - Q) / 2;
     if (i == 1 || i == 4 || i == 8 || i == 12 || i == 16 || i == 20)
-      CHECK_MESSAGE(std::fabs(stick - std::sqrt(1 - slipping)) < h,
-                    "step " << i << ", Q / mu P " << Q << ", " << stick);
+      CHECK_MESSAGE(std::fabs(stick - std::sqrt(1 - slipping)) < h, "step " << i << ", Q / mu P " << Q << ", " << stick);
   }
   const double Qm = (largest - least) / 2, k = 1 - std::fabs(Qm);
-  const double loop =
-      4 / kPi * muP * muP * (2 * 0.91 / 1000) * (k * std::log(k) + 1 - k - (1 - k) * (1 - k) / 2);
+  const double loop = 4 / kPi * muP * muP * (2 * 0.91 / 1000) * (k * std::log(k) + 1 - k - (1 - k) * (1 - k) / 2);
   CHECK(std::fabs((s.steps[20].dissipated - s.steps[4].dissipated) / loop - 1) < 0.01);
 }
 
@@ -349,8 +342,7 @@ TEST_CASE("families: smooth disc in a hole, second order at the pole; twice the 
   const auto error = [](int n) {
     return std::fabs(solved(solve("disc_in_hole", {setting("n", n)}))[0].tn / 0.6090826758968362 - 1);
   };
-  CHECK(std::log(error(20) / error(80)) / std::log(4.0) >
-        1.8); // single steps jump with the edge in its element
+  CHECK(std::log(error(20) / error(80)) / std::log(4.0) > 1.8); // single steps jump with the edge in its element
   const double p = solved(solve("disc_in_hole"))[0].tn;
   CHECK(std::fabs(solved(solve("disc_in_hole", {"L=800"}))[0].tn / p - 1) < 1e-4);
 }
@@ -379,8 +371,7 @@ TEST_CASE("families: rectangle between rough plates") {
   const Solution s = solve("rough_plates", {"mu=0.2"});
   double mean = 0;
   const std::vector<Row>& rows = solved(s);
-  for (size_t i = 0; i + 1 < rows.size(); ++i)
-    mean += (rows[i].tn + rows[i + 1].tn) / 2 * (rows[i + 1].x - rows[i].x);
+  for (size_t i = 0; i + 1 < rows.size(); ++i) mean += (rows[i].tn + rows[i + 1].tn) / 2 * (rows[i + 1].x - rows[i].x);
   for (const Row& row : rows)
     if (row.x < 0.9) CHECK(std::fabs(row.tn / mean - at(t, row.x, 1)) < 5e-3);
 }

@@ -17,7 +17,7 @@ struct Setting {
   const char* deck;
   int32_t panel_columns; // 0: the size below decides
   bool in_core;
-  size_t stride;         // of n, 1: every operation
+  size_t stride; // of n, 1: every operation
 };
 
 struct Case {
@@ -247,8 +247,10 @@ TEST_CASE("store faults: spoilt reads are named, never used") {
             break;
           }
           case flipped_data:
-            if (body > 8) data[64 + random() % (body - 8)] ^= static_cast<unsigned char>(1u << random() % 8);
-            else hit = false;
+            if (body > 8)
+              data[64 + random() % (body - 8)] ^= static_cast<unsigned char>(1u << random() % 8);
+            else
+              hit = false;
             break;
           case flipped_anywhere: data[random() % bytes] ^= static_cast<unsigned char>(1u << random() % 8); break;
           case stale: std::memcpy(data, old[operation.block].data(), bytes); break;

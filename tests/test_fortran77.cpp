@@ -55,9 +55,7 @@ int32_t open(void* work, int32_t words = kWords) {
   return error;
 }
 
-std::vector<std::string> cards_of(const std::string& file) {
-  return lines_of(read_file(kRoot + "/examples/" + file));
-}
+std::vector<std::string> cards_of(const std::string& file) { return lines_of(read_file(kRoot + "/examples/" + file)); }
 
 // CHARACTER*80 CARDS(N).
 std::string padded(const std::vector<std::string>& cards) {
@@ -98,8 +96,8 @@ TEST_CASE("fortran77: C2OPEN tells integers and reals of other lengths, whicheve
   const float shorter[2] = {1987.0F, 0.015625F};
   const long double longer[2] = {1987.0L, 0.015625L};
   const double others[2] = {1987.0, 0.0};
-  for (const void* reals : {static_cast<const void*>(shorter), static_cast<const void*>(longer),
-                            static_cast<const void*>(others)}) {
+  for (const void* reals :
+       {static_cast<const void*>(shorter), static_cast<const void*>(longer), static_cast<const void*>(others)}) {
     if (sizeof(long double) == sizeof(double) && reals == longer) continue;
     error.narrow[0] = error.narrow[1] = -1;
     c2open_(work.data(), I{1000}, kIntegers, reals, &error);
@@ -148,23 +146,20 @@ struct Trace {
 };
 Trace* g_trace = nullptr; // a FORTRAN step routine has no context either
 
-void trace_step(const int32_t* kind, const int32_t* imu, const int32_t* istep, const int32_t* iout,
-                const double* fmu, const double* factor, const int32_t* npairs, const double* table,
-                const int32_t* ldt, int32_t*) {
-  for (const double x : {1.0 * *kind, 1.0 * *imu, 1.0 * *istep, 1.0 * *iout, *fmu, *factor})
-    g_trace->numbers.push_back(x);
+void trace_step(const int32_t* kind, const int32_t* imu, const int32_t* istep, const int32_t* iout, const double* fmu,
+                const double* factor, const int32_t* npairs, const double* table, const int32_t* ldt, int32_t*) {
+  for (const double x : {1.0 * *kind, 1.0 * *imu, 1.0 * *istep, 1.0 * *iout, *fmu, *factor}) g_trace->numbers.push_back(x);
   for (int32_t p = 0; p < *npairs; ++p)
     for (int32_t c = 0; c < C2D_PAIR_FIELDS; ++c) g_trace->numbers.push_back(table[p * *ldt + c]);
 }
-void stop_step(const int32_t*, const int32_t*, const int32_t* istep, const int32_t*, const double*,
-               const double*, const int32_t*, const double*, const int32_t*, int32_t* istop) {
+void stop_step(const int32_t*, const int32_t*, const int32_t* istep, const int32_t*, const double*, const double*,
+               const int32_t*, const double*, const int32_t*, int32_t* istop) {
   if (*istep == 3) *istop = 77;
 }
 
 int32_t keep_step(void* context, const c2d_step* s) {
   Trace& trace = *static_cast<Trace*>(context);
-  for (const double x :
-       {1.0 * s->kind, 1.0 * s->coefficient, 1.0 * s->step, 1.0 * s->outcome, s->mu, s->load})
+  for (const double x : {1.0 * s->kind, 1.0 * s->coefficient, 1.0 * s->step, 1.0 * s->outcome, s->mu, s->load})
     trace.numbers.push_back(x);
   for (int32_t p = 0; p < s->pairs; ++p)
     for (int32_t c = 0; c < C2D_PAIR_FIELDS; ++c) trace.numbers.push_back(s->table[p * s->stride + c]);
@@ -228,16 +223,14 @@ TEST_CASE("fortran77: a deck at every odd address gives the bits of the C interf
       REQUIRE(c2d_get(desktop.solver, field, 1, 1, 92, straight.data(), 1) == C2D_OK);
       c2get_(work, I{field}, I{1}, I{1}, I{92}, numbers.at(), I{3}, &error);
       REQUIRE(error == 0);
-      for (int32_t i = 0; i < 92; ++i)
-        CHECK(real_at(numbers.at(), 3 * i) == straight[static_cast<size_t>(i)]);
+      for (int32_t i = 0; i < 92; ++i) CHECK(real_at(numbers.at(), 3 * i) == straight[static_cast<size_t>(i)]);
     }
     const double points[6] = {0.5, 4.0, 0.0, 1.0, 6.0, 0.0};
     double inside[2 * C2D_POINT_FIELDS];
     REQUIRE(c2d_interior(desktop.solver, 2, 2, points, 3, inside, C2D_POINT_FIELDS) == C2D_OK);
     c2intr_(work, I{2}, I{2}, points, I{3}, numbers.at(), I{12}, &error);
     REQUIRE(error == 0);
-    for (int32_t k = 0; k < 2 * C2D_POINT_FIELDS; ++k)
-      CHECK(real_at(numbers.at(), k + k / C2D_POINT_FIELDS) == inside[k]);
+    for (int32_t k = 0; k < 2 * C2D_POINT_FIELDS; ++k) CHECK(real_at(numbers.at(), k + k / C2D_POINT_FIELDS) == inside[k]);
     c2clos_(work, &error);
     CHECK(error == 0);
   }
@@ -506,8 +499,7 @@ TEST_CASE("fortran77: a model by calls is checked as in C, and every call reache
     for (int32_t e = 1; e <= 4; ++e)
       for (int32_t local = 1; local <= 2; ++local) {
         c2cond_(work, I{body}, I{12 + e}, I{local}, fix_x, real.at(), I{1}, &error), ok(__LINE__);
-        c2cond_(work, I{body}, I{body == 1 ? e : 8 + e}, I{local}, fix_y, real.at(), I{1}, &error),
-            ok(__LINE__);
+        c2cond_(work, I{body}, I{body == 1 ? e : 8 + e}, I{local}, fix_y, real.at(), I{1}, &error), ok(__LINE__);
       }
   }
   put_real(real.at(), -0.01, 3);
@@ -654,9 +646,9 @@ TEST_CASE("fortran77: nodes on lines and arcs, points and a point load as the C 
 
   // Nodes: the field of the bodies' points is that of a line and of an arc.
   c2get_(work, I{C2D_END_X}, I{1}, I{1}, I{24}, places.at(), I{1}, &error), ok(__LINE__);
-  CHECK(real_at(places.at(), 2) == 1.5);                                                // node 2
-  CHECK(real_at(places.at(), 6) == doctest::Approx(2 * std::cos(std::atan(1.0) / 2)));  // node 4: 22.5 degrees
-  CHECK(real_at(places.at(), 22) == doctest::Approx(std::cos(std::atan(1.0) / 2)));     // node 12
+  CHECK(real_at(places.at(), 2) == 1.5);                                               // node 2
+  CHECK(real_at(places.at(), 6) == doctest::Approx(2 * std::cos(std::atan(1.0) / 2))); // node 4: 22.5 degrees
+  CHECK(real_at(places.at(), 22) == doctest::Approx(std::cos(std::atan(1.0) / 2)));    // node 12
 
   int32_t kind = -1, body = 0, of[2], line = -1, total = 0, load_case = 0;
   double xy[4], force[2], inside[12];
@@ -747,6 +739,5 @@ TEST_CASE("fortran77: the page has every name with its arguments, and every func
   CHECK(names > 50);
   const std::regex function("\\n(?:c2d_status|const char\\*|int32_t) (c2d_\\w+)\\(");
   for (std::sregex_iterator i(header.begin(), header.end(), function), end; i != end; ++i)
-    CHECK_MESSAGE(contains(page, "`" + (*i)[1].str() + "`"), (*i)[1].str()
-                                                                 << " is not in port/fortran/README.md");
+    CHECK_MESSAGE(contains(page, "`" + (*i)[1].str() + "`"), (*i)[1].str() << " is not in port/fortran/README.md");
 }

@@ -92,9 +92,9 @@ struct Told {
 };
 
 void keep_card(void* context, const c2d_card* card) {
-  static_cast<std::vector<Told>*>(context)->push_back(
-      {card->kind, card->line, card->column, card->width,
-       std::string(card->text, static_cast<size_t>(card->length)), card->value});
+  static_cast<std::vector<Told>*>(context)->push_back({card->kind, card->line, card->column, card->width,
+                                                       std::string(card->text, static_cast<size_t>(card->length)),
+                                                       card->value});
 }
 
 std::vector<Told> walk(const std::string& bytes) {
@@ -184,8 +184,7 @@ TEST_CASE("wrong fields in the free form: the column and what was expected") {
   check_fault(6, "0  ! no more", 2, 2, "the card ends here, expected type of output");
   check_fault(6, "0 1 2 3", 5, 7, "the card has 4 fields, expected 2");
   check_fault(7, "2 1.5 2", 3, 5, "columns 3-5 hold '1.5', expected an integer without point or exponent");
-  check_fault(7, "2", 2, 2,
-              "the card ends here, expected number of contact zones; what follows cannot be read");
+  check_fault(7, "2", 2, 2, "the card ends here, expected number of contact zones; what follows cannot be read");
   check_fault(8, "0 2 4 4", 1, 1, "number of regions is 0, expected at least 1; what follows cannot be read");
   check_fault(10, "1 3", 3, 3, "last element of the region is 3, expected 4");
   check_fault(12, "-100 .3", 1, 4, "Young's modulus is -100, expected more than 0");
@@ -201,15 +200,13 @@ TEST_CASE("wrong nodes and conditions in the free form") {
   check_fault(16, "1 0", 4, 4, "the card ends here, expected y of a node");
   check_fault(17, "P 2 -1 0", 5, 6, "radius is -1, expected at least 0");
   check_fault(17, "  7 0 0", 3, 3, "node number is 7, expected 2 to 4");
-  check_fault(26, "1 1 1200 0 0 0 0", 5, 8,
-              "codes are '1200', expected four digits 0 (known) or 1 (unknown)");
+  check_fault(26, "1 1 1200 0 0 0 0", 5, 8, "codes are '1200', expected four digits 0 (known) or 1 (unknown)");
   check_fault(26, "1 1 110 0 0 0 0", 5, 7, "codes are '110', expected four digits");
   check_fault(26, "1 1 1 1 0 2 0 0 0 0", 11, 11, "code of the y displacement (0 known, 1 unknown) is 2");
   check_fault(26, "1 1 1100 0 0 0", 15, 15, "the card has 6 fields, expected 7: element, node, four codes");
   check_fault(26, "9 1 1100 0 0 0 0", 1, 1, "element number is 9, expected 1 to 4");
   check_fault(27, "2 1 2 1100 0 0 0 0", 1, 1, "flag for generated conditions (blank, 0 or 1) is 2");
-  check_fault(27, "1 1 1 1100 0 0 0 0", 3, 5,
-              "conditions are generated up to element 1 node 1, expected an end");
+  check_fault(27, "1 1 1 1100 0 0 0 0", 3, 5, "conditions are generated up to element 1 node 1, expected an end");
   check_fault(32, "1 .5 .5 0 -2 7", 14, 14, "the card has 6 fields, expected 5");
   check_fault(34, "3 2 1 1", 1, 3, "contact elements 3 to 2 of body 1 make 2, expected 1");
   check_fault(36, "1 1", 1, 1, "number of contact nodes of body 1 is 1, expected 2, the sum of the zones");
@@ -222,15 +219,12 @@ TEST_CASE("what may not stand in a free deck") {
   deck[0] = "*FRE";
   Reading r = read(joined(deck));
   REQUIRE(r.faults.size() == 1);
-  CHECK(r.faults[0].text ==
-        "a keyword card stands first, expected *FREE or the card with the number of heading cards");
+  CHECK(r.faults[0].text == "a keyword card stands first, expected *FREE or the card with the number of heading cards");
   CHECK(r.faults[0].column == 1);
   CHECK(r.faults[0].column_end == 4);
-  check_fault(12, "*UNITS mm N", 1, 6,
-              "a keyword card stands here, expected the card with the elastic constants");
+  check_fault(12, "*UNITS mm N", 1, 6, "a keyword card stands here, expected the card with the elastic constants");
   check_fault(6, std::string(160, ' ') + "0,1", 161, 163, "the card goes beyond column 160");
-  CHECK(the_fault(6, "0 1 \x80").text.find("holds the byte 128, expected plain ASCII text") !=
-        std::string::npos);
+  CHECK(the_fault(6, "0 1 \x80").text.find("holds the byte 128, expected plain ASCII text") != std::string::npos);
   for (size_t cards = 1; cards < free_squares().size(); ++cards) {
     deck = free_squares();
     deck.resize(cards);
@@ -267,8 +261,7 @@ TEST_CASE("walking over the fields of a deck") {
   const auto fields = [](const std::vector<Told>& told) {
     std::vector<Told> list;
     for (const Told& t : told)
-      if (t.kind >= C2D_CARD_INTEGER && t.kind <= C2D_CARD_LETTER &&
-          !(t.width == 1 && t.column == 1 && t.value == 0))
+      if (t.kind >= C2D_CARD_INTEGER && t.kind <= C2D_CARD_LETTER && !(t.width == 1 && t.column == 1 && t.value == 0))
         list.push_back(t);
     return list;
   };
@@ -284,8 +277,8 @@ TEST_CASE("walking over the fields of a deck") {
   std::vector<std::string> comments;
   for (const Told& t : free)
     if (t.kind == C2D_CARD_COMMENT) comments.push_back(t.text);
-  CHECK(comments == List{"two squares, one on the other", "type of problem, output",
-                         "regions, nodes of an element, elements, points"});
+  CHECK(comments ==
+        List{"two squares, one on the other", "type of problem, output", "regions, nodes of an element, elements, points"});
   CHECK(c2d_walk_deck(nullptr, nullptr, keep_card, nullptr, nullptr, nullptr) == C2D_ERR_ARGUMENT);
 }
 
@@ -303,18 +296,10 @@ TEST_CASE("mutated free decks neither crash nor loop, and every refusal says whe
       const size_t at = below(bytes.size());
       const char byte = kBytes[below(sizeof kBytes - 1)];
       switch (below(4)) {
-      case 0:
-        bytes[at] = byte;
-        break;
-      case 1:
-        bytes.insert(at, 1, byte);
-        break;
-      case 2:
-        bytes.erase(at, 1 + below(20));
-        break;
-      default:
-        bytes.insert(at, bytes.substr(below(bytes.size()), below(60)));
-        break;
+      case 0: bytes[at] = byte; break;
+      case 1: bytes.insert(at, 1, byte); break;
+      case 2: bytes.erase(at, 1 + below(20)); break;
+      default: bytes.insert(at, bytes.substr(below(bytes.size()), below(60))); break;
       }
       if (bytes.empty()) bytes = "1";
     }
@@ -322,8 +307,8 @@ TEST_CASE("mutated free decks neither crash nor loop, and every refusal says whe
     const Reading r = read(bytes);
     bool sound = r.faults.size() <= 101 && (r.status == C2D_OK) == r.faults.empty();
     for (const Fault& f : r.faults)
-      sound = sound && f.line >= 1 && f.line <= lines && f.column >= 0 && f.column_end >= f.column &&
-              !f.text.empty() && f.text.size() < 300;
+      sound = sound && f.line >= 1 && f.line <= lines && f.column >= 0 && f.column_end >= f.column && !f.text.empty() &&
+              f.text.size() < 300;
     CAPTURE(i);
     CAPTURE(bytes);
     CHECK(sound);
@@ -342,8 +327,7 @@ TEST_CASE("the example of DECK.md is solved") {
   CHECK(read(deck).status == C2D_OK);
   const test::Folder folder;
   test::write_file(folder / "deck", deck);
-  const test::Result r =
-      test::run_shell("'" C2D_TEST_PROGRAM "' run " + (folder / "deck") + " --listing /dev/null --csv -");
+  const test::Result r = test::run_shell("'" C2D_TEST_PROGRAM "' run " + (folder / "deck") + " --listing /dev/null --csv -");
   CHECK(r.status == 0);
   CHECK(lines_of(r.out).size() == 1 + 4 * 2); // increments times pairs
 }
@@ -395,8 +379,8 @@ TEST_CASE("convert: a run of the converted deck writes the same bytes") {
     std::string first_rows, first_listing;
     for (const std::string& path : {deck, free, fixed}) {
       const std::string csv = folder / "rows.csv", boundary = folder / "boundary.csv";
-      const test::Result r = test::run_shell(program + "run " + path + " --listing " + (folder / "listing") +
-                                             " --csv " + csv + " --boundary " + boundary);
+      const test::Result r = test::run_shell(program + "run " + path + " --listing " + (folder / "listing") + " --csv " + csv +
+                                             " --boundary " + boundary);
       CHECK(r.status == 0);
       const std::string rows = test::read_file(csv) + test::read_file(boundary);
       const std::string listing = test::read_file(folder / "listing").substr(0, 500); // headings and title
@@ -451,12 +435,11 @@ TEST_CASE("convert: numbers that the fixed form can and cannot hold") {
   };
   for (const std::string number :
        {"0.333333333333e-3", "1.00000000000", "-0.000012500000000", "123456789012", "1e-99", "-1.2345e-50",
-        "0.1000000000000000055511151231257827", "1e23", "-1234567000000", "0.00000000000", "12345678.5",
-        "+.1e+01", "-0.12345678", "1.5+3", "9007199254740992.000", "9999999900000"}) {
+        "0.1000000000000000055511151231257827", "1e23", "-1234567000000", "0.00000000000", "12345678.5", "+.1e+01",
+        "-0.12345678", "1.5+3", "9007199254740992.000", "9999999900000"}) {
     CAPTURE(number);
     const test::Result fixed = convert(with_number(number));
-    const bool fits =
-        number != "0.333333333333e-3" && number != "123456789012" && number != "9007199254740992.000";
+    const bool fits = number != "0.333333333333e-3" && number != "123456789012" && number != "9007199254740992.000";
     REQUIRE(fixed.status == (fits ? 0 : 2));
     if (!fits) {
       CHECK(test::contains(fixed.err, "deck:15:1: error: the number " + number + " cannot be written"));
@@ -470,8 +453,7 @@ TEST_CASE("convert: numbers that the fixed form can and cannot hold") {
   List deck = free_squares();
   for (int i = 0; i < 60; ++i) {
     char x[40], y[40];
-    std::snprintf(x, sizeof x, "%.*e", static_cast<int>(random() % 6),
-                  std::ldexp(double(random()), int(random() % 200) - 130));
+    std::snprintf(x, sizeof x, "%.*e", static_cast<int>(random() % 6), std::ldexp(double(random()), int(random() % 200) - 130));
     std::snprintf(y, sizeof y, "%.*f00000000", static_cast<int>(random() % 8), double(random() % 1000) / 7);
     deck[14] = std::string(x) + " -" + y;
     CAPTURE(deck[14]);
@@ -493,9 +475,8 @@ TEST_CASE("convert: coefficients are dealt out anew") {
   deck[13] = "9 .1\n.2 .3 .4 .5 .6\n.7 .8 .9";
   const test::Result fixed = convert(joined(deck));
   REQUIRE(fixed.status == 0);
-  CHECK(test::contains(fixed.out,
-                       "\n    9         .1        .2        .3        .4        .5        .6        .7\n"
-                       "              .8        .9\n"));
+  CHECK(test::contains(fixed.out, "\n    9         .1        .2        .3        .4        .5        .6        .7\n"
+                                  "              .8        .9\n"));
   CHECK(is_same_model(read(fixed.out).model, read(joined(deck)).model));
   CHECK(is_same_model(read(convert(fixed.out).out).model, read(joined(deck)).model));
 }

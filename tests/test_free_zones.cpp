@@ -14,9 +14,7 @@ using namespace problem;
 
 namespace {
 
-size_t at(int64_t i) {
-  return static_cast<size_t>(i);
-}
+size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 struct Side {
   double x, y;
@@ -113,8 +111,8 @@ TEST_CASE("free zones: the patch test passes with unequal meshes") {
     int32_t lower, upper;
     double growth1, growth2;
   };
-  for (const Case& c : {Case{7, 10, 1, 1}, Case{3, 11, 1, 1}, Case{11, 3, 1, 1}, Case{7, 10, 6, 4},
-                        Case{9, 4, 0.2, 5}, Case{6, 6, 1, 1}, Case{1, 5, 1, 1}, Case{5, 1, 1, 1}})
+  for (const Case& c : {Case{7, 10, 1, 1}, Case{3, 11, 1, 1}, Case{11, 3, 1, 1}, Case{7, 10, 6, 4}, Case{9, 4, 0.2, 5},
+                        Case{6, 6, 1, 1}, Case{1, 5, 1, 1}, Case{5, 1, 1, 1}})
     for (int32_t nodes : {2, 3, 4})
       for (int32_t functions : {2, 3, 4})
         for (double mu : {0.0, 0.3}) {
@@ -232,8 +230,7 @@ TEST_CASE("free zones: a cylinder on a block with other meshes is close to the m
         REQUIRE(r.status == C2D_OK);
         REQUIRE(r.outcome == C2D_REACHED);
         CHECK(largest(r, C2D_TN) == doctest::Approx(largest(matching, C2D_TN)).epsilon(0.01));
-        CHECK(half_width(r) ==
-              doctest::Approx(half_width(matching)).epsilon(2.0 / 32 / half_width(matching)));
+        CHECK(half_width(r) == doctest::Approx(half_width(matching)).epsilon(2.0 / 32 / half_width(matching)));
         CHECK(imbalance(r) < 1e-12);
         CHECK(r.summary.force_error < 1e-12);
         CHECK(coulomb_breach(cylinder(meshes.first, meshes.second, mu, functions, true), r) == "");
@@ -262,8 +259,7 @@ TEST_CASE("free zones: ordinary zones beside them") {
     p.friction = {0.2};
     p.bodies.resize(2);
     add_sides(p.bodies[0], {{0, 0, 6}, {3, 0, 3}, {3, 1, 4}, {2, 1, 3}, {1, 1, 5}, {0, 1, 3}});
-    add_sides(p.bodies[1],
-              {{0, 1, 5}, {1, 1, 1}, {1, 1.4, 2}, {2, 1.4, 1}, {2, 1, 4}, {3, 1, 3}, {3, 2, 6}, {0, 2, 3}});
+    add_sides(p.bodies[1], {{0, 1, 5}, {1, 1, 1}, {1, 1.4, 2}, {2, 1.4, 1}, {2, 1, 4}, {3, 1, 3}, {3, 2, 6}, {0, 2, 3}});
     for (int body = 1; body <= 2; ++body)
       set_ends(p, body, [&](double x, double y, double, double ny, End& end) {
         if (ny < -0.9 && y < 0.5) end = End{{1, 1, 0, 0}, {0, 0, 0, 0}};
@@ -275,10 +271,8 @@ TEST_CASE("free zones: ordinary zones beside them") {
     zone.first_element[1] = 5, zone.last_element[1] = 1, zone.first_node[1] = 6, zone.last_node[1] = 1;
     c2d_zone other = zone;
     other.elements = 4, other.pairs = 5;
-    other.first_element[0] = 10, other.last_element[0] = 13, other.first_node[0] = 10,
-    other.last_node[0] = 14;
-    other.first_element[1] = 13, other.last_element[1] = 10, other.first_node[1] = 14,
-    other.last_node[1] = 10;
+    other.first_element[0] = 10, other.last_element[0] = 13, other.first_node[0] = 10, other.last_node[0] = 14;
+    other.first_element[1] = 13, other.last_element[1] = 10, other.first_node[1] = 14, other.last_node[1] = 10;
     p.zones = {zone};
     if (!free) {
       p.zones.push_back(other);
@@ -381,8 +375,7 @@ TEST_CASE("free zones: a ring pressed onto a ring, all round, against Lame") {
     int32_t element_nodes, function_nodes;
     double tolerance;
   };
-  for (const Case& c :
-       {Case{2, 2, 0.01}, Case{3, 1, 0.025}, Case{3, 2, 0.01}, Case{3, 3, 0.002}, Case{4, 4, 2e-5}})
+  for (const Case& c : {Case{2, 2, 0.01}, Case{3, 1, 0.025}, Case{3, 2, 0.01}, Case{3, 3, 0.002}, Case{4, 4, 2e-5}})
     for (const auto& meshes : {std::pair<int32_t, int32_t>{30, 43}, {43, 30}}) {
       Problem p;
       p.function_nodes = c.function_nodes;
@@ -409,8 +402,7 @@ TEST_CASE("free zones: a ring pressed onto a ring, all round, against Lame") {
       REQUIRE(r.outcome == C2D_REACHED);
       const Step& step = r.steps.back();
       REQUIRE(step.pairs() == meshes.second * std::max(c.function_nodes - 1, 1));
-      for (int i = 0; i < step.pairs(); ++i)
-        CHECK(step.at(i, C2D_TN) == doctest::Approx(pressure).epsilon(c.tolerance));
+      for (int i = 0; i < step.pairs(); ++i) CHECK(step.at(i, C2D_TN) == doctest::Approx(pressure).epsilon(c.tolerance));
       for (int k = 0; k < 2; ++k) // resultants vanish: against the size of what is summed, 2 pi p
         CHECK(std::fabs(r.summary.contact[0][k] + r.summary.contact[1][k]) < 1e-12 * 6.3 * pressure);
     }
@@ -439,23 +431,23 @@ std::string press_fit(bool quarter, int32_t nodes, int32_t functions, const int3
   std::ostringstream deck;
   deck.precision(12);
   deck << "*FREE\n1\nPRESS FIT\n1 1\n2 0 " << functions << "\n";
-  for (int32_t n : meshes)
-    deck << "2 " << nodes << " " << 2 * n << " " << 2 * n * (nodes - 1) + (quarter ? 2 : 0) << "\n";
+  for (int32_t n : meshes) deck << "2 " << nodes << " " << 2 * n << " " << 2 * n * (nodes - 1) + (quarter ? 2 : 0) << "\n";
   for (int32_t n : meshes) deck << "1 " << n << "\n" << n + 1 << " " << 2 * n << "\n";
   deck << "1000 .3\n2000 .3\n1 " << (quarter ? 0 : 0.3) << "\n";
   for (int body = 0; body < 2; ++body) {
     const int32_t points = meshes[body] * (nodes - 1) + (quarter ? 1 : 0);
     const double outer = body == 0 ? 3 : 2 + overlap, last = quarter ? 90 : 360 - 360.0 / points;
-    deck << "0 0\nP 1 " << outer << " 0\nP " << points << " " << outer << " " << last << "\nP " << points + 1 << " "
-         << 2 - body << " " << (quarter ? 90 : 0) << "\nP " << 2 * points << " " << 2 - body << " "
-         << (quarter ? 0 : -last) << "\n";
+    deck << "0 0\nP 1 " << outer << " 0\nP " << points << " " << outer << " " << last << "\nP " << points + 1 << " " << 2 - body
+         << " " << (quarter ? 90 : 0) << "\nP " << 2 * points << " " << 2 - body << " " << (quarter ? 0 : -last) << "\n";
   }
   if (quarter) {
     deck << "0\n";
   } else { // held against the rigid motions of the inner and, by friction, the outer ring
     const int32_t n = meshes[0];
-    deck << "4\n1 1 1100 0 0 0 0\n" << n / 2 << " 2 0110 0 0 0 0\n" << n / 2 + 1 << " 1 0110 0 0 0 0\n" << n
-         << " 2 1100 0 0 0 0\n";
+    deck << "4\n1 1 1100 0 0 0 0\n"
+         << n / 2 << " 2 0110 0 0 0 0\n"
+         << n / 2 + 1 << " 1 0110 0 0 0 0\n"
+         << n << " 2 1100 0 0 0 0\n";
   }
   deck << "0\n0\n0\n0 0\n0 0\n1 50\n1 1\n";
   if (quarter) deck << "*SYMMETRY X 0\n*SYMMETRY Y 0\n";
@@ -468,13 +460,10 @@ std::string press_fit(bool quarter, int32_t nodes, int32_t functions, const int3
   return deck.str();
 }
 // Lame: overlap = 2 p [(13 / 5 + nu) / 1000 + (5 / 3 - nu) / 2000].
-double press_fit_pressure(double overlap) {
-  return overlap / (2 * (2.9 / 1000 + (5.0 / 3 - 0.3) / 2000));
-}
+double press_fit_pressure(double overlap) { return overlap / (2 * (2.9 / 1000 + (5.0 / 3 - 0.3) / 2000)); }
 void check_pressures(const Result& r, double pressure, double tolerance) {
   const Step& step = r.steps.back();
-  for (int i = 0; i < step.pairs(); ++i)
-    CHECK(std::fabs(step.at(i, C2D_TN) - pressure) <= tolerance * pressure);
+  for (int i = 0; i < step.pairs(); ++i) CHECK(std::fabs(step.at(i, C2D_TN) - pressure) <= tolerance * pressure);
 }
 double mean_pressure(const Result& r) {
   double sum = 0;
@@ -572,9 +561,7 @@ TEST_CASE("free zones: bad input") {
     CHECK(r.status != C2D_OK);
     return r.messages();
   };
-  const auto says = [](const std::string& text, const char* part) {
-    return text.find(part) != std::string::npos;
-  };
+  const auto says = [](const std::string& text, const char* part) { return text.find(part) != std::string::npos; };
   const std::string top = fault([](Problem& p) { // the upper block's upper side
     p.free_zones[0].first_element[1] = 14, p.free_zones[0].last_element[1] = 17;
   });
@@ -612,8 +599,7 @@ std::string hertz_deck(const std::string& zone) {
   lines[5] = "    2    0    2"; // no ordinary zone
   const size_t first = lines.size() - 7;
   REQUIRE(lines[first] == "    1    2   10    9");
-  lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(first),
-              lines.begin() + static_cast<std::ptrdiff_t>(first) + 3);
+  lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(first), lines.begin() + static_cast<std::ptrdiff_t>(first) + 3);
   lines[first] = lines[first + 1] = "    0    0";
   std::string text;
   for (const std::string& line : lines) text += line + "\n";

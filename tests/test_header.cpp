@@ -62,8 +62,7 @@ TEST_CASE("header: the code in its comments is a program in C99 and C++ that run
   CHECK(code.size() >= 10);
   for (const std::string& compiler : {kAsC, kAsCpp}) {
     const Folder folder;
-    const std::string program =
-        program_of(code, "#include \"contact2d.h\"\n#include \"c2d_memory.h\"\n");
+    const std::string program = program_of(code, "#include \"contact2d.h\"\n#include \"c2d_memory.h\"\n");
     const Result compiled = compile(compiler, folder, program, !kSanitized);
     REQUIRE_MESSAGE(compiled.status == 0, compiled.err << program);
     if (kSanitized) continue;

@@ -20,8 +20,8 @@ struct Value { // of one side of the block's top, for a load case
 // A block of 2 x 1, its lower side flat or rounded, on a foundation of 6 x 2 that is held below. The top of the block
 // carries tractions, or prescribed displacements if `held`.
 struct Setup {
-  int n = 8;          // elements along the contact
-  double radius = 0;  // of the lower side; 0: flat
+  int n = 8;         // elements along the contact
+  double radius = 0; // of the lower side; 0: flat
   bool held = false;
   std::vector<Value> cases = {{0, -1, 0, 0}, {1, 0, 0, 0}};
   std::vector<double> friction = {0.4};
@@ -110,14 +110,17 @@ public:
   }
   std::vector<Record> run() {
     std::vector<Record> out;
-    REQUIRE(c2d_run(s, [](void* context, const c2d_step* step) {
-              const size_t cases = static_cast<size_t>(step->cases);
-              static_cast<std::vector<Record>*>(context)->push_back(
-                  {step->load, step->mu, step->work, step->dissipated, step->elastic, step->energy_defect,
-                   Loads(step->loads, step->loads + cases), Loads(step->work_by_case, step->work_by_case + cases),
-                   step->outcome, std::vector<double>(step->table, step->table + step->pairs * step->stride)});
-              return 0;
-            }, &out) == C2D_OK);
+    REQUIRE(c2d_run(
+                s,
+                [](void* context, const c2d_step* step) {
+                  const size_t cases = static_cast<size_t>(step->cases);
+                  static_cast<std::vector<Record>*>(context)->push_back(
+                      {step->load, step->mu, step->work, step->dissipated, step->elastic, step->energy_defect,
+                       Loads(step->loads, step->loads + cases), Loads(step->work_by_case, step->work_by_case + cases),
+                       step->outcome, std::vector<double>(step->table, step->table + step->pairs * step->stride)});
+                  return 0;
+                },
+                &out) == C2D_OK);
     return out;
   }
   int top_first() const { return setup_.n + setup_.n / 2 + 1; }
@@ -538,8 +541,7 @@ TEST_CASE("history: point loads that roll over the block, with their energy") {
     Setup loads = setup;
     loads.cases.resize(4, {0, 0, 0, 0});
     Case c(loads);
-    for (int k = 0; k < 3; ++k)
-      REQUIRE(c2d_add_point_load(c.s, 2, -0.4 + 0.4 * k, 0.5, 0.02, -0.3, k + 2) == C2D_OK);
+    for (int k = 0; k < 3; ++k) REQUIRE(c2d_add_point_load(c.s, 2, -0.4 + 0.4 * k, 0.5, 0.02, -0.3, k + 2) == C2D_OK);
     REQUIRE(c.finish() == C2D_OK);
     c.begin(0.3);
     REQUIRE(c.to({1, 0, 0, 0}) == C2D_REACHED);
@@ -594,8 +596,7 @@ TEST_CASE("history: decks") {
       {"*FRICTION\n 1 -0.3\n", "negative"},
       {"*FRICTION\n", "*FRICTION without cards, expected at least one: zone mu ..."},
       {"*FRICTION\n 1 0.3\n 1 0.4\n", "zone 1 stands below *FRICTION twice, expected it once"},
-      {"*CASES 2\ncase 2\nload 2 0 0.5 0 -0.1\ncase 2\n",
-       "case 2 stands below *CASES twice, expected it once"},
+      {"*CASES 2\ncase 2\nload 2 0 0.5 0 -0.1\ncase 2\n", "case 2 stands below *CASES twice, expected it once"},
   };
   for (const auto& fault : faults) {
     CAPTURE(std::string(fault.first));

@@ -170,8 +170,10 @@ TEST_CASE("holes: two of them, a square and a slanted one, in an exact state") {
             if (n == 4) CHECK(now < 0.5 * compressible[0]);
           }
           // Incompressible or not; 1/(1 - 2 nu) goes up to 5e5.
-          if (!centred || functions > 2) CHECK(now < 3 * reference);
-          else CHECK(now < (n == 2 ? 0.13 : 0.05)); // second order
+          if (!centred || functions > 2)
+            CHECK(now < 3 * reference);
+          else
+            CHECK(now < (n == 2 ? 0.13 : 0.05)); // second order
         }
       CHECK(compressible[1] < (functions == 2 ? 0.02 : 0.003));
     }
@@ -275,8 +277,7 @@ namespace {
 // Magnitudes of displacements and tractions at all ends, in order of size: what no rotation, reflection or numbering changes.
 std::vector<double> magnitudes(const Result& r, bool tractions) {
   std::vector<double> out;
-  for (const EndResult& end : r.boundary[0])
-    out.push_back(tractions ? std::hypot(end.tx, end.ty) : std::hypot(end.ux, end.uy));
+  for (const EndResult& end : r.boundary[0]) out.push_back(tractions ? std::hypot(end.tx, end.ty) : std::hypot(end.ux, end.uy));
   std::sort(out.begin(), out.end());
   return out;
 }
@@ -307,16 +308,27 @@ TEST_CASE("holes: bodies turned, mirrored, numbered otherwise give the same but 
         });
       },
       [](Body& b, double x, double y) {
-        add_polygon(b, {{x, y, 3}, {x, y + 0.9, 1}, {x + 0.3, y + 0.9, 2}, {x + 0.3, y + 0.3, 2}, {x + 0.9, y + 0.3, 1},
+        add_polygon(
+            b,
+            {{x, y, 3}, {x, y + 0.9, 1}, {x + 0.3, y + 0.9, 2}, {x + 0.3, y + 0.3, 2}, {x + 0.9, y + 0.3, 1}, {x + 0.9, y, 3}});
+      },
+      [](Body& b, double x, double y) {
+        add_polygon(b, {{x, y, 3},
+                        {x, y + 0.9, 1},
+                        {x + 0.2, y + 0.9, 3},
+                        {x + 0.2, y + 0.2, 2},
+                        {x + 0.7, y + 0.2, 3},
+                        {x + 0.7, y + 0.9, 1},
+                        {x + 0.9, y + 0.9, 3},
                         {x + 0.9, y, 3}});
       },
       [](Body& b, double x, double y) {
-        add_polygon(b, {{x, y, 3}, {x, y + 0.9, 1}, {x + 0.2, y + 0.9, 3}, {x + 0.2, y + 0.2, 2}, {x + 0.7, y + 0.2, 3},
-                        {x + 0.7, y + 0.9, 1}, {x + 0.9, y + 0.9, 3}, {x + 0.9, y, 3}});
-      },
-      [](Body& b, double x, double y) {
-        add_polygon(b, {{x, y, 3}, {x + 0.1, y + 0.9, 3}, {x + 0.9, y + 0.8, 1}, {x + 0.85, y + 0.65, 2},
-                        {x + 0.2, y + 0.7, 3}, {x + 0.3, y + 0.1, 1}});
+        add_polygon(b, {{x, y, 3},
+                        {x + 0.1, y + 0.9, 3},
+                        {x + 0.9, y + 0.8, 1},
+                        {x + 0.85, y + 0.65, 2},
+                        {x + 0.2, y + 0.7, 3},
+                        {x + 0.3, y + 0.1, 1}});
       },
       [](Body& b, double x, double y) {
         add_polygon(b, {{x, y, 1}, {x, y + 0.1, 4}, {x + 0.9, y + 0.2, 1}, {x + 0.9, y + 0.1, 4}});

@@ -30,24 +30,22 @@ void check_needs(const Libraries& libraries, const std::string& program) {
 }
 
 // Compiles sources of Fortran in a folder of its own, where the .mod file goes.
-void build_fortran(const Libraries& libraries, const std::string& flags, const std::string& sources,
-                   const std::string& kind, const std::string& program) {
-  check_built("cd '" + (libraries / "static") + "/..' && gfortran " + flags + " " + sources +
-              libraries.link(kind) + " -o '" + (libraries / program) + "'");
+void build_fortran(const Libraries& libraries, const std::string& flags, const std::string& sources, const std::string& kind,
+                   const std::string& program) {
+  check_built("cd '" + (libraries / "static") + "/..' && gfortran " + flags + " " + sources + libraries.link(kind) + " -o '" +
+              (libraries / program) + "'");
   check_needs(libraries, program);
 }
 
-std::string example(const std::string& name) {
-  return "'" + kRoot + "/examples/fortran/" + name + "'";
-}
+std::string example(const std::string& name) { return "'" + kRoot + "/examples/fortran/" + name + "'"; }
 
 } // namespace
 
 TEST_CASE("hosts: C, linked with cc, -lcontact2d and -lm, static and shared") {
   if (!can_host("cc")) return;
   const Libraries libraries;
-  const std::string compile = kC + " -std=c99 -I'" + kRoot + "/include' -I'" + kRoot + "/port/memory' '" +
-                              kRoot + "/examples/static_array.c'";
+  const std::string compile =
+      kC + " -std=c99 -I'" + kRoot + "/include' -I'" + kRoot + "/port/memory' '" + kRoot + "/examples/static_array.c'";
   for (const std::string kind : {"static", "shared"}) {
     check_built(compile + libraries.link(kind) + " -lm -o '" + (libraries / "host") + "'");
     check_needs(libraries, "host");
@@ -60,9 +58,8 @@ TEST_CASE("hosts: C, linked with cc, -lcontact2d and -lm, static and shared") {
 TEST_CASE("hosts: C++ with a wrapper that owns memory and solver") {
   if (!can_host("cc")) return;
   const Libraries libraries;
-  check_built(kCxx + " -std=c++17 -Wall -Wextra -Wpedantic -Werror -I'" + kRoot + "/include' -I'" + kRoot +
-              "/port/memory' '" + kRoot + "/examples/raii.cpp'" + libraries.link("shared") + " -o '" +
-              (libraries / "host") + "'");
+  check_built(kCxx + " -std=c++17 -Wall -Wextra -Wpedantic -Werror -I'" + kRoot + "/include' -I'" + kRoot + "/port/memory' '" +
+              kRoot + "/examples/raii.cpp'" + libraries.link("shared") + " -o '" + (libraries / "host") + "'");
   const Result run = run_shell(libraries.run("host") + " '" + kDeck + "'");
   CHECK_MESSAGE(run.status == 0, run.out << run.err);
   check_peaks(peaks_of(run.out), expected(), 0.6e-10);
@@ -74,8 +71,7 @@ TEST_CASE("hosts: C++ with a wrapper that owns memory and solver") {
 
 TEST_CASE("hosts: Python, its standard library alone") {
   if (!can_host("python3")) return;
-  const Result run =
-      run_shell("python3 '" + kRoot + "/examples/python_ctypes.py' '" C2D_TEST_SHARED "' '" + kDeck + "'");
+  const Result run = run_shell("python3 '" + kRoot + "/examples/python_ctypes.py' '" C2D_TEST_SHARED "' '" + kDeck + "'");
   CHECK_MESSAGE(run.status == 0, run.out << run.err);
   check_peaks(peaks_of(run.out), expected(), 0.6e-10);
 }
@@ -86,8 +82,7 @@ TEST_CASE("hosts: Fortran 2008 through the module, whatever the default kinds ar
   const std::string sources = "'" + kRoot + "/port/fortran/contact2d.f90' " + example("contact.f90");
   const struct {
     const char *flags, *kind;
-  } builds[] = {{"-std=f2008 -Wall -Wextra -Werror", "shared"},
-                {"-std=f2008 -fdefault-integer-8 -fdefault-real-8", "static"}};
+  } builds[] = {{"-std=f2008 -Wall -Wextra -Werror", "shared"}, {"-std=f2008 -fdefault-integer-8 -fdefault-real-8", "static"}};
   for (const auto& build : builds) {
     build_fortran(libraries, build.flags + kTraps, sources, build.kind, "host");
     const Result run = run_shell(libraries.run("host") + " '" + kDeck + "'");
@@ -135,8 +130,7 @@ TEST_CASE("hosts: a legacy program compiled with other lengths of numbers is tol
                 {"-freal-8-real-16", "C2OPEN SAYS  52"},
                 {"-freal-8-real-4", "C2OPEN SAYS  52"}};
   for (const auto& build : builds) {
-    build_fortran(libraries, std::string("-std=legacy -w ") + build.flags, example("legacy.f"), "static",
-                  "host");
+    build_fortran(libraries, std::string("-std=legacy -w ") + build.flags, example("legacy.f"), "static", "host");
     const Result run = run_shell(libraries.run("host") + " <'" + kDeck + "'");
     CHECK_MESSAGE(run.status == 3, build.flags << "\n" << run.out << run.err);
     CHECK_MESSAGE(contains(run.out, build.says), run.out);
@@ -155,8 +149,8 @@ TEST_CASE("hosts: a model by calls of FORTRAN 77 has the pressure of the closed 
     const double pressure = 1000.0 / (1 - 0.09) * 0.005; // E/(1 - nu^2) times the strain
     int outcome = -1, slipping = 0;
     double p[5], force = 0, syy[3];
-    REQUIRE(std::sscanf(lines[0].c_str(), " OUTCOME %d PRESSURE %lf %lf %lf %lf %lf", &outcome, p, p + 1,
-                        p + 2, p + 3, p + 4) == 6);
+    REQUIRE(std::sscanf(lines[0].c_str(), " OUTCOME %d PRESSURE %lf %lf %lf %lf %lf", &outcome, p, p + 1, p + 2, p + 3,
+                        p + 4) == 6);
     REQUIRE(std::sscanf(lines[1].c_str(), " PAIRS SLIPPING %d FORCE ON BLOCK 2 %lf", &slipping, &force) == 2);
     REQUIRE(std::sscanf(lines[2].c_str(), " STRESS INSIDE %lf %lf %lf", syy, syy + 1, syy + 2) == 3);
     CHECK(outcome == 0);
@@ -164,8 +158,8 @@ TEST_CASE("hosts: a model by calls of FORTRAN 77 has the pressure of the closed 
     for (const double each : p) CHECK(each == doctest::Approx(pressure).epsilon(1e-9)); // the digits printed
     CHECK(force == doctest::Approx(pressure).epsilon(1e-9));                            // over a length of 1
     for (const double each : syy) CHECK(each == doctest::Approx(-pressure).epsilon(1e-9));
-    REQUIRE(std::sscanf(lines[3].c_str(), " OUTCOME %d PRESSURE %lf %lf %lf %lf %lf", &outcome, p, p + 1,
-                        p + 2, p + 3, p + 4) == 6); // twice as far, through the factors that were kept
+    REQUIRE(std::sscanf(lines[3].c_str(), " OUTCOME %d PRESSURE %lf %lf %lf %lf %lf", &outcome, p, p + 1, p + 2, p + 3,
+                        p + 4) == 6); // twice as far, through the factors that were kept
     CHECK(outcome == 0);
     for (const double each : p) CHECK(each == doctest::Approx(2 * pressure).epsilon(1e-9));
   }
@@ -176,8 +170,7 @@ namespace {
 // Names with their versions, as port/packaging/contact2d.symbols has them.
 std::set<std::string> exported_names() {
   std::set<std::string> out;
-  for (const std::string& line :
-       lines_of(run_shell("nm -D --defined-only --with-symbol-versions '" C2D_TEST_SHARED "'").out)) {
+  for (const std::string& line : lines_of(run_shell("nm -D --defined-only --with-symbol-versions '" C2D_TEST_SHARED "'").out)) {
     const size_t blank = line.rfind(' ');
     std::string name = line.substr(blank + 1);
     const size_t twice = name.find("@@");

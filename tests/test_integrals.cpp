@@ -61,9 +61,9 @@ struct Reference {
       for (int i = 0; i < 2; ++i) {
         for (int j = 0; j < 2; ++j) {
           const Long same = i == j ? 1 : 0;
-          const Long T = -(drdn * ((1 - 2 * nu) * same + 2 * e_r[i] * e_r[j]) -
-                           (1 - 2 * nu) * (e_r[i] * n[j] - e_r[j] * n[i])) /
-                         (4 * pi * (1 - nu) * radius);
+          const Long T =
+              -(drdn * ((1 - 2 * nu) * same + 2 * e_r[i] * e_r[j]) - (1 - 2 * nu) * (e_r[i] * n[j] - e_r[j] * n[i])) /
+              (4 * pi * (1 - nu) * radius);
           const Long U = ((3 - 4 * nu) * -logl(radius) * same + e_r[i] * e_r[j]) / (4 * pi * (1 - nu));
           h[l][i][j] += weight * T * m * own;
           g[l][i][j] += weight * U * m * jacobian;
@@ -105,10 +105,10 @@ struct Reference {
   }
 
   // Source (sx,sy); `near` = parameter close to its nearest point; at_source: the source is that point.
-  Reference(const Element& element, int order, double poisson, double near, double sx, double sy,
-            bool at_source, const Element* other = nullptr, bool backwards = false)
-      : e(element), functions(order), nu(poisson), origin(near), coefficient(), delta(), arc(other),
-        reversed(backwards), h(), g(), scale_h(0), scale_g(0) {
+  Reference(const Element& element, int order, double poisson, double near, double sx, double sy, bool at_source,
+            const Element* other = nullptr, bool backwards = false)
+      : e(element), functions(order), nu(poisson), origin(near), coefficient(), delta(), arc(other), reversed(backwards), h(),
+        g(), scale_h(0), scale_g(0) {
     const Long source[2] = {sx, sy};
     for (int i = 0; i < 2; ++i) {
       Long c[4] = {0, 0, 0, 0};
@@ -116,8 +116,7 @@ struct Reference {
       const double* node = i == 0 ? e.x : e.y;
       for (int l = 0; l < e.nodes; ++l) {
         const double* s = shape_coefficients(e.nodes, l);
-        for (int k = 0; k < e.nodes; ++k)
-          c[k] += static_cast<Long>(s[k]) * (static_cast<Long>(node[l]) - node[end]);
+        for (int k = 0; k < e.nodes; ++k) c[k] += static_cast<Long>(s[k]) * (static_cast<Long>(node[l]) - node[end]);
       }
       const Long o = origin, u = near > 0 ? 1 : -1;
       Long at = 0; // x(origin) - x(end) = sum c_k (o^k - u^k)
@@ -209,8 +208,7 @@ Place place(const Element& e, double eta, double distance, double angle) {
           py + distance * length * (std::cos(angle) * ty + std::sin(angle) * tx)};
 }
 
-constexpr double kDistances[] = {1e-9, 1e-6, 1e-3, 0.03, 0.2, 0.6, 1.2, 1.6,
-                                 2.0,  3.1,  5.5,  20,   300, 1e4, 1e6};
+constexpr double kDistances[] = {1e-9, 1e-6, 1e-3, 0.03, 0.2, 0.6, 1.2, 1.6, 2.0, 3.1, 5.5, 20, 300, 1e4, 1e6};
 
 void check_place(const Integrator& in, double nu, double eta, const Place& s, double limit) {
   const Reference r(in.element, in.functions, nu, eta, s.x, s.y, false);
@@ -369,8 +367,7 @@ TEST_CASE("tractions of a unit translation integrate to minus identity inside, z
     // The last is 1e-7 inside the boundary of either body.
     const Point p = element_point(body[1], 0.3);
     for (const Case& c : {Case{in_x, in_y, -1.0}, Case{5.0, 1.0, 0.0}, Case{-300.0, 20.0, 0.0},
-                          Case{p.x - 1e-7 * p.nx, p.y - 1e-7 * p.ny, -1.0},
-                          Case{p.x + 1e-7 * p.nx, p.y + 1e-7 * p.ny, 0.0}}) {
+                          Case{p.x - 1e-7 * p.nx, p.y - 1e-7 * p.ny, -1.0}, Case{p.x + 1e-7 * p.nx, p.y + 1e-7 * p.ny, 0.0}}) {
       double sum[2][2] = {{0, 0}, {0, 0}}, quick[2][2] = {{0, 0}, {0, 0}};
       for (const Element& e : body) {
         Integrator in;
@@ -426,8 +423,7 @@ TEST_CASE("rotation and uniform strain of a body without the tractions' help: So
   // u = linear field; c u(P) + int T u = int U t / (2G) on a closed polygon, linear elements exact for it.
   const double nu = 0.3, lambda = 2.0 * nu / (1.0 - 2.0 * nu) * 0.5; // lambda/2G
   for (const bool rotation : {true, false}) {
-    const double a[2][2] = {{rotation ? 0.0 : 0.7, rotation ? -1.0 : 0.2},
-                            {rotation ? 1.0 : 0.5, rotation ? 0.0 : -0.4}};
+    const double a[2][2] = {{rotation ? 0.0 : 0.7, rotation ? -1.0 : 0.2}, {rotation ? 1.0 : 0.5, rotation ? 0.0 : -0.4}};
     const double trace = a[0][0] + a[1][1];
     double stress[2][2]; // over 2G
     for (int i = 0; i < 2; ++i) {
@@ -444,8 +440,7 @@ TEST_CASE("rotation and uniform strain of a body without the tractions' help: So
       for (int l = 0; l < 2; ++l) {
         for (int i = 0; i < 2; ++i) {
           for (int j = 0; j < 2; ++j) {
-            const double u = a[j][0] * e.x[l] + a[j][1] * e.y[l],
-                         t = stress[j][0] * p.nx + stress[j][1] * p.ny;
+            const double u = a[j][0] * e.x[l] + a[j][1] * e.y[l], t = stress[j][0] * p.nx + stress[j][1] * p.ny;
             left[i] += b.h[l][i][j] * u - b.g[l][i][j] * t;
             size += std::fabs(b.h[l][i][j] * u);
           }
@@ -572,8 +567,7 @@ TEST_CASE("resultants: forces and first moments of every functional order") {
   }
 }
 
-TEST_CASE(
-    "thesis rule: 10, 4, 2 points by distance to the nodes, and the logarithmic formula at the own node") {
+TEST_CASE("thesis rule: 10, 4, 2 points by distance to the nodes, and the logarithmic formula at the own node") {
   const double x[] = {0.0, 1.0}, y[] = {0.0, 0.0};
   const Element e = make_element(2, x, y);
   Integrator in, exact;

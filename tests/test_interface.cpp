@@ -22,14 +22,13 @@ template <class T> constexpr bool is_public_struct() {
 static_assert(is_public_struct<c2d_error>() && is_public_struct<c2d_limits>() && is_public_struct<c2d_progress>() &&
                   is_public_struct<c2d_port>() && is_public_struct<c2d_problem>() && is_public_struct<c2d_body>() &&
                   is_public_struct<c2d_zone>() && is_public_struct<c2d_options>() && is_public_struct<c2d_step>() &&
-                  is_public_struct<c2d_summary>() && is_public_struct<c2d_free_zone>() &&
-                  is_public_struct<c2d_zone_state>() && is_public_struct<c2d_card>(),
+                  is_public_struct<c2d_summary>() && is_public_struct<c2d_free_zone>() && is_public_struct<c2d_zone_state>() &&
+                  is_public_struct<c2d_card>(),
               "structs grow at their end");
 // Version 1 as published: a member that moves breaks hosts that were compiled before.
-static_assert(sizeof(void*) != 8 ||
-                  (offsetof(c2d_limits, panel_columns) == 64 && offsetof(c2d_error, text) == 80 &&
-                  offsetof(c2d_options, every_change) == 12 && offsetof(c2d_body, youngs_modulus) == 16 &&
-                  offsetof(c2d_zone, last_node) == 36),
+static_assert(sizeof(void*) != 8 || (offsetof(c2d_limits, panel_columns) == 64 && offsetof(c2d_error, text) == 80 &&
+                                     offsetof(c2d_options, every_change) == 12 && offsetof(c2d_body, youngs_modulus) == 16 &&
+                                     offsetof(c2d_zone, last_node) == 36),
               "members keep their places");
 
 struct Host : RamStore {
@@ -124,15 +123,24 @@ const std::vector<Call>& calls() {
     const auto add = [&](const char* name, uint32_t legal, std::function<c2d_status(c2d_solver*)> make) {
       out.push_back({name, legal, std::move(make)});
     };
-    add("set_problem", model_calls, [](c2d_solver* s) { const c2d_problem p = problem(); return c2d_set_problem(s, &p); });
+    add("set_problem", model_calls, [](c2d_solver* s) {
+      const c2d_problem p = problem();
+      return c2d_set_problem(s, &p);
+    });
     add("set_line", model_calls, [](c2d_solver* s) { return c2d_set_line(s, 1, 2, 3); });
     add("set_options", model_calls | kModel, [](c2d_solver* s) {
       const c2d_options o = C2D_INIT(c2d_options);
       return c2d_set_options(s, &o);
     });
-    add("set_body", model_calls, [limits](c2d_solver* s) { const c2d_body b = body_of(limits, 0); return c2d_set_body(s, 1, &b); });
+    add("set_body", model_calls, [limits](c2d_solver* s) {
+      const c2d_body b = body_of(limits, 0);
+      return c2d_set_body(s, 1, &b);
+    });
     add("add_region", model_calls, [](c2d_solver* s) { return c2d_add_region(s, 1, 1, 4); });
-    add("set_nodes", model_calls, [](c2d_solver* s) { const double xy[2] = {1, 2}; return c2d_set_nodes(s, 1, 1, 1, xy, 2); });
+    add("set_nodes", model_calls, [](c2d_solver* s) {
+      const double xy[2] = {1, 2};
+      return c2d_set_nodes(s, 1, 1, 1, xy, 2);
+    });
     add("set_condition", model_calls, [](c2d_solver* s) {
       const int32_t codes[4] = {0, 0, 1, 1};
       const double values[4] = {0, 0, 0, 0};
@@ -149,7 +157,10 @@ const std::vector<Call>& calls() {
       c.body = c.first_element = c.last_element = 1;
       return c2d_add_curve(s, &c);
     });
-    add("add_zone", model_calls, [](c2d_solver* s) { const c2d_zone z = C2D_INIT(c2d_zone); return c2d_add_zone(s, &z); });
+    add("add_zone", model_calls, [](c2d_solver* s) {
+      const c2d_zone z = C2D_INIT(c2d_zone);
+      return c2d_add_zone(s, &z);
+    });
     add("add_friction", model_calls, [](c2d_solver* s) { return c2d_add_friction(s, 0.1); });
     add("add_path", model_calls, [](c2d_solver* s) { return c2d_add_path(s, 1, 1.0); });
     add("set_units", model_calls | complete, [](c2d_solver* s) { return c2d_set_units(s, "mm", "N"); });
@@ -162,8 +173,14 @@ const std::vector<Call>& calls() {
     add("set_rigid", model_calls, [](c2d_solver* s) { return c2d_set_rigid(s, 0, 0, 0, 0, 0, 0); });
     add("set_interference", model_calls, [](c2d_solver* s) { return c2d_set_interference(s, 1); });
     add("set_body_force", model_calls | kModel, [](c2d_solver* s) { return c2d_set_body_force(s, 1, 1, 0, -1, 0, 0, 0); });
-    add("add_free_zone", model_calls, [](c2d_solver* s) { const c2d_free_zone z = C2D_INIT(c2d_free_zone); return c2d_add_free_zone(s, &z); });
-    add("add_path_point", model_calls, [](c2d_solver* s) { const double load = 1; return c2d_add_path_point(s, 1, &load, 1); });
+    add("add_free_zone", model_calls, [](c2d_solver* s) {
+      const c2d_free_zone z = C2D_INIT(c2d_free_zone);
+      return c2d_add_free_zone(s, &z);
+    });
+    add("add_path_point", model_calls, [](c2d_solver* s) {
+      const double load = 1;
+      return c2d_add_path_point(s, 1, &load, 1);
+    });
     add("clear_paths", model_calls, [](c2d_solver* s) { return c2d_clear_paths(s); });
     add("read_deck", kEmpty, [](c2d_solver* s) { return read_deck(s, small_deck()); });
     add("complete", kBuilding, [](c2d_solver* s) { return c2d_complete(s); });
@@ -174,17 +191,40 @@ const std::vector<Call>& calls() {
       return c2d_replace_values(s, 1, 1, 1, values, 1);
     });
     add("replace_point_load", kModel, [](c2d_solver* s) { return c2d_replace_point_load(s, 1, 0, 0, 0, 0); });
-    add("set_line_nodes", model_calls, [](c2d_solver* s) { const double xy[2] = {1, 2}; return c2d_set_line_nodes(s, 1, 1, 2, xy, xy, xy); });
-    add("set_arc_nodes", model_calls, [](c2d_solver* s) { const double xy[2] = {1, 2}; return c2d_set_arc_nodes(s, 1, 1, 2, xy, 1, 0, 90); });
+    add("set_line_nodes", model_calls, [](c2d_solver* s) {
+      const double xy[2] = {1, 2};
+      return c2d_set_line_nodes(s, 1, 1, 2, xy, xy, xy);
+    });
+    add("set_arc_nodes", model_calls, [](c2d_solver* s) {
+      const double xy[2] = {1, 2};
+      return c2d_set_arc_nodes(s, 1, 1, 2, xy, 1, 0, 90);
+    });
     add("save", kPrepared | kRunning, [](c2d_solver* s) { return c2d_save(s); });
     add("restore", complete | kBroken, [](c2d_solver* s) { return c2d_restore(s); });
-    add("begin", kPrepared | kRunning, [](c2d_solver* s) { const double mu = 0.2; return c2d_begin(s, &mu, 1); });
+    add("begin", kPrepared | kRunning, [](c2d_solver* s) {
+      const double mu = 0.2;
+      return c2d_begin(s, &mu, 1);
+    });
     add("run", kPrepared | kRunning, [](c2d_solver* s) { return c2d_run(s, nullptr, nullptr); });
-    add("advance", kRunning, [](c2d_solver* s) { const double load = 0.5; c2d_outcome o; return c2d_advance(s, &load, 1, &o); });
-    add("next_event", kRunning, [](c2d_solver* s) { const double along = 1; double far; return c2d_next_event(s, &along, 1, &far); });
-    add("get_zone_state", kRunning, [](c2d_solver* s) { c2d_zone_state z = C2D_INIT(c2d_zone_state); return c2d_get_zone_state(s, 1, &z); });
+    add("advance", kRunning, [](c2d_solver* s) {
+      const double load = 0.5;
+      c2d_outcome o;
+      return c2d_advance(s, &load, 1, &o);
+    });
+    add("next_event", kRunning, [](c2d_solver* s) {
+      const double along = 1;
+      double far;
+      return c2d_next_event(s, &along, 1, &far);
+    });
+    add("get_zone_state", kRunning, [](c2d_solver* s) {
+      c2d_zone_state z = C2D_INIT(c2d_zone_state);
+      return c2d_get_zone_state(s, 1, &z);
+    });
     add("get_zone_friction", complete, [](c2d_solver* s) { return c2d_get_zone_friction(s, 1, 1, g_numbers); });
-    add("get_path_point", complete, [](c2d_solver* s) { int32_t n; return c2d_get_path_point(s, 1, &n, g_numbers, 1); });
+    add("get_path_point", complete, [](c2d_solver* s) {
+      int32_t n;
+      return c2d_get_path_point(s, 1, &n, g_numbers, 1);
+    });
     add("get result", kRunning, [](c2d_solver* s) { return c2d_get(s, C2D_TN, 1, 1, 1, g_numbers, 1); });
     add("get boundary", kRunning, [](c2d_solver* s) { return c2d_get(s, C2D_END_UX, 1, 1, 1, g_numbers, 1); });
     add("get stress", kRunning, [](c2d_solver* s) { return c2d_get(s, C2D_END_HOOP, 1, 1, 1, g_numbers, 1); });
@@ -198,19 +238,58 @@ const std::vector<Call>& calls() {
     add("get end position", complete, [](c2d_solver* s) { return c2d_get(s, C2D_END_X, 1, 1, 1, g_numbers, 1); });
     add("get node", complete, [](c2d_solver* s) { return c2d_get(s, C2D_NODE_X, 1, 1, 1, g_numbers, 1); });
     add("get_friction", complete, [](c2d_solver* s) { return c2d_get_friction(s, 1, g_numbers); });
-    add("get_path", complete, [](c2d_solver* s) { int32_t n; return c2d_get_path(s, 1, &n, g_numbers); });
-    add("get_zone", complete, [](c2d_solver* s) { c2d_zone z = C2D_INIT(c2d_zone); return c2d_get_zone(s, 1, &z); });
-    add("get_region", complete, [](c2d_solver* s) { int32_t a, b; return c2d_get_region(s, 1, 1, &a, &b); });
-    add("get_condition", complete, [](c2d_solver* s) { int32_t codes[4]; return c2d_get_condition(s, 1, 1, 1, codes, g_numbers); });
-    add("get_case_condition", complete, [](c2d_solver* s) { int32_t codes[4]; return c2d_get_case_condition(s, 1, 1, 1, codes, g_numbers, 1); });
-    add("get_case_point_load", complete, [](c2d_solver* s) { int32_t b, k; double f[2]; return c2d_get_case_point_load(s, 1, &b, g_numbers, f, &k); });
-    add("get_body_force", complete, [](c2d_solver* s) { double f[2], axis[2]; return c2d_get_body_force(s, 1, 1, f, g_numbers, axis); });
-    add("get_rigid", complete, [](c2d_solver* s) { int32_t rigid; double u[3]; return c2d_get_rigid(s, 1, &rigid, u, g_numbers); });
-    add("get_interference", complete, [](c2d_solver* s) { int32_t k; return c2d_get_interference(s, &k); });
+    add("get_path", complete, [](c2d_solver* s) {
+      int32_t n;
+      return c2d_get_path(s, 1, &n, g_numbers);
+    });
+    add("get_zone", complete, [](c2d_solver* s) {
+      c2d_zone z = C2D_INIT(c2d_zone);
+      return c2d_get_zone(s, 1, &z);
+    });
+    add("get_region", complete, [](c2d_solver* s) {
+      int32_t a, b;
+      return c2d_get_region(s, 1, 1, &a, &b);
+    });
+    add("get_condition", complete, [](c2d_solver* s) {
+      int32_t codes[4];
+      return c2d_get_condition(s, 1, 1, 1, codes, g_numbers);
+    });
+    add("get_case_condition", complete, [](c2d_solver* s) {
+      int32_t codes[4];
+      return c2d_get_case_condition(s, 1, 1, 1, codes, g_numbers, 1);
+    });
+    add("get_case_point_load", complete, [](c2d_solver* s) {
+      int32_t b, k;
+      double f[2];
+      return c2d_get_case_point_load(s, 1, &b, g_numbers, f, &k);
+    });
+    add("get_body_force", complete, [](c2d_solver* s) {
+      double f[2], axis[2];
+      return c2d_get_body_force(s, 1, 1, f, g_numbers, axis);
+    });
+    add("get_rigid", complete, [](c2d_solver* s) {
+      int32_t rigid;
+      double u[3];
+      return c2d_get_rigid(s, 1, &rigid, u, g_numbers);
+    });
+    add("get_interference", complete, [](c2d_solver* s) {
+      int32_t k;
+      return c2d_get_interference(s, &k);
+    });
     add("get place", complete, [](c2d_solver* s) { return c2d_get(s, C2D_PAIR_ELEMENT1, 1, 1, 1, g_numbers, 1); });
-    add("get_point_load", complete, [](c2d_solver* s) { int32_t b; double f[2]; return c2d_get_point_load(s, 1, &b, g_numbers, f); });
-    add("get_points", complete, [](c2d_solver* s) { c2d_points p = C2D_INIT(c2d_points); return c2d_get_points(s, 1, &p); });
-    add("get_curve", complete, [](c2d_solver* s) { c2d_curve c = C2D_INIT(c2d_curve); return c2d_get_curve(s, 1, &c); });
+    add("get_point_load", complete, [](c2d_solver* s) {
+      int32_t b;
+      double f[2];
+      return c2d_get_point_load(s, 1, &b, g_numbers, f);
+    });
+    add("get_points", complete, [](c2d_solver* s) {
+      c2d_points p = C2D_INIT(c2d_points);
+      return c2d_get_points(s, 1, &p);
+    });
+    add("get_curve", complete, [](c2d_solver* s) {
+      c2d_curve c = C2D_INIT(c2d_curve);
+      return c2d_get_curve(s, 1, &c);
+    });
     return out;
   }();
   return all;
@@ -230,9 +309,8 @@ Bytes without_error(const c2d_solver* s) {
 TEST_CASE("interface: a word for every number") {
   const auto is_word = [](const char* text) { return text && std::strlen(text) > 3 && std::strlen(text) < 200; };
   std::set<std::string> seen;
-  for (int32_t status : {0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11,  20,  21,  22,  23,  24,  30,  31,
-                         32, 33, 34, 35, 40, 99, 201, 202, 203, 204, 205, 206, 207, 208, 209, 210, 211,
-                         212, 213, 214}) {
+  for (int32_t status : {0,  1,  2,  3,  4,  5,   6,   7,   8,   9,   10,  11,  20,  21,  22,  23,  24,  30,  31, 32,
+                         33, 34, 35, 40, 99, 201, 202, 203, 204, 205, 206, 207, 208, 209, 210, 211, 212, 213, 214}) {
     CAPTURE(status);
     CHECK(is_word(c2d_message(status)));
     CHECK(std::string(c2d_message(status)) != c2d_message(-12345));
@@ -384,9 +462,12 @@ TEST_CASE("interface: every function in every state") {
         CHECK(status != C2D_ERR_STATE);
         CHECK(status != C2D_ERR_BUSY);
         const std::string name = call.name;
-        const bool empty_list = name.find("point_load") != std::string::npos || name == "get_points" || name == "get_curve"; // here
-        if (name == "restore") CHECK(status == C2D_ERR_STORE_FORMAT); // nothing was saved
-        else if (state >= C2D_STATE_MODEL && !empty_list) CHECK(status == C2D_OK);
+        const bool empty_list =
+            name.find("point_load") != std::string::npos || name == "get_points" || name == "get_curve"; // here
+        if (name == "restore")
+          CHECK(status == C2D_ERR_STORE_FORMAT); // nothing was saved
+        else if (state >= C2D_STATE_MODEL && !empty_list)
+          CHECK(status == C2D_OK);
       } else {
         CHECK(status == C2D_ERR_STATE);
         CHECK(without_error(machine.solver) == before);
@@ -454,33 +535,81 @@ std::vector<Wrong> wrong_calls() {
       out.push_back({name, state, std::move(make)});
     };
     add("problem null", [](c2d_solver* s) { return c2d_set_problem(s, nullptr); });
-    add("problem size", [](c2d_solver* s) { c2d_problem p = problem(); p.struct_size = 3; return c2d_set_problem(s, &p); });
-    add("plane", [](c2d_solver* s) { c2d_problem p = problem(); p.plane = 2; return c2d_set_problem(s, &p); });
-    add("iterations", [](c2d_solver* s) { c2d_problem p = problem(); p.iteration_limit = -1; return c2d_set_problem(s, &p); });
+    add("problem size", [](c2d_solver* s) {
+      c2d_problem p = problem();
+      p.struct_size = 3;
+      return c2d_set_problem(s, &p);
+    });
+    add("plane", [](c2d_solver* s) {
+      c2d_problem p = problem();
+      p.plane = 2;
+      return c2d_set_problem(s, &p);
+    });
+    add("iterations", [](c2d_solver* s) {
+      c2d_problem p = problem();
+      p.iteration_limit = -1;
+      return c2d_set_problem(s, &p);
+    });
     add("options null", [](c2d_solver* s) { return c2d_set_options(s, nullptr); });
-    add("options range", [](c2d_solver* s) { c2d_options o = C2D_INIT(c2d_options); o.stepping = 2; return c2d_set_options(s, &o); });
+    add("options range", [](c2d_solver* s) {
+      c2d_options o = C2D_INIT(c2d_options);
+      o.stepping = 2;
+      return c2d_set_options(s, &o);
+    });
     add("body null", [](c2d_solver* s) { return c2d_set_body(s, 1, nullptr); });
     for (int32_t number : {INT32_MIN, -1, 0, 3, INT32_MAX}) {
-      add("body number", [number](c2d_solver* s) { const c2d_body b = body_of(limits, 0); return c2d_set_body(s, number, &b); });
+      add("body number", [number](c2d_solver* s) {
+        const c2d_body b = body_of(limits, 0);
+        return c2d_set_body(s, number, &b);
+      });
       add("region body", [number](c2d_solver* s) { return c2d_add_region(s, number, 1, 4); });
-      add("nodes body", [number](c2d_solver* s) { const double xy[2] = {0, 0}; return c2d_set_nodes(s, number, 1, 1, xy, 2); });
+      add("nodes body", [number](c2d_solver* s) {
+        const double xy[2] = {0, 0};
+        return c2d_set_nodes(s, number, 1, 1, xy, 2);
+      });
       add("load body", [number](c2d_solver* s) { return c2d_add_point_load(s, number, 0, 0, 0, 0, 1); });
     }
     for (double modulus : {0.0, -1.0, nan, inf})
-      add("modulus", [modulus](c2d_solver* s) { c2d_body b = body_of(limits, 0); b.youngs_modulus = modulus; return c2d_set_body(s, 1, &b); });
+      add("modulus", [modulus](c2d_solver* s) {
+        c2d_body b = body_of(limits, 0);
+        b.youngs_modulus = modulus;
+        return c2d_set_body(s, 1, &b);
+      });
     for (double ratio : {-1.0, 0.51, nan, -inf})
-      add("poisson", [ratio](c2d_solver* s) { c2d_body b = body_of(limits, 0); b.poisson_ratio = ratio; return c2d_set_body(s, 1, &b); });
-    add("too many elements", [](c2d_solver* s) { c2d_body b = body_of(limits, 0); ++b.elements; return c2d_set_body(s, 1, &b); });
-    add("too many regions", [](c2d_solver* s) { c2d_body b = body_of(limits, 0); b.regions = limits.regions[0] + 1; return c2d_set_body(s, 1, &b); });
-    add("too many points", [](c2d_solver* s) { c2d_body b = body_of(limits, 0); b.element_nodes = 4; return c2d_set_body(s, 1, &b); });
+      add("poisson", [ratio](c2d_solver* s) {
+        c2d_body b = body_of(limits, 0);
+        b.poisson_ratio = ratio;
+        return c2d_set_body(s, 1, &b);
+      });
+    add("too many elements", [](c2d_solver* s) {
+      c2d_body b = body_of(limits, 0);
+      ++b.elements;
+      return c2d_set_body(s, 1, &b);
+    });
+    add("too many regions", [](c2d_solver* s) {
+      c2d_body b = body_of(limits, 0);
+      b.regions = limits.regions[0] + 1;
+      return c2d_set_body(s, 1, &b);
+    });
+    add("too many points", [](c2d_solver* s) {
+      c2d_body b = body_of(limits, 0);
+      b.element_nodes = 4;
+      return c2d_set_body(s, 1, &b);
+    });
     add("region early", [](c2d_solver* s) { return c2d_add_region(s, 1, 1, 4); });
-    add("nodes early", [](c2d_solver* s) { const double xy[2] = {0, 0}; return c2d_set_nodes(s, 1, 1, 1, xy, 2); });
+    add("nodes early", [](c2d_solver* s) {
+      const double xy[2] = {0, 0};
+      return c2d_set_nodes(s, 1, 1, 1, xy, 2);
+    });
     add("condition early", [](c2d_solver* s) { return c2d_set_condition(s, 1, 1, 1, nullptr, nullptr, 1); });
     add("load case", [](c2d_solver* s) { return c2d_add_point_load(s, 1, 0, 0, 0, 0, 2); });
     add("load nan", [nan](c2d_solver* s) { return c2d_add_point_load(s, 1, nan, 0, 0, 0, 1); });
     add("too many loads", [](c2d_solver* s) { return c2d_add_point_load(s, 1, 0, 0, 1, 1, 1); });
     add("zone null", [](c2d_solver* s) { return c2d_add_zone(s, nullptr); });
-    add("zone early", [](c2d_solver* s) { const c2d_zone z = C2D_INIT(c2d_zone); return c2d_add_zone(s, &z); });
+    add("zone early", [](c2d_solver* s) {
+      const c2d_zone z = C2D_INIT(c2d_zone);
+      return c2d_add_zone(s, &z);
+    });
     for (double mu : {-0.1, -inf, nan}) add("mu", [mu](c2d_solver* s) { return c2d_add_friction(s, mu); });
     for (int32_t count : {0, -1, INT32_MIN}) add("increments", [count](c2d_solver* s) { return c2d_add_path(s, count, 1.0); });
     for (double load : {inf, nan}) add("path load", [load](c2d_solver* s) { return c2d_add_path(s, 1, load); });
@@ -492,22 +621,64 @@ std::vector<Wrong> wrong_calls() {
   for (int32_t state : {C2D_STATE_PREPARED, C2D_STATE_RUNNING}) {
     add(state, "begin null", [](c2d_solver* s) { return c2d_begin(s, nullptr, 1); });
     for (int32_t zones : {-1, INT32_MIN, 0, 2, INT32_MAX})
-      add(state, "begin zones", [zones](c2d_solver* s) { const double mu[2] = {0, 0}; return c2d_begin(s, mu, zones); });
+      add(state, "begin zones", [zones](c2d_solver* s) {
+        const double mu[2] = {0, 0};
+        return c2d_begin(s, mu, zones);
+      });
     for (double mu : {-1.0, nan, -inf}) add(state, "begin mu", [mu](c2d_solver* s) { return c2d_begin(s, &mu, 1); });
     for (int32_t i : {0, -1, 100, INT32_MAX, INT32_MIN}) {
       add(state, "friction", [i](c2d_solver* s) { return c2d_get_friction(s, i, g_numbers); });
-      add(state, "path", [i](c2d_solver* s) { int32_t n; return c2d_get_path(s, i, &n, g_numbers); });
-      add(state, "zone", [i](c2d_solver* s) { c2d_zone z = C2D_INIT(c2d_zone); return c2d_get_zone(s, i, &z); });
-      add(state, "region", [i](c2d_solver* s) { int32_t a, b; return c2d_get_region(s, 1, i, &a, &b); });
-      add(state, "region body", [i](c2d_solver* s) { int32_t a, b; return c2d_get_region(s, i, 1, &a, &b); });
-      add(state, "condition", [i](c2d_solver* s) { int32_t c[4]; return c2d_get_condition(s, 1, i == 100 ? 1000 : i, 1, c, g_numbers); });
-      add(state, "condition end", [i](c2d_solver* s) { int32_t c[4]; return c2d_get_condition(s, 1, 1, i, c, g_numbers); });
-      add(state, "point load", [i](c2d_solver* s) { int32_t b; double f[2]; return c2d_get_point_load(s, i, &b, g_numbers, f); });
-      add(state, "case of condition", [i](c2d_solver* s) { int32_t c[4]; return c2d_get_case_condition(s, 1, 1, 1, c, g_numbers, i); });
-      add(state, "case point load", [i](c2d_solver* s) { int32_t b, k; double f[2]; return c2d_get_case_point_load(s, i, &b, g_numbers, f, &k); });
-      add(state, "body force body", [i](c2d_solver* s) { double f[2], axis[2]; return c2d_get_body_force(s, i, 1, f, g_numbers, axis); });
-      add(state, "body force case", [i](c2d_solver* s) { double f[2], axis[2]; return c2d_get_body_force(s, 1, i, f, g_numbers, axis); });
-      add(state, "rigid case", [i](c2d_solver* s) { int32_t rigid; double u[3]; return c2d_get_rigid(s, i, &rigid, u, g_numbers); });
+      add(state, "path", [i](c2d_solver* s) {
+        int32_t n;
+        return c2d_get_path(s, i, &n, g_numbers);
+      });
+      add(state, "zone", [i](c2d_solver* s) {
+        c2d_zone z = C2D_INIT(c2d_zone);
+        return c2d_get_zone(s, i, &z);
+      });
+      add(state, "region", [i](c2d_solver* s) {
+        int32_t a, b;
+        return c2d_get_region(s, 1, i, &a, &b);
+      });
+      add(state, "region body", [i](c2d_solver* s) {
+        int32_t a, b;
+        return c2d_get_region(s, i, 1, &a, &b);
+      });
+      add(state, "condition", [i](c2d_solver* s) {
+        int32_t c[4];
+        return c2d_get_condition(s, 1, i == 100 ? 1000 : i, 1, c, g_numbers);
+      });
+      add(state, "condition end", [i](c2d_solver* s) {
+        int32_t c[4];
+        return c2d_get_condition(s, 1, 1, i, c, g_numbers);
+      });
+      add(state, "point load", [i](c2d_solver* s) {
+        int32_t b;
+        double f[2];
+        return c2d_get_point_load(s, i, &b, g_numbers, f);
+      });
+      add(state, "case of condition", [i](c2d_solver* s) {
+        int32_t c[4];
+        return c2d_get_case_condition(s, 1, 1, 1, c, g_numbers, i);
+      });
+      add(state, "case point load", [i](c2d_solver* s) {
+        int32_t b, k;
+        double f[2];
+        return c2d_get_case_point_load(s, i, &b, g_numbers, f, &k);
+      });
+      add(state, "body force body", [i](c2d_solver* s) {
+        double f[2], axis[2];
+        return c2d_get_body_force(s, i, 1, f, g_numbers, axis);
+      });
+      add(state, "body force case", [i](c2d_solver* s) {
+        double f[2], axis[2];
+        return c2d_get_body_force(s, 1, i, f, g_numbers, axis);
+      });
+      add(state, "rigid case", [i](c2d_solver* s) {
+        int32_t rigid;
+        double u[3];
+        return c2d_get_rigid(s, i, &rigid, u, g_numbers);
+      });
       add(state, "get body", [i](c2d_solver* s) { return c2d_get(s, C2D_NODE_X, i, 1, 1, g_numbers, 1); });
     }
     add(state, "nulls", [](c2d_solver* s) { return c2d_get_friction(s, 1, nullptr); });
@@ -534,12 +705,25 @@ std::vector<Wrong> wrong_calls() {
         add(state, "get count", [=](c2d_solver* s) { return c2d_get(s, field, 1, 1, count, g_numbers, 1); });
     }
   }
-  add(C2D_STATE_RUNNING, "advance", [](c2d_solver* s) { c2d_outcome o; return c2d_advance(s, nullptr, 1, &o); });
-  add(C2D_STATE_RUNNING, "advance", [](c2d_solver* s) { const double load = 1; return c2d_advance(s, &load, 1, nullptr); });
+  add(C2D_STATE_RUNNING, "advance", [](c2d_solver* s) {
+    c2d_outcome o;
+    return c2d_advance(s, nullptr, 1, &o);
+  });
+  add(C2D_STATE_RUNNING, "advance", [](c2d_solver* s) {
+    const double load = 1;
+    return c2d_advance(s, &load, 1, nullptr);
+  });
   for (int32_t cases : {0, -1, 2, INT32_MAX})
-    add(C2D_STATE_RUNNING, "cases", [cases](c2d_solver* s) { const double load[2] = {1, 1}; c2d_outcome o; return c2d_advance(s, load, cases, &o); });
+    add(C2D_STATE_RUNNING, "cases", [cases](c2d_solver* s) {
+      const double load[2] = {1, 1};
+      c2d_outcome o;
+      return c2d_advance(s, load, cases, &o);
+    });
   for (double load : {nan, inf, -inf})
-    add(C2D_STATE_RUNNING, "load", [load](c2d_solver* s) { c2d_outcome o; return c2d_advance(s, &load, 1, &o); });
+    add(C2D_STATE_RUNNING, "load", [load](c2d_solver* s) {
+      c2d_outcome o;
+      return c2d_advance(s, &load, 1, &o);
+    });
   return out;
 }
 
@@ -685,10 +869,14 @@ TEST_CASE("interface: limits too small by one are told as such") {
     int32_t* at;
   };
   c2d_limits l = good;
-  const Member members[] = {{"geometry nodes 1", &l.geometry_nodes[0]}, {"geometry nodes 2", &l.geometry_nodes[1]},
-                            {"elements 1", &l.elements[0]},             {"elements 2", &l.elements[1]},
-                            {"zones", &l.zones},                        {"pairs", &l.pairs},
-                            {"contact elements", &l.contact_elements},  {"coefficients", &l.coefficients},
+  const Member members[] = {{"geometry nodes 1", &l.geometry_nodes[0]},
+                            {"geometry nodes 2", &l.geometry_nodes[1]},
+                            {"elements 1", &l.elements[0]},
+                            {"elements 2", &l.elements[1]},
+                            {"zones", &l.zones},
+                            {"pairs", &l.pairs},
+                            {"contact elements", &l.contact_elements},
+                            {"coefficients", &l.coefficients},
                             {"paths", &l.paths}};
   for (const Member& member : members) {
     CAPTURE(std::string(member.name));
@@ -799,11 +987,13 @@ TEST_CASE("interface: structs that go in may be of version 1, longer, or none") 
   c2d_free_zone free_zone = C2D_INIT(c2d_free_zone);
   const In ins[] = {
       {"options", sizeof(c2d_options), offsetof(c2d_options, symmetry),
-       [](c2d_solver* s, const void* p) { return c2d_set_options(s, static_cast<const c2d_options*>(p)); }, set(C2D_INIT(c2d_options))},
+       [](c2d_solver* s, const void* p) { return c2d_set_options(s, static_cast<const c2d_options*>(p)); },
+       set(C2D_INIT(c2d_options))},
       {"problem", sizeof(c2d_problem), sizeof(c2d_problem),
        [](c2d_solver* s, const void* p) { return c2d_set_problem(s, static_cast<const c2d_problem*>(p)); }, set(problem())},
       {"body", sizeof(c2d_body), offsetof(c2d_body, open_regions),
-       [](c2d_solver* s, const void* p) { return c2d_set_body(s, 1, static_cast<const c2d_body*>(p)); }, set(body_of(limits, 0))},
+       [](c2d_solver* s, const void* p) { return c2d_set_body(s, 1, static_cast<const c2d_body*>(p)); },
+       set(body_of(limits, 0))},
       // These two are refused for what they say, in state empty, once their size is in order.
       {"zone", sizeof(c2d_zone), sizeof(c2d_zone),
        [](c2d_solver* s, const void* p) { return c2d_add_zone(s, static_cast<const c2d_zone*>(p)); }, set(C2D_INIT(c2d_zone))},
@@ -871,7 +1061,9 @@ TEST_CASE("interface: boundary points by lines and arcs have the bits of the dec
   }
   // Node cards: letter, number, two coordinates in columns 1, 2-5, 7-16, 17-26, after a card with the origin.
   size_t at = 0;
-  while (deck.lines[at].compare(0, 20, "    2     0.4000    0") != 0 && deck.lines[at].find("0.4000    0.3000") == std::string::npos) ++at;
+  while (deck.lines[at].compare(0, 20, "    2     0.4000    0") != 0 &&
+         deck.lines[at].find("0.4000    0.3000") == std::string::npos)
+    ++at;
   ++at;
   int arcs = 0, lines = 0;
   for (int32_t body = 1; body <= 2; ++body) {

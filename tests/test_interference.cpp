@@ -148,8 +148,7 @@ TEST_CASE("interference: a press fit of two rings against Lame") {
       REQUIRE(r.outcome == C2D_REACHED);
       const double pressure = fit_pressure(p, a, b, c, delta);
       double worst = 0;
-      for (int i = 0; i <= n; ++i)
-        worst = std::max(worst, std::fabs(r.steps.back().at(i, C2D_TN) / pressure - 1));
+      for (int i = 0; i <= n; ++i) worst = std::max(worst, std::fabs(r.steps.back().at(i, C2D_TN) / pressure - 1));
       CHECK(worst < before / 3); // second order
       CHECK(r.summary.work == doctest::Approx(0.5 * pressure * delta * b * kPi / 2).epsilon(0.02));
       CHECK(std::fabs(r.summary.energy_defect) < 1e-2);

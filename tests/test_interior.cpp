@@ -33,8 +33,7 @@ Long kernel_u(const Long r[2], int i, int j, Long nu) {
 Long kernel_t(const Long r[2], const Long n[2], int i, int j, Long nu) {
   const Long d = hypotl(r[0], r[1]), k = 1 / (4 * acosl(-1.0L) * (1 - nu)), e[2] = {r[0] / d, r[1] / d};
   const Long drdn = e[0] * n[0] + e[1] * n[1];
-  return -k / d *
-         (drdn * ((1 - 2 * nu) * (i == j) + 2 * e[i] * e[j]) - (1 - 2 * nu) * (e[i] * n[j] - e[j] * n[i]));
+  return -k / d * (drdn * ((1 - 2 * nu) * (i == j) + 2 * e[i] * e[j]) - (1 - 2 * nu) * (e[i] * n[j] - e[j] * n[i]));
 }
 
 // Stress kernels (3.33), (3.34), stress in 2G.
@@ -102,11 +101,10 @@ struct Brute {
     for (int k = functions - 1; k >= 0; --k) m = m * eta + c[k];
     const int j = which % 2, ij[3][2] = {{0, 0}, {1, 1}, {0, 1}};
     weight *= m * measure;
-    for (int i = 0; i < 2; ++i)
-      out.v[i] += weight * (which < 2 ? kernel_u(r, i, j, nu) : -kernel_t(r, n, i, j, nu));
+    for (int i = 0; i < 2; ++i) out.v[i] += weight * (which < 2 ? kernel_u(r, i, j, nu) : -kernel_t(r, n, i, j, nu));
     for (int s = 0; s < 3; ++s)
-      out.v[2 + s] += weight * (which < 2 ? kernel_d(r, ij[s][0], ij[s][1], j, nu)
-                                          : -kernel_s(r, n, ij[s][0], ij[s][1], j, nu));
+      out.v[2 + s] +=
+          weight * (which < 2 ? kernel_d(r, ij[s][0], ij[s][1], j, nu) : -kernel_s(r, n, ij[s][0], ij[s][1], j, nu));
   }
   // Panels short against the distance from P, 8-point rule in extended precision.
   void side(Long eta0, const Long offset[2], Long sign, Long end, int l, int which, Five& out) const {
@@ -120,8 +118,8 @@ struct Brute {
       if (to > end) to = end;
       for (int i = 0; i < 8; ++i) {
         const Long node = i < 4 ? -x[i] : x[i - 4];
-        point(eta0, offset, sign * (0.5L * (from + to) + 0.5L * (to - from) * node), 0.5L * (to - from) * w[i % 4], l,
-              which, out);
+        point(eta0, offset, sign * (0.5L * (from + to) + 0.5L * (to - from) * node), 0.5L * (to - from) * w[i % 4], l, which,
+              out);
       }
       from = to;
     }
@@ -188,8 +186,20 @@ TEST_CASE("interior: stress kernels are Hooke's law on differences of U and T") 
   for (int k = 0; k < 2; ++k) {
     Long d[3], s[3];
     const auto r = [&](Long x, Long y, Long out[2]) { out[0] = r0[0] - x, out[1] = r0[1] - y; };
-    stress_by_differences([&](Long x, Long y, int i) { Long at[2]; r(x, y, at); return kernel_u(at, i, k, nu); }, nu, d);
-    stress_by_differences([&](Long x, Long y, int i) { Long at[2]; r(x, y, at); return kernel_t(at, n, i, k, nu); }, nu, s);
+    stress_by_differences(
+        [&](Long x, Long y, int i) {
+          Long at[2];
+          r(x, y, at);
+          return kernel_u(at, i, k, nu);
+        },
+        nu, d);
+    stress_by_differences(
+        [&](Long x, Long y, int i) {
+          Long at[2];
+          r(x, y, at);
+          return kernel_t(at, n, i, k, nu);
+        },
+        nu, s);
     for (int c = 0; c < 3; ++c) {
       CHECK(std::abs(static_cast<double>(d[c] - kernel_d(r0, ij[c][0], ij[c][1], k, nu))) < 1e-12);
       CHECK(std::abs(static_cast<double>(s[c] - kernel_s(r0, n, ij[c][0], ij[c][1], k, nu))) < 1e-12);
@@ -287,8 +297,7 @@ struct Solved {
   }
   std::vector<Answer> at(const std::vector<double>& xy, int body = 0) const {
     std::vector<Answer> out(xy.size() / 2);
-    REQUIRE(c2d_interior(s, body, static_cast<int32_t>(out.size()), xy.data(), 2, out[0].v, C2D_POINT_FIELDS) ==
-            C2D_OK);
+    REQUIRE(c2d_interior(s, body, static_cast<int32_t>(out.size()), xy.data(), 2, out[0].v, C2D_POINT_FIELDS) == C2D_OK);
     return out;
   }
   Answer at(double x, double y, int body = 0) const { return at(std::vector<double>{x, y}, body)[0]; }
@@ -306,9 +315,7 @@ struct OneBody {
   std::vector<std::vector<double>> curves;
   const double* force = nullptr; // x, y, fx, fy
 
-  int elements(size_t curve) const {
-    return static_cast<int>(curves[curve].size()) / 2 / (element_nodes - 1);
-  }
+  int elements(size_t curve) const { return static_cast<int>(curves[curve].size()) / 2 / (element_nodes - 1); }
   Element element(size_t curve, int e) const {
     double x[4], y[4];
     const size_t points = curves[curve].size() / 2;
@@ -387,9 +394,7 @@ struct Uniform {
     u[0] = exx * x + exy * y;
     u[1] = exy * x + eyy * y;
   }
-  Condition traction(double nx, double ny) const {
-    return {{0, 0, 1, 1}, {sxx * nx + sxy * ny, sxy * nx + syy * ny, 0, 0}};
-  }
+  Condition traction(double nx, double ny) const { return {{0, 0, 1, 1}, {sxx * nx + sxy * ny, sxy * nx + syy * ny, 0, 0}}; }
 };
 
 } // namespace
@@ -604,7 +609,8 @@ struct Ring {
     const double r2 = x * x + y * y, c = (x * x - y * y) / r2, s = 2 * x * y / r2, d = -B / r2;
     const double scale = A + B / r2;
     return std::max({std::abs(a[C2D_POINT_SXX] - A - d * c), std::abs(a[C2D_POINT_SYY] - A + d * c),
-                     std::abs(a[C2D_POINT_SXY] - d * s), std::abs(a[C2D_POINT_SZZ] - 0.3 * 2 * A)}) / scale;
+                     std::abs(a[C2D_POINT_SXY] - d * s), std::abs(a[C2D_POINT_SZZ] - 0.3 * 2 * A)}) /
+           scale;
   }
 };
 
@@ -640,8 +646,7 @@ TEST_CASE("interior: Lame's ring, quadratic elements") {
         for (double distance : {0.02, 0.05, 0.08, 0.12, 0.2}) {
           const double d = distance * 2 * element.half_length, x = end.x - d * end.nx, y = end.y - d * end.ny;
           const Answer p = ring.solved.at(x, y);
-          if (p.flag() == C2D_POINT_INSIDE || p.flag() == C2D_POINT_NEAR_NODE)
-            close = std::max(close, Ring::error(x, y, p));
+          if (p.flag() == C2D_POINT_INSIDE || p.flag() == C2D_POINT_NEAR_NODE) close = std::max(close, Ring::error(x, y, p));
         }
       }
     for (int e = 0; e < ring.body.elements(0); ++e)
@@ -652,8 +657,8 @@ TEST_CASE("interior: Lame's ring, quadratic elements") {
         side = std::max(side, Ring::error(x, y, ring.solved.at(x, y)));
       }
     CAPTURE(n);
-    INFO("inside " << inside << ", u " << displacement << ", 0.01 from nodes " << node << ", 0.02-0.2 from nodes "
-                   << close << ", 1e-6 from sides " << side);
+    INFO("inside " << inside << ", u " << displacement << ", 0.01 from nodes " << node << ", 0.02-0.2 from nodes " << close
+                   << ", 1e-6 from sides " << side);
     // What the mesh is worth: second order at least everywhere, fourth inside.
     const double h = 8.0 / n;
     CHECK(inside < 2e-4 * h * h * h * h);

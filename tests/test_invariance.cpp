@@ -43,11 +43,9 @@ std::string ten_columns(double value) {
   char text[40];
   for (int digits = 0; digits <= 9; ++digits) {
     std::snprintf(text, sizeof text, "%.*f", digits, value);
-    if (std::strlen(text) <= 10 && std::strtod(text, nullptr) == value)
-      return std::string(10 - std::strlen(text), ' ') + text;
+    if (std::strlen(text) <= 10 && std::strtod(text, nullptr) == value) return std::string(10 - std::strlen(text), ' ') + text;
     std::snprintf(text, sizeof text, "%.*E", digits, value);
-    if (std::strlen(text) <= 10 && std::strtod(text, nullptr) == value)
-      return std::string(10 - std::strlen(text), ' ') + text;
+    if (std::strlen(text) <= 10 && std::strtod(text, nullptr) == value) return std::string(10 - std::strlen(text), ' ') + text;
   }
   return "";
 }
@@ -57,9 +55,7 @@ struct DeckScaler {
   size_t at = 0;
   double length, stress;
 
-  int integer(size_t column, size_t width) const {
-    return std::atoi(lines[at].substr(column - 1, width).c_str());
-  }
+  int integer(size_t column, size_t width) const { return std::atoi(lines[at].substr(column - 1, width).c_str()); }
   void field(size_t column, double factor) {
     std::string& line = lines[at];
     line.resize(std::max(line.size(), column + 9), ' ');
@@ -128,11 +124,10 @@ TEST_CASE("invariance: other units by decks, with factors exact in ten columns")
     const char* deck;
     double length, stress;
   };
-  const Case cases[] = {{"sample.dat", 0.5, 1},         {"sample.dat", 1024, 1},
-                        {"sample.dat", 0.0625, 1},      {"sample.dat", 1, 0.0625},
-                        {"sample.dat", 1024, 0.5},      {"sample.dat", 0.5, 1024},
-                        {"block.dat", 0.5, 1},          {"block.dat", 0.5, 0.0625},
-                        {"layer_mu.dat", 0.0625, 1024}, {"layer_mu.dat", 1024, 0.5}};
+  const Case cases[] = {{"sample.dat", 0.5, 1},     {"sample.dat", 1024, 1},    {"sample.dat", 0.0625, 1},
+                        {"sample.dat", 1, 0.0625},  {"sample.dat", 1024, 0.5},  {"sample.dat", 0.5, 1024},
+                        {"block.dat", 0.5, 1},      {"block.dat", 0.5, 0.0625}, {"layer_mu.dat", 0.0625, 1024},
+                        {"layer_mu.dat", 1024, 0.5}};
   for (const Case& c : cases) {
     const std::string deck = c.deck;
     CAPTURE(deck);
@@ -153,11 +148,9 @@ TEST_CASE("invariance: other units by decks, with factors exact in ten columns")
 TEST_CASE("invariance: quarter turns") {
   for (const std::string deck : kDecks) {
     CAPTURE(deck);
-    const Problem p = load(deck), once = rotated(p, 90), twice = rotated(once, 90),
-                  thrice = rotated(twice, 90);
+    const Problem p = load(deck), once = rotated(p, 90), twice = rotated(once, 90), thrice = rotated(twice, 90);
     const Result reference = solved(p);
-    for (const Problem* turned : {&once, &twice, &thrice})
-      check_same(reference, solved(*turned), Mapping(), 1e-9);
+    for (const Problem* turned : {&once, &twice, &thrice}) check_same(reference, solved(*turned), Mapping(), 1e-9);
   }
 }
 
@@ -242,8 +235,7 @@ TEST_CASE("invariance: bodies exchanged") {
 }
 
 TEST_CASE("invariance: workspace, panel width and store") {
-  for (const std::string deck :
-       {"sample.dat", "sample56.dat", "block.dat", "layer_mu.dat", "half_cylinder.dat"}) {
+  for (const std::string deck : {"sample.dat", "sample56.dat", "block.dat", "layer_mu.dat", "half_cylinder.dat"}) {
     const Problem p = load(deck);
     const Result reference = solved(p);
     for (int32_t columns : {1, 3, 8, 0})

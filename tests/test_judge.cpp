@@ -41,8 +41,8 @@ struct Run {
   }
   static int32_t show(void* context, const c2d_step* step) {
     Run& run = *static_cast<Run*>(context);
-    problem::Step now{step->kind, step->coefficient, step->step, step->changes, step->iterations, step->outcome, step->mu,
-                      step->load, {}};
+    problem::Step now{step->kind, step->coefficient, step->step, step->changes, step->iterations, step->outcome,
+                      step->mu,   step->load,        {}};
     for (int32_t i = 0; i < step->pairs; ++i)
       now.table.insert(now.table.end(), step->table + i * step->stride, step->table + i * step->stride + C2D_PAIR_FIELDS);
     run.steps.push_back(now);
@@ -81,7 +81,8 @@ TEST_CASE("judge: a tableau that was spoilt is built anew before the next row") 
         const c2d::Session session = session_of(s);
         const int64_t m = session.tableau.m, all = m * c2d::tableau_columns(m, 1), rates = m * (m + 1);
         const int64_t from = what == 0 ? 0 : rates, to = what == 0 ? all : what == 1 ? rates + m : rates + 1;
-        for (int64_t i = from; i < to; ++i) session.area.tableau[i] *= static_cast<c2d::Real>(1 + by * std::cos(7.0 * static_cast<double>(i)));
+        for (int64_t i = from; i < to; ++i)
+          session.area.tableau[i] *= static_cast<c2d::Real>(1 + by * std::cos(7.0 * static_cast<double>(i)));
       });
       CHECK(spoilt.status == C2D_OK);
       CHECK(spoilt.summary.outcome == C2D_REACHED);
@@ -111,8 +112,7 @@ TEST_CASE("judge: what no new tableau helps ends the path, with the rows up to t
     int32_t breach;
     int64_t from, to;
   };
-  for (const Case& c : {Case{C2D_BREACH_TABLEAU, 0, m}, Case{C2D_BREACH_EQUATIONS, m, 2 * m},
-                        Case{C2D_BREACH_BALANCE, 4, 7}}) {
+  for (const Case& c : {Case{C2D_BREACH_TABLEAU, 0, m}, Case{C2D_BREACH_EQUATIONS, m, 2 * m}, Case{C2D_BREACH_BALANCE, 4, 7}}) {
     CAPTURE(c.breach);
     const Run run(deck, [&](c2d_solver* s, int32_t step) {
       if (step != 4) return;
@@ -120,8 +120,10 @@ TEST_CASE("judge: what no new tableau helps ends the path, with the rows up to t
       double* book = c2d::array_of<double>(s, c2d::kJudge);
       c2d::Real* of_unknowns = reinterpret_cast<c2d::Real*>(book + of_case);
       for (int64_t i = c.from; i < c.to; ++i) {
-        if (c.breach == C2D_BREACH_BALANCE) book[i] *= 1.1;
-        else of_unknowns[i] *= c2d::Real(1.1);
+        if (c.breach == C2D_BREACH_BALANCE)
+          book[i] *= 1.1;
+        else
+          of_unknowns[i] *= c2d::Real(1.1);
       }
     });
     CHECK(run.status == C2D_OK);

@@ -195,8 +195,7 @@ TEST_CASE("kernels: scaling, adding and the largest entry") {
         for (int32_t i = 0; i < n; ++i) {
           const size_t at = static_cast<size_t>(i);
           CHECK(x.at[i] == x0[at] * Real(-1.75));
-          CHECK(std::fabs(static_cast<double>(y.at[i] - (static_cast<long double>(Real(0.3)) * x.at[i] + y0[at]))) <=
-                2 * kEps);
+          CHECK(std::fabs(static_cast<double>(y.at[i] - (static_cast<long double>(Real(0.3)) * x.at[i] + y0[at]))) <= 2 * kEps);
           expected = std::max(expected, static_cast<Real>(size(x.at[i])));
         }
         CHECK(most == expected);

@@ -123,8 +123,7 @@ TEST_CASE("wrong keyword cards") {
   CHECK(f.text == "a card follows the last load card, expected a keyword card or the end of the deck");
   f = the_fault({"*UNITS mm N", "1 2 3", "4 5"});
   CHECK(f.line == 2);
-  CHECK(f.text ==
-        "the card does not belong to *UNITS above it, expected a keyword card or the end of the deck");
+  CHECK(f.text == "the card does not belong to *UNITS above it, expected a keyword card or the end of the deck");
 }
 
 TEST_CASE("keywords that say a thing twice, or nothing") {

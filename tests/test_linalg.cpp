@@ -83,17 +83,15 @@ std::vector<TestEngine> test_engines() {
     if (!kernel) continue;
     const int64_t least = kernel->rows + kernel->cols;
     for (const int64_t numbers : {full_scratch(256, 384), 3 * least + 5, least - 1}) {
-      TestEngine e{"set " + std::to_string(set) + ", scratch " + std::to_string(numbers),
-                   {},
-                   {kernel, nullptr, numbers, nullptr}};
+      TestEngine e{
+          "set " + std::to_string(set) + ", scratch " + std::to_string(numbers), {}, {kernel, nullptr, numbers, nullptr}};
       e.memory.assign(static_cast<size_t>(numbers) + 9, Real(-55));
       all.push_back(std::move(e));
     }
   }
   for (TestEngine& e : all) // vectors have moved for the last time
     if (e.engine.kernel)
-      e.engine.scratch =
-          e.memory.data() + (64 - reinterpret_cast<uintptr_t>(e.memory.data()) % 64) % 64 / sizeof(Real);
+      e.engine.scratch = e.memory.data() + (64 - reinterpret_cast<uintptr_t>(e.memory.data()) % 64) % 64 / sizeof(Real);
   return all;
 }
 
@@ -141,8 +139,7 @@ TEST_CASE("product subtracts what the definition says, for every remainder of th
           double worst = 0;
           bool kept = true;
           for (int32_t j = 0; j < n; ++j) {
-            for (int32_t i = 0; i < m; ++i)
-              worst = std::fmax(worst, std::fabs(static_cast<double>(exact(i, j) - d(i, j))));
+            for (int32_t i = 0; i < m; ++i) worst = std::fmax(worst, std::fabs(static_cast<double>(exact(i, j) - d(i, j))));
             for (int64_t g = m; g < d.ld; ++g) kept = kept && d(static_cast<int32_t>(g), j) == Real(-77);
           }
           INFO(e.name, " m ", m, " n ", n, " k ", k);
@@ -237,8 +234,7 @@ TEST_CASE("LU residual ratio for many sizes, and for panels of many widths") {
   }
 }
 
-TEST_CASE(
-    "columns without a pivot are counted, not divided by, and the factors still multiply to the matrix") {
+TEST_CASE("columns without a pivot are counted, not divided by, and the factors still multiply to the matrix") {
   for (const TestEngine& e : test_engines()) {
     for (int32_t n : {1, 2, 3, 5, 10, 50, 200}) {
       for (int32_t which = 0; which < 3; ++which) { // the first, the last, or every second column is zero
@@ -297,8 +293,7 @@ TEST_CASE("columns of wildly different scale neither trap nor spoil the judgemen
   {
     Traps traps;
     factor(best_engine().engine, a, pivots, &stats);
-    CHECK(factor(best_engine().engine, scaled, scaled_pivots, &scaled_stats) ==
-          0);
+    CHECK(factor(best_engine().engine, scaled, scaled_pivots, &scaled_stats) == 0);
   }
   CHECK(pivots == scaled_pivots);
   CHECK(stats.smallest_column == scaled_stats.smallest_column);
@@ -361,8 +356,7 @@ TEST_CASE("after an exchange the same y and z still satisfy the tableau") {
       std::vector<double> z(cols), y(rows, 0.0);
       for (int32_t j = 0; j < cols; ++j) z[static_cast<size_t>(j)] = std::sin(1.0 + j);
       for (int32_t i = 0; i < rows; ++i) {
-        for (int32_t j = 0; j < cols; ++j)
-          y[static_cast<size_t>(i)] += double(t(i, j)) * z[static_cast<size_t>(j)];
+        for (int32_t j = 0; j < cols; ++j) y[static_cast<size_t>(i)] += double(t(i, j)) * z[static_cast<size_t>(j)];
       }
       REQUIRE(exchange(rows, cols, t.data(), t.ld, r, c));
       std::swap(y[static_cast<size_t>(r)], z[static_cast<size_t>(c)]);
@@ -375,8 +369,7 @@ TEST_CASE("after an exchange the same y and z still satisfy the tableau") {
       CHECK(worst < 200 * kEps);
       REQUIRE(exchange(rows, cols, t.data(), t.ld, r, c));
       for (int32_t j = 0; j < cols; ++j) {
-        for (int32_t i = 0; i < rows; ++i)
-          worst = std::fmax(worst, std::fabs(double(t(i, j)) - double(before(i, j))));
+        for (int32_t i = 0; i < rows; ++i) worst = std::fmax(worst, std::fabs(double(t(i, j)) - double(before(i, j))));
         for (int64_t g = rows; g < t.ld; ++g) CHECK(t(static_cast<int32_t>(g), j) == Real(-77));
       }
       CHECK(worst < 200 * kEps);

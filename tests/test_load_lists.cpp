@@ -16,8 +16,7 @@ struct Model {
   std::vector<unsigned char> memory;
   c2d_solver* solver = nullptr;
 
-  explicit Model(Deck cards, const std::string& more = "")
-      : deck(std::move(cards)), limits(C2D_INIT(c2d_limits)) {
+  explicit Model(Deck cards, const std::string& more = "") : deck(std::move(cards)), limits(C2D_INIT(c2d_limits)) {
     std::istringstream in(more);
     for (std::string line; std::getline(in, line);) deck.lines.push_back(line);
     limits = deck.limits();
@@ -59,9 +58,8 @@ int check_places(const Model& model) {
   c2d_summary s = C2D_INIT(c2d_summary);
   REQUIRE(c2d_get_summary(model.solver, &s) == C2D_OK);
   REQUIRE(s.element_nodes[0] == 2);
-  const std::vector<double> element = model.get(C2D_PAIR_ELEMENT1, 1, s.pairs),
-                            eta = model.get(C2D_PAIR_ETA1, 1, s.pairs), x = model.get(C2D_X, 1, s.pairs),
-                            y = model.get(C2D_Y, 1, s.pairs),
+  const std::vector<double> element = model.get(C2D_PAIR_ELEMENT1, 1, s.pairs), eta = model.get(C2D_PAIR_ETA1, 1, s.pairs),
+                            x = model.get(C2D_X, 1, s.pairs), y = model.get(C2D_Y, 1, s.pairs),
                             nx = model.get(C2D_NODE_X, 1, s.geometry_nodes[0]),
                             ny = model.get(C2D_NODE_Y, 1, s.geometry_nodes[0]);
   int between = 0;
@@ -129,8 +127,7 @@ TEST_CASE("load lists: a rigid body's motion, a press fit") {
   CHECK(rigid == 0);
   REQUIRE(c2d_get_interference(plain.solver, &closing) == C2D_OK);
   CHECK(closing == 0);
-  const Model model(deck_named("sample"),
-                    "*CASES 2\n*RIGID\n2 0 0.02 0 0 -1\n*INTERFERENCE 2\n*PATH\n1 1 0\n");
+  const Model model(deck_named("sample"), "*CASES 2\n*RIGID\n2 0 0.02 0 0 -1\n*INTERFERENCE 2\n*PATH\n1 1 0\n");
   REQUIRE(c2d_get_rigid(model.solver, 2, &rigid, motion, axis) == C2D_OK);
   CHECK(rigid == 1);
   CHECK(motion[1] == 0.02);

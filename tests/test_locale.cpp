@@ -48,8 +48,10 @@ TEST_CASE("locale: every output of the program is the same in a locale with a de
   for (const Folder* out : {&plain, &comma}) {
     const std::string prefix = "cd '" + out->path() + "' && " + (out == &comma ? in_comma_locale(locale) : "");
     const std::string program = prefix + "'" C2D_TEST_PROGRAM "' ", deck = "'" + kRoot + "/examples/hertz.dat'";
-    REQUIRE(run_shell(program + "run " + deck + " --no-progress --csv csv --boundary boundary --listing listing"
-                                                " --json json --vtk vtk --figures figures").status == 0);
+    REQUIRE(run_shell(program + "run " + deck +
+                      " --no-progress --csv csv --boundary boundary --listing listing"
+                      " --json json --vtk vtk --figures figures")
+                .status == 0);
     REQUIRE(run_shell(program + "check " + deck + " >check").status == 0);
     REQUIRE(run_shell(program + "convert " + deck + " --to free -o free").status == 0);
     REQUIRE(run_shell(program + "make punch mu=0.3 nu=0.25 >made").status == 0);

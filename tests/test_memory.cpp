@@ -23,13 +23,13 @@ Need need_of(const c2d_limits& limits) {
 uint64_t bound_of(const c2d_limits& l) {
   const bool two = l.bodies == 2;
   return C2D_FREE_MEMORY_BYTES(static_cast<uint64_t>(l.function_nodes), static_cast<uint64_t>(l.geometry_nodes[0]),
-                          static_cast<uint64_t>(two ? l.geometry_nodes[1] : 0), static_cast<uint64_t>(l.elements[0]),
-                          static_cast<uint64_t>(two ? l.elements[1] : 0), static_cast<uint64_t>(l.regions[0]),
-                          static_cast<uint64_t>(two ? l.regions[1] : 0), static_cast<uint64_t>(l.zones),
-                          static_cast<uint64_t>(l.pairs), static_cast<uint64_t>(l.contact_elements),
-                          static_cast<uint64_t>(l.point_loads), static_cast<uint64_t>(l.coefficients),
-                          static_cast<uint64_t>(l.paths), static_cast<uint64_t>(l.load_cases),
-                          static_cast<uint64_t>(l.free_pairs)) +
+                               static_cast<uint64_t>(two ? l.geometry_nodes[1] : 0), static_cast<uint64_t>(l.elements[0]),
+                               static_cast<uint64_t>(two ? l.elements[1] : 0), static_cast<uint64_t>(l.regions[0]),
+                               static_cast<uint64_t>(two ? l.regions[1] : 0), static_cast<uint64_t>(l.zones),
+                               static_cast<uint64_t>(l.pairs), static_cast<uint64_t>(l.contact_elements),
+                               static_cast<uint64_t>(l.point_loads), static_cast<uint64_t>(l.coefficients),
+                               static_cast<uint64_t>(l.paths), static_cast<uint64_t>(l.load_cases),
+                               static_cast<uint64_t>(l.free_pairs)) +
          C2D_POINTS_BYTES(static_cast<uint64_t>(l.point_sets)) + C2D_CURVES_BYTES(static_cast<uint64_t>(l.curves));
 }
 
@@ -128,8 +128,8 @@ TEST_CASE("memory: the constant bound holds for all limits and is tight") {
       spread.take(l);
     }
   }
-  MESSAGE("limits " << spread.checked << ", bound - need " << spread.least << " to " << spread.most
-                    << " bytes, largest ratio " << spread.ratio);
+  MESSAGE("limits " << spread.checked << ", bound - need " << spread.least << " to " << spread.most << " bytes, largest ratio "
+                    << spread.ratio);
   CHECK(spread.checked > 24000);
 }
 
@@ -263,7 +263,8 @@ TEST_CASE("memory: more of it never fails, and the bytes said to be used are use
         CHECK(s.peak_bytes <= s.workspace_bytes);
         CHECK(std::all_of(used, end, [](unsigned char byte) { return byte == 0xA5; }));
         // and of its last 3 KiB at least something was touched (the widest gap is the room of unused norms and pivots)
-        CHECK(std::any_of(used - std::min<uint64_t>(3072, s.peak_bytes), used, [](unsigned char byte) { return byte != 0xA5; }));
+        CHECK(
+            std::any_of(used - std::min<uint64_t>(3072, s.peak_bytes), used, [](unsigned char byte) { return byte != 0xA5; }));
       }
     }
   }

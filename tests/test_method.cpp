@@ -23,8 +23,8 @@ struct Numbers {
 
 Numbers numbers_of_page(const std::string& page) {
   Numbers out;
-  const std::regex section("^## ([0-9]+) "), part("^\\*\\*([0-9]+\\.[0-9]+)\\W"), equation("^    (?:\\S.*?)?\\(([0-9]+\\.[0-9]+)\\)   ?"),
-      thesis("thesis \\((" + kNumber + ")\\)");
+  const std::regex section("^## ([0-9]+) "), part("^\\*\\*([0-9]+\\.[0-9]+)\\W"),
+      equation("^    (?:\\S.*?)?\\(([0-9]+\\.[0-9]+)\\)   ?"), thesis("thesis \\((" + kNumber + ")\\)");
   for (const std::string& line : lines_of(page)) {
     std::smatch match;
     if (std::regex_search(line, match, section) || std::regex_search(line, match, part)) out.sections.insert(match[1]);
@@ -89,8 +89,10 @@ std::set<std::string> anchors_of(const std::string& page) {
     std::string anchor;
     for (const char c : match[1].str()) {
       const char small = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-      if (small == ' ') anchor += '-';
-      else if ((small >= 'a' && small <= 'z') || (small >= '0' && small <= '9') || small == '-' || small == '_') anchor += small;
+      if (small == ' ')
+        anchor += '-';
+      else if ((small >= 'a' && small <= 'z') || (small >= '0' && small <= '9') || small == '-' || small == '_')
+        anchor += small;
     }
     out.insert(anchor);
   }
@@ -131,7 +133,8 @@ TEST_CASE("method: the pages cite what there is, and their links lead somewhere"
   int seen = 0;
   for (const char* top : {"README.md", "src", "include", "port", "examples", "tests"}) {
     std::vector<fs::path> files;
-    if (fs::is_regular_file(kRoot / top)) files.push_back(kRoot / top);
+    if (fs::is_regular_file(kRoot / top))
+      files.push_back(kRoot / top);
     else
       for (const auto& entry : fs::recursive_directory_iterator(kRoot / top))
         if (entry.path().extension() == ".md") files.push_back(entry.path());

@@ -270,8 +270,7 @@ TEST_CASE("data: legal Poisson's ratios depend on the plane problem") {
 
 TEST_CASE("data: numbers that are none, with traps on") {
   const TrappingFloat trapping;
-  const double bad[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(),
-                        1e200};
+  const double bad[] = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e200};
   for (double number : bad) {
     ModelData d = square();
     d.node_line[0][2] = 8;

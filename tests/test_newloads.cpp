@@ -15,8 +15,8 @@ constexpr double kRoundOff = 1e-12; // of the largest of its kind; 4e-14 were se
 
 struct Host : RamStore {
   c2d_port port = C2D_INIT(c2d_port);
-  int64_t columns = 0;   // from the first that was assembled to the last of a body
-  int32_t chances = -1;  // to cancel; negative: never
+  int64_t columns = 0;  // from the first that was assembled to the last of a body
+  int32_t chances = -1; // to cancel; negative: never
   Host() {
     serve(port);
     port.progress = [](void* c, const c2d_progress* now) {
@@ -226,7 +226,8 @@ TEST_CASE("new loads: another load case, weights and the motion of a rigid body"
 TEST_CASE("new loads: a second case with tractions and a point load, as another deck gives them") {
   const auto deck_with = [](const std::string& condition, const std::string& load) {
     Deck deck = deck_named("block");
-    for (const std::string& line : {std::string("*CASES 2"), std::string("case 2"), "condition 2 25-48 0 " + condition, "load 2 " + load})
+    for (const std::string& line :
+         {std::string("*CASES 2"), std::string("case 2"), "condition 2 25-48 0 " + condition, "load 2 " + load})
       deck.lines.push_back(line);
     return deck;
   };

@@ -68,8 +68,7 @@ std::vector<double> numbers(const std::string& text) {
 } // namespace
 
 TEST_CASE("packaging: the man page has every option, command and exit status of --help") {
-  const std::string page = std::regex_replace(read_file(kRoot + "/port/packaging/contact2d.1.in"),
-                                              std::regex("\\\\-"), "-");
+  const std::string page = std::regex_replace(read_file(kRoot + "/port/packaging/contact2d.1.in"), std::regex("\\\\-"), "-");
   const std::string help = run_shell("'" C2D_TEST_PROGRAM "' --help").out;
   const std::set<std::string> options = matches(help, "--[a-z]+(-[a-z]+)*");
   CHECK(options.size() > 10);

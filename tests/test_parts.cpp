@@ -27,8 +27,8 @@ std::string missing(const Part& part) {
   for (const char* c = part.card + 1; *c != '\0' && !(*c >= '0' && *c <= '9'); ++c) name += c2d::capital(*c);
   if (name.compare(0, 8, "SYMMETRY") == 0) name = "SYMMETRY";
   while (name.back() == ' ') name.pop_back();
-  return "*" + name + " needs a part of the library that this program is linked without (C2D_PARTS_BY_CALL): " +
-         part.call + " links it";
+  return "*" + name + " needs a part of the library that this program is linked without (C2D_PARTS_BY_CALL): " + part.call +
+         " links it";
 }
 
 } // namespace
@@ -48,8 +48,7 @@ TEST_CASE("parts: a keyword whose part is not linked is a fault of its card, and
     sink.set_symmetry = nullptr;
     sink.add_free_zone = nullptr;
     std::vector<deck_test::Fault> faults;
-    CHECK(c2d::read_deck_cards(&sink, deck_test::read_bytes, &deck, deck_test::keep_fault, &faults, nullptr) ==
-          C2D_ERR_INPUT);
+    CHECK(c2d::read_deck_cards(&sink, deck_test::read_bytes, &deck, deck_test::keep_fault, &faults, nullptr) == C2D_ERR_INPUT);
     REQUIRE(faults.size() == 1);
     CHECK(faults[0].text == missing(part));
     CHECK(faults[0].line == line);
@@ -68,9 +67,10 @@ class Program {
 public:
   explicit Program(const std::string& calls = "") {
     const std::string root = C2D_TEST_ROOT;
-    std::string command = "cd '" + root + "' && " C2D_TEST_CXX " -std=c++17 -Wall -Wextra -Werror -ffp-contract=off " +
-                          calls + " -DC2D_PARTS_BY_CALL -Isrc -Iinclude -Iport/posix tests/embedded/parts.cpp";
-    for (const char* file : {"interface/read_deck", "interface/model_calls", "interface/attach", "interface/save_calls", "solver/save"})
+    std::string command = "cd '" + root + "' && " C2D_TEST_CXX " -std=c++17 -Wall -Wextra -Werror -ffp-contract=off " + calls +
+                          " -DC2D_PARTS_BY_CALL -Isrc -Iinclude -Iport/posix tests/embedded/parts.cpp";
+    for (const char* file :
+         {"interface/read_deck", "interface/model_calls", "interface/attach", "interface/save_calls", "solver/save"})
       command += std::string(" src/") + file + ".cpp";
     built_ = run_shell(command + " '" C2D_TEST_LIBRARY "' -lm -pthread -o '" + (folder_ / "parts") + "'");
   }
@@ -88,9 +88,7 @@ private:
   Result built_;
 };
 
-std::string deck_with(const std::string& card) {
-  return deck_test::joined(deck_test::squares()) + card + "\n";
-}
+std::string deck_with(const std::string& card) { return deck_test::joined(deck_test::squares()) + card + "\n"; }
 
 // The two squares with a free zone in place of their pairs.
 std::string free_zone_deck() {
@@ -129,9 +127,7 @@ struct Whole {
   }
 };
 
-std::string status_line(c2d_status status) {
-  return "status " + std::to_string(status) + "\n";
-}
+std::string status_line(c2d_status status) { return "status " + std::to_string(status) + "\n"; }
 
 } // namespace
 
@@ -143,8 +139,8 @@ TEST_CASE("parts: a program without them, and the same with their calls") {
                      "-Wl,-u,c2d_get_summary");
   REQUIRE_MESSAGE(with.built().status == 0, with.built().err);
   const std::string names = run_shell("nm '" + (without / "parts") + "'").out;
-  for (const char* call : {"T c2d_set_rigid", "T c2d_set_body_force", "T c2d_set_symmetry", "T c2d_add_free_zone",
-                           "T c2d_get_summary"})
+  for (const char* call :
+       {"T c2d_set_rigid", "T c2d_set_body_force", "T c2d_set_symmetry", "T c2d_add_free_zone", "T c2d_get_summary"})
     CHECK_FALSE(contains(names, call));
 
   SUBCASE("decks") {

@@ -177,8 +177,10 @@ TEST_CASE("attach: what is no solver, or not all of it, is refused and left alon
     const c2d_status status = attach(copy, copy.size(), nullptr);
     CAPTURE(i);
     CHECK((status == C2D_ERR_MISMATCH) == (told.find("another version of the library, size of pointers or number type") < 200));
-    if (i >= 16) CHECK(status != C2D_OK);
-    else CHECK(status == (i >= 8 && i < 12 ? C2D_ERR_MISMATCH : C2D_ERR_ARGUMENT));
+    if (i >= 16)
+      CHECK(status != C2D_OK);
+    else
+      CHECK(status == (i >= 8 && i < 12 ? C2D_ERR_MISMATCH : C2D_ERR_ARGUMENT));
   }
   for (size_t i = 48; i < 48 + 400; i += 4) {
     copy = image;
@@ -243,8 +245,7 @@ namespace {
 // A solver in state `model` on a store that may hold something already.
 struct Fresh {
   Machine machine;
-  Fresh(const Deck& deck, Host& host, bool in_core)
-      : machine(deck.limits(), memory_for(deck.limits(), in_core), &host.port) {
+  Fresh(const Deck& deck, Host& host, bool in_core) : machine(deck.limits(), memory_for(deck.limits(), in_core), &host.port) {
     REQUIRE(machine.created == C2D_OK);
     REQUIRE(read_deck(machine.solver, deck) == C2D_OK);
   }
@@ -427,7 +428,8 @@ TEST_CASE("restore: what does not belong to the model, the tapes or the library 
       const std::string text = error_of(s).text;
       CHECK_MESSAGE((text == c2d_message(C2D_ERR_MISMATCH) || text.find(" (another version of the library) is ") < 320 ||
                      text.find(" (a machine of the other byte order) is ") < 320 ||
-                     text.find(" (a library with another C2D_REAL) is ") < 320), text);
+                     text.find(" (a library with another C2D_REAL) is ") < 320),
+                    text);
     }
     return machine.guards_are_whole();
   };
@@ -682,11 +684,13 @@ TEST_CASE("two solvers: call by call in turn, and each in a thread of its own, t
     outer.host.before = [&](const RamStore::Operation&, size_t n) {
       if (n % 150 != 0) return 0;
       Walker inner(names[1], true);
-      while (inner.go()) {}
+      while (inner.go()) {
+      }
       inside += Numbers::same(inner.out, expected[1]);
       return 0;
     };
-    while (outer.go()) {}
+    while (outer.go()) {
+    }
     CHECK(Numbers::same(outer.out, expected[0]));
     CHECK(inside > 2);
   }
@@ -697,7 +701,8 @@ TEST_CASE("two solvers: call by call in turn, and each in a thread of its own, t
       threads[i] = std::thread([&, i] {
         for (int turn = 0; turn < 3; ++turn) {
           Walker walker(names[i], i == 1);
-          while (walker.go()) {}
+          while (walker.go()) {
+          }
           out[i] = walker.out;
         }
       });

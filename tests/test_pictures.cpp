@@ -8,9 +8,8 @@ TEST_CASE("pictures: contact with two coefficients of friction") {
   Shown shown;
   show(shown, example("hertz.dat"));
   REQUIRE(shown.result.status == 0);
-  const std::set<std::string> expected = {"model",    "tractions_1", "tractions_2", "status_1",
-                                          "status_2", "gap_1",       "gap_2",       "deformed",
-                                          "stress",   "stress_zone", "path",        "balance"};
+  const std::set<std::string> expected = {"model", "tractions_1", "tractions_2", "status_1",    "status_2", "gap_1",
+                                          "gap_2", "deformed",    "stress",      "stress_zone", "path",     "balance"};
   for (const std::string& name : expected) CHECK_MESSAGE(shown.figures.count(name) == 1, name);
   check_page(shown);
   CHECK(contains(shown.page, "the last pair at an end of a contact zone has closed"));
@@ -25,8 +24,8 @@ TEST_CASE("pictures: captions say what the CSV says") {
   for (const double mu : {0.4, 0.3}) {
     const std::vector<PairRow> rows = last_rows(read_file(shown.folder / "c.csv"), mu);
     REQUIRE(rows.size() == 15);
-    const auto peak = std::max_element(rows.begin(), rows.end(),
-                                       [](const PairRow& a, const PairRow& b) { return a.tn < b.tn; });
+    const auto peak =
+        std::max_element(rows.begin(), rows.end(), [](const PairRow& a, const PairRow& b) { return a.tn < b.tn; });
     double half_width = 0.0;
     int touching = 0, slipping = 0;
     for (const PairRow& row : rows) {
@@ -48,16 +47,14 @@ TEST_CASE("pictures: captions say what the CSV says") {
 TEST_CASE("pictures: other contacts, and a single body") {
   const std::map<std::string, std::set<std::string>> expected = {
       {"sliding_block.dat", {"model", "tractions", "status", "gap", "deformed", "stress", "path", "balance"}},
-      {"layer_receding.dat",
-       {"model", "tractions", "status", "gap", "deformed", "stress", "path", "balance"}},
+      {"layer_receding.dat", {"model", "tractions", "status", "gap", "deformed", "stress", "path", "balance"}},
       {"thick_ring.dat", {"model", "deformed", "boundary", "stress", "balance"}},
       {"rough_plates.dat", {"model", "tractions_4", "status_4", "gap_4", "deformed", "stress", "path"}}};
   for (const auto& kind : expected) {
     Shown shown;
     show(shown, example(kind.first));
     REQUIRE(shown.result.status == 0);
-    for (const std::string& name : kind.second)
-      CHECK_MESSAGE(shown.figures.count(name) == 1, kind.first << ": " << name);
+    for (const std::string& name : kind.second) CHECK_MESSAGE(shown.figures.count(name) == 1, kind.first << ": " << name);
     check_page(shown);
   }
 }
@@ -78,8 +75,7 @@ TEST_CASE("pictures: stick and slip of the sliding block as in the CSV") {
   REQUIRE(stick > 0);
   REQUIRE(slip > 0);
   const std::string caption = caption_of(shown, "status");
-  CHECK(contains(caption, std::to_string(stick) + " of 25 pairs stick, " + std::to_string(slip) +
-                              " slip, 0 are open"));
+  CHECK(contains(caption, std::to_string(stick) + " of 25 pairs stick, " + std::to_string(slip) + " slip, 0 are open"));
   char text[40]; // s counts from the block's left corner at x = -1
   std::snprintf(text, sizeof text, "to %.4g.", last_stick + 1.0);
   CHECK_MESSAGE(contains(caption, text), caption << " lacks " << text);
@@ -112,14 +108,12 @@ TEST_CASE("pictures: a load that goes down again is drawn over its steps") {
 
 TEST_CASE("pictures: a path through two load cases is drawn over its steps") {
   const Folder folder;
-  write_file(folder / "deck", read_file(example("sliding_block.dat")) +
-                                  "*CASES 2\ncase 2\n condition 2 25-48 0 0.05 0 0 0\n"
-                                  "*PATH\n 2, 1, 0\n 6 1 0.3\n 6 1 -0.5\n");
+  write_file(folder / "deck", read_file(example("sliding_block.dat")) + "*CASES 2\ncase 2\n condition 2 25-48 0 0.05 0 0 0\n"
+                                                                        "*PATH\n 2, 1, 0\n 6 1 0.3\n 6 1 -0.5\n");
   Shown shown;
   show(shown, folder / "deck");
   REQUIRE_MESSAGE(shown.result.status == 0, shown.result.err);
-  for (const char* name : {"status", "path", "energy"})
-    CHECK_MESSAGE(contains(shown.figures[name], ">step<"), name);
+  for (const char* name : {"status", "path", "energy"}) CHECK_MESSAGE(contains(shown.figures[name], ">step<"), name);
   check_page(shown);
 }
 
@@ -163,13 +157,12 @@ TEST_CASE("pictures: a run that stops early still has its page, which says so") 
 TEST_CASE("pictures: outputs that cannot be written end with 3 and leave nothing") {
   const Folder folder;
   write_file(folder / "file", "x");
-  const std::string run = "'" C2D_TEST_PROGRAM "' run " + quoted(example("hertz.dat")) + " --csv " +
-                          quoted(folder / "c.csv") + " --listing /dev/null ";
-  for (const std::string& option :
-       {"--report " + quoted(folder / "none/r.html"), "--vtk " + quoted(folder / "none/b.vtk"),
-        "--figures " + quoted(folder / "none/figures"), "--figures " + quoted(folder / "file"),
-        "--figures " + quoted(folder / "new") + " --report " + quoted(folder / "none/r.html"),
-        "--figures " + quoted(folder / "new") + " --report /dev/full"}) {
+  const std::string run = "'" C2D_TEST_PROGRAM "' run " + quoted(example("hertz.dat")) + " --csv " + quoted(folder / "c.csv") +
+                          " --listing /dev/null ";
+  for (const std::string& option : {"--report " + quoted(folder / "none/r.html"), "--vtk " + quoted(folder / "none/b.vtk"),
+                                    "--figures " + quoted(folder / "none/figures"), "--figures " + quoted(folder / "file"),
+                                    "--figures " + quoted(folder / "new") + " --report " + quoted(folder / "none/r.html"),
+                                    "--figures " + quoted(folder / "new") + " --report /dev/full"}) {
     CHECK_MESSAGE(run_shell(run + option).status == 3, option);
     CHECK_MESSAGE(folder.names() == std::vector<std::string>{"file"}, option);
   }
@@ -179,9 +172,8 @@ TEST_CASE("pictures: outputs that cannot be written end with 3 and leave nothing
 TEST_CASE("pictures: a bad deck leaves neither page nor folder") {
   const Folder folder;
   write_file(folder / "deck", "    1\nnot a deck\n  x\n");
-  CHECK(run_shell("'" C2D_TEST_PROGRAM "' run " + quoted(folder / "deck") + " --report " +
-                  quoted(folder / "r.html") + " --figures " + quoted(folder / "figures") + " --vtk " +
-                  quoted(folder / "b.vtk"))
+  CHECK(run_shell("'" C2D_TEST_PROGRAM "' run " + quoted(folder / "deck") + " --report " + quoted(folder / "r.html") +
+                  " --figures " + quoted(folder / "figures") + " --vtk " + quoted(folder / "b.vtk"))
             .status == 2);
   CHECK(folder.names() == std::vector<std::string>{"deck"});
 }

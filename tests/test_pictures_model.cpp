@@ -9,9 +9,7 @@ namespace {
 
 const std::string kHatched = "patternTransform";
 
-Result contact2d(const std::string& arguments) {
-  return run_shell("'" C2D_TEST_PROGRAM "' " + arguments);
-}
+Result contact2d(const std::string& arguments) { return run_shell("'" C2D_TEST_PROGRAM "' " + arguments); }
 
 // Elements of a picture with this name and attribute value.
 std::vector<Element> with(const std::string& svg, const std::string& name, const std::string& attribute,
@@ -47,8 +45,7 @@ std::string free_deck() {
   lines[42] = "   29 1.250000000.00000000";
   lines[44] = "   31 0.830000000.00000000";
   const size_t first = lines.size() - 7;
-  lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(first),
-              lines.begin() + static_cast<std::ptrdiff_t>(first) + 3);
+  lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(first), lines.begin() + static_cast<std::ptrdiff_t>(first) + 3);
   lines[first] = lines[first + 1] = "    0    0";
   std::string text;
   for (const std::string& line : lines) text += line + "\n";
@@ -59,18 +56,17 @@ std::string free_deck() {
 
 TEST_CASE("pictures: the loads of all cases are drawn and named") {
   const Folder folder;
-  write_file(folder / "deck",
-             read_file(example("sliding_block.dat")) +
-                 "*CASES 3\ncase 2\ncondition 2 25-48 0 0.05 0 0 0\nload 2 0 0.5 0.02 -0.01\n"
-                 "*BODY FORCE 2 3 0 -0.02 0.001 0 0.6\n*PATH\n2 1 0 0\n6 1 0.3 0.5\n"
-                 "6 1 -0.5 1\n");
+  write_file(folder / "deck", read_file(example("sliding_block.dat")) +
+                                  "*CASES 3\ncase 2\ncondition 2 25-48 0 0.05 0 0 0\nload 2 0 0.5 0.02 -0.01\n"
+                                  "*BODY FORCE 2 3 0 -0.02 0.001 0 0.6\n*PATH\n2 1 0 0\n6 1 0.3 0.5\n"
+                                  "6 1 -0.5 1\n");
   Shown shown;
   show(shown, folder / "deck");
   REQUIRE_MESSAGE(shown.result.status == 0, shown.result.err);
   check_page(shown);
   const std::string& model = shown.figures["model"];
-  for (const char* entry : {">traction, case 1<", ">traction, case 2<", ">point load, case 2<",
-                            ">body force, case 3<", ">rotation, case 3<"})
+  for (const char* entry :
+       {">traction, case 1<", ">traction, case 2<", ">point load, case 2<", ">body force, case 3<", ">rotation, case 3<"})
     CHECK_MESSAGE(contains(model, entry), entry);
   CHECK(!contains(model, "point load, case 1"));
   CHECK(!contains(model, "traction, case 3"));
@@ -87,10 +83,9 @@ TEST_CASE("pictures: the loads of all cases are drawn and named") {
 
 TEST_CASE("pictures: the listing has the loads of all cases") {
   const Folder folder;
-  write_file(folder / "deck",
-             read_file(example("sliding_block.dat")) +
-                 "*CASES 2\ncase 2\ncondition 2 25-26 0 0.0625 0 0 0\nload 2 0 0.5 0.02 -0.01\n"
-                 "*BODY FORCE 2 2 0 -0.03125 0 0 0\n*PATH\n2 1 0\n1 1 0.375\n");
+  write_file(folder / "deck", read_file(example("sliding_block.dat")) +
+                                  "*CASES 2\ncase 2\ncondition 2 25-26 0 0.0625 0 0 0\nload 2 0 0.5 0.02 -0.01\n"
+                                  "*BODY FORCE 2 2 0 -0.03125 0 0 0\n*PATH\n2 1 0\n1 1 0.375\n");
   const Result run = contact2d("run " + quoted(folder / "deck") + " --listing -");
   REQUIRE(run.status == 0);
   int conditions = 0;
@@ -183,8 +178,7 @@ TEST_CASE("pictures: zones of meshes that do not match say what tractions are me
   const size_t zone = run.out.find("Contact zone of body 1");
   REQUIRE(zone != std::string::npos);
   int whole = 0, between = 0; // pair, element, place
-  for (const std::string& line :
-       lines_of(run.out.substr(zone, run.out.find("Contact zone of body 2") - zone))) {
+  for (const std::string& line : lines_of(run.out.substr(zone, run.out.find("Contact zone of body 2") - zone))) {
     std::istringstream in(line);
     int pair = 0, element = 0;
     double place = 9.0;
@@ -199,8 +193,7 @@ TEST_CASE("pictures: zones of meshes that do not match say what tractions are me
 
 TEST_CASE("pictures: a rigid body is shown as one, with its motion") {
   const Folder folder;
-  write_file(folder / "deck",
-             read_file(example("hertz.dat")) + "*CASES 2\n*RIGID\n2 0 0.02 0 0 0\n*PATH\n4 0.5 0\n4 0.5 1\n");
+  write_file(folder / "deck", read_file(example("hertz.dat")) + "*CASES 2\n*RIGID\n2 0 0.02 0 0 0\n*PATH\n4 0.5 0\n4 0.5 1\n");
   Shown shown;
   show(shown, folder / "deck");
   REQUIRE_MESSAGE(shown.result.status == 0, shown.result.err);
@@ -209,8 +202,7 @@ TEST_CASE("pictures: a rigid body is shown as one, with its motion") {
   for (const char* entry : {">body 1, rigid<", ">motion of the rigid body, case 2<"})
     CHECK_MESSAGE(contains(model, entry), entry);
   CHECK(contains(model, kHatched));
-  CHECK(contains(caption_of(shown, "model"),
-                 "body 1 has 46 elements, rigid; body 2 has 58 elements, E = 1000"));
+  CHECK(contains(caption_of(shown, "model"), "body 1 has 46 elements, rigid; body 2 has 58 elements, E = 1000"));
   const Result run = contact2d("run " + quoted(folder / "deck") + " --listing -");
   CHECK(contains(run.out, "Body 1 is rigid"));
 }

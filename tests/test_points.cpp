@@ -16,12 +16,8 @@ namespace {
 const std::string kRing = C2D_TEST_ROOT "/examples/thick_ring.dat";
 const std::string kHeader = "body,x,y,ux,uy,sxx,syy,sxy,szz,von_mises,max_shear";
 
-std::string quoted(const std::string& path) {
-  return "'" + path + "'";
-}
-Result contact2d(const std::string& arguments) {
-  return run_shell("'" C2D_TEST_PROGRAM "' " + arguments);
-}
+std::string quoted(const std::string& path) { return "'" + path + "'"; }
+Result contact2d(const std::string& arguments) { return run_shell("'" C2D_TEST_PROGRAM "' " + arguments); }
 
 struct Row {
   int body;
@@ -59,20 +55,15 @@ constexpr double kA = 100.0 / 3, kB = 400.0 / 3;
 double error_of(const Row& p) {
   const double r = std::hypot(p.x, p.y), c = p.x / r, s = p.y / r;
   const double rr = kA - kB / (r * r), tt = kA + kB / (r * r), ur = 1.3e-3 * (0.4 * kA * r + kB / r);
-  const double exact[] = {rr * c * c + tt * s * s, rr * s * s + tt * c * c, (rr - tt) * s * c, 0.6 * kA,
-                          (tt - rr) / 2};
+  const double exact[] = {rr * c * c + tt * s * s, rr * s * s + tt * c * c, (rr - tt) * s * c, 0.6 * kA, (tt - rr) / 2};
   const double found[] = {p.sxx, p.syy, p.sxy, p.szz, p.max_shear};
   double worst = std::max(std::fabs(p.ux - ur * c), std::fabs(p.uy - ur * s)) / 0.19;
   for (int k = 0; k < 5; ++k) worst = std::max(worst, std::fabs(found[k] - exact[k]) / 100);
-  const double zz = 0.6 * kA,
-               mises =
-                   std::sqrt(0.5 * ((rr - tt) * (rr - tt) + (tt - zz) * (tt - zz) + (zz - rr) * (zz - rr)));
+  const double zz = 0.6 * kA, mises = std::sqrt(0.5 * ((rr - tt) * (rr - tt) + (tt - zz) * (tt - zz) + (zz - rr) * (zz - rr)));
   return std::max(worst, std::fabs(p.von_mises - mises) / 100);
 }
 
-std::string ring_with(const std::string& cards) {
-  return read_file(kRing) + cards;
-}
+std::string ring_with(const std::string& cards) { return read_file(kRing) + cards; }
 
 const std::string kThree = "*POINTS\n"
                            "point 1 1.5 0.1 ! a point\n"
@@ -91,14 +82,11 @@ TEST_CASE("points: a file of points in the ring against Lame, in both stores") {
       ++count;
     }
   write_file(folder / "p", csv);
-  const std::string run =
-      "run " + quoted(kRing) + " --memory 64K --points " + quoted(folder / "p") + " --interior ";
+  const std::string run = "run " + quoted(kRing) + " --memory 64K --points " + quoted(folder / "p") + " --interior ";
   const Result memory = contact2d(run + quoted(folder / "a") + " --listing /dev/null --store memory");
   CHECK(memory.status == 0);
   CHECK(lines_of(memory.err).size() == 1); // the ring's strains are not small
-  CHECK(
-      contact2d(run + quoted(folder / "b") + " --listing /dev/null --store file:" + quoted(folder / "tapes"))
-          .status == 0);
+  CHECK(contact2d(run + quoted(folder / "b") + " --listing /dev/null --store file:" + quoted(folder / "tapes")).status == 0);
   CHECK(read_file(folder / "a") == read_file(folder / "b"));
   const std::vector<Row> rows = rows_of(read_file(folder / "a"));
   REQUIRE(rows.size() == static_cast<size_t>(count));
@@ -110,8 +98,8 @@ TEST_CASE("points: a file of points in the ring against Lame, in both stores") {
   MESSAGE("ring, 28 quadratic elements: " << worst);
   CHECK(worst < 1e-3); // measured 7.9e-4: the mesh
   // Standard input and output, the points without a heading: the same.
-  const Result piped = run_shell("tail -n +2 " + quoted(folder / "p") + " | '" C2D_TEST_PROGRAM "' run " +
-                                 quoted(kRing) + " --memory 64K --points - --interior -");
+  const Result piped = run_shell("tail -n +2 " + quoted(folder / "p") + " | '" C2D_TEST_PROGRAM "' run " + quoted(kRing) +
+                                 " --memory 64K --points - --interior -");
   CHECK(piped.status == 0);
   CHECK(piped.out == read_file(folder / "a"));
 }
@@ -120,11 +108,10 @@ TEST_CASE("points: outside, on the boundary, and next to it") {
   const Folder folder;
   // The middle of element arcs and sides: (1.5, 0) lies on the straight side y = 0, the inner arc ends at (1,
   // 0).
-  write_file(folder / "p",
-             "1,5,5\n1,1.5,0\n1,1.5,1.25e-7\n1,0.5,0.5\r\n\n1,1.55,1.2e-7\n1,1,0\n1,1.5,-1e-3\n1,1e300,0\n");
-  const Result result = contact2d("run " + quoted(kRing) + " --points " + quoted(folder / "p") +
-                                  " --interior " + quoted(folder / "i") + " --listing " +
-                                  quoted(folder / "l") + " --json " + quoted(folder / "j"));
+  write_file(folder / "p", "1,5,5\n1,1.5,0\n1,1.5,1.25e-7\n1,0.5,0.5\r\n\n1,1.55,1.2e-7\n1,1,0\n1,1.5,-1e-3\n1,1e300,0\n");
+  const Result result =
+      contact2d("run " + quoted(kRing) + " --points " + quoted(folder / "p") + " --interior " + quoted(folder / "i") +
+                " --listing " + quoted(folder / "l") + " --json " + quoted(folder / "j"));
   CHECK(result.status == 0);
   const std::vector<Row> rows = rows_of(read_file(folder / "i"));
   REQUIRE(rows.size() == 8);
@@ -159,8 +146,7 @@ TEST_CASE("points: more points outside than anyone would read") {
   std::string csv;
   for (int i = 0; i < 50; ++i) csv += "1,7," + std::to_string(i) + "\n";
   write_file(folder / "p", csv + "1,1.5,0.2\n");
-  const Result result =
-      contact2d("run " + quoted(kRing) + " --points " + quoted(folder / "p") + " --interior -");
+  const Result result = contact2d("run " + quoted(kRing) + " --points " + quoted(folder / "p") + " --interior -");
   CHECK(result.status == 0);
   CHECK(rows_of(result.out).size() == 51);
   CHECK(lines_of(result.err).size() == 62);
@@ -170,9 +156,8 @@ TEST_CASE("points: more points outside than anyone would read") {
 TEST_CASE("points: a point, a line and a clipped grid in the deck") {
   const Folder folder;
   write_file(folder / "d", ring_with(kThree));
-  const Result result =
-      contact2d("run " + quoted(folder / "d") + " --interior - --listing " + quoted(folder / "l") +
-                " --json " + quoted(folder / "j") + " --vtk " + quoted(folder / "v"));
+  const Result result = contact2d("run " + quoted(folder / "d") + " --interior - --listing " + quoted(folder / "l") +
+                                  " --json " + quoted(folder / "j") + " --vtk " + quoted(folder / "v"));
   CHECK(result.status == 0);
   CHECK(lines_of(result.err).size() == 1);
   CHECK(contains(result.err, "warning: load factor 1, mu 0: strains reach 0.19 at element 20 of body 1"));
@@ -236,10 +221,8 @@ TEST_CASE("points: a point, a line and a clipped grid in the deck") {
   CHECK(contains(listed.out, "\nInterior points\n"));
   CHECK(lines_of(listed.out.substr(listed.out.find("Interior points"))).size() > rows.size());
   write_file(folder / "p", "1,1.5,0.2\n");
-  CHECK(
-      rows_of(contact2d("run " + quoted(folder / "d") + " --points " + quoted(folder / "p") + " --interior -")
-                  .out)
-          .size() == 1);
+  CHECK(rows_of(contact2d("run " + quoted(folder / "d") + " --points " + quoted(folder / "p") + " --interior -").out).size() ==
+        1);
   CHECK(contains(contact2d("check " + quoted(folder / "d")).out, "sets of interior points     3\n"));
   CHECK(!contains(contact2d("run " + quoted(kRing)).out, "Interior points"));
 }
@@ -266,8 +249,8 @@ TEST_CASE("points: two bodies, and the last step of the last coefficient") {
   const Folder folder;
   const std::string hertz = C2D_TEST_ROOT "/examples/hertz.dat";
   write_file(folder / "p", "2,1,4\n1,1,4\n1,2,-2\n2,2,-2\n");
-  const Result result = contact2d("run " + quoted(hertz) + " --points " + quoted(folder / "p") +
-                                  " --interior - --boundary " + quoted(folder / "b"));
+  const Result result = contact2d("run " + quoted(hertz) + " --points " + quoted(folder / "p") + " --interior - --boundary " +
+                                  quoted(folder / "b"));
   CHECK(result.status == 0);
   const std::vector<Row> rows = rows_of(result.out);
   REQUIRE(rows.size() == 4);
@@ -308,10 +291,9 @@ TEST_CASE("points: nothing solved, nothing but the heading") {
 TEST_CASE("points: a run that is resumed has its points, whatever has become of the file") {
   const Folder folder;
   write_file(folder / "p", "1,1.5,0.1\n1,7,7\n");
-  const Result first =
-      run_shell("cat " + quoted(folder / "p") + " | '" C2D_TEST_PROGRAM "' run " + quoted(kRing) +
-                " --listing /dev/null --points - --interior " + quoted(folder / "i") + " --keep --store file:" +
-                quoted(folder / "tapes"));
+  const Result first = run_shell("cat " + quoted(folder / "p") + " | '" C2D_TEST_PROGRAM "' run " + quoted(kRing) +
+                                 " --listing /dev/null --points - --interior " + quoted(folder / "i") +
+                                 " --keep --store file:" + quoted(folder / "tapes"));
   REQUIRE(first.status == 0);
   const std::string rows = read_file(folder / "i");
   CHECK(rows_of(rows).size() == 2);
@@ -339,8 +321,7 @@ TEST_CASE("points: faulty files of points") {
       {"1,1.5,inf\n", "p:1:7: error: y is 'inf', expected a number\n"},
       {"1,nan,1\n", "p:1:3: error: x is 'nan', expected a number\n"},
       {"1,1.5\n", "p:1:1: error: the row has 2 fields, expected 3 with commas between them: body,x,y\n"},
-      {"1,1.5,0.1,0\n",
-       "p:1:11: error: the row has 4 fields, expected 3 with commas between them: body,x,y\n"},
+      {"1,1.5,0.1,0\n", "p:1:11: error: the row has 4 fields, expected 3 with commas between them: body,x,y\n"},
       {"1;1.5;0.1\n", "p:1:1: error: the row has 1 field, expected 3 with commas between them: body,x,y\n"},
       {"1 1.5 0.1\n", "p:1:1: error: the row has 1 field, expected 3 with commas between them: body,x,y\n"},
       {"x,y,body\n1.5,0.1,1\n", "p:1:1: error: body is 'x', expected 1, the only body\n"},
@@ -349,8 +330,8 @@ TEST_CASE("points: faulty files of points") {
   for (const Case& c : cases) {
     CAPTURE(c.text);
     write_file(in / "p", c.text);
-    const Result result = contact2d("run " + quoted(kRing) + " --points " + quoted(in / "p") +
-                                    " --interior " + quoted(out / "i") + " --listing " + quoted(out / "l"));
+    const Result result = contact2d("run " + quoted(kRing) + " --points " + quoted(in / "p") + " --interior " +
+                                    quoted(out / "i") + " --listing " + quoted(out / "l"));
     CHECK(result.status == 2);
     CHECK_MESSAGE(contains(result.err, c.said), result.err);
     CHECK(result.err.compare(0, 11, "contact2d: ") == 0);
@@ -398,8 +379,7 @@ TEST_CASE("points: bad usage") {
     CHECK_MESSAGE(result.err.compare(0, 11, "contact2d: ") == 0, result.err);
     CHECK_MESSAGE(result.out.empty(), arguments);
   }
-  CHECK(contains(contact2d(ring + "--interior -").err,
-                 "there are no points, expected --points FILE or *POINTS"));
+  CHECK(contains(contact2d(ring + "--interior -").err, "there are no points, expected --points FILE or *POINTS"));
   CHECK(read_file(folder / "p") == "1,1.5,0.1\n");
   // A listing shows them.
   CHECK(contains(contact2d(ring + points).out, "\nInterior points\n"));
@@ -412,16 +392,16 @@ TEST_CASE("points: cards of *POINTS") {
     deck.insert(deck.end(), cards.begin(), cards.end());
     return read(joined(deck));
   };
-  const Reading good = with_cards({"*points", "POINT 2 0.5 0.25", "line 1 0 0 1 1 5", "*UNITS mm N",
-                                   "*POINTS", "Grid, 2, 0 0, 1 1, 3 4 ! clipped"});
+  const Reading good = with_cards(
+      {"*points", "POINT 2 0.5 0.25", "line 1 0 0 1 1 5", "*UNITS mm N", "*POINTS", "Grid, 2, 0 0, 1 1, 3 4 ! clipped"});
   CHECK(good.status == C2D_OK);
   CHECK(good.faults.empty());
   CHECK(good.sizes.point_sets == 3);
   std::vector<std::vector<double>> sets;
   for (const Call& call : good.model.calls)
     if (call.name == "points") sets.push_back(call.numbers);
-  CHECK(sets == std::vector<std::vector<double>>{
-                    {0, 2, 1, 1, 0.5, 0.25, 0, 0}, {1, 1, 5, 1, 0, 0, 1, 1}, {2, 2, 3, 4, 0, 0, 1, 1}});
+  CHECK(sets ==
+        std::vector<std::vector<double>>{{0, 2, 1, 1, 0.5, 0.25, 0, 0}, {1, 1, 5, 1, 0, 0, 1, 1}, {2, 2, 3, 4, 0, 0, 1, 1}});
   struct Wrong {
     const char *card, *text;
     int column, column_end;
@@ -480,8 +460,7 @@ TEST_CASE("points: convert carries the cards") {
 
 namespace {
 
-c2d_points set_of(int32_t kind, int32_t body, int32_t nx, int32_t ny, double x0, double y0, double x1,
-                  double y1) {
+c2d_points set_of(int32_t kind, int32_t body, int32_t nx, int32_t ny, double x0, double y0, double x1, double y1) {
   c2d_points p = C2D_INIT(c2d_points);
   p.kind = kind;
   p.body = body;
@@ -506,11 +485,10 @@ TEST_CASE("points: sets by calls") {
   const c2d_points good = set_of(C2D_POINTS_GRID, 1, 3, 2, 0, 1, 4, 2);
   CHECK(c2d_add_points(s, nullptr) == C2D_ERR_ARGUMENT);
   for (const c2d_points& wrong :
-       {set_of(3, 1, 1, 1, 0, 0, 0, 0), set_of(-1, 1, 1, 1, 0, 0, 0, 0),
-        set_of(C2D_POINTS_ONE, 0, 1, 1, 0, 0, 0, 0), set_of(C2D_POINTS_ONE, 2, 1, 1, 0, 0, 0, 0),
-        set_of(C2D_POINTS_ONE, 1, 1, 1, nan, 0, 0, 0), set_of(C2D_POINTS_LINE, 1, 0, 1, 0, 0, 1, 1),
-        set_of(C2D_POINTS_LINE, 1, 2, 1, 0, 0, 1, nan), set_of(C2D_POINTS_GRID, 1, 2, 0, 0, 0, 1, 1),
-        set_of(C2D_POINTS_GRID, 1, 65536, 65536, 0, 0, 1, 1)}) {
+       {set_of(3, 1, 1, 1, 0, 0, 0, 0), set_of(-1, 1, 1, 1, 0, 0, 0, 0), set_of(C2D_POINTS_ONE, 0, 1, 1, 0, 0, 0, 0),
+        set_of(C2D_POINTS_ONE, 2, 1, 1, 0, 0, 0, 0), set_of(C2D_POINTS_ONE, 1, 1, 1, nan, 0, 0, 0),
+        set_of(C2D_POINTS_LINE, 1, 0, 1, 0, 0, 1, 1), set_of(C2D_POINTS_LINE, 1, 2, 1, 0, 0, 1, nan),
+        set_of(C2D_POINTS_GRID, 1, 2, 0, 0, 0, 1, 1), set_of(C2D_POINTS_GRID, 1, 65536, 65536, 0, 0, 1, 1)}) {
     CHECK(c2d_add_points(s, &wrong) == C2D_ERR_ARGUMENT);
     CHECK(std::string(runs::error_of(s).text).size() > 10);
     CHECK(c2d_get_state(s) == C2D_STATE_EMPTY);
@@ -607,8 +585,7 @@ TEST_CASE("points: invariants of the stress along the boundary") {
       CHECK(std::fabs(s1 * s2 - (xx * yy - xy * xy)) < 1e-12 * size * size);
       CHECK(std::fabs(v[6][i] - 0.5 * (s1 - s2)) < 1e-12 * size);
       CHECK(s1 >= s2);
-      const double mises =
-          std::sqrt(0.5 * ((s1 - s2) * (s1 - s2) + (s2 - zz) * (s2 - zz) + (zz - s1) * (zz - s1)));
+      const double mises = std::sqrt(0.5 * ((s1 - s2) * (s1 - s2) + (s2 - zz) * (s2 - zz) + (zz - s1) * (zz - s1)));
       CHECK(std::fabs(v[5][i] - mises) < 1e-7 * size);
     }
     CHECK(largest > 1);

@@ -17,13 +17,9 @@ namespace {
 const std::string kExamples = C2D_TEST_ROOT "/examples/";
 const std::string kHertz = kExamples + "hertz.dat";
 
-Result contact2d(const std::string& arguments) {
-  return run_shell("'" C2D_TEST_PROGRAM "' " + arguments);
-}
+Result contact2d(const std::string& arguments) { return run_shell("'" C2D_TEST_PROGRAM "' " + arguments); }
 
-std::string quoted(const std::string& path) {
-  return "'" + path + "'";
-}
+std::string quoted(const std::string& path) { return "'" + path + "'"; }
 
 // The sample deck with its text `from`, which must be there, replaced once.
 std::string changed_hertz(const std::string& from, const std::string& to) {
@@ -59,8 +55,8 @@ TEST_CASE("program: --version and --help") {
   CHECK(version.out == "contact2d 0.1.0\n");
   const Result help = contact2d("--help");
   CHECK(help.status == 0);
-  for (const char* word : {"--listing", "--csv", "--boundary", "--json", "--stepping", "--quadrature",
-                           "--memory", "--store", "--threads", "--progress", "--no-progress", "--keep"})
+  for (const char* word : {"--listing", "--csv", "--boundary", "--json", "--stepping", "--quadrature", "--memory", "--store",
+                           "--threads", "--progress", "--no-progress", "--keep"})
     CHECK_MESSAGE(contains(help.out, word), word);
 }
 
@@ -102,11 +98,9 @@ TEST_CASE("program: an unreadable deck ends with 2 and leaves no output") {
   write_file(in / "binary", std::string("PK\x03\x04\x14") + std::string(3, '\0') + "\x08\xff\n");
   write_file(in / "prose", "It was a dark and stormy night.\nThe rain fell in torrents.\n");
   write_file(in / "cut", read_file(kHertz).substr(0, 2000));
-  for (const std::string& deck :
-       {in / "missing", in.path(), in / "empty", in / "binary", in / "prose", in / "cut"}) {
-    const Result result =
-        contact2d("run " + quoted(deck) + " --listing " + quoted(out / "l") + " --csv " + quoted(out / "c") +
-                  " --boundary " + quoted(out / "b") + " --json " + quoted(out / "j"));
+  for (const std::string& deck : {in / "missing", in.path(), in / "empty", in / "binary", in / "prose", in / "cut"}) {
+    const Result result = contact2d("run " + quoted(deck) + " --listing " + quoted(out / "l") + " --csv " + quoted(out / "c") +
+                                    " --boundary " + quoted(out / "b") + " --json " + quoted(out / "j"));
     CHECK_MESSAGE(result.status == 2, deck);
     CHECK_MESSAGE(result.err.compare(0, 12 + deck.size(), "contact2d: " + deck + ":") == 0, result.err);
     CHECK_MESSAGE(contains(result.err, "error: "), result.err);
@@ -149,9 +143,9 @@ TEST_CASE("program: every fault of a deck is told with its card and a caret") {
 
 TEST_CASE("program: the sample is solved, with every output in its format") {
   const Folder folder;
-  const Result result = contact2d("run " + quoted(kHertz) + " --csv " + quoted(folder / "c") +
-                                  " --boundary " + quoted(folder / "b") + " --json " + quoted(folder / "j") +
-                                  " --listing " + quoted(folder / "l"));
+  const Result result =
+      contact2d("run " + quoted(kHertz) + " --csv " + quoted(folder / "c") + " --boundary " + quoted(folder / "b") +
+                " --json " + quoted(folder / "j") + " --listing " + quoted(folder / "l"));
   CHECK_MESSAGE(result.status == 0, result.err);
   CHECK(result.out.empty());
   CHECK(folder.names().size() == 4);
@@ -179,21 +173,18 @@ TEST_CASE("program: the sample is solved, with every output in its format") {
   CHECK(ends[93].compare(0, 6, "2,1,1,") == 0);
 
   const std::string listing = read_file(folder / "l");
-  for (const char* text :
-       {"HERTZ'S PROBLEM. F= 0.4 & 0.3", "1000", "Contact zone of body 1", "Contact zone of body 2",
-        "Body 2 in global components", "Balance of forces", "reached"})
+  for (const char* text : {"HERTZ'S PROBLEM. F= 0.4 & 0.3", "1000", "Contact zone of body 1", "Contact zone of body 2",
+                           "Body 2 in global components", "Balance of forces", "reached"})
     CHECK_MESSAGE(contains(listing, text), text);
   CHECK_FALSE(contains(listing, "incomplete"));
 }
 
 TEST_CASE("program: the JSON summary has its keys") {
   const Folder folder;
-  REQUIRE(contact2d("run " + quoted(kHertz) + " --listing /dev/null --json " + quoted(folder / "j")).status ==
-          0);
+  REQUIRE(contact2d("run " + quoted(kHertz) + " --listing /dev/null --json " + quoted(folder / "j")).status == 0);
   const Json json = JsonReader::read(read_file(folder / "j"));
-  for (const char* key :
-       {"version", "outcome", "title", "mu", "steps", "unknowns", "memory", "tapes", "seconds", "events",
-        "exchanges", "tableau_rebuilds", "max_residual", "force", "warnings"})
+  for (const char* key : {"version", "outcome", "title", "mu", "steps", "unknowns", "memory", "tapes", "seconds", "events",
+                          "exchanges", "tableau_rebuilds", "max_residual", "force", "warnings"})
     CHECK_MESSAGE(json.has(key), key);
   CHECK(json["version"].text == "0.1.0");
   CHECK(json["outcome"].text == "reached");
@@ -205,15 +196,13 @@ TEST_CASE("program: the JSON summary has its keys") {
   CHECK(json["unknowns"]["body1"].number == 2 * 46 + 3);
   CHECK(json["unknowns"]["body2"].number == 2 * 58 + 3);
   CHECK(json["unknowns"]["contact"].number > 0);
-  const double minimum = json["memory"]["minimum_bytes"].number,
-               in_core = json["memory"]["in_core_bytes"].number;
+  const double minimum = json["memory"]["minimum_bytes"].number, in_core = json["memory"]["in_core_bytes"].number;
   CHECK(minimum > 0);
   CHECK(in_core >= minimum);
   CHECK(json["memory"]["peak_workspace_bytes"].number <= in_core);
   CHECK(json["tapes"].items.size() == 4);
   for (const Json& tape : json["tapes"].items)
-    for (const char* key : {"name", "bytes_written", "bytes_read", "blocks"})
-      CHECK_MESSAGE(tape.has(key), key);
+    for (const char* key : {"name", "bytes_written", "bytes_read", "blocks"}) CHECK_MESSAGE(tape.has(key), key);
   for (const char* key : {"read", "assemble", "eliminate", "reduce", "contact", "back", "write"}) {
     REQUIRE_MESSAGE(json["seconds"].has(key), key);
     CHECK_MESSAGE(json["seconds"][key].number >= 0.0, key);
@@ -274,10 +263,8 @@ TEST_CASE("program: outputs that cannot be written end with 3, and none of the o
       CHECK_MESSAGE(contains(result.err, name), result.err);
       CHECK_MESSAGE(folder.names().size() == before, option << " " << name);
     }
-  if (fs::exists("/dev/full"))
-    CHECK(run_shell("'" C2D_TEST_PROGRAM "' run " + quoted(kHertz) + " >/dev/full").status == 3);
-  if (fs::exists("/dev/full"))
-    CHECK(run_shell("'" C2D_TEST_PROGRAM "' check " + quoted(kHertz) + " >/dev/full").status == 3);
+  if (fs::exists("/dev/full")) CHECK(run_shell("'" C2D_TEST_PROGRAM "' run " + quoted(kHertz) + " >/dev/full").status == 3);
+  if (fs::exists("/dev/full")) CHECK(run_shell("'" C2D_TEST_PROGRAM "' check " + quoted(kHertz) + " >/dev/full").status == 3);
   if (fs::exists("/dev/full")) CHECK(run_shell("'" C2D_TEST_PROGRAM "' --help >/dev/full").status == 3);
 }
 
@@ -288,8 +275,7 @@ TEST_CASE("program: a file size limit and a closed pipe end with 3, not with a s
   const Result limited = run_shell("ulimit -f 8; " + run + quoted(folder / "c") + " 2>/dev/null");
   CHECK(limited.status == 3);
   CHECK(folder.names().empty());
-  const Result piped =
-      run_shell("{ " + run + "- 2>/dev/null; echo $? >" + quoted(folder / "status") + "; } | true");
+  const Result piped = run_shell("{ " + run + "- 2>/dev/null; echo $? >" + quoted(folder / "status") + "; } | true");
   CHECK(read_file(folder / "status") == "3\n");
 }
 
@@ -314,10 +300,9 @@ TEST_CASE("program: devices and pipes are written to, never replaced") {
   const Folder folder;
   const std::string fifo = folder / "fifo";
   REQUIRE(::mkfifo(fifo.c_str(), 0600) == 0);
-  const Result result =
-      run_shell("cat " + quoted(fifo) + " >" + quoted(folder / "copy") + " & '" C2D_TEST_PROGRAM "' run " +
-                quoted(kHertz) + " --listing /dev/null --boundary /dev/null --json /dev/null --csv " +
-                quoted(fifo) + "; status=$?; wait; exit $status");
+  const Result result = run_shell("cat " + quoted(fifo) + " >" + quoted(folder / "copy") + " & '" C2D_TEST_PROGRAM "' run " +
+                                  quoted(kHertz) + " --listing /dev/null --boundary /dev/null --json /dev/null --csv " +
+                                  quoted(fifo) + "; status=$?; wait; exit $status");
   CHECK(result.status == 0);
   CHECK(fs::is_fifo(fifo));
   CHECK(lines_of(read_file(folder / "copy")).size() == 1 + 2 * 28 * 15);
@@ -332,9 +317,7 @@ TEST_CASE("program: the deck is not overwritten, nor one output by another") {
   fs::create_hard_link(deck, folder / "same");
   CHECK(contact2d("run " + quoted(deck) + " --csv " + quoted(deck)).status == 64);
   CHECK(contact2d("run " + quoted(deck) + " --csv " + quoted(folder / "same")).status == 64);
-  CHECK(
-      contact2d("run " + quoted(deck) + " --csv " + quoted(folder / "x") + " --json " + quoted(folder / "x"))
-          .status == 64);
+  CHECK(contact2d("run " + quoted(deck) + " --csv " + quoted(folder / "x") + " --json " + quoted(folder / "x")).status == 64);
   CHECK(read_file(deck) == text);
   CHECK(folder.names().size() == 2);
 }
@@ -342,8 +325,7 @@ TEST_CASE("program: the deck is not overwritten, nor one output by another") {
 TEST_CASE("program: check tells the memory, and that memory is enough") {
   const Result check = contact2d("check " + quoted(kHertz));
   CHECK(check.status == 0);
-  const unsigned long long minimum = bytes_after(check.out, "minimum"),
-                           in_core = bytes_after(check.out, "all in RAM");
+  const unsigned long long minimum = bytes_after(check.out, "minimum"), in_core = bytes_after(check.out, "all in RAM");
   CHECK(minimum <= in_core);
   const std::string run = "run " + quoted(kHertz) + " --listing /dev/null --memory ";
   CHECK(contact2d(run + std::to_string(minimum)).status == 0);
@@ -358,12 +340,9 @@ TEST_CASE("program: check tells the memory, and that memory is enough") {
 
 TEST_CASE("program: stepping and quadrature are chosen") {
   const Folder folder;
-  CHECK(contact2d("run " + quoted(kHertz) + " --stepping deck --listing " + quoted(folder / "l")).status ==
-        0);
+  CHECK(contact2d("run " + quoted(kHertz) + " --stepping deck --listing " + quoted(folder / "l")).status == 0);
   CHECK(contains(read_file(folder / "l"), "deck increments"));
-  CHECK(
-      contact2d("run " + quoted(kHertz) + " --quadrature thesis --listing " + quoted(folder / "l")).status ==
-      0);
+  CHECK(contact2d("run " + quoted(kHertz) + " --quadrature thesis --listing " + quoted(folder / "l")).status == 0);
   CHECK(contains(read_file(folder / "l"), "2, 4 and 10 points"));
   CHECK(contact2d("run " + quoted(kHertz) +
                   " --stepping events --quadrature accurate --symmetry deck --threads 1 "
@@ -415,8 +394,8 @@ TEST_CASE("program: a path that ends early leaves its rows and says where and wh
   const Folder folder;
   // The last load card pulls the cylinder away: the contact opens at load 0 and nothing holds the body.
   write_file(folder / "deck", changed_hertz("    2     1.0300", "    4    -1.0300"));
-  const Result result = contact2d("run " + quoted(folder / "deck") + " --csv " + quoted(folder / "c") +
-                                  " --json " + quoted(folder / "j") + " --listing " + quoted(folder / "l"));
+  const Result result = contact2d("run " + quoted(folder / "deck") + " --csv " + quoted(folder / "c") + " --json " +
+                                  quoted(folder / "j") + " --listing " + quoted(folder / "l"));
   CHECK(result.status == 1);
   CHECK(contains(result.err, "incomplete"));
   CHECK(contains(read_file(folder / "l"), "incomplete"));
@@ -441,8 +420,8 @@ TEST_CASE("program: where a path ends is told by the factors of all load cases")
   std::string deck = read_file(kExamples + "sliding_block.dat");
   for (size_t at; (at = deck.find("0.2000   -1.0000")) != std::string::npos;) deck.replace(at, 6, "0.0000");
   write_file(folder / "deck", deck + "*CASES 2\ncase 2\ncondition 2 33-48 0 1 0 0 0\n*PATH\n1 1 0\n10 1 1\n");
-  const Result result = contact2d("run " + quoted(folder / "deck") + " --json " + quoted(folder / "j") +
-                                  " --listing " + quoted(folder / "l") + " --report " + quoted(folder / "r"));
+  const Result result = contact2d("run " + quoted(folder / "deck") + " --json " + quoted(folder / "j") + " --listing " +
+                                  quoted(folder / "l") + " --report " + quoted(folder / "r"));
   REQUIRE(result.status == 1);
   // mu = 0.3: sliding begins at 0.3 of the sideward load, straight to the right.
   CHECK(contains(result.err, "load factors 1, 0.3: gross sliding"));
@@ -500,19 +479,20 @@ TEST_CASE("program: coarse contact is told once, with how much may be off") {
   };
   const Result two = made("hertz n=2");
   CHECK(two.status == 0);
-  CHECK(contains(two.err, "rises from the edge to its highest over only 2 elements; the edge may be off by 0.667, 67 % of the width"));
+  CHECK(contains(two.err,
+                 "rises from the edge to its highest over only 2 elements; the edge may be off by 0.667, 67 % of the width"));
   CHECK(two.err.find("coarse contact") == two.err.rfind("coarse contact"));
   // The mesh is made for what slips at Q; with a smaller motion less does.
   CHECK(contains(made("mindlin move=0.0006").err, "coarse contact: the zone of slip of pairs"));
-  for (const char* fine : {"hertz", "hertz n=6", "mindlin", "mindlin Q=0.1", "cylinder_friction", "receding_layer", "disc_in_hole"})
+  for (const char* fine :
+       {"hertz", "hertz n=6", "mindlin", "mindlin Q=0.1", "cylinder_friction", "receding_layer", "disc_in_hole"})
     CHECK_MESSAGE(!contains(made(fine).err, "coarse contact"), fine);
 }
 
 TEST_CASE("program: one body without contact") {
   const Folder folder;
-  const Result result =
-      contact2d("run " + quoted(kExamples + "plate_tension.dat") + " --csv " + quoted(folder / "c") +
-                " --json " + quoted(folder / "j") + " --boundary " + quoted(folder / "b"));
+  const Result result = contact2d("run " + quoted(kExamples + "plate_tension.dat") + " --csv " + quoted(folder / "c") +
+                                  " --json " + quoted(folder / "j") + " --boundary " + quoted(folder / "b"));
   CHECK(result.status == 0);
   CHECK(contains(result.out, "Body 1 in global components"));
   CHECK(read_file(folder / "c") == kCsvHeader + "\n");
@@ -523,10 +503,9 @@ TEST_CASE("program: one body without contact") {
 TEST_CASE("program: the deck says how much is printed") {
   const Folder folder;
   const auto run_with = [&](const std::string& iout) { // IPTYPE and IOUT, then the card of NB, MCP, NFNODE
-    write_file(folder / "deck",
-               changed_hertz("    0    2\n    2    1    2", "    0" + iout + "\n    2    1    2"));
-    return contact2d("run " + quoted(folder / "deck") + " --listing - --json " + quoted(folder / "j") +
-                     " --csv " + quoted(folder / "c"));
+    write_file(folder / "deck", changed_hertz("    0    2\n    2    1    2", "    0" + iout + "\n    2    1    2"));
+    return contact2d("run " + quoted(folder / "deck") + " --listing - --json " + quoted(folder / "j") + " --csv " +
+                     quoted(folder / "c"));
   };
   const Result contact = run_with("    1");
   CHECK(contact.status == 0);
@@ -583,8 +562,7 @@ TEST_CASE("program: an interrupt ends with 130 and leaves nothing") {
     ::signal(SIGINT, SIG_DFL);
     const int null = ::open("/dev/null", O_WRONLY);
     ::dup2(null, 2);
-    ::execl(C2D_TEST_PROGRAM, C2D_TEST_PROGRAM, "run", fifo.c_str(), "--csv", csv.c_str(),
-            static_cast<char*>(nullptr));
+    ::execl(C2D_TEST_PROGRAM, C2D_TEST_PROGRAM, "run", fifo.c_str(), "--csv", csv.c_str(), static_cast<char*>(nullptr));
     ::_exit(127);
   }
   const int writer = ::open(fifo.c_str(), O_WRONLY); // returns when the program has opened the deck

@@ -76,7 +76,7 @@ TEST_CASE("the a-priori bound holds for 1/(z - x) times a power, and is not wast
     for (const int degree : {0, 1, 3}) {
       const double rho = z + std::sqrt(z * z - 1.0), inner = 0.9 * rho;
       const double largest = 1.0 / (z - 0.5 * (inner + 1.0 / inner)); // on the ellipse of parameter `inner`
-      double exact = std::log((z + 1.0) / (z - 1.0)); // int x^k/(z-x): C_0 = ln, C_k = z C_{k-1} - mu_{k-1}
+      double exact = std::log((z + 1.0) / (z - 1.0));                 // int x^k/(z-x): C_0 = ln, C_k = z C_{k-1} - mu_{k-1}
       for (int k = 1; k <= degree; ++k) exact = z * exact - (k % 2 == 1 ? 2.0 / k : 0.0);
       for (const double tolerance : {1e-3, 1e-6, 1e-10}) {
         const int n = gauss_order(inner, degree, tolerance);

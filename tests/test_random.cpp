@@ -78,19 +78,13 @@ template <class Spoil> std::string broken_by(Judged j, Spoil spoil) {
   return all;
 }
 
-bool holds(const std::string& text, const char* part) {
-  return text.find(part) != std::string::npos;
-}
+bool holds(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
 
 } // namespace
 
-TEST_CASE("random decks: a draw") {
-  draw(Kind::any, 1, 40);
-}
+TEST_CASE("random decks: a draw") { draw(Kind::any, 1, 40); }
 
-TEST_CASE("random decks: a draw of few pairs, all statuses tried") {
-  draw(Kind::few_pairs, 1, 20);
-}
+TEST_CASE("random decks: a draw of few pairs, all statuses tried") { draw(Kind::few_pairs, 1, 20); }
 
 TEST_CASE("random decks: punches of Spence stick up to where the half plane says") {
   const std::vector<Punch> all = all_punches();
@@ -98,8 +92,8 @@ TEST_CASE("random decks: punches of Spence stick up to where the half plane says
     Punch p = solve_punch(all[i].mu, all[i].nu);
     REQUIRE_MESSAGE(p.solved, "mu " << p.mu << " nu " << p.nu << ": " << p.message);
     p.border = spence_border(p.mu, p.nu);
-    CHECK_MESSAGE(p.border_within_a_node(), "mu " << p.mu << " nu " << p.nu << ": sticks up to " << p.sticks
-                                                  << ", slips from " << p.slips << ", reference " << p.border);
+    CHECK_MESSAGE(p.border_within_a_node(), "mu " << p.mu << " nu " << p.nu << ": sticks up to " << p.sticks << ", slips from "
+                                                  << p.slips << ", reference " << p.border);
   }
 }
 

@@ -20,8 +20,7 @@ size_t sized(int count) { return static_cast<size_t>(count); }
 // Pairs without pressure and without gap, all sticking: (p, q) = K (w_n, w_t) + b.
 class Problem {
 public:
-  explicit Problem(int pairs, double mu)
-      : m_(2 * pairs), t_(sized(m_ * (m_ + 2))), pair_(sized(pairs)), rates_(sized(m_)) {
+  explicit Problem(int pairs, double mu) : m_(2 * pairs), t_(sized(m_ * (m_ + 2))), pair_(sized(pairs)), rates_(sized(m_)) {
     area_.resize(rate_problem_bytes(m_) / sizeof(double) + 8);
     lists_.resize(pair_.size() * kRateListBytes / sizeof(double) + 1);
     for (int i = 0; i < pairs; ++i) {
@@ -90,9 +89,9 @@ public:
         if (cell == Cell::open) at(i, n) = sticking_[sized(n * m_ + i)];
         if (cell != Cell::stick) at(i, n + 1) = sticking_[sized((n + 1) * m_ + i)];
       }
-      if (cell != Cell::open) at(n, n) -= 1.0;                                                     // p
-      if (cell == Cell::stick) at(n + 1, n + 1) -= 1.0;                                            // q
-      if (cell == Cell::slip_plus || cell == Cell::slip_minus) at(n + 1, n) -= s * pair_[sized(k)].mu;    // q = s mu p
+      if (cell != Cell::open) at(n, n) -= 1.0;                                                         // p
+      if (cell == Cell::stick) at(n + 1, n + 1) -= 1.0;                                                // q
+      if (cell == Cell::slip_plus || cell == Cell::slip_minus) at(n + 1, n) -= s * pair_[sized(k)].mu; // q = s mu p
     }
     std::vector<double> x(sized(m_));
     for (int c = 0; c < m_; ++c) {
@@ -113,10 +112,18 @@ public:
     for (int k = 0; k < m_ / 2; ++k) {
       const double u = x[sized(2 * k)], v = x[sized(2 * k + 1)], mu = pair_[sized(k)].mu;
       switch (r.doubt[k].cell) {
-      case Cell::open: if (u < -none) return false; break;
-      case Cell::stick: if (u < -none || std::fabs(v) > mu * u + none) return false; break;
-      case Cell::slip_plus: if (u < -none || v > none) return false; break;
-      case Cell::slip_minus: if (u < -none || v < -none) return false; break;
+      case Cell::open:
+        if (u < -none) return false;
+        break;
+      case Cell::stick:
+        if (u < -none || std::fabs(v) > mu * u + none) return false;
+        break;
+      case Cell::slip_plus:
+        if (u < -none || v > none) return false;
+        break;
+      case Cell::slip_minus:
+        if (u < -none || v < -none) return false;
+        break;
       }
     }
     return true;
@@ -165,8 +172,8 @@ TEST_CASE("rates: one pair without coupling does what Coulomb's law says") {
   }
 }
 
-// K = (1 k; k 1), k = 0.6, mu = 2. Sticking needs |q| <= 2 p. Slipping with s = 1: w_t = (q - 2 p) / 0.2 <= 0, pressure 3 q - 5 p.
-// Open: w_n = (0.6 q - p) / 0.64. So of the loads (1, q) there are three solutions for 5/3 < q < 2 and one elsewhere.
+// K = (1 k; k 1), k = 0.6, mu = 2. Sticking needs |q| <= 2 p. Slipping with s = 1: w_t = (q - 2 p) / 0.2 <= 0, pressure 3 q - 5
+// p. Open: w_n = (0.6 q - p) / 0.64. So of the loads (1, q) there are three solutions for 5/3 < q < 2 and one elsewhere.
 TEST_CASE("rates: a wedge has three solutions where friction times coupling exceeds the stiffness, and one elsewhere") {
   for (double q = 0.05; q < 4.0; q += 0.1) {
     CAPTURE(q);
@@ -330,8 +337,9 @@ Run run_hard(const std::string& name, const std::string& options = "") {
 } // namespace
 
 TEST_CASE("hard states: a solution that exists is found") {
-  for (const std::string name : {"D1_4pairs_endless_12", "D1_4pairs_endless_24", "D1_4pairs_endlesslow_2", "D1_punch_nu0_11pairs",
-                           "D1_arc_below_limit_unique_solution", "D2_unload_3-150", "D2_unload_3-41"}) {
+  for (const std::string name :
+       {"D1_4pairs_endless_12", "D1_4pairs_endless_24", "D1_4pairs_endlesslow_2", "D1_punch_nu0_11pairs",
+        "D1_arc_below_limit_unique_solution", "D2_unload_3-150", "D2_unload_3-41"}) {
     CAPTURE(name);
     const Run run = run_hard(name);
     CHECK(run.status == 0);
@@ -342,8 +350,8 @@ TEST_CASE("hard states: a solution that exists is found") {
 }
 
 TEST_CASE("hard states: a body that nothing holds is said to slide, with the rows up to there") {
-  for (const std::string name : {"W1_arc_1_1_3_3_4_0.25", "W1_arc_1_3_2_3_4_0.21", "W1_arc_1_3_3_2_6_0.3", "W1_arc_1_3_3_3_6_0.25",
-                           "W1_solved_but_slides_4-362", "D4_no_rows_arc"}) {
+  for (const std::string name : {"W1_arc_1_1_3_3_4_0.25", "W1_arc_1_3_2_3_4_0.21", "W1_arc_1_3_3_2_6_0.3",
+                                 "W1_arc_1_3_3_3_6_0.25", "W1_solved_but_slides_4-362", "D4_no_rows_arc"}) {
     CAPTURE(name);
     const Run run = run_hard(name);
     CHECK(run.status == 1);
@@ -366,7 +374,8 @@ TEST_CASE("hard states: what the last digits would decide has its outcome in eve
     std::string deck = test::read_file(C2D_TEST_ROOT "/tests/data/hard/" + std::string(of[0]) + ".dat");
     const problem::Problem p = problem::from_text(deck);
     const c2d_outcome plain = problem::solve(p).outcome;
-    for (double size = 0.001; size < 1000; size *= 7) CHECK(problem::solve(problem::scaled(p, size, 3 / size)).outcome == plain);
+    for (double size = 0.001; size < 1000; size *= 7)
+      CHECK(problem::solve(problem::scaled(p, size, 3 / size)).outcome == plain);
     CHECK(problem::solve(problem::rotated(p, 90)).outcome == plain);
     CHECK(problem::solve(problem::reflected(p)).outcome == plain);
   }
@@ -412,8 +421,7 @@ TEST_CASE("hard states: several solutions are told, one is not") {
   const size_t at = deck.find("\n1 3\n");
   REQUIRE(at != std::string::npos);
   test::write_file(folder / "two.dat", deck.replace(at, 5, "\n1 2\n"));
-  const test::Result two =
-      test::run_shell("'" C2D_TEST_PROGRAM "' run '" + (folder / "two.dat") + "' --listing /dev/null");
+  const test::Result two = test::run_shell("'" C2D_TEST_PROGRAM "' run '" + (folder / "two.dat") + "' --listing /dev/null");
   CHECK(two.status == 0);
   CHECK(two.err.find("not unique: 3 contact states") != std::string::npos);
 }
@@ -442,7 +450,8 @@ TEST_CASE("hard states: the memory decides no digit of a drifting tableau") {
   const auto slip = [](const std::string& memory) {
     const test::Folder folder;
     const std::string csv = folder / "a.csv";
-    test::run_shell("'" C2D_TEST_PROGRAM "' run '" C2D_TEST_ROOT "/tests/data/hard/W2_drift_2-737m.dat' --listing /dev/null --csv '" +
+    test::run_shell("'" C2D_TEST_PROGRAM "' run '" C2D_TEST_ROOT
+                    "/tests/data/hard/W2_drift_2-737m.dat' --listing /dev/null --csv '" +
                     csv + "' --memory " + memory);
     const std::vector<std::string> rows = test::lines_of(test::read_file(csv));
     REQUIRE(rows.size() > 1);

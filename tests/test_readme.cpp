@@ -50,8 +50,7 @@ std::set<std::string> quoted_words(const std::string& text) {
   for (const std::string& line : lines_of(text)) {
     if (line.compare(0, 3, "```") == 0) inside = !inside;
     if (inside) continue;
-    for (std::sregex_iterator i(line.begin(), line.end(), quoted), end; i != end; ++i)
-      out.insert((*i)[1].str());
+    for (std::sregex_iterator i(line.begin(), line.end(), quoted), end; i != end; ++i) out.insert((*i)[1].str());
   }
   return out;
 }
@@ -60,9 +59,8 @@ std::set<std::string> quoted_words(const std::string& text) {
 // needs that one's run-time: then nothing is linked.
 std::string compile(const std::string& compiler, const std::string& source, const std::string& out) {
   const std::string rest = kSanitized ? " -c" : " -x none '" C2D_TEST_LIBRARY "' -lm";
-  const Result result =
-      run_shell(compiler + " -Wall -Wextra -Wpedantic -Werror -I'" + kRoot + "/include' -I'" + kRoot +
-                "/port/memory' '" + source + "'" + rest + " -o '" + out + "'");
+  const Result result = run_shell(compiler + " -Wall -Wextra -Wpedantic -Werror -I'" + kRoot + "/include' -I'" + kRoot +
+                                  "/port/memory' '" + source + "'" + rest + " -o '" + out + "'");
   return result.status == 0 ? "" : result.err + "(failed)";
 }
 
@@ -121,9 +119,10 @@ TEST_CASE("pages: the ten lines of the README are the middle of that program") {
   const size_t first = program.find("  status = c2d_scan_deck"), last = program.find("  fclose(deck)");
   REQUIRE(first != std::string::npos);
   REQUIRE(last != std::string::npos);
-  program.replace(first, last - first, "  {\n    double pressure[15], point[2] = {1.0, 1.0}, stress[C2D_POINT_FIELDS];\n" +
-                                           lines[0] + "    status = stress[C2D_POINT_SYY] < 0 ? C2D_OK : C2D_ERR_INTERNAL;\n" +
-                                           "    if (!(pressure[14] > 212.0)) status = C2D_ERR_INTERNAL;\n  }\n");
+  program.replace(first, last - first,
+                  "  {\n    double pressure[15], point[2] = {1.0, 1.0}, stress[C2D_POINT_FIELDS];\n" + lines[0] +
+                      "    status = stress[C2D_POINT_SYY] < 0 ? C2D_OK : C2D_ERR_INTERNAL;\n" +
+                      "    if (!(pressure[14] > 212.0)) status = C2D_ERR_INTERNAL;\n  }\n");
   for (const std::string& compiler : {kAsC, kAsCpp}) {
     const Folder folder;
     write_file(folder / "example.c", program);
@@ -136,8 +135,9 @@ TEST_CASE("pages: the README is two screens, and its first result is so") {
   const std::string text = page("README.md");
   CHECK(lines_of(text).size() <= 110);
   const Folder folder;
-  const Result run = run_shell("cd '" + kRoot + "' && '" C2D_TEST_PROGRAM "' run examples/hertz.dat --listing /dev/null --csv '" +
-                               (folder / "a.csv") + "'");
+  const Result run =
+      run_shell("cd '" + kRoot + "' && '" C2D_TEST_PROGRAM "' run examples/hertz.dat --listing /dev/null --csv '" +
+                (folder / "a.csv") + "'");
   CHECK(run.status == 0);
   const std::vector<std::string> rows = lines_of(read_file(folder / "a.csv"));
   double pressure = 0;
@@ -240,7 +240,8 @@ TEST_CASE("pages: every keyword and every column of the results is explained") {
   }
   CHECK(seen >= 10);
   const std::set<std::string> words = quoted_words(page("src/report/OUTPUT.md"));
-  for (const char* column : {"mu", "step", "load", "pair", "x", "y", "status", "tn", "tt", "un1", "ut1", "un2", "ut2", "gap", "slip"})
+  for (const char* column :
+       {"mu", "step", "load", "pair", "x", "y", "status", "tn", "tt", "un1", "ut1", "un2", "ut2", "gap", "slip"})
     CHECK_MESSAGE(words.count(column) == 1, column);
 }
 
@@ -258,8 +259,9 @@ TEST_CASE("pages: every warning and every outcome is explained") {
 // Not to the last digit, which may differ from machine to machine.
 TEST_CASE("pages: the picture is drawn by the program") {
   const Folder folder;
-  const Result run = run_shell("cd '" + kRoot + "' && '" C2D_TEST_PROGRAM "' run examples/roller.dat --listing /dev/null --figures '" +
-                               (folder / "a") + "'");
+  const Result run =
+      run_shell("cd '" + kRoot + "' && '" C2D_TEST_PROGRAM "' run examples/roller.dat --listing /dev/null --figures '" +
+                (folder / "a") + "'");
   REQUIRE(run.status == 0);
   const std::vector<double> drawn = numbers_of(read_file(folder / "a/tractions_2.svg")),
                             kept = numbers_of(page("examples/roller.svg"));

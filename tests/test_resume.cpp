@@ -20,8 +20,7 @@ struct Outputs {
   // Small panels, so that there is much to transfer.
   std::string options() const {
     return " --memory 800K --csv '" + (folder / "csv") + "' --boundary '" + (folder / "boundary") + "' --json '" +
-           (folder / "json") + "' --listing '" + (folder / "listing") + "' --vtk '" + (folder / "vtk") +
-           "' --no-progress";
+           (folder / "json") + "' --listing '" + (folder / "listing") + "' --vtk '" + (folder / "vtk") + "' --no-progress";
   }
   // Every file but for the times in it, the names without the folder.
   std::map<std::string, std::string> files() const {
@@ -106,7 +105,8 @@ TEST_CASE("resume: killed at any moment, resumed, the outputs are those of one r
     CHECK(fs::exists(folder + "/tape0.c2d") == (n % 2 == 0));
     CHECK(fs::exists(folder + "/options") == (n % 2 == 0));
   }
-  MESSAGE("killed " << kills << ", of these resumed " << resumed << " and too early " << early << "; ended before " << finished);
+  MESSAGE("killed " << kills << ", of these resumed " << resumed << " and too early " << early << "; ended before "
+                    << finished);
 }
 
 TEST_CASE("resume: a factorisation that is there is not computed again; one that is damaged is") {

@@ -38,8 +38,7 @@ Result solved(const Problem& p, const Setup& setup = Setup()) {
   return r;
 }
 
-Problem one_body(int32_t element_nodes, int32_t function_nodes, int32_t plane = C2D_PLANE_STRAIN,
-                 double nu = 0.3) {
+Problem one_body(int32_t element_nodes, int32_t function_nodes, int32_t plane = C2D_PLANE_STRAIN, double nu = 0.3) {
   Problem p;
   p.plane = plane;
   p.analysis = C2D_ANALYSIS_STRESS;
@@ -63,8 +62,7 @@ PatchError patch(Problem p, const Field& exact, const Choice& choose, double str
     const double t[2] = {s.sxx * nx + s.sxy * ny, s.sxy * nx + s.syy * ny}, u[2] = {s.ux, s.uy};
     const Given given = choose(x, y, nx, ny);
     for (int c = 0; c < 2; ++c) {
-      const bool fixed =
-          given == Given::displacement || given == (c == 0 ? Given::roller_x : Given::roller_y);
+      const bool fixed = given == Given::displacement || given == (c == 0 ? Given::roller_x : Given::roller_y);
       end.codes[c] = fixed ? 1 : 0;
       end.codes[2 + c] = fixed ? 0 : 1;
       end.values[fixed ? 2 + c : c] = fixed ? u[c] : t[c];
@@ -79,9 +77,7 @@ PatchError patch(Problem p, const Field& exact, const Choice& choose, double str
     const std::vector<double>& xy = p.bodies[0].xy;
     // set_ends passes over the element between the nodes of a double node
     const size_t i = static_cast<size_t>(2 * (e - 1)), j = static_cast<size_t>(2 * e) % xy.size();
-    if (p.bodies[0].element_nodes == 2 && p.bodies[0].regions.size() == 1 && xy[i] == xy[j] &&
-        xy[i + 1] == xy[j + 1])
-      continue;
+    if (p.bodies[0].element_nodes == 2 && p.bodies[0].regions.size() == 1 && xy[i] == xy[j] && xy[i + 1] == xy[j + 1]) continue;
     const double* w = &wanted[4 * k++];
     u = std::max({u, std::fabs(w[0]), std::fabs(w[1])});
     t = std::max({t, std::fabs(w[2]), std::fabs(w[3])});
@@ -93,8 +89,7 @@ PatchError patch(Problem p, const Field& exact, const Choice& choose, double str
 }
 
 // Constant stress with a rigid motion on top.
-Field constant_stress(const Elastic& m, double sxx, double syy, double sxy, double a = 0, double b = 0,
-                      double w = 0) {
+Field constant_stress(const Elastic& m, double sxx, double syy, double sxy, double a = 0, double b = 0, double w = 0) {
   return [=](double x, double y) {
     const double exx = (sxx - m.nu * syy) / m.e, eyy = (syy - m.nu * sxx) / m.e, exy = (1 + m.nu) * sxy / m.e;
     return State{exx * x + (exy - w) * y + a, (exy + w) * x + eyy * y + b, sxx, syy, sxy};
@@ -102,33 +97,25 @@ Field constant_stress(const Elastic& m, double sxx, double syy, double sxy, doub
 }
 // Pure bending, sxx = c y: quadratic displacements.
 Field bending(const Elastic& m, double c) {
-  return [=](double x, double y) {
-    return State{c / m.e * x * y, -c / (2 * m.e) * (x * x + m.nu * y * y), c * y, 0, 0};
-  };
+  return [=](double x, double y) { return State{c / m.e * x * y, -c / (2 * m.e) * (x * x + m.nu * y * y), c * y, 0, 0}; };
 }
 // A beam |y| < h with a shear force, sxx = k x y and sxy = k (h h - y y)/2: cubic displacements.
 Field shear_bending(const Elastic& m, double k, double h) {
   return [=](double x, double y) {
     const double g = (1 + m.nu) * (h * h * y - y * y * y / 3) + m.nu * y * y * y / 6;
-    return State{k / m.e * (x * x * y / 2 + g), k / m.e * (-m.nu * x * y * y / 2 - x * x * x / 6), k * x * y,
-                 0, k / 2 * (h * h - y * y)};
+    return State{k / m.e * (x * x * y / 2 + g), k / m.e * (-m.nu * x * y * y / 2 - x * x * x / 6), k * x * y, 0,
+                 k / 2 * (h * h - y * y)};
   };
 }
 
-Given on_the_left(double, double, double nx, double) {
-  return nx < -0.999 ? Given::displacement : Given::traction;
-}
+Given on_the_left(double, double, double nx, double) { return nx < -0.999 ? Given::displacement : Given::traction; }
 Given rollers(double, double, double nx, double ny) {
   return nx < -0.999 ? Given::roller_x : ny < -0.999 ? Given::roller_y : Given::traction;
 }
 
 // A body with sides in many directions, one of them facing left.
-void add_house(Body& body) {
-  add_polygon(body, {{0, -1, 3}, {2.5, -1.4, 2}, {3, 0.2, 3}, {1.6, 1.7, 2}, {0, 1, 4}});
-}
-void add_plate(Body& body) {
-  add_polygon(body, {{0, -1, 5}, {3, -1, 4}, {3, 1, 5}, {0, 1, 4}});
-}
+void add_house(Body& body) { add_polygon(body, {{0, -1, 3}, {2.5, -1.4, 2}, {3, 0.2, 3}, {1.6, 1.7, 2}, {0, 1, 4}}); }
+void add_plate(Body& body) { add_polygon(body, {{0, -1, 5}, {3, -1, 4}, {3, 1, 5}, {0, 1, 4}}); }
 void add_rectangular_hole(Body& body) { // clockwise
   add_polygon(body, {{1, -0.4, 2}, {1, 0.3, 3}, {1.8, 0.3, 2}, {1.8, -0.4, 3}});
 }
@@ -161,8 +148,7 @@ TEST_CASE("one body: patch states of constant stress, linear to cubic functions 
           Problem p = one_body(geometry, functions, plane, nu);
           add_house(p.bodies[0]);
           const Elastic m = plane_constants(p);
-          const Field states[] = {constant_stress(m, 1, 0, 0), constant_stress(m, 0, 1, 0),
-                                  constant_stress(m, 0, 0, 1),
+          const Field states[] = {constant_stress(m, 1, 0, 0), constant_stress(m, 0, 1, 0), constant_stress(m, 0, 0, 1),
                                   constant_stress(m, 2, -3, 0.7, 0.01, -0.02, 0.005)};
           for (const Field& state : states) {
             const PatchError e = patch(p, state, on_the_left);
@@ -265,8 +251,8 @@ TEST_CASE("one body: displacements given everywhere") {
     const Field rigid = constant_stress(plane_constants(p), 0, 0, 0, 0.3, -0.2, 0.1);
     // Corners share one traction there, and zero is what both sides want. With constant functions a rotation
     // is a staircase; a translation is not.
-    const PatchError e = patch(
-        p, functions == 1 ? constant_stress(plane_constants(p), 0, 0, 0, 0.3, -0.2) : rigid, everywhere, 100);
+    const PatchError e =
+        patch(p, functions == 1 ? constant_stress(plane_constants(p), 0, 0, 0, 0.3, -0.2) : rigid, everywhere, 100);
     CHECK(e.traction < 1e-9);
     if (functions < 3) continue;
     Problem circle = one_body(3, 3); // curved sides
@@ -322,8 +308,7 @@ TEST_CASE("one body: traction that jumps is carried whole") {
     CHECK(std::fabs(all.fy) < 1e-12 * all.size);
     CHECK(std::fabs(all.moment) < 1e-12 * all.size * 3);
     double reaction[2] = {0, 0}; // by the held side alone: elements of length 0.5
-    const double weight[4][4] = {
-        {1}, {0.5, 0.5}, {1 / 6.0, 4 / 6.0, 1 / 6.0}, {1 / 8.0, 3 / 8.0, 3 / 8.0, 1 / 8.0}};
+    const double weight[4][4] = {{1}, {0.5, 0.5}, {1 / 6.0, 4 / 6.0, 1 / 6.0}, {1 / 8.0, 3 / 8.0, 3 / 8.0, 1 / 8.0}};
     for (const EndResult& end : r.boundary[0]) {
       if (end.element <= 16) continue;
       const size_t l = static_cast<size_t>(&end - r.boundary[0].data()) % static_cast<size_t>(functions);
@@ -403,8 +388,7 @@ void whole_ring(int32_t n, double& worst, double& reaction) {
   worst = reaction = 0;
   for (const EndResult& end : r.boundary[0]) {
     const double radius = std::hypot(end.x, end.y), u = lame.displacement(radius < 1.5 ? 1 : 2);
-    worst = std::max(
-        {worst, std::fabs(end.ux - u * end.x / radius) / u, std::fabs(end.uy - u * end.y / radius) / u});
+    worst = std::max({worst, std::fabs(end.ux - u * end.x / radius) / u, std::fabs(end.uy - u * end.y / radius) / u});
     if (radius > 1.5) reaction = std::max({reaction, std::fabs(end.tx), std::fabs(end.ty)});
   }
 }
@@ -469,8 +453,8 @@ Field kelvin(double e, double nu, double px, double py, double fx, double fy) {
     for (int i = 0; i < 2; ++i) {
       u[i] = (-(3 - 4 * nu) * std::log(r) * f[i] + d[i] * df) / (8 * kPi * g * (1 - nu));
       for (int j = 0; j < 2; ++j)
-        s[i][j] = -((1 - 2 * nu) * (f[i] * d[j] + f[j] * d[i] - (i == j ? df : 0)) + 2 * d[i] * d[j] * df) /
-                  (4 * kPi * (1 - nu) * r);
+        s[i][j] =
+            -((1 - 2 * nu) * (f[i] * d[j] + f[j] * d[i] - (i == j ? df : 0)) + 2 * d[i] * d[j] * df) / (4 * kPi * (1 - nu) * r);
     }
     return State{u[0], u[1], s[0][0], s[1][1], s[0][1]};
   };
@@ -519,16 +503,9 @@ TEST_CASE("one body: supports carry point forces to round-off") {
 TEST_CASE("one body: any unit of length and stress, the degenerate scales of plain equations too") {
   const double nu = 0.3, kappa = 3 - 4 * nu;
   // A circle of radius exp(1/(2 kappa)) has no unique solution without the balance rows.
-  const double lengths[] = {1e-6,
-                            1e-3,
-                            0.37,
-                            std::exp(1 / (2 * kappa)),
-                            std::exp(-1 / (2 * kappa)),
-                            std::exp(1 / kappa),
-                            std::exp(0.5),
-                            std::exp(1.0),
-                            1e3,
-                            1e6};
+  const double lengths[] = {
+      1e-6,          1e-3, 0.37, std::exp(1 / (2 * kappa)), std::exp(-1 / (2 * kappa)), std::exp(1 / kappa), std::exp(0.5),
+      std::exp(1.0), 1e3,  1e6};
   for (bool all_given : {false, true}) {
     Problem p = one_body(3, 3);
     add_curve(p.bodies[0], 12, [](double s, double& x, double& y) {

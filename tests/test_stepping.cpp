@@ -26,8 +26,7 @@ Result solved(const Problem& p, const Setup& setup = Setup()) {
 double largest_traction(const Result& r) {
   double size = 0;
   for (const Step& s : r.steps)
-    for (int i = 0; i < s.pairs(); ++i)
-      size = std::max({size, std::fabs(s.at(i, C2D_TN)), std::fabs(s.at(i, C2D_TT))});
+    for (int i = 0; i < s.pairs(); ++i) size = std::max({size, std::fabs(s.at(i, C2D_TN)), std::fabs(s.at(i, C2D_TT))});
   return size;
 }
 
@@ -98,8 +97,7 @@ TEST_CASE("stepping: the same for unloading and cycles") {
     const Problem p = load(deck);
     const double f = p.paths.back().load;
     for (const std::vector<double>& loads :
-         {std::vector<double>{f, 0.3 * f, f, 0.5 * f},
-          std::vector<double>{f, 0.1 * f, 0.7 * f, 0.2 * f, 1.2 * f, 0.05 * f}}) {
+         {std::vector<double>{f, 0.3 * f, f, 0.5 * f}, std::vector<double>{f, 0.1 * f, 0.7 * f, 0.2 * f, 1.2 * f, 0.05 * f}}) {
       CAPTURE(deck);
       const Problem big = with_paths(p, through(loads, 1)), fine = with_paths(p, through(loads, 23));
       check_same(at_cards(big, solved(big), fine, solved(fine)), 1e-9);
@@ -121,8 +119,8 @@ TEST_CASE("stepping: many sweeps do not drift") {
 }
 
 TEST_CASE("stepping: unloading to nothing leaves nothing") {
-  for (const std::string deck : {"sample.dat", "sample56.dat", "half_cylinder.dat", "hertz_lin_l.dat",
-                                 "layer_mu.dat", "layer_t.dat", "block.dat"}) {
+  for (const std::string deck :
+       {"sample.dat", "sample56.dat", "half_cylinder.dat", "hertz_lin_l.dat", "layer_mu.dat", "layer_t.dat", "block.dat"}) {
     CAPTURE(deck);
     Problem p = load(deck);
     const double f = p.paths.back().load;
@@ -253,8 +251,7 @@ TEST_CASE("stepping: first touch of a layer that hovers everywhere") {
     REQUIRE(a.size() == b.size());
     for (size_t k = 0; k < a.size(); ++k) {
       Step down = b[k];
-      for (int i = 0; i < down.pairs(); ++i)
-        down.table[static_cast<size_t>(i * C2D_PAIR_FIELDS + C2D_UN2)] += 0.01;
+      for (int i = 0; i < down.pairs(); ++i) down.table[static_cast<size_t>(i * C2D_PAIR_FIELDS + C2D_UN2)] += 0.01;
       check_same(compare(a[k], down), 1e-9);
     }
   }
@@ -365,8 +362,8 @@ Problem pressed_and_sheared() {
   for (End& end : p.bodies[1].second_case) end.values[1] = 0;
   return p;
 }
-Result follow_pair(const Problem& p, double mu, const std::vector<double>& pressure,
-                   const std::vector<double>& shear, bool go_on = false) {
+Result follow_pair(const Problem& p, double mu, const std::vector<double>& pressure, const std::vector<double>& shear,
+                   bool go_on = false) {
   Setup setup;
   setup.advance_mu = mu;
   setup.advance_loads = pressure;
@@ -417,8 +414,7 @@ TEST_CASE("stepping: a pressed block holds however small the friction") {
     CHECK(r.outcome == C2D_REACHED);
     if (r.outcome != C2D_REACHED) continue;
     const Step& s = r.steps[0];
-    for (int i = 0; i < s.pairs(); ++i)
-      CHECK(s.at(i, C2D_TT) == doctest::Approx(-s.at(24 - i, C2D_TT)).epsilon(1e-6));
+    for (int i = 0; i < s.pairs(); ++i) CHECK(s.at(i, C2D_TT) == doctest::Approx(-s.at(24 - i, C2D_TT)).epsilon(1e-6));
   }
 }
 
@@ -445,8 +441,7 @@ TEST_CASE("stepping: shear to the left is the mirror of shear to the right") {
       if (ratio > 0.9 * mu) continue;
       CAPTURE(mu);
       CAPTURE(ratio);
-      const Result right = follow_pair(p, mu, {1}, {ratio / 0.2}),
-                   left = follow_pair(p, mu, {1}, {-ratio / 0.2});
+      const Result right = follow_pair(p, mu, {1}, {ratio / 0.2}), left = follow_pair(p, mu, {1}, {-ratio / 0.2});
       CHECK(right.outcome == C2D_REACHED);
       CHECK(left.outcome == C2D_REACHED);
       if (right.outcome != C2D_REACHED || left.outcome != C2D_REACHED) continue;
@@ -454,8 +449,7 @@ TEST_CASE("stepping: shear to the left is the mirror of shear to the right") {
       for (int i = 0; i < 25; ++i)
         for (int field = C2D_STATUS; field <= C2D_SLIP_SUM; ++field) {
           const bool odd = field == C2D_TT || field == C2D_UT1 || field == C2D_UT2 || field == C2D_SLIP_SUM;
-          mirrored.table[static_cast<size_t>(i * C2D_PAIR_FIELDS + field)] =
-              (odd ? -1 : 1) * left.steps[0].at(24 - i, field);
+          mirrored.table[static_cast<size_t>(i * C2D_PAIR_FIELDS + field)] = (odd ? -1 : 1) * left.steps[0].at(24 - i, field);
         }
       check_same(compare(right.steps[0], mirrored), 1e-9);
     }
@@ -518,8 +512,7 @@ TEST_CASE("stepping: two contact zones") {
   // The block and its loads are symmetric about x = 0: each foot carries half.
   for (const Step& s : r.recorded()) {
     CHECK(s.pairs() == 2 * (step + 1));
-    for (int i = 0; i < step + 1; ++i)
-      CHECK(s.at(i, C2D_TN) == doctest::Approx(s.at(2 * step + 1 - i, C2D_TN)).epsilon(1e-6));
+    for (int i = 0; i < step + 1; ++i) CHECK(s.at(i, C2D_TN) == doctest::Approx(s.at(2 * step + 1 - i, C2D_TN)).epsilon(1e-6));
   }
 }
 

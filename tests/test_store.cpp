@@ -66,8 +66,7 @@ struct TestStore {
 
 Bytes pattern(size_t count, unsigned seed) {
   Bytes bytes(count);
-  for (size_t i = 0; i < count; ++i)
-    bytes[i] = static_cast<unsigned char>(37 * i + 11 * seed + (i >> 3) * seed);
+  for (size_t i = 0; i < count; ++i) bytes[i] = static_cast<unsigned char>(37 * i + 11 * seed + (i >> 3) * seed);
   return bytes;
 }
 
@@ -98,9 +97,7 @@ struct Written {
     buffer.assign(kBlockHeaderBytes + count, 0xDD);
     return read_block(tapes, C2D_TAPE_UPPER, block, buffer.data(), count);
   }
-  bool holds(unsigned seed) const {
-    return Bytes(buffer.begin() + kBlockHeaderBytes, buffer.end()) == pattern(bytes, seed);
-  }
+  bool holds(unsigned seed) const { return Bytes(buffer.begin() + kBlockHeaderBytes, buffer.end()) == pattern(bytes, seed); }
   Bytes& on_tape(uint64_t block) { return store.tape[C2D_TAPE_UPPER].at(block); }
 };
 
@@ -140,8 +137,7 @@ struct Folder {
     path = name;
   }
   ~Folder() {
-    for (const char* file : {"tape0.c2d", "tape1.c2d", "tape2.c2d", "tape3.c2d", "lock"})
-      unlink(name(file).c_str());
+    for (const char* file : {"tape0.c2d", "tape1.c2d", "tape2.c2d", "tape3.c2d", "lock"}) unlink(name(file).c_str());
     rmdir(path.c_str());
   }
   std::string name(const std::string& file) const { return path + "/" + file; }
@@ -408,8 +404,8 @@ TEST_CASE("the n-th operation of the store fails, for every n: the right error w
     if (before_close) status = closed;
     for (uint8_t open : tapes.is_open) CHECK(open == 0);
     const char kinds[] = "orwsc";
-    const c2d_status expected[] = {C2D_ERR_STORE_OPEN, C2D_ERR_STORE_READ, C2D_ERR_STORE_WRITE,
-                                   C2D_ERR_STORE_SYNC, C2D_ERR_STORE_CLOSE};
+    const c2d_status expected[] = {C2D_ERR_STORE_OPEN, C2D_ERR_STORE_READ, C2D_ERR_STORE_WRITE, C2D_ERR_STORE_SYNC,
+                                   C2D_ERR_STORE_CLOSE};
     if (n == 1) { // nothing readable on the control tape: a new store
       CHECK(store.failed == 'r');
       CHECK(status == C2D_OK);
@@ -539,8 +535,7 @@ TEST_CASE("a full disk is reported with its errno") {
   REQUIRE(symlink("/dev/full", folder.name("tape1.c2d").c_str()) == 0);
   Bytes buffer(kBlockHeaderBytes + 100000);
   for (bool posix : {false, true}) {
-    for (uint64_t bytes :
-         std::vector<uint64_t>{8, 100000}) { // the smaller one waits in stdio's buffer until sync
+    for (uint64_t bytes : std::vector<uint64_t>{8, 100000}) { // the smaller one waits in stdio's buffer until sync
       c2d_stdio_store stdio_store;
       c2d_posix_store posix_store;
       c2d_port port = C2D_INIT(c2d_port);

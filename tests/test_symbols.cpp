@@ -36,9 +36,7 @@ struct Symbol {
   char kind;
 };
 
-bool is_core(const std::string& member) {
-  return member.compare(0, 5, "port_") != 0;
-}
+bool is_core(const std::string& member) { return member.compare(0, 5, "port_") != 0; }
 
 // nm's answer: "member:" lines, then lines of an address (or none), a letter and a name.
 std::vector<Symbol> core_symbols() {
@@ -80,8 +78,7 @@ TEST_CASE("symbols: the core asks only for memory moves and mathematics") {
     if (s.kind != 'U') defined.insert(s.name);
   for (const Symbol& s : symbols) {
     CHECK_MESSAGE(!is_forbidden(s.name), s.member << ": " << s.name);
-    if (s.kind == 'U')
-      CHECK_MESSAGE(defined.count(s.name) + allowed.count(s.name) > 0, s.member << ": " << s.name);
+    if (s.kind == 'U') CHECK_MESSAGE(defined.count(s.name) + allowed.count(s.name) > 0, s.member << ": " << s.name);
   }
 }
 
@@ -93,10 +90,10 @@ TEST_CASE("symbols: what a hardened build asks for besides") {
   for (const char* source : {"memory/text", "store/block", "store/tapes", "deck/cards", "interface/create"}) {
     const std::string object = folder / "object.o";
     const std::string root = C2D_TEST_ROOT;
-    const Result built = run_shell(
-        "'" C2D_TEST_CXX "' -std=c++17 -O2 -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2 -fstack-protector-all -fPIC "
-        "-fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-math-errno -I'" +
-        root + "/src' -I'" + root + "/include' -c '" + root + "/src/" + source + ".cpp' -o '" + object + "'");
+    const Result built =
+        run_shell("'" C2D_TEST_CXX "' -std=c++17 -O2 -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2 -fstack-protector-all -fPIC "
+                  "-fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-math-errno -I'" +
+                  root + "/src' -I'" + root + "/include' -c '" + root + "/src/" + source + ".cpp' -o '" + object + "'");
     REQUIRE_MESSAGE(built.status == 0, built.err);
     bool protects = false;
     for (const std::string& line : lines_of(run_shell("nm -P -u '" + object + "'").out)) {
@@ -126,9 +123,8 @@ TEST_CASE("symbols: no writable data, no weak doubles of the run-time, no static
     std::istringstream in(line);
     std::string index, name, size;
     if (!(in >> index >> name >> size) || !is_core(member)) continue;
-    const bool writable = name == ".bss" || name == ".data" || name.compare(0, 5, ".bss.") == 0 ||
-                          name == ".tdata" || name == ".tbss" ||
-                          (name.compare(0, 6, ".data.") == 0 && name.compare(0, 12, ".data.rel.ro") != 0);
+    const bool writable = name == ".bss" || name == ".data" || name.compare(0, 5, ".bss.") == 0 || name == ".tdata" ||
+                          name == ".tbss" || (name.compare(0, 6, ".data.") == 0 && name.compare(0, 12, ".data.rel.ro") != 0);
     if (writable) CHECK_MESSAGE(std::stoul(size, nullptr, 16) == 0, member << ": " << name << " " << size);
     CHECK_MESSAGE(name.compare(0, 11, ".init_array") != 0, member);
     CHECK_MESSAGE(name.compare(0, 6, ".ctors") != 0, member);
@@ -154,12 +150,10 @@ TEST_CASE("symbols: every public function is in the library, and all C names beg
   const std::string header = read_file(C2D_TEST_ROOT "/include/contact2d.h");
   int seen = 0;
   for (const std::string& line : lines_of(header)) {
-    const bool declares = line.compare(0, 11, "c2d_status ") == 0 ||
-                          line.compare(0, 15, "const char* c2d") == 0 ||
+    const bool declares = line.compare(0, 11, "c2d_status ") == 0 || line.compare(0, 15, "const char* c2d") == 0 ||
                           line.compare(0, 12, "int32_t c2d_") == 0;
     if (!declares) continue;
-    const size_t begin = line.find("c2d_", line.compare(0, 11, "c2d_status ") == 0 ? 11 : 0),
-                 end = line.find('(', begin);
+    const size_t begin = line.find("c2d_", line.compare(0, 11, "c2d_status ") == 0 ? 11 : 0), end = line.find('(', begin);
     if (begin == std::string::npos || end == std::string::npos) continue;
     ++seen;
     CHECK_MESSAGE(defined.count(line.substr(begin, end - begin)) == 1, line.substr(begin, end - begin));

@@ -16,15 +16,12 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 using Curve = std::function<void(double s, double& x, double& y)>;
 
-size_t at(int64_t i) {
-  return static_cast<size_t>(i);
-}
+size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 // An open region through equally spaced parameters of a curve, or through the corners of several straight
 // sides.
 void add_open(Body& body, int32_t elements, const Curve& curve) {
-  const int32_t first = body.regions.empty() ? 1 : body.regions.back().last + 1,
-                steps = elements * (body.element_nodes - 1);
+  const int32_t first = body.regions.empty() ? 1 : body.regions.back().last + 1, steps = elements * (body.element_nodes - 1);
   for (int32_t i = 0; i <= steps; ++i) {
     double x, y;
     curve(static_cast<double>(i) / steps, x, y);
@@ -67,8 +64,7 @@ std::vector<double> element_points(const Body& body, int32_t element) {
   std::vector<double> xy;
   for (int32_t k = 0; k <= steps; ++k) {
     int32_t point = (element - 1) * steps + k + shift;
-    if (k == steps && element == body.regions[r].last && !open)
-      point = (body.regions[r].first - 1) * steps + shift;
+    if (k == steps && element == body.regions[r].last && !open) point = (body.regions[r].first - 1) * steps + shift;
     xy.push_back(body.xy[at(2 * point)]);
     xy.push_back(body.xy[at(2 * point + 1)]);
   }
@@ -113,9 +109,7 @@ void fix(End& end, int component, double value) { // displacement known, tractio
   end.values[2 + component] = value;
 }
 
-double mirror_of(double value, double line) {
-  return 2 * line - value;
-}
+double mirror_of(double value, double line) { return 2 * line - value; }
 
 // The body together with its image across a line; map[e - 1] is the whole body's element for element e. Every
 // open region ends on this line with one end or both.
@@ -150,8 +144,7 @@ Body whole(const Body& half, int32_t function_nodes, int axis, double line, std:
   for (size_t r = 0; r < half.regions.size(); ++r) {
     const Range& range = half.regions[r];
     const int32_t first = next;
-    const std::vector<double> head = element_points(half, range.first),
-                              tail = element_points(half, range.last);
+    const std::vector<double> head = element_points(half, range.first), tail = element_points(half, range.last);
     const bool starts = on_line(head, 0), ends = on_line(tail, at(half.element_nodes - 1));
     const auto images = [&] {
       for (int32_t e = range.last; e >= range.first; --e) add(e, true);
@@ -173,8 +166,7 @@ Body whole(const Body& half, int32_t function_nodes, int axis, double line, std:
 }
 
 // Largest difference of displacements and tractions of the half at its elements' places in the whole.
-double difference(const Result& half, const Result& full, int body, const std::vector<int32_t>& map,
-                  int32_t f) {
+double difference(const Result& half, const Result& full, int body, const std::vector<int32_t>& map, int32_t f) {
   double du = 0, u = 0, dt = 0, t = 0;
   for (size_t i = 0; i < half.boundary[body - 1].size(); ++i) {
     const EndResult& a = half.boundary[body - 1][i];
@@ -214,8 +206,7 @@ TEST_CASE("symmetry: a quarter of a plate in tension is exact, and needs no supp
       CHECK(r.summary.symmetry == 3);
       double worst = 0;
       for (const EndResult& end : r.boundary[0]) {
-        const double ux = s * (1 - nu * nu) / e * (end.x - line),
-                     uy = -s * nu * (1 + nu) / e * (end.y + line);
+        const double ux = s * (1 - nu * nu) / e * (end.x - line), uy = -s * nu * (1 + nu) / e * (end.y + line);
         worst = std::max({worst, std::fabs(end.ux - ux), std::fabs(end.uy - uy)});
       }
       // Constant elements represent no linear displacement; the others do, exactly.
@@ -231,19 +222,16 @@ TEST_CASE("symmetry: a quarter of a thick ring under inner pressure") {
   Problem p = single(3, 3);
   p.symmetry = 3;
   const double a = 1, b = 2, pressure = 10, e = 1000, nu = 0.3;
-  add_open(p.bodies[0], 12, [&](double s, double& x, double& y) {
-    x = b * std::cos(s * kPi / 2), y = b * std::sin(s * kPi / 2);
-  });
-  add_open(p.bodies[0], 12, [&](double s, double& x, double& y) {
-    x = a * std::sin(s * kPi / 2), y = a * std::cos(s * kPi / 2);
-  });
+  add_open(p.bodies[0], 12,
+           [&](double s, double& x, double& y) { x = b * std::cos(s * kPi / 2), y = b * std::sin(s * kPi / 2); });
+  add_open(p.bodies[0], 12,
+           [&](double s, double& x, double& y) { x = a * std::sin(s * kPi / 2), y = a * std::cos(s * kPi / 2); });
   set_all(p, 1, [&](double x, double y, double nx, double ny, End& end) {
     if (std::hypot(x, y) > 1.5) return;
     end.values[0] = -pressure * nx, end.values[1] = -pressure * ny;
   });
   Setup setup;
-  for (double angle :
-       {0.0, 0.4, kPi / 2, 2.0, -0.7, kPi}) // in the modelled quarter, on its lines and beyond them
+  for (double angle : {0.0, 0.4, kPi / 2, 2.0, -0.7, kPi}) // in the modelled quarter, on its lines and beyond them
     setup.points.insert(setup.points.end(), {1.5 * std::cos(angle), 1.5 * std::sin(angle)});
   const Result r = solve(p, setup);
   REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
@@ -251,16 +239,14 @@ TEST_CASE("symmetry: a quarter of a thick ring under inner pressure") {
   const double A = pressure * a * a / (b * b - a * a), B = A * b * b;
   double worst = 0;
   for (const EndResult& end : r.boundary[0]) {
-    const double radius = std::hypot(end.x, end.y),
-                 u = (1 + nu) / e * ((1 - 2 * nu) * A * radius + B / radius);
+    const double radius = std::hypot(end.x, end.y), u = (1 + nu) / e * ((1 - 2 * nu) * A * radius + B / radius);
     worst = std::max({worst, std::fabs(end.ux - u * end.x / radius), std::fabs(end.uy - u * end.y / radius)});
   }
   CHECK(worst < 2e-5 * (1 + nu) / e * (A + B));
   for (size_t i = 0; i < setup.points.size() / 2; ++i) {
     const double* row = r.interior.data() + i * C2D_POINT_FIELDS;
     const double x = setup.points[2 * i], y = setup.points[2 * i + 1], radius = std::hypot(x, y);
-    const double sr = A - B / (radius * radius), st = A + B / (radius * radius), c = x / radius,
-                 s = y / radius;
+    const double sr = A - B / (radius * radius), st = A + B / (radius * radius), c = x / radius, s = y / radius;
     const double u = (1 + nu) / e * ((1 - 2 * nu) * A * radius + B / radius);
     CAPTURE(i);
     CHECK(row[C2D_POINT_FLAG] == C2D_POINT_INSIDE);
@@ -281,9 +267,8 @@ Problem plate_with_holes(int32_t f, int32_t nodes, double vx, double vy) {
   p.symmetry_at[0] = vx, p.symmetry_at[1] = vy;
   Body& body = p.bodies[0];
   add_open(body, {{vx + 2, vy, 3}, {vx + 2, vy + 1.5, 4}, {vx, vy + 1.5, 0}});
-  add_open(body, 4, [&](double s, double& x, double& y) {
-    x = vx + 0.7 * std::sin(s * kPi / 2), y = vy + 0.5 * std::cos(s * kPi / 2);
-  });
+  add_open(body, 4,
+           [&](double s, double& x, double& y) { x = vx + 0.7 * std::sin(s * kPi / 2), y = vy + 0.5 * std::cos(s * kPi / 2); });
   set_all(p, 1, [&](double x, double y, double nx, double, End& end) {
     const double X = x - vx, Y = y - vy;
     if (nx > 0.99) {
@@ -341,8 +326,8 @@ TEST_CASE("symmetry: quarter, half and whole are the same equations") {
     for (size_t i = 0; i < c.interior.size(); ++i) {
       const size_t field = i % C2D_POINT_FIELDS;
       most[field] = std::max(most[field], std::fabs(c.interior[i]));
-      worst[field] = std::max(
-          {worst[field], std::fabs(a.interior[i] - c.interior[i]), std::fabs(b.interior[i] - c.interior[i])});
+      worst[field] =
+          std::max({worst[field], std::fabs(a.interior[i] - c.interior[i]), std::fabs(b.interior[i] - c.interior[i])});
     }
     for (size_t field = 0; field < C2D_POINT_FIELDS; ++field) {
       CAPTURE(field);
@@ -503,10 +488,8 @@ Problem disc_in_hole(int32_t n) {
   p.symmetry = 3;
   p.bodies.resize(2);
   const double size = 400;
-  add_open(p.bodies[0], n,
-           [](double s, double& x, double& y) { x = std::cos(s * kPi / 2), y = std::sin(s * kPi / 2); });
-  add_open(p.bodies[1], n,
-           [](double s, double& x, double& y) { x = std::sin(s * kPi / 2), y = std::cos(s * kPi / 2); });
+  add_open(p.bodies[0], n, [](double s, double& x, double& y) { x = std::cos(s * kPi / 2), y = std::sin(s * kPi / 2); });
+  add_open(p.bodies[1], n, [](double s, double& x, double& y) { x = std::sin(s * kPi / 2), y = std::cos(s * kPi / 2); });
   add_open(p.bodies[1], {{size, 0, 4}, {size, size, 4}, {0, size, 0}});
   set_all(p, 1, [](double, double, double, double, End&) {});
   set_all(p, 2, [&](double x, double, double nx, double, End& end) {
@@ -694,16 +677,15 @@ TEST_CASE("symmetry: the keyword card") {
   refused(deck + "*SYMMETRY X 0 0\n", "expected");
   refused(deck + "*SYMMETRY X 0\n*SYMMETRY X 1\n", "stands in the deck twice");
   // A quarter of a plate in tension without elements on its axes: 7 elements, 8 points.
-  const std::string quarter =
-      "    1\nPLATE, A QUARTER\n    0    0\n    1    0    2\n    1    2    7    8\n    1    7\n"
-      "    1000.0       0.3\n    1       0.0\n       0.0       0.0\n"
-      "    1        2.0       0.0\n    4        2.0       1.0\n    8        0.0       1.0\n"
-      "    6\n    1    1 0011       7.0       0.0       0.0       0.0\n"
-      "    1    2 0011       7.0       0.0       0.0       0.0\n"
-      "    2    1 0011       7.0       0.0       0.0       0.0\n"
-      "    2    2 0011       7.0       0.0       0.0       0.0\n"
-      "    3    1 0011       7.0       0.0       0.0       0.0\n"
-      "    3    2 0011       7.0       0.0       0.0       0.0\n";
+  const std::string quarter = "    1\nPLATE, A QUARTER\n    0    0\n    1    0    2\n    1    2    7    8\n    1    7\n"
+                              "    1000.0       0.3\n    1       0.0\n       0.0       0.0\n"
+                              "    1        2.0       0.0\n    4        2.0       1.0\n    8        0.0       1.0\n"
+                              "    6\n    1    1 0011       7.0       0.0       0.0       0.0\n"
+                              "    1    2 0011       7.0       0.0       0.0       0.0\n"
+                              "    2    1 0011       7.0       0.0       0.0       0.0\n"
+                              "    2    2 0011       7.0       0.0       0.0       0.0\n"
+                              "    3    1 0011       7.0       0.0       0.0       0.0\n"
+                              "    3    2 0011       7.0       0.0       0.0       0.0\n";
   const std::string end = "    0\n    0    0\n    1    1\n    1       1.0\n";
   const std::string lines = "*SYMMETRY X 0\n*symmetry y 0.0 ! the other one\n";
   const Result r = solve_text(quarter + end + lines);
@@ -714,6 +696,5 @@ TEST_CASE("symmetry: the keyword card") {
     CHECK(place.ux == doctest::Approx(7.0 * 0.91 / 1000 * place.x).epsilon(1e-9));
     CHECK(place.uy == doctest::Approx(-7.0 * 0.39 / 1000 * place.y).epsilon(1e-9));
   }
-  refused(quarter + end,
-          "number of boundary points is 8, expected 7: 7 elements of 2 nodes; more only with *SYMMETRY");
+  refused(quarter + end, "number of boundary points is 8, expected 7: 7 elements of 2 nodes; more only with *SYMMETRY");
 }

@@ -19,7 +19,9 @@ struct Tasks {
   int64_t calls = 0;
 
   static int32_t open(void* c, int32_t t, uint64_t n, uint64_t bytes) { return RamStore::open(&self(c).store, t, n, bytes); }
-  static int32_t read(void* c, int32_t t, uint64_t k, void* d, uint64_t n) { return RamStore::read(&self(c).store, t, k, d, n); }
+  static int32_t read(void* c, int32_t t, uint64_t k, void* d, uint64_t n) {
+    return RamStore::read(&self(c).store, t, k, d, n);
+  }
   static int32_t write(void* c, int32_t t, uint64_t k, const void* d, uint64_t n) {
     return RamStore::write(&self(c).store, t, k, d, n);
   }
@@ -101,7 +103,8 @@ TEST_CASE("tasks: no bit of a solution or of interior points depends on their nu
     const All one = solve(deck, 1, xy, &calls);
     CHECK(calls == 0);
     int inside = 0;
-    for (size_t i = C2D_POINT_FLAG; i < one.inside.size(); i += C2D_POINT_FIELDS) inside += std::fabs(one.inside[i] - double(C2D_POINT_OUTSIDE)) > 0.5;
+    for (size_t i = C2D_POINT_FLAG; i < one.inside.size(); i += C2D_POINT_FIELDS)
+      inside += std::fabs(one.inside[i] - double(C2D_POINT_OUTSIDE)) > 0.5;
     CHECK(inside > 0);
     for (int32_t threads : {2, 3, 5, 7}) {
       CAPTURE(threads);

@@ -62,13 +62,14 @@ TEST_CASE("threads: each task runs once, before the call returns, whatever their
     for (int32_t round = 0; round < 200; ++round) {
       const int32_t n = round % 23;
       std::vector<int> ran(24, 0);
-      pool.port.parallel_for(pool.port.context, n, [](void* a, int32_t i) { ++static_cast<int*>(a)[i]; }, ran.data());
+      pool.port.parallel_for(
+          pool.port.context, n, [](void* a, int32_t i) { ++static_cast<int*>(a)[i]; }, ran.data());
       for (int32_t i = 0; i < 24; ++i) REQUIRE(ran[static_cast<size_t>(i)] == (i < n ? 1 : 0));
     }
     std::atomic<int64_t> sum{0}; // more than one ticket can count
     const int32_t many = (1 << 20) + 5;
-    pool.port.parallel_for(pool.port.context, many,
-                           [](void* a, int32_t i) { static_cast<std::atomic<int64_t>*>(a)->fetch_add(i); }, &sum);
+    pool.port.parallel_for(
+        pool.port.context, many, [](void* a, int32_t i) { static_cast<std::atomic<int64_t>*>(a)->fetch_add(i); }, &sum);
     CHECK(sum == int64_t(many) * (many - 1) / 2);
   }
 }

@@ -49,8 +49,8 @@ struct Replayed {
 
 Replayed replay(const std::string& deck, const std::string& options = "") {
   const Folder folder;
-  const Result run = run_shell("'" C2D_TEST_PROGRAM "' run '" C2D_TEST_ROOT "/examples/" + deck + "' --csv '" + (folder / "csv") +
-                               "' --trace '" + (folder / "trace") + "' --listing /dev/null " + options);
+  const Result run = run_shell("'" C2D_TEST_PROGRAM "' run '" C2D_TEST_ROOT "/examples/" + deck + "' --csv '" +
+                               (folder / "csv") + "' --trace '" + (folder / "trace") + "' --listing /dev/null " + options);
   REQUIRE_MESSAGE(run.status == 0, run.err);
   const std::vector<Row> trace = table(folder / "trace"), steps = table(folder / "csv");
   Replayed out;
@@ -70,14 +70,16 @@ Replayed replay(const std::string& deck, const std::string& options = "") {
       const bool later = place(change) > place(step);
       if (later) break;
       CHECK(is_reason(change.at("from"), change.at("to"), change.at("why")));
-      if (change.at("event") == "0") status.erase(change.at("pair"));
-      else CHECK(status[change.at("pair")] == change.at("from"));
+      if (change.at("event") == "0")
+        status.erase(change.at("pair"));
+      else
+        CHECK(status[change.at("pair")] == change.at("from"));
       status[change.at("pair")] = change.at("to");
       out.events = std::max(out.events, std::stoi(change.at("event")));
       ++out.rows;
     }
-    CHECK_MESSAGE(status[step.at("pair")] == step.at("status"), deck << " mu " << step.at("mu") << " step " << step.at("step")
-                                                                     << " pair " << step.at("pair"));
+    CHECK_MESSAGE(status[step.at("pair")] == step.at("status"),
+                  deck << " mu " << step.at("mu") << " step " << step.at("step") << " pair " << step.at("pair"));
     ++out.steps;
   }
   CHECK(next == trace.size());
@@ -95,13 +97,12 @@ TEST_CASE("trace: replayed, it gives the statuses of every recorded step") {
   }
 }
 
-TEST_CASE("trace: of the increments of a deck, too") {
-  CHECK(replay("make_mindlin.dat", "--stepping deck").events > 5);
-}
+TEST_CASE("trace: of the increments of a deck, too") { CHECK(replay("make_mindlin.dat", "--stepping deck").events > 5); }
 
 TEST_CASE("trace: a column for each load case, and it changes no result") {
   const Folder folder;
-  const std::string run = "'" C2D_TEST_PROGRAM "' run '" C2D_TEST_ROOT "/examples/make_mindlin.dat' --listing /dev/null --csv '";
+  const std::string run =
+      "'" C2D_TEST_PROGRAM "' run '" C2D_TEST_ROOT "/examples/make_mindlin.dat' --listing /dev/null --csv '";
   REQUIRE(run_shell(run + (folder / "a") + "' --trace '" + (folder / "t") + "'").status == 0);
   REQUIRE(run_shell(run + (folder / "b") + "'").status == 0);
   CHECK(read_file(folder / "a") == read_file(folder / "b"));

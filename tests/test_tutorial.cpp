@@ -46,7 +46,8 @@ std::vector<Row> rows_of(const std::string& csv, double mu, int step) {
     double m, load, x, y, tn, tt;
     int s, pair;
     char status[8] = {};
-    if (std::sscanf(line.c_str(), "%lf,%d,%lf,%d,%lf,%lf,%7[a-z],%lf,%lf", &m, &s, &load, &pair, &x, &y, status, &tn, &tt) == 9 &&
+    if (std::sscanf(line.c_str(), "%lf,%d,%lf,%d,%lf,%lf,%7[a-z],%lf,%lf", &m, &s, &load, &pair, &x, &y, status, &tn, &tt) ==
+            9 &&
         m == mu && s == step)
       out.push_back({x, tn, tt, status});
   }
@@ -108,7 +109,8 @@ TEST_CASE("tutorial: its deck is the example, its commands run, its figures are 
   REQUIRE(printed_rows.size() == 15);
   CHECK(contains(printed_rows[5], "open"));
   CHECK(contains(printed_rows[6], "slip"));
-  const auto smooth = rows_of(read_file(folder / "build/roller.csv"), 0, 10), rough = rows_of(read_file(folder / "build/roller.csv"), 0.2, 10);
+  const auto smooth = rows_of(read_file(folder / "build/roller.csv"), 0, 10),
+             rough = rows_of(read_file(folder / "build/roller.csv"), 0.2, 10);
   REQUIRE(smooth.size() == 15);
   REQUIRE(rough.size() == 15);
   check_told(page, "0.897", smooth[5].x, 1e-3);
@@ -120,7 +122,8 @@ TEST_CASE("tutorial: its deck is the example, its commands run, its figures are 
   CHECK(contains(read_file(folder / "build/roller.lst"), "5.0000000e+01")); // the balance, N per mm
 
   // Twice as fine.
-  const auto fine = rows_of(read_file(folder / "build/fine.csv"), 0, 10), fine_rough = rows_of(read_file(folder / "build/fine.csv"), 0.2, 10);
+  const auto fine = rows_of(read_file(folder / "build/fine.csv"), 0, 10),
+             fine_rough = rows_of(read_file(folder / "build/fine.csv"), 0.2, 10);
   REQUIRE(fine.size() == 29);
   check_told(page, "74.86 |", smooth[14].tn, 2e-3);
   check_told(page, "74.88 |", fine[28].tn, 2e-3);
@@ -134,7 +137,8 @@ TEST_CASE("tutorial: its deck is the example, its commands run, its figures are 
   check_told(page, "3.9e-5 |", dissipated(read_file(folder / "build/fine.json")), 0.1);
 
   // Back to a half.
-  const auto back = rows_of(read_file(folder / "build/unload.csv"), 0.2, 15), back_smooth = rows_of(read_file(folder / "build/unload.csv"), 0, 15);
+  const auto back = rows_of(read_file(folder / "build/unload.csv"), 0.2, 15),
+             back_smooth = rows_of(read_file(folder / "build/unload.csv"), 0, 15);
   REQUIRE(back.size() == 15);
   CHECK(lines_of(printed[4]).size() == 15);
   check_told(page, "54.1 MPa", back[14].tn, 2e-3);
@@ -148,5 +152,6 @@ TEST_CASE("tutorial: its deck is the example, its commands run, its figures are 
   REQUIRE(std::sscanf(printed[5].c_str(), "%lf %lf", &shear, &depth) == 2);
   check_told(page, "23.3 MPa at", shear, 5e-3);
   check_told(page, "0.6 mm", -depth, 1e-6);
-  for (const char* file : {"roller.html", "roller/tractions_2.svg", "roller/model.svg"}) CHECK(fs::exists(folder / ("build/" + std::string(file))));
+  for (const char* file : {"roller.html", "roller/tractions_2.svg", "roller/model.svg"})
+    CHECK(fs::exists(folder / ("build/" + std::string(file))));
 }

@@ -17,8 +17,7 @@ struct Vtk {
   std::string fault;
 };
 
-template <size_t n>
-void read_tuples(std::istream& in, size_t count, std::vector<std::array<double, n>>& out) {
+template <size_t n> void read_tuples(std::istream& in, size_t count, std::vector<std::array<double, n>>& out) {
   out.resize(count);
   for (auto& tuple : out)
     for (double& x : tuple) in >> x;
@@ -132,9 +131,7 @@ TEST_CASE("VTK: the file holds the boundary CSV") {
     for (const std::vector<int>& cell : vtk.cells) {
       if (cell.size() != 3) continue;
       const auto place = [&](int i) { return vtk.points[static_cast<size_t>(cell[static_cast<size_t>(i)])]; };
-      const auto apart = [&](int i, int k) {
-        return std::hypot(place(i)[0] - place(k)[0], place(i)[1] - place(k)[1]);
-      };
+      const auto apart = [&](int i, int k) { return std::hypot(place(i)[0] - place(k)[0], place(i)[1] - place(k)[1]); };
       CHECK(apart(0, 2) < apart(0, 1));
       CHECK(apart(1, 2) < apart(0, 1));
     }
@@ -163,8 +160,7 @@ double twice_area(const Vtk& vtk, int body) {
   double sum = 0.0;
   for (size_t c = 0; c < vtk.cells.size(); ++c) {
     if (vtk.body[c] != body || vtk.element[c] == 0) continue;
-    const auto &a = vtk.points[static_cast<size_t>(vtk.cells[c][0])],
-               &b = vtk.points[static_cast<size_t>(vtk.cells[c][1])];
+    const auto &a = vtk.points[static_cast<size_t>(vtk.cells[c][0])], &b = vtk.points[static_cast<size_t>(vtk.cells[c][1])];
     // An image's boundary runs the other way round if it is mirrored once.
     const bool turned = vtk.image.size() > c && (vtk.image[c] == 1 || vtk.image[c] == 2);
     sum += (turned ? -1.0 : 1.0) * (a[0] * b[1] - b[0] * a[1]);
@@ -196,13 +192,13 @@ TEST_CASE("VTK: the whole of a symmetric model") {
   size_t matched = 0;
   for (size_t c = 0; c < b.cells.size(); ++c) {
     if (b.image[c] != 1) continue;
-    const size_t other = static_cast<size_t>(
-        std::find_if(b.cells.begin(), b.cells.end(),
-                     [&](const std::vector<int>& cell) {
-                       const size_t k = static_cast<size_t>(&cell - b.cells.data());
-                       return b.image[k] == 0 && b.body[k] == b.body[c] && b.element[k] == b.element[c];
-                     }) -
-        b.cells.begin());
+    const size_t other =
+        static_cast<size_t>(std::find_if(b.cells.begin(), b.cells.end(),
+                                         [&](const std::vector<int>& cell) {
+                                           const size_t k = static_cast<size_t>(&cell - b.cells.data());
+                                           return b.image[k] == 0 && b.body[k] == b.body[c] && b.element[k] == b.element[c];
+                                         }) -
+                            b.cells.begin());
     REQUIRE(other < b.cells.size());
     for (size_t n = 0; n < b.cells[c].size(); ++n) {
       const size_t i = static_cast<size_t>(b.cells[c][n]), k = static_cast<size_t>(b.cells[other][n]);

@@ -8,13 +8,9 @@ namespace {
 
 constexpr uint32_t kNameBytes = sizeof(c2d_semihosting_store::folder) + 16;
 
-c2d_semihosting_store* self(void* context) {
-  return static_cast<c2d_semihosting_store*>(context);
-}
+c2d_semihosting_store* self(void* context) { return static_cast<c2d_semihosting_store*>(context); }
 
-bool is_open(const c2d_semihosting_store* s, int32_t tape) {
-  return tape >= 0 && tape < C2D_TAPES && s->file[tape] != 0;
-}
+bool is_open(const c2d_semihosting_store* s, int32_t tape) { return tape >= 0 && tape < C2D_TAPES && s->file[tape] != 0; }
 
 int32_t close_tape(void* context, int32_t tape) {
   c2d_semihosting_store* s = self(context);
@@ -69,16 +65,13 @@ int32_t write_block(void* context, int32_t tape, uint64_t block, const void* dat
   return host::write(s->file[tape] - 1, data, static_cast<uint32_t>(bytes)) == 0 ? 0 : C2D_SEMIHOSTING_HOST;
 }
 
-int32_t sync_tape(void* context, int32_t tape) {
-  return is_open(self(context), tape) ? 0 : C2D_SEMIHOSTING_TAPE;
-}
+int32_t sync_tape(void* context, int32_t tape) { return is_open(self(context), tape) ? 0 : C2D_SEMIHOSTING_TAPE; }
 
 // The next byte of the file, -1 at its end, C2D_SEMIHOSTING_HOST.
 int32_t next_byte(c2d_semihosting_deck* deck) {
   if (deck->first == deck->last) {
     if (deck->left == 0) return -1;
-    const uint32_t bytes =
-        deck->left < sizeof deck->buffer ? deck->left : static_cast<uint32_t>(sizeof deck->buffer);
+    const uint32_t bytes = deck->left < sizeof deck->buffer ? deck->left : static_cast<uint32_t>(sizeof deck->buffer);
     if (host::read(deck->file, deck->buffer, bytes) != 0) return C2D_SEMIHOSTING_HOST;
     deck->first = 0;
     deck->last = bytes;
@@ -93,8 +86,7 @@ extern "C" {
 
 int32_t c2d_semihosting_store_init(c2d_semihosting_store* store, const char* folder) {
   memset(store, 0, sizeof *store);
-  if (folder == nullptr || folder[0] == '\0' || strlen(folder) >= sizeof store->folder)
-    return C2D_SEMIHOSTING_NAME;
+  if (folder == nullptr || folder[0] == '\0' || strlen(folder) >= sizeof store->folder) return C2D_SEMIHOSTING_NAME;
   memcpy(store->folder, folder, strlen(folder));
   return 0;
 }

@@ -38,8 +38,8 @@ void c2d_semihosting_store_port(c2d_semihosting_store* store, c2d_port* out);
 /* The cards of a deck: c2d_semihosting_next_card is a c2d_read_line, its context is the deck. */
 typedef struct c2d_semihosting_deck {
   int32_t file;
-  uint32_t left;           /* bytes of the file that are not in the buffer yet      */
-  uint32_t first, last;    /* what of the buffer is still to be given               */
+  uint32_t left;        /* bytes of the file that are not in the buffer yet      */
+  uint32_t first, last; /* what of the buffer is still to be given               */
   char buffer[128];
 } c2d_semihosting_deck;
 

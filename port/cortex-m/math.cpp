@@ -12,9 +12,7 @@ extern "C" {
 #if !defined(__ARM_FP) || !(__ARM_FP & 8)
 double __ieee754_sqrt(double);
 
-double sqrt(double x) {
-  return __ieee754_sqrt(x);
-}
+double sqrt(double x) { return __ieee754_sqrt(x); }
 #endif
 
 double hypot(double x, double y) {
@@ -79,8 +77,7 @@ double log(double x) {
     --power;
   }
   const double f = m - 1.0, s = f / (2.0 + f), z = s * s;
-  static const double kOdd[] = {2.0 / 21, 2.0 / 19, 2.0 / 17, 2.0 / 15, 2.0 / 13,
-                                2.0 / 11, 2.0 / 9,  2.0 / 7,  2.0 / 5,  2.0 / 3};
+  static const double kOdd[] = {2.0 / 21, 2.0 / 19, 2.0 / 17, 2.0 / 15, 2.0 / 13, 2.0 / 11, 2.0 / 9, 2.0 / 7, 2.0 / 5, 2.0 / 3};
   double sum = 0.0;
   for (const double term : kOdd) sum = (sum + term) * z;
   // 2 s = f - s f, and s f = f^2/2 - s f^2/2: the leading term f is exact.

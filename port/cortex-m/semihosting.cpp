@@ -27,18 +27,13 @@ int32_t call(Call number, const void* argument) {
   return r0;
 }
 
-uint32_t address(const void* p) {
-  return static_cast<uint32_t>(reinterpret_cast<uintptr_t>(p));
-}
-uint32_t word(int32_t number) {
-  return static_cast<uint32_t>(number);
-}
+uint32_t address(const void* p) { return static_cast<uint32_t>(reinterpret_cast<uintptr_t>(p)); }
+uint32_t word(int32_t number) { return static_cast<uint32_t>(number); }
 
 } // namespace
 
 int32_t open(const char* name, Mode mode) {
-  const uint32_t block[3] = {address(name), word(static_cast<int32_t>(mode)),
-                             static_cast<uint32_t>(strlen(name))};
+  const uint32_t block[3] = {address(name), word(static_cast<int32_t>(mode)), static_cast<uint32_t>(strlen(name))};
   return call(kOpen, block);
 }
 
@@ -74,9 +69,7 @@ bool command_line(char* text, uint32_t size) {
   return false;
 }
 
-void say(const char* text) {
-  call(kSay, text);
-}
+void say(const char* text) { call(kSay, text); }
 
 void end(int32_t status) {
   const uint32_t block[2] = {kApplicationExit, word(status)};

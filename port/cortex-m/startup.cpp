@@ -7,8 +7,7 @@ int main();
 
 // Set by the linker script (sections.ld): ends of regions, not data.
 extern "C" {
-extern uint32_t c2d_data_image[], c2d_data_start[], c2d_data_end[], c2d_bss_start[], c2d_bss_end[],
-    c2d_stack_top[];
+extern uint32_t c2d_data_image[], c2d_data_start[], c2d_data_end[], c2d_bss_start[], c2d_bss_end[], c2d_stack_top[];
 void c2d_reset();
 }
 
@@ -40,8 +39,7 @@ extern "C" void c2d_reset() {
   asm volatile("dsb\n\tisb" ::: "memory");
 #endif
   const uint32_t* from = c2d_data_image;
-  for (uint32_t* to = c2d_data_start; to < c2d_data_end; ++to, ++from)
-    *static_cast<volatile uint32_t*>(to) = *from;
+  for (uint32_t* to = c2d_data_start; to < c2d_data_end; ++to, ++from) *static_cast<volatile uint32_t*>(to) = *from;
   for (uint32_t* to = c2d_bss_start; to < c2d_bss_end; ++to) *static_cast<volatile uint32_t*>(to) = 0;
   uint32_t* const here = stack_pointer();
   for (uint32_t* to = c2d_bss_end; to < here; ++to) *static_cast<volatile uint32_t*>(to) = kPaint;
@@ -55,12 +53,10 @@ struct Vectors {
 };
 extern "C" __attribute__((section(".vectors"), used))
 const Vectors c2d_vectors = {c2d_stack_top,
-                             {c2d_reset, fault, fault, fault, fault, fault, nullptr, nullptr, nullptr,
-                              nullptr, interrupt, interrupt, nullptr, interrupt, interrupt}};
+                             {c2d_reset, fault, fault, fault, fault, fault, nullptr, nullptr, nullptr, nullptr, interrupt,
+                              interrupt, nullptr, interrupt, interrupt}};
 
-uint32_t stack_size() {
-  return static_cast<uint32_t>(c2d_stack_top - c2d_bss_end) * 4;
-}
+uint32_t stack_size() { return static_cast<uint32_t>(c2d_stack_top - c2d_bss_end) * 4; }
 
 uint32_t stack_used() {
   const uint32_t* lowest = c2d_bss_end;

@@ -15,9 +15,7 @@ struct Mark {
   uint64_t magic, host_at;
 };
 
-uint64_t host_place(uintptr_t address) {
-  return (address + sizeof(Mark) + 63) / 64 * 64 - address;
-}
+uint64_t host_place(uintptr_t address) { return (address + sizeof(Mark) + 63) / 64 * 64 - address; }
 
 } // namespace
 
@@ -55,9 +53,7 @@ bool get_text(Text from, int32_t length, char* to, int32_t room) {
   return length > 0;
 }
 
-bool is_aligned(In reals) {
-  return reinterpret_cast<uintptr_t>(reals) % alignof(double) == 0;
-}
+bool is_aligned(In reals) { return reinterpret_cast<uintptr_t>(reals) % alignof(double) == 0; }
 
 Reals::Reals(In from, int32_t count) : data_(copy_), ok_(true) {
   if (is_aligned(from)) {
@@ -231,9 +227,5 @@ void close_work(Work work, Out ierr, bool drop) {
 
 } // namespace
 
-void c2clos_(Work work, Out ierr) {
-  close_work(work, ierr, false);
-}
-void c2drop_(Work work, Out ierr) {
-  close_work(work, ierr, true);
-}
+void c2clos_(Work work, Out ierr) { close_work(work, ierr, false); }
+void c2drop_(Work work, Out ierr) { close_work(work, ierr, true); }

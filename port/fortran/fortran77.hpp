@@ -161,9 +161,8 @@ void c2line_(Work work, In iline, In icol, In icol2, Out ierr);
 void c2done_(Work work, Out ierr);
 
 // solving: fortran77_solve.cpp, fortran77_keep.cpp
-using c2_step = void (*)(const int32_t* kind, const int32_t* imu, const int32_t* istep, const int32_t* iout,
-                         const double* fmu, const double* factor, const int32_t* npairs, const double* table,
-                         const int32_t* ldt, int32_t* istop);
+using c2_step = void (*)(const int32_t* kind, const int32_t* imu, const int32_t* istep, const int32_t* iout, const double* fmu,
+                         const double* factor, const int32_t* npairs, const double* table, const int32_t* ldt, int32_t* istop);
 void c2prep_(Work work, Out ierr);
 void c2save_(Work work, Out ierr);
 void c2rest_(Work work, Out ierr);
@@ -175,9 +174,8 @@ void c2begn_(Work work, In fmu, In nzones, Out ierr);
 void c2advn_(Work work, In factor, In ncases, Out iout, Out ierr);
 void c2next_(Work work, In direct, In ncases, Out step, Out ierr);
 void c2solv_(Work work, c2_step step, Out ierr);
-void c2none_(const int32_t* kind, const int32_t* imu, const int32_t* istep, const int32_t* iout,
-             const double* fmu, const double* factor, const int32_t* npairs, const double* table,
-             const int32_t* ldt, int32_t* istop);
+void c2none_(const int32_t* kind, const int32_t* imu, const int32_t* istep, const int32_t* iout, const double* fmu,
+             const double* factor, const int32_t* npairs, const double* table, const int32_t* ldt, int32_t* istop);
 void c2canc_(Work work, Out ierr);
 
 // answers: fortran77_results.cpp

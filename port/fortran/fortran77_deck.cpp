@@ -142,8 +142,7 @@ void make_solver(Call& call, Work work, const c2d_limits& limits) {
   char* memory = static_cast<char*>(work) + kHostSlack;
   c2d_error why = blank_error();
   c2d_solver* solver = nullptr;
-  call.status =
-      c2d_create(&solver, memory, static_cast<size_t>(host->bytes - kHostSlack), &limits, &port, &why);
+  call.status = c2d_create(&solver, memory, static_cast<size_t>(host->bytes - kHostSlack), &limits, &port, &why);
   if (call.status != C2D_OK) {
     call.tell(why);
     return;
@@ -162,8 +161,7 @@ void c2tape_(Work work, Text name, In lname, Out ierr) {
   Call call(work);
   char folder[sizeof(c2d_stdio_store::folder)];
   if (call.solver) call.status = C2D_ERR_STATE;
-  if (call.status == C2D_OK &&
-      !get_text(name, integer_at(lname), folder, static_cast<int32_t>(sizeof folder)))
+  if (call.status == C2D_OK && !get_text(name, integer_at(lname), folder, static_cast<int32_t>(sizeof folder)))
     call.status = kBadName;
   if (call.status == C2D_OK) {
     c2d_stdio_store_init(&call.host->store.files, folder);
@@ -251,8 +249,7 @@ void c2size_(Work work, In isize, In nisize, Out ierr) {
   Call call(work);
   c2d_limits limits;
   if (call.solver) call.status = C2D_ERR_STATE;
-  if (call.status == C2D_OK && !limits_from(isize, integer_at(nisize), limits))
-    call.status = C2D_ERR_ARGUMENT;
+  if (call.status == C2D_OK && !limits_from(isize, integer_at(nisize), limits)) call.status = C2D_ERR_ARGUMENT;
   if (call.status == C2D_OK) make_solver(call, work, limits);
   call.leave(ierr);
 }

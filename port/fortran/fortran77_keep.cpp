@@ -32,11 +32,10 @@ void c2atch_(Work work, In nwords, In icheck, In rcheck, Out store, Out ierr) {
     const c2d_port port = port_of(host);
     c2d_error why = blank_error();
     c2d_solver* solver = nullptr;
-    call.status = c2d_attach(&solver, static_cast<char*>(work) + kHostSlack,
-                             static_cast<size_t>(host->bytes - kHostSlack), &port, &why);
+    call.status =
+        c2d_attach(&solver, static_cast<char*>(work) + kHostSlack, static_cast<size_t>(host->bytes - kHostSlack), &port, &why);
     call.solver = solver;
-    if (solver)
-      host->solver_at = static_cast<uint64_t>(reinterpret_cast<char*>(solver) - static_cast<char*>(work));
+    if (solver) host->solver_at = static_cast<uint64_t>(reinterpret_cast<char*>(solver) - static_cast<char*>(work));
     if (!solver) call.tell(why);
   }
   call.leave(ierr);

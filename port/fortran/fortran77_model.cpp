@@ -36,8 +36,7 @@ void c2body_(Work work, In ibody, In nbn, In nel, In nren, In nopen, In young, I
 
 void c2regn_(Work work, In ibody, In ifirst, In ilast, Out ierr) {
   Call call(work);
-  if (call.ready())
-    call.status = c2d_add_region(call.solver, integer_at(ibody), integer_at(ifirst), integer_at(ilast));
+  if (call.ready()) call.status = c2d_add_region(call.solver, integer_at(ibody), integer_at(ifirst), integer_at(ilast));
   call.leave(ierr);
 }
 
@@ -48,13 +47,13 @@ void c2node_(Work work, In ibody, In ifirst, In n, In xy, In ldxy, Out ierr) {
     const int32_t body = integer_at(ibody), first = integer_at(ifirst), count = integer_at(n);
     const int64_t stride = integer_at(ldxy);
     if (is_aligned(xy) || count < 1 || stride < 2) {
-      call.status = c2d_set_nodes(call.solver, body, first, count,
-                                  is_aligned(xy) ? static_cast<const double*>(xy) : nullptr, stride);
+      call.status =
+          c2d_set_nodes(call.solver, body, first, count, is_aligned(xy) ? static_cast<const double*>(xy) : nullptr, stride);
     } else {
       for (int32_t i = count - 1; i >= 0 && call.status == C2D_OK; --i) {
         const Reals point(static_cast<const char*>(xy) + i * stride * 8, 2);
-        call.status = first > INT32_MAX - i ? C2D_ERR_ARGUMENT
-                                            : c2d_set_nodes(call.solver, body, first + i, 1, point.data(), 2);
+        call.status =
+            first > INT32_MAX - i ? C2D_ERR_ARGUMENT : c2d_set_nodes(call.solver, body, first + i, 1, point.data(), 2);
       }
     }
   }
@@ -65,8 +64,8 @@ void c2nlin_(Work work, In ibody, In ifirst, In ilast, In origin, In from, In to
   Call call(work);
   if (call.ready()) {
     const Reals base(origin, 2), start(from, 2), end(to, 2);
-    call.status = c2d_set_line_nodes(call.solver, integer_at(ibody), integer_at(ifirst), integer_at(ilast),
-                                     base.data(), start.data(), end.data());
+    call.status = c2d_set_line_nodes(call.solver, integer_at(ibody), integer_at(ifirst), integer_at(ilast), base.data(),
+                                     start.data(), end.data());
   }
   call.leave(ierr);
 }
@@ -75,8 +74,8 @@ void c2narc_(Work work, In ibody, In ifirst, In ilast, In centre, In radius, In 
   Call call(work);
   if (call.ready()) {
     const Reals middle(centre, 2);
-    call.status = c2d_set_arc_nodes(call.solver, integer_at(ibody), integer_at(ifirst), integer_at(ilast),
-                                    middle.data(), real_at(radius), real_at(angle1), real_at(angle2));
+    call.status = c2d_set_arc_nodes(call.solver, integer_at(ibody), integer_at(ifirst), integer_at(ilast), middle.data(),
+                                    real_at(radius), real_at(angle1), real_at(angle2));
   }
   call.leave(ierr);
 }
@@ -87,8 +86,8 @@ void c2cond_(Work work, In ibody, In ielem, In ilocal, In icodes, In values, In 
     int32_t codes[4];
     memcpy(codes, icodes, sizeof codes);
     const Reals known(values, 4);
-    call.status = c2d_set_condition(call.solver, integer_at(ibody), integer_at(ielem), integer_at(ilocal),
-                                    codes, known.data(), integer_at(icase));
+    call.status = c2d_set_condition(call.solver, integer_at(ibody), integer_at(ielem), integer_at(ilocal), codes, known.data(),
+                                    integer_at(icase));
   }
   call.leave(ierr);
 }
@@ -97,8 +96,8 @@ void c2case_(Work work, In ibody, In ielem, In ilocal, In values, In icase, Out 
   Call call(work);
   if (call.ready()) {
     const Reals known(values, 4);
-    call.status = c2d_set_case_values(call.solver, integer_at(ibody), integer_at(ielem), integer_at(ilocal),
-                                      known.data(), integer_at(icase));
+    call.status = c2d_set_case_values(call.solver, integer_at(ibody), integer_at(ielem), integer_at(ilocal), known.data(),
+                                      integer_at(icase));
   }
   call.leave(ierr);
 }
@@ -106,16 +105,16 @@ void c2case_(Work work, In ibody, In ielem, In ilocal, In values, In icase, Out 
 void c2load_(Work work, In ibody, In x, In y, In fx, In fy, In icase, Out ierr) {
   Call call(work);
   if (call.ready())
-    call.status = c2d_add_point_load(call.solver, integer_at(ibody), real_at(x), real_at(y), real_at(fx),
-                                     real_at(fy), integer_at(icase));
+    call.status =
+        c2d_add_point_load(call.solver, integer_at(ibody), real_at(x), real_at(y), real_at(fx), real_at(fy), integer_at(icase));
   call.leave(ierr);
 }
 
 void c2rigd_(Work work, In icase, In ux, In uy, In rotatn, In x0, In y0, Out ierr) {
   Call call(work);
   if (call.ready())
-    call.status = c2d_set_rigid(call.solver, integer_at(icase), real_at(ux), real_at(uy), real_at(rotatn),
-                                real_at(x0), real_at(y0));
+    call.status =
+        c2d_set_rigid(call.solver, integer_at(icase), real_at(ux), real_at(uy), real_at(rotatn), real_at(x0), real_at(y0));
   call.leave(ierr);
 }
 
@@ -128,8 +127,8 @@ void c2intf_(Work work, In icase, Out ierr) {
 void c2bfor_(Work work, In ibody, In icase, In bx, In by, In rhom2, In x0, In y0, Out ierr) {
   Call call(work);
   if (call.ready())
-    call.status = c2d_set_body_force(call.solver, integer_at(ibody), integer_at(icase), real_at(bx),
-                                     real_at(by), real_at(rhom2), real_at(x0), real_at(y0));
+    call.status = c2d_set_body_force(call.solver, integer_at(ibody), integer_at(icase), real_at(bx), real_at(by),
+                                     real_at(rhom2), real_at(x0), real_at(y0));
   call.leave(ierr);
 }
 
@@ -173,8 +172,7 @@ void c2mu_(Work work, In fmu, Out ierr) {
 
 void c2muz_(Work work, In izone, In i, In fmu, Out ierr) {
   Call call(work);
-  if (call.ready())
-    call.status = c2d_set_zone_friction(call.solver, integer_at(izone), integer_at(i), real_at(fmu));
+  if (call.ready()) call.status = c2d_set_zone_friction(call.solver, integer_at(izone), integer_at(i), real_at(fmu));
   call.leave(ierr);
 }
 
@@ -189,8 +187,7 @@ void c2path_(Work work, In ninc, In factor, In ncases, Out ierr) {
   if (call.ready()) {
     const int32_t cases = integer_at(ncases);
     const Reals load(factor, cases);
-    call.status =
-        !load.ok() ? C2D_ERR_LIMIT : c2d_add_path_point(call.solver, integer_at(ninc), load.data(), cases);
+    call.status = !load.ok() ? C2D_ERR_LIMIT : c2d_add_path_point(call.solver, integer_at(ninc), load.data(), cases);
   }
   call.leave(ierr);
 }
@@ -246,8 +243,7 @@ void c2unit_(Work work, Text length, In llen, Text force, In lforce, Out ierr) {
 
 void c2line_(Work work, In iline, In icol, In icol2, Out ierr) {
   Call call(work);
-  if (call.ready())
-    call.status = c2d_set_line(call.solver, integer_at(iline), integer_at(icol), integer_at(icol2));
+  if (call.ready()) call.status = c2d_set_line(call.solver, integer_at(iline), integer_at(icol), integer_at(icol2));
   call.leave(ierr);
 }
 

@@ -7,17 +7,12 @@ using namespace c2d::fortran;
 
 namespace {
 
-const char* behind(In from, int64_t reals) {
-  return static_cast<const char*>(from) + reals * 8;
-}
-char* behind(Out to, int64_t reals) {
-  return static_cast<char*>(to) + reals * 8;
-}
+const char* behind(In from, int64_t reals) { return static_cast<const char*>(from) + reals * 8; }
+char* behind(Out to, int64_t reals) { return static_cast<char*>(to) + reals * 8; }
 
 constexpr int32_t kChunk = 32; // entries fetched at a time where the caller's array stands at an odd address
 
-c2d_status get_in_chunks(c2d_solver* solver, int32_t field, int32_t body, int32_t first, int32_t count, Out a,
-                         int64_t stride) {
+c2d_status get_in_chunks(c2d_solver* solver, int32_t field, int32_t body, int32_t first, int32_t count, Out a, int64_t stride) {
   double some[kChunk];
   for (int32_t done = 0; done < count; done += kChunk) {
     const int32_t now = count - done < kChunk ? count - done : kChunk;
@@ -29,8 +24,7 @@ c2d_status get_in_chunks(c2d_solver* solver, int32_t field, int32_t body, int32_
   return C2D_OK;
 }
 
-c2d_status points_one_by_one(c2d_solver* solver, int32_t body, int32_t count, In xy, int64_t xy_stride, Out a,
-                             int64_t stride) {
+c2d_status points_one_by_one(c2d_solver* solver, int32_t body, int32_t count, In xy, int64_t xy_stride, Out a, int64_t stride) {
   double row[C2D_POINT_FIELDS];
   for (int32_t i = 0; i < count; ++i) {
     const double point[2] = {real_at(behind(xy, i * xy_stride)), real_at(behind(xy, i * xy_stride), 1)};
@@ -42,8 +36,7 @@ c2d_status points_one_by_one(c2d_solver* solver, int32_t body, int32_t count, In
 }
 
 // The last point goes first: if there are fewer, nothing has been written when that is found.
-c2d_status expand_one_by_one(const c2d_points& points, int32_t first, int32_t count, Out xy, int64_t stride,
-                             int32_t& total) {
+c2d_status expand_one_by_one(const c2d_points& points, int32_t first, int32_t count, Out xy, int64_t stride, int32_t& total) {
   double point[2];
   if (count < 0 || first > INT32_MAX - count) return C2D_ERR_ARGUMENT;
   c2d_status status = c2d_expand_points(&points, first, 0, point, 2, &total);
@@ -61,24 +54,13 @@ template <class T, class Put> void put_list(Out to, int32_t count, const T* list
 
 void put_summary(const c2d_summary& s, Out isum, int32_t ni, Out rsum, int32_t nr) {
   const int32_t events = s.events > INT32_MAX ? INT32_MAX : static_cast<int32_t>(s.events);
-  const int32_t integers[] = {
-      s.state,      s.outcome,  s.outcome_body, s.outcome_pair, s.bodies,           s.function_nodes,
-      s.pairs,      s.zones,    s.steps,        s.coefficients, s.elements[0],      s.elements[1],
-      s.nodes[0],   s.nodes[1], s.unknowns[0],  s.unknowns[1],  s.contact_unknowns, s.paths,
-      s.load_cases, s.warnings, events};
-  double reals[28] = {s.load,
-                      s.mu,
-                      s.force_applied,
-                      s.force_contact,
-                      s.force_error,
-                      s.max_residual,
-                      s.elimination_residual,
-                      s.condition,
-                      s.work,
-                      s.dissipated,
-                      s.elastic,
-                      s.energy_defect,
-                      s.tension_ratio};
+  const int32_t integers[] = {s.state,      s.outcome,  s.outcome_body, s.outcome_pair, s.bodies,           s.function_nodes,
+                              s.pairs,      s.zones,    s.steps,        s.coefficients, s.elements[0],      s.elements[1],
+                              s.nodes[0],   s.nodes[1], s.unknowns[0],  s.unknowns[1],  s.contact_unknowns, s.paths,
+                              s.load_cases, s.warnings, events};
+  double reals[28] = {
+      s.load,      s.mu,   s.force_applied, s.force_contact, s.force_error,   s.max_residual, s.elimination_residual,
+      s.condition, s.work, s.dissipated,    s.elastic,       s.energy_defect, s.tension_ratio};
   memcpy(reals + 13, s.applied, sizeof s.applied);
   memcpy(reals + 19, s.contact, sizeof s.contact);
   memcpy(reals + 25, s.free_motion, sizeof s.free_motion);
@@ -91,8 +73,7 @@ void put_summary(const c2d_summary& s, Out isum, int32_t ni, Out rsum, int32_t n
 void c2get_(Work work, In ifield, In ibody, In ifirst, In n, Out a, In lda, Out ierr) {
   Call call(work);
   if (call.ready()) {
-    const int32_t field = integer_at(ifield), body = integer_at(ibody), first = integer_at(ifirst),
-                  count = integer_at(n);
+    const int32_t field = integer_at(ifield), body = integer_at(ibody), first = integer_at(ifirst), count = integer_at(n);
     const int64_t stride = integer_at(lda);
     if (is_aligned(a))
       call.status = c2d_get(call.solver, field, body, first, count, static_cast<double*>(a), stride);
@@ -110,8 +91,8 @@ void c2intr_(Work work, In ibody, In n, In xy, In ldxy, Out a, In lda, Out ierr)
     const int32_t body = integer_at(ibody), count = integer_at(n);
     const int64_t xy_stride = integer_at(ldxy), stride = integer_at(lda);
     if (is_aligned(xy) && is_aligned(a))
-      call.status = c2d_interior(call.solver, body, count, static_cast<const double*>(xy), xy_stride,
-                                 static_cast<double*>(a), stride);
+      call.status =
+          c2d_interior(call.solver, body, count, static_cast<const double*>(xy), xy_stride, static_cast<double*>(a), stride);
     else if (count < 0 || xy_stride < 2 || stride < C2D_POINT_FIELDS)
       call.status = C2D_ERR_ARGUMENT;
     else
@@ -168,8 +149,8 @@ void c2gpth_(Work work, In i, Out ninc, Out factor, In ncases, Out ierr) {
     if (!direct && cases > 64)
       call.status = C2D_ERR_LIMIT;
     else
-      call.status = c2d_get_path_point(call.solver, integer_at(i), &increments,
-                                       direct ? static_cast<double*>(factor) : some, cases);
+      call.status =
+          c2d_get_path_point(call.solver, integer_at(i), &increments, direct ? static_cast<double*>(factor) : some, cases);
     if (call.status == C2D_OK && !direct) memcpy(factor, some, static_cast<size_t>(cases) * sizeof(double));
     if (call.status == C2D_OK) put_integer(ninc, increments);
   }
@@ -210,8 +191,8 @@ void c2gcon_(Work work, In ibody, In ielem, In ilocal, In icase, Out icodes, Out
   if (call.ready()) {
     int32_t codes[4];
     double known[4];
-    call.status = c2d_get_case_condition(call.solver, integer_at(ibody), integer_at(ielem),
-                                         integer_at(ilocal), codes, known, integer_at(icase));
+    call.status = c2d_get_case_condition(call.solver, integer_at(ibody), integer_at(ielem), integer_at(ilocal), codes, known,
+                                         integer_at(icase));
     if (call.status == C2D_OK) {
       memcpy(icodes, codes, sizeof codes);
       memcpy(values, known, sizeof known);
@@ -240,8 +221,7 @@ void c2gbfo_(Work work, In ibody, In icase, Out force, Out rhom2, Out axis, Out 
   Call call(work);
   if (call.ready()) {
     double weight[2], turning = 0.0, centre[2];
-    call.status =
-        c2d_get_body_force(call.solver, integer_at(ibody), integer_at(icase), weight, &turning, centre);
+    call.status = c2d_get_body_force(call.solver, integer_at(ibody), integer_at(icase), weight, &turning, centre);
     if (call.status == C2D_OK) {
       memcpy(force, weight, sizeof weight);
       put_real(rhom2, turning);
@@ -318,12 +298,10 @@ void c2xpts_(Work work, In i, In ifirst, In n, Out xy, In ldxy, Out ntotal, Out 
     const int32_t first = integer_at(ifirst), count = integer_at(n);
     const int64_t stride = integer_at(ldxy);
     int32_t total = 0;
-    call.status =
-        count > 0 && stride < 2 ? C2D_ERR_ARGUMENT : c2d_get_points(call.solver, integer_at(i), &points);
+    call.status = count > 0 && stride < 2 ? C2D_ERR_ARGUMENT : c2d_get_points(call.solver, integer_at(i), &points);
     if (call.status == C2D_OK)
-      call.status = is_aligned(xy)
-                        ? c2d_expand_points(&points, first, count, static_cast<double*>(xy), stride, &total)
-                        : expand_one_by_one(points, first, count, xy, stride, total);
+      call.status = is_aligned(xy) ? c2d_expand_points(&points, first, count, static_cast<double*>(xy), stride, &total)
+                                   : expand_one_by_one(points, first, count, xy, stride, total);
     if (call.status == C2D_OK) put_integer(ntotal, total);
   }
   call.leave(ierr);

@@ -12,8 +12,8 @@ struct StepCall {
 int32_t pass_on(void* context, const c2d_step* step) {
   const int32_t stride = static_cast<int32_t>(step->stride);
   int32_t stop = 0;
-  static_cast<StepCall*>(context)->routine(&step->kind, &step->coefficient, &step->step, &step->outcome,
-                                           &step->mu, &step->load, &step->pairs, step->table, &stride, &stop);
+  static_cast<StepCall*>(context)->routine(&step->kind, &step->coefficient, &step->step, &step->outcome, &step->mu, &step->load,
+                                           &step->pairs, step->table, &stride, &stop);
   return stop;
 }
 
@@ -35,8 +35,8 @@ void c2rval_(Work work, In ibody, In ielem, In ilocal, In values, In icase, Out 
   Call call(work);
   if (call.ready()) {
     const Reals known(values, 4);
-    call.status = c2d_replace_values(call.solver, integer_at(ibody), integer_at(ielem), integer_at(ilocal),
-                                     known.data(), integer_at(icase));
+    call.status = c2d_replace_values(call.solver, integer_at(ibody), integer_at(ielem), integer_at(ilocal), known.data(),
+                                     integer_at(icase));
   }
   call.leave(ierr);
 }
@@ -44,8 +44,7 @@ void c2rval_(Work work, In ibody, In ielem, In ilocal, In values, In icase, Out 
 void c2rpld_(Work work, In i, In x, In y, In fx, In fy, Out ierr) {
   Call call(work);
   if (call.ready())
-    call.status =
-        c2d_replace_point_load(call.solver, integer_at(i), real_at(x), real_at(y), real_at(fx), real_at(fy));
+    call.status = c2d_replace_point_load(call.solver, integer_at(i), real_at(x), real_at(y), real_at(fx), real_at(fy));
   call.leave(ierr);
 }
 
@@ -77,8 +76,7 @@ void c2next_(Work work, In direct, In ncases, Out step, Out ierr) {
     const int32_t cases = integer_at(ncases);
     const Reals direction(direct, cases);
     double length = 0.0;
-    call.status =
-        direction.ok() ? c2d_next_event(call.solver, direction.data(), cases, &length) : C2D_ERR_LIMIT;
+    call.status = direction.ok() ? c2d_next_event(call.solver, direction.data(), cases, &length) : C2D_ERR_LIMIT;
     if (call.status == C2D_OK) put_real(step, length);
   }
   call.leave(ierr);
@@ -93,8 +91,8 @@ void c2solv_(Work work, c2_step step, Out ierr) {
   call.leave(ierr);
 }
 
-void c2none_(const int32_t*, const int32_t*, const int32_t*, const int32_t*, const double*, const double*,
-             const int32_t*, const double*, const int32_t*, int32_t*) {}
+void c2none_(const int32_t*, const int32_t*, const int32_t*, const int32_t*, const double*, const double*, const int32_t*,
+             const double*, const int32_t*, int32_t*) {}
 
 void c2canc_(Work work, Out ierr) {
   Call call(work);

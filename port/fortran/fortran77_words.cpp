@@ -8,18 +8,12 @@ namespace fortran {
 
 const char* message(int32_t status) {
   switch (status) {
-  case kBadInteger:
-    return "INTEGER has 8 bytes here: compile the calling program with INTEGER*4";
-  case kBadReal:
-    return "RCHECK is not REAL*8 with the values that C2OPEN asks for";
-  case kBadCheck:
-    return "ICHECK does not hold the values that C2OPEN asks for";
-  case kNotOpen:
-    return "C2OPEN has not been called for this array, or it has been moved or overwritten";
-  case kBadName:
-    return "a name is empty or too long";
-  default:
-    return c2d_message(status);
+  case kBadInteger: return "INTEGER has 8 bytes here: compile the calling program with INTEGER*4";
+  case kBadReal: return "RCHECK is not REAL*8 with the values that C2OPEN asks for";
+  case kBadCheck: return "ICHECK does not hold the values that C2OPEN asks for";
+  case kNotOpen: return "C2OPEN has not been called for this array, or it has been moved or overwritten";
+  case kBadName: return "a name is empty or too long";
+  default: return c2d_message(status);
   }
 }
 
@@ -63,12 +57,6 @@ void c2note_(Work work, In i, Out info, In ninfo, Out text, In ltext, Out ierr) 
   put_integer(ierr, status);
 }
 
-void c2msg_(In icode, Out text, In ltext) {
-  put_text(text, integer_at(ltext), message(integer_at(icode)));
-}
-void c2omsg_(In iout, Out text, In ltext) {
-  put_text(text, integer_at(ltext), c2d_outcome_message(integer_at(iout)));
-}
-void c2vers_(Out text, In ltext) {
-  put_text(text, integer_at(ltext), c2d_version());
-}
+void c2msg_(In icode, Out text, In ltext) { put_text(text, integer_at(ltext), message(integer_at(icode))); }
+void c2omsg_(In iout, Out text, In ltext) { put_text(text, integer_at(ltext), c2d_outcome_message(integer_at(iout))); }
+void c2vers_(Out text, In ltext) { put_text(text, integer_at(ltext), c2d_version()); }

@@ -5,21 +5,13 @@ namespace {
 
 constexpr uint64_t kMark = 64; // bytes at the front of a block that are cleared when a tape is new
 
-c2d_memory_store* self(void* context) {
-  return static_cast<c2d_memory_store*>(context);
-}
+c2d_memory_store* self(void* context) { return static_cast<c2d_memory_store*>(context); }
 
-bool is_tape(int32_t tape) {
-  return tape >= 0 && tape < C2D_TAPES;
-}
+bool is_tape(int32_t tape) { return tape >= 0 && tape < C2D_TAPES; }
 
 // Saturating, so that an absurd size is merely more than there is.
-uint64_t product(uint64_t a, uint64_t b) {
-  return a != 0 && b > UINT64_MAX / a ? UINT64_MAX : a * b;
-}
-uint64_t sum(uint64_t a, uint64_t b) {
-  return b > UINT64_MAX - a ? UINT64_MAX : a + b;
-}
+uint64_t product(uint64_t a, uint64_t b) { return a != 0 && b > UINT64_MAX / a ? UINT64_MAX : a * b; }
+uint64_t sum(uint64_t a, uint64_t b) { return b > UINT64_MAX - a ? UINT64_MAX : a + b; }
 
 // Find room for `bytes` bytes: the tape's own piece, if need be grown at the end of what is used, or a new
 // piece.

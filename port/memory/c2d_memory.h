@@ -19,9 +19,9 @@ extern "C" {
 
 /* What the store's functions return, seen in c2d_error.host_code. */
 enum {
-  C2D_MEMORY_STORE_FULL = 1,  /* open: the region is too small; c2d_memory_store_need tells what would do  */
-  C2D_MEMORY_STORE_TAPE = 2,  /* no such tape, or it is not open                                           */
-  C2D_MEMORY_STORE_RANGE = 3  /* a block beyond the end of the tape, or too many bytes                     */
+  C2D_MEMORY_STORE_FULL = 1, /* open: the region is too small; c2d_memory_store_need tells what would do  */
+  C2D_MEMORY_STORE_TAPE = 2, /* no such tape, or it is not open                                           */
+  C2D_MEMORY_STORE_RANGE = 3 /* a block beyond the end of the tape, or too many bytes                     */
 };
 
 /* Members are the store's own; do not touch. Offsets are from the start of the region. */

@@ -28,9 +28,7 @@ std::vector<std::string> lines_of(const std::string& path) {
   return out;
 }
 
-bool begins(const std::string& text, const std::string& with) {
-  return text.compare(0, with.size(), with) == 0;
-}
+bool begins(const std::string& text, const std::string& with) { return text.compare(0, with.size(), with) == 0; }
 
 // Where a header named in an #include stands; empty: not one of ours.
 std::string header_path(const std::string& name) {
@@ -76,8 +74,8 @@ std::string renamed(const std::string& line, const Names& names, const std::stri
       ++i;
     } else if (std::isalpha(line[start]) || line[start] == '_') {
       while (i < line.size() && (std::isalnum(line[i]) || line[i] == '_')) ++i;
-      const bool member = (start > 0 && line[start - 1] == '.') ||
-                          (start > 1 && line[start - 1] == '>' && line[start - 2] == '-');
+      const bool member =
+          (start > 0 && line[start - 1] == '.') || (start > 1 && line[start - 1] == '>' && line[start - 2] == '-');
       const std::string word = line.substr(start, i - start);
       out += !member && names.count(word) ? word + tag : word;
       continue;
@@ -90,8 +88,8 @@ std::string renamed(const std::string& line, const Names& names, const std::stri
 }
 
 struct Amalgamation {
-  Names seen;                                  // headers that need not come again
-  std::map<std::string, int> declared_in;      // by how many files
+  Names seen;                             // headers that need not come again
+  std::map<std::string, int> declared_in; // by how many files
   void count(const std::string& source);
   void put(const std::string& path, const Names& names, const std::string& tag);
   void include(const std::string& line, const Names& names, const std::string& tag);
@@ -131,8 +129,10 @@ void Amalgamation::put(const std::string& path, const Names& names, const std::s
   std::cout << "\n/* ---- " << path << " */\n";
   for (const std::string& line : lines_of(path)) {
     if (line == "#pragma once") continue;
-    if (begins(line, "#include")) include(line, names, tag);
-    else std::cout << renamed(line, names, tag) << '\n';
+    if (begins(line, "#include"))
+      include(line, names, tag);
+    else
+      std::cout << renamed(line, names, tag) << '\n';
   }
 }
 

@@ -15,13 +15,9 @@ namespace {
 // The most that is handed to the system at once: some systems refuse more than 2^31 - 1 bytes.
 constexpr uint64_t kTransferBytes = uint64_t(1) << 30;
 
-c2d_posix_store* self(void* context) {
-  return static_cast<c2d_posix_store*>(context);
-}
+c2d_posix_store* self(void* context) { return static_cast<c2d_posix_store*>(context); }
 
-bool is_open(const c2d_posix_store* s, int32_t tape) {
-  return tape >= 0 && tape < C2D_TAPES && s->file[tape] >= 0;
-}
+bool is_open(const c2d_posix_store* s, int32_t tape) { return tape >= 0 && tape < C2D_TAPES && s->file[tape] >= 0; }
 
 struct FileName {
   char text[16];
@@ -93,9 +89,7 @@ bool is_offset(uint64_t end) {
   return place >= 0 && static_cast<uint64_t>(place) == end;
 }
 
-size_t part(uint64_t bytes) {
-  return static_cast<size_t>(bytes < kTransferBytes ? bytes : kTransferBytes);
-}
+size_t part(uint64_t bytes) { return static_cast<size_t>(bytes < kTransferBytes ? bytes : kTransferBytes); }
 
 int32_t read_block(void* context, int32_t tape, uint64_t block, void* data, uint64_t bytes) {
   c2d_posix_store* s = self(context);
@@ -121,8 +115,7 @@ int32_t write_block(void* context, int32_t tape, uint64_t block, const void* dat
   if (!is_offset(start + bytes)) return C2D_POSIX_STORE_RANGE;
   const char* from = static_cast<const char*>(data);
   for (uint64_t done = 0; done < bytes;) {
-    const ssize_t put =
-        pwrite(s->file[tape], from + done, part(bytes - done), static_cast<off_t>(start + done));
+    const ssize_t put = pwrite(s->file[tape], from + done, part(bytes - done), static_cast<off_t>(start + done));
     if (put == 0) return C2D_POSIX_STORE_STUCK;
     if (put < 0 && errno != EINTR) return errno;
     if (put > 0) done += static_cast<uint64_t>(put);
@@ -190,8 +183,7 @@ int32_t lock_folder(c2d_posix_store* s) {
 } // namespace
 
 int32_t do_posix_transfer(c2d_posix_store* store, const PosixTransfer& t) {
-  return t.writes ? write_block(store, t.tape, t.block, t.data, t.bytes)
-                  : read_block(store, t.tape, t.block, t.data, t.bytes);
+  return t.writes ? write_block(store, t.tape, t.block, t.data, t.bytes) : read_block(store, t.tape, t.block, t.data, t.bytes);
 }
 
 extern "C" {
@@ -254,8 +246,7 @@ int32_t c2d_posix_store_discard(c2d_posix_store* store, const char* folder) {
   if (unlinkat(store->folder, "lock", 0) != 0 && errno != ENOENT && first == 0) first = errno;
   const int32_t code = c2d_posix_store_done(store);
   if (first == 0) first = code;
-  const bool removed =
-      !folder || rmdir(folder) == 0 || errno == ENOTEMPTY || errno == EEXIST || errno == ENOENT;
+  const bool removed = !folder || rmdir(folder) == 0 || errno == ENOTEMPTY || errno == EEXIST || errno == ENOENT;
   return first == 0 && !removed ? errno : first;
 }
 

@@ -22,12 +22,12 @@ extern "C" {
 /* What the store's functions return, seen in c2d_error.host_code: a positive number is errno, a negative one is one
    of these. */
 enum {
-  C2D_POSIX_STORE_TAPE = -1,  /* no such tape, or it is not open                                        */
-  C2D_POSIX_STORE_RANGE = -2, /* a block beyond the end of the tape, too many bytes, an offset too large */
-  C2D_POSIX_STORE_END = -3,   /* read: the file ends before the block does                              */
-  C2D_POSIX_STORE_LOCKED = -4,/* init: the folder is in use by another store                            */
-  C2D_POSIX_STORE_STUCK = -5, /* write: the system takes no more bytes without saying why               */
-  C2D_POSIX_STORE_TICKET = -6 /* start: four transfers are under way; wait: no such transfer is          */
+  C2D_POSIX_STORE_TAPE = -1,   /* no such tape, or it is not open                                        */
+  C2D_POSIX_STORE_RANGE = -2,  /* a block beyond the end of the tape, too many bytes, an offset too large */
+  C2D_POSIX_STORE_END = -3,    /* read: the file ends before the block does                              */
+  C2D_POSIX_STORE_LOCKED = -4, /* init: the folder is in use by another store                            */
+  C2D_POSIX_STORE_STUCK = -5,  /* write: the system takes no more bytes without saying why               */
+  C2D_POSIX_STORE_TICKET = -6  /* start: four transfers are under way; wait: no such transfer is          */
 };
 
 /* Members are the store's own; do not touch. They are file descriptors, -1: none. */

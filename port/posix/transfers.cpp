@@ -8,8 +8,8 @@
 
 namespace {
 
-constexpr int32_t kSlots = 4;    // more are never asked for at once
-constexpr int32_t kDone = -1;    // ticket of what was done at once
+constexpr int32_t kSlots = 4;     // more are never asked for at once
+constexpr int32_t kDone = -1;     // ticket of what was done at once
 constexpr int32_t kPatience = 64; // looks for news, the processor offered in between, before a thread goes to sleep
 
 enum State : int32_t { idle, asked, done }; // asked: in the queue, or being done

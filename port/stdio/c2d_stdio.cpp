@@ -16,22 +16,14 @@ namespace {
 
 constexpr size_t kNameBytes = sizeof(c2d_stdio_store::folder) + 16;
 
-c2d_stdio_store* self(void* context) {
-  return static_cast<c2d_stdio_store*>(context);
-}
+c2d_stdio_store* self(void* context) { return static_cast<c2d_stdio_store*>(context); }
 
-bool is_tape(int32_t tape) {
-  return tape >= 0 && tape < C2D_TAPES;
-}
+bool is_tape(int32_t tape) { return tape >= 0 && tape < C2D_TAPES; }
 
-FILE* file_of(const c2d_stdio_store* s, int32_t tape) {
-  return is_tape(tape) ? static_cast<FILE*>(s->file[tape]) : nullptr;
-}
+FILE* file_of(const c2d_stdio_store* s, int32_t tape) { return is_tape(tape) ? static_cast<FILE*>(s->file[tape]) : nullptr; }
 
 // errno of a call that failed just now; the C standard does not promise that it is set.
-int32_t failure() {
-  return errno > 0 ? static_cast<int32_t>(errno) : C2D_STDIO_STORE_FAILED;
-}
+int32_t failure() { return errno > 0 ? static_cast<int32_t>(errno) : C2D_STDIO_STORE_FAILED; }
 
 void file_name(const c2d_stdio_store* s, int32_t tape, char name[kNameBytes]) {
   const size_t length = strlen(s->folder);

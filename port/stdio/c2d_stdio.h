@@ -19,11 +19,11 @@ extern "C" {
 /* What the store's functions return, seen in c2d_error.host_code: a positive number is the C library's errno, a
    negative one is one of these. */
 enum {
-  C2D_STDIO_STORE_TAPE = -1,  /* no such tape, or it is not open                                        */
-  C2D_STDIO_STORE_RANGE = -2, /* a block beyond the end of the tape, too many bytes, an offset too large */
-  C2D_STDIO_STORE_END = -3,   /* read: the file ends before the block does                              */
-  C2D_STDIO_STORE_FAILED = -4,/* the C library failed without saying why                                */
-  C2D_STDIO_STORE_NAME = -5   /* the folder's name is missing or too long                               */
+  C2D_STDIO_STORE_TAPE = -1,   /* no such tape, or it is not open                                        */
+  C2D_STDIO_STORE_RANGE = -2,  /* a block beyond the end of the tape, too many bytes, an offset too large */
+  C2D_STDIO_STORE_END = -3,    /* read: the file ends before the block does                              */
+  C2D_STDIO_STORE_FAILED = -4, /* the C library failed without saying why                                */
+  C2D_STDIO_STORE_NAME = -5    /* the folder's name is missing or too long                               */
 };
 
 /* Members are the store's own; do not touch. */

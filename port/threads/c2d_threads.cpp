@@ -50,8 +50,7 @@ void pause() {
 bool take_task(Pool& pool, bool caller) {
   uint64_t ticket = look(pool.ticket);
   while (has_task(ticket)) {
-    if (!__atomic_compare_exchange_n(&pool.ticket, &ticket, ticket + 1, false, __ATOMIC_SEQ_CST, __ATOMIC_SEQ_CST))
-      continue;
+    if (!__atomic_compare_exchange_n(&pool.ticket, &ticket, ticket + 1, false, __ATOMIC_SEQ_CST, __ATOMIC_SEQ_CST)) continue;
     if (!caller) fesetenv(&pool.environment);
     pool.task(pool.argument, pool.first + static_cast<int32_t>(next_of(ticket)));
     if (__atomic_sub_fetch(&pool.left, 1, __ATOMIC_SEQ_CST) == 0 && look(pool.waits) != 0) {

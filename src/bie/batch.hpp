@@ -41,7 +41,7 @@ struct BatchRun {
   const Deposits* deposits; // of `blocks`
   const Blocks* blocks;
   bool want_h, want_g;
-  double sign[2]; // of the rows of an image
+  double sign[2];             // of the rows of an image
   const BatchColumns* direct; // the same deposits, see aim_columns(); null: one by one
 };
 // Are the deposits so simple that each component has one column at most, and the image the element itself?
@@ -77,8 +77,7 @@ struct BatchKernel {
   void (*pay)(const BatchRun& run, int32_t first, int32_t count, const BatchBlocks& out);
   // Both for `count` sources, whole batches of them, none at a functional node. The blocks are room for the
   // work.
-  void (*integrate_and_pay)(const BatchRun& run, const double* xy, int32_t first, int32_t count,
-                            BatchBlocks& room);
+  void (*integrate_and_pay)(const BatchRun& run, const double* xy, int32_t first, int32_t count, BatchBlocks& room);
   // rigid_sum(): sum[4 s + 2 i + j].
   void (*rigid)(const BatchElement& e, const double* xy, double sum[4 * kBatch]);
   // Taken off the diagonals of `count` sources, whole batches.

@@ -33,8 +33,7 @@ template <int F, class T> INLINE void shaped(const T* power, T* node) {
 }
 
 template <int F, class Sink>
-INLINE void store_h(const BatchElement& e, const Complexes* c, const Complexes* moment, Doubles zeta,
-                    const Sink& sink) {
+INLINE void store_h(const BatchElement& e, const Complexes* c, const Complexes* moment, Doubles zeta, const Sink& sink) {
   Complexes d[F];
   shaped<F>(moment, d);
   const Doubles turn_re = zeta * e.h_cos2, turn_im = zeta * e.h_sin2;
@@ -52,12 +51,10 @@ constexpr double kMean[4][4] = {
 
 // E by parts: (k+1) E_k = [eta^(k+1) ln|eta-z|] - Re C_{k+1}.
 template <int F, class Sink>
-INLINE void store_g(const BatchElement& e, const Complexes* c, const Many<F>& m, Doubles zeta,
-                    const Sink& sink) {
+INLINE void store_g(const BatchElement& e, const Complexes* c, const Many<F>& m, Doubles zeta, const Sink& sink) {
   Doubles power[F], logs[F];
 #pragma GCC unroll 4
-  for (int k = 0; k < F; ++k)
-    power[k] = ((k % 2 == 0 ? m.log_product : m.c[0].re) - m.c[k + 1].re) * (1.0 / (k + 1));
+  for (int k = 0; k < F; ++k) power[k] = ((k % 2 == 0 ? m.log_product : m.c[0].re) - m.c[k + 1].re) * (1.0 / (k + 1));
   shaped<F>(power, logs);
   const Doubles turn_re = zeta * e.g_cos2, turn_im = zeta * e.g_sin2;
 #pragma GCC unroll 4
@@ -72,8 +69,7 @@ INLINE void store_g(const BatchElement& e, const Complexes* c, const Many<F>& m,
 }
 
 template <int F, class Sink>
-INLINE void store(const BatchElement& e, const Many<F>& m, Doubles zeta, bool want_h, bool want_g,
-                  const Sink& sink) {
+INLINE void store(const BatchElement& e, const Many<F>& m, Doubles zeta, bool want_h, bool want_g, const Sink& sink) {
   Complexes c[F];
   shaped<F>(m.c, c);
   if (want_h) store_h<F>(e, c, m.d, zeta, sink);
@@ -96,8 +92,7 @@ template <int F> INLINE void mixed_moments(const Seen& s, bool want_log, Many<F>
 
 // Apart, so that the frequent case keeps its numbers in registers.
 template <int F>
-OUTLINE void integrate_mixed(const BatchElement& e, const double* xy, bool want_h, bool want_g,
-                             const Room& room) {
+OUTLINE void integrate_mixed(const BatchElement& e, const double* xy, bool want_h, bool want_g, const Room& room) {
   const Seen s = see(e, xy);
   Many<F> m;
   mixed_moments<F>(s, want_g, m);
@@ -106,8 +101,8 @@ OUTLINE void integrate_mixed(const BatchElement& e, const double* xy, bool want_
 
 // kDoubles sources far away.
 template <int F, class Sink>
-INLINE void integrate_far(const BatchElement& e, Complexes z, Doubles z2, double least_z2, bool want_h,
-                          bool want_g, const Sink& sink) {
+INLINE void integrate_far(const BatchElement& e, Complexes z, Doubles z2, double least_z2, bool want_h, bool want_g,
+                          const Sink& sink) {
   if (F == 2) return far_linear(e, z, z2, terms_of(least_z2), want_h, want_g, sink);
   Many<F> m;
   far_moments<F>(z, z2, least_z2, want_g, m);
@@ -115,8 +110,7 @@ INLINE void integrate_far(const BatchElement& e, Complexes z, Doubles z2, double
 }
 
 template <int F>
-INLINE void integrate_sources(const BatchElement& e, const double* xy, bool want_h, bool want_g,
-                              BatchBlocks& out) {
+INLINE void integrate_sources(const BatchElement& e, const double* xy, bool want_h, bool want_g, BatchBlocks& out) {
   for (int at = 0; at < 2 * kBatch; at += 2 * kDoubles) {
     const Complexes z = see_far(e, xy + at);
     const Doubles z2 = squared_size(z);
@@ -155,20 +149,15 @@ void pay(const BatchRun& run, int32_t first, int32_t count, const BatchBlocks& o
 
 void integrate_batch(const BatchElement& e, const double* xy, bool want_h, bool want_g, BatchBlocks& out) {
   switch (e.functions) {
-  case 1:
-    return integrate_sources<1>(e, xy, want_h, want_g, out);
-  case 2:
-    return integrate_sources<2>(e, xy, want_h, want_g, out);
-  case 3:
-    return integrate_sources<3>(e, xy, want_h, want_g, out);
-  default:
-    return integrate_sources<4>(e, xy, want_h, want_g, out);
+  case 1: return integrate_sources<1>(e, xy, want_h, want_g, out);
+  case 2: return integrate_sources<2>(e, xy, want_h, want_g, out);
+  case 3: return integrate_sources<3>(e, xy, want_h, want_g, out);
+  default: return integrate_sources<4>(e, xy, want_h, want_g, out);
   }
 }
 
 // Straight into the columns, while the numbers are in registers; sources near the element by way of the room.
-template <int F>
-void integrate_into(const BatchRun& run, const double* xy, int32_t first, int32_t count, BatchBlocks& room) {
+template <int F> void integrate_into(const BatchRun& run, const double* xy, int32_t first, int32_t count, BatchBlocks& room) {
   const BatchElement e = run.element;
   const bool want_h = run.want_h, want_g = run.want_g;
   Columns to = {run.direct, 2 * static_cast<int64_t>(first)};
@@ -185,18 +174,13 @@ void integrate_into(const BatchRun& run, const double* xy, int32_t first, int32_
   }
 }
 
-void integrate_and_pay(const BatchRun& run, const double* xy, int32_t first, int32_t count,
-                       BatchBlocks& room) {
+void integrate_and_pay(const BatchRun& run, const double* xy, int32_t first, int32_t count, BatchBlocks& room) {
   if (run.direct) {
     switch (run.element.functions) {
-    case 1:
-      return integrate_into<1>(run, xy, first, count, room);
-    case 2:
-      return integrate_into<2>(run, xy, first, count, room);
-    case 3:
-      return integrate_into<3>(run, xy, first, count, room);
-    default:
-      return integrate_into<4>(run, xy, first, count, room);
+    case 1: return integrate_into<1>(run, xy, first, count, room);
+    case 2: return integrate_into<2>(run, xy, first, count, room);
+    case 3: return integrate_into<3>(run, xy, first, count, room);
+    default: return integrate_into<4>(run, xy, first, count, room);
     }
   }
   for (int32_t s = 0; s < count; s += kBatch) {
@@ -218,8 +202,7 @@ INLINE Rigid rigid_blocks(const BatchElement& e, Complexes c, Complexes d, Doubl
   const Doubles beta = turn_re * d.re + turn_im * d.im, gamma = turn_im * d.re - turn_re * d.im;
   const Doubles h00 = beta + e.h_alpha * c.im, h01 = gamma - e.h_delta * c.re;
   const Doubles h10 = gamma + e.h_delta * c.re, h11 = e.h_alpha * c.im - beta;
-  const Doubles row0 = evens(h00, h01), row1 = evens(h10, h11), last0 = odds(h00, h01),
-                last1 = odds(h10, h11);
+  const Doubles row0 = evens(h00, h01), row1 = evens(h10, h11), last0 = odds(h00, h01), last1 = odds(h10, h11);
   return {{low_pairs(row0, row1), high_pairs(row0, row1), low_pairs(last0, last1), high_pairs(last0, last1)}};
 }
 
@@ -269,8 +252,7 @@ void angles(const double* y, const double* x, double* out) {
   for (int i = 0; i < kBatch; i += kDoubles) save(out + i, angle(load(y + i), load(x + i)));
 }
 
-constexpr BatchKernel kBatchLoops = {integrate_batch, pay,   integrate_and_pay, rigid,
-                                     rigid_off,       field, logarithms,        angles};
+constexpr BatchKernel kBatchLoops = {integrate_batch, pay, integrate_and_pay, rigid, rigid_off, field, logarithms, angles};
 
 } // namespace
 } // namespace c2d

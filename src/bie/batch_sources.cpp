@@ -7,13 +7,9 @@ namespace c2d {
 
 #ifdef C2D_SMALL
 
-bool pay_batches(const ColumnSystem&, const Integrator&, const int32_t*, Blocks&, const Deposits&) {
-  return false;
-}
+bool pay_batches(const ColumnSystem&, const Integrator&, const int32_t*, Blocks&, const Deposits&) { return false; }
 
-bool fill_diagonal_batches(const ColumnSystem&, const Integrator&, const int32_t*, int32_t, int32_t) {
-  return false;
-}
+bool fill_diagonal_batches(const ColumnSystem&, const Integrator&, const int32_t*, int32_t, int32_t) { return false; }
 
 #else
 
@@ -29,8 +25,7 @@ OwnSources own_sources(const ColumnSystem& system, const int32_t node[4], int fu
   OwnSources own;
   own.count = functions;
   for (int l = 0; l < functions; ++l)
-    own.source[l] =
-        system.twin[node[l]] == kSecondTwin ? twin_node(system.model, system.body, node[l]) : node[l];
+    own.source[l] = system.twin[node[l]] == kSecondTwin ? twin_node(system.model, system.body, node[l]) : node[l];
   return own;
 }
 
@@ -53,8 +48,7 @@ Group group_at(const ColumnSystem& system, const OwnSources& own, int32_t first,
   if (g.count < kBatch) return g;
   g.count -= g.count % kBatch;
   for (int n = 0; n < own.count; ++n) // up to the batch with the first of the own ones
-    if (own.source[n] >= first && own.source[n] < first + g.count)
-      g.count = (own.source[n] - first) / kBatch * kBatch;
+    if (own.source[n] >= first && own.source[n] < first + g.count) g.count = (own.source[n] - first) / kBatch * kBatch;
   for (int32_t s = 0; system.some_passed_over && s < g.count; s += kBatch)
     if (has_passed_over(system, first + s)) g.count = s;
   g.plain = g.count > 0;
@@ -62,14 +56,11 @@ Group group_at(const ColumnSystem& system, const OwnSources& own, int32_t first,
   return g;
 }
 
-bool is_passed_over(int32_t twin) {
-  return twin == kSecondTwin || twin == kAxisNode;
-}
+bool is_passed_over(int32_t twin) { return twin == kSecondTwin || twin == kAxisNode; }
 
 // Where a batch of sources stands for an image: in `room`, if not where it is stored. Beyond the body's end
 // the last source stands again.
-const double* places(const ColumnSystem& system, int32_t first, int32_t count, int image,
-                     double room[2 * kBatch]) {
+const double* places(const ColumnSystem& system, int32_t first, int32_t count, int image, double room[2 * kBatch]) {
   const double* at = system.point + 2 * static_cast<int64_t>(first);
   if (image == 0 && count >= kBatch) return at;
   for (int s = 0; s < kBatch; ++s) {
@@ -81,8 +72,8 @@ const double* places(const ColumnSystem& system, int32_t first, int32_t count, i
 }
 
 // Local node at which lane s sits, -1 if none.
-int singular_lane(const ColumnSystem& system, const Integrator& in, const int32_t node[4], const Group& g,
-                  int image, int s, Source& p) {
+int singular_lane(const ColumnSystem& system, const Integrator& in, const int32_t node[4], const Group& g, int image, int s,
+                  Source& p) {
   const int32_t source = g.first + s;
   p = mirrored_source(*system.model.head, image, system.point + 2 * static_cast<int64_t>(source));
   return p.on_itself ? singular_node(node, in.functions, source, system.twin[source]) : -1;
@@ -121,8 +112,7 @@ void pay_group(BatchJob& job, const Group& g, int image, Blocks& blocks, BatchBl
   run.direct = image == 0 && job.direct ? &job.columns : nullptr;
   double room[2 * kBatch];
   if (!g.plain) {
-    kernel.integrate(run.element, places(job.system, g.first, g.count, image, room), run.want_h, run.want_g,
-                     out);
+    kernel.integrate(run.element, places(job.system, g.first, g.count, image, room), run.want_h, run.want_g, out);
     mend_lanes(job, g, image, blocks, out);
     kernel.pay(run, g.first, g.count, out);
     return;
@@ -134,8 +124,8 @@ void pay_group(BatchJob& job, const Group& g, int image, Blocks& blocks, BatchBl
 
 } // namespace
 
-bool pay_batches(const ColumnSystem& system, const Integrator& integrator, const int32_t node[4],
-                 Blocks& blocks, const Deposits& deposits) {
+bool pay_batches(const ColumnSystem& system, const Integrator& integrator, const int32_t node[4], Blocks& blocks,
+                 const Deposits& deposits) {
   if (!system.batch) return false;
   BatchJob job{system, integrator, node, BatchRun{{}, &deposits, &blocks, false, false, {1.0, 1.0}, nullptr}, {}, false};
   for (int n = 0; n < deposits.count; ++n)
@@ -160,8 +150,7 @@ bool pay_batches(const ColumnSystem& system, const Integrator& integrator, const
 namespace {
 
 // One batch, source by source.
-void take_off(const ColumnSystem& system, const Integrator& in, const int32_t node[4], const Group& g,
-              int image, double* sum) {
+void take_off(const ColumnSystem& system, const Integrator& in, const int32_t node[4], const Group& g, int image, double* sum) {
   double* diagonal = system.diagonal + 4 * static_cast<int64_t>(g.first);
   for (int s = 0; s < g.count; ++s) {
     if (is_passed_over(system.twin[g.first + s])) continue;
@@ -178,8 +167,8 @@ void take_off(const ColumnSystem& system, const Integrator& in, const int32_t no
 
 } // namespace
 
-bool fill_diagonal_batches(const ColumnSystem& system, const Integrator& integrator, const int32_t node[4],
-                           int32_t first_node, int32_t count) {
+bool fill_diagonal_batches(const ColumnSystem& system, const Integrator& integrator, const int32_t node[4], int32_t first_node,
+                           int32_t count) {
   if (!system.batch || !is_batched(integrator, false)) return false;
   const ModelHeader& head = *system.model.head;
   const BatchElement element = batch_element(integrator);

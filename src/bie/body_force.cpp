@@ -44,8 +44,7 @@ struct AreaMoments {
 
 // Five points are exact up to the ninth degree; x^2 dy is of the eighth on cubic elements.
 constexpr int kPoints = 5;
-constexpr double kPlace[kPoints] = {-0.9061798459386640, -0.5384693101056831, 0.0, 0.5384693101056831,
-                                    0.9061798459386640};
+constexpr double kPlace[kPoints] = {-0.9061798459386640, -0.5384693101056831, 0.0, 0.5384693101056831, 0.9061798459386640};
 constexpr double kWeight[kPoints] = {0.2369268850561891, 0.4786286704993665, 0.5688888888888889, 0.4786286704993665,
                                      0.2369268850561891};
 
@@ -76,8 +75,7 @@ Particular particular_solution(const Model& m, int b, int32_t load_case, double 
   const double nu = strain_poisson_ratio(m, b), g = shear_modulus(m, b);
   Particular out = {{0.0, 0.0}, {0.0, 0.0, 0.0}};
   double origin[2];
-  for (int c = 0; c < 2; ++c)
-    origin[c] = (head.symmetry >> c & 1) != 0 ? head.line_at[c] : head.body[b].centre[c];
+  for (int c = 0; c < 2; ++c) origin[c] = (head.symmetry >> c & 1) != 0 ? head.line_at[c] : head.body[b].centre[c];
   add_weight(f, nu, g, x - origin[0], y - origin[1], out);
   add_rotation(f, nu, g, x - f.x0, y - f.y0, out);
   return out;
@@ -86,8 +84,7 @@ Particular particular_solution(const Model& m, int b, int32_t load_case, double 
 void particular_traction(const Model& m, int b, int32_t load_case, int32_t element, int l, double t[2]) {
   double x[4], y[4];
   element_coordinates(m, b, element, x, y);
-  const Point p =
-      element_point(make_element(body_of(m, b).element_nodes, x, y), node_eta(m.head->function_nodes, l));
+  const Point p = element_point(make_element(body_of(m, b).element_nodes, x, y), node_eta(m.head->function_nodes, l));
   const Particular s = particular_solution(m, b, load_case, p.x, p.y);
   t[0] = s.stress[0] * p.nx + s.stress[2] * p.ny;
   t[1] = s.stress[2] * p.nx + s.stress[1] * p.ny;
@@ -111,8 +108,7 @@ void body_force_resultant(const Model& m, int b, int32_t load_case, double x, do
 namespace {
 
 // Of b.u_p, along a line y = constant from x = from to `to`: three Gauss points are exact for its fourth degree.
-double work_on_line(const Model& m, int b, const BodyForce& f, int32_t particular_case, double from, double to,
-                    double y) {
+double work_on_line(const Model& m, int b, const BodyForce& f, int32_t particular_case, double from, double to, double y) {
   const GaussRule rule = gauss_legendre(3);
   double sum = 0.0;
   for (int i = 0; i < rule.n; ++i) {
@@ -146,8 +142,7 @@ double body_force_work(const Model& m, int b, int32_t load_case, int32_t particu
       for (int i = 0; i < rule.n; ++i) {
         const GaussPoint g = gauss_point(rule, i);
         const double s = 0.5 * (1.0 + g.x), dy = y[k + 1] - y[k];
-        sum += 0.5 * g.w * dy *
-               work_on_line(m, b, f, particular_case, origin, x[k] + s * (x[k + 1] - x[k]), y[k] + s * dy);
+        sum += 0.5 * g.w * dy * work_on_line(m, b, f, particular_case, origin, x[k] + s * (x[k + 1] - x[k]), y[k] + s * dy);
       }
   }
   return sum;

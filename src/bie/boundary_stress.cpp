@@ -4,8 +4,8 @@
 
 namespace c2d {
 
-PlaneStress boundary_stress(const double n[2], const double t[2], const double du_ds[2], double shear_modulus,
-                            double nu, double* hoop) {
+PlaneStress boundary_stress(const double n[2], const double t[2], const double du_ds[2], double shear_modulus, double nu,
+                            double* hoop) {
   const double s[2] = {-n[1], n[0]};
   const double nn = t[0] * n[0] + t[1] * n[1], ns = t[0] * s[0] + t[1] * s[1];
   const double strain = du_ds[0] * s[0] + du_ds[1] * s[1];
@@ -16,9 +16,7 @@ PlaneStress boundary_stress(const double n[2], const double t[2], const double d
           nn * n[0] * n[1] + ns * (n[0] * s[1] + n[1] * s[0]) + ss * s[0] * s[1]};
 }
 
-double stress_across(const PlaneStress& s, bool plane_strain, double nu) {
-  return plane_strain ? nu * (s.xx + s.yy) : 0.0;
-}
+double stress_across(const PlaneStress& s, bool plane_strain, double nu) { return plane_strain ? nu * (s.xx + s.yy) : 0.0; }
 
 double von_mises(const PlaneStress& s, double szz) {
   const double a = s.xx - s.yy, b = s.yy - szz, c = szz - s.xx;

@@ -15,8 +15,8 @@ C2D_OPTIONAL(fill_transfer);
 namespace {
 
 // Prescribed values of one element and one load case.
-void aim_right_hand_side(const Panel& panel, int32_t element, const ElementTargets& t, int32_t load_case,
-                         bool want_h, bool want_g, bool contact, const Blocks& blocks, Deposits& out) {
+void aim_right_hand_side(const Panel& panel, int32_t element, const ElementTargets& t, int32_t load_case, bool want_h,
+                         bool want_g, bool contact, const Blocks& blocks, Deposits& out) {
   const Model& m = panel.m;
   Real* column = panel.column(panel.range.right + load_case);
   for (int l = 0; l < m.head->function_nodes; ++l)
@@ -48,16 +48,14 @@ void add_element(const ColumnSystem& system, const Hole* hole, const Panel& pane
   const int32_t passes = panel.range.holds_right() ? m.head->load_cases : 1;
   for (int32_t pass = 0; pass < passes; ++pass) {
     if (pass > 0) deposits.count = 0;
-    if (panel.range.holds_right())
-      aim_right_hand_side(panel, element, t, pass, want_h, want_g, contact, blocks, deposits);
+    if (panel.range.holds_right()) aim_right_hand_side(panel, element, t, pass, want_h, want_g, contact, blocks, deposits);
     if (deposits.count == 0) continue;
     pay_sources(system, hole, t.node, want_h, want_g);
   }
 }
 
 // The element's share of the three balance rows.
-void add_balance(const ColumnSystem& system, const Panel& panel, int32_t element, const ElementTargets& t,
-                 Measure measure) {
+void add_balance(const ColumnSystem& system, const Panel& panel, int32_t element, const ElementTargets& t, Measure measure) {
   const Model& m = system.model;
   const int b = system.body;
   const Body& body = m.head->body[b];
@@ -134,8 +132,7 @@ void hold_by_symmetry(const ColumnSystem& system, const Panel& panel) {
   const Body& body = m.head->body[system.body];
   for (int32_t node = 0; node < body.nodes; ++node)
     for (int c = 0; c < 2; ++c)
-      if (is_held_by_symmetry(m, system.body, node, c))
-        hold(panel, 2 * node + c, outer_column(m, system.body, node, c));
+      if (is_held_by_symmetry(m, system.body, node, c)) hold(panel, 2 * node + c, outer_column(m, system.body, node, c));
   for (int c = 0; c < 3; ++c)
     if (c == 2 || (m.head->symmetry >> c & 1) != 0) hold(panel, 2 * body.nodes + c, body.columns + c);
 }

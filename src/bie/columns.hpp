@@ -45,9 +45,7 @@ Source mirrored_source(const ModelHeader& head, int image, const double at[2]);
 // Fill `point` and `twin`. Before everything else. Returns whether there are nodes without collocation.
 bool place_sources(const ColumnSystem& system);
 
-inline int32_t system_rows(const Model& m, int b) {
-  return 2 * m.head->body[b].nodes + 3 + (b == 0 ? m.head->free_rows : 0);
-}
+inline int32_t system_rows(const Model& m, int b) { return 2 * m.head->body[b].nodes + 3 + (b == 0 ? m.head->free_rows : 0); }
 inline int32_t outer_columns(const Model& m, int b) { return m.head->body[b].columns + 3; }
 inline int32_t trailing_columns(const Model& m) { return 2 * m.head->contact + m.head->load_cases; }
 

@@ -1,5 +1,6 @@
 #pragma once
-// The diagonal in closed form, METHOD (2.4). With r, theta the ray from the source to a point of a path and k as in integrals.hpp,
+// The diagonal in closed form, METHOD (2.4). With r, theta the ray from the source to a point of a path and k as in
+// integrals.hpp,
 //   int T ds = k [ -(2-2nu) theta - sin(2 theta)/2, cos(2 theta)/2 - (1-2nu) ln r ]
 //                [ cos(2 theta)/2 + (1-2nu) ln r,   -(2-2nu) theta + sin(2 theta)/2 ]   between its ends:
 // a rigid translation does no work on the way. The boundary without the elements at the source is such a path, over

@@ -7,17 +7,14 @@
 namespace c2d {
 namespace {
 
-double larger(double a, double b) {
-  return a > b ? a : b;
-}
+double larger(double a, double b) { return a > b ? a : b; }
 
 // Are the coefficients of the second and third power explained by the rounding of the nodes' coordinates?
 bool is_straight(const Element& e) {
   constexpr double kRounding = 16 * 2.22e-16;
   double size = e.half_length;
   for (int i = 0; i < e.nodes; ++i) size = larger(size, larger(fabs(e.x[i]), fabs(e.y[i])));
-  const double bend =
-      larger(larger(fabs(e.c[2][0]), fabs(e.c[2][1])), larger(fabs(e.c[3][0]), fabs(e.c[3][1])));
+  const double bend = larger(larger(fabs(e.c[2][0]), fabs(e.c[2][1])), larger(fabs(e.c[3][0]), fabs(e.c[3][1])));
   return bend <= kRounding * size;
 }
 

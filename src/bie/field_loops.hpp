@@ -15,12 +15,8 @@ INLINE void gather(Parts& sum, Doubles re, Doubles im, Complexes moment) {
   sum.a = {sum.a.re + re * moment.re, sum.a.im + re * moment.im};
   sum.b = {sum.b.re + im * moment.re, sum.b.im + im * moment.im};
 }
-INLINE Complexes own(const Parts& p) {
-  return {p.a.re - p.b.im, p.a.im + p.b.re};
-}
-INLINE Complexes conjugates(const Parts& p) {
-  return {p.a.re + p.b.im, p.a.im - p.b.re};
-}
+INLINE Complexes own(const Parts& p) { return {p.a.re - p.b.im, p.a.im + p.b.re}; }
+INLINE Complexes conjugates(const Parts& p) { return {p.a.re + p.b.im, p.a.im - p.b.re}; }
 
 struct FieldSums { // in the element's axes
   Complexes u, deviator;
@@ -52,13 +48,11 @@ template <int F> INLINE void add_tractions(const BatchFieldElement& e, Complexes
   sum.u = {(e.u0.re - e.k_log * log.re) - turned * tc.im, (e.u0.im - e.k_log * log.im) - turned * tc.re};
   sum.trace = (2.0 * e.k_d) * tc.re;
   const Complexes bar = conjugates(c);
-  sum.deviator = {e.k_d * (e.kappa * bar.re + (tc.re - twice * d.im)),
-                  e.k_d * (e.kappa * bar.im + (tc.im + twice * d.re))};
+  sum.deviator = {e.k_d * (e.kappa * bar.re + (tc.re - twice * d.im)), e.k_d * (e.kappa * bar.im + (tc.im + twice * d.re))};
 }
 
 template <int F>
-INLINE void add_displacements(const BatchFieldElement& e, Complexes reference, Complexes z, const Many<F>& m,
-                              FieldSums& sum) {
+INLINE void add_displacements(const BatchFieldElement& e, Complexes reference, Complexes z, const Many<F>& m, FieldSums& sum) {
   Complexes third[F], f = {};
   third_moments<F>(z, m, third);
   Parts c = {}, d = {};
@@ -80,8 +74,7 @@ INLINE void add_displacements(const BatchFieldElement& e, Complexes reference, C
                   sum.deviator.im + e.k_s * ((twice * f.im - d.b.im) - ud.re)};
 }
 
-template <int F>
-INLINE void field_at(const BatchFieldElement& e, const BatchPoints& p, int at, BatchField& out) {
+template <int F> INLINE void field_at(const BatchFieldElement& e, const BatchPoints& p, int at, BatchField& out) {
   const Doubles ax = load(p.x + at) - e.x0, ay = load(p.y + at) - e.y0;
   Complexes z = {(ax * e.ux + ay * e.uy) - 1.0, ay * e.ux - ax * e.uy};
   Doubles z2 = squared_size(z);
@@ -118,12 +111,9 @@ template <int F> void field_of(const BatchFieldElement& e, const BatchPoints& p,
 
 void field(const BatchFieldElement& e, const BatchPoints& p, BatchField& out) {
   switch (e.functions) {
-  case 1:
-    return field_of<1>(e, p, out);
-  case 2:
-    return field_of<2>(e, p, out);
-  default:
-    return field_of<3>(e, p, out);
+  case 1: return field_of<1>(e, p, out);
+  case 2: return field_of<2>(e, p, out);
+  default: return field_of<3>(e, p, out);
   }
 }
 

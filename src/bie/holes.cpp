@@ -45,7 +45,7 @@ template <class Visit> void visit_chords(const Model& m, int b, const Hole& run,
 
 // What a run encloses with the lines of symmetry it ends on, image for image.
 struct Outline {
-  double area;        // negative: a hole
+  double area; // negative: a hole
   double length;
   double centroid[2];
   double first[2], last[2]; // where it begins and ends
@@ -221,8 +221,7 @@ template <class Add> void at_points(const Model& m, const Hole& hole, Add add) {
 
 } // namespace
 
-void hole_row(const Model& m, const Hole& hole, const Integrator& in, bool want_h, bool want_g, FieldElement& e,
-              HoleRow& out) {
+void hole_row(const Model& m, const Hole& hole, const Integrator& in, bool want_h, bool want_g, FieldElement& e, HoleRow& out) {
   e.in = in;
   for (int l = 0; l < in.functions; ++l)
     for (int c = 0; c < 2; ++c)

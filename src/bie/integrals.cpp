@@ -12,9 +12,7 @@ namespace {
 constexpr double kTolerance = 1e-13;
 constexpr double kNever = 1e300; // a squared distance no source has
 
-double length(const double v[2]) {
-  return sqrt(v[0] * v[0] + v[1] * v[1]);
-}
+double length(const double v[2]) { return sqrt(v[0] * v[0] + v[1] * v[1]); }
 
 bool constant_jacobian(const Integrator& in) {
   return in.d[1][0] == 0.0 && in.d[1][1] == 0.0 && in.d[2][0] == 0.0 && in.d[2][1] == 0.0;
@@ -133,8 +131,7 @@ void set_arc(Integrator& in, const Element& arc, bool reversed) {
   refresh(in);
 }
 
-void integrate(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g,
-               Blocks& out) {
+void integrate(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out) {
   if (in.degenerate) {
     if (want_h) clear(out.h, in.functions);
     if (want_g) clear(out.g, in.functions);

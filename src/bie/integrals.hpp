@@ -54,8 +54,7 @@ void set_arc(Integrator& in, const Element& arc, bool reversed);
 // if none; its own h is set to zero (free term and principal value come from rigid translation), its g is
 // complete. A source on the element but not on one of its functional nodes is not allowed (the result is
 // finite, but meaningless). Blocks not wanted are not touched.
-void integrate(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g,
-               Blocks& out);
+void integrate(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out);
 
 // sum[i][j] = sum over l != singular of h[l][i][j].
 void rigid_sum(const Integrator& in, double sx, double sy, int singular, double sum[2][2]);

@@ -18,13 +18,9 @@ struct Job {
   bool want_h, want_g;
 };
 
-double square(const double v[2]) {
-  return v[0] * v[0] + v[1] * v[1];
-}
+double square(const double v[2]) { return v[0] * v[0] + v[1] * v[1]; }
 
-double length(const double v[2]) {
-  return sqrt(square(v));
-}
+double length(const double v[2]) { return sqrt(square(v)); }
 
 // Adds a point; r2 = |x - source|^2, `log_of` stands for it in the logarithm.
 void add_point(const Job& job, const Sample& s, double weight, double r2, double log_of, Sums& sums) {
@@ -109,8 +105,7 @@ double nearest(const Expansion& x, double lo, double hi) {
     }
     const double slope2 = square(df);
     if (!(slope2 > 1e-12 * square(x.b[0]))) break;
-    const double step_re = (f[0] * df[0] + f[1] * df[1]) / slope2,
-                 step_im = (f[1] * df[0] - f[0] * df[1]) / slope2;
+    const double step_re = (f[0] * df[0] + f[1] * df[1]) / slope2, step_im = (f[1] * df[0] - f[0] * df[1]) / slope2;
     re -= step_re;
     im -= step_im;
     if (re * re + im * im > 16.0) break;
@@ -171,8 +166,7 @@ bool resolved(const Integrator& in, const Expansion& x, const Stretch& p, bool o
   return has_no_zero(in.d, x.origin + t, radius);
 }
 
-void integrate_curved(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g,
-                      Blocks& out) {
+void integrate_curved(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out) {
   const Job job = {in, singular, want_h, want_g};
   Sums sums = {};
   if (singular >= 0) {

@@ -57,18 +57,15 @@ void finish(const Integrator& in, const Sums& sums, int singular, bool want_h, b
 // Straight elements, constant J: closed forms. Their sum over l without the source's own node likewise; the
 // sum without a singular node holds for any path between the same ends that does not pass between source and
 // chord.
-void integrate_straight(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g,
-                        Blocks& out);
+void integrate_straight(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out);
 void rigid_sum_chord(const Integrator& in, double sx, double sy, double sum[2][2]);
 void rigid_sum_own_line(const Integrator& in, int singular, double sum[2][2]);
 
 // Anything: Gauss rules on the whole element, or on panels that shrink towards the source.
-void integrate_curved(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g,
-                      Blocks& out);
+void integrate_curved(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out);
 
 // The rule of the thesis's appendix A.
-void integrate_thesis(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g,
-                      Blocks& out);
+void integrate_thesis(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out);
 
 // Vector polynomial d0 + d1 u + d2 u^2 about `origin` has no zero in the disc |u - origin| < radius, as far
 // as the triangle inequality tells.

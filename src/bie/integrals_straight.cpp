@@ -57,22 +57,20 @@ void integrate_own_line(const Integrator& in, int singular, bool want_h, bool wa
 }
 
 // One local node from its moments c = int M/(eta-z), d = int M/(eta-z)^2, e = int M ln|eta-z|, mu = int M.
-inline void store_node(const Integrator& in, double zeta, Complex c, Complex d, double e, double mu,
-                       bool want_h, bool want_g, int l, Blocks& out) {
+inline void store_node(const Integrator& in, double zeta, Complex c, Complex d, double e, double mu, bool want_h, bool want_g,
+                       int l, Blocks& out) {
   if (want_h) {
     const Tensor t = {-in.t2 * c.im, -zeta * d.re, zeta * d.im, -in.t1 * c.re};
     store(rotated(in, t), in.k, out.h[l]);
   }
   if (want_g) {
-    const Tensor u = {0.5 * mu - in.kappa * (mu * in.log_half + e), 0.5 * mu - zeta * c.im, -zeta * c.re,
-                      0.0};
+    const Tensor u = {0.5 * mu - in.kappa * (mu * in.log_half + e), 0.5 * mu - zeta * c.im, -zeta * c.re, 0.0};
     store(rotated(in, u), in.k * in.g_jacobian, out.g[l]);
   }
 }
 
 // The commonest order, M = (1 -+ eta)/2, without a loop.
-void store_linear(const Integrator& in, double zeta, const Moments& m, bool want_h, bool want_g,
-                  Blocks& out) {
+void store_linear(const Integrator& in, double zeta, const Moments& m, bool want_h, bool want_g, Blocks& out) {
   const Complex c = 0.5 * m.c[0], c1 = 0.5 * m.c[1], d = 0.5 * m.d[0], d1 = 0.5 * m.d[1];
   const double e = 0.5 * m.e[0], e1 = 0.5 * m.e[1];
   store_node(in, zeta, c - c1, d - d1, e - e1, 1.0, want_h, want_g, 0, out);
@@ -81,8 +79,7 @@ void store_linear(const Integrator& in, double zeta, const Moments& m, bool want
 
 } // namespace
 
-void integrate_straight(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g,
-                        Blocks& out) {
+void integrate_straight(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out) {
   if (singular >= 0) {
     integrate_own_line(in, singular, want_h, want_g, out);
     return;

@@ -25,8 +25,7 @@ int rule_order(const Integrator& in, double sx, double sy) {
 
 // int ln(1/|tau|) M J on one side of the source, `end` = length of that side:
 // end [ int_0^1 ln(1/x) M J dx - ln(end) int_0^1 M J dx ].
-double logarithmic_side(const Integrator& in, const Expansion& x, int singular, double sign, double end,
-                        int order) {
+double logarithmic_side(const Integrator& in, const Expansion& x, int singular, double sign, double end, int order) {
   const LogRule logs = log_gauss(order);
   const GaussRule rule = gauss_legendre(order);
   double with_log = 0.0, plain = 0.0;
@@ -42,8 +41,7 @@ double logarithmic_side(const Integrator& in, const Expansion& x, int singular, 
 
 } // namespace
 
-void integrate_thesis(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g,
-                      Blocks& out) {
+void integrate_thesis(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out) {
   const int order = rule_order(in, sx, sy);
   const GaussRule rule = gauss_legendre(order);
   const double origin = singular >= 0 ? node_eta(in.functions, singular) : 0.0;

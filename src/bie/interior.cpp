@@ -10,7 +10,6 @@
 namespace c2d {
 namespace {
 
-
 // What both kernels of a source-field pair need.
 struct Ray {
   double r2;
@@ -57,8 +56,7 @@ Complex polynomial(const Complex* c, int n, double eta) {
   return sum;
 }
 
-void add_panel(const FieldElement& e, Complex reference, const Expansion& x, const Stretch& panel, int order,
-               PointField& sum) {
+void add_panel(const FieldElement& e, Complex reference, const Expansion& x, const Stretch& panel, int order, PointField& sum) {
   const GaussRule rule = gauss_legendre(order);
   const double half = 0.5 * (panel.to - panel.from), middle = 0.5 * (panel.from + panel.to);
   for (int i = 0; i < order; ++i) {

@@ -1,5 +1,6 @@
 #pragma once
-// Displacement and stress inside a body, thesis (3.32) to (3.34), METHOD 16.3: what one element adds at a point P off the boundary,
+// Displacement and stress inside a body, thesis (3.32) to (3.34), METHOD 16.3: what one element adds at a point P off the
+// boundary,
 //   u(P) = int U t - int T u,   sigma(P) = int D t - int S u.
 // Plane vectors are complex numbers, rho = field point minus P, n = outward normal; then with k = 1/(4 pi (1-nu))
 //   U t = k [ -kappa ln|rho| t + (t + conj(t rho*/rho))/2 ]
@@ -24,7 +25,7 @@ struct FieldElement {
   Integrator in;
   bool closed_form;
   bool displaced; // has displacements: the reference is taken off
-  Complex axis; // unit vector along those axes
+  Complex axis;   // unit vector along those axes
   Complex t[4], u[4];
 };
 

@@ -48,7 +48,7 @@ void add_field_straight(const FieldElement& e, Complex reference, double x, doub
   find_third_moments(seen, in.functions, m, f);
   const DensityMoments s = apply(e, reference * conj(e.axis), m, f);
   const Complex n = {0.0, -1.0}, twice_zeta = {0.0, 2.0 * seen.z.im}; // rho* - rho
-  const double per_length = sqrt(in.ux * in.ux + in.uy * in.uy);        // 1/|h|
+  const double per_length = sqrt(in.ux * in.ux + in.uy * in.uy);      // 1/|h|
   const double k_t = in.k * in.g_jacobian, k_d = k_t * per_length, k_s = 2.0 * in.k * per_length;
 
   Complex u = k_t * (-in.kappa * s.t_log + Complex{s.t_mean, 0.0} + 0.5 * conj(twice_zeta * s.tc));

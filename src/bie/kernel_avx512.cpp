@@ -4,11 +4,7 @@
 #define C2D_VECTOR_BYTES 64
 #include "bie/batch_loops.hpp"
 
-const c2d::BatchKernel* c2d::avx512_batch() {
-  return &kBatchLoops;
-}
+const c2d::BatchKernel* c2d::avx512_batch() { return &kBatchLoops; }
 #else
-const c2d::BatchKernel* c2d::avx512_batch() {
-  return nullptr;
-}
+const c2d::BatchKernel* c2d::avx512_batch() { return nullptr; }
 #endif

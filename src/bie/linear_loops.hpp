@@ -53,8 +53,7 @@ INLINE LinearFar linear_far(Complexes z, Doubles z2, int terms, bool want_log) {
   Doubles odd2 = all(kThirds[m + 1]), one2 = all(1.0), log2 = all(kLogs[m + 1]);
   Doubles odd = kThirds[m] + trace * odd2, one = 1.0 + trace, log = kLogs[m] + trace * log2;
   while (--m > 0) {
-    const Doubles next_odd = kThirds[m] + (trace * odd - norm * odd2),
-                  next_one = 1.0 + (trace * one - norm * one2),
+    const Doubles next_odd = kThirds[m] + (trace * odd - norm * odd2), next_one = 1.0 + (trace * one - norm * one2),
                   next_log = kLogs[m] + (trace * log - norm * log2);
     odd2 = odd, one2 = one, log2 = log;
     odd = next_odd, one = next_one, log = next_log;
@@ -91,13 +90,10 @@ INLINE Entries entries_h(const BatchElement& e, Complexes c, Complexes d, Comple
   return {beta - alpha, gamma - delta, gamma + delta, -alpha - beta};
 }
 
-INLINE Entries entries_g(Doubles alpha, Doubles beta, Doubles gamma) {
-  return {alpha + beta, gamma, gamma, alpha - beta};
-}
+INLINE Entries entries_g(Doubles alpha, Doubles beta, Doubles gamma) { return {alpha + beta, gamma, gamma, alpha - beta}; }
 
 template <class Sink>
-INLINE void far_linear(const BatchElement& e, Complexes z, Doubles z2, int terms, bool want_h, bool want_g,
-                       const Sink& sink) {
+INLINE void far_linear(const BatchElement& e, Complexes z, Doubles z2, int terms, bool want_h, bool want_g, const Sink& sink) {
   const LinearFar f = linear_far(z, z2, terms, want_g);
   if (want_h) {
     const Complexes turn = {z.im * e.h_cos2, z.im * e.h_sin2};
@@ -109,8 +105,7 @@ INLINE void far_linear(const BatchElement& e, Complexes z, Doubles z2, int terms
     const Doubles gamma0 = e.g_half_sin2 - (turn.im * f.c0.im + turn.re * f.c0.re);
     const Doubles beta1 = turn.im * f.c1.re - turn.re * f.c1.im;
     const Doubles gamma1 = -(turn.im * f.c1.im + turn.re * f.c1.re);
-    pay_linear(entries_g(e.g_alpha - e.g_log * f.log0, beta0, gamma0),
-               entries_g(-e.g_log * f.log1, beta1, gamma1), 1, sink);
+    pay_linear(entries_g(e.g_alpha - e.g_log * f.log0, beta0, gamma0), entries_g(-e.g_log * f.log1, beta1, gamma1), 1, sink);
   }
 }
 

@@ -36,8 +36,7 @@ void add_point_load(const ColumnSystem& system, const Hole* hole, const Panel& p
       const Source p = mirrored_source(*m.head, image, at);
       const double rx = load.x / unit - p.x, ry = load.y / unit - p.y;
       store(displacement_kernel(rx, ry, rx * rx + ry * ry, 3.0 - 4.0 * nu), 1.0 / (4.0 * kPi * (1.0 - nu)), u);
-      for (int i = 0; i < 2; ++i)
-        panel.add(2 * node + i, column, image_sign(image, i) * (u[i][0] * f[0] + u[i][1] * f[1]));
+      for (int i = 0; i < 2; ++i) panel.add(2 * node + i, column, image_sign(image, i) * (u[i][0] * f[0] + u[i][1] * f[1]));
     }
   }
   const double ax = (load.x - body.centre[0]) / unit, ay = (load.y - body.centre[1]) / unit;

@@ -29,8 +29,7 @@ int32_t facing_element(const Model& m, int b, int32_t element, bool* reversed) {
 
 } // namespace
 
-void make_integrator(const Model& m, int b, int32_t element, Quadrature quadrature, Measure measure,
-                     Integrator& out) {
+void make_integrator(const Model& m, int b, int32_t element, Quadrature quadrature, Measure measure, Integrator& out) {
   prepare(out, scaled_element(m, b, element), m.head->function_nodes, strain_poisson_ratio(m, b), quadrature);
   if (measure == Measure::own_length) return;
   bool reversed = false;

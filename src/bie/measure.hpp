@@ -8,8 +8,7 @@ namespace c2d {
 // On a contact element of body 2 tau is per length of body 1, any other traction on its own length.
 enum class Measure { own_length, contact };
 // An element of a body with its length unit applied, for tractions in this measure.
-void make_integrator(const Model& model, int b, int32_t element, Quadrature quadrature, Measure measure,
-                     Integrator& out);
+void make_integrator(const Model& model, int b, int32_t element, Quadrature quadrature, Measure measure, Integrator& out);
 
 // Resultants of the shape functions at the ends of an element: force per unit of traction and first moments about the
 // origin, in the length unit.

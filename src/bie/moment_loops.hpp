@@ -12,21 +12,11 @@ namespace {
 struct Complexes { // a complex number per lane
   Doubles re, im;
 };
-INLINE Complexes operator+(Complexes a, Complexes b) {
-  return {a.re + b.re, a.im + b.im};
-}
-INLINE Complexes operator-(Complexes a, Complexes b) {
-  return {a.re - b.re, a.im - b.im};
-}
-INLINE Complexes operator*(Complexes a, Complexes b) {
-  return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
-}
-INLINE Complexes operator*(double s, Complexes a) {
-  return {s * a.re, s * a.im};
-}
-INLINE Complexes choose(Bits which, Complexes a, Complexes b) {
-  return {which ? a.re : b.re, which ? a.im : b.im};
-}
+INLINE Complexes operator+(Complexes a, Complexes b) { return {a.re + b.re, a.im + b.im}; }
+INLINE Complexes operator-(Complexes a, Complexes b) { return {a.re - b.re, a.im - b.im}; }
+INLINE Complexes operator*(Complexes a, Complexes b) { return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re}; }
+INLINE Complexes operator*(double s, Complexes a) { return {s * a.re, s * a.im}; }
+INLINE Complexes choose(Bits which, Complexes a, Complexes b) { return {which ? a.re : b.re, which ? a.im : b.im}; }
 
 // The sources as the element's ends see them: z = xi + i zeta from the nearer one.
 struct Seen {
@@ -52,9 +42,7 @@ INLINE Complexes see_far(const BatchElement& e, const double* xy) {
   return {(ax * e.ux + ay * e.uy) - 1.0, ay * e.ux - ax * e.uy};
 }
 
-INLINE Doubles squared_size(Complexes z) {
-  return z.re * z.re + z.im * z.im;
-}
+INLINE Doubles squared_size(Complexes z) { return z.re * z.re + z.im * z.im; }
 
 template <int F> struct Many {
   Complexes c[F + 1], d[F];
@@ -133,8 +121,7 @@ template <int Q> INLINE Series sum_series(Complexes z, Doubles z2, int terms) {
   Doubles odd2 = all(a[m + 1]), each2 = all(kEach[m + 1]), one2 = all(1.0);
   Doubles odd = a[m] + trace * odd2, each = kEach[m] + trace * each2, one = 1.0 + trace;
   while (--m > 0) {
-    const Doubles next_odd = a[m] + (trace * odd - norm * odd2),
-                  next_each = kEach[m] + (trace * each - norm * each2),
+    const Doubles next_odd = a[m] + (trace * odd - norm * odd2), next_each = kEach[m] + (trace * each - norm * each2),
                   next_one = 1.0 + (trace * one - norm * one2);
     odd2 = odd, each2 = each, one2 = one;
     odd = next_odd, each = next_each, one = next_one;
@@ -146,8 +133,7 @@ template <int Q> INLINE Series sum_series(Complexes z, Doubles z2, int terms) {
   return s;
 }
 
-template <int F>
-INLINE void far_moments(Complexes z, Doubles z2, double least_z2, bool want_log, Many<F>& m) {
+template <int F> INLINE void far_moments(Complexes z, Doubles z2, double least_z2, bool want_log, Many<F>& m) {
   constexpr bool high = F > 2;
   const Series s = sum_series < high ? 5 : 3 > (z, z2, terms_of(least_z2));
   Complexes s3 = s.odd;

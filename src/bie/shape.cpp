@@ -17,9 +17,7 @@ constexpr double kCubic[4][4] = {{-1.0 / 16, 1.0 / 16, 9.0 / 16, -9.0 / 16},
 void shape(int nodes, double eta, double* N) {
   const double left = 1.0 - eta, right = 1.0 + eta;
   switch (nodes) {
-  case 1:
-    N[0] = 1.0;
-    break;
+  case 1: N[0] = 1.0; break;
   case 2:
     N[0] = 0.5 * left;
     N[1] = 0.5 * right;
@@ -41,9 +39,7 @@ void shape(int nodes, double eta, double* N) {
 
 void shape_derivative(int nodes, double eta, double* dN) {
   switch (nodes) {
-  case 1:
-    dN[0] = 0.0;
-    break;
+  case 1: dN[0] = 0.0; break;
   case 2:
     dN[0] = -0.5;
     dN[1] = 0.5;
@@ -60,19 +56,13 @@ void shape_derivative(int nodes, double eta, double* dN) {
 
 const double* shape_coefficients(int nodes, int l) {
   switch (nodes) {
-  case 1:
-    return kConstant[l];
-  case 2:
-    return kLinear[l];
-  case 3:
-    return kQuadratic[l];
-  default:
-    return kCubic[l];
+  case 1: return kConstant[l];
+  case 2: return kLinear[l];
+  case 3: return kQuadratic[l];
+  default: return kCubic[l];
   }
 }
 
-double node_eta(int nodes, int l) {
-  return nodes == 1 ? 0.0 : (2.0 * l - (nodes - 1)) / (nodes - 1);
-}
+double node_eta(int nodes, int l) { return nodes == 1 ? 0.0 : (2.0 * l - (nodes - 1)) / (nodes - 1); }
 
 } // namespace c2d

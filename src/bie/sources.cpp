@@ -10,8 +10,7 @@ namespace c2d {
 Source mirrored_source(const ModelHeader& head, int image, const double at[2]) {
   if (image == 0) return Source{at[0], at[1], true};
   double p[2];
-  for (int c = 0; c < 2; ++c)
-    p[c] = (image >> c & 1) != 0 ? 2.0 * (head.line_at[c] / head.length_unit) - at[c] : at[c];
+  for (int c = 0; c < 2; ++c) p[c] = (image >> c & 1) != 0 ? 2.0 * (head.line_at[c] / head.length_unit) - at[c] : at[c];
   return Source{p[0], p[1], p[0] == at[0] && p[1] == at[1]};
 }
 
@@ -63,8 +62,7 @@ void pay_hole(const ColumnSystem& system, const Hole& hole, bool want_h, bool wa
 
 } // namespace
 
-void pay_sources(const ColumnSystem& system, const Hole* hole, const int32_t node[4], bool want_h,
-                 bool want_g) {
+void pay_sources(const ColumnSystem& system, const Hole* hole, const int32_t node[4], bool want_h, bool want_g) {
   if (hole) return pay_hole(system, *hole, want_h, want_g);
   const Integrator& integrator = system.scratch->integrator;
   const Deposits& deposits = system.scratch->deposits;
@@ -91,8 +89,7 @@ void pay_sources(const ColumnSystem& system, const Hole* hole, const int32_t nod
 void fill_diagonal(const ColumnSystem& system, int32_t first_node, int32_t count) {
   const Model& m = system.model;
   const int b = system.body;
-  for (int64_t i = 4 * static_cast<int64_t>(first_node); i < 4 * static_cast<int64_t>(first_node + count);
-       ++i)
+  for (int64_t i = 4 * static_cast<int64_t>(first_node); i < 4 * static_cast<int64_t>(first_node + count); ++i)
     system.diagonal[i] = 0.0;
   if (fill_diagonal_closed(system, first_node, count)) return;
   for (int32_t element = 0; element < m.head->body[b].elements; ++element) {
@@ -113,8 +110,7 @@ void fill_diagonal(const ColumnSystem& system, int32_t first_node, int32_t count
         const Source p = mirrored_source(*m.head, image, at);
         const int singular = p.on_itself ? singular_node(node, m.head->function_nodes, source, twin) : -1;
         rigid_sum(integrator, p.x, p.y, singular, sum);
-        for (int i = 0; i < 4; ++i)
-          block[i] -= image_sign(image, i / 2) * image_sign(image, i % 2) * sum[i / 2][i % 2];
+        for (int i = 0; i < 4; ++i) block[i] -= image_sign(image, i / 2) * image_sign(image, i % 2) * sum[i / 2][i % 2];
       }
     }
   }

@@ -1,6 +1,6 @@
 #pragma once
-// Moments of powers against the poles of all kernels, on a straight element: METHOD (3.1). In units of the half chord vector h (a
-// complex number), about the middle, a point is z = xi + i zeta, and
+// Moments of powers against the poles of all kernels, on a straight element: METHOD (3.1). In units of the half chord vector h
+// (a complex number), about the middle, a point is z = xi + i zeta, and
 //   C_k = int eta^k/(eta-z), D_k = int eta^k/(eta-z)^2, F_k = int eta^k/(eta-z)^3, E_k = int eta^k ln|eta-z|
 // over -1 < eta < 1, k < functions. Boundary integrals need C, D and E, stresses inside need F too.
 #include "bie/complex.hpp"

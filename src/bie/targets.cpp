@@ -12,20 +12,18 @@ void aim_contact(const Pair& pair, int component, int32_t base, double factor, D
 
 Destination nowhere() { return Destination{{{-1, 0.0}, {-1, 0.0}}, false, false}; }
 
-Destination traction_destination(const Model& m, int b, int32_t element, int l, int component,
-                                 const Unknown& unknown, int32_t pair) {
+Destination traction_destination(const Model& m, int b, int32_t element, int l, int component, const Unknown& unknown,
+                                 int32_t pair) {
   Destination out = nowhere();
   const int32_t end = element * m.head->function_nodes + l;
-  const bool holds_unknown =
-      (unknown.kind == UnknownKind::traction && unknown.end[0] == end) ||
-      (unknown.kind == UnknownKind::shared_traction && (unknown.end[0] == end || unknown.end[1] == end));
+  const bool holds_unknown = (unknown.kind == UnknownKind::traction && unknown.end[0] == end) ||
+                             (unknown.kind == UnknownKind::shared_traction && (unknown.end[0] == end || unknown.end[1] == end));
   if (pair >= 0 && unknown.kind == UnknownKind::contact) {
     const double scale = m.head->stress_unit / (2.0 * shear_modulus(m, b));
     aim_contact(m.pair[pair], component, outer_columns(m, b) + m.head->contact, scale, out);
     out.contact = b == 1; // on body 1 both measures are one
   } else if (holds_unknown) {
-    out.target[0] =
-        Target{outer_column(m, b, functional_node(m, b, element, l), component), -1.0};
+    out.target[0] = Target{outer_column(m, b, functional_node(m, b, element, l), component), -1.0};
   } else {
     out.known = true;
   }

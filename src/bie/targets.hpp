@@ -25,9 +25,9 @@ struct Range { // the columns wanted, and the first right-hand side
 struct ElementTargets {
   Destination h[4][2], g[4][2];
   int32_t node[4];
-  bool want_h, want_g;  // tractions on the element's own length
-  bool want_contact;    // contact tractions
-  bool shared;          // some component goes to two columns, be they in the range or not
+  bool want_h, want_g; // tractions on the element's own length
+  bool want_contact;   // contact tractions
+  bool shared;         // some component goes to two columns, be they in the range or not
 };
 
 Destination displacement_destination(const Model& m, int b, int32_t node, int component, const Unknown& unknown);

@@ -32,25 +32,21 @@ Element part_of(const Model& m, int b, int32_t element, double from, double to, 
   return make_element(nodes, px, py);
 }
 
-int32_t functions_of_piece(const Model& m) {
-  return m.head->function_nodes < 2 ? 2 : m.head->function_nodes;
-}
+int32_t functions_of_piece(const Model& m) { return m.head->function_nodes < 2 ? 2 : m.head->function_nodes; }
 
 } // namespace
 
 void make_transfer(const Model& m, Quadrature quadrature, const TransferWalk& walk, Transfer& out) {
   const FacingPiece& piece = walk.piece;
   const int nf = m.head->function_nodes, functions = functions_of_piece(m);
-  const int first =
-      piece.eta1[0] < piece.eta1[1] ? 0 : 1; // in body 1's direction of travel, which is against body 2's
+  const int first = piece.eta1[0] < piece.eta1[1] ? 0 : 1; // in body 1's direction of travel, which is against body 2's
   const double from = piece.eta1[first], to = piece.eta1[1 - first];
   const double high = piece.eta2[first], low = piece.eta2[1 - first];
   const int32_t none[2] = {-1, -1};
   out.element1 = piece.element1;
   out.node[0] = node_at(m, FacePoint{piece.element1, 0, from});
   out.node[1] = node_at(m, FacePoint{piece.element1, 0, to});
-  prepare(out.in, part_of(m, 0, piece.element1, from, to, out.node), functions, strain_poisson_ratio(m, 0),
-          quadrature);
+  prepare(out.in, part_of(m, 0, piece.element1, from, to, out.node), functions, strain_poisson_ratio(m, 0), quadrature);
   set_arc(out.in, part_of(m, 1, walk.pieces.element2, low, high, none), true);
   for (int l = 0; l < 4; ++l) out.pair[l] = l < nf ? pair_of_end(m, 1, walk.pieces.element2, l) : -1;
   for (int k = 0; k < functions; ++k) shape(nf, high + (low - high) * k / (functions - 1), out.weight[k]);
@@ -87,16 +83,14 @@ double along(const Pair& pair, int d, int component) {
 }
 
 // weight * u of a node's component into one of the rows below the balances.
-void add_displacement(const Model& m, const Columns& panel, int32_t row, int32_t node, int component,
-                      double weight) {
+void add_displacement(const Model& m, const Columns& panel, int32_t row, int32_t node, int component, double weight) {
   const Unknown unknown = unknown_at(m, 0, node, component);
   const int32_t outer = outer_columns(m, 0);
   if (unknown.kind == UnknownKind::displacement) {
     panel.add(row, outer_column(m, 0, node, component), weight);
   } else if (unknown.kind == UnknownKind::contact) { // of an ordinary zone beside this one
     const Pair& pair = m.pair[pair_of_node(m, 0, node)];
-    for (int d = 0; d <= pair.tangential; ++d)
-      panel.add(row, outer + pair.dof + d, weight * along(pair, d, component));
+    for (int d = 0; d <= pair.tangential; ++d) panel.add(row, outer + pair.dof + d, weight * along(pair, d, component));
   } else {
     for (int32_t k = 0; k < m.head->load_cases; ++k) {
       const int64_t at = (static_cast<int64_t>(k) * m.head->body[0].nodes + node) * 2 + component;
@@ -135,8 +129,7 @@ void add_faced_displacement(const Model& m, const Columns& panel, const Pair& pa
 
 // Integrals of the functions of a piece become those of tau at the ends of the element of body 2, in columns
 // of tau.
-void send(const Model& m, const Columns& panel, const Transfer& t, const double value[4], int32_t row,
-          int component) {
+void send(const Model& m, const Columns& panel, const Transfer& t, const double value[4], int32_t row, int component) {
   const double scale = m.head->stress_unit / (2.0 * shear_modulus(m, 0));
   for (int l = 0; l < m.head->function_nodes; ++l) {
     if (t.pair[l] < 0) continue;
@@ -144,8 +137,7 @@ void send(const Model& m, const Columns& panel, const Transfer& t, const double 
     double sum = 0.0;
     for (int k = 0; k < t.in.functions; ++k) sum += t.weight[k][l] * value[k];
     const int32_t column = outer_columns(m, 0) + m.head->contact + pair.dof;
-    for (int d = 0; d <= pair.tangential; ++d)
-      panel.add(row, column + d, scale * along(pair, d, component) * sum);
+    for (int d = 0; d <= pair.tangential; ++d) panel.add(row, column + d, scale * along(pair, d, component) * sum);
   }
 }
 
@@ -173,8 +165,7 @@ void send(const Model& m, const Columns& panel, const Transfer& t, const double 
     for (int image = 0; image <= m.head->symmetry; ++image) {
       if (!is_image(*m.head, image)) continue;
       const Source p = mirrored_source(*m.head, image, system.point + 2 * static_cast<int64_t>(source));
-      const int at =
-          !p.on_itself ? -1 : (t.node[0] == source ? 0 : (t.node[1] == source ? t.in.functions - 1 : -1));
+      const int at = !p.on_itself ? -1 : (t.node[0] == source ? 0 : (t.node[1] == source ? t.in.functions - 1 : -1));
       integrate(t.in, p.x, p.y, at, false, true, blocks);
       for (int i = 0; i < 2; ++i)
         for (int c = 0; c < 2; ++c) {
@@ -202,8 +193,10 @@ void send(const Model& m, const Columns& panel, const Transfer& t, const double 
   Transfer& transfer = system.scratch->transfer;
   while (next_transfer(system.model, walk)) {
     make_transfer(system.model, system.quadrature, walk, transfer);
-    if (hole) add_to_hole(system, *hole, panel, transfer);
-    else add_piece(system, panel, transfer);
+    if (hole)
+      add_to_hole(system, *hole, panel, transfer);
+    else
+      add_piece(system, panel, transfer);
   }
 }
 

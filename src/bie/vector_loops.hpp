@@ -20,19 +20,13 @@ typedef uint64_t Unsigned __attribute__((vector_size(C2D_VECTOR_BYTES)));
 // Vectors that may lie anywhere a number may.
 typedef double Loose __attribute__((vector_size(C2D_VECTOR_BYTES), aligned(8), may_alias));
 
-INLINE Doubles load(const double* from) {
-  return *reinterpret_cast<const Loose*>(from);
-}
-INLINE void save(double* to, Doubles v) {
-  *reinterpret_cast<Loose*>(to) = v;
-}
+INLINE Doubles load(const double* from) { return *reinterpret_cast<const Loose*>(from); }
+INLINE void save(double* to, Doubles v) { *reinterpret_cast<Loose*>(to) = v; }
 INLINE Doubles all(double x) {
   return x - Doubles{}; // not the sum, which costs an addition for the sake of -0
 }
 
-INLINE Doubles lower(Doubles a, Doubles b) {
-  return a < b ? a : b;
-}
+INLINE Doubles lower(Doubles a, Doubles b) { return a < b ? a : b; }
 
 // Pairs of lanes 0, 2, ... of a and b; of lanes 1, 3, ...: cheap on every machine. What was loaded by these
 // two from x y x y ... is stored in its place by the same two. low_pairs, high_pairs: pairs of a and b in
@@ -43,44 +37,20 @@ INLINE Doubles lower(Doubles a, Doubles b) {
 #define C2D_SHUFFLE(a, b, ...) __builtin_shuffle(a, b, Bits{__VA_ARGS__})
 #endif
 #if C2D_VECTOR_BYTES == 64
-INLINE Doubles evens(Doubles a, Doubles b) {
-  return C2D_SHUFFLE(a, b, 0, 8, 2, 10, 4, 12, 6, 14);
-}
-INLINE Doubles odds(Doubles a, Doubles b) {
-  return C2D_SHUFFLE(a, b, 1, 9, 3, 11, 5, 13, 7, 15);
-}
-INLINE Doubles low_pairs(Doubles a, Doubles b) {
-  return C2D_SHUFFLE(a, b, 0, 1, 8, 9, 2, 3, 10, 11);
-}
-INLINE Doubles high_pairs(Doubles a, Doubles b) {
-  return C2D_SHUFFLE(a, b, 4, 5, 12, 13, 6, 7, 14, 15);
-}
+INLINE Doubles evens(Doubles a, Doubles b) { return C2D_SHUFFLE(a, b, 0, 8, 2, 10, 4, 12, 6, 14); }
+INLINE Doubles odds(Doubles a, Doubles b) { return C2D_SHUFFLE(a, b, 1, 9, 3, 11, 5, 13, 7, 15); }
+INLINE Doubles low_pairs(Doubles a, Doubles b) { return C2D_SHUFFLE(a, b, 0, 1, 8, 9, 2, 3, 10, 11); }
+INLINE Doubles high_pairs(Doubles a, Doubles b) { return C2D_SHUFFLE(a, b, 4, 5, 12, 13, 6, 7, 14, 15); }
 #elif C2D_VECTOR_BYTES == 32
-INLINE Doubles evens(Doubles a, Doubles b) {
-  return C2D_SHUFFLE(a, b, 0, 4, 2, 6);
-}
-INLINE Doubles odds(Doubles a, Doubles b) {
-  return C2D_SHUFFLE(a, b, 1, 5, 3, 7);
-}
-INLINE Doubles low_pairs(Doubles a, Doubles b) {
-  return C2D_SHUFFLE(a, b, 0, 1, 4, 5);
-}
-INLINE Doubles high_pairs(Doubles a, Doubles b) {
-  return C2D_SHUFFLE(a, b, 2, 3, 6, 7);
-}
+INLINE Doubles evens(Doubles a, Doubles b) { return C2D_SHUFFLE(a, b, 0, 4, 2, 6); }
+INLINE Doubles odds(Doubles a, Doubles b) { return C2D_SHUFFLE(a, b, 1, 5, 3, 7); }
+INLINE Doubles low_pairs(Doubles a, Doubles b) { return C2D_SHUFFLE(a, b, 0, 1, 4, 5); }
+INLINE Doubles high_pairs(Doubles a, Doubles b) { return C2D_SHUFFLE(a, b, 2, 3, 6, 7); }
 #else
-INLINE Doubles evens(Doubles a, Doubles b) {
-  return C2D_SHUFFLE(a, b, 0, 2);
-}
-INLINE Doubles odds(Doubles a, Doubles b) {
-  return C2D_SHUFFLE(a, b, 1, 3);
-}
-INLINE Doubles low_pairs(Doubles a, Doubles) {
-  return a;
-}
-INLINE Doubles high_pairs(Doubles, Doubles b) {
-  return b;
-}
+INLINE Doubles evens(Doubles a, Doubles b) { return C2D_SHUFFLE(a, b, 0, 2); }
+INLINE Doubles odds(Doubles a, Doubles b) { return C2D_SHUFFLE(a, b, 1, 3); }
+INLINE Doubles low_pairs(Doubles a, Doubles) { return a; }
+INLINE Doubles high_pairs(Doubles, Doubles b) { return b; }
 #endif
 INLINE double least(Doubles v) {
 #if C2D_VECTOR_BYTES == 64
@@ -93,17 +63,14 @@ INLINE double least(Doubles v) {
 }
 #undef C2D_SHUFFLE
 
-INLINE Doubles magnitude(Doubles x) {
-  return x < 0.0 ? -x : x;
-}
+INLINE Doubles magnitude(Doubles x) { return x < 0.0 ? -x : x; }
 
 constexpr double kLn2 = 0x1.62e42fefa0000p-1,
                  kLn2Rest = 1.6465949582897081e-12; // the first times 1100 is exact
 
 // (ln((1+s)/(1-s)) / s - 2) / s^2 in powers of s^2, |s| <= (sqrt 2 - 1)/(sqrt 2 + 1).
-constexpr double kLogarithm[] = {0.66666666666666696862, 0.3999999999989950449, 0.28571428625975484921,
-                                 0.22222211134795079855, 0.1818288912526172208, 0.15331721600556041269,
-                                 0.1461644968504340586};
+constexpr double kLogarithm[] = {0.66666666666666696862, 0.3999999999989950449,  0.28571428625975484921, 0.22222211134795079855,
+                                 0.1818288912526172208,  0.15331721600556041269, 0.1461644968504340586};
 
 // ln x, x > 0 and normal: x = 2^k (1+f), 1+f within a factor sqrt 2 of 1, s = f/(2+f).
 INLINE Doubles logarithm(Doubles x) {
@@ -120,10 +87,10 @@ INLINE Doubles logarithm(Doubles x) {
 }
 
 // (atan(t)/t - 1) / t^2 in powers of t^2, |t| <= sqrt 2 - 1.
-constexpr double kArctangent[] = {
-    -0.3333333333333333016,   0.19999999999995520678,  -0.14285714284666542922,  0.11111111015256361727,
-    -0.090909045781239018905, 0.076921831908260865637, -0.066645114473819480001, 0.058581489128022098816,
-    -0.050854497379402598613, 0.039231658295587191303, -0.019176887119062258989};
+constexpr double kArctangent[] = {-0.3333333333333333016,   0.19999999999995520678,   -0.14285714284666542922,
+                                  0.11111111015256361727,   -0.090909045781239018905, 0.076921831908260865637,
+                                  -0.066645114473819480001, 0.058581489128022098816,  -0.050854497379402598613,
+                                  0.039231658295587191303,  -0.019176887119062258989};
 
 // atan2(y, x), sizes below 1e300; 0 where both are 0. The smaller over the larger, less atan 1 = pi/4 where
 // that leaves a smaller number.

@@ -208,7 +208,7 @@ struct Division {
   int32_t doubt; // -1: none
   Cell cell;
   bool cell_first;
-  double size;   // how far from both
+  double size; // how far from both
 };
 
 struct PairPoint {
@@ -216,7 +216,8 @@ struct PairPoint {
 };
 PairPoint point_of(const RateProblem& r, const Doubt& d) {
   const bool two = d.slots == 2;
-  return {static_cast<double>(r.rhs[d.row]), two ? static_cast<double>(r.rhs[d.row + 1]) : 0.0,
+  return {static_cast<double>(r.rhs[d.row]),
+          two ? static_cast<double>(r.rhs[d.row + 1]) : 0.0,
           {static_cast<double>(r.point[d.row]), two ? static_cast<double>(r.point[d.row + 1]) : 0.0}};
 }
 
@@ -337,8 +338,10 @@ Settled branch_cells(RateProblem& r, bool every, int32_t most, int32_t* found, c
         done = !every;
       }
     }
-    if (next.doubt >= 0) descend(r, next, &depth);
-    else done = !go_back(r, &depth) || done;
+    if (next.doubt >= 0)
+      descend(r, next, &depth);
+    else
+      done = !go_back(r, &depth) || done;
   }
   take_solution(r);
   *found = all.told();

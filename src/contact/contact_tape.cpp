@@ -19,8 +19,7 @@ bool is_per_case(ContactMatrix matrix) {
 
 uint64_t first_block(ContactMatrix matrix, int32_t m, int32_t cases) {
   int64_t block = 0;
-  for (int32_t i = 0; i < static_cast<int32_t>(matrix); ++i)
-    block += contact_columns(static_cast<ContactMatrix>(i), m, cases);
+  for (int32_t i = 0; i < static_cast<int32_t>(matrix); ++i) block += contact_columns(static_cast<ContactMatrix>(i), m, cases);
   return static_cast<uint64_t>(block);
 }
 
@@ -31,9 +30,7 @@ int64_t contact_columns(ContactMatrix matrix, int32_t m, int32_t cases) {
   return is_per_case(matrix) ? cases : m;
 }
 
-int64_t contact_blocks(int32_t m, int32_t cases) {
-  return static_cast<int64_t>(first_block(ContactMatrix::count, m, cases));
-}
+int64_t contact_blocks(int32_t m, int32_t cases) { return static_cast<int64_t>(first_block(ContactMatrix::count, m, cases)); }
 
 c2d_status write_column(const ContactTape& tape, ContactMatrix matrix, int32_t column, const Real* data) {
   const uint64_t bytes = static_cast<uint64_t>(tape.m) * sizeof(Real);
@@ -46,8 +43,7 @@ c2d_status read_column(const ContactTape& tape, ContactMatrix matrix, int32_t co
   const uint64_t bytes = static_cast<uint64_t>(tape.m) * sizeof(Real);
   const uint64_t block = first_block(matrix, tape.m, tape.cases) + static_cast<uint64_t>(column);
   const c2d_status status = read_block(*tape.tapes, C2D_TAPE_CONTACT, block, tape.buffer, bytes);
-  if (status == C2D_OK)
-    memcpy(data, static_cast<const char*>(tape.buffer) + kBlockHeaderBytes, static_cast<size_t>(bytes));
+  if (status == C2D_OK) memcpy(data, static_cast<const char*>(tape.buffer) + kBlockHeaderBytes, static_cast<size_t>(bytes));
   return status;
 }
 

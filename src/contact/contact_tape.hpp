@@ -7,15 +7,19 @@ namespace c2d {
 
 // Matrices in the order of their blocks. Bodies: S_u u_c = S_t t_c + sum_k lambda_k s_k.
 enum class ContactMatrix : int32_t {
-  displacement1, traction1, load1, // S_u, S_t: m columns; s: L columns, of body 1
-  displacement2, traction2, load2, // of body 2
-  flexibility,                     // F = -S_u^-1 S_t of the inverted body, m columns
-  flexibility_load,                // v = S_u^-1 s of the inverted body, L columns
-  compliance,                      // M, m columns
-  closing,                         // h, L columns
-  stiffness,                       // T = M^-1 B, m columns: the tableau with every pair sticking
-  stiffness_load,                  // b = -M^-1 h, L columns
-  resultants,                      // G: equilibrium of a body that the contact holds (contact/rigid_balance.hpp), 3 columns
+  displacement1,
+  traction1,
+  load1, // S_u, S_t: m columns; s: L columns, of body 1
+  displacement2,
+  traction2,
+  load2,            // of body 2
+  flexibility,      // F = -S_u^-1 S_t of the inverted body, m columns
+  flexibility_load, // v = S_u^-1 s of the inverted body, L columns
+  compliance,       // M, m columns
+  closing,          // h, L columns
+  stiffness,        // T = M^-1 B, m columns: the tableau with every pair sticking
+  stiffness_load,   // b = -M^-1 h, L columns
+  resultants,       // G: equilibrium of a body that the contact holds (contact/rigid_balance.hpp), 3 columns
   count
 };
 
@@ -25,9 +29,7 @@ struct ContactTape {
   void* buffer; // contact_buffer_bytes(m), aligned to 64
 };
 
-inline uint64_t contact_buffer_bytes(int64_t m) {
-  return kBlockHeaderBytes + static_cast<uint64_t>(m) * sizeof(Real);
-}
+inline uint64_t contact_buffer_bytes(int64_t m) { return kBlockHeaderBytes + static_cast<uint64_t>(m) * sizeof(Real); }
 int64_t contact_columns(ContactMatrix matrix, int32_t m, int32_t cases);
 int64_t contact_blocks(int32_t m, int32_t cases); // on the whole tape
 

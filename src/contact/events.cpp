@@ -125,7 +125,8 @@ bool land(Follower& f) {
 c2d_status settle_all(Follower& f, bool jumps, c2d_outcome* outcome) {
   constexpr int kRounds = 8;
   c2d_status status = settle(f, outcome);
-  for (int i = 0; i < kRounds && jumps && status == C2D_OK && *outcome == C2D_REACHED && land(f); ++i) status = settle(f, outcome);
+  for (int i = 0; i < kRounds && jumps && status == C2D_OK && *outcome == C2D_REACHED && land(f); ++i)
+    status = settle(f, outcome);
   return status;
 }
 

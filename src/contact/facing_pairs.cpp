@@ -24,8 +24,6 @@ bool surface_faced(const Model& m, int32_t pair, Surface& out) {
   return false;
 }
 
-int32_t faced_node(const Model& m, const Pair& p) {
-  return node_at(m, FacePoint{p.element, 0, p.eta});
-}
+int32_t faced_node(const Model& m, const Pair& p) { return node_at(m, FacePoint{p.element, 0, p.eta}); }
 
 } // namespace c2d

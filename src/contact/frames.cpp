@@ -24,12 +24,10 @@ constexpr double kDegree = 0.017453292519943295;
 constexpr double kGapTolerance = 1e-5;
 constexpr double kExactGap = 1e-9;
 constexpr double kCardDigits = 2e-7; // of a coordinate
-constexpr double kOffset = 0.5;        // of the element length: nodes shifted further do not face each other
-constexpr double kAlongNormal = 0.5;   // least cosine between the average normal and a symmetric pair's frame
+constexpr double kOffset = 0.5;      // of the element length: nodes shifted further do not face each other
+constexpr double kAlongNormal = 0.5; // least cosine between the average normal and a symmetric pair's frame
 
-double dot(const double a[2], const double b[2]) {
-  return a[0] * b[0] + a[1] * b[1];
-}
+double dot(const double a[2], const double b[2]) { return a[0] * b[0] + a[1] * b[1]; }
 
 } // namespace
 
@@ -56,8 +54,10 @@ void add_surface(const Model& m, int b, int32_t element, double eta, Surface& ou
 void say_pair(Finding& f, const Model& m, int32_t pair) {
   const Pair& p = m.pair[pair];
   say(f, "pair ", pair + 1);
-  if (p.node[0] >= 0) say(f, " (node ", p.node[0] + 1, " of body 1");
-  else say(f, " (on element ", p.element + 1, " of body 1");
+  if (p.node[0] >= 0)
+    say(f, " (node ", p.node[0] + 1, " of body 1");
+  else
+    say(f, " (on element ", p.element + 1, " of body 1");
   say(f, ", node ", p.node[1] + 1, " of body 2)");
 }
 
@@ -111,23 +111,20 @@ bool find_symmetry(const Model& m, int32_t pair, int* component, Reporter& repor
     return false;
   }
   if ((fixed[0][0] || fixed[1][0]) && (fixed[0][1] || fixed[1][1])) {
-    tell_pair(m, pair, "displacements are prescribed in both directions", "a free direction along the normal",
-              reporter);
+    tell_pair(m, pair, "displacements are prescribed in both directions", "a free direction along the normal", reporter);
     return false;
   }
   for (int c = 0; c < 2; ++c) {
     if (!fixed[0][c] && !fixed[1][c]) continue;
     if (fixed[0][c] != fixed[1][c]) {
       tell_pair(m, pair,
-                fixed[0][c]
-                    ? (c == 0 ? "ux is prescribed on body 1 only" : "uy is prescribed on body 1 only")
-                    : (c == 0 ? "ux is prescribed on body 2 only" : "uy is prescribed on body 2 only"),
+                fixed[0][c] ? (c == 0 ? "ux is prescribed on body 1 only" : "uy is prescribed on body 1 only")
+                            : (c == 0 ? "ux is prescribed on body 2 only" : "uy is prescribed on body 2 only"),
                 "it on both bodies (symmetry) or on neither", reporter);
       return false;
     }
     if (has_value(m, 0, node[0], c) || has_value(m, 1, node[1], c)) {
-      tell_pair(m, pair, c == 0 ? "a nonzero ux is prescribed" : "a nonzero uy is prescribed",
-                "zero (symmetry)", reporter);
+      tell_pair(m, pair, c == 0 ? "a nonzero ux is prescribed" : "a nonzero uy is prescribed", "zero (symmetry)", reporter);
       return false;
     }
     *component = c;
@@ -152,9 +149,7 @@ bool set_normal(const Model& m, int32_t pair, const Surface& s1, const Surface& 
   if (fixed >= 0) {
     const int other = 1 - fixed;
     if (fabs(n[other]) < kAlongNormal) {
-      tell_pair(m, pair,
-                fixed == 0 ? "ux is prescribed nearly along the normal"
-                           : "uy is prescribed nearly along the normal",
+      tell_pair(m, pair, fixed == 0 ? "ux is prescribed nearly along the normal" : "uy is prescribed nearly along the normal",
                 "a free displacement along the normal", reporter);
       return false;
     }
@@ -197,8 +192,10 @@ void set_gap(const Model& m, int32_t pair, const double g[2], double least, doub
   const double size = -p.gap;
   p.gap = 0;
   if (m.head->interference != 0) p.overlap = size;
-  if (size <= doubt) overlaps.unsure.add(pair, size, doubt);
-  else if (m.head->interference == 0) overlaps.told.add(pair, size, p.length);
+  if (size <= doubt)
+    overlaps.unsure.add(pair, size, doubt);
+  else if (m.head->interference == 0)
+    overlaps.told.add(pair, size, p.length);
 }
 
 // Nodes of a pair lie opposite each other: what lies between them is gap, not a shift along the surfaces.
@@ -250,14 +247,12 @@ bool on_same_elements(const Model& m, const Pair& p, double tolerance) {
   return fabs(x[1] - x[0]) <= tolerance && fabs(y[1] - y[0]) <= tolerance;
 }
 
-void build_frame(const Model& m, int32_t pair, Spread& spread, ZoneOverlaps& overlaps, Lengths& lengths,
-                 Reporter& reporter) {
+void build_frame(const Model& m, int32_t pair, Spread& spread, ZoneOverlaps& overlaps, Lengths& lengths, Reporter& reporter) {
   Pair& p = m.pair[pair];
   Surface s1, s2;
   const bool second = surface_at(m, 1, pair, s2),
              first = p.node[0] < 0 ? surface_faced(m, pair, s1) : surface_at(m, 0, pair, s1);
-  if (!first || !second)
-    return tell_pair(m, pair, "no normal on one of the bodies", "a smooth contact element", reporter);
+  if (!first || !second) return tell_pair(m, pair, "no normal on one of the bodies", "a smooth contact element", reporter);
   p.length = fmin(s1.length, s2.length);
   lengths.add(pair, s1.length, s2.length);
   if (!set_normal(m, pair, s1, s2, reporter)) return;
@@ -293,8 +288,8 @@ void tell_overlaps(const Model& m, int32_t zone, const ZoneOverlaps& overlaps, R
   if (overlaps.unsure.count > 0) {
     Finding f = warning(C2D_WARN_OVERLAP);
     locate_pair(f, m, overlaps.unsure.pair);
-    say(f, "zone ", zone + 1, ": overlaps smaller than what the elements leave open of the surfaces, pairs: ",
-        overlaps.unsure.count, ", most at ");
+    say(f, "zone ", zone + 1,
+        ": overlaps smaller than what the elements leave open of the surfaces, pairs: ", overlaps.unsure.count, ", most at ");
     say_pair(f, m, overlaps.unsure.pair);
     say(f, ": ", overlaps.unsure.size, " against ", overlaps.unsure.doubt);
     say(f, m.head->interference != 0 ? "" : "; they count as touching");
@@ -348,8 +343,8 @@ void check_kink(const Model& m, int32_t zone, int b, int32_t k, Reporter& report
     f.entry.node = node + 1;
     f.entry.pair = pair_of_node(m, b, node) + 1;
   }
-  say(f, "zone ", zone + 1, ": elements ", before + 1, " and ", after + 1, " of body ", b + 1,
-      " meet at a kink of ", angle, " degrees, more than 10");
+  say(f, "zone ", zone + 1, ": elements ", before + 1, " and ", after + 1, " of body ", b + 1, " meet at a kink of ", angle,
+      " degrees, more than 10");
   tell(reporter, f);
 }
 
@@ -367,8 +362,10 @@ double surface_doubt(const Model& m, int32_t pair) {
   double sum = 0;
   for (int b = 0; b < 2; ++b) {
     int32_t ends[2];
-    if (p.node[b] < 0) sum += doubt_at(m, b, p.element, p.eta);
-    else if (ends_at_node(m, b, p.node[b], ends) == 1) sum += doubt_at(m, b, ends[0] / f, local_eta(f, ends[0] % f));
+    if (p.node[b] < 0)
+      sum += doubt_at(m, b, p.element, p.eta);
+    else if (ends_at_node(m, b, p.node[b], ends) == 1)
+      sum += doubt_at(m, b, ends[0] / f, local_eta(f, ends[0] % f));
   }
   return sum;
 }

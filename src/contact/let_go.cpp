@@ -21,8 +21,7 @@ Real* column(const Tableau& t, int32_t j) { return t.t + static_cast<int64_t>(t.
 template <class Term> double sum_over_pairs(const Tableau& t, Term term) {
   double sum = 0.0;
   for (int32_t i = 0; i < t.pairs; ++i)
-    for (int slot = 0; slot <= t.pair[i].tangential; ++slot)
-      sum += t.pair[i].length * term(t.pair[i], slot);
+    for (int slot = 0; slot <= t.pair[i].tangential; ++slot) sum += t.pair[i].length * term(t.pair[i], slot);
   return sum;
 }
 
@@ -38,9 +37,8 @@ struct LeastMotion {
   bool prepare(const Tableau& t) {
     for (int32_t j = 0; j < count; ++j)
       for (int32_t k = 0; k <= j; ++k) {
-        double sum = sum_over_pairs(t, [&](const Pair& p, int slot) {
-          return static_cast<double>(motion[j][p.dof + slot]) * motion[k][p.dof + slot];
-        });
+        double sum = sum_over_pairs(
+            t, [&](const Pair& p, int slot) { return static_cast<double>(motion[j][p.dof + slot]) * motion[k][p.dof + slot]; });
         const double own = sum;
         for (int32_t i = 0; i < k; ++i) sum -= factor[j][i] * factor[k][i];
         if (j == k && !(sum > 1e-12 * own)) return false;

@@ -22,18 +22,18 @@ struct PathStats {
 
 // A load at which a pair reaches what its status demands: its gap or pressure is zero, or its friction at the bound.
 struct Event {
-  double step; // part of the piece of path, from where the load stood
+  double step;                // part of the piece of path, from where the load stood
   int32_t pair, status, sign; // the status next to its own; pair -1: none
 };
 
 struct Follower {
   Tableau* t;
   const ContactTape* tape;
-  double* load;       // [cases] factors reached
-  double* direction;  // [cases] target - load at the start of this piece
-  double* origin;     // [cases] load at the start of this piece
-  Real* y;            // [m] values at `load`
-  Real* dy;           // [m] rates along `direction`
+  double* load;          // [cases] factors reached
+  double* direction;     // [cases] target - load at the start of this piece
+  double* origin;        // [cases] load at the start of this piece
+  Real* y;               // [m] values at `load`
+  Real* dy;              // [m] rates along `direction`
   double gap_scale;      // largest initial gap or displacement seen, length unit
   double pressure_scale; // largest pressure or friction seen on this path, stress unit
   const Model* model;
@@ -45,7 +45,7 @@ struct Follower {
   double solutions_load; // that load, of the first case
   PathWatch watch;
   PathStats stats;
-  int32_t last_pair;  // the pair last changed, or that could not be
+  int32_t last_pair; // the pair last changed, or that could not be
 };
 
 // Round-off of values after some thousand exchanges stays below 1e-12 of their scale; rates are differences of them.
@@ -65,7 +65,7 @@ struct NoRate {
 };
 NoRate no_rate(const Pair& pair, const PathScales& s);
 
-void refresh(Follower& f);                       // y and dy from the tableau
+void refresh(Follower& f); // y and dy from the tableau
 PathScales path_scales(const Follower& f);
 PathScales decision_scales(Follower& f); // the largest on this path so far: what is left of them is round-off
 // Change a status and keep the books of slip. False: the pair is the last to hold a motion.

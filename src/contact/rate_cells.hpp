@@ -4,8 +4,8 @@
 
 namespace c2d {
 
-// Motions count in the unit of length, pressures by the stiffness of their own pair; columns are scaled to entries of at most 1.
-// A system with a pivot below this has no solution that could be told from a motion that nothing holds.
+// Motions count in the unit of length, pressures by the stiffness of their own pair; columns are scaled to entries of at
+// most 1. A system with a pivot below this has no solution that could be told from a motion that nothing holds.
 constexpr double kRegular = sizeof(Real) == 8 ? 1e-9 : 1e-5;
 // Conditions hold within this of the largest rate of their kind, and within this noise of the other kind.
 constexpr double kConditionTolerance = sizeof(Real) == 8 ? 1e-9 : 1e-4;
@@ -32,11 +32,11 @@ struct Solutions {
   static constexpr int kMost = 12;
   Signature seen[kMost];
   int32_t count;
-  double nearest; // of the one taken: how far its motion is from that before
+  double nearest;       // of the one taken: how far its motion is from that before
   int32_t told() const; // those that count
 };
-// Adds the present solution, u, unless it is there already under other cells; if its motion is the nearest to r.before so far its
-// cells are taken.
+// Adds the present solution, u, unless it is there already under other cells; if its motion is the nearest to r.before so far
+// its cells are taken.
 void add_solution(RateProblem& r, const Real* u, Solutions& all);
 void take_solution(RateProblem& r); // the cells taken are the present ones
 
@@ -48,12 +48,12 @@ int cells_of(const Doubt& d);
 Cell nth_cell(const Doubt& d, int n);
 double value_of(const double row[2], const Doubt& d, const Real* u);
 
-void assemble_cells(RateProblem& r);                    // the matrix of the present cells
-void load_cells(const RateProblem& r, Real* out);       // its right-hand side
-bool factor_cells(RateProblem& r, int32_t n);           // its first n rows and columns; false: not regular
+void assemble_cells(RateProblem& r);              // the matrix of the present cells
+void load_cells(const RateProblem& r, Real* out); // its right-hand side
+bool factor_cells(RateProblem& r, int32_t n);     // its first n rows and columns; false: not regular
 void solve_cells(const RateProblem& r, int32_t n, Real* x);
 CellSizes sizes_of(const RateProblem& r, const Real* u);
 bool satisfies(const RateProblem& r, const Real* u);
-bool solve_present_cells(RateProblem& r, Real* u);      // all of it; false: not regular, or a condition is violated
+bool solve_present_cells(RateProblem& r, Real* u); // all of it; false: not regular, or a condition is violated
 
 } // namespace c2d

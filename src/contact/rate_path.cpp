@@ -11,7 +11,7 @@ namespace c2d {
 
 namespace {
 
-constexpr double kMostWork = 2e9;  // operations: some seconds at most
+constexpr double kMostWork = 2e9; // operations: some seconds at most
 constexpr int kDraws = 200;
 
 // Always the same draws.
@@ -41,7 +41,8 @@ void inside(const Doubt& d, double weight, double out[2]) {
   if (d.kind != DoubtKind::cone) out[0] = weight;
   if (d.cell == Cell::slip_plus || d.cell == Cell::slip_minus)
     out[1] = d.kind == DoubtKind::normal ? 0.0 : (d.cell == Cell::slip_plus ? -weight : weight);
-  else if (d.kind == DoubtKind::cone) out[1] = -d.sign * weight;
+  else if (d.kind == DoubtKind::cone)
+    out[1] = -d.sign * weight;
 }
 
 // ---- on the tableau -----------------------------------------------------------------------------------------------
@@ -255,8 +256,10 @@ Settled follow_cells(RateProblem& r, bool drawn, c2d_status (*tick)(void*), void
       if (!r.on_tableau && change_friction(r, parts[attempt - 2])) return Settled::solved;
       continue;
     }
-    if (drawn) draw_cells(r, draw);
-    else if (attempt == 1) stick_all(r);
+    if (drawn)
+      draw_cells(r, draw);
+    else if (attempt == 1)
+      stick_all(r);
     if (follow(r, drawn ? &draw : nullptr)) return Settled::solved;
   }
   return Settled::undecided;

@@ -158,8 +158,7 @@ void load_cells(const RateProblem& r, Real* out) {
   for (int32_t i = 0; i < r.count; ++i) {
     const Doubt& d = r.doubt[i];
     const Pair& pair = r.t->pair[d.pair];
-    for (int s = 0; s < d.slots; ++s)
-      out[d.row + s] = static_cast<Real>(r.rates[d.dof + s] / scale_of(pair, sides(pair, s).y));
+    for (int s = 0; s < d.slots; ++s) out[d.row + s] = static_cast<Real>(r.rates[d.dof + s] / scale_of(pair, sides(pair, s).y));
   }
 }
 
@@ -192,8 +191,10 @@ CellSizes sizes_of(const RateProblem& r, const Real* u) {
     const Quantities x = quantities(r, d, d.cell);
     for (int k = 0; k < 4; ++k) {
       const double value = fabs(value_of(x.of[k], d, u));
-      if (k < 2) s.motion = larger(s.motion, value);
-      else s.force = larger(s.force, value);
+      if (k < 2)
+        s.motion = larger(s.motion, value);
+      else
+        s.force = larger(s.force, value);
     }
   }
   return s;

@@ -13,52 +13,52 @@ namespace c2d {
 
 // What a pair may do.
 enum class DoubtKind : int32_t {
-  cone,      // stick or slip one way
-  apex,      // open, stick, slip either way
-  normal,    // open or closed: without friction, or without a tangential direction
-  adhesive   // open or stuck: friction without bound
+  cone,    // stick or slip one way
+  apex,    // open, stick, slip either way
+  normal,  // open or closed: without friction, or without a tangential direction
+  adhesive // open or stuck: friction without bound
 };
 enum class Cell : int32_t { open, slip_plus, stick, slip_minus };
 
 struct Doubt {
-  int32_t pair, dof, slots;  // its unknowns in the tableau, one or two
-  int32_t row;               // its first unknown and equation in the problem
+  int32_t pair, dof, slots; // its unknowns in the tableau, one or two
+  int32_t row;              // its first unknown and equation in the problem
   DoubtKind kind;
-  Cell cell;                 // as chosen
-  Cell taken;                // of the solution taken so far
-  int32_t allowed;           // branch_cells: 1 << cell of those left
-  int32_t sign;              // cone: of the friction on body 2
+  Cell cell;       // as chosen
+  Cell taken;      // of the solution taken so far
+  int32_t allowed; // branch_cells: 1 << cell of those left
+  int32_t sign;    // cone: of the friction on body 2
   double mu;
 };
 
 // branch_cells: the cells of a pair divided in two.
 struct Branch {
   int32_t doubt;
-  int32_t before, left;      // all of its cells, and those still to be looked at
+  int32_t before, left; // all of its cells, and those still to be looked at
 };
 
 struct RateProblem {
   Tableau* t;
-  const double* direction;   // of the loads
-  Real* rates;               // right-hand side: rates of the tableau's basic numbers along the path
-  Real* before;              // [size] rates of motion up to here, (dw_n, dw_t) of each doubt; solutions near them are preferred.
-                             // The same place as `cover`: the one is for trying all cells, the other for a path through them
-  int32_t count, size;       // pairs in doubt, unknowns
-  double mu_part;            // of every coefficient of a pair at the apex: 1 but while it is increased bit by bit
+  const double* direction; // of the loads
+  Real* rates;             // right-hand side: rates of the tableau's basic numbers along the path
+  Real* before;            // [size] rates of motion up to here, (dw_n, dw_t) of each doubt; solutions near them are preferred.
+                           // The same place as `cover`: the one is for trying all cells, the other for a path through them
+  int32_t count, size;     // pairs in doubt, unknowns
+  double mu_part;          // of every coefficient of a pair at the apex: 1 but while it is increased bit by bit
   Doubt* doubt;
-  Real* matrix;              // (size + 1)^2
+  Real* matrix;                             // (size + 1)^2
   Real *rhs, *cover, *point, *column_scale; // size + 1 each; rhs is lost when the matrix is factored
-  int32_t* pivots;           // size + 1
-  int32_t *given, *free;     // branch_cells: quantities that are rows of the matrix, and columns; size each
-  Branch* branch;            // branch_cells: 3 count, the way to where it is
-  double work;               // operations so far
-  bool on_tableau;           // follow_cells: the tableau goes along, and has to be built anew afterwards
+  int32_t* pivots;                          // size + 1
+  int32_t *given, *free;                    // branch_cells: quantities that are rows of the matrix, and columns; size each
+  Branch* branch;                           // branch_cells: 3 count, the way to where it is
+  double work;                              // operations so far
+  bool on_tableau;                          // follow_cells: the tableau goes along, and has to be built anew afterwards
 };
 
 // Where problems live.
 struct RateArea {
-  void* numbers;             // rate_problem_bytes(slots)
-  void* lists;               // doubts and pivots: kRateListBytes for each pair
+  void* numbers; // rate_problem_bytes(slots)
+  void* lists;   // doubts and pivots: kRateListBytes for each pair
   int32_t pairs;
 };
 // At most 2 slots a pair, and one.
@@ -69,9 +69,9 @@ uint64_t rate_problem_bytes(int64_t slots);
 RateProblem rate_problem_in(const RateArea& area, int32_t slots);
 
 enum class Settled : int32_t {
-  solved,     // doubt[].cell has rates that satisfy all conditions
-  none,       // all cells were tried: there are no such rates
-  undecided   // none were found, and not all cells were tried
+  solved,   // doubt[].cell has rates that satisfy all conditions
+  none,     // all cells were tried: there are no such rates
+  undecided // none were found, and not all cells were tried
 };
 
 // How many sets of cells there are; at most 2^30.
@@ -84,8 +84,8 @@ Settled try_all_cells(RateProblem& r, int32_t* found);
 // from cells and artificial loads drawn at random, always the same ones.
 Settled follow_cells(RateProblem& r, bool drawn, c2d_status (*tick)(void*), void* context, c2d_status* status);
 // Divides the cells of the pairs until what is left of them has rates or is proven to have none, in `most` parts. `every`: all
-// solutions are looked for and the nearest to `before` taken, as try_all_cells does; else one. `none` if no regular set of cells
-// has rates, `undecided` if the parts did not suffice for one.
+// solutions are looked for and the nearest to `before` taken, as try_all_cells does; else one. `none` if no regular set of
+// cells has rates, `undecided` if the parts did not suffice for one.
 Settled branch_cells(RateProblem& r, bool every, int32_t most, int32_t* found, c2d_status (*tick)(void*), void* context,
                      c2d_status* status);
 

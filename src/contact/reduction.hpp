@@ -13,14 +13,14 @@ namespace c2d {
 struct Reduction {
   ContactTape tape;
   Model model;
-  int32_t inverted;  // 0 or 1: the supported body, whose S_u is inverted
-  Real* first;       // m * m
-  Real* second;      // m * m
-  Real* strip;       // m * kStripColumns
-  int32_t* pivots;   // m
+  int32_t inverted; // 0 or 1: the supported body, whose S_u is inverted
+  Real* first;      // m * m
+  Real* second;     // m * m
+  Real* strip;      // m * kStripColumns
+  int32_t* pivots;  // m
   void* watch_context;
   c2d_status (*tick)(void* context); // called between steps; anything but C2D_OK stops
-  Engine engine;     // of the dense kernels
+  Engine engine;                     // of the dense kernels
 };
 constexpr int32_t kStripColumns = 4;
 

@@ -121,7 +121,8 @@ void null_columns(const Reduction& r, bool transposed, int32_t count, const int3
   for (int32_t k = 0; k < count; ++k) {
     Real* x = strip_column(r, k);
     for (int32_t i = 0; i < m; ++i)
-      x[i] = -(transposed ? r.first[static_cast<int64_t>(i) * m + holder[k]] : r.first[static_cast<int64_t>(holder[k]) * m + i]);
+      x[i] =
+          -(transposed ? r.first[static_cast<int64_t>(i) * m + holder[k]] : r.first[static_cast<int64_t>(holder[k]) * m + i]);
     for (int32_t j = 0; j < count; ++j) x[holder[j]] = j == k ? Real(1) : Real(0);
     lu_solve(r.engine, m, 1, r.second, m, r.pivots, x, m);
   }

@@ -75,7 +75,6 @@ Violation judge(const Follower& f, int32_t i, const PathScales& s) {
   return is_at_bound(f, i, now, s) ? judge_sticking(pair, now, rate, s) : Violation{0.0, 0, 0};
 }
 
-
 bool anything_offends(const Follower& f, const PathScales& s) {
   for (int32_t i = 0; i < f.t->pairs; ++i)
     if (judge(f, i, s).size > 0.0) return true;
@@ -159,7 +158,6 @@ void refresh(Follower& f) {
   combine(*f.t, f.load, true, f.y);
   combine(*f.t, f.direction, false, f.dy);
 }
-
 
 // ---- pairs in doubt -----------------------------------------------------------------------------------------------
 
@@ -281,8 +279,8 @@ c2d_status take_cells(Follower& f, const RateProblem& r) {
   return rebuild(f);
 }
 
-// So many sets of cells are tried one by one, of so many pairs all are divided into so many parts at most; and into so many parts
-// where nothing else has found rates.
+// So many sets of cells are tried one by one, of so many pairs all are divided into so many parts at most; and into so many
+// parts where nothing else has found rates.
 constexpr int64_t kFewSets = 256;
 constexpr int32_t kFewPairs = 16, kFewParts = 1000, kMostParts = 20000;
 
@@ -295,7 +293,6 @@ void note_solutions(Follower& f, int32_t found) {
   f.solutions = found;
   f.solutions_load = f.load[0];
 }
-
 
 // The statuses and books are those kept, the tableau is fresh, and they and it are so again where no rates are found.
 c2d_status take_found(Follower& f, const RateProblem& r, bool check, Settled* result) {
@@ -347,8 +344,8 @@ c2d_status search_branches(Follower& f, Settled* result) {
   return restore_pairs(f);
 }
 
-// All sets of cells, if they are few or few parts of them have to be looked at, and it is not clear beforehand that one solution
-// is all there is. *found: how many there are; -1: not known. The pairs have been kept.
+// All sets of cells, if they are few or few parts of them have to be looked at, and it is not clear beforehand that one
+// solution is all there is. *found: how many there are; -1: not known. The pairs have been kept.
 c2d_status try_all(Follower& f, bool offends, int32_t* found) {
   RateProblem r;
   gather_doubts(f, r);
@@ -357,8 +354,10 @@ c2d_status try_all(Follower& f, bool offends, int32_t* found) {
   if (!offends && is_surely_unique(r)) return C2D_OK;
   keep_motion_before(f, r);
   c2d_status status = C2D_OK;
-  if (count_cells(r) <= kFewSets) try_all_cells(r, found);
-  else if (branch_cells(r, true, kFewParts, found, f.watch.tick, f.watch.context, &status) == Settled::undecided) *found = -1;
+  if (count_cells(r) <= kFewSets)
+    try_all_cells(r, found);
+  else if (branch_cells(r, true, kFewParts, found, f.watch.tick, f.watch.context, &status) == Settled::undecided)
+    *found = -1;
   if (status != C2D_OK) return status;
   note_solutions(f, *found);
   if (*found < 1 || (*found == 1 && !offends)) return C2D_OK;

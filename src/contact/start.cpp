@@ -60,8 +60,7 @@ int32_t first_to_touch(const Tableau& t, const FreeBody& body, const Model& m, d
 
 } // namespace
 
-void motion_at_pair(const Model& m, int b, const double motion[3], const double centre[2], const Pair& pair,
-                    double out[2]) {
+void motion_at_pair(const Model& m, int b, const double motion[3], const double centre[2], const Pair& pair, double out[2]) {
   double x, y;
   pair_position(m, pair, b, &x, &y);
   const double unit = m.head->length_unit;

@@ -4,10 +4,10 @@
 
 namespace c2d {
 
-struct FreeBody {           // the body that may float: how it can move
-  int32_t body;             // 0 or 1
-  int32_t motions;          // free rigid motions
-  double motion[3];         // the one motion if motions == 1: (ux, uy, rotation * length unit) about centre
+struct FreeBody {   // the body that may float: how it can move
+  int32_t body;     // 0 or 1
+  int32_t motions;  // free rigid motions
+  double motion[3]; // the one motion if motions == 1: (ux, uy, rotation * length unit) about centre
   double centre[2];
 };
 
@@ -17,8 +17,7 @@ struct FreeBody {           // the body that may float: how it can move
 c2d_status start_path(Follower& f, const FreeBody& body, const Model& model, int32_t* floating);
 
 // Change of w of a pair per unit of a rigid motion of body b (as FreeBody::motion), in the length unit.
-void motion_at_pair(const Model& model, int b, const double motion[3], const double centre[2], const Pair& pair,
-                    double out[2]);
+void motion_at_pair(const Model& model, int b, const double motion[3], const double centre[2], const Pair& pair, double out[2]);
 
 // Nothing is loaded yet and the body floats with one motion: follow it without force in the direction in which the
 // load does work (`work` per unit of the motion, along the path's direction) until the first pair touches.

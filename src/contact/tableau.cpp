@@ -15,7 +15,7 @@ namespace {
 constexpr double kFreePivot = sizeof(Real) == 8 ? 1e-10 : 1e-5;
 constexpr double kTinyCompliance = 1e-14;
 constexpr double kLeastStiffness = 1e-6; // of a pair, against the stiffest
-constexpr double kGoodPivot = 1e-3; // building: no need to look for a better one
+constexpr double kGoodPivot = 1e-3;      // building: no need to look for a better one
 
 Real* column(const Tableau& t, int32_t j) { return t.t + static_cast<int64_t>(t.m) * j; }
 Real entry(const Tableau& t, int32_t i, int32_t j) { return column(t, j)[i]; }
@@ -189,8 +189,7 @@ void impose_contact(Tableau& t) {
     if (pair.status == C2D_OPEN) continue;
     const double normal = -pair.gap / t.length_unit;
     const double tangential = pair.tangential && pair.status == C2D_STICK ? pair.offset : 0.0;
-    for (int32_t row = 0; row < t.m && normal != 0.0; ++row)
-      c[row] += static_cast<Real>(normal) * entry(t, row, pair.dof);
+    for (int32_t row = 0; row < t.m && normal != 0.0; ++row) c[row] += static_cast<Real>(normal) * entry(t, row, pair.dof);
     for (int32_t row = 0; row < t.m && tangential != 0.0; ++row)
       c[row] += static_cast<Real>(tangential) * entry(t, row, pair.dof + 1);
   }
@@ -309,8 +308,7 @@ bool exchange_leaving(Tableau& t, int32_t* culprit, int32_t left[kFreeMotions], 
 
 void restore_gaps(Tableau& t) {
   for (int32_t i = 0; i < t.pairs; ++i)
-    if (t.pair[i].status == C2D_OPEN)
-      constants(t)[t.pair[i].dof] += static_cast<Real>(t.pair[i].gap / t.length_unit);
+    if (t.pair[i].status == C2D_OPEN) constants(t)[t.pair[i].dof] += static_cast<Real>(t.pair[i].gap / t.length_unit);
 }
 
 } // namespace

@@ -15,10 +15,10 @@ namespace c2d {
 struct Tableau {
   int32_t m, cases, pairs;
   Pair* pair;
-  Real* t;             // m * tableau_columns(m, cases)
+  Real* t; // m * tableau_columns(m, cases)
   double length_unit;
-  double stiffness;    // largest diagonal entry with every pair sticking; 0 until built
-  int64_t exchanges;   // so far
+  double stiffness;  // largest diagonal entry with every pair sticking; 0 until built
+  int64_t exchanges; // so far
   const Kernel* kernel;
   int32_t free_motions; // of the body that the contact has to hold: left free where no pair touches (contact/let_go.hpp)
 };

@@ -69,8 +69,7 @@ bool next_line(Cards& cards) {
 bool is_comment(Cards& cards) {
   if (cards.text[0] != 'C') return false;
   int32_t number;
-  if (is_blank(cards.text + 1, 4) || integer_field(cards.text + 1, 4, &number) != FieldFault::none)
-    return true;
+  if (is_blank(cards.text + 1, 4) || integer_field(cards.text + 1, 4, &number) != FieldFault::none) return true;
   fault(cards, 1, 1, "column 1 holds 'C' before the number ", number,
         ", expected a coordinate letter, which is blank or P (or a comment without a number in columns 2-5)");
   return !cards.holds_nodes;
@@ -124,8 +123,7 @@ bool next_fixed_card(Cards& cards) {
     if (!next_line(cards)) return false;
     const int32_t old_faults = cards.faults;
     if (!is_comment(cards)) break;
-    if (cards.faults == old_faults)
-      tell_field(cards, C2D_CARD_COMMENT, 0, 0, cards.text + 1, cards.length - 1, 0);
+    if (cards.faults == old_faults) tell_field(cards, C2D_CARD_COMMENT, 0, 0, cards.text + 1, cards.length - 1, 0);
   }
   refuse_tabs(cards);
   return !cards.ended;
@@ -136,8 +134,7 @@ void tell_comment(Cards& cards, const Words& words) {
   const bool has_c = is_free_comment(cards);
   if (cards.in_extensions && words.count > 0 && !has_c) return;
   const int32_t first = has_c ? 1 : before_comment(cards.text, cards.length) + 1;
-  if (first <= cards.length)
-    tell_field(cards, C2D_CARD_COMMENT, 0, 0, cards.text + first, cards.length - first, 0);
+  if (first <= cards.length) tell_field(cards, C2D_CARD_COMMENT, 0, 0, cards.text + first, cards.length - first, 0);
 }
 
 } // namespace
@@ -179,9 +176,7 @@ bool next_free_card(Cards& cards, Words& words) {
   return !cards.ended;
 }
 
-void hold_card(Cards& cards) {
-  cards.held = true;
-}
+void hold_card(Cards& cards) { cards.held = true; }
 
 Text& begin_fault(Cards& cards, int32_t column, int32_t column_end) {
   c2d_error& entry = cards.entry;

@@ -40,7 +40,7 @@ struct Cards {
   int32_t taken;      // fields of `words` read so far
   c2d_error entry;    // being put together
   Text text_of_entry;
-  c2d_card_fn card;   // is told every field; may be null
+  c2d_card_fn card; // is told every field; may be null
   void* card_context;
   char text[168];            // the card, blank-padded
   Words words;               // of a card of the free form
@@ -67,8 +67,7 @@ void refuse_tabs(Cards& cards);
 // Fields of the card at hand, named by their columns in the fixed form, and asked for in the order in which
 // they stand on the card: of the free form, each takes the next word. False: a fault was reported (or the
 // card had been refused), *value is unchanged. `name` is the quantity in words, as in "number of elements".
-bool integer(Cards& cards, int32_t column, int32_t width, const char* name, int32_t least, int32_t most,
-             int32_t* value);
+bool integer(Cards& cards, int32_t column, int32_t width, const char* name, int32_t least, int32_t most, int32_t* value);
 // Of five columns (format I5): any number; one of at least `least`.
 bool any_integer(Cards& cards, int32_t column, const char* name, int32_t* value);
 bool integer_from(Cards& cards, int32_t column, const char* name, int32_t least, int32_t* value);
@@ -85,8 +84,7 @@ bool peek_integer(Cards& cards, int32_t column, int32_t width, int32_t* value);
 // The same one is not there, in a word: the card ends too early, which is told once.
 bool is_there(Cards& cards, const Words& words, int32_t i, const char* name);
 // Tell cards.card of a field of `length` characters.
-void tell_field(Cards& cards, int32_t kind, int32_t column, int32_t width, const char* text, int32_t length,
-                double value);
+void tell_field(Cards& cards, int32_t kind, int32_t column, int32_t width, const char* text, int32_t length, double value);
 
 // Columns that no field uses, between two fields: text there is a number out of its columns.
 void unused_column(Cards& cards, int32_t column);
@@ -94,8 +92,7 @@ void unused_column(Cards& cards, int32_t column);
 void end_of_fields(Cards& cards, int32_t column);
 
 // Field i (from 0) of a free-form card, as above.
-bool integer_word(Cards& cards, const Words& words, int32_t i, const char* name, int32_t least, int32_t most,
-                  int32_t* value);
+bool integer_word(Cards& cards, const Words& words, int32_t i, const char* name, int32_t least, int32_t most, int32_t* value);
 bool real_word(Cards& cards, const Words& words, int32_t i, const char* name, double* value);
 // A text of at most size - 1 characters, as it stands on the card.
 bool text_word(Cards& cards, const Words& words, int32_t i, const char* name, char* value, int32_t size);
@@ -105,8 +102,7 @@ bool end_of_words(Cards& cards, const Words& words, int32_t count);
 // Report a fault in columns column ... column_end (0: the card as a whole): begin, put() its text together, end.
 Text& begin_fault(Cards& cards, int32_t column, int32_t column_end);
 void end_fault(Cards& cards);
-template <class... Parts>
-C2D_IN_PLACE inline void fault(Cards& cards, int32_t column, int32_t column_end, Parts... parts) {
+template <class... Parts> C2D_IN_PLACE inline void fault(Cards& cards, int32_t column, int32_t column_end, Parts... parts) {
   put_all(begin_fault(cards, column, column_end), parts...);
   end_fault(cards);
 }
@@ -121,8 +117,7 @@ C2D_IN_PLACE inline void field_fault(Cards& cards, int32_t column, int32_t colum
 }
 // The same in field i of a free-form card; without such a field, where it would stand.
 Text& begin_word_fault(Cards& cards, const Words& words, int32_t i);
-template <class... Parts>
-C2D_IN_PLACE inline void word_fault(Cards& cards, const Words& words, int32_t i, Parts... parts) {
+template <class... Parts> C2D_IN_PLACE inline void word_fault(Cards& cards, const Words& words, int32_t i, Parts... parts) {
   put_all(begin_word_fault(cards, words, i), parts...);
   end_fault(cards);
 }

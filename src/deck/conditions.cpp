@@ -29,10 +29,9 @@ bool count_fields(Cards& cards, FieldCount& count) {
   const int32_t least = kFields + (count.codes_apart ? kMoreFields : 0);
   count.has_flag = fields == least + 1;
   if (fields == least || fields == least + 1) return true;
-  word_fault(
-      cards, cards.words, fields, "the card has ", fields, fields == 1 ? " field" : " fields",
-      ", expected 7: element, node, four codes as one field, four values; 10 with the codes apart; one "
-      "more with the flag 1 in front");
+  word_fault(cards, cards.words, fields, "the card has ", fields, fields == 1 ? " field" : " fields",
+             ", expected 7: element, node, four codes as one field, four values; 10 with the codes apart; one "
+             "more with the flag 1 in front");
   return false;
 }
 
@@ -67,14 +66,11 @@ ConditionCard read_condition(Deck& deck, int b) {
   int32_t generated = 0;
   FieldCount count;
   if (!count_fields(cards, count)) return card;
-  card.sound = !count.has_flag ||
-               integer(cards, 1, 1, "flag for generated conditions (blank, 0 or 1)", 0, 1, &generated);
+  card.sound = !count.has_flag || integer(cards, 1, 1, "flag for generated conditions (blank, 0 or 1)", 0, 1, &generated);
   card.is_generated = generated == 1;
-  if (!integer(cards, 2, 4, "element number", 1 + offset, deck.sizes.elements[b] + offset, &card.element))
-    card.sound = false;
+  if (!integer(cards, 2, 4, "element number", 1 + offset, deck.sizes.elements[b] + offset, &card.element)) card.sound = false;
   card.element -= offset;
-  if (!integer(cards, 6, 5, "local node number", 1, deck.sizes.function_nodes, &card.local))
-    card.sound = false;
+  if (!integer(cards, 6, 5, "local node number", 1, deck.sizes.function_nodes, &card.local)) card.sound = false;
   unused_column(cards, 11);
   card.values_sound = !cards.refused;
   if (!count.codes_apart && !read_joined_codes(cards, card.codes)) card.values_sound = false;
@@ -99,8 +95,7 @@ bool set_conditions(Deck& deck, int b, const ConditionCard& previous, const Cond
   for (; element <= card.element; ++element, local = 1) {
     const int32_t last = element < card.element ? deck.sizes.function_nodes : card.local;
     for (; local <= last; ++local) {
-      const c2d_status status =
-          deck.sink->set_condition(deck.sink->solver, b + 1, element, local, card.codes, card.values, 1);
+      const c2d_status status = deck.sink->set_condition(deck.sink->solver, b + 1, element, local, card.codes, card.values, 1);
       if (!accept(deck, status)) return false;
     }
   }
@@ -122,8 +117,8 @@ bool may_be_point_load(const Cards& cards) {
 }
 
 bool read_point_load(Deck& deck, int b, int32_t i) {
-  static const char* const kName[4] = {"x of a point load", "y of a point load",
-                                       "x component of a point load", "y component of a point load"};
+  static const char* const kName[4] = {"x of a point load", "y of a point load", "x component of a point load",
+                                       "y component of a point load"};
   Cards& cards = deck.cards;
   if (!next_card(cards, "a point load card")) return false;
   if (!fits_count(deck, may_be_point_load(cards), i)) return false;
@@ -160,10 +155,9 @@ bool read_conditions(Deck& deck, int b) {
     if (card.sound && card.is_generated && i == 0)
       field_fault(cards, 1, 1, "conditions are to be generated from a card before this one, expected one");
     else if (card.sound && follows && card.is_generated && is_behind(card, previous))
-      field_fault(cards, 2, 10, "conditions are generated up to element ",
-                  card.element + element_offset(deck, b), " node ", card.local,
-                  ", expected an end behind the card before (element ",
-                  previous.element + element_offset(deck, b), " node ", previous.local, ")");
+      field_fault(cards, 2, 10, "conditions are generated up to element ", card.element + element_offset(deck, b), " node ",
+                  card.local, ", expected an end behind the card before (element ", previous.element + element_offset(deck, b),
+                  " node ", previous.local, ")");
     else if (card.sound && follows && !set_conditions(deck, b, previous, card))
       return false;
     previous = card;

@@ -30,8 +30,7 @@ bool fits_workspace(Deck& deck) {
   const int32_t bodies = deck.sink->bodies, nodes = deck.sink->function_nodes;
   const int32_t old_faults = deck.cards.faults;
   if (bodies > 0 && bodies != deck.sizes.bodies)
-    field_fault(deck.cards, 1, 5, "number of bodies is ", deck.sizes.bodies,
-                ", but the workspace was made for ", bodies);
+    field_fault(deck.cards, 1, 5, "number of bodies is ", deck.sizes.bodies, ", but the workspace was made for ", bodies);
   if (nodes > 0 && nodes != deck.sizes.function_nodes)
     field_fault(deck.cards, 11, 15, "number of functional nodes per element is ", deck.sizes.function_nodes,
                 ", but the workspace was made for ", nodes);
@@ -46,14 +45,12 @@ bool read_counts(Deck& deck) {
   cards.vital = true;
   const bool bodies_known = integer(cards, 1, 5, "number of bodies", 1, 2, &sizes.bodies);
   const bool zones_known = integer_from(cards, 6, "number of contact zones", 0, &sizes.zones);
-  const bool nodes_known =
-      integer(cards, 11, 5, "number of functional nodes per element", 1, 4, &sizes.function_nodes);
+  const bool nodes_known = integer(cards, 11, 5, "number of functional nodes per element", 1, 4, &sizes.function_nodes);
   cards.vital = false;
   end_of_fields(cards, 16);
   if (!bodies_known || !zones_known || !nodes_known) return false;
   if (sizes.zones > 0 && sizes.bodies < 2)
-    field_fault(cards, 6, 10, "number of contact zones is ", sizes.zones,
-                ", expected 0: contact needs two bodies");
+    field_fault(cards, 6, 10, "number of contact zones is ", sizes.zones, ", expected 0: contact needs two bodies");
   else if (sizes.zones > 0 && deck.problem.analysis == C2D_ANALYSIS_STRESS)
     field_fault(cards, 6, 10, "number of contact zones is ", sizes.zones,
                 ", expected 0: a stress analysis (IOUT 0) has no contact zones; IOUT 1 or 2 is contact");
@@ -88,12 +85,10 @@ bool read_body(Deck& deck, int b) {
   cards.vital = true;
   const bool regions_known = integer_from(cards, 1, "number of regions", 1, &sizes.regions[b]);
   cards.vital = false;
-  const bool order_known =
-      integer(cards, 6, 5, "number of boundary nodes per element", 2, 4, &deck.element_nodes[b]);
+  const bool order_known = integer(cards, 6, 5, "number of boundary nodes per element", 2, 4, &deck.element_nodes[b]);
   cards.vital = true;
   const bool elements_known = integer_from(cards, 11, "number of elements", 1, &sizes.elements[b]);
-  const bool nodes_known =
-      integer_from(cards, 16, "number of boundary points", 1, &sizes.geometry_nodes[b]);
+  const bool nodes_known = integer_from(cards, 16, "number of boundary points", 1, &sizes.geometry_nodes[b]);
   cards.vital = false;
   end_of_fields(cards, 21);
   if (!regions_known || !elements_known || !nodes_known) return false;
@@ -102,11 +97,11 @@ bool read_body(Deck& deck, int b) {
   const int32_t beyond = sizes.geometry_nodes[b] - expected;
   deck.open_regions[b] = order_known && beyond > 0 && beyond <= sizes.regions[b] ? beyond : 0;
   if (order_known && beyond != deck.open_regions[b])
-    field_fault(cards, 16, 20, "number of boundary points is ", sizes.geometry_nodes[b], ", expected ",
-                expected, ": ", sizes.elements[b], " elements of ", deck.element_nodes[b], " nodes");
+    field_fault(cards, 16, 20, "number of boundary points is ", sizes.geometry_nodes[b], ", expected ", expected, ": ",
+                sizes.elements[b], " elements of ", deck.element_nodes[b], " nodes");
   if (sizes.regions[b] > sizes.elements[b]) {
-    field_fault(cards, 1, 5, "number of regions is ", sizes.regions[b], ", expected at most ",
-                sizes.elements[b], ", the number of elements");
+    field_fault(cards, 1, 5, "number of regions is ", sizes.regions[b], ", expected at most ", sizes.elements[b],
+                ", the number of elements");
     return false;
   }
   if (cards.faults != old_faults) return !cards.ended;
@@ -135,15 +130,12 @@ bool read_region(Deck& deck, int b, int32_t number, int32_t* next) {
   const int32_t expected = *next + offset;
   const bool is_last = number == deck.sizes.regions[b];
   const bool first_sound = first_known && first == expected;
-  const bool last_sound =
-      last_known && last <= elements + offset && last >= (is_last ? elements + offset : expected);
-  if (first_known && !first_sound)
-    field_fault(cards, 1, 5, "first element of the region is ", first, ", expected ", expected);
+  const bool last_sound = last_known && last <= elements + offset && last >= (is_last ? elements + offset : expected);
+  if (first_known && !first_sound) field_fault(cards, 1, 5, "first element of the region is ", first, ", expected ", expected);
   if (last_known && !last_sound && is_last)
     field_fault(cards, 6, 10, "last element of the region is ", last, ", expected ", elements + offset);
   else if (last_known && !last_sound)
-    field_fault(cards, 6, 10, "last element of the region is ", last, ", expected ", expected, " to ",
-                elements + offset);
+    field_fault(cards, 6, 10, "last element of the region is ", last, ", expected ", expected, " to ", elements + offset);
   *next = last_sound && last - offset < elements ? last - offset + 1 : elements;
   if (deck.sink == nullptr || !first_sound || !last_sound) return !cards.ended;
   place(deck, 1, 10);
@@ -173,8 +165,7 @@ bool read_elastic_constants(Deck& deck, int b) {
 // Coefficient i stands on a further card? In the fixed form after every seventh, in the free form where the
 // card ends.
 bool go_to_coefficient(Cards& cards, int32_t i) {
-  if (cards.free_form)
-    return words_left(cards) > 0 || next_card(cards, "a further card with coefficients of friction");
+  if (cards.free_form) return words_left(cards) > 0 || next_card(cards, "a further card with coefficients of friction");
   if (i == 0 || i % kCoefficientsPerCard != 0) return true;
   if (!next_card(cards, "a further card with coefficients of friction")) return false;
   int32_t nothing;
@@ -223,8 +214,7 @@ bool read_first_card(Cards& cards) {
   cards.free_form = true;
   tell_field(cards, C2D_CARD_FREE, 0, 0, cards.text, 0, 0);
   const int32_t comment = before_comment(cards.text, cards.length) + 1;
-  if (comment <= cards.length)
-    tell_field(cards, C2D_CARD_COMMENT, 0, 0, cards.text + comment, cards.length - comment, 0);
+  if (comment <= cards.length) tell_field(cards, C2D_CARD_COMMENT, 0, 0, cards.text + comment, cards.length - comment, 0);
   return next_card(cards, kName);
 }
 

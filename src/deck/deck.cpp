@@ -40,8 +40,8 @@ bool read_sections(Deck& deck) {
 
 } // namespace
 
-c2d_status read_deck_cards(const DeckSink* sink, c2d_read_line read, void* context, c2d_report report,
-                           void* report_context, c2d_limits* sizes, c2d_card_fn card, void* card_context) {
+c2d_status read_deck_cards(const DeckSink* sink, c2d_read_line read, void* context, c2d_report report, void* report_context,
+                           c2d_limits* sizes, c2d_card_fn card, void* card_context) {
   Deck deck;
   memset(&deck, 0, sizeof deck);
   start_cards(deck.cards, read, context, report, report_context);
@@ -58,8 +58,7 @@ c2d_status read_deck_cards(const DeckSink* sink, c2d_read_line read, void* conte
 
 void place(Deck& deck, int32_t column, int32_t column_end) {
   const Word at = columns_of(deck.cards, column, column_end);
-  if (deck.sink != nullptr)
-    accept(deck, deck.sink->set_line(deck.sink->solver, deck.cards.line, at.column, at.column_end));
+  if (deck.sink != nullptr) accept(deck, deck.sink->set_line(deck.sink->solver, deck.cards.line, at.column, at.column_end));
 }
 
 void place_words(Deck& deck, const Words& words) {
@@ -111,17 +110,15 @@ bool fits_count(Deck& deck, bool fits, int32_t read_so_far) {
   const bool fixed = !cards.free_form; // as above
   const int32_t column = deck.counted_line == deck.zones_line ? 6 : 1;
   fault(cards, fixed ? column : 0, fixed ? column + 4 : 0, deck.counted, " is ", deck.counted_cards, ", but line ", line,
-        read_so_far < deck.counted_cards ? " holds another kind of card after " : " holds one more, or a wrong card, after ", read_so_far,
-        " of them; what follows cannot be read without it");
+        read_so_far < deck.counted_cards ? " holds another kind of card after " : " holds one more, or a wrong card, after ",
+        read_so_far, " of them; what follows cannot be read without it");
   cards.line = line;
   cards.body = body;
   cards.ended = true;
   return false;
 }
 
-int32_t element_offset(const Deck& deck, int b) {
-  return b == 1 && deck.elements_continue ? deck.sizes.elements[0] : 0;
-}
+int32_t element_offset(const Deck& deck, int b) { return b == 1 && deck.elements_continue ? deck.sizes.elements[0] : 0; }
 
 int32_t function_node_offset(const Deck& deck, int b) {
   return b == 1 && deck.nodes_continue ? function_node_count(deck, 0) : 0;

@@ -23,12 +23,10 @@ struct DeckSink {
   c2d_status (*set_problem)(c2d_solver*, const c2d_problem*);
   c2d_status (*set_body)(c2d_solver*, int32_t body, const c2d_body*);
   c2d_status (*add_region)(c2d_solver*, int32_t body, int32_t first_element, int32_t last_element);
-  c2d_status (*set_nodes)(c2d_solver*, int32_t body, int32_t first, int32_t count, const double* xy,
-                          int64_t stride);
-  c2d_status (*set_condition)(c2d_solver*, int32_t body, int32_t element, int32_t local,
-                              const int32_t codes[4], const double values[4], int32_t load_case);
-  c2d_status (*add_point_load)(c2d_solver*, int32_t body, double x, double y, double fx, double fy,
-                               int32_t load_case);
+  c2d_status (*set_nodes)(c2d_solver*, int32_t body, int32_t first, int32_t count, const double* xy, int64_t stride);
+  c2d_status (*set_condition)(c2d_solver*, int32_t body, int32_t element, int32_t local, const int32_t codes[4],
+                              const double values[4], int32_t load_case);
+  c2d_status (*add_point_load)(c2d_solver*, int32_t body, double x, double y, double fx, double fy, int32_t load_case);
   c2d_status (*add_zone)(c2d_solver*, const c2d_zone*);
   c2d_status (*add_friction)(c2d_solver*, double mu);
   c2d_status (*add_path)(c2d_solver*, int32_t increments, double load);
@@ -44,10 +42,9 @@ struct DeckSink {
   c2d_status (*add_curve)(c2d_solver*, const c2d_curve*);
   // of keywords whose part of the library may be missing: null
   c2d_status (*set_symmetry)(c2d_solver*, int32_t axis, double value);
-  c2d_status (*set_rigid)(c2d_solver*, int32_t load_case, double ux, double uy, double rotation, double x0,
-                          double y0);
-  c2d_status (*set_body_force)(c2d_solver*, int32_t body, int32_t load_case, double bx, double by,
-                               double rho_omega2, double x0, double y0);
+  c2d_status (*set_rigid)(c2d_solver*, int32_t load_case, double ux, double uy, double rotation, double x0, double y0);
+  c2d_status (*set_body_force)(c2d_solver*, int32_t body, int32_t load_case, double bx, double by, double rho_omega2, double x0,
+                               double y0);
   c2d_status (*add_free_zone)(c2d_solver*, const c2d_free_zone*);
 };
 
@@ -82,17 +79,16 @@ struct Deck {
   int64_t pairs, contact_elements; // of all zones
   const char* counted;             // the last number of cards that a card gave, with its place
   int32_t counted_cards, counted_line, counted_body, zones_line;
-  uint32_t keywords_seen;          // bit: place in the table of keywords.cpp
-  NumbersSeen body_forces[2];      // load cases that *BODY FORCE gave, by body
+  uint32_t keywords_seen;     // bit: place in the table of keywords.cpp
+  NumbersSeen body_forces[2]; // load cases that *BODY FORCE gave, by body
 };
 
 // Read a deck to its end. Every fault goes to `report` (may be null), those of the sink's calls excepted: the
 // sink has told them. Returns C2D_OK; C2D_ERR_INPUT after any fault; C2D_ERR_READ; or what the sink returned,
 // if that was neither ARGUMENT nor INPUT. `sizes`, if not null, receives the sizes after C2D_OK. `card`
 // is told every field of every card, in order.
-c2d_status read_deck_cards(const DeckSink* sink, c2d_read_line read, void* context, c2d_report report,
-                           void* report_context, c2d_limits* sizes, c2d_card_fn card = nullptr,
-                           void* card_context = nullptr);
+c2d_status read_deck_cards(const DeckSink* sink, c2d_read_line read, void* context, c2d_report report, void* report_context,
+                           c2d_limits* sizes, c2d_card_fn card = nullptr, void* card_context = nullptr);
 
 // The sections, in order. Each returns false if the deck cannot be read on; faults have then been reported.
 bool read_heading(Deck& deck);           // control.cpp

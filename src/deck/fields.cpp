@@ -36,8 +36,7 @@ void malformed_field(Cards& cards, int32_t column, int32_t width, const char* ex
 }
 
 // An integer in these columns, blanks around it allowed; width 0: a field with nothing in it.
-bool integer_at(Cards& cards, int32_t column, int32_t width, const char* name, int32_t least, int32_t most,
-                int32_t* value) {
+bool integer_at(Cards& cards, int32_t column, int32_t width, const char* name, int32_t least, int32_t most, int32_t* value) {
   int32_t found;
   const FieldFault why = integer_field(cards.text + column - 1, width, &found);
   if (why != FieldFault::none) {
@@ -70,9 +69,7 @@ bool real_at(Cards& cards, int32_t column, int32_t width, const char* name, doub
   return true;
 }
 
-int32_t width_of(const Word& word) {
-  return word.column_end - word.column + 1;
-}
+int32_t width_of(const Word& word) { return word.column_end - word.column + 1; }
 
 // Where the field in these columns of the fixed form stands on the card at hand.
 bool find_field(Cards& cards, int32_t column, int32_t width, const char* name, Word& at) {
@@ -86,8 +83,7 @@ bool find_field(Cards& cards, int32_t column, int32_t width, const char* name, W
 
 } // namespace
 
-void tell_field(Cards& cards, int32_t kind, int32_t column, int32_t width, const char* text, int32_t length,
-                double value) {
+void tell_field(Cards& cards, int32_t kind, int32_t column, int32_t width, const char* text, int32_t length, double value) {
   if (cards.card == nullptr) return;
   c2d_card item = c2d_card();
   item.struct_size = static_cast<uint32_t>(sizeof item);
@@ -114,9 +110,7 @@ bool is_there(Cards& cards, const Words& words, int32_t i, const char* name) {
   return false;
 }
 
-int32_t words_left(const Cards& cards) {
-  return cards.words.count - cards.taken;
-}
+int32_t words_left(const Cards& cards) { return cards.words.count - cards.taken; }
 
 int32_t take_word(Cards& cards, int32_t column, int32_t width) {
   if (cards.taken >= kMaximumWords) return kMaximumWords;
@@ -148,12 +142,10 @@ bool peek_integer(Cards& cards, int32_t column, int32_t width, int32_t* value) {
   return integer_field(cards.text + word.column - 1, width_of(word), value) == FieldFault::none;
 }
 
-bool integer(Cards& cards, int32_t column, int32_t width, const char* name, int32_t least, int32_t most,
-             int32_t* value) {
+bool integer(Cards& cards, int32_t column, int32_t width, const char* name, int32_t least, int32_t most, int32_t* value) {
   if (cards.refused) return false;
   Word at;
-  if (!find_field(cards, column, width, name, at) ||
-      !integer_at(cards, at.column, width_of(at), name, least, most, value))
+  if (!find_field(cards, column, width, name, at) || !integer_at(cards, at.column, width_of(at), name, least, most, value))
     return false;
   tell_field(cards, C2D_CARD_INTEGER, column, width, cards.text + at.column - 1, width_of(at), *value);
   return true;
@@ -179,8 +171,7 @@ bool real(Cards& cards, int32_t column, const char* name, double* value) {
   constexpr int32_t kWidth = 10;
   if (cards.refused) return false;
   Word at;
-  if (!find_field(cards, column, kWidth, name, at) || !real_at(cards, at.column, width_of(at), name, value))
-    return false;
+  if (!find_field(cards, column, kWidth, name, at) || !real_at(cards, at.column, width_of(at), name, value)) return false;
   tell_field(cards, C2D_CARD_REAL, column, kWidth, cards.text + at.column - 1, width_of(at), *value);
   return true;
 }
@@ -204,12 +195,10 @@ void end_of_fields(Cards& cards, int32_t column) {
   if (first > kLastColumn || !one_of(cards.text[first - 1], "+-.0123456789")) return;
   int32_t last = first;
   while (last < kLastColumn && cards.text[last] != ' ') ++last;
-  malformed_field(cards, first, last - first + 1, "blanks",
-                  "no number belongs there, are the columns right?");
+  malformed_field(cards, first, last - first + 1, "blanks", "no number belongs there, are the columns right?");
 }
 
-bool integer_word(Cards& cards, const Words& words, int32_t i, const char* name, int32_t least, int32_t most,
-                  int32_t* value) {
+bool integer_word(Cards& cards, const Words& words, int32_t i, const char* name, int32_t least, int32_t most, int32_t* value) {
   if (!is_there(cards, words, i, name)) return false;
   return integer_at(cards, words.word[i].column, width_of(words.word[i]), name, least, most, value);
 }

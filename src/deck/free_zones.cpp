@@ -6,9 +6,7 @@ namespace c2d {
 
 namespace {
 
-int32_t larger(int32_t a, int32_t b) {
-  return a > b ? a : b;
-}
+int32_t larger(int32_t a, int32_t b) { return a > b ? a : b; }
 
 // As far as the deck tells: which of the elements face body 1 is found out later.
 void count_sizes(Deck& deck, int32_t elements) {
@@ -29,9 +27,8 @@ void read_free_zone(Deck& deck, const Words& keyword_card) {
   Cards& cards = deck.cards;
   if (deck.sizes.bodies < 2 || deck.problem.analysis == C2D_ANALYSIS_STRESS) {
     fault(cards, 0, 0,
-          deck.sizes.bodies < 2
-              ? "a contact zone with one body only, expected two bodies"
-              : "a contact zone in a stress analysis (IOUT 0), expected IOUT 1 or 2, which is contact");
+          deck.sizes.bodies < 2 ? "a contact zone with one body only, expected two bodies"
+                                : "a contact zone in a stress analysis (IOUT 0), expected IOUT 1 or 2, which is contact");
     return;
   }
   c2d_free_zone zone = c2d_free_zone();
@@ -42,8 +39,8 @@ void read_free_zone(Deck& deck, const Words& keyword_card) {
     const int32_t offset = element_offset(deck, b), most = deck.sizes.elements[b];
     int32_t* range[2] = {&zone.first_element[b], &zone.last_element[b]};
     for (int i = 0; i < 2; ++i)
-      if (integer_word(cards, keyword_card, 2 * b + i, b == 0 ? "element of body 1" : "element of body 2",
-                       1 + offset, most + offset, range[i]))
+      if (integer_word(cards, keyword_card, 2 * b + i, b == 0 ? "element of body 1" : "element of body 2", 1 + offset,
+                       most + offset, range[i]))
         *range[i] -= offset;
     if (counted) integer_word(cards, keyword_card, 4 + b, "number of elements", 1, most, &zone.elements[b]);
   }

@@ -32,8 +32,7 @@ bool range_word(Cards& cards, const Words& words, int32_t i, int32_t least, int3
   sound = sound && digits > 0;
   if (part == 0) value[1] = value[0];
   if (!sound || value[0] < least || value[1] > most || value[1] < value[0]) {
-    word_fault(cards, words, i, "elements are '", text, "', expected a number or a range e1-e2 within ", least, " to ",
-               most);
+    word_fault(cards, words, i, "elements are '", text, "', expected a number or a range e1-e2 within ", least, " to ", most);
     return false;
   }
   for (int b = 0; b < 2; ++b) range[b] = static_cast<int32_t>(value[b]);
@@ -57,14 +56,12 @@ void read_case_condition(Deck& deck, const Words& words, int32_t load_case) {
   if (!body_word(deck, words, &body)) return;
   const int32_t offset = element_offset(deck, body - 1);
   bool sound = range_word(deck.cards, words, 2, offset + 1, offset + deck.sizes.elements[body - 1], range);
-  sound = integer_word(deck.cards, words, 3, "local functional node (0: all)", 0, deck.sizes.function_nodes, &local) &&
-          sound;
+  sound = integer_word(deck.cards, words, 3, "local functional node (0: all)", 0, deck.sizes.function_nodes, &local) && sound;
   sound = real_words(deck, words, 4, 4, kNames, values) && sound;
   if (!sound || deck.sink == nullptr) return;
   place_words(deck, words);
   for (int32_t element = range[0]; element <= range[1]; ++element) {
-    const c2d_status status =
-        deck.sink->set_case_values(deck.sink->solver, body, element - offset, local, values, load_case);
+    const c2d_status status = deck.sink->set_case_values(deck.sink->solver, body, element - offset, local, values, load_case);
     if (!accept(deck, status) || status != C2D_OK) return;
   }
 }
@@ -128,8 +125,7 @@ void read_path(Deck& deck, const Words& keyword_card) {
     double factor[kMaximumWords];
     bool sound = integer_word(cards, words, 0, "number of load increments", 1, INT32_MAX, &increments);
     const int32_t factors = words.count - 1;
-    for (int32_t k = 0; k < factors; ++k)
-      sound = real_word(cards, words, k + 1, "load factor", &factor[k]) && sound;
+    for (int32_t k = 0; k < factors; ++k) sound = real_word(cards, words, k + 1, "load factor", &factor[k]) && sound;
     if (factors == 0) word_fault(cards, words, 0, "no load factors, expected one for every load case");
     ++pieces;
     if (!sound || factors == 0 || deck.sink == nullptr) continue;

@@ -32,14 +32,12 @@ constexpr Keyword kKeywords[] = {
     {"CASES", read_cases, false},
     {"PATH", read_path, false},
     {"FRICTION", read_friction, false},
-    {"SYMMETRY", read_symmetry, true, "c2d_set_symmetry",
-     [](const DeckSink& sink) { return sink.set_symmetry != nullptr; }},
+    {"SYMMETRY", read_symmetry, true, "c2d_set_symmetry", [](const DeckSink& sink) { return sink.set_symmetry != nullptr; }},
     {"BODY FORCE", read_body_force, true, "c2d_set_body_force",
      [](const DeckSink& sink) { return sink.set_body_force != nullptr; }},
     {"INTERFERENCE", read_interference, false},
     {"RIGID", read_rigid, false, "c2d_set_rigid", [](const DeckSink& sink) { return sink.set_rigid != nullptr; }},
-    {"ZONE", read_free_zone, true, "c2d_add_free_zone",
-     [](const DeckSink& sink) { return sink.add_free_zone != nullptr; }},
+    {"ZONE", read_free_zone, true, "c2d_add_free_zone", [](const DeckSink& sink) { return sink.add_free_zone != nullptr; }},
     {"POINTS", read_points, true},
     {"CURVE", read_curve, true},
 };
@@ -48,9 +46,7 @@ static_assert(kKeywordCount <= 32, "Deck::keywords_seen has a bit for each");
 
 constexpr int32_t kMaximumName = 24;
 
-bool is_keyword_card(const Words& words) {
-  return words.count > 0 && words.text[words.word[0].column - 1] == '*';
-}
+bool is_keyword_card(const Words& words) { return words.count > 0 && words.text[words.word[0].column - 1] == '*'; }
 
 // The first `count` fields, in capitals, without the star, one blank between them.
 void join_name(const Words& words, int32_t count, char (&name)[kMaximumName]) {
@@ -58,19 +54,14 @@ void join_name(const Words& words, int32_t count, char (&name)[kMaximumName]) {
   for (int32_t i = 0; i < count && i < words.count; ++i) {
     if (i > 0 && used < kMaximumName - 1) name[used++] = ' ';
     int32_t at = words.word[i].column - (i == 0 ? 0 : 1);
-    for (; at < words.word[i].column_end && used < kMaximumName - 1; ++at)
-      name[used++] = capital(words.text[at]);
+    for (; at < words.word[i].column_end && used < kMaximumName - 1; ++at) name[used++] = capital(words.text[at]);
   }
   name[used] = '\0';
 }
 
-int32_t words_in(const char* name) {
-  return name[place_of(' ', name, text_length(name))] == ' ' ? 2 : 1;
-}
+int32_t words_in(const char* name) { return name[place_of(' ', name, text_length(name))] == ' ' ? 2 : 1; }
 
-int32_t least_of(int32_t a, int32_t b) {
-  return a < b ? a : b;
-}
+int32_t least_of(int32_t a, int32_t b) { return a < b ? a : b; }
 
 // How many letters must be put in, taken out or changed to turn one name into the other.
 int32_t edit_distance(const char* a, const char* b) {

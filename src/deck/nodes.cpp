@@ -86,16 +86,13 @@ bool set_node(Deck& deck, int b, int32_t node, double x, double y) {
   return accept(deck, deck.sink->set_nodes(deck.sink->solver, b + 1, node, 1, xy, 2));
 }
 
-bool is_same_radius(double a, double b) {
-  return fabs(a - b) <= 1e-6 * (a > b ? a : b);
-}
+bool is_same_radius(double a, double b) { return fabs(a - b) <= 1e-6 * (a > b ? a : b); }
 
 // The nodes between two cards, equally spaced along a line or, if the second card is polar, along an arc.
 bool generate(Deck& deck, int b, const NodeCard& from, const NodeCard& to) {
   if (!from.sound || !to.sound || to.node - from.node < 2) return true;
   if (to.polar && !from.polar) {
-    field_fault(deck.cards, 1, 1, "nodes before number ", to.node,
-                " lie on an arc, expected a P card before this one too");
+    field_fault(deck.cards, 1, 1, "nodes before number ", to.node, " lie on an arc, expected a P card before this one too");
     return !deck.cards.ended;
   }
   if (to.polar && !is_same_radius(from.radius, to.radius)) {
@@ -107,8 +104,10 @@ bool generate(Deck& deck, int b, const NodeCard& from, const NodeCard& to) {
   for (int32_t i = 1; i < steps; ++i) {
     const double start[2] = {from.x, from.y}, end[2] = {to.x, to.y};
     double point[2];
-    if (to.polar) point_on_arc(to.radius, from.angle, to.angle, i, steps, point);
-    else point_on_line(start, end, i, steps, point);
+    if (to.polar)
+      point_on_arc(to.radius, from.angle, to.angle, i, steps, point);
+    else
+      point_on_line(start, end, i, steps, point);
     if (!set_node(deck, b, from.node + i, point[0], point[1])) return false;
   }
   return true;

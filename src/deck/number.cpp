@@ -8,9 +8,7 @@
 namespace c2d {
 namespace {
 
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // Take the outer blanks off; the rest is text[0 .. width).
 void trim(const char*& text, int32_t& width) {
@@ -101,8 +99,7 @@ FieldFault assemble(uint64_t mantissa, int32_t bits, int32_t exponent, bool stic
   const int32_t leading = exponent + kPrecision - 1;
   if (leading > kLargestExponent) return FieldFault::too_large;
   uint64_t pattern = 0;
-  if (leading >= kSmallestExponent)
-    pattern = static_cast<uint64_t>(leading + 1023) << 52 | (mantissa & 0xfffffffffffffu);
+  if (leading >= kSmallestExponent) pattern = static_cast<uint64_t>(leading + 1023) << 52 | (mantissa & 0xfffffffffffffu);
   memcpy(value, &pattern, sizeof pattern);
   return FieldFault::none;
 }
@@ -184,14 +181,10 @@ FieldFault real_field(const char* text, int32_t width, double* value) {
 
 const char* expectation(FieldFault fault, bool integer) {
   switch (fault) {
-  case FieldFault::not_an_integer:
-    return "an integer without point or exponent";
-  case FieldFault::blank_inside:
-    return "a number without a blank inside";
-  case FieldFault::too_large:
-    return "a number of less than 1e100 in size";
-  default:
-    return integer ? "an integer" : "a number";
+  case FieldFault::not_an_integer: return "an integer without point or exponent";
+  case FieldFault::blank_inside: return "a number without a blank inside";
+  case FieldFault::too_large: return "a number of less than 1e100 in size";
+  default: return integer ? "an integer" : "a number";
   }
 }
 

@@ -17,8 +17,7 @@ bool read_numbers(Deck& deck, const Words& words, c2d_points& points) {
   const int32_t ends = points.kind == C2D_POINTS_ONE ? 1 : 2, counts = points.kind;
   const int32_t old_faults = cards.faults;
   integer_word(cards, words, 1, "body number", 1, deck.sizes.bodies, &points.body);
-  for (int32_t i = 0; i < 2 * ends; ++i)
-    real_word(cards, words, 2 + i, kNames[i], i < 2 ? &points.from[i] : &points.to[i - 2]);
+  for (int32_t i = 0; i < 2 * ends; ++i) real_word(cards, words, 2 + i, kNames[i], i < 2 ? &points.from[i] : &points.to[i - 2]);
   for (int32_t i = 0; i < counts; ++i)
     integer_word(cards, words, 2 + 2 * ends + i,
                  points.kind == C2D_POINTS_LINE ? "number of points"

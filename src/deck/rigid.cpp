@@ -22,8 +22,7 @@ void read_rigid(Deck& deck, const Words& keyword_card) {
     if (sound && load_case > 1 && load_case > deck.sizes.load_cases) deck.sizes.load_cases = load_case;
     if (!sound || deck.sink == nullptr) continue;
     place_words(deck, words);
-    if (!accept(deck, deck.sink->set_rigid(deck.sink->solver, load_case, value[0], value[1], value[2], value[3],
-                                           value[4])))
+    if (!accept(deck, deck.sink->set_rigid(deck.sink->solver, load_case, value[0], value[1], value[2], value[3], value[4])))
       return;
   }
 }

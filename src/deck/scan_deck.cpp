@@ -19,8 +19,7 @@ void keep_first(void* context, const c2d_error* entry) {
 }
 
 c2d_status scan(c2d_read_line read, void* context, c2d_limits* out, c2d_report report, void* report_context) {
-  if (read == nullptr || out == nullptr || out->struct_size < sizeof out->struct_size)
-    return C2D_ERR_ARGUMENT;
+  if (read == nullptr || out == nullptr || out->struct_size < sizeof out->struct_size) return C2D_ERR_ARGUMENT;
   c2d_limits sizes = c2d_limits();
   const c2d_status status = read_deck_cards(nullptr, read, context, report, report_context, &sizes);
   if (status == C2D_OK) hand_out(sizes, out);
@@ -30,8 +29,7 @@ c2d_status scan(c2d_read_line read, void* context, c2d_limits* out, c2d_report r
 } // namespace
 } // namespace c2d
 
-c2d_status c2d_check_deck(c2d_read_line read, void* context, c2d_limits* out, c2d_report report,
-                          void* report_context) {
+c2d_status c2d_check_deck(c2d_read_line read, void* context, c2d_limits* out, c2d_report report, void* report_context) {
   return c2d::scan(read, context, out, report, report_context);
 }
 
@@ -45,8 +43,8 @@ c2d_status c2d_scan_deck(c2d_read_line read, void* context, c2d_limits* out, c2d
   return status;
 }
 
-c2d_status c2d_walk_deck(c2d_read_line read, void* context, c2d_card_fn card, void* card_context,
-                         c2d_report report, void* report_context) {
+c2d_status c2d_walk_deck(c2d_read_line read, void* context, c2d_card_fn card, void* card_context, c2d_report report,
+                         void* report_context) {
   if (read == nullptr) return C2D_ERR_ARGUMENT;
   return c2d::read_deck_cards(nullptr, read, context, report, report_context, nullptr, card, card_context);
 }

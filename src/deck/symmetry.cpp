@@ -8,8 +8,7 @@ void read_symmetry(Deck& deck, const Words& keyword_card) {
   char letter[4];
   double value = 0;
   const int32_t old_faults = cards.faults;
-  const bool letter_known =
-      text_word(cards, keyword_card, 0, "coordinate of the line of symmetry", letter, sizeof letter);
+  const bool letter_known = text_word(cards, keyword_card, 0, "coordinate of the line of symmetry", letter, sizeof letter);
   const bool is_x = word_is(keyword_card, 0, "X"), is_y = word_is(keyword_card, 0, "Y");
   if (letter_known && !is_x && !is_y)
     word_fault(cards, keyword_card, 0, "the line of symmetry is ", letter, " = value, expected X or Y");

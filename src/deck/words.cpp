@@ -3,9 +3,7 @@
 namespace c2d {
 namespace {
 
-bool is_gap(char c) {
-  return c == ' ' || c == '\t';
-}
+bool is_gap(char c) { return c == ' ' || c == '\t'; }
 
 bool add_word(Words& words, int32_t first, int32_t behind) {
   if (words.count == kMaximumWords) return false;
@@ -45,9 +43,7 @@ bool split_words(const char* text, int32_t length, Words& words) {
   return true;
 }
 
-char capital(char c) {
-  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
+char capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 bool word_is(const Words& words, int32_t i, const char* word) {
   if (i >= words.count) return false;

@@ -5,8 +5,8 @@ namespace c2d {
 namespace {
 
 // First and last of both bodies (I5 each) on one card; `count` of them must lie in each range.
-bool read_ranges(Deck& deck, const char* name, int32_t count, const int32_t offset[2], const int32_t size[2],
-                 int32_t first[2], int32_t last[2]) {
+bool read_ranges(Deck& deck, const char* name, int32_t count, const int32_t offset[2], const int32_t size[2], int32_t first[2],
+                 int32_t last[2]) {
   Cards& cards = deck.cards;
   bool sound = true;
   for (int b = 0; b < 2; ++b) {
@@ -16,8 +16,8 @@ bool read_ranges(Deck& deck, const char* name, int32_t count, const int32_t offs
     if (!integer(cards, column + 5, 5, name, 1 + offset[b], size[b] + offset[b], &last[b])) known = false;
     const int32_t distance = last[b] > first[b] ? last[b] - first[b] : first[b] - last[b];
     if (known && count > 0 && distance + 1 != count)
-      field_fault(cards, column, column + 9, name, " ", first[b], " to ", last[b], " of body ", b + 1,
-                  " make ", distance + 1, ", expected ", count);
+      field_fault(cards, column, column + 9, name, " ", first[b], " to ", last[b], " of body ", b + 1, " make ", distance + 1,
+                  ", expected ", count);
     first[b] -= offset[b];
     last[b] -= offset[b];
     sound = sound && known && cards.faults == old_faults;
@@ -46,8 +46,7 @@ bool read_zone(Deck& deck, bool* sound) {
   integer(cards, 1, 5, "lower body of the zone", 1, 1, &body);
   integer(cards, 6, 5, "upper body of the zone", 2, 2, &body);
   const bool pairs_known = integer_from(cards, 11, "number of contact nodes of the zone", 1, &zone.pairs);
-  const bool elements_known =
-      integer_from(cards, 16, "number of contact elements of the zone", 1, &zone.elements);
+  const bool elements_known = integer_from(cards, 16, "number of contact elements of the zone", 1, &zone.elements);
   end_of_fields(cards, 21);
   const int32_t order = deck.sizes.function_nodes;
   const int32_t most = order > 1 ? zone.elements * (order - 1) + 1 : zone.elements;
@@ -63,21 +62,18 @@ bool read_zone(Deck& deck, bool* sound) {
   const int32_t nodes[2] = {function_node_count(deck, 0), function_node_count(deck, 1)};
   *sound = cards.faults == old_faults && !cards.refused;
   if (!next_card(cards, "the card with the elements of a contact zone")) return false;
-  if (!read_ranges(deck, "contact elements", zone.elements, element_offsets, deck.sizes.elements,
-                   zone.first_element, zone.last_element))
+  if (!read_ranges(deck, "contact elements", zone.elements, element_offsets, deck.sizes.elements, zone.first_element,
+                   zone.last_element))
     *sound = false;
   if (!next_card(cards, "the card with the nodes of a contact zone")) return false;
-  if (!read_ranges(deck, "contact nodes", count_sound ? zone.pairs : 0, node_offsets, nodes, zone.first_node,
-                   zone.last_node))
+  if (!read_ranges(deck, "contact nodes", count_sound ? zone.pairs : 0, node_offsets, nodes, zone.first_node, zone.last_node))
     *sound = false;
   if (deck.sink == nullptr || !*sound) return !cards.ended;
   place(deck, 1, 20);
   return accept(deck, deck.sink->add_zone(deck.sink->solver, &zone));
 }
 
-int32_t bounded(int64_t size) {
-  return size > INT32_MAX ? INT32_MAX : static_cast<int32_t>(size);
-}
+int32_t bounded(int64_t size) { return size > INT32_MAX ? INT32_MAX : static_cast<int32_t>(size); }
 
 const char* const kNodeSum[] = {"number of contact nodes of body 1", "number of contact nodes of body 2"};
 const char* const kElementSum[] = {"number of contact elements of body 1", "number of contact elements of body 2"};
@@ -95,8 +91,7 @@ bool read_sums(Deck& deck, int b, bool sound) {
   if (sound && nodes_known && nodes != deck.pairs)
     field_fault(cards, 1, 5, kNodeSum[b], " is ", nodes, ", expected ", deck.pairs, ", the sum of the zones");
   if (sound && elements_known && elements != deck.contact_elements)
-    field_fault(cards, 6, 10, kElementSum[b], " is ", elements, ", expected ", deck.contact_elements,
-                ", the sum of the zones");
+    field_fault(cards, 6, 10, kElementSum[b], " is ", elements, ", expected ", deck.contact_elements, ", the sum of the zones");
   return !cards.ended;
 }
 

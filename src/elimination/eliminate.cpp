@@ -10,9 +10,9 @@ namespace {
 struct Buffers {
   Tapes& tapes;
   unsigned char* base;
-  uint64_t step;  // bytes from one to the next
-  int32_t made;   // how many there are
-  int32_t next;   // in turn
+  uint64_t step; // bytes from one to the next
+  int32_t made;  // how many there are
+  int32_t next;  // in turn
   BlockTransfer transfer[kMostBuffers];
 
   unsigned char* at(int32_t slot) const { return base + step * static_cast<uint64_t>(slot); }
@@ -40,8 +40,8 @@ c2d_status finish_all(Buffers& buffers, c2d_status status) {
 }
 
 c2d_status start_write(Buffers& buffers, int32_t slot, int32_t tape, uint64_t block, uint64_t data_bytes) {
-  return start_transfer(buffers.tapes, buffers.transfer[slot], BlockTransfer::write, tape, block, buffers.at(slot),
-                        data_bytes, buffers.ahead());
+  return start_transfer(buffers.tapes, buffers.transfer[slot], BlockTransfer::write, tape, block, buffers.at(slot), data_bytes,
+                        buffers.ahead());
 }
 
 // The blocks of a tape in the order in which they are wanted: chunks before column `end`, forward, or for back
@@ -216,8 +216,8 @@ c2d_status write_part(const Panel& panel, int32_t tape, uint64_t block, const Ch
   const bool wanted = panel.own > 0 && (!panel.last || plan.keep_lower != 0);
   const int32_t own_end = wanted ? panel.first + panel.own : 0;
   for (; lower.first < own_end && status == C2D_OK; lower = next_strip(plan, lower))
-    status = write_part(panel, C2D_TAPE_LOWER, plan.lower_first_block + lower.index, lower, lower.row,
-                        rows_of_strip(plan, lower));
+    status =
+        write_part(panel, C2D_TAPE_LOWER, plan.lower_first_block + lower.index, lower, lower.row, rows_of_strip(plan, lower));
   const int32_t end = plan.pivots > 0 ? panel.first + panel.count : 0;
   for (; upper.first < end && upper.count > 0 && status == C2D_OK; upper = next_chunk(cut, upper))
     status = write_part(panel, C2D_TAPE_UPPER, plan.upper_first_block + upper.index, upper, 0,
@@ -242,9 +242,7 @@ c2d_status do_panel(const Panel& panel, const ColumnSource& source, const RowSin
   return status;
 }
 
-int32_t between(int32_t low, int32_t x, int32_t high) {
-  return x < low ? low : (x > high ? high : x);
-}
+int32_t between(int32_t low, int32_t x, int32_t high) { return x < low ? low : (x > high ? high : x); }
 
 Buffers make_buffers(const EliminationPlan& plan, Tapes& tapes, void* base, uint64_t step) {
   return {tapes, static_cast<unsigned char*>(base), step, block_buffers(plan), 0, {}};
@@ -286,8 +284,8 @@ c2d_status load_exchanges(const Panel& panel) {
   const EliminationPlan& plan = panel.plan;
   if (plan.pivots == 0) return C2D_OK;
   unsigned char* block = panel.buffers.at(0);
-  const c2d_status status = read_block(panel.buffers.tapes, C2D_TAPE_LOWER,
-                                       plan.lower_first_block + exchanges_block(plan), block, exchanges_bytes(plan));
+  const c2d_status status = read_block(panel.buffers.tapes, C2D_TAPE_LOWER, plan.lower_first_block + exchanges_block(plan),
+                                       block, exchanges_bytes(plan));
   if (status == C2D_OK) memcpy(panel.pivots, block + kBlockHeaderBytes, static_cast<size_t>(exchanges_bytes(plan)));
   return status;
 }
@@ -304,8 +302,7 @@ c2d_status load_exchanges(const Panel& panel) {
     const uint64_t block = plan.upper_first_block + chunk.index, bytes = upper_bytes(plan, chunk);
     int32_t slot;
     c2d_status status = take_buffer(panel.buffers, &slot);
-    if (status == C2D_OK)
-      status = read_block(panel.buffers.tapes, C2D_TAPE_UPPER, block, panel.buffers.at(slot), bytes);
+    if (status == C2D_OK) status = read_block(panel.buffers.tapes, C2D_TAPE_UPPER, block, panel.buffers.at(slot), bytes);
     if (status != C2D_OK) return status;
     unsigned char* data = panel.buffers.at(slot) + kBlockHeaderBytes;
     for (int32_t j = 0; j < chunk.count; ++j) {
@@ -321,8 +318,8 @@ c2d_status load_exchanges(const Panel& panel) {
 
 } // namespace
 
-c2d_status eliminate_again(const EliminationPlan& plan, int32_t first_trailing, const ColumnSource& source,
-                           const RowSink& sink, Tapes& tapes, void* work, const Watch& watch, const Engine& engine) {
+c2d_status eliminate_again(const EliminationPlan& plan, int32_t first_trailing, const ColumnSource& source, const RowSink& sink,
+                           Tapes& tapes, void* work, const Watch& watch, const Engine& engine) {
   const WorkLayout at = work_layout(plan);
   Buffers buffers = make_buffers(plan, tapes, static_cast<unsigned char*>(work) + at.block, at.block_step);
   Panel panel = make_panel(plan, at, buffers, work, watch, engine);
@@ -339,8 +336,8 @@ c2d_status eliminate_again(const EliminationPlan& plan, int32_t first_trailing, 
   return finish_all(buffers, status);
 }
 
-c2d_status eliminate(const EliminationPlan& plan, const ColumnSource& source, const RowSink& sink,
-                     Tapes& tapes, void* work, PivotStats* stats, const Watch& watch, const Engine& engine) {
+c2d_status eliminate(const EliminationPlan& plan, const ColumnSource& source, const RowSink& sink, Tapes& tapes, void* work,
+                     PivotStats* stats, const Watch& watch, const Engine& engine) {
   PivotStats own_stats;
   PivotStats* used = stats ? stats : &own_stats;
   start_stats(*used);
@@ -390,8 +387,7 @@ uint64_t back_substitution_bytes(const EliminationPlan& plan) {
   return back_step(upper_cut(plan)) * static_cast<uint64_t>(block_buffers(plan));
 }
 
-c2d_status back_substitute(const EliminationPlan& uncut, Tapes& tapes, const Real* coefficient, Real* x,
-                           void* work) {
+c2d_status back_substitute(const EliminationPlan& uncut, Tapes& tapes, const Real* coefficient, Real* x, void* work) {
   const EliminationPlan plan = upper_cut(uncut);
   if (plan.pivots == 0) return C2D_OK;
   for (int32_t i = 0; i < plan.pivots; ++i) x[i] = 0;

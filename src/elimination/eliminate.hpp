@@ -42,16 +42,14 @@ struct Watch {
 // not wanted. Errors: those of source, sink, watch and the tapes (then tapes.error tells more);
 // C2D_ERR_SINGULAR: the columns stats->first_unusable ... have no usable pivot; C2D_ERR_INTERNAL: a number is
 // not finite. The engine decides the speed, and the last digits. After any error what is on the tapes is of no use.
-c2d_status eliminate(const EliminationPlan& plan, const ColumnSource& source, const RowSink& sink,
-                     Tapes& tapes, void* work, PivotStats* stats, const Watch& watch,
-                     const Engine& engine = kPlainEngine);
+c2d_status eliminate(const EliminationPlan& plan, const ColumnSource& source, const RowSink& sink, Tapes& tapes, void* work,
+                     PivotStats* stats, const Watch& watch, const Engine& engine = kPlainEngine);
 
 // New columns in place of the trailing ones first_trailing ... (from 0) of an elimination whose plan keeps all of L: they
 // come from the source, go through L and the row exchanges, replace their part of Y on tape UPPER, and their rows of S go
 // to the sink. Reads LOWER once per panel of them. Arguments and errors as for `eliminate`.
-c2d_status eliminate_again(const EliminationPlan& plan, int32_t first_trailing, const ColumnSource& source,
-                           const RowSink& sink, Tapes& tapes, void* work, const Watch& watch,
-                           const Engine& engine = kPlainEngine);
+c2d_status eliminate_again(const EliminationPlan& plan, int32_t first_trailing, const ColumnSource& source, const RowSink& sink,
+                           Tapes& tapes, void* work, const Watch& watch, const Engine& engine = kPlainEngine);
 
 // Bytes of the work area of back_substitute, which may be the one of `eliminate`.
 uint64_t back_substitution_bytes(const EliminationPlan& plan);
@@ -59,8 +57,7 @@ uint64_t back_substitution_bytes(const EliminationPlan& plan);
 // Solve A_o x = sum over k of coefficient[k] B_k in the first `pivots` rows of the eliminated system: for a
 // solution of A_o x = B c that exists, x. coefficient[0 .. trailing), x[0 .. pivots). Reads every block of
 // UPPER once. `work` as above, aligned to 64. Errors: those of the tape.
-c2d_status back_substitute(const EliminationPlan& plan, Tapes& tapes, const Real* coefficient, Real* x,
-                           void* work);
+c2d_status back_substitute(const EliminationPlan& plan, Tapes& tapes, const Real* coefficient, Real* x, void* work);
 
 // The adjoint of back_substitute: for weights f of the unknowns, w with f . x = w . coefficient for every
 // coefficient (w = f^T U^-1 Y): a functional of the solution costs one pass, and then a product of length

@@ -11,13 +11,9 @@ constexpr int32_t kTileRows = 24, kTileColumns = 8;  // of the kernels, or a mul
 constexpr int32_t kLongestStrip = 1024;              // rows that pay for packing the right factor anew
 constexpr uint64_t kMostNumbers = uint64_t(1) << 56; // in a work area; far more than any machine has
 
-uint64_t aligned(uint64_t bytes) {
-  return (bytes + 63) / 64 * 64;
-}
+uint64_t aligned(uint64_t bytes) { return (bytes + 63) / 64 * 64; }
 
-int32_t smaller(int32_t a, int32_t b) {
-  return a < b ? a : b;
-}
+int32_t smaller(int32_t a, int32_t b) { return a < b ? a : b; }
 
 // Columns start on cache lines, but not at a distance of a multiple of 4 KiB, which would map them all to the
 // same few cache sets.
@@ -28,13 +24,9 @@ int64_t leading_dimension(int32_t rows) {
   return leading % (8 * 64) == 0 ? leading + line : leading;
 }
 
-int32_t strip_rows(const EliminationPlan& plan) {
-  return plan.block_rows > 0 ? plan.block_rows : plan.rows;
-}
+int32_t strip_rows(const EliminationPlan& plan) { return plan.block_rows > 0 ? plan.block_rows : plan.rows; }
 
-int32_t all_columns(const EliminationPlan& plan) {
-  return plan.pivots + plan.trailing;
-}
+int32_t all_columns(const EliminationPlan& plan) { return plan.pivots + plan.trailing; }
 
 // The widest panel that fits together with blocks of this width; 0 if none. Memory grows with the width.
 int32_t widest_panel(uint64_t bytes, EliminationPlan plan, int32_t block_columns) {
@@ -143,10 +135,9 @@ uint64_t elimination_bytes_in_core(int32_t rows, int32_t pivots, int32_t trailin
   return elimination_bytes(rows, pivots, columns, smaller(kWidestBlock, columns));
 }
 
-c2d_status plan_elimination(uint64_t bytes, int32_t rows, int32_t pivots, int32_t trailing,
-                            int32_t forced_columns, EliminationPlan& out, uint64_t* needed) {
-  if (rows < 0 || pivots < 0 || pivots > rows || trailing < 0 || trailing >= INT32_MAX - pivots ||
-      forced_columns < 0) {
+c2d_status plan_elimination(uint64_t bytes, int32_t rows, int32_t pivots, int32_t trailing, int32_t forced_columns,
+                            EliminationPlan& out, uint64_t* needed) {
+  if (rows < 0 || pivots < 0 || pivots > rows || trailing < 0 || trailing >= INT32_MAX - pivots || forced_columns < 0) {
     return C2D_ERR_ARGUMENT;
   }
   EliminationPlan plan = {rows, pivots, trailing, 1, 1, 0, 0, 0, 0};
@@ -172,9 +163,7 @@ int32_t panel_count(const EliminationPlan& plan) {
   return columns / plan.panel_columns + (columns % plan.panel_columns != 0);
 }
 
-Chunk first_chunk(const EliminationPlan& plan) {
-  return chunk_at(plan, 0, 0);
-}
+Chunk first_chunk(const EliminationPlan& plan) { return chunk_at(plan, 0, 0); }
 
 Chunk next_chunk(const EliminationPlan& plan, const Chunk& chunk) {
   return chunk_at(plan, chunk.first + chunk.count, chunk.index + 1);
@@ -194,8 +183,7 @@ Chunk chunk_before(const EliminationPlan& plan, int32_t end) {
   const int32_t place = (end - 1) % plan.panel_columns / plan.block_columns; // of the chunk in its panel
   const int32_t panel_chunks = (plan.panel_columns - 1) / plan.block_columns + 1;
   const uint64_t index = static_cast<uint64_t>(panel) * static_cast<uint64_t>(panel_chunks);
-  return chunk_at(plan, panel * plan.panel_columns + place * plan.block_columns,
-                  index + static_cast<uint64_t>(place));
+  return chunk_at(plan, panel * plan.panel_columns + place * plan.block_columns, index + static_cast<uint64_t>(place));
 }
 
 uint64_t lower_bytes(const EliminationPlan& plan, const Chunk& chunk) {

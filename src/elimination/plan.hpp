@@ -20,7 +20,7 @@ struct EliminationPlan {
   uint64_t lower_first_block, upper_first_block; // set by the caller: where this elimination's blocks start
   int32_t keep_lower;                            // set by the caller: 1: tape LOWER shall hold all of L, and one block
                                                  // more the row exchanges, so that eliminate_again is possible
-  int32_t block_rows; // of a block of LOWER; 0: all
+  int32_t block_rows;                            // of a block of LOWER; 0: all
 };
 // The plan with the chunks of tape UPPER.
 EliminationPlan upper_cut(const EliminationPlan& plan);
@@ -44,8 +44,8 @@ uint64_t elimination_bytes_in_core(int32_t rows, int32_t pivots, int32_t trailin
 // first-block numbers are set to 0. Errors: C2D_ERR_MEMORY with *needed = the bytes that would do (at least
 // panels of the forced width, or of one column), C2D_ERR_ARGUMENT for sizes out of range. `needed` may be
 // null.
-c2d_status plan_elimination(uint64_t bytes, int32_t rows, int32_t pivots, int32_t trailing,
-                            int32_t forced_columns, EliminationPlan& out, uint64_t* needed);
+c2d_status plan_elimination(uint64_t bytes, int32_t rows, int32_t pivots, int32_t trailing, int32_t forced_columns,
+                            EliminationPlan& out, uint64_t* needed);
 
 // What one elimination asks of a tape. Bytes count headers.
 struct TapeUse {

@@ -91,8 +91,7 @@ c2d_status find_solver(const char* memory, size_t bytes, uint32_t* slack, uint64
     }
     if (!is_consistent(at)) continue;
     const int32_t state = C2D_MEMBER(state);
-    if (C2D_HAS(build_energy) && (state == C2D_STATE_PREPARED || state == C2D_STATE_RUNNING) &&
-        C2D_MEMBER(keeps_energy) == 0) {
+    if (C2D_HAS(build_energy) && (state == C2D_STATE_PREPARED || state == C2D_STATE_RUNNING) && C2D_MEMBER(keeps_energy) == 0) {
       status = C2D_ERR_MISMATCH;
       why.text = kNoEnergies;
       continue;
@@ -131,8 +130,7 @@ extern "C" c2d_status c2d_attach(c2d_solver** out, void* memory, size_t bytes, c
     explain(why, status, status == C2D_ERR_MEMORY ? needed : 0, reason.text, reason.end);
     return status;
   }
-  const uint32_t slack =
-      static_cast<uint32_t>((kAlignment - reinterpret_cast<uintptr_t>(memory) % kAlignment) % kAlignment);
+  const uint32_t slack = static_cast<uint32_t>((kAlignment - reinterpret_cast<uintptr_t>(memory) % kAlignment) % kAlignment);
   char* base = static_cast<char*>(memory);
   if (slack != found) {
     memmove(base + slack, base + found, static_cast<size_t>(needed - (kAlignment - 1)));

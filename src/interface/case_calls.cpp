@@ -24,8 +24,7 @@ c2d_status check_place(c2d_solver* s, int32_t body, int32_t element, int32_t loc
   if (!b.is_set || b.region_count < b.regions)
     return refuse(s, "", "give the body and all its regions before the values of its load cases");
   if (!in_range(element, 1, b.elements)) return refuse(s, "element number", ": the body has no such element");
-  if (!in_range(local, 0, s->sizes.function_nodes))
-    return refuse(s, "local functional node", ": the element has no such node");
+  if (!in_range(local, 0, s->sizes.function_nodes)) return refuse(s, "local functional node", ": the element has no such node");
   if (!in_range(load_case, 1, s->sizes.load_cases)) return refuse(s, "load case", ": there is no such load case");
   return C2D_OK;
 }
@@ -45,8 +44,8 @@ c2d_status check_held(c2d_solver* s, const Model& m, int b, int32_t element, int
   return C2D_OK;
 }
 
-c2d_status check_end(c2d_solver* s, const Model& m, int b, int32_t element, int l, const double values[4],
-                     int32_t load_case, bool replaces) {
+c2d_status check_end(c2d_solver* s, const Model& m, int b, int32_t element, int l, const double values[4], int32_t load_case,
+                     bool replaces) {
   const int32_t end = element * m.head->function_nodes + l, node = functional_node(m, b, element, l);
   const bool contact = pair_of_end(m, b, element, l) >= 0;
   for (int q = 0; q < 4; ++q) {
@@ -76,8 +75,8 @@ void set_end(const Model& m, int b, int32_t element, int l, const double values[
   }
 }
 
-c2d_status set_values(c2d_solver* s, int32_t body, int32_t element, int32_t local, const double values[4],
-                      int32_t load_case, bool replaces) {
+c2d_status set_values(c2d_solver* s, int32_t body, int32_t element, int32_t local, const double values[4], int32_t load_case,
+                      bool replaces) {
   c2d_status status = check_place(s, body, element, local, load_case);
   if (status != C2D_OK) return status;
   if (!values) return refuse(s, "", "no values given");
@@ -96,14 +95,14 @@ c2d_status set_values(c2d_solver* s, int32_t body, int32_t element, int32_t loca
 
 using namespace c2d;
 
-extern "C" c2d_status c2d_set_case_values(c2d_solver* s, int32_t body, int32_t element, int32_t local,
-                                          const double values[4], int32_t load_case) {
+extern "C" c2d_status c2d_set_case_values(c2d_solver* s, int32_t body, int32_t element, int32_t local, const double values[4],
+                                          int32_t load_case) {
   const c2d_status status = enter(s, state_bit(C2D_STATE_BUILDING));
   return status == C2D_OK ? set_values(s, body, element, local, values, load_case, false) : status;
 }
 
-extern "C" c2d_status c2d_replace_values(c2d_solver* s, int32_t body, int32_t element, int32_t local,
-                                         const double values[4], int32_t load_case) {
+extern "C" c2d_status c2d_replace_values(c2d_solver* s, int32_t body, int32_t element, int32_t local, const double values[4],
+                                         int32_t load_case) {
   c2d_status status = enter(s, state_bit(C2D_STATE_MODEL));
   if (status == C2D_OK) status = set_values(s, body, element, local, values, load_case, true);
   if (status == C2D_OK) s->loads_changed = 1;

@@ -6,34 +6,29 @@ namespace c2d {
 
 namespace {
 
-constexpr uint32_t kComplete =
-    state_bit(C2D_STATE_MODEL) | state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING);
+constexpr uint32_t kComplete = state_bit(C2D_STATE_MODEL) | state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING);
 
-bool has_case(const c2d_solver* s, int32_t load_case) {
-  return load_case >= 1 && load_case <= s->model.load_cases;
-}
+bool has_case(const c2d_solver* s, int32_t load_case) { return load_case >= 1 && load_case <= s->model.load_cases; }
 
 } // namespace
 } // namespace c2d
 
 using namespace c2d;
 
-extern "C" c2d_status c2d_get_case_condition(c2d_solver* s, int32_t body, int32_t element, int32_t local,
-                                             int32_t codes[4], double values[4], int32_t load_case) {
+extern "C" c2d_status c2d_get_case_condition(c2d_solver* s, int32_t body, int32_t element, int32_t local, int32_t codes[4],
+                                             double values[4], int32_t load_case) {
   const c2d_status status = enter(s, kComplete);
   if (status != C2D_OK) return status;
-  if (!codes || !values || body < 1 || body > s->model.bodies || element < 1 ||
-      element > s->model.body[body - 1].elements || local < 1 || local > s->model.function_nodes)
+  if (!codes || !values || body < 1 || body > s->model.bodies || element < 1 || element > s->model.body[body - 1].elements ||
+      local < 1 || local > s->model.function_nodes)
     return fail(s, C2D_ERR_ARGUMENT, "there is no such element end");
   if (!has_case(s, load_case)) return fail(s, C2D_ERR_ARGUMENT, "there is no such load case");
   const Model m = model_of(s);
   const int b = body - 1;
-  const int64_t ends = static_cast<int64_t>(m.head->body[b].elements) * m.head->function_nodes,
-                nodes = m.head->body[b].nodes;
+  const int64_t ends = static_cast<int64_t>(m.head->body[b].elements) * m.head->function_nodes, nodes = m.head->body[b].nodes;
   const int32_t end = (element - 1) * s->model.function_nodes + local - 1;
   const int32_t node = functional_node(m, b, element - 1, local - 1);
-  const uint8_t code =
-      m.end_code[b][end] & kGiven ? m.end_code[b][end] : static_cast<uint8_t>(kKnownTx | kKnownTy);
+  const uint8_t code = m.end_code[b][end] & kGiven ? m.end_code[b][end] : static_cast<uint8_t>(kKnownTx | kKnownTy);
   for (int c = 0; c < 2; ++c) {
     codes[c] = code & (kKnownTx << c) ? 0 : 1;
     codes[2 + c] = code & (kKnownUx << c) ? 0 : 1;
@@ -43,13 +38,13 @@ extern "C" c2d_status c2d_get_case_condition(c2d_solver* s, int32_t body, int32_
   return C2D_OK;
 }
 
-extern "C" c2d_status c2d_get_condition(c2d_solver* s, int32_t body, int32_t element, int32_t local,
-                                        int32_t codes[4], double values[4]) {
+extern "C" c2d_status c2d_get_condition(c2d_solver* s, int32_t body, int32_t element, int32_t local, int32_t codes[4],
+                                        double values[4]) {
   return c2d_get_case_condition(s, body, element, local, codes, values, 1);
 }
 
-extern "C" c2d_status c2d_get_case_point_load(c2d_solver* s, int32_t i, int32_t* body, double xy[2],
-                                              double force[2], int32_t* load_case) {
+extern "C" c2d_status c2d_get_case_point_load(c2d_solver* s, int32_t i, int32_t* body, double xy[2], double force[2],
+                                              int32_t* load_case) {
   const c2d_status status = enter(s, kComplete);
   if (status != C2D_OK) return status;
   if (!body || !xy || !force || !load_case || i < 1 || i > s->model.point_loads)
@@ -64,20 +59,18 @@ extern "C" c2d_status c2d_get_case_point_load(c2d_solver* s, int32_t i, int32_t*
   return C2D_OK;
 }
 
-extern "C" c2d_status c2d_get_point_load(c2d_solver* s, int32_t i, int32_t* body, double xy[2],
-                                         double force[2]) {
+extern "C" c2d_status c2d_get_point_load(c2d_solver* s, int32_t i, int32_t* body, double xy[2], double force[2]) {
   int32_t load_case = 0;
   return c2d_get_case_point_load(s, i, body, xy, force, &load_case);
 }
 
-extern "C" c2d_status c2d_get_body_force(c2d_solver* s, int32_t body, int32_t load_case, double force[2],
-                                         double* rho_omega2, double axis[2]) {
+extern "C" c2d_status c2d_get_body_force(c2d_solver* s, int32_t body, int32_t load_case, double force[2], double* rho_omega2,
+                                         double axis[2]) {
   const c2d_status status = enter(s, kComplete);
   if (status != C2D_OK) return status;
   if (!force || !rho_omega2 || !axis || body < 1 || body > s->model.bodies || !has_case(s, load_case))
     return fail(s, C2D_ERR_ARGUMENT, "there is no such body or load case");
-  const BodyForce& given =
-      array_of<BodyForce>(s, kBodyForces)[2 * static_cast<int64_t>(load_case - 1) + body - 1];
+  const BodyForce& given = array_of<BodyForce>(s, kBodyForces)[2 * static_cast<int64_t>(load_case - 1) + body - 1];
   force[0] = given.bx;
   force[1] = given.by;
   *rho_omega2 = given.rho_omega2;
@@ -86,12 +79,10 @@ extern "C" c2d_status c2d_get_body_force(c2d_solver* s, int32_t body, int32_t lo
   return C2D_OK;
 }
 
-extern "C" c2d_status c2d_get_rigid(c2d_solver* s, int32_t load_case, int32_t* is_rigid, double motion[3],
-                                    double axis[2]) {
+extern "C" c2d_status c2d_get_rigid(c2d_solver* s, int32_t load_case, int32_t* is_rigid, double motion[3], double axis[2]) {
   const c2d_status status = enter(s, kComplete);
   if (status != C2D_OK) return status;
-  if (!is_rigid || !motion || !axis || !has_case(s, load_case))
-    return fail(s, C2D_ERR_ARGUMENT, "there is no such load case");
+  if (!is_rigid || !motion || !axis || !has_case(s, load_case)) return fail(s, C2D_ERR_ARGUMENT, "there is no such load case");
   const RigidMotion& given = array_of<RigidMotion>(s, kRigidMotions)[load_case - 1];
   *is_rigid = s->model.rigid != 0 ? 1 : 0;
   motion[0] = given.ux;

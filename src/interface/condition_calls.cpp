@@ -12,8 +12,7 @@ c2d_status check_condition(c2d_solver* s, int32_t body, int32_t element, int32_t
   const Body& b = s->model.body[body - 1];
   if (!b.is_set || b.region_count < b.regions)
     return refuse(s, C2D_ERR_ARGUMENT, "give the body and all its regions before its conditions");
-  if (!in_range(element, 1, b.elements))
-    return refuse_number(s, C2D_ERR_ARGUMENT, "element number", element, 1, b.elements);
+  if (!in_range(element, 1, b.elements)) return refuse_number(s, C2D_ERR_ARGUMENT, "element number", element, 1, b.elements);
   if (!in_range(local, 1, s->sizes.function_nodes))
     return refuse_number(s, C2D_ERR_ARGUMENT, "local functional node", local, 1, s->sizes.function_nodes);
   if (!in_range(load_case, 1, s->sizes.load_cases))
@@ -21,15 +20,13 @@ c2d_status check_condition(c2d_solver* s, int32_t body, int32_t element, int32_t
   if (!codes || !values) return refuse(s, C2D_ERR_ARGUMENT, "no codes or values given");
   for (int k = 0; k < 4; ++k) {
     if (!in_range(codes[k], 0, 1)) return refuse_number(s, C2D_ERR_ARGUMENT, "condition code", codes[k], 0, 1);
-    if (codes[k] == 0 && !is_usable(values[k]))
-      return refuse_value(s, "a prescribed value", values[k], "a finite number");
+    if (codes[k] == 0 && !is_usable(values[k])) return refuse_value(s, "a prescribed value", values[k], "a finite number");
   }
   return C2D_OK;
 }
 
 // The other end at this node may have said something else about the same displacement.
-bool displacement_agrees(const Model& m, int b, int32_t node, int32_t end, int component, int32_t load_case,
-                         double value) {
+bool displacement_agrees(const Model& m, int b, int32_t node, int32_t end, int component, int32_t load_case, double value) {
   int32_t ends[2];
   const int count = ends_at_node(m, b, node, ends);
   for (int i = 0; i < count; ++i) {
@@ -45,8 +42,8 @@ bool displacement_agrees(const Model& m, int b, int32_t node, int32_t end, int c
 
 } // namespace
 
-extern "C" c2d_status c2d_set_condition(c2d_solver* s, int32_t body, int32_t element, int32_t local,
-                                        const int32_t codes[4], const double values[4], int32_t load_case) {
+extern "C" c2d_status c2d_set_condition(c2d_solver* s, int32_t body, int32_t element, int32_t local, const int32_t codes[4],
+                                        const double values[4], int32_t load_case) {
   c2d_status status = enter_building(s);
   if (status == C2D_OK) status = check_body_number(s, body);
   if (status == C2D_OK) status = check_condition(s, body, element, local, codes, values, load_case);

@@ -22,8 +22,7 @@ c2d_status aligned_need(const Sizes& sizes, Layout& layout, uint64_t* minimum, u
   if (status != C2D_OK) return status;
   // Row and column numbers are 32-bit throughout; phase_need relies on it.
   for (const BodySizes& body : sizes.body)
-    if (body.rows + 2 * sizes.contact + sizes.load_cases >= INT32_MAX || body.ends > INT32_MAX / 4)
-      return C2D_ERR_OVERFLOW;
+    if (body.rows + 2 * sizes.contact + sizes.load_cases >= INT32_MAX || body.ends > INT32_MAX / 4) return C2D_ERR_OVERFLOW;
   status = phase_need(sizes, minimum, in_core);
   if (status != C2D_OK) return status;
   uint64_t* const needs[] = {minimum, in_core};
@@ -39,8 +38,8 @@ void make_tiny(c2d_limits& limits, Sizes& sizes, Layout& layout, size_t& bytes) 
   Sizes narrow_sizes;
   Layout narrow_layout;
   uint64_t least = 0, most = 0;
-  if (derive_sizes(narrow, narrow_sizes) != C2D_OK ||
-      aligned_need(narrow_sizes, narrow_layout, &least, &most) != C2D_OK || least + kAlignment - 1 > bytes)
+  if (derive_sizes(narrow, narrow_sizes) != C2D_OK || aligned_need(narrow_sizes, narrow_layout, &least, &most) != C2D_OK ||
+      least + kAlignment - 1 > bytes)
     return;
   limits = narrow;
   sizes = narrow_sizes;
@@ -117,8 +116,8 @@ extern "C" c2d_status c2d_memory_need(const c2d_limits* limits, uint64_t* minimu
   return C2D_OK;
 }
 
-extern "C" c2d_status c2d_create(c2d_solver** out, void* memory, size_t bytes, const c2d_limits* limits,
-                                 const c2d_port* port, c2d_error* why) {
+extern "C" c2d_status c2d_create(c2d_solver** out, void* memory, size_t bytes, const c2d_limits* limits, const c2d_port* port,
+                                 c2d_error* why) {
   if (!out) return C2D_ERR_ARGUMENT;
   *out = nullptr;
   c2d_limits ours;

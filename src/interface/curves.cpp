@@ -14,14 +14,14 @@ extern "C" c2d_status c2d_add_curve(c2d_solver* s, const c2d_curve* curve) {
   ModelHeader& head = s->model;
   if (ours.kind < C2D_CURVE_LINE || ours.kind > C2D_CURVE_SPLINE)
     return refuse(s, C2D_ERR_ARGUMENT, "kind of a curve: expected C2D_CURVE_LINE, _ARC or _SPLINE");
-  if (!in_range(ours.body, 1, s->sizes.bodies)) return refuse(s, C2D_ERR_ARGUMENT, "body number of a curve: there is no such body");
+  if (!in_range(ours.body, 1, s->sizes.bodies))
+    return refuse(s, C2D_ERR_ARGUMENT, "body number of a curve: there is no such body");
   const Model m = model_of(s);
   const int b = ours.body - 1;
   const int32_t elements = head.body[b].elements;
   const int32_t ends[2] = {ours.first_element, ours.last_element};
   for (const int32_t element : ends)
-    if (!in_range(element, 1, elements))
-      return refuse_number(s, C2D_ERR_ARGUMENT, "element of a curve", element, 1, elements);
+    if (!in_range(element, 1, elements)) return refuse_number(s, C2D_ERR_ARGUMENT, "element of a curve", element, 1, elements);
   if (ours.first_element > ours.last_element ||
       region_of_element(m, b, ours.first_element - 1) != region_of_element(m, b, ours.last_element - 1))
     return refuse(s, C2D_ERR_ARGUMENT, "elements of a curve: expected a range of one region, going up");
@@ -38,8 +38,7 @@ extern "C" c2d_status c2d_add_curve(c2d_solver* s, const c2d_curve* curve) {
 }
 
 extern "C" c2d_status c2d_get_curve(c2d_solver* s, int32_t i, c2d_curve* out) {
-  const c2d_status status =
-      enter(s, state_bit(C2D_STATE_MODEL) | state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING));
+  const c2d_status status = enter(s, state_bit(C2D_STATE_MODEL) | state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING));
   if (status != C2D_OK) return status;
   if (!out || i < 1 || i > s->model.curves) return fail(s, C2D_ERR_ARGUMENT, "there is no such curve");
   const Curve& curve = model_of(s).curve[i - 1];

@@ -14,8 +14,7 @@ void clear_model(c2d_solver* solver);
 bool has_store(c2d_solver* solver);
 // Fill the caller's c2d_error of a call that has no solver to ask; `why` may be null. The text is `what`, null:
 // c2d_message(status), and `end`.
-void explain(c2d_error* why, c2d_status status, uint64_t bytes_needed, const char* what = nullptr,
-             const char* end = nullptr);
+void explain(c2d_error* why, c2d_status status, uint64_t bytes_needed, const char* what = nullptr, const char* end = nullptr);
 // Copy a struct of ours into the caller's of possibly another size, whose struct_size is kept; and back.
 bool copy_out(const void* ours, size_t our_size, void* theirs);
 bool copy_in(const void* theirs, void* ours, size_t our_size);

@@ -27,8 +27,8 @@ c2d_status fill_free_zone(c2d_solver* s, const Model& m, const c2d_free_zone& gi
     const int32_t ends[2] = {given.first_element[b], given.last_element[b]};
     for (int32_t element : ends)
       if (!in_range(element, 1, body.elements))
-        return refuse_number(s, C2D_ERR_ARGUMENT, b == 0 ? "contact element of body 1" : "contact element of body 2",
-                             element, 1, body.elements);
+        return refuse_number(s, C2D_ERR_ARGUMENT, b == 0 ? "contact element of body 1" : "contact element of body 2", element,
+                             1, body.elements);
     const int32_t distance = ends[1] > ends[0] ? ends[1] - ends[0] : ends[0] - ends[1];
     const int32_t count = given.elements[b] == 0 ? distance + 1 : given.elements[b];
     z.region[b] = region_of_element(m, b, ends[0] - 1);

@@ -50,8 +50,7 @@ extern "C" c2d_status c2d_set_zone_friction(c2d_solver* s, int32_t zone, int32_t
   const c2d_status status = enter_building(s);
   if (status != C2D_OK) return status;
   if (!is_coefficient(mu)) return refuse_value(s, "coefficient of friction", mu, "zero or more");
-  if (!in_range(zone, 1, s->model.zones))
-    return refuse_number(s, C2D_ERR_ARGUMENT, "contact zone", zone, 1, s->model.zones);
+  if (!in_range(zone, 1, s->model.zones)) return refuse_number(s, C2D_ERR_ARGUMENT, "contact zone", zone, 1, s->model.zones);
   if (!in_range(i, 1, s->model.coefficients))
     return refuse_number(s, C2D_ERR_ARGUMENT, "number of the coefficient of friction", i, 1, s->model.coefficients);
   zone_friction(s, i - 1)[zone - 1] = mu;
@@ -61,8 +60,7 @@ extern "C" c2d_status c2d_set_zone_friction(c2d_solver* s, int32_t zone, int32_t
 extern "C" c2d_status c2d_add_path(c2d_solver* s, int32_t increments, double load) {
   const c2d_status status = enter_building(s);
   if (status != C2D_OK) return status;
-  if (increments < 1)
-    return refuse_number(s, C2D_ERR_ARGUMENT, "number of increments", increments, 1, INT32_MAX);
+  if (increments < 1) return refuse_number(s, C2D_ERR_ARGUMENT, "number of increments", increments, 1, INT32_MAX);
   if (!is_usable(load)) return refuse_value(s, "load factor", load, "a finite number");
   if (s->model.paths >= s->sizes.paths)
     return refuse_number(s, C2D_ERR_LIMIT, "number of load cards", s->model.paths + 1, 0, s->sizes.paths);
@@ -76,8 +74,7 @@ extern "C" c2d_status c2d_add_path_point(c2d_solver* s, int32_t increments, cons
   c2d_status status = enter_building(s);
   if (status != C2D_OK) return status;
   if (cases != s->sizes.load_cases)
-    return refuse_number(s, C2D_ERR_ARGUMENT, "number of load factors", cases, s->sizes.load_cases,
-                         s->sizes.load_cases);
+    return refuse_number(s, C2D_ERR_ARGUMENT, "number of load factors", cases, s->sizes.load_cases, s->sizes.load_cases);
   if (!load) return refuse(s, C2D_ERR_ARGUMENT, "no load factors given");
   for (int32_t k = 0; k < cases; ++k)
     if (!is_usable(load[k])) return refuse_value(s, "load factor", load[k], "a finite number");

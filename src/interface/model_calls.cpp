@@ -66,8 +66,7 @@ extern "C" c2d_status c2d_set_problem(c2d_solver* s, const c2d_problem* problem)
 }
 
 extern "C" c2d_status c2d_set_units(c2d_solver* s, const char* length, const char* force) {
-  constexpr uint32_t kWithModel =
-      state_bit(C2D_STATE_MODEL) | state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING);
+  constexpr uint32_t kWithModel = state_bit(C2D_STATE_MODEL) | state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING);
   const c2d_status status = enter(s, kBuilding | kWithModel);
   if (status != C2D_OK) return status;
   const char* const names[2] = {length ? length : "", force ? force : ""};
@@ -117,8 +116,8 @@ extern "C" c2d_status c2d_set_body(c2d_solver* s, int32_t body, const c2d_body* 
   if (status == C2D_OK) status = check_body(s, body, ours);
   if (status != C2D_OK) return status;
   Body& b = s->model.body[body - 1];
-  const bool same = ours.element_nodes == b.element_nodes && ours.elements == b.elements &&
-                    ours.regions == b.regions && ours.open_regions == b.open_regions;
+  const bool same = ours.element_nodes == b.element_nodes && ours.elements == b.elements && ours.regions == b.regions &&
+                    ours.open_regions == b.open_regions;
   if (b.is_set && !same)
     return refuse(s, C2D_ERR_ARGUMENT, "this body was given before, with other numbers of elements or regions");
   b.youngs_modulus = ours.youngs_modulus;
@@ -129,8 +128,7 @@ extern "C" c2d_status c2d_set_body(c2d_solver* s, int32_t body, const c2d_body* 
   b.open_regions = ours.open_regions;
   b.geometry_nodes = ours.elements * (ours.element_nodes - 1) + b.open_regions;
   b.regions = ours.regions;
-  b.nodes = s->sizes.function_nodes == 1 ? ours.elements
-                                         : ours.elements * (s->sizes.function_nodes - 1) + b.open_regions;
+  b.nodes = s->sizes.function_nodes == 1 ? ours.elements : ours.elements * (s->sizes.function_nodes - 1) + b.open_regions;
   b.region_count = 0;
   b.is_set = 1;
   return built(s);
@@ -146,8 +144,7 @@ extern "C" c2d_status c2d_add_region(c2d_solver* s, int32_t body, int32_t first,
     return refuse_number(s, C2D_ERR_LIMIT, "number of regions", b.region_count + 1, b.regions, b.regions);
   Region* regions = array_of<Region>(s, kRegions + body - 1);
   const int32_t expected = b.region_count == 0 ? 1 : regions[b.region_count - 1].last + 2;
-  if (first != expected)
-    return refuse_number(s, C2D_ERR_ARGUMENT, "first element of the region", first, expected, expected);
+  if (first != expected) return refuse_number(s, C2D_ERR_ARGUMENT, "first element of the region", first, expected, expected);
   if (!in_range(last, first, b.elements))
     return refuse_number(s, C2D_ERR_ARGUMENT, "last element of the region", last, first, b.elements);
   if (b.region_count + 1 == b.regions && last != b.elements)

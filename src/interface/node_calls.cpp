@@ -70,8 +70,8 @@ extern "C" c2d_status c2d_set_nodes(c2d_solver* s, int32_t body, int32_t first, 
   return built(s);
 }
 
-extern "C" c2d_status c2d_set_line_nodes(c2d_solver* s, int32_t body, int32_t first, int32_t last,
-                                         const double origin[2], const double from[2], const double to[2]) {
+extern "C" c2d_status c2d_set_line_nodes(c2d_solver* s, int32_t body, int32_t first, int32_t last, const double origin[2],
+                                         const double from[2], const double to[2]) {
   c2d_status status = enter_building(s);
   if (status == C2D_OK) status = check_body_number(s, body);
   if (status != C2D_OK) return status;
@@ -88,8 +88,8 @@ extern "C" c2d_status c2d_set_line_nodes(c2d_solver* s, int32_t body, int32_t fi
   return built(s);
 }
 
-extern "C" c2d_status c2d_set_arc_nodes(c2d_solver* s, int32_t body, int32_t first, int32_t last,
-                                        const double centre[2], double radius, double from_degrees, double to_degrees) {
+extern "C" c2d_status c2d_set_arc_nodes(c2d_solver* s, int32_t body, int32_t first, int32_t last, const double centre[2],
+                                        double radius, double from_degrees, double to_degrees) {
   c2d_status status = enter_building(s);
   if (status == C2D_OK) status = check_body_number(s, body);
   if (status != C2D_OK) return status;

@@ -49,13 +49,7 @@ extern "C" c2d_status c2d_add_points(c2d_solver* s, const c2d_points* points) {
   if (s->model.point_sets >= s->sizes.point_sets)
     return refuse(s, C2D_ERR_LIMIT, "more sets of points than c2d_limits.point_sets");
   PointSet& set = array_of<PointSet>(s, kPointSets)[s->model.point_sets++];
-  set = PointSet{ours.kind,
-                 ours.body,
-                 {1, 1},
-                 s->model.line,
-                 0,
-                 {ours.from[0], ours.from[1]},
-                 {ours.from[0], ours.from[1]}};
+  set = PointSet{ours.kind, ours.body, {1, 1}, s->model.line, 0, {ours.from[0], ours.from[1]}, {ours.from[0], ours.from[1]}};
   for (int c = 0; c < 2; ++c) {
     if (c < ours.kind) set.count[c] = ours.count[c];
     if (ours.kind != C2D_POINTS_ONE) set.to[c] = ours.to[c];
@@ -64,11 +58,9 @@ extern "C" c2d_status c2d_add_points(c2d_solver* s, const c2d_points* points) {
 }
 
 extern "C" c2d_status c2d_get_points(c2d_solver* s, int32_t i, c2d_points* out) {
-  const c2d_status status =
-      enter(s, state_bit(C2D_STATE_MODEL) | state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING));
+  const c2d_status status = enter(s, state_bit(C2D_STATE_MODEL) | state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING));
   if (status != C2D_OK) return status;
-  if (!out || i < 1 || i > s->model.point_sets)
-    return fail(s, C2D_ERR_ARGUMENT, "there is no such set of points");
+  if (!out || i < 1 || i > s->model.point_sets) return fail(s, C2D_ERR_ARGUMENT, "there is no such set of points");
   const PointSet& set = array_of<PointSet>(s, kPointSets)[i - 1];
   c2d_points ours;
   memset(&ours, 0, sizeof ours);
@@ -83,16 +75,15 @@ extern "C" c2d_status c2d_get_points(c2d_solver* s, int32_t i, c2d_points* out) 
   return copy_out(&ours, sizeof ours, out) ? C2D_OK : C2D_ERR_ARGUMENT;
 }
 
-extern "C" c2d_status c2d_expand_points(const c2d_points* points, int32_t first, int32_t count, double* xy,
-                                        int64_t stride, int32_t* total) {
+extern "C" c2d_status c2d_expand_points(const c2d_points* points, int32_t first, int32_t count, double* xy, int64_t stride,
+                                        int32_t* total) {
   c2d_points p;
   const char* what = "";
   if (!points || !copy_in(points, &p, sizeof p)) return C2D_ERR_ARGUMENT;
   const int32_t items = points_of(p, &what);
   if (items == 0) return C2D_ERR_ARGUMENT;
   if (total) *total = items;
-  if (count < 0 || first < 1 || first - 1 > items || count > items - (first - 1) || (count > 0 && !xy))
-    return C2D_ERR_ARGUMENT;
+  if (count < 0 || first < 1 || first - 1 > items || count > items - (first - 1) || (count > 0 && !xy)) return C2D_ERR_ARGUMENT;
   for (int32_t k = 0; k < count; ++k) {
     const int32_t at = first - 1 + k;
     double* out = xy + k * stride;

@@ -18,8 +18,7 @@ c2d_status refuse(c2d_solver* s, c2d_status status, const char* text) {
   report_fault(s, r.error);
   return status;
 }
-c2d_status refuse_integer(c2d_solver* s, c2d_status status, const char* what, int32_t value, int32_t first,
-                          int32_t last) {
+c2d_status refuse_integer(c2d_solver* s, c2d_status status, const char* what, int32_t value, int32_t first, int32_t last) {
   Refusal r;
   start_refusal(r, s, status);
   put_all(r.text, what, " is ", value, ", expected ", first);

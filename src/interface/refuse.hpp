@@ -12,8 +12,7 @@ struct Refusal {
 void start_refusal(Refusal& r, c2d_solver* solver, c2d_status status);
 // Each tells the fault and returns its status. "what is VALUE, expected FIRST to LAST"
 c2d_status refuse(c2d_solver* solver, c2d_status status, const char* text);
-c2d_status refuse_integer(c2d_solver* solver, c2d_status status, const char* what, int32_t value, int32_t first,
-                          int32_t last);
+c2d_status refuse_integer(c2d_solver* solver, c2d_status status, const char* what, int32_t value, int32_t first, int32_t last);
 c2d_status refuse_value(c2d_solver* solver, const char* what, double value, const char* expected);
 
 // The calls of section 5: legal in empty and building; `built`: something was changed.

@@ -12,8 +12,7 @@ namespace c2d {
 
 namespace {
 
-constexpr uint32_t kComplete =
-    state_bit(C2D_STATE_MODEL) | state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING);
+constexpr uint32_t kComplete = state_bit(C2D_STATE_MODEL) | state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING);
 
 // Values of one field of `count` items, item i at base[i * step + offset].
 struct Field {
@@ -45,8 +44,7 @@ c2d_status get_pair_field(c2d_solver* s, int32_t field, int32_t first, int32_t c
     fill_positions(model_of(s), array_of<double>(s, kPairTable));
   }
   const double* table = array_of<double>(s, kPairTable);
-  for (int32_t i = 0; i < count; ++i)
-    out[i * stride] = table[static_cast<int64_t>(first - 1 + i) * C2D_PAIR_FIELDS + field];
+  for (int32_t i = 0; i < count; ++i) out[i * stride] = table[static_cast<int64_t>(first - 1 + i) * C2D_PAIR_FIELDS + field];
   return C2D_OK;
 }
 
@@ -99,8 +97,7 @@ double end_value(const Session& session, int32_t field, int b, int32_t end) {
   }
 }
 
-c2d_status get_end_field(c2d_solver* s, int32_t field, int b, int32_t first, int32_t count, double* out,
-                         int64_t stride) {
+c2d_status get_end_field(c2d_solver* s, int32_t field, int b, int32_t first, int32_t count, double* out, int64_t stride) {
   const int64_t ends = static_cast<int64_t>(s->model.body[b].elements) * s->model.function_nodes;
   c2d_status status = check_range(s, ends, first, count, out);
   if (status != C2D_OK) return status;
@@ -120,13 +117,11 @@ c2d_status get_end_field(c2d_solver* s, int32_t field, int b, int32_t first, int
   return C2D_OK;
 }
 
-c2d_status get_node_field(c2d_solver* s, int32_t field, int b, int32_t first, int32_t count, double* out,
-                          int64_t stride) {
+c2d_status get_node_field(c2d_solver* s, int32_t field, int b, int32_t first, int32_t count, double* out, int64_t stride) {
   const c2d_status status = check_range(s, s->model.body[b].geometry_nodes, first, count, out);
   if (status != C2D_OK) return status;
   const double* xy = array_of<double>(s, kXy + b);
-  for (int32_t i = 0; i < count; ++i)
-    out[i * stride] = xy[2 * static_cast<int64_t>(first - 1 + i) + (field - C2D_NODE_X)];
+  for (int32_t i = 0; i < count; ++i) out[i * stride] = xy[2 * static_cast<int64_t>(first - 1 + i) + (field - C2D_NODE_X)];
   return C2D_OK;
 }
 
@@ -172,10 +167,8 @@ extern "C" c2d_status c2d_get_path_point(c2d_solver* s, int32_t i, int32_t* incr
   double first = 0.0;
   const c2d_status status = c2d_get_path(s, i, increments, &first);
   if (status != C2D_OK) return status;
-  if (!load || cases != s->model.load_cases)
-    return fail(s, C2D_ERR_ARGUMENT, "give room for a factor for every load case");
-  for (int32_t k = 0; k < cases; ++k)
-    load[k] = array_of<double>(s, kPathLoads)[static_cast<int64_t>(i - 1) * cases + k];
+  if (!load || cases != s->model.load_cases) return fail(s, C2D_ERR_ARGUMENT, "give room for a factor for every load case");
+  for (int32_t k = 0; k < cases; ++k) load[k] = array_of<double>(s, kPathLoads)[static_cast<int64_t>(i - 1) * cases + k];
   return C2D_OK;
 }
 

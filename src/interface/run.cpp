@@ -116,9 +116,7 @@ c2d_status run_cards(Session& session) {
       }
       if (s->model.interference != 0) target[s->model.interference - 1] = 1.0;
       const bool ends = i == path.increments;
-      const Moment moment = ends && p == peak                      ? Moment::peak
-                            : ends && p + 1 == s->model.paths ? Moment::end
-                                                                   : Moment::between;
+      const Moment moment = ends && p == peak ? Moment::peak : ends && p + 1 == s->model.paths ? Moment::end : Moment::between;
       c2d_status status = advance(session, target, moment);
       if (status != C2D_OK) return status;
       const bool reached = s->outcome == C2D_REACHED;

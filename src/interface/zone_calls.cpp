@@ -40,8 +40,8 @@ c2d_status fill_zone(c2d_solver* s, const Model& m, const c2d_zone& given, Zone&
     const int32_t nodes[2] = {given.first_node[b], given.last_node[b]};
     for (int32_t element : elements)
       if (!in_range(element, 1, body.elements))
-        return refuse_number(s, C2D_ERR_ARGUMENT, b == 0 ? "contact element of body 1" : "contact element of body 2",
-                             element, 1, body.elements);
+        return refuse_number(s, C2D_ERR_ARGUMENT, b == 0 ? "contact element of body 1" : "contact element of body 2", element,
+                             1, body.elements);
     for (int32_t node : nodes)
       if (!in_range(node, 1, body.nodes))
         return refuse_number(s, C2D_ERR_ARGUMENT, b == 0 ? "contact node of body 1" : "contact node of body 2", node, 1,
@@ -61,16 +61,16 @@ c2d_status fill_zone(c2d_solver* s, const Model& m, const c2d_zone& given, Zone&
         range_step(z.first_node[b], given.last_node[b] - 1, given.pairs, first_node, node_ring, by_numbers);
     z.element_step[b] = range_step(z.first_element[b], given.last_element[b] - 1, given.elements, region.first, ring,
                                    by_nodes == 0 ? by_numbers : by_nodes);
-    z.node_step[b] = range_step(z.first_node[b], given.last_node[b] - 1, given.pairs,
-                                first_node, node_ring,
+    z.node_step[b] = range_step(z.first_node[b], given.last_node[b] - 1, given.pairs, first_node, node_ring,
                                 z.element_step[b] == 0 ? 1 : z.element_step[b]);
     if (z.element_step[b] == 0)
       return refuse(s, C2D_ERR_ARGUMENT,
                     b == 0 ? "the element range of body 1 does not hold the number of elements given"
                            : "the element range of body 2 does not hold the number of elements given");
     if (z.node_step[b] == 0)
-      return refuse(s, C2D_ERR_ARGUMENT, b == 0 ? "the node range of body 1 does not hold the number of nodes given"
-                                                : "the node range of body 2 does not hold the number of nodes given");
+      return refuse(s, C2D_ERR_ARGUMENT,
+                    b == 0 ? "the node range of body 1 does not hold the number of nodes given"
+                           : "the node range of body 2 does not hold the number of nodes given");
   }
   return C2D_OK;
 }

@@ -15,12 +15,10 @@ constexpr int32_t kRows = 256;
 // Width of the diagonal blocks of the triangular solves, whose own work is not done by tiles.
 constexpr int32_t kTriangle = 32;
 
-int32_t smaller(int32_t a, int32_t b) {
-  return a < b ? a : b;
-}
+int32_t smaller(int32_t a, int32_t b) { return a < b ? a : b; }
 
-void tile_4x4(int32_t k, const Real* __restrict a, int64_t lda, const Real* __restrict b, int64_t ldb,
-              Real* __restrict c, int64_t ldc) {
+void tile_4x4(int32_t k, const Real* __restrict a, int64_t lda, const Real* __restrict b, int64_t ldb, Real* __restrict c,
+              int64_t ldc) {
   Real s0[kTile] = {}, s1[kTile] = {}, s2[kTile] = {}, s3[kTile] = {};
   const Real *b0 = b, *b1 = b + ldb, *b2 = b + 2 * ldb, *b3 = b + 3 * ldb;
   for (int32_t p = 0; p < k; ++p, a += lda) {
@@ -40,8 +38,7 @@ void tile_4x4(int32_t k, const Real* __restrict a, int64_t lda, const Real* __re
   }
 }
 
-void tile_4x1(int32_t k, const Real* __restrict a, int64_t lda, const Real* __restrict b,
-              Real* __restrict c) {
+void tile_4x1(int32_t k, const Real* __restrict a, int64_t lda, const Real* __restrict b, Real* __restrict c) {
   Real s[kTile] = {};
   for (int32_t p = 0; p < k; ++p, a += lda) {
     const Real f = b[p];
@@ -57,8 +54,7 @@ void single(int32_t k, const Real* a, int64_t lda, const Real* b, Real* c) {
 }
 
 // The product for one cached piece of A: m <= kRows, k <= kInner.
-void gemm_piece(int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, const Real* b, int64_t ldb,
-                Real* c, int64_t ldc) {
+void gemm_piece(int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, const Real* b, int64_t ldb, Real* c, int64_t ldc) {
   const int32_t m4 = m - m % kTile, n4 = n - n % kTile;
   for (int32_t j = 0; j < n4; j += kTile) {
     for (int32_t i = 0; i < m4; i += kTile) tile_4x4(k, a + i, lda, b + j * ldb, ldb, c + i + j * ldc, ldc);
@@ -71,12 +67,11 @@ void gemm_piece(int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, con
   }
 }
 
-void plain_product(int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, const Real* b, int64_t ldb,
-                   Real* c, int64_t ldc) {
+void plain_product(int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, const Real* b, int64_t ldb, Real* c,
+                   int64_t ldc) {
   for (int32_t p = 0; p < k; p += kInner) {
     for (int32_t i = 0; i < m; i += kRows) {
-      gemm_piece(smaller(kRows, m - i), n, smaller(kInner, k - p), a + i + p * lda, lda, b + p, ldb, c + i,
-                 ldc);
+      gemm_piece(smaller(kRows, m - i), n, smaller(kInner, k - p), a + i + p * lda, lda, b + p, ldb, c + i, ldc);
     }
   }
 }
@@ -114,9 +109,7 @@ void plain_upper(int32_t n, int32_t nrhs, const Real* u, int64_t ldu, Real* b, i
 }
 
 // Packing pays when enough columns share it.
-bool packs(const Engine& engine, int32_t n, int32_t k) {
-  return !kSmallCode && n >= 4 && k >= 4 && can_pack(engine);
-}
+bool packs(const Engine& engine, int32_t n, int32_t k) { return !kSmallCode && n >= 4 && k >= 4 && can_pack(engine); }
 
 // One column and a kernel: a few columns of A at a time.
 void thin_product(const Kernel& kernel, int32_t m, int32_t k, const Real* a, int64_t lda, const Real* b, Real* c) {
@@ -182,8 +175,8 @@ int32_t chunks_of(int32_t columns, int32_t parts, int32_t* chunk) {
   return columns < *chunk ? columns > 0 : columns / *chunk;
 }
 
-void gemm_minus(const Engine& engine, int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda,
-                const Real* b, int64_t ldb, Real* c, int64_t ldc) {
+void gemm_minus(const Engine& engine, int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, const Real* b, int64_t ldb,
+                Real* c, int64_t ldc) {
   if (!packs(engine, n, k)) {
     if (kSmallCode || !engine.kernel) return plain_product(m, n, k, a, lda, b, ldb, c, ldc);
     for (int32_t j = 0; j < n; ++j) thin_product(*engine.kernel, m, k, a, lda, b + j * ldb, c + j * ldc);
@@ -196,8 +189,7 @@ void gemm_minus(const Engine& engine, int32_t m, int32_t n, int32_t k, const Rea
                        n, m, k, 0, 0, a, b, lda, ldb, c, ldc});
 }
 
-void update_by(const Engine& engine, int32_t w, int32_t m, int32_t n, const Real* l, int64_t ldl, Real* x,
-               int64_t ldx) {
+void update_by(const Engine& engine, int32_t w, int32_t m, int32_t n, const Real* l, int64_t ldl, Real* x, int64_t ldx) {
   if (packs(engine, n, w)) {
     cut_columns(engine, {[](const Columns& all, const Engine& own, int32_t j, int32_t count) {
                            packed_update(own, all.k, all.m, count, all.a, all.lda, all.c + j * all.ldc, all.ldc);
@@ -210,13 +202,11 @@ void update_by(const Engine& engine, int32_t w, int32_t m, int32_t n, const Real
   }
 }
 
-void trsm_lower_unit(const Engine& engine, int32_t n, int32_t nrhs, const Real* l, int64_t ldl, Real* b,
-                     int64_t ldb) {
+void trsm_lower_unit(const Engine& engine, int32_t n, int32_t nrhs, const Real* l, int64_t ldl, Real* b, int64_t ldb) {
   update_by(engine, n, 0, nrhs, l, ldl, b, ldb);
 }
 
-void trsm_upper(const Engine& engine, int32_t n, int32_t nrhs, const Real* u, int64_t ldu, Real* b,
-                int64_t ldb) {
+void trsm_upper(const Engine& engine, int32_t n, int32_t nrhs, const Real* u, int64_t ldu, Real* b, int64_t ldb) {
   if (packs(engine, nrhs, n)) {
     cut_columns(engine, {[](const Columns& all, const Engine& own, int32_t j, int32_t count) {
                            packed_upper(own, all.k, count, all.a, all.lda, all.c + j * all.ldc, all.ldc);

@@ -9,22 +9,19 @@
 namespace c2d {
 
 // C (m x n) -= A (m x k) B (k x n).
-void gemm_minus(const Engine& engine, int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda,
-                const Real* b, int64_t ldb, Real* c, int64_t ldc);
+void gemm_minus(const Engine& engine, int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, const Real* b, int64_t ldb,
+                Real* c, int64_t ldc);
 
 // B (n x nrhs) := L^-1 B; L unit lower triangular: what stands on and above its diagonal is not read.
-void trsm_lower_unit(const Engine& engine, int32_t n, int32_t nrhs, const Real* l, int64_t ldl, Real* b,
-                     int64_t ldb);
+void trsm_lower_unit(const Engine& engine, int32_t n, int32_t nrhs, const Real* l, int64_t ldl, Real* b, int64_t ldb);
 
 // Both at once, as an elimination needs them: X = (X1, X2) of w + m rows and n columns := (L1^-1 X1, X2 - L2
 // L1^-1 X1) with L = (L1, L2) unit lower trapezoidal, (w + m) x w.
-void update_by(const Engine& engine, int32_t w, int32_t m, int32_t n, const Real* l, int64_t ldl, Real* x,
-               int64_t ldx);
+void update_by(const Engine& engine, int32_t w, int32_t m, int32_t n, const Real* l, int64_t ldl, Real* x, int64_t ldx);
 
 // B (n x nrhs) := U^-1 B; U upper triangular: what stands below its diagonal is not read. Where a diagonal
 // entry is zero the solution's entry is set to zero; the result is then no solution.
-void trsm_upper(const Engine& engine, int32_t n, int32_t nrhs, const Real* u, int64_t ldu, Real* b,
-                int64_t ldb);
+void trsm_upper(const Engine& engine, int32_t n, int32_t nrhs, const Real* u, int64_t ldu, Real* b, int64_t ldb);
 
 // Into how many chunks columns are cut for so many parts, and how wide all but the last are, which takes the rest: some
 // two for each part, so that a late one costs little, but none too narrow to be worth packing.

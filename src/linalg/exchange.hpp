@@ -12,13 +12,11 @@ namespace c2d {
 // number. A pivot that is merely small against its row or column is the caller's business. Applied twice it
 // gives T back, up to round-off. Cost: 2 rows cols operations; with a kernel, as fast
 // as T comes from memory and goes back.
-bool exchange(int32_t rows, int32_t cols, Real* t, int64_t ld, int32_t r, int32_t c,
-              const Kernel* kernel = nullptr);
+bool exchange(int32_t rows, int32_t cols, Real* t, int64_t ld, int32_t r, int32_t c, const Kernel* kernel = nullptr);
 
 // exchange(a, a) and then exchange(b, b), in one pass: for a tableau beyond the caches as fast as one of them. False, and
 // nothing has changed, if either pivot is below the smallest normal number.
-bool exchange_two(int32_t rows, int32_t cols, Real* t, int64_t ld, int32_t a, int32_t b,
-                  const Kernel* kernel = nullptr);
+bool exchange_two(int32_t rows, int32_t cols, Real* t, int64_t ld, int32_t a, int32_t b, const Kernel* kernel = nullptr);
 
 // Row `target` += factor * row `source`: y_target is replaced by y_target + factor y_source.
 void row_add(int32_t cols, Real* t, int64_t ld, int32_t target, int32_t source, Real factor);

@@ -30,9 +30,7 @@ Instructions of_processor() {
 
 #else
 
-Instructions of_processor() {
-  return Instructions::baseline;
-}
+Instructions of_processor() { return Instructions::baseline; }
 
 #endif
 
@@ -40,14 +38,10 @@ Instructions of_processor() {
 
 const Kernel* kernel_for(Instructions set) {
   switch (set) {
-  case Instructions::avx512:
-    return avx512_kernel();
-  case Instructions::avx2:
-    return avx2_kernel();
-  case Instructions::baseline:
-    return baseline_kernel();
-  default:
-    return nullptr;
+  case Instructions::avx512: return avx512_kernel();
+  case Instructions::avx2: return avx2_kernel();
+  case Instructions::baseline: return baseline_kernel();
+  default: return nullptr;
   }
 }
 

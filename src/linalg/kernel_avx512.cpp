@@ -6,11 +6,7 @@
 #define C2D_TILE_COLUMNS 8
 #include "linalg/kernel_loops.hpp"
 
-const c2d::Kernel* c2d::avx512_kernel() {
-  return &kLoops;
-}
+const c2d::Kernel* c2d::avx512_kernel() { return &kLoops; }
 #else
-const c2d::Kernel* c2d::avx512_kernel() {
-  return nullptr;
-}
+const c2d::Kernel* c2d::avx512_kernel() { return nullptr; }
 #endif

@@ -26,18 +26,10 @@ struct __attribute__((packed, may_alias)) LooseVector {
 struct __attribute__((packed, may_alias)) LooseRow {
   Row v;
 };
-inline const LooseVector* vector_at(const Real* x) {
-  return reinterpret_cast<const LooseVector*>(x);
-}
-inline LooseVector* vector_at(Real* x) {
-  return reinterpret_cast<LooseVector*>(x);
-}
-inline const LooseRow* row_at(const Real* x) {
-  return reinterpret_cast<const LooseRow*>(x);
-}
-inline LooseRow* row_at(Real* x) {
-  return reinterpret_cast<LooseRow*>(x);
-}
+inline const LooseVector* vector_at(const Real* x) { return reinterpret_cast<const LooseVector*>(x); }
+inline LooseVector* vector_at(Real* x) { return reinterpret_cast<LooseVector*>(x); }
+inline const LooseRow* row_at(const Real* x) { return reinterpret_cast<const LooseRow*>(x); }
+inline LooseRow* row_at(Real* x) { return reinterpret_cast<LooseRow*>(x); }
 
 // What a tile is taken from at last comes nearer while its products are summed.
 inline void ask_for(Real* c, int64_t ldc) {
@@ -151,9 +143,7 @@ void solve_upper(int32_t n, const Real* u, int64_t ldu, Real* b) {
   }
 }
 
-inline Vector size_of(Vector x) {
-  return x < 0 ? -x : x;
-}
+inline Vector size_of(Vector x) { return x < 0 ? -x : x; }
 
 inline Real most_of(const Vector& sizes) {
   Real most[kLanes];
@@ -258,8 +248,7 @@ void add(int32_t n, Real factor, const Real* x, Real* y) {
   int32_t i = 0;
   for (; i + 2 * kLanes <= n; i += 2 * kLanes) {
 #pragma GCC unroll 2
-    for (int32_t v = 0; v < 2; ++v)
-      vector_at(y + i + v * kLanes)->v += factor * vector_at(x + i + v * kLanes)->v;
+    for (int32_t v = 0; v < 2; ++v) vector_at(y + i + v * kLanes)->v += factor * vector_at(x + i + v * kLanes)->v;
   }
   for (; i < n; ++i) y[i] += factor * x[i];
 }
@@ -360,8 +349,8 @@ void from_rows(int32_t k, const Real* from, Real* b, int64_t ldb) {
   }
 }
 
-constexpr Kernel kLoops = {kVectors * kLanes, kCols, tile, solve,   solve_upper, column, scale,
-                           largest_entry,     pack,  to_rows, from_rows, add,    add_two};
+constexpr Kernel kLoops = {kVectors * kLanes, kCols, tile,    solve,     solve_upper, column, scale,
+                           largest_entry,     pack,  to_rows, from_rows, add,         add_two};
 
 } // namespace
 } // namespace c2d

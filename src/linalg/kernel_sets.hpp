@@ -7,8 +7,7 @@
 // do all: clang before 14 takes a vector behind a reference for an aligned one; x87 (i386 without SSE) calculates with
 // more digits than it stores, so that a number looked for is not equal to itself.
 #include <float.h>
-#if !defined(C2D_SMALL) && (FLT_EVAL_METHOD == 0 || FLT_EVAL_METHOD == 1) && \
-    !(defined(__clang__) && __clang_major__ < 14)
+#if !defined(C2D_SMALL) && (FLT_EVAL_METHOD == 0 || FLT_EVAL_METHOD == 1) && !(defined(__clang__) && __clang_major__ < 14)
 #define C2D_VECTOR_LOOPS
 #endif
 

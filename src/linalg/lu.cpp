@@ -8,16 +8,12 @@ namespace {
 
 // Squaring a number above this does not underflow, and a quotient of two numbers up to 1 / this by it does
 // not overflow.
-constexpr Real smallest_safe() {
-  return sizeof(Real) == 8 ? static_cast<Real>(1.5e-154) : static_cast<Real>(1.1e-19);
-}
+constexpr Real smallest_safe() { return sizeof(Real) == 8 ? static_cast<Real>(1.5e-154) : static_cast<Real>(1.1e-19); }
 
 // A leaf of a block is factored column by column: few columns, which stay in the first-level cache.
 constexpr int32_t kLeaf = 8;
 
-int32_t smaller(int32_t a, int32_t b) {
-  return a < b ? a : b;
-}
+int32_t smaller(int32_t a, int32_t b) { return a < b ? a : b; }
 
 // x (m) -= L (m x k) u, and where its largest entry is: as Kernel::column.
 int32_t plain_column(int32_t m, int32_t k, const Real* l, int64_t ldl, const Real* u, Real* x) {
@@ -190,9 +186,7 @@ int32_t lu_step(const Lu& lu, int32_t first) {
   return unusable + step.unusable;
 }
 
-void start_stats(PivotStats& stats) {
-  stats = {0, 0, -1, -1, std::numeric_limits<double>::infinity(), 0, 0};
-}
+void start_stats(PivotStats& stats) { stats = {0, 0, -1, -1, std::numeric_limits<double>::infinity(), 0, 0}; }
 
 void lu_settle(int32_t rows, int32_t cols, Real* a, int64_t lda, const int32_t* pivots) {
   const int32_t width = lu_width(rows);
@@ -202,8 +196,8 @@ void lu_settle(int32_t rows, int32_t cols, Real* a, int64_t lda, const int32_t* 
   }
 }
 
-void lu_apply(const Engine& engine, int32_t rows, int32_t cols, const Real* a, int64_t lda,
-              const int32_t* pivots, int32_t count, Real* x, int64_t ldx) {
+void lu_apply(const Engine& engine, int32_t rows, int32_t cols, const Real* a, int64_t lda, const int32_t* pivots,
+              int32_t count, Real* x, int64_t ldx) {
   const int32_t width = lu_width(rows);
   for (int32_t first = 0; first < cols; first += width) {
     const int32_t w = smaller(width, cols - first);
@@ -245,8 +239,7 @@ void apply_pivots(int32_t cols, Real* a, int64_t lda, const int32_t* pivots, int
   }
 }
 
-int32_t lu_factor(const Engine& engine, int32_t n, Real* a, int64_t lda, int32_t* pivots, Real* norms,
-                  PivotStats* stats) {
+int32_t lu_factor(const Engine& engine, int32_t n, Real* a, int64_t lda, int32_t* pivots, Real* norms, PivotStats* stats) {
   PivotStats own;
   PivotStats* used = stats ? stats : &own;
   start_stats(*used);
@@ -254,8 +247,8 @@ int32_t lu_factor(const Engine& engine, int32_t n, Real* a, int64_t lda, int32_t
   return lu_panel({engine, n, n, n, a, lda, pivots, norms, used});
 }
 
-void lu_solve(const Engine& engine, int32_t n, int32_t nrhs, const Real* lu, int64_t lda,
-              const int32_t* pivots, Real* b, int64_t ldb) {
+void lu_solve(const Engine& engine, int32_t n, int32_t nrhs, const Real* lu, int64_t lda, const int32_t* pivots, Real* b,
+              int64_t ldb) {
   lu_apply(engine, n, n, lu, lda, pivots, nrhs, b, ldb);
   trsm_upper(engine, n, nrhs, lu, lda, b, ldb);
 }

@@ -14,7 +14,7 @@ struct PivotStats {
   int32_t first_unusable;               // the first of them; -1: none
   int32_t smallest_column;              // where the smallest ratio is; -1: no column yet
   double smallest_ratio, largest_ratio; // over the columns with a usable pivot; infinity, 0 without one
-  double growth; // largest entry of a column of U over the column's largest entry before
+  double growth;                        // largest entry of a column of U over the column's largest entry before
 };
 void start_stats(PivotStats& stats);
 
@@ -30,8 +30,8 @@ struct Lu {
   int32_t rows, own, cols;
   Real* a;
   int64_t lda;
-  int32_t* pivots;    // own
-  const Real* norms;  // own
+  int32_t* pivots;   // own
+  const Real* norms; // own
   PivotStats* stats;
 };
 
@@ -50,18 +50,17 @@ void lu_settle(int32_t rows, int32_t cols, Real* a, int64_t lda, const int32_t* 
 
 // X (rows x count) := L^-1 P X for the first `cols` columns of a factored panel that has not been settled:
 // what elimination does to columns further right.
-void lu_apply(const Engine& engine, int32_t rows, int32_t cols, const Real* a, int64_t lda,
-              const int32_t* pivots, int32_t count, Real* x, int64_t ldx);
+void lu_apply(const Engine& engine, int32_t rows, int32_t cols, const Real* a, int64_t lda, const int32_t* pivots,
+              int32_t count, Real* x, int64_t ldx);
 
 // Exchange rows i and pivots[i] of A (cols columns) for i = first ... first+count-1, in this order.
 void apply_pivots(int32_t cols, Real* a, int64_t lda, const int32_t* pivots, int32_t first, int32_t count);
 
 // P A = L U of a square matrix, not settled, for lu_solve. norms: room for n numbers, the columns' largest entries
 // afterwards. `stats` (may be null) is started anew. Returns the number of columns without a usable pivot.
-int32_t lu_factor(const Engine& engine, int32_t n, Real* a, int64_t lda, int32_t* pivots, Real* norms,
-                  PivotStats* stats);
+int32_t lu_factor(const Engine& engine, int32_t n, Real* a, int64_t lda, int32_t* pivots, Real* norms, PivotStats* stats);
 // B (n x nrhs) := A^-1 B by the factors of lu_factor. Meaningless, but harmless, if a pivot was not usable.
-void lu_solve(const Engine& engine, int32_t n, int32_t nrhs, const Real* lu, int64_t lda,
-              const int32_t* pivots, Real* b, int64_t ldb);
+void lu_solve(const Engine& engine, int32_t n, int32_t nrhs, const Real* lu, int64_t lda, const int32_t* pivots, Real* b,
+              int64_t ldb);
 
 } // namespace c2d

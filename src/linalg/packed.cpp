@@ -6,13 +6,9 @@ namespace {
 // Triangles are solved in pieces: the rows below each are left to the tiles.
 constexpr int32_t kTriangle = 32;
 
-int32_t smaller(int32_t a, int32_t b) {
-  return a < b ? a : b;
-}
+int32_t smaller(int32_t a, int32_t b) { return a < b ? a : b; }
 
-int32_t whole(int32_t n, int32_t step) {
-  return (n + step - 1) / step * step;
-}
+int32_t whole(int32_t n, int32_t step) { return (n + step - 1) / step * step; }
 
 // How an engine's scratch is divided: for `depth` steps of the inner index, `slices` of a tile's rows of A and `width`
 // columns of B.
@@ -171,8 +167,8 @@ bool can_pack(const Engine& engine) {
   return engine.kernel != nullptr && engine.numbers >= engine.kernel->rows + engine.kernel->cols;
 }
 
-void packed_product(const Engine& engine, int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda,
-                    const Real* b, int64_t ldb, Real* c, int64_t ldc) {
+void packed_product(const Engine& engine, int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, const Real* b,
+                    int64_t ldb, Real* c, int64_t ldc) {
   const Packing p = packing(engine, k, n);
   for (int32_t j = 0; j < n; j += p.width) {
     const int32_t wide = smaller(p.width, n - j);
@@ -185,8 +181,7 @@ void packed_product(const Engine& engine, int32_t m, int32_t n, int32_t k, const
   }
 }
 
-void packed_update(const Engine& engine, int32_t w, int32_t m, int32_t n, const Real* l, int64_t ldl, Real* x,
-                   int64_t ldx) {
+void packed_update(const Engine& engine, int32_t w, int32_t m, int32_t n, const Real* l, int64_t ldl, Real* x, int64_t ldx) {
   const Packing p = packing(engine, w, n);
   for (int32_t j = 0; j < n; j += p.width) {
     const int32_t wide = smaller(p.width, n - j);
@@ -197,8 +192,7 @@ void packed_update(const Engine& engine, int32_t w, int32_t m, int32_t n, const 
   }
 }
 
-void packed_upper(const Engine& engine, int32_t n, int32_t nrhs, const Real* u, int64_t ldu, Real* x,
-                  int64_t ldx) {
+void packed_upper(const Engine& engine, int32_t n, int32_t nrhs, const Real* u, int64_t ldu, Real* x, int64_t ldx) {
   const Packing p = packing(engine, n, nrhs);
   for (int32_t j = 0; j < nrhs; j += p.width) {
     const int32_t wide = smaller(p.width, nrhs - j);

@@ -8,9 +8,7 @@ int32_t place_of(char wanted, const char* text, int32_t size) {
   return i;
 }
 
-int32_t text_length(const char* text) {
-  return place_of('\0', text, INT32_MAX);
-}
+int32_t text_length(const char* text) { return place_of('\0', text, INT32_MAX); }
 
 bool one_of(char character, const char* set) {
   const int32_t size = text_length(set);

@@ -22,9 +22,9 @@ bool counts_are_legal(const c2d_limits& l) {
     if (l.geometry_nodes[b] < 0 || l.elements[b] < 0 || l.regions[b] < 0) return false;
     if (b < l.bodies && (l.geometry_nodes[b] < 1 || l.elements[b] < 1 || l.regions[b] < 1)) return false;
   }
-  return l.zones >= 0 && l.pairs >= 0 && l.contact_elements >= 0 && l.point_loads >= 0 && l.coefficients >= 0 &&
-         l.paths >= 0 && l.load_cases >= 0 && l.panel_columns >= 0 && l.free_pairs >= 0 && l.free_pairs <= l.pairs &&
-         l.point_sets >= 0 && l.curves >= 0;
+  return l.zones >= 0 && l.pairs >= 0 && l.contact_elements >= 0 && l.point_loads >= 0 && l.coefficients >= 0 && l.paths >= 0 &&
+         l.load_cases >= 0 && l.panel_columns >= 0 && l.free_pairs >= 0 && l.free_pairs <= l.pairs && l.point_sets >= 0 &&
+         l.curves >= 0;
 }
 
 } // namespace
@@ -101,8 +101,7 @@ c2d_status lay_out(const Sizes& sizes, uint64_t header, Layout& out) {
   carver.carve(kZones, static_cast<uint64_t>(sizes.zones), kZoneBytes);
   carver.carve(kPairs, static_cast<uint64_t>(sizes.pairs), kPairBytes);
   carver.carve(kPointLoads, static_cast<uint64_t>(sizes.point_loads), kPointLoadBytes);
-  carver.carve(kFriction, static_cast<uint64_t>(sizes.coefficients) * (1 + static_cast<uint64_t>(sizes.zones)),
-               sizeof(double));
+  carver.carve(kFriction, static_cast<uint64_t>(sizes.coefficients) * (1 + static_cast<uint64_t>(sizes.zones)), sizeof(double));
   carver.carve(kPaths, static_cast<uint64_t>(sizes.paths), kPathBytes);
   carver.carve(kPairTable, static_cast<uint64_t>(sizes.pairs) * C2D_PAIR_FIELDS, sizeof(double));
   carver.carve(kLoads, 4 * cases, sizeof(double));

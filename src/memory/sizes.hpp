@@ -6,8 +6,8 @@
 namespace c2d {
 
 // Bytes of one element of the arrays whose types belong to the model (checked there with static_assert).
-constexpr uint64_t kRegionBytes = 16, kZoneBytes = 72, kPairBytes = 104 + 14 * sizeof(Real), kPointLoadBytes = 48, kPathBytes = 16,
-                   kBodyForceBytes = 40, kRigidMotionBytes = 40, kPointSetBytes = 56, kCurveBytes = 48;
+constexpr uint64_t kRegionBytes = 16, kZoneBytes = 72, kPairBytes = 104 + 14 * sizeof(Real), kPointLoadBytes = 48,
+                   kPathBytes = 16, kBodyForceBytes = 40, kRigidMotionBytes = 40, kPointSetBytes = 56, kCurveBytes = 48;
 
 // Every array that lives in the workspace, in the order in which memory is carved. Two arrays per body follow one
 // another (`kXy + body`). src/FROM-1987.md maps them to the arrays of the 1987 program.
@@ -41,16 +41,16 @@ enum ArrayId : int32_t {
 // What a model within given limits needs, per body.
 struct BodySizes {
   int64_t geometry_nodes, elements, regions;
-  int64_t nodes;       // functional nodes
-  int64_t ends;        // element ends: elements * function_nodes
-  int64_t rows;        // equations: 2 nodes + 3, and on body 1 2 for each pair of a free zone
+  int64_t nodes; // functional nodes
+  int64_t ends;  // element ends: elements * function_nodes
+  int64_t rows;  // equations: 2 nodes + 3, and on body 1 2 for each pair of a free zone
 };
 struct Sizes {
   int32_t bodies, function_nodes, load_cases, panel_columns;
   BodySizes body[2];
   int64_t zones, pairs, contact_elements, point_loads, coefficients, paths;
-  int64_t contact;     // contact unknowns at most: 2 pairs
-  int64_t free_pairs;  // of them, those of free zones
+  int64_t contact;    // contact unknowns at most: 2 pairs
+  int64_t free_pairs; // of them, those of free zones
   int64_t point_sets, curves;
 };
 

@@ -25,9 +25,7 @@ Text& put(Text& text, const char* characters, size_t count) {
   return text;
 }
 
-Text& put(Text& text, const char* characters) {
-  return put(text, characters, SIZE_MAX);
-}
+Text& put(Text& text, const char* characters) { return put(text, characters, SIZE_MAX); }
 
 namespace {
 
@@ -63,17 +61,11 @@ Text& put_signed(Text& text, int64_t number) {
   return put_unsigned(text, number < 0 ? 0 - static_cast<uint64_t>(number) : static_cast<uint64_t>(number));
 }
 
-Text& put_with_integer(Text& text, const char* characters, int32_t number) {
-  return put_signed(put(text, characters), number);
-}
+Text& put_with_integer(Text& text, const char* characters, int32_t number) { return put_signed(put(text, characters), number); }
 
-Text& put_with_number(Text& text, const char* characters, double number) {
-  return put(put(text, characters), number);
-}
+Text& put_with_number(Text& text, const char* characters, double number) { return put(put(text, characters), number); }
 
-Text& put(Text& text, double number) {
-  return put(text, number, 6);
-}
+Text& put(Text& text, double number) { return put(text, number, 6); }
 
 namespace {
 

@@ -16,9 +16,7 @@ struct Text {
 
 // An empty text in bytes[0 .. N) or bytes[0 .. size).
 Text text_in(char* bytes, size_t size);
-template <size_t N> Text text_in(char (&bytes)[N]) {
-  return text_in(bytes, N);
-}
+template <size_t N> Text text_in(char (&bytes)[N]) { return text_in(bytes, N); }
 
 // Append, and return the text: what follows another call then needs no argument loaded. A null pointer appends nothing.
 Text& put(Text& text, const char* characters);
@@ -29,8 +27,7 @@ Text& put_unsigned(Text& text, uint64_t number);
 Text& put_with_integer(Text& text, const char* characters, int32_t number); // both
 Text& put_with_number(Text& text, const char* characters, double number);
 // Any type of integer: which of them are int32_t and int64_t differs from machine to machine.
-template <class Integer, class = std::enable_if_t<std::is_integral<Integer>::value>>
-Text& put(Text& text, Integer number) {
+template <class Integer, class = std::enable_if_t<std::is_integral<Integer>::value>> Text& put(Text& text, Integer number) {
   if (std::is_signed<Integer>::value) return put_signed(text, static_cast<int64_t>(number));
   return put_unsigned(text, static_cast<uint64_t>(number));
 }
@@ -46,9 +43,7 @@ Text& put(Text& text, double number); // 6 digits
 #endif
 
 // Characters and numbers one after another, in as few calls as there can be: messages are a good part of a small program.
-template <class Last> C2D_IN_PLACE inline Text& put_all(Text& text, Last last) {
-  return put(text, last);
-}
+template <class Last> C2D_IN_PLACE inline Text& put_all(Text& text, Last last) { return put(text, last); }
 template <class First, class Second, class... More>
 C2D_IN_PLACE inline Text& put_all(Text& text, First first, Second second, More... more) {
   constexpr bool names = std::is_same<First, const char*>::value,

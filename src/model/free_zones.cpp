@@ -267,9 +267,7 @@ int32_t element_beside_pair(const Model& m, const Pair& pair) {
 namespace {
 
 // In the order of the zone, one unit per element.
-double position(const Zone& z, const FacePoint& p) {
-  return p.place + 0.5 * (1 + z.element_step[0] * p.eta);
-}
+double position(const Zone& z, const FacePoint& p) { return p.place + 0.5 * (1 + z.element_step[0] * p.eta); }
 
 // The `stop`-th place at which an element of body 2 is cut for its own nodes, from 0; false beyond its end.
 bool own_cut(const Model& m, const Zone& z, int32_t stop, double* eta) {
@@ -447,9 +445,7 @@ bool fit_free_zone(const Model& m, int32_t zone, Reporter& reporter) {
       return false;
     }
     if (first >= 0 && place != first + count) {
-      tell_free_zone(m, zone,
-                     "body 1 faces elements of body 2 in several places, expected one run of elements",
-                     reporter);
+      tell_free_zone(m, zone, "body 1 faces elements of body 2 in several places, expected one run of elements", reporter);
       return false;
     }
     if (first < 0) first = place;
@@ -457,8 +453,7 @@ bool fit_free_zone(const Model& m, int32_t zone, Reporter& reporter) {
   }
   if (first < 0) {
     tell_free_zone(
-        m, zone,
-        "body 2 does not face body 1, none of its elements does from end to end, expected ranges that face each other",
+        m, zone, "body 2 does not face body 1, none of its elements does from end to end, expected ranges that face each other",
         reporter);
     return false;
   }

@@ -5,9 +5,7 @@
 
 namespace c2d {
 
-double local_eta(int nodes, int l) {
-  return nodes == 1 ? 0 : -1 + 2.0 * l / (nodes - 1);
-}
+double local_eta(int nodes, int l) { return nodes == 1 ? 0 : -1 + 2.0 * l / (nodes - 1); }
 
 namespace {
 

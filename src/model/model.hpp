@@ -9,11 +9,9 @@ namespace c2d {
 
 // Bits of an element end's code: quantity is known. kGiven: a condition card named this end. At an element's first end:
 // kMeasured: kNoLength says whether the element has zero length, without looking at its nodes.
-enum EndCode : uint8_t {
-  kKnownTx = 1, kKnownTy = 2, kKnownUx = 4, kKnownUy = 8, kGiven = 16, kMeasured = 32, kNoLength = 64
-};
+enum EndCode : uint8_t { kKnownTx = 1, kKnownTy = 2, kKnownUx = 4, kKnownUy = 8, kGiven = 16, kMeasured = 32, kNoLength = 64 };
 
-struct Region {    // elements first ... last form a closed curve, or one that is open between symmetry lines
+struct Region { // elements first ... last form a closed curve, or one that is open between symmetry lines
   int32_t first, last;
   int32_t open = 0;  // 1: its last boundary point is not its first
   int32_t shift = 0; // open regions before it: its nodes' numbers are that much higher
@@ -52,53 +50,53 @@ struct Zone {
   int32_t first_element[2], element_step[2];
   int32_t first_node[2], node_step[2];
   int32_t region[2];
-  int32_t first_pair;       // pairs of earlier zones
+  int32_t first_pair; // pairs of earlier zones
   int32_t line;
   int32_t is_free, facing;
-  double normal_part;       // of body 1's normal in the pairs' (model/surface.hpp)
+  double normal_part; // of body 1's normal in the pairs' (model/surface.hpp)
 };
 struct Pair {
-  int32_t node[2];          // functional nodes; in a free zone -1 on body 1, where the pair is a point of an element:
-  int32_t element, row;     // free zone: that element, and the pair's first equation u_c = u there, from 0
+  int32_t node[2];      // functional nodes; in a free zone -1 on body 1, where the pair is a point of an element:
+  int32_t element, row; // free zone: that element, and the pair's first equation u_c = u there, from 0
   double eta;
   int32_t zone;
-  int32_t dof;              // first contact unknown: normal; tangential follows if there is one
-  int8_t tangential;        // 0: symmetry fixes the tangential direction
-  int8_t status;            // C2D_OPEN, C2D_STICK, C2D_SLIP
-  int8_t sign;              // slip: sign of the friction on body 2
-  int8_t weak;              // this pair sits on the border of its conditions (within one event)
+  int32_t dof;       // first contact unknown: normal; tangential follows if there is one
+  int8_t tangential; // 0: symmetry fixes the tangential direction
+  int8_t status;     // C2D_OPEN, C2D_STICK, C2D_SLIP
+  int8_t sign;       // slip: sign of the friction on body 2
+  int8_t weak;       // this pair sits on the border of its conditions (within one event)
   int8_t saved_status, saved_sign;
   int8_t good_status, good_sign; // of the last state that was judged and found good (solver/judge.hpp)
-  double nx, ny;            // the frame: n from body 1 to body 2; t = (ny, -nx)
-  double gap;               // initial normal gap >= 0
-  double overlap;           // by which the bodies overlap there; ModelHeader::interference closes it
-  double length;            // shorter of the contact elements that meet there, both bodies
-  double mu;                // coefficient of friction in force
-  double weight;            // integral of the pair's shape functions along the body of its measure, length unit
-  int32_t place[2];         // while the tableau is built: where the column of a slot stands
+  double nx, ny;                 // the frame: n from body 1 to body 2; t = (ny, -nx)
+  double gap;                    // initial normal gap >= 0
+  double overlap;                // by which the bodies overlap there; ModelHeader::interference closes it
+  double length;                 // shorter of the contact elements that meet there, both bodies
+  double mu;                     // coefficient of friction in force
+  double weight;                 // integral of the pair's shape functions along the body of its measure, length unit
+  int32_t place[2];              // while the tableau is built: where the column of a slot stands
   // From here on numbers that come from the tableau and have no more digits than it.
-  Real stiffness[2];        // normal and tangential, of this pair alone with every pair sticking
+  Real stiffness[2]; // normal and tangential, of this pair alone with every pair sticking
   // History of friction, written by src/contact alone; w_t = (u2 - u1).t in the length unit of the model.
-  Real offset;              // stick: w_t at which the pair sticks
-  Real slip_done;           // slip summed over finished episodes
-  Real slip_from;           // slip: w_t at which this episode began
-  Real increment_from;      // w_t at the start of the increment (deck stepping)
+  Real offset;         // stick: w_t at which the pair sticks
+  Real slip_done;      // slip summed over finished episodes
+  Real slip_from;      // slip: w_t at which this episode began
+  Real increment_from; // w_t at the start of the increment (deck stepping)
   Real saved_offset, saved_slip_done, saved_slip_from;
-  Real saved_q;             // q at the start of the increment (deck stepping)
+  Real saved_q; // q at the start of the increment (deck stepping)
   Real good_offset, good_slip_done, good_slip_from;
-  Real slip_before;         // slip summed before the pair last touched (results/warnings.cpp)
+  Real slip_before; // slip summed before the pair last touched (results/warnings.cpp)
 };
 
 static_assert(sizeof(Region) == kRegionBytes && sizeof(Zone) == kZoneBytes && sizeof(Pair) == kPairBytes &&
-                  sizeof(PointLoad) == kPointLoadBytes && sizeof(Path) == kPathBytes &&
-                  sizeof(BodyForce) == kBodyForceBytes && sizeof(RigidMotion) == kRigidMotionBytes &&
-                  sizeof(PointSet) == kPointSetBytes && sizeof(Curve) == kCurveBytes,
+                  sizeof(PointLoad) == kPointLoadBytes && sizeof(Path) == kPathBytes && sizeof(BodyForce) == kBodyForceBytes &&
+                  sizeof(RigidMotion) == kRigidMotionBytes && sizeof(PointSet) == kPointSetBytes &&
+                  sizeof(Curve) == kCurveBytes,
               "memory/sizes.hpp states the size of every array element");
 
-struct Body {               // lives in the solver's header
+struct Body { // lives in the solver's header
   int32_t element_nodes, elements, geometry_nodes, regions;
   int32_t nodes, is_set, region_count;
-  int32_t columns;          // outer unknowns without rho and omega
+  int32_t columns; // outer unknowns without rho and omega
   double youngs_modulus, poisson_ratio;
   int32_t free_motions;     // rigid motions that no prescribed displacement prevents
   int32_t open_regions;     // the first ones
@@ -106,25 +104,25 @@ struct Body {               // lives in the solver's header
   double centre[2];
 };
 
-struct ModelHeader {        // lives in the solver's header; the arrays live in the workspace
+struct ModelHeader { // lives in the solver's header; the arrays live in the workspace
   int32_t bodies, function_nodes, load_cases;
   int32_t plane, analysis, iteration_limit;
   int32_t zones, pairs, contact_elements, point_loads, coefficients, paths;
-  int32_t contact;          // contact unknowns m
-  int32_t free_rows;        // those of them in free zones
+  int32_t contact;   // contact unknowns m
+  int32_t free_rows; // those of them in free zones
   int32_t line, column, column_end;
   // Lines x = line_at[0] (bit 1) and y = line_at[1] (bit 2) across which everything is mirrored: those asked for, and
   // those in force from the model's completion on; the model lies where line_side * (x - line_at) >= 0.
   int32_t symmetry_asked, symmetry;
-  int32_t images;           // 1: elements on a symmetry line are replaced by images
-  int32_t interference;     // the load case, from 1, whose factor closes initial overlaps; 0: there may be none
-  int32_t rigid;            // 1: body 1 has no equations, it moves as the load cases say
-  int32_t body_forces;      // bodies with body forces: 1: body 1, 2: body 2
-  int32_t point_sets;       // where interior results are wanted
-  int32_t curves;           // surfaces that are told
+  int32_t images;       // 1: elements on a symmetry line are replaced by images
+  int32_t interference; // the load case, from 1, whose factor closes initial overlaps; 0: there may be none
+  int32_t rigid;        // 1: body 1 has no equations, it moves as the load cases say
+  int32_t body_forces;  // bodies with body forces: 1: body 1, 2: body 2
+  int32_t point_sets;   // where interior results are wanted
+  int32_t curves;       // surfaces that are told
   double line_at[2], line_side[2];
-  double length_unit;       // power of two near the size of the bodies
-  double stress_unit;       // power of two near 2G of the softer body
+  double length_unit; // power of two near the size of the bodies
+  double stress_unit; // power of two near 2G of the softer body
   Body body[2];
   char title[80];
   char unit_length[16], unit_force[16];
@@ -134,8 +132,8 @@ struct Model { // a view, rebuilt at every entry into the library: plain pointer
   ModelHeader* head;
   double* xy[2];
   int32_t* node_line[2];
-  double* end_traction[2];  // [(case * ends + end) * 2 + component]
-  double* node_disp[2];     // [(case * nodes + node) * 2 + component]
+  double* end_traction[2]; // [(case * ends + end) * 2 + component]
+  double* node_disp[2];    // [(case * nodes + node) * 2 + component]
   uint8_t* end_code[2];
   int32_t* end_line[2];
   int32_t* node_column[2];
@@ -147,8 +145,8 @@ struct Model { // a view, rebuilt at every entry into the library: plain pointer
   double* friction;
   Path* path;
   RigidMotion* rigid_motion; // [case]
-  BodyForce* body_force;    // [2 * case + body]
-  double* path_load;        // [path * cases + case]
+  BodyForce* body_force;     // [2 * case + body]
+  double* path_load;         // [path * cases + case]
 };
 
 // ---- topology ---------------------------------------------------------------------------------------------------
@@ -198,8 +196,12 @@ int32_t pair_of_end(const Model& m, int b, int32_t element, int l);
 // ---- unknowns ---------------------------------------------------------------------------------------------------
 // The one unknown of a global component (0: x, 1: y) at a functional node.
 enum class UnknownKind : int32_t {
-  displacement, traction, shared_traction, contact, // shared: one value at both ends
-  none, several                                     // faults
+  displacement,
+  traction,
+  shared_traction,
+  contact, // shared: one value at both ends
+  none,
+  several // faults
 };
 struct Unknown {
   UnknownKind kind;

@@ -26,18 +26,10 @@ void cosine_and_sine(double degrees, double* cosine, double* sine) {
   else
     first_octant(90.0 - angle, &s, &c);
   switch (quadrant % 4) {
-  case 0:
-    *cosine = c, *sine = s;
-    break;
-  case 1:
-    *cosine = -s, *sine = c;
-    break;
-  case 2:
-    *cosine = -c, *sine = -s;
-    break;
-  default:
-    *cosine = s, *sine = -c;
-    break;
+  case 0: *cosine = c, *sine = s; break;
+  case 1: *cosine = -s, *sine = c; break;
+  case 2: *cosine = -c, *sine = -s; break;
+  default: *cosine = s, *sine = -c; break;
   }
 }
 

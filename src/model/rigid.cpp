@@ -11,9 +11,7 @@ namespace {
 
 constexpr double kIndependent = 1e-8;
 
-double dot(const double a[3], const double b[3]) {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
+double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 // Takes the part along `count` orthonormal vectors out of v, twice against cancellation; returns what is left
 // of it.

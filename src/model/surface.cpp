@@ -9,23 +9,19 @@ namespace c2d {
 
 namespace {
 
-constexpr int kReach = 3;           // chords on either side that say how a curve goes on
-constexpr double kCorner = 0.66;    // turn in radians: 38 degrees; a regular decagon is still a circle
+constexpr int kReach = 3;             // chords on either side that say how a curve goes on
+constexpr double kCorner = 0.66;      // turn in radians: 38 degrees; a regular decagon is still a circle
 constexpr double kSplineCorner = 1.5; // where a spline is told
-constexpr double kOneTangent = 0.1; // of the turn of the chords
+constexpr double kOneTangent = 0.1;   // of the turn of the chords
 constexpr double kTwoTangents = 0.3;
-constexpr double kFlat = 2e-3;      // of the curvature: smaller changes of it are none
-constexpr double kSteepest = 0.05;   // cosine of the largest angle between a chord and its curve
+constexpr double kFlat = 2e-3;     // of the curvature: smaller changes of it are none
+constexpr double kSteepest = 0.05; // cosine of the largest angle between a chord and its curve
 constexpr double kSideWeight = 0.02;
-constexpr double kUnlike = 100;     // how much larger than the other an angle between a chord and its curve may be
+constexpr double kUnlike = 100; // how much larger than the other an angle between a chord and its curve may be
 
-double arc_sine(double sine) {
-  return atan2(sine, sqrt(1 - sine * sine));
-}
+double arc_sine(double sine) { return atan2(sine, sqrt(1 - sine * sine)); }
 
-double limited(double value, double least, double most) {
-  return value < least ? least : value > most ? most : value;
-}
+double limited(double value, double least, double most) { return value < least ? least : value > most ? most : value; }
 
 // From direction a to b, positive to the left.
 double turn_between(const double a[2], const double b[2]) {
@@ -33,9 +29,7 @@ double turn_between(const double a[2], const double b[2]) {
 }
 
 // 0: one tangent at a point, 1: as many as the curve has on either side of it.
-double kink_part(double kink_by_turn) {
-  return limited((kink_by_turn - kOneTangent) / (kTwoTangents - kOneTangent), 0, 1);
-}
+double kink_part(double kink_by_turn) { return limited((kink_by_turn - kOneTangent) / (kTwoTangents - kOneTangent), 0, 1); }
 
 // ---- the boundary points around ----
 
@@ -99,8 +93,8 @@ void add_chord(const Model& m, int b, const Walk& walk, int place, Chain& chain)
 bool add_joint(Chain& chain, int joint, double corner) {
   const int at = kReach + joint, from = at - 1;
   const double cross = chain.dx[from] * chain.dy[at] - chain.dy[from] * chain.dx[at],
-               along = chain.dx[from] * chain.dx[at] + chain.dy[from] * chain.dy[at],
-               x = chain.dx[from] + chain.dx[at], y = chain.dy[from] + chain.dy[at];
+               along = chain.dx[from] * chain.dx[at] + chain.dy[from] * chain.dy[at], x = chain.dx[from] + chain.dx[at],
+               y = chain.dy[from] + chain.dy[at];
   chain.turn[at] = atan2(cross, along);
   if (fabs(chain.turn[at]) > corner) return false;
   chain.bend[at] = 2 * cross / (chain.length[from] * chain.length[at] * sqrt(x * x + y * y));
@@ -285,8 +279,10 @@ SurfaceElement surface_element(const Model& m, int b, int32_t element) {
     s.radius = told->radius;
   }
   if (told != nullptr && told->kind != C2D_CURVE_SPLINE) return s;
-  if (s.nodes > 2) bend_curved(m, b, element, told != nullptr, s);
-  else if (!is_zero_length(m, b, element)) bend_chords(m, b, element, told != nullptr, s);
+  if (s.nodes > 2)
+    bend_curved(m, b, element, told != nullptr, s);
+  else if (!is_zero_length(m, b, element))
+    bend_chords(m, b, element, told != nullptr, s);
   return s;
 }
 

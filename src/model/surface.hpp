@@ -38,11 +38,11 @@ struct SurfacePoint {
 struct SurfaceElement {
   int32_t nodes;
   double x[4], y[4];
-  double bend[2]; // two boundary points: tan a0, tan a1; more: the turns of the tangent at either end
-  double weight;  // of the conic
-  double length;  // of curved elements
+  double bend[2];           // two boundary points: tan a0, tan a1; more: the turns of the tangent at either end
+  double weight;            // of the conic
+  double length;            // of curved elements
   double centre[2], radius; // of an arc that is told; 0: none is
-  double doubt;   // how far the curve may be off between the boundary points, as far as these tell
+  double doubt;             // how far the curve may be off between the boundary points, as far as these tell
 };
 SurfaceElement surface_element(const Model& m, int b, int32_t element);
 SurfacePoint surface_point(const SurfaceElement& element, double eta);

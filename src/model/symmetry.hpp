@@ -40,12 +40,8 @@ inline bool is_held_by_symmetry(const Model& m, int b, int32_t node, int compone
 }
 
 // Images are numbered 0 (the body itself) ... 3 by the lines they are mirrored across.
-inline bool is_image(const ModelHeader& head, int image) {
-  return (image & ~head.symmetry) == 0;
-}
-inline double image_sign(int image, int component) {
-  return (image >> component & 1) != 0 ? -1.0 : 1.0;
-}
+inline bool is_image(const ModelHeader& head, int image) { return (image & ~head.symmetry) == 0; }
+inline double image_sign(int image, int component) { return (image >> component & 1) != 0 ? -1.0 : 1.0; }
 inline double mirrored(const ModelHeader& head, int image, int component, double coordinate) {
   return (image >> component & 1) != 0 ? 2.0 * head.line_at[component] - coordinate : coordinate;
 }

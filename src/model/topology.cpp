@@ -14,9 +14,7 @@ C2D_OPTIONAL(faced_position);
 namespace {
 
 // Steps from one end of an element to the other, in the numbering of functional nodes.
-int32_t nodes_per_element(const Model& m) {
-  return m.head->function_nodes == 1 ? 1 : m.head->function_nodes - 1;
-}
+int32_t nodes_per_element(const Model& m) { return m.head->function_nodes == 1 ? 1 : m.head->function_nodes - 1; }
 
 // A functional node as local node of the element that begins there or holds it; the end of an open region is
 // the last local node of its last element.
@@ -50,8 +48,7 @@ int32_t element_before(const Model& m, int b, int32_t element) {
 
 // Position k = 0, 1, ... of `number` in the sequence first, first + step, ... that wraps round first_in ...
 // last_in, or ends there if the range is open.
-int32_t place_in_range(int32_t number, int32_t first, int32_t step, int32_t first_in, int32_t last_in,
-                       bool open) {
+int32_t place_in_range(int32_t number, int32_t first, int32_t step, int32_t first_in, int32_t last_in, bool open) {
   if (number < first_in || number > last_in) return -1;
   const int32_t place = step > 0 ? number - first : first - number;
   if (place < 0) return open ? -1 : place + (last_in - first_in + 1);
@@ -245,8 +242,10 @@ int32_t pair_of_end(const Model& m, int b, int32_t element, int l) {
 }
 
 void pair_position(const Model& m, const Pair& pair, int b, double* x, double* y) {
-  if (pair.node[b] >= 0) node_position(m, b, pair.node[b], x, y);
-  else faced_position(m, pair, x, y);
+  if (pair.node[b] >= 0)
+    node_position(m, b, pair.node[b], x, y);
+  else
+    faced_position(m, pair, x, y);
 }
 
 } // namespace c2d

@@ -40,16 +40,14 @@ void tell_count(const Model& m, int b, int32_t node, int component, UnknownKind 
   if (pair >= 0) f.entry.pair = pair + 1;
   say(f, "node ", node + 1, " of body ", b + 1, " has ");
   say(f, kind == UnknownKind::none ? "no unknown left in " : "more than one unknown in ", kAxis[component]);
-  if (pair >= 0 && is_contact_component(m.pair[pair], component))
-    say(f, " beside those of contact pair ", pair + 1);
+  if (pair >= 0 && is_contact_component(m.pair[pair], component)) say(f, " beside those of contact pair ", pair + 1);
   say(f, ": ");
   say_conditions(f, m, b, node, component);
   say(f, "; expected exactly one unknown");
   tell(reporter, f);
 }
 
-void warn_corner(const Model& m, int b, int32_t node, int component, const Unknown& unknown,
-                 Reporter& reporter) {
+void warn_corner(const Model& m, int b, int32_t node, int component, const Unknown& unknown, Reporter& reporter) {
   const int32_t per_element = m.head->function_nodes;
   double n[2][2];
   for (int i = 0; i < 2; ++i) {
@@ -60,8 +58,8 @@ void warn_corner(const Model& m, int b, int32_t node, int component, const Unkno
   if (angle <= 1) return;
   Finding f = warning(C2D_WARN_CORNER);
   locate_node(f, m, b, node);
-  say(f, "node ", node + 1, " of body ", b + 1, " is a corner of ", angle, " degrees whose displacement in ",
-      kAxis[component], " is prescribed: its unknown traction is taken to be the same on both sides");
+  say(f, "node ", node + 1, " of body ", b + 1, " is a corner of ", angle, " degrees whose displacement in ", kAxis[component],
+      " is prescribed: its unknown traction is taken to be the same on both sides");
   tell(reporter, f);
 }
 
@@ -71,9 +69,8 @@ void check_double_node(const Model& m, int b, int32_t node, int component, Repor
   if (!displacement_known(m, b, node, component) || !displacement_known(m, b, twin, component)) return;
   Finding f = fault();
   locate_node(f, m, b, node);
-  say(f, "both nodes ", node + 1, " and ", twin + 1, " of a double node of body ", b + 1,
-      " have a prescribed displacement in ", kAxis[component],
-      ": two unknown tractions, one equation; expected it at one of them at most");
+  say(f, "both nodes ", node + 1, " and ", twin + 1, " of a double node of body ", b + 1, " have a prescribed displacement in ",
+      kAxis[component], ": two unknown tractions, one equation; expected it at one of them at most");
   tell(reporter, f);
 }
 
@@ -115,8 +112,7 @@ bool validate_conditions(const Model& m, bool frames, Reporter& reporter) {
         const Unknown unknown = unknown_at(m, b, node, component);
         if (unknown.kind == UnknownKind::none || unknown.kind == UnknownKind::several)
           tell_count(m, b, node, component, unknown.kind, reporter);
-        if (unknown.kind == UnknownKind::shared_traction)
-          warn_corner(m, b, node, component, unknown, reporter);
+        if (unknown.kind == UnknownKind::shared_traction) warn_corner(m, b, node, component, unknown, reporter);
         check_double_node(m, b, node, component, reporter);
       }
     }

@@ -13,7 +13,8 @@ constexpr double kOff = 1e-3; // of its element's length: a point that is farthe
 
 // How far (x, y) is off a line through the ends of its range, or an arc.
 double distance_off(const Curve& c, const double from[2], const double to[2], double x, double y) {
-  if (c.kind == C2D_CURVE_ARC) return fabs(sqrt((x - c.centre[0]) * (x - c.centre[0]) + (y - c.centre[1]) * (y - c.centre[1])) - c.radius);
+  if (c.kind == C2D_CURVE_ARC)
+    return fabs(sqrt((x - c.centre[0]) * (x - c.centre[0]) + (y - c.centre[1]) * (y - c.centre[1])) - c.radius);
   const double dx = to[0] - from[0], dy = to[1] - from[1], size = sqrt(dx * dx + dy * dy);
   x -= from[0], y -= from[1];
   return size > 0 ? fabs(dx * y - dy * x) / size : sqrt(x * x + y * y);

@@ -44,8 +44,8 @@ void check_material(const Model& m, int b, Reporter& reporter) {
   }
 }
 
-void tell_region(const Model& m, int b, int32_t region, const char* found, int32_t number,
-                 const char* expected, int32_t wanted, Reporter& reporter) {
+void tell_region(const Model& m, int b, int32_t region, const char* found, int32_t number, const char* expected, int32_t wanted,
+                 Reporter& reporter) {
   Finding f = fault();
   f.entry.body = b + 1;
   if (region < body_of(m, b).region_count) f.entry.element = m.region[b][region].first + 1;
@@ -68,16 +68,15 @@ void check_regions(const Model& m, int b, Reporter& reporter) {
     if (kOnceMore && region.first != next)
       tell_region(m, b, r, " begins with element ", region.first + 1, ", expected ", next + 1, reporter);
     if (kOnceMore && region.last >= body.elements)
-      tell_region(m, b, r, " ends with element ", region.last + 1, ", expected at most ", body.elements,
-                  reporter);
+      tell_region(m, b, r, " ends with element ", region.last + 1, ", expected at most ", body.elements, reporter);
     if (region.last - region.first + 1 < least)
-      tell_region(m, b, r, " has elements: ", region.last - region.first + 1,
-                  ", a closed curve needs at least ", least, reporter);
+      tell_region(m, b, r, " has elements: ", region.last - region.first + 1, ", a closed curve needs at least ", least,
+                  reporter);
     next = region.last + 1;
   }
   if (kOnceMore && next < body.elements)
-    tell_region(m, b, body.regions - 1, " ends with element ", next, ", expected the body's last element ",
-                body.elements, reporter);
+    tell_region(m, b, body.regions - 1, " ends with element ", next, ", expected the body's last element ", body.elements,
+                reporter);
 }
 
 void check_points(const Model& m, int b, Reporter& reporter) {
@@ -117,8 +116,8 @@ void check_values(const Model& m, int b, Reporter& reporter) {
     finding.entry.body = b + 1;
     finding.entry.element = end / f + 1;
     if (m.end_line[b][end] > 0) finding.entry.line = m.end_line[b][end];
-    say(finding, i % 2 == 0 ? "tx" : "ty", " at end ", end % f + 1, " of element ", end / f + 1, " is ",
-        m.end_traction[b][i], kNumber);
+    say(finding, i % 2 == 0 ? "tx" : "ty", " at end ", end % f + 1, " of element ", end / f + 1, " is ", m.end_traction[b][i],
+        kNumber);
     tell(reporter, finding);
   }
   for (int64_t i = 0; i < 2 * nodes * m.head->load_cases; ++i) {
@@ -151,8 +150,7 @@ void check_body(const Model& m, int b, Reporter& reporter) {
 void check_friction(const Model& m, Reporter& reporter) {
   if (m.head->zones > 0 && m.head->coefficients == 0) {
     Finding f = fault();
-    say(f,
-        "a contact zone but no coefficient of friction, expected at least one (0 for frictionless contact)");
+    say(f, "a contact zone but no coefficient of friction, expected at least one (0 for frictionless contact)");
     tell(reporter, f);
   }
   for (int32_t i = 0; kOnceMore && i < m.head->coefficients; ++i) {
@@ -201,12 +199,11 @@ void check_point_loads(const Model& m, Reporter& reporter) {
       say(f, kNames[k], " of point load ", i + 1, " is ", numbers[k], kNumber);
       tell(reporter, f);
     }
-    if (p.body >= 0 && p.body < m.head->bodies && p.load_case >= 0 && p.load_case < m.head->load_cases)
-      continue;
+    if (p.body >= 0 && p.body < m.head->bodies && p.load_case >= 0 && p.load_case < m.head->load_cases) continue;
     Finding f = fault();
     f.entry.line = p.line > 0 ? p.line : 0;
-    say(f, "point load ", i + 1, " is on body ", p.body + 1, " in load case ", p.load_case + 1,
-        ", there are ", m.head->bodies, " bodies and ", m.head->load_cases, " load cases");
+    say(f, "point load ", i + 1, " is on body ", p.body + 1, " in load case ", p.load_case + 1, ", there are ", m.head->bodies,
+        " bodies and ", m.head->load_cases, " load cases");
     tell(reporter, f);
   }
 }

@@ -12,24 +12,18 @@ namespace c2d {
 constexpr bool kOnceMore = !kSmallCode;
 
 struct Finding {
-  Finding(); // a fault
+  Finding();                        // a fault
   explicit Finding(int32_t number); // a warning
   Finding(const Finding&) = delete;
   Finding& operator=(const Finding&) = delete;
   c2d_error entry;
   Text text; // in entry.text
 };
-inline Finding fault() {
-  return Finding();
-}
-inline Finding warning(int32_t number) {
-  return Finding(number);
-}
+inline Finding fault() { return Finding(); }
+inline Finding warning(int32_t number) { return Finding(number); }
 
 // Appends characters and numbers.
-template <class... Parts> C2D_IN_PLACE inline void say(Finding& finding, Parts... parts) {
-  put_all(finding.text, parts...);
-}
+template <class... Parts> C2D_IN_PLACE inline void say(Finding& finding, Parts... parts) { put_all(finding.text, parts...); }
 
 // Where it is. Arguments count from 0, the entry's numbers from 1; a line that is not known stays 0.
 void locate_point(Finding& finding, const Model& m, int b, int32_t geometry_point);

@@ -154,8 +154,8 @@ int32_t check_coincidence(const Model& m, int b, Reporter& reporter) {
       if (body.element_nodes == 2 && joined(m, b, i, j)) continue; // an element of zero length: has its own check
       Finding f = fault();
       locate_point(f, m, b, j);
-      say(f, "boundary points ", i + 1, " and ", j + 1, " of body ", b + 1, " coincide at (", p[0], ", ",
-          p[1], "), expected different points");
+      say(f, "boundary points ", i + 1, " and ", j + 1, " of body ", b + 1, " coincide at (", p[0], ", ", p[1],
+          "), expected different points");
       tell_some(f, told, reporter);
     }
   }
@@ -238,8 +238,7 @@ void check_crossing(const Model& m, int b, Reporter& reporter) {
 
 // ---- whole regions ----
 
-void tell_region(const Model& m, int b, int32_t region, const char* what, const char* expected,
-                 Reporter& reporter) {
+void tell_region(const Model& m, int b, int32_t region, const char* what, const char* expected, Reporter& reporter) {
   Finding f = fault();
   locate_element(f, m, b, m.region[b][region].first);
   say(f, "region ", region + 1, " of body ", b + 1, " ", what, ", expected ", expected);
@@ -270,8 +269,7 @@ void check_nesting(const Model& m, int b, int32_t outer, int32_t hole, Reporter&
     if (r == outer || r == hole || winding_number(m, b, r, p[0], p[1]) == 0) continue;
     Finding f = fault();
     locate_element(f, m, b, m.region[b][hole].first);
-    say(f, "region ", hole + 1, " of body ", b + 1, " lies inside region ", r + 1,
-        ", expected holes side by side");
+    say(f, "region ", hole + 1, " of body ", b + 1, " lies inside region ", r + 1, ", expected holes side by side");
     tell(reporter, f);
   }
 }
@@ -284,11 +282,9 @@ void check_orientation(const Model& m, int b, bool crossings, Reporter& reporter
     if (fabs(area) <= least)
       tell_region(m, b, r, "encloses no area", "a closed curve", reporter);
     else if (r == outer && area < 0)
-      tell_region(m, b, r, "is the outer boundary and runs clockwise",
-                  "counter-clockwise, material on the left", reporter);
+      tell_region(m, b, r, "is the outer boundary and runs clockwise", "counter-clockwise, material on the left", reporter);
     else if (r != outer && area > 0)
-      tell_region(m, b, r, "is a hole and runs counter-clockwise", "clockwise, material on the left",
-                  reporter);
+      tell_region(m, b, r, "is a hole and runs counter-clockwise", "clockwise, material on the left", reporter);
     if (r != outer && !crossings) check_nesting(m, b, outer, r, reporter);
   }
 }

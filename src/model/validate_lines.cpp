@@ -44,12 +44,10 @@ const char* fault_of_axis_element(const Model& m, int b, int32_t element, int ax
   if (is_zero_length(m, b, element)) return nullptr;
   for (int l = 0; l < f; ++l) {
     const int32_t end = element * f + l, node = functional_node(m, b, element, l);
-    if (!displacement_known(m, b, node, axis) ||
-        !is_prescribed_zero(m.node_disp[b], node, body.nodes, axis, cases))
+    if (!displacement_known(m, b, node, axis) || !is_prescribed_zero(m.node_disp[b], node, body.nodes, axis, cases))
       return axis == 0 ? "has a ux that is not prescribed as 0" : "has a uy that is not prescribed as 0";
     const int64_t ends = static_cast<int64_t>(body.elements) * f;
-    if (!traction_known(m, b, end, 1 - axis) ||
-        !is_prescribed_zero(m.end_traction[b], end, ends, 1 - axis, cases))
+    if (!traction_known(m, b, end, 1 - axis) || !is_prescribed_zero(m.end_traction[b], end, ends, 1 - axis, cases))
       return axis == 0 ? "has a ty that is not prescribed as 0" : "has a tx that is not prescribed as 0";
   }
   return nullptr;
@@ -84,8 +82,8 @@ LineElements elements_on_line(const Model& m, int axis, double line) {
 void tell_axis_element(const Model& m, const LineElements& found, int axis, double line, Reporter& reporter) {
   Finding f = fault();
   locate_element(f, m, found.body, found.element);
-  say(f, "element ", found.element + 1, kBodyNumber[found.body], " on the line ", kAxis[axis], " = ", line,
-      " ", found.why, ": expected zero displacement across a line of symmetry and zero traction along it");
+  say(f, "element ", found.element + 1, kBodyNumber[found.body], " on the line ", kAxis[axis], " = ", line, " ", found.why,
+      ": expected zero displacement across a line of symmetry and zero traction along it");
   tell(reporter, f);
 }
 
@@ -162,8 +160,8 @@ void check_side(const Model& m, int b, int axis, Reporter& reporter) {
       if (side * ((axis == 0 ? c.x[i] : c.y[i]) - line) >= -kOnLine * m.head->length_unit) continue;
       Finding f = fault();
       locate_element(f, m, b, e);
-      say(f, "element ", e + 1, kBodyNumber[b], " lies beyond the line of symmetry ", kAxis[axis], " = ",
-          line, ", expected everything on one side of it");
+      say(f, "element ", e + 1, kBodyNumber[b], " lies beyond the line of symmetry ", kAxis[axis], " = ", line,
+          ", expected everything on one side of it");
       return tell(reporter, f);
     }
   }
@@ -179,8 +177,7 @@ int32_t lines_at_point(const Model& m, int b, int32_t point) {
 void tell_point(const Model& m, int b, int32_t point, const char* found, Reporter& reporter) {
   Finding f = fault();
   locate_point(f, m, b, point);
-  say(f, "boundary point ", point + 1, kBodyNumber[b], " at (", m.xy[b][2 * point], ", ",
-      m.xy[b][2 * point + 1], ") ", found);
+  say(f, "boundary point ", point + 1, kBodyNumber[b], " at (", m.xy[b][2 * point], ", ", m.xy[b][2 * point + 1], ") ", found);
   tell(reporter, f);
 }
 
@@ -193,17 +190,14 @@ void check_element(const Model& m, int b, int32_t element, Reporter& reporter) {
     if (lines == 0) continue;
     const int32_t after = k == last ? element_after(m, b, element) : -1;
     if (lines == 3)
-      tell_point(m, b, point, "lies at the crossing of the lines of symmetry, where no boundary can be",
-                 reporter);
+      tell_point(m, b, point, "lies at the crossing of the lines of symmetry, where no boundary can be", reporter);
     else if ((k > 0 && k < last) || (after >= 0 && !is_axis_element(m, b, after)))
-      tell_point(m, b, point, "touches a line of symmetry, expected that only at the ends of an open region",
-                 reporter);
+      tell_point(m, b, point, "touches a line of symmetry, expected that only at the ends of an open region", reporter);
   }
 }
 
 void check_open_region(const Model& m, int b, const Region& r, Reporter& reporter) {
-  const int32_t ends[2] = {geometry_node(m, b, r.first, 0),
-                           geometry_node(m, b, r.last, body_of(m, b).element_nodes - 1)};
+  const int32_t ends[2] = {geometry_node(m, b, r.first, 0), geometry_node(m, b, r.last, body_of(m, b).element_nodes - 1)};
   for (int32_t point : ends)
     if (lines_at_point(m, b, point) == 0)
       tell_point(m, b, point, "ends an open region, expected it on a line of symmetry", reporter);
@@ -213,8 +207,7 @@ void check_open_region(const Model& m, int b, const Region& r, Reporter& reporte
 void check_lines_cut(const Model& m, int b, Reporter& reporter) {
   int32_t met = 0;
   for (int32_t e = 0; e < body_of(m, b).elements; ++e)
-    for (int k = 0; k < body_of(m, b).element_nodes; ++k)
-      met |= lines_at_point(m, b, geometry_node(m, b, e, k));
+    for (int k = 0; k < body_of(m, b).element_nodes; ++k) met |= lines_at_point(m, b, geometry_node(m, b, e, k));
   for (int axis = 0; axis < 2; ++axis) {
     if ((m.head->symmetry >> axis & 1) == 0 || (met >> axis & 1) != 0) continue;
     Finding f = fault();
@@ -238,8 +231,8 @@ void check_axis_elements(const Model& m, int b, Reporter& reporter) {
     }
     Finding f = fault();
     locate_element(f, m, b, e);
-    say(f, "element ", e + 1, kBodyNumber[b], " lies on the line of symmetry ", kAxis[axis], " = ",
-        m.head->line_at[axis], ", expected no elements there: leave them out, or choose symmetry by images");
+    say(f, "element ", e + 1, kBodyNumber[b], " lies on the line of symmetry ", kAxis[axis], " = ", m.head->line_at[axis],
+        ", expected no elements there: leave them out, or choose symmetry by images");
     return tell(reporter, f);
   }
 }
@@ -253,8 +246,8 @@ void check_held_nodes(const Model& m, int b, Reporter& reporter) {
         continue;
       Finding f = fault();
       locate_node(f, m, b, node);
-      say(f, "node ", node + 1, kBodyNumber[b], " lies on the line of symmetry ", kAxis[c], " = ",
-          m.head->line_at[c], " and has a prescribed u", kAxis[c], " that is not 0");
+      say(f, "node ", node + 1, kBodyNumber[b], " lies on the line of symmetry ", kAxis[c], " = ", m.head->line_at[c],
+          " and has a prescribed u", kAxis[c], " that is not 0");
       tell(reporter, f);
     }
 }
@@ -275,8 +268,7 @@ bool validate_lines(const Model& m, Reporter& reporter) {
     check_lines_cut(m, b, reporter);
     check_axis_elements(m, b, reporter);
     check_held_nodes(m, b, reporter);
-    for (int32_t r = 0; r < body_of(m, b).open_regions; ++r)
-      check_open_region(m, b, m.region[b][r], reporter);
+    for (int32_t r = 0; r < body_of(m, b).open_regions; ++r) check_open_region(m, b, m.region[b][r], reporter);
     for (int32_t e = 0; e < body_of(m, b).elements; ++e)
       if (!is_axis_element(m, b, e)) check_element(m, b, e, reporter);
   }

@@ -42,8 +42,7 @@ bool inside_body(const Model& m, int b, double x, double y) {
 }
 
 void say_equivalent(Finding& f, const PointLoad& p, int32_t element, double length) {
-  say(f, "; the equivalent uniform traction on element ", element + 1, " is (", p.fx / length, ", ",
-      p.fy / length, ")");
+  say(f, "; the equivalent uniform traction on element ", element + 1, " is (", p.fx / length, ", ", p.fy / length, ")");
 }
 
 // On a symmetry line a load is its own image; one across the line would be its own opponent.
@@ -59,7 +58,8 @@ void check_point_load(const Model& m, int32_t i, Reporter& reporter) {
     f.entry.body = p.body + 1;
     f.entry.line = p.line > 0 ? p.line : 0;
     f.entry.column = p.line > 0 ? p.column : 0;
-    say(f, "point load ", i + 1, " at (", p.x, ", ", p.y, ") on a symmetry line acts across it, expected a force along "
+    say(f, "point load ", i + 1, " at (", p.x, ", ", p.y,
+        ") on a symmetry line acts across it, expected a force along "
         "the line");
     return tell(reporter, f);
   }
@@ -79,8 +79,8 @@ void check_point_load(const Model& m, int32_t i, Reporter& reporter) {
     say(f, "lies on the boundary of body ", p.body + 1, ", expected a point inside");
     say_equivalent(f, p, near.element, length);
   } else if (!inside) {
-    say(f, "lies outside body ", p.body + 1, ", at a distance of ", near.distance, " from element ",
-        near.element + 1, ", expected a point inside");
+    say(f, "lies outside body ", p.body + 1, ", at a distance of ", near.distance, " from element ", near.element + 1,
+        ", expected a point inside");
   } else {
     say(f, "is ", near.distance, " away from element ", near.element + 1, ", less than its length ", length,
         ", and loses force");

@@ -15,8 +15,7 @@ bool check_open_regions_allowed(const Model& m, Reporter& reporter) {
     allowed = false;
     Finding f = fault();
     f.entry.body = b + 1;
-    say(f, "body ", b + 1, " has ", body_of(m, b).geometry_nodes, " boundary points, ",
-        body_of(m, b).open_regions,
+    say(f, "body ", b + 1, " has ", body_of(m, b).geometry_nodes, " boundary points, ", body_of(m, b).open_regions,
         " more than closed curves have: open regions end on a line of symmetry, and none is given");
     tell(reporter, f);
   }
@@ -27,8 +26,7 @@ bool check_open_regions_allowed(const Model& m, Reporter& reporter) {
 
 bool validate_symmetry(const Model& m, Reporter& reporter) {
   m.head->symmetry = m.head->symmetry_asked;
-  return m.head->symmetry == 0 && m.head->images == 0 ? check_open_regions_allowed(m, reporter)
-                                                     : validate_lines(m, reporter);
+  return m.head->symmetry == 0 && m.head->images == 0 ? check_open_regions_allowed(m, reporter) : validate_lines(m, reporter);
 }
 
 } // namespace c2d

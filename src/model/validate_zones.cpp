@@ -24,9 +24,7 @@ void tell_zone(const Model& m, int32_t zone, int b, const char* found, int32_t n
   tell(reporter, f);
 }
 
-int32_t nodes_per_element(const Model& m) {
-  return m.head->function_nodes == 1 ? 1 : m.head->function_nodes - 1;
-}
+int32_t nodes_per_element(const Model& m) { return m.head->function_nodes == 1 ? 1 : m.head->function_nodes - 1; }
 
 // Nodes a curve of so many elements has, both ends included; a constant element has one.
 int32_t nodes_along(const Model& m, int32_t elements) {
@@ -54,14 +52,11 @@ bool lies_in_region(const Model& m, int32_t zone, int b, Reporter& reporter) {
   if (kOnceMore && (z.first_element[b] < r.first || z.first_element[b] > r.last))
     tell_zone(m, zone, b, "first element ", z.first_element[b] + 1, " is not in the zone's region", reporter);
   const int32_t count = zone_elements(z, b);
-  if (count > elements)
-    tell_zone(m, zone, b, "elements: ", count, ", more than its region has", reporter);
+  if (count > elements) tell_zone(m, zone, b, "elements: ", count, ", more than its region has", reporter);
   if (z.is_free != 0) return reporter.faults == before; // fitted later
   if (z.first_node[b] < first_node || z.first_node[b] > last_node)
-    tell_zone(m, zone, b, "first node ", z.first_node[b] + 1, " is not in the region of its elements",
-              reporter);
-  if (z.pairs > last_node - first_node + 1)
-    tell_zone(m, zone, b, "nodes: ", z.pairs, ", more than its region has", reporter);
+    tell_zone(m, zone, b, "first node ", z.first_node[b] + 1, " is not in the region of its elements", reporter);
+  if (z.pairs > last_node - first_node + 1) tell_zone(m, zone, b, "nodes: ", z.pairs, ", more than its region has", reporter);
   if (kOnceMore && z.element_step[b] != 1 && z.element_step[b] != -1)
     tell_zone(m, zone, b, "step of elements ", z.element_step[b], ", expected 1 or -1", reporter);
   if (kOnceMore && z.node_step[b] != 1 && z.node_step[b] != -1)
@@ -69,11 +64,11 @@ bool lies_in_region(const Model& m, int32_t zone, int b, Reporter& reporter) {
   const int32_t end_element = z.first_element[b] + z.element_step[b] * (z.elements - 1);
   const int32_t end_node = z.first_node[b] + z.node_step[b] * (z.pairs - 1);
   if (r.open && (end_element < r.first || end_element > r.last || end_node < first_node || end_node > last_node))
-    tell_zone(m, zone, b, "elements or nodes go beyond the end of their open region, from element ",
-              z.first_element[b] + 1, "", reporter);
+    tell_zone(m, zone, b, "elements or nodes go beyond the end of their open region, from element ", z.first_element[b] + 1, "",
+              reporter);
   if (z.pairs > 1 && z.elements > 1 && z.node_step[b] != z.element_step[b])
-    tell_zone(m, zone, b, "elements and nodes run in opposite directions from element ",
-              z.first_element[b] + 1, ", expected the same direction", reporter);
+    tell_zone(m, zone, b, "elements and nodes run in opposite directions from element ", z.first_element[b] + 1,
+              ", expected the same direction", reporter);
   return reporter.faults == before;
 }
 
@@ -102,16 +97,14 @@ void check_nodes(const Model& m, int32_t zone, Reporter& reporter) {
     if (place[b] < 0)
       tell_zone(m, zone, b, "node ", z.first_node[b] + 1, " is not a node of the zone's elements", reporter);
     else if (place[b] + z.pairs > along)
-      tell_zone(m, zone, b, "node ", zone_node(m, z, b, z.pairs - 1) + 1,
-                " is not a node of the zone's elements", reporter);
+      tell_zone(m, zone, b, "node ", zone_node(m, z, b, z.pairs - 1) + 1, " is not a node of the zone's elements", reporter);
   }
   if (place[0] < 0 || place[1] < 0) return;
   if (direction(z, 0) != 0 && place[0] != place[1]) {
     Finding f = fault();
     locate_zone(f, m, zone);
-    say(f, "zone ", zone + 1, ": the first pair is node ", place[0] + 1,
-        " along the elements of body 1 and node ", place[1] + 1,
-        " along those of body 2, expected the same place");
+    say(f, "zone ", zone + 1, ": the first pair is node ", place[0] + 1, " along the elements of body 1 and node ",
+        place[1] + 1, " along those of body 2, expected the same place");
     tell(reporter, f);
   }
 }
@@ -122,13 +115,11 @@ void check_overlap(const Model& m, int32_t zone, int b, Reporter& reporter) {
   for (int32_t k = 0; k < zone_elements(z, b); ++k) {
     int32_t other, place;
     const int32_t element = zone_element(m, z, b, k);
-    if (!find_contact_element(m, b, element, &other, &place) || other == zone)
-      continue; // the first one is found
+    if (!find_contact_element(m, b, element, &other, &place) || other == zone) continue; // the first one is found
     Finding f = fault();
     locate_zone(f, m, zone);
     locate_element(f, m, b, element);
-    say(f, "element ", element + 1, " of body ", b + 1, " is in zones ", other + 1, " and ", zone + 1,
-        ", expected in one");
+    say(f, "element ", element + 1, " of body ", b + 1, " is in zones ", other + 1, " and ", zone + 1, ", expected in one");
     tell(reporter, f);
   }
   for (int32_t k = 0; k < z.pairs && (z.is_free == 0 || b == 1); ++k) {
@@ -150,14 +141,12 @@ void check_lengths(const Model& m, int32_t zone, int b, Reporter& reporter) {
   for (int32_t k = 0; k < zone_elements(z, b); ++k) {
     const int32_t element = zone_element(m, z, b, k);
     if (is_zero_length(m, b, element))
-      tell_zone(m, zone, b, "element ", element + 1, " has zero length, expected none in a contact zone",
-                reporter);
+      tell_zone(m, zone, b, "element ", element + 1, " has zero length, expected none in a contact zone", reporter);
   }
   for (int32_t k = 0; k < z.pairs && (z.is_free == 0 || b == 1); ++k) {
     const int32_t node = zone_node(m, z, b, k);
     if (twin_node(m, b, node) >= 0)
-      tell_zone(m, zone, b, "node ", node + 1, " is a double node, expected none in a contact zone",
-                reporter);
+      tell_zone(m, zone, b, "node ", node + 1, " is a double node, expected none in a contact zone", reporter);
   }
 }
 
@@ -191,8 +180,8 @@ void check_facing(const Model& m, int32_t zone, Reporter& reporter) {
     locate_zone(f, m, zone);
     f.entry.body = 1;
     f.entry.element = e1 + 1;
-    say(f, "zone ", zone + 1, ": element ", e1 + 1, " of body 1 with normal (", n1[0], ", ", n1[1],
-        ") and element ", e2 + 1, " of body 2 with normal (", n2[0], ", ", n2[1], ") do not face each other");
+    say(f, "zone ", zone + 1, ": element ", e1 + 1, " of body 1 with normal (", n1[0], ", ", n1[1], ") and element ", e2 + 1,
+        " of body 2 with normal (", n2[0], ", ", n2[1], ") do not face each other");
     tell(reporter, f);
   }
 }

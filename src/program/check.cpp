@@ -33,8 +33,7 @@ void append_check(std::string& out, const Session& session, const c2d_summary& s
   append_line(out, "contact zones", std::to_string(s.zones));
   append_line(out, "pairs", std::to_string(s.pairs));
   append_line(out, "coefficients of friction", std::to_string(s.coefficients));
-  if (session.limits.point_sets > 0)
-    append_line(out, "sets of interior points", std::to_string(session.limits.point_sets));
+  if (session.limits.point_sets > 0) append_line(out, "sets of interior points", std::to_string(session.limits.point_sets));
   if (session.limits.curves > 0) append_line(out, "surfaces told", std::to_string(session.limits.curves));
   append_line(out, "increments", std::to_string(s.steps));
   append_line(out, "memory, minimum", std::to_string(session.workspace.minimum) + " bytes");

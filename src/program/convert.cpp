@@ -28,13 +28,9 @@ bool is_field(const Item& item) {
   return item.kind == C2D_CARD_INTEGER || item.kind == C2D_CARD_REAL || item.kind == C2D_CARD_LETTER;
 }
 
-bool is_flag(const Item& item) {
-  return item.kind == C2D_CARD_INTEGER && item.column == 1 && item.width == 1;
-}
+bool is_flag(const Item& item) { return item.kind == C2D_CARD_INTEGER && item.column == 1 && item.width == 1; }
 
-bool is_code(const Item& item) {
-  return item.kind == C2D_CARD_INTEGER && item.column > 1 && item.width == 1;
-}
+bool is_code(const Item& item) { return item.kind == C2D_CARD_INTEGER && item.column > 1 && item.width == 1; }
 
 // The deck in its new form, put together line by line.
 class Writer {
@@ -79,8 +75,7 @@ std::string Writer::comment(const Item& item) const {
   if (free_ || in_extensions_) return item.text.empty() ? "!" : "! " + item.text;
   std::string text = "C " + item.text;
   for (char& c : text)
-    if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7f)
-      c = c == '\t' ? ' ' : '?';
+    if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7f) c = c == '\t' ? ' ' : '?';
   if (text.find_first_not_of(" +-0123456789.", 1) > 4 && text.find_first_not_of(' ', 1) <= 4) text[1] = '!';
   return text;
 }
@@ -117,16 +112,15 @@ bool Writer::add_fixed_field(const Item& item, std::string& error) {
   const size_t width = static_cast<size_t>(item.width), first = static_cast<size_t>(item.column - 1);
   std::string text = item.text;
   if (text.size() > width)
-    text = item.kind == C2D_CARD_REAL ? real_in_columns(item.value, width)
-                                      : std::to_string(static_cast<long>(item.value));
+    text = item.kind == C2D_CARD_REAL ? real_in_columns(item.value, width) : std::to_string(static_cast<long>(item.value));
   if (text.empty() && !item.text.empty() && item.kind == C2D_CARD_REAL) {
     error = "the number " + item.text + " cannot be written in " + std::to_string(width) +
             " columns of the fixed form without a change of its value";
     return false;
   }
   if (text.size() > width) {
-    error = "the number " + text + " does not fit into the " + std::to_string(width) +
-            (width == 1 ? " column" : " columns") + " that the fixed form has for it";
+    error = "the number " + text + " does not fit into the " + std::to_string(width) + (width == 1 ? " column" : " columns") +
+            " that the fixed form has for it";
     return false;
   }
   card_.resize(first, ' ');
@@ -138,8 +132,7 @@ bool Writer::add(const Item& item, std::string& error) {
   if (is_field(item)) return add_field(item, error);
   switch (item.kind) {
   case C2D_CARD_HEADING:
-    if (column_ > 0 ||
-        free_) { // comments stay behind the headings of a fixed deck, where they are none before
+    if (column_ > 0 || free_) { // comments stay behind the headings of a fixed deck, where they are none before
       std::vector<std::string> later;
       if (!free_) later.swap(comments_);
       next_card();
@@ -148,9 +141,7 @@ bool Writer::add(const Item& item, std::string& error) {
     out_ += item.text + '\n';
     headings_done_ = true;
     break;
-  case C2D_CARD_COMMENT:
-    comments_.push_back(comment(item));
-    break;
+  case C2D_CARD_COMMENT: comments_.push_back(comment(item)); break;
   case C2D_CARD_REMARK:
     if (free_ && !item.text.empty()) remark_ = item.text;
     break;
@@ -159,8 +150,7 @@ bool Writer::add(const Item& item, std::string& error) {
     in_extensions_ = true;
     put_line((!free_ && item.text.compare(0, 1, "C") == 0 ? " " : "") + item.text);
     break;
-  default:
-    break;
+  default: break;
   }
   return true;
 }
@@ -193,8 +183,7 @@ std::vector<const Item*> meaning(const std::vector<Item>& items) {
 }
 
 bool is_same(const Item& a, const Item& b) {
-  if (a.kind != b.kind || a.column != b.column || std::memcmp(&a.value, &b.value, sizeof a.value) != 0)
-    return false;
+  if (a.kind != b.kind || a.column != b.column || std::memcmp(&a.value, &b.value, sizeof a.value) != 0) return false;
   if (is_field(a)) return true;
   const size_t first_a = a.text.find_first_not_of(" \t"), first_b = b.text.find_first_not_of(" \t");
   return a.text.substr(first_a == std::string::npos ? a.text.size() : first_a) ==
@@ -227,8 +216,7 @@ c2d_error fault_at(const DeckFile& deck, const Item& item, const std::string& te
   return fault;
 }
 
-bool convert_items(const std::vector<Item>& items, bool to_free, std::string& out, size_t& at,
-                   std::string& error) {
+bool convert_items(const std::vector<Item>& items, bool to_free, std::string& out, size_t& at, std::string& error) {
   Writer writer(to_free, out);
   for (at = 0; at < items.size(); ++at)
     if (!writer.add(items[at], error)) return false;
@@ -261,8 +249,7 @@ int convert_deck(const Options& options) {
     return kExitInput;
   }
   if (!says_the_same(items, text)) {
-    messages.fail(
-        "the deck in its new form would not read as before; nothing was written (please report it)");
+    messages.fail("the deck in its new form would not read as before; nothing was written (please report it)");
     return kExitFiles;
   }
   if (!out.open(options.output.empty() ? "-" : options.output, error)) {

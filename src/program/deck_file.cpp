@@ -80,14 +80,12 @@ struct Walk {
 
 int32_t walk_line(void* context, char* text, int32_t size) {
   Walk& walk = *static_cast<Walk*>(context);
-  return walk.beyond || walk.next > walk.deck->cards() ? -1
-                                                       : put_card(walk.deck->card(walk.next++), text, size);
+  return walk.beyond || walk.next > walk.deck->cards() ? -1 : put_card(walk.deck->card(walk.next++), text, size);
 }
 
 void keep_heading(void* context, const c2d_card* card) {
   Walk& walk = *static_cast<Walk*>(context);
-  if (card->kind == C2D_CARD_HEADING)
-    walk.headings.emplace_back(card->text, static_cast<size_t>(card->length));
+  if (card->kind == C2D_CARD_HEADING) walk.headings.emplace_back(card->text, static_cast<size_t>(card->length));
   const bool is_field = card->kind == C2D_CARD_INTEGER || card->kind == C2D_CARD_REAL;
   if (is_field && !walk.headings.empty()) walk.beyond = true;
 }

@@ -18,21 +18,15 @@ enum ExitCode {
 // The exit status that a failed call of the library leads to.
 inline int exit_code(c2d_status status) {
   switch (status) {
-  case C2D_OK:
-    return kExitSolved;
+  case C2D_OK: return kExitSolved;
   case C2D_ERR_MEMORY:
-  case C2D_ERR_OVERFLOW:
-    return kExitMemory;
-  case C2D_ERR_CANCELLED:
-    return kExitCancelled;
-  case C2D_ERR_SINGULAR:
-    return kExitNoSolution;
+  case C2D_ERR_OVERFLOW: return kExitMemory;
+  case C2D_ERR_CANCELLED: return kExitCancelled;
+  case C2D_ERR_SINGULAR: return kExitNoSolution;
   case C2D_ERR_INPUT:
   case C2D_ERR_LIMIT:
-  case C2D_ERR_READ:
-    return kExitInput;
-  default:
-    return kExitFiles;
+  case C2D_ERR_READ: return kExitInput;
+  default: return kExitFiles;
   }
 }
 

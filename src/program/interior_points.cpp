@@ -52,8 +52,7 @@ void InteriorPoints::take_set(const c2d_points& set) {
 bool InteriorPoints::take_sets(c2d_solver* solver, std::string& error) {
   c2d_points set = C2D_INIT(c2d_points);
   for (int32_t i = 1; !from_file_ && c2d_get_points(solver, i, &set) == C2D_OK; ++i) {
-    if (static_cast<size_t>(set.count[0]) * static_cast<size_t>(set.count[1]) >
-        kMostPoints - wanted_.size()) {
+    if (static_cast<size_t>(set.count[0]) * static_cast<size_t>(set.count[1]) > kMostPoints - wanted_.size()) {
       error = "more than " + std::to_string(kMostPoints) + " points under *POINTS";
       return false;
     }
@@ -70,8 +69,8 @@ c2d_status InteriorPoints::take_bodies(c2d_solver* solver, const c2d_summary& s)
     double size[2];
     for (int c = 0; c < 2; ++c) {
       std::vector<double> at(static_cast<size_t>(s.geometry_nodes[body - 1]));
-      const c2d_status status = c2d_get(solver, c == 0 ? C2D_NODE_X : C2D_NODE_Y, body, 1,
-                                        s.geometry_nodes[body - 1], at.data(), 1);
+      const c2d_status status =
+          c2d_get(solver, c == 0 ? C2D_NODE_X : C2D_NODE_Y, body, 1, s.geometry_nodes[body - 1], at.data(), 1);
       if (status != C2D_OK) return status;
       const auto ends = std::minmax_element(at.begin(), at.end());
       set.from[c] = *ends.first;
@@ -83,8 +82,7 @@ c2d_status InteriorPoints::take_bodies(c2d_solver* solver, const c2d_summary& s)
       size[c] = set.to[c] - set.from[c];
     }
     const double spacing = std::max(size[0], size[1]) / kAlongBody;
-    for (int c = 0; c < 2; ++c)
-      set.count[c] = std::max(2, static_cast<int32_t>(std::lround(size[c] / spacing)) + 1);
+    for (int c = 0; c < 2; ++c) set.count[c] = std::max(2, static_cast<int32_t>(std::lround(size[c] / spacing)) + 1);
     take_set(set);
   }
   return C2D_OK;
@@ -100,8 +98,8 @@ c2d_status InteriorPoints::evaluate(c2d_solver* solver, int32_t bodies) {
       xy.clear();
       for (const size_t i : chosen) xy.insert(xy.end(), {wanted_[i].x, wanted_[i].y});
       part.assign(chosen.size() * C2D_POINT_FIELDS, 0.0);
-      const c2d_status status = c2d_interior(solver, body, static_cast<int32_t>(chosen.size()), xy.data(), 2,
-                                             part.data(), C2D_POINT_FIELDS);
+      const c2d_status status =
+          c2d_interior(solver, body, static_cast<int32_t>(chosen.size()), xy.data(), 2, part.data(), C2D_POINT_FIELDS);
       if (status != C2D_OK) return status;
       for (size_t k = 0; k < part.size(); ++k)
         values[chosen[k / C2D_POINT_FIELDS] * C2D_POINT_FIELDS + k % C2D_POINT_FIELDS] = part[k];
@@ -146,9 +144,8 @@ void InteriorPoints::keep(const std::vector<double>& values) {
   }
   for (const GridAt& g : grids_) {
     const auto first = at.begin() + static_cast<ptrdiff_t>(g.first);
-    results_.grids.push_back(
-        {wanted_[g.first].body, g.columns, g.rows,
-         std::vector<int64_t>(first, first + static_cast<ptrdiff_t>(g.columns * g.rows))});
+    results_.grids.push_back({wanted_[g.first].body, g.columns, g.rows,
+                              std::vector<int64_t>(first, first + static_cast<ptrdiff_t>(g.columns * g.rows))});
   }
 }
 
@@ -170,11 +167,8 @@ void InteriorPoints::tell(Messages& deck, std::vector<c2d_error>& warnings) {
     if (source_[i].other > 0) text += ", but in body " + std::to_string(source_[i].other);
     warn(warning(wanted_[source_[i].wanted].line, p.body, text));
   }
-  if (outside > kMostTold)
-    warn(warning(0, 0, std::to_string(outside - kMostTold) + " points more lie outside their body"));
-  const auto count = [](int64_t n, const char* one, const char* many) {
-    return std::to_string(n) + (n == 1 ? one : many);
-  };
+  if (outside > kMostTold) warn(warning(0, 0, std::to_string(outside - kMostTold) + " points more lie outside their body"));
+  const auto count = [](int64_t n, const char* one, const char* many) { return std::to_string(n) + (n == 1 ? one : many); };
   if (on_boundary > 0)
     messages.note(count(on_boundary, " point lies", " points lie") +
                   " on the boundary: the stress there is that of the boundary");

@@ -23,19 +23,14 @@ void catch_interrupts() {
   const int numbers[] = {SIGINT, SIGTERM, SIGHUP};
   for (const int number : numbers) {
     struct sigaction old = {};
-    if (sigaction(number, nullptr, &old) == 0 && old.sa_handler == SIG_IGN)
-      continue; // nohup, background jobs
+    if (sigaction(number, nullptr, &old) == 0 && old.sa_handler == SIG_IGN) continue; // nohup, background jobs
     sigaction(number, &action, nullptr);
   }
   std::signal(SIGPIPE, SIG_IGN); // a closed pipe or a full file is a failed write, reported as such
   std::signal(SIGXFSZ, SIG_IGN);
 }
 
-void set_interrupt_target(c2d_solver* solver) {
-  target = solver;
-}
-bool interrupted() {
-  return caught != 0;
-}
+void set_interrupt_target(c2d_solver* solver) { target = solver; }
+bool interrupted() { return caught != 0; }
 
 } // namespace app

@@ -29,20 +29,13 @@ int resume(app::Options options) {
 
 int run_command(const app::Options& options) {
   switch (options.command) {
-  case app::Command::kRun:
-    return app::run_deck(options);
-  case app::Command::kCheck:
-    return app::check_deck(options);
-  case app::Command::kMake:
-    return app::make_deck(options);
-  case app::Command::kConvert:
-    return app::convert_deck(options);
-  case app::Command::kResume:
-    return resume(options);
-  case app::Command::kVersion:
-    return print((std::string("contact2d ") + c2d_version() + "\n").c_str());
-  case app::Command::kHelp:
-    break;
+  case app::Command::kRun: return app::run_deck(options);
+  case app::Command::kCheck: return app::check_deck(options);
+  case app::Command::kMake: return app::make_deck(options);
+  case app::Command::kConvert: return app::convert_deck(options);
+  case app::Command::kResume: return resume(options);
+  case app::Command::kVersion: return print((std::string("contact2d ") + c2d_version() + "\n").c_str());
+  case app::Command::kHelp: break;
   }
   return print(app::help_text().c_str());
 }

@@ -7,9 +7,7 @@ namespace app {
 namespace {
 const int kMostFaults = 1000; // printed; a file that is no deck at all has one on every card
 
-void print(const std::string& text) {
-  std::fwrite(text.data(), 1, text.size(), stderr);
-}
+void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 } // namespace
 
 void Messages::log(void* context, const c2d_error* entry) {
@@ -34,12 +32,8 @@ void Messages::fault(const c2d_error& error) {
   faults_ = 1;
 }
 
-void Messages::fail(const std::string& text) const {
-  print("contact2d: " + deck_.name() + ": error: " + text + '\n');
-}
+void Messages::fail(const std::string& text) const { print("contact2d: " + deck_.name() + ": error: " + text + '\n'); }
 
-void Messages::note(const std::string& text) const {
-  print("contact2d: " + deck_.name() + ": note: " + text + '\n');
-}
+void Messages::note(const std::string& text) const { print("contact2d: " + deck_.name() + ": note: " + text + '\n'); }
 
 } // namespace app

@@ -15,8 +15,8 @@ struct Known {
   const char* name;
   bool takes_value;
 };
-const Known kRunOptions[] = {{"--points", true},    {"--figures", true},     {"--stepping", true}, {"--quadrature", true},
-                             {"--symmetry", true},  {"--memory", true},      {"--store", true},    {"--threads", true},
+const Known kRunOptions[] = {{"--points", true},    {"--figures", true},      {"--stepping", true}, {"--quadrature", true},
+                             {"--symmetry", true},  {"--memory", true},       {"--store", true},    {"--threads", true},
                              {"--progress", false}, {"--no-progress", false}, {"--keep", false}};
 
 bool choose(const std::string& value, const char* first, const char* second, int32_t& choice) {
@@ -45,22 +45,19 @@ bool set_option(Options& o, const std::string& name, const std::string& value, s
   if (name == "--no-progress") o.progress = Progress::kNever;
   if (name == "--keep") o.keep = true;
   if (name == "--stepping" && !choose(value, "events", "deck", o.stepping)) return wrong("events or deck");
-  if (name == "--quadrature" && !choose(value, "accurate", "thesis", o.quadrature))
-    return wrong("accurate or thesis");
+  if (name == "--quadrature" && !choose(value, "accurate", "thesis", o.quadrature)) return wrong("accurate or thesis");
   if (name == "--symmetry" && !choose(value, "deck", "images", o.symmetry)) return wrong("deck or images");
   if (name == "--memory" && (!read_size(value, o.memory) || o.memory == 0))
     return wrong("a number of bytes such as 65536, 64K, 16M or 1G");
   if (name == "--threads" && !read_threads(value, o.threads)) return wrong("a whole number from 1 to 64");
   if (name == "--store") {
-    if (value != "memory" && (value.compare(0, 5, "file:") != 0 || value.size() == 5))
-      return wrong("memory or file:DIR");
+    if (value != "memory" && (value.compare(0, 5, "file:") != 0 || value.size() == 5)) return wrong("memory or file:DIR");
     o.store = value;
   }
   return true;
 }
 
-bool read_run_option(const std::vector<std::string>& words, size_t& at, Options& options,
-                     std::string& error) {
+bool read_run_option(const std::vector<std::string>& words, size_t& at, Options& options, std::string& error) {
   std::string name = words[at], value;
   const size_t equals = name.find('=');
   const bool joined = equals != std::string::npos;
@@ -94,8 +91,7 @@ bool read_run_option(const std::vector<std::string>& words, size_t& at, Options&
   return false;
 }
 
-bool read_convert_option(const std::vector<std::string>& words, size_t& at, Options& options,
-                         std::string& error) {
+bool read_convert_option(const std::vector<std::string>& words, size_t& at, Options& options, std::string& error) {
   std::string name = words[at], value;
   const size_t equals = name.find('=');
   if (equals != std::string::npos) {
@@ -124,12 +120,16 @@ bool read_resume(const std::vector<std::string>& words, Options& options, std::s
   options.command = Command::kResume;
   for (size_t at = 1; at < words.size(); ++at) {
     const std::string& word = words[at];
-    if (word == "--help") options.command = Command::kHelp;
+    if (word == "--help")
+      options.command = Command::kHelp;
     else if (word == "--progress" || word == "--no-progress")
       options.progress = word == "--progress" ? Progress::kAlways : Progress::kNever;
-    else if (word.size() > 1 && word[0] == '-') error = "resume takes no option " + word;
-    else if (!options.folder.empty()) error = "more than one folder: " + options.folder + " and " + word;
-    else options.folder = word;
+    else if (word.size() > 1 && word[0] == '-')
+      error = "resume takes no option " + word;
+    else if (!options.folder.empty())
+      error = "more than one folder: " + options.folder + " and " + word;
+    else
+      options.folder = word;
   }
   if (error.empty() && options.folder.empty() && options.command != Command::kHelp) error = "resume needs a folder";
   return error.empty();
@@ -143,8 +143,7 @@ bool read_size(const std::string& text, uint64_t& bytes) {
   const auto result = std::from_chars(text.data(), end, number);
   if (result.ec != std::errc() || result.ptr == text.data()) return false;
   std::string unit;
-  for (const char* c = result.ptr; c != end; ++c)
-    unit += static_cast<char>(std::toupper(static_cast<unsigned char>(*c)));
+  for (const char* c = result.ptr; c != end; ++c) unit += static_cast<char>(std::toupper(static_cast<unsigned char>(*c)));
   if (unit.size() == 3 && unit.compare(1, 2, "IB") == 0) unit.resize(1);
   if (unit.size() == 2 && unit[1] == 'B') unit.resize(1);
   int shift = 0;
@@ -186,9 +185,7 @@ bool read_options(int argc, const char* const* argv, Options& options, std::stri
     error = "unknown command " + command + ": expected run, check, convert, make, resume, --version or --help";
     return false;
   }
-  options.command = command == "run"     ? Command::kRun
-                    : command == "check" ? Command::kCheck
-                                         : Command::kConvert;
+  options.command = command == "run" ? Command::kRun : command == "check" ? Command::kCheck : Command::kConvert;
 
   bool options_end = false;
   for (size_t at = 1; at < words.size(); ++at) {
@@ -221,7 +218,8 @@ bool read_options(int argc, const char* const* argv, Options& options, std::stri
     error = command + " needs a deck";
     return false;
   }
-  if (!options.points.empty() && options.file(Output::kInterior).empty() && options.file(Output::kVtk).empty() && !has_listing(options)) {
+  if (!options.points.empty() && options.file(Output::kInterior).empty() && options.file(Output::kVtk).empty() &&
+      !has_listing(options)) {
     error = "--points " + options.points + ": no output shows them, expected --interior, --listing or --vtk";
     return false;
   }

@@ -24,16 +24,16 @@ extern const std::array<OutputName, kOutputs> kOutputTable; // in the order of O
 struct Options {
   Command command = Command::kHelp;
   std::string deck;
-  std::string deck_name;                                 // what the reports call it, if not `deck`
-  std::string folder;                                    // of resume
+  std::string deck_name;                                  // what the reports call it, if not `deck`
+  std::string folder;                                     // of resume
   std::vector<std::pair<std::string, std::string>> given; // options of run as they were given, with their values
-  std::vector<std::string> words;                        // of make: the family and its settings, or --list
-  std::array<std::string, kOutputs> files;               // by Output; empty: not asked for; "-": standard output
-  std::string points;                                    // CSV that is read; "-": standard input
-  std::string figures;                                   // folder; empty: not asked for
-  std::string store;                                     // empty: chosen by size; "memory"; "file:DIR"
-  std::string convert_to, output; // of convert: empty (the other form), "fixed", "free"; FILE
-  uint64_t memory = 0;            // workspace bytes; 0: chosen by size
+  std::vector<std::string> words;                         // of make: the family and its settings, or --list
+  std::array<std::string, kOutputs> files;                // by Output; empty: not asked for; "-": standard output
+  std::string points;                                     // CSV that is read; "-": standard input
+  std::string figures;                                    // folder; empty: not asked for
+  std::string store;                                      // empty: chosen by size; "memory"; "file:DIR"
+  std::string convert_to, output;                         // of convert: empty (the other form), "fixed", "free"; FILE
+  uint64_t memory = 0;                                    // workspace bytes; 0: chosen by size
   int32_t threads = 1;
   int32_t stepping = 0, quadrature = 0, symmetry = 0; // C2D_STEPPING_, C2D_QUADRATURE_, C2D_SYMMETRY_
   Progress progress = Progress::kAutomatic;

@@ -80,9 +80,7 @@ bool OutputFile::write_all(std::string& error) {
   return true;
 }
 
-bool OutputFile::flush(std::string& error) {
-  return text.size() < (direct_ ? kDirectPiece : kPiece) || write_all(error);
-}
+bool OutputFile::flush(std::string& error) { return text.size() < (direct_ ? kDirectPiece : kPiece) || write_all(error); }
 
 bool OutputFile::finish(std::string& error) {
   if (file_ < 0) return true;

@@ -55,8 +55,7 @@ std::string find_clash(const Options& o) {
   bool regular[kNamed];
   for (size_t i = 0; i < kNamed; ++i) {
     const std::string& name = *all[i].name;
-    regular[i] =
-        !name.empty() && name != "-" && ::stat(name.c_str(), &about[i]) == 0 && S_ISREG(about[i].st_mode);
+    regular[i] = !name.empty() && name != "-" && ::stat(name.c_str(), &about[i]) == 0 && S_ISREG(about[i].st_mode);
   }
   for (size_t i = 0; i < kNamed; ++i)
     for (size_t k = i + 1; k < kNamed; ++k) {
@@ -65,8 +64,8 @@ std::string find_clash(const Options& o) {
         return std::string(all[i].what) + " and " + all[k].what + " both go to standard output";
       const bool names = i >= kInputs && !a.empty() && !b.empty() && a != "-" && b != "-";
       const bool same_name = names && ::stat(a.c_str(), &about[i]) != 0 && spelled_out(a) == spelled_out(b);
-      const bool same_file = regular[i] && regular[k] && about[i].st_dev == about[k].st_dev &&
-                             about[i].st_ino == about[k].st_ino;
+      const bool same_file =
+          regular[i] && regular[k] && about[i].st_dev == about[k].st_dev && about[i].st_ino == about[k].st_ino;
       if (same_name || (same_file && k >= kInputs))
         return std::string(all[i].what) + " and " + all[k].what + " are the same file";
     }

@@ -97,8 +97,7 @@ bool Reader::row(const std::vector<Field>& fields, int32_t line, WantedPoint& po
   }
   bool good = read_number(fields[0], point.body) && point.body >= 1 && point.body <= bodies_;
   if (!good)
-    fault(line, &fields[0],
-          "body is " + in_quotes(fields[0]) + ", expected " + (bodies_ == 1 ? "1, the only body" : "1 or 2"));
+    fault(line, &fields[0], "body is " + in_quotes(fields[0]) + ", expected " + (bodies_ == 1 ? "1, the only body" : "1 or 2"));
   good = coordinate(fields[1], "x", line, point.x) && good;
   good = coordinate(fields[2], "y", line, point.y) && good;
   point.line = line;
@@ -112,12 +111,11 @@ bool read_points(const DeckFile& file, int32_t bodies, Messages& messages, std::
   bool first = true;
   for (size_t line = 1; line <= file.cards(); ++line) {
     std::string_view text = file.card(line);
-    if (line == 1 && text.compare(0, kByteOrderMark.size(), kByteOrderMark) == 0)
-      text.remove_prefix(kByteOrderMark.size());
+    if (line == 1 && text.compare(0, kByteOrderMark.size(), kByteOrderMark) == 0) text.remove_prefix(kByteOrderMark.size());
     const std::vector<Field> fields = split(text);
     if (fields.size() == 1 && fields[0].text.empty()) continue;
-    const bool heading = first && fields.size() == 3 && is_word(fields[0], "body") &&
-                         is_word(fields[1], "x") && is_word(fields[2], "y");
+    const bool heading =
+        first && fields.size() == 3 && is_word(fields[0], "body") && is_word(fields[1], "x") && is_word(fields[2], "y");
     first = false;
     WantedPoint point{};
     if (!heading && reader.row(fields, static_cast<int32_t>(line), point)) points.push_back(point);

@@ -14,9 +14,8 @@ ProgressLine::ProgressLine(Progress wanted)
     : active_(wanted == Progress::kAlways || (wanted == Progress::kAutomatic && ::isatty(2) == 1)) {}
 
 void ProgressLine::show(const c2d_progress& now) {
-  static const char* const kPhases[C2D_PHASES] = {"reading",  "assembling",         "eliminating",
-                                                  "reducing", "following the load", "substituting back",
-                                                  "writing"};
+  static const char* const kPhases[C2D_PHASES] = {
+      "reading", "assembling", "eliminating", "reducing", "following the load", "substituting back", "writing"};
   const double time = clock_seconds(nullptr);
   if (!active_ || (last_ >= 0.0 && time - last_ < 0.1)) return;
   last_ = time;

@@ -14,8 +14,7 @@ struct Decimal {
 
 Decimal shortest(double value) {
   char buffer[40];
-  const std::to_chars_result end =
-      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific);
+  const std::to_chars_result end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::scientific);
   Decimal decimal;
   const char* c = buffer;
   for (; *c != 'e'; ++c)

@@ -51,9 +51,12 @@ bool read_whole(const std::string& path, std::string& text) {
 std::string escaped(const std::string& value) {
   std::string out;
   for (char c : value) {
-    if (c == '\\') out += "\\\\";
-    else if (c == '\n') out += "\\n";
-    else out += c;
+    if (c == '\\')
+      out += "\\\\";
+    else if (c == '\n')
+      out += "\\n";
+    else
+      out += c;
   }
   return out;
 }
@@ -72,8 +75,7 @@ bool is_word(const std::string& name) {
   return name == "--stepping" || name == "--quadrature" || name == "--symmetry" || name == "--threads";
 }
 bool is_left_out(const std::string& name) {
-  return name == "--store" || name == "--memory" || name == "--progress" || name == "--no-progress" ||
-         name == "--points";
+  return name == "--store" || name == "--memory" || name == "--progress" || name == "--no-progress" || name == "--points";
 }
 
 std::string absolute(const std::string& name) {
@@ -88,14 +90,13 @@ bool leave_restart(const std::string& folder, const Options& options, const std:
                    const std::string& deck_text, const std::string& points_text, uint64_t workspace, std::string& error) {
   if (!remove_restart(folder, error) || !write_safely(folder + kDeck, deck_text, error)) return false;
   if (!options.points.empty() && !write_safely(folder + kPoints, points_text, error)) return false;
-  std::string text = std::string(kFirstLine) + "\ndeck=" + escaped(deck_name) + "\n--memory=" +
-                     std::to_string(workspace) + "\n";
+  std::string text =
+      std::string(kFirstLine) + "\ndeck=" + escaped(deck_name) + "\n--memory=" + std::to_string(workspace) + "\n";
   if (!options.points.empty()) text += "points\n";
   for (const auto& given : options.given) {
     if (is_left_out(given.first)) continue;
     text += given.first;
-    if (!given.second.empty())
-      text += "=" + escaped(is_word(given.first) ? given.second : absolute(given.second));
+    if (!given.second.empty()) text += "=" + escaped(is_word(given.first) ? given.second : absolute(given.second));
     text += "\n";
   }
   return write_safely(folder + kOptions, text, error);
@@ -113,9 +114,12 @@ bool read_restart(Options& options, std::string& error) {
   std::string shown = "deck.dat";
   std::vector<std::string> words = {"contact2d", "run"};
   while (std::getline(lines, line)) {
-    if (line.compare(0, 5, "deck=") == 0) shown = unescaped(line.substr(5));
-    else if (line == "points") words.push_back("--points=" + folder + kPoints);
-    else words.push_back(unescaped(line));
+    if (line.compare(0, 5, "deck=") == 0)
+      shown = unescaped(line.substr(5));
+    else if (line == "points")
+      words.push_back("--points=" + folder + kPoints);
+    else
+      words.push_back(unescaped(line));
   }
   words.insert(words.end(), {"--store=file:" + folder, "--", folder + kDeck});
   std::vector<const char*> arguments;

@@ -94,10 +94,9 @@ int32_t Run::on_step(void* context, const c2d_step* step) {
   if (run.has_pictures()) run.history_.note(*step);
   if (run.outputs_.has(Output::kTrace)) run.trace_.append(run.outputs_.text(Output::kTrace), *step);
   if (step->kind == C2D_STEP_CHANGE && !run.shows_changes_) return 0;
-  const CoefficientRecord* before =
-      static_cast<size_t>(step->coefficient) <= run.record_.coefficients.size()
-          ? &run.record_.coefficients[static_cast<size_t>(step->coefficient) - 1]
-          : nullptr;
+  const CoefficientRecord* before = static_cast<size_t>(step->coefficient) <= run.record_.coefficients.size()
+                                        ? &run.record_.coefficients[static_cast<size_t>(step->coefficient) - 1]
+                                        : nullptr;
   const bool again = before != nullptr && !before->table.empty() && before->load == step->load;
   if (run.coefficient_shown_ != step->coefficient) run.show_contact_zone();
   CoefficientRecord& kept = keep_step(run.record_, *step);
@@ -121,9 +120,7 @@ int32_t Run::on_step(void* context, const c2d_step* step) {
 c2d_port Run::make_port() {
   c2d_port port = C2D_INIT(c2d_port);
   port.context = this;
-  port.open = [](void* c, int32_t tape, uint64_t blocks, uint64_t bytes) {
-    return self(c).store_.open(tape, blocks, bytes);
-  };
+  port.open = [](void* c, int32_t tape, uint64_t blocks, uint64_t bytes) { return self(c).store_.open(tape, blocks, bytes); };
   port.read = [](void* c, int32_t tape, uint64_t block, void* data, uint64_t bytes) {
     return self(c).store_.read(tape, block, data, bytes);
   };
@@ -195,8 +192,8 @@ int Run::read() {
   if (!outputs_.open(options_, error_)) return file_failed();
   if (!store_.choose(options_.store, budget, options_.keep, error_)) return file_failed();
   if (store_.named_folder().empty() || options_.resume) return 0;
-  return leave_restart(store_.named_folder(), options_, session_.deck.name(), session_.deck.text(),
-                       interior_.file_text(), session_.workspace.bytes, error_)
+  return leave_restart(store_.named_folder(), options_, session_.deck.name(), session_.deck.text(), interior_.file_text(),
+                       session_.workspace.bytes, error_)
              ? 0
              : file_failed();
 }
@@ -217,9 +214,7 @@ c2d_status Run::factorise() {
 // Those of a file, once it is known how many bodies there are.
 int Run::read_points() {
   if (!options_.points.empty())
-    return interior_.read_file(options_.points, session_.limits.bodies) ? 0
-           : interrupted()                                              ? kExitCancelled
-                                                                        : kExitInput;
+    return interior_.read_file(options_.points, session_.limits.bodies) ? 0 : interrupted() ? kExitCancelled : kExitInput;
   if (options_.file(Output::kInterior).empty() || session_.limits.point_sets > 0) return 0;
   session_.messages.fail("--interior " + options_.file(Output::kInterior) +
                          ": there are no points, expected --points FILE or *POINTS in the deck");
@@ -297,8 +292,7 @@ int Run::report() {
   const bool solved = c2d_get_state(solver) == C2D_STATE_RUNNING;
   c2d_get_summary(solver, &summary_);
   c2d_status status = C2D_OK;
-  if (outputs_.has(Output::kBoundary) && solved)
-    status = append_boundary(outputs_.text(Output::kBoundary), solver, summary_);
+  if (outputs_.has(Output::kBoundary) && solved) status = append_boundary(outputs_.text(Output::kBoundary), solver, summary_);
   if (status == C2D_OK && outputs_.has(Output::kListing)) {
     std::string& out = outputs_.text(Output::kListing);
     show_contact_zone();
@@ -368,8 +362,7 @@ int Run::close_store() {
 int Run::publish() {
   if (interrupted()) return kExitCancelled;
   if (!outputs_.publish(error_)) return file_failed();
-  if (!options_.keep && !store_.named_folder().empty() && !remove_restart(store_.named_folder(), error_))
-    return file_failed();
+  if (!options_.keep && !store_.named_folder().empty() && !remove_restart(store_.named_folder(), error_)) return file_failed();
   if (!options_.keep && !store_.remove_tapes(error_)) return file_failed();
   if (options_.keep && !store_.folder().empty())
     std::fprintf(stderr, "contact2d: tapes are kept in %s\n", store_.folder().c_str());

@@ -53,8 +53,7 @@ int Session::take_memory(uint64_t wanted) {
 
 int Session::read_model(const c2d_port& port, int32_t symmetry) {
   c2d_error why = C2D_INIT(c2d_error);
-  c2d_status status =
-      c2d_create(&solver, workspace.memory.get(), static_cast<size_t>(workspace.bytes), &limits, &port, &why);
+  c2d_status status = c2d_create(&solver, workspace.memory.get(), static_cast<size_t>(workspace.bytes), &limits, &port, &why);
   if (status == C2D_ERR_MEMORY) {
     messages.fail("workspace of " + std::to_string(workspace.bytes) +
                   " bytes is too small: " + std::to_string(why.bytes_needed) + " bytes would do");

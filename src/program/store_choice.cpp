@@ -83,9 +83,7 @@ bool StoreChoice::place_in_memory(Tape& tape, uint64_t blocks, uint64_t block_by
   return true;
 }
 
-const c2d_port& StoreChoice::port_of(int32_t tape) const {
-  return tapes_[tape].in_memory ? tapes_[tape].port : files_port_;
-}
+const c2d_port& StoreChoice::port_of(int32_t tape) const { return tapes_[tape].in_memory ? tapes_[tape].port : files_port_; }
 
 int32_t StoreChoice::open(int32_t tape, uint64_t blocks, uint64_t block_bytes) {
   if (tape < 0 || tape >= C2D_TAPES) return kNoTape;
@@ -150,16 +148,11 @@ bool StoreChoice::remove_tapes(std::string& error) {
 
 std::string StoreChoice::system_text(int32_t host_code) const {
   switch (host_code) {
-  case kNoMemory:
-    return "not enough memory for the tapes; --store file:DIR keeps them in files";
-  case kNoTape:
-    return "no such tape";
-  case C2D_POSIX_STORE_LOCKED:
-    return "in use by another process";
-  case C2D_POSIX_STORE_END:
-    return "a file of the store ends too early";
-  default:
-    return host_code > 0 ? std::strerror(host_code) : "error " + std::to_string(host_code);
+  case kNoMemory: return "not enough memory for the tapes; --store file:DIR keeps them in files";
+  case kNoTape: return "no such tape";
+  case C2D_POSIX_STORE_LOCKED: return "in use by another process";
+  case C2D_POSIX_STORE_END: return "a file of the store ends too early";
+  default: return host_code > 0 ? std::strerror(host_code) : "error " + std::to_string(host_code);
   }
 }
 

@@ -50,8 +50,8 @@ c2d_status take_workspace(const c2d_limits& limits, uint64_t wanted, Workspace& 
   else
     out.bytes = std::max(std::min(useful, free_memory() / 2), out.minimum);
   if (out.bytes < out.minimum) {
-    error = "workspace of " + std::to_string(wanted) + " bytes is too small: " + std::to_string(out.minimum) +
-            " bytes would do";
+    error =
+        "workspace of " + std::to_string(wanted) + " bytes is too small: " + std::to_string(out.minimum) + " bytes would do";
     return C2D_ERR_MEMORY;
   }
   if (out.bytes <= SIZE_MAX) out.memory.reset(std::malloc(static_cast<size_t>(out.bytes)));

@@ -55,9 +55,7 @@ constexpr double kLogW[] = {
 constexpr int kLogOrders[] = {2, 4, 10, 16};
 constexpr int8_t kGaussOrders[] = {1, 2, 3, 4, 5, 6, 8, 10, 12, 16, 20};
 
-int half_count(int n) {
-  return (n + 1) / 2;
-}
+int half_count(int n) { return (n + 1) / 2; }
 
 // Where the rule of n points starts in the packed tables, -1 if it is not stored.
 int gauss_offset(int n) {

@@ -44,8 +44,7 @@ std::string Axis::label(int i) const {
   return out[0] == '-' ? "&#8722;" + out.substr(1) : out;
 }
 
-Axis make_axis(const Range& range, const std::string& name, const std::string& unit, int about, bool tight,
-               bool whole) {
+Axis make_axis(const Range& range, const std::string& name, const std::string& unit, int about, bool tight, bool whole) {
   double low = range.empty ? 0.0 : range.low, high = range.empty ? 1.0 : range.high;
   const double size = std::max(std::fabs(low), std::fabs(high));
   if (high - low <= 1e-9 * size || size < 1e-290) { // a constant: room around it
@@ -59,9 +58,7 @@ Axis make_axis(const Range& range, const std::string& name, const std::string& u
   Axis axis;
   axis.step = nice_step((high - low) / about);
   const double finer = nice_step((high - low) / (1.6 * about));
-  const auto rounded = [&](double step) {
-    return std::ceil(high / step - 1e-6) * step - std::floor(low / step + 1e-6) * step;
-  };
+  const auto rounded = [&](double step) { return std::ceil(high / step - 1e-6) * step - std::floor(low / step + 1e-6) * step; };
   if (!tight && rounded(finer) < 0.85 * rounded(axis.step)) axis.step = finer; // less empty paper
   if (whole) axis.step = std::max(1.0, axis.step);
   const double slack = 1e-6;
@@ -123,15 +120,11 @@ void draw_axes(Svg& svg, const Chart& chart, bool labels_x) {
   if (chart.zero_line && chart.y.low < 0.0 && chart.y.high > 0.0)
     svg.line(chart.at(chart.x.low, 0.0), chart.at(chart.x.high, 0.0), zero);
   svg.rectangle(f, "none", edge);
-  if (labels_x)
-    svg.text({0.5 * (f.left + f.right), f.bottom + 33.0}, chart.x.name, kNameSize, Anchor::kMiddle);
-  svg.text({f.left - widest - 16.0, 0.5 * (f.top + f.bottom)}, chart.y.name, kNameSize, Anchor::kMiddle,
-           colour::kInk, true);
+  if (labels_x) svg.text({0.5 * (f.left + f.right), f.bottom + 33.0}, chart.x.name, kNameSize, Anchor::kMiddle);
+  svg.text({f.left - widest - 16.0, 0.5 * (f.top + f.bottom)}, chart.y.name, kNameSize, Anchor::kMiddle, colour::kInk, true);
 }
 
-void draw_heading(Svg& svg, const Box& frame, const std::string& text) {
-  svg.text({frame.left, frame.top - 8.0}, text, 12.5);
-}
+void draw_heading(Svg& svg, const Box& frame, const std::string& text) { svg.text({frame.left, frame.top - 8.0}, text, 12.5); }
 
 Chart make_view(const Box& frame, Range x, Range y, double margin, const std::string& unit) {
   const double wide = frame.width() - 2.0 * margin, high = frame.height() - 2.0 * margin;
@@ -173,8 +166,8 @@ double draw_legend(Svg* svg, Point corner, double width, const std::vector<Legen
         svg->arrow({x, y}, {x + sample, y}, e.stroke, 5.5 + 1.2 * e.stroke.width, e.head);
       else if (std::string("none") != e.stroke.colour)
         svg->line({x, y}, {x + sample, y}, e.stroke);
-      svg->mark(e.mark, {x + 0.5 * sample, y}, 6.0,
-                e.stroke.colour == std::string("none") ? colour::kInk : e.stroke.colour, e.mark_filled);
+      svg->mark(e.mark, {x + 0.5 * sample, y}, 6.0, e.stroke.colour == std::string("none") ? colour::kInk : e.stroke.colour,
+                e.mark_filled);
       svg->text({x + sample + 6.0, y + 4.0}, e.text, kLabelSize);
     }
     x += wide;

@@ -29,8 +29,8 @@ struct Axis {
 
 // `unit` may be empty. About `about` ticks. `tight`: the ends are those of the range, not rounded outwards.
 // `whole`: ticks are whole numbers.
-Axis make_axis(const Range& range, const std::string& name, const std::string& unit, int about,
-               bool tight = false, bool whole = false);
+Axis make_axis(const Range& range, const std::string& name, const std::string& unit, int about, bool tight = false,
+               bool whole = false);
 
 struct Chart {
   Box frame;

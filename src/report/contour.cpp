@@ -38,8 +38,7 @@ size_t band_of(double value, const std::vector<double>& levels) {
   return k == 0 ? 0 : std::min(k - 1, bands - 1);
 }
 
-void fill_triangle(const std::vector<Corner>& triangle, const std::vector<double>& levels,
-                   std::vector<Polygons>& out) {
+void fill_triangle(const std::vector<Corner>& triangle, const std::vector<double>& levels, std::vector<Polygons>& out) {
   size_t low = out.size(), high = 0;
   for (const Corner& c : triangle) {
     low = std::min(low, band_of(c.value, levels));
@@ -56,8 +55,7 @@ void fill_triangle(const std::vector<Corner>& triangle, const std::vector<double
 }
 
 bool cell_is_known(const Grid& g, size_t c, size_t r) {
-  return g.known[g.at(c, r)] && g.known[g.at(c + 1, r)] && g.known[g.at(c, r + 1)] &&
-         g.known[g.at(c + 1, r + 1)];
+  return g.known[g.at(c, r)] && g.known[g.at(c + 1, r)] && g.known[g.at(c, r + 1)] && g.known[g.at(c + 1, r + 1)];
 }
 
 // The band of a cell that lies in one band as a whole; else the number of bands.
@@ -70,8 +68,7 @@ size_t whole_band(const Grid& g, size_t c, size_t r, const std::vector<double>& 
   return k;
 }
 
-void fill_cell(const Grid& g, size_t c, size_t r, const std::vector<double>& levels,
-               std::vector<Polygons>& out) {
+void fill_cell(const Grid& g, size_t c, size_t r, const std::vector<double>& levels, std::vector<Polygons>& out) {
   const auto corner = [&](size_t i, size_t k) { return Corner{g.place(i, k), g.values[g.at(i, k)]}; };
   const Corner a = corner(c, r), b = corner(c + 1, r), d = corner(c + 1, r + 1), e = corner(c, r + 1);
   if (std::fabs(a.value - d.value) <= std::fabs(b.value - e.value)) { // along the flatter diagonal
@@ -89,9 +86,7 @@ bool continued(const Grid& g, const std::vector<char>& known, size_t c, size_t r
   int nears = 0, fars = 0;
   const auto index = [&](int i, int k, size_t& at) {
     const int64_t column = static_cast<int64_t>(c) + i, row = static_cast<int64_t>(r) + k;
-    if (column < 0 || row < 0 || column >= static_cast<int64_t>(g.columns) ||
-        row >= static_cast<int64_t>(g.rows))
-      return false;
+    if (column < 0 || row < 0 || column >= static_cast<int64_t>(g.columns) || row >= static_cast<int64_t>(g.rows)) return false;
     at = g.at(static_cast<size_t>(column), static_cast<size_t>(row));
     return known[at] != 0;
   };

@@ -4,9 +4,7 @@
 
 namespace app {
 
-void append_contact_header(std::string& out) {
-  out += "mu,step,load,pair,x,y,status,tn,tt,un1,ut1,un2,ut2,gap,slip\n";
-}
+void append_contact_header(std::string& out) { out += "mu,step,load,pair,x,y,status,tn,tt,un1,ut1,un2,ut2,gap,slip\n"; }
 
 void append_contact_rows(std::string& out, const c2d_step& step) {
   std::string head;
@@ -34,13 +32,10 @@ void append_contact_rows(std::string& out, const c2d_step& step) {
   }
 }
 
-void append_boundary_header(std::string& out) {
-  out += "body,element,node,x,y,ux,uy,tx,ty\n";
-}
+void append_boundary_header(std::string& out) { out += "body,element,node,x,y,ux,uy,tx,ty\n"; }
 
 c2d_status append_boundary(std::string& out, c2d_solver* solver, const c2d_summary& summary) {
-  const int32_t fields[] = {C2D_END_NODE, C2D_END_X,  C2D_END_Y, C2D_END_UX,
-                            C2D_END_UY,   C2D_END_TX, C2D_END_TY};
+  const int32_t fields[] = {C2D_END_NODE, C2D_END_X, C2D_END_Y, C2D_END_UX, C2D_END_UY, C2D_END_TX, C2D_END_TY};
   std::vector<std::vector<double>> values;
   for (int32_t body = 1; body <= summary.bodies; ++body) {
     const c2d_status status = get_ends(solver, summary, body, fields, 7, values);

@@ -7,22 +7,16 @@ namespace {
 
 const char* place_word(int flag) {
   switch (flag) {
-  case C2D_POINT_INSIDE:
-    return "inside";
-  case C2D_POINT_NEAR_NODE:
-    return "near node";
-  case C2D_POINT_BOUNDARY:
-    return "boundary";
-  default:
-    return "outside";
+  case C2D_POINT_INSIDE: return "inside";
+  case C2D_POINT_NEAR_NODE: return "near node";
+  case C2D_POINT_BOUNDARY: return "boundary";
+  default: return "outside";
   }
 }
 
 } // namespace
 
-void append_interior_header(std::string& out) {
-  out += "body,x,y,ux,uy,sxx,syy,sxy,szz,von_mises,max_shear\n";
-}
+void append_interior_header(std::string& out) { out += "body,x,y,ux,uy,sxx,syy,sxy,szz,von_mises,max_shear\n"; }
 
 void append_interior_rows(std::string& out, const Interior& interior) {
   for (const InteriorPoint& p : interior.points) {
@@ -56,9 +50,8 @@ void append_interior_section(std::string& out, const Interior& interior, const c
          "stress;\n  near a node: without what the jump of slopes and tractions from element to element makes of it.\n\n"
          "  body            x            y           ux           uy          sxx          syy          sxy"
          "          szz           s1           s2    von Mises    max shear  place\n";
-  const int columns[] = {C2D_POINT_UX,        C2D_POINT_UY,       C2D_POINT_SXX,        C2D_POINT_SYY,
-                         C2D_POINT_SXY,       C2D_POINT_SZZ,      C2D_POINT_PRINCIPAL1, C2D_POINT_PRINCIPAL2,
-                         C2D_POINT_VON_MISES, C2D_POINT_MAX_SHEAR};
+  const int columns[] = {C2D_POINT_UX,  C2D_POINT_UY,         C2D_POINT_SXX,        C2D_POINT_SYY,       C2D_POINT_SXY,
+                         C2D_POINT_SZZ, C2D_POINT_PRINCIPAL1, C2D_POINT_PRINCIPAL2, C2D_POINT_VON_MISES, C2D_POINT_MAX_SHEAR};
   for (const InteriorPoint& p : interior.points) {
     append_column(out, p.body, 6);
     append_scientific(out, p.x, 13);

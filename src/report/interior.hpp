@@ -14,9 +14,7 @@ struct InteriorPoint {
   double x, y;
   double values[C2D_POINT_FIELDS];
 };
-inline int flag_of(const InteriorPoint& p) {
-  return static_cast<int>(p.values[C2D_POINT_FLAG]);
-}
+inline int flag_of(const InteriorPoint& p) { return static_cast<int>(p.values[C2D_POINT_FLAG]); }
 
 // Points that form a grid, row by row: `at` says which of the points, -1 outside the body.
 struct InteriorGrid {

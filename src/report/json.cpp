@@ -10,9 +10,7 @@ namespace {
 // Members of an object one after another; `separator` puts the comma before all but the first.
 class Object {
 public:
-  Object(std::string& out, const char* begin, const char* between) : out_(out), between_(between) {
-    out_ += begin;
-  }
+  Object(std::string& out, const char* begin, const char* between) : out_(out), between_(between) { out_ += begin; }
   std::string& key(const char* name) {
     if (!first_) out_ += between_;
     first_ = false;
@@ -81,8 +79,7 @@ void append_tapes(std::string& out, const c2d_summary& s) {
 }
 
 void append_seconds(std::string& out, const RunRecord& record, const c2d_summary& s) {
-  static const char* const kPhases[C2D_PHASES] = {"read",    "assemble", "eliminate", "reduce",
-                                                  "contact", "back",     "write"};
+  static const char* const kPhases[C2D_PHASES] = {"read", "assemble", "eliminate", "reduce", "contact", "back", "write"};
   Object o(out, "{", ", ");
   for (int32_t p = 0; p < C2D_PHASES; ++p) {
     double seconds = s.seconds[p];
@@ -242,8 +239,7 @@ void append_json(std::string& out, const RunRecord& record, const c2d_summary& s
   Object o(out, "{\n  ", ",\n  ");
   o.word("version", c2d_version());
   o.word("outcome", record.outcome());
-  if (const CoefficientRecord* stopped = record.incomplete())
-    append_incomplete(o.key("incomplete"), *stopped);
+  if (const CoefficientRecord* stopped = record.incomplete()) append_incomplete(o.key("incomplete"), *stopped);
   o.word("title", s.title);
   o.key("mu") += '[';
   for (size_t i = 0; i < record.friction.size(); ++i) {

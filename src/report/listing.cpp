@@ -23,9 +23,8 @@ void append_balance(std::string& out, const c2d_summary& s) {
     append_vector(out, "sum", sum);
   }
   if (s.symmetry != 0)
-    out +=
-        "\n  of the half or quarter modelled; forces across the lines of symmetry are not in it, the sum is "
-        "what they balance\n";
+    out += "\n  of the half or quarter modelled; forces across the lines of symmetry are not in it, the sum is "
+           "what they balance\n";
 }
 
 void append_energy(std::string& out, const RunRecord& record) {
@@ -36,8 +35,7 @@ void append_energy(std::string& out, const RunRecord& record) {
     out += "\n\n    step         work      elastic   dissipated       defect   load factors\n";
     for (const StepRecord& step : c.steps) {
       append_column(out, step.step, 8);
-      for (const double v : {step.work, step.elastic, step.dissipated, step.defect})
-        append_general(out, v, 13, 5);
+      for (const double v : {step.work, step.elastic, step.dissipated, step.defect}) append_general(out, v, 13, 5);
       out += "  ";
       for (const double load : step.loads) append_general(out, load, 13, 8);
       out += '\n';
@@ -48,8 +46,7 @@ void append_energy(std::string& out, const RunRecord& record) {
 } // namespace
 
 c2d_status append_global(std::string& out, c2d_solver* solver, const c2d_summary& s) {
-  const int32_t fields[] = {C2D_END_NODE, C2D_END_X,  C2D_END_Y,  C2D_END_UX,
-                            C2D_END_UY,   C2D_END_TX, C2D_END_TY, C2D_END_STATUS};
+  const int32_t fields[] = {C2D_END_NODE, C2D_END_X, C2D_END_Y, C2D_END_UX, C2D_END_UY, C2D_END_TX, C2D_END_TY, C2D_END_STATUS};
   std::vector<std::vector<double>> v;
   for (int32_t body = 1; body <= s.bodies; ++body) {
     const c2d_status status = get_ends(solver, s, body, fields, 8, v);
@@ -70,8 +67,7 @@ c2d_status append_global(std::string& out, c2d_solver* solver, const c2d_summary
 }
 
 void append_ending(std::string& out, const RunRecord& record, const c2d_summary& s) {
-  const bool solved =
-      !record.checked_only && (record.incomplete() == nullptr || !record.incomplete()->singular);
+  const bool solved = !record.checked_only && (record.incomplete() == nullptr || !record.incomplete()->singular);
   if (solved) append_balance(out, s);
   if (solved) append_energy(out, record);
   if (!record.warnings.empty()) {

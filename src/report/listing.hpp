@@ -20,8 +20,8 @@ c2d_status append_model(std::string& out, c2d_solver* solver, const c2d_summary&
 // its coefficient of friction: with a heading.
 void append_step(std::string& out, const c2d_step& step, bool first);
 // Both bodies' sides of the contact zone at the last state of a coefficient; ends[0], ends[1] per body.
-void append_contact_zone(std::string& out, const CoefficientRecord& coefficient,
-                         const std::vector<ContactEnd>* ends, const c2d_summary& summary);
+void append_contact_zone(std::string& out, const CoefficientRecord& coefficient, const std::vector<ContactEnd>* ends,
+                         const c2d_summary& summary);
 // Displacements and tractions of all element ends in global components at the load reached.
 c2d_status append_global(std::string& out, c2d_solver* solver, const c2d_summary& summary);
 // Balance of forces, warnings, and how the run ended.

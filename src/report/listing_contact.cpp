@@ -105,8 +105,7 @@ void append_contact_zone(std::string& out, const CoefficientRecord& c, const std
     append_section(out, body == 1 ? "Contact zone of body 1" : "Contact zone of body 2");
     append_item(out, "coefficient of friction", c.mu);
     append_item(out, "load factor", c.load);
-    out +=
-        "  Frame: n from body 1 to body 2, t is n turned by -90 degrees. Tractions act on body 2 per length ";
+    out += "  Frame: n from body 1 to body 2, t is n turned by -90 degrees. Tractions act on body 2 per length ";
     out += any_free(ends) ? "of body 1,\n  in zones between meshes that do not match of body 2; their pairs "
                             "have a place on "
                             "an element of body 1, from -1 to 1,\n  instead of an end.\n\n"

@@ -4,9 +4,7 @@
 
 namespace app {
 
-void append_rule(std::string& out) {
-  out.append(100, '-') += '\n';
-}
+void append_rule(std::string& out) { out.append(100, '-') += '\n'; }
 
 void append_section(std::string& out, const char* title) {
   out += '\n';

@@ -42,8 +42,7 @@ c2d_status append_body_forces(std::string& out, c2d_solver* solver, const c2d_su
       if (force[0] == 0.0 && force[1] == 0.0 && rho_omega2 == 0.0) continue;
       if (first) {
         append_section(out, "Body forces");
-        out +=
-            "    body    case             bx             by     rho omega2             x0             y0\n";
+        out += "    body    case             bx             by     rho omega2             x0             y0\n";
       }
       first = false;
       append_column(out, body, 8);

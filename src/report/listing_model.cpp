@@ -8,16 +8,11 @@ namespace {
 
 const char* analysis_text(int32_t analysis) {
   switch (analysis) {
-  case C2D_ANALYSIS_CHECK:
-    return "data check";
-  case C2D_ANALYSIS_STRESS:
-    return "stress analysis";
-  case C2D_ANALYSIS_CONTACT:
-    return "contact zone";
-  case C2D_ANALYSIS_FULL:
-    return "contact zone and back substitution";
-  default:
-    return "contact zone, back substitution, every change of status";
+  case C2D_ANALYSIS_CHECK: return "data check";
+  case C2D_ANALYSIS_STRESS: return "stress analysis";
+  case C2D_ANALYSIS_CONTACT: return "contact zone";
+  case C2D_ANALYSIS_FULL: return "contact zone and back substitution";
+  default: return "contact zone, back substitution, every change of status";
   }
 }
 
@@ -82,8 +77,7 @@ c2d_status append_coordinates(std::string& out, c2d_solver* solver, const c2d_su
 
 } // namespace
 
-c2d_status append_model(std::string& out, c2d_solver* solver, const c2d_summary& s,
-                        const std::vector<std::string>& heading) {
+c2d_status append_model(std::string& out, c2d_solver* solver, const c2d_summary& s, const std::vector<std::string>& heading) {
   append_rule(out);
   out += "contact2d ";
   out += c2d_version();

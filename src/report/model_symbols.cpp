@@ -11,10 +11,8 @@ constexpr double kSpacing = 11.0;
 
 // A load case has a colour and a dash of its own.
 Stroke stroke_of(Symbol symbol, size_t load_case) {
-  static const Stroke kCases[] = {{colour::kOrange, 0.0, ""},
-                                  {colour::kPurple, 0.0, "6 2"},
-                                  {colour::kBlue, 0.0, "2 2"},
-                                  {colour::kInk, 0.0, "8 2 2 2"}};
+  static const Stroke kCases[] = {
+      {colour::kOrange, 0.0, ""}, {colour::kPurple, 0.0, "6 2"}, {colour::kBlue, 0.0, "2 2"}, {colour::kInk, 0.0, "8 2 2 2"}};
   static const double kWidths[] = {1.4, 2.4, 1.4, 4.0, 2.4, 2.4};
   Stroke out = kCases[load_case % 4];
   out.width = kWidths[static_cast<size_t>(symbol)];
@@ -43,12 +41,11 @@ bool take_place(std::vector<Point>& placed, Point p, double spacing) {
 void draw_support(Svg& svg, Point p, double dx, double dy, bool both) {
   const double h = 8.0, w = 4.5;
   const Point base{p.x + h * dx, p.y + h * dy};
-  svg.area({{p, {base.x - w * dy, base.y + w * dx}, {base.x + w * dy, base.y - w * dx}}},
-           both ? colour::kInk : "white", Stroke{colour::kInk, 1.0, ""});
+  svg.area({{p, {base.x - w * dy, base.y + w * dx}, {base.x + w * dy, base.y - w * dx}}}, both ? colour::kInk : "white",
+           Stroke{colour::kInk, 1.0, ""});
   if (both) return;
   const Point rail{p.x + (h + 2.5) * dx, p.y + (h + 2.5) * dy};
-  svg.line({rail.x - w * dy, rail.y + w * dx}, {rail.x + w * dy, rail.y - w * dx},
-           Stroke{colour::kInk, 1.0, ""});
+  svg.line({rail.x - w * dy, rail.y + w * dx}, {rail.x + w * dy, rail.y - w * dx}, Stroke{colour::kInk, 1.0, ""});
 }
 
 // Outward direction along x or y at a node: a corner's symbol belongs to the side that it holds.
@@ -97,8 +94,7 @@ void draw_turn(Svg& svg, Point centre, bool positive, const Stroke& stroke, Head
   svg.polyline(arc, stroke);
   const Point end = arc.back(), way{end.x - arc[23].x, end.y - arc[23].y};
   const double size = std::hypot(way.x, way.y);
-  svg.arrow(end, {end.x + 9.0 * way.x / size, end.y + 9.0 * way.y / size},
-            Stroke{stroke.colour, stroke.width, ""}, 9.0, head);
+  svg.arrow(end, {end.x + 9.0 * way.x / size, end.y + 9.0 * way.y / size}, Stroke{stroke.colour, stroke.width, ""}, 9.0, head);
   svg.mark(Mark::kCross, centre, 7.0, stroke.colour);
 }
 
@@ -125,8 +121,7 @@ public:
 
   void boundary(const BodyScene& body) {
     double largest = 0.0;
-    for (const EndCondition& c : body.conditions)
-      largest = std::max(largest, std::hypot(c.value(0, case_), c.value(1, case_)));
+    for (const EndCondition& c : body.conditions) largest = std::max(largest, std::hypot(c.value(0, case_), c.value(1, case_)));
     std::vector<Point> motions, tractions;
     for (const Image& image : scene_.images)
       for (size_t i = 0; i < body.conditions.size(); ++i) {
@@ -167,15 +162,14 @@ public:
     const Point p = view_.at(middle.x, middle.y), axis = view_.at(motion.axis.x, motion.axis.y);
     if ((motion.by.x != 0.0 || motion.by.y != 0.0) && visible(view_, p))
       arrow(Symbol::kRigidMotion, p, motion.by, motion.by, 44.0, 12.0);
-    if (motion.rotation != 0.0 && visible(view_, axis))
-      turn(Symbol::kRigidMotion, axis, motion.rotation > 0.0);
+    if (motion.rotation != 0.0 && visible(view_, axis)) turn(Symbol::kRigidMotion, axis, motion.rotation > 0.0);
   }
 
 private:
   // `direction` and `normal` are of the model.
   void arrow(Symbol symbol, Point p, Point direction, Point normal, double length, double head) {
-    draw_arrow(svg_, p, {{direction.x, -direction.y}, {normal.x, -normal.y}, length, head},
-               stroke_of(symbol, case_), head_of(symbol));
+    draw_arrow(svg_, p, {{direction.x, -direction.y}, {normal.x, -normal.y}, length, head}, stroke_of(symbol, case_),
+               head_of(symbol));
     present_.note(symbol, case_);
   }
   void turn(Symbol symbol, Point p, bool positive) {
@@ -208,8 +202,7 @@ void draw_supports(Svg& svg, const Scene& scene, const Chart& view, Present& pre
       for (size_t i = 0; i < body.conditions.size(); ++i) {
         // On a line of symmetry by images what holds a node across it is the line.
         const int line = image_line_at(scene.summary, body.ends[i]);
-        const bool fixed[2] = {line != 1 && is_held(body.conditions[i], 2),
-                               line != 2 && is_held(body.conditions[i], 3)};
+        const bool fixed[2] = {line != 1 && is_held(body.conditions[i], 2), line != 2 && is_held(body.conditions[i], 3)};
         const Point at = image.place(body.ends[i]), p = view.at(at.x, at.y);
         if ((!fixed[0] && !fixed[1]) || body.on_line[i / ends] || !visible(view, p)) continue;
         const bool both = fixed[0] && fixed[1];
@@ -240,8 +233,7 @@ std::vector<LegendEntry> symbol_legend(const Scene& scene, const Present& presen
   static const char* const kWords[] = {"traction",   "point load", "prescribed displacement",
                                        "body force", "rotation",   "motion of the rigid body"};
   std::vector<LegendEntry> out;
-  if (present.support)
-    out.push_back({"held (filled: in both directions)", Stroke{}, Mark::kTriangle, false, ""});
+  if (present.support) out.push_back({"held (filled: in both directions)", Stroke{}, Mark::kTriangle, false, ""});
   for (size_t k = 0; k < scene.cases; ++k)
     for (size_t s = 0; s < static_cast<size_t>(Symbol::kSymbols); ++s) {
       if (k >= present.load[s].size() || !present.load[s][k]) continue;

@@ -23,8 +23,7 @@ class Tracer {
 public:
   Tracer(const c2d_summary& s, int32_t body, const std::vector<Point>& nodes, BodyScene& out)
       : summary_(s), geometry_(s.element_nodes[body - 1]), functions_(s.function_nodes),
-        open_(s.geometry_nodes[body - 1] - s.elements[body - 1] * (geometry_ - 1)), nodes_(nodes), out_(out) {
-  }
+        open_(s.geometry_nodes[body - 1] - s.elements[body - 1] * (geometry_ - 1)), nodes_(nodes), out_(out) {}
 
   // Elements first ... last are region r (from 0); the first open_ regions are open.
   void region(int32_t r, int32_t first, int32_t last) {
@@ -70,8 +69,7 @@ private:
   }
   Point node(int32_t e, int32_t k) const {
     const bool wraps = !is_open_ && e == last_ && k == geometry_ - 1;
-    const int32_t number =
-        wraps ? (first_ - 1) * (geometry_ - 1) + shift_ : (e - 1) * (geometry_ - 1) + k + shift_;
+    const int32_t number = wraps ? (first_ - 1) * (geometry_ - 1) + shift_ : (e - 1) * (geometry_ - 1) + k + shift_;
     return static_cast<size_t>(number) < nodes_.size() ? nodes_[static_cast<size_t>(number)] : Point{};
   }
   Point at(int32_t e, double eta) const {
@@ -158,8 +156,8 @@ void mirror(std::vector<Curve>& closed, std::vector<Curve>& open, int axis, doub
 
 } // namespace
 
-c2d_status trace_outline(c2d_solver* solver, const c2d_summary& s, int32_t body,
-                         const std::vector<Point>& nodes, BodyScene& out) {
+c2d_status trace_outline(c2d_solver* solver, const c2d_summary& s, int32_t body, const std::vector<Point>& nodes,
+                         BodyScene& out) {
   Tracer tracer(s, body, nodes, out);
   for (int32_t r = 1; r <= s.regions[body - 1]; ++r) {
     int32_t first = 0, last = 0;

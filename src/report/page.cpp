@@ -7,24 +7,21 @@
 namespace app {
 namespace {
 
-const char kStyle[] =
-    "body{font-family:Helvetica,Arial,'Liberation Sans',sans-serif;color:#222;max-width:800px;margin:24px "
-    "auto;"
-    "padding:0 16px;line-height:1.4}\n"
-    "h1{font-size:22px;margin:0 0 4px}h2{font-size:16px;margin:28px 0 6px;border-bottom:1px solid #ccc}\n"
-    "figure{margin:0 0 8px}svg{max-width:100%;height:auto}figcaption{font-size:13px;color:#333}\n"
-    "table{border-collapse:collapse;font-size:13px;margin:8px 0}\n"
-    "th,td{text-align:right;padding:2px 10px;border-bottom:1px solid #ddd}\n"
-    "th:first-child,td:first-child{text-align:left;padding-left:0}th{border-bottom:1px solid #555}\n"
-    ".outcome{padding:6px 12px;border-left:4px solid #007a5a;background:#f3f8f6}\n"
-    ".stopped{border-left-color:#d55e00;background:#fdf3ec}\n"
-    "@media "
-    "print{body{max-width:none;margin:0;font-size:11pt}section{break-inside:avoid}h2{break-after:avoid}\n"
-    "svg{width:auto;max-height:104mm}}@page{margin:18mm}\n";
+const char kStyle[] = "body{font-family:Helvetica,Arial,'Liberation Sans',sans-serif;color:#222;max-width:800px;margin:24px "
+                      "auto;"
+                      "padding:0 16px;line-height:1.4}\n"
+                      "h1{font-size:22px;margin:0 0 4px}h2{font-size:16px;margin:28px 0 6px;border-bottom:1px solid #ccc}\n"
+                      "figure{margin:0 0 8px}svg{max-width:100%;height:auto}figcaption{font-size:13px;color:#333}\n"
+                      "table{border-collapse:collapse;font-size:13px;margin:8px 0}\n"
+                      "th,td{text-align:right;padding:2px 10px;border-bottom:1px solid #ddd}\n"
+                      "th:first-child,td:first-child{text-align:left;padding-left:0}th{border-bottom:1px solid #555}\n"
+                      ".outcome{padding:6px 12px;border-left:4px solid #007a5a;background:#f3f8f6}\n"
+                      ".stopped{border-left-color:#d55e00;background:#fdf3ec}\n"
+                      "@media "
+                      "print{body{max-width:none;margin:0;font-size:11pt}section{break-inside:avoid}h2{break-after:avoid}\n"
+                      "svg{width:auto;max-height:104mm}}@page{margin:18mm}\n";
 
-std::string whole(uint64_t value) {
-  return std::to_string(value);
-}
+std::string whole(uint64_t value) { return std::to_string(value); }
 
 void append_row(std::string& out, const std::vector<std::string>& cells, const char* tag = "td") {
   out += "<tr>";
@@ -47,39 +44,36 @@ void append_outcome(std::string& out, const Scene& scene) {
     if (c.singular)
       out += "<b>not solved</b>: " + escape_xml(c.why);
     else if (c.outcome != C2D_REACHED)
-      out += "<b>incomplete</b>, stopped at " + load_reached(c) + " in step " + std::to_string(c.step) +
-             ": " + escape_xml(c.why);
+      out +=
+          "<b>incomplete</b>, stopped at " + load_reached(c) + " in step " + std::to_string(c.step) + ": " + escape_xml(c.why);
     else
-      out += "reached " + load_reached(c) + " in " + std::to_string(c.step) +
-             (c.step == 1 ? " step." : " steps.");
+      out += "reached " + load_reached(c) + " in " + std::to_string(c.step) + (c.step == 1 ? " step." : " steps.");
     out += "</div>\n";
   }
   out += "</div>\n";
 }
 
 void append_picture(std::string& out, const Picture& picture) {
-  out += "<section id=\"" + picture.name + "\">\n<h2>" + picture.title + "</h2>\n<figure>\n" + picture.svg +
-         "<figcaption>" + picture.caption + "</figcaption>\n</figure>\n</section>\n";
+  out += "<section id=\"" + picture.name + "\">\n<h2>" + picture.title + "</h2>\n<figure>\n" + picture.svg + "<figcaption>" +
+         picture.caption + "</figcaption>\n</figure>\n</section>\n";
 }
 
 void append_key_numbers(std::string& out, const Scene& scene) {
   if (scene.zones.empty() || scene.record->coefficients.empty()) return;
   out += "<section id=\"key\">\n<h2>Key numbers at the last step</h2>\n<table>\n";
   append_row(out,
-             {"&#956;", "zone", "load", with_unit("peak pressure", scene.stress_unit),
-              with_unit("at s", scene.length_unit), "touch", "stick", "slip",
-              with_unit("contact from s", scene.length_unit), with_unit("to s", scene.length_unit)},
+             {"&#956;", "zone", "load", with_unit("peak pressure", scene.stress_unit), with_unit("at s", scene.length_unit),
+              "touch", "stick", "slip", with_unit("contact from s", scene.length_unit), with_unit("to s", scene.length_unit)},
              "th");
   for (size_t i = 0; i < scene.record->coefficients.size(); ++i)
     for (size_t z = 0; z < scene.zones.size(); ++z) {
       const CoefficientRecord& c = scene.record->coefficients[i];
       if (scene.zones[z].pairs == 0 || c.table.empty()) continue;
       const ZoneFacts f = find_facts(scene, scene.zones[z], c.table);
-      append_row(out,
-                 {figure(friction_of(scene, i, z)), whole(z + 1), figure(c.load, 6), figure(f.peak, 6),
-                  figure(scene.pairs[f.peak_pair].s), std::to_string(f.touching), std::to_string(f.sticking),
-                  std::to_string(f.slipping), f.touching > 0 ? figure(f.low) : "&#8211;",
-                  f.touching > 0 ? figure(f.high) : "&#8211;"});
+      append_row(out, {figure(friction_of(scene, i, z)), whole(z + 1), figure(c.load, 6), figure(f.peak, 6),
+                       figure(scene.pairs[f.peak_pair].s), std::to_string(f.touching), std::to_string(f.sticking),
+                       std::to_string(f.slipping), f.touching > 0 ? figure(f.low) : "&#8211;",
+                       f.touching > 0 ? figure(f.high) : "&#8211;"});
     }
   out += "</table>\n</section>\n";
 }
@@ -95,19 +89,15 @@ void append_balance(std::string& out, const Scene& scene) {
     const std::string body = "body " + std::to_string(b + 1) + ": ";
     const double* applied = s.applied[b];
     const double* contact = s.contact[b];
-    append_row(out, {body + "loads and supports", figure(applied[0], 7), figure(applied[1], 7),
-                     figure(applied[2], 7)});
-    if (s.pairs > 0)
-      append_row(out,
-                 {body + "contact", figure(contact[0], 7), figure(contact[1], 7), figure(contact[2], 7)});
+    append_row(out, {body + "loads and supports", figure(applied[0], 7), figure(applied[1], 7), figure(applied[2], 7)});
+    if (s.pairs > 0) append_row(out, {body + "contact", figure(contact[0], 7), figure(contact[1], 7), figure(contact[2], 7)});
     append_row(out, {body + "sum", figure(applied[0] + contact[0], 2), figure(applied[1] + contact[1], 2),
                      figure(applied[2] + contact[2], 2)});
   }
   out += "</table>\n";
   if (s.symmetry != 0)
-    out +=
-        "<p>Of the half or quarter modelled; forces across the lines of symmetry are not in it, the sum is "
-        "what they balance.</p>\n";
+    out += "<p>Of the half or quarter modelled; forces across the lines of symmetry are not in it, the sum is "
+           "what they balance.</p>\n";
   out += "</section>\n";
 }
 
@@ -116,10 +106,9 @@ void append_sizes(std::string& out, const Scene& scene) {
   out += "<section id=\"sizes\">\n<h2>Sizes, seconds, bytes</h2>\n<table>\n";
   append_row(out, {"size", "body 1", "body 2", "contact"}, "th");
   const bool two = s.bodies > 1;
-  append_row(out, {"elements", std::to_string(s.elements[0]), two ? std::to_string(s.elements[1]) : "&#8211;",
-                   "&#8211;"});
-  append_row(out, {"functional nodes", std::to_string(s.nodes[0]),
-                   two ? std::to_string(s.nodes[1]) : "&#8211;", std::to_string(s.pairs) + " pairs"});
+  append_row(out, {"elements", std::to_string(s.elements[0]), two ? std::to_string(s.elements[1]) : "&#8211;", "&#8211;"});
+  append_row(out, {"functional nodes", std::to_string(s.nodes[0]), two ? std::to_string(s.nodes[1]) : "&#8211;",
+                   std::to_string(s.pairs) + " pairs"});
   append_row(out, {"unknowns", std::to_string(s.unknowns[0]), two ? std::to_string(s.unknowns[1]) : "&#8211;",
                    std::to_string(s.contact_unknowns)});
   out += "</table>\n<table>\n";
@@ -130,16 +119,14 @@ void append_sizes(std::string& out, const Scene& scene) {
   out += "</table>\n<table>\n";
   append_row(out, {"tape", "bytes written", "bytes read", "blocks"}, "th");
   for (int32_t t = 0; t < C2D_TAPES; ++t)
-    append_row(out, {tape_word(t), whole(s.tape_bytes_written[t]), whole(s.tape_bytes_read[t]),
-                     whole(s.tape_blocks[t])});
+    append_row(out, {tape_word(t), whole(s.tape_bytes_written[t]), whole(s.tape_bytes_read[t]), whole(s.tape_blocks[t])});
   out += "</table>\n<table>\n";
   append_row(out, {"quantity", "value"}, "th");
   append_row(out, {"workspace, bytes", whole(s.workspace_bytes)});
   append_row(out, {"used of it at most, bytes", whole(s.peak_bytes)});
   append_row(out, {"smallest workspace, bytes", whole(s.minimum_bytes)});
-  append_row(out, {"events; exchanges; tableau rebuilds", std::to_string(s.events) + "; " +
-                                                              std::to_string(s.exchanges) + "; " +
-                                                              std::to_string(s.tableau_rebuilds)});
+  append_row(out, {"events; exchanges; tableau rebuilds",
+                   std::to_string(s.events) + "; " + std::to_string(s.exchanges) + "; " + std::to_string(s.tableau_rebuilds)});
   append_row(out, {"largest residual", figure(s.max_residual, 2)});
   append_row(out, {"condition estimate", figure(s.condition, 3)});
   out += "</table>\n</section>\n";
@@ -158,14 +145,12 @@ void append_warnings(std::string& out, const Scene& scene) {
 
 } // namespace
 
-void append_page(std::string& out, const Scene& scene, const Pictures& pictures,
-                 const std::string& deck_name) {
-  const std::string title =
-      escape_xml(scene.summary.title[0] != '\0' ? scene.summary.title : deck_name.c_str());
+void append_page(std::string& out, const Scene& scene, const Pictures& pictures, const std::string& deck_name) {
+  const std::string title = escape_xml(scene.summary.title[0] != '\0' ? scene.summary.title : deck_name.c_str());
   out += "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
-         title + "</title>\n<style>\n" + kStyle + "</style>\n</head>\n<body>\n<h1>" + title +
-         "</h1>\n<p>contact2d " + c2d_version() + ", deck " + escape_xml(deck_name) + "</p>\n";
+         title + "</title>\n<style>\n" + kStyle + "</style>\n</head>\n<body>\n<h1>" + title + "</h1>\n<p>contact2d " +
+         c2d_version() + ", deck " + escape_xml(deck_name) + "</p>\n";
   append_outcome(out, scene);
   append_key_numbers(out, scene);
   for (const Picture& picture : pictures) append_picture(out, picture);

@@ -7,7 +7,6 @@
 
 namespace app {
 
-void append_page(std::string& out, const Scene& scene, const Pictures& pictures,
-                 const std::string& deck_name);
+void append_page(std::string& out, const Scene& scene, const Pictures& pictures, const std::string& deck_name);
 
 } // namespace app

@@ -13,8 +13,7 @@ struct Row {
   double applied, contact;
 };
 
-void draw_bar(Svg& svg, const Chart& chart, double y, double value, const std::string& fill,
-              const char* ink) {
+void draw_bar(Svg& svg, const Chart& chart, double y, double value, const std::string& fill, const char* ink) {
   const double zero = chart.at(0.0, 0.0).x, end = chart.at(value, 0.0).x;
   svg.rectangle({std::min(zero, end), y, std::max(zero, end), y + 11.0}, fill, Stroke{ink, 0.8, ""});
 }
@@ -32,8 +31,7 @@ std::string caption(const Scene& scene) {
     }
   if (largest > 0.0) out += " to within " + figure(worst / largest, 2) + " of the largest force";
   if (!scene.pairs.empty())
-    out +=
-        "; the contact carries " + figure(std::hypot(s.contact[0][0], s.contact[0][1]), scene.force_unit, 6);
+    out += "; the contact carries " + figure(std::hypot(s.contact[0][0], s.contact[0][1]), scene.force_unit, 6);
   if (scene.summary.symmetry != 0)
     out += ". They are those of the part that is modelled, without the forces across the lines of symmetry";
   return out + ".";
@@ -48,8 +46,7 @@ void draw_balance(const Scene& scene, Pictures& out) {
   range.include(0.0);
   for (int32_t b = 0; b < s.bodies; ++b)
     for (int k = 0; k < 2; ++k) {
-      rows.push_back(
-          {"body " + std::to_string(b + 1) + (k == 0 ? ", fx" : ", fy"), s.applied[b][k], s.contact[b][k]});
+      rows.push_back({"body " + std::to_string(b + 1) + (k == 0 ? ", fx" : ", fy"), s.applied[b][k], s.contact[b][k]});
       range.include(s.applied[b][k]);
       range.include(s.contact[b][k]);
     }
@@ -58,12 +55,10 @@ void draw_balance(const Scene& scene, Pictures& out) {
   const double bottom = top + row * static_cast<double>(rows.size());
   Svg svg("balance", kPictureWidth, bottom + 44.0);
   const std::string hatched = svg.hatch(colour::kOrange, "#fbe3d0");
-  std::vector<LegendEntry> entries{
-      {"loads and supports", Stroke{colour::kBlue, 0.8, ""}, Mark::kNone, true, colour::kBlue}};
+  std::vector<LegendEntry> entries{{"loads and supports", Stroke{colour::kBlue, 0.8, ""}, Mark::kNone, true, colour::kBlue}};
   if (contact) entries.push_back({"contact", Stroke{colour::kOrange, 0.8, ""}, Mark::kNone, true, hatched});
   draw_legend(&svg, {left, 4.0}, right - left, entries);
-  Chart chart{
-      {left, top, right, bottom}, make_axis(range, "force per thickness", scene.force_unit, 7), Axis{}};
+  Chart chart{{left, top, right, bottom}, make_axis(range, "force per thickness", scene.force_unit, 7), Axis{}};
   chart.y.name = "";
   chart.y.low = 0.0, chart.y.high = 1.0, chart.y.ticks = 0;
   draw_axes(svg, chart);
@@ -75,8 +70,7 @@ void draw_balance(const Scene& scene, Pictures& out) {
     if (contact) draw_bar(svg, chart, y + 22.0, rows[i].contact, hatched, colour::kOrange);
     const double middle = y + 0.5 * row + 4.0;
     svg.text({left - 8.0, middle}, rows[i].name, 12.0, Anchor::kEnd);
-    svg.text({right + 122.0, middle}, figure(rows[i].applied + rows[i].contact, scene.force_unit, 3), 11.0,
-             Anchor::kEnd);
+    svg.text({right + 122.0, middle}, figure(rows[i].applied + rows[i].contact, scene.force_unit, 3), 11.0, Anchor::kEnd);
   }
   const double zero = chart.at(0.0, 0.0).x;
   svg.line({zero, top}, {zero, bottom}, Stroke{colour::kInk, 1.0, ""});

@@ -7,10 +7,8 @@
 namespace app {
 namespace {
 
-const Stroke kLines[] = {{colour::kBlue, 1.8, ""},
-                         {colour::kOrange, 1.8, "7 3"},
-                         {colour::kGreen, 1.8, "2 2"},
-                         {colour::kPurple, 1.8, "10 3 2 3"}};
+const Stroke kLines[] = {
+    {colour::kBlue, 1.8, ""}, {colour::kOrange, 1.8, "7 3"}, {colour::kGreen, 1.8, "2 2"}, {colour::kPurple, 1.8, "10 3 2 3"}};
 
 struct Sample {
   double s, hoop;
@@ -64,12 +62,10 @@ void draw_boundary_stress(const Scene& scene, Pictures& out) {
     for (const std::vector<Sample>& piece : curves.back())
       for (const Sample& p : piece) s.include(p.s), stress.include(p.hoop);
     size_t begin = from; // of what is boundary
-    while (begin + 1 < to && scene.bodies[0].on_line[begin / static_cast<size_t>(summary.function_nodes)])
-      ++begin;
+    while (begin + 1 < to && scene.bodies[0].on_line[begin / static_cast<size_t>(summary.function_nodes)]) ++begin;
     const Point start = scene.bodies[0].ends[begin];
-    entries.push_back(
-        {"curve " + std::to_string(r) + ", s = 0 at (" + figure(start.x) + ", " + figure(start.y) + ")",
-         kLines[static_cast<size_t>(r - 1) % 4], Mark::kNone, true, ""});
+    entries.push_back({"curve " + std::to_string(r) + ", s = 0 at (" + figure(start.x) + ", " + figure(start.y) + ")",
+                       kLines[static_cast<size_t>(r - 1) % 4], Mark::kNone, true, ""});
   }
   const double left = 76.0, right = kPictureWidth - 16.0;
   const double top = draw_legend(nullptr, {left, 4.0}, right - left, entries) + 12.0;
@@ -86,9 +82,8 @@ void draw_boundary_stress(const Scene& scene, Pictures& out) {
       svg.polyline(points, kLines[r % 4]);
     }
   Picture picture{"boundary", "Stress along the boundary", "", ""};
-  picture.caption = "Normal stress along the boundary (hoop stress) at " + place_at_end(scene) +
-                    ": the largest in size is " + figure(largest, scene.stress_unit, 6) + " at (" +
-                    figure(where.x) + ", " + figure(where.y) + ").";
+  picture.caption = "Normal stress along the boundary (hoop stress) at " + place_at_end(scene) + ": the largest in size is " +
+                    figure(largest, scene.stress_unit, 6) + " at (" + figure(where.x) + ", " + figure(where.y) + ").";
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);
 }

@@ -38,8 +38,7 @@ double choose_magnification(double size, double displacement) {
   return power * (part < 2.0 ? 1.0 : part < 5.0 ? 2.0 : 5.0);
 }
 
-void draw_nodes(Svg& svg, const Scene& scene, const BodyScene& body, const Chart& view, double magnification,
-                const char* ink) {
+void draw_nodes(Svg& svg, const Scene& scene, const BodyScene& body, const Chart& view, double magnification, const char* ink) {
   for (const Image& image : scene.images)
     for (size_t i = 0; i < body.ends.size(); ++i) {
       if (body.on_line[i / static_cast<size_t>(scene.summary.function_nodes)]) continue;
@@ -61,8 +60,7 @@ void draw_view(Svg& svg, const Scene& scene, const Chart& view, double magnifica
       if (pass == 0) svg.area(curves, colour::kBody[b], Stroke{});
       // Dashes need lines that do not run far outside the view.
       for (const std::vector<Point>& piece : pieces_within(curves, view.frame))
-        svg.polyline(piece, pass == 0 ? Stroke{edge[b], 1.6, b == 0 ? "" : "7 2"}
-                                      : Stroke{colour::kFaint, 1.0, "2 3"});
+        svg.polyline(piece, pass == 0 ? Stroke{edge[b], 1.6, b == 0 ? "" : "7 2"} : Stroke{colour::kFaint, 1.0, "2 3"});
       if (pass == 0 && nodes) draw_nodes(svg, scene, scene.bodies[b], view, magnification, edge[b]);
     }
   svg.end_clip();
@@ -149,8 +147,7 @@ void draw_deformed(const Scene& scene, Pictures& out) {
   std::vector<LegendEntry> entries;
   entries.push_back({"deformed body 1", Stroke{colour::kBlue, 1.6, ""}, Mark::kNone, true, colour::kBody[0]});
   if (scene.bodies.size() > 1)
-    entries.push_back(
-        {"deformed body 2", Stroke{"#8a5a00", 1.6, "7 2"}, Mark::kNone, true, colour::kBody[1]});
+    entries.push_back({"deformed body 2", Stroke{"#8a5a00", 1.6, "7 2"}, Mark::kNone, true, colour::kBody[1]});
   entries.push_back({"undeformed", Stroke{colour::kFaint, 1.0, "2 3"}, Mark::kNone, true, ""});
   draw_legend(&svg, {left, 4.0}, kPictureWidth - left - right, entries);
   const Box whole{left, top, left + wide, top + high};
@@ -166,18 +163,15 @@ void draw_deformed(const Scene& scene, Pictures& out) {
                  : near.stretched == 1 ? "Contact zone, true, x stretched"
                                        : "Contact zone, true, y stretched");
   }
-  const Point at =
-      scene.bodies[extent.body].ends.empty() ? Point{} : scene.bodies[extent.body].ends[extent.end];
+  const Point at = scene.bodies[extent.body].ends.empty() ? Point{} : scene.bodies[extent.body].ends[extent.end];
   Picture picture{"deformed", "Deformed shape", "", ""};
   picture.caption = "Shape at " + place_at_end(scene);
   picture.caption += ", " + scale_text(magnification) + ": the largest displacement is " +
-                     figure(extent.displacement, scene.length_unit, 6) + " at (" + figure(at.x) + ", " +
-                     figure(at.y) + ")";
+                     figure(extent.displacement, scene.length_unit, 6) + " at (" + figure(at.x) + ", " + figure(at.y) + ")";
   if (scene.bodies.size() > 1) picture.caption += " of body " + std::to_string(extent.body + 1);
   picture.caption += ".";
   if (zoom && magnification > near.magnification && near.magnification == 1.0)
-    picture.caption +=
-        " The gap between the bodies is not magnified, so they seem to overlap in the left view.";
+    picture.caption += " The gap between the bodies is not magnified, so they seem to overlap in the left view.";
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);
 }

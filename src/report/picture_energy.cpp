@@ -19,11 +19,7 @@ struct Curve {
 const Curve kCurves[] = {
     {&EnergyPoint::work, "work of the loads", {colour::kBlue, 2.0, ""}, Mark::kCircle, 7.5},
     {&EnergyPoint::elastic, "elastic energy", {colour::kGreen, 1.4, "7 3"}, Mark::kSquare, 4.0},
-    {&EnergyPoint::dissipated,
-     "dissipated by friction",
-     {colour::kOrange, 2.0, "2 2"},
-     Mark::kTriangle,
-     5.5}};
+    {&EnergyPoint::dissipated, "dissipated by friction", {colour::kOrange, 2.0, "2 2"}, Mark::kTriangle, 5.5}};
 
 struct Axes {
   bool by_load;
@@ -48,8 +44,7 @@ Axes make_axes(const Scene& scene, size_t count) {
       for (size_t k = 0; k < 3; ++k) size[k / 2].include(all[c].energy[i].*kCurves[k].value);
     }
   const double largest = std::max(std::fabs(size[0].low), std::fabs(size[0].high));
-  if (std::max(std::fabs(size[1].low), std::fabs(size[1].high)) < 1e-12 * largest)
-    size[1] = Range{0.0, 0.0, false};
+  if (std::max(std::fabs(size[1].low), std::fabs(size[1].high)) < 1e-12 * largest) size[1] = Range{0.0, 0.0, false};
   out.x = make_axis(place, out.by_load ? "load factor" : "step", "", 5, true, !out.by_load);
   out.y[0] = make_axis(size[0], "energy per thickness", scene.work_unit, 5);
   out.y[1] = make_axis(size[1], "dissipated", scene.work_unit, 5);
@@ -58,8 +53,7 @@ Axes make_axes(const Scene& scene, size_t count) {
 
 void draw_curve(Svg& svg, const Chart& chart, const CoefficientHistory& h, const Curve& curve, bool by_load) {
   std::vector<Point> points{chart.at(0.0, 0.0)};
-  for (size_t i = 0; i < h.energy.size(); ++i)
-    points.push_back(chart.at(place_of(h, i, by_load), h.energy[i].*curve.value));
+  for (size_t i = 0; i < h.energy.size(); ++i) points.push_back(chart.at(place_of(h, i, by_load), h.energy[i].*curve.value));
   svg.polyline(points, curve.stroke);
   const size_t every = points.size() / 30 + 1;
   for (size_t i = 1; i < points.size(); i += every)
@@ -67,15 +61,13 @@ void draw_curve(Svg& svg, const Chart& chart, const CoefficientHistory& h, const
 }
 
 // One row: work and elastic energy on the left, what friction took, which may be much less, on the right.
-void draw_row(Svg& svg, const CoefficientHistory& h, const Axes& axes, double top, double bottom,
-              bool labels) {
+void draw_row(Svg& svg, const CoefficientHistory& h, const Axes& axes, double top, double bottom, bool labels) {
   const Box frames[2] = {{76.0, top, 372.0, bottom}, {464.0, top, kPictureWidth - 16.0, bottom}};
   for (size_t side = 0; side < 2; ++side) {
     const Chart chart{frames[side], axes.x, axes.y[side]};
     draw_axes(svg, chart, labels);
     draw_heading(svg, frames[side],
-                 "&#956; = " + figure(h.mu) +
-                     (side == 0 ? ": work and elastic energy" : ": dissipated by friction"));
+                 "&#956; = " + figure(h.mu) + (side == 0 ? ": work and elastic energy" : ": dissipated by friction"));
     for (size_t k = 0; k < 3; ++k)
       if (k / 2 == side) draw_curve(svg, chart, h, kCurves[k], axes.by_load);
   }
@@ -85,9 +77,9 @@ std::string caption(const Scene& scene, size_t c) {
   const CoefficientHistory& h = scene.history->coefficients()[c];
   const EnergyPoint& last = h.energy.back();
   return "&#956; = " + figure(h.mu) + ": at " + place_on_path(scene, c) + " the loads have done the work " +
-         figure(last.work, scene.work_unit, 6) + ", of which " + figure(last.elastic, scene.work_unit, 6) +
-         " is stored and " + figure(last.dissipated, scene.work_unit, 6) +
-         " dissipated by friction; the defect of the balance is " + figure(100.0 * last.defect, 2) + " %.";
+         figure(last.work, scene.work_unit, 6) + ", of which " + figure(last.elastic, scene.work_unit, 6) + " is stored and " +
+         figure(last.dissipated, scene.work_unit, 6) + " dissipated by friction; the defect of the balance is " +
+         figure(100.0 * last.defect, 2) + " %.";
 }
 
 } // namespace
@@ -101,8 +93,7 @@ void draw_energy(const Scene& scene, Pictures& out) {
   const double top = 54.0, high = count == 1 ? 220.0 : 150.0, row = high + 32.0;
   Svg svg("energy", kPictureWidth, top + row * static_cast<double>(count) + 12.0);
   std::vector<LegendEntry> entries;
-  for (const Curve& curve : kCurves)
-    entries.push_back({curve.name, curve.stroke, curve.mark, curve.mark != Mark::kCircle, ""});
+  for (const Curve& curve : kCurves) entries.push_back({curve.name, curve.stroke, curve.mark, curve.mark != Mark::kCircle, ""});
   draw_legend(&svg, {76.0, 4.0}, 660.0, entries);
   Picture picture{"energy", "Balance of energy", "", ""};
   if (count == 1) picture.title += ", &#956; = " + figure(all[0].mu);

@@ -10,12 +10,8 @@ namespace {
 
 const char* const kEdge[2] = {colour::kBlue, "#8a5a00"};
 
-Point mapped(const Chart& view, Point p) {
-  return view.at(p.x, p.y);
-}
-double distance(Point a, Point b) {
-  return std::hypot(a.x - b.x, a.y - b.y);
-}
+Point mapped(const Chart& view, Point p) { return view.at(p.x, p.y); }
+double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 // A rigid obstacle is hatched.
 std::string fill_of(Svg& svg, const Scene& scene, size_t b) {
@@ -115,10 +111,9 @@ private:
 std::vector<LegendEntry> legend(Svg& svg, const Scene& scene, const Present& present) {
   std::vector<LegendEntry> out;
   for (size_t b = 0; b < scene.bodies.size(); ++b)
-    out.push_back({"body " + std::to_string(b + 1) + (scene.rigid && b == 0 ? ", rigid" : ""),
-                   Stroke{kEdge[b], 1.3, ""}, Mark::kNone, true, fill_of(svg, scene, b)});
-  if (!scene.pairs.empty())
-    out.push_back({"contact pairs", Stroke{colour::kGreen, 1.5, ""}, Mark::kSquare, true, ""});
+    out.push_back({"body " + std::to_string(b + 1) + (scene.rigid && b == 0 ? ", rigid" : ""), Stroke{kEdge[b], 1.3, ""},
+                   Mark::kNone, true, fill_of(svg, scene, b)});
+  if (!scene.pairs.empty()) out.push_back({"contact pairs", Stroke{colour::kGreen, 1.5, ""}, Mark::kSquare, true, ""});
   if (scene.summary.symmetry != 0)
     out.push_back({"line of symmetry", Stroke{colour::kPurple, 1.2, "14 4 3 4"}, Mark::kNone, true, ""});
   for (const LegendEntry& entry : symbol_legend(scene, present)) out.push_back(entry);
@@ -129,14 +124,12 @@ std::string describe_body(const Scene& scene, size_t b) {
   const c2d_summary& s = scene.summary;
   std::string out = std::to_string(s.elements[b]) + " elements";
   if (scene.rigid && b == 0) return out + ", rigid";
-  return out + ", E = " + figure(s.youngs_modulus[b], scene.stress_unit) + ", Poisson's ratio " +
-         figure(s.poisson_ratio[b]);
+  return out + ", E = " + figure(s.youngs_modulus[b], scene.stress_unit) + ", Poisson's ratio " + figure(s.poisson_ratio[b]);
 }
 
 std::string model_caption(const Scene& scene) {
   const c2d_summary& s = scene.summary;
-  std::string out =
-      s.bodies == 1 ? "The body as the deck describes it: " : "Both bodies as the deck describes them: ";
+  std::string out = s.bodies == 1 ? "The body as the deck describes it: " : "Both bodies as the deck describes them: ";
   for (size_t b = 0; b < scene.bodies.size(); ++b) {
     if (b > 0) out += "; ";
     if (s.bodies > 1) out += "body " + std::to_string(b + 1) + " has ";
@@ -144,19 +137,16 @@ std::string model_caption(const Scene& scene) {
   }
   out += s.plane == C2D_PLANE_STRESS ? "; plane stress." : "; plane strain.";
   if (!scene.pairs.empty())
-    out += " The contact is described by " + std::to_string(s.pairs) + " pairs of nodes in " +
-           std::to_string(s.zones) + (s.zones == 1 ? " zone." : " zones.");
+    out += " The contact is described by " + std::to_string(s.pairs) + " pairs of nodes in " + std::to_string(s.zones) +
+           (s.zones == 1 ? " zone." : " zones.");
   for (size_t z = 0; z < scene.zones.size(); ++z)
     if (scene.zones[z].measure == 2)
-      out += " Zone " + std::to_string(z + 1) +
-             " joins nodes of body 2 to points of body 1: the meshes need not match.";
-  if (scene.summary.symmetry != 0)
-    out += " One side of a line of symmetry was given, the other is its image.";
+      out += " Zone " + std::to_string(z + 1) + " joins nodes of body 2 to points of body 1: the meshes need not match.";
+  if (scene.summary.symmetry != 0) out += " One side of a line of symmetry was given, the other is its image.";
   if (scene.summary.symmetry != 0 && !scene.pairs.empty()) out += " Pairs are numbered on the side given.";
   if (scene.cases > 1) out += " Each load is multiplied by the factor of its load case.";
   if (scene.interference > 0)
-    out += " The factor of load case " + std::to_string(scene.interference) +
-           " closes the overlaps of the press fit.";
+    out += " The factor of load case " + std::to_string(scene.interference) + " closes the overlaps of the press fit.";
   return out;
 }
 
@@ -192,19 +182,16 @@ void draw_model(const Scene& scene, Pictures& out) {
   const double left = 62.0, gap = 66.0, right = 14.0, top = 30.0;
   const double wide = zoom ? (kPictureWidth - left - gap - right) / 2.0 : kPictureWidth - left - right;
   const double high = view_height(x, y, wide, 240.0, zoom ? 420.0 : 460.0);
-  const Box whole{left, top, left + wide, top + high},
-      part{whole.right + gap, top, whole.right + gap + wide, top + high};
+  const Box whole{left, top, left + wide, top + high}, part{whole.right + gap, top, whole.right + gap + wide, top + high};
   const Chart view = make_view(whole, x, y, 40.0, scene.length_unit);
 
   Present present;
   Svg trial("model", kPictureWidth, 0.0); // tells what is present before the height is known
   ModelView(trial, scene, view, false, present).draw();
-  if (zoom)
-    ModelView(trial, scene, make_view(part, zoom_x, zoom_y, 30.0, scene.length_unit), true, present).draw();
+  if (zoom) ModelView(trial, scene, make_view(part, zoom_x, zoom_y, 30.0, scene.length_unit), true, present).draw();
   const double legend_top = whole.bottom + 44.0, legend_width = kPictureWidth - left - right;
   const double height =
-      legend_top + draw_legend(nullptr, {left, legend_top}, legend_width, legend(trial, scene, present)) +
-      4.0;
+      legend_top + draw_legend(nullptr, {left, legend_top}, legend_width, legend(trial, scene, present)) + 4.0;
   Svg svg("model", kPictureWidth, height);
   ModelView(svg, scene, view, false, present).draw();
   draw_heading(svg, whole, "Whole model");

@@ -6,23 +6,15 @@
 namespace app {
 namespace {
 
-const Stroke kLines[] = {{colour::kBlue, 1.8, ""},     {colour::kOrange, 1.8, "7 3"},
-                         {colour::kGreen, 1.8, "2 2"}, {colour::kPurple, 1.8, "10 3 2 3"},
-                         {colour::kInk, 1.8, "14 4"},  {colour::kFaint, 1.8, "4 2 1 2"}};
-const Mark kMarks[] = {Mark::kCircle,  Mark::kSquare, Mark::kTriangle,
-                       Mark::kDiamond, Mark::kCross,  Mark::kCircle};
+const Stroke kLines[] = {{colour::kBlue, 1.8, ""},           {colour::kOrange, 1.8, "7 3"}, {colour::kGreen, 1.8, "2 2"},
+                         {colour::kPurple, 1.8, "10 3 2 3"}, {colour::kInk, 1.8, "14 4"},   {colour::kFaint, 1.8, "4 2 1 2"}};
+const Mark kMarks[] = {Mark::kCircle, Mark::kSquare, Mark::kTriangle, Mark::kDiamond, Mark::kCross, Mark::kCircle};
 constexpr size_t kMostLines = 6;
 
 using Value = double (*)(const PathPoint&);
-double events(const PathPoint& p) {
-  return p.events;
-}
-double peak(const PathPoint& p) {
-  return p.peak;
-}
-double touching(const PathPoint& p) {
-  return p.count[C2D_STICK] + p.count[C2D_SLIP];
-}
+double events(const PathPoint& p) { return p.events; }
+double peak(const PathPoint& p) { return p.peak; }
+double touching(const PathPoint& p) { return p.count[C2D_STICK] + p.count[C2D_SLIP]; }
 
 // Where a path's points lie on the axis: their loads, or their places among the steps.
 std::vector<double> places(const CoefficientHistory& history, bool by_load) {
@@ -37,8 +29,8 @@ bool all_rise(const Scene& scene) {
   return true;
 }
 
-void draw_value(Svg& svg, const Scene& scene, Box frame, const Axis& x, const char* name,
-                const std::string& unit, bool whole, bool stairs, bool labels, Value value) {
+void draw_value(Svg& svg, const Scene& scene, Box frame, const Axis& x, const char* name, const std::string& unit, bool whole,
+                bool stairs, bool labels, Value value) {
   const std::vector<CoefficientHistory>& all = scene.history->coefficients();
   const size_t lines = std::min(all.size(), kMostLines);
   Range range;
@@ -65,8 +57,7 @@ void draw_value(Svg& svg, const Scene& scene, Box frame, const Axis& x, const ch
     }
     svg.polyline(points, kLines[c]);
     const size_t every = steps.size() / 40 + 1;
-    for (size_t i = 0; i < steps.size(); i += every)
-      svg.mark(kMarks[c], steps[i], 5.0, kLines[c].colour, c != 1);
+    for (size_t i = 0; i < steps.size(); i += every) svg.mark(kMarks[c], steps[i], 5.0, kLines[c].colour, c != 1);
   }
 }
 
@@ -74,9 +65,9 @@ void draw_value(Svg& svg, const Scene& scene, Box frame, const Axis& x, const ch
 // most of it.
 const CoefficientRecord& longest(const Scene& scene) {
   const std::vector<CoefficientRecord>& all = scene.record->coefficients;
-  return *std::max_element(
-      all.begin(), all.end(),
-      [](const CoefficientRecord& a, const CoefficientRecord& b) { return a.steps.size() < b.steps.size(); });
+  return *std::max_element(all.begin(), all.end(), [](const CoefficientRecord& a, const CoefficientRecord& b) {
+    return a.steps.size() < b.steps.size();
+  });
 }
 
 std::vector<LegendEntry> load_legend(const Scene& scene) {
@@ -113,11 +104,10 @@ std::string caption(const Scene& scene) {
     if (h.points.empty()) continue;
     const PathPoint& last = h.points.back();
     if (!out.empty()) out += "; ";
-    out += "&#956; = " + figure(h.mu) + ": " + std::to_string(last.events) +
-           (last.events == 1 ? " event (" : " events (") +
-           std::to_string(scene.record->coefficients[c].changes) + " changes of status) up to " +
-           place_on_path(scene, c) + ", then " + std::to_string(last.count[1] + last.count[2]) +
-           " pairs in contact and a peak pressure of " + figure(last.peak, scene.stress_unit, 6);
+    out += "&#956; = " + figure(h.mu) + ": " + std::to_string(last.events) + (last.events == 1 ? " event (" : " events (") +
+           std::to_string(scene.record->coefficients[c].changes) + " changes of status) up to " + place_on_path(scene, c) +
+           ", then " + std::to_string(last.count[1] + last.count[2]) + " pairs in contact and a peak pressure of " +
+           figure(last.peak, scene.stress_unit, 6);
   }
   if (known > kMostLines) out += "; further coefficients are not drawn";
   return "How the load path went (markers: recorded steps): " + out + ".";
@@ -165,8 +155,7 @@ void draw_path(const Scene& scene, Pictures& out) {
   draw_value(svg, scene, frame, x, "pairs", "", true, true, true, touching);
   draw_heading(svg, frame, "Pairs in contact");
   Picture picture{"path", "The load path", caption(scene), ""};
-  if (scene.history->coefficients().size() == 1)
-    picture.title += ", &#956; = " + figure(scene.history->coefficients()[0].mu);
+  if (scene.history->coefficients().size() == 1) picture.title += ", &#956; = " + figure(scene.history->coefficients()[0].mu);
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);
 }

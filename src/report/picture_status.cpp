@@ -15,8 +15,7 @@ struct Band {
 
 // In event following the status of a point holds until the next point; between the increments of the deck's
 // stepping only what was found at their ends is known, and is shown below them.
-std::vector<Band> find_bands(const CoefficientHistory& history, const std::vector<double>& height,
-                             bool backwards) {
+std::vector<Band> find_bands(const CoefficientHistory& history, const std::vector<double>& height, bool backwards) {
   std::vector<Band> out;
   const size_t n = history.points.size();
   const auto add = [&](double from, double to, const PathPoint& p) {
@@ -54,14 +53,13 @@ std::string caption(const Scene& scene, const ZoneScene& zone, size_t coefficien
   const CoefficientHistory& history = scene.history->coefficients()[coefficient];
   const ZoneFacts f = find_facts(scene, zone, record.table);
   const size_t events = static_cast<size_t>(history.points.empty() ? 0 : history.points.back().events);
-  std::string out = "Which part of the zone was open, stuck or slipped along the load path, with " +
-                    std::to_string(events) + (events == 1 ? " event" : " events") + "; at " +
-                    place_on_path(scene, coefficient) + ": " + std::to_string(f.sticking) + " of " +
-                    std::to_string(zone.pairs) + " pairs stick, " + std::to_string(f.slipping) + " slip, " +
-                    std::to_string(static_cast<int32_t>(zone.pairs) - f.touching) + " are open";
+  std::string out = "Which part of the zone was open, stuck or slipped along the load path, with " + std::to_string(events) +
+                    (events == 1 ? " event" : " events") + "; at " + place_on_path(scene, coefficient) + ": " +
+                    std::to_string(f.sticking) + " of " + std::to_string(zone.pairs) + " pairs stick, " +
+                    std::to_string(f.slipping) + " slip, " + std::to_string(static_cast<int32_t>(zone.pairs) - f.touching) +
+                    " are open";
   if (f.sticking > 0)
-    out += "; sticking from s = " + figure(f.stick_low, scene.length_unit) + " to " +
-           figure(f.stick_high, scene.length_unit);
+    out += "; sticking from s = " + figure(f.stick_low, scene.length_unit) + " to " + figure(f.stick_high, scene.length_unit);
   return out + ".";
 }
 
@@ -99,8 +97,7 @@ void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Picture
       const Point a = chart.at(border[i], band.from), b = chart.at(border[end], band.to);
       i = end;
       if (status == C2D_OPEN) continue;
-      svg.rectangle({std::min(a.x, b.x), b.y, std::max(a.x, b.x), a.y}, fills[status == C2D_STICK ? 1 : 2],
-                    Stroke{});
+      svg.rectangle({std::min(a.x, b.x), b.y, std::max(a.x, b.x), a.y}, fills[status == C2D_STICK ? 1 : 2], Stroke{});
     }
   svg.raw("</g>\n");
   svg.rectangle(frame, "none", Stroke{colour::kInk, 1.0, ""});

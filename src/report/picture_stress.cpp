@@ -48,9 +48,8 @@ c2d_status sample(const Scene& scene, size_t b, const Chart& view, Grid& grid) {
     }
   if (where.empty()) return C2D_OK;
   std::vector<double> values(where.size() * C2D_POINT_FIELDS);
-  const c2d_status status =
-      c2d_interior(scene.solver, static_cast<int32_t>(b) + 1, static_cast<int32_t>(where.size()),
-                   points.data(), 2, values.data(), C2D_POINT_FIELDS);
+  const c2d_status status = c2d_interior(scene.solver, static_cast<int32_t>(b) + 1, static_cast<int32_t>(where.size()),
+                                         points.data(), 2, values.data(), C2D_POINT_FIELDS);
   if (status != C2D_OK) return status;
   for (size_t i = 0; i < where.size(); ++i) {
     const double* row = values.data() + i * C2D_POINT_FIELDS;
@@ -67,8 +66,7 @@ Peak find_peak(const Window& window) {
     const Grid& g = window.grids[b];
     for (size_t r = 0; r < g.rows; ++r)
       for (size_t c = 0; c < g.columns; ++c)
-        if (g.known[g.at(c, r)] && g.values[g.at(c, r)] > out.value)
-          out = {g.values[g.at(c, r)], g.place(c, r), b};
+        if (g.known[g.at(c, r)] && g.values[g.at(c, r)] > out.value) out = {g.values[g.at(c, r)], g.place(c, r), b};
   }
   return out;
 }
@@ -128,8 +126,7 @@ void draw_bar(Svg& svg, const Box& bar, const Axis& axis, const std::vector<doub
   for (size_t k = 0; k < bands; ++k) {
     const double bottom = bar.bottom - static_cast<double>(k) * high;
     svg.rectangle({bar.left, bottom - high, bar.right, bottom},
-                  scale_colour((static_cast<double>(k) + 0.5) / static_cast<double>(bands)),
-                  Stroke{colour::kInk, 0.6, ""});
+                  scale_colour((static_cast<double>(k) + 0.5) / static_cast<double>(bands)), Stroke{colour::kInk, 0.6, ""});
   }
   double widest = 0.0;
   for (size_t k = 0; k <= bands; ++k) {
@@ -139,12 +136,11 @@ void draw_bar(Svg& svg, const Box& bar, const Axis& axis, const std::vector<doub
     svg.text({bar.right + 6.0, bar.bottom - static_cast<double>(k) * high + 4.0}, label, 11.0);
     widest = std::max(widest, text_width(label, 11.0));
   }
-  svg.text({bar.right + widest + 22.0, 0.5 * (bar.top + bar.bottom)}, axis.name, 12.0, Anchor::kMiddle,
-           colour::kInk, true);
+  svg.text({bar.right + widest + 22.0, 0.5 * (bar.top + bar.bottom)}, axis.name, 12.0, Anchor::kMiddle, colour::kInk, true);
 }
 
-c2d_status draw_one(const Scene& scene, const std::string& name, const std::string& title, Range x, Range y,
-                    double margin, Pictures& out) {
+c2d_status draw_one(const Scene& scene, const std::string& name, const std::string& title, Range x, Range y, double margin,
+                    Pictures& out) {
   const double left = 62.0, right = kPictureWidth - 120.0, top = 14.0;
   const double high = view_height(x, y, right - left, 260.0, 460.0);
   Window window;
@@ -164,8 +160,8 @@ c2d_status draw_one(const Scene& scene, const std::string& name, const std::stri
   draw_bar(svg, {right + 16.0, middle - 0.5 * bar_high, right + 34.0, middle + 0.5 * bar_high}, axis, levels);
   Picture picture{name, title, "", ""};
   picture.caption = "von Mises' stress at " + place_at_end(scene);
-  picture.caption += ": the largest value on the grid drawn is " + figure(peak.value, scene.stress_unit) +
-                     " at (" + figure(peak.at.x) + ", " + figure(peak.at.y) + ")";
+  picture.caption += ": the largest value on the grid drawn is " + figure(peak.value, scene.stress_unit) + " at (" +
+                     figure(peak.at.x) + ", " + figure(peak.at.y) + ")";
   if (scene.bodies.size() > 1) picture.caption += " in body " + std::to_string(peak.body + 1);
   picture.caption += ".";
   picture.svg = svg.finish(picture.title, picture.caption);
@@ -186,18 +182,15 @@ c2d_status draw_stress(const Scene& scene, Pictures& out) {
   for (size_t p = 0; p < scene.pairs.size() && !table.empty(); ++p)
     if (static_cast<int>(table[p * C2D_PAIR_FIELDS + C2D_STATUS]) != C2D_OPEN)
       for (const Image& image : scene.zone_images)
-        for (const Point& on : scene.pairs[p].on)
-          zoom_x.include(image.place(on).x), zoom_y.include(image.place(on).y);
+        for (const Point& on : scene.pairs[p].on) zoom_x.include(image.place(on).x), zoom_y.include(image.place(on).y);
   if (zoom_x.empty) return status;
   const double size = std::max(zoom_x.high - zoom_x.low, zoom_y.high - zoom_y.low);
   if (size <= 0.0 || size > 0.6 * std::max(x.high - x.low, y.high - y.low)) return status;
   const double reach = 0.7 * size; // stresses of a contact reach about as deep as it is wide
   Range near_x, near_y;
   for (const double d : {-reach, reach}) {
-    for (const double at : {zoom_x.low + d, zoom_x.high + d})
-      near_x.include(std::min(x.high, std::max(x.low, at)));
-    for (const double at : {zoom_y.low + d, zoom_y.high + d})
-      near_y.include(std::min(y.high, std::max(y.low, at)));
+    for (const double at : {zoom_x.low + d, zoom_x.high + d}) near_x.include(std::min(x.high, std::max(x.low, at)));
+    for (const double at : {zoom_y.low + d, zoom_y.high + d}) near_y.include(std::min(y.high, std::max(y.low, at)));
   }
   return draw_one(scene, "stress_zone", "Stress near the contact", near_x, near_y, 12.0, out);
 }

@@ -9,11 +9,10 @@ namespace app {
 namespace {
 
 // Earlier steps: thin, each with a dash of its own.
-const Stroke kEarlier[] = {
-    {colour::kFaint, 1.1, "2 3"}, {colour::kFaint, 1.1, "6 3"}, {colour::kFaint, 1.1, "10 3 2 3"}};
+const Stroke kEarlier[] = {{colour::kFaint, 1.1, "2 3"}, {colour::kFaint, 1.1, "6 3"}, {colour::kFaint, 1.1, "10 3 2 3"}};
 
-std::vector<Point> curve_of(const ZoneScene& zone, const std::vector<double>& table, size_t column,
-                            const Chart& chart, double factor = 1.0) {
+std::vector<Point> curve_of(const ZoneScene& zone, const std::vector<double>& table, size_t column, const Chart& chart,
+                            double factor = 1.0) {
   std::vector<Point> out;
   for (const ZoneSample& p : zone.samples) {
     const double turn = column == C2D_TT ? p.turn : 1.0;
@@ -38,8 +37,7 @@ double find_top(const Layers& l, size_t column) {
   std::vector<std::pair<double, double>> sizes; // size, and the length along which it stands
   double length = 0.0, below = 0.0;
   for (size_t p = l.zone.first; p < l.zone.first + l.zone.pairs; ++p) {
-    const size_t before = p > l.zone.first ? p - 1 : p,
-                 behind = p + 1 < l.zone.first + l.zone.pairs ? p + 1 : p;
+    const size_t before = p > l.zone.first ? p - 1 : p, behind = p + 1 < l.zone.first + l.zone.pairs ? p + 1 : p;
     const double share = 0.5 * std::fabs(l.scene.pairs[behind].s - l.scene.pairs[before].s);
     const double value = std::fabs(l.record.table[p * C2D_PAIR_FIELDS + column]);
     sizes.emplace_back(value, share);
@@ -86,8 +84,7 @@ void draw_marks(Svg& svg, const Layers& l, size_t column, const Chart& chart, co
   const std::vector<Point> places = curve_of(l.zone, l.record.table, column, chart);
   for (size_t i = 0; i < places.size(); ++i) {
     if (places[i].y < chart.frame.top - 1.0 || places[i].y > chart.frame.bottom + 1.0) continue;
-    const int status =
-        static_cast<int>(l.record.table[l.zone.samples[i].pair * C2D_PAIR_FIELDS + C2D_STATUS]);
+    const int status = static_cast<int>(l.record.table[l.zone.samples[i].pair * C2D_PAIR_FIELDS + C2D_STATUS]);
     svg.mark(status_mark(status), places[i], status == C2D_OPEN ? 5.0 : 6.0, ink);
   }
 }
@@ -101,12 +98,11 @@ void tell_beyond(Svg& svg, const Layers& l, size_t column, const Chart& chart) {
     if (size(p) > size(largest)) largest = p;
   }
   if (beyond == 0) return;
-  const std::string text = std::to_string(beyond) + (beyond == 1 ? " pair" : " pairs") +
-                           " beyond the axis: up to " +
+  const std::string text = std::to_string(beyond) + (beyond == 1 ? " pair" : " pairs") + " beyond the axis: up to " +
                            figure(l.record.table[largest * C2D_PAIR_FIELDS + column], l.scene.stress_unit) +
                            " at s = " + figure(l.scene.pairs[largest].s, l.scene.length_unit);
-  svg.text({0.5 * (chart.frame.left + chart.frame.right), chart.frame.top + 16.0}, text, 11.0,
-           Anchor::kMiddle, colour::kInk, false, true);
+  svg.text({0.5 * (chart.frame.left + chart.frame.right), chart.frame.top + 16.0}, text, 11.0, Anchor::kMiddle, colour::kInk,
+           false, true);
 }
 
 std::vector<LegendEntry> legend(const Layers& l, bool friction) {
@@ -115,14 +111,13 @@ std::vector<LegendEntry> legend(const Layers& l, bool friction) {
   if (friction) {
     out.push_back({"friction tt", Stroke{colour::kOrange, 2.0, ""}, Mark::kNone, true, ""});
     if (std::isfinite(l.mu))
-      out.push_back(
-          {"Coulomb bounds &#177;&#956; tn", Stroke{colour::kInk, 0.8, "4 2"}, Mark::kNone, true, "#eeeeee"});
+      out.push_back({"Coulomb bounds &#177;&#956; tn", Stroke{colour::kInk, 0.8, "4 2"}, Mark::kNone, true, "#eeeeee"});
   }
   size_t i = 0;
   for (const Snapshot& s : l.history.earlier) {
     if (s.load == l.record.load && s.step == l.record.step) continue;
-    const std::string when = l.by_load ? "load " + figure(s.load)
-                                       : "step " + std::to_string(s.step) + ": load " + list_of(s.loads);
+    const std::string when =
+        l.by_load ? "load " + figure(s.load) : "step " + std::to_string(s.step) + ": load " + list_of(s.loads);
     out.push_back({when, kEarlier[i++ % 3], Mark::kNone, true, ""});
   }
   for (const LegendEntry& entry : status_legend()) out.push_back(entry);
@@ -136,8 +131,8 @@ std::string caption(const Layers& l) {
   std::string out = "At " + l.place + " ";
   if (f.touching == 0) return out + "no pair touches.";
   const PairScene& peak = scene.pairs[f.peak_pair];
-  out += "the peak pressure is " + figure(f.peak, scene.stress_unit, 6) +
-         " at s = " + figure(peak.s, length) + " (pair " + std::to_string(f.peak_pair + 1) + "); ";
+  out += "the peak pressure is " + figure(f.peak, scene.stress_unit, 6) + " at s = " + figure(peak.s, length) + " (pair " +
+         std::to_string(f.peak_pair + 1) + "); ";
   out += std::to_string(f.touching) + " of " + std::to_string(l.zone.pairs) +
          (l.zone.pairs == 1 ? " pair touches" : " pairs touch");
   const double size = f.high - f.low;
@@ -146,8 +141,8 @@ std::string caption(const Layers& l) {
   else
     out += " between s = " + figure(f.low, length) + " and " + figure(f.high, length);
   if (l.mu > 0.0 && f.sticking > 0)
-    out += "; sticking from s = " + figure(f.stick_low, length) + " to " + figure(f.stick_high, length) +
-           ", " + std::to_string(f.slipping) + (f.slipping == 1 ? " pair slips" : " pairs slip");
+    out += "; sticking from s = " + figure(f.stick_low, length) + " to " + figure(f.stick_high, length) + ", " +
+           std::to_string(f.slipping) + (f.slipping == 1 ? " pair slips" : " pairs slip");
   else if (l.mu > 0.0)
     out += "; no pair sticks";
   out += l.zone.measure == 2 ? ". tn and tt are per unit of length of body 2." : ".";
@@ -157,9 +152,8 @@ std::string caption(const Layers& l) {
 
 void draw_pressure(Svg& svg, const Layers& l, const Box& frame, const Axis& axis, bool labels) {
   const double top = find_top(l, C2D_TN);
-  const Chart chart{
-      frame, axis,
-      make_axis(range_of(l, C2D_TN, 0.0, top), traction_name(l.zone, "pressure tn"), l.scene.stress_unit, 6)};
+  const Chart chart{frame, axis,
+                    make_axis(range_of(l, C2D_TN, 0.0, top), traction_name(l.zone, "pressure tn"), l.scene.stress_unit, 6)};
   draw_axes(svg, chart, labels);
   draw_heading(svg, frame, "Pressure");
   svg.begin_clip(Box{frame.left - 5.0, frame.top - 1.0, frame.right + 5.0, frame.bottom + 5.0});
@@ -175,8 +169,7 @@ void draw_friction(Svg& svg, const Layers& l, const Box& frame, const Axis& axis
   const double highest = find_top(l, C2D_TN);
   const double top = bound > 0.0 && std::isfinite(highest) ? bound * highest : find_top(l, C2D_TT);
   const Chart chart{frame, axis,
-                    make_axis(range_of(l, C2D_TT, bound, top), traction_name(l.zone, "friction tt"),
-                              l.scene.stress_unit, 6)};
+                    make_axis(range_of(l, C2D_TT, bound, top), traction_name(l.zone, "friction tt"), l.scene.stress_unit, 6)};
   std::vector<Point> upper = curve_of(l.zone, l.record.table, C2D_TN, chart, bound);
   const std::vector<Point> lower = curve_of(l.zone, l.record.table, C2D_TN, chart, -bound);
   std::vector<Point> band = upper;
@@ -231,8 +224,6 @@ void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Picture
 
 } // namespace
 
-void draw_tractions(const Scene& scene, Pictures& out) {
-  draw_charts(scene, scene.record->coefficients.size(), draw_one, out);
-}
+void draw_tractions(const Scene& scene, Pictures& out) { draw_charts(scene, scene.record->coefficients.size(), draw_one, out); }
 
 } // namespace app

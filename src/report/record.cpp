@@ -33,8 +33,7 @@ CoefficientRecord& keep_step(RunRecord& record, const c2d_step& step) {
   c.table.resize(static_cast<size_t>(step.pairs) * C2D_PAIR_FIELDS);
   for (int32_t p = 0; p < step.pairs; ++p)
     for (int32_t k = 0; k < C2D_PAIR_FIELDS; ++k)
-      c.table[static_cast<size_t>(p) * C2D_PAIR_FIELDS + static_cast<size_t>(k)] =
-          step.table[p * step.stride + k];
+      c.table[static_cast<size_t>(p) * C2D_PAIR_FIELDS + static_cast<size_t>(k)] = step.table[p * step.stride + k];
   return c;
 }
 
@@ -59,8 +58,7 @@ void keep_history(CoefficientRecord& c, const c2d_step& step, c2d_solver* solver
   now.loads.assign(step.loads, step.loads + step.cases);
   now.work_by_case.assign(step.work_by_case, step.work_by_case + step.cases);
   c2d_zone_state zone = C2D_INIT(c2d_zone_state);
-  for (int32_t i = 1; solver != nullptr && c2d_get_zone_state(solver, i, &zone) == C2D_OK; ++i)
-    now.zones.push_back(zone);
+  for (int32_t i = 1; solver != nullptr && c2d_get_zone_state(solver, i, &zone) == C2D_OK; ++i) now.zones.push_back(zone);
   c.steps.push_back(now);
 }
 
@@ -86,13 +84,12 @@ void explain(CoefficientRecord& c, const c2d_summary& summary, const std::string
   if (c.pair > 0) c.why += "; last pair " + std::to_string(c.pair);
 }
 
-c2d_status get_ends(c2d_solver* solver, const c2d_summary& summary, int32_t body, const int32_t* fields,
-                    int32_t count, std::vector<std::vector<double>>& out) {
+c2d_status get_ends(c2d_solver* solver, const c2d_summary& summary, int32_t body, const int32_t* fields, int32_t count,
+                    std::vector<std::vector<double>>& out) {
   const int32_t ends = summary.elements[body - 1] * summary.function_nodes;
   out.assign(static_cast<size_t>(count), std::vector<double>(static_cast<size_t>(ends), 0.0));
   for (int32_t f = 0; f < count; ++f) {
-    const c2d_status status =
-        c2d_get(solver, fields[f], body, 1, ends, out[static_cast<size_t>(f)].data(), 1);
+    const c2d_status status = c2d_get(solver, fields[f], body, 1, ends, out[static_cast<size_t>(f)].data(), 1);
     if (status != C2D_OK) return status;
   }
   return C2D_OK;
@@ -101,8 +98,7 @@ c2d_status get_ends(c2d_solver* solver, const c2d_summary& summary, int32_t body
 namespace {
 
 // Pairs of a free zone by their places on body 1.
-c2d_status add_places(c2d_solver* solver, const c2d_summary& summary, int32_t zone,
-                      std::vector<ContactEnd>& ends) {
+c2d_status add_places(c2d_solver* solver, const c2d_summary& summary, int32_t zone, std::vector<ContactEnd>& ends) {
   const int32_t fields[5] = {C2D_PAIR_ZONE, C2D_PAIR_ELEMENT1, C2D_PAIR_ETA1, C2D_X, C2D_Y};
   std::vector<double> v[5];
   for (int f = 0; f < 5; ++f) {
@@ -112,20 +108,17 @@ c2d_status add_places(c2d_solver* solver, const c2d_summary& summary, int32_t zo
   }
   for (size_t p = 0; p < v[0].size(); ++p)
     if (static_cast<int32_t>(v[0][p]) == zone)
-      ends.push_back(
-          {static_cast<int32_t>(v[1][p]), 0, static_cast<int32_t>(p) + 1, v[3][p], v[4][p], v[2][p]});
+      ends.push_back({static_cast<int32_t>(v[1][p]), 0, static_cast<int32_t>(p) + 1, v[3][p], v[4][p], v[2][p]});
   return C2D_OK;
 }
 
 } // namespace
 
-c2d_status find_contact_ends(c2d_solver* solver, const c2d_summary& summary, int32_t body,
-                             std::vector<ContactEnd>& ends) {
+c2d_status find_contact_ends(c2d_solver* solver, const c2d_summary& summary, int32_t body, std::vector<ContactEnd>& ends) {
   ends.clear();
   if (summary.pairs == 0) return C2D_OK;
   std::vector<double> pair_nodes(static_cast<size_t>(summary.pairs));
-  c2d_status status =
-      c2d_get(solver, body == 1 ? C2D_PAIR_NODE1 : C2D_PAIR_NODE2, 1, 1, summary.pairs, pair_nodes.data(), 1);
+  c2d_status status = c2d_get(solver, body == 1 ? C2D_PAIR_NODE1 : C2D_PAIR_NODE2, 1, 1, summary.pairs, pair_nodes.data(), 1);
   if (status != C2D_OK) return status;
   std::vector<int32_t> pair_of_node(static_cast<size_t>(summary.nodes[body - 1]) + 1, 0);
   for (size_t p = 0; p < pair_nodes.size(); ++p) {

@@ -9,8 +9,7 @@
 namespace app {
 namespace {
 
-c2d_status get_points(c2d_solver* solver, int32_t field_x, int32_t body, int32_t count,
-                      std::vector<Point>& out) {
+c2d_status get_points(c2d_solver* solver, int32_t field_x, int32_t body, int32_t count, std::vector<Point>& out) {
   std::vector<double> x(static_cast<size_t>(count)), y(x.size());
   c2d_status status = c2d_get(solver, field_x, body, 1, count, x.data(), 1);
   if (status == C2D_OK) status = c2d_get(solver, field_x + 1, body, 1, count, y.data(), 1);
@@ -19,8 +18,7 @@ c2d_status get_points(c2d_solver* solver, int32_t field_x, int32_t body, int32_t
   return status;
 }
 
-c2d_status get_integers(c2d_solver* solver, int32_t field, int32_t body, int32_t count,
-                        std::vector<int32_t>& out) {
+c2d_status get_integers(c2d_solver* solver, int32_t field, int32_t body, int32_t count, std::vector<int32_t>& out) {
   std::vector<double> values(static_cast<size_t>(count));
   const c2d_status status = c2d_get(solver, field, body, 1, count, values.data(), 1);
   out.assign(values.begin(), values.end());
@@ -58,8 +56,7 @@ c2d_status gather_body(Scene& scene, int32_t body) {
 }
 
 void name_units(Scene& scene) {
-  const std::string length = escape_xml(scene.summary.unit_length),
-                    force = escape_xml(scene.summary.unit_force);
+  const std::string length = escape_xml(scene.summary.unit_length), force = escape_xml(scene.summary.unit_force);
   scene.length_unit = length;
   if (force.empty() || length.empty()) return;
   scene.stress_unit = force + "/" + length + "&#178;";
@@ -78,8 +75,7 @@ c2d_status gather_scene(c2d_solver* solver, const RunRecord& record, const Histo
   scene.solved = scene.summary.state == C2D_STATE_RUNNING;
   name_units(scene);
   scene.bodies.resize(static_cast<size_t>(scene.summary.bodies));
-  for (int32_t body = 1; body <= scene.summary.bodies && status == C2D_OK; ++body)
-    status = gather_body(scene, body);
+  for (int32_t body = 1; body <= scene.summary.bodies && status == C2D_OK; ++body) status = gather_body(scene, body);
   if (status == C2D_OK) status = gather_zones(scene);
   if (status == C2D_OK) status = gather_loads(scene);
   return status;
@@ -87,8 +83,7 @@ c2d_status gather_scene(c2d_solver* solver, const RunRecord& record, const Histo
 
 double friction_of(const Scene& scene, size_t coefficient, size_t zone) {
   double mu = scene.record->coefficients[coefficient].mu;
-  c2d_get_zone_friction(scene.solver, static_cast<int32_t>(zone) + 1, static_cast<int32_t>(coefficient) + 1,
-                        &mu);
+  c2d_get_zone_friction(scene.solver, static_cast<int32_t>(zone) + 1, static_cast<int32_t>(coefficient) + 1, &mu);
   return mu;
 }
 
@@ -97,8 +92,7 @@ std::vector<std::vector<Point>> outline_of(const BodyScene& body, double magnifi
   for (const std::vector<OutlinePoint>& curve : body.curves) {
     out.emplace_back();
     for (const OutlinePoint& p : curve)
-      out.back().push_back(
-          {p.at.x + magnification * (p.moved.x - p.at.x), p.at.y + magnification * (p.moved.y - p.at.y)});
+      out.back().push_back({p.at.x + magnification * (p.moved.x - p.at.x), p.at.y + magnification * (p.moved.y - p.at.y)});
   }
   return out;
 }
@@ -127,10 +121,9 @@ ZoneFacts find_facts(const Scene& scene, const ZoneScene& zone, const std::vecto
 std::string place_on_path(const Scene& scene, size_t coefficient) {
   const CoefficientRecord& record = scene.record->coefficients[coefficient];
   const std::vector<CoefficientHistory>& histories = scene.history->coefficients();
-  if (coefficient >= histories.size() || rises(histories[coefficient]))
-    return "load factor " + figure(record.load);
-  return "step " + std::to_string(record.step) + " (load factor" +
-         (histories[coefficient].loads.size() > 1 ? "s " : " ") + list_of(histories[coefficient].loads) + ")";
+  if (coefficient >= histories.size() || rises(histories[coefficient])) return "load factor " + figure(record.load);
+  return "step " + std::to_string(record.step) + " (load factor" + (histories[coefficient].loads.size() > 1 ? "s " : " ") +
+         list_of(histories[coefficient].loads) + ")";
 }
 
 std::string place_at_end(const Scene& scene) {

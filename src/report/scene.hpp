@@ -22,9 +22,7 @@ struct EndCondition {
   int32_t codes[4];
   std::vector<double> values[4]; // per load case
   bool known(int quantity) const { return codes[quantity] == 0; }
-  double value(int quantity, size_t load_case) const {
-    return known(quantity) ? values[quantity][load_case] : 0.0;
-  }
+  double value(int quantity, size_t load_case) const { return known(quantity) ? values[quantity][load_case] : 0.0; }
 };
 struct BodyScene {
   std::vector<std::vector<OutlinePoint>> curves;
@@ -52,9 +50,8 @@ struct ZoneScene {
   size_t origin = 0; // the pair where s = 0: on a line of symmetry, or the zone's left or lower end
   bool symmetric_origin = false;
   bool has_images = false;
-  std::vector<ZoneSample>
-      samples;         // in the order of s; a zone that ends on a line of images goes on beyond it
-  int32_t measure = 1; // the body per whose length tn and tt are
+  std::vector<ZoneSample> samples; // in the order of s; a zone that ends on a line of images goes on beyond it
+  int32_t measure = 1;             // the body per whose length tn and tt are
 };
 
 // What a load case does beside the conditions of element ends.
@@ -96,11 +93,11 @@ struct Scene {
   size_t cases = 1;
   std::vector<PointLoad> point_loads;
   std::vector<BodyForce> body_forces;
-  bool rigid = false;               // body 1 is an obstacle
-  std::vector<RigidMotion> motions; // of it, other than none
-  size_t interference = 0;          // the load case, from 1, that closes overlaps; 0: none
-  std::vector<Image> images;        // the model first
-  std::vector<Image> zone_images;   // those of them that make one zone of a part and its image
+  bool rigid = false;                                          // body 1 is an obstacle
+  std::vector<RigidMotion> motions;                            // of it, other than none
+  size_t interference = 0;                                     // the load case, from 1, that closes overlaps; 0: none
+  std::vector<Image> images;                                   // the model first
+  std::vector<Image> zone_images;                              // those of them that make one zone of a part and its image
   std::string length_unit, stress_unit, force_unit, work_unit; // escaped; empty if the user named none
 };
 

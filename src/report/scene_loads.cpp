@@ -7,8 +7,7 @@ c2d_status gather_point_loads(Scene& scene) {
   double at[2], force[2];
   int32_t body = 0, load_case = 0;
   for (int32_t i = 1; c2d_get_case_point_load(scene.solver, i, &body, at, force, &load_case) == C2D_OK; ++i)
-    scene.point_loads.push_back(
-        {body, {at[0], at[1]}, {force[0], force[1]}, static_cast<size_t>(load_case) - 1});
+    scene.point_loads.push_back({body, {at[0], at[1]}, {force[0], force[1]}, static_cast<size_t>(load_case) - 1});
   return C2D_OK;
 }
 
@@ -31,8 +30,7 @@ c2d_status gather_motion(Scene& scene, int32_t load_case) {
   if (status != C2D_OK) return status;
   scene.rigid = is_rigid != 0;
   if (motion[0] != 0.0 || motion[1] != 0.0 || motion[2] != 0.0)
-    scene.motions.push_back(
-        {static_cast<size_t>(load_case) - 1, {motion[0], motion[1]}, motion[2], {axis[0], axis[1]}});
+    scene.motions.push_back({static_cast<size_t>(load_case) - 1, {motion[0], motion[1]}, motion[2], {axis[0], axis[1]}});
   return C2D_OK;
 }
 
@@ -40,8 +38,7 @@ void find_images(Scene& scene) {
   const c2d_summary& s = scene.summary;
   const Point line{s.symmetry_at[0], s.symmetry_at[1]};
   for (int y = 0; y <= (s.symmetry >> 1 & 1); ++y)
-    for (int x = 0; x <= (s.symmetry & 1); ++x)
-      scene.images.push_back({{x == 0 ? 1.0 : -1.0, y == 0 ? 1.0 : -1.0}, line});
+    for (int x = 0; x <= (s.symmetry & 1); ++x) scene.images.push_back({{x == 0 ? 1.0 : -1.0, y == 0 ? 1.0 : -1.0}, line});
   scene.zone_images = {scene.images[0]};
   for (const int axis : {1, 2})
     for (const ZoneScene& zone : scene.zones)

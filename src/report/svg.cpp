@@ -54,21 +54,15 @@ bool cut(const Box& box, Point& a, Point& b) {
 // 2^23 pixels only, and draw shapes that reach further wrongly.
 constexpr Box kPaper{-5e4, -5e4, 5e4, 5e4};
 
-bool on_paper(Point p) {
-  return p.x >= kPaper.left && p.x <= kPaper.right && p.y >= kPaper.top && p.y <= kPaper.bottom;
-}
+bool on_paper(Point p) { return p.x >= kPaper.left && p.x <= kPaper.right && p.y >= kPaper.top && p.y <= kPaper.bottom; }
 
 // How far a point lies within side k of the paper.
 double within(Point p, int k) {
   switch (k) {
-  case 0:
-    return p.x - kPaper.left;
-  case 1:
-    return kPaper.right - p.x;
-  case 2:
-    return p.y - kPaper.top;
-  default:
-    return kPaper.bottom - p.y;
+  case 0: return p.x - kPaper.left;
+  case 1: return kPaper.right - p.x;
+  case 2: return p.y - kPaper.top;
+  default: return kPaper.bottom - p.y;
   }
 }
 
@@ -172,8 +166,7 @@ double text_width(const std::string& text, double size) {
   return 0.6 * size * static_cast<double>(characters);
 }
 
-Svg::Svg(const std::string& name, double width, double height)
-    : name_(name), width_(width), height_(height) {}
+Svg::Svg(const std::string& name, double width, double height) : name_(name), width_(width), height_(height) {}
 
 void Svg::line(Point from, Point to, const Stroke& stroke) {
   if (!(on_paper(from) && on_paper(to)) && !cut(kPaper, from, to)) return;
@@ -214,8 +207,8 @@ void Svg::area(const std::vector<std::vector<Point>>& curves, const std::string&
 }
 
 void Svg::rectangle(const Box& whole, const std::string& fill, const Stroke& stroke) {
-  const Box box{std::max(whole.left, kPaper.left), std::max(whole.top, kPaper.top),
-                std::min(whole.right, kPaper.right), std::min(whole.bottom, kPaper.bottom)};
+  const Box box{std::max(whole.left, kPaper.left), std::max(whole.top, kPaper.top), std::min(whole.right, kPaper.right),
+                std::min(whole.bottom, kPaper.bottom)};
   if (box.right < box.left || box.bottom < box.top) return;
   body_ += "<rect";
   append_attribute(body_, "x", box.left);
@@ -233,8 +226,7 @@ void Svg::mark(Mark mark, Point at, double size, const char* ink, bool filled) {
   const std::string fill = filled ? ink : "white";
   const Stroke edge{ink, 1.2, ""};
   switch (mark) {
-  case Mark::kNone:
-    return;
+  case Mark::kNone: return;
   case Mark::kCircle:
     body_ += "<circle";
     append_attribute(body_, "cx", at.x);
@@ -244,15 +236,9 @@ void Svg::mark(Mark mark, Point at, double size, const char* ink, bool filled) {
     append_stroke(body_, edge);
     body_ += "/>\n";
     return;
-  case Mark::kSquare:
-    rectangle({at.x - r, at.y - r, at.x + r, at.y + r}, fill, edge);
-    return;
-  case Mark::kTriangle:
-    area({{{at.x - r, at.y + r}, {at.x + r, at.y + r}, {at.x, at.y - r}}}, fill, edge);
-    return;
-  case Mark::kDiamond:
-    area({{{at.x - r, at.y}, {at.x, at.y + r}, {at.x + r, at.y}, {at.x, at.y - r}}}, fill, edge);
-    return;
+  case Mark::kSquare: rectangle({at.x - r, at.y - r, at.x + r, at.y + r}, fill, edge); return;
+  case Mark::kTriangle: area({{{at.x - r, at.y + r}, {at.x + r, at.y + r}, {at.x, at.y - r}}}, fill, edge); return;
+  case Mark::kDiamond: area({{{at.x - r, at.y}, {at.x, at.y + r}, {at.x + r, at.y}, {at.x, at.y - r}}}, fill, edge); return;
   case Mark::kCross:
     line({at.x - r, at.y - r}, {at.x + r, at.y + r}, edge);
     line({at.x - r, at.y + r}, {at.x + r, at.y - r}, edge);
@@ -272,15 +258,13 @@ void Svg::arrow(Point from, Point to, const Stroke& stroke, double size, Head he
   if (head == Head::kOpen) polyline({left, to, right}, Stroke{stroke.colour, stroke.width, ""});
 }
 
-void Svg::text(Point at, const std::string& text, double size, Anchor anchor, const char* ink, bool turned,
-               bool halo) {
+void Svg::text(Point at, const std::string& text, double size, Anchor anchor, const char* ink, bool turned, bool halo) {
   if (!on_paper(at)) return;
   body_ += "<text";
   append_attribute(body_, "x", at.x);
   append_attribute(body_, "y", at.y);
   append_attribute(body_, "font-size", size);
-  if (anchor != Anchor::kStart)
-    body_ += anchor == Anchor::kMiddle ? " text-anchor=\"middle\"" : " text-anchor=\"end\"";
+  if (anchor != Anchor::kStart) body_ += anchor == Anchor::kMiddle ? " text-anchor=\"middle\"" : " text-anchor=\"end\"";
   body_ += " fill=\"";
   body_ += ink;
   body_ += '"';

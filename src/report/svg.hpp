@@ -59,8 +59,8 @@ public:
   void arrow(Point from, Point to, const Stroke& stroke, double size = 5.0, Head head = Head::kFilled);
   // `text` may hold entities: pass words of the user through escape_xml first. `turned`: reads upwards.
   // `halo`: with a white rim, over lines.
-  void text(Point at, const std::string& text, double size, Anchor anchor = Anchor::kStart,
-            const char* ink = colour::kInk, bool turned = false, bool halo = false);
+  void text(Point at, const std::string& text, double size, Anchor anchor = Anchor::kStart, const char* ink = colour::kInk,
+            bool turned = false, bool halo = false);
   // A fill with diagonal lines on `ground`.
   std::string hatch(const char* ink, const char* ground);
   // What follows is cut off outside; ends with end_clip().

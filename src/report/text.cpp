@@ -103,8 +103,7 @@ int print_double(char* text, double value, Form form, int digits) {
   const int significant = form == Form::kGeneral ? digits : digits + 1;
   uint64_t integer = 0;
   int exponent = 0;
-  const bool fast = size <= 1e30 && significant <= 15 &&
-                    (size == 0.0 || leading_digits(size, significant, integer, exponent));
+  const bool fast = size <= 1e30 && significant <= 15 && (size == 0.0 || leading_digits(size, significant, integer, exponent));
   if (!fast) return print_slowly(text, value, form, digits);
   char all[2 * kMostDigits] = {}; // with room behind them to copy from
   const int odd = significant & 1;
@@ -163,73 +162,47 @@ void append_general(std::string& out, double value, int width, int digits) {
 
 const char* status_word(int32_t status) {
   switch (status) {
-  case C2D_OPEN:
-    return "open";
-  case C2D_STICK:
-    return "stick";
-  case C2D_SLIP:
-    return "slip";
-  default:
-    return "none";
+  case C2D_OPEN: return "open";
+  case C2D_STICK: return "stick";
+  case C2D_SLIP: return "slip";
+  default: return "none";
   }
 }
 
 const char* outcome_word(int32_t outcome) {
   switch (outcome) {
-  case C2D_REACHED:
-    return "reached";
-  case C2D_FREE_MOTION:
-    return "free motion";
-  case C2D_GROSS_SLIDING:
-    return "gross sliding";
-  case C2D_NO_ADMISSIBLE_CHANGE:
-    return "no admissible change";
-  case C2D_ENDLESS_EXCHANGE:
-    return "changes without progress";
-  case C2D_UNDECIDED:
-    return "could not be decided";
-  case C2D_TIPPING:
-    return "tipping";
-  case C2D_BEYOND_LIMITS:
-    return "beyond the limits of accuracy";
-  default:
-    return "unknown";
+  case C2D_REACHED: return "reached";
+  case C2D_FREE_MOTION: return "free motion";
+  case C2D_GROSS_SLIDING: return "gross sliding";
+  case C2D_NO_ADMISSIBLE_CHANGE: return "no admissible change";
+  case C2D_ENDLESS_EXCHANGE: return "changes without progress";
+  case C2D_UNDECIDED: return "could not be decided";
+  case C2D_TIPPING: return "tipping";
+  case C2D_BEYOND_LIMITS: return "beyond the limits of accuracy";
+  default: return "unknown";
   }
 }
 
 const char* breach_word(int32_t breach) {
   switch (breach) {
-  case C2D_BREACH_TABLEAU:
-    return "residual of the contact tableau";
-  case C2D_BREACH_EQUATIONS:
-    return "residual of the contact equations";
-  case C2D_BREACH_BALANCE:
-    return "balance of forces";
-  case C2D_BREACH_SIGN:
-    return "pressure or gap below zero";
-  case C2D_BREACH_CONE:
-    return "friction above its bound";
-  case C2D_BREACH_SLIP:
-    return "slip along its friction";
-  case C2D_BREACH_SINGULAR:
-    return "no unique solution";
-  default:
-    return "none";
+  case C2D_BREACH_TABLEAU: return "residual of the contact tableau";
+  case C2D_BREACH_EQUATIONS: return "residual of the contact equations";
+  case C2D_BREACH_BALANCE: return "balance of forces";
+  case C2D_BREACH_SIGN: return "pressure or gap below zero";
+  case C2D_BREACH_CONE: return "friction above its bound";
+  case C2D_BREACH_SLIP: return "slip along its friction";
+  case C2D_BREACH_SINGULAR: return "no unique solution";
+  default: return "none";
   }
 }
 
 const char* tape_word(int32_t tape) {
   switch (tape) {
-  case C2D_TAPE_CONTROL:
-    return "control";
-  case C2D_TAPE_LOWER:
-    return "lower";
-  case C2D_TAPE_UPPER:
-    return "upper";
-  case C2D_TAPE_CONTACT:
-    return "contact";
-  default:
-    return "unknown";
+  case C2D_TAPE_CONTROL: return "control";
+  case C2D_TAPE_LOWER: return "lower";
+  case C2D_TAPE_UPPER: return "upper";
+  case C2D_TAPE_CONTACT: return "contact";
+  default: return "unknown";
   }
 }
 

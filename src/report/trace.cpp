@@ -14,7 +14,8 @@ const char* reason(int from, int to) {
   return to == C2D_STICK ? "slip ended" : "slip turned";
 }
 
-void append_row(std::string& out, const c2d_step& step, int64_t event, int32_t pair, const char* from, int to, const char* why) {
+void append_row(std::string& out, const c2d_step& step, int64_t event, int32_t pair, const char* from, int to,
+                const char* why) {
   append_number(out, step.mu);
   out += ',';
   append_integer(out, step.step);

@@ -46,8 +46,7 @@ struct BodyStress {
   std::vector<std::vector<double>> fields; // sxx, syy, sxy, szz, von Mises' of every element end
 };
 
-void append_end(Collected& c, const Scene& scene, const BodyScene& b, const BodyStress& stress, size_t i,
-                const Image& image) {
+void append_end(Collected& c, const Scene& scene, const BodyScene& b, const BodyStress& stress, size_t i, const Image& image) {
   const Point at = image.place(b.ends[i]);
   append_vector(c.points, at.x, at.y);
   c.point_count += 1;
@@ -85,8 +84,7 @@ void collect_point(Collected& c, const InteriorPoint& p) {
   append_vector(c.points, p.x, p.y);
   append_vector(c.displacement, p.values[C2D_POINT_UX], p.values[C2D_POINT_UY]);
   append_vector(c.traction, 0.0, 0.0);
-  append_tensor(c.stress, p.values[C2D_POINT_SXX], p.values[C2D_POINT_SYY], p.values[C2D_POINT_SXY],
-                p.values[C2D_POINT_SZZ]);
+  append_tensor(c.stress, p.values[C2D_POINT_SXX], p.values[C2D_POINT_SYY], p.values[C2D_POINT_SXY], p.values[C2D_POINT_SZZ]);
   append_number(c.von_mises, p.values[C2D_POINT_VON_MISES]);
   c.von_mises += '\n';
   c.status += "-1\n";
@@ -142,11 +140,10 @@ c2d_status append_vtk(std::string& out, const Scene& scene, const Interior& inte
   if (scene.solved) collect_interior(c, interior);
   std::string title = scene.summary.title[0] != '\0' ? scene.summary.title : "contact2d";
   for (char& character : title)
-    if (static_cast<unsigned char>(character) < 0x20 || static_cast<unsigned char>(character) >= 0x7f)
-      character = '?';
+    if (static_cast<unsigned char>(character) < 0x20 || static_cast<unsigned char>(character) >= 0x7f) character = '?';
   const std::string points = std::to_string(c.point_count), cells = std::to_string(c.cell_count);
-  out += "# vtk DataFile Version 3.0\n" + title + "\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS " + points +
-         " double\n" + c.points;
+  out +=
+      "# vtk DataFile Version 3.0\n" + title + "\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS " + points + " double\n" + c.points;
   out += "CELLS " + cells + ' ' + std::to_string(c.cell_numbers) + '\n' + c.cells;
   out += "CELL_TYPES " + cells + '\n' + c.types;
   out += "CELL_DATA " + cells + "\nSCALARS body int 1\nLOOKUP_TABLE default\n" + c.body;

@@ -1,7 +1,7 @@
 // Back substitution: displacements and tractions of whole boundaries.
+#include "results/back.hpp"
 #include "bie/columns.hpp"
 #include "memory/optional.hpp"
-#include "results/back.hpp"
 #include "results/balance.hpp"
 #include "results/rigid.hpp"
 #include "results/table.hpp"
@@ -42,8 +42,7 @@ double prescribed_displacement(const Session& session, int b, int32_t node, int 
 }
 double prescribed_traction(const Session& session, int b, int32_t end, int c) {
   double sum = 0.0;
-  const int64_t ends =
-      static_cast<int64_t>(session.model.head->body[b].elements) * session.model.head->function_nodes;
+  const int64_t ends = static_cast<int64_t>(session.model.head->body[b].elements) * session.model.head->function_nodes;
   for (int32_t k = 0; k < session.model.head->load_cases; ++k)
     sum += session.follower.load[k] * session.model.end_traction[b][(k * ends + end) * 2 + c];
   return sum;
@@ -62,10 +61,12 @@ void fill_displacements(const Session& session, int b) {
     }
     for (int c = 0; c < 2; ++c) {
       const Unknown unknown = unknown_at(m, b, node, c);
-      if (unknown.kind == UnknownKind::contact) u[c] = contact[c];
+      if (unknown.kind == UnknownKind::contact)
+        u[c] = contact[c];
       else if (unknown.kind == UnknownKind::displacement)
         u[c] = session.area.outer[outer_column(m, b, node, c)] * m.head->length_unit;
-      else u[c] = prescribed_displacement(session, b, node, c);
+      else
+        u[c] = prescribed_displacement(session, b, node, c);
     }
     keep_displacement(session, b, node, u);
   }
@@ -112,9 +113,12 @@ void fill_end_traction(const Session& session, int b, int32_t element, int l) {
     const Unknown unknown = unknown_at(m, b, node, c);
     const bool here = unknown.end[0] == end || (unknown.kind == UnknownKind::shared_traction && unknown.end[1] == end);
     const bool solved = unknown.kind == UnknownKind::traction || unknown.kind == UnknownKind::shared_traction;
-    if (index >= 0 && unknown.kind == UnknownKind::contact) t[c] = contact[c];
-    else if (solved && here) t[c] = session.area.outer[outer_column(m, b, node, c)] * 2.0 * shear_modulus(m, b);
-    else t[c] = prescribed_traction(session, b, end, c);
+    if (index >= 0 && unknown.kind == UnknownKind::contact)
+      t[c] = contact[c];
+    else if (solved && here)
+      t[c] = session.area.outer[outer_column(m, b, node, c)] * 2.0 * shear_modulus(m, b);
+    else
+      t[c] = prescribed_traction(session, b, end, c);
   }
   double transferred[2];
   transferred_traction(session, b, element, l, transferred);

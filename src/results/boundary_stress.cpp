@@ -56,8 +56,8 @@ bool joins_smoothly(const Session& session, int b, int32_t element, int32_t next
   const Model& m = session.model;
   const int nf = m.head->function_nodes;
   const Point p = point_of(m, b, element, 1.0), q = point_of(m, b, next, -1.0);
-  if (p.nx * q.nx + p.ny * q.ny < kSmooth || geometry_node(m, b, element, m.head->body[b].element_nodes - 1) !=
-                                                 geometry_node(m, b, next, 0))
+  if (p.nx * q.nx + p.ny * q.ny < kSmooth ||
+      geometry_node(m, b, element, m.head->body[b].element_nodes - 1) != geometry_node(m, b, next, 0))
     return false;
   double t[2], v[2];
   get_traction(session, b, element * nf + nf - 1, t);
@@ -68,8 +68,7 @@ bool joins_smoothly(const Session& session, int b, int32_t element, int32_t next
 // The same between an element and the neighbour beyond one of its ends.
 bool joins_neighbour(const Session& session, int b, int32_t element, int32_t step, const Neighbour& other) {
   if (other.image == 0)
-    return step > 0 ? joins_smoothly(session, b, element, other.element)
-                    : joins_smoothly(session, b, other.element, element);
+    return step > 0 ? joins_smoothly(session, b, element, other.element) : joins_smoothly(session, b, other.element, element);
   const int nf = session.model.head->function_nodes, l = step > 0 ? nf - 1 : 0;
   const Point p = point_of(session.model, b, element, step > 0 ? 1.0 : -1.0);
   const double n[2] = {p.nx, p.ny};
@@ -142,11 +141,15 @@ void interpolate_slopes(const Slopes& x, double du_ds[2]) {
   double s[9], du[9][2], own_s[3], own_du[3][2];
   Slopes slopes = {0, s, du}, own = {0, own_s, own_du};
   if (mirrored) add_slopes(session, b, element, eta, 0.0, own);
-  if (previous && previous->image != 0) add_mirrored_slopes(own, -before, previous->image, slopes);
-  else if (previous) add_slopes(session, b, previous->element, 1.0, -before, slopes);
+  if (previous && previous->image != 0)
+    add_mirrored_slopes(own, -before, previous->image, slopes);
+  else if (previous)
+    add_slopes(session, b, previous->element, 1.0, -before, slopes);
   add_slopes(session, b, element, eta, 0.0, slopes);
-  if (next && next->image != 0) add_mirrored_slopes(own, after, next->image, slopes);
-  else if (next) add_slopes(session, b, next->element, -1.0, after, slopes);
+  if (next && next->image != 0)
+    add_mirrored_slopes(own, after, next->image, slopes);
+  else if (next)
+    add_slopes(session, b, next->element, -1.0, after, slopes);
   interpolate_slopes(slopes, du_ds);
 }
 
@@ -206,8 +209,10 @@ BoundaryState boundary_state(const Session& session, int b, int32_t element, dou
       s.t[c] += value[l] * t[c];
     }
   }
-  if (nf == 1) slope_of_neighbours(session, b, element, s.du_ds);
-  else recover_slope(session, b, element, eta, s.du_ds);
+  if (nf == 1)
+    slope_of_neighbours(session, b, element, s.du_ds);
+  else
+    recover_slope(session, b, element, eta, s.du_ds);
   return s;
 }
 

@@ -17,9 +17,7 @@ struct Looked {
   const Pair& pair(int32_t i) const { return session->model.pair[i]; }
   bool has(int32_t i) const { return i >= begin && i < end; }
   bool closed(int32_t i) const { return has(i) && pair(i).status != C2D_OPEN; }
-  double pressure(int32_t i) const {
-    return pair_state(*session->follower.t, i, session->follower.y).p;
-  }
+  double pressure(int32_t i) const { return pair_state(*session->follower.t, i, session->follower.y).p; }
   // Half-closed elements at the borders count.
   int32_t elements(int32_t pairs) const {
     const int32_t per_element = session->model.head->function_nodes > 2 ? session->model.head->function_nodes - 1 : 1;
@@ -62,7 +60,7 @@ bool is_on_axis(const Looked& at, int32_t i) { return at.has(i) && at.pair(i).ta
 void look_at_friction(const Looked& at, Stretch contact, Stretch s, Worst& worst) {
   const bool slips = at.pair(s.first).status == C2D_SLIP;
   if (!slips && (s.first == contact.first || s.last == contact.last) && !is_on_axis(at, s.first) && !is_on_axis(at, s.last))
-    return; // what sticks up to an edge
+    return;                                                           // what sticks up to an edge
   if (slips && (!at.has(s.first - 1) || !at.has(s.last + 1))) return; // up to a corner
   if (s.first == contact.first && s.last == contact.last) return;
   const bool half = is_on_axis(at, s.first) || is_on_axis(at, s.last);
@@ -115,13 +113,14 @@ bool tell_coarse_contact(const Session& session, bool at_peak, Text& out, int32_
   *zone = m.pair[*pair].zone;
   put_all(out, "coarse contact: ");
   if (edge.edge >= 0) {
-    put_all(out, "the pressure rises from the edge to its highest over only ", edge.elements, edge.elements == 1 ? " element" : " elements",
-            "; the edge may be off by ");
+    put_all(out, "the pressure rises from the edge to its highest over only ", edge.elements,
+            edge.elements == 1 ? " element" : " elements", "; the edge may be off by ");
     put_reach(out, edge);
   }
   if (friction.kind) {
     put_all(out, edge.edge >= 0 ? "; the zone of " : "the zone of ", friction.kind, " of pairs ", friction.stretch.first + 1,
-            " to ", friction.stretch.last + 1, " holds only ", friction.elements, friction.elements == 1 ? " element" : " elements", "; its border may be off by ");
+            " to ", friction.stretch.last + 1, " holds only ", friction.elements,
+            friction.elements == 1 ? " element" : " elements", "; its border may be off by ");
     put_reach(out, friction);
   }
   put_all(out, ": refine there, to 4 elements or more");

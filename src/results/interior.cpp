@@ -67,8 +67,7 @@ void add_element_at(Acting& acting, const Points& points, int32_t i) {
     PointField sum = {};
     add_field(acting.e, reference, x, y, sum);
     add_displacement(image, sum, p);
-    if (acting.smoothing)
-      smooth_at_nodes(*acting.session, acting.b, acting.element, acting.e, x, y, *acting.smoothing, sum);
+    if (acting.smoothing) smooth_at_nodes(*acting.session, acting.b, acting.element, acting.e, x, y, *acting.smoothing, sum);
     add_stress(image, sum, p);
   }
 }
@@ -431,9 +430,16 @@ c2d_status evaluate_points(Session& session, int32_t body, const PointsAsked& as
   if (s->blocked || s->floating) clear_boundary(session);
   c2d_status status = back_substitute_all(session);
   if (status != C2D_OK) return fail_store(s, status);
-  const Points points = {asked.count, asked.xy, asked.xy_stride, asked.out, asked.out_stride, s->model.length_unit, &s->model
+  const Points points = {asked.count,
+                         asked.xy,
+                         asked.xy_stride,
+                         asked.out,
+                         asked.out_stride,
+                         s->model.length_unit,
+                         &s->model
 #ifndef C2D_SMALL
-                         , batch_for(best_instructions())
+                         ,
+                         batch_for(best_instructions())
 #endif
   };
   for (int32_t i = 0; i < points.count; ++i) points.state(i).place = may_lie_inside(points, i) ? kUnplaced : kNowhere;

@@ -1,6 +1,6 @@
 #pragma once
-// Interior points, and the boundary's state between its nodes, for interior points and c2d_get. The boundary results must be current;
-// body and element count from 0. Everything in the caller's units.
+// Interior points, and the boundary's state between its nodes, for interior points and c2d_get. The boundary results must be
+// current; body and element count from 0. Everything in the caller's units.
 #include "bie/boundary_stress.hpp"
 #include "bie/element.hpp"
 #include "solver/session.hpp"

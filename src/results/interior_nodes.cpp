@@ -32,9 +32,7 @@ struct Joint {
   Complex apart[2]; // of the tractions from that state, where they step
 };
 
-Complex traction_of(const PlaneStress& s, const double n[2]) {
-  return {s.xx * n[0] + s.xy * n[1], s.xy * n[0] + s.yy * n[1]};
-}
+Complex traction_of(const PlaneStress& s, const double n[2]) { return {s.xx * n[0] + s.xy * n[1], s.xy * n[0] + s.yy * n[1]}; }
 
 // Derivative of displacement along the direction of travel in the uniform state, rotation aside.
 Complex stretch(const Session& session, int b, const PlaneStress& s, const double n[2]) {
@@ -64,8 +62,10 @@ bool tractions_step(const Joint& j) {
     j.rotation -= 0.5 * dot(complex_of(s.du_ds) - stretch(session, b, j.stress, s.n), complex_of(s.n));
   for (int k = 0; k < 2; ++k) j.apart[k] = complex_of(j.side[k].t) - traction_of(j.stress, j.side[k].n);
   const Complex half = 0.5 * (j.apart[0] - j.apart[1]);
-  if (!tractions_step(j)) j.apart[0] = j.apart[1] = Complex{0.0, 0.0};
-  else if (!j.corner) j.apart[0] = half, j.apart[1] = -1.0 * half;
+  if (!tractions_step(j))
+    j.apart[0] = j.apart[1] = Complex{0.0, 0.0};
+  else if (!j.corner)
+    j.apart[0] = half, j.apart[1] = -1.0 * half;
 }
 
 // Constant elements have their value in the middle: what the slope makes of both at the node, on average.
@@ -93,8 +93,7 @@ Complex particular_at(const Session& session, int b, const double at[2], const d
   for (int k = 0; k < 2; ++k) { // at a straight boundary a step of pressure stretches, one of shear turns
     const double* n = j.side[k].n;
     const double share = j.corner ? 0.0 : (1.0 - 2.0 * nu) / g2;
-    slope[k] = stretch(session, b, j.stress, n) - j.rotation * complex_of(n) +
-               share * Complex{-j.apart[k].im, j.apart[k].re};
+    slope[k] = stretch(session, b, j.stress, n) - j.rotation * complex_of(n) + share * Complex{-j.apart[k].im, j.apart[k].re};
   }
   const BoundaryState& here = j.side[1 - end];
   const Complex traction = traction_of(j.stress, here.n) + j.apart[1 - end] - complex_of(here.t);
@@ -128,8 +127,7 @@ Complex particular_at(const Session& session, int b, const double at[2], const d
   return element_of(m, b, element).half_length / m.head->length_unit;
 }
 
-void prepare_smoothing(const Session& session, int b, int32_t element, const FieldElement& e, int end,
-                       NodeSmoothing& out) {
+void prepare_smoothing(const Session& session, int b, int32_t element, const FieldElement& e, int end, NodeSmoothing& out) {
   const Neighbour other = region_neighbour(session.model, b, element, end == 0 ? -1 : 1);
   const double own = e.in.element.half_length, next = half_length_of(session.model, b, other.element);
   out.ready = true;

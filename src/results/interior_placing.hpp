@@ -11,11 +11,11 @@ namespace c2d {
 
 // What is known of a point until its results are complete, kept in its row of the caller's answer.
 struct PointState {
-  double u[2], stress[3];    // sums: trace, deviator
-  double reference[2];       // displacement of the nearest boundary point; before that [0] counts windings
-  double element;            // with the nearest boundary point
-  double eta, distance;      // of that point; once placed inside: x, y
-  double place;              // kUnplaced, kNowhere, or 4 * (body + 1) + flag
+  double u[2], stress[3]; // sums: trace, deviator
+  double reference[2];    // displacement of the nearest boundary point; before that [0] counts windings
+  double element;         // with the nearest boundary point
+  double eta, distance;   // of that point; once placed inside: x, y
+  double place;           // kUnplaced, kNowhere, or 4 * (body + 1) + flag
 };
 static_assert(sizeof(PointState) == C2D_POINT_FIELDS * sizeof(double), "fills a row of the answer");
 constexpr double kUnplaced = 0.0, kNowhere = 1.0;
@@ -53,9 +53,7 @@ struct Points {
 
 inline double place_of(int b, int32_t flag) { return 4 * (b + 1) + flag; }
 inline bool is_near_node(const PointState& p, int b) { return p.place == place_of(b, C2D_POINT_NEAR_NODE); }
-inline bool is_inside(const PointState& p, int b) {
-  return p.place == place_of(b, C2D_POINT_INSIDE) || is_near_node(p, b);
-}
+inline bool is_inside(const PointState& p, int b) { return p.place == place_of(b, C2D_POINT_INSIDE) || is_near_node(p, b); }
 
 // In this order: begin_placing; for all elements look_from_afar, then leave_afar (without them, in small builds, the same is
 // found in more time); for all elements look_at_element; end_placing. Then every point is placed that lies in body b or on

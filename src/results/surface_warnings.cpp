@@ -61,7 +61,8 @@ void warn_surfaces(Session& session) {
                 " at pair ", c.nearest + 1, ", the loads close at most ", c.most);
     if (c.touching > 0 && c.doubt > kMatters * c.most && c.most > 0.0)
       tell_zone(session, C2D_WARN_SURFACE, zone, c.doubtful, "between boundary points the surfaces may be off by ", c.doubt,
-                " at pair ", c.doubtful + 1, ", where the bodies come closer by ", c.most, " at most: refine, or tell the curve");
+                " at pair ", c.doubtful + 1, ", where the bodies come closer by ", c.most,
+                " at most: refine, or tell the curve");
   }
 }
 

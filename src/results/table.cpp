@@ -110,8 +110,7 @@ c2d_status fill_table(Session& session) {
   const c2d_status status = inverted_displacements(session);
   if (status != C2D_OK) return status;
   other_displacements(session);
-  for (int32_t i = 0; i < s->model.pairs; ++i)
-    fill_row(session, i, table + static_cast<int64_t>(i) * C2D_PAIR_FIELDS);
+  for (int32_t i = 0; i < s->model.pairs; ++i) fill_row(session, i, table + static_cast<int64_t>(i) * C2D_PAIR_FIELDS);
   return C2D_OK;
 }
 

@@ -42,9 +42,7 @@ void warn(Session& session, int32_t number, int32_t zone, int32_t pair, const ch
 
 bool is_closed(const Pair& pair) { return pair.status != C2D_OPEN; }
 
-double pressure_of(const Session& session, int32_t pair) {
-  return pair_state(*session.follower.t, pair, session.follower.y).p;
-}
+double pressure_of(const Session& session, int32_t pair) { return pair_state(*session.follower.t, pair, session.follower.y).p; }
 
 // Does body b's surface go on beyond an end (-1: first, +1: last) of a zone without a corner, and out of
 // contact zones?

@@ -60,9 +60,12 @@ void fill_zone_state(const Session& session, const Zone& zone, c2d_zone_state& o
     out.approach -= pair.weight * (now.wn - effective_gap(*m.head, pair, f.load) / m.head->length_unit);
     out.shift += pair.weight * now.wt;
     if (pair.status != C2D_OPEN) out.length += pair.weight * m.head->length_unit;
-    if (pair.status == C2D_OPEN) ++out.open;
-    else if (pair.tangential ? pair.status == C2D_STICK : pair.mu > 0.0) ++out.stick;
-    else ++out.slip;
+    if (pair.status == C2D_OPEN)
+      ++out.open;
+    else if (pair.tangential ? pair.status == C2D_STICK : pair.mu > 0.0)
+      ++out.stick;
+    else
+      ++out.slip;
   }
   for (int32_t i = zone.first_pair; i < zone.first_pair + zone.pairs; ++i)
     out.near_change += is_near(m.pair[i], pair_state(*f.t, i, f.y), largest);
@@ -73,8 +76,7 @@ void fill_zone_state(const Session& session, const Zone& zone, c2d_zone_state& o
   out.largest_pressure = largest.p * m.head->stress_unit;
   out.largest_friction = friction * m.head->stress_unit;
   const int b = zone.is_free != 0 ? 1 : 0;
-  for (int32_t place = 0; place < zone.elements; ++place)
-    add_element_force(session, b, zone_element(m, zone, b, place), out);
+  for (int32_t place = 0; place < zone.elements; ++place) add_element_force(session, b, zone_element(m, zone, b, place), out);
 }
 
 } // namespace c2d

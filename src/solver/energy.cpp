@@ -88,9 +88,8 @@ void add_segment(Session& session, double part) {
   evaluate(session, book, false);
   for (int32_t k = 0; k < book.cases; ++k) {
     const double half = 0.5 * part;
-    book.work[k] += unit * part *
-                    ((f.load[k] + half * f.direction[k]) * book.u[k] +
-                     (book.r0[k] + half * book.r[k]) * f.direction[k]);
+    book.work[k] +=
+        unit * part * ((f.load[k] + half * f.direction[k]) * book.u[k] + (book.r0[k] + half * book.r[k]) * f.direction[k]);
   }
   for (int32_t i = 0; i < f.t->pairs && book.m > 0; ++i) {
     const Pair& pair = f.t->pair[i];
@@ -117,9 +116,9 @@ void after_jump(Session& session) {
   const double unit = energy_unit(session);
   evaluate(session, book, true);
   for (int32_t k = 0; k < book.cases; ++k)
-    book.work[k] += 0.5 * unit *
-                    ((f.origin[k] + f.load[k]) * (book.u[k] - book.u0[k]) +
-                     (book.r0[k] + book.r[k]) * (f.load[k] - f.origin[k]));
+    book.work[k] +=
+        0.5 * unit *
+        ((f.origin[k] + f.load[k]) * (book.u[k] - book.u0[k]) + (book.r0[k] + book.r[k]) * (f.load[k] - f.origin[k]));
   for (int32_t i = 0; i < f.t->pairs; ++i) {
     const Pair& pair = f.t->pair[i];
     if (!rubs(pair) || pair.saved_status == C2D_OPEN) continue;

@@ -7,13 +7,13 @@ namespace c2d {
 
 struct Adjoint {
   Session& session;
-  int b;             // the body at hand
-  Real* tau;         // [m]
-  Real* motion;      // [m] of w'
-  double* lambda;    // [cases]
-  Real* u;           // [m] of the body's contact displacements
-  Real* outer;       // of its outer unknowns
-  bool touched;      // outer is not all zero
+  int b;          // the body at hand
+  Real* tau;      // [m]
+  Real* motion;   // [m] of w'
+  double* lambda; // [cases]
+  Real* u;        // [m] of the body's contact displacements
+  Real* outer;    // of its outer unknowns
+  bool touched;   // outer is not all zero
   const Model& model() const { return session.model; }
 };
 

@@ -104,8 +104,9 @@ c2d_status build_energy(c2d_solver* s) {
   for (int32_t k = 0; k < 2 * book.cases; ++k) {
     tell_progress(s, C2D_PHASE_REDUCE, 0, k, 2 * static_cast<int64_t>(book.cases));
     if (asked_to_stop(s)) return C2D_ERR_CANCELLED;
-    const c2d_status status = build_functional(session, k / 2, k % 2 == 1, book.of_contact + 2 * static_cast<int64_t>(k) * book.m,
-                                               book.of_loads + static_cast<int64_t>(k) * book.cases);
+    const c2d_status status =
+        build_functional(session, k / 2, k % 2 == 1, book.of_contact + 2 * static_cast<int64_t>(k) * book.m,
+                         book.of_loads + static_cast<int64_t>(k) * book.cases);
     if (status != C2D_OK) return status;
   }
   return C2D_OK;

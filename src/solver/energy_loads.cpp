@@ -19,7 +19,8 @@ C2D_OPTIONAL(add_transferred_at);
 namespace {
 
 // factor[i] times what an element's tractions and displacements do to the displacement at (x, y) in the length unit.
-[[gnu::noinline]] void add_element_at(Adjoint& a, int32_t element, Measure measure, const double at[2], const double factor[2]) {
+[[gnu::noinline]] void add_element_at(Adjoint& a, int32_t element, Measure measure, const double at[2],
+                                      const double factor[2]) {
   const Model& m = a.model();
   Integrator integrator;
   make_integrator(m, a.b, element, Quadrature::accurate, measure, integrator);
@@ -32,8 +33,7 @@ namespace {
         add_displacement(a, functional_node(m, a.b, element, l), c,
                          -factor[0] * blocks.h[l][0][c] - factor[1] * blocks.h[l][1][c]);
       const bool contact = a.b == 1 && traction_kind(m, a.b, element, l, c) == TractionKind::contact;
-      if (contact == !own)
-        add_traction(a, element, l, c, factor[0] * blocks.g[l][0][c] + factor[1] * blocks.g[l][1][c]);
+      if (contact == !own) add_traction(a, element, l, c, factor[0] * blocks.g[l][0][c] + factor[1] * blocks.g[l][1][c]);
     }
   if (own && has_body_force(m, a.b)) take_particular(a, element, blocks, factor);
 }
@@ -56,8 +56,7 @@ void add_point_fields(Adjoint& a, const double at[2], const double factor[2]) {
     store(own ? displacement_kernel(0.0, 0.0, 0.0, size * size, 3.0 - 4.0 * nu)
               : displacement_kernel(rx, ry, r2, 3.0 - 4.0 * nu),
           scale, u);
-    for (int c = 0; c < 2; ++c)
-      a.lambda[other.load_case] += factor[c] * (u[c][0] * other.fx + u[c][1] * other.fy);
+    for (int c = 0; c < 2; ++c) a.lambda[other.load_case] += factor[c] * (u[c][0] * other.fx + u[c][1] * other.fy);
   }
 }
 

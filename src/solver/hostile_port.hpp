@@ -12,7 +12,7 @@ namespace c2d {
 struct LateTransfer {
   bool under_way, writes, happened;
   int32_t tape;
-  int32_t code;   // the caller's answer, once it has happened
+  int32_t code; // the caller's answer, once it has happened
   uint64_t block, bytes;
   uint64_t start; // counts
   uint64_t sum;   // of the buffer: until it has been waited for nobody else may touch it

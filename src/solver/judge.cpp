@@ -24,21 +24,20 @@ const double* free_motion(const Session& session, int32_t j) {
 
 // Array kJudge.
 struct Book {
-  Real* stick;                                        // v.T [m]
-  double* stick_load;                                 // v.b [cases]
-  Real *equation_w, *equation_tau;                    // v.B, v.M [m]
-  double* equation_load;                              // v.h [cases]
-  Real* moment;                                       // [m] of tau = 1 on the free body about its centre
-  double* load_size;                                  // [cases] sum of the magnitudes of what it prescribes
-  double* load_work;                                  // [3 * cases] its work on each free motion
-  double *load, *work;                                // [cases] of the good state
+  Real* stick;                     // v.T [m]
+  double* stick_load;              // v.b [cases]
+  Real *equation_w, *equation_tau; // v.B, v.M [m]
+  double* equation_load;           // v.h [cases]
+  Real* moment;                    // [m] of tau = 1 on the free body about its centre
+  double* load_size;               // [cases] sum of the magnitudes of what it prescribes
+  double* load_work;               // [3 * cases] its work on each free motion
+  double *load, *work;             // [cases] of the good state
 };
 
 Book book_of(c2d_solver* s) {
   Book book{};
   double* at = array_of<double>(s, kJudge);
-  double** const of_cases[] = {&book.stick_load, &book.equation_load, &book.load, &book.work, &book.load_size,
-                               &book.load_work};
+  double** const of_cases[] = {&book.stick_load, &book.equation_load, &book.load, &book.work, &book.load_size, &book.load_work};
   for (double** list : of_cases) {
     *list = at;
     at += (list == &book.load_work ? 3 : 1) * static_cast<int64_t>(s->model.load_cases);
@@ -53,8 +52,7 @@ Book book_of(c2d_solver* s) {
 }
 
 // v.A, with v in the place of y.
-template <class Number>
-c2d_status project(const Session& session, ContactMatrix matrix, int32_t columns, Number* out) {
+template <class Number> c2d_status project(const Session& session, ContactMatrix matrix, int32_t columns, Number* out) {
   const int32_t m = session.model.head->contact;
   const Real *sign = session.area.y, *column = session.area.column;
   for (int32_t j = 0; j < columns; ++j) {
@@ -313,9 +311,7 @@ bool has_drifted(const c2d_solver* s, const Findings& now) {
   return !(now.drift <= kDriftLimit) && !(now.drift <= 10.0 * s->fresh_drift);
 }
 
-bool is_judged(const c2d_solver* s) {
-  return s->model.contact > 0 && s->floating == 0 && s->blocked == 0 && s->unsound == 0;
-}
+bool is_judged(const c2d_solver* s) { return s->model.contact > 0 && s->floating == 0 && s->blocked == 0 && s->unsound == 0; }
 
 } // namespace
 
@@ -412,9 +408,13 @@ c2d_status return_to_good(Session& session) {
 }
 
 void tell_breach(c2d_solver* s) {
-  constexpr const char* kWhat[] = {"", "the residual of the contact tableau", "the residual of the contact equations",
-                                   "the balance of forces of the free body", "a pressure or a gap below zero",
-                                   "friction above its bound", "slip along its friction"};
+  constexpr const char* kWhat[] = {"",
+                                   "the residual of the contact tableau",
+                                   "the residual of the contact equations",
+                                   "the balance of forces of the free body",
+                                   "a pressure or a gap below zero",
+                                   "friction above its bound",
+                                   "slip along its friction"};
   c2d_error e = blank_error();
   e.status = C2D_WARN_RESIDUAL;
   e.severity = C2D_WARNING;

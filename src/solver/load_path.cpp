@@ -45,7 +45,8 @@ c2d_status changed(void* context, double) {
   const bool shown = session.step && options.every_change;
   const Agree with = options.stepping == C2D_STEPPING_EVENTS ? Agree::rates : Agree::nothing;
   // What is shown must not change the path: where no look is due, a state beyond the limits is passed over.
-  const bool due = session.solver->careful != 0 || session.tableau.exchanges - session.solver->judged_exchanges >= kBetweenLooks;
+  const bool due =
+      session.solver->careful != 0 || session.tableau.exchanges - session.solver->judged_exchanges >= kBetweenLooks;
   const c2d_status status = due ? judge(session, with) : c2d_status{C2D_OK};
   if (status != C2D_OK || !shown || (!due && !may_be_shown(session, with))) return status;
   return session.show_change(session);
@@ -182,7 +183,6 @@ void name_outcome(Session& session, c2d_outcome outcome) {
     s->outcome = outcome = C2D_FREE_MOTION;
   if (s->outcome_body > 0) s->outcome = find_outcome_motion(session, outcome);
 }
-
 
 // Once per path.
 void warn_not_unique(Session& session) {

@@ -95,11 +95,9 @@ double push_pair(const Session& session, const Motions& motions, int32_t index, 
 
 // v = drive + forces of the pairs, in balance with the conditions of contact (projected Gauss-Seidel iteration).
 // `friction`: part of every coefficient that counts.
-void rigid_response(const Session& session, const Motions& motions, double friction, const double drive[3],
-                    double v[3]) {
+void rigid_response(const Session& session, const Motions& motions, double friction, const double drive[3], double v[3]) {
   for (int j = 0; j < motions.count; ++j) v[j] = drive[j];
-  for (int32_t i = 0; i < session.model.head->pairs; ++i)
-    forces_of(session, i)[0] = forces_of(session, i)[1] = 0.0;
+  for (int32_t i = 0; i < session.model.head->pairs; ++i) forces_of(session, i)[0] = forces_of(session, i)[1] = 0.0;
   const double enough = 1e-14 * length_of(drive, motions.count);
   for (int sweep = 0; sweep < 4000; ++sweep) {
     double moved = 0.0;

@@ -46,8 +46,15 @@ PhaseSizes phase_sizes(const Sizes& sizes) {
 }
 
 EliminationPlan plan_of(const PhaseSizes& s, int b, int32_t panel_columns, int32_t block_columns) {
-  return EliminationPlan{static_cast<int32_t>(s.rows[b]), static_cast<int32_t>(s.outer[b]),
-                         static_cast<int32_t>(2 * s.m + s.cases), panel_columns, block_columns, 0, 0, 0, 0};
+  return EliminationPlan{static_cast<int32_t>(s.rows[b]),
+                         static_cast<int32_t>(s.outer[b]),
+                         static_cast<int32_t>(2 * s.m + s.cases),
+                         panel_columns,
+                         block_columns,
+                         0,
+                         0,
+                         0,
+                         0};
 }
 
 namespace {
@@ -62,8 +69,7 @@ void take_beside_elimination(Carver& carver, const PhaseSizes& s, int b, Elimina
 
 } // namespace
 
-uint64_t elimination_area(const PhaseSizes& s, int b, const EliminationPlan& plan, char* base,
-                          EliminationArea* out) {
+uint64_t elimination_area(const PhaseSizes& s, int b, const EliminationPlan& plan, char* base, EliminationArea* out) {
   Carver carver{base, 0, true};
   EliminationArea area{};
   take_beside_elimination(carver, s, b, area);
@@ -84,8 +90,7 @@ uint64_t reduction_area(const PhaseSizes& s, char* base, ReductionArea* out) {
   return carver.total();
 }
 
-uint64_t path_area(const PhaseSizes& s, const EliminationPlan plan[2], bool flexibility, char* base,
-                   PathArea* out) {
+uint64_t path_area(const PhaseSizes& s, const EliminationPlan plan[2], bool flexibility, char* base, PathArea* out) {
   Carver carver{base, 0, true};
   PathArea area{};
   carver.take(area.tableau, s.m * tableau_columns(s.m, s.cases));
@@ -181,8 +186,7 @@ void double_buffers(const PhaseSizes& s, uint64_t bytes, EliminationPlan plan[2]
 
 } // namespace
 
-c2d_status choose_plans(const PhaseSizes& s, uint64_t bytes, int32_t forced, EliminationPlan out[2],
-                        bool* flexibility) {
+c2d_status choose_plans(const PhaseSizes& s, uint64_t bytes, int32_t forced, EliminationPlan out[2], bool* flexibility) {
   *flexibility = false;
   // Wide blocks also cost memory in back substitution, beside the tableau: give the panels less until all fits.
   // Where memory is not scarce, panels leave the kernels their scratch.

@@ -10,12 +10,12 @@
 #include "model/free_zones.hpp"
 #include "model/rigid.hpp"
 #include "model/validate.hpp"
-#include "solver/phases.hpp"
 #include "solver/energy.hpp"
 #include "solver/hostile_port.hpp"
 #include "solver/judge.hpp"
 #include "solver/model_hash.hpp"
 #include "solver/new_loads.hpp"
+#include "solver/phases.hpp"
 #include "solver/prepare.hpp"
 #include "solver/rehearsal.hpp"
 #include "solver/support.hpp"
@@ -176,12 +176,14 @@ void note_scratch(c2d_solver* s, uint64_t area, int64_t used) {
   clear_phases(s);
   EliminationArea area;
   const uint64_t bytes = elimination_area(sizes, b, s->plan[b], array_of<char>(s, kPhase), &area);
-  const Quadrature quadrature =
-      s->options.quadrature == C2D_QUADRATURE_THESIS ? Quadrature::thesis : Quadrature::accurate;
-  BodyJob job{s, ColumnSystem{m, b, quadrature, area.diagonal, area.point, area.twin,
-                              static_cast<AssemblyScratch*>(area.scratch), batch_for(best_instructions())},
+  const Quadrature quadrature = s->options.quadrature == C2D_QUADRATURE_THESIS ? Quadrature::thesis : Quadrature::accurate;
+  BodyJob job{s,
+              ColumnSystem{m, b, quadrature, area.diagonal, area.point, area.twin, static_cast<AssemblyScratch*>(area.scratch),
+                           batch_for(best_instructions())},
               ContactTape{&s->tapes, m.head->contact, m.head->load_cases, area.buffer},
-              static_cast<int64_t>(s->plan[b].pivots) + s->plan[b].trailing, 0.0, kPlainEngine};
+              static_cast<int64_t>(s->plan[b].pivots) + s->plan[b].trailing,
+              0.0,
+              kPlainEngine};
   int64_t scratch = 0;
   job.engine = engine_beside(s, sizes, bytes, &scratch);
   const double start = clock_now(s);
@@ -224,8 +226,15 @@ c2d_status tick(void* context) {
   const uint64_t bytes = reduction_area(sizes, array_of<char>(s, kPhase), &area);
   const double start = clock_now(s);
   int64_t scratch = 0;
-  const Reduction reduction{ContactTape{&s->tapes, m.head->contact, m.head->load_cases, area.buffer}, m,
-                            s->inverted, area.first, area.second, area.strip, area.pivots, s, tick,
+  const Reduction reduction{ContactTape{&s->tapes, m.head->contact, m.head->load_cases, area.buffer},
+                            m,
+                            s->inverted,
+                            area.first,
+                            area.second,
+                            area.strip,
+                            area.pivots,
+                            s,
+                            tick,
                             engine_beside(s, sizes, bytes, &scratch)};
   const c2d_status status = loads_only ? reduce_new_loads(reduction) : reduce(reduction);
   note_scratch(s, bytes, scratch);
@@ -345,9 +354,7 @@ void rehearse(c2d_solver* s) {
   const c2d_status status = prepare_with(s, &failing.port);
   C2D_ASSERT(status == C2D_OK || is_store_error(status) || status == C2D_ERR_SINGULAR || status == C2D_ERR_MEMORY ||
              status == C2D_ERR_CANCELLED);
-  C2D_ASSERT(s->state == (status == C2D_OK             ? C2D_STATE_PREPARED
-                          : is_store_error(status) ? C2D_STATE_BROKEN
-                                                   : C2D_STATE_MODEL));
+  C2D_ASSERT(s->state == (status == C2D_OK ? C2D_STATE_PREPARED : is_store_error(status) ? C2D_STATE_BROKEN : C2D_STATE_MODEL));
   s->tapes.port = &failing.port;
   close_all(s->tapes);
   s->port = port;

@@ -31,8 +31,7 @@ int32_t start_read_until(void* context, int32_t tape, uint64_t block, void* data
   const c2d_port* port = still(context);
   return port ? port->start_read(port->context, tape, block, data, bytes, ticket) : kRehearsedFailure;
 }
-int32_t start_write_until(void* context, int32_t tape, uint64_t block, const void* data, uint64_t bytes,
-                          int32_t* ticket) {
+int32_t start_write_until(void* context, int32_t tape, uint64_t block, const void* data, uint64_t bytes, int32_t* ticket) {
   const c2d_port* port = still(context);
   return port ? port->start_write(port->context, tape, block, data, bytes, ticket) : kRehearsedFailure;
 }

@@ -19,8 +19,8 @@ constexpr uint64_t kPieceBytes = 512; // data of a block: small enough to be put
 
 // What stands in the block of a slot, as the machine has it.
 struct SaveRecord {
-  uint64_t number;      // of the save within its run, from 1
-  uint64_t count;       // of tape CONTROL: other tapes since then are not those of this state
+  uint64_t number; // of the save within its run, from 1
+  uint64_t count;  // of tape CONTROL: other tapes since then are not those of this state
   uint64_t run_id;
   uint64_t model_hash;
   uint64_t image_bytes; // kept from c2d_solver::model on
@@ -72,8 +72,7 @@ uint64_t hash_state(c2d_solver* s) {
   hash = checksum(hash, &s->options.stepping, sizeof s->options.stepping);
   hash = checksum(hash, &m.head->iteration_limit, sizeof m.head->iteration_limit);
   hash = checksum(hash, &s->layout, sizeof s->layout);
-  hash = checksum(hash, m.friction,
-                  static_cast<uint64_t>(s->sizes.coefficients * (1 + s->sizes.zones)) * sizeof(double));
+  hash = checksum(hash, m.friction, static_cast<uint64_t>(s->sizes.coefficients * (1 + s->sizes.zones)) * sizeof(double));
   hash = checksum(hash, array_of<PointSet>(s, kPointSets), static_cast<uint64_t>(m.head->point_sets) * sizeof(PointSet));
   hash = checksum(hash, m.path, static_cast<uint64_t>(m.head->paths) * sizeof(Path));
   return checksum(hash, m.path_load,
@@ -85,8 +84,7 @@ struct Uncounted {
   Tapes& tapes;
   uint64_t writes, reads, bytes_written, bytes_read;
   explicit Uncounted(Tapes& t)
-      : tapes(t), writes(t.writes[0]), reads(t.reads[0]), bytes_written(t.bytes_written[0]),
-        bytes_read(t.bytes_read[0]) {}
+      : tapes(t), writes(t.writes[0]), reads(t.reads[0]), bytes_written(t.bytes_written[0]), bytes_read(t.bytes_read[0]) {}
   void done() const {
     tapes.writes[0] = writes, tapes.reads[0] = reads;
     tapes.bytes_written[0] = bytes_written, tapes.bytes_read[0] = bytes_read;
@@ -142,8 +140,7 @@ c2d_status write_image(c2d_solver* s, const Slots& slots, SaveRecord& record, Pi
     const uint64_t bytes = length_of(record.image_bytes, i);
     memcpy(piece.data(), image_of(s) + i * kPieceBytes, static_cast<size_t>(bytes));
     record.image_sum = checksum(record.image_sum, piece.data(), bytes);
-    const c2d_status status =
-        write_block(s->tapes, C2D_TAPE_CONTROL, slots.piece(record.number, i), piece.bytes, bytes);
+    const c2d_status status = write_block(s->tapes, C2D_TAPE_CONTROL, slots.piece(record.number, i), piece.bytes, bytes);
     if (status != C2D_OK) return status;
     tell_progress(s, C2D_PHASE_WRITE, 0, static_cast<int64_t>(i + 1), static_cast<int64_t>(pieces));
   }
@@ -158,8 +155,8 @@ c2d_status save(c2d_solver* s) {
   const Uncounted uncounted(tapes);
   c2d_status status = open_slots(s, slots);
   if (status == C2D_OK)
-    status = tapes.run_id == 0 ? begin_run(tapes, hash_model(model_of(s), s->options), piece.bytes)
-                               : keep_count(tapes, piece.bytes);
+    status =
+        tapes.run_id == 0 ? begin_run(tapes, hash_model(model_of(s), s->options), piece.bytes) : keep_count(tapes, piece.bytes);
   // A state is worth as much as the tapes it goes with.
   for (int32_t tape = C2D_TAPE_LOWER; tape < C2D_TAPES && status == C2D_OK; ++tape)
     if (tapes.is_open[tape]) status = sync_tape(tapes, tape);
@@ -241,8 +238,10 @@ c2d_status find_state(c2d_solver* s, const Slots& slots, Piece& piece, SaveRecor
     if (status == C2D_OK && found.number % 2 != slot) status = C2D_ERR_STORE_SWAPPED;
     if (status == C2D_OK && found.number < best.number) continue;
     if (status == C2D_OK) status = read_image(s, slots, found, piece, false);
-    if (status == C2D_OK) best = found;
-    else if (status == C2D_ERR_MEMORY) s->error.bytes_needed = s->layout.persistent + found.path_bytes + kAlignment - 1;
+    if (status == C2D_OK)
+      best = found;
+    else if (status == C2D_ERR_MEMORY)
+      s->error.bytes_needed = s->layout.persistent + found.path_bytes + kAlignment - 1;
     if (weight(status) > weight(reason)) reason = status;
   }
   return best.number > 0 ? c2d_status{C2D_OK} : reason;

@@ -27,14 +27,22 @@ void open_session(c2d_solver* s, Session& session) {
   session.solver = s;
   session.model = model_of(s);
   const ModelHeader& head = s->model;
-  const uint64_t bytes = path_area(model_sizes(session.model), s->plan, s->keeps_flexibility != 0,
-                                   array_of<char>(s, kPhase), &session.area);
+  const uint64_t bytes =
+      path_area(model_sizes(session.model), s->plan, s->keeps_flexibility != 0, array_of<char>(s, kPhase), &session.area);
   C2D_ASSERT(bytes <= s->bytes - s->layout.persistent);
   static_cast<void>(bytes);
   const PathArea& area = session.area;
   session.tape = ContactTape{&s->tapes, head.contact, head.load_cases, area.buffer};
-  session.tableau = Tableau{head.contact, head.load_cases, head.pairs,   session.model.pair,
-                            area.tableau, head.length_unit, s->stiffness, s->exchanges, kernel_for(best_instructions()), 0};
+  session.tableau = Tableau{head.contact,
+                            head.load_cases,
+                            head.pairs,
+                            session.model.pair,
+                            area.tableau,
+                            head.length_unit,
+                            s->stiffness,
+                            s->exchanges,
+                            kernel_for(best_instructions()),
+                            0};
   double* loads = array_of<double>(s, kLoads);
   session.follower.t = &session.tableau;
   session.follower.tape = &session.tape;
@@ -48,7 +56,8 @@ void open_session(c2d_solver* s, Session& session) {
   session.follower.model = &session.model;
   session.follower.floating_body = 1 - s->inverted;
   // Results per pair are of no use while loads move.
-  static_assert(kRateListBytes <= C2D_PAIR_FIELDS * sizeof(double), "the result table has room for the lists of the rate problem");
+  static_assert(kRateListBytes <= C2D_PAIR_FIELDS * sizeof(double),
+                "the result table has room for the lists of the rate problem");
   session.follower.rate_area = RateArea{area.rates, array_of<double>(s, kPairTable), head.pairs};
   session.follower.bound.pair = -1;
   session.follower.watch = path_watch(session);

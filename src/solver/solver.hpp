@@ -24,43 +24,43 @@ struct c2d_solver {
   c2d_port port;
   c2d::Tapes tapes;
   c2d_error error;
-  uint64_t saves;             // number of the last c2d_save of this run
+  uint64_t saves; // number of the last c2d_save of this run
   // From here to the end of the arrays: what c2d_save keeps (solver/save.cpp).
   c2d::ModelHeader model;
   c2d_options options;
   // written by c2d_prepare
   c2d::EliminationPlan plan[2];
-  int32_t inverted;           // the supported body, whose contact displacements follow from tau
-  int32_t blocked;            // nothing holds some motion: c2d_advance says so at once
-  int16_t keeps_flexibility;  // the phase area has room for F
-  int16_t keeps_energy;       // this program has calls that tell energies (solver/energy.hpp)
+  int32_t inverted;          // the supported body, whose contact displacements follow from tau
+  int32_t blocked;           // nothing holds some motion: c2d_advance says so at once
+  int16_t keeps_flexibility; // the phase area has room for F
+  int16_t keeps_energy;      // this program has calls that tell energies (solver/energy.hpp)
   int32_t warnings;
-  int32_t factors;            // the tapes hold a factorisation of this model that new right-hand sides can go through
-  int32_t loads_changed;      // since they were last validated
+  int32_t factors;       // the tapes hold a factorisation of this model that new right-hand sides can go through
+  int32_t loads_changed; // since they were last validated
   double smallest_pivot, largest_pivot, pivot_growth, condition;
   uint64_t peak_bytes;
   double seconds[C2D_PHASES];
   // written by c2d_begin, c2d_advance
-  int32_t floating;           // nothing touches yet
+  int32_t floating; // nothing touches yet
   int32_t outcome, outcome_body, last_pair;
-  int32_t back_substituted;   // results outside the contact are those of the load reached
+  int32_t back_substituted; // results outside the contact are those of the load reached
   int32_t table_is_current;
   int32_t coefficient;
-  int32_t warned;             // bits: which warnings were given since c2d_begin
-  int64_t judged_exchanges;   // exchanges when the state was last judged
-  int64_t built_exchanges;    // exchanges when the tableau was built; written by solver/judge.cpp, as what follows
-  int32_t unsound;            // there is no tableau for the state kept: the path cannot go on
-  int32_t careful;            // a new tableau after every change
+  int32_t warned;           // bits: which warnings were given since c2d_begin
+  int64_t judged_exchanges; // exchanges when the state was last judged
+  int64_t built_exchanges;  // exchanges when the tableau was built; written by solver/judge.cpp, as what follows
+  int32_t unsound;          // there is no tableau for the state kept: the path cannot go on
+  int32_t careful;          // a new tableau after every change
   int32_t breach, good_floating;
   double breach_size, fresh_drift, peak_force, peak_terms[2], good_dissipated, good_least_dissipation;
   int64_t exchanges, rebuilds;
   c2d::PathStats stats;
   double stiffness, gap_scale, pressure_scale, max_residual, peak_pressure, mu;
   double dissipated, elastic, work, energy_size, energy_defect, least_dissipation; // solver/energy.hpp
-  double outcome_motion[3];   // of outcome_body, as Body::free_motion
+  double outcome_motion[3];                                                        // of outcome_body, as Body::free_motion
   double applied[2][3], contact_force[2][3];
   double force_applied, force_contact, force_error, tension_ratio;
-  double multiplier[2][3];    // rho, omega of the balanced equations, of each body, at the load reached
+  double multiplier[2][3]; // rho, omega of the balanced equations, of each body, at the load reached
 };
 
 namespace c2d {
@@ -93,7 +93,7 @@ template <class T> T* array_of(c2d_solver* solver, int32_t id) {
   return reinterpret_cast<T*>(reinterpret_cast<char*>(solver) + solver->layout.offset[id]);
 }
 Model model_of(c2d_solver* solver);
-bool is_coefficient(double mu); // of friction: zero or more, infinity included
+bool is_coefficient(double mu);                                          // of friction: zero or more, infinity included
 double coefficient_of_zone(c2d_solver* solver, int32_t zone, int32_t i); // both from 0
 double* zone_friction(c2d_solver* solver, int32_t i); // [zones] of the i-th run (from 0); negative: that for all
 

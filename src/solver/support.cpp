@@ -56,8 +56,10 @@ void find_support(c2d_solver* s, const Model& m) {
   if (m.head->contact == 0) return;
   s->inverted = m.head->body[0].free_motions == 0 ? 0 : 1;
   const int32_t free1 = m.head->body[0].free_motions, free2 = m.head->body[1].free_motions;
-  if (m.head->body[s->inverted].free_motions > 0) s->blocked = free1 >= free2 ? 1 : 2; // neither is held: the less held one
-  else if (!contact_holds(m, 1 - s->inverted)) s->blocked = 2 - s->inverted;
+  if (m.head->body[s->inverted].free_motions > 0)
+    s->blocked = free1 >= free2 ? 1 : 2; // neither is held: the less held one
+  else if (!contact_holds(m, 1 - s->inverted))
+    s->blocked = 2 - s->inverted;
 }
 
 } // namespace c2d

@@ -64,15 +64,11 @@ inline void take_four(uint64_t lane[4], const unsigned char* p) {
   lane[3] = take(lane[3], load_word(p + 24));
 }
 
-uint64_t end_bytes(uint64_t length) {
-  return length < 8 ? length : 8;
-}
+uint64_t end_bytes(uint64_t length) { return length < 8 ? length : 8; }
 
 // The mark at the end of a block depends on everything in its label, so that the end of an older block in the
 // same place, or a place never written, does not pass for it.
-uint64_t end_mark(const unsigned char* header) {
-  return mix(checksum(1, header + kRun, kDisplaced - kRun));
-}
+uint64_t end_mark(const unsigned char* header) { return mix(checksum(1, header + kRun, kDisplaced - kRun)); }
 
 uint32_t header_check(const unsigned char* header) {
   uint64_t sum = checksum(2, header, kHeaderCheck);

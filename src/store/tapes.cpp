@@ -9,16 +9,11 @@ namespace {
 
 const char* tape_name(int32_t tape) {
   switch (tape) {
-  case C2D_TAPE_CONTROL:
-    return "run control";
-  case C2D_TAPE_LOWER:
-    return "lower factors, for elimination";
-  case C2D_TAPE_UPPER:
-    return "upper factors, for back substitution";
-  case C2D_TAPE_CONTACT:
-    return "contact system";
-  default:
-    return "no such tape";
+  case C2D_TAPE_CONTROL: return "run control";
+  case C2D_TAPE_LOWER: return "lower factors, for elimination";
+  case C2D_TAPE_UPPER: return "upper factors, for back substitution";
+  case C2D_TAPE_CONTACT: return "contact system";
+  default: return "no such tape";
   }
 }
 
@@ -60,8 +55,8 @@ c2d_status host_error(Tapes& tapes, c2d_status status, int32_t tape, const char*
   return status;
 }
 
-c2d_status host_block_error(Tapes& tapes, c2d_status status, int32_t tape, uint64_t block, const char* what,
-                            uint64_t bytes, int32_t code) {
+c2d_status host_block_error(Tapes& tapes, c2d_status status, int32_t tape, uint64_t block, const char* what, uint64_t bytes,
+                            int32_t code) {
   Text text = begin_block_error(tapes, status, tape, block);
   tapes.error.host_code = code;
   put_all(text, what, " of ", bytes, " bytes failed with code ", code);
@@ -84,14 +79,11 @@ private:
   int32_t* busy_;
 };
 
-bool is_tape(int32_t tape) {
-  return tape >= 0 && tape < C2D_TAPES;
-}
+bool is_tape(int32_t tape) { return tape >= 0 && tape < C2D_TAPES; }
 
 // May this transfer be asked of the port at all?
 c2d_status check_transfer(Tapes& tapes, int32_t tape, uint64_t block, uint64_t data_bytes) {
-  if (!is_tape(tape) || !tapes.is_open[tape])
-    return broken_promise(tapes, tape, block, "the tape is not open");
+  if (!is_tape(tape) || !tapes.is_open[tape]) return broken_promise(tapes, tape, block, "the tape is not open");
   if (block >= tapes.blocks[tape]) return broken_promise(tapes, tape, block, "beyond the end of the tape");
   if (data_bytes > tapes.block_bytes[tape] - kBlockHeaderBytes) {
     return broken_promise(tapes, tape, block, "longer than the tape was opened for");
@@ -150,8 +142,8 @@ void clear_ends(unsigned char* buffer, uint64_t data_bytes) {
   memset(buffer + kBlockHeaderBytes + data_bytes - tail, 0, tail);
 }
 
-c2d_status start_labelled(Tapes& tapes, BlockTransfer& transfer, BlockTransfer::Kind kind, const BlockLabel& label, void* buffer,
-                          bool ahead) {
+c2d_status start_labelled(Tapes& tapes, BlockTransfer& transfer, BlockTransfer::Kind kind, const BlockLabel& label,
+                          void* buffer, bool ahead) {
   const c2d_status status = check_transfer(tapes, label.tape, label.block, label.length);
   if (status != C2D_OK) return status;
   const c2d_port& port = *tapes.port;
@@ -184,8 +176,7 @@ BlockLabel current_label(const Tapes& tapes, int32_t tape, uint64_t block, uint6
 } // namespace
 
 c2d_status open_tape(Tapes& tapes, int32_t tape, uint64_t blocks, uint64_t data_bytes) {
-  if (!is_tape(tape) || tapes.is_open[tape])
-    return broken_promise(tapes, tape, 0, "the tape is open already");
+  if (!is_tape(tape) || tapes.is_open[tape]) return broken_promise(tapes, tape, 0, "the tape is open already");
   const c2d_port* port = tapes.port;
   if (!port || !port->open || !port->read || !port->write || !port->sync || !port->close) {
     return host_error(tapes, C2D_ERR_STORE_OPEN, tape, "opening it without a complete block store", 0);
@@ -210,8 +201,7 @@ c2d_status open_tape(Tapes& tapes, int32_t tape, uint64_t blocks, uint64_t data_
 
 c2d_status start_transfer(Tapes& tapes, BlockTransfer& transfer, BlockTransfer::Kind kind, int32_t tape, uint64_t block,
                           void* buffer, uint64_t data_bytes, bool ahead) {
-  const c2d_status status =
-      start_labelled(tapes, transfer, kind, current_label(tapes, tape, block, data_bytes), buffer, ahead);
+  const c2d_status status = start_labelled(tapes, transfer, kind, current_label(tapes, tape, block, data_bytes), buffer, ahead);
   return status == C2D_OK && transfer.code != 0 ? finish_transfer(tapes, transfer) : status;
 }
 
@@ -360,15 +350,12 @@ c2d_status reopen_tapes(Tapes& tapes) {
     if (!tapes.is_open[tape]) continue;
     if (!port || !port->open || !port->read || !port->write || !port->sync || !port->close)
       return host_error(tapes, C2D_ERR_STORE_OPEN, tape, "opening it without a complete block store", 0);
-    const int32_t code =
-        (AtWork(tapes), port->open(port->context, tape, tapes.blocks[tape], tapes.block_bytes[tape]));
+    const int32_t code = (AtWork(tapes), port->open(port->context, tape, tapes.blocks[tape], tapes.block_bytes[tape]));
     if (code != 0) return host_error(tapes, C2D_ERR_STORE_OPEN, tape, "opening", code);
   }
   return C2D_OK;
 }
 
-void next_generation(Tapes& tapes, int32_t tape) {
-  tapes.generation[tape] += 1;
-}
+void next_generation(Tapes& tapes, int32_t tape) { tapes.generation[tape] += 1; }
 
 } // namespace c2d

@@ -69,8 +69,7 @@ void textbook(Polygon& p) {
   const double nu = 0.3, k = 1 / (4 * 3.14159265358979324 * (1 - nu));
   for (size_t e = 0; e < p.n; ++e) {
     const c2d::Element& at = p.integrator[e].element;
-    const double dx = 0.5 * (at.x[1] - at.x[0]), dy = 0.5 * (at.y[1] - at.y[0]),
-                 jacobian = std::sqrt(dx * dx + dy * dy);
+    const double dx = 0.5 * (at.x[1] - at.x[0]), dy = 0.5 * (at.y[1] - at.y[0]), jacobian = std::sqrt(dx * dx + dy * dy);
     const double n[2] = {dy / jacobian, -dx / jacobian};
     for (size_t s = 0; s < p.n; ++s) {
       double h[2][2][2] = {}, g[2][2][2] = {};
@@ -78,16 +77,13 @@ void textbook(Polygon& p) {
         const double shape[2] = {0.5 * (1 - eta[q]), 0.5 * (1 + eta[q])};
         const double rx = shape[0] * at.x[0] + shape[1] * at.x[1] - p.xy[2 * s];
         const double ry = shape[0] * at.y[0] + shape[1] * at.y[1] - p.xy[2 * s + 1];
-        const double r = std::sqrt(rx * rx + ry * ry), d[2] = {rx / r, ry / r},
-                     dn = d[0] * n[0] + d[1] * n[1];
+        const double r = std::sqrt(rx * rx + ry * ry), d[2] = {rx / r, ry / r}, dn = d[0] * n[0] + d[1] * n[1];
         const double log_r = std::log(r), weight = w[q] * jacobian * k;
         for (int i = 0; i < 2; ++i)
           for (int j = 0; j < 2; ++j) {
             const double same = i == j ? 1 : 0;
             const double u = -(3 - 4 * nu) * log_r * same + d[i] * d[j];
-            const double t =
-                -(dn * ((1 - 2 * nu) * same + 2 * d[i] * d[j]) - (1 - 2 * nu) * (d[i] * n[j] - d[j] * n[i])) /
-                r;
+            const double t = -(dn * ((1 - 2 * nu) * same + 2 * d[i] * d[j]) - (1 - 2 * nu) * (d[i] * n[j] - d[j] * n[i])) / r;
             for (int l = 0; l < 2; ++l) {
               h[l][i][j] += weight * shape[l] * t;
               g[l][i][j] += weight * shape[l] * u;
@@ -146,8 +142,7 @@ void matrices() {
   std::vector<double> seconds[5];
   for (int turn = 0; turn < 7; ++turn)
     for (int way = 0; way <= sets + 1; ++way) {
-      const c2d::BatchKernel* kernel =
-          way > sets ? nullptr : c2d::batch_for(static_cast<c2d::Instructions>(way));
+      const c2d::BatchKernel* kernel = way > sets ? nullptr : c2d::batch_for(static_cast<c2d::Instructions>(way));
       if (way > 0 && way <= sets && !kernel) continue;
       p.clear();
       const double start = processor_seconds();
@@ -160,20 +155,13 @@ void matrices() {
       seconds[way].push_back(processor_seconds() - start);
     }
   const double pairs = static_cast<double>(p.n * p.n) * 1e-6, loop = median(seconds[sets + 1]);
-  row("assembly.matrices.textbook", pairs / loop, "M/s",
-      "four Gauss points everywhere, nothing near or singular");
+  row("assembly.matrices.textbook", pairs / loop, "M/s", "four Gauss points everywhere, nothing near or singular");
   for (int way = 0; way <= sets; ++way) {
     const double t = median(seconds[way]);
     if (!(t > 0)) continue;
     const std::string key = std::string("assembly.matrices.") + names[way];
-    row(key, pairs / t, "M/s",
-        judged(key + ".ratio", loop / t, ">=", way == sets && way > 1 ? 12 : 0, "times the textbook's"));
-    row(key + ".time", t * 1e3, "ms",
-        judged(key + ".ms", t * 1e3, "<=",
-               way == 1  ? 30
-               : way > 1 ? 10
-                         : 0,
-               ""));
+    row(key, pairs / t, "M/s", judged(key + ".ratio", loop / t, ">=", way == sets && way > 1 ? 12 : 0, "times the textbook's"));
+    row(key + ".time", t * 1e3, "ms", judged(key + ".ms", t * 1e3, "<=", way == 1 ? 30 : way > 1 ? 10 : 0, ""));
   }
 }
 
@@ -214,8 +202,7 @@ std::function<void()> assembly_job(c2d::Instructions set, int nodes) {
 void assembly() {
   matrices();
   whole_body();
-  heading(
-      "Assembly: millions of source-element pairs per second, all in one panel (ring of 2 x 60 elements)");
+  heading("Assembly: millions of source-element pairs per second, all in one panel (ring of 2 x 60 elements)");
   for (const int order : {2, 3, 4}) {
     for (const bool round : {false, true}) {
       if (round && order == 2) continue;

@@ -18,8 +18,7 @@ double median(std::vector<double> values);
 // over.
 template <class Work> double time_of(int least, double enough, Work work) {
   std::vector<double> times;
-  for (const double start = seconds_now();
-       static_cast<int>(times.size()) < least || seconds_now() - start < enough;) {
+  for (const double start = seconds_now(); static_cast<int>(times.size()) < least || seconds_now() - start < enough;) {
     const double t = processor_seconds();
     work();
     times.push_back(processor_seconds() - t);
@@ -39,8 +38,7 @@ void row(const std::string& key, double value, const std::string& unit, const st
 void note(const std::string& key, const std::string& text);
 // "0.83 of the peak, asked >= 0.8: met"; figure 0: nothing was asked. Kept under the key as a row is, and
 // counted.
-std::string judged(const std::string& key, double value, const char* relation, double figure,
-                   const std::string& words);
+std::string judged(const std::string& key, double value, const char* relation, double figure, const std::string& words);
 [[noreturn]] void give_up(const std::string& why);
 
 struct Options {

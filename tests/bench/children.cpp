@@ -46,8 +46,7 @@ Child::Child(const std::vector<std::string>& words, const std::vector<std::strin
   posix_spawn_file_actions_adddup2(&actions, up[1], 1);
   posix_spawn_file_actions_addopen(&actions, 2, "/dev/null", O_WRONLY, 0);
   const std::vector<std::string> environment = changed_environment(changes);
-  alive_ = posix_spawn(&pid_, words[0].c_str(), &actions, nullptr, pointers(words).data(),
-                       pointers(environment).data()) == 0;
+  alive_ = posix_spawn(&pid_, words[0].c_str(), &actions, nullptr, pointers(words).data(), pointers(environment).data()) == 0;
   posix_spawn_file_actions_destroy(&actions);
   close(down[0]), close(up[1]);
   to_ = down[1], from_ = up[0];
@@ -81,13 +80,11 @@ std::string Child::ask(const std::string& line) {
 Answer ask(Child& child, const std::string& what, const std::string& matrix, int n) {
   Answer answer;
   const std::string line = child.ask(what + " " + matrix + " " + std::to_string(n));
-  answer.ok = std::sscanf(line.c_str(), "%lf %lf %lf %lf", &answer.wall, &answer.processor, &answer.peak,
-                          &answer.residual) == 4;
+  answer.ok =
+      std::sscanf(line.c_str(), "%lf %lf %lf %lf", &answer.wall, &answer.processor, &answer.peak, &answer.residual) == 4;
   return answer;
 }
 
-bool is_program(const std::string& file) {
-  return !file.empty() && access(file.c_str(), X_OK) == 0;
-}
+bool is_program(const std::string& file) { return !file.empty() && access(file.c_str(), X_OK) == 0; }
 
 } // namespace bench

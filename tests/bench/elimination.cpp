@@ -34,14 +34,12 @@ public:
     }
     if (!options.openblas.empty()) {
       best_core_ = best_core();
-      for (int threads = 1; threads <= 2; ++threads)
-        add_openblas("openblas_best", "OPENBLAS_CORETYPE=" + best_core_, threads);
+      for (int threads = 1; threads <= 2; ++threads) add_openblas("openblas_best", "OPENBLAS_CORETYPE=" + best_core_, threads);
     }
     add("eigen", {options.folder + "/rival_eigen"}, {}, false, 1);
     add("eigen_native", {options.folder + "/rival_eigen_native"}, {}, false, 1);
     const bool lapack = !options.lapack.empty();
-    add("lapack", {lapack ? options.folder + "/rival_lapack" : "", options.blas, options.lapack}, {}, true,
-        1);
+    add("lapack", {lapack ? options.folder + "/rival_lapack" : "", options.blas, options.lapack}, {}, true, 1);
     add("rows_c", {options.folder + "/rival_rows"}, {}, true, 1);
     add("rows_fortran", {options.folder + "/rival_rows_fortran"}, {}, true, 1);
   }
@@ -49,8 +47,8 @@ public:
   const std::string& best_core_name() const { return best_core_; }
 
 private:
-  void add(const std::string& name, const std::vector<std::string>& words,
-           const std::vector<std::string>& environment, bool slow, int threads) {
+  void add(const std::string& name, const std::vector<std::string>& words, const std::vector<std::string>& environment,
+           bool slow, int threads) {
     Contender c = {name + (threads > 1 ? ".two_threads" : ""), "", false, slow, threads, nullptr, {}};
     if (!is_program(words[0])) c.absent = "not installed when this was built";
     if (c.absent.empty()) {
@@ -70,8 +68,7 @@ private:
     if (!has(set)) all_.back().absent = "not on this machine";
   }
   void add_openblas(const std::string& name, const std::string& core, int threads) {
-    add(name, {options_.openblas.empty() ? "" : options_.folder + "/rival_lapack", options_.openblas}, {core},
-        false, threads);
+    add(name, {options_.openblas.empty() ? "" : options_.folder + "/rival_lapack", options_.openblas}, {core}, false, threads);
   }
   // The kernels of OpenBLAS that are fastest here, whatever it would choose by itself.
   std::string best_core() const {
@@ -135,8 +132,7 @@ void tell(const Contender& c, const Contender* own, int n) {
     const double figure = best && n >= 1000 ? (n >= 2000 ? 0.80 : 0.75) : baseline && n >= 520 ? 0.55 : 0;
     remark = judged(key + ".share", median(shares), ">=", figure, "of the peak");
   } else if (!ratios.empty() && !c.own) {
-    const double figure =
-        openblas ? asked_over_openblas(n, c.name.compare(0, 13, "openblas_best") == 0, c.threads) : 0;
+    const double figure = openblas ? asked_over_openblas(n, c.name.compare(0, 13, "openblas_best") == 0, c.threads) : 0;
     remark = judged(key + ".ratio", median(ratios), ">=", figure, "times as long as ours");
   }
   row(key, work / median(seconds) * 1e-9, "GFLOP/s", remark);

@@ -1,4 +1,2 @@
 /* A process that does nothing, to compare with. */
-int main(void) {
-  return 0;
-}
+int main(void) { return 0; }

@@ -16,15 +16,13 @@ class Exchanges {
 public:
   explicit Exchanges(int32_t m) : m_(m), t_(static_cast<size_t>(m) * static_cast<size_t>(m + 2)) {
     uint32_t seed = 12345;
-    for (c2d::Real& v : t_)
-      v = static_cast<c2d::Real>((seed = seed * 1664525u + 1013904223u) >> 8) / 16777216;
+    for (c2d::Real& v : t_) v = static_cast<c2d::Real>((seed = seed * 1664525u + 1013904223u) >> 8) / 16777216;
   }
   // Median seconds of one, there and back: the numbers stay as they are.
   double seconds() {
     return time_of(5, 0.03,
                    [&] {
-                     for (int twice = 0; twice < 2; ++twice)
-                       c2d::exchange(m_, m_ + 2, t_.data(), m_, place_, place_, kernel_);
+                     for (int twice = 0; twice < 2; ++twice) c2d::exchange(m_, m_ + 2, t_.data(), m_, place_, place_, kernel_);
                      place_ = (place_ + 7) % m_;
                    }) /
            2;
@@ -117,25 +115,21 @@ void contact_events(const Options& options) {
   std::vector<double> unknowns, per_event, per_exchange, one;
   for (size_t i = 0; i < families.size(); ++i) {
     const c2d_summary now = families[i]->summary();
-    const double m = now.contact_unknowns,
-                 changes = static_cast<double>(now.exchanges) / static_cast<double>(now.events);
+    const double m = now.contact_unknowns, changes = static_cast<double>(now.exchanges) / static_cast<double>(now.events);
     unknowns.push_back(m);
     per_event.push_back(median(families[i]->per_event));
     per_exchange.push_back(median(families[i]->per_exchange));
     one.push_back(median(alone[i]));
     const std::string name = "events." + std::to_string(sizes[i]) + ".";
     char remark[160];
-    std::snprintf(remark, sizeof remark, "m = %d, %lld events, %lld rebuilds, residual %.1e",
-                  now.contact_unknowns, static_cast<long long>(now.events),
-                  static_cast<long long>(now.tableau_rebuilds), now.max_residual);
+    std::snprintf(remark, sizeof remark, "m = %d, %lld events, %lld rebuilds, residual %.1e", now.contact_unknowns,
+                  static_cast<long long>(now.events), static_cast<long long>(now.tableau_rebuilds), now.max_residual);
     row(name + "time", per_event.back() * 1e6, "us/event", remark);
     row(name + "exchanges", changes, "/event");
-    row(name + "time_per_exchange", per_exchange.back() * 1e6, "us",
-        "all the work of the path over its exchanges");
+    row(name + "time_per_exchange", per_exchange.back() * 1e6, "us", "all the work of the path over its exchanges");
     std::snprintf(remark, sizeof remark, "%.3f ns per m^2", one.back() * 1e9 / (m * m));
     row(name + "exchange_alone", one.back() * 1e6, "us", remark);
-    row(name + "overhead", per_exchange.back() / one.back(), "",
-        "time per exchange over that of an exchange alone");
+    row(name + "overhead", per_exchange.back() / one.back(), "", "time per exchange over that of an exchange alone");
   }
   const double power = exponent(unknowns, per_event);
   row("events.exponent", power, "of m", judged("events.exponent_of_m", power, "<=", 2.1, ""));

@@ -30,9 +30,7 @@ std::function<void()> elimination_job(c2d::Instructions set, int32_t n) {
 
 using c2d::Instructions;
 // A solver takes the best set; which that is is up to the processor that valgrind runs on.
-bool chosen(Instructions set) {
-  return c2d::best_instructions() == set;
-}
+bool chosen(Instructions set) { return c2d::best_instructions() == set; }
 const struct Job {
   const char* name;
   std::function<void()> (*make)();

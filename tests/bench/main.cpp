@@ -32,9 +32,7 @@ void read_base(const std::string& name) {
 
 } // namespace
 
-double seconds_now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double seconds_now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 double processor_seconds() {
   timespec now = {};
@@ -64,9 +62,7 @@ std::string times(double ratio) {
   return text;
 }
 
-void heading(const std::string& text) {
-  std::printf("\n%s\n", text.c_str());
-}
+void heading(const std::string& text) { std::printf("\n%s\n", text.c_str()); }
 
 namespace {
 
@@ -92,8 +88,7 @@ void note(const std::string& key, const std::string& text) {
   std::printf("  %-36s          - %s\n", key.c_str(), text.c_str());
 }
 
-std::string judged(const std::string& key, double value, const char* relation, double figure,
-                   const std::string& words) {
+std::string judged(const std::string& key, double value, const char* relation, double figure, const std::string& words) {
   if (save.is_open()) save << key << '=' << value << '\n';
   char text[200];
   std::snprintf(text, sizeof text, "%.3g%s ", value, before(key, value).c_str());
@@ -101,8 +96,7 @@ std::string judged(const std::string& key, double value, const char* relation, d
   std::string out = words.empty() ? "" : number + words;
   if (figure <= 0) return out;
   const bool holds = relation[0] == '>' ? value >= figure : value <= figure;
-  std::snprintf(text, sizeof text, "%sasked %s %.4g: %s", out.empty() ? "" : ", ", relation, figure,
-                holds ? "met" : "MISSED");
+  std::snprintf(text, sizeof text, "%sasked %s %.4g: %s", out.empty() ? "" : ", ", relation, figure, holds ? "met" : "MISSED");
   if (holds)
     ++met;
   else
@@ -135,12 +129,9 @@ void tell_machine() {
   double load = 0;
   const unsigned cores = std::thread::hardware_concurrency();
   if (std::ifstream file("/proc/loadavg"); file) file >> load;
-  std::printf("%u cores, best set %s, compiled by %s\n", cores, bench::name_of(c2d::best_instructions()),
-              compiler);
+  std::printf("%u cores, best set %s, compiled by %s\n", cores, bench::name_of(c2d::best_instructions()), compiler);
   if (load > 0.3 * cores)
-    std::printf(
-        "NOT QUIET: a load of %.1f by others; times by the clock, two threads above all, mean little\n",
-        load);
+    std::printf("NOT QUIET: a load of %.1f by others; times by the clock, two threads above all, mean little\n", load);
 }
 
 void read_options(int argc, char** argv, bench::Options& options, std::string& only) {

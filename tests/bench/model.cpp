@@ -11,9 +11,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-double clock_of(void*) {
-  return processor_seconds();
-}
+double clock_of(void*) { return processor_seconds(); }
 
 // Points from the last one of `xy` (not repeated) to (x, y), (x, y) itself left out: steps grow from h0 to
 // h1.
@@ -21,8 +19,7 @@ void line_to(std::vector<double>& xy, double x0, double y0, double x1, double y1
   const double length = std::hypot(x1 - x0, y1 - y0);
   const bool even = std::fabs(h1 - h0) < 1e-9 * h0;
   const double growth = even ? 1 : 1 + (h1 - h0) / length;
-  const int n =
-      std::max(1, static_cast<int>(std::lround(even ? length / h0 : std::log(h1 / h0) / std::log(growth))));
+  const int n = std::max(1, static_cast<int>(std::lround(even ? length / h0 : std::log(h1 / h0) / std::log(growth))));
   const double ratio = even ? 1 : std::pow(h1 / h0, 1.0 / n);
   double sum = 0, step = 1, total = 0;
   for (int i = 0; i < n; ++i, step *= ratio) total += step;
@@ -44,9 +41,7 @@ void arc_to(std::vector<double>& xy, double radius, double from, double to, doub
   }
 }
 
-int32_t points(const std::vector<double>& xy) {
-  return static_cast<int32_t>(xy.size() / 2);
-}
+int32_t points(const std::vector<double>& xy) { return static_cast<int32_t>(xy.size() / 2); }
 
 // Codes tx ty ux uy at both ends of the elements first ... last.
 void condition(const Solver& s, int body, int32_t first, int32_t last, const char* codes, double ty = 0) {

@@ -12,14 +12,10 @@ const char* name_of(c2d::Instructions set) {
   return names[static_cast<int>(set)];
 }
 
-bool has(c2d::Instructions set) {
-  return c2d::kernel_for(set) != nullptr && set <= c2d::best_instructions();
-}
+bool has(c2d::Instructions set) { return c2d::kernel_for(set) != nullptr && set <= c2d::best_instructions(); }
 
 double peak_of(c2d::Instructions set) {
-  const auto loop = set == c2d::Instructions::avx512 ? peak_avx512
-                    : set == c2d::Instructions::avx2 ? peak_avx2
-                                                     : peak_baseline;
+  const auto loop = set == c2d::Instructions::avx512 ? peak_avx512 : set == c2d::Instructions::avx2 ? peak_avx2 : peak_baseline;
   double best = 0, keep = 0;
   for (int turn = 0; turn < 5; ++turn) {
     const double start = rival::processor_seconds(), work = loop(100000, &keep);
@@ -35,8 +31,7 @@ struct OwnEngine::Pool {
 
 OwnEngine::OwnEngine(c2d::Instructions set, int32_t n, int32_t threads) {
   // Every worker packs for itself.
-  const size_t numbers =
-      (static_cast<size_t>(c2d::full_scratch(n, n)) * static_cast<size_t>(threads) + 63) / 8 * 8;
+  const size_t numbers = (static_cast<size_t>(c2d::full_scratch(n, n)) * static_cast<size_t>(threads) + 63) / 8 * 8;
   scratch_ = std::aligned_alloc(64, numbers * sizeof(c2d::Real));
   engine_.kernel = c2d::kernel_for(set);
   engine_.scratch = static_cast<c2d::Real*>(scratch_);

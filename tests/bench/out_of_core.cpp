@@ -35,10 +35,8 @@ struct System {
 // A plan with its work area and its tapes, in memory or in files of a folder.
 class Streamed {
 public:
-  Streamed(int32_t n, uint64_t bytes, const std::string& folder)
-      : folder_(folder), own_(c2d::best_instructions(), n, 1) {
-    if (c2d::plan_elimination(bytes, n, n, 1, 0, plan_, nullptr) != C2D_OK)
-      give_up("no plan for the elimination");
+  Streamed(int32_t n, uint64_t bytes, const std::string& folder) : folder_(folder), own_(c2d::best_instructions(), n, 1) {
+    if (c2d::plan_elimination(bytes, n, n, 1, 0, plan_, nullptr) != C2D_OK) give_up("no plan for the elimination");
     work_.resize(std::max(c2d::elimination_bytes(plan_), c2d::back_substitution_bytes(plan_)) + 64);
     const c2d::TapeUse lower = c2d::lower_use(plan_), upper = c2d::upper_use(plan_);
     port_ = C2D_INIT(c2d_port);
@@ -75,22 +73,19 @@ public:
     const Real one = 1;
     for (int t = 0; t < C2D_TAPES; ++t) tapes_.bytes_written[t] = tapes_.bytes_read[t] = 0;
     ++tapes_.run_id;
-    if (c2d::eliminate(plan_, source, {nullptr, nullptr}, tapes_, work, nullptr, {nullptr, nullptr},
-                       own_.engine()) != C2D_OK ||
+    if (c2d::eliminate(plan_, source, {nullptr, nullptr}, tapes_, work, nullptr, {nullptr, nullptr}, own_.engine()) != C2D_OK ||
         c2d::back_substitute(plan_, tapes_, &one, x.data(), work) != C2D_OK)
       give_up("elimination failed");
     return seconds_now() - start;
   }
   double bytes_moved() const {
     double sum = 0;
-    for (int t = 0; t < C2D_TAPES; ++t)
-      sum += static_cast<double>(tapes_.bytes_written[t] + tapes_.bytes_read[t]);
+    for (int t = 0; t < C2D_TAPES; ++t) sum += static_cast<double>(tapes_.bytes_written[t] + tapes_.bytes_read[t]);
     return sum;
   }
   double bytes_expected() const {
     const c2d::TapeUse lower = c2d::lower_use(plan_), upper = c2d::upper_use(plan_);
-    return static_cast<double>(lower.bytes_written + lower.bytes_read + upper.bytes_written +
-                               upper.bytes_read);
+    return static_cast<double>(lower.bytes_written + lower.bytes_read + upper.bytes_written + upper.bytes_read);
   }
   int32_t width() const { return plan_.panel_columns; }
 
@@ -134,21 +129,18 @@ void compare(int32_t n, const std::string& folder) {
     const std::string key = name + "1/" + std::to_string(parts[p]);
     const double figure = parts[p] == 8 && n == 4000 ? 1.15 : parts[p] == 8 && n == 8000 ? 1.05 : 0;
     row(key, median(seconds[p]), "s",
-        judged(key + ".ratio", median(ratios[p]), "<=", figure,
-               "of in core, panels of " + std::to_string(width[p])));
+        judged(key + ".ratio", median(ratios[p]), "<=", figure, "of in core, panels of " + std::to_string(width[p])));
     const double most = m / (3.0 * width[p]) + 2.5;
     row(key + ".moved", moved[p] / matrix, "matrices",
         judged(key + ".moved_over_most", moved[p] / matrix / most, "<=", 1,
-               std::string("of n/(3w) + 2.5, ") +
-                   (moved[p] == expected[p] ? "as the plan says" : "NOT WHAT THE PLAN SAYS")));
+               std::string("of n/(3w) + 2.5, ") + (moved[p] == expected[p] ? "as the plan says" : "NOT WHAT THE PLAN SAYS")));
   }
 }
 
 } // namespace
 
 void out_of_core(const Options& options) {
-  const std::string folder =
-      std::filesystem::temp_directory_path() / ("contact2d-bench-tapes-" + std::to_string(getpid()));
+  const std::string folder = std::filesystem::temp_directory_path() / ("contact2d-bench-tapes-" + std::to_string(getpid()));
   heading("Out of core: elimination and one solution with a part of the memory, blocks in files of " +
           std::filesystem::temp_directory_path().string() + "; seconds by the clock");
   for (const int32_t n : {1000, 2000}) compare(n, folder);

@@ -62,15 +62,12 @@ void tell(const Case& c, const std::vector<Spent>& runs, const std::vector<doubl
   char least[40];
   std::snprintf(least, sizeof least, "  least %.3g", *std::min_element(more.begin(), more.end()));
   row(key, median(more), "ms", judged(key + ".more", median(more), "<=", c.most_more, "") + least);
-  if (c.most_all > 0)
-    row(key + ".whole", median(all), "ms", judged(key + ".all", median(all), "<=", c.most_all, ""));
+  if (c.most_all > 0) row(key + ".whole", median(all), "ms", judged(key + ".all", median(all), "<=", c.most_all, ""));
   if (c.old_program > 0)
     row(key + ".whole", median(all), "ms",
-        judged(key + ".over_1987", c.old_program / median(all), ">=", 100,
-               "times as fast as the program of 1987 (1.75 s)"));
+        judged(key + ".over_1987", c.old_program / median(all), ">=", 100, "times as fast as the program of 1987 (1.75 s)"));
   row(key + ".processor", median(processor), "ms", "processor time, user and system");
-  row(key + ".memory", median(memory), "MiB",
-      judged(key + ".mebibytes", median(memory), "<=", c.most_mebibytes, ""));
+  row(key + ".memory", median(memory), "MiB", judged(key + ".mebibytes", median(memory), "<=", c.most_mebibytes, ""));
 }
 
 void compare(const Options& options, const std::vector<Case>& cases, const std::string& folder, int runs) {
@@ -113,18 +110,15 @@ void tell_phases(const Options& options, const Case& c, const std::string& folde
   std::string json;
   for (int run = 0; run < 5; ++run) {
     json = summary_of(options, c, folder);
-    for (int i = 0; i < 7; ++i)
-      spent[i].push_back(number_after(json, phases[i], json.find("\"seconds\"")) * 1e3);
+    for (int i = 0; i < 7; ++i) spent[i].push_back(number_after(json, phases[i], json.find("\"seconds\"")) * 1e3);
   }
   const std::string key = "program." + c.name;
   for (int i = 0; i < 7; ++i) row(key + ".phase." + phases[i], median(spent[i]), "ms");
   double moved = 0;
-  for (size_t at = json.find("\"tapes\""); (at = json.find("\"bytes_written\"", at)) != std::string::npos;
-       ++at)
+  for (size_t at = json.find("\"tapes\""); (at = json.find("\"bytes_written\"", at)) != std::string::npos; ++at)
     moved += number_after(json, "bytes_written", at) + number_after(json, "bytes_read", at);
   row(key + ".moved", moved / 1048576, "MiB", "to and from the block store");
-  row(key + ".workspace", number_after(json, "peak_workspace_bytes") / 1048576, "MiB",
-      "used of the workspace");
+  row(key + ".workspace", number_after(json, "peak_workspace_bytes") / 1048576, "MiB", "used of the workspace");
   row(key + ".events", number_after(json, "events"), "events");
 }
 
@@ -136,8 +130,7 @@ void make_deck(const Options& options, const std::string& file, const std::strin
 } // namespace
 
 void whole_program(const Options& options) {
-  const std::string folder =
-      std::filesystem::temp_directory_path() / ("contact2d-bench-" + std::to_string(getpid()));
+  const std::string folder = std::filesystem::temp_directory_path() / ("contact2d-bench-" + std::to_string(getpid()));
   std::filesystem::create_directories(folder);
   heading("Whole jobs, listing and CSV written: milliseconds more than an empty process, medians");
   const std::string disk = folder + "/tapes", quick = quick_folder(), examples = options.examples + "/",
@@ -148,8 +141,7 @@ void whole_program(const Options& options) {
       {"sample56", options.decks + "/sample56.dat", "memory", 0, 0, 0, 1750},
       {"half_cylinder", examples + "half_cylinder.dat", "memory", 0, 0, 10, 0},
   };
-  if (!quick.empty())
-    small.push_back({"sample.file_without_sync", examples + "hertz.dat", quick, 0, 0, 0, 0});
+  if (!quick.empty()) small.push_back({"sample.file_without_sync", examples + "hertz.dat", quick, 0, 0, 0, 0});
   compare(options, small, folder, 30);
   make_deck(options, large, "hertz n=200 ratio=1.0075");
   const std::vector<Case> models = {{"nodes2000", large, "memory", 0, 0, 0, 0}};

@@ -39,8 +39,7 @@ int main(int argc, char** argv) {
     }
     if (child < 0 || wait4(child, &status, 0, &use) != child || status != 0) return 1;
     printf("%.9f %.6f %ld\n", now() - start,
-           (double)(use.ru_utime.tv_sec + use.ru_stime.tv_sec) +
-               1e-6 * (double)(use.ru_utime.tv_usec + use.ru_stime.tv_usec),
+           (double)(use.ru_utime.tv_sec + use.ru_stime.tv_sec) + 1e-6 * (double)(use.ru_utime.tv_usec + use.ru_stime.tv_usec),
            use.ru_maxrss);
   }
   return 0;

@@ -48,13 +48,10 @@ void table(const char* title, const char* family, const std::vector<std::string>
   }
 }
 
-double centre(const Solution& s, double exact) {
-  return s.last()[0].tn / exact - 1;
-}
+double centre(const Solution& s, double exact) { return s.last()[0].tn / exact - 1; }
 
 // Mean square error of a curve up to `end`, over `scale`.
-double curve(const Solution& s, const Table& t, size_t column, double scale, double end, bool friction,
-             size_t x_column = 0) {
+double curve(const Solution& s, const Table& t, size_t column, double scale, double end, bool friction, size_t x_column = 0) {
   Table by_x = t;
   for (std::vector<double>& row : by_x) row[0] = row[x_column];
   double sum = 0;
@@ -89,25 +86,20 @@ void contact_problems() {
   table("Receding layer, equal stiffness", "receding_layer", {}, "n", {5, 10, 20, 40},
         {{"p(0)", [](const Solution& s) { return centre(s, 0.7130805511737414); }},
          {"edge", [](const Solution& s) { return last_closed(s.last()) - 1.3241653718676933; }},
-         {"p, mean square",
-          [](const Solution& s) { return curve(s, reference("p02_p_equal"), 2, 1, 1.2, false); }}});
-  table(
-      "Layer lifted", "layer_lifted", {}, "n", {5, 10, 20, 40},
-      {{"gap(0)",
-        [](const Solution& s) { return s.last()[0].gap / (2 * 0.91 / 1000) / 0.6533972762806306 - 1; }},
-       {"edge", [](const Solution& s) { return last_with(s.last(), C2D_OPEN) - 0.9518250994943219; }},
-       {"largest p", [](const Solution& s) { return largest_pressure(s.last()) / 1.0816857184683064 - 1; }}});
-  table(
-      "Layer pressed", "layer_pressed", {}, "n", {5, 10, 20, 40},
-      {{"p(0)", [](const Solution& s) { return centre(s, 93.07800764228236); }},
-       {"inner edge", [](const Solution& s) { return first_with(s.last(), C2D_OPEN) - 1.228462713443854; }},
-       {"outer edge", [](const Solution& s) { return last_with(s.last(), C2D_OPEN) - 3.139877067800519; }}});
+         {"p, mean square", [](const Solution& s) { return curve(s, reference("p02_p_equal"), 2, 1, 1.2, false); }}});
+  table("Layer lifted", "layer_lifted", {}, "n", {5, 10, 20, 40},
+        {{"gap(0)", [](const Solution& s) { return s.last()[0].gap / (2 * 0.91 / 1000) / 0.6533972762806306 - 1; }},
+         {"edge", [](const Solution& s) { return last_with(s.last(), C2D_OPEN) - 0.9518250994943219; }},
+         {"largest p", [](const Solution& s) { return largest_pressure(s.last()) / 1.0816857184683064 - 1; }}});
+  table("Layer pressed", "layer_pressed", {}, "n", {5, 10, 20, 40},
+        {{"p(0)", [](const Solution& s) { return centre(s, 93.07800764228236); }},
+         {"inner edge", [](const Solution& s) { return first_with(s.last(), C2D_OPEN) - 1.228462713443854; }},
+         {"outer edge", [](const Solution& s) { return last_with(s.last(), C2D_OPEN) - 3.139877067800519; }}});
   for (const char* order : {"order=1", "order=2"})
     table("Disc in a hole", "disc_in_hole", {order}, "n", {15, 30, 60, 120},
           {{"p at the pole", [](const Solution& s) { return centre(s, 0.6090826758968362); }},
-           {"angle, degrees", [](const Solution& s) {
-              return std::asin(last_closed(s.last())) * 180 / kPi - 19.62506010432921;
-            }}});
+           {"angle, degrees",
+            [](const Solution& s) { return std::asin(last_closed(s.last())) * 180 / kPi - 19.62506010432921; }}});
 }
 
 void friction_problems() {
@@ -116,45 +108,36 @@ void friction_problems() {
          {"stick boundary", [](const Solution& s) { return last_with(s.last(), C2D_STICK) - 0.7; }},
          {"q a/P, mean square",
           [](const Solution& s) { return curve(s, reference("p04_spence_pq_turner"), 2, 1, 0.65, true); }}});
-  table("Turner's unloading", "punch", {"unload=0.45"}, "n", {10, 20, 40},
-        {{"x1", [](const Solution& s) { return first_with(s.last(), C2D_SLIP) - 0.5486995057134002; }},
-         {"x2",
-          [](const Solution& s) {
-            return first_with(s.last(), C2D_STICK, first_with(s.last(), C2D_SLIP)) - 0.9589479775660557;
-          }},
-         {"q a/P, mean square",
-          [](const Solution& s) { return curve(s, reference("p05_pq"), 6, 1, 0.9, true); }}});
+  table(
+      "Turner's unloading", "punch", {"unload=0.45"}, "n", {10, 20, 40},
+      {{"x1", [](const Solution& s) { return first_with(s.last(), C2D_SLIP) - 0.5486995057134002; }},
+       {"x2",
+        [](const Solution& s) { return first_with(s.last(), C2D_STICK, first_with(s.last(), C2D_SLIP)) - 0.9589479775660557; }},
+       {"q a/P, mean square", [](const Solution& s) { return curve(s, reference("p05_pq"), 6, 1, 0.9, true); }}});
   const double p00 = 1000 / 0.91 / 200; // of make cylinder_friction
   table("Cylinder with friction", "cylinder_friction", {}, "n", {10, 20, 40},
         {{"p(0)", [p00](const Solution& s) { return centre(s, p00 * 1.0782404462398982); }},
          {"stick boundary",
-          [](const Solution& s) {
-            return last_with(s.last(), C2D_STICK) - 0.864481667647117 * 0.9728971709260842;
-          }},
-         {"q/p0, mean square", [p00](const Solution& s) {
-            return curve(s, reference("p06_pq_mu0.4_nu0.3"), 5, p00, 0.9, true, 3);
-          }}});
+          [](const Solution& s) { return last_with(s.last(), C2D_STICK) - 0.864481667647117 * 0.9728971709260842; }},
+         {"q/p0, mean square",
+          [p00](const Solution& s) { return curve(s, reference("p06_pq_mu0.4_nu0.3"), 5, p00, 0.9, true, 3); }}});
   table("Cylinder with adhesion", "cylinder_friction", {"mu=inf"}, "n", {10, 20, 40},
         {{"p(0)", [p00](const Solution& s) { return centre(s, p00 * 1.0773110514492); }},
-         {"q/p0, mean square", [p00](const Solution& s) {
-            return curve(s, reference("p06_pq_adh_nu0.3"), 5, p00, 0.9, true, 3);
-          }}});
-  table(
-      "Rectangle between rough plates", "rough_plates", {"mu=0.2"}, "n", {10, 20, 40, 80},
-      {{"stick boundary", [](const Solution& s) { return last_with(s.last(), C2D_STICK) - 0.4386065376; }}});
+         {"q/p0, mean square",
+          [p00](const Solution& s) { return curve(s, reference("p06_pq_adh_nu0.3"), 5, p00, 0.9, true, 3); }}});
+  table("Rectangle between rough plates", "rough_plates", {"mu=0.2"}, "n", {10, 20, 40, 80},
+        {{"stick boundary", [](const Solution& s) { return last_with(s.last(), C2D_STICK) - 0.4386065376; }}});
   table("Mindlin, loop", "mindlin", {}, "n", {10, 20, 40},
         {{"energy of a loop", [](const Solution& s) {
             const double muP = 0.3 * kPi / (4 * 200 * 2 * 0.91 / 1000);
             const auto force = [&](size_t step) {
               const std::vector<Row>& r = s.steps[step].rows;
               double sum = 0;
-              for (size_t i = 0; i + 1 < r.size(); ++i)
-                sum += (r[i].tt + r[i + 1].tt) / 2 * (r[i + 1].x - r[i].x);
+              for (size_t i = 0; i + 1 < r.size(); ++i) sum += (r[i].tt + r[i + 1].tt) / 2 * (r[i + 1].x - r[i].x);
               return sum / muP;
             };
             const double k = 1 - std::fabs(force(4) - force(12)) / 2;
-            const double exact =
-                4 / kPi * muP * muP * (2 * 0.91 / 1000) * (k * std::log(k) + 1 - k - (1 - k) * (1 - k) / 2);
+            const double exact = 4 / kPi * muP * muP * (2 * 0.91 / 1000) * (k * std::log(k) + 1 - k - (1 - k) * (1 - k) / 2);
             return (s.steps[20].dissipated - s.steps[4].dissipated) / exact - 1;
           }}});
 }
@@ -175,8 +158,7 @@ void single_bodies() {
 } // namespace
 
 int main() {
-  std::printf(
-      "Errors are relative, those of edges and boundaries in units of the problem: a node at most.\n");
+  std::printf("Errors are relative, those of edges and boundaries in units of the problem: a node at most.\n");
   contact_problems();
   friction_problems();
   single_bodies();

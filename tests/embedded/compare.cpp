@@ -26,8 +26,7 @@ std::vector<Row> table(const char* name) {
 }
 
 // Quantities of one kind are measured alike: tractions, displacements.
-const std::vector<std::vector<std::string>> kKinds = {
-    {"tn", "tt"}, {"un1", "ut1", "un2", "ut2", "gap", "slip"}, {"x", "y"}};
+const std::vector<std::vector<std::string>> kKinds = {{"tn", "tt"}, {"un1", "ut1", "un2", "ut2", "gap", "slip"}, {"x", "y"}};
 
 struct Column {
   double largest = 0.0, difference = 0.0;
@@ -41,8 +40,7 @@ int main(int count, char** argument) {
   const std::vector<Row> a = table(argument[1]), b = table(argument[2]);
   const double tolerance = std::atof(argument[3]);
   if (a.size() < 2 || a.size() != b.size() || a[0] != b[0]) {
-    std::printf("%s has %zu rows, %s %zu, or their headers differ\n", argument[1], a.size(), argument[2],
-                b.size());
+    std::printf("%s has %zu rows, %s %zu, or their headers differ\n", argument[1], a.size(), argument[2], b.size());
     return 1;
   }
   std::vector<Column> columns(a[0].size());
@@ -64,18 +62,15 @@ int main(int count, char** argument) {
   for (const std::vector<std::string>& kind : kKinds) {
     double largest = 0.0;
     for (size_t c = 0; c < columns.size(); ++c)
-      if (std::find(kind.begin(), kind.end(), a[0][c]) != kind.end())
-        largest = std::max(largest, columns[c].largest);
+      if (std::find(kind.begin(), kind.end(), a[0][c]) != kind.end()) largest = std::max(largest, columns[c].largest);
     for (size_t c = 0; c < columns.size(); ++c)
       if (std::find(kind.begin(), kind.end(), a[0][c]) != kind.end()) columns[c].largest = largest;
   }
   bool good = words == 0;
-  std::printf("  %zu rows, %zu statuses differ; difference over the largest of its kind:", a.size() - 1,
-              words);
+  std::printf("  %zu rows, %zu statuses differ; difference over the largest of its kind:", a.size() - 1, words);
   for (size_t c = 0; c < columns.size(); ++c) {
     if (columns[c].words) continue;
-    const double relative =
-        columns[c].largest > 0.0 ? columns[c].difference / columns[c].largest : columns[c].difference;
+    const double relative = columns[c].largest > 0.0 ? columns[c].difference / columns[c].largest : columns[c].difference;
     good = good && relative <= tolerance;
     if (columns[c].difference != 0.0) std::printf(" %s %.1e", a[0][c].c_str(), relative);
   }

@@ -106,11 +106,10 @@ int main(int count, char** argument) {
   const std::string log = folder + "/run.log";
   const long painted = number_in(log, "painted over ");
   if (fs::exists(log)) {
-    Graph image =
-        read_graph(folder, table,
-                   {"port/cortex-m/:open_tape", "port/cortex-m/:read_block", "port/cortex-m/:write_block",
-                    "port/cortex-m/:sync_tape", "port/cortex-m/:close_tape", "port/cortex-m/:print_step",
-                    "port/cortex-m/:tell", "c2d_semihosting_next_card"});
+    Graph image = read_graph(folder, table,
+                             {"port/cortex-m/:open_tape", "port/cortex-m/:read_block", "port/cortex-m/:write_block",
+                              "port/cortex-m/:sync_tape", "port/cortex-m/:close_tape", "port/cortex-m/:print_step",
+                              "port/cortex-m/:tell", "c2d_semihosting_next_card"});
     const Worst whole = worst_stack(image, "c2d_reset");
     good = tell_faults(image) && good;
     show_chain("sample with its callbacks", whole);
@@ -123,8 +122,8 @@ int main(int count, char** argument) {
   const long workspace = number_in(log, "workspace ");
   for (const char* configuration : {"whole", "no-deck", "no-points", "solver", "solver-run", "solver-deck"}) {
     const Sizes sizes = read_sizes(folder + "/" + configuration + ".size");
-    std::printf("| %s | %s | %ld | %ld | %ld | %ld |", target.c_str(), configuration, sizes.code,
-                sizes.constants, sizes.data, worst.bytes);
+    std::printf("| %s | %s | %ld | %ld | %ld | %ld |", target.c_str(), configuration, sizes.code, sizes.constants, sizes.data,
+                worst.bytes);
     if (workspace >= 0)
       std::printf(" %ld | %ld |\n", workspace, painted);
     else

@@ -20,20 +20,16 @@ std::string quoted(const std::string& line, const std::string& word) {
 // "c2d_status c2d::{anonymous}::fill(const Panel&)" -> "fill"
 std::string plain_name(const std::string& signature) {
   std::string text = signature.substr(0, signature.find("\\n"));
-  for (size_t at = text.find("{anonymous}"); at != std::string::npos; at = text.find("{anonymous}"))
-    text.erase(at, 11);
+  for (size_t at = text.find("{anonymous}"); at != std::string::npos; at = text.find("{anonymous}")) text.erase(at, 11);
   text = text.substr(0, text.find('('));
   const size_t template_begin = text.find('<');
   if (template_begin != std::string::npos && template_begin > 0) text = text.substr(0, template_begin);
   size_t begin = text.size();
-  while (begin > 0 && (std::isalnum(static_cast<unsigned char>(text[begin - 1])) || text[begin - 1] == '_'))
-    --begin;
+  while (begin > 0 && (std::isalnum(static_cast<unsigned char>(text[begin - 1])) || text[begin - 1] == '_')) --begin;
   return text.substr(begin);
 }
 
-std::string file_of(const std::string& location) {
-  return location.substr(0, location.find(':'));
-}
+std::string file_of(const std::string& location) { return location.substr(0, location.find(':')); }
 
 } // namespace
 
@@ -56,8 +52,7 @@ Indirect read_table(const std::string& file, std::vector<std::string>& faults) {
   return table;
 }
 
-void read_call_graph(const std::string& file, const Indirect& table, const std::vector<std::string>& host,
-                     Graph& graph) {
+void read_call_graph(const std::string& file, const Indirect& table, const std::vector<std::string>& host, Graph& graph) {
   std::ifstream in(file);
   if (!in) graph.faults.push_back(file + " cannot be read");
   for (std::string line; std::getline(in, line);) {
@@ -96,13 +91,10 @@ long saved_bytes(const std::string& list) {
   long bytes = 0;
   std::istringstream parts(list);
   for (std::string part; std::getline(parts, part, ',');) {
-    part.erase(
-        std::remove_if(part.begin(), part.end(), [](char c) { return c == ' ' || c == '{' || c == '}'; }),
-        part.end());
+    part.erase(std::remove_if(part.begin(), part.end(), [](char c) { return c == ' ' || c == '{' || c == '}'; }), part.end());
     const long size = !part.empty() && part[0] == 'd' ? 8 : 4;
     const size_t dash = part.find('-');
-    const long count =
-        dash == std::string::npos ? 1 : std::stol(part.substr(dash + 2)) - std::stol(part.substr(1)) + 1;
+    const long count = dash == std::string::npos ? 1 : std::stol(part.substr(dash + 2)) - std::stol(part.substr(1)) + 1;
     bytes += size * count;
   }
   return bytes;
@@ -114,8 +106,8 @@ long number_after(const std::string& text, const char* mark) {
 }
 
 // One instruction: what it takes of the stack, whom it calls, whether the next one can be reached from it.
-void take_instruction(const std::string& op, const std::string& rest, const std::string& own, Function& f,
-                      bool& goes_on, std::vector<std::string>& faults) {
+void take_instruction(const std::string& op, const std::string& rest, const std::string& own, Function& f, bool& goes_on,
+                      std::vector<std::string>& faults) {
   const bool went_on = goes_on;
   goes_on = true;
   const bool stores = rest.compare(0, 3, "sp!") == 0;
@@ -134,12 +126,10 @@ void take_instruction(const std::string& op, const std::string& rest, const std:
     goes_on = went_on; // padding
     return;
   }
-  const bool returns = (op.compare(0, 3, "pop") == 0 || op.compare(0, 5, "ldmia") == 0) &&
-                       rest.find("pc") != std::string::npos;
+  const bool returns = (op.compare(0, 3, "pop") == 0 || op.compare(0, 5, "ldmia") == 0) && rest.find("pc") != std::string::npos;
   if (returns || op == "bx" || op == "b.n" || op == "b.w" || op == "b" || op == "udf") goes_on = false;
   if (op == "ldr.w" && rest.compare(0, 3, "pc,") == 0) goes_on = false;
-  if (op == "blx" && rest.find('<') == std::string::npos)
-    faults.push_back(own + ": indirect call in the library");
+  if (op == "blx" && rest.find('<') == std::string::npos) faults.push_back(own + ": indirect call in the library");
   const size_t open = rest.find('<');
   if (op[0] == 'b' && open != std::string::npos) {
     const std::string target = rest.substr(open + 1, rest.find_first_of("+>", open) - open - 1);
@@ -186,8 +176,7 @@ void join_labels(std::map<std::string, Function>& all, std::map<std::string, std
     f.frame = f.frame < 0 || entry.second.frame < 0 ? -2 : f.frame + entry.second.frame;
     for (const std::string& call : entry.second.calls) f.calls.insert(owner.count(call) ? owner[call] : call);
     for (const std::string& jump : entry.second.jumps)
-      if (!owner.count(jump) || owner[jump] != owner[entry.first])
-        f.calls.insert(owner.count(jump) ? owner[jump] : jump);
+      if (!owner.count(jump) || owner[jump] != owner[entry.first]) f.calls.insert(owner.count(jump) ? owner[jump] : jump);
     if (owner[entry.first] != entry.first) alias[entry.first] = owner[entry.first];
   }
   for (auto& entry : alias)
@@ -221,8 +210,7 @@ void read_disassembly(const std::string& file, const std::string& nm, Graph& gra
     const std::string op = line.substr(tab2 + 1, tab3 == std::string::npos ? tab3 : tab3 - tab2 - 1);
     if (op.empty() || op[0] == '.') continue;
     std::vector<std::string> faults; // only those of functions that are asked for would matter: see below
-    take_instruction(op, tab3 == std::string::npos ? "" : line.substr(tab3 + 1), own, found[own], goes_on,
-                     faults);
+    take_instruction(op, tab3 == std::string::npos ? "" : line.substr(tab3 + 1), own, found[own], goes_on, faults);
     if (!faults.empty()) found[own].frame = -2;
   }
   std::ifstream names(nm);
@@ -254,8 +242,7 @@ std::vector<std::string> resolve(Walk& walk, const std::string& target) {
     const std::string name = target.substr(colon == std::string::npos ? 1 : colon + 1),
                       folder = colon == std::string::npos ? "" : target.substr(1, colon - 1);
     for (const auto& entry : walk.graph.function)
-      if (entry.second.name == name && entry.second.frame >= 0 &&
-          entry.first.compare(0, folder.size(), folder) == 0)
+      if (entry.second.name == name && entry.second.frame >= 0 && entry.first.compare(0, folder.size(), folder) == 0)
         keys.push_back(entry.first);
   } else {
     const auto alias = walk.graph.alias.find(target);
@@ -271,12 +258,8 @@ std::vector<std::string> resolve(Walk& walk, const std::string& target) {
       if (walk.graph.function.count(same) != 0) keys.push_back(same);
     }
   }
-  if (keys.empty() && walk.graph.libraries_apart && target[0] != '=' &&
-      target.find("c2d") == std::string::npos)
-    return keys;
-  if (keys.empty())
-    walk.graph.faults.push_back((walk.path.empty() ? "" : walk.path.back() + " calls ") + target +
-                                ": unknown");
+  if (keys.empty() && walk.graph.libraries_apart && target[0] != '=' && target.find("c2d") == std::string::npos) return keys;
+  if (keys.empty()) walk.graph.faults.push_back((walk.path.empty() ? "" : walk.path.back() + " calls ") + target + ": unknown");
   return keys;
 }
 

@@ -27,14 +27,13 @@ struct Graph {
 // What an indirect call in a source file may reach: names of functions, or the caller's callbacks.
 struct Indirect {
   std::map<std::string, std::set<std::string>> targets; // by file; names without arguments
-  std::set<std::string> host; // files whose indirect calls are all the caller's callbacks
+  std::set<std::string> host;                           // files whose indirect calls are all the caller's callbacks
 };
 
 Indirect read_table(const std::string& file, std::vector<std::string>& faults);
 // Adds the functions of a .ci file. Dynamic frames, and indirect calls that the table does not know, are
 // faults. `host`: names of what the caller's callbacks lead to; none: they are not counted.
-void read_call_graph(const std::string& file, const Indirect& table, const std::vector<std::string>& host,
-                     Graph& graph);
+void read_call_graph(const std::string& file, const Indirect& table, const std::vector<std::string>& host, Graph& graph);
 // Adds functions that the graph lacks; names of equal addresses from `nm`.
 void read_disassembly(const std::string& file, const std::string& nm, Graph& graph);
 

@@ -27,8 +27,8 @@ uint64_t need(int nodes, int pairs, int width) {
 }
 
 double formula(double N, double p, double w) {
-  const double eliminate = 3776 + 240 * N + 489 * p + 8 * (2 * N + 9) * w,
-               results = 292 * N + 648 * p + 32 * p * p, rates = 164 * N + 664 * p + 64 * p * p;
+  const double eliminate = 3776 + 240 * N + 489 * p + 8 * (2 * N + 9) * w, results = 292 * N + 648 * p + 32 * p * p,
+               rates = 164 * N + 664 * p + 64 * p * p;
   return 4350 + std::max(eliminate, std::max(results, rates));
 }
 

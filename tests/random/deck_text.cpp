@@ -146,8 +146,6 @@ std::string Writer::write(const std::string& title) {
 
 } // namespace
 
-std::string deck_of(const Problem& problem, const std::string& title) {
-  return Writer(problem).write(title);
-}
+std::string deck_of(const Problem& problem, const std::string& title) { return Writer(problem).write(title); }
 
 } // namespace random_decks

@@ -16,13 +16,9 @@ constexpr double kPlace[kGauss / 2] = {0.1488743389816312, 0.4333953941292472, 0
 constexpr double kWeight[kGauss / 2] = {0.2955242247147529, 0.2692667193099964, 0.2190863625159820, 0.1494513491505806,
                                         0.0666713443086881};
 
-size_t index(int64_t i) {
-  return static_cast<size_t>(i);
-}
+size_t index(int64_t i) { return static_cast<size_t>(i); }
 
-double place_of(int32_t n, int32_t k) {
-  return n == 1 ? 0 : -1 + 2.0 * k / (n - 1);
-}
+double place_of(int32_t n, int32_t k) { return n == 1 ? 0 : -1 + 2.0 * k / (n - 1); }
 
 void shapes(int32_t n, double eta, double* value, double* slope) {
   for (int32_t k = 0; k < n; ++k) {
@@ -104,8 +100,8 @@ void Assembly::add_gauss(const Element& e, double from, double to, double x, dou
       for (int k = 0; k < 2; ++k)
         for (int j = 0; j < 2; ++j) {
           const double same = j == k ? 1 : 0;
-          h_[l][k][j] += w * value[l] * a *
-                         (rn * ((1 - 2 * nu_) * same + 2 * q[k] * q[j]) - (1 - 2 * nu_) * (q[k] * n[j] - q[j] * n[k]));
+          h_[l][k][j] +=
+              w * value[l] * a * (rn * ((1 - 2 * nu_) * same + 2 * q[k] * q[j]) - (1 - 2 * nu_) * (q[k] * n[j] - q[j] * n[k]));
           g_[l][k][j] += w * value[l] * b * (q[k] * q[j] - (3 - 4 * nu_) * std::log(r) * same);
         }
   }
@@ -212,9 +208,7 @@ int32_t node_of_end(const Problem& p, const Body& body, int32_t element, int32_t
   return local == per ? (next - 1) * per : (element - 1) * per + local;
 }
 
-Equations equations_of(const Problem& p, int32_t body) {
-  return Assembly(p, body).build();
-}
+Equations equations_of(const Problem& p, int32_t body) { return Assembly(p, body).build(); }
 
 bool solve_dense(Matrix a, Matrix& b, double least, double* smallest) {
   const size_t n = a.size();

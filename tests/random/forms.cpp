@@ -179,7 +179,8 @@ std::string difference(const Model& model, const Result& deck, const Form& form,
     if (!(gap.traction > allowed * sizes.traction) && !(gap.displacement > allowed * sizes.displacement)) continue;
     const bool flying = gap.traction <= allowed * sizes.traction;
     char line[200];
-    std::snprintf(line, sizeof line, "%s row %zu of %zu at load %.6g %.6g: tractions %.2g of %.2g, displacements %.2g of %.2g (%.0e)",
+    std::snprintf(line, sizeof line,
+                  "%s row %zu of %zu at load %.6g %.6g: tractions %.2g of %.2g, displacements %.2g of %.2g (%.0e)",
                   flying ? "displacements differ in" : "tractions differ in", i + 1, rows.size(), rows[i].load, rows[i].second,
                   gap.traction, sizes.traction, gap.displacement, sizes.displacement, allowed);
     return line;

@@ -11,9 +11,9 @@ struct Form {
   std::string name;
   problem::Problem problem;
   problem::Setup setup;
-  problem::Mapping map;   // turns the form's numbers into the deck's
+  problem::Mapping map; // turns the form's numbers into the deck's
   bool equal_bits = false;
-  int32_t rows = 1;       // recorded rows of the form for one of the deck
+  int32_t rows = 1; // recorded rows of the form for one of the deck
 };
 
 std::vector<Form> forms_of(const Model& model, uint64_t seed);

@@ -12,9 +12,7 @@ namespace {
 
 using problem::Problem;
 
-size_t index(int64_t i) {
-  return static_cast<size_t>(i);
-}
+size_t index(int64_t i) { return static_cast<size_t>(i); }
 
 double random_friction(Dice& dice) {
   const double kind = dice.unit();
@@ -45,9 +43,7 @@ void set_materials(Problem& p, Dice& dice) {
 
 // ---- how bodies are held ----------------------------------------------------------------------------------------------
 
-void clamp(Side& side) {
-  side.condition.fixed[0] = side.condition.fixed[1] = true;
-}
+void clamp(Side& side) { side.condition.fixed[0] = side.condition.fixed[1] = true; }
 
 // The body that does not move as a whole, held on its base (or its top, if the other one is loaded from below).
 void hold(Outlines& body, int32_t base, int32_t other, Dice& dice) {
@@ -173,8 +169,8 @@ bool at_any_angle(const Problem& p) {
 void add_point_loads(Problem& p, const Scene& scene, const Loading& l, Dice& dice) {
   const Point low = scene.room[1][0], high = scene.room[1][1];
   if (high.x - low.x < 0.1 || high.y - low.y < 0.1 || scene.body[1].regions.size() > 1) return;
-  p.point_loads.push_back({2, dice.between(low.x, high.x), dice.between(low.y, high.y),
-                           l.size * dice.between(-0.5, 0.5), l.size * dice.between(-1, 0.2), 1});
+  p.point_loads.push_back({2, dice.between(low.x, high.x), dice.between(low.y, high.y), l.size * dice.between(-0.5, 0.5),
+                           l.size * dice.between(-1, 0.2), 1});
 }
 
 Model assemble(Scene& scene, Dice& dice, int32_t function_nodes, double mu, bool two_cases, bool half) {
@@ -228,8 +224,8 @@ Model generate(uint64_t seed) {
   const int32_t function_nodes = order < 0.1 ? 1 : order < 0.55 ? 2 : order < 0.85 ? 3 : 4;
   const double mu = random_friction(dice);
   Scene scene = make_scene(dice, function_nodes, false);
-  Model model = assemble(scene, dice, function_nodes, mu, !scene.overlap && dice.chance(0.3),
-                         Dice(seed ^ 0xA1F0000u).chance(0.2));
+  Model model =
+      assemble(scene, dice, function_nodes, mu, !scene.overlap && dice.chance(0.3), Dice(seed ^ 0xA1F0000u).chance(0.2));
   model.title += " " + std::to_string(seed);
   return model;
 }

@@ -9,9 +9,9 @@ namespace random_decks {
 
 struct Model {
   problem::Problem problem;
-  std::string title;      // kind and seed
+  std::string title;          // kind and seed
   bool same_surfaces = false; // both bodies have the same points in contact: they may be exchanged
-  bool any_angle = false; // no condition holds a single component
+  bool any_angle = false;     // no condition holds a single component
   bool proportional = false;  // everything touches without load, and the first load card is of one case
 };
 

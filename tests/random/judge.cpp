@@ -16,9 +16,7 @@ using namespace problem;
 constexpr double kSecondsAllowed = 20;
 constexpr double kResidualAllowed = 1e-9;
 
-double processor_seconds() {
-  return static_cast<double>(clock()) / CLOCKS_PER_SEC;
-}
+double processor_seconds() { return static_cast<double>(clock()) / CLOCKS_PER_SEC; }
 
 Result solve_deck(const std::string& deck, int32_t every_change) {
   Setup setup;
@@ -51,8 +49,7 @@ bool same_rows(const Result& deck, const Result& rows) {
 
 class Judge {
 public:
-  Judge(Kind kind, uint64_t seed)
-      : seed_(seed), model_(kind == Kind::any ? generate(seed) : generate_few_pairs(seed)) {}
+  Judge(Kind kind, uint64_t seed) : seed_(seed), model_(kind == Kind::any ? generate(seed) : generate_few_pairs(seed)) {}
   Verdict all();
 
 private:
@@ -72,8 +69,8 @@ private:
 void Judge::solve_it() {
   const std::vector<Body>& bodies = model_.problem.bodies;
   verdict_.title = model_.title + ", " + std::to_string(bodies[0].regions.size() - 1) + "+" +
-                   std::to_string(bodies[1].regions.size() - 1) + " holes, orders " +
-                   std::to_string(bodies[0].element_nodes) + " " + std::to_string(model_.problem.function_nodes);
+                   std::to_string(bodies[1].regions.size() - 1) + " holes, orders " + std::to_string(bodies[0].element_nodes) +
+                   " " + std::to_string(model_.problem.function_nodes);
   verdict_.deck = deck_of(model_.problem, model_.title);
   const double start = processor_seconds();
   deck_ = solve_deck(verdict_.deck, 0);
@@ -148,8 +145,6 @@ Verdict Judge::all() {
 
 } // namespace
 
-Verdict judge(Kind kind, uint64_t seed) {
-  return Judge(kind, seed).all();
-}
+Verdict judge(Kind kind, uint64_t seed) { return Judge(kind, seed).all(); }
 
 } // namespace random_decks

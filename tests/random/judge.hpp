@@ -10,15 +10,15 @@ enum class Kind { any, few_pairs };
 
 struct Verdict {
   std::string title;
-  std::string deck;                  // its text
+  std::string deck; // its text
   c2d_status status = C2D_OK;
   c2d_outcome outcome = C2D_REACHED;
-  double load = 0;                   // reached
-  double seconds = 0;                // of the deck alone
+  double load = 0;                                  // reached
+  double seconds = 0;                               // of the deck alone
   bool not_unique = false, undefined_place = false; // said so
-  bool tried = false;                // all statuses
-  int32_t other_choices = 0;         // of equivalent forms, where that is said
-  std::vector<std::string> findings; // empty: nothing is wrong
+  bool tried = false;                               // all statuses
+  int32_t other_choices = 0;                        // of equivalent forms, where that is said
+  std::vector<std::string> findings;                // empty: nothing is wrong
 };
 
 Verdict judge(Kind kind, uint64_t seed);

@@ -11,9 +11,7 @@ namespace {
 
 using namespace problem;
 
-size_t index(int64_t i) {
-  return static_cast<size_t>(i);
-}
+size_t index(int64_t i) { return static_cast<size_t>(i); }
 
 __attribute__((format(printf, 1, 2))) std::string formatted(const char* format, ...) {
   char text[300];
@@ -65,8 +63,13 @@ ElementAt element_at(const Problem& p, const Body& body, int32_t element, double
 }
 
 constexpr int kPoints = 7; // of Gauss and Legendre
-constexpr double kPlace[kPoints] = {0, 0.4058451513773972, -0.4058451513773972, 0.7415311855993945, -0.7415311855993945,
-                                    0.9491079123427585, -0.9491079123427585};
+constexpr double kPlace[kPoints] = {0,
+                                    0.4058451513773972,
+                                    -0.4058451513773972,
+                                    0.7415311855993945,
+                                    -0.7415311855993945,
+                                    0.9491079123427585,
+                                    -0.9491079123427585};
 constexpr double kWeight[kPoints] = {0.4179591836734694, 0.3818300505051189, 0.3818300505051189, 0.2797053914892766,
                                      0.2797053914892766, 0.1294849661688697, 0.1294849661688697};
 
@@ -149,8 +152,7 @@ void Laws::open_pair(const Step& s, int pair) {
 void Laws::closed_pair(const Step& s, int pair) {
   const double tn = s.at(pair, C2D_TN), tt = std::fabs(s.at(pair, C2D_TT)), close = near_ * size_.traction;
   more(-tn, close, "a closed pair pulls", &s, pair);
-  if (p_.interference == 0)
-    more(std::fabs(s.at(pair, C2D_GAP)), near_ * size_.displacement, "a closed pair gapes", &s, pair);
+  if (p_.interference == 0) more(std::fabs(s.at(pair, C2D_GAP)), near_ * size_.displacement, "a closed pair gapes", &s, pair);
   if (!std::isfinite(s.mu)) return;
   more(tt - s.mu * tn, close * (1 + s.mu), "friction beyond the cone", &s, pair);
   if (static_cast<int>(s.at(pair, C2D_STATUS)) == C2D_SLIP)
@@ -174,7 +176,8 @@ void Laws::since_change(const Step& before, const Step& s, int pair) {
 void Laws::contact(const Step& s, int pair) {
   const double gap = s.at(pair, C2D_GAP) - (s.at(pair, C2D_UN2) - s.at(pair, C2D_UN1));
   if (model_.same_surfaces && p_.interference == 0)
-    more(std::fabs(gap), 1e-9 * size_.length + near_ * size_.displacement, "a gap between surfaces of the same points", &s, pair);
+    more(std::fabs(gap), 1e-9 * size_.length + near_ * size_.displacement, "a gap between surfaces of the same points", &s,
+         pair);
   for (int field = C2D_TN; field <= C2D_SLIP_SUM; ++field)
     if (!std::isfinite(s.at(pair, field))) tell("a result is no number", 1, &s, pair);
   if (static_cast<int>(s.at(pair, C2D_STATUS)) == C2D_OPEN)
@@ -201,8 +204,8 @@ void Laws::balance(const Step& s) {
   more(std::hypot(contact[0].fx + contact[1].fx, contact[0].fy + contact[1].fy),
        (model_.same_surfaces ? near_ : kPassedOver) * size_.force, "action and reaction", &s);
   if (model_.same_surfaces)
-    more(std::fabs(contact[0].moment + contact[1].moment), near_ * size_.force * size_.length,
-         "moments of action and reaction", &s);
+    more(std::fabs(contact[0].moment + contact[1].moment), near_ * size_.force * size_.length, "moments of action and reaction",
+         &s);
 }
 
 // What was prescribed is there.
@@ -252,8 +255,7 @@ std::vector<double> Laws::pair_lengths() const {
     for (int32_t i = 0; i < z.elements; ++i)
       for (int g = 0; g < kPoints; ++g) {
         const ElementAt at = element_at(p_, p_.bodies[0], z.first_element[0] + i, kPlace[g]);
-        for (int l = 0; l < f; ++l)
-          length[first + index(f == 1 ? i : i * (f - 1) + l)] += kWeight[g] * at.ds * at.shape[l];
+        for (int l = 0; l < f; ++l) length[first + index(f == 1 ? i : i * (f - 1) + l)] += kWeight[g] * at.ds * at.shape[l];
       }
   }
   return length;
@@ -328,12 +330,8 @@ Sizes sizes_of(const Problem& p, const Runs& runs) {
   return size;
 }
 
-double tolerance_of(const Result& result) {
-  return std::max(1e-8, 1e-14 * result.summary.condition);
-}
+double tolerance_of(const Result& result) { return std::max(1e-8, 1e-14 * result.summary.condition); }
 
-std::vector<std::string> broken_laws(const Model& model, const Runs& runs) {
-  return Laws(model, runs).all();
-}
+std::vector<std::string> broken_laws(const Model& model, const Runs& runs) { return Laws(model, runs).all(); }
 
 } // namespace random_decks

@@ -26,9 +26,7 @@ struct Tally {
   int decks = 0, wrong = 0;
 };
 
-std::string number(uint64_t seed) {
-  return std::to_string(static_cast<unsigned long long>(seed));
-}
+std::string number(uint64_t seed) { return std::to_string(static_cast<unsigned long long>(seed)); }
 
 std::string outcome_of(const Verdict& v) {
   return v.status == C2D_ERR_INPUT ? "refused" : v.status != C2D_OK ? "failed" : c2d_outcome_message(v.outcome);

@@ -7,9 +7,7 @@ namespace random_decks {
 
 namespace {
 
-size_t index(int64_t i) {
-  return static_cast<size_t>(i);
-}
+size_t index(int64_t i) { return static_cast<size_t>(i); }
 
 // Functional nodes of a body, from 0: every element's first node is its own.
 int32_t node_of(int32_t first, int32_t count, int32_t element, int32_t local, int32_t function_nodes) {
@@ -129,8 +127,7 @@ Point Curve::at(double s) const {
     const double root = std::sqrt(radius * radius - along * along);
     aside = std::copysign(root, radius) - (radius - h);
   }
-  return {a.x + (0.5 + along / length) * dx + aside * dy / length,
-          a.y + (0.5 + along / length) * dy - aside * dx / length};
+  return {a.x + (0.5 + along / length) * dx + aside * dy / length, a.y + (0.5 + along / length) * dy - aside * dx / length};
 }
 
 Point Side::at(int32_t element, double s) const {
@@ -146,9 +143,7 @@ std::vector<double> equal_breaks(int32_t elements) {
   return breaks;
 }
 
-Side line(Point from, Point to, int32_t elements) {
-  return arc(from, to, elements, 0);
-}
+Side line(Point from, Point to, int32_t elements) { return arc(from, to, elements, 0); }
 
 Side arc(Point from, Point to, int32_t elements, double bulge) {
   Side side;

@@ -37,9 +37,7 @@ Side seat_side(Dice& dice, Point a, Point b, int32_t elements, double bulge) {
 
 // ---- seats ------------------------------------------------------------------------------------------------------------
 
-Seat flat_seat(Dice& dice, int32_t elements) {
-  return {seat_side(dice, {0, 0}, {1, 0}, elements, 0)};
-}
+Seat flat_seat(Dice& dice, int32_t elements) { return {seat_side(dice, {0, 0}, {1, 0}, elements, 0)}; }
 Seat bumped_seat(Dice& dice, int32_t elements) {
   return {seat_side(dice, {0, 0}, {1, 0}, elements, dice.sign() * dice.between(0.02, 0.25))};
 }
@@ -51,8 +49,7 @@ Seat kinked_seat(Dice& dice, int32_t elements) { // a notch or a roof
 Seat corner_seat(Dice& dice, int32_t elements) { // a floor and a wall
   const double height = dice.between(0.2, 0.9), lean = dice.chance(0.5) ? 0 : -dice.between(0.02, 0.3);
   const int32_t left = std::max(1, elements / 2);
-  return {seat_side(dice, {lean, height}, {0, 0}, left, 0),
-          seat_side(dice, {0, 0}, {1, 0}, std::max(1, elements - left), 0)};
+  return {seat_side(dice, {lean, height}, {0, 0}, left, 0), seat_side(dice, {0, 0}, {1, 0}, std::max(1, elements - left), 0)};
 }
 Seat slot_seat(Dice& dice, int32_t elements) { // a floor and two walls
   const double height = dice.between(0.2, 0.9), lean = dice.chance(0.5) ? 0 : dice.between(0.02, 0.3);
@@ -64,9 +61,7 @@ Seat slot_seat(Dice& dice, int32_t elements) { // a floor and two walls
 
 // ---- bodies around a seat ---------------------------------------------------------------------------------------------
 
-int32_t along(double length, double size) {
-  return std::max(1, std::min(8, static_cast<int32_t>(std::lround(length / size))));
-}
+int32_t along(double length, double size) { return std::max(1, std::min(8, static_cast<int32_t>(std::lround(length / size)))); }
 
 void add_line(std::vector<Side>& outline, Point to, double size) {
   const Point from = outline.back().last();
@@ -151,8 +146,8 @@ Scene seated(Dice& dice, int32_t elements, bool few) {
     const char* name;
     Seat (*make)(Dice&, int32_t);
   };
-  static const Kind kinds[] = {{"flat", flat_seat}, {"bump", bumped_seat}, {"kink", kinked_seat}, {"corner", corner_seat},
-                               {"slot", slot_seat}};
+  static const Kind kinds[] = {
+      {"flat", flat_seat}, {"bump", bumped_seat}, {"kink", kinked_seat}, {"corner", corner_seat}, {"slot", slot_seat}};
   const Kind& kind = kinds[dice.chance(0.3) ? 0 : dice.whole(0, few ? 3 : 4)];
   Scene scene;
   scene.name = kind.name;

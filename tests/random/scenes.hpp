@@ -18,9 +18,9 @@ struct Scene {
   bool round = false;         // body 2 may roll
   // Places for conditions, as sides of the outer curves: where body 1 is held, and where body 2 is loaded.
   int32_t base = 0, top = 0, base_other = 0, top_other = 0; // others: a side beside it
-  bool flush_left = false;    // both end there at x = 0, on the two sides from left_wall on
+  bool flush_left = false;                                  // both end there at x = 0, on the two sides from left_wall on
   int32_t left_wall[2] = {0, 0};
-  Point room[2][2] = {};      // lower left and upper right corner of a box for holes, per body; empty: none
+  Point room[2][2] = {}; // lower left and upper right corner of a box for holes, per body; empty: none
 };
 
 // `few`: at most five pairs for these functions, all touching.

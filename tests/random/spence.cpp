@@ -24,9 +24,7 @@ std::vector<double> graded_ends() {
   return ends;
 }
 
-double x_log(double x) {
-  return x == 0 ? 0 : x * std::log(std::fabs(x));
-}
+double x_log(double x) { return x == 0 ? 0 : x * std::log(std::fabs(x)); }
 
 class HalfPlane {
 public:
@@ -111,9 +109,7 @@ double spence_border(double mu, double nu) {
   return low == 0 ? 0 : plane.end(low);
 }
 
-bool Punch::border_within_a_node() const {
-  return solved && border >= node_below - 1e-12 && border <= node_above + 1e-12;
-}
+bool Punch::border_within_a_node() const { return solved && border >= node_below - 1e-12 && border <= node_above + 1e-12; }
 
 Punch solve_punch(double mu, double nu) {
   Punch out = {mu, nu};

@@ -11,11 +11,11 @@ double spence_border(double mu, double nu);
 
 struct Punch {
   double mu, nu;
-  double border = 0;    // by spence_border
+  double border = 0; // by spence_border
   bool solved = false;
   double sticks = 0, slips = 1; // last node that sticks, first that slips
   std::string message = std::string();
-  bool border_within_a_node() const; // at most a node's distance beyond the two
+  bool border_within_a_node() const;     // at most a node's distance beyond the two
   double node_below = 0, node_above = 1; // the nodes next to those
 };
 // `contact2d make punch mu= nu=` with its defaults, solved.

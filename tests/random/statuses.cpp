@@ -12,14 +12,12 @@ namespace {
 using namespace problem;
 
 constexpr size_t kMostPairs = 5;
-constexpr double kClear = 1e-6;       // margins of a solution beyond doubt
-constexpr double kDoubtful = -1e-8;   // and of one that may be one
-constexpr double kLeastPivot = 1e-7;  // a set of equations beyond doubt
+constexpr double kClear = 1e-6;      // margins of a solution beyond doubt
+constexpr double kDoubtful = -1e-8;  // and of one that may be one
+constexpr double kLeastPivot = 1e-7; // a set of equations beyond doubt
 constexpr double kSingular = 1e-12;
 
-size_t index(int64_t i) {
-  return static_cast<size_t>(i);
-}
+size_t index(int64_t i) { return static_cast<size_t>(i); }
 
 // What a pair of the model is, from the library's table.
 struct Contact {
@@ -52,7 +50,7 @@ private:
   std::vector<int64_t> u_[2], t_[2]; // column of each displacement and traction; -1: known
   size_t columns_ = 0;
   size_t motion_[2] = {0, 0};
-  Matrix a_, b_;                     // right-hand sides: loads, then s
+  Matrix a_, b_; // right-hand sides: loads, then s
 };
 
 void Reduction::number_body(int b) {
@@ -101,8 +99,10 @@ void Reduction::add_body(int b) {
       for (int c = 0; c < 2; ++c) {
         const double coefficient = row[q.t(static_cast<int32_t>(end), c)];
         const int64_t column = t_[b][2 * end + index(c)];
-        if (column >= 0) line[index(column)] += coefficient;
-        else known += coefficient * body.ends[end].values[c];
+        if (column >= 0)
+          line[index(column)] += coefficient;
+        else
+          known += coefficient * body.ends[end].values[c];
         for (size_t i = 0; i < contacts_.size() && is_contact_end(p_, b, e); ++i) {
           if (contacts_[i].node[b] != node) continue;
           const double sign = b == 0 ? -1 : 1; // force on body 2 is positive
@@ -118,8 +118,10 @@ void Reduction::add_body(int b) {
         const size_t i = index(2 * node_of_end(p_, body, e, l) + c);
         if (seen[i]) continue;
         seen[i] = true;
-        if (u_[b][i] >= 0) line[index(u_[b][i])] += row[i];
-        else known += row[i] * body.ends[end].values[2 + c];
+        if (u_[b][i] >= 0)
+          line[index(u_[b][i])] += row[i];
+        else
+          known += row[i] * body.ends[end].values[2 + c];
       }
     for (int k = 0; k < 3; ++k) line[motion_[b] + index(k)] += row[q.motion(k)];
     std::vector<double> right(1 + 2 * contacts_.size(), 0);
@@ -136,8 +138,7 @@ void Reduction::add_springs(double spring) {
       std::vector<double> line(columns_, 0), right(1 + 2 * contacts_.size(), 0);
       const double* along = d == 0 ? contacts_[i].n : contacts_[i].t;
       for (int b = 0; b < 2; ++b)
-        for (int c = 0; c < 2; ++c)
-          line[index(u_[b][index(2 * contacts_[i].node[b] + c)])] += (b == 0 ? -1 : 1) * along[c];
+        for (int c = 0; c < 2; ++c) line[index(u_[b][index(2 * contacts_[i].node[b] + c)])] += (b == 0 ? -1 : 1) * along[c];
       line[forces + 2 * i + d] = spring;
       right[1 + 2 * i + d] = 1;
       a_.push_back(line);
@@ -264,9 +265,10 @@ std::vector<Contact> contacts_of(const Step& frames) {
   std::vector<Contact> out;
   for (int i = 0; i < frames.pairs(); ++i) {
     const double nx = frames.at(i, C2D_NX), ny = frames.at(i, C2D_NY);
-    out.push_back({{static_cast<int32_t>(frames.at(i, C2D_PAIR_NODE1)) - 1, static_cast<int32_t>(frames.at(i, C2D_PAIR_NODE2)) - 1},
-                   {nx, ny},
-                   {ny, -nx}});
+    out.push_back(
+        {{static_cast<int32_t>(frames.at(i, C2D_PAIR_NODE1)) - 1, static_cast<int32_t>(frames.at(i, C2D_PAIR_NODE2)) - 1},
+         {nx, ny},
+         {ny, -nx}});
   }
   return out;
 }

@@ -9,16 +9,16 @@
 namespace random_decks {
 
 struct Solution {
-  std::vector<int> status;       // per pair: C2D_OPEN, C2D_STICK, C2D_SLIP; slip with the sign of friction
-  std::vector<double> forces;    // tn, tt per pair at load 1
-  double margin;                 // least slack of the inequalities, of the largest of their kind
-  double pivot;                  // smallest over largest
+  std::vector<int> status;    // per pair: C2D_OPEN, C2D_STICK, C2D_SLIP; slip with the sign of friction
+  std::vector<double> forces; // tn, tt per pair at load 1
+  double margin;              // least slack of the inequalities, of the largest of their kind
+  double pivot;               // smallest over largest
 };
 
 struct Trial {
-  bool done = false;             // the model is of the kind
-  std::vector<Solution> found;   // distinct ones
-  int32_t clear() const;         // those beyond doubt
+  bool done = false;           // the model is of the kind
+  std::vector<Solution> found; // distinct ones
+  int32_t clear() const;       // those beyond doubt
 };
 
 // `frames`: a row of the library's results for this model, of which only frames and nodes are used.

@@ -19,19 +19,16 @@ ProblemModel build(const Values& v) {
   const auto exact = [=](Point at) {
     const double x = at.x, y = at.y;
     return std::array<double, 2>{{-P * x * x * y / (2 * E * I) - nu * P * y * y * y / (6 * E * I) +
-                                      P * y * y * y / (6 * I * G) +
-                                      (P * L * L / (2 * E * I) - P * c * c / (2 * I * G)) * y,
-                                  nu * P * x * y * y / (2 * E * I) + P * x * x * x / (6 * E * I) -
-                                      P * L * L * x / (2 * E * I) + P * L * L * L / (3 * E * I)}};
+                                      P * y * y * y / (6 * I * G) + (P * L * L / (2 * E * I) - P * c * c / (2 * I * G)) * y,
+                                  nu * P * x * y * y / (2 * E * I) + P * x * x * x / (6 * E * I) - P * L * L * x / (2 * E * I) +
+                                      P * L * L * L / (3 * E * I)}};
   };
   ProblemModel m;
-  m.heading = {
-      "A cantilever of length L and depth 2 c with a shear force P at its end x = 0.",
-      "The force acts as a parabola; at x = L stand the displacements of beam theory's exact solution.",
-      "sxx = -P x y / I, sxy = -P (c^2 - y^2) / (2 I), I = 2 c^3 / 3",
-      "End displacement P L^3 / (3 E I), with E / (1 - nu^2) in plane strain: " +
-          show(P * L * L * L / (3 * E * I)),
-      "Reference: S. P. Timoshenko and J. N. Goodier, Theory of Elasticity, article 21"};
+  m.heading = {"A cantilever of length L and depth 2 c with a shear force P at its end x = 0.",
+               "The force acts as a parabola; at x = L stand the displacements of beam theory's exact solution.",
+               "sxx = -P x y / I, sxy = -P (c^2 - y^2) / (2 I), I = 2 c^3 / 3",
+               "End displacement P L^3 / (3 E I), with E / (1 - nu^2) in plane strain: " + show(P * L * L * L / (3 * E * I)),
+               "Reference: S. P. Timoshenko and J. N. Goodier, Theory of Elasticity, article 21"};
   m.title = "CANTILEVER";
   m.function_nodes = v.count("order") + 1;
   m.plane = stress ? 1 : 0;

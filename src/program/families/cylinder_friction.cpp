@@ -19,8 +19,8 @@ std::vector<double> zone_of(double radius, double h, int n, const std::string& s
   }
   const int first = count(third, 1.25), second = third, finer = count(third, 0.75);
   const double reached = 1.25 * first + second + 0.75 * finer;
-  return cylinder_zone(
-      radius, {{1.25 * h, first}, {h, second}, {0.75 * h, finer}, {0.5 * h, count(n + outside - reached, 0.5)}});
+  return cylinder_zone(radius,
+                       {{1.25 * h, first}, {h, second}, {0.75 * h, finer}, {0.5 * h, count(n + outside - reached, 0.5)}});
 }
 
 ProblemModel build(const Values& v) {
@@ -37,8 +37,7 @@ ProblemModel build(const Values& v) {
   ProblemModel m;
   m.heading = {"A rigid cylinder (body 2) pressed on a half plane (body 1) with friction.",
                "Half of it is modelled; the half plane is a block of half width L a.",
-               "R = " + show(radius) + ", P = " + show(load) + ": without friction the half width is " +
-                   show(a),
+               "R = " + show(radius) + ", P = " + show(load) + ": without friction the half width is " + show(a),
                "The middle sticks; c/a is that of a flat punch with the same mu and nu.",
                "Reference: D. A. Spence, 1975, superposition of punches"};
   m.title = "RIGID CYLINDER WITH FRICTION";
@@ -75,8 +74,7 @@ Family cylinder_friction_family() {
            {"L", Kind::kPositive, "1000", "half width and depth of the block, over a"},
            {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the contact"},
            {"order", Kind::kOrder, "1", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
-           {"symmetry", Kind::kChoice, "images",
-            "images|line: how lines of symmetry are treated, by images or elements"}},
+           {"symmetry", Kind::kChoice, "images", "images|line: how lines of symmetry are treated, by images or elements"}},
           build};
 }
 

@@ -33,9 +33,7 @@ struct End {
   int element, local; // from 1
   std::array<int, 4> codes;
   std::array<std::string, 4> values; // as on the card
-  bool is_free() const {
-    return codes == std::array<int, 4>{{0, 0, 1, 1}} && values[0] == number(0) && values[1] == number(0);
-  }
+  bool is_free() const { return codes == std::array<int, 4>{{0, 0, 1, 1}} && values[0] == number(0) && values[1] == number(0); }
   bool same(const End& other) const { return codes == other.codes && values == other.values; }
 };
 
@@ -78,9 +76,7 @@ private:
   void comment(const std::string& text) { card("! " + text); }
   bool is_curved(const BodyModel& body) const;
   int elements(size_t body) const;
-  int nodes_along(const Curve& curve, int steps) const {
-    return curve.elements * steps + (curve.open ? 1 : 0);
-  }
+  int nodes_along(const Curve& curve, int steps) const { return curve.elements * steps + (curve.open ? 1 : 0); }
   int geometry_nodes(size_t body) const;
   void control();
   void nodes(size_t b);
@@ -130,8 +126,8 @@ void Writer::control() {
   card(formatted("%d %d %d", bodies, static_cast<int>(m_.zones.size()), m_.function_nodes));
   comment("per body: closed curves, boundary points per element, elements, boundary points");
   for (size_t b = 0; b < m_.bodies.size(); ++b)
-    card(formatted("%d %d %d %d", static_cast<int>(curves_[b].size()), is_curved(m_.bodies[b]) ? 3 : 2,
-                   elements(b), geometry_nodes(b)));
+    card(formatted("%d %d %d %d", static_cast<int>(curves_[b].size()), is_curved(m_.bodies[b]) ? 3 : 2, elements(b),
+                   geometry_nodes(b)));
   comment("per curve: first and last element");
   for (const std::vector<Curve>& curves : curves_) {
     int first = 1;
@@ -156,8 +152,7 @@ Point place(const Outline::Node& a, const Outline::Node& b, double f) {
   const Point at{a.at.x + (b.at.x - a.at.x) * f, a.at.y + (b.at.y - a.at.y) * f};
   if (!a.polar || !b.polar) return at;
   const double degree = std::acos(-1.0) / 180.0, angle = (a.angle + (b.angle - a.angle) * f) * degree;
-  const Point centre{a.at.x - a.radius * std::cos(a.angle * degree),
-                     a.at.y - a.radius * std::sin(a.angle * degree)};
+  const Point centre{a.at.x - a.radius * std::cos(a.angle * degree), a.at.y - a.radius * std::sin(a.angle * degree)};
   return {centre.x + a.radius * std::cos(angle), centre.y + a.radius * std::sin(angle)};
 }
 
@@ -187,12 +182,10 @@ bool is_generated(const std::vector<Outline::Node>& p, size_t first, size_t last
   const Outline::Node &a = p[first], &b = p[last];
   for (size_t i = first + 1; i < last; ++i) {
     const double f = static_cast<double>(i - first) / static_cast<double>(last - first);
-    if (b.polar && !(a.polar && p[i].polar && is_between(a.angle, b.angle, p[i].angle, f, 360.0)))
-      return false;
-    const double scale =
-        std::max({std::fabs(a.at.x), std::fabs(a.at.y), std::fabs(b.at.x), std::fabs(b.at.y)});
-    if (!b.polar && (p[i].polar || !is_between(a.at.x, b.at.x, p[i].at.x, f, scale) ||
-                     !is_between(a.at.y, b.at.y, p[i].at.y, f, scale)))
+    if (b.polar && !(a.polar && p[i].polar && is_between(a.angle, b.angle, p[i].angle, f, 360.0))) return false;
+    const double scale = std::max({std::fabs(a.at.x), std::fabs(a.at.y), std::fabs(b.at.x), std::fabs(b.at.y)});
+    if (!b.polar &&
+        (p[i].polar || !is_between(a.at.x, b.at.x, p[i].at.x, f, scale) || !is_between(a.at.y, b.at.y, p[i].at.y, f, scale)))
       return false;
   }
   return true;
@@ -221,8 +214,8 @@ End Writer::end(const Outline& region, size_t side, int element, int local) cons
   const std::vector<Outline::Side>& sides = region.sides();
   const Outline::Side& own = sides[side];
   const auto& n = region.nodes();
-  const Point at = place(n[static_cast<size_t>(element)], n[static_cast<size_t>(element) + 1],
-                         (local - 1.0) / (m_.function_nodes - 1.0));
+  const Point at =
+      place(n[static_cast<size_t>(element)], n[static_cast<size_t>(element) + 1], (local - 1.0) / (m_.function_nodes - 1.0));
   End out{element + 1, local, own.condition.codes, {}};
   std::array<double, 4> values{};
   if (own.condition.values) values = own.condition.values(at);
@@ -238,8 +231,7 @@ End Writer::end(const Outline& region, size_t side, int element, int local) cons
   };
   if (first) join(sides[side == 0 ? sides.size() - 1 : side - 1]);
   if (last) join(sides[side + 1 == sides.size() ? 0 : side + 1]);
-  for (size_t i = 0; i < 4; ++i)
-    out.values[i] = number(values[i]);
+  for (size_t i = 0; i < 4; ++i) out.values[i] = number(values[i]);
   return out;
 }
 
@@ -281,8 +273,8 @@ void Writer::conditions(size_t b) {
   const std::vector<End> all = ends(b);
   std::vector<std::string> cards;
   const auto add = [&](const End& e, bool generated) {
-    cards.push_back(formatted("%s%d %d %d%d%d%d", generated ? "1 " : "", e.element, e.local, e.codes[0],
-                              e.codes[1], e.codes[2], e.codes[3]) +
+    cards.push_back(formatted("%s%d %d %d%d%d%d", generated ? "1 " : "", e.element, e.local, e.codes[0], e.codes[1], e.codes[2],
+                              e.codes[3]) +
                     e.values[0] + e.values[1] + e.values[2] + e.values[3]);
   };
   for (size_t i = 0, next; i < all.size(); i = next) {
@@ -316,8 +308,7 @@ void Writer::zones() {
     pairs += n * f + 1;
   }
   comment("per body: nodes and elements in contact");
-  for (size_t body = 0; body < m_.bodies.size(); ++body)
-    card(formatted("%d %d", pairs, elements_in_contact));
+  for (size_t body = 0; body < m_.bodies.size(); ++body) card(formatted("%d %d", pairs, elements_in_contact));
 }
 
 void Writer::loads() {

@@ -59,8 +59,7 @@ Family disc_in_hole_family() {
            {"L", Kind::kPositive, "400", "half side of the plate, over R"},
            {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the hole"},
            {"order", Kind::kOrder, "1", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
-           {"symmetry", Kind::kChoice, "images",
-            "images|line: how lines of symmetry are treated, by images or elements"}},
+           {"symmetry", Kind::kChoice, "images", "images|line: how lines of symmetry are treated, by images or elements"}},
           build};
 }
 

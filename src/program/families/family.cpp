@@ -17,49 +17,33 @@ bool read_number(const std::string& text, double& value) {
 bool is_choice(const char* meaning, const std::string& word) {
   const char* const end = std::strchr(meaning, ':');
   std::string list(meaning, end == nullptr ? std::strlen(meaning) : static_cast<size_t>(end - meaning));
-  return !word.empty() && word.find('|') == std::string::npos &&
-         ("|" + list + "|").find("|" + word + "|") != std::string::npos;
+  return !word.empty() && word.find('|') == std::string::npos && ("|" + list + "|").find("|" + word + "|") != std::string::npos;
 }
 
 const char* expected_of(Kind kind) {
   switch (kind) {
-  case Kind::kPositive:
-    return "a number above 0";
-  case Kind::kNumber:
-    return "a number";
-  case Kind::kCount:
-    return "a whole number from 1 to 2000";
-  case Kind::kOrder:
-    return "1, 2 or 3";
-  case Kind::kFraction:
-    return "a number from 0 to 1";
-  case Kind::kPoisson:
-    return "a number above -1, at most 0.5";
-  case Kind::kFriction:
-    return "a number from 0, or inf";
-  case Kind::kChoice:
-    break;
+  case Kind::kPositive: return "a number above 0";
+  case Kind::kNumber: return "a number";
+  case Kind::kCount: return "a whole number from 1 to 2000";
+  case Kind::kOrder: return "1, 2 or 3";
+  case Kind::kFraction: return "a number from 0 to 1";
+  case Kind::kPoisson: return "a number above -1, at most 0.5";
+  case Kind::kFriction: return "a number from 0, or inf";
+  case Kind::kChoice: break;
   }
   return "one of the words listed";
 }
 
 bool fits(Kind kind, double v) {
   switch (kind) {
-  case Kind::kPositive:
-    return v > 0;
-  case Kind::kCount:
-    return v >= 1 && v <= 2000 && v == std::floor(v);
-  case Kind::kOrder:
-    return v == 1 || v == 2 || v == 3;
-  case Kind::kFraction:
-    return v >= 0 && v <= 1;
-  case Kind::kPoisson:
-    return v > -1 && v <= 0.5;
-  case Kind::kFriction:
-    return v >= 0;
+  case Kind::kPositive: return v > 0;
+  case Kind::kCount: return v >= 1 && v <= 2000 && v == std::floor(v);
+  case Kind::kOrder: return v == 1 || v == 2 || v == 3;
+  case Kind::kFraction: return v >= 0 && v <= 1;
+  case Kind::kPoisson: return v > -1 && v <= 0.5;
+  case Kind::kFriction: return v >= 0;
   case Kind::kNumber:
-  case Kind::kChoice:
-    break;
+  case Kind::kChoice: break;
   }
   return true;
 }
@@ -70,8 +54,8 @@ const Parameter* find_parameter(const Family& family, const std::string& key) {
   return nullptr;
 }
 
-bool set_one(const Family& family, const std::string& setting, std::map<std::string, bool>& seen,
-             Values& values, std::string& error) {
+bool set_one(const Family& family, const std::string& setting, std::map<std::string, bool>& seen, Values& values,
+             std::string& error) {
   const size_t equals = setting.find('=');
   const std::string key = setting.substr(0, equals);
   const Parameter* parameter = find_parameter(family, key);
@@ -114,18 +98,10 @@ ProblemModel unfit(const std::string& why) {
 }
 
 const std::vector<Family>& all_families() {
-  static const std::vector<Family> families = {hertz_family(),
-                                               receding_layer_family(),
-                                               layer_lifted_family(),
-                                               layer_pressed_family(),
-                                               disc_in_hole_family(),
-                                               punch_family(),
-                                               cylinder_friction_family(),
-                                               mindlin_family(),
-                                               rough_plates_family(),
-                                               ring_family(),
-                                               hole_family(),
-                                               cantilever_family()};
+  static const std::vector<Family> families = {
+      hertz_family(), receding_layer_family(),    layer_lifted_family(), layer_pressed_family(), disc_in_hole_family(),
+      punch_family(), cylinder_friction_family(), mindlin_family(),      rough_plates_family(),  ring_family(),
+      hole_family(),  cantilever_family()};
   return families;
 }
 
@@ -156,8 +132,7 @@ std::string list_families() {
   return out;
 }
 
-bool make_model(const std::string& name, const std::vector<std::string>& settings, ProblemModel& model,
-                std::string& error) {
+bool make_model(const std::string& name, const std::vector<std::string>& settings, ProblemModel& model, std::string& error) {
   const Family* family = find_family(name);
   if (family == nullptr) {
     error = "make: '" + name + "' is not a known family; known are";
@@ -190,8 +165,7 @@ bool make_model(const std::string& name, const std::vector<std::string>& setting
   return true;
 }
 
-bool make_deck(const std::string& name, const std::vector<std::string>& settings, std::string& deck,
-               std::string& error) {
+bool make_deck(const std::string& name, const std::vector<std::string>& settings, std::string& deck, std::string& error) {
   ProblemModel model;
   if (!make_model(name, settings, model, error)) return false;
   deck = write_deck(model);

@@ -44,11 +44,9 @@ const std::vector<Family>& all_families();
 const Family* find_family(const std::string& name);
 
 // Model of a family from words such as "n=20"; false with `error` telling what is wrong and what is known.
-bool make_model(const std::string& name, const std::vector<std::string>& settings, ProblemModel& model,
-                std::string& error);
+bool make_model(const std::string& name, const std::vector<std::string>& settings, ProblemModel& model, std::string& error);
 // Deck of a family from words such as "n=20"; false with `error` as above.
-bool make_deck(const std::string& name, const std::vector<std::string>& settings, std::string& deck,
-               std::string& error);
+bool make_deck(const std::string& name, const std::vector<std::string>& settings, std::string& deck, std::string& error);
 // Names and summaries, a line each; with a name that family's parameters too.
 std::string list_families();
 std::string describe(const Family& family);

@@ -12,8 +12,8 @@ ProblemModel build(const Values& v) {
   const int n = v.count("n");
   if (a > 0.1 * radius) return unfit("a is above R/10: the formulas of Hertz are for small contacts");
   if (size < 3 * a) return unfit("L is below 3");
-  const double compliance = (1 - std::pow(v.number("nu1"), 2)) / v.number("E1") +
-                            (1 - std::pow(v.number("nu2"), 2)) / v.number("E2");
+  const double compliance =
+      (1 - std::pow(v.number("nu1"), 2)) / v.number("E1") + (1 - std::pow(v.number("nu2"), 2)) / v.number("E2");
   const double load = std::acos(-1.0) * a * a / (4 * radius * compliance);
   const double h = a / (n - 1 + v.number("edge"));
   const int elements = n + (n + 3) / 4 + 2;
@@ -21,8 +21,7 @@ ProblemModel build(const Values& v) {
   ProblemModel m;
   m.heading = {"Hertz: a cylinder of radius R (body 2) on a half plane (body 1), smooth.",
                "Half of it is modelled; the half plane is a block of half width L a.",
-               "R = " + show(radius) + ", half width a = " + show(a) + ", load P = " + show(load) +
-                   " per unit thickness",
+               "R = " + show(radius) + ", half width a = " + show(a) + ", load P = " + show(load) + " per unit thickness",
                "p = p0 sqrt(1 - (x/a)^2), p0 = 2 P / (pi a) = " + show(2 * load / (std::acos(-1.0) * a)),
                "Reference: H. Hertz, 1882; K. L. Johnson, Contact Mechanics, chapter 4"};
   m.title = "HERTZ, " + show(n) + " ELEMENTS OVER THE HALF WIDTH";
@@ -56,8 +55,7 @@ Family hertz_family() {
            {"L", Kind::kPositive, "200", "half width and depth of the block, over a"},
            {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the contact"},
            {"order", Kind::kOrder, "1", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
-           {"symmetry", Kind::kChoice, "images",
-            "images|line: how lines of symmetry are treated, by images or elements"}},
+           {"symmetry", Kind::kChoice, "images", "images|line: how lines of symmetry are treated, by images or elements"}},
           build};
 }
 

@@ -36,12 +36,8 @@ ProblemModel build(const Values& v) {
   m.images = v.word("symmetry") == "images";
   m.plane = v.word("plane") == "stress" ? 1 : 0;
   const auto stress = [=](Point at) { return exact ? kirsch(at, R, S) : std::array<double, 3>{{S, 0, 0}}; };
-  const Condition right = traction_field([=](Point at) {
-    return std::array<double, 2>{{stress(at)[0], stress(at)[2]}};
-  });
-  const Condition top = traction_field([=](Point at) {
-    return std::array<double, 2>{{stress(at)[2], stress(at)[1]}};
-  });
+  const Condition right = traction_field([=](Point at) { return std::array<double, 2>{{stress(at)[0], stress(at)[2]}}; });
+  const Condition top = traction_field([=](Point at) { return std::array<double, 2>{{stress(at)[2], stress(at)[1]}}; });
   const double size_at_hole = std::acos(-1.0) / 2 * R / n, coarse = size / n;
   Outline plate({R, 0});
   plate.axis_y({size, 0}, graded(size - R, size_at_hole, 0, ratio, coarse));
@@ -56,22 +52,20 @@ ProblemModel build(const Values& v) {
 } // namespace
 
 Family hole_family() {
-  return {
-      "hole",
-      "a plate with a circular hole in tension: Kirsch",
-      {{"R", Kind::kPositive, "1", "radius of the hole"},
-       {"S", Kind::kNumber, "1", "tension along x far away"},
-       {"E", Kind::kPositive, "1", "Young's modulus"},
-       {"nu", Kind::kPoisson, "0.3", "Poisson's ratio"},
-       {"plane", Kind::kChoice, "strain", "strain|stress: plane strain or stress"},
-       {"L", Kind::kPositive, "5", "half side of the plate, over R"},
-       {"outer", Kind::kChoice, "exact", "exact|uniform: tractions there of the infinite plate, or S alone"},
-       {"n", Kind::kCount, "12", "elements over the quarter circle"},
-       {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the hole"},
-       {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
-       {"symmetry", Kind::kChoice, "images",
-        "images|line: how lines of symmetry are treated, by images or elements"}},
-      build};
+  return {"hole",
+          "a plate with a circular hole in tension: Kirsch",
+          {{"R", Kind::kPositive, "1", "radius of the hole"},
+           {"S", Kind::kNumber, "1", "tension along x far away"},
+           {"E", Kind::kPositive, "1", "Young's modulus"},
+           {"nu", Kind::kPoisson, "0.3", "Poisson's ratio"},
+           {"plane", Kind::kChoice, "strain", "strain|stress: plane strain or stress"},
+           {"L", Kind::kPositive, "5", "half side of the plate, over R"},
+           {"outer", Kind::kChoice, "exact", "exact|uniform: tractions there of the infinite plate, or S alone"},
+           {"n", Kind::kCount, "12", "elements over the quarter circle"},
+           {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the hole"},
+           {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
+           {"symmetry", Kind::kChoice, "images", "images|line: how lines of symmetry are treated, by images or elements"}},
+          build};
 }
 
 } // namespace families

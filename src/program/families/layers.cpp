@@ -17,14 +17,13 @@ ProblemModel build(const Values& v, bool lifted) {
   for (size_t i = 1; i < rest.size(); ++i) zone.push_back(fine + rest[i]);
 
   ProblemModel m;
-  m.heading = {
-      "A layer (body 2) on a smooth rigid base (body 1), clamped by a pressure pe on its top",
-      std::string(lifted ? "and lifted" : "and pressed") + " by a line load P = lambda h pe at x = 0.",
-      "Half of it is modelled; h = " + show(h) + ", pe = " + show(pe) + ", lambda = " + show(lambda),
-      lifted ? "Above lambda = 1.0876 the middle |x| < a is clear of the base."
-             : "Above lambda = 44.14 the layer is clear of the base in b < |x| < c.",
-      "Reference: singular integral equation; L. M. Keer and M. A. G. Silva, 1972; M. B. Civelek and",
-      "F. Erdogan, 1975. The line load is a strip of half width " + show(strip)};
+  m.heading = {"A layer (body 2) on a smooth rigid base (body 1), clamped by a pressure pe on its top",
+               std::string(lifted ? "and lifted" : "and pressed") + " by a line load P = lambda h pe at x = 0.",
+               "Half of it is modelled; h = " + show(h) + ", pe = " + show(pe) + ", lambda = " + show(lambda),
+               lifted ? "Above lambda = 1.0876 the middle |x| < a is clear of the base."
+                      : "Above lambda = 44.14 the layer is clear of the base in b < |x| < c.",
+               "Reference: singular integral equation; L. M. Keer and M. A. G. Silva, 1972; M. B. Civelek and",
+               "F. Erdogan, 1975. The line load is a strip of half width " + show(strip)};
   m.title = lifted ? "LAYER CLAMPED AND LIFTED" : "LAYER CLAMPED AND PRESSED";
   m.function_nodes = v.count("order") + 1;
   m.images = v.word("symmetry") == "images";
@@ -59,16 +58,14 @@ std::vector<Parameter> parameters(const char* lambda, const char* limit) {
           {"L", Kind::kPositive, "12", "half length of the layer, over h"},
           {"ratio", Kind::kPositive, "1.3", "growth of the elements elsewhere"},
           {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
-          {"symmetry", Kind::kChoice, "images",
-           "images|line: how lines of symmetry are treated, by images or elements"}};
+          {"symmetry", Kind::kChoice, "images", "images|line: how lines of symmetry are treated, by images or elements"}};
 }
 
 } // namespace
 
 Family layer_lifted_family() {
   return {"layer_lifted", "a layer clamped to a smooth rigid base by pressure and lifted by a line load",
-          parameters("2", "P / (h pe); the layer lifts above 1.0876"),
-          [](const Values& v) { return build(v, true); }};
+          parameters("2", "P / (h pe); the layer lifts above 1.0876"), [](const Values& v) { return build(v, true); }};
 }
 
 Family layer_pressed_family() {

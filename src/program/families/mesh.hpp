@@ -14,7 +14,7 @@ struct Point {
 
 // What is known on a side, in global directions, in the order of the condition cards: tx ty ux uy.
 struct Condition {
-  std::array<int, 4> codes{{0, 0, 1, 1}}; // 0 known, 1 unknown; this: free of displacement conditions
+  std::array<int, 4> codes{{0, 0, 1, 1}};             // 0 known, 1 unknown; this: free of displacement conditions
   std::function<std::array<double, 4>(Point)> values; // of what is known, at a point of the side; none: zeros
   bool is_free() const { return codes == std::array<int, 4>{{0, 0, 1, 1}} && !values; }
 };

@@ -20,8 +20,8 @@ Outline guided_cylinder(const std::vector<double>& zone, double radius, double r
 
 std::string move_flank(const Outline& body, size_t side, double ux) {
   const Outline::Side& s = body.sides()[side];
-  return "condition 2 " + std::to_string(s.first + 1) + "-" + std::to_string(s.first + s.elements) +
-         " 0  0.0 0.0 " + show(ux) + " 0.0";
+  return "condition 2 " + std::to_string(s.first + 1) + "-" + std::to_string(s.first + s.elements) + " 0  0.0 0.0 " + show(ux) +
+         " 0.0";
 }
 
 // Elements of about a/n in the middle; near the edge so small that six lie in the zone that slips at Q, half the contact
@@ -75,11 +75,10 @@ ProblemModel build(const Values& v) {
   ProblemModel m;
   m.heading = {"A cylinder (body 2) pressed on a half plane (body 1) of the same material by P, then moved",
                "sideways to and fro at constant P (load case 2 moves its flanks).",
-               "R = " + show(radius) + ", half width a = " + show(a) + ", P = " + show(load) +
-                   ", mu P = " + show(mu * load) + "; Q is the sum of the friction",
+               "R = " + show(radius) + ", half width a = " + show(a) + ", P = " + show(load) + ", mu P = " + show(mu * load) +
+                   "; Q is the sum of the friction",
                "Stick |x| < c, c/a = sqrt(1 - Q / (mu P)); after the turn 1 - Q / (mu P) gives way to",
-               "1 - (Qmax - Q) / (2 mu P). Flanks move by " + show(move) + ", which makes Q about " +
-                   show(Q) + " mu P.",
+               "1 - (Qmax - Q) / (2 mu P). Flanks move by " + show(move) + ", which makes Q about " + show(Q) + " mu P.",
                "Reference: C. Cattaneo, 1938; R. D. Mindlin and H. Deresiewicz, 1953"};
   m.title = "CYLINDER MOVED SIDEWAYS TO AND FRO";
   m.function_nodes = v.count("order") + 1;

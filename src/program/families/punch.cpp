@@ -19,8 +19,7 @@ ProblemModel build(const Values& v) {
   ProblemModel m;
   m.heading = {"A flat rigid punch (body 2) on a half plane (body 1), with friction.",
                "Half of it is modelled; the half plane is a block of half width L a.",
-               "a = " + show(a) + ", P = " + show(load) + ", mu = " + show(v.number("mu")) +
-                   ", nu = " + show(v.number("nu")),
+               "a = " + show(a) + ", P = " + show(load) + ", mu = " + show(v.number("mu")) + ", nu = " + show(v.number("nu")),
                unload < 1 ? "Loaded to P, then unloaded to " + show(unload) + " P" : "Loaded to P",
                "Reference: D. A. Spence, 1975 (loading); J. R. Turner, 1979 (unloading)"};
   m.title = "RIGID PUNCH WITH FRICTION";
@@ -54,8 +53,7 @@ Family punch_family() {
   return {"punch",
           "a flat rigid punch with friction on a half plane: Spence (loading) and Turner (unloading)",
           {{"mu", Kind::kFriction, "0.265", "coefficient of friction"},
-           {"unload", Kind::kFraction, "1",
-            "part of the load that is left after unloading; 1: none is taken off"},
+           {"unload", Kind::kFraction, "1", "part of the load that is left after unloading; 1: none is taken off"},
            {"steps", Kind::kCount, "1", "increments of the unloading"},
            {"a", Kind::kPositive, "1", "half width of the punch"},
            {"P", Kind::kPositive, "1", "load per unit thickness"},
@@ -64,13 +62,11 @@ Family punch_family() {
            {"rigid", Kind::kPositive, "1e5", "stiffness of the punch over that of the half plane"},
            {"n", Kind::kCount, "40", "elements over a, were they equal"},
            {"edge", Kind::kPositive, "1e-6", "element at the edge, over a"},
-           {"grading", Kind::kFraction, "0.75",
-            "size of an element over that of the one before, towards the edge"},
+           {"grading", Kind::kFraction, "0.75", "size of an element over that of the one before, towards the edge"},
            {"L", Kind::kPositive, "1000", "half width and depth of the block, over a"},
            {"ratio", Kind::kPositive, "1.4", "growth of the elements outside"},
            {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
-           {"symmetry", Kind::kChoice, "images",
-            "images|line: how lines of symmetry are treated, by images or elements"}},
+           {"symmetry", Kind::kChoice, "images", "images|line: how lines of symmetry are treated, by images or elements"}},
           build};
 }
 

@@ -19,8 +19,7 @@ ProblemModel build(const Values& v) {
                "Half of it is modelled; the half plane is a block of half width L h.",
                "h = " + show(h) + ", P = " + show(load) + ", E of layer over half plane " +
                    show(v.number("E2") / v.number("E1")),
-               "The ends lift at once: a/h does not depend on P. The line load is a strip of half width " +
-                   show(strip),
+               "The ends lift at once: a/h does not depend on P. The line load is a strip of half width " + show(strip),
                "Reference: singular integral equation; L. M. Keer, J. Dundurs, K. C. Tsai, 1972"};
   m.title = "RECEDING LAYER UNDER A LINE LOAD";
   m.function_nodes = v.count("order") + 1;
@@ -50,14 +49,12 @@ Family receding_layer_family() {
            {"E2", Kind::kPositive, "1000", "Young's modulus of the layer"},
            {"nu2", Kind::kPoisson, "0.3", "its Poisson's ratio"},
            {"n", Kind::kCount, "20", "elements over h in the contact zone"},
-           {"zone", Kind::kPositive, "2.5",
-            "half width of the contact zone, over h; the contact must be narrower"},
+           {"zone", Kind::kPositive, "2.5", "half width of the contact zone, over h; the contact must be narrower"},
            {"strip", Kind::kPositive, "0.01", "half width of the strip that the load acts on, over h"},
            {"L", Kind::kPositive, "100", "half width and depth of the block, over h"},
            {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the zone"},
            {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
-           {"symmetry", Kind::kChoice, "images",
-            "images|line: how lines of symmetry are treated, by images or elements"}},
+           {"symmetry", Kind::kChoice, "images", "images|line: how lines of symmetry are treated, by images or elements"}},
           build};
 }
 

@@ -13,12 +13,11 @@ ProblemModel build(const Values& v) {
   if (b <= a) return unfit("b is not above a");
   const int n = v.count("n");
   ProblemModel m;
-  m.heading = {
-      "A thick ring with pressure inside and outside; a quarter of it is modelled.",
-      "a = " + show(a) + ", b = " + show(b) + ", pressure inside " + show(pi) + ", outside " + show(po),
-      "A = (pi a^2 - po b^2) / (b^2 - a^2), B = (pi - po) a^2 b^2 / (b^2 - a^2)",
-      "srr = A - B / r^2, stt = A + B / r^2, ur = (1 + nu) / E ((1 - 2 nu) A r + B / r) in plane strain",
-      "Reference: G. Lame, 1852"};
+  m.heading = {"A thick ring with pressure inside and outside; a quarter of it is modelled.",
+               "a = " + show(a) + ", b = " + show(b) + ", pressure inside " + show(pi) + ", outside " + show(po),
+               "A = (pi a^2 - po b^2) / (b^2 - a^2), B = (pi - po) a^2 b^2 / (b^2 - a^2)",
+               "srr = A - B / r^2, stt = A + B / r^2, ur = (1 + nu) / E ((1 - 2 nu) A r + B / r) in plane strain",
+               "Reference: G. Lame, 1852"};
   m.title = "THICK RING";
   m.function_nodes = v.count("order") + 1;
   m.images = v.word("symmetry") == "images";
@@ -50,8 +49,7 @@ Family ring_family() {
            {"plane", Kind::kChoice, "strain", "strain|stress: plane strain or stress"},
            {"n", Kind::kCount, "8", "elements over each quarter circle"},
            {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
-           {"symmetry", Kind::kChoice, "images",
-            "images|line: how lines of symmetry are treated, by images or elements"}},
+           {"symmetry", Kind::kChoice, "images", "images|line: how lines of symmetry are treated, by images or elements"}},
           build};
 }
 

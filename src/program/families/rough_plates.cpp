@@ -17,8 +17,7 @@ ProblemModel build(const Values& v) {
   ProblemModel m;
   m.heading = {"A rectangle between rigid rough plates (body 1), pressed by delta each.",
                "A quarter is modelled: x = 0 and the middle plane y = height are lines of symmetry.",
-               "Half width h = " + show(h) + ", half height " + show(height) +
-                   ", nu = " + show(v.number("nu")),
+               "Half width h = " + show(h) + ", half height " + show(height) + ", nu = " + show(v.number("nu")),
                "The middle |x| < c sticks, the rest slips outward; c/h depends on mu and nu alone.",
                "Reference: spectral finite elements, c from the vanishing singularity"};
   m.title = "RECTANGLE BETWEEN ROUGH PLATES, " + show(n) + " ELEMENTS";
@@ -59,8 +58,7 @@ Family rough_plates_family() {
            {"edge", Kind::kPositive, "1e-4", "element at the corner, over h"},
            {"ratio", Kind::kPositive, "1.3", "growth of the elements away from the corner"},
            {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"},
-           {"symmetry", Kind::kChoice, "images",
-            "images|line: how lines of symmetry are treated, by images or elements"}},
+           {"symmetry", Kind::kChoice, "images", "images|line: how lines of symmetry are treated, by images or elements"}},
           build};
 }
 

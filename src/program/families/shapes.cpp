@@ -5,12 +5,8 @@
 
 namespace families {
 
-double first_size(const std::vector<double>& s) {
-  return s[1] - s[0];
-}
-double last_size(const std::vector<double>& s) {
-  return s.back() - s[s.size() - 2];
-}
+double first_size(const std::vector<double>& s) { return s[1] - s[0]; }
+double last_size(const std::vector<double>& s) { return s.back() - s[s.size() - 2]; }
 
 std::vector<double> mirrored(const std::vector<double>& s) {
   std::vector<double> out;
@@ -80,8 +76,7 @@ Outline half_cylinder(const std::vector<double>& zone, double radius, double rat
   const double edge = angle.back(), coarse = radius / 6;
   Outline out({0, 0});
   out.arc({0, radius}, radius, -90, edge - 90, angle);
-  out.arc({0, radius}, radius, edge - 90, 0,
-          graded((90 - edge) / kDegrees * radius, last_size(zone), 0, ratio, coarse));
+  out.arc({0, radius}, radius, edge - 90, 0, graded((90 - edge) / kDegrees * radius, last_size(zone), 0, ratio, coarse));
   out.line({0, radius}, graded(radius, 0, 0, ratio, coarse), top);
   out.axis_x({0, 0}, graded(radius, 0, first_size(zone), ratio, coarse));
   return out;
@@ -90,8 +85,7 @@ Outline half_cylinder(const std::vector<double>& zone, double radius, double rat
 Outline whole_cylinder_arcs(const std::vector<double>& zone, double radius, double ratio) {
   const std::vector<double> angle = angles(zone, radius);
   const double edge = angle.back(), coarse = radius / 6;
-  const std::vector<double> outside =
-      graded((90 - edge) / kDegrees * radius, last_size(zone), 0, ratio, coarse);
+  const std::vector<double> outside = graded((90 - edge) / kDegrees * radius, last_size(zone), 0, ratio, coarse);
   Outline out({-radius, radius});
   out.arc({0, radius}, radius, -180, -90 - edge, reversed(outside));
   out.arc({0, radius}, radius, -90 - edge, -90 + edge, mirrored(angle));

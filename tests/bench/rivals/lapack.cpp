@@ -6,8 +6,8 @@
 
 namespace {
 typedef void (*Factor)(const int* m, const int* n, double* a, const int* lda, int* pivots, int* info);
-typedef void (*Back)(const char* trans, const int* n, const int* nrhs, const double* a, const int* lda,
-                     const int* pivots, double* b, const int* ldb, int* info, size_t length);
+typedef void (*Back)(const char* trans, const int* n, const int* nrhs, const double* a, const int* lda, const int* pivots,
+                     double* b, const int* ldb, int* info, size_t length);
 } // namespace
 
 int main(int argc, char** argv) {

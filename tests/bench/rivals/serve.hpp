@@ -74,9 +74,7 @@ inline double processor_seconds() {
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
-inline double least(const std::vector<double>& values) {
-  return *std::min_element(values.begin(), values.end());
-}
+inline double least(const std::vector<double>& values) { return *std::min_element(values.begin(), values.end()); }
 
 // solve(n, a, x): a (column-major) may be overwritten, x is the right-hand side and becomes the solution.
 // peak(): GFLOP/s.
@@ -99,8 +97,7 @@ template <class Solve, class Peak> int serve(Solve solve, Peak peak) {
       processor.push_back(processor_seconds() - p);
       wall.push_back(wall_seconds() - w);
     } while (what[0] == 't' && wall_seconds() - start < 0.03 && wall.size() < 200);
-    std::printf("%.9g %.9g %.9g %.9g\n", least(wall), least(processor), most,
-                what[0] == 'r' ? residual_of(m, x) : 0.0);
+    std::printf("%.9g %.9g %.9g %.9g\n", least(wall), least(processor), most, what[0] == 'r' ? residual_of(m, x) : 0.0);
     std::fflush(stdout);
   }
   return 0;
