@@ -85,7 +85,7 @@ double mean_sideways(const Step& s) {
 }
 bool no_force(const Step& s) {
   for (int i = 0; i < s.pairs(); ++i)
-    if (s.at(i, C2D_TN) != 0 || s.at(i, C2D_TT) != 0 || s.at(i, C2D_STATUS) != C2D_OPEN) return false;
+    if (s.at(i, C2D_TN) != 0 || s.at(i, C2D_TT) != 0 || static_cast<int>(s.at(i, C2D_STATUS)) != C2D_OPEN) return false;
   return true;
 }
 double tight() { return sizeof(double) == 8 ? 1e-9 : 1e-3; }
@@ -300,7 +300,7 @@ TEST_CASE("let go: a free body that touches without any force is told") {
 
 TEST_CASE("let go: blocks on blocks of many shapes, in all their forms") {
   int said = 0;
-  for (uint64_t seed : {3, 9, 12, 40, 56, 77, 101, 122, 152, 180, 222, 251}) {
+  for (const uint64_t seed : {3u, 9u, 12u, 40u, 56u, 77u, 101u, 122u, 152u, 180u, 222u, 251u}) {
     CAPTURE(seed);
     random_decks::Model model;
     model.problem = drawn(seed);
