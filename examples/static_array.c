@@ -6,6 +6,7 @@
    after make in the project, or with an installed library `cc -std=c99 static_array.c -lcontact2d -lm`.          */
 #include "c2d_memory.h"
 #include "contact2d.h"
+#include "contact2d_memory.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -86,6 +86,16 @@ TEST_CASE("header: the code in the comments of the ports' headers compiles as C9
   }
 }
 
+TEST_CASE("header: the code in the comment of contact2d_memory.h compiles as C99 and C++") {
+  const std::vector<std::string> code = snippets(read_file(kRoot + "/include/contact2d_memory.h"));
+  CHECK(!code.empty());
+  for (const std::string& compiler : {kAsC, kAsCpp}) {
+    const Folder folder;
+    const Result compiled = compile(compiler, folder, program_of(code, "#include \"contact2d_memory.h\"\n"), false);
+    CHECK_MESSAGE(compiled.status == 0, compiled.err);
+  }
+}
+
 TEST_CASE("header: every function stands below a comment, and in the table of states unless always legal") {
   // A declaration's comment ends on the line above it, above a declaration that is explained, or behind it.
   const std::vector<std::string> lines = lines_of(kHeader);

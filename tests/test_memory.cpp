@@ -1,4 +1,5 @@
 // Fixed memory: the need, the constant bound, exactly N bytes at every alignment, overflow, what is reported as used.
+#include "contact2d_memory.h"
 #include "solver_runs.hpp"
 
 #include <doctest/doctest.h>

@@ -3,6 +3,7 @@
 // console). Ends with 0, or with the c2d_status of the call that failed.
 #include "c2d_semihosting.h"
 #include "contact2d.h"
+#include "contact2d_memory.h"
 #include "semihosting.hpp"
 #include "startup.hpp"
 

@@ -117,7 +117,7 @@ void Amalgamation::count(const std::string& source) {
 
 void Amalgamation::include(const std::string& line, const Names& names, const std::string& tag) {
   const std::string header = line[9] == '"' ? header_path(line.substr(10, line.rfind('"') - 10)) : "";
-  if (header.empty()) { // of the system, or contact2d.h; cpuid.h stands within a condition
+  if (header.empty()) { // of the system, or a public one; cpuid.h stands within a condition
     if (seen.insert(line).second) std::cout << line << '\n';
   } else if (seen.insert(header).second) {
     const bool loops = header.find("_loops.") != std::string::npos; // is part of the source

@@ -11,8 +11,8 @@ amalgamation: $(BUILD)/obj/amalgamate
 	@mkdir -p $(AMALGAMATION)
 	@$(BUILD)/obj/amalgamate $(VERSION) $(AMALGAMATED) > $(AMALGAMATION)/contact2d.cpp.new
 	@mv $(AMALGAMATION)/contact2d.cpp.new $(AMALGAMATION)/contact2d.cpp
-	@cp include/contact2d.h port/memory/c2d_memory.h $(AMALGAMATION)/
-	@echo 'One file: $(AMALGAMATION)/contact2d.cpp, with contact2d.h (and c2d_memory.h for the store that is in it)'
+	@cp include/*.h port/memory/c2d_memory.h $(AMALGAMATION)/
+	@echo 'One file: $(AMALGAMATION)/contact2d.cpp, with the headers beside it (and c2d_memory.h for the store that is in it)'
 
 # ---------------------------------------------------------------- make deb
 # Needs dpkg-dev and debhelper, and lintian to look at the outcome (none of them reaches for a network). All in a

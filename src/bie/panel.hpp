@@ -6,6 +6,7 @@
 #include "bie/interior.hpp"
 #include "bie/targets.hpp"
 #include "bie/transfer.hpp"
+#include "contact2d_memory.h"
 
 namespace c2d {
 
@@ -44,7 +45,7 @@ struct AssemblyScratch {
   Transfer transfer;
 };
 constexpr uint64_t kAssemblyBytes = C2D_ASSEMBLY_BYTES;
-static_assert(sizeof(AssemblyScratch) <= kAssemblyBytes, "C2D_ASSEMBLY_BYTES of contact2d.h bounds it on any target");
+static_assert(sizeof(AssemblyScratch) <= kAssemblyBytes, "C2D_ASSEMBLY_BYTES of contact2d_memory.h bounds it on any target");
 
 inline void aim_deposits(const Panel& panel, const Destination& d, const double* block, Deposits& out) {
   for (const Target& target : d.target)

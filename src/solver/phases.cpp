@@ -1,6 +1,7 @@
 #include "solver/phases.hpp"
 
 #include "contact/rate_problem.hpp"
+#include "contact2d_memory.h"
 #include "memory/hostile.hpp"
 
 namespace c2d {
