@@ -81,8 +81,10 @@ void add_node(const ColumnSystem& system, const Panel& panel, int32_t node) {
   const bool second = system.twin[node] == kSecondTwin;
   if (!second && !concerns(m, b, node, panel.range)) return;
   const int32_t twin = second ? twin_node(m, b, node) : kSingle;
+  Unknown unknown[2];
+  unknowns_at(m, b, node, unknown);
   for (int c = 0; c < 2; ++c) {
-    const Destination d = displacement_destination(m, b, node, c, unknown_at(m, b, node, c));
+    const Destination d = displacement_destination(m, b, node, c, unknown[c]);
     if (second) {
       const Destination other = displacement_destination(m, b, twin, c, unknown_at(m, b, twin, c));
       panel.send_h(d, node, c, 2 * node + c, 1.0);

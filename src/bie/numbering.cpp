@@ -8,8 +8,10 @@ void number_unknowns(const Model& m, int b) {
   int32_t column = 0;
   for (int32_t node = 0; node < body.nodes; ++node) {
     m.node_column[b][node] = column;
+    Unknown unknown[2];
+    unknowns_at(m, b, node, unknown);
     for (int c = 0; c < 2; ++c)
-      if (unknown_at(m, b, node, c).kind != UnknownKind::contact) ++column;
+      if (unknown[c].kind != UnknownKind::contact) ++column;
   }
   m.node_column[b][body.nodes] = column;
   body.columns = column;

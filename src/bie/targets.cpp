@@ -96,10 +96,11 @@ void aim(const Model& m, int b, int32_t element, const Range& range, ElementTarg
     const int32_t node = functional_node(m, b, element, l);
     out.node[l] = node;
     const int32_t pair = pair_of_end(m, b, element, l);
+    Unknown unknown[2];
+    unknowns_at(m, b, node, unknown);
     for (int c = 0; c < 2; ++c) {
-      const Unknown unknown = unknown_at(m, b, node, c);
-      Destination& h = out.h[l][c] = displacement_destination(m, b, node, c, unknown);
-      Destination& g = out.g[l][c] = traction_destination(m, b, element, l, c, unknown, pair);
+      Destination& h = out.h[l][c] = displacement_destination(m, b, node, c, unknown[c]);
+      Destination& g = out.g[l][c] = traction_destination(m, b, element, l, c, unknown[c], pair);
       const Place at{b, element, node, l, c};
       out.shared = out.shared || goes_to_two(h) || goes_to_two(g);
       const bool want_h = wanted(m, h, range, at, false), want_g = wanted(m, g, range, at, true);

@@ -165,6 +165,7 @@ int32_t functional_node(const Model& m, int b, int32_t element, int l);
 // function_nodes + local), the preceding element first. Without those on a symmetry line, and with them.
 int ends_at_node(const Model& m, int b, int32_t node, int32_t ends[2]);
 int all_ends_at_node(const Model& m, int b, int32_t node, int32_t ends[2]);
+int ends_off_axis(const Model& m, int b, int32_t ends[2], int count); // those of them that are on no symmetry line
 // The boundary point at which an element begins or ends there; -1 for a node inside an element.
 int32_t corner_point(const Model& m, int b, int32_t node);
 bool is_zero_length(const Model& m, int b, int32_t element);
@@ -208,6 +209,7 @@ struct Unknown {
   int32_t end[2]; // traction: end[0]; shared_traction: both
 };
 Unknown unknown_at(const Model& m, int b, int32_t node, int component);
+void unknowns_at(const Model& m, int b, int32_t node, Unknown unknown[2]); // of both components
 bool displacement_known(const Model& m, int b, int32_t node, int component);
 
 inline bool is_rigid(const Model& m, int b) { return b == 0 && m.head->rigid != 0; }

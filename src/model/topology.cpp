@@ -20,16 +20,23 @@ int32_t nodes_per_element(const Model& m) { return m.head->function_nodes == 1 ?
 // the last local node of its last element.
 struct NodePlace {
   int32_t element, local;
+  const Region* region; // null for constant functions, whose nodes are the elements
 };
 
 NodePlace place_of_node(const Model& m, int b, int32_t node) {
-  if (m.head->function_nodes == 1) return NodePlace{node, 0};
+  if (m.head->function_nodes == 1) return NodePlace{node, 0, nullptr};
   const int32_t steps = nodes_per_element(m), regions = body_of(m, b).regions;
   const Region* r = m.region[b];
   for (int32_t i = 0; i + 1 < regions && node > (r->last + 1) * steps - 1 + r->shift + r->open; ++i) ++r;
   const int32_t place = node - r->shift;
-  if (place == (r->last + 1) * steps) return NodePlace{r->last, steps};
-  return NodePlace{place / steps, place % steps};
+  if (place == (r->last + 1) * steps) return NodePlace{r->last, steps, r};
+  return NodePlace{place / steps, place % steps, r};
+}
+
+// The element that ends where the node's begins; -1 at the start of an open region.
+int32_t element_before(const NodePlace& at) {
+  if (at.element != at.region->first) return at.element - 1;
+  return at.region->open ? -1 : at.region->last;
 }
 
 // (within this file, which asks for it all the time)
@@ -37,13 +44,6 @@ const Region* region_with(const Model& m, int b, int32_t element) {
   const Region* r = m.region[b];
   for (const Region* const last = r + body_of(m, b).regions - 1; r < last && element > r->last;) ++r;
   return r;
-}
-
-// The element that ends where this one begins; -1 at the start of an open region.
-int32_t element_before(const Model& m, int b, int32_t element) {
-  const Region& r = *region_with(m, b, element);
-  if (element != r.first) return element - 1;
-  return r.open ? -1 : r.last;
 }
 
 // Position k = 0, 1, ... of `number` in the sequence first, first + step, ... that wraps round first_in ...
@@ -67,6 +67,12 @@ bool ends_coincide(const Model& m, int b, int32_t element) {
   const double* q = m.xy[b] + 2 * geometry_node(m, b, element, 1);
   const double tolerance = kCoincident * m.head->length_unit;
   return fabs(p[0] - q[0]) <= tolerance && fabs(p[1] - q[1]) <= tolerance;
+}
+
+// As is_zero_length, within this file.
+bool has_no_length(const Model& m, int b, int32_t element) {
+  const uint8_t code = m.end_code[b][element * m.head->function_nodes];
+  return (code & kMeasured) != 0 ? (code & kNoLength) != 0 : ends_coincide(m, b, element);
 }
 
 bool joins_twins(const Model& m, int b, int32_t element) {
@@ -113,15 +119,18 @@ int all_ends_at_node(const Model& m, int b, int32_t node, int32_t ends[2]) {
   const NodePlace at = place_of_node(m, b, node);
   int count = 0;
   if (f > 1 && at.local == 0) {
-    const int32_t before = element_before(m, b, at.element);
-    if (before >= 0 && !is_zero_length(m, b, before)) ends[count++] = before * f + f - 1;
+    const int32_t before = element_before(at);
+    if (before >= 0 && !has_no_length(m, b, before)) ends[count++] = before * f + f - 1;
   }
-  if (!is_zero_length(m, b, at.element)) ends[count++] = at.element * f + at.local;
+  if (!has_no_length(m, b, at.element)) ends[count++] = at.element * f + at.local;
   return count;
 }
 
 int ends_at_node(const Model& m, int b, int32_t node, int32_t ends[2]) {
-  const int count = all_ends_at_node(m, b, node, ends);
+  return ends_off_axis(m, b, ends, all_ends_at_node(m, b, node, ends));
+}
+
+int ends_off_axis(const Model& m, int b, int32_t ends[2], int count) {
   if (m.head->symmetry == 0) return count;
   int kept = 0;
   for (int i = 0; i < count; ++i)
@@ -137,10 +146,7 @@ int32_t corner_point(const Model& m, int b, int32_t node) {
   return at.local == f - 1 ? geometry_node(m, b, at.element, body_of(m, b).element_nodes - 1) : -1;
 }
 
-bool is_zero_length(const Model& m, int b, int32_t element) {
-  const uint8_t code = m.end_code[b][element * m.head->function_nodes];
-  return (code & kMeasured) != 0 ? (code & kNoLength) != 0 : ends_coincide(m, b, element);
-}
+bool is_zero_length(const Model& m, int b, int32_t element) { return has_no_length(m, b, element); }
 
 void measure_elements(const Model& m) {
   for (int b = 0; b < m.head->bodies; ++b)
@@ -158,7 +164,7 @@ int32_t twin_node(const Model& m, int b, int32_t node) {
   if (m.head->function_nodes != 2) return -1;
   const NodePlace at = place_of_node(m, b, node);
   if (at.local == 0 && joins_twins(m, b, at.element)) return functional_node(m, b, at.element, 1);
-  const int32_t before = at.local == 0 ? element_before(m, b, at.element) : at.element;
+  const int32_t before = at.local == 0 ? element_before(at) : at.element;
   return before >= 0 && joins_twins(m, b, before) ? functional_node(m, b, before, 0) : -1;
 }
 

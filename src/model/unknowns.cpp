@@ -22,13 +22,15 @@ bool traction_known(const Model& m, int b, int32_t end, int component) {
          is_left_to_contact(m, b, end, component);
 }
 
+static bool is_displacement_known(const Model& m, int b, const int32_t* ends, int count, int component) {
+  for (int i = 0; i < count; ++i)
+    if ((m.end_code[b][ends[i]] & (component == 0 ? kKnownUx : kKnownUy)) != 0) return true;
+  return false;
+}
+
 bool displacement_known(const Model& m, int b, int32_t node, int component) {
   int32_t ends[2];
-  const int count = all_ends_at_node(m, b, node, ends);
-  for (int i = 0; i < count; ++i) {
-    if ((m.end_code[b][ends[i]] & (component == 0 ? kKnownUx : kKnownUy)) != 0) return true;
-  }
-  return false;
+  return is_displacement_known(m, b, ends, all_ends_at_node(m, b, node, ends), component);
 }
 
 bool is_contact_component(const Pair& pair, int component) {
@@ -50,23 +52,35 @@ UnknownKind contact_kind(const Model& m, int b, const int32_t* ends, int count, 
   return UnknownKind::contact;
 }
 
-} // namespace
+// What both components of a node ask for.
+struct NodeEnds {
+  int32_t ends[2]; // but those on lines of symmetry
+  int count;
+  bool fixed[2];
+  int32_t pair;
+};
 
-Unknown unknown_at(const Model& m, int b, int32_t node, int component) {
+NodeEnds ends_of(const Model& m, int b, int32_t node) {
+  NodeEnds at;
+  const int all = all_ends_at_node(m, b, node, at.ends);
+  for (int c = 0; c < 2; ++c) at.fixed[c] = is_displacement_known(m, b, at.ends, all, c);
+  at.count = ends_off_axis(m, b, at.ends, all);
+  at.pair = pair_of_node(m, b, node);
+  return at;
+}
+
+Unknown find_unknown(const Model& m, int b, int32_t node, const NodeEnds& at, int component) {
   Unknown unknown = {UnknownKind::displacement, {-1, -1}};
   if (is_held_by_symmetry(m, b, node, component)) return unknown;
-  int32_t ends[2];
-  const int count = ends_at_node(m, b, node, ends);
-  const bool fixed = displacement_known(m, b, node, component);
-  const int32_t pair = pair_of_node(m, b, node);
-  if (pair >= 0 && is_contact_component(m.pair[pair], component)) {
-    unknown.kind = contact_kind(m, b, ends, count, component, fixed);
+  const bool fixed = at.fixed[component];
+  if (at.pair >= 0 && is_contact_component(m.pair[at.pair], component)) {
+    unknown.kind = contact_kind(m, b, at.ends, at.count, component, fixed);
     return unknown;
   }
   // Across a pair's symmetry direction a contact end carries no traction, unless a card says it is unknown.
   int tractions = 0;
-  for (int i = 0; i < count; ++i) {
-    if (!traction_known(m, b, ends[i], component)) unknown.end[tractions++] = ends[i];
+  for (int i = 0; i < at.count; ++i) {
+    if (!traction_known(m, b, at.ends[i], component)) unknown.end[tractions++] = at.ends[i];
   }
   if (!fixed)
     unknown.kind = tractions == 0 ? UnknownKind::displacement : UnknownKind::several;
@@ -75,6 +89,17 @@ Unknown unknown_at(const Model& m, int b, int32_t node, int component) {
   else
     unknown.kind = tractions == 1 ? UnknownKind::traction : UnknownKind::shared_traction;
   return unknown;
+}
+
+} // namespace
+
+Unknown unknown_at(const Model& m, int b, int32_t node, int component) {
+  return find_unknown(m, b, node, ends_of(m, b, node), component);
+}
+
+void unknowns_at(const Model& m, int b, int32_t node, Unknown unknown[2]) {
+  const NodeEnds at = ends_of(m, b, node);
+  for (int c = 0; c < 2; ++c) unknown[c] = find_unknown(m, b, node, at, c);
 }
 
 double shear_modulus(const Model& m, int b) {

@@ -108,8 +108,10 @@ bool validate_conditions(const Model& m, bool frames, Reporter& reporter) {
     if (is_rigid(m, b)) continue; // nothing is solved for there
     for (int32_t node = 0; node < body_of(m, b).nodes; ++node) {
       if (!frames && pair_of_node(m, b, node) >= 0) continue;
+      Unknown unknowns[2];
+      unknowns_at(m, b, node, unknowns);
       for (int component = 0; component < 2; ++component) {
-        const Unknown unknown = unknown_at(m, b, node, component);
+        const Unknown& unknown = unknowns[component];
         if (unknown.kind == UnknownKind::none || unknown.kind == UnknownKind::several)
           tell_count(m, b, node, component, unknown.kind, reporter);
         if (unknown.kind == UnknownKind::shared_traction) warn_corner(m, b, node, component, unknown, reporter);

@@ -59,11 +59,12 @@ void fill_displacements(const Session& session, int b) {
       const Real* uc = session.area.u[b] + pair.dof;
       to_global(pair, uc[0] * m.head->length_unit, pair.tangential ? uc[1] * m.head->length_unit : 0.0, contact);
     }
+    Unknown unknown[2];
+    unknowns_at(m, b, node, unknown);
     for (int c = 0; c < 2; ++c) {
-      const Unknown unknown = unknown_at(m, b, node, c);
-      if (unknown.kind == UnknownKind::contact)
+      if (unknown[c].kind == UnknownKind::contact)
         u[c] = contact[c];
-      else if (unknown.kind == UnknownKind::displacement)
+      else if (unknown[c].kind == UnknownKind::displacement)
         u[c] = session.area.outer[outer_column(m, b, node, c)] * m.head->length_unit;
       else
         u[c] = prescribed_displacement(session, b, node, c);
@@ -109,8 +110,10 @@ void fill_end_traction(const Session& session, int b, int32_t element, int l) {
     const double scale = (b == 1 ? 1.0 : -1.0) * m.head->stress_unit * traction_ratio(m, b, element, l);
     to_global(m.pair[index], now.p * scale, now.q * scale, contact);
   }
+  Unknown both[2];
+  unknowns_at(m, b, node, both);
   for (int c = 0; c < 2; ++c) {
-    const Unknown unknown = unknown_at(m, b, node, c);
+    const Unknown& unknown = both[c];
     const bool here = unknown.end[0] == end || (unknown.kind == UnknownKind::shared_traction && unknown.end[1] == end);
     const bool solved = unknown.kind == UnknownKind::traction || unknown.kind == UnknownKind::shared_traction;
     if (index >= 0 && unknown.kind == UnknownKind::contact)
