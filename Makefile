@@ -3,6 +3,8 @@
 # Variables: CXX CC AR CXXFLAGS CFLAGS CPPFLAGS LDFLAGS BUILD PREFIX DESTDIR LIBDIR DOCTEST_INCLUDE NO_INSTALL.
 # What is compiled stands in src/sources.mk, which CMakeLists.txt reads too.
 include src/sources.mk
+# (tests/hostile.mk)
+HOSTILE_SOURCES := $(if $(HOSTILE_WIDTH),tests/hostile/hostile_port.cpp)
 
 BUILD    ?= build
 CXX      ?= g++
@@ -38,7 +40,7 @@ object = $(BUILD)/obj/$(subst /,_,$(basename $(patsubst src/%,%,$(1)))).o
 objects = $(foreach s,$(1),$(call object,$(s)))
 
 CORE_OBJECTS    := $(call objects,$(CORE_SOURCES))
-PORT_OBJECTS    := $(call objects,$(PORT_SOURCES))
+PORT_OBJECTS    := $(call objects,$(PORT_SOURCES) $(HOSTILE_SOURCES))
 REPORT_OBJECTS  := $(call objects,$(REPORT_SOURCES))
 PROGRAM_OBJECTS := $(call objects,$(PROGRAM_SOURCES))
 FAMILY_OBJECTS  := $(filter $(BUILD)/obj/program_families_%,$(PROGRAM_OBJECTS))
@@ -71,14 +73,13 @@ KERNEL_kernel_avx2 := -mavx2 -mfma
 KERNEL_kernel_avx512 := -mavx512f -mfma
 endif
 kernel_flags = $(if $(findstring /kernel_,$(1)),-ffp-contract=fast $(KERNEL_$(basename $(notdir $(1)))))
-# tests/hostile.mk
-hostile_flags = $(if $(HOSTILE_WIDTH),$(if $(findstring /hostile_,$(1)),-UC2D_HOSTILE -DC2D_HOSTILE=$(HOSTILE_WIDTH)))
 define compile
 $(call object,$(1)): $(1) $(BUILD)/flags Makefile
 	$(if $(filter %.c,$(1)),$(CC) $(CPPFLAGS) $(INCLUDES) -std=c99 -Wall -Wextra -Wpedantic $(CFLAGS) -fPIC,\
 	  $(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(EXACT) $(2)) $(DEPS) -c $(1) -o $$@
 endef
-$(foreach s,$(CORE_SOURCES) $(PORT_SOURCES),$(eval $(call compile,$(s),$(CORE_ONLY) $(call kernel_flags,$(s)) $(call hostile_flags,$(s)))))
+$(foreach s,$(CORE_SOURCES) $(PORT_SOURCES),$(eval $(call compile,$(s),$(CORE_ONLY) $(call kernel_flags,$(s)))))
+$(foreach s,$(HOSTILE_SOURCES),$(eval $(call compile,$(s),$(CORE_ONLY) -UC2D_HOSTILE -DC2D_HOSTILE=$(HOSTILE_WIDTH))))
 $(foreach s,$(REPORT_SOURCES) $(PROGRAM_SOURCES) $(CHAPTER9_SOURCES),$(eval $(call compile,$(s),)))
 
 $(LIBRARY): $(CORE_OBJECTS) $(PORT_OBJECTS) src/sources.mk

@@ -6,11 +6,11 @@ HOSTILE_WIDTHS ?= 1 3
 hostile:
 	@for width in $(HOSTILE_WIDTHS); do \
 	   echo "hostile: panels of $$width columns, least workspace, poisoned memory, assertions, failing store, late transfers"; \
-	   rm -f $(BUILD)/hostile/obj/solver_hostile_port.o; \
+	   rm -f $(BUILD)/hostile/obj/tests_hostile_hostile_port.o; \
 	   C2D_TESTS_NOT=tests/hostile.txt $(MAKE) -s test BUILD=$(BUILD)/hostile HOSTILE_WIDTH=$$width \
 	     CPPFLAGS='$(CPPFLAGS) -DC2D_HOSTILE=1' || exit 1; \
 	 done
-# make small: the whole test suite in small code (src/memory/small_code.hpp), as firmware has it. tests/small.txt: what
+# make small: the whole test suite in small code (src/memory/config.hpp), as firmware has it. tests/small.txt: what
 # cannot hold there.
 .PHONY: small
 small:

@@ -1,7 +1,6 @@
 // Integrals for eight sources at once, by every instruction set of this machine, against the same one by one,
 // which test_integrals.cpp compares with brute force; their logarithm and arctangent against the C library in
 // extended precision. Floating-point traps are on wherever the batch runs.
-#ifndef C2D_SMALL // which has none
 #include "bie/batch.hpp"
 
 #include <doctest/doctest.h>
@@ -320,4 +319,3 @@ TEST_CASE("batch: displacement and stress at far points are those of one point a
         CHECK(near_lanes > 100);
       }
 }
-#endif

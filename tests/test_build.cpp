@@ -5,6 +5,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <set>
 
@@ -116,6 +117,29 @@ TEST_CASE("build: the core includes no header of an operating system or of the C
       CHECK_MESSAGE((own || kAllowed.count(include) == 1), name << " includes " << include);
     }
   }
+}
+
+// The options of memory/config.hpp, and what compilers say of their own.
+TEST_CASE("build: the configuration header alone asks for a build's options") {
+  const std::string page = read_file((kRoot / "src/memory/config.hpp").string());
+  int seen = 0;
+  for (const char* option : {"C2D_REAL", "C2D_REAL_BYTES", "C2D_SMALL", "C2D_PARTS_BY_CALL", "C2D_ONE_FILE", "C2D_HOSTILE",
+                             "__OPTIMIZE_SIZE__", "__OPTIMIZE__", "__FAST_MATH__", "__FINITE_MATH_ONLY__", "NDEBUG"}) {
+    const std::string name = option;
+    if (name.compare(0, 4, "C2D_") == 0) CHECK_MESSAGE(contains(page, "-D" + name), name << " has no entry in the header");
+    for (const std::string& folder : {std::string("src"), std::string("tests")})
+      for (const fs::path& path : files_below(folder)) {
+        if (!is_source(path)) continue;
+        for (const std::string& line : lines_of(read_file(path.string()))) {
+          if (line.compare(0, 1, "#") != 0) continue;
+          const size_t at = line.find(name), end = at + name.size();
+          if (at == std::string::npos || (end < line.size() && (std::isalnum(line[end]) != 0 || line[end] == '_'))) continue;
+          ++seen;
+          CHECK_MESSAGE(name_of(path) == "src/memory/config.hpp", name_of(path) << ": " << line);
+        }
+      }
+  }
+  CHECK(seen >= 10);
 }
 
 TEST_CASE("build: report and program use the public interface alone") {

@@ -1,6 +1,5 @@
 // The inner loops in every instruction set that this machine has, against their definitions, at awkward sizes, from any
 // place in memory, with traps on; and the factors they lead to against a textbook elimination.
-#ifndef C2D_SMALL // which has none
 #include "linalg/dense.hpp"
 #include "linalg/exchange.hpp"
 #include "linalg/lu.hpp"
@@ -331,4 +330,3 @@ TEST_CASE("kernels: residuals are at most twice those of a textbook elimination,
       CHECK_MESSAGE(ours[f] <= 2 * theirs, "kind " << kind << " form " << f << ": " << ours[f] << ", textbook " << theirs);
   }
 }
-#endif

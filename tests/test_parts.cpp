@@ -59,7 +59,7 @@ TEST_CASE("parts: a keyword whose part is not linked is a fault of its card, and
   }
 }
 
-#if defined(__ELF__) && !defined(C2D_HOSTILE)
+#if defined(__ELF__)
 namespace {
 
 // The program of tests/embedded/parts.cpp: the files that C2D_PARTS_BY_CALL changes in place of the library's own.

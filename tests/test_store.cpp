@@ -1,7 +1,7 @@
 #include "c2d_memory.h"
 #include "c2d_posix.h"
 #include "c2d_stdio.h"
-#include "memory/real.hpp"
+#include "memory/config.hpp"
 #include "store/tapes.hpp"
 #include <cerrno>
 #include <cstring>

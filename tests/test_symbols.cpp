@@ -36,7 +36,7 @@ struct Symbol {
   char kind;
 };
 
-bool is_core(const std::string& member) { return member.compare(0, 5, "port_") != 0; }
+bool is_core(const std::string& member) { return member.compare(0, 5, "port_") != 0 && member.compare(0, 6, "tests_") != 0; }
 
 // nm's answer: "member:" lines, then lines of an address (or none), a letter and a name.
 std::vector<Symbol> core_symbols() {

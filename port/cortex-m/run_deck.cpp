@@ -7,7 +7,7 @@
 #include "semihosting.hpp"
 #include "startup.hpp"
 
-#include "memory/real.hpp"
+#include "memory/config.hpp"
 #include "memory/text.hpp"
 
 #include <string.h>

@@ -38,8 +38,6 @@ BatchElement batch_element(const Integrator& in) {
   return b;
 }
 
-#ifndef C2D_SMALL
-
 bool batch_field_element(const FieldElement& e, BatchFieldElement& out) {
   const Integrator& in = e.in;
   if (!e.closed_form || in.functions > 3) return false;
@@ -81,8 +79,6 @@ bool aim_columns(const BatchRun& run, BatchColumns& out) {
   }
   return true;
 }
-
-#endif
 
 bool is_batched(const Integrator& in, bool want_g) {
   return in.mode == Quadrature::accurate && !in.degenerate && in.element.straight && (!want_g || in.closed_form_g);

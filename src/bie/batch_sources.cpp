@@ -5,14 +5,6 @@
 
 namespace c2d {
 
-#ifdef C2D_SMALL
-
-bool pay_batches(const ColumnSystem&, const Integrator&, const int32_t*, Blocks&, const Deposits&) { return false; }
-
-bool fill_diagonal_batches(const ColumnSystem&, const Integrator&, const int32_t*, int32_t, int32_t) { return false; }
-
-#else
-
 namespace {
 
 // Sources at the element's own functional nodes: they have integrals of their own kind.
@@ -126,7 +118,7 @@ void pay_group(BatchJob& job, const Group& g, int image, Blocks& blocks, BatchBl
 
 bool pay_batches(const ColumnSystem& system, const Integrator& integrator, const int32_t node[4], Blocks& blocks,
                  const Deposits& deposits) {
-  if (!system.batch) return false;
+  if (kSmallCode || !system.batch) return false;
   BatchJob job{system, integrator, node, BatchRun{{}, &deposits, &blocks, false, false, {1.0, 1.0}, nullptr}, {}, false};
   for (int n = 0; n < deposits.count; ++n)
     (deposits.list[n].block < &blocks.g[0][0][0] ? job.run.want_h : job.run.want_g) = true;
@@ -169,7 +161,7 @@ void take_off(const ColumnSystem& system, const Integrator& in, const int32_t no
 
 bool fill_diagonal_batches(const ColumnSystem& system, const Integrator& integrator, const int32_t node[4], int32_t first_node,
                            int32_t count) {
-  if (!system.batch || !is_batched(integrator, false)) return false;
+  if (kSmallCode || !system.batch || !is_batched(integrator, false)) return false;
   const ModelHeader& head = *system.model.head;
   const BatchElement element = batch_element(integrator);
   const int32_t end = first_node + count;
@@ -194,7 +186,5 @@ bool fill_diagonal_batches(const ColumnSystem& system, const Integrator& integra
   }
   return true;
 }
-
-#endif
 
 } // namespace c2d

@@ -14,7 +14,7 @@
 //   right-hand sides of the load cases                                                  r     (L columns)
 // so that A_o x_o + H_c u_c = G_c t_c + sum_k lambda_k r_k with t_c = +tau on body 2 and -tau on body 1.
 #include "bie/measure.hpp"
-#include "memory/real.hpp"
+#include "memory/config.hpp"
 #include "model/model.hpp"
 
 namespace c2d {

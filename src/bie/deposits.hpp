@@ -1,7 +1,7 @@
 #pragma once
 // Adding the integrals of an element to columns of a panel.
 #include "bie/integrals.hpp"
-#include "memory/real.hpp"
+#include "memory/config.hpp"
 
 #include <stdint.h>
 

@@ -2,17 +2,11 @@
 
 #include "bie/integrals_detail.hpp"
 #include "bie/panel.hpp"
-#include "memory/small_code.hpp"
+#include "memory/config.hpp"
 
 #include <math.h>
 
 namespace c2d {
-
-#ifdef C2D_SMALL
-
-bool fill_diagonal_closed(const ColumnSystem&, int32_t, int32_t) { return false; }
-
-#else
 
 namespace {
 
@@ -58,7 +52,7 @@ void take_path_off(const Integrator& any, const Rays& rays, double* diagonal) {
 
 bool fill_diagonal_closed(const ColumnSystem& system, int32_t first_node, int32_t count) {
   const Model& m = system.model;
-  if (!system.batch || system.quadrature != Quadrature::accurate || m.head->symmetry != 0 ||
+  if (kSmallCode || !system.batch || system.quadrature != Quadrature::accurate || m.head->symmetry != 0 ||
       m.head->body[system.body].element_nodes != 2)
     return false;
   Integrator& any = system.scratch->integrator; // material and functions are the same for all elements
@@ -75,7 +69,5 @@ bool fill_diagonal_closed(const ColumnSystem& system, int32_t first_node, int32_
   }
   return true;
 }
-
-#endif
 
 } // namespace c2d

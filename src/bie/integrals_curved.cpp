@@ -4,7 +4,7 @@
 // source.
 #include "bie/integrals_detail.hpp"
 #include "bie/shape.hpp"
-#include "memory/small_code.hpp"
+#include "memory/config.hpp"
 #include "quadrature/gauss.hpp"
 
 #include <math.h>

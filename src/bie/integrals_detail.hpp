@@ -3,7 +3,7 @@
 
 #include "bie/integrals.hpp"
 #include "bie/kernels.hpp"
-#include "memory/small_code.hpp"
+#include "memory/config.hpp"
 
 namespace c2d {
 

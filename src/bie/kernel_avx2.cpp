@@ -1,6 +1,6 @@
 // Four sources at a time. See batch_loops.hpp.
 #include "bie/batch.hpp"
-#if !defined(C2D_SMALL) && defined(__AVX2__) && defined(__FMA__)
+#if C2D_WIDEST_VECTOR >= 32
 #define C2D_VECTOR_BYTES 32
 #include "bie/batch_loops.hpp"
 

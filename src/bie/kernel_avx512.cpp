@@ -1,6 +1,6 @@
 // Eight sources at a time. See batch_loops.hpp.
 #include "bie/batch.hpp"
-#if !defined(C2D_SMALL) && defined(__AVX512F__) && defined(__FMA__)
+#if C2D_WIDEST_VECTOR >= 64
 #define C2D_VECTOR_BYTES 64
 #include "bie/batch_loops.hpp"
 

@@ -1,6 +1,6 @@
 // Two sources at a time, on any machine. See batch_loops.hpp.
 #include "bie/batch.hpp"
-#if !defined(C2D_SMALL)
+#if C2D_WIDEST_VECTOR >= 16
 #define C2D_VECTOR_BYTES 16
 #include "bie/batch_loops.hpp"
 

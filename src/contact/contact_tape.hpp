@@ -1,6 +1,6 @@
 #pragma once
 // The contact matrices on tape CONTACT (MTAPE1 and MTAPE2 of 1987): one column of m numbers per block.
-#include "memory/real.hpp"
+#include "memory/config.hpp"
 #include "store/tapes.hpp"
 
 namespace c2d {

@@ -7,7 +7,7 @@
 #include "memory/optional.hpp"
 #include "results/balance.hpp"
 #include "solver/energy.hpp"
-#include "solver/hostile_port.hpp"
+#include "solver/port.hpp"
 #include "solver/solver.hpp"
 
 // A model may come in that no call of this program declared.
@@ -139,9 +139,7 @@ extern "C" c2d_status c2d_attach(c2d_solver** out, void* memory, size_t bytes, c
   c2d_solver* s = reinterpret_cast<c2d_solver*>(base + slack);
   s->slack = slack;
   s->port = our_port;
-  make_tasks_hostile(s->port);
-  s->tapes.port = &s->port;
-  s->tapes.busy = &s->busy;
+  connect_port(s);
   if (s->state == C2D_STATE_BROKEN) memset(s->tapes.is_open, 0, sizeof s->tapes.is_open); // c2d_restore opens anew
   status = reopen_tapes(s->tapes);
   if (status != C2D_OK) {

@@ -6,8 +6,8 @@
 #include "interface/entry.hpp"
 #include "memory/hostile.hpp"
 #include "memory/text.hpp"
-#include "solver/hostile_port.hpp"
 #include "solver/phases.hpp"
+#include "solver/port.hpp"
 
 namespace c2d {
 
@@ -30,24 +30,6 @@ c2d_status aligned_need(const Sizes& sizes, Layout& layout, uint64_t* minimum, u
   for (uint64_t* need : needs)
     if (!add_bytes(*need, 1, layout.persistent) || *need > UINT64_MAX - kAlignment) return C2D_ERR_OVERFLOW;
   return *minimum > SIZE_MAX - kAlignment ? C2D_ERR_OVERFLOW : C2D_OK;
-}
-
-// The hostile build: panels of its width and no more memory than they need with two buffers, if there is that much.
-void make_tiny(c2d_limits& limits, Sizes& sizes, Layout& layout, size_t& bytes) {
-  c2d_limits narrow = limits;
-  if (narrow.panel_columns == 0) narrow.panel_columns = hostile_width();
-  Sizes narrow_sizes;
-  Layout narrow_layout;
-  uint64_t least = 0, most = 0;
-  if (derive_sizes(narrow, narrow_sizes) != C2D_OK || aligned_need(narrow_sizes, narrow_layout, &least, &most) != C2D_OK ||
-      least + kAlignment - 1 > bytes)
-    return;
-  limits = narrow;
-  sizes = narrow_sizes;
-  layout = narrow_layout;
-  const int64_t rows = sizes.body[0].rows > sizes.body[1].rows ? sizes.body[0].rows : sizes.body[1].rows;
-  least += kAlignment - 1 + round_up(kBlockHeaderBytes + static_cast<uint64_t>(rows) * sizeof(Real));
-  if (least < bytes) bytes = static_cast<size_t>(least);
 }
 
 void fill_header(c2d_solver* s, uint64_t bytes, uint32_t slack, const c2d_limits& limits, const Sizes& sizes,
@@ -145,13 +127,11 @@ extern "C" c2d_status c2d_create(c2d_solver** out, void* memory, size_t bytes, c
     return C2D_ERR_MEMORY;
   }
   poison(memory, bytes);
-  if (kHostile) make_tiny(ours, sizes, layout, bytes);
+  if constexpr (kHostile) make_memory_hostile(ours, sizes, layout, bytes);
   c2d_solver* s = reinterpret_cast<c2d_solver*>(static_cast<char*>(memory) + slack);
   fill_header(s, bytes - (kAlignment - 1), slack, ours, sizes, layout); // so that it may move to any alignment
   s->port = our_port;
-  make_tasks_hostile(s->port);
-  s->tapes.port = &s->port;
-  s->tapes.busy = &s->busy;
+  connect_port(s);
   clear_model(s);
   *out = s;
   return C2D_OK;
@@ -160,8 +140,7 @@ extern "C" c2d_status c2d_create(c2d_solver** out, void* memory, size_t bytes, c
 extern "C" c2d_status c2d_close(c2d_solver* s) {
   if (!s || s->magic != kSolverMagic) return C2D_ERR_ARGUMENT;
   if (s->busy) return C2D_ERR_BUSY;
-  s->tapes.port = &s->port;
-  s->tapes.busy = &s->busy;
+  connect_port(s);
   const c2d_status status = s->port.close ? close_all(s->tapes) : c2d_status{C2D_OK};
   if (status != C2D_OK) { // the log is the only one left to tell: after this there is no solver to ask
     fail_store(s, status);

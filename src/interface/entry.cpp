@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "memory/text.hpp"
+#include "solver/port.hpp"
 
 namespace c2d {
 
@@ -30,8 +31,7 @@ bool copy_in(const void* theirs, void* ours, size_t our_size) {
 c2d_status enter(c2d_solver* s, uint32_t legal_states) {
   if (!s || s->magic != kSolverMagic) return C2D_ERR_ARGUMENT;
   if (s->busy) return C2D_ERR_BUSY;
-  s->tapes.port = &s->port;
-  s->tapes.busy = &s->busy;
+  connect_port(s);
   s->has_fault = 0;
   if ((legal_states & state_bit(s->state)) == 0) {
     static const char* const names[] = {"empty", "building", "model", "prepared", "running", "broken"};

@@ -1,14 +1,14 @@
 #include "linalg/kernel.hpp"
 #include "linalg/kernel_sets.hpp"
 
-#if defined(__x86_64__) && !defined(C2D_SMALL)
+#if defined(__x86_64__)
 #include <cpuid.h>
 #endif
 
 namespace c2d {
 namespace {
 
-#if defined(__x86_64__) && !defined(C2D_SMALL)
+#if defined(__x86_64__)
 
 // Which registers the operating system keeps when it switches between threads.
 uint32_t kept_registers() {
@@ -46,6 +46,7 @@ const Kernel* kernel_for(Instructions set) {
 }
 
 Instructions best_instructions() {
+  if (kSmallCode) return Instructions::baseline;
   int32_t set = static_cast<int32_t>(of_processor());
   while (set > 0 && kernel_for(static_cast<Instructions>(set)) == nullptr) --set;
   return static_cast<Instructions>(set);

@@ -2,8 +2,7 @@
 // The inner loops of the elimination, once per instruction set. A product C -= A B goes over tiles of C of
 // `rows` x `cols` numbers that stay in registers: A comes in slices of `rows` rows, B packed, row by row in
 // slices of `cols` columns. Everything around them (blocking, packing, edges) is common: packed.cpp, lu.cpp.
-#include "memory/real.hpp"
-#include "memory/small_code.hpp"
+#include "memory/config.hpp"
 #include <stdint.h>
 
 namespace c2d {

@@ -1,6 +1,6 @@
 // 16 registers of 32 bytes: a tile of 12 takes them. See kernel_loops.hpp.
 #include "linalg/kernel_sets.hpp"
-#if defined(C2D_VECTOR_LOOPS) && defined(__AVX2__) && defined(__FMA__)
+#if C2D_WIDEST_KERNEL >= 32
 #define C2D_VECTOR_BYTES 32
 #define C2D_TILE_VECTORS 3
 #define C2D_TILE_COLUMNS 4

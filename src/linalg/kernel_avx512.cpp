@@ -1,6 +1,6 @@
 // 32 registers of 64 bytes: a tile of 24 and 3 of a column take them. See kernel_loops.hpp.
 #include "linalg/kernel_sets.hpp"
-#if defined(C2D_VECTOR_LOOPS) && defined(__AVX512F__) && defined(__FMA__)
+#if C2D_WIDEST_KERNEL >= 64
 #define C2D_VECTOR_BYTES 64
 #define C2D_TILE_VECTORS 3
 #define C2D_TILE_COLUMNS 8

@@ -1,6 +1,6 @@
 // Registers of 16 bytes, on any machine. See kernel_loops.hpp.
 #include "linalg/kernel_sets.hpp"
-#ifdef C2D_VECTOR_LOOPS
+#if C2D_WIDEST_KERNEL >= 16
 #define C2D_VECTOR_BYTES 16
 #define C2D_TILE_VECTORS 2
 #define C2D_TILE_COLUMNS 4

@@ -44,7 +44,7 @@ inline void ask_for(Real* c, int64_t ldc) {
 #define C2D_SHUFFLES
 #endif
 #endif
-#if defined(C2D_SHUFFLES) && C2D_VECTOR_BYTES == 16 && (!defined(C2D_REAL_BYTES) || C2D_REAL_BYTES == 8)
+#if defined(C2D_SHUFFLES) && C2D_VECTOR_BYTES == 16 && C2D_TWO_IN_16_BYTES
 static_assert(kLanes == 2, "C2D_REAL=float needs C2D_REAL_BYTES=4");
 // Two numbers to a vector: a column times two numbers of a row at once gives the sums of entries (0, 0) and (1, 1) of a
 // square, the column turned round those of (1, 0) and (0, 1). One exchange for each vector of A costs less than one

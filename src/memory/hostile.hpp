@@ -2,20 +2,16 @@
 // A build against the grain, for tests (`make hostile`): -DC2D_HOSTILE=width. Panels have that many columns where the
 // caller leaves the width to the library, a workspace counts as the least that will do, memory that holds nothing is
 // full of NaN and huge negative integers, promises inside the library are checked, transfers happen as late and tasks run
-// in as strange an order as they may (solver/hostile_port.hpp), and every preparation is preceded by one whose block store
+// in as strange an order as they may (tests/hostile), and every preparation is preceded by one whose block store
 // fails. Without the macro all of this is nothing.
 #include <stdint.h>
 #include <string.h>
 
-namespace c2d {
+#include "memory/config.hpp"
 
-#ifdef C2D_HOSTILE
-constexpr bool kHostile = true;
-#define C2D_ASSERT(promise) ((promise) ? static_cast<void>(0) : __builtin_trap())
-#else
-constexpr bool kHostile = false;
-#define C2D_ASSERT(promise) static_cast<void>(0)
-#endif
+#define C2D_ASSERT(promise) (!c2d::kHostile || (promise) ? static_cast<void>(0) : __builtin_trap())
+
+namespace c2d {
 
 // The bytes hold nothing any more, or nothing yet. A double of them is a NaN, an integer -1.
 inline void poison(void* memory, uint64_t bytes) {

@@ -13,7 +13,9 @@
 // which links it. In a library compiled with C2D_PARTS_BY_CALL, for firmware, it does not: only the declaring calls do,
 // and what C2D_HAS denies is refused.
 // Needs ELF, an archive of objects and GCC or clang; elsewhere, and in one file, everything is linked.
-#if defined(__ELF__) && defined(__GNUC__) && !defined(C2D_ONE_FILE)
+#include "memory/config.hpp"
+
+#if C2D_PARTS_MAY_LACK
 #define C2D_OPTIONAL(function) extern decltype(function) function __attribute__((weak))
 #define C2D_LINKED(function) (&function != nullptr)
 #define C2D_BRINGS(function) __attribute__((used)) static decltype(&function) const brings_##function = &function
@@ -23,7 +25,7 @@
 #define C2D_BRINGS(function) static_assert(true, "always linked")
 #endif
 
-#ifdef C2D_PARTS_BY_CALL
+#if C2D_ONLY_CALLS_BRING
 #define C2D_NEEDS(function) C2D_OPTIONAL(function)
 #define C2D_HAS(function) C2D_LINKED(function)
 #else

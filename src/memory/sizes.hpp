@@ -1,7 +1,7 @@
 #pragma once
 // Derived sizes and the one layout function that drives both c2d_memory_need and the carving of the workspace.
 #include "contact2d.h"
-#include "memory/real.hpp"
+#include "memory/config.hpp"
 
 namespace c2d {
 

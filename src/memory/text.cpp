@@ -1,6 +1,6 @@
 #include "memory/text.hpp"
 
-#include "memory/small_code.hpp"
+#include "memory/config.hpp"
 #include "memory/wide_integer.hpp"
 
 #include <string.h>

@@ -2,7 +2,7 @@
 // The model: one or two bodies with boundary, conditions, contact zones and load cards, as views into the workspace.
 // All numbers in here start at 0 (the interface's start at 1). Coordinates, loads and moduli are the caller's.
 #include "contact2d.h"
-#include "memory/real.hpp"
+#include "memory/config.hpp"
 #include "memory/sizes.hpp"
 
 namespace c2d {

@@ -1,5 +1,5 @@
 // Are the boundaries proper closed curves with the material on their left?
-#include "memory/small_code.hpp"
+#include "memory/config.hpp"
 #include "model/geometry.hpp"
 #include "model/validate.hpp"
 #include "model/validate_finding.hpp"
@@ -96,10 +96,7 @@ bool joined(const Model& m, int b, int32_t i, int32_t j) {
 }
 
 // Pairs are looked at in a first pass by blocks: a member outside the box of a block meets none in it. Only if that
-// finds anything are all pairs gone through in order, to tell of them. Small builds go straight to that.
-#ifdef C2D_SMALL
-bool some_coincide(const Model&, int) { return true; }
-#else
+// finds anything are all pairs gone through in order, to tell of them. Small code goes straight to that.
 constexpr int32_t kBoxes = 32;
 
 void widen(Box& box, const Box& by) {
@@ -130,6 +127,7 @@ template <class BoxOf, class Visit> bool visit_meeting(int32_t count, BoxOf box_
 }
 
 bool some_coincide(const Model& m, int b) {
+  if (kSmallCode) return true;
   const double half = 0.6 * kCoincident * m.head->length_unit; // a little more than half the tolerance
   const auto box_of = [&](int32_t i) {
     const double* p = m.xy[b] + 2 * static_cast<int64_t>(i);
@@ -139,7 +137,6 @@ bool some_coincide(const Model& m, int b) {
     return i != j && !(body_of(m, b).element_nodes == 2 && joined(m, b, i, j));
   });
 }
-#endif
 
 // Boundary points of one body must differ, except the two of a legal double node.
 int32_t check_coincidence(const Model& m, int b, Reporter& reporter) {
@@ -194,10 +191,8 @@ bool pair_crosses(const Model& m, const Chords& p, const Chords& q) {
   return elements_cross(p, q, after, before);
 }
 
-#ifdef C2D_SMALL
-bool some_cross(const Model&, int) { return true; }
-#else
 bool some_cross(const Model& m, int b) {
+  if (kSmallCode) return true;
   Chords p, q;
   return visit_meeting(
       body_of(m, b).elements, [&](int32_t i) { return box_around(m, b, i); },
@@ -209,7 +204,6 @@ bool some_cross(const Model& m, int b) {
         return pair_crosses(m, p, q);
       });
 }
-#endif
 
 void check_crossing(const Model& m, int b, Reporter& reporter) {
   const int32_t elements = body_of(m, b).elements;

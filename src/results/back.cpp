@@ -6,7 +6,6 @@
 #include "results/rigid.hpp"
 #include "results/table.hpp"
 #include "results/transferred.hpp"
-#include "solver/hostile_port.hpp"
 
 namespace c2d {
 
@@ -136,10 +135,8 @@ c2d_status back_substitute_body(Session& session, int b) {
     return C2D_OK;
   }
   trailing_coefficients(session, b, session.area.coefficient);
-  Tapes& tapes = session.solver->tapes;
-  const HostilePort hostile(tapes);
-  const c2d_status status =
-      back_substitute(session.solver->plan[b], tapes, session.area.coefficient, session.area.outer, session.area.work);
+  const c2d_status status = back_substitute(session.solver->plan[b], session.solver->tapes, session.area.coefficient,
+                                            session.area.outer, session.area.work);
   if (status != C2D_OK) return status;
   for (int i = 0; i < 3; ++i) session.solver->multiplier[b][i] = session.area.outer[m.head->body[b].columns + i];
   fill_displacements(session, b);

@@ -72,15 +72,12 @@ void add_element_at(Acting& acting, const Points& points, int32_t i) {
   }
 }
 
-#ifdef C2D_SMALL
-bool add_element_batches(Acting&, const Points&) { return false; }
-#else
 // Eight points at a time; those near the element one by one.
 bool add_element_batches(Acting& acting, const Points& points) {
   const FieldElement& e = acting.e;
   const BatchKernel* kernel = points.kernel;
   BatchFieldElement element;
-  if (!kernel || points.head->symmetry != 0 || !batch_field_element(e, element)) return false;
+  if (kSmallCode || !kernel || points.head->symmetry != 0 || !batch_field_element(e, element)) return false;
   const double away = 64.0 * e.in.radius;
   BatchPoints at;
   BatchField sum;
@@ -114,7 +111,6 @@ bool add_element_batches(Acting& acting, const Points& points) {
   }
   return true;
 }
-#endif
 
 void add_element(Acting& acting, const Points& points) {
   if (add_element_batches(acting, points)) return;
@@ -298,13 +294,10 @@ enum class Pass { afar, placing, integrals };
 [[gnu::noinline]] void place_by_element(const Session& session, int b, int32_t element, bool from_afar, const Points& points) {
   Integrator in;
   make_integrator(session.model, b, element, Quadrature::accurate, Measure::own_length, in);
-#ifndef C2D_SMALL
-  if (from_afar) return look_from_afar(in.element, points);
-#endif
-  if (!from_afar) look_at_element(in, b, element, points);
+  !kSmallCode&& from_afar ? look_from_afar(in.element, points) : look_at_element(in, b, element, points);
 }
 
-// One element on these points. Small builds do without the first pass.
+// One element on these points. Small code does without the first pass.
 void act(const Session& session, int b, int32_t element, Pass pass, const Points& points) {
   if (pass != Pass::integrals) return place_by_element(session, b, element, pass == Pass::afar, points);
   NodalValues values;
@@ -312,17 +305,6 @@ void act(const Session& session, int b, int32_t element, Pass pass, const Points
   add_elements_values(session, b, element, values, points);
 }
 
-#ifdef C2D_SMALL
-c2d_status run_pass(const Session& session, int b, const Points& points, Pass pass) {
-  for (int32_t element = 0; element < session.model.head->body[b].elements; ++element) {
-    if (!is_integrated(session.model, b, element)) continue;
-    const c2d_status status = pause(session, b, element);
-    if (status != C2D_OK) return status;
-    act(session, b, element, pass, points);
-  }
-  return C2D_OK;
-}
-#else
 // Points are taken in blocks that stay in the cache while all elements act on them, several blocks at once where there
 // are threads for it; and elements in runs, between which the caller is told of the progress.
 constexpr int32_t kBlockOfPoints = 1024, kRunOfElements = 32; // the first a multiple of kBatch
@@ -352,9 +334,20 @@ void run_block(void* argument, int32_t i) {
     if (is_integrated(job.session->model, job.b, element)) act(*job.session, job.b, element, job.pass, points);
 }
 
+c2d_status run_plain_pass(const Session& session, int b, const Points& points, Pass pass) {
+  for (int32_t element = 0; element < session.model.head->body[b].elements; ++element) {
+    if (!is_integrated(session.model, b, element)) continue;
+    const c2d_status status = pause(session, b, element);
+    if (status != C2D_OK) return status;
+    act(session, b, element, pass, points);
+  }
+  return C2D_OK;
+}
+
 // All elements of the body on all points, in one of the passes.
 c2d_status run_pass(const Session& session, int b, const Points& points, Pass pass) {
   const int32_t elements = session.model.head->body[b].elements;
+  if (kSmallCode) return run_plain_pass(session, b, points, pass);
   const int32_t blocks = (points.count + kBlockOfPoints - 1) / kBlockOfPoints;
   const Workers workers = workers_of(&session.solver->port);
   for (int32_t block = 0; block < blocks; block += workers.count) {
@@ -370,15 +363,14 @@ c2d_status run_pass(const Session& session, int b, const Points& points, Pass pa
   }
   return C2D_OK;
 }
-#endif
 
 c2d_status place_points(const Session& session, int b, const Points& points) {
   begin_placing(points);
   c2d_status status = C2D_OK;
-#ifndef C2D_SMALL
-  status = run_pass(session, b, points, Pass::afar);
-  if (status == C2D_OK) leave_afar(points);
-#endif
+  if (!kSmallCode) {
+    status = run_pass(session, b, points, Pass::afar);
+    if (status == C2D_OK) leave_afar(points);
+  }
   if (status == C2D_OK) status = run_pass(session, b, points, Pass::placing);
   if (status == C2D_OK) end_placing(session, b, points);
   return status;
@@ -430,18 +422,10 @@ c2d_status evaluate_points(Session& session, int32_t body, const PointsAsked& as
   if (s->blocked || s->floating) clear_boundary(session);
   c2d_status status = back_substitute_all(session);
   if (status != C2D_OK) return fail_store(s, status);
-  const Points points = {asked.count,
-                         asked.xy,
-                         asked.xy_stride,
-                         asked.out,
-                         asked.out_stride,
-                         s->model.length_unit,
-                         &s->model
-#ifndef C2D_SMALL
-                         ,
-                         batch_for(best_instructions())
-#endif
-  };
+  const Points points = {asked.count,      asked.xy,
+                         asked.xy_stride,  asked.out,
+                         asked.out_stride, s->model.length_unit,
+                         &s->model,        kSmallCode ? nullptr : batch_for(best_instructions())};
   for (int32_t i = 0; i < points.count; ++i) points.state(i).place = may_lie_inside(points, i) ? kUnplaced : kNowhere;
   for (int b = 0; b < s->model.bodies && status == C2D_OK; ++b)
     if (body == 0 || body == b + 1) status = evaluate_body(session, b, points);

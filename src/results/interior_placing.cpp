@@ -34,12 +34,9 @@ void look_closely(const Integrator& in, int b, int32_t element, PointState& p) {
 
 bool may_be_nearest(const Integrator& in, const PointState& p) {
   const double x = p.u[0] - in.element.c[0][0], y = p.u[1] - in.element.c[0][1];
-#ifdef C2D_SMALL
-  return length_of(x, y) - in.radius <= p.distance;
-#else
+  if (kSmallCode) return length_of(x, y) - in.radius <= p.distance;
   const double reach = p.distance + in.radius;
   return x * x + y * y <= reach * reach;
-#endif
 }
 
 void add_winding(const Integrator& in, const Points& points, PointState& p) {
@@ -48,13 +45,10 @@ void add_winding(const Integrator& in, const Points& points, PointState& p) {
       p.reference[0] += winding(in, points.seen(image, 0, p.u[0]), points.seen(image, 1, p.u[1]));
 }
 
-#ifdef C2D_SMALL
-bool add_crossings(const Integrator&, const Points&) { return false; }
-#else
 // How often the chord crosses the ray from P along x, upwards less downwards: over a closed boundary that is the winding
 // number as well. Curves near P may pass it on the other side than their chords.
 bool add_crossings(const Integrator& in, const Points& points) {
-  if (points.head->symmetry != 0 || in.degenerate) return false;
+  if (kSmallCode || points.head->symmetry != 0 || in.degenerate) return false;
   const Element& e = in.element;
   const int last = e.nodes - 1;
   const double x0 = e.x[0], y0 = e.y[0], x1 = e.x[last], y1 = e.y[last];
@@ -72,7 +66,6 @@ bool add_crossings(const Integrator& in, const Points& points) {
   }
   return true;
 }
-#endif
 
 // Of the ends of the element with the nearest boundary point.
 bool is_near_node(const Model& m, int b, const PointState& p, double x, double y) {
@@ -115,7 +108,6 @@ void begin_placing(const Points& points) {
   }
 }
 
-#ifndef C2D_SMALL
 // A point of the element as an upper bound of the distance from the boundary, squared: most elements need no closer
 // look then.
 void look_from_afar(const Element& e, const Points& points) {
@@ -126,9 +118,7 @@ void look_from_afar(const Element& e, const Points& points) {
     if (square < p.distance) p.distance = square;
   }
 }
-#endif
 
-#ifndef C2D_SMALL
 // The bound must be undercut, also by a point to which it belongs.
 constexpr double kRounding = 1e-14; // of the coordinates, in the length unit
 void leave_afar(const Points& points) {
@@ -136,7 +126,6 @@ void leave_afar(const Points& points) {
     if (points.state(i).place == kUnplaced)
       points.state(i).distance = (1.0 + 1e-12) * sqrt(points.state(i).distance) + kRounding;
 }
-#endif
 
 // Nearest boundary point and winding number of the points not yet placed, from one element.
 void look_at_element(const Integrator& in, int b, int32_t element, const Points& points) {

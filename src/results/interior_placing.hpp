@@ -30,9 +30,7 @@ struct Points {
   double unit;
 
   const ModelHeader* head;
-#ifndef C2D_SMALL
   const BatchKernel* kernel; // null: one by one
-#endif
 
   PointState& state(int32_t i) const { return *reinterpret_cast<PointState*>(out + i * out_stride); }
 
@@ -55,14 +53,12 @@ inline double place_of(int b, int32_t flag) { return 4 * (b + 1) + flag; }
 inline bool is_near_node(const PointState& p, int b) { return p.place == place_of(b, C2D_POINT_NEAR_NODE); }
 inline bool is_inside(const PointState& p, int b) { return p.place == place_of(b, C2D_POINT_INSIDE) || is_near_node(p, b); }
 
-// In this order: begin_placing; for all elements look_from_afar, then leave_afar (without them, in small builds, the same is
+// In this order: begin_placing; for all elements look_from_afar, then leave_afar (without them, in small code, the same is
 // found in more time); for all elements look_at_element; end_placing. Then every point is placed that lies in body b or on
 // its boundary, and has displacement and place of the nearest boundary point.
 void begin_placing(const Points& points);
-#ifndef C2D_SMALL
 void look_from_afar(const Element& e, const Points& points);
 void leave_afar(const Points& points);
-#endif
 void look_at_element(const Integrator& in, int b, int32_t element, const Points& points);
 void end_placing(const Session& session, int b, const Points& points);
 

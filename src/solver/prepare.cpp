@@ -11,13 +11,12 @@
 #include "model/rigid.hpp"
 #include "model/validate.hpp"
 #include "solver/energy.hpp"
-#include "solver/hostile_port.hpp"
 #include "solver/judge.hpp"
 #include "solver/model_hash.hpp"
 #include "solver/new_loads.hpp"
 #include "solver/phases.hpp"
+#include "solver/port.hpp"
 #include "solver/prepare.hpp"
-#include "solver/rehearsal.hpp"
 #include "solver/support.hpp"
 
 namespace c2d {
@@ -74,13 +73,6 @@ c2d_status watch_column(void* context, int32_t column) {
 // Columns are assembled a few at a time, so that a watchdog is fed also while a wide panel is filled.
 constexpr int32_t kColumnsAtOnce = 256;
 
-#ifdef C2D_SMALL
-int32_t fill_some(BodyJob& job, int32_t first, int32_t count, Real* data, int64_t ld) {
-  const int32_t now = count < kColumnsAtOnce ? count : kColumnsAtOnce;
-  fill_columns(job.system, first, now, data, ld);
-  return now;
-}
-#else
 // So few that they stay in the second-level cache until all elements have added to them.
 int32_t columns_at_once(int64_t ld) {
   constexpr int64_t kCachedBytes = 1 << 20;
@@ -107,6 +99,11 @@ void fill_step(void* argument, const Engine& engine, int32_t i) {
 
 // The first of these columns, one step for each part of the engine; how many.
 int32_t fill_some(BodyJob& job, int32_t first, int32_t count, Real* data, int64_t ld) {
+  if (kSmallCode) {
+    const int32_t now = count < kColumnsAtOnce ? count : kColumnsAtOnce;
+    fill_columns(job.system, first, now, data, ld);
+    return now;
+  }
   const int32_t parts = parts_of(job.engine), each = count / parts + 1, most = columns_at_once(ld);
   const int32_t step = each < 16 ? 16 : each < most ? each : most;
   const int32_t now = count < parts * step ? count : parts * step, items = (now + step - 1) / step;
@@ -114,7 +111,6 @@ int32_t fill_some(BodyJob& job, int32_t first, int32_t count, Real* data, int64_
   run_items(job.engine, items, fill_step, &columns);
   return now;
 }
-#endif
 
 c2d_status assemble_columns(void* context, int32_t first, int32_t count, Real* panel, int64_t ld) {
   BodyJob& job = *static_cast<BodyJob*>(context);
@@ -294,8 +290,7 @@ void weigh_pairs(const Model& m) {
   return validate_loads(m, reporter) ? C2D_OK : C2D_ERR_INPUT;
 }
 
-// What c2d_prepare does, with this store.
-c2d_status prepare_with(c2d_solver* s, const c2d_port* store) {
+c2d_status prepare_once(c2d_solver* s) {
   const Model m = model_of(s);
   c2d_status status = validate_changes(s, m);
   if (status != C2D_OK) return status;
@@ -310,8 +305,6 @@ c2d_status prepare_with(c2d_solver* s, const c2d_port* store) {
     s->largest_pivot = s->pivot_growth = s->condition = 0.0;
     find_support(s, m);
     status = close_all(s->tapes);
-    s->tapes.port = store;
-    s->tapes.busy = &s->busy;
     if (status == C2D_OK && !s->blocked) status = run_phases(s, m);
     if (s->blocked) s->peak_bytes = s->layout.persistent + path_area(model_sizes(m), s->plan, false, nullptr, nullptr);
   }
@@ -335,46 +328,12 @@ c2d_status prepare_with(c2d_solver* s, const c2d_port* store) {
   return fail(s, status, status_text(status));
 }
 
-#ifdef C2D_HOSTILE
-// Prepare with a store that fails somewhere on the way, unseen by the caller's other functions. The model must be
-// none the worse for it, and what it left on the tapes must not be taken for the next preparation's.
-void rehearse(c2d_solver* s) {
-  const c2d_port port = s->port;
-  const c2d_error error = s->error;
-  const int32_t warnings = s->warnings, cancelled = s->cancelled;
-  HostilePort late(s->tapes);
-  FailingStore failing;
-  const uint64_t chance = hash_model(model_of(s), s->options);
-  make_failing(late.port, static_cast<int64_t>(chance / 2 % (chance % 2 == 0 ? 61 : 997)), failing); // early, or far into it
-  s->port.progress = nullptr;
-  s->port.cancel = nullptr;
-  s->port.log = nullptr;
-  s->port.clock = nullptr;
-  s->cancelled = 0;
-  const c2d_status status = prepare_with(s, &failing.port);
-  C2D_ASSERT(status == C2D_OK || is_store_error(status) || status == C2D_ERR_SINGULAR || status == C2D_ERR_MEMORY ||
-             status == C2D_ERR_CANCELLED);
-  C2D_ASSERT(s->state == (status == C2D_OK ? C2D_STATE_PREPARED : is_store_error(status) ? C2D_STATE_BROKEN : C2D_STATE_MODEL));
-  s->tapes.port = &failing.port;
-  close_all(s->tapes);
-  s->port = port;
-  s->error = error;
-  s->has_fault = 0;
-  s->warnings = warnings;
-  s->cancelled = cancelled != 0 || s->cancelled != 0 || status == C2D_ERR_CANCELLED; // meant for both
-  s->factors = 0;
-  s->state = C2D_STATE_MODEL;
-}
-#endif
-
 } // namespace
 
 c2d_status prepare(c2d_solver* s) {
-#ifdef C2D_HOSTILE
-  if (s->factors == 0 && s->loads_changed == 0) rehearse(s); // what went before must not be lost
-#endif
-  const HostilePort hostile(s->tapes);
-  return prepare_with(s, s->tapes.port);
+  if constexpr (kHostile)
+    if (s->factors == 0 && s->loads_changed == 0) rehearse(s, prepare_once); // what went before must not be lost
+  return prepare_once(s);
 }
 
 } // namespace c2d

@@ -3,7 +3,7 @@
 #include "contact/path.hpp"
 #include "contact2d.h"
 #include "elimination/eliminate.hpp"
-#include "memory/real.hpp"
+#include "memory/config.hpp"
 #include "model/model.hpp"
 #include "store/tapes.hpp"
 

@@ -1,6 +1,5 @@
 #include "store/block.hpp"
-#include "memory/real.hpp"
-#include "memory/small_code.hpp"
+#include "memory/config.hpp"
 #include <string.h>
 
 namespace c2d {

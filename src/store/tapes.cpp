@@ -1,6 +1,6 @@
 #include "store/tapes.hpp"
+#include "memory/config.hpp"
 #include "memory/sizes.hpp"
-#include "memory/small_code.hpp"
 #include "memory/text.hpp"
 #include <string.h>
 

@@ -1,0 +1,71 @@
+#pragma once
+// Every option of a build, what it may be and what it costs. No other file of src/ asks for these macros, nor for what a
+// compiler says of its own options; what they mean elsewhere are the constants below. A test sees to that.
+//
+// -DC2D_REAL=float -DC2D_REAL_BYTES=4   Matrices are stored and eliminated in single precision (default: double, 8). Half
+//     the memory, results to about 2e-4 in place of 1e-9. The interface and the geometry stay double. A program that
+//     includes contact2d.h gives the second of the two as well.
+// -DC2D_SMALL, or -Os   Small code: plain forms alone, nothing twice for speed. Less code; a run takes about
+//     twice as long (port/cortex-m/README.md).
+// -DC2D_PARTS_BY_CALL   What reads models of any kind (deck reader, c2d_attach) does not bring the optional parts of the
+//     method into a program; the call that declares one does. memory/optional.hpp.
+// -DC2D_ONE_FILE   The library is one source file (make amalgamation), so that all parts are there.
+// -DC2D_HOSTILE=width   For tests (make hostile): panels of that many columns and everything against the grain, see
+//     memory/hostile.hpp. Many times slower.
+// -ffast-math and -ffinite-math-only are refused: the checks for numbers that are none would vanish.
+#include <stdint.h>
+
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
+#error "contact2d must not be compiled with -ffast-math or -ffinite-math-only: its checks for numbers would vanish"
+#endif
+
+#ifndef C2D_REAL
+#define C2D_REAL double
+#endif
+
+#if defined(C2D_SMALL) || defined(__OPTIMIZE_SIZE__)
+#define C2D_SMALL_CODE true
+#define C2D_WIDEST_VECTOR 0
+#else
+#define C2D_SMALL_CODE false
+// Bytes of the widest vectors in this file's loops: asked for by the files that are named after an instruction set.
+#if defined(__AVX512F__) && defined(__FMA__)
+#define C2D_WIDEST_VECTOR 64
+#elif defined(__AVX2__) && defined(__FMA__)
+#define C2D_WIDEST_VECTOR 32
+#else
+#define C2D_WIDEST_VECTOR 16
+#endif
+#endif
+
+// Do two stored numbers fill 16 bytes?
+#if !defined(C2D_REAL_BYTES) || C2D_REAL_BYTES == 8
+#define C2D_TWO_IN_16_BYTES 1
+#else
+#define C2D_TWO_IN_16_BYTES 0
+#endif
+
+// May a linker leave out optional parts, and does only the call that declares one bring it?
+#if defined(__ELF__) && defined(__GNUC__) && !defined(C2D_ONE_FILE)
+#define C2D_PARTS_MAY_LACK 1
+#else
+#define C2D_PARTS_MAY_LACK 0
+#endif
+#ifdef C2D_PARTS_BY_CALL
+#define C2D_ONLY_CALLS_BRING 1
+#else
+#define C2D_ONLY_CALLS_BRING 0
+#endif
+
+#ifndef C2D_HOSTILE
+#define C2D_HOSTILE 0
+#endif
+
+namespace c2d {
+
+using Real = C2D_REAL; // of stored matrices and inner arithmetic
+constexpr bool kSmallCode = C2D_SMALL_CODE;
+constexpr int32_t kHostileWidth = C2D_HOSTILE; // of panels
+constexpr bool kHostile = kHostileWidth > 0;
+
+} // namespace c2d
