@@ -20,7 +20,9 @@
    After a failure. A call that does not return C2D_OK has changed nothing, and its output arguments are as they were,
    with these exceptions, which its comment repeats: c2d_create and c2d_attach set *out to null; a failed c2d_read_deck
    or c2d_complete leaves an empty model; a cancelled c2d_advance or c2d_run leaves the solver at the last load
-   reached; an error of the store (C2D_ERR_STORE_...) in any call that uses it leaves the state `broken`. A status is
+   reached; an error of the store (C2D_ERR_STORE_...) in any call that uses it leaves the state `broken`. A call on a
+   solver that does not return C2D_OK tells c2d_port.log why, each fault once, and c2d_last_error the first of them;
+   only inside a callback nothing is told. A status is
    about the call; that the load cannot go further is no failure but an outcome. Pointers may be null only where that
    is said; a null solver is C2D_ERR_ARGUMENT. Calls on one solver come from one thread at a time, except c2d_cancel;
    solvers know nothing of each other.
@@ -796,6 +798,8 @@ typedef struct c2d_summary {
   int32_t breach;                 /* with C2D_BEYOND_LIMITS: C2D_BREACH_...                             */
   double symmetry_at[2];
   double breach_size;             /* of what the breach is measured against                          */
+  int32_t point_loads, point_sets, curves; /* how many of each the model holds                       */
+  int32_t reserved_too;
 } c2d_summary;
 c2d_status c2d_get_summary(c2d_solver* solver, c2d_summary* out); /* legal: always; errors: ARGUMENT */
 
@@ -868,7 +872,8 @@ c2d_status c2d_get_interference(c2d_solver* solver, int32_t* load_case);
 enum { C2D_STATE_EMPTY = 0, C2D_STATE_BUILDING = 1, C2D_STATE_MODEL = 2, C2D_STATE_PREPARED = 3,
        C2D_STATE_RUNNING = 4, C2D_STATE_BROKEN = 5 };
 int32_t c2d_get_state(const c2d_solver* solver);                 /* -1: not a solver                */
-c2d_status c2d_last_error(c2d_solver* solver, c2d_error* out);   /* of the last call that failed    */
+/* Why the last call failed; in state broken: what broke the solver, whatever was refused since. */
+c2d_status c2d_last_error(c2d_solver* solver, c2d_error* out);
 const char* c2d_message(int32_t status);     /* any integer; never null; for outcomes see below     */
 const char* c2d_outcome_message(int32_t outcome);
 const char* c2d_version(void);               /* "0.1.0" */

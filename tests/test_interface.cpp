@@ -1,4 +1,5 @@
 // The rules of the C interface: structs that grow, states, wrong arguments, callbacks, words for numbers.
+#include "shell.hpp"
 #include "solver/solver.hpp"
 #include "solver_runs.hpp"
 
@@ -34,13 +35,17 @@ static_assert(sizeof(void*) != 8 || (offsetof(c2d_limits, panel_columns) == 64 &
 struct Host : RamStore {
   c2d_port port = C2D_INIT(c2d_port);
   std::function<void(const char*)> inside; // called from every callback with its name
+  std::vector<c2d_error> faults;           // told by log
   static void call(void* context, const char* name) {
     Host& h = static_cast<Host&>(self(context));
     if (h.inside) h.inside(name);
   }
   Host() {
     serve(port);
-    port.log = [](void* c, const c2d_error*) { call(c, "log"); };
+    port.log = [](void* c, const c2d_error* entry) {
+      if (entry->severity == C2D_FAULT) static_cast<Host&>(self(c)).faults.push_back(*entry);
+      call(c, "log");
+    };
     port.progress = [](void* c, const c2d_progress*) { call(c, "progress"); };
     port.cancel = [](void* c) { return call(c, "cancel"), 0; };
     port.clock = [](void* c) { return call(c, "clock"), 0.0; };
@@ -304,6 +309,18 @@ Bytes without_error(const c2d_solver* s) {
   return bytes;
 }
 
+// A call that was refused has told the log so, once, and in words. A model has as many faults as it has.
+void check_told(const Host& host, c2d_status status) {
+  REQUIRE(host.faults.size() >= 1);
+  if (status != C2D_ERR_INPUT) CHECK(host.faults.size() == 1);
+  CHECK(host.faults[0].status == status);
+  CHECK(std::strlen(host.faults[0].text) > 10);
+}
+bool is_kept(c2d_solver* s, const c2d_error& fault) {
+  const c2d_error kept = error_of(s);
+  return std::memcmp(&kept, &fault, sizeof kept) == 0;
+}
+
 } // namespace
 
 TEST_CASE("interface: a word for every number") {
@@ -457,7 +474,10 @@ TEST_CASE("interface: every function in every state") {
       bring(machine, host, state);
       REQUIRE(c2d_get_state(machine.solver) == state);
       const Bytes before = without_error(machine.solver);
+      const c2d_error cause = error_of(machine.solver); // in state broken: why it is
+      host.faults.clear();
       const c2d_status status = call.make(machine.solver);
+      if (status != C2D_OK) check_told(host, status);
       if (call.legal & bit(state)) {
         CHECK(status != C2D_ERR_STATE);
         CHECK(status != C2D_ERR_BUSY);
@@ -471,9 +491,9 @@ TEST_CASE("interface: every function in every state") {
       } else {
         CHECK(status == C2D_ERR_STATE);
         CHECK(without_error(machine.solver) == before);
-        CHECK(error_of(machine.solver).status == C2D_ERR_STATE);
-        CHECK(std::strlen(error_of(machine.solver).text) > 10);
+        CHECK(is_kept(machine.solver, state == C2D_STATE_BROKEN ? cause : host.faults[0]));
       }
+      if (state == C2D_STATE_BROKEN) CHECK(error_of(machine.solver).status == C2D_ERR_STORE_WRITE);
       // Always legal:
       c2d_summary summary = C2D_INIT(c2d_summary);
       CHECK(c2d_get_summary(machine.solver, &summary) == C2D_OK);
@@ -484,6 +504,37 @@ TEST_CASE("interface: every function in every state") {
       CHECK(machine.guards_are_whole());
     }
   }
+}
+
+TEST_CASE("interface: what broke a solver is told until it is taken up again") {
+  const c2d_limits limits = small_deck().limits();
+  Host host;
+  Machine machine(limits, enough(limits), &host.port);
+  c2d_solver* s = machine.solver;
+  bring(machine, host, C2D_STATE_RUNNING);
+  REQUIRE(c2d_save(s) == C2D_OK);
+  const auto ok = host.before;
+  host.before = [](const RamStore::Operation& operation, size_t) { return operation.kind == 'w' ? 28 : 0; };
+  host.faults.clear();
+  REQUIRE(c2d_save(s) == C2D_ERR_STORE_WRITE);
+  check_told(host, C2D_ERR_STORE_WRITE);
+  const c2d_error cause = host.faults[0];
+  CHECK(cause.host_code == 28);
+  CHECK(is_kept(s, cause));
+  double number = 0.0;
+  CHECK(c2d_advance(s, &number, 1, nullptr) == C2D_ERR_STATE);
+  CHECK(c2d_get(s, C2D_TN, 0, 1, 1, &number, 1) == C2D_ERR_STATE);
+  host.before = [](const RamStore::Operation& operation, size_t) { return operation.kind == 'r' ? 29 : 0; };
+  CHECK(c2d_restore(s) == C2D_ERR_STORE_READ);
+  REQUIRE(host.faults.size() == 4);
+  CHECK(host.faults[3].host_code == 29);
+  CHECK(c2d_get_state(s) == C2D_STATE_BROKEN);
+  CHECK(is_kept(s, cause));
+  host.before = ok;
+  CHECK(c2d_restore(s) == C2D_OK);
+  // From then on the last failure is told again.
+  CHECK(c2d_advance(s, &number, 1, nullptr) == C2D_ERR_ARGUMENT);
+  CHECK(error_of(s).status == C2D_ERR_ARGUMENT);
 }
 
 TEST_CASE("interface: where each call leads") {
@@ -719,6 +770,65 @@ std::vector<Wrong> wrong_calls() {
       c2d_outcome o;
       return c2d_advance(s, load, cases, &o);
     });
+  for (double number : {nan, inf, -inf}) {
+    add(C2D_STATE_EMPTY, "symmetry", [number](c2d_solver* s) { return c2d_set_symmetry(s, 0, number); });
+    add(C2D_STATE_EMPTY, "rigid", [number](c2d_solver* s) { return c2d_set_rigid(s, 1, 0, 0, number, 0, 0); });
+    add(C2D_STATE_MODEL, "body force", [number](c2d_solver* s) { return c2d_set_body_force(s, 1, 1, 0, number, 0, 0, 0); });
+    add(C2D_STATE_MODEL, "replaced", [number](c2d_solver* s) {
+      const double values[4] = {number, number, number, number};
+      return c2d_replace_values(s, 1, 1, 1, values, 1);
+    });
+    add(C2D_STATE_EMPTY, "points", [number](c2d_solver* s) {
+      c2d_points p = C2D_INIT(c2d_points);
+      p.body = 1;
+      p.from[1] = number;
+      return c2d_add_points(s, &p);
+    });
+    add(C2D_STATE_RUNNING, "direction", [number](c2d_solver* s) { return c2d_next_event(s, &number, 1, g_numbers); });
+  }
+  for (int32_t i : {-1, 2, 100, INT32_MAX, INT32_MIN}) {
+    add(C2D_STATE_EMPTY, "axis", [i](c2d_solver* s) { return c2d_set_symmetry(s, i, 0.0); });
+    add(C2D_STATE_EMPTY, "rigid case", [i](c2d_solver* s) { return c2d_set_rigid(s, i, 0, 0, 0, 0, 0); });
+    add(C2D_STATE_EMPTY, "closing case", [i](c2d_solver* s) { return c2d_set_interference(s, i); });
+    add(C2D_STATE_MODEL, "body force case", [i](c2d_solver* s) { return c2d_set_body_force(s, 1, i, 0, 0, 0, 0, 0); });
+    add(C2D_STATE_EMPTY, "zone friction", [i](c2d_solver* s) { return c2d_set_zone_friction(s, i, 1, 0.1); });
+    add(C2D_STATE_MODEL, "point load", [i](c2d_solver* s) { return c2d_replace_point_load(s, i, 0, 0, 0, 0); });
+    add(C2D_STATE_MODEL, "replaced", [i](c2d_solver* s) {
+      const double values[4] = {0, 0, 0, 0};
+      return c2d_replace_values(s, 1, 1, i == 2 ? 4 : i, values, 1);
+    });
+    add(C2D_STATE_EMPTY, "path cases", [i](c2d_solver* s) { return c2d_add_path_point(s, 1, g_numbers, i); });
+    add(C2D_STATE_RUNNING, "path cases", [i](c2d_solver* s) {
+      int32_t n;
+      return c2d_get_path_point(s, 1, &n, g_numbers, i);
+    });
+    add(C2D_STATE_RUNNING, "zone friction", [i](c2d_solver* s) { return c2d_get_zone_friction(s, i, 1, g_numbers); });
+    add(C2D_STATE_RUNNING, "zone state", [i](c2d_solver* s) {
+      c2d_zone_state z = C2D_INIT(c2d_zone_state);
+      return c2d_get_zone_state(s, i, &z);
+    });
+    add(C2D_STATE_RUNNING, "points", [i](c2d_solver* s) {
+      c2d_points p = C2D_INIT(c2d_points);
+      return c2d_get_points(s, i, &p);
+    });
+    add(C2D_STATE_RUNNING, "curve", [i](c2d_solver* s) {
+      c2d_curve c = C2D_INIT(c2d_curve);
+      return c2d_get_curve(s, i, &c);
+    });
+    if (i != 2 || limits.bodies < 2)
+      add(C2D_STATE_RUNNING, "interior body", [i](c2d_solver* s) {
+        const double xy[2] = {0, 0};
+        double row[C2D_POINT_FIELDS];
+        return c2d_interior(s, i, 1, xy, 2, row, C2D_POINT_FIELDS);
+      });
+  }
+  add(C2D_STATE_EMPTY, "curve", [](c2d_solver* s) { return c2d_add_curve(s, nullptr); });
+  add(C2D_STATE_EMPTY, "free zone", [](c2d_solver* s) { return c2d_add_free_zone(s, nullptr); });
+  add(C2D_STATE_EMPTY, "line nodes", [](c2d_solver* s) { return c2d_set_line_nodes(s, 1, 1, 2, nullptr, nullptr, nullptr); });
+  add(C2D_STATE_EMPTY, "arc nodes", [](c2d_solver* s) { return c2d_set_arc_nodes(s, 1, 1, 2, nullptr, 1, 0, 90); });
+  add(C2D_STATE_EMPTY, "long unit", [](c2d_solver* s) { return c2d_set_units(s, "0123456789abcdef", nullptr); });
+  add(C2D_STATE_BUILDING, "case values", [](c2d_solver* s) { return c2d_set_case_values(s, 1, 1, 1, nullptr, 1); });
+  add(C2D_STATE_EMPTY, "points", [](c2d_solver* s) { return c2d_add_points(s, nullptr); });
   for (double load : {nan, inf, -inf})
     add(C2D_STATE_RUNNING, "load", [load](c2d_solver* s) {
       c2d_outcome o;
@@ -728,6 +838,35 @@ std::vector<Wrong> wrong_calls() {
 }
 
 } // namespace
+
+// Names of the header's functions that begin with these words and take a solver that may change.
+std::set<std::string> functions_of_a_solver() {
+  const std::string header = test::read_file(C2D_TEST_ROOT "/include/contact2d.h");
+  const std::string before = "c2d_status c2d_", behind = "(c2d_solver* solver";
+  std::set<std::string> out;
+  for (size_t at = header.find(before); at != std::string::npos; at = header.find(before, at + 1)) {
+    const size_t name = at + before.size(), end = header.find('(', name);
+    if (header.compare(end, behind.size(), behind) == 0) out.insert("c2d_" + header.substr(name, end - name));
+  }
+  return out;
+}
+
+TEST_CASE("interface: no function is left out of the tests of states and of wrong arguments") {
+  const std::set<std::string> functions = functions_of_a_solver();
+  CHECK(functions.size() > 40);
+  const std::string here = test::read_file(C2D_TEST_ROOT "/tests/test_interface.cpp");
+  const size_t states = here.find("& calls() {"), arguments = here.find("wrong_calls() {");
+  REQUIRE(states < arguments);
+  const std::set<std::string> always = {"c2d_close", "c2d_last_error", "c2d_get_summary", "c2d_cancel"}, // in every state
+      takes_nothing = {"c2d_close",        "c2d_cancel", "c2d_clear_paths", "c2d_complete", "c2d_prepare",
+                       "c2d_change_loads", "c2d_save",   "c2d_restore",     "c2d_set_line", "c2d_run"};
+  for (const std::string& name : functions) {
+    CAPTURE(name);
+    const size_t call = here.find(name.substr(4) + "(s", states); // decks are read by a function of the tests
+    CHECK((always.count(name) == 1 || (call > states && call < arguments)));
+    CHECK((takes_nothing.count(name) == 1 || here.find(name + "(s", arguments) < here.find("} // namespace", arguments)));
+  }
+}
 
 TEST_CASE("interface: a wrong argument changes nothing") {
   const c2d_limits limits = small_deck().limits();
@@ -742,8 +881,14 @@ TEST_CASE("interface: a wrong argument changes nothing") {
       CAPTURE(state);
       CAPTURE(std::string(wrong.name));
       ++count;
+      host.faults.clear();
+      const c2d_error kept = error_of(machine.solver);
+      std::fill_n(g_numbers, 4, -77.0);
       const c2d_status status = wrong.make(machine.solver);
       CHECK((status == C2D_ERR_ARGUMENT || status == C2D_ERR_LIMIT));
+      check_told(host, status);
+      CHECK(is_kept(machine.solver, std::string(wrong.name) == "error" ? kept : host.faults[0]));
+      CHECK(std::all_of(g_numbers, g_numbers + 4, [](double number) { return number == -77.0; }));
       const bool same = without_error(machine.solver) == before;
       CHECK(same);
       if (same) continue;
@@ -766,6 +911,9 @@ std::string not_busy(c2d_solver* s, const c2d_limits& limits, bool in_step) {
     if (call.make(s) != expected) out += " " + name;
   }
   if (c2d_close(s) != C2D_ERR_BUSY) out += " close";
+  const c2d_error error_before = error_of(s);
+  if (c2d_get_summary(s, nullptr) != C2D_ERR_ARGUMENT || c2d_last_error(s, nullptr) != C2D_ERR_ARGUMENT) out += " (null)";
+  if (!is_kept(s, error_before)) out += " (kept)";
   // and what is legal
   c2d_summary summary = C2D_INIT(c2d_summary);
   c2d_error error = C2D_INIT(c2d_error);
@@ -959,6 +1107,7 @@ TEST_CASE("interface: what the caller's functions return comes back") {
   for (int32_t n = 0;; ++n) {
     CAPTURE(n);
     Stopping stopping{n, -1.0};
+    const size_t told = host.faults.size();
     const c2d_status status = c2d_run(machine.solver, Stopping::step, &stopping);
     if (status == C2D_OK) {
       CHECK(n > 20);
@@ -966,6 +1115,8 @@ TEST_CASE("interface: what the caller's functions return comes back") {
     }
     REQUIRE(status == C2D_ERR_CALLBACK);
     REQUIRE(error_of(machine.solver).host_code == -4242);
+    REQUIRE(host.faults.size() == told + 1);
+    REQUIRE(is_kept(machine.solver, host.faults.back()));
     REQUIRE(c2d_get_state(machine.solver) == C2D_STATE_RUNNING);
     REQUIRE(summary_of(machine.solver).load == stopping.load);
     Numbers there;

@@ -264,7 +264,7 @@ module contact2d
   end type
 
   type, bind(C) :: c2d_summary
-    integer(c_int32_t) :: struct_size = 816
+    integer(c_int32_t) :: struct_size = 832
     integer(c_int32_t) :: state = 0
     integer(c_int32_t) :: outcome = 0
     integer(c_int32_t) :: outcome_body = 0
@@ -331,6 +331,7 @@ module contact2d
     integer(c_int32_t) :: breach = 0
     real(c_double) :: symmetry_at(2) = 0
     real(c_double) :: breach_size = 0
+    integer(c_int32_t) :: point_loads = 0, point_sets = 0, curves = 0, reserved_too = 0
   end type
 
   type, bind(C) :: c2d_zone_state

@@ -17,10 +17,7 @@ c2d_status finish(Session& session, c2d_status status) {
   }
   if (is_store_error(status)) return fail_store(s, status);
   s->cancelled = 0;
-  const int32_t host_code = s->error.host_code;
-  fail(s, status, status_text(status));
-  if (status == C2D_ERR_CALLBACK) s->error.host_code = host_code;
-  return status;
+  return status == C2D_ERR_CALLBACK ? status : fail(s, status, status_text(status)); // what the callback said is told
 }
 
 c2d_status begin(Session& session) {

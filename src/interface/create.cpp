@@ -142,11 +142,7 @@ extern "C" c2d_status c2d_close(c2d_solver* s) {
   if (s->busy) return C2D_ERR_BUSY;
   connect_port(s);
   const c2d_status status = s->port.close ? close_all(s->tapes) : c2d_status{C2D_OK};
-  if (status != C2D_OK) { // the log is the only one left to tell: after this there is no solver to ask
-    fail_store(s, status);
-    const c2d_error last = s->error;
-    report_fault(s, last);
-  }
+  if (status != C2D_OK) fail_store(s, status); // to the log: after this there is no solver to ask
   poison(s, s->bytes);
   s->magic = 0;
   return status;

@@ -36,15 +36,16 @@ c2d_status enter(c2d_solver* s, uint32_t legal_states) {
   if ((legal_states & state_bit(s->state)) == 0) {
     static const char* const names[] = {"empty", "building", "model", "prepared", "running", "broken"};
     c2d_error e = blank_error();
-    e.status = C2D_ERR_STATE;
-    e.severity = C2D_FAULT;
-    Text text = text_in(e.text);
+    char what[48];
+    Text text = text_in(what);
     put_all(text, "this call is not legal in state '", names[s->state], "'");
-    s->error = e;
-    s->has_fault = 1;
-    return C2D_ERR_STATE;
+    return fail_with(s, e, C2D_ERR_STATE, what);
   }
   return C2D_OK;
+}
+
+c2d_status refuse_always(c2d_solver* s, const char* text) {
+  return s->busy ? c2d_status{C2D_ERR_ARGUMENT} : fail(s, C2D_ERR_ARGUMENT, text);
 }
 
 bool has_store(c2d_solver* s) {
@@ -59,8 +60,10 @@ bool has_store(c2d_solver* s) {
 using namespace c2d;
 
 extern "C" c2d_status c2d_last_error(c2d_solver* s, c2d_error* out) {
-  if (!s || s->magic != kSolverMagic || !out) return C2D_ERR_ARGUMENT;
-  return copy_out(&s->error, sizeof s->error, out) ? C2D_OK : C2D_ERR_ARGUMENT;
+  if (!s || s->magic != kSolverMagic) return C2D_ERR_ARGUMENT;
+  if (out && copy_out(&s->error, sizeof s->error, out)) return C2D_OK;
+  s->has_fault = 1; // the fault that was asked for stays the one kept
+  return refuse_always(s, "c2d_last_error: the c2d_error is null or not begun with C2D_INIT");
 }
 
 extern "C" int32_t c2d_get_state(const c2d_solver* s) { return s && s->magic == kSolverMagic ? s->state : -1; }

@@ -8,6 +8,8 @@ constexpr uint32_t state_bit(int32_t state) { return 1u << state; }
 constexpr uint32_t kStarted = state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING);
 // Legal to go on? Otherwise the reason is the status, and what c2d_last_error tells.
 c2d_status enter(c2d_solver* solver, uint32_t legal_states);
+// Refuses an argument of a call that is legal always, also inside a callback: there nothing is told.
+c2d_status refuse_always(c2d_solver* solver, const char* text);
 // Forget the model and every result; state: empty. For the deck reader and failed model calls.
 void clear_model(c2d_solver* solver);
 // Does the port have all functions of a block store? If not, that is the call's error.

@@ -162,9 +162,7 @@ extern "C" c2d_status c2d_complete(c2d_solver* s) {
   const Model m = model_of(s);
   m.head->images = s->options.symmetry == C2D_SYMMETRY_IMAGES;
   if (!complete_model(m, reporter)) {
-    const c2d_error first = s->error;
     clear_model(s);
-    s->error = first;
     return C2D_ERR_INPUT;
   }
   for (int b = 0; b < m.head->bodies; ++b) number_unknowns(m, b);

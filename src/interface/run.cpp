@@ -34,18 +34,23 @@ c2d_step describe_step(const Session& session, int32_t kind) {
   return now;
 }
 
+// Calls the step callback.
+c2d_status call_back(Session& session, const c2d_step& now) {
+  c2d_solver* s = session.solver;
+  s->busy = kInStepCallback;
+  const int32_t code = session.step(session.step_context, &now);
+  s->busy = 0;
+  if (code == 0) return C2D_OK;
+  c2d_error e = blank_error();
+  e.host_code = code;
+  return fail_with(s, e, C2D_ERR_CALLBACK, status_text(C2D_ERR_CALLBACK));
+}
+
 c2d_status show_change(Session& session) {
   const c2d_status status = fill_table(session);
   if (status != C2D_OK) return status;
   if (session.solver->options.stepping == C2D_STEPPING_EVENTS) close_balance(session);
-  const c2d_step now = describe_step(session, C2D_STEP_CHANGE);
-  session.solver->busy = kInStepCallback;
-  const int32_t code = session.step(session.step_context, &now);
-  session.solver->busy = 0;
-  if (code == 0) return C2D_OK;
-  session.solver->error = blank_error();
-  session.solver->error.host_code = code;
-  return C2D_ERR_CALLBACK;
+  return call_back(session, describe_step(session, C2D_STEP_CHANGE));
 }
 
 c2d_status show_step(Session& session, int32_t kind) {
@@ -57,13 +62,7 @@ c2d_status show_step(Session& session, int32_t kind) {
   now.changes = static_cast<int32_t>(session.follower.stats.changes - session.now.changes);
   close_session(session); // so that c2d_get_summary tells the callback what is so now
   session.now.changes = static_cast<int32_t>(session.follower.stats.changes);
-  s->busy = kInStepCallback;
-  const int32_t code = session.step(session.step_context, &now);
-  s->busy = 0;
-  if (code == 0) return C2D_OK;
-  s->error = blank_error();
-  s->error.host_code = code;
-  return C2D_ERR_CALLBACK;
+  return call_back(session, now);
 }
 
 // Factor of a case at the end of piece p of the path; p = -1: where it begins.

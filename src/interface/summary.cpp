@@ -29,6 +29,9 @@ void fill_model(c2d_solver* s, c2d_summary& out) {
   out.steps = total_steps(s);
   out.coefficients = m.coefficients;
   out.paths = m.paths;
+  out.point_loads = m.point_loads;
+  out.point_sets = m.point_sets;
+  out.curves = m.curves;
   out.analysis = m.analysis;
   out.plane = m.plane;
   out.iteration_limit = m.iteration_limit;
@@ -108,7 +111,9 @@ void fill_work(c2d_solver* s, c2d_summary& out) {
 using namespace c2d;
 
 extern "C" c2d_status c2d_get_summary(c2d_solver* s, c2d_summary* out) {
-  if (!s || s->magic != kSolverMagic || !out) return C2D_ERR_ARGUMENT;
+  if (!s || s->magic != kSolverMagic) return C2D_ERR_ARGUMENT;
+  if (!s->busy) s->has_fault = 0;
+  if (!out) return refuse_always(s, "c2d_get_summary: the c2d_summary is null");
   c2d_summary ours;
   memset(&ours, 0, sizeof ours);
   ours.state = s->state;
@@ -123,5 +128,6 @@ extern "C" c2d_status c2d_get_summary(c2d_solver* s, c2d_summary* out) {
   ours.peak_bytes = s->peak_bytes;
   if (s->state == C2D_STATE_RUNNING) ours.load = array_of<double>(s, kLoads)[0];
   ours.mu = s->mu;
-  return copy_out(&ours, sizeof ours, out) ? C2D_OK : C2D_ERR_ARGUMENT;
+  if (copy_out(&ours, sizeof ours, out)) return C2D_OK;
+  return refuse_always(s, "c2d_get_summary: the c2d_summary is not begun with C2D_INIT");
 }

@@ -50,8 +50,11 @@ void InteriorPoints::take_set(const c2d_points& set) {
 }
 
 bool InteriorPoints::take_sets(c2d_solver* solver, std::string& error) {
-  c2d_points set = C2D_INIT(c2d_points);
-  for (int32_t i = 1; !from_file_ && c2d_get_points(solver, i, &set) == C2D_OK; ++i) {
+  c2d_summary summary = C2D_INIT(c2d_summary);
+  c2d_get_summary(solver, &summary);
+  for (int32_t i = 1; !from_file_ && i <= summary.point_sets; ++i) {
+    c2d_points set = C2D_INIT(c2d_points);
+    c2d_get_points(solver, i, &set);
     if (static_cast<size_t>(set.count[0]) * static_cast<size_t>(set.count[1]) > kMostPoints - wanted_.size()) {
       error = "more than " + std::to_string(kMostPoints) + " points under *POINTS";
       return false;

@@ -8,6 +8,13 @@ namespace {
 const int kMostFaults = 1000; // printed; a file that is no deck at all has one on every card
 
 void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+
+// Faults of the deck are printed as they come, there may be many. Another failure belongs to the call that returns it,
+// whose caller knows whether it is one for the user: a state that cannot be taken up is not.
+bool is_of_deck(const c2d_error& fault) {
+  return (fault.status >= C2D_ERR_ARGUMENT && fault.status <= C2D_ERR_READ && fault.status != C2D_ERR_MEMORY) ||
+         fault.status == C2D_ERR_STORE_CLOSE; // after that there is no solver to ask
+}
 } // namespace
 
 void Messages::log(void* context, const c2d_error* entry) {
@@ -17,6 +24,7 @@ void Messages::log(void* context, const c2d_error* entry) {
     if (m.print_warnings) print(quote(m.deck_, *entry, "warning"));
     return;
   }
+  if (entry->severity == C2D_FAULT && !is_of_deck(*entry)) return;
   m.latest_ = entry->text;
   if (entry->severity != C2D_FAULT) return;
   ++m.faults_;

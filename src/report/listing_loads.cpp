@@ -15,10 +15,12 @@ void append_numbers(std::string& out, const double* values, int count) {
   for (int k = 0; k < count; ++k) append_general(out, values[k], 15, 8);
 }
 
-c2d_status append_point_loads(std::string& out, c2d_solver* solver) {
+c2d_status append_point_loads(std::string& out, c2d_solver* solver, const c2d_summary& s) {
   int32_t body = 0, load_case = 0;
   double xy[2], force[2];
-  for (int32_t i = 1; c2d_get_case_point_load(solver, i, &body, xy, force, &load_case) == C2D_OK; ++i) {
+  for (int32_t i = 1; i <= s.point_loads; ++i) {
+    const c2d_status status = c2d_get_case_point_load(solver, i, &body, xy, force, &load_case);
+    if (status != C2D_OK) return status;
     if (i == 1) {
       append_section(out, "Point loads");
       out += "    body    case              x              y             fx             fy\n";
@@ -105,7 +107,7 @@ c2d_status append_conditions(std::string& out, c2d_solver* solver, const c2d_sum
 }
 
 c2d_status append_other_loads(std::string& out, c2d_solver* solver, const c2d_summary& s) {
-  c2d_status status = append_point_loads(out, solver);
+  c2d_status status = append_point_loads(out, solver, s);
   if (status == C2D_OK) status = append_body_forces(out, solver, s);
   if (status == C2D_OK) status = append_rigid(out, solver, s);
   int32_t closing = 0;

@@ -6,8 +6,11 @@ namespace {
 c2d_status gather_point_loads(Scene& scene) {
   double at[2], force[2];
   int32_t body = 0, load_case = 0;
-  for (int32_t i = 1; c2d_get_case_point_load(scene.solver, i, &body, at, force, &load_case) == C2D_OK; ++i)
+  for (int32_t i = 1; i <= scene.summary.point_loads; ++i) {
+    const c2d_status status = c2d_get_case_point_load(scene.solver, i, &body, at, force, &load_case);
+    if (status != C2D_OK) return status;
     scene.point_loads.push_back({body, {at[0], at[1]}, {force[0], force[1]}, static_cast<size_t>(load_case) - 1});
+  }
   return C2D_OK;
 }
 

@@ -15,7 +15,7 @@ c2d_error blank_error() {
 
 void report_fault(c2d_solver* s, const c2d_error& entry) {
   if (entry.severity == C2D_FAULT && !s->has_fault) {
-    s->error = entry;
+    if (s->state != C2D_STATE_BROKEN) s->error = entry; // what broke the solver is not lost to what follows from it
     s->has_fault = 1;
   }
   if (entry.severity == C2D_WARNING) ++s->warnings;
@@ -25,32 +25,33 @@ void report_fault(c2d_solver* s, const c2d_error& entry) {
   s->busy = 0;
 }
 
-c2d_status fail(c2d_solver* s, c2d_status status, const char* text) {
-  c2d_error e = blank_error();
+c2d_status fail_with(c2d_solver* s, c2d_error& e, c2d_status status, const char* text) {
   e.status = status;
   e.severity = C2D_FAULT;
-  e.line = s->model.line;
-  e.column = s->model.column;
-  e.column_end = s->model.column_end;
   Text out = text_in(e.text);
   put(out, text);
-  s->error = e;
-  s->has_fault = 1;
+  report_fault(s, e);
   return status;
 }
 
+c2d_status fail(c2d_solver* s, c2d_status status, const char* text) {
+  c2d_error e = blank_error();
+  e.line = s->model.line;
+  e.column = s->model.column;
+  e.column_end = s->model.column_end;
+  return fail_with(s, e, status, text);
+}
+
 c2d_status fail_store(c2d_solver* s, c2d_status status) {
-  s->error = s->tapes.error;
-  s->error.struct_size = static_cast<uint32_t>(sizeof s->error);
-  s->error.severity = C2D_FAULT;
-  if (s->error.status != status) { // no tape said it
-    s->error = blank_error();
-    s->error.status = status;
-    s->error.severity = C2D_FAULT;
-    Text text = text_in(s->error.text);
-    put(text, status_text(status));
+  c2d_error e = blank_error();
+  const c2d_error& told = s->tapes.error;
+  const bool by_tape = told.status == status;
+  if (by_tape) {
+    e.tape = told.tape;
+    e.block = told.block;
+    e.host_code = told.host_code;
   }
-  s->has_fault = 1;
+  fail_with(s, e, status, by_tape ? told.text : status_text(status));
   s->state = C2D_STATE_BROKEN;
   return status;
 }

@@ -218,8 +218,9 @@ int weight(c2d_status status) {
   }
 }
 
-// The newest state that is whole and belongs to the tapes and the model. The solver is not touched.
-c2d_status find_state(c2d_solver* s, const Slots& slots, Piece& piece, SaveRecord& best) {
+// The newest state that is whole and belongs to the tapes and the model. The solver is not touched. *needed: bytes of
+// workspace that would do, with C2D_ERR_MEMORY.
+c2d_status find_state(c2d_solver* s, const Slots& slots, Piece& piece, SaveRecord& best, uint64_t* needed) {
   Tapes& tapes = s->tapes;
   const uint64_t hash = hash_state(s);
   uint64_t count = 0;
@@ -241,7 +242,7 @@ c2d_status find_state(c2d_solver* s, const Slots& slots, Piece& piece, SaveRecor
     if (status == C2D_OK)
       best = found;
     else if (status == C2D_ERR_MEMORY)
-      s->error.bytes_needed = s->layout.persistent + found.path_bytes + kAlignment - 1;
+      *needed = s->layout.persistent + found.path_bytes + kAlignment - 1;
     if (weight(status) > weight(reason)) reason = status;
   }
   return best.number > 0 ? c2d_status{C2D_OK} : reason;
@@ -279,6 +280,18 @@ c2d_status load_state(c2d_solver* s, const Slots& slots, Piece& piece, const Sav
   return load_flexibility(session);
 }
 
+// Nothing can be taken up, and the solver is as before.
+c2d_status refuse_state(c2d_solver* s, c2d_status status, uint64_t needed) {
+  const c2d_error& block = s->tapes.error;
+  c2d_error e = blank_error();
+  e.tape = C2D_TAPE_CONTROL;
+  e.host_code = status == C2D_ERR_STORE_READ ? block.host_code : 0;
+  e.bytes_needed = status == C2D_ERR_MEMORY ? needed : 0;
+  // A block of another machine says more than that there is a mismatch.
+  const bool foreign = status == C2D_ERR_MISMATCH && block.status == C2D_ERR_STORE_VERSION;
+  return fail_with(s, e, status, foreign ? block.text : status_text(status));
+}
+
 } // namespace
 
 c2d_status save_state(c2d_solver* s) {
@@ -294,17 +307,11 @@ c2d_status restore_state(c2d_solver* s) {
   if (status != C2D_OK) return fail_store(s, status);
   const Uncounted uncounted(s->tapes);
   s->tapes.error.status = C2D_OK;
-  status = find_state(s, slots, piece, record);
+  uint64_t needed = 0;
+  status = find_state(s, slots, piece, record, &needed);
   uncounted.done();
   if (status != C2D_OK) {
-    const uint64_t needed = s->error.bytes_needed;
-    // A block of another machine says more than that there is a mismatch.
-    const bool foreign = status == C2D_ERR_MISMATCH && s->tapes.error.status == C2D_ERR_STORE_VERSION;
-    fail(s, status, foreign ? s->tapes.error.text : status_text(status));
-    s->error.tape = C2D_TAPE_CONTROL;
-    s->error.host_code = status == C2D_ERR_STORE_READ ? s->tapes.error.host_code : 0;
-    s->error.bytes_needed = status == C2D_ERR_MEMORY ? needed : 0;
-    return status;
+    return refuse_state(s, status, needed);
   }
   status = load_state(s, slots, piece, record);
   return status == C2D_OK ? c2d_status{C2D_OK} : fail_store(s, status);

@@ -76,10 +76,13 @@ constexpr uint32_t solver_maker() {
 
 // ---- errors and the caller's functions (solver/faults.cpp) -----------------------------------------------------------
 c2d_error blank_error();
-// Tell a fault, warning or note: through c2d_port.log, and keep the first fault for c2d_last_error.
+// Tell a fault, warning or note: through c2d_port.log, and keep the first fault of a call for c2d_last_error. In state
+// broken the fault that broke the solver is kept instead.
 void report_fault(c2d_solver* solver, const c2d_error& entry);
-// Record an error of this call and return its status.
+// Tell a fault of this call, at the place that c2d_set_line gave, and return its status.
 c2d_status fail(c2d_solver* solver, c2d_status status, const char* text);
+// The same with what stands in `entry` already, and without a place.
+c2d_status fail_with(c2d_solver* solver, c2d_error& entry, c2d_status status, const char* text);
 c2d_status fail_store(c2d_solver* solver, c2d_status status); // takes over tapes.error; the state becomes broken
 bool is_store_error(c2d_status status);
 const char* status_text(int32_t status); // words for any number (solver/messages.cpp)
