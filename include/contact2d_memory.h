@@ -4,16 +4,16 @@
                     contact_elements, point_loads, coefficients, paths, load_cases)
 
    is a constant expression of C and C++ (and of #if), for static arrays: never less than the `minimum` of
-   c2d_memory_need for limits of these numbers (panel_columns 0), and at most 5 % + 1 KiB more. The arguments stand
-   in the order of c2d_limits; body 2 has zeros if there is only one body.
+   c2d_memory_need for limits of these numbers, and at most 5 % + 1 KiB more. The arguments stand in the order of
+   c2d_limits; body 2 has zeros if there is only one body.
 
      static unsigned char memory[C2D_MEMORY_BYTES(2, 40, 40, 40, 40, 1, 1, 1, 12, 11, 0, 2, 1, 1)];
 
-   C2D_FREE_MEMORY_BYTES(..., load_cases, free_pairs) is the same with one argument more, for limits with free zones.
+   C2D_LIMITS_BYTES(..., load_cases, panel_columns, free_pairs, point_sets, curves) is the same for limits in which these
+   are not 0. With panel_columns it has room for blocks that are as wide as the panels.
 
-   Limits with point_sets add C2D_POINTS_BYTES(point_sets) to either, those with curves C2D_CURVES_BYTES(curves).
-
-   The macros below are its parts: they repeat, line by line, what the library lays out. */
+   Both are made of the lists below, in which every array of the workspace is one line. The library carves its memory by
+   the same lists. */
 #ifndef CONTACT2D_MEMORY_H
 #define CONTACT2D_MEMORY_H
 
@@ -21,97 +21,166 @@
 
 #define C2D_MEMORY_BYTES(function_nodes, points1, points2, elements1, elements2, regions1, regions2, zones, pairs,     \
                          contact_elements, point_loads, coefficients, paths, load_cases)                               \
-  C2D_FREE_MEMORY_BYTES(function_nodes, points1, points2, elements1, elements2, regions1, regions2, zones, pairs,      \
-                        contact_elements, point_loads, coefficients, paths, load_cases, 0)
-#define C2D_FREE_MEMORY_BYTES(function_nodes, points1, points2, elements1, elements2, regions1, regions2, zones,       \
-                              pairs, contact_elements, point_loads, coefficients, paths, load_cases, free_pairs)       \
-  (63 /* to the first multiple of 64 */ + C2D_ROUND_(C2D_SOLVER_BYTES) +                                               \
-   C2D_BODY_BYTES_(function_nodes, points1, elements1, regions1, C2D_CASES_(load_cases)) +                             \
-   C2D_BODY_BYTES_(function_nodes, points2, elements2, regions2, C2D_CASES_(load_cases)) +                             \
-   C2D_LIST_BYTES_(zones, pairs, point_loads, coefficients, paths, C2D_CASES_(load_cases)) +                           \
+  C2D_LIMITS_BYTES(function_nodes, points1, points2, elements1, elements2, regions1, regions2, zones, pairs,           \
+                   contact_elements, point_loads, coefficients, paths, load_cases, 0, 0, 0, 0)
+#define C2D_LIMITS_BYTES(function_nodes, points1, points2, elements1, elements2, regions1, regions2, zones, pairs,     \
+                         contact_elements, point_loads, coefficients, paths, load_cases, panel_columns, free_pairs,    \
+                         point_sets, curves)                                                                           \
+  C2D_BODIES_BYTES(C2D_BODY_BYTES(function_nodes, points1, elements1, regions1, load_cases) +                          \
+                       C2D_BODY_BYTES(function_nodes, points2, elements2, regions2, load_cases),                       \
+                   C2D_RESULT_BYTES(function_nodes, points1, elements1, regions1) +                                    \
+                       C2D_RESULT_BYTES(function_nodes, points2, elements2, regions2),                                 \
+                   C2D_LARGER_(C2D_NODES_(function_nodes, points1, elements1, regions1),                               \
+                               C2D_NODES_(function_nodes, points2, elements2, regions2)),                              \
+                   C2D_LARGER_(C2D_ROWS_(C2D_NODES_(function_nodes, points1, elements1, regions1)) +                   \
+                                   2 * (free_pairs),                                                                   \
+                               C2D_ROWS_(C2D_NODES_(function_nodes, points2, elements2, regions2))),                   \
+                   zones, pairs, contact_elements, point_loads, coefficients, paths, load_cases, panel_columns,        \
+                   point_sets, curves)
+
+/* For any number of bodies: sums of the two following over the bodies, the largest number of functional nodes and of
+   equations of a body (2 nodes + 3, and on body 1 two for each pair of a free zone), and the rest of c2d_limits. */
+#define C2D_BODIES_BYTES(bodies_bytes, results_bytes, nodes, rows, zones, pairs, contact_elements, point_loads,        \
+                         coefficients, paths, load_cases, panel_columns, point_sets, curves)                           \
+  (63 /* to the first multiple of 64 */ + C2D_ROUND_(C2D_SOLVER_BYTES) + (bodies_bytes) +                              \
+   (0 C2D_MODEL_ARRAYS_(C2D_ADD_, zones, pairs, point_loads, coefficients, paths, C2D_CASES_(load_cases), point_sets,  \
+                        curves)) +                                                                                     \
    0 * UINT64_C(1) * (contact_elements) /* kept within their zones */ +                                                \
-   C2D_PHASE_BYTES_(C2D_NODES_(function_nodes, points1, elements1, regions1),                                           \
-                    C2D_ENDS_(function_nodes, elements1),                                                              \
-                    C2D_NODES_(function_nodes, points2, elements2, regions2),                                          \
-                    C2D_ENDS_(function_nodes, elements2),                                                              \
-                    UINT64_C(2) * (pairs), UINT64_C(1) * C2D_CASES_(load_cases), UINT64_C(2) * (free_pairs)))
+   C2D_PHASE_BYTES_(nodes, rows, results_bytes, UINT64_C(2) * (pairs), C2D_CASES_(load_cases),                         \
+                    C2D_WIDTH_(panel_columns)))
+/* What one body is made of, and what its results take while the load path is followed. */
+#define C2D_BODY_BYTES(function_nodes, points, elements, regions, load_cases)                                          \
+  (0 C2D_BODY_ARRAYS_(C2D_ADD_, points, C2D_ENDS_(function_nodes, elements),                                           \
+                      C2D_NODES_(function_nodes, points, elements, regions), regions, C2D_CASES_(load_cases)))
+#define C2D_RESULT_BYTES(function_nodes, points, elements, regions)                                                    \
+  (0 C2D_RESULT_ARRAYS_(C2D_ADD_, C2D_NODES_(function_nodes, points, elements, regions),                               \
+                        C2D_ENDS_(function_nodes, elements)))
 
-#define C2D_POINTS_BYTES(point_sets) C2D_ARRAY_(point_sets, 56)
-#define C2D_CURVES_BYTES(curves) C2D_ARRAY_(curves, 48)
+/* ---------------------------------------------------------------- what lies in the workspace -------------------
 
+   ARRAY(type, name, count, each): `count` times `each` of a type, from a multiple of 64 bytes on. Names in parentheses are
+   those of the FORTRAN program of 1987 (src/FROM-1987.md). `ends` are element ends, `cases` load cases, m contact unknowns.
+
+   Of each body: */
+#define C2D_BODY_ARRAYS_(ARRAY, points, ends, nodes, regions, cases)                                                   \
+  ARRAY(double, Xy, points, 2)                        /* boundary points (BNODE)                                   */  \
+  ARRAY(int32_t, NodeLine, points, 1)                 /* line of the caller's input                                */  \
+  ARRAY(double, EndTraction, ends, 2 * (cases))       /* prescribed tractions (BCOND 1, 2)                         */  \
+  ARRAY(double, NodeDisp, nodes, 2 * (cases))         /* prescribed displacements (BCOND 3, 4)                     */  \
+  ARRAY(uint8_t, EndCode, ends, 1)                    /* what is known (ICODE 3 ... 6)                             */  \
+  ARRAY(int32_t, EndLine, ends, 1)                    /* line of the caller's input                                */  \
+  ARRAY(int32_t, NodeColumn, (nodes) + 1, 1)          /* first column of a node among the outer unknowns           */  \
+  ARRAY(Region, Regions, regions, 1)                  /* closed and open curves (REGN)                             */
+/* Of the model: */
+#define C2D_MODEL_ARRAYS_(ARRAY, zones, pairs, point_loads, coefficients, paths, cases, point_sets, curves)            \
+  ARRAY(Zone, Zones, zones, 1)                        /* (MCF, MCEL)                                               */  \
+  ARRAY(Pair, Pairs, pairs, 1)                        /* (MPAIR, UNTAVG)                                           */  \
+  ARRAY(PointLoad, PointLoads, point_loads, 1)        /* (PTLOAD)                                                  */  \
+  ARRAY(double, Friction, coefficients, 1 + (zones))  /* (FMU), then those of zones; negative: the former          */  \
+  ARRAY(Path, Paths, paths, 1)                        /* (PATH)                                                    */  \
+  ARRAY(double, PairTable, pairs, 16)                 /* results, C2D_PAIR_FIELDS columns (UNION)                  */  \
+  ARRAY(double, Loads, cases, 4)                      /* load factors: reached, target, direction, at stick        */  \
+  ARRAY(double, PathLoads, paths, cases)              /* factors at the end of each piece of the path              */  \
+  ARRAY(void, Energy, cases, 8 * (2 * (cases) + 5) + 8 * C2D_REAL_BYTES * (pairs)) /* solver/energy.hpp             */  \
+  ARRAY(BodyForce, BodyForces, cases, 2)              /* of both bodies, case by case                              */  \
+  ARRAY(RigidMotion, RigidMotions, cases, 1)          /* of body 1                                                 */  \
+  ARRAY(PointSet, PointSets, point_sets, 1)           /* where interior results are wanted                         */  \
+  ARRAY(void, Judge, 8, 8 * (cases) + C2D_REAL_BYTES * (pairs)) /* solver/judge.hpp                                */  \
+  ARRAY(Curve, Curves, curves, 1)                     /* what surfaces are between boundary points, where told     */
+
+/* What follows is used one after another in the same place: while a body is assembled and eliminated, ... */
+#define C2D_ELIMINATION_ARRAYS_(ARRAY, nodes, m, work_bytes)                                                           \
+  ARRAY(double, diagonal, nodes, 4)                   /* blocks of H                                               */  \
+  ARRAY(double, point, nodes, 2)                      /* collocation points in the length unit                     */  \
+  ARRAY(int32_t, twin, nodes, 1)                      /* see bie/columns.hpp                                       */  \
+  ARRAY(void, scratch, C2D_ASSEMBLY_BYTES, 1)         /* AssemblyScratch of bie/panel.hpp                          */  \
+  ARRAY(void, buffer, C2D_BLOCK_(m), 1)               /* of the contact tape                                       */  \
+  ARRAY(void, work, work_bytes, 1)                    /* of eliminate(): C2D_WORK_ARRAYS_                          */
+#define C2D_WORK_ARRAYS_(ARRAY, leading, width, block_bytes, columns)                                                  \
+  ARRAY(Real, panel, width, leading)                                                                                   \
+  ARRAY(void, block, block_bytes, 1)                  /* buffers for blocks, with their headers                    */  \
+  ARRAY(Real, norms, width, 1)                                                                                         \
+  ARRAY(int32_t, pivots, columns, 1)                  /* row exchanges                                             */
+/* ... while the bodies are reduced to the contact, ... */
+#define C2D_REDUCTION_ARRAYS_(ARRAY, m)                                                                                \
+  ARRAY(Real, first, m, m)                                                                                             \
+  ARRAY(Real, second, m, m)                                                                                            \
+  ARRAY(Real, strip, m, 4)                            /* columns of a third matrix                                 */  \
+  ARRAY(int32_t, pivots, m, 1)                        /* row exchanges                                             */  \
+  ARRAY(void, buffer, C2D_BLOCK_(m), 1)               /* of the contact tape                                       */
+/* ... while the load path is followed, ... */
+#define C2D_PATH_ARRAYS_(ARRAY, m, cases)                                                                              \
+  ARRAY(Real, tableau, m, (m) + 1 + (cases))                                                                           \
+  ARRAY(Real, y, m, 1)                                                                                                 \
+  ARRAY(Real, dy, m, 1)                                                                                                \
+  ARRAY(Real, good, m, 1)                             /* y of the last state found good (solver/judge.hpp)         */  \
+  ARRAY(void, buffer, C2D_BLOCK_(m), 1)               /* of the contact tape                                       */
+/* ... and behind that either numbers of the rate problem of n - 1 unknowns, or results, of no use while loads move: of each
+   body displacements of the contact; F where there is room for it; of each body displacements and true tractions, in units
+   of the model; and what back substitution takes. */
+#define C2D_RATES_ARRAYS_(ARRAY, n)                                                                                    \
+  ARRAY(Real, rates, n, (n) + 4)
+#define C2D_SURFACE_ARRAYS_(ARRAY, m)                                                                                  \
+  ARRAY(Real, u, m, 1)
+#define C2D_COLUMN_ARRAYS_(ARRAY, m)                                                                                   \
+  ARRAY(Real, column, m, 1)
+#define C2D_RESULT_ARRAYS_(ARRAY, nodes, ends)                                                                         \
+  ARRAY(Real, displacement, nodes, 2)                                                                                  \
+  ARRAY(Real, traction, ends, 2)
+#define C2D_BACK_ARRAYS_(ARRAY, m, cases, unknowns, work_bytes)                                                        \
+  ARRAY(Real, outer, unknowns, 1)                     /* unknowns of one body                                      */  \
+  ARRAY(Real, coefficient, 2 * (m) + (cases), 1)      /* of its trailing columns                                   */  \
+  ARRAY(void, work, work_bytes, 1)                    /* of back_substitute()                                      */
+
+/* Bytes of the types, on every target. */
 #ifndef C2D_REAL_BYTES
-#define C2D_REAL_BYTES 8      /* of a stored matrix's number: 4 for a library compiled with C2D_REAL=float   */
+#define C2D_REAL_BYTES 8 /* of a stored matrix's number: 4 for a library compiled with C2D_REAL=float */
 #endif
-#define C2D_SOLVER_BYTES 3072 /* of c2d_solver, at most, on any target                                      */
-#define C2D_ASSEMBLY_BYTES 3776 /* of what the assembly of an element needs, at most, on any target         */
+#define C2D_SOLVER_BYTES 3072   /* of c2d_solver, at most */
+#define C2D_ASSEMBLY_BYTES 3776 /* of what the assembly of an element needs, at most */
+#define C2D_BYTES_OF_void 1
+#define C2D_BYTES_OF_uint8_t 1
+#define C2D_BYTES_OF_int32_t 4
+#define C2D_BYTES_OF_double 8
+#define C2D_BYTES_OF_Real C2D_REAL_BYTES
+#define C2D_BYTES_OF_Region 16
+#define C2D_BYTES_OF_Zone 72
+#define C2D_BYTES_OF_Pair (104 + 14 * C2D_REAL_BYTES)
+#define C2D_BYTES_OF_PointLoad 48
+#define C2D_BYTES_OF_Path 16
+#define C2D_BYTES_OF_BodyForce 40
+#define C2D_BYTES_OF_RigidMotion 40
+#define C2D_BYTES_OF_PointSet 56
+#define C2D_BYTES_OF_Curve 48
+
+#define C2D_ADD_(type, name, count, each) +C2D_ROUND_(UINT64_C(1) * (count) * (each)*C2D_BYTES_OF_##type)
 #define C2D_ROUND_(bytes) (((bytes) + UINT64_C(63)) / 64 * 64)
-#define C2D_ARRAY_(count, size) C2D_ROUND_(UINT64_C(1) * (count) * (size))
-#define C2D_BLOCK_(numbers) C2D_ROUND_(64 + UINT64_C(1) * C2D_REAL_BYTES * (numbers)) /* with its header           */
+#define C2D_BLOCK_(numbers) (64 + UINT64_C(1) * C2D_REAL_BYTES * (numbers)) /* with its header */
 #define C2D_LARGER_(a, b) ((a) > (b) ? (a) : (b))
 #define C2D_SMALLER_(a, b) ((a) < (b) ? (a) : (b))
 
-#define C2D_CASES_(load_cases) ((load_cases) > 0 ? (load_cases) : 1)
-#define C2D_NODES_(function_nodes, points, elements, regions) /* functional nodes, those of open regions' ends too */   \
+#define C2D_CASES_(load_cases) (UINT64_C(1) * ((load_cases) > 0 ? (load_cases) : 1))
+#define C2D_WIDTH_(panel_columns) (UINT64_C(1) * ((panel_columns) > 0 ? (panel_columns) : 1))
+#define C2D_NODES_(function_nodes, points, elements, regions) /* functional nodes, those of open regions' ends too */  \
   (UINT64_C(1) * (elements) * ((function_nodes) > 1 ? (function_nodes)-1 : 1) +                                        \
    ((function_nodes) > 1 && (points) > (elements) ? C2D_SMALLER_((points) - (elements), regions) : 0))
-#define C2D_ENDS_(function_nodes, elements) (UINT64_C(1) * (elements) * (function_nodes)) /* element ends      */
-#define C2D_ROWS_(nodes) ((nodes) > 0 ? 2 * (nodes) + 3 : 0)                              /* equations         */
+#define C2D_ENDS_(function_nodes, elements) (UINT64_C(1) * (elements) * (function_nodes))
+#define C2D_ROWS_(nodes) ((nodes) > 0 ? 2 * (nodes) + 3 : 0) /* equations */
 
-/* What one body is made of. */
-#define C2D_BODY_BYTES_(function_nodes, points, elements, regions, cases)                                              \
-  (C2D_ARRAY_(points, 16) +                                            /* boundary points                 */          \
-   C2D_ARRAY_(points, 4) +                                             /* their lines in the deck         */          \
-   C2D_ARRAY_(C2D_ENDS_(function_nodes, elements) * (cases), 16) +     /* prescribed tractions            */          \
-   C2D_ARRAY_(C2D_NODES_(function_nodes, points, elements, regions) * (cases), 16) + /* prescribed displacements    */ \
-   C2D_ARRAY_(C2D_ENDS_(function_nodes, elements), 1) +                /* what is known                   */          \
-   C2D_ARRAY_(C2D_ENDS_(function_nodes, elements), 4) +                /* lines of the conditions         */          \
-   C2D_ARRAY_(C2D_NODES_(function_nodes, points, elements, regions) + 1, 4) +   /* columns of the unknowns         */   \
-   C2D_ARRAY_(regions, 16))
-
-/* What belongs to both. */
-#define C2D_LIST_BYTES_(zones, pairs, point_loads, coefficients, paths, cases)                                         \
-  (C2D_ARRAY_(zones, 72) + C2D_ARRAY_(pairs, 104 + 14 * C2D_REAL_BYTES) + C2D_ARRAY_(point_loads, 48) +                                      \
-   C2D_ARRAY_((coefficients) * (UINT64_C(1) + (zones)), 8) +           /* friction                        */          \
-   C2D_ARRAY_(paths, 16) +                                                                                             \
-   C2D_ARRAY_(pairs, 128) +                                            /* result table                    */          \
-   C2D_ARRAY_(cases, 32) +                                             /* load factors                    */          \
-   C2D_ARRAY_(UINT64_C(1) * (paths) * (cases), 8) +                    /* path                            */          \
-   C2D_ARRAY_(cases, UINT64_C(8) * (2 * (cases) + 5 + C2D_REAL_BYTES * (pairs))) + /* energy                      */   \
-   C2D_ARRAY_(2 * (cases), 40) +                                       /* body forces                     */          \
-   C2D_ARRAY_(cases, 40) +                                             /* motions of a rigid body 1       */          \
-   C2D_ARRAY_(8, UINT64_C(8) * (cases) + UINT64_C(1) * C2D_REAL_BYTES * (pairs))) /* what states are judged by    */
-
-/* What assembly, reduction and the load path use one after another; m contact unknowns, of
-   which `free` make an equation of body 1 each. */
-#define C2D_PHASE_BYTES_(nodes1, ends1, nodes2, ends2, m, cases, free)                                                 \
-  C2D_LARGER_(C2D_LARGER_(C2D_ELIMINATION_BYTES_(nodes1, C2D_ROWS_(nodes1) + (free), m),                               \
-                          C2D_ELIMINATION_BYTES_(nodes2, C2D_ROWS_(nodes2), m)),                                       \
-              C2D_LARGER_(C2D_REDUCTION_BYTES_(m), C2D_PATH_BYTES_(nodes1, ends1, nodes2, ends2, m, cases)))
-#define C2D_ELIMINATION_BYTES_(nodes, rows, m)                                                                         \
-  (C2D_ARRAY_(nodes, 32) + C2D_ARRAY_(nodes, 16) +                     /* diagonal blocks; positions      */          \
-   C2D_ARRAY_(nodes, 4) + C2D_BLOCK_(m) +                              /* double nodes; contact tape      */          \
-   C2D_ROUND_(C2D_ASSEMBLY_BYTES) +                                    /* one element at a time           */          \
-   C2D_COLUMN_BYTES_(rows) + 64 +                                      /* a panel of one column, its norm */          \
-   C2D_BLOCK_(rows) +                                                  /* a block of one column           */          \
-   C2D_ARRAY_(C2D_ROWS_(nodes), 4))                                    /* row exchanges                   */
-#define C2D_COLUMN_BYTES_(rows) /* columns do not start at multiples of 512 numbers */                                 \
-  (C2D_ARRAY_(rows, C2D_REAL_BYTES) + (C2D_ARRAY_(rows, C2D_REAL_BYTES) % (512 * C2D_REAL_BYTES) == 0 ? 64 : 0))
-#define C2D_REDUCTION_BYTES_(m)                                                                                        \
-  (2 * C2D_ARRAY_((m) * (m), C2D_REAL_BYTES) +                         /* two matrices                    */          \
-   C2D_ARRAY_((m) * 4, C2D_REAL_BYTES) +                               /* columns of a third              */          \
-   C2D_ARRAY_(m, 4) + C2D_BLOCK_(m))                                   /* row exchanges; contact tape     */
-#define C2D_PATH_BYTES_(nodes1, ends1, nodes2, ends2, m, cases)                                                        \
-  (C2D_ARRAY_((m) * ((m) + 1 + (cases)), C2D_REAL_BYTES) +             /* tableau                         */          \
-   3 * C2D_ARRAY_(m, C2D_REAL_BYTES) + C2D_BLOCK_(m) +                 /* forces, rates, kept; the tape   */          \
-   C2D_LARGER_(C2D_RATES_BYTES_((m) + 1), C2D_RESULT_BYTES_(nodes1, ends1, nodes2, ends2, m, cases)))
-#define C2D_RATES_BYTES_(n) /* the rate problem of n - 1 contact unknowns */                                           \
-  C2D_ARRAY_((n) * ((n) + 4), C2D_REAL_BYTES)
-#define C2D_RESULT_BYTES_(nodes1, ends1, nodes2, ends2, m, cases)                                                      \
-  (3 * C2D_ARRAY_(m, C2D_REAL_BYTES) +                                 /* u1, u2 of the contact, a column */          \
-   C2D_ARRAY_(2 * (nodes1), C2D_REAL_BYTES) + C2D_ARRAY_(2 * (nodes2), C2D_REAL_BYTES) + /* displacements */           \
-   C2D_ARRAY_(2 * (ends1), C2D_REAL_BYTES) + C2D_ARRAY_(2 * (ends2), C2D_REAL_BYTES) + /* tractions       */           \
-   C2D_ARRAY_(C2D_ROWS_(C2D_LARGER_(nodes1, nodes2)), C2D_REAL_BYTES) + /* unknowns of one body            */         \
-   C2D_ARRAY_(2 * (m) + (cases), C2D_REAL_BYTES) +                     /* and what multiplies the rest    */          \
-   C2D_BLOCK_(C2D_ROWS_(C2D_LARGER_(nodes1, nodes2))))                 /* a block of tape UPPER           */
+#define C2D_PHASE_BYTES_(nodes, rows, results_bytes, m, cases, width)                                                  \
+  C2D_LARGER_((0 C2D_ELIMINATION_ARRAYS_(C2D_ADD_, nodes, m, C2D_WORK_BYTES_(rows, C2D_ROWS_(nodes), width))),         \
+              C2D_LARGER_((0 C2D_REDUCTION_ARRAYS_(C2D_ADD_, m)),                                                      \
+                          (0 C2D_PATH_ARRAYS_(C2D_ADD_, m, cases)) +                                                   \
+                              C2D_LARGER_((0 C2D_RATES_ARRAYS_(C2D_ADD_, (m) + 1)),                                    \
+                                          2 * (0 C2D_SURFACE_ARRAYS_(C2D_ADD_, m)) +                                   \
+                                              (0 C2D_COLUMN_ARRAYS_(C2D_ADD_, m)) + (results_bytes) +                  \
+                                              (0 C2D_BACK_ARRAYS_(C2D_ADD_, m, cases, C2D_ROWS_(nodes),                \
+                                                                  C2D_BLOCK_(C2D_ROWS_(nodes) *                        \
+                                                                             C2D_SMALLER_(width, 64)))))))
+#define C2D_WORK_BYTES_(rows, columns, width)                                                                          \
+  (0 C2D_WORK_ARRAYS_(C2D_ADD_, C2D_LEADING_(rows), width, C2D_BLOCK_((rows) * C2D_SMALLER_(width, 64)), columns))
+/* Columns of a panel start at multiples of 64 bytes, but not at a distance of a multiple of 512 numbers. */
+#define C2D_LEADING_(rows) (C2D_LINES_(rows) + (C2D_LINES_(rows) % 512 == 0 ? 64 / C2D_REAL_BYTES : 0))
+#define C2D_LINES_(rows) (C2D_ROUND_(UINT64_C(1) * (rows)*C2D_REAL_BYTES) / C2D_REAL_BYTES)
 
 #endif

@@ -23,15 +23,11 @@ Need need_of(const c2d_limits& limits) {
 
 uint64_t bound_of(const c2d_limits& l) {
   const bool two = l.bodies == 2;
-  return C2D_FREE_MEMORY_BYTES(static_cast<uint64_t>(l.function_nodes), static_cast<uint64_t>(l.geometry_nodes[0]),
-                               static_cast<uint64_t>(two ? l.geometry_nodes[1] : 0), static_cast<uint64_t>(l.elements[0]),
-                               static_cast<uint64_t>(two ? l.elements[1] : 0), static_cast<uint64_t>(l.regions[0]),
-                               static_cast<uint64_t>(two ? l.regions[1] : 0), static_cast<uint64_t>(l.zones),
-                               static_cast<uint64_t>(l.pairs), static_cast<uint64_t>(l.contact_elements),
-                               static_cast<uint64_t>(l.point_loads), static_cast<uint64_t>(l.coefficients),
-                               static_cast<uint64_t>(l.paths), static_cast<uint64_t>(l.load_cases),
-                               static_cast<uint64_t>(l.free_pairs)) +
-         C2D_POINTS_BYTES(static_cast<uint64_t>(l.point_sets)) + C2D_CURVES_BYTES(static_cast<uint64_t>(l.curves));
+  const auto n = [](int32_t count) { return static_cast<uint64_t>(count); };
+  return C2D_LIMITS_BYTES(n(l.function_nodes), n(l.geometry_nodes[0]), n(two ? l.geometry_nodes[1] : 0), n(l.elements[0]),
+                          n(two ? l.elements[1] : 0), n(l.regions[0]), n(two ? l.regions[1] : 0), n(l.zones), n(l.pairs),
+                          n(l.contact_elements), n(l.point_loads), n(l.coefficients), n(l.paths), n(l.load_cases),
+                          n(l.panel_columns), n(l.free_pairs), n(l.point_sets), n(l.curves));
 }
 
 c2d_limits smallest_limits() {

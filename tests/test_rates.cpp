@@ -21,7 +21,7 @@ size_t sized(int count) { return static_cast<size_t>(count); }
 class Problem {
 public:
   explicit Problem(int pairs, double mu) : m_(2 * pairs), t_(sized(m_ * (m_ + 2))), pair_(sized(pairs)), rates_(sized(m_)) {
-    area_.resize(rate_problem_bytes(m_) / sizeof(double) + 8);
+    area_.resize(static_cast<size_t>((m_ + 1) * (m_ + 5)) + 8);
     lists_.resize(pair_.size() * kRateListBytes / sizeof(double) + 1);
     for (int i = 0; i < pairs; ++i) {
       pair_[sized(i)].dof = 2 * i;

@@ -26,10 +26,9 @@ enum class ContactMatrix : int32_t {
 struct ContactTape {
   Tapes* tapes;
   int32_t m, cases;
-  void* buffer; // contact_buffer_bytes(m), aligned to 64
+  void* buffer; // a block of m numbers, aligned to 64
 };
 
-inline uint64_t contact_buffer_bytes(int64_t m) { return kBlockHeaderBytes + static_cast<uint64_t>(m) * sizeof(Real); }
 int64_t contact_columns(ContactMatrix matrix, int32_t m, int32_t cases);
 int64_t contact_blocks(int32_t m, int32_t cases); // on the whole tape
 

@@ -327,17 +327,6 @@ Settled try_all_cells(RateProblem& r, int32_t* found) {
   return all.count > 0 ? Settled::solved : Settled::none;
 }
 
-namespace {
-
-constexpr int32_t kVectors = 4; // of size + 1
-
-} // namespace
-
-uint64_t rate_problem_bytes(int64_t slots) {
-  const uint64_t n = static_cast<uint64_t>(slots) + 1;
-  return (n * n + kVectors * n) * sizeof(Real);
-}
-
 RateProblem rate_problem_in(const RateArea& area, int32_t slots) {
   const uint64_t n = static_cast<uint64_t>(slots) + 1;
   RateProblem r{};
@@ -346,10 +335,10 @@ RateProblem rate_problem_in(const RateArea& area, int32_t slots) {
   r.pivots = reinterpret_cast<int32_t*>(r.branch + 3 * area.pairs);
   r.given = r.pivots + slots + 1;
   r.free = r.given + slots;
-  Real* number = static_cast<Real*>(area.numbers);
+  Real* number = area.numbers;
   r.matrix = number;
   number += n * n;
-  Real** const vectors[kVectors] = {&r.rhs, &r.cover, &r.point, &r.column_scale};
+  Real** const vectors[] = {&r.rhs, &r.cover, &r.point, &r.column_scale};
   for (Real** v : vectors) {
     *v = number;
     number += n;

@@ -57,15 +57,14 @@ struct RateProblem {
 
 // Where problems live.
 struct RateArea {
-  void* numbers; // rate_problem_bytes(slots)
+  Real* numbers; // of the number of slots and one: C2D_RATES_ARRAYS_ of contact2d_memory.h
   void* lists;   // doubts and pivots: kRateListBytes for each pair
   int32_t pairs;
 };
 // At most 2 slots a pair, and one.
 constexpr uint64_t kRateListBytes = sizeof(Doubt) + 3 * sizeof(Branch) + 7 * sizeof(int32_t);
 
-// Bytes of numbers that a problem of `slots` unknowns at most needs; and such a problem, empty, carved from an area.
-uint64_t rate_problem_bytes(int64_t slots);
+// An empty problem of `slots` unknowns at most, carved from an area.
 RateProblem rate_problem_in(const RateArea& area, int32_t slots);
 
 enum class Settled : int32_t {

@@ -25,7 +25,7 @@ struct Tableau {
 
 inline Real* constants(const Tableau& t) { return t.t + static_cast<int64_t>(t.m) * t.m; }
 inline Real* load_rates(const Tableau& t, int32_t k) { return t.t + static_cast<int64_t>(t.m) * (t.m + 1 + k); }
-inline int64_t tableau_columns(int64_t m, int64_t cases) { return m + 1 + cases; }
+constexpr int64_t tableau_columns(int64_t m, int64_t cases) { return m + 1 + cases; }
 
 // The tableau for the statuses, signs, offsets and coefficients that the pairs have now, from the all-stick tableau on
 // the tape. Load-free reference: w = (gap, 0), tau = 0. Errors: the block store's; C2D_ERR_SINGULAR if the statuses

@@ -116,11 +116,12 @@ WorkLayout work_layout(const EliminationPlan& plan) {
     at.total = UINT64_MAX;
     return at;
   }
-  at.block = leading * panel * sizeof(Real);
   at.block_step = aligned(kBlockHeaderBytes + static_cast<uint64_t>(strip_rows(plan)) * block * sizeof(Real));
-  at.norms = at.block + at.block_step * static_cast<uint64_t>(block_buffers(plan));
-  at.pivots = aligned(at.norms + panel * sizeof(Real));
-  at.total = aligned(at.pivots + static_cast<uint64_t>(plan.pivots) * sizeof(int32_t));
+  const uint64_t blocks = at.block_step * static_cast<uint64_t>(block_buffers(plan));
+  const uint64_t columns = static_cast<uint64_t>(plan.pivots);
+#define C2D_PLACE(type, name, count, each) at.name = at.total, at.total += aligned((count) * (each)*C2D_BYTES_OF_##type);
+  C2D_WORK_ARRAYS_(C2D_PLACE, leading, panel, blocks, columns)
+#undef C2D_PLACE
   return at;
 }
 

@@ -10,6 +10,7 @@
 // chunk is cut into strips of block_rows rows, each a block. Tape UPPER holds chunks of as many columns as a buffer
 // takes (upper_cut): block upper_first_block + k.
 #include "contact2d.h"
+#include "contact2d_memory.h"
 #include "linalg/kernel.hpp"
 
 namespace c2d {

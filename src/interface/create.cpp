@@ -15,7 +15,6 @@ namespace {
 
 static_assert(sizeof(c2d_solver) <= C2D_SOLVER_BYTES && C2D_SOLVER_BYTES <= sizeof(c2d_solver) + 512,
               "C2D_SOLVER_BYTES of contact2d_memory.h bounds the solver's own struct, and not by much");
-static_assert(sizeof(Real) <= C2D_REAL_BYTES, "C2D_REAL_BYTES of contact2d_memory.h bounds the stored number");
 
 // Bytes for these limits with the workspace at an aligned address.
 c2d_status aligned_need(const Sizes& sizes, Layout& layout, uint64_t* minimum, uint64_t* in_core) {

@@ -77,41 +77,34 @@ struct Carver {
   }
 };
 
+// The lists' counts are 31-bit, so that `each` stays within 64 bits; so do element ends, which are less than 2^34.
 void carve_body(Carver& carver, int b, const BodySizes& body, uint64_t cases) {
-  const uint64_t nodes = static_cast<uint64_t>(body.nodes), ends = static_cast<uint64_t>(body.ends);
-  const uint64_t points = static_cast<uint64_t>(body.geometry_nodes);
-  // Counts are 31-bit, so that the products with the number of cases stay within 64 bits.
-  carver.carve(kXy + b, 2 * points, sizeof(double));
-  carver.carve(kNodeLine + b, points, sizeof(int32_t));
-  carver.carve(kEndTraction + b, 2 * ends * cases, sizeof(double));
-  carver.carve(kNodeDisp + b, 2 * nodes * cases, sizeof(double));
-  carver.carve(kEndCode + b, ends, sizeof(uint8_t));
-  carver.carve(kEndLine + b, ends, sizeof(int32_t));
-  carver.carve(kNodeColumn + b, nodes + 1, sizeof(int32_t));
-  carver.carve(kRegions + b, static_cast<uint64_t>(body.regions), kRegionBytes);
+  const uint64_t points = static_cast<uint64_t>(body.geometry_nodes), ends = static_cast<uint64_t>(body.ends),
+                 nodes = static_cast<uint64_t>(body.nodes), regions = static_cast<uint64_t>(body.regions);
+#define C2D_CARVE(type, name, count, each) carver.carve(k##name + b, count, (each)*C2D_BYTES_OF_##type);
+  C2D_BODY_ARRAYS_(C2D_CARVE, points, ends, nodes, regions, cases)
+#undef C2D_CARVE
 }
+
+void carve_model(Carver& carver, const Sizes& s) {
+  const uint64_t zones = static_cast<uint64_t>(s.zones), pairs = static_cast<uint64_t>(s.pairs),
+                 loads = static_cast<uint64_t>(s.point_loads), coefficients = static_cast<uint64_t>(s.coefficients),
+                 paths = static_cast<uint64_t>(s.paths), cases = static_cast<uint64_t>(s.load_cases),
+                 sets = static_cast<uint64_t>(s.point_sets), curves = static_cast<uint64_t>(s.curves);
+#define C2D_CARVE(type, name, count, each) carver.carve(k##name, count, (each)*C2D_BYTES_OF_##type);
+  C2D_MODEL_ARRAYS_(C2D_CARVE, zones, pairs, loads, coefficients, paths, cases, sets, curves)
+#undef C2D_CARVE
+}
+
+static_assert(C2D_PAIR_FIELDS == 16, "columns of PairTable in contact2d_memory.h");
 
 } // namespace
 
 c2d_status lay_out(const Sizes& sizes, uint64_t header, Layout& out) {
   out = Layout{};
   Carver carver{out, round_up(header), true};
-  const uint64_t cases = static_cast<uint64_t>(sizes.load_cases);
-  for (int b = 0; b < 2; ++b) carve_body(carver, b, sizes.body[b], cases);
-  carver.carve(kZones, static_cast<uint64_t>(sizes.zones), kZoneBytes);
-  carver.carve(kPairs, static_cast<uint64_t>(sizes.pairs), kPairBytes);
-  carver.carve(kPointLoads, static_cast<uint64_t>(sizes.point_loads), kPointLoadBytes);
-  carver.carve(kFriction, static_cast<uint64_t>(sizes.coefficients) * (1 + static_cast<uint64_t>(sizes.zones)), sizeof(double));
-  carver.carve(kPaths, static_cast<uint64_t>(sizes.paths), kPathBytes);
-  carver.carve(kPairTable, static_cast<uint64_t>(sizes.pairs) * C2D_PAIR_FIELDS, sizeof(double));
-  carver.carve(kLoads, 4 * cases, sizeof(double));
-  carver.carve(kPathLoads, static_cast<uint64_t>(sizes.paths) * cases, sizeof(double));
-  carver.carve(kEnergy, cases, energy_bytes(static_cast<uint64_t>(sizes.contact), cases));
-  carver.carve(kBodyForces, 2 * cases, kBodyForceBytes);
-  carver.carve(kRigidMotions, cases, kRigidMotionBytes);
-  carver.carve(kPointSets, static_cast<uint64_t>(sizes.point_sets), kPointSetBytes);
-  carver.carve(kJudge, 1, judge_bytes(static_cast<uint64_t>(sizes.contact), cases));
-  carver.carve(kCurves, static_cast<uint64_t>(sizes.curves), kCurveBytes);
+  for (int b = 0; b < 2; ++b) carve_body(carver, b, sizes.body[b], static_cast<uint64_t>(sizes.load_cases));
+  carve_model(carver, sizes);
   carver.carve(kPhase, 0, 1);
   out.persistent = carver.used;
   return carver.fits ? C2D_OK : C2D_ERR_OVERFLOW;

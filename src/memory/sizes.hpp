@@ -1,41 +1,22 @@
 #pragma once
 // Derived sizes and the one layout function that drives both c2d_memory_need and the carving of the workspace.
 #include "contact2d.h"
+#include "contact2d_memory.h"
 #include "memory/config.hpp"
 
 namespace c2d {
 
-// Bytes of one element of the arrays whose types belong to the model (checked there with static_assert).
-constexpr uint64_t kRegionBytes = 16, kZoneBytes = 72, kPairBytes = 104 + 14 * sizeof(Real), kPointLoadBytes = 48,
-                   kPathBytes = 16, kBodyForceBytes = 40, kRigidMotionBytes = 40, kPointSetBytes = 56, kCurveBytes = 48;
-
-// Every array that lives in the workspace, in the order in which memory is carved. Two arrays per body follow one
-// another (`kXy + body`). src/FROM-1987.md maps them to the arrays of the 1987 program.
+// Every array that lives in the workspace, in the order in which memory is carved: the lists of contact2d_memory.h. Two arrays
+// per body follow one another (`kXy + body`). src/FROM-1987.md maps them to the arrays of the 1987 program.
 enum ArrayId : int32_t {
-  kXy = 0,            // double [2 * geometry nodes]      boundary points (BNODE)
-  kNodeLine = 2,      // int32  [geometry nodes]          line of the caller's input
-  kEndTraction = 4,   // double [2 * ends * cases]        prescribed tractions (BCOND 1, 2)
-  kNodeDisp = 6,      // double [2 * nodes * cases]       prescribed displacements (BCOND 3, 4)
-  kEndCode = 8,       // uint8  [ends]                    what is known (ICODE 3 ... 6)
-  kEndLine = 10,      // int32  [ends]
-  kNodeColumn = 12,   // int32  [nodes + 1]               first column of a node among the outer unknowns
-  kRegions = 14,      // Region [regions]                 (REGN)
-  kZones = 16,        // Zone   [zones]                   (MCF, MCEL)
-  kPairs = 17,        // Pair   [pairs]                   (MPAIR, UNTAVG)
-  kPointLoads = 18,   // PointLoad [point loads]          (PTLOAD)
-  kFriction = 19,     // double [coefficients]            (FMU), then [coefficients * zones], negative: the former
-  kPaths = 20,        // Path   [paths]                   (PATH)
-  kPairTable = 21,    // double [pairs * C2D_PAIR_FIELDS] results (UNION)
-  kLoads = 22,        // double [4 * cases]               load factors: reached, target, direction, at stick
-  kPathLoads = 23,    // double [paths * cases]           factors at the end of each piece of the path
-  kEnergy = 24,       // double and Real [energy_bytes]   solver/energy.hpp
-  kBodyForces = 25,   // BodyForce [2 * cases]            of both bodies, case by case
-  kRigidMotions = 26, // RigidMotion [cases]              of body 1
-  kPointSets = 27,    // PointSet [point sets]            where interior results are wanted
-  kJudge = 28,        // double and Real [judge_bytes]    solver/judge.hpp
-  kCurves = 29,       // Curve  [curves]                  what surfaces are between boundary points, where it is told
-  kPhase = 30,        // the rest: what assembly, reduction and contact use one after another (A)
-  kArrays = 31
+#define C2D_ID_OF_BODY(type, name, count, each) k##name, k##name##OfBody2,
+  C2D_BODY_ARRAYS_(C2D_ID_OF_BODY, , , , , )
+#undef C2D_ID_OF_BODY
+#define C2D_ID(type, name, count, each) k##name,
+      C2D_MODEL_ARRAYS_(C2D_ID, , , , , , , , )
+#undef C2D_ID
+          kPhase, // the rest: what assembly, reduction and contact use one after another (A)
+  kArrays
 };
 
 // What a model within given limits needs, per body.
@@ -54,12 +35,6 @@ struct Sizes {
   int64_t point_sets, curves;
 };
 
-// Work, reaction and what they grow by, of each load case: 2 functionals of 2 m + cases numbers, and 5 numbers.
-inline uint64_t energy_bytes(uint64_t m, uint64_t cases) { return (2 * cases + 5) * sizeof(double) + 4 * m * sizeof(Real); }
-
-// 8 numbers of each load case, 4 of each contact unknown.
-inline uint64_t judge_bytes(uint64_t m, uint64_t cases) { return 8 * cases * sizeof(double) + 4 * m * sizeof(Real); }
-
 // Checks and completes the limits. Errors: C2D_ERR_ARGUMENT.
 c2d_status derive_sizes(const c2d_limits& limits, Sizes& out);
 
@@ -69,6 +44,7 @@ struct Layout {
 };
 
 constexpr uint64_t kAlignment = 64;
+static_assert(sizeof(Real) == C2D_REAL_BYTES, "C2D_REAL=float needs C2D_REAL_BYTES=4");
 
 // The sum that everything rests on, up to the phase area (whose size solver/phases.hpp tells). `header` is the size
 // of the solver's own struct. Errors: C2D_ERR_OVERFLOW.

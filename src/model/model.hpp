@@ -87,11 +87,17 @@ struct Pair {
   Real slip_before; // slip summed before the pair last touched (results/warnings.cpp)
 };
 
-static_assert(sizeof(Region) == kRegionBytes && sizeof(Zone) == kZoneBytes && sizeof(Pair) == kPairBytes &&
-                  sizeof(PointLoad) == kPointLoadBytes && sizeof(Path) == kPathBytes && sizeof(BodyForce) == kBodyForceBytes &&
-                  sizeof(RigidMotion) == kRigidMotionBytes && sizeof(PointSet) == kPointSetBytes &&
-                  sizeof(Curve) == kCurveBytes,
-              "memory/sizes.hpp states the size of every array element");
+#define C2D_AS_LISTED(type) static_assert(sizeof(type) == C2D_BYTES_OF_##type, "contact2d_memory.h states the size")
+C2D_AS_LISTED(Region);
+C2D_AS_LISTED(Zone);
+C2D_AS_LISTED(Pair);
+C2D_AS_LISTED(PointLoad);
+C2D_AS_LISTED(Path);
+C2D_AS_LISTED(BodyForce);
+C2D_AS_LISTED(RigidMotion);
+C2D_AS_LISTED(PointSet);
+C2D_AS_LISTED(Curve);
+#undef C2D_AS_LISTED
 
 struct Body { // lives in the solver's header
   int32_t element_nodes, elements, geometry_nodes, regions;

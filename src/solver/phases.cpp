@@ -1,10 +1,12 @@
 #include "solver/phases.hpp"
 
-#include "contact/rate_problem.hpp"
 #include "contact2d_memory.h"
 #include "memory/hostile.hpp"
 
 namespace c2d {
+
+// What the lists of contact2d_memory.h say in numbers.
+static_assert(kStripColumns == 4 && tableau_columns(5, 2) == 5 + 1 + 2 && kBlockHeaderBytes == 64, "columns, header");
 
 namespace {
 
@@ -14,13 +16,13 @@ struct Carver {
   uint64_t used;
   bool fits;
 
-  template <class T> void take(T*& out, int64_t count) {
-    out = static_cast<T*>(items(static_cast<uint64_t>(count), static_cast<uint32_t>(sizeof(T))));
-  }
-  void take_bytes(void*& out, uint64_t bytes) { out = items(bytes, 1); }
+  template <class T> void take(T*& out, uint64_t count, uint32_t size) { out = static_cast<T*>(items(count, size)); }
   void* items(uint64_t count, uint32_t size);
   uint64_t total() const { return fits ? used : UINT64_MAX; }
 };
+// An array of a list, to a member of `area` or to that of body b.
+#define C2D_TAKE(type, name, count, each) carver.take(area.name, (count) * (each), C2D_BYTES_OF_##type);
+#define C2D_TAKE_OF_BODY(type, name, count, each) carver.take(area.name[b], (count) * (each), C2D_BYTES_OF_##type);
 
 void* Carver::items(uint64_t count, uint32_t size) {
   void* const first = base ? base + used : nullptr;
@@ -58,23 +60,11 @@ EliminationPlan plan_of(const PhaseSizes& s, int b, int32_t panel_columns, int32
                          0};
 }
 
-namespace {
-
-void take_beside_elimination(Carver& carver, const PhaseSizes& s, int b, EliminationArea& area) {
-  carver.take(area.diagonal, 4 * s.nodes[b]);
-  carver.take(area.point, 2 * s.nodes[b]);
-  carver.take(area.twin, s.nodes[b]);
-  carver.take_bytes(area.scratch, C2D_ASSEMBLY_BYTES);
-  carver.take_bytes(area.buffer, contact_buffer_bytes(s.m));
-}
-
-} // namespace
-
 uint64_t elimination_area(const PhaseSizes& s, int b, const EliminationPlan& plan, char* base, EliminationArea* out) {
   Carver carver{base, 0, true};
   EliminationArea area{};
-  take_beside_elimination(carver, s, b, area);
-  carver.take_bytes(area.work, elimination_bytes(plan));
+  const uint64_t nodes = static_cast<uint64_t>(s.nodes[b]), m = static_cast<uint64_t>(s.m);
+  C2D_ELIMINATION_ARRAYS_(C2D_TAKE, nodes, m, elimination_bytes(plan))
   if (out) *out = area;
   return carver.total();
 }
@@ -82,45 +72,50 @@ uint64_t elimination_area(const PhaseSizes& s, int b, const EliminationPlan& pla
 uint64_t reduction_area(const PhaseSizes& s, char* base, ReductionArea* out) {
   Carver carver{base, 0, true};
   ReductionArea area{};
-  carver.take(area.first, s.m * s.m);
-  carver.take(area.second, s.m * s.m);
-  carver.take(area.strip, s.m * kStripColumns);
-  carver.take(area.pivots, s.m);
-  carver.take_bytes(area.buffer, contact_buffer_bytes(s.m));
+  const uint64_t m = static_cast<uint64_t>(s.m);
+  C2D_REDUCTION_ARRAYS_(C2D_TAKE, m)
   if (out) *out = area;
   return carver.total();
 }
 
+namespace {
+
+// Of whichever body needs more.
+void take_back_substitution(Carver& carver, const PhaseSizes& s, const EliminationPlan plan[2], PathArea& area) {
+  const uint64_t m = static_cast<uint64_t>(s.m), cases = static_cast<uint64_t>(s.cases);
+  uint64_t work = 0, outer = 0;
+  for (int b = 0; b < 2; ++b) {
+    if (s.rows[b] == 0) continue;
+    work = larger(work, back_substitution_bytes(plan[b]));
+    outer = larger(outer, static_cast<uint64_t>(s.outer[b]));
+  }
+  C2D_BACK_ARRAYS_(C2D_TAKE, m, cases, outer, work)
+}
+
+} // namespace
+
 uint64_t path_area(const PhaseSizes& s, const EliminationPlan plan[2], bool flexibility, char* base, PathArea* out) {
   Carver carver{base, 0, true};
   PathArea area{};
-  carver.take(area.tableau, s.m * tableau_columns(s.m, s.cases));
-  carver.take(area.y, s.m);
-  carver.take(area.dy, s.m);
-  carver.take(area.good, s.m);
-  carver.take_bytes(area.buffer, contact_buffer_bytes(s.m));
-  Carver shared = carver;
-  for (Real*& u : area.u) carver.take(u, s.m);
-  carver.take(area.column, s.m);
+  const uint64_t m = static_cast<uint64_t>(s.m), cases = static_cast<uint64_t>(s.cases);
+  C2D_PATH_ARRAYS_(C2D_TAKE, m, cases)
+  Carver rates = carver;
+  for (int b = 0; b < 2; ++b) C2D_SURFACE_ARRAYS_(C2D_TAKE_OF_BODY, m)
+  C2D_COLUMN_ARRAYS_(C2D_TAKE, m)
   if (flexibility) {
-    carver.take(area.flexibility, s.m * s.m);
-    shared = carver;
+    carver.take(area.flexibility, m * m, sizeof(Real));
+    rates = carver;
   }
-  shared.take_bytes(area.rates, rate_problem_bytes(s.m));
-  uint64_t work = 0;
-  int64_t outer = 0;
   for (int b = 0; b < 2; ++b) {
-    carver.take(area.displacement[b], 2 * s.nodes[b]);
-    carver.take(area.traction[b], 2 * s.ends[b]);
-    if (s.rows[b] == 0) continue;
-    work = larger(work, back_substitution_bytes(plan[b]));
-    if (s.outer[b] > outer) outer = s.outer[b];
+    const uint64_t nodes = static_cast<uint64_t>(s.nodes[b]), ends = static_cast<uint64_t>(s.ends[b]);
+    C2D_RESULT_ARRAYS_(C2D_TAKE_OF_BODY, nodes, ends)
   }
-  carver.take(area.outer, outer);
-  carver.take(area.coefficient, 2 * s.m + s.cases);
-  carver.take_bytes(area.work, work);
+  take_back_substitution(carver, s, plan, area);
+  const uint64_t used = carver.total();
+  carver = rates;
+  C2D_RATES_ARRAYS_(C2D_TAKE, m + 1)
   if (out) *out = area;
-  return larger(carver.total(), shared.total());
+  return larger(used, carver.total());
 }
 
 uint64_t scratch_bytes(const PhaseSizes& s) {
@@ -144,10 +139,7 @@ namespace {
 
 // What elimination_area holds beside the work of the elimination.
 uint64_t beside_elimination(const PhaseSizes& s, int b) {
-  Carver carver{nullptr, 0, true};
-  EliminationArea area{};
-  take_beside_elimination(carver, s, b, area);
-  return carver.total();
+  return elimination_area(s, b, EliminationPlan{}, nullptr, nullptr) - elimination_bytes(EliminationPlan{});
 }
 
 int64_t all_columns(const PhaseSizes& s, int b) { return s.outer[b] + 2 * s.m + s.cases; }

@@ -8,38 +8,26 @@
 
 namespace c2d {
 
-// Assembly and elimination of one body.
-struct EliminationArea {
-  double* diagonal; // [4 * nodes]
-  double* point;    // [2 * nodes] collocation points in the length unit
-  int32_t* twin;    // [nodes], see bie/columns.hpp
-  void* scratch;    // AssemblyScratch of bie/panel.hpp
-  void* work;       // of eliminate()
-  void* buffer;     // of the contact tape
+// What each phase works with: the lists of contact2d_memory.h, a member for each array.
+#define C2D_MEMBER_OF(type, name, count, each) type* name;
+#define C2D_MEMBER_OF_EACH(type, name, count, each) type* name[2];
+struct EliminationArea { // assembly and elimination of one body
+  C2D_ELIMINATION_ARRAYS_(C2D_MEMBER_OF, , , )
 };
-// Reduction of both bodies to the contact.
-struct ReductionArea {
-  Real *first, *second, *strip;
-  int32_t* pivots;
-  void* buffer;
+struct ReductionArea { // reduction of both bodies to the contact
+  C2D_REDUCTION_ARRAYS_(C2D_MEMBER_OF, )
 };
-// The load path, and back substitution beside it.
-struct PathArea {
-  Real* tableau;
-  Real *y, *dy;
-  Real* good;            // m: y of the last state found good (solver/judge.hpp)
-  void* buffer;          // of the contact tape
-  void* rates;           // numbers of the rate problem; share their place with all that follows, which is of no use while loads
-                         // move, but begin behind F where that is kept
-  Real* u[2];            // contact displacements of both bodies, m each
-  Real* column;          // m
-  Real* flexibility;     // m * m, or null
-  Real* displacement[2]; // [2 * nodes] results, in length_unit
-  Real* traction[2];     // [2 * ends] results, true tractions, in stress_unit
-  Real* outer;           // outer unknowns of one body
-  Real* coefficient;     // of its trailing columns
-  void* work;            // of back_substitute()
+struct PathArea { // the load path, and back substitution beside it
+  C2D_PATH_ARRAYS_(C2D_MEMBER_OF, , )
+  C2D_RATES_ARRAYS_(C2D_MEMBER_OF, ) // begin behind F where that is kept
+  C2D_SURFACE_ARRAYS_(C2D_MEMBER_OF_EACH, )
+  C2D_COLUMN_ARRAYS_(C2D_MEMBER_OF, )
+  Real* flexibility; // F: m * m, or null
+  C2D_RESULT_ARRAYS_(C2D_MEMBER_OF_EACH, , )
+  C2D_BACK_ARRAYS_(C2D_MEMBER_OF, , , , )
 };
+#undef C2D_MEMBER_OF
+#undef C2D_MEMBER_OF_EACH
 
 // Sizes of one model (or of limits): what both bodies need at most.
 struct PhaseSizes {
