@@ -327,3 +327,23 @@ TEST_CASE("let go: a pair that slid along without force stays behind when the ot
   CHECK(no_force(rows[3]));
   CHECK(std::fabs(mean_sideways(rows[3]) - mean_sideways(rows[2])) < 0.01); // with it, it would go on by 9.4
 }
+
+TEST_CASE("let go: a light body under which its table is pulled away stays on it, however small its pressures are") {
+  Problem p = block(3, 0); // held sideways at its top, by nothing else: 1e-6 of weight, and a table that moves by 100
+  for (End& end : p.bodies[0].second_case)
+    if (end.codes[2] == 0) end.values[2] = 100;
+  for (size_t i = 0; i < p.bodies[1].ends.size(); ++i) {
+    End& end = p.bodies[1].ends[i];
+    End& second = p.bodies[1].second_case[i];
+    second.values[0] = 0;
+    if (end.codes[3] != 0) continue;
+    end.codes[3] = second.codes[3] = 1, end.codes[1] = second.codes[1] = 0;
+    end.codes[2] = second.codes[2] = 0, end.codes[0] = second.codes[0] = 1;
+    end.values[3] = 0, end.values[1] = -1e-6;
+  }
+  const Result r = solve(with_paths(p, {{1, 1, 0}, {1, 1, 0.5}, {1, 1, 1}}));
+  REQUIRE_MESSAGE(r.outcome == C2D_REACHED, r.messages());
+  CHECK(told(r) == nullptr);
+  for (const Step& s : r.recorded())
+    for (int i = 0; i < s.pairs(); ++i) CHECK(std::fabs(s.at(i, C2D_TN) - r.recorded()[0].at(i, C2D_TN)) < 1e-9);
+}

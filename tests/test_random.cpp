@@ -31,7 +31,7 @@ void draw(Kind kind, uint64_t first, uint64_t count) {
     CHECK_MESSAGE(v.findings.empty(), "make random N=1 SEED=" << seed << ": " << v.title << findings(v));
     if (v.status == C2D_OK && v.outcome == C2D_REACHED) ++solved;
   }
-  CHECK(solved > count / 3); // or the draw says little
+  CHECK(3 * solved >= count); // or the draw says little
 }
 
 // A deck whose pairs open, stick and slip.
@@ -83,6 +83,10 @@ bool holds(const std::string& text, const char* part) { return text.find(part) !
 } // namespace
 
 TEST_CASE("random decks: a draw") { draw(Kind::any, 1, 40); }
+
+TEST_CASE("random decks: bodies that touch without any force, which round-off once took for one") {
+  for (const uint64_t seed : {2533u, 103814u, 109514u, 100076u, 109109u, 109283u}) draw(Kind::any, seed, 1);
+}
 
 TEST_CASE("random decks: a draw of few pairs, all statuses tried") { draw(Kind::few_pairs, 1, 20); }
 

@@ -93,13 +93,17 @@ bool place_body(const Tableau& t, const int32_t* left, int32_t count) {
 
 namespace {
 
-// Without force in every pair that is closed?
+// Is what a closed pair has by way of a force no more than round-off? The loads balance, so that a force which its motion would
+// make is lost by letting go, and no other.
+bool is_without_force(const Pair& pair, const PairState& now, const PathScales& s) {
+  const double of_motion = kRateTolerance * pair.stiffness[0] * s.w;
+  return now.p <= kValueTolerance * s.p + of_motion && fabs(now.q) <= kRateTolerance * s.p + of_motion;
+}
+
 bool may_all_open(const Follower& f, const PathScales& s) {
   for (int32_t i = 0; i < f.t->pairs; ++i) {
-    if (f.t->pair[i].status == C2D_OPEN) continue;
-    Doubt d;
-    if (!is_in_doubt(f, i, s, d) || d.kind == DoubtKind::cone) return false;
-    if (fabs(pair_state(*f.t, i, f.y).q) > kRateTolerance * s.p) return false;
+    const Pair& pair = f.t->pair[i];
+    if (pair.status != C2D_OPEN && !is_without_force(pair, pair_state(*f.t, i, f.y), s)) return false;
   }
   return true;
 }
@@ -127,7 +131,7 @@ bool slides_without_force(Follower& f) {
     const Pair& pair = f.t->pair[i];
     if (pair.status == C2D_OPEN) continue;
     const PairState now = pair_state(*f.t, i, f.y), rate = pair_rates(*f.t, i, f.dy);
-    if (now.p > kValueTolerance * s.p || fabs(rate.p) > kRateTolerance * pair.stiffness[0] * s.dw) return false;
+    if (!is_without_force(pair, now, s) || fabs(rate.p) > kRateTolerance * pair.stiffness[0] * s.dw) return false;
     slides = slides || pair.status == C2D_SLIP;
   }
   return slides;

@@ -206,22 +206,31 @@ void name_resultants(const Follower& f, Real* column[kMotions], int count) {
   }
 }
 
-// The work of the rates of the loads on the free motions: G^T b, b the pressures with every pair sticking. Zero where the loads
-// balance each other, but for round-off.
-c2d_status load_on_motions(const Follower& f, const Resultants& g, Real* rate, Work* out) {
-  constexpr double kNothing = sizeof(Real) == 8 ? 1e-11 : 1e-5;
+// The work of so much of each load on the free motions: G^T b, b the pressures with every pair sticking. *terms: sum of the
+// magnitudes of what is added up.
+c2d_status work_of_loads(const Follower& f, const Resultants& g, const double* factor, Real* rate, Work* out, double* terms) {
   *out = Work{};
-  double terms = 0.0;
+  *terms = 0.0;
   c2d_status status = C2D_OK;
   for (int32_t k = 0; k < f.t->cases && status == C2D_OK; ++k) {
-    if (f.direction[k] == 0.0) continue;
+    if (factor[k] == 0.0) continue;
     status = read_column(*f.tape, ContactMatrix::stiffness_load, k, rate);
     for (int32_t i = 0; i < f.t->m && status == C2D_OK; ++i) {
-      const double part = f.direction[k] * rate[i];
+      const double part = factor[k] * rate[i];
       *out = plus(*out, part, g.of(i));
-      terms += fabs(part) * length(g.of(i));
+      *terms += fabs(part) * length(g.of(i));
     }
   }
+  return status;
+}
+
+// Less of these terms is round-off of loads that balance each other.
+constexpr double kNothing = sizeof(Real) == 8 ? 1e-11 : 1e-5;
+
+// Of the rates of the loads; zero where they balance each other, but for round-off.
+c2d_status load_on_motions(const Follower& f, const Resultants& g, Real* rate, Work* out) {
+  double terms;
+  const c2d_status status = work_of_loads(f, g, f.direction, rate, out, &terms);
   if (length(*out) <= kNothing * terms) *out = Work{};
   return status;
 }
@@ -253,10 +262,12 @@ c2d_status loads_balance(const Follower& f, bool* balanced) {
   if (count == 0) return C2D_OK;
   const RateProblem r = rate_problem_in(f.rate_area, f.t->m);
   Resultants g{*f.t, {r.rhs, r.cover, r.point}, count};
-  Work load;
+  Work load, rates;
+  double terms, rate_terms;
   c2d_status status = read_resultants(f, g);
-  if (status == C2D_OK) status = load_on_motions(f, g, r.column_scale, &load);
-  *balanced = none(load);
+  if (status == C2D_OK) status = work_of_loads(f, g, f.load, r.column_scale, &load, &terms);
+  if (status == C2D_OK) status = work_of_loads(f, g, f.direction, r.column_scale, &rates, &rate_terms);
+  if (status == C2D_OK) *balanced = fmax(length(load), length(rates)) <= kNothing * (terms + rate_terms);
   return status;
 }
 

@@ -51,7 +51,7 @@ struct Follower {
 // Round-off of values after some thousand exchanges stays below 1e-12 of their scale; rates are differences of them.
 constexpr double kValueTolerance = 1e-11;
 constexpr double kRateTolerance = 1e-9;
-constexpr double kMixedNoise = 1e-13; // of a pair's stiffness times a motion, against forces, and the other way round
+constexpr double kMixedNoise = 1e-12; // of a pair's stiffness times a motion, against forces, and the other way round
 
 // Magnitudes against which round-off is judged; derived from values and rates, never from units.
 struct PathScales {

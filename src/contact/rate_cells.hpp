@@ -9,7 +9,7 @@ namespace c2d {
 constexpr double kRegular = sizeof(Real) == 8 ? 1e-9 : 1e-5;
 // Conditions hold within this of the largest rate of their kind, and within this noise of the other kind.
 constexpr double kConditionTolerance = sizeof(Real) == 8 ? 1e-9 : 1e-4;
-constexpr double kNoise = sizeof(Real) == 8 ? 1e-13 : 1e-6;
+constexpr double kNoise = sizeof(Real) == 8 ? 1e-12 : 1e-6;
 
 struct Condition { // row . u >= 0
   double row[2];

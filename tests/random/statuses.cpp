@@ -30,8 +30,9 @@ struct Contact {
 
 struct Response {
   double spring = 0;
-  std::vector<double> w0; // by the loads
-  Matrix w;               // by s
+  double no_motion = 0, no_force = 0; // what a motion of both leaves as round-off is far below 1e-6 of these
+  std::vector<double> w0;             // by the loads
+  Matrix w;                           // by s
 };
 
 class Reduction {
@@ -43,6 +44,7 @@ private:
   void number_body(int b);
   void add_body(int b);
   void add_springs(double spring);
+  void note_sizes(Response& out) const;
 
   const Problem& p_;
   const std::vector<Contact>& contacts_;
@@ -146,6 +148,23 @@ void Reduction::add_springs(double spring) {
     }
 }
 
+// From the solution with springs: bodies that go along with each other have neither relative motions nor forces.
+void Reduction::note_sizes(Response& out) const {
+  double way = 0, length = 0, stiffness = 0;
+  for (int b = 0; b < 2; ++b) {
+    const Body& body = p_.bodies[index(b)];
+    for (int64_t column : u_[b])
+      if (column >= 0) way = std::max(way, std::fabs(b_[index(column)][0]));
+    for (const End& end : body.ends)
+      for (size_t c = 2; c < 4; ++c)
+        if (end.codes[c] == 0) way = std::max(way, std::fabs(end.values[c]));
+    for (double x : body.xy) length = std::max(length, std::fabs(x));
+    stiffness = std::max(stiffness, body.youngs_modulus);
+  }
+  out.no_motion = 1e-6 * way;
+  out.no_force = 1e-6 * stiffness * way / length;
+}
+
 bool Reduction::reduce(Response& out) {
   for (int b = 0; b < 2; ++b) number_body(b);
   for (const Contact& contact : contacts_)
@@ -171,6 +190,7 @@ bool Reduction::reduce(Response& out) {
     for (double& value : b_[static_cast<size_t>(&line - a_.data())]) value /= largest;
   }
   if (!solve_dense(a_, b_, kSingular)) return false;
+  note_sizes(out);
   const size_t forces = columns_ - 2 * contacts_.size(), m = 2 * contacts_.size();
   out.w0.assign(m, 0);
   out.w.assign(m, std::vector<double>(m, 0));
@@ -221,7 +241,7 @@ bool Trier::solve(std::vector<double>& w, std::vector<double>& tau, double* pivo
 }
 
 double Trier::margin(const std::vector<double>& w, const std::vector<double>& tau) const {
-  double force = 0, way = 0, least = HUGE_VAL;
+  double force = response.no_force, way = response.no_motion, least = HUGE_VAL;
   for (double value : tau) force = std::max(force, std::fabs(value));
   for (double value : w) way = std::max(way, std::fabs(value));
   way = std::max(way, response.spring * force); // where nothing moves
@@ -238,8 +258,9 @@ double Trier::margin(const std::vector<double>& w, const std::vector<double>& ta
   return least;
 }
 
-bool same_state(const std::vector<double>& a, const std::vector<double>& b) {
-  double size = 0, worst = 0;
+// `no_force`: what a motion without forces leaves of them as round-off is no more than 1e-6 of this.
+bool same_state(const std::vector<double>& a, const std::vector<double>& b, double no_force) {
+  double size = no_force, worst = 0;
   for (size_t i = 0; i < a.size(); ++i) {
     size = std::max({size, std::fabs(a[i]), std::fabs(b[i])});
     worst = std::max(worst, std::fabs(a[i] - b[i]));
@@ -249,7 +270,7 @@ bool same_state(const std::vector<double>& a, const std::vector<double>& b) {
 
 void keep(Trial& trial, const Trier& trier, const std::vector<double>& tau, double margin, double pivot) {
   for (Solution& other : trial.found) {
-    if (!same_state(other.forces, tau)) continue;
+    if (!same_state(other.forces, tau, trial.no_force)) continue;
     if (margin > other.margin) other.margin = margin, other.pivot = pivot;
     return;
   }
@@ -299,6 +320,7 @@ Trial try_statuses(const Model& model, const Step& frames) {
   Response response;
   if (!Reduction(model.problem, contacts_of(frames)).reduce(response)) return trial;
   trial.done = true;
+  trial.no_force = response.no_force;
   Trier trier = {response, model.problem.friction[0], std::vector<Choice>(index(frames.pairs()), kOpen)};
   for (bool more = true; more;) {
     std::vector<double> w, tau;
@@ -329,7 +351,7 @@ std::string against_trial(const Model& model, const Trial& trial, const Result& 
   for (int i = 0; i < rows[0].pairs(); ++i)
     for (int field : {C2D_TN, C2D_TT}) forces.push_back(rows[0].at(i, field) / rows[0].load);
   bool known = false;
-  for (const Solution& s : trial.found) known = known || same_state(s.forces, forces);
+  for (const Solution& s : trial.found) known = known || same_state(s.forces, forces, trial.no_force);
   if (!known) return "the state is none of the " + std::to_string(trial.found.size()) + " solutions found by trying all";
   if (trial.clear() > 1 && !warned) return "not unique without a word: " + std::to_string(trial.clear()) + " solutions";
   if (trial.found.size() == 1 && trial.clear() == 1 && warned) return "said to be not unique: one solution";

@@ -18,6 +18,7 @@ struct Solution {
 struct Trial {
   bool done = false;           // the model is of the kind
   std::vector<Solution> found; // distinct ones
+  double no_force = 0;         // 1e-6 of it is none in any of them
   int32_t clear() const;       // those beyond doubt
 };
 
