@@ -85,6 +85,33 @@ TEST_CASE("frames: small gaps touch, overlap is a fault") {
   CHECK(overlap.faults == 1);
 }
 
+// An arc whose lowest node is 2e-8 above a flat: far more than round-off, less than the last digit of coordinates of 100 on
+// cards. Where the bodies lie and how they are turned is nothing to the gap.
+TEST_CASE("frames: a small gap of one pair counts wherever the bodies lie") {
+  for (const double angle : {0.0, 0.7, 2.0})
+    for (const double shift : {0.0, 100.0}) {
+      CAPTURE(angle);
+      CAPTURE(shift);
+      std::vector<double> flat = rectangle(0, -2, 4, 2, 4, 2), arc = rectangle(0, 0, 4, 2, 4, 2);
+      for (size_t i = 0; i < 5; ++i) arc[2 * i + 1] = 2e-8 + 0.01 * (arc[2 * i] - 2) * (arc[2 * i] - 2);
+      for (std::vector<double>* body : {&flat, &arc})
+        for (size_t i = 0; i < body->size(); i += 2) {
+          const double x = (*body)[i], y = (*body)[i + 1];
+          (*body)[i] = shift + std::cos(angle) * x - std::sin(angle) * y;
+          (*body)[i + 1] = std::sin(angle) * x + std::cos(angle) * y;
+        }
+      ModelData d(2);
+      d.body(2, {flat});
+      d.body(2, {arc});
+      for (int e = 1; e <= 4; ++e)
+        for (int l = 1; l <= 2; ++l) d.condition(1, e, l, "1100");
+      d.zone(5, 4, 7, 1, 7, 4, -1, 5, 30);
+      REQUIRE(d.complete());
+      CHECK(std::abs(d.pairs[2].gap - 2e-8) < 1e-12);
+      CHECK(d.pairs[1].gap == doctest::Approx(0.01).epsilon(1e-3));
+    }
+}
+
 TEST_CASE("frames: Hertz's deck, arcs on a flat") {
   ModelData d = hertz();
   REQUIRE(d.complete());

@@ -18,12 +18,12 @@ C2D_OPTIONAL(faced_node);
 namespace {
 
 constexpr double kDegree = 0.017453292519943295;
-// Of the element length. A smaller overlap is none. A smaller gap is none if it is within the digits that cards hold, or if
-// the whole zone has no larger one, as surfaces that are meant to coincide: the first neighbours of a point of
-// first contact may be as close, and their gaps count (1e-5 elements are 5 % of the pressure at a/R = 1e-4).
+// Of the element length. A smaller overlap is none. A smaller gap is none if the whole zone has no larger one, as surfaces that
+// are meant to coincide; else its own counts: the first neighbours of a point of first contact may be as close (1e-5
+// elements are 5 % of the pressure at a/R = 1e-4), and what is asked must not depend on where the bodies lie and how they
+// are turned, as the digits of their coordinates do.
 constexpr double kGapTolerance = 1e-5;
 constexpr double kExactGap = 1e-9;
-constexpr double kCardDigits = 2e-7; // of a coordinate
 constexpr double kOffset = 0.5;      // of the element length: nodes shifted further do not face each other
 constexpr double kAlongNormal = 0.5; // least cosine between the average normal and a symmetric pair's frame
 
@@ -162,12 +162,6 @@ bool set_normal(const Model& m, int32_t pair, const Surface& s1, const Surface& 
   return true;
 }
 
-// Gaps up to this cannot be told from none, with the node of body 1 at (x, y).
-double least_gap(const Pair& p, double x, double y) {
-  const double digits = kCardDigits * (fabs(p.nx * x) + fabs(p.ny * y));
-  return fmin(kGapTolerance * p.length, fmax(kExactGap * p.length, digits));
-}
-
 // Pairs of a zone whose surfaces lie inside each other, or would, were the elements' surfaces right to the last digit.
 struct Overlaps {
   int32_t count, pair; // the worst
@@ -183,11 +177,10 @@ struct ZoneOverlaps {
   Overlaps told, unsure;
 };
 
-// `least`: a gap up to it is none.
-void set_gap(const Model& m, int32_t pair, const double g[2], double least, double doubt, ZoneOverlaps& overlaps) {
+void set_gap(const Model& m, int32_t pair, const double g[2], double doubt, ZoneOverlaps& overlaps) {
   Pair& p = m.pair[pair];
   p.gap = g[0] * p.nx + g[1] * p.ny;
-  if (p.gap >= -kGapTolerance * p.length && p.gap <= least) p.gap = 0;
+  if (p.gap >= -kGapTolerance * p.length && p.gap <= kExactGap * p.length) p.gap = 0;
   if (p.gap >= 0) return;
   const double size = -p.gap;
   p.gap = 0;
@@ -256,10 +249,9 @@ void build_frame(const Model& m, int32_t pair, Spread& spread, ZoneOverlaps& ove
   p.length = fmin(s1.length, s2.length);
   lengths.add(pair, s1.length, s2.length);
   if (!set_normal(m, pair, s1, s2, reporter)) return;
-  const double least = least_gap(p, s1.x, s1.y);
-  const bool same = on_same_elements(m, p, least); // one surface, whatever lies beyond the zone on either body
+  const bool same = on_same_elements(m, p, kExactGap * p.length); // one surface, whatever lies beyond the zone on either body
   const double g[2] = {same ? 0 : s2.x - s1.x, same ? 0 : s2.y - s1.y};
-  set_gap(m, pair, g, least, s1.doubt + s2.doubt, overlaps);
+  set_gap(m, pair, g, s1.doubt + s2.doubt, overlaps);
   if (p.node[0] >= 0) check_offset(m, pair, g, reporter); // points of a free zone face each other by construction
 
   const double opposite[2] = {-s2.n[0], -s2.n[1]};
