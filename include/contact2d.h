@@ -31,6 +31,9 @@
    are per unit thickness. A body's boundary runs with the material on its left: outer boundary counter-clockwise,
    holes clockwise. Numbers of bodies, elements, nodes, pairs and zones start at 1. `codes` are those of the
    condition cards: 0 known, 1 unknown, in the order tx ty ux uy.
+   Arguments stand in one order: the solver; which body, element, local node, zone, item i; the load case; values in;
+   values out. A list with one number per load case or zone is (pointer, count); a range of entries is first, count,
+   and the array they go to or come from is (pointer, stride).
    The contact frame of a pair: n points from body 1 to body 2, t is n turned by -90 degrees. tn and tt are the
    force on body 2 per unit undeformed length of body 1's boundary (of body 2's in a free zone); tn >= 0 is pressure. */
 #ifndef CONTACT2D_H
@@ -373,7 +376,7 @@ c2d_status c2d_read_deck(c2d_solver* solver, c2d_read_line read, void* context);
          {{0, -2}, {1, -2}, {2, -2}, {2, -1}, {2, 0}, {1, 0}, {0, 0}, {0, -1}},
          {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}};
      static const int32_t along_y[4] = {1, 0, 0, 1}, along_x[4] = {0, 1, 1, 0}, loaded[4] = {0, 0, 1, 1};
-     static const double zero[4] = {0, 0, 0, 0}, pressure[4] = {0, -1, 0, 0};
+     static const double zero[4] = {0, 0, 0, 0}, pressure[4] = {0, -1, 0, 0}, whole = 1.0;
      c2d_problem problem = C2D_INIT(c2d_problem);
      c2d_body body = C2D_INIT(c2d_body);
      c2d_zone zone = C2D_INIT(c2d_zone);
@@ -389,11 +392,11 @@ c2d_status c2d_read_deck(c2d_solver* solver, c2d_read_line read, void* context);
        bad |= c2d_add_region(solver, b, 1, 8);
        bad |= c2d_set_nodes(solver, b, 1, 8, square[b - 1][0], 2);
        for (int32_t end = 1; end <= 2; ++end) {
-         bad |= c2d_set_condition(solver, b, 7, end, along_y, zero, 1);
-         bad |= c2d_set_condition(solver, b, 8, end, along_y, zero, 1);
+         bad |= c2d_set_condition(solver, b, 7, end, 1, along_y, zero);
+         bad |= c2d_set_condition(solver, b, 8, end, 1, along_y, zero);
          for (int32_t e = 1; e <= 2; ++e)
-           bad |= b == 1 ? c2d_set_condition(solver, 1, e, end, along_x, zero, 1)
-                         : c2d_set_condition(solver, 2, e + 4, end, loaded, pressure, 1);
+           bad |= b == 1 ? c2d_set_condition(solver, 1, e, end, 1, along_x, zero)
+                         : c2d_set_condition(solver, 2, e + 4, end, 1, loaded, pressure);
        }
      }
 
@@ -405,7 +408,7 @@ c2d_status c2d_read_deck(c2d_solver* solver, c2d_read_line read, void* context);
      zone.first_element[1] = 2, zone.last_element[1] = 1, zone.first_node[1] = 3, zone.last_node[1] = 1;
      bad |= c2d_add_zone(solver, &zone);
      bad |= c2d_add_friction(solver, 0.3);
-     bad |= c2d_add_path(solver, 1, 1.0);
+     bad |= c2d_add_path(solver, 1, &whole, 1);
      bad |= c2d_complete(solver);
      if (bad) return 1;
 */
@@ -450,29 +453,30 @@ c2d_status c2d_set_arc_nodes(c2d_solver* solver, int32_t body, int32_t first, in
    tx ty ux uy, global components; values of unknown quantities are ignored. Ends without a condition are free of
    traction; ends of contact elements at listed pairs belong to the contact. All values scale with the factor of
    `load_case` (1 ...). */
-c2d_status c2d_set_condition(c2d_solver* solver, int32_t body, int32_t element, int32_t local, const int32_t codes[4],
-                             const double values[4], int32_t load_case);
+c2d_status c2d_set_condition(c2d_solver* solver, int32_t body, int32_t element, int32_t local, int32_t load_case,
+                             const int32_t codes[4], const double values[4]);
 /* Force (fx, fy) per unit thickness at the point (x, y) inside the body. On a line of symmetry: the force that falls to
    the part that is modelled; it acts along the line. */
-c2d_status c2d_add_point_load(c2d_solver* solver, int32_t body, double x, double y, double fx, double fy,
-                              int32_t load_case);
-/* Body 1 is a rigid obstacle: there are no equations for it, its mesh gives frames, lengths and pictures, and its moduli
-   count for nothing. In a load case it moves by (ux, uy) and turns by `rotation` (radians, small, counter-clockwise) about
-   (x0, y0); load_case 0: no motion is told, the body is only made rigid. Its conditions are passed over; tractions,
-   displacements and forces other than zero are refused by c2d_complete. Results of it: its motion, the contact's
-   tractions, no stresses; the force that holds it is its `applied`. */
-c2d_status c2d_set_rigid(c2d_solver* solver, int32_t load_case, double ux, double uy, double rotation, double x0,
-                         double y0);
+c2d_status c2d_add_point_load(c2d_solver* solver, int32_t body, int32_t load_case, double x, double y, double fx,
+                              double fy);
+/* The body, which must be body 1, is a rigid obstacle: there are no equations for it, its mesh gives frames, lengths and
+   pictures, and its moduli count for nothing. In a load case it moves by motion[0], motion[1] and turns by motion[2]
+   (radians, small, counter-clockwise) about the point axis[0], axis[1]; load_case 0: the body is only made rigid, and
+   both arrays may be null. Its conditions are passed over; tractions, displacements and forces other than zero are
+   refused by c2d_complete. Results of it: its motion, the contact's tractions, no stresses; the force that holds it is
+   its `applied`. */
+c2d_status c2d_set_rigid(c2d_solver* solver, int32_t body, int32_t load_case, const double motion[3],
+                         const double axis[2]);
 /* Pairs whose bodies overlap before any load (a press fit) are legal, and touch at first; the factor of this load case
    closes their overlaps: they are gone at factor 1. c2d_run brings it from 0 to 1 before the first step of the path, and
    keeps it there; with c2d_advance it is the caller's. Given again it replaces the one before. */
 c2d_status c2d_set_interference(c2d_solver* solver, int32_t load_case);
-/* A force per area of the body (and unit thickness): (bx, by), a weight, and rho_omega2 (x - x0, y - y0), outward from
-   the axis (x0, y0) of a rotation, density times angular velocity squared. One per body and load case, which scales it;
-   given again it replaces the one before. It must have the symmetry of the model: no weight across a line of symmetry,
+/* A force per area of the body (and unit thickness): `force`, a weight, and rho_omega2 (x - axis[0], y - axis[1]), outward
+   from the axis of a rotation, density times angular velocity squared; axis may be null where rho_omega2 is 0. One per
+   body and load case, which scales it; given again it replaces the one before. It must have the symmetry of the model: no weight across a line of symmetry,
    the axis on every line. Stays on the boundary by way of a particular solution; resultants are exact. */
-c2d_status c2d_set_body_force(c2d_solver* solver, int32_t body, int32_t load_case, double bx, double by,
-                              double rho_omega2, double x0, double y0);
+c2d_status c2d_set_body_force(c2d_solver* solver, int32_t body, int32_t load_case, const double force[2],
+                              double rho_omega2, const double axis[2]);
 /* A contact zone: elements of body 1 and body 2 that face each other, first with first, last with last (a range
    may run down), and the functional nodes that form pairs in the same order. */
 typedef struct c2d_zone {
@@ -515,11 +519,14 @@ typedef struct c2d_curve {
   double centre[2], radius;   /* of an arc                                                          */
 } c2d_curve;
 c2d_status c2d_add_curve(c2d_solver* solver, const c2d_curve* curve);
-/* What an end already given carries in another load case: values[4] in the order tx ty ux uy; the codes stay those of
-   c2d_set_condition (ends without a condition: tractions known), and a value other than zero for something unknown,
-   or for a traction of the contact, is refused. A displacement belongs to its node. local 0: all ends of the element. */
-c2d_status c2d_set_case_values(c2d_solver* solver, int32_t body, int32_t element, int32_t local,
-                               const double values[4], int32_t load_case);
+/* What an end carries in a load case: values[4] in the order tx ty ux uy. The codes stay those of c2d_set_condition (ends
+   without a condition: tractions known); a value other than zero for something unknown, or for a traction of the contact,
+   is refused. local 0: all ends of the element. A displacement belongs to its node, where two ends may speak: while
+   building, a displacement of 0 leaves what the other end gave, and one that contradicts it is refused. In state model
+   (section 6) every known quantity takes its value, zero too; displacements of contact nodes and those that symmetry
+   holds are then refused as well. */
+c2d_status c2d_set_values(c2d_solver* solver, int32_t body, int32_t element, int32_t local, int32_t load_case,
+                          const double values[4]);
 /* A coefficient to be run by c2d_run: zero or more, infinity is full adhesion. */
 c2d_status c2d_add_friction(c2d_solver* solver, double mu);
 /* The coefficient of one zone in the i-th of these runs, instead of the one for all zones. */
@@ -532,11 +539,9 @@ c2d_status c2d_set_zone_friction(c2d_solver* solver, int32_t zone, int32_t i, do
    line the displacement across it is 0; conditions there say the rest. Resultants, forces and moments, given and
    answered, are those of the part that is modelled. Any time before c2d_complete. Errors: ARGUMENT, STATE. */
 c2d_status c2d_set_symmetry(c2d_solver* solver, int32_t axis, double value);
-/* `increments` equal steps from the load reached so far to `load` (load factor of case 1; all others go to zero). */
-c2d_status c2d_add_path(c2d_solver* solver, int32_t increments, double load);
-/* The same with a factor for every load case: a straight piece through the space of factors, from where the last one
-   ended (zero at first) to load[0 .. cases). cases is the number of load cases. */
-c2d_status c2d_add_path_point(c2d_solver* solver, int32_t increments, const double* load, int32_t cases);
+/* A straight piece of path through the space of load factors, in `increments` equal steps from where the last one ended
+   (zero at first) to load[0 .. cases), a factor for every load case. */
+c2d_status c2d_add_path(c2d_solver* solver, int32_t increments, const double* load, int32_t cases);
 c2d_status c2d_clear_paths(c2d_solver* solver); /* forget the pieces of path given so far */
 /* Where interior results are wanted: a list that the model only keeps, for whoever asks c2d_interior for them after the
    solution (c2d_get_points, c2d_expand_points in section 8). The points need not lie inside. */
@@ -594,8 +599,8 @@ c2d_status c2d_set_options(c2d_solver* solver, const c2d_options* options);
 */
 c2d_status c2d_prepare(c2d_solver* solver);
 
-/* Other loads for the same bodies. c2d_change_loads ends the path and goes back to state model, where the calls below give
-   load cases other values; c2d_prepare then validates them and, if the options said keep_factors, only sends the new
+/* Other loads for the same bodies. c2d_change_loads ends the path and goes back to state model, where c2d_set_values
+   and its like give load cases other values; c2d_prepare then validates them and, if the options said keep_factors, only sends the new
    right-hand sides through the factorisation that is there: a small part of the work, and results that agree with those
    of a solver prepared from the beginning to round-off. Without keep_factors, and after other options, a failure or a
    cancel, c2d_prepare does everything. What is known stays known: codes, geometry, contact do not change. A load case
@@ -603,13 +608,8 @@ c2d_status c2d_prepare(c2d_solver* solver);
    matter. States saved before are stale.
    Legal: prepared, running. */
 c2d_status c2d_change_loads(c2d_solver* solver);
-/* What an end carries in a load case from now on: values[4] in the order tx ty ux uy, as c2d_set_case_values, but every
-   known quantity takes its value, zero too. Refused (ARGUMENT): a value other than zero for something unknown, for the
-   traction of a contact, a displacement of a contact node or one that symmetry holds. Legal: model. */
-c2d_status c2d_replace_values(c2d_solver* solver, int32_t body, int32_t element, int32_t local, const double values[4],
-                              int32_t load_case);
-/* Place and force of point load i (from 1, in the order given); body and load case stay. Legal: model. Also
-   c2d_set_body_force and c2d_set_rigid (of a body 1 that is rigid, load_case > 0) are legal in state model. */
+/* Place and force of point load i (from 1, in the order given); body and load case stay. Legal: model, as are then
+   c2d_set_values, c2d_set_body_force and c2d_set_rigid (of a body that is rigid, load_case > 0). */
 c2d_status c2d_replace_point_load(c2d_solver* solver, int32_t i, double x, double y, double fx, double fy);
 
 /* ---------------------------------------------------------------- 7 follow the load ----------------------------
@@ -820,16 +820,18 @@ typedef struct c2d_zone_state {
 c2d_status c2d_get_zone_state(c2d_solver* solver, int32_t zone, c2d_zone_state* out);
 
 /* Item i (from 1) of the model's lists; out of range: ARGUMENT. Legal: model, prepared, running. */
-c2d_status c2d_get_friction(c2d_solver* solver, int32_t i, double* mu);
-c2d_status c2d_get_zone_friction(c2d_solver* solver, int32_t zone, int32_t i, double* mu);
-c2d_status c2d_get_path(c2d_solver* solver, int32_t i, int32_t* increments, double* load);
-c2d_status c2d_get_path_point(c2d_solver* solver, int32_t i, int32_t* increments, double* load, int32_t cases);
+/* The coefficient that holds in a zone in the i-th run; zone 0: the one for all zones that have none of their own. */
+c2d_status c2d_get_friction(c2d_solver* solver, int32_t zone, int32_t i, double* mu);
+c2d_status c2d_get_path(c2d_solver* solver, int32_t i, int32_t* increments, double* load, int32_t cases);
 /* Of a free zone: elements that are in contact at all, `elements` and nodes those of body 2, and 0 nodes of body 1. */
 c2d_status c2d_get_zone(c2d_solver* solver, int32_t i, c2d_zone* out);
 c2d_status c2d_get_region(c2d_solver* solver, int32_t body, int32_t i, int32_t* first_element, int32_t* last_element);
-c2d_status c2d_get_condition(c2d_solver* solver, int32_t body, int32_t element, int32_t local, int32_t codes[4],
-                             double values[4]);
-c2d_status c2d_get_point_load(c2d_solver* solver, int32_t i, int32_t* body, double xy[2], double force[2]);
+/* The codes are the same in every case. */
+c2d_status c2d_get_condition(c2d_solver* solver, int32_t body, int32_t element, int32_t local, int32_t load_case,
+                             int32_t codes[4], double values[4]);
+/* The point loads of all bodies and cases are one list, in the order given. */
+c2d_status c2d_get_point_load(c2d_solver* solver, int32_t i, int32_t* body, int32_t* load_case, double xy[2],
+                              double force[2]);
 c2d_status c2d_get_points(c2d_solver* solver, int32_t i, c2d_points* out);
 c2d_status c2d_get_curve(c2d_solver* solver, int32_t i, c2d_curve* out);
 /* Points first ... first+count-1 (from 1) of a set: x and y of the k-th to xy[k * stride], xy[k * stride + 1], ready for
@@ -837,17 +839,12 @@ c2d_status c2d_get_curve(c2d_solver* solver, int32_t i, c2d_curve* out);
    c2d_add_points would refuse; `body` is not looked at). */
 c2d_status c2d_expand_points(const c2d_points* points, int32_t first, int32_t count, double* xy, int64_t stride,
                              int32_t* total);
-/* c2d_get_condition is that of case 1. The codes are the same in every case, the values those of `load_case`. */
-c2d_status c2d_get_case_condition(c2d_solver* solver, int32_t body, int32_t element, int32_t local, int32_t codes[4],
-                                  double values[4], int32_t load_case);
-/* The point loads of all cases are one list: this one also says whose the i-th is. */
-c2d_status c2d_get_case_point_load(c2d_solver* solver, int32_t i, int32_t* body, double xy[2], double force[2],
-                                   int32_t* load_case);
-/* As c2d_set_body_force was told: (bx, by), rho_omega2, (x0, y0); zeros if it was not called. */
+/* As c2d_set_body_force was told; zeros if it was not called. */
 c2d_status c2d_get_body_force(c2d_solver* solver, int32_t body, int32_t load_case, double force[2], double* rho_omega2,
                               double axis[2]);
-/* is_rigid: 1 if body 1 is a rigid obstacle; motion: ux, uy, rotation in that case; axis: x0, y0. */
-c2d_status c2d_get_rigid(c2d_solver* solver, int32_t load_case, int32_t* is_rigid, double motion[3], double axis[2]);
+/* is_rigid: 1 if the body is a rigid obstacle; motion and axis as c2d_set_rigid was told, else zeros. */
+c2d_status c2d_get_rigid(c2d_solver* solver, int32_t body, int32_t load_case, int32_t* is_rigid, double motion[3],
+                         double axis[2]);
 /* The load case that closes initial overlaps, 0: none. */
 c2d_status c2d_get_interference(c2d_solver* solver, int32_t* load_case);
 
@@ -858,7 +855,7 @@ c2d_status c2d_get_interference(c2d_solver* solver, int32_t* load_case);
    empty        read_deck                                               -> model
                 all of section 5 but complete                           -> building (set_line, set_options: empty)
    building     all of section 5                                        -> model by complete; empty if that fails
-   model        set_options, replace_values, replace_point_load, set_body_force, set_rigid
+   model        set_options, set_values, replace_point_load, set_body_force, set_rigid
                 prepare                                                 -> prepared
                 restore                                                 -> prepared or running, as saved
    prepared     begin, run                                              -> running
@@ -866,9 +863,8 @@ c2d_status c2d_get_interference(c2d_solver* solver, int32_t* load_case);
    running      begin, advance, next_event, run, get, get_zone_state, interior, save, restore
                 change_loads                                            -> model
    broken       after an error of the store: restore, or c2d_create in the same memory
-   In model, prepared and running also positions by get, and the lists: get_friction, _zone_friction, _path,
-   _path_point, _zone, _region, _condition, _point_load, _case_condition, _case_point_load, _body_force, _rigid,
-   _interference, _points, _curve. */
+   In model, prepared and running also positions by get, and the lists: get_friction, _path, _zone,
+   _region, _condition, _point_load, _body_force, _rigid, _interference, _points, _curve. */
 enum { C2D_STATE_EMPTY = 0, C2D_STATE_BUILDING = 1, C2D_STATE_MODEL = 2, C2D_STATE_PREPARED = 3,
        C2D_STATE_RUNNING = 4, C2D_STATE_BROKEN = 5 };
 int32_t c2d_get_state(const c2d_solver* solver);                 /* -1: not a solver                */

@@ -68,14 +68,14 @@ inline c2d::DeckSink recording_sink(Recorder& r, int32_t function_nodes = 0) {
         return e;
     return C2D_OK;
   };
-  sink.set_condition = [](c2d_solver* s, int32_t body, int32_t element, int32_t local, const int32_t codes[4],
-                          const double v[4], int32_t load_case) -> c2d_status {
+  sink.set_condition = [](c2d_solver* s, int32_t body, int32_t element, int32_t local, int32_t load_case,
+                          const int32_t codes[4], const double v[4]) -> c2d_status {
     const double code = codes[0] * 1000 + codes[1] * 100 + codes[2] * 10 + codes[3];
     return recorder(s)->record("condition",
                                {double(body), double(element), double(local), code, v[0], v[1], v[2], v[3], double(load_case)});
   };
-  sink.add_point_load = [](c2d_solver* s, int32_t body, double x, double y, double fx, double fy,
-                           int32_t load_case) -> c2d_status {
+  sink.add_point_load = [](c2d_solver* s, int32_t body, int32_t load_case, double x, double y, double fx,
+                           double fy) -> c2d_status {
     return recorder(s)->record("point load", {double(body), x, y, fx, fy, double(load_case)});
   };
   sink.add_zone = [](c2d_solver* s, const c2d_zone* z) -> c2d_status {
@@ -85,19 +85,19 @@ inline c2d::DeckSink recording_sink(Recorder& r, int32_t function_nodes = 0) {
                                 double(z->last_node[0]), double(z->first_node[1]), double(z->last_node[1])});
   };
   sink.add_friction = [](c2d_solver* s, double mu) -> c2d_status { return recorder(s)->record("friction", {mu}); };
-  sink.add_path = [](c2d_solver* s, int32_t increments, double load) -> c2d_status {
+  sink.add_load_card = [](c2d_solver* s, int32_t increments, double load) -> c2d_status {
     return recorder(s)->record("path", {double(increments), load});
   };
-  sink.set_case_values = [](c2d_solver* s, int32_t body, int32_t element, int32_t local, const double v[4],
-                            int32_t load_case) -> c2d_status {
+  sink.set_values = [](c2d_solver* s, int32_t body, int32_t element, int32_t local, int32_t load_case,
+                       const double v[4]) -> c2d_status {
     return recorder(s)->record("case values",
                                {double(body), double(element), double(local), v[0], v[1], v[2], v[3], double(load_case)});
   };
   sink.clear_paths = [](c2d_solver* s) -> c2d_status { return recorder(s)->record("clear paths", {}); };
-  sink.add_path_point = [](c2d_solver* s, int32_t increments, const double* factors, int32_t cases) -> c2d_status {
-    std::vector<double> numbers(factors, factors + cases);
-    numbers.push_back(increments);
-    return recorder(s)->record("path point", numbers);
+  sink.add_path = [](c2d_solver* s, int32_t increments, const double* factors, int32_t cases) -> c2d_status {
+    std::vector<double> numbers = {double(increments)};
+    numbers.insert(numbers.end(), factors, factors + cases);
+    return recorder(s)->record("path", numbers);
   };
   sink.set_zone_friction = [](c2d_solver* s, int32_t zone, int32_t i, double mu) -> c2d_status {
     return recorder(s)->record("zone friction", {double(zone), double(i), mu});
@@ -118,15 +118,16 @@ inline c2d::DeckSink recording_sink(Recorder& r, int32_t function_nodes = 0) {
   sink.set_symmetry = [](c2d_solver* s, int32_t axis, double value) -> c2d_status {
     return recorder(s)->record("symmetry", {double(axis), value});
   };
-  sink.set_rigid = [](c2d_solver* s, int32_t load_case, double ux, double uy, double w, double x0, double y0) -> c2d_status {
-    return recorder(s)->record("rigid", {double(load_case), ux, uy, w, x0, y0});
+  sink.set_rigid = [](c2d_solver* s, int32_t body, int32_t load_case, const double* u, const double* at) -> c2d_status {
+    if (load_case == 0) return recorder(s)->record("rigid", {double(body)});
+    return recorder(s)->record("rigid", {double(body), double(load_case), u[0], u[1], u[2], at[0], at[1]});
   };
   sink.set_interference = [](c2d_solver* s, int32_t load_case) -> c2d_status {
     return recorder(s)->record("interference", {double(load_case)});
   };
-  sink.set_body_force = [](c2d_solver* s, int32_t body, int32_t load_case, double bx, double by, double w, double x0,
-                           double y0) -> c2d_status {
-    return recorder(s)->record("body force", {double(body), double(load_case), bx, by, w, x0, y0});
+  sink.set_body_force = [](c2d_solver* s, int32_t body, int32_t load_case, const double* force, double w,
+                           const double* at) -> c2d_status {
+    return recorder(s)->record("body force", {double(body), double(load_case), force[0], force[1], w, at[0], at[1]});
   };
   sink.set_units = [](c2d_solver* s, const char* length, const char* force) -> c2d_status {
     recorder(s)->units = std::string(length) + " " + force;

@@ -145,14 +145,16 @@ c2d_status feed_body(c2d_solver* s, const Problem& p, int32_t number) {
   if (status == C2D_OK) status = c2d_set_nodes(s, number, 1, static_cast<int32_t>(body.xy.size() / 2), body.xy.data(), 2);
   for (size_t i = 0; i < body.ends.size() && status == C2D_OK; ++i) {
     const int32_t end = static_cast<int32_t>(i);
-    status = c2d_set_condition(s, number, end / p.function_nodes + 1, end % p.function_nodes + 1, body.ends[i].codes,
-                               body.ends[i].values, 1);
+    status = c2d_set_condition(s, number, end / p.function_nodes + 1, end % p.function_nodes + 1, 1, body.ends[i].codes,
+                               body.ends[i].values);
     if (status == C2D_OK && !body.second_case.empty())
-      status = c2d_set_condition(s, number, end / p.function_nodes + 1, end % p.function_nodes + 1, body.second_case[i].codes,
-                                 body.second_case[i].values, 2);
+      status = c2d_set_condition(s, number, end / p.function_nodes + 1, end % p.function_nodes + 1, 2,
+                                 body.second_case[i].codes, body.second_case[i].values);
   }
   return status;
 }
+
+constexpr double kOrigin[2] = {0, 0};
 
 c2d_status feed(c2d_solver* s, const Problem& p) {
   c2d_problem data = C2D_INIT(c2d_problem);
@@ -162,14 +164,15 @@ c2d_status feed(c2d_solver* s, const Problem& p) {
   c2d_status status = c2d_set_problem(s, &data);
   for (size_t b = 0; b < p.bodies.size() && status == C2D_OK; ++b) status = feed_body(s, p, static_cast<int32_t>(b) + 1);
   for (const PointLoad& l : p.point_loads)
-    if (status == C2D_OK) status = c2d_add_point_load(s, l.body, l.x, l.y, l.fx, l.fy, l.load_case);
-  if (p.rigid && status == C2D_OK) status = c2d_set_rigid(s, 0, 0, 0, 0, 0, 0);
+    if (status == C2D_OK) status = c2d_add_point_load(s, l.body, l.load_case, l.x, l.y, l.fx, l.fy);
+  if (p.rigid && status == C2D_OK) status = c2d_set_rigid(s, 1, 0, nullptr, nullptr);
   for (size_t k = 0; k < p.motions.size(); ++k)
-    if (status == C2D_OK)
-      status = c2d_set_rigid(s, static_cast<int32_t>(k) + 1, p.motions[k][0], p.motions[k][1], p.motions[k][2], 0, 0);
+    if (status == C2D_OK) status = c2d_set_rigid(s, 1, static_cast<int32_t>(k) + 1, p.motions[k].data(), kOrigin);
   if (p.interference > 0 && status == C2D_OK) status = c2d_set_interference(s, p.interference);
-  for (const BodyForce& f : p.body_forces)
-    if (status == C2D_OK) status = c2d_set_body_force(s, f.body, f.load_case, f.bx, f.by, f.rho_omega2, f.x0, f.y0);
+  for (const BodyForce& f : p.body_forces) {
+    const double force[2] = {f.bx, f.by}, axis[2] = {f.x0, f.y0};
+    if (status == C2D_OK) status = c2d_set_body_force(s, f.body, f.load_case, force, f.rho_omega2, axis);
+  }
   for (const c2d_zone& z : p.zones)
     if (status == C2D_OK) status = c2d_add_zone(s, &z);
   for (const c2d_free_zone& z : p.free_zones)
@@ -177,9 +180,9 @@ c2d_status feed(c2d_solver* s, const Problem& p) {
   for (double mu : p.friction)
     if (status == C2D_OK) status = c2d_add_friction(s, mu);
   for (const Path& path : p.paths) {
-    const double factors[2] = {path.load, path.second};
-    if (status == C2D_OK)
-      status = p.two_cases() ? c2d_add_path_point(s, path.increments, factors, 2) : c2d_add_path(s, path.increments, path.load);
+    std::vector<double> factors(index(std::max(2, limits_of(p).load_cases)));
+    factors[0] = path.load, factors[1] = path.second;
+    if (status == C2D_OK) status = c2d_add_path(s, path.increments, factors.data(), std::max(1, limits_of(p).load_cases));
   }
   for (int32_t axis = 0; axis < 2; ++axis)
     if (status == C2D_OK && (p.symmetry >> axis & 1) != 0) status = c2d_set_symmetry(s, axis, p.symmetry_at[axis]);
@@ -299,7 +302,7 @@ void capture(c2d_solver* s, Problem& p) {
     for (int32_t e = 1; e <= sum.elements[b - 1]; ++e)
       for (int32_t l = 1; l <= sum.function_nodes; ++l) {
         End end;
-        c2d_get_condition(s, b, e, l, end.codes, end.values);
+        c2d_get_condition(s, b, e, l, 1, end.codes, end.values);
         for (int k = 0; k < 4; ++k)
           if (end.codes[k] != 0) end.values[k] = 0;
         body.ends.push_back(end);
@@ -309,7 +312,7 @@ void capture(c2d_solver* s, Problem& p) {
   for (int32_t i = 1;; ++i) {
     PointLoad l;
     double xy[2], force[2];
-    if (c2d_get_point_load(s, i, &l.body, xy, force) != C2D_OK) break;
+    if (c2d_get_point_load(s, i, &l.body, &l.load_case, xy, force) != C2D_OK) break;
     l.x = xy[0], l.y = xy[1], l.fx = force[0], l.fy = force[1];
     p.point_loads.push_back(l);
   }
@@ -319,9 +322,10 @@ void capture(c2d_solver* s, Problem& p) {
     p.zones.push_back(z);
   }
   p.friction.resize(index(sum.coefficients));
-  for (int32_t i = 1; i <= sum.coefficients; ++i) c2d_get_friction(s, i, &p.friction[index(i - 1)]);
+  for (int32_t i = 1; i <= sum.coefficients; ++i) c2d_get_friction(s, 0, i, &p.friction[index(i - 1)]);
   p.paths.resize(index(sum.paths));
-  for (int32_t i = 1; i <= sum.paths; ++i) c2d_get_path(s, i, &p.paths[index(i - 1)].increments, &p.paths[index(i - 1)].load);
+  for (int32_t i = 1; i <= sum.paths; ++i)
+    c2d_get_path(s, i, &p.paths[index(i - 1)].increments, &p.paths[index(i - 1)].load, 1);
 }
 
 Result solve_with(const c2d_limits& wanted, const Setup& setup, const Feeder& feeder, Problem* keep) {

@@ -15,6 +15,8 @@ using namespace fixture;
 
 namespace {
 
+constexpr double kOnce = 1; // load factor
+
 using Curve = std::function<void(double t, double& x, double& y)>;
 constexpr double kPi = 3.14159265358979323846;
 
@@ -534,9 +536,9 @@ TEST_CASE("curves: calls refuse what cannot be, and give back what they were tol
   REQUIRE(c2d_set_nodes(s, 1, 5, 4, hole, 2) == C2D_OK);
   const int32_t held[4] = {1, 1, 0, 0};
   const double none[4] = {0, 0, 0, 0};
-  REQUIRE(c2d_set_condition(s, 1, 1, 1, held, none, 1) == C2D_OK);
-  REQUIRE(c2d_set_condition(s, 1, 1, 2, held, none, 1) == C2D_OK);
-  REQUIRE(c2d_add_path(s, 1, 1.0) == C2D_OK);
+  REQUIRE(c2d_set_condition(s, 1, 1, 1, 1, held, none) == C2D_OK);
+  REQUIRE(c2d_set_condition(s, 1, 1, 2, 1, held, none) == C2D_OK);
+  REQUIRE(c2d_add_path(s, 1, &kOnce, 1) == C2D_OK);
   REQUIRE(c2d_complete(s) == C2D_OK);
   c2d_curve back = C2D_INIT(c2d_curve);
   REQUIRE(c2d_get_curve(s, 1, &back) == C2D_OK);

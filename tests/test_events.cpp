@@ -29,8 +29,8 @@ class Hand {
 public:
   Hand(const std::vector<std::vector<double>>& k, const std::vector<std::vector<double>>& b, bool tangential, double mu)
       : m_(static_cast<int>(k.size())), cases_(static_cast<int>(b.size())), pair_(sized(tangential ? m_ / 2 : m_)),
-        t_(sized(m_ * (m_ + 1 + cases_))), store_(1 << 16), buffer_(contact_buffer_bytes(m_) / 8 + 1), y_(sized(m_)),
-        dy_(sized(m_)), area_(rate_problem_bytes(m_) / 8 + 8), lists_(pair_.size() * kRateListBytes / 8 + 1) {
+        t_(sized(m_ * (m_ + 1 + cases_))), store_(1 << 16), buffer_(sized(m_) + 9), y_(sized(m_)), dy_(sized(m_)),
+        area_(sized((m_ + 1) * (m_ + 5)) + 8), lists_(pair_.size() * kRateListBytes / 8 + 1) {
     for (int j = 0; j < m_; ++j)
       for (int i = 0; i < m_; ++i) stiffness_.push_back(static_cast<Real>(k[sized(i)][sized(j)]));
     for (const std::vector<double>& of_case : b)

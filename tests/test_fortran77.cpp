@@ -301,7 +301,7 @@ TEST_CASE("fortran77: a path of the caller's own, events, summary, lists and zon
   CHECK((a == 1 && b == 46));
   int32_t codes[4];
   double values[4];
-  REQUIRE(c2d_get_condition(desktop.solver, 1, 8, 1, codes, values) == C2D_OK);
+  REQUIRE(c2d_get_condition(desktop.solver, 1, 8, 1, 1, codes, values) == C2D_OK);
   c2gcon_(work, I{1}, I{8}, I{1}, I{1}, i1, real.at(), &error);
   CHECK(std::memcmp(i1, codes, sizeof codes) == 0);
   c2gpld_(work, I{1}, &a, &b, real.at(), real.at(), &error);
@@ -498,14 +498,15 @@ TEST_CASE("fortran77: a model by calls is checked as in C, and every call reache
     for (int32_t k = 0; k < 5; ++k) put_real(real.at(), 0.0, k);
     for (int32_t e = 1; e <= 4; ++e)
       for (int32_t local = 1; local <= 2; ++local) {
-        c2cond_(work, I{body}, I{12 + e}, I{local}, fix_x, real.at(), I{1}, &error), ok(__LINE__);
-        c2cond_(work, I{body}, I{body == 1 ? e : 8 + e}, I{local}, fix_y, real.at(), I{1}, &error), ok(__LINE__);
+        c2cond_(work, I{body}, I{12 + e}, I{local}, I{1}, fix_x, real.at(), &error), ok(__LINE__);
+        c2cond_(work, I{body}, I{body == 1 ? e : 8 + e}, I{local}, I{1}, fix_y, real.at(), &error), ok(__LINE__);
       }
   }
   put_real(real.at(), -0.01, 3);
-  for (int32_t e = 9; e <= 12; ++e) c2case_(work, I{2}, I{e}, I{0}, real.at(), I{2}, &error), ok(__LINE__);
-  c2load_(work, I{1}, R{0.5}, R{-0.5}, R{0.0}, R{-1.0}, I{1}, &error), ok(__LINE__);
-  c2bfor_(work, I{1}, I{1}, R{0.0}, R{-2.0}, R{0.0}, R{0.0}, R{0.0}, &error), ok(__LINE__);
+  for (int32_t e = 9; e <= 12; ++e) c2case_(work, I{2}, I{e}, I{0}, I{2}, real.at(), &error), ok(__LINE__);
+  c2load_(work, I{1}, I{1}, R{0.5}, R{-0.5}, R{0.0}, R{-1.0}, &error), ok(__LINE__);
+  const double weight[2] = {0.0, -2.0}, still[3] = {0.0, 0.0, 0.0};
+  c2bfor_(work, I{1}, I{1}, weight, R{0.0}, still, &error), ok(__LINE__);
   const int32_t elements[4] = {9, 12, 4, 1}, nodes[4] = {9, 13, 5, 1};
   c2zone_(work, I{5}, I{4}, elements, nodes, &error), ok(__LINE__);
   c2mu_(work, R{0.0}, &error), ok(__LINE__);
@@ -522,7 +523,7 @@ TEST_CASE("fortran77: a model by calls is checked as in C, and every call reache
   CHECK(error == C2D_ERR_ARGUMENT); // no such axis
   c2free_(work, elements, elements, &error);
   CHECK(error != 0); // the limits have no room for one
-  c2rigd_(work, I{7}, R{0}, R{0}, R{0}, R{0}, R{0}, &error);
+  c2rigd_(work, I{1}, I{7}, still, still, &error);
   CHECK(error == C2D_ERR_ARGUMENT); // no such case
   c2done_(work, &error);
   CHECK(error == 0);
@@ -538,7 +539,7 @@ TEST_CASE("fortran77: a model by calls is checked as in C, and every call reache
   double turning = -1.0;
   c2gbfo_(work, I{1}, I{1}, force, &turning, xy, &error);
   CHECK((error == 0 && force[1] == -2.0 && turning == 0.0));
-  c2grig_(work, I{1}, &rigid, real.at(), xy, &error);
+  c2grig_(work, I{1}, I{1}, &rigid, real.at(), xy, &error);
   CHECK((error == 0 && rigid == 0));
   c2gint_(work, &load_case, &error);
   CHECK((error == 0 && load_case == 0));
@@ -586,7 +587,7 @@ TEST_CASE("fortran77: other loads through kept factors, as in C and as from the 
       if (real_at(real.at()) == 0) continue;
       ++pulled;
       put_real(real.at(), 2 * real_at(real.at()));
-      c2rval_(work, I{1}, I{element}, I{local}, real.at(), I{1}, &error), ok(__LINE__);
+      c2case_(work, I{1}, I{element}, I{local}, I{1}, real.at(), &error), ok(__LINE__);
     }
   CHECK(pulled == 8); // both ends of four elements
   c2prep_(work, &error), ok(__LINE__);
@@ -623,10 +624,10 @@ TEST_CASE("fortran77: nodes on lines and arcs, points and a point load as the C 
   const int32_t fix_x[4] = {1, 0, 0, 1}, fix_y[4] = {0, 1, 1, 0};
   const double none[4] = {0, 0, 0, 0};
   for (int32_t i = 0; i < 4; ++i) {
-    c2cond_(work, I{1}, I{1 + i / 2}, I{1 + i % 2}, fix_y, none, I{1}, &error), ok(__LINE__);
-    c2cond_(work, I{1}, I{7 + i / 2}, I{1 + i % 2}, fix_x, none, I{1}, &error), ok(__LINE__);
+    c2cond_(work, I{1}, I{1 + i / 2}, I{1 + i % 2}, I{1}, fix_y, none, &error), ok(__LINE__);
+    c2cond_(work, I{1}, I{7 + i / 2}, I{1 + i % 2}, I{1}, fix_x, none, &error), ok(__LINE__);
   }
-  c2load_(work, I{1}, R{1.2}, R{0.9}, R{0.0}, R{1.0}, I{1}, &error), ok(__LINE__);
+  c2load_(work, I{1}, I{1}, R{1.2}, R{0.9}, R{0.0}, R{1.0}, &error), ok(__LINE__);
   const int32_t three_by_two[2] = {3, 2}, few[2] = {0, 0};
   std::memcpy(real.at(), ends, sizeof ends);
   c2apts_(work, I{C2D_POINTS_GRID}, I{1}, three_by_two, at, at + 32, &error), ok(__LINE__);

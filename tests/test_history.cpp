@@ -77,8 +77,10 @@ public:
 
   c2d_status finish() {
     for (const auto& piece : setup_.path)
-      c2d_add_path_point(s, piece.first, piece.second.data(), static_cast<int32_t>(piece.second.size()));
-    if (setup_.path.empty()) c2d_add_path(s, 1, 1.0);
+      c2d_add_path(s, piece.first, piece.second.data(), static_cast<int32_t>(piece.second.size()));
+    std::vector<double> first_case(std::max<size_t>(setup_.cases.size(), 1));
+    first_case[0] = 1;
+    if (setup_.path.empty()) c2d_add_path(s, 1, first_case.data(), static_cast<int32_t>(first_case.size()));
     c2d_options options = C2D_INIT(c2d_options);
     options.stepping = setup_.stepping;
     c2d_set_options(s, &options);
@@ -185,16 +187,16 @@ private:
     const int32_t fixed[4] = {1, 1, 0, 0}, loaded[4] = {0, 0, 1, 1};
     const double zero[4] = {0, 0, 0, 0};
     for (int e = 1; e <= counts_[0][0]; ++e)
-      for (int l = 1; l <= setup_.order; ++l) REQUIRE(c2d_set_condition(s, 1, e, l, fixed, zero, 1) == C2D_OK);
+      for (int l = 1; l <= setup_.order; ++l) REQUIRE(c2d_set_condition(s, 1, e, l, 1, fixed, zero) == C2D_OK);
     for (size_t k = 0; k < setup_.cases.size(); ++k) {
       const Value& v = setup_.cases[k];
       const double values[4] = {v.tx, v.ty, v.ux, v.uy};
       for (int e = top_first(); e <= top_last(); ++e)
         for (int l = 1; l <= setup_.order; ++l)
           if (k == 0)
-            REQUIRE(c2d_set_condition(s, 2, e, l, setup_.held ? fixed : loaded, values, 1) == C2D_OK);
+            REQUIRE(c2d_set_condition(s, 2, e, l, 1, setup_.held ? fixed : loaded, values) == C2D_OK);
           else
-            REQUIRE(c2d_set_case_values(s, 2, e, l, values, static_cast<int32_t>(k) + 1) == C2D_OK);
+            REQUIRE(c2d_set_values(s, 2, e, l, static_cast<int32_t>(k) + 1, values) == C2D_OK);
     }
   }
 
@@ -501,12 +503,12 @@ TEST_CASE("history: c2d_run follows the path of the model") {
   CHECK(steps[15].dissipated == doctest::Approx(c.summary().dissipated).epsilon(1e-9));
   int32_t increments = 0;
   double loads[2] = {9, 9}, mu = 0;
-  CHECK(c2d_get_path_point(c.s, 3, &increments, loads, 2) == C2D_OK);
+  CHECK(c2d_get_path(c.s, 3, &increments, loads, 2) == C2D_OK);
   CHECK(increments == 3);
   CHECK(loads[1] == -0.25);
-  CHECK(c2d_get_zone_friction(c.s, 1, 1, &mu) == C2D_OK);
+  CHECK(c2d_get_friction(c.s, 1, 1, &mu) == C2D_OK);
   CHECK(mu == 0.3);
-  CHECK(c2d_get_zone_friction(c.s, 1, 2, &mu) == C2D_OK);
+  CHECK(c2d_get_friction(c.s, 1, 2, &mu) == C2D_OK);
   CHECK(mu == 0.4);
 }
 
@@ -520,13 +522,13 @@ TEST_CASE("history: refused paths, cases and values") {
   CHECK(std::string(error.text).find("load case 3 loads nothing") != std::string::npos);
   Case c{Setup()};
   const double factors[3] = {1, 1, 1}, inner[4] = {0, 0, 0.1, 0}, pull[4] = {0, 1, 0, 0};
-  CHECK(c2d_add_path_point(c.s, 1, factors, 3) == C2D_ERR_ARGUMENT);
-  CHECK(c2d_add_path_point(c.s, 1, factors, 1) == C2D_ERR_ARGUMENT);
-  CHECK(c2d_add_path_point(c.s, 0, factors, 2) == C2D_ERR_ARGUMENT);
-  CHECK(c2d_set_case_values(c.s, 2, c.top_first(), 0, inner, 2) == C2D_ERR_ARGUMENT); // displacement unknown
-  CHECK(c2d_set_case_values(c.s, 1, 1, 0, pull, 2) == C2D_ERR_ARGUMENT);              // traction unknown
-  CHECK(c2d_set_case_values(c.s, 2, 1, 0, pull, 2) == C2D_ERR_ARGUMENT);              // of the contact
-  CHECK(c2d_set_case_values(c.s, 2, c.top_first(), 0, pull, 3) == C2D_ERR_ARGUMENT);
+  CHECK(c2d_add_path(c.s, 1, factors, 3) == C2D_ERR_ARGUMENT);
+  CHECK(c2d_add_path(c.s, 1, factors, 1) == C2D_ERR_ARGUMENT);
+  CHECK(c2d_add_path(c.s, 0, factors, 2) == C2D_ERR_ARGUMENT);
+  CHECK(c2d_set_values(c.s, 2, c.top_first(), 0, 2, inner) == C2D_ERR_ARGUMENT); // displacement unknown
+  CHECK(c2d_set_values(c.s, 1, 1, 0, 2, pull) == C2D_ERR_ARGUMENT);              // traction unknown
+  CHECK(c2d_set_values(c.s, 2, 1, 0, 2, pull) == C2D_ERR_ARGUMENT);              // of the contact
+  CHECK(c2d_set_values(c.s, 2, c.top_first(), 0, 3, pull) == C2D_ERR_ARGUMENT);
   CHECK(c2d_set_zone_friction(c.s, 2, 1, 0.1) == C2D_ERR_ARGUMENT);
   CHECK(c2d_set_zone_friction(c.s, 1, 1, -0.1) == C2D_ERR_ARGUMENT);
   CHECK(c.finish() == C2D_OK);
@@ -541,7 +543,7 @@ TEST_CASE("history: point loads that roll over the block, with their energy") {
     Setup loads = setup;
     loads.cases.resize(4, {0, 0, 0, 0});
     Case c(loads);
-    for (int k = 0; k < 3; ++k) REQUIRE(c2d_add_point_load(c.s, 2, -0.4 + 0.4 * k, 0.5, 0.02, -0.3, k + 2) == C2D_OK);
+    for (int k = 0; k < 3; ++k) REQUIRE(c2d_add_point_load(c.s, 2, k + 2, -0.4 + 0.4 * k, 0.5, 0.02, -0.3) == C2D_OK);
     REQUIRE(c.finish() == C2D_OK);
     c.begin(0.3);
     REQUIRE(c.to({1, 0, 0, 0}) == C2D_REACHED);

@@ -120,6 +120,9 @@ struct Call {
 };
 
 double g_numbers[4];
+
+c2d_status add_load(c2d_solver* s, int32_t increments, double load) { return c2d_add_path(s, increments, &load, 1); }
+
 const std::vector<Call>& calls() {
   static const std::vector<Call> all = [] {
     const c2d_limits limits = small_deck().limits();
@@ -149,9 +152,9 @@ const std::vector<Call>& calls() {
     add("set_condition", model_calls, [](c2d_solver* s) {
       const int32_t codes[4] = {0, 0, 1, 1};
       const double values[4] = {0, 0, 0, 0};
-      return c2d_set_condition(s, 1, 1, 1, codes, values, 1);
+      return c2d_set_condition(s, 1, 1, 1, 1, codes, values);
     });
-    add("add_point_load", model_calls, [](c2d_solver* s) { return c2d_add_point_load(s, 1, 0, 0, 1, 1, 1); });
+    add("add_point_load", model_calls, [](c2d_solver* s) { return c2d_add_point_load(s, 1, 1, 0, 0, 1, 1); });
     add("add_points", model_calls, [](c2d_solver* s) {
       c2d_points p = C2D_INIT(c2d_points);
       p.body = 1;
@@ -167,34 +170,32 @@ const std::vector<Call>& calls() {
       return c2d_add_zone(s, &z);
     });
     add("add_friction", model_calls, [](c2d_solver* s) { return c2d_add_friction(s, 0.1); });
-    add("add_path", model_calls, [](c2d_solver* s) { return c2d_add_path(s, 1, 1.0); });
+    add("add_path", model_calls, [](c2d_solver* s) {
+      const double load = 1;
+      return c2d_add_path(s, 1, &load, 1);
+    });
     add("set_units", model_calls | complete, [](c2d_solver* s) { return c2d_set_units(s, "mm", "N"); });
-    add("set_case_values", model_calls & ~kEmpty, [](c2d_solver* s) {
+    add("set_values", kBuilding | kModel, [](c2d_solver* s) {
       const double values[4] = {0, 0, 0, 0};
-      return c2d_set_case_values(s, 1, 1, 1, values, 1);
+      return c2d_set_values(s, 1, 1, 1, 1, values);
     });
     add("set_zone_friction", model_calls, [](c2d_solver* s) { return c2d_set_zone_friction(s, 1, 1, 0.2); });
     add("set_symmetry", model_calls, [](c2d_solver* s) { return c2d_set_symmetry(s, 0, 0.0); });
-    add("set_rigid", model_calls, [](c2d_solver* s) { return c2d_set_rigid(s, 0, 0, 0, 0, 0, 0); });
+    add("set_rigid", model_calls, [](c2d_solver* s) { return c2d_set_rigid(s, 1, 0, nullptr, nullptr); });
     add("set_interference", model_calls, [](c2d_solver* s) { return c2d_set_interference(s, 1); });
-    add("set_body_force", model_calls | kModel, [](c2d_solver* s) { return c2d_set_body_force(s, 1, 1, 0, -1, 0, 0, 0); });
+    add("set_body_force", model_calls | kModel, [](c2d_solver* s) {
+      const double weight[2] = {0, -1};
+      return c2d_set_body_force(s, 1, 1, weight, 0, nullptr);
+    });
     add("add_free_zone", model_calls, [](c2d_solver* s) {
       const c2d_free_zone z = C2D_INIT(c2d_free_zone);
       return c2d_add_free_zone(s, &z);
-    });
-    add("add_path_point", model_calls, [](c2d_solver* s) {
-      const double load = 1;
-      return c2d_add_path_point(s, 1, &load, 1);
     });
     add("clear_paths", model_calls, [](c2d_solver* s) { return c2d_clear_paths(s); });
     add("read_deck", kEmpty, [](c2d_solver* s) { return read_deck(s, small_deck()); });
     add("complete", kBuilding, [](c2d_solver* s) { return c2d_complete(s); });
     add("prepare", kModel, [](c2d_solver* s) { return c2d_prepare(s); });
     add("change_loads", kPrepared | kRunning, [](c2d_solver* s) { return c2d_change_loads(s); });
-    add("replace_values", kModel, [](c2d_solver* s) {
-      const double values[4] = {0, 0, 0, 0};
-      return c2d_replace_values(s, 1, 1, 1, values, 1);
-    });
     add("replace_point_load", kModel, [](c2d_solver* s) { return c2d_replace_point_load(s, 1, 0, 0, 0, 0); });
     add("set_line_nodes", model_calls, [](c2d_solver* s) {
       const double xy[2] = {1, 2};
@@ -225,11 +226,6 @@ const std::vector<Call>& calls() {
       c2d_zone_state z = C2D_INIT(c2d_zone_state);
       return c2d_get_zone_state(s, 1, &z);
     });
-    add("get_zone_friction", complete, [](c2d_solver* s) { return c2d_get_zone_friction(s, 1, 1, g_numbers); });
-    add("get_path_point", complete, [](c2d_solver* s) {
-      int32_t n;
-      return c2d_get_path_point(s, 1, &n, g_numbers, 1);
-    });
     add("get result", kRunning, [](c2d_solver* s) { return c2d_get(s, C2D_TN, 1, 1, 1, g_numbers, 1); });
     add("get boundary", kRunning, [](c2d_solver* s) { return c2d_get(s, C2D_END_UX, 1, 1, 1, g_numbers, 1); });
     add("get stress", kRunning, [](c2d_solver* s) { return c2d_get(s, C2D_END_HOOP, 1, 1, 1, g_numbers, 1); });
@@ -242,10 +238,10 @@ const std::vector<Call>& calls() {
     add("get position", complete, [](c2d_solver* s) { return c2d_get(s, C2D_X, 1, 1, 1, g_numbers, 1); });
     add("get end position", complete, [](c2d_solver* s) { return c2d_get(s, C2D_END_X, 1, 1, 1, g_numbers, 1); });
     add("get node", complete, [](c2d_solver* s) { return c2d_get(s, C2D_NODE_X, 1, 1, 1, g_numbers, 1); });
-    add("get_friction", complete, [](c2d_solver* s) { return c2d_get_friction(s, 1, g_numbers); });
+    add("get_friction", complete, [](c2d_solver* s) { return c2d_get_friction(s, 0, 1, g_numbers); });
     add("get_path", complete, [](c2d_solver* s) {
       int32_t n;
-      return c2d_get_path(s, 1, &n, g_numbers);
+      return c2d_get_path(s, 1, &n, g_numbers, 1);
     });
     add("get_zone", complete, [](c2d_solver* s) {
       c2d_zone z = C2D_INIT(c2d_zone);
@@ -257,16 +253,12 @@ const std::vector<Call>& calls() {
     });
     add("get_condition", complete, [](c2d_solver* s) {
       int32_t codes[4];
-      return c2d_get_condition(s, 1, 1, 1, codes, g_numbers);
+      return c2d_get_condition(s, 1, 1, 1, 1, codes, g_numbers);
     });
-    add("get_case_condition", complete, [](c2d_solver* s) {
-      int32_t codes[4];
-      return c2d_get_case_condition(s, 1, 1, 1, codes, g_numbers, 1);
-    });
-    add("get_case_point_load", complete, [](c2d_solver* s) {
+    add("get_point_load", complete, [](c2d_solver* s) {
       int32_t b, k;
       double f[2];
-      return c2d_get_case_point_load(s, 1, &b, g_numbers, f, &k);
+      return c2d_get_point_load(s, 1, &b, &k, g_numbers, f);
     });
     add("get_body_force", complete, [](c2d_solver* s) {
       double f[2], axis[2];
@@ -275,18 +267,13 @@ const std::vector<Call>& calls() {
     add("get_rigid", complete, [](c2d_solver* s) {
       int32_t rigid;
       double u[3];
-      return c2d_get_rigid(s, 1, &rigid, u, g_numbers);
+      return c2d_get_rigid(s, 1, 1, &rigid, u, g_numbers);
     });
     add("get_interference", complete, [](c2d_solver* s) {
       int32_t k;
       return c2d_get_interference(s, &k);
     });
     add("get place", complete, [](c2d_solver* s) { return c2d_get(s, C2D_PAIR_ELEMENT1, 1, 1, 1, g_numbers, 1); });
-    add("get_point_load", complete, [](c2d_solver* s) {
-      int32_t b;
-      double f[2];
-      return c2d_get_point_load(s, 1, &b, g_numbers, f);
-    });
     add("get_points", complete, [](c2d_solver* s) {
       c2d_points p = C2D_INIT(c2d_points);
       return c2d_get_points(s, 1, &p);
@@ -618,7 +605,7 @@ std::vector<Wrong> wrong_calls() {
         const double xy[2] = {0, 0};
         return c2d_set_nodes(s, number, 1, 1, xy, 2);
       });
-      add("load body", [number](c2d_solver* s) { return c2d_add_point_load(s, number, 0, 0, 0, 0, 1); });
+      add("load body", [number](c2d_solver* s) { return c2d_add_point_load(s, number, 1, 0, 0, 0, 0); });
     }
     for (double modulus : {0.0, -1.0, nan, inf})
       add("modulus", [modulus](c2d_solver* s) {
@@ -652,18 +639,18 @@ std::vector<Wrong> wrong_calls() {
       const double xy[2] = {0, 0};
       return c2d_set_nodes(s, 1, 1, 1, xy, 2);
     });
-    add("condition early", [](c2d_solver* s) { return c2d_set_condition(s, 1, 1, 1, nullptr, nullptr, 1); });
-    add("load case", [](c2d_solver* s) { return c2d_add_point_load(s, 1, 0, 0, 0, 0, 2); });
-    add("load nan", [nan](c2d_solver* s) { return c2d_add_point_load(s, 1, nan, 0, 0, 0, 1); });
-    add("too many loads", [](c2d_solver* s) { return c2d_add_point_load(s, 1, 0, 0, 1, 1, 1); });
+    add("condition early", [](c2d_solver* s) { return c2d_set_condition(s, 1, 1, 1, 1, nullptr, nullptr); });
+    add("load case", [](c2d_solver* s) { return c2d_add_point_load(s, 1, 2, 0, 0, 0, 0); });
+    add("load nan", [nan](c2d_solver* s) { return c2d_add_point_load(s, 1, 1, nan, 0, 0, 0); });
+    add("too many loads", [](c2d_solver* s) { return c2d_add_point_load(s, 1, 1, 0, 0, 1, 1); });
     add("zone null", [](c2d_solver* s) { return c2d_add_zone(s, nullptr); });
     add("zone early", [](c2d_solver* s) {
       const c2d_zone z = C2D_INIT(c2d_zone);
       return c2d_add_zone(s, &z);
     });
     for (double mu : {-0.1, -inf, nan}) add("mu", [mu](c2d_solver* s) { return c2d_add_friction(s, mu); });
-    for (int32_t count : {0, -1, INT32_MIN}) add("increments", [count](c2d_solver* s) { return c2d_add_path(s, count, 1.0); });
-    for (double load : {inf, nan}) add("path load", [load](c2d_solver* s) { return c2d_add_path(s, 1, load); });
+    for (int32_t count : {0, -1, INT32_MIN}) add("increments", [count](c2d_solver* s) { return add_load(s, count, 1.0); });
+    for (double load : {inf, nan}) add("path load", [load](c2d_solver* s) { return add_load(s, 1, load); });
   }
   out.push_back({"deck null", C2D_STATE_EMPTY, [](c2d_solver* s) { return c2d_read_deck(s, nullptr, nullptr); }});
   const auto add = [&](int32_t state, const char* name, std::function<c2d_status(c2d_solver*)> make) {
@@ -678,10 +665,10 @@ std::vector<Wrong> wrong_calls() {
       });
     for (double mu : {-1.0, nan, -inf}) add(state, "begin mu", [mu](c2d_solver* s) { return c2d_begin(s, &mu, 1); });
     for (int32_t i : {0, -1, 100, INT32_MAX, INT32_MIN}) {
-      add(state, "friction", [i](c2d_solver* s) { return c2d_get_friction(s, i, g_numbers); });
+      add(state, "friction", [i](c2d_solver* s) { return c2d_get_friction(s, 0, i, g_numbers); });
       add(state, "path", [i](c2d_solver* s) {
         int32_t n;
-        return c2d_get_path(s, i, &n, g_numbers);
+        return c2d_get_path(s, i, &n, g_numbers, 1);
       });
       add(state, "zone", [i](c2d_solver* s) {
         c2d_zone z = C2D_INIT(c2d_zone);
@@ -697,25 +684,20 @@ std::vector<Wrong> wrong_calls() {
       });
       add(state, "condition", [i](c2d_solver* s) {
         int32_t c[4];
-        return c2d_get_condition(s, 1, i == 100 ? 1000 : i, 1, c, g_numbers);
+        return c2d_get_condition(s, 1, i == 100 ? 1000 : i, 1, 1, c, g_numbers);
       });
       add(state, "condition end", [i](c2d_solver* s) {
         int32_t c[4];
-        return c2d_get_condition(s, 1, 1, i, c, g_numbers);
-      });
-      add(state, "point load", [i](c2d_solver* s) {
-        int32_t b;
-        double f[2];
-        return c2d_get_point_load(s, i, &b, g_numbers, f);
+        return c2d_get_condition(s, 1, 1, i, 1, c, g_numbers);
       });
       add(state, "case of condition", [i](c2d_solver* s) {
         int32_t c[4];
-        return c2d_get_case_condition(s, 1, 1, 1, c, g_numbers, i);
+        return c2d_get_condition(s, 1, 1, 1, i, c, g_numbers);
       });
-      add(state, "case point load", [i](c2d_solver* s) {
+      add(state, "point load", [i](c2d_solver* s) {
         int32_t b, k;
         double f[2];
-        return c2d_get_case_point_load(s, i, &b, g_numbers, f, &k);
+        return c2d_get_point_load(s, i, &b, &k, g_numbers, f);
       });
       add(state, "body force body", [i](c2d_solver* s) {
         double f[2], axis[2];
@@ -725,23 +707,31 @@ std::vector<Wrong> wrong_calls() {
         double f[2], axis[2];
         return c2d_get_body_force(s, 1, i, f, g_numbers, axis);
       });
+      add(state, "zone of friction", [i](c2d_solver* s) { return c2d_get_friction(s, i == 0 ? 100 : i, 1, g_numbers); });
+      add(state, "cases of a path", [i](c2d_solver* s) {
+        int32_t n;
+        return c2d_get_path(s, 1, &n, g_numbers, i);
+      });
+      add(state, "rigid body", [i](c2d_solver* s) {
+        int32_t rigid;
+        double u[3];
+        return c2d_get_rigid(s, i, 1, &rigid, u, g_numbers);
+      });
       add(state, "rigid case", [i](c2d_solver* s) {
         int32_t rigid;
         double u[3];
-        return c2d_get_rigid(s, i, &rigid, u, g_numbers);
+        return c2d_get_rigid(s, 1, i, &rigid, u, g_numbers);
       });
       add(state, "get body", [i](c2d_solver* s) { return c2d_get(s, C2D_NODE_X, i, 1, 1, g_numbers, 1); });
     }
-    add(state, "nulls", [](c2d_solver* s) { return c2d_get_friction(s, 1, nullptr); });
-    add(state, "nulls", [](c2d_solver* s) { return c2d_get_path(s, 1, nullptr, nullptr); });
+    add(state, "nulls", [](c2d_solver* s) { return c2d_get_friction(s, 0, 1, nullptr); });
+    add(state, "nulls", [](c2d_solver* s) { return c2d_get_path(s, 1, nullptr, nullptr, 1); });
     add(state, "nulls", [](c2d_solver* s) { return c2d_get_zone(s, 1, nullptr); });
     add(state, "nulls", [](c2d_solver* s) { return c2d_get_region(s, 1, 1, nullptr, nullptr); });
-    add(state, "nulls", [](c2d_solver* s) { return c2d_get_condition(s, 1, 1, 1, nullptr, nullptr); });
-    add(state, "nulls", [](c2d_solver* s) { return c2d_get_point_load(s, 1, nullptr, nullptr, nullptr); });
-    add(state, "nulls", [](c2d_solver* s) { return c2d_get_case_condition(s, 1, 1, 1, nullptr, nullptr, 1); });
-    add(state, "nulls", [](c2d_solver* s) { return c2d_get_case_point_load(s, 1, nullptr, nullptr, nullptr, nullptr); });
+    add(state, "nulls", [](c2d_solver* s) { return c2d_get_condition(s, 1, 1, 1, 1, nullptr, nullptr); });
+    add(state, "nulls", [](c2d_solver* s) { return c2d_get_point_load(s, 1, nullptr, nullptr, nullptr, nullptr); });
     add(state, "nulls", [](c2d_solver* s) { return c2d_get_body_force(s, 1, 1, nullptr, nullptr, nullptr); });
-    add(state, "nulls", [](c2d_solver* s) { return c2d_get_rigid(s, 1, nullptr, nullptr, nullptr); });
+    add(state, "nulls", [](c2d_solver* s) { return c2d_get_rigid(s, 1, 1, nullptr, nullptr, nullptr); });
     add(state, "nulls", [](c2d_solver* s) { return c2d_get_interference(s, nullptr); });
     add(state, "summary", [](c2d_solver* s) { return c2d_get_summary(s, nullptr); });
     add(state, "error", [](c2d_solver* s) { return c2d_last_error(s, nullptr); });
@@ -772,11 +762,25 @@ std::vector<Wrong> wrong_calls() {
     });
   for (double number : {nan, inf, -inf}) {
     add(C2D_STATE_EMPTY, "symmetry", [number](c2d_solver* s) { return c2d_set_symmetry(s, 0, number); });
-    add(C2D_STATE_EMPTY, "rigid", [number](c2d_solver* s) { return c2d_set_rigid(s, 1, 0, 0, number, 0, 0); });
-    add(C2D_STATE_MODEL, "body force", [number](c2d_solver* s) { return c2d_set_body_force(s, 1, 1, 0, number, 0, 0, 0); });
+    add(C2D_STATE_EMPTY, "rigid", [number](c2d_solver* s) {
+      const double motion[3] = {0, 0, number}, axis[2] = {0, 0};
+      return c2d_set_rigid(s, 1, 1, motion, axis);
+    });
+    add(C2D_STATE_EMPTY, "rigid axis", [number](c2d_solver* s) {
+      const double motion[3] = {0, 0, 0}, axis[2] = {0, number};
+      return c2d_set_rigid(s, 1, 1, motion, axis);
+    });
+    add(C2D_STATE_MODEL, "body force", [number](c2d_solver* s) {
+      const double force[2] = {0, number};
+      return c2d_set_body_force(s, 1, 1, force, 0, nullptr);
+    });
+    add(C2D_STATE_MODEL, "body force axis", [number](c2d_solver* s) {
+      const double force[2] = {0, 0}, axis[2] = {0, number};
+      return c2d_set_body_force(s, 1, 1, force, 1, axis);
+    });
     add(C2D_STATE_MODEL, "replaced", [number](c2d_solver* s) {
       const double values[4] = {number, number, number, number};
-      return c2d_replace_values(s, 1, 1, 1, values, 1);
+      return c2d_set_values(s, 1, 1, 1, 1, values);
     });
     add(C2D_STATE_EMPTY, "points", [number](c2d_solver* s) {
       c2d_points p = C2D_INIT(c2d_points);
@@ -788,21 +792,28 @@ std::vector<Wrong> wrong_calls() {
   }
   for (int32_t i : {-1, 2, 100, INT32_MAX, INT32_MIN}) {
     add(C2D_STATE_EMPTY, "axis", [i](c2d_solver* s) { return c2d_set_symmetry(s, i, 0.0); });
-    add(C2D_STATE_EMPTY, "rigid case", [i](c2d_solver* s) { return c2d_set_rigid(s, i, 0, 0, 0, 0, 0); });
+    add(C2D_STATE_EMPTY, "rigid case", [i](c2d_solver* s) {
+      const double still[3] = {0, 0, 0};
+      return c2d_set_rigid(s, 1, i, still, still);
+    });
+    add(C2D_STATE_EMPTY, "rigid body", [i](c2d_solver* s) { return c2d_set_rigid(s, i, 0, nullptr, nullptr); });
     add(C2D_STATE_EMPTY, "closing case", [i](c2d_solver* s) { return c2d_set_interference(s, i); });
-    add(C2D_STATE_MODEL, "body force case", [i](c2d_solver* s) { return c2d_set_body_force(s, 1, i, 0, 0, 0, 0, 0); });
+    add(C2D_STATE_MODEL, "body force case", [i](c2d_solver* s) {
+      const double force[2] = {0, 0};
+      return c2d_set_body_force(s, 1, i, force, 0, nullptr);
+    });
     add(C2D_STATE_EMPTY, "zone friction", [i](c2d_solver* s) { return c2d_set_zone_friction(s, i, 1, 0.1); });
     add(C2D_STATE_MODEL, "point load", [i](c2d_solver* s) { return c2d_replace_point_load(s, i, 0, 0, 0, 0); });
     add(C2D_STATE_MODEL, "replaced", [i](c2d_solver* s) {
       const double values[4] = {0, 0, 0, 0};
-      return c2d_replace_values(s, 1, 1, i == 2 ? 4 : i, values, 1);
+      return c2d_set_values(s, 1, 1, i == 2 ? 4 : i, 1, values);
     });
-    add(C2D_STATE_EMPTY, "path cases", [i](c2d_solver* s) { return c2d_add_path_point(s, 1, g_numbers, i); });
+    add(C2D_STATE_EMPTY, "path cases", [i](c2d_solver* s) { return c2d_add_path(s, 1, g_numbers, i); });
     add(C2D_STATE_RUNNING, "path cases", [i](c2d_solver* s) {
       int32_t n;
-      return c2d_get_path_point(s, 1, &n, g_numbers, i);
+      return c2d_get_path(s, 1, &n, g_numbers, i);
     });
-    add(C2D_STATE_RUNNING, "zone friction", [i](c2d_solver* s) { return c2d_get_zone_friction(s, i, 1, g_numbers); });
+    add(C2D_STATE_RUNNING, "zone friction", [i](c2d_solver* s) { return c2d_get_friction(s, i, 1, g_numbers); });
     add(C2D_STATE_RUNNING, "zone state", [i](c2d_solver* s) {
       c2d_zone_state z = C2D_INIT(c2d_zone_state);
       return c2d_get_zone_state(s, i, &z);
@@ -822,12 +833,16 @@ std::vector<Wrong> wrong_calls() {
         return c2d_interior(s, i, 1, xy, 2, row, C2D_POINT_FIELDS);
       });
   }
+  add(C2D_STATE_EMPTY, "no motion", [](c2d_solver* s) { return c2d_set_rigid(s, 1, 1, nullptr, nullptr); });
+  add(C2D_STATE_EMPTY, "no force", [](c2d_solver* s) { return c2d_set_body_force(s, 1, 1, nullptr, 0, nullptr); });
+  add(C2D_STATE_EMPTY, "no axis", [](c2d_solver* s) { return c2d_set_body_force(s, 1, 1, g_numbers, 1, nullptr); });
+  add(C2D_STATE_EMPTY, "no factors", [](c2d_solver* s) { return c2d_add_path(s, 1, nullptr, 1); });
   add(C2D_STATE_EMPTY, "curve", [](c2d_solver* s) { return c2d_add_curve(s, nullptr); });
   add(C2D_STATE_EMPTY, "free zone", [](c2d_solver* s) { return c2d_add_free_zone(s, nullptr); });
   add(C2D_STATE_EMPTY, "line nodes", [](c2d_solver* s) { return c2d_set_line_nodes(s, 1, 1, 2, nullptr, nullptr, nullptr); });
   add(C2D_STATE_EMPTY, "arc nodes", [](c2d_solver* s) { return c2d_set_arc_nodes(s, 1, 1, 2, nullptr, 1, 0, 90); });
   add(C2D_STATE_EMPTY, "long unit", [](c2d_solver* s) { return c2d_set_units(s, "0123456789abcdef", nullptr); });
-  add(C2D_STATE_BUILDING, "case values", [](c2d_solver* s) { return c2d_set_case_values(s, 1, 1, 1, nullptr, 1); });
+  add(C2D_STATE_BUILDING, "case values", [](c2d_solver* s) { return c2d_set_values(s, 1, 1, 1, 1, nullptr); });
   add(C2D_STATE_EMPTY, "points", [](c2d_solver* s) { return c2d_add_points(s, nullptr); });
   for (double load : {nan, inf, -inf})
     add(C2D_STATE_RUNNING, "load", [load](c2d_solver* s) {

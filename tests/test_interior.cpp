@@ -20,6 +20,8 @@ using namespace c2d;
 
 namespace {
 
+constexpr double kOnce = 1; // load factor
+
 using Long = long double;
 const double kPi = std::acos(-1.0);
 
@@ -363,10 +365,10 @@ struct OneBody {
           const Point p = element_point(element(c, e), node_eta(function_nodes, l));
           const auto snap = [](double v) { return std::ldexp(std::round(std::ldexp(v, 40)), -40); };
           const Condition at = conditions(snap(p.x), snap(p.y), p.nx, p.ny); // both ends at a node see one place
-          REQUIRE(c2d_set_condition(out.s, 1, first + e, l + 1, at.codes, at.values, 1) == C2D_OK);
+          REQUIRE(c2d_set_condition(out.s, 1, first + e, l + 1, 1, at.codes, at.values) == C2D_OK);
         }
-    if (force) REQUIRE(c2d_add_point_load(out.s, 1, force[0], force[1], force[2], force[3], 1) == C2D_OK);
-    REQUIRE(c2d_add_path(out.s, 1, 1.0) == C2D_OK);
+    if (force) REQUIRE(c2d_add_point_load(out.s, 1, 1, force[0], force[1], force[2], force[3]) == C2D_OK);
+    REQUIRE(c2d_add_path(out.s, 1, &kOnce, 1) == C2D_OK);
     REQUIRE(c2d_complete(out.s) == C2D_OK);
     out.load_fully(0, 1);
   }

@@ -82,14 +82,14 @@ TEST_CASE("load lists: conditions, point loads and body forces of every case") {
                                          "*BODY FORCE 2 3 0.5 -0.25 2 0.1 0.6\n*PATH\n1 1 0 0\n");
   int32_t codes[4] = {9, 9, 9, 9}, first[4] = {9, 9, 9, 9};
   double values[4], unchanged[4];
-  REQUIRE(c2d_get_case_condition(model.solver, 2, 30, 1, codes, values, 2) == C2D_OK);
+  REQUIRE(c2d_get_condition(model.solver, 2, 30, 1, 2, codes, values) == C2D_OK);
   CHECK(codes[0] == 0);
   CHECK(values[0] == 0.05);
   CHECK(values[1] == -0.01);
-  REQUIRE(c2d_get_case_condition(model.solver, 2, 30, 1, codes, values, 3) == C2D_OK);
+  REQUIRE(c2d_get_condition(model.solver, 2, 30, 1, 3, codes, values) == C2D_OK);
   CHECK(values[0] == 0.0);
-  REQUIRE(c2d_get_case_condition(model.solver, 2, 30, 1, codes, values, 1) == C2D_OK);
-  REQUIRE(c2d_get_condition(model.solver, 2, 30, 1, first, unchanged) == C2D_OK);
+  REQUIRE(c2d_get_condition(model.solver, 2, 30, 1, 1, codes, values) == C2D_OK);
+  REQUIRE(c2d_get_condition(model.solver, 2, 30, 1, 1, first, unchanged) == C2D_OK);
   for (int q = 0; q < 4; ++q) {
     CHECK(codes[q] == first[q]);
     CHECK(values[q] == unchanged[q]);
@@ -97,15 +97,15 @@ TEST_CASE("load lists: conditions, point loads and body forces of every case") {
 
   int32_t body = 0, load_case = 0;
   double xy[2], force[2], rho = 0.0, axis[2];
-  REQUIRE(c2d_get_case_point_load(model.solver, 1, &body, xy, force, &load_case) == C2D_OK);
+  REQUIRE(c2d_get_point_load(model.solver, 1, &body, &load_case, xy, force) == C2D_OK);
   CHECK(body == 2);
   CHECK(load_case == 2);
   CHECK(xy[1] == 0.5);
   CHECK(force[0] == 0.02);
   CHECK(force[1] == -0.03);
-  REQUIRE(c2d_get_case_point_load(model.solver, 2, &body, xy, force, &load_case) == C2D_OK);
+  REQUIRE(c2d_get_point_load(model.solver, 2, &body, &load_case, xy, force) == C2D_OK);
   CHECK(load_case == 3);
-  CHECK(c2d_get_case_point_load(model.solver, 3, &body, xy, force, &load_case) == C2D_ERR_ARGUMENT);
+  CHECK(c2d_get_point_load(model.solver, 3, &body, &load_case, xy, force) == C2D_ERR_ARGUMENT);
 
   REQUIRE(c2d_get_body_force(model.solver, 2, 3, force, &rho, axis) == C2D_OK);
   CHECK(force[0] == 0.5);
@@ -123,17 +123,17 @@ TEST_CASE("load lists: a rigid body's motion, a press fit") {
   int32_t rigid = 9, closing = 9;
   double motion[3], axis[2];
   const Model plain(deck_named("sample"));
-  REQUIRE(c2d_get_rigid(plain.solver, 1, &rigid, motion, axis) == C2D_OK);
+  REQUIRE(c2d_get_rigid(plain.solver, 1, 1, &rigid, motion, axis) == C2D_OK);
   CHECK(rigid == 0);
   REQUIRE(c2d_get_interference(plain.solver, &closing) == C2D_OK);
   CHECK(closing == 0);
   const Model model(deck_named("sample"), "*CASES 2\n*RIGID\n2 0 0.02 0 0 -1\n*INTERFERENCE 2\n*PATH\n1 1 0\n");
-  REQUIRE(c2d_get_rigid(model.solver, 2, &rigid, motion, axis) == C2D_OK);
+  REQUIRE(c2d_get_rigid(model.solver, 1, 2, &rigid, motion, axis) == C2D_OK);
   CHECK(rigid == 1);
   CHECK(motion[1] == 0.02);
   CHECK(motion[2] == 0.0);
   CHECK(axis[1] == -1.0);
-  REQUIRE(c2d_get_rigid(model.solver, 1, &rigid, motion, axis) == C2D_OK);
+  REQUIRE(c2d_get_rigid(model.solver, 1, 1, &rigid, motion, axis) == C2D_OK);
   CHECK(rigid == 1);
   CHECK(motion[1] == 0.0);
   REQUIRE(c2d_get_interference(model.solver, &closing) == C2D_OK);

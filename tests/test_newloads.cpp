@@ -43,6 +43,11 @@ c2d_options keeping() {
   return options;
 }
 
+c2d_status set_weight(c2d_solver* s, double weight) {
+  const double force[2] = {0, -weight};
+  return c2d_set_body_force(s, 2, 1, force, 0, nullptr);
+}
+
 // Every prescribed value of case 1 times a factor that differs from body to body, element to element if `uneven`.
 int change_values(c2d_solver* s, double factor, bool uneven) {
   const c2d_summary summary = summary_of(s);
@@ -52,18 +57,18 @@ int change_values(c2d_solver* s, double factor, bool uneven) {
       for (int32_t local = 1; local <= summary.function_nodes; ++local) {
         int32_t codes[4];
         double values[4];
-        REQUIRE(c2d_get_condition(s, body, element, local, codes, values) == C2D_OK);
+        REQUIRE(c2d_get_condition(s, body, element, local, 1, codes, values) == C2D_OK);
         if (std::all_of(values, values + 4, [](double v) { return v == 0.0; })) continue;
         // A displacement belongs to its node, which two elements share.
         const bool tractions = values[2] == 0.0 && values[3] == 0.0;
         for (double& value : values) value *= factor * (uneven && tractions ? 1.0 + 0.3 * std::sin(element + local) : 1.0);
-        REQUIRE(c2d_replace_values(s, body, element, local, values, 1) == C2D_OK);
+        REQUIRE(c2d_set_values(s, body, element, local, 1, values) == C2D_OK);
         ++changed;
       }
   for (int32_t i = 1;; ++i) {
-    int32_t body;
+    int32_t body, load_case;
     double at[2], force[2];
-    if (c2d_get_point_load(s, i, &body, at, force) != C2D_OK) break;
+    if (c2d_get_point_load(s, i, &body, &load_case, at, force) != C2D_OK) break;
     const double bend = uneven ? 0.1 * i : 0.0;
     REQUIRE(c2d_replace_point_load(s, i, at[0], at[1], factor * force[0] + bend * force[1], factor * force[1]) == C2D_OK);
     ++changed;
@@ -196,7 +201,7 @@ TEST_CASE("new loads: another load case, weights and the motion of a rigid body"
     const c2d_options options = keeping();
     if (keeps) REQUIRE(c2d_set_options(s, &options) == C2D_OK);
     REQUIRE(read_deck(s, deck) == C2D_OK);
-    REQUIRE(c2d_set_body_force(s, 2, 1, 0.0, -weight, 0.0, 0.0, 0.0) == C2D_OK);
+    REQUIRE(set_weight(s, weight) == C2D_OK);
     REQUIRE(c2d_prepare(s) == C2D_OK);
     return machine;
   };
@@ -210,7 +215,7 @@ TEST_CASE("new loads: another load case, weights and the motion of a rigid body"
   Host one, two;
   const auto kept = with(one, true, 0.001), fresh = with(two, false, 0.02);
   REQUIRE(c2d_change_loads(kept->solver) == C2D_OK);
-  REQUIRE(c2d_set_body_force(kept->solver, 2, 1, 0.0, -0.02, 0.0, 0.0, 0.0) == C2D_OK);
+  REQUIRE(set_weight(kept->solver, 0.02) == C2D_OK);
   CHECK(c2d_get_state(kept->solver) == C2D_STATE_MODEL);
   one.columns = 0;
   REQUIRE(c2d_prepare(kept->solver) == C2D_OK);
@@ -220,7 +225,8 @@ TEST_CASE("new loads: another load case, weights and the motion of a rigid body"
   CHECK(difference(kept->solver, fresh->solver) <= kRoundOff);
   // Not rigid before, not rigid now.
   REQUIRE(c2d_change_loads(kept->solver) == C2D_OK);
-  CHECK(c2d_set_rigid(kept->solver, 1, 0, 0.1, 0, 0, 0) == C2D_ERR_STATE);
+  const double down[3] = {0, 0.1, 0};
+  CHECK(c2d_set_rigid(kept->solver, 1, 1, down, down) == C2D_ERR_STATE);
 }
 
 TEST_CASE("new loads: a second case with tractions and a point load, as another deck gives them") {
@@ -245,10 +251,10 @@ TEST_CASE("new loads: a second case with tractions and a point load, as another 
     REQUIRE(c2d_change_loads(kept.solver) == C2D_OK);
     const double values[4] = {-0.02, 0.01, 0, 0};
     for (int32_t element = 25; element <= 48; ++element)
-      REQUIRE(c2d_replace_values(kept.solver, 2, element, 0, values, 2) == C2D_OK);
-    int32_t body, i = 1;
+      REQUIRE(c2d_set_values(kept.solver, 2, element, 0, 2, values) == C2D_OK);
+    int32_t body, load_case, i = 1;
     double at[2], force[2];
-    while (c2d_get_point_load(kept.solver, i, &body, at, force) == C2D_OK && at[1] != 0.5) ++i;
+    while (c2d_get_point_load(kept.solver, i, &body, &load_case, at, force) == C2D_OK && at[1] != 0.5) ++i;
     REQUIRE(c2d_replace_point_load(kept.solver, i, 1e6, 0.4, 0.03, -0.2) == C2D_OK);
     CHECK(c2d_prepare(kept.solver) == C2D_ERR_INPUT); // out of its body: told as the deck's fault would be
     CHECK(std::string(error_of(kept.solver).text).find("outside body 2") != std::string::npos);
@@ -303,15 +309,15 @@ TEST_CASE("new loads: refused values, failures and cancels; saved states from be
     return zone.first_element[0];
   }();
   const double tx[4] = {1, 0, 0, 0}, nothing[4] = {0, 0, 0, 0}, bad[4] = {0, std::nan(""), 0, 0}, ux[4] = {0, 0, 0.1, 0};
-  CHECK(c2d_replace_values(s, 1, contact_element, 1, tx, 1) == C2D_ERR_ARGUMENT);
-  CHECK(c2d_replace_values(s, 1, contact_element, 1, ux, 1) == C2D_ERR_ARGUMENT);
-  CHECK(c2d_replace_values(s, 1, contact_element, 1, nothing, 1) == C2D_OK);
-  CHECK(c2d_replace_values(s, 1, 1, 1, bad, 1) == C2D_ERR_ARGUMENT);
-  CHECK(c2d_replace_values(s, 1, 1, 1, nullptr, 1) == C2D_ERR_ARGUMENT);
-  CHECK(c2d_replace_values(s, 3, 1, 1, nothing, 1) == C2D_ERR_ARGUMENT);
-  CHECK(c2d_replace_values(s, 1, 100000, 1, nothing, 1) == C2D_ERR_ARGUMENT);
-  CHECK(c2d_replace_values(s, 1, 1, 5, nothing, 1) == C2D_ERR_ARGUMENT);
-  CHECK(c2d_replace_values(s, 1, 1, 1, nothing, 2) == C2D_ERR_ARGUMENT);
+  CHECK(c2d_set_values(s, 1, contact_element, 1, 1, tx) == C2D_ERR_ARGUMENT);
+  CHECK(c2d_set_values(s, 1, contact_element, 1, 1, ux) == C2D_ERR_ARGUMENT);
+  CHECK(c2d_set_values(s, 1, contact_element, 1, 1, nothing) == C2D_OK);
+  CHECK(c2d_set_values(s, 1, 1, 1, 1, bad) == C2D_ERR_ARGUMENT);
+  CHECK(c2d_set_values(s, 1, 1, 1, 1, nullptr) == C2D_ERR_ARGUMENT);
+  CHECK(c2d_set_values(s, 3, 1, 1, 1, nothing) == C2D_ERR_ARGUMENT);
+  CHECK(c2d_set_values(s, 1, 100000, 1, 1, nothing) == C2D_ERR_ARGUMENT);
+  CHECK(c2d_set_values(s, 1, 1, 5, 1, nothing) == C2D_ERR_ARGUMENT);
+  CHECK(c2d_set_values(s, 1, 1, 1, 2, nothing) == C2D_ERR_ARGUMENT);
   CHECK(c2d_replace_point_load(s, 1, 0, 0, 0, 0) == C2D_ERR_ARGUMENT); // there is none
   // Other options: from the beginning.
   c2d_options options = keeping();

@@ -53,20 +53,20 @@ C
         CALL SIDES (WORK, IBODY, DBLE(IBODY - 2), IERR)
         IF (IERR .NE. 0) GO TO 90
         DO 10 I = 13, 16
-          CALL C2COND (WORK, IBODY, I, 1, FIXX, NOTHNG, 1, IERR)
+          CALL C2COND (WORK, IBODY, I, 1, 1, FIXX, NOTHNG, IERR)
           IF (IERR .NE. 0) GO TO 90
-          CALL C2COND (WORK, IBODY, I, 2, FIXX, NOTHNG, 1, IERR)
+          CALL C2COND (WORK, IBODY, I, 2, 1, FIXX, NOTHNG, IERR)
           IF (IERR .NE. 0) GO TO 90
    10   CONTINUE
    20 CONTINUE
       DO 30 I = 1, 4
-        CALL C2COND (WORK, 1, I, 1, FIXY, NOTHNG, 1, IERR)
+        CALL C2COND (WORK, 1, I, 1, 1, FIXY, NOTHNG, IERR)
         IF (IERR .NE. 0) GO TO 90
-        CALL C2COND (WORK, 1, I, 2, FIXY, NOTHNG, 1, IERR)
+        CALL C2COND (WORK, 1, I, 2, 1, FIXY, NOTHNG, IERR)
         IF (IERR .NE. 0) GO TO 90
-        CALL C2COND (WORK, 2, I + 8, 1, FIXY, DOWN, 1, IERR)
+        CALL C2COND (WORK, 2, I + 8, 1, 1, FIXY, DOWN, IERR)
         IF (IERR .NE. 0) GO TO 90
-        CALL C2COND (WORK, 2, I + 8, 2, FIXY, DOWN, 1, IERR)
+        CALL C2COND (WORK, 2, I + 8, 2, 1, FIXY, DOWN, IERR)
         IF (IERR .NE. 0) GO TO 90
    30 CONTINUE
       CALL C2ZONE (WORK, 5, 4, IELEM, INODE, IERR)
@@ -105,9 +105,9 @@ C     TWICE AS FAR
       IF (IERR .NE. 0) GO TO 90
       DOWN(4) = -0.02D0
       DO 40 I = 9, 12
-        CALL C2RVAL (WORK, 2, I, 1, DOWN, 1, IERR)
+        CALL C2CASE (WORK, 2, I, 1, 1, DOWN, IERR)
         IF (IERR .NE. 0) GO TO 90
-        CALL C2RVAL (WORK, 2, I, 2, DOWN, 1, IERR)
+        CALL C2CASE (WORK, 2, I, 2, 1, DOWN, IERR)
         IF (IERR .NE. 0) GO TO 90
    40 CONTINUE
       CALL C2PREP (WORK, IERR)

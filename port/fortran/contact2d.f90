@@ -579,28 +579,26 @@ module contact2d
       real(c_double), value :: radius, from_degrees, to_degrees
       integer(c_int32_t) :: status
     end function
-    function c2d_set_condition(solver, body, element, local, codes, values, load_case) bind(C) result(status)
+    function c2d_set_condition(solver, body, element, local, load_case, codes, values) bind(C) result(status)
       import
       type(c_ptr), value :: solver
-      integer(c_int32_t), value :: body, element, local
+      integer(c_int32_t), value :: body, element, local, load_case
       integer(c_int32_t), intent(in) :: codes(4)
       real(c_double), intent(in) :: values(4)
-      integer(c_int32_t), value :: load_case
       integer(c_int32_t) :: status
     end function
-    function c2d_add_point_load(solver, body, x, y, fx, fy, load_case) bind(C) result(status)
+    function c2d_add_point_load(solver, body, load_case, x, y, fx, fy) bind(C) result(status)
       import
       type(c_ptr), value :: solver
-      integer(c_int32_t), value :: body
+      integer(c_int32_t), value :: body, load_case
       real(c_double), value :: x, y, fx, fy
-      integer(c_int32_t), value :: load_case
       integer(c_int32_t) :: status
     end function
-    function c2d_set_rigid(solver, load_case, ux, uy, rotation, x0, y0) bind(C) result(status)
+    function c2d_set_rigid(solver, body, load_case, motion, axis) bind(C) result(status)
       import
       type(c_ptr), value :: solver
-      integer(c_int32_t), value :: load_case
-      real(c_double), value :: ux, uy, rotation, x0, y0
+      integer(c_int32_t), value :: body, load_case
+      real(c_double), intent(in) :: motion(3), axis(2)
       integer(c_int32_t) :: status
     end function
     function c2d_set_interference(solver, load_case) bind(C) result(status)
@@ -609,11 +607,12 @@ module contact2d
       integer(c_int32_t), value :: load_case
       integer(c_int32_t) :: status
     end function
-    function c2d_set_body_force(solver, body, load_case, bx, by, rho_omega2, x0, y0) bind(C) result(status)
+    function c2d_set_body_force(solver, body, load_case, force, rho_omega2, axis) bind(C) result(status)
       import
       type(c_ptr), value :: solver
       integer(c_int32_t), value :: body, load_case
-      real(c_double), value :: bx, by, rho_omega2, x0, y0
+      real(c_double), intent(in) :: force(2), axis(2)
+      real(c_double), value :: rho_omega2
       integer(c_int32_t) :: status
     end function
     function c2d_add_zone(solver, zone) bind(C) result(status)
@@ -640,12 +639,11 @@ module contact2d
       type(c2d_curve), intent(in) :: curve
       integer(c_int32_t) :: status
     end function
-    function c2d_set_case_values(solver, body, element, local, values, load_case) bind(C) result(status)
+    function c2d_set_values(solver, body, element, local, load_case, values) bind(C) result(status)
       import
       type(c_ptr), value :: solver
-      integer(c_int32_t), value :: body, element, local
+      integer(c_int32_t), value :: body, element, local, load_case
       real(c_double), intent(in) :: values(4)
-      integer(c_int32_t), value :: load_case
       integer(c_int32_t) :: status
     end function
     function c2d_add_friction(solver, mu) bind(C) result(status)
@@ -668,14 +666,7 @@ module contact2d
       real(c_double), value :: value
       integer(c_int32_t) :: status
     end function
-    function c2d_add_path(solver, increments, load) bind(C) result(status)
-      import
-      type(c_ptr), value :: solver
-      integer(c_int32_t), value :: increments
-      real(c_double), value :: load
-      integer(c_int32_t) :: status
-    end function
-    function c2d_add_path_point(solver, increments, load, cases) bind(C) result(status)
+    function c2d_add_path(solver, increments, load, cases) bind(C) result(status)
       import
       type(c_ptr), value :: solver
       integer(c_int32_t), value :: increments, cases
@@ -743,14 +734,6 @@ module contact2d
       type(c_ptr), value :: solver
       integer(c_int32_t) :: status
     end function
-    function c2d_replace_values(solver, body, element, local, values, load_case) bind(C) result(status)
-      import
-      type(c_ptr), value :: solver
-      integer(c_int32_t), value :: body, element, local
-      real(c_double), intent(in) :: values(4)
-      integer(c_int32_t), value :: load_case
-      integer(c_int32_t) :: status
-    end function
     function c2d_replace_point_load(solver, i, x, y, fx, fy) bind(C) result(status)
       import
       type(c_ptr), value :: solver
@@ -810,29 +793,14 @@ module contact2d
       type(c2d_zone_state), intent(inout) :: out
       integer(c_int32_t) :: status
     end function
-    function c2d_get_friction(solver, i, mu) bind(C) result(status)
-      import
-      type(c_ptr), value :: solver
-      integer(c_int32_t), value :: i
-      real(c_double), intent(out) :: mu
-      integer(c_int32_t) :: status
-    end function
-    function c2d_get_zone_friction(solver, zone, i, mu) bind(C) result(status)
+    function c2d_get_friction(solver, zone, i, mu) bind(C) result(status)
       import
       type(c_ptr), value :: solver
       integer(c_int32_t), value :: zone, i
       real(c_double), intent(out) :: mu
       integer(c_int32_t) :: status
     end function
-    function c2d_get_path(solver, i, increments, load) bind(C) result(status)
-      import
-      type(c_ptr), value :: solver
-      integer(c_int32_t), value :: i
-      integer(c_int32_t), intent(out) :: increments
-      real(c_double), intent(out) :: load
-      integer(c_int32_t) :: status
-    end function
-    function c2d_get_path_point(solver, i, increments, load, cases) bind(C) result(status)
+    function c2d_get_path(solver, i, increments, load, cases) bind(C) result(status)
       import
       type(c_ptr), value :: solver
       integer(c_int32_t), value :: i
@@ -855,19 +823,19 @@ module contact2d
       integer(c_int32_t), intent(out) :: first_element, last_element
       integer(c_int32_t) :: status
     end function
-    function c2d_get_condition(solver, body, element, local, codes, values) bind(C) result(status)
+    function c2d_get_condition(solver, body, element, local, load_case, codes, values) bind(C) result(status)
       import
       type(c_ptr), value :: solver
-      integer(c_int32_t), value :: body, element, local
+      integer(c_int32_t), value :: body, element, local, load_case
       integer(c_int32_t), intent(out) :: codes(4)
       real(c_double), intent(out) :: values(4)
       integer(c_int32_t) :: status
     end function
-    function c2d_get_point_load(solver, i, body, xy, force) bind(C) result(status)
+    function c2d_get_point_load(solver, i, body, load_case, xy, force) bind(C) result(status)
       import
       type(c_ptr), value :: solver
       integer(c_int32_t), value :: i
-      integer(c_int32_t), intent(out) :: body
+      integer(c_int32_t), intent(out) :: body, load_case
       real(c_double), intent(out) :: xy(2), force(2)
       integer(c_int32_t) :: status
     end function
@@ -894,25 +862,6 @@ module contact2d
       integer(c_int32_t), intent(out) :: total
       integer(c_int32_t) :: status
     end function
-    function c2d_get_case_condition(solver, body, element, local, codes, values, &
-        load_case) bind(C) result(status)
-      import
-      type(c_ptr), value :: solver
-      integer(c_int32_t), value :: body, element, local
-      integer(c_int32_t), intent(out) :: codes(4)
-      real(c_double), intent(out) :: values(4)
-      integer(c_int32_t), value :: load_case
-      integer(c_int32_t) :: status
-    end function
-    function c2d_get_case_point_load(solver, i, body, xy, force, load_case) bind(C) result(status)
-      import
-      type(c_ptr), value :: solver
-      integer(c_int32_t), value :: i
-      integer(c_int32_t), intent(out) :: body
-      real(c_double), intent(out) :: xy(2), force(2)
-      integer(c_int32_t), intent(out) :: load_case
-      integer(c_int32_t) :: status
-    end function
     function c2d_get_body_force(solver, body, load_case, force, rho_omega2, axis) bind(C) result(status)
       import
       type(c_ptr), value :: solver
@@ -920,10 +869,10 @@ module contact2d
       real(c_double), intent(out) :: force(2), rho_omega2, axis(2)
       integer(c_int32_t) :: status
     end function
-    function c2d_get_rigid(solver, load_case, is_rigid, motion, axis) bind(C) result(status)
+    function c2d_get_rigid(solver, body, load_case, is_rigid, motion, axis) bind(C) result(status)
       import
       type(c_ptr), value :: solver
-      integer(c_int32_t), value :: load_case
+      integer(c_int32_t), value :: body, load_case
       integer(c_int32_t), intent(out) :: is_rigid
       real(c_double), intent(out) :: motion(3), axis(2)
       integer(c_int32_t) :: status

@@ -80,41 +80,42 @@ void c2narc_(Work work, In ibody, In ifirst, In ilast, In centre, In radius, In 
   call.leave(ierr);
 }
 
-void c2cond_(Work work, In ibody, In ielem, In ilocal, In icodes, In values, In icase, Out ierr) {
+void c2cond_(Work work, In ibody, In ielem, In ilocal, In icase, In icodes, In values, Out ierr) {
   Call call(work);
   if (call.ready()) {
     int32_t codes[4];
     memcpy(codes, icodes, sizeof codes);
     const Reals known(values, 4);
-    call.status = c2d_set_condition(call.solver, integer_at(ibody), integer_at(ielem), integer_at(ilocal), codes, known.data(),
-                                    integer_at(icase));
+    call.status = c2d_set_condition(call.solver, integer_at(ibody), integer_at(ielem), integer_at(ilocal), integer_at(icase),
+                                    codes, known.data());
   }
   call.leave(ierr);
 }
 
-void c2case_(Work work, In ibody, In ielem, In ilocal, In values, In icase, Out ierr) {
+void c2case_(Work work, In ibody, In ielem, In ilocal, In icase, In values, Out ierr) {
   Call call(work);
   if (call.ready()) {
     const Reals known(values, 4);
-    call.status = c2d_set_case_values(call.solver, integer_at(ibody), integer_at(ielem), integer_at(ilocal), known.data(),
-                                      integer_at(icase));
+    call.status =
+        c2d_set_values(call.solver, integer_at(ibody), integer_at(ielem), integer_at(ilocal), integer_at(icase), known.data());
   }
   call.leave(ierr);
 }
 
-void c2load_(Work work, In ibody, In x, In y, In fx, In fy, In icase, Out ierr) {
+void c2load_(Work work, In ibody, In icase, In x, In y, In fx, In fy, Out ierr) {
   Call call(work);
   if (call.ready())
     call.status =
-        c2d_add_point_load(call.solver, integer_at(ibody), real_at(x), real_at(y), real_at(fx), real_at(fy), integer_at(icase));
+        c2d_add_point_load(call.solver, integer_at(ibody), integer_at(icase), real_at(x), real_at(y), real_at(fx), real_at(fy));
   call.leave(ierr);
 }
 
-void c2rigd_(Work work, In icase, In ux, In uy, In rotatn, In x0, In y0, Out ierr) {
+void c2rigd_(Work work, In ibody, In icase, In motion, In axis, Out ierr) {
   Call call(work);
-  if (call.ready())
-    call.status =
-        c2d_set_rigid(call.solver, integer_at(icase), real_at(ux), real_at(uy), real_at(rotatn), real_at(x0), real_at(y0));
+  if (call.ready()) {
+    const Reals moved(motion, 3), centre(axis, 2);
+    call.status = c2d_set_rigid(call.solver, integer_at(ibody), integer_at(icase), moved.data(), centre.data());
+  }
   call.leave(ierr);
 }
 
@@ -124,11 +125,13 @@ void c2intf_(Work work, In icase, Out ierr) {
   call.leave(ierr);
 }
 
-void c2bfor_(Work work, In ibody, In icase, In bx, In by, In rhom2, In x0, In y0, Out ierr) {
+void c2bfor_(Work work, In ibody, In icase, In force, In rhom2, In axis, Out ierr) {
   Call call(work);
-  if (call.ready())
-    call.status = c2d_set_body_force(call.solver, integer_at(ibody), integer_at(icase), real_at(bx), real_at(by),
-                                     real_at(rhom2), real_at(x0), real_at(y0));
+  if (call.ready()) {
+    const Reals weight(force, 2), centre(axis, 2);
+    call.status =
+        c2d_set_body_force(call.solver, integer_at(ibody), integer_at(icase), weight.data(), real_at(rhom2), centre.data());
+  }
   call.leave(ierr);
 }
 
@@ -187,7 +190,7 @@ void c2path_(Work work, In ninc, In factor, In ncases, Out ierr) {
   if (call.ready()) {
     const int32_t cases = integer_at(ncases);
     const Reals load(factor, cases);
-    call.status = !load.ok() ? C2D_ERR_LIMIT : c2d_add_path_point(call.solver, integer_at(ninc), load.data(), cases);
+    call.status = !load.ok() ? C2D_ERR_LIMIT : c2d_add_path(call.solver, integer_at(ninc), load.data(), cases);
   }
   call.leave(ierr);
 }

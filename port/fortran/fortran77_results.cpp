@@ -130,10 +130,8 @@ void c2zsta_(Work work, In izone, Out icount, Out r, Out ierr) {
 void c2gmu_(Work work, In izone, In i, Out fmu, Out ierr) {
   Call call(work);
   if (call.ready()) {
-    const int32_t zone = integer_at(izone);
     double mu = 0.0;
-    call.status = zone == 0 ? c2d_get_friction(call.solver, integer_at(i), &mu)
-                            : c2d_get_zone_friction(call.solver, zone, integer_at(i), &mu);
+    call.status = c2d_get_friction(call.solver, integer_at(izone), integer_at(i), &mu);
     if (call.status == C2D_OK) put_real(fmu, mu);
   }
   call.leave(ierr);
@@ -149,8 +147,7 @@ void c2gpth_(Work work, In i, Out ninc, Out factor, In ncases, Out ierr) {
     if (!direct && cases > 64)
       call.status = C2D_ERR_LIMIT;
     else
-      call.status =
-          c2d_get_path_point(call.solver, integer_at(i), &increments, direct ? static_cast<double*>(factor) : some, cases);
+      call.status = c2d_get_path(call.solver, integer_at(i), &increments, direct ? static_cast<double*>(factor) : some, cases);
     if (call.status == C2D_OK && !direct) memcpy(factor, some, static_cast<size_t>(cases) * sizeof(double));
     if (call.status == C2D_OK) put_integer(ninc, increments);
   }
@@ -191,8 +188,8 @@ void c2gcon_(Work work, In ibody, In ielem, In ilocal, In icase, Out icodes, Out
   if (call.ready()) {
     int32_t codes[4];
     double known[4];
-    call.status = c2d_get_case_condition(call.solver, integer_at(ibody), integer_at(ielem), integer_at(ilocal), codes, known,
-                                         integer_at(icase));
+    call.status = c2d_get_condition(call.solver, integer_at(ibody), integer_at(ielem), integer_at(ilocal), integer_at(icase),
+                                    codes, known);
     if (call.status == C2D_OK) {
       memcpy(icodes, codes, sizeof codes);
       memcpy(values, known, sizeof known);
@@ -206,7 +203,7 @@ void c2gpld_(Work work, In i, Out ibody, Out icase, Out xy, Out force, Out ierr)
   if (call.ready()) {
     int32_t body = 0, load_case = 0;
     double at[2], load[2];
-    call.status = c2d_get_case_point_load(call.solver, integer_at(i), &body, at, load, &load_case);
+    call.status = c2d_get_point_load(call.solver, integer_at(i), &body, &load_case, at, load);
     if (call.status == C2D_OK) {
       put_integer(ibody, body);
       put_integer(icase, load_case);
@@ -231,12 +228,12 @@ void c2gbfo_(Work work, In ibody, In icase, Out force, Out rhom2, Out axis, Out 
   call.leave(ierr);
 }
 
-void c2grig_(Work work, In icase, Out irigid, Out motion, Out axis, Out ierr) {
+void c2grig_(Work work, In ibody, In icase, Out irigid, Out motion, Out axis, Out ierr) {
   Call call(work);
   if (call.ready()) {
     int32_t rigid = 0;
     double moved[3], centre[2];
-    call.status = c2d_get_rigid(call.solver, integer_at(icase), &rigid, moved, centre);
+    call.status = c2d_get_rigid(call.solver, integer_at(ibody), integer_at(icase), &rigid, moved, centre);
     if (call.status == C2D_OK) {
       put_integer(irigid, rigid);
       memcpy(motion, moved, sizeof moved);

@@ -31,16 +31,6 @@ void c2chld_(Work work, Out ierr) {
   call.leave(ierr);
 }
 
-void c2rval_(Work work, In ibody, In ielem, In ilocal, In values, In icase, Out ierr) {
-  Call call(work);
-  if (call.ready()) {
-    const Reals known(values, 4);
-    call.status = c2d_replace_values(call.solver, integer_at(ibody), integer_at(ielem), integer_at(ilocal), known.data(),
-                                     integer_at(icase));
-  }
-  call.leave(ierr);
-}
-
 void c2rpld_(Work work, In i, In x, In y, In fx, In fy, Out ierr) {
   Call call(work);
   if (call.ready())

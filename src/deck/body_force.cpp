@@ -22,7 +22,7 @@ void read_body_force(Deck& deck, const Words& keyword_card) {
                " twice, expected one card for a body and load case");
   if (!ended || cards.faults != old_faults || deck.sink == nullptr) return;
   place_words(deck, keyword_card);
-  accept(deck, deck.sink->set_body_force(deck.sink->solver, body, load_case, value[0], value[1], value[2], value[3], value[4]));
+  accept(deck, deck.sink->set_body_force(deck.sink->solver, body, load_case, value, value[2], value + 3));
 }
 
 } // namespace c2d

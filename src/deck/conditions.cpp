@@ -95,7 +95,7 @@ bool set_conditions(Deck& deck, int b, const ConditionCard& previous, const Cond
   for (; element <= card.element; ++element, local = 1) {
     const int32_t last = element < card.element ? deck.sizes.function_nodes : card.local;
     for (; local <= last; ++local) {
-      const c2d_status status = deck.sink->set_condition(deck.sink->solver, b + 1, element, local, card.codes, card.values, 1);
+      const c2d_status status = deck.sink->set_condition(deck.sink->solver, b + 1, element, local, 1, card.codes, card.values);
       if (!accept(deck, status)) return false;
     }
   }
@@ -132,8 +132,8 @@ bool read_point_load(Deck& deck, int b, int32_t i) {
   end_of_fields(cards, 47);
   if (deck.sink == nullptr || !sound) return !cards.ended;
   place(deck, 7, 46);
-  return accept(deck, deck.sink->add_point_load(deck.sink->solver, b + 1, data[0] + deck.origin[b][0],
-                                                data[1] + deck.origin[b][1], data[2], data[3], 1));
+  return accept(deck, deck.sink->add_point_load(deck.sink->solver, b + 1, 1, data[0] + deck.origin[b][0],
+                                                data[1] + deck.origin[b][1], data[2], data[3]));
 }
 
 } // namespace

@@ -24,17 +24,17 @@ struct DeckSink {
   c2d_status (*set_body)(c2d_solver*, int32_t body, const c2d_body*);
   c2d_status (*add_region)(c2d_solver*, int32_t body, int32_t first_element, int32_t last_element);
   c2d_status (*set_nodes)(c2d_solver*, int32_t body, int32_t first, int32_t count, const double* xy, int64_t stride);
-  c2d_status (*set_condition)(c2d_solver*, int32_t body, int32_t element, int32_t local, const int32_t codes[4],
-                              const double values[4], int32_t load_case);
-  c2d_status (*add_point_load)(c2d_solver*, int32_t body, double x, double y, double fx, double fy, int32_t load_case);
+  c2d_status (*set_condition)(c2d_solver*, int32_t body, int32_t element, int32_t local, int32_t load_case,
+                              const int32_t codes[4], const double values[4]);
+  c2d_status (*add_point_load)(c2d_solver*, int32_t body, int32_t load_case, double x, double y, double fx, double fy);
   c2d_status (*add_zone)(c2d_solver*, const c2d_zone*);
   c2d_status (*add_friction)(c2d_solver*, double mu);
-  c2d_status (*add_path)(c2d_solver*, int32_t increments, double load);
+  c2d_status (*add_load_card)(c2d_solver*, int32_t increments, double load); // factor of case 1, all others zero
   // of the keywords *CASES, *PATH and *FRICTION
-  c2d_status (*set_case_values)(c2d_solver*, int32_t body, int32_t element, int32_t local, const double values[4],
-                                int32_t load_case);
+  c2d_status (*set_values)(c2d_solver*, int32_t body, int32_t element, int32_t local, int32_t load_case,
+                           const double values[4]);
   c2d_status (*clear_paths)(c2d_solver*);
-  c2d_status (*add_path_point)(c2d_solver*, int32_t increments, const double* load, int32_t cases);
+  c2d_status (*add_path)(c2d_solver*, int32_t increments, const double* load, int32_t cases);
   c2d_status (*set_zone_friction)(c2d_solver*, int32_t zone, int32_t i, double mu);
   c2d_status (*set_units)(c2d_solver*, const char* length, const char* force);
   c2d_status (*set_interference)(c2d_solver*, int32_t load_case);
@@ -42,9 +42,9 @@ struct DeckSink {
   c2d_status (*add_curve)(c2d_solver*, const c2d_curve*);
   // of keywords whose part of the library may be missing: null
   c2d_status (*set_symmetry)(c2d_solver*, int32_t axis, double value);
-  c2d_status (*set_rigid)(c2d_solver*, int32_t load_case, double ux, double uy, double rotation, double x0, double y0);
-  c2d_status (*set_body_force)(c2d_solver*, int32_t body, int32_t load_case, double bx, double by, double rho_omega2, double x0,
-                               double y0);
+  c2d_status (*set_rigid)(c2d_solver*, int32_t body, int32_t load_case, const double motion[3], const double axis[2]);
+  c2d_status (*set_body_force)(c2d_solver*, int32_t body, int32_t load_case, const double force[2], double rho_omega2,
+                               const double axis[2]);
   c2d_status (*add_free_zone)(c2d_solver*, const c2d_free_zone*);
 };
 

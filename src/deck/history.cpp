@@ -61,7 +61,7 @@ void read_case_condition(Deck& deck, const Words& words, int32_t load_case) {
   if (!sound || deck.sink == nullptr) return;
   place_words(deck, words);
   for (int32_t element = range[0]; element <= range[1]; ++element) {
-    const c2d_status status = deck.sink->set_case_values(deck.sink->solver, body, element - offset, local, values, load_case);
+    const c2d_status status = deck.sink->set_values(deck.sink->solver, body, element - offset, local, load_case, values);
     if (!accept(deck, status) || status != C2D_OK) return;
   }
 }
@@ -76,7 +76,7 @@ void read_case_load(Deck& deck, const Words& words, int32_t load_case) {
     return;
   }
   place_words(deck, words);
-  accept(deck, deck.sink->add_point_load(deck.sink->solver, body, v[0], v[1], v[2], v[3], load_case));
+  accept(deck, deck.sink->add_point_load(deck.sink->solver, body, load_case, v[0], v[1], v[2], v[3]));
 }
 
 // The card at hand may be another keyword by now.
@@ -131,7 +131,7 @@ void read_path(Deck& deck, const Words& keyword_card) {
     if (!sound || factors == 0 || deck.sink == nullptr) continue;
     place_words(deck, words);
     if (pieces == 1 && !accept(deck, deck.sink->clear_paths(deck.sink->solver))) return;
-    accept(deck, deck.sink->add_path_point(deck.sink->solver, increments, factor, factors));
+    accept(deck, deck.sink->add_path(deck.sink->solver, increments, factor, factors));
   }
   if (pieces == 0) no_cards(cards, line, "*PATH without cards, expected at least one: increments f1 ... fn");
   if (pieces > deck.sizes.paths) deck.sizes.paths = pieces;

@@ -27,7 +27,7 @@ bool read_load(Deck& deck) {
   end_of_fields(cards, 17);
   if (deck.sink == nullptr || !increments_known || !load_known) return !cards.ended;
   place(deck, 1, 16);
-  return accept(deck, deck.sink->add_path(deck.sink->solver, increments, load));
+  return accept(deck, deck.sink->add_load_card(deck.sink->solver, increments, load));
 }
 
 } // namespace

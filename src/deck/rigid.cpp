@@ -11,7 +11,7 @@ void read_rigid(Deck& deck, const Words& keyword_card) {
   end_of_words(cards, keyword_card, 0);
   if (deck.sink != nullptr) {
     place_words(deck, keyword_card);
-    accept(deck, deck.sink->set_rigid(deck.sink->solver, 0, 0.0, 0.0, 0.0, 0.0, 0.0));
+    accept(deck, deck.sink->set_rigid(deck.sink->solver, 1, 0, nullptr, nullptr));
   }
   for (Words words; next_data_card(deck, words) && !cards.ended;) {
     int32_t load_case = 0;
@@ -22,8 +22,7 @@ void read_rigid(Deck& deck, const Words& keyword_card) {
     if (sound && load_case > 1 && load_case > deck.sizes.load_cases) deck.sizes.load_cases = load_case;
     if (!sound || deck.sink == nullptr) continue;
     place_words(deck, words);
-    if (!accept(deck, deck.sink->set_rigid(deck.sink->solver, load_case, value[0], value[1], value[2], value[3], value[4])))
-      return;
+    if (!accept(deck, deck.sink->set_rigid(deck.sink->solver, 1, load_case, value, value + 3))) return;
   }
 }
 

@@ -1,4 +1,4 @@
-// What an end carries in a load case beyond the one its condition was given with.
+// What an end carries in a load case, given after its condition or in place of what it carried before.
 #include "interface/refuse.hpp"
 #include "model/symmetry.hpp"
 #include "model/unknowns.hpp"
@@ -75,12 +75,12 @@ void set_end(const Model& m, int b, int32_t element, int l, const double values[
   }
 }
 
-c2d_status set_values(c2d_solver* s, int32_t body, int32_t element, int32_t local, const double values[4], int32_t load_case,
-                      bool replaces) {
+c2d_status set_values(c2d_solver* s, int32_t body, int32_t element, int32_t local, int32_t load_case, const double values[4]) {
   c2d_status status = check_place(s, body, element, local, load_case);
   if (status != C2D_OK) return status;
   if (!values) return refuse(s, "", "no values given");
   const Model m = model_of(s);
+  const bool replaces = s->state == C2D_STATE_MODEL;
   const int first = local == 0 ? 0 : local - 1, last = local == 0 ? m.head->function_nodes : local;
   for (int l = first; l < last; ++l) {
     status = check_end(s, m, body - 1, element - 1, l, values, load_case - 1, replaces);
@@ -95,18 +95,11 @@ c2d_status set_values(c2d_solver* s, int32_t body, int32_t element, int32_t loca
 
 using namespace c2d;
 
-extern "C" c2d_status c2d_set_case_values(c2d_solver* s, int32_t body, int32_t element, int32_t local, const double values[4],
-                                          int32_t load_case) {
-  const c2d_status status = enter(s, state_bit(C2D_STATE_BUILDING));
-  return status == C2D_OK ? set_values(s, body, element, local, values, load_case, false) : status;
-}
-
-extern "C" c2d_status c2d_replace_values(c2d_solver* s, int32_t body, int32_t element, int32_t local, const double values[4],
-                                         int32_t load_case) {
-  c2d_status status = enter(s, state_bit(C2D_STATE_MODEL));
-  if (status == C2D_OK) status = set_values(s, body, element, local, values, load_case, true);
-  if (status == C2D_OK) s->loads_changed = 1;
-  return status;
+extern "C" c2d_status c2d_set_values(c2d_solver* s, int32_t body, int32_t element, int32_t local, int32_t load_case,
+                                     const double values[4]) {
+  c2d_status status = enter(s, state_bit(C2D_STATE_BUILDING) | state_bit(C2D_STATE_MODEL));
+  if (status == C2D_OK) status = set_values(s, body, element, local, load_case, values);
+  return status == C2D_OK ? loaded(s) : status;
 }
 
 extern "C" c2d_status c2d_replace_point_load(c2d_solver* s, int32_t i, double x, double y, double fx, double fy) {

@@ -15,8 +15,8 @@ bool has_case(const c2d_solver* s, int32_t load_case) { return load_case >= 1 &&
 
 using namespace c2d;
 
-extern "C" c2d_status c2d_get_case_condition(c2d_solver* s, int32_t body, int32_t element, int32_t local, int32_t codes[4],
-                                             double values[4], int32_t load_case) {
+extern "C" c2d_status c2d_get_condition(c2d_solver* s, int32_t body, int32_t element, int32_t local, int32_t load_case,
+                                        int32_t codes[4], double values[4]) {
   const c2d_status status = enter(s, kComplete);
   if (status != C2D_OK) return status;
   if (!codes || !values || body < 1 || body > s->model.bodies || element < 1 || element > s->model.body[body - 1].elements ||
@@ -38,13 +38,8 @@ extern "C" c2d_status c2d_get_case_condition(c2d_solver* s, int32_t body, int32_
   return C2D_OK;
 }
 
-extern "C" c2d_status c2d_get_condition(c2d_solver* s, int32_t body, int32_t element, int32_t local, int32_t codes[4],
-                                        double values[4]) {
-  return c2d_get_case_condition(s, body, element, local, codes, values, 1);
-}
-
-extern "C" c2d_status c2d_get_case_point_load(c2d_solver* s, int32_t i, int32_t* body, double xy[2], double force[2],
-                                              int32_t* load_case) {
+extern "C" c2d_status c2d_get_point_load(c2d_solver* s, int32_t i, int32_t* body, int32_t* load_case, double xy[2],
+                                         double force[2]) {
   const c2d_status status = enter(s, kComplete);
   if (status != C2D_OK) return status;
   if (!body || !xy || !force || !load_case || i < 1 || i > s->model.point_loads)
@@ -57,11 +52,6 @@ extern "C" c2d_status c2d_get_case_point_load(c2d_solver* s, int32_t i, int32_t*
   force[1] = p.fy;
   *load_case = p.load_case + 1;
   return C2D_OK;
-}
-
-extern "C" c2d_status c2d_get_point_load(c2d_solver* s, int32_t i, int32_t* body, double xy[2], double force[2]) {
-  int32_t load_case = 0;
-  return c2d_get_case_point_load(s, i, body, xy, force, &load_case);
 }
 
 extern "C" c2d_status c2d_get_body_force(c2d_solver* s, int32_t body, int32_t load_case, double force[2], double* rho_omega2,
@@ -79,12 +69,15 @@ extern "C" c2d_status c2d_get_body_force(c2d_solver* s, int32_t body, int32_t lo
   return C2D_OK;
 }
 
-extern "C" c2d_status c2d_get_rigid(c2d_solver* s, int32_t load_case, int32_t* is_rigid, double motion[3], double axis[2]) {
+extern "C" c2d_status c2d_get_rigid(c2d_solver* s, int32_t body, int32_t load_case, int32_t* is_rigid, double motion[3],
+                                    double axis[2]) {
   const c2d_status status = enter(s, kComplete);
   if (status != C2D_OK) return status;
-  if (!is_rigid || !motion || !axis || !has_case(s, load_case)) return fail(s, C2D_ERR_ARGUMENT, "there is no such load case");
-  const RigidMotion& given = array_of<RigidMotion>(s, kRigidMotions)[load_case - 1];
-  *is_rigid = s->model.rigid != 0 ? 1 : 0;
+  if (!is_rigid || !motion || !axis || body < 1 || body > s->model.bodies || !has_case(s, load_case))
+    return fail(s, C2D_ERR_ARGUMENT, "there is no such body or load case");
+  const bool rigid = c2d::is_rigid(model_of(s), body - 1);
+  const RigidMotion given = rigid ? array_of<RigidMotion>(s, kRigidMotions)[load_case - 1] : RigidMotion{0, 0, 0, 0, 0};
+  *is_rigid = rigid ? 1 : 0;
   motion[0] = given.ux;
   motion[1] = given.uy;
   motion[2] = given.rotation;

@@ -7,8 +7,8 @@ using namespace c2d;
 
 namespace {
 
-c2d_status check_condition(c2d_solver* s, int32_t body, int32_t element, int32_t local, const int32_t codes[4],
-                           const double values[4], int32_t load_case) {
+c2d_status check_condition(c2d_solver* s, int32_t body, int32_t element, int32_t local, int32_t load_case,
+                           const int32_t codes[4], const double values[4]) {
   const Body& b = s->model.body[body - 1];
   if (!b.is_set || b.region_count < b.regions)
     return refuse(s, C2D_ERR_ARGUMENT, "give the body and all its regions before its conditions");
@@ -42,11 +42,11 @@ bool displacement_agrees(const Model& m, int b, int32_t node, int32_t end, int c
 
 } // namespace
 
-extern "C" c2d_status c2d_set_condition(c2d_solver* s, int32_t body, int32_t element, int32_t local, const int32_t codes[4],
-                                        const double values[4], int32_t load_case) {
+extern "C" c2d_status c2d_set_condition(c2d_solver* s, int32_t body, int32_t element, int32_t local, int32_t load_case,
+                                        const int32_t codes[4], const double values[4]) {
   c2d_status status = enter_building(s);
   if (status == C2D_OK) status = check_body_number(s, body);
-  if (status == C2D_OK) status = check_condition(s, body, element, local, codes, values, load_case);
+  if (status == C2D_OK) status = check_condition(s, body, element, local, load_case, codes, values);
   if (status != C2D_OK) return status;
   const Model m = model_of(s);
   const int b = body - 1;

@@ -4,10 +4,35 @@
 #include "interface/refuse.hpp"
 #include "model/validate.hpp"
 
+namespace c2d {
+
+namespace {
+
+c2d_status append_path(c2d_solver* s, int32_t increments, const double* load, int32_t given) {
+  if (increments < 1) return refuse_number(s, C2D_ERR_ARGUMENT, "number of increments", increments, 1, INT32_MAX);
+  for (int32_t k = 0; k < given; ++k)
+    if (!is_usable(load[k])) return refuse_value(s, "load factor", load[k], "a finite number");
+  if (s->model.paths >= s->sizes.paths)
+    return refuse_number(s, C2D_ERR_LIMIT, "number of load cards", s->model.paths + 1, 0, s->sizes.paths);
+  double* factors = array_of<double>(s, kPathLoads) + static_cast<int64_t>(s->model.paths) * s->sizes.load_cases;
+  for (int32_t k = 0; k < s->sizes.load_cases; ++k) factors[k] = k < given ? load[k] : 0.0;
+  array_of<Path>(s, kPaths)[s->model.paths++] = Path{increments, 0, load[0]};
+  return built(s);
+}
+
+} // namespace
+
+c2d_status add_load_card(c2d_solver* s, int32_t increments, double load) {
+  const c2d_status status = enter_building(s);
+  return status == C2D_OK ? append_path(s, increments, &load, 1) : status;
+}
+
+} // namespace c2d
+
 using namespace c2d;
 
-extern "C" c2d_status c2d_add_point_load(c2d_solver* s, int32_t body, double x, double y, double fx, double fy,
-                                         int32_t load_case) {
+extern "C" c2d_status c2d_add_point_load(c2d_solver* s, int32_t body, int32_t load_case, double x, double y, double fx,
+                                         double fy) {
   c2d_status status = enter_building(s);
   if (status == C2D_OK) status = check_body_number(s, body);
   if (status != C2D_OK) return status;
@@ -57,32 +82,13 @@ extern "C" c2d_status c2d_set_zone_friction(c2d_solver* s, int32_t zone, int32_t
   return built(s);
 }
 
-extern "C" c2d_status c2d_add_path(c2d_solver* s, int32_t increments, double load) {
+extern "C" c2d_status c2d_add_path(c2d_solver* s, int32_t increments, const double* load, int32_t cases) {
   const c2d_status status = enter_building(s);
-  if (status != C2D_OK) return status;
-  if (increments < 1) return refuse_number(s, C2D_ERR_ARGUMENT, "number of increments", increments, 1, INT32_MAX);
-  if (!is_usable(load)) return refuse_value(s, "load factor", load, "a finite number");
-  if (s->model.paths >= s->sizes.paths)
-    return refuse_number(s, C2D_ERR_LIMIT, "number of load cards", s->model.paths + 1, 0, s->sizes.paths);
-  double* factors = array_of<double>(s, kPathLoads) + static_cast<int64_t>(s->model.paths) * s->sizes.load_cases;
-  for (int32_t k = 0; k < s->sizes.load_cases; ++k) factors[k] = k == 0 ? load : 0.0;
-  array_of<Path>(s, kPaths)[s->model.paths++] = Path{increments, 0, load};
-  return built(s);
-}
-
-extern "C" c2d_status c2d_add_path_point(c2d_solver* s, int32_t increments, const double* load, int32_t cases) {
-  c2d_status status = enter_building(s);
   if (status != C2D_OK) return status;
   if (cases != s->sizes.load_cases)
     return refuse_number(s, C2D_ERR_ARGUMENT, "number of load factors", cases, s->sizes.load_cases, s->sizes.load_cases);
   if (!load) return refuse(s, C2D_ERR_ARGUMENT, "no load factors given");
-  for (int32_t k = 0; k < cases; ++k)
-    if (!is_usable(load[k])) return refuse_value(s, "load factor", load[k], "a finite number");
-  status = c2d_add_path(s, increments, load[0]);
-  if (status != C2D_OK) return status;
-  double* factors = array_of<double>(s, kPathLoads) + static_cast<int64_t>(s->model.paths - 1) * cases;
-  for (int32_t k = 0; k < cases; ++k) factors[k] = load[k];
-  return built(s);
+  return append_path(s, increments, load, cases);
 }
 
 extern "C" c2d_status c2d_clear_paths(c2d_solver* s) {

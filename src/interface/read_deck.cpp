@@ -1,6 +1,6 @@
 // A deck into a solver, through the calls of the C interface.
 #include "deck/deck.hpp"
-#include "interface/entry.hpp"
+#include "interface/refuse.hpp"
 #include "memory/optional.hpp"
 
 C2D_NEEDS(c2d_set_symmetry);
@@ -60,10 +60,10 @@ c2d_status walk(Reading& reading) {
   sink.add_point_load = c2d_add_point_load;
   sink.add_zone = c2d_add_zone;
   sink.add_friction = c2d_add_friction;
+  sink.add_load_card = add_load_card;
   sink.add_path = c2d_add_path;
-  sink.set_case_values = c2d_set_case_values;
+  sink.set_values = c2d_set_values;
   sink.clear_paths = c2d_clear_paths;
-  sink.add_path_point = c2d_add_path_point;
   sink.set_zone_friction = c2d_set_zone_friction;
   sink.set_units = c2d_set_units;
   sink.set_interference = c2d_set_interference;

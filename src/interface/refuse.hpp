@@ -24,6 +24,8 @@ c2d_status enter_loads(c2d_solver* solver);
 c2d_status loaded(c2d_solver* solver);
 c2d_status check_body_number(c2d_solver* solver, int32_t body); // 1 ... bodies
 c2d_status check_load_case(c2d_solver* solver, int32_t load_case);
+// A load card of the deck: a piece of path that ends at `load` in case 1 and at zero in all others.
+c2d_status add_load_card(c2d_solver* solver, int32_t increments, double load); // load_calls.cpp
 
 // Numbers of the interface and limits, whatever type they are kept in, have 32 bits (interface/create.cpp).
 template <class Value, class First, class Last>

@@ -145,39 +145,22 @@ extern "C" c2d_status c2d_get(c2d_solver* s, int32_t field, int32_t body, int32_
   return get_node_field(s, field, body - 1, first, count, out, stride);
 }
 
-extern "C" c2d_status c2d_get_friction(c2d_solver* s, int32_t i, double* mu) {
+extern "C" c2d_status c2d_get_friction(c2d_solver* s, int32_t zone, int32_t i, double* mu) {
   const c2d_status status = enter(s, kComplete);
   if (status != C2D_OK) return status;
-  if (!mu || i < 1 || i > s->model.coefficients) return fail(s, C2D_ERR_ARGUMENT, "there is no such coefficient");
-  *mu = array_of<double>(s, kFriction)[i - 1];
+  if (!mu || i < 1 || i > s->model.coefficients || zone < 0 || zone > s->model.zones)
+    return fail(s, C2D_ERR_ARGUMENT, "there is no such coefficient or contact zone");
+  *mu = zone == 0 ? array_of<double>(s, kFriction)[i - 1] : coefficient_of_zone(s, zone - 1, i - 1);
   return C2D_OK;
 }
 
-extern "C" c2d_status c2d_get_path(c2d_solver* s, int32_t i, int32_t* increments, double* load) {
+extern "C" c2d_status c2d_get_path(c2d_solver* s, int32_t i, int32_t* increments, double* load, int32_t cases) {
   const c2d_status status = enter(s, kComplete);
   if (status != C2D_OK) return status;
   if (!increments || !load || i < 1 || i > s->model.paths) return fail(s, C2D_ERR_ARGUMENT, "there is no such load card");
-  const Path& path = array_of<Path>(s, kPaths)[i - 1];
-  *increments = path.increments;
-  *load = path.load;
-  return C2D_OK;
-}
-
-extern "C" c2d_status c2d_get_path_point(c2d_solver* s, int32_t i, int32_t* increments, double* load, int32_t cases) {
-  double first = 0.0;
-  const c2d_status status = c2d_get_path(s, i, increments, &first);
-  if (status != C2D_OK) return status;
-  if (!load || cases != s->model.load_cases) return fail(s, C2D_ERR_ARGUMENT, "give room for a factor for every load case");
+  if (cases != s->model.load_cases) return fail(s, C2D_ERR_ARGUMENT, "give room for a factor for every load case");
+  *increments = array_of<Path>(s, kPaths)[i - 1].increments;
   for (int32_t k = 0; k < cases; ++k) load[k] = array_of<double>(s, kPathLoads)[static_cast<int64_t>(i - 1) * cases + k];
-  return C2D_OK;
-}
-
-extern "C" c2d_status c2d_get_zone_friction(c2d_solver* s, int32_t zone, int32_t i, double* mu) {
-  const c2d_status status = enter(s, kComplete);
-  if (status != C2D_OK) return status;
-  if (!mu || i < 1 || i > s->model.coefficients || zone < 1 || zone > s->model.zones)
-    return fail(s, C2D_ERR_ARGUMENT, "there is no such coefficient or contact zone");
-  *mu = coefficient_of_zone(s, zone - 1, i - 1);
   return C2D_OK;
 }
 

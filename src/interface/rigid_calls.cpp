@@ -15,19 +15,25 @@ C2D_BRINGS(add_rigid_motion);
 
 using namespace c2d;
 
-extern "C" c2d_status c2d_set_rigid(c2d_solver* s, int32_t load_case, double ux, double uy, double rotation, double x0,
-                                    double y0) {
-  const c2d_status status = enter_loads(s);
+extern "C" c2d_status c2d_set_rigid(c2d_solver* s, int32_t body, int32_t load_case, const double motion[3],
+                                    const double axis[2]) {
+  c2d_status status = enter_loads(s);
+  if (status == C2D_OK) status = check_body_number(s, body);
   if (status != C2D_OK) return status;
   if (s->sizes.bodies < 2) return refuse(s, C2D_ERR_ARGUMENT, "a rigid body 1 needs a second one that is not");
+  if (body != 1) return refuse(s, C2D_ERR_ARGUMENT, "only body 1 can be rigid yet: exchange the numbers of the bodies");
   if (!in_range(load_case, 0, s->sizes.load_cases))
     return refuse_number(s, C2D_ERR_ARGUMENT, "load case", load_case, 0, s->sizes.load_cases);
   if (s->state == C2D_STATE_MODEL && (s->model.rigid == 0 || load_case == 0))
     return refuse(s, C2D_ERR_STATE, "body 1 is made rigid before the model is complete");
-  const double numbers[5] = {ux, uy, rotation, x0, y0};
-  for (double number : numbers)
-    if (!is_usable(number)) return refuse_value(s, "a number of the rigid motion", number, "a finite number");
+  if (load_case > 0) {
+    if (!motion || !axis) return refuse(s, C2D_ERR_ARGUMENT, "no motion or axis of rotation given");
+    const RigidMotion given{motion[0], motion[1], motion[2], axis[0], axis[1]};
+    const double numbers[5] = {given.ux, given.uy, given.rotation, given.x0, given.y0};
+    for (double number : numbers)
+      if (!is_usable(number)) return refuse_value(s, "a number of the rigid motion", number, "a finite number");
+    array_of<RigidMotion>(s, kRigidMotions)[load_case - 1] = given;
+  }
   s->model.rigid = 1;
-  if (load_case > 0) array_of<RigidMotion>(s, kRigidMotions)[load_case - 1] = RigidMotion{ux, uy, rotation, x0, y0};
   return loaded(s);
 }

@@ -239,7 +239,7 @@ int Run::prepare() {
     status = find_contact_ends(solver, summary_, body, ends_[body - 1]);
   for (int32_t i = 1; i <= summary_.coefficients && status == C2D_OK; ++i) {
     record_.friction.push_back(0.0);
-    status = c2d_get_friction(solver, i, &record_.friction.back());
+    status = c2d_get_friction(solver, 0, i, &record_.friction.back());
   }
   for (int32_t i = 1; i <= summary_.zones && status == C2D_OK; ++i) {
     c2d_zone zone = C2D_INIT(c2d_zone);
@@ -269,7 +269,7 @@ void Run::stopped_before_load(c2d_status status) {
     CoefficientRecord none;
     none.singular = true;
     none.why = session_.messages.latest().empty() ? c2d_message(status) : session_.messages.latest();
-    c2d_get_friction(session_.solver, i, &none.mu);
+    c2d_get_friction(session_.solver, 0, i, &none.mu);
     record_.coefficients.push_back(none);
   }
 }

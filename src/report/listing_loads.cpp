@@ -19,7 +19,7 @@ c2d_status append_point_loads(std::string& out, c2d_solver* solver, const c2d_su
   int32_t body = 0, load_case = 0;
   double xy[2], force[2];
   for (int32_t i = 1; i <= s.point_loads; ++i) {
-    const c2d_status status = c2d_get_case_point_load(solver, i, &body, xy, force, &load_case);
+    const c2d_status status = c2d_get_point_load(solver, i, &body, &load_case, xy, force);
     if (status != C2D_OK) return status;
     if (i == 1) {
       append_section(out, "Point loads");
@@ -61,7 +61,7 @@ c2d_status append_rigid(std::string& out, c2d_solver* solver, const c2d_summary&
   for (int32_t load_case = 1; load_case <= s.load_cases; ++load_case) {
     int32_t rigid = 0;
     double motion[3], axis[2];
-    const c2d_status status = c2d_get_rigid(solver, load_case, &rigid, motion, axis);
+    const c2d_status status = c2d_get_rigid(solver, 1, load_case, &rigid, motion, axis);
     if (status != C2D_OK || rigid == 0) return status;
     if (load_case == 1) {
       append_section(out, "Body 1 is rigid");
@@ -87,7 +87,7 @@ c2d_status append_conditions(std::string& out, c2d_solver* solver, const c2d_sum
       for (int32_t local = 1; local <= s.function_nodes; ++local) {
         int32_t codes[4];
         double values[4];
-        const c2d_status status = c2d_get_case_condition(solver, body, e, local, codes, values, load_case);
+        const c2d_status status = c2d_get_condition(solver, body, e, local, load_case, codes, values);
         if (status != C2D_OK) return status;
         const bool zero = values[0] == 0.0 && values[1] == 0.0 && values[2] == 0.0 && values[3] == 0.0;
         if (is_free(codes, values) || (load_case > 1 && zero)) continue; // what is held was told with case 1
@@ -123,7 +123,7 @@ c2d_status append_path(std::string& out, c2d_solver* solver, const c2d_summary& 
   append_name(out, "coefficients of friction");
   for (int32_t i = 1; i <= s.coefficients; ++i) {
     double mu = 0.0;
-    const c2d_status status = c2d_get_friction(solver, i, &mu);
+    const c2d_status status = c2d_get_friction(solver, 0, i, &mu);
     if (status != C2D_OK) return status;
     if (i > 1) out += ", ";
     append_number(out, mu);
@@ -133,7 +133,7 @@ c2d_status append_path(std::string& out, c2d_solver* solver, const c2d_summary& 
   std::vector<double> loads(static_cast<size_t>(s.load_cases));
   for (int32_t i = 1; i <= s.paths; ++i) {
     int32_t increments = 0;
-    const c2d_status status = c2d_get_path_point(solver, i, &increments, loads.data(), s.load_cases);
+    const c2d_status status = c2d_get_path(solver, i, &increments, loads.data(), s.load_cases);
     if (status != C2D_OK) return status;
     append_column(out, i, 8);
     append_column(out, increments, 16);

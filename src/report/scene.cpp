@@ -46,7 +46,7 @@ c2d_status gather_body(Scene& scene, int32_t body) {
       EndCondition c{};
       double values[4];
       for (int32_t k = 1; k <= s.load_cases; ++k) {
-        status = c2d_get_case_condition(solver, body, e, l, c.codes, values, k);
+        status = c2d_get_condition(solver, body, e, l, k, c.codes, values);
         if (status != C2D_OK) return status;
         for (int q = 0; q < 4; ++q) c.values[q].push_back(values[q]);
       }
@@ -83,7 +83,7 @@ c2d_status gather_scene(c2d_solver* solver, const RunRecord& record, const Histo
 
 double friction_of(const Scene& scene, size_t coefficient, size_t zone) {
   double mu = scene.record->coefficients[coefficient].mu;
-  c2d_get_zone_friction(scene.solver, static_cast<int32_t>(zone) + 1, static_cast<int32_t>(coefficient) + 1, &mu);
+  c2d_get_friction(scene.solver, static_cast<int32_t>(zone) + 1, static_cast<int32_t>(coefficient) + 1, &mu);
   return mu;
 }
 

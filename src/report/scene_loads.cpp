@@ -7,7 +7,7 @@ c2d_status gather_point_loads(Scene& scene) {
   double at[2], force[2];
   int32_t body = 0, load_case = 0;
   for (int32_t i = 1; i <= scene.summary.point_loads; ++i) {
-    const c2d_status status = c2d_get_case_point_load(scene.solver, i, &body, at, force, &load_case);
+    const c2d_status status = c2d_get_point_load(scene.solver, i, &body, &load_case, at, force);
     if (status != C2D_OK) return status;
     scene.point_loads.push_back({body, {at[0], at[1]}, {force[0], force[1]}, static_cast<size_t>(load_case) - 1});
   }
@@ -29,7 +29,7 @@ c2d_status gather_body_forces(Scene& scene, int32_t load_case) {
 c2d_status gather_motion(Scene& scene, int32_t load_case) {
   int32_t is_rigid = 0;
   double motion[3], axis[2];
-  const c2d_status status = c2d_get_rigid(scene.solver, load_case, &is_rigid, motion, axis);
+  const c2d_status status = c2d_get_rigid(scene.solver, 1, load_case, &is_rigid, motion, axis);
   if (status != C2D_OK) return status;
   scene.rigid = is_rigid != 0;
   if (motion[0] != 0.0 || motion[1] != 0.0 || motion[2] != 0.0)

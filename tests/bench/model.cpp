@@ -9,6 +9,7 @@ namespace bench {
 
 namespace {
 
+constexpr double kFullLoad = 1;
 constexpr double kPi = 3.14159265358979323846;
 
 double clock_of(void*) { return processor_seconds(); }
@@ -48,12 +49,12 @@ void condition(const Solver& s, int body, int32_t first, int32_t last, const cha
   const int32_t code[4] = {codes[0] - '0', codes[1] - '0', codes[2] - '0', codes[3] - '0'};
   const double value[4] = {0, ty, 0, 0};
   for (int32_t e = first; e <= last; ++e)
-    for (int32_t l = 1; l <= 2; ++l) s.must(c2d_set_condition(s, body, e, l, code, value, 1));
+    for (int32_t l = 1; l <= 2; ++l) s.must(c2d_set_condition(s, body, e, l, 1, code, value));
 }
 void condition_at(const Solver& s, int body, int32_t element, int local, const char* codes, double ty = 0) {
   const int32_t code[4] = {codes[0] - '0', codes[1] - '0', codes[2] - '0', codes[3] - '0'};
   const double value[4] = {0, ty, 0, 0};
-  s.must(c2d_set_condition(s, body, element, local, code, value, 1));
+  s.must(c2d_set_condition(s, body, element, local, 1, code, value));
 }
 
 void add_body(const Solver& s, int body, const std::vector<double>& xy, double modulus) {
@@ -174,7 +175,7 @@ void Cylinder::build(const Solver& s) const {
   zone.first_node[1] = zone2 + pairs - 1;
   s.must(c2d_add_zone(s, &zone));
   s.must(c2d_add_friction(s, 0.4));
-  s.must(c2d_add_path(s, 1, 1));
+  s.must(c2d_add_path(s, 1, &kFullLoad, 1));
   s.must(c2d_complete(s));
 }
 
@@ -219,14 +220,14 @@ void Ring::build(const Solver& s) const {
   s.must(c2d_set_nodes(s, 1, 1, 2 * n, xy.data(), 2));
   const int32_t held[4] = {1, 1, 0, 0}, roller[4] = {0, 1, 1, 0};
   const double zero[4] = {0, 0, 0, 0};
-  s.must(c2d_set_condition(s, 1, 1, 1, held, zero, 1));
-  s.must(c2d_set_condition(s, 1, elements, function_nodes, held, zero, 1));
-  s.must(c2d_set_condition(s, 1, elements / 2, 1, roller, zero, 1));
-  s.must(c2d_set_condition(s, 1, elements / 2 - 1, function_nodes, roller, zero, 1));
+  s.must(c2d_set_condition(s, 1, 1, 1, 1, held, zero));
+  s.must(c2d_set_condition(s, 1, elements, function_nodes, 1, held, zero));
+  s.must(c2d_set_condition(s, 1, elements / 2, 1, 1, roller, zero));
+  s.must(c2d_set_condition(s, 1, elements / 2 - 1, function_nodes, 1, roller, zero));
   const int32_t free[4] = {0, 0, 1, 1};
   const double pull[4] = {1, 0, 0, 0};
-  s.must(c2d_set_condition(s, 1, elements + 1, 1, free, pull, 1));
-  s.must(c2d_add_path(s, 1, 1));
+  s.must(c2d_set_condition(s, 1, elements + 1, 1, 1, free, pull));
+  s.must(c2d_add_path(s, 1, &kFullLoad, 1));
   s.must(c2d_complete(s));
 }
 
@@ -253,7 +254,7 @@ void Disc::build(const Solver& s) const {
   condition_at(s, 1, elements / 4 + 1, 1, "0000");
   condition_at(s, 1, elements, 2, "0000");
   condition(s, 1, elements / 2, 3 * elements / 4, "0011", -1);
-  s.must(c2d_add_path(s, 1, 1));
+  s.must(c2d_add_path(s, 1, &kFullLoad, 1));
   s.must(c2d_complete(s));
 }
 
