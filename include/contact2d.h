@@ -69,8 +69,8 @@ extern "C" {
      c2d_error why = C2D_INIT(c2d_error);
      c2d_status bad = C2D_OK;
 
-   The library touches only the smaller of that and its own size; members are only ever appended; zero means the
-   default. */
+   The library touches only the smaller of that and its own size, and refuses a size that C2D_INIT cannot have set;
+   members are only ever appended; zero means the default. */
 
 typedef struct c2d_solver c2d_solver; /* lives inside the caller's memory */
 
@@ -259,7 +259,7 @@ enum { C2D_TAPE_CONTROL = 0, C2D_TAPE_LOWER = 1, C2D_TAPE_UPPER = 2, C2D_TAPE_CO
 typedef struct c2d_port {
   uint32_t struct_size;
   void* context;              /* handed to every function below                                     */
-  /* Block store (required once c2d_prepare is called). `tape` is 0 ... C2D_TAPES-1; blocks are numbered from 0;
+  /* Block store, all five or none (c2d_prepare, c2d_save and c2d_restore need it). `tape` is 0 ... C2D_TAPES-1; blocks are numbered from 0;
      a block is written as a whole, with at most block_bytes bytes, and read back with the same number of bytes.
      open  makes room for `blocks` blocks; what an earlier run left may stay (it is recognised and refused).
      read  must fill exactly `bytes` bytes or fail: a short read passed off as success is found by the checksum.

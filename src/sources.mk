@@ -109,6 +109,7 @@ CORE_SOURCES += src/linalg/lu.cpp
 CORE_SOURCES += src/linalg/packed.cpp
 CORE_SOURCES += src/memory/characters.cpp
 CORE_SOURCES += src/memory/sizes.cpp
+CORE_SOURCES += src/memory/structs.cpp
 CORE_SOURCES += src/memory/text.cpp
 CORE_SOURCES += src/model/free_zones.cpp
 CORE_SOURCES += src/model/geometry.cpp

@@ -364,7 +364,7 @@ TEST_CASE("interface: structs of other versions") {
     CHECK(c2d_create(&s, few, sizeof few, &cut, nullptr, &why) == C2D_ERR_ARGUMENT);
     CHECK(why.status == C2D_ERR_ARGUMENT);
     why.struct_size = size;
-    CHECK(c2d_create(&s, few, sizeof few, &limits, nullptr, &why) == C2D_ERR_MEMORY);
+    CHECK(c2d_create(&s, few, sizeof few, &limits, nullptr, &why) == (size == 4 ? C2D_ERR_MEMORY : C2D_ERR_ARGUMENT));
     CHECK(why.struct_size == size);
   }
   // What comes out: no byte beyond the caller's struct, nor beyond ours.
@@ -401,10 +401,11 @@ TEST_CASE("interface: structs of other versions") {
       const uint32_t mark = static_cast<uint32_t>(size);
       std::memcpy(room.data(), &mark, sizeof mark);
       const c2d_status status = out.get(machine.solver, room.data());
-      REQUIRE(status == (size < 4 ? C2D_ERR_ARGUMENT : C2D_OK));
+      const bool can_be = size >= 4 && size % 4 == 0; // of a struct whose members have 4 bytes or more
+      REQUIRE(status == (can_be ? C2D_OK : C2D_ERR_ARGUMENT));
       const unsigned char* got = reinterpret_cast<const unsigned char*>(room.data());
       REQUIRE(std::memcmp(got, &mark, sizeof mark) == 0);
-      const size_t end = size < 4 ? 4 : std::min(size, out.size);
+      const size_t end = can_be ? std::min(size, out.size) : 4;
       REQUIRE(std::memcmp(got + 4, truth + 4, end - 4) == 0);
       for (size_t i = end; i < room.size() * 8; ++i) REQUIRE(got[i] == 0xDD);
     }
@@ -1184,9 +1185,9 @@ TEST_CASE("interface: structs that go in may be of version 1, longer, or none") 
       const std::string why = error_of(machine.solver).text;
       if (size < 4) {
         CHECK(status == C2D_ERR_ARGUMENT);
-        CHECK(why.find("given") != std::string::npos);
+        CHECK(why.find(".struct_size is ") != std::string::npos);
       } else if (refused || size == 4) { // all defaults: legal, or refused for what they say
-        CHECK((status == C2D_OK || why.find("no ") != 0));
+        CHECK((status == C2D_OK || why.find("struct_size") == std::string::npos));
       } else {
         CHECK(status == C2D_OK);
       }

@@ -3,6 +3,7 @@
 
 #include <math.h>
 
+#include "interface/refuse.hpp"
 #include "model/validate.hpp"
 #include "solver/load_path.hpp"
 
@@ -31,6 +32,19 @@ c2d_status advance(Session& session, const double* target, Moment moment) {
   return status;
 }
 
+namespace {
+
+// A number for every load case.
+c2d_status check_factors(c2d_solver* s, const char* name, const double* factors, int32_t cases) {
+  if (cases != s->model.load_cases)
+    return refuse_number(s, C2D_ERR_ARGUMENT, "cases", cases, s->model.load_cases, s->model.load_cases);
+  const c2d_status status = check_array(s, name, factors, "stride", 1, 1, cases);
+  for (int32_t k = 0; k < cases && status == C2D_OK; ++k)
+    if (!is_usable(factors[k])) return refuse_value(s, name, factors[k], "a finite number");
+  return status;
+}
+
+} // namespace
 } // namespace c2d
 
 using namespace c2d;
@@ -38,10 +52,11 @@ using namespace c2d;
 extern "C" c2d_status c2d_begin(c2d_solver* s, const double* mu, int32_t zones) {
   c2d_status status = enter(s, kStarted);
   if (status != C2D_OK) return status;
-  if (zones < 0 || (zones > 0 && !mu) || (s->model.zones > 0 && zones != 1 && zones != s->model.zones))
-    return fail(s, C2D_ERR_ARGUMENT, "give one coefficient of friction, or one per contact zone");
+  if (zones < 0 || (s->model.zones > 0 && zones != 1 && zones != s->model.zones))
+    return refuse_number(s, C2D_ERR_ARGUMENT, "zones, 1 or as many as there are,", zones, 1, s->model.zones);
+  if (zones > 0 && !mu) return fail(s, C2D_ERR_ARGUMENT, "mu is null, expected a coefficient of friction, or one per zone");
   for (int32_t i = 0; i < zones; ++i)
-    if (!is_coefficient(mu[i])) return fail(s, C2D_ERR_ARGUMENT, "a coefficient of friction is not zero or more");
+    if (!is_coefficient(mu[i])) return refuse_value(s, "mu", mu[i], "zero or more");
   Session session;
   open_session(s, session);
   for (int32_t i = 0; i < s->model.pairs; ++i) {
@@ -56,10 +71,9 @@ extern "C" c2d_status c2d_begin(c2d_solver* s, const double* mu, int32_t zones) 
 extern "C" c2d_status c2d_advance(c2d_solver* s, const double* load, int32_t cases, c2d_outcome* outcome) {
   c2d_status status = enter(s, state_bit(C2D_STATE_RUNNING));
   if (status != C2D_OK) return status;
-  if (!load || !outcome || cases != s->model.load_cases)
-    return fail(s, C2D_ERR_ARGUMENT, "give a load factor for every load case, and room for the outcome");
-  for (int32_t k = 0; k < cases; ++k)
-    if (!is_usable(load[k])) return fail(s, C2D_ERR_ARGUMENT, "a load factor is not a usable number");
+  status = check_factors(s, "load", load, cases);
+  if (status == C2D_OK && !outcome) status = fail(s, C2D_ERR_ARGUMENT, "outcome is null");
+  if (status != C2D_OK) return status;
   Session session;
   open_session(s, session);
   status = finish(session, advance(session, load, Moment::end));
@@ -70,10 +84,9 @@ extern "C" c2d_status c2d_advance(c2d_solver* s, const double* load, int32_t cas
 extern "C" c2d_status c2d_next_event(c2d_solver* s, const double* direction, int32_t cases, double* step) {
   c2d_status status = enter(s, state_bit(C2D_STATE_RUNNING));
   if (status != C2D_OK) return status;
-  if (!direction || !step || cases != s->model.load_cases)
-    return fail(s, C2D_ERR_ARGUMENT, "give a direction for every load case, and room for the step");
-  for (int32_t k = 0; k < cases; ++k)
-    if (!is_usable(direction[k])) return fail(s, C2D_ERR_ARGUMENT, "a number of the direction is not usable");
+  status = check_factors(s, "direction", direction, cases);
+  if (status == C2D_OK && !step) status = fail(s, C2D_ERR_ARGUMENT, "step is null");
+  if (status != C2D_OK) return status;
   *step = s->model.contact == 0 && !s->blocked ? HUGE_VAL : 0.0;
   if (s->model.contact == 0 || s->blocked || s->floating) return C2D_OK;
   Session session;

@@ -120,11 +120,13 @@ extern "C" c2d_status c2d_attach(c2d_solver** out, void* memory, size_t bytes, c
   if (!out) return C2D_ERR_ARGUMENT;
   *out = nullptr;
   c2d_port our_port;
-  memset(&our_port, 0, sizeof our_port);
+  char what[128] = "memory is null";
+  Text fault = text_in(what);
   uint32_t found = 0;
   uint64_t needed = 0;
   Reason reason{nullptr, nullptr};
-  c2d_status status = !memory || (port && !copy_in(port, &our_port, sizeof our_port)) ? C2D_ERR_ARGUMENT : C2D_OK;
+  c2d_status status = (why && !is_begun(why)) || !memory || !take_port(port, our_port, fault) ? C2D_ERR_ARGUMENT : C2D_OK;
+  if (status != C2D_OK) reason.text = what;
   if (status == C2D_OK) status = find_solver(static_cast<const char*>(memory), bytes, &found, &needed, reason);
   if (status != C2D_OK) {
     explain(why, status, status == C2D_ERR_MEMORY ? needed : 0, reason.text, reason.end);

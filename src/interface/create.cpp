@@ -31,6 +31,25 @@ c2d_status aligned_need(const Sizes& sizes, Layout& layout, uint64_t* minimum, u
   return *minimum > SIZE_MAX - kAlignment ? C2D_ERR_OVERFLOW : C2D_OK;
 }
 
+// A copy of the caller's limits; false if they cannot be meant, with the reason.
+bool take_limits(const c2d_limits* limits, c2d_limits& ours, Text& fault) {
+  if (!is_begun(limits)) {
+    put_not_begun(fault, "c2d_limits", limits);
+    return false;
+  }
+  copy_in(limits, &ours, sizeof ours);
+  WrongLimit wrong;
+  if (!find_wrong_limit(ours, wrong)) return true;
+  put_all(fault, "c2d_limits.", wrong.member);
+  if (wrong.body >= 0) put_all(fault, "[", wrong.body, "]");
+  put_all(fault, " is ", wrong.value, ", expected ", wrong.least);
+  if (wrong.most == INT32_MAX)
+    put(fault, " or more");
+  else
+    put_all(fault, " to ", wrong.most);
+  return false;
+}
+
 void fill_header(c2d_solver* s, uint64_t bytes, uint32_t slack, const c2d_limits& limits, const Sizes& sizes,
                  const Layout& layout) {
   memset(static_cast<void*>(s), 0, sizeof *s);
@@ -48,7 +67,7 @@ void fill_header(c2d_solver* s, uint64_t bytes, uint32_t slack, const c2d_limits
 } // namespace
 
 void explain(c2d_error* why, c2d_status status, uint64_t needed, const char* what, const char* end) {
-  if (!why) return;
+  if (!is_begun(why)) return;
   c2d_error e = blank_error();
   e.status = status;
   e.severity = C2D_FAULT;
@@ -86,7 +105,8 @@ using namespace c2d;
 
 extern "C" c2d_status c2d_memory_need(const c2d_limits* limits, uint64_t* minimum, uint64_t* in_core) {
   c2d_limits ours;
-  if (!limits || !copy_in(limits, &ours, sizeof ours)) return C2D_ERR_ARGUMENT;
+  if (!is_begun(limits)) return C2D_ERR_ARGUMENT;
+  copy_in(limits, &ours, sizeof ours);
   Sizes sizes;
   Layout layout;
   uint64_t least = 0, most = 0;
@@ -104,10 +124,11 @@ extern "C" c2d_status c2d_create(c2d_solver** out, void* memory, size_t bytes, c
   *out = nullptr;
   c2d_limits ours;
   c2d_port our_port;
-  memset(&our_port, 0, sizeof our_port);
-  if (!limits || !copy_in(limits, &ours, sizeof ours) || (port && !copy_in(port, &our_port, sizeof our_port)) ||
+  char what[128] = "";
+  Text fault = text_in(what);
+  if ((why && !is_begun(why)) || !take_limits(limits, ours, fault) || !take_port(port, our_port, fault) ||
       (!memory && bytes > 0)) {
-    explain(why, C2D_ERR_ARGUMENT, 0);
+    explain(why, C2D_ERR_ARGUMENT, 0, what[0] != '\0' ? what : "memory is null");
     return C2D_ERR_ARGUMENT;
   }
   Sizes sizes;

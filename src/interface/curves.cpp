@@ -7,10 +7,10 @@
 using namespace c2d;
 
 extern "C" c2d_status c2d_add_curve(c2d_solver* s, const c2d_curve* curve) {
-  const c2d_status status = enter_building(s);
+  c2d_status status = enter_building(s);
   c2d_curve ours;
+  if (status == C2D_OK) status = take(s, "c2d_curve", curve, ours);
   if (status != C2D_OK) return status;
-  if (!curve || !copy_in(curve, &ours, sizeof ours)) return refuse(s, C2D_ERR_ARGUMENT, "no curve given");
   ModelHeader& head = s->model;
   if (ours.kind < C2D_CURVE_LINE || ours.kind > C2D_CURVE_SPLINE)
     return refuse(s, C2D_ERR_ARGUMENT, "kind of a curve: expected C2D_CURVE_LINE, _ARC or _SPLINE");
@@ -40,7 +40,7 @@ extern "C" c2d_status c2d_add_curve(c2d_solver* s, const c2d_curve* curve) {
 extern "C" c2d_status c2d_get_curve(c2d_solver* s, int32_t i, c2d_curve* out) {
   const c2d_status status = enter(s, state_bit(C2D_STATE_MODEL) | state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING));
   if (status != C2D_OK) return status;
-  if (!out || i < 1 || i > s->model.curves) return fail(s, C2D_ERR_ARGUMENT, "there is no such curve");
+  if (!in_range(i, 1, s->model.curves)) return fail(s, C2D_ERR_ARGUMENT, "there is no such curve");
   const Curve& curve = model_of(s).curve[i - 1];
   c2d_curve ours;
   memset(&ours, 0, sizeof ours);
@@ -51,5 +51,5 @@ extern "C" c2d_status c2d_get_curve(c2d_solver* s, int32_t i, c2d_curve* out) {
   ours.line = curve.line;
   for (int c = 0; c < 2; ++c) ours.centre[c] = curve.centre[c];
   ours.radius = curve.radius;
-  return copy_out(&ours, sizeof ours, out) ? C2D_OK : C2D_ERR_ARGUMENT;
+  return give(s, "c2d_curve", ours, out);
 }

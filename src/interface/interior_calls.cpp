@@ -1,18 +1,24 @@
 #include "results/interior.hpp"
 
-#include "interface/entry.hpp"
+#include <math.h>
+
+#include "interface/refuse.hpp"
 
 using namespace c2d;
 
 extern "C" c2d_status c2d_interior(c2d_solver* s, int32_t body, int32_t count, const double* xy, int64_t xy_stride, double* out,
                                    int64_t out_stride) {
-  const c2d_status status = enter(s, state_bit(C2D_STATE_RUNNING));
+  c2d_status status = enter(s, state_bit(C2D_STATE_RUNNING));
   if (status != C2D_OK) return status;
-  if (body < 0 || body > s->model.bodies) return fail(s, C2D_ERR_ARGUMENT, "there is no such body");
-  if (count < 0 || (count > 0 && (!xy || !out))) return fail(s, C2D_ERR_ARGUMENT, "no points, or no room for the answer");
-  if (count > 1 && (xy_stride < 2 || out_stride < C2D_POINT_FIELDS))
-    return fail(s, C2D_ERR_ARGUMENT, "strides too small: rows would overlap");
-  if (count == 0) return C2D_OK;
+  if (!in_range(body, 0, s->model.bodies)) return refuse_number(s, C2D_ERR_ARGUMENT, "body number", body, 0, s->model.bodies);
+  if (count < 0) return refuse_number(s, C2D_ERR_ARGUMENT, "count", count, 0, INT32_MAX);
+  status = check_array(s, "xy", xy, "xy_stride", xy_stride, 2, count);
+  if (status == C2D_OK) status = check_array(s, "out", out, "out_stride", out_stride, C2D_POINT_FIELDS, count);
+  for (int32_t i = 0; i < count && status == C2D_OK; ++i)
+    for (int c = 0; c < 2 && status == C2D_OK; ++c)
+      if (!isfinite(xy[i * xy_stride + c]))
+        status = refuse_value(s, "a coordinate in xy", xy[i * xy_stride + c], "a finite number");
+  if (status != C2D_OK || count == 0) return status;
   s->cancelled = 0;
   Session session;
   open_session(s, session);

@@ -28,7 +28,8 @@ extern "C" c2d_status c2d_set_options(c2d_solver* s, const c2d_options* options)
   c2d_status status = enter(s, kBuilding | state_bit(C2D_STATE_MODEL));
   c2d_options ours;
   if (status != C2D_OK) return status;
-  if (!options || !copy_in(options, &ours, sizeof ours)) return fail(s, C2D_ERR_ARGUMENT, "no options given");
+  status = take(s, "c2d_options", options, ours);
+  if (status != C2D_OK) return status;
   if (!in_range(ours.quadrature, 0, 1) || !in_range(ours.stepping, 0, 1) || !in_range(ours.every_change, 0, 1) ||
       !in_range(ours.symmetry, 0, 1) || !in_range(ours.keep_factors, 0, 1))
     return fail(s, C2D_ERR_ARGUMENT, "an option is out of range");
@@ -46,7 +47,8 @@ extern "C" c2d_status c2d_set_problem(c2d_solver* s, const c2d_problem* problem)
   c2d_status status = enter_building(s);
   c2d_problem ours;
   if (status != C2D_OK) return status;
-  if (!problem || !copy_in(problem, &ours, sizeof ours)) return refuse(s, C2D_ERR_ARGUMENT, "no problem given");
+  status = take(s, "c2d_problem", problem, ours);
+  if (status != C2D_OK) return status;
   if (!in_range(ours.plane, 0, 1))
     return refuse_number(s, C2D_ERR_ARGUMENT, "plane strain or stress (IPTYPE)", ours.plane, 0, 1);
   if (ours.iteration_limit < 0)
@@ -111,8 +113,8 @@ extern "C" c2d_status c2d_set_body(c2d_solver* s, int32_t body, const c2d_body* 
   c2d_status status = enter_building(s);
   c2d_body ours;
   if (status != C2D_OK) return status;
-  if (!data || !copy_in(data, &ours, sizeof ours)) return refuse(s, C2D_ERR_ARGUMENT, "no body given");
-  status = check_body_number(s, body);
+  status = take(s, "c2d_body", data, ours);
+  if (status == C2D_OK) status = check_body_number(s, body);
   if (status == C2D_OK) status = check_body(s, body, ours);
   if (status != C2D_OK) return status;
   Body& b = s->model.body[body - 1];

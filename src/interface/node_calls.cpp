@@ -15,7 +15,8 @@ c2d_status check_points(c2d_solver* s, int32_t body, int32_t first, int64_t coun
   if (!in_range(first, 1, b.geometry_nodes))
     return refuse_number(s, C2D_ERR_ARGUMENT, "boundary point number", first, 1, b.geometry_nodes);
   if (count > b.geometry_nodes - first + 1)
-    return refuse_number(s, C2D_ERR_ARGUMENT, "last boundary point number", first + count - 1, 1, b.geometry_nodes);
+    return refuse_number(s, C2D_ERR_ARGUMENT, "last boundary point number",
+                         first - 1 < INT32_MAX - count ? first + count - 1 : INT32_MAX, 1, b.geometry_nodes);
   return C2D_OK;
 }
 
@@ -58,9 +59,10 @@ extern "C" c2d_status c2d_set_nodes(c2d_solver* s, int32_t body, int32_t first, 
   if (status != C2D_OK) return status;
   const Body& b = s->model.body[body - 1];
   if (!b.is_set) return refuse(s, C2D_ERR_ARGUMENT, "give the body before its boundary points");
-  if (count < 0 || (count > 0 && !xy)) return refuse(s, C2D_ERR_ARGUMENT, "no coordinates given");
+  if (count < 0) return refuse_number(s, C2D_ERR_ARGUMENT, "count", count, 0, b.geometry_nodes);
   if (count == 0) return built(s);
   status = check_points(s, body, first, count);
+  if (status == C2D_OK) status = check_array(s, "xy", xy, "stride", stride, 2, count);
   for (int32_t i = 0; i < count && status == C2D_OK; ++i) {
     status = check_coordinate(s, xy[i * stride]);
     if (status == C2D_OK) status = check_coordinate(s, xy[i * stride + 1]);

@@ -38,10 +38,10 @@ double place_between(double from, double to, int32_t i, int32_t count) {
 using namespace c2d;
 
 extern "C" c2d_status c2d_add_points(c2d_solver* s, const c2d_points* points) {
-  const c2d_status status = enter(s, state_bit(C2D_STATE_EMPTY) | state_bit(C2D_STATE_BUILDING));
-  if (status != C2D_OK) return status;
+  c2d_status status = enter_building(s);
   c2d_points ours;
-  if (!points || !copy_in(points, &ours, sizeof ours)) return refuse(s, C2D_ERR_ARGUMENT, "no points given");
+  if (status == C2D_OK) status = take(s, "c2d_points", points, ours);
+  if (status != C2D_OK) return status;
   if (ours.body < 1 || ours.body > s->sizes.bodies)
     return refuse(s, C2D_ERR_ARGUMENT, "body number of points: there is no such body");
   const char* what = "";
@@ -60,7 +60,7 @@ extern "C" c2d_status c2d_add_points(c2d_solver* s, const c2d_points* points) {
 extern "C" c2d_status c2d_get_points(c2d_solver* s, int32_t i, c2d_points* out) {
   const c2d_status status = enter(s, state_bit(C2D_STATE_MODEL) | state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING));
   if (status != C2D_OK) return status;
-  if (!out || i < 1 || i > s->model.point_sets) return fail(s, C2D_ERR_ARGUMENT, "there is no such set of points");
+  if (!in_range(i, 1, s->model.point_sets)) return fail(s, C2D_ERR_ARGUMENT, "there is no such set of points");
   const PointSet& set = array_of<PointSet>(s, kPointSets)[i - 1];
   c2d_points ours;
   memset(&ours, 0, sizeof ours);
@@ -72,18 +72,20 @@ extern "C" c2d_status c2d_get_points(c2d_solver* s, int32_t i, c2d_points* out) 
     ours.from[c] = set.from[c];
     ours.to[c] = set.to[c];
   }
-  return copy_out(&ours, sizeof ours, out) ? C2D_OK : C2D_ERR_ARGUMENT;
+  return give(s, "c2d_points", ours, out);
 }
 
 extern "C" c2d_status c2d_expand_points(const c2d_points* points, int32_t first, int32_t count, double* xy, int64_t stride,
                                         int32_t* total) {
   c2d_points p;
   const char* what = "";
-  if (!points || !copy_in(points, &p, sizeof p)) return C2D_ERR_ARGUMENT;
+  if (!is_begun(points)) return C2D_ERR_ARGUMENT;
+  copy_in(points, &p, sizeof p);
   const int32_t items = points_of(p, &what);
   if (items == 0) return C2D_ERR_ARGUMENT;
+  if (count < 0 || first < 1 || first - 1 > items || count > items - (first - 1)) return C2D_ERR_ARGUMENT;
+  if (count > 0 && (!xy || stride < 2 || stride > longest_stride(count))) return C2D_ERR_ARGUMENT;
   if (total) *total = items;
-  if (count < 0 || first < 1 || first - 1 > items || count > items - (first - 1) || (count > 0 && !xy)) return C2D_ERR_ARGUMENT;
   for (int32_t k = 0; k < count; ++k) {
     const int32_t at = first - 1 + k;
     double* out = xy + k * stride;

@@ -36,6 +36,20 @@ c2d_status refuse_value(c2d_solver* s, const char* what, double value, const cha
   return C2D_ERR_ARGUMENT;
 }
 
+c2d_status check_array(c2d_solver* s, const char* name, const double* array, const char* stride_name, int64_t stride,
+                       int64_t least, int32_t count) {
+  if (count <= 0 || (array && stride >= least && stride <= longest_stride(count))) return C2D_OK;
+  Refusal r;
+  start_refusal(r, s, C2D_ERR_ARGUMENT);
+  if (!array)
+    put_all(r.text, name, " is null, and count is ", count);
+  else
+    put_all(r.text, stride_name, " is ", stride, stride < least ? ", expected at least " : ", expected at most ",
+            stride < least ? least : longest_stride(count));
+  report_fault(s, r.error);
+  return C2D_ERR_ARGUMENT;
+}
+
 c2d_status enter_building(c2d_solver* s) { return enter(s, kBuilding); }
 c2d_status built(c2d_solver* s) {
   s->state = C2D_STATE_BUILDING;

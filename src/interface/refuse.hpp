@@ -15,6 +15,14 @@ c2d_status refuse(c2d_solver* solver, c2d_status status, const char* text);
 c2d_status refuse_integer(c2d_solver* solver, c2d_status status, const char* what, int32_t value, int32_t first, int32_t last);
 c2d_status refuse_value(c2d_solver* solver, const char* what, double value, const char* expected);
 
+// An array of the caller's with `count` entries `stride` numbers apart: refuses one that is null, and a stride that is
+// less than `least` or leads out of the address space.
+c2d_status check_array(c2d_solver* solver, const char* name, const double* array, const char* stride_name, int64_t stride,
+                       int64_t least, int32_t count);
+inline int64_t longest_stride(int32_t count) {
+  return static_cast<int64_t>(PTRDIFF_MAX / static_cast<ptrdiff_t>(sizeof(double))) / count - C2D_POINT_FIELDS;
+}
+
 // The calls of section 5: legal in empty and building; `built`: something was changed.
 constexpr uint32_t kBuilding = state_bit(C2D_STATE_EMPTY) | state_bit(C2D_STATE_BUILDING);
 c2d_status enter_building(c2d_solver* solver);

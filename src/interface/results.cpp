@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "interface/entry.hpp"
+#include "interface/refuse.hpp"
 #include "model/symmetry.hpp"
 #include "results/back.hpp"
 #include "results/interior.hpp"
@@ -20,11 +20,10 @@ struct Field {
   int64_t step, offset, items;
 };
 
-c2d_status check_range(c2d_solver* s, int64_t items, int32_t first, int32_t count, const double* out) {
-  if (count < 0 || first < 1 || first > items + 1 || count > items - first + 1)
-    return fail(s, C2D_ERR_ARGUMENT, "entries asked for are not all there");
-  if (count > 0 && !out) return fail(s, C2D_ERR_ARGUMENT, "no room given for the answer");
-  return C2D_OK;
+c2d_status check_range(c2d_solver* s, int64_t items, int32_t first, int32_t count, const double* out, int64_t stride) {
+  if (!in_range(first, 1, items + 1)) return refuse_number(s, C2D_ERR_ARGUMENT, "first", first, 1, items);
+  if (!in_range(count, 0, items - first + 1)) return refuse_number(s, C2D_ERR_ARGUMENT, "count", count, 0, items - first + 1);
+  return check_array(s, "out", out, "stride", stride, 1, count);
 }
 
 bool needs_results(int32_t field) {
@@ -33,7 +32,7 @@ bool needs_results(int32_t field) {
 }
 
 c2d_status get_pair_field(c2d_solver* s, int32_t field, int32_t first, int32_t count, double* out, int64_t stride) {
-  c2d_status status = check_range(s, s->model.pairs, first, count, out);
+  c2d_status status = check_range(s, s->model.pairs, first, count, out, stride);
   if (status != C2D_OK) return status;
   if (needs_results(field) && !s->table_is_current) {
     Session session;
@@ -61,7 +60,7 @@ void place_on_body1(const Model& m, const Pair& pair, int32_t* element, double* 
 }
 
 c2d_status get_pair_place(c2d_solver* s, int32_t field, int32_t first, int32_t count, double* out, int64_t stride) {
-  const c2d_status status = check_range(s, s->model.pairs, first, count, out);
+  const c2d_status status = check_range(s, s->model.pairs, first, count, out, stride);
   if (status != C2D_OK) return status;
   const Model m = model_of(s);
   for (int32_t i = 0; i < count; ++i) {
@@ -99,7 +98,7 @@ double end_value(const Session& session, int32_t field, int b, int32_t end) {
 
 c2d_status get_end_field(c2d_solver* s, int32_t field, int b, int32_t first, int32_t count, double* out, int64_t stride) {
   const int64_t ends = static_cast<int64_t>(s->model.body[b].elements) * s->model.function_nodes;
-  c2d_status status = check_range(s, ends, first, count, out);
+  c2d_status status = check_range(s, ends, first, count, out, stride);
   if (status != C2D_OK) return status;
   Session session;
   open_session(s, session);
@@ -118,7 +117,7 @@ c2d_status get_end_field(c2d_solver* s, int32_t field, int b, int32_t first, int
 }
 
 c2d_status get_node_field(c2d_solver* s, int32_t field, int b, int32_t first, int32_t count, double* out, int64_t stride) {
-  const c2d_status status = check_range(s, s->model.body[b].geometry_nodes, first, count, out);
+  const c2d_status status = check_range(s, s->model.body[b].geometry_nodes, first, count, out, stride);
   if (status != C2D_OK) return status;
   const double* xy = array_of<double>(s, kXy + b);
   for (int32_t i = 0; i < count; ++i) out[i * stride] = xy[2 * static_cast<int64_t>(first - 1 + i) + (field - C2D_NODE_X)];
@@ -167,7 +166,7 @@ extern "C" c2d_status c2d_get_path(c2d_solver* s, int32_t i, int32_t* increments
 extern "C" c2d_status c2d_get_zone(c2d_solver* s, int32_t i, c2d_zone* out) {
   const c2d_status status = enter(s, kComplete);
   if (status != C2D_OK) return status;
-  if (!out || i < 1 || i > s->model.zones) return fail(s, C2D_ERR_ARGUMENT, "there is no such contact zone");
+  if (!in_range(i, 1, s->model.zones)) return fail(s, C2D_ERR_ARGUMENT, "there is no such contact zone");
   const Model m = model_of(s);
   const Zone& zone = m.zone[i - 1];
   c2d_zone ours;
@@ -181,7 +180,7 @@ extern "C" c2d_status c2d_get_zone(c2d_solver* s, int32_t i, c2d_zone* out) {
     ours.first_node[b] = zone.first_node[b] + 1;
     ours.last_node[b] = zone_node(m, zone, b, zone.pairs - 1) + 1;
   }
-  return copy_out(&ours, sizeof ours, out) ? C2D_OK : C2D_ERR_ARGUMENT;
+  return give(s, "c2d_zone", ours, out);
 }
 
 extern "C" c2d_status c2d_get_region(c2d_solver* s, int32_t body, int32_t i, int32_t* first, int32_t* last) {

@@ -113,7 +113,6 @@ using namespace c2d;
 extern "C" c2d_status c2d_get_summary(c2d_solver* s, c2d_summary* out) {
   if (!s || s->magic != kSolverMagic) return C2D_ERR_ARGUMENT;
   if (!s->busy) s->has_fault = 0;
-  if (!out) return refuse_always(s, "c2d_get_summary: the c2d_summary is null");
   c2d_summary ours;
   memset(&ours, 0, sizeof ours);
   ours.state = s->state;
@@ -128,6 +127,5 @@ extern "C" c2d_status c2d_get_summary(c2d_solver* s, c2d_summary* out) {
   ours.peak_bytes = s->peak_bytes;
   if (s->state == C2D_STATE_RUNNING) ours.load = array_of<double>(s, kLoads)[0];
   ours.mu = s->mu;
-  if (copy_out(&ours, sizeof ours, out)) return C2D_OK;
-  return refuse_always(s, "c2d_get_summary: the c2d_summary is not begun with C2D_INIT");
+  return give(s, "c2d_summary", ours, out);
 }

@@ -81,7 +81,8 @@ extern "C" c2d_status c2d_add_zone(c2d_solver* s, const c2d_zone* zone) {
   c2d_status status = enter_building(s);
   c2d_zone given;
   if (status != C2D_OK) return status;
-  if (!zone || !copy_in(zone, &given, sizeof given)) return refuse(s, C2D_ERR_ARGUMENT, "no zone given");
+  status = take(s, "c2d_zone", zone, given);
+  if (status != C2D_OK) return status;
   ModelHeader& head = s->model;
   status = check_room_for_zone(s);
   if (status != C2D_OK) return status;

@@ -16,21 +16,42 @@ uint64_t round_up(uint64_t bytes) { return (bytes + kAlignment - 1) / kAlignment
 
 namespace {
 
-bool counts_are_legal(const c2d_limits& l) {
-  if (l.bodies < 1 || l.bodies > 2 || l.function_nodes < 1 || l.function_nodes > 4) return false;
-  for (int b = 0; b < 2; ++b) {
-    if (l.geometry_nodes[b] < 0 || l.elements[b] < 0 || l.regions[b] < 0) return false;
-    if (b < l.bodies && (l.geometry_nodes[b] < 1 || l.elements[b] < 1 || l.regions[b] < 1)) return false;
-  }
-  return l.zones >= 0 && l.pairs >= 0 && l.contact_elements >= 0 && l.point_loads >= 0 && l.coefficients >= 0 && l.paths >= 0 &&
-         l.load_cases >= 0 && l.panel_columns >= 0 && l.free_pairs >= 0 && l.free_pairs <= l.pairs && l.point_sets >= 0 &&
-         l.curves >= 0;
+bool is_wrong(WrongLimit& out, const char* member, int32_t body, int32_t value, int32_t least, int32_t most = INT32_MAX) {
+  out = WrongLimit{member, body, value, least, most};
+  return value < least || value > most;
 }
 
 } // namespace
 
+bool find_wrong_limit(const c2d_limits& l, WrongLimit& out) {
+  if (is_wrong(out, "bodies", -1, l.bodies, 1, 2) || is_wrong(out, "function_nodes", -1, l.function_nodes, 1, 4)) return true;
+  for (int b = 0; b < 2; ++b) {
+    const int32_t least = b < l.bodies ? 1 : 0;
+    if (is_wrong(out, "geometry_nodes", b, l.geometry_nodes[b], least) || is_wrong(out, "elements", b, l.elements[b], least) ||
+        is_wrong(out, "regions", b, l.regions[b], least))
+      return true;
+  }
+  const struct {
+    const char* member;
+    int32_t value;
+  } counts[] = {{"zones", l.zones},
+                {"pairs", l.pairs},
+                {"contact_elements", l.contact_elements},
+                {"point_loads", l.point_loads},
+                {"coefficients", l.coefficients},
+                {"paths", l.paths},
+                {"load_cases", l.load_cases},
+                {"panel_columns", l.panel_columns},
+                {"point_sets", l.point_sets},
+                {"curves", l.curves}};
+  for (const auto& count : counts)
+    if (is_wrong(out, count.member, -1, count.value, 0)) return true;
+  return is_wrong(out, "free_pairs", -1, l.free_pairs, 0, l.pairs);
+}
+
 c2d_status derive_sizes(const c2d_limits& limits, Sizes& out) {
-  if (!counts_are_legal(limits)) return C2D_ERR_ARGUMENT;
+  WrongLimit wrong;
+  if (find_wrong_limit(limits, wrong)) return C2D_ERR_ARGUMENT;
   out = Sizes{};
   out.bodies = limits.bodies;
   out.function_nodes = limits.function_nodes;

@@ -35,6 +35,13 @@ struct Sizes {
   int64_t point_sets, curves;
 };
 
+// The first of the limits that cannot be meant: its name, the body it is for (from 0; -1: none), and what it may be.
+struct WrongLimit {
+  const char* member;
+  int32_t body, value, least, most;
+};
+bool find_wrong_limit(const c2d_limits& limits, WrongLimit& out);
+
 // Checks and completes the limits. Errors: C2D_ERR_ARGUMENT.
 c2d_status derive_sizes(const c2d_limits& limits, Sizes& out);
 

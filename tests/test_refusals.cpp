@@ -1,0 +1,321 @@
+// What cannot be meant is refused before anything happens, by the name of the member or of the argument.
+#include "solver_runs.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+using namespace runs;
+
+namespace {
+
+constexpr double kMark = -77.25;
+const double kNan = std::numeric_limits<double>::quiet_NaN(), kInfinity = std::numeric_limits<double>::infinity();
+
+bool says(const c2d_error& e, const std::string& what) { return std::string(e.text).find(what) != std::string::npos; }
+
+c2d_limits two_blocks() { return deck_named("block").limits(); }
+
+// Why there is no solver with these.
+c2d_error why_not(const c2d_limits& limits, const c2d_port* port) {
+  c2d_error why = C2D_INIT(c2d_error);
+  Bytes memory(1000000);
+  c2d_solver* s = reinterpret_cast<c2d_solver*>(memory.data());
+  const c2d_status status = c2d_create(&s, memory.data(), memory.size(), &limits, port, &why);
+  CHECK(status == why.status);
+  CHECK((s == nullptr) == (status != C2D_OK));
+  return why;
+}
+
+// A whole port, and one with the i-th of its functions missing.
+c2d_port port_of(RamStore& store) {
+  c2d_port port = C2D_INIT(c2d_port);
+  store.serve(port);
+  return port;
+}
+
+struct Hearing : RamStore {
+  c2d_port port = C2D_INIT(c2d_port);
+  std::vector<c2d_error> told;
+  Hearing() {
+    serve(port);
+    port.log = [](void* context, const c2d_error* entry) {
+      if (entry->severity == C2D_FAULT) static_cast<Hearing&>(self(context)).told.push_back(*entry);
+    };
+  }
+  Hearing(const Hearing&) = delete;
+  Hearing& operator=(const Hearing&) = delete;
+};
+
+// A solver that follows a deck, and what it says to calls that cannot be meant.
+struct Running {
+  Deck deck;
+  Hearing host;
+  Machine machine;
+  c2d_solver* s;
+  explicit Running(const char* name, int32_t state = C2D_STATE_RUNNING)
+      : deck(deck_named(name)), machine(deck.limits(), 4000000, &host.port), s(machine.solver) {
+    REQUIRE(machine.created == C2D_OK);
+    if (state == C2D_STATE_EMPTY) return;
+    REQUIRE(read_deck(s, deck) == C2D_OK);
+    REQUIRE(c2d_prepare(s) == C2D_OK);
+    const double mu = 0.3, load = 0.5;
+    c2d_outcome outcome = C2D_REACHED;
+    REQUIRE(c2d_begin(s, &mu, 1) == C2D_OK);
+    REQUIRE(c2d_advance(s, &load, 1, &outcome) == C2D_OK);
+  }
+  // Was it refused as an argument, once, with this in its text?
+  bool refused(c2d_status status, const std::string& what) {
+    const bool once = host.told.size() == 1;
+    const bool right = status == C2D_ERR_ARGUMENT && once && host.told[0].status == status && says(host.told[0], what) &&
+                       std::string(error_of(s).text) == host.told[0].text;
+    if (!right) MESSAGE(what << ": status " << status << ", " << (once ? host.told[0].text : "not told once"));
+    host.told.clear();
+    return right;
+  }
+};
+
+} // namespace
+
+TEST_CASE("refusals: a size that cannot be meant is named") {
+  const struct {
+    const char* name;
+    int32_t c2d_limits::*member;
+    int32_t least;
+  } sizes[] = {{"bodies", &c2d_limits::bodies, 1},
+               {"function_nodes", &c2d_limits::function_nodes, 1},
+               {"zones", &c2d_limits::zones, 0},
+               {"pairs", &c2d_limits::pairs, 0},
+               {"contact_elements", &c2d_limits::contact_elements, 0},
+               {"point_loads", &c2d_limits::point_loads, 0},
+               {"coefficients", &c2d_limits::coefficients, 0},
+               {"paths", &c2d_limits::paths, 0},
+               {"load_cases", &c2d_limits::load_cases, 0},
+               {"panel_columns", &c2d_limits::panel_columns, 0},
+               {"free_pairs", &c2d_limits::free_pairs, 0},
+               {"point_sets", &c2d_limits::point_sets, 0},
+               {"curves", &c2d_limits::curves, 0}};
+  CHECK(why_not(two_blocks(), nullptr).status == C2D_OK);
+  for (const auto& size : sizes) {
+    CAPTURE(std::string(size.name));
+    c2d_limits limits = two_blocks();
+    limits.*size.member = size.least - 1;
+    const c2d_error why = why_not(limits, nullptr);
+    CHECK(why.status == C2D_ERR_ARGUMENT);
+    CHECK(says(why, std::string("c2d_limits.") + size.name + " is " + std::to_string(size.least - 1) + ", expected "));
+    uint64_t bytes = 5;
+    CHECK(c2d_memory_need(&limits, &bytes, nullptr) == C2D_ERR_ARGUMENT);
+    CHECK(bytes == 5);
+  }
+  for (int32_t b = 0; b < 2; ++b) {
+    const char* const names[] = {"geometry_nodes", "elements", "regions"};
+    for (int i = 0; i < 3; ++i) {
+      c2d_limits limits = two_blocks();
+      (i == 0 ? limits.geometry_nodes : i == 1 ? limits.elements : limits.regions)[b] = 0;
+      const c2d_error why = why_not(limits, nullptr);
+      CHECK(why.status == C2D_ERR_ARGUMENT);
+      CHECK(says(why, std::string("c2d_limits.") + names[i] + "[" + std::to_string(b) + "] is 0, expected 1 or more"));
+    }
+  }
+  c2d_limits limits = two_blocks();
+  limits.free_pairs = limits.pairs + 1;
+  CHECK(says(why_not(limits, nullptr), "c2d_limits.free_pairs is"));
+  limits = two_blocks();
+  limits.function_nodes = 5;
+  CHECK(says(why_not(limits, nullptr), "c2d_limits.function_nodes is 5, expected 1 to 4"));
+}
+
+TEST_CASE("refusals: what a port lacks is named") {
+  RamStore store;
+  const c2d_port whole = port_of(store);
+  const c2d_limits limits = two_blocks();
+  CHECK(why_not(limits, &whole).status == C2D_OK);
+  const auto lacks = [&](c2d_port port, const char* what) {
+    const c2d_error why = why_not(limits, &port);
+    CHECK(why.status == C2D_ERR_ARGUMENT);
+    CHECK_MESSAGE(says(why, what), why.text);
+    // where a solver is taken up again as well
+    Machine machine(limits, 1000000, nullptr);
+    Bytes image = machine.workspace();
+    c2d_solver* s = machine.solver;
+    c2d_error again = C2D_INIT(c2d_error);
+    CHECK(c2d_attach(&s, image.data(), image.size(), &port, &again) == C2D_ERR_ARGUMENT);
+    CHECK(s == nullptr);
+    CHECK(std::string(again.text) == why.text);
+  };
+  c2d_port port = whole;
+  port.open = nullptr;
+  lacks(port, "c2d_port.open is null, expected all of open, read, write, sync, close, or none");
+  port = whole, port.read = nullptr;
+  lacks(port, "c2d_port.read is null");
+  port = whole, port.write = nullptr;
+  lacks(port, "c2d_port.write is null");
+  port = whole, port.sync = nullptr;
+  lacks(port, "c2d_port.sync is null");
+  port = whole, port.close = nullptr;
+  lacks(port, "c2d_port.close is null");
+  c2d_port ahead = whole;
+  ahead.start_read = [](void*, int32_t, uint64_t, void*, uint64_t, int32_t*) { return 1; };
+  ahead.start_write = [](void*, int32_t, uint64_t, const void*, uint64_t, int32_t*) { return 1; };
+  ahead.wait = [](void*, int32_t) { return 1; };
+  CHECK(why_not(limits, &ahead).status == C2D_OK);
+  port = ahead, port.start_read = nullptr;
+  lacks(port, "c2d_port.start_read is null, expected all of start_read, start_write, wait, or none");
+  port = ahead, port.start_write = nullptr;
+  lacks(port, "c2d_port.start_write is null");
+  port = ahead, port.wait = nullptr;
+  lacks(port, "c2d_port.wait is null");
+  port = whole, port.threads = 4;
+  lacks(port, "c2d_port.parallel_for is null, but threads is 4");
+  port = whole, port.threads = -1;
+  lacks(port, "c2d_port.threads is -1");
+  port = whole, port.struct_size = 0;
+  lacks(port, "c2d_port.struct_size is 0, expected C2D_INIT(c2d_port)");
+  // None at all: the model can be checked, but not prepared.
+  Machine storeless(deck_named("block").limits(), 1000000, nullptr);
+  REQUIRE(read_deck(storeless.solver, deck_named("block")) == C2D_OK);
+  CHECK(c2d_prepare(storeless.solver) == C2D_ERR_ARGUMENT);
+  CHECK(says(error_of(storeless.solver), "c2d_port.open is null"));
+  CHECK(c2d_restore(storeless.solver) == C2D_ERR_ARGUMENT);
+  CHECK(c2d_get_state(storeless.solver) == C2D_STATE_MODEL);
+}
+
+TEST_CASE("refusals: a struct without C2D_INIT is named") {
+  Running going("block"), empty("block", C2D_STATE_EMPTY);
+  // What a struct on the stack that nobody set may begin with.
+  for (uint32_t size : {0u, 1u, 3u, 7u, 0xCCCCCCCCu, 0x7ffe1234u, 0xffffffffu}) {
+    CAPTURE(size);
+    const std::string found = ".struct_size is " + std::to_string(size) + ", expected C2D_INIT(";
+    const auto given = [&](auto data, const std::string& name, auto call) {
+      data.struct_size = size;
+      CHECK(empty.refused(call(empty.s, &data), name + found + name + ")"));
+      CHECK(empty.refused(call(empty.s, static_cast<decltype(&data)>(nullptr)), name + " is null"));
+      CHECK(c2d_get_state(empty.s) == C2D_STATE_EMPTY);
+    };
+    given(c2d_options(), "c2d_options", c2d_set_options);
+    given(c2d_problem(), "c2d_problem", c2d_set_problem);
+    given(c2d_body(), "c2d_body", [](c2d_solver* s, const c2d_body* b) { return c2d_set_body(s, 1, b); });
+    given(c2d_zone(), "c2d_zone", c2d_add_zone);
+    given(c2d_free_zone(), "c2d_free_zone", c2d_add_free_zone);
+    given(c2d_curve(), "c2d_curve", c2d_add_curve);
+    given(c2d_points(), "c2d_points", c2d_add_points);
+    const auto asked = [&](auto room, const std::string& name, auto call) {
+      room.struct_size = size;
+      auto before = room;
+      CHECK(going.refused(call(going.s, &room), name + found + name + ")"));
+      CHECK(std::memcmp(&room, &before, sizeof room) == 0);
+      CHECK(going.refused(call(going.s, static_cast<decltype(&room)>(nullptr)), name + " is null"));
+    };
+    asked(c2d_summary(), "c2d_summary", c2d_get_summary);
+    asked(c2d_zone(), "c2d_zone", [](c2d_solver* s, c2d_zone* z) { return c2d_get_zone(s, 1, z); });
+    asked(c2d_zone_state(), "c2d_zone_state", [](c2d_solver* s, c2d_zone_state* z) { return c2d_get_zone_state(s, 1, z); });
+    // c2d_last_error says it to the log alone: what is asked for must not be lost to the asking
+    c2d_error room = c2d_error();
+    room.struct_size = size;
+    CHECK(going.refused(c2d_get(going.s, -5, 0, 1, 1, nullptr, 1), "field"));
+    CHECK(c2d_last_error(going.s, &room) == C2D_ERR_ARGUMENT);
+    REQUIRE(going.host.told.size() == 1);
+    CHECK(says(going.host.told[0], "c2d_error" + found + "c2d_error)"));
+    CHECK(says(error_of(going.s), "field"));
+    going.host.told.clear();
+    // and without a solver
+    c2d_limits limits = two_blocks();
+    limits.struct_size = size;
+    CHECK(says(why_not(limits, nullptr), "c2d_limits" + found + "c2d_limits)"));
+    c2d_error why = C2D_INIT(c2d_error);
+    Deck deck = deck_named("block");
+    CHECK(c2d_scan_deck(Deck::read, &deck, &limits, &why) == C2D_ERR_ARGUMENT);
+    CHECK(says(why, "c2d_limits" + found + "c2d_limits)"));
+    CHECK(c2d_scan_deck(nullptr, &deck, &limits, &why) == C2D_ERR_ARGUMENT);
+    CHECK(says(why, "read_line is null"));
+    limits = two_blocks();
+    CHECK(c2d_scan_deck(Deck::read, &deck, &limits, &room) == C2D_ERR_ARGUMENT);
+    c2d_solver* s = going.s;
+    Bytes memory(1000000);
+    CHECK(c2d_create(&s, memory.data(), memory.size(), &limits, nullptr, &room) == C2D_ERR_ARGUMENT);
+    CHECK(s == nullptr);
+  }
+}
+
+TEST_CASE("refusals: strides, counts and numbers that cannot be meant") {
+  Running going("block"), empty("block", C2D_STATE_EMPTY);
+  const c2d_summary sizes = summary_of(going.s);
+  std::vector<double> room(400, kMark);
+  double* middle = room.data() + 200; // whoever writes in front of it is found
+  const auto untouched = [&] {
+    for (double number : room)
+      if (number != kMark) return false;
+    return true;
+  };
+  const int64_t wrong[] = {0, -1, -2, INT64_MIN, INT64_MAX, INT64_MAX / 8};
+  for (const int64_t stride : wrong) {
+    CAPTURE(stride);
+    const std::string is = "stride is " + std::to_string(stride);
+    for (int32_t field : {C2D_TN, C2D_X, C2D_END_UX, C2D_END_X, C2D_NODE_X, C2D_PAIR_ELEMENT1}) {
+      CAPTURE(field);
+      CHECK(going.refused(c2d_get(going.s, field, 1, 1, 2, middle, stride), is));
+    }
+    const double at[4] = {0.1, 0.1, 0.2, 0.2};
+    CHECK(going.refused(c2d_interior(going.s, 0, 2, at, stride, middle, C2D_POINT_FIELDS), "xy_" + is));
+    CHECK(going.refused(c2d_interior(going.s, 0, 2, at, 2, middle, stride), "out_" + is));
+    c2d_points set = C2D_INIT(c2d_points);
+    set.kind = C2D_POINTS_LINE;
+    set.body = 1;
+    set.count[0] = 5;
+    int32_t total = -3;
+    CHECK(c2d_expand_points(&set, 1, 5, middle, stride, &total) == C2D_ERR_ARGUMENT);
+    CHECK(total == -3);
+    c2d_body body = C2D_INIT(c2d_body);
+    body.element_nodes = 2, body.elements = sizes.elements[0], body.regions = 1, body.youngs_modulus = 1;
+    if (c2d_get_state(empty.s) == C2D_STATE_EMPTY) REQUIRE(c2d_set_body(empty.s, 1, &body) == C2D_OK);
+    CHECK(empty.refused(c2d_set_nodes(empty.s, 1, 1, 2, middle, stride), is));
+  }
+  const double at[2] = {0.1, 0.1};
+  for (int64_t stride : {1, 10}) { // of two numbers, of a row
+    CHECK(going.refused(c2d_interior(going.s, 0, 2, at, 1, middle, C2D_POINT_FIELDS), "xy_stride is 1, expected at least 2"));
+    CHECK(going.refused(c2d_interior(going.s, 0, 2, at, 2, middle, stride), "out_stride is"));
+  }
+  CHECK(empty.refused(c2d_set_nodes(empty.s, 1, 1, 2, middle, 1), "stride is 1, expected at least 2"));
+  // counts
+  for (int32_t count : {-1, INT32_MIN}) {
+    const std::string is = "count is " + std::to_string(count);
+    CHECK(going.refused(c2d_get(going.s, C2D_TN, 0, 1, count, middle, 1), is));
+    CHECK(going.refused(c2d_interior(going.s, 0, count, at, 2, middle, C2D_POINT_FIELDS), is));
+    CHECK(empty.refused(c2d_set_nodes(empty.s, 1, 1, count, middle, 2), is));
+  }
+  for (int32_t first : {0, -1, INT32_MAX, INT32_MIN}) {
+    CHECK(going.refused(c2d_get(going.s, C2D_TN, 0, first, 2, middle, 1), "first is " + std::to_string(first)));
+    CHECK(empty.refused(c2d_set_nodes(empty.s, 1, first, 2, middle, 2), "boundary point number is " + std::to_string(first)));
+  }
+  CHECK(going.refused(c2d_get(going.s, C2D_TN, 0, 2, INT32_MAX, middle, 1), "count is"));
+  CHECK(empty.refused(c2d_set_nodes(empty.s, 1, 2, INT32_MAX, middle, 2), "last boundary point number is"));
+  CHECK(going.refused(c2d_get(going.s, C2D_TN, 0, 1, 2, nullptr, 1), "out is null"));
+  CHECK(going.refused(c2d_interior(going.s, 0, 2, nullptr, 2, middle, C2D_POINT_FIELDS), "xy is null"));
+  CHECK(going.refused(c2d_interior(going.s, 0, 2, at, 2, nullptr, C2D_POINT_FIELDS), "out is null"));
+  CHECK(empty.refused(c2d_set_nodes(empty.s, 1, 1, 2, nullptr, 2), "xy is null"));
+  // numbers
+  for (double number : {kNan, kInfinity, -kInfinity}) {
+    const double bad[4] = {0.1, 0.1, 0.1, number};
+    CHECK(going.refused(c2d_interior(going.s, 0, 2, bad, 2, middle, C2D_POINT_FIELDS), "a coordinate in xy is "));
+    CHECK(empty.refused(c2d_set_nodes(empty.s, 1, 1, 2, bad, 2), "a coordinate is "));
+    c2d_outcome outcome = 55;
+    CHECK(going.refused(c2d_advance(going.s, &number, 1, &outcome), "load is "));
+    CHECK(outcome == 55);
+    CHECK(going.refused(c2d_next_event(going.s, &number, 1, middle), "direction is "));
+    if (number != kInfinity) CHECK(going.refused(c2d_begin(going.s, &number, 1), "mu is "));
+  }
+  c2d_outcome outcome = 55;
+  for (int32_t cases : {0, -1, 2}) {
+    const double load[2] = {1, 1};
+    CHECK(going.refused(c2d_advance(going.s, load, cases, &outcome), "cases is " + std::to_string(cases) + ", expected 1"));
+    CHECK(going.refused(c2d_next_event(going.s, load, cases, middle), "cases is " + std::to_string(cases)));
+  }
+  CHECK(going.refused(c2d_advance(going.s, nullptr, 1, &outcome), "load is null"));
+  CHECK(going.refused(c2d_advance(going.s, at, 1, nullptr), "outcome is null"));
+  CHECK(going.refused(c2d_next_event(going.s, nullptr, 1, middle), "direction is null"));
+  CHECK(going.refused(c2d_next_event(going.s, at, 1, nullptr), "step is null"));
+  CHECK(going.refused(c2d_begin(going.s, nullptr, 1), "mu is null"));
+  CHECK(outcome == 55);
+  CHECK(untouched());
+}
