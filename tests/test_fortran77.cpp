@@ -46,12 +46,12 @@ struct R {
 };
 
 const int32_t kIntegers[2] = {1987, 64};
-const double kReals[2] = {1987.0, 0.015625};
+const double kLiteral[1] = {1987.015625};
 constexpr int32_t kWords = 60000;
 
 int32_t open(void* work, int32_t words = kWords) {
   int32_t error = -1;
-  c2open_(work, I{words}, kIntegers, kReals, &error);
+  c2open_(work, I{words}, kIntegers, kLiteral, &error);
   return error;
 }
 
@@ -86,16 +86,16 @@ TEST_CASE("fortran77: C2OPEN tells integers and reals of other lengths, whicheve
   const int64_t words = 1000;
   const int64_t wide[2] = {1987, 64};
   error.wide = -1;
-  c2open_(work.data(), &words, wide, kReals, &error);
+  c2open_(work.data(), &words, wide, kLiteral, &error);
   CHECK(error.wide == 51);                     // all of the caller's 8 bytes
   const int32_t swapped[4] = {0, 1987, 0, 64}; // the same as a machine with the high end first has it
   error.wide = -1;
-  c2open_(work.data(), &words, swapped, kReals, &error);
+  c2open_(work.data(), &words, swapped, kLiteral, &error);
   CHECK(error.wide == 51);
 
-  const float shorter[2] = {1987.0F, 0.015625F};
-  const long double longer[2] = {1987.0L, 0.015625L};
-  const double others[2] = {1987.0, 0.0};
+  const float shorter[2] = {1987.015625F, 0.0F};
+  const long double longer[1] = {1987.015625L};
+  const double others[2] = {1987.0, 0.015625}; // the array of 0.1
   for (const void* reals :
        {static_cast<const void*>(shorter), static_cast<const void*>(longer), static_cast<const void*>(others)}) {
     if (sizeof(long double) == sizeof(double) && reals == longer) continue;
@@ -105,7 +105,7 @@ TEST_CASE("fortran77: C2OPEN tells integers and reals of other lengths, whicheve
     CHECK(error.narrow[1] == -1); // an IERR of 4 bytes has nothing of ours behind it
   }
   const int32_t nonsense[2] = {1987, 63};
-  c2open_(work.data(), I{1000}, nonsense, kReals, &error);
+  c2open_(work.data(), I{1000}, nonsense, kLiteral, &error);
   CHECK(error.narrow[0] == 53);
   CHECK(error.narrow[1] == -1);
   CHECK(std::memcmp(work.data(), before.data(), 1000 * sizeof(double)) == 0);
@@ -147,13 +147,17 @@ struct Trace {
 Trace* g_trace = nullptr; // a FORTRAN step routine has no context either
 
 void trace_step(const int32_t* kind, const int32_t* imu, const int32_t* istep, const int32_t* iout, const double* fmu,
-                const double* factor, const int32_t* npairs, const double* table, const int32_t* ldt, int32_t*) {
+                const double* factor, const int32_t* npairs, const double* table, const int32_t* ldt, int32_t*,
+                const int32_t* ncases, const double* works, const double* energy) {
   for (const double x : {1.0 * *kind, 1.0 * *imu, 1.0 * *istep, 1.0 * *iout, *fmu, *factor}) g_trace->numbers.push_back(x);
+  g_trace->numbers.insert(g_trace->numbers.end(), factor, factor + *ncases);
+  g_trace->numbers.insert(g_trace->numbers.end(), works, works + *ncases);
+  g_trace->numbers.insert(g_trace->numbers.end(), energy, energy + 4);
   for (int32_t p = 0; p < *npairs; ++p)
     for (int32_t c = 0; c < C2D_PAIR_FIELDS; ++c) g_trace->numbers.push_back(table[p * *ldt + c]);
 }
 void stop_step(const int32_t*, const int32_t*, const int32_t* istep, const int32_t*, const double*, const double*,
-               const int32_t*, const double*, const int32_t*, int32_t* istop) {
+               const int32_t*, const double*, const int32_t*, int32_t* istop, const int32_t*, const double*, const double*) {
   if (*istep == 3) *istop = 77;
 }
 
@@ -161,6 +165,9 @@ int32_t keep_step(void* context, const c2d_step* s) {
   Trace& trace = *static_cast<Trace*>(context);
   for (const double x : {1.0 * s->kind, 1.0 * s->coefficient, 1.0 * s->step, 1.0 * s->outcome, s->mu, s->load})
     trace.numbers.push_back(x);
+  trace.numbers.insert(trace.numbers.end(), s->loads, s->loads + s->cases);
+  trace.numbers.insert(trace.numbers.end(), s->work_by_case, s->work_by_case + s->cases);
+  for (const double x : {s->work, s->dissipated, s->elastic, s->energy_defect}) trace.numbers.push_back(x);
   for (int32_t p = 0; p < s->pairs; ++p)
     for (int32_t c = 0; c < C2D_PAIR_FIELDS; ++c) trace.numbers.push_back(s->table[p * s->stride + c]);
   return 0;
@@ -319,6 +326,54 @@ TEST_CASE("fortran77: a path of the caller's own, events, summary, lists and zon
   c2clos_(work, &error);
 }
 
+TEST_CASE("fortran77: what broke the solver is told, and arrays at odd addresses are left alone by a refused call") {
+  Odd memory(8 * kWords, 4), store(1 << 20, 4), array(8 * 200, 4);
+  void* work = memory.at();
+  int32_t error = open(work), info[13];
+  char text[60];
+  const std::string cards = padded(cards_of("hertz.dat"));
+  c2core_(work, store.at(), I{10}, &error);
+  c2card_(work, cards.data(), I{80}, I{static_cast<int32_t>(cards.size() / 80)}, &error);
+  REQUIRE(error == 0);
+  c2prep_(work, &error);
+  REQUIRE(error == C2D_ERR_STORE_OPEN); // ten words are no store
+  c2prep_(work, &error);
+  CHECK(error == C2D_ERR_STATE);
+  c2why_(work, info, I{13}, text, I{60});
+  CHECK(info[0] == C2D_ERR_STORE_OPEN);
+  c2clos_(work, &error);
+
+  REQUIRE(open(work) == 0);
+  c2core_(work, store.at(), I{(1 << 20) / 8}, &error);
+  c2card_(work, cards.data(), I{80}, I{static_cast<int32_t>(cards.size() / 80)}, &error);
+  c2prep_(work, &error);
+  c2begn_(work, R{0.3}, I{1}, &error);
+  REQUIRE(error == 0);
+  for (int32_t i = 0; i < 200; ++i) put_real(array.at(), -7.0, i);
+  const auto refused = [&](const char* what) {
+    c2why_(work, info, I{13}, text, I{60});
+    CHECK_MESSAGE(std::string(text, 60).find(what) != std::string::npos, std::string(text, 60));
+    CHECK(error == C2D_ERR_ARGUMENT);
+    for (int32_t i = 0; i < 200; ++i) CHECK(real_at(array.at(), i) == -7.0);
+  };
+  c2get_(work, I{C2D_END_UX}, I{1}, I{1}, I{100}, array.at(), I{1}, &error); // of 92: the first 64 would do
+  refused("first is 100, expected 1 to 92");
+  for (int32_t stride : {0, -1}) {
+    c2get_(work, I{C2D_END_UX}, I{1}, I{1}, I{10}, array.at(), I{stride}, &error);
+    refused("stride is");
+  }
+  Odd places(8 * 4, 4);
+  const double nan = std::nan(""), points[4] = {0.5, 4.0, 0.5, nan};
+  for (int32_t i = 0; i < 4; ++i) put_real(places.at(), points[i], i);
+  c2intr_(work, I{0}, I{2}, places.at(), I{2}, array.at(), I{11}, &error);
+  refused("a coordinate in xy is nan");
+  c2intr_(work, I{0}, I{1}, places.at(), I{1}, array.at(), I{11}, &error);
+  refused("xy_stride is 1");
+  c2intr_(work, I{0}, I{1}, places.at(), I{2}, array.at(), I{10}, &error);
+  refused("out_stride is 10");
+  c2clos_(work, &error);
+}
+
 TEST_CASE("fortran77: faults of a deck, words that would do, names") {
   Odd memory(8 * kWords, 4);
   void* work = memory.at();
@@ -424,7 +479,7 @@ TEST_CASE("fortran77: a workspace moved with its blocks goes on with the same bi
   const double single[2] = {0, 0};
   c2atch_(moved.at(), I{kWords}, kIntegers, single, moved_store.at(), &error);
   CHECK(error == 52);
-  c2atch_(moved.at(), I{kWords}, kIntegers, kReals, moved_store.at(), &error);
+  c2atch_(moved.at(), I{kWords}, kIntegers, kLiteral, moved_store.at(), &error);
   REQUIRE(error == 0);
   c2advn_(moved.at(), R{1.0}, I{1}, &outcome, &error);
   c2get_(moved.at(), I{C2D_END_UY}, I{2}, I{1}, I{15}, there, I{1}, &error);
@@ -711,13 +766,13 @@ TEST_CASE("fortran77: IERR from 50 on is what the page says, and nothing else is
   CHECK(error == 55);
   int64_t wide_error = -1;
   const int64_t wide[2] = {1987, 64};
-  c2atch_(work.data(), I{kWords}, wide, kReals, work.data(), &wide_error);
+  c2atch_(work.data(), I{kWords}, wide, kLiteral, work.data(), &wide_error);
   CHECK(wide_error == 51);
   const int32_t nonsense[2] = {1986, 64};
-  c2atch_(work.data(), I{kWords}, nonsense, kReals, work.data(), &error);
+  c2atch_(work.data(), I{kWords}, nonsense, kLiteral, work.data(), &error);
   CHECK(error == 53);
   work[0] = 0; // overwritten
-  c2atch_(work.data(), I{kWords}, kIntegers, kReals, work.data(), &error);
+  c2atch_(work.data(), I{kWords}, kIntegers, kLiteral, work.data(), &error);
   CHECK(error == 54);
 }
 

@@ -1,5 +1,6 @@
 // The library in other people's programs: C, C++, Fortran of two ages, Python. Each host solves the sample
 // and must find what the program finds.
+#include "contact2d.h"
 #include "hosts.hpp"
 
 #include <set>
@@ -101,7 +102,7 @@ TEST_CASE("hosts: a legacy program whose COMMON block is the workspace, aligned 
     const char *flags, *kind;
   } builds[] = {{"-std=legacy -O2", "static"},
                 {"-std=legacy -fno-align-commons", "shared"},
-                {"-std=legacy -fdefault-real-8", "static"}}; // REAL*8 stays what it is
+                {"-std=legacy -fdefault-real-8 -fdefault-double-8", "static"}}; // REAL*8 and 0.3D0 stay what they are
   for (const auto& build : builds) {
     build_fortran(libraries, build.flags + kTraps + " -w", example("legacy.f"), build.kind, "host");
     const Result run = run_shell(libraries.run("host") + " <'" + kDeck + "'");
@@ -128,6 +129,7 @@ TEST_CASE("hosts: a legacy program compiled with other lengths of numbers is tol
     const char *flags, *says;
   } builds[] = {{"-fdefault-integer-8", "C2OPEN SAYS  51"},
                 {"-freal-8-real-16", "C2OPEN SAYS  52"},
+                {"-fdefault-real-8", "C2OPEN SAYS  52"}, // 0.3D0 has 16 bytes
                 {"-freal-8-real-4", "C2OPEN SAYS  52"}};
   for (const auto& build : builds) {
     build_fortran(libraries, std::string("-std=legacy -w ") + build.flags, example("legacy.f"), "static", "host");
@@ -135,6 +137,78 @@ TEST_CASE("hosts: a legacy program compiled with other lengths of numbers is tol
     CHECK_MESSAGE(run.status == 3, build.flags << "\n" << run.out << run.err);
     CHECK_MESSAGE(contains(run.out, build.says), run.out);
   }
+}
+
+namespace {
+
+// A coefficient of friction that stands in the call, and comes back.
+const char kLiteralProgram[] = R"(      PROGRAM LITRAL
+      REAL*8 WORK(20000), FMU
+      INTEGER*4 IERR, ICHECK(2), ISIZE(13)
+      DATA ICHECK /1987, 64/
+      DATA ISIZE /2, 2, 8, 8, 8, 8, 1, 1, 1, 3, 2, 0, 1/
+      CALL C2OPEN (WORK, 20000, ICHECK, 1987.015625D0, IERR)
+      IF (IERR .EQ. 0) CALL C2SIZE (WORK, ISIZE, 13, IERR)
+      IF (IERR .EQ. 0) CALL C2PROB (WORK, 0, 2, 0, 'LITERALS', 8, IERR)
+      IF (IERR .EQ. 0) CALL C2MU (WORK, 0.3D0, IERR)
+      WRITE (6, 100) IERR
+      CALL C2MU (WORK, -0.3D0, IERR)
+      WRITE (6, 100) IERR
+  100 FORMAT (' IERR', I4)
+      END
+)";
+
+} // namespace
+
+TEST_CASE("hosts: literals of a FORTRAN 77 program are read right, or C2OPEN refuses") {
+  if (!can_host("gfortran")) return;
+  const Libraries libraries;
+  write_file(libraries / "literal.f", kLiteralProgram);
+  const struct {
+    const char *flags, *says;
+  } builds[] = {{"", " IERR   0\n IERR   1\n"},
+                {"-fdefault-integer-8", nullptr},
+                {"-fdefault-real-8 -fdefault-double-8", " IERR   0\n IERR   1\n"},
+                {"-fdefault-real-8", " IERR  52\n IERR  54\n"},
+                {"-freal-8-real-16", " IERR  52\n IERR  54\n"},
+                {"-freal-8-real-10", " IERR  52\n IERR  54\n"},
+                {"-freal-8-real-4", " IERR  52\n IERR  54\n"}};
+  for (const auto& build : builds) {
+    build_fortran(libraries, std::string("-std=legacy -w ") + build.flags, "'" + (libraries / "literal.f") + "'", "static",
+                  "host");
+    const Result run = run_shell(libraries.run("host"));
+    // An INTEGER of 8 bytes begins like one of 4 where the low end comes first.
+    const int32_t one = 1;
+    const bool low_first = *reinterpret_cast<const char*>(&one) == 1;
+    if (build.says == nullptr && !low_first) continue;
+    CHECK_MESSAGE(run.out == (build.says == nullptr ? builds[0].says : build.says), build.flags << "\n" << run.out << run.err);
+  }
+}
+
+TEST_CASE("hosts: names without an underscore and in capitals, as the page makes them") {
+  if (!can_host("gfortran") || !can_host("objcopy")) return;
+  const std::string page = read_file(kRoot + "/port/fortran/README.md");
+  const size_t from = page.find("nm -g"), to = page.find("gfortran", from);
+  REQUIRE(to < page.size());
+  std::string commands = page.substr(from, to - from);
+  const Libraries libraries;
+  fs::create_directories(libraries / "build");
+  fs::create_symlink(C2D_TEST_LIBRARY, libraries / "build/libcontact2d.a");
+  const std::string go = "cd '" + (libraries / ".") + "' && ";
+  check_built(go + commands);
+  write_file(libraries / "literal.f", kLiteralProgram);
+  check_built(go + "gfortran -std=legacy -w -fno-underscoring literal.f build/libcontact2d_plain.a -o host && ./host > out");
+  CHECK(read_file(libraries / "out") == " IERR   0\n IERR   1\n");
+  // No option of gfortran writes capitals: a C program calls them so.
+  const size_t last = commands.rfind("\\1/p");
+  REQUIRE(last < commands.size());
+  commands.replace(last, 2, "\\U\\1");
+  check_built(go + commands);
+  write_file(libraries / "capitals.c",
+             "#include <stdio.h>\nextern void C2VERS(char*, int*);\n"
+             "int main(void) { char text[6] = \"\"; int n = 5; C2VERS(text, &n); puts(text); return 0; }\n");
+  check_built(go + "cc capitals.c build/libcontact2d_plain.a -lm -o host && ./host > out");
+  CHECK(read_file(libraries / "out") == std::string(c2d_version()) + "\n");
 }
 
 TEST_CASE("hosts: a model by calls of FORTRAN 77 has the pressure of the closed form") {

@@ -124,10 +124,11 @@ bool Call::ready() {
   return solver != nullptr;
 }
 
-// What the solver knows of its last failure, if it is this one; else the number and its words.
+// What the solver knows of its last failure, if it is this one or the one that broke it; else the number and its words.
 void Call::keep_failure() {
   c2d_error error = blank_error();
-  if (solver && c2d_last_error(solver, &error) == C2D_OK && error.status == status) {
+  if (solver && c2d_last_error(solver, &error) == C2D_OK &&
+      (error.status == status || c2d_get_state(solver) == C2D_STATE_BROKEN)) {
     host->error = entry_of(error);
   } else if (!told) {
     error = blank_error();
@@ -159,18 +160,10 @@ using namespace c2d::fortran;
 
 namespace {
 
-// The check values of README.md: INTEGER ICHECK(2), REAL*8 RCHECK(2).
+// The check values of README.md: INTEGER ICHECK(2), and a literal. Options that change the length of 0.3D0 leave that of
+// REAL*8 alone, or change both: the literal tells of either. No number of 16 bytes begins like one of 8.
 constexpr int32_t kIntegers[2] = {1987, 64};
-constexpr double kReals[2] = {1987.0, 0.015625};
-
-// Is each REAL*8 shorter or longer than 8 bytes? The first 8 bytes tell, which two numbers of every kind
-// have.
-c2d_status check_reals(In rcheck) {
-  double first;
-  memcpy(&first, rcheck, sizeof first);
-  if (first == kReals[0] && real_at(rcheck, 1) == kReals[1]) return C2D_OK;
-  return kBadReal;
-}
+constexpr double kLiteral = 1987.015625;
 
 void open_work(Work work, int64_t words) {
   const uintptr_t address = reinterpret_cast<uintptr_t>(work);
@@ -187,7 +180,7 @@ void open_work(Work work, int64_t words) {
 
 // An array of two 8-byte integers begins with 1987, 0 or 0, 1987 in units of 4 bytes, whichever end is first.
 // IERR has then 8 bytes too, and all of them are set.
-bool c2d::fortran::check_caller(In icheck, In rcheck, Out ierr) {
+bool c2d::fortran::check_caller(In icheck, In rlit, Out ierr) {
   const int32_t first = integer_at(icheck), second = integer_at(icheck, 1);
   const bool wide = (first == kIntegers[0] && second == 0) || (first == 0 && second == kIntegers[0]);
   if (wide) {
@@ -195,14 +188,17 @@ bool c2d::fortran::check_caller(In icheck, In rcheck, Out ierr) {
     memcpy(ierr, &error, sizeof error);
     return false;
   }
-  const bool right = first == kIntegers[0] && second == kIntegers[1];
-  const c2d_status status = right ? check_reals(rcheck) : static_cast<c2d_status>(kBadCheck);
+  int32_t status = C2D_OK;
+  if (first != kIntegers[0] || second != kIntegers[1])
+    status = kBadCheck;
+  else if (real_at(rlit) != kLiteral)
+    status = kBadReal;
   put_integer(ierr, status);
   return status == C2D_OK;
 }
 
-void c2open_(Work work, In nwords, In icheck, In rcheck, Out ierr) {
-  if (!check_caller(icheck, rcheck, ierr)) return;
+void c2open_(Work work, In nwords, In icheck, In rlit, Out ierr) {
+  if (!check_caller(icheck, rlit, ierr)) return;
   const int64_t words = integer_at(nwords);
   if (words > static_cast<int64_t>(kHostSlack / 8))
     open_work(work, words);

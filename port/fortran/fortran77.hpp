@@ -20,7 +20,7 @@ using Text = const void*; // CHARACTER*(*)
 // Values of IERR besides those of c2d_status.
 enum {
   kBadInteger = 51, // the caller's INTEGER is not 4 bytes long
-  kBadReal = 52,    // the caller's REAL*8 is not 8 bytes long
+  kBadReal = 52,    // the caller's literal is not 8 bytes long, or another
   kBadCheck = 53,   // the check values are not those of README.md
   kNotOpen = 54,    // C2OPEN has not been called for this array, or it was moved
   kBadName = 55     // a name that is empty or too long
@@ -101,7 +101,7 @@ Host* host_of(Work work); // null: not open
 // none.
 Host* moved_host_of(Work work);
 // Were these the check values of C2OPEN? Else IERR says what is wrong with the caller's numbers.
-bool check_caller(In icheck, In rcheck, Out ierr);
+bool check_caller(In icheck, In rlit, Out ierr);
 Entry entry_of(const c2d_error& error);
 c2d_error blank_error();
 // Words of WORK for a solver of this many bytes; 0 if INTEGER*4 cannot count them.
@@ -121,7 +121,7 @@ using c2d::fortran::Text;
 using c2d::fortran::Work;
 
 // opening, decks, closing: fortran77.cpp, fortran77_deck.cpp
-void c2open_(Work work, In nwords, In icheck, In rcheck, Out ierr);
+void c2open_(Work work, In nwords, In icheck, In rlit, Out ierr);
 void c2tape_(Work work, Text name, In lname, Out ierr);
 void c2core_(Work work, Out store, In nstore, Out ierr);
 void c2opts_(Work work, In iquad, In istep, In ichang, In isymm, Out ierr);
@@ -162,11 +162,12 @@ void c2done_(Work work, Out ierr);
 
 // solving: fortran77_solve.cpp, fortran77_keep.cpp
 using c2_step = void (*)(const int32_t* kind, const int32_t* imu, const int32_t* istep, const int32_t* iout, const double* fmu,
-                         const double* factor, const int32_t* npairs, const double* table, const int32_t* ldt, int32_t* istop);
+                         const double* factor, const int32_t* npairs, const double* table, const int32_t* ldt, int32_t* istop,
+                         const int32_t* ncases, const double* works, const double* energy);
 void c2prep_(Work work, Out ierr);
 void c2save_(Work work, Out ierr);
 void c2rest_(Work work, Out ierr);
-void c2atch_(Work work, In nwords, In icheck, In rcheck, Out store, Out ierr);
+void c2atch_(Work work, In nwords, In icheck, In rlit, Out store, Out ierr);
 void c2chld_(Work work, Out ierr);
 void c2rpld_(Work work, In i, In x, In y, In fx, In fy, Out ierr);
 void c2begn_(Work work, In fmu, In nzones, Out ierr);
@@ -174,7 +175,8 @@ void c2advn_(Work work, In factor, In ncases, Out iout, Out ierr);
 void c2next_(Work work, In direct, In ncases, Out step, Out ierr);
 void c2solv_(Work work, c2_step step, Out ierr);
 void c2none_(const int32_t* kind, const int32_t* imu, const int32_t* istep, const int32_t* iout, const double* fmu,
-             const double* factor, const int32_t* npairs, const double* table, const int32_t* ldt, int32_t* istop);
+             const double* factor, const int32_t* npairs, const double* table, const int32_t* ldt, int32_t* istop,
+             const int32_t* ncases, const double* works, const double* energy);
 void c2canc_(Work work, Out ierr);
 
 // answers: fortran77_results.cpp

@@ -18,8 +18,8 @@ void c2rest_(Work work, Out ierr) {
 }
 
 // Files and arrays are where they are now: what the block store knew of them is of another process, perhaps.
-void c2atch_(Work work, In nwords, In icheck, In rcheck, Out store, Out ierr) {
-  if (!check_caller(icheck, rcheck, ierr)) return;
+void c2atch_(Work work, In nwords, In icheck, In rlit, Out store, Out ierr) {
+  if (!check_caller(icheck, rlit, ierr)) return;
   Host* host = moved_host_of(work);
   const int64_t words = integer_at(nwords);
   if (!host) return put_integer(ierr, kNotOpen);

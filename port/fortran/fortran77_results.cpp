@@ -1,6 +1,7 @@
 // Answers: fields, points inside, summary, the model's lists.
 #include "fortran77.hpp"
 
+#include <cmath>
 #include <string.h>
 
 using namespace c2d::fortran;
@@ -14,9 +15,12 @@ constexpr int32_t kChunk = 32; // entries fetched at a time where the caller's a
 
 c2d_status get_in_chunks(c2d_solver* solver, int32_t field, int32_t body, int32_t first, int32_t count, Out a, int64_t stride) {
   double some[kChunk];
+  // The last entry goes first: if there are fewer, nothing has been written when that is found.
+  if (first < 1 || first > INT32_MAX - count) return C2D_ERR_ARGUMENT;
+  const c2d_status last = c2d_get(solver, field, body, count > 0 ? first + count - 1 : first, count > 0 ? 1 : 0, some, 1);
+  if (last != C2D_OK) return last;
   for (int32_t done = 0; done < count; done += kChunk) {
     const int32_t now = count - done < kChunk ? count - done : kChunk;
-    if (first > INT32_MAX - done) return C2D_ERR_ARGUMENT;
     const c2d_status status = c2d_get(solver, field, body, first + done, now, some, 1);
     if (status != C2D_OK) return status;
     for (int32_t i = 0; i < now; ++i) put_real(behind(a, (done + i) * stride), some[i]);
@@ -26,6 +30,11 @@ c2d_status get_in_chunks(c2d_solver* solver, int32_t field, int32_t body, int32_
 
 c2d_status points_one_by_one(c2d_solver* solver, int32_t body, int32_t count, In xy, int64_t xy_stride, Out a, int64_t stride) {
   double row[C2D_POINT_FIELDS];
+  for (int32_t i = 0; i < count; ++i) { // one that is refused is so before anything is written
+    const double point[2] = {real_at(behind(xy, i * xy_stride)), real_at(behind(xy, i * xy_stride), 1)};
+    if (!std::isfinite(point[0]) || !std::isfinite(point[1]))
+      return c2d_interior(solver, body, 1, point, 2, row, C2D_POINT_FIELDS);
+  }
   for (int32_t i = 0; i < count; ++i) {
     const double point[2] = {real_at(behind(xy, i * xy_stride)), real_at(behind(xy, i * xy_stride), 1)};
     const c2d_status status = c2d_interior(solver, body, 1, point, 2, row, C2D_POINT_FIELDS);
@@ -75,10 +84,8 @@ void c2get_(Work work, In ifield, In ibody, In ifirst, In n, Out a, In lda, Out 
   if (call.ready()) {
     const int32_t field = integer_at(ifield), body = integer_at(ibody), first = integer_at(ifirst), count = integer_at(n);
     const int64_t stride = integer_at(lda);
-    if (is_aligned(a))
+    if (is_aligned(a) || count < 0 || stride < 1) // the latter are refused
       call.status = c2d_get(call.solver, field, body, first, count, static_cast<double*>(a), stride);
-    else if (count < 0 || stride < 1)
-      call.status = C2D_ERR_ARGUMENT;
     else
       call.status = get_in_chunks(call.solver, field, body, first, count, a, stride);
   }
@@ -90,11 +97,10 @@ void c2intr_(Work work, In ibody, In n, In xy, In ldxy, Out a, In lda, Out ierr)
   if (call.ready()) {
     const int32_t body = integer_at(ibody), count = integer_at(n);
     const int64_t xy_stride = integer_at(ldxy), stride = integer_at(lda);
-    if (is_aligned(xy) && is_aligned(a))
+    const bool right = count >= 0 && xy_stride >= 2 && stride >= C2D_POINT_FIELDS;
+    if ((is_aligned(xy) && is_aligned(a)) || !right)
       call.status =
           c2d_interior(call.solver, body, count, static_cast<const double*>(xy), xy_stride, static_cast<double*>(a), stride);
-    else if (count < 0 || xy_stride < 2 || stride < C2D_POINT_FIELDS)
-      call.status = C2D_ERR_ARGUMENT;
     else
       call.status = points_one_by_one(call.solver, body, count, xy, xy_stride, a, stride);
   }

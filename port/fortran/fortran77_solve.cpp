@@ -11,9 +11,11 @@ struct StepCall {
 
 int32_t pass_on(void* context, const c2d_step* step) {
   const int32_t stride = static_cast<int32_t>(step->stride);
+  const double energy[] = {step->work, step->dissipated, step->elastic, step->energy_defect};
   int32_t stop = 0;
-  static_cast<StepCall*>(context)->routine(&step->kind, &step->coefficient, &step->step, &step->outcome, &step->mu, &step->load,
-                                           &step->pairs, step->table, &stride, &stop);
+  // What came later stands last: a routine that does not name it is none the worse for it.
+  static_cast<StepCall*>(context)->routine(&step->kind, &step->coefficient, &step->step, &step->outcome, &step->mu, step->loads,
+                                           &step->pairs, step->table, &stride, &stop, &step->cases, step->work_by_case, energy);
   return stop;
 }
 
@@ -82,7 +84,7 @@ void c2solv_(Work work, c2_step step, Out ierr) {
 }
 
 void c2none_(const int32_t*, const int32_t*, const int32_t*, const int32_t*, const double*, const double*, const int32_t*,
-             const double*, const int32_t*, int32_t*) {}
+             const double*, const int32_t*, int32_t*, const int32_t*, const double*, const double*) {}
 
 void c2canc_(Work work, Out ierr) {
   Call call(work);

@@ -9,7 +9,7 @@ namespace fortran {
 const char* message(int32_t status) {
   switch (status) {
   case kBadInteger: return "INTEGER has 8 bytes here: compile the calling program with INTEGER*4";
-  case kBadReal: return "RCHECK is not REAL*8 with the values that C2OPEN asks for";
+  case kBadReal: return "the literal given to C2OPEN is not 1987.015625D0 of 8 bytes: compile without -fdefault-real-8";
   case kBadCheck: return "ICHECK does not hold the values that C2OPEN asks for";
   case kNotOpen: return "C2OPEN has not been called for this array, or it has been moved or overwritten";
   case kBadName: return "a name is empty or too long";
