@@ -194,7 +194,7 @@ TEST_CASE("embedded: the bill of the page is what make footprint prints, and sta
   }
 }
 
-// The parts of src/memory/optional.hpp, and a function or two of each file that only they need.
+// The parts of src/memory/parts.hpp, and a function or two of each file that only they need.
 TEST_CASE("embedded: parts that no call declares are not linked, and come with the call") {
   if (skipped()) return;
   struct Part {

@@ -1,6 +1,8 @@
 // A library compiled with C2D_PARTS_BY_CALL: a program has the parts whose calls it names, and is told of the others
 // where a deck, an option, a workspace or a saved state wants one. (The bytes: test_embedded.cpp.)
 #include "deck_recorder.hpp"
+#include "memory/parts.hpp"
+#include "model/model.hpp"
 #include "shell.hpp"
 #include "solver_runs.hpp"
 
@@ -57,6 +59,36 @@ TEST_CASE("parts: a keyword whose part is not linked is a fault of its card, and
     CHECK(faults[0].status == C2D_ERR_INPUT);
     CHECK(model.units == "mm N");
   }
+}
+
+TEST_CASE("parts: an empty table does nothing, says nothing is there, and refuses what has a status") {
+  const c2d::EnergyPart energies;
+  CHECK_FALSE(energies.linked);
+  CHECK(energies.build_energy(nullptr) == C2D_ERR_INTERNAL);
+  CHECK((energies.work_by_case(nullptr) == nullptr));
+  const c2d::SymmetryPart symmetry;
+  c2d::ModelHeader head;
+  double p[2] = {-1.0, 2.0};
+  symmetry.fold_across(head, p);
+  CHECK(p[0] == -1.0);
+  CHECK((symmetry.set_symmetry == nullptr));
+}
+
+TEST_CASE("parts: a file of the core that calls through a table says so, but where the part is brought") {
+  int seen = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(C2D_TEST_ROOT) / "src")) {
+    if (entry.path().extension() != ".cpp") continue;
+    const std::string text = read_file(entry.path().string());
+    for (const char* name : {"SymmetryPart", "FreeZonePart", "BodyForcePart", "RigidPart", "EnergyPart", "NewLoadsPart"}) {
+      const std::string part = name;
+      if (!contains(text, "k" + part + ".")) continue;
+      ++seen;
+      CHECK_MESSAGE((contains(text, "C2D_USES(" + part + ")") || contains(text, "C2D_MEETS(" + part + ",") ||
+                     (part == "EnergyPart" && contains(text, "C2D_BRINGS(c2d_get_summary)"))),
+                    entry.path() << " calls through k" << part);
+    }
+  }
+  CHECK(seen > 25);
 }
 
 #if defined(__ELF__)

@@ -132,7 +132,7 @@ TEST_CASE("symbols: no writable data, no weak doubles of the run-time, no static
   }
 }
 
-// The deck reader may declare every optional part of a model (src/memory/optional.hpp), so the program has all of them.
+// The deck reader may declare every optional part of a model (src/memory/parts.hpp), so the program has all of them.
 // New loads are asked for by a call that it has not, c2d_change_loads.
 TEST_CASE("symbols: no optional part is missing where the deck reader is linked") {
   if (kSanitized || !has_command("nm")) return;

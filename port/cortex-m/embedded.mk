@@ -23,7 +23,7 @@ STACK_LEAST ?= 4096
 ARM_FLAGS := -std=c++17 -Os -fno-move-loop-invariants -fno-inline-small-functions -ffreestanding -fbuiltin -fno-math-errno -fno-exceptions -fno-rtti -ffunction-sections \
   -fdata-sections -fno-threadsafe-statics -DC2D_PARTS_BY_CALL $(EXACT) $(WARNINGS) -fstack-usage -fcallgraph-info=su
 ARM_PORT := $(wildcard port/cortex-m/*.cpp)
-# Calls that declare a part of the library (src/memory/optional.hpp). run_deck links them, so that it reads any deck.
+# Calls that declare a part of the library (src/memory/parts.hpp). run_deck links them, so that it reads any deck.
 PART_CALLS := c2d_add_free_zone c2d_set_body_force c2d_set_rigid c2d_set_symmetry
 
 define arm_object

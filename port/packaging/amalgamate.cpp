@@ -173,7 +173,7 @@ int main(int argc, char** argv) {
   Amalgamation all;
   for (const std::string& path : sources) all.count(path);
   heading(argv[1]);
-  std::cout << "#define C2D_ONE_FILE\n"; // memory/optional.hpp
+  std::cout << "#define C2D_ONE_FILE\n"; // memory/parts.hpp
   for (const std::string& path : sources) all.source(path);
   return std::cout.flush() ? 0 : 1;
 }

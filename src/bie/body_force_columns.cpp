@@ -1,4 +1,4 @@
-// Right-hand sides of body forces: optional (memory/optional.hpp).
+// Right-hand sides of body forces: optional (memory/parts.hpp).
 #include "bie/body_force.hpp"
 #include "bie/panel.hpp"
 

@@ -4,13 +4,13 @@
 #include "bie/panel.hpp"
 #include "bie/transfer.hpp"
 #include "memory/hostile.hpp"
-#include "memory/optional.hpp"
+#include "memory/parts.hpp"
 #include "model/symmetry.hpp"
 
 namespace c2d {
 
-C2D_OPTIONAL(add_body_force_columns);
-C2D_OPTIONAL(fill_transfer);
+C2D_USES(FreeZonePart);
+C2D_USES(BodyForcePart);
 
 namespace {
 
@@ -118,7 +118,8 @@ void add_all(const ColumnSystem& system, const Hole* hole, const Panel& panel) {
   }
   for (int32_t i = 0; i < m.head->point_loads && panel.range.holds_right(); ++i)
     if (m.point_load[i].body == b) add_point_load(system, hole, panel, m.point_load[i]);
-  for (int32_t k = 0; k < m.head->load_cases && has_body_force(m, b); ++k) add_body_force_columns(system, hole, panel, k);
+  for (int32_t k = 0; k < m.head->load_cases && has_body_force(m, b); ++k)
+    kBodyForcePart.add_body_force_columns(system, hole, panel, k);
 }
 
 // This row says: the unknown of column j is zero.
@@ -161,7 +162,7 @@ void hold_by_symmetry(const ColumnSystem& system, const Panel& panel) {
 
 void fill_columns(const ColumnSystem& system, int32_t first, int32_t count, Real* data, int64_t ld) {
   fill_own_columns(system, first, count, data, ld);
-  if (system.body == 0 && system.model.head->free_rows > 0) fill_transfer(system, first, count, data, ld);
+  if (system.body == 0 && system.model.head->free_rows > 0) kFreeZonePart.fill_transfer(system, first, count, data, ld);
 }
 
 } // namespace c2d

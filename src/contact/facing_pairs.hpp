@@ -20,7 +20,7 @@ bool make_unit(double v[2]);
 // "pair 3 (node 7 of body 1, node 9 of body 2)"
 void say_pair(Finding& f, const Model& m, int32_t pair);
 
-// ---- optional (memory/optional.hpp): of pairs of free zones alone ----
+// ---- optional (memory/parts.hpp): of pairs of free zones alone ----
 // Finds the point of body 1 that the pair's node of body 2 faces, and the surface there.
 bool surface_faced(const Model& m, int32_t pair, Surface& out);
 // Node of body 1 at that point, -1 between nodes.

@@ -1,7 +1,7 @@
 #include "contact/frames.hpp"
 
 #include "contact/facing_pairs.hpp"
-#include "memory/optional.hpp"
+#include "memory/parts.hpp"
 #include "model/geometry.hpp"
 #include "model/rigid.hpp"
 #include "model/symmetry.hpp"
@@ -12,8 +12,7 @@
 
 namespace c2d {
 
-C2D_OPTIONAL(surface_faced);
-C2D_OPTIONAL(faced_node);
+C2D_USES(FreeZonePart);
 
 namespace {
 
@@ -98,7 +97,7 @@ bool has_value(const Model& m, int b, int32_t node, int component) {
 bool find_symmetry(const Model& m, int32_t pair, int* component, Reporter& reporter) {
   const Pair& p = m.pair[pair];
   *component = -1;
-  const int32_t node[2] = {p.node[0] >= 0 ? p.node[0] : faced_node(m, p), p.node[1]};
+  const int32_t node[2] = {p.node[0] >= 0 ? p.node[0] : kFreeZonePart.faced_node(m, p), p.node[1]};
   bool fixed[2][2]; // [body][component]
   for (int b = 0; b < 2; ++b) {
     for (int c = 0; c < 2; ++c)
@@ -244,7 +243,7 @@ void build_frame(const Model& m, int32_t pair, Spread& spread, ZoneOverlaps& ove
   Pair& p = m.pair[pair];
   Surface s1, s2;
   const bool second = surface_at(m, 1, pair, s2),
-             first = p.node[0] < 0 ? surface_faced(m, pair, s1) : surface_at(m, 0, pair, s1);
+             first = p.node[0] < 0 ? kFreeZonePart.surface_faced(m, pair, s1) : surface_at(m, 0, pair, s1);
   if (!first || !second) return tell_pair(m, pair, "no normal on one of the bodies", "a smooth contact element", reporter);
   p.length = fmin(s1.length, s2.length);
   lengths.add(pair, s1.length, s2.length);

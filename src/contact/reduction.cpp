@@ -4,11 +4,11 @@
 
 #include "contact/rigid_balance.hpp"
 #include "linalg/dense.hpp"
-#include "memory/optional.hpp"
+#include "memory/parts.hpp"
 
 namespace c2d {
 
-C2D_OPTIONAL(move_rigidly);
+C2D_USES(RigidPart);
 
 namespace {
 
@@ -25,7 +25,7 @@ c2d_status factor(const Reduction& r, Real* matrix) {
 
 // v of the inverted body, whose factored S_u is in `first`.
 c2d_status solve_loads(const Reduction& r) {
-  if (r.model.head->rigid != 0) return move_rigidly(r);
+  if (r.model.head->rigid != 0) return kRigidPart.move_rigidly(r);
   c2d_status status = C2D_OK;
   for (int32_t k = 0; k < r.tape.cases && status == C2D_OK; ++k) {
     status = read_column(r.tape, of_body(Matrix::load1, r.inverted), k, r.strip);

@@ -24,7 +24,7 @@ struct Reduction {
 };
 constexpr int32_t kStripColumns = 4;
 
-// ---- optional, for a rigid body 1 (memory/optional.hpp, rigid_reduction.cpp) ----
+// ---- optional, for a rigid body 1 (memory/parts.hpp, rigid_reduction.cpp) ----
 // Its motion at a pair: along n and t, in the length unit, at factor 1 of a load case.
 void rigid_motion_at_pair(const Model& m, const Pair& pair, int32_t load_case, double v[2]);
 // v of the inverted body where that is the rigid one: its motion at the pairs.

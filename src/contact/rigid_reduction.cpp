@@ -1,4 +1,4 @@
-// What the reduction does where body 1 is rigid: optional (memory/optional.hpp).
+// What the reduction does where body 1 is rigid: optional (memory/parts.hpp).
 #include "contact/reduction.hpp"
 
 namespace c2d {

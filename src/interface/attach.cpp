@@ -4,23 +4,18 @@
 
 #include "interface/entry.hpp"
 #include "memory/characters.hpp"
-#include "memory/optional.hpp"
-#include "results/balance.hpp"
-#include "solver/energy.hpp"
+#include "memory/parts.hpp"
 #include "solver/port.hpp"
 #include "solver/solver.hpp"
 
-// A model may come in that no call of this program declared.
-C2D_NEEDS(c2d_add_free_zone);
-C2D_NEEDS(c2d_set_body_force);
-C2D_NEEDS(c2d_set_rigid);
-C2D_NEEDS(c2d_set_symmetry);
 namespace c2d {
-C2D_NEEDS(build_energy);
-C2D_NEEDS(balance_forces);
-} // namespace c2d
 
-namespace c2d {
+// A model may come in that no call of this program declared.
+C2D_MEETS(FreeZonePart, c2d_add_free_zone);
+C2D_MEETS(BodyForcePart, c2d_set_body_force);
+C2D_MEETS(RigidPart, c2d_set_rigid);
+C2D_MEETS(SymmetryPart, c2d_set_symmetry);
+C2D_MEETS(EnergyPart, c2d_get_summary);
 
 namespace {
 
@@ -61,15 +56,15 @@ const char kNoPart[] = "the solver in this memory uses a part of the library tha
 const char* missing_part(const char* at) {
   const ModelHeader head = C2D_MEMBER(model);
   const bool images = C2D_MEMBER(options).symmetry == C2D_SYMMETRY_IMAGES;
-  if (!C2D_HAS(c2d_set_symmetry) && (head.symmetry_asked != 0 || images)) return "c2d_set_symmetry";
-  if (!C2D_HAS(c2d_set_rigid) && head.rigid != 0) return "c2d_set_rigid";
-  if (!C2D_HAS(c2d_set_body_force) && head.body_forces != 0) return "c2d_set_body_force";
+  if (!kSymmetryPart.linked && (head.symmetry_asked != 0 || images)) return "c2d_set_symmetry";
+  if (!kRigidPart.linked && head.rigid != 0) return "c2d_set_rigid";
+  if (!kBodyForcePart.linked && head.body_forces != 0) return "c2d_set_body_force";
   const char* const zones = at + C2D_MEMBER(layout).offset[kZones];
-  for (int32_t i = 0; !C2D_HAS(c2d_add_free_zone) && i < head.zones; ++i)
+  for (int32_t i = 0; !kFreeZonePart.linked && i < head.zones; ++i)
     if (member_at<Zone>(zones, static_cast<size_t>(i) * sizeof(Zone)).is_free != 0) return "c2d_add_free_zone";
   const int32_t state = C2D_MEMBER(state);
   const bool prepared = state == C2D_STATE_PREPARED || state == C2D_STATE_RUNNING;
-  return !C2D_HAS(build_energy) && prepared && C2D_MEMBER(keeps_energy) != 0 ? "c2d_get_summary" : nullptr;
+  return !kEnergyPart.linked && prepared && C2D_MEMBER(keeps_energy) != 0 ? "c2d_get_summary" : nullptr;
 }
 
 // Why a solver is refused: a text, and what it ends with.
@@ -91,7 +86,7 @@ c2d_status find_solver(const char* memory, size_t bytes, uint32_t* slack, uint64
     }
     if (!is_consistent(at)) continue;
     const int32_t state = C2D_MEMBER(state);
-    if (C2D_HAS(build_energy) && (state == C2D_STATE_PREPARED || state == C2D_STATE_RUNNING) && C2D_MEMBER(keeps_energy) == 0) {
+    if (kEnergyPart.linked && (state == C2D_STATE_PREPARED || state == C2D_STATE_RUNNING) && C2D_MEMBER(keeps_energy) == 0) {
       status = C2D_ERR_MISMATCH;
       why.text = kNoEnergies;
       continue;

@@ -2,18 +2,22 @@
 #include "bie/body_force.hpp"
 #include "bie/panel.hpp"
 #include "interface/refuse.hpp"
-#include "memory/optional.hpp"
+#include "memory/parts.hpp"
 #include "model/validate_finding.hpp"
 #include "solver/energy_adjoint.hpp"
 #include "solver/particular.hpp"
 
-namespace c2d {
-C2D_BRINGS(particular_solution);
-C2D_BRINGS(add_body_force_columns);
-C2D_BRINGS(check_body_force);
-C2D_BRINGS(take_particular);
-C2D_BRINGS(particular_at_end);
-} // namespace c2d
+const c2d::BodyForcePart c2d::kBodyForcePart = {true,
+                                                c2d_set_body_force,
+                                                check_body_force,
+                                                body_force_resultant,
+                                                add_body_force_columns,
+                                                add_body_force,
+                                                take_particular,
+                                                add_particular_at_load,
+                                                particular_at_end,
+                                                interpolated_particular,
+                                                add_particular_at};
 
 using namespace c2d;
 

@@ -4,17 +4,24 @@
 #include "bie/transfer.hpp"
 #include "contact/facing_pairs.hpp"
 #include "interface/zone_calls.hpp"
-#include "memory/optional.hpp"
+#include "memory/parts.hpp"
+#include "model/free_zones.hpp"
 #include "results/transferred.hpp"
 #include "solver/energy_adjoint.hpp"
 
-namespace c2d {
-C2D_BRINGS(fit_free_zone);
-C2D_BRINGS(fill_transfer);
-C2D_BRINGS(surface_faced);
-C2D_BRINGS(transferred_values);
-C2D_BRINGS(add_transferred_at);
-} // namespace c2d
+const c2d::FreeZonePart c2d::kFreeZonePart = {true,
+                                              c2d_add_free_zone,
+                                              fit_free_zone,
+                                              faced_position,
+                                              fill_transfer,
+                                              next_transfer,
+                                              make_transfer,
+                                              surface_faced,
+                                              faced_node,
+                                              add_transferred_at,
+                                              add_transferred_traction,
+                                              transferred_values,
+                                              add_transferred_force};
 
 using namespace c2d;
 

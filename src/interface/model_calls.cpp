@@ -6,11 +6,11 @@
 #include "contact/frames.hpp"
 #include "interface/refuse.hpp"
 #include "memory/characters.hpp"
-#include "memory/optional.hpp"
+#include "memory/parts.hpp"
 #include "model/symmetry.hpp"
 
 namespace c2d {
-C2D_NEEDS(validate_lines); // c2d_set_options may ask for images
+C2D_MEETS(SymmetryPart, c2d_set_symmetry); // c2d_set_options may ask for images
 } // namespace c2d
 
 using namespace c2d;
@@ -33,7 +33,7 @@ extern "C" c2d_status c2d_set_options(c2d_solver* s, const c2d_options* options)
   if (!in_range(ours.quadrature, 0, 1) || !in_range(ours.stepping, 0, 1) || !in_range(ours.every_change, 0, 1) ||
       !in_range(ours.symmetry, 0, 1) || !in_range(ours.keep_factors, 0, 1))
     return fail(s, C2D_ERR_ARGUMENT, "an option is out of range");
-  if (ours.symmetry == C2D_SYMMETRY_IMAGES && !C2D_HAS(validate_lines))
+  if (ours.symmetry == C2D_SYMMETRY_IMAGES && !kSymmetryPart.linked)
     return fail(s, C2D_ERR_ARGUMENT,
                 "this program is linked without symmetry by images (C2D_PARTS_BY_CALL): c2d_set_symmetry links it");
   if (s->state == C2D_STATE_MODEL && ours.symmetry != s->options.symmetry)

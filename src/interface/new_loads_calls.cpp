@@ -1,11 +1,10 @@
-#include "solver/new_loads.hpp"
-
+// New right-hand sides through the factorisation that is on the tapes.
+#include "contact/reduction.hpp"
+#include "elimination/eliminate.hpp"
 #include "interface/entry.hpp"
-#include "memory/optional.hpp"
+#include "memory/parts.hpp"
 
-namespace c2d {
-C2D_BRINGS(eliminate_new_loads);
-} // namespace c2d
+const c2d::NewLoadsPart c2d::kNewLoadsPart = {true, eliminate_again, reduce_loads};
 
 using namespace c2d;
 

@@ -1,14 +1,15 @@
 // A deck into a solver, through the calls of the C interface.
 #include "deck/deck.hpp"
 #include "interface/refuse.hpp"
-#include "memory/optional.hpp"
-
-C2D_NEEDS(c2d_set_symmetry);
-C2D_NEEDS(c2d_set_rigid);
-C2D_NEEDS(c2d_set_body_force);
-C2D_NEEDS(c2d_add_free_zone);
+#include "memory/parts.hpp"
 
 namespace c2d {
+
+C2D_MEETS(SymmetryPart, c2d_set_symmetry);
+C2D_MEETS(RigidPart, c2d_set_rigid);
+C2D_MEETS(BodyForcePart, c2d_set_body_force);
+C2D_MEETS(FreeZonePart, c2d_add_free_zone);
+
 namespace {
 
 // The caller's deck and the solver. Every inner call begins with a clean error, so the first fault is kept
@@ -69,10 +70,10 @@ c2d_status walk(Reading& reading) {
   sink.set_interference = c2d_set_interference;
   sink.add_points = c2d_add_points;
   sink.add_curve = c2d_add_curve;
-  sink.set_symmetry = c2d_set_symmetry;
-  sink.set_rigid = c2d_set_rigid;
-  sink.set_body_force = c2d_set_body_force;
-  sink.add_free_zone = c2d_add_free_zone;
+  sink.set_symmetry = kSymmetryPart.set_symmetry;
+  sink.set_rigid = kRigidPart.set_rigid;
+  sink.set_body_force = kBodyForcePart.set_body_force;
+  sink.add_free_zone = kFreeZonePart.add_free_zone;
   return read_deck_cards(&sink, read_line, &reading, deck_fault, &reading, nullptr);
 }
 

@@ -1,17 +1,13 @@
 // A rigid body 1 by calls.
 #include "contact/reduction.hpp"
 #include "interface/refuse.hpp"
-#include "memory/optional.hpp"
+#include "memory/parts.hpp"
 #include "model/validate_finding.hpp"
 #include "results/rigid.hpp"
 #include "solver/energy_adjoint.hpp"
 
-namespace c2d {
-C2D_BRINGS(check_rigid);
-C2D_BRINGS(move_rigidly);
-C2D_BRINGS(fill_rigid);
-C2D_BRINGS(add_rigid_motion);
-} // namespace c2d
+const c2d::RigidPart c2d::kRigidPart = {true,       c2d_set_rigid,         check_rigid, move_rigidly, add_rigid_motion,
+                                        fill_rigid, rigid_displacement_now};
 
 using namespace c2d;
 

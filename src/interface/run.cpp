@@ -3,16 +3,14 @@
 #include <string.h>
 
 #include "interface/advance.hpp"
-#include "memory/optional.hpp"
+#include "memory/parts.hpp"
 #include "results/back.hpp"
-#include "results/balance.hpp"
 #include "results/table.hpp"
 #include "solver/energy.hpp"
 
 namespace c2d {
 
-C2D_BRINGS(build_energy);
-C2D_BRINGS(balance_forces);
+C2D_BRINGS(c2d_get_summary); // energies
 
 namespace {
 
@@ -26,7 +24,7 @@ c2d_step describe_step(const Session& session, int32_t kind) {
   now.table = array_of<double>(s, kPairTable);
   now.cases = s->model.load_cases;
   now.loads = session.follower.load;
-  now.work_by_case = energy_book(s).work;
+  now.work_by_case = kEnergyPart.work_by_case(s);
   now.work = s->work;
   now.dissipated = s->dissipated;
   now.elastic = s->elastic;

@@ -1,12 +1,11 @@
 // The state of the path kept on tape CONTROL, and taken up again.
 #include "interface/entry.hpp"
-#include "memory/optional.hpp"
-#include "results/balance.hpp"
+#include "memory/parts.hpp"
 #include "solver/prepare.hpp"
 #include "solver/save.hpp"
 
 namespace c2d {
-C2D_NEEDS(balance_forces); // with energies, which solver/save.cpp needs
+C2D_MEETS(EnergyPart, c2d_get_summary); // a saved state may have them
 } // namespace c2d
 
 using namespace c2d;

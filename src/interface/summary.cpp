@@ -3,14 +3,15 @@
 #include <string.h>
 
 #include "interface/entry.hpp"
-#include "memory/optional.hpp"
+#include "memory/parts.hpp"
 #include "results/balance.hpp"
 #include "solver/energy.hpp"
+#include "solver/motion.hpp"
 
 namespace c2d {
 
-C2D_BRINGS(build_energy);
-C2D_BRINGS(balance_forces);
+const EnergyPart kEnergyPart = {true,        build_energy, work_by_case,  begin_energy, add_segment,
+                                before_jump, after_jump,   close_balance, keep_motion,  balance_forces};
 
 namespace {
 

@@ -1,11 +1,10 @@
 // Lines of symmetry by calls.
 #include "interface/refuse.hpp"
-#include "memory/optional.hpp"
+#include "memory/parts.hpp"
 #include "model/symmetry.hpp"
 
-namespace c2d {
-C2D_BRINGS(validate_lines);
-} // namespace c2d
+const c2d::SymmetryPart c2d::kSymmetryPart = {
+    true, c2d_set_symmetry, validate_lines, lines_along, lines_at_corner, is_held_by_lines, fold_across};
 
 using namespace c2d;
 

@@ -8,7 +8,7 @@
 // -DC2D_SMALL, or -Os   Small code: plain forms alone, nothing twice for speed. Less code; a run takes about
 //     twice as long (port/cortex-m/README.md).
 // -DC2D_PARTS_BY_CALL   What reads models of any kind (deck reader, c2d_attach) does not bring the optional parts of the
-//     method into a program; the call that declares one does. memory/optional.hpp.
+//     method into a program; the call that declares one does. memory/parts.hpp.
 // -DC2D_ONE_FILE   The library is one source file (make amalgamation), so that all parts are there.
 // -DC2D_HOSTILE=width   For tests (make hostile): panels of that many columns and everything against the grain, see
 //     memory/hostile.hpp. Many times slower.

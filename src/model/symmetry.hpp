@@ -2,7 +2,6 @@
 // Symmetry by images (METHOD 5): the lines across which bodies, loads and results are mirrored. Of a
 // symmetric body only one side is modelled; its curves end on the lines, or the elements there (axis
 // elements) are passed over.
-#include "memory/optional.hpp"
 #include "model/model.hpp"
 #include "model/validate.hpp"
 
@@ -14,29 +13,22 @@ inline int32_t lines_through(const ModelHeader& head, double x, double y) {
   return ((head.symmetry & 1) != 0 && x == head.line_at[0] ? 1 : 0) |
          ((head.symmetry & 2) != 0 && y == head.line_at[1] ? 2 : 0);
 }
-// What the following ask of a model with lines of symmetry; optional (memory/optional.hpp), like validate_lines.
-int32_t lines_at_corner(const Model& m, int b, int32_t node);
-bool is_held_by_lines(const Model& m, int b, int32_t node, int component);
-void fold_across(const ModelHeader& head, double p[2]);
-// Lines on which all points of an element lie.
-int32_t lines_along(const Model& m, int b, int32_t element);
-#ifndef C2D_SYMMETRY_HERE // the file that has them
-C2D_OPTIONAL(lines_at_corner);
-C2D_OPTIONAL(is_held_by_lines);
-C2D_OPTIONAL(fold_across);
-C2D_OPTIONAL(lines_along);
-#endif
+// Lines on which all points of an element lie; on which a node lies.
+int32_t lines_of_element(const Model& m, int b, int32_t element);
+int32_t lines_of_node(const Model& m, int b, int32_t node);
+bool do_lines_hold(const Model& m, int b, int32_t node, int component);
+void fold_point(const ModelHeader& head, double p[2]);
 
 inline bool is_axis_element(const Model& m, int b, int32_t element) {
-  return m.head->symmetry != 0 && lines_along(m, b, element) != 0;
+  return m.head->symmetry != 0 && lines_of_element(m, b, element) != 0;
 }
 inline int32_t lines_at_node(const Model& m, int b, int32_t node) {
-  return m.head->symmetry == 0 ? 0 : lines_at_corner(m, b, node);
+  return m.head->symmetry == 0 ? 0 : lines_of_node(m, b, node);
 }
 
 // Is this displacement zero by symmetry, or the node one of axis elements alone? Its row is then u = 0.
 inline bool is_held_by_symmetry(const Model& m, int b, int32_t node, int component) {
-  return m.head->symmetry != 0 && is_held_by_lines(m, b, node, component);
+  return m.head->symmetry != 0 && do_lines_hold(m, b, node, component);
 }
 
 // Images are numbered 0 (the body itself) ... 3 by the lines they are mirrored across.
@@ -47,13 +39,19 @@ inline double mirrored(const ModelHeader& head, int image, int component, double
 }
 // Moves a point into the modelled part by reflection.
 inline void fold(const ModelHeader& head, double p[2]) {
-  if (head.symmetry != 0) fold_across(head, p);
+  if (head.symmetry != 0) fold_point(head, p);
 }
 
 // Sets head->symmetry to the lines asked for or found among the elements (head->images), moves points onto
 // them, and checks that the model fits. Needs set_units. Returns false if it told a fault.
 bool validate_symmetry(const Model& m, Reporter& reporter);
+
+// ---- the part of it that comes with c2d_set_symmetry (memory/parts.hpp) ----
 // The same where lines are asked for.
 bool validate_lines(const Model& m, Reporter& reporter);
+int32_t lines_along(const Model& m, int b, int32_t element);
+int32_t lines_at_corner(const Model& m, int b, int32_t node);
+bool is_held_by_lines(const Model& m, int b, int32_t node, int component);
+void fold_across(const ModelHeader& head, double p[2]);
 
 } // namespace c2d

@@ -1,6 +1,6 @@
 // Which nodes, elements and ends belong together. Every region is a curve of its own: closed, or open between
 // symmetry lines.
-#include "memory/optional.hpp"
+#include "memory/parts.hpp"
 #include "model/geometry.hpp"
 #include "model/model.hpp"
 #include "model/symmetry.hpp"
@@ -9,7 +9,7 @@
 
 namespace c2d {
 
-C2D_OPTIONAL(faced_position);
+C2D_USES(FreeZonePart);
 
 namespace {
 
@@ -251,7 +251,7 @@ void pair_position(const Model& m, const Pair& pair, int b, double* x, double* y
   if (pair.node[b] >= 0)
     node_position(m, b, pair.node[b], x, y);
   else
-    faced_position(m, pair, x, y);
+    kFreeZonePart.faced_position(m, pair, x, y);
 }
 
 } // namespace c2d

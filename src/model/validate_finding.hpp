@@ -32,7 +32,7 @@ void locate_node(Finding& finding, const Model& m, int b, int32_t node); // func
 void locate_zone(Finding& finding, const Model& m, int32_t zone);
 void locate_pair(Finding& finding, const Model& m, int32_t pair); // with its zone
 
-// ---- optional parts of validate_loads (memory/optional.hpp) ----
+// ---- optional parts of validate_loads (memory/parts.hpp) ----
 // A body force that is not symmetric has no part in a symmetric model.
 void check_body_force(const Model& m, int b, int32_t load_case, Reporter& reporter);
 // A rigid body 1 takes no loads and moves by its cards alone, as the lines of symmetry allow.

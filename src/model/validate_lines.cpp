@@ -1,5 +1,4 @@
 // Lines of symmetry: those asked for, or found among the elements, and whether the model fits them.
-#define C2D_SYMMETRY_HERE
 #include "model/geometry.hpp"
 #include "model/symmetry.hpp"
 #include "model/unknowns.hpp"
@@ -275,7 +274,7 @@ bool validate_lines(const Model& m, Reporter& reporter) {
   return reporter.faults == before;
 }
 
-// ---- what others ask (weak references alone lead to these: validate_lines brings them into a link) ----
+// ---- what others ask ----
 
 int32_t lines_along(const Model& m, int b, int32_t element) {
   int32_t lines = m.head->symmetry;

@@ -1,5 +1,5 @@
 // Point loads lie inside their body, away from its boundary.
-#include "memory/optional.hpp"
+#include "memory/parts.hpp"
 #include "model/geometry.hpp"
 #include "model/symmetry.hpp"
 #include "model/validate.hpp"
@@ -9,8 +9,8 @@
 
 namespace c2d {
 
-C2D_OPTIONAL(check_body_force);
-C2D_OPTIONAL(check_rigid);
+C2D_USES(BodyForcePart);
+C2D_USES(RigidPart);
 
 namespace {
 
@@ -125,8 +125,8 @@ bool validate_loads(const Model& m, Reporter& reporter) {
   const int32_t before = reporter.faults;
   for (int32_t i = 0; i < m.head->point_loads; ++i) check_point_load(m, i, reporter);
   for (int32_t k = 0; k < m.head->load_cases && m.head->body_forces != 0; ++k)
-    for (int b = 0; b < m.head->bodies; ++b) check_body_force(m, b, k, reporter);
-  if (m.head->rigid != 0) check_rigid(m, reporter);
+    for (int b = 0; b < m.head->bodies; ++b) kBodyForcePart.check_body_force(m, b, k, reporter);
+  if (m.head->rigid != 0) kRigidPart.check_rigid(m, reporter);
   check_cases(m, reporter);
   return reporter.faults == before;
 }

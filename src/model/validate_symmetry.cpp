@@ -1,10 +1,10 @@
-#include "memory/optional.hpp"
+#include "memory/parts.hpp"
 #include "model/symmetry.hpp"
 #include "model/validate_finding.hpp"
 
 namespace c2d {
 
-C2D_OPTIONAL(validate_lines);
+C2D_USES(SymmetryPart);
 
 namespace {
 
@@ -26,7 +26,15 @@ bool check_open_regions_allowed(const Model& m, Reporter& reporter) {
 
 bool validate_symmetry(const Model& m, Reporter& reporter) {
   m.head->symmetry = m.head->symmetry_asked;
-  return m.head->symmetry == 0 && m.head->images == 0 ? check_open_regions_allowed(m, reporter) : validate_lines(m, reporter);
+  return m.head->symmetry == 0 && m.head->images == 0 ? check_open_regions_allowed(m, reporter)
+                                                      : kSymmetryPart.validate_lines(m, reporter);
 }
+
+int32_t lines_of_element(const Model& m, int b, int32_t element) { return kSymmetryPart.lines_along(m, b, element); }
+int32_t lines_of_node(const Model& m, int b, int32_t node) { return kSymmetryPart.lines_at_corner(m, b, node); }
+bool do_lines_hold(const Model& m, int b, int32_t node, int component) {
+  return kSymmetryPart.is_held_by_lines(m, b, node, component);
+}
+void fold_point(const ModelHeader& head, double p[2]) { kSymmetryPart.fold_across(head, p); }
 
 } // namespace c2d

@@ -1,5 +1,5 @@
 // Do contact zones refer to what is there, and do their sides face each other?
-#include "memory/optional.hpp"
+#include "memory/parts.hpp"
 #include "model/free_zones.hpp"
 #include "model/geometry.hpp"
 #include "model/validate.hpp"
@@ -9,7 +9,7 @@
 
 namespace c2d {
 
-C2D_OPTIONAL(fit_free_zone);
+C2D_USES(FreeZonePart);
 
 namespace {
 
@@ -209,7 +209,7 @@ bool fit_zones(const Model& m, Reporter& reporter) {
     if (m.zone[i].is_free != 0) {
       check_lengths(m, i, 0, reporter);
       if (reporter.faults != before) return false; // points would have no normals
-      fit_free_zone(m, i, reporter);
+      kFreeZonePart.fit_free_zone(m, i, reporter);
     }
     m.zone[i].first_pair = pairs;
     pairs += m.zone[i].pairs;

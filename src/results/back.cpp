@@ -1,7 +1,7 @@
 // Back substitution: displacements and tractions of whole boundaries.
 #include "results/back.hpp"
 #include "bie/columns.hpp"
-#include "memory/optional.hpp"
+#include "memory/parts.hpp"
 #include "results/balance.hpp"
 #include "results/rigid.hpp"
 #include "results/table.hpp"
@@ -9,9 +9,9 @@
 
 namespace c2d {
 
-C2D_OPTIONAL(fill_rigid);
-C2D_OPTIONAL(add_transferred_traction);
-C2D_OPTIONAL(balance_forces);
+C2D_USES(FreeZonePart);
+C2D_USES(RigidPart);
+C2D_USES(EnergyPart);
 
 namespace {
 
@@ -93,7 +93,7 @@ void keep_traction(const Session& session, int b, int32_t end, const double t[2]
 
 void transferred_traction(const Session& session, int b, int32_t element, int l, double out[2]) {
   out[0] = out[1] = 0.0;
-  if (b == 0 && session.model.head->free_rows > 0) add_transferred_traction(session, element, l, out);
+  if (b == 0 && session.model.head->free_rows > 0) kFreeZonePart.add_transferred_traction(session, element, l, out);
 }
 
 namespace {
@@ -131,7 +131,7 @@ void fill_end_traction(const Session& session, int b, int32_t element, int l) {
 c2d_status back_substitute_body(Session& session, int b) {
   const Model& m = session.model;
   if (is_rigid(m, b)) {
-    fill_rigid(session);
+    kRigidPart.fill_rigid(session);
     return C2D_OK;
   }
   trailing_coefficients(session, b, session.area.coefficient);
@@ -154,7 +154,7 @@ c2d_status back_substitute_all(Session& session) {
   c2d_status status = s->table_is_current ? c2d_status{C2D_OK} : fill_table(session);
   for (int b = 0; b < s->model.bodies && status == C2D_OK; ++b) status = back_substitute_body(session, b);
   if (status == C2D_OK) {
-    if (s->keeps_energy) balance_forces(session);
+    if (s->keeps_energy) kEnergyPart.balance_forces(session);
     s->back_substituted = 1;
   }
   tell_progress(s, C2D_PHASE_BACK, 0, 0, 0);

@@ -1,9 +1,9 @@
-// Resultants of what acts on both bodies, and their balance. Optional (memory/optional.hpp).
+// Resultants of what acts on both bodies, and their balance. Optional (memory/parts.hpp).
 #include <math.h>
 
 #include "bie/body_force.hpp"
 #include "bie/columns.hpp"
-#include "memory/optional.hpp"
+#include "memory/parts.hpp"
 #include "results/back.hpp"
 #include "results/balance.hpp"
 #include "results/transferred.hpp"
@@ -12,8 +12,8 @@
 
 namespace c2d {
 
-C2D_OPTIONAL(body_force_resultant);
-C2D_OPTIONAL(add_transferred_force);
+C2D_USES(FreeZonePart);
+C2D_USES(BodyForcePart);
 
 namespace {
 
@@ -53,7 +53,7 @@ void sum_forces(Session& session, int b) {
       }
     }
   }
-  if (b == 0 && m.head->free_rows > 0) add_transferred_force(session, contact);
+  if (b == 0 && m.head->free_rows > 0) kFreeZonePart.add_transferred_force(session, contact);
   for (int32_t i = 0; i < m.head->point_loads; ++i) {
     const PointLoad& p = m.point_load[i];
     if (p.body != b) continue;
@@ -62,7 +62,7 @@ void sum_forces(Session& session, int b) {
   }
   for (int32_t k = 0; k < m.head->load_cases && has_body_force(m, b); ++k) {
     double force[3];
-    body_force_resultant(m, b, k, 0.0, 0.0, force);
+    kBodyForcePart.body_force_resultant(m, b, k, 0.0, 0.0, force);
     const double f = session.follower.load[k];
     add_force(applied, f * force[0], f * force[1], f * force[2]);
   }

@@ -8,7 +8,7 @@
 #include "bie/boundary_stress.hpp"
 #include "bie/interior_detail.hpp"
 #include "bie/kernels.hpp"
-#include "memory/optional.hpp"
+#include "memory/parts.hpp"
 #include "memory/workers.hpp"
 #include "results/back.hpp"
 #include "results/interior_nodes.hpp"
@@ -19,12 +19,9 @@
 
 namespace c2d {
 
-C2D_OPTIONAL(rigid_displacement_now);
-C2D_OPTIONAL(particular_at_end);
-C2D_OPTIONAL(add_particular_at);
-C2D_OPTIONAL(next_transfer);
-C2D_OPTIONAL(make_transfer);
-C2D_OPTIONAL(transferred_values);
+C2D_USES(FreeZonePart);
+C2D_USES(BodyForcePart);
+C2D_USES(RigidPart);
 
 namespace {
 
@@ -145,7 +142,7 @@ struct NodalValues {
     }
     if (has_body_force(m, b)) {
       double up[2], tp[2];
-      particular_at_end(session, b, element, l, up, tp);
+      kBodyForcePart.particular_at_end(session, b, element, l, up, tp);
       out.u[l] = {length * (d[0] - up[0]), length * (d[1] - up[1])};
       for (int c = 0; c < 2; ++c) part[0][c] -= stress * tp[c];
     }
@@ -180,12 +177,12 @@ struct NodalValues {
   const Model& m = session.model;
   const double stress = 1.0 / (2.0 * shear_modulus(m, 0));
   Transfer piece;
-  make_transfer(m, Quadrature::accurate, walk, piece);
+  kFreeZonePart.make_transfer(m, Quadrature::accurate, walk, piece);
   Complex t[4];
   out.in = piece.in;
   for (int k = 0; k < piece.in.functions; ++k) {
     double value[2];
-    transferred_values(session, piece, k, value);
+    kFreeZonePart.transferred_values(session, piece, k, value);
     t[k] = {stress * value[0], stress * value[1]};
   }
   prepare_field(t, nullptr, out);
@@ -204,7 +201,7 @@ struct NodalValues {
 // Tractions that free zones hand over to body 1.
 [[gnu::noinline]] c2d_status add_transferred(const Session& session, const Points& points) {
   TransferWalk walk{};
-  while (next_transfer(session.model, walk)) {
+  while (kFreeZonePart.next_transfer(session.model, walk)) {
     const c2d_status status = pause(session, 0, walk.piece.element1);
     if (status != C2D_OK) return status;
     act_on_points(session, walk, points);
@@ -239,7 +236,7 @@ void complete_sums(const Session& session, int b, const Points& points, double x
   }
   if (has_body_force(session.model, b)) {
     const double at[2] = {x * unit, y * unit};
-    add_particular_at(session, b, at, p.u, p.stress);
+    kBodyForcePart.add_particular_at(session, b, at, p.u, p.stress);
   }
   p.u[0] += p.reference[0] + rigid[0] - rigid[2] * (y - centre[1] / unit);
   p.u[1] += p.reference[1] + rigid[1] + rigid[2] * (x - centre[0] / unit);
@@ -276,7 +273,7 @@ void finish_point(const Session& session, int b, const Points& points, int32_t i
     write_point(session, b, u, stress, C2D_POINT_BOUNDARY, out);
   } else if (is_inside(p, b) && is_rigid(m, b)) {
     double u[2];
-    rigid_displacement_now(session, points.x(i) * points.unit, points.y(i) * points.unit, u);
+    kRigidPart.rigid_displacement_now(session, points.x(i) * points.unit, points.y(i) * points.unit, u);
     for (int c = 0; c < 2; ++c) u[c] *= c == 0 ? fx : fy;
     write_point(session, b, u, PlaneStress{0.0, 0.0, 0.0}, C2D_POINT_INSIDE, out);
   } else if (is_inside(p, b)) {

@@ -4,14 +4,14 @@
 
 #include "bie/body_force.hpp"
 #include "bie/boundary_stress.hpp"
-#include "memory/optional.hpp"
+#include "memory/parts.hpp"
 #include "model/symmetry.hpp"
 #include "results/interior.hpp"
 #include "solver/particular.hpp"
 
 namespace c2d {
 
-C2D_OPTIONAL(add_particular_at);
+C2D_USES(BodyForcePart);
 
 namespace {
 
@@ -77,7 +77,7 @@ Complex value_at_node(const Joint& j, const Complex slope[2], double before, dou
 Complex particular_at(const Session& session, int b, const double at[2], const double n[2], double part) {
   const double h = part * session.model.head->length_unit, place[2] = {at[0] - h * n[1], at[1] + h * n[0]};
   double u[2] = {0.0, 0.0}, stress[3] = {0.0, 0.0, 0.0};
-  add_particular_at(session, b, place, u, stress);
+  kBodyForcePart.add_particular_at(session, b, place, u, stress);
   return complex_of(u);
 }
 

@@ -5,13 +5,13 @@
 #include "bie/body_force.hpp"
 #include "bie/boundary_stress.hpp"
 #include "bie/kernels.hpp"
-#include "memory/optional.hpp"
+#include "memory/parts.hpp"
 #include "results/interior.hpp"
 #include "solver/particular.hpp"
 
 namespace c2d {
 
-C2D_OPTIONAL(interpolated_particular);
+C2D_USES(BodyForcePart);
 
 namespace {
 
@@ -87,7 +87,7 @@ void place_inside(const Session& session, int b, double x, double y, PointState&
   const double unit = m.head->length_unit, eta = p.eta;
   const BoundaryState s = boundary_state(session, b, element, eta);
   double known[2] = {0.0, 0.0};
-  if (has_body_force(m, b)) interpolated_particular(session, b, element, eta, known);
+  if (has_body_force(m, b)) kBodyForcePart.interpolated_particular(session, b, element, eta, known);
   for (int c = 0; c < 2; ++c) p.reference[c] = (s.u[c] - known[c]) / unit;
   p.place = place_of(b, C2D_POINT_INSIDE);
   if (is_near_node(m, b, p, x, y)) p.place = place_of(b, C2D_POINT_NEAR_NODE);

@@ -1,5 +1,5 @@
 #pragma once
-// Results of a rigid body 1: optional (memory/optional.hpp).
+// Results of a rigid body 1: optional (memory/parts.hpp).
 #include "solver/session.hpp"
 
 namespace c2d {

@@ -1,6 +1,6 @@
 #pragma once
 // What free zones hand over to body 1 (bie/transfer.hpp): optional, for models with ModelHeader::free_rows
-// (memory/optional.hpp).
+// (memory/parts.hpp).
 #include "bie/measure.hpp"
 #include "solver/session.hpp"
 

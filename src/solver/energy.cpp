@@ -20,6 +20,8 @@ EnergyBook energy_book(c2d_solver* s) {
   return book;
 }
 
+double* work_by_case(c2d_solver* s) { return energy_book(s).work; }
+
 void begin_energy(c2d_solver* s) {
   const EnergyBook book = energy_book(s);
   for (int32_t k = 0; k < book.cases; ++k) book.work[k] = 0.0;

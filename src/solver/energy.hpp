@@ -28,8 +28,9 @@ struct EnergyBook {
   Real* of_contact; // [2 m] each: what multiplies tau, w'
 };
 EnergyBook energy_book(c2d_solver* solver);
+double* work_by_case(c2d_solver* solver); // [cases] so far
 
-// All of this is optional (memory/optional.hpp): it is linked with the calls that tell energies, and kept where
+// All of this is optional (memory/parts.hpp): it is linked with the calls that tell energies, and kept where
 // c2d_solver::keeps_energy says so; and with it the balance of forces and the motion of a body that contact cannot hold.
 // Functionals, after the reduction; uses the path area. Errors: the block store's.
 c2d_status build_energy(c2d_solver* solver);

@@ -33,12 +33,14 @@ void add_point_load(Adjoint& a, const PointLoad& load);
 // Of a point load's displacement: what the tractions do to it that free zones hand over to body 1 (optional:
 // energy_free_zones.cpp).
 void add_transferred_at(Adjoint& a, const double at[2], const double factor[2]);
-// ---- optional, for bodies with body forces (memory/optional.hpp, energy_body_force.cpp) ----
+// ---- optional, for bodies with body forces (memory/parts.hpp, energy_body_force.cpp) ----
 // The body force of case k times the displacements it moves through.
 void add_body_force(Adjoint& a, int32_t k);
 // Of a point load's displacement: the boundary integrals hold for u - u_p and t - t_p, and this is what the body forces' own
 // part of an element takes off.
 void take_particular(Adjoint& a, int32_t element, const Blocks& blocks, const double factor[2]);
+// And what that part adds at the load itself.
+void add_particular_at_load(Adjoint& a, const PointLoad& load, const double factor[2]);
 
 // ---- optional, for a rigid body 1 (energy_rigid.cpp) ----
 // Into a functional of tau: what holds the body against the contact, times its motion in case k.

@@ -1,4 +1,4 @@
-// Body forces in the energy's functionals: optional (memory/optional.hpp).
+// Body forces in the energy's functionals: optional (memory/parts.hpp).
 #include "bie/body_force.hpp"
 #include "bie/columns.hpp"
 #include "bie/shape.hpp"
@@ -72,6 +72,14 @@ void add_body_force(Adjoint& a, int32_t k) {
     if (load.body != a.b) continue;
     const Particular p = particular_solution(m, a.b, k, load.x, load.y);
     a.lambda[load.load_case] += (load.fx * p.u[0] + load.fy * p.u[1]) / unit;
+  }
+}
+
+void add_particular_at_load(Adjoint& a, const PointLoad& load, const double factor[2]) {
+  const Model& m = a.model();
+  for (int32_t k = 0; k < m.head->load_cases; ++k) {
+    const Particular p = particular_solution(m, a.b, k, load.x, load.y);
+    a.lambda[k] += (factor[0] * p.u[0] + factor[1] * p.u[1]) / m.head->length_unit;
   }
 }
 

@@ -1,4 +1,4 @@
-// Displacement of a point load under what free zones hand over to body 1 (optional, memory/optional.hpp).
+// Displacement of a point load under what free zones hand over to body 1 (optional, memory/parts.hpp).
 #include "bie/transfer.hpp"
 #include "solver/energy_adjoint.hpp"
 

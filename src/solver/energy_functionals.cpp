@@ -1,16 +1,15 @@
 // What multiplies tau, w' and lambda in the work and reaction of every load case (solver/energy.hpp).
 #include "bie/body_force.hpp"
 #include "bie/columns.hpp"
-#include "memory/optional.hpp"
+#include "memory/parts.hpp"
 #include "model/free_zones.hpp"
 #include "solver/energy_adjoint.hpp"
 #include "solver/motion.hpp"
 
 namespace c2d {
 
-C2D_OPTIONAL(add_rigid_motion);
-C2D_OPTIONAL(add_body_force);
-C2D_BRINGS(keep_motion);
+C2D_USES(BodyForcePart);
+C2D_USES(RigidPart);
 
 namespace {
 
@@ -31,13 +30,13 @@ c2d_status add_body(Adjoint& a, int32_t k, bool reactions) {
   for (int32_t j = 0; j < contact; ++j) a.u[j] = 0;
   for (int32_t i = 0; i < outer_columns(m, a.b) && !is_rigid(m, a.b); ++i) a.outer[i] = 0;
   if (is_rigid(m, a.b)) {
-    if (reactions) add_rigid_motion(m, k, a.tau);
+    if (reactions) kRigidPart.add_rigid_motion(m, k, a.tau);
     return C2D_OK;
   }
   add_boundary(a, k, reactions);
   for (int32_t i = 0; i < m.head->point_loads && !reactions; ++i)
     if (m.point_load[i].body == a.b && m.point_load[i].load_case == k) add_point_load(a, m.point_load[i]);
-  if (!reactions && has_body_force(m, a.b)) add_body_force(a, k);
+  if (!reactions && has_body_force(m, a.b)) kBodyForcePart.add_body_force(a, k);
   if (!a.touched) return C2D_OK;
   c2d_solver* s = a.session.solver;
   const c2d_status status = transposed_functional(s->plan[a.b], s->tapes, a.outer, area.coefficient, area.work);

@@ -5,16 +5,15 @@
 #include "bie/columns.hpp"
 #include "bie/kernels.hpp"
 #include "bie/shape.hpp"
-#include "memory/optional.hpp"
+#include "memory/parts.hpp"
 #include "model/geometry.hpp"
 #include "model/symmetry.hpp"
 #include "solver/energy_adjoint.hpp"
 
 namespace c2d {
 
-C2D_OPTIONAL(take_particular);
-C2D_OPTIONAL(particular_solution);
-C2D_OPTIONAL(add_transferred_at);
+C2D_USES(FreeZonePart);
+C2D_USES(BodyForcePart);
 
 namespace {
 
@@ -35,7 +34,7 @@ namespace {
       const bool contact = a.b == 1 && traction_kind(m, a.b, element, l, c) == TractionKind::contact;
       if (contact == !own) add_traction(a, element, l, c, factor[0] * blocks.g[l][0][c] + factor[1] * blocks.g[l][1][c]);
     }
-  if (own && has_body_force(m, a.b)) take_particular(a, element, blocks, factor);
+  if (own && has_body_force(m, a.b)) kBodyForcePart.take_particular(a, element, blocks, factor);
 }
 
 // The field of all point loads of the body.
@@ -76,7 +75,7 @@ void add_image_at(Adjoint& a, int image, const double point[2], const double for
       add_element_at(a, element, Measure::contact, at, factor);
   }
   add_point_fields(a, at, factor);
-  if (a.b == 0 && m.head->free_rows > 0) add_transferred_at(a, at, factor);
+  if (a.b == 0 && m.head->free_rows > 0) kFreeZonePart.add_transferred_at(a, at, factor);
 }
 
 } // namespace
@@ -93,10 +92,7 @@ void add_point_load(Adjoint& a, const PointLoad& load) {
   add_outer(a, body.columns, factor[0]);
   add_outer(a, body.columns + 1, factor[1]);
   add_outer(a, body.columns + 2, factor[1] * dx - factor[0] * dy);
-  for (int32_t k = 0; k < m.head->load_cases && has_body_force(m, a.b); ++k) {
-    const Particular p = particular_solution(m, a.b, k, load.x, load.y);
-    a.lambda[k] += (factor[0] * p.u[0] + factor[1] * p.u[1]) / unit;
-  }
+  if (has_body_force(m, a.b)) kBodyForcePart.add_particular_at_load(a, load, factor);
 }
 
 } // namespace c2d

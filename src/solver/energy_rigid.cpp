@@ -1,4 +1,4 @@
-// What holds a rigid body 1 does work (optional, memory/optional.hpp).
+// What holds a rigid body 1 does work (optional, memory/parts.hpp).
 #include "contact/reduction.hpp"
 #include "solver/energy_adjoint.hpp"
 

@@ -5,14 +5,14 @@
 #include "bie/columns.hpp"
 #include "contact/let_go.hpp"
 #include "contact/start.hpp"
-#include "memory/optional.hpp"
+#include "memory/parts.hpp"
 #include "memory/text.hpp"
 #include "solver/energy.hpp"
 #include "solver/load_path.hpp"
 
 namespace c2d {
 
-C2D_OPTIONAL(energy_book);
+C2D_USES(EnergyPart);
 
 namespace {
 
@@ -139,7 +139,7 @@ void keep_good(Session& session) {
   const Book book = book_of(s);
   for (int32_t k = 0; k < s->model.load_cases; ++k) {
     book.load[k] = f.load[k];
-    if (s->keeps_energy) book.work[k] = energy_book(s).work[k];
+    if (s->keeps_energy) book.work[k] = kEnergyPart.work_by_case(s)[k];
   }
   for (int32_t i = 0; i < s->model.pairs; ++i) {
     Pair& pair = session.model.pair[i];
@@ -384,7 +384,7 @@ c2d_status return_to_good(Session& session) {
   const Book book = book_of(s);
   for (int32_t k = 0; k < s->model.load_cases; ++k) {
     f.load[k] = book.load[k];
-    if (s->keeps_energy) energy_book(s).work[k] = book.work[k];
+    if (s->keeps_energy) kEnergyPart.work_by_case(s)[k] = book.work[k];
   }
   for (int32_t i = 0; i < s->model.pairs; ++i) {
     Pair& pair = session.model.pair[i];

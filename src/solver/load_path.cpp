@@ -4,7 +4,7 @@
 
 #include "bie/body_force.hpp"
 #include "bie/columns.hpp"
-#include "memory/optional.hpp"
+#include "memory/parts.hpp"
 #include "memory/text.hpp"
 #include "solver/energy.hpp"
 #include "solver/judge.hpp"
@@ -12,12 +12,8 @@
 
 namespace c2d {
 
-C2D_OPTIONAL(body_force_resultant);
-C2D_OPTIONAL(begin_energy);
-C2D_OPTIONAL(before_jump);
-C2D_OPTIONAL(after_jump);
-C2D_OPTIONAL(add_segment);
-C2D_OPTIONAL(close_balance);
+C2D_USES(BodyForcePart);
+C2D_USES(EnergyPart);
 
 void note_open_pairs(Session& session) {
   for (int32_t i = 0; i < session.model.head->pairs; ++i) {
@@ -54,7 +50,7 @@ c2d_status changed(void* context, double) {
 
 void moving(void* context, double part) {
   Session& session = *static_cast<Session*>(context);
-  if (session.solver->keeps_energy) add_segment(session, part);
+  if (session.solver->keeps_energy) kEnergyPart.add_segment(session, part);
 }
 
 } // namespace
@@ -69,7 +65,7 @@ c2d_status begin_path(Session& session) {
   s->last_pair = session.follower.last_pair = -1; // none yet
   s->outcome_body = s->back_substituted = s->table_is_current = s->floating = 0;
   s->warned = 0;
-  if (s->keeps_energy) begin_energy(s);
+  if (s->keeps_energy) kEnergyPart.begin_energy(s);
   s->peak_pressure = 0.0;
   s->gap_scale = session.follower.gap_scale = 0.0;
   s->unsound = 0;
@@ -120,7 +116,7 @@ void case_resultant(const Model& m, int b, int32_t load_case, double out[3], dou
   }
   if (!has_body_force(m, b)) return;
   double force[3];
-  body_force_resultant(m, b, load_case, body.centre[0], body.centre[1], force);
+  kBodyForcePart.body_force_resultant(m, b, load_case, body.centre[0], body.centre[1], force);
   for (int i = 0; i < 2; ++i) out[i] += force[i];
   out[2] += force[2] / unit;
   *size += fabs(force[0]) + fabs(force[1]);
@@ -148,10 +144,10 @@ c2d_status follow(Session& session, const double* target, c2d_outcome* outcome) 
   Follower& f = session.follower;
   if (s->options.stepping != C2D_STEPPING_DECK) return follow_events(f, target, outcome);
   refresh(f);
-  if (s->keeps_energy) before_jump(session);
+  if (s->keeps_energy) kEnergyPart.before_jump(session);
   const int32_t by_events = f.stats.unconverged;
   const c2d_status status = follow_increment(f, target, s->model.iteration_limit, outcome);
-  if (status == C2D_OK && f.stats.unconverged == by_events && s->keeps_energy) after_jump(session);
+  if (status == C2D_OK && f.stats.unconverged == by_events && s->keeps_energy) kEnergyPart.after_jump(session);
   return status;
 }
 
@@ -261,9 +257,9 @@ c2d_status advance_path(Session& session, const double* target) {
   c2d_outcome outcome = C2D_REACHED;
   if (s->model.contact == 0 || (s->floating && all_zero(target, cases))) {
     for (int32_t k = 0; k < cases; ++k) f.direction[k] = target[k] - f.load[k];
-    if (!s->floating && s->keeps_energy) add_segment(session, 1.0);
+    if (!s->floating && s->keeps_energy) kEnergyPart.add_segment(session, 1.0);
     for (int32_t k = 0; k < cases; ++k) f.load[k] = target[k];
-    if (!s->floating && s->keeps_energy) close_balance(session);
+    if (!s->floating && s->keeps_energy) kEnergyPart.close_balance(session);
     s->outcome = outcome;
     return C2D_OK;
   }
@@ -272,7 +268,7 @@ c2d_status advance_path(Session& session, const double* target) {
   const c2d_status status = go_soundly(session, target, &outcome);
   if (status == C2D_OK && !s->floating) {
     if (!s->unsound) refresh(f);
-    if (s->keeps_energy) close_balance(session);
+    if (s->keeps_energy) kEnergyPart.close_balance(session);
   }
   s->peak_pressure = fmax(s->peak_pressure, path_scales(session.follower).p);
   s->seconds[C2D_PHASE_CONTACT] += clock_now(s) - start;

@@ -6,14 +6,14 @@
 
 #include <math.h>
 
-#include "memory/optional.hpp"
+#include "memory/parts.hpp"
 #include "model/rigid.hpp"
 #include "solver/load_path.hpp"
 #include "solver/support.hpp"
 
 namespace c2d {
 
-C2D_OPTIONAL(keep_motion);
+C2D_USES(EnergyPart);
 
 void motion_rows(const Session& session, const Motions& motions, const Pair& pair, double normal[3], double tangential[3]) {
   for (int j = 0; j < motions.count; ++j) {
@@ -156,7 +156,7 @@ c2d_outcome find_outcome_motion(Session& session, c2d_outcome outcome) {
   if (motions.count < 1) return outcome;
   double choice[3] = {1.0, 0.0, 0.0};
   const bool found = s->blocked || (!is_pressed(session) && find_unpressed_motion(session, motions, choice));
-  if (s->keeps_energy) keep_motion(session, motions, outcome, found, choice);
+  if (s->keeps_energy) kEnergyPart.keep_motion(session, motions, outcome, found, choice);
   return outcome;
 }
 

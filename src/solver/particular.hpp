@@ -1,6 +1,6 @@
 #pragma once
 // Body forces at interior points, at the load reached: the boundary integrals are those of u - u_p and t - t_p; u_p and
-// sigma_p are known at every point. Optional, for bodies with body forces (memory/optional.hpp).
+// sigma_p are known at every point. Optional, for bodies with body forces (memory/parts.hpp).
 #include "solver/session.hpp"
 
 namespace c2d {

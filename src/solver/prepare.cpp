@@ -5,7 +5,7 @@
 #include "bie/panel.hpp"
 #include "contact/reduction.hpp"
 #include "memory/hostile.hpp"
-#include "memory/optional.hpp"
+#include "memory/parts.hpp"
 #include "memory/text.hpp"
 #include "model/free_zones.hpp"
 #include "model/rigid.hpp"
@@ -13,7 +13,6 @@
 #include "solver/energy.hpp"
 #include "solver/judge.hpp"
 #include "solver/model_hash.hpp"
-#include "solver/new_loads.hpp"
 #include "solver/phases.hpp"
 #include "solver/port.hpp"
 #include "solver/prepare.hpp"
@@ -21,9 +20,8 @@
 
 namespace c2d {
 
-C2D_OPTIONAL(build_energy);
-C2D_OPTIONAL(eliminate_new_loads);
-C2D_OPTIONAL(reduce_new_loads);
+C2D_USES(EnergyPart);
+C2D_USES(NewLoadsPart);
 
 namespace {
 
@@ -197,7 +195,7 @@ void note_scratch(c2d_solver* s, uint64_t area, int64_t used) {
   const Engine& engine = job.engine;
   c2d_status status;
   if (loads_only) {
-    status = eliminate_new_loads(s->plan[b], 2 * m.head->contact, source, sink, s->tapes, area.work, watch, engine);
+    status = kNewLoadsPart.eliminate_again(s->plan[b], 2 * m.head->contact, source, sink, s->tapes, area.work, watch, engine);
   } else {
     PivotStats stats{};
     status = eliminate(s->plan[b], source, sink, s->tapes, area.work, &stats, watch, engine);
@@ -232,7 +230,7 @@ c2d_status tick(void* context) {
                             s,
                             tick,
                             engine_beside(s, sizes, bytes, &scratch)};
-  const c2d_status status = loads_only ? reduce_new_loads(reduction) : reduce(reduction);
+  const c2d_status status = loads_only ? kNewLoadsPart.reduce_loads(reduction) : reduce(reduction);
   note_scratch(s, bytes, scratch);
   s->seconds[C2D_PHASE_REDUCE] += clock_now(s) - start;
   return status;
@@ -294,7 +292,7 @@ c2d_status prepare_once(c2d_solver* s) {
   const Model m = model_of(s);
   c2d_status status = validate_changes(s, m);
   if (status != C2D_OK) return status;
-  const bool loads_only = s->factors != 0 && C2D_LINKED(eliminate_new_loads);
+  const bool loads_only = s->factors != 0 && kNewLoadsPart.linked;
   s->loads_changed = s->factors = 0;
   for (double& seconds : s->seconds) seconds = 0.0;
   s->saves = 0;
@@ -308,11 +306,11 @@ c2d_status prepare_once(c2d_solver* s) {
     if (status == C2D_OK && !s->blocked) status = run_phases(s, m);
     if (s->blocked) s->peak_bytes = s->layout.persistent + path_area(model_sizes(m), s->plan, false, nullptr, nullptr);
   }
-  s->keeps_energy = C2D_LINKED(build_energy);
+  s->keeps_energy = kEnergyPart.linked;
   if (status == C2D_OK && !s->blocked) weigh_pairs(m);
   if (status == C2D_OK && !s->blocked && !loads_only) status = find_condition(s);
   if (status == C2D_OK && !s->blocked) status = build_judge(s);
-  if (status == C2D_OK && !s->blocked && s->keeps_energy) status = build_energy(s);
+  if (status == C2D_OK && !s->blocked && s->keeps_energy) status = kEnergyPart.build_energy(s);
   if (status == C2D_OK) {
     s->state = C2D_STATE_PREPARED;
     s->factors = s->options.keep_factors != 0 && !s->blocked;

@@ -3,7 +3,7 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "memory/optional.hpp"
+#include "memory/parts.hpp"
 #include "solver/energy.hpp"
 #include "solver/model_hash.hpp"
 #include "solver/save.hpp"
@@ -11,7 +11,7 @@
 namespace c2d {
 
 // The model that a state belongs to is there already, with its parts; its energies may be those of another program.
-C2D_NEEDS(build_energy);
+C2D_USES(EnergyPart);
 
 namespace {
 
@@ -68,7 +68,7 @@ unsigned char* image_of(c2d_solver* s) { return reinterpret_cast<unsigned char*>
 uint64_t hash_state(c2d_solver* s) {
   const Model m = model_of(s);
   uint64_t hash = hash_model(m, s->options);
-  if (!C2D_HAS(build_energy)) hash = ~hash; // of no use to a program with energies, and the other way round
+  if (!kEnergyPart.linked) hash = ~hash; // of no use to a program with energies, and the other way round
   hash = checksum(hash, &s->options.stepping, sizeof s->options.stepping);
   hash = checksum(hash, &m.head->iteration_limit, sizeof m.head->iteration_limit);
   hash = checksum(hash, &s->layout, sizeof s->layout);

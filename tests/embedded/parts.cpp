@@ -1,4 +1,4 @@
-// A program that names no call of an optional part (src/memory/optional.hpp), with a library compiled with
+// A program that names no call of an optional part (src/memory/parts.hpp), with a library compiled with
 // C2D_PARTS_BY_CALL: what it is told when a deck, an option, a workspace or a saved state wants one (test_parts.cpp).
 //   parts deck DECK             parts images
 //   parts attach WORKSPACE      parts restore DECK FOLDER

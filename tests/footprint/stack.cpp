@@ -31,6 +31,17 @@ std::string plain_name(const std::string& signature) {
 
 std::string file_of(const std::string& location) { return location.substr(0, location.find(':')); }
 
+// "file:line:column" of a call through the table of an optional part (src/memory/parts.hpp): the function, which has the
+// name of its place in the table. Empty: another call.
+std::string function_of_part(const std::string& place) {
+  std::ifstream in(file_of(place));
+  std::string line;
+  for (long n = std::atol(place.substr(place.find(':') + 1).c_str()); n > 0; --n)
+    if (!std::getline(in, line)) return "";
+  const size_t table = line.find("Part."), end = line.find('(', table);
+  return table == std::string::npos || end == std::string::npos ? "" : line.substr(table + 5, end - table - 5);
+}
+
 } // namespace
 
 Indirect read_table(const std::string& file, std::vector<std::string>& faults) {
@@ -72,7 +83,11 @@ void read_call_graph(const std::string& file, const Indirect& table, const std::
         graph.function[from].calls.insert(to);
         continue;
       }
-      const std::string place = quoted(line, "label:"), source = file_of(place);
+      const std::string place = quoted(line, "label:"), source = file_of(place), function = function_of_part(place);
+      if (!function.empty()) {
+        graph.function[from].calls.insert("=" + function);
+        continue;
+      }
       const auto known = table.targets.find(source);
       if (known != table.targets.end())
         for (const std::string& target : known->second) graph.function[from].calls.insert("=" + target);

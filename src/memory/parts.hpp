@@ -1,0 +1,152 @@
+#pragma once
+// Parts of the method that only some models or programs need. Each is a constant table of the functions that the rest of the
+// core calls; the file of the call that declares the part (src/interface) fills it, and so brings the part into a program.
+//
+// A file that calls through a table names it with C2D_USES. That leaves a weak one there in which nothing is linked:
+// functions do nothing and answer 0, those of a status refuse with C2D_ERR_INTERNAL. So no call leads nowhere. A model has a
+// part only if the call that declares it was linked, so that nothing is lost; where another program's model may come in,
+// `linked` is asked and the model refused; the deck reader takes the declaring call from the table. (A file that forgets
+// C2D_USES brings the part: more code, nothing worse.)
+//
+// What reads models of any kind (the deck reader, c2d_attach, options) names the parts it may meet with C2D_MEETS, and
+// brings them all by their calls (C2D_BRINGS), but in a library compiled with C2D_PARTS_BY_CALL.
+// Leaving out needs ELF, an archive of objects and GCC or clang; elsewhere every part is linked.
+#include "contact2d.h"
+#include "memory/config.hpp"
+
+namespace c2d {
+
+// What stands in an empty table.
+template <class R, class... A> using Function = R (*)(A...);
+struct Nothing {
+  template <class R, class... A> static R none(A...) { return R(); }
+  template <class R, class... A> constexpr operator Function<R, A...>() const { return none<R, A...>; }
+};
+struct NotLinked {
+  template <class... A> static c2d_status refuse(A...) { return C2D_ERR_INTERNAL; }
+  template <class... A> constexpr operator Function<c2d_status, A...>() const { return refuse<A...>; }
+};
+
+struct Model;
+struct ModelHeader;
+struct Pair;
+struct Reporter;
+
+struct SymmetryPart { // model/validate_lines.cpp
+  bool linked = false;
+  decltype(&c2d_set_symmetry) set_symmetry = nullptr;
+  Function<bool, const Model&, Reporter&> validate_lines = Nothing();
+  Function<int32_t, const Model&, int, int32_t> lines_along = Nothing();
+  Function<int32_t, const Model&, int, int32_t> lines_at_corner = Nothing();
+  Function<bool, const Model&, int, int32_t, int> is_held_by_lines = Nothing();
+  Function<void, const ModelHeader&, double*> fold_across = Nothing();
+};
+
+struct Surface;
+struct ColumnSystem;
+struct TransferWalk;
+struct Transfer;
+enum class Quadrature;
+struct Adjoint;
+struct Session;
+
+struct FreeZonePart { // model/free_zones.cpp, bie/transfer.cpp, contact/facing_pairs.cpp, results/transferred.cpp
+  bool linked = false;
+  decltype(&c2d_add_free_zone) add_free_zone = nullptr;
+  Function<bool, const Model&, int32_t, Reporter&> fit_free_zone = Nothing();
+  Function<void, const Model&, const Pair&, double*, double*> faced_position = Nothing();
+  Function<void, const ColumnSystem&, int32_t, int32_t, Real*, int64_t> fill_transfer = Nothing();
+  Function<bool, const Model&, TransferWalk&> next_transfer = Nothing();
+  Function<void, const Model&, Quadrature, const TransferWalk&, Transfer&> make_transfer = Nothing();
+  Function<bool, const Model&, int32_t, Surface&> surface_faced = Nothing();
+  Function<int32_t, const Model&, const Pair&> faced_node = Nothing();
+  Function<void, Adjoint&, const double*, const double*> add_transferred_at = Nothing();
+  Function<void, const Session&, int32_t, int, double*> add_transferred_traction = Nothing();
+  Function<void, const Session&, const Transfer&, int, double*> transferred_values = Nothing();
+  Function<void, const Session&, double*> add_transferred_force = Nothing();
+};
+
+struct Hole;
+struct Panel;
+struct PointLoad;
+struct Blocks;
+
+struct BodyForcePart { // bie/body_force.cpp, body_force_columns.cpp, solver/particular.cpp, energy_body_force.cpp
+  bool linked = false;
+  decltype(&c2d_set_body_force) set_body_force = nullptr;
+  Function<void, const Model&, int, int32_t, Reporter&> check_body_force = Nothing();
+  Function<void, const Model&, int, int32_t, double, double, double*> body_force_resultant = Nothing();
+  Function<void, const ColumnSystem&, const Hole*, const Panel&, int32_t> add_body_force_columns = Nothing();
+  Function<void, Adjoint&, int32_t> add_body_force = Nothing();
+  Function<void, Adjoint&, int32_t, const Blocks&, const double*> take_particular = Nothing();
+  Function<void, Adjoint&, const PointLoad&, const double*> add_particular_at_load = Nothing();
+  Function<void, const Session&, int, int32_t, int, double*, double*> particular_at_end = Nothing();
+  Function<void, const Session&, int, int32_t, double, double*> interpolated_particular = Nothing();
+  Function<void, const Session&, int, const double*, double*, double*> add_particular_at = Nothing();
+};
+
+struct Reduction;
+
+struct RigidPart { // model/validate_rigid.cpp, contact/rigid_reduction.cpp, results/rigid.cpp, solver/energy_rigid.cpp
+  bool linked = false;
+  decltype(&c2d_set_rigid) set_rigid = nullptr;
+  Function<void, const Model&, Reporter&> check_rigid = Nothing();
+  Function<c2d_status, const Reduction&> move_rigidly = NotLinked();
+  Function<void, const Model&, int32_t, Real*> add_rigid_motion = Nothing();
+  Function<void, const Session&> fill_rigid = Nothing();
+  Function<void, const Session&, double, double, double*> rigid_displacement_now = Nothing();
+};
+
+struct Motions;
+
+struct EnergyPart { // solver/energy*.cpp, pressed_motion.cpp, results/balance.cpp
+  bool linked = false;
+  Function<c2d_status, c2d_solver*> build_energy = NotLinked();
+  Function<double*, c2d_solver*> work_by_case = Nothing();
+  Function<void, c2d_solver*> begin_energy = Nothing();
+  Function<void, Session&, double> add_segment = Nothing();
+  Function<void, Session&> before_jump = Nothing();
+  Function<void, Session&> after_jump = Nothing();
+  Function<void, Session&> close_balance = Nothing();
+  Function<void, Session&, const Motions&, c2d_outcome, bool, double*> keep_motion = Nothing();
+  Function<void, Session&> balance_forces = Nothing();
+};
+
+struct EliminationPlan;
+struct ColumnSource;
+struct RowSink;
+struct Tapes;
+struct Watch;
+struct Engine;
+
+struct NewLoadsPart { // of elimination/eliminate.cpp, contact/reduction.cpp
+  bool linked = false;
+  Function<c2d_status, const EliminationPlan&, int32_t, const ColumnSource&, const RowSink&, Tapes&, void*, const Watch&,
+           const Engine&>
+      eliminate_again = NotLinked();
+  Function<c2d_status, const Reduction&> reduce_loads = NotLinked();
+};
+
+extern const SymmetryPart kSymmetryPart;   // interface/symmetry_calls.cpp
+extern const FreeZonePart kFreeZonePart;   // free_zone_calls.cpp
+extern const BodyForcePart kBodyForcePart; // body_force_calls.cpp
+extern const RigidPart kRigidPart;         // rigid_calls.cpp
+extern const EnergyPart kEnergyPart;       // summary.cpp
+extern const NewLoadsPart kNewLoadsPart;   // new_loads_calls.cpp
+
+} // namespace c2d
+
+#if C2D_PARTS_MAY_LACK
+#define C2D_USES(Part)                                                                                                         \
+  extern const Part k##Part __attribute__((weak));                                                                             \
+  const Part k##Part = {}
+#define C2D_BRINGS(call) __attribute__((used)) static decltype(&call) const brings_##call = &call
+#else
+#define C2D_USES(Part) static_assert(true, "always linked")
+#define C2D_BRINGS(call) static_assert(true, "always linked")
+#endif
+#if C2D_ONLY_CALLS_BRING
+#define C2D_MEETS(Part, call) C2D_USES(Part)
+#else
+#define C2D_MEETS(Part, call) C2D_BRINGS(call)
+#endif
