@@ -93,17 +93,26 @@ bool place_body(const Tableau& t, const int32_t* left, int32_t count) {
 
 namespace {
 
-// Is what a closed pair has by way of a force no more than round-off? The loads balance, so that a force which its motion would
-// make is lost by letting go, and no other.
-bool is_without_force(const Pair& pair, const PairState& now, const PathScales& s) {
-  const double of_motion = kRateTolerance * pair.stiffness[0] * s.w;
-  return now.p <= kValueTolerance * s.p + of_motion && fabs(now.q) <= kRateTolerance * s.p + of_motion;
+double larger(double a, double b) { return a > b ? a : b; }
+
+double largest_motion(const Follower& f) {
+  double most = 0.0;
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    const PairState now = pair_state(*f.t, i, f.y);
+    most = larger(most, larger(fabs(now.wn - f.t->pair[i].gap / f.t->length_unit), fabs(now.wt)));
+  }
+  return most;
 }
 
-bool may_all_open(const Follower& f, const PathScales& s) {
+// Is there no force in any pair but the round-off of its motion?
+bool is_without_force(const Follower& f) {
+  const double motion = largest_motion(f);
   for (int32_t i = 0; i < f.t->pairs; ++i) {
     const Pair& pair = f.t->pair[i];
-    if (pair.status != C2D_OPEN && !is_without_force(pair, pair_state(*f.t, i, f.y), s)) return false;
+    const PairState now = pair_state(*f.t, i, f.y);
+    if (pair.status == C2D_OPEN) continue;
+    if (larger(fabs(now.p), fabs(now.q)) > kValueTolerance * f.pressure_scale + kRateTolerance * pair.stiffness[0] * motion)
+      return false;
   }
   return true;
 }
@@ -123,15 +132,22 @@ bool closes(Follower& f) {
 
 } // namespace
 
+c2d_status note_idle(Follower& f) {
+  bool balanced = false, rates = false;
+  c2d_status status = C2D_OK;
+  if (f.t->free_motions > 0 && !is_let_go(*f.t) && is_without_force(f)) status = loads_balance(f, &balanced, &rates);
+  f.idle = balanced;
+  return status;
+}
+
 bool slides_without_force(Follower& f) {
-  if (f.t->free_motions == 0) return false;
+  if (!f.idle) return false;
   const PathScales s = decision_scales(f);
   bool slides = false;
   for (int32_t i = 0; i < f.t->pairs; ++i) {
     const Pair& pair = f.t->pair[i];
     if (pair.status == C2D_OPEN) continue;
-    const PairState now = pair_state(*f.t, i, f.y), rate = pair_rates(*f.t, i, f.dy);
-    if (!is_without_force(pair, now, s) || fabs(rate.p) > kRateTolerance * pair.stiffness[0] * s.dw) return false;
+    if (fabs(pair_rates(*f.t, i, f.dy).p) > kRateTolerance * pair.stiffness[0] * s.dw) return false;
     slides = slides || pair.status == C2D_SLIP;
   }
   return slides;
@@ -148,10 +164,10 @@ void leave_place(Follower& f) {
 
 c2d_status try_let_go(Follower& f, bool* done) {
   *done = false;
-  if (f.t->free_motions == 0 || is_let_go(*f.t) || !may_all_open(f, decision_scales(f))) return C2D_OK;
-  bool balanced = false;
-  c2d_status status = loads_balance(f, &balanced);
-  if (status != C2D_OK || !balanced) return status;
+  if (!f.idle) return C2D_OK;
+  bool balanced = false, rates = false;
+  c2d_status status = loads_balance(f, &balanced, &rates);
+  if (status != C2D_OK || !rates) return status;
   const int64_t changes = f.stats.changes;
   const int32_t last_pair = f.last_pair;
   leave_place(f);
@@ -182,7 +198,8 @@ bool close_touching(Follower& f) {
 } // namespace
 
 c2d_status hold_again(Follower& f, bool* quiet, c2d_outcome* outcome) {
-  c2d_status status = loads_balance(f, quiet);
+  bool balanced = false;
+  c2d_status status = loads_balance(f, &balanced, quiet);
   if (status != C2D_OK) return status;
   *quiet = *quiet && !closes(f);
   if (*quiet) return C2D_OK;

@@ -18,11 +18,16 @@ bool place_body(const Tableau& t, const int32_t* left, int32_t count);
 // All pairs open, with the place that the body has now as the one to keep.
 void leave_place(Follower& f);
 
+// Is the body idle: has it no force in any pair, and do the loads do no work on its free motions? What its pairs have by way of
+// forces is round-off then, up to 1e-9 of what their motion would make, and f.idle lets decisions take it for that. Errors: the
+// block store's.
+c2d_status note_idle(Follower& f);
+
 // Does the body slide along with the other without any force, now and as the loads go on? Nothing offends then, and it could be
 // anywhere on its way.
 bool slides_without_force(Follower& f);
 
-// Let the body go if all pairs may open at this load, the loads do not move it, and no pair would close at once. The pairs have
+// Let the body go if it is idle, the loads do not begin to move it, and no pair would close at once. The pairs have
 // been kept. *done: it is let go; if not, everything is as it was.
 c2d_status try_let_go(Follower& f, bool* done);
 

@@ -256,18 +256,20 @@ c2d_outcome kind_of_motion(Follower& f, const Resultants& g, const Work& load) {
 
 } // namespace
 
-c2d_status loads_balance(const Follower& f, bool* balanced) {
-  *balanced = true;
+c2d_status loads_balance(const Follower& f, bool* values, bool* rates) {
+  *values = *rates = true;
   const int count = free_motions(f);
   if (count == 0) return C2D_OK;
   const RateProblem r = rate_problem_in(f.rate_area, f.t->m);
   Resultants g{*f.t, {r.rhs, r.cover, r.point}, count};
-  Work load, rates;
+  Work load, rate;
   double terms, rate_terms;
   c2d_status status = read_resultants(f, g);
   if (status == C2D_OK) status = work_of_loads(f, g, f.load, r.column_scale, &load, &terms);
-  if (status == C2D_OK) status = work_of_loads(f, g, f.direction, r.column_scale, &rates, &rate_terms);
-  if (status == C2D_OK) *balanced = fmax(length(load), length(rates)) <= kNothing * (terms + rate_terms);
+  if (status == C2D_OK) status = work_of_loads(f, g, f.direction, r.column_scale, &rate, &rate_terms);
+  if (status != C2D_OK) return status;
+  *values = length(load) <= kNothing * (terms + rate_terms); // a load of zero may be the round-off of its path
+  *rates = length(rate) <= kNothing * rate_terms;
   return status;
 }
 

@@ -15,7 +15,7 @@ namespace c2d {
 // block store's.
 c2d_status limit_analysis(Follower& f, bool all_tried, c2d_outcome* outcome);
 
-// Do neither the loads nor their rates do work on any free motion, but for round-off? Errors: the block store's.
-c2d_status loads_balance(const Follower& f, bool* balanced);
+// Do the loads, and do their rates, no work on any free motion, but for round-off? Errors: the block store's.
+c2d_status loads_balance(const Follower& f, bool* values, bool* rates);
 
 } // namespace c2d

@@ -40,6 +40,7 @@ struct Follower {
   int32_t floating_body; // 0 or 1: the body that the contact has to hold
   RateArea rate_area;
   Event bound;           // the event that led here, until statuses are settled
+  int32_t idle;          // the body that the contact has to hold has no force there (contact/let_go.hpp)
   int32_t goes_on;       // this piece of the path goes on in the direction of the one before
   int32_t solutions;     // most contact states found at one load since the struct was filled, and
   double solutions_load; // that load, of the first case
@@ -67,7 +68,8 @@ NoRate no_rate(const Pair& pair, const PathScales& s);
 
 void refresh(Follower& f); // y and dy from the tableau
 PathScales path_scales(const Follower& f);
-PathScales decision_scales(Follower& f); // the largest on this path so far: what is left of them is round-off
+PathScales decision_scales(Follower& f); // the largest on this path so far: what is left of them is round-off; of an idle
+                                         // body more than its pressures, so that they are
 // Change a status and keep the books of slip. False: the pair is the last to hold a motion.
 bool apply_change(Follower& f, int32_t pair, int32_t status, int32_t sign, double at);
 

@@ -151,6 +151,7 @@ PathScales decision_scales(Follower& f) {
   PathScales s = path_scales(f);
   s.p = f.pressure_scale = larger(s.p, f.pressure_scale);
   s.w = f.gap_scale = larger(s.w, f.gap_scale);
+  if (f.idle) s.p *= 2.0 / kValueTolerance;
   return s;
 }
 
@@ -388,7 +389,8 @@ c2d_status settle_at(Follower& f, c2d_outcome* outcome) {
   c2d_status status = f.watch.tick(f.watch.context);
   if (status != C2D_OK) return status;
   bool let_go = is_let_go(*f.t);
-  if (let_go) status = hold_again(f, &let_go, outcome);
+  status = note_idle(f);
+  if (let_go && status == C2D_OK) status = hold_again(f, &let_go, outcome);
   if (status != C2D_OK || let_go || *outcome != C2D_REACHED) return status;
   const bool first = wants_all(f);
   // Behind an event something offends as a rule, and rounds find out.

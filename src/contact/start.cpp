@@ -99,8 +99,8 @@ c2d_status start_path(Follower& f, const FreeBody& body, const Model& model, int
 c2d_status lie_apart(Follower& f, const Model& model, c2d_outcome* outcome) {
   Tableau& t = *f.t;
   *outcome = C2D_FREE_MOTION;
-  bool balanced = false;
-  c2d_status status = loads_balance(f, &balanced);
+  bool unloaded = false, balanced = false;
+  c2d_status status = loads_balance(f, &unloaded, &balanced);
   if (status != C2D_OK || !balanced || t.free_motions == 0) return status;
   for (int32_t i = 0; i < t.pairs; ++i) {
     Pair& pair = t.pair[i];
