@@ -86,6 +86,11 @@ TEST_CASE("random decks: a draw") { draw(Kind::any, 1, 40); }
 
 TEST_CASE("random decks: bodies that touch without any force, which round-off once took for one") {
   for (const uint64_t seed : {2533u, 103814u, 109514u, 100076u, 109109u, 109283u}) draw(Kind::any, seed, 1);
+  for (const uint64_t seed : {104023u, 106915u, 108229u, 109222u}) draw(Kind::any, seed, 1); // pressed from there on
+}
+
+TEST_CASE("random decks: a first touch whose pressure is but a last digit, and slides at once") {
+  for (const uint64_t seed : {4114u, 104383u}) draw(Kind::any, seed, 1);
 }
 
 TEST_CASE("random decks: a draw of few pairs, all statuses tried") { draw(Kind::few_pairs, 1, 20); }

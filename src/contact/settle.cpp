@@ -30,9 +30,8 @@ Violation judge_unloaded(const Pair& pair, const PairState& rate, const PathScal
   return {0.0, 0, 0};
 }
 
-Violation judge_sticking(const Pair& pair, const PairState& now, const PairState& rate, const PathScales& s) {
+Violation judge_sticking(const Pair& pair, int32_t sign, const PairState& rate, const PathScales& s) {
   if (!pair.tangential || !is_finite_friction(pair)) return {0.0, 0, 0};
-  const int32_t sign = now.q > 0.0 ? 1 : -1;
   const double excess = sign * rate.q - pair.mu * rate.p;
   if (excess > no_rate(pair, s).force) return {excess / s.dp, C2D_SLIP, sign};
   return {0.0, 0, 0};
@@ -49,14 +48,21 @@ Violation judge_slipping(const Pair& pair, const PairState& rate, const PathScal
 // Is there no pressure and no gap, or is friction at its bound? The pair of the event that brought the path here is, whatever
 // the last digits say.
 bool is_unloaded(const Follower& f, int32_t i, const PairState& now, const PathScales& s) {
-  const bool open = f.t->pair[i].status == C2D_OPEN;
-  if (i == f.bound.pair && (open || f.bound.status == C2D_OPEN)) return true;
+  const Pair& pair = f.t->pair[i];
+  const bool open = pair.status == C2D_OPEN;
+  if (i == f.bound.pair && (open || f.bound.status != C2D_SLIP || pair.mu == 0.0)) return true; // it touched or lifted
   return open ? now.wn <= kValueTolerance * s.w : now.p <= kValueTolerance * s.p;
 }
 bool is_at_bound(const Follower& f, int32_t i, const PairState& now, const PathScales& s) {
   const Pair& pair = f.t->pair[i];
   if (i == f.bound.pair && f.bound.status == C2D_SLIP) return true;
   return pair.mu * now.p - fabs(now.q) <= kValueTolerance * (1.0 + pair.mu) * s.p;
+}
+
+// Of friction at its bound.
+int32_t sign_at_bound(const Follower& f, int32_t i, const PairState& now) {
+  if (i == f.bound.pair && f.bound.status == C2D_SLIP && f.bound.sign != 0) return f.bound.sign;
+  return now.q > 0.0 ? 1 : -1;
 }
 
 Violation judge(const Follower& f, int32_t i, const PathScales& s) {
@@ -72,7 +78,7 @@ Violation judge(const Follower& f, int32_t i, const PathScales& s) {
     if (v.size > 0.0 || pair.status == C2D_STICK) return v;
   }
   if (pair.status == C2D_SLIP) return judge_slipping(pair, rate, s);
-  return is_at_bound(f, i, now, s) ? judge_sticking(pair, now, rate, s) : Violation{0.0, 0, 0};
+  return is_at_bound(f, i, now, s) ? judge_sticking(pair, sign_at_bound(f, i, now), rate, s) : Violation{0.0, 0, 0};
 }
 
 bool anything_offends(const Follower& f, const PathScales& s) {
@@ -181,7 +187,7 @@ bool is_in_doubt(const Follower& f, int32_t i, const PathScales& s, Doubt& d) {
   }
   if (d.kind != DoubtKind::apex) return false;
   d.kind = DoubtKind::cone;
-  d.sign = pair.status == C2D_SLIP ? pair.sign : (now.q > 0.0 ? 1 : -1);
+  d.sign = pair.status == C2D_SLIP ? pair.sign : sign_at_bound(f, i, now);
   d.cell = pair.status == C2D_STICK ? Cell::stick : (d.sign > 0 ? Cell::slip_plus : Cell::slip_minus);
   return pair.status == C2D_SLIP || is_at_bound(f, i, now, s);
 }
