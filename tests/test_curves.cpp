@@ -518,7 +518,7 @@ TEST_CASE("curves: calls refuse what cannot be, and give back what they were tol
   CHECK(c2d_add_curve(s, nullptr) == C2D_ERR_ARGUMENT);
   refused(with([](c2d_curve& c) { c.kind = 3; }), "kind of a curve");
   refused(with([](c2d_curve& c) { c.kind = -1; }), "kind of a curve");
-  refused(with([](c2d_curve& c) { c.body = 2; }), "there is no such body");
+  refused(with([](c2d_curve& c) { c.body = 2; }), "c2d_curve.body is 2, expected 1");
   refused(with([](c2d_curve& c) { c.first_element = 0; }), "element of a curve");
   refused(with([](c2d_curve& c) { c.last_element = 9; }), "element of a curve");
   refused(with([](c2d_curve& c) { c.first_element = 4; }), "a range of one region");

@@ -319,3 +319,90 @@ TEST_CASE("refusals: strides, counts and numbers that cannot be meant") {
   CHECK(outcome == 55);
   CHECK(untouched());
 }
+
+TEST_CASE("refusals: lists, loads and limits by the names of their arguments and members") {
+  Running going("block"), empty("block", C2D_STATE_EMPTY);
+  c2d_solver *s = going.s, *e = empty.s;
+  int32_t integers[8];
+  double numbers[8];
+  std::fill_n(integers, 8, -77);
+  std::fill_n(numbers, 8, kMark);
+  for (int32_t i : {0, -1, 1000, INT32_MAX, INT32_MIN}) {
+    const std::string is = " is " + std::to_string(i) + ", expected ";
+    CHECK(going.refused(c2d_get_condition(s, i, 1, 1, 1, integers, numbers), "body" + is + "1 to 2"));
+    CHECK(going.refused(c2d_get_condition(s, 2, i, 1, 1, integers, numbers), "element" + is + "1 to 56"));
+    CHECK(going.refused(c2d_get_condition(s, 2, 1, i, 1, integers, numbers), "local" + is + "1 to 2"));
+    CHECK(going.refused(c2d_get_condition(s, 2, 1, 1, i, integers, numbers), "load_case" + is + "1"));
+    CHECK(going.refused(c2d_get_body_force(s, i, 1, numbers, numbers, numbers), "body" + is));
+    CHECK(going.refused(c2d_get_body_force(s, 1, i, numbers, numbers, numbers), "load_case" + is));
+    CHECK(going.refused(c2d_get_rigid(s, i, 1, integers, numbers, numbers), "body" + is));
+    CHECK(going.refused(c2d_get_rigid(s, 1, i, integers, numbers, numbers), "load_case" + is));
+    CHECK(going.refused(c2d_get_point_load(s, i, integers, integers, numbers, numbers), "i" + is));
+    CHECK(going.refused(c2d_get_path(s, i, integers, numbers, 1), "i" + is));
+    CHECK(going.refused(c2d_get_path(s, 1, integers, numbers, i), "cases" + is + "1"));
+    CHECK(going.refused(c2d_get_friction(s, 0, i, numbers), "i" + is));
+    if (i != 0) CHECK(going.refused(c2d_get_friction(s, i, 1, numbers), "zone" + is));
+    CHECK(going.refused(c2d_get_region(s, i, 1, integers, integers), "body" + is));
+    CHECK(going.refused(c2d_get_region(s, 1, i, integers, integers), "i" + is + "1"));
+    CHECK(going.refused(c2d_get(s, C2D_NODE_X, i, 1, 1, numbers, 1), "body" + is));
+    CHECK(empty.refused(c2d_add_point_load(e, 1, i, 0, 0, 0, 0), "load case" + is));
+    CHECK(empty.refused(c2d_set_interference(e, i), "load case" + is));
+    CHECK(empty.refused(c2d_set_body_force(e, 1, i, numbers, 0, numbers), "load case" + is));
+    CHECK(empty.refused(c2d_add_path(e, 1, numbers, i), "number of load factors" + is));
+  }
+  CHECK(going.refused(c2d_get_condition(s, 1, 1, 1, 1, nullptr, numbers), "codes is null"));
+  CHECK(going.refused(c2d_get_condition(s, 1, 1, 1, 1, integers, nullptr), "values is null"));
+  CHECK(going.refused(c2d_get_body_force(s, 1, 1, nullptr, numbers, numbers), "force is null"));
+  CHECK(going.refused(c2d_get_body_force(s, 1, 1, numbers, nullptr, numbers), "rho_omega2 is null"));
+  CHECK(going.refused(c2d_get_body_force(s, 1, 1, numbers, numbers, nullptr), "axis is null"));
+  CHECK(going.refused(c2d_get_rigid(s, 1, 1, nullptr, numbers, numbers), "is_rigid is null"));
+  CHECK(going.refused(c2d_get_rigid(s, 1, 1, integers, nullptr, numbers), "motion is null"));
+  CHECK(going.refused(c2d_get_interference(s, nullptr), "load_case is null"));
+  CHECK(going.refused(c2d_get_path(s, 1, nullptr, numbers, 1), "increments is null"));
+  CHECK(going.refused(c2d_get_path(s, 1, integers, nullptr, 1), "load is null"));
+  CHECK(going.refused(c2d_get_friction(s, 0, 1, nullptr), "mu is null"));
+  CHECK(going.refused(c2d_get_region(s, 1, 1, nullptr, integers), "first_element is null"));
+  CHECK(going.refused(c2d_get_region(s, 1, 1, integers, nullptr), "last_element is null"));
+  CHECK(empty.refused(c2d_set_body_force(e, 1, 1, nullptr, 0, nullptr), "force is null"));
+  CHECK(empty.refused(c2d_set_body_force(e, 1, 1, numbers, 1, nullptr), "axis is null"));
+  CHECK(empty.refused(c2d_set_rigid(e, 1, 1, nullptr, numbers), "motion is null"));
+  CHECK(empty.refused(c2d_set_rigid(e, 1, 1, numbers, nullptr), "axis is null"));
+  CHECK(empty.refused(c2d_add_path(e, 1, nullptr, 1), "load is null"));
+  for (double number : {kNan, kInfinity, -kInfinity}) {
+    const double good[3] = {0, 0, 0};
+    CHECK(empty.refused(c2d_add_point_load(e, 1, 1, number, 0, 0, 0), "x is "));
+    CHECK(empty.refused(c2d_add_point_load(e, 1, 1, 0, number, 0, 0), "y is "));
+    CHECK(empty.refused(c2d_add_point_load(e, 1, 1, 0, 0, number, 0), "fx is "));
+    CHECK(empty.refused(c2d_add_point_load(e, 1, 1, 0, 0, 0, number), "fy is "));
+    CHECK(empty.refused(c2d_set_body_force(e, 1, 1, good, number, good), "rho_omega2 is "));
+    for (size_t k = 0; k < 3; ++k) {
+      double bad[3] = {0, 0, 0};
+      bad[k] = number;
+      const std::string at = "[" + std::to_string(k) + "] is ";
+      CHECK(empty.refused(c2d_set_rigid(e, 1, 1, bad, good), "motion" + at));
+      if (k == 2) continue;
+      CHECK(empty.refused(c2d_set_rigid(e, 1, 1, good, bad), "axis" + at));
+      CHECK(empty.refused(c2d_set_body_force(e, 1, 1, bad, 0, good), "force" + at));
+      CHECK(empty.refused(c2d_set_body_force(e, 1, 1, good, 0, bad), "axis" + at));
+    }
+  }
+  // Limits that are used up, by the member and what it has to be.
+  c2d_limits limits = two_blocks();
+  limits.coefficients = 1, limits.paths = 2, limits.point_loads = 0, limits.point_sets = 0;
+  Machine machine(limits, 4000000, nullptr);
+  const double load = 1;
+  const auto full = [&](c2d_status status, const char* what) {
+    CHECK(status == C2D_ERR_LIMIT);
+    CHECK_MESSAGE(says(error_of(machine.solver), what), error_of(machine.solver).text);
+  };
+  REQUIRE(c2d_add_friction(machine.solver, 0.1) == C2D_OK);
+  full(c2d_add_friction(machine.solver, 0.1), "c2d_limits.coefficients is 1, expected 2 or more");
+  REQUIRE(c2d_add_path(machine.solver, 1, &load, 1) == C2D_OK);
+  REQUIRE(c2d_add_path(machine.solver, 1, &load, 1) == C2D_OK);
+  full(c2d_add_path(machine.solver, 1, &load, 1), "c2d_limits.paths is 2, expected 3 or more");
+  full(c2d_add_point_load(machine.solver, 1, 1, 0, 0, 1, 1), "c2d_limits.point_loads is 0, expected 1 or more");
+  c2d_points points = C2D_INIT(c2d_points);
+  points.body = 1;
+  full(c2d_add_points(machine.solver, &points), "c2d_limits.point_sets is 0, expected 1 or more");
+  for (int i = 0; i < 8; ++i) CHECK((integers[i] == -77 && numbers[i] == kMark));
+}

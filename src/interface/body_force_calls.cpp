@@ -25,15 +25,16 @@ extern "C" c2d_status c2d_set_body_force(c2d_solver* s, int32_t body, int32_t lo
                                          double rho_omega2, const double axis[2]) {
   c2d_status status = enter_loads(s);
   if (status == C2D_OK) status = check_body_number(s, body);
+  if (status == C2D_OK) status = check_load_case(s, load_case);
+  if (status == C2D_OK) status = check_pointers(s, {{"force", force}});
+  if (status == C2D_OK && rho_omega2 != 0.0) status = check_pointers(s, {{"axis", axis}});
   if (status != C2D_OK) return status;
-  if (!in_range(load_case, 1, s->sizes.load_cases))
-    return refuse_number(s, C2D_ERR_ARGUMENT, "load case", load_case, 1, s->sizes.load_cases);
-  if (!force || (!axis && rho_omega2 != 0.0)) return refuse(s, C2D_ERR_ARGUMENT, "no body force or axis of rotation given");
-  const double numbers[5] = {force[0], force[1], rho_omega2, axis ? axis[0] : 0.0, axis ? axis[1] : 0.0};
-  for (double number : numbers)
-    if (!is_usable(number)) return refuse_value(s, "a number of the body force", number, "a finite number");
+  const double x0 = axis ? axis[0] : 0.0, y0 = axis ? axis[1] : 0.0;
+  status = check_numbers(
+      s, {{"force[0]", force[0]}, {"force[1]", force[1]}, {"rho_omega2", rho_omega2}, {"axis[0]", x0}, {"axis[1]", y0}});
+  if (status != C2D_OK) return status;
   array_of<BodyForce>(s, kBodyForces)[2 * static_cast<int64_t>(load_case - 1) + body - 1] =
-      BodyForce{numbers[0], numbers[1], numbers[2], numbers[3], numbers[4]};
+      BodyForce{force[0], force[1], rho_omega2, x0, y0};
   s->model.body_forces |= 1 << (body - 1);
   return loaded(s);
 }

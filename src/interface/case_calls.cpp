@@ -19,14 +19,14 @@ c2d_status refuse(c2d_solver* s, const char* what, const char* why) {
 }
 
 c2d_status check_place(c2d_solver* s, int32_t body, int32_t element, int32_t local, int32_t load_case) {
-  if (!in_range(body, 1, s->sizes.bodies)) return refuse(s, "body number", ": there is no such body");
+  c2d_status status = check_body_number(s, body);
+  if (status != C2D_OK) return status;
   const Body& b = s->model.body[body - 1];
   if (!b.is_set || b.region_count < b.regions)
     return refuse(s, "", "give the body and all its regions before the values of its load cases");
-  if (!in_range(element, 1, b.elements)) return refuse(s, "element number", ": the body has no such element");
-  if (!in_range(local, 0, s->sizes.function_nodes)) return refuse(s, "local functional node", ": the element has no such node");
-  if (!in_range(load_case, 1, s->sizes.load_cases)) return refuse(s, "load case", ": there is no such load case");
-  return C2D_OK;
+  status = check_ranges(
+      s, {{"element number", element, 1, b.elements}, {"local functional node", local, 0, s->sizes.function_nodes}});
+  return status == C2D_OK ? check_load_case(s, load_case) : status;
 }
 
 // A prescribed displacement that another card gave this node for this case.
@@ -50,7 +50,7 @@ c2d_status check_end(c2d_solver* s, const Model& m, int b, int32_t element, int 
   const bool contact = pair_of_end(m, b, element, l) >= 0;
   for (int q = 0; q < 4; ++q) {
     if (values[q] == 0.0) continue;
-    if (!is_usable(values[q])) return refuse(s, kQuantity[q], " is not a usable number");
+    if (!is_usable(values[q])) return refuse_value(s, kQuantity[q], values[q], "a finite number");
     if (q < 2 && contact) return refuse(s, kQuantity[q], " is a contact traction here, expected 0");
     if (q < 2 && !traction_known(m, b, end, q)) return refuse(s, kQuantity[q], " is unknown here, expected 0");
     c2d_status held = C2D_OK;
@@ -103,13 +103,12 @@ extern "C" c2d_status c2d_set_values(c2d_solver* s, int32_t body, int32_t elemen
 }
 
 extern "C" c2d_status c2d_replace_point_load(c2d_solver* s, int32_t i, double x, double y, double fx, double fy) {
-  const c2d_status status = enter(s, state_bit(C2D_STATE_MODEL));
+  c2d_status status = enter(s, state_bit(C2D_STATE_MODEL));
   if (status != C2D_OK) return status;
   if (!in_range(i, 1, s->model.point_loads))
     return refuse_number(s, C2D_ERR_ARGUMENT, "number of the point load", i, 1, s->model.point_loads);
-  const double numbers[4] = {x, y, fx, fy};
-  for (double number : numbers)
-    if (!is_usable(number)) return refuse_value(s, "a number of the point load", number, "a finite number");
+  status = check_numbers(s, {{"x", x}, {"y", y}, {"fx", fx}, {"fy", fy}});
+  if (status != C2D_OK) return status;
   PointLoad& load = array_of<PointLoad>(s, kPointLoads)[i - 1];
   load.x = x, load.y = y, load.fx = fx, load.fy = fy;
   s->loads_changed = 1;

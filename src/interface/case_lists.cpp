@@ -1,28 +1,19 @@
 // What the load cases carry, as it was given: conditions, point loads, body forces, motions of a rigid body.
-#include "interface/entry.hpp"
+#include "interface/refuse.hpp"
 #include "solver/solver.hpp"
-
-namespace c2d {
-
-namespace {
-
-constexpr uint32_t kComplete = state_bit(C2D_STATE_MODEL) | state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING);
-
-bool has_case(const c2d_solver* s, int32_t load_case) { return load_case >= 1 && load_case <= s->model.load_cases; }
-
-} // namespace
-} // namespace c2d
 
 using namespace c2d;
 
 extern "C" c2d_status c2d_get_condition(c2d_solver* s, int32_t body, int32_t element, int32_t local, int32_t load_case,
                                         int32_t codes[4], double values[4]) {
-  const c2d_status status = enter(s, kComplete);
+  c2d_status status = enter(s, kComplete);
+  if (status == C2D_OK) status = check_ranges(s, {{"body", body, 1, s->model.bodies}});
+  if (status == C2D_OK)
+    status = check_ranges(s, {{"element", element, 1, s->model.body[body - 1].elements},
+                              {"local", local, 1, s->model.function_nodes},
+                              {"load_case", load_case, 1, s->model.load_cases}});
+  if (status == C2D_OK) status = check_pointers(s, {{"codes", codes}, {"values", values}});
   if (status != C2D_OK) return status;
-  if (!codes || !values || body < 1 || body > s->model.bodies || element < 1 || element > s->model.body[body - 1].elements ||
-      local < 1 || local > s->model.function_nodes)
-    return fail(s, C2D_ERR_ARGUMENT, "there is no such element end");
-  if (!has_case(s, load_case)) return fail(s, C2D_ERR_ARGUMENT, "there is no such load case");
   const Model m = model_of(s);
   const int b = body - 1;
   const int64_t ends = static_cast<int64_t>(m.head->body[b].elements) * m.head->function_nodes, nodes = m.head->body[b].nodes;
@@ -40,10 +31,10 @@ extern "C" c2d_status c2d_get_condition(c2d_solver* s, int32_t body, int32_t ele
 
 extern "C" c2d_status c2d_get_point_load(c2d_solver* s, int32_t i, int32_t* body, int32_t* load_case, double xy[2],
                                          double force[2]) {
-  const c2d_status status = enter(s, kComplete);
+  c2d_status status = enter(s, kComplete);
+  if (status == C2D_OK) status = check_ranges(s, {{"i", i, 1, s->model.point_loads}});
+  if (status == C2D_OK) status = check_pointers(s, {{"body", body}, {"load_case", load_case}, {"xy", xy}, {"force", force}});
   if (status != C2D_OK) return status;
-  if (!body || !xy || !force || !load_case || i < 1 || i > s->model.point_loads)
-    return fail(s, C2D_ERR_ARGUMENT, "there is no such point load");
   const PointLoad& p = array_of<PointLoad>(s, kPointLoads)[i - 1];
   *body = p.body + 1;
   xy[0] = p.x;
@@ -56,10 +47,11 @@ extern "C" c2d_status c2d_get_point_load(c2d_solver* s, int32_t i, int32_t* body
 
 extern "C" c2d_status c2d_get_body_force(c2d_solver* s, int32_t body, int32_t load_case, double force[2], double* rho_omega2,
                                          double axis[2]) {
-  const c2d_status status = enter(s, kComplete);
+  c2d_status status = enter(s, kComplete);
+  if (status == C2D_OK)
+    status = check_ranges(s, {{"body", body, 1, s->model.bodies}, {"load_case", load_case, 1, s->model.load_cases}});
+  if (status == C2D_OK) status = check_pointers(s, {{"force", force}, {"rho_omega2", rho_omega2}, {"axis", axis}});
   if (status != C2D_OK) return status;
-  if (!force || !rho_omega2 || !axis || body < 1 || body > s->model.bodies || !has_case(s, load_case))
-    return fail(s, C2D_ERR_ARGUMENT, "there is no such body or load case");
   const BodyForce& given = array_of<BodyForce>(s, kBodyForces)[2 * static_cast<int64_t>(load_case - 1) + body - 1];
   force[0] = given.bx;
   force[1] = given.by;
@@ -71,10 +63,11 @@ extern "C" c2d_status c2d_get_body_force(c2d_solver* s, int32_t body, int32_t lo
 
 extern "C" c2d_status c2d_get_rigid(c2d_solver* s, int32_t body, int32_t load_case, int32_t* is_rigid, double motion[3],
                                     double axis[2]) {
-  const c2d_status status = enter(s, kComplete);
+  c2d_status status = enter(s, kComplete);
+  if (status == C2D_OK)
+    status = check_ranges(s, {{"body", body, 1, s->model.bodies}, {"load_case", load_case, 1, s->model.load_cases}});
+  if (status == C2D_OK) status = check_pointers(s, {{"is_rigid", is_rigid}, {"motion", motion}, {"axis", axis}});
   if (status != C2D_OK) return status;
-  if (!is_rigid || !motion || !axis || body < 1 || body > s->model.bodies || !has_case(s, load_case))
-    return fail(s, C2D_ERR_ARGUMENT, "there is no such body or load case");
   const bool rigid = c2d::is_rigid(model_of(s), body - 1);
   const RigidMotion given = rigid ? array_of<RigidMotion>(s, kRigidMotions)[load_case - 1] : RigidMotion{0, 0, 0, 0, 0};
   *is_rigid = rigid ? 1 : 0;
@@ -87,9 +80,9 @@ extern "C" c2d_status c2d_get_rigid(c2d_solver* s, int32_t body, int32_t load_ca
 }
 
 extern "C" c2d_status c2d_get_interference(c2d_solver* s, int32_t* load_case) {
-  const c2d_status status = enter(s, kComplete);
+  c2d_status status = enter(s, kComplete);
+  if (status == C2D_OK) status = check_pointers(s, {{"load_case", load_case}});
   if (status != C2D_OK) return status;
-  if (!load_case) return fail(s, C2D_ERR_ARGUMENT, "no room given for the answer");
   *load_case = s->model.interference;
   return C2D_OK;
 }

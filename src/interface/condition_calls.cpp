@@ -17,10 +17,12 @@ c2d_status check_condition(c2d_solver* s, int32_t body, int32_t element, int32_t
     return refuse_number(s, C2D_ERR_ARGUMENT, "local functional node", local, 1, s->sizes.function_nodes);
   if (!in_range(load_case, 1, s->sizes.load_cases))
     return refuse_number(s, C2D_ERR_ARGUMENT, "load case", load_case, 1, s->sizes.load_cases);
-  if (!codes || !values) return refuse(s, C2D_ERR_ARGUMENT, "no codes or values given");
+  const c2d_status given = check_pointers(s, {{"codes", codes}, {"values", values}});
+  if (given != C2D_OK) return given;
+  constexpr const char* kNames[4] = {"tx", "ty", "ux", "uy"};
   for (int k = 0; k < 4; ++k) {
     if (!in_range(codes[k], 0, 1)) return refuse_number(s, C2D_ERR_ARGUMENT, "condition code", codes[k], 0, 1);
-    if (codes[k] == 0 && !is_usable(values[k])) return refuse_value(s, "a prescribed value", values[k], "a finite number");
+    if (codes[k] == 0 && !is_usable(values[k])) return refuse_value(s, kNames[k], values[k], "a finite number");
   }
   return C2D_OK;
 }

@@ -14,8 +14,8 @@ extern "C" c2d_status c2d_add_curve(c2d_solver* s, const c2d_curve* curve) {
   ModelHeader& head = s->model;
   if (ours.kind < C2D_CURVE_LINE || ours.kind > C2D_CURVE_SPLINE)
     return refuse(s, C2D_ERR_ARGUMENT, "kind of a curve: expected C2D_CURVE_LINE, _ARC or _SPLINE");
-  if (!in_range(ours.body, 1, s->sizes.bodies))
-    return refuse(s, C2D_ERR_ARGUMENT, "body number of a curve: there is no such body");
+  status = check_ranges(s, {{"c2d_curve.body", ours.body, 1, s->sizes.bodies}});
+  if (status != C2D_OK) return status;
   const Model m = model_of(s);
   const int b = ours.body - 1;
   const int32_t elements = head.body[b].elements;
@@ -28,8 +28,7 @@ extern "C" c2d_status c2d_add_curve(c2d_solver* s, const c2d_curve* curve) {
   const bool arc = ours.kind == C2D_CURVE_ARC;
   if (arc && !(is_usable(ours.centre[0]) && is_usable(ours.centre[1]) && is_usable(ours.radius) && ours.radius > 0))
     return refuse(s, C2D_ERR_ARGUMENT, "arc of a curve: expected a usable centre and a radius above zero");
-  if (head.curves >= s->sizes.curves)
-    return refuse_number(s, C2D_ERR_LIMIT, "number of curves", head.curves + 1, 0, s->sizes.curves);
+  if (head.curves >= s->sizes.curves) return refuse_limit(s, "curves", s->sizes.curves, head.curves + 1);
   Curve& out = m.curve[head.curves++];
   out = Curve{ours.kind, b, ours.first_element - 1, ours.last_element - 1, head.line, 0, {0.0, 0.0}, 0.0};
   for (int c = 0; arc && c < 2; ++c) out.centre[c] = ours.centre[c];
@@ -38,9 +37,9 @@ extern "C" c2d_status c2d_add_curve(c2d_solver* s, const c2d_curve* curve) {
 }
 
 extern "C" c2d_status c2d_get_curve(c2d_solver* s, int32_t i, c2d_curve* out) {
-  const c2d_status status = enter(s, state_bit(C2D_STATE_MODEL) | state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING));
+  c2d_status status = enter(s, kComplete);
+  if (status == C2D_OK) status = check_ranges(s, {{"i", i, 1, s->model.curves}});
   if (status != C2D_OK) return status;
-  if (!in_range(i, 1, s->model.curves)) return fail(s, C2D_ERR_ARGUMENT, "there is no such curve");
   const Curve& curve = model_of(s).curve[i - 1];
   c2d_curve ours;
   memset(&ours, 0, sizeof ours);

@@ -6,6 +6,7 @@
 namespace c2d {
 
 constexpr uint32_t state_bit(int32_t state) { return 1u << state; }
+constexpr uint32_t kComplete = state_bit(C2D_STATE_MODEL) | state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING);
 constexpr uint32_t kStarted = state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING);
 // Legal to go on? Otherwise the reason is the status, and what c2d_last_error tells.
 c2d_status enter(c2d_solver* solver, uint32_t legal_states);

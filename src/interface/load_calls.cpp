@@ -12,8 +12,7 @@ c2d_status append_path(c2d_solver* s, int32_t increments, const double* load, in
   if (increments < 1) return refuse_number(s, C2D_ERR_ARGUMENT, "number of increments", increments, 1, INT32_MAX);
   for (int32_t k = 0; k < given; ++k)
     if (!is_usable(load[k])) return refuse_value(s, "load factor", load[k], "a finite number");
-  if (s->model.paths >= s->sizes.paths)
-    return refuse_number(s, C2D_ERR_LIMIT, "number of load cards", s->model.paths + 1, 0, s->sizes.paths);
+  if (s->model.paths >= s->sizes.paths) return refuse_limit(s, "paths", s->sizes.paths, s->model.paths + 1);
   double* factors = array_of<double>(s, kPathLoads) + static_cast<int64_t>(s->model.paths) * s->sizes.load_cases;
   for (int32_t k = 0; k < s->sizes.load_cases; ++k) factors[k] = k < given ? load[k] : 0.0;
   array_of<Path>(s, kPaths)[s->model.paths++] = Path{increments, 0, load[0]};
@@ -35,24 +34,20 @@ extern "C" c2d_status c2d_add_point_load(c2d_solver* s, int32_t body, int32_t lo
                                          double fy) {
   c2d_status status = enter_building(s);
   if (status == C2D_OK) status = check_body_number(s, body);
+  if (status == C2D_OK) status = check_load_case(s, load_case);
+  if (status == C2D_OK) status = check_numbers(s, {{"x", x}, {"y", y}, {"fx", fx}, {"fy", fy}});
   if (status != C2D_OK) return status;
-  if (!in_range(load_case, 1, s->sizes.load_cases))
-    return refuse_number(s, C2D_ERR_ARGUMENT, "load case", load_case, 1, s->sizes.load_cases);
-  const double numbers[4] = {x, y, fx, fy};
-  for (double number : numbers)
-    if (!is_usable(number)) return refuse_value(s, "a number of the point load", number, "a finite number");
   if (s->model.point_loads >= s->sizes.point_loads)
-    return refuse_number(s, C2D_ERR_LIMIT, "number of point loads", s->model.point_loads + 1, 0, s->sizes.point_loads);
+    return refuse_limit(s, "point_loads", s->sizes.point_loads, s->model.point_loads + 1);
   array_of<PointLoad>(s, kPointLoads)[s->model.point_loads++] =
       PointLoad{body - 1, load_case - 1, s->model.line, s->model.column, x, y, fx, fy};
   return built(s);
 }
 
 extern "C" c2d_status c2d_set_interference(c2d_solver* s, int32_t load_case) {
-  const c2d_status status = enter_building(s);
+  c2d_status status = enter_building(s);
+  if (status == C2D_OK) status = check_load_case(s, load_case);
   if (status != C2D_OK) return status;
-  if (!in_range(load_case, 1, s->sizes.load_cases))
-    return refuse_number(s, C2D_ERR_ARGUMENT, "load case", load_case, 1, s->sizes.load_cases);
   s->model.interference = load_case;
   return built(s);
 }
@@ -62,8 +57,7 @@ extern "C" c2d_status c2d_add_friction(c2d_solver* s, double mu) {
   if (status != C2D_OK) return status;
   if (!is_coefficient(mu)) return refuse_value(s, "coefficient of friction", mu, "zero or more");
   if (s->model.coefficients >= s->sizes.coefficients)
-    return refuse_number(s, C2D_ERR_LIMIT, "number of coefficients of friction", s->model.coefficients + 1, 0,
-                         s->sizes.coefficients);
+    return refuse_limit(s, "coefficients", s->sizes.coefficients, s->model.coefficients + 1);
   const int32_t i = s->model.coefficients++;
   array_of<double>(s, kFriction)[i] = mu;
   double* zones = zone_friction(s, i);
@@ -87,7 +81,7 @@ extern "C" c2d_status c2d_add_path(c2d_solver* s, int32_t increments, const doub
   if (status != C2D_OK) return status;
   if (cases != s->sizes.load_cases)
     return refuse_number(s, C2D_ERR_ARGUMENT, "number of load factors", cases, s->sizes.load_cases, s->sizes.load_cases);
-  if (!load) return refuse(s, C2D_ERR_ARGUMENT, "no load factors given");
+  if (!load) return check_pointers(s, {{"load", load}});
   return append_path(s, increments, load, cases);
 }
 

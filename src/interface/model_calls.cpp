@@ -68,8 +68,7 @@ extern "C" c2d_status c2d_set_problem(c2d_solver* s, const c2d_problem* problem)
 }
 
 extern "C" c2d_status c2d_set_units(c2d_solver* s, const char* length, const char* force) {
-  constexpr uint32_t kWithModel = state_bit(C2D_STATE_MODEL) | state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING);
-  const c2d_status status = enter(s, kBuilding | kWithModel);
+  const c2d_status status = enter(s, kBuilding | kComplete);
   if (status != C2D_OK) return status;
   const char* const names[2] = {length ? length : "", force ? force : ""};
   char* const places[2] = {s->model.unit_length, s->model.unit_force};

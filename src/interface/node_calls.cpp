@@ -77,7 +77,8 @@ extern "C" c2d_status c2d_set_line_nodes(c2d_solver* s, int32_t body, int32_t fi
   c2d_status status = enter_building(s);
   if (status == C2D_OK) status = check_body_number(s, body);
   if (status != C2D_OK) return status;
-  if (!from || !to) return refuse(s, C2D_ERR_ARGUMENT, "no coordinates given");
+  status = check_pointers(s, {{"from", from}, {"to", to}});
+  if (status != C2D_OK) return status;
   const double x0 = origin ? origin[0] : 0.0, y0 = origin ? origin[1] : 0.0;
   const double numbers[6] = {x0, y0, from[0], from[1], to[0], to[1]};
   status = check_generated(s, body, first, last, numbers, 6);
@@ -95,7 +96,8 @@ extern "C" c2d_status c2d_set_arc_nodes(c2d_solver* s, int32_t body, int32_t fir
   c2d_status status = enter_building(s);
   if (status == C2D_OK) status = check_body_number(s, body);
   if (status != C2D_OK) return status;
-  if (!centre) return refuse(s, C2D_ERR_ARGUMENT, "no coordinates given");
+  status = check_pointers(s, {{"centre", centre}});
+  if (status != C2D_OK) return status;
   const double numbers[5] = {centre[0], centre[1], radius, from_degrees, to_degrees};
   status = check_generated(s, body, first, last, numbers, 5);
   if (status == C2D_OK && radius < 0.0) status = refuse_value(s, "radius", radius, "at least 0");

@@ -42,12 +42,12 @@ extern "C" c2d_status c2d_add_points(c2d_solver* s, const c2d_points* points) {
   c2d_points ours;
   if (status == C2D_OK) status = take(s, "c2d_points", points, ours);
   if (status != C2D_OK) return status;
-  if (ours.body < 1 || ours.body > s->sizes.bodies)
-    return refuse(s, C2D_ERR_ARGUMENT, "body number of points: there is no such body");
+  status = check_ranges(s, {{"c2d_points.body", ours.body, 1, s->sizes.bodies}});
+  if (status != C2D_OK) return status;
   const char* what = "";
   if (points_of(ours, &what) == 0) return refuse(s, C2D_ERR_ARGUMENT, what);
   if (s->model.point_sets >= s->sizes.point_sets)
-    return refuse(s, C2D_ERR_LIMIT, "more sets of points than c2d_limits.point_sets");
+    return refuse_limit(s, "point_sets", s->sizes.point_sets, s->model.point_sets + 1);
   PointSet& set = array_of<PointSet>(s, kPointSets)[s->model.point_sets++];
   set = PointSet{ours.kind, ours.body, {1, 1}, s->model.line, 0, {ours.from[0], ours.from[1]}, {ours.from[0], ours.from[1]}};
   for (int c = 0; c < 2; ++c) {
@@ -58,9 +58,9 @@ extern "C" c2d_status c2d_add_points(c2d_solver* s, const c2d_points* points) {
 }
 
 extern "C" c2d_status c2d_get_points(c2d_solver* s, int32_t i, c2d_points* out) {
-  const c2d_status status = enter(s, state_bit(C2D_STATE_MODEL) | state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING));
+  c2d_status status = enter(s, kComplete);
+  if (status == C2D_OK) status = check_ranges(s, {{"i", i, 1, s->model.point_sets}});
   if (status != C2D_OK) return status;
-  if (!in_range(i, 1, s->model.point_sets)) return fail(s, C2D_ERR_ARGUMENT, "there is no such set of points");
   const PointSet& set = array_of<PointSet>(s, kPointSets)[i - 1];
   c2d_points ours;
   memset(&ours, 0, sizeof ours);

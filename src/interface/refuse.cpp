@@ -1,5 +1,7 @@
 #include "interface/refuse.hpp"
 
+#include "model/validate.hpp"
+
 namespace c2d {
 
 void start_refusal(Refusal& r, c2d_solver* s, c2d_status status) {
@@ -28,12 +30,42 @@ c2d_status refuse_integer(c2d_solver* s, c2d_status status, const char* what, in
   report_fault(s, r.error);
   return status;
 }
+c2d_status refuse_limit(c2d_solver* s, const char* member, int64_t limit, int64_t needed) {
+  Refusal r;
+  start_refusal(r, s, C2D_ERR_LIMIT);
+  put_all(r.text, "c2d_limits.", member, " is ", limit, ", expected ", needed, " or more");
+  report_fault(s, r.error);
+  return C2D_ERR_LIMIT;
+}
 c2d_status refuse_value(c2d_solver* s, const char* what, double value, const char* expected) {
   Refusal r;
   start_refusal(r, s, C2D_ERR_ARGUMENT);
   put_all(r.text, what, " is ", value, ", expected ", expected);
   report_fault(s, r.error);
   return C2D_ERR_ARGUMENT;
+}
+
+c2d_status check_each(c2d_solver* s, const Ranged* arguments, int32_t count) {
+  for (const Ranged* a = arguments; a < arguments + count; ++a)
+    if (a->value < a->first || a->value > a->last)
+      return refuse_number(s, C2D_ERR_ARGUMENT, a->name, a->value, a->first, a->last);
+  return C2D_OK;
+}
+c2d_status check_each(c2d_solver* s, const Pointed* arguments, int32_t count) {
+  for (const Pointed* a = arguments; a < arguments + count; ++a) {
+    if (a->pointer) continue;
+    Refusal r;
+    start_refusal(r, s, C2D_ERR_ARGUMENT);
+    put_all(r.text, a->name, " is null");
+    report_fault(s, r.error);
+    return C2D_ERR_ARGUMENT;
+  }
+  return C2D_OK;
+}
+c2d_status check_each(c2d_solver* s, const Numbered* arguments, int32_t count) {
+  for (const Numbered* a = arguments; a < arguments + count; ++a)
+    if (!is_usable(a->value)) return refuse_value(s, a->name, a->value, "a finite number");
+  return C2D_OK;
 }
 
 c2d_status check_array(c2d_solver* s, const char* name, const double* array, const char* stride_name, int64_t stride,

@@ -13,7 +13,35 @@ void start_refusal(Refusal& r, c2d_solver* solver, c2d_status status);
 // Each tells the fault and returns its status. "what is VALUE, expected FIRST to LAST"
 c2d_status refuse(c2d_solver* solver, c2d_status status, const char* text);
 c2d_status refuse_integer(c2d_solver* solver, c2d_status status, const char* what, int32_t value, int32_t first, int32_t last);
+c2d_status refuse_limit(c2d_solver* solver, const char* member, int64_t limit, int64_t needed); // of c2d_limits
 c2d_status refuse_value(c2d_solver* solver, const char* what, double value, const char* expected);
+
+// Arguments one after another, the first that cannot be meant is refused by its name: integers out of range, null pointers,
+// numbers that are not finite.
+struct Ranged {
+  const char* name;
+  int64_t value, first, last;
+};
+struct Pointed {
+  const char* name;
+  const void* pointer;
+};
+struct Numbered {
+  const char* name;
+  double value;
+};
+c2d_status check_each(c2d_solver* solver, const Ranged* arguments, int32_t count);
+c2d_status check_each(c2d_solver* solver, const Pointed* arguments, int32_t count);
+c2d_status check_each(c2d_solver* solver, const Numbered* arguments, int32_t count);
+template <int32_t N> c2d_status check_ranges(c2d_solver* s, const Ranged (&arguments)[N]) {
+  return check_each(s, arguments, N);
+}
+template <int32_t N> c2d_status check_pointers(c2d_solver* s, const Pointed (&arguments)[N]) {
+  return check_each(s, arguments, N);
+}
+template <int32_t N> c2d_status check_numbers(c2d_solver* s, const Numbered (&arguments)[N]) {
+  return check_each(s, arguments, N);
+}
 
 // An array of the caller's with `count` entries `stride` numbers apart: refuses one that is null, and a stride that is
 // less than `least` or leads out of the address space.

@@ -12,8 +12,6 @@ namespace c2d {
 
 namespace {
 
-constexpr uint32_t kComplete = state_bit(C2D_STATE_MODEL) | state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING);
-
 // Values of one field of `count` items, item i at base[i * step + offset].
 struct Field {
   const double* base;
@@ -133,40 +131,42 @@ extern "C" c2d_status c2d_get(c2d_solver* s, int32_t field, int32_t body, int32_
                               int64_t stride) {
   const bool pairs = field >= 0 && field < C2D_PAIR_FIELDS;
   const bool ends = field >= C2D_END_X && field <= C2D_END_PRINCIPAL2, nodes = field == C2D_NODE_X || field == C2D_NODE_Y;
-  const c2d_status status = enter(s, needs_results(field) ? state_bit(C2D_STATE_RUNNING) : kComplete);
+  c2d_status status = enter(s, needs_results(field) ? state_bit(C2D_STATE_RUNNING) : kComplete);
   if (status != C2D_OK) return status;
   const bool places = field == C2D_PAIR_ELEMENT1 || field == C2D_PAIR_ETA1;
-  if (!pairs && !ends && !nodes && !places) return fail(s, C2D_ERR_ARGUMENT, "there is no such field");
+  if (!pairs && !ends && !nodes && !places) return refuse(s, C2D_ERR_ARGUMENT, "there is no such field");
   if (pairs) return get_pair_field(s, field, first, count, out, stride);
   if (places) return get_pair_place(s, field, first, count, out, stride);
-  if (body < 1 || body > s->model.bodies) return fail(s, C2D_ERR_ARGUMENT, "there is no such body");
+  status = check_ranges(s, {{"body", body, 1, s->model.bodies}});
+  if (status != C2D_OK) return status;
   if (ends) return get_end_field(s, field, body - 1, first, count, out, stride);
   return get_node_field(s, field, body - 1, first, count, out, stride);
 }
 
 extern "C" c2d_status c2d_get_friction(c2d_solver* s, int32_t zone, int32_t i, double* mu) {
-  const c2d_status status = enter(s, kComplete);
+  c2d_status status = enter(s, kComplete);
+  if (status == C2D_OK) status = check_ranges(s, {{"zone", zone, 0, s->model.zones}, {"i", i, 1, s->model.coefficients}});
+  if (status == C2D_OK) status = check_pointers(s, {{"mu", mu}});
   if (status != C2D_OK) return status;
-  if (!mu || i < 1 || i > s->model.coefficients || zone < 0 || zone > s->model.zones)
-    return fail(s, C2D_ERR_ARGUMENT, "there is no such coefficient or contact zone");
   *mu = zone == 0 ? array_of<double>(s, kFriction)[i - 1] : coefficient_of_zone(s, zone - 1, i - 1);
   return C2D_OK;
 }
 
 extern "C" c2d_status c2d_get_path(c2d_solver* s, int32_t i, int32_t* increments, double* load, int32_t cases) {
-  const c2d_status status = enter(s, kComplete);
+  c2d_status status = enter(s, kComplete);
+  if (status == C2D_OK)
+    status = check_ranges(s, {{"i", i, 1, s->model.paths}, {"cases", cases, s->model.load_cases, s->model.load_cases}});
+  if (status == C2D_OK) status = check_pointers(s, {{"increments", increments}, {"load", load}});
   if (status != C2D_OK) return status;
-  if (!increments || !load || i < 1 || i > s->model.paths) return fail(s, C2D_ERR_ARGUMENT, "there is no such load card");
-  if (cases != s->model.load_cases) return fail(s, C2D_ERR_ARGUMENT, "give room for a factor for every load case");
   *increments = array_of<Path>(s, kPaths)[i - 1].increments;
   for (int32_t k = 0; k < cases; ++k) load[k] = array_of<double>(s, kPathLoads)[static_cast<int64_t>(i - 1) * cases + k];
   return C2D_OK;
 }
 
 extern "C" c2d_status c2d_get_zone(c2d_solver* s, int32_t i, c2d_zone* out) {
-  const c2d_status status = enter(s, kComplete);
+  c2d_status status = enter(s, kComplete);
+  if (status == C2D_OK) status = check_ranges(s, {{"i", i, 1, s->model.zones}});
   if (status != C2D_OK) return status;
-  if (!in_range(i, 1, s->model.zones)) return fail(s, C2D_ERR_ARGUMENT, "there is no such contact zone");
   const Model m = model_of(s);
   const Zone& zone = m.zone[i - 1];
   c2d_zone ours;
@@ -184,10 +184,11 @@ extern "C" c2d_status c2d_get_zone(c2d_solver* s, int32_t i, c2d_zone* out) {
 }
 
 extern "C" c2d_status c2d_get_region(c2d_solver* s, int32_t body, int32_t i, int32_t* first, int32_t* last) {
-  const c2d_status status = enter(s, kComplete);
+  c2d_status status = enter(s, kComplete);
+  if (status == C2D_OK) status = check_ranges(s, {{"body", body, 1, s->model.bodies}});
+  if (status == C2D_OK) status = check_ranges(s, {{"i", i, 1, s->model.body[body - 1].regions}});
+  if (status == C2D_OK) status = check_pointers(s, {{"first_element", first}, {"last_element", last}});
   if (status != C2D_OK) return status;
-  if (!first || !last || body < 1 || body > s->model.bodies || i < 1 || i > s->model.body[body - 1].regions)
-    return fail(s, C2D_ERR_ARGUMENT, "there is no such region");
   const Region& region = array_of<Region>(s, kRegions + body - 1)[i - 1];
   *first = region.first + 1;
   *last = region.last + 1;

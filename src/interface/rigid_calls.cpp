@@ -23,12 +23,15 @@ extern "C" c2d_status c2d_set_rigid(c2d_solver* s, int32_t body, int32_t load_ca
   if (s->state == C2D_STATE_MODEL && (s->model.rigid == 0 || load_case == 0))
     return refuse(s, C2D_ERR_STATE, "body 1 is made rigid before the model is complete");
   if (load_case > 0) {
-    if (!motion || !axis) return refuse(s, C2D_ERR_ARGUMENT, "no motion or axis of rotation given");
-    const RigidMotion given{motion[0], motion[1], motion[2], axis[0], axis[1]};
-    const double numbers[5] = {given.ux, given.uy, given.rotation, given.x0, given.y0};
-    for (double number : numbers)
-      if (!is_usable(number)) return refuse_value(s, "a number of the rigid motion", number, "a finite number");
-    array_of<RigidMotion>(s, kRigidMotions)[load_case - 1] = given;
+    status = check_pointers(s, {{"motion", motion}, {"axis", axis}});
+    if (status == C2D_OK)
+      status = check_numbers(s, {{"motion[0]", motion[0]},
+                                 {"motion[1]", motion[1]},
+                                 {"motion[2]", motion[2]},
+                                 {"axis[0]", axis[0]},
+                                 {"axis[1]", axis[1]}});
+    if (status != C2D_OK) return status;
+    array_of<RigidMotion>(s, kRigidMotions)[load_case - 1] = RigidMotion{motion[0], motion[1], motion[2], axis[0], axis[1]};
   }
   s->model.rigid = 1;
   return loaded(s);
