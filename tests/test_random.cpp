@@ -95,6 +95,10 @@ TEST_CASE("random decks: a first touch whose pressure is but a last digit, and s
   for (const uint64_t seed : {4114u, 104383u}) is_solved(Kind::any, seed);
 }
 
+TEST_CASE("random decks: back to no load, the last pairs of a body are not let go into what round-off holds") {
+  for (const uint64_t seed : {103288u, 106939u, 108176u}) is_solved(Kind::any, seed);
+}
+
 TEST_CASE("random decks: a draw of few pairs, all statuses tried") { draw(Kind::few_pairs, 1, 20); }
 
 TEST_CASE("random decks: punches of Spence stick up to where the half plane says") {

@@ -212,7 +212,7 @@ c2d_status find_event(Follower& f, double reach, double* part, c2d_outcome* outc
 // The path ends here, unless what is left of the piece is round-off.
 static bool is_short(const Follower& f, double part) {
   if (part >= kAllButThere) return false;
-  return part < kNearlyThere || path_scales(f).p > kValueTolerance * f.pressure_scale;
+  return part < kNearlyThere || path_scales(f).p > kRateTolerance * f.pressure_scale;
 }
 
 c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome) {

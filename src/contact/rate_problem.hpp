@@ -52,6 +52,7 @@ struct RateProblem {
   int32_t *given, *free;                    // branch_cells: quantities that are rows of the matrix, and columns; size each
   Branch* branch;                           // branch_cells: 3 count, the way to where it is
   double work;                              // operations so far
+  bool holds_body;                          // nothing else does: of a body with free motions some pair must stay closed
   bool on_tableau;                          // follow_cells: the tableau goes along, and has to be built anew afterwards
 };
 

@@ -201,9 +201,13 @@ void gather_doubts(Follower& f, RateProblem& r) {
   r.t = f.t;
   r.direction = f.direction;
   r.rates = f.dy;
+  r.holds_body = f.t->free_motions > 0;
   for (int32_t i = 0; i < f.t->pairs; ++i) {
     Doubt& d = r.doubt[r.count];
-    if (!is_in_doubt(f, i, s, d)) continue;
+    if (!is_in_doubt(f, i, s, d)) {
+      r.holds_body = r.holds_body && f.t->pair[i].status == C2D_OPEN;
+      continue;
+    }
     d.row = r.size;
     r.size += d.slots;
     ++r.count;
@@ -254,6 +258,7 @@ bool is_surely_unique(const RateProblem& r) {
 // would alone moves as nothing holds it.
 bool is_held(const Follower& f) {
   const Tableau& t = *f.t;
+  if (is_let_go(t)) return false;
   for (int32_t i = 0; i < t.pairs; ++i) {
     const Pair& pair = t.pair[i];
     for (int slot = pair.status == C2D_OPEN ? 0 : 1; slot <= pair.tangential && pair.status != C2D_STICK; ++slot) {
