@@ -65,13 +65,16 @@ int32_t correct(Follower& f) {
   for (int32_t i = 0; i < f.t->pairs; ++i) {
     const Verdict v = table4(f, i, s);
     const bool same = v.status == f.t->pair[i].status && (v.status != C2D_SLIP || v.sign == f.t->pair[i].sign);
-    f.t->pair[i].weak = static_cast<int8_t>(same ? 0 : 1 + v.status * 4 + (v.sign + 1));
+    PairMarks& mark = f.t->pair[i].mark;
+    mark.changes = !same;
+    mark.status = static_cast<uint8_t>(v.status) & 3;
+    mark.slip = static_cast<uint8_t>(v.sign + 1) & 3;
   }
   int32_t changes = 0;
   for (int32_t i = 0; i < f.t->pairs; ++i) {
-    const int32_t code = f.t->pair[i].weak - 1;
-    if (code < 0) continue;
-    if (!apply_change(f, i, code / 4, code % 4 - 1, f.t->pair[i].increment_from)) return -1;
+    const PairMarks mark = f.t->pair[i].mark;
+    if (!mark.changes) continue;
+    if (!apply_change(f, i, mark.status, mark.slip - 1, f.t->pair[i].increment_from)) return -1;
     ++changes;
   }
   return changes;

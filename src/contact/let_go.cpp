@@ -25,9 +25,6 @@ template <class Term> double sum_over_pairs(const Tableau& t, Term term) {
   return sum;
 }
 
-// Where a pair was when the body was let go.
-double place_of(const Pair& pair, int slot) { return slot == 0 ? pair.slip_from : pair.offset; }
-
 // The least motion of all pairs that a column allows under the free motions, METHOD (13.3): normal equations.
 struct LeastMotion {
   const Real* motion[kFreeMotions];
@@ -157,8 +154,7 @@ void leave_place(Follower& f) {
   for (int32_t i = 0; i < f.t->pairs; ++i) {
     const PairState now = pair_state(*f.t, i, f.y);
     set_status(f, i, C2D_OPEN, 0);
-    f.t->pair[i].offset = static_cast<Real>(now.wt);
-    f.t->pair[i].slip_from = static_cast<Real>(now.wn);
+    keep_place(f.t->pair[i], now.wn, now.wt);
   }
 }
 

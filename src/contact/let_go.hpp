@@ -11,6 +11,14 @@ constexpr int kFreeMotions = 3; // of a body at most
 // No pair touches and the body has free motions: such a tableau is built for the place above and knows no exchanges.
 bool is_let_go(const Tableau& t);
 
+// Where a pair was when the body was let go, gap (slot 0) and w_t. It stands where a touching pair has the history of its
+// friction, of which one that is let go has none.
+inline double place_of(const Pair& pair, int slot) { return slot == 0 ? pair.slip_from : pair.offset; }
+inline void keep_place(Pair& pair, double wn, double wt) {
+  pair.slip_from = static_cast<Real>(wn);
+  pair.offset = static_cast<Real>(wt);
+}
+
 // The last step of building it. Slots `left` have no pivot any more: their columns are the free motions. `t` has for them what
 // the rule asks for instead of forces; gaps stand among the constants already. False: they are no motions of their own.
 bool place_body(const Tableau& t, const int32_t* left, int32_t count);

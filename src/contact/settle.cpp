@@ -103,10 +103,10 @@ enum class Round : int32_t { quiet, changed, stuck };
 Round change_all(Follower& f, const PathScales& s) {
   Tableau& t = *f.t;
   bool changed = false;
-  for (int32_t i = 0; i < t.pairs; ++i) t.pair[i].weak = judge(f, i, s).size > 0.0;
+  for (int32_t i = 0; i < t.pairs; ++i) t.pair[i].mark.offends = judge(f, i, s).size > 0.0;
   // Values and rates are read before the first exchange of the round changes their meaning.
   for (int32_t i = 0; i < t.pairs; ++i) {
-    if (!t.pair[i].weak) continue;
+    if (!t.pair[i].mark.offends) continue;
     const Violation v = judge(f, i, s);
     if (v.size <= 0.0) continue; // mended by the changes before it
     if (!apply_change(f, i, v.status, v.sign, pair_state(t, i, f.y).wt)) return Round::stuck;

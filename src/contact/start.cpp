@@ -12,7 +12,7 @@ namespace {
 
 void reset_pair(Pair& pair) {
   pair.offset = pair.slip_done = pair.slip_from = pair.increment_from = pair.slip_before = 0;
-  pair.sign = pair.weak = 0;
+  pair.sign = 0;
 }
 
 void touch_statuses(Tableau& t) {
@@ -106,7 +106,7 @@ c2d_status lie_apart(Follower& f, const Model& model, c2d_outcome* outcome) {
     Pair& pair = t.pair[i];
     reset_pair(pair);
     pair.status = C2D_OPEN;
-    pair.slip_from = static_cast<Real>(pair.gap / model.head->length_unit);
+    keep_place(pair, pair.gap / model.head->length_unit, 0.0);
   }
   status = build_tableau(t, *f.tape, &f.last_pair);
   if (status == C2D_ERR_SINGULAR) return C2D_OK;

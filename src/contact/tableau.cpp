@@ -204,9 +204,9 @@ struct Slot {
   Pair* pair;
   int which;
   int32_t dof() const { return pair->dof + which; }
-  void is_done() const { pair->weak = static_cast<int8_t>(pair->weak | 1 << which); }
+  void is_done() const { pair->mark.exchanged = static_cast<uint8_t>(pair->mark.exchanged | 1 << which) & 3; }
 };
-bool stays(const Pair& pair, int which) { return !must_leave(pair, which) || (pair.weak >> which & 1) != 0; }
+bool stays(const Pair& pair, int which) { return !must_leave(pair, which) || (pair.mark.exchanged >> which & 1) != 0; }
 
 template <class Visit> void visit_leaving(const Tableau& t, Visit visit) {
   for (int32_t i = 0; i < t.pairs; ++i)
@@ -284,7 +284,7 @@ int32_t slots_left(const Tableau& t, int32_t left[kFreeMotions]) {
 // Exchanges all slots that must leave the all-stick basis, but for left[0 .. count): false, if others have no pivot.
 bool exchange_leaving(Tableau& t, int32_t* culprit, int32_t left[kFreeMotions], int32_t* count) {
   for (int32_t i = 0; i < t.pairs; ++i) {
-    t.pair[i].weak = 0;
+    t.pair[i].mark.exchanged = 0;
     for (int which = 0; which < 2; ++which) t.pair[i].place[which] = t.pair[i].dof + which;
   }
   for (;;) {

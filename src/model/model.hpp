@@ -55,6 +55,13 @@ struct Zone {
   int32_t is_free, facing;
   double normal_part; // of body 1's normal in the pairs' (model/surface.hpp)
 };
+// What a round of changes notes of a pair, each for its own use.
+struct PairMarks {
+  uint8_t offends : 1;                       // contact/settle.cpp: breaks a condition as the rates stand
+  uint8_t exchanged : 2;                     // contact/tableau.cpp: bit 1 << slot, that slot has left the basis
+  uint8_t changes : 1, status : 2, slip : 2; // contact/increments.cpp: becomes that; the sign of its slip + 1
+};
+static_assert(sizeof(PairMarks) == 1, "scratch that costs nothing");
 struct Pair {
   int32_t node[2];      // functional nodes; in a free zone -1 on body 1, where the pair is a point of an element:
   int32_t element, row; // free zone: that element, and the pair's first equation u_c = u there, from 0
@@ -64,7 +71,7 @@ struct Pair {
   int8_t tangential; // 0: symmetry fixes the tangential direction
   int8_t status;     // C2D_OPEN, C2D_STICK, C2D_SLIP
   int8_t sign;       // slip: sign of the friction on body 2
-  int8_t weak;       // this pair sits on the border of its conditions (within one event)
+  PairMarks mark;
   int8_t saved_status, saved_sign;
   int8_t good_status, good_sign; // of the last state that was judged and found good (solver/judge.hpp)
   double nx, ny;                 // the frame: n from body 1 to body 2; t = (ny, -nx)
@@ -77,6 +84,7 @@ struct Pair {
   // From here on numbers that come from the tableau and have no more digits than it.
   Real stiffness[2]; // normal and tangential, of this pair alone with every pair sticking
   // History of friction, written by src/contact alone; w_t = (u2 - u1).t in the length unit of the model.
+  // (Of a pair whose body was let go, where it was: place_of and keep_place of contact/let_go.hpp.)
   Real offset;         // stick: w_t at which the pair sticks
   Real slip_done;      // slip summed over finished episodes
   Real slip_from;      // slip: w_t at which this episode began

@@ -34,12 +34,12 @@ c2d_status pause(const Session& session, int b, int32_t element) {
 // ---- the integrals ------------------------------------------------------------------------------------------------
 
 // What an image contributes is what the element itself does at the mirrored point, mirrored.
-void add_stress(int image, const PointField& sum, PointState& p) {
+void add_stress(int image, const PointField& sum, PointSums& p) {
   p.stress[0] += sum.trace;
   p.stress[1] += sum.deviator.re;
   p.stress[2] += image_sign(image, 0) * image_sign(image, 1) * sum.deviator.im;
 }
-void add_displacement(int image, const PointField& sum, PointState& p) {
+void add_displacement(int image, const PointField& sum, PointSums& p) {
   p.u[0] += image_sign(image, 0) * sum.u.re;
   p.u[1] += image_sign(image, 1) * sum.u.im;
 }
@@ -55,12 +55,12 @@ struct Acting {
 };
 
 void add_element_at(Acting& acting, const Points& points, int32_t i) {
-  PointState& p = points.state(i);
-  if (!is_inside(p, acting.b)) return;
+  PointSums& p = points.sums(i);
+  if (!is_inside(p.place, acting.b)) return;
   for (int image = 0; image <= points.head->symmetry; ++image) {
     if (!is_image(*points.head, image)) continue;
     const Complex reference = {image_sign(image, 0) * p.reference[0], image_sign(image, 1) * p.reference[1]};
-    const double x = points.seen(image, 0, p.eta), y = points.seen(image, 1, p.distance);
+    const double x = points.seen(image, 0, p.x), y = points.seen(image, 1, p.y);
     PointField sum = {};
     add_field(acting.e, reference, x, y, sum);
     add_displacement(image, sum, p);
@@ -83,18 +83,18 @@ bool add_element_batches(Acting& acting, const Points& points) {
     const int count = points.count - first < kBatch ? points.count - first : kBatch;
     bool any = false;
     for (int s = 0; s < kBatch; ++s) {
-      const bool has = s < count && is_inside(points.state(first + s), acting.b);
-      const PointState& p = points.state(has ? first + s : first);
-      at.x[s] = has ? p.eta : element.x0 + away;
-      at.y[s] = has ? p.distance : element.y0;
+      const bool has = s < count && is_inside(points.place(first + s), acting.b);
+      const PointSums& p = points.sums(has ? first + s : first);
+      at.x[s] = has ? p.x : element.x0 + away;
+      at.y[s] = has ? p.y : element.y0;
       at.reference_x[s] = has ? p.reference[0] : 0.0;
       at.reference_y[s] = has ? p.reference[1] : 0.0;
       any = any || has;
     }
     if (any) kernel->field(element, at, sum);
     for (int s = 0; s < count; ++s) {
-      PointState& p = points.state(first + s);
-      if (!is_inside(p, acting.b)) continue;
+      PointSums& p = points.sums(first + s);
+      if (!is_inside(p.place, acting.b)) continue;
       if (sum.some_near && sum.near[s] != 0.0) {
         add_element_at(acting, points, first + s);
         continue;
@@ -224,7 +224,8 @@ PointField known_field(const Session& session, int b, double x, double y) {
 }
 
 // That, the reference, and rho + omega e_z x (x - x0) of the balanced equations.
-void complete_sums(const Session& session, int b, const Points& points, double x, double y, PointState& p) {
+void complete_sums(const Session& session, int b, const Points& points, PointSums& p) {
+  const double x = p.x, y = p.y;
   const double unit = session.model.head->length_unit;
   const double* rigid = session.solver->multiplier[b];
   const double* centre = session.model.head->body[b].centre;
@@ -259,31 +260,34 @@ void write_point(const Session& session, int b, const double u[2], const PlaneSt
   out[C2D_POINT_FLAG] = flag;
 }
 
+// A point that lies in body b or on its boundary.
 void finish_point(const Session& session, int b, const Points& points, int32_t i) {
   const Model& m = session.model;
-  PointState p = points.state(i);
-  double* out = points.out + i * points.out_stride;
   const double fx = points.folding(i, 0), fy = points.folding(i, 1);
-  if (p.place == place_of(b, C2D_POINT_BOUNDARY)) {
+  int32_t flag = static_cast<int32_t>(points.place(i) - place_of(b, 0));
+  double u[2];
+  PlaneStress stress = {0.0, 0.0, 0.0};
+  if (flag == C2D_POINT_BOUNDARY) {
+    const PointSearch& p = points.search(i);
     const int32_t element = static_cast<int32_t>(p.element);
     const BoundaryState s = boundary_state(session, b, element, p.eta);
-    const double u[2] = {fx * s.u[0], fy * s.u[1]};
-    PlaneStress stress = joint_stress(session, b, element, p.eta);
+    for (int c = 0; c < 2; ++c) u[c] = s.u[c];
+    stress = joint_stress(session, b, element, p.eta);
     stress.xy *= fx * fy;
-    write_point(session, b, u, stress, C2D_POINT_BOUNDARY, out);
-  } else if (is_inside(p, b) && is_rigid(m, b)) {
-    double u[2];
+  } else if (is_rigid(m, b)) {
     kRigidPart.rigid_displacement_now(session, points.x(i) * points.unit, points.y(i) * points.unit, u);
-    for (int c = 0; c < 2; ++c) u[c] *= c == 0 ? fx : fy;
-    write_point(session, b, u, PlaneStress{0.0, 0.0, 0.0}, C2D_POINT_INSIDE, out);
-  } else if (is_inside(p, b)) {
-    const double x = points.x(i), y = points.y(i), g = shear_modulus(m, b);
-    complete_sums(session, b, points, x, y, p);
-    const double u[2] = {fx * p.u[0] * points.unit, fy * p.u[1] * points.unit};
-    PlaneStress s = {g * (p.stress[0] + p.stress[1]), g * (p.stress[0] - p.stress[1]), -g * p.stress[2]};
-    s.xy *= fx * fy;
-    write_point(session, b, u, s, is_near_node(p, b) ? C2D_POINT_NEAR_NODE : C2D_POINT_INSIDE, out);
+    flag = C2D_POINT_INSIDE;
+  } else {
+    PointSums& p = points.sums(i);
+    const double g = shear_modulus(m, b);
+    complete_sums(session, b, points, p);
+    for (int c = 0; c < 2; ++c) u[c] = p.u[c] * points.unit;
+    stress = {g * (p.stress[0] + p.stress[1]), g * (p.stress[0] - p.stress[1]), -g * p.stress[2]};
+    stress.xy *= fx * fy;
   }
+  u[0] *= fx;
+  u[1] *= fy;
+  write_point(session, b, u, stress, flag, points.out + i * points.out_stride);
 }
 
 enum class Pass { afar, placing, integrals };
@@ -291,7 +295,8 @@ enum class Pass { afar, placing, integrals };
 [[gnu::noinline]] void place_by_element(const Session& session, int b, int32_t element, bool from_afar, const Points& points) {
   Integrator in;
   make_integrator(session.model, b, element, Quadrature::accurate, Measure::own_length, in);
-  !kSmallCode&& from_afar ? look_from_afar(in.element, points) : look_at_element(in, b, element, points);
+  if (kSmallCode || !from_afar) return look_at_element(in, b, element, points);
+  look_from_afar(in.element, points);
 }
 
 // One element on these points. Small code does without the first pass.
@@ -384,7 +389,7 @@ c2d_status place_points(const Session& session, int b, const Points& points) {
 
 [[gnu::noinline]] void finish_points(const Session& session, const Points& points) {
   for (int32_t i = 0; i < points.count; ++i) {
-    const double place = points.state(i).place;
+    const double place = points.place(i);
     if (place == kUnplaced || place == kNowhere) {
       double* out = points.out + i * points.out_stride;
       for (int c = 0; c < C2D_POINT_FLAG; ++c) out[c] = 0.0;
@@ -423,7 +428,7 @@ c2d_status evaluate_points(Session& session, int32_t body, const PointsAsked& as
                          asked.xy_stride,  asked.out,
                          asked.out_stride, s->model.length_unit,
                          &s->model,        kSmallCode ? nullptr : batch_for(best_instructions())};
-  for (int32_t i = 0; i < points.count; ++i) points.state(i).place = may_lie_inside(points, i) ? kUnplaced : kNowhere;
+  for (int32_t i = 0; i < points.count; ++i) points.place(i) = may_lie_inside(points, i) ? kUnplaced : kNowhere;
   for (int b = 0; b < s->model.bodies && status == C2D_OK; ++b)
     if (body == 0 || body == b + 1) status = evaluate_body(session, b, points);
   if (status == C2D_OK) finish_points(session, points);

@@ -21,9 +21,8 @@ constexpr double kNearStep = 0.5;    // the same where displacement itself is in
 
 double length_of(double x, double y) { return sqrt(x * x + y * y); }
 
-// Where a point is that is not yet placed: p.u, as long as there are no sums.
-void look_closely(const Integrator& in, int b, int32_t element, PointState& p) {
-  const Nearest near = nearest_point(in.element, p.u[0], p.u[1]);
+void look_closely(const Integrator& in, int b, int32_t element, PointSearch& p) {
+  const Nearest near = nearest_point(in.element, p.x, p.y);
   if (near.distance < p.distance) {
     p.distance = near.distance;
     p.element = element;
@@ -32,17 +31,16 @@ void look_closely(const Integrator& in, int b, int32_t element, PointState& p) {
   if (near.distance <= 2.0 * kOnBoundary * in.radius) p.place = place_of(b, C2D_POINT_BOUNDARY);
 }
 
-bool may_be_nearest(const Integrator& in, const PointState& p) {
-  const double x = p.u[0] - in.element.c[0][0], y = p.u[1] - in.element.c[0][1];
+bool may_be_nearest(const Integrator& in, const PointSearch& p) {
+  const double x = p.x - in.element.c[0][0], y = p.y - in.element.c[0][1];
   if (kSmallCode) return length_of(x, y) - in.radius <= p.distance;
   const double reach = p.distance + in.radius;
   return x * x + y * y <= reach * reach;
 }
 
-void add_winding(const Integrator& in, const Points& points, PointState& p) {
+void add_winding(const Integrator& in, const Points& points, PointSearch& p) {
   for (int image = 0; image <= points.head->symmetry && p.place == kUnplaced; ++image)
-    if (is_image(*points.head, image))
-      p.reference[0] += winding(in, points.seen(image, 0, p.u[0]), points.seen(image, 1, p.u[1]));
+    if (is_image(*points.head, image)) p.windings += winding(in, points.seen(image, 0, p.x), points.seen(image, 1, p.y));
 }
 
 // How often the chord crosses the ray from P along x, upwards less downwards: over a closed boundary that is the winding
@@ -53,57 +51,56 @@ bool add_crossings(const Integrator& in, const Points& points) {
   const int last = e.nodes - 1;
   const double x0 = e.x[0], y0 = e.y[0], x1 = e.x[last], y1 = e.y[last];
   for (int32_t i = 0; i < points.count; ++i) {
-    PointState& p = points.state(i);
-    const double y = p.u[1];
+    PointSearch& p = points.search(i);
+    const double y = p.y;
     if (p.place != kUnplaced) continue;
     const bool crosses = (y0 <= y) != (y1 <= y);
     if (!crosses && e.straight) continue;
-    const double ax = x0 - p.u[0], ay = y0 - y, bx = x1 - p.u[0], by = y1 - y, side = ax * by - ay * bx;
-    if (crosses && (side > 0.0) == (y0 <= y)) p.reference[0] += y0 <= y ? 1.0 : -1.0;
+    const double ax = x0 - p.x, ay = y0 - y, bx = x1 - p.x, by = y1 - y, side = ax * by - ay * bx;
+    if (crosses && (side > 0.0) == (y0 <= y)) p.windings += y0 <= y ? 1.0 : -1.0;
     const double mx = 0.5 * (ax + bx), my = 0.5 * (ay + by);
     if (!e.straight && mx * mx + my * my <= 4.0 * in.radius * in.radius)
-      p.reference[0] += winding(in, p.u[0], y) - atan2(side, ax * bx + ay * by) / (2.0 * kPi);
+      p.windings += winding(in, p.x, y) - atan2(side, ax * bx + ay * by) / (2.0 * kPi);
   }
   return true;
 }
 
 // Of the ends of the element with the nearest boundary point.
-bool is_near_node(const Model& m, int b, const PointState& p, double x, double y) {
+bool is_near_node(const Model& m, int b, const PointSearch& p) {
   const int32_t element = static_cast<int32_t>(p.element);
   const Element e = element_of(m, b, element);
   const double unit = m.head->length_unit;
   const int last = e.nodes - 1;
-  const double first_distance = length_of(unit * x - e.x[0], unit * y - e.y[0]),
-               last_distance = length_of(unit * x - e.x[last], unit * y - e.y[last]);
+  const double first_distance = length_of(unit * p.x - e.x[0], unit * p.y - e.y[0]),
+               last_distance = length_of(unit * p.x - e.x[last], unit * p.y - e.y[last]);
   const bool first = first_distance <= last_distance;
   const Element other = element_of(m, b, region_neighbour(m, b, element, first ? -1 : 1).element);
   const double length = 2.0 * (e.half_length < other.half_length ? e.half_length : other.half_length);
   return (first ? first_distance : last_distance) < (m.head->function_nodes == 1 ? kNearStep : kNearNode) * length;
 }
 
-void place_inside(const Session& session, int b, double x, double y, PointState& p) {
+void place_inside(const Session& session, int b, const PointSearch& p, PointSums& out) {
   const Model& m = session.model;
   const int32_t element = static_cast<int32_t>(p.element);
-  const double unit = m.head->length_unit, eta = p.eta;
-  const BoundaryState s = boundary_state(session, b, element, eta);
+  const BoundaryState s = boundary_state(session, b, element, p.eta);
   double known[2] = {0.0, 0.0};
-  if (has_body_force(m, b)) kBodyForcePart.interpolated_particular(session, b, element, eta, known);
-  for (int c = 0; c < 2; ++c) p.reference[c] = (s.u[c] - known[c]) / unit;
-  p.place = place_of(b, C2D_POINT_INSIDE);
-  if (is_near_node(m, b, p, x, y)) p.place = place_of(b, C2D_POINT_NEAR_NODE);
-  p.eta = x;
-  p.distance = y;
+  if (has_body_force(m, b)) kBodyForcePart.interpolated_particular(session, b, element, p.eta, known);
+  out = PointSums{};
+  out.x = p.x;
+  out.y = p.y;
+  for (int c = 0; c < 2; ++c) out.reference[c] = (s.u[c] - known[c]) / m.head->length_unit;
+  out.place = place_of(b, is_near_node(m, b, p) ? C2D_POINT_NEAR_NODE : C2D_POINT_INSIDE);
 }
 
 } // namespace
 
 void begin_placing(const Points& points) {
   for (int32_t i = 0; i < points.count; ++i) {
-    PointState& p = points.state(i);
+    PointSearch& p = points.search(i);
     if (p.place != kUnplaced) continue;
-    p = PointState{};
-    p.u[0] = points.x(i);
-    p.u[1] = points.y(i);
+    p = PointSearch{};
+    p.x = points.x(i);
+    p.y = points.y(i);
     p.distance = 1e300;
   }
 }
@@ -112,9 +109,9 @@ void begin_placing(const Points& points) {
 // look then.
 void look_from_afar(const Element& e, const Points& points) {
   for (int32_t i = 0; i < points.count; ++i) {
-    PointState& p = points.state(i);
+    PointSearch& p = points.search(i);
     if (p.place != kUnplaced) continue;
-    const double x = p.u[0] - e.c[0][0], y = p.u[1] - e.c[0][1], square = x * x + y * y;
+    const double x = p.x - e.c[0][0], y = p.y - e.c[0][1], square = x * x + y * y;
     if (square < p.distance) p.distance = square;
   }
 }
@@ -123,30 +120,27 @@ void look_from_afar(const Element& e, const Points& points) {
 constexpr double kRounding = 1e-14; // of the coordinates, in the length unit
 void leave_afar(const Points& points) {
   for (int32_t i = 0; i < points.count; ++i)
-    if (points.state(i).place == kUnplaced)
-      points.state(i).distance = (1.0 + 1e-12) * sqrt(points.state(i).distance) + kRounding;
+    if (points.search(i).place == kUnplaced)
+      points.search(i).distance = (1.0 + 1e-12) * sqrt(points.search(i).distance) + kRounding;
 }
 
 // Nearest boundary point and winding number of the points not yet placed, from one element.
 void look_at_element(const Integrator& in, int b, int32_t element, const Points& points) {
   for (int32_t i = 0; i < points.count; ++i) {
-    PointState& p = points.state(i);
+    PointSearch& p = points.search(i);
     if (p.place == kUnplaced && may_be_nearest(in, p)) look_closely(in, b, element, p);
   }
   if (add_crossings(in, points)) return;
   for (int32_t i = 0; i < points.count; ++i) {
-    PointState& p = points.state(i);
+    PointSearch& p = points.search(i);
     if (p.place == kUnplaced) add_winding(in, points, p);
   }
 }
 
 void end_placing(const Session& session, int b, const Points& points) {
   for (int32_t i = 0; i < points.count; ++i) {
-    PointState& p = points.state(i);
-    if (p.place != kUnplaced) continue;
-    const double x = p.u[0], y = p.u[1];
-    p.u[0] = p.u[1] = 0.0;
-    if (p.reference[0] > 0.5) place_inside(session, b, x, y, p);
+    const PointSearch found = points.search(i);
+    if (found.place == kUnplaced && found.windings > 0.5) place_inside(session, b, found, points.sums(i));
   }
 }
 

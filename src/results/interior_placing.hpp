@@ -7,17 +7,30 @@
 #include "model/symmetry.hpp"
 #include "solver/session.hpp"
 
+#include <stddef.h>
+
 namespace c2d {
 
-// What is known of a point until its results are complete, kept in its row of the caller's answer.
-struct PointState {
-  double u[2], stress[3]; // sums: trace, deviator
-  double reference[2];    // displacement of the nearest boundary point; before that [0] counts windings
-  double element;         // with the nearest boundary point
-  double eta, distance;   // of that point; once placed inside: x, y
-  double place;           // kUnplaced, kNowhere, or 4 * (body + 1) + flag
+// What is known of a point until its results are complete, kept in its row of the caller's answer. While it is looked for,
+// and of one on the boundary for good:
+struct PointSearch {
+  double x, y;
+  double distance, element, eta; // of the nearest boundary point
+  double windings;
+  double unused[4];
+  double place; // kUnplaced, kNowhere, or 4 * (body + 1) + flag
 };
-static_assert(sizeof(PointState) == C2D_POINT_FIELDS * sizeof(double), "fills a row of the answer");
+// Once it is placed inside:
+struct PointSums {
+  double x, y;
+  double u[2], stress[3]; // stress: trace, deviator
+  double reference[2];    // displacement of the nearest boundary point
+  double unused;
+  double place;
+};
+static_assert(sizeof(PointSearch) == C2D_POINT_FIELDS * sizeof(double) && sizeof(PointSums) == sizeof(PointSearch) &&
+                  offsetof(PointSearch, place) == offsetof(PointSums, place),
+              "fill a row of the answer, and end alike");
 constexpr double kUnplaced = 0.0, kNowhere = 1.0;
 constexpr double kBeyondAll = 1e60; // of the bodies' size: squares must not overflow
 
@@ -32,7 +45,9 @@ struct Points {
   const ModelHeader* head;
   const BatchKernel* kernel; // null: one by one
 
-  PointState& state(int32_t i) const { return *reinterpret_cast<PointState*>(out + i * out_stride); }
+  PointSearch& search(int32_t i) const { return *reinterpret_cast<PointSearch*>(out + i * out_stride); }
+  PointSums& sums(int32_t i) const { return *reinterpret_cast<PointSums*>(out + i * out_stride); }
+  double& place(int32_t i) const { return search(i).place; }
 
   // Symmetric bodies are looked at in the part that is modelled, and the answer is mirrored back.
   double folded(int32_t i, int c) const {
@@ -50,8 +65,8 @@ struct Points {
 };
 
 inline double place_of(int b, int32_t flag) { return 4 * (b + 1) + flag; }
-inline bool is_near_node(const PointState& p, int b) { return p.place == place_of(b, C2D_POINT_NEAR_NODE); }
-inline bool is_inside(const PointState& p, int b) { return p.place == place_of(b, C2D_POINT_INSIDE) || is_near_node(p, b); }
+inline bool is_near_node(double place, int b) { return place == place_of(b, C2D_POINT_NEAR_NODE); }
+inline bool is_inside(double place, int b) { return place == place_of(b, C2D_POINT_INSIDE) || is_near_node(place, b); }
 
 // In this order: begin_placing; for all elements look_from_afar, then leave_afar (without them, in small code, the same is
 // found in more time); for all elements look_at_element; end_placing. Then every point is placed that lies in body b or on

@@ -393,7 +393,6 @@ c2d_status return_to_good(Session& session) {
     pair.offset = pair.good_offset;
     pair.slip_done = pair.good_slip_done;
     pair.slip_from = pair.good_slip_from;
-    pair.weak = 0;
   }
   s->floating = s->good_floating;
   s->dissipated = s->good_dissipated;
