@@ -12,8 +12,12 @@
 #include <string.h>
 
 /* Workspace of the solver, for decks up to the size of examples/hertz.dat: the arguments are those of c2d_limits. */
-static unsigned char memory[C2D_MEMORY_BYTES(2, 60, 60, 60, 60, 1, 1, 1, 20, 19, 0, 4, 20, 1)];
-static unsigned char tapes[2 << 20];  /* what it would otherwise keep in files */
+#define PANEL 8 /* columns eliminated at a time: with these the tapes are known, too */
+static unsigned char memory[C2D_LIMITS_BYTES(2, 60, 60, 60, 60, 1, 1, 1, 20, 19, 0, 4, 20, 1, PANEL, 0, 0, 0)];
+static unsigned char tapes[           /* what it would otherwise keep in files */
+    2 * C2D_LOWER_BLOCKS(2, 60, 60, 1, 20, 1, PANEL, 0) * C2D_LOWER_BLOCK_BYTES(2, 60, 60, 1, 0, PANEL) +
+    2 * C2D_UPPER_BLOCKS(2, 60, 60, 1, 20, 1, PANEL) * C2D_UPPER_BLOCK_BYTES(2, 60, 60, 1, PANEL) +
+    C2D_CONTACT_BLOCKS(20, 1) * C2D_CONTACT_BLOCK_BYTES(20) + C2D_CONTROL_BLOCK_BYTES /* nothing is saved */];
 
 /* The next card, without its line end, and its length. */
 static int32_t read_card(void* context, char* text, int32_t size) {
@@ -96,6 +100,7 @@ int main(int argc, char** argv) {
   }
   rewind(deck);
 
+  limits.panel_columns = PANEL;
   c2d_memory_store_init(&store, tapes, sizeof tapes);
   c2d_memory_store_port(&store, &port); /* sets port.context too, which log gets as well */
   port.log = tell;

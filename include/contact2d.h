@@ -584,6 +584,11 @@ typedef struct c2d_options {
 } c2d_options;
 /* Any time before c2d_prepare; another `symmetry` for a complete model: STATE. Errors: ARGUMENT, STATE. */
 c2d_status c2d_set_options(c2d_solver* solver, const c2d_options* options);
+/* Blocks that the store is asked for when a tape (0 ... C2D_TAPES-1) is opened, and bytes of each, if c2d_create is given
+   these limits and workspace_bytes: at most, for any model within the limits; saved states are provided for. `options` may
+   be null. Either pointer may be null. Errors: C2D_ERR_ARGUMENT, C2D_ERR_OVERFLOW, C2D_ERR_MEMORY (less than `minimum`). */
+c2d_status c2d_tape_need(const c2d_limits* limits, const c2d_options* options, uint64_t workspace_bytes, int32_t tape,
+                         uint64_t* blocks, uint64_t* block_bytes);
 
 /* ---------------------------------------------------------------- 6 prepare ------------------------------------
 

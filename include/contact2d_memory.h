@@ -12,7 +12,9 @@
    C2D_LIMITS_BYTES(..., load_cases, panel_columns, free_pairs, point_sets, curves) is the same for limits in which these
    are not 0. With panel_columns it has room for blocks that are as wide as the panels.
 
-   Both are made of the lists below, in which every array of the workspace is one line. The library carves its memory by
+   C2D_LOWER_BLOCKS and its kind below tell what the tapes take in such a workspace.
+
+   All are made of the lists below, in which every array of the workspace is one line. The library carves its memory by
    the same lists. */
 #ifndef CONTACT2D_MEMORY_H
 #define CONTACT2D_MEMORY_H
@@ -55,6 +57,38 @@
 #define C2D_RESULT_BYTES(function_nodes, points, elements, regions)                                                    \
   (0 C2D_RESULT_ARRAYS_(C2D_ADD_, C2D_NODES_(function_nodes, points, elements, regions),                               \
                         C2D_ENDS_(function_nodes, elements)))
+
+/* ---------------------------------------------------------------- tapes --------------------------------------------
+
+   Blocks of each tape and bytes of each block, never less than what c2d_tape_need tells, for limits with panel_columns from 1
+   to 31 and a workspace of C2D_LIMITS_BYTES or more. (Panels of a width that the library chooses are known to c2d_tape_need
+   alone.) Of LOWER and UPPER: blocks are added up over the bodies, the largest block counts. */
+#define C2D_LOWER_BLOCKS(function_nodes, points, elements, regions, pairs, load_cases, panel_columns, keep_factors)    \
+  C2D_LOWER_BLOCKS_(C2D_ROWS_(C2D_NODES_(function_nodes, points, elements, regions)),                                  \
+                    C2D_TRAILING_(pairs, load_cases), C2D_WIDTH_(panel_columns), keep_factors)
+#define C2D_LOWER_BLOCK_BYTES(function_nodes, points, elements, regions, free_pairs, panel_columns)                    \
+  C2D_BLOCK_((C2D_ROWS_(C2D_NODES_(function_nodes, points, elements, regions)) + 2 * (free_pairs)) *                   \
+             C2D_WIDTH_(panel_columns))
+#define C2D_UPPER_BLOCKS(function_nodes, points, elements, regions, pairs, load_cases, panel_columns)                  \
+  C2D_UPPER_BLOCKS_(C2D_ROWS_(C2D_NODES_(function_nodes, points, elements, regions)),                                  \
+                    C2D_TRAILING_(pairs, load_cases), C2D_WIDTH_(panel_columns))
+#define C2D_UPPER_BLOCK_BYTES(function_nodes, points, elements, regions, panel_columns)                                \
+  C2D_BLOCK_(C2D_ROWS_(C2D_NODES_(function_nodes, points, elements, regions)) * C2D_WIDTH_(panel_columns))
+#define C2D_CONTACT_BLOCKS(pairs, load_cases) ((pairs) > 0 ? UINT64_C(14) * (pairs) + 5 * C2D_CASES_(load_cases) + 3 : 0)
+#define C2D_CONTACT_BLOCK_BYTES(pairs) C2D_BLOCK_(UINT64_C(2) * (pairs))
+/* `workspace` is the C2D_LIMITS_BYTES of these limits, which is more than a saved state. */
+#define C2D_CONTROL_BLOCKS(workspace) (3 + 2 * (((workspace) + UINT64_C(511)) / 512))
+#define C2D_CONTROL_BLOCK_BYTES (64 + 512)
+
+#define C2D_TRAILING_(pairs, load_cases) (UINT64_C(4) * (pairs) + C2D_CASES_(load_cases))
+#define C2D_CHUNKS_(columns, width) (((columns) + (width)-1) / (width))
+#define C2D_LOWER_BLOCKS_(columns, trailing, width, keep_factors)                                                      \
+  ((columns) == 0 ? 0                                                                                                  \
+                  : (keep_factors) ? C2D_CHUNKS_(columns, width) + 1                                                   \
+                                   : C2D_SMALLER_(C2D_CHUNKS_(columns, width),                                         \
+                                                  C2D_CHUNKS_((columns) + (trailing), width) - 1))
+#define C2D_UPPER_BLOCKS_(columns, trailing, width)                                                                    \
+  ((columns) == 0 ? 0 : C2D_CHUNKS_((columns) + (trailing), width) + ((width) > 1 ? 1 : 0))
 
 /* ---------------------------------------------------------------- what lies in the workspace -------------------
 

@@ -236,4 +236,29 @@ TapeUse upper_use(const EliminationPlan& uncut) {
   return use;
 }
 
+TapeUse most_upper_use(const EliminationPlan& plan) {
+  TapeUse use = {upper_use(plan).blocks, 0, 0, 0};
+  const EliminationPlan cut = upper_cut(plan);
+  const int32_t columns = all_columns(plan), each = (cut.panel_columns - 1) / cut.block_columns + 1;
+  // Where the eliminated columns end inside a panel, a chunk is cut in two.
+  const uint64_t panels = static_cast<uint64_t>(columns / cut.panel_columns),
+                 rest = static_cast<uint64_t>(columns % cut.panel_columns);
+  const uint64_t width = static_cast<uint64_t>(cut.block_columns);
+  const uint64_t blocks = panels * static_cast<uint64_t>(each) + (rest + width - 1) / width + 1;
+  if (blocks > use.blocks && width > 1 && columns > cut.panel_columns) use.blocks = blocks;
+  // Where rows are fewer than in the plan, strips of the same length make wider chunks.
+  const bool strips = plan.block_rows > 0 && plan.block_rows < plan.rows;
+  const uint64_t most = static_cast<uint64_t>(smaller(cut.block_columns, columns)) * static_cast<uint64_t>(plan.pivots);
+  use.max_data_bytes =
+      sizeof(Real) * (strips ? static_cast<uint64_t>(plan.block_columns) * static_cast<uint64_t>(plan.block_rows) : most);
+  return use;
+}
+
+void cut_alike(const EliminationPlan& cut, EliminationPlan& plan) {
+  const int32_t columns = all_columns(plan) > 0 ? all_columns(plan) : 1;
+  plan.panel_columns = smaller(cut.panel_columns, columns);
+  plan.block_columns = smaller(cut.block_columns, plan.panel_columns);
+  plan.block_rows = smaller(cut.block_rows, plan.rows);
+}
+
 } // namespace c2d

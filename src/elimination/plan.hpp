@@ -57,6 +57,9 @@ struct TapeUse {
 };
 TapeUse lower_use(const EliminationPlan& plan);
 TapeUse upper_use(const EliminationPlan& plan);
+// The same of any elimination that is cut like this one and has no more rows and columns of either kind: bytes are not told.
+// (For LOWER lower_use is that.)
+TapeUse most_upper_use(const EliminationPlan& plan);
 
 // A chunk of columns, all in one panel and of one kind.
 struct Chunk {
@@ -65,6 +68,8 @@ struct Chunk {
   int32_t row;          // on LOWER: the first row of the strip
   uint64_t index;       // from 0, of blocks; the eliminated columns' chunks come first
 };
+// For an elimination of no more rows and columns: its own numbers, cut like this one.
+void cut_alike(const EliminationPlan& cut, EliminationPlan& plan);
 // Place on tape LOWER, from the plan's first block, of the row exchanges.
 uint64_t exchanges_block(const EliminationPlan& plan);
 // The first chunk, and the one after `chunk`: count is 0 when there is none.

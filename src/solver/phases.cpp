@@ -179,17 +179,15 @@ void double_buffers(const PhaseSizes& s, uint64_t bytes, EliminationPlan plan[2]
 
 } // namespace
 
-c2d_status choose_plans(const PhaseSizes& s, uint64_t bytes, int32_t forced, EliminationPlan out[2], bool* flexibility) {
-  *flexibility = false;
+c2d_status choose_plans(const PhaseSizes& s, uint64_t bytes, int32_t forced, EliminationPlan out[2]) {
   // Wide blocks also cost memory in back substitution, beside the tableau: give the panels less until all fits.
-  // Where memory is not scarce, panels leave the kernels their scratch.
+  // Where memory is not scarce, panels leave the kernels their scratch; panels of a given width are no wider for it.
   const uint64_t scratch = scratch_bytes(s);
-  for (uint64_t share = bytes / 8 > scratch ? bytes - scratch : bytes;; share -= share / 8 + 1) {
+  for (uint64_t share = bytes / 8 > scratch && forced < 1 ? bytes - scratch : bytes;; share -= share / 8 + 1) {
     const c2d_status status = plan_within(s, share, forced, out);
     if (status != C2D_OK) break;
     if (phases_use(s, out, false) <= bytes) {
       double_buffers(s, bytes, out);
-      *flexibility = phases_use(s, out, true) <= bytes;
       return C2D_OK;
     }
     if (share < kAlignment) break;
@@ -197,8 +195,19 @@ c2d_status choose_plans(const PhaseSizes& s, uint64_t bytes, int32_t forced, Eli
   narrow_plans(s, forced, out);
   if (phases_use(s, out, false) > bytes) return C2D_ERR_MEMORY;
   double_buffers(s, bytes, out);
-  *flexibility = phases_use(s, out, true) <= bytes;
   return C2D_OK;
+}
+
+c2d_status plan_phases(const Sizes& limits, const PhaseSizes& s, uint64_t bytes, EliminationPlan out[2]) {
+  EliminationPlan most[2];
+  const c2d_status status = choose_plans(phase_sizes(limits), bytes, limits.panel_columns, most);
+  if (status != C2D_OK) return status;
+  for (int b = 0; b < 2; ++b) {
+    out[b] = plan_of(s, b, 1, 1);
+    cut_alike(most[b], out[b]);
+  }
+  // (Strips of fewer rows are cut into wider blocks of UPPER, which round up otherwise.)
+  return phases_use(s, out, false) <= bytes ? c2d_status{C2D_OK} : choose_plans(s, bytes, limits.panel_columns, out);
 }
 
 c2d_status phase_need(const Sizes& sizes, uint64_t* minimum, uint64_t* in_core) {

@@ -50,7 +50,9 @@ uint64_t phases_use(const PhaseSizes& s, const EliminationPlan plan[2], bool fle
 // The plan of one body for these panel and block columns, block numbers not yet set.
 EliminationPlan plan_of(const PhaseSizes& s, int b, int32_t panel_columns, int32_t block_columns);
 // Widest panels with which every phase fits into `bytes`; forced > 0 is their width. Errors: C2D_ERR_MEMORY.
-c2d_status choose_plans(const PhaseSizes& s, uint64_t bytes, int32_t forced, EliminationPlan out[2], bool* flexibility);
+c2d_status choose_plans(const PhaseSizes& s, uint64_t bytes, int32_t forced, EliminationPlan out[2]);
+// Those of a model, cut as the largest model within the limits is: so its tapes are known from the limits.
+c2d_status plan_phases(const Sizes& limits, const PhaseSizes& s, uint64_t bytes, EliminationPlan out[2]);
 
 // Least and useful most bytes of the whole phase area for models within limits. Errors: C2D_ERR_OVERFLOW.
 c2d_status phase_need(const Sizes& sizes, uint64_t* minimum, uint64_t* in_core);

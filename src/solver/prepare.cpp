@@ -249,10 +249,10 @@ c2d_status solve_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, 
 [[gnu::noinline]] c2d_status run_phases(c2d_solver* s, const Model& m) {
   const PhaseSizes sizes = model_sizes(m);
   const uint64_t bytes = s->bytes - s->layout.persistent;
-  bool flexibility = false;
-  c2d_status status = choose_plans(sizes, bytes, s->limits.panel_columns, s->plan, &flexibility);
-  s->keeps_flexibility = flexibility;
+  c2d_status status = plan_phases(s->sizes, sizes, bytes, s->plan);
   if (status != C2D_OK) return status;
+  const bool flexibility = phases_use(sizes, s->plan, true) <= bytes;
+  s->keeps_flexibility = flexibility;
   for (EliminationPlan& plan : s->plan) plan.keep_lower = s->options.keep_factors;
   s->peak_bytes = s->layout.persistent + phases_use(sizes, s->plan, flexibility);
   status = begin_run(s->tapes, hash_model(m, s->options), array_of<char>(s, kPhase));

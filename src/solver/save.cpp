@@ -15,8 +15,6 @@ C2D_USES(EnergyPart);
 
 namespace {
 
-constexpr uint64_t kPieceBytes = 512; // data of a block: small enough to be put together on the stack
-
 // What stands in the block of a slot, as the machine has it.
 struct SaveRecord {
   uint64_t number; // of the save within its run, from 1
@@ -43,9 +41,9 @@ struct Piece {
 // Two slots behind the run's count: their records are blocks 1 and 2, their pieces follow.
 struct Slots {
   uint64_t pieces; // of a slot, enough for every state of this model
+  uint64_t blocks; // of the tape
   uint64_t record(uint64_t number) const { return 1 + number % 2; }
   uint64_t piece(uint64_t number, uint64_t i) const { return 3 + number % 2 * pieces + i; }
-  uint64_t blocks() const { return 3 + 2 * pieces; }
 };
 
 constexpr uint64_t kImageStart = offsetof(c2d_solver, model);
@@ -60,7 +58,10 @@ uint64_t image_bytes(c2d_solver* s, bool running) {
   return static_cast<uint64_t>(end - reinterpret_cast<const char*>(s)) - kImageStart;
 }
 
-Slots slots_of(c2d_solver* s) { return Slots{(image_bytes(s, true) + kPieceBytes - 1) / kPieceBytes}; }
+Slots slots_of(c2d_solver* s) {
+  const uint64_t bytes = image_bytes(s, true);
+  return Slots{save_pieces(bytes), save_blocks(bytes)};
+}
 
 unsigned char* image_of(c2d_solver* s) { return reinterpret_cast<unsigned char*>(s) + kImageStart; }
 
@@ -95,11 +96,11 @@ struct Uncounted {
 c2d_status open_slots(c2d_solver* s, const Slots& slots) {
   Tapes& tapes = s->tapes;
   const bool is_open = tapes.is_open[C2D_TAPE_CONTROL] != 0;
-  if (is_open && tapes.blocks[C2D_TAPE_CONTROL] == slots.blocks()) return C2D_OK;
+  if (is_open && tapes.blocks[C2D_TAPE_CONTROL] == slots.blocks) return C2D_OK;
   const c2d_status status = is_open ? close_tape(tapes, C2D_TAPE_CONTROL) : c2d_status{C2D_OK};
   // Whatever a store that has died says to being closed, it may come back.
   if (status != C2D_OK && s->state != C2D_STATE_BROKEN) return status;
-  return open_tape(tapes, C2D_TAPE_CONTROL, slots.blocks(), kPieceBytes);
+  return open_tape(tapes, C2D_TAPE_CONTROL, slots.blocks, kPieceBytes);
 }
 
 uint64_t length_of(uint64_t image, uint64_t i) {

@@ -1,0 +1,79 @@
+// How large the tapes of a model within given limits become.
+#include <stddef.h>
+
+#include "contact/contact_tape.hpp"
+#include "interface/entry.hpp"
+#include "solver/phases.hpp"
+#include "solver/save.hpp"
+
+namespace c2d {
+
+namespace {
+
+struct Tape {
+  uint64_t blocks, data_bytes; // of a block, without its header
+};
+
+// With room for two saved states of a path that is followed.
+Tape control_tape(const Sizes& sizes, const Layout& layout) {
+  const uint64_t m = static_cast<uint64_t>(sizes.contact), cases = static_cast<uint64_t>(sizes.load_cases);
+  const uint64_t path = C2D_PATH_ARRAYS_(C2D_ADD_, m, cases) C2D_COLUMN_ARRAYS_(C2D_ADD_, m);
+  const uint64_t surface = C2D_SURFACE_ARRAYS_(C2D_ADD_, m);
+  return {save_blocks(layout.persistent - offsetof(c2d_solver, model) + path + 2 * surface), kPieceBytes};
+}
+
+Tape contact_tape(const Sizes& sizes) {
+  if (sizes.contact == 0) return {0, 0};
+  const int32_t m = static_cast<int32_t>(sizes.contact);
+  return {static_cast<uint64_t>(contact_blocks(m, sizes.load_cases)), static_cast<uint64_t>(m) * sizeof(Real)};
+}
+
+// LOWER and UPPER hold the blocks of one body after the other.
+c2d_status factor_tape(const Sizes& sizes, uint64_t bytes, bool keep, bool upper, Tape& out) {
+  const PhaseSizes phases = phase_sizes(sizes);
+  EliminationPlan plan[2];
+  const c2d_status status = choose_plans(phases, bytes, sizes.panel_columns, plan);
+  if (status != C2D_OK) return status;
+  out = {0, 0};
+  for (int b = 0; b < sizes.bodies; ++b) {
+    plan[b].keep_lower = keep;
+    const TapeUse use = upper ? most_upper_use(plan[b]) : lower_use(plan[b]);
+    out.blocks += use.blocks;
+    if (use.max_data_bytes > out.data_bytes) out.data_bytes = use.max_data_bytes;
+  }
+  return C2D_OK;
+}
+
+} // namespace
+} // namespace c2d
+
+using namespace c2d;
+
+extern "C" c2d_status c2d_tape_need(const c2d_limits* limits, const c2d_options* options, uint64_t workspace_bytes,
+                                    int32_t tape, uint64_t* blocks, uint64_t* block_bytes) {
+  c2d_options chosen{};
+  uint64_t minimum = 0;
+  if (tape < 0 || tape >= C2D_TAPES || (options && !is_begun(options))) return C2D_ERR_ARGUMENT;
+  if (options) copy_in(options, &chosen, sizeof chosen);
+  c2d_status status = c2d_memory_need(limits, &minimum, nullptr);
+  if (status == C2D_OK && workspace_bytes < minimum) status = C2D_ERR_MEMORY;
+  if (status != C2D_OK) return status;
+  c2d_limits ours;
+  Sizes sizes;
+  Layout layout;
+  copy_in(limits, &ours, sizeof ours);
+  status = derive_sizes(ours, sizes);
+  if (status == C2D_OK) status = lay_out(sizes, sizeof(c2d_solver), layout);
+  Tape need = {0, 0};
+  if (tape == C2D_TAPE_CONTROL)
+    need = control_tape(sizes, layout);
+  else if (tape == C2D_TAPE_CONTACT)
+    need = contact_tape(sizes);
+  else if (status == C2D_OK)
+    status = factor_tape(sizes, workspace_bytes - (kAlignment - 1) - layout.persistent, chosen.keep_factors != 0,
+                         tape == C2D_TAPE_UPPER, need);
+  if (status != C2D_OK) return status;
+  if (blocks) *blocks = need.blocks;
+  if (block_bytes) *block_bytes = need.blocks > 0 ? kBlockHeaderBytes + need.data_bytes : 0;
+  return C2D_OK;
+}

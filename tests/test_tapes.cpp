@@ -1,0 +1,203 @@
+// Tapes known beforehand: what c2d_tape_need and the constants tell, against what the store is asked for.
+#include "contact2d_memory.h"
+#include "solver_runs.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+using namespace runs;
+
+namespace {
+
+struct Shape {
+  uint64_t blocks = 0, bytes = 0;
+};
+struct Tapes {
+  Shape tape[C2D_TAPES];
+};
+
+Tapes told(const c2d_limits& limits, const c2d_options& options, uint64_t workspace) {
+  Tapes out;
+  for (int32_t t = 0; t < C2D_TAPES; ++t)
+    REQUIRE(c2d_tape_need(&limits, &options, workspace, t, &out.tape[t].blocks, &out.tape[t].bytes) == C2D_OK);
+  return out;
+}
+
+// The largest shape that each tape is opened with while a deck is solved and saved.
+Tapes asked(const Deck& deck, const c2d_limits& limits, const c2d_options& options, uint64_t workspace, bool save) {
+  RamStore store;
+  c2d_port port = C2D_INIT(c2d_port);
+  store.serve(port);
+  Machine machine(limits, workspace, &port, 0);
+  REQUIRE(machine.created == C2D_OK);
+  Numbers numbers;
+  REQUIRE(run_all(machine.solver, deck, numbers, &options) == C2D_OK);
+  if (save) REQUIRE(c2d_save(machine.solver) == C2D_OK);
+  Tapes out;
+  for (const RamStore::Operation& o : store.done) {
+    if (o.kind != 'o') continue;
+    Shape& shape = out.tape[o.tape];
+    shape.blocks = std::max(shape.blocks, o.block);
+    shape.bytes = std::max(shape.bytes, o.bytes);
+  }
+  return out;
+}
+
+void bounded(const Tapes& need, const Tapes& open) {
+  for (int32_t t = 0; t < C2D_TAPES; ++t) {
+    CAPTURE(t);
+    CHECK(open.tape[t].blocks <= need.tape[t].blocks);
+    CHECK(open.tape[t].bytes <= need.tape[t].bytes);
+  }
+}
+
+Tapes constants(const c2d_limits& l, int32_t keep_factors) {
+  const bool two = l.bodies == 2;
+  const int32_t f = l.function_nodes, p = l.panel_columns, k = l.load_cases, n2 = two ? l.geometry_nodes[1] : 0,
+                e2 = two ? l.elements[1] : 0, r2 = two ? l.regions[1] : 0;
+  Tapes out;
+  out.tape[C2D_TAPE_LOWER] = {
+      C2D_LOWER_BLOCKS(f, l.geometry_nodes[0], l.elements[0], l.regions[0], l.pairs, k, p, keep_factors) +
+          C2D_LOWER_BLOCKS(f, n2, e2, r2, l.pairs, k, p, keep_factors),
+      std::max(C2D_LOWER_BLOCK_BYTES(f, l.geometry_nodes[0], l.elements[0], l.regions[0], l.free_pairs, p),
+               C2D_LOWER_BLOCK_BYTES(f, n2, e2, r2, 0, p))};
+  out.tape[C2D_TAPE_UPPER] = {C2D_UPPER_BLOCKS(f, l.geometry_nodes[0], l.elements[0], l.regions[0], l.pairs, k, p) +
+                                  C2D_UPPER_BLOCKS(f, n2, e2, r2, l.pairs, k, p),
+                              std::max(C2D_UPPER_BLOCK_BYTES(f, l.geometry_nodes[0], l.elements[0], l.regions[0], p),
+                                       C2D_UPPER_BLOCK_BYTES(f, n2, e2, r2, p))};
+  out.tape[C2D_TAPE_CONTACT] = {C2D_CONTACT_BLOCKS(l.pairs, k), C2D_CONTACT_BLOCK_BYTES(l.pairs)};
+  return out;
+}
+
+uint64_t workspace_of(const c2d_limits& l) {
+  const bool two = l.bodies == 2;
+  return C2D_LIMITS_BYTES(l.function_nodes, l.geometry_nodes[0], (two ? l.geometry_nodes[1] : 0), l.elements[0],
+                          (two ? l.elements[1] : 0), l.regions[0], (two ? l.regions[1] : 0), l.zones, l.pairs,
+                          l.contact_elements, l.point_loads, l.coefficients, l.paths, l.load_cases, l.panel_columns,
+                          l.free_pairs, l.point_sets, l.curves);
+}
+
+// In arrays and preprocessor conditions.
+static_assert(C2D_UPPER_BLOCKS(2, 40, 40, 1, 12, 1, 4) > 0, "a constant");
+#if C2D_CONTACT_BLOCKS(12, 1) != 14 * 12 + 8 || C2D_LOWER_BLOCKS(2, 40, 40, 1, 12, 1, 1, 1) != 84
+#error "these are constants of the preprocessor, too"
+#endif
+
+const int32_t kPanels[] = {0, 1, 3, 8, 31, 40, 1000};
+
+} // namespace
+
+TEST_CASE("tapes: never more is asked for than was told, for every deck, workspace, width of panels and option") {
+  int seen = 0;
+  for (const std::string& name : deck_names()) {
+    CAPTURE(name);
+    const Deck deck = deck_named(name);
+    for (const int32_t panel : kPanels) {
+      CAPTURE(panel);
+      c2d_limits limits = deck.limits();
+      limits.panel_columns = panel;
+      if (limits.elements[0] > 60 && panel != 0 && panel != 8) continue; // a minute more
+      uint64_t least = 0, most = 0;
+      REQUIRE(c2d_memory_need(&limits, &least, &most) == C2D_OK);
+      for (const uint64_t workspace : {least, least + (most - least) / 16, least + (most - least) / 4, most}) {
+        CAPTURE(workspace);
+        c2d_options options = C2D_INIT(c2d_options);
+        options.keep_factors = seen % 2;
+        bounded(told(limits, options, workspace), asked(deck, limits, options, workspace, true));
+        ++seen;
+      }
+    }
+  }
+  CHECK(seen > 100);
+}
+
+TEST_CASE("tapes: they are those told where limits are the model's own and every unknown is eliminated") {
+  const Deck deck = deck_named("plate"); // without contact; boundary points are those of linear elements
+  const c2d_limits limits = deck.limits();
+  REQUIRE(limits.pairs == 0);
+  uint64_t least = 0, most = 0;
+  REQUIRE(c2d_memory_need(&limits, &least, &most) == C2D_OK);
+  const c2d_options options = C2D_INIT(c2d_options);
+  const Tapes need = told(limits, options, least), open = asked(deck, limits, options, least, true);
+  for (int32_t t = 0; t < C2D_TAPES; ++t) {
+    CAPTURE(t);
+    CHECK(open.tape[t].blocks == need.tape[t].blocks);
+    CHECK(open.tape[t].bytes == need.tape[t].bytes);
+  }
+}
+
+TEST_CASE("tapes: a model far smaller than its limits stays within them, too") {
+  const c2d_options options = C2D_INIT(c2d_options);
+  for (const char* name : {"plate", "sample", "rect"}) {
+    CAPTURE(name);
+    const Deck deck = deck_named(name);
+    for (const int32_t factor : {2, 3, 7})
+      for (const int32_t panel : {0, 5}) {
+        CAPTURE(factor);
+        c2d_limits limits = deck.limits();
+        for (int b = 0; b < limits.bodies; ++b) {
+          limits.geometry_nodes[b] *= factor;
+          limits.elements[b] *= factor;
+        }
+        limits.pairs += factor;
+        limits.coefficients += factor;
+        limits.panel_columns = panel;
+        uint64_t least = 0, most = 0;
+        REQUIRE(c2d_memory_need(&limits, &least, &most) == C2D_OK);
+        for (const uint64_t workspace : {least, least + least / 4, (least + most) / 2, most}) {
+          CAPTURE(workspace);
+          bounded(told(limits, options, workspace), asked(deck, limits, options, workspace, false));
+        }
+      }
+  }
+}
+
+TEST_CASE("tapes: the constants are what is told where panels are given") {
+  for (const std::string& name : deck_names()) {
+    CAPTURE(name);
+    for (const int32_t panel : {1, 2, 7, 16, 31})
+      for (const int32_t keep : {0, 1}) {
+        CAPTURE(panel);
+        CAPTURE(keep);
+        c2d_limits limits = deck_named(name).limits();
+        limits.panel_columns = panel;
+        c2d_options options = C2D_INIT(c2d_options);
+        options.keep_factors = keep;
+        const uint64_t workspace = workspace_of(limits);
+        uint64_t least = 0;
+        REQUIRE(c2d_memory_need(&limits, &least, nullptr) == C2D_OK);
+        REQUIRE(least <= workspace);
+        for (const uint64_t more : {0, 1000, 100000, 10000000}) {
+          const Tapes need = told(limits, options, workspace + more), constant = constants(limits, keep);
+          for (const int32_t t : {C2D_TAPE_LOWER, C2D_TAPE_UPPER, C2D_TAPE_CONTACT}) {
+            CAPTURE(t);
+            CHECK(need.tape[t].blocks == constant.tape[t].blocks);
+            if (need.tape[t].blocks > 0) CHECK(need.tape[t].bytes == constant.tape[t].bytes);
+          }
+          CHECK(need.tape[C2D_TAPE_CONTROL].blocks <= C2D_CONTROL_BLOCKS(workspace));
+          CHECK(need.tape[C2D_TAPE_CONTROL].bytes == C2D_CONTROL_BLOCK_BYTES);
+        }
+      }
+  }
+}
+
+TEST_CASE("tapes: what cannot be told is refused, and nothing is touched") {
+  const c2d_limits limits = deck_named("sample").limits();
+  uint64_t least = 0, blocks = 7, bytes = 7;
+  REQUIRE(c2d_memory_need(&limits, &least, nullptr) == C2D_OK);
+  CHECK(c2d_tape_need(nullptr, nullptr, least, 0, &blocks, &bytes) == C2D_ERR_ARGUMENT);
+  CHECK(c2d_tape_need(&limits, nullptr, least, -1, &blocks, &bytes) == C2D_ERR_ARGUMENT);
+  CHECK(c2d_tape_need(&limits, nullptr, least, C2D_TAPES, &blocks, &bytes) == C2D_ERR_ARGUMENT);
+  CHECK(c2d_tape_need(&limits, nullptr, least - 1, C2D_TAPE_UPPER, &blocks, &bytes) == C2D_ERR_MEMORY);
+  c2d_limits wrong = limits;
+  wrong.pairs = -1;
+  CHECK(c2d_tape_need(&wrong, nullptr, least, 0, &blocks, &bytes) == C2D_ERR_ARGUMENT);
+  wrong.pairs = INT32_MAX;
+  CHECK(c2d_tape_need(&wrong, nullptr, least, 0, &blocks, &bytes) == C2D_ERR_OVERFLOW);
+  c2d_options forgotten{};
+  CHECK(c2d_tape_need(&limits, &forgotten, least, 0, &blocks, &bytes) == C2D_ERR_ARGUMENT);
+  CHECK(blocks == 7);
+  CHECK(bytes == 7);
+  CHECK(c2d_tape_need(&limits, nullptr, least, C2D_TAPE_UPPER, nullptr, nullptr) == C2D_OK);
+}
