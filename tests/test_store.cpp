@@ -334,7 +334,7 @@ TEST_CASE("another format version, byte order or scalar size is refused as such"
   const Bytes sound = w.on_tape(1);
   const unsigned char other_scalar = sizeof(Real) == 8 ? 4 : 8;
   for (const std::vector<Change>& changes :
-       std::vector<std::vector<Change>>{{{4, 2}}, {{6, sound[7]}, {7, sound[6]}}, {{8, other_scalar}}}) {
+       std::vector<std::vector<Change>>{{{4, 1}}, {{4, 3}}, {{6, sound[7]}, {7, sound[6]}}, {{8, other_scalar}}}) {
     Bytes& block = w.on_tape(1);
     block = sound;
     for (const Change& change : changes) block[change.at] = change.value;

@@ -1,10 +1,12 @@
 // Tapes known beforehand: what c2d_tape_need and the constants tell, against what the store is asked for.
 #include "contact2d_memory.h"
 #include "solver_runs.hpp"
+#include "store/block.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <iterator>
 
 using namespace runs;
 
@@ -200,4 +202,36 @@ TEST_CASE("tapes: what cannot be told is refused, and nothing is touched") {
   CHECK(blocks == 7);
   CHECK(bytes == 7);
   CHECK(c2d_tape_need(&limits, nullptr, least, C2D_TAPE_UPPER, nullptr, nullptr) == C2D_OK);
+}
+
+// tests/data/format1_control.c2d: tape CONTROL as contact2d 0.1 left it, with a saved state of the deck `plate`.
+TEST_CASE("tapes: blocks and saved states of 0.1 are refused with the reason") {
+  std::ifstream file(C2D_TEST_ROOT "/tests/data/format1_control.c2d", std::ios::binary);
+  const Bytes old((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  constexpr size_t kBlock = C2D_CONTROL_BLOCK_BYTES;
+  REQUIRE(old.size() > 3 * kBlock);
+  const c2d::BlockReport count = c2d::inspect_block(old.data(), 8, nullptr);
+  CHECK(count.fault == c2d::BlockFault::version);
+  CHECK(count.found == 1);
+  CHECK(count.expected == c2d::kBlockVersion);
+  CHECK(c2d::kBlockVersion > 1);
+
+  RamStore store;
+  for (size_t at = 0; at < old.size(); at += kBlock)
+    store.tape[C2D_TAPE_CONTROL].emplace_back(old.data() + at, old.data() + std::min(at + kBlock, old.size()));
+  const std::vector<Bytes> before = store.tape[C2D_TAPE_CONTROL];
+  c2d_port port = C2D_INIT(c2d_port);
+  store.serve(port);
+  const Deck deck = deck_named("plate");
+  const c2d_limits limits = deck.limits();
+  uint64_t most = 0;
+  REQUIRE(c2d_memory_need(&limits, nullptr, &most) == C2D_OK);
+  Machine machine(limits, most, &port, 0);
+  REQUIRE(read_deck(machine.solver, deck) == C2D_OK);
+  CHECK(c2d_restore(machine.solver) == C2D_ERR_MISMATCH);
+  const std::string text = error_of(machine.solver).text;
+  CHECK_MESSAGE(text.find("format version (another version of the library) is 1, expected 2") != std::string::npos, text);
+  CHECK(c2d_get_state(machine.solver) == C2D_STATE_MODEL);
+  CHECK(std::equal(before[0].begin(), before[0].end(), store.tape[C2D_TAPE_CONTROL][0].begin()));
+  CHECK(c2d_prepare(machine.solver) == C2D_OK); // the store is as good as a new one
 }

@@ -1,6 +1,5 @@
 #include "linalg/exchange.hpp"
 #include "memory/hostile.hpp"
-#include <limits>
 
 namespace c2d {
 namespace {
@@ -13,7 +12,7 @@ void plain_add_two(int32_t n, Real f, const Real* __restrict x, Real g, const Re
   for (int32_t i = 0; i < n; ++i) y[i] = y[i] + f * x[i] + g * z[i];
 }
 
-bool usable(Real pivot) { return (pivot < 0 ? -pivot : pivot) >= std::numeric_limits<Real>::min(); }
+bool usable(Real pivot) { return (pivot < 0 ? -pivot : pivot) >= kSmallestReal; }
 
 // The pivot's own column, when the others have been dealt with.
 void finish(int32_t rows, int32_t r, Real* column) {

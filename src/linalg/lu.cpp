@@ -1,7 +1,7 @@
 #include "linalg/lu.hpp"
 #include "linalg/dense.hpp"
 #include "memory/hostile.hpp"
-#include <limits>
+#include <math.h>
 
 namespace c2d {
 namespace {
@@ -40,7 +40,7 @@ void plain_scale(int32_t n, Real factor, Real* x) {
 // By the reciprocal of the pivot, unless that has lost digits. The quotients are at most 1.
 void divide(const Engine& engine, int32_t n, Real pivot, Real* x) {
   const Real size = pivot < 0 ? -pivot : pivot;
-  if (kSmallCode || size * std::numeric_limits<Real>::min() > Real(0.25)) {
+  if (kSmallCode || size * kSmallestReal > Real(0.25)) {
     for (int32_t i = 0; i < n; ++i) x[i] /= pivot;
     return;
   }
@@ -104,7 +104,7 @@ int32_t factor_leaf(const Work& w, int32_t first, int32_t count, const Real* nor
     const int32_t row = finish_column(w, first, j);
     C2D_ASSERT(row < 0 || (row >= j && row < w.rows));
     const Real size = row < 0 ? Real(0) : (column[row] < 0 ? -column[row] : column[row]);
-    const bool usable = size > norm * smallest_safe() && size >= std::numeric_limits<Real>::min();
+    const bool usable = size > norm * smallest_safe() && size >= kSmallestReal;
     w.pivots[j] = usable ? row : j;
     if (!usable) {
       for (int32_t i = j; i < w.rows; ++i) column[i] = 0;
@@ -186,7 +186,7 @@ int32_t lu_step(const Lu& lu, int32_t first) {
   return unusable + step.unusable;
 }
 
-void start_stats(PivotStats& stats) { stats = {0, 0, -1, -1, std::numeric_limits<double>::infinity(), 0, 0}; }
+void start_stats(PivotStats& stats) { stats = {0, 0, -1, -1, static_cast<double>(INFINITY), 0, 0}; }
 
 void lu_settle(int32_t rows, int32_t cols, Real* a, int64_t lda, const int32_t* pivots) {
   const int32_t width = lu_width(rows);

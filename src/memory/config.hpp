@@ -13,6 +13,7 @@
 // -DC2D_HOSTILE=width   For tests (make hostile): panels of that many columns and everything against the grain, see
 //     memory/hostile.hpp. Many times slower.
 // -ffast-math and -ffinite-math-only are refused: the checks for numbers that are none would vanish.
+#include <float.h>
 #include <stdint.h>
 
 #if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__)
@@ -64,6 +65,7 @@
 namespace c2d {
 
 using Real = C2D_REAL; // of stored matrices and inner arithmetic
+constexpr Real kSmallestReal = static_cast<Real>(sizeof(Real) == sizeof(float) ? double{FLT_MIN} : DBL_MIN); // with all digits
 constexpr bool kSmallCode = C2D_SMALL_CODE;
 constexpr int32_t kHostileWidth = C2D_HOSTILE; // of panels
 constexpr bool kHostile = kHostileWidth > 0;

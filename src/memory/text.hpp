@@ -4,8 +4,6 @@
 #include <stddef.h>
 #include <stdint.h>
 
-#include <type_traits>
-
 namespace c2d {
 
 struct Text {
@@ -27,10 +25,12 @@ Text& put_unsigned(Text& text, uint64_t number);
 Text& put_with_integer(Text& text, const char* characters, int32_t number); // both
 Text& put_with_number(Text& text, const char* characters, double number);
 // Any type of integer: which of them are int32_t and int64_t differs from machine to machine.
-template <class Integer, class = std::enable_if_t<std::is_integral<Integer>::value>> Text& put(Text& text, Integer number) {
-  if (std::is_signed<Integer>::value) return put_signed(text, static_cast<int64_t>(number));
-  return put_unsigned(text, static_cast<uint64_t>(number));
-}
+inline Text& put(Text& text, int number) { return put_signed(text, number); }
+inline Text& put(Text& text, long number) { return put_signed(text, number); }
+inline Text& put(Text& text, long long number) { return put_signed(text, number); }
+inline Text& put(Text& text, unsigned number) { return put_unsigned(text, number); }
+inline Text& put(Text& text, unsigned long number) { return put_unsigned(text, number); }
+inline Text& put(Text& text, unsigned long long number) { return put_unsigned(text, number); }
 // As C's "%.<digits>g" in the C locale, correctly rounded (ties to even), 1 <= digits <= 17; "nan", "inf",
 // "-inf". No floating-point operation is carried out, so nothing can trap.
 Text& put(Text& text, double number, int32_t digits);
@@ -42,19 +42,26 @@ Text& put(Text& text, double number); // 6 digits
 #define C2D_IN_PLACE
 #endif
 
+template <class T> constexpr bool kIsCharacters = false;
+template <> inline constexpr bool kIsCharacters<const char*> = true;
+template <class T> constexpr bool kIsNumber = false;
+template <> inline constexpr bool kIsNumber<double> = true;
+template <class T> constexpr bool kIsInt32 = false;
+template <> inline constexpr bool kIsInt32<int> = true;
+template <> inline constexpr bool kIsInt32<long> = sizeof(long) == sizeof(int32_t);
+
 // Characters and numbers one after another, in as few calls as there can be: messages are a good part of a small program.
 template <class Last> C2D_IN_PLACE inline Text& put_all(Text& text, Last last) { return put(text, last); }
 template <class First, class Second, class... More>
 C2D_IN_PLACE inline Text& put_all(Text& text, First first, Second second, More... more) {
-  constexpr bool names = std::is_same<First, const char*>::value,
-                 integer = std::is_integral<Second>::value && std::is_signed<Second>::value && sizeof(Second) <= 4;
+  constexpr bool names = kIsCharacters<First>, integer = kIsInt32<Second>;
   if constexpr (names && integer && sizeof...(more) == 0)
     return put_with_integer(text, first, static_cast<int32_t>(second));
   else if constexpr (names && integer)
     return put_all(put_with_integer(text, first, static_cast<int32_t>(second)), more...);
-  else if constexpr (names && std::is_same<Second, double>::value && sizeof...(more) == 0)
+  else if constexpr (names && kIsNumber<Second> && sizeof...(more) == 0)
     return put_with_number(text, first, second);
-  else if constexpr (names && std::is_same<Second, double>::value)
+  else if constexpr (names && kIsNumber<Second>)
     return put_all(put_with_number(text, first, second), more...);
   else
     return put_all(put(text, first), second, more...);
