@@ -214,7 +214,7 @@ TEST_CASE("the header stands on the tape as the format page says") {
     return value;
   };
   CHECK(std::string(block.begin(), block.begin() + 4) == "C2DB");
-  CHECK(number(4, 2) == 1);
+  CHECK(number(4, 2) == 2);
   CHECK(number(8, 4) == sizeof(Real));
   CHECK(number(16, 8) == 0x1122334455667788u);
   CHECK(number(24, 4) == C2D_TAPE_UPPER);
