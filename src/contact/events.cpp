@@ -212,7 +212,8 @@ c2d_status find_event(Follower& f, double reach, double* part, c2d_outcome* outc
 // The path ends here, unless what is left of the piece is round-off.
 static bool is_short(const Follower& f, double part) {
   if (part >= kAllButThere) return false;
-  return part < kNearlyThere || path_scales(f).p > kRateTolerance * f.pressure_scale;
+  const double round_off = kRateTolerance * f.pressure_scale + kMixedNoise * f.t->stiffness * f.gap_scale;
+  return part < kNearlyThere || path_scales(f).p > round_off;
 }
 
 c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome) {
