@@ -95,8 +95,12 @@ TEST_CASE("random decks: a first touch whose pressure is but a last digit, and s
   for (const uint64_t seed : {4114u, 104383u}) is_solved(Kind::any, seed);
 }
 
+TEST_CASE("random decks: a body that nothing moves lies where it was made, whichever gap the tableau leaves free") {
+  is_solved(Kind::any, 104971);
+}
+
 TEST_CASE("random decks: back to no load, the last pairs of a body are not let go into what round-off holds") {
-  for (const uint64_t seed : {103288u, 106939u, 108176u}) is_solved(Kind::any, seed);
+  for (const uint64_t seed : {103288u, 104777u, 106939u, 108176u}) is_solved(Kind::any, seed);
 }
 
 TEST_CASE("random decks: a draw of few pairs, all statuses tried") { draw(Kind::few_pairs, 1, 20); }

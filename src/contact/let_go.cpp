@@ -78,11 +78,7 @@ bool place_body(const Tableau& t, const int32_t* left, int32_t count) {
     least.motion[k] = motion;
   }
   if (!least.prepare(t)) return false;
-  for (int32_t j = t.m; j < tableau_columns(t.m, t.cases); ++j) {
-    Real* const values = column(t, j);
-    for (int32_t k = 0; k < count; ++k) values[left[k]] = 0;
-    least.add_to(t, values, j == t.m);
-  }
+  for (int32_t j = t.m; j < tableau_columns(t.m, t.cases); ++j) least.add_to(t, column(t, j), j == t.m);
   return true;
 }
 

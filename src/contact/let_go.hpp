@@ -20,7 +20,8 @@ inline void keep_place(Pair& pair, double wn, double wt) {
 }
 
 // The last step of building it. Slots `left` have no pivot any more: their columns are the free motions. `t` has for them what
-// the rule asks for instead of forces; gaps stand among the constants already. False: they are no motions of their own.
+// the rule asks for instead of forces; it has the motions at rest, zeros, in these rows, and then the gaps among the constants.
+// False: they are no motions of their own.
 bool place_body(const Tableau& t, const int32_t* left, int32_t count);
 
 // All pairs open, with the place that the body has now as the one to keep.

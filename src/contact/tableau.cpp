@@ -320,6 +320,8 @@ c2d_status build_tableau(Tableau& t, const ContactTape& tape, int32_t* culprit) 
   int32_t left[kFreeMotions], count = 0;
   if (!exchange_leaving(t, culprit, left, &count)) return C2D_ERR_SINGULAR;
   if (count != (is_let_go(t) ? t.free_motions : 0)) return C2D_ERR_SINGULAR; // round-off held what nothing holds
+  for (int32_t j = t.m; j < all_columns(t); ++j)
+    for (int32_t k = 0; k < count; ++k) column(t, j)[left[k]] = 0; // a body that is let go, at rest
   restore_gaps(t);
   if (count > 0 && !place_body(t, left, count)) return C2D_ERR_SINGULAR;
   sort_columns(t);
