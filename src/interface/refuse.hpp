@@ -48,7 +48,7 @@ template <int32_t N> c2d_status check_numbers(c2d_solver* s, const Numbered (&ar
 c2d_status check_array(c2d_solver* solver, const char* name, const double* array, const char* stride_name, int64_t stride,
                        int64_t least, int32_t count);
 inline int64_t longest_stride(int32_t count) {
-  return static_cast<int64_t>(PTRDIFF_MAX / static_cast<ptrdiff_t>(sizeof(double))) / count - C2D_POINT_FIELDS;
+  return PTRDIFF_MAX / static_cast<ptrdiff_t>(sizeof(double)) / count - C2D_POINT_FIELDS; // no division of 64 bits on a board
 }
 
 // The calls of section 5: legal in empty and building; `built`: something was changed.
