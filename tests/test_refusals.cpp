@@ -406,3 +406,89 @@ TEST_CASE("refusals: lists, loads and limits by the names of their arguments and
   full(c2d_add_points(machine.solver, &points), "c2d_limits.point_sets is 0, expected 1 or more");
   for (int i = 0; i < 8; ++i) CHECK((integers[i] == -77 && numbers[i] == kMark));
 }
+
+TEST_CASE("refusals: bodies, regions, conditions and friction in the wrong order or of other numbers") {
+  const c2d_limits limits = two_blocks();
+  Hearing host;
+  Machine machine(limits, 4000000, &host.port);
+  c2d_solver* s = machine.solver;
+  const auto refused = [&](c2d_status status, c2d_status expected, const std::string& what) {
+    CAPTURE(what);
+    CHECK(status == expected);
+    REQUIRE(host.told.size() == 1);
+    CHECK_MESSAGE(says(host.told[0], what), host.told[0].text);
+    CHECK(host.told[0].status == expected);
+    host.told.clear();
+  };
+  c2d_body body = C2D_INIT(c2d_body);
+  body.element_nodes = 2, body.elements = 10, body.regions = 1, body.youngs_modulus = 1;
+  c2d_body other = body;
+  other.open_regions = 2;
+  refused(c2d_set_body(s, 1, &other), C2D_ERR_ARGUMENT, "number of open regions is 2, expected 0 to 1");
+  REQUIRE(c2d_set_body(s, 1, &body) == C2D_OK);
+  other = body, other.elements = 9;
+  refused(c2d_set_body(s, 1, &other), C2D_ERR_ARGUMENT, "given before, with other numbers of elements");
+  const int32_t codes[4] = {1, 1, 0, 0};
+  const double values[4] = {0, 0, 1, 2}, others_x[4] = {0, 0, 3, 2}, others_y[4] = {0, 0, 1, 3};
+  refused(c2d_set_condition(s, 1, 1, 1, 1, codes, values), C2D_ERR_ARGUMENT, "give the body and all its regions before");
+  refused(c2d_add_region(s, 1, 2, 10), C2D_ERR_ARGUMENT, "first element of the region is 2, expected 1");
+  refused(c2d_add_region(s, 1, 1, 0), C2D_ERR_ARGUMENT, "last element of the region is 0, expected 1 to 10");
+  refused(c2d_add_region(s, 1, 1, 11), C2D_ERR_ARGUMENT, "last element of the region is 11");
+  refused(c2d_add_region(s, 1, 1, 9), C2D_ERR_ARGUMENT, "last element of the last region is 9, expected 10");
+  REQUIRE(c2d_add_region(s, 1, 1, 10) == C2D_OK);
+  refused(c2d_add_region(s, 1, 11, 12), C2D_ERR_LIMIT, "number of regions is 2, expected 1");
+  for (int32_t i : {0, -1, 3}) {
+    const std::string is = " is " + std::to_string(i) + ", expected 1";
+    refused(c2d_set_condition(s, 1, 1, i, 1, codes, values), C2D_ERR_ARGUMENT, "local functional node" + is);
+    if (i != 3) refused(c2d_set_condition(s, 1, i, 1, 1, codes, values), C2D_ERR_ARGUMENT, "element number" + is);
+    refused(c2d_set_condition(s, 1, 1, 1, i, codes, values), C2D_ERR_ARGUMENT, "load case" + is);
+    const int32_t wrong[4] = {0, 0, i == 0 ? 2 : i, 0};
+    refused(c2d_set_condition(s, 1, 1, 1, 1, wrong, values), C2D_ERR_ARGUMENT, "condition code is ");
+  }
+  refused(c2d_set_condition(s, 1, 1, 1, 1, nullptr, values), C2D_ERR_ARGUMENT, "codes is null");
+  refused(c2d_set_condition(s, 1, 1, 1, 1, codes, nullptr), C2D_ERR_ARGUMENT, "values is null");
+  for (size_t k = 0; k < 4; ++k) {
+    const int32_t known[4] = {0, 0, 0, 0};
+    double bad[4] = {0, 0, 0, 0};
+    bad[k] = kNan;
+    const char* const names[] = {"tx is nan", "ty is nan", "ux is nan", "uy is nan"};
+    refused(c2d_set_condition(s, 1, 1, 1, 1, known, bad), C2D_ERR_ARGUMENT, names[k]);
+  }
+  double corners[20]; // elements without length have nodes of their own
+  for (size_t k = 0; k < 10; ++k) corners[2 * k] = std::cos(0.6 * double(k)), corners[2 * k + 1] = std::sin(0.6 * double(k));
+  REQUIRE(c2d_set_nodes(s, 1, 1, 10, corners, 2) == C2D_OK);
+  REQUIRE(c2d_set_condition(s, 1, 1, 2, 1, codes, values) == C2D_OK); // the node of element 2's first end
+  refused(c2d_set_condition(s, 1, 2, 1, 1, codes, others_x), C2D_ERR_ARGUMENT, "prescribe different x-displacements");
+  refused(c2d_set_condition(s, 1, 2, 1, 1, codes, others_y), C2D_ERR_ARGUMENT, "prescribe different y-displacements");
+  REQUIRE(c2d_add_friction(s, 0.1) == C2D_OK);
+  refused(c2d_set_zone_friction(s, 1, 1, 0.1), C2D_ERR_ARGUMENT, "contact zone is 1, expected 1 to 0");
+  refused(c2d_set_zone_friction(s, 1, 1, -0.1), C2D_ERR_ARGUMENT, "coefficient of friction is -0.1");
+  REQUIRE(c2d_set_symmetry(s, 0, 1.0) == C2D_OK);
+  refused(c2d_set_symmetry(s, 0, 1.0), C2D_ERR_ARGUMENT, "a second line of symmetry x = value");
+  REQUIRE(c2d_set_symmetry(s, 1, 1.0) == C2D_OK);
+  refused(c2d_set_symmetry(s, 1, 2.0), C2D_ERR_ARGUMENT, "a second line of symmetry y = value");
+}
+
+TEST_CASE("refusals: what comes too late, and walks without a function") {
+  Running going("block");
+  c2d_options options = C2D_INIT(c2d_options);
+  CHECK(c2d_change_loads(going.s) == C2D_OK);
+  options.symmetry = C2D_SYMMETRY_IMAGES;
+  CHECK(c2d_set_options(going.s, &options) == C2D_ERR_STATE);
+  REQUIRE(going.host.told.size() == 1);
+  CHECK(says(going.host.told[0], "symmetry by images is chosen before the model is complete"));
+  going.host.told.clear();
+  const double zero[3] = {0, 0, 0};
+  CHECK(c2d_set_rigid(going.s, 1, 1, zero, zero) == C2D_ERR_STATE);
+  REQUIRE(going.host.told.size() == 1);
+  CHECK(says(going.host.told[0], "made rigid before the model is complete"));
+  // Without a function to read with, every walk says so to whoever listens.
+  std::vector<c2d_error> told;
+  const c2d_report hear = [](void* to, const c2d_error* e) { static_cast<std::vector<c2d_error>*>(to)->push_back(*e); };
+  c2d_limits limits = two_blocks();
+  CHECK(c2d_check_deck(nullptr, nullptr, &limits, hear, &told) == C2D_ERR_ARGUMENT);
+  CHECK(c2d_walk_deck(nullptr, nullptr, nullptr, nullptr, hear, &told) == C2D_ERR_ARGUMENT);
+  CHECK(c2d_walk_deck(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr) == C2D_ERR_ARGUMENT);
+  REQUIRE(told.size() == 2);
+  for (const c2d_error& e : told) CHECK(says(e, "read_line is null"));
+}
