@@ -97,7 +97,7 @@ template <class Integrand> void integrate_slowly(double near, Integrand integran
 double shape_value(int functions, int l, double eta) {
   double value = 1;
   for (int k = 0; k < functions; ++k)
-    if (k != l) value *= (eta - c2d::local_eta(functions, k)) / (c2d::local_eta(functions, l) - c2d::local_eta(functions, k));
+    if (k != l) value *= (eta - c2d::node_eta(functions, k)) / (c2d::node_eta(functions, l) - c2d::node_eta(functions, k));
   return value;
 }
 
@@ -136,7 +136,7 @@ void slow_matrices(const c2d::Model& m, std::vector<std::vector<Block>>& h, std:
         near = -1 + 0.01 * k;
       }
       for (int l = 0; l < f; ++l)
-        if (c2d::functional_node(m, 0, e, l) == source) near = c2d::local_eta(f, l);
+        if (c2d::functional_node(m, 0, e, l) == source) near = c2d::node_eta(f, l);
       for (int l = 0; l < f; ++l) {
         Block sum = {};
         const int32_t node = c2d::functional_node(m, 0, e, l);

@@ -1,7 +1,7 @@
 #include "gauss_points.hpp"
 
 #include "bie/integrals.hpp"
-#include "bie/shape.hpp"
+#include "model/shape.hpp"
 #include "quadrature/gauss.hpp"
 
 #include <doctest/doctest.h>

@@ -1,8 +1,8 @@
 #include "bie/boundary_stress.hpp"
 #include "bie/interior_detail.hpp"
-#include "bie/shape.hpp"
 #include "c2d_memory.h"
 #include "contact2d.h"
+#include "model/shape.hpp"
 
 #include <doctest/doctest.h>
 

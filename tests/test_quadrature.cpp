@@ -1,6 +1,6 @@
 #include "gauss_points.hpp"
 
-#include "bie/shape.hpp"
+#include "model/shape.hpp"
 #include "quadrature/gauss.hpp"
 
 #include <doctest/doctest.h>

@@ -2,7 +2,7 @@
 //   amalgamate VERSION SOURCE... > contact2d.cpp          (from the root of the sources)
 // Private headers are inlined where they are first needed. Two files may use one name in their unnamed
 // namespaces; in one file that would be a clash, or worse another overload, so such names get the name of their
-// file behind them: `larger` of bie/element.cpp becomes `larger_bie_element`.
+// file behind them: `larger` of model/element.cpp becomes `larger_model_element`.
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>

@@ -5,7 +5,7 @@
 // Names and formulas are those of integrals_straight.cpp.
 #include "bie/field_loops.hpp"
 #include "bie/linear_loops.hpp"
-#include "bie/shape.hpp"
+#include "model/shape.hpp"
 
 namespace c2d {
 namespace {

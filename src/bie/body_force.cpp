@@ -1,8 +1,8 @@
 #include "bie/body_force.hpp"
 
-#include "bie/element.hpp"
-#include "bie/shape.hpp"
+#include "model/element.hpp"
 #include "model/geometry.hpp"
+#include "model/shape.hpp"
 #include "quadrature/gauss.hpp"
 
 namespace c2d {
@@ -82,9 +82,7 @@ Particular particular_solution(const Model& m, int b, int32_t load_case, double 
 }
 
 void particular_traction(const Model& m, int b, int32_t load_case, int32_t element, int l, double t[2]) {
-  double x[4], y[4];
-  element_coordinates(m, b, element, x, y);
-  const Point p = element_point(make_element(body_of(m, b).element_nodes, x, y), node_eta(m.head->function_nodes, l));
+  const Point p = element_point(element_of(m, b, element), node_eta(m.head->function_nodes, l));
   const Particular s = particular_solution(m, b, load_case, p.x, p.y);
   t[0] = s.stress[0] * p.nx + s.stress[2] * p.ny;
   t[1] = s.stress[2] * p.nx + s.stress[1] * p.ny;

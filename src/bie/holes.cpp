@@ -255,7 +255,7 @@ void hole_normal(const Model& m, int b, int32_t node, double n[2]) {
   n[0] = n[1] = 0.0;
   for (int i = 0; i < count; ++i) {
     double one[2];
-    outward_normal(m, b, ends[i] / f, local_eta(f, ends[i] % f), one);
+    outward_normal(m, b, ends[i] / f, node_eta(f, ends[i] % f), one);
     n[0] += one[0] / count;
     n[1] += one[1] / count;
   }

@@ -1,7 +1,7 @@
 #include "bie/integrals.hpp"
 
 #include "bie/integrals_detail.hpp"
-#include "bie/shape.hpp"
+#include "model/shape.hpp"
 #include "quadrature/gauss.hpp"
 
 #include <math.h>

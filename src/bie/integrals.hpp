@@ -5,7 +5,7 @@
 // with k = 1/(4 pi (1-nu)), i = direction of the unit load at the source, j = component at the field point,
 // r,i = (x_i - source_i)/r, n = outward normal.
 
-#include "bie/element.hpp"
+#include "model/element.hpp"
 
 namespace c2d {
 

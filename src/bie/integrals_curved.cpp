@@ -3,8 +3,8 @@
 // bound. Source on the element: the same, with r = tau |q(tau)| factored, and a logarithmic rule next to the
 // source.
 #include "bie/integrals_detail.hpp"
-#include "bie/shape.hpp"
 #include "memory/config.hpp"
+#include "model/shape.hpp"
 #include "quadrature/gauss.hpp"
 
 #include <math.h>

@@ -5,8 +5,8 @@
 // with mu_k = int eta^k.
 #include "bie/integrals_detail.hpp"
 #include "bie/kernels.hpp"
-#include "bie/shape.hpp"
 #include "bie/straight_moments.hpp"
+#include "model/shape.hpp"
 
 namespace c2d {
 namespace {

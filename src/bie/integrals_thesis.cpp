@@ -2,7 +2,7 @@
 // own node ln(1/r) = ln(1/|tau|) + ln(1/|q|), r = |tau q|, the first part with the logarithmic rule on either
 // side.
 #include "bie/integrals_detail.hpp"
-#include "bie/shape.hpp"
+#include "model/shape.hpp"
 #include "quadrature/gauss.hpp"
 
 #include <math.h>

@@ -4,7 +4,7 @@
 #include "bie/integrals_detail.hpp"
 #include "bie/interior_detail.hpp"
 #include "bie/kernels.hpp"
-#include "bie/shape.hpp"
+#include "model/shape.hpp"
 #include "quadrature/gauss.hpp"
 
 namespace c2d {

@@ -1,6 +1,6 @@
 #include "bie/measure.hpp"
 
-#include "bie/shape.hpp"
+#include "model/shape.hpp"
 
 namespace c2d {
 

@@ -1,13 +1,13 @@
 #include "bie/targets.hpp"
+#include "model/pair_frame.hpp"
 
 namespace c2d {
 
 namespace {
 
 void aim_contact(const Pair& pair, int component, int32_t base, double factor, Destination& out) {
-  const double n[2] = {pair.nx, pair.ny}, t[2] = {pair.ny, -pair.nx};
-  out.target[0] = Target{base + pair.dof, factor * n[component]};
-  if (pair.tangential) out.target[1] = Target{base + pair.dof + 1, factor * t[component]};
+  for (int slot = 0; slot <= pair.tangential; ++slot)
+    out.target[slot] = Target{base + pair.dof + slot, factor * along(pair, slot, component)};
 }
 
 Destination nowhere() { return Destination{{{-1, 0.0}, {-1, 0.0}}, false, false}; }

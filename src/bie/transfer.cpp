@@ -1,7 +1,8 @@
 #include "bie/transfer.hpp"
 
 #include "bie/panel.hpp"
-#include "bie/shape.hpp"
+#include "model/geometry.hpp"
+#include "model/pair_frame.hpp"
 #include "model/symmetry.hpp"
 
 #include <math.h>
@@ -75,12 +76,6 @@ struct Columns { // the panel
     if (j >= first && j < first + count) data[(j - first) * ld + row] += static_cast<Real>(value);
   }
 };
-
-// Components of the pair's contact unknowns d = 0 (n) and 1 (t).
-double along(const Pair& pair, int d, int component) {
-  const double n[2] = {pair.nx, pair.ny}, t[2] = {pair.ny, -pair.nx};
-  return d == 0 ? n[component] : t[component];
-}
 
 // weight * u of a node's component into one of the rows below the balances.
 void add_displacement(const Model& m, const Columns& panel, int32_t row, int32_t node, int component, double weight) {
@@ -217,9 +212,7 @@ void fill_transfer(const ColumnSystem& system, int32_t first, int32_t count, Rea
 namespace {
 
 [[gnu::noinline]] Point point_of(const Model& m, int b, const FacePoint& at) {
-  double x[4], y[4];
-  element_coordinates(m, b, at.element, x, y);
-  return element_point(make_element(m.head->body[b].element_nodes, x, y), at.eta);
+  return element_point(element_of(m, b, at.element), at.eta);
 }
 
 } // namespace

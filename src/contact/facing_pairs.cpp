@@ -13,7 +13,7 @@ bool surface_faced(const Model& m, int32_t pair, Surface& out) {
   const int count = ends_at_node(m, 1, p.node[1], ends);
   for (int i = 0; i < count; ++i) {
     if (pair_of_end(m, 1, ends[i] / f, ends[i] % f) != pair) continue;
-    FacePoint at2{ends[i] / f, 0, local_eta(f, ends[i] % f)}, at;
+    FacePoint at2{ends[i] / f, 0, node_eta(f, ends[i] % f)}, at;
     if (!find_contact_element(m, 1, at2.element, &zone, &at2.place) || !face_point(m, z, at2, at)) return false;
     p.element = at.element;
     p.eta = at.eta;

@@ -3,6 +3,7 @@
 #include "contact/facing_pairs.hpp"
 #include "memory/parts.hpp"
 #include "model/geometry.hpp"
+#include "model/pair_frame.hpp"
 #include "model/rigid.hpp"
 #include "model/symmetry.hpp"
 #include "model/unknowns.hpp"
@@ -70,7 +71,7 @@ bool surface_at(const Model& m, int b, int32_t pair, Surface& out) {
   for (int i = 0; i < count; ++i) {
     const int32_t element = ends[i] / f, local = ends[i] % f;
     if (pair_of_end(m, b, element, local) != pair) continue;
-    add_surface(m, b, element, local_eta(f, local), out);
+    add_surface(m, b, element, node_eta(f, local), out);
   }
   return make_unit(out.n);
 }
@@ -178,7 +179,9 @@ struct ZoneOverlaps {
 
 void set_gap(const Model& m, int32_t pair, const double g[2], double doubt, ZoneOverlaps& overlaps) {
   Pair& p = m.pair[pair];
-  p.gap = g[0] * p.nx + g[1] * p.ny;
+  double across[2];
+  to_frame(p, g[0], g[1], across);
+  p.gap = across[0];
   if (p.gap >= -kGapTolerance * p.length && p.gap <= kExactGap * p.length) p.gap = 0;
   if (p.gap >= 0) return;
   const double size = -p.gap;
@@ -193,7 +196,9 @@ void set_gap(const Model& m, int32_t pair, const double g[2], double doubt, Zone
 // Nodes of a pair lie opposite each other: what lies between them is gap, not a shift along the surfaces.
 void check_offset(const Model& m, int32_t pair, const double g[2], Reporter& reporter) {
   const Pair& p = m.pair[pair];
-  const double offset = fabs(g[0] * p.ny - g[1] * p.nx);
+  double across[2];
+  to_frame(p, g[0], g[1], across);
+  const double offset = fabs(across[1]);
   if (offset <= kOffset * p.length) return;
   Finding f = offset < p.length ? warning(C2D_WARN_OFFSET) : fault();
   locate_pair(f, m, pair);
@@ -356,7 +361,7 @@ double surface_doubt(const Model& m, int32_t pair) {
     if (p.node[b] < 0)
       sum += doubt_at(m, b, p.element, p.eta);
     else if (ends_at_node(m, b, p.node[b], ends) == 1)
-      sum += doubt_at(m, b, ends[0] / f, local_eta(f, ends[0] % f));
+      sum += doubt_at(m, b, ends[0] / f, node_eta(f, ends[0] % f));
   }
   return sum;
 }

@@ -1,5 +1,6 @@
 // What the reduction does where body 1 is rigid: optional (memory/parts.hpp).
 #include "contact/reduction.hpp"
+#include "model/pair_frame.hpp"
 
 namespace c2d {
 
@@ -7,8 +8,7 @@ void rigid_motion_at_pair(const Model& m, const Pair& pair, int32_t load_case, d
   double x, y, u[2];
   node_position(m, 0, pair.node[0], &x, &y);
   rigid_displacement(m, load_case, x, y, u);
-  v[0] = (u[0] * pair.nx + u[1] * pair.ny) / m.head->length_unit;
-  v[1] = (u[0] * pair.ny - u[1] * pair.nx) / m.head->length_unit;
+  to_frame(pair, u[0] / m.head->length_unit, u[1] / m.head->length_unit, v); // a power of two: the same digits
 }
 
 c2d_status move_rigidly(const Reduction& r) {

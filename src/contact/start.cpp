@@ -3,6 +3,7 @@
 #include "contact/let_go.hpp"
 #include "contact/limit_analysis.hpp"
 #include "model/free_zones.hpp"
+#include "model/pair_frame.hpp"
 
 #include <math.h>
 
@@ -67,8 +68,7 @@ void motion_at_pair(const Model& m, int b, const double motion[3], const double 
   const double ux = motion[0] - motion[2] * (y - centre[1]) / unit;
   const double uy = motion[1] + motion[2] * (x - centre[0]) / unit;
   const double side = b == 1 ? 1.0 : -1.0;
-  out[0] = side * (ux * pair.nx + uy * pair.ny);
-  out[1] = side * (ux * pair.ny - uy * pair.nx);
+  to_frame(pair, side * ux, side * uy, out);
 }
 
 c2d_status start_path(Follower& f, const FreeBody& body, const Model& model, int32_t* floating) {

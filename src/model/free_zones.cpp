@@ -144,7 +144,7 @@ double snapped(const Model& m, double eta) {
     if (fabs(eta - end) <= kSnap) return end;
   const int f = m.head->function_nodes;
   for (int l = 0; l < f; ++l)
-    if (fabs(eta - local_eta(f, l)) <= kSnap) return local_eta(f, l);
+    if (fabs(eta - node_eta(f, l)) <= kSnap) return node_eta(f, l);
   return eta;
 }
 
@@ -249,7 +249,7 @@ void facing_direction(const Model& m, const Zone& z, const FacePoint& at1, const
 int32_t node_at(const Model& m, const FacePoint& at) {
   const int f = m.head->function_nodes;
   for (int l = 0; l < f; ++l)
-    if (at.eta == local_eta(f, l)) return functional_node(m, 0, at.element, l);
+    if (at.eta == node_eta(f, l)) return functional_node(m, 0, at.element, l);
   return -1;
 }
 
@@ -273,7 +273,7 @@ double position(const Zone& z, const FacePoint& p) { return p.place + 0.5 * (1 +
 bool own_cut(const Model& m, const Zone& z, int32_t stop, double* eta) {
   const int f = m.head->function_nodes, cuts = f < 2 ? 3 : f;
   if (stop >= cuts) return false;
-  const double at = local_eta(cuts, stop);
+  const double at = node_eta(cuts, stop);
   *eta = z.element_step[1] > 0 ? at : -at;
   return true;
 }
@@ -281,7 +281,7 @@ bool own_cut(const Model& m, const Zone& z, int32_t stop, double* eta) {
 bool face_own_cut(const Model& m, const Zone& z, const FacePoint& at2, FacePoint& out) {
   const int f = m.head->function_nodes;
   for (int l = 0; l < f && f > 1; ++l) { // a pair's node: its point has been found
-    const int32_t pair = at2.eta == local_eta(f, l) ? pair_of_end(m, 1, at2.element, l) : -1;
+    const int32_t pair = at2.eta == node_eta(f, l) ? pair_of_end(m, 1, at2.element, l) : -1;
     if (pair < 0) continue;
     int32_t zone;
     out.element = m.pair[pair].element;
@@ -296,7 +296,7 @@ double next_cut(const Model& m, const Zone& z, double eta) {
   const int f = m.head->function_nodes, step = z.element_step[0];
   double next = step;
   for (int l = 0; l < f; ++l) {
-    const double node = local_eta(f, l);
+    const double node = node_eta(f, l);
     if (step * (node - eta) > kSnap && step * (node - next) < 0) next = node;
   }
   return next;

@@ -5,8 +5,6 @@
 
 namespace c2d {
 
-double local_eta(int nodes, int l) { return nodes == 1 ? 0 : -1 + 2.0 * l / (nodes - 1); }
-
 namespace {
 
 // Where chord i of an element's polyline begins.
@@ -16,21 +14,11 @@ double chord_eta(int i, int chords) { return -1 + 2.0 * i / chords; }
 
 CurvePoint curve_point(int nodes, const double* x, const double* y, double eta) {
   CurvePoint p = {0, 0, 0, 0};
-  for (int i = 0; i < nodes; ++i) {
-    // Lagrange's polynomial of node i and, by the product rule, its derivative.
-    double value = 1, slope = 0;
-    const double own = local_eta(nodes, i);
-    for (int j = 0; j < nodes; ++j) {
-      if (j == i) continue;
-      const double other = local_eta(nodes, j), step = own - other;
-      slope = slope * (eta - other) / step + value / step;
-      value *= (eta - other) / step;
-    }
-    p.x += value * x[i];
-    p.y += value * y[i];
-    p.dx += slope * x[i];
-    p.dy += slope * y[i];
-  }
+  double part[4]; // one array for both, as what looks for a facing point goes deep
+  shape(nodes, eta, part);
+  for (int i = 0; i < nodes; ++i) p.x += part[i] * x[i], p.y += part[i] * y[i];
+  shape_derivative(nodes, eta, part);
+  for (int i = 0; i < nodes; ++i) p.dx += part[i] * x[i], p.dy += part[i] * y[i];
   return p;
 }
 
@@ -38,6 +26,12 @@ CurvePoint curve_point(const Model& m, int b, int32_t element, double eta) {
   double x[4], y[4];
   element_coordinates(m, b, element, x, y);
   return curve_point(body_of(m, b).element_nodes, x, y, eta);
+}
+
+Element element_of(const Model& m, int b, int32_t element) {
+  double x[4], y[4];
+  element_coordinates(m, b, element, x, y);
+  return make_element(body_of(m, b).element_nodes, x, y);
 }
 
 void outward_normal(const Model& m, int b, int32_t element, double eta, double n[2]) {

@@ -1,7 +1,8 @@
 #pragma once
-// The little plane geometry the model needs for itself: points on elements, lengths, areas, winding,
-// crossing. Integration has its own, richer view of an element in bie/.
+// Plane geometry of the model's elements: points, lengths, areas, winding, crossing.
+#include "model/element.hpp"
 #include "model/model.hpp"
+#include "model/shape.hpp"
 
 namespace c2d {
 
@@ -12,11 +13,11 @@ constexpr double kCoincident = 1e-10;
 struct CurvePoint {
   double x, y, dx, dy;
 };
-// Point of the curve through `nodes` (2 ... 4) points that are equally spaced in eta, thesis (4.7) to (4.10).
+// Point of the curve through `nodes` (2 ... 4) points that are equally spaced in eta, thesis (4.7) to (4.10). At the nodes it
+// is exactly theirs, which that of an Element (model/element.hpp: for many points of one element) is but for round-off.
 CurvePoint curve_point(int nodes, const double* x, const double* y, double eta);
 CurvePoint curve_point(const Model& m, int b, int32_t element, double eta);
-// eta of local node l of `nodes`; a constant element has its node in the middle.
-double local_eta(int nodes, int l);
+Element element_of(const Model& m, int b, int32_t element);
 
 // Unit outward normal, to the right of the direction of travel; (0, 0) where the tangent vanishes.
 void outward_normal(const Model& m, int b, int32_t element, double eta, double n[2]);

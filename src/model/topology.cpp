@@ -192,7 +192,7 @@ void node_position(const Model& m, int b, int32_t node, double* x, double* y) {
     return;
   }
   const NodePlace at = place_of_node(m, b, node);
-  const CurvePoint p = curve_point(m, b, at.element, local_eta(f, at.local));
+  const CurvePoint p = curve_point(m, b, at.element, node_eta(f, at.local));
   *x = p.x;
   *y = p.y;
 }

@@ -52,7 +52,7 @@ void warn_corner(const Model& m, int b, int32_t node, int component, const Unkno
   double n[2][2];
   for (int i = 0; i < 2; ++i) {
     const int32_t local = unknown.end[i] % per_element;
-    outward_normal(m, b, unknown.end[i] / per_element, local_eta(per_element, local), n[i]);
+    outward_normal(m, b, unknown.end[i] / per_element, node_eta(per_element, local), n[i]);
   }
   const double angle = angle_between(n[0], n[1]) / kDegree;
   if (angle <= 1) return;
@@ -81,7 +81,7 @@ bool can_move_outward(const Model& m, int b) {
     if (!is_integrated(m, b, element)) continue;
     for (int l = 0; l < f; ++l) {
       double n[2];
-      outward_normal(m, b, element, local_eta(f, l), n);
+      outward_normal(m, b, element, node_eta(f, l), n);
       const int32_t node = functional_node(m, b, element, l);
       for (int c = 0; c < 2; ++c)
         if (fabs(n[c]) > 1e-6 && !displacement_known(m, b, node, c) && !is_held_by_symmetry(m, b, node, c)) return true;

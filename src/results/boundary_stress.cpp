@@ -3,7 +3,7 @@
 
 #include "bie/boundary_stress.hpp"
 #include "bie/columns.hpp"
-#include "bie/shape.hpp"
+#include "model/shape.hpp"
 #include "model/symmetry.hpp"
 #include "quadrature/gauss.hpp"
 #include "results/back.hpp"
@@ -21,12 +21,6 @@ Neighbour region_neighbour(const Model& m, int b, int32_t element, int32_t step)
   do other = region.first + (other - region.first + step + count) % count;
   while (other != element && is_zero_length(m, b, other));
   return Neighbour{other, 0};
-}
-
-Element element_of(const Model& m, int b, int32_t element) {
-  double x[4], y[4];
-  element_coordinates(m, b, element, x, y);
-  return make_element(m.head->body[b].element_nodes, x, y);
 }
 
 namespace {

@@ -2,7 +2,7 @@
 // Interior points, and the boundary's state between its nodes, for interior points and c2d_get. The boundary results must be
 // current; body and element count from 0. Everything in the caller's units.
 #include "bie/boundary_stress.hpp"
-#include "bie/element.hpp"
+#include "model/geometry.hpp"
 #include "solver/session.hpp"
 
 namespace c2d {
@@ -13,7 +13,6 @@ struct Neighbour {
   int image;
 };
 Neighbour region_neighbour(const Model& m, int b, int32_t element, int32_t step);
-Element element_of(const Model& m, int b, int32_t element);
 
 struct BoundaryState {
   double u[2], t[2], du_ds[2], n[2];

@@ -2,6 +2,7 @@
 // What free zones hand over to body 1 (bie/transfer.hpp): optional, for models with ModelHeader::free_rows
 // (memory/parts.hpp).
 #include "bie/measure.hpp"
+#include "model/pair_frame.hpp"
 #include "solver/session.hpp"
 
 namespace c2d {
@@ -14,11 +15,6 @@ void transferred_values(const Session& session, const Transfer& piece, int k, do
 void add_transferred_force(const Session& session, double out[3]);
 
 // ---- shared with the rest of the back substitution ----
-// A vector in a pair's frame as global components.
-inline void to_global(const Pair& pair, double normal, double tangential, double out[2]) {
-  out[0] = normal * pair.nx + tangential * pair.ny;
-  out[1] = normal * pair.ny - tangential * pair.nx;
-}
 inline void add_force(double out[3], double fx, double fy, double moment) {
   out[0] += fx;
   out[1] += fy;

@@ -1,10 +1,10 @@
 // What a user should know about a contact state: each warning once per path (src/report/OUTPUT.md).
 #include <math.h>
 
-#include "bie/shape.hpp"
 #include "contact/let_go.hpp"
 #include "memory/text.hpp"
 #include "model/geometry.hpp"
+#include "model/shape.hpp"
 #include "model/symmetry.hpp"
 #include "results/back.hpp"
 #include "results/coarse_contact.hpp"

@@ -2,6 +2,7 @@
 #include <math.h>
 
 #include "bie/columns.hpp"
+#include "model/pair_frame.hpp"
 #include "results/zone_state.hpp"
 
 namespace c2d {
@@ -29,10 +30,10 @@ void add_element_force(const Session& session, int b, int32_t element, c2d_zone_
     if (i < 0) continue;
     const Pair& pair = m.pair[i];
     const PairState now = pair_state(*f.t, i, f.y);
-    const double tx = now.p * pair.nx + now.q * pair.ny, ty = now.p * pair.ny - now.q * pair.nx;
-    out.force[0] += unit * weight[l].w * tx;
-    out.force[1] += unit * weight[l].w * ty;
-    out.moment += unit * m.head->length_unit * (weight[l].wx * ty - weight[l].wy * tx);
+    double t[2];
+    to_global(pair, now.p, now.q, t);
+    for (int c = 0; c < 2; ++c) out.force[c] += unit * weight[l].w * t[c];
+    out.moment += unit * m.head->length_unit * (weight[l].wx * t[1] - weight[l].wy * t[0]);
   }
 }
 

@@ -1,7 +1,7 @@
 // Body forces in the energy's functionals: optional (memory/parts.hpp).
 #include "bie/body_force.hpp"
 #include "bie/columns.hpp"
-#include "bie/shape.hpp"
+#include "model/geometry.hpp"
 #include "quadrature/gauss.hpp"
 #include "solver/energy_adjoint.hpp"
 
@@ -32,9 +32,8 @@ namespace {
   const Model& m = a.model();
   const int nf = m.head->function_nodes;
   const double unit = m.head->length_unit, stress = m.head->stress_unit;
-  double x[4], y[4], u[4][2] = {}, t[4][2] = {};
-  element_coordinates(m, a.b, element, x, y);
-  const Element e = make_element(body_of(m, a.b).element_nodes, x, y);
+  double u[4][2] = {}, t[4][2] = {};
+  const Element e = element_of(m, a.b, element);
   const GaussRule rule = gauss_legendre(6);
   for (int i = 0; i < rule.n; ++i) {
     const GaussPoint g = gauss_point(rule, i);

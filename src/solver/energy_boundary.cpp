@@ -1,5 +1,6 @@
 // Displacements and tractions in the energy's functionals, and the work of what the conditions prescribe.
 #include "bie/columns.hpp"
+#include "model/pair_frame.hpp"
 #include "solver/energy_adjoint.hpp"
 
 namespace c2d {
@@ -14,8 +15,8 @@ void add_displacement(Adjoint& a, int32_t node, int c, double factor) {
   const Unknown unknown = unknown_at(m, a.b, node, c);
   if (unknown.kind == UnknownKind::contact) {
     const Pair& pair = m.pair[pair_of_node(m, a.b, node)];
-    a.u[pair.dof] += static_cast<Real>(factor * (c == 0 ? pair.nx : pair.ny));
-    if (pair.tangential) a.u[pair.dof + 1] += static_cast<Real>(factor * (c == 0 ? pair.ny : -pair.nx));
+    for (int slot = 0; slot <= pair.tangential; ++slot)
+      a.u[pair.dof + slot] += static_cast<Real>(factor * along(pair, slot, c));
   } else if (unknown.kind == UnknownKind::displacement) {
     add_outer(a, outer_column(m, a.b, node, c), factor);
   } else {
@@ -43,8 +44,8 @@ void add_traction(Adjoint& a, int32_t element, int l, int c, double factor) {
   case TractionKind::contact: {
     const Pair& pair = m.pair[pair_of_end(m, a.b, element, l)];
     const double scaled = (a.b == 1 ? 1.0 : -1.0) * factor * m.head->stress_unit / modulus;
-    a.tau[pair.dof] += static_cast<Real>(scaled * (c == 0 ? pair.nx : pair.ny));
-    if (pair.tangential) a.tau[pair.dof + 1] += static_cast<Real>(scaled * (c == 0 ? pair.ny : -pair.nx));
+    for (int slot = 0; slot <= pair.tangential; ++slot)
+      a.tau[pair.dof + slot] += static_cast<Real>(scaled * along(pair, slot, c));
     return;
   }
   case TractionKind::solved: {

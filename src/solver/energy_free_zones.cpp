@@ -1,5 +1,6 @@
 // Displacement of a point load under what free zones hand over to body 1 (optional, memory/parts.hpp).
 #include "bie/transfer.hpp"
+#include "model/pair_frame.hpp"
 #include "solver/energy_adjoint.hpp"
 
 namespace c2d {
@@ -21,8 +22,8 @@ namespace {
       double sum = 0.0;
       for (int k = 0; k < piece.in.functions; ++k)
         sum += piece.weight[k][l] * (factor[0] * blocks.g[k][0][c] + factor[1] * blocks.g[k][1][c]);
-      a.tau[pair.dof] += static_cast<Real>(scale * sum * (c == 0 ? pair.nx : pair.ny));
-      if (pair.tangential) a.tau[pair.dof + 1] += static_cast<Real>(scale * sum * (c == 0 ? pair.ny : -pair.nx));
+      for (int slot = 0; slot <= pair.tangential; ++slot)
+        a.tau[pair.dof + slot] += static_cast<Real>(scale * sum * along(pair, slot, c));
     }
   }
 }

@@ -4,9 +4,9 @@
 #include "bie/body_force.hpp"
 #include "bie/columns.hpp"
 #include "bie/kernels.hpp"
-#include "bie/shape.hpp"
 #include "memory/parts.hpp"
 #include "model/geometry.hpp"
+#include "model/shape.hpp"
 #include "model/symmetry.hpp"
 #include "solver/energy_adjoint.hpp"
 

@@ -7,6 +7,7 @@
 #include "contact/start.hpp"
 #include "memory/parts.hpp"
 #include "memory/text.hpp"
+#include "model/pair_frame.hpp"
 #include "solver/energy.hpp"
 #include "solver/load_path.hpp"
 
@@ -68,8 +69,7 @@ template <class Number> c2d_status project(const Session& session, ContactMatrix
 // The direction of one of a pair's forces on the free body.
 void force_direction(const Session& session, const Pair& pair, int32_t d, double out[2]) {
   const double side = session.free_body.body == 1 ? 1.0 : -1.0;
-  out[0] = side * (d == 0 ? pair.nx : pair.ny);
-  out[1] = side * (d == 0 ? pair.ny : -pair.nx);
+  for (int c = 0; c < 2; ++c) out[c] = side * along(pair, d, c);
 }
 
 void find_moments(const Session& session, Real* moment) {
@@ -209,9 +209,9 @@ void add_pair(const Session& session, const Book& book, const Pair& pair, const 
     out.p = larger(out.p, size);
     out.resultant[2] += tau[d] * book.moment[j];
   }
-  const double p = pair.weight * now.p, q = pair.tangential ? pair.weight * now.q : 0.0;
-  out.resultant[0] += p * pair.nx + q * pair.ny;
-  out.resultant[1] += p * pair.ny - q * pair.nx;
+  double force[2];
+  to_global(pair, pair.weight * now.p, pair.tangential ? pair.weight * now.q : 0.0, force);
+  for (int c = 0; c < 2; ++c) out.resultant[c] += force[c];
   out.w = larger(out.w, larger(fabs(now.wn), fabs(now.wt)));
   out.overlap = larger(out.overlap, -now.wn);
   out.tension = larger(out.tension, -now.p);

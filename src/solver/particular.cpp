@@ -1,7 +1,7 @@
 #include "solver/particular.hpp"
 
 #include "bie/body_force.hpp"
-#include "bie/shape.hpp"
+#include "model/shape.hpp"
 
 namespace c2d {
 

@@ -1,4 +1,5 @@
 #include "solver/support.hpp"
+#include "model/pair_frame.hpp"
 
 #include <math.h>
 
@@ -32,12 +33,11 @@ bool contact_holds(const Model& m, int b) {
     double x, y;
     pair_position(m, pair, b, &x, &y);
     const double dx = (x - body.centre[0]) / m.head->length_unit, dy = (y - body.centre[1]) / m.head->length_unit;
-    const double directions[2][2] = {{pair.nx, pair.ny}, {pair.ny, -pair.nx}};
     for (int d = 0; d <= pair.tangential && rank < k; ++d) {
       double row[3] = {0.0, 0.0, 0.0};
       for (int j = 0; j < k; ++j) {
         const double* motion = body.free_motion[j];
-        row[j] = directions[d][0] * (motion[0] - motion[2] * dy) + directions[d][1] * (motion[1] + motion[2] * dx);
+        row[j] = along(pair, d, 0) * (motion[0] - motion[2] * dy) + along(pair, d, 1) * (motion[1] + motion[2] * dx);
       }
       rank += extend_basis(basis, rank, k, row);
     }

@@ -1,4 +1,4 @@
-#include "bie/shape.hpp"
+#include "model/shape.hpp"
 
 namespace c2d {
 namespace {

@@ -1,6 +1,6 @@
-#include "bie/element.hpp"
+#include "model/element.hpp"
 
-#include "bie/shape.hpp"
+#include "model/shape.hpp"
 
 #include <math.h>
 
