@@ -95,6 +95,12 @@ TEST_CASE("random decks: a first touch whose pressure is but a last digit, and s
   for (const uint64_t seed : {4114u, 104383u}) is_solved(Kind::any, seed);
 }
 
+TEST_CASE("random decks: a body that may tilt either way on one pair has two solutions, however alike they are") {
+  const Verdict v = judge(Kind::any, 106816);
+  CHECK_MESSAGE(v.findings.empty(), findings(v));
+  CHECK(v.not_unique);
+}
+
 TEST_CASE("random decks: a body that nothing moves lies where it was made, whichever gap the tableau leaves free") {
   is_solved(Kind::any, 104971);
 }

@@ -261,7 +261,7 @@ bool next_cells(RateProblem& r) {
 
 Signature sign_solution(const RateProblem& r, const Real* u, double* away) {
   Signature s{0.0, 0.0, 0.0};
-  double weight = 1.0;
+  double turn = 0.0; // weights unlike for all, so that solutions which mirror each other differ
   *away = 0.0;
   for (int32_t i = 0; i < r.count; ++i) {
     const Doubt& d = r.doubt[i];
@@ -269,7 +269,8 @@ Signature sign_solution(const RateProblem& r, const Real* u, double* away) {
     double value[4];
     for (int k = 0; k < 4; ++k) value[k] = value_of(x.of[k], d, u);
     for (int k = 0; k < d.slots; ++k) {
-      weight = 1.0 + fmod(weight * 0.6180339887498949, 1.0);
+      turn = fmod(turn + 0.6180339887498949, 1.0);
+      const double weight = 1.0 + turn;
       s.motion += weight * value[k];
       s.force += weight * value[k + 2];
       const double step = value[k] - static_cast<double>(r.before[d.row + k]);
