@@ -25,8 +25,11 @@ INCLUDEDIR ?= $(PREFIX)/include
 DOCDIR     ?= $(PREFIX)/share/doc/contact2d
 
 version_part = $(shell sed -n 's/^\#define C2D_VERSION_$(1) *//p' include/contact2d.h)
-SOVERSION := $(call version_part,MAJOR)
-VERSION   := $(SOVERSION).$(call version_part,MINOR).$(call version_part,PATCH)
+MAJOR     := $(call version_part,MAJOR)
+MINOR     := $(call version_part,MINOR)
+VERSION   := $(MAJOR).$(MINOR).$(call version_part,PATCH)
+# Before 1.0 a minor version may change calls: programs of another must not find it.
+SOVERSION := $(if $(filter 0,$(MAJOR)),0.$(MINOR),$(MAJOR))
 
 WARNINGS  := -Wall -Wextra -Wpedantic -Wconversion -Wshadow
 INCLUDES  := -Isrc -Iinclude $(addprefix -Iport/,$(PORTS))

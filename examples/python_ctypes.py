@@ -1,6 +1,6 @@
 """Solves a deck from Python with ctypes, the standard library alone.
 
-    python3 examples/python_ctypes.py build/libcontact2d.so.0.1.0 examples/hertz.dat
+    python3 examples/python_ctypes.py build/libcontact2d.so.0.2.0 examples/hertz.dat
 
 The structs below are those of contact2d.h. A host may know fewer members than the library has: struct_size tells the
 library how many, so a struct here may end early.
@@ -21,8 +21,17 @@ class Sized(ctypes.Structure):
         super().__init__(struct_size=ctypes.sizeof(self))
 
 
+class BodyLimits(ctypes.Structure):
+    _fields_ = [("points", c_int32), ("elements", c_int32), ("regions", c_int32), ("reserved", c_int32)]
+
+
 class Limits(Sized):
-    _fields_ = [("struct_size", c_uint32), ("sizes", c_int32 * 31)]  # more than it has today
+    _fields_ = [("struct_size", c_uint32), ("bodies", c_int32), ("body", POINTER(BodyLimits)),
+                ("sizes", c_int32 * 28)]  # more than it has today
+
+    def __init__(self):
+        super().__init__()
+        self.bodies, self.body = 2, (BodyLimits * 2)()  # so many have room
 
 
 class Error(Sized):

@@ -56,15 +56,16 @@ int32_t next_card(void* context, char* text, int32_t size) {
 // No exception may leave a callback: this one has none to throw.
 int32_t show_step(void*, const c2d_step* step) {
   double peak = 0.0;
-  for (int32_t pair = 0; pair < step->pairs; ++pair)
-    peak = std::max(peak, step->table[pair * step->stride + C2D_TN]);
-  std::printf("mu %.4f  step %d  load %.5f  peak pressure %.10f\n", step->mu, static_cast<int>(step->step), step->load,
-              peak);
+  for (int32_t pair = 0; pair < step->pairs; ++pair) peak = std::max(peak, step->table[pair * step->stride + C2D_TN]);
+  std::printf("mu %.4f  step %d  load %.5f  peak pressure %.10f\n", step->mu, static_cast<int>(step->step), step->load, peak);
   return 0;
 }
 
 void solve(const char* name) {
+  c2d_body_limits bodies[2];
   c2d_limits limits = C2D_INIT(c2d_limits);
+  limits.bodies = 2; // so many have room
+  limits.body = bodies;
   c2d_error why = C2D_INIT(c2d_error);
   std::ifstream deck(name);
   if (c2d_scan_deck(next_card, &deck, &limits, &why) != C2D_OK) throw std::runtime_error(why.text);

@@ -81,6 +81,7 @@ static int solve(c2d_solver* solver, FILE* deck) {
 
 int main(int argc, char** argv) {
   FILE* deck = argc == 2 ? fopen(argv[1], "r") : NULL;
+  c2d_body_limits bodies[2];
   c2d_limits limits = C2D_INIT(c2d_limits);
   c2d_error why = C2D_INIT(c2d_error);
   c2d_port port = C2D_INIT(c2d_port);
@@ -89,6 +90,8 @@ int main(int argc, char** argv) {
   c2d_status status;
   int result;
 
+  limits.bodies = 2; /* so many have room */
+  limits.body = bodies;
   if (deck == NULL) {
     fprintf(stderr, "usage: static_array DECK\n");
     return 1;

@@ -1,36 +1,36 @@
-/* contact2d: two-dimensional elastic contact with Coulomb friction by the boundary integral equation method,
-   in memory that the caller hands over, with matrix blocks streamed through a block store of the caller's.
+/* contact2d: two-dimensional elastic contact with Coulomb friction by the boundary integral equation method, in memory
+   that the caller hands over, with matrix blocks streamed through a block store of the caller's. Plain C99, valid C++.
+   Every function returns a status; nothing is printed, allocated, thrown or ended. The order of calls:
 
-   Plain C99, valid C++. Every function returns a status; nothing is printed, allocated, thrown or ended.
-   The header reads from top to bottom in the order in which a program uses it, and the pieces of code in its comments,
-   read in that order, are one program that runs:
+   c2d_scan_deck, or numbers of your own   sizes              section 2, 4; as constants: contact2d_memory.h
+   c2d_create                              the solver         2; the port that it is given: 3
+   c2d_read_deck, or                       the model          4
+   c2d_set_problem ... c2d_complete          by calls         5
+   c2d_prepare                             the equations      6; other loads: c2d_change_loads
+   c2d_run, or                             the load path      7
+   c2d_begin, c2d_advance ...                step by step     7; c2d_save, c2d_restore
+   c2d_get, c2d_interior ...               results            8; words and numbers: 1
+   c2d_close                                                  what was refused, and what is legal when: 9
 
-   you want to                                    section
-   know what a number or a word means             1 numbers and words
-   know how much memory it takes, give it         2 sizes and memory; as a constant: contact2d_memory.h
-   keep matrix blocks, see progress, cancel       3 the port
-   solve a deck of cards                          4 a model from a deck
-   describe bodies, loads and contact in code     5 a model by calls
-   have the equations assembled and eliminated    6 prepare
-   follow loads, save and take up a state         7 follow the load
-   read pressures, displacements, stresses        8 results
-   understand a refusal                           9 errors and state
-   know what is solved, and how                   src/METHOD.md: METHOD 7 is its section 7, METHOD (7.2) an equation
+   The header reads in this order, and the pieces of code in its comments are one program that runs. What is solved, and
+   how: src/METHOD.md (METHOD 7 is its section 7, METHOD (7.2) an equation).
 
-   After a failure. A call that does not return C2D_OK has changed nothing, and its output arguments are as they were,
-   with these exceptions, which its comment repeats: c2d_create and c2d_attach set *out to null; a failed c2d_read_deck
-   or c2d_complete leaves an empty model; a cancelled c2d_advance or c2d_run leaves the solver at the last load
-   reached; an error of the store (C2D_ERR_STORE_...) in any call that uses it leaves the state `broken`. A call on a
-   solver that does not return C2D_OK tells c2d_port.log why, each fault once, and c2d_last_error the first of them;
-   only inside a callback nothing is told. A status is
-   about the call; that the load cannot go further is no failure but an outcome. Pointers may be null only where that
-   is said; a null solver is C2D_ERR_ARGUMENT. Calls on one solver come from one thread at a time, except c2d_cancel;
-   solvers know nothing of each other.
+   After a failure. A call that does not return C2D_OK has changed nothing, and its output arguments are as they were, with
+   these exceptions, which its comment repeats: c2d_create and c2d_attach set *out to null; a failed c2d_read_deck or
+   c2d_complete leaves an empty model; a cancelled c2d_advance or c2d_run leaves the solver at the last load reached; an
+   error of the store (C2D_ERR_STORE_...) in any call that uses it leaves the state `broken`. The call tells c2d_port.log
+   why, each fault once, and c2d_last_error the first of them; only inside a callback nothing is told. A status is about the
+   call; that the load cannot go further is no failure but an outcome. Pointers may be null only where that is said; a null
+   solver is C2D_ERR_ARGUMENT.
+
+   Threads. Solvers know nothing of each other: there is no variable but in a solver's memory. Calls on one solver come
+   from one thread at a time, except c2d_cancel. From inside its callbacks only what section 3 lists is legal.
 
    Conventions, everywhere. Lengths, forces and stresses are in the caller's units, any consistent set. Forces
    are per unit thickness. A body's boundary runs with the material on its left: outer boundary counter-clockwise,
    holes clockwise. Numbers of bodies, elements, nodes, pairs and zones start at 1. `codes` are those of the
    condition cards: 0 known, 1 unknown, in the order tx ty ux uy.
+
    Arguments stand in one order: the solver; which body, element, local node, zone, item i; the load case; values in;
    values out. A list with one number per load case or zone is (pointer, count); a range of entries is first, count,
    and the array they go to or come from is (pointer, stride).
@@ -43,7 +43,7 @@
 #include <stdint.h>
 
 #define C2D_VERSION_MAJOR 0
-#define C2D_VERSION_MINOR 1
+#define C2D_VERSION_MINOR 2
 #define C2D_VERSION_PATCH 0
 
 #ifdef __cplusplus
@@ -179,11 +179,10 @@ enum { /* c2d_error.status of warnings */
 
      static unsigned char workspace[1 << 16];
      uint64_t least = 0;
+     c2d_body_limits squares[2] = {{8, 8, 1, 0}, {8, 8, 1, 0}};
      sizes.bodies = 2;
+     sizes.body = squares;
      sizes.function_nodes = 2;
-     sizes.geometry_nodes[0] = sizes.geometry_nodes[1] = 8;
-     sizes.elements[0] = sizes.elements[1] = 8;
-     sizes.regions[0] = sizes.regions[1] = 1;
      sizes.zones = 1;
      sizes.pairs = 3;
      sizes.contact_elements = 2;
@@ -192,22 +191,27 @@ enum { /* c2d_error.status of warnings */
      if (bad || least > sizeof workspace) return 1;
 */
 
+typedef struct c2d_body_limits {
+  int32_t points;             /* boundary points (NBP), ends of open regions included              */
+  int32_t elements;           /* NEL                                                               */
+  int32_t regions;            /* closed and open curves (NREN)                                     */
+  int32_t reserved;           /* 0                                                                 */
+} c2d_body_limits;
+
 typedef struct c2d_limits {
   uint32_t struct_size;
-  int32_t bodies;             /* 1 or 2                                                            */
+  int32_t bodies;             /* how many; more than 2 are refused yet                             */
+  c2d_body_limits* body;      /* [bodies], an array of the caller's; no call keeps it              */
   int32_t function_nodes;     /* functional nodes per element: 1 constant ... 4 cubic (NFNODE)     */
-  int32_t geometry_nodes[2];  /* boundary points of each body (NBP), ends of open regions included */
-  int32_t elements[2];        /* elements of each body (NEL)                                       */
-  int32_t regions[2];         /* closed curves of each body (NREN)                                 */
   int32_t zones;              /* contact zones (MCP)                                               */
   int32_t pairs;              /* node pairs of all zones                                           */
-  int32_t contact_elements;   /* element pairs of all zones; elements of body 2 in free zones      */
-  int32_t point_loads;        /* of both bodies together                                           */
+  int32_t contact_elements;   /* element pairs of all zones; elements of side 2 in free zones      */
+  int32_t point_loads;        /* of all bodies together                                            */
   int32_t coefficients;       /* coefficients of friction to be run one after another (NMU)        */
   int32_t paths;              /* load cards (NPATH)                                                */
   int32_t load_cases;         /* 0 means 1                                                         */
   int32_t panel_columns;      /* columns eliminated at a time; 0: as many as the memory allows     */
-  int32_t free_pairs;         /* those of the pairs that belong to zones of c2d_add_free_zone      */
+  int32_t free_pairs;         /* those of the pairs that belong to zones of kind C2D_ZONE_FREE     */
   int32_t point_sets;         /* of c2d_add_points (cards under *POINTS)                           */
   int32_t curves;             /* of c2d_add_curve (cards *CURVE)                                   */
 } c2d_limits;
@@ -319,8 +323,12 @@ c2d_status c2d_close(c2d_solver* solver);
      }
 
      static c2d_status read_file(FILE* deck, unsigned char* memory, size_t bytes, const c2d_port* port, c2d_solver** out) {
+       c2d_body_limits bodies[2];
        c2d_limits sizes = C2D_INIT(c2d_limits);
-       c2d_status status = c2d_scan_deck(next_card, deck, &sizes, NULL);
+       c2d_status status;
+       sizes.bodies = 2;
+       sizes.body = bodies;
+       status = c2d_scan_deck(next_card, deck, &sizes, NULL);
        if (status == C2D_OK) status = c2d_create(out, memory, bytes, &sizes, port, NULL);
        rewind(deck);
        return status == C2D_OK ? c2d_read_deck(*out, next_card, deck) : status;
@@ -329,8 +337,9 @@ c2d_status c2d_close(c2d_solver* solver);
 typedef int32_t (*c2d_read_line)(void* context, char* text, int32_t size);
 typedef void (*c2d_report)(void* context, const c2d_error* entry);
 
-/* Sizes of a deck, without any workspace. Counts what is there; a deck that passes may still be refused by
-   c2d_read_deck. Errors: INPUT (the first fault in *why), READ. */
+/* Sizes of a deck, without any workspace. out->body has room for out->bodies bodies; both are filled with the deck's.
+   Counts what is there; a deck that passes may still be refused by c2d_read_deck. Errors: INPUT (the first fault in
+   *why), READ; LIMIT: out->bodies is then how many there must be room for, and nothing else is filled. */
 c2d_status c2d_scan_deck(c2d_read_line read, void* context, c2d_limits* out, c2d_error* why);
 /* The same, with every fault told to `report`. */
 c2d_status c2d_check_deck(c2d_read_line read, void* context, c2d_limits* out, c2d_report report,
@@ -367,7 +376,7 @@ c2d_status c2d_read_deck(c2d_solver* solver, c2d_read_line read, void* context);
 
 /* ---------------------------------------------------------------- 5 a model by calls ---------------------------
 
-   The order: problem, bodies with regions and nodes, conditions and point loads, zones, friction, paths, and
+   The order: problem, bodies with regions and nodes, conditions and point loads, zones, friction and paths (for c2d_run), and
    c2d_complete. Legal: empty or building. Errors of all: ARGUMENT, STATE, LIMIT; a refused call changes nothing,
    and what it said is found by c2d_last_error. A square [0,2] x [0,2] stands on another, [0,2] x [-2,0]; both slide
    along x = 0, the lower one on y = -2, and a pressure of 1 acts on top:
@@ -403,9 +412,10 @@ c2d_status c2d_read_deck(c2d_solver* solver, c2d_read_line read, void* context);
    Elements 5, 6 of the lower square face elements 2, 1 of the upper one:
 
      zone.pairs = 3;
-     zone.elements = 2;
-     zone.first_element[0] = 5, zone.last_element[0] = 6, zone.first_node[0] = 5, zone.last_node[0] = 7;
-     zone.first_element[1] = 2, zone.last_element[1] = 1, zone.first_node[1] = 3, zone.last_node[1] = 1;
+     zone.side1.body = 1, zone.side1.first_element = 5, zone.side1.last_element = 6;
+     zone.side1.first_node = 5, zone.side1.last_node = 7;
+     zone.side2.body = 2, zone.side2.first_element = 2, zone.side2.last_element = 1;
+     zone.side2.first_node = 3, zone.side2.last_node = 1;
      bad |= c2d_add_zone(solver, &zone);
      bad |= c2d_add_friction(solver, 0.3);
      bad |= c2d_add_path(solver, 1, &whole, 1);
@@ -477,31 +487,35 @@ c2d_status c2d_set_interference(c2d_solver* solver, int32_t load_case);
    the axis on every line. Stays on the boundary by way of a particular solution; resultants are exact. */
 c2d_status c2d_set_body_force(c2d_solver* solver, int32_t body, int32_t load_case, const double force[2],
                               double rho_omega2, const double axis[2]);
-/* A contact zone: elements of body 1 and body 2 that face each other, first with first, last with last (a range
-   may run down), and the functional nodes that form pairs in the same order. */
+/* Contact between two ranges of elements, side 1 and side 2, that lie on two bodies (yet: body 1 and body 2). A range may
+   run down, and round the end of its region if `elements` says how many there are (0: from first to last by their numbers).
+   C2D_ZONE_MATCHING: elements face each other, first with first, last with last, and the functional nodes first_node ...
+   last_node, `pairs` of them, form pairs in the same order.
+   C2D_ZONE_FREE: the sides are meshed independently; either may run up or down, and pairs and nodes are not looked at.
+   Every functional node of side 2 makes a pair with the point of side 1 whose normal passes through it (normals joined
+   continuously across corners); elements of side 2 that do not face side 1 from end to end are left out. Gaps are those of
+   the smooth surfaces that the elements of both sides stand for. In such a zone tn and tt are per unit undeformed length of
+   side 2, C2D_X and C2D_Y are the point of side 1, and C2D_PAIR_NODE1 is 0. Force passes over exactly, its moment so far as
+   matching points coincide. Nodes of side 1 keep their conditions (traction and displacement both unknown: left to the
+   contact), and tractions given there add to those of the contact. Limits: `pairs` and `free_pairs` count all functional
+   nodes of the elements of side 2.
+   Errors: ARGUMENT, STATE, LIMIT; sides that do not face each other are found by c2d_complete. */
+enum { C2D_ZONE_MATCHING = 0, C2D_ZONE_FREE = 1 };
+typedef struct c2d_side {
+  int32_t body;
+  int32_t first_element, last_element;
+  int32_t elements;
+  int32_t first_node, last_node; /* functional nodes, numbered from 1 in each body                 */
+} c2d_side;
 typedef struct c2d_zone {
   uint32_t struct_size;
-  int32_t pairs, elements;                 /* how many                                              */
-  int32_t first_element[2], last_element[2];
-  int32_t first_node[2], last_node[2];     /* functional nodes, numbered from 1 in each body        */
+  int32_t kind;               /* C2D_ZONE_...                                                      */
+  int32_t pairs;
+  c2d_side side1, side2;
 } c2d_zone;
 c2d_status c2d_add_zone(c2d_solver* solver, const c2d_zone* zone);
-/* A contact zone whose sides are meshed independently of each other: elements of body 1 and of body 2, which need not
-   match in number or size. Every functional node of body 2 makes a pair with the point of body 1 whose normal passes
-   through it (normals joined continuously across corners); elements of body 2 that do not face body 1 from end to end
-   are left out. Gaps are those of the smooth surfaces that the elements of both sides stand for. In such a zone tn and
-   tt are per unit undeformed length of body 2, C2D_X and C2D_Y are the point of body 1, and C2D_PAIR_NODE1 is 0. Force
-   passes over exactly, its moment so far as matching points coincide. Nodes of body 1 in the zone keep their conditions
-   (traction and displacement both unknown: left to the contact), and tractions given there add to those of the contact.
-   Limits: `pairs` and `free_pairs` count all functional nodes of the elements of body 2. Errors: ARGUMENT, STATE, LIMIT;
-   sides that do not face each other are found by c2d_complete. */
-typedef struct c2d_free_zone {
-  uint32_t struct_size;
-  int32_t first_element[2], last_element[2]; /* of body 1, of body 2: either may run up or down     */
-  int32_t elements[2];                       /* 0: from first to last by their numbers; else how many: the range may
-                                                go round the end of its region                      */
-} c2d_free_zone;
-c2d_status c2d_add_free_zone(c2d_solver* solver, const c2d_free_zone* zone);
+/* Does nothing. In a library compiled with C2D_PARTS_BY_CALL, a program that names it has zones of kind C2D_ZONE_FREE. */
+void c2d_link_free_zones(void);
 /* What the surface is over elements first_element ... last_element of a body. Gaps, normals and the points that face each
    other are those of surfaces, not of elements; where nothing is told a surface is a smooth curve through the boundary
    points that respects corners, kinks and jumps of curvature as far as these show them. A line is straight between its
@@ -688,7 +702,7 @@ enum { C2D_STEP_RECORDED = 0, C2D_STEP_CHANGE = 1, C2D_STEP_STOPPED = 2 };
 typedef int32_t (*c2d_step_fn)(void* context, const c2d_step* step); /* non-zero: stop, C2D_ERR_CALLBACK */
 /* The model's own load cards for each of its coefficients of friction. A path that stops is no error of this call:
    the callback and c2d_get_summary tell; the next coefficient is then run. Legal: prepared, running. State afterwards:
-   running, at the last load reached, also after CALLBACK and CANCELLED. Errors: ARGUMENT (no paths), STATE, CALLBACK,
+   running, at the last load reached, also after CALLBACK and CANCELLED. Errors: ARGUMENT (no path), STATE, CALLBACK,
    CANCELLED, STORE_.... `step` may be null. */
 c2d_status c2d_run(c2d_solver* solver, c2d_step_fn step, void* context);
 /* May be called from any callback or another thread: the solver stops at the next chance, and the call at work returns
@@ -770,9 +784,6 @@ typedef struct c2d_summary {
   c2d_outcome outcome;            /* of the last path followed                                      */
   int32_t outcome_body, outcome_pair; /* which body can move, which pair was last                   */
   int32_t bodies, function_nodes, pairs, zones, steps, coefficients; /* steps: increments of all load cards */
-  int32_t elements[2], nodes[2];  /* functional nodes                                               */
-  int32_t geometry_nodes[2], element_nodes[2], regions[2];
-  int32_t unknowns[2];            /* equations per body, 2 N + 3                                    */
   int32_t contact_unknowns;       /* m                                                              */
   int32_t analysis, plane, stepping, quadrature, iteration_limit, paths;
   int32_t panel_columns, warnings;
@@ -785,14 +796,10 @@ typedef struct c2d_summary {
   double max_residual;            /* largest relative residual of the contact equations seen        */
   double elimination_residual;    /* pivot growth in the elimination                                */
   double condition;               /* estimate: times the last digit, how much of displacements is round-off */
-  double applied[2][3];           /* per body: fx, fy, moment about the origin of all loads and reactions outside
-                                     the contact                                                    */
-  double contact[2][3];           /* per body: the same of the contact tractions                    */
   double force_applied, force_contact, force_error; /* magnitudes along what the body is free to follow */
   double free_motion[3];          /* with C2D_FREE_MOTION, C2D_GROSS_SLIDING: how outcome_body starts to move,
                                      (ux, uy, rotation) about the origin, of length one              */
   double tension_ratio;           /* smallest pressure inside an element over the largest nodal one */
-  double youngs_modulus[2], poisson_ratio[2];
   char title[80];
   char unit_length[16], unit_force[16]; /* as c2d_set_units said, else empty                        */
   int32_t load_cases, reserved;
@@ -807,6 +814,19 @@ typedef struct c2d_summary {
   int32_t reserved_too;
 } c2d_summary;
 c2d_status c2d_get_summary(c2d_solver* solver, c2d_summary* out); /* legal: always; errors: ARGUMENT */
+
+/* One body of the model: its sizes as they were given, and the forces on it at the load reached. */
+typedef struct c2d_body_result {
+  uint32_t struct_size;
+  int32_t element_nodes, elements, regions, open_regions; /* as in c2d_body                         */
+  int32_t points, nodes;          /* boundary points, functional nodes                              */
+  int32_t unknowns;               /* equations, 2 nodes + 3; 0: a rigid body                        */
+  double youngs_modulus, poisson_ratio;
+  double applied[3];              /* fx, fy, moment about the origin of all loads and reactions outside the contact */
+  double contact[3];              /* the same of the contact tractions                              */
+} c2d_body_result;
+/* Legal: always; zeros for what is not known yet. Errors: ARGUMENT. */
+c2d_status c2d_get_body_result(c2d_solver* solver, int32_t body, c2d_body_result* out);
 
 /* The contact of a zone as it stands. Forces are on body 2, per unit thickness; the moment is about the origin.
    A mean is weighted with the length along body 1 that belongs to a pair. */
@@ -828,7 +848,7 @@ c2d_status c2d_get_zone_state(c2d_solver* solver, int32_t zone, c2d_zone_state* 
 /* The coefficient that holds in a zone in the i-th run; zone 0: the one for all zones that have none of their own. */
 c2d_status c2d_get_friction(c2d_solver* solver, int32_t zone, int32_t i, double* mu);
 c2d_status c2d_get_path(c2d_solver* solver, int32_t i, int32_t* increments, double* load, int32_t cases);
-/* Of a free zone: elements that are in contact at all, `elements` and nodes those of body 2, and 0 nodes of body 1. */
+/* Of a free zone: the elements that are in contact at all, and 0 for the nodes of side 1. */
 c2d_status c2d_get_zone(c2d_solver* solver, int32_t i, c2d_zone* out);
 c2d_status c2d_get_region(c2d_solver* solver, int32_t body, int32_t i, int32_t* first_element, int32_t* last_element);
 /* The codes are the same in every case. */
@@ -877,7 +897,7 @@ int32_t c2d_get_state(const c2d_solver* solver);                 /* -1: not a so
 c2d_status c2d_last_error(c2d_solver* solver, c2d_error* out);
 const char* c2d_message(int32_t status);     /* any integer; never null; for outcomes see below     */
 const char* c2d_outcome_message(int32_t outcome);
-const char* c2d_version(void);               /* "0.1.0" */
+const char* c2d_version(void);               /* "0.2.0" */
 
 #ifdef __cplusplus
 }

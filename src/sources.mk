@@ -209,6 +209,7 @@ REPORT_SOURCES += src/report/record.cpp
 REPORT_SOURCES += src/report/scene.cpp
 REPORT_SOURCES += src/report/scene_loads.cpp
 REPORT_SOURCES += src/report/scene_zones.cpp
+REPORT_SOURCES += src/report/summary.cpp
 REPORT_SOURCES += src/report/svg.cpp
 REPORT_SOURCES += src/report/text.cpp
 REPORT_SOURCES += src/report/trace.cpp

@@ -3,6 +3,7 @@
 // reader.
 #include "contact2d.h"
 #include "deck/deck.hpp"
+#include "host_structs.hpp"
 
 #include <algorithm>
 #include <fstream>
@@ -79,10 +80,15 @@ inline c2d::DeckSink recording_sink(Recorder& r, int32_t function_nodes = 0) {
     return recorder(s)->record("point load", {double(body), x, y, fx, fy, double(load_case)});
   };
   sink.add_zone = [](c2d_solver* s, const c2d_zone* z) -> c2d_status {
-    return recorder(s)->record("zone",
-                               {double(z->pairs), double(z->elements), double(z->first_element[0]), double(z->last_element[0]),
-                                double(z->first_element[1]), double(z->last_element[1]), double(z->first_node[0]),
-                                double(z->last_node[0]), double(z->first_node[1]), double(z->last_node[1])});
+    if (z->side1.body != 1 || z->side2.body != 2) return C2D_ERR_ARGUMENT;
+    if (z->kind == C2D_ZONE_FREE)
+      return recorder(s)->record("free zone",
+                                 {double(z->side1.first_element), double(z->side1.last_element), double(z->side2.first_element),
+                                  double(z->side2.last_element), double(z->side1.elements), double(z->side2.elements)});
+    return recorder(s)->record("zone", {double(z->pairs), double(z->side1.elements), double(z->side1.first_element),
+                                        double(z->side1.last_element), double(z->side2.first_element),
+                                        double(z->side2.last_element), double(z->side1.first_node), double(z->side1.last_node),
+                                        double(z->side2.first_node), double(z->side2.last_node)});
   };
   sink.add_friction = [](c2d_solver* s, double mu) -> c2d_status { return recorder(s)->record("friction", {mu}); };
   sink.add_load_card = [](c2d_solver* s, int32_t increments, double load) -> c2d_status {
@@ -102,11 +108,7 @@ inline c2d::DeckSink recording_sink(Recorder& r, int32_t function_nodes = 0) {
   sink.set_zone_friction = [](c2d_solver* s, int32_t zone, int32_t i, double mu) -> c2d_status {
     return recorder(s)->record("zone friction", {double(zone), double(i), mu});
   };
-  sink.add_free_zone = [](c2d_solver* s, const c2d_free_zone* z) -> c2d_status {
-    return recorder(s)->record("free zone",
-                               {double(z->first_element[0]), double(z->last_element[0]), double(z->first_element[1]),
-                                double(z->last_element[1]), double(z->elements[0]), double(z->elements[1])});
-  };
+  sink.has_free_zones = true;
   sink.add_points = [](c2d_solver* s, const c2d_points* p) -> c2d_status {
     return recorder(s)->record("points", {double(p->kind), double(p->body), double(p->count[0]), double(p->count[1]),
                                           p->from[0], p->from[1], p->to[0], p->to[1]});
@@ -182,7 +184,7 @@ struct Reading {
   c2d_status status = C2D_OK;
   Recorder model;
   std::vector<Fault> faults;
-  c2d_limits sizes = C2D_INIT(c2d_limits);
+  host::Limits sizes;
 };
 
 inline void keep_fault(void* context, const c2d_error* e) {

@@ -44,11 +44,11 @@ inline int32_t keep_step(void* context, const c2d_step* step) {
 }
 
 inline void keep_ends(c2d_solver* s, Solution& out) {
-  c2d_summary summary = C2D_INIT(c2d_summary);
-  c2d_get_summary(s, &summary);
-  out.elements = summary.elements[0] + summary.elements[1];
+  host::Summary summary;
+  host::get_summary(s, summary);
+  out.elements = summary.body[0].elements + summary.body[1].elements;
   if (summary.outcome != C2D_REACHED) out.error = c2d_outcome_message(summary.outcome);
-  const int32_t count = summary.elements[0] * summary.function_nodes;
+  const int32_t count = summary.body[0].elements * summary.function_nodes;
   const int32_t fields[7] = {C2D_END_X, C2D_END_Y, C2D_END_UX, C2D_END_UY, C2D_END_TX, C2D_END_TY, C2D_END_HOOP};
   std::vector<double> table(static_cast<size_t>(count) * 7);
   for (int i = 0; i < 7; ++i)
@@ -62,7 +62,7 @@ inline Solution solve_deck(const std::string& text) {
   runs::Deck deck;
   std::istringstream in(text);
   for (std::string line; std::getline(in, line);) deck.lines.push_back(line);
-  const c2d_limits limits = deck.limits();
+  const host::Limits limits = deck.limits();
   uint64_t minimum = 0, in_core = 0;
   if (limits.bodies < 0 || c2d_memory_need(&limits, &minimum, &in_core) != C2D_OK) {
     out.error = "the deck cannot be read";

@@ -37,7 +37,7 @@ public:
     fs::create_directories(folder_ / "static");
     fs::create_directories(folder_ / "shared");
     fs::create_symlink(C2D_TEST_LIBRARY, folder_ / "static/libcontact2d.a");
-    for (const char* name : {"shared/libcontact2d.so", "shared/libcontact2d.so.0"})
+    for (const char* name : {"shared/libcontact2d.so", "shared/libcontact2d.so.0.2"})
       fs::create_symlink(C2D_TEST_SHARED, folder_ / name);
   }
   std::string operator/(const std::string& name) const { return folder_ / name; }

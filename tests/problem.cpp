@@ -97,14 +97,14 @@ struct Storage {
   }
 };
 
-c2d_limits limits_of(const Problem& p) {
-  c2d_limits limits = C2D_INIT(c2d_limits);
+host::Limits limits_of(const Problem& p) {
+  host::Limits limits;
   limits.bodies = static_cast<int32_t>(p.bodies.size());
   limits.function_nodes = p.function_nodes;
   for (size_t b = 0; b < p.bodies.size(); ++b) {
-    limits.geometry_nodes[b] = static_cast<int32_t>(p.bodies[b].xy.size() / 2);
-    limits.elements[b] = p.elements(static_cast<int>(b) + 1);
-    limits.regions[b] = static_cast<int32_t>(p.bodies[b].regions.size());
+    limits.body[b].points = static_cast<int32_t>(p.bodies[b].xy.size() / 2);
+    limits.body[b].elements = p.elements(static_cast<int>(b) + 1);
+    limits.body[b].regions = static_cast<int32_t>(p.bodies[b].regions.size());
   }
   if (p.two_cases()) limits.load_cases = 2;
   if (p.motions.size() > 1) limits.load_cases = static_cast<int32_t>(p.motions.size());
@@ -112,12 +112,12 @@ c2d_limits limits_of(const Problem& p) {
   for (const BodyForce& f : p.body_forces)
     if (f.load_case > limits.load_cases) limits.load_cases = f.load_case;
   limits.zones = static_cast<int32_t>(p.zones.size());
-  for (const c2d_zone& z : p.zones) {
+  for (const Zone& z : p.zones) {
     limits.pairs += z.pairs;
     limits.contact_elements += z.elements;
   }
   limits.zones += static_cast<int32_t>(p.free_zones.size());
-  for (const c2d_free_zone& z : p.free_zones) {
+  for (const FreeZone& z : p.free_zones) {
     const int32_t elements = z.elements[1] > 0 ? z.elements[1] : std::abs(z.last_element[1] - z.first_element[1]) + 1;
     const int32_t pairs = p.function_nodes > 1 ? elements * (p.function_nodes - 1) + 1 : elements;
     limits.pairs += pairs;
@@ -156,6 +156,22 @@ c2d_status feed_body(c2d_solver* s, const Problem& p, int32_t number) {
 
 constexpr double kOrigin[2] = {0, 0};
 
+c2d_status add_zone(c2d_solver* s, const Zone& z) {
+  c2d_zone zone = C2D_INIT(c2d_zone);
+  zone.pairs = z.pairs;
+  zone.side1 = {1, z.first_element[0], z.last_element[0], z.elements, z.first_node[0], z.last_node[0]};
+  zone.side2 = {2, z.first_element[1], z.last_element[1], z.elements, z.first_node[1], z.last_node[1]};
+  return c2d_add_zone(s, &zone);
+}
+
+c2d_status add_zone(c2d_solver* s, const FreeZone& z) {
+  c2d_zone zone = C2D_INIT(c2d_zone);
+  zone.kind = C2D_ZONE_FREE;
+  zone.side1 = {1, z.first_element[0], z.last_element[0], z.elements[0], 0, 0};
+  zone.side2 = {2, z.first_element[1], z.last_element[1], z.elements[1], 0, 0};
+  return c2d_add_zone(s, &zone);
+}
+
 c2d_status feed(c2d_solver* s, const Problem& p) {
   c2d_problem data = C2D_INIT(c2d_problem);
   data.plane = p.plane;
@@ -173,10 +189,10 @@ c2d_status feed(c2d_solver* s, const Problem& p) {
     const double force[2] = {f.bx, f.by}, axis[2] = {f.x0, f.y0};
     if (status == C2D_OK) status = c2d_set_body_force(s, f.body, f.load_case, force, f.rho_omega2, axis);
   }
-  for (const c2d_zone& z : p.zones)
-    if (status == C2D_OK) status = c2d_add_zone(s, &z);
-  for (const c2d_free_zone& z : p.free_zones)
-    if (status == C2D_OK) status = c2d_add_free_zone(s, &z);
+  for (const Zone& z : p.zones)
+    if (status == C2D_OK) status = add_zone(s, z);
+  for (const FreeZone& z : p.free_zones)
+    if (status == C2D_OK) status = add_zone(s, z);
   for (double mu : p.friction)
     if (status == C2D_OK) status = c2d_add_friction(s, mu);
   for (const Path& path : p.paths) {
@@ -189,10 +205,10 @@ c2d_status feed(c2d_solver* s, const Problem& p) {
   return status == C2D_OK ? c2d_complete(s) : status;
 }
 
-c2d_status fetch_boundary(c2d_solver* s, const c2d_summary& summary, std::vector<EndResult> (&boundary)[2]) {
+c2d_status fetch_boundary(c2d_solver* s, const host::Summary& summary, std::vector<EndResult> (&boundary)[2]) {
   c2d_status status = C2D_OK;
   for (int32_t b = 1; b <= summary.bodies; ++b) {
-    const int32_t count = summary.elements[b - 1] * summary.function_nodes;
+    const int32_t count = summary.body[b - 1].elements * summary.function_nodes;
     std::vector<double> field[8];
     for (int i = 0; i < 8 && status == C2D_OK; ++i) {
       field[i].resize(index(count));
@@ -217,7 +233,7 @@ c2d_status follow_loads(c2d_solver* s, const Setup& setup, Result& r) {
     if (status != C2D_OK) return status;
     const double load[2] = {setup.advance_loads[i], cases == 2 ? setup.advance_second[i] : 0.0};
     status = c2d_advance(s, load, cases, &r.outcome);
-    c2d_get_summary(s, &r.summary);
+    host::get_summary(s, r.summary);
     Step step{C2D_STEP_RECORDED,
               1,
               ++number,
@@ -255,7 +271,7 @@ c2d_status follow(c2d_solver* s, const Setup& setup, Result& r) {
       status = c2d_run(s, keep_step, &r);
     }
     if (status != C2D_OK) return status;
-    c2d_get_summary(s, &r.summary);
+    host::get_summary(s, r.summary);
     r.outcome = r.summary.outcome;
   }
   if (!setup.advance_loads.empty()) {
@@ -263,7 +279,7 @@ c2d_status follow(c2d_solver* s, const Setup& setup, Result& r) {
     status = follow_loads(s, setup, r);
     if (status != C2D_OK) return status;
   }
-  c2d_get_summary(s, &r.summary);
+  host::get_summary(s, r.summary);
   const bool stopped = r.outcome != C2D_REACHED;
   status = fetch_boundary(s, r.summary, r.boundary);
   if (!setup.points.empty() && status == C2D_OK) {
@@ -272,34 +288,34 @@ c2d_status follow(c2d_solver* s, const Setup& setup, Result& r) {
     status = c2d_interior(s, 0, static_cast<int32_t>(count), setup.points.data(), 2, r.interior.data(), C2D_POINT_FIELDS);
   }
   if (stopped && status != C2D_OK) status = C2D_OK; // nothing to be had before anything touches
-  c2d_get_summary(s, &r.summary);
+  host::get_summary(s, r.summary);
   return status;
 }
 
 using Feeder = std::function<c2d_status(c2d_solver*)>;
 
-Result solve_with(const c2d_limits& wanted, const Setup& setup, const Feeder& feeder, Problem* keep);
+Result solve_with(const host::Limits& wanted, const Setup& setup, const Feeder& feeder, Problem* keep);
 
 // What the model holds, asked back from the solver.
 void capture(c2d_solver* s, Problem& p) {
-  c2d_summary sum = C2D_INIT(c2d_summary);
-  c2d_get_summary(s, &sum);
+  host::Summary sum;
+  host::get_summary(s, sum);
   p.plane = sum.plane, p.analysis = sum.analysis, p.iteration_limit = sum.iteration_limit;
   p.function_nodes = sum.function_nodes;
   for (int32_t b = 1; b <= sum.bodies; ++b) {
     Body body;
-    body.element_nodes = sum.element_nodes[b - 1];
-    body.youngs_modulus = sum.youngs_modulus[b - 1];
-    body.poisson_ratio = sum.poisson_ratio[b - 1];
-    body.xy.resize(index(2 * sum.geometry_nodes[b - 1]));
-    c2d_get(s, C2D_NODE_X, b, 1, sum.geometry_nodes[b - 1], body.xy.data(), 2);
-    c2d_get(s, C2D_NODE_Y, b, 1, sum.geometry_nodes[b - 1], body.xy.data() + 1, 2);
-    for (int32_t i = 1; i <= sum.regions[b - 1]; ++i) {
+    body.element_nodes = sum.body[b - 1].element_nodes;
+    body.youngs_modulus = sum.body[b - 1].youngs_modulus;
+    body.poisson_ratio = sum.body[b - 1].poisson_ratio;
+    body.xy.resize(index(2 * sum.body[b - 1].points));
+    c2d_get(s, C2D_NODE_X, b, 1, sum.body[b - 1].points, body.xy.data(), 2);
+    c2d_get(s, C2D_NODE_Y, b, 1, sum.body[b - 1].points, body.xy.data() + 1, 2);
+    for (int32_t i = 1; i <= sum.body[b - 1].regions; ++i) {
       Range range = {0, 0};
       c2d_get_region(s, b, i, &range.first, &range.last);
       body.regions.push_back(range);
     }
-    for (int32_t e = 1; e <= sum.elements[b - 1]; ++e)
+    for (int32_t e = 1; e <= sum.body[b - 1].elements; ++e)
       for (int32_t l = 1; l <= sum.function_nodes; ++l) {
         End end;
         c2d_get_condition(s, b, e, l, 1, end.codes, end.values);
@@ -319,7 +335,12 @@ void capture(c2d_solver* s, Problem& p) {
   for (int32_t i = 1; i <= sum.zones; ++i) {
     c2d_zone z = C2D_INIT(c2d_zone);
     c2d_get_zone(s, i, &z);
-    p.zones.push_back(z);
+    p.zones.push_back({z.pairs,
+                       z.side1.elements,
+                       {z.side1.first_element, z.side2.first_element},
+                       {z.side1.last_element, z.side2.last_element},
+                       {z.side1.first_node, z.side2.first_node},
+                       {z.side1.last_node, z.side2.last_node}});
   }
   p.friction.resize(index(sum.coefficients));
   for (int32_t i = 1; i <= sum.coefficients; ++i) c2d_get_friction(s, 0, i, &p.friction[index(i - 1)]);
@@ -328,9 +349,9 @@ void capture(c2d_solver* s, Problem& p) {
     c2d_get_path(s, i, &p.paths[index(i - 1)].increments, &p.paths[index(i - 1)].load, 1);
 }
 
-Result solve_with(const c2d_limits& wanted, const Setup& setup, const Feeder& feeder, Problem* keep) {
+Result solve_with(const host::Limits& wanted, const Setup& setup, const Feeder& feeder, Problem* keep) {
   Result r;
-  c2d_limits limits = wanted;
+  host::Limits limits = wanted;
   limits.panel_columns = setup.panel_columns;
   uint64_t minimum = 0, in_core = 0;
   r.status = c2d_memory_need(&limits, &minimum, &in_core);
@@ -417,9 +438,9 @@ Result solve_with(const c2d_limits& wanted, const Setup& setup, const Feeder& fe
   return r;
 }
 
-c2d_limits deck_limits(const std::string& text) {
+host::Limits deck_limits(const std::string& text) {
   Cards cards{&text};
-  c2d_limits limits = C2D_INIT(c2d_limits);
+  host::Limits limits;
   c2d_error why = C2D_INIT(c2d_error);
   if (c2d_scan_deck(read_card, &cards, &limits, &why) != C2D_OK) throw std::runtime_error(why.text);
   return limits;
@@ -436,7 +457,7 @@ int32_t Problem::elements(int body) const {
 }
 int32_t Problem::pairs() const {
   int32_t sum = 0;
-  for (const c2d_zone& z : zones) sum += z.pairs;
+  for (const Zone& z : zones) sum += z.pairs;
   return sum;
 }
 End& Problem::end(int body, int32_t element, int32_t local) {
@@ -595,14 +616,14 @@ Problem renumber(const Problem& p, const Renumbering& how) {
         }
     }
   }
-  for (c2d_zone& z : q.zones)
+  for (Zone& z : q.zones)
     for (size_t b = 0; b < 2; ++b) {
       const Range r = region_of(p.bodies[b], z.first_element[b]);
       const int32_t n = r.last - r.first + 1, base = (r.first - 1) * per;
       for (int32_t* e : {&z.first_element[b], &z.last_element[b]}) *e = r.first + how.element(*e - r.first, n);
       for (int32_t* i : {&z.first_node[b], &z.last_node[b]}) *i = base + 1 + how.node(*i - base - 1, n, per, f == 1);
     }
-  for (c2d_free_zone& z : q.free_zones)
+  for (FreeZone& z : q.free_zones)
     for (size_t b = 0; b < 2; ++b) {
       const int32_t count = z.elements[b] > 0 ? z.elements[b] : std::abs(z.last_element[b] - z.first_element[b]) + 1;
       const int32_t way = (z.last_element[b] - z.first_element[b]) * (how.flip ? -1 : 1);
@@ -643,7 +664,7 @@ Problem exchanged(Problem p) {
   std::swap(p.bodies[0], p.bodies[1]);
   for (PointLoad& l : p.point_loads) l.body = 3 - l.body;
   for (BodyForce& f : p.body_forces) f.body = 3 - f.body;
-  for (c2d_zone& z : p.zones)
+  for (Zone& z : p.zones)
     for (int32_t* two : {z.first_element, z.last_element, z.first_node, z.last_node}) std::swap(two[0], two[1]);
   return p;
 }
@@ -684,7 +705,7 @@ Problem with_functions(const Problem& p, int32_t f) {
         to.push_back(end);
       }
   }
-  for (c2d_zone& z : q.zones) {
+  for (Zone& z : q.zones) {
     z.pairs = f == 1 ? z.elements : (z.pairs - 1) * (f - 1) + 1;
     for (int b = 0; b < 2; ++b) {
       z.first_node[b] = f == 1 ? z.first_element[b] : (z.first_node[b] - 1) * (f - 1) + 1;
@@ -736,7 +757,7 @@ Problem cut_in_two(const Problem& p,
       }
     }
   }
-  for (c2d_zone& z : q.zones) { // its nodes follow the functions
+  for (Zone& z : q.zones) { // its nodes follow the functions
     for (int b = 0; b < 2; ++b) {
       const bool up = (z.first_element[b] <= z.last_element[b]);
       z.first_element[b] = up ? 2 * z.first_element[b] - 1 : 2 * z.first_element[b];

@@ -2,7 +2,7 @@
 // A model over plain vectors, on the test's side of the interface: read from a deck, made by hand or turned
 // into another one (scaled, rotated, reflected, renumbered, bodies exchanged), and solved through the C
 // interface alone. All numbers in here start at 1, like those of the cards.
-#include "contact2d.h"
+#include "host_structs.hpp"
 
 #include <functional>
 #include <string>
@@ -41,6 +41,13 @@ struct BodyForce { // per area (bx, by) + rho_omega2 (x - x0, y - y0)
   double bx, by, rho_omega2 = 0, x0 = 0, y0 = 0;
 };
 
+struct Zone { // of matching pairs; first of body 1, second of body 2
+  int32_t pairs = 0, elements = 0, first_element[2] = {}, last_element[2] = {}, first_node[2] = {}, last_node[2] = {};
+};
+struct FreeZone {
+  int32_t first_element[2] = {}, last_element[2] = {}, elements[2] = {};
+};
+
 struct Problem {
   int32_t plane = C2D_PLANE_STRAIN, analysis = C2D_ANALYSIS_FULL, iteration_limit = 50, function_nodes = 2;
   std::vector<Body> bodies;
@@ -49,8 +56,8 @@ struct Problem {
   bool rigid = false; // body 1; `motions` of load cases 1 ...: ux, uy, rotation about the origin
   std::vector<std::vector<double>> motions;
   int32_t interference = 0; // load case that closes overlaps
-  std::vector<c2d_zone> zones;
-  std::vector<c2d_free_zone> free_zones;
+  std::vector<Zone> zones;
+  std::vector<FreeZone> free_zones;
   std::vector<double> friction = {0.0};
   std::vector<Path> paths = {{1, 1.0}};
   int32_t symmetry = 0; // lines of symmetry by images: 1: x = symmetry_at[0], 2: y = symmetry_at[1]
@@ -106,7 +113,7 @@ struct Result {
   std::vector<Step> steps; // recorded ones, with every_change also changes
   std::vector<EndResult> boundary[2];
   std::vector<double> interior; // rows of C2D_POINT_FIELDS
-  c2d_summary summary = C2D_INIT(c2d_summary);
+  host::Summary summary;
   std::vector<c2d_error> told;
   uint64_t minimum_bytes = 0;
 

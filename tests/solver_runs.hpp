@@ -3,6 +3,7 @@
 #pragma once
 
 #include "contact2d.h"
+#include "host_structs.hpp"
 
 #include <cstring>
 #include <fstream>
@@ -28,10 +29,10 @@ struct Deck {
     text[fits] = '\0';
     return static_cast<int32_t>(line.size());
   }
-  c2d_limits limits() const {
+  host::Limits limits() const {
     Deck copy = *this;
     copy.next = 0;
-    c2d_limits out = C2D_INIT(c2d_limits);
+    host::Limits out;
     if (c2d_scan_deck(read, &copy, &out, nullptr) != C2D_OK) out.bodies = -1;
     return out;
   }
@@ -168,12 +169,12 @@ struct Numbers {
 };
 
 inline c2d_status get_boundary(c2d_solver* s, Numbers& out) {
-  c2d_summary summary = C2D_INIT(c2d_summary);
-  c2d_get_summary(s, &summary);
+  host::Summary summary;
+  host::get_summary(s, summary);
   out.outcome = summary.outcome;
   for (int32_t body = 1; body <= summary.bodies; ++body)
     for (int32_t field = C2D_END_X; field <= C2D_END_STATUS; ++field) {
-      const int32_t ends = summary.elements[body - 1] * summary.function_nodes;
+      const int32_t ends = summary.body[body - 1].elements * summary.function_nodes;
       const size_t at = out.boundary.size();
       out.boundary.resize(at + static_cast<size_t>(ends));
       const c2d_status status = c2d_get(s, field, body, 1, ends, out.boundary.data() + at, 1);
@@ -199,9 +200,9 @@ inline c2d_status run_all(c2d_solver* s, const Deck& deck, Numbers& out, const c
   return status == C2D_OK ? run_prepared(s, out) : status;
 }
 
-inline c2d_summary summary_of(c2d_solver* s) {
-  c2d_summary out = C2D_INIT(c2d_summary);
-  c2d_get_summary(s, &out);
+inline host::Summary summary_of(c2d_solver* s) {
+  host::Summary out;
+  host::get_summary(s, out);
   return out;
 }
 inline c2d_error error_of(c2d_solver* s) {

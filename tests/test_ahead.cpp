@@ -312,7 +312,7 @@ namespace {
 
 struct Job {
   Deck deck = deck_named("hertz_lin_l");
-  c2d_limits limits = deck.limits();
+  host::Limits limits = deck.limits();
   uint64_t bytes = 0;
   Job() {
     limits.panel_columns = 45;

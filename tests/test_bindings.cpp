@@ -216,7 +216,7 @@ private:
     if (other != std::string::npos) function_ = s.substr(other + 6, s.find('\'', other + 6) - other - 6);
     Function f;
     for (const std::string& each : split(s.substr(open + 1, close - open - 1), ',')) f.arguments.push_back({each, "", false});
-    const size_t result = s.find("result(");
+    const size_t result = s.rfind("result(");
     result_ = result == std::string::npos ? "" : s.substr(result + 7, s.find(')', result) - result - 7);
     out_.functions[function_] = f;
   }

@@ -137,7 +137,7 @@ TEST_CASE("body force: a column under its weight is exact") {
       CHECK(e.u < 1e-10);
       CHECK(e.t < 1e-10);
       CHECK(interior_error(p, setup, r, free, C2D_POINT_INSIDE) < 1e-9);
-      CHECK(std::fabs(r.summary.applied[0][1]) < 1e-11 * 24); // support and weight
+      CHECK(std::fabs(r.summary.body[0].applied[1]) < 1e-11 * 24); // support and weight
       give(p, guided, [](double nx, double ny, int c) { return c == 0 ? std::fabs(nx) > 0.5 : ny < -0.5; });
       r = solved(p, setup);
       e = boundary_error(p, r, guided);
@@ -203,8 +203,8 @@ TEST_CASE("body force: equilibrium and Hooke's law hold inside, whatever the mes
       CHECK(std::fabs(dy(C2D_POINT_UY) - (syy - m.nu * sxx) / m.e) < 1e-5 * size);
       CHECK(std::fabs(dy(C2D_POINT_UX) + dx(C2D_POINT_UY) - 2 * (1 + m.nu) * sxy / m.e) < 1e-5 * size);
       // Supports carry the exact resultants: area 7, from the corners.
-      CHECK(std::fabs(r.summary.applied[0][0]) + std::fabs(r.summary.applied[0][1]) < 1e-11 * 7 * load);
-      CHECK(std::fabs(r.summary.applied[0][2]) < 1e-11 * 20 * load);
+      CHECK(std::fabs(r.summary.body[0].applied[0]) + std::fabs(r.summary.body[0].applied[1]) < 1e-11 * 7 * load);
+      CHECK(std::fabs(r.summary.body[0].applied[2]) < 1e-11 * 20 * load);
     }
 }
 
@@ -347,7 +347,7 @@ TEST_CASE("body force: half a column by images") {
     worst = std::max({worst, std::fabs(end.ux - s.ux), std::fabs(end.uy - s.uy)});
   }
   CHECK(worst < 1e-10 * std::fabs(exact(0, 10).uy));
-  CHECK(std::fabs(r.summary.applied[0][1]) < 1e-11 * 12);
+  CHECK(std::fabs(r.summary.body[0].applied[1]) < 1e-11 * 12);
 }
 
 TEST_CASE("body force: what is not symmetric is refused") {
@@ -382,7 +382,7 @@ Problem block(double mu, double gap, bool guided, int32_t f) {
     if (!guided || nx < 0.5 || y < 0.5 + gap) return;
     end.codes[0] = 1, end.codes[2] = 0;
   });
-  c2d_zone zone = C2D_INIT(c2d_zone);
+  problem::Zone zone = problem::Zone();
   zone.pairs = 9, zone.elements = 8;
   zone.first_element[0] = 9, zone.last_element[0] = 16, zone.first_node[0] = 9, zone.last_node[0] = 17;
   zone.first_element[1] = 8, zone.last_element[1] = 1, zone.first_node[1] = 9, zone.last_node[1] = 1;
@@ -402,10 +402,10 @@ TEST_CASE("body force: a block rests on a foundation with its whole weight") {
       CAPTURE(mu);
       const Result r = solved(block(mu, 0, mu == 0, f));
       CHECK(r.outcome == C2D_REACHED);
-      CHECK(r.summary.contact[1][1] == doctest::Approx(10).epsilon(1e-12));
-      CHECK(r.summary.contact[0][1] == doctest::Approx(-10).epsilon(1e-12));
-      CHECK(std::fabs(r.summary.contact[1][0]) < 1e-11);
-      CHECK(r.summary.applied[1][1] == doctest::Approx(-10).epsilon(1e-12));
+      CHECK(r.summary.body[1].contact[1] == doctest::Approx(10).epsilon(1e-12));
+      CHECK(r.summary.body[0].contact[1] == doctest::Approx(-10).epsilon(1e-12));
+      CHECK(std::fabs(r.summary.body[1].contact[0]) < 1e-11);
+      CHECK(r.summary.body[1].applied[1] == doctest::Approx(-10).epsilon(1e-12));
       CHECK(r.summary.force_error < 1e-12);
       CHECK(r.summary.work > 0);
       CHECK(std::fabs(r.summary.energy_defect) < 0.05);
@@ -413,7 +413,7 @@ TEST_CASE("body force: a block rests on a foundation with its whole weight") {
   // A gap: the block falls, without turning, until it touches; then the same again.
   const Result r = solved(block(0, 0.25, true, 2)), flat = solved(block(0, 0, true, 2));
   REQUIRE(r.outcome == C2D_REACHED);
-  CHECK(r.summary.contact[1][1] == doctest::Approx(10).epsilon(1e-12));
+  CHECK(r.summary.body[1].contact[1] == doctest::Approx(10).epsilon(1e-12));
   for (int i = 0; i < 9; ++i)
     CHECK(r.steps.back().at(i, C2D_TN) == doctest::Approx(flat.steps.back().at(i, C2D_TN)).epsilon(1e-9));
 }

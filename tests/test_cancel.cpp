@@ -55,7 +55,7 @@ struct Loop {
     CAPTURE(std::string(name));
     CAPTURE(through_progress);
     const Deck deck = deck_named(name);
-    c2d_limits limits = deck.limits();
+    host::Limits limits = deck.limits();
     limits.panel_columns = panel_columns;
     Numbers clean;
     int64_t preparing = 0; // calls while preparing: every `stride`-th is tried there, every one after
@@ -127,7 +127,7 @@ TEST_CASE("cancel: at every chance, in every phase; what follows gives the same 
 
 TEST_CASE("cancel: an advance that was cancelled goes on to the same state") {
   const Deck deck = deck_named("hertz_lin_l");
-  const c2d_limits limits = deck.limits();
+  const host::Limits limits = deck.limits();
   const double mu = 0.4, load = 1.0;
   std::vector<double> clean, row(static_cast<size_t>(limits.pairs));
   const auto read = [&](c2d_solver* s, std::vector<double>& out) {
@@ -165,7 +165,7 @@ TEST_CASE("cancel: an advance that was cancelled goes on to the same state") {
     REQUIRE(status == C2D_ERR_CANCELLED);
     ++cancelled;
     REQUIRE(c2d_get_state(machine.solver) == C2D_STATE_RUNNING);
-    const c2d_summary at = summary_of(machine.solver);
+    const host::Summary at = summary_of(machine.solver);
     CHECK(at.load >= 0.0);
     CHECK(at.load <= load);
     REQUIRE(c2d_advance(machine.solver, &load, 1, &outcome) == C2D_OK);
@@ -181,7 +181,7 @@ TEST_CASE("cancel: an advance that was cancelled goes on to the same state") {
 
 TEST_CASE("cancel: c2d_begin that is cancelled is begun again") {
   const Deck deck = deck_named("layer_t");
-  const c2d_limits limits = deck.limits();
+  const host::Limits limits = deck.limits();
   const double mu = 0.0;
   for (int64_t n = 0; n < 50; ++n) {
     CAPTURE(n);
@@ -206,15 +206,15 @@ TEST_CASE("progress: every assembled column of every body, every event") {
     const Deck deck = deck_named(name);
     for (int32_t forced : {1, 7, 0}) {
       CAPTURE(forced);
-      c2d_limits limits = deck.limits();
+      host::Limits limits = deck.limits();
       limits.panel_columns = forced;
       Host host;
       Machine machine(limits, size_of(limits, forced == 0), &host.port);
       Numbers numbers;
       REQUIRE(run_all(machine.solver, deck, numbers) == C2D_OK);
-      const c2d_summary s = summary_of(machine.solver);
+      const host::Summary s = summary_of(machine.solver);
       for (int32_t body = 1; body <= s.bodies; ++body) {
-        const int64_t eliminated = s.unknowns[body - 1] - s.contact_unknowns;
+        const int64_t eliminated = s.body[body - 1].unknowns - s.contact_unknowns;
         const int64_t columns = eliminated + 2 * s.contact_unknowns + 1;
         // Columns are filled many at a time, then each is told at least once.
         const auto& seen = host.columns[{C2D_PHASE_ELIMINATE, body}];
@@ -243,7 +243,7 @@ TEST_CASE("traps: no run raises invalid, zero-divide or overflow, or turns the r
           options.stepping = stepping;
           options.quadrature = quadrature;
           Host host;
-          const c2d_limits limits = deck.limits();
+          const host::Limits limits = deck.limits();
           Machine machine(limits, size_of(limits, in_core), &host.port);
           Numbers numbers;
           std::feclearexcept(FE_ALL_EXCEPT);

@@ -482,9 +482,9 @@ TEST_CASE("curves: a zone that nothing brings together is told") {
 }
 
 TEST_CASE("curves: calls refuse what cannot be, and give back what they were told") {
-  c2d_limits limits = C2D_INIT(c2d_limits);
+  host::Limits limits;
   limits.bodies = 1, limits.function_nodes = 2;
-  limits.geometry_nodes[0] = limits.elements[0] = 8, limits.regions[0] = 2;
+  limits.body[0].points = limits.body[0].elements = 8, limits.body[0].regions = 2;
   limits.coefficients = limits.paths = 1, limits.curves = 2;
   uint64_t need = 0;
   REQUIRE(c2d_memory_need(&limits, &need, nullptr) == C2D_OK);

@@ -182,19 +182,19 @@ TEST_CASE("sample decks lead to the calls that a naive parser finds") {
 TEST_CASE("sizes of the sample deck") {
   Bytes deck;
   deck.bytes = load("sample.dat");
-  c2d_limits sizes = C2D_INIT(c2d_limits);
+  host::Limits sizes;
   c2d_error why = C2D_INIT(c2d_error);
   REQUIRE(c2d_scan_deck(read_bytes, &deck, &sizes, &why) == C2D_OK);
   CHECK(why.status == C2D_OK);
   CHECK(sizes.struct_size == sizeof sizes);
   CHECK(sizes.bodies == 2);
   CHECK(sizes.function_nodes == 2);
-  CHECK(sizes.geometry_nodes[0] == 46);
-  CHECK(sizes.geometry_nodes[1] == 58);
-  CHECK(sizes.elements[0] == 46);
-  CHECK(sizes.elements[1] == 58);
-  CHECK(sizes.regions[0] == 1);
-  CHECK(sizes.regions[1] == 1);
+  CHECK(sizes.body[0].points == 46);
+  CHECK(sizes.body[1].points == 58);
+  CHECK(sizes.body[0].elements == 46);
+  CHECK(sizes.body[1].elements == 58);
+  CHECK(sizes.body[0].regions == 1);
+  CHECK(sizes.body[1].regions == 1);
   CHECK(sizes.zones == 1);
   CHECK(sizes.pairs == 15);
   CHECK(sizes.contact_elements == 14);
@@ -204,14 +204,15 @@ TEST_CASE("sizes of the sample deck") {
   CHECK(sizes.load_cases == 1);
 
   // An older caller's smaller struct: nothing behind it is touched.
-  c2d_limits small = C2D_INIT(c2d_limits);
-  std::memset(&small, 0x55, sizeof small);
-  small.struct_size = 12;
+  host::Limits small;
+  small.struct_size = offsetof(c2d_limits, zones);
+  small.zones = 0x55555555;
   deck.at = 0;
   REQUIRE(c2d_scan_deck(read_bytes, &deck, &small, nullptr) == C2D_OK);
-  CHECK(small.struct_size == 12);
+  CHECK(small.struct_size == offsetof(c2d_limits, zones));
   CHECK(small.function_nodes == 2);
-  CHECK(small.geometry_nodes[0] == 0x55555555);
+  CHECK(small.body[0].points == 46);
+  CHECK(small.zones == 0x55555555);
   CHECK(c2d_scan_deck(nullptr, &deck, &small, nullptr) == C2D_ERR_ARGUMENT);
   CHECK(c2d_scan_deck(read_bytes, &deck, nullptr, nullptr) == C2D_ERR_ARGUMENT);
 }

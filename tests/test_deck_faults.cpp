@@ -424,7 +424,7 @@ TEST_CASE("scan keeps the first fault, check tells all") {
   lines[8] = "      -1.0       0.7";
   Bytes deck;
   deck.bytes = joined(lines);
-  c2d_limits sizes = C2D_INIT(c2d_limits);
+  host::Limits sizes;
   c2d_error why = C2D_INIT(c2d_error);
   CHECK(c2d_scan_deck(read_bytes, &deck, &sizes, &why) == C2D_ERR_INPUT);
   CHECK(sizes.bodies == 0); // untouched

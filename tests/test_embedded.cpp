@@ -202,7 +202,7 @@ TEST_CASE("embedded: parts that no call declares are not linked, and come with t
     std::vector<std::string> names;
   };
   const Part parts[] = {
-      {"c2d_add_free_zone", {"c2d::fit_free_zone", "c2d::fill_transfer", "c2d::surface_faced", "c2d::transferred_values"}},
+      {"c2d_link_free_zones", {"c2d::fit_free_zone", "c2d::fill_transfer", "c2d::surface_faced", "c2d::transferred_values"}},
       {"c2d_set_body_force", {"c2d::particular_solution", "c2d::add_body_force_columns", "c2d::check_body_force"}},
       {"c2d_set_rigid", {"c2d::check_rigid", "c2d::move_rigidly", "c2d::fill_rigid"}},
       {"c2d_set_symmetry", {"c2d::validate_lines", "c2d::is_held_by_lines", "c2d::fold_across"}},

@@ -22,7 +22,7 @@ struct Setting {
 
 struct Case {
   Deck deck;
-  c2d_limits limits;
+  host::Limits limits;
   uint64_t bytes = 0;
   explicit Case(const Setting& setting) : deck(deck_named(setting.deck)), limits(deck.limits()) {
     limits.panel_columns = setting.panel_columns;
@@ -299,10 +299,10 @@ TEST_CASE("store faults: bytes and blocks per tape are the store's own counts an
       REQUIRE(machine.created == C2D_OK);
       REQUIRE(read_deck(machine.solver, c.deck) == C2D_OK);
       REQUIRE(c2d_prepare(machine.solver) == C2D_OK);
-      const c2d_summary prepared = summary_of(machine.solver);
+      const host::Summary prepared = summary_of(machine.solver);
       Numbers numbers;
       REQUIRE(run_prepared(machine.solver, numbers) == C2D_OK);
-      const c2d_summary s = summary_of(machine.solver);
+      const host::Summary s = summary_of(machine.solver);
       for (int t = 0; t < C2D_TAPES; ++t) {
         CAPTURE(t);
         CHECK(s.tape_blocks[t] == store.blocks[t]);

@@ -1,6 +1,7 @@
 // The FORTRAN 77 names, called as a compiler of FORTRAN calls them: arrays at odd addresses, texts padded
 // with blanks, everything by reference. What comes out is compared with the C interface.
 #include "fortran77.hpp"
+#include "host_structs.hpp"
 #include "shell.hpp"
 
 #include <doctest/doctest.h>
@@ -187,7 +188,7 @@ struct Desktop {
   c2d_memory_store store;
   c2d_solver* solver = nullptr;
   Desktop(const std::string& file, size_t bytes) : memory(bytes) {
-    c2d_limits limits = C2D_INIT(c2d_limits);
+    host::Limits limits;
     c2d_port port = C2D_INIT(c2d_port);
     c2d_memory_store_init(&store, blocks.data(), blocks.size());
     c2d_memory_store_port(&store, &port);
@@ -247,7 +248,7 @@ TEST_CASE("fortran77: a path of the caller's own, events, summary, lists and zon
   Desktop desktop("hertz.dat", 8 * kWords);
   Odd memory(8 * kWords, 4), store(1 << 20, 4), real(8 * 40, 4);
   void* work = memory.at();
-  int32_t error = open(work), outcome = -1, increments = 0, ours = 0, i1[4], i2[4], a = 0, b = 0;
+  int32_t error = open(work), outcome = -1, increments = 0, ours = 0, i1[6], i2[6], a = 0, b = 0;
   c2core_(work, store.at(), I{(1 << 20) / 8}, &error);
   const std::string name = kRoot + "/examples/hertz.dat   ";
   c2deck_(work, name.data(), I{static_cast<int32_t>(name.size())}, &error);
@@ -269,22 +270,22 @@ TEST_CASE("fortran77: a path of the caller's own, events, summary, lists and zon
   CHECK(error == 0);
   CHECK(real_at(real.at()) == step);
 
-  c2d_summary summary = C2D_INIT(c2d_summary);
-  REQUIRE(c2d_get_summary(desktop.solver, &summary) == C2D_OK);
+  host::Summary summary;
+  REQUIRE(host::get_summary(desktop.solver, summary) == C2D_OK);
   int32_t isum[22];
   isum[20] = -7;
   c2summ_(work, isum, I{20}, real.at(), I{28}, &error);
   CHECK(error == 0);
   CHECK(isum[0] == C2D_STATE_RUNNING);
   CHECK(isum[6] == summary.pairs);
-  CHECK(isum[15] == summary.unknowns[1]);
+  CHECK(isum[15] == summary.body[1].unknowns);
   CHECK(isum[17] == summary.paths);
   CHECK(isum[19] == summary.warnings);
   CHECK(isum[20] == -7); // only as many as asked for
   CHECK(real_at(real.at(), 0) == summary.load);
   CHECK(real_at(real.at(), 12) == summary.tension_ratio);
-  CHECK(real_at(real.at(), 14) == summary.applied[0][1]);
-  CHECK(real_at(real.at(), 24) == summary.contact[1][2]);
+  CHECK(real_at(real.at(), 14) == summary.body[0].applied[1]);
+  CHECK(real_at(real.at(), 24) == summary.body[1].contact[2]);
 
   c2d_zone_state zone_state = C2D_INIT(c2d_zone_state);
   REQUIRE(c2d_get_zone_state(desktop.solver, 1, &zone_state) == C2D_OK);
@@ -301,9 +302,16 @@ TEST_CASE("fortran77: a path of the caller's own, events, summary, lists and zon
   c2gmu_(work, I{1}, I{1}, real.at(), &error);
   CHECK(real_at(real.at()) == 0.4);
   c2gzon_(work, I{1}, &a, &b, i1, i2, &error);
-  CHECK((a == 15 && b == 14));
-  CHECK((i1[0] == 24 && i1[1] == 37 && i1[2] == 48 && i1[3] == 35)); // as on the card
-  CHECK((i2[0] == 24 && i2[1] == 38 && i2[2] == 49 && i2[3] == 35));
+  CHECK((a == C2D_ZONE_MATCHING && b == 15));
+  CHECK((i1[0] == 1 && i1[1] == 24 && i1[2] == 37 && i1[3] == 14 && i1[4] == 24 && i1[5] == 38)); // as on the cards
+  CHECK((i2[0] == 2 && i2[1] == 48 && i2[2] == 35 && i2[3] == 14 && i2[4] == 49 && i2[5] == 35));
+  int32_t sizes_of_body[7];
+  double numbers_of_body[8];
+  c2bsta_(work, I{2}, sizes_of_body, numbers_of_body, &error);
+  CHECK((error == 0 && sizes_of_body[6] == summary.body[1].unknowns));
+  CHECK(numbers_of_body[7] == summary.body[1].contact[2]);
+  c2bsta_(work, I{3}, sizes_of_body, numbers_of_body, &error);
+  CHECK(error == C2D_ERR_ARGUMENT);
   c2greg_(work, I{1}, I{1}, &a, &b, &error);
   CHECK((a == 1 && b == 46));
   int32_t codes[4];
@@ -562,8 +570,8 @@ TEST_CASE("fortran77: a model by calls is checked as in C, and every call reache
   c2load_(work, I{1}, I{1}, R{0.5}, R{-0.5}, R{0.0}, R{-1.0}, &error), ok(__LINE__);
   const double weight[2] = {0.0, -2.0}, still[3] = {0.0, 0.0, 0.0};
   c2bfor_(work, I{1}, I{1}, weight, R{0.0}, still, &error), ok(__LINE__);
-  const int32_t elements[4] = {9, 12, 4, 1}, nodes[4] = {9, 13, 5, 1};
-  c2zone_(work, I{5}, I{4}, elements, nodes, &error), ok(__LINE__);
+  const int32_t side1[6] = {1, 9, 12, 4, 9, 13}, side2[6] = {2, 4, 1, 0, 5, 1};
+  c2zone_(work, I{0}, I{5}, side1, side2, &error), ok(__LINE__);
   c2mu_(work, R{0.0}, &error), ok(__LINE__);
   c2mu_(work, R{0.2}, &error), ok(__LINE__);
   c2muz_(work, I{1}, I{2}, R{0.1}, &error), ok(__LINE__);
@@ -576,7 +584,7 @@ TEST_CASE("fortran77: a model by calls is checked as in C, and every call reache
   CHECK(error == C2D_ERR_ARGUMENT); // no such case
   c2symm_(work, I{5}, R{0.0}, &error);
   CHECK(error == C2D_ERR_ARGUMENT); // no such axis
-  c2free_(work, elements, elements, &error);
+  c2zone_(work, I{1}, I{0}, side1, side2, &error);
   CHECK(error != 0); // the limits have no room for one
   c2rigd_(work, I{1}, I{7}, still, still, &error);
   CHECK(error == C2D_ERR_ARGUMENT); // no such case

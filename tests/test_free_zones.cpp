@@ -68,12 +68,12 @@ Problem pressed_blocks(const Blocks& b) {
       if (ny > 0.9 && y > 1.5) end = End{{0, 0, 1, 1}, {0, -b.pressure, 0, 0}};
     });
   if (b.free) {
-    c2d_free_zone zone = C2D_INIT(c2d_free_zone);
+    problem::FreeZone zone = problem::FreeZone();
     zone.first_element[0] = 8, zone.last_element[0] = 7 + b.lower;
     zone.first_element[1] = 1, zone.last_element[1] = b.upper;
     p.free_zones = {zone};
   } else {
-    c2d_zone zone = C2D_INIT(c2d_zone);
+    problem::Zone zone = problem::Zone();
     const int32_t f = b.function_nodes - 1;
     zone.elements = b.lower, zone.pairs = b.lower * f + 1;
     zone.first_element[0] = 8, zone.last_element[0] = 7 + b.lower;
@@ -182,12 +182,12 @@ Problem cylinder(int32_t lower, int32_t upper, double mu, int32_t functions, boo
     });
   const int32_t f = functions - 1;
   if (free) {
-    c2d_free_zone zone = C2D_INIT(c2d_free_zone);
+    problem::FreeZone zone = problem::FreeZone();
     zone.first_element[0] = 19, zone.last_element[0] = 18 + lower;
     zone.first_element[1] = upper, zone.last_element[1] = 1;
     p.free_zones = {zone};
   } else {
-    c2d_zone zone = C2D_INIT(c2d_zone);
+    problem::Zone zone = problem::Zone();
     zone.elements = lower, zone.pairs = lower * f + 1;
     zone.first_element[0] = 19, zone.last_element[0] = 18 + lower;
     zone.first_node[0] = 18 * f + 1, zone.last_node[0] = (18 + lower) * f + 1;
@@ -211,9 +211,9 @@ double half_width(const Result& r) { // the outermost pair that touches, by the 
   return touching;
 }
 double imbalance(const Result& r) { // of the contact's forces on the two bodies
-  const c2d_summary& s = r.summary;
-  return std::hypot(s.contact[0][0] + s.contact[1][0], s.contact[0][1] + s.contact[1][1]) /
-         std::hypot(s.contact[1][0], s.contact[1][1]);
+  const host::Summary& s = r.summary;
+  return std::hypot(s.body[0].contact[0] + s.body[1].contact[0], s.body[0].contact[1] + s.body[1].contact[1]) /
+         std::hypot(s.body[1].contact[0], s.body[1].contact[1]);
 }
 
 } // namespace
@@ -265,11 +265,11 @@ TEST_CASE("free zones: ordinary zones beside them") {
         if (ny < -0.9 && y < 0.5) end = End{{1, 1, 0, 0}, {0, 0, 0, 0}};
         if (ny > 0.9 && y > 1.5) end = End{{0, 0, 1, 1}, {0.1, x < 1.4 ? -2.0 : -3.0, 0, 0}};
       });
-    c2d_zone zone = C2D_INIT(c2d_zone);
+    problem::Zone zone = problem::Zone();
     zone.elements = 5, zone.pairs = 6;
     zone.first_element[0] = 17, zone.last_element[0] = 21, zone.first_node[0] = 17, zone.last_node[0] = 22;
     zone.first_element[1] = 5, zone.last_element[1] = 1, zone.first_node[1] = 6, zone.last_node[1] = 1;
-    c2d_zone other = zone;
+    problem::Zone other = zone;
     other.elements = 4, other.pairs = 5;
     other.first_element[0] = 10, other.last_element[0] = 13, other.first_node[0] = 10, other.last_node[0] = 14;
     other.first_element[1] = 13, other.last_element[1] = 10, other.first_node[1] = 14, other.last_node[1] = 10;
@@ -277,7 +277,7 @@ TEST_CASE("free zones: ordinary zones beside them") {
     if (!free) {
       p.zones.push_back(other);
     } else {
-      c2d_free_zone z = C2D_INIT(c2d_free_zone);
+      problem::FreeZone z = problem::FreeZone();
       z.first_element[0] = 10, z.last_element[0] = 13, z.first_element[1] = 10, z.last_element[1] = 13;
       p.free_zones = {z};
     }
@@ -392,7 +392,7 @@ TEST_CASE("free zones: a ring pressed onto a ring, all round, against Lame") {
       set_ends(p, 2, [](double x, double y, double, double, End& end) {
         if (x * x + y * y < 0.5) end = End{{1, 1, 0, 0}, {0, 0, 0, 0}};
       });
-      c2d_free_zone zone = C2D_INIT(c2d_free_zone);
+      problem::FreeZone zone = problem::FreeZone();
       zone.first_element[0] = 41, zone.last_element[0] = 40 + meshes.first;
       zone.first_element[1] = 1, zone.last_element[1] = meshes.second;
       p.free_zones = {zone};
@@ -404,7 +404,7 @@ TEST_CASE("free zones: a ring pressed onto a ring, all round, against Lame") {
       REQUIRE(step.pairs() == meshes.second * std::max(c.function_nodes - 1, 1));
       for (int i = 0; i < step.pairs(); ++i) CHECK(step.at(i, C2D_TN) == doctest::Approx(pressure).epsilon(c.tolerance));
       for (int k = 0; k < 2; ++k) // resultants vanish: against the size of what is summed, 2 pi p
-        CHECK(std::fabs(r.summary.contact[0][k] + r.summary.contact[1][k]) < 1e-12 * 6.3 * pressure);
+        CHECK(std::fabs(r.summary.body[0].contact[k] + r.summary.body[1].contact[k]) < 1e-12 * 6.3 * pressure);
     }
 }
 

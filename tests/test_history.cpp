@@ -41,16 +41,16 @@ struct Record {
 class Case {
 public:
   explicit Case(const Setup& setup) : setup_(setup) {
-    c2d_limits limits = C2D_INIT(c2d_limits);
+    host::Limits limits;
     const int n = setup.n;
     counts_[0] = {3 * n / 2, n / 2, n / 2, n, n / 2, n / 2}; // below, right, top in three parts, left
     counts_[1] = {n, n / 2, n, n / 2};
     limits.bodies = 2;
     limits.function_nodes = setup.order;
     for (int b = 0; b < 2; ++b) {
-      for (int count : counts_[b]) limits.elements[b] += count;
-      limits.geometry_nodes[b] = limits.elements[b];
-      limits.regions[b] = 1;
+      for (int count : counts_[b]) limits.body[b].elements += count;
+      limits.body[b].points = limits.body[b].elements;
+      limits.body[b].regions = 1;
     }
     const int per_element = setup.order - 1;
     limits.zones = 1;
@@ -94,15 +94,15 @@ public:
   }
   void begin(double mu) { REQUIRE(c2d_begin(s, &mu, 1) == C2D_OK); }
   std::vector<double> table() {
-    const c2d_summary sum = summary();
+    const host::Summary sum = summary();
     std::vector<double> out(static_cast<size_t>(sum.pairs * C2D_PAIR_FIELDS));
     for (int field = 0; field < C2D_PAIR_FIELDS; ++field)
       REQUIRE(c2d_get(s, field, 0, 1, sum.pairs, out.data() + field, C2D_PAIR_FIELDS) == C2D_OK);
     return out;
   }
-  c2d_summary summary() {
-    c2d_summary out = C2D_INIT(c2d_summary);
-    c2d_get_summary(s, &out);
+  host::Summary summary() {
+    host::Summary out;
+    host::get_summary(s, out);
     return out;
   }
   c2d_zone_state zone() {
@@ -173,12 +173,9 @@ private:
     conditions();
     c2d_zone zone = C2D_INIT(c2d_zone);
     const int per_element = setup_.order - 1, first = a[0] + a[1] + a[2];
-    zone.elements = a[3];
     zone.pairs = a[3] * per_element + 1;
-    zone.first_element[0] = first + 1, zone.last_element[0] = first + a[3];
-    zone.first_node[0] = first * per_element + 1, zone.last_node[0] = (first + a[3]) * per_element + 1;
-    zone.first_element[1] = a[3], zone.last_element[1] = 1;
-    zone.first_node[1] = a[3] * per_element + 1, zone.last_node[1] = 1;
+    zone.side1 = {1, first + 1, first + a[3], 0, first * per_element + 1, (first + a[3]) * per_element + 1};
+    zone.side2 = {2, a[3], 1, 0, a[3] * per_element + 1, 1};
     REQUIRE(c2d_add_zone(s, &zone) == C2D_OK);
     for (double mu : setup_.friction) REQUIRE(c2d_add_friction(s, mu) == C2D_OK);
     if (setup_.zone_friction >= 0) REQUIRE(c2d_set_zone_friction(s, 1, 1, setup_.zone_friction) == C2D_OK);
@@ -262,7 +259,7 @@ TEST_CASE("history: one big step, and the same in pieces") {
     REQUIRE(c.to({1, shear}) == C2D_REACHED);
     REQUIRE(c.to({1, -shear}) == C2D_REACHED);
     const std::vector<double> big = c.table();
-    const c2d_summary sum = c.summary();
+    const host::Summary sum = c.summary();
     CHECK(sum.dissipated > 0);
     c.begin(0.4);
     for (int i = 1; i <= 7; ++i) REQUIRE(c.to({i / 7.0, 0}) == C2D_REACHED);
@@ -434,7 +431,7 @@ TEST_CASE("history: gross sliding begins where friction can carry no more") {
     CHECK(zone.stick == 1); // the last one cannot be let go
     CHECK(zone.force[1] == doctest::Approx(-(-2 * 2.0)).epsilon(1e-10));
     CHECK(zone.force[0] == doctest::Approx(-sign * mu * 4).epsilon(1e-9));
-    const c2d_summary sum = c.summary();
+    const host::Summary sum = c.summary();
     CHECK(sum.outcome == C2D_GROSS_SLIDING);
     CHECK(sum.outcome_body == 2);
     CHECK(sum.free_motion[0] == doctest::Approx(sign).epsilon(1e-9));

@@ -266,7 +266,7 @@ TEST_CASE("hosts: the shared library exports what contact2d.symbols lists, and n
   for (const std::string& name : found) CHECK_MESSAGE(listed.count(name) == 1, name << ": new? make symbols");
   for (const std::string& name : listed) CHECK_MESSAGE(found.count(name) == 1, name << " is gone");
   const std::string dynamic = run_shell("readelf -d '" C2D_TEST_SHARED "'").out;
-  CHECK_MESSAGE(contains(dynamic, "[libcontact2d.so.0]"), dynamic);
+  CHECK_MESSAGE(contains(dynamic, "[libcontact2d.so.0.2]"), dynamic);
   CHECK_MESSAGE(!contains(dynamic, "libstdc++"), dynamic);
   // Both build systems link by the same script.
   for (const char* file : {"/Makefile", "/CMakeLists.txt"})

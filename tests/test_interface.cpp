@@ -23,13 +23,13 @@ template <class T> constexpr bool is_public_struct() {
 static_assert(is_public_struct<c2d_error>() && is_public_struct<c2d_limits>() && is_public_struct<c2d_progress>() &&
                   is_public_struct<c2d_port>() && is_public_struct<c2d_problem>() && is_public_struct<c2d_body>() &&
                   is_public_struct<c2d_zone>() && is_public_struct<c2d_options>() && is_public_struct<c2d_step>() &&
-                  is_public_struct<c2d_summary>() && is_public_struct<c2d_free_zone>() && is_public_struct<c2d_zone_state>() &&
-                  is_public_struct<c2d_card>(),
+                  is_public_struct<c2d_summary>() && is_public_struct<c2d_body_result>() &&
+                  is_public_struct<c2d_zone_state>() && is_public_struct<c2d_card>(),
               "structs grow at their end");
-// Version 1 as published: a member that moves breaks hosts that were compiled before.
-static_assert(sizeof(void*) != 8 || (offsetof(c2d_limits, panel_columns) == 64 && offsetof(c2d_error, text) == 80 &&
+// Version 0.2: a member that moves breaks hosts that were compiled before.
+static_assert(sizeof(void*) != 8 || (offsetof(c2d_limits, panel_columns) == 48 && offsetof(c2d_error, text) == 80 &&
                                      offsetof(c2d_options, every_change) == 12 && offsetof(c2d_body, youngs_modulus) == 16 &&
-                                     offsetof(c2d_zone, last_node) == 36),
+                                     offsetof(c2d_zone, side2) == 36),
               "members keep their places");
 
 struct Host : RamStore {
@@ -77,7 +77,7 @@ c2d_problem problem() {
 c2d_body body_of(const c2d_limits& l, int b) {
   c2d_body body = C2D_INIT(c2d_body);
   body.element_nodes = 2;
-  body.elements = l.elements[b];
+  body.elements = l.body[b].elements;
   body.regions = 1;
   body.youngs_modulus = 1000.0;
   body.poisson_ratio = 0.3;
@@ -125,7 +125,7 @@ c2d_status add_load(c2d_solver* s, int32_t increments, double load) { return c2d
 
 const std::vector<Call>& calls() {
   static const std::vector<Call> all = [] {
-    const c2d_limits limits = small_deck().limits();
+    const host::Limits limits = small_deck().limits();
     const uint32_t model_calls = kEmpty | kBuilding, complete = kModel | kPrepared | kRunning;
     std::vector<Call> out;
     const auto add = [&](const char* name, uint32_t legal, std::function<c2d_status(c2d_solver*)> make) {
@@ -186,10 +186,6 @@ const std::vector<Call>& calls() {
     add("set_body_force", model_calls | kModel, [](c2d_solver* s) {
       const double weight[2] = {0, -1};
       return c2d_set_body_force(s, 1, 1, weight, 0, nullptr);
-    });
-    add("add_free_zone", model_calls, [](c2d_solver* s) {
-      const c2d_free_zone z = C2D_INIT(c2d_free_zone);
-      return c2d_add_free_zone(s, &z);
     });
     add("clear_paths", model_calls, [](c2d_solver* s) { return c2d_clear_paths(s); });
     add("read_deck", kEmpty, [](c2d_solver* s) { return read_deck(s, small_deck()); });
@@ -329,16 +325,16 @@ TEST_CASE("interface: a word for every number") {
     CHECK(is_word(c2d_outcome_message(any)));
   }
   for (int32_t any = -300; any < 1000; ++any) CHECK((is_word(c2d_message(any)) && is_word(c2d_outcome_message(any))));
-  CHECK(std::string(c2d_version()) == "0.1.0");
+  CHECK(std::string(c2d_version()) == "0.2.0");
 }
 
 TEST_CASE("interface: structs of other versions") {
-  const c2d_limits limits = small_deck().limits();
+  const host::Limits limits = small_deck().limits();
   uint64_t need = 0, again = 0;
   REQUIRE(c2d_memory_need(&limits, &need, nullptr) == C2D_OK);
   // A longer struct of a later version: what we do not know is not looked at.
   struct {
-    c2d_limits known;
+    host::Limits known;
     unsigned char more[40];
   } later;
   later.known = limits;
@@ -347,7 +343,7 @@ TEST_CASE("interface: structs of other versions") {
   CHECK(c2d_memory_need(&later.known, &again, nullptr) == C2D_OK);
   CHECK(again == need);
   // A shorter one: what is not there is zero, the default.
-  c2d_limits cut = limits, zeros = limits;
+  host::Limits cut = limits, zeros = limits;
   cut.struct_size = offsetof(c2d_limits, load_cases);
   cut.load_cases = -7;
   cut.panel_columns = -7;
@@ -382,11 +378,8 @@ TEST_CASE("interface: structs of other versions") {
       {"summary", sizeof(c2d_summary), [](c2d_solver* s, void* p) { return c2d_get_summary(s, static_cast<c2d_summary*>(p)); }},
       {"error", sizeof(c2d_error), [](c2d_solver* s, void* p) { return c2d_last_error(s, static_cast<c2d_error*>(p)); }},
       {"zone", sizeof(c2d_zone), [](c2d_solver* s, void* p) { return c2d_get_zone(s, 1, static_cast<c2d_zone*>(p)); }},
-      {"limits", sizeof(c2d_limits),
-       [](c2d_solver*, void* p) {
-         Deck deck = small_deck();
-         return c2d_scan_deck(Deck::read, &deck, static_cast<c2d_limits*>(p), nullptr);
-       }},
+      {"body", sizeof(c2d_body_result),
+       [](c2d_solver* s, void* p) { return c2d_get_body_result(s, 1, static_cast<c2d_body_result*>(p)); }},
   };
   for (const Out& out : outs) {
     CAPTURE(std::string(out.name));
@@ -424,7 +417,7 @@ TEST_CASE("interface: structs of other versions") {
 
 TEST_CASE("interface: what is no solver") {
   std::vector<uint64_t> garbage(2000, 0x5555555555555555ull);
-  const c2d_limits limits = small_deck().limits();
+  const host::Limits limits = small_deck().limits();
   Machine closed(limits, enough(limits), nullptr);
   REQUIRE(c2d_close(closed.solver) == C2D_OK);
   for (c2d_solver* s : {static_cast<c2d_solver*>(nullptr), reinterpret_cast<c2d_solver*>(garbage.data()), closed.solver}) {
@@ -433,9 +426,9 @@ TEST_CASE("interface: what is no solver") {
       CAPTURE(std::string(call.name));
       CHECK(call.make(s) == C2D_ERR_ARGUMENT);
     }
-    c2d_summary summary = C2D_INIT(c2d_summary);
+    host::Summary summary;
     c2d_error error = C2D_INIT(c2d_error);
-    CHECK(c2d_get_summary(s, &summary) == C2D_ERR_ARGUMENT);
+    CHECK(host::get_summary(s, summary) == C2D_ERR_ARGUMENT);
     CHECK(c2d_last_error(s, &error) == C2D_ERR_ARGUMENT);
     CHECK(c2d_cancel(s) == C2D_ERR_ARGUMENT);
     CHECK(c2d_close(s) == C2D_ERR_ARGUMENT);
@@ -444,7 +437,7 @@ TEST_CASE("interface: what is no solver") {
   c2d_solver* s = nullptr;
   CHECK(c2d_create(nullptr, garbage.data(), 100, &limits, nullptr, nullptr) == C2D_ERR_ARGUMENT);
   CHECK(c2d_create(&s, garbage.data(), 100, nullptr, nullptr, nullptr) == C2D_ERR_ARGUMENT);
-  c2d_limits out = C2D_INIT(c2d_limits);
+  host::Limits out;
   CHECK(c2d_scan_deck(nullptr, nullptr, &out, nullptr) == C2D_ERR_ARGUMENT);
   Deck deck = small_deck();
   CHECK(c2d_scan_deck(Deck::read, &deck, nullptr, nullptr) == C2D_ERR_ARGUMENT);
@@ -452,7 +445,7 @@ TEST_CASE("interface: what is no solver") {
 }
 
 TEST_CASE("interface: every function in every state") {
-  const c2d_limits limits = small_deck().limits();
+  const host::Limits limits = small_deck().limits();
   for (int32_t state = C2D_STATE_EMPTY; state <= C2D_STATE_BROKEN; ++state) {
     CAPTURE(state);
     for (const Call& call : calls()) {
@@ -483,8 +476,8 @@ TEST_CASE("interface: every function in every state") {
       }
       if (state == C2D_STATE_BROKEN) CHECK(error_of(machine.solver).status == C2D_ERR_STORE_WRITE);
       // Always legal:
-      c2d_summary summary = C2D_INIT(c2d_summary);
-      CHECK(c2d_get_summary(machine.solver, &summary) == C2D_OK);
+      host::Summary summary;
+      CHECK(host::get_summary(machine.solver, summary) == C2D_OK);
       CHECK(summary.state == c2d_get_state(machine.solver));
       CHECK(summary.minimum_bytes > 0);
       CHECK(c2d_cancel(machine.solver) == C2D_OK);
@@ -495,7 +488,7 @@ TEST_CASE("interface: every function in every state") {
 }
 
 TEST_CASE("interface: what broke a solver is told until it is taken up again") {
-  const c2d_limits limits = small_deck().limits();
+  const host::Limits limits = small_deck().limits();
   Host host;
   Machine machine(limits, enough(limits), &host.port);
   c2d_solver* s = machine.solver;
@@ -526,7 +519,7 @@ TEST_CASE("interface: what broke a solver is told until it is taken up again") {
 }
 
 TEST_CASE("interface: where each call leads") {
-  const c2d_limits limits = small_deck().limits();
+  const host::Limits limits = small_deck().limits();
   Host host;
   Machine machine(limits, enough(limits), &host.port);
   c2d_solver* s = machine.solver;
@@ -567,7 +560,7 @@ struct Wrong {
 
 std::vector<Wrong> wrong_calls() {
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-  static const c2d_limits limits = small_deck().limits();
+  static const host::Limits limits = small_deck().limits();
   std::vector<Wrong> out;
   for (int32_t state : {C2D_STATE_EMPTY, C2D_STATE_BUILDING}) {
     const auto add = [&](const char* name, std::function<c2d_status(c2d_solver*)> make) {
@@ -627,7 +620,7 @@ std::vector<Wrong> wrong_calls() {
     });
     add("too many regions", [](c2d_solver* s) {
       c2d_body b = body_of(limits, 0);
-      b.regions = limits.regions[0] + 1;
+      b.regions = limits.body[0].regions + 1;
       return c2d_set_body(s, 1, &b);
     });
     add("too many points", [](c2d_solver* s) {
@@ -736,6 +729,11 @@ std::vector<Wrong> wrong_calls() {
     add(state, "nulls", [](c2d_solver* s) { return c2d_get_interference(s, nullptr); });
     add(state, "summary", [](c2d_solver* s) { return c2d_get_summary(s, nullptr); });
     add(state, "error", [](c2d_solver* s) { return c2d_last_error(s, nullptr); });
+    for (int32_t body : {INT32_MIN, -1, 0, 3, INT32_MAX})
+      add(state, "body result", [body](c2d_solver* s) {
+        c2d_body_result out = C2D_INIT(c2d_body_result);
+        return c2d_get_body_result(s, body, &out);
+      });
     for (int32_t field : {-1, 16, 99, 117, 119, 122, 129, 132, INT32_MAX, INT32_MIN})
       add(state, "field", [field](c2d_solver* s) { return c2d_get(s, field, 1, 1, 1, g_numbers, 1); });
     for (int32_t field : {C2D_X, C2D_END_X, C2D_NODE_X, C2D_TN, C2D_END_TX}) {
@@ -839,7 +837,25 @@ std::vector<Wrong> wrong_calls() {
   add(C2D_STATE_EMPTY, "no axis", [](c2d_solver* s) { return c2d_set_body_force(s, 1, 1, g_numbers, 1, nullptr); });
   add(C2D_STATE_EMPTY, "no factors", [](c2d_solver* s) { return c2d_add_path(s, 1, nullptr, 1); });
   add(C2D_STATE_EMPTY, "curve", [](c2d_solver* s) { return c2d_add_curve(s, nullptr); });
-  add(C2D_STATE_EMPTY, "free zone", [](c2d_solver* s) { return c2d_add_free_zone(s, nullptr); });
+  for (int32_t body : {INT32_MIN, -1, 0, 2, 3, INT32_MAX})
+    add(C2D_STATE_BUILDING, "side 1", [body](c2d_solver* s) {
+      c2d_zone z = C2D_INIT(c2d_zone);
+      z.side1.body = body, z.side2.body = 2;
+      return c2d_add_zone(s, &z);
+    });
+  for (int32_t body : {INT32_MIN, -1, 0, 1, 3, INT32_MAX})
+    add(C2D_STATE_BUILDING, "side 2", [body](c2d_solver* s) {
+      c2d_zone z = C2D_INIT(c2d_zone);
+      z.kind = C2D_ZONE_FREE;
+      z.side1.body = 1, z.side2.body = body;
+      return c2d_add_zone(s, &z);
+    });
+  for (int32_t kind : {INT32_MIN, -1, 2, INT32_MAX})
+    add(C2D_STATE_EMPTY, "kind of zone", [kind](c2d_solver* s) {
+      c2d_zone z = C2D_INIT(c2d_zone);
+      z.kind = kind;
+      return c2d_add_zone(s, &z);
+    });
   add(C2D_STATE_EMPTY, "line nodes", [](c2d_solver* s) { return c2d_set_line_nodes(s, 1, 1, 2, nullptr, nullptr, nullptr); });
   add(C2D_STATE_EMPTY, "arc nodes", [](c2d_solver* s) { return c2d_set_arc_nodes(s, 1, 1, 2, nullptr, 1, 0, 90); });
   add(C2D_STATE_EMPTY, "long unit", [](c2d_solver* s) { return c2d_set_units(s, "0123456789abcdef", nullptr); });
@@ -873,7 +889,8 @@ TEST_CASE("interface: no function is left out of the tests of states and of wron
   const std::string here = test::read_file(C2D_TEST_ROOT "/tests/test_interface.cpp");
   const size_t states = here.find("& calls() {"), arguments = here.find("wrong_calls() {");
   REQUIRE(states < arguments);
-  const std::set<std::string> always = {"c2d_close", "c2d_last_error", "c2d_get_summary", "c2d_cancel"}, // in every state
+  const std::set<std::string> always = {"c2d_close", "c2d_last_error", "c2d_get_summary", "c2d_get_body_result",
+                                        "c2d_cancel"}, // in every state
       takes_nothing = {"c2d_close",        "c2d_cancel", "c2d_clear_paths", "c2d_complete", "c2d_prepare",
                        "c2d_change_loads", "c2d_save",   "c2d_restore",     "c2d_set_line", "c2d_run"};
   for (const std::string& name : functions) {
@@ -885,7 +902,7 @@ TEST_CASE("interface: no function is left out of the tests of states and of wron
 }
 
 TEST_CASE("interface: a wrong argument changes nothing") {
-  const c2d_limits limits = small_deck().limits();
+  const host::Limits limits = small_deck().limits();
   size_t count = 0;
   for (int32_t state = C2D_STATE_EMPTY; state <= C2D_STATE_RUNNING; ++state) {
     Host host;
@@ -931,10 +948,10 @@ std::string not_busy(c2d_solver* s, const c2d_limits& limits, bool in_step) {
   if (c2d_get_summary(s, nullptr) != C2D_ERR_ARGUMENT || c2d_last_error(s, nullptr) != C2D_ERR_ARGUMENT) out += " (null)";
   if (!is_kept(s, error_before)) out += " (kept)";
   // and what is legal
-  c2d_summary summary = C2D_INIT(c2d_summary);
+  host::Summary summary;
   c2d_error error = C2D_INIT(c2d_error);
   uint64_t need = 0;
-  if (c2d_get_summary(s, &summary) != C2D_OK) out += " (summary)";
+  if (host::get_summary(s, summary) != C2D_OK) out += " (summary)";
   if (c2d_last_error(s, &error) != C2D_OK) out += " (last error)";
   if (c2d_get_state(s) < 0) out += " (state)";
   if (c2d_memory_need(&limits, &need, nullptr) != C2D_OK) out += " (need)";
@@ -957,7 +974,7 @@ struct ReadInside {
 TEST_CASE("interface: inside a callback every call is refused as busy") {
   for (const char* name : {"hertz_lin_l", "layer_t"}) {
     const Deck deck = deck_named(name);
-    const c2d_limits limits = deck.limits();
+    const host::Limits limits = deck.limits();
     Host host;
     Machine machine(limits, enough(limits), &host.port);
     c2d_solver* s = machine.solver;
@@ -999,7 +1016,7 @@ TEST_CASE("interface: inside a callback every call is refused as busy") {
 
 TEST_CASE("interface: a failed c2d_read_deck leaves an empty model that can read another") {
   const Deck good = small_deck();
-  const c2d_limits limits = good.limits();
+  const host::Limits limits = good.limits();
   Host host;
   Machine machine(limits, enough(limits), &host.port);
   Numbers clean, numbers;
@@ -1014,7 +1031,7 @@ TEST_CASE("interface: a failed c2d_read_deck leaves an empty model that can read
     const c2d_error error = error_of(machine.solver);
     REQUIRE(error.status == C2D_ERR_INPUT);
     REQUIRE(std::strlen(error.text) > 10);
-    const c2d_summary summary = summary_of(machine.solver);
+    const host::Summary summary = summary_of(machine.solver);
     REQUIRE(summary.bodies == 0);
     REQUIRE(summary.pairs == 0);
     REQUIRE(read_deck(machine.solver, good) == C2D_OK);
@@ -1025,18 +1042,48 @@ TEST_CASE("interface: a failed c2d_read_deck leaves an empty model that can read
   }
 }
 
+TEST_CASE("interface: a list of bodies that is too short is told with how long it must be") {
+  for (const bool checked : {false, true})
+    for (int32_t room : {0, 1, 2, 5}) {
+      c2d_body_limits list[5], untouched[5];
+      std::memset(list, 0x55, sizeof list);
+      std::memcpy(untouched, list, sizeof list);
+      c2d_limits out = C2D_INIT(c2d_limits);
+      out.bodies = room;
+      out.body = room > 0 ? list : nullptr;
+      c2d_error why = C2D_INIT(c2d_error);
+      Deck deck = deck_named("block");
+      const c2d_report keep = [](void* to, const c2d_error* entry) { *static_cast<c2d_error*>(to) = *entry; };
+      const c2d_status status =
+          checked ? c2d_check_deck(Deck::read, &deck, &out, keep, &why) : c2d_scan_deck(Deck::read, &deck, &out, &why);
+      CHECK(status == (room < 2 ? C2D_ERR_LIMIT : C2D_OK));
+      CHECK(out.bodies == 2);
+      CHECK(out.body == (room > 0 ? list : nullptr));
+      CHECK(std::memcmp(list + 2, untouched, sizeof *list) == 0);
+      if (room < 2) {
+        CHECK(out.pairs == 0);
+        CHECK(std::memcmp(list, untouched, sizeof list) == 0);
+        CHECK(std::string(why.text) == "c2d_limits.body has room for " + std::to_string(room) + ", the deck has 2 bodies");
+      } else {
+        CHECK(out.pairs > 0);
+        CHECK(list[1].elements > 0);
+        CHECK(list[1].reserved == 0);
+      }
+    }
+}
+
 TEST_CASE("interface: limits too small by one are told as such") {
   const Deck deck = deck_named("sample");
-  const c2d_limits good = deck.limits();
+  const host::Limits good = deck.limits();
   struct Member {
     const char* name;
     int32_t* at;
   };
-  c2d_limits l = good;
-  const Member members[] = {{"geometry nodes 1", &l.geometry_nodes[0]},
-                            {"geometry nodes 2", &l.geometry_nodes[1]},
-                            {"elements 1", &l.elements[0]},
-                            {"elements 2", &l.elements[1]},
+  host::Limits l = good;
+  const Member members[] = {{"geometry nodes 1", &l.body[0].points},
+                            {"geometry nodes 2", &l.body[1].points},
+                            {"elements 1", &l.body[0].elements},
+                            {"elements 2", &l.body[1].elements},
                             {"zones", &l.zones},
                             {"pairs", &l.pairs},
                             {"contact elements", &l.contact_elements},
@@ -1069,7 +1116,7 @@ TEST_CASE("interface: limits too small by one are told as such") {
   CHECK(c2d_get_state(cubic.solver) == C2D_STATE_EMPTY);
   // More than enough of everything does no harm.
   l = good;
-  for (int b = 0; b < 2; ++b) l.geometry_nodes[b] += 7, l.elements[b] += 5, l.regions[b] += 2;
+  for (int b = 0; b < 2; ++b) l.body[b].points += 7, l.body[b].elements += 5, l.body[b].regions += 2;
   l.zones += 2, l.pairs += 9, l.contact_elements += 3, l.point_loads += 2, l.coefficients += 1, l.paths += 4;
   Numbers tight, loose;
   Host host1, host2;
@@ -1083,7 +1130,7 @@ TEST_CASE("interface: limits too small by one are told as such") {
 
 TEST_CASE("interface: what the caller's functions return comes back") {
   const Deck deck = deck_named("sample");
-  const c2d_limits limits = deck.limits();
+  const host::Limits limits = deck.limits();
   Host host;
   Machine machine(limits, enough(limits), &host.port);
   // read_line
@@ -1101,7 +1148,7 @@ TEST_CASE("interface: what the caller's functions return comes back") {
     CHECK(error_of(machine.solver).host_code == code);
     CHECK(c2d_get_state(machine.solver) == C2D_STATE_EMPTY);
     failing.deck.next = 0;
-    c2d_limits out = C2D_INIT(c2d_limits);
+    host::Limits out;
     c2d_error why = C2D_INIT(c2d_error);
     CHECK(c2d_scan_deck(Failing::read, &failing, &out, &why) == C2D_ERR_READ);
     CHECK(why.host_code == code);
@@ -1143,7 +1190,7 @@ TEST_CASE("interface: what the caller's functions return comes back") {
 }
 
 TEST_CASE("interface: structs that go in may be of version 1, longer, or none") {
-  const c2d_limits limits = small_deck().limits();
+  const host::Limits limits = small_deck().limits();
   struct In {
     const char* name;
     size_t size, first; // ours; that of version 1
@@ -1151,7 +1198,6 @@ TEST_CASE("interface: structs that go in may be of version 1, longer, or none") 
     std::function<void(void*)> fill;
   };
   const auto set = [](const auto& from) { return [from](void* to) { std::memcpy(to, &from, sizeof from); }; };
-  c2d_free_zone free_zone = C2D_INIT(c2d_free_zone);
   const In ins[] = {
       {"options", sizeof(c2d_options), offsetof(c2d_options, symmetry),
        [](c2d_solver* s, const void* p) { return c2d_set_options(s, static_cast<const c2d_options*>(p)); },
@@ -1161,16 +1207,14 @@ TEST_CASE("interface: structs that go in may be of version 1, longer, or none") 
       {"body", sizeof(c2d_body), offsetof(c2d_body, open_regions),
        [](c2d_solver* s, const void* p) { return c2d_set_body(s, 1, static_cast<const c2d_body*>(p)); },
        set(body_of(limits, 0))},
-      // These two are refused for what they say, in state empty, once their size is in order.
+      // This one is refused for what they say, in state empty, once its size is in order.
       {"zone", sizeof(c2d_zone), sizeof(c2d_zone),
        [](c2d_solver* s, const void* p) { return c2d_add_zone(s, static_cast<const c2d_zone*>(p)); }, set(C2D_INIT(c2d_zone))},
-      {"free zone", sizeof(c2d_free_zone), sizeof(c2d_free_zone),
-       [](c2d_solver* s, const void* p) { return c2d_add_free_zone(s, static_cast<const c2d_free_zone*>(p)); }, set(free_zone)},
   };
   Host host;
   for (const In& in : ins) {
     CAPTURE(std::string(in.name));
-    const bool refused = in.name == std::string("zone") || in.name == std::string("free zone");
+    const bool refused = in.name == std::string("zone");
     for (size_t size : {size_t{0}, size_t{1}, size_t{3}, size_t{4}, in.first, in.size, in.size + 4, in.size + 1000}) {
       CAPTURE(size);
       Machine machine(limits, enough(limits), &host.port);
@@ -1221,7 +1265,7 @@ TEST_CASE("interface: boundary points by lines and arcs have the bits of the dec
   Machine read(deck.limits(), enough(deck.limits()), nullptr), called(deck.limits(), enough(deck.limits()), nullptr);
   REQUIRE(read_deck(read.solver, deck) == C2D_OK);
   c2d_solver* s = called.solver;
-  const c2d_limits limits = deck.limits();
+  const host::Limits limits = deck.limits();
   for (int32_t body = 1; body <= 2; ++body) {
     const c2d_body data = body_of(limits, body - 1);
     REQUIRE(c2d_set_body(s, body, &data) == C2D_OK);
@@ -1239,7 +1283,7 @@ TEST_CASE("interface: boundary points by lines and arcs have the bits of the dec
     ++at;
     int32_t node = 0;
     double last[2] = {0, 0};
-    while (node < limits.geometry_nodes[body - 1]) {
+    while (node < limits.body[body - 1].points) {
       const bool polar = deck.lines[at][0] == 'P';
       const int32_t next = static_cast<int32_t>(number(1, 4)) - (body == 2 && number(1, 4) > 58 ? 46 : 0);
       const double here[2] = {number(6, 10), number(16, 10)};
@@ -1247,7 +1291,7 @@ TEST_CASE("interface: boundary points by lines and arcs have the bits of the dec
         double xy[2] = {here[0] + origin[0], here[1] + origin[1]};
         if (polar) {
           // A single point: the beginning of an arc, whose other end is set again later.
-          REQUIRE(next < limits.geometry_nodes[body - 1]);
+          REQUIRE(next < limits.body[body - 1].points);
           REQUIRE(c2d_set_arc_nodes(s, body, next, next + 1, origin, here[0], here[1], here[1]) == C2D_OK);
         } else {
           REQUIRE(c2d_set_nodes(s, body, next, 1, xy, 2) == C2D_OK);
@@ -1271,7 +1315,7 @@ TEST_CASE("interface: boundary points by lines and arcs have the bits of the dec
   CHECK(lines > 5);
   // The points are asked for in state model: compare what the workspaces hold.
   for (int32_t body = 1; body <= 2; ++body) {
-    const int32_t count = limits.geometry_nodes[body - 1];
+    const int32_t count = limits.body[body - 1].points;
     std::vector<double> expected(static_cast<size_t>(2 * count));
     REQUIRE(c2d_get(read.solver, C2D_NODE_X, body, 1, count, expected.data(), 2) == C2D_OK);
     REQUIRE(c2d_get(read.solver, C2D_NODE_Y, body, 1, count, expected.data() + 1, 2) == C2D_OK);

@@ -34,7 +34,7 @@ Problem stack(double overlap) {
       (void)y;
       end.codes[c] = 1, end.codes[2 + c] = 0;
     });
-  c2d_zone zone = C2D_INIT(c2d_zone);
+  problem::Zone zone = problem::Zone();
   zone.pairs = 7, zone.elements = 6;
   zone.first_element[0] = 7, zone.last_element[0] = 12, zone.first_node[0] = 7, zone.last_node[0] = 13;
   zone.first_element[1] = 6, zone.last_element[1] = 1, zone.first_node[1] = 7, zone.last_node[1] = 1;
@@ -115,7 +115,7 @@ Problem press_fit(int32_t n, double a, double b, double c, double delta, double 
   p.bodies[1].youngs_modulus = 600;
   p.bodies[1].poisson_ratio = 0.2;
   for (Body& body : p.bodies) body.ends.assign(static_cast<size_t>(2 * 2 * n), End());
-  c2d_zone zone = C2D_INIT(c2d_zone);
+  problem::Zone zone = problem::Zone();
   zone.pairs = n + 1, zone.elements = n;
   zone.first_element[0] = 1, zone.last_element[0] = n, zone.first_node[0] = 1, zone.last_node[0] = n + 1;
   zone.first_element[1] = 2 * n, zone.last_element[1] = n + 1;

@@ -2,6 +2,7 @@
 #include "bie/interior_detail.hpp"
 #include "c2d_memory.h"
 #include "contact2d.h"
+#include "host_structs.hpp"
 #include "model/shape.hpp"
 
 #include <doctest/doctest.h>
@@ -329,25 +330,25 @@ struct OneBody {
     return make_element(element_nodes, x, y);
   }
   void solve(const Conditions& conditions, Solved& out) const {
-    c2d_limits limits = C2D_INIT(c2d_limits);
+    host::Limits limits;
     limits.bodies = 1;
     limits.function_nodes = function_nodes;
-    limits.regions[0] = static_cast<int32_t>(curves.size());
+    limits.body[0].regions = static_cast<int32_t>(curves.size());
     limits.point_loads = force ? 1 : 0;
     limits.paths = 1;
     std::vector<double> xy;
     for (size_t c = 0; c < curves.size(); ++c) {
-      limits.elements[0] += elements(c);
+      limits.body[0].elements += elements(c);
       xy.insert(xy.end(), curves[c].begin(), curves[c].end());
     }
-    limits.geometry_nodes[0] = static_cast<int32_t>(xy.size() / 2);
+    limits.body[0].points = static_cast<int32_t>(xy.size() / 2);
     out.create(limits);
     c2d_problem problem = C2D_INIT(c2d_problem);
     problem.plane = plane;
     c2d_body body = C2D_INIT(c2d_body);
     body.element_nodes = element_nodes;
-    body.elements = limits.elements[0];
-    body.regions = limits.regions[0];
+    body.elements = limits.body[0].elements;
+    body.regions = limits.body[0].regions;
     body.youngs_modulus = 1000;
     body.poisson_ratio = nu;
     REQUIRE(c2d_set_problem(out.s, &problem) == C2D_OK);
@@ -357,7 +358,7 @@ struct OneBody {
       REQUIRE(c2d_add_region(out.s, 1, first, first + elements(c) - 1) == C2D_OK);
       first += elements(c);
     }
-    REQUIRE(c2d_set_nodes(out.s, 1, 1, limits.geometry_nodes[0], xy.data(), 2) == C2D_OK);
+    REQUIRE(c2d_set_nodes(out.s, 1, 1, limits.body[0].points, xy.data(), 2) == C2D_OK);
     first = 1;
     for (size_t c = 0; c < curves.size(); first += elements(c), ++c)
       for (int e = 0; e < elements(c); ++e)
@@ -700,7 +701,7 @@ struct FileCards {
 void solve_deck(const char* name, double mu, double load, Solved& out) {
   const std::string path = std::string(C2D_TEST_ROOT "/tests/data/decks/") + name;
   FileCards scan = {std::ifstream(path)}, cards = {std::ifstream(path)};
-  c2d_limits limits = C2D_INIT(c2d_limits);
+  host::Limits limits;
   REQUIRE(c2d_scan_deck(FileCards::read, &scan, &limits, nullptr) == C2D_OK);
   out.create(limits);
   REQUIRE(c2d_read_deck(out.s, FileCards::read, &cards) == C2D_OK);
@@ -771,10 +772,10 @@ TEST_CASE("interior: the thesis's cylinder, equilibrium of cuts through both bod
 TEST_CASE("interior: joins the boundary on both sides of a contact") {
   Solved solved;
   solve_deck("sample56.dat", 0.4, 1.0, solved);
-  c2d_summary summary = C2D_INIT(c2d_summary);
-  REQUIRE(c2d_get_summary(solved.s, &summary) == C2D_OK);
+  host::Summary summary;
+  REQUIRE(host::get_summary(solved.s, summary) == C2D_OK);
   for (int body = 1; body <= 2; ++body) {
-    const int32_t ends = 2 * summary.elements[body - 1];
+    const int32_t ends = 2 * summary.body[body - 1].elements;
     std::vector<double> field[7];
     for (int f = 0; f < 3; ++f) field[f] = solved.ends(C2D_END_SXX + f, body, ends);
     field[3] = solved.ends(C2D_END_X, body, ends);
@@ -886,17 +887,12 @@ TEST_CASE("interior: nothing raises a floating-point exception that hosts trap")
   std::vector<double> xy;
   for (double y = -4; y <= 16; y += 0.5)
     for (double x = 0; x <= 8; x += 0.5) xy.insert(xy.end(), {x, y, x * 1e-7, y, x, y * 1e-7});
-  xy.insert(xy.end(), {1e150, 0, 0, -1e308, 1, 0, 0, 1, 1e-300, 1e-300, 1e308, 1, 1, -1e308, 1e50, 1});
+  xy.insert(xy.end(), {1e150, 0, 0, -1e308, 1, 0, 0, 1, 1e-300, 1e-300, NAN, 1, 1, -INFINITY, 1e50, 1});
   std::vector<Answer> out(xy.size() / 2);
   const int32_t count = static_cast<int32_t>(out.size());
   std::feclearexcept(FE_ALL_EXCEPT);
   const c2d_status first = c2d_interior(ring.solved.s, 0, count, xy.data(), 2, out[0].v, C2D_POINT_FIELDS);
   const c2d_status second = c2d_interior(contact.s, 0, count, xy.data(), 2, out[0].v, C2D_POINT_FIELDS);
-  for (double none : {NAN, INFINITY, -INFINITY}) {
-    const double point[2] = {1, none};
-    double row[C2D_POINT_FIELDS];
-    CHECK(c2d_interior(ring.solved.s, 0, 1, point, 2, row, C2D_POINT_FIELDS) == C2D_ERR_ARGUMENT);
-  }
   CHECK(std::fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW) == 0);
   CHECK(first == C2D_OK);
   CHECK(second == C2D_OK);

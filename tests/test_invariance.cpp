@@ -200,7 +200,7 @@ TEST_CASE("invariance: a zone over half of its ring, numbered from every node") 
   set_ends(p, 2, [](double x, double, double, double ny, End& end) {
     if (ny > 0.5) end.values[0] = 0.1, end.values[1] = -1 - 0.1 * x;
   });
-  c2d_zone zone = C2D_INIT(c2d_zone);
+  problem::Zone zone = problem::Zone();
   zone.pairs = 6, zone.elements = 5;
   zone.first_element[0] = 3, zone.last_element[0] = 7, zone.first_node[0] = 3, zone.last_node[0] = 8;
   zone.first_element[1] = 5, zone.last_element[1] = 1, zone.first_node[1] = 6, zone.last_node[1] = 1;
@@ -328,5 +328,26 @@ TEST_CASE("invariance: begin and advance reproduce run, also after it") {
       REQUIRE(steps_by_calls.size() == steps);
       for (size_t i = 0; i < steps; ++i) CHECK(steps_by_calls[i].table == run[i].table);
     }
+  }
+}
+
+TEST_CASE("a host that steps itself gives neither friction nor path, and c2d_run says so") {
+  Problem given = load("block.dat"), bare = given;
+  bare.friction.clear();
+  bare.paths.clear();
+  Setup steps;
+  steps.advance_loads = {0.5, 1.0};
+  steps.advance_mu = 0.3;
+  const Result with = solve(given, steps), without = solve(bare, steps);
+  REQUIRE(with.status == C2D_OK);
+  REQUIRE(without.status == C2D_OK);
+  CHECK(identical(with, without));
+  Problem no_friction = given;
+  no_friction.friction.clear();
+  for (const Problem& p : {bare, no_friction}) {
+    const Result run = solve(p);
+    CHECK(run.status == C2D_ERR_ARGUMENT);
+    CHECK(run.messages().find(p.paths.empty() ? "no load path to run" : "no coefficient of friction to run") !=
+          std::string::npos);
   }
 }

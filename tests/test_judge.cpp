@@ -22,13 +22,13 @@ struct Run {
   Interference interfere;
   c2d_solver* solver = nullptr;
   std::vector<problem::Step> steps;
-  c2d_summary summary = C2D_INIT(c2d_summary);
+  host::Summary summary;
   c2d_status status = C2D_OK;
   std::vector<std::string> told;
 
   explicit Run(const Deck& deck, Interference spoil = nullptr) : interfere(std::move(spoil)) {
     store.serve(port);
-    const c2d_limits limits = deck.limits();
+    const host::Limits limits = deck.limits();
     uint64_t minimum = 0, in_core = 0;
     REQUIRE(c2d_memory_need(&limits, &minimum, &in_core) == C2D_OK);
     Machine machine(limits, in_core, &port);

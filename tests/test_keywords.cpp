@@ -177,7 +177,7 @@ TEST_CASE("scanning walks the keyword cards too") {
   deck.push_back("*UNIT mm N");
   Bytes bytes;
   bytes.bytes = joined(deck);
-  c2d_limits sizes = C2D_INIT(c2d_limits);
+  host::Limits sizes;
   c2d_error why = C2D_INIT(c2d_error);
   CHECK(c2d_scan_deck(read_bytes, &bytes, &sizes, &why) == C2D_ERR_INPUT);
   CHECK(why.line == static_cast<int>(deck.size()));
@@ -185,7 +185,7 @@ TEST_CASE("scanning walks the keyword cards too") {
 }
 
 TEST_CASE("units in a solver") {
-  c2d_limits sizes = C2D_INIT(c2d_limits);
+  host::Limits sizes;
   List deck = squares();
   deck.push_back("*UNITS mm kN");
   Bytes bytes;
@@ -198,15 +198,15 @@ TEST_CASE("units in a solver") {
   REQUIRE(c2d_create(&solver, memory.data(), memory.size(), &sizes, nullptr, nullptr) == C2D_OK);
   bytes.at = 0;
   REQUIRE(c2d_read_deck(solver, read_bytes, &bytes) == C2D_OK);
-  c2d_summary summary = C2D_INIT(c2d_summary);
-  REQUIRE(c2d_get_summary(solver, &summary) == C2D_OK);
+  host::Summary summary;
+  REQUIRE(host::get_summary(solver, summary) == C2D_OK);
   CHECK(std::string(summary.unit_length) == "mm");
   CHECK(std::string(summary.unit_force) == "kN");
   CHECK(c2d_set_units(solver, "sixteenletterslo", "N") == C2D_ERR_ARGUMENT);
-  REQUIRE(c2d_get_summary(solver, &summary) == C2D_OK);
+  REQUIRE(host::get_summary(solver, summary) == C2D_OK);
   CHECK(std::string(summary.unit_length) == "mm");
   CHECK(c2d_set_units(solver, "m", nullptr) == C2D_OK);
-  REQUIRE(c2d_get_summary(solver, &summary) == C2D_OK);
+  REQUIRE(host::get_summary(solver, summary) == C2D_OK);
   CHECK(std::string(summary.unit_length) == "m");
   CHECK(std::string(summary.unit_force) == "");
   CHECK(summary.state == C2D_STATE_MODEL);

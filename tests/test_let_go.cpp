@@ -36,7 +36,7 @@ Problem block(int32_t elements, double mu, double gap = 0.0) {
   for (End& end : p.bodies[1].second_case) end.values[3] = 0;
   for (int32_t e = elements + 1; e <= elements + 2; ++e)
     for (int32_t l = 1; l <= 2; ++l) p.bodies[1].second_case[static_cast<size_t>((e - 1) * 2 + l - 1)].values[0] = 10;
-  c2d_zone zone = C2D_INIT(c2d_zone);
+  problem::Zone zone = problem::Zone();
   zone.pairs = elements + 1, zone.elements = elements;
   zone.first_element[0] = 8, zone.last_element[0] = 7 + elements, zone.first_node[0] = 8, zone.last_node[0] = 8 + elements;
   zone.first_element[1] = elements, zone.last_element[1] = 1, zone.first_node[1] = elements + 1, zone.last_node[1] = 1;
@@ -175,7 +175,7 @@ TEST_CASE("let go: free zones, curved functions and rigid obstacles do the same"
   const std::vector<Path> path = {{1, 1, 0}, {1, -1, 0}, {1, 1, 0}};
   Problem facing = block(5, 0.4);
   facing.zones.clear();
-  c2d_free_zone zone = C2D_INIT(c2d_free_zone);
+  problem::FreeZone zone = problem::FreeZone();
   zone.first_element[0] = 8, zone.last_element[0] = 12, zone.first_element[1] = 5, zone.last_element[1] = 1;
   facing.free_zones = {zone};
   Problem on_rigid = block(5, 5.0); // with less friction several states are possible on the way back
@@ -246,7 +246,7 @@ TEST_CASE("let go: saved in the air, restored in another process, the same bits"
     std::unique_ptr<runs::Machine> machine;
     Life(const runs::Deck& deck, runs::RamStore& there) : store(there) {
       store.serve(port);
-      const c2d_limits limits = deck.limits();
+      const host::Limits limits = deck.limits();
       uint64_t minimum = 0, in_core = 0;
       REQUIRE(c2d_memory_need(&limits, &minimum, &in_core) == C2D_OK);
       machine.reset(new runs::Machine(limits, in_core, &port));

@@ -12,11 +12,11 @@ namespace {
 // A solver with a complete model.
 struct Model {
   Deck deck;
-  c2d_limits limits;
+  host::Limits limits;
   std::vector<unsigned char> memory;
   c2d_solver* solver = nullptr;
 
-  explicit Model(Deck cards, const std::string& more = "") : deck(std::move(cards)), limits(C2D_INIT(c2d_limits)) {
+  explicit Model(Deck cards, const std::string& more = "") : deck(std::move(cards)) {
     std::istringstream in(more);
     for (std::string line; std::getline(in, line);) deck.lines.push_back(line);
     limits = deck.limits();
@@ -55,13 +55,12 @@ Deck free_hertz() {
 // C2D_PAIR_ELEMENT1 and _ETA1, put into the element's chord, give the pair's place. Returns how many lie
 // between nodes.
 int check_places(const Model& model) {
-  c2d_summary s = C2D_INIT(c2d_summary);
-  REQUIRE(c2d_get_summary(model.solver, &s) == C2D_OK);
-  REQUIRE(s.element_nodes[0] == 2);
+  host::Summary s;
+  REQUIRE(host::get_summary(model.solver, s) == C2D_OK);
+  REQUIRE(s.body[0].element_nodes == 2);
   const std::vector<double> element = model.get(C2D_PAIR_ELEMENT1, 1, s.pairs), eta = model.get(C2D_PAIR_ETA1, 1, s.pairs),
                             x = model.get(C2D_X, 1, s.pairs), y = model.get(C2D_Y, 1, s.pairs),
-                            nx = model.get(C2D_NODE_X, 1, s.geometry_nodes[0]),
-                            ny = model.get(C2D_NODE_Y, 1, s.geometry_nodes[0]);
+                            nx = model.get(C2D_NODE_X, 1, s.body[0].points), ny = model.get(C2D_NODE_Y, 1, s.body[0].points);
   int between = 0;
   for (size_t p = 0; p < x.size(); ++p) {
     const size_t a = static_cast<size_t>(element[p]) - 1, b = (a + 1) % nx.size(); // one closed curve

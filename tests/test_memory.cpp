@@ -24,16 +24,16 @@ Need need_of(const c2d_limits& limits) {
 uint64_t bound_of(const c2d_limits& l) {
   const bool two = l.bodies == 2;
   const auto n = [](int32_t count) { return static_cast<uint64_t>(count); };
-  return C2D_LIMITS_BYTES(n(l.function_nodes), n(l.geometry_nodes[0]), n(two ? l.geometry_nodes[1] : 0), n(l.elements[0]),
-                          n(two ? l.elements[1] : 0), n(l.regions[0]), n(two ? l.regions[1] : 0), n(l.zones), n(l.pairs),
-                          n(l.contact_elements), n(l.point_loads), n(l.coefficients), n(l.paths), n(l.load_cases),
+  return C2D_LIMITS_BYTES(n(l.function_nodes), n(l.body[0].points), n(two ? l.body[1].points : 0), n(l.body[0].elements),
+                          n(two ? l.body[1].elements : 0), n(l.body[0].regions), n(two ? l.body[1].regions : 0), n(l.zones),
+                          n(l.pairs), n(l.contact_elements), n(l.point_loads), n(l.coefficients), n(l.paths), n(l.load_cases),
                           n(l.panel_columns), n(l.free_pairs), n(l.point_sets), n(l.curves));
 }
 
-c2d_limits smallest_limits() {
-  c2d_limits l = C2D_INIT(c2d_limits);
+host::Limits smallest_limits() {
+  host::Limits l;
   l.bodies = l.function_nodes = 1;
-  l.geometry_nodes[0] = l.elements[0] = l.regions[0] = 1;
+  l.body[0].points = l.body[0].elements = l.body[0].regions = 1;
   return l;
 }
 
@@ -45,7 +45,7 @@ std::vector<int32_t c2d_limits::*> counts() {
 }
 std::vector<int32_t*> numbers_of(c2d_limits& l) {
   std::vector<int32_t*> out;
-  for (int b = 0; b < 2; ++b) out.insert(out.end(), {&l.geometry_nodes[b], &l.elements[b], &l.regions[b]});
+  for (int b = 0; b < 2; ++b) out.insert(out.end(), {&l.body[b].points, &l.body[b].elements, &l.body[b].regions});
   for (auto member : counts()) out.push_back(&(l.*member));
   return out;
 }
@@ -60,8 +60,8 @@ struct Spread {
     REQUIRE(need.status == C2D_OK);
     const uint64_t bound = bound_of(l);
     CAPTURE(l.function_nodes);
-    CAPTURE(l.elements[0]);
-    CAPTURE(l.elements[1]);
+    CAPTURE(l.body[0].elements);
+    CAPTURE(l.body[1].elements);
     CAPTURE(l.pairs);
     CAPTURE(l.load_cases);
     REQUIRE(bound >= need.minimum);
@@ -94,10 +94,10 @@ TEST_CASE("memory: the constant bound holds for all limits and is tight") {
       const int bits = static_cast<int>(random() % 15);
       return from + static_cast<int32_t>(random() % (1u << bits));
     };
-    c2d_limits l = smallest_limits();
+    host::Limits l = smallest_limits();
     l.bodies = 1 + static_cast<int32_t>(random() % 2);
     l.function_nodes = 1 + static_cast<int32_t>(random() % 4);
-    for (int b = 0; b < 2; ++b) l.geometry_nodes[b] = any(1), l.elements[b] = any(1), l.regions[b] = any(1);
+    for (int b = 0; b < 2; ++b) l.body[b].points = any(1), l.body[b].elements = any(1), l.body[b].regions = any(1);
     for (auto member : counts()) l.*member = any(0);
     l.panel_columns = 0;
     if (i % 2 == 0) l.free_pairs = static_cast<int32_t>(random() % (static_cast<uint32_t>(l.pairs) + 1));
@@ -106,10 +106,10 @@ TEST_CASE("memory: the constant bound holds for all limits and is tight") {
   // Extremes: one number large, the rest as small as they may be; every row count near the odd leading dimensions.
   for (int functions = 1; functions <= 4; ++functions) {
     for (int bit = 0; bit < 27; ++bit) {
-      c2d_limits l = smallest_limits();
+      host::Limits l = smallest_limits();
       l.function_nodes = functions;
       l.bodies = 2;
-      l.geometry_nodes[1] = l.elements[1] = l.regions[1] = 1;
+      l.body[1].points = l.body[1].elements = l.body[1].regions = 1;
       for (int32_t* number : numbers_of(l)) {
         if (number == &l.panel_columns) continue;
         const int32_t before = *number;
@@ -119,9 +119,9 @@ TEST_CASE("memory: the constant bound holds for all limits and is tight") {
       }
     }
     for (int32_t elements = 1; elements < 1200; ++elements) {
-      c2d_limits l = smallest_limits();
+      host::Limits l = smallest_limits();
       l.function_nodes = functions;
-      l.elements[0] = elements;
+      l.body[0].elements = elements;
       spread.take(l);
     }
   }
@@ -132,10 +132,10 @@ TEST_CASE("memory: the constant bound holds for all limits and is tight") {
 
 TEST_CASE("memory: a static array of the bound's size solves the sample") {
   const Deck deck = deck_named("sample");
-  const c2d_limits limits = deck.limits();
+  const host::Limits limits = deck.limits();
   REQUIRE(limits.pairs <= 20);
-  REQUIRE(limits.elements[0] <= 60);
-  REQUIRE(limits.elements[1] <= 60);
+  REQUIRE(limits.body[0].elements <= 60);
+  REQUIRE(limits.body[1].elements <= 60);
   Quiet store;
   c2d_solver* solver = nullptr;
   REQUIRE(c2d_create(&solver, static_memory, sizeof static_memory, &limits, &store.port, nullptr) == C2D_OK);
@@ -146,7 +146,7 @@ TEST_CASE("memory: a static array of the bound's size solves the sample") {
 
 TEST_CASE("memory: exactly N bytes do, fewer never, at every alignment") {
   for (const char* name : {"plate", "sample"}) {
-    const c2d_limits limits = deck_named(name).limits();
+    const host::Limits limits = deck_named(name).limits();
     const Need need = need_of(limits);
     REQUIRE(need.status == C2D_OK);
     Bytes room(static_cast<size_t>(need.minimum) + 128, 0x5A);
@@ -180,7 +180,7 @@ TEST_CASE("memory: the minimum solves every deck, nothing outside is touched, th
   for (const std::string& name : deck_names()) {
     CAPTURE(name);
     const Deck deck = deck_named(name);
-    const c2d_limits limits = deck.limits();
+    const host::Limits limits = deck.limits();
     const Need need = need_of(limits);
     REQUIRE(need.status == C2D_OK);
     CHECK(need.minimum <= need.in_core);
@@ -195,7 +195,7 @@ TEST_CASE("memory: the minimum solves every deck, nothing outside is touched, th
       CHECK(machine.guards_are_whole());
       if (offset == offsets[0]) first = numbers;
       CHECK(numbers == first);
-      const c2d_summary summary = summary_of(machine.solver);
+      const host::Summary summary = summary_of(machine.solver);
       CHECK(summary.minimum_bytes == need.minimum);
       CHECK(summary.peak_bytes <= summary.workspace_bytes);
       CHECK(summary.peak_bytes > 0);
@@ -209,7 +209,7 @@ TEST_CASE("memory: all in core is one panel, and more is of no use") {
   for (const std::string& name : deck_names()) {
     CAPTURE(name);
     const Deck deck = deck_named(name);
-    const c2d_limits limits = deck.limits();
+    const host::Limits limits = deck.limits();
     const Need need = need_of(limits);
     uint64_t peak = 0;
     for (uint64_t bytes : {need.in_core, 3 * need.in_core + 12345}) {
@@ -218,8 +218,8 @@ TEST_CASE("memory: all in core is one panel, and more is of no use") {
       Numbers numbers;
       REQUIRE(run_all(machine.solver, deck, numbers) == C2D_OK);
       CHECK(machine.guards_are_whole());
-      const c2d_summary s = summary_of(machine.solver);
-      const int32_t unknowns = std::max(s.unknowns[0], s.unknowns[1]);
+      const host::Summary s = summary_of(machine.solver);
+      const int32_t unknowns = std::max(s.body[0].unknowns, s.body[1].unknowns);
       CHECK(s.panel_columns >= unknowns - s.contact_unknowns);
       CHECK(s.tape_blocks[C2D_TAPE_LOWER] == 0);
       CHECK(s.tape_writes[C2D_TAPE_LOWER] == 0);
@@ -237,7 +237,7 @@ TEST_CASE("memory: more of it never fails, and the bytes said to be used are use
     const Deck deck = deck_named(name);
     for (int32_t forced : {0, 1, 3, 8, 20, 50, 1000}) {
       CAPTURE(forced);
-      c2d_limits limits = deck.limits();
+      host::Limits limits = deck.limits();
       limits.panel_columns = forced;
       const Need need = need_of(limits);
       REQUIRE(need.status == C2D_OK);
@@ -252,7 +252,7 @@ TEST_CASE("memory: more of it never fails, and the bytes said to be used are use
         REQUIRE(machine.created == C2D_OK);
         Numbers numbers;
         REQUIRE(run_all(machine.solver, deck, numbers) == C2D_OK);
-        const c2d_summary s = summary_of(machine.solver);
+        const host::Summary s = summary_of(machine.solver);
         if (forced > 0 && forced < 50) CHECK(s.panel_columns == forced);
         // Beyond its peak the workspace is as it was: the guard's value.
         const unsigned char* end = reinterpret_cast<const unsigned char*>(machine.solver) + s.workspace_bytes;
@@ -273,10 +273,10 @@ TEST_CASE("memory: limits at their overflow") {
   const int32_t large[] = {1, 1000, 1 << 20, 1 << 28, 1 << 29, (1 << 30) - 1, 1 << 30, INT32_MAX / 2, INT32_MAX - 1, INT32_MAX};
   int overflows = 0, fits = 0;
   for (int i = 0; i < 20000; ++i) {
-    c2d_limits l = smallest_limits();
+    host::Limits l = smallest_limits();
     l.bodies = 1 + static_cast<int32_t>(random() % 2);
     l.function_nodes = 1 + static_cast<int32_t>(random() % 4);
-    l.geometry_nodes[1] = l.elements[1] = l.regions[1] = 1;
+    l.body[1].points = l.body[1].elements = l.body[1].regions = 1;
     const std::vector<int32_t*> numbers = numbers_of(l);
     const size_t changed = 1 + random() % 3;
     for (size_t k = 0; k < changed; ++k) *numbers[random() % numbers.size()] = large[random() % 10];
@@ -293,10 +293,10 @@ TEST_CASE("memory: limits at their overflow") {
     long double least = m * m * 8 * 2 + 136.0L * l.pairs + 56.0L * l.zones + 48.0L * l.point_loads + 8.0L * l.coefficients +
                         16.0L * l.paths + 52.0L * l.point_sets + 44.0L * l.curves;
     for (int b = 0; b < l.bodies; ++b)
-      least += 20.0L * l.geometry_nodes[b] + 8.0L * l.regions[b] + 16.0L * l.elements[b] * cases;
+      least += 20.0L * l.body[b].points + 8.0L * l.body[b].regions + 16.0L * l.body[b].elements * cases;
     if (need.status == C2D_OK) REQUIRE(static_cast<long double>(need.minimum) >= least);
     // One less of everything that was large needs no more.
-    c2d_limits smaller = l;
+    host::Limits smaller = l;
     for (int32_t* number : numbers_of(smaller))
       if (*number > 1) --*number;
     const Need less = need_of(smaller);
@@ -314,37 +314,37 @@ TEST_CASE("memory: limits at their overflow") {
   }
   CHECK(overflows > 1000);
   CHECK(fits > 1000);
-  c2d_limits all = smallest_limits();
+  host::Limits all = smallest_limits();
   all.bodies = 2;
   all.function_nodes = 4;
   for (int32_t* number : numbers_of(all)) *number = INT32_MAX;
   CHECK(need_of(all).status == C2D_ERR_OVERFLOW);
   // The number of contact pairs alone, whose square counts.
   for (int32_t pairs : {INT32_MAX, INT32_MAX / 2 + 1, 1 << 30}) {
-    c2d_limits l = smallest_limits();
+    host::Limits l = smallest_limits();
     l.pairs = pairs;
     CHECK(need_of(l).status == C2D_ERR_OVERFLOW);
   }
 }
 
 TEST_CASE("memory: negative and missing sizes") {
-  c2d_limits good = smallest_limits();
+  host::Limits good = smallest_limits();
   good.bodies = 2;
-  good.geometry_nodes[1] = good.elements[1] = good.regions[1] = 1;
+  good.body[1].points = good.body[1].elements = good.body[1].regions = 1;
   REQUIRE(need_of(good).status == C2D_OK);
   for (size_t k = 0; k < numbers_of(good).size(); ++k)
     for (int32_t value : {-1, -1000, INT32_MIN}) {
-      c2d_limits l = good;
+      host::Limits l = good;
       *numbers_of(l)[k] = value;
       CHECK(need_of(l).status == C2D_ERR_ARGUMENT);
     }
   for (size_t k = 0; k < 6; ++k) {
-    c2d_limits l = good;
+    host::Limits l = good;
     *numbers_of(l)[k] = 0;
     CHECK(need_of(l).status == C2D_ERR_ARGUMENT);
   }
   for (int32_t value : {INT32_MIN, -1, 0, 3, 5, INT32_MAX}) {
-    c2d_limits l = good;
+    host::Limits l = good;
     l.bodies = value;
     CHECK(need_of(l).status == C2D_ERR_ARGUMENT);
     l = good;

@@ -50,10 +50,10 @@ c2d_status set_weight(c2d_solver* s, double weight) {
 
 // Every prescribed value of case 1 times a factor that differs from body to body, element to element if `uneven`.
 int change_values(c2d_solver* s, double factor, bool uneven) {
-  const c2d_summary summary = summary_of(s);
+  const host::Summary summary = summary_of(s);
   int changed = 0;
   for (int32_t body = 1; body <= summary.bodies; ++body)
-    for (int32_t element = 1; element <= summary.elements[body - 1]; ++element)
+    for (int32_t element = 1; element <= summary.body[body - 1].elements; ++element)
       for (int32_t local = 1; local <= summary.function_nodes; ++local) {
         int32_t codes[4];
         double values[4];
@@ -83,7 +83,7 @@ double largest(const std::vector<double>& a) {
 }
 // Largest difference of one field over its largest value.
 double difference(c2d_solver* a, c2d_solver* b) {
-  const c2d_summary summary = summary_of(a);
+  const host::Summary summary = summary_of(a);
   double worst = 0.0;
   const auto compare = [&](int32_t field, int32_t body, int32_t count) {
     std::vector<double> x(static_cast<size_t>(count)), y(x);
@@ -101,7 +101,7 @@ double difference(c2d_solver* a, c2d_solver* b) {
   for (int32_t body = 1; body <= summary.bodies; ++body)
     for (int32_t field : {C2D_END_UX, C2D_END_UY, C2D_END_TX, C2D_END_TY, C2D_END_HOOP}) {
       // Components that are zero but for round-off are measured against the other one.
-      compare(field, body, summary.elements[body - 1] * summary.function_nodes);
+      compare(field, body, summary.body[body - 1].elements * summary.function_nodes);
     }
   return worst;
 }
@@ -193,7 +193,7 @@ TEST_CASE("new loads: twice the values at half the factor are the same state") {
 TEST_CASE("new loads: another load case, weights and the motion of a rigid body") {
   // Case 2 is there from the beginning with any load in it.
   Deck deck = deck_named("block");
-  c2d_limits limits = deck.limits();
+  host::Limits limits = deck.limits();
   REQUIRE(limits.load_cases >= 1);
   const auto with = [&](Host& host, bool keeps, double weight) {
     auto machine = std::make_unique<Machine>(limits, memory_for(limits, false), &host.port);
@@ -306,7 +306,7 @@ TEST_CASE("new loads: refused values, failures and cancels; saved states from be
   const int32_t contact_element = [&] {
     c2d_zone zone = C2D_INIT(c2d_zone);
     REQUIRE(c2d_get_zone(s, 1, &zone) == C2D_OK);
-    return zone.first_element[0];
+    return zone.side1.first_element;
   }();
   const double tx[4] = {1, 0, 0, 0}, nothing[4] = {0, 0, 0, 0}, bad[4] = {0, std::nan(""), 0, 0}, ux[4] = {0, 0, 0.1, 0};
   CHECK(c2d_set_values(s, 1, contact_element, 1, 1, tx) == C2D_ERR_ARGUMENT);

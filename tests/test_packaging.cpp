@@ -42,11 +42,14 @@ static int32_t show(void* context, const c2d_step* step) {
 }
 int main(int count, char** argument) {
   FILE* deck = fopen(argument[count - 1], "r");
+  c2d_body_limits bodies[2];
   c2d_limits limits = C2D_INIT(c2d_limits);
   c2d_port port = C2D_INIT(c2d_port);
   c2d_memory_store store;
   c2d_solver* solver = NULL;
   if (deck == NULL) return 2;
+  limits.bodies = 2;
+  limits.body = bodies;
   c2d_memory_store_init(&store, tapes, sizeof tapes);
   c2d_memory_store_port(&store, &port);
   if (c2d_scan_deck(next_card, deck, &limits, NULL) != C2D_OK) return 3;

@@ -21,7 +21,7 @@ struct Part {
 const Part kParts[] = {{"*RIGID", "c2d_set_rigid", 6},
                        {"*Body Force 1 1 0.0 -1.0", "c2d_set_body_force", 5},
                        {"*SYMMETRY X 0.0", "c2d_set_symmetry", 9},
-                       {"*ZONE 3 3 1 1", "c2d_add_free_zone", 5}};
+                       {"*ZONE 3 3 1 1", "c2d_link_free_zones", 5}};
 
 // What the deck reader says at a card of a part that is not there.
 std::string missing(const Part& part) {
@@ -48,7 +48,7 @@ TEST_CASE("parts: a keyword whose part is not linked is a fault of its card, and
     sink.set_rigid = nullptr;
     sink.set_body_force = nullptr;
     sink.set_symmetry = nullptr;
-    sink.add_free_zone = nullptr;
+    sink.has_free_zones = false;
     std::vector<deck_test::Fault> faults;
     CHECK(c2d::read_deck_cards(&sink, deck_test::read_bytes, &deck, deck_test::keep_fault, &faults, nullptr) == C2D_ERR_INPUT);
     REQUIRE(faults.size() == 1);
@@ -101,8 +101,8 @@ public:
     const std::string root = C2D_TEST_ROOT;
     std::string command = "cd '" + root + "' && " C2D_TEST_CXX " -std=c++17 -Wall -Wextra -Werror -ffp-contract=off " + calls +
                           " -DC2D_PARTS_BY_CALL -Isrc -Iinclude -Iport/posix tests/embedded/parts.cpp";
-    for (const char* file :
-         {"interface/read_deck", "interface/model_calls", "interface/attach", "interface/save_calls", "solver/save"})
+    for (const char* file : {"interface/read_deck", "interface/model_calls", "interface/attach", "interface/save_calls",
+                             "interface/zone_calls", "solver/save"})
       command += std::string(" src/") + file + ".cpp";
     built_ = run_shell(command + " '" C2D_TEST_LIBRARY "' -lm -pthread -o '" + (folder_ / "parts") + "'");
   }
@@ -141,7 +141,7 @@ struct Whole {
   Whole(const std::string& text, const c2d_port* port, bool images = false) {
     runs::Deck deck;
     deck.lines = deck_test::lines_of(text);
-    const c2d_limits limits = deck.limits();
+    const host::Limits limits = deck.limits();
     uint64_t least = 0;
     REQUIRE(c2d_memory_need(&limits, &least, nullptr) == C2D_OK);
     memory.resize(static_cast<size_t>(least));
@@ -167,12 +167,12 @@ TEST_CASE("parts: a program without them, and the same with their calls") {
   if (kSanitized || !has_command("nm")) return;
   const Program without;
   REQUIRE_MESSAGE(without.built().status == 0, without.built().err);
-  const Program with("-Wl,-u,c2d_set_rigid -Wl,-u,c2d_set_body_force -Wl,-u,c2d_set_symmetry -Wl,-u,c2d_add_free_zone "
+  const Program with("-Wl,-u,c2d_set_rigid -Wl,-u,c2d_set_body_force -Wl,-u,c2d_set_symmetry -Wl,-u,c2d_link_free_zones "
                      "-Wl,-u,c2d_get_summary");
   REQUIRE_MESSAGE(with.built().status == 0, with.built().err);
   const std::string names = run_shell("nm '" + (without / "parts") + "'").out;
   for (const char* call :
-       {"T c2d_set_rigid", "T c2d_set_body_force", "T c2d_set_symmetry", "T c2d_add_free_zone", "T c2d_get_summary"})
+       {"T c2d_set_rigid", "T c2d_set_body_force", "T c2d_set_symmetry", "T c2d_link_free_zones", "T c2d_get_summary"})
     CHECK_FALSE(contains(names, call));
 
   SUBCASE("decks") {
@@ -209,7 +209,7 @@ TEST_CASE("parts: a program without them, and the same with their calls") {
                   {deck_with("*BODY FORCE 1 1 0.0 -1.0"), false, "c2d_set_body_force"},
                   {deck_with("*RIGID"), false, "c2d_set_rigid"},
                   {read_file(C2D_TEST_ROOT "/examples/make_hertz.dat"), false, "c2d_set_symmetry"},
-                  {free_zone_deck(), false, "c2d_add_free_zone"},
+                  {free_zone_deck(), false, "c2d_link_free_zones"},
                   {read_file(C2D_TEST_ROOT "/tests/data/decks/plate.dat"), true, "c2d_set_symmetry"}};
     for (const auto& model : models) {
       Whole whole(model.deck, nullptr, model.images);

@@ -49,7 +49,7 @@ struct Room {
 const double kLoads[] = {0.2, 0.55, 0.8, 1.0, 0.7, 0.3, 0.9};
 
 void look(c2d_solver* s, std::vector<double>& out) {
-  const c2d_summary summary = summary_of(s);
+  const host::Summary summary = summary_of(s);
   for (int32_t field = 0; field < C2D_PAIR_FIELDS && summary.pairs > 0; ++field) {
     const size_t at = out.size();
     out.resize(at + static_cast<size_t>(summary.pairs));
@@ -71,7 +71,7 @@ void begin(c2d_solver* s) {
 }
 // The path without any interruption.
 std::vector<double> whole_path(const Deck& deck, bool in_core) {
-  const c2d_limits limits = deck.limits();
+  const host::Limits limits = deck.limits();
   Host host;
   Machine machine(limits, memory_for(limits, in_core), &host.port);
   REQUIRE(read_deck(machine.solver, deck) == C2D_OK);
@@ -92,7 +92,7 @@ TEST_CASE("attach: moved between any two calls, to any alignment, the same bits"
     for (bool in_core : {false, true}) {
       CAPTURE(std::string(name));
       const Deck deck = deck_named(name);
-      const c2d_limits limits = deck.limits();
+      const host::Limits limits = deck.limits();
       const std::vector<double> expected = whole_path(deck, in_core);
       const uint64_t bytes = memory_for(limits, in_core);
       Host host;
@@ -135,7 +135,7 @@ TEST_CASE("attach: moved between any two calls, to any alignment, the same bits"
 
 TEST_CASE("attach: what is no solver, or not all of it, is refused and left alone") {
   const Deck deck = deck_named("hertz_lin_l");
-  const c2d_limits limits = deck.limits();
+  const host::Limits limits = deck.limits();
   const uint64_t bytes = memory_for(limits, false);
   Host host;
   Room room(bytes, 11);
@@ -266,13 +266,13 @@ TEST_CASE("save: a crash between any two steps, another process, the same bits")
       const auto crash = [&] {
         REQUIRE(c2d_save(s) == C2D_OK);
         const int32_t state = c2d_get_state(s);
-        const c2d_summary before = summary_of(s);
+        const host::Summary before = summary_of(s);
         fresh = std::make_unique<Fresh>(deck, host, in_core);
         s = fresh->machine.solver;
         writes = host.writes[1] + host.writes[2] + host.writes[3];
         REQUIRE(c2d_restore(s) == C2D_OK);
         REQUIRE(c2d_get_state(s) == state);
-        const c2d_summary after = summary_of(s);
+        const host::Summary after = summary_of(s);
         for (int tape = 0; tape < C2D_TAPES; ++tape) {
           CHECK(before.tape_bytes_written[tape] == after.tape_bytes_written[tape]);
           CHECK(before.tape_bytes_read[tape] <= after.tape_bytes_read[tape]);
@@ -377,7 +377,7 @@ TEST_CASE("save: torn, lost or failing at every operation of the store, one of t
         if (saved != C2D_OK) { // reading the count may fail
           REQUIRE(saved >= C2D_ERR_STORE_OPEN);
           REQUIRE(c2d_get_state(s) == C2D_STATE_BROKEN);
-          const c2d_summary summary = summary_of(s);
+          const host::Summary summary = summary_of(s);
           REQUIRE(summary.state == C2D_STATE_BROKEN);
         }
       } else {
@@ -415,7 +415,7 @@ TEST_CASE("restore: what does not belong to the model, the tapes or the library 
   const Deck deck = deck_named("hertz_lin_l");
   Host host;
   const auto refused = [&](const Deck& other, c2d_status expected, const c2d_options* options = nullptr) {
-    const c2d_limits limits = other.limits();
+    const host::Limits limits = other.limits();
     Machine machine(limits, memory_for(limits, false), &host.port);
     c2d_solver* s = machine.solver;
     if (options) REQUIRE(c2d_set_options(s, options) == C2D_OK);
@@ -464,7 +464,7 @@ TEST_CASE("restore: what does not belong to the model, the tapes or the library 
   CHECK(refused(deck, C2D_OK, &options));
   host.tape[0] = tape;
   // Other limits.
-  c2d_limits loose = deck.limits();
+  host::Limits loose = deck.limits();
   loose.paths += 40;
   Machine wider(loose, memory_for(loose, false), &host.port);
   REQUIRE(read_deck(wider.solver, deck) == C2D_OK);
@@ -580,7 +580,7 @@ TEST_CASE("attach: a workspace dumped by one process and taken up by another") {
   for (const char* name : {"hertz_lin_l", "layer_mu"}) {
     CAPTURE(std::string(name));
     const Deck deck = deck_named(name);
-    const c2d_limits limits = deck.limits();
+    const host::Limits limits = deck.limits();
     const std::vector<double> expected = whole_path(deck, false);
     const test::Folder folder;
     const std::string image = folder / "image", answer = folder / "answer";

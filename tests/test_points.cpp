@@ -475,7 +475,7 @@ c2d_points set_of(int32_t kind, int32_t body, int32_t nx, int32_t ny, double x0,
 TEST_CASE("points: sets by calls") {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   runs::Deck deck = runs::deck_named("plate");
-  c2d_limits limits = deck.limits();
+  host::Limits limits = deck.limits();
   limits.point_sets = 2;
   uint64_t need = 0;
   REQUIRE(c2d_memory_need(&limits, &need, nullptr) == C2D_OK);
@@ -561,7 +561,7 @@ TEST_CASE("points: invariants of the stress along the boundary") {
   for (const char* name : {"ring3", "plate", "sample"}) { // plane strain, plane stress, contact
     CAPTURE(name);
     const runs::Deck deck = runs::deck_named(name);
-    const c2d_limits limits = deck.limits();
+    const host::Limits limits = deck.limits();
     uint64_t need = 0;
     REQUIRE(c2d_memory_need(&limits, nullptr, &need) == C2D_OK);
     runs::RamStore store;
@@ -570,7 +570,7 @@ TEST_CASE("points: invariants of the stress along the boundary") {
     runs::Machine machine(limits, need, &port);
     runs::Numbers ignored;
     REQUIRE(runs::run_all(machine.solver, deck, ignored) == C2D_OK);
-    const int32_t ends = limits.elements[0] * limits.function_nodes;
+    const int32_t ends = limits.body[0].elements * limits.function_nodes;
     std::vector<double> v[9];
     for (int32_t field = 0; field < 9; ++field) {
       v[field].resize(static_cast<size_t>(ends));

@@ -52,7 +52,7 @@ const std::string kCsvHeader = "mu,step,load,pair,x,y,status,tn,tt,un1,ut1,un2,u
 TEST_CASE("program: --version and --help") {
   const Result version = contact2d("--version");
   CHECK(version.status == 0);
-  CHECK(version.out == "contact2d 0.1.0\n");
+  CHECK(version.out == "contact2d 0.2.0\n");
   const Result help = contact2d("--help");
   CHECK(help.status == 0);
   for (const char* word : {"--listing", "--csv", "--boundary", "--json", "--stepping", "--quadrature", "--memory", "--store",
@@ -186,7 +186,7 @@ TEST_CASE("program: the JSON summary has its keys") {
   for (const char* key : {"version", "outcome", "title", "mu", "steps", "unknowns", "memory", "tapes", "seconds", "events",
                           "exchanges", "tableau_rebuilds", "max_residual", "force", "warnings"})
     CHECK_MESSAGE(json.has(key), key);
-  CHECK(json["version"].text == "0.1.0");
+  CHECK(json["version"].text == "0.2.0");
   CHECK(json["outcome"].text == "reached");
   CHECK_FALSE(json.has("incomplete"));
   REQUIRE(json["mu"].items.size() == 2);

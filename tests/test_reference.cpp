@@ -111,8 +111,8 @@ void check_balance(const Problem& p, const Result& r) {
   const Resultant one = resultant(p, r, 1, 1), two = resultant(p, r, 2, 1);
   CHECK(std::fabs(one.fy + two.fy) < 1e-12 * one.size);
   CHECK(r.summary.force_error < 1e-12);
-  CHECK(r.summary.contact[0][1] == doctest::Approx(one.fy).epsilon(1e-11));
-  CHECK(r.summary.contact[1][1] == doctest::Approx(two.fy).epsilon(1e-11));
+  CHECK(r.summary.body[0].contact[1] == doctest::Approx(one.fy).epsilon(1e-11));
+  CHECK(r.summary.body[1].contact[1] == doctest::Approx(two.fy).epsilon(1e-11));
 }
 
 } // namespace

@@ -15,7 +15,7 @@ const double kNan = std::numeric_limits<double>::quiet_NaN(), kInfinity = std::n
 
 bool says(const c2d_error& e, const std::string& what) { return std::string(e.text).find(what) != std::string::npos; }
 
-c2d_limits two_blocks() { return deck_named("block").limits(); }
+host::Limits two_blocks() { return deck_named("block").limits(); }
 
 // Why there is no solver with these.
 c2d_error why_not(const c2d_limits& limits, const c2d_port* port) {
@@ -99,7 +99,7 @@ TEST_CASE("refusals: a size that cannot be meant is named") {
   CHECK(why_not(two_blocks(), nullptr).status == C2D_OK);
   for (const auto& size : sizes) {
     CAPTURE(std::string(size.name));
-    c2d_limits limits = two_blocks();
+    host::Limits limits = two_blocks();
     limits.*size.member = size.least - 1;
     const c2d_error why = why_not(limits, nullptr);
     CHECK(why.status == C2D_ERR_ARGUMENT);
@@ -109,16 +109,19 @@ TEST_CASE("refusals: a size that cannot be meant is named") {
     CHECK(bytes == 5);
   }
   for (int32_t b = 0; b < 2; ++b) {
-    const char* const names[] = {"geometry_nodes", "elements", "regions"};
+    const char* const names[] = {"points", "elements", "regions"};
     for (int i = 0; i < 3; ++i) {
-      c2d_limits limits = two_blocks();
-      (i == 0 ? limits.geometry_nodes : i == 1 ? limits.elements : limits.regions)[b] = 0;
+      host::Limits limits = two_blocks();
+      (i == 0 ? limits.body[b].points : i == 1 ? limits.body[b].elements : limits.body[b].regions) = 0;
       const c2d_error why = why_not(limits, nullptr);
       CHECK(why.status == C2D_ERR_ARGUMENT);
-      CHECK(says(why, std::string("c2d_limits.") + names[i] + "[" + std::to_string(b) + "] is 0, expected 1 or more"));
+      CHECK(says(why, "c2d_limits.body[" + std::to_string(b) + "]." + names[i] + " is 0, expected 1 or more"));
     }
   }
-  c2d_limits limits = two_blocks();
+  host::Limits limits = two_blocks();
+  limits.body = nullptr;
+  CHECK(says(why_not(limits, nullptr), "c2d_limits.body is null, expected an array of bodies"));
+  limits = two_blocks();
   limits.free_pairs = limits.pairs + 1;
   CHECK(says(why_not(limits, nullptr), "c2d_limits.free_pairs is"));
   limits = two_blocks();
@@ -129,7 +132,7 @@ TEST_CASE("refusals: a size that cannot be meant is named") {
 TEST_CASE("refusals: what a port lacks is named") {
   RamStore store;
   const c2d_port whole = port_of(store);
-  const c2d_limits limits = two_blocks();
+  const host::Limits limits = two_blocks();
   CHECK(why_not(limits, &whole).status == C2D_OK);
   const auto lacks = [&](c2d_port port, const char* what) {
     const c2d_error why = why_not(limits, &port);
@@ -197,7 +200,6 @@ TEST_CASE("refusals: a struct without C2D_INIT is named") {
     given(c2d_problem(), "c2d_problem", c2d_set_problem);
     given(c2d_body(), "c2d_body", [](c2d_solver* s, const c2d_body* b) { return c2d_set_body(s, 1, b); });
     given(c2d_zone(), "c2d_zone", c2d_add_zone);
-    given(c2d_free_zone(), "c2d_free_zone", c2d_add_free_zone);
     given(c2d_curve(), "c2d_curve", c2d_add_curve);
     given(c2d_points(), "c2d_points", c2d_add_points);
     const auto asked = [&](auto room, const std::string& name, auto call) {
@@ -208,6 +210,7 @@ TEST_CASE("refusals: a struct without C2D_INIT is named") {
       CHECK(going.refused(call(going.s, static_cast<decltype(&room)>(nullptr)), name + " is null"));
     };
     asked(c2d_summary(), "c2d_summary", c2d_get_summary);
+    asked(c2d_body_result(), "c2d_body_result", [](c2d_solver* s, c2d_body_result* b) { return c2d_get_body_result(s, 1, b); });
     asked(c2d_zone(), "c2d_zone", [](c2d_solver* s, c2d_zone* z) { return c2d_get_zone(s, 1, z); });
     asked(c2d_zone_state(), "c2d_zone_state", [](c2d_solver* s, c2d_zone_state* z) { return c2d_get_zone_state(s, 1, z); });
     // c2d_last_error says it to the log alone: what is asked for must not be lost to the asking
@@ -220,7 +223,7 @@ TEST_CASE("refusals: a struct without C2D_INIT is named") {
     CHECK(says(error_of(going.s), "field"));
     going.host.told.clear();
     // and without a solver
-    c2d_limits limits = two_blocks();
+    host::Limits limits = two_blocks();
     limits.struct_size = size;
     CHECK(says(why_not(limits, nullptr), "c2d_limits" + found + "c2d_limits)"));
     c2d_error why = C2D_INIT(c2d_error);
@@ -240,7 +243,7 @@ TEST_CASE("refusals: a struct without C2D_INIT is named") {
 
 TEST_CASE("refusals: strides, counts and numbers that cannot be meant") {
   Running going("block"), empty("block", C2D_STATE_EMPTY);
-  const c2d_summary sizes = summary_of(going.s);
+  const host::Summary sizes = summary_of(going.s);
   std::vector<double> room(400, kMark);
   double* middle = room.data() + 200; // whoever writes in front of it is found
   const auto untouched = [&] {
@@ -267,7 +270,7 @@ TEST_CASE("refusals: strides, counts and numbers that cannot be meant") {
     CHECK(c2d_expand_points(&set, 1, 5, middle, stride, &total) == C2D_ERR_ARGUMENT);
     CHECK(total == -3);
     c2d_body body = C2D_INIT(c2d_body);
-    body.element_nodes = 2, body.elements = sizes.elements[0], body.regions = 1, body.youngs_modulus = 1;
+    body.element_nodes = 2, body.elements = sizes.body[0].elements, body.regions = 1, body.youngs_modulus = 1;
     if (c2d_get_state(empty.s) == C2D_STATE_EMPTY) REQUIRE(c2d_set_body(empty.s, 1, &body) == C2D_OK);
     CHECK(empty.refused(c2d_set_nodes(empty.s, 1, 1, 2, middle, stride), is));
   }
@@ -387,7 +390,7 @@ TEST_CASE("refusals: lists, loads and limits by the names of their arguments and
     }
   }
   // Limits that are used up, by the member and what it has to be.
-  c2d_limits limits = two_blocks();
+  host::Limits limits = two_blocks();
   limits.coefficients = 1, limits.paths = 2, limits.point_loads = 0, limits.point_sets = 0;
   Machine machine(limits, 4000000, nullptr);
   const double load = 1;

@@ -44,7 +44,7 @@ Problem pressed(double mu, double ux, double uy, double load, double stiffness, 
     }
     for (int c = 0; c < 2; ++c) end.codes[c] = 1, end.codes[2 + c] = 0;
   });
-  c2d_zone zone = C2D_INIT(c2d_zone);
+  problem::Zone zone = problem::Zone();
   zone.pairs = 9, zone.elements = 8;
   zone.first_element[0] = 8, zone.last_element[0] = 15, zone.first_node[0] = 8, zone.last_node[0] = 16;
   zone.first_element[1] = 8, zone.last_element[1] = 1, zone.first_node[1] = 9, zone.last_node[1] = 1;
@@ -87,7 +87,7 @@ TEST_CASE("rigid: reactions, motion and output of the obstacle") {
   setup.points = {0.5, -0.5, 0.3, 0.6};
   const Result r = solved(pressed(0.3, 0.004, 0.02, 0, 1, true), setup);
   REQUIRE(r.outcome == C2D_REACHED);
-  CHECK(r.summary.unknowns[0] == 0);
+  CHECK(r.summary.body[0].unknowns == 0);
   for (const EndResult& end : r.boundary[0]) {
     CHECK(end.ux == doctest::Approx(0.004).epsilon(1e-14));
     CHECK(end.uy == doctest::Approx(0.02).epsilon(1e-14));
@@ -100,9 +100,9 @@ TEST_CASE("rigid: reactions, motion and output of the obstacle") {
     CHECK(r.steps.back().at(i, C2D_UT1) == doctest::Approx(0.004).epsilon(1e-12));
   }
   for (int i = 0; i < 2; ++i) {
-    CHECK(r.summary.applied[0][i] == doctest::Approx(-r.summary.contact[0][i]).epsilon(1e-13));
-    CHECK(r.summary.contact[0][i] == doctest::Approx(-r.summary.contact[1][i]).epsilon(1e-12));
-    CHECK(r.summary.applied[1][i] == doctest::Approx(-r.summary.contact[1][i]).epsilon(1e-10));
+    CHECK(r.summary.body[0].applied[i] == doctest::Approx(-r.summary.body[0].contact[i]).epsilon(1e-13));
+    CHECK(r.summary.body[0].contact[i] == doctest::Approx(-r.summary.body[1].contact[i]).epsilon(1e-12));
+    CHECK(r.summary.body[1].applied[i] == doctest::Approx(-r.summary.body[1].contact[i]).epsilon(1e-10));
   }
   CHECK(r.interior[C2D_POINT_UX] == doctest::Approx(0.004).epsilon(1e-13));
   CHECK(r.interior[C2D_POINT_SYY] == 0);

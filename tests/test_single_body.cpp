@@ -493,7 +493,7 @@ TEST_CASE("one body: supports carry point forces to round-off") {
     CHECK(std::fabs(all.fx) < 1e-12 * all.size);
     CHECK(std::fabs(all.fy) < 1e-12 * all.size);
     CHECK(std::fabs(all.moment) < 1e-12 * all.size * 3);
-    for (double sum : r.summary.applied[0]) CHECK(std::fabs(sum) < 1e-12 * all.size * 3);
+    for (double sum : r.summary.body[0].applied) CHECK(std::fabs(sum) < 1e-12 * all.size * 3);
   }
 }
 

@@ -490,7 +490,7 @@ TEST_CASE("stepping: two contact zones") {
   for (Body& body : p.bodies)
     for (End& end : body.ends) end.values[0] = 0; // pressure alone: mu = 0 could not hold a shear
   // Frictionless feet leave the block a free slide; hold one node of it.
-  c2d_zone left = p.zones[0], right = p.zones[0];
+  problem::Zone left = p.zones[0], right = p.zones[0];
   const int32_t step = 10;
   left.elements = right.elements = step;
   left.pairs = right.pairs = step + 1;

@@ -374,7 +374,7 @@ Problem stamp(int32_t f, int32_t nodes, double line, double mu) {
   });
   // The stamp's last element of n stays out of the contact: its corner is guided.
   const int32_t from = 9, nodes1 = from * steps, c = n - 1, pairs = f > 1 ? c * steps + 1 : c;
-  c2d_zone zone = C2D_INIT(c2d_zone);
+  problem::Zone zone = problem::Zone();
   zone.pairs = pairs, zone.elements = c;
   zone.first_element[0] = from + 1, zone.last_element[0] = from + c;
   zone.first_node[0] = nodes1 + 1, zone.last_node[0] = nodes1 + pairs;
@@ -391,7 +391,7 @@ Problem whole_stamp(const Problem& half, std::vector<int32_t> map[2]) {
   const int32_t f = half.function_nodes, steps = f > 1 ? f - 1 : 1, n = half.zones[0].elements;
   for (size_t b = 0; b < 2; ++b) p.bodies[b] = whole(half.bodies[b], f, 0, half.symmetry_at[0], map[b]);
   const int32_t all = p.elements(2);
-  c2d_zone& zone = p.zones[0];
+  problem::Zone& zone = p.zones[0];
   zone.elements = 2 * n;
   zone.pairs = f > 1 ? 2 * n * steps + 1 : 2 * n;
   zone.last_element[0] = zone.first_element[0] + 2 * n - 1;
@@ -441,7 +441,7 @@ TEST_CASE("symmetry: contact of half a stamp is that of the whole one") {
         CHECK(2 * a.summary.work == doctest::Approx(b.summary.work).epsilon(1e-9));
         CHECK(2 * a.summary.elastic == doctest::Approx(b.summary.elastic).epsilon(1e-9));
         CHECK(2 * a.summary.dissipated == doctest::Approx(b.summary.dissipated).epsilon(1e-9).scale(b.summary.work));
-        CHECK(2 * a.summary.contact[0][1] == doctest::Approx(b.summary.contact[0][1]).epsilon(1e-10));
+        CHECK(2 * a.summary.body[0].contact[1] == doctest::Approx(b.summary.body[0].contact[1]).epsilon(1e-10));
         // A pair on the line has no tangential freedom; constant elements have none there.
         CHECK(a.summary.contact_unknowns == 2 * half.zones[0].pairs - (f > 1 ? 1 : 0));
       }
@@ -495,7 +495,7 @@ Problem disc_in_hole(int32_t n) {
   set_all(p, 2, [&](double x, double, double nx, double, End& end) {
     if (x > 2 && nx > 0.9) end.values[0] = 1;
   });
-  c2d_zone zone = C2D_INIT(c2d_zone);
+  problem::Zone zone = problem::Zone();
   zone.pairs = n + 1, zone.elements = n;
   zone.first_element[0] = 1, zone.last_element[0] = n, zone.first_node[0] = 1, zone.last_node[0] = n + 1;
   zone.first_element[1] = n, zone.last_element[1] = 1, zone.first_node[1] = n + 1, zone.last_node[1] = 1;
@@ -629,9 +629,9 @@ TEST_CASE("symmetry: what does not fit is told") {
 
 TEST_CASE("symmetry: the interface's rules") {
   std::vector<unsigned char> memory(1 << 20);
-  c2d_limits limits = C2D_INIT(c2d_limits);
-  limits.bodies = 1, limits.function_nodes = 2, limits.geometry_nodes[0] = 8, limits.elements[0] = 7;
-  limits.regions[0] = 1, limits.paths = 1;
+  host::Limits limits;
+  limits.bodies = 1, limits.function_nodes = 2, limits.body[0].points = 8, limits.body[0].elements = 7;
+  limits.body[0].regions = 1, limits.paths = 1;
   c2d_solver* s = nullptr;
   REQUIRE(c2d_create(&s, memory.data(), memory.size(), &limits, nullptr, nullptr) == C2D_OK);
   CHECK(c2d_set_symmetry(s, 2, 0) == C2D_ERR_ARGUMENT);
@@ -690,8 +690,8 @@ TEST_CASE("symmetry: the keyword card") {
   const std::string lines = "*SYMMETRY X 0\n*symmetry y 0.0 ! the other one\n";
   const Result r = solve_text(quarter + end + lines);
   REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
-  CHECK(r.summary.geometry_nodes[0] == 8);
-  CHECK(r.summary.nodes[0] == 8);
+  CHECK(r.summary.body[0].points == 8);
+  CHECK(r.summary.body[0].nodes == 8);
   for (const EndResult& place : r.boundary[0]) {
     CHECK(place.ux == doctest::Approx(7.0 * 0.91 / 1000 * place.x).epsilon(1e-9));
     CHECK(place.uy == doctest::Approx(-7.0 * 0.39 / 1000 * place.y).epsilon(1e-9));

@@ -56,17 +56,17 @@ void bounded(const Tapes& need, const Tapes& open) {
 
 Tapes constants(const c2d_limits& l, int32_t keep_factors) {
   const bool two = l.bodies == 2;
-  const int32_t f = l.function_nodes, p = l.panel_columns, k = l.load_cases, n2 = two ? l.geometry_nodes[1] : 0,
-                e2 = two ? l.elements[1] : 0, r2 = two ? l.regions[1] : 0;
+  const int32_t f = l.function_nodes, p = l.panel_columns, k = l.load_cases, n2 = two ? l.body[1].points : 0,
+                e2 = two ? l.body[1].elements : 0, r2 = two ? l.body[1].regions : 0;
   Tapes out;
   out.tape[C2D_TAPE_LOWER] = {
-      C2D_LOWER_BLOCKS(f, l.geometry_nodes[0], l.elements[0], l.regions[0], l.pairs, k, p, keep_factors) +
+      C2D_LOWER_BLOCKS(f, l.body[0].points, l.body[0].elements, l.body[0].regions, l.pairs, k, p, keep_factors) +
           C2D_LOWER_BLOCKS(f, n2, e2, r2, l.pairs, k, p, keep_factors),
-      std::max(C2D_LOWER_BLOCK_BYTES(f, l.geometry_nodes[0], l.elements[0], l.regions[0], l.free_pairs, p),
+      std::max(C2D_LOWER_BLOCK_BYTES(f, l.body[0].points, l.body[0].elements, l.body[0].regions, l.free_pairs, p),
                C2D_LOWER_BLOCK_BYTES(f, n2, e2, r2, 0, p))};
-  out.tape[C2D_TAPE_UPPER] = {C2D_UPPER_BLOCKS(f, l.geometry_nodes[0], l.elements[0], l.regions[0], l.pairs, k, p) +
+  out.tape[C2D_TAPE_UPPER] = {C2D_UPPER_BLOCKS(f, l.body[0].points, l.body[0].elements, l.body[0].regions, l.pairs, k, p) +
                                   C2D_UPPER_BLOCKS(f, n2, e2, r2, l.pairs, k, p),
-                              std::max(C2D_UPPER_BLOCK_BYTES(f, l.geometry_nodes[0], l.elements[0], l.regions[0], p),
+                              std::max(C2D_UPPER_BLOCK_BYTES(f, l.body[0].points, l.body[0].elements, l.body[0].regions, p),
                                        C2D_UPPER_BLOCK_BYTES(f, n2, e2, r2, p))};
   out.tape[C2D_TAPE_CONTACT] = {C2D_CONTACT_BLOCKS(l.pairs, k), C2D_CONTACT_BLOCK_BYTES(l.pairs)};
   return out;
@@ -74,8 +74,8 @@ Tapes constants(const c2d_limits& l, int32_t keep_factors) {
 
 uint64_t workspace_of(const c2d_limits& l) {
   const bool two = l.bodies == 2;
-  return C2D_LIMITS_BYTES(l.function_nodes, l.geometry_nodes[0], (two ? l.geometry_nodes[1] : 0), l.elements[0],
-                          (two ? l.elements[1] : 0), l.regions[0], (two ? l.regions[1] : 0), l.zones, l.pairs,
+  return C2D_LIMITS_BYTES(l.function_nodes, l.body[0].points, (two ? l.body[1].points : 0), l.body[0].elements,
+                          (two ? l.body[1].elements : 0), l.body[0].regions, (two ? l.body[1].regions : 0), l.zones, l.pairs,
                           l.contact_elements, l.point_loads, l.coefficients, l.paths, l.load_cases, l.panel_columns,
                           l.free_pairs, l.point_sets, l.curves);
 }
@@ -97,9 +97,9 @@ TEST_CASE("tapes: never more is asked for than was told, for every deck, workspa
     const Deck deck = deck_named(name);
     for (const int32_t panel : kPanels) {
       CAPTURE(panel);
-      c2d_limits limits = deck.limits();
+      host::Limits limits = deck.limits();
       limits.panel_columns = panel;
-      if (limits.elements[0] > 60 && panel != 0 && panel != 8) continue; // a minute more
+      if (limits.body[0].elements > 60 && panel != 0 && panel != 8) continue; // a minute more
       uint64_t least = 0, most = 0;
       REQUIRE(c2d_memory_need(&limits, &least, &most) == C2D_OK);
       for (const uint64_t workspace : {least, least + (most - least) / 16, least + (most - least) / 4, most}) {
@@ -116,7 +116,7 @@ TEST_CASE("tapes: never more is asked for than was told, for every deck, workspa
 
 TEST_CASE("tapes: they are those told where limits are the model's own and every unknown is eliminated") {
   const Deck deck = deck_named("plate"); // without contact; boundary points are those of linear elements
-  const c2d_limits limits = deck.limits();
+  const host::Limits limits = deck.limits();
   REQUIRE(limits.pairs == 0);
   uint64_t least = 0, most = 0;
   REQUIRE(c2d_memory_need(&limits, &least, &most) == C2D_OK);
@@ -137,10 +137,10 @@ TEST_CASE("tapes: a model far smaller than its limits stays within them, too") {
     for (const int32_t factor : {2, 3, 7})
       for (const int32_t panel : {0, 5}) {
         CAPTURE(factor);
-        c2d_limits limits = deck.limits();
+        host::Limits limits = deck.limits();
         for (int b = 0; b < limits.bodies; ++b) {
-          limits.geometry_nodes[b] *= factor;
-          limits.elements[b] *= factor;
+          limits.body[b].points *= factor;
+          limits.body[b].elements *= factor;
         }
         limits.pairs += factor;
         limits.coefficients += factor;
@@ -162,7 +162,7 @@ TEST_CASE("tapes: the constants are what is told where panels are given") {
       for (const int32_t keep : {0, 1}) {
         CAPTURE(panel);
         CAPTURE(keep);
-        c2d_limits limits = deck_named(name).limits();
+        host::Limits limits = deck_named(name).limits();
         limits.panel_columns = panel;
         c2d_options options = C2D_INIT(c2d_options);
         options.keep_factors = keep;
@@ -185,7 +185,7 @@ TEST_CASE("tapes: the constants are what is told where panels are given") {
 }
 
 TEST_CASE("tapes: what cannot be told is refused, and nothing is touched") {
-  const c2d_limits limits = deck_named("sample").limits();
+  const host::Limits limits = deck_named("sample").limits();
   uint64_t least = 0, blocks = 7, bytes = 7;
   REQUIRE(c2d_memory_need(&limits, &least, nullptr) == C2D_OK);
   CHECK(c2d_tape_need(nullptr, nullptr, least, 0, &blocks, &bytes) == C2D_ERR_ARGUMENT);

@@ -65,7 +65,10 @@ int32_t watch(void* context, const c2d_step* step) {
 Run follow(const std::string& deck, Stepping stepping) {
   Run run;
   Lines lines{std::istringstream(deck)};
+  c2d_body_limits bodies[2];
   c2d_limits limits = C2D_INIT(c2d_limits);
+  limits.bodies = 2; // so many have room
+  limits.body = bodies;
   c2d_error why = C2D_INIT(c2d_error);
   uint64_t in_core = 0;
   c2d_status status = c2d_scan_deck(Lines::next, &lines, &limits, &why);
@@ -102,15 +105,12 @@ Run follow(const std::string& deck, Stepping stepping) {
 }
 
 int pairs_closed(const Run& run) {
-  return static_cast<int>(
-      std::count_if(run.nodes.begin(), run.nodes.end(), [](const Node& n) { return n.closed; }));
+  return static_cast<int>(std::count_if(run.nodes.begin(), run.nodes.end(), [](const Node& n) { return n.closed; }));
 }
 
 // ---- load cards
 
-LoadCards equal(int count) {
-  return {{count, 1.0}};
-}
+LoadCards equal(int count) { return {{count, 1.0}}; }
 
 LoadCards pair_by_pair(const std::vector<std::string>& settings, const std::vector<double>& touching) {
   LoadCards cards;
@@ -169,9 +169,7 @@ Adhesion::Adhesion(double nu) : epsilon_(std::atanh((1 - 2 * nu) / (2 * (1 - nu)
   load_ = 1 / sum;
 }
 
-double Adhesion::half_width() const {
-  return 1 / std::sqrt(load_);
-}
+double Adhesion::half_width() const { return 1 / std::sqrt(load_); }
 
 // A stamp of half width l carries a share of the load as l^2; d^2 = l^2 - x^2 takes the root out of its
 // field, and d = s t^3 smooths the logarithm.
@@ -189,12 +187,8 @@ double Adhesion::sum(double x, bool cosine) const {
   return out * std::cosh(kPi * epsilon_) / half_width();
 }
 
-double Adhesion::friction(double x) const {
-  return sum(x, false);
-}
-double Adhesion::pressure(double x) const {
-  return sum(x, true);
-}
+double Adhesion::friction(double x) const { return sum(x, false); }
+double Adhesion::pressure(double x) const { return sum(x, true); }
 
 // ---- differences
 

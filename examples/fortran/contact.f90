@@ -63,6 +63,7 @@ program contact
   implicit none
   real(c_double), allocatable, target :: memory(:), blocks(:)
   type(c2d_limits) :: limits
+  type(c2d_body_limits), target :: bodies(2)
   type(c2d_port) :: port
   type(c2d_error) :: why
   type(c2d_summary) :: summary
@@ -74,6 +75,8 @@ program contact
 
   call get_command_argument(1, deck)
   open (newunit=unit, file=trim(deck), status='old', action='read')
+  limits%bodies = 2
+  limits%body = c_loc(bodies)
   call check(c2d_scan_deck(c_funloc(next_card), c_loc(unit), limits, why), 'deck')
   rewind (unit)
 

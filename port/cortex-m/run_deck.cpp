@@ -112,8 +112,11 @@ int solve(c2d_solver* solver) {
 
 int main() {
   static c2d_limits limits;
+  static c2d_body_limits bodies[2];
   static c2d_port port;
   limits.struct_size = sizeof limits;
+  limits.bodies = 2; // so many have room
+  limits.body = bodies;
   port.struct_size = sizeof port;
   why.struct_size = sizeof why;
   host::command_line(arguments, sizeof arguments);

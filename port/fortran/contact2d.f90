@@ -56,6 +56,7 @@ module contact2d
   integer(c_int32_t), parameter :: C2D_QUADRATURE_ACCURATE = 0, C2D_QUADRATURE_THESIS = 1
   integer(c_int32_t), parameter :: C2D_STEPPING_EVENTS = 0, C2D_STEPPING_DECK = 1
   integer(c_int32_t), parameter :: C2D_SYMMETRY_DECK = 0, C2D_SYMMETRY_IMAGES = 1
+  integer(c_int32_t), parameter :: C2D_ZONE_MATCHING = 0, C2D_ZONE_FREE = 1
   integer(c_int32_t), parameter :: C2D_CURVE_LINE = 0, C2D_CURVE_ARC = 1, C2D_CURVE_SPLINE = 2
   integer(c_int32_t), parameter :: C2D_POINTS_ONE = 0, C2D_POINTS_LINE = 1, C2D_POINTS_GRID = 2
   integer(c_int32_t), parameter :: C2D_STEP_RECORDED = 0, C2D_STEP_CHANGE = 1, C2D_STEP_STOPPED = 2
@@ -113,13 +114,18 @@ module contact2d
     character(kind=c_char) :: text(320) = c_null_char
   end type
 
+  type, bind(C) :: c2d_body_limits
+    integer(c_int32_t) :: points = 0
+    integer(c_int32_t) :: elements = 0
+    integer(c_int32_t) :: regions = 0
+    integer(c_int32_t) :: reserved = 0
+  end type
+
   type, bind(C) :: c2d_limits
-    integer(c_int32_t) :: struct_size = 80
+    integer(c_int32_t) :: struct_size = 64
     integer(c_int32_t) :: bodies = 0
+    type(c_ptr) :: body = c_null_ptr ! c_loc of an array of type(c2d_body_limits)
     integer(c_int32_t) :: function_nodes = 0
-    integer(c_int32_t) :: geometry_nodes(2) = 0
-    integer(c_int32_t) :: elements(2) = 0
-    integer(c_int32_t) :: regions(2) = 0
     integer(c_int32_t) :: zones = 0
     integer(c_int32_t) :: pairs = 0
     integer(c_int32_t) :: contact_elements = 0
@@ -192,21 +198,21 @@ module contact2d
     integer(c_int32_t) :: reserved = 0
   end type
 
-  type, bind(C) :: c2d_zone
-    integer(c_int32_t) :: struct_size = 44
-    integer(c_int32_t) :: pairs = 0
+  type, bind(C) :: c2d_side
+    integer(c_int32_t) :: body = 0
+    integer(c_int32_t) :: first_element = 0
+    integer(c_int32_t) :: last_element = 0
     integer(c_int32_t) :: elements = 0
-    integer(c_int32_t) :: first_element(2) = 0
-    integer(c_int32_t) :: last_element(2) = 0
-    integer(c_int32_t) :: first_node(2) = 0
-    integer(c_int32_t) :: last_node(2) = 0
+    integer(c_int32_t) :: first_node = 0
+    integer(c_int32_t) :: last_node = 0
   end type
 
-  type, bind(C) :: c2d_free_zone
-    integer(c_int32_t) :: struct_size = 28
-    integer(c_int32_t) :: first_element(2) = 0
-    integer(c_int32_t) :: last_element(2) = 0
-    integer(c_int32_t) :: elements(2) = 0
+  type, bind(C) :: c2d_zone
+    integer(c_int32_t) :: struct_size = 60
+    integer(c_int32_t) :: kind = 0
+    integer(c_int32_t) :: pairs = 0
+    type(c2d_side) :: side1
+    type(c2d_side) :: side2
   end type
 
   type, bind(C) :: c2d_points
@@ -264,7 +270,7 @@ module contact2d
   end type
 
   type, bind(C) :: c2d_summary
-    integer(c_int32_t) :: struct_size = 832
+    integer(c_int32_t) :: struct_size = 656
     integer(c_int32_t) :: state = 0
     integer(c_int32_t) :: outcome = 0
     integer(c_int32_t) :: outcome_body = 0
@@ -275,12 +281,6 @@ module contact2d
     integer(c_int32_t) :: zones = 0
     integer(c_int32_t) :: steps = 0
     integer(c_int32_t) :: coefficients = 0
-    integer(c_int32_t) :: elements(2) = 0
-    integer(c_int32_t) :: nodes(2) = 0
-    integer(c_int32_t) :: geometry_nodes(2) = 0
-    integer(c_int32_t) :: element_nodes(2) = 0
-    integer(c_int32_t) :: regions(2) = 0
-    integer(c_int32_t) :: unknowns(2) = 0
     integer(c_int32_t) :: contact_unknowns = 0
     integer(c_int32_t) :: analysis = 0
     integer(c_int32_t) :: plane = 0
@@ -308,15 +308,11 @@ module contact2d
     real(c_double) :: max_residual = 0
     real(c_double) :: elimination_residual = 0
     real(c_double) :: condition = 0
-    real(c_double) :: applied(3,2) = 0
-    real(c_double) :: contact(3,2) = 0
     real(c_double) :: force_applied = 0
     real(c_double) :: force_contact = 0
     real(c_double) :: force_error = 0
     real(c_double) :: free_motion(3) = 0
     real(c_double) :: tension_ratio = 0
-    real(c_double) :: youngs_modulus(2) = 0
-    real(c_double) :: poisson_ratio(2) = 0
     character(kind=c_char) :: title(80) = c_null_char
     character(kind=c_char) :: unit_length(16) = c_null_char
     character(kind=c_char) :: unit_force(16) = c_null_char
@@ -332,6 +328,21 @@ module contact2d
     real(c_double) :: symmetry_at(2) = 0
     real(c_double) :: breach_size = 0
     integer(c_int32_t) :: point_loads = 0, point_sets = 0, curves = 0, reserved_too = 0
+  end type
+
+  type, bind(C) :: c2d_body_result
+    integer(c_int32_t) :: struct_size = 96
+    integer(c_int32_t) :: element_nodes = 0
+    integer(c_int32_t) :: elements = 0
+    integer(c_int32_t) :: regions = 0
+    integer(c_int32_t) :: open_regions = 0
+    integer(c_int32_t) :: points = 0
+    integer(c_int32_t) :: nodes = 0
+    integer(c_int32_t) :: unknowns = 0
+    real(c_double) :: youngs_modulus = 0
+    real(c_double) :: poisson_ratio = 0
+    real(c_double) :: applied(3) = 0
+    real(c_double) :: contact(3) = 0
   end type
 
   type, bind(C) :: c2d_zone_state
@@ -630,12 +641,8 @@ module contact2d
       type(c2d_zone), intent(in) :: zone
       integer(c_int32_t) :: status
     end function
-    function c2d_add_free_zone(solver, zone) bind(C) result(status)
-      import
-      type(c_ptr), value :: solver
-      type(c2d_free_zone), intent(in) :: zone
-      integer(c_int32_t) :: status
-    end function
+    subroutine c2d_link_free_zones() bind(C)
+    end subroutine
     function c2d_add_points(solver, points) bind(C) result(status)
       import
       type(c_ptr), value :: solver
@@ -793,6 +800,13 @@ module contact2d
       import
       type(c_ptr), value :: solver
       type(c2d_summary), intent(inout) :: out
+      integer(c_int32_t) :: status
+    end function
+    function c2d_get_body_result(solver, body, out) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
+      integer(c_int32_t), value :: body
+      type(c2d_body_result), intent(inout) :: out
       integer(c_int32_t) :: status
     end function
     function c2d_get_zone_state(solver, zone, out) bind(C) result(status)

@@ -109,6 +109,13 @@ int32_t words_for(uint64_t solver_bytes);
 c2d_port port_of(Host* host);
 // Makes the solver with these limits; call.status says how it went.
 void make_solver(Call& call, Work work, const c2d_limits& limits);
+// Limits and their list of bodies.
+struct Limits : c2d_limits {
+  Limits();
+  Limits(const Limits&) = delete;
+  Limits& operator=(const Limits&) = delete;
+  c2d_body_limits bodies_of[2];
+};
 
 } // namespace fortran
 } // namespace c2d
@@ -147,8 +154,7 @@ void c2load_(Work work, In ibody, In icase, In x, In y, In fx, In fy, Out ierr);
 void c2rigd_(Work work, In ibody, In icase, In motion, In axis, Out ierr);
 void c2intf_(Work work, In icase, Out ierr);
 void c2bfor_(Work work, In ibody, In icase, In force, In rhom2, In axis, Out ierr);
-void c2zone_(Work work, In npairs, In nelem, In ielem, In inode, Out ierr);
-void c2free_(Work work, In ielem, In nelem, Out ierr);
+void c2zone_(Work work, In ikind, In npairs, In iside1, In iside2, Out ierr);
 void c2mu_(Work work, In fmu, Out ierr);
 void c2muz_(Work work, In izone, In i, In fmu, Out ierr);
 void c2symm_(Work work, In iaxis, In value, Out ierr);
@@ -183,10 +189,11 @@ void c2canc_(Work work, Out ierr);
 void c2get_(Work work, In ifield, In ibody, In ifirst, In n, Out a, In lda, Out ierr);
 void c2intr_(Work work, In ibody, In n, In xy, In ldxy, Out a, In lda, Out ierr);
 void c2summ_(Work work, Out isum, In ni, Out rsum, In nr, Out ierr);
+void c2bsta_(Work work, In ibody, Out icount, Out r, Out ierr);
 void c2zsta_(Work work, In izone, Out icount, Out r, Out ierr);
 void c2gmu_(Work work, In izone, In i, Out fmu, Out ierr);
 void c2gpth_(Work work, In i, Out ninc, Out factor, In ncases, Out ierr);
-void c2gzon_(Work work, In i, Out npairs, Out nelem, Out ielem, Out inode, Out ierr);
+void c2gzon_(Work work, In i, Out ikind, Out npairs, Out iside1, Out iside2, Out ierr);
 void c2greg_(Work work, In ibody, In i, Out ifirst, Out ilast, Out ierr);
 void c2gcon_(Work work, In ibody, In ielem, In ilocal, In icase, Out icodes, Out values, Out ierr);
 void c2gpld_(Work work, In i, Out ibody, Out icase, Out xy, Out force, Out ierr);

@@ -70,7 +70,6 @@ bool open_file(Call& call, Text name, int32_t length, Cards& cards) {
 
 c2d_status sizes_of(Call& call, Cards& cards, c2d_limits& limits) {
   c2d_error why = blank_error();
-  limits.struct_size = static_cast<uint32_t>(sizeof limits);
   call.status = c2d_scan_deck(next_card, &cards, &limits, &why);
   if (call.status != C2D_OK) call.tell(why);
   return call.status;
@@ -78,7 +77,7 @@ c2d_status sizes_of(Call& call, Cards& cards, c2d_limits& limits) {
 
 // Read the deck, and forget the solver again if that fails: the next deck has other sizes.
 void read_cards(Call& call, Work work, Cards& cards) {
-  c2d_limits limits;
+  Limits limits;
   if (call.solver) call.status = C2D_ERR_STATE;
   if (call.status != C2D_OK || sizes_of(call, cards, limits) != C2D_OK) return;
   rewind_cards(cards);
@@ -92,12 +91,18 @@ void read_cards(Call& call, Work work, Cards& cards) {
   call.forget_solver();
 }
 
-bool limits_from(In isize, int32_t count, c2d_limits& limits) {
-  constexpr int32_t kSizes = static_cast<int32_t>((sizeof(c2d_limits) - sizeof(uint32_t)) / sizeof(int32_t));
+// ISIZE: bodies, functional nodes, then boundary points, elements and regions of both bodies, and the rest of c2d_limits.
+bool limits_from(In isize, int32_t count, Limits& limits) {
+  c2d_body_limits* const b = limits.bodies_of;
+  int32_t* const members[] = {
+      &limits.bodies,           &limits.function_nodes, &b[0].points,         &b[1].points,  &b[0].elements,
+      &b[1].elements,           &b[0].regions,          &b[1].regions,        &limits.zones, &limits.pairs,
+      &limits.contact_elements, &limits.point_loads,    &limits.coefficients, &limits.paths, &limits.load_cases,
+      &limits.panel_columns,    &limits.free_pairs,     &limits.point_sets,   &limits.curves};
+  constexpr int32_t kSizes = static_cast<int32_t>(sizeof members / sizeof *members);
   if (count < 1 || count > kSizes) return false;
-  memset(&limits, 0, sizeof limits);
-  limits.struct_size = static_cast<uint32_t>(sizeof limits);
-  memcpy(&limits.bodies, isize, static_cast<size_t>(count) * sizeof(int32_t));
+  limits.bodies = 0;
+  for (int32_t i = 0; i < count; ++i) *members[i] = integer_at(isize, i);
   return true;
 }
 
@@ -125,6 +130,11 @@ void keep_entry(void* context, const c2d_error* error) {
 }
 
 } // namespace
+
+Limits::Limits() : c2d_limits(C2D_INIT(c2d_limits)), bodies_of() {
+  bodies = 2;
+  body = bodies_of;
+}
 
 c2d_port port_of(Host* host) {
   c2d_port port = C2D_INIT(c2d_port);
@@ -227,7 +237,7 @@ void c2need_(Work work, Text name, In lname, Out nmin, Out nall, Out ierr) {
   Call call(work);
   Cards cards;
   if (call.has_host() && open_file(call, name, integer_at(lname), cards)) {
-    c2d_limits limits;
+    Limits limits;
     sizes_of(call, cards, limits);
     fclose(cards.file);
     tell_words(call, limits, nmin, nall);
@@ -237,7 +247,7 @@ void c2need_(Work work, Text name, In lname, Out nmin, Out nall, Out ierr) {
 
 void c2neds_(Work work, In isize, In nisize, Out nmin, Out nall, Out ierr) {
   Call call(work);
-  c2d_limits limits;
+  Limits limits;
   if (call.has_host()) {
     if (!limits_from(isize, integer_at(nisize), limits)) call.status = C2D_ERR_ARGUMENT;
     tell_words(call, limits, nmin, nall);
@@ -247,7 +257,7 @@ void c2neds_(Work work, In isize, In nisize, Out nmin, Out nall, Out ierr) {
 
 void c2size_(Work work, In isize, In nisize, Out ierr) {
   Call call(work);
-  c2d_limits limits;
+  Limits limits;
   if (call.solver) call.status = C2D_ERR_STATE;
   if (call.status == C2D_OK && !limits_from(isize, integer_at(nisize), limits)) call.status = C2D_ERR_ARGUMENT;
   if (call.status == C2D_OK) make_solver(call, work, limits);

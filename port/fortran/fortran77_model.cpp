@@ -135,34 +135,16 @@ void c2bfor_(Work work, In ibody, In icase, In force, In rhom2, In axis, Out ier
   call.leave(ierr);
 }
 
-// IELEM and INODE as on the zone cards: first and last of body 1, first and last of body 2.
-void c2zone_(Work work, In npairs, In nelem, In ielem, In inode, Out ierr) {
+// ISIDE1(6), ISIDE2(6): body, first and last element, number of elements, first and last node.
+void c2zone_(Work work, In ikind, In npairs, In iside1, In iside2, Out ierr) {
   Call call(work);
   if (call.ready()) {
     c2d_zone zone = C2D_INIT(c2d_zone);
+    zone.kind = integer_at(ikind);
     zone.pairs = integer_at(npairs);
-    zone.elements = integer_at(nelem);
-    for (int32_t body = 0; body < 2; ++body) {
-      zone.first_element[body] = integer_at(ielem, 2 * body);
-      zone.last_element[body] = integer_at(ielem, 2 * body + 1);
-      zone.first_node[body] = integer_at(inode, 2 * body);
-      zone.last_node[body] = integer_at(inode, 2 * body + 1);
-    }
+    memcpy(&zone.side1, iside1, sizeof zone.side1);
+    memcpy(&zone.side2, iside2, sizeof zone.side2);
     call.status = c2d_add_zone(call.solver, &zone);
-  }
-  call.leave(ierr);
-}
-
-void c2free_(Work work, In ielem, In nelem, Out ierr) {
-  Call call(work);
-  if (call.ready()) {
-    c2d_free_zone zone = C2D_INIT(c2d_free_zone);
-    for (int32_t body = 0; body < 2; ++body) {
-      zone.first_element[body] = integer_at(ielem, 2 * body);
-      zone.last_element[body] = integer_at(ielem, 2 * body + 1);
-      zone.elements[body] = integer_at(nelem, body);
-    }
-    call.status = c2d_add_free_zone(call.solver, &zone);
   }
   call.leave(ierr);
 }

@@ -61,17 +61,36 @@ template <class T, class Put> void put_list(Out to, int32_t count, const T* list
   for (int32_t i = 0; i < count && i < length; ++i) put(to, list[i], i);
 }
 
-void put_summary(const c2d_summary& s, Out isum, int32_t ni, Out rsum, int32_t nr) {
+void put_summary(const c2d_summary& s, const c2d_body_result (&body)[2], Out isum, int32_t ni, Out rsum, int32_t nr) {
   const int32_t events = s.events > INT32_MAX ? INT32_MAX : static_cast<int32_t>(s.events);
-  const int32_t integers[] = {s.state,      s.outcome,  s.outcome_body, s.outcome_pair, s.bodies,           s.function_nodes,
-                              s.pairs,      s.zones,    s.steps,        s.coefficients, s.elements[0],      s.elements[1],
-                              s.nodes[0],   s.nodes[1], s.unknowns[0],  s.unknowns[1],  s.contact_unknowns, s.paths,
-                              s.load_cases, s.warnings, events};
+  const int32_t integers[] = {s.state,
+                              s.outcome,
+                              s.outcome_body,
+                              s.outcome_pair,
+                              s.bodies,
+                              s.function_nodes,
+                              s.pairs,
+                              s.zones,
+                              s.steps,
+                              s.coefficients,
+                              body[0].elements,
+                              body[1].elements,
+                              body[0].nodes,
+                              body[1].nodes,
+                              body[0].unknowns,
+                              body[1].unknowns,
+                              s.contact_unknowns,
+                              s.paths,
+                              s.load_cases,
+                              s.warnings,
+                              events};
   double reals[28] = {
       s.load,      s.mu,   s.force_applied, s.force_contact, s.force_error,   s.max_residual, s.elimination_residual,
       s.condition, s.work, s.dissipated,    s.elastic,       s.energy_defect, s.tension_ratio};
-  memcpy(reals + 13, s.applied, sizeof s.applied);
-  memcpy(reals + 19, s.contact, sizeof s.contact);
+  for (int32_t b = 0; b < 2; ++b) {
+    memcpy(reals + 13 + 3 * b, body[b].applied, sizeof body[b].applied);
+    memcpy(reals + 19 + 3 * b, body[b].contact, sizeof body[b].contact);
+  }
   memcpy(reals + 25, s.free_motion, sizeof s.free_motion);
   put_list(isum, ni, integers, static_cast<int32_t>(sizeof integers / sizeof *integers), put_integer);
   put_list(rsum, nr, reals, static_cast<int32_t>(sizeof reals / sizeof *reals), put_real);
@@ -111,8 +130,28 @@ void c2summ_(Work work, Out isum, In ni, Out rsum, In nr, Out ierr) {
   Call call(work);
   if (call.ready()) {
     c2d_summary summary = C2D_INIT(c2d_summary);
+    c2d_body_result body[2] = {C2D_INIT(c2d_body_result), C2D_INIT(c2d_body_result)};
     call.status = c2d_get_summary(call.solver, &summary);
-    if (call.status == C2D_OK) put_summary(summary, isum, integer_at(ni), rsum, integer_at(nr));
+    for (int32_t b = 0; b < summary.bodies && b < 2 && call.status == C2D_OK; ++b)
+      call.status = c2d_get_body_result(call.solver, b + 1, &body[b]);
+    if (call.status == C2D_OK) put_summary(summary, body, isum, integer_at(ni), rsum, integer_at(nr));
+  }
+  call.leave(ierr);
+}
+
+void c2bsta_(Work work, In ibody, Out icount, Out r, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    c2d_body_result body = C2D_INIT(c2d_body_result);
+    call.status = c2d_get_body_result(call.solver, integer_at(ibody), &body);
+    const int32_t counts[] = {body.element_nodes, body.elements, body.regions, body.open_regions,
+                              body.points,        body.nodes,    body.unknowns};
+    const double reals[] = {body.youngs_modulus, body.poisson_ratio, body.applied[0], body.applied[1],
+                            body.applied[2],     body.contact[0],    body.contact[1], body.contact[2]};
+    if (call.status == C2D_OK) {
+      memcpy(icount, counts, sizeof counts);
+      memcpy(r, reals, sizeof reals);
+    }
   }
   call.leave(ierr);
 }
@@ -160,20 +199,16 @@ void c2gpth_(Work work, In i, Out ninc, Out factor, In ncases, Out ierr) {
   call.leave(ierr);
 }
 
-void c2gzon_(Work work, In i, Out npairs, Out nelem, Out ielem, Out inode, Out ierr) {
+void c2gzon_(Work work, In i, Out ikind, Out npairs, Out iside1, Out iside2, Out ierr) {
   Call call(work);
   if (call.ready()) {
     c2d_zone zone = C2D_INIT(c2d_zone);
     call.status = c2d_get_zone(call.solver, integer_at(i), &zone);
     if (call.status == C2D_OK) {
+      put_integer(ikind, zone.kind);
       put_integer(npairs, zone.pairs);
-      put_integer(nelem, zone.elements);
-      for (int32_t body = 0; body < 2; ++body) {
-        put_integer(ielem, zone.first_element[body], 2 * body);
-        put_integer(ielem, zone.last_element[body], 2 * body + 1);
-        put_integer(inode, zone.first_node[body], 2 * body);
-        put_integer(inode, zone.last_node[body], 2 * body + 1);
-      }
+      memcpy(iside1, &zone.side1, sizeof zone.side1);
+      memcpy(iside2, &zone.side2, sizeof zone.side2);
     }
   }
   call.leave(ierr);

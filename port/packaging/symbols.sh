@@ -4,13 +4,15 @@
 # programs linked with it would no longer start.
 set -eu
 library=$1 file=$2 version=$3
+so=${version%%.*}
+[ "$so" != 0 ] || so=${version%.*}
 new=$(mktemp)
 trap 'rm -f "$new" "$new.names"' EXIT
 nm -D --defined-only --with-symbol-versions "$library" |
   sed -n 's/^[0-9a-f]* [TWDRBV] \(c2[^@]*\)@@*\([^@]*\)$/\1@\2/p' | LC_ALL=C sort >"$new.names"
 [ -f "$file" ] || : >"$file"
 {
-  echo 'libcontact2d.so.0 libcontact2d0 #MINVER#'
+  echo "libcontact2d.so.$so libcontact2d$so #MINVER#"
   while read -r name; do
     known=$(sed -n "s/^ $name \(.*\)/\1/p" "$file")
     echo " $name ${known:-$version}"

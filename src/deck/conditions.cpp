@@ -68,7 +68,7 @@ ConditionCard read_condition(Deck& deck, int b) {
   if (!count_fields(cards, count)) return card;
   card.sound = !count.has_flag || integer(cards, 1, 1, "flag for generated conditions (blank, 0 or 1)", 0, 1, &generated);
   card.is_generated = generated == 1;
-  if (!integer(cards, 2, 4, "element number", 1 + offset, deck.sizes.elements[b] + offset, &card.element)) card.sound = false;
+  if (!integer(cards, 2, 4, "element number", 1 + offset, deck.body[b].elements + offset, &card.element)) card.sound = false;
   card.element -= offset;
   if (!integer(cards, 6, 5, "local node number", 1, deck.sizes.function_nodes, &card.local)) card.sound = false;
   unused_column(cards, 11);

@@ -61,8 +61,8 @@ c2d_body body_data(const Deck& deck, int b, double youngs_modulus, double poisso
   c2d_body data = c2d_body();
   data.struct_size = static_cast<uint32_t>(sizeof data);
   data.element_nodes = deck.element_nodes[b];
-  data.elements = deck.sizes.elements[b];
-  data.regions = deck.sizes.regions[b];
+  data.elements = deck.body[b].elements;
+  data.regions = deck.body[b].regions;
   data.open_regions = deck.open_regions[b];
   data.youngs_modulus = youngs_modulus;
   data.poisson_ratio = poisson_ratio;
@@ -78,29 +78,28 @@ bool set_body(Deck& deck, int b, double youngs_modulus, double poisson_ratio) {
 
 bool read_body(Deck& deck, int b) {
   Cards& cards = deck.cards;
-  c2d_limits& sizes = deck.sizes;
   if (!next_card(cards, "the card with the numbers of regions and elements of a body")) return false;
   deck.element_nodes[b] = 2;
   const int32_t old_faults = cards.faults;
   cards.vital = true;
-  const bool regions_known = integer_from(cards, 1, "number of regions", 1, &sizes.regions[b]);
+  const bool regions_known = integer_from(cards, 1, "number of regions", 1, &deck.body[b].regions);
   cards.vital = false;
   const bool order_known = integer(cards, 6, 5, "number of boundary nodes per element", 2, 4, &deck.element_nodes[b]);
   cards.vital = true;
-  const bool elements_known = integer_from(cards, 11, "number of elements", 1, &sizes.elements[b]);
-  const bool nodes_known = integer_from(cards, 16, "number of boundary points", 1, &sizes.geometry_nodes[b]);
+  const bool elements_known = integer_from(cards, 11, "number of elements", 1, &deck.body[b].elements);
+  const bool nodes_known = integer_from(cards, 16, "number of boundary points", 1, &deck.body[b].points);
   cards.vital = false;
   end_of_fields(cards, 21);
   if (!regions_known || !elements_known || !nodes_known) return false;
-  const int32_t expected = sizes.elements[b] * (deck.element_nodes[b] - 1);
+  const int32_t expected = deck.body[b].elements * (deck.element_nodes[b] - 1);
   deck.body_line[b] = cards.line;
-  const int32_t beyond = sizes.geometry_nodes[b] - expected;
-  deck.open_regions[b] = order_known && beyond > 0 && beyond <= sizes.regions[b] ? beyond : 0;
+  const int32_t beyond = deck.body[b].points - expected;
+  deck.open_regions[b] = order_known && beyond > 0 && beyond <= deck.body[b].regions ? beyond : 0;
   if (order_known && beyond != deck.open_regions[b])
-    field_fault(cards, 16, 20, "number of boundary points is ", sizes.geometry_nodes[b], ", expected ", expected, ": ",
-                sizes.elements[b], " elements of ", deck.element_nodes[b], " nodes");
-  if (sizes.regions[b] > sizes.elements[b]) {
-    field_fault(cards, 1, 5, "number of regions is ", sizes.regions[b], ", expected at most ", sizes.elements[b],
+    field_fault(cards, 16, 20, "number of boundary points is ", deck.body[b].points, ", expected ", expected, ": ",
+                deck.body[b].elements, " elements of ", deck.element_nodes[b], " nodes");
+  if (deck.body[b].regions > deck.body[b].elements) {
+    field_fault(cards, 1, 5, "number of regions is ", deck.body[b].regions, ", expected at most ", deck.body[b].elements,
                 ", the number of elements");
     return false;
   }
@@ -111,16 +110,16 @@ bool read_body(Deck& deck, int b) {
 // Whether body 2's elements are numbered on from body 1's: its first region card says so. Where that card is
 // wrong, the guess that makes the fewest faults further on.
 bool continues(const Deck& deck, bool first_known, int32_t first, int32_t last) {
-  if (first_known && first == deck.sizes.elements[0] + 1) return true;
+  if (first_known && first == deck.body[0].elements + 1) return true;
   if (first_known && first == 1) return false;
-  return last > deck.sizes.elements[1];
+  return last > deck.body[1].elements;
 }
 
 // Region `number` of a body begins at element *next (within the body).
 bool read_region(Deck& deck, int b, int32_t number, int32_t* next) {
   Cards& cards = deck.cards;
   if (!next_card(cards, "the card with the first and last element of a region")) return false;
-  const int32_t elements = deck.sizes.elements[b];
+  const int32_t elements = deck.body[b].elements;
   int32_t first = 0, last = 0;
   const bool first_known = any_integer(cards, 1, "first element of the region", &first);
   const bool last_known = any_integer(cards, 6, "last element of the region", &last);
@@ -128,7 +127,7 @@ bool read_region(Deck& deck, int b, int32_t number, int32_t* next) {
   if (b == 1 && number == 1) deck.elements_continue = continues(deck, first_known, first, last);
   const int32_t offset = element_offset(deck, b);
   const int32_t expected = *next + offset;
-  const bool is_last = number == deck.sizes.regions[b];
+  const bool is_last = number == deck.body[b].regions;
   const bool first_sound = first_known && first == expected;
   const bool last_sound = last_known && last <= elements + offset && last >= (is_last ? elements + offset : expected);
   if (first_known && !first_sound) field_fault(cards, 1, 5, "first element of the region is ", first, ", expected ", expected);
@@ -247,7 +246,7 @@ bool read_control(Deck& deck) {
   for (int b = 0; b < bodies; ++b) {
     deck.cards.body = b + 1;
     int32_t next = 1;
-    for (int32_t i = 1; i <= deck.sizes.regions[b]; ++i)
+    for (int32_t i = 1; i <= deck.body[b].regions; ++i)
       if (!read_region(deck, b, i, &next)) return false;
   }
   deck.cards.body = 0;

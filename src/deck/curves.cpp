@@ -16,7 +16,7 @@ void read_curve(Deck& deck, const Words& keyword_card) {
   bool sound = integer_word(cards, keyword_card, 1, "body number", 1, deck.sizes.bodies, &curve.body);
   int32_t* const range[2] = {&curve.first_element, &curve.last_element};
   for (int i = 0; i < 2 && sound; ++i) {
-    const int32_t offset = element_offset(deck, curve.body - 1), most = deck.sizes.elements[curve.body - 1];
+    const int32_t offset = element_offset(deck, curve.body - 1), most = deck.body[curve.body - 1].elements;
     sound = integer_word(cards, keyword_card, 2 + i, "element of the curve", 1 + offset, most + offset, range[i]);
     *range[i] -= offset;
   }

@@ -15,10 +15,10 @@ void check_open_regions(Deck& deck) {
     if (deck.open_regions[b] == 0 || cards.status != C2D_OK) continue;
     cards.body = b + 1;
     cards.line = deck.body_line[b];
-    const int32_t points = deck.sizes.geometry_nodes[b];
+    const int32_t points = deck.body[b].points;
     const bool fixed = !cards.free_form; // the card itself is gone, and with it its fields' places
     fault(cards, fixed ? 16 : 0, fixed ? 20 : 0, "number of boundary points is ", points, ", expected ",
-          points - deck.open_regions[b], ": ", deck.sizes.elements[b], " elements of ", deck.element_nodes[b],
+          points - deck.open_regions[b], ": ", deck.body[b].elements, " elements of ", deck.element_nodes[b],
           " nodes; more only with *SYMMETRY, one for each open region");
   }
   cards.line = line;
@@ -52,7 +52,12 @@ c2d_status read_deck_cards(const DeckSink* sink, c2d_read_line read, void* conte
   read_sections(deck);
   if (deck.cards.status != C2D_OK) return deck.cards.status;
   if (deck.cards.faults > 0) return C2D_ERR_INPUT;
-  if (sizes != nullptr) *sizes = deck.sizes;
+  if (sizes == nullptr) return C2D_OK;
+  c2d_body_limits* const list = sizes->body;
+  *sizes = deck.sizes;
+  sizes->struct_size = static_cast<uint32_t>(sizeof *sizes);
+  sizes->body = list;
+  for (int b = 0; b < sizes->bodies; ++b) list[b] = deck.body[b];
   return C2D_OK;
 }
 
@@ -118,7 +123,7 @@ bool fits_count(Deck& deck, bool fits, int32_t read_so_far) {
   return false;
 }
 
-int32_t element_offset(const Deck& deck, int b) { return b == 1 && deck.elements_continue ? deck.sizes.elements[0] : 0; }
+int32_t element_offset(const Deck& deck, int b) { return b == 1 && deck.elements_continue ? deck.body[0].elements : 0; }
 
 int32_t function_node_offset(const Deck& deck, int b) {
   return b == 1 && deck.nodes_continue ? function_node_count(deck, 0) : 0;
@@ -126,7 +131,7 @@ int32_t function_node_offset(const Deck& deck, int b) {
 
 int32_t function_node_count(const Deck& deck, int b) {
   const int32_t per_element = deck.sizes.function_nodes > 1 ? deck.sizes.function_nodes - 1 : 1;
-  return deck.sizes.elements[b] * per_element + (deck.sizes.function_nodes > 1 ? deck.open_regions[b] : 0);
+  return deck.body[b].elements * per_element + (deck.sizes.function_nodes > 1 ? deck.open_regions[b] : 0);
 }
 
 } // namespace c2d

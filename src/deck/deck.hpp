@@ -40,12 +40,12 @@ struct DeckSink {
   c2d_status (*set_interference)(c2d_solver*, int32_t load_case);
   c2d_status (*add_points)(c2d_solver*, const c2d_points*);
   c2d_status (*add_curve)(c2d_solver*, const c2d_curve*);
-  // of keywords whose part of the library may be missing: null
+  // of keywords whose part of the library may be missing: null or false
   c2d_status (*set_symmetry)(c2d_solver*, int32_t axis, double value);
   c2d_status (*set_rigid)(c2d_solver*, int32_t body, int32_t load_case, const double motion[3], const double axis[2]);
   c2d_status (*set_body_force)(c2d_solver*, int32_t body, int32_t load_case, const double force[2], double rho_omega2,
                                const double axis[2]);
-  c2d_status (*add_free_zone)(c2d_solver*, const c2d_free_zone*);
+  bool has_free_zones;
 };
 
 // Which numbers from 1 have stood on a card already; only the first kNoted are looked after.
@@ -67,7 +67,8 @@ struct NumbersSeen {
 struct Deck {
   Cards cards;
   const DeckSink* sink; // null: only check and count
-  c2d_limits sizes;
+  c2d_limits sizes;     // without the list of bodies, which is
+  c2d_body_limits body[2];
   c2d_problem problem;
   int32_t element_nodes[2];        // NBN
   int32_t open_regions[2];         // NBP says how many: boundary points beyond those of closed curves
@@ -85,7 +86,8 @@ struct Deck {
 
 // Read a deck to its end. Every fault goes to `report` (may be null), those of the sink's calls excepted: the
 // sink has told them. Returns C2D_OK; C2D_ERR_INPUT after any fault; C2D_ERR_READ; or what the sink returned,
-// if that was neither ARGUMENT nor INPUT. `sizes`, if not null, receives the sizes after C2D_OK. `card`
+// if that was neither ARGUMENT nor INPUT. `sizes`, if not null, has a list of two bodies and receives the sizes after
+// C2D_OK. `card`
 // is told every field of every card, in order.
 c2d_status read_deck_cards(const DeckSink* sink, c2d_read_line read, void* context, c2d_report report, void* report_context,
                            c2d_limits* sizes, c2d_card_fn card = nullptr, void* card_context = nullptr);

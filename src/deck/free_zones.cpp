@@ -31,25 +31,28 @@ void read_free_zone(Deck& deck, const Words& keyword_card) {
                                 : "a contact zone in a stress analysis (IOUT 0), expected IOUT 1 or 2, which is contact");
     return;
   }
-  c2d_free_zone zone = c2d_free_zone();
+  c2d_zone zone = c2d_zone();
   zone.struct_size = static_cast<uint32_t>(sizeof zone);
+  zone.kind = C2D_ZONE_FREE;
   const bool counted = keyword_card.count > 4;
   const int32_t old_faults = cards.faults;
   for (int b = 0; b < 2; ++b) {
-    const int32_t offset = element_offset(deck, b), most = deck.sizes.elements[b];
-    int32_t* range[2] = {&zone.first_element[b], &zone.last_element[b]};
+    const int32_t offset = element_offset(deck, b), most = deck.body[b].elements;
+    c2d_side& side = b == 0 ? zone.side1 : zone.side2;
+    side.body = b + 1;
+    int32_t* range[2] = {&side.first_element, &side.last_element};
     for (int i = 0; i < 2; ++i)
       if (integer_word(cards, keyword_card, 2 * b + i, b == 0 ? "element of body 1" : "element of body 2", 1 + offset,
                        most + offset, range[i]))
         *range[i] -= offset;
-    if (counted) integer_word(cards, keyword_card, 4 + b, "number of elements", 1, most, &zone.elements[b]);
+    if (counted) integer_word(cards, keyword_card, 4 + b, "number of elements", 1, most, &side.elements);
   }
   if (!end_of_words(cards, keyword_card, counted ? 6 : 4) || cards.faults != old_faults) return;
-  const int32_t first = zone.first_element[1], last = zone.last_element[1];
-  count_sizes(deck, counted ? zone.elements[1] : larger(first - last, last - first) + 1);
+  const int32_t first = zone.side2.first_element, last = zone.side2.last_element;
+  count_sizes(deck, counted ? zone.side2.elements : larger(first - last, last - first) + 1);
   if (deck.sink == nullptr) return;
   place_words(deck, keyword_card);
-  accept(deck, deck.sink->add_free_zone(deck.sink->solver, &zone));
+  accept(deck, deck.sink->add_zone(deck.sink->solver, &zone));
 }
 
 } // namespace c2d

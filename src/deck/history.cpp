@@ -55,7 +55,7 @@ void read_case_condition(Deck& deck, const Words& words, int32_t load_case) {
   double values[4];
   if (!body_word(deck, words, &body)) return;
   const int32_t offset = element_offset(deck, body - 1);
-  bool sound = range_word(deck.cards, words, 2, offset + 1, offset + deck.sizes.elements[body - 1], range);
+  bool sound = range_word(deck.cards, words, 2, offset + 1, offset + deck.body[body - 1].elements, range);
   sound = integer_word(deck.cards, words, 3, "local functional node (0: all)", 0, deck.sizes.function_nodes, &local) && sound;
   sound = real_words(deck, words, 4, 4, kNames, values) && sound;
   if (!sound || deck.sink == nullptr) return;

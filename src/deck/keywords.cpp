@@ -37,7 +37,7 @@ constexpr Keyword kKeywords[] = {
      [](const DeckSink& sink) { return sink.set_body_force != nullptr; }},
     {"INTERFERENCE", read_interference, false},
     {"RIGID", read_rigid, false, "c2d_set_rigid", [](const DeckSink& sink) { return sink.set_rigid != nullptr; }},
-    {"ZONE", read_free_zone, true, "c2d_add_free_zone", [](const DeckSink& sink) { return sink.add_free_zone != nullptr; }},
+    {"ZONE", read_free_zone, true, "c2d_link_free_zones", [](const DeckSink& sink) { return sink.has_free_zones; }},
     {"POINTS", read_points, true},
     {"CURVE", read_curve, true},
 };

@@ -121,9 +121,9 @@ bool read_number(Deck& deck, int b, bool is_first, bool doubtful, int32_t previo
   if (doubtful && !peek_integer(cards, 2, 4, &number)) return false;
   if (!integer(cards, 2, 4, "node number", INT32_MIN, INT32_MAX, &number)) return false;
   // Body 2's first card decides whether its nodes are numbered on from body 1's.
-  if (b == 1 && is_first) deck.nodes_continue = number > deck.sizes.geometry_nodes[0];
-  const int32_t offset = b == 1 && deck.nodes_continue ? deck.sizes.geometry_nodes[0] : 0;
-  const int32_t nodes = deck.sizes.geometry_nodes[b];
+  if (b == 1 && is_first) deck.nodes_continue = number > deck.body[0].points;
+  const int32_t offset = b == 1 && deck.nodes_continue ? deck.body[0].points : 0;
+  const int32_t nodes = deck.body[b].points;
   *node = number - offset;
   if (is_first && *node == 1) return true;
   if (!is_first && *node > previous && *node <= nodes) return true;
@@ -153,7 +153,7 @@ bool read_nodes(Deck& deck, int b) {
   Cards& cards = deck.cards;
   cards.body = b + 1;
   if (!read_origin(deck, b)) return false;
-  const int32_t nodes = deck.sizes.geometry_nodes[b];
+  const int32_t nodes = deck.body[b].points;
   NodeCard previous = NodeCard();
   bool doubtful = false;
   for (bool is_first = true; previous.node < nodes; is_first = false) {

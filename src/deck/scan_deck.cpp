@@ -12,25 +12,50 @@ void keep_first(void* context, const c2d_error* entry) {
   if (why->status == C2D_OK) copy_out(entry, sizeof *entry, why);
 }
 
-c2d_status refuse(c2d_report report, void* report_context, const char* name, const void* argument) {
+c2d_error fault_with(c2d_status status) {
   c2d_error e;
   memset(&e, 0, sizeof e);
   e.struct_size = static_cast<uint32_t>(sizeof e);
-  e.status = C2D_ERR_ARGUMENT;
+  e.status = status;
   e.severity = C2D_FAULT;
+  return e;
+}
+
+c2d_status refuse(c2d_report report, void* report_context, const char* name, const void* argument) {
+  c2d_error e = fault_with(C2D_ERR_ARGUMENT);
   Text text = text_in(e.text);
   put_not_begun(text, name, argument);
   if (report != nullptr) report(report_context, &e);
   return C2D_ERR_ARGUMENT;
 }
 
+// The caller's list of bodies is too short: how many there are is the only answer.
+c2d_status tell_bodies(c2d_limits theirs, int32_t bodies, c2d_limits* out, c2d_report report, void* report_context) {
+  c2d_error e = fault_with(C2D_ERR_LIMIT);
+  Text text = text_in(e.text);
+  put_all(text, "c2d_limits.body has room for ", theirs.body == nullptr ? 0 : theirs.bodies, ", the deck has ", bodies,
+          bodies == 1 ? " body" : " bodies");
+  if (report != nullptr) report(report_context, &e);
+  theirs.bodies = bodies;
+  copy_out(&theirs, sizeof theirs, out);
+  return C2D_ERR_LIMIT;
+}
+
 c2d_status scan(c2d_read_line read, void* context, c2d_limits* out, c2d_report report, void* report_context) {
   if (read == nullptr) return refuse(report, report_context, "read_line", nullptr);
   if (!is_begun(out)) return refuse(report, report_context, "c2d_limits", out);
-  c2d_limits sizes = c2d_limits();
+  c2d_limits theirs, sizes = c2d_limits();
+  c2d_body_limits body[2];
+  copy_in(out, &theirs, sizeof theirs);
+  sizes.body = body;
   const c2d_status status = read_deck_cards(nullptr, read, context, report, report_context, &sizes);
-  if (status == C2D_OK) copy_out(&sizes, sizeof sizes, out);
-  return status;
+  if (status != C2D_OK) return status;
+  if (theirs.body == nullptr || theirs.bodies < sizes.bodies)
+    return tell_bodies(theirs, sizes.bodies, out, report, report_context);
+  memcpy(theirs.body, body, static_cast<size_t>(sizes.bodies) * sizeof *body);
+  sizes.body = theirs.body;
+  copy_out(&sizes, sizeof sizes, out);
+  return C2D_OK;
 }
 
 } // namespace

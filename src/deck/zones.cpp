@@ -46,28 +46,34 @@ bool read_zone(Deck& deck, bool* sound) {
   integer(cards, 1, 5, "lower body of the zone", 1, 1, &body);
   integer(cards, 6, 5, "upper body of the zone", 2, 2, &body);
   const bool pairs_known = integer_from(cards, 11, "number of contact nodes of the zone", 1, &zone.pairs);
-  const bool elements_known = integer_from(cards, 16, "number of contact elements of the zone", 1, &zone.elements);
+  int32_t elements = 0;
+  const bool elements_known = integer_from(cards, 16, "number of contact elements of the zone", 1, &elements);
   end_of_fields(cards, 21);
   const int32_t order = deck.sizes.function_nodes;
-  const int32_t most = order > 1 ? zone.elements * (order - 1) + 1 : zone.elements;
+  const int32_t most = order > 1 ? elements * (order - 1) + 1 : elements;
   if (pairs_known && elements_known && zone.pairs > most)
     field_fault(cards, 11, 15, "number of contact nodes of the zone is ", zone.pairs, ", expected at most ", most, " on ",
-                zone.elements, " elements of ", order, " nodes");
+                elements, " elements of ", order, " nodes");
   const bool count_sound = pairs_known && !(elements_known && zone.pairs > most);
   deck.pairs += zone.pairs;
-  deck.contact_elements += zone.elements;
+  deck.contact_elements += elements;
 
+  zone.side1.elements = zone.side2.elements = elements;
+  zone.side1.body = 1, zone.side2.body = 2;
   const int32_t element_offsets[2] = {0, element_offset(deck, 1)};
   const int32_t node_offsets[2] = {0, function_node_offset(deck, 1)};
   const int32_t nodes[2] = {function_node_count(deck, 0), function_node_count(deck, 1)};
+  const int32_t body_elements[2] = {deck.body[0].elements, deck.body[1].elements};
+  int32_t first[2] = {0, 0}, last[2] = {0, 0};
   *sound = cards.faults == old_faults && !cards.refused;
   if (!next_card(cards, "the card with the elements of a contact zone")) return false;
-  if (!read_ranges(deck, "contact elements", zone.elements, element_offsets, deck.sizes.elements, zone.first_element,
-                   zone.last_element))
-    *sound = false;
+  if (!read_ranges(deck, "contact elements", elements, element_offsets, body_elements, first, last)) *sound = false;
+  zone.side1.first_element = first[0], zone.side1.last_element = last[0];
+  zone.side2.first_element = first[1], zone.side2.last_element = last[1];
   if (!next_card(cards, "the card with the nodes of a contact zone")) return false;
-  if (!read_ranges(deck, "contact nodes", count_sound ? zone.pairs : 0, node_offsets, nodes, zone.first_node, zone.last_node))
-    *sound = false;
+  if (!read_ranges(deck, "contact nodes", count_sound ? zone.pairs : 0, node_offsets, nodes, first, last)) *sound = false;
+  zone.side1.first_node = first[0], zone.side1.last_node = last[0];
+  zone.side2.first_node = first[1], zone.side2.last_node = last[1];
   if (deck.sink == nullptr || !*sound) return !cards.ended;
   place(deck, 1, 20);
   return accept(deck, deck.sink->add_zone(deck.sink->solver, &zone));

@@ -11,7 +11,7 @@
 namespace c2d {
 
 // A model may come in that no call of this program declared.
-C2D_MEETS(FreeZonePart, c2d_add_free_zone);
+C2D_MEETS(FreeZonePart, c2d_link_free_zones);
 C2D_MEETS(BodyForcePart, c2d_set_body_force);
 C2D_MEETS(RigidPart, c2d_set_rigid);
 C2D_MEETS(SymmetryPart, c2d_set_symmetry);
@@ -30,15 +30,15 @@ template <class T> T member_at(const char* solver, size_t offset) {
 bool is_consistent(const char* at) {
   const int32_t state = C2D_MEMBER(state);
   if (state < C2D_STATE_EMPTY || state > C2D_STATE_BROKEN) return false;
-  static_assert(offsetof(c2d_solver, sizes) == offsetof(c2d_solver, limits) + sizeof(c2d_limits), "no padding");
-  const c2d_limits limits = C2D_MEMBER(limits);
+  const Sizes found = C2D_MEMBER(sizes);
+  c2d_body_limits body[2];
+  const c2d_limits limits = limits_of(found, body);
   const Layout layout = C2D_MEMBER(layout);
   const uint64_t bytes = C2D_MEMBER(bytes);
   uint64_t minimum = 0;
   if (c2d_memory_need(&limits, &minimum, nullptr) != C2D_OK || bytes < minimum - (kAlignment - 1) ||
       bytes > SIZE_MAX - kAlignment)
     return false;
-  const Sizes found = C2D_MEMBER(sizes);
   Sizes sizes;
   Layout expected;
   static_assert(sizeof(Sizes) == 4 * 4 + 22 * 8 && sizeof(Layout) == 8 * (kArrays + 1), "no padding");
@@ -61,7 +61,7 @@ const char* missing_part(const char* at) {
   if (!kBodyForcePart.linked && head.body_forces != 0) return "c2d_set_body_force";
   const char* const zones = at + C2D_MEMBER(layout).offset[kZones];
   for (int32_t i = 0; !kFreeZonePart.linked && i < head.zones; ++i)
-    if (member_at<Zone>(zones, static_cast<size_t>(i) * sizeof(Zone)).is_free != 0) return "c2d_add_free_zone";
+    if (member_at<Zone>(zones, static_cast<size_t>(i) * sizeof(Zone)).is_free != 0) return "c2d_link_free_zones";
   const int32_t state = C2D_MEMBER(state);
   const bool prepared = state == C2D_STATE_PREPARED || state == C2D_STATE_RUNNING;
   return !kEnergyPart.linked && prepared && C2D_MEMBER(keeps_energy) != 0 ? "c2d_get_summary" : nullptr;

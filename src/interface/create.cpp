@@ -40,9 +40,13 @@ bool take_limits(const c2d_limits* limits, c2d_limits& ours, Text& fault) {
   copy_in(limits, &ours, sizeof ours);
   WrongLimit wrong;
   if (!find_wrong_limit(ours, wrong)) return true;
-  put_all(fault, "c2d_limits.", wrong.member);
-  if (wrong.body >= 0) put_all(fault, "[", wrong.body, "]");
-  put_all(fault, " is ", wrong.value, ", expected ", wrong.least);
+  if (wrong.member == nullptr) {
+    put(fault, "c2d_limits.body is null, expected an array of bodies");
+    return false;
+  }
+  put(fault, "c2d_limits.");
+  if (wrong.body >= 0) put_all(fault, "body[", wrong.body, "].");
+  put_all(fault, wrong.member, " is ", wrong.value, ", expected ", wrong.least);
   if (wrong.most == INT32_MAX)
     put(fault, " or more");
   else
@@ -50,14 +54,12 @@ bool take_limits(const c2d_limits* limits, c2d_limits& ours, Text& fault) {
   return false;
 }
 
-void fill_header(c2d_solver* s, uint64_t bytes, uint32_t slack, const c2d_limits& limits, const Sizes& sizes,
-                 const Layout& layout) {
+void fill_header(c2d_solver* s, uint64_t bytes, uint32_t slack, const Sizes& sizes, const Layout& layout) {
   memset(static_cast<void*>(s), 0, sizeof *s);
   s->magic = kSolverMagic;
   s->maker = solver_maker();
   s->slack = slack;
   s->bytes = bytes;
-  s->limits = limits;
   s->sizes = sizes;
   s->layout = layout;
   s->options.struct_size = static_cast<uint32_t>(sizeof s->options);
@@ -147,9 +149,9 @@ extern "C" c2d_status c2d_create(c2d_solver** out, void* memory, size_t bytes, c
     return C2D_ERR_MEMORY;
   }
   poison(memory, bytes);
-  if constexpr (kHostile) make_memory_hostile(ours, sizes, layout, bytes);
+  if constexpr (kHostile) make_memory_hostile(sizes, layout, bytes);
   c2d_solver* s = reinterpret_cast<c2d_solver*>(static_cast<char*>(memory) + slack);
-  fill_header(s, bytes - (kAlignment - 1), slack, ours, sizes, layout); // so that it may move to any alignment
+  fill_header(s, bytes - (kAlignment - 1), slack, sizes, layout); // so that it may move to any alignment
   s->port = our_port;
   connect_port(s);
   clear_model(s);

@@ -10,7 +10,7 @@
 #include "solver/energy_adjoint.hpp"
 
 const c2d::FreeZonePart c2d::kFreeZonePart = {true,
-                                              c2d_add_free_zone,
+                                              add_free_zone,
                                               fit_free_zone,
                                               faced_position,
                                               fill_transfer,
@@ -23,21 +23,21 @@ const c2d::FreeZonePart c2d::kFreeZonePart = {true,
                                               transferred_values,
                                               add_transferred_force};
 
-using namespace c2d;
+namespace c2d {
 
 namespace {
 
-// Ranges of a free zone: body 2's runs against body 1's, whichever way they were given.
-c2d_status fill_free_zone(c2d_solver* s, const Model& m, const c2d_free_zone& given, Zone& z) {
+// Ranges of a free zone: side 2's runs against side 1's, whichever way they were given.
+c2d_status fill_free_zone(c2d_solver* s, const Model& m, const c2d_zone& given, Zone& z) {
   for (int b = 0; b < 2; ++b) {
     const Body& body = m.head->body[b];
-    const int32_t ends[2] = {given.first_element[b], given.last_element[b]};
+    const c2d_side& side = b == 0 ? given.side1 : given.side2;
+    const int32_t ends[2] = {side.first_element, side.last_element};
     for (int32_t element : ends)
       if (!in_range(element, 1, body.elements))
         return refuse_number(s, C2D_ERR_ARGUMENT, b == 0 ? "contact element of body 1" : "contact element of body 2", element,
                              1, body.elements);
-    const int32_t distance = ends[1] > ends[0] ? ends[1] - ends[0] : ends[0] - ends[1];
-    const int32_t count = given.elements[b] == 0 ? distance + 1 : given.elements[b];
+    const int32_t count = side_elements(side);
     z.region[b] = region_of_element(m, b, ends[0] - 1);
     const Region& region = m.region[b][z.region[b]];
     const int32_t ring = region.open ? 0 : region.last - region.first + 1;
@@ -51,7 +51,7 @@ c2d_status fill_free_zone(c2d_solver* s, const Model& m, const c2d_free_zone& gi
                            : "the element range of body 2 does not hold the number of elements given, in one region");
   }
   if (z.element_step[1] == z.element_step[0]) {
-    z.first_element[1] = given.last_element[1] - 1;
+    z.first_element[1] = given.side2.last_element - 1;
     z.element_step[1] = -z.element_step[1];
   }
   return C2D_OK;
@@ -59,19 +59,12 @@ c2d_status fill_free_zone(c2d_solver* s, const Model& m, const c2d_free_zone& gi
 
 } // namespace
 
-extern "C" c2d_status c2d_add_free_zone(c2d_solver* s, const c2d_free_zone* zone) {
-  c2d_status status = enter_building(s);
-  c2d_free_zone given;
-  if (status != C2D_OK) return status;
-  status = take(s, "c2d_free_zone", zone, given);
-  if (status != C2D_OK) return status;
-  ModelHeader& head = s->model;
-  status = check_room_for_zone(s);
-  if (status != C2D_OK) return status;
+c2d_status add_free_zone(c2d_solver* s, const c2d_zone& given) {
+  const ModelHeader& head = s->model;
   const Model m = model_of(s);
   Zone z;
   memset(&z, 0, sizeof z);
-  status = fill_free_zone(s, m, given, z);
+  const c2d_status status = fill_free_zone(s, m, given, z);
   if (status != C2D_OK) return status;
   const int32_t f = s->sizes.function_nodes;
   const int64_t pairs = f == 1 ? z.elements : static_cast<int64_t>(z.elements) * (f - 1) + 1;
@@ -88,10 +81,9 @@ extern "C" c2d_status c2d_add_free_zone(c2d_solver* s, const c2d_free_zone* zone
   z.pairs = static_cast<int32_t>(pairs);
   z.node_step[1] = z.element_step[1];
   z.first_node[1] = functional_node(m, 1, z.first_element[1], z.element_step[1] > 0 ? 0 : f - 1);
-  z.first_pair = head.pairs;
-  z.line = head.line;
-  m.zone[head.zones++] = z;
-  head.pairs += z.pairs;
-  head.contact_elements += z.elements;
-  return built(s);
+  return keep_zone(s, z);
 }
+
+} // namespace c2d
+
+extern "C" void c2d_link_free_zones(void) {}

@@ -8,7 +8,7 @@ namespace c2d {
 C2D_MEETS(SymmetryPart, c2d_set_symmetry);
 C2D_MEETS(RigidPart, c2d_set_rigid);
 C2D_MEETS(BodyForcePart, c2d_set_body_force);
-C2D_MEETS(FreeZonePart, c2d_add_free_zone);
+C2D_MEETS(FreeZonePart, c2d_link_free_zones);
 
 namespace {
 
@@ -73,7 +73,7 @@ c2d_status walk(Reading& reading) {
   sink.set_symmetry = kSymmetryPart.set_symmetry;
   sink.set_rigid = kRigidPart.set_rigid;
   sink.set_body_force = kBodyForcePart.set_body_force;
-  sink.add_free_zone = kFreeZonePart.add_free_zone;
+  sink.has_free_zones = kFreeZonePart.linked;
   return read_deck_cards(&sink, read_line, &reading, deck_fault, &reading, nullptr);
 }
 
@@ -92,6 +92,11 @@ c2d_status c2d_read_deck(c2d_solver* solver, c2d_read_line read, void* context) 
   reading.read = read;
   reading.context = context;
   status = walk(reading);
+  if (status == C2D_OK && solver->model.zones > 0 && solver->model.coefficients == 0) {
+    status = refuse(solver, C2D_ERR_INPUT,
+                    "a contact zone but no coefficient of friction, expected at least one (0 for frictionless contact)");
+    model_refused(&reading);
+  }
   if (status == C2D_OK) {
     status = c2d_complete(solver);
     if (status != C2D_OK) model_refused(&reading);

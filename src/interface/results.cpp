@@ -171,14 +171,17 @@ extern "C" c2d_status c2d_get_zone(c2d_solver* s, int32_t i, c2d_zone* out) {
   const Zone& zone = m.zone[i - 1];
   c2d_zone ours;
   memset(&ours, 0, sizeof ours);
+  ours.kind = zone.is_free != 0 ? C2D_ZONE_FREE : C2D_ZONE_MATCHING;
   ours.pairs = zone.pairs;
-  ours.elements = zone.elements;
   for (int b = 0; b < 2; ++b) {
-    ours.first_element[b] = zone.first_element[b] + 1;
-    ours.last_element[b] = zone_element(m, zone, b, zone_elements(zone, b) - 1) + 1;
+    c2d_side& side = b == 0 ? ours.side1 : ours.side2;
+    side.body = b + 1;
+    side.elements = zone_elements(zone, b);
+    side.first_element = zone.first_element[b] + 1;
+    side.last_element = zone_element(m, zone, b, side.elements - 1) + 1;
     if (zone.is_free != 0 && b == 0) continue;
-    ours.first_node[b] = zone.first_node[b] + 1;
-    ours.last_node[b] = zone_node(m, zone, b, zone.pairs - 1) + 1;
+    side.first_node = zone.first_node[b] + 1;
+    side.last_node = zone_node(m, zone, b, zone.pairs - 1) + 1;
   }
   return give(s, "c2d_zone", ours, out);
 }

@@ -149,7 +149,10 @@ using namespace c2d;
 extern "C" c2d_status c2d_run(c2d_solver* s, c2d_step_fn step, void* context) {
   c2d_status status = enter(s, kStarted);
   if (status != C2D_OK) return status;
-  if (s->model.paths == 0) return fail(s, C2D_ERR_ARGUMENT, "the model has no load path");
+  if (s->model.paths == 0)
+    return fail(s, C2D_ERR_ARGUMENT, "the model has no load path to run: c2d_add_path gives one, c2d_advance needs none");
+  if (s->model.zones > 0 && s->model.coefficients == 0)
+    return fail(s, C2D_ERR_ARGUMENT, "the model has contact but no coefficient of friction to run: c2d_add_friction gives one");
   Session session;
   open_session(s, session);
   session.step = step;

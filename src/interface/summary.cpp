@@ -39,17 +39,6 @@ void fill_model(c2d_solver* s, c2d_summary& out) {
   out.stepping = s->options.stepping;
   out.quadrature = s->options.quadrature;
   out.contact_unknowns = m.contact;
-  for (int b = 0; b < m.bodies && b < 2; ++b) {
-    const Body& body = m.body[b];
-    out.elements[b] = body.elements;
-    out.nodes[b] = body.nodes;
-    out.geometry_nodes[b] = body.geometry_nodes;
-    out.element_nodes[b] = body.element_nodes;
-    out.regions[b] = body.regions;
-    out.unknowns[b] = body.nodes > 0 && !(b == 0 && m.rigid != 0) ? 2 * body.nodes + 3 : 0;
-    out.youngs_modulus[b] = body.youngs_modulus;
-    out.poisson_ratio[b] = body.poisson_ratio;
-  }
   memcpy(out.title, m.title, sizeof out.title);
   memcpy(out.unit_length, m.unit_length, sizeof out.unit_length);
   memcpy(out.unit_force, m.unit_force, sizeof out.unit_force);
@@ -91,8 +80,6 @@ void fill_work(c2d_solver* s, c2d_summary& out) {
   out.max_residual = s->max_residual;
   out.elimination_residual = s->pivot_growth;
   out.condition = s->condition;
-  memcpy(out.applied, s->applied, sizeof out.applied);
-  memcpy(out.contact, s->contact_force, sizeof out.contact);
   out.force_applied = s->force_applied;
   out.force_contact = s->force_contact;
   out.force_error = s->force_error;
@@ -123,10 +110,34 @@ extern "C" c2d_status c2d_get_summary(c2d_solver* s, c2d_summary* out) {
   fill_model(s, ours);
   fill_motion(s, ours);
   fill_work(s, ours);
-  c2d_memory_need(&s->limits, &ours.minimum_bytes, &ours.in_core_bytes);
+  c2d_body_limits body[2];
+  const c2d_limits limits = limits_of(s->sizes, body);
+  c2d_memory_need(&limits, &ours.minimum_bytes, &ours.in_core_bytes);
   ours.workspace_bytes = s->bytes;
   ours.peak_bytes = s->peak_bytes;
   if (s->state == C2D_STATE_RUNNING) ours.load = array_of<double>(s, kLoads)[0];
   ours.mu = s->mu;
   return give(s, "c2d_summary", ours, out);
+}
+
+extern "C" c2d_status c2d_get_body_result(c2d_solver* s, int32_t body, c2d_body_result* out) {
+  if (!s || s->magic != kSolverMagic) return C2D_ERR_ARGUMENT;
+  if (!s->busy) s->has_fault = 0;
+  if (body < 1 || body > s->sizes.bodies)
+    return s->busy ? c2d_status{C2D_ERR_ARGUMENT} : fail(s, C2D_ERR_ARGUMENT, "there is no such body");
+  c2d_body_result ours;
+  memset(&ours, 0, sizeof ours);
+  const Body& given = s->model.body[body - 1];
+  ours.element_nodes = given.element_nodes;
+  ours.elements = given.elements;
+  ours.regions = given.regions;
+  ours.open_regions = given.open_regions;
+  ours.points = given.geometry_nodes;
+  ours.nodes = given.nodes;
+  ours.unknowns = given.nodes > 0 && !(body == 1 && s->model.rigid != 0) ? 2 * given.nodes + 3 : 0;
+  ours.youngs_modulus = given.youngs_modulus;
+  ours.poisson_ratio = given.poisson_ratio;
+  memcpy(ours.applied, s->applied[body - 1], sizeof ours.applied);
+  memcpy(ours.contact, s->contact_force[body - 1], sizeof ours.contact);
+  return give(s, "c2d_body_result", ours, out);
 }

@@ -10,4 +10,11 @@ int32_t range_step(int32_t first, int32_t last, int32_t count, int32_t start, in
 // What any kind of zone needs: two bodies that are known, and room.
 c2d_status check_room_for_zone(c2d_solver* s);
 
+// How many elements a side has: as it says, or from first to last by their numbers.
+int32_t side_elements(const c2d_side& side);
+// The last step of both kinds: the zone stands at the end of the list.
+c2d_status keep_zone(c2d_solver* s, Zone& z);
+// Of kind C2D_ZONE_FREE, after the checks of any kind.
+c2d_status add_free_zone(c2d_solver* s, const c2d_zone& given); // free_zone_calls.cpp
+
 } // namespace c2d

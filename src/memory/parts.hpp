@@ -52,7 +52,7 @@ struct Session;
 
 struct FreeZonePart { // model/free_zones.cpp, bie/transfer.cpp, contact/facing_pairs.cpp, results/transferred.cpp
   bool linked = false;
-  decltype(&c2d_add_free_zone) add_free_zone = nullptr;
+  Function<c2d_status, c2d_solver*, const c2d_zone&> add_free_zone = NotLinked();
   Function<bool, const Model&, int32_t, Reporter&> fit_free_zone = Nothing();
   Function<void, const Model&, const Pair&, double*, double*> faced_position = Nothing();
   Function<void, const ColumnSystem&, int32_t, int32_t, Real*, int64_t> fill_transfer = Nothing();

@@ -25,12 +25,14 @@ bool is_wrong(WrongLimit& out, const char* member, int32_t body, int32_t value, 
 
 bool find_wrong_limit(const c2d_limits& l, WrongLimit& out) {
   if (is_wrong(out, "bodies", -1, l.bodies, 1, 2) || is_wrong(out, "function_nodes", -1, l.function_nodes, 1, 4)) return true;
-  for (int b = 0; b < 2; ++b) {
-    const int32_t least = b < l.bodies ? 1 : 0;
-    if (is_wrong(out, "geometry_nodes", b, l.geometry_nodes[b], least) || is_wrong(out, "elements", b, l.elements[b], least) ||
-        is_wrong(out, "regions", b, l.regions[b], least))
-      return true;
+  if (l.body == nullptr) {
+    out = WrongLimit{nullptr, -1, 0, 0, 0};
+    return true;
   }
+  for (int b = 0; b < l.bodies; ++b)
+    if (is_wrong(out, "points", b, l.body[b].points, 1) || is_wrong(out, "elements", b, l.body[b].elements, 1) ||
+        is_wrong(out, "regions", b, l.body[b].regions, 1))
+      return true;
   const struct {
     const char* member;
     int32_t value;
@@ -60,11 +62,11 @@ c2d_status derive_sizes(const c2d_limits& limits, Sizes& out) {
   const int64_t per_element = limits.function_nodes == 1 ? 1 : limits.function_nodes - 1;
   for (int b = 0; b < limits.bodies; ++b) {
     BodySizes& body = out.body[b];
-    body.geometry_nodes = limits.geometry_nodes[b];
-    body.elements = limits.elements[b];
-    body.regions = limits.regions[b];
+    body.geometry_nodes = limits.body[b].points;
+    body.elements = limits.body[b].elements;
+    body.regions = limits.body[b].regions;
     // Points beyond one per element may be ends of open regions, which have a functional node each.
-    const int64_t beyond = limits.geometry_nodes[b] - body.elements;
+    const int64_t beyond = body.geometry_nodes - body.elements;
     const int64_t open = beyond < body.regions ? beyond : body.regions;
     body.nodes = body.elements * per_element + (limits.function_nodes > 1 && open > 0 ? open : 0);
     body.ends = body.elements * limits.function_nodes;
@@ -82,6 +84,30 @@ c2d_status derive_sizes(const c2d_limits& limits, Sizes& out) {
   out.curves = limits.curves;
   out.body[0].rows += 2 * out.free_pairs;
   return C2D_OK;
+}
+
+c2d_limits limits_of(const Sizes& sizes, c2d_body_limits (&body)[2]) {
+  c2d_limits out = c2d_limits();
+  out.struct_size = static_cast<uint32_t>(sizeof out);
+  const auto number = [](int64_t size) { return static_cast<int32_t>(size); };
+  out.bodies = sizes.bodies;
+  out.body = body;
+  for (int b = 0; b < 2; ++b)
+    body[b] =
+        c2d_body_limits{number(sizes.body[b].geometry_nodes), number(sizes.body[b].elements), number(sizes.body[b].regions), 0};
+  out.function_nodes = sizes.function_nodes;
+  out.zones = number(sizes.zones);
+  out.pairs = number(sizes.pairs);
+  out.contact_elements = number(sizes.contact_elements);
+  out.point_loads = number(sizes.point_loads);
+  out.coefficients = number(sizes.coefficients);
+  out.paths = number(sizes.paths);
+  out.load_cases = sizes.load_cases;
+  out.panel_columns = sizes.panel_columns;
+  out.free_pairs = number(sizes.free_pairs);
+  out.point_sets = number(sizes.point_sets);
+  out.curves = number(sizes.curves);
+  return out;
 }
 
 namespace {

@@ -35,7 +35,8 @@ struct Sizes {
   int64_t point_sets, curves;
 };
 
-// The first of the limits that cannot be meant: its name, the body it is for (from 0; -1: none), and what it may be.
+// The first of the limits that cannot be meant: its name (null: there is no list of bodies), the body it is for (from 0; -1:
+// none), and what it may be.
 struct WrongLimit {
   const char* member;
   int32_t body, value, least, most;
@@ -44,6 +45,8 @@ bool find_wrong_limit(const c2d_limits& limits, WrongLimit& out);
 
 // Checks and completes the limits. Errors: C2D_ERR_ARGUMENT.
 c2d_status derive_sizes(const c2d_limits& limits, Sizes& out);
+// The limits that these sizes were derived from; `body` is their list.
+c2d_limits limits_of(const Sizes& sizes, c2d_body_limits (&body)[2]);
 
 struct Layout {
   uint64_t offset[kArrays]; // from the aligned start of the workspace

@@ -148,11 +148,6 @@ void check_body(const Model& m, int b, Reporter& reporter) {
 }
 
 void check_friction(const Model& m, Reporter& reporter) {
-  if (m.head->zones > 0 && m.head->coefficients == 0) {
-    Finding f = fault();
-    say(f, "a contact zone but no coefficient of friction, expected at least one (0 for frictionless contact)");
-    tell(reporter, f);
-  }
   for (int32_t i = 0; kOnceMore && i < m.head->coefficients; ++i) {
     if (is_infinity(m.friction[i]) || (is_usable(m.friction[i]) && m.friction[i] >= 0)) continue;
     Finding f = fault();
@@ -162,11 +157,6 @@ void check_friction(const Model& m, Reporter& reporter) {
 }
 
 void check_paths(const Model& m, Reporter& reporter) {
-  if (m.head->paths == 0 && m.head->analysis != C2D_ANALYSIS_CHECK) {
-    Finding f = fault();
-    say(f, "no load card, expected at least one with the number of increments and the load factor");
-    tell(reporter, f);
-  }
   for (int32_t i = 0; kOnceMore && i < m.head->paths; ++i) {
     if (m.path[i].increments < 1) {
       Finding f = fault();

@@ -3,6 +3,7 @@
 #include "program/exit_code.hpp"
 #include "program/output_file.hpp"
 #include "program/session.hpp"
+#include "report/summary.hpp"
 #include "report/text.hpp"
 
 namespace app {
@@ -16,19 +17,20 @@ void append_line(std::string& out, const char* name, const std::string& value) {
   out += '\n';
 }
 
-std::string two(const c2d_summary& s, const int32_t (&values)[2]) {
-  std::string out = std::to_string(values[0]);
-  if (s.bodies > 1) out += ", " + std::to_string(values[1]);
+// One number of each body.
+std::string of_bodies(const Summary& s, int32_t c2d_body_result::*member) {
+  std::string out;
+  for (int32_t b = 0; b < s.bodies; ++b) out += (b > 0 ? ", " : "") + std::to_string(s.body[b].*member);
   return out;
 }
 
-void append_check(std::string& out, const Session& session, const c2d_summary& s) {
+void append_check(std::string& out, const Session& session, const Summary& s) {
   append_line(out, "deck", session.deck.name());
   append_line(out, "title", s.title);
   append_line(out, "bodies", std::to_string(s.bodies));
-  append_line(out, "elements", two(s, s.elements));
-  append_line(out, "functional nodes", two(s, s.nodes));
-  append_line(out, "equations", two(s, s.unknowns));
+  append_line(out, "elements", of_bodies(s, &c2d_body_result::elements));
+  append_line(out, "functional nodes", of_bodies(s, &c2d_body_result::nodes));
+  append_line(out, "equations", of_bodies(s, &c2d_body_result::unknowns));
   append_line(out, "symmetry by images", symmetry_text(s));
   append_line(out, "contact zones", std::to_string(s.zones));
   append_line(out, "pairs", std::to_string(s.pairs));
@@ -61,8 +63,8 @@ int check_deck(const Options& options) {
   exit = session.read_model(port, options.symmetry);
   if (exit != 0) return exit;
 
-  c2d_summary summary = C2D_INIT(c2d_summary);
-  c2d_get_summary(session.solver, &summary);
+  Summary summary;
+  get_summary(session.solver, summary);
   OutputFile out;
   std::string error;
   if (!out.open("-", error)) {

@@ -64,16 +64,16 @@ bool InteriorPoints::take_sets(c2d_solver* solver, std::string& error) {
   return true;
 }
 
-c2d_status InteriorPoints::take_bodies(c2d_solver* solver, const c2d_summary& s) {
+c2d_status InteriorPoints::take_bodies(c2d_solver* solver, const Summary& s) {
   for (int32_t body = 1; body <= s.bodies; ++body) {
     c2d_points set = C2D_INIT(c2d_points);
     set.kind = C2D_POINTS_GRID;
     set.body = body;
     double size[2];
     for (int c = 0; c < 2; ++c) {
-      std::vector<double> at(static_cast<size_t>(s.geometry_nodes[body - 1]));
+      std::vector<double> at(static_cast<size_t>(s.body[body - 1].points));
       const c2d_status status =
-          c2d_get(solver, c == 0 ? C2D_NODE_X : C2D_NODE_Y, body, 1, s.geometry_nodes[body - 1], at.data(), 1);
+          c2d_get(solver, c == 0 ? C2D_NODE_X : C2D_NODE_Y, body, 1, s.body[body - 1].points, at.data(), 1);
       if (status != C2D_OK) return status;
       const auto ends = std::minmax_element(at.begin(), at.end());
       set.from[c] = *ends.first;

@@ -3,6 +3,7 @@
 
 #include "program/points_file.hpp"
 #include "report/interior.hpp"
+#include "report/summary.hpp"
 
 #include <contact2d.h>
 
@@ -22,7 +23,7 @@ public:
   // The deck's points, unless a file was read. False with `error`: there are too many.
   bool take_sets(c2d_solver* solver, std::string& error);
   // A grid over each body. Returns the status of the first call that failed.
-  c2d_status take_bodies(c2d_solver* solver, const c2d_summary& summary);
+  c2d_status take_bodies(c2d_solver* solver, const Summary& summary);
   bool any() const { return !wanted_.empty(); }
 
   // Results of all points at the load reached. Returns the status of the first call that failed.

@@ -13,6 +13,7 @@
 #include "report/listing.hpp"
 #include "report/page.hpp"
 #include "report/record.hpp"
+#include "report/summary.hpp"
 #include "report/text.hpp"
 #include "report/trace.hpp"
 #include "report/vtk.hpp"
@@ -76,7 +77,7 @@ private:
   Trace trace_;
   History history_;            // only if there will be pictures
   bool shows_changes_ = false; // the deck wants every change of status in the listing
-  c2d_summary summary_ = C2D_INIT(c2d_summary);
+  Summary summary_;
   std::vector<ContactEnd> ends_[2];
   bool restored_ = false, fresh_start_ = false;
   int32_t coefficient_shown_ = 0; // the coefficient whose heading stands in the listing
@@ -223,7 +224,7 @@ int Run::read_points() {
 
 int Run::prepare() {
   c2d_solver* solver = session_.solver;
-  c2d_get_summary(solver, &summary_);
+  get_summary(solver, summary_);
   c2d_options options = C2D_INIT(c2d_options);
   options.stepping = options_.stepping;
   options.quadrature = options_.quadrature;
@@ -232,7 +233,7 @@ int Run::prepare() {
   history_.begin(summary_.steps);
   options.symmetry = options_.symmetry;
   c2d_status status = c2d_set_options(solver, &options);
-  c2d_get_summary(solver, &summary_);
+  get_summary(solver, summary_);
   if (status == C2D_OK && outputs_.has(Output::kListing))
     status = append_model(outputs_.text(Output::kListing), solver, summary_, session_.deck.heading());
   for (int32_t body = 1; body <= 2 && status == C2D_OK && summary_.pairs > 0; ++body)
@@ -244,7 +245,7 @@ int Run::prepare() {
   for (int32_t i = 1; i <= summary_.zones && status == C2D_OK; ++i) {
     c2d_zone zone = C2D_INIT(c2d_zone);
     status = c2d_get_zone(solver, i, &zone);
-    record_.measure.push_back(zone.first_node[0] == 0 ? 2 : 1); // free zones have no nodes of body 1
+    record_.measure.push_back(zone.kind == C2D_ZONE_FREE ? 2 : 1); // free zones have no nodes of body 1
   }
   if (outputs_.has(Output::kCsv)) append_contact_header(outputs_.text(Output::kCsv));
   if (outputs_.has(Output::kTrace)) append_trace_header(outputs_.text(Output::kTrace), summary_.load_cases);
@@ -290,7 +291,7 @@ int Run::report() {
   const double start = clock_seconds(nullptr);
   c2d_solver* solver = session_.solver;
   const bool solved = c2d_get_state(solver) == C2D_STATE_RUNNING;
-  c2d_get_summary(solver, &summary_);
+  get_summary(solver, summary_);
   c2d_status status = C2D_OK;
   if (outputs_.has(Output::kBoundary) && solved) status = append_boundary(outputs_.text(Output::kBoundary), solver, summary_);
   if (status == C2D_OK && outputs_.has(Output::kListing)) {
@@ -303,7 +304,7 @@ int Run::report() {
   if (status == C2D_OK && solved && interior_.any()) status = show_interior();
   if (status == C2D_OK) status = show_pictures();
   if (status != C2D_OK) return library_failed(status);
-  c2d_get_summary(solver, &summary_);
+  get_summary(solver, summary_);
   if (outputs_.has(Output::kListing)) append_ending(outputs_.text(Output::kListing), record_, summary_);
   record_.write_seconds = clock_seconds(nullptr) - start;
   if (outputs_.has(Output::kJson)) append_json(outputs_.text(Output::kJson), record_, summary_);
@@ -341,7 +342,7 @@ c2d_status Run::show_pictures() {
   if (status != C2D_OK || !has_pictures()) return status;
   Pictures pictures;
   status = draw_pictures(scene, pictures);
-  if (status == C2D_OK) status = c2d_get_summary(session_.solver, &scene.summary);
+  if (status == C2D_OK) status = get_summary(session_.solver, scene.summary);
   if (status != C2D_OK) return status;
   if (outputs_.has(Output::kReport)) append_page(outputs_.text(Output::kReport), scene, pictures, session_.deck.name());
   for (const Picture& picture : pictures)

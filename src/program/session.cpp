@@ -37,7 +37,7 @@ int Session::read_file(const std::string& name, const std::string& shown) {
   messages.restart();
   if (status == C2D_OK) return 0;
   deck.rewind();
-  c2d_limits ignored = C2D_INIT(c2d_limits);
+  c2d_limits ignored = limits;
   c2d_scan_deck(DeckFile::read_line, &deck, &ignored, &why);
   if (why.status == C2D_OK) why.status = status;
   messages.fault(why);

@@ -13,7 +13,7 @@ namespace app {
 
 class Session {
 public:
-  Session() : messages(deck) {}
+  Session() : messages(deck) { limits.bodies = 2, limits.body = bodies; }
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -28,7 +28,8 @@ public:
 
   DeckFile deck;
   Messages messages;
-  c2d_limits limits = C2D_INIT(c2d_limits);
+  c2d_body_limits bodies[2] = {};
+  c2d_limits limits = C2D_INIT(c2d_limits); // `body` is the list above
   Workspace workspace;
   c2d_solver* solver = nullptr;
 };

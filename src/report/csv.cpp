@@ -34,7 +34,7 @@ void append_contact_rows(std::string& out, const c2d_step& step) {
 
 void append_boundary_header(std::string& out) { out += "body,element,node,x,y,ux,uy,tx,ty\n"; }
 
-c2d_status append_boundary(std::string& out, c2d_solver* solver, const c2d_summary& summary) {
+c2d_status append_boundary(std::string& out, c2d_solver* solver, const Summary& summary) {
   const int32_t fields[] = {C2D_END_NODE, C2D_END_X, C2D_END_Y, C2D_END_UX, C2D_END_UY, C2D_END_TX, C2D_END_TY};
   std::vector<std::vector<double>> values;
   for (int32_t body = 1; body <= summary.bodies; ++body) {

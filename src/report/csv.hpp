@@ -16,6 +16,6 @@ void append_contact_rows(std::string& out, const c2d_step& step);
 
 // body,element,node,x,y,ux,uy,tx,ty with a row per element end of every body at the load reached.
 void append_boundary_header(std::string& out);
-c2d_status append_boundary(std::string& out, c2d_solver* solver, const c2d_summary& summary);
+c2d_status append_boundary(std::string& out, c2d_solver* solver, const Summary& summary);
 
 } // namespace app

@@ -36,7 +36,7 @@ void append_interior_rows(std::string& out, const Interior& interior) {
   }
 }
 
-void append_interior_section(std::string& out, const Interior& interior, const c2d_summary& s) {
+void append_interior_section(std::string& out, const Interior& interior, const Summary& s) {
   out += "\nInterior points\n";
   out.append(100, '-') += '\n';
   out += "  load factor ";

@@ -1,6 +1,8 @@
 // Results at the points inside that were asked for.
 #pragma once
 
+#include "report/summary.hpp"
+
 #include <contact2d.h>
 
 #include <cstdint>
@@ -36,6 +38,6 @@ void append_interior_header(std::string& out);
 void append_interior_rows(std::string& out, const Interior& interior);
 
 // The section of the listing: the same with principal stresses, and where the point lies.
-void append_interior_section(std::string& out, const Interior& interior, const c2d_summary& summary);
+void append_interior_section(std::string& out, const Interior& interior, const Summary& summary);
 
 } // namespace app

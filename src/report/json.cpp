@@ -55,7 +55,7 @@ private:
   bool first_ = true;
 };
 
-void append_memory(std::string& out, const c2d_summary& s) {
+void append_memory(std::string& out, const Summary& s) {
   Object o(out, "{", ", ");
   o.bytes("minimum_bytes", s.minimum_bytes);
   o.bytes("in_core_bytes", s.in_core_bytes);
@@ -64,7 +64,7 @@ void append_memory(std::string& out, const c2d_summary& s) {
   out += '}';
 }
 
-void append_tapes(std::string& out, const c2d_summary& s) {
+void append_tapes(std::string& out, const Summary& s) {
   out += '[';
   for (int32_t t = 0; t < C2D_TAPES; ++t) {
     out += t == 0 ? "\n    " : ",\n    ";
@@ -78,7 +78,7 @@ void append_tapes(std::string& out, const c2d_summary& s) {
   out += ']';
 }
 
-void append_seconds(std::string& out, const RunRecord& record, const c2d_summary& s) {
+void append_seconds(std::string& out, const RunRecord& record, const Summary& s) {
   static const char* const kPhases[C2D_PHASES] = {"read", "assemble", "eliminate", "reduce", "contact", "back", "write"};
   Object o(out, "{", ", ");
   for (int32_t p = 0; p < C2D_PHASES; ++p) {
@@ -101,7 +101,7 @@ void append_triple(std::string& out, const double (&v)[3]) {
   out += ']';
 }
 
-void append_force(std::string& out, const c2d_summary& s) {
+void append_force(std::string& out, const Summary& s) {
   Object o(out, "{", ", ");
   o.number("applied", s.force_applied);
   o.number("contact", s.force_contact);
@@ -110,8 +110,8 @@ void append_force(std::string& out, const c2d_summary& s) {
   for (int32_t b = 0; b < s.bodies; ++b) {
     out += b == 0 ? "\n    " : ",\n    ";
     Object body(out, "{", ", ");
-    append_triple(body.key("applied"), s.applied[b]);
-    append_triple(body.key("contact"), s.contact[b]);
+    append_triple(body.key("applied"), s.body[b].applied);
+    append_triple(body.key("contact"), s.body[b].contact);
     out += '}';
   }
   out += "]}";
@@ -184,7 +184,7 @@ void append_history(std::string& out, const RunRecord& record) {
 }
 
 // Lines across which images continue the model.
-void append_symmetry(std::string& out, const c2d_summary& s) {
+void append_symmetry(std::string& out, const Summary& s) {
   out += '[';
   bool first = true;
   for (int axis = 0; axis < 2; ++axis) {
@@ -235,7 +235,7 @@ void append_warnings(std::string& out, const RunRecord& record) {
 
 } // namespace
 
-void append_json(std::string& out, const RunRecord& record, const c2d_summary& s) {
+void append_json(std::string& out, const RunRecord& record, const Summary& s) {
   Object o(out, "{\n  ", ",\n  ");
   o.word("version", c2d_version());
   o.word("outcome", record.outcome());
@@ -253,8 +253,8 @@ void append_json(std::string& out, const RunRecord& record, const c2d_summary& s
   o.integer("steps", s.steps);
   {
     Object unknowns(o.key("unknowns"), "{", ", ");
-    unknowns.integer("body1", s.unknowns[0]);
-    unknowns.integer("body2", s.unknowns[1]);
+    unknowns.integer("body1", s.body[0].unknowns);
+    unknowns.integer("body2", s.bodies > 1 ? s.body[1].unknowns : 0);
     unknowns.integer("contact", s.contact_unknowns);
     out += '}';
   }

@@ -9,6 +9,6 @@
 
 namespace app {
 
-void append_json(std::string& out, const RunRecord& record, const c2d_summary& summary);
+void append_json(std::string& out, const RunRecord& record, const Summary& summary);
 
 } // namespace app

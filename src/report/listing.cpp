@@ -12,14 +12,14 @@ void append_vector(std::string& out, const char* name, const double (&v)[3]) {
   out += '\n';
 }
 
-void append_balance(std::string& out, const c2d_summary& s) {
+void append_balance(std::string& out, const Summary& s) {
   append_section(out, "Balance of forces at the last load");
   out += "                                         fx              fy          moment\n";
   for (int32_t b = 0; b < s.bodies; ++b) {
     double sum[3];
-    for (int k = 0; k < 3; ++k) sum[k] = s.applied[b][k] + s.contact[b][k];
-    append_vector(out, b == 0 ? "body 1: loads and supports" : "body 2: loads and supports", s.applied[b]);
-    if (s.pairs > 0) append_vector(out, "contact", s.contact[b]);
+    for (int k = 0; k < 3; ++k) sum[k] = s.body[b].applied[k] + s.body[b].contact[k];
+    append_vector(out, b == 0 ? "body 1: loads and supports" : "body 2: loads and supports", s.body[b].applied);
+    if (s.pairs > 0) append_vector(out, "contact", s.body[b].contact);
     append_vector(out, "sum", sum);
   }
   if (s.symmetry != 0)
@@ -45,7 +45,7 @@ void append_energy(std::string& out, const RunRecord& record) {
 
 } // namespace
 
-c2d_status append_global(std::string& out, c2d_solver* solver, const c2d_summary& s) {
+c2d_status append_global(std::string& out, c2d_solver* solver, const Summary& s) {
   const int32_t fields[] = {C2D_END_NODE, C2D_END_X, C2D_END_Y, C2D_END_UX, C2D_END_UY, C2D_END_TX, C2D_END_TY, C2D_END_STATUS};
   std::vector<std::vector<double>> v;
   for (int32_t body = 1; body <= s.bodies; ++body) {
@@ -66,7 +66,7 @@ c2d_status append_global(std::string& out, c2d_solver* solver, const c2d_summary
   return C2D_OK;
 }
 
-void append_ending(std::string& out, const RunRecord& record, const c2d_summary& s) {
+void append_ending(std::string& out, const RunRecord& record, const Summary& s) {
   const bool solved = !record.checked_only && (record.incomplete() == nullptr || !record.incomplete()->singular);
   if (solved) append_balance(out, s);
   if (solved) append_energy(out, record);

@@ -14,17 +14,16 @@ namespace app {
 
 // Title, heading cards, control data, materials, node coordinates, conditions, point loads, zones, load
 // cards. Needs a complete model.
-c2d_status append_model(std::string& out, c2d_solver* solver, const c2d_summary& summary,
-                        const std::vector<std::string>& heading);
+c2d_status append_model(std::string& out, c2d_solver* solver, const Summary& summary, const std::vector<std::string>& heading);
 // The statuses of all pairs after an increment, after a change of status, or where the path ended; `first` of
 // its coefficient of friction: with a heading.
 void append_step(std::string& out, const c2d_step& step, bool first);
 // Both bodies' sides of the contact zone at the last state of a coefficient; ends[0], ends[1] per body.
 void append_contact_zone(std::string& out, const CoefficientRecord& coefficient, const std::vector<ContactEnd>* ends,
-                         const c2d_summary& summary);
+                         const Summary& summary);
 // Displacements and tractions of all element ends in global components at the load reached.
-c2d_status append_global(std::string& out, c2d_solver* solver, const c2d_summary& summary);
+c2d_status append_global(std::string& out, c2d_solver* solver, const Summary& summary);
 // Balance of forces, warnings, and how the run ended.
-void append_ending(std::string& out, const RunRecord& record, const c2d_summary& summary);
+void append_ending(std::string& out, const RunRecord& record, const Summary& summary);
 
 } // namespace app

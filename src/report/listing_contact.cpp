@@ -39,7 +39,7 @@ void append_place(std::string& out, double eta) {
 
 } // namespace
 
-c2d_status append_zones(std::string& out, c2d_solver* solver, const c2d_summary& s) {
+c2d_status append_zones(std::string& out, c2d_solver* solver, const Summary& s) {
   if (s.zones == 0) return C2D_OK;
   append_section(out, "Contact zones");
   out += "    zone   pairs   elements          body 1 elements     nodes             body 2 elements     "
@@ -50,16 +50,17 @@ c2d_status append_zones(std::string& out, c2d_solver* solver, const c2d_summary&
     if (status != C2D_OK) return status;
     append_column(out, i, 8);
     append_column(out, z.pairs, 8);
-    append_column(out, z.elements, 11);
+    append_column(out, z.side2.elements, 11);
     for (int b = 0; b < 2; ++b) {
-      append_column(out, z.first_element[b], b == 0 ? 19 : 20);
-      append_column(out, z.last_element[b], 6);
-      if (z.first_node[b] == 0) { // a free zone: points of body 1, no nodes
+      const c2d_side& side = b == 0 ? z.side1 : z.side2;
+      append_column(out, side.first_element, b == 0 ? 19 : 20);
+      append_column(out, side.last_element, 6);
+      if (side.first_node == 0) { // a free zone: points of body 1, no nodes
         append_column(out, "points", 12);
         continue;
       }
-      append_column(out, z.first_node[b], 6);
-      append_column(out, z.last_node[b], 6);
+      append_column(out, side.first_node, 6);
+      append_column(out, side.last_node, 6);
     }
     out += '\n';
   }
@@ -98,8 +99,7 @@ void append_step(std::string& out, const c2d_step& step, bool first) {
   if (step.kind == C2D_STEP_CHANGE) append_answers(out, step);
 }
 
-void append_contact_zone(std::string& out, const CoefficientRecord& c, const std::vector<ContactEnd>* ends,
-                         const c2d_summary& s) {
+void append_contact_zone(std::string& out, const CoefficientRecord& c, const std::vector<ContactEnd>* ends, const Summary& s) {
   if (s.pairs == 0 || c.table.empty()) return;
   for (int32_t body = 1; body <= 2; ++body) {
     append_section(out, body == 1 ? "Contact zone of body 1" : "Contact zone of body 2");

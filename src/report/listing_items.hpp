@@ -1,6 +1,8 @@
 // Headings and named values of the printed results, and the parts of the data read.
 #pragma once
 
+#include "report/summary.hpp"
+
 #include <contact2d.h>
 
 #include <cstdint>
@@ -18,12 +20,12 @@ void append_item(std::string& out, const char* name, const char* value);
 
 // Known components of every element end that is neither free of traction nor left to the contact, case by
 // case.
-c2d_status append_conditions(std::string& out, c2d_solver* solver, const c2d_summary& summary, int32_t body);
+c2d_status append_conditions(std::string& out, c2d_solver* solver, const Summary& summary, int32_t body);
 // Point loads, body forces, motions of a rigid body 1, press fit: nothing of what there is none.
-c2d_status append_other_loads(std::string& out, c2d_solver* solver, const c2d_summary& summary);
+c2d_status append_other_loads(std::string& out, c2d_solver* solver, const Summary& summary);
 // Coefficients of friction and the load path.
-c2d_status append_path(std::string& out, c2d_solver* solver, const c2d_summary& summary);
+c2d_status append_path(std::string& out, c2d_solver* solver, const Summary& summary);
 // Elements and nodes of every zone.
-c2d_status append_zones(std::string& out, c2d_solver* solver, const c2d_summary& summary);
+c2d_status append_zones(std::string& out, c2d_solver* solver, const Summary& summary);
 
 } // namespace app

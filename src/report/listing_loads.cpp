@@ -15,7 +15,7 @@ void append_numbers(std::string& out, const double* values, int count) {
   for (int k = 0; k < count; ++k) append_general(out, values[k], 15, 8);
 }
 
-c2d_status append_point_loads(std::string& out, c2d_solver* solver, const c2d_summary& s) {
+c2d_status append_point_loads(std::string& out, c2d_solver* solver, const Summary& s) {
   int32_t body = 0, load_case = 0;
   double xy[2], force[2];
   for (int32_t i = 1; i <= s.point_loads; ++i) {
@@ -34,7 +34,7 @@ c2d_status append_point_loads(std::string& out, c2d_solver* solver, const c2d_su
   return C2D_OK;
 }
 
-c2d_status append_body_forces(std::string& out, c2d_solver* solver, const c2d_summary& s) {
+c2d_status append_body_forces(std::string& out, c2d_solver* solver, const Summary& s) {
   bool first = true;
   for (int32_t load_case = 1; load_case <= s.load_cases; ++load_case)
     for (int32_t body = 1; body <= s.bodies; ++body) {
@@ -57,7 +57,7 @@ c2d_status append_body_forces(std::string& out, c2d_solver* solver, const c2d_su
   return C2D_OK;
 }
 
-c2d_status append_rigid(std::string& out, c2d_solver* solver, const c2d_summary& s) {
+c2d_status append_rigid(std::string& out, c2d_solver* solver, const Summary& s) {
   for (int32_t load_case = 1; load_case <= s.load_cases; ++load_case) {
     int32_t rigid = 0;
     double motion[3], axis[2];
@@ -77,13 +77,13 @@ c2d_status append_rigid(std::string& out, c2d_solver* solver, const c2d_summary&
 
 } // namespace
 
-c2d_status append_conditions(std::string& out, c2d_solver* solver, const c2d_summary& s, int32_t body) {
+c2d_status append_conditions(std::string& out, c2d_solver* solver, const Summary& s, int32_t body) {
   const bool several = s.load_cases > 1;
   out += several ? "\n    case" : "\n";
   out += " element     end   codes             tx             ty             ux             uy"
          "    (ends not listed: free or contact)\n";
   for (int32_t load_case = 1; load_case <= s.load_cases; ++load_case)
-    for (int32_t e = 1; e <= s.elements[body - 1]; ++e)
+    for (int32_t e = 1; e <= s.body[body - 1].elements; ++e)
       for (int32_t local = 1; local <= s.function_nodes; ++local) {
         int32_t codes[4];
         double values[4];
@@ -106,7 +106,7 @@ c2d_status append_conditions(std::string& out, c2d_solver* solver, const c2d_sum
   return C2D_OK;
 }
 
-c2d_status append_other_loads(std::string& out, c2d_solver* solver, const c2d_summary& s) {
+c2d_status append_other_loads(std::string& out, c2d_solver* solver, const Summary& s) {
   c2d_status status = append_point_loads(out, solver, s);
   if (status == C2D_OK) status = append_body_forces(out, solver, s);
   if (status == C2D_OK) status = append_rigid(out, solver, s);
@@ -118,7 +118,7 @@ c2d_status append_other_loads(std::string& out, c2d_solver* solver, const c2d_su
   return C2D_OK;
 }
 
-c2d_status append_path(std::string& out, c2d_solver* solver, const c2d_summary& s) {
+c2d_status append_path(std::string& out, c2d_solver* solver, const Summary& s) {
   append_section(out, "Friction and loads");
   append_name(out, "coefficients of friction");
   for (int32_t i = 1; i <= s.coefficients; ++i) {

@@ -16,7 +16,7 @@ const char* analysis_text(int32_t analysis) {
   }
 }
 
-void append_control(std::string& out, const c2d_summary& s) {
+void append_control(std::string& out, const Summary& s) {
   append_section(out, "Control data");
   append_item(out, "analysis", analysis_text(s.analysis));
   append_item(out, "plane", s.plane == C2D_PLANE_STRESS ? "stress" : "strain");
@@ -31,22 +31,22 @@ void append_control(std::string& out, const c2d_summary& s) {
   append_item(out, "iterations per increment at most", static_cast<int64_t>(s.iteration_limit));
 }
 
-void append_body(std::string& out, const c2d_summary& s, int32_t body) {
+void append_body(std::string& out, const Summary& s, int32_t body) {
   const size_t b = static_cast<size_t>(body) - 1;
   append_section(out, body == 1 ? "Body 1" : "Body 2");
-  append_item(out, "elements", static_cast<int64_t>(s.elements[b]));
-  append_item(out, "geometry nodes per element", static_cast<int64_t>(s.element_nodes[b]));
-  append_item(out, "boundary points", static_cast<int64_t>(s.geometry_nodes[b]));
-  append_item(out, "functional nodes", static_cast<int64_t>(s.nodes[b]));
-  append_item(out, "curves", static_cast<int64_t>(s.regions[b]));
-  append_item(out, "equations", static_cast<int64_t>(s.unknowns[b]));
-  append_item(out, "Young's modulus", s.youngs_modulus[b]);
-  append_item(out, "Poisson's ratio", s.poisson_ratio[b]);
+  append_item(out, "elements", static_cast<int64_t>(s.body[b].elements));
+  append_item(out, "geometry nodes per element", static_cast<int64_t>(s.body[b].element_nodes));
+  append_item(out, "boundary points", static_cast<int64_t>(s.body[b].points));
+  append_item(out, "functional nodes", static_cast<int64_t>(s.body[b].nodes));
+  append_item(out, "curves", static_cast<int64_t>(s.body[b].regions));
+  append_item(out, "equations", static_cast<int64_t>(s.body[b].unknowns));
+  append_item(out, "Young's modulus", s.body[b].youngs_modulus);
+  append_item(out, "Poisson's ratio", s.body[b].poisson_ratio);
 }
 
-c2d_status append_regions(std::string& out, c2d_solver* solver, const c2d_summary& s, int32_t body) {
+c2d_status append_regions(std::string& out, c2d_solver* solver, const Summary& s, int32_t body) {
   out += "\n   curve   first element   last element\n";
-  for (int32_t i = 1; i <= s.regions[body - 1]; ++i) {
+  for (int32_t i = 1; i <= s.body[body - 1].regions; ++i) {
     int32_t first = 0, last = 0;
     const c2d_status status = c2d_get_region(solver, body, i, &first, &last);
     if (status != C2D_OK) return status;
@@ -58,8 +58,8 @@ c2d_status append_regions(std::string& out, c2d_solver* solver, const c2d_summar
   return C2D_OK;
 }
 
-c2d_status append_coordinates(std::string& out, c2d_solver* solver, const c2d_summary& s, int32_t body) {
-  const size_t n = static_cast<size_t>(s.geometry_nodes[body - 1]);
+c2d_status append_coordinates(std::string& out, c2d_solver* solver, const Summary& s, int32_t body) {
+  const size_t n = static_cast<size_t>(s.body[body - 1].points);
   std::vector<double> x(n), y(n);
   const int32_t count = static_cast<int32_t>(n);
   c2d_status status = c2d_get(solver, C2D_NODE_X, body, 1, count, x.data(), 1);
@@ -77,7 +77,7 @@ c2d_status append_coordinates(std::string& out, c2d_solver* solver, const c2d_su
 
 } // namespace
 
-c2d_status append_model(std::string& out, c2d_solver* solver, const c2d_summary& s, const std::vector<std::string>& heading) {
+c2d_status append_model(std::string& out, c2d_solver* solver, const Summary& s, const std::vector<std::string>& heading) {
   append_rule(out);
   out += "contact2d ";
   out += c2d_version();

@@ -21,9 +21,9 @@ using Curve = std::vector<OutlinePoint>;
 // the whole body: the curve is broken there.
 class Tracer {
 public:
-  Tracer(const c2d_summary& s, int32_t body, const std::vector<Point>& nodes, BodyScene& out)
-      : summary_(s), geometry_(s.element_nodes[body - 1]), functions_(s.function_nodes),
-        open_(s.geometry_nodes[body - 1] - s.elements[body - 1] * (geometry_ - 1)), nodes_(nodes), out_(out) {}
+  Tracer(const Summary& s, int32_t body, const std::vector<Point>& nodes, BodyScene& out)
+      : summary_(s), geometry_(s.body[body - 1].element_nodes), functions_(s.function_nodes),
+        open_(s.body[body - 1].points - s.body[body - 1].elements * (geometry_ - 1)), nodes_(nodes), out_(out) {}
 
   // Elements first ... last are region r (from 0); the first open_ regions are open.
   void region(int32_t r, int32_t first, int32_t last) {
@@ -111,7 +111,7 @@ private:
     piece.clear();
   }
 
-  const c2d_summary& summary_;
+  const Summary& summary_;
   int32_t geometry_, functions_, open_, first_ = 0, last_ = 0, shift_ = 0;
   bool is_open_ = false;
   const std::vector<Point>& nodes_;
@@ -156,10 +156,9 @@ void mirror(std::vector<Curve>& closed, std::vector<Curve>& open, int axis, doub
 
 } // namespace
 
-c2d_status trace_outline(c2d_solver* solver, const c2d_summary& s, int32_t body, const std::vector<Point>& nodes,
-                         BodyScene& out) {
+c2d_status trace_outline(c2d_solver* solver, const Summary& s, int32_t body, const std::vector<Point>& nodes, BodyScene& out) {
   Tracer tracer(s, body, nodes, out);
-  for (int32_t r = 1; r <= s.regions[body - 1]; ++r) {
+  for (int32_t r = 1; r <= s.body[body - 1].regions; ++r) {
     int32_t first = 0, last = 0;
     const c2d_status status = c2d_get_region(solver, body, r, &first, &last);
     if (status != C2D_OK) return status;

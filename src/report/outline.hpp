@@ -7,7 +7,7 @@ namespace app {
 
 // Fills curves, corners and normals; `nodes` are the geometry nodes of the body, out.displacement its results
 // or empty.
-c2d_status trace_outline(c2d_solver* solver, const c2d_summary& summary, int32_t body, const std::vector<Point>& nodes,
+c2d_status trace_outline(c2d_solver* solver, const Summary& summary, int32_t body, const std::vector<Point>& nodes,
                          BodyScene& out);
 
 } // namespace app

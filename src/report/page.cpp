@@ -79,7 +79,7 @@ void append_key_numbers(std::string& out, const Scene& scene) {
 }
 
 void append_balance(std::string& out, const Scene& scene) {
-  const c2d_summary& s = scene.summary;
+  const Summary& s = scene.summary;
   out += "<section id=\"equilibrium\">\n<h2>Equilibrium</h2>\n<table>\n";
   append_row(out,
              {"per unit thickness", with_unit("fx", scene.force_unit), with_unit("fy", scene.force_unit),
@@ -87,8 +87,8 @@ void append_balance(std::string& out, const Scene& scene) {
              "th");
   for (int32_t b = 0; b < s.bodies; ++b) {
     const std::string body = "body " + std::to_string(b + 1) + ": ";
-    const double* applied = s.applied[b];
-    const double* contact = s.contact[b];
+    const double* applied = s.body[b].applied;
+    const double* contact = s.body[b].contact;
     append_row(out, {body + "loads and supports", figure(applied[0], 7), figure(applied[1], 7), figure(applied[2], 7)});
     if (s.pairs > 0) append_row(out, {body + "contact", figure(contact[0], 7), figure(contact[1], 7), figure(contact[2], 7)});
     append_row(out, {body + "sum", figure(applied[0] + contact[0], 2), figure(applied[1] + contact[1], 2),
@@ -102,14 +102,15 @@ void append_balance(std::string& out, const Scene& scene) {
 }
 
 void append_sizes(std::string& out, const Scene& scene) {
-  const c2d_summary& s = scene.summary;
+  const Summary& s = scene.summary;
   out += "<section id=\"sizes\">\n<h2>Sizes, seconds, bytes</h2>\n<table>\n";
   append_row(out, {"size", "body 1", "body 2", "contact"}, "th");
   const bool two = s.bodies > 1;
-  append_row(out, {"elements", std::to_string(s.elements[0]), two ? std::to_string(s.elements[1]) : "&#8211;", "&#8211;"});
-  append_row(out, {"functional nodes", std::to_string(s.nodes[0]), two ? std::to_string(s.nodes[1]) : "&#8211;",
+  append_row(out,
+             {"elements", std::to_string(s.body[0].elements), two ? std::to_string(s.body[1].elements) : "&#8211;", "&#8211;"});
+  append_row(out, {"functional nodes", std::to_string(s.body[0].nodes), two ? std::to_string(s.body[1].nodes) : "&#8211;",
                    std::to_string(s.pairs) + " pairs"});
-  append_row(out, {"unknowns", std::to_string(s.unknowns[0]), two ? std::to_string(s.unknowns[1]) : "&#8211;",
+  append_row(out, {"unknowns", std::to_string(s.body[0].unknowns), two ? std::to_string(s.body[1].unknowns) : "&#8211;",
                    std::to_string(s.contact_unknowns)});
   out += "</table>\n<table>\n";
   append_row(out, {"phase", "seconds"}, "th");

@@ -19,19 +19,19 @@ void draw_bar(Svg& svg, const Chart& chart, double y, double value, const std::s
 }
 
 std::string caption(const Scene& scene) {
-  const c2d_summary& s = scene.summary;
+  const Summary& s = scene.summary;
   std::string out = "Forces per unit thickness on each body at " + place_at_end(scene);
   out += ": loads and supports";
   out += scene.pairs.empty() ? " add up to zero" : " and contact tractions cancel";
   double largest = 0.0, worst = 0.0;
   for (int32_t b = 0; b < s.bodies; ++b)
     for (int k = 0; k < 2; ++k) {
-      largest = std::max({largest, std::fabs(s.applied[b][k]), std::fabs(s.contact[b][k])});
-      worst = std::max(worst, std::fabs(s.applied[b][k] + s.contact[b][k]));
+      largest = std::max({largest, std::fabs(s.body[b].applied[k]), std::fabs(s.body[b].contact[k])});
+      worst = std::max(worst, std::fabs(s.body[b].applied[k] + s.body[b].contact[k]));
     }
   if (largest > 0.0) out += " to within " + figure(worst / largest, 2) + " of the largest force";
   if (!scene.pairs.empty())
-    out += "; the contact carries " + figure(std::hypot(s.contact[0][0], s.contact[0][1]), scene.force_unit, 6);
+    out += "; the contact carries " + figure(std::hypot(s.body[0].contact[0], s.body[0].contact[1]), scene.force_unit, 6);
   if (scene.summary.symmetry != 0)
     out += ". They are those of the part that is modelled, without the forces across the lines of symmetry";
   return out + ".";
@@ -40,15 +40,16 @@ std::string caption(const Scene& scene) {
 } // namespace
 
 void draw_balance(const Scene& scene, Pictures& out) {
-  const c2d_summary& s = scene.summary;
+  const Summary& s = scene.summary;
   std::vector<Row> rows;
   Range range;
   range.include(0.0);
   for (int32_t b = 0; b < s.bodies; ++b)
     for (int k = 0; k < 2; ++k) {
-      rows.push_back({"body " + std::to_string(b + 1) + (k == 0 ? ", fx" : ", fy"), s.applied[b][k], s.contact[b][k]});
-      range.include(s.applied[b][k]);
-      range.include(s.contact[b][k]);
+      rows.push_back(
+          {"body " + std::to_string(b + 1) + (k == 0 ? ", fx" : ", fy"), s.body[b].applied[k], s.body[b].contact[k]});
+      range.include(s.body[b].applied[k]);
+      range.include(s.body[b].contact[k]);
     }
   const bool contact = !scene.pairs.empty();
   const double row = contact ? 40.0 : 28.0, left = 96.0, right = kPictureWidth - 130.0, top = 54.0;

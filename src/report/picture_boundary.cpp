@@ -40,7 +40,7 @@ Pieces follow(const Scene& scene, const std::vector<double>& hoop, size_t first,
 } // namespace
 
 void draw_boundary_stress(const Scene& scene, Pictures& out) {
-  const c2d_summary& summary = scene.summary;
+  const Summary& summary = scene.summary;
   if (!scene.pairs.empty() || scene.bodies.empty()) return;
   const int32_t field = C2D_END_HOOP;
   std::vector<std::vector<double>> hoop;
@@ -51,7 +51,7 @@ void draw_boundary_stress(const Scene& scene, Pictures& out) {
   stress.include(0.0);
   double largest = 0.0;
   Point where;
-  for (int32_t r = 1; r <= summary.regions[0]; ++r) {
+  for (int32_t r = 1; r <= summary.body[0].regions; ++r) {
     int32_t first = 0, last = 0;
     if (c2d_get_region(scene.solver, 1, r, &first, &last) != C2D_OK) return;
     const size_t from = static_cast<size_t>((first - 1) * summary.function_nodes);

@@ -60,7 +60,7 @@ private:
 
   void lines_of_symmetry() {
     const Stroke line{colour::kPurple, 1.2, "14 4 3 4"};
-    const c2d_summary& s = scene_.summary;
+    const Summary& s = scene_.summary;
     const Box& f = view_.frame;
     if ((s.symmetry & 1) != 0) {
       const double x = view_.at(s.symmetry_at[0], 0.0).x;
@@ -121,14 +121,15 @@ std::vector<LegendEntry> legend(Svg& svg, const Scene& scene, const Present& pre
 }
 
 std::string describe_body(const Scene& scene, size_t b) {
-  const c2d_summary& s = scene.summary;
-  std::string out = std::to_string(s.elements[b]) + " elements";
+  const Summary& s = scene.summary;
+  std::string out = std::to_string(s.body[b].elements) + " elements";
   if (scene.rigid && b == 0) return out + ", rigid";
-  return out + ", E = " + figure(s.youngs_modulus[b], scene.stress_unit) + ", Poisson's ratio " + figure(s.poisson_ratio[b]);
+  return out + ", E = " + figure(s.body[b].youngs_modulus, scene.stress_unit) + ", Poisson's ratio " +
+         figure(s.body[b].poisson_ratio);
 }
 
 std::string model_caption(const Scene& scene) {
-  const c2d_summary& s = scene.summary;
+  const Summary& s = scene.summary;
   std::string out = s.bodies == 1 ? "The body as the deck describes it: " : "Both bodies as the deck describes them: ";
   for (size_t b = 0; b < scene.bodies.size(); ++b) {
     if (b > 0) out += "; ";

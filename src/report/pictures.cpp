@@ -36,7 +36,7 @@ std::vector<LegendEntry> status_legend() {
 
 std::string position_name(const Scene& scene, const ZoneScene& zone) {
   if (!zone.symmetric_origin) return "distance s from pair " + std::to_string(zone.origin + 1) + ", along body 1";
-  const c2d_summary& s = scene.summary;
+  const Summary& s = scene.summary;
   std::string line;
   if (s.symmetry == 3) // which of the two
     line = scene.pairs[zone.origin].image_line == 1 ? " x = " + figure(s.symmetry_at[0]) : " y = " + figure(s.symmetry_at[1]);

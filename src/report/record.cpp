@@ -84,9 +84,9 @@ void explain(CoefficientRecord& c, const c2d_summary& summary, const std::string
   if (c.pair > 0) c.why += "; last pair " + std::to_string(c.pair);
 }
 
-c2d_status get_ends(c2d_solver* solver, const c2d_summary& summary, int32_t body, const int32_t* fields, int32_t count,
+c2d_status get_ends(c2d_solver* solver, const Summary& summary, int32_t body, const int32_t* fields, int32_t count,
                     std::vector<std::vector<double>>& out) {
-  const int32_t ends = summary.elements[body - 1] * summary.function_nodes;
+  const int32_t ends = summary.body[body - 1].elements * summary.function_nodes;
   out.assign(static_cast<size_t>(count), std::vector<double>(static_cast<size_t>(ends), 0.0));
   for (int32_t f = 0; f < count; ++f) {
     const c2d_status status = c2d_get(solver, fields[f], body, 1, ends, out[static_cast<size_t>(f)].data(), 1);
@@ -98,7 +98,7 @@ c2d_status get_ends(c2d_solver* solver, const c2d_summary& summary, int32_t body
 namespace {
 
 // Pairs of a free zone by their places on body 1.
-c2d_status add_places(c2d_solver* solver, const c2d_summary& summary, int32_t zone, std::vector<ContactEnd>& ends) {
+c2d_status add_places(c2d_solver* solver, const Summary& summary, int32_t zone, std::vector<ContactEnd>& ends) {
   const int32_t fields[5] = {C2D_PAIR_ZONE, C2D_PAIR_ELEMENT1, C2D_PAIR_ETA1, C2D_X, C2D_Y};
   std::vector<double> v[5];
   for (int f = 0; f < 5; ++f) {
@@ -114,13 +114,13 @@ c2d_status add_places(c2d_solver* solver, const c2d_summary& summary, int32_t zo
 
 } // namespace
 
-c2d_status find_contact_ends(c2d_solver* solver, const c2d_summary& summary, int32_t body, std::vector<ContactEnd>& ends) {
+c2d_status find_contact_ends(c2d_solver* solver, const Summary& summary, int32_t body, std::vector<ContactEnd>& ends) {
   ends.clear();
   if (summary.pairs == 0) return C2D_OK;
   std::vector<double> pair_nodes(static_cast<size_t>(summary.pairs));
   c2d_status status = c2d_get(solver, body == 1 ? C2D_PAIR_NODE1 : C2D_PAIR_NODE2, 1, 1, summary.pairs, pair_nodes.data(), 1);
   if (status != C2D_OK) return status;
-  std::vector<int32_t> pair_of_node(static_cast<size_t>(summary.nodes[body - 1]) + 1, 0);
+  std::vector<int32_t> pair_of_node(static_cast<size_t>(summary.body[body - 1].nodes) + 1, 0);
   for (size_t p = 0; p < pair_nodes.size(); ++p) {
     const size_t node = static_cast<size_t>(pair_nodes[p]);
     if (node < pair_of_node.size()) pair_of_node[node] = static_cast<int32_t>(p) + 1;
@@ -134,12 +134,13 @@ c2d_status find_contact_ends(c2d_solver* solver, const c2d_summary& summary, int
     c2d_zone zone = C2D_INIT(c2d_zone);
     status = c2d_get_zone(solver, z, &zone);
     if (status != C2D_OK) return status;
-    if (zone.first_node[body - 1] == 0) {
+    const c2d_side& side = body == 1 ? zone.side1 : zone.side2;
+    if (side.first_node == 0) {
       status = add_places(solver, summary, z, ends);
       if (status != C2D_OK) return status;
       continue;
     }
-    const int32_t first = zone.first_element[body - 1], last = zone.last_element[body - 1];
+    const int32_t first = side.first_element, last = side.last_element;
     const int32_t low = first < last ? first : last, high = first < last ? last : first;
     for (int32_t e = low; e <= high; ++e)
       for (int32_t local = 1; local <= summary.function_nodes; ++local) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "report/interior.hpp"
+#include "report/summary.hpp"
 
 #include <contact2d.h>
 
@@ -69,10 +70,10 @@ struct ContactEnd {
 };
 // The ends of all contact elements at listed pairs, of one body, in the order of the zones. Returns the
 // status of the first query that failed.
-c2d_status find_contact_ends(c2d_solver* solver, const c2d_summary& summary, int32_t body, std::vector<ContactEnd>& ends);
+c2d_status find_contact_ends(c2d_solver* solver, const Summary& summary, int32_t body, std::vector<ContactEnd>& ends);
 
 // `fields` of all element ends of a body, one vector per field.
-c2d_status get_ends(c2d_solver* solver, const c2d_summary& summary, int32_t body, const int32_t* fields, int32_t count,
+c2d_status get_ends(c2d_solver* solver, const Summary& summary, int32_t body, const int32_t* fields, int32_t count,
                     std::vector<std::vector<double>>& out);
 
 } // namespace app

@@ -26,13 +26,13 @@ c2d_status get_integers(c2d_solver* solver, int32_t field, int32_t body, int32_t
 }
 
 c2d_status gather_body(Scene& scene, int32_t body) {
-  const c2d_summary& s = scene.summary;
+  const Summary& s = scene.summary;
   c2d_solver* solver = scene.solver;
   const size_t b = static_cast<size_t>(body) - 1;
   BodyScene& out = scene.bodies[b];
-  const int32_t ends = s.elements[b] * s.function_nodes;
+  const int32_t ends = s.body[b].elements * s.function_nodes;
   std::vector<Point> nodes;
-  c2d_status status = get_points(solver, C2D_NODE_X, body, s.geometry_nodes[b], nodes);
+  c2d_status status = get_points(solver, C2D_NODE_X, body, s.body[b].points, nodes);
   if (status == C2D_OK) status = get_points(solver, C2D_END_X, body, ends, out.ends);
   if (status == C2D_OK) status = get_integers(solver, C2D_END_NODE, body, ends, out.nodes);
   if (status == C2D_OK && scene.solved) status = get_points(solver, C2D_END_UX, body, ends, out.displacement);
@@ -41,7 +41,7 @@ c2d_status gather_body(Scene& scene, int32_t body) {
   if (status != C2D_OK) return status;
   status = trace_outline(solver, s, body, nodes, out);
   if (status != C2D_OK) return status;
-  for (int32_t e = 1; e <= s.elements[b]; ++e)
+  for (int32_t e = 1; e <= s.body[b].elements; ++e)
     for (int32_t l = 1; l <= s.function_nodes; ++l) {
       EndCondition c{};
       double values[4];
@@ -70,7 +70,7 @@ c2d_status gather_scene(c2d_solver* solver, const RunRecord& record, const Histo
   scene.solver = solver;
   scene.record = &record;
   scene.history = &history;
-  c2d_status status = c2d_get_summary(solver, &scene.summary);
+  c2d_status status = get_summary(solver, scene.summary);
   if (status != C2D_OK) return status;
   scene.solved = scene.summary.state == C2D_STATE_RUNNING;
   name_units(scene);

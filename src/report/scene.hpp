@@ -3,6 +3,7 @@
 
 #include "report/history.hpp"
 #include "report/record.hpp"
+#include "report/summary.hpp"
 #include "report/svg.hpp"
 
 #include <contact2d.h>
@@ -83,7 +84,7 @@ struct Image {
 
 struct Scene {
   c2d_solver* solver = nullptr;
-  c2d_summary summary = C2D_INIT(c2d_summary);
+  Summary summary;
   const RunRecord* record = nullptr;
   const History* history = nullptr;
   bool solved = false; // results at the last load are there
@@ -111,7 +112,7 @@ c2d_status gather_scene(c2d_solver* solver, const RunRecord& record, const Histo
 double friction_of(const Scene& scene, size_t coefficient, size_t zone);
 
 // 1 or 2: the point lies on the line x = ... or y = ... of symmetry by images, 0: on none.
-int image_line_at(const c2d_summary& summary, Point p);
+int image_line_at(const Summary& summary, Point p);
 
 // Outlines moved by `magnification` times the displacement.
 std::vector<std::vector<Point>> outline_of(const BodyScene& body, double magnification);

@@ -38,7 +38,7 @@ c2d_status gather_motion(Scene& scene, int32_t load_case) {
 }
 
 void find_images(Scene& scene) {
-  const c2d_summary& s = scene.summary;
+  const Summary& s = scene.summary;
   const Point line{s.symmetry_at[0], s.symmetry_at[1]};
   for (int y = 0; y <= (s.symmetry >> 1 & 1); ++y)
     for (int x = 0; x <= (s.symmetry & 1); ++x) scene.images.push_back({{x == 0 ? 1.0 : -1.0, y == 0 ? 1.0 : -1.0}, line});

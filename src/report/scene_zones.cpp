@@ -69,7 +69,7 @@ c2d_status get_pairs(const Scene& scene, PairFields& out) {
 
 } // namespace
 
-int image_line_at(const c2d_summary& s, Point p) {
+int image_line_at(const Summary& s, Point p) {
   const double near = 1e-9 * (std::fabs(p.x) + std::fabs(p.y));
   if ((s.symmetry & 1) != 0 && std::fabs(p.x - s.symmetry_at[0]) <= near) return 1;
   if ((s.symmetry & 2) != 0 && std::fabs(p.y - s.symmetry_at[1]) <= near) return 2;

@@ -206,7 +206,7 @@ const char* tape_word(int32_t tape) {
   }
 }
 
-std::string symmetry_text(const c2d_summary& s) {
+std::string symmetry_text(const Summary& s) {
   std::string out;
   for (int axis = 0; axis < 2; ++axis) {
     if ((s.symmetry >> axis & 1) == 0) continue;

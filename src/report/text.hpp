@@ -1,6 +1,8 @@
 // Numbers and columns into a string: what all reports print with. Independent of any locale.
 #pragma once
 
+#include "report/summary.hpp"
+
 #include <contact2d.h>
 
 #include <cstdint>
@@ -24,6 +26,6 @@ const char* outcome_word(int32_t outcome);
 const char* breach_word(int32_t breach);
 const char* tape_word(int32_t tape);
 // "x = 0", "x = 0, y = 1": the lines of symmetry by images; "none".
-std::string symmetry_text(const c2d_summary& summary);
+std::string symmetry_text(const Summary& summary);
 
 } // namespace app

@@ -63,7 +63,7 @@ void append_end(Collected& c, const Scene& scene, const BodyScene& b, const Body
 
 // A body or one of its images. Elements on a line of symmetry are no boundary of the whole body.
 c2d_status collect_body(Collected& c, const Scene& scene, int32_t body, size_t image) {
-  const c2d_summary& s = scene.summary;
+  const Summary& s = scene.summary;
   const BodyScene& b = scene.bodies[static_cast<size_t>(body) - 1];
   BodyStress stress;
   if (scene.solved) {
@@ -71,7 +71,7 @@ c2d_status collect_body(Collected& c, const Scene& scene, int32_t body, size_t i
     const c2d_status status = get_ends(scene.solver, s, body, fields, 5, stress.fields);
     if (status != C2D_OK) return status;
   }
-  for (int32_t e = 1; e <= s.elements[body - 1]; ++e) {
+  for (int32_t e = 1; e <= s.body[body - 1].elements; ++e) {
     if (b.on_line[static_cast<size_t>(e) - 1]) continue;
     append_cell(c, body, e, s.function_nodes, image);
     for (int32_t l = 0; l < s.function_nodes; ++l)

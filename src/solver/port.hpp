@@ -11,7 +11,7 @@ namespace c2d {
 void make_port_hostile(c2d_solver* s);
 // Panels of kHostileWidth where the caller leaves that to the library, and no more memory than they need with two buffers,
 // if there is that much.
-void make_memory_hostile(c2d_limits& limits, Sizes& sizes, Layout& layout, size_t& bytes);
+void make_memory_hostile(Sizes& sizes, Layout& layout, size_t& bytes);
 // Run `prepare` with a store that fails somewhere on the way, unseen by the caller's other functions. The model must be
 // none the worse for it, and what it left on the tapes must not be taken for the next preparation's.
 void rehearse(c2d_solver* s, c2d_status (*prepare)(c2d_solver* s));

@@ -18,7 +18,6 @@ struct c2d_solver {
   int32_t busy;               // inside one of the caller's functions
   volatile int32_t cancelled; // set by c2d_cancel, possibly from another thread
   int32_t has_fault;          // `error` holds the first fault of the call that is running
-  c2d_limits limits;          // c2d_attach looks at every byte from here to layout: no padding
   c2d::Sizes sizes;
   c2d::Layout layout;
   c2d_port port;

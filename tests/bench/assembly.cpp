@@ -27,8 +27,8 @@ double pairs_per_second(const Ring& ring, int32_t quadrature) {
     const double start = processor_seconds();
     solver.must(c2d_prepare(solver));
     spent += processor_seconds() - start;
-    const c2d_summary now = solver.summary();
-    rates.push_back(static_cast<double>(now.nodes[0]) * now.elements[0] / now.seconds[C2D_PHASE_ASSEMBLE]);
+    const host::Summary now = solver.summary();
+    rates.push_back(static_cast<double>(now.body[0].nodes) * now.body[0].elements / now.seconds[C2D_PHASE_ASSEMBLE]);
   }
   return median(rates);
 }

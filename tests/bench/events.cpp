@@ -43,11 +43,11 @@ public:
     const double mu = 0.4;
     solver_.must(c2d_begin(solver_, &mu, 1));
   }
-  c2d_summary summary() const { return solver_.summary(); }
+  host::Summary summary() const { return solver_.summary(); }
 
   // Sweeps for at least this many processor seconds; keeps seconds per event and per exchange.
   void sweep(double enough) {
-    const c2d_summary before = solver_.summary();
+    const host::Summary before = solver_.summary();
     const double start = processor_seconds();
     double spent = 0;
     do {
@@ -57,7 +57,7 @@ public:
       if (outcome != C2D_REACHED) give_up(c2d_outcome_message(outcome));
       spent = processor_seconds() - start;
     } while (spent < enough || load_ > 0.5);
-    const c2d_summary after = solver_.summary();
+    const host::Summary after = solver_.summary();
     per_event.push_back(spent / static_cast<double>(after.events - before.events));
     per_exchange.push_back(spent / static_cast<double>(after.exchanges - before.exchanges));
   }
@@ -114,7 +114,7 @@ void contact_events(const Options& options) {
   }
   std::vector<double> unknowns, per_event, per_exchange, one;
   for (size_t i = 0; i < families.size(); ++i) {
-    const c2d_summary now = families[i]->summary();
+    const host::Summary now = families[i]->summary();
     const double m = now.contact_unknowns, changes = static_cast<double>(now.exchanges) / static_cast<double>(now.events);
     unknowns.push_back(m);
     per_event.push_back(median(families[i]->per_event));

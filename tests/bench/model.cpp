@@ -91,9 +91,9 @@ void Solver::must(c2d_status status) const {
   give_up(std::string(c2d_message(status)) + ": " + why.text);
 }
 
-c2d_summary Solver::summary() const {
-  c2d_summary summary = C2D_INIT(c2d_summary);
-  must(c2d_get_summary(solver_, &summary));
+host::Summary Solver::summary() const {
+  host::Summary summary;
+  must(host::get_summary(solver_, summary));
   return summary;
 }
 
@@ -128,13 +128,13 @@ Cylinder::Cylinder(int32_t n) : pairs(n) {
   disc_elements = points(disc);
 }
 
-c2d_limits Cylinder::limits() const {
-  c2d_limits out = C2D_INIT(c2d_limits);
+host::Limits Cylinder::limits() const {
+  host::Limits out;
   out.bodies = 2;
   out.function_nodes = 2;
-  out.geometry_nodes[0] = out.elements[0] = foundation_elements;
-  out.geometry_nodes[1] = out.elements[1] = disc_elements;
-  out.regions[0] = out.regions[1] = 1;
+  out.body[0].points = out.body[0].elements = foundation_elements;
+  out.body[1].points = out.body[1].elements = disc_elements;
+  out.body[0].regions = out.body[1].regions = 1;
   out.zones = 1;
   out.pairs = pairs;
   out.contact_elements = pairs - 1;
@@ -166,26 +166,21 @@ void Cylinder::build(const Solver& s) const {
   condition_at(s, 2, zone2, 1, "0101");
   c2d_zone zone = C2D_INIT(c2d_zone);
   zone.pairs = pairs;
-  zone.elements = pairs - 1;
-  zone.first_element[0] = zone.first_node[0] = zone1;
-  zone.last_element[0] = zone1 + pairs - 2;
-  zone.last_node[0] = zone1 + pairs - 1;
-  zone.first_element[1] = zone2 + pairs - 2;
-  zone.last_element[1] = zone.last_node[1] = zone2;
-  zone.first_node[1] = zone2 + pairs - 1;
+  zone.side1 = {1, zone1, zone1 + pairs - 2, 0, zone1, zone1 + pairs - 1};
+  zone.side2 = {2, zone2 + pairs - 2, zone2, 0, zone2 + pairs - 1, zone2};
   s.must(c2d_add_zone(s, &zone));
   s.must(c2d_add_friction(s, 0.4));
   s.must(c2d_add_path(s, 1, &kFullLoad, 1));
   s.must(c2d_complete(s));
 }
 
-c2d_limits Ring::limits() const {
-  c2d_limits out = C2D_INIT(c2d_limits);
+host::Limits Ring::limits() const {
+  host::Limits out;
   out.bodies = 1;
   out.function_nodes = function_nodes;
-  out.elements[0] = 2 * elements;
-  out.geometry_nodes[0] = 2 * elements * (element_nodes - 1);
-  out.regions[0] = 2;
+  out.body[0].elements = 2 * elements;
+  out.body[0].points = 2 * elements * (element_nodes - 1);
+  out.body[0].regions = 2;
   out.coefficients = out.paths = 1;
   return out;
 }
@@ -231,12 +226,12 @@ void Ring::build(const Solver& s) const {
   s.must(c2d_complete(s));
 }
 
-c2d_limits Disc::limits() const {
-  c2d_limits out = C2D_INIT(c2d_limits);
+host::Limits Disc::limits() const {
+  host::Limits out;
   out.bodies = 1;
   out.function_nodes = 2;
-  out.elements[0] = out.geometry_nodes[0] = elements;
-  out.regions[0] = out.coefficients = out.paths = 1;
+  out.body[0].elements = out.body[0].points = elements;
+  out.body[0].regions = out.coefficients = out.paths = 1;
   return out;
 }
 

@@ -1,5 +1,6 @@
 // Models by calls of the C interface, of any size.
 #pragma once
+#include "../host_structs.hpp"
 #include "contact2d.h"
 
 #include "c2d_memory.h"
@@ -19,7 +20,7 @@ public:
   operator c2d_solver*() const { return solver_; }
   // Ends the benchmarks with the solver's own words if the call failed.
   void must(c2d_status status) const;
-  c2d_summary summary() const;
+  host::Summary summary() const;
 
 private:
   std::vector<unsigned char> memory_, tapes_;
@@ -34,7 +35,7 @@ struct Cylinder {
   int32_t floor, side, top, zone1, axis1; // first elements (from 1) of the foundation's parts
   int32_t loaded, axis2, zone2, disc_elements, foundation_elements;
   explicit Cylinder(int32_t pairs);
-  c2d_limits limits() const;
+  host::Limits limits() const;
   void build(const Solver& solver) const; // up to c2d_complete
 };
 
@@ -42,14 +43,14 @@ struct Cylinder {
 struct Ring {
   int32_t elements, element_nodes, function_nodes;
   bool round; // curved elements on the circles, or straight ones with the ends there
-  c2d_limits limits() const;
+  host::Limits limits() const;
   void build(const Solver& solver) const;
 };
 
 // A disc of straight linear elements, radius 1: held on a quarter of its boundary, pressed on another.
 struct Disc {
   int32_t elements;
-  c2d_limits limits() const;
+  host::Limits limits() const;
   void build(const Solver& solver) const;
 };
 

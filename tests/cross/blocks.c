@@ -15,6 +15,7 @@ static int32_t next_card(void* deck, char* text, int32_t size) {
 
 int main(int count, char** argument) {
   FILE* deck = fopen("examples/hertz.dat", "r");
+  c2d_body_limits bodies[2];
   c2d_limits limits = C2D_INIT(c2d_limits);
   c2d_port port = C2D_INIT(c2d_port);
   c2d_error why = C2D_INIT(c2d_error);
@@ -25,6 +26,8 @@ int main(int count, char** argument) {
   c2d_status status;
   int writes;
   if (count != 3 || deck == NULL) return 64;
+  limits.bodies = 2;
+  limits.body = bodies;
   writes = strcmp(argument[1], "write") == 0;
   c2d_stdio_store_init(&store, argument[2]);
   c2d_stdio_store_port(&store, &port);

@@ -31,7 +31,9 @@ int end(c2d_solver* solver, c2d_status status) {
 }
 
 c2d_status read_model(const char* name, c2d_port& port, c2d_solver** solver) {
+  c2d_body_limits bodies[2];
   c2d_limits limits = C2D_INIT(c2d_limits);
+  limits.bodies = 2, limits.body = bodies;
   std::FILE* const deck = std::fopen(name, "r");
   if (deck == nullptr) return C2D_ERR_READ;
   port.log = tell;
@@ -44,12 +46,13 @@ c2d_status read_model(const char* name, c2d_port& port, c2d_solver** solver) {
 }
 
 int ask_for_images() {
+  c2d_body_limits body = {4, 4, 1, 0};
   c2d_limits limits = C2D_INIT(c2d_limits);
   c2d_options options = C2D_INIT(c2d_options);
   c2d_solver* solver = nullptr;
-  limits.bodies = limits.regions[0] = 1;
+  limits.bodies = 1;
+  limits.body = &body;
   limits.function_nodes = 2;
-  limits.geometry_nodes[0] = limits.elements[0] = 4;
   if (c2d_create(&solver, workspace, sizeof workspace, &limits, nullptr, nullptr) != C2D_OK) return 1;
   options.symmetry = C2D_SYMMETRY_IMAGES;
   return end(solver, c2d_set_options(solver, &options));

@@ -9,13 +9,11 @@
 namespace {
 
 uint64_t need(int nodes, int pairs, int width) {
+  c2d_body_limits bodies[2] = {{nodes, nodes, 1, 0}, {nodes, nodes, 1, 0}};
   c2d_limits limits = C2D_INIT(c2d_limits);
   limits.bodies = 2;
   limits.function_nodes = 2;
-  for (int b = 0; b < 2; ++b) {
-    limits.geometry_nodes[b] = limits.elements[b] = nodes;
-    limits.regions[b] = 1;
-  }
+  limits.body = bodies;
   limits.zones = 1;
   limits.pairs = pairs;
   limits.contact_elements = pairs - 1;

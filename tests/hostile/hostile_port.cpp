@@ -201,8 +201,9 @@ void make_port_hostile(c2d_solver* s) {
   s->port.threads = 3;
 }
 
-void make_memory_hostile(c2d_limits& limits, Sizes& sizes, Layout& layout, size_t& bytes) {
-  c2d_limits narrow = limits;
+void make_memory_hostile(Sizes& sizes, Layout& layout, size_t& bytes) {
+  c2d_body_limits body[2];
+  c2d_limits narrow = limits_of(sizes, body);
   if (narrow.panel_columns == 0) narrow.panel_columns = kHostileWidth;
   Sizes narrow_sizes;
   Layout narrow_layout;
@@ -210,7 +211,6 @@ void make_memory_hostile(c2d_limits& limits, Sizes& sizes, Layout& layout, size_
   if (c2d_memory_need(&narrow, &least, nullptr) != C2D_OK || least > bytes || derive_sizes(narrow, narrow_sizes) != C2D_OK ||
       lay_out(narrow_sizes, sizeof(c2d_solver), narrow_layout) != C2D_OK)
     return;
-  limits = narrow;
   sizes = narrow_sizes;
   layout = narrow_layout;
   const int64_t rows = sizes.body[0].rows > sizes.body[1].rows ? sizes.body[0].rows : sizes.body[1].rows;

@@ -95,13 +95,13 @@ void Writer::conditions(int32_t number) {
 }
 
 void Writer::zones() {
-  for (const c2d_zone& z : p_.zones) {
+  for (const problem::Zone& z : p_.zones) {
     card(1, 2, z.pairs, z.elements);
     card(z.first_element[0], z.last_element[0], z.first_element[1], z.last_element[1]);
     card(z.first_node[0], z.last_node[0], z.first_node[1], z.last_node[1]);
   }
   int32_t pairs = 0, elements = 0;
-  for (const c2d_zone& z : p_.zones) pairs += z.pairs, elements += z.elements;
+  for (const problem::Zone& z : p_.zones) pairs += z.pairs, elements += z.elements;
   for (int b = 0; b < 2; ++b) card(pairs, elements);
 }
 
@@ -135,7 +135,7 @@ std::string Writer::write(const std::string& title) {
   for (const Path& path : p_.paths) card(path.increments, path.load);
   if (p_.two_cases()) second_case();
   if (p_.interference > 0) card(std::string("*INTERFERENCE"), p_.interference);
-  for (const c2d_free_zone& z : p_.free_zones)
+  for (const problem::FreeZone& z : p_.free_zones)
     card(std::string("*ZONE"), z.first_element[0], z.last_element[0], z.first_element[1], z.last_element[1]);
   if (!p_.friction.empty() && !std::isfinite(p_.friction[0])) {
     card(std::string("*FRICTION"));

@@ -76,8 +76,8 @@ Problem renumbered_whole(const Problem& p, int32_t shift) {
   for (int32_t tries = 0; tries < 50; ++tries, ++shift) {
     const Problem q = renumbered(p, shift);
     bool whole = true;
-    for (const c2d_free_zone& z : q.free_zones) whole = whole && z.elements[0] == 0 && z.elements[1] == 0;
-    for (const c2d_zone& z : q.zones)
+    for (const problem::FreeZone& z : q.free_zones) whole = whole && z.elements[0] == 0 && z.elements[1] == 0;
+    for (const problem::Zone& z : q.zones)
       for (int b = 0; b < 2 && p.function_nodes == 1; ++b)
         whole = whole && runs_on(z.first_element[b], z.last_element[b], z.elements, b);
     if (whole) return q;

@@ -142,12 +142,12 @@ void add_zones(Problem& p, const Scene& scene) {
     const int32_t first[2] = {one.first_element, two.first_element + two.elements - 1};
     const int32_t last[2] = {one.first_element + one.elements - 1, two.first_element};
     if (scene.free_zones) {
-      c2d_free_zone z = C2D_INIT(c2d_free_zone);
+      problem::FreeZone z = problem::FreeZone();
       for (int b = 0; b < 2; ++b) z.first_element[b] = first[b], z.last_element[b] = last[b];
       p.free_zones.push_back(z);
       continue;
     }
-    c2d_zone z = C2D_INIT(c2d_zone);
+    problem::Zone z = problem::Zone();
     z.elements = one.elements;
     z.pairs = f == 1 ? one.elements : one.elements * per + 1;
     for (int b = 0; b < 2; ++b) z.first_element[b] = first[b], z.last_element[b] = last[b];

@@ -215,7 +215,7 @@ void Laws::conditions(const Step& s, int b) {
     const EndResult& e = s.boundary[b][i];
     if (e.status >= 0) continue;
     bool in_free_zone = false;
-    for (const c2d_free_zone& z : p_.free_zones)
+    for (const problem::FreeZone& z : p_.free_zones)
       in_free_zone = in_free_zone || (e.element - z.first_element[b]) * (e.element - z.last_element[b]) <= 0;
     if (in_free_zone) continue;
     const double is[4] = {e.tx, e.ty, e.ux, e.uy};
@@ -249,7 +249,7 @@ void Laws::nodes(const Step& s) {
 std::vector<double> Laws::pair_lengths() const {
   std::vector<double> length;
   const int f = p_.function_nodes;
-  for (const c2d_zone& z : p_.zones) {
+  for (const problem::Zone& z : p_.zones) {
     const size_t first = length.size();
     length.resize(first + index(z.pairs));
     for (int32_t i = 0; i < z.elements; ++i)

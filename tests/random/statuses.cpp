@@ -83,7 +83,7 @@ void Reduction::number_body(int b) {
 }
 
 bool is_contact_end(const Problem& p, int b, int32_t element) {
-  for (const c2d_zone& z : p.zones)
+  for (const problem::Zone& z : p.zones)
     if ((element - z.first_element[b]) * (element - z.last_element[b]) <= 0) return true;
   return false;
 }

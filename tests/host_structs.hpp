@@ -1,0 +1,42 @@
+#pragma once
+// Structs of the interface as the tests keep them: with the lists that belong to them.
+#include "contact2d.h"
+
+namespace host {
+
+struct Limits : c2d_limits { // with room for two bodies
+  c2d_body_limits list[2] = {};
+  Limits() : c2d_limits(C2D_INIT(c2d_limits)) {
+    bodies = 2;
+    body = list;
+  }
+  Limits(const Limits& other) : c2d_limits(other) { take(other); }
+  Limits& operator=(const Limits& other) {
+    c2d_limits::operator=(other);
+    take(other);
+    return *this;
+  }
+
+private:
+  void take(const Limits& other) {
+    for (int b = 0; b < 2; ++b) list[b] = other.list[b];
+    body = list;
+  }
+};
+
+struct Summary : c2d_summary {
+  c2d_body_result body[2] = {C2D_INIT(c2d_body_result), C2D_INIT(c2d_body_result)};
+  Summary() : c2d_summary(C2D_INIT(c2d_summary)) {}
+};
+inline c2d_status get_summary(c2d_solver* s, Summary& out) {
+  c2d_status status = c2d_get_summary(s, &out);
+  for (int32_t b = 1; b <= out.bodies && b <= 2 && status == C2D_OK; ++b) status = c2d_get_body_result(s, b, &out.body[b - 1]);
+  return status;
+}
+inline Summary summary_of(c2d_solver* s) {
+  Summary out;
+  get_summary(s, out);
+  return out;
+}
+
+} // namespace host
