@@ -70,13 +70,10 @@ c2d_status add_free_zone(c2d_solver* s, const c2d_zone& given) {
   const int64_t pairs = f == 1 ? z.elements : static_cast<int64_t>(z.elements) * (f - 1) + 1;
   int64_t others = 0; // pairs of the other free zones
   for (int32_t i = 0; i < head.zones; ++i) others += m.zone[i].is_free != 0 ? m.zone[i].pairs : 0;
-  if (pairs > s->sizes.pairs - head.pairs)
-    return refuse_number(s, C2D_ERR_LIMIT, "number of contact pairs", pairs, 1, s->sizes.pairs - head.pairs);
-  if (pairs > s->sizes.free_pairs - others)
-    return refuse_number(s, C2D_ERR_LIMIT, "number of pairs of free zones", pairs, 1, s->sizes.free_pairs - others);
+  if (pairs > s->sizes.pairs - head.pairs) return refuse_limit(s, "pairs", s->sizes.pairs, head.pairs + pairs);
+  if (pairs > s->sizes.free_pairs - others) return refuse_limit(s, "free_pairs", s->sizes.free_pairs, others + pairs);
   if (z.elements > s->sizes.contact_elements - head.contact_elements)
-    return refuse_number(s, C2D_ERR_LIMIT, "number of contact elements", z.elements, 1,
-                         s->sizes.contact_elements - head.contact_elements);
+    return refuse_limit(s, "contact_elements", s->sizes.contact_elements, int64_t{head.contact_elements} + z.elements);
   z.is_free = 1;
   z.pairs = static_cast<int32_t>(pairs);
   z.node_step[1] = z.element_step[1];

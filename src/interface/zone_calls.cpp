@@ -25,8 +25,7 @@ c2d_status check_room_for_zone(c2d_solver* s) {
   for (const Body& body : head.body)
     if (!body.is_set || body.region_count < body.regions)
       return refuse(s, C2D_ERR_ARGUMENT, "give both bodies and all their regions before the contact zones");
-  if (head.zones >= s->sizes.zones)
-    return refuse_number(s, C2D_ERR_LIMIT, "number of contact zones", head.zones + 1, 0, s->sizes.zones);
+  if (head.zones >= s->sizes.zones) return refuse_limit(s, "zones", s->sizes.zones, head.zones + 1);
   return C2D_OK;
 }
 
@@ -106,11 +105,13 @@ c2d_status add_matching_zone(c2d_solver* s, const c2d_zone& given) {
   const int32_t elements = side_elements(given.side1), others = side_elements(given.side2);
   if (elements != others)
     return refuse_number(s, C2D_ERR_ARGUMENT, "number of contact elements of side 2", others, elements, elements);
-  if (!in_range(given.pairs, 1, s->sizes.pairs - head.pairs))
-    return refuse_number(s, C2D_ERR_LIMIT, "number of contact pairs", given.pairs, 1, s->sizes.pairs - head.pairs);
-  if (!in_range(elements, 1, s->sizes.contact_elements - head.contact_elements))
-    return refuse_number(s, C2D_ERR_LIMIT, "number of contact elements", elements, 1,
-                         s->sizes.contact_elements - head.contact_elements);
+  if (given.pairs < 1) return refuse_number(s, C2D_ERR_LIMIT, "number of contact pairs", given.pairs, 1, s->sizes.pairs);
+  if (given.pairs > s->sizes.pairs - head.pairs)
+    return refuse_limit(s, "pairs", s->sizes.pairs, int64_t{head.pairs} + given.pairs);
+  if (elements < 1)
+    return refuse_number(s, C2D_ERR_LIMIT, "number of contact elements", elements, 1, s->sizes.contact_elements);
+  if (elements > s->sizes.contact_elements - head.contact_elements)
+    return refuse_limit(s, "contact_elements", s->sizes.contact_elements, int64_t{head.contact_elements} + elements);
   Zone z;
   memset(&z, 0, sizeof z);
   z.pairs = given.pairs;
