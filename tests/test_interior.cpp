@@ -887,12 +887,17 @@ TEST_CASE("interior: nothing raises a floating-point exception that hosts trap")
   std::vector<double> xy;
   for (double y = -4; y <= 16; y += 0.5)
     for (double x = 0; x <= 8; x += 0.5) xy.insert(xy.end(), {x, y, x * 1e-7, y, x, y * 1e-7});
-  xy.insert(xy.end(), {1e150, 0, 0, -1e308, 1, 0, 0, 1, 1e-300, 1e-300, NAN, 1, 1, -INFINITY, 1e50, 1});
+  xy.insert(xy.end(), {1e150, 0, 0, -1e308, 1, 0, 0, 1, 1e-300, 1e-300, 1e308, 1, 1, -1e308, 1e50, 1});
   std::vector<Answer> out(xy.size() / 2);
   const int32_t count = static_cast<int32_t>(out.size());
   std::feclearexcept(FE_ALL_EXCEPT);
   const c2d_status first = c2d_interior(ring.solved.s, 0, count, xy.data(), 2, out[0].v, C2D_POINT_FIELDS);
   const c2d_status second = c2d_interior(contact.s, 0, count, xy.data(), 2, out[0].v, C2D_POINT_FIELDS);
+  for (double none : {NAN, INFINITY, -INFINITY}) {
+    const double point[2] = {1, none};
+    double row[C2D_POINT_FIELDS];
+    CHECK(c2d_interior(ring.solved.s, 0, 1, point, 2, row, C2D_POINT_FIELDS) == C2D_ERR_ARGUMENT);
+  }
   CHECK(std::fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW) == 0);
   CHECK(first == C2D_OK);
   CHECK(second == C2D_OK);
