@@ -186,7 +186,7 @@ TEST_CASE("sizes of the sample deck") {
   c2d_error why = C2D_INIT(c2d_error);
   REQUIRE(c2d_scan_deck(read_bytes, &deck, &sizes, &why) == C2D_OK);
   CHECK(why.status == C2D_OK);
-  CHECK(sizes.struct_size == sizeof sizes);
+  CHECK(sizes.struct_size == sizeof(c2d_limits));
   CHECK(sizes.bodies == 2);
   CHECK(sizes.function_nodes == 2);
   CHECK(sizes.body[0].points == 46);
