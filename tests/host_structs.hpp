@@ -2,6 +2,8 @@
 // Structs of the interface as the tests keep them: with the lists that belong to them.
 #include "contact2d.h"
 
+#include <cstring>
+
 namespace host {
 
 struct Limits : c2d_limits { // with room for two bodies
@@ -23,6 +25,14 @@ private:
     body = list;
   }
 };
+
+// The same numbers, whosever lists hold them.
+inline bool same_numbers(Limits a, Limits b) {
+  const bool same_bodies = std::memcmp(a.list, b.list, sizeof a.list) == 0;
+  a.body = b.body = nullptr;
+  const c2d_limits &one = a, &other = b;
+  return same_bodies && std::memcmp(&one, &other, sizeof one) == 0;
+}
 
 struct Summary : c2d_summary {
   c2d_body_result body[2] = {C2D_INIT(c2d_body_result), C2D_INIT(c2d_body_result)};

@@ -427,7 +427,8 @@ TEST_CASE("scan keeps the first fault, check tells all") {
   host::Limits sizes;
   c2d_error why = C2D_INIT(c2d_error);
   CHECK(c2d_scan_deck(read_bytes, &deck, &sizes, &why) == C2D_ERR_INPUT);
-  CHECK(sizes.bodies == 0); // untouched
+  CHECK(sizes.bodies == 2); // the room it was given: untouched
+  CHECK(sizes.body[0].points == 0);
   CHECK(why.status == C2D_ERR_INPUT);
   CHECK(why.line == 9);
   CHECK(why.column == 1);

@@ -191,7 +191,10 @@ TEST_CASE("pages: the names they quote are those of the code") {
   int seen = 0;
   for (const std::string& name : pages()) {
     CAPTURE(name);
-    for (const std::string& word : quoted_words(page(name))) {
+    // The first column of the list of changes is what a version before had.
+    const std::string text =
+        name == "include/CHANGELOG.md" ? std::regex_replace(page(name), std::regex("\n\\|[^|\n]*\\|"), "\n|") : page(name);
+    for (const std::string& word : quoted_words(text)) {
       const bool of_header = std::regex_match(word, std::regex("(c2d|C2D)_[A-Za-z0-9_]*[A-Za-z0-9]"));
       const bool of_sizes = name == "src/FROM-1987.md" && std::regex_match(word, std::regex("k[A-Z][A-Za-z]+"));
       if (!of_header && !of_sizes) continue;
