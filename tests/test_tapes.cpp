@@ -54,30 +54,31 @@ void bounded(const Tapes& need, const Tapes& open) {
   }
 }
 
+uint64_t count(int32_t number) { return static_cast<uint64_t>(number); }
+
 Tapes constants(const c2d_limits& l, int32_t keep_factors) {
-  const bool two = l.bodies == 2;
-  const int32_t f = l.function_nodes, p = l.panel_columns, k = l.load_cases, n2 = two ? l.body[1].points : 0,
-                e2 = two ? l.body[1].elements : 0, r2 = two ? l.body[1].regions : 0;
+  const c2d_body_limits none = {}, &one = l.body[0], &two = l.bodies == 2 ? l.body[1] : none;
+  const uint64_t f = count(l.function_nodes), p = count(l.panel_columns), k = count(l.load_cases), pairs = count(l.pairs),
+                 free_pairs = count(l.free_pairs), keep = count(keep_factors);
+  const uint64_t n1 = count(one.points), e1 = count(one.elements), r1 = count(one.regions);
+  const uint64_t n2 = count(two.points), e2 = count(two.elements), r2 = count(two.regions);
   Tapes out;
   out.tape[C2D_TAPE_LOWER] = {
-      C2D_LOWER_BLOCKS(f, l.body[0].points, l.body[0].elements, l.body[0].regions, l.pairs, k, p, keep_factors) +
-          C2D_LOWER_BLOCKS(f, n2, e2, r2, l.pairs, k, p, keep_factors),
-      std::max(C2D_LOWER_BLOCK_BYTES(f, l.body[0].points, l.body[0].elements, l.body[0].regions, l.free_pairs, p),
-               C2D_LOWER_BLOCK_BYTES(f, n2, e2, r2, 0, p))};
-  out.tape[C2D_TAPE_UPPER] = {C2D_UPPER_BLOCKS(f, l.body[0].points, l.body[0].elements, l.body[0].regions, l.pairs, k, p) +
-                                  C2D_UPPER_BLOCKS(f, n2, e2, r2, l.pairs, k, p),
-                              std::max(C2D_UPPER_BLOCK_BYTES(f, l.body[0].points, l.body[0].elements, l.body[0].regions, p),
-                                       C2D_UPPER_BLOCK_BYTES(f, n2, e2, r2, p))};
-  out.tape[C2D_TAPE_CONTACT] = {C2D_CONTACT_BLOCKS(l.pairs, k), C2D_CONTACT_BLOCK_BYTES(l.pairs)};
+      C2D_LOWER_BLOCKS(f, n1, e1, r1, pairs, k, p, keep) + C2D_LOWER_BLOCKS(f, n2, e2, r2, pairs, k, p, keep),
+      std::max(C2D_LOWER_BLOCK_BYTES(f, n1, e1, r1, free_pairs, p), C2D_LOWER_BLOCK_BYTES(f, n2, e2, r2, 0, p))};
+  out.tape[C2D_TAPE_UPPER] = {C2D_UPPER_BLOCKS(f, n1, e1, r1, pairs, k, p) + C2D_UPPER_BLOCKS(f, n2, e2, r2, pairs, k, p),
+                              std::max(C2D_UPPER_BLOCK_BYTES(f, n1, e1, r1, p), C2D_UPPER_BLOCK_BYTES(f, n2, e2, r2, p))};
+  out.tape[C2D_TAPE_CONTACT] = {C2D_CONTACT_BLOCKS(pairs, k), C2D_CONTACT_BLOCK_BYTES(pairs)};
   return out;
 }
 
 uint64_t workspace_of(const c2d_limits& l) {
-  const bool two = l.bodies == 2;
-  return C2D_LIMITS_BYTES(l.function_nodes, l.body[0].points, (two ? l.body[1].points : 0), l.body[0].elements,
-                          (two ? l.body[1].elements : 0), l.body[0].regions, (two ? l.body[1].regions : 0), l.zones, l.pairs,
-                          l.contact_elements, l.point_loads, l.coefficients, l.paths, l.load_cases, l.panel_columns,
-                          l.free_pairs, l.point_sets, l.curves);
+  const c2d_body_limits none = {}, &one = l.body[0], &two = l.bodies == 2 ? l.body[1] : none;
+  return C2D_LIMITS_BYTES(count(l.function_nodes), count(one.points), count(two.points), count(one.elements),
+                          count(two.elements), count(one.regions), count(two.regions), count(l.zones), count(l.pairs),
+                          count(l.contact_elements), count(l.point_loads), count(l.coefficients), count(l.paths),
+                          count(l.load_cases), count(l.panel_columns), count(l.free_pairs), count(l.point_sets),
+                          count(l.curves));
 }
 
 // In arrays and preprocessor conditions.
