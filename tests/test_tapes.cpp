@@ -171,8 +171,8 @@ TEST_CASE("tapes: the constants are what is told where panels are given") {
         uint64_t least = 0;
         REQUIRE(c2d_memory_need(&limits, &least, nullptr) == C2D_OK);
         REQUIRE(least <= workspace);
-        for (const uint64_t more : {0, 1000, 100000, 10000000}) {
-          const Tapes need = told(limits, options, workspace + more), constant = constants(limits, keep);
+        for (const int32_t more : {0, 1000, 100000, 10000000}) {
+          const Tapes need = told(limits, options, workspace + count(more)), constant = constants(limits, keep);
           for (const int32_t t : {C2D_TAPE_LOWER, C2D_TAPE_UPPER, C2D_TAPE_CONTACT}) {
             CAPTURE(t);
             CHECK(need.tape[t].blocks == constant.tape[t].blocks);

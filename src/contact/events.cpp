@@ -115,7 +115,8 @@ bool land(Follower& f) {
     }
     if (worst < 0) return changes > 0;
     const Pair& pair = f.t->pair[worst];
-    const int32_t touching = pair.mu == 0.0 ? C2D_SLIP : C2D_STICK, to = pair.status == C2D_OPEN ? touching : C2D_OPEN;
+    int32_t to = C2D_OPEN;
+    if (pair.status == C2D_OPEN) to = pair.mu == 0.0 ? C2D_SLIP : C2D_STICK;
     if (!apply_change(f, worst, to, to == C2D_SLIP ? 1 : 0, pair_state(*f.t, worst, f.y).wt)) return changes > 0;
   }
   return false;
