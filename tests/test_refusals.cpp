@@ -411,7 +411,7 @@ TEST_CASE("refusals: lists, loads and limits by the names of their arguments and
 }
 
 TEST_CASE("refusals: bodies, regions, conditions and friction in the wrong order or of other numbers") {
-  const c2d_limits limits = two_blocks();
+  const host::Limits limits = two_blocks();
   Hearing host;
   Machine machine(limits, 4000000, &host.port);
   c2d_solver* s = machine.solver;

@@ -224,7 +224,7 @@ TEST_CASE("tapes: blocks and saved states of 0.1 are refused with the reason") {
   c2d_port port = C2D_INIT(c2d_port);
   store.serve(port);
   const Deck deck = deck_named("plate");
-  const c2d_limits limits = deck.limits();
+  const host::Limits limits = deck.limits();
   uint64_t most = 0;
   REQUIRE(c2d_memory_need(&limits, nullptr, &most) == C2D_OK);
   Machine machine(limits, most, &port, 0);
