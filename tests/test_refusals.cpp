@@ -488,7 +488,7 @@ TEST_CASE("refusals: what comes too late, and walks without a function") {
   // Without a function to read with, every walk says so to whoever listens.
   std::vector<c2d_error> told;
   const c2d_report hear = [](void* to, const c2d_error* e) { static_cast<std::vector<c2d_error>*>(to)->push_back(*e); };
-  c2d_limits limits = two_blocks();
+  host::Limits limits = two_blocks();
   CHECK(c2d_check_deck(nullptr, nullptr, &limits, hear, &told) == C2D_ERR_ARGUMENT);
   CHECK(c2d_walk_deck(nullptr, nullptr, nullptr, nullptr, hear, &told) == C2D_ERR_ARGUMENT);
   CHECK(c2d_walk_deck(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr) == C2D_ERR_ARGUMENT);
