@@ -176,6 +176,20 @@ HostilePort& port_of(const c2d_solver* s) {
   return *found;
 }
 
+void wrap_store(const c2d_port& callers, HostilePort& h) { // a port without a store stays one
+  c2d_port& port = h.port;
+  port.context = &h;
+  port.open = hostile_open;
+  port.read = hostile_read;
+  port.write = hostile_write;
+  port.sync = hostile_sync;
+  port.close = hostile_close;
+  const bool ahead = callers.start_read && callers.start_write && callers.wait; // the caller's own stay
+  port.start_read = ahead ? callers_start_read : start_late_read;
+  port.start_write = ahead ? callers_start_write : start_late_write;
+  port.wait = ahead ? callers_wait : wait_late;
+}
+
 } // namespace
 
 void make_port_hostile(c2d_solver* s) {
@@ -185,16 +199,7 @@ void make_port_hostile(c2d_solver* s) {
   h.caller = h.port = s->port;
   h.failing = false;
   c2d_port& port = h.port;
-  port.context = &h;
-  port.open = hostile_open;
-  port.read = hostile_read;
-  port.write = hostile_write;
-  port.sync = hostile_sync;
-  port.close = hostile_close;
-  const bool ahead = s->port.start_read && s->port.start_write && s->port.wait; // the caller's own stay
-  port.start_read = ahead ? callers_start_read : start_late_read;
-  port.start_write = ahead ? callers_start_write : start_late_write;
-  port.wait = ahead ? callers_wait : wait_late;
+  if (s->port.open) wrap_store(s->port, h);
   s->tapes.port = &port;
   if (s->port.parallel_for && s->port.threads > 1) return;
   s->port.parallel_for = tasks_backward;
