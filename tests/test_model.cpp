@@ -302,7 +302,7 @@ TEST_CASE("data: numbers that are none, with traps on") {
   CHECK_FALSE(point.complete());
 }
 
-TEST_CASE("data: regions must tile the elements; zones need friction; a path is needed but for a check") {
+TEST_CASE("data: regions must tile the elements; friction and a path may come later") {
   ModelData d = square();
   d.regions[0][0].last = 2;
   check_fault(d, "ends with element 3, expected the body's last element 4");

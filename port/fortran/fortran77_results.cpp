@@ -56,6 +56,12 @@ c2d_status expand_one_by_one(const c2d_points& points, int32_t first, int32_t co
   return status;
 }
 
+// All counts and reals of an answer.
+template <size_t N, size_t M> void put_numbers(const int32_t (&counts)[N], Out icount, const double (&reals)[M], Out r) {
+  memcpy(icount, counts, sizeof counts);
+  memcpy(r, reals, sizeof reals);
+}
+
 // The first `count` of a list of numbers, or all of it.
 template <class T, class Put> void put_list(Out to, int32_t count, const T* list, int32_t length, Put put) {
   for (int32_t i = 0; i < count && i < length; ++i) put(to, list[i], i);
@@ -148,10 +154,7 @@ void c2bsta_(Work work, In ibody, Out icount, Out r, Out ierr) {
                               body.points,        body.nodes,    body.unknowns};
     const double reals[] = {body.youngs_modulus, body.poisson_ratio, body.applied[0], body.applied[1],
                             body.applied[2],     body.contact[0],    body.contact[1], body.contact[2]};
-    if (call.status == C2D_OK) {
-      memcpy(icount, counts, sizeof counts);
-      memcpy(r, reals, sizeof reals);
-    }
+    if (call.status == C2D_OK) put_numbers(counts, icount, reals, r);
   }
   call.leave(ierr);
 }
@@ -164,10 +167,7 @@ void c2zsta_(Work work, In izone, Out icount, Out r, Out ierr) {
     const int32_t counts[] = {state.open, state.stick, state.slip, state.near_change};
     const double reals[] = {state.force[0], state.force[1],         state.moment,           state.approach,
                             state.shift,    state.largest_pressure, state.largest_friction, state.length};
-    if (call.status == C2D_OK) {
-      memcpy(icount, counts, sizeof counts);
-      memcpy(r, reals, sizeof reals);
-    }
+    if (call.status == C2D_OK) put_numbers(counts, icount, reals, r);
   }
   call.leave(ierr);
 }

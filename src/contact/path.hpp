@@ -68,8 +68,9 @@ NoRate no_rate(const Pair& pair, const PathScales& s);
 
 void refresh(Follower& f); // y and dy from the tableau
 PathScales path_scales(const Follower& f);
-PathScales decision_scales(Follower& f); // the largest on this path so far: what is left of them is round-off; of an idle
-                                         // body more than its pressures, so that they are
+// The largest on this path so far: kValueTolerance of them is round-off. Where the body is idle (f.idle) all its pressures are:
+// the scale of pressures is then so much larger that none of them counts.
+PathScales decision_scales(Follower& f);
 // Change a status and keep the books of slip. False: the pair is the last to hold a motion.
 bool apply_change(Follower& f, int32_t pair, int32_t status, int32_t sign, double at);
 

@@ -157,7 +157,7 @@ PathScales decision_scales(Follower& f) {
   PathScales s = path_scales(f);
   s.p = f.pressure_scale = larger(s.p, f.pressure_scale);
   s.w = f.gap_scale = larger(s.w, f.gap_scale);
-  if (f.idle) s.p *= 2.0 / kValueTolerance;
+  if (f.idle) s.p *= 2.0 / kValueTolerance; // no pressure counts
   return s;
 }
 

@@ -87,8 +87,7 @@ struct Deck {
 // Read a deck to its end. Every fault goes to `report` (may be null), those of the sink's calls excepted: the
 // sink has told them. Returns C2D_OK; C2D_ERR_INPUT after any fault; C2D_ERR_READ; or what the sink returned,
 // if that was neither ARGUMENT nor INPUT. `sizes`, if not null, has a list of two bodies and receives the sizes after
-// C2D_OK. `card`
-// is told every field of every card, in order.
+// C2D_OK. `card` is told every field of every card, in order.
 c2d_status read_deck_cards(const DeckSink* sink, c2d_read_line read, void* context, c2d_report report, void* report_context,
                            c2d_limits* sizes, c2d_card_fn card = nullptr, void* card_context = nullptr);
 

@@ -21,7 +21,8 @@ c2d_error fault_with(c2d_status status) {
   return e;
 }
 
-c2d_status refuse(c2d_report report, void* report_context, const char* name, const void* argument) {
+// (Neither this nor the next is put into scan: their frames would stand below those of the reader.)
+[[gnu::noinline]] c2d_status refuse(c2d_report report, void* report_context, const char* name, const void* argument) {
   c2d_error e = fault_with(C2D_ERR_ARGUMENT);
   Text text = text_in(e.text);
   put_not_begun(text, name, argument);
@@ -30,7 +31,8 @@ c2d_status refuse(c2d_report report, void* report_context, const char* name, con
 }
 
 // The caller's list of bodies is too short: how many there are is the only answer.
-c2d_status tell_bodies(c2d_limits theirs, int32_t bodies, c2d_limits* out, c2d_report report, void* report_context) {
+[[gnu::noinline]] c2d_status tell_bodies(c2d_limits theirs, int32_t bodies, c2d_limits* out, c2d_report report,
+                                         void* report_context) {
   c2d_error e = fault_with(C2D_ERR_LIMIT);
   Text text = text_in(e.text);
   put_all(text, "c2d_limits.body has room for ", theirs.body == nullptr ? 0 : theirs.bodies, ", the deck has ", bodies,

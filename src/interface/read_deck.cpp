@@ -92,11 +92,6 @@ c2d_status c2d_read_deck(c2d_solver* solver, c2d_read_line read, void* context) 
   reading.read = read;
   reading.context = context;
   status = walk(reading);
-  if (status == C2D_OK && solver->model.zones > 0 && solver->model.coefficients == 0) {
-    status = refuse(solver, C2D_ERR_INPUT,
-                    "a contact zone but no coefficient of friction, expected at least one (0 for frictionless contact)");
-    model_refused(&reading);
-  }
   if (status == C2D_OK) {
     status = c2d_complete(solver);
     if (status != C2D_OK) model_refused(&reading);

@@ -2,7 +2,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "interface/entry.hpp"
+#include "interface/refuse.hpp"
 #include "memory/parts.hpp"
 #include "results/balance.hpp"
 #include "solver/energy.hpp"
@@ -124,7 +124,7 @@ extern "C" c2d_status c2d_get_body_result(c2d_solver* s, int32_t body, c2d_body_
   if (!s || s->magic != kSolverMagic) return C2D_ERR_ARGUMENT;
   if (!s->busy) s->has_fault = 0;
   if (body < 1 || body > s->sizes.bodies)
-    return s->busy ? c2d_status{C2D_ERR_ARGUMENT} : fail(s, C2D_ERR_ARGUMENT, "there is no such body");
+    return s->busy ? c2d_status{C2D_ERR_ARGUMENT} : check_ranges(s, {{"body", body, 1, s->sizes.bodies}});
   c2d_body_result ours;
   memset(&ours, 0, sizeof ours);
   const Body& given = s->model.body[body - 1];
