@@ -76,6 +76,19 @@ struct Running {
   }
 };
 
+// What a call said and told, once.
+struct Refused {
+  Hearing& host;
+  void operator()(c2d_status status, c2d_status expected, const std::string& what) const {
+    CAPTURE(what);
+    CHECK(status == expected);
+    REQUIRE(host.told.size() == 1);
+    CHECK_MESSAGE(says(host.told[0], what), host.told[0].text);
+    CHECK(host.told[0].status == expected);
+    host.told.clear();
+  }
+};
+
 } // namespace
 
 TEST_CASE("refusals: a size that cannot be meant is named") {
@@ -412,14 +425,7 @@ TEST_CASE("refusals: bodies, regions, conditions and friction in the wrong order
   Hearing host;
   Machine machine(limits, 4000000, &host.port);
   c2d_solver* s = machine.solver;
-  const auto refused = [&](c2d_status status, c2d_status expected, const std::string& what) {
-    CAPTURE(what);
-    CHECK(status == expected);
-    REQUIRE(host.told.size() == 1);
-    CHECK_MESSAGE(says(host.told[0], what), host.told[0].text);
-    CHECK(host.told[0].status == expected);
-    host.told.clear();
-  };
+  const Refused refused{host};
   c2d_body body = C2D_INIT(c2d_body);
   body.element_nodes = 2, body.elements = 10, body.regions = 1, body.youngs_modulus = 1;
   c2d_body other = body;
@@ -467,6 +473,94 @@ TEST_CASE("refusals: bodies, regions, conditions and friction in the wrong order
   refused(c2d_set_symmetry(s, 0, 1.0), C2D_ERR_ARGUMENT, "a second line of symmetry x = value");
   REQUIRE(c2d_set_symmetry(s, 1, 1.0) == C2D_OK);
   refused(c2d_set_symmetry(s, 1, 2.0), C2D_ERR_ARGUMENT, "a second line of symmetry y = value");
+}
+
+TEST_CASE("refusals: zones whose ranges the bodies do not have, and values that contradict others") {
+  host::Limits limits = two_blocks();
+  limits.zones = limits.load_cases = 2;
+  limits.pairs = 5, limits.contact_elements = 4, limits.free_pairs = 3;
+  Hearing host;
+  Machine machine(limits, 4000000, &host.port);
+  c2d_solver* s = machine.solver;
+  const Refused refused{host};
+  c2d_zone good = C2D_INIT(c2d_zone); // elements 3, 4 of body 1 face 8, 7 of body 2
+  good.pairs = 3;
+  good.side1 = {1, 3, 4, 0, 3, 5};
+  good.side2 = {2, 8, 7, 0, 9, 7};
+  refused(c2d_add_zone(s, &good), C2D_ERR_ARGUMENT, "give both bodies and all their regions before the contact zones");
+  const double none[4] = {0, 0, 0, 0}, here[4] = {0, 0, 1, 0}, there[4] = {0, 0, 2, 0}, pull[4] = {1, 0, 0, 0};
+  double corners[20]; // elements without length have nodes of their own
+  for (size_t k = 0; k < 10; ++k) corners[2 * k] = std::cos(0.6 * double(k)), corners[2 * k + 1] = std::sin(0.6 * double(k));
+  c2d_body body = C2D_INIT(c2d_body);
+  body.element_nodes = 2, body.elements = 10, body.regions = 1, body.youngs_modulus = 1;
+  for (int32_t b = 1; b <= 2; ++b) {
+    REQUIRE(c2d_set_body(s, b, &body) == C2D_OK);
+    refused(c2d_set_values(s, b, 1, 0, 2, none), C2D_ERR_ARGUMENT, "give the body and all its regions before the values");
+    REQUIRE(c2d_add_region(s, b, 1, 10) == C2D_OK);
+    REQUIRE(c2d_set_nodes(s, b, 1, 10, corners, 2) == C2D_OK);
+  }
+  for (const int32_t kind : {C2D_ZONE_MATCHING, C2D_ZONE_FREE})
+    for (const int32_t number : {0, -1, 11}) {
+      CAPTURE(kind);
+      const std::string is = " is " + std::to_string(number) + ", expected 1 to 10";
+      c2d_zone zone = good;
+      zone.kind = kind;
+      zone.side1.first_element = number, zone.side1.elements = zone.side2.elements = 2;
+      refused(c2d_add_zone(s, &zone), C2D_ERR_ARGUMENT, "contact element of body 1" + is);
+      zone.side1.first_element = 3, zone.side2.last_element = number;
+      refused(c2d_add_zone(s, &zone), C2D_ERR_ARGUMENT, "contact element of body 2" + is);
+      zone = good;
+      zone.side2.first_node = number;
+      if (kind == C2D_ZONE_MATCHING) refused(c2d_add_zone(s, &zone), C2D_ERR_ARGUMENT, "contact node of body 2" + is);
+    }
+  const auto wrong = [&](int32_t kind, auto change, c2d_status expected, const std::string& what) {
+    c2d_zone zone = good;
+    zone.kind = kind;
+    change(zone);
+    refused(c2d_add_zone(s, &zone), expected, what);
+  };
+  wrong(
+      2, [](c2d_zone&) {}, C2D_ERR_ARGUMENT, "kind of a zone");
+  wrong(
+      C2D_ZONE_MATCHING, [](c2d_zone& z) { z.side1.body = 2; }, C2D_ERR_ARGUMENT, "c2d_zone.side1.body is 2");
+  wrong(
+      C2D_ZONE_MATCHING, [](c2d_zone& z) { z.side2.body = 3; }, C2D_ERR_ARGUMENT, "c2d_zone.side2.body is 3");
+  wrong(
+      C2D_ZONE_MATCHING, [](c2d_zone& z) { z.side2.elements = 3; }, C2D_ERR_ARGUMENT,
+      "number of contact elements of side 2 is 3, expected 2");
+  wrong(
+      C2D_ZONE_MATCHING, [](c2d_zone& z) { z.pairs = 0; }, C2D_ERR_LIMIT, "number of contact pairs is 0, expected 1");
+  wrong(
+      C2D_ZONE_MATCHING, [](c2d_zone& z) { z.pairs = 6; }, C2D_ERR_LIMIT, "c2d_limits.pairs is 5, expected 6 or more");
+  wrong(
+      C2D_ZONE_MATCHING, [](c2d_zone& z) { z.side1.elements = z.side2.elements = -1; }, C2D_ERR_LIMIT,
+      "number of contact elements is -1, expected 1");
+  wrong(
+      C2D_ZONE_MATCHING, [](c2d_zone& z) { z.side1.elements = z.side2.elements = 5; }, C2D_ERR_LIMIT,
+      "c2d_limits.contact_elements is 4, expected 5 or more");
+  wrong(
+      C2D_ZONE_MATCHING, [](c2d_zone& z) { z.side1.elements = z.side2.elements = 3; }, C2D_ERR_ARGUMENT,
+      "the element range of body 1 does not hold");
+  wrong(
+      C2D_ZONE_MATCHING, [](c2d_zone& z) { z.side2.last_node = 5; }, C2D_ERR_ARGUMENT,
+      "the node range of body 2 does not hold");
+  wrong(
+      C2D_ZONE_FREE, [](c2d_zone& z) { z.side2.elements = 3; }, C2D_ERR_ARGUMENT, "the element range of body 2 does not hold");
+  wrong(
+      C2D_ZONE_FREE, [](c2d_zone& z) { z.side2.last_element = 6; }, C2D_ERR_LIMIT,
+      "c2d_limits.free_pairs is 3, expected 4 or more");
+  wrong(
+      C2D_ZONE_FREE, [](c2d_zone& z) { z.side2.last_element = 4; }, C2D_ERR_LIMIT, "c2d_limits.pairs is 5, expected 6 or more");
+  REQUIRE(c2d_add_zone(s, &good) == C2D_OK);
+  const int32_t held[4] = {1, 1, 0, 0};
+  for (int32_t local = 1; local <= 2; ++local) REQUIRE(c2d_set_condition(s, 1, 8, local, 1, held, none) == C2D_OK);
+  refused(c2d_set_values(s, 1, 8, 0, 2, pull), C2D_ERR_ARGUMENT, "tx is unknown here");
+  refused(c2d_set_values(s, 1, 1, 0, 2, here), C2D_ERR_ARGUMENT, "ux is unknown here");
+  refused(c2d_set_values(s, 1, 3, 1, 2, pull), C2D_ERR_ARGUMENT, "tx is a contact traction here");
+  REQUIRE(c2d_set_values(s, 1, 8, 0, 2, here) == C2D_OK);
+  refused(c2d_set_values(s, 1, 8, 1, 2, there), C2D_ERR_ARGUMENT, "ux was given another value at this node");
+  refused(c2d_set_values(s, 1, 8, 1, 2, nullptr), C2D_ERR_ARGUMENT, "no values given");
+  CHECK(c2d_get_state(s) == C2D_STATE_BUILDING);
 }
 
 TEST_CASE("refusals: what comes too late, and walks without a function") {

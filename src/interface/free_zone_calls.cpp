@@ -30,13 +30,10 @@ namespace {
 // Ranges of a free zone: side 2's runs against side 1's, whichever way they were given.
 c2d_status fill_free_zone(c2d_solver* s, const Model& m, const c2d_zone& given, Zone& z) {
   for (int b = 0; b < 2; ++b) {
-    const Body& body = m.head->body[b];
     const c2d_side& side = b == 0 ? given.side1 : given.side2;
     const int32_t ends[2] = {side.first_element, side.last_element};
-    for (int32_t element : ends)
-      if (!in_range(element, 1, body.elements))
-        return refuse_number(s, C2D_ERR_ARGUMENT, b == 0 ? "contact element of body 1" : "contact element of body 2", element,
-                             1, body.elements);
+    const c2d_status status = check_side_elements(s, b, side);
+    if (status != C2D_OK) return status;
     const int32_t count = side_elements(side);
     z.region[b] = region_of_element(m, b, ends[0] - 1);
     const Region& region = m.region[b][z.region[b]];

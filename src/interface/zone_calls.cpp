@@ -35,6 +35,12 @@ int32_t side_elements(const c2d_side& side) {
   return static_cast<int32_t>(distance <= -INT32_MAX || distance >= INT32_MAX ? -1 : (distance < 0 ? -distance : distance) + 1);
 }
 
+c2d_status check_side_elements(c2d_solver* s, int b, const c2d_side& side) {
+  const char* const name = b == 0 ? "contact element of body 1" : "contact element of body 2";
+  const int32_t elements = s->model.body[b].elements;
+  return check_ranges(s, {{name, side.first_element, 1, elements}, {name, side.last_element, 1, elements}});
+}
+
 c2d_status keep_zone(c2d_solver* s, Zone& z) {
   ModelHeader& head = s->model;
   z.first_pair = head.pairs;
@@ -55,12 +61,9 @@ c2d_status fill_zone(c2d_solver* s, const Model& m, const c2d_zone& given, Zone&
   for (int b = 0; b < 2; ++b) {
     const Body& body = m.head->body[b];
     const c2d_side& side = b == 0 ? given.side1 : given.side2;
-    const int32_t elements[2] = {side.first_element, side.last_element};
     const int32_t nodes[2] = {side.first_node, side.last_node};
-    for (int32_t element : elements)
-      if (!in_range(element, 1, body.elements))
-        return refuse_number(s, C2D_ERR_ARGUMENT, b == 0 ? "contact element of body 1" : "contact element of body 2", element,
-                             1, body.elements);
+    const c2d_status status = check_side_elements(s, b, side);
+    if (status != C2D_OK) return status;
     for (int32_t node : nodes)
       if (!in_range(node, 1, body.nodes))
         return refuse_number(s, C2D_ERR_ARGUMENT, b == 0 ? "contact node of body 1" : "contact node of body 2", node, 1,

@@ -10,6 +10,8 @@ int32_t range_step(int32_t first, int32_t last, int32_t count, int32_t start, in
 // What any kind of zone needs: two bodies that are known, and room.
 c2d_status check_room_for_zone(c2d_solver* s);
 
+// First and last element of the side on body b are some of it.
+c2d_status check_side_elements(c2d_solver* s, int b, const c2d_side& side);
 // How many elements a side has: as it says, or from first to last by their numbers.
 int32_t side_elements(const c2d_side& side);
 // The last step of both kinds: the zone stands at the end of the list.
