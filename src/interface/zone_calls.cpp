@@ -36,9 +36,11 @@ int32_t side_elements(const c2d_side& side) {
 }
 
 c2d_status check_side_elements(c2d_solver* s, int b, const c2d_side& side) {
-  const char* const name = b == 0 ? "contact element of body 1" : "contact element of body 2";
   const int32_t elements = s->model.body[b].elements;
-  return check_ranges(s, {{name, side.first_element, 1, elements}, {name, side.last_element, 1, elements}});
+  const int32_t wrong = in_range(side.first_element, 1, elements) ? side.last_element : side.first_element;
+  if (in_range(wrong, 1, elements)) return C2D_OK;
+  return refuse_number(s, C2D_ERR_ARGUMENT, b == 0 ? "contact element of body 1" : "contact element of body 2", wrong, 1,
+                       elements);
 }
 
 c2d_status keep_zone(c2d_solver* s, Zone& z) {
