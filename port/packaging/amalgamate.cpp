@@ -38,7 +38,9 @@ std::string header_path(const std::string& name) {
 }
 
 // What a line declares that begins at the margin: a type, a function, a constant. Empty: nothing.
-std::string declared(const std::string& line) {
+std::string declared(const std::string& whole) {
+  static const std::regex attributes("^(?:\\[\\[[^\\]]*\\]\\] ?)+");
+  const std::string line = std::regex_replace(whole, attributes, "");
   static const std::regex type("^(?:struct|class|enum class|enum|union|using) (\\w+)(?: \\{| =|;| :).*"),
       function("^[A-Za-z][\\w:<>, ]*?[ *&]+(\\w+)\\(.*"),
       constant("^(?:static |inline )*(?:constexpr|const) [\\w:<>* ]*?[ *](\\w+)(?:\\[.*?\\])*(?: =|\\{|;).*");
