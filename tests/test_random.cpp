@@ -101,6 +101,15 @@ TEST_CASE("random decks: a body that may tilt either way on one pair has two sol
   CHECK(v.not_unique);
 }
 
+TEST_CASE("random decks: with much friction there are more states than can be counted, and the warning says so") {
+  Model model = generate(385);
+  model.problem.friction = {8};
+  std::string said;
+  for (const c2d_error& e : problem::solve(model.problem).told)
+    if (e.status == C2D_WARN_NOT_UNIQUE) said = e.text;
+  CHECK(holds(said, "the solution is not unique: at least "));
+}
+
 TEST_CASE("random decks: a body that nothing moves lies where it was made, whichever gap the tableau leaves free") {
   is_solved(Kind::any, 104971);
 }

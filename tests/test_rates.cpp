@@ -187,6 +187,34 @@ TEST_CASE("rates: a wedge has three solutions where friction times coupling exce
   }
 }
 
+// Wedges that know nothing of each other: three states each, so 3^n of them all.
+TEST_CASE("rates: where not all solutions were counted, that is known") {
+  for (const int pairs : {2, 3}) {
+    CAPTURE(pairs);
+    Problem problem(pairs, 2.0);
+    for (int k = 0; k < pairs; ++k) {
+      const int n = 2 * k;
+      problem.stiffness(n, n) = problem.stiffness(n + 1, n + 1) = problem.rate(n) = 1.0;
+      problem.stiffness(n, n + 1) = problem.stiffness(n + 1, n) = 0.6;
+      problem.rate(n + 1) = 1.8;
+    }
+    int32_t found = 0;
+    c2d_status status = C2D_OK;
+    RateProblem& r = problem.start();
+    CHECK(try_all_cells(r, &found) == Settled::solved);
+    CHECK(found == (pairs == 2 ? 9 : 12)); // no more are kept
+    CHECK(r.partial == (pairs == 3));
+    RateProblem& branched = problem.start();
+    CHECK(branch_cells(branched, true, 100000, &found, go_on, nullptr, &status) == Settled::solved);
+    CHECK(found == (pairs == 2 ? 9 : 12));
+    CHECK(branched.partial == (pairs == 3));
+    RateProblem& stopped = problem.start();
+    CHECK(branch_cells(stopped, true, 9, &found, go_on, nullptr, &status) == Settled::solved);
+    CHECK(found < (pairs == 2 ? 9 : 12));
+    CHECK(stopped.partial);
+  }
+}
+
 // det K < 0: pressed, the pair can neither stay nor slip nor open where each is ruled out by its sign.
 TEST_CASE("rates: where no cell satisfies its conditions, all having been tried says so") {
   Problem problem = one_pair(0.0, 0.5, -1.0, 0.0);

@@ -345,6 +345,7 @@ Settled branch_cells(RateProblem& r, bool every, int32_t most, int32_t* found, c
   }
   take_solution(r);
   *found = all.told();
+  r.partial = all.more || !done;
   return all.count > 0 ? Settled::solved : done ? Settled::none : Settled::undecided;
 }
 

@@ -42,7 +42,8 @@ struct Follower {
   Event bound;           // the event that led here, until statuses are settled
   int32_t idle;          // the body that the contact has to hold has no force there (contact/let_go.hpp)
   int32_t goes_on;       // this piece of the path goes on in the direction of the one before
-  int32_t solutions;     // most contact states found at one load since the struct was filled, and
+  int32_t solutions;     // most contact states found at one load since the struct was filled;
+  bool more_solutions;   // there may be more there;
   double solutions_load; // that load, of the first case
   PathWatch watch;
   PathStats stats;

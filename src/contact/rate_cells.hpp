@@ -32,6 +32,7 @@ struct Solutions {
   static constexpr int kMost = 12;
   Signature seen[kMost];
   int32_t count;
+  bool more;            // than could be kept
   double nearest;       // of the one taken: how far its motion is from that before
   int32_t told() const; // those that count
 };

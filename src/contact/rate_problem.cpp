@@ -296,7 +296,10 @@ void add_solution(RateProblem& r, const Real* u, Solutions& all) {
   own.size = size.motion + size.force;
   for (int32_t k = 0; k < all.count; ++k)
     if (alike(own, all.seen[k], size)) return;
-  if (all.count < Solutions::kMost) all.seen[all.count++] = own;
+  if (all.count < Solutions::kMost)
+    all.seen[all.count++] = own;
+  else
+    all.more = true;
   if (all.count > 1 && away >= all.nearest * (1.0 - 1e-9)) return;
   all.nearest = away;
   for (int32_t i = 0; i < r.count; ++i) r.doubt[i].taken = r.doubt[i].cell;
@@ -333,6 +336,7 @@ Settled try_all_cells(RateProblem& r, int32_t* found) {
   } while (next_cells(r));
   take_solution(r);
   *found = all.told();
+  r.partial = all.more;
   return all.count > 0 ? Settled::solved : Settled::none;
 }
 

@@ -52,6 +52,7 @@ struct RateProblem {
   int32_t *given, *free;                    // branch_cells: quantities that are rows of the matrix, and columns; size each
   Branch* branch;                           // branch_cells: 3 count, the way to where it is
   double work;                              // operations so far
+  bool partial;                             // there may be more solutions than were counted
   bool holds_body;                          // nothing else does: of a body with free motions some pair must stay closed
   bool on_tableau;                          // follow_cells: the tableau goes along, and has to be built anew afterwards
 };
@@ -76,8 +77,8 @@ enum class Settled : int32_t {
 
 // How many sets of cells there are; at most 2^30.
 int64_t count_cells(const RateProblem& r);
-// Tries all of them. *found: how many solutions differ (of those with a regular system); the one whose motion differs least
-// from `before` is taken.
+// Tries all of them. *found: how many solutions differ (of those with a regular system), at least that many if r.partial; the
+// one whose motion differs least from `before` is taken.
 Settled try_all_cells(RateProblem& r, int32_t* found);
 // Follows the piecewise linear path from an artificial load under which one set of cells is right down to none (Lemke's
 // method): from the present cells, from sticking, and through increasing and decreasing coefficients of friction; or, drawn,

@@ -300,9 +300,10 @@ constexpr int32_t kFewPairs = 16, kFewParts = 1000, kMostParts = 20000;
 // which of several solutions goes on, and rounds of changes find it.
 bool wants_all(const Follower& f) { return f.t->pairs <= 6 || !f.goes_on; }
 
-void note_solutions(Follower& f, int32_t found) {
+void note_solutions(Follower& f, int32_t found, bool partial) {
   if (found <= f.solutions) return;
   f.solutions = found;
+  f.more_solutions = partial;
   f.solutions_load = f.load[0];
 }
 
@@ -371,7 +372,7 @@ c2d_status try_all(Follower& f, bool offends, int32_t* found) {
   else if (branch_cells(r, true, kFewParts, found, f.watch.tick, f.watch.context, &status) == Settled::undecided)
     *found = -1;
   if (status != C2D_OK) return status;
-  note_solutions(f, *found);
+  note_solutions(f, *found, r.partial);
   if (*found < 1 || (*found == 1 && !offends)) return C2D_OK;
   status = take_cells(f, r);
   if (status == C2D_OK && is_held(f)) return status;

@@ -192,8 +192,8 @@ void warn_not_unique(Session& session) {
   e.severity = C2D_WARNING;
   e.load = f.solutions_load;
   Text text = text_in(e.text);
-  put_all(text, "load factor ", e.load, ", mu ", s->mu, ": the solution is not unique: ", f.solutions,
-          " contact states satisfy all conditions; the one whose motion changes least is taken");
+  put_all(text, "load factor ", e.load, ", mu ", s->mu, ": the solution is not unique: ", f.more_solutions ? "at least " : "",
+          f.solutions, " contact states satisfy all conditions; the one whose motion changes least is taken");
   report_fault(s, e);
 }
 
