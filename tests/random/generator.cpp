@@ -133,6 +133,61 @@ std::vector<problem::Path> random_path(bool two_cases, Dice& dice) {
   return path;
 }
 
+// ---- lifted and put back ----------------------------------------------------------------------------------------------
+
+// Load case 1 brings the bodies together, and apart where its factor is negative; load case 2 moves or pushes aside.
+enum class Drive : int32_t {
+  held,      // the upper body is moved as told, both ways
+  guided,    // it is moved up and down, and free aside; the lower one moves aside
+  dragged,   // it is moved up and down, and pushed aside
+  rests,     // it is pressed by a traction alone; the lower body moves aside
+  pushed,    // the same, and pushed aside
+  pinned_up, // one point of it keeps its height; the lower body is raised and lowered, and moves aside
+  pinned_on, // one point of it stays in x; the same
+  hangs,     // its top keeps its height; the same
+  wall,      // a side of it slides along a wall; pressed by a traction
+  count
+};
+
+void set_both(Side& side, int component, bool fixed, double first, double second) {
+  side.condition.fixed[component] = fixed;
+  side.condition.value[0][component] = first;
+  side.condition.value[1][component] = second;
+}
+
+// `up`: from the held body to the one that is lifted, 1 or -1. Motions of this size; tractions of that.
+void drive(Drive how, Outlines& lifted, int32_t top, int32_t other, Side& base, double up, double motion, double traction) {
+  std::vector<Side>& outline = lifted.regions[0];
+  const int32_t beside = (top + 1) % static_cast<int32_t>(outline.size());
+  const bool base_rises = how == Drive::pinned_up || how == Drive::pinned_on || how == Drive::hangs;
+  const bool base_moves = base_rises || how == Drive::guided || how == Drive::rests;
+  set_both(base, 0, true, 0, base_moves ? motion : 0);
+  set_both(base, 1, true, base_rises ? up * motion : 0, 0);
+  const bool told = how == Drive::held || how == Drive::guided || how == Drive::dragged;
+  if (told || how == Drive::hangs) set_both(outline[index(top)], 1, true, told ? -up * motion : 0, 0);
+  if (how == Drive::held) set_both(outline[index(top)], 0, true, 0, motion);
+  if (how == Drive::dragged || how == Drive::pushed) set_both(outline[index(top)], 0, false, 0, traction);
+  if (how == Drive::rests || how == Drive::pushed || how == Drive::wall)
+    set_both(outline[index(top)], 1, false, -up * traction, 0);
+  if (how == Drive::pinned_up || how == Drive::pinned_on) lifted.pins.push_back({0, beside, how == Drive::pinned_up});
+  if (how == Drive::wall && outline[index(other)].zone == 0 && other != top) set_both(outline[index(other)], 0, true, 0, motion);
+}
+
+std::vector<problem::Path> lifting_path(Dice& dice) {
+  std::vector<problem::Path> path = {{dice.whole(1, 3), 1.0, dice.chance(0.6) ? 0 : dice.between(-1, 1)}};
+  for (int32_t i = dice.whole(2, 5); i > 0; --i) {
+    const problem::Path last = path.back();
+    const double kind = dice.unit();
+    const double first = kind < 0.25   ? last.load
+                         : kind < 0.40 ? 0.0
+                         : kind < 0.65 ? dice.between(-1, 0)
+                                       : dice.between(0, 1.5);
+    path.push_back({dice.whole(1, 3), first, dice.chance(0.5) ? last.second : dice.between(-1.2, 1.2)});
+    if (dice.chance(0.1)) path.back().second = 0;
+  }
+  return path;
+}
+
 // ---- the whole --------------------------------------------------------------------------------------------------------
 
 void add_zones(Problem& p, const Scene& scene) {
@@ -173,6 +228,27 @@ void add_point_loads(Problem& p, const Scene& scene, const Loading& l, Dice& dic
                            l.size * dice.between(-1, 0.2), 1});
 }
 
+double softer(const Problem& p) { return std::min(p.bodies[0].youngs_modulus, p.bodies[1].youngs_modulus); }
+
+// The outlines' points and conditions, with the materials that are there.
+void make_bodies(Problem& p, const Scene& scene, int32_t geometry, bool two_cases) {
+  for (int b = 0; b < 2; ++b) {
+    const problem::Body material = p.bodies[index(b)];
+    p.bodies[index(b)] = make_body(scene.body[b], geometry, p.function_nodes, two_cases);
+    p.bodies[index(b)].youngs_modulus = material.youngs_modulus;
+    p.bodies[index(b)].poisson_ratio = material.poisson_ratio;
+  }
+}
+
+void finish(Model& model, const Scene& scene) {
+  Problem& p = model.problem;
+  add_zones(p, scene);
+  model.same_surfaces = scene.same_surfaces;
+  model.any_angle = at_any_angle(p);
+  model.proportional = scene.touching && scene.same_surfaces && p.paths[0].second == 0;
+  model.title = scene.name;
+}
+
 Model assemble(Scene& scene, Dice& dice, int32_t function_nodes, double mu, bool two_cases, bool half) {
   Model model;
   Problem& p = model.problem;
@@ -180,8 +256,7 @@ Model assemble(Scene& scene, Dice& dice, int32_t function_nodes, double mu, bool
   p.friction = {mu};
   p.bodies.resize(2);
   set_materials(p, dice);
-  const problem::Body materials[2] = {p.bodies[0], p.bodies[1]};
-  const double soft = std::min(materials[0].youngs_modulus, materials[1].youngs_modulus);
+  const double soft = softer(p);
   const double strain = dice.power(-4, -2);
   // Mostly body 2 is pressed down onto body 1; sometimes body 1 up against body 2.
   const bool from_below = !scene.free_zones && dice.chance(0.12);
@@ -199,21 +274,17 @@ Model assemble(Scene& scene, Dice& dice, int32_t function_nodes, double mu, bool
       pushed.condition.value[0][0] = loading.size * dice.between(-0.5, 0.5) * std::min(mu, 1.0);
   }
   if (half && scene.flush_left && scene.zones == 1) hold_at_symmetry(scene);
-  const int32_t geometry = dice.whole(2, 4);
-  for (int b = 0; b < 2; ++b) {
-    p.bodies[index(b)] = make_body(scene.body[b], geometry, function_nodes, two_cases);
-    p.bodies[index(b)].youngs_modulus = materials[b].youngs_modulus;
-    p.bodies[index(b)].poisson_ratio = materials[b].poisson_ratio;
-  }
+  make_bodies(p, scene, dice.whole(2, 4), two_cases);
   if (!moves && !from_below && dice.chance(0.15)) add_point_loads(p, scene, loading, dice);
   if (scene.overlap) p.interference = 2;
-  add_zones(p, scene);
   p.paths = random_path(two_cases, dice);
-  model.same_surfaces = scene.same_surfaces;
-  model.any_angle = at_any_angle(p);
-  model.proportional = scene.touching && scene.same_surfaces && p.paths[0].second == 0;
-  model.title = scene.name;
+  finish(model, scene);
   return model;
+}
+
+const char* name_of(Drive how) {
+  const char* const names[] = {"held", "guided", "dragged", "rests", "pushed", "pinned up", "pinned on", "hangs", "wall"};
+  return names[static_cast<int32_t>(how)];
 }
 
 } // namespace
@@ -227,6 +298,29 @@ Model generate(uint64_t seed) {
   Model model =
       assemble(scene, dice, function_nodes, mu, !scene.overlap && dice.chance(0.3), Dice(seed ^ 0xA1F0000u).chance(0.2));
   model.title += " " + std::to_string(seed);
+  return model;
+}
+
+Model generate_lifted(uint64_t seed) {
+  Dice dice(seed ^ 0x11F7000000u);
+  Model model;
+  Problem& p = model.problem;
+  p.function_nodes = dice.whole(2, 4);
+  p.friction = {random_friction(dice)};
+  p.bodies.resize(2);
+  set_materials(p, dice);
+  Scene scene = make_scene(dice, p.function_nodes, false);
+  while (scene.overlap) scene = make_scene(dice, p.function_nodes, false);
+  const Drive how = static_cast<Drive>(dice.whole(0, static_cast<int32_t>(Drive::count) - 1));
+  const double strain = dice.power(-4, -2);
+  const int lifted = !scene.free_zones && dice.chance(0.2) ? 0 : 1; // the other one is held
+  Side& base = scene.body[1 - lifted].regions[0][index(lifted == 1 ? scene.base : scene.top)];
+  drive(how, scene.body[lifted], lifted == 1 ? scene.top : scene.base, lifted == 1 ? scene.top_other : scene.base_other, base,
+        lifted == 1 ? 1 : -1, strain, strain * softer(p));
+  make_bodies(p, scene, dice.whole(2, 4), true);
+  p.paths = lifting_path(dice);
+  finish(model, scene);
+  model.title += std::string(", ") + name_of(how) + " " + std::to_string(seed);
   return model;
 }
 

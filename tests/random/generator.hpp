@@ -18,5 +18,8 @@ struct Model {
 Model generate(uint64_t seed);
 // Few pairs, all of which touch at zero load, friction up to 3: every set of statuses can be tried.
 Model generate_few_pairs(uint64_t seed);
+// Bodies that are pressed together, moved along each other, lifted off and put back, in two load cases; in some directions only
+// contact holds them.
+Model generate_lifted(uint64_t seed);
 
 } // namespace random_decks

@@ -47,9 +47,13 @@ bool same_rows(const Result& deck, const Result& rows) {
   return true;
 }
 
+Model generate_kind(Kind kind, uint64_t seed) {
+  return kind == Kind::any ? generate(seed) : kind == Kind::lifted ? generate_lifted(seed) : generate_few_pairs(seed);
+}
+
 class Judge {
 public:
-  Judge(Kind kind, uint64_t seed) : seed_(seed), model_(kind == Kind::any ? generate(seed) : generate_few_pairs(seed)) {}
+  Judge(Kind kind, uint64_t seed) : seed_(seed), model_(generate_kind(kind, seed)) {}
   Verdict all();
 
 private:

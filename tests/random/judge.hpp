@@ -6,7 +6,7 @@
 
 namespace random_decks {
 
-enum class Kind { any, few_pairs };
+enum class Kind { any, few_pairs, lifted };
 
 struct Verdict {
   std::string title;

@@ -1,5 +1,5 @@
 // make random N=...: many random decks, in a process that may crash or hang without ending the others.
-//   run_random COUNT FIRST_SEED FOLDER [any|few|punch]
+//   run_random COUNT FIRST_SEED FOLDER [any|few|lift|punch]
 // Prints a line per finding and one per deck that could not be decided, then totals; exit status 1 if there was a finding.
 #include "judge.hpp"
 #include "spence.hpp"
@@ -129,8 +129,9 @@ int main(int argc, char** argv) {
   const uint64_t count = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 100;
   const uint64_t first = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
   const std::string folder = argc > 3 ? argv[3] : ".";
-  if (argc > 4 && std::string(argv[4]) == "punch") return run_punches();
-  const Kind kind = argc > 4 && std::string(argv[4]) == "few" ? Kind::few_pairs : Kind::any;
+  const std::string name = argc > 4 ? argv[4] : "any";
+  if (name == "punch") return run_punches();
+  const Kind kind = name == "few" ? Kind::few_pairs : name == "lift" ? Kind::lifted : Kind::any;
   Tally tally;
   run_all(kind, first, first + count, folder, tally);
   std::printf("%d decks\n", tally.decks);
