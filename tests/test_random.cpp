@@ -120,6 +120,8 @@ TEST_CASE("random decks: back to no load, the last pairs of a body are not let g
 
 TEST_CASE("random decks: a draw of few pairs, all statuses tried") { draw(Kind::few_pairs, 1, 20); }
 
+TEST_CASE("random decks: a draw of bodies that are lifted off and put back") { draw(Kind::lifted, 1, 25); }
+
 TEST_CASE("random decks: punches of Spence stick up to where the half plane says") {
   const std::vector<Punch> all = all_punches();
   for (size_t i = 0; i < all.size(); i += 17) { // make random KIND=punch: all of them

@@ -170,7 +170,8 @@ void drive(Drive how, Outlines& lifted, int32_t top, int32_t other, Side& base, 
   if (how == Drive::rests || how == Drive::pushed || how == Drive::wall)
     set_both(outline[index(top)], 1, false, -up * traction, 0);
   if (how == Drive::pinned_up || how == Drive::pinned_on) lifted.pins.push_back({0, beside, how == Drive::pinned_up});
-  if (how == Drive::wall && outline[index(other)].zone == 0 && other != top) set_both(outline[index(other)], 0, true, 0, motion);
+  if (how == Drive::wall && outline[index(other)].zone == 0 && other != top)
+    set_both(outline[index(other)], 0, true, 0, motion);
 }
 
 std::vector<problem::Path> lifting_path(Dice& dice) {
@@ -178,10 +179,7 @@ std::vector<problem::Path> lifting_path(Dice& dice) {
   for (int32_t i = dice.whole(2, 5); i > 0; --i) {
     const problem::Path last = path.back();
     const double kind = dice.unit();
-    const double first = kind < 0.25   ? last.load
-                         : kind < 0.40 ? 0.0
-                         : kind < 0.65 ? dice.between(-1, 0)
-                                       : dice.between(0, 1.5);
+    const double first = kind < 0.25 ? last.load : kind < 0.40 ? 0.0 : kind < 0.65 ? dice.between(-1, 0) : dice.between(0, 1.5);
     path.push_back({dice.whole(1, 3), first, dice.chance(0.5) ? last.second : dice.between(-1.2, 1.2)});
     if (dice.chance(0.1)) path.back().second = 0;
   }
