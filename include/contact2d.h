@@ -655,6 +655,10 @@ c2d_status c2d_advance(c2d_solver* solver, const double* load, int32_t cases, c2
    a pair on the border of its status (zero pressure, or about to slip) may be given the status that goes with the
    direction. Legal: running. Errors: ARGUMENT, STATE, STORE_.... */
 c2d_status c2d_next_event(c2d_solver* solver, const double* direction, int32_t cases, double* step);
+/* Does nothing. In a library compiled with C2D_PARTS_BY_CALL, a program that names it, or c2d_run or c2d_get_summary, is
+   warned of what is doubtful about a preparation or a contact state: C2D_WARN_ZONE_END ... _SURFACE, but for those that
+   c2d_complete tells. */
+void c2d_link_warnings(void);
 
 /* Keep the state of the path on tape 0: statuses, history, load factors, energies, tableau, or, in state prepared, that
    there is a factorisation. A crash at any moment leaves this state or the one saved before, and the tapes are made

@@ -95,6 +95,7 @@ CORE_SOURCES += src/interface/save_calls.cpp
 CORE_SOURCES += src/interface/summary.cpp
 CORE_SOURCES += src/interface/symmetry_calls.cpp
 CORE_SOURCES += src/interface/tape_need.cpp
+CORE_SOURCES += src/interface/warning_calls.cpp
 CORE_SOURCES += src/interface/zone_calls.cpp
 CORE_SOURCES += src/interface/zone_state_calls.cpp
 CORE_SOURCES += src/linalg/dense.cpp

@@ -79,7 +79,8 @@ TEST_CASE("parts: a file of the core that calls through a table says so, but whe
   for (const auto& entry : fs::recursive_directory_iterator(fs::path(C2D_TEST_ROOT) / "src")) {
     if (entry.path().extension() != ".cpp") continue;
     const std::string text = read_file(entry.path().string());
-    for (const char* name : {"SymmetryPart", "FreeZonePart", "BodyForcePart", "RigidPart", "EnergyPart", "NewLoadsPart"}) {
+    for (const char* name :
+         {"SymmetryPart", "FreeZonePart", "BodyForcePart", "RigidPart", "EnergyPart", "NewLoadsPart", "WarningPart"}) {
       const std::string part = name;
       if (!contains(text, "k" + part + ".")) continue;
       ++seen;

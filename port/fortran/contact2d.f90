@@ -737,6 +737,8 @@ module contact2d
       real(c_double), intent(in) :: load(cases)
       integer(c_int32_t) :: status
     end function
+    subroutine c2d_link_warnings() bind(C)
+    end subroutine
     function c2d_next_event(solver, direction, cases, step) bind(C) result(status)
       import
       type(c_ptr), value :: solver

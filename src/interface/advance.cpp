@@ -4,10 +4,13 @@
 #include <math.h>
 
 #include "interface/refuse.hpp"
+#include "memory/parts.hpp"
 #include "model/validate.hpp"
 #include "solver/load_path.hpp"
 
 namespace c2d {
+
+C2D_MEETS(WarningPart, c2d_link_warnings);
 
 c2d_status finish(Session& session, c2d_status status) {
   c2d_solver* s = session.solver;
@@ -28,7 +31,8 @@ c2d_status begin(Session& session) {
 
 c2d_status advance(Session& session, const double* target, Moment moment) {
   const c2d_status status = advance_path(session, target);
-  if (status == C2D_OK) warn_contact(session, moment);
+  kWarningPart.warn_not_unique(session);
+  if (status == C2D_OK) kWarningPart.warn_contact(session, moment);
   return status;
 }
 

@@ -6,6 +6,7 @@
 
 namespace c2d {
 C2D_MEETS(EnergyPart, c2d_get_summary); // a saved state may have them
+C2D_MEETS(WarningPart, c2d_link_warnings);
 } // namespace c2d
 
 using namespace c2d;
@@ -23,7 +24,7 @@ extern "C" c2d_status c2d_restore(c2d_solver* s) {
   status = restore_state(s);
   if (status != C2D_OK) return status;
   const int32_t warnings = s->warnings; // counted already, but told to another
-  if (!s->blocked) warn_condition(s);
+  if (!s->blocked) kWarningPart.warn_condition(s);
   s->warnings = warnings;
   return C2D_OK;
 }

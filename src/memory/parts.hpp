@@ -97,9 +97,7 @@ struct RigidPart { // model/validate_rigid.cpp, contact/rigid_reduction.cpp, res
   Function<void, const Session&, double, double, double*> rigid_displacement_now = Nothing();
 };
 
-struct Motions;
-
-struct EnergyPart { // solver/energy*.cpp, pressed_motion.cpp, results/balance.cpp
+struct EnergyPart { // solver/energy*.cpp, motion.cpp, pressed_motion.cpp, results/balance.cpp
   bool linked = false;
   Function<c2d_status, c2d_solver*> build_energy = NotLinked();
   Function<double*, c2d_solver*> work_by_case = Nothing();
@@ -108,8 +106,19 @@ struct EnergyPart { // solver/energy*.cpp, pressed_motion.cpp, results/balance.c
   Function<void, Session&> before_jump = Nothing();
   Function<void, Session&> after_jump = Nothing();
   Function<void, Session&> close_balance = Nothing();
-  Function<void, Session&, const Motions&, c2d_outcome, bool, double*> keep_motion = Nothing();
+  Function<void, Session&, c2d_outcome> find_outcome_motion = Nothing();
   Function<void, Session&> balance_forces = Nothing();
+};
+
+enum class Moment;
+
+struct WarningPart { // results/warnings.cpp and what it asks, solver/condition.cpp
+  bool linked = false;
+  Function<void, Session&, Moment> warn_contact = Nothing();
+  Function<void, Session&> warn_not_unique = Nothing();
+  Function<void, c2d_solver*> warn_breach = Nothing();
+  Function<c2d_status, c2d_solver*> find_condition = Nothing();
+  Function<void, c2d_solver*> warn_condition = Nothing();
 };
 
 struct EliminationPlan;
@@ -132,6 +141,7 @@ extern const FreeZonePart kFreeZonePart;   // free_zone_calls.cpp
 extern const BodyForcePart kBodyForcePart; // body_force_calls.cpp
 extern const RigidPart kRigidPart;         // rigid_calls.cpp
 extern const EnergyPart kEnergyPart;       // summary.cpp
+extern const WarningPart kWarningPart;     // warning_calls.cpp
 extern const NewLoadsPart kNewLoadsPart;   // new_loads_calls.cpp
 
 } // namespace c2d

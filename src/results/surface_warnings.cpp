@@ -1,7 +1,7 @@
 #include "results/surface_warnings.hpp"
 
 #include "contact/frames.hpp"
-#include "memory/text.hpp"
+#include "model/validate_finding.hpp"
 
 namespace c2d {
 
@@ -35,16 +35,12 @@ Closing closing_of(const Session& session, const Zone& z) {
 }
 
 template <class... Parts> void tell_zone(Session& session, int32_t number, int32_t zone, int32_t pair, Parts... parts) {
-  c2d_solver* s = session.solver;
-  c2d_error e = blank_error();
-  e.status = number;
-  e.severity = C2D_WARNING;
-  e.zone = zone + 1;
-  e.pair = pair + 1;
-  e.load = session.follower.load[0];
-  Text out = text_in(e.text);
-  put_all(out, "zone ", zone + 1, ": ", parts...);
-  report_fault(s, e);
+  Finding out(number);
+  out.entry.zone = zone + 1;
+  out.entry.pair = pair + 1;
+  out.entry.load = session.follower.load[0];
+  put_all(out.text, "zone ", zone + 1, ": ", parts...);
+  report_fault(session.solver, out.entry);
 }
 
 } // namespace

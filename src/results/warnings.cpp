@@ -6,6 +6,7 @@
 #include "model/geometry.hpp"
 #include "model/shape.hpp"
 #include "model/symmetry.hpp"
+#include "model/validate_finding.hpp"
 #include "results/back.hpp"
 #include "results/coarse_contact.hpp"
 #include "results/surface_warnings.hpp"
@@ -23,20 +24,14 @@ void warn(Session& session, int32_t number, int32_t zone, int32_t pair, const ch
   const int32_t bit = bit_of(number);
   if (s->warned & bit) return;
   s->warned |= bit;
-  c2d_error e = blank_error();
-  e.status = number;
-  e.severity = C2D_WARNING;
+  Finding out(number);
+  c2d_error& e = out.entry;
   e.zone = zone;
   e.pair = pair;
   e.load = session.follower.load[0];
-  Text out = text_in(e.text);
-  if (zone > 0) {
-    put_all(out, "zone ", zone, ", ");
-  }
-  if (pair > 0) {
-    put_all(out, "pair ", pair, ", ");
-  }
-  put_all(out, "load factor ", e.load, ", mu ", s->mu, ": ", text);
+  if (zone > 0) put_all(out.text, "zone ", zone, ", ");
+  if (pair > 0) put_all(out.text, "pair ", pair, ", ");
+  put_all(out.text, "load factor ", e.load, ", mu ", s->mu, ": ", text);
   report_fault(s, e);
 }
 
@@ -250,6 +245,39 @@ void warn_contact(Session& session, Moment moment) {
   if (session.follower.stats.unconverged > 0)
     warn(session, C2D_WARN_INCREMENT, 0, 0,
          "an increment did not converge within the iteration limit and was finished by following events");
+}
+
+// Once per path.
+void warn_not_unique(Session& session) {
+  Follower& f = session.follower;
+  c2d_solver* s = session.solver;
+  const int32_t bit = bit_of(C2D_WARN_NOT_UNIQUE);
+  if (f.solutions < 2 || (s->warned & bit) != 0) return;
+  s->warned |= bit;
+  Finding out(C2D_WARN_NOT_UNIQUE);
+  out.entry.load = f.solutions_load;
+  put_all(out.text, "load factor ", out.entry.load, ", mu ", s->mu,
+          ": the solution is not unique: ", f.more_solutions ? "at least " : "", f.solutions,
+          " contact states satisfy all conditions; the one whose motion changes least is taken");
+  report_fault(s, out.entry);
+}
+
+void warn_breach(c2d_solver* s) {
+  constexpr const char* kWhat[] = {"",
+                                   "the residual of the contact tableau",
+                                   "the residual of the contact equations",
+                                   "the balance of forces of the free body",
+                                   "a pressure or a gap below zero",
+                                   "friction above its bound",
+                                   "slip along its friction"};
+  Finding out(C2D_WARN_RESIDUAL);
+  out.entry.load = array_of<double>(s, kLoads)[0];
+  put_all(out.text, "the path ends at load factor ", out.entry.load, ": beyond it ");
+  if (s->breach == C2D_BREACH_SINGULAR)
+    put(out.text, "the contact equations have no unique solution");
+  else
+    put_all(out.text, kWhat[s->breach], " is ", s->breach_size, " of the largest, also with a new tableau");
+  report_fault(s, out.entry);
 }
 
 } // namespace c2d

@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "bie/columns.hpp"
-#include "memory/text.hpp"
+#include "model/validate_finding.hpp"
 #include "solver/judge.hpp"
 
 namespace c2d {
@@ -51,13 +51,10 @@ c2d_status find_condition(c2d_solver* s) {
 void warn_condition(c2d_solver* s) {
   const double loss = kDigit * s->condition;
   if (!(loss > kLossLimit)) return;
-  c2d_error e = blank_error();
-  e.status = C2D_WARN_CONDITION;
-  e.severity = C2D_WARNING;
-  Text text = text_in(e.text);
-  put_all(text, "the equations are badly conditioned: round-off may be up to ", loss < 1.0 ? loss : 1.0,
+  Finding out(C2D_WARN_CONDITION);
+  put_all(out.text, "the equations are badly conditioned: round-off may be up to ", loss < 1.0 ? loss : 1.0,
           " of the displacements; a body may be very slender, supports too close together, or elements of very unlike size");
-  report_fault(s, e);
+  report_fault(s, out.entry);
 }
 
 } // namespace c2d

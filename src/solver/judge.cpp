@@ -6,7 +6,6 @@
 #include "contact/let_go.hpp"
 #include "contact/start.hpp"
 #include "memory/parts.hpp"
-#include "memory/text.hpp"
 #include "model/pair_frame.hpp"
 #include "solver/energy.hpp"
 #include "solver/load_path.hpp"
@@ -404,27 +403,6 @@ c2d_status return_to_good(Session& session) {
   for (int32_t i = 0; i < s->model.contact; ++i) f.dy[i] = 0;
   s->unsound = 1;
   return status;
-}
-
-void tell_breach(c2d_solver* s) {
-  constexpr const char* kWhat[] = {"",
-                                   "the residual of the contact tableau",
-                                   "the residual of the contact equations",
-                                   "the balance of forces of the free body",
-                                   "a pressure or a gap below zero",
-                                   "friction above its bound",
-                                   "slip along its friction"};
-  c2d_error e = blank_error();
-  e.status = C2D_WARN_RESIDUAL;
-  e.severity = C2D_WARNING;
-  e.load = array_of<double>(s, kLoads)[0];
-  Text text = text_in(e.text);
-  if (s->breach == C2D_BREACH_SINGULAR)
-    put_all(text, "the path ends at load factor ", e.load, ": beyond it the contact equations have no unique solution");
-  else
-    put_all(text, "the path ends at load factor ", e.load, ": beyond it ", kWhat[s->breach], " is ", s->breach_size,
-            " of the largest, also with a new tableau");
-  report_fault(s, e);
 }
 
 } // namespace c2d

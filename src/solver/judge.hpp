@@ -55,8 +55,7 @@ inline double sign_of(int32_t row) {
 
 // c2d_solver::condition, after the elimination (solver/condition.cpp). Errors: the block store's.
 c2d_status find_condition(c2d_solver* solver);
-
-// Tells what was beyond its limits.
-void tell_breach(c2d_solver* solver);
+// Tells how much that costs, if it is much.
+void warn_condition(c2d_solver* solver);
 
 } // namespace c2d

@@ -5,15 +5,14 @@
 #include "bie/body_force.hpp"
 #include "bie/columns.hpp"
 #include "memory/parts.hpp"
-#include "memory/text.hpp"
 #include "solver/energy.hpp"
 #include "solver/judge.hpp"
-#include "solver/motion.hpp"
 
 namespace c2d {
 
 C2D_USES(BodyForcePart);
 C2D_USES(EnergyPart);
+C2D_USES(WarningPart);
 
 void note_open_pairs(Session& session) {
   for (int32_t i = 0; i < session.model.head->pairs; ++i) {
@@ -177,29 +176,8 @@ void name_outcome(Session& session, c2d_outcome outcome) {
   if (outcome == C2D_GROSS_SLIDING && s->peak_pressure > 0.0 &&
       path_scales(session.follower).p <= kNoPressure * s->peak_pressure)
     s->outcome = outcome = C2D_FREE_MOTION;
-  if (s->outcome_body > 0) s->outcome = find_outcome_motion(session, outcome);
+  if (s->outcome_body > 0 && s->keeps_energy) kEnergyPart.find_outcome_motion(session, outcome);
 }
-
-// Once per path.
-void warn_not_unique(Session& session) {
-  Follower& f = session.follower;
-  c2d_solver* s = session.solver;
-  constexpr int32_t kBit = 1 << (C2D_WARN_NOT_UNIQUE - C2D_WARN_ZONE_END);
-  if (f.solutions < 2 || (s->warned & kBit) != 0) return;
-  s->warned |= kBit;
-  c2d_error e = blank_error();
-  e.status = C2D_WARN_NOT_UNIQUE;
-  e.severity = C2D_WARNING;
-  e.load = f.solutions_load;
-  Text text = text_in(e.text);
-  put_all(text, "load factor ", e.load, ", mu ", s->mu, ": the solution is not unique: ", f.more_solutions ? "at least " : "",
-          f.solutions, " contact states satisfy all conditions; the one whose motion changes least is taken");
-  report_fault(s, e);
-}
-
-} // namespace
-
-namespace {
 
 // To `target`, or as far as the path leads, and judged there.
 c2d_status go(Session& session, const double* target, c2d_outcome* outcome) {
@@ -239,7 +217,7 @@ c2d_status go_soundly(Session& session, const double* target, c2d_outcome* outco
   if (status == C2D_ERR_SINGULAR) s->breach = C2D_BREACH_SINGULAR;
   *outcome = C2D_BEYOND_LIMITS;
   status = s->unsound ? c2d_status{C2D_OK} : return_to_good(session);
-  tell_breach(s);
+  kWarningPart.warn_breach(s);
   return is_lost(status) ? c2d_status{C2D_OK} : status;
 }
 
@@ -272,7 +250,6 @@ c2d_status advance_path(Session& session, const double* target) {
   }
   s->peak_pressure = fmax(s->peak_pressure, path_scales(session.follower).p);
   s->seconds[C2D_PHASE_CONTACT] += clock_now(s) - start;
-  warn_not_unique(session);
   name_outcome(session, outcome);
   return status;
 }

@@ -6,14 +6,11 @@
 
 #include <math.h>
 
-#include "memory/parts.hpp"
 #include "model/rigid.hpp"
 #include "solver/load_path.hpp"
 #include "solver/support.hpp"
 
 namespace c2d {
-
-C2D_USES(EnergyPart);
 
 void motion_rows(const Session& session, const Motions& motions, const Pair& pair, double normal[3], double tangential[3]) {
   for (int j = 0; j < motions.count; ++j) {
@@ -147,17 +144,16 @@ bool find_unpressed_motion(const Session& session, const Motions& motions, doubl
 
 } // namespace
 
-c2d_outcome find_outcome_motion(Session& session, c2d_outcome outcome) {
+void find_outcome_motion(Session& session, c2d_outcome outcome) {
   c2d_solver* s = session.solver;
   for (double& number : s->outcome_motion) number = 0.0;
-  if (s->outcome_body < 1 || s->outcome_body > session.model.head->bodies) return outcome;
-  const Motions motions{session.model.head->body[s->outcome_body - 1], s->outcome_body - 1,
-                        session.model.head->body[s->outcome_body - 1].free_motions};
-  if (motions.count < 1) return outcome;
+  if (s->outcome_body > session.model.head->bodies) return;
+  const Body& body = session.model.head->body[s->outcome_body - 1];
+  const Motions motions{body, s->outcome_body - 1, body.free_motions};
+  if (motions.count < 1) return;
   double choice[3] = {1.0, 0.0, 0.0};
   const bool found = s->blocked || (!is_pressed(session) && find_unpressed_motion(session, motions, choice));
-  if (s->keeps_energy) kEnergyPart.keep_motion(session, motions, outcome, found, choice);
-  return outcome;
+  keep_motion(session, motions, outcome, found, choice);
 }
 
 } // namespace c2d

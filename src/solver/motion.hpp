@@ -4,9 +4,9 @@
 
 namespace c2d {
 
-// How the free body starts to move when the contact cannot hold it: solver->outcome_motion. Returns the outcome; where
-// nothing is pressed the motion decides whether that is sliding or free motion.
-c2d_outcome find_outcome_motion(Session& session, c2d_outcome outcome);
+// How the body solver->outcome_body starts to move when the contact cannot hold it: solver->outcome_motion. Optional, with the
+// calls that tell it (memory/parts.hpp: energies).
+void find_outcome_motion(Session& session, c2d_outcome outcome);
 
 // What moves, and how many ways it may.
 struct Motions {
@@ -21,7 +21,7 @@ double length_of(const double v[3], int n);
 void remove_prevented(const double basis[3][3], int rank, int n, double v[3]);
 
 // solver->outcome_motion, from numbers per free motion: those of `choice` if `found`, else the motion that pressed pairs
-// allow (none: zero). Optional, with the calls that tell it (solver/energy.hpp).
+// allow (none: zero).
 void keep_motion(Session& session, const Motions& motions, c2d_outcome outcome, bool found, double choice[3]);
 
 } // namespace c2d

@@ -22,6 +22,7 @@ namespace c2d {
 
 C2D_USES(EnergyPart);
 C2D_USES(NewLoadsPart);
+C2D_USES(WarningPart);
 
 namespace {
 
@@ -308,13 +309,13 @@ c2d_status prepare_once(c2d_solver* s) {
   }
   s->keeps_energy = kEnergyPart.linked;
   if (status == C2D_OK && !s->blocked) weigh_pairs(m);
-  if (status == C2D_OK && !s->blocked && !loads_only) status = find_condition(s);
+  if (status == C2D_OK && !s->blocked && !loads_only) status = kWarningPart.find_condition(s);
   if (status == C2D_OK && !s->blocked) status = build_judge(s);
   if (status == C2D_OK && !s->blocked && s->keeps_energy) status = kEnergyPart.build_energy(s);
   if (status == C2D_OK) {
     s->state = C2D_STATE_PREPARED;
     s->factors = s->options.keep_factors != 0 && !s->blocked;
-    if (!s->blocked && !loads_only) warn_condition(s);
+    if (!s->blocked && !loads_only) kWarningPart.warn_condition(s);
     return C2D_OK;
   }
   if (is_store_error(status)) return fail_store(s, status);

@@ -1,4 +1,4 @@
-// The motion of a body whose pressed pairs hold it no longer, and what is told of it. Optional (memory/parts.hpp).
+// The motion of a body whose pressed pairs hold it no longer, and what is told of it.
 #include <math.h>
 
 #include "model/rigid.hpp"

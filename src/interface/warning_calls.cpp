@@ -1,0 +1,8 @@
+// Warnings about contact states.
+#include "memory/parts.hpp"
+#include "results/warnings.hpp"
+#include "solver/judge.hpp"
+
+const c2d::WarningPart c2d::kWarningPart = {true, warn_contact, warn_not_unique, warn_breach, find_condition, warn_condition};
+
+extern "C" void c2d_link_warnings(void) {}
