@@ -344,32 +344,7 @@ c2d_status c2d_scan_deck(c2d_read_line read, void* context, c2d_limits* out, c2d
 /* The same, with every fault told to `report`. */
 c2d_status c2d_check_deck(c2d_read_line read, void* context, c2d_limits* out, c2d_report report,
                           void* report_context);
-/* The same walk, for programs that look at the cards themselves (to write them anew, or to draw them): `card` is
-   told every field in the order of the deck. Fields are named by their columns in the fixed form also where the
-   deck is of the free form (`*FREE`). Errors: ARGUMENT, INPUT, READ; what has been told before a fault counts for
-   nothing. */
-enum {
-  C2D_CARD_FREE = 0,          /* the deck is of the free form; comes first                          */
-  C2D_CARD_HEADING = 1,       /* a heading card, as it stands                                       */
-  C2D_CARD_INTEGER = 2,       /* fields                                                             */
-  C2D_CARD_REAL = 3,
-  C2D_CARD_LETTER = 4,        /* P in column 1 of a node card                                       */
-  C2D_CARD_REMARK = 5,        /* words behind the last field of a fixed card                        */
-  C2D_CARD_COMMENT = 6,       /* without its C or !; told before the card on whose line it stands   */
-  C2D_CARD_EXTENSION = 7      /* a keyword card or one below it, as it stands                       */
-};
-typedef struct c2d_card {
-  uint32_t struct_size;
-  int32_t kind;               /* C2D_CARD_...                                                       */
-  int32_t line;               /* of the deck                                                        */
-  int32_t column, width;      /* of the field in the fixed form                                     */
-  int32_t length;             /* characters in text, which has no zero byte; 0: a field left blank  */
-  const char* text;           /* without outer blanks                                               */
-  double value;               /* of a field, as the library reads it                                */
-} c2d_card;
-typedef void (*c2d_card_fn)(void* context, const c2d_card* card);
-c2d_status c2d_walk_deck(c2d_read_line read, void* context, c2d_card_fn card, void* card_context, c2d_report report,
-                         void* report_context);
+/* For programs that look at the cards themselves there is c2d_walk_deck of contact2d_cards.h. */
 /* Read a whole deck and complete the model. Legal: empty. All faults go to c2d_port.log, the first is kept for
    c2d_last_error. On failure the model is empty again. */
 c2d_status c2d_read_deck(c2d_solver* solver, c2d_read_line read, void* context);

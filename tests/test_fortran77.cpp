@@ -787,7 +787,7 @@ TEST_CASE("fortran77: IERR from 50 on is what the page says, and nothing else is
 TEST_CASE("fortran77: the page has every name with its arguments, and every function of the header") {
   const std::string page = read_file(kRoot + "/port/fortran/README.md"),
                     declarations = read_file(kRoot + "/port/fortran/fortran77.hpp"),
-                    header = read_file(kRoot + "/include/contact2d.h");
+                    header = read_file(kRoot + "/include/contact2d.h") + read_file(kRoot + "/include/contact2d_cards.h");
   const std::regex declared("void (c2[a-z0-9]+)_\\(([^;]*)\\);"), argument("(\\w+)(,|$)");
   int names = 0;
   for (std::sregex_iterator i(declarations.begin(), declarations.end(), declared), end; i != end; ++i) {

@@ -86,13 +86,15 @@ TEST_CASE("header: the code in the comments of the ports' headers compiles as C9
   }
 }
 
-TEST_CASE("header: the code in the comment of contact2d_memory.h compiles as C99 and C++") {
-  const std::vector<std::string> code = snippets(read_file(kRoot + "/include/contact2d_memory.h"));
-  CHECK(!code.empty());
-  for (const std::string& compiler : {kAsC, kAsCpp}) {
-    const Folder folder;
-    const Result compiled = compile(compiler, folder, program_of(code, "#include \"contact2d_memory.h\"\n"), false);
-    CHECK_MESSAGE(compiled.status == 0, compiled.err);
+TEST_CASE("header: the code in the comments of the smaller headers compiles as C99 and C++") {
+  for (const std::string name : {"contact2d_cards.h", "contact2d_memory.h"}) {
+    const std::vector<std::string> code = snippets(read_file(kRoot + "/include/" + name));
+    CHECK_MESSAGE(!code.empty(), name);
+    for (const std::string& compiler : {kAsC, kAsCpp}) {
+      const Folder folder;
+      const Result compiled = compile(compiler, folder, program_of(code, "#include \"" + name + "\"\n"), false);
+      CHECK_MESSAGE(compiled.status == 0, name << "\n" << compiled.err);
+    }
   }
 }
 

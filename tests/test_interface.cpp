@@ -1,4 +1,5 @@
 // The rules of the C interface: structs that grow, states, wrong arguments, callbacks, words for numbers.
+#include "contact2d_cards.h"
 #include "shell.hpp"
 #include "solver/solver.hpp"
 #include "solver_runs.hpp"

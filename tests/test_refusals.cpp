@@ -1,4 +1,5 @@
 // What cannot be meant is refused before anything happens, by the name of the member or of the argument.
+#include "contact2d_cards.h"
 #include "solver_runs.hpp"
 
 #include <doctest/doctest.h>

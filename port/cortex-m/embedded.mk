@@ -85,7 +85,7 @@ $(BOARDS:%=embedded-%): embedded-%: $(EMBEDDED)/%/hertz.csv $(EMBEDDED)/desktop.
 #                both steppings, interior points
 #   solver-run   the same and c2d_run, c2d_get_summary, with energies       solver-deck   that and the deck reader
 open := (
-ALL_CALLS    := $(sort $(shell sed -n 's/^[a-z][a-z0-9_ *]*\(c2d_[a-z0-9_]*\)$(open)[a-z].*/\1/p' include/contact2d.h))
+ALL_CALLS    := $(sort $(shell sed -n 's/^[a-z][a-z0-9_ *]*\(c2d_[a-z0-9_]*\)$(open)[a-z].*/\1/p' include/*.h))
 DECK_CALLS   := c2d_scan_deck c2d_check_deck c2d_walk_deck c2d_read_deck
 SOLVER_CALLS := c2d_memory_need c2d_create c2d_close c2d_set_problem c2d_set_body c2d_add_region c2d_set_nodes \
   c2d_set_condition c2d_add_point_load c2d_add_zone c2d_add_friction c2d_add_path c2d_complete c2d_set_options \

@@ -1,4 +1,4 @@
-! contact2d for Fortran: the whole of contact2d.h and of the ports c2d_memory.h, c2d_stdio.h, c2d_posix.h and
+! contact2d for Fortran: the whole of contact2d.h, contact2d_cards.h and the ports c2d_memory.h, c2d_stdio.h, c2d_posix.h and
 ! c2d_threads.h, under the same names. The headers are the manual; here stands only how their arguments look from Fortran.
 !
 !   gfortran -c contact2d.f90

@@ -1,6 +1,6 @@
 #pragma once
 // Cards one after another, their fields, and the faults found in them.
-#include "contact2d.h"
+#include "contact2d_cards.h"
 #include "deck/words.hpp"
 #include "memory/text.hpp"
 

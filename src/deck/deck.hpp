@@ -2,7 +2,6 @@
 // The card deck of the 1987 program (Appendix B of the thesis): a walk over all its cards, section by
 // section. The walk validates every number where it stands, counts sizes, and hands the model to a sink; it
 // keeps none of it, so a deck may be as large as the workspace behind the sink.
-#include "contact2d.h"
 #include "deck/cards.hpp"
 
 namespace c2d {

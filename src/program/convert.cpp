@@ -6,6 +6,8 @@
 #include "program/output_file.hpp"
 #include "program/real_in_columns.hpp"
 
+#include <contact2d_cards.h>
+
 #include <cstring>
 
 namespace app {

@@ -2,6 +2,8 @@
 
 #include "report/text.hpp"
 
+#include <contact2d_cards.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>

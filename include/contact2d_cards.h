@@ -1,0 +1,48 @@
+/* contact2d: the cards of a deck, for programs that look at them themselves, to write them anew or to draw them. Reading a
+   deck into a solver needs nothing of this: c2d_read_deck of contact2d.h.
+
+     static void show_field(void* context, const c2d_card* card) {
+       if (card->kind == C2D_CARD_INTEGER || card->kind == C2D_CARD_REAL)
+         fprintf((FILE*)context, "line %d, column %d: %g\n", (int)card->line, (int)card->column, card->value);
+     }
+*/
+#ifndef CONTACT2D_CARDS_H
+#define CONTACT2D_CARDS_H
+
+#include "contact2d.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum {
+  C2D_CARD_FREE = 0,          /* the deck is of the free form; comes first                          */
+  C2D_CARD_HEADING = 1,       /* a heading card, as it stands                                       */
+  C2D_CARD_INTEGER = 2,       /* fields                                                             */
+  C2D_CARD_REAL = 3,
+  C2D_CARD_LETTER = 4,        /* P in column 1 of a node card                                       */
+  C2D_CARD_REMARK = 5,        /* words behind the last field of a fixed card                        */
+  C2D_CARD_COMMENT = 6,       /* without its C or !; told before the card on whose line it stands   */
+  C2D_CARD_EXTENSION = 7      /* a keyword card or one below it, as it stands                       */
+};
+typedef struct c2d_card {
+  uint32_t struct_size;
+  int32_t kind;               /* C2D_CARD_...                                                       */
+  int32_t line;               /* of the deck                                                        */
+  int32_t column, width;      /* of the field in the fixed form, also where the deck is of the free form (*FREE) */
+  int32_t length;             /* characters in text, which has no zero byte; 0: a field left blank  */
+  const char* text;           /* without outer blanks; valid during the call only                   */
+  double value;               /* of a field, as the library reads it                                */
+} c2d_card;
+typedef void (*c2d_card_fn)(void* context, const c2d_card* card);
+
+/* Walks over a deck as c2d_check_deck does, without any workspace: `card` is told every field in the order of the deck,
+   `report` (may be null) every fault. What was told before a fault counts for nothing. `card` may be null,
+   too. Errors: ARGUMENT, INPUT, READ. */
+c2d_status c2d_walk_deck(c2d_read_line read, void* context, c2d_card_fn card, void* card_context, c2d_report report,
+                         void* report_context);
+
+#ifdef __cplusplus
+}
+#endif
+#endif
