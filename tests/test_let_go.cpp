@@ -11,6 +11,7 @@
 
 #include <cmath>
 #include <memory>
+#include <utility>
 
 using namespace problem;
 
@@ -122,6 +123,30 @@ TEST_CASE("let go: a block lifted straight from a flat table keeps its place, an
     CHECK(std::string(e->text).find("place of body 2 in the direction (1, 0)") != std::string::npos);
     CHECK_FALSE(r.warned(C2D_WARN_NOT_UNIQUE));
   }
+}
+
+TEST_CASE("supports: contact can hold one body; two that lean on each other are refused, two that may go together fly away") {
+  const auto held = [](bool along_x) { // body 1 may move along x, body 2 along y or x
+    Problem p = block(2, 0.5);
+    set_ends(p, 1, [](double, double y, double, double ny, End& end) {
+      end = End();
+      if (y < -1.99) end.codes[3] = 0;
+      if (ny < -0.5) end.codes[1] = 1;
+    });
+    p.bodies[0].second_case = p.bodies[0].ends;
+    if (along_x) return p;
+    for (std::vector<End>* ends : {&p.bodies[1].ends, &p.bodies[1].second_case})
+      for (End& end : *ends)
+        if (end.codes[3] == 0) std::swap(end.codes[0], end.codes[1]), std::swap(end.codes[2], end.codes[3]), end.values[1] = -1;
+    return p;
+  };
+  const Result refused = solve(held(false));
+  CAPTURE(refused.messages());
+  CHECK(refused.status == C2D_ERR_INPUT);
+  CHECK(refused.messages().find("body 1 can move: along x; body 2: along y") != std::string::npos);
+  const Result together = solve(held(true));
+  CHECK(together.status == C2D_OK);
+  CHECK(together.outcome == C2D_FREE_MOTION);
 }
 
 TEST_CASE("let go: what it has slid before stays, and no slip is counted in the air") {

@@ -118,6 +118,10 @@ TEST_CASE("random decks: back to no load, the last pairs of a body are not let g
   for (const uint64_t seed : {103288u, 104777u, 106939u, 108176u}) is_solved(Kind::any, seed);
 }
 
+TEST_CASE("random decks: pairs that slide into place without a force have the slip of that way, called open or not") {
+  is_solved(Kind::any, 305822);
+}
+
 TEST_CASE("random decks: a draw of few pairs, all statuses tried") { draw(Kind::few_pairs, 1, 20); }
 
 TEST_CASE("random decks: a draw of bodies that are lifted off and put back") { draw(Kind::lifted, 1, 25); }

@@ -215,6 +215,27 @@ TEST_CASE("rates: where not all solutions were counted, that is known") {
   }
 }
 
+// Two pairs that go along x with neither gap nor force, but for a last digit: open or slipping, it is one solution.
+TEST_CASE("rates: a motion without gap and force is one solution, and its pairs are closed") {
+  for (const double digit : {5e-13, 0.0, -5e-13}) {
+    CAPTURE(digit);
+    Problem problem(2, 0.5);
+    for (int i = 0; i < 4; ++i) {
+      problem.stiffness(i, i) = 1.0;
+      problem.rate(i) = i % 2 == 0 ? digit : -1.0;
+    }
+    int32_t found = 0, branched = 0;
+    c2d_status status = C2D_OK;
+    RateProblem& r = problem.start();
+    REQUIRE(try_all_cells(r, &found) == Settled::solved);
+    CHECK(found == 1);
+    for (int i = 0; i < 2; ++i) CHECK(r.doubt[i].cell == Cell::slip_minus);
+    REQUIRE(branch_cells(problem.start(), true, 1000, &branched, go_on, nullptr, &status) == Settled::solved);
+    CHECK(branched == 1);
+    for (int i = 0; i < 2; ++i) CHECK(r.doubt[i].cell == Cell::slip_minus);
+  }
+}
+
 // det K < 0: pressed, the pair can neither stay nor slip nor open where each is ruled out by its sign.
 TEST_CASE("rates: where no cell satisfies its conditions, all having been tried says so") {
   Problem problem = one_pair(0.0, 0.5, -1.0, 0.0);

@@ -410,6 +410,18 @@ bool build_frames(const Model& m, Reporter& reporter) {
   return reporter.faults == before;
 }
 
+// Contact can hold one body, METHOD 10.1. Where both may move as one nothing needs to be solved: that is what begins.
+static void check_supports(const Model& m, Reporter& reporter) {
+  const Body* body = m.head->body;
+  if (m.head->contact == 0 || body[0].free_motions == 0 || body[1].free_motions == 0 || share_free_motion(m)) return;
+  Finding f = fault();
+  say(f, "supports hold neither body, and contact can hold one alone: body 1 can move: ");
+  put_motion(f.text, m, 0, body[0].free_motion[0]);
+  say(f, "; body 2: ");
+  put_motion(f.text, m, 1, body[1].free_motion[0]);
+  tell(reporter, f);
+}
+
 bool complete_model(const Model& m, Reporter& reporter) {
   const int32_t before = reporter.faults;
   m.head->contact = m.head->free_rows = 0;
@@ -425,7 +437,8 @@ bool complete_model(const Model& m, Reporter& reporter) {
   if (reporter.faults != before) return false;
   for (int b = 0; b < m.head->bodies; ++b) find_free_motions(m, b);
   if (m.head->rigid != 0) m.head->body[0].free_motions = 0;
-  return true;
+  check_supports(m, reporter);
+  return reporter.faults == before;
 }
 
 } // namespace c2d

@@ -26,18 +26,21 @@ struct CellSizes { // largest rates
 // Two numbers that tell solutions apart, whatever their cells: forces and motions summed with unlike weights.
 struct Signature {
   double force, motion;
-  double size; // largest motion
+  double size;    // largest motion
+  int32_t closed; // pairs
 };
 struct Solutions {
   static constexpr int kMost = 12;
   Signature seen[kMost];
   int32_t count;
-  bool more;            // than could be kept
+  bool more; // than could be kept
+  Signature taken;
   double nearest;       // of the one taken: how far its motion is from that before
   int32_t told() const; // those that count
 };
 // Adds the present solution, u, unless it is there already under other cells; if its motion is the nearest to r.before so far
-// its cells are taken.
+// its cells are taken. Of cells that mean the same those with most pairs closed: a pair that slides without a force and
+// without a gap may be called open or slipping, and what is its slip must not depend on the order in which cells are tried.
 void add_solution(RateProblem& r, const Real* u, Solutions& all);
 void take_solution(RateProblem& r); // the cells taken are the present ones
 

@@ -260,7 +260,7 @@ bool next_cells(RateProblem& r) {
 }
 
 Signature sign_solution(const RateProblem& r, const Real* u, double* away) {
-  Signature s{0.0, 0.0, 0.0};
+  Signature s{};
   double turn = 0.0; // weights unlike for all, so that solutions which mirror each other differ
   *away = 0.0;
   for (int32_t i = 0; i < r.count; ++i) {
@@ -280,11 +280,17 @@ Signature sign_solution(const RateProblem& r, const Real* u, double* away) {
   return s;
 }
 
-bool alike(const Signature& a, const Signature& b, const CellSizes& size) {
+// The same but for round-off: of each kind, and what the other leaves of it in every number that was summed.
+bool alike(const RateProblem& r, const Signature& a, const Signature& b, const CellSizes& size) {
   constexpr double kAlike = 1e-6;
-  const double all = size.force + size.motion;
-  return fabs(a.force - b.force) <= kAlike * (size.force + 1e-6 * all) &&
-         fabs(a.motion - b.motion) <= kAlike * (size.motion + 1e-6 * all);
+  const double noise = 4.0 * r.size * kNoise * (size.force + size.motion);
+  return fabs(a.force - b.force) <= kAlike * size.force + noise && fabs(a.motion - b.motion) <= kAlike * size.motion + noise;
+}
+
+void take(RateProblem& r, Solutions& all, const Signature& s, double away) {
+  all.nearest = away;
+  all.taken = s;
+  for (int32_t i = 0; i < r.count; ++i) r.doubt[i].taken = r.doubt[i].cell;
 }
 
 } // namespace
@@ -294,15 +300,17 @@ void add_solution(RateProblem& r, const Real* u, Solutions& all) {
   Signature own = sign_solution(r, u, &away);
   const CellSizes size = sizes_of(r, u);
   own.size = size.motion + size.force;
-  for (int32_t k = 0; k < all.count; ++k)
-    if (alike(own, all.seen[k], size)) return;
+  for (int32_t i = 0; i < r.count; ++i) own.closed += r.doubt[i].cell != Cell::open;
+  for (int32_t k = 0; k < all.count; ++k) {
+    if (!alike(r, own, all.seen[k], size)) continue;
+    if (own.closed > all.taken.closed && alike(r, own, all.taken, size)) take(r, all, own, all.nearest);
+    return;
+  }
   if (all.count < Solutions::kMost)
     all.seen[all.count++] = own;
   else
     all.more = true;
-  if (all.count > 1 && away >= all.nearest * (1.0 - 1e-9)) return;
-  all.nearest = away;
-  for (int32_t i = 0; i < r.count; ++i) r.doubt[i].taken = r.doubt[i].cell;
+  if (all.count == 1 || away < all.nearest * (1.0 - 1e-9)) take(r, all, own, away);
 }
 
 void take_solution(RateProblem& r) {
