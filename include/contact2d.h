@@ -1,43 +1,41 @@
-/* contact2d: two-dimensional elastic contact with Coulomb friction by the boundary integral equation method, in memory
-   that the caller hands over, with matrix blocks streamed through a block store of the caller's. Plain C99, valid C++.
-   Every function returns a status; nothing is printed, allocated, thrown or ended. The order of calls:
+/* contact2d: plane elastic contact with Coulomb friction by the boundary integral equation method, in memory that the caller
+   hands over. Plain C99, valid C++. Nothing is printed, allocated, thrown or ended. The order of calls:
 
-   c2d_scan_deck, or numbers of your own   sizes              section 2, 4; as constants: contact2d_memory.h
+   c2d_scan_deck, or numbers of your own   sizes              sections 2, 4; as constants: contact2d_memory.h
    c2d_create                              the solver         2; the port that it is given: 3
-   c2d_read_deck, or                       the model          4
+   c2d_read_deck, or                       the model          4; cards one by one: contact2d_cards.h
    c2d_set_problem ... c2d_complete          by calls         5
    c2d_prepare                             the equations      6; other loads: c2d_change_loads
    c2d_run, or                             the load path      7
    c2d_begin, c2d_advance ...                step by step     7; c2d_save, c2d_restore
    c2d_get, c2d_interior ...               results            8; words and numbers: 1
-   c2d_close                                                  what was refused, and what is legal when: 9
+   c2d_close                                                  9: what is legal in which state, and why a call failed
 
-   The header reads in this order, and the pieces of code in its comments are one program that runs. What is solved, and
-   how: src/METHOD.md (METHOD 7 is its section 7, METHOD (7.2) an equation).
+   The header reads in this order, and the pieces of code in its comments are one program that runs. METHOD (7.2) is an
+   equation of src/METHOD.md, METHOD 7 a section; (NBP) is what the program of 1987 called a number.
 
-   After a failure. A call that does not return C2D_OK has changed nothing, and its output arguments are as they were, with
-   these exceptions, which its comment repeats: c2d_create and c2d_attach set *out to null; a failed c2d_read_deck or
-   c2d_complete leaves an empty model; a cancelled c2d_advance or c2d_run leaves the solver at the last load reached; an
-   error of the store (C2D_ERR_STORE_...) in any call that uses it leaves the state `broken`. The call tells c2d_port.log
-   why, each fault once, and c2d_last_error the first of them; only inside a callback nothing is told. A status is about the
-   call; that the load cannot go further is no failure but an outcome. Pointers may be null only where that is said; a null
-   solver is C2D_ERR_ARGUMENT.
+   Conventions. Any consistent units; forces are per unit thickness. The material lies on the left of a boundary: outer
+   boundaries run counter-clockwise, holes clockwise. Rotations are in radians, counter-clockwise. Bodies, elements, nodes,
+   pairs, zones, load cases and items of lists are numbered from 1. A zone has two sides, each on a
+   body. In the frame of a pair n points from side 1 to side 2, and t is n turned by -90 degrees. The tractions tn and tt of a
+   pair act on side 2, per unit undeformed length of side 1 (in a free zone: of side 2); tn >= 0 is pressure.
 
-   Threads. Solvers know nothing of each other: there is no variable but in a solver's memory. Calls on one solver come
-   from one thread at a time, except c2d_cancel. From inside its callbacks only what section 3 lists is legal.
+   Arguments stand in one order: the solver; which body, element, local node, zone, item i; the load case; values in; values
+   out. A list with one number per load case or zone is (pointer, count). A range of entries is first, count, and the array it
+   goes to or comes from (pointer, stride): entry k at [k * stride], in doubles. A pointer may be null only where that is said.
 
-   Conventions, everywhere. Lengths, forces and stresses are in the caller's units, any consistent set. Forces
-   are per unit thickness. A body's boundary runs with the material on its left: outer boundary counter-clockwise,
-   holes clockwise. Numbers of bodies, elements, nodes, pairs and zones start at 1. `codes` are those of the
-   condition cards: 0 known, 1 unknown, in the order tx ty ux uy.
+   Failures. Every function returns a status. A call that does not return C2D_OK has changed nothing, outputs included. The
+   exceptions: c2d_create and c2d_attach set *out to null; a failed c2d_read_deck or c2d_complete leaves an empty model; a
+   cancelled c2d_advance or c2d_run leaves the solver at the last load reached; STORE_... leaves it `broken` (section 9).
+   c2d_port.log hears each fault once, c2d_last_error keeps the first. Any call may return C2D_ERR_ARGUMENT, _STATE or _BUSY;
+   `Errors:` names the others, STORE_... for any C2D_ERR_STORE_. That the load can go no further is no failure but an outcome.
 
-   Arguments stand in one order: the solver; which body, element, local node, zone, item i; the load case; values in;
-   values out. A list with one number per load case or zone is (pointer, count); a range of entries is first, count,
-   and the array they go to or come from is (pointer, stride).
-   The contact frame of a pair: n points from body 1 to body 2, t is n turned by -90 degrees. tn and tt are the
-   force on body 2 per unit undeformed length of body 1's boundary (of body 2's in a free zone); tn >= 0 is pressure. */
+   Threads. Solvers share nothing: there is no variable outside of a solver's memory. Calls on one solver come from one thread
+   at a time, except c2d_cancel. The library is not re-entered: inside a callback only what section 3 lists is legal. */
 #ifndef CONTACT2D_H
 #define CONTACT2D_H
+
+#include "contact2d_codes.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -57,178 +55,89 @@ template <class T> inline T c2d_initial() {
 #define C2D_INIT(type) c2d_initial<type>()
 extern "C" {
 #else
-#define C2D_INIT(type)                                                                                               \
-  { .struct_size = (uint32_t)sizeof(type) }
+#define C2D_INIT(type) { .struct_size = (uint32_t)sizeof(type) }
 #endif
 
 /* ---------------------------------------------------------------- 1 numbers and words --------------------------
 
-   Public structs begin with struct_size, which C2D_INIT sets:
+   Public structs begin with struct_size, which C2D_INIT sets; all else is zero, which means the default:
 
      c2d_limits sizes = C2D_INIT(c2d_limits);
      c2d_error why = C2D_INIT(c2d_error);
      c2d_status bad = C2D_OK;
 
-   The library touches only the smaller of that and its own size, and refuses a size that C2D_INIT cannot have set;
-   members are only ever appended; zero means the default. */
+   Members are only ever appended. The library touches the smaller of struct_size and its own size, and refuses a size that
+   C2D_INIT cannot have set. What a call returns (c2d_status), how a path ended (c2d_outcome) and the numbers of warnings
+   (C2D_WARN_...) stand in contact2d_codes.h. */
 
 typedef struct c2d_solver c2d_solver; /* lives inside the caller's memory */
 
-typedef int32_t c2d_status; /* did the call work; these numbers never change */
-enum {
-  C2D_OK = 0,
-  C2D_ERR_ARGUMENT = 1,       /* a null pointer, a number out of range: nothing was changed                      */
-  C2D_ERR_STATE = 2,          /* not legal now (c2d_get_state, table in section 9): nothing was changed           */
-  C2D_ERR_BUSY = 3,           /* called from inside one of this solver's callbacks: nothing was changed           */
-  C2D_ERR_MEMORY = 4,         /* workspace too small; c2d_error.bytes_needed would do                             */
-  C2D_ERR_OVERFLOW = 5,       /* sizes whose byte count does not fit into 64 bits or this machine's addresses     */
-  C2D_ERR_LIMIT = 6,          /* more of something than c2d_limits allowed                                        */
-  C2D_ERR_INPUT = 7,          /* the deck or the model is wrong; every fault went to c2d_port.log                 */
-  C2D_ERR_READ = 8,           /* the caller's read_line failed (c2d_error.host_code)                              */
-  C2D_ERR_CANCELLED = 9,      /* c2d_port.cancel said so, or c2d_cancel was called                                */
-  C2D_ERR_SINGULAR = 10,      /* elimination met a column without a usable pivot                                  */
-  C2D_ERR_CALLBACK = 11,      /* a caller's function returned non-zero (c2d_error.host_code)                      */
-  C2D_ERR_STORE_OPEN = 20,    /* block store: the port's own call failed (c2d_error.host_code)                    */
-  C2D_ERR_STORE_READ = 21,
-  C2D_ERR_STORE_WRITE = 22,
-  C2D_ERR_STORE_SYNC = 23,
-  C2D_ERR_STORE_CLOSE = 24,
-  C2D_ERR_STORE_FORMAT = 30,  /* block read back is not a block of ours (never written, or overwritten)           */
-  C2D_ERR_STORE_VERSION = 31, /* a block of another format version, byte order or scalar size                     */
-  C2D_ERR_STORE_SHORT = 32,   /* block shorter or longer than what was written: torn                              */
-  C2D_ERR_STORE_CHECKSUM = 33,/* a flipped bit in header or data                                                  */
-  C2D_ERR_STORE_SWAPPED = 34, /* a sound block of another tape or place                                           */
-  C2D_ERR_STORE_STALE = 35,   /* a sound block of another run or an earlier generation                            */
-  C2D_ERR_MISMATCH = 40,      /* saved state of another model, scalar size or format                              */
-  C2D_ERR_INTERNAL = 99       /* a broken promise inside the library: please report it                            */
-};
-
-typedef int32_t c2d_outcome; /* how the load path ended; the call itself worked */
-enum {
-  C2D_REACHED = 0,             /* the load asked for                                                              */
-  C2D_FREE_MOTION = 1,         /* a body can fly away: nothing holds one of its rigid motions                     */
-  C2D_GROSS_SLIDING = 2,       /* the whole contact slides: friction can carry no more                            */
-  C2D_NO_ADMISSIBLE_CHANGE = 3,/* no change of a pair's status leads on                                           */
-  C2D_ENDLESS_EXCHANGE = 4,    /* changes of status follow each other without progress                            */
-  C2D_UNDECIDED = 5,           /* whether the path goes on could not be decided                                   */
-  C2D_TIPPING = 6,             /* a body turns over: it stays in contact where it turns                           */
-  C2D_BEYOND_LIMITS = 7        /* what comes next is not accurate enough (c2d_summary.breach): this is the last state
-                                  that is                                                                         */
-};
-
-enum { /* c2d_summary.breach: why a path ended with C2D_BEYOND_LIMITS */
-  C2D_BREACH_NONE = 0,
-  C2D_BREACH_TABLEAU = 1,      /* residual of the contact tableau                                                 */
-  C2D_BREACH_EQUATIONS = 2,    /* residual of the contact equations                                               */
-  C2D_BREACH_BALANCE = 3,      /* force and moment of the body that contact has to hold                           */
-  C2D_BREACH_SIGN = 4,         /* pressure or gap below zero                                                      */
-  C2D_BREACH_CONE = 5,         /* friction above mu times the pressure                                            */
-  C2D_BREACH_SLIP = 6,         /* a pair that slips the way its friction pushes                                   */
-  C2D_BREACH_SINGULAR = 7,     /* no tableau: the statuses leave a motion free                                    */
-  C2D_BREACHES = 8
-};
-
-enum { C2D_OPEN = 0, C2D_STICK = 1, C2D_SLIP = 2 };               /* status of a pair                         */
+enum { C2D_OPEN = 0, C2D_STICK = 1, C2D_SLIP = 2 };    /* status of a pair   */
 enum { C2D_PLANE_STRAIN = 0, C2D_PLANE_STRESS = 1 };
-enum { C2D_NOTE = 0, C2D_WARNING = 1, C2D_FAULT = 2 };            /* c2d_error.severity                       */
+enum { C2D_NOTE = 0, C2D_WARNING = 1, C2D_FAULT = 2 }; /* c2d_error.severity */
 
 /* Everything known about a fault, a warning or a note. Numbers that do not apply are 0. */
 typedef struct c2d_error {
   uint32_t struct_size;
-  int32_t status;               /* a c2d_status; for warnings and notes a C2D_WARN_ number                         */
-  int32_t severity;             /* C2D_NOTE, C2D_WARNING, C2D_FAULT                                               */
-  int32_t host_code;            /* what the caller's function returned                                            */
-  int32_t line;                 /* of the deck, or what c2d_set_line said last                                    */
-  int32_t column, column_end;   /* first and last column of the field                                             */
+  int32_t status, severity;     /* a c2d_status; for warnings and notes a C2D_WARN_ number; C2D_NOTE ...   */
+  int32_t host_code;            /* what the caller's function returned                              */
+  int32_t line;                 /* of the deck, or what c2d_set_line said last                      */
+  int32_t column, column_end;   /* first and last column of the field                               */
   int32_t body, zone, pair, element, node, tape;
   int64_t block;
-  uint64_t bytes_needed;        /* with C2D_ERR_MEMORY: workspace bytes that would do                             */
-  double load;                  /* load factor at which it happened                                               */
-  char text[320];               /* one line of ASCII: what was found and what was expected                        */
+  uint64_t bytes_needed;        /* with C2D_ERR_MEMORY: workspace bytes that would do               */
+  double load;                  /* load factor at which it happened                                 */
+  char text[320];               /* one line of ASCII: what was found and what was expected          */
 } c2d_error;
-
-enum { /* c2d_error.status of warnings */
-  C2D_WARN_ZONE_END = 201,         /* the last pair at an end of a zone closed: the zone may be too short         */
-  C2D_WARN_FEW_PAIRS = 202,        /* fewer than 4 elements between an edge and the peak, or in a zone of slip    */
-  C2D_WARN_LARGE_SLIP = 203,       /* slip since the pair last touched exceeds half a contact element             */
-  C2D_WARN_NORMALS = 204,          /* normals of paired nodes differ by more than 15 degrees                      */
-  C2D_WARN_KINK = 205,             /* a kink of more than 10 degrees inside a zone                                */
-  C2D_WARN_POINT_LOAD = 206,       /* a point load within one element length of the boundary                      */
-  C2D_WARN_TENSION = 207,          /* pressure inside an element below -1 % of the largest nodal pressure         */
-  C2D_WARN_CORNER = 208,           /* one shared unknown traction where the ends' directions differ by > 1 degree */
-  C2D_WARN_INCREMENT = 209,        /* an increment of --stepping deck did not converge; finished by events        */
-  C2D_WARN_RESIDUAL = 210,         /* numbers beyond their limits: the path ends before them                      */
-  C2D_WARN_CONDITION = 211,        /* the elimination is badly conditioned                                        */
-  C2D_WARN_OFFSET = 212,           /* nodes of a pair are shifted by more than half an element along the surface  */
-  C2D_WARN_LEFT_OUT = 213,         /* free zone: an element of body 2 that faces body 1 in part is left out       */
-  C2D_WARN_OVERLAP = 214,          /* free zone: an overlap that the elements are too coarse to tell              */
-  C2D_WARN_NOT_UNIQUE = 215,       /* more than one contact state satisfies all conditions                        */
-  C2D_WARN_UNDEFINED_PLACE = 216,  /* nothing fixes where a body is in some direction                             */
-  C2D_WARN_STRAIN = 217,           /* strains above 0.05: the results are for small ones                          */
-  C2D_WARN_FRICTION = 218,         /* a coefficient of friction above 3 that is not meant as adhesion             */
-  C2D_WARN_CONSTANT = 219,         /* constant functions miss even a uniform stress                               */
-  C2D_WARN_FAR = 220,              /* a zone whose surfaces the loads hardly bring nearer                         */
-  C2D_WARN_SIZES = 221,            /* elements of very different length face each other                           */
-  C2D_WARN_SURFACE = 222           /* how far a surface may be off matters beside how far the bodies come closer  */
-};
 
 /* ---------------------------------------------------------------- 2 sizes and memory ---------------------------
 
-   Ask for sizes, make memory of at least `minimum` bytes (static, on a heap, in a COMMON block; any alignment),
-   create the solver in it. The solver needs nothing else. Two squares of 8 linear elements each, one on the other:
+   Ask for sizes, make memory of at least `minimum` bytes (static, on a heap, in a COMMON block; any alignment), create the
+   solver in it. The solver needs nothing else. Two squares of 8 linear elements each, one on the other:
 
      static unsigned char workspace[1 << 16];
      uint64_t least = 0;
      c2d_body_limits squares[2] = {{8, 8, 1, 0}, {8, 8, 1, 0}};
-     sizes.bodies = 2;
-     sizes.body = squares;
+     sizes.bodies = 2, sizes.body = squares;
      sizes.function_nodes = 2;
-     sizes.zones = 1;
-     sizes.pairs = 3;
-     sizes.contact_elements = 2;
+     sizes.zones = 1, sizes.pairs = 3, sizes.contact_elements = 2;
      sizes.coefficients = sizes.paths = 1;
      bad |= c2d_memory_need(&sizes, &least, NULL);
      if (bad || least > sizeof workspace) return 1;
 */
-
 typedef struct c2d_body_limits {
-  int32_t points;             /* boundary points (NBP), ends of open regions included              */
-  int32_t elements;           /* NEL                                                               */
-  int32_t regions;            /* closed and open curves (NREN)                                     */
-  int32_t reserved;           /* 0                                                                 */
+  int32_t points;             /* boundary points (NBP), ends of open regions included               */
+  int32_t elements, regions;  /* elements (NEL); closed and open curves (NREN)                      */
+  int32_t reserved;
 } c2d_body_limits;
 
 typedef struct c2d_limits {
   uint32_t struct_size;
-  int32_t bodies;             /* how many; more than 2 are refused yet                             */
-  c2d_body_limits* body;      /* [bodies], an array of the caller's; no call keeps it              */
-  int32_t function_nodes;     /* functional nodes per element: 1 constant ... 4 cubic (NFNODE)     */
-  int32_t zones;              /* contact zones (MCP)                                               */
-  int32_t pairs;              /* node pairs of all zones                                           */
-  int32_t contact_elements;   /* element pairs of all zones; elements of side 2 in free zones      */
-  int32_t point_loads;        /* of all bodies together                                            */
-  int32_t coefficients;       /* coefficients of friction to be run one after another (NMU)        */
-  int32_t paths;              /* load cards (NPATH)                                                */
-  int32_t load_cases;         /* 0 means 1                                                         */
-  int32_t panel_columns;      /* columns eliminated at a time; 0: as many as the memory allows     */
-  int32_t free_pairs;         /* those of the pairs that belong to zones of kind C2D_ZONE_FREE     */
-  int32_t point_sets;         /* of c2d_add_points (cards under *POINTS)                           */
-  int32_t curves;             /* of c2d_add_curve (cards *CURVE)                                   */
+  int32_t bodies;             /* how many; more than 2 are refused yet                              */
+  c2d_body_limits* body;      /* [bodies], an array of the caller's; no call keeps it               */
+  int32_t function_nodes;     /* functional nodes per element: 1 constant ... 4 cubic (NFNODE)      */
+  int32_t zones, pairs;       /* contact zones (MCP); pairs of nodes in all of them                 */
+  int32_t contact_elements;   /* pairs of elements in all zones; elements of side 2 in free zones   */
+  int32_t point_loads;        /* of all bodies together                                             */
+  int32_t coefficients;       /* of friction, to be run one after another (NMU)                     */
+  int32_t paths;              /* load cards (NPATH)                                                 */
+  int32_t load_cases;         /* 0 means 1                                                          */
+  int32_t panel_columns;      /* columns eliminated at a time; 0: as many as the memory allows      */
+  int32_t free_pairs;         /* those of the pairs that belong to zones of kind C2D_ZONE_FREE      */
+  int32_t point_sets, curves; /* of c2d_add_points (cards under *POINTS), c2d_add_curve (*CURVE)    */
 } c2d_limits;
 
-/* Bytes of workspace for these limits: `minimum` solves any model within them with blocks of the smallest size,
-   `in_core` holds a body's whole matrix at once (more than that is of no use). Either pointer may be null.
-   Errors: C2D_ERR_ARGUMENT (a negative or missing size), C2D_ERR_OVERFLOW. */
+/* Bytes of workspace for these limits: `minimum` solves any model within them with blocks of the smallest size, `in_core`
+   holds a body's whole matrix at once; more than that is of no use. Either pointer may be null. Errors: OVERFLOW. */
 c2d_status c2d_memory_need(const c2d_limits* limits, uint64_t* minimum, uint64_t* in_core);
-/* For static arrays there is C2D_MEMORY_BYTES(...) of contact2d_memory.h, a constant. */
 
 /* ---------------------------------------------------------------- 3 the port -----------------------------------
 
-   What the library asks of its surroundings. Zero a struct with C2D_INIT, set what you have. Ready ports for RAM,
-   stdio and POSIX files are in port/, and port/README.md says what breaks if a duty is cheated. All functions return 0
-   for success; anything else is an error code of yours that comes back in c2d_error.host_code. They must return: no
-   exception, longjmp or exit may leave them. Inside them c2d_cancel, c2d_memory_need and c2d_get_state are legal for
-   the solver that calls, everything else is C2D_ERR_BUSY.
+   What the library asks of its surroundings. Zero a struct with C2D_INIT, set what you have. Ready ports for memory, stdio and
+   POSIX files are in port/, and port/README.md says what breaks if a duty is cheated. All functions return 0 for success;
+   anything else is an error code of yours that comes back in c2d_error.host_code. They must return: no exception, longjmp or
+   exit may leave them. Inside them c2d_cancel, c2d_memory_need and c2d_get_state are legal for the solver that calls,
+   everything else is C2D_ERR_BUSY; inside a step callback (section 7) c2d_get_zone_state is legal, too.
 
      static void tell(void* context, const c2d_error* entry) {
        (void)context;
@@ -246,25 +155,21 @@ c2d_status c2d_memory_need(const c2d_limits* limits, uint64_t* minimum, uint64_t
      port.log = tell;
      if (c2d_create(&solver, workspace, sizeof workspace, &sizes, &port, &why) != C2D_OK) puts(why.text);
 */
-
 typedef struct c2d_progress {
   uint32_t struct_size;
-  int32_t phase;              /* C2D_PHASE_...                                                      */
-  int32_t body;               /* while assembling and eliminating                                   */
+  int32_t phase, body;        /* C2D_PHASE_...; the body while assembling and eliminating           */
   int64_t done, total;        /* of the phase: columns, pairs, or 0                                 */
   double load, target;        /* while following the load                                           */
 } c2d_progress;
-enum {
-  C2D_PHASE_READ = 0, C2D_PHASE_ASSEMBLE = 1, C2D_PHASE_ELIMINATE = 2, C2D_PHASE_REDUCE = 3,
-  C2D_PHASE_CONTACT = 4, C2D_PHASE_BACK = 5, C2D_PHASE_WRITE = 6, C2D_PHASES = 7
-};
+enum { C2D_PHASE_READ = 0, C2D_PHASE_ASSEMBLE = 1, C2D_PHASE_ELIMINATE = 2, C2D_PHASE_REDUCE = 3, C2D_PHASE_CONTACT = 4,
+       C2D_PHASE_BACK = 5, C2D_PHASE_WRITE = 6, C2D_PHASES = 7 };
 enum { C2D_TAPE_CONTROL = 0, C2D_TAPE_LOWER = 1, C2D_TAPE_UPPER = 2, C2D_TAPE_CONTACT = 3, C2D_TAPES = 4 };
 
 typedef struct c2d_port {
   uint32_t struct_size;
   void* context;              /* handed to every function below                                     */
-  /* Block store, all five or none (c2d_prepare, c2d_save and c2d_restore need it). `tape` is 0 ... C2D_TAPES-1; blocks are numbered from 0;
-     a block is written as a whole, with at most block_bytes bytes, and read back with the same number of bytes.
+  /* Block store, all five or none (c2d_prepare, c2d_save and c2d_restore need it). Tapes are numbered 0 ... C2D_TAPES-1, blocks
+     from 0; a block is written as a whole, with at most block_bytes bytes, and read back with the same number of bytes.
      open  makes room for `blocks` blocks; what an earlier run left may stay (it is recognised and refused).
      read  must fill exactly `bytes` bytes or fail: a short read passed off as success is found by the checksum.
      write may be kept in a cache until sync; sync must not return before the data would survive a crash.
@@ -274,47 +179,44 @@ typedef struct c2d_port {
   int32_t (*write)(void* context, int32_t tape, uint64_t block, const void* data, uint64_t bytes);
   int32_t (*sync)(void* context, int32_t tape);
   int32_t (*close)(void* context, int32_t tape);
-  /* Optional, all three or none: overlap of transfers with arithmetic. The buffer is the port's until wait(ticket)
-     returns; at most 4 transfers are outstanding, and each is waited for before the library's call returns; reads see
-     writes begun earlier; read and write may be called in between. All calls come from the thread that called the
-     library. A start that fails has no ticket.                                                       */
+  /* Optional, all three or none: overlap of transfers with arithmetic. The buffer is the port's until wait(ticket) returns; at
+     most 4 transfers are outstanding, and each is waited for before the library's call returns; reads see writes begun
+     earlier; read and write may be called in between. All calls come from the thread that called the library. A start that
+     fails has no ticket.                                                                           */
   int32_t (*start_read)(void* context, int32_t tape, uint64_t block, void* data, uint64_t bytes, int32_t* ticket);
-  int32_t (*start_write)(void* context, int32_t tape, uint64_t block, const void* data, uint64_t bytes,
-                         int32_t* ticket);
+  int32_t (*start_write)(void* context, int32_t tape, uint64_t block, const void* data, uint64_t bytes, int32_t* ticket);
   int32_t (*wait)(void* context, int32_t ticket);
-  /* Optional: run task(argument, 0) ... task(argument, n-1), in any order, on any threads; all have run when it
-     returns. Tasks never call the port.                                                             */
+  /* Optional: run task(argument, 0) ... task(argument, n-1), in any order, on any threads; all have run when it returns. Tasks
+     never call the port.                                                                           */
   void (*parallel_for)(void* context, int32_t n, void (*task)(void* argument, int32_t i), void* argument);
-  void (*progress)(void* context, const c2d_progress* now); /* at least once per column and event    */
+  void (*progress)(void* context, const c2d_progress* now); /* at least once per column and event   */
   int32_t (*cancel)(void* context);                         /* non-zero: stop with C2D_ERR_CANCELLED */
-  void (*log)(void* context, const c2d_error* entry);       /* every fault, warning and note         */
-  double (*clock)(void* context);                           /* seconds from any origin, monotonic    */
+  void (*log)(void* context, const c2d_error* entry);       /* every fault, warning and note        */
+  double (*clock)(void* context);                           /* seconds from any origin, monotonic   */
   int32_t threads;            /* tasks that parallel_for runs at once; 0 and 1: it is not called    */
 } c2d_port;
 
-/* Make a solver in memory[0 .. bytes). On success *out points into that memory; on failure it is null. `port` may
-   be null (then no store: the model can be checked but not prepared) and is copied; its context must outlive the
-   solver. `why` may be null. Errors: ARGUMENT, OVERFLOW, MEMORY with why->bytes_needed. State afterwards: empty. */
+/* Make a solver in memory[0 .. bytes), in state empty. On success *out points into that memory. `port` may be null (then no
+   store: the model can be checked but not prepared) and is copied; its context must outlive the solver. `why` may be null.
+   Errors: OVERFLOW, MEMORY with why->bytes_needed. */
 c2d_status c2d_create(c2d_solver** out, void* memory, size_t bytes, const c2d_limits* limits, const c2d_port* port,
                       c2d_error* why);
-/* Take up a solver whose memory was moved to memory[0 .. bytes), dumped and reloaded, or handed to another process: of
-   the same build of the library, on any alignment. The memory is a copy of the whole that c2d_create was given, taken
-   between calls; it may be longer. Nothing is computed: the solver is in the state it was in and goes on with the same
-   bits. Every c2d_solver* from before the move is void. `port` is as for c2d_create; tapes that were open are opened by
-   it again, which may be a second time for it, and must hold what they held. On failure *out is null and the image can
-   still be attached. Errors: ARGUMENT: no solver stands there; MISMATCH: one of another version, size of pointers or
-   scalar, or prepared by a program that is linked without energies; MEMORY: memory shorter than it was, with
-   why->bytes_needed; BUSY: copied inside a callback; STORE_OPEN. The numbers in the memory are trusted: an image that may
-   have been damaged needs a checksum of the host's. */
+/* Take up a solver whose memory was moved, reloaded or handed to another process of the same build: memory[0 .. bytes) is a
+   copy of the whole that c2d_create was given, taken between calls, on any alignment, perhaps longer. It goes on where it was,
+   with the same bits; every c2d_solver* from before is void. `port` opens the tapes that were open once more; they must hold
+   what they held. On failure the image can still be attached. Its numbers are trusted: one that may be damaged needs a
+   checksum of the host's. Errors: ARGUMENT: no solver stands there; MISMATCH: one of another version, size of pointers or
+   scalar, or prepared by a program linked without energies; MEMORY with why->bytes_needed; BUSY: copied inside a callback;
+   STORE_OPEN. */
 c2d_status c2d_attach(c2d_solver** out, void* memory, size_t bytes, const c2d_port* port, c2d_error* why);
-/* Close the store (errors: STORE_CLOSE). The memory is the caller's again, whatever is returned. */
+/* Close the store (Errors: STORE_CLOSE). The memory is the caller's again, whatever is returned. */
 c2d_status c2d_close(c2d_solver* solver);
 
 /* ---------------------------------------------------------------- 4 a model from a deck ------------------------
 
-   A deck is the 1987 program's card deck. read_line puts the next card, without its line end, into text[0 ..
-   size), ended by a zero byte, and returns its length (a longer line: what fits, and its full length); -1 at the
-   end of the deck; any other negative number is an error of the caller's (C2D_ERR_READ, host_code).
+   A deck is the 1987 program's card deck (src/deck/DECK.md). read_line puts the next card, without its line end, into text[0
+   .. size), ended by a zero byte, and returns its length (a longer line: what fits, and its full length); -1 at the end of the
+   deck; any other negative number is an error of the caller's (C2D_ERR_READ, host_code).
 
      static int32_t next_card(void* deck, char* text, int32_t size) {
        if (fgets(text, (int)size, (FILE*)deck) == NULL) return -1;
@@ -322,39 +224,23 @@ c2d_status c2d_close(c2d_solver* solver);
        return (int32_t)strlen(text);
      }
 
-     static c2d_status read_file(FILE* deck, unsigned char* memory, size_t bytes, const c2d_port* port, c2d_solver** out) {
-       c2d_body_limits bodies[2];
-       c2d_limits sizes = C2D_INIT(c2d_limits);
-       c2d_status status;
-       sizes.bodies = 2;
-       sizes.body = bodies;
-       status = c2d_scan_deck(next_card, deck, &sizes, NULL);
-       if (status == C2D_OK) status = c2d_create(out, memory, bytes, &sizes, port, NULL);
-       rewind(deck);
-       return status == C2D_OK ? c2d_read_deck(*out, next_card, deck) : status;
-     }
-*/
+   Scan the deck, create a solver of these sizes, rewind, read: include/README.md has the program. */
 typedef int32_t (*c2d_read_line)(void* context, char* text, int32_t size);
 typedef void (*c2d_report)(void* context, const c2d_error* entry);
-
-/* Sizes of a deck, without any workspace. out->body has room for out->bodies bodies; both are filled with the deck's.
-   Counts what is there; a deck that passes may still be refused by c2d_read_deck. Errors: INPUT (the first fault in
-   *why), READ; LIMIT: out->bodies is then how many there must be room for, and nothing else is filled. */
+/* Sizes of a deck, without any workspace. out->body has room for out->bodies bodies; both are filled with the deck's. A deck
+   that passes may still be refused by c2d_read_deck. c2d_scan_deck puts the first fault into *why, c2d_check_deck tells every
+   fault to `report`; either may be null. Errors: INPUT, READ; LIMIT: out->bodies is then how many there must be room for, and
+   nothing else is filled. */
 c2d_status c2d_scan_deck(c2d_read_line read, void* context, c2d_limits* out, c2d_error* why);
-/* The same, with every fault told to `report`. */
-c2d_status c2d_check_deck(c2d_read_line read, void* context, c2d_limits* out, c2d_report report,
-                          void* report_context);
-/* For programs that look at the cards themselves there is c2d_walk_deck of contact2d_cards.h. */
-/* Read a whole deck and complete the model. Legal: empty. All faults go to c2d_port.log, the first is kept for
-   c2d_last_error. On failure the model is empty again. */
+c2d_status c2d_check_deck(c2d_read_line read, void* context, c2d_limits* out, c2d_report report, void* report_context);
+/* Read a whole deck and complete the model; all faults go to c2d_port.log. Errors: INPUT, READ, LIMIT. */
 c2d_status c2d_read_deck(c2d_solver* solver, c2d_read_line read, void* context);
 
 /* ---------------------------------------------------------------- 5 a model by calls ---------------------------
 
    The order: problem, bodies with regions and nodes, conditions and point loads, zones, friction and paths (for c2d_run), and
-   c2d_complete. Legal: empty or building. Errors of all: ARGUMENT, STATE, LIMIT; a refused call changes nothing,
-   and what it said is found by c2d_last_error. A square [0,2] x [0,2] stands on another, [0,2] x [-2,0]; both slide
-   along x = 0, the lower one on y = -2, and a pressure of 1 acts on top:
+   c2d_complete. Each of these calls may return C2D_ERR_LIMIT. A square [0,2] x [0,2] stands on another, [0,2] x [-2,0]; both
+   slide along x = 0, the lower one on y = -2, and a pressure of 1 acts on top:
 
      static const double square[2][8][2] = {
          {{0, -2}, {1, -2}, {2, -2}, {2, -1}, {2, 0}, {1, 0}, {0, 0}, {0, -1}},
@@ -366,11 +252,8 @@ c2d_status c2d_read_deck(c2d_solver* solver, c2d_read_line read, void* context);
      c2d_zone zone = C2D_INIT(c2d_zone);
      problem.analysis = C2D_ANALYSIS_FULL;
      bad |= c2d_set_problem(solver, &problem);
-     body.element_nodes = 2;
-     body.elements = 8;
-     body.regions = 1;
-     body.youngs_modulus = 1000.0;
-     body.poisson_ratio = 0.3;
+     body.element_nodes = 2, body.elements = 8, body.regions = 1;
+     body.youngs_modulus = 1000.0, body.poisson_ratio = 0.3;
      for (int32_t b = 1; b <= 2; ++b) {
        bad |= c2d_set_body(solver, b, &body);
        bad |= c2d_add_region(solver, b, 1, 8);
@@ -397,7 +280,6 @@ c2d_status c2d_read_deck(c2d_solver* solver, c2d_read_line read, void* context);
      bad |= c2d_complete(solver);
      if (bad) return 1;
 */
-
 enum { C2D_ANALYSIS_CHECK = -1, C2D_ANALYSIS_STRESS = 0, C2D_ANALYSIS_CONTACT = 1, C2D_ANALYSIS_FULL = 2,
        C2D_ANALYSIS_ITERATIONS = 3 };
 typedef struct c2d_problem {
@@ -407,13 +289,12 @@ typedef struct c2d_problem {
   int32_t iteration_limit;    /* per increment of the deck's own stepping (ITMAX); 0 means 50       */
   char title[80];             /* ended by a zero byte                                               */
 } c2d_problem;
-c2d_status c2d_set_problem(c2d_solver* solver, const c2d_problem* problem);
+c2d_status c2d_set_problem(c2d_solver* solver, const c2d_problem* problem); /* of what kind the problem is */
 
 typedef struct c2d_body {
   uint32_t struct_size;
   int32_t element_nodes;      /* geometry nodes per element: 2 linear, 3 quadratic, 4 cubic (NBN)   */
-  int32_t elements;           /* NEL                                                                */
-  int32_t regions;            /* NREN                                                               */
+  int32_t elements, regions;  /* NEL, NREN                                                          */
   double youngs_modulus;      /* E > 0, force per area                                              */
   double poisson_ratio;       /* -1 < nu <= 0.5 (plane stress: -0.5 < nu <= 0.5)                    */
   int32_t open_regions;       /* the first ones are open: see c2d_set_symmetry                      */
@@ -423,136 +304,114 @@ typedef struct c2d_body {
 c2d_status c2d_set_body(c2d_solver* solver, int32_t body, const c2d_body* data);
 /* Elements first ... last form a closed curve, or an open one; regions follow one another without a gap. */
 c2d_status c2d_add_region(c2d_solver* solver, int32_t body, int32_t first_element, int32_t last_element);
-/* Boundary points first ... first+count-1 from xy[0], xy[1]; xy[stride], xy[stride+1]; ... (global coordinates).
+/* Boundary points first ... first+count-1: x and y of the k-th at xy[k * stride], xy[k * stride + 1], in global coordinates.
    Element e of a region has its first geometry node at (e-1)*(element_nodes-1)+1, plus the open regions before it. */
-c2d_status c2d_set_nodes(c2d_solver* solver, int32_t body, int32_t first, int32_t count, const double* xy,
-                         int64_t stride);
-/* Boundary points first ... last, both ends included, at equal distances along a straight line, or along an arc between
-   two angles (degrees, counter-clockwise from the x axis; downwards if the second is smaller), as between two node cards
-   of a deck: the same bits. `from` and `to` count from `origin` (null: (0, 0)). last > first, radius >= 0. */
+c2d_status c2d_set_nodes(c2d_solver* solver, int32_t body, int32_t first, int32_t count, const double* xy, int64_t stride);
+/* Boundary points first ... last, both ends included, at equal distances along a straight line, or along an arc between two
+   angles (degrees, counter-clockwise from the x axis; downwards if the second is smaller), as between two node cards of a
+   deck: the same bits. `from` and `to` count from `origin` (null: (0, 0)). last > first, radius >= 0. */
 c2d_status c2d_set_line_nodes(c2d_solver* solver, int32_t body, int32_t first, int32_t last, const double origin[2],
                               const double from[2], const double to[2]);
 c2d_status c2d_set_arc_nodes(c2d_solver* solver, int32_t body, int32_t first, int32_t last, const double centre[2],
                              double radius, double from_degrees, double to_degrees);
-/* Condition at local functional node `local` (1 ...) of an element: codes[4] and values[4] in the order
-   tx ty ux uy, global components; values of unknown quantities are ignored. Ends without a condition are free of
-   traction; ends of contact elements at listed pairs belong to the contact. All values scale with the factor of
-   `load_case` (1 ...). */
+/* Condition at local functional node `local` of an element: codes[4] and values[4] in the order tx ty ux uy, global
+   components; code 0: known, with this value; 1: unknown. Ends without a condition are free of traction; ends of contact
+   elements at listed pairs belong to the contact. All values scale with the factor of the load case. */
 c2d_status c2d_set_condition(c2d_solver* solver, int32_t body, int32_t element, int32_t local, int32_t load_case,
                              const int32_t codes[4], const double values[4]);
-/* Force (fx, fy) per unit thickness at the point (x, y) inside the body. On a line of symmetry: the force that falls to
-   the part that is modelled; it acts along the line. */
-c2d_status c2d_add_point_load(c2d_solver* solver, int32_t body, int32_t load_case, double x, double y, double fx,
-                              double fy);
-/* The body, which must be body 1, is a rigid obstacle: there are no equations for it, its mesh gives frames, lengths and
-   pictures, and its moduli count for nothing. In a load case it moves by motion[0], motion[1] and turns by motion[2]
-   (radians, small, counter-clockwise) about the point axis[0], axis[1]; load_case 0: the body is only made rigid, and
-   both arrays may be null. Its conditions are passed over; tractions, displacements and forces other than zero are
-   refused by c2d_complete. Results of it: its motion, the contact's tractions, no stresses; the force that holds it is
-   its `applied`. */
-c2d_status c2d_set_rigid(c2d_solver* solver, int32_t body, int32_t load_case, const double motion[3],
-                         const double axis[2]);
-/* Pairs whose bodies overlap before any load (a press fit) are legal, and touch at first; the factor of this load case
-   closes their overlaps: they are gone at factor 1. c2d_run brings it from 0 to 1 before the first step of the path, and
+/* What an end carries in a load case: values[4] as above; the codes stay. local 0: all ends of the element. Refused: a value
+   other than zero of something unknown or of the contact, and, as a displacement belongs to its node, one that contradicts the
+   other end's (while building 0 leaves that as it is). In state model every known quantity takes its value, zero too;
+   displacements of contact nodes and those that symmetry holds are then refused as well. */
+c2d_status c2d_set_values(c2d_solver* solver, int32_t body, int32_t element, int32_t local, int32_t load_case,
+                          const double values[4]);
+/* Force (fx, fy) at the point (x, y) inside the body. On a line of symmetry: along the line, the force that falls to the part
+   that is modelled. */
+c2d_status c2d_add_point_load(c2d_solver* solver, int32_t body, int32_t load_case, double x, double y, double fx, double fy);
+/* A force per area of the body: `force`, a weight, and rho_omega2 (x - axis[0], y - axis[1]), density times angular velocity
+   squared, outward from the axis of a rotation; axis may be null where rho_omega2 is 0. One per body and load case; given
+   again it replaces the one before. No weight across a line of symmetry; the axis lies on every line. METHOD 6. */
+c2d_status c2d_set_body_force(c2d_solver* solver, int32_t body, int32_t load_case, const double force[2], double rho_omega2,
+                              const double axis[2]);
+/* The body (yet: body 1) is a rigid obstacle, without equations and moduli; its mesh gives frames and lengths. In a load case
+   it moves by motion[0], motion[1] and turns by the small angle motion[2] about the point axis[0], axis[1]; load_case 0: it is
+   only made rigid, and both arrays may be null. Conditions are passed over; loads other than zero are refused by c2d_complete.
+   Results of it: its motion, the contact's tractions, no stresses; the force that holds it is its `applied`. */
+c2d_status c2d_set_rigid(c2d_solver* solver, int32_t body, int32_t load_case, const double motion[3], const double axis[2]);
+/* Initial overlaps of a press fit: pairs that overlap before any load are legal, and touch at first; the factor of this load
+   case closes their overlaps, which are gone at factor 1. c2d_run brings it from 0 to 1 before the first step of the path, and
    keeps it there; with c2d_advance it is the caller's. Given again it replaces the one before. */
 c2d_status c2d_set_interference(c2d_solver* solver, int32_t load_case);
-/* A force per area of the body (and unit thickness): `force`, a weight, and rho_omega2 (x - axis[0], y - axis[1]), outward
-   from the axis of a rotation, density times angular velocity squared; axis may be null where rho_omega2 is 0. One per
-   body and load case, which scales it; given again it replaces the one before. It must have the symmetry of the model: no weight across a line of symmetry,
-   the axis on every line. Stays on the boundary by way of a particular solution; resultants are exact. */
-c2d_status c2d_set_body_force(c2d_solver* solver, int32_t body, int32_t load_case, const double force[2],
-                              double rho_omega2, const double axis[2]);
-/* Contact between two ranges of elements, side 1 and side 2, that lie on two bodies (yet: body 1 and body 2). A range may
-   run down, and round the end of its region if `elements` says how many there are (0: from first to last by their numbers).
+/* Contact between two ranges of elements, side 1 and side 2, on two bodies (yet: side 1 on body 1, side 2 on body 2). A range
+   may run down, and round the end of its region if `elements` says how many there are (0: from first to last by their
+   numbers).
    C2D_ZONE_MATCHING: elements face each other, first with first, last with last, and the functional nodes first_node ...
    last_node, `pairs` of them, form pairs in the same order.
-   C2D_ZONE_FREE: the sides are meshed independently; either may run up or down, and pairs and nodes are not looked at.
-   Every functional node of side 2 makes a pair with the point of side 1 whose normal passes through it (normals joined
-   continuously across corners); elements of side 2 that do not face side 1 from end to end are left out. Gaps are those of
-   the smooth surfaces that the elements of both sides stand for. In such a zone tn and tt are per unit undeformed length of
-   side 2, C2D_X and C2D_Y are the point of side 1, and C2D_PAIR_NODE1 is 0. Force passes over exactly, its moment so far as
-   matching points coincide. Nodes of side 1 keep their conditions (traction and displacement both unknown: left to the
-   contact), and tractions given there add to those of the contact. Limits: `pairs` and `free_pairs` count all functional
-   nodes of the elements of side 2.
-   Errors: ARGUMENT, STATE, LIMIT; sides that do not face each other are found by c2d_complete. */
+   C2D_ZONE_FREE: the sides are meshed independently; either may run up or down, and pairs and nodes are not looked at. Every
+   functional node of side 2 makes a pair with the point of side 1 whose normal passes through it (C2D_X, C2D_Y; C2D_PAIR_NODE1
+   is 0); elements of side 2 that do not face side 1 from end to end are left out. Nodes of side 1 keep their conditions
+   (traction and displacement both unknown: left to the contact), and tractions given there add to those of the contact. Force
+   passes over exactly, its moment so far as matching points coincide (METHOD 9). c2d_limits: `pairs` and `free_pairs` count
+   all functional nodes of the elements of side 2. Sides that do not face each other are found by c2d_complete. */
 enum { C2D_ZONE_MATCHING = 0, C2D_ZONE_FREE = 1 };
 typedef struct c2d_side {
-  int32_t body;
-  int32_t first_element, last_element;
-  int32_t elements;
-  int32_t first_node, last_node; /* functional nodes, numbered from 1 in each body                 */
+  int32_t body, first_element, last_element, elements;
+  int32_t first_node, last_node; /* functional nodes of the body                                    */
 } c2d_side;
 typedef struct c2d_zone {
   uint32_t struct_size;
-  int32_t kind;               /* C2D_ZONE_...                                                      */
-  int32_t pairs;
+  int32_t kind, pairs;        /* C2D_ZONE_...; how many pairs                                       */
   c2d_side side1, side2;
 } c2d_zone;
 c2d_status c2d_add_zone(c2d_solver* solver, const c2d_zone* zone);
 /* Does nothing. In a library compiled with C2D_PARTS_BY_CALL, a program that names it has zones of kind C2D_ZONE_FREE. */
 void c2d_link_free_zones(void);
-/* What the surface is over elements first_element ... last_element of a body. Gaps, normals and the points that face each
-   other are those of surfaces, not of elements; where nothing is told a surface is a smooth curve through the boundary
-   points that respects corners, kinks and jumps of curvature as far as these show them. A line is straight between its
-   boundary points; an arc is one of the circle; a spline is one smooth curve through all boundary points, whatever their
-   angles. Nothing is concluded across the ends of a curve. Elements stay what they are: this changes contact alone.
-   Errors: ARGUMENT, STATE, LIMIT (c2d_limits.curves); elements in two curves and boundary points farther than a
-   thousandth of their element from a line or an arc are found by c2d_complete. */
+/* What the surface is over elements of a body: gaps, normals and the points that face each other are those of surfaces, not of
+   elements (METHOD 8). Where nothing is told it is a smooth curve that respects corners and kinks as far as the boundary
+   points show them. A line is straight between its points; an arc is one of the circle; a spline is smooth whatever the
+   angles. Elements in two curves, and points farther than a thousandth of their element from a line or an arc, are found by
+   c2d_complete. */
 enum { C2D_CURVE_LINE = 0, C2D_CURVE_ARC = 1, C2D_CURVE_SPLINE = 2 };
 typedef struct c2d_curve {
   uint32_t struct_size;
-  int32_t kind;               /* C2D_CURVE_...                                                      */
-  int32_t body;               /* 1 or 2                                                             */
+  int32_t kind, body;         /* C2D_CURVE_...; the body it belongs to                              */
   int32_t first_element, last_element; /* of one region, going up                                   */
-  int32_t line;               /* of the deck or of c2d_set_line; an answer of c2d_get_curve, else unused       */
+  int32_t line;               /* of the deck or of c2d_set_line; an answer of c2d_get_curve, else unused */
   double centre[2], radius;   /* of an arc                                                          */
 } c2d_curve;
 c2d_status c2d_add_curve(c2d_solver* solver, const c2d_curve* curve);
-/* What an end carries in a load case: values[4] in the order tx ty ux uy. The codes stay those of c2d_set_condition (ends
-   without a condition: tractions known); a value other than zero for something unknown, or for a traction of the contact,
-   is refused. local 0: all ends of the element. A displacement belongs to its node, where two ends may speak: while
-   building, a displacement of 0 leaves what the other end gave, and one that contradicts it is refused. In state model
-   (section 6) every known quantity takes its value, zero too; displacements of contact nodes and those that symmetry
-   holds are then refused as well. */
-c2d_status c2d_set_values(c2d_solver* solver, int32_t body, int32_t element, int32_t local, int32_t load_case,
-                          const double values[4]);
-/* A coefficient to be run by c2d_run: zero or more, infinity is full adhesion. */
+/* A coefficient to be run by c2d_run: zero or more, infinity is full adhesion; c2d_set_zone_friction: the coefficient of one
+   zone in the i-th of these runs, instead of the one for all zones. */
 c2d_status c2d_add_friction(c2d_solver* solver, double mu);
-/* The coefficient of one zone in the i-th of these runs, instead of the one for all zones. */
 c2d_status c2d_set_zone_friction(c2d_solver* solver, int32_t zone, int32_t i, double mu);
-/* Symmetry by images: everything is mirrored across the line x = value (axis 0) or y = value (axis 1), one of each at
-   most. Of every body, only what lies on one side of the line (in one quarter of two lines) is given, without
-   elements on the lines: a curve that crosses a line is an open region, whose two ends lie on the lines. Open regions
-   come first among the regions of a body (c2d_body.open_regions), at least one per body, and have one boundary point
-   and, except with constant elements, one functional node more than closed ones: their last element ends there. On a
-   line the displacement across it is 0; conditions there say the rest. Resultants, forces and moments, given and
-   answered, are those of the part that is modelled. Any time before c2d_complete. Errors: ARGUMENT, STATE. */
+/* Symmetry by images (METHOD 5): everything is mirrored across the line x = value (axis 0) or y = value (axis 1), one of each
+   at most. Of every body only what lies on one side (in one quarter) is given, without elements on the lines: a curve that
+   crosses a line is an open region that ends on the lines. Open regions come first in a body (c2d_body.open_regions), at least
+   one, and have one boundary point and, except with constant elements, one functional node more than closed ones. The
+   displacement across a line is 0; conditions there say the rest. Forces and moments, given and answered, are those of the
+   part that is modelled. */
 c2d_status c2d_set_symmetry(c2d_solver* solver, int32_t axis, double value);
-/* A straight piece of path through the space of load factors, in `increments` equal steps from where the last one ended
-   (zero at first) to load[0 .. cases), a factor for every load case. */
+/* A straight piece of the load path, in `increments` equal steps from where the last piece ended (zero at first) to load[0 ..
+   cases), a factor for every load case. c2d_clear_paths forgets the pieces given so far. */
 c2d_status c2d_add_path(c2d_solver* solver, int32_t increments, const double* load, int32_t cases);
-c2d_status c2d_clear_paths(c2d_solver* solver); /* forget the pieces of path given so far */
+c2d_status c2d_clear_paths(c2d_solver* solver);
 /* Where interior results are wanted: a list that the model only keeps, for whoever asks c2d_interior for them after the
    solution (c2d_get_points, c2d_expand_points in section 8). The points need not lie inside. */
 enum { C2D_POINTS_ONE = 0, C2D_POINTS_LINE = 1, C2D_POINTS_GRID = 2 };
 typedef struct c2d_points {
   uint32_t struct_size;
-  int32_t kind;               /* C2D_POINTS_...                                                     */
-  int32_t body;               /* 1 or 2                                                             */
-  int32_t count[2];           /* line: count[0] points from one end to the other; grid: count[0] in x and count[1] in y,
-                                 row by row, x first; else unused. At least 1 each, together fewer than 2^31   */
-  int32_t line;               /* of the deck or of c2d_set_line; an answer of c2d_get_points, else unused      */
+  int32_t kind, body;         /* C2D_POINTS_...; the body they lie in                               */
+  int32_t count[2];           /* line: count[0] points from one end to the other; grid: count[0] in x and count[1] in y, row by
+                                 row, x first; else unused. At least 1 each, together fewer than 2^31 */
+  int32_t line;               /* of the deck or of c2d_set_line; an answer of c2d_get_points, else unused */
   double from[2], to[2];      /* the point; the line's ends; opposite corners of the grid           */
 } c2d_points;
-/* Errors: ARGUMENT, STATE, LIMIT (c2d_limits.point_sets). */
 c2d_status c2d_add_points(c2d_solver* solver, const c2d_points* points);
-/* Names of the units of length and force, each at most 15 characters, for titles of axes; null is empty. Nothing is
-   converted. Legal also in model, prepared and running. */
+/* Names of the units of length and force for titles of axes, each at most 15 characters; null: empty. Nothing is converted. */
 c2d_status c2d_set_units(c2d_solver* solver, const char* length, const char* force);
 /* Faults found from now on are said to come from this line of the caller's input; 0: none. */
 c2d_status c2d_set_line(c2d_solver* solver, int32_t line, int32_t column, int32_t column_end);
-/* Validate everything. On success the state is `model`. Errors: INPUT; every fault goes to c2d_port.log; the
-   model is then empty again. */
+/* Validate everything; every fault goes to c2d_port.log. Errors: INPUT. */
 c2d_status c2d_complete(c2d_solver* solver);
 
 enum { C2D_QUADRATURE_ACCURATE = 0, C2D_QUADRATURE_THESIS = 1 };
@@ -562,28 +421,25 @@ enum { C2D_STEPPING_EVENTS = 0, C2D_STEPPING_DECK = 1 };
 enum { C2D_SYMMETRY_DECK = 0, C2D_SYMMETRY_IMAGES = 1 };
 typedef struct c2d_options {
   uint32_t struct_size;
-  int32_t quadrature;         /* C2D_QUADRATURE_...                                                 */
-  int32_t stepping;           /* C2D_STEPPING_...                                                   */
-  int32_t every_change;       /* 1: c2d_run's callback also sees changes of status, but none beyond
-                                 the limits of accuracy                                             */
+  int32_t quadrature, stepping; /* C2D_QUADRATURE_..., C2D_STEPPING_...                             */
+  int32_t every_change;       /* 1: c2d_run's callback also sees changes of status, but none beyond the limits of accuracy */
   int32_t symmetry;           /* C2D_SYMMETRY_...; before c2d_complete or c2d_read_deck             */
-  int32_t keep_factors;       /* 1: c2d_prepare keeps all of L, so that new loads cost little: tape LOWER becomes as
-                                 large as UPPER                                                     */
+  int32_t keep_factors;       /* 1: all of L is kept, so that new loads cost little: tape LOWER becomes as large as UPPER */
   int32_t reserved;
 } c2d_options;
-/* Any time before c2d_prepare; another `symmetry` for a complete model: STATE. Errors: ARGUMENT, STATE. */
+/* Any time before c2d_prepare; another `symmetry` for a complete model: STATE. */
 c2d_status c2d_set_options(c2d_solver* solver, const c2d_options* options);
 /* Blocks that the store is asked for when a tape (0 ... C2D_TAPES-1) is opened, and bytes of each, if c2d_create is given
-   these limits and workspace_bytes: at most, for any model within the limits; saved states are provided for. `options` may
-   be null. Either pointer may be null. Errors: C2D_ERR_ARGUMENT, C2D_ERR_OVERFLOW, C2D_ERR_MEMORY (less than `minimum`). */
+   these limits and workspace_bytes: at most, for any model within the limits; saved states are provided for. `options` and
+   either output may be null. Errors: OVERFLOW, MEMORY (less than `minimum`). */
 c2d_status c2d_tape_need(const c2d_limits* limits, const c2d_options* options, uint64_t workspace_bytes, int32_t tape,
                          uint64_t* blocks, uint64_t* block_bytes);
 
 /* ---------------------------------------------------------------- 6 prepare ------------------------------------
 
-   Assemble (METHOD 2), eliminate what lies outside the contact (METHOD 7), reduce to the contact unknowns (METHOD 10):
-   once per model. Legal: model. State afterwards: prepared; after a failure or a cancel: model. Errors: STORE_..., SINGULAR,
-   CANCELLED. A body with a free rigid motion that contact cannot hold is no error: c2d_advance tells it.
+   Assemble (METHOD 2), eliminate what lies outside the contact (METHOD 7), reduce to the contact unknowns (METHOD 10): once
+   per model. State afterwards: prepared; after a failure or a cancel: model. Errors: STORE_..., SINGULAR, CANCELLED. A body
+   with a free rigid motion that contact cannot hold is no error: c2d_advance tells it.
 
      if (c2d_prepare(solver) != C2D_OK) {
        c2d_last_error(solver, &why);
@@ -592,18 +448,15 @@ c2d_status c2d_tape_need(const c2d_limits* limits, const c2d_options* options, u
      }
 */
 c2d_status c2d_prepare(c2d_solver* solver);
-
-/* Other loads for the same bodies. c2d_change_loads ends the path and goes back to state model, where c2d_set_values
-   and its like give load cases other values; c2d_prepare then validates them and, if the options said keep_factors, only sends the new
-   right-hand sides through the factorisation that is there: a small part of the work, and results that agree with those
-   of a solver prepared from the beginning to round-off. Without keep_factors, and after other options, a failure or a
-   cancel, c2d_prepare does everything. What is known stays known: codes, geometry, contact do not change. A load case
-   that is needed only later is counted in c2d_limits.load_cases from the beginning; what it holds until then does not
-   matter. States saved before are stale.
-   Legal: prepared, running. */
+/* Other loads for the same bodies. c2d_change_loads ends the path and goes back to state model, where c2d_set_values,
+   c2d_set_body_force, c2d_set_rigid (of a rigid body, load_case > 0) and c2d_replace_point_load (place and force of point load
+   i, in the order given; body and load case stay) give load cases other values. c2d_prepare then validates them and, if the
+   options said keep_factors, sends only the new right-hand sides through the factors that are there: a small part of the work,
+   and to round-off the results of a solver prepared from the beginning. Without keep_factors, and after other options, a
+   failure or a cancel, c2d_prepare does everything. Codes, geometry and contact do not change. A load case that is needed only
+   later is counted in c2d_limits.load_cases from the beginning; its values until then do not matter. States saved before are
+   stale. */
 c2d_status c2d_change_loads(c2d_solver* solver);
-/* Place and force of point load i (from 1, in the order given); body and load case stay. Legal: model, as are then
-   c2d_set_values, c2d_set_body_force and c2d_set_rigid (of a body that is rigid, load_case > 0). */
 c2d_status c2d_replace_point_load(c2d_solver* solver, int32_t i, double x, double y, double fx, double fy);
 
 /* ---------------------------------------------------------------- 7 follow the load ----------------------------
@@ -617,49 +470,43 @@ c2d_status c2d_replace_point_load(c2d_solver* solver, int32_t i, double x, doubl
      if (outcome == C2D_REACHED) bad |= c2d_advance(solver, &half, 1, &outcome);
      if (outcome != C2D_REACHED) puts(c2d_outcome_message(outcome));
 
-   Begin: zero load, no history, coefficients of friction mu[0 .. zones) per zone (one number serves all if
-   zones = 1), each >= 0, infinity is full adhesion. Legal: prepared, running. State afterwards: running. Errors:
-   ARGUMENT, STATE, STORE_.... */
+   Begin: zero load, no history, coefficients of friction mu[0 .. zones) (one number serves all zones if zones = 1), each >= 0,
+   infinity is full adhesion. State afterwards: running. Errors: STORE_.... */
 c2d_status c2d_begin(c2d_solver* solver, const double* mu, int32_t zones);
-/* Go in a straight line from the load factors reached to load[0 .. cases). If *outcome is not C2D_REACHED the
-   solver stays, valid, at the last load it could reach. Legal: running. Errors: ARGUMENT, STATE, STORE_..., CANCELLED
-   (the solver then stays, valid, at the load reached; c2d_advance goes on from there). */
+/* Go in a straight line from the load factors reached to load[0 .. cases). If *outcome is not C2D_REACHED the solver stays,
+   valid, at the last load it could reach; after a cancel, too, and c2d_advance goes on from there. Errors: STORE_...,
+   CANCELLED. */
 c2d_status c2d_advance(c2d_solver* solver, const double* load, int32_t cases, c2d_outcome* outcome);
-/* How far the load factors can go along direction[0 .. cases) until a pair changes its status: *step times the
-   direction; infinity if no pair ever does; 0 if the path cannot go on that way at all. The load stays where it is;
-   a pair on the border of its status (zero pressure, or about to slip) may be given the status that goes with the
-   direction. Legal: running. Errors: ARGUMENT, STATE, STORE_.... */
+/* How far the load factors can go along direction[0 .. cases) until a pair changes its status: *step times the direction;
+   infinity if no pair ever does; 0 if the path cannot go on that way at all. The load stays where it is; a pair on the border
+   of its status (zero pressure, or about to slip) may be given the status that goes with the direction. Errors: STORE_.... */
 c2d_status c2d_next_event(c2d_solver* solver, const double* direction, int32_t cases, double* step);
 /* Does nothing. In a library compiled with C2D_PARTS_BY_CALL, a program that names it, or c2d_run or c2d_get_summary, is
    warned of what is doubtful about a preparation or a contact state: C2D_WARN_ZONE_END ... _SURFACE, but for those that
    c2d_complete tells. */
 void c2d_link_warnings(void);
 
-/* Keep the state of the path on tape 0: statuses, history, load factors, energies, tableau, or, in state prepared, that
-   there is a factorisation. A crash at any moment leaves this state or the one saved before, and the tapes are made
-   safe (sync) first. Tape 0 is opened with room for two states; what that transfers is not counted in c2d_summary.
-   Legal: prepared, running. Errors: STORE_... (state broken: c2d_restore brings back what was saved before). */
+/* Keep the state of the path on tape 0, or, in state prepared, that there is a factorisation. A crash at any moment leaves
+   this state or the one saved before; the tapes are made safe (sync) first. c2d_summary does not count what that transfers.
+   Errors: STORE_... (c2d_restore brings back what was saved before). */
 c2d_status c2d_save(c2d_solver* solver);
-/* Go back to the newest state that is whole, with the tapes as they are: nothing is assembled or eliminated again, and
-   what follows gives the same bits. In another process: c2d_create with the same limits, the same model and options
-   (state model), the same store, then c2d_restore instead of c2d_prepare. The state is then prepared or running, as
-   it was. Legal: model, prepared, running, broken. Errors: MISMATCH: saved for another model, path, limits or
-   stepping, or by another library or kind of machine (c2d_last_error names what is strange about a block);
-   STORE_STALE: c2d_prepare has begun anew since; STORE_FORMAT or _READ: nothing was saved there; STORE_...: nothing
-   whole is there; MEMORY with bytes_needed: saved in a larger workspace; after all these the solver is as before. If
-   the store fails while the state is taken over: broken. */
+/* Go back to the newest state that is whole: nothing is assembled or eliminated again, and what follows gives the same bits.
+   In another process: c2d_create with the same limits, the same model and options (state model), the same store, then
+   c2d_restore instead of c2d_prepare. Errors, after which the solver is as before: MISMATCH: saved for another model, path,
+   limits or stepping, or by another library or kind of machine (c2d_last_error tells); STORE_STALE: c2d_prepare has begun anew
+   since; STORE_FORMAT or _READ: nothing was saved there; STORE_...: nothing whole is there; MEMORY with bytes_needed: saved in
+   a larger workspace. It is broken only if the store fails while the state is taken over. */
 c2d_status c2d_restore(c2d_solver* solver);
 
-/* What a step callback sees. `table` has a row per pair and the columns C2D_TN ... of section 8 (column c of pair
-   p: table[(p-1)*stride + c]); it is valid during the call only. */
+/* What a step callback sees. `table` has a row per pair and the columns C2D_X ... C2D_PAIR_ZONE of section 8: column c of pair
+   p at table[(p-1) * stride + c]. All pointers are valid during the call only. */
+enum { C2D_STEP_RECORDED = 0, C2D_STEP_CHANGE = 1, C2D_STEP_STOPPED = 2 };
 typedef struct c2d_step {
   uint32_t struct_size;
-  int32_t kind;               /* C2D_STEP_RECORDED: end of an increment; C2D_STEP_CHANGE: a status changed;
-                                 C2D_STEP_STOPPED: the path ended early, last valid state           */
-  int32_t coefficient;        /* 1 ...: which of the deck's coefficients                            */
-  int32_t step;               /* 1 ...: increments of all load cards, counted through               */
-  int32_t pairs;
-  int32_t changes;            /* changes of status since the last recorded step                     */
+  int32_t kind;               /* RECORDED: end of an increment; CHANGE: a status changed; STOPPED: the path ended early */
+  int32_t coefficient;        /* which of the deck's coefficients                                   */
+  int32_t step;               /* increments of all load cards, counted through from 1               */
+  int32_t pairs, changes;     /* changes of status since the last recorded step                     */
   int32_t iterations;         /* of the deck's stepping in this increment, else 0                   */
   c2d_outcome outcome;
   int64_t stride;             /* doubles from one row to the next                                   */
@@ -667,30 +514,28 @@ typedef struct c2d_step {
   const double* table;
   int32_t cases, reserved;
   const double* loads;        /* [cases] factors reached                                            */
-  const double* work_by_case; /* [cases] work done by each load case since zero load: its tractions, point loads
-                                 and prescribed displacements, integrated along the path            */
+  const double* work_by_case; /* [cases] work done by each load case since zero load: its tractions, point loads and prescribed
+                                 displacements, integrated along the path                           */
   double work;                /* their sum                                                          */
-  double dissipated;          /* by friction: sum over pairs of W q dslip, W the integral of the pair's shape
-                                 functions along body 1                                             */
-  double elastic;             /* energy stored in both bodies                                       */
-  double energy_defect;       /* (work - elastic - dissipated) over the largest of the three on the path so far;
-                                 the error of the mesh, whose equations are not quite symmetric: largest at
-                                 corners, as those of a meshed line of symmetry                     */
+  double dissipated;          /* by friction: sum over pairs of W tt dslip, W the length that belongs to the pair: the integral
+                                 of its shape functions along the side that tractions are counted on */
+  double elastic;             /* energy stored in all bodies                                        */
+  double energy_defect;       /* (work - elastic - dissipated) over the largest of the three on the path so far: the error of
+                                 the mesh, largest at corners, as those of a meshed line of symmetry */
 } c2d_step;
-enum { C2D_STEP_RECORDED = 0, C2D_STEP_CHANGE = 1, C2D_STEP_STOPPED = 2 };
 typedef int32_t (*c2d_step_fn)(void* context, const c2d_step* step); /* non-zero: stop, C2D_ERR_CALLBACK */
-/* The model's own load cards for each of its coefficients of friction. A path that stops is no error of this call:
-   the callback and c2d_get_summary tell; the next coefficient is then run. Legal: prepared, running. State afterwards:
-   running, at the last load reached, also after CALLBACK and CANCELLED. Errors: ARGUMENT (no path), STATE, CALLBACK,
-   CANCELLED, STORE_.... `step` may be null. */
+/* The model's own load cards for each of its coefficients of friction. A path that stops is no error of this call: the
+   callback (may be null) and c2d_get_summary tell; the next coefficient is then run. State afterwards: running, at the last
+   load reached, also after CALLBACK and CANCELLED. Errors: ARGUMENT: no path; CALLBACK, CANCELLED, STORE_.... */
 c2d_status c2d_run(c2d_solver* solver, c2d_step_fn step, void* context);
 /* May be called from any callback or another thread: the solver stops at the next chance, and the call at work returns
-   C2D_ERR_CANCELLED. Without one the next call that can be cancelled does. Errors: ARGUMENT. */
+   C2D_ERR_CANCELLED. Without one the next call that can be cancelled does. */
 c2d_status c2d_cancel(c2d_solver* solver);
 
 /* ---------------------------------------------------------------- 8 results ------------------------------------
 
-   out[0], out[stride], ...: entries first ... first+count-1 (from 1) of a field. A failed call leaves out[] as it was.
+   At the load reached, in state running. All but what only tells the model may return STORE_... (back substitution is done on
+   the first call at a load that needs it, then kept).
 
      double normal[3], stress[C2D_POINT_FIELDS], at[2] = {1.0, 1.0};
      bad |= c2d_get(solver, C2D_TN, 0, 1, 3, normal, 1);
@@ -699,63 +544,55 @@ c2d_status c2d_cancel(c2d_solver* solver);
      bad |= c2d_close(solver);
 */
 enum {
-  /* per pair (body is ignored); also the columns of c2d_step.table, in this order from 0 */
-  C2D_X = 0, C2D_Y = 1,       /* position on body 1                                                 */
+  /* per pair (body is ignored); also the columns of c2d_step.table */
+  C2D_X = 0, C2D_Y = 1,       /* position on side 1                                                 */
   C2D_STATUS = 2,             /* C2D_OPEN, C2D_STICK, C2D_SLIP                                      */
-  C2D_TN = 3, C2D_TT = 4,     /* force on body 2 per unit length of body 1                          */
-  C2D_UN1 = 5, C2D_UT1 = 6, C2D_UN2 = 7, C2D_UT2 = 8, /* displacements in the pair's frame           */
-  C2D_GAP = 9, C2D_SLIP_SUM = 10, /* current normal gap; accumulated tangential slip (u2-u1).t       */
+  C2D_TN = 3, C2D_TT = 4,     /* pressure and friction on side 2, see the conventions               */
+  C2D_UN1 = 5, C2D_UT1 = 6, C2D_UN2 = 7, C2D_UT2 = 8, /* displacements of both sides in the pair's frame */
+  C2D_GAP = 9, C2D_SLIP_SUM = 10, /* current normal gap; accumulated tangential slip (u2-u1).t      */
   C2D_NX = 11, C2D_NY = 12,   /* the frame's normal                                                 */
-  C2D_PAIR_NODE1 = 13, C2D_PAIR_NODE2 = 14, C2D_PAIR_ZONE = 15, /* functional nodes of the pair; zone */
-  C2D_PAIR_FIELDS = 16,
-  /* per element end of a body: entry (element-1)*function_nodes + local; needs back substitution (done on the
-     first call at a load, then kept) except C2D_END_X, _Y, _NODE */
+  C2D_PAIR_NODE1 = 13, C2D_PAIR_NODE2 = 14, C2D_PAIR_ZONE = 15, C2D_PAIR_FIELDS = 16, /* functional nodes; zone */
+  /* per element end of a body: entry (element-1)*function_nodes + local */
   C2D_END_X = 100, C2D_END_Y = 101, C2D_END_NODE = 102,
-  C2D_END_UX = 103, C2D_END_UY = 104, C2D_END_TX = 105, C2D_END_TY = 106, /* true traction on own length */
-  C2D_END_STATUS = 107,       /* status of the pair this end belongs to, -1: none, as on body 1 of a free zone, whose
-                                 pairs lie between its nodes (C2D_PAIR_ELEMENT1)                     */
-  C2D_END_SXX = 108, C2D_END_SYY = 109, C2D_END_SXY = 110, /* stress tensor: from this end's traction and the slope of
-                                 the displacement along the boundary, recovered at Gauss points     */
-  C2D_END_SZZ = 111,          /* out of the plane: nu (sxx + syy), 0 in plane stress                */
-  C2D_END_HOOP = 112,         /* normal stress along the boundary                                   */
-  C2D_END_VON_MISES = 113, C2D_END_MAX_SHEAR = 114, C2D_END_PRINCIPAL1 = 115, C2D_END_PRINCIPAL2 = 116, /* of that
-                                 tensor, as for interior points below                               */
+  C2D_END_UX = 103, C2D_END_UY = 104, C2D_END_TX = 105, C2D_END_TY = 106, /* traction per own length */
+  C2D_END_STATUS = 107,       /* of the pair this end belongs to, -1: none, as on side 1 of a free zone, whose pairs lie between
+                                 its nodes (C2D_PAIR_ELEMENT1)                                      */
+  C2D_END_SXX = 108, C2D_END_SYY = 109, C2D_END_SXY = 110, /* stress: from this end's traction and the slope of the displacement
+                                 along the boundary, recovered at Gauss points                      */
+  C2D_END_SZZ = 111, C2D_END_HOOP = 112, /* out of the plane; normal stress along the boundary      */
+  C2D_END_VON_MISES = 113, C2D_END_MAX_SHEAR = 114, C2D_END_PRINCIPAL1 = 115, C2D_END_PRINCIPAL2 = 116,
   /* per geometry node of a body */
   C2D_NODE_X = 120, C2D_NODE_Y = 121,
-  /* per pair, no columns of the table: where it lies on body 1, an element and its local coordinate -1 ... 1 */
+  /* per pair, no columns of the table: where it lies on side 1, an element and its local coordinate -1 ... 1 */
   C2D_PAIR_ELEMENT1 = 130, C2D_PAIR_ETA1 = 131
 };
-/* Errors: ARGUMENT; STATE (legal: running; positions also in model, prepared); STORE_... */
-c2d_status c2d_get(c2d_solver* solver, int32_t field, int32_t body, int32_t first, int32_t count, double* out,
-                   int64_t stride);
+/* Entries first ... first+count-1 of a field to out[0], out[stride], .... Positions also in states model and prepared. */
+c2d_status c2d_get(c2d_solver* solver, int32_t field, int32_t body, int32_t first, int32_t count, double* out, int64_t stride);
 
-/* Columns of an interior point. Principal stresses are those of the plane, the larger first; max_shear is half their
-   difference; szz = nu (sxx + syy) in plane strain, 0 in plane stress, and enters von Mises' stress. */
+/* Columns of an interior point. szz = nu (sxx + syy) in plane strain, 0 in plane stress, and enters von Mises' stress;
+   principal stresses are those of the plane, the larger first; max_shear is half their difference. The same holds for
+   C2D_END_.... */
 enum {
   C2D_POINT_UX = 0, C2D_POINT_UY = 1, C2D_POINT_SXX = 2, C2D_POINT_SYY = 3, C2D_POINT_SXY = 4, C2D_POINT_SZZ = 5,
   C2D_POINT_VON_MISES = 6, C2D_POINT_MAX_SHEAR = 7, C2D_POINT_PRINCIPAL1 = 8, C2D_POINT_PRINCIPAL2 = 9,
-  C2D_POINT_FLAG = 10,        /* one of the words below                                             */
-  C2D_POINT_FIELDS = 11
+  C2D_POINT_FLAG = 10, C2D_POINT_FIELDS = 11 /* the flag is one of the words below                  */
 };
 enum {
   C2D_POINT_INSIDE = 0,       /* METHOD 16.3, error below 1e-8 down to 1e-6 of an element length from the boundary */
-  C2D_POINT_NEAR_NODE = 1,    /* within a tenth (constant functions: half) of the shorter element that meets there of an
-                                 element's end: tractions and slopes of displacement jump there by what the mesh is
-                                 off, and the stress is that of elements on which they are smoothed (up to half the
-                                 shorter element away, fading); exact where the state is uniform; displacement as inside */
+  C2D_POINT_NEAR_NODE = 1,    /* within a tenth (constant functions: half) of the shorter element from an element's end, where
+                                 tractions jump by the error of the mesh: the stress of smoothed tractions (METHOD 16.3), exact
+                                 where the state is uniform; displacement as inside                 */
   C2D_POINT_BOUNDARY = 2,     /* within 1e-9 of an element length: displacement and tensor of the boundary point */
   C2D_POINT_OUTSIDE = 3       /* of the body asked for, or of all: every other column is 0          */
 };
-/* Displacements and stresses at `count` points (xy[i * xy_stride], xy[i * xy_stride + 1]), at the load reached; column c
-   of point i goes to out[i * out_stride + c]. xy_stride >= 2, out_stride >= C2D_POINT_FIELDS; xy and out must not
-   overlap. body 0: whichever body the point lies in, the first if in both. A point load's own field is left out at its
-   very point. Before anything touches, and where no motion is held, displacements and stresses are 0. With lines of
-   symmetry points may lie anywhere in the whole body. The time is that of one pass over all elements per point; many
-   points in one call share the preparation of each element.
-   Legal: running. Errors: ARGUMENT; STATE; STORE_... (back substitution is done if need be); CANCELLED (`out` then
-   holds nothing of use, the solver is as before). */
-c2d_status c2d_interior(c2d_solver* solver, int32_t body, int32_t count, const double* xy, int64_t xy_stride,
-                        double* out, int64_t out_stride);
+/* Displacements and stresses at `count` points (xy[i * xy_stride], xy[i * xy_stride + 1]); column c of point i goes to out[i *
+   out_stride + c]. xy_stride >= 2, out_stride >= C2D_POINT_FIELDS; xy and out must not overlap. body 0: whichever the point
+   lies in, the first if in several. A point load's own field is left out at its very point. Before anything touches, and where
+   no motion is held, displacements and stresses are 0. With lines of symmetry points may lie anywhere in the whole body. Many
+   points in one call cost less than one by one. Errors: STORE_...; CANCELLED (`out` then holds nothing of use, the solver is
+   as before). */
+c2d_status c2d_interior(c2d_solver* solver, int32_t body, int32_t count, const double* xy, int64_t xy_stride, double* out,
+                        int64_t out_stride);
 
 typedef struct c2d_summary {
   uint32_t struct_size;
@@ -763,7 +600,7 @@ typedef struct c2d_summary {
   c2d_outcome outcome;            /* of the last path followed                                      */
   int32_t outcome_body, outcome_pair; /* which body can move, which pair was last                   */
   int32_t bodies, function_nodes, pairs, zones, steps, coefficients; /* steps: increments of all load cards */
-  int32_t contact_unknowns;       /* m                                                              */
+  int32_t contact_unknowns;
   int32_t analysis, plane, stepping, quadrature, iteration_limit, paths;
   int32_t panel_columns, warnings;
   int64_t events, exchanges, tableau_rebuilds;
@@ -776,107 +613,98 @@ typedef struct c2d_summary {
   double elimination_residual;    /* pivot growth in the elimination                                */
   double condition;               /* estimate: times the last digit, how much of displacements is round-off */
   double force_applied, force_contact, force_error; /* magnitudes along what the body is free to follow */
-  double free_motion[3];          /* with C2D_FREE_MOTION, C2D_GROSS_SLIDING: how outcome_body starts to move,
-                                     (ux, uy, rotation) about the origin, of length one              */
+  double free_motion[3];          /* with C2D_FREE_MOTION, C2D_GROSS_SLIDING: how outcome_body starts to move: (ux, uy,
+                                     rotation) about the origin, of length one                      */
   double tension_ratio;           /* smallest pressure inside an element over the largest nodal one */
   char title[80];
   char unit_length[16], unit_force[16]; /* as c2d_set_units said, else empty                        */
   int32_t load_cases, reserved;
-  double work, dissipated, elastic, energy_defect; /* as in c2d_step, at the load reached          */
+  double work, dissipated, elastic, energy_defect; /* as in c2d_step                                */
   double least_dissipation;       /* most negative contribution of a pair and event: round-off      */
-  int32_t symmetry;               /* lines of symmetry by images: 1: x = symmetry_at[0], 2: y = symmetry_at[1], 3: both;
-                                     forces and moments are those of the part that is modelled        */
-  int32_t breach;                 /* with C2D_BEYOND_LIMITS: C2D_BREACH_...                             */
+  int32_t symmetry;               /* lines of symmetry by images: 1: x = symmetry_at[0], 2: y = symmetry_at[1], 3: both */
+  int32_t breach;                 /* with C2D_BEYOND_LIMITS: C2D_BREACH_...                         */
   double symmetry_at[2];
-  double breach_size;             /* of what the breach is measured against                          */
-  int32_t point_loads, point_sets, curves; /* how many of each the model holds                       */
+  double breach_size;             /* of what the breach is measured against                         */
+  int32_t point_loads, point_sets, curves; /* how many of each the model holds                      */
   int32_t reserved_too;
 } c2d_summary;
-c2d_status c2d_get_summary(c2d_solver* solver, c2d_summary* out); /* legal: always; errors: ARGUMENT */
+c2d_status c2d_get_summary(c2d_solver* solver, c2d_summary* out); /* zeros for what is not known yet */
 
-/* One body of the model: its sizes as they were given, and the forces on it at the load reached. */
+/* One body of the model: its sizes as they were given, and the forces on it, (fx, fy, moment about the origin). */
 typedef struct c2d_body_result {
   uint32_t struct_size;
   int32_t element_nodes, elements, regions, open_regions; /* as in c2d_body                         */
   int32_t points, nodes;          /* boundary points, functional nodes                              */
   int32_t unknowns;               /* equations, 2 nodes + 3; 0: a rigid body                        */
   double youngs_modulus, poisson_ratio;
-  double applied[3];              /* fx, fy, moment about the origin of all loads and reactions outside the contact */
-  double contact[3];              /* the same of the contact tractions                              */
+  double applied[3];              /* of all loads and reactions outside the contact                 */
+  double contact[3];              /* of the contact tractions                                       */
 } c2d_body_result;
-/* Legal: always; zeros for what is not known yet. Errors: ARGUMENT. */
-c2d_status c2d_get_body_result(c2d_solver* solver, int32_t body, c2d_body_result* out);
+c2d_status c2d_get_body_result(c2d_solver* solver, int32_t body, c2d_body_result* out); /* zeros for what is not known yet */
 
-/* The contact of a zone as it stands. Forces are on body 2, per unit thickness; the moment is about the origin.
-   A mean is weighted with the length along body 1 that belongs to a pair. */
+/* The contact of a zone as it stands. Forces are on side 2; the moment is about the origin. A mean is weighted with the length
+   that belongs to a pair, of the side that tractions are counted on. */
 typedef struct c2d_zone_state {
   uint32_t struct_size;
   int32_t open, stick, slip;      /* pairs                                                          */
-  int32_t near_change;            /* pairs within 1 % of another status: pressure or gap below 1 % of the zone's
-                                     largest, or friction within 1 % of its bound                   */
+  int32_t near_change;            /* pairs within 1 % of another status: pressure or gap below 1 % of the zone's largest, or
+                                     friction within 1 % of its bound                               */
   int32_t reserved;
   double force[2], moment;
-  double approach;                /* mean of (u1 - u2).n over all pairs of the zone: how far the bodies came closer */
-  double shift;                   /* mean of (u2 - u1).t                                            */
+  double approach, shift;         /* means over all pairs of (u1 - u2).n, how far the bodies came closer, and (u2 - u1).t */
   double largest_pressure, largest_friction, length; /* length: of the touching pairs               */
 } c2d_zone_state;
-/* Legal: running, also inside a step callback. Errors: ARGUMENT, STATE, STORE_.... */
-c2d_status c2d_get_zone_state(c2d_solver* solver, int32_t zone, c2d_zone_state* out);
+c2d_status c2d_get_zone_state(c2d_solver* solver, int32_t zone, c2d_zone_state* out); /* also inside a step callback */
 
-/* Item i (from 1) of the model's lists; out of range: ARGUMENT. Legal: model, prepared, running. */
+/* Item i of the model's lists, as it was given, in states model, prepared and running. Out of range: ARGUMENT. */
 /* The coefficient that holds in a zone in the i-th run; zone 0: the one for all zones that have none of their own. */
 c2d_status c2d_get_friction(c2d_solver* solver, int32_t zone, int32_t i, double* mu);
 c2d_status c2d_get_path(c2d_solver* solver, int32_t i, int32_t* increments, double* load, int32_t cases);
 /* Of a free zone: the elements that are in contact at all, and 0 for the nodes of side 1. */
 c2d_status c2d_get_zone(c2d_solver* solver, int32_t i, c2d_zone* out);
 c2d_status c2d_get_region(c2d_solver* solver, int32_t body, int32_t i, int32_t* first_element, int32_t* last_element);
-/* The codes are the same in every case. */
 c2d_status c2d_get_condition(c2d_solver* solver, int32_t body, int32_t element, int32_t local, int32_t load_case,
                              int32_t codes[4], double values[4]);
-/* The point loads of all bodies and cases are one list, in the order given. */
-c2d_status c2d_get_point_load(c2d_solver* solver, int32_t i, int32_t* body, int32_t* load_case, double xy[2],
-                              double force[2]);
+/* The point loads of all bodies and cases are one list. */
+c2d_status c2d_get_point_load(c2d_solver* solver, int32_t i, int32_t* body, int32_t* load_case, double xy[2], double force[2]);
 c2d_status c2d_get_points(c2d_solver* solver, int32_t i, c2d_points* out);
 c2d_status c2d_get_curve(c2d_solver* solver, int32_t i, c2d_curve* out);
-/* Points first ... first+count-1 (from 1) of a set: x and y of the k-th to xy[k * stride], xy[k * stride + 1], ready for
-   c2d_interior. *total (may be null): how many the set has. Needs no solver. Errors: ARGUMENT (also a set that
-   c2d_add_points would refuse; `body` is not looked at). */
+/* Points first ... first+count-1 of a set: x and y of the k-th to xy[k * stride], xy[k * stride + 1], ready for c2d_interior.
+   *total (may be null): how many the set has. Needs no solver; `body` is not looked at. */
 c2d_status c2d_expand_points(const c2d_points* points, int32_t first, int32_t count, double* xy, int64_t stride,
                              int32_t* total);
-/* As c2d_set_body_force was told; zeros if it was not called. */
+/* Zeros if there is none. is_rigid: 1 if the body is a rigid obstacle. The load case that closes initial overlaps, or 0. */
 c2d_status c2d_get_body_force(c2d_solver* solver, int32_t body, int32_t load_case, double force[2], double* rho_omega2,
                               double axis[2]);
-/* is_rigid: 1 if the body is a rigid obstacle; motion and axis as c2d_set_rigid was told, else zeros. */
 c2d_status c2d_get_rigid(c2d_solver* solver, int32_t body, int32_t load_case, int32_t* is_rigid, double motion[3],
                          double axis[2]);
-/* The load case that closes initial overlaps, 0: none. */
 c2d_status c2d_get_interference(c2d_solver* solver, int32_t* load_case);
 
 /* ---------------------------------------------------------------- 9 errors and state ---------------------------
 
-   State        legal calls (besides memory need, attach, get_state, get_summary, last_error, message, cancel, close:
-                always)
+   State        legal calls (those without a solver, get_state, get_summary, get_body_result, last_error, cancel, close: always)
    empty        read_deck                                               -> model
                 all of section 5 but complete                           -> building (set_line, set_options: empty)
    building     all of section 5                                        -> model by complete; empty if that fails
-   model        set_options, set_values, replace_point_load, set_body_force, set_rigid
+   model        set_options, set_values, replace_point_load, set_body_force, set_rigid, set_units
                 prepare                                                 -> prepared
                 restore                                                 -> prepared or running, as saved
    prepared     begin, run                                              -> running
-                save, restore; change_loads                             -> model
-   running      begin, advance, next_event, run, get, get_zone_state, interior, save, restore
+                save, restore, set_units; change_loads                  -> model
+   running      begin, advance, next_event, run, get, get_zone_state, interior, save, restore, set_units
                 change_loads                                            -> model
    broken       after an error of the store: restore, or c2d_create in the same memory
-   In model, prepared and running also positions by get, and the lists: get_friction, _path, _zone,
-   _region, _condition, _point_load, _body_force, _rigid, _interference, _points, _curve. */
-enum { C2D_STATE_EMPTY = 0, C2D_STATE_BUILDING = 1, C2D_STATE_MODEL = 2, C2D_STATE_PREPARED = 3,
-       C2D_STATE_RUNNING = 4, C2D_STATE_BROKEN = 5 };
-int32_t c2d_get_state(const c2d_solver* solver);                 /* -1: not a solver                */
+   In model, prepared and running also positions by get, and the lists: get_friction, _path, _zone, _region, _condition,
+   _point_load, _body_force, _rigid, _interference, _points, _curve. */
+enum { C2D_STATE_EMPTY = 0, C2D_STATE_BUILDING = 1, C2D_STATE_MODEL = 2, C2D_STATE_PREPARED = 3, C2D_STATE_RUNNING = 4,
+       C2D_STATE_BROKEN = 5 };
+int32_t c2d_get_state(const c2d_solver* solver); /* -1: not a solver */
 /* Why the last call failed; in state broken: what broke the solver, whatever was refused since. */
 c2d_status c2d_last_error(c2d_solver* solver, c2d_error* out);
-const char* c2d_message(int32_t status);     /* any integer; never null; for outcomes see below     */
+/* A c2d_status or a number of a warning in words, an outcome in words: any integer; never null. */
+const char* c2d_message(int32_t status);
 const char* c2d_outcome_message(int32_t outcome);
-const char* c2d_version(void);               /* "0.2.0" */
+const char* c2d_version(void); /* "0.2.0" */
 
 #ifdef __cplusplus
 }

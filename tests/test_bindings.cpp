@@ -10,8 +10,9 @@ using namespace test;
 namespace {
 
 const std::string kRoot = C2D_TEST_ROOT;
-const char* const kHeaders[] = {"/include/contact2d.h",    "/include/contact2d_cards.h", "/port/memory/c2d_memory.h",
-                                "/port/stdio/c2d_stdio.h", "/port/posix/c2d_posix.h",    "/port/threads/c2d_threads.h"};
+const char* const kHeaders[] = {"/include/contact2d.h",       "/include/contact2d_codes.h", "/include/contact2d_cards.h",
+                                "/port/memory/c2d_memory.h",  "/port/stdio/c2d_stdio.h",    "/port/posix/c2d_posix.h",
+                                "/port/threads/c2d_threads.h"};
 
 using Words = std::vector<std::string>;
 
