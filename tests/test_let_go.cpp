@@ -149,6 +149,28 @@ TEST_CASE("supports: contact can hold one body; two that lean on each other are 
   CHECK(together.outcome == C2D_FREE_MOTION);
 }
 
+TEST_CASE("a held body that slides along a flat without pressing touches nothing and has no slip") {
+  for (const int32_t elements : {4, 19}) {
+    Problem p = block(elements, 0.1);
+    for (std::vector<End>* ends : {&p.bodies[1].ends, &p.bodies[1].second_case})
+      for (End& end : *ends) {
+        if (end.codes[3] == 0) end.codes[0] = end.codes[1], end.codes[2] = 0; // the top is held in both directions
+        end.values[0] = 0;
+      }
+    for (End& end : p.bodies[1].second_case)
+      if (end.codes[3] == 0) end.values[2] = 0.005;
+    p = with_paths(p, {{2, 0, 1}, {1, 0, 0.5}});
+    for (const Problem& form : {p, reflected(p), rotated(p, 90)}) {
+      const Result r = solve(form);
+      REQUIRE(r.outcome == C2D_REACHED);
+      for (const Step& s : r.recorded()) {
+        CHECK(no_force(s));
+        for (int i = 0; i <= elements; ++i) CHECK(s.at(i, C2D_SLIP_SUM) == 0);
+      }
+    }
+  }
+}
+
 TEST_CASE("let go: what it has slid before stays, and no slip is counted in the air") {
   // On a smooth enough table the sides of the block slide outwards as it is pressed, and some of that remains.
   const Problem p = with_paths(block(6, 0.05), {{1, 1, 0}, {1, 1, 0.02}, {1, 0.02, 0}, {2, -1, 0}});

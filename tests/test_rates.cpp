@@ -216,9 +216,12 @@ TEST_CASE("rates: where not all solutions were counted, that is known") {
 }
 
 // Two pairs that go along x with neither gap nor force, but for a last digit: open or slipping, it is one solution.
-TEST_CASE("rates: a motion without gap and force is one solution, and its pairs are closed") {
-  for (const double digit : {5e-13, 0.0, -5e-13}) {
-    CAPTURE(digit);
+TEST_CASE("rates: a motion without gap and force is one solution, its pairs open if the body is held, else closed") {
+  for (int k = 0; k < 6; ++k) {
+    const double digit = 5e-13 * (k % 3 - 1);
+    const int32_t free_motions = k / 3;
+    const Cell expected = free_motions == 0 ? Cell::open : Cell::slip_minus;
+    CAPTURE(k);
     Problem problem(2, 0.5);
     for (int i = 0; i < 4; ++i) {
       problem.stiffness(i, i) = 1.0;
@@ -227,12 +230,13 @@ TEST_CASE("rates: a motion without gap and force is one solution, and its pairs 
     int32_t found = 0, branched = 0;
     c2d_status status = C2D_OK;
     RateProblem& r = problem.start();
+    r.t->free_motions = free_motions;
     REQUIRE(try_all_cells(r, &found) == Settled::solved);
     CHECK(found == 1);
-    for (int i = 0; i < 2; ++i) CHECK(r.doubt[i].cell == Cell::slip_minus);
-    REQUIRE(branch_cells(problem.start(), true, 1000, &branched, go_on, nullptr, &status) == Settled::solved);
+    for (int i = 0; i < 2; ++i) CHECK(r.doubt[i].cell == expected);
+    REQUIRE(branch_cells(r, true, 1000, &branched, go_on, nullptr, &status) == Settled::solved);
     CHECK(branched == 1);
-    for (int i = 0; i < 2; ++i) CHECK(r.doubt[i].cell == Cell::slip_minus);
+    for (int i = 0; i < 2; ++i) CHECK(r.doubt[i].cell == expected);
   }
 }
 
@@ -473,6 +477,35 @@ TEST_CASE("hard states: several solutions are told, one is not") {
   const test::Result two = test::run_shell("'" C2D_TEST_PROGRAM "' run '" + (folder / "two.dat") + "' --listing /dev/null");
   CHECK(two.status == 0);
   CHECK(two.err.find("not unique: 3 contact states") != std::string::npos);
+}
+
+// A portal whose feet slide apart: it may lie anywhere between two places, and at each end another inner pair sticks.
+TEST_CASE("hard states: friction at its bound that alone holds a motion is said to be an end of a range") {
+  const problem::Problem p = problem::with_paths(
+      problem::from_text(test::read_file(C2D_TEST_ROOT "/tests/data/hard/range_portal_22pairs.dat")), {{1, 1, 0}});
+  for (const double angle : {0.0, 90.0, 37.3}) {
+    const problem::Result r = problem::solve(problem::rotated(p, angle));
+    CAPTURE(r.messages());
+    CHECK(r.outcome == C2D_REACHED);
+    CHECK(r.warned(C2D_WARN_NOT_UNIQUE));
+    CHECK(r.messages().find("sticks is taken") != std::string::npos);
+  }
+}
+
+TEST_CASE("hard states: of states that are equally near the order of pairs takes one, in all units") {
+  const problem::Problem p = problem::with_paths(
+      problem::from_text(test::read_file(C2D_TEST_ROOT "/tests/data/hard/nonunique_equally_near.dat")), {{1, 1, 0}});
+  const problem::Result plain = problem::solve(p);
+  CHECK(plain.warned(C2D_WARN_NOT_UNIQUE));
+  REQUIRE(plain.recorded().size() == 1);
+  for (double size = 0.001; size < 2000; size *= 7) {
+    CAPTURE(size);
+    const problem::Result other = problem::solve(problem::scaled(p, size, 3.3e4 / size));
+    problem::Mapping map;
+    map.length = 1 / size, map.stress = size / 3.3e4;
+    REQUIRE(other.recorded().size() == plain.recorded().size());
+    CHECK(problem::compare(plain.recorded()[0], other.recorded()[0], map).worst() < 1e-7);
+  }
 }
 
 TEST_CASE("hard states: a path that shrinks towards zero load ends") {

@@ -44,6 +44,7 @@ struct Follower {
   int32_t goes_on;       // this piece of the path goes on in the direction of the one before
   int32_t solutions;     // most contact states found at one load since the struct was filled;
   bool more_solutions;   // there may be more there;
+  int32_t range_pair;    // number of the pair at which a range of states ends that no force tells apart; 0: none;
   double solutions_load; // that load, of the first case
   PathWatch watch;
   PathStats stats;

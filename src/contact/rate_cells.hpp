@@ -39,8 +39,9 @@ struct Solutions {
   int32_t told() const; // those that count
 };
 // Adds the present solution, u, unless it is there already under other cells; if its motion is the nearest to r.before so far
-// its cells are taken. Of cells that mean the same those with most pairs closed: a pair that slides without a force and
-// without a gap may be called open or slipping, and what is its slip must not depend on the order in which cells are tried.
+// its cells are taken. Cells that mean the same, open and slipping of a pair that slides with neither force nor gap, must not
+// depend on the order in which they are tried, or slip would: such pairs are open where supports hold the bodies, and as many
+// closed as can be where contact does, which could not hold with all of them open.
 void add_solution(RateProblem& r, const Real* u, Solutions& all);
 void take_solution(RateProblem& r); // the cells taken are the present ones
 

@@ -287,6 +287,17 @@ bool alike(const RateProblem& r, const Signature& a, const Signature& b, const C
   return fabs(a.force - b.force) <= kAlike * size.force + noise && fabs(a.motion - b.motion) <= kAlike * size.motion + noise;
 }
 
+// Of solutions that are equally near, as those that mirror each other are, the order of the pairs decides: the first pair that
+// differs sticks rather than slips, and slips rather than opens.
+bool comes_first(const RateProblem& r) {
+  const int order[] = {3, 1, 0, 2}; // by Cell
+  for (int32_t i = 0; i < r.count; ++i) {
+    const Doubt& d = r.doubt[i];
+    if (d.cell != d.taken) return order[static_cast<int>(d.cell)] < order[static_cast<int>(d.taken)];
+  }
+  return false;
+}
+
 void take(RateProblem& r, Solutions& all, const Signature& s, double away) {
   all.nearest = away;
   all.taken = s;
@@ -303,14 +314,17 @@ void add_solution(RateProblem& r, const Real* u, Solutions& all) {
   for (int32_t i = 0; i < r.count; ++i) own.closed += r.doubt[i].cell != Cell::open;
   for (int32_t k = 0; k < all.count; ++k) {
     if (!alike(r, own, all.seen[k], size)) continue;
-    if (own.closed > all.taken.closed && alike(r, own, all.taken, size)) take(r, all, own, all.nearest);
+    const bool rather = r.t->free_motions > 0 ? own.closed > all.taken.closed : own.closed < all.taken.closed;
+    if (rather && alike(r, own, all.taken, size)) take(r, all, own, all.nearest);
     return;
   }
   if (all.count < Solutions::kMost)
     all.seen[all.count++] = own;
   else
     all.more = true;
-  if (all.count == 1 || away < all.nearest * (1.0 - 1e-9)) take(r, all, own, away);
+  constexpr double kEqual = 1e-6;
+  const bool equal = fabs(away - all.nearest) <= kEqual * all.nearest;
+  if (all.count == 1 || (equal ? comes_first(r) : away < all.nearest)) take(r, all, own, away);
 }
 
 void take_solution(RateProblem& r) {

@@ -19,10 +19,12 @@ struct Violation {
 
 bool is_finite_friction(const Pair& pair) { return pair.mu <= 1e300; }
 
-// A pair in contact whose pressure is zero: it may stay only if its pressure grows.
-Violation judge_unloaded(const Pair& pair, const PairState& rate, const PathScales& s) {
+// A pair in contact whose pressure is zero: it may stay only if its pressure grows. `held`: whatever opens.
+Violation judge_unloaded(const Pair& pair, bool held, const PairState& rate, const PathScales& s) {
   const double none = no_rate(pair, s).force;
   if (rate.p < -none) return {-rate.p / s.dp, C2D_OPEN, 0};
+  const bool slides = pair.status == C2D_SLIP && fabs(rate.wt) > no_rate(pair, s).motion;
+  if (held && slides && rate.p <= none) return {fabs(rate.wt) / s.dw, C2D_OPEN, 0};
   if (pair.status == C2D_STICK && pair.tangential && is_finite_friction(pair)) {
     const double excess = fabs(rate.q) - pair.mu * larger(rate.p, 0.0);
     if (excess > none) return {excess / s.dp, C2D_SLIP, rate.q > 0.0 ? 1 : -1};
@@ -74,7 +76,7 @@ Violation judge(const Follower& f, int32_t i, const PathScales& s) {
     return {-rate.wn / s.dw, slides ? C2D_SLIP : C2D_STICK, slides ? 1 : 0};
   }
   if (is_unloaded(f, i, now, s)) {
-    const Violation v = judge_unloaded(pair, rate, s);
+    const Violation v = judge_unloaded(pair, f.t->free_motions == 0, rate, s);
     if (v.size > 0.0 || pair.status == C2D_STICK) return v;
   }
   if (pair.status == C2D_SLIP) return judge_slipping(pair, rate, s);
@@ -426,11 +428,37 @@ c2d_status settle_at(Follower& f, c2d_outcome* outcome) {
   return decide(f, found == 0, outcome);
 }
 
+// Does this pair alone hold a motion, with friction that is at its bound and stays there? Then it may slide as well, along a
+// motion that no force opposes, until another pair sticks instead: this state is one end of a range.
+bool ends_a_range(const Follower& f, int32_t i, const PathScales& s) {
+  const Tableau& t = *f.t;
+  const Pair& pair = t.pair[i];
+  Doubt d;
+  if (pair.status != C2D_STICK || !pair.tangential || !is_finite_friction(pair) || !is_in_doubt(f, i, s, d)) return false;
+  const PairState rate = pair_rates(t, i, f.dy);
+  const double none = no_rate(pair, s).force;
+  const int32_t sign = d.kind == DoubtKind::cone ? d.sign : rate.q > 0.0 ? 1 : -1;
+  if (rate.p <= none || fabs(sign * rate.q - pair.mu * rate.p) > none) return false;
+  const Real* column = t.t + static_cast<int64_t>(pair.dof + 1) * t.m + pair.dof;
+  return fabs(column[1] - friction(pair, sign) * column[0]) <= kRegular * pair.stiffness[1];
+}
+
+void note_range(Follower& f) {
+  if (f.solutions > 1) return;
+  const PathScales s = decision_scales(f);
+  for (int32_t i = 0; i < f.t->pairs && f.solutions < 2; ++i) {
+    if (!ends_a_range(f, i, s)) continue;
+    note_solutions(f, 2, true);
+    f.range_pair = i + 1;
+  }
+}
+
 } // namespace
 
 c2d_status settle(Follower& f, c2d_outcome* outcome) {
   const c2d_status status = settle_at(f, outcome);
   f.bound.pair = -1;
+  if (status == C2D_OK && *outcome == C2D_REACHED) note_range(f);
   return status;
 }
 
