@@ -195,7 +195,7 @@ c2d_status reduce(const Reduction& r) {
 }
 
 c2d_status reduce_loads(const Reduction& r) {
-  const Step steps[] = {solve_loads_again, form_closing_again, form_rates_again};
+  const Step steps[] = {solve_loads_again, form_closing_again, form_rates_again, balance_rates};
   return take_steps(r, steps);
 }
 
