@@ -57,20 +57,6 @@ void rigid_columns(const Reduction& r, const Body& body) {
   orthonormalise(r.tape.m, body.free_motions, r.strip, nullptr);
 }
 
-// T (I - R R^T), R in the strip.
-void remove_motions(const Reduction& r, int32_t count) {
-  const int32_t m = r.tape.m;
-  Real* response = strip_column(r, kMostMotions);
-  for (int32_t k = 0; k < count; ++k) {
-    const Real* motion = strip_column(r, k);
-    for (int32_t i = 0; i < m; ++i) response[i] = 0;
-    for (int32_t j = 0; j < m; ++j)
-      for (int32_t i = 0; i < m; ++i) response[i] += motion[j] * r.first[static_cast<int64_t>(j) * m + i];
-    for (int32_t j = 0; j < m; ++j)
-      for (int32_t i = 0; i < m; ++i) r.first[static_cast<int64_t>(j) * m + i] -= response[i] * motion[j];
-  }
-}
-
 // As many contact unknowns as there are motions, which together hold them best.
 void choose_holders(const Reduction& r, int32_t count, int32_t* holder) {
   double taken[kMostMotions][kMostMotions] = {};
@@ -110,11 +96,11 @@ void exchange(Real* x, int32_t i, int32_t j) {
   x[j] = kept;
 }
 
-// S_u of the body in `second`, factored but for the columns of the holders, which stand last: S_u maps their motion to nothing
+// S_u of the body in `first`, factored but for the columns of the holders, which stand last: S_u maps their motion to nothing
 // that the other columns do not map to. False: there is more that meets no resistance.
 bool factor_held(const Reduction& r, int32_t count, const int32_t* holder) {
   const int32_t m = r.tape.m, held = m - count;
-  Real* s = r.second;
+  Real* s = r.first;
   for (int32_t k = count - 1; k >= 0; --k)
     for (int32_t i = 0; i < m; ++i) {
       Real *a = s + static_cast<int64_t>(holder[k]) * m, *b = s + static_cast<int64_t>(held + k) * m;
@@ -135,9 +121,9 @@ void find_motions(const Reduction& r, int32_t count, const int32_t* holder) {
   const int32_t m = r.tape.m, held = m - count;
   for (int32_t k = 0; k < count; ++k) {
     Real* x = strip_column(r, k);
-    for (int32_t i = 0; i < held; ++i) x[i] = -r.second[static_cast<int64_t>(held + k) * m + i];
+    for (int32_t i = 0; i < held; ++i) x[i] = -r.first[static_cast<int64_t>(held + k) * m + i];
     for (int32_t i = held; i < m; ++i) x[i] = i == held + k ? Real(1) : Real(0);
-    trsm_upper(r.engine, held, 1, r.second, m, x, m);
+    trsm_upper(r.engine, held, 1, r.first, m, x, m);
     for (int32_t j = 0; j < count; ++j) exchange(x, holder[j], held + j);
   }
   orthonormalise(m, count, r.strip, nullptr);
@@ -150,18 +136,20 @@ void find_equilibrium(const Reduction& r, int32_t count) {
     Real* e = strip_column(r, k);
     for (int32_t i = 0; i < m; ++i) e[i] = i == held + k ? Real(1) : Real(0);
     for (int32_t j = held - 1; j >= 0; --j)
-      e[j] = static_cast<Real>(-product(r.second + static_cast<int64_t>(j) * m + j + 1, e + j + 1, m - j - 1));
+      e[j] = static_cast<Real>(-product(r.first + static_cast<int64_t>(j) * m + j + 1, e + j + 1, m - j - 1));
     for (int32_t j = held - 1; j >= 0; --j) exchange(e, j, r.pivots[j]);
   }
 }
 
+int32_t motions(const Reduction& r) { return r.model.head->body[floating_body(r)].free_motions; }
+
 Matrix of_floating(const Reduction& r, Matrix first_body) {
   return static_cast<Matrix>(static_cast<int32_t>(first_body) + 3 * floating_body(r));
 }
-// G in `second`, orthonormal, and E to match in the strip; both to the tape.
+// G, orthonormal, in place of what is in `first`, and E to match in the strip.
 c2d_status find_resultants(const Reduction& r, int32_t count) {
   const int32_t m = r.tape.m;
-  Real *column = strip_column(r, kMostMotions), *g = r.second;
+  Real *column = strip_column(r, kMostMotions), *g = r.first;
   const double side = floating_body(r) == 1 ? 1.0 : -1.0; // body 1 carries -tau
   c2d_status status = C2D_OK;
   for (int32_t j = 0; j < m && status == C2D_OK; ++j) {
@@ -169,23 +157,39 @@ c2d_status find_resultants(const Reduction& r, int32_t count) {
     for (int32_t k = 0; k < count; ++k)
       g[static_cast<int64_t>(k) * m + j] = static_cast<Real>(side * product(strip_column(r, k), column, m));
   }
-  if (status == C2D_OK) orthonormalise(m, count, g, r.strip);
-  for (int32_t k = 0; k < count && status == C2D_OK; ++k) {
-    status = write_column(r.tape, Matrix::resultants, k, g + static_cast<int64_t>(k) * m);
-    if (status == C2D_OK) status = write_column(r.tape, Matrix::equilibrium, k, strip_column(r, k));
-  }
+  orthonormalise(m, count, g, r.strip);
   return status;
 }
 
-// No equilibrium is known: nothing is done to b.
-c2d_status keep_nothing(const Reduction& r) {
+// Columns to the tape, the rest of three as zeros.
+c2d_status keep(const Reduction& r, Matrix matrix, int32_t count, const Real* columns) {
+  Real* none = strip_column(r, kMostMotions);
+  for (int32_t i = 0; i < r.tape.m; ++i) none[i] = 0;
   c2d_status status = C2D_OK;
-  for (int32_t i = 0; i < r.tape.m; ++i) r.strip[i] = 0;
-  for (int32_t k = 0; k < kMostMotions && status == C2D_OK; ++k) {
-    status = write_column(r.tape, Matrix::resultants, k, r.strip);
-    if (status == C2D_OK) status = write_column(r.tape, Matrix::equilibrium, k, r.strip);
-  }
+  for (int32_t k = 0; k < kMostMotions && status == C2D_OK; ++k)
+    status = write_column(r.tape, matrix, k, k < count ? columns + static_cast<int64_t>(k) * r.tape.m : none);
   return status;
+}
+
+c2d_status fetch(const Reduction& r, Matrix matrix, Real* columns) {
+  c2d_status status = C2D_OK;
+  for (int32_t k = 0; k < motions(r) && status == C2D_OK; ++k)
+    status = read_column(r.tape, matrix, k, columns + static_cast<int64_t>(k) * r.tape.m);
+  return status;
+}
+
+// T (I - R R^T), R in the strip.
+void remove_motions(const Reduction& r, int32_t count) {
+  const int32_t m = r.tape.m;
+  Real* response = strip_column(r, kMostMotions);
+  for (int32_t k = 0; k < count; ++k) {
+    const Real* motion = strip_column(r, k);
+    for (int32_t i = 0; i < m; ++i) response[i] = 0;
+    for (int32_t j = 0; j < m; ++j)
+      for (int32_t i = 0; i < m; ++i) response[i] += motion[j] * r.first[static_cast<int64_t>(j) * m + i];
+    for (int32_t j = 0; j < m; ++j)
+      for (int32_t i = 0; i < m; ++i) r.first[static_cast<int64_t>(j) * m + i] -= response[i] * motion[j];
+  }
 }
 
 // T := (I - G G^T) T, G in `second`.
@@ -201,46 +205,49 @@ void remove_resultants(const Reduction& r, int32_t count) {
   }
 }
 
-int32_t motions(const Reduction& r) { return r.model.head->body[floating_body(r)].free_motions; }
-
 } // namespace
 
-c2d_status balance_rates(const Reduction& r) {
-  const int32_t m = r.tape.m, count = motions(r);
-  Real *s = strip_column(r, 0), *b = strip_column(r, 1), *column = strip_column(r, 2);
-  c2d_status status = C2D_OK;
-  for (int32_t c = 0; c < r.tape.cases && count > 0 && status == C2D_OK; ++c) {
-    status = read_column(r.tape, of_floating(r, Matrix::load1), c, s);
-    if (status == C2D_OK) status = read_column(r.tape, Matrix::stiffness_load, c, b);
-    for (int32_t k = 0; k < count && status == C2D_OK; ++k) {
-      status = read_column(r.tape, Matrix::equilibrium, k, column);
-      const double g = product(column, s, m);
-      if (status == C2D_OK) status = read_column(r.tape, Matrix::resultants, k, column);
-      const double part = product(column, b, m) + g;
-      for (int32_t i = 0; i < m; ++i) b[i] -= static_cast<Real>(part * static_cast<double>(column[i]));
-    }
-    if (status == C2D_OK) status = write_column(r.tape, Matrix::stiffness_load, c, b);
+c2d_status find_balance(const Reduction& r) {
+  int32_t count = motions(r), holder[kMostMotions] = {};
+  if (count > 0) {
+    rigid_columns(r, r.model.head->body[floating_body(r)]);
+    choose_holders(r, count, holder);
+    sort(count, holder);
+    const c2d_status status = read_matrix(r.tape, of_floating(r, Matrix::displacement1), r.first);
+    if (status != C2D_OK) return status;
+    if (!factor_held(r, count, holder)) count = 0; // what the pivots of the tableau say later decides
   }
-  return status;
+  find_motions(r, count, holder);
+  c2d_status status = keep(r, Matrix::motions, count, r.strip);
+  find_equilibrium(r, count);
+  if (status == C2D_OK) status = find_resultants(r, count);
+  if (status == C2D_OK) status = keep(r, Matrix::resultants, count, r.first);
+  return status == C2D_OK ? keep(r, Matrix::equilibrium, count, r.strip) : status;
 }
 
 c2d_status balance_stiffness(const Reduction& r) {
-  const int32_t m = r.tape.m, count = motions(r);
-  int32_t holder[kMostMotions] = {};
-  if (count == 0) return C2D_OK;
-  rigid_columns(r, r.model.head->body[floating_body(r)]);
-  choose_holders(r, count, holder);
-  sort(count, holder);
-  c2d_status status = read_matrix(r.tape, of_floating(r, Matrix::displacement1), r.second);
+  const int32_t count = motions(r);
+  c2d_status status = fetch(r, Matrix::motions, r.strip);
+  if (status == C2D_OK) status = fetch(r, Matrix::resultants, r.second);
   if (status != C2D_OK) return status;
-  if (!factor_held(r, count, holder)) return keep_nothing(r); // what the pivots of the tableau say later decides
-  find_motions(r, count, holder);
   remove_motions(r, count);
-  find_equilibrium(r, count);
-  status = find_resultants(r, count);
-  if (status == C2D_OK) remove_resultants(r, count);
-  for (int64_t i = 0; i < static_cast<int64_t>(m) * m && count >= m; ++i) r.first[i] = 0; // nothing but motions
-  return status == C2D_OK ? balance_rates(r) : status;
+  remove_resultants(r, count);
+  for (int64_t i = 0; i < static_cast<int64_t>(r.tape.m) * r.tape.m && count >= r.tape.m; ++i) r.first[i] = 0; // only motions
+  return C2D_OK;
+}
+
+c2d_status balance_rate(const Reduction& r, int32_t k) {
+  const int32_t m = r.tape.m;
+  Real *b = r.strip, *s = strip_column(r, 1), *column = strip_column(r, 2);
+  c2d_status status = motions(r) > 0 ? read_column(r.tape, of_floating(r, Matrix::load1), k, s) : c2d_status{C2D_OK};
+  for (int32_t j = 0; j < motions(r) && status == C2D_OK; ++j) {
+    status = read_column(r.tape, Matrix::equilibrium, j, column);
+    const double g = product(column, s, m);
+    if (status == C2D_OK) status = read_column(r.tape, Matrix::resultants, j, column);
+    const double part = product(column, b, m) + g;
+    for (int32_t i = 0; i < m; ++i) b[i] -= static_cast<Real>(part * static_cast<double>(column[i]));
+  }
+  return status;
 }
 
 } // namespace c2d

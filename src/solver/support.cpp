@@ -47,8 +47,8 @@ bool contact_holds(const Model& m, int b) {
 
 } // namespace
 
-// Which body's displacements are eliminated, a supported one and the stiffer of two (METHOD 10.1), and whether anything can fly away
-// whatever the contact does.
+// Which body's displacements are eliminated, a supported one and the stiffer of two (METHOD 10.1), and whether anything can fly
+// away whatever the contact does.
 void find_support(c2d_solver* s, const Model& m) {
   s->inverted = 0;
   s->blocked = 0;
