@@ -83,7 +83,7 @@ uint64_t workspace_of(const c2d_limits& l) {
 
 // In arrays and preprocessor conditions.
 static_assert(C2D_UPPER_BLOCKS(2, 40, 40, 1, 12, 1, 4) > 0, "a constant");
-#if C2D_CONTACT_BLOCKS(12, 1) != 14 * 12 + 8 || C2D_LOWER_BLOCKS(2, 40, 40, 1, 12, 1, 1, 1) != 84
+#if C2D_CONTACT_BLOCKS(12, 1) != 14 * 12 + 14 || C2D_LOWER_BLOCKS(2, 40, 40, 1, 12, 1, 1, 1) != 84
 #error "these are constants of the preprocessor, too"
 #endif
 

@@ -47,15 +47,16 @@ bool contact_holds(const Model& m, int b) {
 
 } // namespace
 
-// Which body's displacements are eliminated, and whether anything can fly away whatever the contact does.
+// Which body's displacements are eliminated, a supported one and the stiffer of two (METHOD 10.1), and whether anything can fly
+// away whatever the contact does.
 void find_support(c2d_solver* s, const Model& m) {
   s->inverted = 0;
   s->blocked = 0;
   for (int b = 0; b < m.head->bodies; ++b)
     if (m.head->contact == 0 && m.head->body[b].free_motions > 0) s->blocked = b + 1;
   if (m.head->contact == 0) return;
-  s->inverted = m.head->body[0].free_motions == 0 ? 0 : 1;
   const int32_t free1 = m.head->body[0].free_motions, free2 = m.head->body[1].free_motions;
+  s->inverted = free1 > 0 || (free2 == 0 && m.head->rigid == 0 && shear_modulus(m, 1) > shear_modulus(m, 0)) ? 1 : 0;
   if (m.head->body[s->inverted].free_motions > 0)
     s->blocked = free1 >= free2 ? 1 : 2; // neither is held: the less held one
   else if (!contact_holds(m, 1 - s->inverted))
