@@ -70,6 +70,7 @@ c2d_status begin_path(Session& session) {
   s->unsound = 0;
   s->pressure_scale = session.follower.pressure_scale = 0.0;
   if (s->blocked || head.contact == 0) return C2D_OK;
+  note_free_body(session);
   c2d_status status = load_flexibility(session);
   if (status == C2D_OK) status = start_path(session.follower, session.free_body, session.model, &s->floating);
   if (status == C2D_OK) begin_judging(session);
@@ -121,10 +122,10 @@ void case_resultant(const Model& m, int b, int32_t load_case, double out[3], dou
   *size += fabs(force[0]) + fabs(force[1]);
 }
 
-// Work of the loads along `direction` on the free body's one motion; zero if it is no more than round-off.
-double work_on_motion(const Session& session, const double* direction) {
+// Work of loads on a motion of the free body; zero if it is no more than round-off.
+double work_on(const Session& session, const double* loads, const double motion[3]) {
   double size = 0.0;
-  const double work = load_work(session, direction, session.free_body.motion, &size);
+  const double work = load_work(session, loads, motion, &size);
   return fabs(work) > 1e-10 * size ? work : 0.0;
 }
 
@@ -133,7 +134,7 @@ c2d_status take_off(Session& session, const double* target, c2d_outcome* outcome
   for (int32_t k = 0; k < f.t->cases; ++k) f.direction[k] = target[k] - f.load[k];
   c2d_status status = lie_apart(f, session.model, outcome);
   if (status == C2D_OK && *outcome != C2D_REACHED)
-    status = fly(f, session.free_body, session.model, work_on_motion(session, f.direction), outcome);
+    status = fly(f, session.free_body, session.model, work_on(session, f.direction, session.free_body.motion), outcome);
   if (status == C2D_OK && *outcome == C2D_REACHED) session.solver->floating = 0;
   return status;
 }
@@ -179,10 +180,23 @@ void name_outcome(Session& session, c2d_outcome outcome) {
   if (s->outcome_body > 0 && s->keeps_energy) kEnergyPart.find_outcome_motion(session, outcome);
 }
 
+// Do these loads do work on a motion in which the body slides freely? Those reached so far do not.
+bool slides_away(const Session& session, const double* target) {
+  for (int32_t way = 0; way < session.free_body.slides; ++way)
+    if (work_on(session, target, session.free_body.slide[way]) != 0.0) return true;
+  return false;
+}
+
 // To `target`, or as far as the path leads, and judged there.
 c2d_status go(Session& session, const double* target, c2d_outcome* outcome) {
   c2d_solver* s = session.solver;
   Follower& f = session.follower;
+  if (slides_away(session, target)) {
+    *outcome = C2D_FREE_MOTION;
+    for (int32_t k = 0; k < f.t->cases; ++k) f.direction[k] = target[k] - f.load[k];
+    if (!s->floating) refresh(f);
+    return C2D_OK;
+  }
   const int32_t cases = s->model.load_cases;
   const bool from_zero = all_zero(f.load, cases);
   *outcome = C2D_REACHED;
@@ -191,7 +205,7 @@ c2d_status go(Session& session, const double* target, c2d_outcome* outcome) {
   if (status == C2D_OK && *outcome == C2D_REACHED) status = follow(session, target, outcome);
   // What touched at zero load was pulled off: nothing is loaded yet, so the body may fly to other pairs once.
   if (status == C2D_OK && *outcome == C2D_FREE_MOTION && from_zero && all_zero(f.load, cases) &&
-      session.free_body.motions == 1) {
+      session.free_body.others() == 1) {
     status = take_off(session, target, outcome);
     if (status == C2D_OK && *outcome == C2D_REACHED) status = follow(session, target, outcome);
   }
