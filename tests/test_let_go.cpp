@@ -207,6 +207,32 @@ TEST_CASE("let go: a block on a smooth table that is pushed along it flies away,
   }
 }
 
+// Lifted while it is held aside, the block lets go of its friction pair by pair, until nothing is left of its energy.
+TEST_CASE("let go: the energy that friction without bound sets free is dissipated, and the balance closes") {
+  Problem p = with_paths(block(4, HUGE_VAL), {{1, 1, 0}, {1, 1, 1}, {4, -1, 1}});
+  for (size_t i = 0; i < p.bodies[1].ends.size(); ++i)
+    if (p.bodies[1].ends[i].codes[3] == 0) { // its top is held along x as well, and moved there by case 2
+      for (std::vector<End>* ends : {&p.bodies[1].ends, &p.bodies[1].second_case})
+        (*ends)[i].codes[2] = 0, (*ends)[i].codes[0] = 1;
+      p.bodies[1].second_case[i].values[2] = 0.01;
+    }
+  for (End& end : p.bodies[1].second_case) end.values[0] = 0;
+  Setup every;
+  every.every_change = 1;
+  const Result r = solve(p, every);
+  REQUIRE(r.outcome == C2D_REACHED);
+  double before = 0;
+  for (const Step& s : r.steps) {
+    CHECK(s.dissipated >= before);
+    before = s.dissipated;
+  }
+  for (const Step& s : r.recorded()) CHECK(std::fabs(s.defect) < 3e-3); // without what is set free 0.18 at last
+  const Step last = r.recorded().back();
+  CHECK(no_force(last));
+  CHECK(std::fabs(last.elastic) < tight() * last.dissipated);
+  CHECK(last.dissipated > 0.015);
+}
+
 TEST_CASE("let go: what it has slid before stays, and no slip is counted in the air") {
   // On a smooth enough table the sides of the block slide outwards as it is pressed, and some of that remains.
   const Problem p = with_paths(block(6, 0.05), {{1, 1, 0}, {1, 1, 0.02}, {1, 0.02, 0}, {2, -1, 0}});

@@ -440,6 +440,15 @@ TEST_CASE("hard states: that no set of cells has rates is proven") {
   }
 }
 
+TEST_CASE("hard states: what begins has the name of the motion that is shown, or of what was proven where there is none") {
+  const Run slides = run_hard("N1_slides_on_few_elements"); // as on finer meshes, though rough friction would let it turn over
+  CHECK(slides.json["outcome"].text == "gross sliding");
+  CHECK(slides.said.find("body 2 can move by (1, 0) and turn by 0") != std::string::npos);
+  const Run wedged = run_hard("N2_wedge_that_cannot_come_out"); // pulled; one pair sticks, others slide
+  CHECK(wedged.json["outcome"].text == "no admissible change");
+  CHECK(wedged.said.find("can move") == std::string::npos);
+}
+
 TEST_CASE("hard states: friction without bound is let go of where a pair lifts, and no pair overlaps behind that") {
   const std::string deck = test::read_file(C2D_TEST_ROOT "/tests/data/hard/F5_lets_go_of_friction.dat");
   problem::Setup told;

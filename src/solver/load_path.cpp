@@ -52,9 +52,18 @@ void moving(void* context, double part) {
   if (session.solver->keeps_energy) kEnergyPart.add_segment(session, part);
 }
 
+void jumping(void* context, bool done) {
+  Session& session = *static_cast<Session*>(context);
+  if (!session.solver->keeps_energy) return;
+  if (done)
+    kEnergyPart.release(session);
+  else
+    kEnergyPart.before_jump(session);
+}
+
 } // namespace
 
-PathWatch path_watch(Session& session) { return PathWatch{&session, tick, changed, moving}; }
+PathWatch path_watch(Session& session) { return PathWatch{&session, tick, changed, moving, jumping}; }
 
 c2d_status begin_path(Session& session) {
   c2d_solver* s = session.solver;
@@ -167,17 +176,32 @@ double load_work(const Session& session, const double* direction, const double m
 
 namespace {
 
-// Which body the outcome is about: the one that the contact has to hold.
+bool is_motion(const double motion[3]) { return motion[0] != 0.0 || motion[1] != 0.0 || motion[2] != 0.0; }
+
+// The name of an outcome and the motion that begins, of the body that the contact has to hold. Where nothing is pressed any
+// more nothing slides, and where it does not turn, it does not tip over.
+void name_motion(Session& session, c2d_outcome outcome) {
+  c2d_solver* s = session.solver;
+  const bool unloaded = s->peak_pressure > 0.0 && path_scales(session.follower).p <= kNoPressure * s->peak_pressure;
+  if (outcome == C2D_GROSS_SLIDING && unloaded) outcome = C2D_FREE_MOTION;
+  s->outcome = outcome;
+  s->outcome_body = s->blocked ? s->blocked : session.free_body.body + 1;
+  if (!s->keeps_energy) return;
+  kEnergyPart.find_outcome_motion(session, outcome);
+  if (outcome == C2D_TIPPING && is_motion(s->outcome_motion) && s->outcome_motion[2] == 0.0) s->outcome = C2D_GROSS_SLIDING;
+}
+
+// That there are no rates, although forces could balance those of the loads, is told as the motion of a body that the contact
+// has to hold, if its pairs allow one.
 void name_outcome(Session& session, c2d_outcome outcome) {
   c2d_solver* s = session.solver;
   s->outcome = outcome;
-  if (outcome == C2D_FREE_MOTION || outcome == C2D_GROSS_SLIDING || outcome == C2D_TIPPING)
-    s->outcome_body = s->blocked ? s->blocked : session.free_body.body + 1;
-  // Where no pressure is left, nothing slides: the body lifts off.
-  if (outcome == C2D_GROSS_SLIDING && s->peak_pressure > 0.0 &&
-      path_scales(session.follower).p <= kNoPressure * s->peak_pressure)
-    s->outcome = outcome = C2D_FREE_MOTION;
-  if (s->outcome_body > 0 && s->keeps_energy) kEnergyPart.find_outcome_motion(session, outcome);
+  if (outcome == C2D_FREE_MOTION || outcome == C2D_GROSS_SLIDING || outcome == C2D_TIPPING) name_motion(session, outcome);
+  if (outcome != C2D_NO_ADMISSIBLE_CHANGE || session.free_body.motions == 0) return;
+  name_motion(session, C2D_GROSS_SLIDING);
+  if (is_motion(s->outcome_motion)) return;
+  s->outcome = outcome;
+  s->outcome_body = 0;
 }
 
 // Do these loads do work on a motion in which the body slides freely? Those reached so far do not.
