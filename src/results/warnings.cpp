@@ -131,9 +131,7 @@ double pressure_inside(const Session& session, int b, int32_t element, double et
 // No force at all in the contact, but for round-off of what it carried or of what motions would make of it.
 bool carries_nothing(const Session& session) {
   const PathScales s = path_scales(session.follower);
-  double least = kNoPressure * session.solver->peak_pressure;
-  if (!(session.solver->peak_pressure > 0.0)) least = kMixedNoise * session.tableau.stiffness * s.w;
-  return s.p <= least;
+  return s.p <= fmax(kNoPressure * session.solver->peak_pressure, kMixedNoise * session.tableau.stiffness * s.w);
 }
 
 bool is_loaded(const Session& session) {
@@ -179,6 +177,7 @@ double tension_ratio(const Session& session) {
   const Model& m = session.model;
   if (m.head->function_nodes < 3 || m.head->contact == 0 || session.solver->floating || session.solver->blocked)
     return 0.0; // constant and linear pressures have no minimum inside
+  if (carries_nothing(session)) return 0.0;
   double most = 0.0, least = 0.0;
   for (int32_t z = 0; z < m.head->zones; ++z)
     for (int32_t k = 0; k < m.zone[z].elements; ++k)
