@@ -27,7 +27,7 @@ struct Case {
   explicit Case(const Setting& setting) : deck(deck_named(setting.deck)), limits(deck.limits()) {
     limits.panel_columns = setting.panel_columns;
     uint64_t minimum = 0, in_core = 0;
-    REQUIRE(c2d_memory_need(&limits, &minimum, &in_core) == C2D_OK);
+    REQUIRE(c2d_memory_need(&limits, &minimum, &in_core, nullptr) == C2D_OK);
     bytes = setting.in_core ? in_core : minimum;
   }
 };

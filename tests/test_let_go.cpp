@@ -379,7 +379,7 @@ TEST_CASE("let go: saved in the air, restored in another process, the same bits"
       store.serve(port);
       const host::Limits limits = deck.limits();
       uint64_t minimum = 0, in_core = 0;
-      REQUIRE(c2d_memory_need(&limits, &minimum, &in_core) == C2D_OK);
+      REQUIRE(c2d_memory_need(&limits, &minimum, &in_core, nullptr) == C2D_OK);
       machine.reset(new runs::Machine(limits, in_core, &port));
       REQUIRE(machine->created == C2D_OK);
       REQUIRE(runs::read_deck(machine->solver, deck) == C2D_OK);

@@ -114,7 +114,7 @@ extern "C" c2d_status c2d_get_summary(c2d_solver* s, c2d_summary* out) {
   fill_work(s, ours);
   c2d_body_limits body[2];
   const c2d_limits limits = limits_of(s->sizes, body);
-  c2d_memory_need(&limits, &ours.minimum_bytes, &ours.in_core_bytes);
+  c2d_memory_need(&limits, &ours.minimum_bytes, &ours.in_core_bytes, nullptr);
   ours.workspace_bytes = s->bytes;
   ours.peak_bytes = s->peak_bytes;
   if (s->state == C2D_STATE_RUNNING) ours.load = array_of<double>(s, kLoads)[0];
