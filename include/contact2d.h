@@ -485,6 +485,10 @@ c2d_status c2d_next_event(c2d_solver* solver, const double* direction, int32_t c
    warned of what is doubtful about a preparation or a contact state: C2D_WARN_ZONE_END ... _SURFACE, except those that
    c2d_complete tells. */
 void c2d_link_warnings(void);
+/* Does nothing. In a library compiled with C2D_PARTS_BY_CALL, a program that names it, or c2d_run, has what few states need:
+   the search for statuses where changes of the pairs that offend lead nowhere, the proof that there are none, how many
+   solutions there are, and a body that nothing presses any more. Elsewhere a path ends there with C2D_UNDECIDED. */
+void c2d_link_search(void);
 
 /* Keep the state of the path on tape 0, or, in state prepared, that there is a factorisation. A crash at any moment leaves
    this state or the one saved before; the tapes are made safe (sync) first. c2d_summary does not count what that transfers.

@@ -79,8 +79,8 @@ TEST_CASE("parts: a file of the core that calls through a table says so, but whe
   for (const auto& entry : fs::recursive_directory_iterator(fs::path(C2D_TEST_ROOT) / "src")) {
     if (entry.path().extension() != ".cpp") continue;
     const std::string text = read_file(entry.path().string());
-    for (const char* name :
-         {"SymmetryPart", "FreeZonePart", "BodyForcePart", "RigidPart", "EnergyPart", "NewLoadsPart", "WarningPart"}) {
+    for (const char* name : {"SymmetryPart", "FreeZonePart", "BodyForcePart", "RigidPart", "EnergyPart", "NewLoadsPart",
+                             "WarningPart", "SearchPart"}) {
       const std::string part = name;
       if (!contains(text, "k" + part + ".")) continue;
       ++seen;
@@ -103,7 +103,7 @@ public:
     std::string command = "cd '" + root + "' && " C2D_TEST_CXX " -std=c++17 -Wall -Wextra -Werror -ffp-contract=off " + calls +
                           " -DC2D_PARTS_BY_CALL -Isrc -Iinclude -Iport/posix tests/embedded/parts.cpp";
     for (const char* file : {"interface/read_deck", "interface/model_calls", "interface/attach", "interface/save_calls",
-                             "interface/zone_calls", "solver/save"})
+                             "interface/zone_calls", "interface/advance", "solver/save"})
       command += std::string(" src/") + file + ".cpp";
     built_ = run_shell(command + " '" C2D_TEST_LIBRARY "' -lm -pthread -o '" + (folder_ / "parts") + "'");
   }
@@ -169,11 +169,11 @@ TEST_CASE("parts: a program without them, and the same with their calls") {
   const Program without;
   REQUIRE_MESSAGE(without.built().status == 0, without.built().err);
   const Program with("-Wl,-u,c2d_set_rigid -Wl,-u,c2d_set_body_force -Wl,-u,c2d_set_symmetry -Wl,-u,c2d_link_free_zones "
-                     "-Wl,-u,c2d_get_summary");
+                     "-Wl,-u,c2d_get_summary -Wl,-u,c2d_link_search");
   REQUIRE_MESSAGE(with.built().status == 0, with.built().err);
   const std::string names = run_shell("nm '" + (without / "parts") + "'").out;
-  for (const char* call :
-       {"T c2d_set_rigid", "T c2d_set_body_force", "T c2d_set_symmetry", "T c2d_link_free_zones", "T c2d_get_summary"})
+  for (const char* call : {"T c2d_set_rigid", "T c2d_set_body_force", "T c2d_set_symmetry", "T c2d_link_free_zones",
+                           "T c2d_get_summary", "T c2d_link_search", "T c2d_link_warnings"})
     CHECK_FALSE(contains(names, call));
 
   SUBCASE("decks") {
@@ -245,6 +245,24 @@ TEST_CASE("parts: a program without them, and the same with their calls") {
     }
     CHECK(contains(without.run("restore deck.dat tapes"), status_line(C2D_ERR_MISMATCH)));
     CHECK(with.run("restore deck.dat tapes") == status_line(C2D_OK));
+  }
+  // Without search and proofs a path ends undecided where rounds of changes lead nowhere; it never takes another way.
+  SUBCASE("paths") {
+    const auto follow = [](const Program& program, const char* deck, const char* mu) {
+      return program.run("follow '" C2D_TEST_ROOT "/" + std::string(deck) + "' tapes " + mu + " 1");
+    };
+    const auto ends = [](const std::string& told, c2d_outcome outcome) {
+      return contains(told, "outcome " + std::to_string(outcome) + "\n");
+    };
+    const char* const arc = "tests/data/hard/D4_no_rows_arc.dat";
+    const char* const hertz = "examples/hertz.dat";
+    CHECK(ends(follow(with, arc, "0.3"), C2D_GROSS_SLIDING));
+    CHECK(ends(follow(without, arc, "0.3"), C2D_UNDECIDED));
+    CHECK(ends(follow(with, hertz, "0.4"), C2D_REACHED));
+    CHECK(follow(without, hertz, "0.4") == follow(with, hertz, "0.4"));
+    const char* const strip = "tests/data/hard/D9_strip_1e-05_nf3.dat";
+    const std::string warning = "warning " + std::to_string(C2D_WARN_CONDITION) + "\n";
+    CHECK(follow(with, strip, "0.3") == warning + follow(without, strip, "0.3"));
   }
 }
 #endif

@@ -83,6 +83,7 @@ $(BOARDS:%=embedded-%): embedded-%: $(EMBEDDED)/%/hertz.csv $(EMBEDDED)/desktop.
 #   whole        every call                      no-deck, no-points   without the deck reader, without c2d_interior
 #   solver       a model by calls, one load case, zones of pairs, begin and advance: all orders, both quadratures,
 #                both steppings, interior points
+#   solver-told  the same with warnings, search and proofs
 #   solver-run   the same and c2d_run, c2d_get_summary, with energies       solver-deck   that and the deck reader
 open := (
 ALL_CALLS    := $(sort $(shell sed -n 's/^[a-z][a-z0-9_ *]*\(c2d_[a-z0-9_]*\)$(open)[a-z].*/\1/p' include/*.h))
@@ -92,11 +93,12 @@ SOLVER_CALLS := c2d_memory_need c2d_create c2d_close c2d_set_problem c2d_set_bod
   c2d_prepare c2d_begin c2d_advance c2d_next_event c2d_cancel c2d_get c2d_interior c2d_get_state c2d_last_error c2d_message \
   c2d_outcome_message c2d_version
 RUN_CALLS := c2d_run c2d_get_summary
-CONFIGURATIONS := whole no-deck no-points solver solver-run solver-deck
+CONFIGURATIONS := whole no-deck no-points solver solver-told solver-run solver-deck
 calls_whole       := $(ALL_CALLS)
 calls_no-deck     := $(filter-out $(DECK_CALLS),$(ALL_CALLS))
 calls_no-points   := $(filter-out c2d_interior,$(ALL_CALLS))
 calls_solver      := $(SOLVER_CALLS)
+calls_solver-told := $(SOLVER_CALLS) c2d_link_warnings c2d_link_search
 calls_solver-run  := $(SOLVER_CALLS) $(RUN_CALLS)
 calls_solver-deck := $(SOLVER_CALLS) $(RUN_CALLS) $(DECK_CALLS)
 wanted = $(foreach c,$(calls_$(1)),-Wl,-u,$(c))

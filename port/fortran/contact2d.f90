@@ -742,6 +742,8 @@ module contact2d
     end function
     subroutine c2d_link_warnings() bind(C)
     end subroutine
+    subroutine c2d_link_search() bind(C)
+    end subroutine
     function c2d_next_event(solver, direction, cases, step) bind(C) result(status)
       import
       type(c_ptr), value :: solver

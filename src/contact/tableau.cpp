@@ -6,8 +6,11 @@
 #include "contact/start.hpp"
 #include "linalg/exchange.hpp"
 #include "memory/hostile.hpp"
+#include "memory/parts.hpp"
 
 namespace c2d {
+
+C2D_USES(SearchPart);
 
 namespace {
 
@@ -351,7 +354,7 @@ c2d_status build_tableau(Tableau& t, const ContactTape& tape, int32_t* culprit) 
   for (int32_t j = t.m; j < all_columns(t); ++j)
     for (int32_t k = 0; k < count; ++k) column(t, j)[left[k]] = 0; // a body that is let go, at rest
   restore_gaps(t);
-  if (count > 0 && !place_body(t, left, count)) return C2D_ERR_SINGULAR;
+  if (count > 0 && !kSearchPart.place_body(t, left, count)) return C2D_ERR_SINGULAR;
   sort_columns(t);
   return C2D_OK;
 }

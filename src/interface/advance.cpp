@@ -10,6 +10,7 @@
 
 namespace c2d {
 
+C2D_MEETS(SearchPart, c2d_link_search);
 C2D_MEETS(WarningPart, c2d_link_warnings);
 
 c2d_status finish(Session& session, c2d_status status) {

@@ -11,6 +11,7 @@
 namespace c2d {
 
 C2D_BRINGS(c2d_get_summary); // energies
+C2D_BRINGS(c2d_link_search);
 
 namespace {
 

@@ -122,6 +122,21 @@ struct WarningPart { // results/warnings.cpp and what it asks, solver/condition.
   Function<void, c2d_solver*> warn_condition = Nothing();
 };
 
+struct Follower;
+struct Tableau;
+
+struct SearchPart { // contact/search.cpp, limit_analysis.cpp, let_go.cpp, start.cpp
+  bool linked = false;
+  Function<c2d_status, Follower&, bool, int32_t*> try_all = Nothing();
+  Function<c2d_status, Follower&, bool, c2d_outcome*> decide = Nothing();
+  Function<bool, const Tableau&, const int32_t*, int32_t> place_body = Nothing();
+  Function<c2d_status, Follower&> note_idle = Nothing();
+  Function<bool, Follower&> slides_without_force = Nothing();
+  Function<c2d_status, Follower&, bool*> try_let_go = Nothing();
+  Function<c2d_status, Follower&, bool*, c2d_outcome*> hold_again = Nothing();
+  Function<c2d_status, Follower&, const Model&, c2d_outcome*> lie_apart = Nothing();
+};
+
 struct EliminationPlan;
 struct ColumnSource;
 struct RowSink;
@@ -143,6 +158,7 @@ extern const BodyForcePart kBodyForcePart; // body_force_calls.cpp
 extern const RigidPart kRigidPart;         // rigid_calls.cpp
 extern const EnergyPart kEnergyPart;       // summary.cpp
 extern const WarningPart kWarningPart;     // warning_calls.cpp
+extern const SearchPart kSearchPart;       // search_calls.cpp
 extern const NewLoadsPart kNewLoadsPart;   // new_loads_calls.cpp
 
 } // namespace c2d

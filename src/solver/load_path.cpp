@@ -12,6 +12,7 @@ namespace c2d {
 
 C2D_USES(BodyForcePart);
 C2D_USES(EnergyPart);
+C2D_USES(SearchPart);
 C2D_USES(WarningPart);
 
 void note_open_pairs(Session& session) {
@@ -141,7 +142,8 @@ double work_on(const Session& session, const double* loads, const double motion[
 c2d_status take_off(Session& session, const double* target, c2d_outcome* outcome) {
   Follower& f = session.follower;
   for (int32_t k = 0; k < f.t->cases; ++k) f.direction[k] = target[k] - f.load[k];
-  c2d_status status = lie_apart(f, session.model, outcome);
+  *outcome = C2D_FREE_MOTION;
+  c2d_status status = kSearchPart.lie_apart(f, session.model, outcome);
   if (status == C2D_OK && *outcome != C2D_REACHED)
     status = fly(f, session.free_body, session.model, work_on(session, f.direction, session.free_body.motion), outcome);
   if (status == C2D_OK && *outcome == C2D_REACHED) session.solver->floating = 0;

@@ -2,10 +2,12 @@
 // C2D_PARTS_BY_CALL: what it is told when a deck, an option, a workspace or a saved state wants one (test_parts.cpp).
 //   parts deck DECK             parts images
 //   parts attach WORKSPACE      parts restore DECK FOLDER
+//   parts follow DECK FOLDER MU LOAD
 #include <c2d_posix.h>
 #include <contact2d.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 
 namespace {
@@ -30,13 +32,13 @@ int end(c2d_solver* solver, c2d_status status) {
   return 0;
 }
 
-c2d_status read_model(const char* name, c2d_port& port, c2d_solver** solver) {
+c2d_status read_model(const char* name, c2d_port& port, c2d_solver** solver, void (*log)(void*, const c2d_error*) = tell) {
   c2d_body_limits bodies[2];
   c2d_limits limits = C2D_INIT(c2d_limits);
   limits.bodies = 2, limits.body = bodies;
   std::FILE* const deck = std::fopen(name, "r");
   if (deck == nullptr) return C2D_ERR_READ;
-  port.log = tell;
+  port.log = log;
   c2d_status status = c2d_scan_deck(next_card, deck, &limits, nullptr);
   std::rewind(deck);
   if (status == C2D_OK) status = c2d_create(solver, workspace, sizeof workspace, &limits, &port, nullptr);
@@ -85,6 +87,29 @@ int restore(const char* deck, const char* folder) {
   return c2d_posix_store_done(&store) != 0;
 }
 
+void tell_warning(void*, const c2d_error* e) {
+  if (e->severity == C2D_WARNING) std::printf("warning %d\n", e->status);
+}
+
+// Advances to one load factor: how it ended, where, and the statuses of the pairs there.
+int follow(const char* deck, const char* folder, double mu, double load) {
+  c2d_port port = C2D_INIT(c2d_port);
+  c2d_posix_store store;
+  c2d_solver* solver = nullptr;
+  if (c2d_posix_store_init(&store, folder) != 0) return 1;
+  c2d_posix_store_port(&store, &port);
+  c2d_status status = read_model(deck, port, &solver, tell_warning);
+  if (status == C2D_OK) status = c2d_prepare(solver);
+  if (status == C2D_OK) status = c2d_begin(solver, &mu, 1);
+  c2d_outcome outcome = C2D_REACHED;
+  if (status == C2D_OK) status = c2d_advance(solver, &load, 1, &outcome);
+  std::printf("outcome %d\n", outcome);
+  double pressure[64];
+  for (int32_t i = 1; i <= 64 && c2d_get(solver, C2D_TN, 0, i, 1, pressure, 1) == C2D_OK; ++i) std::printf("%.9g\n", *pressure);
+  end(solver, status);
+  return c2d_posix_store_done(&store) != 0;
+}
+
 } // namespace
 
 int main(int count, char** argument) {
@@ -94,6 +119,7 @@ int main(int count, char** argument) {
   if (is("images", 0)) return ask_for_images();
   if (is("attach", 1)) return attach(argument[2]);
   if (is("restore", 2)) return restore(argument[2], argument[3]);
+  if (is("follow", 4)) return follow(argument[2], argument[3], std::atof(argument[4]), std::atof(argument[5]));
   if (!is("deck", 1)) return 64;
   c2d_port port = C2D_INIT(c2d_port);
   c2d_solver* solver = nullptr;

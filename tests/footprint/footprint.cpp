@@ -120,7 +120,7 @@ int main(int count, char** argument) {
     }
   }
   const long workspace = number_in(log, "workspace ");
-  for (const char* configuration : {"whole", "no-deck", "no-points", "solver", "solver-run", "solver-deck"}) {
+  for (const char* configuration : {"whole", "no-deck", "no-points", "solver", "solver-told", "solver-run", "solver-deck"}) {
     const Sizes sizes = read_sizes(folder + "/" + configuration + ".size");
     std::printf("| %s | %s | %ld | %ld | %ld | %ld |", target.c_str(), configuration, sizes.code, sizes.constants, sizes.data,
                 worst.bytes);

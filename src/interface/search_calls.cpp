@@ -1,0 +1,10 @@
+// Search for statuses, and proof that there are none, by call.
+#include "contact/let_go.hpp"
+#include "contact/search.hpp"
+#include "contact/start.hpp"
+#include "memory/parts.hpp"
+
+const c2d::SearchPart c2d::kSearchPart = {true,       try_all,    decide,   place_body, note_idle, slides_without_force,
+                                          try_let_go, hold_again, lie_apart};
+
+extern "C" void c2d_link_search(void) {}
