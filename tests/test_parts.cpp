@@ -80,7 +80,7 @@ TEST_CASE("parts: a file of the core that calls through a table says so, but whe
     if (entry.path().extension() != ".cpp") continue;
     const std::string text = read_file(entry.path().string());
     for (const char* name : {"SymmetryPart", "FreeZonePart", "BodyForcePart", "RigidPart", "EnergyPart", "NewLoadsPart",
-                             "WarningPart", "SearchPart"}) {
+                             "WarningPart", "SearchPart", "HolePart", "CurvePart"}) {
       const std::string part = name;
       if (!contains(text, "k" + part + ".")) continue;
       ++seen;

@@ -11,6 +11,7 @@
 
 namespace c2d {
 C2D_MEETS(SymmetryPart, c2d_set_symmetry); // c2d_set_options may ask for images
+C2D_MEETS(HolePart, c2d_link_holes);
 } // namespace c2d
 
 using namespace c2d;
@@ -94,6 +95,9 @@ c2d_status check_body(c2d_solver* s, int32_t body, const c2d_body& data) {
     return refuse_number(s, C2D_ERR_LIMIT, "number of elements", data.elements, 1, sizes.elements);
   if (!in_range(data.regions, 1, sizes.regions))
     return refuse_number(s, C2D_ERR_LIMIT, "number of regions", data.regions, 1, sizes.regions);
+  if (data.regions > 1 && !kHolePart.linked)
+    return refuse(s, C2D_ERR_ARGUMENT,
+                  "this program is linked without holes (C2D_PARTS_BY_CALL), expected one region: c2d_link_holes links them");
   if (!in_range(data.open_regions, 0, data.regions))
     return refuse_number(s, C2D_ERR_ARGUMENT, "number of open regions", data.open_regions, 0, data.regions);
   const int64_t points = static_cast<int64_t>(data.elements) * (data.element_nodes - 1) + data.open_regions;
