@@ -304,6 +304,8 @@ typedef struct c2d_body {
 c2d_status c2d_set_body(c2d_solver* solver, int32_t body, const c2d_body* data);
 /* Elements first ... last form a closed curve, or an open one; regions follow one another without a gap. */
 c2d_status c2d_add_region(c2d_solver* solver, int32_t body, int32_t first_element, int32_t last_element);
+/* Does nothing. In a library compiled with C2D_PARTS_BY_CALL, a program that names it has bodies with holes. */
+void c2d_link_holes(void);
 /* Boundary points first ... first+count-1: x and y of the k-th at xy[k * stride], xy[k * stride + 1], in global coordinates.
    Element e of a region has its first geometry node at (e-1)*(element_nodes-1)+1, plus the open regions before it. */
 c2d_status c2d_set_nodes(c2d_solver* solver, int32_t body, int32_t first, int32_t count, const double* xy, int64_t stride);

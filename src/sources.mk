@@ -79,6 +79,7 @@ CORE_SOURCES += src/interface/create.cpp
 CORE_SOURCES += src/interface/curves.cpp
 CORE_SOURCES += src/interface/entry.cpp
 CORE_SOURCES += src/interface/free_zone_calls.cpp
+CORE_SOURCES += src/interface/hole_calls.cpp
 CORE_SOURCES += src/interface/interior_calls.cpp
 CORE_SOURCES += src/interface/load_calls.cpp
 CORE_SOURCES += src/interface/messages_calls.cpp

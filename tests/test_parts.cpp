@@ -80,7 +80,7 @@ TEST_CASE("parts: a file of the core that calls through a table says so, but whe
     if (entry.path().extension() != ".cpp") continue;
     const std::string text = read_file(entry.path().string());
     for (const char* name : {"SymmetryPart", "FreeZonePart", "BodyForcePart", "RigidPart", "EnergyPart", "NewLoadsPart",
-                             "WarningPart", "SearchPart"}) {
+                             "WarningPart", "SearchPart", "HolePart", "CurvePart"}) {
       const std::string part = name;
       if (!contains(text, "k" + part + ".")) continue;
       ++seen;
@@ -135,6 +135,11 @@ std::string free_zone_deck() {
   return deck_test::joined(lines);
 }
 
+// A plate of two closed curves.
+const char kHoleDeck[] =
+    "*FREE\n1\nPLATE WITH A HOLE\n0 0\n1 0 2\n2 2 8 8\n1 4\n5 8\n1000 0.3\n1 0\n0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n"
+    "5 1 1\n6 1 3\n7 3 3\n8 3 1\n0\n0\n0 0\n1 50\n1 1\n";
+
 // A solver of this program, which has every part, in a workspace of its own.
 struct Whole {
   std::vector<unsigned char> memory;
@@ -169,11 +174,11 @@ TEST_CASE("parts: a program without them, and the same with their calls") {
   const Program without;
   REQUIRE_MESSAGE(without.built().status == 0, without.built().err);
   const Program with("-Wl,-u,c2d_set_rigid -Wl,-u,c2d_set_body_force -Wl,-u,c2d_set_symmetry -Wl,-u,c2d_link_free_zones "
-                     "-Wl,-u,c2d_get_summary -Wl,-u,c2d_link_search");
+                     "-Wl,-u,c2d_get_summary -Wl,-u,c2d_link_search -Wl,-u,c2d_link_holes");
   REQUIRE_MESSAGE(with.built().status == 0, with.built().err);
   const std::string names = run_shell("nm '" + (without / "parts") + "'").out;
   for (const char* call : {"T c2d_set_rigid", "T c2d_set_body_force", "T c2d_set_symmetry", "T c2d_link_free_zones",
-                           "T c2d_get_summary", "T c2d_link_search", "T c2d_link_warnings"})
+                           "T c2d_get_summary", "T c2d_link_search", "T c2d_link_warnings", "T c2d_link_holes"})
     CHECK_FALSE(contains(names, call));
 
   SUBCASE("decks") {
@@ -189,6 +194,16 @@ TEST_CASE("parts: a program without them, and the same with their calls") {
       write_file(with / "deck.dat", deck_with(part.card)); // whatever the model's faults are
       CHECK_FALSE(contains(with.run("deck deck.dat"), "C2D_PARTS_BY_CALL"));
     }
+  }
+  SUBCASE("holes") {
+    write_file(without / "deck.dat", kHoleDeck);
+    write_file(with / "deck.dat", kHoleDeck);
+    const std::string told = without.run("deck deck.dat");
+    CHECK_MESSAGE(contains(told, "this program is linked without holes (C2D_PARTS_BY_CALL), expected one region: "
+                                 "c2d_link_holes links them\n"),
+                  told);
+    CHECK(contains(told, status_line(C2D_ERR_INPUT)));
+    CHECK(with.run("deck deck.dat") == status_line(C2D_OK));
   }
   SUBCASE("options") {
     CHECK(without.run("images") == "this program is linked without symmetry by images (C2D_PARTS_BY_CALL): "
@@ -211,6 +226,7 @@ TEST_CASE("parts: a program without them, and the same with their calls") {
                   {deck_with("*RIGID"), false, "c2d_set_rigid"},
                   {read_file(C2D_TEST_ROOT "/examples/make_hertz.dat"), false, "c2d_set_symmetry"},
                   {free_zone_deck(), false, "c2d_link_free_zones"},
+                  {kHoleDeck, false, "c2d_link_holes"},
                   {read_file(C2D_TEST_ROOT "/tests/data/decks/plate.dat"), true, "c2d_set_symmetry"}};
     for (const auto& model : models) {
       Whole whole(model.deck, nullptr, model.images);

@@ -24,7 +24,7 @@ ARM_FLAGS := -std=c++17 -Os -fno-move-loop-invariants -fno-inline-small-function
   -fdata-sections -fno-threadsafe-statics -DC2D_PARTS_BY_CALL $(EXACT) $(WARNINGS) -fstack-usage -fcallgraph-info=su
 ARM_PORT := $(wildcard port/cortex-m/*.cpp)
 # Calls that declare a part of the library (src/memory/parts.hpp). run_deck links them, so that it reads any deck.
-PART_CALLS := c2d_link_free_zones c2d_set_body_force c2d_set_rigid c2d_set_symmetry
+PART_CALLS := c2d_link_free_zones c2d_link_holes c2d_set_body_force c2d_set_rigid c2d_set_symmetry
 
 define arm_object
 $(EMBEDDED)/$(1)/obj/$(subst /,_,$(basename $(patsubst src/%,%,$(2)))).o: $(2) port/cortex-m/embedded.mk | $(EMBEDDED)/$(1)/obj

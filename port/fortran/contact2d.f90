@@ -578,6 +578,8 @@ module contact2d
       integer(c_int32_t), value :: body, first_element, last_element
       integer(c_int32_t) :: status
     end function
+    subroutine c2d_link_holes() bind(C)
+    end subroutine
     function c2d_set_nodes(solver, body, first, count, xy, stride) bind(C) result(status)
       import
       type(c_ptr), value :: solver

@@ -11,6 +11,7 @@ namespace c2d {
 
 C2D_USES(FreeZonePart);
 C2D_USES(BodyForcePart);
+C2D_USES(HolePart);
 
 namespace {
 
@@ -153,7 +154,7 @@ void hold_by_symmetry(const ColumnSystem& system, const Panel& panel) {
   add_all(system, nullptr, panel);
   HoleWalk walk{};
   Hole hole;
-  while (next_hole(m, b, walk, hole)) add_all(system, &hole, panel);
+  while (kHolePart.next_hole(m, b, walk, hole)) add_all(system, &hole, panel);
   for (int32_t node = 0; node < m.head->body[b].nodes; ++node) add_node(system, panel, node);
   if (m.head->symmetry != 0) hold_by_symmetry(system, panel);
 }

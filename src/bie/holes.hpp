@@ -10,6 +10,7 @@
 // its widest circle; of two that mirror each other, both. The sign is that of a filling which no pressure of its own can
 // hold displaced.
 #include "bie/columns.hpp"
+#include "memory/parts.hpp"
 
 namespace c2d {
 
@@ -51,7 +52,7 @@ template <class Visit> void visit_hole(const ColumnSystem& system, const Hole& h
       if (node == before || closes || system.twin[node] == kSecondTwin || system.twin[node] == kAxisNode) continue;
       before = node;
       double n[2];
-      hole_normal(m, b, node, n);
+      kHolePart.hole_normal(m, b, node, n);
       visit(node, n);
     }
     element = element_after(m, b, element);

@@ -7,10 +7,12 @@
 
 namespace c2d {
 
+C2D_USES(HolePart);
+
 namespace {
 
 void add_load_to_hole(const ColumnSystem& system, const Hole& hole, const Panel& panel, const PointLoad& load) {
-  const double row = hole_load(system.model, system.body, hole, load);
+  const double row = kHolePart.hole_load(system.model, system.body, hole, load);
   visit_hole(system, hole, [&](int32_t node, const double n[2]) {
     for (int i = 0; i < 2; ++i) panel.add(2 * node + i, panel.range.right + load.load_case, n[i] * row);
   });

@@ -7,6 +7,8 @@
 
 namespace c2d {
 
+C2D_USES(HolePart);
+
 Source mirrored_source(const ModelHeader& head, int image, const double at[2]) {
   if (image == 0) return Source{at[0], at[1], true};
   double p[2];
@@ -48,7 +50,7 @@ void sign_rows(int image, int functions, double block[4][2][2]) {
 void pay_hole(const ColumnSystem& system, const Hole& hole, bool want_h, bool want_g) {
   Blocks& blocks = system.scratch->blocks;
   HoleRow& row = system.scratch->hole_row;
-  hole_row(system.model, hole, system.scratch->integrator, want_h, want_g, system.scratch->hole_field, row);
+  kHolePart.hole_row(system.model, hole, system.scratch->integrator, want_h, want_g, system.scratch->hole_field, row);
   visit_hole(system, hole, [&](int32_t node, const double n[2]) {
     for (int l = 0; l < system.scratch->integrator.functions; ++l)
       for (int i = 0; i < 2; ++i)

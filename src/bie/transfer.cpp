@@ -9,6 +9,8 @@
 
 namespace c2d {
 
+C2D_USES(HolePart);
+
 namespace {
 
 // The part of an element between two local coordinates, in the length unit; ends that are nodes are exactly
@@ -141,7 +143,7 @@ void send(const Model& m, const Columns& panel, const Transfer& t, const double 
 [[gnu::noinline]] void add_to_hole(const ColumnSystem& system, const Hole& hole, const Columns& panel, const Transfer& t) {
   const Model& m = system.model;
   HoleRow& row = system.scratch->hole_row;
-  hole_row(m, hole, t.in, false, true, system.scratch->hole_field, row);
+  kHolePart.hole_row(m, hole, t.in, false, true, system.scratch->hole_field, row);
   visit_hole(system, hole, [&](int32_t node, const double n[2]) {
     for (int i = 0; i < 2; ++i)
       for (int c = 0; c < 2; ++c) {
@@ -206,7 +208,7 @@ void fill_transfer(const ColumnSystem& system, int32_t first, int32_t count, Rea
   add_pieces(system, nullptr, panel);
   HoleWalk holes{};
   Hole hole;
-  while (next_hole(m, 0, holes, hole)) add_pieces(system, &hole, panel);
+  while (kHolePart.next_hole(m, 0, holes, hole)) add_pieces(system, &hole, panel);
 }
 
 namespace {

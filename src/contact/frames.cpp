@@ -14,6 +14,7 @@
 namespace c2d {
 
 C2D_USES(FreeZonePart);
+C2D_USES(CurvePart);
 
 namespace {
 
@@ -429,7 +430,8 @@ bool complete_model(const Model& m, Reporter& reporter) {
   set_units(m);
   const bool symmetric = validate_symmetry(m, reporter); // moves points onto its lines
   measure_elements(m);
-  const bool sound = symmetric && validate_geometry(m, reporter) && validate_curves(m, reporter);
+  const bool sound =
+      symmetric && validate_geometry(m, reporter) && (m.head->curves == 0 || kCurvePart.validate_curves(m, reporter));
   validate_loads(m, reporter);
   if (!validate_zones(m, reporter)) return false; // conditions depend on who is in contact
   const bool frames = sound && build_frames(m, reporter);

@@ -12,6 +12,7 @@ namespace c2d {
 
 // A model may come in that no call of this program declared.
 C2D_MEETS(FreeZonePart, c2d_link_free_zones);
+C2D_MEETS(HolePart, c2d_link_holes);
 C2D_MEETS(BodyForcePart, c2d_set_body_force);
 C2D_MEETS(RigidPart, c2d_set_rigid);
 C2D_MEETS(SymmetryPart, c2d_set_symmetry);
@@ -57,6 +58,8 @@ const char* missing_part(const char* at) {
   const ModelHeader head = C2D_MEMBER(model);
   const bool images = C2D_MEMBER(options).symmetry == C2D_SYMMETRY_IMAGES;
   if (!kSymmetryPart.linked && (head.symmetry_asked != 0 || images)) return "c2d_set_symmetry";
+  for (const Body& body : head.body)
+    if (!kHolePart.linked && body.regions > 1) return "c2d_link_holes";
   if (!kRigidPart.linked && head.rigid != 0) return "c2d_set_rigid";
   if (!kBodyForcePart.linked && head.body_forces != 0) return "c2d_set_body_force";
   const char* const zones = at + C2D_MEMBER(layout).offset[kZones];

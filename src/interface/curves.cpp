@@ -2,7 +2,10 @@
 #include <string.h>
 
 #include "interface/zone_calls.hpp"
+#include "memory/parts.hpp"
 #include "model/validate.hpp"
+
+const c2d::CurvePart c2d::kCurvePart = {true, validate_curves};
 
 using namespace c2d;
 

@@ -11,6 +11,7 @@
 
 namespace c2d {
 C2D_MEETS(SymmetryPart, c2d_set_symmetry); // c2d_set_options may ask for images
+C2D_MEETS(HolePart, c2d_link_holes);
 } // namespace c2d
 
 using namespace c2d;
@@ -98,6 +99,9 @@ c2d_status check_body(c2d_solver* s, int32_t body, const c2d_body& data) {
   if (status != C2D_OK) return status;
   if (data.elements > sizes.elements) return refuse_body_limit(s, body, "elements", sizes.elements, data.elements);
   if (data.regions > sizes.regions) return refuse_body_limit(s, body, "regions", sizes.regions, data.regions);
+  if (data.regions > 1 && !kHolePart.linked)
+    return refuse(s, C2D_ERR_ARGUMENT,
+                  "this program is linked without holes (C2D_PARTS_BY_CALL), expected one region: c2d_link_holes links them");
   if (points > sizes.geometry_nodes) return refuse_body_limit(s, body, "points", sizes.geometry_nodes, points);
   if (!is_usable(data.youngs_modulus) || data.youngs_modulus <= 0.0)
     return refuse_value(s, "Young's modulus", data.youngs_modulus, "a positive number");

@@ -6,6 +6,10 @@
 const c2d::SymmetryPart c2d::kSymmetryPart = {
     true, c2d_set_symmetry, validate_lines, lines_along, lines_at_corner, is_held_by_lines, fold_across};
 
+namespace c2d {
+C2D_BRINGS(c2d_link_holes); // images may complete one
+} // namespace c2d
+
 using namespace c2d;
 
 extern "C" c2d_status c2d_set_symmetry(c2d_solver* s, int32_t axis, double value) {

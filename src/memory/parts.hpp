@@ -71,6 +71,24 @@ struct Panel;
 struct PointLoad;
 struct Blocks;
 
+struct HoleWalk;
+struct HoleRow;
+struct FieldElement;
+struct Integrator;
+
+struct HolePart { // bie/holes.cpp
+  bool linked = false;
+  Function<bool, const Model&, int, HoleWalk&, Hole&> next_hole = Nothing();
+  Function<void, const Model&, const Hole&, const Integrator&, bool, bool, FieldElement&, HoleRow&> hole_row = Nothing();
+  Function<double, const Model&, int, const Hole&, const PointLoad&> hole_load = Nothing();
+  Function<void, const Model&, int, int32_t, double*> hole_normal = Nothing();
+};
+
+struct CurvePart { // model/validate_curves.cpp
+  bool linked = false;
+  Function<bool, const Model&, Reporter&> validate_curves = Nothing();
+};
+
 struct BodyForcePart { // bie/body_force.cpp, body_force_columns.cpp, solver/particular.cpp, energy_body_force.cpp
   bool linked = false;
   decltype(&c2d_set_body_force) set_body_force = nullptr;
@@ -154,6 +172,8 @@ struct NewLoadsPart { // of elimination/eliminate.cpp, contact/reduction.cpp
 
 extern const SymmetryPart kSymmetryPart;   // interface/symmetry_calls.cpp
 extern const FreeZonePart kFreeZonePart;   // free_zone_calls.cpp
+extern const HolePart kHolePart;           // hole_calls.cpp
+extern const CurvePart kCurvePart;         // curves.cpp
 extern const BodyForcePart kBodyForcePart; // body_force_calls.cpp
 extern const RigidPart kRigidPart;         // rigid_calls.cpp
 extern const EnergyPart kEnergyPart;       // summary.cpp

@@ -7,10 +7,6 @@
 
 namespace c2d {
 
-// Every call refuses numbers that are none and places that are not there (solver/..._calls.cpp). Where a model is put
-// together they are looked at once more, except in small code.
-constexpr bool kOnceMore = !kSmallCode;
-
 struct Finding {
   Finding();                        // a fault
   explicit Finding(int32_t number); // a warning

@@ -38,29 +38,18 @@ int32_t direction(const Zone& z, int b) {
   return z.elements > 1 ? z.element_step[b] : 0;
 }
 
-bool lies_in_region(const Model& m, int32_t zone, int b, Reporter& reporter) {
+void check_region(const Model& m, int32_t zone, int b, Reporter& reporter) {
   const Zone& z = m.zone[zone];
-  const int32_t before = reporter.faults;
-  if (kOnceMore && (z.region[b] < 0 || z.region[b] >= body_of(m, b).regions)) {
-    tell_zone(m, zone, b, "no region contains its first element ", z.first_element[b] + 1, "", reporter);
-    return false;
-  }
   const Region& r = m.region[b][z.region[b]];
   const int32_t elements = r.last - r.first + 1;
   int32_t first_node, last_node;
   nodes_of_region(m, b, z.region[b], &first_node, &last_node);
-  if (kOnceMore && (z.first_element[b] < r.first || z.first_element[b] > r.last))
-    tell_zone(m, zone, b, "first element ", z.first_element[b] + 1, " is not in the zone's region", reporter);
   const int32_t count = zone_elements(z, b);
   if (count > elements) tell_zone(m, zone, b, "elements: ", count, ", more than its region has", reporter);
-  if (z.is_free != 0) return reporter.faults == before; // fitted later
+  if (z.is_free != 0) return; // fitted later
   if (z.first_node[b] < first_node || z.first_node[b] > last_node)
     tell_zone(m, zone, b, "first node ", z.first_node[b] + 1, " is not in the region of its elements", reporter);
   if (z.pairs > last_node - first_node + 1) tell_zone(m, zone, b, "nodes: ", z.pairs, ", more than its region has", reporter);
-  if (kOnceMore && z.element_step[b] != 1 && z.element_step[b] != -1)
-    tell_zone(m, zone, b, "step of elements ", z.element_step[b], ", expected 1 or -1", reporter);
-  if (kOnceMore && z.node_step[b] != 1 && z.node_step[b] != -1)
-    tell_zone(m, zone, b, "step of nodes ", z.node_step[b], ", expected 1 or -1", reporter);
   const int32_t end_element = z.first_element[b] + z.element_step[b] * (z.elements - 1);
   const int32_t end_node = z.first_node[b] + z.node_step[b] * (z.pairs - 1);
   if (r.open && (end_element < r.first || end_element > r.last || end_node < first_node || end_node > last_node))
@@ -69,7 +58,6 @@ bool lies_in_region(const Model& m, int32_t zone, int b, Reporter& reporter) {
   if (z.pairs > 1 && z.elements > 1 && z.node_step[b] != z.element_step[b])
     tell_zone(m, zone, b, "elements and nodes run in opposite directions from element ", z.first_element[b] + 1,
               ", expected the same direction", reporter);
-  return reporter.faults == before;
 }
 
 // Position of the first listed node along the zone's elements, from 0; -1 if it is none of their nodes.
@@ -186,20 +174,6 @@ void check_facing(const Model& m, int32_t zone, Reporter& reporter) {
   }
 }
 
-bool check_counts(const Model& m, int32_t zone, Reporter& reporter) {
-  const Zone& z = m.zone[zone];
-  const int32_t before = reporter.faults;
-  if (kOnceMore && z.elements < 1) tell_zone(m, zone, -1, "elements: ", z.elements, ", expected 1 or more", reporter);
-  if (kOnceMore && z.pairs < 1) tell_zone(m, zone, -1, "pairs: ", z.pairs, ", expected 1 or more", reporter);
-  if (reporter.faults != before) return false;
-  for (int b = 0; b < 2; ++b) lies_in_region(m, zone, b, reporter);
-  return reporter.faults == before;
-}
-
-} // namespace
-
-namespace {
-
 // Cut free zones down to what faces each other, and number the pairs of all zones again.
 bool fit_zones(const Model& m, Reporter& reporter) {
   const int32_t before = reporter.faults;
@@ -222,14 +196,8 @@ bool fit_zones(const Model& m, Reporter& reporter) {
 
 bool validate_zones(const Model& m, Reporter& reporter) {
   const int32_t before = reporter.faults;
-  if (kOnceMore && m.head->zones > 0 && m.head->bodies < 2) {
-    Finding f = fault();
-    locate_zone(f, m, 0);
-    say(f, "a contact zone with one body only, expected two bodies");
-    tell(reporter, f);
-    return false;
-  }
-  for (int32_t i = 0; i < m.head->zones; ++i) check_counts(m, i, reporter);
+  for (int32_t i = 0; i < m.head->zones; ++i)
+    for (int b = 0; b < 2; ++b) check_region(m, i, b, reporter);
   if (reporter.faults != before) return false; // the rest looks up what the zones name
   if (!fit_zones(m, reporter)) return false;
   for (int32_t i = 0; i < m.head->zones; ++i) {
