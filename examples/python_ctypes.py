@@ -137,7 +137,7 @@ def main(library_name, deck):
 
     check(library.c2d_scan_deck(cards(deck), None, byref(limits), byref(why)))
     minimum, in_core = c_uint64(), c_uint64()
-    check(library.c2d_memory_need(byref(limits), byref(minimum), byref(in_core)))
+    check(library.c2d_memory_need(byref(limits), byref(minimum), byref(in_core), byref(why)))
     memory = ctypes.create_string_buffer(in_core.value)
     port = Blocks().port()  # kept until the solver is closed
     solver = c_void_p()

@@ -18,7 +18,7 @@ class Contact {
 public:
   Contact(const c2d_limits& limits, uint64_t tape_bytes) : blocks_(tape_bytes) {
     uint64_t in_core = 0;
-    check(c2d_memory_need(&limits, nullptr, &in_core));
+    check(c2d_memory_need(&limits, nullptr, &in_core, nullptr));
     memory_.resize(in_core);
     c2d_memory_store_init(&store_, blocks_.data(), blocks_.size());
     c2d_port port = C2D_INIT(c2d_port);

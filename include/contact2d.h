@@ -102,7 +102,7 @@ typedef struct c2d_error {
      sizes.function_nodes = 2;
      sizes.zones = 1, sizes.pairs = 3, sizes.contact_elements = 2;
      sizes.coefficients = sizes.paths = 1;
-     bad |= c2d_memory_need(&sizes, &least, NULL);
+     bad |= c2d_memory_need(&sizes, &least, NULL, &why);
      if (bad || least > sizeof workspace) return 1;
 */
 typedef struct c2d_body_limits {
@@ -128,8 +128,8 @@ typedef struct c2d_limits {
 } c2d_limits;
 
 /* Bytes of workspace for these limits: `minimum` solves any model within them with blocks of the smallest size, `in_core`
-   holds a body's whole matrix at once; more than that is of no use. Either pointer may be null. Errors: OVERFLOW. */
-c2d_status c2d_memory_need(const c2d_limits* limits, uint64_t* minimum, uint64_t* in_core);
+   holds a body's whole matrix at once; more than that is of no use. Outputs and `why` may be null. Errors: OVERFLOW. */
+c2d_status c2d_memory_need(const c2d_limits* limits, uint64_t* minimum, uint64_t* in_core, c2d_error* why);
 
 /* ---------------------------------------------------------------- 3 the port -----------------------------------
 
@@ -354,7 +354,7 @@ c2d_status c2d_set_interference(c2d_solver* solver, int32_t load_case);
    is 0); elements of side 2 that do not face side 1 from end to end are left out. Nodes of side 1 keep their conditions
    (traction and displacement both unknown: left to the contact), and tractions given there add to those of the contact. Force
    passes over exactly, its moment so far as matching points coincide (METHOD 9). c2d_limits: `pairs` and `free_pairs` count
-   all functional nodes of the elements of side 2. Sides that do not face each other are found by c2d_complete. */
+   all functional nodes of the elements of side 2. c2d_complete refuses sides that do not face each other, or a rigid body. */
 enum { C2D_ZONE_MATCHING = 0, C2D_ZONE_FREE = 1 };
 typedef struct c2d_side {
   int32_t body, first_element, last_element, elements;
@@ -432,10 +432,10 @@ typedef struct c2d_options {
 /* Any time before c2d_prepare; another `symmetry` for a complete model: STATE. */
 c2d_status c2d_set_options(c2d_solver* solver, const c2d_options* options);
 /* Blocks that the store is asked for when a tape (0 ... C2D_TAPES-1) is opened, and bytes of each, if c2d_create is given
-   these limits and workspace_bytes: at most, for any model within the limits; saved states are provided for. `options` and
-   either output may be null. Errors: OVERFLOW, MEMORY (less than `minimum`). */
+   these limits and workspace_bytes: at most, for any model within the limits; saved states are provided for. `options`,
+   outputs and `why` may be null. Errors: OVERFLOW, MEMORY with why->bytes_needed. */
 c2d_status c2d_tape_need(const c2d_limits* limits, const c2d_options* options, uint64_t workspace_bytes, int32_t tape,
-                         uint64_t* blocks, uint64_t* block_bytes);
+                         uint64_t* blocks, uint64_t* block_bytes, c2d_error* why);
 
 /* ---------------------------------------------------------------- 6 prepare ------------------------------------
 
@@ -484,7 +484,7 @@ c2d_status c2d_advance(c2d_solver* solver, const double* load, int32_t cases, c2
    of its status (zero pressure, or about to slip) may be given the status that goes with the direction. Errors: STORE_.... */
 c2d_status c2d_next_event(c2d_solver* solver, const double* direction, int32_t cases, double* step);
 /* Does nothing. In a library compiled with C2D_PARTS_BY_CALL, a program that names it, or c2d_run or c2d_get_summary, is
-   warned of what is doubtful about a preparation or a contact state: C2D_WARN_ZONE_END ... _SURFACE, but for those that
+   warned of what is doubtful about a preparation or a contact state: C2D_WARN_ZONE_END ... _SURFACE, except those that
    c2d_complete tells. */
 void c2d_link_warnings(void);
 /* Does nothing. In a library compiled with C2D_PARTS_BY_CALL, a program that names it, or c2d_run, has what few states need:
@@ -619,8 +619,8 @@ typedef struct c2d_summary {
   double elimination_residual;    /* pivot growth in the elimination                                */
   double condition;               /* estimate: times the last digit, how much of displacements is round-off */
   double force_applied, force_contact, force_error; /* magnitudes along what the body is free to follow */
-  double free_motion[3];          /* with C2D_FREE_MOTION, C2D_GROSS_SLIDING: how outcome_body starts to move: (ux, uy,
-                                     rotation) about the origin, of length one                      */
+  double free_motion[3];          /* with C2D_FREE_MOTION, _GROSS_SLIDING, _TIPPING: how outcome_body starts to move: (ux, uy,
+                                     rotation) about the origin, times any number                   */
   double tension_ratio;           /* smallest pressure inside an element over the largest nodal one */
   char title[80];
   char unit_length[16], unit_force[16]; /* as c2d_set_units said, else empty                        */

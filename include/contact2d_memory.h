@@ -74,7 +74,7 @@
                     C2D_TRAILING_(pairs, load_cases), C2D_WIDTH_(panel_columns))
 #define C2D_UPPER_BLOCK_BYTES(function_nodes, points, elements, regions, panel_columns)                                \
   C2D_BLOCK_(C2D_ROWS_(C2D_NODES_(function_nodes, points, elements, regions)) * C2D_WIDTH_(panel_columns))
-#define C2D_CONTACT_BLOCKS(pairs, load_cases) ((pairs) > 0 ? UINT64_C(14) * (pairs) + 5 * C2D_CASES_(load_cases) + 3 : 0)
+#define C2D_CONTACT_BLOCKS(pairs, load_cases) ((pairs) > 0 ? UINT64_C(14) * (pairs) + 5 * C2D_CASES_(load_cases) + 9 : 0)
 #define C2D_CONTACT_BLOCK_BYTES(pairs) C2D_BLOCK_(UINT64_C(2) * (pairs))
 /* `workspace` is the C2D_LIMITS_BYTES of these limits, which is more than a saved state. */
 #define C2D_CONTROL_BLOCKS(workspace) (3 + 2 * (((workspace) + UINT64_C(511)) / 512))

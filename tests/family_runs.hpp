@@ -64,7 +64,7 @@ inline Solution solve_deck(const std::string& text) {
   for (std::string line; std::getline(in, line);) deck.lines.push_back(line);
   const host::Limits limits = deck.limits();
   uint64_t minimum = 0, in_core = 0;
-  if (limits.bodies < 0 || c2d_memory_need(&limits, &minimum, &in_core) != C2D_OK) {
+  if (limits.bodies < 0 || c2d_memory_need(&limits, &minimum, &in_core, nullptr) != C2D_OK) {
     out.error = "the deck cannot be read";
     return out;
   }

@@ -354,7 +354,7 @@ Result solve_with(const host::Limits& wanted, const Setup& setup, const Feeder& 
   host::Limits limits = wanted;
   limits.panel_columns = setup.panel_columns;
   uint64_t minimum = 0, in_core = 0;
-  r.status = c2d_memory_need(&limits, &minimum, &in_core);
+  r.status = c2d_memory_need(&limits, &minimum, &in_core, nullptr);
   if (r.status != C2D_OK) return r;
   r.minimum_bytes = minimum;
   uint64_t bytes = setup.memory == Memory::minimum   ? minimum

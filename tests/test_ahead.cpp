@@ -317,7 +317,7 @@ struct Job {
   Job() {
     limits.panel_columns = 45;
     uint64_t minimum = 0;
-    REQUIRE(c2d_memory_need(&limits, &minimum, &bytes) == C2D_OK);
+    REQUIRE(c2d_memory_need(&limits, &minimum, &bytes, nullptr) == C2D_OK);
   }
   // Block by block.
   Numbers numbers() const {

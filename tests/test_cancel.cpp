@@ -44,7 +44,7 @@ struct Host : RamStore {
 
 uint64_t size_of(const c2d_limits& limits, bool in_core) {
   uint64_t minimum = 0, most = 0;
-  REQUIRE(c2d_memory_need(&limits, &minimum, &most) == C2D_OK);
+  REQUIRE(c2d_memory_need(&limits, &minimum, &most, nullptr) == C2D_OK);
   return in_core ? most : minimum;
 }
 

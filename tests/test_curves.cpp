@@ -487,7 +487,7 @@ TEST_CASE("curves: calls refuse what cannot be, and give back what they were tol
   limits.body[0].points = limits.body[0].elements = 8, limits.body[0].regions = 2;
   limits.coefficients = limits.paths = 1, limits.curves = 2;
   uint64_t need = 0;
-  REQUIRE(c2d_memory_need(&limits, &need, nullptr) == C2D_OK);
+  REQUIRE(c2d_memory_need(&limits, &need, nullptr, nullptr) == C2D_OK);
   std::vector<unsigned char> memory(need);
   c2d_port port = C2D_INIT(c2d_port);
   c2d_solver* s = nullptr;

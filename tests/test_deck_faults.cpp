@@ -193,6 +193,22 @@ TEST_CASE("several faults are all told, in order") {
   CHECK(lines == std::vector<int>{901, 911, 1107, 1407, 2302, 2306, 2314});
 }
 
+TEST_CASE("a wrong count is one fault: what only seems wrong after it is not told") {
+  const auto told = [](size_t line, const char* card) {
+    std::vector<std::string> deck = squares();
+    deck[line] = card;
+    const Reading r = read(joined(deck));
+    CHECK(r.status == C2D_ERR_INPUT);
+    REQUIRE(r.faults.size() == 1);
+    CHECK(has(r.faults[0], "; what follows cannot be read without it"));
+    return r.faults[0].line;
+  };
+  CHECK(told(1, "    2") > 1);
+  CHECK(told(3, "    1    1    2") == 4);
+  CHECK(told(4, "    1    2    5    5") >= 5);
+  CHECK(told(4, "    2    2    4    4") >= 5);
+}
+
 TEST_CASE("sizes") {
   check_squares(1, "    0", 1, 5, "number of heading cards is 0, expected at least 1");
   check_squares(3, "    2    1", 1, 5, "is 2, expected 0 to 1");

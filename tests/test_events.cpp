@@ -42,7 +42,8 @@ public:
       p.status = C2D_STICK;
       p.mu = mu;
     }
-    tableau_ = Tableau{m_, cases_, static_cast<int32_t>(pair_.size()), pair_.data(), t_.data(), 1.0, 0.0, 0, nullptr, 0};
+    tableau_ = Tableau{m_,      cases_, static_cast<int32_t>(pair_.size()), pair_.data(), t_.data(), 1.0, 0.0, 0, nullptr, 0,
+                       nullptr, nullptr};
     open_store();
     f_.t = &tableau_;
     f_.tape = &tape_;

@@ -49,6 +49,9 @@ TEST_CASE("families: wrong names, keys and values end with 64 and list the keys"
                          {"hertz L=1", "L is below 3"},
                          {"punch mu=-1", "expected a number from 0, or inf"},
                          {"punch grading=1", "grading is to be from 0.25 to below 1"},
+                         {"mindlin Q=0", "Q is to be above 0"},
+                         {"receding_layer zone=0.001", "zone is below one element"},
+                         {"receding_layer strip=10", "strip is above 0.5"},
                          {"ring plane=flat", "plane=flat: expected one of strain|stress"},
                          {"ring b=0.5", "b is not above a"}};
   for (const Wrong& w : wrong) {
@@ -61,6 +64,13 @@ TEST_CASE("families: wrong names, keys and values end with 64 and list the keys"
   const Result keys = make("hertz m=20"); // the keys stand below
   CHECK(contains(keys.err, "  n=20"));
   CHECK(contains(keys.err, "elements over the half width"));
+}
+
+TEST_CASE("families: what moves the flanks of mindlin is said as it is") {
+  const std::string by_load = make("mindlin").out, by_hand = make("mindlin move=0.03").out;
+  CHECK(contains(by_load, ", which makes Q about "));
+  CHECK(contains(by_hand, "Flanks move by 0.03."));
+  CHECK_FALSE(contains(by_hand, "which makes Q"));
 }
 
 TEST_CASE("families: the cards hold every number with all its digits") {

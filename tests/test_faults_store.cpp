@@ -27,7 +27,7 @@ struct Case {
   explicit Case(const Setting& setting) : deck(deck_named(setting.deck)), limits(deck.limits()) {
     limits.panel_columns = setting.panel_columns;
     uint64_t minimum = 0, in_core = 0;
-    REQUIRE(c2d_memory_need(&limits, &minimum, &in_core) == C2D_OK);
+    REQUIRE(c2d_memory_need(&limits, &minimum, &in_core, nullptr) == C2D_OK);
     bytes = setting.in_core ? in_core : minimum;
   }
 };
@@ -328,8 +328,9 @@ TEST_CASE("store faults: bytes and blocks per tape are the store's own counts an
       // Each back substitution reads the tape once. This run needs one.
       CHECK(prepared.tape_bytes_read[C2D_TAPE_UPPER] <= 2 * upper.bytes_read);
       CHECK(s.tape_bytes_read[C2D_TAPE_UPPER] - prepared.tape_bytes_read[C2D_TAPE_UPPER] == upper.bytes_read);
-      // Contact: S_u, S_t of both bodies, F, M, T with m columns; s of both bodies, v, h, b with a column per case; G with 3.
-      const uint64_t m = static_cast<uint64_t>(s.contact_unknowns), columns = m > 0 ? 7 * m + 5 + 3 : 0;
+      // Contact: S_u, S_t of both bodies, F, M, T with m columns; s of both bodies, v, h, b with a column per case; R, E, G
+      // with 3.
+      const uint64_t m = static_cast<uint64_t>(s.contact_unknowns), columns = m > 0 ? 7 * m + 5 + 9 : 0;
       CHECK(s.tape_blocks[C2D_TAPE_CONTACT] == columns);
       CHECK(s.tape_writes[C2D_TAPE_CONTACT] == columns);
       CHECK(s.tape_bytes_written[C2D_TAPE_CONTACT] == columns * (64 + 8 * m));

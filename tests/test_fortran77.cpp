@@ -411,6 +411,29 @@ TEST_CASE("fortran77: faults of a deck, words that would do, names") {
   c2need_(work, name.data(), I{static_cast<int32_t>(name.size())}, &least, &most, &error);
   CHECK(error == 0);
   CHECK(least < most);
+  // And of the tapes: those of the array as it was opened, or a word why not.
+  int32_t blocks = -1, block_words = -1;
+  REQUIRE(open(work, least) == 0);
+  for (int32_t tape = 0; tape < C2D_TAPES; ++tape) {
+    blocks = block_words = -1;
+    c2tned_(work, name.data(), I{static_cast<int32_t>(name.size())}, I{tape}, &blocks, &block_words, &error);
+    CHECK(error == 0);
+    CHECK((blocks > 0 && block_words > 0));
+  }
+  blocks = -1;
+  c2tned_(work, name.data(), I{static_cast<int32_t>(name.size())}, I{4}, &blocks, &block_words, &error);
+  CHECK((error == C2D_ERR_ARGUMENT && blocks == -1));
+  c2why_(work, info, I{13}, text, I{320});
+  CHECK(contains(std::string(text, 320), "tape is 4, expected 0 to 3"));
+  const int32_t none_at_all[1] = {0};
+  c2tnds_(work, none_at_all, I{1}, I{0}, &blocks, &block_words, &error);
+  CHECK((error == C2D_ERR_ARGUMENT && blocks == -1));
+  c2why_(work, info, I{13}, text, I{320});
+  CHECK(contains(std::string(text, 320), "c2d_limits.bodies is 0"));
+  c2neds_(work, none_at_all, I{1}, &blocks, &block_words, &error);
+  c2why_(work, info, I{13}, text, I{320});
+  CHECK(contains(std::string(text, 320), "c2d_limits.bodies is 0"));
+
   for (const int32_t words : {least - 1, least}) {
     REQUIRE(open(work, words) == 0);
     c2deck_(work, name.data(), I{static_cast<int32_t>(name.size())}, &error);

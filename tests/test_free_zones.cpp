@@ -3,6 +3,7 @@
 // matching meshes.
 #include "problem.hpp"
 #include "shell.hpp"
+#include "solver_runs.hpp"
 
 #include <doctest/doctest.h>
 
@@ -636,4 +637,19 @@ TEST_CASE("free zones: *ZONE in a deck") {
   refused("*ZONE 26 34 43 35 9 9 1", "7 fields, expected 6");
   refused("*ZONE 26 34 43 35 9 8", "does not hold the number of elements");
   refused("*ZONE 1 8 43 35", "face");
+  // A deck in which there is no contact to be had: one body, or stresses alone.
+  for (const char* name : {"plate", "block"}) {
+    runs::Deck deck = runs::deck_named(name);
+    if (std::string(name) == "block") deck.lines[2][9] = '0';
+    deck.lines.push_back("*ZONE 1 1 1 1");
+    c2d_body_limits bodies[2] = {};
+    c2d_limits limits = C2D_INIT(c2d_limits);
+    limits.bodies = 2, limits.body = bodies;
+    std::string told;
+    const c2d_report hear = [](void* to, const c2d_error* e) { *static_cast<std::string*>(to) += std::string(e->text) + "\n"; };
+    CHECK(c2d_check_deck(runs::Deck::read, &deck, &limits, hear, &told) == C2D_ERR_INPUT);
+    const char* const what = std::string(name) == "plate" ? "a contact zone with one body only, expected two bodies\n"
+                                                          : "a contact zone in a stress analysis (IOUT 0), expected IOUT 1";
+    CHECK_MESSAGE(told.find(what) != std::string::npos, told);
+  }
 }

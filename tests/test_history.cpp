@@ -61,7 +61,7 @@ public:
     limits.paths = static_cast<int32_t>(setup.path.size()) + 1;
     limits.load_cases = static_cast<int32_t>(setup.cases.size());
     uint64_t in_core = 0;
-    REQUIRE(c2d_memory_need(&limits, nullptr, &in_core) == C2D_OK);
+    REQUIRE(c2d_memory_need(&limits, nullptr, &in_core, nullptr) == C2D_OK);
     memory_.resize(in_core);
     region_.resize(8 * in_core + (1 << 22));
     c2d_memory_store_init(&store_, region_.data(), region_.size());

@@ -66,7 +66,7 @@ const Deck& small_deck() {
 }
 uint64_t enough(const c2d_limits& limits) {
   uint64_t in_core = 0;
-  REQUIRE(c2d_memory_need(&limits, nullptr, &in_core) == C2D_OK);
+  REQUIRE(c2d_memory_need(&limits, nullptr, &in_core, nullptr) == C2D_OK);
   return in_core;
 }
 
@@ -332,7 +332,7 @@ TEST_CASE("interface: a word for every number") {
 TEST_CASE("interface: structs of other versions") {
   const host::Limits limits = small_deck().limits();
   uint64_t need = 0, again = 0;
-  REQUIRE(c2d_memory_need(&limits, &need, nullptr) == C2D_OK);
+  REQUIRE(c2d_memory_need(&limits, &need, nullptr, nullptr) == C2D_OK);
   // A longer struct of a later version: what we do not know is not looked at.
   struct {
     host::Limits known;
@@ -341,7 +341,7 @@ TEST_CASE("interface: structs of other versions") {
   later.known = limits;
   later.known.struct_size = sizeof later;
   std::fill(std::begin(later.more), std::end(later.more), static_cast<unsigned char>(0xEE));
-  CHECK(c2d_memory_need(&later.known, &again, nullptr) == C2D_OK);
+  CHECK(c2d_memory_need(&later.known, &again, nullptr, nullptr) == C2D_OK);
   CHECK(again == need);
   // A shorter one: what is not there is zero, the default.
   host::Limits cut = limits, zeros = limits;
@@ -349,12 +349,12 @@ TEST_CASE("interface: structs of other versions") {
   cut.load_cases = -7;
   cut.panel_columns = -7;
   zeros.load_cases = zeros.panel_columns = 0;
-  REQUIRE(c2d_memory_need(&zeros, &need, nullptr) == C2D_OK);
-  CHECK(c2d_memory_need(&cut, &again, nullptr) == C2D_OK);
+  REQUIRE(c2d_memory_need(&zeros, &need, nullptr, nullptr) == C2D_OK);
+  CHECK(c2d_memory_need(&cut, &again, nullptr, nullptr) == C2D_OK);
   CHECK(again == need);
   for (uint32_t size = 0; size < 8; ++size) {
     cut.struct_size = size;
-    CHECK(c2d_memory_need(&cut, &again, nullptr) == C2D_ERR_ARGUMENT);
+    CHECK(c2d_memory_need(&cut, &again, nullptr, nullptr) == C2D_ERR_ARGUMENT);
     c2d_solver* s = nullptr;
     unsigned char few[64];
     c2d_error why = C2D_INIT(c2d_error);
@@ -955,7 +955,7 @@ std::string not_busy(c2d_solver* s, const c2d_limits& limits, bool in_step) {
   if (host::get_summary(s, summary) != C2D_OK) out += " (summary)";
   if (c2d_last_error(s, &error) != C2D_OK) out += " (last error)";
   if (c2d_get_state(s) < 0) out += " (state)";
-  if (c2d_memory_need(&limits, &need, nullptr) != C2D_OK) out += " (need)";
+  if (c2d_memory_need(&limits, &need, nullptr, nullptr) != C2D_OK) out += " (need)";
   if (!c2d_message(3)) out += " (message)";
   return out;
 }

@@ -281,7 +281,7 @@ struct Solved {
   ~Solved() { c2d_close(s); }
   void create(const c2d_limits& limits) {
     uint64_t least = 0, most = 0;
-    REQUIRE(c2d_memory_need(&limits, &least, &most) == C2D_OK);
+    REQUIRE(c2d_memory_need(&limits, &least, &most, nullptr) == C2D_OK);
     memory.resize(most);
     c2d_memory_store_init(&store, region.data(), region.size());
     c2d_port port = C2D_INIT(c2d_port);

@@ -30,7 +30,7 @@ struct Run {
     store.serve(port);
     const host::Limits limits = deck.limits();
     uint64_t minimum = 0, in_core = 0;
-    REQUIRE(c2d_memory_need(&limits, &minimum, &in_core) == C2D_OK);
+    REQUIRE(c2d_memory_need(&limits, &minimum, &in_core, nullptr) == C2D_OK);
     Machine machine(limits, in_core, &port);
     REQUIRE(machine.created == C2D_OK);
     solver = machine.solver;

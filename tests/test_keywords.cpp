@@ -192,7 +192,7 @@ TEST_CASE("units in a solver") {
   bytes.bytes = joined(deck);
   REQUIRE(c2d_scan_deck(read_bytes, &bytes, &sizes, nullptr) == C2D_OK);
   uint64_t need = 0;
-  REQUIRE(c2d_memory_need(&sizes, &need, nullptr) == C2D_OK);
+  REQUIRE(c2d_memory_need(&sizes, &need, nullptr, nullptr) == C2D_OK);
   std::vector<char> memory(need);
   c2d_solver* solver = nullptr;
   REQUIRE(c2d_create(&solver, memory.data(), memory.size(), &sizes, nullptr, nullptr) == C2D_OK);

@@ -171,6 +171,90 @@ TEST_CASE("a held body that slides along a flat without pressing touches nothing
   }
 }
 
+// The same on a smooth table; by_traction: pressed by case 1 as a traction instead, so that it may tilt and rise as well.
+Problem smooth_block(double gap, bool by_traction) {
+  Problem p = block(5, 0.0, gap);
+  for (size_t i = 0; i < p.bodies[1].ends.size() && by_traction; ++i) {
+    End& end = p.bodies[1].ends[i];
+    if (end.codes[3] != 0) continue;
+    end.codes[3] = 1, end.codes[1] = 0, end.values[1] = -5, end.values[3] = 0;
+    p.bodies[1].second_case[i] = end;
+    p.bodies[1].second_case[i].values[1] = 0;
+  }
+  return p;
+}
+
+// Nothing holds the block sideways: forces are those of one that is held at a point, which takes no force, and the mean of the
+// pairs' tangential motions is none.
+TEST_CASE("let go: a block on a smooth table is pressed, and its place along the table follows the rule") {
+  for (const double gap : {0.0, 0.002})
+    for (const bool by_traction : {false, true}) {
+      CAPTURE(gap);
+      CAPTURE(by_traction);
+      const Problem p = with_paths(smooth_block(gap, by_traction), {{3, 1, 0}, {1, 0.2, 0}, {1, 1.5, 0}});
+      const Result r = solve(p);
+      REQUIRE(r.outcome == (gap > 0 && by_traction ? C2D_FREE_MOTION : C2D_REACHED)); // nothing aims a fall with a turn
+      if (r.outcome != C2D_REACHED) continue;
+      const c2d_error* e = told(r);
+      REQUIRE(e != nullptr);
+      CHECK(std::string(e->text).find("place of body 2 in the direction (1, 0)") != std::string::npos);
+      Problem held = p; // at a corner of its top
+      for (std::vector<End>* ends : {&held.bodies[1].ends, &held.bodies[1].second_case}) {
+        End& end = (*ends)[static_cast<size_t>((5 + 2) * 2)];
+        end.codes[2] = 0, end.codes[0] = 1, end.values[0] = end.values[2] = 0;
+      }
+      const Result other = solve(held);
+      REQUIRE_MESSAGE(other.outcome == C2D_REACHED, other.messages());
+      CHECK_FALSE(other.warned(C2D_WARN_UNDEFINED_PLACE));
+      const std::vector<Step> rows = r.recorded(), others = other.recorded();
+      REQUIRE(rows.size() == others.size());
+      for (size_t k = 0; k < rows.size(); ++k) {
+        const Difference d = compare(rows[k], others[k]);
+        CHECK(d.traction < 10 * tight());
+        CHECK(d.gap < 10 * tight());
+        CHECK(std::fabs(mean_sideways(rows[k])) < tight() * 0.01);
+      }
+    }
+}
+
+TEST_CASE("let go: a block on a smooth table that is pushed along it flies away, from where the push begins") {
+  for (const bool by_traction : {false, true}) {
+    const Result r = solve(with_paths(smooth_block(0.0, by_traction), {{1, 1, 0}, {1, 1, 0.1}}));
+    CHECK(r.outcome == C2D_FREE_MOTION);
+    CHECK(r.recorded().size() == 1);
+    CHECK(r.summary.outcome_body == 2);
+    CHECK(r.summary.free_motion[0] == doctest::Approx(1));
+    CHECK(std::fabs(r.summary.free_motion[1]) < 1e-9);
+    CHECK(std::fabs(r.summary.free_motion[2]) < 1e-9);
+  }
+}
+
+// Lifted while it is held aside, the block lets go of its friction pair by pair, until nothing is left of its energy.
+TEST_CASE("let go: the energy that friction without bound sets free is dissipated, and the balance closes") {
+  Problem p = with_paths(block(4, HUGE_VAL), {{1, 1, 0}, {1, 1, 1}, {4, -1, 1}});
+  for (size_t i = 0; i < p.bodies[1].ends.size(); ++i)
+    if (p.bodies[1].ends[i].codes[3] == 0) { // its top is held along x as well, and moved there by case 2
+      for (std::vector<End>* ends : {&p.bodies[1].ends, &p.bodies[1].second_case})
+        (*ends)[i].codes[2] = 0, (*ends)[i].codes[0] = 1;
+      p.bodies[1].second_case[i].values[2] = 0.01;
+    }
+  for (End& end : p.bodies[1].second_case) end.values[0] = 0;
+  Setup every;
+  every.every_change = 1;
+  const Result r = solve(p, every);
+  REQUIRE(r.outcome == C2D_REACHED);
+  double before = 0;
+  for (const Step& s : r.steps) {
+    CHECK(s.dissipated >= before);
+    before = s.dissipated;
+  }
+  for (const Step& s : r.recorded()) CHECK(std::fabs(s.defect) < 3e-3); // without what is set free 0.18 at last
+  const Step last = r.recorded().back();
+  CHECK(no_force(last));
+  CHECK(std::fabs(last.elastic) < tight() * last.dissipated);
+  CHECK(last.dissipated > 0.015);
+}
+
 TEST_CASE("let go: what it has slid before stays, and no slip is counted in the air") {
   // On a smooth enough table the sides of the block slide outwards as it is pressed, and some of that remains.
   const Problem p = with_paths(block(6, 0.05), {{1, 1, 0}, {1, 1, 0.02}, {1, 0.02, 0}, {2, -1, 0}});
@@ -295,7 +379,7 @@ TEST_CASE("let go: saved in the air, restored in another process, the same bits"
       store.serve(port);
       const host::Limits limits = deck.limits();
       uint64_t minimum = 0, in_core = 0;
-      REQUIRE(c2d_memory_need(&limits, &minimum, &in_core) == C2D_OK);
+      REQUIRE(c2d_memory_need(&limits, &minimum, &in_core, nullptr) == C2D_OK);
       machine.reset(new runs::Machine(limits, in_core, &port));
       REQUIRE(machine->created == C2D_OK);
       REQUIRE(runs::read_deck(machine->solver, deck) == C2D_OK);

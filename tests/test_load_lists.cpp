@@ -21,7 +21,7 @@ struct Model {
     for (std::string line; std::getline(in, line);) deck.lines.push_back(line);
     limits = deck.limits();
     uint64_t minimum = 0, in_core = 0;
-    REQUIRE(c2d_memory_need(&limits, &minimum, &in_core) == C2D_OK);
+    REQUIRE(c2d_memory_need(&limits, &minimum, &in_core, nullptr) == C2D_OK);
     memory.resize(static_cast<size_t>(minimum));
     REQUIRE(c2d_create(&solver, memory.data(), memory.size(), &limits, nullptr, nullptr) == C2D_OK);
     const c2d_status status = c2d_read_deck(solver, Deck::read, &deck);

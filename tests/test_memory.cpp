@@ -17,7 +17,7 @@ struct Need {
 };
 Need need_of(const c2d_limits& limits) {
   Need need{C2D_OK, 0, 0};
-  need.status = c2d_memory_need(&limits, &need.minimum, &need.in_core);
+  need.status = c2d_memory_need(&limits, &need.minimum, &need.in_core, nullptr);
   return need;
 }
 
@@ -351,6 +351,6 @@ TEST_CASE("memory: negative and missing sizes") {
     l.function_nodes = value == 3 ? 0 : value;
     CHECK(need_of(l).status == C2D_ERR_ARGUMENT);
   }
-  CHECK(c2d_memory_need(nullptr, nullptr, nullptr) == C2D_ERR_ARGUMENT);
-  CHECK(c2d_memory_need(&good, nullptr, nullptr) == C2D_OK);
+  CHECK(c2d_memory_need(nullptr, nullptr, nullptr, nullptr) == C2D_ERR_ARGUMENT);
+  CHECK(c2d_memory_need(&good, nullptr, nullptr, nullptr) == C2D_OK);
 }

@@ -34,7 +34,7 @@ struct Host : RamStore {
 
 uint64_t memory_for(const c2d_limits& limits, bool in_core) {
   uint64_t minimum = 0, most = 0;
-  REQUIRE(c2d_memory_need(&limits, &minimum, &most) == C2D_OK);
+  REQUIRE(c2d_memory_need(&limits, &minimum, &most, nullptr) == C2D_OK);
   return in_core ? most : minimum;
 }
 c2d_options keeping() {

@@ -149,7 +149,7 @@ struct Whole {
     deck.lines = deck_test::lines_of(text);
     const host::Limits limits = deck.limits();
     uint64_t least = 0;
-    REQUIRE(c2d_memory_need(&limits, &least, nullptr) == C2D_OK);
+    REQUIRE(c2d_memory_need(&limits, &least, nullptr, nullptr) == C2D_OK);
     memory.resize(static_cast<size_t>(least));
     REQUIRE(c2d_create(&solver, memory.data(), memory.size(), &limits, port, nullptr) == C2D_OK);
     c2d_options options = C2D_INIT(c2d_options);

@@ -478,7 +478,7 @@ TEST_CASE("points: sets by calls") {
   host::Limits limits = deck.limits();
   limits.point_sets = 2;
   uint64_t need = 0;
-  REQUIRE(c2d_memory_need(&limits, &need, nullptr) == C2D_OK);
+  REQUIRE(c2d_memory_need(&limits, &need, nullptr, nullptr) == C2D_OK);
   runs::Machine machine(limits, need, nullptr);
   c2d_solver* s = machine.solver;
   REQUIRE(machine.created == C2D_OK);
@@ -563,7 +563,7 @@ TEST_CASE("points: invariants of the stress along the boundary") {
     const runs::Deck deck = runs::deck_named(name);
     const host::Limits limits = deck.limits();
     uint64_t need = 0;
-    REQUIRE(c2d_memory_need(&limits, nullptr, &need) == C2D_OK);
+    REQUIRE(c2d_memory_need(&limits, nullptr, &need, nullptr) == C2D_OK);
     runs::RamStore store;
     c2d_port port = C2D_INIT(c2d_port);
     store.serve(port);

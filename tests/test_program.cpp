@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <csignal>
+#include <cstdio>
+#include <cstring>
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -327,6 +329,15 @@ TEST_CASE("program: check tells the memory, and that memory is enough") {
   CHECK(check.status == 0);
   const unsigned long long minimum = bytes_after(check.out, "minimum"), in_core = bytes_after(check.out, "all in RAM");
   CHECK(minimum <= in_core);
+  for (const char* tape : {"tape control", "tape lower", "tape upper", "tape contact"}) {
+    unsigned long long blocks = 0, bytes = 0, few = 0, wide = 0; // with the minimum, and all in RAM
+    const size_t at = check.out.find(std::string("\n") + tape);
+    REQUIRE(at != std::string::npos);
+    CHECK(std::sscanf(check.out.c_str() + at + 1 + std::strlen(tape),
+                      " %llu blocks of %llu bytes; all in RAM: %llu blocks of %llu bytes", &blocks, &bytes, &few, &wide) == 4);
+    CHECK((blocks >= few && blocks > 0));
+    CHECK((few == 0 || bytes <= wide)); // a whole matrix leaves no lower factor to keep
+  }
   const std::string run = "run " + quoted(kHertz) + " --listing /dev/null --memory ";
   CHECK(contact2d(run + std::to_string(minimum)).status == 0);
   CHECK(contact2d(run + std::to_string(in_core)).status == 0);

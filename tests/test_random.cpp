@@ -114,6 +114,12 @@ TEST_CASE("random decks: a body that nothing moves lies where it was made, which
   is_solved(Kind::any, 104971);
 }
 
+TEST_CASE("random decks: a body without friction that only the slope of a bump holds is in equilibrium to the last digits") {
+  is_solved(Kind::any, 4900);
+}
+
+TEST_CASE("random decks: round-off of the motion of a stiff body is no load on it") { is_solved(Kind::any, 304104); }
+
 TEST_CASE("random decks: back to no load, the last pairs of a body are not let go into what round-off holds") {
   for (const uint64_t seed : {103288u, 104777u, 106939u, 108176u}) is_solved(Kind::any, seed);
 }

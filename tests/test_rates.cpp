@@ -36,7 +36,7 @@ public:
   RateProblem& start() {
     sticking_ = t_;
     sticking_rates_ = rates_;
-    tableau_ = Tableau{m_, 1, static_cast<int32_t>(pair_.size()), pair_.data(), t_.data(), 1.0, 1.0, 0, nullptr, 0};
+    tableau_ = Tableau{m_, 1, static_cast<int32_t>(pair_.size()), pair_.data(), t_.data(), 1.0, 1.0, 0, nullptr, 0, nullptr, nullptr};
     r_ = rate_problem_in(RateArea{area_.data(), lists_.data(), tableau_.pairs}, m_);
     r_.t = &tableau_;
     r_.direction = &one_;
@@ -442,6 +442,15 @@ TEST_CASE("hard states: that no set of cells has rates is proven") {
     CHECK(run.status == 1);
     CHECK(run.json["outcome"].text == "gross sliding");
   }
+}
+
+TEST_CASE("hard states: what begins has the name of the motion that is shown, or of what was proven where there is none") {
+  const Run slides = run_hard("N1_slides_on_few_elements"); // as on finer meshes, though rough friction would let it turn over
+  CHECK(slides.json["outcome"].text == "gross sliding");
+  CHECK(slides.said.find("body 2 can move by (1, 0) and turn by 0") != std::string::npos);
+  const Run wedged = run_hard("N2_wedge_that_cannot_come_out"); // pulled; one pair sticks, others slide
+  CHECK(wedged.json["outcome"].text == "no admissible change");
+  CHECK(wedged.said.find("can move") == std::string::npos);
 }
 
 TEST_CASE("hard states: friction without bound is let go of where a pair lifts, and no pair overlaps behind that") {

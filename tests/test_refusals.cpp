@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 
 using namespace runs;
 
@@ -119,8 +120,10 @@ TEST_CASE("refusals: a size that cannot be meant is named") {
     CHECK(why.status == C2D_ERR_ARGUMENT);
     CHECK(says(why, std::string("c2d_limits.") + size.name + " is " + std::to_string(size.least - 1) + ", expected "));
     uint64_t bytes = 5;
-    CHECK(c2d_memory_need(&limits, &bytes, nullptr) == C2D_ERR_ARGUMENT);
+    c2d_error need = C2D_INIT(c2d_error);
+    CHECK(c2d_memory_need(&limits, &bytes, nullptr, &need) == C2D_ERR_ARGUMENT);
     CHECK(bytes == 5);
+    CHECK(std::string(need.text) == why.text);
   }
   for (int32_t b = 0; b < 2; ++b) {
     const char* const names[] = {"points", "elements", "regions"};
@@ -432,6 +435,27 @@ TEST_CASE("refusals: bodies, regions, conditions and friction in the wrong order
   c2d_body other = body;
   other.open_regions = 2;
   refused(c2d_set_body(s, 1, &other), C2D_ERR_ARGUMENT, "number of open regions is 2, expected 0 to 1");
+  const auto too_many = [&](c2d_body large, int32_t b, c2d_status expected, const std::string& what) {
+    refused(c2d_set_body(s, b, &large), expected, what);
+    CHECK(error_of(s).body == (expected == C2D_ERR_LIMIT ? b : 0));
+  };
+  other = body, other.elements = 0;
+  too_many(other, 1, C2D_ERR_ARGUMENT, "number of elements is 0, expected 1 or more");
+  other = body, other.regions = -1;
+  too_many(other, 2, C2D_ERR_ARGUMENT, "number of regions is -1, expected 1 or more");
+  for (int32_t b = 1; b <= 2; ++b) {
+    const std::string member = "c2d_limits.body[" + std::to_string(b - 1) + "].";
+    const c2d_body_limits& room = limits.body[b - 1];
+    const auto is = [](int32_t limit, int32_t needed) {
+      return " is " + std::to_string(limit) + ", expected " + std::to_string(needed) + " or more";
+    };
+    other = body, other.elements = room.elements + 1;
+    too_many(other, b, C2D_ERR_LIMIT, member + "elements" + is(room.elements, room.elements + 1));
+    other = body, other.regions = room.regions + 1;
+    too_many(other, b, C2D_ERR_LIMIT, member + "regions" + is(room.regions, room.regions + 1));
+    other = body, other.element_nodes = 4, other.elements = room.elements;
+    too_many(other, b, C2D_ERR_LIMIT, member + "points" + is(room.points, 3 * room.elements));
+  }
   REQUIRE(c2d_set_body(s, 1, &body) == C2D_OK);
   other = body, other.elements = 9;
   refused(c2d_set_body(s, 1, &other), C2D_ERR_ARGUMENT, "given before, with other numbers of elements");
@@ -562,6 +586,40 @@ TEST_CASE("refusals: zones whose ranges the bodies do not have, and values that 
   refused(c2d_set_values(s, 1, 8, 1, 2, there), C2D_ERR_ARGUMENT, "ux was given another value at this node");
   refused(c2d_set_values(s, 1, 8, 1, 2, nullptr), C2D_ERR_ARGUMENT, "no values given");
   CHECK(c2d_get_state(s) == C2D_STATE_BUILDING);
+}
+
+// Half a cylinder on a foundation, by images: every end of both bodies is given every quantity once more.
+TEST_CASE("refusals: new values where symmetry, contact or a rigid body has the say") {
+  for (const bool rigid : {false, true}) {
+    Deck deck = deck_named("sample");
+    if (rigid) deck.lines.push_back("*RIGID");
+    Hearing host;
+    Machine machine(deck.limits(), 4000000, &host.port);
+    c2d_options options = C2D_INIT(c2d_options);
+    options.symmetry = C2D_SYMMETRY_IMAGES;
+    REQUIRE(c2d_set_options(machine.solver, &options) == C2D_OK);
+    REQUIRE(read_deck(machine.solver, deck) == C2D_OK);
+    const host::Summary sizes = summary_of(machine.solver);
+    std::map<std::string, int> said;
+    for (int32_t b = 1; b <= 2; ++b)
+      for (int32_t element = 1; element <= sizes.body[b - 1].elements; ++element)
+        for (int32_t local = 1; local <= sizes.function_nodes; ++local)
+          for (int q = 0; q < 4; ++q) {
+            double values[4] = {0, 0, 0, 0};
+            values[q] = 1;
+            host.told.clear();
+            const c2d_status status = c2d_set_values(machine.solver, b, element, local, 1, values);
+            REQUIRE(status == (host.told.empty() ? C2D_OK : C2D_ERR_ARGUMENT));
+            if (host.told.empty()) continue;
+            const std::string text = host.told[0].text;
+            ++said[text.substr(text.find(' ') + 1)];
+          }
+    CHECK(said["is a contact traction here, expected 0"] > 0);
+    CHECK(said["belongs to a contact node, expected 0"] > 0);
+    CHECK(said["is on an element without length or on a line of symmetry, expected 0"] > 0);
+    CHECK(said["is held by symmetry here, expected 0"] > 0);
+    CHECK((said["belongs to the rigid body 1, expected 0"] > 0) == rigid);
+  }
 }
 
 TEST_CASE("refusals: what comes too late, and walks without a function") {

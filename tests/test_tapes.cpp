@@ -22,7 +22,7 @@ struct Tapes {
 Tapes told(const c2d_limits& limits, const c2d_options& options, uint64_t workspace) {
   Tapes out;
   for (int32_t t = 0; t < C2D_TAPES; ++t)
-    REQUIRE(c2d_tape_need(&limits, &options, workspace, t, &out.tape[t].blocks, &out.tape[t].bytes) == C2D_OK);
+    REQUIRE(c2d_tape_need(&limits, &options, workspace, t, &out.tape[t].blocks, &out.tape[t].bytes, nullptr) == C2D_OK);
   return out;
 }
 
@@ -83,7 +83,7 @@ uint64_t workspace_of(const c2d_limits& l) {
 
 // In arrays and preprocessor conditions.
 static_assert(C2D_UPPER_BLOCKS(2, 40, 40, 1, 12, 1, 4) > 0, "a constant");
-#if C2D_CONTACT_BLOCKS(12, 1) != 14 * 12 + 8 || C2D_LOWER_BLOCKS(2, 40, 40, 1, 12, 1, 1, 1) != 84
+#if C2D_CONTACT_BLOCKS(12, 1) != 14 * 12 + 14 || C2D_LOWER_BLOCKS(2, 40, 40, 1, 12, 1, 1, 1) != 84
 #error "these are constants of the preprocessor, too"
 #endif
 
@@ -102,7 +102,7 @@ TEST_CASE("tapes: never more is asked for than was told, for every deck, workspa
       limits.panel_columns = panel;
       if (limits.body[0].elements > 60 && panel != 0 && panel != 8) continue; // a minute more
       uint64_t least = 0, most = 0;
-      REQUIRE(c2d_memory_need(&limits, &least, &most) == C2D_OK);
+      REQUIRE(c2d_memory_need(&limits, &least, &most, nullptr) == C2D_OK);
       for (const uint64_t workspace : {least, least + (most - least) / 16, least + (most - least) / 4, most}) {
         CAPTURE(workspace);
         c2d_options options = C2D_INIT(c2d_options);
@@ -120,7 +120,7 @@ TEST_CASE("tapes: they are those told where limits are the model's own and every
   const host::Limits limits = deck.limits();
   REQUIRE(limits.pairs == 0);
   uint64_t least = 0, most = 0;
-  REQUIRE(c2d_memory_need(&limits, &least, &most) == C2D_OK);
+  REQUIRE(c2d_memory_need(&limits, &least, &most, nullptr) == C2D_OK);
   const c2d_options options = C2D_INIT(c2d_options);
   const Tapes need = told(limits, options, least), open = asked(deck, limits, options, least, true);
   for (int32_t t = 0; t < C2D_TAPES; ++t) {
@@ -147,7 +147,7 @@ TEST_CASE("tapes: a model far smaller than its limits stays within them, too") {
         limits.coefficients += factor;
         limits.panel_columns = panel;
         uint64_t least = 0, most = 0;
-        REQUIRE(c2d_memory_need(&limits, &least, &most) == C2D_OK);
+        REQUIRE(c2d_memory_need(&limits, &least, &most, nullptr) == C2D_OK);
         for (const uint64_t workspace : {least, least + least / 4, (least + most) / 2, most}) {
           CAPTURE(workspace);
           bounded(told(limits, options, workspace), asked(deck, limits, options, workspace, false));
@@ -169,7 +169,7 @@ TEST_CASE("tapes: the constants are what is told where panels are given") {
         options.keep_factors = keep;
         const uint64_t workspace = workspace_of(limits);
         uint64_t least = 0;
-        REQUIRE(c2d_memory_need(&limits, &least, nullptr) == C2D_OK);
+        REQUIRE(c2d_memory_need(&limits, &least, nullptr, nullptr) == C2D_OK);
         REQUIRE(least <= workspace);
         for (const int32_t more : {0, 1000, 100000, 10000000}) {
           const Tapes need = told(limits, options, workspace + count(more)), constant = constants(limits, keep);
@@ -188,21 +188,33 @@ TEST_CASE("tapes: the constants are what is told where panels are given") {
 TEST_CASE("tapes: what cannot be told is refused, and nothing is touched") {
   const host::Limits limits = deck_named("sample").limits();
   uint64_t least = 0, blocks = 7, bytes = 7;
-  REQUIRE(c2d_memory_need(&limits, &least, nullptr) == C2D_OK);
-  CHECK(c2d_tape_need(nullptr, nullptr, least, 0, &blocks, &bytes) == C2D_ERR_ARGUMENT);
-  CHECK(c2d_tape_need(&limits, nullptr, least, -1, &blocks, &bytes) == C2D_ERR_ARGUMENT);
-  CHECK(c2d_tape_need(&limits, nullptr, least, C2D_TAPES, &blocks, &bytes) == C2D_ERR_ARGUMENT);
-  CHECK(c2d_tape_need(&limits, nullptr, least - 1, C2D_TAPE_UPPER, &blocks, &bytes) == C2D_ERR_MEMORY);
+  REQUIRE(c2d_memory_need(&limits, &least, nullptr, nullptr) == C2D_OK);
+  const auto refused = [&](const c2d_limits* given, const c2d_options* options, uint64_t workspace, int32_t tape,
+                           c2d_status expected, const std::string& what) {
+    c2d_error why = C2D_INIT(c2d_error);
+    CHECK(c2d_tape_need(given, options, workspace, tape, &blocks, &bytes, &why) == expected);
+    CHECK(c2d_tape_need(given, options, workspace, tape, &blocks, &bytes, nullptr) == expected);
+    CHECK(why.status == expected);
+    CHECK_MESSAGE(std::string(why.text).find(what) != std::string::npos, why.text);
+    CHECK(why.bytes_needed == (expected == C2D_ERR_MEMORY ? least : 0));
+  };
+  refused(nullptr, nullptr, least, 0, C2D_ERR_ARGUMENT, "c2d_limits is null");
+  refused(&limits, nullptr, least, -1, C2D_ERR_ARGUMENT, "tape is -1, expected 0 to 3");
+  refused(&limits, nullptr, least, C2D_TAPES, C2D_ERR_ARGUMENT, "tape is 4, expected 0 to 3");
+  refused(&limits, nullptr, least - 1, C2D_TAPE_UPPER, C2D_ERR_MEMORY, ": " + std::to_string(least) + " bytes would do");
   c2d_limits wrong = limits;
   wrong.pairs = -1;
-  CHECK(c2d_tape_need(&wrong, nullptr, least, 0, &blocks, &bytes) == C2D_ERR_ARGUMENT);
+  refused(&wrong, nullptr, least, 0, C2D_ERR_ARGUMENT, "c2d_limits.pairs is -1, expected 0 or more");
   wrong.pairs = INT32_MAX;
-  CHECK(c2d_tape_need(&wrong, nullptr, least, 0, &blocks, &bytes) == C2D_ERR_OVERFLOW);
+  refused(&wrong, nullptr, least, 0, C2D_ERR_OVERFLOW, c2d_message(C2D_ERR_OVERFLOW));
   c2d_options forgotten{};
-  CHECK(c2d_tape_need(&limits, &forgotten, least, 0, &blocks, &bytes) == C2D_ERR_ARGUMENT);
+  refused(&limits, &forgotten, least, 0, C2D_ERR_ARGUMENT, "c2d_options.struct_size is 0, expected C2D_INIT(c2d_options)");
+  c2d_error unset{};
+  CHECK(c2d_tape_need(&limits, nullptr, least, 0, &blocks, &bytes, &unset) == C2D_ERR_ARGUMENT);
+  CHECK(c2d_memory_need(&limits, &blocks, &bytes, &unset) == C2D_ERR_ARGUMENT);
   CHECK(blocks == 7);
   CHECK(bytes == 7);
-  CHECK(c2d_tape_need(&limits, nullptr, least, C2D_TAPE_UPPER, nullptr, nullptr) == C2D_OK);
+  CHECK(c2d_tape_need(&limits, nullptr, least, C2D_TAPE_UPPER, nullptr, nullptr, nullptr) == C2D_OK);
 }
 
 // tests/data/format1_control.c2d: tape CONTROL as contact2d 0.1 left it, with a saved state of the deck `plate`.
@@ -226,7 +238,7 @@ TEST_CASE("tapes: blocks and saved states of 0.1 are refused with the reason") {
   const Deck deck = deck_named("plate");
   const host::Limits limits = deck.limits();
   uint64_t most = 0;
-  REQUIRE(c2d_memory_need(&limits, nullptr, &most) == C2D_OK);
+  REQUIRE(c2d_memory_need(&limits, nullptr, &most, nullptr) == C2D_OK);
   Machine machine(limits, most, &port, 0);
   REQUIRE(read_deck(machine.solver, deck) == C2D_OK);
   CHECK(c2d_restore(machine.solver) == C2D_ERR_MISMATCH);

@@ -60,7 +60,7 @@ All solve(const Deck& deck, int32_t threads, const std::vector<double>& xy, int6
   const c2d_port port = tasks.port();
   const host::Limits limits = deck.limits();
   uint64_t minimum = 0, in_core = 0;
-  REQUIRE(c2d_memory_need(&limits, &minimum, &in_core) == C2D_OK);
+  REQUIRE(c2d_memory_need(&limits, &minimum, &in_core, nullptr) == C2D_OK);
   Machine machine(limits, in_core + (uint64_t(16) << 20), &port);
   REQUIRE(machine.created == C2D_OK);
   All out;

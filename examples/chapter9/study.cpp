@@ -72,7 +72,7 @@ Run follow(const std::string& deck, Stepping stepping) {
   c2d_error why = C2D_INIT(c2d_error);
   uint64_t in_core = 0;
   c2d_status status = c2d_scan_deck(Lines::next, &lines, &limits, &why);
-  if (status == C2D_OK) status = c2d_memory_need(&limits, nullptr, &in_core);
+  if (status == C2D_OK) status = c2d_memory_need(&limits, nullptr, &in_core, nullptr);
   if (status != C2D_OK) {
     run.error = std::string(c2d_message(status)) + ": " + why.text;
     return run;

@@ -80,7 +80,7 @@ program contact
   call check(c2d_scan_deck(c_funloc(next_card), c_loc(unit), limits, why), 'deck')
   rewind (unit)
 
-  call check(c2d_memory_need(limits, minimum, in_core), 'sizes')
+  call check(c2d_memory_need(limits, minimum, in_core, why), 'sizes')
   allocate (memory((in_core + 7) / 8), blocks(2 * in_core / 8))
   call c2d_memory_store_init(store, c_loc(blocks), 8_c_int64_t * size(blocks, kind=c_int64_t))
   call c2d_memory_store_port(store, port)

@@ -483,19 +483,22 @@ module contact2d
 
   ! ---- functions
   interface
-    function c2d_memory_need(limits, minimum, in_core) bind(C) result(status)
+    function c2d_memory_need(limits, minimum, in_core, why) bind(C) result(status)
       import
       type(c2d_limits), intent(in) :: limits
       integer(c_int64_t), intent(out) :: minimum, in_core
+      type(c2d_error), intent(inout) :: why
       integer(c_int32_t) :: status
     end function
-    function c2d_tape_need(limits, options, workspace_bytes, tape, blocks, block_bytes) bind(C) result(status)
+    function c2d_tape_need(limits, options, workspace_bytes, tape, blocks, block_bytes, why) bind(C) &
+        result(status)
       import
       type(c2d_limits), intent(in) :: limits
       type(c2d_options), intent(in) :: options
       integer(c_int64_t), value :: workspace_bytes
       integer(c_int32_t), value :: tape
       integer(c_int64_t), intent(out) :: blocks, block_bytes
+      type(c2d_error), intent(inout) :: why
       integer(c_int32_t) :: status
     end function
     function c2d_create(out, memory, bytes, limits, port, why) bind(C) result(status)

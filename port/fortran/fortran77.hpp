@@ -137,6 +137,8 @@ void c2deck_(Work work, Text name, In lname, Out ierr);
 void c2card_(Work work, Text cards, In lcard, In ncards, Out ierr);
 void c2need_(Work work, Text name, In lname, Out nmin, Out nall, Out ierr);
 void c2neds_(Work work, In isize, In nisize, Out nmin, Out nall, Out ierr);
+void c2tned_(Work work, Text name, In lname, In itape, Out nblock, Out nwords, Out ierr);
+void c2tnds_(Work work, In isize, In nisize, In itape, Out nblock, Out nwords, Out ierr);
 void c2size_(Work work, In isize, In nisize, Out ierr);
 void c2clos_(Work work, Out ierr);
 void c2drop_(Work work, Out ierr);

@@ -108,13 +108,28 @@ bool limits_from(In isize, int32_t count, Limits& limits) {
 
 void tell_words(Call& call, const c2d_limits& limits, Out nmin, Out nall) {
   uint64_t least = 0, most = 0;
-  if (call.status == C2D_OK) call.status = c2d_memory_need(&limits, &least, &most);
   if (call.status != C2D_OK) return;
+  c2d_error why = blank_error();
+  call.status = c2d_memory_need(&limits, &least, &most, &why);
+  if (call.status != C2D_OK) return call.tell(why);
   const int32_t least_words = words_for(least), most_words = words_for(most);
   if (least_words == 0) call.status = C2D_ERR_OVERFLOW;
   if (call.status != C2D_OK) return;
   put_integer(nmin, least_words);
   put_integer(nall, most_words > 0 ? most_words : INT32_MAX);
+}
+
+// For a solver that is made in the array as it was opened, with the options given so far.
+void tell_tape(Call& call, const c2d_limits& limits, int32_t tape, Out nblock, Out nwords) {
+  uint64_t blocks = 0, bytes = 0;
+  if (call.status != C2D_OK) return;
+  c2d_error why = blank_error();
+  call.status = c2d_tape_need(&limits, &call.host->options, call.host->bytes - kHostSlack, tape, &blocks, &bytes, &why);
+  if (call.status != C2D_OK) return call.tell(why);
+  if (blocks > INT32_MAX || bytes / 8 >= INT32_MAX) call.status = C2D_ERR_OVERFLOW;
+  if (call.status != C2D_OK) return;
+  put_integer(nblock, static_cast<int32_t>(blocks));
+  put_integer(nwords, static_cast<int32_t>((bytes + 7) / 8));
 }
 
 // For the solver that is there, and for those to come.
@@ -241,6 +256,28 @@ void c2need_(Work work, Text name, In lname, Out nmin, Out nall, Out ierr) {
     sizes_of(call, cards, limits);
     fclose(cards.file);
     tell_words(call, limits, nmin, nall);
+  }
+  call.leave(ierr);
+}
+
+void c2tned_(Work work, Text name, In lname, In itape, Out nblock, Out nwords, Out ierr) {
+  Call call(work);
+  Cards cards;
+  if (call.has_host() && open_file(call, name, integer_at(lname), cards)) {
+    Limits limits;
+    sizes_of(call, cards, limits);
+    fclose(cards.file);
+    tell_tape(call, limits, integer_at(itape), nblock, nwords);
+  }
+  call.leave(ierr);
+}
+
+void c2tnds_(Work work, In isize, In nisize, In itape, Out nblock, Out nwords, Out ierr) {
+  Call call(work);
+  Limits limits;
+  if (call.has_host()) {
+    if (!limits_from(isize, integer_at(nisize), limits)) call.status = C2D_ERR_ARGUMENT;
+    tell_tape(call, limits, integer_at(itape), nblock, nwords);
   }
   call.leave(ierr);
 }

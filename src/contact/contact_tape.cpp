@@ -26,7 +26,7 @@ uint64_t first_block(ContactMatrix matrix, int32_t m, int32_t cases) {
 } // namespace
 
 int64_t contact_columns(ContactMatrix matrix, int32_t m, int32_t cases) {
-  if (matrix == ContactMatrix::resultants) return 3;
+  if (matrix >= ContactMatrix::resultants) return 3;
   return is_per_case(matrix) ? cases : m;
 }
 

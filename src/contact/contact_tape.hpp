@@ -19,7 +19,9 @@ enum class ContactMatrix : int32_t {
   closing,          // h, L columns
   stiffness,        // T = M^-1 B, m columns: the tableau with every pair sticking
   stiffness_load,   // b = -M^-1 h, L columns
-  resultants,       // G: equilibrium of a body that the contact holds (contact/rigid_balance.hpp), 3 columns
+  resultants,       // G, E and R of the body that the contact has to hold (contact/rigid_balance.hpp), 3 columns each
+  equilibrium,
+  motions,
   count
 };
 

@@ -125,9 +125,12 @@ bool land(Follower& f) {
 // Statuses that agree with the rates, and behind a jump with the values, too.
 c2d_status settle_all(Follower& f, bool jumps, c2d_outcome* outcome) {
   constexpr int kRounds = 8;
+  const bool told = jumps && f.watch.jumping;
+  if (told) f.watch.jumping(f.watch.context, false);
   c2d_status status = settle(f, outcome);
   for (int i = 0; i < kRounds && jumps && status == C2D_OK && *outcome == C2D_REACHED && land(f); ++i)
     status = settle(f, outcome);
+  if (told && status == C2D_OK) f.watch.jumping(f.watch.context, true);
   return status;
 }
 

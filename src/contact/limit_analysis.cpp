@@ -275,7 +275,7 @@ c2d_status loads_balance(const Follower& f, bool* values, bool* rates) {
 
 c2d_status limit_analysis(Follower& f, bool all_tried, c2d_outcome* outcome) {
   const int count = free_motions(f);
-  *outcome = !all_tried ? C2D_UNDECIDED : (count > 0 ? C2D_GROSS_SLIDING : C2D_NO_ADMISSIBLE_CHANGE);
+  *outcome = all_tried ? C2D_NO_ADMISSIBLE_CHANGE : C2D_UNDECIDED;
   if (count == 0) return C2D_OK;
   const RateProblem r = rate_problem_in(f.rate_area, f.t->m);
   Resultants g{*f.t, {r.rhs, r.cover, r.point}, count};

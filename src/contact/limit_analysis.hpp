@@ -11,8 +11,7 @@ namespace c2d {
 // opposes: proof that there are no rates, whatever the bodies' compliance. *outcome: C2D_GROSS_SLIDING if with unbounded
 // friction there is a solution, else C2D_TIPPING if the contact takes part of the load, else C2D_FREE_MOTION. Where the
 // programme has a solution: C2D_UNDECIDED unless `all_tried`; then there are no rates all the same (friction is no associated
-// law): C2D_GROSS_SLIDING of a body that the contact holds, C2D_NO_ADMISSIBLE_CHANGE of one that is supported. Errors: the
-// block store's.
+// law): C2D_NO_ADMISSIBLE_CHANGE. Errors: the block store's.
 c2d_status limit_analysis(Follower& f, bool all_tried, c2d_outcome* outcome);
 
 // Do the loads, and do their rates, no work on any free motion, but for round-off? Errors: the block store's.

@@ -137,7 +137,7 @@ c2d_status form_closing(const Reduction& r) {
   return C2D_OK;
 }
 
-// b = -M^-1 h; M, factored, is in `second`.
+// b = -M^-1 h, balanced; M, factored, is in `second`.
 c2d_status form_rates(const Reduction& r) {
   const int32_t m = r.tape.m;
   c2d_status status = C2D_OK;
@@ -146,7 +146,8 @@ c2d_status form_rates(const Reduction& r) {
     if (status != C2D_OK) break;
     lu_solve(r.engine, m, 1, r.second, m, r.pivots, r.strip, m);
     for (int32_t i = 0; i < m; ++i) r.strip[i] = -r.strip[i];
-    status = write_column(r.tape, Matrix::stiffness_load, k, r.strip);
+    status = balance_rate(r, k);
+    if (status == C2D_OK) status = write_column(r.tape, Matrix::stiffness_load, k, r.strip);
   }
   return status;
 }
@@ -190,7 +191,7 @@ template <int n> c2d_status take_steps(const Reduction& r, const Step (&steps)[n
 } // namespace
 
 c2d_status reduce(const Reduction& r) {
-  const Step steps[] = {invert_body, form_compliance, form_closing, form_stiffness};
+  const Step steps[] = {find_balance, invert_body, form_compliance, form_closing, form_stiffness};
   return take_steps(r, steps);
 }
 

@@ -81,7 +81,7 @@ c2d_status start_path(Follower& f, const FreeBody& body, const Model& model, int
     const double gap = fmax(t.pair[i].gap, t.pair[i].overlap) / model.head->length_unit;
     if (gap > f.gap_scale) f.gap_scale = gap;
   }
-  if (touching == 0 && body.motions > 0) {
+  if (touching == 0 && body.others() > 0) {
     *floating = 1;
     return C2D_OK;
   }
@@ -118,7 +118,7 @@ c2d_status lie_apart(Follower& f, const Model& model, c2d_outcome* outcome) {
 c2d_status fly(Follower& f, const FreeBody& body, const Model& model, double work, c2d_outcome* outcome) {
   Tableau& t = *f.t;
   *outcome = C2D_FREE_MOTION;
-  if (body.motions != 1 || work == 0.0) return C2D_OK;
+  if (body.others() != 1 || work == 0.0) return C2D_OK;
   const double direction = work > 0.0 ? 1.0 : -1.0;
   double distance = 0.0;
   const int32_t first = first_to_touch(t, body, model, direction, &distance);

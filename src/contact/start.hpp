@@ -4,11 +4,15 @@
 
 namespace c2d {
 
-struct FreeBody {   // the body that may float: how it can move
+// The body that the contact has to hold: how it can move. Motions: (ux, uy, rotation * length unit) about the centre.
+struct FreeBody {
   int32_t body;     // 0 or 1
-  int32_t motions;  // free rigid motions
-  double motion[3]; // the one motion if motions == 1: (ux, uy, rotation * length unit) about centre
+  int32_t motions;  // free rigid motions,
+  int32_t slides;   // and of these such along which it slides without friction whatever touches: nothing fixes its place there
+  double motion[3]; // of the others, if it is one
+  double slide[3][3]; // METHOD 13.6
   double centre[2];
+  int32_t others() const { return motions - slides; }
 };
 
 // Zero load, no history: statuses (touching pairs stick, or slide if mu = 0; everything else open), tableau, books.

@@ -12,6 +12,8 @@
 
 namespace c2d {
 
+struct FreeBody; // contact/start.hpp
+
 struct Tableau {
   int32_t m, cases, pairs;
   Pair* pair;
@@ -21,6 +23,8 @@ struct Tableau {
   int64_t exchanges; // so far
   const Kernel* kernel;
   int32_t free_motions; // of the body that the contact has to hold: left free where no pair touches (contact/let_go.hpp)
+  const Model* model;   // for motions that no pair resists; null: there are none
+  const FreeBody* body;
 };
 
 inline Real* constants(const Tableau& t) { return t.t + static_cast<int64_t>(t.m) * t.m; }

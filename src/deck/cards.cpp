@@ -193,9 +193,8 @@ Text& begin_fault(Cards& cards, int32_t column, int32_t column_end) {
 }
 
 void end_fault(Cards& cards) {
-  if (cards.vital) {
-    put(cards.text_of_entry, "; what follows cannot be read without it");
-  }
+  if (cards.miscounted) return; // what else seems wrong follows from it
+  if (cards.vital || cards.counting) put(cards.text_of_entry, "; what follows cannot be read without it");
   if (cards.faults >= kMaximumFaults) {
     if (!cards.ended && cards.report != nullptr) {
       cards.text_of_entry = text_in(cards.entry.text);
@@ -207,6 +206,8 @@ void end_fault(Cards& cards) {
   }
   ++cards.faults;
   if (cards.report != nullptr) cards.report(cards.report_context, &cards.entry);
+  cards.miscounted = cards.counting;
+  if (cards.counting) cards.ended = true;
 }
 
 } // namespace c2d

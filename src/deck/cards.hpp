@@ -31,6 +31,8 @@ struct Cards {
   bool refused;       // the card at hand as a whole, for a tab or a missing field: no faults in its fields
   bool holds_nodes;   // node cards: a C in column 1 may be meant as a coordinate letter
   bool vital;         // without the field at hand the rest of the deck cannot be read
+  bool counting;      // nor without the cards at hand, which say how many of which will follow: a fault ends the reading ...
+  bool miscounted;    // ... as it has
   bool free_form;     // the card at hand has fields between blanks or commas
   bool is_heading;    // and yet is taken as it stands
   bool in_extensions; // the load cards are done

@@ -192,7 +192,9 @@ bool read_friction(Deck& deck) {
       if (!accept(deck, deck.sink->add_friction(deck.sink->solver, mu))) return false;
     }
   }
+  cards.counting = true; // more than were counted: then so is what follows
   end_of_fields(cards, 7 + 10 * kCoefficientsPerCard);
+  cards.counting = false;
   return !cards.ended;
 }
 
@@ -237,6 +239,7 @@ bool read_heading(Deck& deck) {
 }
 
 bool read_control(Deck& deck) {
+  deck.cards.counting = true;
   if (!read_problem_type(deck) || !read_counts(deck)) return false;
   const int32_t bodies = deck.sizes.bodies;
   for (int b = 0; b < bodies; ++b) {
@@ -250,6 +253,7 @@ bool read_control(Deck& deck) {
       if (!read_region(deck, b, i, &next)) return false;
   }
   deck.cards.body = 0;
+  deck.cards.counting = false;
   return true;
 }
 

@@ -37,7 +37,7 @@ bool is_consistent(const char* at) {
   const Layout layout = C2D_MEMBER(layout);
   const uint64_t bytes = C2D_MEMBER(bytes);
   uint64_t minimum = 0;
-  if (c2d_memory_need(&limits, &minimum, nullptr) != C2D_OK || bytes < minimum - (kAlignment - 1) ||
+  if (c2d_memory_need(&limits, &minimum, nullptr, nullptr) != C2D_OK || bytes < minimum - (kAlignment - 1) ||
       bytes > SIZE_MAX - kAlignment)
     return false;
   Sizes sizes;

@@ -54,6 +54,27 @@ bool take_limits(const c2d_limits* limits, c2d_limits& ours, Text& fault) {
   return false;
 }
 
+// What the caller's limits ask for, with the workspace at an aligned address; told to `why` where there is no such number.
+struct Need {
+  Sizes sizes;
+  Layout layout;
+  uint64_t least, most;
+};
+c2d_status find_need(const c2d_limits* limits, Need& out, c2d_error* why) {
+  c2d_limits ours;
+  char what[128] = "";
+  Text fault = text_in(what);
+  if (!take_limits(limits, ours, fault)) {
+    explain(why, C2D_ERR_ARGUMENT, 0, what);
+    return C2D_ERR_ARGUMENT;
+  }
+  out.least = out.most = 0;
+  c2d_status status = derive_sizes(ours, out.sizes);
+  if (status == C2D_OK) status = aligned_need(out.sizes, out.layout, &out.least, &out.most);
+  if (status != C2D_OK) explain(why, status, 0);
+  return status;
+}
+
 void fill_header(c2d_solver* s, uint64_t bytes, uint32_t slack, const Sizes& sizes, const Layout& layout) {
   memset(static_cast<void*>(s), 0, sizeof *s);
   s->magic = kSolverMagic;
@@ -105,18 +126,13 @@ void clear_model(c2d_solver* s) {
 
 using namespace c2d;
 
-extern "C" c2d_status c2d_memory_need(const c2d_limits* limits, uint64_t* minimum, uint64_t* in_core) {
-  c2d_limits ours;
-  if (!is_begun(limits)) return C2D_ERR_ARGUMENT;
-  copy_in(limits, &ours, sizeof ours);
-  Sizes sizes;
-  Layout layout;
-  uint64_t least = 0, most = 0;
-  c2d_status status = derive_sizes(ours, sizes);
-  if (status == C2D_OK) status = aligned_need(sizes, layout, &least, &most);
+extern "C" c2d_status c2d_memory_need(const c2d_limits* limits, uint64_t* minimum, uint64_t* in_core, c2d_error* why) {
+  Need need;
+  if (why && !is_begun(why)) return C2D_ERR_ARGUMENT;
+  const c2d_status status = find_need(limits, need, why);
   if (status != C2D_OK) return status;
-  if (minimum) *minimum = least + kAlignment - 1;
-  if (in_core) *in_core = most + kAlignment - 1;
+  if (minimum) *minimum = need.least + kAlignment - 1;
+  if (in_core) *in_core = need.most + kAlignment - 1;
   return C2D_OK;
 }
 
@@ -124,34 +140,27 @@ extern "C" c2d_status c2d_create(c2d_solver** out, void* memory, size_t bytes, c
                                  c2d_error* why) {
   if (!out) return C2D_ERR_ARGUMENT;
   *out = nullptr;
-  c2d_limits ours;
+  if (why && !is_begun(why)) return C2D_ERR_ARGUMENT;
+  Need need;
+  const c2d_status status = find_need(limits, need, why);
+  if (status != C2D_OK) return status;
   c2d_port our_port;
-  char what[128] = "";
+  char what[128] = "memory is null";
   Text fault = text_in(what);
-  if ((why && !is_begun(why)) || !take_limits(limits, ours, fault) || !take_port(port, our_port, fault) ||
-      (!memory && bytes > 0)) {
-    explain(why, C2D_ERR_ARGUMENT, 0, what[0] != '\0' ? what : "memory is null");
+  if (!take_port(port, our_port, fault) || (!memory && bytes > 0)) {
+    explain(why, C2D_ERR_ARGUMENT, 0, what);
     return C2D_ERR_ARGUMENT;
   }
-  Sizes sizes;
-  Layout layout;
-  uint64_t least = 0, most = 0;
-  c2d_status status = derive_sizes(ours, sizes);
-  if (status == C2D_OK) status = aligned_need(sizes, layout, &least, &most);
-  if (status != C2D_OK) {
-    explain(why, status, 0);
-    return status;
+  if (bytes < need.least + kAlignment - 1) { // the same answer at every alignment
+    explain(why, C2D_ERR_MEMORY, need.least + kAlignment - 1);
+    return C2D_ERR_MEMORY;
   }
   const uintptr_t address = reinterpret_cast<uintptr_t>(memory);
   const uint32_t slack = static_cast<uint32_t>((kAlignment - address % kAlignment) % kAlignment);
-  if (bytes < least + kAlignment - 1) { // the same answer at every alignment
-    explain(why, C2D_ERR_MEMORY, least + kAlignment - 1);
-    return C2D_ERR_MEMORY;
-  }
   poison(memory, bytes);
-  if constexpr (kHostile) make_memory_hostile(sizes, layout, bytes);
+  if constexpr (kHostile) make_memory_hostile(need.sizes, need.layout, bytes);
   c2d_solver* s = reinterpret_cast<c2d_solver*>(static_cast<char*>(memory) + slack);
-  fill_header(s, bytes - (kAlignment - 1), slack, sizes, layout); // so that it may move to any alignment
+  fill_header(s, bytes - (kAlignment - 1), slack, need.sizes, need.layout); // so that it may move to any alignment
   s->port = our_port;
   connect_port(s);
   clear_model(s);

@@ -91,18 +91,18 @@ c2d_status check_body(c2d_solver* s, int32_t body, const c2d_body& data) {
   const BodySizes& sizes = s->sizes.body[body - 1];
   if (!in_range(data.element_nodes, 2, 4))
     return refuse_number(s, C2D_ERR_ARGUMENT, "geometry nodes per element", data.element_nodes, 2, 4);
-  if (!in_range(data.elements, 1, sizes.elements))
-    return refuse_number(s, C2D_ERR_LIMIT, "number of elements", data.elements, 1, sizes.elements);
-  if (!in_range(data.regions, 1, sizes.regions))
-    return refuse_number(s, C2D_ERR_LIMIT, "number of regions", data.regions, 1, sizes.regions);
+  const int64_t points = static_cast<int64_t>(data.elements) * (data.element_nodes - 1) + data.open_regions;
+  const Ranged counts[] = {{"number of elements", data.elements, 1, INT32_MAX},
+                           {"number of regions", data.regions, 1, INT32_MAX},
+                           {"number of open regions", data.open_regions, 0, data.regions}};
+  const c2d_status status = check_ranges(s, counts);
+  if (status != C2D_OK) return status;
+  if (data.elements > sizes.elements) return refuse_body_limit(s, body, "elements", sizes.elements, data.elements);
+  if (data.regions > sizes.regions) return refuse_body_limit(s, body, "regions", sizes.regions, data.regions);
   if (data.regions > 1 && !kHolePart.linked)
     return refuse(s, C2D_ERR_ARGUMENT,
                   "this program is linked without holes (C2D_PARTS_BY_CALL), expected one region: c2d_link_holes links them");
-  if (!in_range(data.open_regions, 0, data.regions))
-    return refuse_number(s, C2D_ERR_ARGUMENT, "number of open regions", data.open_regions, 0, data.regions);
-  const int64_t points = static_cast<int64_t>(data.elements) * (data.element_nodes - 1) + data.open_regions;
-  if (points > sizes.geometry_nodes)
-    return refuse_number(s, C2D_ERR_LIMIT, "number of boundary points", points, 1, sizes.geometry_nodes);
+  if (points > sizes.geometry_nodes) return refuse_body_limit(s, body, "points", sizes.geometry_nodes, points);
   if (!is_usable(data.youngs_modulus) || data.youngs_modulus <= 0.0)
     return refuse_value(s, "Young's modulus", data.youngs_modulus, "a positive number");
   if (!is_usable(data.poisson_ratio) || data.poisson_ratio <= -1.0 || data.poisson_ratio > 0.5)

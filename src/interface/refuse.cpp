@@ -24,16 +24,23 @@ c2d_status refuse_integer(c2d_solver* s, c2d_status status, const char* what, in
   Refusal r;
   start_refusal(r, s, status);
   put_all(r.text, what, " is ", value, ", expected ", first);
-  if (last != first) {
+  if (last == INT32_MAX)
+    put(r.text, " or more");
+  else if (last != first)
     put_all(r.text, " to ", last);
-  }
   report_fault(s, r.error);
   return status;
 }
 c2d_status refuse_limit(c2d_solver* s, const char* member, int64_t limit, int64_t needed) {
+  return refuse_body_limit(s, 0, member, limit, needed);
+}
+c2d_status refuse_body_limit(c2d_solver* s, int32_t body, const char* member, int64_t limit, int64_t needed) {
   Refusal r;
   start_refusal(r, s, C2D_ERR_LIMIT);
-  put_all(r.text, "c2d_limits.", member, " is ", limit, ", expected ", needed, " or more");
+  r.error.body = body;
+  put(r.text, "c2d_limits.");
+  if (body > 0) put_all(r.text, "body[", body - 1, "].");
+  put_all(r.text, member, " is ", limit, ", expected ", needed, " or more");
   report_fault(s, r.error);
   return C2D_ERR_LIMIT;
 }

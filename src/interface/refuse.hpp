@@ -14,6 +14,7 @@ void start_refusal(Refusal& r, c2d_solver* solver, c2d_status status);
 c2d_status refuse(c2d_solver* solver, c2d_status status, const char* text);
 c2d_status refuse_integer(c2d_solver* solver, c2d_status status, const char* what, int32_t value, int32_t first, int32_t last);
 c2d_status refuse_limit(c2d_solver* solver, const char* member, int64_t limit, int64_t needed); // of c2d_limits
+c2d_status refuse_body_limit(c2d_solver* solver, int32_t body, const char* member, int64_t limit, int64_t needed);
 c2d_status refuse_value(c2d_solver* solver, const char* what, double value, const char* expected);
 
 // Arguments one after another, the first that cannot be meant is refused by its name: integers out of range, null pointers,

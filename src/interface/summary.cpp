@@ -10,8 +10,8 @@
 
 namespace c2d {
 
-const EnergyPart kEnergyPart = {true,        build_energy, work_by_case,  begin_energy,        add_segment,
-                                before_jump, after_jump,   close_balance, find_outcome_motion, balance_forces};
+const EnergyPart kEnergyPart = {true,       build_energy, work_by_case,  begin_energy,        add_segment,   before_jump,
+                                after_jump, release,      close_balance, find_outcome_motion, balance_forces};
 
 C2D_BRINGS(c2d_link_warnings); // it tells the condition and the largest tension
 
@@ -114,7 +114,7 @@ extern "C" c2d_status c2d_get_summary(c2d_solver* s, c2d_summary* out) {
   fill_work(s, ours);
   c2d_body_limits body[2];
   const c2d_limits limits = limits_of(s->sizes, body);
-  c2d_memory_need(&limits, &ours.minimum_bytes, &ours.in_core_bytes);
+  c2d_memory_need(&limits, &ours.minimum_bytes, &ours.in_core_bytes, nullptr);
   ours.workspace_bytes = s->bytes;
   ours.peak_bytes = s->peak_bytes;
   if (s->state == C2D_STATE_RUNNING) ours.load = array_of<double>(s, kLoads)[0];

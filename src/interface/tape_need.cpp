@@ -44,20 +44,37 @@ c2d_status factor_tape(const Sizes& sizes, uint64_t bytes, bool keep, bool upper
   return C2D_OK;
 }
 
+// Which tape, and the options that are chosen: a copy of the caller's, or what stands for none.
+bool take_choice(int32_t tape, const c2d_options* options, c2d_options& chosen, c2d_error* why) {
+  char what[128] = "";
+  Text fault = text_in(what);
+  if (tape < 0 || tape >= C2D_TAPES)
+    put_all(fault, "tape is ", tape, ", expected 0 to ", C2D_TAPES - 1);
+  else if (options && !is_begun(options))
+    put_not_begun(fault, "c2d_options", options);
+  else if (options)
+    copy_in(options, &chosen, sizeof chosen);
+  if (what[0] == '\0') return true;
+  explain(why, C2D_ERR_ARGUMENT, 0, what);
+  return false;
+}
+
 } // namespace
 } // namespace c2d
 
 using namespace c2d;
 
 extern "C" c2d_status c2d_tape_need(const c2d_limits* limits, const c2d_options* options, uint64_t workspace_bytes,
-                                    int32_t tape, uint64_t* blocks, uint64_t* block_bytes) {
+                                    int32_t tape, uint64_t* blocks, uint64_t* block_bytes, c2d_error* why) {
   c2d_options chosen{};
   uint64_t minimum = 0;
-  if (tape < 0 || tape >= C2D_TAPES || (options && !is_begun(options))) return C2D_ERR_ARGUMENT;
-  if (options) copy_in(options, &chosen, sizeof chosen);
-  c2d_status status = c2d_memory_need(limits, &minimum, nullptr);
-  if (status == C2D_OK && workspace_bytes < minimum) status = C2D_ERR_MEMORY;
+  c2d_status status = c2d_memory_need(limits, &minimum, nullptr, why);
   if (status != C2D_OK) return status;
+  if (!take_choice(tape, options, chosen, why)) return C2D_ERR_ARGUMENT;
+  if (workspace_bytes < minimum) {
+    explain(why, C2D_ERR_MEMORY, minimum);
+    return C2D_ERR_MEMORY;
+  }
   c2d_limits ours;
   Sizes sizes;
   Layout layout;
@@ -72,7 +89,10 @@ extern "C" c2d_status c2d_tape_need(const c2d_limits* limits, const c2d_options*
   else if (status == C2D_OK)
     status = factor_tape(sizes, workspace_bytes - (kAlignment - 1) - layout.persistent, chosen.keep_factors != 0,
                          tape == C2D_TAPE_UPPER, need);
-  if (status != C2D_OK) return status;
+  if (status != C2D_OK) {
+    explain(why, status, 0);
+    return status;
+  }
   if (blocks) *blocks = need.blocks;
   if (block_bytes) *block_bytes = need.blocks > 0 ? kBlockHeaderBytes + need.data_bytes : 0;
   return C2D_OK;

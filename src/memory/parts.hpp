@@ -123,6 +123,7 @@ struct EnergyPart { // solver/energy*.cpp, motion.cpp, pressed_motion.cpp, resul
   Function<void, Session&, double> add_segment = Nothing();
   Function<void, Session&> before_jump = Nothing();
   Function<void, Session&> after_jump = Nothing();
+  Function<void, Session&> release = Nothing();
   Function<void, Session&> close_balance = Nothing();
   Function<void, Session&, c2d_outcome> find_outcome_motion = Nothing();
   Function<void, Session&> balance_forces = Nothing();

@@ -24,6 +24,21 @@ std::string of_bodies(const Summary& s, int32_t c2d_body_result::*member) {
   return out;
 }
 
+// What the store is asked for, with the least workspace and with a body's whole matrix in it.
+void append_tapes(std::string& out, const Session& session) {
+  const char* const names[C2D_TAPES] = {"tape control", "tape lower", "tape upper", "tape contact"};
+  for (int32_t tape = 0; tape < C2D_TAPES; ++tape) {
+    std::string text;
+    for (const uint64_t bytes : {session.workspace.minimum, session.workspace.in_core}) {
+      uint64_t blocks = 0, each = 0;
+      c2d_tape_need(&session.limits, nullptr, bytes, tape, &blocks, &each, nullptr);
+      text += text.empty() ? "" : "; all in RAM: ";
+      text += std::to_string(blocks) + " blocks of " + std::to_string(each) + " bytes";
+    }
+    append_line(out, names[tape], text);
+  }
+}
+
 void append_check(std::string& out, const Session& session, const Summary& s) {
   append_line(out, "deck", session.deck.name());
   append_line(out, "title", s.title);
@@ -40,6 +55,7 @@ void append_check(std::string& out, const Session& session, const Summary& s) {
   append_line(out, "increments", std::to_string(s.steps));
   append_line(out, "memory, minimum", std::to_string(session.workspace.minimum) + " bytes");
   append_line(out, "memory, all in RAM", std::to_string(session.workspace.in_core) + " bytes");
+  append_tapes(out, session);
   append_line(out, "warnings", std::to_string(session.messages.warnings().size()));
 }
 
@@ -50,7 +66,7 @@ int check_deck(const Options& options) {
   int exit = session.read_file(options.deck);
   if (exit != 0) return exit;
   uint64_t minimum = 0, in_core = 0;
-  const c2d_status status = c2d_memory_need(&session.limits, &minimum, &in_core);
+  const c2d_status status = c2d_memory_need(&session.limits, &minimum, &in_core, nullptr);
   if (status == C2D_OK)
     exit = session.take_memory(minimum);
   else

@@ -39,9 +39,10 @@ void ask_for_huge_pages(void* memory, uint64_t bytes) {
 }
 
 c2d_status take_workspace(const c2d_limits& limits, uint64_t wanted, Workspace& out, std::string& error) {
-  const c2d_status status = c2d_memory_need(&limits, &out.minimum, &out.in_core);
+  c2d_error why = C2D_INIT(c2d_error);
+  const c2d_status status = c2d_memory_need(&limits, &out.minimum, &out.in_core, &why);
   if (status != C2D_OK) {
-    error = c2d_message(status);
+    error = why.text;
     return status;
   }
   const uint64_t useful = std::max(out.in_core, out.minimum);

@@ -34,10 +34,14 @@ struct Looked {
 int32_t kind_of(const Pair& pair) { return pair.status == C2D_SLIP ? 10 + pair.sign : pair.status; }
 
 struct Worst {
-  int32_t elements = kFewElements, edge = -1;
+  int32_t elements = kFewElements - 1, edge = -1;
   double reach = 0.0, width = 0.0;
   Stretch stretch = {0, 0};
   const char* kind = nullptr;
+  // Fewer elements; of as many the border that may be farther off, wherever the pairs begin to count.
+  bool gives_way_to(int32_t other, double other_reach) const {
+    return other < elements || (other == elements && other_reach > (1.0 + 1e-9) * reach);
+  }
 };
 
 // From the edge at pair i inwards, in steps of +1 or -1, to the first highest pressure.
@@ -46,7 +50,7 @@ void look_at_edge(const Looked& at, Stretch contact, int32_t i, int step, Worst&
   int32_t top = i;
   while (top + step >= contact.first && top + step <= contact.last && at.pressure(top + step) > at.pressure(top)) top += step;
   const int32_t elements = at.elements((top - i) * step + 1);
-  if (elements >= worst.elements) return;
+  if (!worst.gives_way_to(elements, at.pair(i).length)) return;
   worst.elements = elements;
   worst.edge = i;
   worst.reach = at.pair(i).length;
@@ -65,9 +69,13 @@ void look_at_friction(const Looked& at, Stretch contact, Stretch s, Worst& worst
   if (s.first == contact.first && s.last == contact.last) return;
   const bool half = is_on_axis(at, s.first) || is_on_axis(at, s.last);
   const int32_t elements = (half ? 2 : 1) * at.elements(s.last - s.first + 1);
-  if (elements >= worst.elements) return;
+  double reach = 0.0; // of both borders; an axis is none
+  const int32_t borders[] = {s.first, s.last};
+  for (const int32_t border : borders)
+    if ((s.first == s.last || !is_on_axis(at, border)) && at.pair(border).length > reach) reach = at.pair(border).length;
+  if (!worst.gives_way_to(elements, reach)) return;
   worst.elements = elements;
-  worst.reach = at.pair(s.first).length;
+  worst.reach = reach;
   worst.width = (half ? 2.0 : 1.0) * at.width(s);
   worst.stretch = s;
   worst.kind = slips ? "slip" : "stick";
@@ -89,7 +97,7 @@ void put_reach(Text& out, const Worst& w) {
   const double percent = w.width > 0.0 ? 100.0 * w.reach / w.width : 100.0;
   put(out, w.reach, 3);
   put_all(out, ", ");
-  put(out, percent < 100.0 ? percent : 100.0, 2);
+  put(out, percent < 99.5 ? percent : 100.0, percent < 99.5 ? 2 : 3);
   put_all(out, " % of the width");
 }
 

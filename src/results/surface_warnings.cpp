@@ -12,7 +12,7 @@ constexpr double kMatters = 0.02; // of what the bodies come closer
 
 // What the loads have done to the gaps of a zone.
 struct Closing {
-  int32_t touching, nearest, doubtful; // pairs: how many, the one with the least gap, the touching one of most doubt
+  int32_t touching, nearest, doubtful; // pairs: how many, now or from the start; with the least gap; the closed one of most doubt
   double least, most, doubt;           // that gap; the most that a gap was closed by; that doubt
 };
 
@@ -26,8 +26,9 @@ Closing closing_of(const Session& session, const Zone& z) {
     const double closed = pair.gap - gap;
     if (closed > c.most) c.most = closed;
     if (c.nearest < 0 || gap < c.least) c.nearest = i, c.least = gap;
-    if (pair.status == C2D_OPEN) continue;
+    if (pair.status == C2D_OPEN && pair.gap > 0.0) continue;
     ++c.touching;
+    if (pair.status == C2D_OPEN) continue;
     const double doubt = surface_doubt(m, i);
     if (doubt > c.doubt) c.doubtful = i, c.doubt = doubt;
   }

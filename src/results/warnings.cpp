@@ -131,9 +131,7 @@ double pressure_inside(const Session& session, int b, int32_t element, double et
 // No force at all in the contact, but for round-off of what it carried or of what motions would make of it.
 bool carries_nothing(const Session& session) {
   const PathScales s = path_scales(session.follower);
-  double least = kNoPressure * session.solver->peak_pressure;
-  if (!(session.solver->peak_pressure > 0.0)) least = kMixedNoise * session.tableau.stiffness * s.w;
-  return s.p <= least;
+  return s.p <= fmax(kNoPressure * session.solver->peak_pressure, kMixedNoise * session.tableau.stiffness * s.w);
 }
 
 bool is_loaded(const Session& session) {
@@ -144,28 +142,31 @@ bool is_loaded(const Session& session) {
 
 double without_noise(double number) { return fabs(number) < 1e-9 ? 0.0 : number; }
 
-// In which direction: told of the one motion, else of how many there are.
-void put_free_motion(const Session& session, Text& text) {
+// In which direction: told of one motion, else of how many there are.
+void put_free_motion(const Session& session, int32_t count, const double motion[3], Text& text) {
   const FreeBody& body = session.free_body;
-  const double turn = body.motion[2] / session.model.head->length_unit;
-  if (body.motions > 1)
-    put_all(text, "in any of its ", body.motions, " free motions");
-  else if (fabs(body.motion[2]) < 1e-9)
-    put_all(text, "in the direction (", without_noise(body.motion[0]), ", ", without_noise(body.motion[1]), ")");
+  const double turn = motion[2] / session.model.head->length_unit, size = hypot(motion[0], motion[1]);
+  if (count > 1)
+    put_all(text, "in any of ", count == body.motions ? "its " : "", count, " free motions");
+  else if (fabs(motion[2]) < 1e-9 * size)
+    put_all(text, "in the direction (", without_noise(motion[0] / size), ", ", without_noise(motion[1] / size), ")");
   else
-    put_all(text, "in its rotation about (", body.centre[0] - body.motion[1] / turn, ", ",
-            body.centre[1] + body.motion[0] / turn, ")");
+    put_all(text, "in its rotation about (", body.centre[0] - motion[1] / turn, ", ", body.centre[1] + motion[0] / turn, ")");
 }
 
-// A body that is let go, or that touches without force while there are loads: nothing fixes where it is.
+// A body that is let go, or touches without force while there are loads, or slides freely: nothing fixes where it is.
 void warn_undefined_place(Session& session) {
-  const bool apart = is_let_go(session.tableau);
-  if (session.solver->outcome != C2D_REACHED || session.free_body.motions == 0) return;
-  if (!apart && (!is_loaded(session) || !carries_nothing(session))) return;
+  const FreeBody& body = session.free_body;
+  if (session.solver->outcome != C2D_REACHED || body.motions == 0) return;
+  const bool idle = is_let_go(session.tableau) || (is_loaded(session) && carries_nothing(session));
+  if (!idle && (body.slides == 0 || !is_loaded(session))) return;
   char room[sizeof(c2d_error::text)];
   Text text = text_in(room);
   put_all(text, "no contact force fixes the place of body ", session.free_body.body + 1, " ");
-  put_free_motion(session, text);
+  if (idle)
+    put_free_motion(session, body.motions, body.others() == 1 ? body.motion : body.slide[0], text);
+  else
+    put_free_motion(session, body.slides, body.slide[0], text);
   put_all(text, ": displacements there mean nothing, forces and stresses do; it keeps its place relative to the other body");
   warn(session, C2D_WARN_UNDEFINED_PLACE, 0, 0, room);
 }
@@ -176,6 +177,7 @@ double tension_ratio(const Session& session) {
   const Model& m = session.model;
   if (m.head->function_nodes < 3 || m.head->contact == 0 || session.solver->floating || session.solver->blocked)
     return 0.0; // constant and linear pressures have no minimum inside
+  if (carries_nothing(session)) return 0.0;
   double most = 0.0, least = 0.0;
   for (int32_t z = 0; z < m.head->zones; ++z)
     for (int32_t k = 0; k < m.zone[z].elements; ++k)

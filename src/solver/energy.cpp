@@ -101,10 +101,24 @@ void add_segment(Session& session, double part) {
   }
 }
 
+// After evaluate() of the values.
+static double elastic_energy(const Session& session, const EnergyBook& book) {
+  const Follower& f = session.follower;
+  double elastic = 0.0;
+  for (int32_t k = 0; k < book.cases; ++k) elastic += f.load[k] * (book.u[k] + book.r[k]);
+  for (int32_t i = 0; i < f.t->pairs && book.m > 0; ++i) {
+    const Pair& pair = f.t->pair[i];
+    const PairState now = pair_state(*f.t, i, f.y);
+    elastic += pair.weight * (now.p * (now.wn - pair.gap / f.t->length_unit) + now.q * now.wt);
+  }
+  return 0.5 * energy_unit(session) * elastic;
+}
+
 void before_jump(Session& session) {
   const Follower& f = session.follower;
   const EnergyBook book = energy_book(session.solver);
   evaluate(session, book, true);
+  session.solver->elastic = elastic_energy(session, book);
   for (int32_t k = 0; k < book.cases; ++k) {
     book.u0[k] = book.u[k];
     book.r0[k] = book.r[k];
@@ -129,24 +143,26 @@ void after_jump(Session& session) {
   }
 }
 
+void release(Session& session) {
+  const Follower& f = session.follower;
+  const EnergyBook book = energy_book(session.solver);
+  const double before = session.solver->elastic;
+  evaluate(session, book, true);
+  double work = 0.0;
+  for (int32_t k = 0; k < book.cases; ++k) work += energy_unit(session) * f.load[k] * (book.u[k] - book.u0[k]);
+  const double released = work + before - elastic_energy(session, book);
+  if (fabs(released) <= 1e-11 * (fabs(before) + fabs(work))) return; // round-off: nothing has jumped
+  for (int32_t k = 0; k < book.cases; ++k) book.work[k] += energy_unit(session) * f.load[k] * (book.u[k] - book.u0[k]);
+  add_friction(session, fmax(released, 0.0)); // less than none is an error of the mesh, and remains in the balance
+}
+
 void close_balance(Session& session) {
   c2d_solver* s = session.solver;
-  const Follower& f = session.follower;
   const EnergyBook book = energy_book(s);
-  const double unit = energy_unit(session);
   evaluate(session, book, true);
-  double elastic = 0.0;
   s->work = 0.0;
-  for (int32_t k = 0; k < book.cases; ++k) {
-    s->work += book.work[k];
-    elastic += f.load[k] * (book.u[k] + book.r[k]);
-  }
-  for (int32_t i = 0; i < f.t->pairs && book.m > 0; ++i) {
-    const Pair& pair = f.t->pair[i];
-    const PairState now = pair_state(*f.t, i, f.y);
-    elastic += pair.weight * (now.p * (now.wn - pair.gap / f.t->length_unit) + now.q * now.wt);
-  }
-  s->elastic = 0.5 * unit * elastic;
+  for (int32_t k = 0; k < book.cases; ++k) s->work += book.work[k];
+  s->elastic = elastic_energy(session, book);
   const double sizes[] = {fabs(s->work), fabs(s->elastic), fabs(s->dissipated)};
   for (double size : sizes)
     if (size > s->energy_size) s->energy_size = size;

@@ -41,6 +41,9 @@ void add_segment(Session& session, double part);
 // The same for a step whose inside is not known (deck stepping): before, and after it.
 void before_jump(Session& session);
 void after_jump(Session& session);
+// The same for a state that jumps at one load, as friction without bound lets go: what the loads do on the way and what elastic
+// energy is set free is dissipated.
+void release(Session& session);
 // Elastic energy and the balance of the state reached.
 void close_balance(Session& session);
 

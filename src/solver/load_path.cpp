@@ -53,9 +53,18 @@ void moving(void* context, double part) {
   if (session.solver->keeps_energy) kEnergyPart.add_segment(session, part);
 }
 
+void jumping(void* context, bool done) {
+  Session& session = *static_cast<Session*>(context);
+  if (!session.solver->keeps_energy) return;
+  if (done)
+    kEnergyPart.release(session);
+  else
+    kEnergyPart.before_jump(session);
+}
+
 } // namespace
 
-PathWatch path_watch(Session& session) { return PathWatch{&session, tick, changed, moving}; }
+PathWatch path_watch(Session& session) { return PathWatch{&session, tick, changed, moving, jumping}; }
 
 c2d_status begin_path(Session& session) {
   c2d_solver* s = session.solver;
@@ -71,6 +80,7 @@ c2d_status begin_path(Session& session) {
   s->unsound = 0;
   s->pressure_scale = session.follower.pressure_scale = 0.0;
   if (s->blocked || head.contact == 0) return C2D_OK;
+  note_free_body(session);
   c2d_status status = load_flexibility(session);
   if (status == C2D_OK) status = start_path(session.follower, session.free_body, session.model, &s->floating);
   if (status == C2D_OK) begin_judging(session);
@@ -122,10 +132,10 @@ void case_resultant(const Model& m, int b, int32_t load_case, double out[3], dou
   *size += fabs(force[0]) + fabs(force[1]);
 }
 
-// Work of the loads along `direction` on the free body's one motion; zero if it is no more than round-off.
-double work_on_motion(const Session& session, const double* direction) {
+// Work of loads on a motion of the free body; zero if it is no more than round-off.
+double work_on(const Session& session, const double* loads, const double motion[3]) {
   double size = 0.0;
-  const double work = load_work(session, direction, session.free_body.motion, &size);
+  const double work = load_work(session, loads, motion, &size);
   return fabs(work) > 1e-10 * size ? work : 0.0;
 }
 
@@ -135,7 +145,7 @@ c2d_status take_off(Session& session, const double* target, c2d_outcome* outcome
   *outcome = C2D_FREE_MOTION;
   c2d_status status = kSearchPart.lie_apart(f, session.model, outcome);
   if (status == C2D_OK && *outcome != C2D_REACHED)
-    status = fly(f, session.free_body, session.model, work_on_motion(session, f.direction), outcome);
+    status = fly(f, session.free_body, session.model, work_on(session, f.direction, session.free_body.motion), outcome);
   if (status == C2D_OK && *outcome == C2D_REACHED) session.solver->floating = 0;
   return status;
 }
@@ -168,23 +178,51 @@ double load_work(const Session& session, const double* direction, const double m
 
 namespace {
 
-// Which body the outcome is about: the one that the contact has to hold.
+bool is_motion(const double motion[3]) { return motion[0] != 0.0 || motion[1] != 0.0 || motion[2] != 0.0; }
+
+// The name of an outcome and the motion that begins, of the body that the contact has to hold. Where nothing is pressed any
+// more nothing slides, and where it does not turn, it does not tip over.
+void name_motion(Session& session, c2d_outcome outcome) {
+  c2d_solver* s = session.solver;
+  const bool unloaded = s->peak_pressure > 0.0 && path_scales(session.follower).p <= kNoPressure * s->peak_pressure;
+  if (outcome == C2D_GROSS_SLIDING && unloaded) outcome = C2D_FREE_MOTION;
+  s->outcome = outcome;
+  s->outcome_body = s->blocked ? s->blocked : session.free_body.body + 1;
+  if (!s->keeps_energy) return;
+  kEnergyPart.find_outcome_motion(session, outcome);
+  if (outcome == C2D_TIPPING && is_motion(s->outcome_motion) && s->outcome_motion[2] == 0.0) s->outcome = C2D_GROSS_SLIDING;
+}
+
+// That there are no rates, although forces could balance those of the loads, is told as the motion of a body that the contact
+// has to hold, if its pairs allow one.
 void name_outcome(Session& session, c2d_outcome outcome) {
   c2d_solver* s = session.solver;
   s->outcome = outcome;
-  if (outcome == C2D_FREE_MOTION || outcome == C2D_GROSS_SLIDING || outcome == C2D_TIPPING)
-    s->outcome_body = s->blocked ? s->blocked : session.free_body.body + 1;
-  // Where no pressure is left, nothing slides: the body lifts off.
-  if (outcome == C2D_GROSS_SLIDING && s->peak_pressure > 0.0 &&
-      path_scales(session.follower).p <= kNoPressure * s->peak_pressure)
-    s->outcome = outcome = C2D_FREE_MOTION;
-  if (s->outcome_body > 0 && s->keeps_energy) kEnergyPart.find_outcome_motion(session, outcome);
+  if (outcome == C2D_FREE_MOTION || outcome == C2D_GROSS_SLIDING || outcome == C2D_TIPPING) name_motion(session, outcome);
+  if (outcome != C2D_NO_ADMISSIBLE_CHANGE || session.free_body.motions == 0) return;
+  name_motion(session, C2D_GROSS_SLIDING);
+  if (is_motion(s->outcome_motion)) return;
+  s->outcome = outcome;
+  s->outcome_body = 0;
+}
+
+// Do these loads do work on a motion in which the body slides freely? Those reached so far do not.
+bool slides_away(const Session& session, const double* target) {
+  for (int32_t way = 0; way < session.free_body.slides; ++way)
+    if (work_on(session, target, session.free_body.slide[way]) != 0.0) return true;
+  return false;
 }
 
 // To `target`, or as far as the path leads, and judged there.
 c2d_status go(Session& session, const double* target, c2d_outcome* outcome) {
   c2d_solver* s = session.solver;
   Follower& f = session.follower;
+  if (slides_away(session, target)) {
+    *outcome = C2D_FREE_MOTION;
+    for (int32_t k = 0; k < f.t->cases; ++k) f.direction[k] = target[k] - f.load[k];
+    if (!s->floating) refresh(f);
+    return C2D_OK;
+  }
   const int32_t cases = s->model.load_cases;
   const bool from_zero = all_zero(f.load, cases);
   *outcome = C2D_REACHED;
@@ -193,7 +231,7 @@ c2d_status go(Session& session, const double* target, c2d_outcome* outcome) {
   if (status == C2D_OK && *outcome == C2D_REACHED) status = follow(session, target, outcome);
   // What touched at zero load was pulled off: nothing is loaded yet, so the body may fly to other pairs once.
   if (status == C2D_OK && *outcome == C2D_FREE_MOTION && from_zero && all_zero(f.load, cases) &&
-      session.free_body.motions == 1) {
+      session.free_body.others() == 1) {
     status = take_off(session, target, outcome);
     if (status == C2D_OK && *outcome == C2D_REACHED) status = follow(session, target, outcome);
   }

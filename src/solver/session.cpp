@@ -4,6 +4,7 @@
 
 #include "memory/hostile.hpp"
 #include "solver/load_path.hpp"
+#include "solver/support.hpp"
 
 namespace c2d {
 
@@ -17,10 +18,16 @@ FreeBody free_body(const c2d_solver* s, const Model& m) {
   out.motions = body.free_motions;
   for (int k = 0; k < 3; ++k) out.motion[k] = body.free_motion[0][k];
   for (int k = 0; k < 2; ++k) out.centre[k] = body.centre[k];
+  find_slides(m, out);
   return out;
 }
 
 } // namespace
+
+void note_free_body(Session& session) {
+  session.free_body = free_body(session.solver, session.model);
+  session.tableau.free_motions = session.free_body.others();
+}
 
 void open_session(c2d_solver* s, Session& session) {
   memset(static_cast<void*>(&session), 0, sizeof session);
@@ -42,7 +49,9 @@ void open_session(c2d_solver* s, Session& session) {
                             s->stiffness,
                             s->exchanges,
                             kernel_for(best_instructions()),
-                            0};
+                            0,
+                            nullptr,
+                            nullptr};
   double* loads = array_of<double>(s, kLoads);
   session.follower.t = &session.tableau;
   session.follower.tape = &session.tape;
@@ -63,8 +72,9 @@ void open_session(c2d_solver* s, Session& session) {
   session.follower.watch = path_watch(session);
   session.follower.stats = s->stats;
   session.follower.last_pair = s->last_pair;
-  session.free_body = free_body(s, session.model);
-  session.tableau.free_motions = session.free_body.motions;
+  session.tableau.model = &session.model;
+  session.tableau.body = &session.free_body;
+  note_free_body(session);
 }
 
 void close_session(Session& session) {

@@ -25,6 +25,8 @@ struct Session {
 // Views into the workspace; nothing is computed. close_session keeps what must last.
 void open_session(c2d_solver* solver, Session& session);
 void close_session(Session& session);
+// How the body that the contact has to hold can move, with the coefficients of friction that the pairs have now.
+void note_free_body(Session& session);
 // F of the inverted body, if the memory has room for it. Errors: the block store's.
 c2d_status load_flexibility(Session& session);
 

@@ -73,7 +73,7 @@ void add_body(const Solver& s, int body, const std::vector<double>& xy, double m
 
 Solver::Solver(const c2d_limits& limits) : store_() {
   uint64_t bytes = 0;
-  if (c2d_memory_need(&limits, nullptr, &bytes) != C2D_OK) give_up("limits refused");
+  if (c2d_memory_need(&limits, nullptr, &bytes, nullptr) != C2D_OK) give_up("limits refused");
   memory_.resize(bytes);
   tapes_.resize(6 * bytes + (1 << 20)); // more than enough for every tape; pages not used cost nothing
   c2d_memory_store_init(&store_, tapes_.data(), tapes_.size());

@@ -21,7 +21,7 @@ uint64_t need(int nodes, int pairs, int width) {
   limits.paths = 1;
   limits.panel_columns = width;
   uint64_t minimum = 0;
-  return c2d_memory_need(&limits, &minimum, nullptr) == C2D_OK ? minimum : 0;
+  return c2d_memory_need(&limits, &minimum, nullptr, nullptr) == C2D_OK ? minimum : 0;
 }
 
 double formula(double N, double p, double w) {

@@ -213,8 +213,8 @@ void make_memory_hostile(Sizes& sizes, Layout& layout, size_t& bytes) {
   Sizes narrow_sizes;
   Layout narrow_layout;
   uint64_t least = 0;
-  if (c2d_memory_need(&narrow, &least, nullptr) != C2D_OK || least > bytes || derive_sizes(narrow, narrow_sizes) != C2D_OK ||
-      lay_out(narrow_sizes, sizeof(c2d_solver), narrow_layout) != C2D_OK)
+  if (c2d_memory_need(&narrow, &least, nullptr, nullptr) != C2D_OK || least > bytes ||
+      derive_sizes(narrow, narrow_sizes) != C2D_OK || lay_out(narrow_sizes, sizeof(c2d_solver), narrow_layout) != C2D_OK)
     return;
   sizes = narrow_sizes;
   layout = narrow_layout;

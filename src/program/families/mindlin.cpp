@@ -60,6 +60,7 @@ ProblemModel build(const Values& v) {
   if (a > 0.1 * radius) return unfit("a is above R/10: the formulas are for small contacts");
   if (size < 3 * a) return unfit("L is below 3");
   if (!std::isfinite(mu) || mu <= 0) return unfit("mu is to be above 0 and finite");
+  if (Q <= 0) return unfit("Q is to be above 0: without friction nothing slips");
   if (Q >= 1) return unfit("Q is to be below 1, where all of the contact slides");
   const int n = v.count("n"), steps = v.count("steps");
   const double pi = std::acos(-1.0), compliance = 2 * (1 - nu * nu) / E;
@@ -78,7 +79,8 @@ ProblemModel build(const Values& v) {
                "R = " + show(radius) + ", half width a = " + show(a) + ", P = " + show(load) + ", mu P = " + show(mu * load) +
                    "; Q is the sum of the friction",
                "Stick |x| < c, c/a = sqrt(1 - Q / (mu P)); after the turn 1 - Q / (mu P) gives way to",
-               "1 - (Qmax - Q) / (2 mu P). Flanks move by " + show(move) + ", which makes Q about " + show(Q) + " mu P.",
+               "1 - (Qmax - Q) / (2 mu P). Flanks move by " + show(move) +
+                   (v.number("move") > 0 ? "." : ", which makes Q about " + show(Q) + " mu P."),
                "Reference: C. Cattaneo, 1938; R. D. Mindlin and H. Deresiewicz, 1953"};
   m.title = "CYLINDER MOVED SIDEWAYS TO AND FRO";
   m.function_nodes = v.count("order") + 1;

@@ -12,6 +12,8 @@ ProblemModel build(const Values& v) {
   if (size < 2 * end) return unfit("L is below twice the length of the layer, zone + 1");
   const int n = v.count("n");
   const int elements = static_cast<int>(v.number("zone") * n + 0.5);
+  if (elements < 1) return unfit("zone is below one element, 1 / n");
+  if (strip > 0.5 * h) return unfit("strip is above 0.5: no line load");
   const std::vector<double> zone = equal(width, elements);
 
   ProblemModel m;
