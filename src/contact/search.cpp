@@ -39,8 +39,9 @@ void keep_motion_before(const Follower& f, RateProblem& r) {
 }
 
 // Friction too small, or pairs too far from each other, to make rates that are not unique. Sufficient, not necessary: of
-// slipping pairs alone, when their compliance, per force instead of per pressure, is positive definite.
-bool is_surely_unique(const RateProblem& r) {
+// slipping pairs alone, when their compliance, per force instead of per pressure, is positive definite. (Not inlined: its
+// matrix would stand below what try_all calls.)
+[[gnu::noinline]] bool is_surely_unique(const RateProblem& r) {
   constexpr int32_t kMost = 8;
   if (r.count == 0) return true;
   if (r.count > kMost) return false;
