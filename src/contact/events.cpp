@@ -251,6 +251,8 @@ c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome
     ++f.stats.events;
     f.last_pair = event.pair;
     f.bound = event;
+    if (jumps && f.watch.before_jump) status = f.watch.before_jump(f.watch.context);
+    if (status != C2D_OK) return status;
   }
   *outcome = C2D_REACHED;
   for (int32_t k = 0; k < f.t->cases; ++k) f.load[k] = target[k];

@@ -11,6 +11,7 @@ struct PathWatch {
   c2d_status (*tick)(void* context);                 // at least once per event: progress, cancel
   c2d_status (*changed)(void* context, double load); // a status changed (may be null)
   void (*moving)(void* context, double part);        // the loads go on by this part of the direction (may be null)
+  c2d_status (*before_jump)(void* context);          // the state is about to jump: this one is the last before it (may be null)
 };
 
 struct PathStats {

@@ -52,9 +52,12 @@ void moving(void* context, double part) {
   if (session.solver->keeps_energy) kEnergyPart.add_segment(session, part);
 }
 
+// Where nothing catches the state behind a jump, the path ends at the load of the jump, however it is divided.
+c2d_status before_jump(void* context) { return judge(*static_cast<Session*>(context), Agree::values); }
+
 } // namespace
 
-PathWatch path_watch(Session& session) { return PathWatch{&session, tick, changed, moving}; }
+PathWatch path_watch(Session& session) { return PathWatch{&session, tick, changed, moving, before_jump}; }
 
 c2d_status begin_path(Session& session) {
   c2d_solver* s = session.solver;
