@@ -12,8 +12,9 @@ constexpr double kMatters = 0.02; // of what the bodies come closer
 
 // What the loads have done to the gaps of a zone.
 struct Closing {
-  int32_t touching, nearest, doubtful; // pairs: how many, now or from the start; with the least gap; the closed one of most doubt
-  double least, most, doubt;           // that gap; the most that a gap was closed by; that doubt
+  int32_t touching, nearest,
+      doubtful;              // pairs: how many, now or from the start; with the least gap; the closed one of most doubt
+  double least, most, doubt; // that gap; the most that a gap was closed by; that doubt
 };
 
 Closing closing_of(const Session& session, const Zone& z) {
