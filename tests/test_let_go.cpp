@@ -255,6 +255,30 @@ TEST_CASE("let go: the energy that friction without bound sets free is dissipate
   CHECK(last.dissipated > 0.015);
 }
 
+TEST_CASE("free motion: what is named is a motion that the touching pairs allow, not one into them") {
+  const auto pressed = [](int32_t elements, double mu, double bow) { // by a pressure on its top, held by nothing else
+    Problem p = block(elements, mu);
+    for (std::vector<End>* ends : {&p.bodies[1].ends, &p.bodies[1].second_case})
+      for (End& end : *ends) {
+        if (end.codes[3] != 0) continue;
+        end.codes[3] = 1, end.values[3] = 0;
+        if (end.codes[1] != 0) end.codes[1] = 0, end.values[1] = ends == &p.bodies[1].ends ? -1 : 0;
+      }
+    for (size_t i = 0; i + 1 < p.bodies[1].xy.size(); i += 2)
+      if (p.bodies[1].xy[i + 1] < 0.01) p.bodies[1].xy[i + 1] += bow * (p.bodies[1].xy[i] - 2) * (p.bodies[1].xy[i] - 2);
+    return with_paths(p, {{1, 1, 0}});
+  };
+  const double close = 100 * tight();
+  for (const int32_t elements : {2, 4}) {
+    const Result bowed = solve(pressed(elements, 0.3, 1e-3)); // about the pair at (2, 0), the only one that touches
+    REQUIRE(bowed.outcome == C2D_FREE_MOTION);
+    const double* motion = bowed.summary.free_motion;
+    CHECK(std::fabs(motion[2]) > 0.01);
+    CHECK(std::fabs(motion[0]) < close);
+    CHECK(std::fabs(motion[1] + 2 * motion[2]) < close);
+  }
+}
+
 TEST_CASE("let go: what it has slid before stays, and no slip is counted in the air") {
   // On a smooth enough table the sides of the block slide outwards as it is pressed, and some of that remains.
   const Problem p = with_paths(block(6, 0.05), {{1, 1, 0}, {1, 1, 0.02}, {1, 0.02, 0}, {2, -1, 0}});

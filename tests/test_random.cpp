@@ -128,6 +128,10 @@ TEST_CASE("random decks: pairs that slide into place without a force have the sl
   is_solved(Kind::any, 305822);
 }
 
+TEST_CASE("random decks: a jump that nothing catches ends the path at its load, however the path is divided") {
+  is_solved(Kind::any, 307219);
+}
+
 TEST_CASE("random decks: a draw of few pairs, all statuses tried") { draw(Kind::few_pairs, 1, 20); }
 
 TEST_CASE("random decks: a draw of bodies that are lifted off and put back") { draw(Kind::lifted, 1, 25); }

@@ -126,11 +126,11 @@ bool land(Follower& f) {
 c2d_status settle_all(Follower& f, bool jumps, c2d_outcome* outcome) {
   constexpr int kRounds = 8;
   const bool told = jumps && f.watch.jumping;
-  if (told) f.watch.jumping(f.watch.context, false);
-  c2d_status status = settle(f, outcome);
+  c2d_status status = told ? f.watch.jumping(f.watch.context, false) : c2d_status{C2D_OK};
+  if (status == C2D_OK) status = settle(f, outcome);
   for (int i = 0; i < kRounds && jumps && status == C2D_OK && *outcome == C2D_REACHED && land(f); ++i)
     status = settle(f, outcome);
-  if (told && status == C2D_OK) f.watch.jumping(f.watch.context, true);
+  if (told && status == C2D_OK) status = f.watch.jumping(f.watch.context, true);
   return status;
 }
 

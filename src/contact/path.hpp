@@ -11,7 +11,9 @@ struct PathWatch {
   c2d_status (*tick)(void* context);                 // at least once per event: progress, cancel
   c2d_status (*changed)(void* context, double load); // a status changed (may be null)
   void (*moving)(void* context, double part);        // the loads go on by this part of the direction (may be null)
-  void (*jumping)(void* context, bool done);         // the state may jump at this load, and has (may be null)
+  // The state may jump at this load, and has (may be null). Behind a jump that nothing catches, the state before it is the
+  // last.
+  c2d_status (*jumping)(void* context, bool done);
 };
 
 struct PathStats {

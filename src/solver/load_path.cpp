@@ -53,13 +53,17 @@ void moving(void* context, double part) {
   if (session.solver->keeps_energy) kEnergyPart.add_segment(session, part);
 }
 
-void jumping(void* context, bool done) {
+c2d_status jumping(void* context, bool done) {
   Session& session = *static_cast<Session*>(context);
-  if (!session.solver->keeps_energy) return;
+  // Where nothing catches what jumps, the path ends at the load of the event, however it is divided.
+  const bool event = !done && session.follower.bound.pair >= 0;
+  const c2d_status status = event ? judge(session, Agree::values) : c2d_status{C2D_OK};
+  if (status != C2D_OK || !session.solver->keeps_energy) return status;
   if (done)
     kEnergyPart.release(session);
   else
     kEnergyPart.before_jump(session);
+  return status;
 }
 
 } // namespace

@@ -35,8 +35,6 @@ void remove_prevented(const double basis[3][3], int rank, int n, double v[3]) {
   }
 }
 
-namespace {
-
 bool is_pressed(const Session& session) {
   if (session.solver->floating) return false;
   return path_scales(session.follower).p > kNoPressure * session.solver->peak_pressure;
@@ -44,10 +42,12 @@ bool is_pressed(const Session& session) {
 
 bool may_press(const Session& session, int32_t i) {
   const Pair& pair = session.model.pair[i];
-  if (pair.status != C2D_OPEN) return true;
-  return !session.solver->floating &&
+  if (session.solver->floating) return pair.gap <= 0.0; // as the model was made
+  return pair.status != C2D_OPEN ||
          pair_state(*session.follower.t, i, session.follower.y).wn <= 1e-9 * session.follower.gap_scale;
 }
+
+namespace {
 
 // Product of a row and a motion.
 double row_times(const double a[3], const double b[3], int n) {

@@ -10,20 +10,29 @@ namespace c2d {
 
 namespace {
 
-// Orthonormal basis of what the contact prevents once the last pair has been given up.
+// Does this pair hold the body once the last one has been given up? Where nothing is pressed, what touches does.
+bool holds(const Session& session, int32_t i, c2d_outcome outcome) {
+  if (!is_pressed(session)) return may_press(session, i);
+  if (session.model.pair[i].status == C2D_OPEN) return false;
+  if (outcome == C2D_GROSS_SLIDING) return true;
+  const double p = pair_state(*session.follower.t, i, session.follower.y).p;
+  return i != session.follower.last_pair && p > kNoPressure * session.solver->peak_pressure;
+}
+bool holds_along(const Session& session, int32_t i, c2d_outcome outcome) {
+  const Pair& pair = session.model.pair[i];
+  if (!is_pressed(session)) return pair.tangential && pair.mu > 0.0;
+  return pair.status == C2D_STICK && pair.tangential && !(i == session.follower.last_pair && outcome == C2D_GROSS_SLIDING);
+}
+
+// Orthonormal basis of what the contact prevents.
 int prevented(const Session& session, const Motions& motions, c2d_outcome outcome, double basis[3][3]) {
   int rank = 0;
   for (int32_t i = 0; i < session.model.head->pairs && rank < motions.count; ++i) {
-    const Pair& pair = session.model.pair[i];
-    const bool last = i == session.follower.last_pair;
-    if (pair.status == C2D_OPEN || (last && outcome != C2D_GROSS_SLIDING)) continue;
-    const double p = pair_state(*session.follower.t, i, session.follower.y).p;
-    if (outcome != C2D_GROSS_SLIDING && p <= kNoPressure * session.solver->peak_pressure) continue;
+    if (!holds(session, i, outcome)) continue;
     double normal[3], tangential[3];
-    motion_rows(session, motions, pair, normal, tangential);
+    motion_rows(session, motions, session.model.pair[i], normal, tangential);
     rank += extend_basis(basis, rank, motions.count, normal);
-    const bool sticks = pair.status == C2D_STICK && pair.tangential && !(last && outcome == C2D_GROSS_SLIDING);
-    if (sticks && rank < motions.count) rank += extend_basis(basis, rank, motions.count, tangential);
+    if (rank < motions.count && holds_along(session, i, outcome)) rank += extend_basis(basis, rank, motions.count, tangential);
   }
   return rank;
 }
@@ -55,12 +64,13 @@ bool find_pressed_motion(const Session& session, const Motions& motions, c2d_out
   driving(session, motions, outcome, choice);
   const double before = length_of(choice, motions.count);
   remove_prevented(basis, rank, motions.count, choice);
-  for (int j = 0; j < motions.count && !(length_of(choice, motions.count) > 1e-9 * before); ++j) {
+  if (length_of(choice, motions.count) > 1e-9 * before) return true;
+  for (int j = 0; j < motions.count; ++j) {
     for (int i = 0; i < motions.count; ++i) choice[i] = i == j ? 1.0 : 0.0;
     remove_prevented(basis, rank, motions.count, choice);
     if (length_of(choice, motions.count) > 1e-6) return true;
   }
-  return length_of(choice, motions.count) > 1e-9 * before;
+  return false;
 }
 
 } // namespace
