@@ -28,8 +28,8 @@ Trial try_statuses(const Model& model, const problem::Step& frames);
 // Empty, or what the library says against the trial.
 std::string against_trial(const Model& model, const Trial& trial, const problem::Result& deck, bool warned);
 
-// Largest residual of the equations of both bodies, over the largest term. Passed over are bodies with holes, and one to
-// which a contact passes that is no polynomial there.
+// Largest residual of the equations of both bodies, over the largest term, at least a thousandth of what the largest
+// displacement makes. Passed over are bodies with holes, and one to which a contact passes that is no polynomial there.
 double elastic_residual(const Model& model, const problem::Step& row);
 
 } // namespace random_decks
