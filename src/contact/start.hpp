@@ -6,11 +6,11 @@ namespace c2d {
 
 // The body that the contact has to hold: how it can move. Motions: (ux, uy, rotation * length unit) about the centre.
 struct FreeBody {
-  int32_t body;     // 0 or 1
-  int32_t motions;  // free rigid motions,
-  int32_t slides;   // and of these such along which it slides without friction whatever touches: nothing fixes its place there
+  int32_t body;    // 0 or 1
+  int32_t motions; // free rigid motions,
+  int32_t slides;  // 1: along one of these it slides without friction whatever touches, and nothing fixes its place there; or 0
   double motion[3]; // of the others, if it is one
-  double slide[3][3]; // METHOD 13.6
+  double slide[3];  // METHOD 13.6
   double centre[2];
   int32_t others() const { return motions - slides; }
 };

@@ -160,30 +160,28 @@ bool change_status(Tableau& t, int32_t index, int32_t status, int32_t sign, doub
 
 namespace {
 
-// Motions of the pairs when the body slides freely, for one of these ways.
+// Motions of the pairs when the body slides freely.
 struct Sliding {
   const Tableau& t;
-  int32_t way;
   double of(int32_t pair, int slot) const {
     double w[2];
-    motion_at_pair(*t.model, t.body->body, t.body->slide[way], t.body->centre, t.pair[pair], w);
+    motion_at_pair(*t.model, t.body->body, t.body->slide, t.body->centre, t.pair[pair], w);
     return w[slot];
   }
 };
 
-// A spring against the mean of the pairs' motions in a way in which the body slides freely (METHOD 13.6). As the loads do no
+// A spring against the mean of the pairs' motions in the way in which the body slides freely (METHOD 13.6). As the loads do no
 // work on it, it stays without force, and its stiffness does not matter.
-void hold_slides(Tableau& t) {
-  for (int32_t way = 0; t.body && way < t.body->slides; ++way) {
-    const Sliding slide{t, way};
-    for (int32_t j = 0; j < t.pairs; ++j)
-      for (int c = 0; c <= t.pair[j].tangential; ++c) {
-        const double part = t.stiffness * t.pair[j].length * slide.of(j, c);
-        for (int32_t i = 0; i < t.pairs; ++i)
-          for (int r = 0; r <= t.pair[i].tangential; ++r)
-            column(t, t.pair[j].dof + c)[t.pair[i].dof + r] += static_cast<Real>(part * slide.of(i, r));
-      }
-  }
+void hold_slide(Tableau& t) {
+  if (!t.body || t.body->slides == 0) return;
+  const Sliding slide{t};
+  for (int32_t j = 0; j < t.pairs; ++j)
+    for (int c = 0; c <= t.pair[j].tangential; ++c) {
+      const double part = t.stiffness * t.pair[j].length * slide.of(j, c);
+      for (int32_t i = 0; i < t.pairs; ++i)
+        for (int r = 0; r <= t.pair[i].tangential; ++r)
+          column(t, t.pair[j].dof + c)[t.pair[i].dof + r] += static_cast<Real>(part * slide.of(i, r));
+    }
 }
 
 c2d_status load_all_stick(Tableau& t, const ContactTape& tape) {
@@ -201,7 +199,7 @@ c2d_status load_all_stick(Tableau& t, const ContactTape& tape) {
       const double own = fabs(static_cast<double>(entry(t, t.pair[i].dof + slot, t.pair[i].dof + slot)));
       t.pair[i].stiffness[slot] = static_cast<Real>(fmax(own, kLeastStiffness * t.stiffness));
     }
-  hold_slides(t);
+  hold_slide(t);
   return C2D_OK;
 }
 

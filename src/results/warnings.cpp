@@ -164,9 +164,9 @@ void warn_undefined_place(Session& session) {
   Text text = text_in(room);
   put_all(text, "no contact force fixes the place of body ", session.free_body.body + 1, " ");
   if (idle)
-    put_free_motion(session, body.motions, body.others() == 1 ? body.motion : body.slide[0], text);
+    put_free_motion(session, body.motions, body.others() == 1 ? body.motion : body.slide, text);
   else
-    put_free_motion(session, body.slides, body.slide[0], text);
+    put_free_motion(session, body.slides, body.slide, text);
   put_all(text, ": displacements there mean nothing, forces and stresses do; it keeps its place relative to the other body");
   warn(session, C2D_WARN_UNDEFINED_PLACE, 0, 0, room);
 }

@@ -212,9 +212,7 @@ void name_outcome(Session& session, c2d_outcome outcome) {
 
 // Do these loads do work on a motion in which the body slides freely? Those reached so far do not.
 bool slides_away(const Session& session, const double* target) {
-  for (int32_t way = 0; way < session.free_body.slides; ++way)
-    if (work_on(session, target, session.free_body.slide[way]) != 0.0) return true;
-  return false;
+  return session.free_body.slides > 0 && work_on(session, target, session.free_body.slide) != 0.0;
 }
 
 // To `target`, or as far as the path leads, and judged there.

@@ -81,7 +81,7 @@ void add_motion(double to[3], double factor, const double motion[3]) {
 void to_motion(const Model& m, const FreeBody& body, const double coordinates[3], double out[3]) {
   out[0] = out[1] = out[2] = 0.0;
   for (int j = 0; j < body.motions; ++j) add_motion(out, coordinates[j], m.head->body[body.body].free_motion[j]);
-  for (int way = 0; way < body.slides; ++way) add_motion(out, -pair_product(m, body, out, body.slide[way]), body.slide[way]);
+  if (body.slides > 0) add_motion(out, -pair_product(m, body, out, body.slide), body.slide);
 }
 
 } // namespace
@@ -89,16 +89,14 @@ void to_motion(const Model& m, const FreeBody& body, const double coordinates[3]
 void find_slides(const Model& m, FreeBody& body) {
   double basis[3][3];
   const int held = prevented_by_pairs(m, body.body, false, basis);
-  for (int rank = held; rank < body.motions; ++rank) {
-    double motion[3];
-    add_farthest(basis, rank, body.motions);
-    to_motion(m, body, basis[rank], motion);
-    const double size = sqrt(pair_product(m, body, motion, motion));
-    if (!(size > 0.0)) return; // no pair sees it: nothing to hold it by
-    for (double& c : body.slide[body.slides]) c = 0.0;
-    add_motion(body.slide[body.slides++], 1.0 / size, motion);
-  }
-  if (body.slides > 0 && held == 1) to_motion(m, body, basis[0], body.motion);
+  if (held + 1 != body.motions) return; // on a single pair it may turn as well
+  add_farthest(basis, held, body.motions);
+  to_motion(m, body, basis[held], body.slide);
+  const double size = sqrt(pair_product(m, body, body.slide, body.slide));
+  if (!(size > 0.0)) return; // no pair sees it: nothing to hold it by
+  for (double& c : body.slide) c /= size;
+  body.slides = 1;
+  if (held == 1) to_motion(m, body, basis[0], body.motion);
 }
 
 // Which body's displacements are eliminated, a supported one and the stiffer of two (METHOD 10.1), and whether anything can fly
