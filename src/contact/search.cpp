@@ -188,28 +188,33 @@ c2d_status decide(Follower& f, bool all_tried, c2d_outcome* outcome) {
 
 namespace {
 
+// Would nothing hold this sticking pair if it slipped, with this sign of its friction?
+bool holds_alone(const Tableau& t, const Pair& pair, int32_t sign) {
+  const Real* column = t.t + static_cast<int64_t>(pair.dof + 1) * t.m + pair.dof;
+  return fabs(column[1] - friction(pair, sign) * column[0]) <= kRegular * pair.stiffness[1];
+}
+
 // Does this pair alone hold a motion, with friction that is at its bound and stays there? Then it may slide as well, along a
 // motion that no force opposes, until another pair sticks instead: this state is one end of a range.
 bool ends_a_range(const Follower& f, int32_t i, const PathScales& s) {
   const Tableau& t = *f.t;
   const Pair& pair = t.pair[i];
   Doubt d;
-  if (pair.status != C2D_STICK || !pair.tangential || pair.mu > 1e300 || !is_in_doubt(f, i, s, d)) return false;
+  if (!is_in_doubt(f, i, s, d)) return false;
   const PairState rate = pair_rates(t, i, f.dy);
   const double none = no_rate(pair, s).force;
   const int32_t sign = d.kind == DoubtKind::cone ? d.sign : rate.q > 0.0 ? 1 : -1;
-  if (rate.p <= none || fabs(sign * rate.q - pair.mu * rate.p) > none) return false;
-  const Real* column = t.t + static_cast<int64_t>(pair.dof + 1) * t.m + pair.dof;
-  return fabs(column[1] - friction(pair, sign) * column[0]) <= kRegular * pair.stiffness[1];
+  return rate.p > none && fabs(sign * rate.q - pair.mu * rate.p) <= none && holds_alone(t, pair, sign);
 }
 
 } // namespace
 
 void note_range(Follower& f) {
-  if (f.solutions > 1) return;
-  const PathScales s = decision_scales(f);
   for (int32_t i = 0; i < f.t->pairs && f.solutions < 2; ++i) {
-    if (!ends_a_range(f, i, s)) continue;
+    const Pair& pair = f.t->pair[i];
+    if (pair.status != C2D_STICK || !pair.tangential || pair.mu > 1e300) continue;
+    if (!holds_alone(*f.t, pair, 1) && !holds_alone(*f.t, pair, -1)) continue; // as a rule
+    if (!ends_a_range(f, i, decision_scales(f))) continue;
     note_solutions(f, 2, true);
     f.range_pair = i + 1;
   }

@@ -26,8 +26,8 @@ bool is_finite_friction(const Pair& pair) { return pair.mu <= 1e300; }
 Violation judge_unloaded(const Pair& pair, bool held, const PairState& rate, const PathScales& s) {
   const double none = no_rate(pair, s).force;
   if (rate.p < -none) return {-rate.p / s.dp, C2D_OPEN, 0};
-  const bool slides = pair.status == C2D_SLIP && fabs(rate.wt) > no_rate(pair, s).motion;
-  if (held && slides && rate.p <= none) return {fabs(rate.wt) / s.dw, C2D_OPEN, 0};
+  if (held && pair.status == C2D_SLIP && rate.p <= none && fabs(rate.wt) > no_rate(pair, s).motion)
+    return {fabs(rate.wt) / s.dw, C2D_OPEN, 0};
   if (pair.status == C2D_STICK && pair.tangential && is_finite_friction(pair)) {
     const double excess = fabs(rate.q) - pair.mu * larger(rate.p, 0.0);
     if (excess > none) return {excess / s.dp, C2D_SLIP, rate.q > 0.0 ? 1 : -1};
