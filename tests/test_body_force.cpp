@@ -418,6 +418,27 @@ TEST_CASE("body force: a block rests on a foundation with its whole weight") {
     CHECK(r.steps.back().at(i, C2D_TN) == doctest::Approx(flat.steps.back().at(i, C2D_TN)).epsilon(1e-9));
 }
 
+TEST_CASE("body force: a weight turns with the bodies, whatever the functions") {
+  for (int32_t f : {1, 2, 3}) {
+    CAPTURE(f);
+    const Problem p = block(0.4, 0, false, f);
+    const Result straight = solved(p), turned = solved(rotated(p, 37.3));
+    REQUIRE(straight.outcome == C2D_REACHED);
+    REQUIRE(turned.outcome == C2D_REACHED);
+    const Step &a = straight.steps.back(), &b = turned.steps.back();
+    double pressure = 0, motion = 0;
+    for (int i = 0; i < a.pairs(); ++i) {
+      pressure = std::fmax(pressure, std::fabs(a.at(i, C2D_TN)));
+      motion = std::fmax(motion, std::fabs(a.at(i, C2D_UN2)));
+    }
+    for (int i = 0; i < a.pairs(); ++i) {
+      for (const int field : {C2D_TN, C2D_TT}) CHECK(std::fabs(a.at(i, field) - b.at(i, field)) < 1e-9 * pressure);
+      for (const int field : {C2D_UN1, C2D_UT1, C2D_UN2, C2D_UT2})
+        CHECK(std::fabs(a.at(i, field) - b.at(i, field)) < 1e-9 * motion);
+    }
+  }
+}
+
 TEST_CASE("body force: weight as a load case of its own") {
   Problem p = block(0.4, 0, false, 2);
   p.body_forces = {{2, 2, 0, -5}};

@@ -10,12 +10,10 @@ namespace c2d {
 namespace {
 
 void add_weight(const BodyForce& f, double nu, double g, double x, double y, Particular& out) {
-  const double a = -(1.0 - nu) * f.bx / (2.0 * g), b = nu * f.by / (2.0 * g);
-  const double c = nu * f.bx / (2.0 * g), d = -(1.0 - nu) * f.by / (2.0 * g);
-  out.u[0] += 0.5 * a * x * x + b * x * y - 0.5 * c * y * y;
-  out.u[1] += c * x * y + 0.5 * d * y * y - 0.5 * b * x * x;
-  out.stress[0] -= f.bx * x;
-  out.stress[1] -= f.by * y;
+  const double k = -(1.0 - 2.0 * nu) / (2.0 * g);
+  out.u[0] += k * (0.5 * f.bx * (x * x - y * y) + f.by * x * y);
+  out.u[1] += k * (0.5 * f.by * (y * y - x * x) + f.bx * x * y);
+  for (int c = 0; c < 2; ++c) out.stress[c] -= f.bx * x + f.by * y;
 }
 
 void add_rotation(const BodyForce& f, double nu, double g, double x, double y, Particular& out) {

@@ -1,7 +1,7 @@
 #pragma once
 // Body forces through particular solutions: u_p with stress sigma_p satisfies equilibrium with the body force of a load
 // case, so that u - u_p satisfies the equations without it, METHOD (6.1), and everything stays on the boundary.
-//   weight     force per area (bx, by):        sigma_p,xx = -bx x, sigma_p,yy = -by y, sigma_p,xy = 0
+//   weight     force per area (bx, by):        sigma_p,xx = sigma_p,yy = -(bx x + by y), sigma_p,xy = 0
 //   rotation   rho omega^2 (x - x0, y - y0):   u_p = k r^2 (x - x0, y - y0), k = -rho omega^2 (1-2 nu) / (16 G (1-nu))
 // with nu of the equivalent plane strain problem. The weight's x, y count from the body's centre, or from the lines of
 // symmetry, so that u_p is as symmetric as the body force.

@@ -18,10 +18,14 @@ bool holds(const Session& session, int32_t i, c2d_outcome outcome) {
   const double p = pair_state(*session.follower.t, i, session.follower.y).p;
   return i != session.follower.last_pair && p > kNoPressure * session.solver->peak_pressure;
 }
+// Where all slides, whether the last pair at its bound still counts as sticking is round-off.
 bool holds_along(const Session& session, int32_t i, c2d_outcome outcome) {
   const Pair& pair = session.model.pair[i];
   if (!is_pressed(session)) return pair.tangential && pair.mu > 0.0;
-  return pair.status == C2D_STICK && pair.tangential && !(i == session.follower.last_pair && outcome == C2D_GROSS_SLIDING);
+  if (pair.status != C2D_STICK || !pair.tangential) return false;
+  const PairState now = pair_state(*session.follower.t, i, session.follower.y);
+  const bool at_bound = pair.mu <= 1e300 && fabs(now.q) >= (1.0 - 1e-6) * pair.mu * now.p;
+  return outcome != C2D_GROSS_SLIDING || (i != session.follower.last_pair && !at_bound);
 }
 
 // Orthonormal basis of what the contact prevents.
