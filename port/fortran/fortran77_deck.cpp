@@ -106,6 +106,15 @@ bool limits_from(In isize, int32_t count, Limits& limits) {
   return true;
 }
 
+// Those of the deck in a file. False: no deck was read.
+bool sizes_of_file(Call& call, Text name, In length, c2d_limits& limits) {
+  Cards cards;
+  if (!call.has_host() || !open_file(call, name, integer_at(length), cards)) return false;
+  sizes_of(call, cards, limits);
+  fclose(cards.file);
+  return true;
+}
+
 void tell_words(Call& call, const c2d_limits& limits, Out nmin, Out nall) {
   uint64_t least = 0, most = 0;
   if (call.status != C2D_OK) return;
@@ -250,25 +259,15 @@ void c2card_(Work work, Text text, In lcard, In ncards, Out ierr) {
 
 void c2need_(Work work, Text name, In lname, Out nmin, Out nall, Out ierr) {
   Call call(work);
-  Cards cards;
-  if (call.has_host() && open_file(call, name, integer_at(lname), cards)) {
-    Limits limits;
-    sizes_of(call, cards, limits);
-    fclose(cards.file);
-    tell_words(call, limits, nmin, nall);
-  }
+  Limits limits;
+  if (sizes_of_file(call, name, lname, limits)) tell_words(call, limits, nmin, nall);
   call.leave(ierr);
 }
 
 void c2tned_(Work work, Text name, In lname, In itape, Out nblock, Out nwords, Out ierr) {
   Call call(work);
-  Cards cards;
-  if (call.has_host() && open_file(call, name, integer_at(lname), cards)) {
-    Limits limits;
-    sizes_of(call, cards, limits);
-    fclose(cards.file);
-    tell_tape(call, limits, integer_at(itape), nblock, nwords);
-  }
+  Limits limits;
+  if (sizes_of_file(call, name, lname, limits)) tell_tape(call, limits, integer_at(itape), nblock, nwords);
   call.leave(ierr);
 }
 

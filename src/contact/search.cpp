@@ -213,7 +213,7 @@ void note_range(Follower& f) {
   for (int32_t i = 0; i < f.t->pairs && f.solutions < 2; ++i) {
     const Pair& pair = f.t->pair[i];
     if (pair.status != C2D_STICK || !pair.tangential || pair.mu > 1e300) continue;
-    if (!holds_alone(*f.t, pair, 1) && !holds_alone(*f.t, pair, -1)) continue; // as a rule
+    if (!holds_alone(*f.t, pair, 1) && !holds_alone(*f.t, pair, -1)) continue; // so it is nearly always
     if (!ends_a_range(f, i, decision_scales(f))) continue;
     note_solutions(f, 2, true);
     f.range_pair = i + 1;
