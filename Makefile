@@ -112,7 +112,8 @@ include tests/random/random.mk
 include port/packaging/packaging.mk
 
 # ---------------------------------------------------------------- tests
-TEST_DEFINES = -DC2D_TEST_ROOT='"$(CURDIR)"' -DC2D_TEST_BUILD='"$(abspath $(BUILD))"' -DC2D_TEST_CC='"$(CC)"' \
+# What differs from one copy of the tree to the next, for one file alone (tests/paths.hpp).
+TEST_PATHS = -DC2D_TEST_ROOT='"$(CURDIR)"' -DC2D_TEST_BUILD='"$(abspath $(BUILD))"' -DC2D_TEST_CC='"$(CC)"' \
   -DC2D_TEST_CXX='"$(CXX)"' -DC2D_TEST_LIBRARY='"$(abspath $(LIBRARY))"' \
   -DC2D_TEST_CORE='"$(abspath $(LIBRARY))"' -DC2D_TEST_PROGRAM='"$(abspath $(PROGRAM))"' \
   -DC2D_TEST_SHARED='"$(abspath $(SHARED))"' \
@@ -122,8 +123,8 @@ $(BUILD)/tests/doctest: tests/doctest.sh | $(BUILD)/flags
 	CXX='$(CXX)' DOCTEST_INCLUDE='$(DOCTEST_INCLUDE)' NO_INSTALL='$(NO_INSTALL)' sh tests/doctest.sh $@
 # (compiling them takes longer than running them)
 $(BUILD)/tests/%.o: tests/%.cpp $(BUILD)/flags $(BUILD)/tests/doctest Makefile
-	$(CXX) $(CPPFLAGS) $(COMMON) $$(cat $(BUILD)/tests/doctest) $(CXXFLAGS) -O0 $(EXACT) $(TEST_DEFINES) $(DEPS) \
-	  -c $< -o $@
+	$(CXX) $(CPPFLAGS) $(COMMON) $$(cat $(BUILD)/tests/doctest) $(CXXFLAGS) -O0 $(EXACT) $(if $(filter paths,$*),$(TEST_PATHS)) \
+	  $(DEPS) -c $< -o $@
 $(TESTS): $(TEST_OBJECTS) $(RANDOM_JUDGE) $(STUDY_OBJECT) $(REPORT_OBJECTS) $(FAMILY_OBJECTS) $(LIBRARY)
 	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $(TEST_OBJECTS) $(RANDOM_JUDGE) $(STUDY_OBJECT) $(REPORT_OBJECTS) \
 	  $(FAMILY_OBJECTS) $(LIBRARY) -lm -pthread
@@ -155,8 +156,8 @@ include tests/bench/bench.mk
 CONVERGENCE_OBJECTS := $(patsubst tests/convergence/%.cpp,$(BUILD)/convergence/%.o,$(wildcard tests/convergence/*.cpp))
 $(BUILD)/convergence/%.o: tests/convergence/%.cpp $(BUILD)/flags Makefile
 	@mkdir -p $(@D)
-	$(CXX) $(CPPFLAGS) $(COMMON) -Itests $(CXXFLAGS) $(EXACT) $(TEST_DEFINES) $(DEPS) -c $< -o $@
-$(BUILD)/convergence/run_convergence: $(CONVERGENCE_OBJECTS) $(FAMILY_OBJECTS) $(LIBRARY)
+	$(CXX) $(CPPFLAGS) $(COMMON) -Itests $(CXXFLAGS) $(EXACT) $(DEPS) -c $< -o $@
+$(BUILD)/convergence/run_convergence: $(CONVERGENCE_OBJECTS) $(BUILD)/tests/paths.o $(FAMILY_OBJECTS) $(LIBRARY)
 	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm
 convergence: $(BUILD)/convergence/run_convergence
 	@$(BUILD)/convergence/run_convergence

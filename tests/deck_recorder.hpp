@@ -4,16 +4,13 @@
 #include "contact2d.h"
 #include "deck/deck.hpp"
 #include "host_structs.hpp"
+#include "paths.hpp"
 
 #include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <string>
 #include <vector>
-
-#ifndef C2D_TEST_DATA
-#define C2D_TEST_DATA "tests/data"
-#endif
 
 namespace deck_test {
 
@@ -161,7 +158,7 @@ inline int32_t read_bytes(void* context, char* text, int32_t size) {
 }
 
 inline std::string load(const std::string& name) {
-  std::ifstream in(std::string(C2D_TEST_DATA) + "/decks/" + name, std::ios::binary);
+  std::ifstream in(paths::data() + "/decks/" + name, std::ios::binary);
   std::ostringstream out;
   out << in.rdbuf();
   return out.str();

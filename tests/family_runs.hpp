@@ -2,6 +2,7 @@
 // with.
 #pragma once
 
+#include "paths.hpp"
 #include "program/families/family.hpp"
 #include "solver_runs.hpp"
 
@@ -103,7 +104,7 @@ inline std::string setting(const char* key, double value) {
 // A reference curve: rows of numbers under a header line.
 using Table = std::vector<std::vector<double>>;
 inline Table reference(const std::string& name) {
-  std::ifstream file(std::string(C2D_TEST_ROOT "/tests/data/reference/") + name + ".csv");
+  std::ifstream file(paths::root() + "/tests/data/reference/" + name + ".csv");
   Table out;
   std::string line;
   std::getline(file, line);

@@ -2,6 +2,7 @@
 // finds it, and the answers that every host must give.
 #pragma once
 
+#include "paths.hpp"
 #include "shell.hpp"
 
 #include <doctest/doctest.h>
@@ -36,9 +37,9 @@ public:
   Libraries() {
     fs::create_directories(folder_ / "static");
     fs::create_directories(folder_ / "shared");
-    fs::create_symlink(C2D_TEST_LIBRARY, folder_ / "static/libcontact2d.a");
+    fs::create_symlink(paths::library(), folder_ / "static/libcontact2d.a");
     for (const char* name : {"shared/libcontact2d.so", "shared/libcontact2d.so.0.2"})
-      fs::create_symlink(C2D_TEST_SHARED, folder_ / name);
+      fs::create_symlink(paths::shared(), folder_ / name);
   }
   std::string operator/(const std::string& name) const { return folder_ / name; }
   // " -L'...' -lcontact2d", kind: static or shared.
@@ -79,7 +80,7 @@ inline std::vector<Peak> peaks_of(const std::string& text, bool own = false) {
 // The same from the program's --csv: the desktop run that hosts are compared with.
 inline std::vector<Peak> desktop_peaks(const std::string& deck) {
   std::vector<Peak> out;
-  const Result run = run_shell("'" C2D_TEST_PROGRAM "' run '" + deck + "' --csv -");
+  const Result run = run_shell("'" + paths::program() + "' run '" + deck + "' --csv -");
   for (const std::string& line : lines_of(run.out)) {
     double mu = 0, step = 0, load = 0, tn = 0;
     if (std::sscanf(line.c_str(), "%lf,%lf,%lf,%*d,%*f,%*f,%*[a-z],%lf", &mu, &step, &load, &tn) != 4) continue;

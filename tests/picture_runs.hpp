@@ -1,6 +1,7 @@
 // Runs of the program with all pictures, and what every picture and page must satisfy.
 #pragma once
 
+#include "paths.hpp"
 #include "report/axes.hpp"
 #include "shell.hpp"
 
@@ -13,7 +14,7 @@
 
 namespace test {
 
-inline std::string example(const std::string& name) { return C2D_TEST_ROOT "/examples/" + name; }
+inline std::string example(const std::string& name) { return paths::root() + "/examples/" + name; }
 
 inline std::string quoted(const std::string& path) { return "'" + path + "'"; }
 
@@ -148,10 +149,10 @@ struct Shown {
 };
 
 inline void show(Shown& out, const std::string& deck, const std::string& options = "") {
-  out.result =
-      run_shell("'" C2D_TEST_PROGRAM "' run " + quoted(deck) + " --listing /dev/null --csv " + quoted(out.folder / "c.csv") +
-                " --report " + quoted(out.folder / "r.html") + " --figures " + quoted(out.folder / "figures") + " --vtk " +
-                quoted(out.folder / "b.vtk") + " --boundary " + quoted(out.folder / "b.csv") + " " + options);
+  out.result = run_shell("'" + paths::program() + "' run " + quoted(deck) + " --listing /dev/null --csv " +
+                         quoted(out.folder / "c.csv") + " --report " + quoted(out.folder / "r.html") + " --figures " +
+                         quoted(out.folder / "figures") + " --vtk " + quoted(out.folder / "b.vtk") + " --boundary " +
+                         quoted(out.folder / "b.csv") + " " + options);
   out.page = read_file(out.folder / "r.html");
   out.vtk = read_file(out.folder / "b.vtk");
   std::error_code none;

@@ -4,6 +4,7 @@
 #include "c2d_posix.h"
 #include "c2d_stdio.h"
 #include "c2d_threads.h"
+#include "paths.hpp"
 
 #include <unistd.h>
 
@@ -16,10 +17,6 @@
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
-
-#ifndef C2D_TEST_DATA
-#define C2D_TEST_DATA C2D_TEST_ROOT "/tests/data"
-#endif
 
 namespace problem {
 
@@ -488,7 +485,7 @@ std::vector<Step> Result::recorded() const {
 }
 
 std::string deck_text(const std::string& name) {
-  std::ifstream in(std::string(C2D_TEST_DATA) + "/decks/" + name, std::ios::binary);
+  std::ifstream in(paths::data() + "/decks/" + name, std::ios::binary);
   if (!in) throw std::runtime_error("no deck " + name);
   std::ostringstream out;
   out << in.rdbuf();

@@ -4,6 +4,7 @@
 
 #include "contact2d.h"
 #include "host_structs.hpp"
+#include "paths.hpp"
 
 #include <cstring>
 #include <fstream>
@@ -39,7 +40,7 @@ struct Deck {
 };
 
 inline Deck deck_named(const std::string& name) {
-  std::ifstream file(std::string(C2D_TEST_ROOT "/tests/data/decks/") + name + ".dat");
+  std::ifstream file(paths::root() + "/tests/data/decks/" + name + ".dat");
   Deck deck;
   for (std::string line; std::getline(file, line);) deck.lines.push_back(line);
   return deck;

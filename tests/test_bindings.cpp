@@ -1,6 +1,7 @@
 // The Fortran module against the headers: the same functions with the same arguments, the same constants, the
 // same structs, member by member. What the headers get and the module lacks is told here.
 #include "hosts.hpp"
+#include "paths.hpp"
 
 #include <map>
 #include <set>
@@ -9,7 +10,7 @@ using namespace test;
 
 namespace {
 
-const std::string kRoot = C2D_TEST_ROOT;
+const std::string kRoot = paths::root();
 const char* const kHeaders[] = {"/include/contact2d.h",       "/include/contact2d_codes.h", "/include/contact2d_cards.h",
                                 "/port/memory/c2d_memory.h",  "/port/stdio/c2d_stdio.h",    "/port/posix/c2d_posix.h",
                                 "/port/threads/c2d_threads.h"};
@@ -345,10 +346,10 @@ TEST_CASE("bindings: structs have the same size, default and places of members i
   const Folder folder;
   write_file(folder / "c.c", c_layout());
   write_file(folder / "f.f90", fortran_layout());
-  const Result c = run_shell(C2D_TEST_CC " -std=c99 -I'" + kRoot + "/include' '" + (folder / "c.c") + "' -o '" +
+  const Result c = run_shell(paths::c_compiler() + " -std=c99 -I'" + kRoot + "/include' '" + (folder / "c.c") + "' -o '" +
                              (folder / "c") + "' && '" + (folder / "c") + "'");
-  const Result f = run_shell("cd '" + folder.path() + "' && gfortran -w '" + kRoot +
-                             "/port/fortran/contact2d.f90' f.f90 '" C2D_TEST_LIBRARY "' -o f && ./f");
+  const Result f = run_shell("cd '" + folder.path() + "' && gfortran -w '" + kRoot + "/port/fortran/contact2d.f90' f.f90 '" +
+                             paths::library() + "' -o f && ./f");
   REQUIRE_MESSAGE(c.status == 0, c.err);
   REQUIRE_MESSAGE(f.status == 0, f.err);
   const Words in_c = lines_of(c.out), in_fortran = lines_of(f.out);

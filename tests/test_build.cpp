@@ -1,5 +1,6 @@
 // The house itself: order of includes, the list of sources, ASCII, the public header in C and C++, the
 // example.
+#include "paths.hpp"
 #include "shell.hpp"
 
 #include <doctest/doctest.h>
@@ -13,7 +14,7 @@ using namespace test;
 
 namespace {
 
-const fs::path kRoot = C2D_TEST_ROOT;
+const fs::path kRoot = paths::root();
 
 bool is_source(const fs::path& path) {
   const std::string e = path.extension().string();
@@ -77,7 +78,7 @@ TEST_CASE("build: a file of src/ includes only downward") {
 
 // By the library's object files, which are named after folder and source here.
 TEST_CASE("build: a file of the core calls only downward") {
-  const Result listing = run_shell("nm -A '" C2D_TEST_LIBRARY "' 2>&1");
+  const Result listing = run_shell("nm -A '" + paths::library() + "' 2>&1");
   if (listing.status != 0 || listing.out.find("solver_prepare.o") == std::string::npos) {
     MESSAGE("skipped: needs nm, and objects named by make");
     return;
@@ -189,7 +190,7 @@ TEST_CASE("build: make and CMake read that list and no other") {
   CHECK_FALSE(contains(cmake, ".cpp "));
   // The archive that these tests are linked with holds one member per listed source.
   if (!has_command("ar")) return;
-  const size_t members = lines_of(run_shell("ar t '" C2D_TEST_LIBRARY "'").out).size();
+  const size_t members = lines_of(run_shell("ar t '" + paths::library() + "'").out).size();
   size_t sources = 0;
   for (const std::string& line : lines_of(read_file((kRoot / "src/sources.mk").string())))
     if (line.compare(0, 16, "CORE_SOURCES += ") == 0 || line.compare(0, 16, "PORT_SOURCES += ") == 0) ++sources;
@@ -227,11 +228,11 @@ TEST_CASE("build: the public headers compile alone, as C99 and as C++, with all 
                                    "\"\n#include \"contact2d.h\"\nint a(void);\nint a(void) { c2d_limits l = "
                                    "C2D_INIT(c2d_limits); return (int)l.struct_size; }\n");
     const std::string include = " -I'" + (kRoot / "include").string() + "' ";
-    const Result c = run_shell(C2D_TEST_CC " -std=c99 -pedantic -Wall -Wextra -Werror" + include + "-c '" + (folder / "a.c") +
-                               "' -o '" + (folder / "a.o") + "'");
+    const Result c = run_shell(paths::c_compiler() + " -std=c99 -pedantic -Wall -Wextra -Werror" + include + "-c '" +
+                               (folder / "a.c") + "' -o '" + (folder / "a.o") + "'");
     CHECK_MESSAGE(c.status == 0, header << "\n" << c.err);
-    const Result cxx = run_shell(C2D_TEST_CXX " -x c++ -std=c++17 -pedantic -Wall -Wextra -Werror" + include + "-c '" +
-                                 (folder / "a.c") + "' -o '" + (folder / "a.o") + "'");
+    const Result cxx = run_shell(paths::cxx_compiler() + " -x c++ -std=c++17 -pedantic -Wall -Wextra -Werror" + include +
+                                 "-c '" + (folder / "a.c") + "' -o '" + (folder / "a.o") + "'");
     CHECK_MESSAGE(cxx.status == 0, header << "\n" << cxx.err);
   }
 }
@@ -245,7 +246,8 @@ Result run_example(const std::string& compiler, const std::string& deck) {
   const Result compiled = run_shell(compiler + " -Wall -Wextra -Werror -I'" + root + "/include' -I'" + root +
                                     "/port/memory' -c '" + root + "/examples/static_array.c' -o '" + object + "'");
   if (compiled.status != 0) return compiled;
-  const Result linked = run_shell(C2D_TEST_CC " '" + object + "' '" C2D_TEST_LIBRARY "' -lm -o '" + program + "'");
+  const Result linked =
+      run_shell(paths::c_compiler() + " '" + object + "' '" + paths::library() + "' -lm -o '" + program + "'");
   if (linked.status != 0) return linked;
   return run_shell("'" + program + "' '" + root + "/examples/" + deck + "'");
 }
@@ -254,7 +256,7 @@ Result run_example(const std::string& compiler, const std::string& deck) {
 
 TEST_CASE("example: static_array.c is C99, links with plain cc and -lm, and solves the sample") {
   if (kSanitized) return; // its library needs the sanitizer's run-time
-  const Result result = run_example(C2D_TEST_CC " -std=c99 -pedantic", "hertz.dat");
+  const Result result = run_example(paths::c_compiler() + " -std=c99 -pedantic", "hertz.dat");
   CHECK_MESSAGE(result.status == 0, result.out << result.err);
   const std::vector<std::string> lines = lines_of(result.out);
   REQUIRE(lines.size() == 2 * 28 + 1); // two coefficients, 14 load cards of 2 increments
@@ -267,7 +269,7 @@ TEST_CASE("example: static_array.c is C99, links with plain cc and -lm, and solv
 
 TEST_CASE("example: static_array.c is C++ as well, and tells an unusable deck") {
   if (kSanitized) return;
-  const std::string cxx = C2D_TEST_CXX " -x c++ -std=c++17 -pedantic -fno-exceptions -fno-rtti";
+  const std::string cxx = paths::cxx_compiler() + " -x c++ -std=c++17 -pedantic -fno-exceptions -fno-rtti";
   const Result result = run_example(cxx, "plate_tension.dat");
   CHECK_MESSAGE(result.status == 0, result.out << result.err);
   CHECK(run_example(cxx, "static_array.c").status == 1);

@@ -2,6 +2,7 @@
 // under full adhesion, against event following and against the continuum, which is known in closed form.
 #include "../examples/chapter9/study.hpp"
 #include "family_runs.hpp"
+#include "paths.hpp"
 #include "shell.hpp"
 
 #include <doctest/doctest.h>
@@ -144,7 +145,7 @@ TEST_CASE("chapter9: quadratic elements let the friction alternate between end a
 
 TEST_CASE("chapter9: the program writes table, picture, curves, and decks that contact2d runs alike") {
   const test::Folder folder;
-  const test::Result result = test::run_shell("'" C2D_TEST_CHAPTER9 "' '" + folder.path() + "'");
+  const test::Result result = test::run_shell("'" + paths::chapter9() + "' '" + folder.path() + "'");
   REQUIRE_MESSAGE(result.status == 0, result.err);
   for (const char* curve : {"\nevents ", "\nequal_25 ", "\nequal_200 ", "\npairs_4 ", "\nsizes_jump_200 ", "\nmu_0.4_pairs "})
     CHECK_MESSAGE(test::contains(result.out, curve), curve);
@@ -153,7 +154,7 @@ TEST_CASE("chapter9: the program writes table, picture, curves, and decks that c
     CHECK_MESSAGE(test::contains(picture, text), text);
   CHECK(!test::contains(picture, "nan"));
 
-  const test::Result run = test::run_shell("'" C2D_TEST_PROGRAM "' run '" + (folder / "equal_100.dat") +
+  const test::Result run = test::run_shell("'" + paths::program() + "' run '" + (folder / "equal_100.dat") +
                                            "' --stepping deck --csv '" + (folder / "run.csv") + "' --listing /dev/null");
   REQUIRE_MESSAGE(run.status == 0, run.err);
   std::vector<double> friction; // of the last step, over p0, by the numbers of the pairs: from the zone's end to the axis

@@ -1,4 +1,5 @@
 // The library on Cortex-M3, M4F and M7: the sample deck in an emulator against this machine's run.
+#include "paths.hpp"
 #include "shell.hpp"
 
 #include <doctest/doctest.h>
@@ -47,7 +48,7 @@ struct Board {
 };
 constexpr Board kBoards[] = {{"m3", "lm3s6965evb", "1e-9"}, {"m4f", "mps2-an386", "2e-4"}, {"m7", "mps2-an500", "1e-9"}};
 
-const std::string kFolder = C2D_TEST_BUILD "/embedded/";
+const std::string kFolder = paths::build() + "/embedded/";
 
 // Images are built by C2D_ALL_HOSTS=1 make test (and make embedded); older ones tell nothing.
 bool skipped() {
@@ -106,8 +107,8 @@ TEST_CASE("embedded: the port's hypotenuse, angle, remainder and powers of two")
 TEST_CASE("embedded: the sample deck on three boards, blocks in files, agrees with this machine") {
   if (skipped()) return;
   const Folder folder;
-  const std::string root = C2D_TEST_ROOT, desktop = folder / "desktop.csv";
-  REQUIRE(run_shell("'" C2D_TEST_PROGRAM "' run '" + root + "/examples/hertz.dat' --no-progress --listing '" +
+  const std::string root = paths::root(), desktop = folder / "desktop.csv";
+  REQUIRE(run_shell("'" + paths::program() + "' run '" + root + "/examples/hertz.dat' --no-progress --listing '" +
                     (folder / "lst") + "' --csv '" + desktop + "'")
               .status == 0);
   for (const Board& board : kBoards) {
@@ -172,7 +173,7 @@ constexpr long kStackOfAnyCall = 4096; // bytes, the caller's callbacks apart
 // Another version of the compiler may differ by a few per cent; more means that the table is old.
 TEST_CASE("embedded: the bill of the page is what make footprint prints, and stacks stay within 4 KiB") {
   if (skipped()) return;
-  const auto page = table_rows(read_file(C2D_TEST_ROOT "/port/cortex-m/README.md"));
+  const auto page = table_rows(read_file(paths::root() + "/port/cortex-m/README.md"));
   for (const char* target : {"desktop", "m3", "m4f", "m7"}) {
     const std::string bill = kFolder + target + "/bill";
     REQUIRE_MESSAGE(fs::exists(bill), bill);
@@ -217,7 +218,7 @@ TEST_CASE("embedded: parts that no call declares are not linked, and come with t
       {"c2d_change_loads", {"c2d::eliminate_again", "c2d::reduce_loads"}},
   };
   const Folder folder;
-  const std::string root = C2D_TEST_ROOT;
+  const std::string root = paths::root();
   for (const Board& board : kBoards) {
     const std::string place = kFolder + board.name;
     const auto names_in = [&](const std::string& image) { return run_shell("arm-none-eabi-nm -C '" + image + "'").out; };

@@ -1,5 +1,6 @@
 // contact2d make: usage, and that every family's default deck can be solved and is the one in examples/.
 #include "family_runs.hpp"
+#include "paths.hpp"
 #include "shell.hpp"
 
 #include <doctest/doctest.h>
@@ -8,7 +9,7 @@ using namespace test;
 
 namespace {
 
-Result make(const std::string& arguments) { return run_shell("'" C2D_TEST_PROGRAM "' make " + arguments); }
+Result make(const std::string& arguments) { return run_shell("'" + paths::program() + "' make " + arguments); }
 
 } // namespace
 
@@ -106,7 +107,7 @@ TEST_CASE("families: the cards hold every number with all its digits") {
 
 TEST_CASE("families: the ready decks are what make writes") {
   for (const families::Family& family : families::all_families()) {
-    const std::string file = std::string(C2D_TEST_ROOT "/examples/make_") + family.name + ".dat";
+    const std::string file = paths::root() + "/examples/make_" + family.name + ".dat";
     std::vector<std::string> settings;
     for (const std::string& line : lines_of(read_file(file)))
       if (line.compare(0, 2, "  ") == 0 && contains(line, "=")) {
@@ -127,7 +128,7 @@ TEST_CASE("families: the ready decks are what make writes") {
 TEST_CASE("families: a zone that ends within a contact closed from the start is warned of") {
   const auto warned = [](const std::string& arguments) {
     const Result run =
-        run_shell("'" C2D_TEST_PROGRAM "' make " + arguments + " | '" C2D_TEST_PROGRAM "' run - --listing /dev/null");
+        run_shell("'" + paths::program() + "' make " + arguments + " | '" + paths::program() + "' run - --listing /dev/null");
     CHECK_MESSAGE(run.status == 0, run.err);
     return contains(run.err, "at an end of a contact zone carries pressure");
   };

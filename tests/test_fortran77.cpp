@@ -2,6 +2,7 @@
 // with blanks, everything by reference. What comes out is compared with the C interface.
 #include "fortran77.hpp"
 #include "host_structs.hpp"
+#include "paths.hpp"
 #include "shell.hpp"
 
 #include <doctest/doctest.h>
@@ -20,7 +21,7 @@ using c2d::fortran::real_at;
 
 namespace {
 
-const std::string kRoot = C2D_TEST_ROOT;
+const std::string kRoot = paths::root();
 
 // Memory whose address is `odd` bytes behind a multiple of 64.
 class Odd {

@@ -1,5 +1,6 @@
 // Decks of the free form, and conversion between the two forms.
 #include "deck_recorder.hpp"
+#include "paths.hpp"
 #include "shell.hpp"
 
 #include <doctest/doctest.h>
@@ -108,7 +109,7 @@ std::vector<Told> walk(const std::string& bytes) {
 test::Result convert(const std::string& deck, const std::string& options = "") {
   const test::Folder folder;
   test::write_file(folder / "deck", deck);
-  return test::run_shell("'" C2D_TEST_PROGRAM "' convert '" + (folder / "deck") + "' " + options);
+  return test::run_shell("'" + paths::program() + "' convert '" + (folder / "deck") + "' " + options);
 }
 
 } // namespace
@@ -319,7 +320,7 @@ TEST_CASE("mutated free decks neither crash nor loop, and every refusal says whe
 }
 
 TEST_CASE("the example of DECK.md is solved") {
-  const std::string page = test::read_file(C2D_TEST_ROOT "/src/deck/DECK.md");
+  const std::string page = test::read_file(paths::root() + "/src/deck/DECK.md");
   const size_t first = page.find("```\n*FREE") + 4, last = page.find("```", first);
   REQUIRE(last != std::string::npos);
   const std::string deck = page.substr(first, last - first);
@@ -327,7 +328,8 @@ TEST_CASE("the example of DECK.md is solved") {
   CHECK(read(deck).status == C2D_OK);
   const test::Folder folder;
   test::write_file(folder / "deck", deck);
-  const test::Result r = test::run_shell("'" C2D_TEST_PROGRAM "' run " + (folder / "deck") + " --listing /dev/null --csv -");
+  const test::Result r =
+      test::run_shell("'" + paths::program() + "' run " + (folder / "deck") + " --listing /dev/null --csv -");
   CHECK(r.status == 0);
   CHECK(lines_of(r.out).size() == 1 + 4 * 2); // increments times pairs
 }
@@ -335,7 +337,7 @@ TEST_CASE("the example of DECK.md is solved") {
 TEST_CASE("convert: every sample deck there and back") {
   const test::Folder folder;
   std::vector<std::string> decks;
-  for (const char* path : {C2D_TEST_ROOT "/examples", C2D_TEST_DATA "/decks"})
+  for (const std::string& path : {paths::root() + "/examples", paths::data() + "/decks"})
     for (const auto& entry : test::fs::directory_iterator(path))
       if (entry.path().extension() == ".dat") decks.push_back(entry.path().string());
   CHECK(decks.size() >= 20);
@@ -371,9 +373,9 @@ TEST_CASE("convert: a run of the converted deck writes the same bytes") {
   const test::Folder folder;
   for (const char* name : {"sample.dat", "layer_mu.dat", "plate.dat", "ring3.dat"}) {
     CAPTURE(name);
-    const std::string deck = std::string(C2D_TEST_DATA) + "/decks/" + name;
+    const std::string deck = paths::data() + "/decks/" + name;
     const std::string free = folder / "free", fixed = folder / "fixed";
-    const std::string program = "'" C2D_TEST_PROGRAM "' ";
+    const std::string program = "'" + paths::program() + "' ";
     CHECK(test::run_shell(program + "convert " + deck + " -o " + free).status == 0);
     CHECK(test::run_shell(program + "convert " + free + " -o " + fixed).status == 0);
     std::string first_rows, first_listing;
@@ -483,8 +485,8 @@ TEST_CASE("convert: coefficients are dealt out anew") {
 
 TEST_CASE("convert: bad usage, bad decks, bad files") {
   const test::Folder folder;
-  const std::string program = "'" C2D_TEST_PROGRAM "' convert ";
-  const std::string deck = "'" C2D_TEST_ROOT "/examples/hertz.dat' ";
+  const std::string program = "'" + paths::program() + "' convert ";
+  const std::string deck = "'" + paths::root() + "/examples/hertz.dat' ";
   for (const std::string& words :
        {std::string(""), deck + "--to other", deck + "--to", deck + "-o", deck + "--csv x", deck + deck}) {
     CAPTURE(words);

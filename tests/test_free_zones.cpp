@@ -1,6 +1,7 @@
 // Contact zones whose sides are meshed independently: the patch test, where uniform pressure must pass
 // whatever the meshes; the ordinary zone where the meshes happen to match; a cylinder on a block against
 // matching meshes.
+#include "paths.hpp"
 #include "problem.hpp"
 #include "shell.hpp"
 #include "solver_runs.hpp"
@@ -524,7 +525,7 @@ TEST_CASE("free zones: constant functions, a pair where two elements of body 1 m
 
 TEST_CASE("free zones: a node right above the middle of an element faces it, whatever the last digits of the units") {
   // A round body over a hollow of seven elements: touching, not a gap of a thousandth, which leaves body 2 free.
-  const Result r = solve_text(test::read_file(C2D_TEST_ROOT "/tests/data/hard/F1_facing_in_other_units.dat"));
+  const Result r = solve_text(test::read_file(paths::root() + "/tests/data/hard/F1_facing_in_other_units.dat"));
   REQUIRE(r.status == C2D_OK);
   CHECK(r.outcome == C2D_REACHED);
 }

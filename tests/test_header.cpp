@@ -1,5 +1,6 @@
 // The headers' manual keeps its word: the code in their comments compiles, that of contact2d.h is a program that runs,
 // every function is explained, and port/README.md has every duty.
+#include "paths.hpp"
 #include "shell.hpp"
 
 #include <doctest/doctest.h>
@@ -12,7 +13,7 @@ using namespace test;
 
 namespace {
 
-const std::string kRoot = C2D_TEST_ROOT;
+const std::string kRoot = paths::root();
 const std::string kHeader = read_file(kRoot + "/include/contact2d.h");
 
 // Code in block comments: lines from one that is indented by five blanks, after an empty one, to the next empty line or
@@ -49,11 +50,12 @@ Result compile(const std::string& compiler, const Folder& folder, const std::str
   write_file(folder / "a.c", program);
   std::string command = compiler + " -Wall -Wextra -Wpedantic -Werror -Wno-unused -I'" + kRoot + "/include'";
   for (const char* port : {"memory", "stdio", "posix", "threads"}) command += " -I'" + kRoot + "/port/" + port + "'";
-  command += " '" + (folder / "a.c") + "' -o '" + (folder / "a") + "' " + (link ? "-x none '" C2D_TEST_LIBRARY "' -lm" : "-c");
+  command +=
+      " '" + (folder / "a.c") + "' -o '" + (folder / "a") + "' " + (link ? "-x none '" + paths::library() + "' -lm" : "-c");
   return run_shell(command);
 }
 
-const std::string kAsC = C2D_TEST_CC " -std=c99 -x c", kAsCpp = C2D_TEST_CXX " -std=c++17 -x c++";
+const std::string kAsC = paths::c_compiler() + " -std=c99 -x c", kAsCpp = paths::cxx_compiler() + " -std=c++17 -x c++";
 
 } // namespace
 

@@ -2,6 +2,7 @@
 // and must find what the program finds.
 #include "contact2d.h"
 #include "hosts.hpp"
+#include "paths.hpp"
 
 #include <set>
 
@@ -9,9 +10,9 @@ using namespace test;
 
 namespace {
 
-const std::string kRoot = C2D_TEST_ROOT, kDeck = kRoot + "/examples/hertz.dat";
+const std::string kRoot = paths::root(), kDeck = kRoot + "/examples/hertz.dat";
 const std::string kTraps = " -ffpe-trap=invalid,zero,overflow";
-const std::string kC = C2D_TEST_CC, kCxx = C2D_TEST_CXX; // with flags, perhaps
+const std::string kC = paths::c_compiler(), kCxx = paths::cxx_compiler(); // with flags, perhaps
 
 const std::vector<Peak>& expected() {
   static const std::vector<Peak> peaks = desktop_peaks(kDeck);
@@ -72,7 +73,7 @@ TEST_CASE("hosts: C++ with a wrapper that owns memory and solver") {
 
 TEST_CASE("hosts: Python, its standard library alone") {
   if (!can_host("python3")) return;
-  const Result run = run_shell("python3 '" + kRoot + "/examples/python_ctypes.py' '" C2D_TEST_SHARED "' '" + kDeck + "'");
+  const Result run = run_shell("python3 '" + kRoot + "/examples/python_ctypes.py' '" + paths::shared() + "' '" + kDeck + "'");
   CHECK_MESSAGE(run.status == 0, run.out << run.err);
   check_peaks(peaks_of(run.out), expected(), 0.6e-10);
 }
@@ -193,7 +194,7 @@ TEST_CASE("hosts: names without an underscore and in capitals, as the page makes
   std::string commands = page.substr(from, to - from);
   const Libraries libraries;
   fs::create_directories(libraries / "build");
-  fs::create_symlink(C2D_TEST_LIBRARY, libraries / "build/libcontact2d.a");
+  fs::create_symlink(paths::library(), libraries / "build/libcontact2d.a");
   const std::string go = "cd '" + (libraries / ".") + "' && ";
   check_built(go + commands);
   write_file(libraries / "literal.f", kLiteralProgram);
@@ -244,7 +245,8 @@ namespace {
 // Names with their versions, as port/packaging/contact2d.symbols has them.
 std::set<std::string> exported_names() {
   std::set<std::string> out;
-  for (const std::string& line : lines_of(run_shell("nm -D --defined-only --with-symbol-versions '" C2D_TEST_SHARED "'").out)) {
+  for (const std::string& line :
+       lines_of(run_shell("nm -D --defined-only --with-symbol-versions '" + paths::shared() + "'").out)) {
     const size_t blank = line.rfind(' ');
     std::string name = line.substr(blank + 1);
     const size_t twice = name.find("@@");
@@ -265,7 +267,7 @@ TEST_CASE("hosts: the shared library exports what contact2d.symbols lists, and n
   REQUIRE(found.size() > 80);
   for (const std::string& name : found) CHECK_MESSAGE(listed.count(name) == 1, name << ": new? make symbols");
   for (const std::string& name : listed) CHECK_MESSAGE(found.count(name) == 1, name << " is gone");
-  const std::string dynamic = run_shell("readelf -d '" C2D_TEST_SHARED "'").out;
+  const std::string dynamic = run_shell("readelf -d '" + paths::shared() + "'").out;
   CHECK_MESSAGE(contains(dynamic, "[libcontact2d.so.0.2]"), dynamic);
   CHECK_MESSAGE(!contains(dynamic, "libstdc++"), dynamic);
   // Both build systems link by the same script.

@@ -1,5 +1,6 @@
 // The rules of the C interface: structs that grow, states, wrong arguments, callbacks, words for numbers.
 #include "contact2d_cards.h"
+#include "paths.hpp"
 #include "shell.hpp"
 #include "solver/solver.hpp"
 #include "solver_runs.hpp"
@@ -874,7 +875,7 @@ std::vector<Wrong> wrong_calls() {
 
 // Names of the header's functions that begin with these words and take a solver that may change.
 std::set<std::string> functions_of_a_solver() {
-  const std::string header = test::read_file(C2D_TEST_ROOT "/include/contact2d.h");
+  const std::string header = test::read_file(paths::root() + "/include/contact2d.h");
   const std::string before = "c2d_status c2d_", behind = "(c2d_solver* solver";
   std::set<std::string> out;
   for (size_t at = header.find(before); at != std::string::npos; at = header.find(before, at + 1)) {
@@ -887,7 +888,7 @@ std::set<std::string> functions_of_a_solver() {
 TEST_CASE("interface: no function is left out of the tests of states and of wrong arguments") {
   const std::set<std::string> functions = functions_of_a_solver();
   CHECK(functions.size() > 40);
-  const std::string here = test::read_file(C2D_TEST_ROOT "/tests/test_interface.cpp");
+  const std::string here = test::read_file(paths::root() + "/tests/test_interface.cpp");
   const size_t states = here.find("& calls() {"), arguments = here.find("wrong_calls() {");
   REQUIRE(states < arguments);
   const std::set<std::string> always = {"c2d_close", "c2d_last_error", "c2d_get_summary", "c2d_get_body_result",

@@ -4,6 +4,7 @@
 #include "contact2d.h"
 #include "host_structs.hpp"
 #include "model/shape.hpp"
+#include "paths.hpp"
 
 #include <doctest/doctest.h>
 
@@ -699,7 +700,7 @@ struct FileCards {
 
 // The deck's model under `load`.
 void solve_deck(const char* name, double mu, double load, Solved& out) {
-  const std::string path = std::string(C2D_TEST_ROOT "/tests/data/decks/") + name;
+  const std::string path = paths::root() + "/tests/data/decks/" + name;
   FileCards scan = {std::ifstream(path)}, cards = {std::ifstream(path)};
   host::Limits limits;
   REQUIRE(c2d_scan_deck(FileCards::read, &scan, &limits, nullptr) == C2D_OK);

@@ -1,6 +1,7 @@
 // A body that the other lets go where nothing else holds it in some direction: its place there is undefined, told, and follows
 // one rule.
 #include "contact2d.h"
+#include "paths.hpp"
 #include "problem.hpp"
 #include "random/dice.hpp"
 #include "random/forms.hpp"
@@ -96,7 +97,7 @@ const c2d_error* told(const Result& r) {
     if (e.status == C2D_WARN_UNDEFINED_PLACE) return &e;
   return nullptr;
 }
-std::string hard(const std::string& name) { return test::read_file(C2D_TEST_ROOT "/tests/data/hard/" + name + ".dat"); }
+std::string hard(const std::string& name) { return test::read_file(paths::root() + "/tests/data/hard/" + name + ".dat"); }
 
 } // namespace
 

@@ -1,4 +1,5 @@
 // Numbers have a point whatever the host's locale says: the program in a locale with a decimal comma.
+#include "paths.hpp"
 #include "shell.hpp"
 
 #include <doctest/doctest.h>
@@ -9,7 +10,7 @@ using namespace test;
 
 namespace {
 
-const std::string kRoot = C2D_TEST_ROOT;
+const std::string kRoot = paths::root();
 
 // A locale that has a decimal comma and groups of three, and nothing else; empty: no localedef.
 bool make_comma_locale(const Folder& folder) {
@@ -18,9 +19,9 @@ bool make_comma_locale(const Folder& folder) {
   // For programs that do not ask for their locale themselves.
   write_file(folder / "ask.c", "#include <locale.h>\n__attribute__((constructor)) static void ask(void) { "
                                "setlocale(LC_ALL, \"\"); }\n");
-  run_shell(C2D_TEST_CC " -shared -fPIC '" + (folder / "ask.c") + "' -o '" + (folder / "ask.so") + "'");
+  run_shell(paths::c_compiler() + " -shared -fPIC '" + (folder / "ask.c") + "' -o '" + (folder / "ask.so") + "'");
   write_file(folder / "say.c", "#include <stdio.h>\nint main(void) { return printf(\"%.1f\", 1.5) != 3; }\n");
-  run_shell(C2D_TEST_CC " '" + (folder / "say.c") + "' -o '" + (folder / "say") + "'");
+  run_shell(paths::c_compiler() + " '" + (folder / "say.c") + "' -o '" + (folder / "say") + "'");
   return true;
 }
 
@@ -47,7 +48,7 @@ TEST_CASE("locale: every output of the program is the same in a locale with a de
   const Folder plain, comma;
   for (const Folder* out : {&plain, &comma}) {
     const std::string prefix = "cd '" + out->path() + "' && " + (out == &comma ? in_comma_locale(locale) : "");
-    const std::string program = prefix + "'" C2D_TEST_PROGRAM "' ", deck = "'" + kRoot + "/examples/hertz.dat'";
+    const std::string program = prefix + "'" + paths::program() + "' ", deck = "'" + kRoot + "/examples/hertz.dat'";
     REQUIRE(run_shell(program + "run " + deck +
                       " --no-progress --csv csv --boundary boundary --listing listing"
                       " --json json --vtk vtk --figures figures")

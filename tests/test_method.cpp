@@ -1,4 +1,5 @@
 // Comments cite src/METHOD.md by its numbers, and the dissertation's equations by theirs: every number exists.
+#include "paths.hpp"
 #include "shell.hpp"
 
 #include <doctest/doctest.h>
@@ -10,7 +11,7 @@ using namespace test;
 
 namespace {
 
-const fs::path kRoot = C2D_TEST_ROOT;
+const fs::path kRoot = paths::root();
 
 // METHOD 8, METHOD 8.1: a section. METHOD (8.1), thesis (5.3): an equation, or several: thesis (4.6) to (4.9).
 const std::string kNumber = "(?:[A-C]|[0-9]+)\\.[0-9]+", kEquation = "\\(" + kNumber + "\\)";

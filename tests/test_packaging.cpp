@@ -1,4 +1,5 @@
 // What is handed to others: the man page, and the library in one file.
+#include "paths.hpp"
 #include "shell.hpp"
 #include "solver_runs.hpp"
 
@@ -13,7 +14,7 @@ using namespace test;
 
 namespace {
 
-const std::string kRoot = C2D_TEST_ROOT;
+const std::string kRoot = paths::root();
 
 std::set<std::string> matches(const std::string& text, const char* pattern) {
   const std::regex wanted(pattern);
@@ -72,7 +73,7 @@ std::vector<double> numbers(const std::string& text) {
 
 TEST_CASE("packaging: the man page has every option, command and exit status of --help") {
   const std::string page = std::regex_replace(read_file(kRoot + "/port/packaging/contact2d.1.in"), std::regex("\\\\-"), "-");
-  const std::string help = run_shell("'" C2D_TEST_PROGRAM "' --help").out;
+  const std::string help = run_shell("'" + paths::program() + "' --help").out;
   const std::set<std::string> options = matches(help, "--[a-z]+(-[a-z]+)*");
   CHECK(options.size() > 10);
   for (const std::string& name : options) CHECK_MESSAGE(contains(page, name), name);
@@ -96,14 +97,14 @@ TEST_CASE("packaging: the library in one file compiles with one command and solv
   // the public headers are all it needs
   for (const char* unwanted : {"#include \"linalg", "#include \"memory", "#include \"c2d_memory.h\""})
     CHECK_FALSE(contains(read_file(place + "/contact2d.cpp"), unwanted));
-  const Result compiled = run_shell("cd '" + place + "' && " C2D_TEST_CXX " -std=c++17 -c contact2d.cpp");
+  const Result compiled = run_shell("cd '" + place + "' && " + paths::cxx_compiler() + " -std=c++17 -c contact2d.cpp");
   REQUIRE_MESSAGE(compiled.status == 0, compiled.err);
   CHECK(compiled.err == "");
   write_file(place + "/host.c", kHost);
-  const std::string cc = "cd '" + place + "' && " C2D_TEST_CC " -std=c99 host.c ";
+  const std::string cc = "cd '" + place + "' && " + paths::c_compiler() + " -std=c99 host.c ";
   const Result one = run_shell(cc + "contact2d.o -I. -lm -lstdc++ -o one");
   REQUIRE_MESSAGE(one.status == 0, one.err);
-  const Result library = run_shell(cc + "-I. '" C2D_TEST_LIBRARY "' -lm -o library");
+  const Result library = run_shell(cc + "-I. '" + paths::library() + "' -lm -o library");
   REQUIRE_MESSAGE(library.status == 0, library.err);
   const std::string deck = " '" + kRoot + "/examples/hertz.dat'";
   const std::vector<double> ours = numbers(run_shell("'" + place + "/library'" + deck).out),

@@ -3,6 +3,7 @@
 #include "deck_recorder.hpp"
 #include "memory/parts.hpp"
 #include "model/model.hpp"
+#include "paths.hpp"
 #include "shell.hpp"
 #include "solver_runs.hpp"
 
@@ -76,7 +77,7 @@ TEST_CASE("parts: an empty table does nothing, says nothing is there, and refuse
 
 TEST_CASE("parts: a file of the core that calls through a table says so, but where the part is brought") {
   int seen = 0;
-  for (const auto& entry : fs::recursive_directory_iterator(fs::path(C2D_TEST_ROOT) / "src")) {
+  for (const auto& entry : fs::recursive_directory_iterator(fs::path(paths::root()) / "src")) {
     if (entry.path().extension() != ".cpp") continue;
     const std::string text = read_file(entry.path().string());
     for (const char* name : {"SymmetryPart", "FreeZonePart", "BodyForcePart", "RigidPart", "EnergyPart", "NewLoadsPart",
@@ -99,13 +100,14 @@ namespace {
 class Program {
 public:
   explicit Program(const std::string& calls = "") {
-    const std::string root = C2D_TEST_ROOT;
-    std::string command = "cd '" + root + "' && " C2D_TEST_CXX " -std=c++17 -Wall -Wextra -Werror -ffp-contract=off " + calls +
+    const std::string root = paths::root();
+    std::string command = "cd '" + root + "' && " + paths::cxx_compiler() +
+                          " -std=c++17 -Wall -Wextra -Werror -ffp-contract=off " + calls +
                           " -DC2D_PARTS_BY_CALL -Isrc -Iinclude -Iport/posix tests/embedded/parts.cpp";
     for (const char* file : {"interface/read_deck", "interface/model_calls", "interface/attach", "interface/save_calls",
                              "interface/zone_calls", "interface/advance", "solver/save"})
       command += std::string(" src/") + file + ".cpp";
-    built_ = run_shell(command + " '" C2D_TEST_LIBRARY "' -lm -pthread -o '" + (folder_ / "parts") + "'");
+    built_ = run_shell(command + " '" + paths::library() + "' -lm -pthread -o '" + (folder_ / "parts") + "'");
   }
   const Result& built() const { return built_; }
   std::string operator/(const std::string& name) const { return folder_ / name; }
@@ -224,10 +226,10 @@ TEST_CASE("parts: a program without them, and the same with their calls") {
     } models[] = {{deck_with("*UNITS mm N"), false, nullptr},
                   {deck_with("*BODY FORCE 1 1 0.0 -1.0"), false, "c2d_set_body_force"},
                   {deck_with("*RIGID"), false, "c2d_set_rigid"},
-                  {read_file(C2D_TEST_ROOT "/examples/make_hertz.dat"), false, "c2d_set_symmetry"},
+                  {read_file(paths::root() + "/examples/make_hertz.dat"), false, "c2d_set_symmetry"},
                   {free_zone_deck(), false, "c2d_link_free_zones"},
                   {kHoleDeck, false, "c2d_link_holes"},
-                  {read_file(C2D_TEST_ROOT "/tests/data/decks/plate.dat"), true, "c2d_set_symmetry"}};
+                  {read_file(paths::root() + "/tests/data/decks/plate.dat"), true, "c2d_set_symmetry"}};
     for (const auto& model : models) {
       Whole whole(model.deck, nullptr, model.images);
       whole.write(without / "workspace");
@@ -265,7 +267,7 @@ TEST_CASE("parts: a program without them, and the same with their calls") {
   // Without search and proofs a path ends undecided where rounds of changes lead nowhere; it never takes another way.
   SUBCASE("paths") {
     const auto follow = [](const Program& program, const char* deck, const char* mu) {
-      return program.run("follow '" C2D_TEST_ROOT "/" + std::string(deck) + "' tapes " + mu + " 1");
+      return program.run("follow '" + paths::root() + "/" + std::string(deck) + "' tapes " + mu + " 1");
     };
     const auto ends = [](const std::string& told, c2d_outcome outcome) {
       return contains(told, "outcome " + std::to_string(outcome) + "\n");

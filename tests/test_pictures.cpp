@@ -1,5 +1,6 @@
 // Pictures and the report page: well-formed, legible, and in agreement with the CSV.
 #include "json.hpp"
+#include "paths.hpp"
 #include "picture_runs.hpp"
 
 using namespace test;
@@ -157,8 +158,8 @@ TEST_CASE("pictures: a run that stops early still has its page, which says so") 
 TEST_CASE("pictures: outputs that cannot be written end with 3 and leave nothing") {
   const Folder folder;
   write_file(folder / "file", "x");
-  const std::string run = "'" C2D_TEST_PROGRAM "' run " + quoted(example("hertz.dat")) + " --csv " + quoted(folder / "c.csv") +
-                          " --listing /dev/null ";
+  const std::string run = "'" + paths::program() + "' run " + quoted(example("hertz.dat")) + " --csv " +
+                          quoted(folder / "c.csv") + " --listing /dev/null ";
   for (const std::string& option : {"--report " + quoted(folder / "none/r.html"), "--vtk " + quoted(folder / "none/b.vtk"),
                                     "--figures " + quoted(folder / "none/figures"), "--figures " + quoted(folder / "file"),
                                     "--figures " + quoted(folder / "new") + " --report " + quoted(folder / "none/r.html"),
@@ -172,7 +173,7 @@ TEST_CASE("pictures: outputs that cannot be written end with 3 and leave nothing
 TEST_CASE("pictures: a bad deck leaves neither page nor folder") {
   const Folder folder;
   write_file(folder / "deck", "    1\nnot a deck\n  x\n");
-  CHECK(run_shell("'" C2D_TEST_PROGRAM "' run " + quoted(folder / "deck") + " --report " + quoted(folder / "r.html") +
+  CHECK(run_shell("'" + paths::program() + "' run " + quoted(folder / "deck") + " --report " + quoted(folder / "r.html") +
                   " --figures " + quoted(folder / "figures") + " --vtk " + quoted(folder / "b.vtk"))
             .status == 2);
   CHECK(folder.names() == std::vector<std::string>{"deck"});
@@ -180,7 +181,7 @@ TEST_CASE("pictures: a bad deck leaves neither page nor folder") {
 
 TEST_CASE("pictures: the same output as without them") {
   const Folder folder;
-  const std::string run = "'" C2D_TEST_PROGRAM "' run " + quoted(example("hertz.dat")) + " --csv ";
+  const std::string run = "'" + paths::program() + "' run " + quoted(example("hertz.dat")) + " --csv ";
   REQUIRE(run_shell(run + quoted(folder / "a.csv") + " --listing " + quoted(folder / "a.lst")).status == 0);
   REQUIRE(run_shell(run + quoted(folder / "b.csv") + " --listing " + quoted(folder / "b.lst") + " --report " +
                     quoted(folder / "r.html"))

@@ -1,6 +1,7 @@
 // What pictures show of load cases, symmetry by images, zones of meshes that do not match, rigid bodies and
 // several coefficients of friction.
 #include "json.hpp"
+#include "paths.hpp"
 #include "picture_runs.hpp"
 
 using namespace test;
@@ -9,7 +10,7 @@ namespace {
 
 const std::string kHatched = "patternTransform";
 
-Result contact2d(const std::string& arguments) { return run_shell("'" C2D_TEST_PROGRAM "' " + arguments); }
+Result contact2d(const std::string& arguments) { return run_shell("'" + paths::program() + "' " + arguments); }
 
 // Elements of a picture with this name and attribute value.
 std::vector<Element> with(const std::string& svg, const std::string& name, const std::string& attribute,
@@ -40,7 +41,7 @@ std::vector<app::Point> curve(const std::string& svg, const char* colour, const 
 
 // A deck whose zone joins meshes that do not match: nodes 29 and 31 of body 1 are moved.
 std::string free_deck() {
-  std::vector<std::string> lines = lines_of(read_file(C2D_TEST_ROOT "/tests/data/decks/hertz_lin_l.dat"));
+  std::vector<std::string> lines = lines_of(read_file(paths::root() + "/tests/data/decks/hertz_lin_l.dat"));
   lines[5] = "    2    0    2";
   lines[42] = "   29 1.250000000.00000000";
   lines[44] = "   31 0.830000000.00000000";

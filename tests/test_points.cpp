@@ -1,6 +1,7 @@
 // Points inside: *POINTS, --points and --interior of the program, and the calls behind them.
 #include "deck_recorder.hpp"
 #include "json.hpp"
+#include "paths.hpp"
 #include "shell.hpp"
 #include "solver_runs.hpp"
 
@@ -13,11 +14,11 @@ using namespace test;
 
 namespace {
 
-const std::string kRing = C2D_TEST_ROOT "/examples/thick_ring.dat";
+const std::string kRing = paths::root() + "/examples/thick_ring.dat";
 const std::string kHeader = "body,x,y,ux,uy,sxx,syy,sxy,szz,von_mises,max_shear";
 
 std::string quoted(const std::string& path) { return "'" + path + "'"; }
-Result contact2d(const std::string& arguments) { return run_shell("'" C2D_TEST_PROGRAM "' " + arguments); }
+Result contact2d(const std::string& arguments) { return run_shell("'" + paths::program() + "' " + arguments); }
 
 struct Row {
   int body;
@@ -98,7 +99,7 @@ TEST_CASE("points: a file of points in the ring against Lame, in both stores") {
   MESSAGE("ring, 28 quadratic elements: " << worst);
   CHECK(worst < 1e-3); // measured 7.9e-4: the mesh
   // Standard input and output, the points without a heading: the same.
-  const Result piped = run_shell("tail -n +2 " + quoted(folder / "p") + " | '" C2D_TEST_PROGRAM "' run " + quoted(kRing) +
+  const Result piped = run_shell("tail -n +2 " + quoted(folder / "p") + " | '" + paths::program() + "' run " + quoted(kRing) +
                                  " --memory 64K --points - --interior -");
   CHECK(piped.status == 0);
   CHECK(piped.out == read_file(folder / "a"));
@@ -247,7 +248,7 @@ TEST_CASE("points: an axis of symmetry as images, points in the whole body") {
 
 TEST_CASE("points: two bodies, and the last step of the last coefficient") {
   const Folder folder;
-  const std::string hertz = C2D_TEST_ROOT "/examples/hertz.dat";
+  const std::string hertz = paths::root() + "/examples/hertz.dat";
   write_file(folder / "p", "2,1,4\n1,1,4\n1,2,-2\n2,2,-2\n");
   const Result result = contact2d("run " + quoted(hertz) + " --points " + quoted(folder / "p") + " --interior - --boundary " +
                                   quoted(folder / "b"));
@@ -291,7 +292,7 @@ TEST_CASE("points: nothing solved, nothing but the heading") {
 TEST_CASE("points: a run that is resumed has its points, whatever has become of the file") {
   const Folder folder;
   write_file(folder / "p", "1,1.5,0.1\n1,7,7\n");
-  const Result first = run_shell("cat " + quoted(folder / "p") + " | '" C2D_TEST_PROGRAM "' run " + quoted(kRing) +
+  const Result first = run_shell("cat " + quoted(folder / "p") + " | '" + paths::program() + "' run " + quoted(kRing) +
                                  " --listing /dev/null --points - --interior " + quoted(folder / "i") +
                                  " --keep --store file:" + quoted(folder / "tapes"));
   REQUIRE(first.status == 0);

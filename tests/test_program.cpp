@@ -1,5 +1,6 @@
 // The program's contract: exit statuses, messages, outputs that are whole or not there, stores, JSON and CSV.
 #include "json.hpp"
+#include "paths.hpp"
 #include "shell.hpp"
 
 #include <doctest/doctest.h>
@@ -16,10 +17,10 @@ using namespace test;
 
 namespace {
 
-const std::string kExamples = C2D_TEST_ROOT "/examples/";
+const std::string kExamples = paths::root() + "/examples/";
 const std::string kHertz = kExamples + "hertz.dat";
 
-Result contact2d(const std::string& arguments) { return run_shell("'" C2D_TEST_PROGRAM "' " + arguments); }
+Result contact2d(const std::string& arguments) { return run_shell("'" + paths::program() + "' " + arguments); }
 
 std::string quoted(const std::string& path) { return "'" + path + "'"; }
 
@@ -232,7 +233,7 @@ TEST_CASE("program: a listing by default, and a dash for standard output") {
 TEST_CASE("program: a deck may come from a pipe, with CRLF and without a last line end") {
   const std::string expected = contact2d("run " + quoted(kHertz) + " --csv -").out;
   REQUIRE(!expected.empty());
-  CHECK(run_shell("'" C2D_TEST_PROGRAM "' run - --csv - <" + quoted(kHertz)).out == expected);
+  CHECK(run_shell("'" + paths::program() + "' run - --csv - <" + quoted(kHertz)).out == expected);
   const Folder folder;
   std::string deck;
   for (const std::string& line : lines_of(read_file(kHertz))) deck += line + "\r\n";
@@ -265,14 +266,15 @@ TEST_CASE("program: outputs that cannot be written end with 3, and none of the o
       CHECK_MESSAGE(contains(result.err, name), result.err);
       CHECK_MESSAGE(folder.names().size() == before, option << " " << name);
     }
-  if (fs::exists("/dev/full")) CHECK(run_shell("'" C2D_TEST_PROGRAM "' run " + quoted(kHertz) + " >/dev/full").status == 3);
-  if (fs::exists("/dev/full")) CHECK(run_shell("'" C2D_TEST_PROGRAM "' check " + quoted(kHertz) + " >/dev/full").status == 3);
-  if (fs::exists("/dev/full")) CHECK(run_shell("'" C2D_TEST_PROGRAM "' --help >/dev/full").status == 3);
+  if (fs::exists("/dev/full")) CHECK(run_shell("'" + paths::program() + "' run " + quoted(kHertz) + " >/dev/full").status == 3);
+  if (fs::exists("/dev/full"))
+    CHECK(run_shell("'" + paths::program() + "' check " + quoted(kHertz) + " >/dev/full").status == 3);
+  if (fs::exists("/dev/full")) CHECK(run_shell("'" + paths::program() + "' --help >/dev/full").status == 3);
 }
 
 TEST_CASE("program: a file size limit and a closed pipe end with 3, not with a signal") {
   const Folder folder;
-  const std::string run = "'" C2D_TEST_PROGRAM "' run " + quoted(kHertz) + " --listing /dev/null --csv ";
+  const std::string run = "'" + paths::program() + "' run " + quoted(kHertz) + " --listing /dev/null --csv ";
   // ulimit counts in blocks of 512 or 1024 bytes; the CSV has more than 60 KiB.
   const Result limited = run_shell("ulimit -f 8; " + run + quoted(folder / "c") + " 2>/dev/null");
   CHECK(limited.status == 3);
@@ -302,9 +304,9 @@ TEST_CASE("program: devices and pipes are written to, never replaced") {
   const Folder folder;
   const std::string fifo = folder / "fifo";
   REQUIRE(::mkfifo(fifo.c_str(), 0600) == 0);
-  const Result result = run_shell("cat " + quoted(fifo) + " >" + quoted(folder / "copy") + " & '" C2D_TEST_PROGRAM "' run " +
-                                  quoted(kHertz) + " --listing /dev/null --boundary /dev/null --json /dev/null --csv " +
-                                  quoted(fifo) + "; status=$?; wait; exit $status");
+  const Result result = run_shell(
+      "cat " + quoted(fifo) + " >" + quoted(folder / "copy") + " & '" + paths::program() + "' run " + quoted(kHertz) +
+      " --listing /dev/null --boundary /dev/null --json /dev/null --csv " + quoted(fifo) + "; status=$?; wait; exit $status");
   CHECK(result.status == 0);
   CHECK(fs::is_fifo(fifo));
   CHECK(lines_of(read_file(folder / "copy")).size() == 1 + 2 * 28 * 15);
@@ -486,7 +488,8 @@ TEST_CASE("program: strains that are not small, very high friction and constant 
 
 TEST_CASE("program: coarse contact is told once, with how much may be off") {
   const auto made = [](const std::string& arguments) {
-    return run_shell("'" C2D_TEST_PROGRAM "' make " + arguments + " | '" C2D_TEST_PROGRAM "' run - --listing /dev/null");
+    return run_shell("'" + paths::program() + "' make " + arguments + " | '" + paths::program() +
+                     "' run - --listing /dev/null");
   };
   const Result two = made("hertz n=2");
   CHECK(two.status == 0);
@@ -565,7 +568,7 @@ TEST_CASE("program: every example is in order") {
 
 TEST_CASE("program: an interrupt ends with 130 and leaves nothing") {
   const Folder folder;
-  const std::string fifo = folder / "deck", csv = folder / "c";
+  const std::string fifo = folder / "deck", csv = folder / "c", program = paths::program();
   REQUIRE(::mkfifo(fifo.c_str(), 0600) == 0);
   const pid_t child = ::fork();
   REQUIRE(child >= 0);
@@ -573,7 +576,7 @@ TEST_CASE("program: an interrupt ends with 130 and leaves nothing") {
     ::signal(SIGINT, SIG_DFL);
     const int null = ::open("/dev/null", O_WRONLY);
     ::dup2(null, 2);
-    ::execl(C2D_TEST_PROGRAM, C2D_TEST_PROGRAM, "run", fifo.c_str(), "--csv", csv.c_str(), static_cast<char*>(nullptr));
+    ::execl(program.c_str(), program.c_str(), "run", fifo.c_str(), "--csv", csv.c_str(), static_cast<char*>(nullptr));
     ::_exit(127);
   }
   const int writer = ::open(fifo.c_str(), O_WRONLY); // returns when the program has opened the deck

@@ -2,6 +2,7 @@
 // hard (tests/data/hard).
 #include "contact/rate_problem.hpp"
 #include "json.hpp"
+#include "paths.hpp"
 #include "problem.hpp"
 #include "shell.hpp"
 
@@ -381,7 +382,7 @@ struct Run {
 Run run_hard(const std::string& name, const std::string& options = "") {
   const test::Folder folder;
   const std::string csv = folder / "a.csv", json = folder / "a.json";
-  const test::Result result = test::run_shell("'" C2D_TEST_PROGRAM "' run '" C2D_TEST_ROOT "/tests/data/hard/" + name +
+  const test::Result result = test::run_shell("'" + paths::program() + "' run '" + paths::root() + "/tests/data/hard/" + name +
                                               ".dat' --listing /dev/null --csv '" + csv + "' --json '" + json + "' " + options);
   Run run{result.status, result.err, test::JsonReader::read(test::read_file(json)), 0};
   run.rows = test::lines_of(test::read_file(csv)).size() - 1;
@@ -425,7 +426,7 @@ TEST_CASE("hard states: what the last digits would decide has its outcome in eve
     CAPTURE(std::string(of[0]));
     const Run run = run_hard(of[0]);
     CHECK(run.json["outcome"].text == of[1]);
-    std::string deck = test::read_file(C2D_TEST_ROOT "/tests/data/hard/" + std::string(of[0]) + ".dat");
+    std::string deck = test::read_file(paths::root() + "/tests/data/hard/" + std::string(of[0]) + ".dat");
     const problem::Problem p = problem::from_text(deck);
     const c2d_outcome plain = problem::solve(p).outcome;
     for (double size = 0.001; size < 1000; size *= 7)
@@ -455,7 +456,7 @@ TEST_CASE("hard states: what begins has the name of the motion that is shown, or
 }
 
 TEST_CASE("hard states: friction without bound is let go of where a pair lifts, and no pair overlaps behind that") {
-  const std::string deck = test::read_file(C2D_TEST_ROOT "/tests/data/hard/F5_lets_go_of_friction.dat");
+  const std::string deck = test::read_file(paths::root() + "/tests/data/hard/F5_lets_go_of_friction.dat");
   problem::Setup told;
   told.every_change = 1;
   const problem::Result plain = problem::solve_text(deck), changes = problem::solve_text(deck, told);
@@ -480,11 +481,11 @@ TEST_CASE("hard states: friction without bound is let go of where a pair lifts, 
 TEST_CASE("hard states: several solutions are told, one is not") {
   CHECK(run_hard("nonunique_19").said.find("the solution is not unique") == std::string::npos); // at mu = 3 there is one
   const test::Folder folder;
-  std::string deck = test::read_file(C2D_TEST_ROOT "/tests/data/hard/nonunique_19.dat");
+  std::string deck = test::read_file(paths::root() + "/tests/data/hard/nonunique_19.dat");
   const size_t at = deck.find("\n1 3\n");
   REQUIRE(at != std::string::npos);
   test::write_file(folder / "two.dat", deck.replace(at, 5, "\n1 2\n"));
-  const test::Result two = test::run_shell("'" C2D_TEST_PROGRAM "' run '" + (folder / "two.dat") + "' --listing /dev/null");
+  const test::Result two = test::run_shell("'" + paths::program() + "' run '" + (folder / "two.dat") + "' --listing /dev/null");
   CHECK(two.status == 0);
   CHECK(two.err.find("not unique: 3 contact states") != std::string::npos);
 }
@@ -492,7 +493,7 @@ TEST_CASE("hard states: several solutions are told, one is not") {
 // A portal whose feet slide apart: it may lie anywhere between two places, and at each end another inner pair sticks.
 TEST_CASE("hard states: friction at its bound that alone holds a motion is said to be an end of a range") {
   const problem::Problem p = problem::with_paths(
-      problem::from_text(test::read_file(C2D_TEST_ROOT "/tests/data/hard/range_portal_22pairs.dat")), {{1, 1, 0}});
+      problem::from_text(test::read_file(paths::root() + "/tests/data/hard/range_portal_22pairs.dat")), {{1, 1, 0}});
   for (const double angle : {0.0, 90.0, 37.3}) {
     const problem::Result r = problem::solve(problem::rotated(p, angle));
     CAPTURE(r.messages());
@@ -504,7 +505,7 @@ TEST_CASE("hard states: friction at its bound that alone holds a motion is said 
 
 TEST_CASE("hard states: of states that are equally near the order of pairs takes one, in all units") {
   const problem::Problem p = problem::with_paths(
-      problem::from_text(test::read_file(C2D_TEST_ROOT "/tests/data/hard/nonunique_equally_near.dat")), {{1, 1, 0}});
+      problem::from_text(test::read_file(paths::root() + "/tests/data/hard/nonunique_equally_near.dat")), {{1, 1, 0}});
   const problem::Result plain = problem::solve(p);
   CHECK(plain.warned(C2D_WARN_NOT_UNIQUE));
   REQUIRE(plain.recorded().size() == 1);
@@ -542,9 +543,8 @@ TEST_CASE("hard states: the memory decides no digit of a drifting tableau") {
   const auto slip = [](const std::string& memory) {
     const test::Folder folder;
     const std::string csv = folder / "a.csv";
-    test::run_shell("'" C2D_TEST_PROGRAM "' run '" C2D_TEST_ROOT
-                    "/tests/data/hard/W2_drift_2-737m.dat' --listing /dev/null --csv '" +
-                    csv + "' --memory " + memory);
+    test::run_shell("'" + paths::program() + "' run '" + paths::root() +
+                    "/tests/data/hard/W2_drift_2-737m.dat' --listing /dev/null --csv '" + csv + "' --memory " + memory);
     const std::vector<std::string> rows = test::lines_of(test::read_file(csv));
     REQUIRE(rows.size() > 1);
     return std::stod(rows.back().substr(rows.back().rfind(',') + 1));

@@ -2,6 +2,7 @@
 // exit status, key of the summary and keyword stands on its page, the picture is what the program draws.
 #include "contact2d.h"
 #include "json.hpp"
+#include "paths.hpp"
 #include "shell.hpp"
 
 #include <doctest/doctest.h>
@@ -14,7 +15,7 @@ using namespace test;
 
 namespace {
 
-const std::string kRoot = C2D_TEST_ROOT;
+const std::string kRoot = paths::root();
 
 std::string page(const std::string& name) { return read_file(kRoot + "/" + name); }
 
@@ -58,13 +59,13 @@ std::set<std::string> quoted_words(const std::string& text) {
 // Compiles a C program with this command; "" or what the compiler said. A library with a sanitizer in it
 // needs that one's run-time: then nothing is linked.
 std::string compile(const std::string& compiler, const std::string& source, const std::string& out) {
-  const std::string rest = kSanitized ? " -c" : " -x none '" C2D_TEST_LIBRARY "' -lm";
+  const std::string rest = kSanitized ? " -c" : " -x none '" + paths::library() + "' -lm";
   const Result result = run_shell(compiler + " -Wall -Wextra -Wpedantic -Werror -I'" + kRoot + "/include' -I'" + kRoot +
                                   "/port/memory' '" + source + "'" + rest + " -o '" + out + "'");
   return result.status == 0 ? "" : result.err + "(failed)";
 }
 
-const std::string kAsC = C2D_TEST_CC " -std=c99 -x c", kAsCpp = C2D_TEST_CXX " -std=c++17 -x c++";
+const std::string kAsC = paths::c_compiler() + " -std=c99 -x c", kAsCpp = paths::cxx_compiler() + " -std=c++17 -x c++";
 
 // What `run` prints, a row per step, and the README says of it: two coefficients of friction, 28 increments each. The
 // last pressure is near the 213.0 of the program of 1987, which lost 0.3 % of the load.
@@ -135,9 +136,8 @@ TEST_CASE("pages: the README is two screens, and its first result is so") {
   const std::string text = page("README.md");
   CHECK(lines_of(text).size() <= 110);
   const Folder folder;
-  const Result run =
-      run_shell("cd '" + kRoot + "' && '" C2D_TEST_PROGRAM "' run examples/hertz.dat --listing /dev/null --csv '" +
-                (folder / "a.csv") + "'");
+  const Result run = run_shell("cd '" + kRoot + "' && '" + paths::program() +
+                               "' run examples/hertz.dat --listing /dev/null --csv '" + (folder / "a.csv") + "'");
   CHECK(run.status == 0);
   const std::vector<std::string> rows = lines_of(read_file(folder / "a.csv"));
   double pressure = 0;
@@ -211,7 +211,7 @@ TEST_CASE("pages: the names they quote are those of the code") {
 }
 
 TEST_CASE("pages: options, exit statuses and keys of the summary are those of the program") {
-  const std::string text = page("src/report/OUTPUT.md"), help = run_shell("'" C2D_TEST_PROGRAM "' --help").out;
+  const std::string text = page("src/report/OUTPUT.md"), help = run_shell("'" + paths::program() + "' --help").out;
   const std::regex option("--[a-z][a-z-]+");
   std::set<std::string> of_help;
   for (std::sregex_iterator i(help.begin(), help.end(), option), end; i != end; ++i) of_help.insert(i->str());
@@ -229,7 +229,7 @@ TEST_CASE("pages: options, exit statuses and keys of the summary are those of th
   const std::string to = " --listing /dev/null --json '" + (folder / "a.json") + "'";
   std::set<std::string> keys;
   for (const char* deck : {"examples/roller.dat", "examples/sliding_block.dat"}) {
-    run_shell("cd '" + kRoot + "' && '" C2D_TEST_PROGRAM "' run " + deck + to);
+    run_shell("cd '" + kRoot + "' && '" + paths::program() + "' run " + deck + to);
     add_keys(JsonReader::read(read_file(folder / "a.json")), keys);
   }
   CHECK(keys.size() > 50);
@@ -268,9 +268,8 @@ TEST_CASE("pages: every warning and every outcome is explained") {
 // Not to the last digit, which may differ from machine to machine.
 TEST_CASE("pages: the picture is drawn by the program") {
   const Folder folder;
-  const Result run =
-      run_shell("cd '" + kRoot + "' && '" C2D_TEST_PROGRAM "' run examples/roller.dat --listing /dev/null --figures '" +
-                (folder / "a") + "'");
+  const Result run = run_shell("cd '" + kRoot + "' && '" + paths::program() +
+                               "' run examples/roller.dat --listing /dev/null --figures '" + (folder / "a") + "'");
   REQUIRE(run.status == 0);
   const std::vector<double> drawn = numbers_of(read_file(folder / "a/tractions_2.svg")),
                             kept = numbers_of(page("examples/roller.svg"));

@@ -1,4 +1,5 @@
 // Every contact deck against an independent dense solver (tests/data/expected), and the balance of forces.
+#include "paths.hpp"
 #include "problem.hpp"
 
 #include <doctest/doctest.h>
@@ -20,7 +21,7 @@ const char* const kContactDecks[] = {"sample",      "sample56", "block",   "half
 
 // The rows of an expected CSV as steps with the fields that it holds.
 std::vector<Step> expected_steps(const std::string& deck) {
-  std::ifstream in(std::string(C2D_TEST_ROOT) + "/tests/data/expected/" + deck + ".csv");
+  std::ifstream in(paths::root() + "/tests/data/expected/" + deck + ".csv");
   REQUIRE(in);
   std::vector<Step> steps;
   std::string line, cell;

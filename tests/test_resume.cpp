@@ -1,4 +1,5 @@
 // `contact2d resume`: after a crash at any moment the outputs are those of a run that was not interrupted.
+#include "paths.hpp"
 #include "shell.hpp"
 
 #include <doctest/doctest.h>
@@ -13,7 +14,7 @@ using namespace test;
 
 namespace {
 
-const std::string kProgram = "'" C2D_TEST_PROGRAM "' ";
+const std::string kProgram = "'" + paths::program() + "' ";
 
 struct Outputs {
   Folder folder;
@@ -44,7 +45,7 @@ const std::string& deck() {
 }
 
 std::string run_command(const std::string& tapes, const Outputs& outputs, const std::string& more = "") {
-  return "'" C2D_TEST_PROGRAM "' run '" + deck() + "' --store 'file:" + tapes + "'" + outputs.options() + " " + more;
+  return "'" + paths::program() + "' run '" + deck() + "' --store 'file:" + tapes + "'" + outputs.options() + " " + more;
 }
 
 // Start the command and kill it after a while; false if it had ended before.

@@ -1,5 +1,6 @@
 // What the archive's core members may contain and ask for: nothing of an operating system, of a heap, of the
 // C++ run-time; no writable data.
+#include "paths.hpp"
 #include "shell.hpp"
 
 #include <doctest/doctest.h>
@@ -13,7 +14,7 @@ namespace {
 // The words in backquotes of the line of port/cortex-m/README.md that begins so: what the core may ask of its host.
 std::set<std::string> page_list(const std::string& beginning) {
   std::set<std::string> names;
-  const std::string page = read_file(C2D_TEST_ROOT "/port/cortex-m/README.md");
+  const std::string page = read_file(paths::root() + "/port/cortex-m/README.md");
   const size_t at = page.find(beginning);
   const std::string text = at == std::string::npos ? "" : page.substr(at, page.find('\n', at) - at);
   for (size_t open = text.find('`'); open != std::string::npos; open = text.find('`', open)) {
@@ -42,7 +43,7 @@ bool is_core(const std::string& member) { return member.compare(0, 5, "port_") !
 std::vector<Symbol> core_symbols() {
   std::vector<Symbol> out;
   std::string member;
-  for (const std::string& line : lines_of(run_shell("nm -P '" C2D_TEST_CORE "'").out)) {
+  for (const std::string& line : lines_of(run_shell("nm -P '" + paths::core() + "'").out)) {
     const size_t open = line.rfind('['), close = line.rfind("]:");
     if (open != std::string::npos && close != std::string::npos && close > open) {
       member = line.substr(open + 1, close - open - 1);
@@ -89,9 +90,10 @@ TEST_CASE("symbols: what a hardened build asks for besides") {
   const Folder folder;
   for (const char* source : {"memory/text", "store/block", "store/tapes", "deck/cards", "interface/create"}) {
     const std::string object = folder / "object.o";
-    const std::string root = C2D_TEST_ROOT;
+    const std::string root = paths::root();
     const Result built =
-        run_shell("'" C2D_TEST_CXX "' -std=c++17 -O2 -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2 -fstack-protector-all -fPIC "
+        run_shell("'" + paths::cxx_compiler() +
+                  "' -std=c++17 -O2 -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2 -fstack-protector-all -fPIC "
                   "-fno-exceptions -fno-rtti -fno-threadsafe-statics -fno-math-errno -I'" +
                   root + "/src' -I'" + root + "/include' -c '" + root + "/src/" + source + ".cpp' -o '" + object + "'");
     REQUIRE_MESSAGE(built.status == 0, built.err);
@@ -114,7 +116,7 @@ TEST_CASE("symbols: no writable data, no weak doubles of the run-time, no static
     CHECK_MESSAGE(std::string("bBcCgGsS").find(s.kind) == std::string::npos, s.member << ": " << s.name);
   if (!has_command("objdump")) return;
   std::string member;
-  for (const std::string& line : lines_of(run_shell("objdump -h '" C2D_TEST_CORE "'").out)) {
+  for (const std::string& line : lines_of(run_shell("objdump -h '" + paths::core() + "'").out)) {
     const size_t format = line.find(":     file format");
     if (format != std::string::npos) {
       member = line.substr(0, format);
@@ -136,7 +138,7 @@ TEST_CASE("symbols: no writable data, no weak doubles of the run-time, no static
 // New loads are asked for by a call that it has not, c2d_change_loads.
 TEST_CASE("symbols: no optional part is missing where the deck reader is linked") {
   if (kSanitized || !has_command("nm")) return;
-  const Result names = run_shell("nm -C -u '" C2D_TEST_PROGRAM "'");
+  const Result names = run_shell("nm -C -u '" + paths::program() + "'");
   REQUIRE(names.status == 0);
   for (const std::string& line : lines_of(names.out))
     if (!contains(line, "_new_loads(")) CHECK_FALSE_MESSAGE(contains(line, "c2d::"), line);
@@ -148,7 +150,7 @@ TEST_CASE("symbols: every public function is in the library, and all C names beg
   for (const Symbol& s : core_symbols())
     if (s.kind == 'T') defined.insert(s.name);
   const std::string header =
-      read_file(C2D_TEST_ROOT "/include/contact2d.h") + read_file(C2D_TEST_ROOT "/include/contact2d_cards.h");
+      read_file(paths::root() + "/include/contact2d.h") + read_file(paths::root() + "/include/contact2d_cards.h");
   int seen = 0;
   for (const std::string& line : lines_of(header)) {
     const bool declares = line.compare(0, 11, "c2d_status ") == 0 || line.compare(0, 15, "const char* c2d") == 0 ||

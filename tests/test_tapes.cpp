@@ -1,5 +1,6 @@
 // Tapes known beforehand: what c2d_tape_need and the constants tell, against what the store is asked for.
 #include "contact2d_memory.h"
+#include "paths.hpp"
 #include "solver_runs.hpp"
 #include "store/block.hpp"
 
@@ -219,7 +220,7 @@ TEST_CASE("tapes: what cannot be told is refused, and nothing is touched") {
 
 // tests/data/format1_control.c2d: tape CONTROL as contact2d 0.1 left it, with a saved state of the deck `plate`.
 TEST_CASE("tapes: blocks and saved states of 0.1 are refused with the reason") {
-  std::ifstream file(C2D_TEST_ROOT "/tests/data/format1_control.c2d", std::ios::binary);
+  std::ifstream file(paths::root() + "/tests/data/format1_control.c2d", std::ios::binary);
   const Bytes old((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
   constexpr size_t kBlock = C2D_CONTROL_BLOCK_BYTES;
   REQUIRE(old.size() > 3 * kBlock);

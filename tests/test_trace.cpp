@@ -1,4 +1,5 @@
 // The trace of a load path: what it tells, replayed, gives the statuses of every recorded step.
+#include "paths.hpp"
 #include "shell.hpp"
 
 #include <doctest/doctest.h>
@@ -49,7 +50,7 @@ struct Replayed {
 
 Replayed replay(const std::string& deck, const std::string& options = "") {
   const Folder folder;
-  const Result run = run_shell("'" C2D_TEST_PROGRAM "' run '" C2D_TEST_ROOT "/examples/" + deck + "' --csv '" +
+  const Result run = run_shell("'" + paths::program() + "' run '" + paths::root() + "/examples/" + deck + "' --csv '" +
                                (folder / "csv") + "' --trace '" + (folder / "trace") + "' --listing /dev/null " + options);
   REQUIRE_MESSAGE(run.status == 0, run.err);
   const std::vector<Row> trace = table(folder / "trace"), steps = table(folder / "csv");
@@ -102,7 +103,7 @@ TEST_CASE("trace: of the increments of a deck, too") { CHECK(replay("make_mindli
 TEST_CASE("trace: a column for each load case, and it changes no result") {
   const Folder folder;
   const std::string run =
-      "'" C2D_TEST_PROGRAM "' run '" C2D_TEST_ROOT "/examples/make_mindlin.dat' --listing /dev/null --csv '";
+      "'" + paths::program() + "' run '" + paths::root() + "/examples/make_mindlin.dat' --listing /dev/null --csv '";
   REQUIRE(run_shell(run + (folder / "a") + "' --trace '" + (folder / "t") + "'").status == 0);
   REQUIRE(run_shell(run + (folder / "b") + "'").status == 0);
   CHECK(read_file(folder / "a") == read_file(folder / "b"));

@@ -1,4 +1,5 @@
 // The tutorial: its deck is the example's, its commands run, its figures are what they print.
+#include "paths.hpp"
 #include "shell.hpp"
 
 #include <doctest/doctest.h>
@@ -10,7 +11,7 @@ using namespace test;
 
 namespace {
 
-const std::string kRoot = C2D_TEST_ROOT;
+const std::string kRoot = paths::root();
 
 // Blocks of a page fenced with this word behind the fence.
 std::vector<std::string> blocks(const std::string& text, const std::string& language) {
@@ -82,7 +83,7 @@ TEST_CASE("tutorial: its deck is the example, its commands run, its figures are 
   const Folder folder; // a project's folder with nothing but what the page needs
   fs::create_directories(folder / "build");
   fs::create_directory_symlink(kRoot + "/examples", folder / "examples");
-  fs::create_symlink(C2D_TEST_PROGRAM, folder / "build/contact2d");
+  fs::create_symlink(paths::program(), folder / "build/contact2d");
   std::vector<std::string> printed;
   for (const std::string& commands : blocks(page, "sh")) {
     const Result run = run_shell("cd '" + folder.path() + "' && set -e\n" + commands);

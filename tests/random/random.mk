@@ -8,8 +8,8 @@ RANDOM_SOURCES := $(wildcard tests/random/*.cpp)
 RANDOM_OBJECTS := $(patsubst tests/random/%.cpp,$(BUILD)/tests/random_%.o,$(RANDOM_SOURCES))
 RANDOM_JUDGE := $(filter-out %/random_main.o,$(RANDOM_OBJECTS))
 $(BUILD)/tests/random_%.o: tests/random/%.cpp $(BUILD)/flags Makefile
-	$(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(EXACT) $(TEST_DEFINES) $(DEPS) -c $< -o $@
-$(BUILD)/tests/run_random: $(RANDOM_OBJECTS) $(BUILD)/tests/problem.o $(FAMILY_OBJECTS) $(LIBRARY)
+	$(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(EXACT) $(DEPS) -c $< -o $@
+$(BUILD)/tests/run_random: $(RANDOM_OBJECTS) $(BUILD)/tests/problem.o $(BUILD)/tests/paths.o $(FAMILY_OBJECTS) $(LIBRARY)
 	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm -pthread
 random: $(BUILD)/tests/run_random
 	@mkdir -p $(BUILD)/random
