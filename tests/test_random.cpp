@@ -136,6 +136,8 @@ TEST_CASE("random decks: a draw of few pairs, all statuses tried") { draw(Kind::
 
 TEST_CASE("random decks: a draw of bodies that are lifted off and put back") { draw(Kind::lifted, 1, 25); }
 
+TEST_CASE("random decks: a draw of symmetric bodies") { draw(Kind::symmetric, 1, 12); }
+
 TEST_CASE("random decks: punches of Spence stick up to where the half plane says") {
   const std::vector<Punch> all = all_punches();
   for (size_t i = 0; i < all.size(); i += 17) { // make random KIND=punch: all of them

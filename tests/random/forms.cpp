@@ -132,6 +132,37 @@ Gap largest(const std::vector<Step>& rows) {
   return size;
 }
 
+// With its pairs in the opposite order.
+Step image_of(const Step& s) {
+  Step image = s;
+  for (int i = 0; i < s.pairs(); ++i)
+    for (int field = 0; field < C2D_PAIR_FIELDS; ++field)
+      image.table[static_cast<size_t>(i * C2D_PAIR_FIELDS + field)] = s.at(s.pairs() - 1 - i, field);
+  return image;
+}
+
+// The sizes are those of all rows of the deck.
+std::string difference_of_rows(const Model& model, const Result& deck, const std::vector<Step>& rows,
+                               const std::vector<Step>& others, const Mapping& map) {
+  const double allowed = 100 * tolerance_of(deck);
+  Gap sizes = largest(deck.recorded());
+  Runs runs;
+  runs.changes = deck;
+  sizes.traction = std::max(sizes.traction, sizes_of(model.problem, runs).traction);
+  for (size_t i = 0; i < rows.size(); ++i) {
+    const Gap gap = between(rows[i], others[i], map);
+    if (!(gap.traction > allowed * sizes.traction) && !(gap.displacement > allowed * sizes.displacement)) continue;
+    const bool flying = gap.traction <= allowed * sizes.traction;
+    char line[200];
+    std::snprintf(line, sizeof line,
+                  "%s row %zu of %zu at load %.6g %.6g: tractions %.2g of %.2g, displacements %.2g of %.2g (%.0e)",
+                  flying ? "displacements differ in" : "tractions differ in", i + 1, rows.size(), rows[i].load, rows[i].second,
+                  gap.traction, sizes.traction, gap.displacement, sizes.displacement, allowed);
+    return line;
+  }
+  return "";
+}
+
 bool same_bits(const Step& a, const Step& b) {
   return a.table == b.table && a.work == b.work && a.dissipated == b.dissipated && a.elastic == b.elastic;
 }
@@ -168,24 +199,22 @@ std::string difference(const Model& model, const Result& deck, const Form& form,
     return text("recorded rows", static_cast<double>(rows.size()), static_cast<double>(others.size()));
   if (std::fabs(deck.summary.load - other.summary.load) > 1e-6 * (1 + std::fabs(deck.summary.load)))
     return text("ends at load", deck.summary.load, other.summary.load);
-  const double allowed = 100 * tolerance_of(deck);
-  Gap sizes = largest(rows);
-  Runs runs;
-  runs.changes = deck;
-  sizes.traction = std::max(sizes.traction, sizes_of(model.problem, runs).traction);
-  for (size_t i = 0; i < rows.size(); ++i) {
-    if (form.equal_bits && !same_bits(rows[i], others[i])) return text("bits differ in row", static_cast<double>(i + 1), 0);
-    const Gap gap = between(rows[i], others[i], form.map);
-    if (!(gap.traction > allowed * sizes.traction) && !(gap.displacement > allowed * sizes.displacement)) continue;
-    const bool flying = gap.traction <= allowed * sizes.traction;
-    char line[200];
-    std::snprintf(line, sizeof line,
-                  "%s row %zu of %zu at load %.6g %.6g: tractions %.2g of %.2g, displacements %.2g of %.2g (%.0e)",
-                  flying ? "displacements differ in" : "tractions differ in", i + 1, rows.size(), rows[i].load, rows[i].second,
-                  gap.traction, sizes.traction, gap.displacement, sizes.displacement, allowed);
-    return line;
+  if (form.equal_bits)
+    for (size_t i = 0; i < rows.size(); ++i)
+      if (!same_bits(rows[i], others[i])) return text("bits differ in row", static_cast<double>(i + 1), 0);
+  return difference_of_rows(model, deck, rows, others, form.map);
+}
+
+std::string asymmetry(const Model& model, const Result& deck) {
+  std::vector<Step> rows, images;
+  for (const Step& s : deck.recorded()) {
+    if (s.second != 0) break;
+    rows.push_back(s);
+    images.push_back(image_of(s));
   }
-  return "";
+  Mapping map;
+  map.tangential = -1;
+  return difference_of_rows(model, deck, rows, images, map);
 }
 
 } // namespace random_decks

@@ -21,4 +21,7 @@ std::vector<Form> forms_of(const Model& model, uint64_t seed);
 // Empty, or how the two differ. Differences are judged by the largest of their kind on the whole path.
 std::string difference(const Model& model, const problem::Result& deck, const Form& form, const problem::Result& other);
 
+// The same for a symmetric model and its own image, as long as load case 2 has not come.
+std::string asymmetry(const Model& model, const problem::Result& deck);
+
 } // namespace random_decks

@@ -186,6 +186,62 @@ std::vector<problem::Path> lifting_path(Dice& dice) {
   return path;
 }
 
+// ---- symmetric ------------------------------------------------------------------------------------------------------------
+
+void fix(Side& side, int component) { side.condition.fixed[component] = true; }
+
+// `pins`: there are nodes on the axis.
+void hold_symmetric(Outlines& body, int32_t other_half, bool pins, Dice& dice) {
+  std::vector<Side>& outline = body.regions[0];
+  const double kind = dice.unit();
+  const bool walls = kind < 0.15 && outline[2].zone == 0; // they do not end in the contact
+  const bool roller = pins && kind > 0.75;
+  for (int32_t side : {walls ? 1 : 0, walls ? other_half - 1 : other_half})
+    for (int c = roller ? 1 : 0; c < 2; ++c) fix(outline[index(side)], c);
+  if (roller) body.pins.push_back({0, 0, 0});
+}
+
+// Pressed by the whole top, or by its outer or its inner sides.
+void press_symmetric(std::vector<Side>& outline, int32_t top, double stress, double aside, Dice& dice) {
+  const int32_t from = dice.whole(0, 2);
+  for (int32_t i = 0; i < 4; ++i) {
+    Condition& c = outline[index(top + i)].condition;
+    const bool inner = i == 1 || i == 2;
+    if (from == 0 || inner == (from == 1)) c.value[0][1] = -stress;
+    c.value[1][0] = aside * stress;
+  }
+  if (!dice.chance(0.2)) return;
+  const double squeeze = dice.between(-0.5, 0.5) * stress; // of the walls
+  outline[index(top - 1)].condition.value[0][0] = -squeeze;
+  outline[index(top + 4)].condition.value[0][0] = squeeze;
+}
+
+void drive_symmetric(Outlines& body, int32_t top, bool pins, bool round, double strain, double stress, double aside,
+                     Dice& dice) {
+  std::vector<Side>& outline = body.regions[0];
+  const double kind = round ? dice.between(0.65, 1) : dice.unit();
+  if (kind < 0.80) press_symmetric(outline, top, stress, aside, dice);
+  if (pins && kind > 0.55 && kind < 0.65) body.pins.push_back({0, top + 2, 0});
+  for (int32_t i = 0; i < 4; ++i) {
+    Side& side = outline[index(top + i)];
+    if (kind > 0.65) fix(side, 0);
+    if (kind > 0.80) fix(side, 1);
+    if (kind > 0.65) side.condition.value[1][0] = aside * strain;
+    if (kind > 0.80) side.condition.value[0][1] = -strain;
+  }
+}
+
+std::vector<problem::Path> symmetric_path(Dice& dice) {
+  std::vector<problem::Path> path = {{dice.whole(1, 3), 1, 0}};
+  for (int32_t i = dice.whole(0, 2); i > 0; --i)
+    path.push_back({dice.whole(1, 3), dice.chance(0.2) ? 0 : dice.between(0.1, 1.5), 0});
+  if (dice.chance(0.4)) return path;
+  const double end = path.back().load, first = dice.sign();
+  for (int32_t i = dice.whole(1, 4), k = 0; k < i; ++k) path.push_back({dice.whole(1, 3), end, k % 2 == 0 ? first : -first});
+  if (dice.chance(0.3)) path.push_back({dice.whole(1, 2), dice.between(0, 1.5), dice.chance(0.5) ? 0 : path.back().second});
+  return path;
+}
+
 // ---- the whole --------------------------------------------------------------------------------------------------------
 
 void add_zones(Problem& p, const Scene& scene) {
@@ -319,6 +375,31 @@ Model generate_lifted(uint64_t seed) {
   p.paths = lifting_path(dice);
   finish(model, scene);
   model.title += std::string(", ") + name_of(how) + " " + std::to_string(seed);
+  return model;
+}
+
+Model generate_symmetric(uint64_t seed) {
+  Dice dice(seed ^ 0x3172707000u);
+  Model model;
+  Problem& p = model.problem;
+  p.function_nodes = dice.whole(1, 7) / 2 + 1;
+  const double mu = dice.chance(0.5) ? dice.between(0.05, 0.5) : dice.between(0.5, 2);
+  p.friction = {mu};
+  p.bodies.resize(2);
+  set_materials(p, dice);
+  if (p.bodies[1].youngs_modulus > 1000 && dice.chance(0.7)) std::swap(p.bodies[0].youngs_modulus, p.bodies[1].youngs_modulus);
+  Scene scene = make_symmetric_scene(dice, p.function_nodes);
+  const double strain = dice.power(-4, -2);
+  const bool pins = p.function_nodes > 1;
+  hold_symmetric(scene.body[0], scene.base_other, pins, dice);
+  drive_symmetric(scene.body[1], scene.top, pins, scene.round, strain, strain * softer(p), dice.between(0.1, 1.1) * mu, dice);
+  p.paths = symmetric_path(dice);
+  bool pushed = false;
+  for (const problem::Path& path : p.paths) pushed = pushed || path.second != 0;
+  make_bodies(p, scene, dice.whole(2, 4), pushed);
+  finish(model, scene);
+  model.symmetric = true;
+  model.title += ", mu " + std::to_string(mu) + " " + std::to_string(seed);
   return model;
 }
 

@@ -12,6 +12,7 @@ struct Model {
   std::string title;          // kind and seed
   bool same_surfaces = false; // both bodies have the same points in contact: they may be exchanged
   bool any_angle = false;     // no condition holds a single component
+  bool symmetric = false;     // about x = 0; so are the loads of case 1
   bool proportional = false;  // everything touches without load, and the first load card is of one case
 };
 
@@ -21,5 +22,7 @@ Model generate_few_pairs(uint64_t seed);
 // Bodies that are pressed together, moved along each other, lifted off and put back, in two load cases; in some directions only
 // contact holds them.
 Model generate_lifted(uint64_t seed);
+// Symmetric bodies that are pressed together along their axis, then often pushed to and fro by a second load case.
+Model generate_symmetric(uint64_t seed);
 
 } // namespace random_decks

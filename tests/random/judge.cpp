@@ -48,7 +48,12 @@ bool same_rows(const Result& deck, const Result& rows) {
 }
 
 Model generate_kind(Kind kind, uint64_t seed) {
-  return kind == Kind::any ? generate(seed) : kind == Kind::lifted ? generate_lifted(seed) : generate_few_pairs(seed);
+  switch (kind) {
+  case Kind::few_pairs: return generate_few_pairs(seed);
+  case Kind::lifted: return generate_lifted(seed);
+  case Kind::symmetric: return generate_symmetric(seed);
+  default: return generate(seed);
+  }
 }
 
 class Judge {
@@ -97,6 +102,9 @@ void Judge::laws() {
   runs.rows = solve_rows(model_, deck_);
   if (!runs.rows.steps.empty() && !same_rows(deck_, runs.rows)) find("advance does not repeat run");
   for (const std::string& law : broken_laws(model_, runs)) find(law);
+  const std::string unlike = model_.symmetric ? asymmetry(model_, deck_) : "";
+  verdict_.unlike_its_image = !unlike.empty();
+  if (!unlike.empty() && !verdict_.not_unique) find("not symmetric: " + unlike);
   elasticity(runs);
   statuses(runs);
 }

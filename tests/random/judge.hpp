@@ -6,7 +6,7 @@
 
 namespace random_decks {
 
-enum class Kind { any, few_pairs, lifted };
+enum class Kind { any, few_pairs, lifted, symmetric };
 
 struct Verdict {
   std::string title;
@@ -17,6 +17,7 @@ struct Verdict {
   double seconds = 0;                               // of the deck alone
   bool not_unique = false, undefined_place = false; // said so
   bool tried = false;                               // all statuses
+  bool unlike_its_image = false;                    // a symmetric model's state, where that is said
   int32_t other_choices = 0;                        // of equivalent forms, where that is said
   std::vector<std::string> findings;                // empty: nothing is wrong
 };

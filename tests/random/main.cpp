@@ -1,5 +1,5 @@
 // make random N=...: many random decks, in a process that may crash or hang without ending the others.
-//   run_random COUNT FIRST_SEED FOLDER [any|few|lift|punch]
+//   run_random COUNT FIRST_SEED FOLDER [any|few|lift|mirror|punch]
 // Prints a line per finding and one per deck that could not be decided, then totals; exit status 1 if there was a finding.
 #include "judge.hpp"
 #include "spence.hpp"
@@ -52,6 +52,7 @@ void judge_one(Kind kind, uint64_t seed, const std::string& folder, FILE* out) {
   say(out, "count", "decks: " + outcome_of(v));
   if (v.tried) say(out, "count", "all statuses tried");
   if (v.not_unique) say(out, "count", "said to be not unique");
+  if (v.not_unique && v.unlike_its_image) say(out, "count", "not unique, and not symmetric");
   if (v.undefined_place) say(out, "count", "said to have an undefined place");
   if (v.other_choices > 0) say(out, "count", "not unique, chosen otherwise in another form");
   if (v.seconds > 2) say(out, "count", "took more than 2 s");
@@ -131,7 +132,10 @@ int main(int argc, char** argv) {
   const std::string folder = argc > 3 ? argv[3] : ".";
   const std::string name = argc > 4 ? argv[4] : "any";
   if (name == "punch") return run_punches();
-  const Kind kind = name == "few" ? Kind::few_pairs : name == "lift" ? Kind::lifted : Kind::any;
+  const Kind kind = name == "few"      ? Kind::few_pairs
+                    : name == "lift"   ? Kind::lifted
+                    : name == "mirror" ? Kind::symmetric
+                                       : Kind::any;
   Tally tally;
   run_all(kind, first, first + count, folder, tally);
   std::printf("%d decks\n", tally.decks);

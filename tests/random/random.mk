@@ -1,5 +1,6 @@
 # make random N=1000 SEED=1: random decks, judged (tests/random/judge.hpp). Those that fail are left in build/random, each
-# named after its seed. KIND=few: few pairs, all their statuses tried. KIND=lift: lifted off and put back. KIND=punch: the 84 punches of Spence.
+# named after its seed. KIND=few: few pairs, all their statuses tried. KIND=lift: lifted off and put back. KIND=mirror:
+# symmetric bodies. KIND=punch: the 84 punches of Spence.
 .PHONY: random
 N ?= 1000
 SEED ?= 1

@@ -25,5 +25,8 @@ struct Scene {
 
 // `few`: at most five pairs for these functions, all touching.
 Scene make_scene(Dice& dice, int32_t function_nodes, bool few);
+// Symmetric about x = 0. Sides 0 and base_other are the base of body 1, which begins in its middle; the four sides from top
+// on are the top of body 2, with the axis behind the second one, and the sides before and behind them are its walls.
+Scene make_symmetric_scene(Dice& dice, int32_t function_nodes);
 
 } // namespace random_decks
