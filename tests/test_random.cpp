@@ -183,6 +183,21 @@ TEST_CASE("random decks: the judge passes what is right and sees what is wrong")
   CHECK(holds(nodes, "a prescribed displacement is missed"));
 }
 
+TEST_CASE("random decks: the judge sees what is not symmetric") {
+  const Model model = generate_symmetric(4);
+  Result deck = solve(model.problem);
+  REQUIRE(deck.recorded().size() > 1);
+  CHECK(asymmetry(model, deck) == "");
+  Result other = deck;
+  entry(other.steps[0], C2D_STICK, C2D_TT) *= 1.001;
+  CHECK(holds(asymmetry(model, other), "tractions differ"));
+  other = deck;
+  entry(other.steps[0], C2D_STICK, C2D_UT2) *= 1.001;
+  CHECK(holds(asymmetry(model, other), "displacements differ"));
+  other.steps[0].second = 1; // no longer symmetric
+  CHECK(asymmetry(model, other) == "");
+}
+
 TEST_CASE("random decks: energies and slip that a judge must see") {
   Judged j = mixed_deck();
   std::vector<Step>& steps = j.runs.changes.steps;
