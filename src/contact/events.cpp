@@ -71,6 +71,17 @@ void move(Follower& f, double part) {
   }
 }
 
+// The guided pair slides, and the body with it.
+void slide_guided(Follower& f, double step) {
+  Tableau& t = *f.t;
+  if (t.guided == 0) return;
+  Pair& pair = t.pair[t.guided - 1];
+  const Real by = static_cast<Real>(step * f.guide);
+  pair.offset += by;
+  const Real* const moved = t.t + static_cast<int64_t>(pair.dof + 1) * t.m;
+  for (int32_t i = 0; i < t.m; ++i) t.t[static_cast<int64_t>(t.m) * t.m + i] += by * moved[i];
+}
+
 // Does the path go on in the direction of the piece before it, from a load that is not zero?
 bool goes_straight_on(const Follower& f, const double* target) {
   double both = 0.0, old = 0.0, now = 0.0, load = 0.0;
@@ -114,6 +125,7 @@ bool land(Follower& f) {
       if (size > (1.0 + 1e-6) * most) worst = i, most = size;
     }
     if (worst < 0) return changes > 0;
+    end_guide(f);
     const Pair& pair = f.t->pair[worst];
     int32_t to = C2D_OPEN;
     if (pair.status == C2D_OPEN) to = pair.mu == 0.0 ? C2D_SLIP : C2D_STICK;
@@ -235,12 +247,13 @@ c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome
     c2d_status status = settle_all(f, jumps, outcome);
     if (status != C2D_OK || (*outcome != C2D_REACHED && is_short(f, part))) return status;
     if (*outcome != C2D_REACHED) break;
-    f.goes_on = 1;
+    f.goes_on = true;
     if (f.stats.changes != told) status = tell_change(f); // what the event and all that followed from it came to
     if (status != C2D_OK) return status;
     told = f.stats.changes;
     const Event event = nearest_event(f, 1.0 - part);
     if (f.watch.moving) f.watch.moving(f.watch.context, event.step);
+    slide_guided(f, event.step);
     if (event.pair < 0) break;
     standing = part + event.step > part ? 0 : standing + 1; // steps below round-off lead nowhere, however many
     if (standing > 20 + 8 * f.t->pairs) {

@@ -85,6 +85,7 @@ int32_t correct(Follower& f) {
 c2d_status follow_increment(Follower& f, const double* target, int32_t iteration_limit, c2d_outcome* outcome) {
   *outcome = C2D_REACHED;
   if (is_let_go(*f.t)) return follow_events(f, target, outcome);
+  end_guide(f);
   refresh(f);
   save(f);
   for (int32_t k = 0; k < f.t->cases; ++k) {

@@ -43,12 +43,13 @@ struct Follower {
   int32_t floating_body; // 0 or 1: the body that the contact has to hold
   RateArea rate_area;
   Event bound;           // the event that led here, until statuses are settled
-  int32_t idle;          // the body that the contact has to hold has no force there (contact/let_go.hpp)
-  int32_t goes_on;       // this piece of the path goes on in the direction of the one before
-  int32_t solutions;     // most contact states found at one load since the struct was filled;
+  bool idle;             // the body that the contact has to hold has no force there (contact/let_go.hpp)
+  bool goes_on;          // this piece of the path goes on in the direction of the one before
   bool more_solutions;   // there may be more there;
-  int32_t range_pair;    // number of the pair at which a range of states ends that no force tells apart; 0: none;
+  bool range;            // they are a range of places of the body, which no force tells apart;
+  int32_t solutions;     // most contact states found at one load since the struct was filled;
   double solutions_load; // that load, of the first case
+  double guide;          // w_t of the guided pair of the tableau, per unit of `direction`
   PathWatch watch;
   PathStats stats;
   int32_t last_pair; // the pair last changed, or that could not be
@@ -72,6 +73,8 @@ struct NoRate {
 NoRate no_rate(const Pair& pair, const PathScales& s);
 
 void refresh(Follower& f); // y and dy from the tableau
+// The guided pair of the tableau, if there is one, sticks where it is.
+void end_guide(Follower& f);
 PathScales path_scales(const Follower& f);
 // The largest on this path so far: kValueTolerance of them is round-off. Where the body is idle (f.idle) all its pressures are:
 // the scale of pressures is then so much larger that none of them counts.

@@ -195,29 +195,96 @@ bool holds_alone(const Tableau& t, const Pair& pair, int32_t sign) {
 }
 
 // Does this pair alone hold a motion, with friction that is at its bound and stays there? Then it may slide as well, along a
-// motion that no force opposes, until another pair sticks instead: this state is one end of a range.
-bool ends_a_range(const Follower& f, int32_t i, const PathScales& s) {
+// motion that no force opposes, until another pair sticks instead: this state is one end of a range. The sign of its friction;
+// 0: no.
+int32_t ends_a_range(Follower& f, int32_t i) {
   const Tableau& t = *f.t;
   const Pair& pair = t.pair[i];
+  if (pair.status != C2D_STICK || !pair.tangential || pair.mu > 1e300) return 0;
+  if (!holds_alone(t, pair, 1) && !holds_alone(t, pair, -1)) return 0; // so it is nearly always
+  const PathScales s = decision_scales(f);
   Doubt d;
-  if (!is_in_doubt(f, i, s, d)) return false;
+  if (!is_in_doubt(f, i, s, d)) return 0;
   const PairState rate = pair_rates(t, i, f.dy);
   const double none = no_rate(pair, s).force;
   const int32_t sign = d.kind == DoubtKind::cone ? d.sign : rate.q > 0.0 ? 1 : -1;
-  return rate.p > none && fabs(sign * rate.q - pair.mu * rate.p) <= none && holds_alone(t, pair, sign);
+  const bool stays = rate.p > none && fabs(sign * rate.q - pair.mu * rate.p) <= none;
+  return stays && holds_alone(t, pair, sign) ? sign : 0;
+}
+
+// The places of a body in a range: all rates plus x times `motion`, that of the pair at its end; none, if that has a force.
+struct Range {
+  const Follower& f;
+  int32_t pair;
+  const Real* motion;
+
+  PairState moved(int32_t i) const {
+    PairState v = pair_rates(*f.t, i, motion);
+    if (i == pair) v.wt = 1.0, v.p = v.q = 0.0;
+    return v;
+  }
+  bool has_force() const {
+    for (int32_t i = 0; i < f.t->pairs; ++i) {
+      const PairState v = moved(i);
+      if (fmax(fabs(v.p), fabs(v.q)) > kRegular * f.t->pair[i].stiffness[0]) return true;
+    }
+    return false;
+  }
+  // Where the pairs move least, as of a body that is let go.
+  double least() const {
+    double rates = 0.0, size = 0.0;
+    for (int32_t i = 0; i < f.t->pairs; ++i) {
+      const PairState v = moved(i), rate = pair_rates(*f.t, i, f.dy);
+      rates += f.t->pair[i].length * (v.wn * rate.wn + v.wt * rate.wt);
+      size += f.t->pair[i].length * (v.wn * v.wn + v.wt * v.wt);
+    }
+    return -rates / size;
+  }
+  // As far as `x`, or to where a slipping pair would turn back (*other), or one without a gap close.
+  double reach(double x, const PathScales& s, int32_t* other) const {
+    for (int32_t i = 0; i < f.t->pairs; ++i) {
+      const Pair& p = f.t->pair[i];
+      const PairState v = moved(i), rate = pair_rates(*f.t, i, f.dy);
+      Doubt d;
+      const bool slips = p.status == C2D_SLIP && p.tangential && p.mu > 0.0;
+      if (!slips && (p.status != C2D_OPEN || !is_in_doubt(f, i, s, d))) continue;
+      const double room = slips ? -p.sign * rate.wt : rate.wn, closing = slips ? p.sign * v.wt : -v.wn;
+      if (x * closing <= room || x * closing <= 0.0) continue;
+      x = fmax(room, 0.0) / closing;
+      *other = slips ? i : -1;
+    }
+    return x;
+  }
+};
+
+void guide(Follower& f, int32_t i, int32_t sign, double rate) {
+  Pair& pair = f.t->pair[i];
+  pair.status = C2D_SLIP;
+  pair.sign = static_cast<int8_t>(sign);
+  pair.slip_from = pair.offset;
+  f.t->guided = i + 1;
+  f.guide = rate;
+  refresh(f);
 }
 
 } // namespace
 
-void note_range(Follower& f) {
-  for (int32_t i = 0; i < f.t->pairs && f.solutions < 2; ++i) {
-    const Pair& pair = f.t->pair[i];
-    if (pair.status != C2D_STICK || !pair.tangential || pair.mu > 1e300) continue;
-    if (!holds_alone(*f.t, pair, 1) && !holds_alone(*f.t, pair, -1)) continue; // so it is nearly always
-    if (!ends_a_range(f, i, decision_scales(f))) continue;
-    note_solutions(f, 2, true);
-    f.range_pair = i + 1;
-  }
+void place_in_range(Follower& f) {
+  int32_t end = 0, sign = 0;
+  while (end < f.t->pairs && (sign = ends_a_range(f, end)) == 0) ++end;
+  if (sign == 0) return;
+  note_solutions(f, 2, true);
+  f.range = f.range || f.solutions_load == f.load[0];
+  const Range range{f, end, f.t->t + static_cast<int64_t>(f.t->pair[end].dof + 1) * f.t->m};
+  if (range.has_force()) return;
+  const PathScales s = decision_scales(f);
+  const double none = no_rate(f.t->pair[end], s).motion, least = range.least();
+  if (sign * least >= -none) return;
+  int32_t other = -1;
+  const double x = range.reach(least, s, &other);
+  if (sign * x >= -none) return;
+  if (other < 0) return guide(f, end, sign, x);
+  if (apply_change(f, other, C2D_STICK, 0, pair_state(*f.t, other, f.y).wt)) apply_change(f, end, C2D_SLIP, sign, 0.0);
 }
 
 } // namespace c2d

@@ -13,8 +13,9 @@ c2d_status try_all(Follower& f, bool offends, int32_t* found);
 // anywhere. *outcome: C2D_REACHED, or why there are none. The pairs have been kept.
 c2d_status decide(Follower& f, bool all_tried, c2d_outcome* outcome);
 
-// Notes where the statuses settled are one end of a range of states.
-void note_range(Follower& f);
+// Where the statuses settled are one end of a range of states, which is noted, the body goes to the place in it that moves
+// least, METHOD 13.7.
+void place_in_range(Follower& f);
 
 // ---- of settle.cpp ----
 // Does a pair's status disagree with its rates?

@@ -173,6 +173,24 @@ PathScales decision_scales(Follower& f) {
 void refresh(Follower& f) {
   combine(*f.t, f.load, true, f.y);
   combine(*f.t, f.direction, false, f.dy);
+  if (f.t->guided == 0) return;
+  const Tableau& t = *f.t;
+  const Pair& pair = t.pair[t.guided - 1];
+  const int32_t slot = pair.dof + 1;
+  const Real* const moved = t.t + static_cast<int64_t>(slot) * t.m;
+  for (int32_t i = 0; i < t.m; ++i) f.dy[i] += static_cast<Real>(f.guide) * moved[i];
+  f.y[slot] = pair.offset; // read as of a slipping pair
+  f.dy[slot] = static_cast<Real>(f.guide);
+}
+
+void end_guide(Follower& f) {
+  if (f.t->guided == 0) return;
+  Pair& pair = f.t->pair[f.t->guided - 1];
+  pair.slip_done += pair.offset - pair.slip_from;
+  pair.status = C2D_STICK;
+  pair.sign = 0;
+  f.t->guided = 0;
+  refresh(f);
 }
 
 // ---- pairs in doubt -----------------------------------------------------------------------------------------------
@@ -262,9 +280,10 @@ c2d_status settle_at(Follower& f, c2d_outcome* outcome) {
 } // namespace
 
 c2d_status settle(Follower& f, c2d_outcome* outcome) {
+  end_guide(f);
   const c2d_status status = settle_at(f, outcome);
   f.bound.pair = -1;
-  if (status == C2D_OK && *outcome == C2D_REACHED) kSearchPart.note_range(f);
+  if (status == C2D_OK && *outcome == C2D_REACHED) kSearchPart.place_in_range(f);
   return status;
 }
 

@@ -137,6 +137,7 @@ bool change(Tableau& t, Pair& pair, int32_t status, int32_t sign, double at) {
 
 bool change_status(Tableau& t, int32_t index, int32_t status, int32_t sign, double at) {
   Pair& pair = t.pair[index];
+  C2D_ASSERT(index != t.guided - 1);
   if (pair.status == status && (status != C2D_SLIP || pair.sign == sign)) return true;
   if (pair.status == C2D_OPEN && is_let_go(t)) return false;
   if (pair.status == C2D_SLIP && status == C2D_SLIP) { // the other way: by sticking in between
@@ -340,9 +341,21 @@ void restore_gaps(Tableau& t) {
     if (t.pair[i].status == C2D_OPEN) constants(t)[t.pair[i].dof] += static_cast<Real>(t.pair[i].gap / t.length_unit);
 }
 
+struct GuidedSticks {
+  Pair* pair;
+  int8_t sign;
+  explicit GuidedSticks(Tableau& t) : pair(t.guided > 0 ? &t.pair[t.guided - 1] : nullptr), sign(pair ? pair->sign : 0) {
+    if (pair) pair->status = C2D_STICK, pair->sign = 0;
+  }
+  ~GuidedSticks() {
+    if (pair) pair->status = C2D_SLIP, pair->sign = sign;
+  }
+};
+
 } // namespace
 
 c2d_status build_tableau(Tableau& t, const ContactTape& tape, int32_t* culprit) {
+  const GuidedSticks guided(t);
   const c2d_status status = load_all_stick(t, tape);
   if (status != C2D_OK) return status;
   impose_contact(t);

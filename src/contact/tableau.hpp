@@ -25,6 +25,7 @@ struct Tableau {
   int32_t free_motions; // of the body that the contact has to hold: left free where no pair touches (contact/let_go.hpp)
   const Model* model;   // for motions that no pair resists; null: there are none
   const FreeBody* body;
+  int32_t guided = 0; // number of a pair that slides at a given rate, METHOD 13.7, and is a sticking one here; 0: none
 };
 
 inline Real* constants(const Tableau& t) { return t.t + static_cast<int64_t>(t.m) * t.m; }

@@ -147,7 +147,7 @@ struct SearchPart { // contact/search.cpp, limit_analysis.cpp, let_go.cpp, start
   bool linked = false;
   Function<c2d_status, Follower&, bool, int32_t*> try_all = Nothing();
   Function<c2d_status, Follower&, bool, c2d_outcome*> decide = Nothing();
-  Function<void, Follower&> note_range = Nothing();
+  Function<void, Follower&> place_in_range = Nothing();
   Function<bool, const Tableau&, const int32_t*, int32_t> place_body = Nothing();
   Function<c2d_status, Follower&> note_idle = Nothing();
   Function<bool, Follower&> slides_without_force = Nothing();

@@ -150,6 +150,7 @@ void keep_good(Session& session) {
   }
   for (int32_t i = 0; i < s->model.contact; ++i) session.area.good[i] = f.y[i];
   s->good_floating = s->floating;
+  s->good_guided = session.tableau.guided;
   s->good_dissipated = s->dissipated;
   s->good_least_dissipation = s->least_dissipation;
 }
@@ -394,6 +395,7 @@ c2d_status return_to_good(Session& session) {
     pair.slip_from = pair.good_slip_from;
   }
   s->floating = s->good_floating;
+  session.tableau.guided = s->good_guided;
   s->dissipated = s->good_dissipated;
   s->least_dissipation = s->good_least_dissipation;
   if (s->floating != 0) return C2D_OK;

@@ -51,7 +51,8 @@ void open_session(c2d_solver* s, Session& session) {
                             kernel_for(best_instructions()),
                             0,
                             nullptr,
-                            nullptr};
+                            nullptr,
+                            s->guided};
   double* loads = array_of<double>(s, kLoads);
   session.follower.t = &session.tableau;
   session.follower.tape = &session.tape;
@@ -85,6 +86,7 @@ void close_session(Session& session) {
   s->pressure_scale = session.follower.pressure_scale;
   s->stats = session.follower.stats;
   s->last_pair = session.follower.last_pair;
+  s->guided = session.tableau.guided;
 }
 
 c2d_status load_flexibility(Session& session) {
