@@ -11,8 +11,8 @@
    c2d_get, c2d_interior ...               results            8; words and numbers: 1
    c2d_close                                                  9: what is legal in which state, and why a call failed
 
-   The header reads in this order, and the pieces of code in its comments are one program that runs. METHOD (7.2) is an
-   equation of src/METHOD.md, METHOD 7 a section; (NBP) is what the program of 1987 called a number.
+   The header reads in this order; include/README.md has two whole programs, one that reads a deck and one by calls. METHOD
+   (7.2) is an equation of src/METHOD.md, METHOD 7 a section; (NBP) is what the program of 1987 called a number.
 
    Conventions. Any consistent units; forces are per unit thickness. The material lies on the left of a boundary: outer
    boundaries run counter-clockwise, holes clockwise. Rotations are in radians, counter-clockwise. Bodies, elements, nodes,
@@ -60,15 +60,10 @@ extern "C" {
 
 /* ---------------------------------------------------------------- 1 numbers and words --------------------------
 
-   Public structs begin with struct_size, which C2D_INIT sets; all else is zero, which means the default:
-
-     c2d_limits sizes = C2D_INIT(c2d_limits);
-     c2d_error why = C2D_INIT(c2d_error);
-     c2d_status bad = C2D_OK;
-
-   Members are only ever appended. The library touches the smaller of struct_size and its own size, and refuses a size that
-   C2D_INIT cannot have set. What a call returns (c2d_status), how a path ended (c2d_outcome) and the numbers of warnings
-   (C2D_WARN_...) stand in contact2d_codes.h. */
+   Public structs begin with struct_size. c2d_limits sizes = C2D_INIT(c2d_limits); sets it, and all else to zero, which means
+   the default. Members are only ever appended; the library touches the smaller of struct_size and its own size, and refuses a
+   size that C2D_INIT cannot have set. What a call returns (c2d_status), how a path ended (c2d_outcome) and the numbers of
+   warnings (C2D_WARN_...) stand in contact2d_codes.h. */
 
 typedef struct c2d_solver c2d_solver; /* lives inside the caller's memory */
 
@@ -93,22 +88,10 @@ typedef struct c2d_error {
 /* ---------------------------------------------------------------- 2 sizes and memory ---------------------------
 
    Ask for sizes, make memory of at least `minimum` bytes (static, on a heap, in a COMMON block; any alignment), create the
-   solver in it. The solver needs nothing else. Two squares of 8 linear elements each, one on the other:
-
-     static unsigned char workspace[1 << 16];
-     uint64_t least = 0;
-     c2d_body_limits squares[2] = {{8, 8, 1, 0}, {8, 8, 1, 0}};
-     sizes.bodies = 2, sizes.body = squares;
-     sizes.function_nodes = 2;
-     sizes.zones = 1, sizes.pairs = 3, sizes.contact_elements = 2;
-     sizes.coefficients = sizes.paths = 1;
-     bad |= c2d_memory_need(&sizes, &least, NULL, &why);
-     if (bad || least > sizeof workspace) return 1;
-*/
+   solver in it. The solver needs nothing else. */
 typedef struct c2d_body_limits {
   int32_t points;             /* boundary points (NBP), ends of open regions included               */
-  int32_t elements, regions;  /* elements (NEL); closed and open curves (NREN)                      */
-  int32_t reserved;
+  int32_t elements, regions, reserved; /* elements (NEL); closed and open curves (NREN)             */
 } c2d_body_limits;
 
 typedef struct c2d_limits {
@@ -137,24 +120,7 @@ c2d_status c2d_memory_need(const c2d_limits* limits, uint64_t* minimum, uint64_t
    POSIX files are in port/, and port/README.md says what breaks if a duty is cheated. All functions return 0 for success;
    anything else is an error code of yours that comes back in c2d_error.host_code. They must return: no exception, longjmp or
    exit may leave them. Inside them c2d_cancel, c2d_memory_need and c2d_get_state are legal for the solver that calls,
-   everything else is C2D_ERR_BUSY; inside a step callback (section 7) c2d_get_zone_state is legal, too.
-
-     static void tell(void* context, const c2d_error* entry) {
-       (void)context;
-       fprintf(stderr, "line %d: %s\n", (int)entry->line, entry->text);
-     }
-
-   With that as `log`, and blocks in memory (c2d_memory.h of port/memory):
-
-     static unsigned char blocks[1 << 16];
-     c2d_memory_store store;
-     c2d_solver* solver = NULL;
-     c2d_port port = C2D_INIT(c2d_port);
-     c2d_memory_store_init(&store, blocks, sizeof blocks);
-     c2d_memory_store_port(&store, &port);
-     port.log = tell;
-     if (c2d_create(&solver, workspace, sizeof workspace, &sizes, &port, &why) != C2D_OK) puts(why.text);
-*/
+   everything else is C2D_ERR_BUSY; inside a step callback (section 7) c2d_get_zone_state is legal, too. */
 typedef struct c2d_progress {
   uint32_t struct_size;
   int32_t phase, body;        /* C2D_PHASE_...; the body while assembling and eliminating           */
@@ -204,10 +170,9 @@ c2d_status c2d_create(c2d_solver** out, void* memory, size_t bytes, const c2d_li
 /* Take up a solver whose memory was moved, reloaded or handed to another process of the same build: memory[0 .. bytes) is a
    copy of the whole that c2d_create was given, taken between calls, on any alignment, perhaps longer. It goes on where it was,
    with the same bits; every c2d_solver* from before is void. `port` opens the tapes that were open once more; they must hold
-   what they held. On failure the image can still be attached. Its numbers are trusted: one that may be damaged needs a
-   checksum of the host's. Errors: ARGUMENT: no solver stands there; MISMATCH: one of another version, size of pointers or
-   scalar, or prepared by a program linked without energies; MEMORY with why->bytes_needed; BUSY: copied inside a callback;
-   STORE_OPEN. */
+   what they held. On failure the image can still be attached. Its numbers are trusted: a checksum against damage is the host's.
+   Errors: ARGUMENT: no solver stands there; MISMATCH: one of another version, size of pointers or scalar, or prepared by a
+   program linked without energies; MEMORY with why->bytes_needed; BUSY: copied inside a callback; STORE_OPEN. */
 c2d_status c2d_attach(c2d_solver** out, void* memory, size_t bytes, const c2d_port* port, c2d_error* why);
 /* Close the store (Errors: STORE_CLOSE). The memory is the caller's again, whatever is returned. */
 c2d_status c2d_close(c2d_solver* solver);
@@ -216,21 +181,12 @@ c2d_status c2d_close(c2d_solver* solver);
 
    A deck is the 1987 program's card deck (src/deck/DECK.md). read_line puts the next card, without its line end, into text[0
    .. size), ended by a zero byte, and returns its length (a longer line: what fits, and its full length); -1 at the end of the
-   deck; any other negative number is an error of the caller's (C2D_ERR_READ, host_code).
-
-     static int32_t next_card(void* deck, char* text, int32_t size) {
-       if (fgets(text, (int)size, (FILE*)deck) == NULL) return -1;
-       text[strcspn(text, "\r\n")] = '\0';
-       return (int32_t)strlen(text);
-     }
-
-   Scan the deck, create a solver of these sizes, rewind, read: include/README.md has the program. */
+   deck; any other negative number is an error of the caller's (C2D_ERR_READ, host_code). */
 typedef int32_t (*c2d_read_line)(void* context, char* text, int32_t size);
 typedef void (*c2d_report)(void* context, const c2d_error* entry);
 /* Sizes of a deck, without any workspace. out->body has room for out->bodies bodies; both are filled with the deck's. A deck
    that passes may still be refused by c2d_read_deck. c2d_scan_deck puts the first fault into *why, c2d_check_deck tells every
-   fault to `report`; either may be null. Errors: INPUT, READ; LIMIT: out->bodies is then how many there must be room for, and
-   nothing else is filled. */
+   fault to `report`; either may be null. Errors: INPUT, READ; LIMIT: only out->bodies is filled, with how many there are. */
 c2d_status c2d_scan_deck(c2d_read_line read, void* context, c2d_limits* out, c2d_error* why);
 c2d_status c2d_check_deck(c2d_read_line read, void* context, c2d_limits* out, c2d_report report, void* report_context);
 /* Read a whole deck and complete the model; all faults go to c2d_port.log. Errors: INPUT, READ, LIMIT. */
@@ -239,47 +195,7 @@ c2d_status c2d_read_deck(c2d_solver* solver, c2d_read_line read, void* context);
 /* ---------------------------------------------------------------- 5 a model by calls ---------------------------
 
    The order: problem, bodies with regions and nodes, conditions and point loads, zones, friction and paths (for c2d_run), and
-   c2d_complete. Each of these calls may return C2D_ERR_LIMIT. A square [0,2] x [0,2] stands on another, [0,2] x [-2,0]; both
-   slide along x = 0, the lower one on y = -2, and a pressure of 1 acts on top:
-
-     static const double square[2][8][2] = {
-         {{0, -2}, {1, -2}, {2, -2}, {2, -1}, {2, 0}, {1, 0}, {0, 0}, {0, -1}},
-         {{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}};
-     static const int32_t along_y[4] = {1, 0, 0, 1}, along_x[4] = {0, 1, 1, 0}, loaded[4] = {0, 0, 1, 1};
-     static const double zero[4] = {0, 0, 0, 0}, pressure[4] = {0, -1, 0, 0}, whole = 1.0;
-     c2d_problem problem = C2D_INIT(c2d_problem);
-     c2d_body body = C2D_INIT(c2d_body);
-     c2d_zone zone = C2D_INIT(c2d_zone);
-     problem.analysis = C2D_ANALYSIS_FULL;
-     bad |= c2d_set_problem(solver, &problem);
-     body.element_nodes = 2, body.elements = 8, body.regions = 1;
-     body.youngs_modulus = 1000.0, body.poisson_ratio = 0.3;
-     for (int32_t b = 1; b <= 2; ++b) {
-       bad |= c2d_set_body(solver, b, &body);
-       bad |= c2d_add_region(solver, b, 1, 8);
-       bad |= c2d_set_nodes(solver, b, 1, 8, square[b - 1][0], 2);
-       for (int32_t end = 1; end <= 2; ++end) {
-         bad |= c2d_set_condition(solver, b, 7, end, 1, along_y, zero);
-         bad |= c2d_set_condition(solver, b, 8, end, 1, along_y, zero);
-         for (int32_t e = 1; e <= 2; ++e)
-           bad |= b == 1 ? c2d_set_condition(solver, 1, e, end, 1, along_x, zero)
-                         : c2d_set_condition(solver, 2, e + 4, end, 1, loaded, pressure);
-       }
-     }
-
-   Elements 5, 6 of the lower square face elements 2, 1 of the upper one:
-
-     zone.pairs = 3;
-     zone.side1.body = 1, zone.side1.first_element = 5, zone.side1.last_element = 6;
-     zone.side1.first_node = 5, zone.side1.last_node = 7;
-     zone.side2.body = 2, zone.side2.first_element = 2, zone.side2.last_element = 1;
-     zone.side2.first_node = 3, zone.side2.last_node = 1;
-     bad |= c2d_add_zone(solver, &zone);
-     bad |= c2d_add_friction(solver, 0.3);
-     bad |= c2d_add_path(solver, 1, &whole, 1);
-     bad |= c2d_complete(solver);
-     if (bad) return 1;
-*/
+   c2d_complete. Each of these calls may return C2D_ERR_LIMIT. */
 enum { C2D_ANALYSIS_CHECK = -1, C2D_ANALYSIS_STRESS = 0, C2D_ANALYSIS_CONTACT = 1, C2D_ANALYSIS_FULL = 2,
        C2D_ANALYSIS_ITERATIONS = 3 };
 typedef struct c2d_problem {
@@ -297,15 +213,12 @@ typedef struct c2d_body {
   int32_t elements, regions;  /* NEL, NREN                                                          */
   double youngs_modulus;      /* E > 0, force per area                                              */
   double poisson_ratio;       /* -1 < nu <= 0.5 (plane stress: -0.5 < nu <= 0.5)                    */
-  int32_t open_regions;       /* the first ones are open: see c2d_set_symmetry                      */
-  int32_t reserved;
+  int32_t open_regions, reserved; /* the first ones are open: see c2d_set_symmetry                  */
 } c2d_body;
 /* May be given again with other moduli, not with other numbers of elements or regions. */
 c2d_status c2d_set_body(c2d_solver* solver, int32_t body, const c2d_body* data);
 /* Elements first ... last form a closed curve, or an open one; regions follow one another without a gap. */
 c2d_status c2d_add_region(c2d_solver* solver, int32_t body, int32_t first_element, int32_t last_element);
-/* Does nothing. In a library compiled with C2D_PARTS_BY_CALL, a program that names it has bodies with holes. */
-void c2d_link_holes(void);
 /* Boundary points first ... first+count-1: x and y of the k-th at xy[k * stride], xy[k * stride + 1], in global coordinates.
    Element e of a region has its first geometry node at (e-1)*(element_nodes-1)+1, plus the open regions before it. */
 c2d_status c2d_set_nodes(c2d_solver* solver, int32_t body, int32_t first, int32_t count, const double* xy, int64_t stride);
@@ -345,8 +258,7 @@ c2d_status c2d_set_rigid(c2d_solver* solver, int32_t body, int32_t load_case, co
    keeps it there; with c2d_advance it is the caller's. Given again it replaces the one before. */
 c2d_status c2d_set_interference(c2d_solver* solver, int32_t load_case);
 /* Contact between two ranges of elements, side 1 and side 2, on two bodies (yet: side 1 on body 1, side 2 on body 2). A range
-   may run down, and round the end of its region if `elements` says how many there are (0: from first to last by their
-   numbers).
+   may run down, and round the end of its region if `elements` says how many there are (0: by their numbers).
    C2D_ZONE_MATCHING: elements face each other, first with first, last with last, and the functional nodes first_node ...
    last_node, `pairs` of them, form pairs in the same order.
    C2D_ZONE_FREE: the sides are meshed independently; either may run up or down, and pairs and nodes are not looked at. Every
@@ -366,8 +278,6 @@ typedef struct c2d_zone {
   c2d_side side1, side2;
 } c2d_zone;
 c2d_status c2d_add_zone(c2d_solver* solver, const c2d_zone* zone);
-/* Does nothing. In a library compiled with C2D_PARTS_BY_CALL, a program that names it has zones of kind C2D_ZONE_FREE. */
-void c2d_link_free_zones(void);
 /* What the surface is over elements of a body: gaps, normals and the points that face each other are those of surfaces, not of
    elements (METHOD 8). Where nothing is told it is a smooth curve that respects corners and kinks as far as the boundary
    points show them. A line is straight between its points; an arc is one of the circle; a spline is smooth whatever the
@@ -390,8 +300,7 @@ c2d_status c2d_set_zone_friction(c2d_solver* solver, int32_t zone, int32_t i, do
    at most. Of every body only what lies on one side (in one quarter) is given, without elements on the lines: a curve that
    crosses a line is an open region that ends on the lines. Open regions come first in a body (c2d_body.open_regions), at least
    one, and have one boundary point and, except with constant elements, one functional node more than closed ones. The
-   displacement across a line is 0; conditions there say the rest. Forces and moments, given and answered, are those of the
-   part that is modelled. */
+   displacement across a line is 0; conditions there say the rest. Forces and moments are those of the modelled part. */
 c2d_status c2d_set_symmetry(c2d_solver* solver, int32_t axis, double value);
 /* A straight piece of the load path, in `increments` equal steps from where the last piece ended (zero at first) to load[0 ..
    cases), a factor for every load case. c2d_clear_paths forgets the pieces given so far. */
@@ -426,8 +335,7 @@ typedef struct c2d_options {
   int32_t quadrature, stepping; /* C2D_QUADRATURE_..., C2D_STEPPING_...                             */
   int32_t every_change;       /* 1: c2d_run's callback also sees changes of status, but none beyond the limits of accuracy */
   int32_t symmetry;           /* C2D_SYMMETRY_...; before c2d_complete or c2d_read_deck             */
-  int32_t keep_factors;       /* 1: all of L is kept, so that new loads cost little: tape LOWER becomes as large as UPPER */
-  int32_t reserved;
+  int32_t keep_factors, reserved; /* 1: all of L is kept, so that new loads cost little: tape LOWER as large as UPPER */
 } c2d_options;
 /* Any time before c2d_prepare; another `symmetry` for a complete model: STATE. */
 c2d_status c2d_set_options(c2d_solver* solver, const c2d_options* options);
@@ -441,36 +349,19 @@ c2d_status c2d_tape_need(const c2d_limits* limits, const c2d_options* options, u
 
    Assemble (METHOD 2), eliminate what lies outside the contact (METHOD 7), reduce to the contact unknowns (METHOD 10): once
    per model. State afterwards: prepared; after a failure or a cancel: model. Errors: STORE_..., SINGULAR, CANCELLED. A body
-   with a free rigid motion that contact cannot hold is no error: c2d_advance tells it.
-
-     if (c2d_prepare(solver) != C2D_OK) {
-       c2d_last_error(solver, &why);
-       puts(why.text);
-       return 1;
-     }
-*/
+   with a free rigid motion that contact cannot hold is no error: c2d_advance tells it. */
 c2d_status c2d_prepare(c2d_solver* solver);
 /* Other loads for the same bodies. c2d_change_loads ends the path and goes back to state model, where c2d_set_values,
    c2d_set_body_force, c2d_set_rigid (of a rigid body, load_case > 0) and c2d_replace_point_load (place and force of point load
    i, in the order given; body and load case stay) give load cases other values. c2d_prepare then validates them and, if the
    options said keep_factors, sends only the new right-hand sides through the factors that are there: a small part of the work,
    and to round-off the results of a solver prepared from the beginning. Without keep_factors, and after other options, a
-   failure or a cancel, c2d_prepare does everything. Codes, geometry and contact do not change. A load case that is needed only
-   later is counted in c2d_limits.load_cases from the beginning; its values until then do not matter. States saved before are
-   stale. */
+   failure or a cancel, c2d_prepare does everything. Codes, geometry and contact do not change. A load case needed only later is
+   counted in c2d_limits.load_cases from the beginning; its values do not matter until then. States saved before are stale. */
 c2d_status c2d_change_loads(c2d_solver* solver);
 c2d_status c2d_replace_point_load(c2d_solver* solver, int32_t i, double x, double y, double fx, double fy);
 
 /* ---------------------------------------------------------------- 7 follow the load ----------------------------
-
-   Up to the full load, and half of the way back:
-
-     const double mu = 0.3, full = 1.0, half = 0.5;
-     c2d_outcome outcome = C2D_REACHED;
-     bad |= c2d_begin(solver, &mu, 1);
-     bad |= c2d_advance(solver, &full, 1, &outcome);
-     if (outcome == C2D_REACHED) bad |= c2d_advance(solver, &half, 1, &outcome);
-     if (outcome != C2D_REACHED) puts(c2d_outcome_message(outcome));
 
    Begin: zero load, no history, coefficients of friction mu[0 .. zones) (one number serves all zones if zones = 1), each >= 0,
    infinity is full adhesion. State afterwards: running. Errors: STORE_.... */
@@ -483,14 +374,6 @@ c2d_status c2d_advance(c2d_solver* solver, const double* load, int32_t cases, c2
    infinity if no pair ever does; 0 if the path cannot go on that way at all. The load stays where it is; a pair on the border
    of its status (zero pressure, or about to slip) may be given the status that goes with the direction. Errors: STORE_.... */
 c2d_status c2d_next_event(c2d_solver* solver, const double* direction, int32_t cases, double* step);
-/* Does nothing. In a library compiled with C2D_PARTS_BY_CALL, a program that names it, or c2d_run or c2d_get_summary, is
-   warned of what is doubtful about a preparation or a contact state: C2D_WARN_ZONE_END ... _SURFACE, except those that
-   c2d_complete tells. */
-void c2d_link_warnings(void);
-/* Does nothing. In a library compiled with C2D_PARTS_BY_CALL, a program that names it, or c2d_run, has what few states need:
-   the search for statuses where changes of the pairs that offend lead nowhere, the proof that there are none, how many
-   solutions there are, and a body that nothing presses any more. Elsewhere a path ends there with C2D_UNDECIDED. */
-void c2d_link_search(void);
 
 /* Keep the state of the path on tape 0, or, in state prepared, that there is a factorisation. A crash at any moment leaves
    this state or the one saved before; the tapes are made safe (sync) first. c2d_summary does not count what that transfers.
@@ -541,14 +424,7 @@ c2d_status c2d_cancel(c2d_solver* solver);
 /* ---------------------------------------------------------------- 8 results ------------------------------------
 
    At the load reached, in state running. All but what only tells the model may return STORE_... (back substitution is done on
-   the first call at a load that needs it, then kept).
-
-     double normal[3], stress[C2D_POINT_FIELDS], at[2] = {1.0, 1.0};
-     bad |= c2d_get(solver, C2D_TN, 0, 1, 3, normal, 1);
-     bad |= c2d_interior(solver, 2, 1, at, 2, stress, C2D_POINT_FIELDS);
-     printf("pressure %.6f, stress at (1, 1) %.6f\n", normal[1], stress[C2D_POINT_SYY]);
-     bad |= c2d_close(solver);
-*/
+   the first call at a load that needs it, then kept). */
 enum {
   /* per pair (body is ignored); also the columns of c2d_step.table */
   C2D_X = 0, C2D_Y = 1,       /* position on side 1                                                 */
@@ -595,8 +471,7 @@ enum {
    out_stride + c]. xy_stride >= 2, out_stride >= C2D_POINT_FIELDS; xy and out must not overlap. body 0: whichever the point
    lies in, the first if in several. A point load's own field is left out at its very point. Before anything touches, and where
    no motion is held, displacements and stresses are 0. With lines of symmetry points may lie anywhere in the whole body. Many
-   points in one call cost less than one by one. Errors: STORE_...; CANCELLED (`out` then holds nothing of use, the solver is
-   as before). */
+   points in one call cost less than one by one. Errors: STORE_...; CANCELLED (`out` is then of no use). */
 c2d_status c2d_interior(c2d_solver* solver, int32_t body, int32_t count, const double* xy, int64_t xy_stride, double* out,
                         int64_t out_stride);
 
@@ -606,9 +481,7 @@ typedef struct c2d_summary {
   c2d_outcome outcome;            /* of the last path followed                                      */
   int32_t outcome_body, outcome_pair; /* which body can move, which pair was last                   */
   int32_t bodies, function_nodes, pairs, zones, steps, coefficients; /* steps: increments of all load cards */
-  int32_t contact_unknowns;
-  int32_t analysis, plane, stepping, quadrature, iteration_limit, paths;
-  int32_t panel_columns, warnings;
+  int32_t contact_unknowns, analysis, plane, stepping, quadrature, iteration_limit, paths, panel_columns, warnings;
   int64_t events, exchanges, tableau_rebuilds;
   uint64_t minimum_bytes, in_core_bytes;
   uint64_t workspace_bytes, peak_bytes; /* from its first multiple of 64: all there is; used by model and phases */
@@ -622,8 +495,7 @@ typedef struct c2d_summary {
   double free_motion[3];          /* with C2D_FREE_MOTION, _GROSS_SLIDING, _TIPPING: how outcome_body starts to move: (ux, uy,
                                      rotation) about the origin, times any number                   */
   double tension_ratio;           /* smallest pressure inside an element over the largest nodal one */
-  char title[80];
-  char unit_length[16], unit_force[16]; /* as c2d_set_units said, else empty                        */
+  char title[80], unit_length[16], unit_force[16]; /* units: as c2d_set_units said, else empty      */
   int32_t load_cases, reserved;
   double work, dissipated, elastic, energy_defect; /* as in c2d_step                                */
   double least_dissipation;       /* most negative contribution of a pair and event: round-off      */
@@ -711,6 +583,16 @@ c2d_status c2d_last_error(c2d_solver* solver, c2d_error* out);
 const char* c2d_message(int32_t status);
 const char* c2d_outcome_message(int32_t outcome);
 const char* c2d_version(void); /* "0.2.0" */
+/* These do nothing. In a library compiled with C2D_PARTS_BY_CALL a program has a part of it only if it names the function:
+   bodies with holes; zones of kind C2D_ZONE_FREE; warnings of what is doubtful about a preparation or a contact state
+   (C2D_WARN_ZONE_END ... _SURFACE, except those that c2d_complete tells), which c2d_run and c2d_get_summary bring, too; and
+   what few states need, which c2d_run brings, too: the search for statuses where changes of the pairs that offend lead
+   nowhere, the proof that there are none, how many solutions there are, and a body that nothing presses any more. Without
+   the search a path ends there with C2D_UNDECIDED. */
+void c2d_link_holes(void);
+void c2d_link_free_zones(void);
+void c2d_link_warnings(void);
+void c2d_link_search(void);
 
 #ifdef __cplusplus
 }
