@@ -37,7 +37,7 @@ enum {
   C2D_FREE_MOTION = 1,         /* a body can fly away: nothing holds one of its rigid motions       */
   C2D_GROSS_SLIDING = 2,       /* the whole contact slides: friction can carry no more              */
   C2D_NO_ADMISSIBLE_CHANGE = 3,/* no change of a pair's status leads on                             */
-  C2D_ENDLESS_EXCHANGE = 4,    /* changes of status follow each other without progress              */
+  C2D_NO_PROGRESS = 4,         /* changes of status follow each other without progress              */
   C2D_UNDECIDED = 5,           /* whether the path goes on could not be decided                     */
   C2D_TIPPING = 6,             /* a body turns over: it stays in contact where it turns             */
   C2D_BEYOND_LIMITS = 7        /* what comes next is not accurate enough; this is the last state that is */

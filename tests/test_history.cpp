@@ -581,7 +581,7 @@ TEST_CASE("history: decks") {
   for (int pair = 0; pair < stuck.steps[3].pairs(); ++pair) CHECK(stuck.steps[3].at(pair, C2D_STATUS) != C2D_SLIP);
 
   const std::pair<const char*, const char*> faults[] = {
-      {"*PATH\n 2 1 0 3\n", "number of load factors is 3, expected 1"},
+      {"*PATH\n 2 1 0 3\n", "number of load factors (one per load case, that of an interference too) is 3, expected 1"},
       {"*PATH\n", "*PATH without cards"},
       {"*PATH\n 0 1\n", "number of load increments"},
       {"*CASES 2\n", "load case 2 loads nothing"},

@@ -365,7 +365,8 @@ TEST_CASE("refusals: lists, loads and limits by the names of their arguments and
     CHECK(empty.refused(c2d_add_point_load(e, 1, i, 0, 0, 0, 0), "load case" + is));
     CHECK(empty.refused(c2d_set_interference(e, i), "load case" + is));
     CHECK(empty.refused(c2d_set_body_force(e, 1, i, numbers, 0, numbers), "load case" + is));
-    CHECK(empty.refused(c2d_add_path(e, 1, numbers, i), "number of load factors" + is));
+    CHECK(empty.refused(c2d_add_path(e, 1, numbers, i),
+                        "number of load factors (one per load case, that of an interference too)" + is));
   }
   CHECK(going.refused(c2d_get_condition(s, 1, 1, 1, 1, nullptr, numbers), "codes is null"));
   CHECK(going.refused(c2d_get_condition(s, 1, 1, 1, 1, integers, nullptr), "values is null"));

@@ -257,7 +257,7 @@ c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome
     if (event.pair < 0) break;
     standing = part + event.step > part ? 0 : standing + 1; // steps below round-off lead nowhere, however many
     if (standing > 20 + 8 * f.t->pairs) {
-      *outcome = C2D_ENDLESS_EXCHANGE;
+      *outcome = C2D_NO_PROGRESS;
       if (is_short(f, part)) return C2D_OK;
       break;
     }

@@ -175,7 +175,7 @@ const char* outcome_word(int32_t outcome) {
   case C2D_FREE_MOTION: return "free motion";
   case C2D_GROSS_SLIDING: return "gross sliding";
   case C2D_NO_ADMISSIBLE_CHANGE: return "no admissible change";
-  case C2D_ENDLESS_EXCHANGE: return "changes without progress";
+  case C2D_NO_PROGRESS: return "changes without progress";
   case C2D_UNDECIDED: return "could not be decided";
   case C2D_TIPPING: return "tipping";
   case C2D_BEYOND_LIMITS: return "beyond the limits of accuracy";

@@ -65,7 +65,7 @@ const Word kOutcomeWords[] = {
     {C2D_FREE_MOTION, "free motion"},
     {C2D_GROSS_SLIDING, "gross sliding"},
     {C2D_NO_ADMISSIBLE_CHANGE, "no admissible change"},
-    {C2D_ENDLESS_EXCHANGE, "changes without progress"},
+    {C2D_NO_PROGRESS, "changes without progress"},
     {C2D_UNDECIDED, "could not be decided"},
     {C2D_TIPPING, "tipping"},
     {C2D_BEYOND_LIMITS, "beyond the limits of accuracy"},
