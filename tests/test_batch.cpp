@@ -251,11 +251,11 @@ TEST_CASE("batch: a block not wanted is not touched, a wanted one does not depen
       deposits.count = 0;
       deposits.add(&blocks.h[2][0][1], column, 2);
       deposits.add(&blocks.g[1][0][0], column, 0.5);
-      set.kernel->pay(BatchRun{e, &deposits, &blocks, true, true, {1, -1}, nullptr}, 0, count, both);
+      set.kernel->scatter(BatchRun{e, &deposits, &blocks, true, true, {1, -1}, nullptr}, 0, count, both);
       for (int n = 0; n < 2 * kBatch; ++n) {
-        const double paid = (n % 2 ? -1 : 1) * (2 * both.h[2][1][n] + 0.5 * both.g[1][0][n]);
+        const double added = (n % 2 ? -1 : 1) * (2 * both.h[2][1][n] + 0.5 * both.g[1][0][n]);
         const double tolerance = 4.0 * std::numeric_limits<Real>::epsilon() * (n + 1);
-        CHECK(std::fabs(static_cast<double>(column[n]) - (n + (n < 2 * count ? paid : 0))) <= tolerance);
+        CHECK(std::fabs(static_cast<double>(column[n]) - (n + (n < 2 * count ? added : 0))) <= tolerance);
       }
     }
   }

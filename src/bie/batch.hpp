@@ -13,8 +13,8 @@ constexpr int kBatch = 8; // sources
 
 // The blocks of integrals.hpp, [l][j][2 s + i]: as the rows of a column follow each other.
 struct BatchBlocks {
-  double h[4][2][2 * kBatch];
-  double g[4][2][2 * kBatch];
+  double h[kElementNodes][2][2 * kBatch];
+  double g[kElementNodes][2][2 * kBatch];
 };
 
 // An element as the batch wants it: ends, half-vector over its squared length, and the factors of all that
@@ -30,8 +30,8 @@ BatchElement batch_element(const Integrator& in);
 
 // The one column that takes a component of one local node, [kind][l][j] with h before g; null: none does.
 struct BatchColumns {
-  Real* to[2][4][2];
-  double factor[2][4][2];
+  Real* to[2][kElementNodes][2];
+  double factor[2][kElementNodes][2];
 };
 
 // Batches of an element: sources at xy = x0 y0 x1 y1 ..., the first of which has the panel's rows 2 first, 2
@@ -73,11 +73,11 @@ struct BatchKernel {
   // The blocks of the sources at xy, for an element for which is_batched() holds. A source at one of the
   // element's functional nodes gets finite numbers without meaning. Blocks not wanted are not touched.
   void (*integrate)(const BatchElement& e, const double* xy, bool want_h, bool want_g, BatchBlocks& out);
-  // Pays the deposits of one batch from its blocks: of all sources, or of the first `count`.
-  void (*pay)(const BatchRun& run, int32_t first, int32_t count, const BatchBlocks& out);
+  // Scatters the blocks of one batch as its deposits say: of all sources, or of the first `count`.
+  void (*scatter)(const BatchRun& run, int32_t first, int32_t count, const BatchBlocks& out);
   // Both for `count` sources, whole batches of them, none at a functional node. The blocks are room for the
   // work.
-  void (*integrate_and_pay)(const BatchRun& run, const double* xy, int32_t first, int32_t count, BatchBlocks& room);
+  void (*integrate_and_scatter)(const BatchRun& run, const double* xy, int32_t first, int32_t count, BatchBlocks& room);
   // rigid_sum(): sum[4 s + 2 i + j].
   void (*rigid)(const BatchElement& e, const double* xy, double sum[4 * kBatch]);
   // Taken off the diagonals of `count` sources, whole batches.

@@ -40,13 +40,13 @@ INLINE void store_h(const BatchElement& e, const Complexes* c, const Complexes* 
 #pragma GCC unroll 4
   for (int l = 0; l < F; ++l) {
     const Doubles beta = turn_re * d[l].re + turn_im * d[l].im, gamma = turn_im * d[l].re - turn_re * d[l].im;
-    sink.pay(0, l, 0, beta + e.h_alpha * c[l].im, gamma + e.h_delta * c[l].re);
-    sink.pay(0, l, 1, gamma - e.h_delta * c[l].re, e.h_alpha * c[l].im - beta);
+    sink.scatter(0, l, 0, beta + e.h_alpha * c[l].im, gamma + e.h_delta * c[l].re);
+    sink.scatter(0, l, 1, gamma - e.h_delta * c[l].re, e.h_alpha * c[l].im - beta);
   }
 }
 
 // int M_l.
-constexpr double kMean[4][4] = {
+constexpr double kMean[kElementNodes][kElementNodes] = {
     {2.0, 0.0, 0.0, 0.0}, {1.0, 1.0, 0.0, 0.0}, {1.0 / 3, 4.0 / 3, 1.0 / 3, 0.0}, {0.25, 0.75, 0.75, 0.25}};
 
 // E by parts: (k+1) E_k = [eta^(k+1) ln|eta-z|] - Re C_{k+1}.
@@ -63,8 +63,8 @@ INLINE void store_g(const BatchElement& e, const Complexes* c, const Many<F>& m,
     const Doubles alpha = mean * e.g_alpha - e.g_log * logs[l];
     const Doubles beta = mean * e.g_half_cos2 + (turn_re * c[l].im - turn_im * c[l].re);
     const Doubles gamma = mean * e.g_half_sin2 + (turn_im * c[l].im + turn_re * c[l].re);
-    sink.pay(1, l, 0, alpha + beta, gamma);
-    sink.pay(1, l, 1, gamma, alpha - beta);
+    sink.scatter(1, l, 0, alpha + beta, gamma);
+    sink.scatter(1, l, 1, gamma, alpha - beta);
   }
 }
 
@@ -127,15 +127,15 @@ INLINE void integrate_sources(const BatchElement& e, const double* xy, bool want
 // -----------------------------------------------------------------------------------------------------
 
 // From where the component of a deposit's integrals stands in `out`.
-INLINE const double* paid_from(const BatchRun& run, const Deposit& d, const BatchBlocks& out) {
+INLINE const double* scattered_from(const BatchRun& run, const Deposit& d, const BatchBlocks& out) {
   const uint64_t at = static_cast<uint64_t>(d.block - &run.blocks->h[0][0][0]); // h and g one after the other in both
   return &out.h[0][0][0] + (at / 4 * 2 + at % 2) * (2 * kBatch);
 }
 
-void pay(const BatchRun& run, int32_t first, int32_t count, const BatchBlocks& out) {
+void scatter(const BatchRun& run, int32_t first, int32_t count, const BatchBlocks& out) {
   for (int n = 0; n < run.deposits->count; ++n) {
     const Deposit& d = run.deposits->list[n];
-    const double* values = paid_from(run, d, out);
+    const double* values = scattered_from(run, d, out);
     Real* to = d.column + 2 * static_cast<int64_t>(first);
     int i = 0;
     if constexpr (sizeof(Real) == sizeof(double)) {
@@ -167,14 +167,14 @@ template <int F> void integrate_into(const BatchRun& run, const double* xy, int3
     const double least_z2 = least(z2);
     if (least_z2 < kFarStart[F]) {
       integrate_mixed<F>(e, xy + 2 * s, want_h, want_g, Room{&room.h[0][0][0]});
-      pay(run, first + s, kDoubles, room);
+      scatter(run, first + s, kDoubles, room);
     } else {
       integrate_far<F>(e, z, z2, least_z2, want_h, want_g, to);
     }
   }
 }
 
-void integrate_and_pay(const BatchRun& run, const double* xy, int32_t first, int32_t count, BatchBlocks& room) {
+void integrate_and_scatter(const BatchRun& run, const double* xy, int32_t first, int32_t count, BatchBlocks& room) {
   if (run.direct) {
     switch (run.element.functions) {
     case 1: return integrate_into<1>(run, xy, first, count, room);
@@ -185,7 +185,7 @@ void integrate_and_pay(const BatchRun& run, const double* xy, int32_t first, int
   }
   for (int32_t s = 0; s < count; s += kBatch) {
     integrate_batch(run.element, xy + 2 * s, run.want_h, run.want_g, room);
-    pay(run, first + s, kBatch, room);
+    scatter(run, first + s, kBatch, room);
   }
 }
 
@@ -252,7 +252,8 @@ void angles(const double* y, const double* x, double* out) {
   for (int i = 0; i < kBatch; i += kDoubles) save(out + i, angle(load(y + i), load(x + i)));
 }
 
-constexpr BatchKernel kBatchLoops = {integrate_batch, pay, integrate_and_pay, rigid, rigid_off, field, logarithms, angles};
+constexpr BatchKernel kBatchLoops = {integrate_batch, scatter, integrate_and_scatter, rigid, rigid_off, field,
+                                     logarithms,      angles};
 
 } // namespace
 } // namespace c2d

@@ -9,11 +9,11 @@ namespace {
 
 // Sources at the element's own functional nodes: they have integrals of their own kind.
 struct OwnSources {
-  int32_t source[4];
+  int32_t source[kElementNodes];
   int count;
 };
 
-OwnSources own_sources(const ColumnSystem& system, const int32_t node[4], int functions) {
+OwnSources own_sources(const ColumnSystem& system, const int32_t node[kElementNodes], int functions) {
   OwnSources own;
   own.count = functions;
   for (int l = 0; l < functions; ++l)
@@ -64,8 +64,8 @@ const double* places(const ColumnSystem& system, int32_t first, int32_t count, i
 }
 
 // Local node at which lane s sits, -1 if none.
-int singular_lane(const ColumnSystem& system, const Integrator& in, const int32_t node[4], const Group& g, int image, int s,
-                  Source& p) {
+int singular_lane(const ColumnSystem& system, const Integrator& in, const int32_t node[kElementNodes], const Group& g,
+                  int image, int s, Source& p) {
   const int32_t source = g.first + s;
   p = mirrored_source(*system.model.head, image, system.point + 2 * static_cast<int64_t>(source));
   return p.on_itself ? singular_node(node, in.functions, source, system.twin[source]) : -1;
@@ -77,7 +77,7 @@ struct BatchJob {
   const int32_t* node;
   BatchRun run;
   BatchColumns columns;
-  bool direct; // the columns hold what there is to pay
+  bool direct; // the columns hold all that there is to add
 };
 
 // Lanes that are no source get nothing, those on the element what is theirs.
@@ -97,7 +97,7 @@ void mend_lanes(const BatchJob& job, const Group& g, int image, Blocks& blocks, 
   }
 }
 
-void pay_group(BatchJob& job, const Group& g, int image, Blocks& blocks, BatchBlocks& out) {
+void scatter_group(BatchJob& job, const Group& g, int image, Blocks& blocks, BatchBlocks& out) {
   const BatchKernel& kernel = *job.system.batch;
   BatchRun& run = job.run;
   for (int i = 0; i < 2; ++i) run.sign[i] = image_sign(image, i);
@@ -106,18 +106,18 @@ void pay_group(BatchJob& job, const Group& g, int image, Blocks& blocks, BatchBl
   if (!g.plain) {
     kernel.integrate(run.element, places(job.system, g.first, g.count, image, room), run.want_h, run.want_g, out);
     mend_lanes(job, g, image, blocks, out);
-    kernel.pay(run, g.first, g.count, out);
+    kernel.scatter(run, g.first, g.count, out);
     return;
   }
   const int32_t step = image == 0 ? g.count : kBatch;
   for (int32_t s = 0; s < g.count; s += step)
-    kernel.integrate_and_pay(run, places(job.system, g.first + s, step, image, room), g.first + s, step, out);
+    kernel.integrate_and_scatter(run, places(job.system, g.first + s, step, image, room), g.first + s, step, out);
 }
 
 } // namespace
 
-bool pay_batches(const ColumnSystem& system, const Integrator& integrator, const int32_t node[4], Blocks& blocks,
-                 const Deposits& deposits) {
+bool scatter_batches(const ColumnSystem& system, const Integrator& integrator, const int32_t node[kElementNodes],
+                     Blocks& blocks, const Deposits& deposits) {
   if (kSmallCode || !system.batch) return false;
   BatchJob job{system, integrator, node, BatchRun{{}, &deposits, &blocks, false, false, {1.0, 1.0}, nullptr}, {}, false};
   for (int n = 0; n < deposits.count; ++n)
@@ -133,7 +133,7 @@ bool pay_batches(const ColumnSystem& system, const Integrator& integrator, const
   for (int32_t first = 0; first < end;) {
     const Group g = group_at(system, own, first, end);
     for (int image = 0; image <= head.symmetry; ++image)
-      if (is_image(head, image)) pay_group(job, g, image, blocks, out);
+      if (is_image(head, image)) scatter_group(job, g, image, blocks, out);
     first += g.count;
   }
   return true;
@@ -142,7 +142,8 @@ bool pay_batches(const ColumnSystem& system, const Integrator& integrator, const
 namespace {
 
 // One batch, source by source.
-void take_off(const ColumnSystem& system, const Integrator& in, const int32_t node[4], const Group& g, int image, double* sum) {
+void take_off(const ColumnSystem& system, const Integrator& in, const int32_t node[kElementNodes], const Group& g, int image,
+              double* sum) {
   double* diagonal = system.diagonal + 4 * static_cast<int64_t>(g.first);
   for (int s = 0; s < g.count; ++s) {
     if (is_passed_over(system.twin[g.first + s])) continue;
@@ -159,8 +160,8 @@ void take_off(const ColumnSystem& system, const Integrator& in, const int32_t no
 
 } // namespace
 
-bool fill_diagonal_batches(const ColumnSystem& system, const Integrator& integrator, const int32_t node[4], int32_t first_node,
-                           int32_t count) {
+bool fill_diagonal_batches(const ColumnSystem& system, const Integrator& integrator, const int32_t node[kElementNodes],
+                           int32_t first_node, int32_t count) {
   if (kSmallCode || !system.batch || !is_batched(integrator, false)) return false;
   const ModelHeader& head = *system.model.head;
   const BatchElement element = batch_element(integrator);

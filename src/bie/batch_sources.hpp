@@ -5,15 +5,15 @@
 
 namespace c2d {
 
-// As pay_sources() for a body's own equations.
-bool pay_batches(const ColumnSystem& system, const Integrator& integrator, const int32_t node[4], Blocks& blocks,
-                 const Deposits& deposits);
+// As scatter_sources() for a body's own equations.
+bool scatter_batches(const ColumnSystem& system, const Integrator& integrator, const int32_t node[kElementNodes],
+                     Blocks& blocks, const Deposits& deposits);
 
 // One element's share of fill_diagonal().
-bool fill_diagonal_batches(const ColumnSystem& system, const Integrator& integrator, const int32_t node[4], int32_t first_node,
-                           int32_t count);
+bool fill_diagonal_batches(const ColumnSystem& system, const Integrator& integrator, const int32_t node[kElementNodes],
+                           int32_t first_node, int32_t count);
 
 // Local node of the element at which the source sits, itself or its twin; -1: none.
-int singular_node(const int32_t node[4], int count, int32_t source, int32_t twin);
+int singular_node(const int32_t node[kElementNodes], int count, int32_t source, int32_t twin);
 
 } // namespace c2d

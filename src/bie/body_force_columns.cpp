@@ -15,7 +15,7 @@ void add_particular(const ColumnSystem& system, const Hole* hole, const Panel& p
   const Blocks& blocks = system.scratch->blocks;
   Deposits& deposits = system.scratch->deposits;
   deposits.count = 0;
-  int32_t node[4];
+  int32_t node[kElementNodes];
   for (int l = 0; l < nf; ++l) {
     node[l] = functional_node(m, b, element, l);
     double x, y, t[2];
@@ -28,7 +28,7 @@ void add_particular(const ColumnSystem& system, const Hole* hole, const Panel& p
     }
   }
   system.scratch->targets.shared = false;
-  if (deposits.count > 0) pay_sources(system, hole, node, true, true);
+  if (deposits.count > 0) scatter_sources(system, hole, node, true, true);
 }
 
 } // namespace

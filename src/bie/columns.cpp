@@ -42,8 +42,8 @@ void add_element(const ColumnSystem& system, const Hole* hole, const Panel& pane
   deposits.count = 0;
   for (int l = 0; l < nf; ++l)
     for (int c = 0; c < 2; ++c) {
-      if (want_h) aim_deposits(panel, t.h[l][c], &blocks.h[l][0][c], deposits);
-      if (want_g && t.g[l][c].contact == contact) aim_deposits(panel, t.g[l][c], &blocks.g[l][0][c], deposits);
+      if (want_h) add_deposits(panel, t.h[l][c], &blocks.h[l][0][c], deposits);
+      if (want_g && t.g[l][c].contact == contact) add_deposits(panel, t.g[l][c], &blocks.g[l][0][c], deposits);
     }
   // One load case shares the pass over the sources with the unknowns; each further one has a pass of its own.
   const int32_t passes = panel.range.holds_right() ? m.head->load_cases : 1;
@@ -51,7 +51,7 @@ void add_element(const ColumnSystem& system, const Hole* hole, const Panel& pane
     if (pass > 0) deposits.count = 0;
     if (panel.range.holds_right()) aim_right_hand_side(panel, element, t, pass, want_h, want_g, contact, blocks, deposits);
     if (deposits.count == 0) continue;
-    pay_sources(system, hole, t.node, want_h, want_g);
+    scatter_sources(system, hole, t.node, want_h, want_g);
   }
 }
 
@@ -63,7 +63,7 @@ void add_balance(const ColumnSystem& system, const Panel& panel, int32_t element
   const int32_t row = 2 * body.nodes;
   Integrator& integrator = system.scratch->integrator;
   make_integrator(m, b, element, system.quadrature, measure, integrator);
-  double w[4], wx[4], wy[4];
+  double w[kElementNodes], wx[kElementNodes], wy[kElementNodes];
   resultants(integrator, body.centre[0] / m.head->length_unit, body.centre[1] / m.head->length_unit, w, wx, wy);
   for (int l = 0; l < m.head->function_nodes; ++l)
     for (int c = 0; c < 2; ++c) {

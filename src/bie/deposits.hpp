@@ -14,7 +14,8 @@ struct Deposit {
   Real* column;
   double factor;
 };
-constexpr int kMostDeposits = 48; // 4 nodes, 2 components, h and g: at most two contact columns, or one, each
+constexpr int kMostDeposits =
+    kElementNodes * 2 * 6; // by node and component: h and g, at most two contact columns, or one, each
 struct Deposits {
   Deposit list[kMostDeposits];
   int count;
@@ -22,7 +23,7 @@ struct Deposits {
   void add(const double* block, Real* column, double factor) {
     if (column && factor != 0.0 && count < kMostDeposits) list[count++] = Deposit{block, column, factor};
   }
-  void pay(int32_t source) const {
+  void scatter(int32_t source) const {
     for (int n = 0; n < count; ++n) {
       const Deposit& d = list[n];
       Real* to = d.column + 2 * source;

@@ -25,7 +25,7 @@ void leave_out(const ColumnSystem& system, const Integrator& any, int32_t node, 
   for (int n = 0; n < count; ++n) {
     const int32_t element = ends[n] / f;
     const int l = ends[n] % f;
-    double x[4], y[4], own[2][2];
+    double x[kElementNodes], y[kElementNodes], own[2][2];
     element_coordinates(m, b, element, x, y);
     const bool to_start = f == 1 || l < f - 1, to_end = f == 1 || l > 0;
     if (to_start) rays.start[0] = x[1] / m.head->length_unit - at[0], rays.start[1] = y[1] / m.head->length_unit - at[1];

@@ -229,7 +229,7 @@ void hole_row(const Model& m, const Hole& hole, const Integrator& in, bool want_
         double& to = kind == 0 ? out.h[l][c] : out.g[l][c];
         to = 0.0;
         if (!(kind == 0 ? want_h : want_g)) continue;
-        Complex zero[4] = {}, one[4] = {};
+        Complex zero[kElementNodes] = {}, one[kElementNodes] = {};
         one[l] = c == 0 ? Complex{1.0, 0.0} : Complex{0.0, 1.0};
         prepare_field(kind == 0 ? zero : one, kind == 0 ? one : nullptr, e);
         PointField field = {};

@@ -32,7 +32,7 @@ bool next_hole(const Model& model, int b, HoleWalk& walk, Hole& out);
 // sums h u - g t.
 struct FieldElement; // bie/interior.hpp
 struct HoleRow {
-  double h[4][2], g[4][2];
+  double h[kElementNodes][2], g[kElementNodes][2];
 };
 void hole_row(const Model& model, const Hole& hole, const Integrator& integrator, bool want_h, bool want_g,
               FieldElement& scratch, HoleRow& out);

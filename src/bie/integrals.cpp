@@ -37,7 +37,7 @@ void prepare_chord(Integrator& in) {
 // Bernstein ellipse of semi-axis R, |x - x(0)| <= |c1| R + |c2| R^2 + |c3| R^3: a source farther from x(0)
 // leaves the kernels analytic. J for g must be analytic there too.
 void prepare_reach(Integrator& in) {
-  const double(&c)[4][2] = in.element.c;
+  const double(&c)[kElementNodes][2] = in.element.c;
   const int degree = in.functions - 1 + (in.element.straight ? 0 : 1);
   const double c1 = length(c[1]), c2 = length(c[2]), c3 = length(c[3]);
   for (int i = 0; i < kFarOrderCount; ++i) {
@@ -54,7 +54,7 @@ void refresh(Integrator& in) {
   if (!in.closed_form_g) prepare_reach(in);
 }
 
-void clear(double block[4][2][2], int functions) {
+void clear(double block[kElementNodes][2][2], int functions) {
   for (int l = 0; l < functions; ++l) {
     block[l][0][0] = block[l][0][1] = block[l][1][0] = block[l][1][1] = 0.0;
   }
@@ -72,7 +72,7 @@ bool has_no_zero(const double d[3][2], double origin, double radius) {
 }
 
 Expansion expand(const Integrator& in, double origin, double sx, double sy, bool at_source) {
-  const double(&c)[4][2] = in.element.c;
+  const double(&c)[kElementNodes][2] = in.element.c;
   const double source[2] = {sx, sy};
   Expansion x;
   x.origin = origin;
@@ -166,7 +166,8 @@ void rigid_sum(const Integrator& in, double sx, double sy, int singular, double 
   }
 }
 
-void resultants(const Integrator& in, double ox, double oy, double w[4], double wx[4], double wy[4]) {
+void resultants(const Integrator& in, double ox, double oy, double w[kElementNodes], double wx[kElementNodes],
+                double wy[kElementNodes]) {
   for (int l = 0; l < in.functions; ++l) w[l] = wx[l] = wy[l] = 0.0;
   const double r = gauss_semi_axis(kNearOrder, in.functions + 2, kTolerance);
   // M x is a polynomial of degree six at most: four points are exact if J is constant.

@@ -20,8 +20,8 @@ enum class Quadrature {
 // [l][i][j], l = 0..functions-1 (further entries are not touched):
 // h = int T_ij M_l J deta, g = int U_ij M_l J deta.
 struct Blocks {
-  double h[4][2][2];
-  double g[4][2][2];
+  double h[kElementNodes][2][2];
+  double g[kElementNodes][2][2];
 };
 
 // Everything about an element that does not depend on the source; filled by prepare() and set_arc(), read
@@ -61,6 +61,7 @@ void rigid_sum(const Integrator& in, double sx, double sy, int singular, double 
 
 // w[l] = int M_l J deta, wx[l] = int M_l (x-ox) J deta, wy[l] = int M_l (y-oy) J deta; J as for g. To
 // round-off in either mode (exact where the integrand is a polynomial).
-void resultants(const Integrator& in, double ox, double oy, double w[4], double wx[4], double wy[4]);
+void resultants(const Integrator& in, double ox, double oy, double w[kElementNodes], double wx[kElementNodes],
+                double wy[kElementNodes]);
 
 } // namespace c2d

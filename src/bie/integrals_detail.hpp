@@ -28,7 +28,7 @@ struct Expansion {
 // One quadrature point: shape functions, x - source, outward normal times the element's own Jacobian, J for
 // g.
 struct Sample {
-  double shape[4];
+  double shape[kElementNodes];
   double rx, ry, nx, ny, jacobian;
 };
 
@@ -45,8 +45,8 @@ bool resolved(const Integrator& in, const Expansion& x, const Stretch& p, bool o
 
 // Blocks under way, divided by k.
 struct Sums {
-  Tensor h[4];
-  Tensor g[4];
+  Tensor h[kElementNodes];
+  Tensor g[kElementNodes];
 };
 
 // About parameter `origin`; the source is `node_eta` = origin exactly if at_source.

@@ -96,13 +96,13 @@ void add_field_curved(const FieldElement& e, Complex reference, double px, doubl
 
 } // namespace
 
-void prepare_field(const Complex t[4], const Complex* u, FieldElement& out) {
+void prepare_field(const Complex t[kElementNodes], const Complex* u, FieldElement& out) {
   const Integrator& in = out.in;
   out.displaced = u != nullptr;
   out.closed_form = kClosedForms && in.closed_form_g && !in.degenerate;
   const double h2 = in.chord2;
   out.axis = out.closed_form ? sqrt(h2) * Complex{in.ux, in.uy} : Complex{1.0, 0.0};
-  for (int k = 0; k < 4; ++k) {
+  for (int k = 0; k < kElementNodes; ++k) {
     out.t[k] = out.u[k] = Complex{0.0, 0.0};
     if (k >= in.functions) continue;
     for (int l = 0; l < in.functions; ++l) {

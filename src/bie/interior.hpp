@@ -26,12 +26,12 @@ struct FieldElement {
   bool closed_form;
   bool displaced; // has displacements: the reference is taken off
   Complex axis;   // unit vector along those axes
-  Complex t[4], u[4];
+  Complex t[kElementNodes], u[kElementNodes];
 };
 
 // Completes an element whose accurate Integrator `in` stands. Displacements u[l], tractions t[l] at the functional nodes,
 // the latter in the measure of `in`. Null: no displacements.
-void prepare_field(const Complex t[4], const Complex* u, FieldElement& out);
+void prepare_field(const Complex t[kElementNodes], const Complex* u, FieldElement& out);
 
 // Adds the element's share at (x, y), with `reference` taken off its displacements: over a closed boundary a
 // translation has no stress and displaces the inside by itself. With the displacement of the nearest boundary point as

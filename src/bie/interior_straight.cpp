@@ -18,7 +18,7 @@ struct DensityMoments {
   Complex uc, uc_bar, ud, ud_bar, uf;
 };
 
-DensityMoments apply(const FieldElement& e, Complex reference, const Moments& m, const Complex f[4]) {
+DensityMoments apply(const FieldElement& e, Complex reference, const Moments& m, const Complex f[kElementNodes]) {
   DensityMoments s = {};
   for (int k = 0; k < e.in.functions; ++k) {
     const Complex t = e.t[k], u = k == 0 ? e.u[0] - reference : e.u[k];
@@ -43,7 +43,7 @@ void add_field_straight(const FieldElement& e, Complex reference, double x, doub
   const Integrator& in = e.in;
   const SeenPoint seen = see(in, x, y);
   Moments m;
-  Complex f[4];
+  Complex f[kElementNodes];
   find_moments(seen, in.functions, true, m);
   find_third_moments(seen, in.functions, m, f);
   const DensityMoments s = apply(e, reference * conj(e.axis), m, f);

@@ -6,11 +6,11 @@
 namespace c2d {
 namespace {
 
-// Sinks: pay(kind, l, j, row0, row1) takes the rows 0 and 1 of one column of a block, kind 0: h, 1: g.
+// Sinks: scatter(kind, l, j, row0, row1) takes the rows 0 and 1 of one column of a block, kind 0: h, 1: g.
 
 struct Room { // from the first of the sources in a BatchBlocks on
   double* at;
-  INLINE void pay(int kind, int l, int j, Doubles row0, Doubles row1) const {
+  INLINE void scatter(int kind, int l, int j, Doubles row0, Doubles row1) const {
     double* to = at + ((kind * 4 + l) * 2 + j) * (2 * kBatch);
     save(to, evens(row0, row1));
     save(to + kDoubles, odds(row0, row1));
@@ -20,7 +20,7 @@ struct Room { // from the first of the sources in a BatchBlocks on
 struct Columns { // from `row` on
   const BatchColumns* columns;
   int64_t row;
-  INLINE void pay(int kind, int l, int j, Doubles row0, Doubles row1) const {
+  INLINE void scatter(int kind, int l, int j, Doubles row0, Doubles row1) const {
     double* to = reinterpret_cast<double*>(columns->to[kind][l][j]);
     if (!to) return;
     to += row;
@@ -77,11 +77,11 @@ INLINE LinearFar linear_far(Complexes z, Doubles z2, int terms, bool want_log) {
 struct Entries {
   Doubles a00, a10, a01, a11;
 };
-template <class Sink> INLINE void pay_linear(const Entries& even, const Entries& odd, int kind, const Sink& sink) {
-  sink.pay(kind, 0, 0, even.a00 - odd.a00, even.a10 - odd.a10);
-  sink.pay(kind, 0, 1, even.a01 - odd.a01, even.a11 - odd.a11);
-  sink.pay(kind, 1, 0, even.a00 + odd.a00, even.a10 + odd.a10);
-  sink.pay(kind, 1, 1, even.a01 + odd.a01, even.a11 + odd.a11);
+template <class Sink> INLINE void scatter_linear(const Entries& even, const Entries& odd, int kind, const Sink& sink) {
+  sink.scatter(kind, 0, 0, even.a00 - odd.a00, even.a10 - odd.a10);
+  sink.scatter(kind, 0, 1, even.a01 - odd.a01, even.a11 - odd.a11);
+  sink.scatter(kind, 1, 0, even.a00 + odd.a00, even.a10 + odd.a10);
+  sink.scatter(kind, 1, 1, even.a01 + odd.a01, even.a11 + odd.a11);
 }
 
 INLINE Entries entries_h(const BatchElement& e, Complexes c, Complexes d, Complexes turn) {
@@ -97,7 +97,7 @@ INLINE void far_linear(const BatchElement& e, Complexes z, Doubles z2, int terms
   const LinearFar f = linear_far(z, z2, terms, want_g);
   if (want_h) {
     const Complexes turn = {z.im * e.h_cos2, z.im * e.h_sin2};
-    pay_linear(entries_h(e, f.c0, f.d0, turn), entries_h(e, f.c1, f.d1, turn), 0, sink);
+    scatter_linear(entries_h(e, f.c0, f.d0, turn), entries_h(e, f.c1, f.d1, turn), 0, sink);
   }
   if (want_g) {
     const Complexes turn = {z.im * e.g_cos2, z.im * e.g_sin2};
@@ -105,7 +105,8 @@ INLINE void far_linear(const BatchElement& e, Complexes z, Doubles z2, int terms
     const Doubles gamma0 = e.g_half_sin2 - (turn.im * f.c0.im + turn.re * f.c0.re);
     const Doubles beta1 = turn.im * f.c1.re - turn.re * f.c1.im;
     const Doubles gamma1 = -(turn.im * f.c1.im + turn.re * f.c1.re);
-    pay_linear(entries_g(e.g_alpha - e.g_log * f.log0, beta0, gamma0), entries_g(-e.g_log * f.log1, beta1, gamma1), 1, sink);
+    scatter_linear(entries_g(e.g_alpha - e.g_log * f.log0, beta0, gamma0), entries_g(-e.g_log * f.log1, beta1, gamma1), 1,
+                   sink);
   }
 }
 

@@ -7,7 +7,7 @@ namespace c2d {
 namespace {
 
 Element scaled_element(const Model& m, int b, int32_t element) {
-  double x[4], y[4];
+  double x[kElementNodes], y[kElementNodes];
   element_coordinates(m, b, element, x, y);
   const int nodes = m.head->body[b].element_nodes;
   for (int k = 0; k < nodes; ++k) {
@@ -37,10 +37,10 @@ void make_integrator(const Model& m, int b, int32_t element, Quadrature quadratu
   if (facing >= 0) set_arc(out, scaled_element(m, 0, facing), reversed);
 }
 
-void end_resultants(const Model& m, int b, int32_t element, Measure measure, EndResultant out[4]) {
+void end_resultants(const Model& m, int b, int32_t element, Measure measure, EndResultant out[kElementNodes]) {
   Integrator integrator;
   make_integrator(m, b, element, Quadrature::accurate, measure, integrator);
-  double w[4], wx[4], wy[4];
+  double w[kElementNodes], wx[kElementNodes], wy[kElementNodes];
   resultants(integrator, 0.0, 0.0, w, wx, wy);
   for (int l = 0; l < m.head->function_nodes; ++l) out[l] = EndResultant{w[l], wx[l], wy[l]};
 }

@@ -15,7 +15,7 @@ void make_integrator(const Model& model, int b, int32_t element, Quadrature quad
 struct EndResultant {
   double w, wx, wy;
 };
-void end_resultants(const Model& model, int b, int32_t element, Measure measure, EndResultant out[4]);
+void end_resultants(const Model& model, int b, int32_t element, Measure measure, EndResultant out[kElementNodes]);
 // Ratio J1/J2 at local node l of a contact element of body 2: true traction = tau * ratio; 1 elsewhere.
 double traction_ratio(const Model& model, int b, int32_t element, int l);
 

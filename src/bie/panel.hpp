@@ -47,14 +47,14 @@ struct AssemblyScratch {
 constexpr uint64_t kAssemblyBytes = C2D_ASSEMBLY_BYTES;
 static_assert(sizeof(AssemblyScratch) <= kAssemblyBytes, "C2D_ASSEMBLY_BYTES of contact2d_memory.h bounds it on any target");
 
-inline void aim_deposits(const Panel& panel, const Destination& d, const double* block, Deposits& out) {
+inline void add_deposits(const Panel& panel, const Destination& d, const double* block, Deposits& out) {
   for (const Target& target : d.target)
     if (target.column >= 0) out.add(block, panel.column(target.column), target.factor);
 }
 
-// Integrals of the scratch's element for every source and image, paid where its deposits say; of a hole, if
+// Integrals of the scratch's element for every source and image, added where its deposits say; of a hole, if
 // one is given, what its nodes' equations have beside those.
-void pay_sources(const ColumnSystem& system, const Hole* hole, const int32_t node[4], bool want_h, bool want_g);
+void scatter_sources(const ColumnSystem& system, const Hole* hole, const int32_t node[kElementNodes], bool want_h, bool want_g);
 
 // Point loads of the body and its body force of one load case, into the right-hand sides; `hole` as above.
 void add_point_load(const ColumnSystem& system, const Hole* hole, const Panel& panel, const PointLoad& load);

@@ -33,7 +33,7 @@ bool place_sources(const ColumnSystem& system) {
   return some_passed_over;
 }
 
-int singular_node(const int32_t node[4], int count, int32_t source, int32_t twin) {
+int singular_node(const int32_t node[kElementNodes], int count, int32_t source, int32_t twin) {
   for (int l = 0; l < count; ++l)
     if (node[l] == source || (twin >= 0 && node[l] == twin)) return l;
   return -1;
@@ -41,13 +41,13 @@ int singular_node(const int32_t node[4], int count, int32_t source, int32_t twin
 
 namespace {
 
-void sign_rows(int image, int functions, double block[4][2][2]) {
+void sign_rows(int image, int functions, double block[kElementNodes][2][2]) {
   for (int l = 0; l < functions; ++l)
     for (int i = 0; i < 2; ++i)
       for (int j = 0; j < 2; ++j) block[l][i][j] *= image_sign(image, i);
 }
 
-void pay_hole(const ColumnSystem& system, const Hole& hole, bool want_h, bool want_g) {
+void scatter_hole(const ColumnSystem& system, const Hole& hole, bool want_h, bool want_g) {
   Blocks& blocks = system.scratch->blocks;
   HoleRow& row = system.scratch->hole_row;
   kHolePart.hole_row(system.model, hole, system.scratch->integrator, want_h, want_g, system.scratch->hole_field, row);
@@ -58,18 +58,19 @@ void pay_hole(const ColumnSystem& system, const Hole& hole, bool want_h, bool wa
           if (want_h) blocks.h[l][i][c] = n[i] * row.h[l][c];
           if (want_g) blocks.g[l][i][c] = n[i] * row.g[l][c];
         }
-    system.scratch->deposits.pay(node);
+    system.scratch->deposits.scatter(node);
   });
 }
 
 } // namespace
 
-void pay_sources(const ColumnSystem& system, const Hole* hole, const int32_t node[4], bool want_h, bool want_g) {
-  if (hole) return pay_hole(system, *hole, want_h, want_g);
+void scatter_sources(const ColumnSystem& system, const Hole* hole, const int32_t node[kElementNodes], bool want_h,
+                     bool want_g) {
+  if (hole) return scatter_hole(system, *hole, want_h, want_g);
   const Integrator& integrator = system.scratch->integrator;
   const Deposits& deposits = system.scratch->deposits;
   Blocks& blocks = system.scratch->blocks;
-  if (pay_batches(system, integrator, node, blocks, deposits)) return;
+  if (scatter_batches(system, integrator, node, blocks, deposits)) return;
   const Model& m = system.model;
   const int nf = m.head->function_nodes;
   for (int32_t source = 0; source < m.head->body[system.body].nodes; ++source) {
@@ -83,7 +84,7 @@ void pay_sources(const ColumnSystem& system, const Hole* hole, const int32_t nod
       integrate(integrator, p.x, p.y, singular, want_h, want_g, blocks);
       if (image > 0 && want_h) sign_rows(image, nf, blocks.h);
       if (image > 0 && want_g) sign_rows(image, nf, blocks.g);
-      deposits.pay(source);
+      deposits.scatter(source);
     }
   }
 }
@@ -98,7 +99,7 @@ void fill_diagonal(const ColumnSystem& system, int32_t first_node, int32_t count
     if (!is_integrated(m, b, element)) continue;
     Integrator& integrator = system.scratch->integrator;
     make_integrator(m, b, element, system.quadrature, Measure::own_length, integrator);
-    int32_t node[4];
+    int32_t node[kElementNodes];
     for (int l = 0; l < m.head->function_nodes; ++l) node[l] = functional_node(m, b, element, l);
     if (fill_diagonal_batches(system, integrator, node, first_node, count)) continue;
     for (int32_t source = first_node; source < first_node + count; ++source) {

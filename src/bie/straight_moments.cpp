@@ -131,7 +131,7 @@ Complex zeroth_moment(const SeenPoint& s) {
 
 // With q = 1/(z^2-1) the ends give F_1 = -2 q^2, F_0 = z F_1, F_2 = F_0 + D_1, and by parts F_3 =
 // 3/2 D_2 - (z^2+1) q^2; far away, where that cancels, F_3 = -2 w^2 (w R^2 + 3 S_5) as in far_moments.
-void find_third_moments(const SeenPoint& s, int functions, const Moments& m, Complex f[4]) {
+void find_third_moments(const SeenPoint& s, int functions, const Moments& m, Complex f[kElementNodes]) {
   const Complex q = s.iw1 * s.iw2, q2 = q * q, z_square = s.z * s.z;
   f[1] = -2.0 * q2;
   f[0] = s.z * f[1];

@@ -16,8 +16,8 @@ struct SeenPoint {
 SeenPoint see(const Integrator& in, double x, double y);
 
 struct Moments {
-  Complex c[5], d[4]; // C_0 ... C_functions
-  double e[4];
+  Complex c[kElementNodes + 1], d[kElementNodes]; // C_0 ... C_functions
+  double e[kElementNodes];
 };
 
 // Squared distance from the middle beyond which series in 1/z^2 replace logarithm and angle: the recurrence of the
@@ -29,6 +29,6 @@ void find_moments(const SeenPoint& s, int functions, bool want_e, Moments& m);
 // C_0 alone.
 Complex zeroth_moment(const SeenPoint& s);
 // F_0 ... F_(functions-1), from C and D.
-void find_third_moments(const SeenPoint& s, int functions, const Moments& m, Complex f[4]);
+void find_third_moments(const SeenPoint& s, int functions, const Moments& m, Complex f[kElementNodes]);
 
 } // namespace c2d

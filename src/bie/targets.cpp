@@ -5,7 +5,7 @@ namespace c2d {
 
 namespace {
 
-void aim_contact(const Pair& pair, int component, int32_t base, double factor, Destination& out) {
+void place_contact(const Pair& pair, int component, int32_t base, double factor, Destination& out) {
   for (int slot = 0; slot <= pair.tangential; ++slot)
     out.target[slot] = Target{base + pair.dof + slot, factor * along(pair, slot, component)};
 }
@@ -20,7 +20,7 @@ Destination traction_destination(const Model& m, int b, int32_t element, int l, 
                              (unknown.kind == UnknownKind::shared_traction && (unknown.end[0] == end || unknown.end[1] == end));
   if (pair >= 0 && unknown.kind == UnknownKind::contact) {
     const double scale = m.head->stress_unit / (2.0 * shear_modulus(m, b));
-    aim_contact(m.pair[pair], component, outer_columns(m, b) + m.head->contact, scale, out);
+    place_contact(m.pair[pair], component, outer_columns(m, b) + m.head->contact, scale, out);
     out.contact = b == 1; // on body 1 both measures are one
   } else if (holds_unknown) {
     out.target[0] = Target{outer_column(m, b, functional_node(m, b, element, l), component), -1.0};
@@ -55,7 +55,7 @@ bool wanted(const Model& m, const Destination& d, const Range& range, const Plac
 Destination displacement_destination(const Model& m, int b, int32_t node, int component, const Unknown& unknown) {
   Destination out = nowhere();
   if (unknown.kind == UnknownKind::contact)
-    aim_contact(m.pair[pair_of_node(m, b, node)], component, outer_columns(m, b), 1.0, out);
+    place_contact(m.pair[pair_of_node(m, b, node)], component, outer_columns(m, b), 1.0, out);
   else if (unknown.kind == UnknownKind::displacement)
     out.target[0] = Target{outer_column(m, b, node, component), 1.0};
   else

@@ -23,8 +23,8 @@ struct Range { // the columns wanted, and the first right-hand side
 };
 
 struct ElementTargets {
-  Destination h[4][2], g[4][2];
-  int32_t node[4];
+  Destination h[kElementNodes][2], g[kElementNodes][2];
+  int32_t node[kElementNodes];
   bool want_h, want_g; // tractions on the element's own length
   bool want_contact;   // contact tractions
   bool shared;         // some component goes to two columns, be they in the range or not

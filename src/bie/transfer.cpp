@@ -17,7 +17,7 @@ namespace {
 // those.
 Element part_of(const Model& m, int b, int32_t element, double from, double to, const int32_t node[2]) {
   const double unit = m.head->length_unit;
-  double x[4], y[4], px[4], py[4];
+  double x[kElementNodes], y[kElementNodes], px[kElementNodes], py[kElementNodes];
   element_coordinates(m, b, element, x, y);
   const int nodes = m.head->body[b].element_nodes;
   for (int k = 0; k < nodes; ++k) x[k] /= unit, y[k] /= unit;
@@ -51,7 +51,7 @@ void make_transfer(const Model& m, Quadrature quadrature, const TransferWalk& wa
   out.node[1] = node_at(m, FacePoint{piece.element1, 0, to});
   prepare(out.in, part_of(m, 0, piece.element1, from, to, out.node), functions, strain_poisson_ratio(m, 0), quadrature);
   set_arc(out.in, part_of(m, 1, walk.pieces.element2, low, high, none), true);
-  for (int l = 0; l < 4; ++l) out.pair[l] = l < nf ? pair_of_end(m, 1, walk.pieces.element2, l) : -1;
+  for (int l = 0; l < kElementNodes; ++l) out.pair[l] = l < nf ? pair_of_end(m, 1, walk.pieces.element2, l) : -1;
   for (int k = 0; k < functions; ++k) shape(nf, high + (low - high) * k / (functions - 1), out.weight[k]);
 }
 
@@ -100,7 +100,7 @@ void add_displacement(const Model& m, const Columns& panel, int32_t row, int32_t
 void add_faced_displacement(const Model& m, const Columns& panel, const Pair& pair, int d, int32_t element, double part) {
   const int nf = m.head->function_nodes;
   const int32_t row = 2 * m.head->body[0].nodes + 3 + pair.row + d;
-  double value[4];
+  double value[kElementNodes];
   shape(nf, pair.eta, value);
   for (int l = 0; l < nf; ++l)
     for (int c = 0; c < 2; ++c) {
@@ -126,7 +126,8 @@ void add_faced_displacement(const Model& m, const Columns& panel, const Pair& pa
 
 // Integrals of the functions of a piece become those of tau at the ends of the element of body 2, in columns
 // of tau.
-void send(const Model& m, const Columns& panel, const Transfer& t, const double value[4], int32_t row, int component) {
+void send(const Model& m, const Columns& panel, const Transfer& t, const double value[kElementNodes], int32_t row,
+          int component) {
   const double scale = m.head->stress_unit / (2.0 * shear_modulus(m, 0));
   for (int l = 0; l < m.head->function_nodes; ++l) {
     if (t.pair[l] < 0) continue;
@@ -147,7 +148,7 @@ void send(const Model& m, const Columns& panel, const Transfer& t, const double 
   visit_hole(system, hole, [&](int32_t node, const double n[2]) {
     for (int i = 0; i < 2; ++i)
       for (int c = 0; c < 2; ++c) {
-        double value[4];
+        double value[kElementNodes];
         for (int k = 0; k < t.in.functions; ++k) value[k] = n[i] * row.g[k][c];
         if (!is_held_by_symmetry(m, 0, node, i)) send(m, panel, t, value, 2 * node + i, c);
       }
@@ -166,7 +167,7 @@ void send(const Model& m, const Columns& panel, const Transfer& t, const double 
       integrate(t.in, p.x, p.y, at, false, true, blocks);
       for (int i = 0; i < 2; ++i)
         for (int c = 0; c < 2; ++c) {
-          double value[4];
+          double value[kElementNodes];
           for (int k = 0; k < t.in.functions; ++k) value[k] = image_sign(image, i) * blocks.g[k][i][c];
           if (!is_held_by_symmetry(m, 0, source, i)) send(m, panel, t, value, 2 * source + i, c);
         }
@@ -174,7 +175,7 @@ void send(const Model& m, const Columns& panel, const Transfer& t, const double 
   }
   const Body& body = m.head->body[0];
   const int32_t row = 2 * body.nodes, held = m.head->symmetry;
-  double w[4], wx[4], wy[4];
+  double w[kElementNodes], wx[kElementNodes], wy[kElementNodes];
   resultants(t.in, body.centre[0] / m.head->length_unit, body.centre[1] / m.head->length_unit, w, wx, wy);
   for (int c = 0; c < 2; ++c)
     if ((held >> c & 1) == 0) send(m, panel, t, w, row + c, c);
@@ -232,7 +233,7 @@ bool transferred_end(const Model& m, int32_t element, int l, TransferredEnd& out
   const double advance1 = p.nx * n[0] + p.ny * n[1], advance2 = -(q.nx * n[0] + q.ny * n[1]);
   out.ratio = advance2 > 0.0 ? advance1 / advance2 : 1.0;
   shape(nf, faced.eta, out.weight);
-  for (int k = 0; k < 4; ++k) out.pair[k] = k < nf ? pair_of_end(m, 1, faced.element, k) : -1;
+  for (int k = 0; k < kElementNodes; ++k) out.pair[k] = k < nf ? pair_of_end(m, 1, faced.element, k) : -1;
   return true;
 }
 

@@ -15,8 +15,8 @@ struct Transfer {
   Integrator in;
   int32_t element1;
   int32_t node[2]; // functional nodes of body 1 at its ends in direction of travel, or -1
-  int32_t pair[4];
-  double weight[4][4];
+  int32_t pair[kElementNodes];
+  double weight[kElementNodes][kElementNodes];
 };
 // All pieces of all free zones: start with zeros. False after the last one. What a piece stands for is made apart from
 // finding it, which goes deep: none need be in memory then.
@@ -36,8 +36,8 @@ void fill_transfer(const ColumnSystem& system, int32_t first, int32_t count, Rea
 // weight[k] tau of pair[k], with the ratio of lengths dS2/dS1. False outside free zones and where nothing
 // faces it.
 struct TransferredEnd {
-  int32_t pair[4];
-  double weight[4], ratio;
+  int32_t pair[kElementNodes];
+  double weight[kElementNodes], ratio;
 };
 bool transferred_end(const Model& m, int32_t element, int l, TransferredEnd& out);
 

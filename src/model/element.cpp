@@ -46,7 +46,7 @@ Element make_element(int nodes, const double* x, const double* y) {
     e.c[0][1] = y[0] + ey;
     e.c[1][0] = ex;
     e.c[1][1] = ey;
-    for (int k = 2; k < 4; ++k) e.c[k][0] = e.c[k][1] = 0.0;
+    for (int k = 2; k < kElementNodes; ++k) e.c[k][0] = e.c[k][1] = 0.0;
   }
   return e;
 }
@@ -75,7 +75,7 @@ struct Offset { // of a point of the element from P, with derivatives
 };
 
 Offset offset_at(const Element& e, double eta, double x, double y) {
-  const double(&c)[4][2] = e.c;
+  const double(&c)[kElementNodes][2] = e.c;
   return {(c[0][0] - x) + eta * (c[1][0] + eta * (c[2][0] + eta * c[3][0])),
           (c[0][1] - y) + eta * (c[1][1] + eta * (c[2][1] + eta * c[3][1])),
           c[1][0] + eta * (2.0 * c[2][0] + 3.0 * eta * c[3][0]),

@@ -1,5 +1,6 @@
 #pragma once
 // Geometry of one boundary element.
+#include "model/shape.hpp"
 
 namespace c2d {
 
@@ -7,10 +8,10 @@ namespace c2d {
 // The boundary runs counter-clockwise: material on the left.
 struct Element {
   int nodes;
-  double x[4], y[4];  // nodes, in order along the boundary
-  bool straight;      // constant Jacobian: linear, or collinear and equally spaced within round-off
-  double c[4][2];     // polynomial coefficients; c[2] = c[3] = 0 if straight
-  double half_length; // half the distance between first and last node; 0 for a double node
+  double x[kElementNodes], y[kElementNodes]; // nodes, in order along the boundary
+  bool straight;                             // constant Jacobian: linear, or collinear and equally spaced within round-off
+  double c[kElementNodes][2];                // polynomial coefficients; c[2] = c[3] = 0 if straight
+  double half_length;                        // half the distance between first and last node; 0 for a double node
 };
 
 // A point of an element: position, derivative by eta, J = |dx/deta|, unit outward normal (dy,-dx)/J.

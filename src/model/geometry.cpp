@@ -14,7 +14,7 @@ double chord_eta(int i, int chords) { return -1 + 2.0 * i / chords; }
 
 CurvePoint curve_point(int nodes, const double* x, const double* y, double eta) {
   CurvePoint p = {0, 0, 0, 0};
-  double part[4]; // one array for both, as what looks for a facing point goes deep
+  double part[kElementNodes]; // one array for both, as what looks for a facing point goes deep
   shape(nodes, eta, part);
   for (int i = 0; i < nodes; ++i) p.x += part[i] * x[i], p.y += part[i] * y[i];
   shape_derivative(nodes, eta, part);
@@ -23,13 +23,13 @@ CurvePoint curve_point(int nodes, const double* x, const double* y, double eta) 
 }
 
 CurvePoint curve_point(const Model& m, int b, int32_t element, double eta) {
-  double x[4], y[4];
+  double x[kElementNodes], y[kElementNodes];
   element_coordinates(m, b, element, x, y);
   return curve_point(body_of(m, b).element_nodes, x, y, eta);
 }
 
 Element element_of(const Model& m, int b, int32_t element) {
-  double x[4], y[4];
+  double x[kElementNodes], y[kElementNodes];
   element_coordinates(m, b, element, x, y);
   return make_element(body_of(m, b).element_nodes, x, y);
 }
@@ -43,7 +43,7 @@ void outward_normal(const Model& m, int b, int32_t element, double eta, double n
 
 double element_length(const Model& m, int b, int32_t element) {
   const int nodes = body_of(m, b).element_nodes, chords = nodes == 2 ? 1 : kChords;
-  double x[4], y[4], sum = 0;
+  double x[kElementNodes], y[kElementNodes], sum = 0;
   element_coordinates(m, b, element, x, y);
   double from[2] = {x[0], y[0]};
   for (int i = 1; i <= chords; ++i) {
@@ -93,7 +93,7 @@ double region_area(const Model& m, int b, int32_t region) {
 
 void chords_of(const Model& m, int b, int32_t element, Chords& out) {
   const int nodes = body_of(m, b).element_nodes;
-  double x[4], y[4];
+  double x[kElementNodes], y[kElementNodes];
   element_coordinates(m, b, element, x, y);
   out.count = nodes == 2 ? 1 : kChords;
   for (int i = 0; i <= out.count; ++i) {
@@ -117,7 +117,7 @@ void include(Box& box, double x, double y) {
 
 Box box_around(const Model& m, int b, int32_t element) {
   const int nodes = body_of(m, b).element_nodes;
-  double x[4], y[4];
+  double x[kElementNodes], y[kElementNodes];
   element_coordinates(m, b, element, x, y);
   Box box = {x[0], x[0], y[0], y[0]};
   for (int i = 1; i < nodes; ++i) include(box, x[i], y[i]);

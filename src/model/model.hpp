@@ -4,6 +4,7 @@
 #include "contact2d.h"
 #include "memory/config.hpp"
 #include "memory/sizes.hpp"
+#include "model/shape.hpp"
 
 namespace c2d {
 
@@ -191,7 +192,7 @@ bool is_integrated(const Model& m, int b, int32_t element);
 // collocation equations; the second's are u_first = u_second.
 int32_t twin_node(const Model& m, int b, int32_t node);
 bool is_second_twin(const Model& m, int b, int32_t node);
-void element_coordinates(const Model& m, int b, int32_t element, double x[4], double y[4]);
+void element_coordinates(const Model& m, int b, int32_t element, double x[kElementNodes], double y[kElementNodes]);
 void node_position(const Model& m, int b, int32_t node, double* x, double* y);
 // Where a pair is on a body: at its node, on body 1 of a free zone at the point its node faces (model/free_zones.cpp).
 void pair_position(const Model& m, const Pair& pair, int b, double* x, double* y);

@@ -10,6 +10,7 @@ constexpr double kCubic[4][4] = {{-1.0 / 16, 1.0 / 16, 9.0 / 16, -9.0 / 16},
                                  {9.0 / 16, -27.0 / 16, -9.0 / 16, 27.0 / 16},
                                  {9.0 / 16, 27.0 / 16, -9.0 / 16, -27.0 / 16},
                                  {-1.0 / 16, -1.0 / 16, 9.0 / 16, 9.0 / 16}};
+static_assert(kElementNodes == 4, "another order needs values, derivatives, coefficients and a node_eta here");
 
 } // namespace
 

@@ -3,6 +3,9 @@
 
 namespace c2d {
 
+// Local nodes of an element, geometry or functional, at most. Every array over them has this length.
+constexpr int kElementNodes = 4;
+
 // Values N[0..nodes-1] at eta in [-1,1]; nodes = 1 (constant), 2, 3 or 4.
 void shape(int nodes, double eta, double* N);
 

@@ -210,7 +210,7 @@ double half_kink(const Model& m, int b, int32_t element, const SurfaceElement& s
   Walk walk = {element, way, {1, 1}};
   *known = go_on(m, b, walk);
   if (!*known) return 0;
-  double x[4], y[4], own[2][2], next[2][2];
+  double x[kElementNodes], y[kElementNodes], own[2][2], next[2][2];
   element_coordinates(m, b, walk.element, x, y);
   for (int i = 0; i < 2; ++i) {
     tangent_at(s.x, s.y, s.nodes, way * (1 - 2 * i), own[i]); // the end here, the far one

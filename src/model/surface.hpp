@@ -37,7 +37,7 @@ struct SurfacePoint {
 // The surface over one element.
 struct SurfaceElement {
   int32_t nodes;
-  double x[4], y[4];
+  double x[kElementNodes], y[kElementNodes];
   double bend[2];           // two boundary points: tan a0, tan a1; more: the turns of the tangent at either end
   double weight;            // of the conic
   double length;            // of curved elements

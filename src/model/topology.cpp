@@ -175,7 +175,7 @@ bool is_second_twin(const Model& m, int b, int32_t node) {
   return twin >= 0 && !(at.local == 0 && joins_twins(m, b, at.element));
 }
 
-void element_coordinates(const Model& m, int b, int32_t element, double x[4], double y[4]) {
+void element_coordinates(const Model& m, int b, int32_t element, double x[kElementNodes], double y[kElementNodes]) {
   for (int k = 0; k < body_of(m, b).element_nodes; ++k) {
     const double* p = m.xy[b] + 2 * geometry_node(m, b, element, k);
     x[k] = p[0];

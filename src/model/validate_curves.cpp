@@ -26,7 +26,7 @@ void check_points(const Model& m, int32_t curve, Reporter& reporter) {
   const double* const from = m.xy[b] + 2 * geometry_node(m, b, c.first, 0);
   const double* const to = m.xy[b] + 2 * geometry_node(m, b, c.last, last);
   for (int32_t e = c.first; e <= c.last; ++e) {
-    double x[4], y[4];
+    double x[kElementNodes], y[kElementNodes];
     element_coordinates(m, b, e, x, y);
     const double most = kOff * element_length(m, b, e);
     for (int k = 0; k <= last; ++k) {

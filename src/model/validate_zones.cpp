@@ -140,7 +140,7 @@ void check_lengths(const Model& m, int32_t zone, int b, Reporter& reporter) {
 
 // Direction of an element's outward normals on average: its chord turned by -90 degrees.
 void average_normal(const Model& m, int b, int32_t element, double n[2]) {
-  double x[4], y[4];
+  double x[kElementNodes], y[kElementNodes];
   element_coordinates(m, b, element, x, y);
   const int last = body_of(m, b).element_nodes - 1;
   const double dx = x[last] - x[0], dy = y[last] - y[0], size = sqrt(dx * dx + dy * dy);

@@ -34,7 +34,7 @@ void sum_forces(Session& session, int b) {
   for (int i = 0; i < 3; ++i) applied[i] = contact[i] = 0.0;
   for (int32_t element = 0; element < m.head->body[b].elements; ++element) {
     if (!is_integrated(m, b, element)) continue;
-    EndResultant own[4], shared[4];
+    EndResultant own[kElementNodes], shared[kElementNodes];
     end_resultants(m, b, element, Measure::own_length, own);
     end_resultants(m, b, element, Measure::contact, shared);
     for (int l = 0; l < m.head->function_nodes; ++l) {

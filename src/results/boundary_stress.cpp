@@ -90,7 +90,7 @@ void add_slopes(const Session& session, int b, int32_t element, double eta, doub
   const GaussRule rule = gauss_legendre(nf - 1);
   for (int i = 0; i < rule.n; ++i) {
     const double at = gauss_point(rule, i).x, jacobian = element_point(e, at).jacobian;
-    double slope[4];
+    double slope[kElementNodes];
     shape_derivative(nf, at, slope);
     if (!(jacobian > 0.0)) continue;
     double* du_ds = out.du_ds[out.count];
@@ -191,7 +191,7 @@ BoundaryState boundary_state(const Session& session, int b, int32_t element, dou
   const Model& m = session.model;
   const int nf = m.head->function_nodes;
   const Point p = point_of(m, b, element, eta);
-  double value[4];
+  double value[kElementNodes];
   shape(nf, eta, value);
   BoundaryState s = {{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {p.nx, p.ny}};
   for (int l = 0; l < nf; ++l) {

@@ -117,7 +117,7 @@ void add_element(Acting& acting, const Points& points) {
 // Nodal values of an element in the units of the equations. Contact tractions of body 2 are per length of body 1 and
 // come apart from the others.
 struct NodalValues {
-  Complex u[4], own[4], contact[4];
+  Complex u[kElementNodes], own[kElementNodes], contact[kElementNodes];
   bool any_contact;
 };
 // (Not inlined, like those below that need them: each goes deep, and has large frames.)
@@ -178,7 +178,7 @@ struct NodalValues {
   const double stress = 1.0 / (2.0 * shear_modulus(m, 0));
   Transfer piece;
   kFreeZonePart.make_transfer(m, Quadrature::accurate, walk, piece);
-  Complex t[4];
+  Complex t[kElementNodes];
   out.in = piece.in;
   for (int k = 0; k < piece.in.functions; ++k) {
     double value[2];

@@ -17,7 +17,7 @@ namespace c2d {
 struct NodeSmoothing {
   bool ready;
   double range; // length unit
-  Complex t[4], u[4];
+  Complex t[kElementNodes], u[kElementNodes];
 };
 struct ElementSmoothing {
   bool ready;

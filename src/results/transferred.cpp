@@ -38,7 +38,7 @@ namespace {
   const double unit = session.model.head->length_unit;
   Transfer piece;
   make_transfer(session.model, Quadrature::accurate, walk, piece);
-  double w[4], wx[4], wy[4], t[2];
+  double w[kElementNodes], wx[kElementNodes], wy[kElementNodes], t[2];
   resultants(piece.in, 0.0, 0.0, w, wx, wy);
   for (int k = 0; k < piece.in.functions; ++k) {
     transferred_values(session, piece, k, t);

@@ -119,7 +119,7 @@ void warn_friction(Session& session) {
 // Pressure at eta of a contact element, from its listed ends.
 double pressure_inside(const Session& session, int b, int32_t element, double eta) {
   const int nf = session.model.head->function_nodes;
-  double shapes[4], sum = 0.0;
+  double shapes[kElementNodes], sum = 0.0;
   shape(nf, eta, shapes);
   for (int l = 0; l < nf; ++l) {
     const int32_t pair = pair_of_end(session.model, b, element, l);
@@ -202,7 +202,7 @@ void warn_strains(Session& session) {
   int32_t at = 0;
   for (int b = 0; b < m.head->bodies; ++b)
     for (int32_t e = 0; nf > 1 && !is_rigid(m, b) && e < m.head->body[b].elements; ++e) {
-      double x[4], y[4], u[2], v[2], t[2];
+      double x[kElementNodes], y[kElementNodes], u[2], v[2], t[2];
       element_coordinates(m, b, e, x, y);
       const int last = m.head->body[b].element_nodes - 1;
       const double dx = x[last] - x[0], dy = y[last] - y[0], square = dx * dx + dy * dy;

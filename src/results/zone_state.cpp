@@ -22,7 +22,7 @@ double larger(double a, double b) { return a > b ? a : b; }
 void add_element_force(const Session& session, int b, int32_t element, c2d_zone_state& out) {
   const Model& m = session.model;
   const Follower& f = session.follower;
-  EndResultant weight[4];
+  EndResultant weight[kElementNodes];
   end_resultants(m, b, element, Measure::own_length, weight);
   const double unit = m.head->length_unit * m.head->stress_unit;
   for (int l = 0; l < m.head->function_nodes; ++l) {

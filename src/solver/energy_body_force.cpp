@@ -32,7 +32,7 @@ namespace {
   const Model& m = a.model();
   const int nf = m.head->function_nodes;
   const double unit = m.head->length_unit, stress = m.head->stress_unit;
-  double u[4][2] = {}, t[4][2] = {};
+  double u[kElementNodes][2] = {}, t[kElementNodes][2] = {};
   const Element e = element_of(m, a.b, element);
   const GaussRule rule = gauss_legendre(6);
   for (int i = 0; i < rule.n; ++i) {
@@ -40,7 +40,7 @@ namespace {
     const Point p = element_point(e, g.x);
     const Particular s = particular_solution(m, a.b, k, p.x, p.y);
     const double traction[2] = {s.stress[0] * p.nx + s.stress[2] * p.ny, s.stress[2] * p.nx + s.stress[1] * p.ny};
-    double value[4];
+    double value[kElementNodes];
     shape(nf, g.x, value);
     for (int l = 0; l < nf; ++l)
       for (int c = 0; c < 2; ++c) {

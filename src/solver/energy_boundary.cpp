@@ -76,7 +76,7 @@ void add_boundary(Adjoint& a, int32_t k, bool reactions) {
   const Model& m = a.model();
   for (int32_t element = 0; element < m.head->body[a.b].elements; ++element) {
     if (!is_integrated(m, a.b, element)) continue;
-    EndResultant weight[4];
+    EndResultant weight[kElementNodes];
     bool known = false;
     for (int l = 0; l < m.head->function_nodes; ++l)
       for (int c = 0; c < 2; ++c) {

@@ -79,7 +79,7 @@ void find_moments(const Session& session, Real* moment) {
   for (int32_t element = 0; element < m.head->body[b].elements; ++element) {
     int32_t zone, place;
     if (!find_contact_element(m, b, element, &zone, &place) || !is_integrated(m, b, element)) continue;
-    EndResultant weight[4];
+    EndResultant weight[kElementNodes];
     end_resultants(m, b, element, Measure::contact, weight);
     for (int l = 0; l < m.head->function_nodes; ++l) {
       const int32_t index = pair_of_end(m, b, element, l);

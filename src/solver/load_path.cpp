@@ -110,7 +110,7 @@ void case_resultant(const Model& m, int b, int32_t load_case, double out[3], dou
   out[0] = out[1] = out[2] = *size = 0.0;
   for (int32_t element = 0; element < body.elements; ++element) {
     if (!is_integrated(m, b, element)) continue;
-    EndResultant weight[4];
+    EndResultant weight[kElementNodes];
     end_resultants(m, b, element, Measure::own_length, weight);
     for (int l = 0; l < nf; ++l) {
       const double* t = m.end_traction[b] + (load_case * ends + static_cast<int64_t>(element) * nf + l) * 2;

@@ -46,7 +46,7 @@ void particular_at_end(const Session& session, int b, int32_t element, int l, do
 
 void interpolated_particular(const Session& session, int b, int32_t element, double eta, double u[2]) {
   const Model& m = session.model;
-  double value[4];
+  double value[kElementNodes];
   shape(m.head->function_nodes, eta, value);
   u[0] = u[1] = 0.0;
   for (int l = 0; l < m.head->function_nodes; ++l) {

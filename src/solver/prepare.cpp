@@ -274,7 +274,7 @@ void weigh_pairs(const Model& m) {
     for (int32_t place = 0; place < m.zone[z].elements; ++place) {
       const int b = m.zone[z].is_free != 0 ? 1 : 0;
       const int32_t element = zone_element(m, m.zone[z], b, place);
-      EndResultant weight[4];
+      EndResultant weight[kElementNodes];
       end_resultants(m, b, element, Measure::own_length, weight);
       for (int l = 0; l < m.head->function_nodes; ++l) {
         const int32_t pair = pair_of_end(m, b, element, l);
