@@ -68,7 +68,8 @@ enum { /* c2d_error.status of warnings; src/report/OUTPUT.md tells what to do ab
   C2D_WARN_FRICTION = 218,         /* a coefficient of friction above 3 that is not meant as adhesion      */
   C2D_WARN_CONSTANT = 219,         /* constant functions miss even a uniform stress                        */
   C2D_WARN_FAR = 220, C2D_WARN_SIZES = 221, /* surfaces that hardly come nearer; unlike elements face each other */
-  C2D_WARN_SURFACE = 222           /* the error of a surface matters beside how far the bodies come closer */
+  C2D_WARN_SURFACE = 222,          /* the error of a surface matters beside how far the bodies come closer */
+  C2D_WARN_ENERGY = 223            /* between turns of the loads work and friction differ by more than 10 % */
 };
 
 #endif

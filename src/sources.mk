@@ -139,6 +139,7 @@ CORE_SOURCES += src/results/back.cpp
 CORE_SOURCES += src/results/balance.cpp
 CORE_SOURCES += src/results/boundary_stress.cpp
 CORE_SOURCES += src/results/coarse_contact.cpp
+CORE_SOURCES += src/results/friction_work.cpp
 CORE_SOURCES += src/results/interior.cpp
 CORE_SOURCES += src/results/interior_nodes.cpp
 CORE_SOURCES += src/results/interior_placing.cpp

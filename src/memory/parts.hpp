@@ -120,6 +120,7 @@ struct EnergyPart { // solver/energy*.cpp, motion.cpp, pressed_motion.cpp, resul
   Function<c2d_status, c2d_solver*> build_energy = NotLinked();
   Function<double*, c2d_solver*> work_by_case = Nothing();
   Function<void, c2d_solver*> begin_energy = Nothing();
+  Function<void, Session&, const double*> note_turn = Nothing();
   Function<void, Session&, double> add_segment = Nothing();
   Function<void, Session&> before_jump = Nothing();
   Function<void, Session&> after_jump = Nothing();

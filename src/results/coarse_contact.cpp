@@ -1,5 +1,8 @@
 #include "results/coarse_contact.hpp"
 
+#include "model/geometry.hpp"
+#include "model/validate_finding.hpp"
+
 namespace c2d {
 
 namespace {
@@ -9,15 +12,20 @@ struct Stretch {
   int32_t first, last;
 };
 
+// A zone; where it goes round, pairs are counted on beyond its last one.
 struct Looked {
   const Session* session;
-  const Zone* zone;
-  int32_t begin, end; // pairs of the zone: begin ... end - 1
+  int32_t begin, end;    // pairs of the zone: begin ... end - 1
+  bool round, corner[2]; // corner: its first, its last pair is at one
 
-  const Pair& pair(int32_t i) const { return session->model.pair[i]; }
-  bool has(int32_t i) const { return i >= begin && i < end; }
+  int32_t place(int32_t i) const {
+    const int32_t count = end - begin;
+    return round ? begin + ((i - begin) % count + count) % count : i;
+  }
+  const Pair& pair(int32_t i) const { return session->model.pair[place(i)]; }
+  bool has(int32_t i) const { return round || (i >= begin && i < end); }
   bool closed(int32_t i) const { return has(i) && pair(i).status != C2D_OPEN; }
-  double pressure(int32_t i) const { return pair_state(*session->follower.t, i, session->follower.y).p; }
+  double pressure(int32_t i) const { return pair_state(*session->follower.t, place(i), session->follower.y).p; }
   // Half-closed elements at the borders count.
   int32_t elements(int32_t pairs) const {
     const int32_t per_element = session->model.head->function_nodes > 2 ? session->model.head->function_nodes - 1 : 1;
@@ -34,104 +42,179 @@ struct Looked {
 int32_t kind_of(const Pair& pair) { return pair.status == C2D_SLIP ? 10 + pair.sign : pair.status; }
 
 struct Worst {
-  int32_t elements = kFewElements - 1, edge = -1;
+  int32_t elements = kFewElements - 1, edge = -1; // the edge's pair
   double reach = 0.0, width = 0.0;
-  Stretch stretch = {0, 0};
+  double drop = 0.0;           // of the highest pressure to the next pair, over it
+  int32_t first = 0, last = 0; // pairs
   const char* kind = nullptr;
-  // Fewer elements; of as many the border that may be farther off, wherever the pairs begin to count.
-  bool gives_way_to(int32_t other, double other_reach) const {
-    return other < elements || (other == elements && other_reach > (1.0 + 1e-9) * reach);
+  // Fewer elements; of as many the border that may be farther off, of such the narrower zone: wherever pairs begin to count.
+  bool gives_way_to(int32_t other, double other_reach, double other_width) const {
+    if (other != elements || reach == 0.0) return other <= elements;
+    const double more = other_reach / reach - 1.0;
+    return more > 1e-9 || (more > -1e-9 && other_width < (1.0 - 1e-9) * width);
   }
 };
 
-// From the edge at pair i inwards, in steps of +1 or -1, to the first highest pressure.
+// From the edge at pair i inwards, in steps of +1 or -1, to the first highest pressure. What it loses up to the next pair is
+// what a pair elsewhere, or one more, may change of it: little where it is round, much where it stands up at a corner.
 void look_at_edge(const Looked& at, Stretch contact, int32_t i, int step, Worst& worst) {
   if (!at.has(i - step)) return;
   int32_t top = i;
   while (top + step >= contact.first && top + step <= contact.last && at.pressure(top + step) > at.pressure(top)) top += step;
   const int32_t elements = at.elements((top - i) * step + 1);
-  if (!worst.gives_way_to(elements, at.pair(i).length)) return;
+  const double width = at.width(contact);
+  if (!worst.gives_way_to(elements, at.pair(i).length, width)) return;
   worst.elements = elements;
-  worst.edge = i;
+  worst.edge = at.place(i);
   worst.reach = at.pair(i).length;
-  worst.width = at.width(contact);
-  worst.stretch = contact;
+  worst.width = width;
+  const int32_t beside = at.has(top + step) ? top + step : top - step; // the zone may end on an axis, or at a corner
+  const double next = at.closed(beside) ? at.pressure(beside) : 0.0;
+  worst.drop = at.pressure(top) > 0.0 ? 1.0 - next / at.pressure(top) : 0.0;
 }
 
 // A symmetric half of a zone has the other half beyond the pair that cannot slip.
 bool is_on_axis(const Looked& at, int32_t i) { return at.has(i) && at.pair(i).tangential == 0; }
 
-void look_at_friction(const Looked& at, Stretch contact, Stretch s, Worst& worst) {
+// Zones that slip up to a corner may be as small as they like, beside larger ones; alone, one or two pairs do not tell their
+// work.
+bool is_small_at_corner(const Looked& at, Stretch s, int32_t longest) {
+  constexpr int32_t kFew = 2;
+  return longest <= kFew && ((s.first == at.begin && at.corner[0]) || (s.last + 1 == at.end && at.corner[1]));
+}
+
+// `contact`: its edges, of which there are none in a ring that touches all round; `longest`: pairs of a zone of slip.
+void look_at_friction(const Looked& at, Stretch contact, Stretch s, int32_t longest, Worst& worst) {
   const bool slips = at.pair(s.first).status == C2D_SLIP;
-  if (!slips && (s.first == contact.first || s.last == contact.last) && !is_on_axis(at, s.first) && !is_on_axis(at, s.last))
-    return;                                                           // what sticks up to an edge
-  if (slips && (!at.has(s.first - 1) || !at.has(s.last + 1))) return; // up to a corner
+  const bool axis = is_on_axis(at, s.first) || is_on_axis(at, s.last);
   if (s.first == contact.first && s.last == contact.last) return;
-  const bool half = is_on_axis(at, s.first) || is_on_axis(at, s.last);
-  const int32_t elements = (half ? 2 : 1) * at.elements(s.last - s.first + 1);
+  if (!slips && (s.first == contact.first || s.last == contact.last) && !axis) return; // what sticks up to an edge
+  if (slips && (!at.has(s.first - 1) || !at.has(s.last + 1)) && !is_small_at_corner(at, s, longest)) return;
+  const int32_t elements = (axis ? 2 : 1) * at.elements(s.last - s.first + 1);
   double reach = 0.0; // of both borders; an axis is none
   const int32_t borders[] = {s.first, s.last};
   for (const int32_t border : borders)
     if ((s.first == s.last || !is_on_axis(at, border)) && at.pair(border).length > reach) reach = at.pair(border).length;
-  if (!worst.gives_way_to(elements, reach)) return;
+  const double width = (axis ? 2.0 : 1.0) * at.width(s);
+  if (!worst.gives_way_to(elements, reach, width)) return;
   worst.elements = elements;
   worst.reach = reach;
-  worst.width = (half ? 2.0 : 1.0) * at.width(s);
-  worst.stretch = s;
+  worst.width = width;
+  worst.first = at.place(s.first);
+  worst.last = at.place(s.last);
   worst.kind = slips ? "slip" : "stick";
 }
 
-void look_at_contact(const Looked& at, Stretch contact, bool at_peak, Worst& edge, Worst& friction) {
-  look_at_edge(at, contact, contact.first, 1, edge);
-  look_at_edge(at, contact, contact.last, -1, edge);
-  if (!at_peak || at.pair(contact.first).mu == 0.0) return;
-  for (int32_t i = contact.first; i <= contact.last;) {
-    Stretch s = {i, i};
-    while (s.last < contact.last && kind_of(at.pair(s.last + 1)) == kind_of(at.pair(i))) ++s.last;
-    look_at_friction(at, contact, s, friction);
+// Pairs of one kind from pair i on.
+Stretch zone_from(const Looked& at, int32_t i, int32_t last) {
+  Stretch s = {i, i};
+  while (s.last < last && kind_of(at.pair(s.last + 1)) == kind_of(at.pair(i))) ++s.last;
+  return s;
+}
+
+// The zones of stick and slip of these pairs.
+void look_at_zones(const Looked& at, Stretch pairs, Stretch contact, Worst& friction) {
+  if (at.pair(pairs.first).mu == 0.0) return;
+  int32_t longest = 0;
+  for (int32_t i = pairs.first; i <= pairs.last;) {
+    const Stretch s = zone_from(at, i, pairs.last);
+    i = s.last + 1;
+    if (at.pair(s.first).status == C2D_SLIP && i - s.first > longest) longest = i - s.first;
+  }
+  for (int32_t i = pairs.first; i <= pairs.last;) {
+    const Stretch s = zone_from(at, i, pairs.last);
+    look_at_friction(at, contact, s, longest, friction);
     i = s.last + 1;
   }
 }
 
+// A ring that touches all round, from a border between two of its zones on.
+void look_at_ring(const Looked& at, Worst& friction) {
+  int32_t first = at.begin;
+  while (first < at.end && kind_of(at.pair(first - 1)) == kind_of(at.pair(first))) ++first;
+  if (first < at.end) look_at_zones(at, {first, first + at.end - at.begin - 1}, {-1, -1}, friction);
+}
+
+void look_at_zone(const Looked& at, bool at_peak, Worst& edge, Worst& friction) {
+  int32_t first = at.begin; // in a ring behind an open pair
+  while (at.round && first < at.end && at.closed(first - 1)) ++first;
+  if (first == at.end) return at_peak ? look_at_ring(at, friction) : void();
+  const int32_t end = first + at.end - at.begin;
+  for (int32_t i = first; i < end; ++i) {
+    if (!at.closed(i)) continue;
+    Stretch contact = {i, i};
+    while (contact.last + 1 < end && at.closed(contact.last + 1)) ++contact.last;
+    look_at_edge(at, contact, contact.first, 1, edge);
+    look_at_edge(at, contact, contact.last, -1, edge);
+    if (at_peak) look_at_zones(at, contact, contact, friction);
+    i = contact.last;
+  }
+}
+
+// All round a curve, where its last pair and its first one are neighbours.
+bool goes_round(const Model& m, const Zone& z) {
+  const int b = z.is_free != 0 ? 1 : 0;
+  const Region& r = m.region[b][z.region[b]];
+  return r.open == 0 && zone_elements(z, b) == r.last - r.first + 1;
+}
+
+void put_percent(Text& out, double part) { put(out, part < 0.995 ? 100.0 * part : 100.0, part < 0.995 ? 2 : 3); }
+
 void put_reach(Text& out, const Worst& w) {
-  const double percent = w.width > 0.0 ? 100.0 * w.reach / w.width : 100.0;
   put(out, w.reach, 3);
   put_all(out, ", ");
-  put(out, percent < 99.5 ? percent : 100.0, percent < 99.5 ? 2 : 3);
+  put_percent(out, w.width > 0.0 ? w.reach / w.width : 1.0);
   put_all(out, " % of the width");
 }
 
+void put_edge(Text& out, const Worst& w) {
+  put_all(out, "only ", w.elements, w.elements == 1 ? " element" : " elements",
+          " from the edge to the highest pressure; the edge may be off by ");
+  put_reach(out, w);
+  put_all(out, ", that pressure by ");
+  put_percent(out, w.drop);
+  put_all(out, " %");
+}
+
+void put_zone(Text& out, const Worst& w, bool more) {
+  put_all(out, more ? "; " : "", "the zone of ", w.kind, " of pairs ", w.first + 1, " to ", w.last + 1, " holds only ",
+          w.elements, w.elements == 1 ? " element" : " elements", more ? "; its border by " : "; its border may be off by ");
+  put_reach(out, w);
+}
+
 } // namespace
+
+bool goes_on(const Model& m, const Zone& z, int b, int end) {
+  const int32_t element = zone_element(m, z, b, end < 0 ? 0 : zone_elements(z, b) - 1);
+  const int travel = end * z.element_step[b];
+  const Region& r = m.region[b][z.region[b]];
+  int32_t next = element + (travel > 0 ? 1 : -1);
+  if (next < r.first || next > r.last) next = r.open != 0 ? -1 : (travel > 0 ? r.first : r.last);
+  int32_t zone, place;
+  if (next < 0 || !is_integrated(m, b, next) || find_contact_element(m, b, next, &zone, &place)) return false;
+  double here[2], there[2];
+  outward_normal(m, b, element, travel > 0 ? 1.0 : -1.0, here);
+  outward_normal(m, b, next, travel > 0 ? -1.0 : 1.0, there);
+  constexpr double kTenDegrees = 0.985; // cosine
+  return here[0] * there[0] + here[1] * there[1] > kTenDegrees;
+}
 
 bool tell_coarse_contact(const Session& session, bool at_peak, Text& out, int32_t* zone, int32_t* pair) {
   const Model& m = session.model;
   Worst edge, friction;
   for (int32_t z = 0; z < m.head->zones; ++z) {
-    const Looked at = {&session, &m.zone[z], m.zone[z].first_pair, m.zone[z].first_pair + m.zone[z].pairs};
-    for (int32_t i = at.begin; i < at.end; ++i) {
-      if (!at.closed(i)) continue;
-      Stretch contact = {i, i};
-      while (at.closed(contact.last + 1)) ++contact.last;
-      look_at_contact(at, contact, at_peak, edge, friction);
-      i = contact.last;
-    }
+    const Zone& at = m.zone[z];
+    const bool corner[2] = {!goes_on(m, at, 0, -1) || !goes_on(m, at, 1, -1), !goes_on(m, at, 0, 1) || !goes_on(m, at, 1, 1)};
+    look_at_zone({&session, at.first_pair, at.first_pair + at.pairs, goes_round(m, at), {corner[0], corner[1]}}, at_peak, edge,
+                 friction);
   }
   if (edge.edge < 0 && !friction.kind) return false;
-  *pair = edge.edge >= 0 ? edge.edge : friction.stretch.first;
+  *pair = edge.edge >= 0 ? edge.edge : friction.first;
   *zone = m.pair[*pair].zone;
   put_all(out, "coarse contact: ");
-  if (edge.edge >= 0) {
-    put_all(out, "the pressure rises from the edge to its highest over only ", edge.elements,
-            edge.elements == 1 ? " element" : " elements", "; the edge may be off by ");
-    put_reach(out, edge);
-  }
-  if (friction.kind) {
-    put_all(out, edge.edge >= 0 ? "; the zone of " : "the zone of ", friction.kind, " of pairs ", friction.stretch.first + 1,
-            " to ", friction.stretch.last + 1, " holds only ", friction.elements,
-            friction.elements == 1 ? " element" : " elements", "; its border may be off by ");
-    put_reach(out, friction);
-  }
-  put_all(out, ": refine there, to 4 elements or more");
+  if (edge.edge >= 0) put_edge(out, edge);
+  if (friction.kind) put_zone(out, friction, edge.edge >= 0);
+  put_all(out, ": refine there");
   return true;
 }
 

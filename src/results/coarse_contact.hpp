@@ -2,7 +2,7 @@
 // Is the mesh fine enough for the contact that came out? At an edge where a zone goes on the pressure rises from zero to its
 // first highest value; fewer than kFewElements on that way, and a single element decides where the edge lies and how high
 // the pressure is. The same for the zone that slips behind such an edge, and for one that sticks between two that slip.
-// Edges at a corner, where the zone ends, are no matter of this.
+// Edges at a corner, where the zone ends, are no matter of this, but for one or two pairs alone that slip up to it.
 #include "memory/text.hpp"
 #include "solver/session.hpp"
 
@@ -13,5 +13,8 @@ constexpr int32_t kFewElements = 4;
 // Appends what is too coarse, and by how much it may be off; zones and pairs from 0. False: nothing is. Zones of stick and
 // slip are small wherever they begin: they are looked at where `at_peak` says that the loads are at their largest.
 bool tell_coarse_contact(const Session& session, bool at_peak, Text& out, int32_t* zone, int32_t* pair);
+
+// Does body b's surface go on beyond an end (-1: first, +1: last) of a zone without a corner, and out of contact zones?
+bool goes_on(const Model& m, const Zone& z, int b, int end);
 
 } // namespace c2d

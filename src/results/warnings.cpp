@@ -9,6 +9,7 @@
 #include "model/validate_finding.hpp"
 #include "results/back.hpp"
 #include "results/coarse_contact.hpp"
+#include "results/friction_work.hpp"
 #include "results/surface_warnings.hpp"
 #include "results/warnings.hpp"
 #include "solver/load_path.hpp"
@@ -38,23 +39,6 @@ void warn(Session& session, int32_t number, int32_t zone, int32_t pair, const ch
 bool is_closed(const Pair& pair) { return pair.status != C2D_OPEN; }
 
 double pressure_of(const Session& session, int32_t pair) { return pair_state(*session.follower.t, pair, session.follower.y).p; }
-
-// Does body b's surface go on beyond an end (-1: first, +1: last) of a zone without a corner, and out of
-// contact zones?
-bool goes_on(const Model& m, const Zone& z, int b, int end) {
-  const int32_t element = zone_element(m, z, b, end < 0 ? 0 : zone_elements(z, b) - 1);
-  const int travel = end * z.element_step[b];
-  const Region& r = m.region[b][z.region[b]];
-  int32_t next = element + (travel > 0 ? 1 : -1);
-  if (next < r.first || next > r.last) next = r.open != 0 ? -1 : (travel > 0 ? r.first : r.last);
-  int32_t zone, place;
-  if (next < 0 || !is_integrated(m, b, next) || find_contact_element(m, b, next, &zone, &place)) return false;
-  double here[2], there[2];
-  outward_normal(m, b, element, travel > 0 ? 1.0 : -1.0, here);
-  outward_normal(m, b, next, travel > 0 ? -1.0 : 1.0, there);
-  constexpr double kTenDegrees = 0.985; // cosine
-  return here[0] * there[0] + here[1] * there[1] > kTenDegrees;
-}
 
 // A pair that touches from the start says nothing about the zone where a body ends, as at the edge of a
 // punch. Where both surfaces go on, pressure on it does.
@@ -96,6 +80,15 @@ void warn_coarse_contact(Session& session, Moment moment) {
   int32_t zone = 0, pair = 0;
   if (tell_coarse_contact(session, moment == Moment::peak, text, &zone, &pair))
     warn(session, C2D_WARN_FEW_PAIRS, zone + 1, pair + 1, room);
+}
+
+// Within an increment of deck stepping the energies are rough themselves.
+void warn_friction_work(Session& session, bool at_end) {
+  const c2d_solver* s = session.solver;
+  if ((s->warned & bit_of(C2D_WARN_ENERGY)) != 0 || s->keeps_energy == 0 || s->options.stepping != C2D_STEPPING_EVENTS) return;
+  char room[sizeof(c2d_error::text)];
+  Text text = text_in(room);
+  if (tell_friction_work(session, at_end, text)) warn(session, C2D_WARN_ENERGY, 0, 0, room);
 }
 
 void warn_slip(Session& session) {
@@ -235,6 +228,7 @@ void warn_contact(Session& session, Moment moment) {
   warn_zone_ends(session, moment != Moment::between);
   if (moment != Moment::between) warn_coarse_contact(session, moment);
   if (moment != Moment::between) warn_surfaces(session);
+  warn_friction_work(session, moment != Moment::between);
   note_open_pairs(session);
   warn_slip(session);
   warn_friction(session);

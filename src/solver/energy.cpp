@@ -26,6 +26,26 @@ void begin_energy(c2d_solver* s) {
   const EnergyBook book = energy_book(s);
   for (int32_t k = 0; k < book.cases; ++k) book.work[k] = 0.0;
   s->dissipated = s->elastic = s->work = s->energy_size = s->energy_defect = s->least_dissipation = 0.0;
+  s->heading = 0;
+  s->turns = 0;
+}
+
+void note_turn(Session& session, const double* target) {
+  c2d_solver* s = session.solver;
+  uint64_t heading = 0;
+  for (int32_t k = 0; k < s->model.load_cases; ++k) { // a digit to base 3 each; of very many the first ones drop out
+    const double step = target[k] - session.follower.load[k];
+    heading = 3 * heading + (step > 0.0 ? 1 : step < 0.0 ? 2 : 0);
+  }
+  if (heading == 0 || heading == s->heading) return;
+  s->heading = heading;
+  ++s->turns;
+  const double now[3] = {s->work, s->elastic, s->dissipated};
+  for (int i = 0; i < 3; ++i) {
+    s->turn[2][i] = s->turn[1][i];
+    s->turn[1][i] = s->turn[0][i];
+    s->turn[0][i] = now[i];
+  }
 }
 
 namespace {

@@ -36,6 +36,8 @@ double* work_by_case(c2d_solver* solver); // [cases] so far
 c2d_status build_energy(c2d_solver* solver);
 // Nothing has been done yet. Part of begin_path.
 void begin_energy(c2d_solver* solver);
+// The path goes on to `target`; where a load case begins, ends or turns by that, energies are noted as they stand.
+void note_turn(Session& session, const double* target);
 // `part` of the follower's direction is about to be gone, from its present y along its dy.
 void add_segment(Session& session, double part);
 // The same for a step whose inside is not known (deck stepping): before, and after it.

@@ -276,6 +276,7 @@ c2d_status advance_path(Session& session, const double* target) {
     return C2D_OK;
   }
   c2d_outcome outcome = C2D_REACHED;
+  if (s->keeps_energy) kEnergyPart.note_turn(session, target);
   if (s->model.contact == 0 || (s->floating && all_zero(target, cases))) {
     for (int32_t k = 0; k < cases; ++k) f.direction[k] = target[k] - f.load[k];
     if (!s->floating && s->keeps_energy) kEnergyPart.add_segment(session, 1.0);

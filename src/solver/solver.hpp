@@ -54,9 +54,13 @@ struct c2d_solver {
   int32_t breach, good_floating;
   double breach_size, fresh_drift, peak_force, peak_terms[2], good_dissipated, good_least_dissipation;
   int64_t exchanges, rebuilds;
+  uint64_t heading; // which load cases grow, which fall
+  int64_t turns;    // of the path: a load case began, ended or turned
   c2d::PathStats stats;
   double stiffness, gap_scale, pressure_scale, max_residual, peak_pressure, mu;
   double dissipated, elastic, work, energy_size, energy_defect, least_dissipation; // solver/energy.hpp
+  double turn[3][3];                                                               // at its last turns, the last one first:
+                                                                                   // work, elastic, dissipated
   double outcome_motion[3];                                                        // of outcome_body, as Body::free_motion
   double applied[2][3], contact_force[2][3];
   double force_applied, force_contact, force_error, tension_ratio;
