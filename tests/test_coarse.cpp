@@ -124,6 +124,17 @@ TEST_CASE("energy of cycles: nothing is told where they close") {
   for (const char* name : {"mindlin", "mindlin Q=0.1", "mindlin n=6 move=0.0006"}) CHECK(!holds(made(name).err, "energy:"));
 }
 
+TEST_CASE("arcs of chords are no corners, neither in a zone nor where they are held") {
+  const auto count = [](const std::string& name, int32_t number) {
+    int found = 0;
+    for (const c2d_error& e : problem::solve_text(deck(name)).told) found += e.status == number;
+    return found;
+  };
+  CHECK(count("coarse/ring", C2D_WARN_KINK) == 0);
+  CHECK(count("hard/D2_loose_41-21", C2D_WARN_CORNER) == 0);
+  CHECK(count("hard/D1_4pairs_endless_24", C2D_WARN_KINK) == 2); // a roof
+}
+
 TEST_CASE("far: bodies that touch before any load are near, whatever the loads do") {
   for (const char* name : {"coarse/corner", "coarse/parted", "hard/D1_4pairs_endless_24"})
     CHECK_MESSAGE(said(problem::solve_text(deck(name)), C2D_WARN_FAR) == "", name);

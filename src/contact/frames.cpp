@@ -195,19 +195,19 @@ void set_gap(const Model& m, int32_t pair, const double g[2], double doubt, Zone
 }
 
 // Nodes of a pair lie opposite each other: what lies between them is gap, not a shift along the surfaces.
-void check_offset(const Model& m, int32_t pair, const double g[2], Reporter& reporter) {
-  const Pair& p = m.pair[pair];
-  double across[2];
-  to_frame(p, g[0], g[1], across);
-  const double offset = fabs(across[1]);
-  if (offset <= kOffset * p.length) return;
-  Finding f = offset < p.length ? warning(C2D_WARN_OFFSET) : fault();
-  locate_pair(f, m, pair);
-  say(f, "pair ", pair + 1, " (node ", p.node[0] + 1, " of body 1, node ", p.node[1] + 1,
-      " of body 2): the nodes do not face each other, they are shifted by ", offset);
-  say(f, " along the surface, where contact elements are ", p.length, " long, expected at most half of it");
-  tell(reporter, f);
-}
+struct Offsets {
+  int32_t count, pair; // pairs beyond half an element; the worst
+  double size;
+  void add(const Model& m, int32_t of_pair, const double g[2]) {
+    double across[2];
+    to_frame(m.pair[of_pair], g[0], g[1], across);
+    const double offset = fabs(across[1]), length = m.pair[of_pair].length;
+    if (offset <= kOffset * length) return;
+    if (count++ > 0 && offset * m.pair[pair].length <= size * length) return;
+    pair = of_pair;
+    size = offset;
+  }
+};
 
 // How far the lengths of elements that face each other differ in a zone.
 struct Lengths {
@@ -245,22 +245,30 @@ bool on_same_elements(const Model& m, const Pair& p, double tolerance) {
   return fabs(x[1] - x[0]) <= tolerance && fabs(y[1] - y[0]) <= tolerance;
 }
 
-void build_frame(const Model& m, int32_t pair, Spread& spread, ZoneOverlaps& overlaps, Lengths& lengths, Reporter& reporter) {
+// What is told of a zone once, about its worst pair.
+struct ZoneFindings {
+  Spread spread;
+  ZoneOverlaps overlaps;
+  Lengths lengths;
+  Offsets offsets;
+};
+
+void build_frame(const Model& m, int32_t pair, ZoneFindings& of, Reporter& reporter) {
   Pair& p = m.pair[pair];
   Surface s1, s2;
   const bool second = surface_at(m, 1, pair, s2),
              first = p.node[0] < 0 ? kFreeZonePart.surface_faced(m, pair, s1) : surface_at(m, 0, pair, s1);
   if (!first || !second) return tell_pair(m, pair, "no normal on one of the bodies", "a smooth contact element", reporter);
   p.length = fmin(s1.length, s2.length);
-  lengths.add(pair, s1.length, s2.length);
+  of.lengths.add(pair, s1.length, s2.length);
   if (!set_normal(m, pair, s1, s2, reporter)) return;
   const bool same = on_same_elements(m, p, kExactGap * p.length); // one surface, whatever lies beyond the zone on either body
   const double g[2] = {same ? 0 : s2.x - s1.x, same ? 0 : s2.y - s1.y};
-  set_gap(m, pair, g, s1.doubt + s2.doubt, overlaps);
-  if (p.node[0] >= 0) check_offset(m, pair, g, reporter); // points of a free zone face each other by construction
+  set_gap(m, pair, g, s1.doubt + s2.doubt, of.overlaps);
+  if (p.node[0] >= 0) of.offsets.add(m, pair, g); // points of a free zone face each other by construction
 
   const double opposite[2] = {-s2.n[0], -s2.n[1]};
-  spread.add(pair, angle_between(s1.n, opposite) / kDegree);
+  of.spread.add(pair, angle_between(s1.n, opposite) / kDegree);
 }
 
 // Surfaces that coincide but for the last digits of their nodes.
@@ -294,7 +302,21 @@ void tell_overlaps(const Model& m, int32_t zone, const ZoneOverlaps& overlaps, R
   }
 }
 
+void tell_offsets(const Model& m, int32_t zone, const Offsets& offsets, Reporter& reporter) {
+  if (offsets.count == 0) return;
+  const double length = m.pair[offsets.pair].length;
+  Finding f = offsets.size < length ? warning(C2D_WARN_OFFSET) : fault();
+  locate_pair(f, m, offsets.pair);
+  say(f, "zone ", zone + 1, ": the nodes do not face each other at ", offsets.count,
+      offsets.count == 1 ? " pair, " : " pairs, ", offsets.count == 1 ? "" : "least at ");
+  say_pair(f, m, offsets.pair);
+  say(f, ": they are shifted by ", offsets.size, " along the surface, where contact elements are ", length,
+      " long, expected at most half of it");
+  tell(reporter, f);
+}
+
 void warn_lengths(const Model& m, int32_t zone, const Lengths& lengths, Reporter& reporter) {
+  if (lengths.count == 0) return;
   Finding f = warning(C2D_WARN_SIZES);
   locate_pair(f, m, lengths.pair);
   say(f, "zone ", zone + 1, ": elements that face each other differ in length more than fourfold at ", lengths.count,
@@ -317,8 +339,13 @@ void warn_spread(const Model& m, int32_t zone, const Spread& spread, Reporter& r
 
 // ---- kinks ----
 
-void check_kink(const Model& m, int32_t zone, int b, int32_t k, Reporter& reporter) {
-  const Zone& z = m.zone[zone];
+// Kinks of one side of a zone; element: that behind the worst.
+struct Kinks {
+  int32_t count, before, after;
+  double angle;
+};
+
+void look_for_kink(const Model& m, const Zone& z, int b, int32_t k, Kinks& kinks) {
   int32_t before = zone_element(m, z, b, k), after = zone_element(m, z, b, (k + 1) % zone_elements(z, b));
   const int last = body_of(m, b).element_nodes - 1;
   if (geometry_node(m, b, before, last) != geometry_node(m, b, after, 0)) {
@@ -331,17 +358,34 @@ void check_kink(const Model& m, int32_t zone, int b, int32_t k, Reporter& report
   outward_normal(m, b, before, 1, n1);
   outward_normal(m, b, after, -1, n2);
   const double angle = angle_between(n1, n2) / kDegree;
-  if (angle <= 10) return;
+  if (angle <= 10 || is_joint_of_arc(m, b, before, after)) return;
+  if (kinks.count++ == 0 || angle > kinks.angle) {
+    kinks.before = before;
+    kinks.after = after;
+    kinks.angle = angle;
+  }
+}
+
+void warn_kinks(const Model& m, int32_t zone, int b, Reporter& reporter) {
+  const Zone& z = m.zone[zone];
+  // A zone that goes all round its region has a last neighbour more.
+  const Region& r = m.region[b][z.region[b]];
+  const int32_t count = zone_elements(z, b);
+  const int32_t joints = count - (count == r.last - r.first + 1 && !r.open ? 0 : 1);
+  Kinks kinks{0, 0, 0, 0.0};
+  for (int32_t k = 0; k < joints; ++k) look_for_kink(m, z, b, k, kinks);
+  if (kinks.count == 0) return;
   Finding f = warning(C2D_WARN_KINK);
   locate_zone(f, m, zone);
-  locate_element(f, m, b, after);
+  locate_element(f, m, b, kinks.after);
   if (m.head->function_nodes > 1 && (z.is_free == 0 || b == 1)) {
-    const int32_t node = functional_node(m, b, after, 0);
+    const int32_t node = functional_node(m, b, kinks.after, 0);
     f.entry.node = node + 1;
     f.entry.pair = pair_of_node(m, b, node) + 1;
   }
-  say(f, "zone ", zone + 1, ": elements ", before + 1, " and ", after + 1, " of body ", b + 1, " meet at a kink of ", angle,
-      " degrees, more than 10");
+  say(f, "zone ", zone + 1, ": elements ", kinks.before + 1, " and ", kinks.after + 1, " of body ", b + 1,
+      " meet at a kink of ", kinks.angle, " degrees, more than 10");
+  if (kinks.count > 1) say(f, ", the largest of ", kinks.count);
   tell(reporter, f);
 }
 
@@ -371,9 +415,7 @@ bool build_frames(const Model& m, Reporter& reporter) {
   const int32_t before = reporter.faults;
   for (int32_t i = 0; i < m.head->zones; ++i) {
     const Zone& z = m.zone[i];
-    Spread spread{0, 0, 0.0};
-    ZoneOverlaps overlaps{{0, 0, 0.0, 0.0}, {0, 0, 0.0, 0.0}};
-    Lengths lengths{0, 0, {0.0, 0.0}};
+    ZoneFindings of{{0, 0, 0.0}, {{0, 0, 0.0, 0.0}, {0, 0, 0.0, 0.0}}, {0, 0, {0.0, 0.0}}, {0, 0, 0.0}};
     for (int32_t k = 0; k < z.pairs; ++k) {
       const int32_t pair = z.first_pair + k;
       Pair& p = m.pair[pair];
@@ -384,19 +426,14 @@ bool build_frames(const Model& m, Reporter& reporter) {
       p.tangential = 1;
       p.status = C2D_OPEN;
       p.ny = 1; // until its own is known: a pair with a fault
-      build_frame(m, pair, spread, overlaps, lengths, reporter);
+      build_frame(m, pair, of, reporter);
     }
     close_gaps(m, z);
-    warn_spread(m, i, spread, reporter);
-    tell_overlaps(m, i, overlaps, reporter);
-    if (lengths.count > 0) warn_lengths(m, i, lengths, reporter);
-    for (int b = 0; b < 2; ++b) {
-      // A zone that goes all round its region has a last neighbour more.
-      const Region& r = m.region[b][z.region[b]];
-      const int32_t count = zone_elements(z, b);
-      const int32_t joints = count - (count == r.last - r.first + 1 && !r.open ? 0 : 1);
-      for (int32_t k = 0; k < joints; ++k) check_kink(m, i, b, k, reporter);
-    }
+    tell_offsets(m, i, of.offsets, reporter);
+    warn_spread(m, i, of.spread, reporter);
+    tell_overlaps(m, i, of.overlaps, reporter);
+    warn_lengths(m, i, of.lengths, reporter);
+    for (int b = 0; b < 2; ++b) warn_kinks(m, i, b, reporter);
   }
   int32_t dof = 0, row = 0;
   for (int32_t pair = 0; pair < m.head->pairs; ++pair) {
@@ -433,7 +470,7 @@ bool complete_model(const Model& m, Reporter& reporter) {
   const bool sound =
       symmetric && validate_geometry(m, reporter) && (m.head->curves == 0 || kCurvePart.validate_curves(m, reporter));
   validate_loads(m, reporter);
-  if (!validate_zones(m, reporter)) return false; // conditions depend on who is in contact
+  if (!validate_zones(m, sound, reporter)) return false; // conditions depend on who is in contact
   const bool frames = sound && build_frames(m, reporter);
   validate_conditions(m, frames, reporter);
   if (reporter.faults != before) return false;

@@ -80,7 +80,8 @@ extern "C" c2d_status c2d_add_path(c2d_solver* s, int32_t increments, const doub
   const c2d_status status = enter_building(s);
   if (status != C2D_OK) return status;
   if (cases != s->sizes.load_cases)
-    return refuse_number(s, C2D_ERR_ARGUMENT, "number of load factors (one per load case, that of an interference too)", cases, s->sizes.load_cases, s->sizes.load_cases);
+    return refuse_number(s, C2D_ERR_ARGUMENT, "number of load factors (one per load case, that of an interference too)", cases,
+                         s->sizes.load_cases, s->sizes.load_cases);
   if (!load) return check_pointers(s, {{"load", load}});
   return append_path(s, increments, load, cases);
 }

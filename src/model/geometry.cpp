@@ -219,6 +219,46 @@ int winding_number(const Model& m, int b, int32_t region, double x, double y) {
   return number;
 }
 
+namespace {
+
+// The element behind (step 1) or before (-1) in its region's order; -1 where the region ends.
+int32_t next_in_region(const Model& m, int b, int32_t element, int32_t step) {
+  const Region& r = m.region[b][region_of_element(m, b, element)];
+  const int32_t next = element + step;
+  if (next >= r.first && next <= r.last) return next;
+  return r.open != 0 ? -1 : step > 0 ? r.first : r.last;
+}
+
+struct Turn {
+  double angle, length; // signed, in radians; of both elements together
+};
+
+Turn turn_at(const Model& m, int b, int32_t before, int32_t after) {
+  if (before < 0 || after < 0) return Turn{0.0, 0.0};
+  double n1[2], n2[2];
+  outward_normal(m, b, before, 1, n1);
+  outward_normal(m, b, after, -1, n2);
+  return Turn{atan2(n1[0] * n2[1] - n1[1] * n2[0], n1[0] * n2[0] + n1[1] * n2[1]),
+              element_length(m, b, before) + element_length(m, b, after)};
+}
+
+bool is_corner(const Turn& turn) { return fabs(turn.angle) > 0.66; } // 38 degrees
+
+// Within a half of each other, which arcs cut unevenly still are.
+bool turn_alike(const Turn& a, const Turn& b) {
+  const double one = a.angle * b.length, other = b.angle * a.length;
+  return !is_corner(b) && one * other > 0.0 && fabs(one) < 1.5 * fabs(other) && fabs(other) < 1.5 * fabs(one);
+}
+
+} // namespace
+
+bool is_joint_of_arc(const Model& m, int b, int32_t before, int32_t after) {
+  const Turn here = turn_at(m, b, before, after);
+  if (is_corner(here)) return false;
+  return turn_alike(here, turn_at(m, b, next_in_region(m, b, before, -1), before)) ||
+         turn_alike(here, turn_at(m, b, after, next_in_region(m, b, after, 1)));
+}
+
 double angle_between(const double a[2], const double b[2]) {
   return fabs(atan2(a[0] * b[1] - a[1] * b[0], a[0] * b[0] + a[1] * b[1]));
 }

@@ -51,6 +51,10 @@ double distance_to_element(const Model& m, int b, int32_t element, double x, dou
 // 0.
 int winding_number(const Model& m, int b, int32_t region, double x, double y);
 
+// Two elements meet at a joint of a region, `after` begins there; neither has zero length. Kinks that go on alike at the joint
+// before or behind it, in turn per length, are those of chords of an arc, up to the turn that is a corner (METHOD 8.1).
+bool is_joint_of_arc(const Model& m, int b, int32_t before, int32_t after);
+
 // Angle in radians between two directions, 0 ... pi; neither may vanish.
 double angle_between(const double a[2], const double b[2]);
 

@@ -26,7 +26,7 @@ struct Reporter {
 bool validate_data(const Model& m, Reporter& reporter);
 bool validate_geometry(const Model& m, Reporter& reporter);
 bool validate_curves(const Model& m, Reporter& reporter);
-bool validate_zones(const Model& m, Reporter& reporter);
+bool validate_zones(const Model& m, bool sound, Reporter& reporter); // sound: validate_geometry and its like say so
 bool validate_loads(const Model& m, Reporter& reporter);
 // With `frames` false the nodes of pairs are passed over.
 bool validate_conditions(const Model& m, bool frames, Reporter& reporter);

@@ -47,19 +47,36 @@ void tell_count(const Model& m, int b, int32_t node, int component, UnknownKind 
   tell(reporter, f);
 }
 
-void warn_corner(const Model& m, int b, int32_t node, int component, const Unknown& unknown, Reporter& reporter) {
+// Of a body, where both sides of a corner have one unknown traction; the sharpest.
+struct Corners {
+  int32_t count, node, component;
+  double angle;
+};
+
+void look_at_corner(const Model& m, int b, int32_t node, int component, const Unknown& unknown, Corners& corners) {
   const int32_t per_element = m.head->function_nodes;
   double n[2][2];
+  int32_t element[2];
   for (int i = 0; i < 2; ++i) {
-    const int32_t local = unknown.end[i] % per_element;
-    outward_normal(m, b, unknown.end[i] / per_element, node_eta(per_element, local), n[i]);
+    element[i] = unknown.end[i] / per_element;
+    outward_normal(m, b, element[i], node_eta(per_element, unknown.end[i] % per_element), n[i]);
   }
   const double angle = angle_between(n[0], n[1]) / kDegree;
-  if (angle <= 1) return;
+  const bool behind = unknown.end[0] % per_element == 0; // the first end begins there
+  if (angle <= 1 || is_joint_of_arc(m, b, element[behind ? 1 : 0], element[behind ? 0 : 1])) return;
+  if (corners.count++ > 0 && angle <= corners.angle) return;
+  corners.node = node;
+  corners.component = component;
+  corners.angle = angle;
+}
+
+void warn_corners(const Model& m, int b, const Corners& corners, Reporter& reporter) {
+  if (corners.count == 0) return;
   Finding f = warning(C2D_WARN_CORNER);
-  locate_node(f, m, b, node);
-  say(f, "node ", node + 1, " of body ", b + 1, " is a corner of ", angle, " degrees whose displacement in ", kAxis[component],
-      " is prescribed: its unknown traction is taken to be the same on both sides");
+  locate_node(f, m, b, corners.node);
+  say(f, "node ", corners.node + 1, " of body ", b + 1, " is a corner of ", corners.angle, " degrees whose displacement in ",
+      kAxis[corners.component], " is prescribed: its unknown traction is taken to be the same on both sides");
+  if (corners.count > 1) say(f, "; the largest of ", corners.count, " such corners");
   tell(reporter, f);
 }
 
@@ -106,6 +123,7 @@ bool validate_conditions(const Model& m, bool frames, Reporter& reporter) {
   const int32_t before = reporter.faults;
   for (int b = 0; b < m.head->bodies; ++b) {
     if (is_rigid(m, b)) continue; // nothing is solved for there
+    Corners corners{0, 0, 0, 0.0};
     for (int32_t node = 0; node < body_of(m, b).nodes; ++node) {
       if (!frames && pair_of_node(m, b, node) >= 0) continue;
       Unknown unknowns[2];
@@ -114,10 +132,11 @@ bool validate_conditions(const Model& m, bool frames, Reporter& reporter) {
         const Unknown& unknown = unknowns[component];
         if (unknown.kind == UnknownKind::none || unknown.kind == UnknownKind::several)
           tell_count(m, b, node, component, unknown.kind, reporter);
-        if (unknown.kind == UnknownKind::shared_traction) warn_corner(m, b, node, component, unknown, reporter);
+        if (unknown.kind == UnknownKind::shared_traction) look_at_corner(m, b, node, component, unknown, corners);
         check_double_node(m, b, node, component, reporter);
       }
     }
+    if (frames) warn_corners(m, b, corners, reporter);
     if (frames) check_pressure(m, b, reporter);
   }
   return reporter.faults == before;

@@ -97,18 +97,26 @@ void check_nodes(const Model& m, int32_t zone, Reporter& reporter) {
   }
 }
 
-// Elements in two zones, nodes in two pairs: in this zone and an earlier one.
+// Elements in two zones; else nodes in two pairs: in this zone and an earlier one.
 void check_overlap(const Model& m, int32_t zone, int b, Reporter& reporter) {
   const Zone& z = m.zone[zone];
+  int32_t count = 0, first = 0, other = 0;
   for (int32_t k = 0; k < zone_elements(z, b); ++k) {
-    int32_t other, place;
+    int32_t found, place;
     const int32_t element = zone_element(m, z, b, k);
-    if (!find_contact_element(m, b, element, &other, &place) || other == zone) continue; // the first one is found
+    if (!find_contact_element(m, b, element, &found, &place) || found == zone) continue; // the earlier one is found
+    if (count++ > 0) continue;
+    first = element;
+    other = found;
+  }
+  if (count > 0) {
     Finding f = fault();
     locate_zone(f, m, zone);
-    locate_element(f, m, b, element);
-    say(f, "element ", element + 1, " of body ", b + 1, " is in zones ", other + 1, " and ", zone + 1, ", expected in one");
-    tell(reporter, f);
+    locate_element(f, m, b, first);
+    say(f, "element ", first + 1, " of body ", b + 1, " is in zones ", other + 1, " and ", zone + 1);
+    if (count > 1) say(f, ", the first of ", count, " elements in two zones");
+    say(f, ", expected in one");
+    return tell(reporter, f);
   }
   for (int32_t k = 0; k < z.pairs && (z.is_free == 0 || b == 1); ++k) {
     const int32_t node = zone_node(m, z, b, k), pair = pair_of_node(m, b, node);
@@ -148,7 +156,12 @@ void average_normal(const Model& m, int b, int32_t element, double n[2]) {
   n[1] = size > 0 ? -dx / size : 0;
 }
 
-void check_facing(const Model& m, int32_t zone, Reporter& reporter) {
+void facing_normals(const Model& m, const Zone& z, int32_t k, double n[2][2]) {
+  for (int b = 0; b < 2; ++b) average_normal(m, b, zone_element(m, z, b, k), n[b]);
+}
+
+// `sound`: the bodies are.
+void check_facing(const Model& m, int32_t zone, bool sound, Reporter& reporter) {
   const Zone& z = m.zone[zone];
   if (direction(z, 0) != 0 && direction(z, 0) == direction(z, 1)) {
     Finding f = fault();
@@ -158,20 +171,30 @@ void check_facing(const Model& m, int32_t zone, Reporter& reporter) {
         "each other; expected up on one body and down on the other");
     return tell(reporter, f);
   }
+  if (!sound) return; // of a body that runs the wrong way no element would face the other one
+  int32_t count = 0, worst = 0;
+  double least = 0.0;
   for (int32_t k = 0; k < z.elements; ++k) {
-    const int32_t e1 = zone_element(m, z, 0, k), e2 = zone_element(m, z, 1, k);
-    double n1[2], n2[2];
-    average_normal(m, 0, e1, n1);
-    average_normal(m, 1, e2, n2);
-    if (n1[0] * n2[0] + n1[1] * n2[1] < -0.5) continue;
-    Finding f = fault();
-    locate_zone(f, m, zone);
-    f.entry.body = 1;
-    f.entry.element = e1 + 1;
-    say(f, "zone ", zone + 1, ": element ", e1 + 1, " of body 1 with normal (", n1[0], ", ", n1[1], ") and element ", e2 + 1,
-        " of body 2 with normal (", n2[0], ", ", n2[1], ") do not face each other");
-    tell(reporter, f);
+    double n[2][2];
+    facing_normals(m, z, k, n);
+    const double turned = 0.5 + n[0][0] * n[1][0] + n[0][1] * n[1][1];
+    if (turned < 0.0) continue;
+    if (count++ > 0 && turned <= least) continue;
+    worst = k;
+    least = turned;
   }
+  if (count == 0) return;
+  double n[2][2];
+  facing_normals(m, z, worst, n);
+  const int32_t e1 = zone_element(m, z, 0, worst), e2 = zone_element(m, z, 1, worst);
+  Finding f = fault();
+  locate_zone(f, m, zone);
+  f.entry.body = 1;
+  f.entry.element = e1 + 1;
+  say(f, "zone ", zone + 1, ": element ", e1 + 1, " of body 1 with normal (", n[0][0], ", ", n[0][1], ") and element ", e2 + 1,
+      " of body 2 with normal (", n[1][0], ", ", n[1][1], ") do not face each other");
+  if (count > 1) say(f, ", the least of ", count);
+  tell(reporter, f);
 }
 
 // Cut free zones down to what faces each other, and number the pairs of all zones again.
@@ -194,7 +217,7 @@ bool fit_zones(const Model& m, Reporter& reporter) {
 
 } // namespace
 
-bool validate_zones(const Model& m, Reporter& reporter) {
+bool validate_zones(const Model& m, bool sound, Reporter& reporter) {
   const int32_t before = reporter.faults;
   for (int32_t i = 0; i < m.head->zones; ++i)
     for (int b = 0; b < 2; ++b) check_region(m, i, b, reporter);
@@ -203,7 +226,7 @@ bool validate_zones(const Model& m, Reporter& reporter) {
   for (int32_t i = 0; i < m.head->zones; ++i) {
     if (m.zone[i].is_free == 0) {
       check_nodes(m, i, reporter);
-      check_facing(m, i, reporter);
+      check_facing(m, i, sound, reporter);
     }
     for (int b = 0; b < 2; ++b) {
       check_overlap(m, i, b, reporter);
