@@ -63,6 +63,7 @@ constexpr double kMixedNoise = 1e-12; // of a pair's stiffness times a motion, a
 // Magnitudes against which round-off is judged; derived from values and rates, never from units.
 struct PathScales {
   double p, w, dp, dw;
+  double mixed = kMixedNoise; // where no pair has a force, kRateTolerance: rates of forces may be all round-off
 };
 
 // Rates of a pair's forces and motions up to these are none: round-off of the largest, and of what the pair's own stiffness

@@ -270,6 +270,7 @@ void guide(Follower& f, int32_t i, int32_t sign, double rate) {
 } // namespace
 
 void place_in_range(Follower& f) {
+  if (f.t->free_motions == 0) return; // supports hold the bodies
   int32_t end = 0, sign = 0;
   while (end < f.t->pairs && (sign = ends_a_range(f, end)) == 0) ++end;
   if (sign == 0) return;

@@ -108,18 +108,40 @@ uint64_t fingerprint(const Tableau& t) {
 
 enum class Round : int32_t { quiet, changed, stuck };
 
-// Change every offender, judged on the rates as they stand before.
+// The worst of those that offended when the round began, and all that are as bad but for round-off, so that the order of the
+// pairs decides nothing: marks them. Their violation, 0: there are none.
+double mark_worst(const Follower& f, const PathScales& s) {
+  constexpr double kAsBad = 1.0 - 1e-6;
+  const Tableau& t = *f.t;
+  double worst = 0.0;
+  for (int32_t i = 0; i < t.pairs; ++i)
+    if (t.pair[i].mark.offends) worst = larger(worst, judge(f, i, s).size);
+  for (int32_t i = 0; i < t.pairs && worst > 0.0; ++i) {
+    PairMarks& mark = t.pair[i].mark;
+    if (!mark.offends) continue;
+    const Violation v = judge(f, i, s);
+    mark.changes = v.size >= kAsBad * worst;
+    mark.status = static_cast<uint8_t>(v.status) & 3;
+    mark.slip = static_cast<uint8_t>(v.sign + 1) & 3;
+  }
+  return worst;
+}
+
+// Change every offender that is not mended by the changes before it.
 Round change_all(Follower& f, const PathScales& s) {
   Tableau& t = *f.t;
+  int32_t left = 0;
   bool changed = false;
-  for (int32_t i = 0; i < t.pairs; ++i) t.pair[i].mark.offends = judge(f, i, s).size > 0.0;
-  // Values and rates are read before the first exchange of the round changes their meaning.
-  for (int32_t i = 0; i < t.pairs; ++i) {
-    if (!t.pair[i].mark.offends) continue;
-    const Violation v = judge(f, i, s);
-    if (v.size <= 0.0) continue; // mended by the changes before it
-    if (!apply_change(f, i, v.status, v.sign, pair_state(t, i, f.y).wt)) return Round::stuck;
+  for (int32_t i = 0; i < t.pairs; ++i) left += t.pair[i].mark.offends = judge(f, i, s).size > 0.0;
+  while (left > 0 && mark_worst(f, s) > 0.0) {
     changed = true;
+    for (int32_t i = 0; i < t.pairs; ++i) {
+      PairMarks& mark = t.pair[i].mark;
+      if (!mark.offends || !mark.changes) continue;
+      mark.offends = 0;
+      --left;
+      if (!apply_change(f, i, mark.status, mark.slip - 1, pair_state(t, i, f.y).wt)) return Round::stuck;
+    }
   }
   return changed ? Round::changed : Round::quiet;
 }
@@ -158,7 +180,7 @@ PathScales path_scales(const Follower& f) {
 }
 
 NoRate no_rate(const Pair& pair, const PathScales& s) {
-  return {kRateTolerance * s.dp + kMixedNoise * pair.stiffness[0] * s.dw,
+  return {kRateTolerance * s.dp + s.mixed * pair.stiffness[0] * s.dw,
           kRateTolerance * s.dw + (pair.stiffness[0] > 0.0 ? kMixedNoise * s.dp / pair.stiffness[0] : 0.0)};
 }
 
@@ -166,7 +188,10 @@ PathScales decision_scales(Follower& f) {
   PathScales s = path_scales(f);
   s.p = f.pressure_scale = larger(s.p, f.pressure_scale);
   s.w = f.gap_scale = larger(s.w, f.gap_scale);
-  if (f.idle) s.p *= 2.0 / kValueTolerance; // no pressure counts
+  if (f.idle) { // no pressure counts
+    s.p *= 2.0 / kValueTolerance;
+    s.mixed = kRateTolerance;
+  }
   return s;
 }
 

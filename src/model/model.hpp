@@ -60,7 +60,7 @@ struct Zone {
 struct PairMarks {
   uint8_t offends : 1;                       // contact/settle.cpp: breaks a condition as the rates stand
   uint8_t exchanged : 2;                     // contact/tableau.cpp: bit 1 << slot, that slot has left the basis
-  uint8_t changes : 1, status : 2, slip : 2; // contact/increments.cpp: becomes that; the sign of its slip + 1
+  uint8_t changes : 1, status : 2, slip : 2; // contact/settle.cpp, increments.cpp: becomes that; the sign of its slip + 1
 };
 static_assert(sizeof(PairMarks) == 1, "scratch that costs nothing");
 struct Pair {
