@@ -17,24 +17,24 @@ void keep_earlier(Event& best, double step, int32_t pair, int32_t status, int32_
   if (step < best.step) best = Event{step, pair, status, sign};
 }
 
-// Rates that count, and values that are zero but for round-off.
+// Rates that count, and values that are zero but for round-off; and the rest of the piece.
 struct Sizes {
-  double value, rate;
+  double value, rate, rest;
 };
 
-// Where `margin` >= 0 with this rate reaches zero; nothing if it does not shrink within the rest of the piece, or if it is
-// zero already and settle() has found the rate to be none.
+// Where `margin` >= 0 with this rate reaches zero; nothing if it does not shrink within the rest of the piece, at whose end
+// round-off below zero is zero, or if it is zero already and settle() has found the rate to be none.
 void meet(Event& best, double margin, double rate, const Sizes& none, int32_t pair, int32_t status, int32_t sign) {
-  if (!(rate < 0.0) || margin >= -rate * best.step) return;
+  if (!(rate < 0.0) || margin >= -rate * best.step || margin + rate * none.rest >= -none.value) return;
   if (margin <= none.value && -rate <= none.rate) return;
   keep_earlier(best, margin / -rate, pair, status, sign);
 }
 
-void meet_pair(const Follower& f, int32_t i, const PathScales& s, Event& best) {
+void meet_pair(const Follower& f, int32_t i, const PathScales& s, double rest, Event& best) {
   const Pair& pair = f.t->pair[i];
   const PairState now = pair_state(*f.t, i, f.y), rate = pair_rates(*f.t, i, f.dy);
   const NoRate none = no_rate(pair, s);
-  const Sizes force{kValueTolerance * s.p, none.force}, motion{kValueTolerance * s.w, none.motion};
+  const Sizes force{kValueTolerance * s.p, none.force, rest}, motion{kValueTolerance * s.w, none.motion, rest};
   if (pair.status == C2D_OPEN) {
     const bool slides = pair.mu == 0.0;
     meet(best, now.wn, rate.wn, motion, i, slides ? C2D_SLIP : C2D_STICK, slides ? 1 : 0);
@@ -60,7 +60,7 @@ Event nearest_event(Follower& f, double rest) {
   const PathScales s = decision_scales(f);
   silence_round_off(f, s);
   Event best{rest, -1, 0, 0};
-  for (int32_t i = 0; i < f.t->pairs; ++i) meet_pair(f, i, s, best);
+  for (int32_t i = 0; i < f.t->pairs; ++i) meet_pair(f, i, s, rest, best);
   return best;
 }
 
