@@ -17,15 +17,15 @@ void keep_earlier(Event& best, double step, int32_t pair, int32_t status, int32_
   if (step < best.step) best = Event{step, pair, status, sign};
 }
 
-// Rates that count, and values that are zero but for round-off; and the rest of the piece.
+// Values that are zero but for round-off, now and at the end of the piece, and rates that do not count; the rest of the piece.
 struct Sizes {
-  double value, rate, rest;
+  double value, end, rate, rest;
 };
 
 // Where `margin` >= 0 with this rate reaches zero; nothing if it does not shrink within the rest of the piece, at whose end
 // round-off below zero is zero, or if it is zero already and settle() has found the rate to be none.
 void meet(Event& best, double margin, double rate, const Sizes& none, int32_t pair, int32_t status, int32_t sign) {
-  if (!(rate < 0.0) || margin >= -rate * best.step || margin + rate * none.rest >= -none.value) return;
+  if (!(rate < 0.0) || margin >= -rate * best.step || margin + rate * none.rest >= -none.end) return;
   if (margin <= none.value && -rate <= none.rate) return;
   keep_earlier(best, margin / -rate, pair, status, sign);
 }
@@ -34,7 +34,9 @@ void meet_pair(const Follower& f, int32_t i, const PathScales& s, double rest, E
   const Pair& pair = f.t->pair[i];
   const PairState now = pair_state(*f.t, i, f.y), rate = pair_rates(*f.t, i, f.dy);
   const NoRate none = no_rate(pair, s);
-  const Sizes force{kValueTolerance * s.p, none.force, rest}, motion{kValueTolerance * s.w, none.motion, rest};
+  const double gap = kValueTolerance * s.w;
+  const Sizes force{kValueTolerance * s.p, kValueTolerance * f.pressure_scale, none.force, rest};
+  const Sizes motion{gap, gap, none.motion, rest};
   if (pair.status == C2D_OPEN) {
     const bool slides = pair.mu == 0.0;
     meet(best, now.wn, rate.wn, motion, i, slides ? C2D_SLIP : C2D_STICK, slides ? 1 : 0);

@@ -200,7 +200,9 @@ c2d_status hold_again(Follower& f, bool* quiet, c2d_outcome* outcome) {
   if (!close_touching(f)) return C2D_OK;
   status = rebuild(f);
   if (status == C2D_ERR_SINGULAR) return restore_pairs(f);
-  if (status == C2D_OK) *outcome = C2D_REACHED;
+  if (status != C2D_OK) return status;
+  *outcome = C2D_REACHED;
+  f.idle = true; // what touches has no force yet
   return status;
 }
 
