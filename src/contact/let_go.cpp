@@ -97,13 +97,12 @@ double largest_motion(const Follower& f) {
   return most;
 }
 
-// Is there no force in any pair but the round-off of its motion?
-bool is_without_force(const Follower& f) {
-  const double motion = largest_motion(f);
+// Is there no force in any pair but the round-off of such a motion?
+bool is_without_force(const Follower& f, double motion) {
   for (int32_t i = 0; i < f.t->pairs; ++i) {
     const Pair& pair = f.t->pair[i];
-    const PairState now = pair_state(*f.t, i, f.y);
     if (pair.status == C2D_OPEN) continue;
+    const PairState now = pair_state(*f.t, i, f.y);
     if (larger(fabs(now.p), fabs(now.q)) > kValueTolerance * f.pressure_scale + kRateTolerance * pair.stiffness[0] * motion)
       return false;
   }
@@ -125,10 +124,12 @@ bool closes(Follower& f) {
 
 } // namespace
 
-c2d_status note_idle(Follower& f) {
+c2d_status note_idle(Follower& f, const PathScales& s) {
   bool balanced = false, rates = false;
   c2d_status status = C2D_OK;
-  if (f.t->free_motions > 0 && !is_let_go(*f.t) && is_without_force(f)) status = loads_balance(f, &balanced, &rates);
+  // No motion is larger than twice the scale of gaps; most often the first closed pair has more force than that makes.
+  const bool none = f.t->free_motions > 0 && is_without_force(f, 2.0 * s.w) && is_without_force(f, largest_motion(f));
+  if (none && !is_let_go(*f.t)) status = loads_balance(f, &balanced, &rates);
   f.idle = balanced;
   return status;
 }

@@ -148,7 +148,7 @@ Round change_all(Follower& f, const PathScales& s) {
 
 // Rounds of changes as long as they make new sets of statuses: what most events need. y and dy are those of the tableau, before
 // and after.
-c2d_status change_in_rounds(Follower& f, bool* settled) {
+c2d_status change_in_rounds(Follower& f, const PathScales& s, bool* settled) {
   constexpr int32_t kRounds = 12;
   uint64_t seen[kRounds];
   *settled = false;
@@ -156,7 +156,7 @@ c2d_status change_in_rounds(Follower& f, bool* settled) {
     seen[round] = fingerprint(*f.t);
     for (int32_t k = 0; k < round; ++k)
       if (seen[k] == seen[round]) return C2D_OK;
-    switch (change_all(f, decision_scales(f))) {
+    switch (change_all(f, round == 0 ? s : decision_scales(f))) {
     case Round::quiet: *settled = true; return C2D_OK;
     case Round::stuck: return C2D_OK;
     case Round::changed: break;
@@ -261,8 +261,8 @@ bool is_held(const Follower& f) {
 
 namespace {
 
-c2d_status settle_by_rounds(Follower& f, bool* settled) {
-  const c2d_status status = change_in_rounds(f, settled);
+c2d_status settle_by_rounds(Follower& f, const PathScales& s, bool* settled) {
+  const c2d_status status = change_in_rounds(f, s, settled);
   *settled = *settled && is_held(f);
   return status;
 }
@@ -276,12 +276,15 @@ c2d_status settle_at(Follower& f, c2d_outcome* outcome) {
   c2d_status status = f.watch.tick(f.watch.context);
   if (status != C2D_OK) return status;
   bool let_go = is_let_go(*f.t);
-  status = kSearchPart.note_idle(f);
+  const bool was_let_go = let_go, was_idle = f.idle;
+  PathScales s = decision_scales(f);
+  status = kSearchPart.note_idle(f, s);
   if (let_go && status == C2D_OK) status = kSearchPart.hold_again(f, &let_go, outcome);
   if (status != C2D_OK || let_go || *outcome != C2D_REACHED) return status;
+  if (was_let_go || f.idle != was_idle) s = decision_scales(f);
   const bool first = wants_all(f);
   // Behind an event something offends as a rule, and rounds find out.
-  const bool offends = (f.bound.pair >= 0 && !first) || anything_offends(f, decision_scales(f));
+  const bool offends = (f.bound.pair >= 0 && !first) || anything_offends(f, s);
   const bool loose = offends || kSearchPart.slides_without_force(f);
   if (!loose && !first) return C2D_OK;
   keep_pairs(f);
@@ -292,7 +295,7 @@ c2d_status settle_at(Follower& f, c2d_outcome* outcome) {
   if (status != C2D_OK || found > 0 || !offends) return status;
   if (found < 0) {
     bool settled = false;
-    status = settle_by_rounds(f, &settled);
+    status = settle_by_rounds(f, s, &settled);
     if (status != C2D_OK || settled) return status;
     status = restore_pairs(f);
     if (status == C2D_OK && !first) status = kSearchPart.try_all(f, true, &found);

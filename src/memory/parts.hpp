@@ -142,6 +142,7 @@ struct WarningPart { // results/warnings.cpp and what it asks, solver/condition.
 };
 
 struct Follower;
+struct PathScales;
 struct Tableau;
 
 struct SearchPart { // contact/search.cpp, limit_analysis.cpp, let_go.cpp, start.cpp
@@ -150,7 +151,7 @@ struct SearchPart { // contact/search.cpp, limit_analysis.cpp, let_go.cpp, start
   Function<c2d_status, Follower&, bool, c2d_outcome*> decide = Nothing();
   Function<void, Follower&> place_in_range = Nothing();
   Function<bool, const Tableau&, const int32_t*, int32_t> place_body = Nothing();
-  Function<c2d_status, Follower&> note_idle = Nothing();
+  Function<c2d_status, Follower&, const PathScales&> note_idle = Nothing();
   Function<bool, Follower&> slides_without_force = Nothing();
   Function<c2d_status, Follower&, bool*> try_let_go = Nothing();
   Function<c2d_status, Follower&, bool*, c2d_outcome*> hold_again = Nothing();
