@@ -135,6 +135,10 @@ TEST_CASE("arcs of chords are no corners, neither in a zone nor where they are h
   CHECK(count("hard/D1_4pairs_endless_24", C2D_WARN_KINK) == 2); // a roof
 }
 
+TEST_CASE("tension: bodies that touch without force have no pressure that could be negative") {
+  CHECK(said(problem::solve_text(deck("coarse/parted")), C2D_WARN_TENSION) == "");
+}
+
 TEST_CASE("far: bodies that touch before any load are near, whatever the loads do") {
   for (const char* name : {"coarse/corner", "coarse/parted", "hard/D1_4pairs_endless_24"})
     CHECK_MESSAGE(said(problem::solve_text(deck(name)), C2D_WARN_FAR) == "", name);
