@@ -42,6 +42,8 @@ void meet_pair(const Follower& f, int32_t i, const PathScales& s, double rest, E
     meet(best, now.wn, rate.wn, motion, i, slides ? C2D_SLIP : C2D_STICK, slides ? 1 : 0);
     return;
   }
+  // Without any force now, and with none to come: its margins are round-off.
+  if (f.idle && fmax(fabs(rate.p), fabs(rate.q)) <= none.force) return;
   meet(best, now.p, rate.p, force, i, C2D_OPEN, 0);
   if (pair.status != C2D_STICK || !pair.tangential || pair.mu > 1e300) return;
   for (int32_t sign = -1; sign <= 1; sign += 2)

@@ -96,7 +96,7 @@ void rigid_response(const Session& session, const Motions& motions, double frict
   for (int j = 0; j < motions.count; ++j) v[j] = drive[j];
   for (int32_t i = 0; i < session.model.head->pairs; ++i) forces_of(session, i)[0] = forces_of(session, i)[1] = 0.0;
   const double enough = 1e-14 * length_of(drive, motions.count);
-  for (int sweep = 0; sweep < 4000; ++sweep) {
+  for (int sweep = 0; sweep < 50000; ++sweep) {
     double moved = 0.0;
     for (int32_t i = 0; i < session.model.head->pairs; ++i)
       if (may_press(session, i)) moved = fmax(moved, push_pair(session, motions, i, friction, v));
