@@ -138,7 +138,10 @@ void look_at_ring(const Looked& at, Worst& friction) {
 void look_at_zone(const Looked& at, bool at_peak, Worst& edge, Worst& friction) {
   int32_t first = at.begin; // in a ring behind an open pair
   while (at.round && first < at.end && at.closed(first - 1)) ++first;
-  if (first == at.end) return at_peak ? look_at_ring(at, friction) : void();
+  if (first == at.end) {
+    if (at_peak) look_at_ring(at, friction);
+    return;
+  }
   const int32_t end = first + at.end - at.begin;
   for (int32_t i = first; i < end; ++i) {
     if (!at.closed(i)) continue;
