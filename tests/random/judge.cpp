@@ -66,7 +66,7 @@ private:
   void laws();
   void elasticity(const Runs& runs);
   void statuses(const Runs& runs);
-  bool is_said_of_a_turn() const;
+  bool is_said_of_another_load() const;
   void forms();
   void find(const std::string& what) { verdict_.findings.push_back(what); }
 
@@ -123,23 +123,23 @@ void Judge::elasticity(const Runs& runs) {
   if (residual > kResidualAllowed) find("the equations of elasticity: residual " + std::to_string(1e9 * residual) + "e-9");
 }
 
-// Tried are the statuses at the first load, which is none; a path that turns may be said to be not unique at another load, or
-// where it comes back to none.
-bool Judge::is_said_of_a_turn() const {
+// Tried are the statuses at the first load, which is none. At another load, or where the path comes back to none, there may be
+// more states: a pair at its bound may slip on, or stick while its pressure falls.
+bool Judge::is_said_of_another_load() const {
   const std::vector<Path>& paths = model_.problem.paths;
   bool comes_back = false;
   for (size_t i = 1; i < paths.size(); ++i) comes_back = comes_back || paths[i - 1].load * paths[i].load <= 0;
   double at = 0;
   for (const c2d_error& e : deck_.told)
     if (e.status == C2D_WARN_NOT_UNIQUE) at = e.load;
-  return paths.size() > 1 && (std::fabs(at) > 0 || comes_back);
+  return std::fabs(at) > 0 || comes_back;
 }
 
 void Judge::statuses(const Runs& runs) {
   if (runs.changes.steps.empty()) return;
   const Trial trial = try_statuses(model_, runs.changes.steps[0]);
   verdict_.tried = trial.done;
-  const bool said = verdict_.not_unique && !(trial.clear() == 1 && is_said_of_a_turn());
+  const bool said = verdict_.not_unique && !(trial.clear() == 1 && is_said_of_another_load());
   const std::string against = against_trial(model_, trial, deck_, said);
   if (!against.empty()) find(against);
 }
