@@ -208,7 +208,8 @@ int32_t ends_a_range(Follower& f, int32_t i) {
   const PairState rate = pair_rates(t, i, f.dy);
   const double none = no_rate(pair, s).force;
   const int32_t sign = d.kind == DoubtKind::cone ? d.sign : rate.q > 0.0 ? 1 : -1;
-  const bool stays = rate.p > none && fabs(sign * rate.q - pair.mu * rate.p) <= none;
+  const bool pressed = d.kind == DoubtKind::cone || rate.p > none;
+  const bool stays = pressed && fabs(sign * rate.q - pair.mu * rate.p) <= none;
   return stays && holds_alone(t, pair, sign) ? sign : 0;
 }
 
