@@ -77,12 +77,11 @@ bool surface_at(const Model& m, int b, int32_t pair, Surface& out) {
   return make_unit(out.n);
 }
 
-void tell_pair(const Model& m, int32_t pair, const char* found, const char* expected, Reporter& reporter) {
-  Finding f = fault();
-  locate_pair(f, m, pair);
+void report_pair(const Model& m, int32_t pair, const char* found, const char* expected, Reporter& reporter) {
+  Finding f(at_pair(m, pair));
   say_pair(f, m, pair);
   say(f, ": ", found, ", expected ", expected);
-  tell(reporter, f);
+  report(reporter, f);
 }
 
 // ---- symmetry ----
@@ -108,24 +107,24 @@ bool find_symmetry(const Model& m, int32_t pair, int* component, Reporter& repor
   // What holds body 1 in a free zone is symmetry only if it holds body 2 as well; else it is a support.
   for (int c = 0; c < 2 && p.node[0] < 0; ++c) fixed[0][c] = fixed[0][c] && fixed[1][c];
   if ((node[0] >= 0 ? lines_at_node(m, 0, node[0]) : 0) != lines_at_node(m, 1, node[1])) {
-    tell_pair(m, pair, "one of the nodes lies on a symmetry line", "both on it or neither", reporter);
+    report_pair(m, pair, "one of the nodes lies on a symmetry line", "both on it or neither", reporter);
     return false;
   }
   if ((fixed[0][0] || fixed[1][0]) && (fixed[0][1] || fixed[1][1])) {
-    tell_pair(m, pair, "displacements are prescribed in both directions", "a free direction along the normal", reporter);
+    report_pair(m, pair, "displacements are prescribed in both directions", "a free direction along the normal", reporter);
     return false;
   }
   for (int c = 0; c < 2; ++c) {
     if (!fixed[0][c] && !fixed[1][c]) continue;
     if (fixed[0][c] != fixed[1][c]) {
-      tell_pair(m, pair,
-                fixed[0][c] ? (c == 0 ? "ux is prescribed on body 1 only" : "uy is prescribed on body 1 only")
-                            : (c == 0 ? "ux is prescribed on body 2 only" : "uy is prescribed on body 2 only"),
-                "it on both bodies (symmetry) or on neither", reporter);
+      report_pair(m, pair,
+                  fixed[0][c] ? (c == 0 ? "ux is prescribed on body 1 only" : "uy is prescribed on body 1 only")
+                              : (c == 0 ? "ux is prescribed on body 2 only" : "uy is prescribed on body 2 only"),
+                  "it on both bodies (symmetry) or on neither", reporter);
       return false;
     }
     if (has_value(m, 0, node[0], c) || has_value(m, 1, node[1], c)) {
-      tell_pair(m, pair, c == 0 ? "a nonzero ux is prescribed" : "a nonzero uy is prescribed", "zero (symmetry)", reporter);
+      report_pair(m, pair, c == 0 ? "a nonzero ux is prescribed" : "a nonzero uy is prescribed", "zero (symmetry)", reporter);
       return false;
     }
     *component = c;
@@ -141,7 +140,7 @@ bool set_normal(const Model& m, int32_t pair, const Surface& s1, const Surface& 
   double n[2];
   for (int i = 0; i < 2; ++i) n[i] = part * s1.n[i] - (1 - part) * s2.n[i];
   if (dot(s1.n, s2.n) > 0 || !make_unit(n)) {
-    tell_pair(m, pair, "the surfaces do not face each other", "opposed outward normals", reporter);
+    report_pair(m, pair, "the surfaces do not face each other", "opposed outward normals", reporter);
     return false;
   }
   int fixed;
@@ -150,8 +149,8 @@ bool set_normal(const Model& m, int32_t pair, const Surface& s1, const Surface& 
   if (fixed >= 0) {
     const int other = 1 - fixed;
     if (fabs(n[other]) < kAlongNormal) {
-      tell_pair(m, pair, fixed == 0 ? "ux is prescribed nearly along the normal" : "uy is prescribed nearly along the normal",
-                "a free displacement along the normal", reporter);
+      report_pair(m, pair, fixed == 0 ? "ux is prescribed nearly along the normal" : "uy is prescribed nearly along the normal",
+                  "a free displacement along the normal", reporter);
       return false;
     }
     const double sense = n[other] > 0 ? 1 : -1;
@@ -258,7 +257,7 @@ void build_frame(const Model& m, int32_t pair, ZoneFindings& of, Reporter& repor
   Surface s1, s2;
   const bool second = surface_at(m, 1, pair, s2),
              first = p.node[0] < 0 ? kFreeZonePart.surface_faced(m, pair, s1) : surface_at(m, 0, pair, s1);
-  if (!first || !second) return tell_pair(m, pair, "no normal on one of the bodies", "a smooth contact element", reporter);
+  if (!first || !second) return report_pair(m, pair, "no normal on one of the bodies", "a smooth contact element", reporter);
   p.length = fmin(s1.length, s2.length);
   of.lengths.add(pair, s1.length, s2.length);
   if (!set_normal(m, pair, s1, s2, reporter)) return;
@@ -280,61 +279,56 @@ void close_gaps(const Model& m, const Zone& z) {
 }
 
 // One fault or warning for a zone, about the worst of its pairs.
-void tell_overlaps(const Model& m, int32_t zone, const ZoneOverlaps& overlaps, Reporter& reporter) {
+void report_overlaps(const Model& m, int32_t zone, const ZoneOverlaps& overlaps, Reporter& reporter) {
   if (overlaps.told.count > 0) {
-    Finding f = fault();
-    locate_pair(f, m, overlaps.told.pair);
+    Finding f(at_pair(m, overlaps.told.pair));
     say_pair(f, m, overlaps.told.pair);
     say(f, ": the bodies overlap by ", overlaps.told.size, " before any load (interference)");
     if (overlaps.told.count > 1) say(f, ", the largest of ", overlaps.told.count, " overlaps in zone ", zone + 1);
     say(f, ", expected a gap of 0 or more, or *INTERFERENCE");
-    tell(reporter, f);
+    report(reporter, f);
   }
   if (overlaps.unsure.count > 0) {
-    Finding f = warning(C2D_WARN_OVERLAP);
-    locate_pair(f, m, overlaps.unsure.pair);
+    Finding f(C2D_WARN_OVERLAP, at_pair(m, overlaps.unsure.pair));
     say(f, "zone ", zone + 1,
         ": overlaps smaller than what the elements leave open of the surfaces, pairs: ", overlaps.unsure.count, ", most at ");
     say_pair(f, m, overlaps.unsure.pair);
     say(f, ": ", overlaps.unsure.size, " against ", overlaps.unsure.doubt);
     say(f, m.head->interference != 0 ? "" : "; they count as touching");
-    tell(reporter, f);
+    report(reporter, f);
   }
 }
 
-void tell_offsets(const Model& m, int32_t zone, const Offsets& offsets, Reporter& reporter) {
+void report_offsets(const Model& m, int32_t zone, const Offsets& offsets, Reporter& reporter) {
   if (offsets.count == 0) return;
   const double length = m.pair[offsets.pair].length;
-  Finding f = offsets.size < length ? warning(C2D_WARN_OFFSET) : fault();
-  locate_pair(f, m, offsets.pair);
+  Finding f(offsets.size < length ? int32_t{C2D_WARN_OFFSET} : 0, at_pair(m, offsets.pair));
   say(f, "zone ", zone + 1, ": the nodes do not face each other at ", offsets.count,
       offsets.count == 1 ? " pair, " : " pairs, ", offsets.count == 1 ? "" : "least at ");
   say_pair(f, m, offsets.pair);
   say(f, ": they are shifted by ", offsets.size, " along the surface, where contact elements are ", length,
       " long, expected at most half of it");
-  tell(reporter, f);
+  report(reporter, f);
 }
 
 void warn_lengths(const Model& m, int32_t zone, const Lengths& lengths, Reporter& reporter) {
   if (lengths.count == 0) return;
-  Finding f = warning(C2D_WARN_SIZES);
-  locate_pair(f, m, lengths.pair);
+  Finding f(C2D_WARN_SIZES, at_pair(m, lengths.pair));
   say(f, "zone ", zone + 1, ": elements that face each other differ in length more than fourfold at ", lengths.count,
       lengths.count == 1 ? " pair, " : " pairs, most at ");
   say_pair(f, m, lengths.pair);
   say(f, ": ", lengths.length[0], " and ", lengths.length[1]);
-  tell(reporter, f);
+  report(reporter, f);
 }
 
 void warn_spread(const Model& m, int32_t zone, const Spread& spread, Reporter& reporter) {
   if (spread.count == 0) return;
-  Finding f = warning(C2D_WARN_NORMALS);
-  locate_pair(f, m, spread.pair);
+  Finding f(C2D_WARN_NORMALS, at_pair(m, spread.pair));
   say(f, "zone ", zone + 1, ": the normals of the two surfaces differ by more than 15 degrees at ", spread.count,
       " pairs, most at ");
   say_pair(f, m, spread.pair);
   say(f, ": ", spread.angle, " degrees");
-  tell(reporter, f);
+  report(reporter, f);
 }
 
 // ---- kinks ----
@@ -375,9 +369,7 @@ void warn_kinks(const Model& m, int32_t zone, int b, Reporter& reporter) {
   Kinks kinks{0, 0, 0, 0.0};
   for (int32_t k = 0; k < joints; ++k) look_for_kink(m, z, b, k, kinks);
   if (kinks.count == 0) return;
-  Finding f = warning(C2D_WARN_KINK);
-  locate_zone(f, m, zone);
-  locate_element(f, m, b, kinks.after);
+  Finding f(C2D_WARN_KINK, in_zone(m, zone, b, kinks.after));
   if (m.head->function_nodes > 1 && (z.is_free == 0 || b == 1)) {
     const int32_t node = functional_node(m, b, kinks.after, 0);
     f.entry.node = node + 1;
@@ -386,7 +378,7 @@ void warn_kinks(const Model& m, int32_t zone, int b, Reporter& reporter) {
   say(f, "zone ", zone + 1, ": elements ", kinks.before + 1, " and ", kinks.after + 1, " of body ", b + 1,
       " meet at a kink of ", kinks.angle, " degrees, more than 10");
   if (kinks.count > 1) say(f, ", the largest of ", kinks.count);
-  tell(reporter, f);
+  report(reporter, f);
 }
 
 // How far the surface may be off at a point of an element: not at all at its ends.
@@ -429,9 +421,9 @@ bool build_frames(const Model& m, Reporter& reporter) {
       build_frame(m, pair, of, reporter);
     }
     close_gaps(m, z);
-    tell_offsets(m, i, of.offsets, reporter);
+    report_offsets(m, i, of.offsets, reporter);
     warn_spread(m, i, of.spread, reporter);
-    tell_overlaps(m, i, of.overlaps, reporter);
+    report_overlaps(m, i, of.overlaps, reporter);
     warn_lengths(m, i, of.lengths, reporter);
     for (int b = 0; b < 2; ++b) warn_kinks(m, i, b, reporter);
   }
@@ -452,12 +444,12 @@ bool build_frames(const Model& m, Reporter& reporter) {
 static void check_supports(const Model& m, Reporter& reporter) {
   const Body* body = m.head->body;
   if (m.head->contact == 0 || body[0].free_motions == 0 || body[1].free_motions == 0 || share_free_motion(m)) return;
-  Finding f = fault();
+  Finding f;
   say(f, "supports hold neither body, and contact can hold one alone: body 1 can move: ");
   put_motion(f.text, m, 0, body[0].free_motion[0]);
   say(f, "; body 2: ");
   put_motion(f.text, m, 1, body[1].free_motion[0]);
-  tell(reporter, f);
+  report(reporter, f);
 }
 
 bool complete_model(const Model& m, Reporter& reporter) {

@@ -358,11 +358,8 @@ bool next_piece(PieceWalk& w, FacingPiece& out) {
 
 namespace {
 
-void tell_free_zone(const Model& m, int32_t zone, const char* found, Reporter& reporter) {
-  Finding f = fault();
-  locate_zone(f, m, zone);
-  say(f, "zone ", zone + 1, ": ", found);
-  tell(reporter, f);
+void report_free_zone(const Model& m, int32_t zone, const char* found, Reporter& reporter) {
+  report(reporter, in_zone(m, zone), "zone ", zone + 1, ": ", found);
 }
 
 enum class Cover { none, whole, averted };
@@ -408,12 +405,8 @@ void warn_left_out(const Model& m, int32_t zone, int32_t first, int32_t count, R
   if (left_out[0] == left_out[1]) left_out[1] = -1;
   for (const int32_t element : left_out) {
     if (element < 0) continue;
-    Finding f = warning(C2D_WARN_LEFT_OUT);
-    locate_zone(f, m, zone);
-    locate_element(f, m, 1, element);
-    say(f, "zone ", zone + 1, ": element ", element + 1,
-        " of body 2 faces the elements of body 1 in part only and is left out: nothing touches there");
-    tell(reporter, f);
+    warn(reporter, C2D_WARN_LEFT_OUT, in_zone(m, zone, 1, element), "zone ", zone + 1, ": element ", element + 1,
+         " of body 2 faces the elements of body 1 in part only and is left out: nothing touches there");
   }
 }
 
@@ -436,23 +429,19 @@ bool fit_free_zone(const Model& m, int32_t zone, Reporter& reporter) {
     const Cover found = cover(m, z, place);
     if (found == Cover::none) continue;
     if (found == Cover::averted) {
-      Finding f = fault();
-      locate_zone(f, m, zone);
-      f.entry.body = 2;
-      f.entry.element = element + 1;
-      say(f, "zone ", zone + 1, ": element ", element + 1, " of body 2 does not face the elements of body 1");
-      tell(reporter, f);
+      report(reporter, in_zone(m, zone, 1, element), "zone ", zone + 1, ": element ", element + 1,
+             " of body 2 does not face the elements of body 1");
       return false;
     }
     if (first >= 0 && place != first + count) {
-      tell_free_zone(m, zone, "body 1 faces elements of body 2 in several places, expected one run of elements", reporter);
+      report_free_zone(m, zone, "body 1 faces elements of body 2 in several places, expected one run of elements", reporter);
       return false;
     }
     if (first < 0) first = place;
     ++count;
   }
   if (first < 0) {
-    tell_free_zone(
+    report_free_zone(
         m, zone, "body 2 does not face body 1, none of its elements does from end to end, expected ranges that face each other",
         reporter);
     return false;

@@ -13,12 +13,9 @@ void check_body_force(const Model& m, int b, int32_t load_case, Reporter& report
     if ((head.symmetry >> c & 1) == 0) continue;
     const bool turns = f.rho_omega2 != 0.0 && fabs(axis[c] - head.line_at[c]) > kCoincident * head.length_unit;
     if (weight[c] == 0.0 && !turns) continue;
-    Finding found = fault();
-    found.entry.body = b + 1;
-    say(found, "the body force of body ", b + 1, " in load case ", load_case + 1,
-        turns ? " turns about a point off the line of symmetry " : " acts across the line of symmetry ",
-        c == 0 ? "x = " : "y = ", head.line_at[c], turns ? ", expected an axis on it" : ", expected one along it");
-    tell(reporter, found);
+    report(reporter, in_body(b), "the body force of body ", b + 1, " in load case ", load_case + 1,
+           turns ? " turns about a point off the line of symmetry " : " acts across the line of symmetry ",
+           c == 0 ? "x = " : "y = ", head.line_at[c], turns ? ", expected an axis on it" : ", expected one along it");
   }
 }
 

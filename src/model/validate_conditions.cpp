@@ -33,9 +33,8 @@ void say_conditions(Finding& f, const Model& m, int b, int32_t node, int compone
   }
 }
 
-void tell_count(const Model& m, int b, int32_t node, int component, UnknownKind kind, Reporter& reporter) {
-  Finding f = fault();
-  locate_node(f, m, b, node);
+void report_count(const Model& m, int b, int32_t node, int component, UnknownKind kind, Reporter& reporter) {
+  Finding f(at_node(m, b, node));
   const int32_t pair = pair_of_node(m, b, node);
   if (pair >= 0) f.entry.pair = pair + 1;
   say(f, "node ", node + 1, " of body ", b + 1, " has ");
@@ -44,7 +43,7 @@ void tell_count(const Model& m, int b, int32_t node, int component, UnknownKind 
   say(f, ": ");
   say_conditions(f, m, b, node, component);
   say(f, "; expected exactly one unknown");
-  tell(reporter, f);
+  report(reporter, f);
 }
 
 // Of a body, where both sides of a corner have one unknown traction; the sharpest.
@@ -72,23 +71,20 @@ void look_at_corner(const Model& m, int b, int32_t node, int component, const Un
 
 void warn_corners(const Model& m, int b, const Corners& corners, Reporter& reporter) {
   if (corners.count == 0) return;
-  Finding f = warning(C2D_WARN_CORNER);
-  locate_node(f, m, b, corners.node);
+  Finding f(C2D_WARN_CORNER, at_node(m, b, corners.node));
   say(f, "node ", corners.node + 1, " of body ", b + 1, " is a corner of ", corners.angle, " degrees whose displacement in ",
       kAxis[corners.component], " is prescribed: its unknown traction is taken to be the same on both sides");
   if (corners.count > 1) say(f, "; the largest of ", corners.count, " such corners");
-  tell(reporter, f);
+  report(reporter, f);
 }
 
 void check_double_node(const Model& m, int b, int32_t node, int component, Reporter& reporter) {
   const int32_t twin = twin_node(m, b, node);
   if (twin < 0 || is_second_twin(m, b, node)) return;
   if (!displacement_known(m, b, node, component) || !displacement_known(m, b, twin, component)) return;
-  Finding f = fault();
-  locate_node(f, m, b, node);
-  say(f, "both nodes ", node + 1, " and ", twin + 1, " of a double node of body ", b + 1, " have a prescribed displacement in ",
-      kAxis[component], ": two unknown tractions, one equation; expected it at one of them at most");
-  tell(reporter, f);
+  report(reporter, at_node(m, b, node), "both nodes ", node + 1, " and ", twin + 1, " of a double node of body ", b + 1,
+         " have a prescribed displacement in ", kAxis[component],
+         ": two unknown tractions, one equation; expected it at one of them at most");
 }
 
 // May a boundary point move along the normal somewhere?
@@ -110,11 +106,9 @@ bool can_move_outward(const Model& m, int b) {
 // A body that cannot change its volume, held everywhere: its pressure does no work and may be anything.
 void check_pressure(const Model& m, int b, Reporter& reporter) {
   if (strain_poisson_ratio(m, b) < 0.5 - 1e-12 || can_move_outward(m, b)) return;
-  Finding f = fault();
-  locate_element(f, m, b, 0);
-  say(f, "body ", b + 1, " is incompressible (plane strain, Poisson's ratio 0.5) and its displacement along the normal is ",
-      "prescribed everywhere: nothing determines its pressure; expected a ratio below 0.5, or a free part of the boundary");
-  tell(reporter, f);
+  report(reporter, at_element(m, b, 0), "body ", b + 1,
+         " is incompressible (plane strain, Poisson's ratio 0.5) and its displacement along the normal is ",
+         "prescribed everywhere: nothing determines its pressure; expected a ratio below 0.5, or a free part of the boundary");
 }
 
 } // namespace
@@ -131,7 +125,7 @@ bool validate_conditions(const Model& m, bool frames, Reporter& reporter) {
       for (int component = 0; component < 2; ++component) {
         const Unknown& unknown = unknowns[component];
         if (unknown.kind == UnknownKind::none || unknown.kind == UnknownKind::several)
-          tell_count(m, b, node, component, unknown.kind, reporter);
+          report_count(m, b, node, component, unknown.kind, reporter);
         if (unknown.kind == UnknownKind::shared_traction) look_at_corner(m, b, node, component, unknown, corners);
         check_double_node(m, b, node, component, reporter);
       }

@@ -32,13 +32,12 @@ void check_points(const Model& m, int32_t curve, Reporter& reporter) {
     for (int k = 0; k <= last; ++k) {
       const double off = distance_off(c, from, to, x[k], y[k]);
       if (off <= most) continue;
-      Finding f = fault();
-      f.entry.line = c.line;
-      locate_point(f, m, b, geometry_node(m, b, e, k));
-      f.entry.element = e + 1;
-      say(f, c.kind == C2D_CURVE_ARC ? "arc" : "line", " of elements ", c.first + 1, " to ", c.last + 1, " of body ", b + 1,
-          ": point ", geometry_node(m, b, e, k) + 1, " lies ", off, " off it, expected at most ", most);
-      return tell(reporter, f); // the first one will do
+      Where where = at_point(m, b, geometry_node(m, b, e, k));
+      where.element = e + 1;
+      if (c.line > 0) where.line = c.line;
+      return report(reporter, where, c.kind == C2D_CURVE_ARC ? "arc" : "line", " of elements ", c.first + 1, " to ", c.last + 1,
+                    " of body ", b + 1, ": point ", geometry_node(m, b, e, k) + 1, " lies ", off, " off it, expected at most ",
+                    most); // the first one will do
     }
   }
 }
@@ -49,11 +48,10 @@ void check_ranges(const Model& m, int32_t curve, Reporter& reporter) {
     const Curve& other = m.curve[i];
     const int32_t first = other.first > c.first ? other.first : c.first;
     if (other.body != c.body || first > other.last || first > c.last) continue;
-    Finding f = fault();
-    f.entry.line = c.line;
-    locate_element(f, m, c.body, first);
-    say(f, "element ", first + 1, " of body ", c.body + 1, " is in curves ", i + 1, " and ", curve + 1, ", expected in one");
-    tell(reporter, f);
+    Where where = at_element(m, c.body, first);
+    if (c.line > 0) where.line = c.line;
+    report(reporter, where, "element ", first + 1, " of body ", c.body + 1, " is in curves ", i + 1, " and ", curve + 1,
+           ", expected in one");
   }
 }
 

@@ -7,34 +7,49 @@
 
 namespace c2d {
 
+// Where it is: numbers from 1 as in c2d_error, 0 where one does not apply.
+struct Where {
+  int32_t line, body, zone, pair, element, node;
+};
+// The arguments count from 0.
+inline Where in_body(int b) { return {0, b + 1, 0, 0, 0, 0}; }
+Where at_point(const Model& m, int b, int32_t geometry_point);
+Where at_element(const Model& m, int b, int32_t element);
+Where at_node(const Model& m, int b, int32_t node); // functional
+Where in_zone(const Model& m, int32_t zone);
+Where in_zone(const Model& m, int32_t zone, int b, int32_t element);
+Where at_pair(const Model& m, int32_t pair); // with its zone
+
 struct Finding {
-  Finding();                        // a fault
-  explicit Finding(int32_t number); // a warning
+  explicit Finding(const Where& where = Where());           // a fault
+  explicit Finding(int32_t number, const Where& = Where()); // a warning, C2D_WARN_...; 0: a fault
   Finding(const Finding&) = delete;
   Finding& operator=(const Finding&) = delete;
   c2d_error entry;
   Text text; // in entry.text
 };
-inline Finding fault() { return Finding(); }
-inline Finding warning(int32_t number) { return Finding(number); }
-
 // Appends characters and numbers.
 template <class... Parts> C2D_IN_PLACE inline void say(Finding& finding, Parts... parts) { put_all(finding.text, parts...); }
 
-// Where it is. Arguments count from 0, the entry's numbers from 1; a line that is not known stays 0.
-void locate_point(Finding& finding, const Model& m, int b, int32_t geometry_point);
-void locate_element(Finding& finding, const Model& m, int b, int32_t element);
-void locate_node(Finding& finding, const Model& m, int b, int32_t node); // functional
-void locate_zone(Finding& finding, const Model& m, int32_t zone);
-void locate_pair(Finding& finding, const Model& m, int32_t pair); // with its zone
+// Hands it over and counts faults.
+void report(Reporter& reporter, const Finding& finding);
+// A fault, or a warning, whose text is these parts.
+template <class... Parts> C2D_IN_PLACE inline void report(Reporter& reporter, const Where& where, Parts... parts) {
+  Finding finding(where);
+  say(finding, parts...);
+  report(reporter, finding);
+}
+template <class... Parts>
+C2D_IN_PLACE inline void warn(Reporter& reporter, int32_t number, const Where& where, Parts... parts) {
+  Finding finding(number, where);
+  say(finding, parts...);
+  report(reporter, finding);
+}
 
 // ---- optional parts of validate_loads (memory/parts.hpp) ----
 // A body force that is not symmetric has no part in a symmetric model.
 void check_body_force(const Model& m, int b, int32_t load_case, Reporter& reporter);
 // A rigid body 1 takes no loads and moves by its cards alone, as the lines of symmetry allow.
 void check_rigid(const Model& m, Reporter& reporter);
-
-// Hands it over and counts faults.
-void tell(Reporter& reporter, const Finding& finding);
 
 } // namespace c2d

@@ -13,10 +13,10 @@ namespace {
 constexpr int32_t kMostTold = 10; // of coincidences, and of crossings, per body
 
 // Tells one more finding of a kind unless there were enough; the last one says so.
-void tell_some(Finding& f, int32_t& told, Reporter& reporter) {
+void report_some(Finding& f, int32_t& told, Reporter& reporter) {
   if (++told > kMostTold) return;
   if (told == kMostTold) say(f, " (further ones are not listed)");
-  tell(reporter, f);
+  report(reporter, f);
 }
 
 // ---- single elements ----
@@ -29,10 +29,7 @@ void check_zero_length(const Model& m, int b, int32_t element, Reporter& reporte
   else if (next >= 0 && is_zero_length(m, b, next))
     trouble = "two elements of zero length follow one another";
   if (trouble == nullptr) return;
-  Finding f = fault();
-  locate_element(f, m, b, element);
-  say(f, "element ", element + 1, " has zero length: ", trouble);
-  tell(reporter, f);
+  report(reporter, at_element(m, b, element), "element ", element + 1, " has zero length: ", trouble);
 }
 
 // The Jacobian of a curved element may neither vanish nor change its sense.
@@ -52,11 +49,8 @@ void check_jacobian(const Model& m, int b, int32_t element, Reporter& reporter) 
     before = p;
   }
   if (trouble == nullptr) return;
-  Finding f = fault();
-  locate_element(f, m, b, element);
-  say(f, "element ", element + 1, " is distorted: ", trouble, " near eta = ", eta,
-      "; expected inner nodes near equal parts of the curve");
-  tell(reporter, f);
+  report(reporter, at_element(m, b, element), "element ", element + 1, " is distorted: ", trouble, " near eta = ", eta,
+         "; expected inner nodes near equal parts of the curve");
 }
 
 void check_spike(const Model& m, int b, int32_t element, Reporter& reporter) {
@@ -69,12 +63,10 @@ void check_spike(const Model& m, int b, int32_t element, Reporter& reporter) {
   outward_normal(m, b, element, 1, n1);
   outward_normal(m, b, next, -1, n2);
   if (n1[0] * n2[0] + n1[1] * n2[1] >= 0 || fabs(n1[0] * n2[1] - n1[1] * n2[0]) > 1e-9) return;
-  Finding f = fault();
-  locate_element(f, m, b, next);
-  f.entry.node = geometry_node(m, b, next, 0) + 1;
-  say(f, "the boundary turns straight back from element ", element + 1, " to element ", next + 1,
-      ", expected an angle between them");
-  tell(reporter, f);
+  Where where = at_element(m, b, next);
+  where.node = geometry_node(m, b, next, 0) + 1;
+  report(reporter, where, "the boundary turns straight back from element ", element + 1, " to element ", next + 1,
+         ", expected an angle between them");
 }
 
 // ---- pairs of elements ----
@@ -149,11 +141,10 @@ int32_t check_coincidence(const Model& m, int b, Reporter& reporter) {
       const double* q = m.xy[b] + 2 * j;
       if (!same_point(m, p[0], p[1], q[0], q[1])) continue;
       if (body.element_nodes == 2 && joined(m, b, i, j)) continue; // an element of zero length: has its own check
-      Finding f = fault();
-      locate_point(f, m, b, j);
+      Finding f(at_point(m, b, j));
       say(f, "boundary points ", i + 1, " and ", j + 1, " of body ", b + 1, " coincide at (", p[0], ", ", p[1],
           "), expected different points");
-      tell_some(f, told, reporter);
+      report_some(f, told, reporter);
     }
   }
   return told;
@@ -218,25 +209,22 @@ void check_crossing(const Model& m, int b, Reporter& reporter) {
       if (!boxes_meet(around, box_around(m, b, j)) || is_zero_length(m, b, j)) continue;
       chords_of(m, b, j, q);
       if (i == j ? !crosses_itself(p) : !pair_crosses(m, p, q)) continue;
-      Finding f = fault();
-      locate_element(f, m, b, j);
+      Finding f(at_element(m, b, j));
       if (i == j)
         say(f, "element ", i + 1, " of body ", b + 1, " crosses itself");
       else
         say(f, "elements ", i + 1, " and ", j + 1, " of body ", b + 1, " cross or touch each other");
       say(f, ", expected a boundary without crossings");
-      tell_some(f, told, reporter);
+      report_some(f, told, reporter);
     }
   }
 }
 
 // ---- whole regions ----
 
-void tell_region(const Model& m, int b, int32_t region, const char* what, const char* expected, Reporter& reporter) {
-  Finding f = fault();
-  locate_element(f, m, b, m.region[b][region].first);
-  say(f, "region ", region + 1, " of body ", b + 1, " ", what, ", expected ", expected);
-  tell(reporter, f);
+void report_region(const Model& m, int b, int32_t region, const char* what, const char* expected, Reporter& reporter) {
+  report(reporter, at_element(m, b, m.region[b][region].first), "region ", region + 1, " of body ", b + 1, " ", what,
+         ", expected ", expected);
 }
 
 int32_t outer_region(const Model& m, int b) {
@@ -258,13 +246,11 @@ void check_nesting(const Model& m, int b, int32_t outer, int32_t hole, Reporter&
   const double* corner = m.xy[b] + 2 * geometry_node(m, b, curve.first, 0);
   const double p[2] = {curve.open ? middle.x : corner[0], curve.open ? middle.y : corner[1]};
   if (winding_number(m, b, outer, p[0], p[1]) == 0)
-    tell_region(m, b, hole, "lies outside the outer boundary", "a hole inside it", reporter);
+    report_region(m, b, hole, "lies outside the outer boundary", "a hole inside it", reporter);
   for (int32_t r = 0; r < body_of(m, b).regions; ++r) {
     if (r == outer || r == hole || winding_number(m, b, r, p[0], p[1]) == 0) continue;
-    Finding f = fault();
-    locate_element(f, m, b, m.region[b][hole].first);
-    say(f, "region ", hole + 1, " of body ", b + 1, " lies inside region ", r + 1, ", expected holes side by side");
-    tell(reporter, f);
+    report(reporter, at_element(m, b, m.region[b][hole].first), "region ", hole + 1, " of body ", b + 1, " lies inside region ",
+           r + 1, ", expected holes side by side");
   }
 }
 
@@ -274,11 +260,11 @@ void check_orientation(const Model& m, int b, bool crossings, Reporter& reporter
   for (int32_t r = 0; r < body_of(m, b).regions; ++r) {
     const double area = region_area(m, b, r);
     if (fabs(area) <= least)
-      tell_region(m, b, r, "encloses no area", "a closed curve", reporter);
+      report_region(m, b, r, "encloses no area", "a closed curve", reporter);
     else if (r == outer && area < 0)
-      tell_region(m, b, r, "is the outer boundary and runs clockwise", "counter-clockwise, material on the left", reporter);
+      report_region(m, b, r, "is the outer boundary and runs clockwise", "counter-clockwise, material on the left", reporter);
     else if (r != outer && area > 0)
-      tell_region(m, b, r, "is a hole and runs counter-clockwise", "clockwise, material on the left", reporter);
+      report_region(m, b, r, "is a hole and runs counter-clockwise", "clockwise, material on the left", reporter);
     if (r != outer && !crossings) check_nesting(m, b, outer, r, reporter);
   }
 }

@@ -78,12 +78,10 @@ LineElements elements_on_line(const Model& m, int axis, double line) {
   return found;
 }
 
-void tell_axis_element(const Model& m, const LineElements& found, int axis, double line, Reporter& reporter) {
-  Finding f = fault();
-  locate_element(f, m, found.body, found.element);
-  say(f, "element ", found.element + 1, kBodyNumber[found.body], " on the line ", kAxis[axis], " = ", line, " ", found.why,
-      ": expected zero displacement across a line of symmetry and zero traction along it");
-  tell(reporter, f);
+void report_axis_element(const Model& m, const LineElements& found, int axis, double line, Reporter& reporter) {
+  report(reporter, at_element(m, found.body, found.element), "element ", found.element + 1, kBodyNumber[found.body],
+         " on the line ", kAxis[axis], " = ", line, " ", found.why,
+         ": expected zero displacement across a line of symmetry and zero traction along it");
 }
 
 // Bounding lines whose elements, some on every body, all carry the conditions of symmetry; the lower one of
@@ -113,14 +111,13 @@ bool find_lines(const Model& m, Reporter& reporter) {
   }
   if (m.head->symmetry != 0) return true;
   if (nearest.element >= 0) {
-    tell_axis_element(m, nearest, nearest_axis, nearest_line, reporter);
+    report_axis_element(m, nearest, nearest_axis, nearest_line, reporter);
     return false;
   }
-  Finding f = fault();
-  say(f, "no line of symmetry: expected every body to be bounded by elements on one line x = value or y = "
+  report(reporter, Where(),
+         "no line of symmetry: expected every body to be bounded by elements on one line x = value or y = "
          "value with "
          "zero displacement across and zero traction along it");
-  tell(reporter, f);
   return false;
 }
 
@@ -157,11 +154,8 @@ void check_side(const Model& m, int b, int axis, Reporter& reporter) {
     chords_of(m, b, e, c);
     for (int i = 0; i <= c.count; ++i) {
       if (side * ((axis == 0 ? c.x[i] : c.y[i]) - line) >= -kOnLine * m.head->length_unit) continue;
-      Finding f = fault();
-      locate_element(f, m, b, e);
-      say(f, "element ", e + 1, kBodyNumber[b], " lies beyond the line of symmetry ", kAxis[axis], " = ", line,
-          ", expected everything on one side of it");
-      return tell(reporter, f);
+      return report(reporter, at_element(m, b, e), "element ", e + 1, kBodyNumber[b], " lies beyond the line of symmetry ",
+                    kAxis[axis], " = ", line, ", expected everything on one side of it");
     }
   }
 }
@@ -173,11 +167,9 @@ int32_t lines_at_point(const Model& m, int b, int32_t point) {
   return lines_through(*m.head, m.xy[b][2 * point], m.xy[b][2 * point + 1]);
 }
 
-void tell_point(const Model& m, int b, int32_t point, const char* found, Reporter& reporter) {
-  Finding f = fault();
-  locate_point(f, m, b, point);
-  say(f, "boundary point ", point + 1, kBodyNumber[b], " at (", m.xy[b][2 * point], ", ", m.xy[b][2 * point + 1], ") ", found);
-  tell(reporter, f);
+void report_point(const Model& m, int b, int32_t point, const char* found, Reporter& reporter) {
+  report(reporter, at_point(m, b, point), "boundary point ", point + 1, kBodyNumber[b], " at (", m.xy[b][2 * point], ", ",
+         m.xy[b][2 * point + 1], ") ", found);
 }
 
 // Only the ends of open regions, and points next to axis elements, may lie on a line, and none at the lines'
@@ -189,9 +181,9 @@ void check_element(const Model& m, int b, int32_t element, Reporter& reporter) {
     if (lines == 0) continue;
     const int32_t after = k == last ? element_after(m, b, element) : -1;
     if (lines == 3)
-      tell_point(m, b, point, "lies at the crossing of the lines of symmetry, where no boundary can be", reporter);
+      report_point(m, b, point, "lies at the crossing of the lines of symmetry, where no boundary can be", reporter);
     else if ((k > 0 && k < last) || (after >= 0 && !is_axis_element(m, b, after)))
-      tell_point(m, b, point, "touches a line of symmetry, expected that only at the ends of an open region", reporter);
+      report_point(m, b, point, "touches a line of symmetry, expected that only at the ends of an open region", reporter);
   }
 }
 
@@ -199,7 +191,7 @@ void check_open_region(const Model& m, int b, const Region& r, Reporter& reporte
   const int32_t ends[2] = {geometry_node(m, b, r.first, 0), geometry_node(m, b, r.last, body_of(m, b).element_nodes - 1)};
   for (int32_t point : ends)
     if (lines_at_point(m, b, point) == 0)
-      tell_point(m, b, point, "ends an open region, expected it on a line of symmetry", reporter);
+      report_point(m, b, point, "ends an open region, expected it on a line of symmetry", reporter);
 }
 
 // Every line must cut every body: else what is mirrored is another body.
@@ -209,11 +201,8 @@ void check_lines_cut(const Model& m, int b, Reporter& reporter) {
     for (int k = 0; k < body_of(m, b).element_nodes; ++k) met |= lines_at_point(m, b, geometry_node(m, b, e, k));
   for (int axis = 0; axis < 2; ++axis) {
     if ((m.head->symmetry >> axis & 1) == 0 || (met >> axis & 1) != 0) continue;
-    Finding f = fault();
-    f.entry.body = b + 1;
-    say(f, "the line of symmetry ", kAxis[axis], " = ", m.head->line_at[axis], " does not meet body ", b + 1,
-        ", expected an open region that ends on it");
-    tell(reporter, f);
+    report(reporter, in_body(b), "the line of symmetry ", kAxis[axis], " = ", m.head->line_at[axis], " does not meet body ",
+           b + 1, ", expected an open region that ends on it");
   }
 }
 
@@ -225,14 +214,12 @@ void check_axis_elements(const Model& m, int b, Reporter& reporter) {
     const char* why = m.head->images ? fault_of_axis_element(m, b, e, axis) : "is one too many";
     if (why == nullptr) continue;
     if (m.head->images) {
-      tell_axis_element(m, LineElements{true, 0, b, e, why}, axis, m.head->line_at[axis], reporter);
+      report_axis_element(m, LineElements{true, 0, b, e, why}, axis, m.head->line_at[axis], reporter);
       continue;
     }
-    Finding f = fault();
-    locate_element(f, m, b, e);
-    say(f, "element ", e + 1, kBodyNumber[b], " lies on the line of symmetry ", kAxis[axis], " = ", m.head->line_at[axis],
-        ", expected no elements there: leave them out, or choose symmetry by images");
-    return tell(reporter, f);
+    return report(reporter, at_element(m, b, e), "element ", e + 1, kBodyNumber[b], " lies on the line of symmetry ",
+                  kAxis[axis], " = ", m.head->line_at[axis],
+                  ", expected no elements there: leave them out, or choose symmetry by images");
   }
 }
 
@@ -243,11 +230,8 @@ void check_held_nodes(const Model& m, int b, Reporter& reporter) {
       if ((lines_at_node(m, b, node) >> c & 1) == 0 ||
           is_prescribed_zero(m.node_disp[b], node, body.nodes, c, m.head->load_cases))
         continue;
-      Finding f = fault();
-      locate_node(f, m, b, node);
-      say(f, "node ", node + 1, kBodyNumber[b], " lies on the line of symmetry ", kAxis[c], " = ", m.head->line_at[c],
-          " and has a prescribed u", kAxis[c], " that is not 0");
-      tell(reporter, f);
+      report(reporter, at_node(m, b, node), "node ", node + 1, kBodyNumber[b], " lies on the line of symmetry ", kAxis[c],
+             " = ", m.head->line_at[c], " and has a prescribed u", kAxis[c], " that is not 0");
     }
 }
 

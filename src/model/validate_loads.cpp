@@ -54,14 +54,12 @@ bool acts_across_line(const Model& m, const PointLoad& p) {
 void check_point_load(const Model& m, int32_t i, Reporter& reporter) {
   const PointLoad& p = m.point_load[i];
   if (acts_across_line(m, p)) {
-    Finding f = fault();
-    f.entry.body = p.body + 1;
-    f.entry.line = p.line > 0 ? p.line : 0;
+    Finding f(Where{p.line, p.body + 1, 0, 0, 0, 0});
     f.entry.column = p.line > 0 ? p.column : 0;
     say(f, "point load ", i + 1, " at (", p.x, ", ", p.y,
         ") on a symmetry line acts across it, expected a force along "
         "the line");
-    return tell(reporter, f);
+    return report(reporter, f);
   }
   const Nearest near = nearest_element(m, p.body, p.x, p.y);
   if (near.element < 0) return;
@@ -69,10 +67,7 @@ void check_point_load(const Model& m, int32_t i, Reporter& reporter) {
   const bool on_boundary = near.distance <= 1e-6 * length;
   const bool inside = inside_body(m, p.body, p.x, p.y);
   if (inside && near.distance >= length) return;
-  Finding f = on_boundary || !inside ? fault() : warning(C2D_WARN_POINT_LOAD);
-  f.entry.body = p.body + 1;
-  f.entry.element = near.element + 1;
-  f.entry.line = p.line > 0 ? p.line : 0;
+  Finding f(on_boundary || !inside ? 0 : int32_t{C2D_WARN_POINT_LOAD}, Where{p.line, p.body + 1, 0, 0, near.element + 1, 0});
   f.entry.column = p.line > 0 ? p.column : 0;
   say(f, "point load ", i + 1, " at (", p.x, ", ", p.y, ") ");
   if (on_boundary) {
@@ -86,7 +81,7 @@ void check_point_load(const Model& m, int32_t i, Reporter& reporter) {
         ", and loses force");
     say_equivalent(f, p, near.element, length);
   }
-  tell(reporter, f);
+  report(reporter, f);
 }
 
 // Does the case load anything? Whatever else may load a case adds itself here.
@@ -112,10 +107,8 @@ bool case_prescribes(const Model& m, int32_t k) {
 void check_cases(const Model& m, Reporter& reporter) {
   for (int32_t k = 0; k < m.head->load_cases && m.head->load_cases > 1; ++k) {
     if (case_prescribes(m, k)) continue;
-    Finding f = fault();
-    say(f, "load case ", k + 1,
-        " loads nothing, expected a traction, a displacement, a point load or a body force that is not zero");
-    tell(reporter, f);
+    report(reporter, Where(), "load case ", k + 1,
+           " loads nothing, expected a traction, a displacement, a point load or a body force that is not zero");
   }
 }
 

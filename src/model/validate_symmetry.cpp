@@ -13,11 +13,9 @@ bool check_open_regions_allowed(const Model& m, Reporter& reporter) {
   for (int b = 0; b < m.head->bodies; ++b) {
     if (body_of(m, b).open_regions == 0) continue;
     allowed = false;
-    Finding f = fault();
-    f.entry.body = b + 1;
-    say(f, "body ", b + 1, " has ", body_of(m, b).geometry_nodes, " boundary points, ", body_of(m, b).open_regions,
-        " more than closed curves have: open regions end on a line of symmetry, and none is given");
-    tell(reporter, f);
+    report(reporter, in_body(b), "body ", b + 1, " has ", body_of(m, b).geometry_nodes, " boundary points, ",
+           body_of(m, b).open_regions,
+           " more than closed curves have: open regions end on a line of symmetry, and none is given");
   }
   return allowed;
 }

@@ -13,15 +13,14 @@ C2D_USES(FreeZonePart);
 
 namespace {
 
-void tell_zone(const Model& m, int32_t zone, int b, const char* found, int32_t number, const char* expected,
-               Reporter& reporter) {
-  Finding f = fault();
-  locate_zone(f, m, zone);
+void report_zone(const Model& m, int32_t zone, int b, const char* found, int32_t number, const char* expected,
+                 Reporter& reporter) {
+  Finding f(in_zone(m, zone));
   if (b >= 0) f.entry.body = b + 1;
   say(f, "zone ", zone + 1);
   if (b >= 0) say(f, ", body ", b + 1);
   say(f, ": ", found, number, expected);
-  tell(reporter, f);
+  report(reporter, f);
 }
 
 int32_t nodes_per_element(const Model& m) { return m.head->function_nodes == 1 ? 1 : m.head->function_nodes - 1; }
@@ -45,19 +44,19 @@ void check_region(const Model& m, int32_t zone, int b, Reporter& reporter) {
   int32_t first_node, last_node;
   nodes_of_region(m, b, z.region[b], &first_node, &last_node);
   const int32_t count = zone_elements(z, b);
-  if (count > elements) tell_zone(m, zone, b, "elements: ", count, ", more than its region has", reporter);
+  if (count > elements) report_zone(m, zone, b, "elements: ", count, ", more than its region has", reporter);
   if (z.is_free != 0) return; // fitted later
   if (z.first_node[b] < first_node || z.first_node[b] > last_node)
-    tell_zone(m, zone, b, "first node ", z.first_node[b] + 1, " is not in the region of its elements", reporter);
-  if (z.pairs > last_node - first_node + 1) tell_zone(m, zone, b, "nodes: ", z.pairs, ", more than its region has", reporter);
+    report_zone(m, zone, b, "first node ", z.first_node[b] + 1, " is not in the region of its elements", reporter);
+  if (z.pairs > last_node - first_node + 1) report_zone(m, zone, b, "nodes: ", z.pairs, ", more than its region has", reporter);
   const int32_t end_element = z.first_element[b] + z.element_step[b] * (z.elements - 1);
   const int32_t end_node = z.first_node[b] + z.node_step[b] * (z.pairs - 1);
   if (r.open && (end_element < r.first || end_element > r.last || end_node < first_node || end_node > last_node))
-    tell_zone(m, zone, b, "elements or nodes go beyond the end of their open region, from element ", z.first_element[b] + 1, "",
-              reporter);
+    report_zone(m, zone, b, "elements or nodes go beyond the end of their open region, from element ", z.first_element[b] + 1,
+                "", reporter);
   if (z.pairs > 1 && z.elements > 1 && z.node_step[b] != z.element_step[b])
-    tell_zone(m, zone, b, "elements and nodes run in opposite directions from element ", z.first_element[b] + 1,
-              ", expected the same direction", reporter);
+    report_zone(m, zone, b, "elements and nodes run in opposite directions from element ", z.first_element[b] + 1,
+                ", expected the same direction", reporter);
 }
 
 // Position of the first listed node along the zone's elements, from 0; -1 if it is none of their nodes.
@@ -83,18 +82,14 @@ void check_nodes(const Model& m, int32_t zone, Reporter& reporter) {
   for (int b = 0; b < 2; ++b) {
     place[b] = place_of_first_node(m, z, b);
     if (place[b] < 0)
-      tell_zone(m, zone, b, "node ", z.first_node[b] + 1, " is not a node of the zone's elements", reporter);
+      report_zone(m, zone, b, "node ", z.first_node[b] + 1, " is not a node of the zone's elements", reporter);
     else if (place[b] + z.pairs > along)
-      tell_zone(m, zone, b, "node ", zone_node(m, z, b, z.pairs - 1) + 1, " is not a node of the zone's elements", reporter);
+      report_zone(m, zone, b, "node ", zone_node(m, z, b, z.pairs - 1) + 1, " is not a node of the zone's elements", reporter);
   }
   if (place[0] < 0 || place[1] < 0) return;
-  if (direction(z, 0) != 0 && place[0] != place[1]) {
-    Finding f = fault();
-    locate_zone(f, m, zone);
-    say(f, "zone ", zone + 1, ": the first pair is node ", place[0] + 1, " along the elements of body 1 and node ",
-        place[1] + 1, " along those of body 2, expected the same place");
-    tell(reporter, f);
-  }
+  if (direction(z, 0) != 0 && place[0] != place[1])
+    report(reporter, in_zone(m, zone), "zone ", zone + 1, ": the first pair is node ", place[0] + 1,
+           " along the elements of body 1 and node ", place[1] + 1, " along those of body 2, expected the same place");
 }
 
 // Elements in two zones; else nodes in two pairs: in this zone and an earlier one.
@@ -110,25 +105,17 @@ void check_overlap(const Model& m, int32_t zone, int b, Reporter& reporter) {
     other = found;
   }
   if (count > 0) {
-    Finding f = fault();
-    locate_zone(f, m, zone);
-    locate_element(f, m, b, first);
+    Finding f(in_zone(m, zone, b, first));
     say(f, "element ", first + 1, " of body ", b + 1, " is in zones ", other + 1, " and ", zone + 1);
     if (count > 1) say(f, ", the first of ", count, " elements in two zones");
     say(f, ", expected in one");
-    return tell(reporter, f);
+    return report(reporter, f);
   }
   for (int32_t k = 0; k < z.pairs && (z.is_free == 0 || b == 1); ++k) {
     const int32_t node = zone_node(m, z, b, k), pair = pair_of_node(m, b, node);
     if (pair == z.first_pair + k) continue;
-    Finding f = fault();
-    locate_zone(f, m, zone);
-    f.entry.body = b + 1;
-    f.entry.node = node + 1;
-    f.entry.pair = z.first_pair + k + 1;
-    say(f, "node ", node + 1, " of body ", b + 1, " is in pairs ", pair + 1, " and ", z.first_pair + k + 1,
-        ", expected in one");
-    tell(reporter, f);
+    report(reporter, Where{z.line, b + 1, zone + 1, z.first_pair + k + 1, 0, node + 1}, "node ", node + 1, " of body ", b + 1,
+           " is in pairs ", pair + 1, " and ", z.first_pair + k + 1, ", expected in one");
   }
 }
 
@@ -137,12 +124,12 @@ void check_lengths(const Model& m, int32_t zone, int b, Reporter& reporter) {
   for (int32_t k = 0; k < zone_elements(z, b); ++k) {
     const int32_t element = zone_element(m, z, b, k);
     if (is_zero_length(m, b, element))
-      tell_zone(m, zone, b, "element ", element + 1, " has zero length, expected none in a contact zone", reporter);
+      report_zone(m, zone, b, "element ", element + 1, " has zero length, expected none in a contact zone", reporter);
   }
   for (int32_t k = 0; k < z.pairs && (z.is_free == 0 || b == 1); ++k) {
     const int32_t node = zone_node(m, z, b, k);
     if (twin_node(m, b, node) >= 0)
-      tell_zone(m, zone, b, "node ", node + 1, " is a double node, expected none in a contact zone", reporter);
+      report_zone(m, zone, b, "node ", node + 1, " is a double node, expected none in a contact zone", reporter);
   }
 }
 
@@ -164,12 +151,9 @@ void facing_normals(const Model& m, const Zone& z, int32_t k, double n[2][2]) {
 void check_facing(const Model& m, int32_t zone, bool sound, Reporter& reporter) {
   const Zone& z = m.zone[zone];
   if (direction(z, 0) != 0 && direction(z, 0) == direction(z, 1)) {
-    Finding f = fault();
-    locate_zone(f, m, zone);
-    say(f, "zone ", zone + 1,
-        ": numbers run in the same direction on both bodies, so that the elements do not face "
-        "each other; expected up on one body and down on the other");
-    return tell(reporter, f);
+    return report(reporter, in_zone(m, zone), "zone ", zone + 1,
+                  ": numbers run in the same direction on both bodies, so that the elements do not face "
+                  "each other; expected up on one body and down on the other");
   }
   if (!sound) return; // of a body that runs the wrong way no element would face the other one
   int32_t count = 0, worst = 0;
@@ -187,14 +171,11 @@ void check_facing(const Model& m, int32_t zone, bool sound, Reporter& reporter) 
   double n[2][2];
   facing_normals(m, z, worst, n);
   const int32_t e1 = zone_element(m, z, 0, worst), e2 = zone_element(m, z, 1, worst);
-  Finding f = fault();
-  locate_zone(f, m, zone);
-  f.entry.body = 1;
-  f.entry.element = e1 + 1;
+  Finding f(in_zone(m, zone, 0, e1));
   say(f, "zone ", zone + 1, ": element ", e1 + 1, " of body 1 with normal (", n[0][0], ", ", n[0][1], ") and element ", e2 + 1,
       " of body 2 with normal (", n[1][0], ", ", n[1][1], ") do not face each other");
   if (count > 1) say(f, ", the least of ", count);
-  tell(reporter, f);
+  report(reporter, f);
 }
 
 // Cut free zones down to what faces each other, and number the pairs of all zones again.
