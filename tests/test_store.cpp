@@ -250,7 +250,7 @@ TEST_CASE("a block of which only the front reached the tape is torn, whatever st
     Written w(40);
     Bytes before(112, 0);
     if (old_block) before = w.on_tape(1);
-    next_generation(w.tapes, C2D_TAPE_UPPER);
+    w.tapes.generation[C2D_TAPE_UPPER] += 1; // written anew
     w.write(1, 5);
     const Bytes after = w.on_tape(1);
     const size_t total = 64 + 40;
@@ -308,7 +308,7 @@ TEST_CASE("a sound block in the wrong place is swapped") {
 
 TEST_CASE("a sound block of an earlier generation or another run is stale") {
   Written w(40);
-  next_generation(w.tapes, C2D_TAPE_UPPER);
+  w.tapes.generation[C2D_TAPE_UPPER] += 1; // written anew
   CHECK(w.read(1) == C2D_ERR_STORE_STALE);
   w.write(1, 7);
   CHECK(w.read(1) == C2D_OK);

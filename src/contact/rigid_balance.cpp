@@ -90,7 +90,7 @@ void sort(int32_t count, int32_t* holder) {
     }
 }
 
-void exchange(Real* x, int32_t i, int32_t j) {
+void exchange(Real* x, int64_t i, int64_t j) {
   const Real kept = x[i];
   x[i] = x[j];
   x[j] = kept;
@@ -102,12 +102,7 @@ bool factor_held(const Reduction& r, int32_t count, const int32_t* holder) {
   const int32_t m = r.tape.m, held = m - count;
   Real* s = r.first;
   for (int32_t k = count - 1; k >= 0; --k)
-    for (int32_t i = 0; i < m; ++i) {
-      Real *a = s + static_cast<int64_t>(holder[k]) * m, *b = s + static_cast<int64_t>(held + k) * m;
-      const Real kept = a[i];
-      a[i] = b[i];
-      b[i] = kept;
-    }
+    for (int32_t i = 0; i < m; ++i) exchange(s + i, static_cast<int64_t>(holder[k]) * m, static_cast<int64_t>(held + k) * m);
   for (int32_t j = 0; j < m; ++j) r.strip[j] = largest(r.engine, m, s + static_cast<int64_t>(j) * m);
   PivotStats stats;
   start_stats(stats);

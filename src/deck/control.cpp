@@ -21,7 +21,7 @@ bool read_problem_type(Deck& deck) {
   deck.problem.analysis = output;
   if (deck.sink == nullptr) return true;
   place(deck, 1, 10);
-  return accept(deck, deck.sink->set_problem(deck.sink->solver, &deck.problem));
+  return send(deck, &DeckSink::set_problem, &deck.problem);
 }
 
 // What the workspace was made for cannot be changed by a deck.
@@ -57,7 +57,8 @@ bool read_counts(Deck& deck) {
   return fits_workspace(deck);
 }
 
-c2d_body body_data(const Deck& deck, int b, double youngs_modulus, double poisson_ratio) {
+bool set_body(Deck& deck, int b, double youngs_modulus, double poisson_ratio) {
+  if (deck.sink == nullptr) return true;
   c2d_body data = c2d_body();
   data.struct_size = static_cast<uint32_t>(sizeof data);
   data.element_nodes = deck.element_nodes[b];
@@ -66,14 +67,8 @@ c2d_body body_data(const Deck& deck, int b, double youngs_modulus, double poisso
   data.open_regions = deck.open_regions[b];
   data.youngs_modulus = youngs_modulus;
   data.poisson_ratio = poisson_ratio;
-  return data;
-}
-
-bool set_body(Deck& deck, int b, double youngs_modulus, double poisson_ratio) {
-  if (deck.sink == nullptr) return true;
-  const c2d_body data = body_data(deck, b, youngs_modulus, poisson_ratio);
   place(deck, 1, 20);
-  return accept(deck, deck.sink->set_body(deck.sink->solver, b + 1, &data));
+  return send(deck, &DeckSink::set_body, b + 1, &data);
 }
 
 bool read_body(Deck& deck, int b) {
@@ -136,9 +131,9 @@ bool read_region(Deck& deck, int b, int32_t number, int32_t* next) {
   else if (last_known && !last_sound)
     field_fault(cards, 6, 10, "last element of the region is ", last, ", expected ", expected, " to ", elements + offset);
   *next = last_sound && last - offset < elements ? last - offset + 1 : elements;
-  if (deck.sink == nullptr || !first_sound || !last_sound) return !cards.ended;
+  if (!first_sound || !last_sound) return !cards.ended;
   place(deck, 1, 10);
-  return accept(deck, deck.sink->add_region(deck.sink->solver, b + 1, first - offset, last - offset));
+  return send(deck, &DeckSink::add_region, b + 1, first - offset, last - offset);
 }
 
 bool read_elastic_constants(Deck& deck, int b) {
@@ -185,12 +180,12 @@ bool read_friction(Deck& deck) {
     const int32_t column = 7 + 10 * (i % kCoefficientsPerCard);
     double mu = 0;
     if (!real(cards, column, "coefficient of friction", &mu)) continue;
-    if (mu < 0)
+    if (mu < 0) {
       field_fault(cards, column, column + 9, "coefficient of friction is ", mu, ", expected at least 0");
-    else if (deck.sink != nullptr) {
-      place(deck, column, column + 9);
-      if (!accept(deck, deck.sink->add_friction(deck.sink->solver, mu))) return false;
+      continue;
     }
+    place(deck, column, column + 9);
+    if (!send(deck, &DeckSink::add_friction, mu)) return false;
   }
   cards.counting = true; // more than were counted: then so is what follows
   end_of_fields(cards, 7 + 10 * kCoefficientsPerCard);

@@ -6,44 +6,39 @@
 
 namespace c2d {
 
-// Where the model goes: the calls of section 5 of the C interface, in the order in which they are made here.
+// Where the model goes: the calls of section 5 of the C interface, unless somebody else's stand in their places.
 // What differs from a model built by hand, because of the order of the cards:
 // - set_problem comes twice: the iteration limit stands on one of the last cards;
-// - set_body comes twice for each body: the elastic constants stand behind the regions. The first call
-// carries
-//   constants that are merely legal (E = 1, nu = 0) and the second, after the regions, those of the deck.
+// - set_body comes twice for each body: the elastic constants stand behind the regions. The first call carries constants
+//   that are merely legal (E = 1, nu = 0) and the second, after the regions, those of the deck.
 struct DeckSink {
   c2d_solver* solver;
   int32_t function_nodes;         // per element, as the workspace was made for; 0: any
   int32_t bodies;                 // likewise
   void (*refused)(void* context); // may be null; told after every call below that returned an error
   void* context;
-  c2d_status (*set_line)(c2d_solver*, int32_t line, int32_t column, int32_t column_end);
-  c2d_status (*set_problem)(c2d_solver*, const c2d_problem*);
-  c2d_status (*set_body)(c2d_solver*, int32_t body, const c2d_body*);
-  c2d_status (*add_region)(c2d_solver*, int32_t body, int32_t first_element, int32_t last_element);
-  c2d_status (*set_nodes)(c2d_solver*, int32_t body, int32_t first, int32_t count, const double* xy, int64_t stride);
-  c2d_status (*set_condition)(c2d_solver*, int32_t body, int32_t element, int32_t local, int32_t load_case,
-                              const int32_t codes[4], const double values[4]);
-  c2d_status (*add_point_load)(c2d_solver*, int32_t body, int32_t load_case, double x, double y, double fx, double fy);
-  c2d_status (*add_zone)(c2d_solver*, const c2d_zone*);
-  c2d_status (*add_friction)(c2d_solver*, double mu);
+  decltype(&c2d_set_line) set_line = c2d_set_line;
+  decltype(&c2d_set_problem) set_problem = c2d_set_problem;
+  decltype(&c2d_set_body) set_body = c2d_set_body;
+  decltype(&c2d_add_region) add_region = c2d_add_region;
+  decltype(&c2d_set_nodes) set_nodes = c2d_set_nodes;
+  decltype(&c2d_set_condition) set_condition = c2d_set_condition;
+  decltype(&c2d_add_point_load) add_point_load = c2d_add_point_load;
+  decltype(&c2d_add_zone) add_zone = c2d_add_zone;
+  decltype(&c2d_add_friction) add_friction = c2d_add_friction;
+  decltype(&c2d_set_values) set_values = c2d_set_values;
+  decltype(&c2d_clear_paths) clear_paths = c2d_clear_paths;
+  decltype(&c2d_add_path) add_path = c2d_add_path;
+  decltype(&c2d_set_zone_friction) set_zone_friction = c2d_set_zone_friction;
+  decltype(&c2d_set_units) set_units = c2d_set_units;
+  decltype(&c2d_set_interference) set_interference = c2d_set_interference;
+  decltype(&c2d_add_points) add_points = c2d_add_points;
+  decltype(&c2d_add_curve) add_curve = c2d_add_curve;
   c2d_status (*add_load_card)(c2d_solver*, int32_t increments, double load); // factor of case 1, all others zero
-  // of the keywords *CASES, *PATH and *FRICTION
-  c2d_status (*set_values)(c2d_solver*, int32_t body, int32_t element, int32_t local, int32_t load_case,
-                           const double values[4]);
-  c2d_status (*clear_paths)(c2d_solver*);
-  c2d_status (*add_path)(c2d_solver*, int32_t increments, const double* load, int32_t cases);
-  c2d_status (*set_zone_friction)(c2d_solver*, int32_t zone, int32_t i, double mu);
-  c2d_status (*set_units)(c2d_solver*, const char* length, const char* force);
-  c2d_status (*set_interference)(c2d_solver*, int32_t load_case);
-  c2d_status (*add_points)(c2d_solver*, const c2d_points*);
-  c2d_status (*add_curve)(c2d_solver*, const c2d_curve*);
   // of keywords whose part of the library may be missing: null or false
-  c2d_status (*set_symmetry)(c2d_solver*, int32_t axis, double value);
-  c2d_status (*set_rigid)(c2d_solver*, int32_t body, int32_t load_case, const double motion[3], const double axis[2]);
-  c2d_status (*set_body_force)(c2d_solver*, int32_t body, int32_t load_case, const double force[2], double rho_omega2,
-                               const double axis[2]);
+  decltype(&c2d_set_symmetry) set_symmetry;
+  decltype(&c2d_set_rigid) set_rigid;
+  decltype(&c2d_set_body_force) set_body_force;
   bool has_free_zones;
 };
 
@@ -101,14 +96,17 @@ bool read_zones(Deck& deck);      // zones.cpp: zones and the counts per body
 bool read_loads(Deck& deck);      // loads.cpp: load path
 void read_extensions(Deck& deck); // keywords.cpp: what follows the last load card
 
-// ---- shared by the sections
-// --------------------------------------------------------------------------------- Faults of the sink's next
-// call are in these columns of the card at hand.
+// ---- shared by the sections ----
+// Faults of the sink's next call are in these columns of the card at hand.
 void place(Deck& deck, int32_t column, int32_t column_end);
 // The same for all fields of a free-form card.
 void place_words(Deck& deck, const Words& words);
 // Take note of what a call of the sink returned; false if the reading must end.
 bool accept(Deck& deck, c2d_status status);
+// Make a call of the sink, if there is one; false if the reading must end.
+template <class Call, class... Given> bool send(Deck& deck, Call DeckSink::*call, Given... given) {
+  return deck.sink == nullptr ? !deck.cards.ended : accept(deck, (deck.sink->*call)(deck.sink->solver, given...));
+}
 // A card that says how many cards of a kind follow. Where they do not fit their number, that alone is told, at its card: what
 // follows is read as something else than it is. Both return false then.
 bool read_count(Deck& deck, const char* name, int32_t* value);

@@ -202,10 +202,6 @@ void update_by(const Engine& engine, int32_t w, int32_t m, int32_t n, const Real
   }
 }
 
-void trsm_lower_unit(const Engine& engine, int32_t n, int32_t nrhs, const Real* l, int64_t ldl, Real* b, int64_t ldb) {
-  update_by(engine, n, 0, nrhs, l, ldl, b, ldb);
-}
-
 void trsm_upper(const Engine& engine, int32_t n, int32_t nrhs, const Real* u, int64_t ldu, Real* b, int64_t ldb) {
   if (packs(engine, nrhs, n)) {
     cut_columns(engine, {[](const Columns& all, const Engine& own, int32_t j, int32_t count) {

@@ -12,10 +12,7 @@ namespace c2d {
 void gemm_minus(const Engine& engine, int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, const Real* b, int64_t ldb,
                 Real* c, int64_t ldc);
 
-// B (n x nrhs) := L^-1 B; L unit lower triangular: what stands on and above its diagonal is not read.
-void trsm_lower_unit(const Engine& engine, int32_t n, int32_t nrhs, const Real* l, int64_t ldl, Real* b, int64_t ldb);
-
-// Both at once, as an elimination needs them: X = (X1, X2) of w + m rows and n columns := (L1^-1 X1, X2 - L2
+// What an elimination needs: X = (X1, X2) of w + m rows and n columns := (L1^-1 X1, X2 - L2
 // L1^-1 X1) with L = (L1, L2) unit lower trapezoidal, (w + m) x w.
 void update_by(const Engine& engine, int32_t w, int32_t m, int32_t n, const Real* l, int64_t ldl, Real* x, int64_t ldx);
 

@@ -5,8 +5,8 @@
 
 namespace c2d {
 
-// An engine without a kernel, or with less than engine_numbers(kernel, 1, 1) of scratch, takes the plain form. How many
-// workers there are changes no bit of any result.
+// An engine without a kernel, or with less scratch than packs one row and one column of its tile, takes the plain form. How
+// many workers there are changes no bit of any result.
 struct Engine {
   const Kernel* kernel;
   Real* scratch;   // aligned to 64 bytes
@@ -25,9 +25,6 @@ constexpr int32_t kDepth = 384, kWidth = 384, kBand = 96;
 constexpr int64_t full_scratch(int64_t k, int64_t n) {
   return (k < kDepth ? k : kDepth) * (kBand + (n < kWidth ? (n + 7) / 8 * 8 : kWidth));
 }
-// Scratch that packs k x n of a right factor at a time; more makes wider steps.
-int64_t engine_numbers(const Kernel* kernel, int32_t k, int32_t n);
-
 // Into how many engines this one can be divided that calculate as it does itself: each worker's with scratch for full
 // depth. At least 1.
 int32_t parts_of(const Engine& engine);

@@ -158,11 +158,6 @@ void upper_once(const Packing& p, int32_t w, int32_t n, const Real* u, int64_t l
 
 } // namespace
 
-int64_t engine_numbers(const Kernel* kernel, int32_t k, int32_t n) {
-  const int32_t depth = smaller(k, kDepth), width = smaller(whole(n, kernel->cols), kWidth);
-  return static_cast<int64_t>(depth) * (kBand + width);
-}
-
 bool can_pack(const Engine& engine) {
   return engine.kernel != nullptr && engine.numbers >= engine.kernel->rows + engine.kernel->cols;
 }

@@ -84,19 +84,6 @@ LogRule log_gauss(int n) {
   return {nullptr, nullptr, 0};
 }
 
-double gauss_error_bound(int n, double rho, int degree) {
-  const double odd_tail = n > 1 ? 64.0 / 15.0 : 16.0 / 3.0;
-  return odd_tail * exp((degree - 2 * n) * log(rho)) / (1.0 - 1.0 / (rho * rho));
-}
-
-int gauss_order(double rho, int degree, double tolerance) {
-  if (!(rho > 1.0)) return 0;
-  for (int n = 1; n <= 20; ++n) {
-    if (gauss_offset(n) >= 0 && gauss_error_bound(n, rho, degree) <= tolerance) return n;
-  }
-  return 0;
-}
-
 double gauss_semi_axis(int n, int degree, double tolerance) {
   const int decay = 2 * n - degree;
   if (decay < 2) return 0.0;

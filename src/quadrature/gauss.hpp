@@ -38,16 +38,6 @@ struct LogRule {
 // The logarithmic rule with n = 2, 4, 10 or 16 points; any other n gives { nullptr, nullptr, 0 }.
 LogRule log_gauss(int n);
 
-// A-priori bound. For f = g p, g analytic with |g| <= M inside the Bernstein ellipse of parameter rho > 1
-// (foci -1 and 1, semi-axes adding up to rho), p a polynomial of degree `degree` with |p| <= 1 on [-1,1], the
-// error of the n-point rule is at most M times the value returned: the Chebyshev coefficients of f fall like
-// rho^(degree-k), the rule is exact up to k = 2n-1, and odd terms integrate to zero.
-double gauss_error_bound(int n, double rho, int degree);
-
-// Smallest available number of points for which gauss_error_bound is at most `tolerance`; 0 if 20 are not
-// enough or rho <= 1.
-int gauss_order(double rho, int degree, double tolerance);
-
 // Smallest semi-major axis (rho + 1/rho)/2 of the ellipse in which an integrand with a pole of order two just
 // outside must be analytic, so that n points integrate it times a polynomial of degree `degree` to a relative
 // `tolerance`. 0 if n points cannot (2 n - degree < 2).

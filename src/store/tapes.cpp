@@ -356,6 +356,4 @@ c2d_status reopen_tapes(Tapes& tapes) {
   return C2D_OK;
 }
 
-void next_generation(Tapes& tapes, int32_t tape) { tapes.generation[tape] += 1; }
-
 } // namespace c2d

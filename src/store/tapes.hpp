@@ -91,7 +91,4 @@ c2d_status read_record(Tapes& tapes, uint64_t block, void* buffer, uint64_t data
 // STORE_OPEN.
 c2d_status reopen_tapes(Tapes& tapes);
 
-// The tape's contents are about to be written anew: what stands there becomes stale.
-void next_generation(Tapes& tapes, int32_t tape);
-
 } // namespace c2d
