@@ -1,8 +1,7 @@
 #pragma once
-// Integrals over one straight element for several sources at once, a source per lane of the processor's
-// vectors: closed forms next to the element, series in its length over the distance elsewhere, with logarithm
-// and arctangent of their own. One set of functions per instruction set (linalg/kernel.hpp); the same numbers
-// as integrate() gives one by one, to round-off.
+// Integrals over one straight element for several sources at once, a source per lane of the processor's vectors: closed forms
+// next to the element, series in its length over the distance elsewhere, with logarithm and arctangent of their own. One set of
+// functions per instruction set (linalg/kernel.hpp); the same numbers as integrate() gives one by one, to round-off.
 #include "bie/deposits.hpp"
 #include "bie/interior.hpp"
 #include "linalg/kernel.hpp"
@@ -34,8 +33,7 @@ struct BatchColumns {
   double factor[2][kElementNodes][2];
 };
 
-// Batches of an element: sources at xy = x0 y0 x1 y1 ..., the first of which has the panel's rows 2 first, 2
-// first + 1.
+// Batches of an element: sources at xy = x0 y0 x1 y1 ..., the first of which has the panel's rows 2 first, 2 first + 1.
 struct BatchRun {
   BatchElement element;
   const Deposits* deposits; // of `blocks`
@@ -48,8 +46,7 @@ struct BatchRun {
 // Then they stand in `out` as well.
 bool aim_columns(const BatchRun& run, BatchColumns& out);
 
-// An element with its values for points far away: names as in interior.hpp and interior_straight.cpp. 1 to 3
-// functions.
+// An element with its values for points far away: names as in interior.hpp and interior_straight.cpp. 1 to 3 functions.
 struct BatchFieldElement {
   double x0, y0, ux, uy, kappa;
   double k_t, k_log, k_d, k_s, half_k; // k J, k J kappa, k J/|h|, 2k/|h|, k/2
@@ -75,8 +72,7 @@ struct BatchKernel {
   void (*integrate)(const BatchElement& e, const double* xy, bool want_h, bool want_g, BatchBlocks& out);
   // Scatters the blocks of one batch as its deposits say: of all sources, or of the first `count`.
   void (*scatter)(const BatchRun& run, int32_t first, int32_t count, const BatchBlocks& out);
-  // Both for `count` sources, whole batches of them, none at a functional node. The blocks are room for the
-  // work.
+  // Both for `count` sources, whole batches of them, none at a functional node. The blocks are room for the work.
   void (*integrate_and_scatter)(const BatchRun& run, const double* xy, int32_t first, int32_t count, BatchBlocks& room);
   // rigid_sum(): sum[4 s + 2 i + j].
   void (*rigid)(const BatchElement& e, const double* xy, double sum[4 * kBatch]);

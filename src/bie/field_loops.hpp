@@ -6,8 +6,7 @@
 namespace c2d {
 namespace {
 
-// Sums of moments times the real and the imaginary parts of a density, a + i b and a - i b of its own and its
-// conjugate's.
+// Sums of moments times the real and the imaginary parts of a density, a + i b and a - i b of its own and its conjugate's.
 struct Parts {
   Complexes a, b;
 };

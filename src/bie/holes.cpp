@@ -132,9 +132,8 @@ double touching_circle(const Model& m, int b, const Hole& run, const double a[2]
   return radius;
 }
 
-// Where the centroid will not do: the centre of the widest such circle, less wide ones being taken if nearer to the
-// centroid. A hole that winds round its centroid outside is at most a mirror image of itself: two centres are as good, and
-// both count.
+// Where the centroid will not do: the centre of the widest such circle, less wide ones being taken if nearer to the centroid. A
+// hole that winds round its centroid outside is at most a mirror image of itself: two centres are as good, and both count.
 bool find_widest(const Model& m, int b, const Outline& outline, Hole& run) {
   double best = -1.0, centre[2][2] = {};
   run.points = 0;

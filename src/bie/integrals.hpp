@@ -9,9 +9,8 @@
 
 namespace c2d {
 
-// The accuracy is relative to the largest entry of h or g; where h all but vanishes (nu = 0.5 and a source on
-// the line of a straight element) relative to element length over distance. The rounding of the coordinates
-// comes on top.
+// The accuracy is relative to the largest entry of h or g; where h all but vanishes (nu = 0.5 and a source on the line of a
+// straight element) relative to element length over distance. The rounding of the coordinates comes on top.
 enum class Quadrature {
   accurate, // error below 1e-12 of the largest entry of the block, at any distance
   thesis    // 2, 4 or 10 Gauss points by distance, logarithmic formula at the source's own node
@@ -45,15 +44,13 @@ struct Integrator {
 // Element e with `functions` (1..4) functional nodes, effective plane-strain nu in (-1, 0.5].
 void prepare(Integrator& in, const Element& e, int functions, double nu, Quadrature mode);
 
-// Measures g (and resultants) per length of another element: J becomes that of `arc` at the matching point,
-// eta or -eta if `reversed`. Positions, and the numbering of local nodes, stay those of the element. Call
-// after prepare().
+// Measures g (and resultants) per length of another element: J becomes that of `arc` at the matching point, eta or -eta if
+// `reversed`. Positions, and the numbering of local nodes, stay those of the element. Call after prepare().
 void set_arc(Integrator& in, const Element& arc, bool reversed);
 
-// Blocks of the source point (sx,sy). `singular`: local functional node with which the source coincides, -1
-// if none; its own h is set to zero (free term and principal value come from rigid translation), its g is
-// complete. A source on the element but not on one of its functional nodes is not allowed (the result is
-// finite, but meaningless). Blocks not wanted are not touched.
+// Blocks of the source point (sx,sy). `singular`: local functional node with which the source coincides, -1 if none; its own h
+// is set to zero (free term and principal value come from rigid translation), its g is complete. A source on the element but
+// not on one of its functional nodes is not allowed (the result is finite, but meaningless). Blocks not wanted are not touched.
 void integrate(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out);
 
 // sum[i][j] = sum over l != singular of h[l][i][j].

@@ -1,7 +1,6 @@
-// Curved elements, or a Jacobian that is not constant. Far away: the cheapest Gauss rule whose a-priori bound
-// holds. Near: panels growing geometrically away from the nearest point, each with its own check of the
-// bound. Source on the element: the same, with r = tau |q(tau)| factored, and a logarithmic rule next to the
-// source.
+// Curved elements, or a Jacobian that is not constant. Far away: the cheapest Gauss rule whose a-priori bound holds. Near:
+// panels growing geometrically away from the nearest point, each with its own check of the bound. Source on the element: the
+// same, with r = tau |q(tau)| factored, and a logarithmic rule next to the source.
 #include "bie/integrals_detail.hpp"
 #include "memory/config.hpp"
 #include "model/shape.hpp"

@@ -16,17 +16,15 @@ constexpr int kFarOrderCount = 10;
 // Gauss and logarithmic points per panel of the near rule.
 constexpr int kNearOrder = 16;
 
-// The element seen from the source, as a polynomial about a parameter `origin`:
-// x(origin + tau) - source = delta + tau (b[0] + tau (b[1] + tau b[2])), without cancellation near the
-// origin.
+// The element seen from the source, as a polynomial about a parameter `origin`: x(origin + tau) - source = delta + tau (b[0] +
+// tau (b[1] + tau b[2])), without cancellation near the origin.
 struct Expansion {
   double origin;
   double delta[2];
   double b[3][2];
 };
 
-// One quadrature point: shape functions, x - source, outward normal times the element's own Jacobian, J for
-// g.
+// One quadrature point: shape functions, x - source, outward normal times the element's own Jacobian, J for g.
 struct Sample {
   double shape[kElementNodes];
   double rx, ry, nx, ny, jacobian;
@@ -54,9 +52,8 @@ Expansion expand(const Integrator& in, double origin, double sx, double sy, bool
 Sample sample(const Integrator& in, const Expansion& x, double tau);
 void finish(const Integrator& in, const Sums& sums, int singular, bool want_h, bool want_g, Blocks& out);
 
-// Straight elements, constant J: closed forms. Their sum over l without the source's own node likewise; the
-// sum without a singular node holds for any path between the same ends that does not pass between source and
-// chord.
+// Straight elements, constant J: closed forms. Their sum over l without the source's own node likewise; the sum without a
+// singular node holds for any path between the same ends that does not pass between source and chord.
 void integrate_straight(const Integrator& in, double sx, double sy, int singular, bool want_h, bool want_g, Blocks& out);
 void rigid_sum_chord(const Integrator& in, double sx, double sy, double sum[2][2]);
 void rigid_sum_own_line(const Integrator& in, int singular, double sum[2][2]);

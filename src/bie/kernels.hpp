@@ -28,8 +28,7 @@ inline void store(const Tensor& t, double factor, double out[2][2]) {
   out[1][1] = factor * (t.alpha - t.beta);
 }
 
-// T J / k, METHOD (2.3): (rx,ry) = field point minus source, q = 1/r^2, (nx,ny) = outward normal times J,
-// t1 = 1-2nu.
+// T J / k, METHOD (2.3): (rx,ry) = field point minus source, q = 1/r^2, (nx,ny) = outward normal times J, t1 = 1-2nu.
 inline Tensor traction_kernel(double rx, double ry, double q, double nx, double ny, double t1) {
   const double rn = (rx * nx + ry * ny) * q, cross = (rx * ny - ry * nx) * q;
   return {-rn * (t1 + 1.0), -rn * (rx * rx - ry * ry) * q, -2.0 * rn * rx * ry * q, t1 * cross};

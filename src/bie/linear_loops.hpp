@@ -1,6 +1,5 @@
 #pragma once
-// Where blocks go, and linear elements far away, which most pairs are: part of batch_loops.hpp, seen by nothing
-// else.
+// Where blocks go, and linear elements far away, which most pairs are: part of batch_loops.hpp, seen by nothing else.
 #include "bie/moment_loops.hpp"
 
 namespace c2d {

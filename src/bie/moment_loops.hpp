@@ -1,7 +1,6 @@
 #pragma once
-// Complex numbers, the sources as an element sees them, and the moments of its kernels: part of batch_loops.hpp,
-// seen by nothing else. Names and formulas are those of straight_moments.hpp; series there and here are those of
-// C_k, in w = 1/z^2.
+// Complex numbers, the sources as an element sees them, and the moments of its kernels: part of batch_loops.hpp, seen by
+// nothing else. Names and formulas are those of straight_moments.hpp; series there and here are those of C_k, in w = 1/z^2.
 #include "bie/batch.hpp"
 #include "bie/straight_moments.hpp"
 #include "bie/vector_loops.hpp"
@@ -101,9 +100,8 @@ constexpr double kThirds[] = {1.0 / 3,  1.0 / 5,  1.0 / 7,  1.0 / 9,  1.0 / 11, 
 constexpr double kEach[] = {1.0,     1.0 / 2, 1.0 / 3,  1.0 / 4,  1.0 / 5,  1.0 / 6,  1.0 / 7,
                             1.0 / 8, 1.0 / 9, 1.0 / 10, 1.0 / 11, 1.0 / 12, 1.0 / 13, 1.0 / 14};
 
-// 1/z and w, and sum w^m/(2m+q), q = 3 or 5, sum w^m = 1/(1-w), Re sum w^m/(m+1) = -ln(1-w)/w. A polynomial
-// with real coefficients at a complex argument takes two real recurrences, here all three together, highest
-// power first.
+// 1/z and w, and sum w^m/(2m+q), q = 3 or 5, sum w^m = 1/(1-w), Re sum w^m/(m+1) = -ln(1-w)/w. A polynomial with real
+// coefficients at a complex argument takes two real recurrences, here all three together, highest power first.
 struct Series {
   Complexes iz, w, odd, geometric;
   Doubles log_1_w; // ln |1-w|

@@ -1,6 +1,5 @@
 #pragma once
-// Adding into a panel of columns, by one number or by the integrals of an element for one source after
-// another.
+// Adding into a panel of columns, by one number or by the integrals of an element for one source after another.
 #include "bie/deposits.hpp"
 #include "bie/holes.hpp"
 #include "bie/interior.hpp"

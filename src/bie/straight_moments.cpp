@@ -30,8 +30,7 @@ double near_moments(const SeenPoint& s, int functions, Moments& m) {
 constexpr double kReciprocal[] = {1.0 / 3,  1.0 / 5,  1.0 / 7,  1.0 / 9,  1.0 / 11, 1.0 / 13, 1.0 / 15, 1.0 / 17,
                                   1.0 / 19, 1.0 / 21, 1.0 / 23, 1.0 / 25, 1.0 / 27, 1.0 / 29, 1.0 / 31};
 
-// sum_{m<terms} w^m/(2m+first) by the recurrence for polynomials with real coefficients at a complex
-// argument.
+// sum_{m<terms} w^m/(2m+first) by the recurrence for polynomials with real coefficients at a complex argument.
 Complex odd_series(Complex w, int first, int terms) {
   const double trace = 2.0 * w.re, norm = w.re * w.re + w.im * w.im;
   const double* a = kReciprocal + (first - 3) / 2;
@@ -82,8 +81,7 @@ void far_moments(const SeenPoint& s, double z2, int functions, Moments& m) {
 
 } // namespace
 
-// Zeta, and the position along the element, are taken from the nearer end, where they are small numbers
-// exactly.
+// Zeta, and the position along the element, are taken from the nearer end, where they are small numbers exactly.
 SeenPoint see(const Integrator& in, double x, double y) {
   const Element& e = in.element;
   const int last = e.nodes - 1;

@@ -13,8 +13,7 @@ C2D_USES(HolePart);
 
 namespace {
 
-// The part of an element between two local coordinates, in the length unit; ends that are nodes are exactly
-// those.
+// The part of an element between two local coordinates, in the length unit; ends that are nodes are exactly those.
 Element part_of(const Model& m, int b, int32_t element, double from, double to, const int32_t node[2]) {
   const double unit = m.head->length_unit;
   double x[kElementNodes], y[kElementNodes], px[kElementNodes], py[kElementNodes];
@@ -124,8 +123,7 @@ void add_faced_displacement(const Model& m, const Columns& panel, const Pair& pa
   }
 }
 
-// Integrals of the functions of a piece become those of tau at the ends of the element of body 2, in columns
-// of tau.
+// Integrals of the functions of a piece become those of tau at the ends of the element of body 2, in columns of tau.
 void send(const Model& m, const Columns& panel, const Transfer& t, const double value[kElementNodes], int32_t row,
           int component) {
   const double scale = m.head->stress_unit / (2.0 * shear_modulus(m, 0));

@@ -1,9 +1,8 @@
 #pragma once
-// What body 1 has of free zones (model/free_zones.hpp, METHOD 9.2), where tau is per length of body 2 and interpolated
-// there. Displacement: the equations u_c - sum_l N_l(eta) u_l = 0 at the point that each pair's node faces.
-// Traction: at matching points tau dS2 acts on both bodies, so that int U tau dS1-share = sum over pieces of
-// int U(x1) M_j J2 deta2. The same measure in the balances keeps the force exactly; the moment is kept where
-// matching points coincide.
+// What body 1 has of free zones (model/free_zones.hpp, METHOD 9.2), where tau is per length of body 2 and interpolated there.
+// Displacement: the equations u_c - sum_l N_l(eta) u_l = 0 at the point that each pair's node faces. Traction: at matching
+// points tau dS2 acts on both bodies, so that int U tau dS1-share = sum over pieces of int U(x1) M_j J2 deta2. The same measure
+// in the balances keeps the force exactly; the moment is kept where matching points coincide.
 #include "bie/columns.hpp"
 #include "model/free_zones.hpp"
 
@@ -32,9 +31,8 @@ void make_transfer(const Model& m, Quadrature quadrature, const TransferWalk& wa
 // The share of free zones in the columns of body 1.
 void fill_transfer(const ColumnSystem& system, int32_t first, int32_t count, Real* panel, int64_t ld);
 
-// What tau of the pairs is at local node l of an element of body 1: true traction there = -ratio sum
-// weight[k] tau of pair[k], with the ratio of lengths dS2/dS1. False outside free zones and where nothing
-// faces it.
+// What tau of the pairs is at local node l of an element of body 1: true traction there = -ratio sum weight[k] tau of pair[k],
+// with the ratio of lengths dS2/dS1. False outside free zones and where nothing faces it.
 struct TransferredEnd {
   int32_t pair[kElementNodes];
   double weight[kElementNodes], ratio;

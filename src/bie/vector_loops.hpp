@@ -1,8 +1,7 @@
 #pragma once
-// Vectors of C2D_VECTOR_BYTES, their logarithm and arctangent: part of batch_loops.hpp, seen by nothing else.
-// Both functions are polynomials after the usual reductions, interpolated at Chebyshev's points to 1e-17;
-// neither raises anything for the arguments they are made for. tests/test_batch.cpp compares them with the C
-// library.
+// Vectors of C2D_VECTOR_BYTES, their logarithm and arctangent: part of batch_loops.hpp, seen by nothing else. Both functions
+// are polynomials after the usual reductions, interpolated at Chebyshev's points to 1e-17; neither raises anything for the
+// arguments they are made for. tests/test_batch.cpp compares them with the C library.
 #include <stdint.h>
 
 #define INLINED __attribute__((always_inline))

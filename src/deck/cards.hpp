@@ -51,9 +51,8 @@ struct Cards {
 
 void start_cards(Cards& cards, c2d_read_line read, void* context, c2d_report report, void* report_context);
 
-// The next card as it stands, comments included (heading cards). False: the deck has ended or must not be
-// read on, and this has been reported; `what` names the card that is missing, as in "the card with the number
-// of bodies".
+// The next card as it stands, comments included (heading cards). False: the deck has ended or must not be read on, and this has
+// been reported; `what` names the card that is missing, as in "the card with the number of bodies".
 bool next_heading(Cards& cards, const char* what);
 // The next card that is not a comment; of the free form it is split into cards.words.
 bool next_card(Cards& cards, const char* what);

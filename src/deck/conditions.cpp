@@ -13,8 +13,7 @@ struct ConditionCard {
   bool values_sound;
 };
 
-// On a card of the free form the flag may be missing and the codes may be one field; the number of fields
-// tells.
+// On a card of the free form the flag may be missing and the codes may be one field; the number of fields tells.
 struct FieldCount {
   bool has_flag, codes_apart;
 };

@@ -156,8 +156,7 @@ bool read_elastic_constants(Deck& deck, int b) {
   return !cards.ended;
 }
 
-// Coefficient i stands on a further card? In the fixed form after every seventh, in the free form where the
-// card ends.
+// Coefficient i stands on a further card? In the fixed form after every seventh, in the free form where the card ends.
 bool go_to_coefficient(Cards& cards, int32_t i) {
   if (cards.free_form) return words_left(cards) > 0 || next_card(cards, "a further card with coefficients of friction");
   if (i == 0 || i % kCoefficientsPerCard != 0) return true;

@@ -14,8 +14,7 @@ using KeywordHandler = void (*)(Deck& deck, const Words& keyword_card);
 // The next card below the keyword at hand; false at the next keyword and at the end of the deck.
 bool next_data_card(Deck& deck, Words& words);
 
-// One handler for each keyword; the table is in keywords.cpp, the handlers in files named after what they
-// read.
+// One handler for each keyword; the table is in keywords.cpp, the handlers in files named after what they read.
 void read_units(Deck& deck, const Words& keyword_card);        // units.cpp
 void read_cases(Deck& deck, const Words& keyword_card);        // history.cpp
 void read_path(Deck& deck, const Words& keyword_card);         //

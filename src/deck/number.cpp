@@ -83,8 +83,7 @@ constexpr int32_t kPrecision = 53;
 constexpr int32_t kSmallestExponent = -1022; // of a normal number
 constexpr int32_t kLargestExponent = 1023;
 
-// The double nearest to mantissa * 2^exponent (plus a little if `sticky`), where mantissa has `bits` >= 54
-// digits.
+// The double nearest to mantissa * 2^exponent (plus a little if `sticky`), where mantissa has `bits` >= 54 digits.
 FieldFault assemble(uint64_t mantissa, int32_t bits, int32_t exponent, bool sticky, double* value) {
   const int32_t drop = bits - kPrecision;
   const uint64_t rest = mantissa & ((uint64_t{1} << drop) - 1);

@@ -12,8 +12,7 @@ enum class FieldFault : int32_t {
   too_large       // beyond the range of int32_t or double
 };
 
-// An I field: outer blanks are ignored, a wholly blank field is 0, a sign may lead. *value is set if `none`
-// returns.
+// An I field: outer blanks are ignored, a wholly blank field is 0, a sign may lead. *value is set if `none` returns.
 FieldFault integer_field(const char* text, int32_t width, int32_t* value);
 
 // An F field, as FORTRAN reads F10.0: outer blanks are ignored, a wholly blank field is 0, the point may be

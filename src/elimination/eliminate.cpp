@@ -149,9 +149,8 @@ void update(const Panel& panel, const Chunk& strip, const Real* l) {
     gemm_minus(panel.engine, rows, panel.count, w, l, rows, top, panel.ld, panel.columns + strip.row, panel.ld);
 }
 
-// Bring a panel up to date with the panels before it. The blocks of L of a panel are as they were when it was
-// factored: the row exchanges of later panels never reached them, so exchanges and blocks are applied panel
-// after panel.
+// Bring a panel up to date with the panels before it. The blocks of L of a panel are as they were when it was factored: the row
+// exchanges of later panels never reached them, so exchanges and blocks are applied panel after panel.
 c2d_status apply_earlier(const Panel& panel) {
   const EliminationPlan& plan = panel.plan;
   int32_t exchanged = 0;

@@ -13,9 +13,8 @@
 
 namespace c2d {
 
-// Where columns come from. `fill` assigns all rows of columns first ... first+count-1 to panel[i + j * ld];
-// every column is asked for once, in order. A status other than C2D_OK ends the elimination with it. Numbers
-// must be finite.
+// Where columns come from. `fill` assigns all rows of columns first ... first+count-1 to panel[i + j * ld]; every column is
+// asked for once, in order. A status other than C2D_OK ends the elimination with it. Numbers must be finite.
 struct ColumnSource {
   void* context;
   c2d_status (*fill)(void* context, int32_t first, int32_t count, Real* panel, int64_t ld);
@@ -35,13 +34,12 @@ struct Watch {
   c2d_status (*step)(void* context, int32_t column);
 };
 
-// Before the first elimination of a preparation the caller begins a new run or new generations of both tapes:
-// then a block that an earlier attempt left cannot be taken for one of this attempt whose writing was lost.
-// Tapes UPPER and LOWER (if lower_use has blocks) are open with room for the plan's blocks; syncing them is
-// the caller's business. `work`: elimination_bytes(...) bytes, aligned to 64. `stats` is started anew; null:
-// not wanted. Errors: those of source, sink, watch and the tapes (then tapes.error tells more);
-// C2D_ERR_SINGULAR: the columns stats->first_unusable ... have no usable pivot; C2D_ERR_INTERNAL: a number is
-// not finite. The engine decides the speed, and the last digits. After any error what is on the tapes is of no use.
+// Before the first elimination of a preparation the caller begins a new run or new generations of both tapes: then a block that
+// an earlier attempt left cannot be taken for one of this attempt whose writing was lost. Tapes UPPER and LOWER (if lower_use
+// has blocks) are open with room for the plan's blocks; syncing them is the caller's business. `work`: elimination_bytes(...)
+// bytes, aligned to 64. `stats` is started anew; null: not wanted. Errors: those of source, sink, watch and the tapes (then
+// tapes.error tells more); C2D_ERR_SINGULAR: the columns stats->first_unusable ... have no usable pivot; C2D_ERR_INTERNAL: a
+// number is not finite. The engine decides the speed, and the last digits. After any error what is on the tapes is of no use.
 c2d_status eliminate(const EliminationPlan& plan, const ColumnSource& source, const RowSink& sink, Tapes& tapes, void* work,
                      PivotStats* stats, const Watch& watch, const Engine& engine = kPlainEngine);
 

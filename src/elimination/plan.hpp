@@ -1,14 +1,13 @@
 #pragma once
 // How an elimination is cut into panels and blocks, and what that costs in memory and in transfers.
 //
-// The matrix has `rows` rows and the columns 0 ... pivots-1, which are eliminated, and pivots ...
-// pivots+trailing-1, which are only updated. A panel of panel_columns columns is in memory at a time (the
-// last one may be narrower, one may hold columns of both kinds). On the tapes a panel is cut into chunks of
-// columns, which do not reach over the end of a panel or from the eliminated to the trailing columns. Chunk k of
-// block_columns columns is block lower_first_block + k of tape LOWER, if a later panel needs it. A column of L is
-// worked on as a whole, so wide chunks are good for the arithmetic; where they would take too much of the memory, a
-// chunk is cut into strips of block_rows rows, each a block. Tape UPPER holds chunks of as many columns as a buffer
-// takes (upper_cut): block upper_first_block + k.
+// The matrix has `rows` rows and the columns 0 ... pivots-1, which are eliminated, and pivots ... pivots+trailing-1, which are
+// only updated. A panel of panel_columns columns is in memory at a time (the last one may be narrower, one may hold columns of
+// both kinds). On the tapes a panel is cut into chunks of columns, which do not reach over the end of a panel or from the
+// eliminated to the trailing columns. Chunk k of block_columns columns is block lower_first_block + k of tape LOWER, if a later
+// panel needs it. A column of L is worked on as a whole, so wide chunks are good for the arithmetic; where they would take too
+// much of the memory, a chunk is cut into strips of block_rows rows, each a block. Tape UPPER holds chunks of as many columns
+// as a buffer takes (upper_cut): block upper_first_block + k.
 #include "contact2d.h"
 #include "contact2d_memory.h"
 #include "linalg/kernel.hpp"
@@ -39,12 +38,11 @@ uint64_t elimination_bytes(int32_t rows, int32_t pivots, int32_t panel_columns, 
 // The same for the widest panel that is of any use: every column at once, nothing on tape LOWER.
 uint64_t elimination_bytes_in_core(int32_t rows, int32_t pivots, int32_t trailing);
 
-// Choose panels and blocks for a work area of `bytes` bytes: all in one panel if that fits, else wide panels and
-// strips in an eighth of the memory, or, where that is too little to read ahead, whole blocks of at most a quarter of the
-// panels' width. forced_columns > 0 is the width of the panels. The
-// first-block numbers are set to 0. Errors: C2D_ERR_MEMORY with *needed = the bytes that would do (at least
-// panels of the forced width, or of one column), C2D_ERR_ARGUMENT for sizes out of range. `needed` may be
-// null.
+// Choose panels and blocks for a work area of `bytes` bytes: all in one panel if that fits, else wide panels and strips in an
+// eighth of the memory, or, where that is too little to read ahead, whole blocks of at most a quarter of the panels' width.
+// forced_columns > 0 is the width of the panels. The first-block numbers are set to 0. Errors: C2D_ERR_MEMORY with *needed =
+// the bytes that would do (at least panels of the forced width, or of one column), C2D_ERR_ARGUMENT for sizes out of range.
+// `needed` may be null.
 c2d_status plan_elimination(uint64_t bytes, int32_t rows, int32_t pivots, int32_t trailing, int32_t forced_columns,
                             EliminationPlan& out, uint64_t* needed);
 
@@ -78,8 +76,7 @@ Chunk next_chunk(const EliminationPlan& plan, const Chunk& chunk);
 // On LOWER: the next strip of the chunk, or the first of the next chunk.
 Chunk next_strip(const EliminationPlan& plan, const Chunk& chunk);
 int32_t rows_of_strip(const EliminationPlan& plan, const Chunk& chunk);
-// The chunk of eliminated columns that ends before column `end` > 0, which is where a chunk or the eliminated
-// columns end.
+// The chunk of eliminated columns that ends before column `end` > 0, which is where a chunk or the eliminated columns end.
 Chunk chunk_before(const EliminationPlan& plan, int32_t end);
 
 int32_t panel_count(const EliminationPlan& plan);

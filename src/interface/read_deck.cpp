@@ -12,8 +12,7 @@ C2D_MEETS(FreeZonePart, c2d_link_free_zones);
 
 namespace {
 
-// The caller's deck and the solver. Every inner call begins with a clean error, so the first fault is kept
-// here.
+// The caller's deck and the solver. Every inner call begins with a clean error, so the first fault is kept here.
 struct Reading {
   c2d_solver* solver;
   c2d_read_line read;

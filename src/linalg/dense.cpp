@@ -5,9 +5,8 @@
 namespace c2d {
 namespace {
 
-// A tile of C is kept in registers while the inner index runs: 4 x 4 numbers are 16 registers at worst and 8
-// with the shortest vectors in use. Loops over a tile have constant length so that compilers turn them into
-// vectors.
+// A tile of C is kept in registers while the inner index runs: 4 x 4 numbers are 16 registers at worst and 8 with the shortest
+// vectors in use. Loops over a tile have constant length so that compilers turn them into vectors.
 constexpr int32_t kTile = 4;
 // A piece of A of kInner columns and kRows rows (128 KiB) stays in the second-level cache while B passes by.
 constexpr int32_t kInner = 64;

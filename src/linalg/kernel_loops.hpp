@@ -2,9 +2,8 @@
 // C2D_TILE_VECTORS and C2D_TILE_COLUMNS and is compiled with that set's flags. Nothing in here may be seen by
 // another file: a function shared by the linker would carry instructions into machines that lack them.
 //
-// A tile of C is C2D_TILE_VECTORS vectors high and C2D_TILE_COLUMNS wide and fills most registers: with k
-// steps it costs k (vectors + columns) loads for k vectors columns multiplications and additions. Additions
-// are fused where the set can.
+// A tile of C is C2D_TILE_VECTORS vectors high and C2D_TILE_COLUMNS wide and fills most registers: with k steps it costs k
+// (vectors + columns) loads for k vectors columns multiplications and additions. Additions are fused where the set can.
 #include "linalg/kernel.hpp"
 
 namespace c2d {

@@ -6,8 +6,7 @@
 namespace c2d {
 namespace {
 
-// Squaring a number above this does not underflow, and a quotient of two numbers up to 1 / this by it does
-// not overflow.
+// Squaring a number above this does not underflow, and a quotient of two numbers up to 1 / this by it does not overflow.
 constexpr Real smallest_safe() { return sizeof(Real) == 8 ? static_cast<Real>(1.5e-154) : static_cast<Real>(1.1e-19); }
 
 // A leaf of a block is factored column by column: few columns, which stay in the first-level cache.

@@ -18,13 +18,12 @@ struct PivotStats {
 };
 void start_stats(PivotStats& stats);
 
-// The panel A, rows x cols, of which the first `own` <= rows columns are factored in place: L below the diagonal (its
-// unit diagonal is not stored), U on and above it; the others are updated by them: L^-1 P times what they were.
-// pivots[j] is the row (from 0 in the panel) exchanged with row j at step j, j <= pivots[j] < rows. norms[j] is the
-// largest entry of column j before any elimination. `stats` is added to, not started anew. A column whose largest
-// remaining entry is zero, or so far below its norm (sqrt of the smallest normal number) that arithmetic with it could
-// overflow, has no usable pivot: its remaining entries are set to zero, no rows are exchanged, and the factoring goes
-// on.
+// The panel A, rows x cols, of which the first `own` <= rows columns are factored in place: L below the diagonal (its unit
+// diagonal is not stored), U on and above it; the others are updated by them: L^-1 P times what they were. pivots[j] is the row
+// (from 0 in the panel) exchanged with row j at step j, j <= pivots[j] < rows. norms[j] is the largest entry of column j before
+// any elimination. `stats` is added to, not started anew. A column whose largest remaining entry is zero, or so far below its
+// norm (sqrt of the smallest normal number) that arithmetic with it could overflow, has no usable pivot: its remaining entries
+// are set to zero, no rows are exchanged, and the factoring goes on.
 struct Lu {
   const Engine& engine;
   int32_t rows, own, cols;
@@ -35,12 +34,11 @@ struct Lu {
   PivotStats* stats;
 };
 
-// Columns are factored in blocks of lu_width(rows), counted from the first. Blocks must be wide enough to fill the tiles
-// and narrow enough that a block alone, which tiles help less, is a small part of the whole. lu_step(lu, first), for
-// first = 0, lu_width, 2 lu_width ... below `own`, in this order: all columns to the right of the block at `first` are
-// updated by it, and the block after it is factored meanwhile. Returns the number of columns without a usable pivot
-// found. A block of L is left alone once it is factored: its rows stay as they were then, until lu_settle puts all
-// blocks into the order of P.
+// Columns are factored in blocks of lu_width(rows), counted from the first. Blocks must be wide enough to fill the tiles and
+// narrow enough that a block alone, which tiles help less, is a small part of the whole. lu_step(lu, first), for first = 0,
+// lu_width, 2 lu_width ... below `own`, in this order: all columns to the right of the block at `first` are updated by it, and
+// the block after it is factored meanwhile. Returns the number of columns without a usable pivot found. A block of L is left
+// alone once it is factored: its rows stay as they were then, until lu_settle puts all blocks into the order of P.
 constexpr int32_t kWidestLuBlock = 384;
 int32_t lu_width(int32_t rows);
 int32_t lu_step(const Lu& lu, int32_t first);

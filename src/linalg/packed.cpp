@@ -46,8 +46,7 @@ void pack_left(const Packing& p, int32_t m, int32_t k, const Real* a, int64_t ld
   }
 }
 
-// What is packed on the right: slices of as many columns as a tile has, each row by row, `stride` numbers for each
-// column.
+// What is packed on the right: slices of as many columns as a tile has, each row by row, `stride` numbers for each column.
 struct Right {
   Real* slices;
   int64_t stride;

@@ -1,6 +1,5 @@
 #pragma once
-// What is asked of short texts, so that the core needs nothing of the C library but memory moves and
-// mathematics.
+// What is asked of short texts, so that the core needs nothing of the C library but memory moves and mathematics.
 #include <stddef.h>
 #include <stdint.h>
 

@@ -75,8 +75,7 @@ uint64_t power_of_10(int32_t power) {
   return value;
 }
 
-// round(mantissa * 2^exponent * 10^scale), ties to even, for a result below 2^63: quotient of two wide
-// integers.
+// round(mantissa * 2^exponent * 10^scale), ties to even, for a result below 2^63: quotient of two wide integers.
 uint64_t scaled_and_rounded(uint64_t mantissa, int32_t exponent, int32_t scale) {
   WideInteger above, below;
   wide_set(above, mantissa);

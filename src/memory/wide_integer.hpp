@@ -27,8 +27,7 @@ inline void wide_multiply(WideInteger& a, uint32_t factor, uint32_t addend = 0) 
   if (carry != 0 && a.used < WideInteger::kWords) a.word[a.used++] = static_cast<uint32_t>(carry);
 }
 
-// a = a * 5^power, power >= 0. A power of ten is this and a shift, which a caller folds into a binary
-// exponent.
+// a = a * 5^power, power >= 0. A power of ten is this and a shift, which a caller folds into a binary exponent.
 inline void wide_multiply_by_power_of_5(WideInteger& a, int32_t power) {
   constexpr uint32_t kFiveTo13 = 1220703125u; // the largest power of 5 in 32 bits
   for (; power >= 13; power -= 13) wide_multiply(a, kFiveTo13);
@@ -79,9 +78,8 @@ inline void wide_subtract(WideInteger& a, const WideInteger& b) {
   while (a.used > 0 && a.word[a.used - 1] == 0) --a.used;
 }
 
-// The quotient floor(a / b), which must be below 2^bits (bits <= 64); a becomes the remainder times 2^bits, b
-// stays. `a / b` is developed one binary digit at a time: a < b * 2^bits goes in, b must leave room for one
-// more bit.
+// The quotient floor(a / b), which must be below 2^bits (bits <= 64); a becomes the remainder times 2^bits, b stays. `a / b` is
+// developed one binary digit at a time: a < b * 2^bits goes in, b must leave room for one more bit.
 inline uint64_t wide_divide(WideInteger& a, WideInteger& b, int32_t bits) {
   wide_shift_left(b, bits);
   uint64_t quotient = 0;

@@ -86,8 +86,7 @@ Offset offset_at(const Element& e, double eta, double x, double y) {
 
 double clamped(double eta) { return eta < -1.0 ? -1.0 : (eta > 1.0 ? 1.0 : eta); }
 
-// Newton's step on the squared distance; without curvature where that would lead to a maximum. Exact on a straight
-// element.
+// Newton's step on the squared distance; without curvature where that would lead to a maximum. Exact on a straight element.
 double newton_step(const Offset& o) {
   const double slope = o.rx * o.dx + o.ry * o.dy, speed = o.dx * o.dx + o.dy * o.dy;
   const double curvature = speed + o.rx * o.ddx + o.ry * o.ddy;

@@ -7,8 +7,7 @@
 
 namespace c2d {
 
-// A point on the elements of a body in a zone: element number, its place in the order of the zone, local
-// coordinate.
+// A point on the elements of a body in a zone: element number, its place in the order of the zone, local coordinate.
 struct FacePoint {
   int32_t element, place;
   double eta;

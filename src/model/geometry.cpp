@@ -71,8 +71,7 @@ int closing_way(const Model& m, int b, int32_t region, double x[3], double y[3])
 }
 
 double region_area(const Model& m, int b, int32_t region) {
-  // Half the integral of x dy - y dx; three Gauss points are exact up to the fifth degree, that of cubic
-  // elements.
+  // Half the integral of x dy - y dx; three Gauss points are exact up to the fifth degree, that of cubic elements.
   constexpr double kPoint[3] = {-0.77459666924148338, 0, 0.77459666924148338};
   constexpr double kWeight[3] = {5.0 / 9, 8.0 / 9, 5.0 / 9};
   const Region& r = m.region[b][region];

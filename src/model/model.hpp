@@ -171,8 +171,7 @@ int32_t region_of_element(const Model& m, int b, int32_t element);
 void nodes_of_region(const Model& m, int b, int32_t region, int32_t* first, int32_t* last);
 // The element that begins where this one ends; -1 at the end of an open region.
 int32_t element_after(const Model& m, int b, int32_t element);
-// Geometry node `k` (0 ... element_nodes-1) of an element; the last node of a closed region's last element is its
-// first.
+// Geometry node `k` (0 ... element_nodes-1) of an element; the last node of a closed region's last element is its first.
 int32_t geometry_node(const Model& m, int b, int32_t element, int k);
 // Functional node of local function node l of an element.
 int32_t functional_node(const Model& m, int b, int32_t element, int l);

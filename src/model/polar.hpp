@@ -1,7 +1,6 @@
 #pragma once
-// Sine and cosine of an angle in degrees, exact at multiples of 30 and 45 degrees where the values are
-// representable, and with the symmetries of the circle exactly kept: a quarter arc is a mirror image of
-// itself.
+// Sine and cosine of an angle in degrees, exact at multiples of 30 and 45 degrees where the values are representable, and with
+// the symmetries of the circle exactly kept: a quarter arc is a mirror image of itself.
 
 #include <stdint.h>
 

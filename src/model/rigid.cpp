@@ -13,8 +13,7 @@ constexpr double kIndependent = 1e-8;
 
 double dot(const double a[3], const double b[3]) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-// Takes the part along `count` orthonormal vectors out of v, twice against cancellation; returns what is left
-// of it.
+// Takes the part along `count` orthonormal vectors out of v, twice against cancellation; returns what is left of it.
 double orthogonalise(const double basis[3][3], int count, double v[3]) {
   for (int turn = 0; turn < 2; ++turn) {
     for (int i = 0; i < count; ++i) {

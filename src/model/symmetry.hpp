@@ -1,7 +1,6 @@
 #pragma once
-// Symmetry by images (METHOD 5): the lines across which bodies, loads and results are mirrored. Of a
-// symmetric body only one side is modelled; its curves end on the lines, or the elements there (axis
-// elements) are passed over.
+// Symmetry by images (METHOD 5): the lines across which bodies, loads and results are mirrored. Of a symmetric body only one
+// side is modelled; its curves end on the lines, or the elements there (axis elements) are passed over.
 #include "model/model.hpp"
 #include "model/validate.hpp"
 

@@ -1,5 +1,4 @@
-// Which nodes, elements and ends belong together. Every region is a curve of its own: closed, or open between
-// symmetry lines.
+// Which nodes, elements and ends belong together. Every region is a curve of its own: closed, or open between symmetry lines.
 #include "memory/parts.hpp"
 #include "model/geometry.hpp"
 #include "model/model.hpp"

@@ -1,6 +1,5 @@
 #pragma once
-// One fault or warning while it is being put together. The text is written in place, so a Finding never
-// moves.
+// One fault or warning while it is being put together. The text is written in place, so a Finding never moves.
 #include "memory/config.hpp"
 #include "memory/text.hpp"
 #include "model/validate.hpp"

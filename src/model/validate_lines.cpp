@@ -172,8 +172,7 @@ void report_point(const Model& m, int b, int32_t point, const char* found, Repor
          m.xy[b][2 * point + 1], ") ", found);
 }
 
-// Only the ends of open regions, and points next to axis elements, may lie on a line, and none at the lines'
-// crossing.
+// Only the ends of open regions, and points next to axis elements, may lie on a line, and none at the lines' crossing.
 void check_element(const Model& m, int b, int32_t element, Reporter& reporter) {
   const int last = body_of(m, b).element_nodes - 1;
   for (int k = 0; k <= last; ++k) {

@@ -30,8 +30,7 @@ int32_t nodes_along(const Model& m, int32_t elements) {
   return m.head->function_nodes == 1 ? elements : elements * nodes_per_element(m) + 1;
 }
 
-// Which way the side runs: the numbers of nodes or elements decide, whichever has more than one. 0: neither
-// has.
+// Which way the side runs: the numbers of nodes or elements decide, whichever has more than one. 0: neither has.
 int32_t direction(const Zone& z, int b) {
   if (z.pairs > 1) return z.node_step[b];
   return z.elements > 1 ? z.element_step[b] : 0;

@@ -1,7 +1,6 @@
 #pragma once
-// Numbered blocks on the tapes of the caller's block store: every block is labelled when it is written and
-// judged when it is read, so that a torn, short, swapped, damaged or stale block is named as such and never
-// used.
+// Numbered blocks on the tapes of the caller's block store: every block is labelled when it is written and judged when it is
+// read, so that a torn, short, swapped, damaged or stale block is named as such and never used.
 #include "contact2d.h"
 #include "store/block.hpp"
 
@@ -22,21 +21,18 @@ struct Tapes {
   c2d_error error;                                          // of the last call that failed
 };
 
-// All functions return C2D_OK or fill tapes.error (status, tape, block, host_code, text) and return its
-// status. C2D_ERR_INTERNAL: a tape that is not open (or open already), a block beyond its end, too many
-// bytes.
+// All functions return C2D_OK or fill tapes.error (status, tape, block, host_code, text) and return its status.
+// C2D_ERR_INTERNAL: a tape that is not open (or open already), a block beyond its end, too many bytes.
 
-// Open a tape for blocks 0 ... blocks-1 of at most data_bytes bytes of data each. Errors: STORE_OPEN,
-// OVERFLOW.
+// Open a tape for blocks 0 ... blocks-1 of at most data_bytes bytes of data each. Errors: STORE_OPEN, OVERFLOW.
 c2d_status open_tape(Tapes& tapes, int32_t tape, uint64_t blocks, uint64_t data_bytes);
 
 // Write data_bytes bytes, which stand in buffer[64 .. 64 + data_bytes); buffer[0 .. 64) is room for the
 // header. The data are unchanged afterwards. Errors: STORE_WRITE.
 c2d_status write_block(Tapes& tapes, int32_t tape, uint64_t block, void* buffer, uint64_t data_bytes);
 
-// Read the block of data_bytes bytes into buffer[64 .. 64 + data_bytes), buffer as in write_block; after a
-// failure what is there is meaningless. Errors: STORE_READ, _FORMAT, _VERSION, _SHORT, _CHECKSUM, _SWAPPED,
-// _STALE.
+// Read the block of data_bytes bytes into buffer[64 .. 64 + data_bytes), buffer as in write_block; after a failure what is
+// there is meaningless. Errors: STORE_READ, _FORMAT, _VERSION, _SHORT, _CHECKSUM, _SWAPPED, _STALE.
 c2d_status read_block(Tapes& tapes, int32_t tape, uint64_t block, void* buffer, uint64_t data_bytes);
 
 // A transfer that may be on its way while other work is done. Zeroed: none. Its buffer is the port's until it is
