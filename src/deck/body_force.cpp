@@ -20,9 +20,9 @@ void read_body_force(Deck& deck, const Words& keyword_card) {
   if (cards.faults == old_faults && deck.body_forces[body - 1].again(load_case))
     word_fault(cards, keyword_card, 1, "body ", body, " has a body force in load case ", load_case,
                " twice, expected one card for a body and load case");
-  if (!ended || cards.faults != old_faults) return;
+  if (!ended || cards.faults != old_faults || deck.sink == nullptr) return;
   place_words(deck, keyword_card);
-  send(deck, &DeckSink::set_body_force, body, load_case, value, value[2], value + 3);
+  accept(deck, deck.sink->set_body_force(deck.sink->solver, body, load_case, value, value[2], value + 3));
 }
 
 } // namespace c2d

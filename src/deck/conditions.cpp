@@ -93,8 +93,10 @@ bool set_conditions(Deck& deck, int b, const ConditionCard& previous, const Cond
   }
   for (; element <= card.element; ++element, local = 1) {
     const int32_t last = element < card.element ? deck.sizes.function_nodes : card.local;
-    for (; local <= last; ++local)
-      if (!send(deck, &DeckSink::set_condition, b + 1, element, local, 1, card.codes, card.values)) return false;
+    for (; local <= last; ++local) {
+      const c2d_status status = deck.sink->set_condition(deck.sink->solver, b + 1, element, local, 1, card.codes, card.values);
+      if (!accept(deck, status)) return false;
+    }
   }
   return true;
 }
@@ -127,10 +129,10 @@ bool read_point_load(Deck& deck, int b, int32_t i) {
   for (int32_t k = 0; k < 4; ++k)
     if (!real(cards, 7 + 10 * k, kName[k], &data[k])) sound = false;
   end_of_fields(cards, 47);
-  if (!sound) return !cards.ended;
+  if (deck.sink == nullptr || !sound) return !cards.ended;
   place(deck, 7, 46);
-  return send(deck, &DeckSink::add_point_load, b + 1, 1, data[0] + deck.origin[b][0], data[1] + deck.origin[b][1], data[2],
-              data[3]);
+  return accept(deck, deck.sink->add_point_load(deck.sink->solver, b + 1, 1, data[0] + deck.origin[b][0],
+                                                data[1] + deck.origin[b][1], data[2], data[3]));
 }
 
 } // namespace

@@ -21,7 +21,7 @@ bool read_problem_type(Deck& deck) {
   deck.problem.analysis = output;
   if (deck.sink == nullptr) return true;
   place(deck, 1, 10);
-  return send(deck, &DeckSink::set_problem, &deck.problem);
+  return accept(deck, deck.sink->set_problem(deck.sink->solver, &deck.problem));
 }
 
 // What the workspace was made for cannot be changed by a deck.
@@ -68,7 +68,7 @@ bool set_body(Deck& deck, int b, double youngs_modulus, double poisson_ratio) {
   data.youngs_modulus = youngs_modulus;
   data.poisson_ratio = poisson_ratio;
   place(deck, 1, 20);
-  return send(deck, &DeckSink::set_body, b + 1, &data);
+  return accept(deck, deck.sink->set_body(deck.sink->solver, b + 1, &data));
 }
 
 bool read_body(Deck& deck, int b) {
@@ -131,9 +131,9 @@ bool read_region(Deck& deck, int b, int32_t number, int32_t* next) {
   else if (last_known && !last_sound)
     field_fault(cards, 6, 10, "last element of the region is ", last, ", expected ", expected, " to ", elements + offset);
   *next = last_sound && last - offset < elements ? last - offset + 1 : elements;
-  if (!first_sound || !last_sound) return !cards.ended;
+  if (deck.sink == nullptr || !first_sound || !last_sound) return !cards.ended;
   place(deck, 1, 10);
-  return send(deck, &DeckSink::add_region, b + 1, first - offset, last - offset);
+  return accept(deck, deck.sink->add_region(deck.sink->solver, b + 1, first - offset, last - offset));
 }
 
 bool read_elastic_constants(Deck& deck, int b) {
@@ -179,12 +179,12 @@ bool read_friction(Deck& deck) {
     const int32_t column = 7 + 10 * (i % kCoefficientsPerCard);
     double mu = 0;
     if (!real(cards, column, "coefficient of friction", &mu)) continue;
-    if (mu < 0) {
+    if (mu < 0)
       field_fault(cards, column, column + 9, "coefficient of friction is ", mu, ", expected at least 0");
-      continue;
+    else if (deck.sink != nullptr) {
+      place(deck, column, column + 9);
+      if (!accept(deck, deck.sink->add_friction(deck.sink->solver, mu))) return false;
     }
-    place(deck, column, column + 9);
-    if (!send(deck, &DeckSink::add_friction, mu)) return false;
   }
   cards.counting = true; // more than were counted: then so is what follows
   end_of_fields(cards, 7 + 10 * kCoefficientsPerCard);

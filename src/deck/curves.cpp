@@ -28,8 +28,9 @@ void read_curve(Deck& deck, const Words& keyword_card) {
   }
   if (!sound || !end_of_words(cards, keyword_card, arc ? 7 : 4)) return;
   ++deck.sizes.curves;
+  if (deck.sink == nullptr) return;
   place_words(deck, keyword_card);
-  send(deck, &DeckSink::add_curve, &curve);
+  accept(deck, deck.sink->add_curve(deck.sink->solver, &curve));
 }
 
 } // namespace c2d

@@ -63,13 +63,14 @@ c2d_status read_deck_cards(const DeckSink* sink, c2d_read_line read, void* conte
 
 void place(Deck& deck, int32_t column, int32_t column_end) {
   const Word at = columns_of(deck.cards, column, column_end);
-  send(deck, &DeckSink::set_line, deck.cards.line, at.column, at.column_end);
+  if (deck.sink != nullptr) accept(deck, deck.sink->set_line(deck.sink->solver, deck.cards.line, at.column, at.column_end));
 }
 
 void place_words(Deck& deck, const Words& words) {
+  if (deck.sink == nullptr) return;
   const int32_t first = words.count > 0 ? words.word[0].column : 1;
   const int32_t last = words.count > 0 ? words.word[words.count - 1].column_end : words.end;
-  send(deck, &DeckSink::set_line, deck.cards.line, first, last);
+  accept(deck, deck.sink->set_line(deck.sink->solver, deck.cards.line, first, last));
 }
 
 bool accept(Deck& deck, c2d_status status) {

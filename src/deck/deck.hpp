@@ -103,10 +103,6 @@ void place(Deck& deck, int32_t column, int32_t column_end);
 void place_words(Deck& deck, const Words& words);
 // Take note of what a call of the sink returned; false if the reading must end.
 bool accept(Deck& deck, c2d_status status);
-// Make a call of the sink, if there is one; false if the reading must end.
-template <class Call, class... Given> bool send(Deck& deck, Call DeckSink::*call, Given... given) {
-  return deck.sink == nullptr ? !deck.cards.ended : accept(deck, (deck.sink->*call)(deck.sink->solver, given...));
-}
 // A card that says how many cards of a kind follow. Where they do not fit their number, that alone is told, at its card: what
 // follows is read as something else than it is. Both return false then.
 bool read_count(Deck& deck, const char* name, int32_t* value);

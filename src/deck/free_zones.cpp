@@ -50,8 +50,9 @@ void read_free_zone(Deck& deck, const Words& keyword_card) {
   if (!end_of_words(cards, keyword_card, counted ? 6 : 4) || cards.faults != old_faults) return;
   const int32_t first = zone.side2.first_element, last = zone.side2.last_element;
   count_sizes(deck, counted ? zone.side2.elements : larger(first - last, last - first) + 1);
+  if (deck.sink == nullptr) return;
   place_words(deck, keyword_card);
-  send(deck, &DeckSink::add_zone, &zone);
+  accept(deck, deck.sink->add_zone(deck.sink->solver, &zone));
 }
 
 } // namespace c2d

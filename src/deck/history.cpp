@@ -76,7 +76,7 @@ void read_case_load(Deck& deck, const Words& words, int32_t load_case) {
     return;
   }
   place_words(deck, words);
-  send(deck, &DeckSink::add_point_load, body, load_case, v[0], v[1], v[2], v[3]);
+  accept(deck, deck.sink->add_point_load(deck.sink->solver, body, load_case, v[0], v[1], v[2], v[3]));
 }
 
 // The card at hand may be another keyword by now.
@@ -128,10 +128,10 @@ void read_path(Deck& deck, const Words& keyword_card) {
     for (int32_t k = 0; k < factors; ++k) sound = real_word(cards, words, k + 1, "load factor", &factor[k]) && sound;
     if (factors == 0) word_fault(cards, words, 0, "no load factors, expected one for every load case");
     ++pieces;
-    if (!sound || factors == 0) continue;
+    if (!sound || factors == 0 || deck.sink == nullptr) continue;
     place_words(deck, words);
-    if (pieces == 1 && !send(deck, &DeckSink::clear_paths)) return;
-    send(deck, &DeckSink::add_path, increments, factor, factors);
+    if (pieces == 1 && !accept(deck, deck.sink->clear_paths(deck.sink->solver))) return;
+    accept(deck, deck.sink->add_path(deck.sink->solver, increments, factor, factors));
   }
   if (pieces == 0) no_cards(cards, line, "*PATH without cards, expected at least one: increments f1 ... fn");
   if (pieces > deck.sizes.paths) deck.sizes.paths = pieces;
@@ -155,9 +155,9 @@ void read_friction(Deck& deck, const Words& keyword_card) {
       double mu = HUGE_VAL;
       if (!word_is(words, i, "INF") && !real_word(cards, words, i, "coefficient of friction", &mu)) break;
       if (mu < 0.0) word_fault(cards, words, i, "the coefficient of friction is negative, expected 0 or more, or INF");
-      if (mu < 0.0) continue;
+      if (mu < 0.0 || deck.sink == nullptr) continue;
       place_words(deck, words);
-      if (!send(deck, &DeckSink::set_zone_friction, zone, i, mu)) return;
+      if (!accept(deck, deck.sink->set_zone_friction(deck.sink->solver, zone, i, mu))) return;
     }
     end_of_words(cards, words, deck.sizes.coefficients + 1);
   }

@@ -11,9 +11,9 @@ bool read_load_header(Deck& deck) {
   const bool limit_known = integer_from(cards, 6, "limit of iterations", 1, &deck.problem.iteration_limit);
   end_of_fields(cards, 11);
   if (!paths_known || cards.ended) return false;
-  if (!limit_known) return true;
+  if (deck.sink == nullptr || !limit_known) return true;
   place(deck, 1, 10);
-  return send(deck, &DeckSink::set_problem, &deck.problem);
+  return accept(deck, deck.sink->set_problem(deck.sink->solver, &deck.problem));
 }
 
 bool read_load(Deck& deck) {
@@ -25,9 +25,9 @@ bool read_load(Deck& deck) {
   unused_column(cards, 6);
   const bool load_known = real(cards, 7, "load factor", &load);
   end_of_fields(cards, 17);
-  if (!increments_known || !load_known) return !cards.ended;
+  if (deck.sink == nullptr || !increments_known || !load_known) return !cards.ended;
   place(deck, 1, 16);
-  return send(deck, &DeckSink::add_load_card, increments, load);
+  return accept(deck, deck.sink->add_load_card(deck.sink->solver, increments, load));
 }
 
 } // namespace

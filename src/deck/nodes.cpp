@@ -83,7 +83,7 @@ void read_coordinates(Cards& cards, char letter, NodeCard& card) {
 bool set_node(Deck& deck, int b, int32_t node, double x, double y) {
   if (deck.sink == nullptr) return true;
   const double xy[2] = {x + deck.origin[b][0], y + deck.origin[b][1]};
-  return send(deck, &DeckSink::set_nodes, b + 1, node, 1, xy, 2);
+  return accept(deck, deck.sink->set_nodes(deck.sink->solver, b + 1, node, 1, xy, 2));
 }
 
 bool is_same_radius(double a, double b) { return fabs(a - b) <= 1e-6 * (a > b ? a : b); }

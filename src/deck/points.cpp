@@ -46,9 +46,9 @@ void read_points(Deck& deck, const Words& keyword_card) {
       word_fault(cards, words, 0, "expected one of: point, line, grid");
       continue;
     }
-    if (!read_numbers(deck, words, points)) continue;
+    if (!read_numbers(deck, words, points) || deck.sink == nullptr) continue;
     place_words(deck, words);
-    if (!send(deck, &DeckSink::add_points, &points)) return;
+    if (!accept(deck, deck.sink->add_points(deck.sink->solver, &points))) return;
   }
   if (sets == 0) fault(cards, 0, 0, "*POINTS without cards, expected at least one: point, line or grid");
   deck.sizes.point_sets += sets;

@@ -9,8 +9,10 @@ void read_rigid(Deck& deck, const Words& keyword_card) {
                                        "y of the centre of rotation"};
   Cards& cards = deck.cards;
   end_of_words(cards, keyword_card, 0);
-  place_words(deck, keyword_card);
-  send(deck, &DeckSink::set_rigid, 1, 0, nullptr, nullptr);
+  if (deck.sink != nullptr) {
+    place_words(deck, keyword_card);
+    accept(deck, deck.sink->set_rigid(deck.sink->solver, 1, 0, nullptr, nullptr));
+  }
   for (Words words; next_data_card(deck, words) && !cards.ended;) {
     int32_t load_case = 0;
     double value[5] = {0.0, 0.0, 0.0, 0.0, 0.0};
@@ -18,9 +20,9 @@ void read_rigid(Deck& deck, const Words& keyword_card) {
     for (int32_t i = 0; i < 5; ++i) sound = real_word(cards, words, 1 + i, kNames[i], &value[i]) && sound;
     sound = end_of_words(cards, words, 6) && sound;
     if (sound && load_case > 1 && load_case > deck.sizes.load_cases) deck.sizes.load_cases = load_case;
-    if (!sound) continue;
+    if (!sound || deck.sink == nullptr) continue;
     place_words(deck, words);
-    if (!send(deck, &DeckSink::set_rigid, 1, load_case, value, value + 3)) return;
+    if (!accept(deck, deck.sink->set_rigid(deck.sink->solver, 1, load_case, value, value + 3))) return;
   }
 }
 

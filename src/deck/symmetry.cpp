@@ -21,8 +21,9 @@ void read_symmetry(Deck& deck, const Words& keyword_card) {
     return;
   }
   deck.symmetry |= bit;
+  if (deck.sink == nullptr) return;
   place_words(deck, keyword_card);
-  send(deck, &DeckSink::set_symmetry, is_x ? 0 : 1, value);
+  accept(deck, deck.sink->set_symmetry(deck.sink->solver, is_x ? 0 : 1, value));
 }
 
 } // namespace c2d

@@ -9,9 +9,9 @@ void read_units(Deck& deck, const Words& keyword_card) {
   Cards& cards = deck.cards;
   const bool length_known = text_word(cards, keyword_card, 0, "name of the unit of length", length, sizeof length);
   const bool force_known = text_word(cards, keyword_card, 1, "name of the unit of force", force, sizeof force);
-  if (!end_of_words(cards, keyword_card, 2) || !length_known || !force_known) return;
+  if (!end_of_words(cards, keyword_card, 2) || !length_known || !force_known || deck.sink == nullptr) return;
   place_words(deck, keyword_card);
-  send(deck, &DeckSink::set_units, length, force);
+  accept(deck, deck.sink->set_units(deck.sink->solver, length, force));
 }
 
 } // namespace c2d

@@ -74,9 +74,9 @@ bool read_zone(Deck& deck, bool* sound) {
   if (!read_ranges(deck, "contact nodes", count_sound ? zone.pairs : 0, node_offsets, nodes, first, last)) *sound = false;
   zone.side1.first_node = first[0], zone.side1.last_node = last[0];
   zone.side2.first_node = first[1], zone.side2.last_node = last[1];
-  if (!*sound) return !cards.ended;
+  if (deck.sink == nullptr || !*sound) return !cards.ended;
   place(deck, 1, 20);
-  return send(deck, &DeckSink::add_zone, &zone);
+  return accept(deck, deck.sink->add_zone(deck.sink->solver, &zone));
 }
 
 int32_t bounded(int64_t size) { return size > INT32_MAX ? INT32_MAX : static_cast<int32_t>(size); }
