@@ -109,6 +109,14 @@ TEST_CASE("energy of cycles: work that friction does not account for is told") {
   CHECK(left(2) == doctest::Approx(1.07e-5).epsilon(0.01));
   CHECK(steps[2].dissipated - steps[1].dissipated == doctest::Approx(1.49e-5).epsilon(0.01));
   CHECK(energy(problem::solve(problem::split(p, 3))) == text); // however the path is divided
+  Problem held = p;                                            // nor is the last digit of a factor that is held a turn
+  held.paths.resize(1);
+  double last = 1e-15, from = 0;
+  for (size_t i = 1; i < p.paths.size(); from = p.paths[i++].second)
+    for (int part = 1; part <= 3; ++part)
+      held.paths.push_back({1, 1 + (last = -last), from + (p.paths[i].second - from) * part / 3});
+  REQUIRE(held.paths[1].load != held.paths[2].load);
+  CHECK(energy(problem::solve(held)) == text);
 }
 
 TEST_CASE("energy of cycles: at the end of the path as well, and not before there is a cycle") {

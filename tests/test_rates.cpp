@@ -544,6 +544,21 @@ TEST_CASE("hard states: where friction at its bound holds a body it lies where i
   }
 }
 
+TEST_CASE("hard states: what is left of a load is unloaded, however little it is") {
+  for (const std::string name : {"range_portal_22pairs", "nonunique_equally_near"})
+    for (const double left : {1e-11, 1e-12, 1e-14, 1e-30}) {
+      CAPTURE(name);
+      CAPTURE(left);
+      const problem::Problem p = problem::from_text(test::read_file(paths::root() + "/tests/data/hard/" + name + ".dat"));
+      const problem::Result r = problem::solve(problem::with_paths(p, {{1, 1, 0}, {1, left, 0}, {1, 0, 0}, {1, 1, 0}}));
+      CAPTURE(r.messages());
+      CHECK(r.outcome == C2D_REACHED);
+      REQUIRE(r.recorded().size() == 4);
+      problem::Mapping map;
+      CHECK(problem::compare(r.recorded()[0], r.recorded()[3], map).traction < 1e-9);
+    }
+}
+
 TEST_CASE("hard states: a path that shrinks towards zero load ends") {
   const Run run = run_hard("D5_hang_3-740");
   CHECK(run.status == 1);

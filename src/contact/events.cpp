@@ -229,11 +229,13 @@ c2d_status find_event(Follower& f, double reach, double* part, c2d_outcome* outc
   return C2D_OK;
 }
 
-// The path ends here, unless what is left of the piece is round-off.
+// The path ends here, unless what is left of the piece is round-off: hardly any of it, or no pressure on the way to no load.
 static bool is_short(const Follower& f, double part) {
   if (part >= kAllButThere) return false;
+  bool to_zero = true;
+  for (int32_t k = 0; k < f.t->cases; ++k) to_zero = to_zero && f.origin[k] + f.direction[k] == 0.0;
   const double round_off = kRateTolerance * f.pressure_scale + kMixedNoise * f.t->stiffness * f.gap_scale;
-  return part < kNearlyThere || path_scales(f).p > round_off;
+  return (part < kNearlyThere && !to_zero) || path_scales(f).p > round_off;
 }
 
 c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome) {

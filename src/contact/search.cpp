@@ -95,6 +95,7 @@ void note_solutions(Follower& f, int32_t found, bool partial) {
   if (found <= f.solutions) return;
   f.solutions = found;
   f.more_solutions = partial;
+  f.range = false;
   f.solutions_load = f.load[0];
 }
 
@@ -286,7 +287,9 @@ void place_in_range(Follower& f) {
   const double x = range.reach(least, s, &other);
   if (sign * x >= -none) return;
   if (other < 0) return guide(f, end, sign, x);
-  if (apply_change(f, other, C2D_STICK, 0, pair_state(*f.t, other, f.y).wt)) apply_change(f, end, C2D_SLIP, sign, 0.0);
+  const int32_t back = f.t->pair[other].sign;
+  if (!apply_change(f, other, C2D_STICK, 0, pair_state(*f.t, other, f.y).wt)) return;
+  if (!apply_change(f, end, C2D_SLIP, sign, 0.0)) apply_change(f, other, C2D_SLIP, back, 0.0);
 }
 
 } // namespace c2d

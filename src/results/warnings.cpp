@@ -254,10 +254,10 @@ void warn_not_unique(Session& session) {
   out.entry.load = f.solutions_load;
   put_all(out.text, "load factor ", out.entry.load, ", mu ", s->mu, ": the solution is not unique: ");
   if (f.range)
-    put_all(
-        out.text, "the friction of all pairs that hold body ", session.free_body.body + 1,
-        " is at its bound, and it may lie anywhere in a range with the same forces; the place that moves the pairs least is "
-        "taken");
+    put_all(out.text, "the friction of all pairs that hold body ", session.free_body.body + 1,
+            " is at its bound, and it may lie anywhere in a range with the same forces; ",
+            s->options.stepping == C2D_STEPPING_DECK ? "the stepping of 1987 takes some place in it"
+                                                     : "the place that moves the pairs least is taken");
   else
     put_all(out.text, f.more_solutions ? "at least " : "", f.solutions,
             " contact states satisfy all conditions; the one whose motion changes least is taken, of equals the first by the "

@@ -33,9 +33,12 @@ void begin_energy(c2d_solver* s) {
 void note_turn(Session& session, const double* target) {
   c2d_solver* s = session.solver;
   uint64_t heading = 0;
+  double none = 0.0; // a factor that is held may have round-off
+  for (int32_t k = 0; k < s->model.load_cases; ++k)
+    none = fmax(none, 1e-12 * (fabs(target[k]) + fabs(session.follower.load[k])));
   for (int32_t k = 0; k < s->model.load_cases; ++k) { // a digit to base 3 each; of very many the first ones drop out
     const double step = target[k] - session.follower.load[k];
-    heading = 3 * heading + (step > 0.0 ? 1 : step < 0.0 ? 2 : 0);
+    heading = 3 * heading + (step > none ? 1 : step < -none ? 2 : 0);
   }
   if (heading == 0 || heading == s->heading) return;
   s->heading = heading;
