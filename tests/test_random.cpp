@@ -142,6 +142,10 @@ TEST_CASE("random decks: pairs that offend alike change together, so that symmet
   for (const uint64_t seed : {295u, 345u}) is_solved(Kind::symmetric, seed);
 }
 
+TEST_CASE("random decks: a body in a range goes back to its middle as it is unloaded, too") {
+  is_solved(Kind::symmetric, 1156);
+}
+
 TEST_CASE("random decks: where the loads go back to zero the last round-off makes no events") {
   is_solved(Kind::symmetric, 580);
 }
