@@ -469,6 +469,24 @@ TEST_CASE("restore: what does not belong to the model, the tapes or the library 
   Machine wider(loose, memory_for(loose, false), &host.port);
   REQUIRE(read_deck(wider.solver, deck) == C2D_OK);
   CHECK(c2d_restore(wider.solver) == C2D_ERR_MISMATCH);
+  // A record that names another state, or a longer image, with sums that are right.
+  for (const size_t place : {size_t{32}, size_t{34}, size_t{60}}) {
+    host.tape[0] = tape;
+    int forged = 0;
+    for (const size_t block : {size_t{1}, size_t{2}}) {
+      Bytes& bytes = host.tape[0][block];
+      const uint64_t data = bytes.size() - c2d::kBlockHeaderBytes;
+      c2d::BlockLabel label;
+      if (c2d::inspect_block(bytes.data(), data, &label).fault != c2d::BlockFault::none) continue;
+      c2d::unseal_block(bytes.data(), label.length);
+      bytes[c2d::kBlockHeaderBytes + place] ^= 0x40;
+      c2d::seal_block(label, bytes.data());
+      ++forged;
+    }
+    CHECK(forged == 1);
+    CHECK(refused(deck, C2D_ERR_MISMATCH));
+  }
+  host.tape[0] = tape;
   // Another scalar size, another format: bytes 8, 4 and 6 of the header, with the header's own check.
   for (size_t place : {size_t{8}, size_t{4}, size_t{6}}) {
     host.tape[0] = tape;

@@ -28,8 +28,8 @@ bool place_body(const Tableau& t, const int32_t* left, int32_t count);
 void leave_place(Follower& f);
 
 // Is the body idle: has it no force in any pair, and do the loads do no work on its free motions? What its pairs have by way of
-// forces is round-off then, up to 1e-9 of what their motion would make, and f.idle lets decisions take it for that. Errors: the
-// block store's.
+// forces is round-off then, up to 1e-9 of what their motion would make, and f.idle lets decisions take it for that. `s`:
+// the scales of this state. Errors: the block store's.
 c2d_status note_idle(Follower& f, const PathScales& s);
 
 // Does the body slide along with the other without any force, now and as the loads go on? Nothing offends then, and it could be

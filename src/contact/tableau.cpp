@@ -341,6 +341,7 @@ void restore_gaps(Tableau& t) {
     if (t.pair[i].status == C2D_OPEN) constants(t)[t.pair[i].dof] += static_cast<Real>(t.pair[i].gap / t.length_unit);
 }
 
+// While the tableau is built a guided pair is what it is there, a sticking one.
 struct GuidedSticks {
   Pair* pair;
   int8_t sign;

@@ -1,7 +1,6 @@
 #include "results/coarse_contact.hpp"
 
 #include "model/geometry.hpp"
-#include "model/validate_finding.hpp"
 
 namespace c2d {
 

@@ -201,6 +201,10 @@ c2d_status read_image(c2d_solver* s, const Slots& slots, const SaveRecord& recor
 c2d_status compare(c2d_solver* s, const SaveRecord& record, uint64_t count, uint64_t hash) {
   if (record.maker != solver_maker() || record.model_hash != hash) return C2D_ERR_MISMATCH;
   if (record.count != count) return C2D_ERR_STORE_STALE;
+  // Sums can be made to be right: what is read goes into the workspace.
+  const bool running = record.state == C2D_STATE_RUNNING;
+  if ((!running && record.state != C2D_STATE_PREPARED) || record.image_bytes != image_bytes(s, running))
+    return C2D_ERR_MISMATCH;
   return record.path_bytes > s->bytes - s->layout.persistent ? C2D_ERR_MEMORY : C2D_OK;
 }
 
