@@ -17,7 +17,7 @@ static unsigned char memory[C2D_LIMITS_BYTES(2, 60, 60, 60, 60, 1, 1, 1, 20, 19,
 static unsigned char tapes[           /* what it would otherwise keep in files */
     2 * C2D_LOWER_BLOCKS(2, 60, 60, 1, 20, 1, PANEL, 0) * C2D_LOWER_BLOCK_BYTES(2, 60, 60, 1, 0, PANEL) +
     2 * C2D_UPPER_BLOCKS(2, 60, 60, 1, 20, 1, PANEL) * C2D_UPPER_BLOCK_BYTES(2, 60, 60, 1, PANEL) +
-    C2D_CONTACT_BLOCKS(20, 1) * C2D_CONTACT_BLOCK_BYTES(20) + C2D_CONTROL_BLOCK_BYTES /* nothing is saved */];
+    C2D_CONTACT_BLOCKS(2, 20, 1) * C2D_CONTACT_BLOCK_BYTES(20) + C2D_CONTROL_BLOCK_BYTES /* nothing is saved */];
 
 /* The next card, without its line end, and its length. */
 static int32_t read_card(void* context, char* text, int32_t size) {

@@ -25,8 +25,8 @@
    goes to or comes from (pointer, stride): entry k at [k * stride], in doubles. A pointer may be null only where that is said.
 
    Failures. Every function returns a status. A call that does not return C2D_OK has changed nothing, outputs included. The
-   exceptions: c2d_create and c2d_attach set *out to null; a failed c2d_read_deck or c2d_complete leaves an empty model; a
-   cancelled c2d_advance or c2d_run leaves the solver at the last load reached; STORE_... leaves it `broken` (section 9).
+   exceptions: the list of c2d_scan_deck; c2d_create and c2d_attach set *out to null; a failed c2d_read_deck or c2d_complete
+   leaves an empty model; a cancelled c2d_advance or c2d_run stays at the last load reached; STORE_...: `broken` (section 9).
    c2d_port.log hears each fault once, c2d_last_error keeps the first. Any call may return C2D_ERR_ARGUMENT, _STATE or _BUSY;
    `Errors:` names the others, STORE_... for any C2D_ERR_STORE_. That the load can go no further is no failure but an outcome.
 
@@ -62,12 +62,12 @@ extern "C" {
 
    Public structs begin with struct_size. c2d_limits sizes = C2D_INIT(c2d_limits); sets it, and all else to zero, which means
    the default. Members are only ever appended; the library touches the smaller of struct_size and its own size, and refuses a
-   size that C2D_INIT cannot have set. What a call returns (c2d_status), how a path ended (c2d_outcome) and the numbers of
-   warnings (C2D_WARN_...) stand in contact2d_codes.h. */
+   size that C2D_INIT cannot have set. What a call returns (c2d_status), how a path ended (c2d_outcome), the numbers of
+   warnings (C2D_WARN_...) and of the fields of c2d_get stand in contact2d_codes.h. */
 
 typedef struct c2d_solver c2d_solver; /* lives inside the caller's memory */
 
-enum { C2D_OPEN = 0, C2D_STICK = 1, C2D_SLIP = 2 };    /* status of a pair   */
+enum { C2D_OPEN = 0, C2D_STICK = 1, C2D_SLIP = 2, C2D_TIED = 3 }; /* status of a pair   */
 enum { C2D_PLANE_STRAIN = 0, C2D_PLANE_STRESS = 1 };
 enum { C2D_NOTE = 0, C2D_WARNING = 1, C2D_FAULT = 2 }; /* c2d_error.severity */
 
@@ -82,7 +82,7 @@ typedef struct c2d_error {
   int64_t block;
   uint64_t bytes_needed;        /* with C2D_ERR_MEMORY: workspace bytes that would do               */
   double load;                  /* load factor at which it happened                                 */
-  char text[320];               /* one line of ASCII: what was found and what was expected          */
+  char text[320];               /* one line, ASCII but for names: what was found and expected        */
 } c2d_error;
 
 /* ---------------------------------------------------------------- 2 sizes and memory ---------------------------
@@ -96,10 +96,10 @@ typedef struct c2d_body_limits {
 
 typedef struct c2d_limits {
   uint32_t struct_size;
-  int32_t bodies;             /* how many; more than 2 are refused yet                              */
+  int32_t bodies;             /* how many (NBODY)                                                   */
   c2d_body_limits* body;      /* [bodies], an array of the caller's; no call keeps it               */
   int32_t function_nodes;     /* functional nodes per element: 1 constant ... 4 cubic (NFNODE)      */
-  int32_t zones, pairs;       /* contact zones (MCP); pairs of nodes in all of them                 */
+  int32_t zones, pairs;       /* contact zones (MCP); pairs in all of them, of C2D_ZONE_SELF twice  */
   int32_t contact_elements;   /* pairs of elements in all zones; elements of side 2 in free zones   */
   int32_t point_loads;        /* of all bodies together                                             */
   int32_t coefficients;       /* of friction, to be run one after another (NMU)                     */
@@ -120,7 +120,7 @@ c2d_status c2d_memory_need(const c2d_limits* limits, uint64_t* minimum, uint64_t
    POSIX files are in port/, and port/README.md says what breaks if a duty is cheated. All functions return 0 for success;
    anything else is an error code of yours that comes back in c2d_error.host_code. They must return: no exception, longjmp or
    exit may leave them. Inside them c2d_cancel, c2d_memory_need and c2d_get_state are legal for the solver that calls,
-   everything else is C2D_ERR_BUSY; inside a step callback (section 7) c2d_get_zone_state is legal, too. */
+   everything else is C2D_ERR_BUSY; inside a step callback (section 7) c2d_get_zone_state and _body_state are legal, too. */
 typedef struct c2d_progress {
   uint32_t struct_size;
   int32_t phase, body;        /* C2D_PHASE_...; the body while assembling and eliminating           */
@@ -184,9 +184,9 @@ c2d_status c2d_close(c2d_solver* solver);
    deck; any other negative number is an error of the caller's (C2D_ERR_READ, host_code). */
 typedef int32_t (*c2d_read_line)(void* context, char* text, int32_t size);
 typedef void (*c2d_report)(void* context, const c2d_error* entry);
-/* Sizes of a deck, without any workspace. out->body has room for out->bodies bodies; both are filled with the deck's. A deck
-   that passes may still be refused by c2d_read_deck. c2d_scan_deck puts the first fault into *why, c2d_check_deck tells every
-   fault to `report`; either may be null. Errors: INPUT, READ; LIMIT: only out->bodies is filled, with how many there are. */
+/* Sizes of a deck, without a workspace: out->body, with room for out->bodies bodies, and *out are filled. c2d_read_deck may
+   still refuse a deck that passes. c2d_scan_deck puts the first fault into *why, c2d_check_deck tells every fault to `report`;
+   either may be null. Errors: INPUT, READ: the list holds anything; LIMIT: out->bodies alone tells how many there are. */
 c2d_status c2d_scan_deck(c2d_read_line read, void* context, c2d_limits* out, c2d_error* why);
 c2d_status c2d_check_deck(c2d_read_line read, void* context, c2d_limits* out, c2d_report report, void* report_context);
 /* Read a whole deck and complete the model; all faults go to c2d_port.log. Errors: INPUT, READ, LIMIT. */
@@ -248,36 +248,45 @@ c2d_status c2d_add_point_load(c2d_solver* solver, int32_t body, int32_t load_cas
    again it replaces the one before. No weight across a line of symmetry; the axis lies on every line. METHOD 6. */
 c2d_status c2d_set_body_force(c2d_solver* solver, int32_t body, int32_t load_case, const double force[2], double rho_omega2,
                               const double axis[2]);
-/* The body (yet: body 1) is a rigid obstacle, without equations and moduli; its mesh gives frames and lengths. In a load case
-   it moves by motion[0], motion[1] and turns by the small angle motion[2] about the point axis[0], axis[1]; load_case 0: it is
-   only made rigid, and both arrays may be null. Conditions are passed over; loads other than zero are refused by c2d_complete.
-   Results of it: its motion, the contact's tractions, no stresses; the force that holds it is its `applied`. */
+/* The body is rigid, without equations and moduli; its mesh gives frames and lengths. In a load case it moves by motion[0],
+   motion[1] and turns by the small angle motion[2] about axis[0], axis[1]; load_case 0: it is only made rigid, and both
+   arrays may be null. Conditions are passed over; c2d_complete refuses tractions and forces on it, and a zone of two rigid
+   bodies. Results: its motion, the contact's tractions, no stresses; what holds or loads it is its `applied`. */
 c2d_status c2d_set_rigid(c2d_solver* solver, int32_t body, int32_t load_case, const double motion[3], const double axis[2]);
+/* Of a rigid body motions i = 0 to 2 (ux, uy, rotation of `point`) with is_free[i] != 0 are not given: they follow from the
+   contact and, in a load case, from load[0 .. 3): fx, fy and the moment about `point`, of which those of free motions count.
+   With load_case 0 is_free and point are set (and the body is rigid), else the load; the others are not looked at. */
+c2d_status c2d_set_rigid_load(c2d_solver* solver, int32_t body, int32_t load_case, const int32_t is_free[3],
+                              const double load[3], const double point[2]);
 /* Initial overlaps of a press fit: pairs that overlap before any load are legal, and touch at first; the factor of this load
    case closes their overlaps, which are gone at factor 1. c2d_run brings it from 0 to 1 before the first step of the path, and
    keeps it there; with c2d_advance it is the caller's. Given again it replaces the one before. */
 c2d_status c2d_set_interference(c2d_solver* solver, int32_t load_case);
-/* Contact between two ranges of elements, side 1 and side 2, on two bodies (yet: side 1 on body 1, side 2 on body 2). A range
-   may run down, and round the end of its region if `elements` says how many there are (0: by their numbers).
+/* Contact between two ranges of elements, side 1 and side 2, of two bodies, which may share several zones, or of one that meets
+   itself (C2D_ZONE_SELF: the sides are apart). A range may run down, and round the end of its region if `elements` says how
+   many there are (0: by their numbers).
    C2D_ZONE_MATCHING: elements face each other, first with first, last with last, and the functional nodes first_node ...
    last_node, `pairs` of them, form pairs in the same order.
    C2D_ZONE_FREE: the sides are meshed independently; either may run up or down, and pairs and nodes are not looked at. Every
    functional node of side 2 makes a pair with the point of side 1 whose normal passes through it (C2D_X, C2D_Y; C2D_PAIR_NODE1
    is 0); elements of side 2 that do not face side 1 from end to end are left out. Nodes of side 1 keep their conditions
-   (traction and displacement both unknown: left to the contact), and tractions given there add to those of the contact. Force
-   passes over exactly, its moment so far as matching points coincide (METHOD 9). c2d_limits: `pairs` and `free_pairs` count
-   all functional nodes of the elements of side 2. c2d_complete refuses sides that do not face each other, or a rigid body. */
-enum { C2D_ZONE_MATCHING = 0, C2D_ZONE_FREE = 1 };
+   (both unknown: left to the contact); tractions given there add to those of the contact. Force passes over exactly, its moment
+   so far as matching points coincide (METHOD 9). c2d_limits: `pairs`, `free_pairs` count all functional nodes of elements of
+   side 2. c2d_complete refuses sides that do not face each other. */
+enum { C2D_ZONE_MATCHING = 0, C2D_ZONE_FREE = 1, C2D_ZONE_TIED = 2, C2D_ZONE_SELF = 4 };
 typedef struct c2d_side {
   int32_t body, first_element, last_element, elements;
   int32_t first_node, last_node; /* functional nodes of the body                                    */
 } c2d_side;
 typedef struct c2d_zone {
   uint32_t struct_size;
-  int32_t kind, pairs;        /* C2D_ZONE_...; how many pairs                                       */
+  int32_t kind, pairs;        /* C2D_ZONE_MATCHING or _FREE, and _TIED, _SELF added; how many pairs */
   c2d_side side1, side2;
 } c2d_zone;
 c2d_status c2d_add_zone(c2d_solver* solver, const c2d_zone* zone);
+/* Zone i (from 1) is bonded: it carries tension and friction without bound, and never changes its status. Its surfaces must
+   coincide within a tenth of an element; what they are off is no gap. Pairs of such zones are numbered behind all others. */
+c2d_status c2d_tie_zone(c2d_solver* solver, int32_t zone);
 /* What the surface is over elements of a body: gaps, normals and the points that face each other are those of surfaces, not of
    elements (METHOD 8). Where nothing is told it is a smooth curve that respects corners and kinks as far as the boundary
    points show them. A line is straight between its points; an arc is one of the circle; a spline is smooth whatever the
@@ -320,6 +329,11 @@ typedef struct c2d_points {
 c2d_status c2d_add_points(c2d_solver* solver, const c2d_points* points);
 /* Names of the units of length and force for titles of axes, each at most 15 characters; null: empty. Nothing is converted. */
 c2d_status c2d_set_units(c2d_solver* solver, const char* length, const char* force);
+/* What body or zone i is called, beside its number in messages and outputs: at most 31 bytes of UTF-8, no control characters;
+   null or "": nothing. The name comes back filled up with zero bytes. */
+enum { C2D_NAME_BODY = 0, C2D_NAME_ZONE = 1 };
+c2d_status c2d_set_name(c2d_solver* solver, int32_t kind, int32_t i, const char* name);
+c2d_status c2d_get_name(c2d_solver* solver, int32_t kind, int32_t i, char out[32]);
 /* Faults found from now on are said to come from this line of the caller's input; 0: none. */
 c2d_status c2d_set_line(c2d_solver* solver, int32_t line, int32_t column, int32_t column_end);
 /* Validate everything; every fault goes to c2d_port.log. Errors: INPUT. */
@@ -352,8 +366,8 @@ c2d_status c2d_tape_need(const c2d_limits* limits, const c2d_options* options, u
    with a free rigid motion that contact cannot hold is no error: c2d_advance tells it. */
 c2d_status c2d_prepare(c2d_solver* solver);
 /* Other loads for the same bodies. c2d_change_loads ends the path and goes back to state model, where c2d_set_values,
-   c2d_set_body_force, c2d_set_rigid (of a rigid body, load_case > 0) and c2d_replace_point_load (place and force of point load
-   i, in the order given; body and load case stay) give load cases other values. c2d_prepare then validates them and, if the
+   c2d_set_body_force, c2d_set_rigid and c2d_set_rigid_load (load_case > 0) and c2d_replace_point_load (place and force of point
+   load i, in the order given; body and load case stay) give load cases other values. c2d_prepare validates them and, if the
    options said keep_factors, sends only the new right-hand sides through the factors that are there: a small part of the work,
    and to round-off the results of a solver prepared from the beginning. Without keep_factors, and after other options, a
    failure or a cancel, c2d_prepare does everything. Codes, geometry and contact do not change. A load case needed only later is
@@ -425,30 +439,8 @@ c2d_status c2d_cancel(c2d_solver* solver);
 
    At the load reached, in state running. All but what only tells the model may return STORE_... (back substitution is done on
    the first call at a load that needs it, then kept). */
-enum {
-  /* per pair (body is ignored); also the columns of c2d_step.table */
-  C2D_X = 0, C2D_Y = 1,       /* position on side 1                                                 */
-  C2D_STATUS = 2,             /* C2D_OPEN, C2D_STICK, C2D_SLIP                                      */
-  C2D_TN = 3, C2D_TT = 4,     /* pressure and friction on side 2, see the conventions               */
-  C2D_UN1 = 5, C2D_UT1 = 6, C2D_UN2 = 7, C2D_UT2 = 8, /* displacements of both sides in the pair's frame */
-  C2D_GAP = 9, C2D_SLIP_SUM = 10, /* current normal gap; accumulated tangential slip (u2-u1).t      */
-  C2D_NX = 11, C2D_NY = 12,   /* the frame's normal                                                 */
-  C2D_PAIR_NODE1 = 13, C2D_PAIR_NODE2 = 14, C2D_PAIR_ZONE = 15, C2D_PAIR_FIELDS = 16, /* functional nodes; zone */
-  /* per element end of a body: entry (element-1)*function_nodes + local */
-  C2D_END_X = 100, C2D_END_Y = 101, C2D_END_NODE = 102,
-  C2D_END_UX = 103, C2D_END_UY = 104, C2D_END_TX = 105, C2D_END_TY = 106, /* traction per own length */
-  C2D_END_STATUS = 107,       /* of the pair this end belongs to, -1: none, as on side 1 of a free zone, whose pairs lie between
-                                 its nodes (C2D_PAIR_ELEMENT1)                                      */
-  C2D_END_SXX = 108, C2D_END_SYY = 109, C2D_END_SXY = 110, /* stress: from this end's traction and the slope of the displacement
-                                 along the boundary, recovered at Gauss points                      */
-  C2D_END_SZZ = 111, C2D_END_HOOP = 112, /* out of the plane; normal stress along the boundary      */
-  C2D_END_VON_MISES = 113, C2D_END_MAX_SHEAR = 114, C2D_END_PRINCIPAL1 = 115, C2D_END_PRINCIPAL2 = 116,
-  /* per geometry node of a body */
-  C2D_NODE_X = 120, C2D_NODE_Y = 121,
-  /* per pair, no columns of the table: where it lies on side 1, an element and its local coordinate -1 ... 1 */
-  C2D_PAIR_ELEMENT1 = 130, C2D_PAIR_ETA1 = 131
-};
-/* Entries first ... first+count-1 of a field to out[0], out[stride], .... Positions also in states model and prepared. */
+/* Entries first ... first+count-1 of a field (contact2d_codes.h) to out[0], out[stride], .... Positions also in states model
+   and prepared. */
 c2d_status c2d_get(c2d_solver* solver, int32_t field, int32_t body, int32_t first, int32_t count, double* out, int64_t stride);
 
 /* Columns of an interior point. szz = nu (sxx + syy) in plane strain, 0 in plane stress, and enters von Mises' stress;
@@ -524,7 +516,7 @@ c2d_status c2d_get_body_result(c2d_solver* solver, int32_t body, c2d_body_result
    that belongs to a pair, of the side that tractions are counted on. */
 typedef struct c2d_zone_state {
   uint32_t struct_size;
-  int32_t open, stick, slip;      /* pairs                                                          */
+  int32_t open, stick, slip;      /* pairs; tied ones stick                                         */
   int32_t near_change;            /* pairs within 1 % of another status: pressure or gap below 1 % of the zone's largest, or
                                      friction within 1 % of its bound                               */
   int32_t reserved;
@@ -533,6 +525,15 @@ typedef struct c2d_zone_state {
   double largest_pressure, largest_friction, length; /* length: of the touching pairs               */
 } c2d_zone_state;
 c2d_status c2d_get_zone_state(c2d_solver* solver, int32_t zone, c2d_zone_state* out); /* also inside a step callback */
+
+/* A body as it stands: force and moment about the origin of all its contact; of a rigid one how it moved, (ux, uy) of its point
+   (c2d_set_rigid_load, else the origin) and a rotation, and what acts on it where it is free, moment about the origin. */
+typedef struct c2d_body_state {
+  uint32_t struct_size;
+  int32_t is_rigid;
+  double contact[3], motion[3], point[2], load[3];
+} c2d_body_state;
+c2d_status c2d_get_body_state(c2d_solver* solver, int32_t body, c2d_body_state* out); /* also inside a step callback */
 
 /* Item i of the model's lists, as it was given, in states model, prepared and running. Out of range: ARGUMENT. */
 /* The coefficient that holds in a zone in the i-th run; zone 0: the one for all zones that have none of their own. */
@@ -551,7 +552,7 @@ c2d_status c2d_get_curve(c2d_solver* solver, int32_t i, c2d_curve* out);
    *total (may be null): how many the set has. Needs no solver; `body` is not looked at. */
 c2d_status c2d_expand_points(const c2d_points* points, int32_t first, int32_t count, double* xy, int64_t stride,
                              int32_t* total);
-/* Zeros if there is none. is_rigid: 1 if the body is a rigid obstacle. The load case that closes initial overlaps, or 0. */
+/* Zeros if there is none. is_rigid: 1 if the body is rigid. The load case that closes initial overlaps, or 0. */
 c2d_status c2d_get_body_force(c2d_solver* solver, int32_t body, int32_t load_case, double force[2], double* rho_omega2,
                               double axis[2]);
 c2d_status c2d_get_rigid(c2d_solver* solver, int32_t body, int32_t load_case, int32_t* is_rigid, double motion[3],
@@ -564,16 +565,16 @@ c2d_status c2d_get_interference(c2d_solver* solver, int32_t* load_case);
    empty        read_deck                                               -> model
                 all of section 5 but complete                           -> building (set_line, set_options: empty)
    building     all of section 5                                        -> model by complete; empty if that fails
-   model        set_options, set_values, replace_point_load, set_body_force, set_rigid, set_units
+   model        set_options, set_values, replace_point_load, set_body_force, set_rigid, set_rigid_load, set_units
                 prepare                                                 -> prepared
                 restore                                                 -> prepared or running, as saved
    prepared     begin, run                                              -> running
                 save, restore, set_units; change_loads                  -> model
-   running      begin, advance, next_event, run, get, get_zone_state, interior, save, restore, set_units
+   running      begin, advance, next_event, run, get, get_zone_state, get_body_state, interior, save, restore, set_units
                 change_loads                                            -> model
    broken       after an error of the store: restore, or c2d_create in the same memory
    In model, prepared and running also positions by get, and the lists: get_friction, _path, _zone, _region, _condition,
-   _point_load, _body_force, _rigid, _interference, _points, _curve. */
+   _point_load, _body_force, _rigid, _interference, _points, _curve. Where set_units is legal, so are set_name and get_name. */
 enum { C2D_STATE_EMPTY = 0, C2D_STATE_BUILDING = 1, C2D_STATE_MODEL = 2, C2D_STATE_PREPARED = 3, C2D_STATE_RUNNING = 4,
        C2D_STATE_BROKEN = 5 };
 int32_t c2d_get_state(const c2d_solver* solver); /* -1: not a solver */
@@ -584,11 +585,10 @@ const char* c2d_message(int32_t status);
 const char* c2d_outcome_message(int32_t outcome);
 const char* c2d_version(void); /* "0.2.0" */
 /* These do nothing. In a library compiled with C2D_PARTS_BY_CALL a program has a part of it only if it names the function:
-   bodies with holes; zones of kind C2D_ZONE_FREE; warnings of what is doubtful about a preparation or a contact state
-   (C2D_WARN_ZONE_END ... _SURFACE, except those that c2d_complete tells), which c2d_run and c2d_get_summary bring, too; and
-   what few states need, which c2d_run brings, too: the search for statuses where changes of the pairs that offend lead
-   nowhere, the proof that there are none, how many solutions there are, and a body that nothing presses any more. Without
-   the search a path ends there with C2D_UNDECIDED. */
+   bodies with holes; zones of kind C2D_ZONE_FREE; warnings of a preparation or a contact state (C2D_WARN_ZONE_END ... _SURFACE,
+   except those that c2d_complete tells), which c2d_run and c2d_get_summary bring, too; and what few states need, which c2d_run
+   brings, too: the search for statuses where changes of the pairs that offend lead nowhere, the proof that there are none, how
+   many solutions there are, and a body that nothing presses any more. Without it a path ends there with C2D_UNDECIDED. */
 void c2d_link_holes(void);
 void c2d_link_free_zones(void);
 void c2d_link_warnings(void);

@@ -37,10 +37,11 @@ typedef struct c2d_card {
 typedef void (*c2d_card_fn)(void* context, const c2d_card* card);
 
 /* Walks over a deck as c2d_check_deck does, without any workspace: `card` is told every field in the order of the deck,
-   `report` (may be null) every fault. What was told before a fault counts for nothing. `card` may be null,
-   too. Errors: ARGUMENT, INPUT, READ. */
-c2d_status c2d_walk_deck(c2d_read_line read, void* context, c2d_card_fn card, void* card_context, c2d_report report,
-                         void* report_context);
+   `report` (may be null) every fault. What was told before a fault counts for nothing. `card` may be null, too. body[0 ..
+   bodies) is worked in; what it holds afterwards is of no use. Errors: ARGUMENT, INPUT, READ; LIMIT: the deck has more bodies
+   than `bodies`, which is known as soon as their number is read. */
+c2d_status c2d_walk_deck(c2d_read_line read, void* context, c2d_body_limits* body, int32_t bodies, c2d_card_fn card,
+                         void* card_context, c2d_report report, void* report_context);
 
 #ifdef __cplusplus
 }

@@ -1,4 +1,4 @@
-/* contact2d: the numbers that calls answer with: what they return, how a path ended, what a warning is about. contact2d.h
+/* contact2d: numbers of calls: what they return, how a path ended, what a warning is about, fields of results. contact2d.h
    includes it. None of them ever changes; c2d_message and c2d_outcome_message put them into words. */
 #ifndef CONTACT2D_CODES_H
 #define CONTACT2D_CODES_H
@@ -50,6 +50,30 @@ enum { /* c2d_summary.breach: what was not accurate enough with C2D_BEYOND_LIMIT
   C2D_BREACH_SINGULAR = 7, C2D_BREACHES = 8 /* no tableau: the statuses leave a motion free         */
 };
 
+enum { /* fields of c2d_get */
+  /* per pair (body is ignored); also the columns of c2d_step.table */
+  C2D_X = 0, C2D_Y = 1,       /* position on side 1                                                 */
+  C2D_STATUS = 2,             /* C2D_OPEN, C2D_STICK, C2D_SLIP, C2D_TIED                            */
+  C2D_TN = 3, C2D_TT = 4,     /* pressure and friction on side 2, see the conventions               */
+  C2D_UN1 = 5, C2D_UT1 = 6, C2D_UN2 = 7, C2D_UT2 = 8, /* displacements of both sides in the pair's frame */
+  C2D_GAP = 9, C2D_SLIP_SUM = 10, /* current normal gap; accumulated tangential slip (u2-u1).t      */
+  C2D_NX = 11, C2D_NY = 12,   /* the frame's normal                                                 */
+  C2D_PAIR_NODE1 = 13, C2D_PAIR_NODE2 = 14, C2D_PAIR_ZONE = 15, C2D_PAIR_FIELDS = 16, /* functional nodes; zone */
+  /* per element end of a body: entry (element-1)*function_nodes + local */
+  C2D_END_X = 100, C2D_END_Y = 101, C2D_END_NODE = 102,
+  C2D_END_UX = 103, C2D_END_UY = 104, C2D_END_TX = 105, C2D_END_TY = 106, /* traction per own length */
+  C2D_END_STATUS = 107,       /* of the pair this end belongs to, -1: none, as on side 1 of a free zone, whose pairs lie between
+                                 its nodes (C2D_PAIR_ELEMENT1)                                      */
+  C2D_END_SXX = 108, C2D_END_SYY = 109, C2D_END_SXY = 110, /* stress: from this end's traction and the slope of the displacement
+                                 along the boundary, recovered at Gauss points                      */
+  C2D_END_SZZ = 111, C2D_END_HOOP = 112, /* out of the plane; normal stress along the boundary      */
+  C2D_END_VON_MISES = 113, C2D_END_MAX_SHEAR = 114, C2D_END_PRINCIPAL1 = 115, C2D_END_PRINCIPAL2 = 116,
+  /* per geometry node of a body */
+  C2D_NODE_X = 120, C2D_NODE_Y = 121,
+  /* per pair, no columns of the table: where it lies on side 1, an element and its local coordinate -1 ... 1 */
+  C2D_PAIR_ELEMENT1 = 130, C2D_PAIR_ETA1 = 131
+};
+
 enum { /* c2d_error.status of warnings; src/report/OUTPUT.md tells what to do about each */
   C2D_WARN_ZONE_END = 201,         /* the last pair at an end of a zone closed: the zone may be too short  */
   C2D_WARN_FEW_PAIRS = 202,        /* fewer than 4 elements from an edge to the peak, or in a zone of slip */
@@ -69,7 +93,8 @@ enum { /* c2d_error.status of warnings; src/report/OUTPUT.md tells what to do ab
   C2D_WARN_CONSTANT = 219,         /* constant functions miss even a uniform stress                        */
   C2D_WARN_FAR = 220, C2D_WARN_SIZES = 221, /* surfaces that hardly come nearer; unlike elements face each other */
   C2D_WARN_SURFACE = 222,          /* the error of a surface matters beside how far the bodies come closer */
-  C2D_WARN_ENERGY = 223            /* between turns of the loads work and friction differ by more than 10 % */
+  C2D_WARN_ENERGY = 223,           /* between turns of the loads work and friction differ by more than 10 % */
+  C2D_WARN_UNHELD = 224            /* motions of bodies that no support, tie or possible contact prevents  */
 };
 
 #endif

@@ -28,28 +28,27 @@
 #define C2D_LIMITS_BYTES(function_nodes, points1, points2, elements1, elements2, regions1, regions2, zones, pairs,     \
                          contact_elements, point_loads, coefficients, paths, load_cases, panel_columns, free_pairs,    \
                          point_sets, curves)                                                                           \
-  C2D_BODIES_BYTES(C2D_BODY_BYTES(function_nodes, points1, elements1, regions1, load_cases) +                          \
-                       C2D_BODY_BYTES(function_nodes, points2, elements2, regions2, load_cases),                       \
+  C2D_BODIES_BYTES(((points2) > 0 ? 2 : 1),                                                                            \
+                   C2D_BODY_BYTES(function_nodes, points1, elements1, regions1, load_cases) +                          \
+                       ((points2) > 0 ? C2D_BODY_BYTES(function_nodes, points2, elements2, regions2, load_cases) : 0), \
                    C2D_RESULT_BYTES(function_nodes, points1, elements1, regions1) +                                    \
                        C2D_RESULT_BYTES(function_nodes, points2, elements2, regions2),                                 \
                    C2D_LARGER_(C2D_NODES_(function_nodes, points1, elements1, regions1),                               \
                                C2D_NODES_(function_nodes, points2, elements2, regions2)),                              \
-                   C2D_LARGER_(C2D_ROWS_(C2D_NODES_(function_nodes, points1, elements1, regions1)) +                   \
-                                   2 * (free_pairs),                                                                   \
-                               C2D_ROWS_(C2D_NODES_(function_nodes, points2, elements2, regions2))),                   \
                    zones, pairs, contact_elements, point_loads, coefficients, paths, load_cases, panel_columns,        \
-                   point_sets, curves)
+                   free_pairs, point_sets, curves)
 
-/* For any number of bodies: sums of the two following over the bodies, the largest number of functional nodes and of
-   equations of a body (2 nodes + 3, and on body 1 two for each pair of a free zone), and the rest of c2d_limits. */
-#define C2D_BODIES_BYTES(bodies_bytes, results_bytes, nodes, rows, zones, pairs, contact_elements, point_loads,        \
-                         coefficients, paths, load_cases, panel_columns, point_sets, curves)                           \
-  (63 /* to the first multiple of 64 */ + C2D_ROUND_(C2D_SOLVER_BYTES) + (bodies_bytes) +                              \
+/* For any number of bodies: how many, sums of the two following over them, the largest number of functional nodes of a
+   body, and the rest of c2d_limits. */
+#define C2D_BODIES_BYTES(bodies, bodies_bytes, results_bytes, nodes, zones, pairs, contact_elements, point_loads,      \
+                         coefficients, paths, load_cases, panel_columns, free_pairs, point_sets, curves)               \
+  (63 /* to the first multiple of 64 */ + C2D_ROUND_(C2D_SOLVER_BYTES) + (0 C2D_BODY_LISTS_(C2D_ADD_, bodies)) +       \
+   (bodies_bytes) +                                                                                                    \
    (0 C2D_MODEL_ARRAYS_(C2D_ADD_, zones, pairs, point_loads, coefficients, paths, C2D_CASES_(load_cases), point_sets,  \
                         curves)) +                                                                                     \
    0 * UINT64_C(1) * (contact_elements) /* kept within their zones */ +                                                \
-   C2D_PHASE_BYTES_(nodes, rows, results_bytes, UINT64_C(2) * (pairs), C2D_CASES_(load_cases),                         \
-                    C2D_WIDTH_(panel_columns)))
+   C2D_PHASE_BYTES_(nodes, C2D_ROWS_(nodes) + 2 * (free_pairs), results_bytes, UINT64_C(2) * (pairs),                  \
+                    C2D_MOTIONS_(bodies, pairs), C2D_CASES_(load_cases), C2D_WIDTH_(panel_columns)))
 /* What one body is made of, and what its results take while the load path is followed. */
 #define C2D_BODY_BYTES(function_nodes, points, elements, regions, load_cases)                                          \
   (0 C2D_BODY_ARRAYS_(C2D_ADD_, points, C2D_ENDS_(function_nodes, elements),                                           \
@@ -74,7 +73,10 @@
                     C2D_TRAILING_(pairs, load_cases), C2D_WIDTH_(panel_columns))
 #define C2D_UPPER_BLOCK_BYTES(function_nodes, points, elements, regions, panel_columns)                                \
   C2D_BLOCK_(C2D_ROWS_(C2D_NODES_(function_nodes, points, elements, regions)) * C2D_WIDTH_(panel_columns))
-#define C2D_CONTACT_BLOCKS(pairs, load_cases) ((pairs) > 0 ? UINT64_C(14) * (pairs) + 5 * C2D_CASES_(load_cases) + 9 : 0)
+#define C2D_CONTACT_BLOCKS(bodies, pairs, load_cases)                                                                  \
+  ((pairs) > 0 ? UINT64_C(16) * (pairs) + (3 * UINT64_C(1) * (bodies) + 3) * C2D_CASES_(load_cases) +                  \
+                     9 * UINT64_C(1) * (bodies) + 6 * C2D_MOTIONS_(bodies, pairs)                                      \
+               : 0)
 #define C2D_CONTACT_BLOCK_BYTES(pairs) C2D_BLOCK_(UINT64_C(2) * (pairs))
 /* `workspace` is the C2D_LIMITS_BYTES of these limits, which is more than a saved state. */
 #define C2D_CONTROL_BLOCKS(workspace) (3 + 2 * (((workspace) + UINT64_C(511)) / 512))
@@ -95,7 +97,13 @@
    ARRAY(type, name, count, each): `count` times `each` of a type, from a multiple of 64 bytes on. Names in parentheses are
    those of the FORTRAN program of 1987 (src/FROM-1987.md). `ends` are element ends, `cases` load cases, m contact unknowns.
 
-   Of each body: */
+   Lists of the bodies: */
+#define C2D_BODY_LISTS_(ARRAY, bodies)                                                                                 \
+  ARRAY(BodyLimits, BodyLimits, bodies, 1)            /* of c2d_limits                                            */  \
+  ARRAY(Body, Bodies, bodies, 1)                      /* (NBODY)                                                  */  \
+  ARRAY(Plan, Plans, bodies, 1)                       /* how each is eliminated                                   */  \
+  ARRAY(BodyResults, BodyResults, bodies, 1)          /* forces of the state                                      */
+/* Of each body: */
 #define C2D_BODY_ARRAYS_(ARRAY, points, ends, nodes, regions, cases)                                                   \
   ARRAY(double, Xy, points, 2)                        /* boundary points (BNODE)                                   */  \
   ARRAY(int32_t, NodeLine, points, 1)                 /* line of the caller's input                                */  \
@@ -104,7 +112,10 @@
   ARRAY(uint8_t, EndCode, ends, 1)                    /* what is known (ICODE 3 ... 6)                             */  \
   ARRAY(int32_t, EndLine, ends, 1)                    /* line of the caller's input                                */  \
   ARRAY(int32_t, NodeColumn, (nodes) + 1, 1)          /* first column of a node among the outer unknowns           */  \
-  ARRAY(Region, Regions, regions, 1)                  /* closed and open curves (REGN)                             */
+  ARRAY(Region, Regions, regions, 1)                  /* closed and open curves (REGN)                             */  \
+  ARRAY(BodyForce, BodyForces, cases, 1)              /* per area                                                  */  \
+  ARRAY(RigidMotion, RigidMotions, cases, 1)          /* of a rigid body                                           */  \
+  ARRAY(double, LoadWork, cases, 4)                   /* of its loads on its free motions; sum of magnitudes       */
 /* Of the model: */
 #define C2D_MODEL_ARRAYS_(ARRAY, zones, pairs, point_loads, coefficients, paths, cases, point_sets, curves)            \
   ARRAY(Zone, Zones, zones, 1)                        /* (MCF, MCEL)                                               */  \
@@ -116,10 +127,8 @@
   ARRAY(double, Loads, cases, 4)                      /* load factors: reached, target, direction, at stick        */  \
   ARRAY(double, PathLoads, paths, cases)              /* factors at the end of each piece of the path              */  \
   ARRAY(void, Energy, cases, 8 * (2 * (cases) + 5) + 8 * C2D_REAL_BYTES * (pairs)) /* solver/energy.hpp             */  \
-  ARRAY(BodyForce, BodyForces, cases, 2)              /* of both bodies, case by case                              */  \
-  ARRAY(RigidMotion, RigidMotions, cases, 1)          /* of body 1                                                 */  \
   ARRAY(PointSet, PointSets, point_sets, 1)           /* where interior results are wanted                         */  \
-  ARRAY(void, Judge, 8, 8 * (cases) + C2D_REAL_BYTES * (pairs)) /* solver/judge.hpp                                */  \
+  ARRAY(void, Judge, 2, 16 * (cases) + 5 * C2D_REAL_BYTES * (pairs)) /* solver/judge.hpp                            */  \
   ARRAY(Curve, Curves, curves, 1)                     /* what surfaces are between boundary points, where told     */
 
 /* What follows is used one after another in the same place: while a body is assembled and eliminated, ... */
@@ -135,29 +144,31 @@
   ARRAY(void, block, block_bytes, 1)                  /* buffers for blocks, with their headers                    */  \
   ARRAY(Real, norms, width, 1)                                                                                         \
   ARRAY(int32_t, pivots, columns, 1)                  /* row exchanges                                             */
-/* ... while the bodies are reduced to the contact, ... */
-#define C2D_REDUCTION_ARRAYS_(ARRAY, m)                                                                                \
-  ARRAY(Real, first, m, m)                                                                                             \
-  ARRAY(Real, second, m, m)                                                                                            \
-  ARRAY(Real, strip, m, 4)                            /* columns of a third matrix                                 */  \
-  ARRAY(int32_t, pivots, m, 1)                        /* row exchanges                                             */  \
+/* ... while the bodies are reduced to the contact, `motions` those that only the contact prevents, ... */
+#define C2D_REDUCTION_ARRAYS_(ARRAY, m, motions)                                                                       \
+  ARRAY(Real, first, (m) + (motions), (m) + (motions))                                                                 \
+  ARRAY(Real, second, (m) + (motions), m)                                                                              \
+  ARRAY(Real, strip, (m) + (motions), 4)              /* columns of a third matrix                                 */  \
+  ARRAY(int32_t, pivots, (m) + (motions), 1)          /* row exchanges                                             */  \
   ARRAY(void, buffer, C2D_BLOCK_(m), 1)               /* of the contact tape                                       */
 /* ... while the load path is followed, ... */
-#define C2D_PATH_ARRAYS_(ARRAY, m, cases)                                                                              \
+#define C2D_PATH_ARRAYS_(ARRAY, m, widest, cases)                                                                      \
   ARRAY(Real, tableau, m, (m) + 1 + (cases))                                                                           \
   ARRAY(Real, y, m, 1)                                                                                                 \
   ARRAY(Real, dy, m, 1)                                                                                                \
   ARRAY(Real, good, m, 1)                             /* y of the last state found good (solver/judge.hpp)         */  \
-  ARRAY(void, buffer, C2D_BLOCK_(m), 1)               /* of the contact tape                                       */
+  ARRAY(void, buffer, C2D_BLOCK_(widest), 1)               /* of the contact tape                                  */
 /* ... and behind that either numbers of the rate problem of n - 1 unknowns, or results, of no use while loads move: of each
-   body displacements of the contact; F where there is room for it; of each body displacements and true tractions, in units
-   of the model; and what back substitution takes. */
+   side displacements of the contact; F of the bodies where there is room for it; displacements and true tractions of all
+   bodies, in units of the model; and what back substitution takes. */
 #define C2D_RATES_ARRAYS_(ARRAY, n)                                                                                    \
   ARRAY(Real, rates, n, (n) + 4)
 #define C2D_SURFACE_ARRAYS_(ARRAY, m)                                                                                  \
   ARRAY(Real, u, m, 1)
 #define C2D_COLUMN_ARRAYS_(ARRAY, m)                                                                                   \
-  ARRAY(Real, column, m, 1)
+  ARRAY(Real, column, m, 1)                                                                                            \
+  ARRAY(Real, motion, m, 1)                           /* of the bodies that only the contact holds                 */  \
+  ARRAY(Real, own, m, 1)                              /* contact unknowns of one body                              */
 #define C2D_RESULT_ARRAYS_(ARRAY, nodes, ends)                                                                         \
   ARRAY(Real, displacement, nodes, 2)                                                                                  \
   ARRAY(Real, traction, ends, 2)
@@ -170,20 +181,24 @@
 #ifndef C2D_REAL_BYTES
 #define C2D_REAL_BYTES 8 /* of a stored matrix's number: 4 for a library compiled with C2D_REAL=float */
 #endif
-#define C2D_SOLVER_BYTES 3072   /* of c2d_solver, at most */
+#define C2D_SOLVER_BYTES 2368   /* of c2d_solver, at most */
 #define C2D_ASSEMBLY_BYTES 3776 /* of what the assembly of an element needs, at most */
 #define C2D_BYTES_OF_void 1
 #define C2D_BYTES_OF_uint8_t 1
 #define C2D_BYTES_OF_int32_t 4
 #define C2D_BYTES_OF_double 8
 #define C2D_BYTES_OF_Real C2D_REAL_BYTES
+#define C2D_BYTES_OF_BodyLimits 16
+#define C2D_BYTES_OF_Body 352
+#define C2D_BYTES_OF_Plan 48
+#define C2D_BYTES_OF_BodyResults 96
 #define C2D_BYTES_OF_Region 16
-#define C2D_BYTES_OF_Zone 72
+#define C2D_BYTES_OF_Zone 128
 #define C2D_BYTES_OF_Pair (104 + 14 * C2D_REAL_BYTES)
 #define C2D_BYTES_OF_PointLoad 48
 #define C2D_BYTES_OF_Path 16
 #define C2D_BYTES_OF_BodyForce 40
-#define C2D_BYTES_OF_RigidMotion 40
+#define C2D_BYTES_OF_RigidMotion 64
 #define C2D_BYTES_OF_PointSet 56
 #define C2D_BYTES_OF_Curve 48
 
@@ -200,11 +215,13 @@
    ((function_nodes) > 1 && (points) > (elements) ? C2D_SMALLER_((points) - (elements), regions) : 0))
 #define C2D_ENDS_(function_nodes, elements) (UINT64_C(1) * (elements) * (function_nodes))
 #define C2D_ROWS_(nodes) ((nodes) > 0 ? 2 * (nodes) + 3 : 0) /* equations */
+/* Free motions of all bodies that the contact can hold: of all together it holds none. */
+#define C2D_MOTIONS_(bodies, pairs) C2D_SMALLER_(3 * UINT64_C(1) * ((bodies)-1), 2 * UINT64_C(1) * (pairs))
 
-#define C2D_PHASE_BYTES_(nodes, rows, results_bytes, m, cases, width)                                                  \
+#define C2D_PHASE_BYTES_(nodes, rows, results_bytes, m, motions, cases, width)                                         \
   C2D_LARGER_((0 C2D_ELIMINATION_ARRAYS_(C2D_ADD_, nodes, m, C2D_WORK_BYTES_(rows, C2D_ROWS_(nodes), width))),         \
-              C2D_LARGER_((0 C2D_REDUCTION_ARRAYS_(C2D_ADD_, m)),                                                      \
-                          (0 C2D_PATH_ARRAYS_(C2D_ADD_, m, cases)) +                                                   \
+              C2D_LARGER_((0 C2D_REDUCTION_ARRAYS_(C2D_ADD_, m, motions)),                                             \
+                          (0 C2D_PATH_ARRAYS_(C2D_ADD_, m, m, cases)) +                                                   \
                               C2D_LARGER_((0 C2D_RATES_ARRAYS_(C2D_ADD_, (m) + 1)),                                    \
                                           2 * (0 C2D_SURFACE_ARRAYS_(C2D_ADD_, m)) +                                   \
                                               (0 C2D_COLUMN_ARRAYS_(C2D_ADD_, m)) + (results_bytes) +                  \

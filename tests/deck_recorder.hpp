@@ -28,6 +28,7 @@ struct Recorder {
   std::vector<Call> calls;
   std::string title, units;
   int line = 0;
+  double origin[host::Limits::kRoom][2] = {};
   int refuse_call = -1;               // number of the call that fails, from 0
   c2d_status refusal = C2D_ERR_LIMIT; // with this status
 
@@ -44,6 +45,7 @@ inline c2d::DeckSink recording_sink(Recorder& r, int32_t function_nodes = 0) {
   c2d::DeckSink sink = {};
   sink.solver = reinterpret_cast<c2d_solver*>(&r);
   sink.function_nodes = function_nodes;
+  sink.origin = r.origin;
   sink.set_line = [](c2d_solver* s, int32_t line, int32_t, int32_t) -> c2d_status {
     recorder(s)->line = line;
     return C2D_OK;
@@ -77,15 +79,22 @@ inline c2d::DeckSink recording_sink(Recorder& r, int32_t function_nodes = 0) {
     return recorder(s)->record("point load", {double(body), x, y, fx, fy, double(load_case)});
   };
   sink.add_zone = [](c2d_solver* s, const c2d_zone* z) -> c2d_status {
-    if (z->side1.body != 1 || z->side2.body != 2) return C2D_ERR_ARGUMENT;
+    std::vector<double> numbers = {double(z->pairs),
+                                   double(z->side1.elements),
+                                   double(z->side1.first_element),
+                                   double(z->side1.last_element),
+                                   double(z->side2.first_element),
+                                   double(z->side2.last_element),
+                                   double(z->side1.first_node),
+                                   double(z->side1.last_node),
+                                   double(z->side2.first_node),
+                                   double(z->side2.last_node)};
     if (z->kind == C2D_ZONE_FREE)
-      return recorder(s)->record("free zone",
-                                 {double(z->side1.first_element), double(z->side1.last_element), double(z->side2.first_element),
-                                  double(z->side2.last_element), double(z->side1.elements), double(z->side2.elements)});
-    return recorder(s)->record("zone", {double(z->pairs), double(z->side1.elements), double(z->side1.first_element),
-                                        double(z->side1.last_element), double(z->side2.first_element),
-                                        double(z->side2.last_element), double(z->side1.first_node), double(z->side1.last_node),
-                                        double(z->side2.first_node), double(z->side2.last_node)});
+      numbers = {double(z->side1.first_element), double(z->side1.last_element), double(z->side2.first_element),
+                 double(z->side2.last_element),  double(z->side1.elements),     double(z->side2.elements)};
+    const bool one_and_two = z->side1.body == 1 && z->side2.body == 2; // else they are noted, too
+    if (!one_and_two) numbers.insert(numbers.end(), {double(z->side1.body), double(z->side2.body)});
+    return recorder(s)->record(z->kind == C2D_ZONE_FREE ? "free zone" : "zone", numbers);
   };
   sink.add_friction = [](c2d_solver* s, double mu) -> c2d_status { return recorder(s)->record("friction", {mu}); };
   sink.add_load_card = [](c2d_solver* s, int32_t increments, double load) -> c2d_status {
@@ -121,12 +130,22 @@ inline c2d::DeckSink recording_sink(Recorder& r, int32_t function_nodes = 0) {
     if (load_case == 0) return recorder(s)->record("rigid", {double(body)});
     return recorder(s)->record("rigid", {double(body), double(load_case), u[0], u[1], u[2], at[0], at[1]});
   };
+  sink.set_rigid_load = [](c2d_solver* s, int32_t body, int32_t load_case, const int32_t* is_free, const double* load,
+                           const double* at) -> c2d_status {
+    if (load_case > 0) return recorder(s)->record("rigid load", {double(body), double(load_case), load[0], load[1], load[2]});
+    return recorder(s)->record("rigid load",
+                               {double(body), double(is_free[0]), double(is_free[1]), double(is_free[2]), at[0], at[1]});
+  };
+  sink.tie_zone = [](c2d_solver* s, int32_t zone) -> c2d_status { return recorder(s)->record("tie", {double(zone)}); };
   sink.set_interference = [](c2d_solver* s, int32_t load_case) -> c2d_status {
     return recorder(s)->record("interference", {double(load_case)});
   };
   sink.set_body_force = [](c2d_solver* s, int32_t body, int32_t load_case, const double* force, double w,
                            const double* at) -> c2d_status {
     return recorder(s)->record("body force", {double(body), double(load_case), force[0], force[1], w, at[0], at[1]});
+  };
+  sink.set_name = [](c2d_solver* s, int32_t kind, int32_t i, const char*) -> c2d_status {
+    return recorder(s)->record("name", {double(kind), double(i)});
   };
   sink.set_units = [](c2d_solver* s, const char* length, const char* force) -> c2d_status {
     recorder(s)->units = std::string(length) + " " + force;
@@ -196,6 +215,7 @@ inline Reading read(const std::string& bytes, int refuse_call = -1, c2d_status r
   deck.fail_at_line = fail_at_line;
   r.model.refuse_call = refuse_call;
   r.model.refusal = refusal;
+  r.sizes.bodies = host::Limits::kRoom;
   const c2d::DeckSink sink = recording_sink(r.model, function_nodes);
   r.status = c2d::read_deck_cards(&sink, read_bytes, &deck, keep_fault, &r.faults, &r.sizes);
   return r;

@@ -12,10 +12,13 @@
 
 namespace families_test {
 
+inline const double kPi = std::acos(-1.0);
+
 struct Row {
   double x, y;
   int status;
   double tn, tt, gap, slip;
+  int zone; // from 1
 };
 struct Step {
   double load, dissipated;
@@ -27,9 +30,18 @@ struct EndRow {
 struct Solution {
   std::string error; // empty: solved
   std::vector<Step> steps;
-  std::vector<EndRow> ends; // of body 1 at the last step
-  int elements = 0;         // of both bodies
+  std::vector<EndRow> ends;                // of body 1 at the last step
+  std::vector<std::vector<EndRow>> bodies; // the same of all of them
+  std::vector<c2d_body_result> resultants; // per body
+  std::vector<c2d_zone_state> zones;
+  int elements = 0; // of all bodies
   const std::vector<Row>& last() const { return steps.back().rows; }
+  std::vector<Row> zone(int number) const { // pairs of one zone at the last step, by rising x
+    std::vector<Row> out;
+    for (const Row& row : last())
+      if (row.zone == number) out.push_back(row);
+    return out;
+  }
 };
 
 inline int32_t keep_step(void* context, const c2d_step* step) {
@@ -37,7 +49,8 @@ inline int32_t keep_step(void* context, const c2d_step* step) {
   Step out{step->load, step->dissipated, {}};
   for (int32_t i = 0; i < step->pairs; ++i) {
     const double* r = step->table + i * step->stride;
-    out.rows.push_back({r[C2D_X], r[C2D_Y], static_cast<int>(r[C2D_STATUS]), r[C2D_TN], r[C2D_TT], r[C2D_GAP], r[C2D_SLIP]});
+    out.rows.push_back({r[C2D_X], r[C2D_Y], static_cast<int>(r[C2D_STATUS]), r[C2D_TN], r[C2D_TT], r[C2D_GAP], r[C2D_SLIP],
+                        static_cast<int>(r[C2D_PAIR_ZONE])});
   }
   std::sort(out.rows.begin(), out.rows.end(), [](const Row& a, const Row& b) { return a.x < b.x; });
   static_cast<Solution*>(context)->steps.push_back(out);
@@ -45,17 +58,29 @@ inline int32_t keep_step(void* context, const c2d_step* step) {
 }
 
 inline void keep_ends(c2d_solver* s, Solution& out) {
-  host::Summary summary;
-  host::get_summary(s, summary);
-  out.elements = summary.body[0].elements + summary.body[1].elements;
+  c2d_summary summary = C2D_INIT(c2d_summary);
+  c2d_get_summary(s, &summary);
   if (summary.outcome != C2D_REACHED) out.error = c2d_outcome_message(summary.outcome);
-  const int32_t count = summary.body[0].elements * summary.function_nodes;
   const int32_t fields[7] = {C2D_END_X, C2D_END_Y, C2D_END_UX, C2D_END_UY, C2D_END_TX, C2D_END_TY, C2D_END_HOOP};
-  std::vector<double> table(static_cast<size_t>(count) * 7);
-  for (int i = 0; i < 7; ++i)
-    if (c2d_get(s, fields[i], 1, 1, count, table.data() + i, 7) != C2D_OK) out.error = "no results of body 1";
-  for (size_t i = 0; i < table.size(); i += 7)
-    out.ends.push_back({table[i], table[i + 1], table[i + 2], table[i + 3], table[i + 4], table[i + 5], table[i + 6]});
+  for (int32_t b = 1; b <= summary.bodies; ++b) {
+    c2d_body_result body = C2D_INIT(c2d_body_result);
+    c2d_get_body_result(s, b, &body);
+    out.resultants.push_back(body);
+    out.elements += body.elements;
+    const int32_t count = body.elements * summary.function_nodes;
+    std::vector<double> table(static_cast<size_t>(count) * 7);
+    for (int i = 0; i < 7; ++i)
+      if (c2d_get(s, fields[i], b, 1, count, table.data() + i, 7) != C2D_OK) out.error = "no results of a body";
+    out.bodies.emplace_back();
+    for (size_t i = 0; i < table.size(); i += 7)
+      out.bodies.back().push_back(
+          {table[i], table[i + 1], table[i + 2], table[i + 3], table[i + 4], table[i + 5], table[i + 6]});
+  }
+  if (!out.bodies.empty()) out.ends = out.bodies.front();
+  for (int32_t zone = 1; zone <= summary.zones; ++zone) {
+    out.zones.push_back(C2D_INIT(c2d_zone_state));
+    if (c2d_get_zone_state(s, zone, &out.zones.back()) != C2D_OK) out.error = "no state of a zone";
+  }
 }
 
 inline Solution solve_deck(const std::string& text) {

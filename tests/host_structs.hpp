@@ -6,8 +6,9 @@
 
 namespace host {
 
-struct Limits : c2d_limits { // with room for two bodies
-  c2d_body_limits list[2] = {};
+struct Limits : c2d_limits { // of two bodies, with room for some more
+  static constexpr int32_t kRoom = 8;
+  c2d_body_limits list[kRoom] = {};
   Limits() : c2d_limits(C2D_INIT(c2d_limits)) {
     bodies = 2;
     body = list;
@@ -21,7 +22,7 @@ struct Limits : c2d_limits { // with room for two bodies
 
 private:
   void take(const Limits& other) {
-    for (int b = 0; b < 2; ++b) list[b] = other.list[b];
+    for (int b = 0; b < kRoom; ++b) list[b] = other.list[b];
     body = list;
   }
 };

@@ -17,12 +17,18 @@ namespace fixture {
 
 using Points = std::vector<double>; // x1, y1, x2, y2, ...
 
+template <class T> using PerBody = std::vector<std::vector<T>>;
+
 struct ModelData {
   c2d::ModelHeader head = {};
-  std::vector<double> xy[2], end_traction[2], node_disp[2], friction;
-  std::vector<int32_t> node_line[2], end_line[2], node_column[2];
-  std::vector<uint8_t> end_code[2];
-  std::vector<c2d::Region> regions[2];
+  std::vector<c2d::Body> bodies;
+  PerBody<double> xy, end_traction, node_disp, load_work;
+  PerBody<int32_t> node_line, end_line, node_column;
+  PerBody<uint8_t> end_code;
+  PerBody<c2d::Region> regions;
+  PerBody<c2d::BodyForce> body_forces;
+  PerBody<c2d::RigidMotion> rigid_motions;
+  std::vector<double> friction;
   std::vector<c2d::Zone> zones;
   std::vector<c2d::Pair> pairs;
   std::vector<c2d::PointLoad> point_loads;
@@ -43,8 +49,11 @@ struct ModelData {
 
   // One more body of closed curves through these points; the last element of each ends at its first point.
   void body(int element_nodes, const std::vector<Points>& curves, double e = 1000, double nu = 0.3) {
-    const int b = head.bodies++;
-    c2d::Body& body = head.body[b];
+    const size_t b = bodies.size();
+    bodies.emplace_back();
+    head.bodies = static_cast<int32_t>(bodies.size());
+    each_array([](auto& array) { array.emplace_back(); });
+    c2d::Body& body = bodies[b];
     body.element_nodes = element_nodes;
     body.is_set = 1;
     body.youngs_modulus = e;
@@ -66,17 +75,20 @@ struct ModelData {
     end_code[b].assign(ends, 0);
     end_line[b].assign(ends, 0);
     node_column[b].assign(nodes + 1, 0);
+    body_forces[b].assign(1, c2d::BodyForce()); // one load case
+    rigid_motions[b].assign(1, c2d::RigidMotion());
+    load_work[b].assign(4, 0);
   }
 
   // Codes as on the card: tx ty ux uy, 0 known, 1 unknown.
   void condition(int body, int element, int local, const char* codes, double ux = 0, double uy = 0, int line = 0) {
-    const int b = body - 1;
+    const size_t b = static_cast<size_t>(body - 1);
     const int32_t end = (element - 1) * head.function_nodes + local - 1;
     uint8_t code = c2d::kGiven;
     for (int i = 0; i < 4; ++i) code = static_cast<uint8_t>(code | (codes[i] == '0' ? 1 << i : 0));
     end_code[b][static_cast<size_t>(end)] = code;
     end_line[b][static_cast<size_t>(end)] = line;
-    const size_t node = static_cast<size_t>(c2d::functional_node(view(), b, element - 1, local - 1));
+    const size_t node = static_cast<size_t>(c2d::functional_node(view(), body - 1, element - 1, local - 1));
     if (codes[2] == '0') node_disp[b][2 * node] = ux;
     if (codes[3] == '0') node_disp[b][2 * node + 1] = uy;
   }
@@ -98,7 +110,10 @@ struct ModelData {
     z.first_node[0] = node1 - 1, z.first_node[1] = node2 - 1;
     z.first_pair = head.pairs;
     z.line = line;
-    for (int b = 0; b < 2; ++b) z.region[b] = c2d::region_of_element(view(), b, z.first_element[b]);
+    for (int side = 0; side < 2; ++side) {
+      z.body[side] = side;
+      z.region[side] = c2d::region_of_element(view(), side, z.first_element[side]);
+    }
     zones.push_back(z);
     head.pairs += pairs_in;
     head.contact_elements += elements;
@@ -116,16 +131,18 @@ struct ModelData {
     head.paths = static_cast<int32_t>(paths.size());
     c2d::Model m = {};
     m.head = &head;
-    for (int b = 0; b < 2; ++b) {
-      m.xy[b] = xy[b].data();
-      m.node_line[b] = node_line[b].data();
-      m.end_traction[b] = end_traction[b].data();
-      m.node_disp[b] = node_disp[b].data();
-      m.end_code[b] = end_code[b].data();
-      m.end_line[b] = end_line[b].data();
-      m.node_column[b] = node_column[b].data();
-      m.region[b] = regions[b].data();
-    }
+    m.body = bodies.data();
+    place(m.xy, xy);
+    place(m.node_line, node_line);
+    place(m.end_traction, end_traction);
+    place(m.node_disp, node_disp);
+    place(m.end_code, end_code);
+    place(m.end_line, end_line);
+    place(m.node_column, node_column);
+    place(m.region, regions);
+    place(m.body_force, body_forces);
+    place(m.rigid_motion, rigid_motions);
+    place(m.load_work, load_work);
     m.zone = zones.data();
     m.pair = pairs.data();
     m.point_load = point_loads.data();
@@ -161,6 +178,19 @@ struct ModelData {
     std::string text;
     for (const c2d_error& entry : told) text += std::string(entry.text) + "\n";
     return text;
+  }
+
+private:
+  template <class Do> void each_array(Do act) {
+    act(xy), act(end_traction), act(node_disp), act(load_work), act(node_line), act(end_line), act(node_column);
+    act(end_code), act(regions), act(body_forces), act(rigid_motions);
+  }
+  // Where an array is of every body; anew for each view, as vectors move.
+  template <class T, int32_t id> void place(c2d::BodyArray<T, id>& array, PerBody<T>& data) {
+    array.body = bodies.data();
+    for (size_t b = 0; b < bodies.size(); ++b)
+      bodies[b].array[id] =
+          static_cast<int64_t>(reinterpret_cast<intptr_t>(data[b].data()) - reinterpret_cast<intptr_t>(bodies.data()));
   }
 };
 

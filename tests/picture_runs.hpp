@@ -205,7 +205,7 @@ inline std::vector<PairRow> last_rows(const std::string& csv, double mu) {
     std::istringstream in(line);
     std::vector<std::string> f;
     for (std::string field; std::getline(in, field, ',');) f.push_back(field);
-    if (f.size() != 15 || f[0] == "mu" || std::stod(f[0]) != mu) continue;
+    if (f.size() != 18 || f[0] == "mu" || std::stod(f[0]) != mu) continue;
     const PairRow row{std::stod(f[0]), std::stod(f[2]), std::stod(f[4]), std::stod(f[5]),
                       std::stod(f[7]), std::stoi(f[1]), std::stoi(f[3]), f[6]};
     if (!out.empty() && out.back().step != row.step) out.clear();

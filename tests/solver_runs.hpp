@@ -34,6 +34,7 @@ struct Deck {
     Deck copy = *this;
     copy.next = 0;
     host::Limits out;
+    out.bodies = host::Limits::kRoom;
     if (c2d_scan_deck(read, &copy, &out, nullptr) != C2D_OK) out.bodies = -1;
     return out;
   }

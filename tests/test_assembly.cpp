@@ -35,13 +35,13 @@ struct Columns {
 
   Columns(ModelData& d, int body, int32_t width = 0, const c2d::BatchKernel* batch = best_batch()) : model(d.view()), b(body) {
     c2d::number_unknowns(model, b);
-    const size_t nodes = static_cast<size_t>(model.head->body[b].nodes);
+    const size_t nodes = static_cast<size_t>(model.body[b].nodes);
     diagonal.resize(4 * nodes), point.resize(2 * nodes), twin.resize(nodes);
     system = {model, b, c2d::Quadrature::accurate, diagonal.data(), point.data(), twin.data(), scratch.get(), batch};
     system.some_passed_over = c2d::place_sources(system);
     c2d::fill_diagonal(system, 0, static_cast<int32_t>(nodes));
     rows = c2d::system_rows(model, b);
-    columns = c2d::outer_columns(model, b) + c2d::trailing_columns(model);
+    columns = c2d::outer_columns(model, b) + c2d::trailing_columns(model, b);
     const int64_t ld = rows + 3; // more than the rows, as in a panel
     std::vector<c2d::Real> panel;
     if (width == 0) width = columns;
@@ -120,7 +120,7 @@ ModelData bulged(int32_t functions, int32_t element_nodes) {
 // H and G of the body in its own units by slow integration: [source][node or end] blocks, the diagonal of H
 // left out.
 void slow_matrices(const c2d::Model& m, std::vector<std::vector<Block>>& h, std::vector<std::vector<Block>>& g) {
-  const c2d::Body& body = m.head->body[0];
+  const c2d::Body& body = m.body[0];
   const int f = m.head->function_nodes;
   h.assign(static_cast<size_t>(body.nodes), std::vector<Block>(static_cast<size_t>(body.nodes), Block()));
   g.assign(static_cast<size_t>(body.nodes), std::vector<Block>(static_cast<size_t>(body.elements * f), Block()));
@@ -167,7 +167,7 @@ TEST_CASE("assembly: displacement columns are the integrals of the traction kern
       ModelData d = bulged(functions, element_nodes);
       REQUIRE_MESSAGE(d.complete(), d.all());
       const Columns a(d, 0);
-      const int32_t nodes = a.model.head->body[0].nodes;
+      const int32_t nodes = a.model.body[0].nodes;
       REQUIRE(a.columns == 2 * nodes + 3 + 1);
       std::vector<std::vector<Block>> h, g;
       slow_matrices(a.model, h, g);
@@ -217,7 +217,7 @@ TEST_CASE("assembly: traction columns, the right-hand side and the three balance
       REQUIRE_MESSAGE(d.complete(), d.all());
       const Columns a(d, 0);
       const c2d::Model& m = a.model;
-      const int32_t nodes = m.head->body[0].nodes, right = a.columns - 1;
+      const int32_t nodes = m.body[0].nodes, right = a.columns - 1;
       const double two_g = 2000, unit = m.head->length_unit;
       std::vector<std::vector<Block>> h, g;
       slow_matrices(m, h, g);
@@ -244,7 +244,7 @@ TEST_CASE("assembly: traction columns, the right-hand side and the three balance
       integrate_slowly(0, [&](double eta, double weight) {
         const c2d::CurvePoint p = c2d::curve_point(m, 0, 2, eta);
         const double length = weight * std::hypot(p.dx, p.dy) / unit;
-        const double x = (p.x - m.head->body[0].centre[0]) / unit, y = (p.y - m.head->body[0].centre[1]) / unit;
+        const double x = (p.x - m.body[0].centre[0]) / unit, y = (p.y - m.body[0].centre[1]) / unit;
         weights += length;
         for (int l = 0; l < functions; ++l) {
           const double tx = shape_value(functions, l, eta) * (4.0 + l) / two_g,
@@ -271,7 +271,7 @@ TEST_CASE("assembly: columns of the multipliers are rigid motions") {
   ModelData d = bulged(2, 2);
   REQUIRE(d.complete());
   const Columns a(d, 0);
-  const c2d::Body& body = a.model.head->body[0];
+  const c2d::Body& body = a.model.body[0];
   const double unit = a.model.head->length_unit;
   for (int32_t p = 0; p < body.nodes; ++p) {
     double x, y;
@@ -389,21 +389,21 @@ TEST_CASE("assembly: every unknown outside the contact has a column of its own")
     c2d::number_unknowns(m, b);
     std::set<int32_t> seen;
     int32_t contact = 0;
-    for (int32_t node = 0; node < m.head->body[b].nodes; ++node)
+    for (int32_t node = 0; node < m.body[b].nodes; ++node)
       for (int c = 0; c < 2; ++c) {
         const int32_t column = c2d::outer_column(m, b, node, c);
         if (column < 0) {
-          CHECK(c2d::pair_of_node(m, b, node) >= 0);
+          CHECK(c2d::pair_of_node(m, b, node).pair >= 0);
           ++contact;
         } else {
           CHECK(seen.insert(column).second);
         }
       }
     CHECK(contact == 29);
-    CHECK(static_cast<int32_t>(seen.size()) == m.head->body[b].columns);
+    CHECK(static_cast<int32_t>(seen.size()) == m.body[b].columns);
     CHECK(*seen.begin() == 0);
-    CHECK(*seen.rbegin() == m.head->body[b].columns - 1);
-    CHECK(c2d::outer_columns(m, b) == 2 * m.head->body[b].nodes + 3 - 29);
+    CHECK(*seen.rbegin() == m.body[b].columns - 1);
+    CHECK(c2d::outer_columns(m, b) == 2 * m.body[b].nodes + 3 - 29);
   }
 }
 
@@ -417,14 +417,14 @@ TEST_CASE("assembly: both bodies feel the same contact force") {
   for (int32_t k = 0; k < m.head->contact; ++k)
     for (int i = 0; i < 2; ++i) {
       const int32_t c1 = c2d::outer_columns(m, 0) + m.head->contact + k, c2 = c2d::outer_columns(m, 1) + m.head->contact + k;
-      const double f1 = one.at(2 * m.head->body[0].nodes + i, c1) * 2 * c2d::shear_modulus(m, 0),
-                   f2 = two.at(2 * m.head->body[1].nodes + i, c2) * 2 * c2d::shear_modulus(m, 1);
+      const double f1 = one.at(2 * m.body[0].nodes + i, c1) * 2 * c2d::shear_modulus(m, 0),
+                   f2 = two.at(2 * m.body[1].nodes + i, c2) * 2 * c2d::shear_modulus(m, 1);
       CHECK(std::fabs(f1 - f2) < 1e-12 * m.head->stress_unit);
     }
   // An inner pair between elements of length 0.2: unit pressure along its normal carries 0.2.
   const c2d::Pair& pair = m.pair[7];
   const int32_t column = c2d::outer_columns(m, 0) + m.head->contact + pair.dof;
-  const double fx = one.at(2 * m.head->body[0].nodes, column), fy = one.at(2 * m.head->body[0].nodes + 1, column);
+  const double fx = one.at(2 * m.body[0].nodes, column), fy = one.at(2 * m.body[0].nodes + 1, column);
   const double scale = m.head->stress_unit / (2 * c2d::shear_modulus(m, 0)) / m.head->length_unit;
   CHECK(fx == doctest::Approx(0.2 * pair.nx * scale).epsilon(1e-12));
   CHECK(fy == doctest::Approx(0.2 * pair.ny * scale).epsilon(1e-12));

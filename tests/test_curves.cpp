@@ -310,7 +310,7 @@ TEST_CASE("curves: at a line of symmetry a surface goes on as its own image") {
   Points p = sampled(4 * quarter, ellipse, 0);
   p.resize(2 * (quarter + 1));
   ModelData part = body_of_points(p);
-  part.head.body[0].elements = quarter;
+  part.bodies[0].elements = quarter;
   part.regions[0][0] = {0, quarter - 1, 1, 0};
   part.xy[0][2 * quarter] = 0; // on the line to the last digit
   part.head.symmetry = 3;

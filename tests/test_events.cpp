@@ -42,8 +42,8 @@ public:
       p.status = C2D_STICK;
       p.mu = mu;
     }
-    tableau_ = Tableau{m_,      cases_, static_cast<int32_t>(pair_.size()), pair_.data(), t_.data(), 1.0, 0.0, 0, nullptr, 0,
-                       nullptr, nullptr};
+    tableau_ = Tableau{m_, m_,      cases_, static_cast<int32_t>(pair_.size()), pair_.data(), t_.data(), 1.0, 0.0, 0, nullptr,
+                       0,  nullptr, nullptr};
     open_store();
     f_.t = &tableau_;
     f_.tape = &tape_;
@@ -103,11 +103,14 @@ private:
     c2d_memory_store_port(&memory_, &port_);
     tapes_.port = &port_;
     tapes_.run_id = 1;
-    tape_ = ContactTape{&tapes_, m_, cases_, buffer_.data()};
-    const uint64_t blocks = static_cast<uint64_t>(contact_blocks(m_, cases_));
+    head_.contact = m_;
+    head_.load_cases = cases_;
+    model_.head = &head_;
+    tape_ = ContactTape{&tapes_, &model_, buffer_.data()};
+    const uint64_t blocks = static_cast<uint64_t>(place_contact_blocks(model_));
     REQUIRE(open_tape(tapes_, C2D_TAPE_CONTACT, blocks, sized(m_) * sizeof(Real)) == C2D_OK);
-    REQUIRE(write_matrix(tape_, ContactMatrix::stiffness, stiffness_.data()) == C2D_OK);
-    REQUIRE(write_matrix(tape_, ContactMatrix::stiffness_load, rates_.data()) == C2D_OK);
+    REQUIRE(write_matrix(tape_, ContactMatrix::stiffness, stiffness_.data(), m_) == C2D_OK);
+    REQUIRE(write_matrix(tape_, ContactMatrix::stiffness_load, rates_.data(), m_) == C2D_OK);
   }
 
   int m_, cases_;
@@ -121,6 +124,8 @@ private:
   c2d_memory_store memory_{};
   c2d_port port_{};
   Tapes tapes_{};
+  ModelHeader head_{}; // of no bodies: what the tape's matrices are as large as
+  Model model_{};
   ContactTape tape_{};
   Tableau tableau_{};
   Follower f_{};

@@ -54,7 +54,15 @@ TEST_CASE("families: wrong names, keys and values end with 64 and list the keys"
                          {"receding_layer zone=0.001", "zone is below one element"},
                          {"receding_layer strip=10", "strip is above 0.5"},
                          {"ring plane=flat", "plane=flat: expected one of strain|stress"},
-                         {"ring b=0.5", "b is not above a"}};
+                         {"ring b=0.5", "b is not above a"},
+                         {"stack q=0.3", "q is not below mu p"},
+                         {"rollers platens=elastic", "platens is to be rigid for several rollers"},
+                         {"coating t=0.05", "t is below 0.1"},
+                         {"bimaterial L=1", "L is below 2"},
+                         {"shrink c=1", "a, b, c, d are to rise"},
+                         {"dovetail angle=85", "angle is to be from 10 to 80"},
+                         {"gear zA=8", "zA and zB are to be from 12 to 200"},
+                         {"lap_joint lap=2", "lap is below 4 d"}};
   for (const Wrong& w : wrong) {
     const Result result = make(w.arguments);
     CHECK_MESSAGE(result.status == 64, w.arguments);

@@ -9,7 +9,6 @@ using namespace families_test;
 
 namespace {
 
-const double kPi = std::acos(-1.0);
 using Settings = std::vector<std::string>;
 
 const std::vector<Row>& solved(const Solution& s) {

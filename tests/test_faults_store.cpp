@@ -314,7 +314,8 @@ TEST_CASE("store faults: bytes and blocks per tape are the store's own counts an
       }
       c2d::TapeUse lower{}, upper{};
       for (int b = 0; b < s.bodies; ++b) {
-        const c2d::TapeUse l = c2d::lower_use(machine.solver->plan[b]), u = c2d::upper_use(machine.solver->plan[b]);
+        const c2d::TapeUse l = c2d::lower_use(c2d::plan_of(machine.solver, b)),
+                           u = c2d::upper_use(c2d::plan_of(machine.solver, b));
         lower.blocks += l.blocks, lower.bytes_written += l.bytes_written, lower.bytes_read += l.bytes_read;
         upper.blocks += u.blocks, upper.bytes_written += u.bytes_written, upper.bytes_read += u.bytes_read;
       }
@@ -328,13 +329,21 @@ TEST_CASE("store faults: bytes and blocks per tape are the store's own counts an
       // Each back substitution reads the tape once. This run needs one.
       CHECK(prepared.tape_bytes_read[C2D_TAPE_UPPER] <= 2 * upper.bytes_read);
       CHECK(s.tape_bytes_read[C2D_TAPE_UPPER] - prepared.tape_bytes_read[C2D_TAPE_UPPER] == upper.bytes_read);
-      // Contact: S_u, S_t of both bodies, F, M, T with m columns; s of both bodies, v, h, b with a column per case; R, E, G
-      // with 3.
-      const uint64_t m = static_cast<uint64_t>(s.contact_unknowns), columns = m > 0 ? 7 * m + 5 + 9 : 0;
-      CHECK(s.tape_blocks[C2D_TAPE_CONTACT] == columns);
-      CHECK(s.tape_writes[C2D_TAPE_CONTACT] == columns);
-      CHECK(s.tape_bytes_written[C2D_TAPE_CONTACT] == columns * (64 + 8 * m));
-      CHECK(s.tape_bytes_read[C2D_TAPE_CONTACT] == s.tape_reads[C2D_TAPE_CONTACT] * (64 + 8 * m));
+      // Contact, two bodies of which one is solved for and the other keeps its equations and may float: S_u, S_t, s of both, F
+      // and v of the former (and room for the latter's v); R, G, E of the latter, with a column per motion; A, T with m
+      // columns, h, b with one per case, R, G of the model with one per motion. These have m numbers; g of the latter has 3,
+      // mix one per motion.
+      const c2d::ModelHeader& head = machine.solver->model;
+      const uint64_t m = static_cast<uint64_t>(s.contact_unknowns), cases = static_cast<uint64_t>(head.load_cases),
+                     motions = static_cast<uint64_t>(head.motions);
+      const uint64_t columns = m > 0 ? 7 * m + 5 * cases + 5 * motions : 0, given = m > 0 && motions > 0 ? cases : 0,
+                     mix = m > 0 ? motions : 0;
+      CHECK(s.tape_blocks[C2D_TAPE_CONTACT] == (m > 0 ? 7 * m + 3 * cases + 3 * motions + 2 * (3 * cases + 9) : 0));
+      CHECK(s.tape_writes[C2D_TAPE_CONTACT] == columns + given + mix);
+      CHECK(s.tape_bytes_written[C2D_TAPE_CONTACT] == columns * (64 + 8 * m) + given * (64 + 8 * 3) + mix * (64 + 8 * motions));
+      for (const RamStore::Operation& o : store.done)
+        if (o.tape == C2D_TAPE_CONTACT && (o.kind == 'r' || o.kind == 'w'))
+          CHECK((o.bytes == 64 + 8 * m || o.bytes == 64 + 8 * 3 || o.bytes == 64 + 8 * motions));
       CHECK(s.tape_blocks[C2D_TAPE_CONTROL] == 1);
       CHECK(s.tape_bytes_written[C2D_TAPE_CONTROL] == 72);
     }

@@ -313,6 +313,16 @@ TEST_CASE("fortran77: a path of the caller's own, events, summary, lists and zon
   CHECK(numbers_of_body[7] == summary.body[1].contact[2]);
   c2bsta_(work, I{3}, sizes_of_body, numbers_of_body, &error);
   CHECK(error == C2D_ERR_ARGUMENT);
+  c2d_body_state body_state = C2D_INIT(c2d_body_state);
+  REQUIRE(c2d_get_body_state(desktop.solver, 2, &body_state) == C2D_OK);
+  double state_of_body[12] = {};
+  state_of_body[11] = -7;
+  a = -1;
+  c2bnow_(work, I{2}, &a, state_of_body, &error);
+  CHECK((error == 0 && a == 0));
+  for (int i = 0; i < 3; ++i) CHECK(state_of_body[i] == body_state.contact[i]);
+  CHECK(state_of_body[1] != 0);
+  CHECK(state_of_body[11] == -7); // eleven numbers
   c2greg_(work, I{1}, I{1}, &a, &b, &error);
   CHECK((a == 1 && b == 46));
   int32_t codes[4];
@@ -434,6 +444,21 @@ TEST_CASE("fortran77: faults of a deck, words that would do, names") {
   c2neds_(work, none_at_all, I{1}, &blocks, &block_words, &error);
   c2why_(work, info, I{13}, text, I{320});
   CHECK(contains(std::string(text, 320), "c2d_limits.bodies is 0"));
+  // Three bodies: points of each, elements of each, curves of each, then the rest.
+  const int32_t three[] = {3, 2, 8, 9, 10, 8, 9, 10, 1, 2, 3, 2, 4, 3};
+  host::Limits limits;
+  limits.bodies = three[0], limits.function_nodes = three[1];
+  for (int32_t b = 0; b < 3; ++b) limits.body[b] = {three[2 + b], three[5 + b], three[8 + b], 0};
+  limits.zones = three[11], limits.pairs = three[12], limits.contact_elements = three[13];
+  uint64_t need = 0;
+  REQUIRE(c2d_memory_need(&limits, &need, nullptr, nullptr) == C2D_OK);
+  int32_t of_three = 0, all_of_three = 0;
+  c2neds_(work, three, I{14}, &of_three, &all_of_three, &error);
+  CHECK(error == 0);
+  CHECK(static_cast<uint64_t>(of_three) == (need + c2d::fortran::kHostSlack + 7) / 8);
+  const int32_t many[1] = {c2d::fortran::kMostBodies + 1};
+  c2neds_(work, many, I{1}, &blocks, &block_words, &error);
+  CHECK((error == C2D_ERR_ARGUMENT && blocks == -1));
 
   for (const int32_t words : {least - 1, least}) {
     REQUIRE(open(work, words) == 0);
@@ -604,6 +629,16 @@ TEST_CASE("fortran77: a model by calls is checked as in C, and every call reache
   c2clrp_(work, &error), ok(__LINE__);
   c2path_(work, I{3}, factors, I{2}, &error), ok(__LINE__);
   c2unit_(work, "mm  ", I{4}, "N", I{1}, &error), ok(__LINE__);
+  c2name_(work, I{C2D_NAME_BODY}, I{2}, "bolt (M8)     ", I{14}, &error), ok(__LINE__);
+  c2name_(work, I{C2D_NAME_BODY}, I{1}, "12345678901234567890123456789012        ", I{40}, &error);
+  CHECK(error == C2D_ERR_ARGUMENT); // too long
+  c2name_(work, I{C2D_NAME_BODY}, I{3}, "bolt", I{4}, &error);
+  CHECK(error == C2D_ERR_ARGUMENT); // no such body
+  char name[12];
+  c2gnam_(work, I{C2D_NAME_BODY}, I{2}, name, I{12}, &error), ok(__LINE__);
+  CHECK(std::string(name, 12) == "bolt (M8)   ");
+  c2gnam_(work, I{C2D_NAME_BODY}, I{1}, name, I{3}, &error), ok(__LINE__);
+  CHECK(std::string(name, 12) == "   t (M8)   ");
   c2intf_(work, I{3}, &error);
   CHECK(error == C2D_ERR_ARGUMENT); // no such case
   c2symm_(work, I{5}, R{0.0}, &error);
@@ -612,6 +647,10 @@ TEST_CASE("fortran77: a model by calls is checked as in C, and every call reache
   CHECK(error != 0); // the limits have no room for one
   c2rigd_(work, I{1}, I{7}, still, still, &error);
   CHECK(error == C2D_ERR_ARGUMENT); // no such case
+  c2rgld_(work, I{1}, I{7}, side1, still, still, &error);
+  CHECK(error == C2D_ERR_ARGUMENT); // no such case
+  c2tie_(work, I{2}, &error);
+  CHECK(error == C2D_ERR_ARGUMENT); // no such zone
   c2done_(work, &error);
   CHECK(error == 0);
   c2stat_(work, &state);
@@ -684,6 +723,35 @@ TEST_CASE("fortran77: other loads through kept factors, as in C and as from the 
   for (const double u : twice) largest = std::max(largest, std::fabs(u));
   CHECK(largest == doctest::Approx(0.4).epsilon(1e-6)); // 200 / 1000 of a length of 2
   for (int i = 0; i < 48; ++i) CHECK(std::fabs(twice[i] - 2 * once[i]) < 1e-12 * largest);
+  c2clos_(work, &error), ok(__LINE__);
+}
+
+TEST_CASE("fortran77: loads of a rigid body, and how bodies stand") {
+  std::vector<double> memory(1 << 20), tapes(1 << 20);
+  void* work = memory.data();
+  int32_t error = open(work, 1 << 20), rigid = -1;
+  const auto ok = [&error](int line) { CHECK_MESSAGE(error == 0, "line " << line); };
+  const std::string name = kRoot + "/examples/three_bodies.dat";
+  c2core_(work, tapes.data(), I{1 << 20}, &error), ok(__LINE__);
+  c2deck_(work, name.data(), I{static_cast<int32_t>(name.size())}, &error), ok(__LINE__);
+  c2tie_(work, I{1}, &error);
+  CHECK(error == C2D_ERR_STATE); // the model is complete
+  c2prep_(work, &error), ok(__LINE__);
+  c2chld_(work, &error), ok(__LINE__);
+  const int32_t none_free[3] = {0, 0, 0};
+  const double force[3] = {0, -100, 50}, point[2] = {0, 0};
+  c2rgld_(work, I{3}, I{0}, none_free, force, point, &error);
+  CHECK(error == C2D_ERR_STATE); // what is free stays
+  c2rgld_(work, I{3}, I{1}, none_free, force, point, &error), ok(__LINE__);
+  c2prep_(work, &error), ok(__LINE__);
+  c2solv_(work, c2none_, &error), ok(__LINE__);
+  double block[11], shoe[11];
+  c2bnow_(work, I{1}, &rigid, block, &error), ok(__LINE__);
+  CHECK((rigid == 0 && std::fabs(block[1] + 100) < 1e-8 && block[4] == 0 && block[9] == 0));
+  c2bnow_(work, I{3}, &rigid, shoe, &error), ok(__LINE__);
+  CHECK((rigid == 1 && std::fabs(shoe[1] - 100) < 1e-8 && shoe[9] == -100 && shoe[10] == 50));
+  CHECK((shoe[4] < -1e-3 && shoe[5] > 1e-5)); // down, and round to the left
+  CHECK((shoe[6] == 0 && shoe[7] == 0));
   c2clos_(work, &error), ok(__LINE__);
 }
 

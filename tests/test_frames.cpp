@@ -139,8 +139,8 @@ TEST_CASE("frames: Hertz's deck, arcs on a flat") {
   CHECK(std::string(d.told[0].text).find("at 4 pairs") != std::string::npos);
   CHECK(d.count(C2D_WARN_KINK) == 0);
   // Body 1 is held, body 2 may only move along the axis.
-  CHECK(d.head.body[0].free_motions == 0);
-  CHECK(d.head.body[1].free_motions == 1);
+  CHECK(d.bodies[0].free_motions == 0);
+  CHECK(d.bodies[1].free_motions == 1);
 }
 
 TEST_CASE("frames: averaged normals where the gap closes nothing") {
@@ -358,6 +358,6 @@ TEST_CASE("zones: a ring that goes all round wraps and is watched at its seam") 
     CHECK(p.gap == doctest::Approx(0.1).epsilon(1e-12));
   }
   CHECK(d.pairs[11].node[0] == 1);
-  CHECK(c2d::pair_of_end(d.view(), 0, 1, 1) == 0);
-  CHECK(d.head.body[0].free_motions == 3);
+  CHECK(c2d::pair_of_end(d.view(), 0, 1, 1).pair == 0);
+  CHECK(d.bodies[0].free_motions == 3);
 }

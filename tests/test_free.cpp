@@ -102,7 +102,8 @@ std::vector<Told> walk(const std::string& bytes) {
   Bytes deck;
   deck.bytes = bytes;
   std::vector<Told> told;
-  CHECK(c2d_walk_deck(read_bytes, &deck, keep_card, &told, nullptr, nullptr) == C2D_OK);
+  c2d_body_limits room[2] = {};
+  CHECK(c2d_walk_deck(read_bytes, &deck, room, 2, keep_card, &told, nullptr, nullptr) == C2D_OK);
   return told;
 }
 
@@ -280,7 +281,8 @@ TEST_CASE("walking over the fields of a deck") {
     if (t.kind == C2D_CARD_COMMENT) comments.push_back(t.text);
   CHECK(comments ==
         List{"two squares, one on the other", "type of problem, output", "regions, nodes of an element, elements, points"});
-  CHECK(c2d_walk_deck(nullptr, nullptr, keep_card, nullptr, nullptr, nullptr) == C2D_ERR_ARGUMENT);
+  c2d_body_limits room[2] = {};
+  CHECK(c2d_walk_deck(nullptr, nullptr, room, 2, keep_card, nullptr, nullptr, nullptr) == C2D_ERR_ARGUMENT);
 }
 
 TEST_CASE("mutated free decks neither crash nor loop, and every refusal says where") {

@@ -177,6 +177,11 @@ const std::vector<Call>& calls() {
       return c2d_add_path(s, 1, &load, 1);
     });
     add("set_units", model_calls | complete, [](c2d_solver* s) { return c2d_set_units(s, "mm", "N"); });
+    add("set_name", model_calls | complete, [](c2d_solver* s) { return c2d_set_name(s, C2D_NAME_BODY, 1, "bolt"); });
+    add("get_name", model_calls | complete, [](c2d_solver* s) {
+      char name[32];
+      return c2d_get_name(s, C2D_NAME_BODY, 1, name);
+    });
     add("set_values", kBuilding | kModel, [](c2d_solver* s) {
       const double values[4] = {0, 0, 0, 0};
       return c2d_set_values(s, 1, 1, 1, 1, values);
@@ -184,6 +189,11 @@ const std::vector<Call>& calls() {
     add("set_zone_friction", model_calls, [](c2d_solver* s) { return c2d_set_zone_friction(s, 1, 1, 0.2); });
     add("set_symmetry", model_calls, [](c2d_solver* s) { return c2d_set_symmetry(s, 0, 0.0); });
     add("set_rigid", model_calls, [](c2d_solver* s) { return c2d_set_rigid(s, 1, 0, nullptr, nullptr); });
+    add("set_rigid_load", model_calls, [](c2d_solver* s) {
+      const int32_t is_free[3] = {1, 0, 0};
+      return c2d_set_rigid_load(s, 1, 0, is_free, nullptr, g_numbers);
+    });
+    add("tie_zone", model_calls, [](c2d_solver* s) { return c2d_tie_zone(s, 1); });
     add("set_interference", model_calls, [](c2d_solver* s) { return c2d_set_interference(s, 1); });
     add("set_body_force", model_calls | kModel, [](c2d_solver* s) {
       const double weight[2] = {0, -1};
@@ -223,6 +233,10 @@ const std::vector<Call>& calls() {
     add("get_zone_state", kRunning, [](c2d_solver* s) {
       c2d_zone_state z = C2D_INIT(c2d_zone_state);
       return c2d_get_zone_state(s, 1, &z);
+    });
+    add("get_body_state", kRunning, [](c2d_solver* s) {
+      c2d_body_state b = C2D_INIT(c2d_body_state);
+      return c2d_get_body_state(s, 1, &b);
     });
     add("get result", kRunning, [](c2d_solver* s) { return c2d_get(s, C2D_TN, 1, 1, 1, g_numbers, 1); });
     add("get boundary", kRunning, [](c2d_solver* s) { return c2d_get(s, C2D_END_UX, 1, 1, 1, g_numbers, 1); });
@@ -797,7 +811,11 @@ std::vector<Wrong> wrong_calls() {
       const double still[3] = {0, 0, 0};
       return c2d_set_rigid(s, 1, i, still, still);
     });
-    add(C2D_STATE_EMPTY, "rigid body", [i](c2d_solver* s) { return c2d_set_rigid(s, i, 0, nullptr, nullptr); });
+    const int32_t body = i == 2 ? 3 : i; // of two
+    add(C2D_STATE_EMPTY, "rigid body", [body](c2d_solver* s) { return c2d_set_rigid(s, body, 0, nullptr, nullptr); });
+    add(C2D_STATE_EMPTY, "rigid load case",
+        [i](c2d_solver* s) { return c2d_set_rigid_load(s, 1, i, nullptr, g_numbers, nullptr); });
+    add(C2D_STATE_BUILDING, "tie", [i](c2d_solver* s) { return c2d_tie_zone(s, i); });
     add(C2D_STATE_EMPTY, "closing case", [i](c2d_solver* s) { return c2d_set_interference(s, i); });
     add(C2D_STATE_MODEL, "body force case", [i](c2d_solver* s) {
       const double force[2] = {0, 0};
@@ -819,6 +837,11 @@ std::vector<Wrong> wrong_calls() {
       c2d_zone_state z = C2D_INIT(c2d_zone_state);
       return c2d_get_zone_state(s, i, &z);
     });
+    const int32_t whose = i == 2 ? 3 : i; // of two
+    add(C2D_STATE_RUNNING, "body state", [whose](c2d_solver* s) {
+      c2d_body_state b = C2D_INIT(c2d_body_state);
+      return c2d_get_body_state(s, whose, &b);
+    });
     add(C2D_STATE_RUNNING, "points", [i](c2d_solver* s) {
       c2d_points p = C2D_INIT(c2d_points);
       return c2d_get_points(s, i, &p);
@@ -834,6 +857,8 @@ std::vector<Wrong> wrong_calls() {
         return c2d_interior(s, i, 1, xy, 2, row, C2D_POINT_FIELDS);
       });
   }
+  add(C2D_STATE_EMPTY, "no rigid load", [](c2d_solver* s) { return c2d_set_rigid_load(s, 1, 1, nullptr, nullptr, nullptr); });
+  add(C2D_STATE_EMPTY, "nothing free", [](c2d_solver* s) { return c2d_set_rigid_load(s, 1, 0, nullptr, nullptr, g_numbers); });
   add(C2D_STATE_EMPTY, "no motion", [](c2d_solver* s) { return c2d_set_rigid(s, 1, 1, nullptr, nullptr); });
   add(C2D_STATE_EMPTY, "no force", [](c2d_solver* s) { return c2d_set_body_force(s, 1, 1, nullptr, 0, nullptr); });
   add(C2D_STATE_EMPTY, "no axis", [](c2d_solver* s) { return c2d_set_body_force(s, 1, 1, g_numbers, 1, nullptr); });
@@ -852,7 +877,7 @@ std::vector<Wrong> wrong_calls() {
       z.side1.body = 1, z.side2.body = body;
       return c2d_add_zone(s, &z);
     });
-  for (int32_t kind : {INT32_MIN, -1, 2, INT32_MAX})
+  for (int32_t kind : {INT32_MIN, -1, 8, INT32_MAX})
     add(C2D_STATE_EMPTY, "kind of zone", [kind](c2d_solver* s) {
       c2d_zone z = C2D_INIT(c2d_zone);
       z.kind = kind;
@@ -861,6 +886,18 @@ std::vector<Wrong> wrong_calls() {
   add(C2D_STATE_EMPTY, "line nodes", [](c2d_solver* s) { return c2d_set_line_nodes(s, 1, 1, 2, nullptr, nullptr, nullptr); });
   add(C2D_STATE_EMPTY, "arc nodes", [](c2d_solver* s) { return c2d_set_arc_nodes(s, 1, 1, 2, nullptr, 1, 0, 90); });
   add(C2D_STATE_EMPTY, "long unit", [](c2d_solver* s) { return c2d_set_units(s, "0123456789abcdef", nullptr); });
+  for (const int32_t kind : {-1, 2, INT32_MAX})
+    add(C2D_STATE_MODEL, "kind of name", [kind](c2d_solver* s) { return c2d_set_name(s, kind, 1, "a"); });
+  for (const int32_t kind : {C2D_NAME_BODY, C2D_NAME_ZONE})
+    for (const int32_t i : {INT32_MIN, 0, 3}) {
+      add(C2D_STATE_MODEL, "named thing", [kind, i](c2d_solver* s) { return c2d_set_name(s, kind, i, "a"); });
+      add(C2D_STATE_MODEL, "named thing", [kind, i](c2d_solver* s) {
+        char name[32];
+        return c2d_get_name(s, kind, i, name);
+      });
+    }
+  add(C2D_STATE_EMPTY, "control character", [](c2d_solver* s) { return c2d_set_name(s, C2D_NAME_BODY, 1, "a\n"); });
+  add(C2D_STATE_MODEL, "name", [](c2d_solver* s) { return c2d_get_name(s, C2D_NAME_BODY, 1, nullptr); });
   add(C2D_STATE_BUILDING, "case values", [](c2d_solver* s) { return c2d_set_values(s, 1, 1, 1, 1, nullptr); });
   add(C2D_STATE_EMPTY, "points", [](c2d_solver* s) { return c2d_add_points(s, nullptr); });
   for (double load : {nan, inf, -inf})
@@ -942,7 +979,7 @@ std::string not_busy(c2d_solver* s, const c2d_limits& limits, bool in_step) {
   std::string out;
   for (const Call& call : calls()) {
     const std::string name = call.name;
-    const c2d_status expected = in_step && name == "get_zone_state" ? C2D_OK : C2D_ERR_BUSY;
+    const c2d_status expected = in_step && (name == "get_zone_state" || name == "get_body_state") ? C2D_OK : C2D_ERR_BUSY;
     if (call.make(s) != expected) out += " " + name;
   }
   if (c2d_close(s) != C2D_ERR_BUSY) out += " close";
@@ -1323,7 +1360,7 @@ TEST_CASE("interface: boundary points by lines and arcs have the bits of the dec
     std::vector<double> expected(static_cast<size_t>(2 * count));
     REQUIRE(c2d_get(read.solver, C2D_NODE_X, body, 1, count, expected.data(), 2) == C2D_OK);
     REQUIRE(c2d_get(read.solver, C2D_NODE_Y, body, 1, count, expected.data() + 1, 2) == C2D_OK);
-    const double* found = c2d::array_of<double>(s, c2d::kXy + body - 1);
+    const double* found = c2d::model_of(s).xy[body - 1];
     int wrong = 0;
     for (size_t i = 0; i < expected.size(); ++i) wrong += std::memcmp(&expected[i], found + i, sizeof(double)) != 0;
     CHECK(wrong == 0);

@@ -76,7 +76,7 @@ TEST_CASE("topology: regions close on themselves, for every function order") {
     }
     // Every end is found at its node, and nowhere else.
     int32_t found = 0;
-    for (int32_t node = 0; node < d.head.body[0].nodes; ++node) {
+    for (int32_t node = 0; node < d.bodies[0].nodes; ++node) {
       int32_t ends[2];
       const int count = c2d::ends_at_node(m, 0, node, ends);
       for (int i = 0; i < count; ++i) CHECK(c2d::functional_node(m, 0, ends[i] / f, ends[i] % f) == node);
@@ -192,16 +192,16 @@ TEST_CASE("unknowns of Hertz's deck: corners, symmetry, contact") {
     CHECK(kind(1, 23, c) == UnknownKind::displacement);
   }
   // Ends: element 23 keeps its own condition at node 24, which is a pair's.
-  CHECK(c2d::pair_of_node(m, 0, 23) == 0);
-  CHECK(c2d::pair_of_end(m, 0, 22, 1) == -1);
-  CHECK(c2d::pair_of_end(m, 0, 23, 0) == 0);
-  CHECK(c2d::pair_of_end(m, 0, 23, 1) == 1);
-  CHECK(c2d::pair_of_end(m, 1, 47, 1) == 0);
-  CHECK(c2d::pair_of_end(m, 1, 34, 0) == 14);
-  CHECK(c2d::pair_of_end(m, 1, 33, 1) == -1);
+  CHECK(c2d::pair_of_node(m, 0, 23).pair == 0);
+  CHECK(c2d::pair_of_end(m, 0, 22, 1).pair == -1);
+  CHECK(c2d::pair_of_end(m, 0, 23, 0).pair == 0);
+  CHECK(c2d::pair_of_end(m, 0, 23, 1).pair == 1);
+  CHECK(c2d::pair_of_end(m, 1, 47, 1).pair == 0);
+  CHECK(c2d::pair_of_end(m, 1, 34, 0).pair == 14);
+  CHECK(c2d::pair_of_end(m, 1, 33, 1).pair == -1);
   // Every unknown column has a row: 2 N unknowns, of which 2 * 15 - 1 are those of the contact.
   int contact = 0;
-  for (int32_t node = 0; node < d.head.body[1].nodes; ++node) {
+  for (int32_t node = 0; node < d.bodies[1].nodes; ++node) {
     for (int c = 0; c < 2; ++c) contact += c2d::unknown_at(m, 1, node, c).kind == UnknownKind::contact;
   }
   CHECK(contact == 29);
@@ -241,8 +241,8 @@ TEST_CASE("conditions: a shared traction at a corner warns, on a straight side i
 TEST_CASE("data: everything missing or impossible is told at once") {
   ModelData d = square();
   d.node_line[0][1] = d.node_line[0][2] = -1;
-  d.head.body[0].youngs_modulus = 0;
-  d.head.body[0].poisson_ratio = 0.6;
+  d.bodies[0].youngs_modulus = 0;
+  d.bodies[0].poisson_ratio = 0.6;
   check_fault(d, "boundary point 2 to 3 have no coordinates", 2);
   CHECK(d.find("Young's modulus of body 1 is 0") != nullptr);
   CHECK(d.find("Poisson's ratio of body 1 is 0.6") != nullptr);
@@ -253,14 +253,14 @@ TEST_CASE("data: legal Poisson's ratios depend on the plane problem") {
   for (double nu : {-0.99, -0.51, -0.49, 0.0, 0.5, 0.51, -1.0}) {
     CAPTURE(nu);
     ModelData d = square();
-    d.head.body[0].poisson_ratio = nu;
+    d.bodies[0].poisson_ratio = nu;
     CHECK(d.complete() == (nu > -1 && nu <= 0.5));
     d.head.plane = C2D_PLANE_STRESS;
     CHECK(d.complete() == (nu > -0.5 && nu <= 0.5));
   }
   ModelData d = square();
   d.head.plane = C2D_PLANE_STRESS;
-  d.head.body[0].poisson_ratio = 0.25;
+  d.bodies[0].poisson_ratio = 0.25;
   CHECK(c2d::strain_poisson_ratio(d.view(), 0) == doctest::Approx(0.2).epsilon(1e-15));
   CHECK(c2d::shear_modulus(d.view(), 0) == doctest::Approx(400).epsilon(1e-15));
 }
@@ -269,7 +269,7 @@ TEST_CASE("data: moduli that are none, with traps on; numbers at the edges of wh
   const TrappingFloat trapping;
   for (double number : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 1e200}) {
     ModelData d = square();
-    d.head.body[0].youngs_modulus = number;
+    d.bodies[0].youngs_modulus = number;
     check_fault(d, "Young's modulus");
     CHECK(d.faults == 1);
   }
@@ -293,7 +293,7 @@ TEST_CASE("data: friction and a path may come later, a body may not") {
   none.paths.clear();
   CHECK(none.complete());
   none = square();
-  none.head.body[0].is_set = 0;
+  none.bodies[0].is_set = 0;
   check_fault(none, "body 1 is missing");
 }
 
@@ -424,10 +424,10 @@ TEST_CASE("free rigid motions are found and named") {
   auto names = [](ModelData& d) {
     REQUIRE(d.complete());
     std::vector<std::string> out;
-    for (int i = 0; i < d.head.body[0].free_motions; ++i) {
+    for (int i = 0; i < d.bodies[0].free_motions; ++i) {
       char bytes[80];
       c2d::Text text = c2d::text_in(bytes);
-      c2d::put_motion(text, d.view(), 0, d.head.body[0].free_motion[i]);
+      c2d::put_motion(text, d.view(), 0, d.bodies[0].free_motion[i]);
       out.push_back(bytes);
     }
     return out;
@@ -449,7 +449,7 @@ TEST_CASE("free rigid motions are found and named") {
   roller.condition(1, 1, 1, "0110");
   roller.condition(1, 1, 2, "0110");
   CHECK(names(roller) == Names{"along x"});
-  const double* motion = roller.head.body[0].free_motion[0];
+  const double* motion = roller.bodies[0].free_motion[0];
   CHECK(std::abs(motion[0]) == doctest::Approx(1).epsilon(1e-15));
 }
 
@@ -460,7 +460,7 @@ TEST_CASE("free rigid motions do not depend on the unit of length") {
     d.condition(1, 1, 1, "0110");
     d.condition(1, 3, 1, "0110");
     REQUIRE(d.complete());
-    CHECK(d.head.body[0].free_motions == 1);
+    CHECK(d.bodies[0].free_motions == 1);
     CHECK(d.head.length_unit >= 4 * scale);
     CHECK(d.head.length_unit <= 8 * scale);
   }

@@ -51,7 +51,8 @@ TEST_CASE("parts: a keyword whose part is not linked is a fault of its card, and
     sink.set_symmetry = nullptr;
     sink.has_free_zones = false;
     std::vector<deck_test::Fault> faults;
-    CHECK(c2d::read_deck_cards(&sink, deck_test::read_bytes, &deck, deck_test::keep_fault, &faults, nullptr) == C2D_ERR_INPUT);
+    host::Limits room;
+    CHECK(c2d::read_deck_cards(&sink, deck_test::read_bytes, &deck, deck_test::keep_fault, &faults, &room) == C2D_ERR_INPUT);
     REQUIRE(faults.size() == 1);
     CHECK(faults[0].text == missing(part));
     CHECK(faults[0].line == line);

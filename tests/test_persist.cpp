@@ -182,7 +182,17 @@ TEST_CASE("attach: what is no solver, or not all of it, is refused and left alon
     else
       CHECK(status == (i >= 8 && i < 12 ? C2D_ERR_MISMATCH : C2D_ERR_ARGUMENT));
   }
-  for (size_t i = 48; i < 48 + 400; i += 4) {
+  std::vector<size_t> places;
+  for (size_t i = offsetof(c2d_solver, sizes); i < offsetof(c2d_solver, layout) + sizeof(c2d::Layout); i += 4)
+    places.push_back(i);
+  for (int32_t b = 0; b < limits.bodies; ++b) { // what of them stands behind the struct: limits and layout of each body
+    const size_t list =
+        static_cast<size_t>(s->layout.offset[c2d::kBodyLimits]) + static_cast<size_t>(b) * sizeof(c2d_body_limits);
+    for (size_t i = 0; i < offsetof(c2d_body_limits, reserved); i += 4) places.push_back(list + i);
+    const size_t body = static_cast<size_t>(s->layout.offset[c2d::kBodies]) + static_cast<size_t>(b) * sizeof(c2d::Body);
+    for (size_t i = 0; i < sizeof(c2d::Body::array); i += 4) places.push_back(body + offsetof(c2d::Body, array) + i);
+  }
+  for (size_t i : places) {
     copy = image;
     for (size_t k = 0; k < 4; ++k) copy[at + i + k] ^= 0x81;
     CAPTURE(i);

@@ -48,7 +48,7 @@ std::vector<std::string> columns_of(const std::string& row) {
   return out;
 }
 
-const std::string kCsvHeader = "mu,step,load,pair,x,y,status,tn,tt,un1,ut1,un2,ut2,gap,slip";
+const std::string kCsvHeader = "mu,step,load,pair,x,y,status,tn,tt,un1,ut1,un2,ut2,gap,slip,zone,body1,body2";
 
 } // namespace
 
@@ -158,7 +158,8 @@ TEST_CASE("program: the sample is solved, with every output in its format") {
   CHECK(rows[0] == kCsvHeader);
   for (size_t i = 1; i < rows.size(); ++i) {
     const std::vector<std::string> fields = columns_of(rows[i]);
-    REQUIRE(fields.size() == 15);
+    REQUIRE(fields.size() == 18);
+    CHECK((fields[15] == "1" && fields[16] == "1" && fields[17] == "2"));
     const size_t n = i - 1;
     CHECK(std::stod(fields[0]) == (n < 28 * 15 ? 0.4 : 0.3));
     CHECK(std::stoul(fields[1]) == n / 15 % 28 + 1);

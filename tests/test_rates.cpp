@@ -37,8 +37,8 @@ public:
   RateProblem& start() {
     sticking_ = t_;
     sticking_rates_ = rates_;
-    tableau_ =
-        Tableau{m_, 1, static_cast<int32_t>(pair_.size()), pair_.data(), t_.data(), 1.0, 1.0, 0, nullptr, 0, nullptr, nullptr};
+    tableau_ = Tableau{m_, m_,      1,      static_cast<int32_t>(pair_.size()), pair_.data(), t_.data(), 1.0, 1.0, 0, nullptr,
+                       0,  nullptr, nullptr};
     r_ = rate_problem_in(RateArea{area_.data(), lists_.data(), tableau_.pairs}, m_);
     r_.t = &tableau_;
     r_.direction = &one_;

@@ -233,7 +233,7 @@ TEST_CASE("pages: options, exit statuses and keys of the summary are those of th
   const Folder folder;
   const std::string to = " --listing /dev/null --json '" + (folder / "a.json") + "'";
   std::set<std::string> keys;
-  for (const char* deck : {"examples/roller.dat", "examples/sliding_block.dat"}) {
+  for (const char* deck : {"examples/roller.dat", "examples/sliding_block.dat", "examples/three_bodies.dat"}) {
     run_shell("cd '" + kRoot + "' && '" + paths::program() + "' run " + deck + to);
     add_keys(JsonReader::read(read_file(folder / "a.json")), keys);
   }
@@ -254,8 +254,8 @@ TEST_CASE("pages: every keyword and every column of the results is explained") {
   }
   CHECK(seen >= 10);
   const std::set<std::string> words = quoted_words(page("src/report/OUTPUT.md"));
-  for (const char* column :
-       {"mu", "step", "load", "pair", "x", "y", "status", "tn", "tt", "un1", "ut1", "un2", "ut2", "gap", "slip"})
+  for (const char* column : {"mu", "step", "load", "pair", "x", "y", "status", "tn", "tt", "un1", "ut1", "un2", "ut2", "gap",
+                             "slip", "zone", "body1", "body2"})
     CHECK_MESSAGE(words.count(column) == 1, column);
 }
 

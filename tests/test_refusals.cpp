@@ -546,9 +546,12 @@ TEST_CASE("refusals: zones whose ranges the bodies do not have, and values that 
     refused(c2d_add_zone(s, &zone), expected, what);
   };
   wrong(
-      2, [](c2d_zone&) {}, C2D_ERR_ARGUMENT, "kind of a zone");
+      8, [](c2d_zone&) {}, C2D_ERR_ARGUMENT, "kind of a zone");
   wrong(
-      C2D_ZONE_MATCHING, [](c2d_zone& z) { z.side1.body = 2; }, C2D_ERR_ARGUMENT, "c2d_zone.side1.body is 2");
+      C2D_ZONE_MATCHING, [](c2d_zone& z) { z.side1.body = 2; }, C2D_ERR_ARGUMENT,
+      "both sides of a contact zone are on one body, expected two different bodies");
+  wrong(
+      C2D_ZONE_MATCHING, [](c2d_zone& z) { z.side1.body = 3; }, C2D_ERR_ARGUMENT, "c2d_zone.side1.body is 3");
   wrong(
       C2D_ZONE_MATCHING, [](c2d_zone& z) { z.side2.body = 3; }, C2D_ERR_ARGUMENT, "c2d_zone.side2.body is 3");
   wrong(
@@ -641,8 +644,8 @@ TEST_CASE("refusals: what comes too late, and walks without a function") {
   const c2d_report hear = [](void* to, const c2d_error* e) { static_cast<std::vector<c2d_error>*>(to)->push_back(*e); };
   host::Limits limits = two_blocks();
   CHECK(c2d_check_deck(nullptr, nullptr, &limits, hear, &told) == C2D_ERR_ARGUMENT);
-  CHECK(c2d_walk_deck(nullptr, nullptr, nullptr, nullptr, hear, &told) == C2D_ERR_ARGUMENT);
-  CHECK(c2d_walk_deck(nullptr, nullptr, nullptr, nullptr, nullptr, nullptr) == C2D_ERR_ARGUMENT);
+  CHECK(c2d_walk_deck(nullptr, nullptr, limits.body, 2, nullptr, nullptr, hear, &told) == C2D_ERR_ARGUMENT);
+  CHECK(c2d_walk_deck(nullptr, nullptr, limits.body, 2, nullptr, nullptr, nullptr, nullptr) == C2D_ERR_ARGUMENT);
   REQUIRE(told.size() == 2);
   for (const c2d_error& e : told) CHECK(says(e, "read_line is null"));
 }

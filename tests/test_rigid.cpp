@@ -157,5 +157,12 @@ TEST_CASE("rigid: the keyword card") {
   CHECK(with({"*RIGID", "1 0 0.1 0 0 0", "2 0.1 0 0 0 0"}).sizes.load_cases == 2);
   CHECK(with({"*RIGID", "1 0 0.1 0 0"}).status == C2D_ERR_INPUT);
   CHECK(with({"*RIGID", "0 0 0.1 0 0 0"}).status == C2D_ERR_INPUT);
-  CHECK(with({"*RIGID 1"}).status == C2D_ERR_INPUT);
+  CHECK(with({"*RIGID 1"}).status == C2D_OK);
+  CHECK(with({"*RIGID 2", "1 0 0.1 0 0 0"}).status == C2D_OK);
+  CHECK(with({"*RIGID 3"}).status == C2D_ERR_INPUT);
+  CHECK(with({"*RIGID 1 2"}).status == C2D_ERR_INPUT);
+  const deck_test::Reading twice = with({"*RIGID", "*RIGID 1"});
+  CHECK(twice.status == C2D_ERR_INPUT);
+  REQUIRE(twice.faults.size() == 1);
+  CHECK(twice.faults[0].text == "body 1 is named by *RIGID twice, expected it once");
 }

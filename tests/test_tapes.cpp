@@ -69,7 +69,7 @@ Tapes constants(const c2d_limits& l, int32_t keep_factors) {
       std::max(C2D_LOWER_BLOCK_BYTES(f, n1, e1, r1, free_pairs, p), C2D_LOWER_BLOCK_BYTES(f, n2, e2, r2, 0, p))};
   out.tape[C2D_TAPE_UPPER] = {C2D_UPPER_BLOCKS(f, n1, e1, r1, pairs, k, p) + C2D_UPPER_BLOCKS(f, n2, e2, r2, pairs, k, p),
                               std::max(C2D_UPPER_BLOCK_BYTES(f, n1, e1, r1, p), C2D_UPPER_BLOCK_BYTES(f, n2, e2, r2, p))};
-  out.tape[C2D_TAPE_CONTACT] = {C2D_CONTACT_BLOCKS(pairs, k), C2D_CONTACT_BLOCK_BYTES(pairs)};
+  out.tape[C2D_TAPE_CONTACT] = {C2D_CONTACT_BLOCKS(count(l.bodies), pairs, k), C2D_CONTACT_BLOCK_BYTES(pairs)};
   return out;
 }
 
@@ -84,7 +84,7 @@ uint64_t workspace_of(const c2d_limits& l) {
 
 // In arrays and preprocessor conditions.
 static_assert(C2D_UPPER_BLOCKS(2, 40, 40, 1, 12, 1, 4) > 0, "a constant");
-#if C2D_CONTACT_BLOCKS(12, 1) != 14 * 12 + 14 || C2D_LOWER_BLOCKS(2, 40, 40, 1, 12, 1, 1, 1) != 84
+#if C2D_CONTACT_BLOCKS(2, 12, 1) != 16 * 12 + 45 || C2D_LOWER_BLOCKS(2, 40, 40, 1, 12, 1, 1, 1) != 84
 #error "these are constants of the preprocessor, too"
 #endif
 

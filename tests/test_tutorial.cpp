@@ -71,6 +71,51 @@ double dissipated(const std::string& json) {
   return at == std::string::npos ? -1 : std::strtod(json.c_str() + at + 14, nullptr);
 }
 
+// The example of three bodies: what the last command printed.
+void check_three_bodies(const std::string& page, const std::string& printed) {
+  const std::vector<std::string> lines = lines_of(printed);
+  REQUIRE(lines.size() > 50);
+  double load, fx, fy, moment, ux, uy, rotation;
+  REQUIRE(std::sscanf(lines[0].c_str(), "0.1,10,%lf,3,%lf,%lf,%lf,%lf,%lf,%lf", &load, &fx, &fy, &moment, &ux, &uy,
+                      &rotation) == 7);
+  CHECK(load == 1);
+  CHECK(std::fabs(fx) < 1e-9);
+  CHECK(std::fabs(fy - 200) < 1e-9);
+  CHECK(std::fabs(moment - 200) < 2e-4); // the rounded ends lie a little above the coating
+  check_told(page, "0.00797 mm", -uy, 1e-3);
+  check_told(page, "-5.34e-4", rotation, 1e-3);
+  double first = 0, last = 0, peak = 0, at = 0, bond = 0, shear = 0, at_shear = 0, tension = 0;
+  for (size_t i = 1; i < lines.size(); ++i) {
+    int zone;
+    double x, tn, tt;
+    char status[8] = {};
+    REQUIRE(std::sscanf(lines[i].c_str(), "%d %lf %7[a-z] %lf %lf", &zone, &x, status, &tn, &tt) == 5);
+    CHECK((std::string(status) == "tied") == (zone == 1));
+    if (zone == 2) {
+      first = std::min(first, x);
+      last = std::max(last, x);
+      if (tn > peak) peak = tn, at = x;
+      continue;
+    }
+    bond = std::max(bond, tn);
+    tension = std::min(tension, tn);
+    if (std::fabs(tt) > shear) shear = std::fabs(tt), at_shear = x;
+  }
+  check_told(page, "-5.57 to", first, 1e-3);
+  check_told(page, "6.14.", last, 1e-3);
+  check_told(page, "25.5 MPa", peak, 1e-3);
+  check_told(page, "5.14,", at, 1e-3);
+  check_told(page, "21.1 MPa", bond, 2e-3);
+  check_told(page, "6.65 MPa", shear, 1e-3);
+  CHECK(std::fabs(at_shear - 6) < 1e-9);
+  CHECK(tension > -0.01);
+  // By hand: a bed of springs below 11 mm.
+  const double bed = 3000 * (1 - 0.4) / ((1 + 0.4) * (1 - 2 * 0.4)) / 2, width = 11;
+  check_told(page, "3214 N/mm^3", bed, 1e-3);
+  check_told(page, "0.0057 mm", 200 / width / bed, 0.01);
+  check_told(page, "5.6e-4", 200 / (bed * width * width * width / 12), 0.01);
+}
+
 } // namespace
 
 TEST_CASE("tutorial: its deck is the example, its commands run, its figures are so") {
@@ -79,6 +124,8 @@ TEST_CASE("tutorial: its deck is the example, its commands run, its figures are 
   for (const std::string& block : blocks(page, ""))
     if (block.compare(0, 5, "*FREE") == 0) deck = block;
   CHECK(deck == read_file(kRoot + "/examples/roller.dat"));
+  const std::string three = read_file(kRoot + "/examples/three_bodies.dat"), from = three.substr(three.find("\n*ZONE") + 1);
+  CHECK(contains(page, "```\n" + from + "```\n"));
 
   const Folder folder; // a project's folder with nothing but what the page needs
   fs::create_directories(folder / "build");
@@ -89,9 +136,10 @@ TEST_CASE("tutorial: its deck is the example, its commands run, its figures are 
     const Result run = run_shell("cd '" + folder.path() + "' && set -e\n" + commands);
     CHECK_MESSAGE(run.status == 0, commands << run.err);
     if (contains(commands, "roller.lst")) CHECK(contains(run.err, "coarse contact: the zone of slip"));
+    if (contains(commands, "three.lst")) CHECK(run.err == "");
     printed.push_back(run.out);
   }
-  REQUIRE(printed.size() == 6);
+  REQUIRE(printed.size() == 7);
   CHECK(contains(printed[0], "equations                   75, 89"));
   CHECK(contains(page, "`75, 89`"));
   CHECK(contains(printed[0], "warnings                    0"));
@@ -153,6 +201,7 @@ TEST_CASE("tutorial: its deck is the example, its commands run, its figures are 
   REQUIRE(std::sscanf(printed[5].c_str(), "%lf %lf", &shear, &depth) == 2);
   check_told(page, "23.3 MPa at", shear, 5e-3);
   check_told(page, "0.6 mm", -depth, 1e-6);
+  check_three_bodies(page, printed[6]);
   for (const char* file : {"roller.html", "roller/tractions_2.svg", "roller/model.svg"})
     CHECK(fs::exists(folder / ("build/" + std::string(file))));
 }

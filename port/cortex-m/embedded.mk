@@ -17,15 +17,19 @@ real_m4f  := -DC2D_REAL=float -DC2D_REAL_BYTES=4
 agree_m3  := 1e-9
 agree_m4f := 2e-4
 agree_m7  := 1e-9
-# Bytes that the linker must find between static data and the top of RAM.
+# Bytes that the linker must find between static data and the top of RAM; one more, an odd number that is no address of a function.
 STACK_LEAST ?= 4096
 
 ARM_FLAGS := -std=c++17 -Os -fno-move-loop-invariants -fno-inline-small-functions -ffreestanding -fbuiltin -fno-math-errno -fno-exceptions -fno-rtti -ffunction-sections \
   -fdata-sections -fno-threadsafe-statics -DC2D_PARTS_BY_CALL $(EXACT) $(WARNINGS) -fstack-usage -fcallgraph-info=su
 ARM_PORT := $(wildcard port/cortex-m/*.cpp)
-# Calls that declare a part of the library (src/memory/parts.hpp). run_deck links them, so that it reads any deck.
-PART_CALLS := c2d_link_free_zones c2d_link_holes c2d_set_body_force c2d_set_rigid c2d_set_symmetry
+# Calls that declare a part of the library (src/memory/parts.hpp). run_deck links them, so that it reads any deck, as far as the
+# 256 KiB of a board have room beside the rest.
+PART_CALLS := c2d_link_holes c2d_set_symmetry
+parts_m3  := c2d_link_free_zones
+parts_m7  := c2d_link_free_zones c2d_set_body_force c2d_set_rigid
 
+comma := ,
 define arm_object
 $(EMBEDDED)/$(1)/obj/$(subst /,_,$(basename $(patsubst src/%,%,$(2)))).o: $(2) port/cortex-m/embedded.mk | $(EMBEDDED)/$(1)/obj
 	$(ARM_PREFIX)g++ $(cpu_$(1)) $(real_$(1)) $(ARM_FLAGS) -Isrc -Iinclude -Iport/cortex-m $(DEPS) -c $(2) -o $$@
@@ -41,7 +45,7 @@ $(EMBEDDED)/$(1)/libcontact2d.a: $(call arm_objects,$(1),$(CORE_SOURCES)) src/so
 	$(ARM_PREFIX)ar rcs $$@ $(call arm_objects,$(1),$(CORE_SOURCES))
 $(EMBEDDED)/$(1)/run_deck.elf: $(EMBEDDED)/$(1)/libcontact2d.a $(call arm_objects,$(1),$(ARM_PORT)) $(wildcard port/cortex-m/*.ld)
 	$(ARM_PREFIX)g++ $(cpu_$(1)) -nostdlib -Wl,--gc-sections -Wl,-Map,$$(@:.elf=.map) -Lport/cortex-m \
-	  -Wl,--defsym=stack_least=$(STACK_LEAST) -T port/cortex-m/$(board_$(1)).ld $(PART_CALLS:%=-Wl,-u,%) $(call arm_objects,$(1),$(ARM_PORT)) \
+	  -Wl,--defsym=stack_least=$(STACK_LEAST)+1 -T port/cortex-m/$(board_$(1)).ld $(patsubst %,-Wl$(comma)-u$(comma)%,$(PART_CALLS) $(parts_$(1))) $(call arm_objects,$(1),$(ARM_PORT)) \
 	  $(EMBEDDED)/$(1)/libcontact2d.a -lm -lc_nano -lgcc -o $$@
 $(EMBEDDED)/$(1)/hertz.csv: $(EMBEDDED)/$(1)/run_deck.elf examples/hertz.dat
 	@mkdir -p $$(@D)/tapes

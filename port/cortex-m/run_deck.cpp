@@ -15,6 +15,9 @@
 #ifndef RUN_DECK_BYTES // of workspace: by default what examples/hertz.dat needs
 #define RUN_DECK_BYTES C2D_MEMORY_BYTES(2, 46, 58, 46, 58, 1, 1, 1, 15, 14, 0, 2, 14, 1)
 #endif
+#ifndef RUN_DECK_BODIES // at most
+#define RUN_DECK_BODIES 2
+#endif
 
 namespace {
 
@@ -112,10 +115,10 @@ int solve(c2d_solver* solver) {
 
 int main() {
   static c2d_limits limits;
-  static c2d_body_limits bodies[2];
+  static c2d_body_limits bodies[RUN_DECK_BODIES];
   static c2d_port port;
   limits.struct_size = sizeof limits;
-  limits.bodies = 2; // so many have room
+  limits.bodies = RUN_DECK_BODIES;
   limits.body = bodies;
   port.struct_size = sizeof port;
   why.struct_size = sizeof why;

@@ -33,7 +33,7 @@ module contact2d
   integer(c_int32_t), parameter :: C2D_BREACH_NONE = 0, C2D_BREACH_TABLEAU = 1, C2D_BREACH_EQUATIONS = 2, &
       C2D_BREACH_BALANCE = 3, C2D_BREACH_SIGN = 4, C2D_BREACH_CONE = 5, C2D_BREACH_SLIP = 6, &
       C2D_BREACH_SINGULAR = 7, C2D_BREACHES = 8
-  integer(c_int32_t), parameter :: C2D_OPEN = 0, C2D_STICK = 1, C2D_SLIP = 2
+  integer(c_int32_t), parameter :: C2D_OPEN = 0, C2D_STICK = 1, C2D_SLIP = 2, C2D_TIED = 3
   integer(c_int32_t), parameter :: C2D_PLANE_STRAIN = 0, C2D_PLANE_STRESS = 1
   integer(c_int32_t), parameter :: C2D_NOTE = 0, C2D_WARNING = 1, C2D_FAULT = 2
   integer(c_int32_t), parameter :: C2D_WARN_ZONE_END = 201, C2D_WARN_FEW_PAIRS = 202, &
@@ -43,7 +43,7 @@ module contact2d
       C2D_WARN_OVERLAP = 214, C2D_WARN_NOT_UNIQUE = 215, &
       C2D_WARN_UNDEFINED_PLACE = 216, C2D_WARN_STRAIN = 217, C2D_WARN_FRICTION = 218, &
       C2D_WARN_CONSTANT = 219, C2D_WARN_FAR = 220, C2D_WARN_SIZES = 221, &
-      C2D_WARN_SURFACE = 222, C2D_WARN_ENERGY = 223
+      C2D_WARN_SURFACE = 222, C2D_WARN_ENERGY = 223, C2D_WARN_UNHELD = 224
   integer(c_int32_t), parameter :: C2D_PHASE_READ = 0, C2D_PHASE_ASSEMBLE = 1, C2D_PHASE_ELIMINATE = 2, &
       C2D_PHASE_REDUCE = 3, C2D_PHASE_CONTACT = 4, C2D_PHASE_BACK = 5, C2D_PHASE_WRITE = 6, C2D_PHASES = 7
   integer(c_int32_t), parameter :: C2D_TAPE_CONTROL = 0, C2D_TAPE_LOWER = 1, C2D_TAPE_UPPER = 2, &
@@ -56,9 +56,11 @@ module contact2d
   integer(c_int32_t), parameter :: C2D_QUADRATURE_ACCURATE = 0, C2D_QUADRATURE_THESIS = 1
   integer(c_int32_t), parameter :: C2D_STEPPING_EVENTS = 0, C2D_STEPPING_DECK = 1
   integer(c_int32_t), parameter :: C2D_SYMMETRY_DECK = 0, C2D_SYMMETRY_IMAGES = 1
-  integer(c_int32_t), parameter :: C2D_ZONE_MATCHING = 0, C2D_ZONE_FREE = 1
+  integer(c_int32_t), parameter :: C2D_ZONE_MATCHING = 0, C2D_ZONE_FREE = 1, C2D_ZONE_TIED = 2, &
+      C2D_ZONE_SELF = 4
   integer(c_int32_t), parameter :: C2D_CURVE_LINE = 0, C2D_CURVE_ARC = 1, C2D_CURVE_SPLINE = 2
   integer(c_int32_t), parameter :: C2D_POINTS_ONE = 0, C2D_POINTS_LINE = 1, C2D_POINTS_GRID = 2
+  integer(c_int32_t), parameter :: C2D_NAME_BODY = 0, C2D_NAME_ZONE = 1
   integer(c_int32_t), parameter :: C2D_STEP_RECORDED = 0, C2D_STEP_CHANGE = 1, C2D_STEP_STOPPED = 2
   integer(c_int32_t), parameter :: C2D_X = 0, C2D_Y = 1, C2D_STATUS = 2, C2D_TN = 3, C2D_TT = 4, &
       C2D_UN1 = 5, C2D_UT1 = 6, C2D_UN2 = 7, C2D_UT2 = 8, C2D_GAP = 9, C2D_SLIP_SUM = 10, C2D_NX = 11, &
@@ -361,6 +363,15 @@ module contact2d
     real(c_double) :: length = 0
   end type
 
+  type, bind(C) :: c2d_body_state
+    integer(c_int32_t) :: struct_size = 96
+    integer(c_int32_t) :: is_rigid = 0
+    real(c_double) :: contact(3) = 0
+    real(c_double) :: motion(3) = 0
+    real(c_double) :: point(2) = 0
+    real(c_double) :: load(3) = 0
+  end type
+
   type, bind(C) :: c2d_memory_store
     type(c_ptr) :: region = c_null_ptr
     integer(c_int64_t) :: bytes = 0
@@ -542,10 +553,12 @@ module contact2d
       type(c_ptr), value :: report_context
       integer(c_int32_t) :: status
     end function
-    function c2d_walk_deck(read, context, card, card_context, report, report_context) bind(C) result(status)
+    function c2d_walk_deck(read, context, body, bodies, card, card_context, report, report_context) bind(C) result(status)
       import
       type(c_funptr), value :: read
       type(c_ptr), value :: context
+      type(c2d_body_limits), intent(inout) :: body(*)
+      integer(c_int32_t), value :: bodies
       type(c_funptr), value :: card
       type(c_ptr), value :: card_context
       type(c_funptr), value :: report
@@ -626,6 +639,14 @@ module contact2d
       real(c_double), intent(in) :: motion(3), axis(2)
       integer(c_int32_t) :: status
     end function
+    function c2d_set_rigid_load(solver, body, load_case, is_free, load, point) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
+      integer(c_int32_t), value :: body, load_case
+      integer(c_int32_t), intent(in) :: is_free(3)
+      real(c_double), intent(in) :: load(3), point(2)
+      integer(c_int32_t) :: status
+    end function
     function c2d_set_interference(solver, load_case) bind(C) result(status)
       import
       type(c_ptr), value :: solver
@@ -644,6 +665,12 @@ module contact2d
       import
       type(c_ptr), value :: solver
       type(c2d_zone), intent(in) :: zone
+      integer(c_int32_t) :: status
+    end function
+    function c2d_tie_zone(solver, zone) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
+      integer(c_int32_t), value :: zone
       integer(c_int32_t) :: status
     end function
     subroutine c2d_link_free_zones() bind(C)
@@ -703,6 +730,20 @@ module contact2d
       import
       type(c_ptr), value :: solver
       character(kind=c_char), intent(in) :: length(*), force(*)
+      integer(c_int32_t) :: status
+    end function
+    function c2d_set_name(solver, kind, i, name) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
+      integer(c_int32_t), value :: kind, i
+      character(kind=c_char), intent(in) :: name(*)
+      integer(c_int32_t) :: status
+    end function
+    function c2d_get_name(solver, kind, i, out) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
+      integer(c_int32_t), value :: kind, i
+      character(kind=c_char), intent(out) :: out(32)
       integer(c_int32_t) :: status
     end function
     function c2d_set_line(solver, line, column, column_end) bind(C) result(status)
@@ -823,6 +864,13 @@ module contact2d
       type(c_ptr), value :: solver
       integer(c_int32_t), value :: zone
       type(c2d_zone_state), intent(inout) :: out
+      integer(c_int32_t) :: status
+    end function
+    function c2d_get_body_state(solver, body, out) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
+      integer(c_int32_t), value :: body
+      type(c2d_body_state), intent(inout) :: out
       integer(c_int32_t) :: status
     end function
     function c2d_get_friction(solver, zone, i, mu) bind(C) result(status)

@@ -109,12 +109,13 @@ int32_t words_for(uint64_t solver_bytes);
 c2d_port port_of(Host* host);
 // Makes the solver with these limits; call.status says how it went.
 void make_solver(Call& call, Work work, const c2d_limits& limits);
-// Limits and their list of bodies.
+// Limits and their list of bodies, which lies on the stack: nothing but WORK is kept.
+constexpr int32_t kMostBodies = 200;
 struct Limits : c2d_limits {
   Limits();
   Limits(const Limits&) = delete;
   Limits& operator=(const Limits&) = delete;
-  c2d_body_limits bodies_of[2];
+  c2d_body_limits bodies_of[kMostBodies];
 };
 
 } // namespace fortran
@@ -154,9 +155,11 @@ void c2cond_(Work work, In ibody, In ielem, In ilocal, In icase, In icodes, In v
 void c2case_(Work work, In ibody, In ielem, In ilocal, In icase, In values, Out ierr);
 void c2load_(Work work, In ibody, In icase, In x, In y, In fx, In fy, Out ierr);
 void c2rigd_(Work work, In ibody, In icase, In motion, In axis, Out ierr);
+void c2rgld_(Work work, In ibody, In icase, In ifree, In force, In point, Out ierr);
 void c2intf_(Work work, In icase, Out ierr);
 void c2bfor_(Work work, In ibody, In icase, In force, In rhom2, In axis, Out ierr);
 void c2zone_(Work work, In ikind, In npairs, In iside1, In iside2, Out ierr);
+void c2tie_(Work work, In izone, Out ierr);
 void c2mu_(Work work, In fmu, Out ierr);
 void c2muz_(Work work, In izone, In i, In fmu, Out ierr);
 void c2symm_(Work work, In iaxis, In value, Out ierr);
@@ -165,6 +168,7 @@ void c2clrp_(Work work, Out ierr);
 void c2acrv_(Work work, In ikind, In ibody, In ielem, In circle, Out ierr);
 void c2apts_(Work work, In ikind, In ibody, In icount, In from, In to, Out ierr);
 void c2unit_(Work work, Text length, In llen, Text force, In lforce, Out ierr);
+void c2name_(Work work, In ikind, In i, Text name, In lname, Out ierr);
 void c2line_(Work work, In iline, In icol, In icol2, Out ierr);
 void c2done_(Work work, Out ierr);
 
@@ -193,6 +197,7 @@ void c2intr_(Work work, In ibody, In n, In xy, In ldxy, Out a, In lda, Out ierr)
 void c2summ_(Work work, Out isum, In ni, Out rsum, In nr, Out ierr);
 void c2bsta_(Work work, In ibody, Out icount, Out r, Out ierr);
 void c2zsta_(Work work, In izone, Out icount, Out r, Out ierr);
+void c2bnow_(Work work, In ibody, Out irigid, Out r, Out ierr);
 void c2gmu_(Work work, In izone, In i, Out fmu, Out ierr);
 void c2gpth_(Work work, In i, Out ninc, Out factor, In ncases, Out ierr);
 void c2gzon_(Work work, In i, Out ikind, Out npairs, Out iside1, Out iside2, Out ierr);
@@ -202,6 +207,7 @@ void c2gpld_(Work work, In i, Out ibody, Out icase, Out xy, Out force, Out ierr)
 void c2gbfo_(Work work, In ibody, In icase, Out force, Out rhom2, Out axis, Out ierr);
 void c2grig_(Work work, In ibody, In icase, Out irigid, Out motion, Out axis, Out ierr);
 void c2gint_(Work work, Out icase, Out ierr);
+void c2gnam_(Work work, In ikind, In i, Out name, In lname, Out ierr);
 void c2gcrv_(Work work, In i, Out ikind, Out ibody, Out ielem, Out iline, Out circle, Out ierr);
 void c2gpts_(Work work, In i, Out ikind, Out ibody, Out icount, Out iline, Out from, Out to, Out ierr);
 void c2xpts_(Work work, In i, In ifirst, In n, Out xy, In ldxy, Out ntotal, Out ierr);

@@ -91,18 +91,23 @@ void read_cards(Call& call, Work work, Cards& cards) {
   call.forget_solver();
 }
 
-// ISIZE: bodies, functional nodes, then boundary points, elements and regions of both bodies, and the rest of c2d_limits.
+// ISIZE: bodies, functional nodes, then boundary points, elements and regions, each of all bodies (of one as of two), and the
+// rest of c2d_limits.
 bool limits_from(In isize, int32_t count, Limits& limits) {
-  c2d_body_limits* const b = limits.bodies_of;
-  int32_t* const members[] = {
-      &limits.bodies,           &limits.function_nodes, &b[0].points,         &b[1].points,  &b[0].elements,
-      &b[1].elements,           &b[0].regions,          &b[1].regions,        &limits.zones, &limits.pairs,
-      &limits.contact_elements, &limits.point_loads,    &limits.coefficients, &limits.paths, &limits.load_cases,
-      &limits.panel_columns,    &limits.free_pairs,     &limits.point_sets,   &limits.curves};
-  constexpr int32_t kSizes = static_cast<int32_t>(sizeof members / sizeof *members);
-  if (count < 1 || count > kSizes) return false;
-  limits.bodies = 0;
-  for (int32_t i = 0; i < count; ++i) *members[i] = integer_at(isize, i);
+  int32_t* const rest[] = {&limits.zones,       &limits.pairs,         &limits.contact_elements,
+                           &limits.point_loads, &limits.coefficients,  &limits.paths,
+                           &limits.load_cases,  &limits.panel_columns, &limits.free_pairs,
+                           &limits.point_sets,  &limits.curves};
+  int32_t c2d_body_limits::*const of_body[] = {&c2d_body_limits::points, &c2d_body_limits::elements, &c2d_body_limits::regions};
+  if (count < 1) return false;
+  limits.bodies = integer_at(isize);
+  if (limits.bodies > kMostBodies) return false;
+  const int32_t listed = limits.bodies > 2 ? limits.bodies : 2, first = 2 + 3 * listed;
+  if (count > first + static_cast<int32_t>(sizeof rest / sizeof *rest)) return false;
+  if (count > 1) limits.function_nodes = integer_at(isize, 1);
+  for (int32_t i = 2; i < count && i < first; ++i)
+    limits.bodies_of[(i - 2) % listed].*of_body[(i - 2) / listed] = integer_at(isize, i);
+  for (int32_t i = first; i < count; ++i) *rest[i - first] = integer_at(isize, i);
   return true;
 }
 
@@ -156,7 +161,7 @@ void keep_entry(void* context, const c2d_error* error) {
 } // namespace
 
 Limits::Limits() : c2d_limits(C2D_INIT(c2d_limits)), bodies_of() {
-  bodies = 2;
+  bodies = kMostBodies;
   body = bodies_of;
 }
 

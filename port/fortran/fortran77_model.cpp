@@ -119,6 +119,16 @@ void c2rigd_(Work work, In ibody, In icase, In motion, In axis, Out ierr) {
   call.leave(ierr);
 }
 
+void c2rgld_(Work work, In ibody, In icase, In ifree, In force, In point, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    const Reals load(force, 3), centre(point, 2);
+    const int32_t is_free[] = {integer_at(ifree, 0), integer_at(ifree, 1), integer_at(ifree, 2)};
+    call.status = c2d_set_rigid_load(call.solver, integer_at(ibody), integer_at(icase), is_free, load.data(), centre.data());
+  }
+  call.leave(ierr);
+}
+
 void c2intf_(Work work, In icase, Out ierr) {
   Call call(work);
   if (call.ready()) call.status = c2d_set_interference(call.solver, integer_at(icase));
@@ -146,6 +156,12 @@ void c2zone_(Work work, In ikind, In npairs, In iside1, In iside2, Out ierr) {
     memcpy(&zone.side2, iside2, sizeof zone.side2);
     call.status = c2d_add_zone(call.solver, &zone);
   }
+  call.leave(ierr);
+}
+
+void c2tie_(Work work, In izone, Out ierr) {
+  Call call(work);
+  if (call.ready()) call.status = c2d_tie_zone(call.solver, integer_at(izone));
   call.leave(ierr);
 }
 
@@ -222,6 +238,17 @@ void c2unit_(Work work, Text length, In llen, Text force, In lforce, Out ierr) {
     get_text(length, integer_at(llen) < room ? integer_at(llen) : room - 1, names[0], room);
     get_text(force, integer_at(lforce) < room ? integer_at(lforce) : room - 1, names[1], room);
     call.status = c2d_set_units(call.solver, names[0], names[1]);
+  }
+  call.leave(ierr);
+}
+
+void c2name_(Work work, In ikind, In i, Text name, In lname, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    char text[40]; // the library refuses what is longer than it keeps
+    const int32_t room = static_cast<int32_t>(sizeof text), length = integer_at(lname);
+    get_text(name, length < room ? length : room - 1, text, room);
+    call.status = c2d_set_name(call.solver, integer_at(ikind), integer_at(i), text);
   }
   call.leave(ierr);
 }

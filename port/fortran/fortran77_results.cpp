@@ -172,6 +172,20 @@ void c2zsta_(Work work, In izone, Out icount, Out r, Out ierr) {
   call.leave(ierr);
 }
 
+void c2bnow_(Work work, In ibody, Out irigid, Out r, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    c2d_body_state state = C2D_INIT(c2d_body_state);
+    call.status = c2d_get_body_state(call.solver, integer_at(ibody), &state);
+    const int32_t rigid[] = {state.is_rigid};
+    const double reals[] = {state.contact[0], state.contact[1], state.contact[2], state.motion[0],
+                            state.motion[1],  state.motion[2],  state.point[0],   state.point[1],
+                            state.load[0],    state.load[1],    state.load[2]};
+    if (call.status == C2D_OK) put_numbers(rigid, irigid, reals, r);
+  }
+  call.leave(ierr);
+}
+
 void c2gmu_(Work work, In izone, In i, Out fmu, Out ierr) {
   Call call(work);
   if (call.ready()) {
@@ -290,6 +304,16 @@ void c2gint_(Work work, Out icase, Out ierr) {
     int32_t load_case = 0;
     call.status = c2d_get_interference(call.solver, &load_case);
     if (call.status == C2D_OK) put_integer(icase, load_case);
+  }
+  call.leave(ierr);
+}
+
+void c2gnam_(Work work, In ikind, In i, Out name, In lname, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    char text[32];
+    call.status = c2d_get_name(call.solver, integer_at(ikind), integer_at(i), text);
+    if (call.status == C2D_OK) put_text(name, integer_at(lname), text);
   }
   call.leave(ierr);
 }

@@ -55,9 +55,12 @@ std::string declared(const std::string& whole) {
 Names names_of(const std::string& path, bool only_own) {
   Names out;
   bool own = !only_own;
-  for (const std::string& line : lines_of(path)) {
+  const std::vector<std::string> lines = lines_of(path);
+  for (size_t i = 0; i < lines.size(); ++i) {
+    const std::string& line = lines[i];
+    const bool of_one_line = line == "}" && i >= 2 && lines[i - 2] == "namespace {"; // clang-format adds no comment there
     if (only_own && line == "namespace {") own = true;
-    if (only_own && line == "} // namespace") own = false;
+    if (only_own && (line == "} // namespace" || of_one_line)) own = false;
     if (!own && !begins(line, "static ")) continue;
     const std::string name = declared(line);
     if (!name.empty()) out.insert(name);

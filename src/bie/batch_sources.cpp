@@ -127,7 +127,7 @@ bool scatter_batches(const ColumnSystem& system, const Integrator& integrator, c
   // Nor on whether only one of a component's two columns lies in it.
   job.direct = !system.scratch->targets.shared && aim_columns(job.run, job.columns);
   const ModelHeader& head = *system.model.head;
-  const int32_t end = head.body[system.body].nodes;
+  const int32_t end = system.model.body[system.body].nodes;
   const OwnSources own = own_sources(system, node, integrator.functions);
   BatchBlocks out;
   for (int32_t first = 0; first < end;) {

@@ -9,12 +9,10 @@
 
 namespace c2d {
 
-inline const BodyForce& body_force(const Model& m, int b, int32_t load_case) {
-  return m.body_force[2 * static_cast<int64_t>(load_case) + b];
-}
+inline const BodyForce& body_force(const Model& m, int b, int32_t load_case) { return m.body_force[b][load_case]; }
 inline bool is_loaded(const BodyForce& f) { return f.bx != 0.0 || f.by != 0.0 || f.rho_omega2 != 0.0; }
 // Does any load case carry one of this body?
-inline bool has_body_force(const Model& m, int b) { return (m.head->body_forces >> b & 1) != 0; }
+inline bool has_body_force(const Model& m, int b) { return m.body[b].has_force != 0; }
 
 // In the caller's units, at factor 1.
 struct Particular {

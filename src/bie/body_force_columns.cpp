@@ -37,7 +37,7 @@ void add_particular(const ColumnSystem& system, const Hole* hole, const Panel& p
 void add_body_force_columns(const ColumnSystem& system, const Hole* hole, const Panel& panel, int32_t load_case) {
   const Model& m = system.model;
   const int b = system.body;
-  const Body& body = m.head->body[b];
+  const Body& body = m.body[b];
   const int32_t column = panel.range.right + load_case;
   if (!panel.range.holds(column) || !is_loaded(body_force(m, b, load_case))) return;
   for (int32_t element = 0; element < body.elements; ++element)

@@ -59,7 +59,7 @@ void add_element(const ColumnSystem& system, const Hole* hole, const Panel& pane
 void add_balance(const ColumnSystem& system, const Panel& panel, int32_t element, const ElementTargets& t, Measure measure) {
   const Model& m = system.model;
   const int b = system.body;
-  const Body& body = m.head->body[b];
+  const Body& body = m.body[b];
   const int32_t row = 2 * body.nodes;
   Integrator& integrator = system.scratch->integrator;
   make_integrator(m, b, element, system.quadrature, measure, integrator);
@@ -77,7 +77,7 @@ void add_balance(const ColumnSystem& system, const Panel& panel, int32_t element
 void add_node(const ColumnSystem& system, const Panel& panel, int32_t node) {
   const Model& m = system.model;
   const int b = system.body;
-  const Body& body = m.head->body[b];
+  const Body& body = m.body[b];
   if (system.twin[node] == kAxisNode) return;
   const bool second = system.twin[node] == kSecondTwin;
   if (!second && !concerns(m, b, node, panel.range)) return;
@@ -107,7 +107,7 @@ void add_node(const ColumnSystem& system, const Panel& panel, int32_t node) {
 void add_all(const ColumnSystem& system, const Hole* hole, const Panel& panel) {
   const Model& m = system.model;
   const int b = system.body;
-  for (int32_t element = 0; element < m.head->body[b].elements; ++element) {
+  for (int32_t element = 0; element < m.body[b].elements; ++element) {
     if (!is_integrated(m, b, element)) continue;
     ElementTargets& targets = system.scratch->targets;
     aim(m, b, element, panel.range, targets);
@@ -133,7 +133,7 @@ void hold(const Panel& panel, int32_t row, int32_t j) {
 // remain that a symmetric state can violate: the force along the only line.
 void hold_by_symmetry(const ColumnSystem& system, const Panel& panel) {
   const Model& m = system.model;
-  const Body& body = m.head->body[system.body];
+  const Body& body = m.body[system.body];
   for (int32_t node = 0; node < body.nodes; ++node)
     for (int c = 0; c < 2; ++c)
       if (is_held_by_symmetry(m, system.body, node, c)) hold(panel, 2 * node + c, outer_column(m, system.body, node, c));
@@ -149,13 +149,13 @@ void hold_by_symmetry(const ColumnSystem& system, const Panel& panel) {
   C2D_ASSERT(rows <= ld && first >= 0);
   for (int32_t j = 0; j < count; ++j)
     for (int32_t i = 0; i < rows; ++i) data[j * ld + i] = 0;
-  const Range range{first, first + count, outer_columns(m, b) + 2 * m.head->contact};
+  const Range range{first, first + count, outer_columns(m, b) + 2 * m.body[b].contact};
   const Panel panel{m, b, range, data, ld};
   add_all(system, nullptr, panel);
   HoleWalk walk{};
   Hole hole;
   while (kHolePart.next_hole(m, b, walk, hole)) add_all(system, &hole, panel);
-  for (int32_t node = 0; node < m.head->body[b].nodes; ++node) add_node(system, panel, node);
+  for (int32_t node = 0; node < m.body[b].nodes; ++node) add_node(system, panel, node);
   if (m.head->symmetry != 0) hold_by_symmetry(system, panel);
 }
 
@@ -163,7 +163,7 @@ void hold_by_symmetry(const ColumnSystem& system, const Panel& panel) {
 
 void fill_columns(const ColumnSystem& system, int32_t first, int32_t count, Real* data, int64_t ld) {
   fill_own_columns(system, first, count, data, ld);
-  if (system.body == 0 && system.model.head->free_rows > 0) kFreeZonePart.fill_transfer(system, first, count, data, ld);
+  if (body_of(system.model, system.body).free_rows > 0) kFreeZonePart.fill_transfer(system, first, count, data, ld);
 }
 
 } // namespace c2d

@@ -5,14 +5,15 @@
 // leaves empty say that their unknown is zero.
 // Lengths are in ModelHeader::length_unit, outer tractions of body b in 2 G_b, contact tractions tau in stress_unit.
 //
-// Rows: 2 p, 2 p + 1 for functional node p; then three, the balances of force x, force y and moment; on body 1 then,
-// for each contact unknown of free zones, u_c = sum N_l u_l at the pair's point (bie/transfer.hpp).
+// Rows: 2 p, 2 p + 1 for functional node p; then three, the balances of force x, force y and moment; then, for each contact
+// unknown of free zones with the body on side 0, u_c = sum N_l u_l at the pair's point (bie/transfer.hpp).
 // Columns, in this order:
 //   outer unknowns, node by node (Body::columns of them), then rho_x, rho_y, omega    A_o
 //   contact displacements u_c in the pairs' frames                                      H_c   (m columns)
-//   contact tractions tau, as force on body 2, in the pairs' frames                     G_c   (m columns)
+//   contact tractions tau, as force on side 1, in the pairs' frames                     G_c   (m columns)
 //   right-hand sides of the load cases                                                  r     (L columns)
-// so that A_o x_o + H_c u_c = G_c t_c + sum_k lambda_k r_k with t_c = +tau on body 2 and -tau on body 1.
+// so that A_o x_o + H_c u_c = G_c t_c + sum_k lambda_k r_k with t_c = +tau on side 1 and -tau on side 0. m is
+// the body's own number of contact unknowns, Body::contact; column dof_on() is the first one of a pair.
 #include "bie/measure.hpp"
 #include "memory/config.hpp"
 #include "model/model.hpp"
@@ -45,9 +46,9 @@ Source mirrored_source(const ModelHeader& head, int image, const double at[2]);
 // Fill `point` and `twin`. Before everything else. Returns whether there are nodes without collocation.
 bool place_sources(const ColumnSystem& system);
 
-inline int32_t system_rows(const Model& m, int b) { return 2 * m.head->body[b].nodes + 3 + (b == 0 ? m.head->free_rows : 0); }
-inline int32_t outer_columns(const Model& m, int b) { return m.head->body[b].columns + 3; }
-inline int32_t trailing_columns(const Model& m) { return 2 * m.head->contact + m.head->load_cases; }
+inline int32_t system_rows(const Model& m, int b) { return 2 * m.body[b].nodes + 3 + m.body[b].free_rows; }
+inline int32_t outer_columns(const Model& m, int b) { return m.body[b].columns + 3; }
+inline int32_t trailing_columns(const Model& m, int b) { return 2 * m.body[b].contact + m.head->load_cases; }
 
 // Number the outer unknowns of a body: fills node_column and Body::columns. Once per model.
 void number_unknowns(const Model& model, int b);

@@ -193,7 +193,7 @@ bool next_run(const Model& m, int b, HoleWalk& walk, Hole& out) {
 } // namespace
 
 bool next_hole(const Model& m, int b, HoleWalk& walk, Hole& out) {
-  const int32_t regions = m.head->body[b].regions;
+  const int32_t regions = m.body[b].regions;
   if (regions == 1 && m.head->symmetry == 0) return false; // the outer boundary alone
   while (walk.region < regions) {
     if (!next_run(m, b, walk, out)) {

@@ -24,7 +24,7 @@ void add_point_load(const ColumnSystem& system, const Hole* hole, const Panel& p
   if (hole) return add_load_to_hole(system, *hole, panel, load);
   const Model& m = system.model;
   const int b = system.body;
-  const Body& body = m.head->body[b];
+  const Body& body = m.body[b];
   const double unit = m.head->length_unit, nu = strain_poisson_ratio(m, b);
   const double scale = 1.0 / (2.0 * shear_modulus(m, b) * unit);
   const double f[2] = {load.fx * scale, load.fy * scale};

@@ -5,7 +5,7 @@
 
 namespace c2d {
 
-// On a contact element of body 2 tau is per length of body 1, any other traction on its own length.
+// On a contact element of side 1 tau is per length of side 0, any other traction on its own length.
 enum class Measure { own_length, contact };
 // An element of a body with its length unit applied, for tractions in this measure.
 void make_integrator(const Model& model, int b, int32_t element, Quadrature quadrature, Measure measure, Integrator& out);
@@ -16,7 +16,7 @@ struct EndResultant {
   double w, wx, wy;
 };
 void end_resultants(const Model& model, int b, int32_t element, Measure measure, EndResultant out[kElementNodes]);
-// Ratio J1/J2 at local node l of a contact element of body 2: true traction = tau * ratio; 1 elsewhere.
+// Ratio J1/J2 at local node l of a contact element of side 1: true traction = tau * ratio; 1 elsewhere.
 double traction_ratio(const Model& model, int b, int32_t element, int l);
 
 } // namespace c2d

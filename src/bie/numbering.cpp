@@ -4,7 +4,7 @@
 namespace c2d {
 
 void number_unknowns(const Model& m, int b) {
-  Body& body = m.head->body[b];
+  Body& body = m.body[b];
   int32_t column = 0;
   for (int32_t node = 0; node < body.nodes; ++node) {
     m.node_column[b][node] = column;

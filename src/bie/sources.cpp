@@ -19,7 +19,7 @@ Source mirrored_source(const ModelHeader& head, int image, const double at[2]) {
 bool place_sources(const ColumnSystem& system) {
   bool some_passed_over = false;
   const Model& m = system.model;
-  for (int32_t node = 0; node < m.head->body[system.body].nodes; ++node) {
+  for (int32_t node = 0; node < m.body[system.body].nodes; ++node) {
     double x, y;
     node_position(m, system.body, node, &x, &y);
     system.point[2 * static_cast<int64_t>(node)] = x / m.head->length_unit;
@@ -73,7 +73,7 @@ void scatter_sources(const ColumnSystem& system, const Hole* hole, const int32_t
   if (scatter_batches(system, integrator, node, blocks, deposits)) return;
   const Model& m = system.model;
   const int nf = m.head->function_nodes;
-  for (int32_t source = 0; source < m.head->body[system.body].nodes; ++source) {
+  for (int32_t source = 0; source < m.body[system.body].nodes; ++source) {
     const int32_t twin = system.twin[source];
     if (twin == kSecondTwin || twin == kAxisNode) continue;
     const double* at = system.point + 2 * static_cast<int64_t>(source);
@@ -95,7 +95,7 @@ void fill_diagonal(const ColumnSystem& system, int32_t first_node, int32_t count
   for (int64_t i = 4 * static_cast<int64_t>(first_node); i < 4 * static_cast<int64_t>(first_node + count); ++i)
     system.diagonal[i] = 0.0;
   if (fill_diagonal_closed(system, first_node, count)) return;
-  for (int32_t element = 0; element < m.head->body[b].elements; ++element) {
+  for (int32_t element = 0; element < m.body[b].elements; ++element) {
     if (!is_integrated(m, b, element)) continue;
     Integrator& integrator = system.scratch->integrator;
     make_integrator(m, b, element, system.quadrature, Measure::own_length, integrator);

@@ -5,23 +5,25 @@ namespace c2d {
 
 namespace {
 
-void place_contact(const Pair& pair, int component, int32_t base, double factor, Destination& out) {
+void place_contact(const Model& m, const PairSide& at, int component, int32_t base, double factor, Destination& out) {
+  const Pair& pair = m.pair[at.pair];
+  const int32_t first = base + dof_on(m, pair, at.side);
   for (int slot = 0; slot <= pair.tangential; ++slot)
-    out.target[slot] = Target{base + pair.dof + slot, factor * along(pair, slot, component)};
+    out.target[slot] = Target{first + slot, factor * along(pair, slot, component)};
 }
 
 Destination nowhere() { return Destination{{{-1, 0.0}, {-1, 0.0}}, false, false}; }
 
 Destination traction_destination(const Model& m, int b, int32_t element, int l, int component, const Unknown& unknown,
-                                 int32_t pair) {
+                                 const PairSide& contact) {
   Destination out = nowhere();
   const int32_t end = element * m.head->function_nodes + l;
   const bool holds_unknown = (unknown.kind == UnknownKind::traction && unknown.end[0] == end) ||
                              (unknown.kind == UnknownKind::shared_traction && (unknown.end[0] == end || unknown.end[1] == end));
-  if (pair >= 0 && unknown.kind == UnknownKind::contact) {
+  if (contact.pair >= 0 && unknown.kind == UnknownKind::contact) {
     const double scale = m.head->stress_unit / (2.0 * shear_modulus(m, b));
-    place_contact(m.pair[pair], component, outer_columns(m, b) + m.head->contact, scale, out);
-    out.contact = b == 1; // on body 1 both measures are one
+    place_contact(m, contact, component, outer_columns(m, b) + m.body[b].contact, scale, out);
+    out.contact = contact.side == 1; // on side 0 both measures are one
   } else if (holds_unknown) {
     out.target[0] = Target{outer_column(m, b, functional_node(m, b, element, l), component), -1.0};
   } else {
@@ -55,7 +57,7 @@ bool wanted(const Model& m, const Destination& d, const Range& range, const Plac
 Destination displacement_destination(const Model& m, int b, int32_t node, int component, const Unknown& unknown) {
   Destination out = nowhere();
   if (unknown.kind == UnknownKind::contact)
-    place_contact(m.pair[pair_of_node(m, b, node)], component, outer_columns(m, b), 1.0, out);
+    place_contact(m, pair_of_node(m, b, node), component, outer_columns(m, b), 1.0, out);
   else if (unknown.kind == UnknownKind::displacement)
     out.target[0] = Target{outer_column(m, b, node, component), 1.0};
   else
@@ -64,11 +66,11 @@ Destination displacement_destination(const Model& m, int b, int32_t node, int co
 }
 
 double known_displacement(const Model& m, int b, int32_t node, int component, int32_t load_case) {
-  const int64_t at = (static_cast<int64_t>(load_case) * m.head->body[b].nodes + node) * 2 + component;
+  const int64_t at = (static_cast<int64_t>(load_case) * m.body[b].nodes + node) * 2 + component;
   return -m.node_disp[b][at] / m.head->length_unit;
 }
 double known_traction(const Model& m, int b, int32_t element, int l, int component, int32_t load_case) {
-  const int64_t ends = static_cast<int64_t>(m.head->body[b].elements) * m.head->function_nodes;
+  const int64_t ends = static_cast<int64_t>(m.body[b].elements) * m.head->function_nodes;
   const int64_t end = static_cast<int64_t>(element) * m.head->function_nodes + l;
   return m.end_traction[b][(load_case * ends + end) * 2 + component] / (2.0 * shear_modulus(m, b));
 }
@@ -82,7 +84,7 @@ bool goes_to_two(const Destination& d) {
 } // namespace
 
 bool concerns(const Model& m, int b, int32_t node, const Range& range) {
-  if (range.last > m.head->body[b].columns) return true;
+  if (range.last > m.body[b].columns) return true;
   return m.node_column[b][node] < range.last && m.node_column[b][node + 1] > range.first;
 }
 
@@ -95,12 +97,12 @@ void aim(const Model& m, int b, int32_t element, const Range& range, ElementTarg
   for (int l = 0; l < m.head->function_nodes; ++l) {
     const int32_t node = functional_node(m, b, element, l);
     out.node[l] = node;
-    const int32_t pair = pair_of_end(m, b, element, l);
+    const PairSide contact = pair_of_end(m, b, element, l);
     Unknown unknown[2];
     unknowns_at(m, b, node, unknown);
     for (int c = 0; c < 2; ++c) {
       Destination& h = out.h[l][c] = displacement_destination(m, b, node, c, unknown[c]);
-      Destination& g = out.g[l][c] = traction_destination(m, b, element, l, c, unknown[c], pair);
+      Destination& g = out.g[l][c] = traction_destination(m, b, element, l, c, unknown[c], contact);
       const Place at{b, element, node, l, c};
       out.shared = out.shared || goes_to_two(h) || goes_to_two(g);
       const bool want_h = wanted(m, h, range, at, false), want_g = wanted(m, g, range, at, true);

@@ -18,7 +18,7 @@ Element part_of(const Model& m, int b, int32_t element, double from, double to, 
   const double unit = m.head->length_unit;
   double x[kElementNodes], y[kElementNodes], px[kElementNodes], py[kElementNodes];
   element_coordinates(m, b, element, x, y);
-  const int nodes = m.head->body[b].element_nodes;
+  const int nodes = m.body[b].element_nodes;
   for (int k = 0; k < nodes; ++k) x[k] /= unit, y[k] /= unit;
   const Element whole = make_element(nodes, x, y);
   for (int k = 0; k < nodes; ++k) {
@@ -40,24 +40,26 @@ int32_t functions_of_piece(const Model& m) { return m.head->function_nodes < 2 ?
 
 void make_transfer(const Model& m, Quadrature quadrature, const TransferWalk& walk, Transfer& out) {
   const FacingPiece& piece = walk.piece;
+  const int32_t(&body)[2] = m.zone[walk.zone].body;
   const int nf = m.head->function_nodes, functions = functions_of_piece(m);
-  const int first = piece.eta1[0] < piece.eta1[1] ? 0 : 1; // in body 1's direction of travel, which is against body 2's
+  const int first = piece.eta1[0] < piece.eta1[1] ? 0 : 1; // in side 0's direction of travel, which is against side 1's
   const double from = piece.eta1[first], to = piece.eta1[1 - first];
   const double high = piece.eta2[first], low = piece.eta2[1 - first];
   const int32_t none[2] = {-1, -1};
   out.element1 = piece.element1;
-  out.node[0] = node_at(m, FacePoint{piece.element1, 0, from});
-  out.node[1] = node_at(m, FacePoint{piece.element1, 0, to});
-  prepare(out.in, part_of(m, 0, piece.element1, from, to, out.node), functions, strain_poisson_ratio(m, 0), quadrature);
-  set_arc(out.in, part_of(m, 1, walk.pieces.element2, low, high, none), true);
-  for (int l = 0; l < kElementNodes; ++l) out.pair[l] = l < nf ? pair_of_end(m, 1, walk.pieces.element2, l) : -1;
+  out.node[0] = node_at(m, body[0], FacePoint{piece.element1, 0, from});
+  out.node[1] = node_at(m, body[0], FacePoint{piece.element1, 0, to});
+  const double nu = strain_poisson_ratio(m, body[0]);
+  prepare(out.in, part_of(m, body[0], piece.element1, from, to, out.node), functions, nu, quadrature);
+  set_arc(out.in, part_of(m, body[1], walk.pieces.element2, low, high, none), true);
+  for (int l = 0; l < kElementNodes; ++l) out.pair[l] = l < nf ? pair_of_end(m, body[1], walk.pieces.element2, l).pair : -1;
   for (int k = 0; k < functions; ++k) shape(nf, high + (low - high) * k / (functions - 1), out.weight[k]);
 }
 
 bool next_transfer(const Model& m, TransferWalk& walk) {
   for (; walk.zone < m.head->zones; ++walk.zone, walk.place = 0) {
     const Zone& z = m.zone[walk.zone];
-    if (z.is_free == 0) continue;
+    if (z.is_free == 0 || z.body[0] != walk.body) continue;
     for (; walk.place < z.elements; ++walk.place) {
       if (!walk.inside) walk.pieces = start_pieces(m, z, walk.place);
       walk.inside = next_piece(walk.pieces, walk.piece);
@@ -69,7 +71,8 @@ bool next_transfer(const Model& m, TransferWalk& walk) {
 
 namespace {
 
-struct Columns { // the panel
+struct Columns { // the panel of a body
+  int b;
   int32_t first, count;
   Real* data;
   int64_t ld;
@@ -80,59 +83,62 @@ struct Columns { // the panel
 
 // weight * u of a node's component into one of the rows below the balances.
 void add_displacement(const Model& m, const Columns& panel, int32_t row, int32_t node, int component, double weight) {
-  const Unknown unknown = unknown_at(m, 0, node, component);
-  const int32_t outer = outer_columns(m, 0);
+  const int b = panel.b;
+  const Unknown unknown = unknown_at(m, b, node, component);
+  const int32_t outer = outer_columns(m, b);
   if (unknown.kind == UnknownKind::displacement) {
-    panel.add(row, outer_column(m, 0, node, component), weight);
+    panel.add(row, outer_column(m, b, node, component), weight);
   } else if (unknown.kind == UnknownKind::contact) { // of an ordinary zone beside this one
-    const Pair& pair = m.pair[pair_of_node(m, 0, node)];
-    for (int d = 0; d <= pair.tangential; ++d) panel.add(row, outer + pair.dof + d, weight * along(pair, d, component));
+    const PairSide at = pair_of_node(m, b, node);
+    const Pair& pair = m.pair[at.pair];
+    const int32_t column = outer + dof_on(m, pair, at.side);
+    for (int d = 0; d <= pair.tangential; ++d) panel.add(row, column + d, weight * along(pair, d, component));
   } else {
     for (int32_t k = 0; k < m.head->load_cases; ++k) {
-      const int64_t at = (static_cast<int64_t>(k) * m.head->body[0].nodes + node) * 2 + component;
-      panel.add(row, outer + 2 * m.head->contact + k, -weight * m.node_disp[0][at] / m.head->length_unit);
+      const int64_t at = (static_cast<int64_t>(k) * m.body[b].nodes + node) * 2 + component;
+      panel.add(row, outer + 2 * m.body[b].contact + k, -weight * m.node_disp[b][at] / m.head->length_unit);
     }
   }
 }
 
-// part * u of body 1 at a pair, as an element has it, in the pair's row for direction d.
+// part * u of side 0 at a pair, as an element has it, in the pair's row for direction d.
 void add_faced_displacement(const Model& m, const Columns& panel, const Pair& pair, int d, int32_t element, double part) {
   const int nf = m.head->function_nodes;
-  const int32_t row = 2 * m.head->body[0].nodes + 3 + pair.row + d;
+  const int32_t row = 2 * m.body[panel.b].nodes + 3 + pair.row + d;
   double value[kElementNodes];
   shape(nf, pair.eta, value);
   for (int l = 0; l < nf; ++l)
     for (int c = 0; c < 2; ++c) {
       const double weight = part * value[l] * along(pair, d, c);
-      if (weight != 0.0) add_displacement(m, panel, row, functional_node(m, 0, element, l), c, weight);
+      if (weight != 0.0) add_displacement(m, panel, row, functional_node(m, panel.b, element, l), c, weight);
     }
 }
 
 // Constant functions jump where elements meet: a point there moves with the mean of both, whichever element is said to hold it.
 [[gnu::noinline]] void add_constraints(const Model& m, const Columns& panel) {
-  const int32_t below = 2 * m.head->body[0].nodes + 3;
+  const int32_t below = 2 * m.body[panel.b].nodes + 3, outer = outer_columns(m, panel.b);
   for (int32_t i = 0; i < m.head->pairs; ++i) {
     const Pair& pair = m.pair[i];
-    if (pair.node[0] >= 0) continue;
+    if (pair.node[0] >= 0 || body_on(m, pair, 0) != panel.b) continue;
     const int32_t beside = m.head->function_nodes == 1 ? element_beside_pair(m, pair) : -1;
     for (int d = 0; d <= pair.tangential; ++d) {
       add_faced_displacement(m, panel, pair, d, pair.element, beside < 0 ? 1.0 : 0.5);
       if (beside >= 0) add_faced_displacement(m, panel, pair, d, beside, 0.5);
-      panel.add(below + pair.row + d, outer_columns(m, 0) + pair.dof + d, -1.0);
+      panel.add(below + pair.row + d, outer + dof_on(m, pair, 0) + d, -1.0);
     }
   }
 }
 
-// Integrals of the functions of a piece become those of tau at the ends of the element of body 2, in columns of tau.
+// Integrals of the functions of a piece become those of tau at the ends of the element of side 1, in columns of tau.
 void send(const Model& m, const Columns& panel, const Transfer& t, const double value[kElementNodes], int32_t row,
           int component) {
-  const double scale = m.head->stress_unit / (2.0 * shear_modulus(m, 0));
+  const double scale = m.head->stress_unit / (2.0 * shear_modulus(m, panel.b));
   for (int l = 0; l < m.head->function_nodes; ++l) {
     if (t.pair[l] < 0) continue;
     const Pair& pair = m.pair[t.pair[l]];
     double sum = 0.0;
     for (int k = 0; k < t.in.functions; ++k) sum += t.weight[k][l] * value[k];
-    const int32_t column = outer_columns(m, 0) + m.head->contact + pair.dof;
+    const int32_t column = outer_columns(m, panel.b) + m.body[panel.b].contact + dof_on(m, pair, 0);
     for (int d = 0; d <= pair.tangential; ++d) panel.add(row, column + d, scale * along(pair, d, component) * sum);
   }
 }
@@ -148,7 +154,7 @@ void send(const Model& m, const Columns& panel, const Transfer& t, const double 
       for (int c = 0; c < 2; ++c) {
         double value[kElementNodes];
         for (int k = 0; k < t.in.functions; ++k) value[k] = n[i] * row.g[k][c];
-        if (!is_held_by_symmetry(m, 0, node, i)) send(m, panel, t, value, 2 * node + i, c);
+        if (!is_held_by_symmetry(m, panel.b, node, i)) send(m, panel, t, value, 2 * node + i, c);
       }
   });
 }
@@ -156,7 +162,7 @@ void send(const Model& m, const Columns& panel, const Transfer& t, const double 
 [[gnu::noinline]] void add_piece(const ColumnSystem& system, const Columns& panel, const Transfer& t) {
   const Model& m = system.model;
   Blocks& blocks = system.scratch->blocks;
-  for (int32_t source = 0; source < m.head->body[0].nodes; ++source) {
+  for (int32_t source = 0; source < m.body[panel.b].nodes; ++source) {
     if (system.twin[source] == kSecondTwin || system.twin[source] == kAxisNode) continue;
     for (int image = 0; image <= m.head->symmetry; ++image) {
       if (!is_image(*m.head, image)) continue;
@@ -167,11 +173,11 @@ void send(const Model& m, const Columns& panel, const Transfer& t, const double 
         for (int c = 0; c < 2; ++c) {
           double value[kElementNodes];
           for (int k = 0; k < t.in.functions; ++k) value[k] = image_sign(image, i) * blocks.g[k][i][c];
-          if (!is_held_by_symmetry(m, 0, source, i)) send(m, panel, t, value, 2 * source + i, c);
+          if (!is_held_by_symmetry(m, panel.b, source, i)) send(m, panel, t, value, 2 * source + i, c);
         }
     }
   }
-  const Body& body = m.head->body[0];
+  const Body& body = m.body[panel.b];
   const int32_t row = 2 * body.nodes, held = m.head->symmetry;
   double w[kElementNodes], wx[kElementNodes], wy[kElementNodes];
   resultants(t.in, body.centre[0] / m.head->length_unit, body.centre[1] / m.head->length_unit, w, wx, wy);
@@ -186,6 +192,7 @@ void send(const Model& m, const Columns& panel, const Transfer& t, const double 
 // Every piece, to the equations at the nodes of a hole or to all others.
 [[gnu::noinline]] void add_pieces(const ColumnSystem& system, const Hole* hole, const Columns& panel) {
   TransferWalk walk{};
+  walk.body = system.body;
   Transfer& transfer = system.scratch->transfer;
   while (next_transfer(system.model, walk)) {
     make_transfer(system.model, system.quadrature, walk, transfer);
@@ -200,14 +207,15 @@ void send(const Model& m, const Columns& panel, const Transfer& t, const double 
 
 void fill_transfer(const ColumnSystem& system, int32_t first, int32_t count, Real* data, int64_t ld) {
   const Model& m = system.model;
-  const Columns panel{first, count, data, ld};
+  const int b = system.body;
+  const Columns panel{b, first, count, data, ld};
   add_constraints(m, panel);
-  const int32_t from = outer_columns(m, 0) + m.head->contact;
-  if (first + count <= from || first >= from + m.head->contact) return;
+  const int32_t from = outer_columns(m, b) + m.body[b].contact;
+  if (first + count <= from || first >= from + m.body[b].contact) return;
   add_pieces(system, nullptr, panel);
   HoleWalk holes{};
   Hole hole;
-  while (kHolePart.next_hole(m, 0, holes, hole)) add_pieces(system, &hole, panel);
+  while (kHolePart.next_hole(m, b, holes, hole)) add_pieces(system, &hole, panel);
 }
 
 namespace {
@@ -218,20 +226,22 @@ namespace {
 
 } // namespace
 
-bool transferred_end(const Model& m, int32_t element, int l, TransferredEnd& out) {
+bool transferred_end(const Model& m, int b, int32_t element, int l, TransferredEnd& out) {
   const int nf = m.head->function_nodes;
   FacePoint at{element, 0, node_eta(nf, l)}, faced;
-  int32_t zone;
+  ZonePlace place;
   double n[2];
-  if (!find_contact_element(m, 0, element, &zone, &at.place) || m.zone[zone].is_free == 0) return false;
-  if (!facing_point(m, m.zone[zone], at, faced)) return false;
-  facing_direction(m, m.zone[zone], at, faced, n);
-  const Point p = point_of(m, 0, at), q = point_of(m, 1, faced);
+  if (!find_contact_element(m, b, element, &place) || place.side != 0 || m.zone[place.zone].is_free == 0) return false;
+  const Zone& z = m.zone[place.zone];
+  at.place = place.place;
+  if (!facing_point(m, z, at, faced)) return false;
+  facing_direction(m, z, at, faced, n);
+  const Point p = point_of(m, b, at), q = point_of(m, z.body[1], faced);
   // Both advance equally across the line along n that joins them.
   const double advance1 = p.nx * n[0] + p.ny * n[1], advance2 = -(q.nx * n[0] + q.ny * n[1]);
   out.ratio = advance2 > 0.0 ? advance1 / advance2 : 1.0;
   shape(nf, faced.eta, out.weight);
-  for (int k = 0; k < kElementNodes; ++k) out.pair[k] = k < nf ? pair_of_end(m, 1, faced.element, k) : -1;
+  for (int k = 0; k < kElementNodes; ++k) out.pair[k] = k < nf ? pair_of_end(m, z.body[1], faced.element, k).pair : -1;
   return true;
 }
 

@@ -6,63 +6,129 @@ namespace c2d {
 
 namespace {
 
-bool is_per_case(ContactMatrix matrix) {
-  switch (matrix) {
-  case ContactMatrix::load1:
-  case ContactMatrix::load2:
-  case ContactMatrix::flexibility_load:
-  case ContactMatrix::closing:
-  case ContactMatrix::stiffness_load: return true;
-  default: return false;
+// Columns and rows of one matrix, and its first block.
+struct Place {
+  int64_t first, columns, rows;
+};
+
+// Of a body with n unknowns, of which F is needed or not, from its own first block on.
+Place place_of(BodyMatrix matrix, int64_t n, bool is_solved_for, int64_t cases) {
+  Place at = {0, 0, n};
+  for (int32_t i = 0; i <= static_cast<int32_t>(matrix); ++i) {
+    at.first += at.columns;
+    switch (static_cast<BodyMatrix>(i)) {
+    case BodyMatrix::displacement:
+    case BodyMatrix::traction: at.columns = n; break;
+    case BodyMatrix::flexibility: at.columns = is_solved_for ? n : 0; break;
+    case BodyMatrix::load:
+    case BodyMatrix::response:
+    case BodyMatrix::given: at.columns = cases; break;
+    default: at.columns = kMostMotions;
+    }
   }
+  if (matrix == BodyMatrix::given) at.rows = kMostMotions;
+  return at;
 }
 
-uint64_t first_block(ContactMatrix matrix, int32_t m, int32_t cases) {
-  int64_t block = 0;
-  for (int32_t i = 0; i < static_cast<int32_t>(matrix); ++i) block += contact_columns(static_cast<ContactMatrix>(i), m, cases);
-  return static_cast<uint64_t>(block);
+Place place_of(ContactMatrix matrix, int64_t m, int64_t motions, int64_t border, int64_t cases) {
+  Place at = {0, 0, 0};
+  for (int32_t i = 0; i <= static_cast<int32_t>(matrix); ++i) {
+    at.first += at.columns;
+    at.rows = m;
+    switch (static_cast<ContactMatrix>(i)) {
+    case ContactMatrix::compliance: at.columns = m + border; break;
+    case ContactMatrix::stiffness: at.columns = m; break;
+    case ContactMatrix::motion_load: at.rows = border; [[fallthrough]];
+    case ContactMatrix::closing:
+    case ContactMatrix::stiffness_load: at.columns = cases; break;
+    case ContactMatrix::border:
+    case ContactMatrix::motion: at.columns = border; break;
+    case ContactMatrix::mix: at.rows = motions; [[fallthrough]];
+    default: at.columns = motions;
+    }
+  }
+  return at;
 }
 
-} // namespace
-
-int64_t contact_columns(ContactMatrix matrix, int32_t m, int32_t cases) {
-  if (matrix >= ContactMatrix::resultants) return 3;
-  return is_per_case(matrix) ? cases : m;
+Place place_of(const ContactTape& tape, ContactMatrix matrix) {
+  const ModelHeader& head = *tape.model->head;
+  return place_of(matrix, head.contact, head.motions, head.border, head.load_cases);
+}
+Place place_of(const ContactTape& tape, int b, BodyMatrix matrix) {
+  const Body& body = tape.model->body[b];
+  Place at = place_of(matrix, body.contact, body.keeps_equations == 0, tape.model->head->load_cases);
+  at.first += body.first_block;
+  return at;
 }
 
-int64_t contact_blocks(int32_t m, int32_t cases) { return static_cast<int64_t>(first_block(ContactMatrix::count, m, cases)); }
-
-c2d_status write_column(const ContactTape& tape, ContactMatrix matrix, int32_t column, const Real* data) {
-  const uint64_t bytes = static_cast<uint64_t>(tape.m) * sizeof(Real);
+c2d_status write(const ContactTape& tape, const Place& at, int64_t column, const Real* data) {
+  const uint64_t bytes = static_cast<uint64_t>(at.rows) * sizeof(Real);
   memcpy(static_cast<char*>(tape.buffer) + kBlockHeaderBytes, data, static_cast<size_t>(bytes));
-  const uint64_t block = first_block(matrix, tape.m, tape.cases) + static_cast<uint64_t>(column);
-  return write_block(*tape.tapes, C2D_TAPE_CONTACT, block, tape.buffer, bytes);
+  return write_block(*tape.tapes, C2D_TAPE_CONTACT, static_cast<uint64_t>(at.first + column), tape.buffer, bytes);
 }
 
-c2d_status read_column(const ContactTape& tape, ContactMatrix matrix, int32_t column, Real* data) {
-  const uint64_t bytes = static_cast<uint64_t>(tape.m) * sizeof(Real);
-  const uint64_t block = first_block(matrix, tape.m, tape.cases) + static_cast<uint64_t>(column);
-  const c2d_status status = read_block(*tape.tapes, C2D_TAPE_CONTACT, block, tape.buffer, bytes);
+c2d_status read(const ContactTape& tape, const Place& at, int64_t column, Real* data) {
+  const uint64_t bytes = static_cast<uint64_t>(at.rows) * sizeof(Real);
+  const c2d_status status =
+      read_block(*tape.tapes, C2D_TAPE_CONTACT, static_cast<uint64_t>(at.first + column), tape.buffer, bytes);
   if (status == C2D_OK) memcpy(data, static_cast<const char*>(tape.buffer) + kBlockHeaderBytes, static_cast<size_t>(bytes));
   return status;
 }
 
-c2d_status write_matrix(const ContactTape& tape, ContactMatrix matrix, const Real* data) {
-  const int64_t columns = contact_columns(matrix, tape.m, tape.cases);
-  for (int32_t j = 0; j < columns; ++j) {
-    const c2d_status status = write_column(tape, matrix, j, data + static_cast<int64_t>(j) * tape.m);
-    if (status != C2D_OK) return status;
-  }
-  return C2D_OK;
+c2d_status write_all(const ContactTape& tape, const Place& at, const Real* data, int64_t ld) {
+  c2d_status status = C2D_OK;
+  for (int64_t j = 0; j < at.columns && status == C2D_OK; ++j) status = write(tape, at, j, data + j * ld);
+  return status;
 }
 
-c2d_status read_matrix(const ContactTape& tape, ContactMatrix matrix, Real* data) {
-  const int64_t columns = contact_columns(matrix, tape.m, tape.cases);
-  for (int32_t j = 0; j < columns; ++j) {
-    const c2d_status status = read_column(tape, matrix, j, data + static_cast<int64_t>(j) * tape.m);
-    if (status != C2D_OK) return status;
+c2d_status read_all(const ContactTape& tape, const Place& at, Real* data, int64_t ld) {
+  c2d_status status = C2D_OK;
+  for (int64_t j = 0; j < at.columns && status == C2D_OK; ++j) status = read(tape, at, j, data + j * ld);
+  return status;
+}
+
+} // namespace
+
+int64_t contact_blocks(int64_t bodies, int64_t m, int64_t motions, int64_t cases) {
+  if (m == 0) return 0;
+  // Every contact unknown belongs to two bodies.
+  return place_of(ContactMatrix::count, m, motions, motions, cases).first + 6 * m + bodies * (3 * cases + 3 * kMostMotions);
+}
+
+int64_t place_contact_blocks(const Model& m) {
+  int64_t block = place_of(ContactMatrix::count, m.head->contact, m.head->motions, m.head->border, m.head->load_cases).first;
+  for (int b = 0; b < m.head->bodies; ++b) {
+    m.body[b].first_block = block;
+    if (m.body[b].contact > 0)
+      block += place_of(BodyMatrix::count, m.body[b].contact, m.body[b].keeps_equations == 0, m.head->load_cases).first;
   }
-  return C2D_OK;
+  return m.head->contact > 0 ? block : 0;
+}
+
+c2d_status write_column(const ContactTape& tape, ContactMatrix matrix, int32_t column, const Real* data) {
+  return write(tape, place_of(tape, matrix), column, data);
+}
+c2d_status read_column(const ContactTape& tape, ContactMatrix matrix, int32_t column, Real* data) {
+  return read(tape, place_of(tape, matrix), column, data);
+}
+c2d_status write_column(const ContactTape& tape, int b, BodyMatrix matrix, int32_t column, const Real* data) {
+  return write(tape, place_of(tape, b, matrix), column, data);
+}
+c2d_status read_column(const ContactTape& tape, int b, BodyMatrix matrix, int32_t column, Real* data) {
+  return read(tape, place_of(tape, b, matrix), column, data);
+}
+
+c2d_status write_matrix(const ContactTape& tape, ContactMatrix matrix, const Real* data, int64_t ld) {
+  return write_all(tape, place_of(tape, matrix), data, ld);
+}
+c2d_status read_matrix(const ContactTape& tape, ContactMatrix matrix, Real* data, int64_t ld) {
+  return read_all(tape, place_of(tape, matrix), data, ld);
+}
+c2d_status write_matrix(const ContactTape& tape, int b, BodyMatrix matrix, const Real* data, int64_t ld) {
+  return write_all(tape, place_of(tape, b, matrix), data, ld);
+}
+c2d_status read_matrix(const ContactTape& tape, int b, BodyMatrix matrix, Real* data, int64_t ld) {
+  return read_all(tape, place_of(tape, b, matrix), data, ld);
 }
 
 } // namespace c2d

@@ -1,44 +1,66 @@
 #pragma once
-// The contact matrices on tape CONTACT (MTAPE1 and MTAPE2 of 1987): one column of m numbers per block.
+// The contact matrices on tape CONTACT (MTAPE1 and MTAPE2 of 1987): one column per block. m: contact unknowns of the model.
 #include "memory/config.hpp"
+#include "model/model.hpp"
 #include "store/tapes.hpp"
 
 namespace c2d {
 
-// Matrices in the order of their blocks. Bodies: S_u u_c = S_t t_c + sum_k lambda_k s_k.
-enum class ContactMatrix : int32_t {
-  displacement1,
-  traction1,
-  load1, // S_u, S_t: m columns; s: L columns, of body 1
-  displacement2,
-  traction2,
-  load2,            // of body 2
-  flexibility,      // F = -S_u^-1 S_t of the inverted body, m columns
-  flexibility_load, // v = S_u^-1 s of the inverted body, L columns
-  compliance,       // M, m columns
-  closing,          // h, L columns
-  stiffness,        // T = M^-1 B, m columns: the tableau with every pair sticking
-  stiffness_load,   // b = -M^-1 h, L columns
-  resultants,       // G, E and R of the body that the contact has to hold (contact/rigid_balance.hpp), 3 columns each
+// Of each body, with as many rows as it has contact unknowns: S_u u = S_t t + sum_k lambda_k s_k. Bodies that keep no equations
+// are solved for: u = F t + sum_k lambda_k v_k + R x (contact/body_compliance.hpp). (F and v do not stand where S_t and s
+// stood: a write that is lost must not leave what reads as good.)
+enum class BodyMatrix : int32_t {
+  displacement, // S_u
+  traction,     // S_t
+  load,         // s: per load case
+  flexibility,  // F, of bodies that are solved for
+  response,     // v of those, and of rigid ones: per load case
+  given,        // g: per load case, a number for each motion of the body
+  motions,      // R, G and E: kMostMotions columns each
+  resultants,
   equilibrium,
+  count
+};
+// Of the model (contact/reduction.hpp).
+enum class ContactMatrix : int32_t {
+  compliance,     // A and C: m columns of m, and one for each motion of bodies that keep no equations
+  closing,        // h: per load case, of m
+  stiffness,      // T: m columns of m, the tableau with every pair sticking
+  stiffness_load, // b: per load case, of m
+  resultants,     // G and R of all bodies, each orthonormal: a column of m for each motion
   motions,
+  mix,         // what made G orthonormal: a column for each motion, a number for each motion
+  border,      // C, orthonormal: a column of m for each of these motions
+  motion,      // x = X w' + sum_k lambda_k x_k: a row of X, m numbers, for each of these motions,
+  motion_load, // x_k: per load case, a number for each
   count
 };
 
+constexpr int32_t kMostMotions = 3; // of a body in a plane
+
 struct ContactTape {
   Tapes* tapes;
-  int32_t m, cases;
+  const Model* model;
   void* buffer; // a block of m numbers, aligned to 64
 };
 
-int64_t contact_columns(ContactMatrix matrix, int32_t m, int32_t cases);
-int64_t contact_blocks(int32_t m, int32_t cases); // on the whole tape
+inline int32_t contact_unknowns(const ContactTape& tape) { return tape.model->head->contact; }
+inline int32_t free_motions(const ContactTape& tape) { return tape.model->head->motions; }
+inline int32_t border_motions(const ContactTape& tape) { return tape.model->head->border; }
+// On the whole tape, for so many bodies, contact unknowns, motions and load cases; never more with fewer of them.
+int64_t contact_blocks(int64_t bodies, int64_t m, int64_t motions, int64_t cases);
+// Fills Body::first_block; returns the number of blocks.
+int64_t place_contact_blocks(const Model& m);
 
-// One column, m numbers. Errors: those of the block store.
+// One column. Errors: those of the block store.
 c2d_status write_column(const ContactTape& tape, ContactMatrix matrix, int32_t column, const Real* data);
 c2d_status read_column(const ContactTape& tape, ContactMatrix matrix, int32_t column, Real* data);
-// All columns of a matrix, leading dimension m.
-c2d_status write_matrix(const ContactTape& tape, ContactMatrix matrix, const Real* data);
-c2d_status read_matrix(const ContactTape& tape, ContactMatrix matrix, Real* data);
+c2d_status write_column(const ContactTape& tape, int b, BodyMatrix matrix, int32_t column, const Real* data);
+c2d_status read_column(const ContactTape& tape, int b, BodyMatrix matrix, int32_t column, Real* data);
+// All columns of a matrix, at this distance.
+c2d_status write_matrix(const ContactTape& tape, ContactMatrix matrix, const Real* data, int64_t ld);
+c2d_status read_matrix(const ContactTape& tape, ContactMatrix matrix, Real* data, int64_t ld);
+c2d_status read_matrix(const ContactTape& tape, int b, BodyMatrix matrix, Real* data, int64_t ld);
+c2d_status write_matrix(const ContactTape& tape, int b, BodyMatrix matrix, const Real* data, int64_t ld);
 
 } // namespace c2d

@@ -8,22 +8,25 @@ bool surface_faced(const Model& m, int32_t pair, Surface& out) {
   Pair& p = m.pair[pair];
   const Zone& z = m.zone[p.zone];
   const int32_t f = m.head->function_nodes;
-  int32_t ends[2], zone;
+  int32_t ends[2];
+  ZonePlace place;
   out = Surface{{0, 0}, 0, 0, -1, 0};
-  const int count = ends_at_node(m, 1, p.node[1], ends);
+  const int count = ends_at_node(m, z.body[1], p.node[1], ends);
   for (int i = 0; i < count; ++i) {
-    if (pair_of_end(m, 1, ends[i] / f, ends[i] % f) != pair) continue;
+    if (pair_of_end(m, z.body[1], ends[i] / f, ends[i] % f).pair != pair) continue;
     FacePoint at2{ends[i] / f, 0, node_eta(f, ends[i] % f)}, at;
-    if (!find_contact_element(m, 1, at2.element, &zone, &at2.place) || !face_point(m, z, at2, at)) return false;
+    if (!find_contact_element(m, z.body[1], at2.element, &place)) return false;
+    at2.place = place.place;
+    if (!face_point(m, z, at2, at)) return false;
     p.element = at.element;
     p.eta = at.eta;
-    add_surface(m, 0, at.element, at.eta, out);
+    add_surface(m, z.body[0], at.element, at.eta, out);
     normal_in_zone(m, z, 0, at, out.n);
     return make_unit(out.n);
   }
   return false;
 }
 
-int32_t faced_node(const Model& m, const Pair& p) { return node_at(m, FacePoint{p.element, 0, p.eta}); }
+int32_t faced_node(const Model& m, const Pair& p) { return node_at(m, body_on(m, p, 0), FacePoint{p.element, 0, p.eta}); }
 
 } // namespace c2d

@@ -21,8 +21,8 @@ bool make_unit(double v[2]);
 void say_pair(Finding& f, const Model& m, int32_t pair);
 
 // ---- optional (memory/parts.hpp): of pairs of free zones alone ----
-// Finds the point of body 1 that the pair's node of body 2 faces, and the surface there.
+// Finds the point of side 0 that the pair's node of side 1 faces, and the surface there.
 bool surface_faced(const Model& m, int32_t pair, Surface& out);
-// Node of body 1 at that point, -1 between nodes.
+// Node of side 0 at that point, -1 between nodes.
 int32_t faced_node(const Model& m, const Pair& p);
 } // namespace c2d

@@ -56,22 +56,24 @@ void say_pair(Finding& f, const Model& m, int32_t pair) {
   const Pair& p = m.pair[pair];
   say(f, "pair ", pair + 1);
   if (p.node[0] >= 0)
-    say(f, " (node ", p.node[0] + 1, " of body 1");
+    say(f, " (node ", p.node[0] + 1);
   else
-    say(f, " (on element ", p.element + 1, " of body 1");
-  say(f, ", node ", p.node[1] + 1, " of body 2)");
+    say(f, " (on element ", p.element + 1);
+  say(f, " of body ", body_named(m, body_on(m, p, 0)), ", node ", p.node[1] + 1, " of body ", body_named(m, body_on(m, p, 1)),
+      ")");
 }
 
 namespace {
 
-bool surface_at(const Model& m, int b, int32_t pair, Surface& out) {
+bool surface_at(const Model& m, int side, int32_t pair, Surface& out) {
   const int32_t f = m.head->function_nodes;
+  const int b = body_on(m, m.pair[pair], side);
   int32_t ends[2];
-  const int count = ends_at_node(m, b, m.pair[pair].node[b], ends);
+  const int count = ends_at_node(m, b, m.pair[pair].node[side], ends);
   out = Surface{{0, 0}, 0, 0, -1, 0};
   for (int i = 0; i < count; ++i) {
     const int32_t element = ends[i] / f, local = ends[i] % f;
-    if (pair_of_end(m, b, element, local) != pair) continue;
+    if (pair_of_end(m, b, element, local).pair != pair) continue;
     add_surface(m, b, element, node_eta(f, local), out);
   }
   return make_unit(out.n);
@@ -93,20 +95,29 @@ bool has_value(const Model& m, int b, int32_t node, int component) {
   return false;
 }
 
+void report_one_side(const Model& m, int32_t pair, int side, int component, Reporter& reporter) {
+  Finding f(at_pair(m, pair));
+  say_pair(f, m, pair);
+  say(f, component == 0 ? ": ux" : ": uy", " is prescribed on body ", body_named(m, body_on(m, m.pair[pair], side)),
+      " only, expected it on both bodies (symmetry) or on neither");
+  report(reporter, f);
+}
+
 // Prescribed displacements at a pair. Returns false on a fault; *component: the one that symmetry fixes, or
 // -1.
 bool find_symmetry(const Model& m, int32_t pair, int* component, Reporter& reporter) {
   const Pair& p = m.pair[pair];
   *component = -1;
   const int32_t node[2] = {p.node[0] >= 0 ? p.node[0] : kFreeZonePart.faced_node(m, p), p.node[1]};
-  bool fixed[2][2]; // [body][component]
-  for (int b = 0; b < 2; ++b) {
+  const int body[2] = {body_on(m, p, 0), body_on(m, p, 1)};
+  bool fixed[2][2]; // [side][component]
+  for (int s = 0; s < 2; ++s) {
     for (int c = 0; c < 2; ++c)
-      fixed[b][c] = node[b] >= 0 && (displacement_known(m, b, node[b], c) || is_held_by_symmetry(m, b, node[b], c));
+      fixed[s][c] = node[s] >= 0 && (displacement_known(m, body[s], node[s], c) || is_held_by_symmetry(m, body[s], node[s], c));
   }
-  // What holds body 1 in a free zone is symmetry only if it holds body 2 as well; else it is a support.
+  // What holds side 0 of a free zone is symmetry only if it holds side 1 as well; else it is a support.
   for (int c = 0; c < 2 && p.node[0] < 0; ++c) fixed[0][c] = fixed[0][c] && fixed[1][c];
-  if ((node[0] >= 0 ? lines_at_node(m, 0, node[0]) : 0) != lines_at_node(m, 1, node[1])) {
+  if ((node[0] >= 0 ? lines_at_node(m, body[0], node[0]) : 0) != lines_at_node(m, body[1], node[1])) {
     report_pair(m, pair, "one of the nodes lies on a symmetry line", "both on it or neither", reporter);
     return false;
   }
@@ -117,13 +128,10 @@ bool find_symmetry(const Model& m, int32_t pair, int* component, Reporter& repor
   for (int c = 0; c < 2; ++c) {
     if (!fixed[0][c] && !fixed[1][c]) continue;
     if (fixed[0][c] != fixed[1][c]) {
-      report_pair(m, pair,
-                  fixed[0][c] ? (c == 0 ? "ux is prescribed on body 1 only" : "uy is prescribed on body 1 only")
-                              : (c == 0 ? "ux is prescribed on body 2 only" : "uy is prescribed on body 2 only"),
-                  "it on both bodies (symmetry) or on neither", reporter);
+      report_one_side(m, pair, fixed[0][c] ? 0 : 1, c, reporter);
       return false;
     }
-    if (has_value(m, 0, node[0], c) || has_value(m, 1, node[1], c)) {
+    if (has_value(m, body[0], node[0], c) || has_value(m, body[1], node[1], c)) {
       report_pair(m, pair, c == 0 ? "a nonzero ux is prescribed" : "a nonzero uy is prescribed", "zero (symmetry)", reporter);
       return false;
     }
@@ -186,7 +194,7 @@ void set_gap(const Model& m, int32_t pair, const double g[2], double doubt, Zone
   if (p.gap >= 0) return;
   const double size = -p.gap;
   p.gap = 0;
-  if (m.head->interference != 0) p.overlap = size;
+  if (m.head->interference != 0 || is_tied(m, p)) p.overlap = size;
   if (size <= doubt)
     overlaps.unsure.add(pair, size, doubt);
   else if (m.head->interference == 0)
@@ -236,11 +244,11 @@ struct Spread {
   }
 };
 
-// Do the elements of both bodies coincide at a pair of nodes?
+// Do the elements of both sides coincide at a pair of nodes?
 bool on_same_elements(const Model& m, const Pair& p, double tolerance) {
   if (p.node[0] < 0) return false;
   double x[2], y[2];
-  for (int b = 0; b < 2; ++b) node_position(m, b, p.node[b], &x[b], &y[b]);
+  for (int side = 0; side < 2; ++side) node_position(m, body_on(m, p, side), p.node[side], &x[side], &y[side]);
   return fabs(x[1] - x[0]) <= tolerance && fabs(y[1] - y[0]) <= tolerance;
 }
 
@@ -270,6 +278,26 @@ void build_frame(const Model& m, int32_t pair, ZoneFindings& of, Reporter& repor
   of.spread.add(pair, angle_between(s1.n, opposite) / kDegree);
 }
 
+// Surfaces that are tied have neither gap nor overlap, but they must be meant to coincide.
+void close_tie(const Model& m, int32_t zone, Reporter& reporter) {
+  const Zone& z = m.zone[zone];
+  constexpr double kMost = 0.1; // of an element
+  int32_t worst = -1;
+  for (int32_t k = z.first_pair; k < z.first_pair + z.pairs; ++k) {
+    Pair& p = m.pair[k];
+    const double off = fmax(p.gap, p.overlap);
+    if (off > kMost * p.length && (worst < 0 || off > fmax(m.pair[worst].gap, m.pair[worst].overlap))) worst = k;
+  }
+  if (worst >= 0) {
+    Finding f(at_pair(m, worst));
+    say_pair(f, m, worst);
+    say(f, ": the surfaces of a tied zone are ", fmax(m.pair[worst].gap, m.pair[worst].overlap),
+        " apart, expected surfaces that coincide within a tenth of an element, ", m.pair[worst].length, " long");
+    report(reporter, f);
+  }
+  for (int32_t k = z.first_pair; k < z.first_pair + z.pairs; ++k) m.pair[k].gap = m.pair[k].overlap = 0.0;
+}
+
 // Surfaces that coincide but for the last digits of their nodes.
 void close_gaps(const Model& m, const Zone& z) {
   Pair* pairs = m.pair + z.first_pair;
@@ -284,13 +312,13 @@ void report_overlaps(const Model& m, int32_t zone, const ZoneOverlaps& overlaps,
     Finding f(at_pair(m, overlaps.told.pair));
     say_pair(f, m, overlaps.told.pair);
     say(f, ": the bodies overlap by ", overlaps.told.size, " before any load (interference)");
-    if (overlaps.told.count > 1) say(f, ", the largest of ", overlaps.told.count, " overlaps in zone ", zone + 1);
+    if (overlaps.told.count > 1) say(f, ", the largest of ", overlaps.told.count, " overlaps in zone ", zone_named(m, zone));
     say(f, ", expected a gap of 0 or more, or *INTERFERENCE");
     report(reporter, f);
   }
   if (overlaps.unsure.count > 0) {
     Finding f(C2D_WARN_OVERLAP, at_pair(m, overlaps.unsure.pair));
-    say(f, "zone ", zone + 1,
+    say(f, "zone ", zone_named(m, zone),
         ": overlaps smaller than what the elements leave open of the surfaces, pairs: ", overlaps.unsure.count, ", most at ");
     say_pair(f, m, overlaps.unsure.pair);
     say(f, ": ", overlaps.unsure.size, " against ", overlaps.unsure.doubt);
@@ -303,7 +331,7 @@ void report_offsets(const Model& m, int32_t zone, const Offsets& offsets, Report
   if (offsets.count == 0) return;
   const double length = m.pair[offsets.pair].length;
   Finding f(offsets.size < length ? int32_t{C2D_WARN_OFFSET} : 0, at_pair(m, offsets.pair));
-  say(f, "zone ", zone + 1, ": the nodes do not face each other at ", offsets.count,
+  say(f, "zone ", zone_named(m, zone), ": the nodes do not face each other at ", offsets.count,
       offsets.count == 1 ? " pair, " : " pairs, ", offsets.count == 1 ? "" : "least at ");
   say_pair(f, m, offsets.pair);
   say(f, ": they are shifted by ", offsets.size, " along the surface, where contact elements are ", length,
@@ -314,7 +342,7 @@ void report_offsets(const Model& m, int32_t zone, const Offsets& offsets, Report
 void warn_lengths(const Model& m, int32_t zone, const Lengths& lengths, Reporter& reporter) {
   if (lengths.count == 0) return;
   Finding f(C2D_WARN_SIZES, at_pair(m, lengths.pair));
-  say(f, "zone ", zone + 1, ": elements that face each other differ in length more than fourfold at ", lengths.count,
+  say(f, "zone ", zone_named(m, zone), ": elements that face each other differ in length more than fourfold at ", lengths.count,
       lengths.count == 1 ? " pair, " : " pairs, most at ");
   say_pair(f, m, lengths.pair);
   say(f, ": ", lengths.length[0], " and ", lengths.length[1]);
@@ -324,7 +352,7 @@ void warn_lengths(const Model& m, int32_t zone, const Lengths& lengths, Reporter
 void warn_spread(const Model& m, int32_t zone, const Spread& spread, Reporter& reporter) {
   if (spread.count == 0) return;
   Finding f(C2D_WARN_NORMALS, at_pair(m, spread.pair));
-  say(f, "zone ", zone + 1, ": the normals of the two surfaces differ by more than 15 degrees at ", spread.count,
+  say(f, "zone ", zone_named(m, zone), ": the normals of the two surfaces differ by more than 15 degrees at ", spread.count,
       " pairs, most at ");
   say_pair(f, m, spread.pair);
   say(f, ": ", spread.angle, " degrees");
@@ -339,8 +367,9 @@ struct Kinks {
   double angle;
 };
 
-void look_for_kink(const Model& m, const Zone& z, int b, int32_t k, Kinks& kinks) {
-  int32_t before = zone_element(m, z, b, k), after = zone_element(m, z, b, (k + 1) % zone_elements(z, b));
+void look_for_kink(const Model& m, const Zone& z, int side, int32_t k, Kinks& kinks) {
+  const int b = z.body[side];
+  int32_t before = zone_element(m, z, side, k), after = zone_element(m, z, side, (k + 1) % zone_elements(z, side));
   const int last = body_of(m, b).element_nodes - 1;
   if (geometry_node(m, b, before, last) != geometry_node(m, b, after, 0)) {
     const int32_t swap = before;
@@ -360,22 +389,23 @@ void look_for_kink(const Model& m, const Zone& z, int b, int32_t k, Kinks& kinks
   }
 }
 
-void warn_kinks(const Model& m, int32_t zone, int b, Reporter& reporter) {
+void warn_kinks(const Model& m, int32_t zone, int side, Reporter& reporter) {
   const Zone& z = m.zone[zone];
+  const int b = z.body[side];
   // A zone that goes all round its region has a last neighbour more.
-  const Region& r = m.region[b][z.region[b]];
-  const int32_t count = zone_elements(z, b);
+  const Region& r = m.region[b][z.region[side]];
+  const int32_t count = zone_elements(z, side);
   const int32_t joints = count - (count == r.last - r.first + 1 && !r.open ? 0 : 1);
   Kinks kinks{0, 0, 0, 0.0};
-  for (int32_t k = 0; k < joints; ++k) look_for_kink(m, z, b, k, kinks);
+  for (int32_t k = 0; k < joints; ++k) look_for_kink(m, z, side, k, kinks);
   if (kinks.count == 0) return;
   Finding f(C2D_WARN_KINK, in_zone(m, zone, b, kinks.after));
-  if (m.head->function_nodes > 1 && (z.is_free == 0 || b == 1)) {
+  if (m.head->function_nodes > 1 && (z.is_free == 0 || side == 1)) {
     const int32_t node = functional_node(m, b, kinks.after, 0);
     f.entry.node = node + 1;
-    f.entry.pair = pair_of_node(m, b, node) + 1;
+    f.entry.pair = pair_of_node(m, b, node).pair + 1;
   }
-  say(f, "zone ", zone + 1, ": elements ", kinks.before + 1, " and ", kinks.after + 1, " of body ", b + 1,
+  say(f, "zone ", zone_named(m, zone), ": elements ", kinks.before + 1, " and ", kinks.after + 1, " of body ", body_named(m, b),
       " meet at a kink of ", kinks.angle, " degrees, more than 10");
   if (kinks.count > 1) say(f, ", the largest of ", kinks.count);
   report(reporter, f);
@@ -387,17 +417,51 @@ double doubt_at(const Model& m, int b, int32_t element, double eta) {
   return part == 0 ? 0 : part * surface_element(m, b, element).doubt;
 }
 
+void clear_contact(const Model& m) {
+  m.head->contact = m.head->path_unknowns = m.head->motions = 0;
+  for (int b = 0; b < m.head->bodies; ++b) m.body[b].contact = m.body[b].free_rows = m.body[b].first_motion = 0;
+}
+
+// Contact unknowns: of the model pair after pair, of each body zone after zone.
+void number_contact(const Model& m) {
+  clear_contact(m);
+  for (int32_t pair = 0, dof = 0; pair < m.head->pairs; ++pair) {
+    m.pair[pair].dof = dof;
+    dof += 1 + m.pair[pair].tangential;
+    m.head->contact = dof;
+    if (pair + 1 == m.head->path_pairs) m.head->path_unknowns = dof;
+  }
+  for (int32_t i = 0; i < m.head->zones; ++i) {
+    Zone& z = m.zone[i];
+    if (z.pairs == 0) continue;
+    const int32_t first = m.pair[z.first_pair].dof;
+    int32_t dof = first;
+    for (int32_t k = 0; k < z.pairs; ++k) {
+      Pair& pair = m.pair[z.first_pair + k];
+      dof += 1 + pair.tangential;
+      if (z.is_free != 0) pair.row = m.body[z.body[0]].free_rows + pair.dof - first;
+    }
+    for (int side = 0; side < 2; ++side) {
+      int32_t& contact = m.body[z.body[side]].contact;
+      z.shift[side] = contact - first;
+      contact += dof - first;
+    }
+    if (z.is_free != 0) m.body[z.body[0]].free_rows += dof - first;
+  }
+}
+
 } // namespace
 
 double surface_doubt(const Model& m, int32_t pair) {
   const Pair& p = m.pair[pair];
   const int32_t f = m.head->function_nodes;
   double sum = 0;
-  for (int b = 0; b < 2; ++b) {
+  for (int side = 0; side < 2; ++side) {
+    const int b = body_on(m, p, side);
     int32_t ends[2];
-    if (p.node[b] < 0)
+    if (p.node[side] < 0)
       sum += doubt_at(m, b, p.element, p.eta);
-    else if (ends_at_node(m, b, p.node[b], ends) == 1)
+    else if (ends_at_node(m, b, p.node[side], ends) == 1)
       sum += doubt_at(m, b, ends[0] / f, node_eta(f, ends[0] % f));
   }
   return sum;
@@ -420,41 +484,52 @@ bool build_frames(const Model& m, Reporter& reporter) {
       p.ny = 1; // until its own is known: a pair with a fault
       build_frame(m, pair, of, reporter);
     }
-    close_gaps(m, z);
+    if (z.is_tied != 0)
+      close_tie(m, i, reporter);
+    else
+      close_gaps(m, z);
     report_offsets(m, i, of.offsets, reporter);
     warn_spread(m, i, of.spread, reporter);
-    report_overlaps(m, i, of.overlaps, reporter);
+    if (z.is_tied == 0) report_overlaps(m, i, of.overlaps, reporter);
     warn_lengths(m, i, of.lengths, reporter);
-    for (int b = 0; b < 2; ++b) warn_kinks(m, i, b, reporter);
+    for (int side = 0; side < 2; ++side) warn_kinks(m, i, side, reporter);
   }
-  int32_t dof = 0, row = 0;
-  for (int32_t pair = 0; pair < m.head->pairs; ++pair) {
-    m.pair[pair].dof = dof;
-    dof += 1 + m.pair[pair].tangential;
-    if (m.zone[m.pair[pair].zone].is_free == 0) continue;
-    m.pair[pair].row = row;
-    row += 1 + m.pair[pair].tangential;
-  }
-  m.head->free_rows = row;
-  m.head->contact = dof;
+  number_contact(m);
   return reporter.faults == before;
 }
 
-// Contact can hold one body, METHOD 10.1. Where both may move as one nothing needs to be solved: that is what begins.
-static void check_supports(const Model& m, Reporter& reporter) {
-  const Body* body = m.head->body;
-  if (m.head->contact == 0 || body[0].free_motions == 0 || body[1].free_motions == 0 || share_free_motion(m)) return;
-  Finding f;
-  say(f, "supports hold neither body, and contact can hold one alone: body 1 can move: ");
-  put_motion(f.text, m, 0, body[0].free_motion[0]);
-  say(f, "; body 2: ");
-  put_motion(f.text, m, 1, body[1].free_motion[0]);
-  report(reporter, f);
+// Those of a rigid body that are not given.
+static void free_rigid_motions(Body& body) {
+  body.free_motions = 0;
+  for (int i = 0; i < 3; ++i) {
+    if ((body.free_rigidly >> i & 1) == 0) continue;
+    for (int k = 0; k < 3; ++k) body.free_motion[body.free_motions][k] = k == i ? 1.0 : 0.0;
+    ++body.free_motions;
+  }
+}
+
+// Free motions of every body, and where what belongs to each begins in lists of all bodies.
+static void place_bodies(const Model& m) {
+  int64_t nodes = 0, ends = 0;
+  m.head->motions = 0;
+  for (int b = 0; b < m.head->bodies; ++b) {
+    Body& body = m.body[b];
+    if (is_rigid(m, b))
+      free_rigid_motions(body);
+    else
+      find_free_motions(m, b);
+    body.first_node = nodes;
+    body.first_end = ends;
+    body.first_motion = m.head->motions;
+    nodes += body.nodes;
+    ends += static_cast<int64_t>(body.elements) * m.head->function_nodes;
+    if (body.contact > 0) m.head->motions += body.free_motions;
+  }
 }
 
 bool complete_model(const Model& m, Reporter& reporter) {
   const int32_t before = reporter.faults;
-  m.head->contact = m.head->free_rows = 0;
+  clear_contact(m);
   if (!validate_data(m, reporter)) return false; // nothing else can be looked at
   set_units(m);
   const bool symmetric = validate_symmetry(m, reporter); // moves points onto its lines
@@ -466,10 +541,8 @@ bool complete_model(const Model& m, Reporter& reporter) {
   const bool frames = sound && build_frames(m, reporter);
   validate_conditions(m, frames, reporter);
   if (reporter.faults != before) return false;
-  for (int b = 0; b < m.head->bodies; ++b) find_free_motions(m, b);
-  if (m.head->rigid != 0) m.head->body[0].free_motions = 0;
-  check_supports(m, reporter);
-  return reporter.faults == before;
+  place_bodies(m);
+  return true;
 }
 
 } // namespace c2d

@@ -5,12 +5,12 @@
 
 namespace c2d {
 
-// Fills every Pair and head->contact. The normal is METHOD (8.3), of thesis (5.3) with its sign put right, from the
-// normals of both surfaces where they face each other; where symmetry fixes one global direction it is the other.
-// Contact unknowns are numbered in the order of pairs, the normal one before the tangential one. Needs zones
-// that validate_zones has passed. Faults: interference; normals that do not oppose each other; prescribed
-// displacements that are no symmetry condition. Warnings: C2D_WARN_NORMALS, C2D_WARN_KINK, C2D_WARN_OVERLAP, C2D_WARN_SIZES.
-// Returns false if it told a fault.
+// Fills every Pair, Zone::shift and the numbers of contact unknowns. The normal is METHOD (8.3), of thesis (5.3) with its sign
+// put right, from the normals of both surfaces where they face each other; where symmetry fixes one global direction it is the
+// other. Contact unknowns of the model are numbered in the order of pairs, the normal one before the tangential one; those of a
+// body (Body::contact) likewise over its own zones. Needs zones that validate_zones has passed. Faults: interference; normals
+// that do not oppose each other; prescribed displacements that are no symmetry condition. Warnings: C2D_WARN_NORMALS,
+// C2D_WARN_KINK, C2D_WARN_OVERLAP, C2D_WARN_SIZES. Returns false if it told a fault.
 bool build_frames(const Model& m, Reporter& reporter);
 
 // How far the surfaces may be off at a pair, as far as the boundary points tell.

@@ -78,7 +78,7 @@ bool place_body(const Tableau& t, const int32_t* left, int32_t count) {
     least.motion[k] = motion;
   }
   if (!least.prepare(t)) return false;
-  for (int32_t j = t.m; j < tableau_columns(t.m, t.cases); ++j) least.add_to(t, column(t, j), j == t.m);
+  for (int32_t j = t.n; j < tableau_columns(t.n, t.cases); ++j) least.add_to(t, column(t, j), j == t.n);
   return true;
 }
 

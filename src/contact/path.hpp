@@ -40,7 +40,6 @@ struct Follower {
   double gap_scale;      // largest initial gap or displacement seen, length unit
   double pressure_scale; // largest pressure or friction seen on this path, stress unit
   const Model* model;
-  int32_t floating_body; // 0 or 1: the body that the contact has to hold
   RateArea rate_area;
   Event bound;           // the event that led here, until statuses are settled
   bool idle;             // the body that the contact has to hold has no force there (contact/let_go.hpp)
@@ -53,6 +52,7 @@ struct Follower {
   PathWatch watch;
   PathStats stats;
   int32_t last_pair; // the pair last changed, or that could not be
+  int32_t moving;    // the body that moves most where limit analysis found no equilibrium; -1: none
 };
 
 // Round-off of values after some thousand exchanges stays below 1e-12 of their scale; rates are differences of them.

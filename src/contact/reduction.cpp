@@ -2,180 +2,387 @@
 
 #include <math.h>
 
+#include "contact/body_compliance.hpp"
+#include "contact/body_unknowns.hpp"
+#include "contact/orthonormal.hpp"
 #include "contact/rigid_balance.hpp"
 #include "linalg/dense.hpp"
-#include "memory/parts.hpp"
 
 namespace c2d {
 
-C2D_USES(RigidPart);
-
 namespace {
 
-using Matrix = ContactMatrix;
+// The system [A C; G^T 0] for tau and x, in r.first.
+struct Bordered {
+  const Reduction& r;
+  int32_t m, border;
+  int64_t n() const { return int64_t{m} + border; }
+  int32_t rows() const { return m + border; }
+  Real* column(int64_t j) const { return r.first + j * n(); }
+  int64_t strip_length() const { return r.strip_length; }
+  Real* strip(int32_t j) const { return r.strip + j * strip_length(); }
+};
+Bordered bordered(const Reduction& r) { return Bordered{r, contact_unknowns(r.tape), border_motions(r.tape)}; }
 
-ContactMatrix of_body(ContactMatrix first_body, int body) {
-  return static_cast<Matrix>(static_cast<int32_t>(first_body) + 3 * body);
-}
+bool keeps_equations(const Reduction& r, int b) { return r.model.body[b].keeps_equations != 0; }
+// Solved for, or rigid: its displacements are F t + R x, or R x.
+bool gives_way(const Reduction& r, int b) { return r.model.body[b].contact > 0 && !keeps_equations(r, b); }
+int32_t flexible_columns(const Reduction& r, int b) { return is_rigid(r.model, b) ? 0 : r.model.body[b].contact; }
 
-// The strip is free: norms take a part of it.
-c2d_status factor(const Reduction& r, Real* matrix) {
-  return lu_factor(r.engine, r.tape.m, matrix, r.tape.m, r.pivots, r.strip, nullptr) == 0 ? C2D_OK : C2D_ERR_SINGULAR;
-}
-
-// v of the inverted body, whose factored S_u is in `first`.
-c2d_status solve_loads(const Reduction& r) {
-  if (r.model.head->rigid != 0) return kRigidPart.move_rigidly(r);
+// visit(b) for those bodies until it fails.
+template <class Visit> c2d_status for_bodies(const Reduction& r, bool (*which)(const Reduction&, int), Visit visit) {
   c2d_status status = C2D_OK;
-  for (int32_t k = 0; k < r.tape.cases && status == C2D_OK; ++k) {
-    status = read_column(r.tape, of_body(Matrix::load1, r.inverted), k, r.strip);
-    if (status != C2D_OK) break;
-    lu_solve(r.engine, r.tape.m, 1, r.first, r.tape.m, r.pivots, r.strip, r.tape.m);
-    status = write_column(r.tape, Matrix::flexibility_load, k, r.strip);
+  for (int b = 0; b < r.model.head->bodies && status == C2D_OK; ++b)
+    if (which(r, b)) status = visit(b);
+  return status;
+}
+
+// ---- A and C: pairs between bodies that are solved for ---------------------------------------------------------------
+
+// u of a body (its F, v or R), with the sign of its sides, to the pairs' own rows of a column.
+void add_to_pairs(const Reduction& r, int b, const Real* u, double factor, Real* out) {
+  for_ranges(r.model, b, [&](const UnknownRange& range) {
+    if (has_kept(r.model, range.zone)) return;
+    const Real sign = static_cast<Real>(factor * range.sign());
+    for (int32_t i = 0; i < range.count; ++i) out[range.all + i] += sign * u[range.own + i];
+  });
+}
+
+c2d_status add_body(const Bordered& s, int b) {
+  const Reduction& r = s.r;
+  const Body& body = r.model.body[b];
+  c2d_status status = C2D_OK;
+  for_ranges(r.model, b, [&](const UnknownRange& range) {
+    for (int32_t j = 0; j < range.count && flexible_columns(r, b) > 0 && status == C2D_OK; ++j) {
+      status = read_column(r.tape, b, BodyMatrix::flexibility, range.own + j, r.strip);
+      add_to_pairs(r, b, r.strip, range.sign(), s.column(range.all + j));
+    }
+  });
+  for (int32_t k = 0; k < body.free_motions && status == C2D_OK; ++k) {
+    status = read_column(r.tape, b, BodyMatrix::motions, k, r.strip);
+    add_to_pairs(r, b, r.strip, 1.0, s.column(s.m + body.first_border + k));
   }
   return status;
 }
 
-c2d_status factor_inverted(const Reduction& r) {
-  if (r.model.head->rigid != 0) return C2D_OK;
-  const c2d_status status = read_matrix(r.tape, of_body(Matrix::displacement1, r.inverted), r.first);
-  return status == C2D_OK ? factor(r, r.first) : status;
-}
+// ---- A and C: equations that are kept --------------------------------------------------------------------------------
 
-// F and v of the inverted body; F stays in `second`. A rigid body does not give way, F = 0.
-c2d_status invert_body(const Reduction& r) {
-  const int32_t m = r.tape.m;
-  const bool rigid = r.model.head->rigid != 0;
-  c2d_status status = factor_inverted(r);
-  if (status == C2D_OK && !rigid) status = read_matrix(r.tape, of_body(Matrix::traction1, r.inverted), r.second);
-  if (status != C2D_OK) return status;
-  for (int64_t i = 0; i < static_cast<int64_t>(m) * m; ++i) r.second[i] = rigid ? Real(0) : -r.second[i];
-  if (!rigid) lu_solve(r.engine, m, m, r.first, m, r.pivots, r.second, m);
-  status = write_matrix(r.tape, Matrix::flexibility, r.second);
-  return status == C2D_OK ? solve_loads(r) : status;
-}
-
-// Columns of a product that go through memory of their own. With a kernel half of its scratch holds more of them, so
-// that packing the left factor serves more columns; how many depends on m alone.
-struct Strip {
+// Columns of a product that go through memory of their own: `count` of them as they are, and as many of what comes out. With a
+// kernel half of its scratch holds them, so that packing the left factor serves many; how many depends on the sizes alone.
+struct Strips {
   Engine engine;
-  Real* columns;
+  Real *in, *out;
+  int64_t ld;
   int32_t count;
 };
 
-Strip strip_of(const Reduction& r) {
-  const int32_t m = r.tape.m;
-  const int64_t half = full_scratch(m, m) / 2 / 8 * 8, wide = half / m / 8 * 8;
-  if (kSmallCode || !r.engine.kernel || r.engine.numbers < 2 * half || wide < 2 * kStripColumns)
-    return {r.engine, r.strip, kStripColumns};
-  const int32_t most = m < 64 ? m : 64;
-  Strip strip = {r.engine, r.engine.scratch + half, wide < most ? static_cast<int32_t>(wide) : most};
-  strip.engine.numbers = half;
-  strip.engine.used = nullptr;
-  const int64_t used = half + static_cast<int64_t>(strip.count) * m;
+Strips strips_of(const Bordered& s) {
+  const Reduction& r = s.r;
+  const int64_t ld = s.strip_length(), half = full_scratch(ld, ld) / 2 / 8 * 8, wide = half / (2 * ld) / 8 * 8;
+  constexpr int32_t kFew = kStripColumns / 2, kMost = 64;
+  if (kSmallCode || !r.engine.kernel || r.engine.numbers < 2 * half || wide < 2 * kFew)
+    return {r.engine, r.strip, s.strip(kFew), ld, kFew};
+  const int32_t count = wide < kMost ? static_cast<int32_t>(wide) : kMost;
+  Strips strips = {r.engine, r.engine.scratch + half, r.engine.scratch + half + count * ld, ld, count};
+  strips.engine.numbers = half;
+  strips.engine.used = nullptr;
+  const int64_t used = half + 2 * count * ld;
   if (r.engine.used && *r.engine.used < used) *r.engine.used = used;
-  return strip;
+  return strips;
 }
 
-// M = S_t - S_u F of the other body, in place of F, whose columns are used up one strip after another.
-c2d_status form_compliance(const Reduction& r) {
-  const int32_t m = r.tape.m;
-  const int other = 1 - r.inverted;
-  c2d_status status = read_matrix(r.tape, of_body(Matrix::displacement1, other), r.first);
-  const Strip strip = strip_of(r);
-  for (int32_t j = 0; j < m && status == C2D_OK; j += strip.count) {
-    const int32_t count = m - j < strip.count ? m - j : strip.count;
-    for (int32_t c = 0; c < count && status == C2D_OK; ++c)
-      status = read_column(r.tape, of_body(Matrix::traction1, other), j + c, strip.columns + static_cast<int64_t>(c) * m);
-    if (status != C2D_OK) return status;
-    Real* columns = r.second + static_cast<int64_t>(j) * m;
-    gemm_minus(strip.engine, m, count, m, r.first, m, columns, m, strip.columns, m);
-    for (int64_t i = 0; i < static_cast<int64_t>(count) * m; ++i) columns[i] = strip.columns[i];
-  }
-  return status == C2D_OK ? write_matrix(r.tape, Matrix::compliance, r.second) : status;
+// What a body that keeps its equations takes over of one it meets: u of that (its F, v or R) where they meet, in place.
+void take_over(const Reduction& r, int b, int other, const Real* u, Real* out) {
+  for_ranges(r.model, b, [&](const UnknownRange& range) {
+    if (range.other != other) return;
+    for (int32_t i = 0; i < range.count; ++i) out[range.own + i] = u[range.other_own + i];
+  });
 }
 
-// h - B (overlap, 0), in place of h; B is in `first`.
-void close_overlaps(const Reduction& r) {
-  const int32_t m = r.tape.m;
-  for (int32_t i = 0; i < r.model.head->pairs; ++i) {
-    const Pair& pair = r.model.pair[i];
-    if (pair.overlap == 0.0) continue;
-    const Real overlap = static_cast<Real>(pair.overlap / r.model.head->length_unit);
-    const Real* column = r.first + static_cast<int64_t>(pair.dof) * m;
-    for (int32_t j = 0; j < m; ++j) r.strip[j] -= overlap * column[j];
-  }
+// Numbers of a body's unknowns or equations added in the places of the model's.
+void add_in_place(const Reduction& r, int b, const Real* own, double factor, Real* out) {
+  for_ranges(r.model, b, [&](const UnknownRange& range) {
+    for (int32_t i = 0; i < range.count; ++i) out[range.all + i] += static_cast<Real>(factor) * own[range.own + i];
+  });
 }
 
-double largest(const Real* x, int64_t n) {
-  double most = 0.0;
-  for (int64_t i = 0; i < n; ++i) most = fmax(most, fabs(static_cast<double>(x[i])));
-  return most;
+// A column of the system and the factor with which one of the other body's columns, F or R, counts there.
+struct Target {
+  int64_t column;
+  double factor;
+};
+Target target_of(const Bordered& s, int other, BodyMatrix matrix, int32_t j) {
+  if (matrix == BodyMatrix::motions) return {s.m + s.r.model.body[other].first_border + j, 1.0};
+  Target target = {0, 0.0};
+  for_ranges(s.r.model, other, [&](const UnknownRange& range) {
+    if (j >= range.own && j < range.own + range.count) target = {range.all + j - range.own, range.sign()};
+  });
+  return target;
 }
 
-// h = +-(s - S_u v); S_u of the other body is in `first`. What is left of a load that moves all pairs as a rigid body, on a
-// body that is free to go along, is round-off, and set to zero: or its last digits would be the load.
-c2d_status form_closing(const Reduction& r) {
-  const int32_t m = r.tape.m;
-  constexpr double kNothing = sizeof(Real) == 8 ? 1e-12 : 1e-5;
-  Real* v = r.strip + m;
-  const double most = largest(r.first, static_cast<int64_t>(m) * m);
-  for (int32_t k = 0; k < r.tape.cases; ++k) {
-    c2d_status status = read_column(r.tape, of_body(Matrix::load1, 1 - r.inverted), k, r.strip);
-    if (status == C2D_OK) status = read_column(r.tape, Matrix::flexibility_load, k, v);
-    if (status != C2D_OK) return status;
-    const double terms = largest(r.strip, m) + most * largest(v, m);
-    gemm_minus(r.engine, m, 1, m, r.first, m, v, m, r.strip, m);
-    if (largest(r.strip, m) <= kNothing * terms)
-      for (int32_t i = 0; i < m; ++i) r.strip[i] = 0;
-    if (r.inverted == 1)
-      for (int32_t i = 0; i < m; ++i) r.strip[i] = -r.strip[i];
-    if (k + 1 == r.model.head->interference) close_overlaps(r);
-    status = write_column(r.tape, Matrix::closing, k, r.strip);
-    if (status != C2D_OK) return status;
-  }
-  return C2D_OK;
-}
-
-// b = -M^-1 h, balanced; M, factored, is in `second`.
-c2d_status form_rates(const Reduction& r) {
-  const int32_t m = r.tape.m;
+// -S_u times F or R of a body that it meets, S_u in r.second.
+c2d_status add_other(const Bordered& s, int b, int other, BodyMatrix matrix, int32_t columns) {
+  const Reduction& r = s.r;
+  const Strips strips = strips_of(s);
+  const int32_t n = r.model.body[b].contact;
   c2d_status status = C2D_OK;
-  for (int32_t k = 0; k < r.tape.cases && status == C2D_OK; ++k) {
-    status = read_column(r.tape, Matrix::closing, k, r.strip);
+  for (int32_t j = 0; j < columns && status == C2D_OK; j += strips.count) {
+    const int32_t count = columns - j < strips.count ? columns - j : strips.count;
+    for (int64_t i = 0; i < count * strips.ld; ++i) strips.in[i] = 0;
+    for (int32_t c = 0; c < count && status == C2D_OK; ++c) {
+      status = read_column(r.tape, other, matrix, j + c, strips.out); // nothing has come out yet
+      take_over(r, b, other, strips.out, strips.in + c * strips.ld);
+    }
     if (status != C2D_OK) break;
-    lu_solve(r.engine, m, 1, r.second, m, r.pivots, r.strip, m);
-    for (int32_t i = 0; i < m; ++i) r.strip[i] = -r.strip[i];
-    status = balance_rate(r, k);
-    if (status == C2D_OK) status = write_column(r.tape, Matrix::stiffness_load, k, r.strip);
+    for (int64_t i = 0; i < count * strips.ld; ++i) strips.out[i] = 0;
+    gemm_minus(strips.engine, n, count, n, r.second, n, strips.in, strips.ld, strips.out, strips.ld);
+    for (int32_t c = 0; c < count; ++c) {
+      const Target to = target_of(s, other, matrix, j + c);
+      add_in_place(r, b, strips.out + c * strips.ld, to.factor, s.column(to.column));
+    }
   }
   return status;
 }
 
-// T = M^-1 B in place of B, and b.
-c2d_status form_stiffness(const Reduction& r) {
-  const int32_t m = r.tape.m;
-  c2d_status status = factor(r, r.second);
-  if (status != C2D_OK) return status;
-  lu_solve(r.engine, m, m, r.second, m, r.pivots, r.first, m);
-  status = form_rates(r);
-  if (status == C2D_OK) status = balance_stiffness(r);
-  return status == C2D_OK ? write_matrix(r.tape, Matrix::stiffness, r.first) : status;
+bool meets(const Model& m, int b, int other) {
+  bool found = false;
+  for_ranges(m, b, [&](const UnknownRange& range) { found = found || range.other == other; });
+  return found;
 }
 
-// The same steps for the loads alone, with the matrices that are on the tape.
-c2d_status solve_loads_again(const Reduction& r) {
-  const c2d_status status = factor_inverted(r);
-  return status == C2D_OK ? solve_loads(r) : status;
+// The rows of a body that keeps its equations.
+c2d_status add_equations(const Bordered& s, int b) {
+  const Reduction& r = s.r;
+  const int32_t n = r.model.body[b].contact;
+  c2d_status status = read_matrix(r.tape, b, BodyMatrix::displacement, r.second, n);
+  for_ranges(r.model, b, [&](const UnknownRange& range) {
+    for (int32_t j = 0; j < range.count && status == C2D_OK; ++j) {
+      status = read_column(r.tape, b, BodyMatrix::traction, range.own + j, r.strip);
+      if (status == C2D_OK) add_in_place(r, b, r.strip, range.sign(), s.column(range.all + j));
+    }
+  });
+  return status != C2D_OK ? status : for_bodies(r, gives_way, [&](int other) {
+    const Body& body = r.model.body[other];
+    if (!meets(r.model, b, other)) return c2d_status{C2D_OK};
+    const c2d_status done = add_other(s, b, other, BodyMatrix::flexibility, flexible_columns(r, other));
+    return done == C2D_OK ? add_other(s, b, other, BodyMatrix::motions, body.free_motions) : done;
+  });
 }
-c2d_status form_closing_again(const Reduction& r) {
-  const c2d_status status = read_matrix(r.tape, of_body(Matrix::displacement1, 1 - r.inverted), r.first);
-  return status == C2D_OK ? form_closing(r) : status;
+
+// C, orthonormal, to the tape.
+c2d_status keep_border(const Bordered& s) {
+  Real* c = s.r.second;
+  for (int32_t k = 0; k < s.border; ++k)
+    for (int32_t i = 0; i < s.m; ++i) c[static_cast<int64_t>(k) * s.m + i] = s.column(s.m + k)[i];
+  if (!orthonormalise(s.m, s.border, c, 0, nullptr)) return C2D_ERR_SINGULAR;
+  return write_matrix(s.r.tape, ContactMatrix::border, c, s.m);
 }
-c2d_status form_rates_again(const Reduction& r) {
-  c2d_status status = read_matrix(r.tape, Matrix::compliance, r.second);
-  if (status == C2D_OK) status = factor(r, r.second);
-  return status == C2D_OK ? form_rates(r) : status;
+
+// A and C, to the tape.
+c2d_status form_compliance(const Reduction& r) {
+  const Bordered s = bordered(r);
+  for (int64_t i = 0; i < s.n() * s.n(); ++i) r.first[i] = 0;
+  c2d_status status = for_bodies(r, gives_way, [&](int b) { return add_body(s, b); });
+  if (status == C2D_OK) status = for_bodies(r, keeps_equations, [&](int b) { return add_equations(s, b); });
+  if (status == C2D_OK) status = write_matrix(r.tape, ContactMatrix::compliance, r.first, s.n());
+  return status == C2D_OK ? keep_border(s) : status;
+}
+
+// ---- h ----------------------------------------------------------------------------------------------------------------
+
+constexpr double kNothing = sizeof(Real) == 8 ? 1e-12 : 1e-5;
+
+double largest_of(const Real* x, int32_t n) { return static_cast<double>(largest(kPlainEngine, n, x)); }
+
+// In a column of `overlap` numbers by unknown of a body: what load case k closes, as far as the body moves for it.
+void add_overlaps(const Model& m, int b, Real* out) {
+  for (int32_t i = 0; i < m.head->pairs; ++i)
+    for (int side = 0; side < 2; ++side)
+      if (m.pair[i].overlap != 0.0 && body_on(m, m.pair[i], side) == b)
+        out[dof_on(m, m.pair[i], side)] += static_cast<Real>(sign_of_side(side) * m.pair[i].overlap / m.head->length_unit);
+}
+
+// s - S_u v of a body that keeps its equations, v of the bodies that it meets, to their places in h. What is left of a load
+// that moves all pairs as a rigid body, on a body that is free to go along, is round-off, and set to zero: or its last digits
+// would be the load.
+c2d_status close_equations(const Bordered& s, int b, int32_t k, Real* h) {
+  const Reduction& r = s.r;
+  const int32_t n = r.model.body[b].contact;
+  Real *own = s.strip(1), *v = s.strip(2), *column = s.strip(3);
+  c2d_status status = C2D_OK;
+  for (int32_t i = 0; i < n; ++i) v[i] = 0;
+  for (int other = 0; other < r.model.head->bodies && status == C2D_OK; ++other) {
+    if (!meets(r.model, b, other)) continue;
+    status = read_column(r.tape, other, BodyMatrix::response, k, column);
+    take_over(r, b, other, column, v);
+  }
+  const double size = largest_of(v, n);
+  if (k + 1 == r.model.head->interference) add_overlaps(r.model, b, v);
+  if (status == C2D_OK) status = read_column(r.tape, b, BodyMatrix::load, k, own);
+  double terms = largest_of(own, n), most = 0.0;
+  for (int32_t j = 0; j < n && status == C2D_OK; ++j) {
+    if (v[j] == 0) continue;
+    status = read_column(r.tape, b, BodyMatrix::displacement, j, column);
+    most = fmax(most, largest_of(column, n));
+    for (int32_t i = 0; i < n; ++i) own[i] -= v[j] * column[i];
+  }
+  terms += most * size;
+  for (int32_t i = 0; i < n && largest_of(own, n) <= kNothing * terms; ++i) own[i] = 0;
+  add_in_place(r, b, own, 1.0, h);
+  return status;
+}
+
+// Differences of the displacements that the loads make of bodies that are solved for, or are rigid.
+c2d_status close_pairs(const Bordered& s, int32_t k, Real* h) {
+  const Reduction& r = s.r;
+  c2d_status status = C2D_OK;
+  for (int b = 0; b < r.model.head->bodies && status == C2D_OK; ++b) {
+    if (r.model.body[b].contact == 0 || keeps_equations(r, b)) continue;
+    status = read_column(r.tape, b, BodyMatrix::response, k, s.strip(1));
+    add_to_pairs(r, b, s.strip(1), 1.0, h);
+  }
+  for (int32_t i = 0; i < r.model.head->pairs && k + 1 == r.model.head->interference; ++i) {
+    const Pair& pair = r.model.pair[i];
+    if (!has_kept(r.model, pair.zone)) h[pair.dof] -= static_cast<Real>(pair.overlap / r.model.head->length_unit);
+  }
+  return status;
+}
+
+c2d_status form_closing(const Reduction& r) {
+  const Bordered s = bordered(r);
+  Real* h = s.strip(0);
+  c2d_status status = C2D_OK;
+  for (int32_t k = 0; k < r.model.head->load_cases && status == C2D_OK; ++k) {
+    for (int32_t i = 0; i < s.m; ++i) h[i] = 0;
+    status = close_pairs(s, k, h);
+    if (status == C2D_OK) status = for_bodies(r, keeps_equations, [&](int b) { return close_equations(s, b, k, h); });
+    if (status == C2D_OK) status = write_column(r.tape, ContactMatrix::closing, k, h);
+  }
+  return status;
+}
+
+// ---- the solution -----------------------------------------------------------------------------------------------------
+
+// G^T below A, of the bodies whose motions are x, and the factors of all.
+c2d_status factor_bordered(const Reduction& r) {
+  const Bordered s = bordered(r);
+  c2d_status status = for_bodies(r, gives_way, [&](int b) {
+    const Body& body = r.model.body[b];
+    c2d_status done = C2D_OK;
+    for (int32_t k = 0; k < body.free_motions && done == C2D_OK; ++k) {
+      const int64_t row = s.m + body.first_border + k;
+      done = read_column(r.tape, b, BodyMatrix::resultants, k, r.strip);
+      for_ranges(r.model, b, [&](const UnknownRange& range) {
+        for (int32_t i = 0; i < range.count; ++i)
+          s.column(range.all + i)[row] += static_cast<Real>(range.sign()) * r.strip[range.own + i];
+      });
+    }
+    return done;
+  });
+  if (status != C2D_OK) return status;
+  return lu_factor(r.engine, s.rows(), r.first, s.n(), r.pivots, r.strip, nullptr) == 0 ? C2D_OK : C2D_ERR_SINGULAR;
+}
+
+// For new loads: A and C from the tape.
+c2d_status read_compliance(const Reduction& r) {
+  const Bordered s = bordered(r);
+  for (int64_t i = 0; i < s.n() * s.n(); ++i) r.first[i] = 0;
+  return read_matrix(r.tape, ContactMatrix::compliance, r.first, s.n());
+}
+
+// g of the motions that are unknowns.
+c2d_status read_given(const Bordered& s, int32_t k, Real* out) {
+  return for_bodies(s.r, gives_way, [&](int b) {
+    const Body& body = s.r.model.body[b];
+    Real g[kMostMotions];
+    if (body.free_motions == 0) return c2d_status{C2D_OK};
+    const c2d_status status = read_column(s.r.tape, b, BodyMatrix::given, k, g);
+    for (int32_t j = 0; j < body.free_motions; ++j) out[body.first_border + j] = g[j];
+    return status;
+  });
+}
+
+bool all_zero(const Real* x, int32_t n) {
+  for (int32_t i = 0; i < n; ++i)
+    if (x[i] != 0) return false;
+  return true;
+}
+
+// Is a load nothing but a motion of bodies as if rigid, but for round-off? Its last digits would be the load.
+c2d_status only_moves(const Bordered& s, const Real* h, bool* out) {
+  Real *rest = s.strip(2), *column = s.strip(3);
+  c2d_status status = C2D_OK;
+  for (int32_t i = 0; i < s.m; ++i) rest[i] = h[i];
+  for (int32_t j = 0; j < s.border && status == C2D_OK; ++j) {
+    status = read_column(s.r.tape, ContactMatrix::border, j, column);
+    const double part = product(column, rest, s.m);
+    for (int32_t i = 0; i < s.m; ++i) rest[i] -= static_cast<Real>(part * static_cast<double>(column[i]));
+  }
+  *out = largest_of(rest, s.m) <= kNothing * largest_of(h, s.m);
+  return status;
+}
+
+// b and x of every load case, balanced; the factors are in r.first.
+c2d_status form_rates(const Reduction& r) {
+  const Bordered s = bordered(r);
+  Real *b = s.strip(0), *given = s.strip(1);
+  c2d_status status = C2D_OK;
+  for (int32_t k = 0; k < r.model.head->load_cases && status == C2D_OK; ++k) {
+    bool moves = false;
+    status = read_column(r.tape, ContactMatrix::closing, k, b);
+    if (status == C2D_OK) status = given_resultants(r, k, given);
+    if (status == C2D_OK) status = only_moves(s, b, &moves);
+    if (status == C2D_OK) status = read_given(s, k, b + s.m);
+    if (status != C2D_OK) break;
+    moves = moves && all_zero(given, free_motions(r.tape));
+    for (int32_t i = 0; i < s.rows(); ++i) b[i] = -b[i];
+    lu_solve(r.engine, s.rows(), 1, r.first, s.n(), r.pivots, b, s.n());
+    for (int32_t i = 0; i < s.m && moves; ++i) b[i] = 0;
+    if (s.border > 0) status = write_column(r.tape, ContactMatrix::motion_load, k, b + s.m);
+    if (status == C2D_OK) status = balance_rate(r, given);
+    if (status == C2D_OK) status = write_column(r.tape, ContactMatrix::stiffness_load, k, b);
+  }
+  return status;
+}
+
+// B in r.second.
+c2d_status form_right_sides(const Bordered& s) {
+  const Reduction& r = s.r;
+  for (int64_t i = 0; i < s.n() * s.m; ++i) r.second[i] = 0;
+  for (int32_t i = 0; i < r.model.head->pairs; ++i)
+    for (int32_t d = 0; d <= r.model.pair[i].tangential && !has_kept(r.model, r.model.pair[i].zone); ++d)
+      r.second[(r.model.pair[i].dof + d) * (s.n() + 1)] = 1;
+  return for_bodies(r, keeps_equations, [&](int b) {
+    c2d_status status = C2D_OK;
+    for_ranges(r.model, b, [&](const UnknownRange& range) {
+      for (int32_t j = 0; j < range.count && status == C2D_OK; ++j) {
+        status = read_column(r.tape, b, BodyMatrix::displacement, range.own + j, r.strip);
+        if (status == C2D_OK) add_in_place(r, b, r.strip, range.sign(), r.second + (range.all + j) * s.n());
+      }
+    });
+    return status;
+  });
+}
+
+// Rows of X, which stand below T, to the tape.
+c2d_status write_motions(const Bordered& s) {
+  c2d_status status = C2D_OK;
+  for (int32_t k = 0; k < s.border && status == C2D_OK; ++k) {
+    for (int32_t j = 0; j < s.m; ++j) s.r.strip[j] = s.r.second[j * s.n() + s.m + k];
+    status = write_column(s.r.tape, ContactMatrix::motion, k, s.r.strip);
+  }
+  return status;
+}
+
+// T and X; the factors are in r.first.
+c2d_status form_stiffness(const Reduction& r) {
+  const Bordered s = bordered(r);
+  c2d_status status = form_right_sides(s);
+  if (status != C2D_OK) return status;
+  lu_solve(r.engine, s.rows(), s.m, r.first, s.n(), r.pivots, r.second, s.n());
+  status = write_motions(s);
+  if (status == C2D_OK) status = balance_stiffness(r, r.second, s.n());
+  return status == C2D_OK ? write_matrix(r.tape, ContactMatrix::stiffness, r.second, s.n()) : status;
 }
 
 using Step = c2d_status (*)(const Reduction&);
@@ -188,16 +395,24 @@ template <int n> c2d_status take_steps(const Reduction& r, const Step (&steps)[n
   return C2D_OK;
 }
 
+bool is_in_contact(const Reduction& r, int b) { return r.model.body[b].contact > 0; }
+c2d_status watched(const Reduction& r, int b, c2d_status (*step)(const Reduction&, int)) {
+  const c2d_status status = r.tick(r.watch_context);
+  return status == C2D_OK ? step(r, b) : status;
+}
+
 } // namespace
 
 c2d_status reduce(const Reduction& r) {
-  const Step steps[] = {find_balance, invert_body, form_compliance, form_closing, form_stiffness};
-  return take_steps(r, steps);
+  const c2d_status status = for_bodies(r, is_in_contact, [&](int b) { return watched(r, b, find_compliance); });
+  const Step steps[] = {join_motions, form_compliance, form_closing, factor_bordered, form_stiffness, form_rates};
+  return status == C2D_OK ? take_steps(r, steps) : status;
 }
 
 c2d_status reduce_loads(const Reduction& r) {
-  const Step steps[] = {solve_loads_again, form_closing_again, form_rates_again};
-  return take_steps(r, steps);
+  const c2d_status status = for_bodies(r, is_in_contact, [&](int b) { return watched(r, b, find_load_response); });
+  const Step steps[] = {form_closing, read_compliance, factor_bordered, form_rates};
+  return status == C2D_OK ? take_steps(r, steps) : status;
 }
 
 } // namespace c2d

@@ -1,9 +1,14 @@
 #pragma once
-// From the reduced equations of both bodies to the contact system and its tableau (METHOD 10):
-//   B w' - M tau = sum_k lambda_k h_k,  w' = w - (gap, 0),  B = S_u of the body that may float,
-//   M = S_t + S_u F, and the tableau with every pair sticking, tau = T w' + sum_k lambda_k b_k.
+// From the reduced equations of the bodies to the contact system and its tableau (METHOD 10). With t = -tau on side 0 and +tau
+// on side 1 of every pair and w' = u_1 - u_0 = w - (gap, 0):
+//   bodies that keep their equations   S_u u = S_t t + sum_k lambda_k s_k,
+//   the others                         u = F t + sum_k lambda_k v_k + R x,   0 = G^T t + sum_k lambda_k g_k,
+// the latter put into the former (contact/reduction_plan.hpp), and into w' of pairs between two of them, make
+//   A tau + C x = B w' - sum_k lambda_k h_k,   0 = G^T tau + sum_k lambda_k g_k,
+// x the motions of bodies that supports do not hold. Row i is the i-th equation of a body that keeps them, in the place of its
+// i-th unknown, or the pair's own. The solution is the tableau with every pair sticking,
+//   tau = T w' + sum_k lambda_k b_k,   x = X w' + sum_k lambda_k x_k.
 // The load case that closes overlaps has B (overlap, 0) taken off its h: at its factor 1 the gap is less by all of it.
-// Equilibrium is implicit: body 2 carries +tau, body 1 -tau.
 #include "contact/contact_tape.hpp"
 #include "linalg/lu.hpp"
 #include "model/model.hpp"
@@ -13,24 +18,24 @@ namespace c2d {
 struct Reduction {
   ContactTape tape;
   Model model;
-  int32_t inverted; // 0 or 1: the supported body, whose S_u is inverted
-  Real* first;      // m * m
-  Real* second;     // m * m
-  Real* strip;      // m * kStripColumns
-  int32_t* pivots;  // m
+  Real* first;          // (m + motions)^2; motions are never fewer than those of x
+  Real* second;         // (m + motions) * m
+  Real* strip;          // strip_length * kStripColumns
+  int32_t* pivots;      // m + motions
+  int64_t strip_length; // of a column of the strip: all contact unknowns of the model or of a body, and motions
   void* watch_context;
   c2d_status (*tick)(void* context); // called between steps; anything but C2D_OK stops
   Engine engine;                     // of the dense kernels
 };
 constexpr int32_t kStripColumns = 4;
 
-// ---- optional, for a rigid body 1 (memory/parts.hpp, rigid_reduction.cpp) ----
-// Its motion at a pair: along n and t, in the length unit, at factor 1 of a load case.
-void rigid_motion_at_pair(const Model& m, const Pair& pair, int32_t load_case, double v[2]);
-// v of the inverted body where that is the rigid one: its motion at the pairs.
-c2d_status move_rigidly(const Reduction& r);
+// ---- optional, for rigid bodies (memory/parts.hpp, rigid_reduction.cpp) ----
+// Motion of a rigid body at a pair: along n and t, in the length unit, at factor 1 of a load case.
+void rigid_motion_at_pair(const Model& m, const Pair& pair, int side, int32_t load_case, double v[2]);
+// v, and of the motions that are free R, G and g, of a rigid body.
+c2d_status reduce_rigid(const Reduction& r, int b);
 
-// Reads the six matrices of the bodies, writes the other six. C2D_ERR_SINGULAR if a pivot is unusable.
+// Reads the matrices of the bodies, writes the others. C2D_ERR_SINGULAR if a pivot is unusable.
 c2d_status reduce(const Reduction& r);
 // After a reduction, when the columns s of the bodies have been replaced: everything that depends on them anew.
 c2d_status reduce_loads(const Reduction& r);

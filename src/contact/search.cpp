@@ -12,7 +12,7 @@ namespace {
 // All pairs in doubt, as they stand.
 void gather_doubts(Follower& f, RateProblem& r) {
   const PathScales s = decision_scales(f);
-  r = rate_problem_in(f.rate_area, f.t->m);
+  r = rate_problem_in(f.rate_area, f.t->n);
   r.t = f.t;
   r.direction = f.direction;
   r.rates = f.dy;

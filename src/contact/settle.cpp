@@ -229,6 +229,7 @@ bool is_in_doubt(const Follower& f, int32_t i, const PathScales& s, Doubt& d) {
   d.dof = pair.dof;
   d.slots = 1 + pair.tangential;
   d.mu = pair.mu;
+  if (i >= f.t->pairs) return false; // tied
   d.kind = !pair.tangential || pair.mu == 0.0 ? DoubtKind::normal
            : is_finite_friction(pair)         ? DoubtKind::apex
                                               : DoubtKind::adhesive;

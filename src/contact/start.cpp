@@ -16,6 +16,15 @@ void reset_pair(Pair& pair) {
   pair.sign = 0;
 }
 
+// They stick for ever.
+void tie_pairs(const Tableau& t, int32_t pairs) {
+  for (int32_t i = t.pairs; i < pairs; ++i) {
+    reset_pair(t.pair[i]);
+    t.pair[i].status = C2D_STICK;
+    t.pair[i].mu = static_cast<double>(INFINITY);
+  }
+}
+
 void touch_statuses(Tableau& t) {
   for (int32_t i = 0; i < t.pairs; ++i) {
     Pair& pair = t.pair[i];
@@ -62,18 +71,23 @@ int32_t first_to_touch(const Tableau& t, const FreeBody& body, const Model& m, d
 } // namespace
 
 void motion_at_pair(const Model& m, int b, const double motion[3], const double centre[2], const Pair& pair, double out[2]) {
-  double x, y;
-  pair_position(m, pair, b, &x, &y);
-  const double unit = m.head->length_unit;
-  const double ux = motion[0] - motion[2] * (y - centre[1]) / unit;
-  const double uy = motion[1] + motion[2] * (x - centre[0]) / unit;
-  const double side = b == 1 ? 1.0 : -1.0;
-  to_frame(pair, side * ux, side * uy, out);
+  out[0] = out[1] = 0.0;
+  for (int side = 0; side < 2; ++side) {
+    if (body_on(m, pair, side) != b) continue;
+    double x, y, w[2];
+    pair_position(m, pair, side, &x, &y);
+    const double unit = m.head->length_unit;
+    const double ux = motion[0] - motion[2] * (y - centre[1]) / unit;
+    const double uy = motion[1] + motion[2] * (x - centre[0]) / unit;
+    to_frame(pair, sign_of_side(side) * ux, sign_of_side(side) * uy, w);
+    for (int d = 0; d < 2; ++d) out[d] += w[d];
+  }
 }
 
 c2d_status start_path(Follower& f, const FreeBody& body, const Model& model, int32_t* floating) {
   Tableau& t = *f.t;
   touch_statuses(t);
+  tie_pairs(t, model.head->pairs);
   *floating = 0;
   int32_t touching = 0;
   for (int32_t i = 0; i < t.pairs; ++i) touching += t.pair[i].status != C2D_OPEN;
@@ -118,7 +132,7 @@ c2d_status lie_apart(Follower& f, const Model& model, c2d_outcome* outcome) {
 c2d_status fly(Follower& f, const FreeBody& body, const Model& model, double work, c2d_outcome* outcome) {
   Tableau& t = *f.t;
   *outcome = C2D_FREE_MOTION;
-  if (body.others() != 1 || work == 0.0) return C2D_OK;
+  if (body.body < 0 || body.others() != 1 || work == 0.0) return C2D_OK;
   const double direction = work > 0.0 ? 1.0 : -1.0;
   double distance = 0.0;
   const int32_t first = first_to_touch(t, body, model, direction, &distance);

@@ -4,10 +4,10 @@
 
 namespace c2d {
 
-// The body that the contact has to hold: how it can move. Motions: (ux, uy, rotation * length unit) about the centre.
+// What the contact has to hold: how it can move. Motions: (ux, uy, rotation * length unit) about the centre.
 struct FreeBody {
-  int32_t body;    // 0 or 1
-  int32_t motions; // free rigid motions,
+  int32_t body;    // the only one with free motions; -1: there are several, or none, and what follows `motions` is not known
+  int32_t motions; // free rigid motions of all bodies in contact,
   int32_t slides;  // 1: along one of these it slides without friction whatever touches, and nothing fixes its place there; or 0
   double motion[3]; // of the others, if it is one
   double slide[3];  // METHOD 13.6
@@ -20,7 +20,8 @@ struct FreeBody {
 // Errors: the block store's.
 c2d_status start_path(Follower& f, const FreeBody& body, const Model& model, int32_t* floating);
 
-// Change of w of a pair per unit of a rigid motion of body b (as FreeBody::motion), in the length unit.
+// Change of w of a pair per unit of a rigid motion of body b (as FreeBody::motion), in the length unit; none where the pair is
+// not on b.
 void motion_at_pair(const Model& model, int b, const double motion[3], const double centre[2], const Pair& pair, double out[2]);
 
 // Nothing is loaded yet and the body floats with one motion: follow it without force in the direction in which the

@@ -23,7 +23,7 @@ constexpr double kGoodPivot = 1e-3;      // building: no need to look for a bett
 
 Real* column(const Tableau& t, int32_t j) { return t.t + static_cast<int64_t>(t.m) * j; }
 Real entry(const Tableau& t, int32_t i, int32_t j) { return column(t, j)[i]; }
-int32_t all_columns(const Tableau& t) { return static_cast<int32_t>(tableau_columns(t.m, t.cases)); }
+int32_t all_columns(const Tableau& t) { return static_cast<int32_t>(tableau_columns(t.n, t.cases)); }
 
 void pivot(Tableau& t, int32_t slot) {
   exchange(t.m, all_columns(t), t.t, t.m, slot, slot, t.kernel);
@@ -36,7 +36,7 @@ bool compliant(const Pair& pair, int slot, double value) { return fabs(value) * 
 // Both slots of a pair, the larger pivot first. `usable` judges each pivot before anything changes.
 bool exchange_pair(Tableau& t, const Pair& pair, bool (*usable)(const Pair&, int, double)) {
   const int32_t a = pair.dof, b = pair.dof + 1;
-  C2D_ASSERT(a >= 0 && a + pair.tangential < t.m);
+  C2D_ASSERT(a >= 0 && a + pair.tangential < t.n);
   if (!pair.tangential) {
     if (!usable(pair, 0, entry(t, a, a))) return false;
     pivot(t, a);
@@ -186,14 +186,14 @@ void hold_slide(Tableau& t) {
 }
 
 c2d_status load_all_stick(Tableau& t, const ContactTape& tape) {
-  c2d_status status = read_matrix(tape, ContactMatrix::stiffness, t.t);
-  if (status == C2D_OK) status = read_matrix(tape, ContactMatrix::stiffness_load, load_rates(t, 0));
+  c2d_status status = C2D_OK;
+  for (int32_t j = 0; j < t.n && status == C2D_OK; ++j) status = read_column(tape, ContactMatrix::stiffness, j, column(t, j));
+  if (status == C2D_OK) status = read_matrix(tape, ContactMatrix::stiffness_load, load_rates(t, 0), t.m);
   if (status != C2D_OK) return status;
   t.stiffness = 0.0;
-  for (int32_t i = 0; i < t.m; ++i) {
-    constants(t)[i] = 0;
+  for (int32_t i = 0; i < t.m; ++i) constants(t)[i] = 0;
+  for (int32_t i = 0; i < t.n; ++i)
     if (fabs(static_cast<double>(entry(t, i, i))) > t.stiffness) t.stiffness = fabs(static_cast<double>(entry(t, i, i)));
-  }
   if (!(t.stiffness > 0.0)) t.stiffness = 1.0; // pairs that hold a body and nothing else
   for (int32_t i = 0; i < t.pairs; ++i)
     for (int slot = 0; slot <= t.pair[i].tangential; ++slot) {
@@ -300,10 +300,10 @@ void sort_columns(const Tableau& t) {
     }
 }
 
-// Slots for which there is no pivot left, if they are no more than the free motions of a body that no pair touches; else -1.
+// Slots for which there is no pivot left, if they are the free motions of a body that no pair touches; else -1.
 int32_t slots_left(const Tableau& t, int32_t left[kFreeMotions]) {
   int32_t count = 0;
-  if (!is_let_go(t)) return -1;
+  if (!is_let_go(t) || t.free_motions > kFreeMotions) return -1;
   visit_leaving(t, [&](const Slot& slot) {
     if (count < kFreeMotions) left[count] = slot.dof();
     ++count;
@@ -363,7 +363,7 @@ c2d_status build_tableau(Tableau& t, const ContactTape& tape, int32_t* culprit) 
   int32_t left[kFreeMotions], count = 0;
   if (!exchange_leaving(t, culprit, left, &count)) return C2D_ERR_SINGULAR;
   if (count != (is_let_go(t) ? t.free_motions : 0)) return C2D_ERR_SINGULAR; // round-off held what nothing holds
-  for (int32_t j = t.m; j < all_columns(t); ++j)
+  for (int32_t j = t.n; j < all_columns(t); ++j)
     for (int32_t k = 0; k < count; ++k) column(t, j)[left[k]] = 0; // a body that is let go, at rest
   restore_gaps(t);
   if (count > 0 && !kSearchPart.place_body(t, left, count)) return C2D_ERR_SINGULAR;

@@ -1,9 +1,9 @@
 #pragma once
 // The contact tableau: half of the contact unknowns (basic, y) as linear functions of the other half (z = 0) and of
-// the load factors,  y = T z + c + sum_k lambda_k b_k.  Columns 0 ... m-1 are T, column m is c, then b_k: the rates
+// the load factors,  y = T z + c + sum_k lambda_k b_k.  Columns 0 ... n-1 are T, column n is c, then b_k: the rates
 // of everything with the loads. Slot `dof` of a pair holds its normal quantities, `dof + 1` the tangential ones:
-//   open   z = p, q     y = w_n, w_t          w = ((u2-u1).n + gap, (u2-u1).t) in the model's length unit
-//   stick  z = w_n, w_t - offset    y = p, q  p, q: force on body 2 per length of body 1 in its stress unit
+//   open   z = p, q     y = w_n, w_t          w = (u.n + gap, u.t), u = u1 - u0 of the sides, in the model's length unit
+//   stick  z = w_n, w_t - offset    y = p, q  p, q: force on side 1 per length of side 0 in its stress unit
 //   slip   z = w_n, r   y = p, w_t            r = q - sign mu p
 // A change of status is one or two Gauss-Jordan exchanges of 2 m^2 operations each.
 #include "contact/contact_tape.hpp"
@@ -14,23 +14,24 @@ namespace c2d {
 
 struct FreeBody; // contact/start.hpp
 
+// Tied pairs have rows, their forces, and no columns.
 struct Tableau {
-  int32_t m, cases, pairs;
+  int32_t m, n, cases, pairs; // rows: all contact unknowns; columns: those of the first `pairs` pairs, which may change
   Pair* pair;
-  Real* t; // m * tableau_columns(m, cases)
+  Real* t; // m * tableau_columns(n, cases)
   double length_unit;
   double stiffness;  // largest diagonal entry with every pair sticking; 0 until built
   int64_t exchanges; // so far
   const Kernel* kernel;
-  int32_t free_motions; // of the body that the contact has to hold: left free where no pair touches (contact/let_go.hpp)
+  int32_t free_motions; // of the bodies that the contact has to hold: left free where no pair touches (contact/let_go.hpp)
   const Model* model;   // for motions that no pair resists; null: there are none
   const FreeBody* body;
   int32_t guided = 0; // number of a pair that slides at a given rate, METHOD 13.7, and is a sticking one here; 0: none
 };
 
-inline Real* constants(const Tableau& t) { return t.t + static_cast<int64_t>(t.m) * t.m; }
-inline Real* load_rates(const Tableau& t, int32_t k) { return t.t + static_cast<int64_t>(t.m) * (t.m + 1 + k); }
-constexpr int64_t tableau_columns(int64_t m, int64_t cases) { return m + 1 + cases; }
+inline Real* constants(const Tableau& t) { return t.t + static_cast<int64_t>(t.m) * t.n; }
+inline Real* load_rates(const Tableau& t, int32_t k) { return t.t + static_cast<int64_t>(t.m) * (t.n + 1 + k); }
+constexpr int64_t tableau_columns(int64_t n, int64_t cases) { return n + 1 + cases; }
 
 // The tableau for the statuses, signs, offsets and coefficients that the pairs have now, from the all-stick tableau on
 // the tape. Load-free reference: w = (gap, 0), tau = 0. Errors: the block store's; C2D_ERR_SINGULAR if the statuses

@@ -17,7 +17,9 @@ void read_body_force(Deck& deck, const Words& keyword_card) {
   const int32_t given = keyword_card.count > 4 ? 5 : 2;
   for (int32_t i = 0; i < given; ++i) real_word(cards, keyword_card, 2 + i, kNames[i], &value[i]);
   const bool ended = end_of_words(cards, keyword_card, 2 + given);
-  if (cards.faults == old_faults && deck.body_forces[body - 1].again(load_case))
+  const int64_t place = int64_t{load_case - 1} * deck.sizes.bodies + body;
+  const bool noted = cards.faults == old_faults && place <= NumbersSeen::kNoted;
+  if (noted && deck.body_forces.again(static_cast<int32_t>(place)))
     word_fault(cards, keyword_card, 1, "body ", body, " has a body force in load case ", load_case,
                " twice, expected one card for a body and load case");
   if (!ended || cards.faults != old_faults || deck.sink == nullptr) return;

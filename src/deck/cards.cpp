@@ -38,12 +38,21 @@ bool may_hold_remark(const Cards& cards, int32_t used) {
   return first < used && cards.text[first] == '*';
 }
 
+// Names may be in any script; their keyword looks at them closely.
+bool may_hold_name(const Cards& cards, int32_t used) {
+  Words words;
+  if (!cards.in_extensions) return false;
+  split_words(cards.text, used, words);
+  return word_is(words, 0, "*NAME");
+}
+
 // Only printable ASCII and tabs can be a card. One fault, and the end: a binary file has thousands of them.
 bool is_text(Cards& cards, int32_t used) {
   if (may_hold_remark(cards, used)) used = before_comment(cards.text, used);
   for (int32_t i = 0; i < used; ++i) {
     const unsigned char byte = static_cast<unsigned char>(cards.text[i]);
     if ((byte >= 0x20 && byte < 0x7f) || byte == '\t') continue;
+    if (byte >= 0x80 && may_hold_name(cards, used)) continue;
     const bool mark = cards.line == 1 && i == 0 && byte == 0xef;
     fault(cards, i + 1, i + 1, "column ", i + 1, " holds the byte ", static_cast<int32_t>(byte),
           mark ? ", a byte order mark; expected plain ASCII text" : ", expected plain ASCII text");

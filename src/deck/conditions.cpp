@@ -131,8 +131,9 @@ bool read_point_load(Deck& deck, int b, int32_t i) {
   end_of_fields(cards, 47);
   if (deck.sink == nullptr || !sound) return !cards.ended;
   place(deck, 7, 46);
-  return accept(deck, deck.sink->add_point_load(deck.sink->solver, b + 1, 1, data[0] + deck.origin[b][0],
-                                                data[1] + deck.origin[b][1], data[2], data[3]));
+  const double* origin = deck.sink->origin[b];
+  return accept(
+      deck, deck.sink->add_point_load(deck.sink->solver, b + 1, 1, data[0] + origin[0], data[1] + origin[1], data[2], data[3]));
 }
 
 } // namespace

@@ -37,34 +37,46 @@ bool fits_workspace(Deck& deck) {
   return deck.cards.faults == old_faults;
 }
 
+// The list of bodies is the caller's. If it is too short, how many there are is the only answer.
+bool fits_list(Deck& deck) {
+  Cards& cards = deck.cards;
+  if (deck.sizes.bodies <= deck.room) return true;
+  cards.counting = false; // no fault of the deck
+  put_all(begin_field_fault(cards, 1, 5), "c2d_limits.body has room for ", deck.room, ", the deck has ", deck.sizes.bodies,
+          deck.sizes.bodies == 1 ? " body" : " bodies");
+  cards.entry.status = C2D_ERR_LIMIT;
+  end_fault(cards);
+  cards.status = C2D_ERR_LIMIT;
+  cards.ended = true;
+  return false;
+}
+
 bool read_counts(Deck& deck) {
   Cards& cards = deck.cards;
   c2d_limits& sizes = deck.sizes;
   if (!next_card(cards, "the card with the numbers of bodies and contact zones")) return false;
   deck.zones_line = cards.line;
   cards.vital = true;
-  const bool bodies_known = integer(cards, 1, 5, "number of bodies", 1, 2, &sizes.bodies);
+  const bool bodies_known = integer(cards, 1, 5, "number of bodies", 1, INT32_MAX, &sizes.bodies);
   const bool zones_known = integer_from(cards, 6, "number of contact zones", 0, &sizes.zones);
   const bool nodes_known = integer(cards, 11, 5, "number of functional nodes per element", 1, 4, &sizes.function_nodes);
   cards.vital = false;
   end_of_fields(cards, 16);
   if (!bodies_known || !zones_known || !nodes_known) return false;
-  if (sizes.zones > 0 && sizes.bodies < 2)
-    field_fault(cards, 6, 10, "number of contact zones is ", sizes.zones, ", expected 0: contact needs two bodies");
-  else if (sizes.zones > 0 && deck.problem.analysis == C2D_ANALYSIS_STRESS)
+  if (sizes.zones > 0 && deck.problem.analysis == C2D_ANALYSIS_STRESS)
     field_fault(cards, 6, 10, "number of contact zones is ", sizes.zones,
                 ", expected 0: a stress analysis (IOUT 0) has no contact zones; IOUT 1 or 2 is contact");
-  return fits_workspace(deck);
+  return fits_workspace(deck) && !cards.ended && fits_list(deck);
 }
 
 bool set_body(Deck& deck, int b, double youngs_modulus, double poisson_ratio) {
   if (deck.sink == nullptr) return true;
   c2d_body data = c2d_body();
   data.struct_size = static_cast<uint32_t>(sizeof data);
-  data.element_nodes = deck.element_nodes[b];
+  data.element_nodes = element_nodes(deck, b);
   data.elements = deck.body[b].elements;
   data.regions = deck.body[b].regions;
-  data.open_regions = deck.open_regions[b];
+  data.open_regions = open_regions(deck, b);
   data.youngs_modulus = youngs_modulus;
   data.poisson_ratio = poisson_ratio;
   place(deck, 1, 20);
@@ -74,36 +86,38 @@ bool set_body(Deck& deck, int b, double youngs_modulus, double poisson_ratio) {
 bool read_body(Deck& deck, int b) {
   Cards& cards = deck.cards;
   if (!next_card(cards, "the card with the numbers of regions and elements of a body")) return false;
-  deck.element_nodes[b] = 2;
+  c2d_body_limits& body = deck.body[b];
+  int32_t nodes = 2; // of an element
   const int32_t old_faults = cards.faults;
   cards.vital = true;
-  const bool regions_known = integer_from(cards, 1, "number of regions", 1, &deck.body[b].regions);
+  const bool regions_known = integer_from(cards, 1, "number of regions", 1, &body.regions);
   cards.vital = false;
-  const bool order_known = integer(cards, 6, 5, "number of boundary nodes per element", 2, 4, &deck.element_nodes[b]);
+  const bool order_known = integer(cards, 6, 5, "number of boundary nodes per element", 2, 4, &nodes);
   cards.vital = true;
-  const bool elements_known = integer_from(cards, 11, "number of elements", 1, &deck.body[b].elements);
-  const bool nodes_known = integer_from(cards, 16, "number of boundary points", 1, &deck.body[b].points);
+  const bool elements_known = integer_from(cards, 11, "number of elements", 1, &body.elements);
+  const bool points_known = integer_from(cards, 16, "number of boundary points", 1, &body.points);
   cards.vital = false;
   end_of_fields(cards, 21);
-  if (!regions_known || !elements_known || !nodes_known) return false;
-  const int32_t expected = deck.body[b].elements * (deck.element_nodes[b] - 1);
-  deck.body_line[b] = cards.line;
-  const int32_t beyond = deck.body[b].points - expected;
-  deck.open_regions[b] = order_known && beyond > 0 && beyond <= deck.body[b].regions ? beyond : 0;
-  if (order_known && beyond != deck.open_regions[b])
-    field_fault(cards, 16, 20, "number of boundary points is ", deck.body[b].points, ", expected ", expected, ": ",
-                deck.body[b].elements, " elements of ", deck.element_nodes[b], " nodes");
-  if (deck.body[b].regions > deck.body[b].elements) {
-    field_fault(cards, 1, 5, "number of regions is ", deck.body[b].regions, ", expected at most ", deck.body[b].elements,
+  if (!regions_known || !elements_known || !points_known) return false;
+  deck.elements += body.elements;
+  if (deck.elements > kMostElements)
+    field_fault(cards, 11, 15, "number of elements of all bodies is ", deck.elements, ", expected at most ", kMostElements);
+  const int64_t expected = int64_t{body.elements} * (nodes - 1), beyond = body.points - expected;
+  if (order_known && (beyond < 0 || beyond > body.regions))
+    field_fault(cards, 16, 20, "number of boundary points is ", body.points, ", expected ", expected, ": ", body.elements,
+                " elements of ", nodes, " nodes");
+  if (body.regions > body.elements) {
+    field_fault(cards, 1, 5, "number of regions is ", body.regions, ", expected at most ", body.elements,
                 ", the number of elements");
     return false;
   }
+  keep_body_card(deck, b, nodes);
   if (cards.faults != old_faults) return !cards.ended;
   return set_body(deck, b, 1.0, 0.0);
 }
 
-// Whether body 2's elements are numbered on from body 1's: its first region card says so. Where that card is
-// wrong, the guess that makes the fewest faults further on.
+// Whether the elements of a body are numbered on from those before: the first region card of body 2 says so for all. Where that
+// card is wrong, the guess that makes the fewest faults further on.
 bool continues(const Deck& deck, bool first_known, int32_t first, int32_t last) {
   if (first_known && first == deck.body[0].elements + 1) return true;
   if (first_known && first == 1) return false;

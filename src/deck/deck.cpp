@@ -12,13 +12,13 @@ void check_open_regions(Deck& deck) {
   Cards& cards = deck.cards;
   const int32_t line = cards.line;
   for (int b = 0; b < deck.sizes.bodies && deck.symmetry == 0; ++b) {
-    if (deck.open_regions[b] == 0 || cards.status != C2D_OK) continue;
+    if (open_regions(deck, b) == 0 || cards.status != C2D_OK) continue;
     cards.body = b + 1;
-    cards.line = deck.body_line[b];
+    cards.line = body_line(deck, b);
     const int32_t points = deck.body[b].points;
     const bool fixed = !cards.free_form; // the card itself is gone, and with it its fields' places
     fault(cards, fixed ? 16 : 0, fixed ? 20 : 0, "number of boundary points is ", points, ", expected ",
-          points - deck.open_regions[b], ": ", deck.body[b].elements, " elements of ", deck.element_nodes[b],
+          points - open_regions(deck, b), ": ", deck.body[b].elements, " elements of ", element_nodes(deck, b),
           " nodes; more only with *SYMMETRY, one for each open region");
   }
   cards.line = line;
@@ -44,20 +44,21 @@ c2d_status read_deck_cards(const DeckSink* sink, c2d_read_line read, void* conte
                            c2d_limits* sizes, c2d_card_fn card, void* card_context) {
   Deck deck;
   memset(&deck, 0, sizeof deck);
+  deck.body = sizes->body;
+  deck.room = sizes->body != nullptr ? sizes->bodies : 0;
   start_cards(deck.cards, read, context, report, report_context);
   deck.cards.card = card;
   deck.cards.card_context = card_context;
   deck.sink = sink;
   deck.sizes.load_cases = 1;
   read_sections(deck);
+  if (deck.cards.status == C2D_ERR_LIMIT) sizes->bodies = deck.sizes.bodies;
   if (deck.cards.status != C2D_OK) return deck.cards.status;
   if (deck.cards.faults > 0) return C2D_ERR_INPUT;
-  if (sizes == nullptr) return C2D_OK;
-  c2d_body_limits* const list = sizes->body;
   *sizes = deck.sizes;
   sizes->struct_size = static_cast<uint32_t>(sizeof *sizes);
-  sizes->body = list;
-  for (int b = 0; b < sizes->bodies; ++b) list[b] = deck.body[b];
+  sizes->body = deck.body;
+  for (int b = 0; b < sizes->bodies; ++b) sizes->body[b].reserved = 0;
   return C2D_OK;
 }
 
@@ -123,15 +124,44 @@ bool fits_count(Deck& deck, bool fits, int32_t read_so_far) {
   return false;
 }
 
-int32_t element_offset(const Deck& deck, int b) { return b == 1 && deck.elements_continue ? deck.body[0].elements : 0; }
+namespace {
+constexpr int32_t kElementNodesBase = 8; // above any number of nodes of an element
+}
+
+void keep_body_card(Deck& deck, int b, int32_t element_nodes) {
+  const int32_t last = INT32_MAX / kElementNodesBase - 1, line = deck.cards.line;
+  deck.body[b].reserved = (line < last ? line : last) * kElementNodesBase + element_nodes;
+}
+
+int32_t body_line(const Deck& deck, int b) { return deck.body[b].reserved / kElementNodesBase; }
+
+int32_t element_nodes(const Deck& deck, int b) { return deck.body[b].reserved % kElementNodesBase; }
+
+int32_t open_regions(const Deck& deck, int b) {
+  return deck.body[b].points - deck.body[b].elements * (element_nodes(deck, b) - 1);
+}
+
+int32_t element_offset(const Deck& deck, int b) {
+  int32_t before = 0;
+  for (int i = 0; i < b && deck.elements_continue; ++i) before += deck.body[i].elements;
+  return before;
+}
+
+int32_t point_offset(const Deck& deck, int b) {
+  int32_t before = 0;
+  for (int i = 0; i < b && deck.nodes_continue; ++i) before += deck.body[i].points;
+  return before;
+}
 
 int32_t function_node_offset(const Deck& deck, int b) {
-  return b == 1 && deck.nodes_continue ? function_node_count(deck, 0) : 0;
+  int32_t before = 0;
+  for (int i = 0; i < b && deck.nodes_continue; ++i) before += function_node_count(deck, i);
+  return before;
 }
 
 int32_t function_node_count(const Deck& deck, int b) {
   const int32_t per_element = deck.sizes.function_nodes > 1 ? deck.sizes.function_nodes - 1 : 1;
-  return deck.body[b].elements * per_element + (deck.sizes.function_nodes > 1 ? deck.open_regions[b] : 0);
+  return deck.body[b].elements * per_element + (deck.sizes.function_nodes > 1 ? open_regions(deck, b) : 0);
 }
 
 } // namespace c2d

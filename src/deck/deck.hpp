@@ -15,6 +15,7 @@ struct DeckSink {
   c2d_solver* solver;
   int32_t function_nodes;         // per element, as the workspace was made for; 0: any
   int32_t bodies;                 // likewise
+  double (*origin)[2];            // [bodies], for the reader alone: of each body's coordinates
   void (*refused)(void* context); // may be null; told after every call below that returned an error
   void* context;
   decltype(&c2d_set_line) set_line = c2d_set_line;
@@ -34,10 +35,13 @@ struct DeckSink {
   decltype(&c2d_set_interference) set_interference = c2d_set_interference;
   decltype(&c2d_add_points) add_points = c2d_add_points;
   decltype(&c2d_add_curve) add_curve = c2d_add_curve;
+  decltype(&c2d_tie_zone) tie_zone = c2d_tie_zone;
+  decltype(&c2d_set_name) set_name = c2d_set_name;
   c2d_status (*add_load_card)(c2d_solver*, int32_t increments, double load); // factor of case 1, all others zero
   // of keywords whose part of the library may be missing: null or false
   decltype(&c2d_set_symmetry) set_symmetry;
   decltype(&c2d_set_rigid) set_rigid;
+  decltype(&c2d_set_rigid_load) set_rigid_load;
   decltype(&c2d_set_body_force) set_body_force;
   bool has_free_zones;
 };
@@ -58,30 +62,36 @@ struct NumbersSeen {
 };
 
 // What later sections must know of earlier ones. Bodies are counted from 0 in here.
+// `body` is the caller's list; its member `reserved` holds what body_line() and element_nodes() tell until the deck ends.
 struct Deck {
   Cards cards;
   const DeckSink* sink; // null: only check and count
   c2d_limits sizes;     // without the list of bodies, which is
-  c2d_body_limits body[2];
+  c2d_body_limits* body;
+  int32_t room; // bodies that it can hold
   c2d_problem problem;
-  int32_t element_nodes[2];        // NBN
-  int32_t open_regions[2];         // NBP says how many: boundary points beyond those of closed curves
-  int32_t body_line[2];            // line of the card that says so
   int32_t symmetry;                // lines that *SYMMETRY gave: 1: x, 2: y
-  double origin[2][2];             // of the local coordinates
-  bool elements_continue;          // body 2's elements are numbered on from body 1's
+  bool elements_continue;          // each body's elements are numbered on from those of the bodies before
   bool nodes_continue;             // so are its nodes
+  int64_t elements;                // of all bodies whose cards were read
   int64_t pairs, contact_elements; // of all zones
+  int64_t self_pairs;              // of them, of zones of a body with itself
   const char* counted;             // the last number of cards that a card gave, with its place
   int32_t counted_cards, counted_line, counted_body, zones_line;
-  uint32_t keywords_seen;     // bit: place in the table of keywords.cpp
-  NumbersSeen body_forces[2]; // load cases that *BODY FORCE gave, by body
+  uint32_t keywords_seen;  // bit: place in the table of keywords.cpp
+  NumbersSeen body_forces; // that *BODY FORCE gave: load cases of the first body, the second ... interleaved
+  NumbersSeen rigid;       // bodies that *RIGID named
+  NumbersSeen names;       // bodies and zones, interleaved, that *NAME named
 };
 
+// With so many elements in all no number of a deck's elements, boundary points and functional nodes leaves its 32 bits.
+constexpr int32_t kMostElements = INT32_MAX / 4 - 1;
+
 // Read a deck to its end. Every fault goes to `report` (may be null), those of the sink's calls excepted: the
-// sink has told them. Returns C2D_OK; C2D_ERR_INPUT after any fault; C2D_ERR_READ; or what the sink returned,
-// if that was neither ARGUMENT nor INPUT. `sizes`, if not null, has a list of two bodies and receives the sizes after
-// C2D_OK. `card` is told every field of every card, in order.
+// sink has told them. Returns C2D_OK; C2D_ERR_INPUT after any fault; C2D_ERR_READ; C2D_ERR_LIMIT; or what the sink returned,
+// if that was neither ARGUMENT nor INPUT. `sizes` comes with a list for so many bodies as it says, which is worked in; it
+// receives the sizes after C2D_OK, and after C2D_ERR_LIMIT for a list that is too short their number. `card` is told every
+// field of every card, in order.
 c2d_status read_deck_cards(const DeckSink* sink, c2d_read_line read, void* context, c2d_report report, void* report_context,
                            c2d_limits* sizes, c2d_card_fn card = nullptr, void* card_context = nullptr);
 
@@ -109,8 +119,14 @@ bool read_count(Deck& deck, const char* name, int32_t* value);
 bool fits_count(Deck& deck, bool fits, int32_t read_so_far);
 // Fields of the card at hand that begin like a number.
 int32_t numbers_on(const Cards& cards);
-// Added to an element's or functional node's number within body b to get that of the cards.
+// What the card of body b said. (keep_body_card: so that the two others know.)
+void keep_body_card(Deck& deck, int b, int32_t element_nodes);
+int32_t body_line(const Deck& deck, int b);
+int32_t element_nodes(const Deck& deck, int b); // NBN
+int32_t open_regions(const Deck& deck, int b);  // NBP says how many: boundary points beyond those of closed curves
+// Added to the number of an element, boundary point or functional node within body b to get that of the cards.
 int32_t element_offset(const Deck& deck, int b);
+int32_t point_offset(const Deck& deck, int b);
 int32_t function_node_offset(const Deck& deck, int b);
 // Functional nodes of body b: an element shares its last with the next one's first, if it has more than one.
 int32_t function_node_count(const Deck& deck, int b);

@@ -1,5 +1,6 @@
 // *ZONE first1 last1 first2 last2 [count1 count2]: elements of bodies 1 and 2 between which there may be
 // contact, meshed independently of each other. Counts serve ranges that go round the end of their region.
+// BODIES b1 b2, in front of these numbers or behind them, names other bodies.
 #include "deck/keywords.hpp"
 
 namespace c2d {
@@ -8,48 +9,85 @@ namespace {
 
 int32_t larger(int32_t a, int32_t b) { return a > b ? a : b; }
 
-// As far as the deck tells: which of the elements face body 1 is found out later.
-void count_sizes(Deck& deck, int32_t elements) {
+// As far as the deck tells: which of the elements face side 1 is found out later.
+void count_sizes(Deck& deck, int32_t elements, bool self) {
   const int64_t order = deck.sizes.function_nodes;
   const int64_t pairs = order > 1 ? elements * (order - 1) + 1 : elements;
+  if (self) deck.self_pairs += pairs;
   deck.pairs += pairs;
   deck.contact_elements += elements;
   const auto bounded = [](int64_t size) { return size > INT32_MAX ? INT32_MAX : static_cast<int32_t>(size); };
-  deck.sizes.pairs = bounded(deck.pairs);
+  deck.sizes.pairs = bounded(deck.pairs + deck.self_pairs);
   deck.sizes.contact_elements = bounded(deck.contact_elements);
-  deck.sizes.free_pairs = bounded(deck.sizes.free_pairs + pairs);
+  deck.sizes.free_pairs = bounded(deck.sizes.free_pairs + (self ? 2 : 1) * pairs);
   ++deck.sizes.zones;
+}
+
+// Where the words BODIES b1 b2 stand; -1: they do not.
+int32_t place_of_bodies(const Words& words) {
+  for (int32_t i = 0; i < words.count; ++i)
+    if (word_is(words, i, "BODIES")) return i;
+  return -1;
+}
+constexpr int32_t kWordsOfBodies = 3;
+
+// The bodies of both sides; false after a fault.
+bool read_bodies(Deck& deck, const Words& words, int32_t at, c2d_zone& zone) {
+  Cards& cards = deck.cards;
+  zone.side1.body = 1, zone.side2.body = 2;
+  if (at < 0 && deck.sizes.bodies < 2) {
+    fault(cards, 0, 0, "a contact zone with one body only, expected two bodies, or BODIES 1 -1 for a body that meets itself");
+    return false;
+  }
+  if (at < 0) return true;
+  bool known = integer_word(cards, words, at + 1, "body of the zone", 1, deck.sizes.bodies, &zone.side1.body);
+  known =
+      integer_word(cards, words, at + 2, "body of the zone", -deck.sizes.bodies, deck.sizes.bodies, &zone.side2.body) && known;
+  if (known && zone.side2.body == -zone.side1.body) { // a body that meets itself
+    zone.side2.body = zone.side1.body;
+    zone.kind |= C2D_ZONE_SELF;
+    return known;
+  }
+  if (!known || (zone.side2.body > 0 && zone.side1.body != zone.side2.body)) return known;
+  word_fault(cards, words, at + 2, "bodies of the zone are ", zone.side1.body, " and ", zone.side2.body,
+             ", expected two different ones, or the second as -", zone.side1.body, " for a body that meets itself");
+  return false;
+}
+
+// First and last element of a side in two words from `at` on.
+void read_range(Deck& deck, const Words& words, int32_t at, c2d_side& side) {
+  const int32_t offset = element_offset(deck, side.body - 1), most = deck.body[side.body - 1].elements;
+  char name[32];
+  Text text = text_in(name);
+  put_all(text, "element of body ", side.body);
+  int32_t* const range[2] = {&side.first_element, &side.last_element};
+  for (int i = 0; i < 2; ++i)
+    if (integer_word(deck.cards, words, at + i, name, 1 + offset, most + offset, range[i])) *range[i] -= offset;
 }
 
 } // namespace
 
 void read_free_zone(Deck& deck, const Words& keyword_card) {
   Cards& cards = deck.cards;
-  if (deck.sizes.bodies < 2 || deck.problem.analysis == C2D_ANALYSIS_STRESS) {
-    fault(cards, 0, 0,
-          deck.sizes.bodies < 2 ? "a contact zone with one body only, expected two bodies"
-                                : "a contact zone in a stress analysis (IOUT 0), expected IOUT 1 or 2, which is contact");
-    return;
-  }
+  if (deck.problem.analysis == C2D_ANALYSIS_STRESS)
+    return void(fault(cards, 0, 0, "a contact zone in a stress analysis (IOUT 0), expected IOUT 1 or 2, which is contact"));
   c2d_zone zone = c2d_zone();
   zone.struct_size = static_cast<uint32_t>(sizeof zone);
   zone.kind = C2D_ZONE_FREE;
-  const bool counted = keyword_card.count > 4;
   const int32_t old_faults = cards.faults;
-  for (int b = 0; b < 2; ++b) {
-    const int32_t offset = element_offset(deck, b), most = deck.body[b].elements;
-    c2d_side& side = b == 0 ? zone.side1 : zone.side2;
-    side.body = b + 1;
-    int32_t* range[2] = {&side.first_element, &side.last_element};
-    for (int i = 0; i < 2; ++i)
-      if (integer_word(cards, keyword_card, 2 * b + i, b == 0 ? "element of body 1" : "element of body 2", 1 + offset,
-                       most + offset, range[i]))
-        *range[i] -= offset;
-    if (counted) integer_word(cards, keyword_card, 4 + b, "number of elements", 1, most, &side.elements);
+  const int32_t at = place_of_bodies(keyword_card);
+  if (!read_bodies(deck, keyword_card, at, zone)) return;
+  const int32_t from = at == 0 ? kWordsOfBodies : 0, others = at < 0 ? 0 : kWordsOfBodies; // words
+  const bool counted = (at > 0 ? at : keyword_card.count - from) > 4;
+  for (int s = 0; s < 2; ++s) {
+    c2d_side& side = s == 0 ? zone.side1 : zone.side2;
+    read_range(deck, keyword_card, from + 2 * s, side);
+    const int32_t most = deck.body[side.body - 1].elements;
+    if (counted) integer_word(cards, keyword_card, from + 4 + s, "number of elements", 1, most, &side.elements);
   }
-  if (!end_of_words(cards, keyword_card, counted ? 6 : 4) || cards.faults != old_faults) return;
+  if (!end_of_words(cards, keyword_card, others + (counted ? 6 : 4)) || cards.faults != old_faults) return;
   const int32_t first = zone.side2.first_element, last = zone.side2.last_element;
-  count_sizes(deck, counted ? zone.side2.elements : larger(first - last, last - first) + 1);
+  count_sizes(deck, counted ? zone.side2.elements : larger(first - last, last - first) + 1, (zone.kind & C2D_ZONE_SELF) != 0);
   if (deck.sink == nullptr) return;
   place_words(deck, keyword_card);
   accept(deck, deck.sink->add_zone(deck.sink->solver, &zone));

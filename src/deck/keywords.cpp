@@ -21,9 +21,12 @@ struct Keyword {
 //   *PATH                    history.cpp    pieces of path through their factors, instead of the load cards
 //   *FRICTION                history.cpp    coefficients by zone
 //   *SYMMETRY X value        symmetry.cpp   line x = value (Y: y = value), everything mirrored across it
-//   *ZONE e1 e1 e2 e2        free_zones.cpp contact between elements of both bodies, meshed independently
+//   *ZONE e1 e1 e2 e2 ...    free_zones.cpp contact between elements of two bodies, meshed independently
+//   *TIE zone                tie.cpp        a zone is bonded
+//   *NAME BODY body text     names.cpp      what a body is called (ZONE: a zone)
 //   *CURVE kind body e e     curves.cpp     what the surface is over elements of a body
-//   *RIGID                   rigid.cpp      body 1 is a rigid obstacle, with motions by load case
+//   *RIGID LOAD body x y ... rigid.cpp      motions of a rigid body are free, with forces and a moment by load case
+//   *RIGID [body]            rigid.cpp      a body is a rigid obstacle, with motions by load case
 //   *INTERFERENCE load_case  interference.cpp   initial overlaps are closed as a load case
 //   *BODY FORCE ...          body_force.cpp weight and rotation of a body in a load case
 //   *POINTS                  points.cpp     where interior results are wanted
@@ -36,8 +39,11 @@ constexpr Keyword kKeywords[] = {
     {"BODY FORCE", read_body_force, true, "c2d_set_body_force",
      [](const DeckSink& sink) { return sink.set_body_force != nullptr; }},
     {"INTERFERENCE", read_interference, false},
-    {"RIGID", read_rigid, false, "c2d_set_rigid", [](const DeckSink& sink) { return sink.set_rigid != nullptr; }},
+    {"RIGID LOAD", read_rigid_load, true, "c2d_set_rigid", [](const DeckSink& sink) { return sink.set_rigid != nullptr; }},
+    {"RIGID", read_rigid, true, "c2d_set_rigid", [](const DeckSink& sink) { return sink.set_rigid != nullptr; }},
     {"ZONE", read_free_zone, true, "c2d_link_free_zones", [](const DeckSink& sink) { return sink.has_free_zones; }},
+    {"TIE", read_tie, true},
+    {"NAME", read_name, true},
     {"POINTS", read_points, true},
     {"CURVE", read_curve, true},
 };

@@ -15,11 +15,14 @@ using KeywordHandler = void (*)(Deck& deck, const Words& keyword_card);
 bool next_data_card(Deck& deck, Words& words);
 
 // One handler for each keyword; the table is in keywords.cpp, the handlers in files named after what they read.
-void read_units(Deck& deck, const Words& keyword_card);        // units.cpp
-void read_cases(Deck& deck, const Words& keyword_card);        // history.cpp
-void read_path(Deck& deck, const Words& keyword_card);         //
-void read_friction(Deck& deck, const Words& keyword_card);     //
-void read_free_zone(Deck& deck, const Words& keyword_card);    // free_zones.cpp
+void read_units(Deck& deck, const Words& keyword_card);     // units.cpp
+void read_cases(Deck& deck, const Words& keyword_card);     // history.cpp
+void read_path(Deck& deck, const Words& keyword_card);      //
+void read_friction(Deck& deck, const Words& keyword_card);  //
+void read_free_zone(Deck& deck, const Words& keyword_card); // free_zones.cpp
+void read_rigid_load(Deck& deck, const Words& keyword_card);
+void read_tie(Deck& deck, const Words& keyword_card);
+void read_name(Deck& deck, const Words& keyword_card);         // names.cpp
 void read_curve(Deck& deck, const Words& keyword_card);        // curves.cpp
 void read_symmetry(Deck& deck, const Words& keyword_card);     // symmetry.cpp
 void read_rigid(Deck& deck, const Words& keyword_card);        // rigid.cpp

@@ -16,11 +16,11 @@ struct NodeCard {
   double x, y;
 };
 
-bool read_origin(Deck& deck, int b) {
+bool read_origin(Deck& deck, double origin[2]) {
   Cards& cards = deck.cards;
   if (!next_card(cards, "the card with the origin of a body")) return false;
-  real(cards, 1, "x of the origin", &deck.origin[b][0]);
-  real(cards, 11, "y of the origin", &deck.origin[b][1]);
+  real(cards, 1, "x of the origin", &origin[0]);
+  real(cards, 11, "y of the origin", &origin[1]);
   end_of_fields(cards, 21);
   return !cards.ended;
 }
@@ -82,7 +82,8 @@ void read_coordinates(Cards& cards, char letter, NodeCard& card) {
 
 bool set_node(Deck& deck, int b, int32_t node, double x, double y) {
   if (deck.sink == nullptr) return true;
-  const double xy[2] = {x + deck.origin[b][0], y + deck.origin[b][1]};
+  const double* origin = deck.sink->origin[b];
+  const double xy[2] = {x + origin[0], y + origin[1]};
   return accept(deck, deck.sink->set_nodes(deck.sink->solver, b + 1, node, 1, xy, 2));
 }
 
@@ -120,11 +121,11 @@ bool read_number(Deck& deck, int b, bool is_first, bool doubtful, int32_t previo
   int32_t number = 0;
   if (doubtful && !peek_integer(cards, 2, 4, &number)) return false;
   if (!integer(cards, 2, 4, "node number", INT32_MIN, INT32_MAX, &number)) return false;
-  // Body 2's first card decides whether its nodes are numbered on from body 1's.
+  // Body 2's first card decides whether nodes are numbered on from those of the bodies before.
   if (b == 1 && is_first) deck.nodes_continue = number > deck.body[0].points;
-  const int32_t offset = b == 1 && deck.nodes_continue ? deck.body[0].points : 0;
+  const int32_t offset = point_offset(deck, b);
   const int32_t nodes = deck.body[b].points;
-  *node = number - offset;
+  *node = number > 0 ? number - offset : number;
   if (is_first && *node == 1) return true;
   if (!is_first && *node > previous && *node <= nodes) return true;
   if (doubtful) return false;
@@ -152,7 +153,9 @@ bool next_node_card(Cards& cards) {
 bool read_nodes(Deck& deck, int b) {
   Cards& cards = deck.cards;
   cards.body = b + 1;
-  if (!read_origin(deck, b)) return false;
+  double origin[2] = {0, 0};
+  if (!read_origin(deck, origin)) return false;
+  for (int c = 0; c < 2 && deck.sink != nullptr; ++c) deck.sink->origin[b][c] = origin[c];
   const int32_t nodes = deck.body[b].points;
   NodeCard previous = NodeCard();
   bool doubtful = false;

@@ -21,7 +21,7 @@ c2d_error fault_with(c2d_status status) {
   return e;
 }
 
-// (Neither this nor the next is put into scan: their frames would stand below those of the reader.)
+// (Not put into scan: its frame would stand below that of the reader.)
 [[gnu::noinline]] c2d_status refuse(c2d_report report, void* report_context, const char* name, const void* argument) {
   c2d_error e = fault_with(C2D_ERR_ARGUMENT);
   Text text = text_in(e.text);
@@ -30,34 +30,19 @@ c2d_error fault_with(c2d_status status) {
   return C2D_ERR_ARGUMENT;
 }
 
-// The caller's list of bodies is too short: how many there are is the only answer.
-[[gnu::noinline]] c2d_status tell_bodies(c2d_limits theirs, int32_t bodies, c2d_limits* out, c2d_report report,
-                                         void* report_context) {
-  c2d_error e = fault_with(C2D_ERR_LIMIT);
-  Text text = text_in(e.text);
-  put_all(text, "c2d_limits.body has room for ", theirs.body == nullptr ? 0 : theirs.bodies, ", the deck has ", bodies,
-          bodies == 1 ? " body" : " bodies");
-  if (report != nullptr) report(report_context, &e);
-  theirs.bodies = bodies;
-  copy_out(&theirs, sizeof theirs, out);
-  return C2D_ERR_LIMIT;
-}
-
 c2d_status scan(c2d_read_line read, void* context, c2d_limits* out, c2d_report report, void* report_context) {
   if (read == nullptr) return refuse(report, report_context, "read_line", nullptr);
   if (!is_begun(out)) return refuse(report, report_context, "c2d_limits", out);
-  c2d_limits theirs, sizes = c2d_limits();
-  c2d_body_limits body[2];
+  c2d_limits theirs, sizes;
   copy_in(out, &theirs, sizeof theirs);
-  sizes.body = body;
+  sizes = theirs;
   const c2d_status status = read_deck_cards(nullptr, read, context, report, report_context, &sizes);
-  if (status != C2D_OK) return status;
-  if (theirs.body == nullptr || theirs.bodies < sizes.bodies)
-    return tell_bodies(theirs, sizes.bodies, out, report, report_context);
-  memcpy(theirs.body, body, static_cast<size_t>(sizes.bodies) * sizeof *body);
-  sizes.body = theirs.body;
-  copy_out(&sizes, sizeof sizes, out);
-  return C2D_OK;
+  if (status == C2D_ERR_LIMIT) { // of the list of bodies: how many there are is the only answer
+    theirs.bodies = sizes.bodies;
+    copy_out(&theirs, sizeof theirs, out);
+  }
+  if (status == C2D_OK) copy_out(&sizes, sizeof sizes, out);
+  return status;
 }
 
 } // namespace
@@ -75,8 +60,11 @@ c2d_status c2d_scan_deck(c2d_read_line read, void* context, c2d_limits* out, c2d
   return c2d::scan(read, context, out, c2d::keep_first, why);
 }
 
-c2d_status c2d_walk_deck(c2d_read_line read, void* context, c2d_card_fn card, void* card_context, c2d_report report,
-                         void* report_context) {
+c2d_status c2d_walk_deck(c2d_read_line read, void* context, c2d_body_limits* body, int32_t bodies, c2d_card_fn card,
+                         void* card_context, c2d_report report, void* report_context) {
   if (read == nullptr) return c2d::refuse(report, report_context, "read_line", nullptr);
-  return c2d::read_deck_cards(nullptr, read, context, report, report_context, nullptr, card, card_context);
+  c2d_limits sizes = c2d_limits();
+  sizes.body = body;
+  sizes.bodies = bodies;
+  return c2d::read_deck_cards(nullptr, read, context, report, report_context, &sizes, card, card_context);
 }

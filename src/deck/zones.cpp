@@ -4,22 +4,26 @@
 namespace c2d {
 namespace {
 
-// First and last of both bodies (I5 each) on one card; `count` of them must lie in each range.
-bool read_ranges(Deck& deck, const char* name, int32_t count, const int32_t offset[2], const int32_t size[2], int32_t first[2],
-                 int32_t last[2]) {
+// The numbers that one kind of range may name on a side of a zone, counted as on the cards.
+struct SideNumbers {
+  int32_t body, offset, size;
+};
+
+// First and last of both sides (I5 each) on one card; `count` of them must lie in each range.
+bool read_ranges(Deck& deck, const char* name, int32_t count, const SideNumbers numbers[2], int32_t first[2], int32_t last[2]) {
   Cards& cards = deck.cards;
   bool sound = true;
-  for (int b = 0; b < 2; ++b) {
-    const int32_t column = 1 + 10 * b;
+  for (int s = 0; s < 2; ++s) {
+    const int32_t column = 1 + 10 * s, offset = numbers[s].offset, most = numbers[s].size + offset;
     const int32_t old_faults = cards.faults;
-    bool known = integer(cards, column, 5, name, 1 + offset[b], size[b] + offset[b], &first[b]);
-    if (!integer(cards, column + 5, 5, name, 1 + offset[b], size[b] + offset[b], &last[b])) known = false;
-    const int32_t distance = last[b] > first[b] ? last[b] - first[b] : first[b] - last[b];
+    bool known = integer(cards, column, 5, name, 1 + offset, most, &first[s]);
+    if (!integer(cards, column + 5, 5, name, 1 + offset, most, &last[s])) known = false;
+    const int32_t distance = last[s] > first[s] ? last[s] - first[s] : first[s] - last[s];
     if (known && count > 0 && distance + 1 != count)
-      field_fault(cards, column, column + 9, name, " ", first[b], " to ", last[b], " of body ", b + 1, " make ", distance + 1,
-                  ", expected ", count);
-    first[b] -= offset[b];
-    last[b] -= offset[b];
+      field_fault(cards, column, column + 9, name, " ", first[s], " to ", last[s], " of body ", numbers[s].body, " make ",
+                  distance + 1, ", expected ", count);
+    first[s] -= offset;
+    last[s] -= offset;
     sound = sound && known && cards.faults == old_faults;
   }
   end_of_fields(cards, 21);
@@ -33,6 +37,24 @@ void count_zones(Deck& deck) {
   deck.counted_body = 0;
 }
 
+// The zone's two bodies; the second with a minus sign is the first again.
+bool read_bodies(Deck& deck, c2d_zone& zone) {
+  Cards& cards = deck.cards;
+  bool known = integer(cards, 1, 5, "lower body of the zone", 1, deck.sizes.bodies, &zone.side1.body);
+  known = any_integer(cards, 6, "upper body of the zone", &zone.side2.body) && known;
+  if (known && zone.side2.body == -zone.side1.body) {
+    zone.side2.body = zone.side1.body;
+    zone.kind = C2D_ZONE_SELF;
+    return known;
+  }
+  if (known && (zone.side2.body < 1 || zone.side2.body > deck.sizes.bodies))
+    field_fault(cards, 6, 10, "upper body of the zone is ", zone.side2.body, ", expected 1 to ", deck.sizes.bodies);
+  else if (known && zone.side1.body == zone.side2.body)
+    field_fault(cards, 6, 10, "both bodies of the zone are ", zone.side2.body, ", expected two different ones, or -",
+                zone.side2.body, " for a body that meets itself");
+  return known && zone.side2.body >= 1 && zone.side2.body <= deck.sizes.bodies;
+}
+
 bool read_zone(Deck& deck, bool* sound) {
   Cards& cards = deck.cards;
   c2d_zone zone = c2d_zone();
@@ -41,10 +63,8 @@ bool read_zone(Deck& deck, bool* sound) {
   if (cards.zone == 1 && !fits_count(deck, numbers_on(cards) < 5, deck.counted_cards)) return false;
   count_zones(deck);
   if (!fits_count(deck, numbers_on(cards) != 2, cards.zone - 1)) return false;
-  int32_t body;
   const int32_t old_faults = cards.faults;
-  integer(cards, 1, 5, "lower body of the zone", 1, 1, &body);
-  integer(cards, 6, 5, "upper body of the zone", 2, 2, &body);
+  const bool bodies_known = read_bodies(deck, zone);
   const bool pairs_known = integer_from(cards, 11, "number of contact nodes of the zone", 1, &zone.pairs);
   int32_t elements = 0;
   const bool elements_known = integer_from(cards, 16, "number of contact elements of the zone", 1, &elements);
@@ -56,22 +76,26 @@ bool read_zone(Deck& deck, bool* sound) {
                 elements, " elements of ", order, " nodes");
   const bool count_sound = pairs_known && !(elements_known && zone.pairs > most);
   deck.pairs += zone.pairs;
+  if ((zone.kind & C2D_ZONE_SELF) != 0) deck.self_pairs += zone.pairs;
   deck.contact_elements += elements;
 
   zone.side1.elements = zone.side2.elements = elements;
-  zone.side1.body = 1, zone.side2.body = 2;
-  const int32_t element_offsets[2] = {0, element_offset(deck, 1)};
-  const int32_t node_offsets[2] = {0, function_node_offset(deck, 1)};
-  const int32_t nodes[2] = {function_node_count(deck, 0), function_node_count(deck, 1)};
-  const int32_t body_elements[2] = {deck.body[0].elements, deck.body[1].elements};
+  SideNumbers on_elements[2], on_nodes[2];
+  for (int side = 0; side < 2; ++side) {
+    const int32_t body = side == 0 ? zone.side1.body : zone.side2.body;
+    on_elements[side] = on_nodes[side] = SideNumbers{body, 0, INT32_MAX};
+    if (!bodies_known) continue; // then any number may be meant
+    on_elements[side] = SideNumbers{body, element_offset(deck, body - 1), deck.body[body - 1].elements};
+    on_nodes[side] = SideNumbers{body, function_node_offset(deck, body - 1), function_node_count(deck, body - 1)};
+  }
   int32_t first[2] = {0, 0}, last[2] = {0, 0};
   *sound = cards.faults == old_faults && !cards.refused;
   if (!next_card(cards, "the card with the elements of a contact zone")) return false;
-  if (!read_ranges(deck, "contact elements", elements, element_offsets, body_elements, first, last)) *sound = false;
+  if (!read_ranges(deck, "contact elements", elements, on_elements, first, last)) *sound = false;
   zone.side1.first_element = first[0], zone.side1.last_element = last[0];
   zone.side2.first_element = first[1], zone.side2.last_element = last[1];
   if (!next_card(cards, "the card with the nodes of a contact zone")) return false;
-  if (!read_ranges(deck, "contact nodes", count_sound ? zone.pairs : 0, node_offsets, nodes, first, last)) *sound = false;
+  if (!read_ranges(deck, "contact nodes", count_sound ? zone.pairs : 0, on_nodes, first, last)) *sound = false;
   zone.side1.first_node = first[0], zone.side1.last_node = last[0];
   zone.side2.first_node = first[1], zone.side2.last_node = last[1];
   if (deck.sink == nullptr || !*sound) return !cards.ended;
@@ -81,24 +105,54 @@ bool read_zone(Deck& deck, bool* sound) {
 
 int32_t bounded(int64_t size) { return size > INT32_MAX ? INT32_MAX : static_cast<int32_t>(size); }
 
-const char* const kNodeSum[] = {"number of contact nodes of body 1", "number of contact nodes of body 2"};
-const char* const kElementSum[] = {"number of contact elements of body 1", "number of contact elements of body 2"};
+// What a card for each body says once more of its zones.
+struct Sum {
+  const char* what;
+  int32_t column;
+  int64_t of_zones, of_bodies; // of those whose cards were read
+  bool sound;                  // as those cards are
+};
 
-// The sums stand once more on a card for each body; `sound`: the zones were read without a fault.
-bool read_sums(Deck& deck, int b, bool sound) {
+// Zones join two bodies. With two bodies all zones are on each of them, and each card is compared; with more of them, or one
+// that meets itself, the sum over all bodies is, at the last card.
+void check_sum(const Deck& deck, Cards& cards, const Sum& sum, const char* name, int32_t value) {
+  const int32_t bodies = deck.sizes.bodies;
+  const bool each = (bodies == 2 && deck.self_pairs == 0) || deck.sizes.zones == 0;
+  if (each && value != sum.of_zones)
+    field_fault(cards, sum.column, sum.column + 4, name, " is ", value, ", expected ", sum.of_zones, ", the sum of the zones");
+  else if (!each && cards.body == bodies && sum.sound && sum.of_bodies != 2 * sum.of_zones)
+    field_fault(cards, sum.column, sum.column + 4, "numbers of contact ", sum.what, " of all bodies make ", sum.of_bodies,
+                ", expected ", 2 * sum.of_zones, ": the sum of the zones, each of which has two sides");
+}
+
+void read_sum(Deck& deck, bool zones_sound, Sum& sum) {
   Cards& cards = deck.cards;
-  if (!next_card(cards, "the card with the numbers of contact nodes and elements of a body")) return false;
-  count_zones(deck);
-  if (!fits_count(deck, numbers_on(cards) != 4, deck.counted_cards)) return false;
-  int32_t nodes = 0, elements = 0;
-  const bool nodes_known = integer_from(cards, 1, kNodeSum[b], 0, &nodes);
-  const bool elements_known = integer_from(cards, 6, kElementSum[b], 0, &elements);
-  end_of_fields(cards, 11);
-  if (sound && nodes_known && nodes != deck.pairs)
-    field_fault(cards, 1, 5, kNodeSum[b], " is ", nodes, ", expected ", deck.pairs, ", the sum of the zones");
-  if (sound && elements_known && elements != deck.contact_elements)
-    field_fault(cards, 6, 10, kElementSum[b], " is ", elements, ", expected ", deck.contact_elements, ", the sum of the zones");
-  return !cards.ended;
+  char name[48];
+  Text text = text_in(name);
+  put_all(text, "number of contact ", sum.what, " of body ", cards.body);
+  int32_t value = 0;
+  const bool known = integer_from(cards, sum.column, name, 0, &value);
+  sum.of_bodies += value;
+  sum.sound = sum.sound && known;
+  if (known && zones_sound) check_sum(deck, cards, sum, name, value);
+}
+
+// `sound`: the zones were read without a fault.
+bool read_sums(Deck& deck, bool sound) {
+  Cards& cards = deck.cards;
+  Sum nodes = {"nodes", 1, deck.pairs, 0, true}, elements = {"elements", 6, deck.contact_elements, 0, true};
+  for (int b = 0; b < deck.sizes.bodies; ++b) {
+    cards.body = b + 1;
+    if (!next_card(cards, "the card with the numbers of contact nodes and elements of a body")) return false;
+    count_zones(deck);
+    if (!fits_count(deck, numbers_on(cards) != 4, deck.counted_cards)) return false;
+    read_sum(deck, sound, nodes);
+    read_sum(deck, sound, elements);
+    end_of_fields(cards, 11);
+    if (cards.ended) return false;
+  }
+  cards.body = 0;
+  return true;
 }
 
 } // namespace
@@ -112,14 +166,9 @@ bool read_zones(Deck& deck) {
     all_sound = all_sound && sound;
   }
   deck.cards.zone = 0;
-  deck.sizes.pairs = bounded(deck.pairs);
+  deck.sizes.pairs = bounded(deck.pairs + deck.self_pairs);
   deck.sizes.contact_elements = bounded(deck.contact_elements);
-  for (int b = 0; b < deck.sizes.bodies; ++b) {
-    deck.cards.body = b + 1;
-    if (!read_sums(deck, b, all_sound)) return false;
-  }
-  deck.cards.body = 0;
-  return true;
+  return read_sums(deck, all_sound);
 }
 
 } // namespace c2d

@@ -27,13 +27,31 @@ template <class T> T member_at(const char* solver, size_t offset) {
 }
 #define C2D_MEMBER(name) member_at<decltype(c2d_solver::name)>(at, offsetof(c2d_solver, name))
 
-// The struct at `at`, of any alignment, says of itself what only a whole one can say.
-bool is_consistent(const char* at) {
+// The list of bodies' limits is the first behind the struct.
+uint64_t list_place() { return round_up(sizeof(c2d_solver)); }
+
+// Bytes from `at` to the end of that list, as the struct at `at` counts it; 0: no struct counts so.
+uint64_t list_end(const char* at) {
+  const int32_t bodies = C2D_MEMBER(sizes).bodies;
+  return bodies < 1 ? 0 : list_place() + static_cast<uint64_t>(bodies) * sizeof(c2d_body_limits);
+}
+
+// Everything but the list of bodies, which no struct holds the address of.
+bool same_sizes(const Sizes& a, const Sizes& b) {
+  constexpr size_t kRest = offsetof(Sizes, zones);
+  static_assert(offsetof(Sizes, body) == 4 * 4 && sizeof(Sizes) - kRest == 11 * 8, "no padding");
+  const char *first = reinterpret_cast<const char*>(&a), *other = reinterpret_cast<const char*>(&b);
+  return same_bytes(first, other, offsetof(Sizes, body)) && same_bytes(first + kRest, other + kRest, sizeof(Sizes) - kRest);
+}
+
+// The struct at `at`, of any alignment, says of itself what only a whole one with these limits of bodies can say.
+bool says_the_same(const char* at, c2d_body_limits* body) {
   const int32_t state = C2D_MEMBER(state);
   if (state < C2D_STATE_EMPTY || state > C2D_STATE_BROKEN) return false;
-  const Sizes found = C2D_MEMBER(sizes);
-  c2d_body_limits body[2];
-  const c2d_limits limits = limits_of(found, body);
+  Sizes found = C2D_MEMBER(sizes);
+  if (found.body != nullptr) return false;
+  found.body = body;
+  const c2d_limits limits = limits_of(found);
   const Layout layout = C2D_MEMBER(layout);
   const uint64_t bytes = C2D_MEMBER(bytes);
   uint64_t minimum = 0;
@@ -42,9 +60,40 @@ bool is_consistent(const char* at) {
     return false;
   Sizes sizes;
   Layout expected;
-  static_assert(sizeof(Sizes) == 4 * 4 + 22 * 8 && sizeof(Layout) == 8 * (kArrays + 1), "no padding");
-  return derive_sizes(limits, sizes) == C2D_OK && same_bytes(&found, &sizes, sizeof sizes) &&
+  static_assert(sizeof(Layout) == 8 * (kArrays + 1), "no padding");
+  return derive_sizes(limits, sizes) == C2D_OK && same_sizes(found, sizes) &&
          lay_out(sizes, sizeof(c2d_solver), expected) == C2D_OK && same_bytes(&layout, &expected, sizeof layout);
+}
+
+// The list is within the memory. It is looked at where it is aligned, a few bytes further down if need be; then everything is
+// back in its place.
+template <class Check> bool look_at(char* at, Check check) {
+  char* const list = at + list_place();
+  const size_t bytes = static_cast<size_t>(list_end(at) - list_place());
+  const size_t shift = reinterpret_cast<uintptr_t>(list) % alignof(c2d_body_limits);
+  char covered[alignof(c2d_body_limits)];
+  memcpy(covered, list - shift, shift);
+  memmove(list - shift, list, bytes);
+  const bool consistent = check(at, reinterpret_cast<c2d_body_limits*>(list - shift));
+  memmove(list, list - shift, bytes);
+  memcpy(list - shift, covered, shift);
+  return consistent;
+}
+
+// Are the bodies' arrays where these limits put them? For memory that holds the list of bodies.
+bool has_its_arrays(const char* at, c2d_body_limits* body) {
+  Sizes sizes = C2D_MEMBER(sizes);
+  const Layout layout = C2D_MEMBER(layout);
+  sizes.body = body;
+  uint64_t end = layout.offset[kArraysOfBodies];
+  for (int b = 0; b < sizes.bodies; ++b) {
+    int64_t place[kBodyArrays];
+    end = lay_out_body(sizes, b, end, place);
+    for (int64_t& array : place) array -= static_cast<int64_t>(layout.offset[kBodies]);
+    const char* const found = at + layout.offset[kBodies] + static_cast<size_t>(b) * sizeof(Body) + offsetof(Body, array);
+    if (!same_bytes(found, place, sizeof place)) return false;
+  }
+  return true;
 }
 
 const char kOtherMaker[] = "the solver in this memory is of another version of the library, size of pointers or number type";
@@ -56,13 +105,17 @@ const char kNoPart[] = "the solver in this memory uses a part of the library tha
 // The call that links a part which the consistent solver at `at` uses and the program has not; null: there is none.
 const char* missing_part(const char* at) {
   const ModelHeader head = C2D_MEMBER(model);
+  const Layout layout = C2D_MEMBER(layout);
   const bool images = C2D_MEMBER(options).symmetry == C2D_SYMMETRY_IMAGES;
   if (!kSymmetryPart.linked && (head.symmetry_asked != 0 || images)) return "c2d_set_symmetry";
-  for (const Body& body : head.body)
+  const char* const bodies = at + layout.offset[kBodies];
+  for (int32_t b = 0; b < C2D_MEMBER(sizes).bodies; ++b) {
+    const Body body = member_at<Body>(bodies, static_cast<size_t>(b) * sizeof(Body));
     if (!kHolePart.linked && body.regions > 1) return "c2d_link_holes";
-  if (!kRigidPart.linked && head.rigid != 0) return "c2d_set_rigid";
-  if (!kBodyForcePart.linked && head.body_forces != 0) return "c2d_set_body_force";
-  const char* const zones = at + C2D_MEMBER(layout).offset[kZones];
+    if (!kRigidPart.linked && body.rigid != 0) return "c2d_set_rigid";
+    if (!kBodyForcePart.linked && body.has_force != 0) return "c2d_set_body_force";
+  }
+  const char* const zones = at + layout.offset[kZones];
   for (int32_t i = 0; !kFreeZonePart.linked && i < head.zones; ++i)
     if (member_at<Zone>(zones, static_cast<size_t>(i) * sizeof(Zone)).is_free != 0) return "c2d_link_free_zones";
   const int32_t state = C2D_MEMBER(state);
@@ -77,27 +130,34 @@ struct Reason {
 
 // Where the solver stands in memory[0 .. bytes): *slack. MEMORY with *needed if the memory ends too early; MISMATCH with
 // the reason.
-c2d_status find_solver(const char* memory, size_t bytes, uint32_t* slack, uint64_t* needed, Reason& why) {
+c2d_status find_solver(char* memory, size_t bytes, uint32_t* slack, uint64_t* needed, Reason& why) {
   c2d_status status = C2D_ERR_ARGUMENT;
   for (uint32_t i = 0; i < kAlignment && bytes >= sizeof(c2d_solver) && i <= bytes - sizeof(c2d_solver); ++i) {
-    const char* at = memory + i;
+    char* const at = memory + i;
     if (!same_bytes(at, &kSolverMagic, sizeof kSolverMagic) || C2D_MEMBER(slack) != i) continue;
     if (C2D_MEMBER(maker) != solver_maker()) {
       status = C2D_ERR_MISMATCH;
       why.text = kOtherMaker;
       continue;
     }
-    if (!is_consistent(at)) continue;
+    const uint64_t room = bytes - i, end = list_end(at), claimed = C2D_MEMBER(bytes);
+    if (end == 0 || claimed < end || claimed > SIZE_MAX - kAlignment) continue;
+    if (end <= room && !look_at(at, says_the_same)) continue;
+    *slack = i;
+    *needed = claimed + kAlignment - 1;
+    if (end > room) { // too little of it to tell more
+      why = Reason{nullptr, nullptr};
+      return C2D_ERR_MEMORY;
+    }
     const int32_t state = C2D_MEMBER(state);
     if (kEnergyPart.linked && (state == C2D_STATE_PREPARED || state == C2D_STATE_RUNNING) && C2D_MEMBER(keeps_energy) == 0) {
       status = C2D_ERR_MISMATCH;
       why.text = kNoEnergies;
       continue;
     }
-    *slack = i;
-    *needed = C2D_MEMBER(bytes) + kAlignment - 1;
     why = Reason{nullptr, nullptr};
     if (bytes < *needed) return C2D_ERR_MEMORY;
+    if (!look_at(at, has_its_arrays)) return C2D_ERR_ARGUMENT;
     why.end = missing_part(at);
     if (why.end) {
       why.text = kNoPart;
@@ -125,7 +185,7 @@ extern "C" c2d_status c2d_attach(c2d_solver** out, void* memory, size_t bytes, c
   Reason reason{nullptr, nullptr};
   c2d_status status = (why && !is_begun(why)) || !memory || !take_port(port, our_port, fault) ? C2D_ERR_ARGUMENT : C2D_OK;
   if (status != C2D_OK) reason.text = what;
-  if (status == C2D_OK) status = find_solver(static_cast<const char*>(memory), bytes, &found, &needed, reason);
+  if (status == C2D_OK) status = find_solver(static_cast<char*>(memory), bytes, &found, &needed, reason);
   if (status != C2D_OK) {
     explain(why, status, status == C2D_ERR_MEMORY ? needed : 0, reason.text, reason.end);
     return status;

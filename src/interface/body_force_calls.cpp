@@ -33,8 +33,8 @@ extern "C" c2d_status c2d_set_body_force(c2d_solver* s, int32_t body, int32_t lo
   status = check_numbers(
       s, {{"force[0]", force[0]}, {"force[1]", force[1]}, {"rho_omega2", rho_omega2}, {"axis[0]", x0}, {"axis[1]", y0}});
   if (status != C2D_OK) return status;
-  array_of<BodyForce>(s, kBodyForces)[2 * static_cast<int64_t>(load_case - 1) + body - 1] =
-      BodyForce{force[0], force[1], rho_omega2, x0, y0};
-  s->model.body_forces |= 1 << (body - 1);
+  const Model m = model_of(s);
+  m.body_force[body - 1][load_case - 1] = BodyForce{force[0], force[1], rho_omega2, x0, y0};
+  m.body[body - 1].has_force = 1;
   return loaded(s);
 }

@@ -2,7 +2,7 @@
 #include "interface/refuse.hpp"
 #include "model/symmetry.hpp"
 #include "model/unknowns.hpp"
-#include "model/validate.hpp"
+#include "model/validate_finding.hpp"
 
 namespace c2d {
 
@@ -21,7 +21,7 @@ c2d_status refuse(c2d_solver* s, const char* what, const char* why) {
 c2d_status check_place(c2d_solver* s, int32_t body, int32_t element, int32_t local, int32_t load_case) {
   c2d_status status = check_body_number(s, body);
   if (status != C2D_OK) return status;
-  const Body& b = s->model.body[body - 1];
+  const Body& b = body_numbered(s, body);
   if (!b.is_set || b.region_count < b.regions)
     return refuse(s, "", "give the body and all its regions before the values of its load cases");
   status = check_ranges(
@@ -34,20 +34,25 @@ bool contradicts(double known, double value) { return known != 0.0 && known != v
 
 // Values that replace others contradict nobody, but symmetry and contact hold their displacements.
 c2d_status check_held(c2d_solver* s, const Model& m, int b, int32_t element, int32_t node, int q) {
-  if (is_rigid(m, b)) return refuse(s, kQuantity[q], " belongs to the rigid body 1, expected 0");
+  if (is_rigid(m, b)) {
+    char why[96];
+    Text text = text_in(why);
+    put_all(text, " belongs to the rigid body ", body_named(m, b), ", expected 0");
+    return refuse(s, kQuantity[q], why);
+  }
   if (!is_integrated(m, b, element))
     return refuse(s, kQuantity[q], " is on an element without length or on a line of symmetry, expected 0");
   if (q < 2) return C2D_OK;
   if (m.head->symmetry != 0 && is_held_by_symmetry(m, b, node, q - 2))
     return refuse(s, kQuantity[q], " is held by symmetry here, expected 0");
-  if (pair_of_node(m, b, node) >= 0) return refuse(s, kQuantity[q], " belongs to a contact node, expected 0");
+  if (pair_of_node(m, b, node).pair >= 0) return refuse(s, kQuantity[q], " belongs to a contact node, expected 0");
   return C2D_OK;
 }
 
 c2d_status check_end(c2d_solver* s, const Model& m, int b, int32_t element, int l, const double values[4], int32_t load_case,
                      bool replaces) {
   const int32_t end = element * m.head->function_nodes + l, node = functional_node(m, b, element, l);
-  const bool contact = pair_of_end(m, b, element, l) >= 0;
+  const bool contact = pair_of_end(m, b, element, l).pair >= 0;
   for (int q = 0; q < 4; ++q) {
     if (values[q] == 0.0) continue;
     if (!is_usable(values[q])) return refuse_value(s, kQuantity[q], values[q], "a finite number");
@@ -58,7 +63,7 @@ c2d_status check_end(c2d_solver* s, const Model& m, int b, int32_t element, int 
     if (held != C2D_OK) return held;
     if (q < 2) continue;
     if (!displacement_known(m, b, node, q - 2)) return refuse(s, kQuantity[q], " is unknown here, expected 0");
-    const int64_t at = (static_cast<int64_t>(load_case) * m.head->body[b].nodes + node) * 2 + q - 2;
+    const int64_t at = (static_cast<int64_t>(load_case) * m.body[b].nodes + node) * 2 + q - 2;
     if (!replaces && contradicts(m.node_disp[b][at], values[q]))
       return refuse(s, kQuantity[q], " was given another value at this node in the same load case");
   }
@@ -66,16 +71,18 @@ c2d_status check_end(c2d_solver* s, const Model& m, int b, int32_t element, int 
 }
 
 void set_end(const Model& m, int b, int32_t element, int l, const double values[4], int32_t load_case, bool replaces) {
-  const int64_t ends = static_cast<int64_t>(m.head->body[b].elements) * m.head->function_nodes;
+  const int64_t ends = static_cast<int64_t>(m.body[b].elements) * m.head->function_nodes;
   const int32_t end = element * m.head->function_nodes + l, node = functional_node(m, b, element, l);
   for (int c = 0; c < 2; ++c) {
     if (traction_known(m, b, end, c)) m.end_traction[b][(load_case * ends + end) * 2 + c] = values[c];
     if (displacement_known(m, b, node, c) && (replaces || values[2 + c] != 0.0))
-      m.node_disp[b][(static_cast<int64_t>(load_case) * m.head->body[b].nodes + node) * 2 + c] = values[2 + c];
+      m.node_disp[b][(static_cast<int64_t>(load_case) * m.body[b].nodes + node) * 2 + c] = values[2 + c];
   }
 }
 
-c2d_status set_values(c2d_solver* s, int32_t body, int32_t element, int32_t local, int32_t load_case, const double values[4]) {
+// (Not put into c2d_set_values: its frame would stand below that of enter.)
+[[gnu::noinline]] c2d_status set_values(c2d_solver* s, int32_t body, int32_t element, int32_t local, int32_t load_case,
+                                        const double values[4]) {
   c2d_status status = check_place(s, body, element, local, load_case);
   if (status != C2D_OK) return status;
   if (!values) return refuse(s, "", "no values given");

@@ -9,14 +9,14 @@ extern "C" c2d_status c2d_get_condition(c2d_solver* s, int32_t body, int32_t ele
   c2d_status status = enter(s, kComplete);
   if (status == C2D_OK) status = check_ranges(s, {{"body", body, 1, s->model.bodies}});
   if (status == C2D_OK)
-    status = check_ranges(s, {{"element", element, 1, s->model.body[body - 1].elements},
+    status = check_ranges(s, {{"element", element, 1, body_numbered(s, body).elements},
                               {"local", local, 1, s->model.function_nodes},
                               {"load_case", load_case, 1, s->model.load_cases}});
   if (status == C2D_OK) status = check_pointers(s, {{"codes", codes}, {"values", values}});
   if (status != C2D_OK) return status;
   const Model m = model_of(s);
   const int b = body - 1;
-  const int64_t ends = static_cast<int64_t>(m.head->body[b].elements) * m.head->function_nodes, nodes = m.head->body[b].nodes;
+  const int64_t ends = static_cast<int64_t>(m.body[b].elements) * m.head->function_nodes, nodes = m.body[b].nodes;
   const int32_t end = (element - 1) * s->model.function_nodes + local - 1;
   const int32_t node = functional_node(m, b, element - 1, local - 1);
   const uint8_t code = m.end_code[b][end] & kGiven ? m.end_code[b][end] : static_cast<uint8_t>(kKnownTx | kKnownTy);
@@ -52,7 +52,7 @@ extern "C" c2d_status c2d_get_body_force(c2d_solver* s, int32_t body, int32_t lo
     status = check_ranges(s, {{"body", body, 1, s->model.bodies}, {"load_case", load_case, 1, s->model.load_cases}});
   if (status == C2D_OK) status = check_pointers(s, {{"force", force}, {"rho_omega2", rho_omega2}, {"axis", axis}});
   if (status != C2D_OK) return status;
-  const BodyForce& given = array_of<BodyForce>(s, kBodyForces)[2 * static_cast<int64_t>(load_case - 1) + body - 1];
+  const BodyForce& given = model_of(s).body_force[body - 1][load_case - 1];
   force[0] = given.bx;
   force[1] = given.by;
   *rho_omega2 = given.rho_omega2;
@@ -68,8 +68,9 @@ extern "C" c2d_status c2d_get_rigid(c2d_solver* s, int32_t body, int32_t load_ca
     status = check_ranges(s, {{"body", body, 1, s->model.bodies}, {"load_case", load_case, 1, s->model.load_cases}});
   if (status == C2D_OK) status = check_pointers(s, {{"is_rigid", is_rigid}, {"motion", motion}, {"axis", axis}});
   if (status != C2D_OK) return status;
-  const bool rigid = c2d::is_rigid(model_of(s), body - 1);
-  const RigidMotion given = rigid ? array_of<RigidMotion>(s, kRigidMotions)[load_case - 1] : RigidMotion{0, 0, 0, 0, 0};
+  const Model m = model_of(s);
+  const bool rigid = c2d::is_rigid(m, body - 1);
+  const RigidMotion given = rigid ? m.rigid_motion[body - 1][load_case - 1] : RigidMotion{0, 0, 0, 0, 0, {0, 0, 0}};
   *is_rigid = rigid ? 1 : 0;
   motion[0] = given.ux;
   motion[1] = given.uy;

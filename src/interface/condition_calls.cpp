@@ -9,7 +9,7 @@ namespace {
 
 c2d_status check_condition(c2d_solver* s, int32_t body, int32_t element, int32_t local, int32_t load_case,
                            const int32_t codes[4], const double values[4]) {
-  const Body& b = s->model.body[body - 1];
+  const Body& b = body_numbered(s, body);
   if (!b.is_set || b.region_count < b.regions)
     return refuse(s, C2D_ERR_ARGUMENT, "give the body and all its regions before its conditions");
   if (!in_range(element, 1, b.elements)) return refuse_number(s, C2D_ERR_ARGUMENT, "element number", element, 1, b.elements);
@@ -34,7 +34,7 @@ bool displacement_agrees(const Model& m, int b, int32_t node, int32_t end, int c
   for (int i = 0; i < count; ++i) {
     if (ends[i] == end) continue;
     if ((m.end_code[b][ends[i]] & (component == 0 ? kKnownUx : kKnownUy)) == 0) continue;
-    const int64_t at = (static_cast<int64_t>(load_case) * m.head->body[b].nodes + node) * 2 + component;
+    const int64_t at = (static_cast<int64_t>(load_case) * m.body[b].nodes + node) * 2 + component;
     const double known = m.node_disp[b][at];
     if (load_case > 0 && known == 0.0) continue; // the codes are older than this case's values
     if (known != value) return false;
@@ -59,7 +59,7 @@ extern "C" c2d_status c2d_set_condition(c2d_solver* s, int32_t body, int32_t ele
       return refuse(s, C2D_ERR_ARGUMENT,
                     c == 0 ? "the two ends at this node prescribe different x-displacements"
                            : "the two ends at this node prescribe different y-displacements");
-  const int64_t ends = static_cast<int64_t>(m.head->body[b].elements) * s->sizes.function_nodes;
+  const int64_t ends = static_cast<int64_t>(m.body[b].elements) * s->sizes.function_nodes;
   uint8_t code = kGiven;
   for (int k = 0; k < 4; ++k)
     if (codes[k] == 0) code = static_cast<uint8_t>(code | (1 << k));
@@ -68,7 +68,7 @@ extern "C" c2d_status c2d_set_condition(c2d_solver* s, int32_t body, int32_t ele
   for (int c = 0; c < 2; ++c) {
     m.end_traction[b][((load_case - 1) * ends + end) * 2 + c] = codes[c] == 0 ? values[c] : 0.0;
     if (codes[2 + c] == 0)
-      m.node_disp[b][(static_cast<int64_t>(load_case - 1) * m.head->body[b].nodes + node) * 2 + c] = values[2 + c];
+      m.node_disp[b][(static_cast<int64_t>(load_case - 1) * m.body[b].nodes + node) * 2 + c] = values[2 + c];
   }
   return built(s);
 }

@@ -21,8 +21,10 @@ c2d_status aligned_need(const Sizes& sizes, Layout& layout, uint64_t* minimum, u
   c2d_status status = lay_out(sizes, sizeof(c2d_solver), layout);
   if (status != C2D_OK) return status;
   // Row and column numbers are 32-bit throughout; phase_need relies on it.
-  for (const BodySizes& body : sizes.body)
+  for (int b = 0; b < sizes.bodies; ++b) {
+    const BodySizes body = sizes_of_body(sizes, b);
     if (body.rows + 2 * sizes.contact + sizes.load_cases >= INT32_MAX || body.ends > INT32_MAX / 4) return C2D_ERR_OVERFLOW;
+  }
   status = phase_need(sizes, minimum, in_core);
   if (status != C2D_OK) return status;
   uint64_t* const needs[] = {minimum, in_core};
@@ -76,15 +78,32 @@ c2d_status find_need(const c2d_limits* limits, Need& out, c2d_error* why) {
 }
 
 void fill_header(c2d_solver* s, uint64_t bytes, uint32_t slack, const Sizes& sizes, const Layout& layout) {
-  memset(static_cast<void*>(s), 0, sizeof *s);
+  memset(static_cast<void*>(s), 0, static_cast<size_t>(layout.offset[kBodies])); // with the list of limits
   s->magic = kSolverMagic;
   s->maker = solver_maker();
   s->slack = slack;
   s->bytes = bytes;
   s->sizes = sizes;
+  s->sizes.body = nullptr; // the list is the caller's
   s->layout = layout;
+  c2d_body_limits* const kept = array_of<c2d_body_limits>(s, kBodyLimits);
+  for (int b = 0; b < sizes.bodies; ++b)
+    kept[b] = c2d_body_limits{sizes.body[b].points, sizes.body[b].elements, sizes.body[b].regions, 0};
   s->options.struct_size = static_cast<uint32_t>(sizeof s->options);
   s->error = blank_error();
+}
+
+// Where the arrays of each body are, and their values that are not zero.
+void lay_out_bodies(c2d_solver* s) {
+  const Sizes sizes = sizes_of(s);
+  const Model m = model_of(s);
+  const int64_t list = static_cast<int64_t>(s->layout.offset[kBodies]);
+  uint64_t at = s->layout.offset[kArraysOfBodies];
+  for (int b = 0; b < sizes.bodies; ++b) {
+    at = lay_out_body(sizes, b, at, m.body[b].array);
+    for (int64_t& place : m.body[b].array) place -= list;
+    for (int64_t i = 0; i < sizes.body[b].points; ++i) m.node_line[b][i] = -1;
+  }
 }
 
 } // namespace
@@ -104,7 +123,8 @@ void explain(c2d_error* why, c2d_status status, uint64_t needed, const char* wha
 }
 
 void clear_model(c2d_solver* s) {
-  // What stands before the model stays: memory, limits, port and tapes, and what c2d_last_error tells; options do too.
+  // What stands before the model stays: memory, limits, port and tapes, and what c2d_last_error tells; options do, too, and so
+  // does the list of limits of the bodies, which stands before theirs.
   const c2d_options options = s->options;
   const int32_t warnings = s->warnings;
   memset(static_cast<void*>(&s->model), 0, sizeof *s - offsetof(c2d_solver, model));
@@ -116,10 +136,9 @@ void clear_model(c2d_solver* s) {
   s->model.function_nodes = s->sizes.function_nodes;
   s->model.load_cases = s->sizes.load_cases;
   s->model.length_unit = s->model.stress_unit = 1.0;
-  char* arrays = reinterpret_cast<char*>(s) + s->layout.offset[kXy];
-  memset(arrays, 0, static_cast<size_t>(s->layout.persistent - s->layout.offset[kXy]));
-  for (int b = 0; b < 2; ++b)
-    for (int64_t i = 0; i < s->sizes.body[b].geometry_nodes; ++i) array_of<int32_t>(s, kNodeLine + b)[i] = -1;
+  const uint64_t first = s->layout.offset[kBodies];
+  memset(array_of<char>(s, kBodies), 0, static_cast<size_t>(s->layout.persistent - first));
+  lay_out_bodies(s);
 }
 
 } // namespace c2d

@@ -21,7 +21,7 @@ extern "C" c2d_status c2d_add_curve(c2d_solver* s, const c2d_curve* curve) {
   if (status != C2D_OK) return status;
   const Model m = model_of(s);
   const int b = ours.body - 1;
-  const int32_t elements = head.body[b].elements;
+  const int32_t elements = m.body[b].elements;
   const int32_t ends[2] = {ours.first_element, ours.last_element};
   for (const int32_t element : ends)
     if (!in_range(element, 1, elements)) return refuse_number(s, C2D_ERR_ARGUMENT, "element of a curve", element, 1, elements);

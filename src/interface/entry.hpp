@@ -10,6 +10,8 @@ constexpr uint32_t kComplete = state_bit(C2D_STATE_MODEL) | state_bit(C2D_STATE_
 constexpr uint32_t kStarted = state_bit(C2D_STATE_PREPARED) | state_bit(C2D_STATE_RUNNING);
 // Legal to go on? Otherwise the reason is the status, and what c2d_last_error tells.
 c2d_status enter(c2d_solver* solver, uint32_t legal_states);
+// Bodies are counted from 1 in calls.
+inline Body& body_numbered(c2d_solver* solver, int32_t body) { return array_of<Body>(solver, kBodies)[body - 1]; }
 // Forget the model and every result; state: empty. For the deck reader and failed model calls.
 void clear_model(c2d_solver* solver);
 // Does the port have a block store? If not, that is the call's error.

@@ -29,23 +29,23 @@ namespace {
 
 // Ranges of a free zone: side 2's runs against side 1's, whichever way they were given.
 c2d_status fill_free_zone(c2d_solver* s, const Model& m, const c2d_zone& given, Zone& z) {
-  for (int b = 0; b < 2; ++b) {
-    const c2d_side& side = b == 0 ? given.side1 : given.side2;
+  for (int k = 0; k < 2; ++k) {
+    const c2d_side& side = k == 0 ? given.side1 : given.side2;
+    const int b = side.body - 1;
     const int32_t ends[2] = {side.first_element, side.last_element};
-    const c2d_status status = check_side_elements(s, b, side);
+    const c2d_status status = check_side_elements(s, side);
     if (status != C2D_OK) return status;
     const int32_t count = side_elements(side);
-    z.region[b] = region_of_element(m, b, ends[0] - 1);
-    const Region& region = m.region[b][z.region[b]];
+    z.body[k] = b;
+    z.region[k] = region_of_element(m, b, ends[0] - 1);
+    const Region& region = m.region[b][z.region[k]];
     const int32_t ring = region.open ? 0 : region.last - region.first + 1;
-    z.first_element[b] = ends[0] - 1;
-    z.element_step[b] =
+    z.first_element[k] = ends[0] - 1;
+    z.element_step[k] =
         count < 1 ? 0 : range_step(ends[0] - 1, ends[1] - 1, count, region.first, ring, ends[1] >= ends[0] ? 1 : -1);
-    (b == 0 ? z.facing : z.elements) = count;
-    if (z.element_step[b] == 0 || region_of_element(m, b, ends[1] - 1) != z.region[b])
-      return refuse(s, C2D_ERR_ARGUMENT,
-                    b == 0 ? "the element range of body 1 does not hold the number of elements given, in one region"
-                           : "the element range of body 2 does not hold the number of elements given, in one region");
+    (k == 0 ? z.facing : z.elements) = count;
+    if (z.element_step[k] == 0 || region_of_element(m, b, ends[1] - 1) != z.region[k])
+      return refuse_range(s, "element", side.body, ", in one region");
   }
   if (z.element_step[1] == z.element_step[0]) {
     z.first_element[1] = given.side2.last_element - 1;
@@ -65,16 +65,16 @@ c2d_status add_free_zone(c2d_solver* s, const c2d_zone& given) {
   if (status != C2D_OK) return status;
   const int32_t f = s->sizes.function_nodes;
   const int64_t pairs = f == 1 ? z.elements : static_cast<int64_t>(z.elements) * (f - 1) + 1;
-  int64_t others = 0; // pairs of the other free zones
-  for (int32_t i = 0; i < head.zones; ++i) others += m.zone[i].is_free != 0 ? m.zone[i].pairs : 0;
-  if (pairs > s->sizes.pairs - head.pairs) return refuse_limit(s, "pairs", s->sizes.pairs, head.pairs + pairs);
-  if (pairs > s->sizes.free_pairs - others) return refuse_limit(s, "free_pairs", s->sizes.free_pairs, others + pairs);
+  z.is_self = (given.kind & C2D_ZONE_SELF) != 0 ? 1 : 0;
+  const int64_t room = room_of(pairs, z.is_self != 0), all = room_taken(s, false) + room, of_free = room_taken(s, true) + room;
+  if (all > s->sizes.pairs) return refuse_limit(s, "pairs", s->sizes.pairs, all);
+  if (of_free > s->sizes.free_pairs) return refuse_limit(s, "free_pairs", s->sizes.free_pairs, of_free);
   if (z.elements > s->sizes.contact_elements - head.contact_elements)
     return refuse_limit(s, "contact_elements", s->sizes.contact_elements, int64_t{head.contact_elements} + z.elements);
   z.is_free = 1;
   z.pairs = static_cast<int32_t>(pairs);
   z.node_step[1] = z.element_step[1];
-  z.first_node[1] = functional_node(m, 1, z.first_element[1], z.element_step[1] > 0 ? 0 : f - 1);
+  z.first_node[1] = functional_node(m, z.body[1], z.first_element[1], z.element_step[1] > 0 ? 0 : f - 1);
   return keep_zone(s, z);
 }
 

@@ -88,7 +88,7 @@ extern "C" c2d_status c2d_set_units(c2d_solver* s, const char* length, const cha
 namespace {
 
 c2d_status check_body(c2d_solver* s, int32_t body, const c2d_body& data) {
-  const BodySizes& sizes = s->sizes.body[body - 1];
+  const BodySizes sizes = sizes_of_body(sizes_of(s), body - 1);
   if (!in_range(data.element_nodes, 2, 4))
     return refuse_number(s, C2D_ERR_ARGUMENT, "geometry nodes per element", data.element_nodes, 2, 4);
   const int64_t points = static_cast<int64_t>(data.elements) * (data.element_nodes - 1) + data.open_regions;
@@ -120,7 +120,7 @@ extern "C" c2d_status c2d_set_body(c2d_solver* s, int32_t body, const c2d_body* 
   if (status == C2D_OK) status = check_body_number(s, body);
   if (status == C2D_OK) status = check_body(s, body, ours);
   if (status != C2D_OK) return status;
-  Body& b = s->model.body[body - 1];
+  Body& b = body_numbered(s, body);
   const bool same = ours.element_nodes == b.element_nodes && ours.elements == b.elements && ours.regions == b.regions &&
                     ours.open_regions == b.open_regions;
   if (b.is_set && !same)
@@ -143,11 +143,11 @@ extern "C" c2d_status c2d_add_region(c2d_solver* s, int32_t body, int32_t first,
   c2d_status status = enter_building(s);
   if (status == C2D_OK) status = check_body_number(s, body);
   if (status != C2D_OK) return status;
-  Body& b = s->model.body[body - 1];
+  Body& b = body_numbered(s, body);
   if (!b.is_set) return refuse(s, C2D_ERR_ARGUMENT, "give the body before its regions");
   if (b.region_count >= b.regions)
     return refuse_number(s, C2D_ERR_LIMIT, "number of regions", b.region_count + 1, b.regions, b.regions);
-  Region* regions = array_of<Region>(s, kRegions + body - 1);
+  Region* regions = model_of(s).region[body - 1];
   const int32_t expected = b.region_count == 0 ? 1 : regions[b.region_count - 1].last + 2;
   if (first != expected) return refuse_number(s, C2D_ERR_ARGUMENT, "first element of the region", first, expected, expected);
   if (!in_range(last, first, b.elements))

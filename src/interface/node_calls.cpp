@@ -10,7 +10,7 @@ namespace c2d {
 namespace {
 
 c2d_status check_points(c2d_solver* s, int32_t body, int32_t first, int64_t count) {
-  const Body& b = s->model.body[body - 1];
+  const Body& b = body_numbered(s, body);
   if (!b.is_set) return refuse(s, C2D_ERR_ARGUMENT, "give the body before its boundary points");
   if (!in_range(first, 1, b.geometry_nodes))
     return refuse_number(s, C2D_ERR_ARGUMENT, "boundary point number", first, 1, b.geometry_nodes);
@@ -26,10 +26,11 @@ c2d_status check_coordinate(c2d_solver* s, double value) {
 }
 
 void set_point(c2d_solver* s, int32_t body, int32_t number, double x, double y) {
-  double* to = array_of<double>(s, kXy + body - 1) + 2 * static_cast<int64_t>(number - 1);
+  const Model m = model_of(s);
+  double* to = m.xy[body - 1] + 2 * static_cast<int64_t>(number - 1);
   to[0] = x;
   to[1] = y;
-  array_of<int32_t>(s, kNodeLine + body - 1)[number - 1] = s->model.line;
+  m.node_line[body - 1][number - 1] = s->model.line;
 }
 
 // What generated points need before any is set. The sum of all sizes bounds every number on the way.
@@ -37,7 +38,7 @@ c2d_status check_generated(c2d_solver* s, int32_t body, int32_t first, int32_t l
   c2d_status status = check_points(s, body, first, 1);
   if (status == C2D_OK && last <= first)
     status = refuse_number(s, C2D_ERR_ARGUMENT, "last boundary point number", last, static_cast<int64_t>(first) + 1,
-                           s->model.body[body - 1].geometry_nodes);
+                           body_numbered(s, body).geometry_nodes);
   if (status == C2D_OK) status = check_points(s, body, first, static_cast<int64_t>(last) - first + 1);
   double reach = 0.0;
   for (int32_t i = 0; i < count && status == C2D_OK; ++i) {
@@ -57,7 +58,7 @@ extern "C" c2d_status c2d_set_nodes(c2d_solver* s, int32_t body, int32_t first, 
   c2d_status status = enter_building(s);
   if (status == C2D_OK) status = check_body_number(s, body);
   if (status != C2D_OK) return status;
-  const Body& b = s->model.body[body - 1];
+  const Body& b = body_numbered(s, body);
   if (!b.is_set) return refuse(s, C2D_ERR_ARGUMENT, "give the body before its boundary points");
   if (count < 0) return refuse_number(s, C2D_ERR_ARGUMENT, "count", count, 0, b.geometry_nodes);
   if (count == 0) return built(s);

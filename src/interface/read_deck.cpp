@@ -1,4 +1,6 @@
 // A deck into a solver, through the calls of the C interface.
+#include <string.h>
+
 #include "deck/deck.hpp"
 #include "interface/refuse.hpp"
 #include "memory/parts.hpp"
@@ -44,19 +46,31 @@ int32_t read_line(void* context, char* text, int32_t size) {
   return length;
 }
 
+// While there are no results, their place holds what the reader notes of every body.
+static_assert(sizeof(BodyResults) >= sizeof(c2d_body_limits) + 2 * sizeof(double), "one after the other");
+
 c2d_status walk(Reading& reading) {
+  const int32_t bodies = reading.solver->sizes.bodies;
+  BodyResults* const notes = array_of<BodyResults>(reading.solver, kBodyResults);
+  c2d_limits sizes = c2d_limits();
+  sizes.body = reinterpret_cast<c2d_body_limits*>(notes);
+  sizes.bodies = bodies;
   DeckSink sink = DeckSink();
   sink.solver = reading.solver;
   sink.function_nodes = reading.solver->sizes.function_nodes;
-  sink.bodies = reading.solver->sizes.bodies;
+  sink.bodies = bodies;
+  sink.origin = reinterpret_cast<double(*)[2]>(sizes.body + bodies);
   sink.refused = model_refused;
   sink.context = &reading;
   sink.add_load_card = add_load_card;
   sink.set_symmetry = kSymmetryPart.set_symmetry;
   sink.set_rigid = kRigidPart.set_rigid;
+  sink.set_rigid_load = kRigidPart.set_rigid_load;
   sink.set_body_force = kBodyForcePart.set_body_force;
   sink.has_free_zones = kFreeZonePart.linked;
-  return read_deck_cards(&sink, read_line, &reading, deck_fault, &reading, nullptr);
+  const c2d_status status = read_deck_cards(&sink, read_line, &reading, deck_fault, &reading, &sizes);
+  memset(notes, 0, static_cast<size_t>(bodies) * sizeof *notes);
+  return status;
 }
 
 } // namespace

@@ -45,13 +45,13 @@ c2d_status get_pair_field(c2d_solver* s, int32_t field, int32_t first, int32_t c
   return C2D_OK;
 }
 
-// Where a pair lies on body 1: outside free zones at its node, told as the first element that has it.
-void place_on_body1(const Model& m, const Pair& pair, int32_t* element, double* eta) {
+// Where a pair lies on side 1: outside free zones at its node, told as the first element that has it.
+void place_on_side1(const Model& m, const Pair& pair, int32_t* element, double* eta) {
   *element = pair.element;
   *eta = pair.eta;
   if (pair.node[0] < 0) return;
   int32_t ends[2] = {0, 0};
-  if (all_ends_at_node(m, 0, pair.node[0], ends) == 0) return;
+  if (all_ends_at_node(m, body_on(m, pair, 0), pair.node[0], ends) == 0) return;
   const int32_t nf = m.head->function_nodes;
   *element = ends[0] / nf;
   *eta = nf > 1 ? -1.0 + 2.0 * (ends[0] % nf) / (nf - 1) : 0.0;
@@ -64,7 +64,7 @@ c2d_status get_pair_place(c2d_solver* s, int32_t field, int32_t first, int32_t c
   for (int32_t i = 0; i < count; ++i) {
     int32_t element = 0;
     double eta = 0.0;
-    place_on_body1(m, m.pair[first - 1 + i], &element, &eta);
+    place_on_side1(m, m.pair[first - 1 + i], &element, &eta);
     out[i * stride] = field == C2D_PAIR_ELEMENT1 ? element + 1 : eta;
   }
   return C2D_OK;
@@ -80,7 +80,7 @@ double end_value(const Session& session, int32_t field, int b, int32_t end) {
   case C2D_END_Y: node_position(m, b, node, &x, &y); return y;
   case C2D_END_NODE: return node + 1;
   case C2D_END_STATUS: {
-    const int32_t pair = pair_of_end(m, b, element, l);
+    const int32_t pair = pair_of_end(m, b, element, l).pair;
     if (pair < 0) return -1;
     const double* row = array_of<double>(session.solver, kPairTable) + static_cast<int64_t>(pair) * C2D_PAIR_FIELDS;
     return row[C2D_STATUS];
@@ -95,7 +95,7 @@ double end_value(const Session& session, int32_t field, int b, int32_t end) {
 }
 
 c2d_status get_end_field(c2d_solver* s, int32_t field, int b, int32_t first, int32_t count, double* out, int64_t stride) {
-  const int64_t ends = static_cast<int64_t>(s->model.body[b].elements) * s->model.function_nodes;
+  const int64_t ends = static_cast<int64_t>(body_numbered(s, b + 1).elements) * s->model.function_nodes;
   c2d_status status = check_range(s, ends, first, count, out, stride);
   if (status != C2D_OK) return status;
   Session session;
@@ -115,9 +115,9 @@ c2d_status get_end_field(c2d_solver* s, int32_t field, int b, int32_t first, int
 }
 
 c2d_status get_node_field(c2d_solver* s, int32_t field, int b, int32_t first, int32_t count, double* out, int64_t stride) {
-  const c2d_status status = check_range(s, s->model.body[b].geometry_nodes, first, count, out, stride);
+  const c2d_status status = check_range(s, body_numbered(s, b + 1).geometry_nodes, first, count, out, stride);
   if (status != C2D_OK) return status;
-  const double* xy = array_of<double>(s, kXy + b);
+  const double* xy = model_of(s).xy[b];
   for (int32_t i = 0; i < count; ++i) out[i * stride] = xy[2 * static_cast<int64_t>(first - 1 + i) + (field - C2D_NODE_X)];
   return C2D_OK;
 }
@@ -171,17 +171,18 @@ extern "C" c2d_status c2d_get_zone(c2d_solver* s, int32_t i, c2d_zone* out) {
   const Zone& zone = m.zone[i - 1];
   c2d_zone ours;
   memset(&ours, 0, sizeof ours);
-  ours.kind = zone.is_free != 0 ? C2D_ZONE_FREE : C2D_ZONE_MATCHING;
+  ours.kind = (zone.is_free != 0 ? C2D_ZONE_FREE : C2D_ZONE_MATCHING) + (zone.is_tied != 0 ? C2D_ZONE_TIED : 0) +
+              (zone.is_self != 0 ? C2D_ZONE_SELF : 0);
   ours.pairs = zone.pairs;
-  for (int b = 0; b < 2; ++b) {
-    c2d_side& side = b == 0 ? ours.side1 : ours.side2;
-    side.body = b + 1;
-    side.elements = zone_elements(zone, b);
-    side.first_element = zone.first_element[b] + 1;
-    side.last_element = zone_element(m, zone, b, side.elements - 1) + 1;
-    if (zone.is_free != 0 && b == 0) continue;
-    side.first_node = zone.first_node[b] + 1;
-    side.last_node = zone_node(m, zone, b, zone.pairs - 1) + 1;
+  for (int k = 0; k < 2; ++k) {
+    c2d_side& side = k == 0 ? ours.side1 : ours.side2;
+    side.body = zone.body[k] + 1;
+    side.elements = zone_elements(zone, k);
+    side.first_element = zone.first_element[k] + 1;
+    side.last_element = zone_element(m, zone, k, side.elements - 1) + 1;
+    if (zone.is_free != 0 && k == 0) continue;
+    side.first_node = zone.first_node[k] + 1;
+    side.last_node = zone_node(m, zone, k, zone.pairs - 1) + 1;
   }
   return give(s, "c2d_zone", ours, out);
 }
@@ -189,10 +190,10 @@ extern "C" c2d_status c2d_get_zone(c2d_solver* s, int32_t i, c2d_zone* out) {
 extern "C" c2d_status c2d_get_region(c2d_solver* s, int32_t body, int32_t i, int32_t* first, int32_t* last) {
   c2d_status status = enter(s, kComplete);
   if (status == C2D_OK) status = check_ranges(s, {{"body", body, 1, s->model.bodies}});
-  if (status == C2D_OK) status = check_ranges(s, {{"i", i, 1, s->model.body[body - 1].regions}});
+  if (status == C2D_OK) status = check_ranges(s, {{"i", i, 1, body_numbered(s, body).regions}});
   if (status == C2D_OK) status = check_pointers(s, {{"first_element", first}, {"last_element", last}});
   if (status != C2D_OK) return status;
-  const Region& region = array_of<Region>(s, kRegions + body - 1)[i - 1];
+  const Region& region = model_of(s).region[body - 1][i - 1];
   *first = region.first + 1;
   *last = region.last + 1;
   return C2D_OK;

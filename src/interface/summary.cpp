@@ -49,9 +49,9 @@ void fill_model(c2d_solver* s, c2d_summary& out) {
   memcpy(out.symmetry_at, m.line_at, sizeof out.symmetry_at);
 }
 
-void fill_motion(const c2d_solver* s, c2d_summary& out) {
-  if (s->outcome_body < 1 || s->outcome_body > 2) return;
-  const Body& body = s->model.body[s->outcome_body - 1];
+void fill_motion(c2d_solver* s, c2d_summary& out) {
+  if (s->outcome_body < 1 || s->outcome_body > s->sizes.bodies) return;
+  const Body& body = body_numbered(s, s->outcome_body);
   // (ux, uy) of the centre and a rotation about it, as a motion about the origin.
   const double* motion = s->outcome_motion;
   const double rotation = motion[2] / s->model.length_unit;
@@ -64,9 +64,8 @@ void fill_motion(const c2d_solver* s, c2d_summary& out) {
 }
 
 void fill_work(c2d_solver* s, c2d_summary& out) {
-  out.panel_columns = s->plan[0].panel_columns;
-  for (const EliminationPlan& plan : s->plan)
-    if (plan.panel_columns > out.panel_columns) out.panel_columns = plan.panel_columns;
+  for (int b = 0; b < s->sizes.bodies; ++b)
+    if (plan_of(s, b).panel_columns > out.panel_columns) out.panel_columns = plan_of(s, b).panel_columns;
   out.warnings = s->warnings;
   out.events = s->stats.events;
   out.exchanges = s->exchanges;
@@ -112,8 +111,7 @@ extern "C" c2d_status c2d_get_summary(c2d_solver* s, c2d_summary* out) {
   fill_model(s, ours);
   fill_motion(s, ours);
   fill_work(s, ours);
-  c2d_body_limits body[2];
-  const c2d_limits limits = limits_of(s->sizes, body);
+  const c2d_limits limits = limits_of(sizes_of(s));
   c2d_memory_need(&limits, &ours.minimum_bytes, &ours.in_core_bytes, nullptr);
   ours.workspace_bytes = s->bytes;
   ours.peak_bytes = s->peak_bytes;
@@ -129,17 +127,18 @@ extern "C" c2d_status c2d_get_body_result(c2d_solver* s, int32_t body, c2d_body_
     return s->busy ? c2d_status{C2D_ERR_ARGUMENT} : check_ranges(s, {{"body", body, 1, s->sizes.bodies}});
   c2d_body_result ours;
   memset(&ours, 0, sizeof ours);
-  const Body& given = s->model.body[body - 1];
+  const Body& given = body_numbered(s, body);
   ours.element_nodes = given.element_nodes;
   ours.elements = given.elements;
   ours.regions = given.regions;
   ours.open_regions = given.open_regions;
   ours.points = given.geometry_nodes;
   ours.nodes = given.nodes;
-  ours.unknowns = given.nodes > 0 && !(body == 1 && s->model.rigid != 0) ? 2 * given.nodes + 3 : 0;
+  ours.unknowns = given.nodes > 0 && given.rigid == 0 ? 2 * given.nodes + 3 : 0;
   ours.youngs_modulus = given.youngs_modulus;
   ours.poisson_ratio = given.poisson_ratio;
-  memcpy(ours.applied, s->applied[body - 1], sizeof ours.applied);
-  memcpy(ours.contact, s->contact_force[body - 1], sizeof ours.contact);
+  const BodyResults& results = results_of(s, body - 1);
+  memcpy(ours.applied, results.applied, sizeof ours.applied);
+  memcpy(ours.contact, results.contact_force, sizeof ours.contact);
   return give(s, "c2d_body_result", ours, out);
 }

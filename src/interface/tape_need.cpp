@@ -17,27 +17,28 @@ struct Tape {
 // With room for two saved states of a path that is followed.
 Tape control_tape(const Sizes& sizes, const Layout& layout) {
   const uint64_t m = static_cast<uint64_t>(sizes.contact), cases = static_cast<uint64_t>(sizes.load_cases);
-  const uint64_t path = C2D_PATH_ARRAYS_(C2D_ADD_, m, cases) C2D_COLUMN_ARRAYS_(C2D_ADD_, m);
+  const uint64_t path = C2D_PATH_ARRAYS_(C2D_ADD_, m, m, cases) C2D_COLUMN_ARRAYS_(C2D_ADD_, m);
   const uint64_t surface = C2D_SURFACE_ARRAYS_(C2D_ADD_, m);
   return {save_blocks(layout.persistent - offsetof(c2d_solver, model) + path + 2 * surface), kPieceBytes};
 }
 
 Tape contact_tape(const Sizes& sizes) {
   if (sizes.contact == 0) return {0, 0};
-  const int32_t m = static_cast<int32_t>(sizes.contact);
-  return {static_cast<uint64_t>(contact_blocks(m, sizes.load_cases)), static_cast<uint64_t>(m) * sizeof(Real)};
+  return {static_cast<uint64_t>(contact_blocks(sizes.bodies, sizes.contact, sizes.motions, sizes.load_cases)),
+          static_cast<uint64_t>(sizes.contact) * sizeof(Real)};
 }
 
 // LOWER and UPPER hold the blocks of one body after the other.
 c2d_status factor_tape(const Sizes& sizes, uint64_t bytes, bool keep, bool upper, Tape& out) {
   const PhaseSizes phases = phase_sizes(sizes);
-  EliminationPlan plan[2];
-  const c2d_status status = choose_plans(phases, bytes, sizes.panel_columns, plan);
+  PlanRule rule;
+  const c2d_status status = choose_rule(phases, bytes, sizes.panel_columns, rule);
   if (status != C2D_OK) return status;
   out = {0, 0};
   for (int b = 0; b < sizes.bodies; ++b) {
-    plan[b].keep_lower = keep;
-    const TapeUse use = upper ? most_upper_use(plan[b]) : lower_use(plan[b]);
+    EliminationPlan plan = plan_by(rule, phases, b);
+    plan.keep_lower = keep;
+    const TapeUse use = upper ? most_upper_use(plan) : lower_use(plan);
     out.blocks += use.blocks;
     if (use.max_data_bytes > out.data_bytes) out.data_bytes = use.max_data_bytes;
   }

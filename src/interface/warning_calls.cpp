@@ -2,7 +2,9 @@
 #include "memory/parts.hpp"
 #include "results/warnings.hpp"
 #include "solver/judge.hpp"
+#include "solver/unheld.hpp"
 
-const c2d::WarningPart c2d::kWarningPart = {true, warn_contact, warn_not_unique, warn_breach, find_condition, warn_condition};
+const c2d::WarningPart c2d::kWarningPart = {true,           warn_contact,   warn_not_unique, warn_breach,
+                                            find_condition, warn_condition, tell_unheld};
 
 extern "C" void c2d_link_warnings(void) {}

@@ -15,6 +15,38 @@ bool one_of(char character, const char* set) {
   return character != '\0' && place_of(character, set, size) < size;
 }
 
+const char kNameTooLong[] = "is too long, expected at most 31 bytes";
+static_assert(kLongestName == 31, "as it says");
+
+namespace {
+
+// Bytes of the character of UTF-8 that begins there; 0: a control character, or no UTF-8.
+int32_t bytes_of_character(const char* text) {
+  const uint8_t first = static_cast<uint8_t>(text[0]);
+  if (first < 0x80) return first >= 0x20 && first != 0x7f ? 1 : 0;
+  const int32_t bytes = first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+  // The first two bytes tell what could be written shorter, halves of a pair, and what lies beyond the last character.
+  const int32_t both = first << 8 | static_cast<uint8_t>(text[1]);
+  const bool fits = (both >= 0xc2a0 && both < 0xe000) || (both >= 0xe0a0 && both < 0xeda0) ||
+                    (both >= 0xee80 && both < 0xf000) || (both >= 0xf090 && both < 0xf490);
+  if (!fits) return 0;
+  for (int32_t i = 1; i < bytes; ++i)
+    if ((text[i] & 0xc0) != 0x80) return 0;
+  const bool none = both == 0xefbf && static_cast<uint8_t>(text[2]) >= 0xbe; // that never stand for a character
+  return none ? 0 : bytes;
+}
+
+} // namespace
+
+const char* fault_of_name(const char* name) {
+  if (place_of('\0', name, kLongestName + 1) > kLongestName) return kNameTooLong;
+  for (int32_t bytes = 0; name[0] != '\0'; name += bytes) {
+    bytes = bytes_of_character(name);
+    if (bytes == 0) return "holds a control character or no UTF-8, expected text";
+  }
+  return nullptr;
+}
+
 bool same_text(const char* a, const char* b) {
   int32_t i = 0;
   while (a[i] == b[i] && a[i] != '\0') ++i;

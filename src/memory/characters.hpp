@@ -11,6 +11,11 @@ int32_t place_of(char wanted, const char* text, int32_t size);
 int32_t text_length(const char* text);
 // Is it one of the characters of `set`? A zero byte is none.
 bool one_of(char character, const char* set);
+// A name is one line of UTF-8, of at most so many bytes.
+constexpr int32_t kLongestName = 31;
+extern const char kNameTooLong[];
+// What is wrong with it, "is too long ..."; null: nothing.
+const char* fault_of_name(const char* name);
 bool same_text(const char* a, const char* b);
 // A loop, because clang makes bcmp of a memcmp whose sign is not asked for, and a host need not have that.
 bool same_bytes(const void* a, const void* b, size_t size);

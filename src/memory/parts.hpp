@@ -61,9 +61,9 @@ struct FreeZonePart { // model/free_zones.cpp, bie/transfer.cpp, contact/facing_
   Function<bool, const Model&, int32_t, Surface&> surface_faced = Nothing();
   Function<int32_t, const Model&, const Pair&> faced_node = Nothing();
   Function<void, Adjoint&, const double*, const double*> add_transferred_at = Nothing();
-  Function<void, const Session&, int32_t, int, double*> add_transferred_traction = Nothing();
+  Function<void, const Session&, int, int32_t, int, double*> add_transferred_traction = Nothing();
   Function<void, const Session&, const Transfer&, int, double*> transferred_values = Nothing();
-  Function<void, const Session&, double*> add_transferred_force = Nothing();
+  Function<void, const Session&, int, double*> add_transferred_force = Nothing();
 };
 
 struct Hole;
@@ -105,14 +105,16 @@ struct BodyForcePart { // bie/body_force.cpp, body_force_columns.cpp, solver/par
 
 struct Reduction;
 
-struct RigidPart { // model/validate_rigid.cpp, contact/rigid_reduction.cpp, results/rigid.cpp, solver/energy_rigid.cpp
+struct RigidPart { // model/validate_rigid.cpp, results/rigid.cpp, solver/energy_rigid.cpp
   bool linked = false;
   decltype(&c2d_set_rigid) set_rigid = nullptr;
-  Function<void, const Model&, Reporter&> check_rigid = Nothing();
-  Function<c2d_status, const Reduction&> move_rigidly = NotLinked();
-  Function<void, const Model&, int32_t, Real*> add_rigid_motion = Nothing();
-  Function<void, const Session&> fill_rigid = Nothing();
-  Function<void, const Session&, double, double, double*> rigid_displacement_now = Nothing();
+  decltype(&c2d_set_rigid_load) set_rigid_load = nullptr;
+  Function<void, const Model&, int, Reporter&> check_rigid = Nothing();
+  Function<c2d_status, const Reduction&, int> reduce_rigid = NotLinked();
+  Function<void, const Model&, int, int32_t, Real*> add_rigid_motion = Nothing();
+  Function<void, const Session&, int> fill_rigid = Nothing();
+  Function<void, const Session&, int, double, double, double*> rigid_displacement_now = Nothing();
+  Function<void, const Session&, int, double*> rigid_motion_now = Nothing();
 };
 
 struct EnergyPart { // solver/energy*.cpp, motion.cpp, pressed_motion.cpp, results/balance.cpp
@@ -139,6 +141,7 @@ struct WarningPart { // results/warnings.cpp and what it asks, solver/condition.
   Function<void, c2d_solver*> warn_breach = Nothing();
   Function<c2d_status, c2d_solver*> find_condition = Nothing();
   Function<void, c2d_solver*> warn_condition = Nothing();
+  Function<void, c2d_solver*, const double*, int32_t> tell_unheld = Nothing();
 };
 
 struct Follower;

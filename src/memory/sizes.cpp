@@ -24,7 +24,7 @@ bool is_wrong(WrongLimit& out, const char* member, int32_t body, int32_t value, 
 } // namespace
 
 bool find_wrong_limit(const c2d_limits& l, WrongLimit& out) {
-  if (is_wrong(out, "bodies", -1, l.bodies, 1, 2) || is_wrong(out, "function_nodes", -1, l.function_nodes, 1, 4)) return true;
+  if (is_wrong(out, "bodies", -1, l.bodies, 1) || is_wrong(out, "function_nodes", -1, l.function_nodes, 1, 4)) return true;
   if (l.body == nullptr) {
     out = WrongLimit{nullptr, -1, 0, 0, 0};
     return true;
@@ -51,27 +51,30 @@ bool find_wrong_limit(const c2d_limits& l, WrongLimit& out) {
   return is_wrong(out, "free_pairs", -1, l.free_pairs, 0, l.pairs);
 }
 
+BodySizes sizes_of_body(const Sizes& sizes, int b) {
+  BodySizes body{};
+  const int64_t per_element = sizes.function_nodes == 1 ? 1 : sizes.function_nodes - 1;
+  body.geometry_nodes = sizes.body[b].points;
+  body.elements = sizes.body[b].elements;
+  body.regions = sizes.body[b].regions;
+  // Points beyond one per element may be ends of open regions, which have a functional node each.
+  const int64_t beyond = body.geometry_nodes - body.elements;
+  const int64_t open = beyond < body.regions ? beyond : body.regions;
+  body.nodes = body.elements * per_element + (sizes.function_nodes > 1 && open > 0 ? open : 0);
+  body.ends = body.elements * sizes.function_nodes;
+  body.rows = 2 * body.nodes + 3 + 2 * sizes.free_pairs;
+  return body;
+}
+
 c2d_status derive_sizes(const c2d_limits& limits, Sizes& out) {
   WrongLimit wrong;
   if (find_wrong_limit(limits, wrong)) return C2D_ERR_ARGUMENT;
   out = Sizes{};
   out.bodies = limits.bodies;
+  out.body = limits.body;
   out.function_nodes = limits.function_nodes;
   out.load_cases = limits.load_cases == 0 ? 1 : limits.load_cases;
   out.panel_columns = limits.panel_columns;
-  const int64_t per_element = limits.function_nodes == 1 ? 1 : limits.function_nodes - 1;
-  for (int b = 0; b < limits.bodies; ++b) {
-    BodySizes& body = out.body[b];
-    body.geometry_nodes = limits.body[b].points;
-    body.elements = limits.body[b].elements;
-    body.regions = limits.body[b].regions;
-    // Points beyond one per element may be ends of open regions, which have a functional node each.
-    const int64_t beyond = body.geometry_nodes - body.elements;
-    const int64_t open = beyond < body.regions ? beyond : body.regions;
-    body.nodes = body.elements * per_element + (limits.function_nodes > 1 && open > 0 ? open : 0);
-    body.ends = body.elements * limits.function_nodes;
-    body.rows = 2 * body.nodes + 3;
-  }
   out.zones = limits.zones;
   out.pairs = limits.pairs;
   out.contact_elements = limits.contact_elements;
@@ -79,22 +82,20 @@ c2d_status derive_sizes(const c2d_limits& limits, Sizes& out) {
   out.coefficients = limits.coefficients;
   out.paths = limits.paths;
   out.contact = 2 * out.pairs;
+  const int64_t motions = int64_t{3} * (out.bodies - 1); // what is left of all bodies together no contact holds
+  out.motions = motions < out.contact ? motions : out.contact;
   out.free_pairs = limits.free_pairs;
   out.point_sets = limits.point_sets;
   out.curves = limits.curves;
-  out.body[0].rows += 2 * out.free_pairs;
   return C2D_OK;
 }
 
-c2d_limits limits_of(const Sizes& sizes, c2d_body_limits (&body)[2]) {
+c2d_limits limits_of(const Sizes& sizes) {
   c2d_limits out = c2d_limits();
   out.struct_size = static_cast<uint32_t>(sizeof out);
   const auto number = [](int64_t size) { return static_cast<int32_t>(size); };
   out.bodies = sizes.bodies;
-  out.body = body;
-  for (int b = 0; b < 2; ++b)
-    body[b] =
-        c2d_body_limits{number(sizes.body[b].geometry_nodes), number(sizes.body[b].elements), number(sizes.body[b].regions), 0};
+  out.body = sizes.body;
   out.function_nodes = sizes.function_nodes;
   out.zones = number(sizes.zones);
   out.pairs = number(sizes.pairs);
@@ -113,32 +114,33 @@ c2d_limits limits_of(const Sizes& sizes, c2d_body_limits (&body)[2]) {
 namespace {
 
 struct Carver {
-  Layout& layout;
   uint64_t used;
   bool fits;
 
-  void carve(int32_t id, uint64_t count, uint64_t size) {
-    layout.offset[id] = used;
+  uint64_t carve(uint64_t count, uint64_t size) {
+    const uint64_t at = used;
     fits = fits && add_bytes(used, count, size) && used <= UINT64_MAX - kAlignment;
     if (fits) used = round_up(used);
+    return at;
   }
 };
 
 // The lists' counts are 31-bit, so that `each` stays within 64 bits; so do element ends, which are less than 2^34.
-void carve_body(Carver& carver, int b, const BodySizes& body, uint64_t cases) {
+void carve_body(Carver& carver, const BodySizes& body, uint64_t cases, int64_t place[kBodyArrays]) {
   const uint64_t points = static_cast<uint64_t>(body.geometry_nodes), ends = static_cast<uint64_t>(body.ends),
                  nodes = static_cast<uint64_t>(body.nodes), regions = static_cast<uint64_t>(body.regions);
-#define C2D_CARVE(type, name, count, each) carver.carve(k##name + b, count, (each)*C2D_BYTES_OF_##type);
+#define C2D_CARVE(type, name, count, each)                                                                                     \
+  place[k##name] = static_cast<int64_t>(carver.carve(count, (each)*C2D_BYTES_OF_##type));
   C2D_BODY_ARRAYS_(C2D_CARVE, points, ends, nodes, regions, cases)
 #undef C2D_CARVE
 }
 
-void carve_model(Carver& carver, const Sizes& s) {
+void carve_model(Carver& carver, const Sizes& s, Layout& out) {
   const uint64_t zones = static_cast<uint64_t>(s.zones), pairs = static_cast<uint64_t>(s.pairs),
                  loads = static_cast<uint64_t>(s.point_loads), coefficients = static_cast<uint64_t>(s.coefficients),
                  paths = static_cast<uint64_t>(s.paths), cases = static_cast<uint64_t>(s.load_cases),
                  sets = static_cast<uint64_t>(s.point_sets), curves = static_cast<uint64_t>(s.curves);
-#define C2D_CARVE(type, name, count, each) carver.carve(k##name, count, (each)*C2D_BYTES_OF_##type);
+#define C2D_CARVE(type, name, count, each) out.offset[k##name] = carver.carve(count, (each)*C2D_BYTES_OF_##type);
   C2D_MODEL_ARRAYS_(C2D_CARVE, zones, pairs, loads, coefficients, paths, cases, sets, curves)
 #undef C2D_CARVE
 }
@@ -149,12 +151,23 @@ static_assert(C2D_PAIR_FIELDS == 16, "columns of PairTable in contact2d_memory.h
 
 c2d_status lay_out(const Sizes& sizes, uint64_t header, Layout& out) {
   out = Layout{};
-  Carver carver{out, round_up(header), true};
-  for (int b = 0; b < 2; ++b) carve_body(carver, b, sizes.body[b], static_cast<uint64_t>(sizes.load_cases));
-  carve_model(carver, sizes);
-  carver.carve(kPhase, 0, 1);
-  out.persistent = carver.used;
+  Carver carver{round_up(header), true};
+  const uint64_t bodies = static_cast<uint64_t>(sizes.bodies), cases = static_cast<uint64_t>(sizes.load_cases);
+#define C2D_CARVE(type, name, count, each) out.offset[k##name] = carver.carve(count, (each)*C2D_BYTES_OF_##type);
+  C2D_BODY_LISTS_(C2D_CARVE, bodies)
+#undef C2D_CARVE
+  out.offset[kArraysOfBodies] = carver.used;
+  int64_t place[kBodyArrays];
+  for (int b = 0; b < sizes.bodies && carver.fits; ++b) carve_body(carver, sizes_of_body(sizes, b), cases, place);
+  carve_model(carver, sizes, out);
+  out.persistent = out.offset[kPhase] = carver.used;
   return carver.fits ? C2D_OK : C2D_ERR_OVERFLOW;
+}
+
+uint64_t lay_out_body(const Sizes& sizes, int b, uint64_t at, int64_t place[kBodyArrays]) {
+  Carver carver{at, true};
+  carve_body(carver, sizes_of_body(sizes, b), static_cast<uint64_t>(sizes.load_cases), place);
+  return carver.used;
 }
 
 } // namespace c2d

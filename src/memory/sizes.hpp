@@ -6,34 +6,34 @@
 
 namespace c2d {
 
-// Every array that lives in the workspace, in the order in which memory is carved: the lists of contact2d_memory.h. Two arrays
-// per body follow one another (`kXy + body`). src/FROM-1987.md maps them to the arrays of the 1987 program.
+// Every array that lives in the workspace, in the order in which memory is carved: the lists of contact2d_memory.h.
+// src/FROM-1987.md maps them to the arrays of the 1987 program.
 enum ArrayId : int32_t {
-#define C2D_ID_OF_BODY(type, name, count, each) k##name, k##name##OfBody2,
-  C2D_BODY_ARRAYS_(C2D_ID_OF_BODY, , , , , )
-#undef C2D_ID_OF_BODY
 #define C2D_ID(type, name, count, each) k##name,
-      C2D_MODEL_ARRAYS_(C2D_ID, , , , , , , , )
-#undef C2D_ID
-          kPhase, // the rest: what assembly, reduction and contact use one after another (A)
+  C2D_BODY_LISTS_(C2D_ID, ) kArraysOfBodies,        // those of BodyArrayId, one body after the other
+  C2D_MODEL_ARRAYS_(C2D_ID, , , , , , , , ) kPhase, // the rest: what assembly, reduction and contact use one after another (A)
   kArrays
 };
+enum BodyArrayId : int32_t { C2D_BODY_ARRAYS_(C2D_ID, , , , , ) kBodyArrays };
+#undef C2D_ID
 
-// What a model within given limits needs, per body.
+// What a body within given limits needs.
 struct BodySizes {
   int64_t geometry_nodes, elements, regions;
   int64_t nodes; // functional nodes
   int64_t ends;  // element ends: elements * function_nodes
-  int64_t rows;  // equations: 2 nodes + 3, and on body 1 2 for each pair of a free zone
+  int64_t rows;  // equations: 2 nodes + 3, and 2 for each pair of a free zone
 };
 struct Sizes {
   int32_t bodies, function_nodes, load_cases, panel_columns;
-  BodySizes body[2];
+  c2d_body_limits* body; // [bodies], not changed; null in a solver, which has it in its list kBodyLimits
   int64_t zones, pairs, contact_elements, point_loads, coefficients, paths;
   int64_t contact;    // contact unknowns at most: 2 pairs
+  int64_t motions;    // of bodies that only the contact holds, at most
   int64_t free_pairs; // of them, those of free zones
   int64_t point_sets, curves;
 };
+BodySizes sizes_of_body(const Sizes& sizes, int b);
 
 // The first of the limits that cannot be meant: its name (null: there is no list of bodies), the body it is for (from 0; -1:
 // none), and what it may be.
@@ -43,10 +43,10 @@ struct WrongLimit {
 };
 bool find_wrong_limit(const c2d_limits& limits, WrongLimit& out);
 
-// Checks and completes the limits. Errors: C2D_ERR_ARGUMENT.
+// Checks and completes the limits, whose list of bodies must stay. Errors: C2D_ERR_ARGUMENT.
 c2d_status derive_sizes(const c2d_limits& limits, Sizes& out);
-// The limits that these sizes were derived from; `body` is their list.
-c2d_limits limits_of(const Sizes& sizes, c2d_body_limits (&body)[2]);
+// The limits that these sizes were derived from.
+c2d_limits limits_of(const Sizes& sizes);
 
 struct Layout {
   uint64_t offset[kArrays]; // from the aligned start of the workspace
@@ -59,6 +59,8 @@ static_assert(sizeof(Real) == C2D_REAL_BYTES, "C2D_REAL=float needs C2D_REAL_BYT
 // The sum that everything rests on, up to the phase area (whose size solver/phases.hpp tells). `header` is the size
 // of the solver's own struct. Errors: C2D_ERR_OVERFLOW.
 c2d_status lay_out(const Sizes& sizes, uint64_t header, Layout& out);
+// The arrays of one body, from `at` on: their places; returns the end. For sizes that lay_out() has passed.
+uint64_t lay_out_body(const Sizes& sizes, int b, uint64_t at, int64_t place[kBodyArrays]);
 
 // Checked arithmetic: false if the result does not fit.
 bool add_bytes(uint64_t& sum, uint64_t count, uint64_t size);

@@ -63,6 +63,19 @@ Text& put_signed(Text& text, int64_t number) {
 
 Text& put_with_integer(Text& text, const char* characters, int32_t number) { return put_signed(put(text, characters), number); }
 
+Text& put_with_name(Text& text, const char* characters, int32_t number, const char* name) {
+  put_with_integer(text, characters, number);
+  if (name == nullptr || name[0] == '\0') return text;
+  put(text, " (");
+  for (size_t bytes = 0; name[0] != '\0'; name += bytes) {
+    for (bytes = 1; (name[bytes] & 0xc0) == 0x80;) ++bytes; // of one character
+    // If it does not fit, nothing behind it does.
+    if (text.size > 0 && text.used + bytes >= text.size) text.size = text.used + 1;
+    put(text, name, bytes);
+  }
+  return put_character(text, ')');
+}
+
 Text& put_with_number(Text& text, const char* characters, double number) { return put(put(text, characters), number); }
 
 Text& put(Text& text, double number) { return put(text, number, 6); }

@@ -13,9 +13,9 @@ namespace {
 
 constexpr double kSnap = 1e-9; // local coordinates nearer to a node are the node's
 
-bool is_ring(const Model& m, const Zone& z, int b) {
-  const Region& r = m.region[b][z.region[b]];
-  return !r.open && zone_elements(z, b) == r.last - r.first + 1;
+bool is_ring(const Model& m, const Zone& z, int side) {
+  const Region& r = m.region[z.body[side]][z.region[side]];
+  return !r.open && zone_elements(z, side) == r.last - r.first + 1;
 }
 
 void add_normal(const Model& m, int b, int32_t element, double eta, double n[2]) {
@@ -36,17 +36,18 @@ int32_t lines_at_end(const Model& m, int b, int32_t element, int end) {
 }
 
 // The place of the element that meets the one at a place at its start (-1) or end (1), -1: none in the zone.
-int32_t place_beside(const Model& m, const Zone& z, int b, int32_t place, int end) {
-  const int32_t count = zone_elements(z, b), next = place + end * z.element_step[b];
-  if (is_ring(m, z, b)) return (next + count) % count;
+int32_t place_beside(const Model& m, const Zone& z, int side, int32_t place, int end) {
+  const int32_t count = zone_elements(z, side), next = place + end * z.element_step[side];
+  if (is_ring(m, z, side)) return (next + count) % count;
   return next < count ? next : -1;
 }
 
 // Adds to the normal at the start or end of an element its neighbour's, which on a line of symmetry is its own image.
-void add_neighbour(const Model& m, const Zone& z, int b, const FacePoint& at, int end, double n[2]) {
-  const int32_t next = place_beside(m, z, b, at.place, end);
+void add_neighbour(const Model& m, const Zone& z, int side, const FacePoint& at, int end, double n[2]) {
+  const int b = z.body[side];
+  const int32_t next = place_beside(m, z, side, at.place, end);
   if (next >= 0) {
-    add_normal(m, b, zone_element(m, z, b, next), -end, n);
+    add_normal(m, b, zone_element(m, z, side, next), -end, n);
   } else {
     const int32_t lines = lines_at_end(m, b, at.element, end);
     for (int c = 0; c < 2; ++c)
@@ -55,12 +56,12 @@ void add_neighbour(const Model& m, const Zone& z, int b, const FacePoint& at, in
   normalise(n);
 }
 
-FacePoint point_at(const Model& m, const Zone& z, int b, int32_t place, double eta) {
-  return FacePoint{zone_element(m, z, b, place), place, eta};
+FacePoint point_at(const Model& m, const Zone& z, int side, int32_t place, double eta) {
+  return FacePoint{zone_element(m, z, side, place), place, eta};
 }
 
-// Unit normal of body b's surface at a point, continuous along the zone; returns the point.
-SurfacePoint zone_normal(const Model& m, const Zone& z, int b, const SurfaceElement& surface, const FacePoint& at,
+// Unit normal of a side's surface at a point, continuous along the zone; returns the point.
+SurfacePoint zone_normal(const Model& m, const Zone& z, int side, const SurfaceElement& surface, const FacePoint& at,
                          double n[2]) {
   const SurfacePoint here = surface_point(surface, at.eta);
   n[0] = here.nx;
@@ -70,7 +71,7 @@ SurfacePoint zone_normal(const Model& m, const Zone& z, int b, const SurfaceElem
     if (part == 0) continue;
     const SurfacePoint own = surface_point(surface, end);
     double kink[2] = {own.nx, own.ny};
-    add_neighbour(m, z, b, at, end, kink);
+    add_neighbour(m, z, side, at, end, kink);
     n[0] += part * (kink[0] - own.nx);
     n[1] += part * (kink[1] - own.ny);
   }
@@ -83,39 +84,39 @@ struct Place {
   SurfacePoint point;
   double n[2];
 };
-Place place_at(const Model& m, const Zone& z, int b, const SurfaceElement& surface, const FacePoint& at) {
+Place place_at(const Model& m, const Zone& z, int side, const SurfaceElement& surface, const FacePoint& at) {
   Place out;
-  out.point = zone_normal(m, z, b, surface, at, out.n);
+  out.point = zone_normal(m, z, side, surface, at, out.n);
   return out;
 }
-Place place_at(const Model& m, const Zone& z, int b, const FacePoint& at) {
-  return place_at(m, z, b, surface_element(m, b, at.element), at);
+Place place_at(const Model& m, const Zone& z, int side, const FacePoint& at) {
+  return place_at(m, z, side, surface_element(m, z.body[side], at.element), at);
 }
 
-// How far p2 lies ahead, in body 1's direction of travel, of the line through p1 along which points face each other.
+// How far p2 lies ahead, in side 0's direction of travel, of the line through p1 along which points face each other.
 double ahead(double part, const Place& p1, const Place& p2) {
   const double n[2] = {part * p1.n[0] - (1 - part) * p2.n[0], part * p1.n[1] - (1 - part) * p2.n[1]};
   return (p2.point.y - p1.point.y) * n[0] - (p2.point.x - p1.point.x) * n[1];
 }
 
-// What an element of body b has opposite a place of the other body.
+// What an element of a side has opposite a place of the other.
 struct Search {
   const Model& m;
   const Zone& z;
   const Place& from;
-  int b;
+  int side;
   int32_t element, place;
   SurfaceElement surface;
 
-  // How far body 2's point lies ahead, for a point of the element. (Not inlined, like what follows: they go deep.)
+  // How far side 1's point lies ahead, for a point of the element. (Not inlined, like what follows: they go deep.)
   [[gnu::noinline]] double operator()(double eta) const {
-    const Place there = place_at(m, z, b, surface, FacePoint{element, place, eta});
-    return b == 0 ? ahead(z.normal_part, there, from) : ahead(z.normal_part, from, there);
+    const Place there = place_at(m, z, side, surface, FacePoint{element, place, eta});
+    return side == 0 ? ahead(z.normal_part, there, from) : ahead(z.normal_part, from, there);
   }
 };
-Search search_in(const Model& m, const Zone& z, const Place& from, int b, int32_t place) {
-  const int32_t element = zone_element(m, z, b, place);
-  return Search{m, z, from, b, element, place, surface_element(m, b, element)};
+Search search_in(const Model& m, const Zone& z, const Place& from, int side, int32_t place) {
+  const int32_t element = zone_element(m, z, side, place);
+  return Search{m, z, from, side, element, place, surface_element(m, z.body[side], element)};
 }
 
 // Zero of f between a and b, where it has the values fa and fb of unlike sign: false position, with the value
@@ -158,11 +159,11 @@ double snapped(const Model& m, double eta) {
 
 // The element of a side whose middle is nearest: what faces a point is most likely on it, and all that is farther off than
 // that need not be looked at.
-[[gnu::noinline]] int32_t nearest_place(const Model& m, const Zone& z, int b, const SurfacePoint& from) {
+[[gnu::noinline]] int32_t nearest_place(const Model& m, const Zone& z, int side, const SurfacePoint& from) {
   int32_t best = 0;
   double least = -1;
-  for (int32_t place = 0; place < zone_elements(z, b); ++place) {
-    const CurvePoint p = curve_point(m, b, zone_element(m, z, b, place), 0);
+  for (int32_t place = 0; place < zone_elements(z, side); ++place) {
+    const CurvePoint p = curve_point(m, z.body[side], zone_element(m, z, side, place), 0);
     const double x = p.x - from.x, y = p.y - from.y, square = x * x + y * y;
     if (least < 0 || square < least) least = square, best = place;
   }
@@ -173,7 +174,7 @@ double snapped(const Model& m, double eta) {
 bool face_in_element(const Model& m, const Zone& z, int32_t place, const Place& p2, FacePoint& out) {
   out = point_at(m, z, 0, place, -1);
   const Search off = search_in(m, z, p2, 0, place);
-  const double tolerance = kSnap * element_length(m, 0, out.element);
+  const double tolerance = kSnap * element_length(m, z.body[0], out.element);
   const double start = off(-1);
   if (start < -tolerance) return false;
   if (start <= tolerance) return true;
@@ -191,9 +192,9 @@ bool face_place(const Model& m, const Zone& z, const Place& p2, FacePoint& out) 
   for (int32_t k = 0; k < count; ++k) {
     const int32_t place = (from + k) % count;
     FacePoint found;
-    if (nearest >= 0 && is_beyond(m, 0, zone_element(m, z, 0, place), p2.point, nearest)) continue;
+    if (nearest >= 0 && is_beyond(m, z.body[0], zone_element(m, z, 0, place), p2.point, nearest)) continue;
     if (!face_in_element(m, z, place, p2, found)) continue;
-    const SurfacePoint p = surface_point(m, 0, found.element, found.eta);
+    const SurfacePoint p = surface_point(m, z.body[0], found.element, found.eta);
     const double x = p2.point.x - p.x, y = p2.point.y - p.y, distance = x * x + y * y;
     if (nearest >= 0 && distance >= nearest) continue;
     nearest = distance;
@@ -204,8 +205,8 @@ bool face_place(const Model& m, const Zone& z, const Place& p2, FacePoint& out) 
 
 } // namespace
 
-SurfacePoint normal_in_zone(const Model& m, const Zone& z, int b, const FacePoint& at, double n[2]) {
-  return zone_normal(m, z, b, surface_element(m, b, at.element), at, n);
+SurfacePoint normal_in_zone(const Model& m, const Zone& z, int side, const FacePoint& at, double n[2]) {
+  return zone_normal(m, z, side, surface_element(m, z.body[side], at.element), at, n);
 }
 
 bool face_point(const Model& m, const Zone& z, const FacePoint& at2, FacePoint& out) {
@@ -218,9 +219,9 @@ bool facing_point(const Model& m, const Zone& z, const FacePoint& at, FacePoint&
   const int32_t count = zone_elements(z, 1), from = nearest_place(m, z, 1, p1.point);
   for (int32_t k = 0; k < count; ++k) {
     const int32_t place = (from + k) % count, other = zone_element(m, z, 1, place);
-    if (nearest >= 0 && is_beyond(m, 1, other, p1.point, nearest)) continue;
+    if (nearest >= 0 && is_beyond(m, z.body[1], other, p1.point, nearest)) continue;
     const Search off = search_in(m, z, p1, 1, place);
-    const double start = off(-1), end = off(1), tolerance = kSnap * element_length(m, 1, other);
+    const double start = off(-1), end = off(1), tolerance = kSnap * element_length(m, z.body[1], other);
     double where;
     if (fabs(start) <= tolerance)
       where = -1;
@@ -246,18 +247,18 @@ void facing_direction(const Model& m, const Zone& z, const FacePoint& at1, const
   normalise(n);
 }
 
-int32_t node_at(const Model& m, const FacePoint& at) {
+int32_t node_at(const Model& m, int b, const FacePoint& at) {
   const int f = m.head->function_nodes;
   for (int l = 0; l < f; ++l)
-    if (at.eta == node_eta(f, l)) return functional_node(m, 0, at.element, l);
+    if (at.eta == node_eta(f, l)) return functional_node(m, b, at.element, l);
   return -1;
 }
 
 int32_t element_beside_pair(const Model& m, const Pair& pair) {
   const Zone& z = m.zone[pair.zone];
-  int32_t zone, place;
-  if (fabs(pair.eta) != 1.0 || !find_contact_element(m, 0, pair.element, &zone, &place)) return -1;
-  const int32_t beside = place_beside(m, z, 0, place, pair.eta > 0 ? 1 : -1);
+  ZonePlace at;
+  if (fabs(pair.eta) != 1.0 || !find_contact_element(m, z.body[0], pair.element, &at)) return -1;
+  const int32_t beside = place_beside(m, z, 0, at.place, pair.eta > 0 ? 1 : -1);
   return beside < 0 ? -1 : zone_element(m, z, 0, beside);
 }
 
@@ -269,7 +270,7 @@ namespace {
 // In the order of the zone, one unit per element.
 double position(const Zone& z, const FacePoint& p) { return p.place + 0.5 * (1 + z.element_step[0] * p.eta); }
 
-// The `stop`-th place at which an element of body 2 is cut for its own nodes, from 0; false beyond its end.
+// The `stop`-th place at which an element of side 1 is cut for its own nodes, from 0; false beyond its end.
 bool own_cut(const Model& m, const Zone& z, int32_t stop, double* eta) {
   const int f = m.head->function_nodes, cuts = f < 2 ? 3 : f;
   if (stop >= cuts) return false;
@@ -281,17 +282,19 @@ bool own_cut(const Model& m, const Zone& z, int32_t stop, double* eta) {
 bool face_own_cut(const Model& m, const Zone& z, const FacePoint& at2, FacePoint& out) {
   const int f = m.head->function_nodes;
   for (int l = 0; l < f && f > 1; ++l) { // a pair's node: its point has been found
-    const int32_t pair = at2.eta == node_eta(f, l) ? pair_of_end(m, 1, at2.element, l) : -1;
+    const int32_t pair = at2.eta == node_eta(f, l) ? pair_of_end(m, z.body[1], at2.element, l).pair : -1;
     if (pair < 0) continue;
-    int32_t zone;
+    ZonePlace faced;
     out.element = m.pair[pair].element;
     out.eta = m.pair[pair].eta;
-    return find_contact_element(m, 0, out.element, &zone, &out.place);
+    if (!find_contact_element(m, z.body[0], out.element, &faced)) return false;
+    out.place = faced.place;
+    return true;
   }
   return face_point(m, z, at2, out);
 }
 
-// The next node or end of body 1 behind `now` within its element, in the order of the zone.
+// The next node or end of side 0 behind `now` within its element, in the order of the zone.
 double next_cut(const Model& m, const Zone& z, double eta) {
   const int f = m.head->function_nodes, step = z.element_step[0];
   double next = step;
@@ -302,7 +305,7 @@ double next_cut(const Model& m, const Zone& z, double eta) {
   return next;
 }
 
-// Where between two points of an element of body 2 lies what a point of body 1 faces? (Not inlined: the search for the next
+// Where between two points of an element of side 1 lies what a point of side 0 faces? (Not inlined: the search for the next
 // target would stand on its frame.)
 [[gnu::noinline]] double face_within(const PieceWalk& w, const FacePoint& at1) {
   const Model& m = *w.m;
@@ -332,7 +335,7 @@ bool next_piece(PieceWalk& w, FacingPiece& out) {
       return false;
     ++w.stop;
   }
-  if (z.element_step[0] * w.now.eta >= 1 - kSnap) { // on to the next element of body 1
+  if (z.element_step[0] * w.now.eta >= 1 - kSnap) { // on to the next element of side 0
     w.now = point_at(m, z, 0, w.now.place + 1 < count ? w.now.place + 1 : 0, -z.element_step[0]);
   }
   double goal = position(z, w.target);
@@ -358,13 +361,9 @@ bool next_piece(PieceWalk& w, FacingPiece& out) {
 
 namespace {
 
-void report_free_zone(const Model& m, int32_t zone, const char* found, Reporter& reporter) {
-  report(reporter, in_zone(m, zone), "zone ", zone + 1, ": ", found);
-}
-
 enum class Cover { none, whole, averted };
 
-// Does an element of body 2 face body 1 with all its nodes and both ends?
+// Does an element of side 1 face side 0 with all its nodes and both ends?
 Cover cover(const Model& m, const Zone& z, int32_t place2) {
   double before = 0, eta2;
   FacePoint at;
@@ -380,8 +379,8 @@ Cover cover(const Model& m, const Zone& z, int32_t place2) {
   return Cover::whole;
 }
 
-// The element of body 2 opposite the start (-1) or end (+1) of body 1's side in the order of the zone, if more than
-// `part` of it faces body 1; else -1.
+// The element of side 1 opposite the start (-1) or end (+1) of side 0 in the order of the zone, if more than `part` of it
+// faces side 0; else -1.
 int32_t element_faced_in_part(const Model& m, const Zone& z, int way, double part) {
   const FacePoint end = point_at(m, z, 0, way < 0 ? 0 : zone_elements(z, 0) - 1, way * z.element_step[0]);
   FacePoint faced;
@@ -391,7 +390,7 @@ int32_t element_faced_in_part(const Model& m, const Zone& z, int way, double par
   return size > part && p1.n[0] * p2.n[0] + p1.n[1] * p2.n[1] < 0 ? faced.element : -1;
 }
 
-// Elements at the ends of what is kept that face body 1 in part: the contact ends short of body 1's elements there.
+// Elements at the ends of what is kept that face side 0 in part: the contact ends short of side 0's elements there.
 void warn_left_out(const Model& m, int32_t zone, int32_t first, int32_t count, Reporter& reporter) {
   constexpr double kPart = 1e-3; // of an element: less is rounding
   const Zone& z = m.zone[zone];
@@ -405,8 +404,9 @@ void warn_left_out(const Model& m, int32_t zone, int32_t first, int32_t count, R
   if (left_out[0] == left_out[1]) left_out[1] = -1;
   for (const int32_t element : left_out) {
     if (element < 0) continue;
-    warn(reporter, C2D_WARN_LEFT_OUT, in_zone(m, zone, 1, element), "zone ", zone + 1, ": element ", element + 1,
-         " of body 2 faces the elements of body 1 in part only and is left out: nothing touches there");
+    warn(reporter, C2D_WARN_LEFT_OUT, in_zone(m, zone, z.body[1], element), "zone ", zone_named(m, zone), ": element ",
+         element + 1, " of body ", body_named(m, z.body[1]), " faces the elements of body ", body_named(m, z.body[0]),
+         " in part only and is left out: nothing touches there");
   }
 }
 
@@ -415,7 +415,7 @@ void keep_elements(const Model& m, Zone& z, int32_t first, int32_t count) {
   z.first_element[1] = zone_element(m, z, 1, first);
   z.elements = count;
   z.node_step[1] = z.element_step[1];
-  z.first_node[1] = functional_node(m, 1, z.first_element[1], z.element_step[1] > 0 ? 0 : f - 1);
+  z.first_node[1] = functional_node(m, z.body[1], z.first_element[1], z.element_step[1] > 0 ? 0 : f - 1);
   z.pairs = f == 1 ? count : count * (f - 1) + (is_ring(m, z, 1) ? 0 : 1);
 }
 
@@ -423,27 +423,28 @@ void keep_elements(const Model& m, Zone& z, int32_t first, int32_t count) {
 
 bool fit_free_zone(const Model& m, int32_t zone, Reporter& reporter) {
   Zone& z = m.zone[zone];
+  const Named one = body_named(m, z.body[0]), two = body_named(m, z.body[1]);
   int32_t first = -1, count = 0;
   for (int32_t place = 0; place < z.elements; ++place) {
     const int32_t element = zone_element(m, z, 1, place);
     const Cover found = cover(m, z, place);
     if (found == Cover::none) continue;
     if (found == Cover::averted) {
-      report(reporter, in_zone(m, zone, 1, element), "zone ", zone + 1, ": element ", element + 1,
-             " of body 2 does not face the elements of body 1");
+      report(reporter, in_zone(m, zone, z.body[1], element), "zone ", zone_named(m, zone), ": element ", element + 1,
+             " of body ", two, " does not face the elements of body ", one);
       return false;
     }
     if (first >= 0 && place != first + count) {
-      report_free_zone(m, zone, "body 1 faces elements of body 2 in several places, expected one run of elements", reporter);
+      report(reporter, in_zone(m, zone), "zone ", zone_named(m, zone), ": body ", one, " faces elements of body ", two,
+             " in several places, expected one run of elements");
       return false;
     }
     if (first < 0) first = place;
     ++count;
   }
   if (first < 0) {
-    report_free_zone(
-        m, zone, "body 2 does not face body 1, none of its elements does from end to end, expected ranges that face each other",
-        reporter);
+    report(reporter, in_zone(m, zone), "zone ", zone_named(m, zone), ": body ", two, " does not face body ", one,
+           ", none of its elements does from end to end, expected ranges that face each other");
     return false;
   }
   warn_left_out(m, zone, first, count, reporter);
@@ -453,9 +454,10 @@ bool fit_free_zone(const Model& m, int32_t zone, Reporter& reporter) {
 
 void faced_position(const Model& m, const Pair& pair, double* x, double* y) {
   const FacePoint at{pair.element, 0, pair.eta};
-  const int32_t node = node_at(m, at);
-  if (node >= 0) return node_position(m, 0, node, x, y);
-  const CurvePoint p = curve_point(m, 0, pair.element, pair.eta);
+  const int b = body_on(m, pair, 0);
+  const int32_t node = node_at(m, b, at);
+  if (node >= 0) return node_position(m, b, node, x, y);
+  const CurvePoint p = curve_point(m, b, pair.element, pair.eta);
   *x = p.x;
   *y = p.y;
 }

@@ -1,39 +1,39 @@
 #pragma once
 // Contact zones whose sides are meshed independently: which points of the two surfaces (model/surface.hpp) face each other.
 // The line between them has the direction of the pair's normal, of both surfaces' outward normals, joined continuously
-// across kinks.
+// across kinks. In names 1 stands for side 0 of the zone and 2 for side 1.
 #include "model/surface.hpp"
 #include "model/validate.hpp"
 
 namespace c2d {
 
-// A point on the elements of a body in a zone: element number, its place in the order of the zone, local coordinate.
+// A point on the elements of a side of a zone: element number, its place in the order of the zone, local coordinate.
 struct FacePoint {
   int32_t element, place;
   double eta;
 };
 
 // The point of the surface there, and its unit outward normal, continuous along the zone.
-SurfacePoint normal_in_zone(const Model& m, const Zone& z, int b, const FacePoint& at, double n[2]);
-// The point of body 1 that a point of body 2 faces, the nearest one; false if there is none. Coordinates
+SurfacePoint normal_in_zone(const Model& m, const Zone& z, int side, const FacePoint& at, double n[2]);
+// The point of side 0 that a point of side 1 faces, the nearest one; false if there is none. Coordinates
 // within 1e-9 of a functional node's or of an end's are that node's.
 bool face_point(const Model& m, const Zone& z, const FacePoint& at2, FacePoint& out);
 // The reverse.
 bool facing_point(const Model& m, const Zone& z, const FacePoint& at1, FacePoint& out);
-// Unit direction of the line along which two points face each other, from body 1 to body 2.
+// Unit direction of the line along which two points face each other, from side 0 to side 1.
 void facing_direction(const Model& m, const Zone& z, const FacePoint& at1, const FacePoint& at2, double n[2]);
-// Functional node of body 1 at a point, -1 between nodes.
-int32_t node_at(const Model& m, const FacePoint& at);
+// Functional node of body b, which has the element, at a point; -1 between nodes.
+int32_t node_at(const Model& m, int b, const FacePoint& at);
 // The element of the zone that meets the pair's own at the pair, if that faces its end; -1: none does.
 int32_t element_beside_pair(const Model& m, const Pair& pair);
 
-// A piece of an element of body 2 and what it faces on body 1; matching is linear in the local coordinates of
+// A piece of an element of side 1 and what it faces on side 0; matching is linear in the local coordinates of
 // both. [0] comes first in the order of the zone.
 struct FacingPiece {
   int32_t element1;
   double eta1[2], eta2[2];
 };
-// The pieces of one element of body 2, cut at the nodes of both sides: start, then next until it is false.
+// The pieces of one element of side 1, cut at the nodes of both sides: start, then next until it is false.
 struct PieceWalk {
   const Model* m;
   const Zone* z;
@@ -44,9 +44,9 @@ struct PieceWalk {
 PieceWalk start_pieces(const Model& m, const Zone& z, int32_t place2);
 bool next_piece(PieceWalk& walk, FacingPiece& out);
 
-// Cut the zone down to the elements of body 2 that face body 1 wholly, and fill its nodes and pairs. Faults:
+// Cut the zone down to the elements of side 1 that face side 0 wholly, and fill its nodes and pairs. Faults:
 // no such element, several runs of them, sides that do not face each other. Warning: C2D_WARN_LEFT_OUT, elements
-// that face body 1 in part. Returns false if it told a fault.
+// that face side 0 in part. Returns false if it told a fault.
 bool fit_free_zone(const Model& m, int32_t zone, Reporter& reporter);
 
 // The parts of these zones are optional (memory/parts.hpp): this file, contact/facing_pairs.hpp, bie/transfer.hpp and

@@ -1,5 +1,5 @@
 #pragma once
-// The model: one or two bodies with boundary, conditions, contact zones and load cards, as views into the workspace.
+// The model: bodies with boundary and conditions, contact zones and load cards, as views into the workspace.
 // All numbers in here start at 0 (the interface's start at 1). Coordinates, loads and moduli are the caller's.
 #include "contact2d.h"
 #include "memory/config.hpp"
@@ -39,23 +39,41 @@ struct Path {
 struct BodyForce {
   double bx, by, rho_omega2, x0, y0;
 };
-// A load case's motion of a rigid body 1: (ux, uy) and a rotation about (x0, y0), linear in the angle.
+// A load case's motion of a rigid body: (ux, uy) and a rotation about (x0, y0), linear in the angle.
+// Where some motions of it are free, the force and the moment about Body::centre that act on it.
 struct RigidMotion {
   double ux, uy, rotation, x0, y0;
+  double load[3];
 };
-// Element k of a zone is first_element[b] + k * element_step[b] on body b; pair k joins the functional nodes
-// zone_node(..., k). Ranges may wrap round their region. In a free zone (model/free_zones.hpp) the sides are meshed
-// independently: `elements` are those of body 2, whose nodes make the pairs; body 1 has `facing` elements and no nodes.
+// Where two bodies may touch, side 0 on body[0] and side 1 on body[1]. Element k of a zone is first_element[s] + k *
+// element_step[s] on side s; pair k joins the functional nodes zone_node(..., k). Ranges may wrap round their region. In a free
+// zone (model/free_zones.hpp) the sides are meshed independently: `elements` are those of side 1, whose nodes make the pairs;
+// side 0 has `facing` elements and no nodes.
 struct Zone {
   int32_t pairs, elements;
+  int32_t body[2];
+  int32_t shift[2]; // contact unknown of the body on a side, less Pair::dof
   int32_t first_element[2], element_step[2];
   int32_t first_node[2], node_step[2];
   int32_t region[2];
-  int32_t first_pair; // pairs of earlier zones
+  int32_t first_pair; // pairs of earlier zones; tied ones come behind the others
   int32_t line;
   int32_t is_free, facing;
-  double normal_part; // of body 1's normal in the pairs' (model/surface.hpp)
+  int32_t is_tied;    // 1: bonded: it carries tension and friction without bound
+  int32_t is_self;    // 1: both sides are meant to be on one body, which has contact unknowns for each
+  double normal_part; // of side 0's normal in the pairs' (model/surface.hpp)
+  char name[32];
 };
+// A place on a side of a zone: its k-th element.
+struct ZonePlace {
+  int32_t zone, side, place;
+};
+// A pair and the side on which something is; pair -1: none.
+struct PairSide {
+  int32_t pair, side;
+};
+// Force of a pair on the body of a side, and that body's displacement in the pair's motion, count with this sign.
+inline double sign_of_side(int side) { return side == 1 ? 1.0 : -1.0; }
 // What a round of changes notes of a pair, each for its own use.
 struct PairMarks {
   uint8_t offends : 1;                       // contact/settle.cpp: breaks a condition as the rates stand
@@ -64,27 +82,27 @@ struct PairMarks {
 };
 static_assert(sizeof(PairMarks) == 1, "scratch that costs nothing");
 struct Pair {
-  int32_t node[2];      // functional nodes; in a free zone -1 on body 1, where the pair is a point of an element:
+  int32_t node[2];      // functional nodes of both sides; in a free zone -1 on side 0, a point of an element there:
   int32_t element, row; // free zone: that element, and the pair's first equation u_c = u there, from 0
   double eta;
   int32_t zone;
   int32_t dof;       // first contact unknown: normal; tangential follows if there is one
   int8_t tangential; // 0: symmetry fixes the tangential direction
   int8_t status;     // C2D_OPEN, C2D_STICK, C2D_SLIP
-  int8_t sign;       // slip: sign of the friction on body 2
+  int8_t sign;       // slip: sign of the friction on side 1
   PairMarks mark;
   int8_t saved_status, saved_sign;
   int8_t good_status, good_sign; // of the last state that was judged and found good (solver/judge.hpp)
-  double nx, ny;                 // the frame: n from body 1 to body 2; t = (ny, -nx)
+  double nx, ny;                 // the frame: n from side 0 to side 1; t = (ny, -nx)
   double gap;                    // initial normal gap >= 0
   double overlap;                // by which the bodies overlap there; ModelHeader::interference closes it
-  double length;                 // shorter of the contact elements that meet there, both bodies
+  double length;                 // shorter of the contact elements that meet there, both sides
   double mu;                     // coefficient of friction in force
   double weight;                 // integral of the pair's shape functions along the body of its measure, length unit
   int32_t place[2];              // while the tableau is built: where the column of a slot stands
   // From here on numbers that come from the tableau and have no more digits than it.
   Real stiffness[2]; // normal and tangential, of this pair alone with every pair sticking
-  // History of friction, written by src/contact alone; w_t = (u2 - u1).t in the length unit of the model.
+  // History of friction, written by src/contact alone; w_t = (u1 - u0).t of the sides in the length unit of the model.
   // (Of a pair whose body was let go, where it was: place_of and keep_place of contact/let_go.hpp.)
   Real offset;         // stick: w_t at which the pair sticks
   Real slip_done;      // slip summed over finished episodes
@@ -108,7 +126,8 @@ C2D_AS_LISTED(PointSet);
 C2D_AS_LISTED(Curve);
 #undef C2D_AS_LISTED
 
-struct Body { // lives in the solver's header
+// Bodies and what belongs to each are lists in the workspace.
+struct Body {
   int32_t element_nodes, elements, geometry_nodes, regions;
   int32_t nodes, is_set, region_count;
   int32_t columns; // outer unknowns without rho and omega
@@ -117,55 +136,82 @@ struct Body { // lives in the solver's header
   int32_t open_regions;     // the first ones
   double free_motion[3][3]; // orthonormal in (ux, uy, rotation * length_unit) about `centre`
   double centre[2];
+  int32_t contact;      // contact unknowns of all its zones
+  int32_t free_rows;    // those of side 0 of free zones, which have equations
+  int32_t rigid;        // 1: it has no equations, it moves as the load cases say,
+  int32_t free_rigidly; // but for these motions: bits 1: ux, 2: uy, 4: rotation, of the point `centre`
+  int32_t has_force;    // 1: body forces
+  int32_t first_motion; // free motions of the bodies before, as far as the contact has to hold them
+  // Its part in the reduction (contact/reduction_plan.hpp).
+  int32_t keeps_equations;       // 1: its displacements follow from those of the bodies it meets
+  int32_t first_border;          // motions of the bodies before that keep none
+  int64_t first_node, first_end; // functional nodes and element ends of the bodies before
+  int64_t first_block;           // of its matrices on tape CONTACT
+  int64_t array[kBodyArrays];    // bytes from the list of bodies to its arrays
+  char name[32];
+};
+struct BodyResults {    // of the state back substitution was made for
+  double multiplier[3]; // rho, omega of the balanced equations
+  double applied[3], contact_force[3];
+  double padding[3];
 };
 
 struct ModelHeader { // lives in the solver's header; the arrays live in the workspace
   int32_t bodies, function_nodes, load_cases;
   int32_t plane, analysis, iteration_limit;
   int32_t zones, pairs, contact_elements, point_loads, coefficients, paths;
-  int32_t contact;   // contact unknowns m
-  int32_t free_rows; // those of them in free zones
+  int32_t contact;       // contact unknowns m, those of tied zones behind the others
+  int32_t path_pairs;    // pairs that may change their status: the first ones,
+  int32_t path_unknowns; // and their contact unknowns
+  int32_t loose;         // free motions that ties leave
+  int32_t motions;       // free motions of all bodies in contact
+  int32_t border;        // of them, those of bodies that keep no equations
   int32_t line, column, column_end;
   // Lines x = line_at[0] (bit 1) and y = line_at[1] (bit 2) across which everything is mirrored: those asked for, and
   // those in force from the model's completion on; the model lies where line_side * (x - line_at) >= 0.
   int32_t symmetry_asked, symmetry;
   int32_t images;       // 1: elements on a symmetry line are replaced by images
   int32_t interference; // the load case, from 1, whose factor closes initial overlaps; 0: there may be none
-  int32_t rigid;        // 1: body 1 has no equations, it moves as the load cases say
-  int32_t body_forces;  // bodies with body forces: 1: body 1, 2: body 2
   int32_t point_sets;   // where interior results are wanted
   int32_t curves;       // surfaces that are told
   double line_at[2], line_side[2];
   double length_unit; // power of two near the size of the bodies
   double stress_unit; // power of two near 2G of the softer body
-  Body body[2];
   char title[80];
   char unit_length[16], unit_force[16];
 };
 
+// One array of every body.
+template <class T, int32_t id> struct BodyArray {
+  Body* body;
+  T* operator[](int b) const { return reinterpret_cast<T*>(reinterpret_cast<char*>(body) + body[b].array[id]); }
+};
+
 struct Model { // a view, rebuilt at every entry into the library: plain pointers, never stored
   ModelHeader* head;
-  double* xy[2];
-  int32_t* node_line[2];
-  double* end_traction[2]; // [(case * ends + end) * 2 + component]
-  double* node_disp[2];    // [(case * nodes + node) * 2 + component]
-  uint8_t* end_code[2];
-  int32_t* end_line[2];
-  int32_t* node_column[2];
-  Region* region[2];
+  Body* body;
+  BodyArray<double, kXy> xy;
+  BodyArray<int32_t, kNodeLine> node_line;
+  BodyArray<double, kEndTraction> end_traction; // [(case * ends + end) * 2 + component]
+  BodyArray<double, kNodeDisp> node_disp;       // [(case * nodes + node) * 2 + component]
+  BodyArray<uint8_t, kEndCode> end_code;
+  BodyArray<int32_t, kEndLine> end_line;
+  BodyArray<int32_t, kNodeColumn> node_column;
+  BodyArray<Region, kRegions> region;
+  BodyArray<BodyForce, kBodyForces> body_force;       // [case]
+  BodyArray<RigidMotion, kRigidMotions> rigid_motion; // [case]
+  BodyArray<double, kLoadWork> load_work;             // [4 * case]: on the free motions, and the sum of magnitudes
   Zone* zone;
   Pair* pair;
   PointLoad* point_load;
   Curve* curve;
   double* friction;
   Path* path;
-  RigidMotion* rigid_motion; // [case]
-  BodyForce* body_force;     // [2 * case + body]
-  double* path_load;         // [path * cases + case]
+  double* path_load; // [path * cases + case]
 };
 
 // ---- topology ---------------------------------------------------------------------------------------------------
-inline const Body& body_of(const Model& m, int b) { return m.head->body[b]; }
+inline const Body& body_of(const Model& m, int b) { return m.body[b]; }
 int32_t region_of_element(const Model& m, int b, int32_t element);
 // First and last functional node of a region.
 void nodes_of_region(const Model& m, int b, int32_t region, int32_t* first, int32_t* last);
@@ -193,20 +239,25 @@ int32_t twin_node(const Model& m, int b, int32_t node);
 bool is_second_twin(const Model& m, int b, int32_t node);
 void element_coordinates(const Model& m, int b, int32_t element, double x[kElementNodes], double y[kElementNodes]);
 void node_position(const Model& m, int b, int32_t node, double* x, double* y);
-// Where a pair is on a body: at its node, on body 1 of a free zone at the point its node faces (model/free_zones.cpp).
-void pair_position(const Model& m, const Pair& pair, int b, double* x, double* y);
+// Where a pair is on a side: at its node, on side 0 of a free zone at the point its node faces (model/free_zones.cpp).
+void pair_position(const Model& m, const Pair& pair, int side, double* x, double* y);
 void faced_position(const Model& m, const Pair& pair, double* x, double* y);
 
 // ---- contact topology -------------------------------------------------------------------------------------------
-inline int32_t zone_elements(const Zone& z, int b) { return z.is_free != 0 && b == 0 ? z.facing : z.elements; }
-int32_t zone_element(const Model& m, const Zone& z, int b, int32_t k);
-int32_t zone_node(const Model& m, const Zone& z, int b, int32_t k);
-// Position of an element in a zone: zone index in *zone, place k in *place; false if it is no contact element.
-bool find_contact_element(const Model& m, int b, int32_t element, int32_t* zone, int32_t* place);
-// -1: none, as everywhere on body 1 of a free zone.
-int32_t pair_of_node(const Model& m, int b, int32_t node);
+inline int32_t zone_elements(const Zone& z, int side) { return z.is_free != 0 && side == 0 ? z.facing : z.elements; }
+int32_t zone_element(const Model& m, const Zone& z, int side, int32_t k);
+int32_t zone_node(const Model& m, const Zone& z, int side, int32_t k);
+inline bool is_tied(const Model& m, const Pair& pair) { return m.zone[pair.zone].is_tied != 0; }
+inline const Zone& zone_of(const Model& m, const Pair& pair) { return m.zone[pair.zone]; }
+inline int body_on(const Model& m, const Pair& pair, int side) { return m.zone[pair.zone].body[side]; }
+// First contact unknown of a pair among those of the body on that side.
+inline int32_t dof_on(const Model& m, const Pair& pair, int side) { return pair.dof + m.zone[pair.zone].shift[side]; }
+// Where an element is in a zone; false if it is no contact element.
+bool find_contact_element(const Model& m, int b, int32_t element, ZonePlace* out);
+// Pair -1: none, as everywhere on side 0 of a free zone.
+PairSide pair_of_node(const Model& m, int b, int32_t node);
 // Pair whose traction lives at local node l of this element; -1 if the end is not a contact end (METHOD 9.1).
-int32_t pair_of_end(const Model& m, int b, int32_t element, int l);
+PairSide pair_of_end(const Model& m, int b, int32_t element, int l);
 
 // ---- unknowns ---------------------------------------------------------------------------------------------------
 // The one unknown of a global component (0: x, 1: y) at a functional node.
@@ -226,15 +277,17 @@ Unknown unknown_at(const Model& m, int b, int32_t node, int component);
 void unknowns_at(const Model& m, int b, int32_t node, Unknown unknown[2]); // of both components
 bool displacement_known(const Model& m, int b, int32_t node, int component);
 
-inline bool is_rigid(const Model& m, int b) { return b == 0 && m.head->rigid != 0; }
-// Displacement of a point of the rigid body 1 in a load case, at factor 1.
-inline void rigid_displacement(const Model& m, int32_t load_case, double x, double y, double u[2]) {
-  const RigidMotion& motion = m.rigid_motion[load_case];
+inline bool is_rigid(const Model& m, int b) { return m.body[b].rigid != 0; }
+bool has_rigid(const Model& m); // any body
+bool has_body_forces(const Model& m);
+// Displacement of a point of a rigid body in a load case, at factor 1.
+inline void rigid_displacement(const Model& m, int b, int32_t load_case, double x, double y, double u[2]) {
+  const RigidMotion& motion = m.rigid_motion[b][load_case];
   u[0] = motion.ux - motion.rotation * (y - motion.y0);
   u[1] = motion.uy + motion.rotation * (x - motion.x0);
 }
 
-// (u2 - u1).n + this is the normal gap, at these load factors: the initial gap, or less the overlap closed so far.
+// (u1 - u0).n of the sides + this is the normal gap, at these load factors: the initial gap, or less the overlap closed so far.
 inline double effective_gap(const ModelHeader& head, const Pair& pair, const double* load) {
   return head.interference == 0 ? pair.gap : pair.gap - load[head.interference - 1] * pair.overlap;
 }

@@ -1,5 +1,6 @@
 #pragma once
-// The frame of a pair: n, from body 1 to body 2, and t = (ny, -nx). Slot 0 is the normal one, slot 1 the tangential one.
+// The frame of a pair: n, from side 0 to side 1 of its zone, and t = (ny, -nx). Slot 0 is the normal one, slot 1 the tangential
+// one.
 #include "model/model.hpp"
 
 namespace c2d {

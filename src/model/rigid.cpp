@@ -81,7 +81,7 @@ void farthest_unit(const double basis[3][3], int count, double best[3]) {
 } // namespace
 
 void find_free_motions(const Model& m, int b) {
-  Body& body = m.head->body[b];
+  Body& body = m.body[b];
   const Box box = box_of_body(m, b);
   body.centre[0] = box.x_min + 0.5 * (box.x_max - box.x_min);
   body.centre[1] = box.y_min + 0.5 * (box.y_max - box.y_min);
@@ -101,25 +101,6 @@ void find_free_motions(const Model& m, int b) {
   for (int i = body.free_motions; i < 3; ++i) {
     for (int k = 0; k < 3; ++k) body.free_motion[i][k] = 0;
   }
-}
-
-bool share_free_motion(const Model& m) {
-  const Body* body = m.head->body;
-  double basis[3][3];
-  int count = 0;
-  for (int b = 0; b < 2; ++b)
-    for (int i = 0; i < body[b].free_motions; ++i) {
-      if (count == 3) return true;
-      const double* own = body[b].free_motion[i]; // seen from the centre of body 1
-      const double away[2] = {(body[0].centre[0] - body[b].centre[0]) / m.head->length_unit,
-                              (body[0].centre[1] - body[b].centre[1]) / m.head->length_unit};
-      double motion[3] = {own[0] - own[2] * away[1], own[1] + own[2] * away[0], own[2]};
-      const double left = orthogonalise(basis, count, motion);
-      if (left <= kIndependent) return true;
-      for (int k = 0; k < 3; ++k) basis[count][k] = motion[k] / left;
-      ++count;
-    }
-  return false;
 }
 
 void put_motion(Text& text, const Model& m, int b, const double motion[3]) {

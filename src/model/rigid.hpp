@@ -11,9 +11,6 @@ namespace c2d {
 // others' span add nothing. Needs set_units.
 void find_free_motions(const Model& m, int b);
 
-// Is there a motion of two bodies as one that the supports of neither prevent?
-bool share_free_motion(const Model& m);
-
 // Appends "along y", "along (0.6, 0.8)" or "rotation about (x, y)"; motion as in Body::free_motion of body b.
 void put_motion(Text& text, const Model& m, int b, const double motion[3]);
 

@@ -324,21 +324,22 @@ SurfacePoint surface_point(const Model& m, int b, int32_t element, double eta) {
 
 namespace {
 
-// Turn and length of a body's side of a zone: its mean curvature, 0 where that is concave.
-double roundness(const Model& m, const Zone& z, int b) {
+// Turn and length of a side of a zone: its mean curvature, 0 where that is concave.
+double roundness(const Model& m, const Zone& z, int side) {
   constexpr double kNoTurn = 1e-15; // round-off
+  const int b = z.body[side], step = z.element_step[side];
   double turn = 0, length = 0, end[2] = {0, 0};
-  for (int32_t k = 0; k < zone_elements(z, b); ++k) {
-    const int32_t element = zone_element(m, z, b, k);
+  for (int32_t k = 0; k < zone_elements(z, side); ++k) {
+    const int32_t element = zone_element(m, z, side, k);
     const SurfaceElement surface = surface_element(m, b, element);
-    const SurfacePoint from = surface_point(surface, -z.element_step[b]), to = surface_point(surface, z.element_step[b]);
+    const SurfacePoint from = surface_point(surface, -step), to = surface_point(surface, step);
     const double n[2] = {from.nx, from.ny}, last[2] = {to.nx, to.ny};
     if (k > 0) turn += turn_between(end, n);
     turn += turn_between(n, last);
     end[0] = to.nx, end[1] = to.ny;
     length += element_length(m, b, element);
   }
-  return length > 0 ? fmax(z.element_step[b] * turn, kNoTurn) / length : 1;
+  return length > 0 ? fmax(step * turn, kNoTurn) / length : 1;
 }
 
 } // namespace

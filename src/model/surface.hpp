@@ -48,10 +48,10 @@ SurfaceElement surface_element(const Model& m, int b, int32_t element);
 SurfacePoint surface_point(const SurfaceElement& element, double eta);
 SurfacePoint surface_point(const Model& m, int b, int32_t element, double eta);
 
-// The normal of the pairs of a zone is part n1 - (1 - part) n2, n1 and n2 the outward normals of the two surfaces. With
-// part = k2 / (k1 + k2) and the curvatures k it is, about the point where two circles touch, the one direction along which
+// The normal of the pairs of a zone is part n0 - (1 - part) n1, n0 and n1 the outward normals of its two sides. With
+// part = k1 / (k0 + k1) and the curvatures k it is, about the point where two circles touch, the one direction along which
 // half plane theory measures gaps and pressures: the flat's normal where a cylinder meets a flat, whichever body is first
-// and however stiff. k is the mean over the body's side of the zone, counted where it is convex: in a hole the normals are
+// and however stiff. k is the mean over a side of the zone, counted where it is convex: in a hole the normals are
 // the hole's. One half where both are flat.
 double find_normal_part(const Model& m, const Zone& z);
 

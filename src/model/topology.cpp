@@ -196,59 +196,64 @@ void node_position(const Model& m, int b, int32_t node, double* x, double* y) {
   *y = p.y;
 }
 
-int32_t zone_element(const Model& m, const Zone& z, int b, int32_t k) {
-  const Region& r = m.region[b][z.region[b]];
-  return number_in_range(k, z.first_element[b], z.element_step[b], r.first, r.last);
+int32_t zone_element(const Model& m, const Zone& z, int side, int32_t k) {
+  const Region& r = m.region[z.body[side]][z.region[side]];
+  return number_in_range(k, z.first_element[side], z.element_step[side], r.first, r.last);
 }
 
-int32_t zone_node(const Model& m, const Zone& z, int b, int32_t k) {
+int32_t zone_node(const Model& m, const Zone& z, int side, int32_t k) {
   int32_t first, last;
-  nodes_of_region(m, b, z.region[b], &first, &last);
-  return number_in_range(k, z.first_node[b], z.node_step[b], first, last);
+  nodes_of_region(m, z.body[side], z.region[side], &first, &last);
+  return number_in_range(k, z.first_node[side], z.node_step[side], first, last);
 }
 
-bool find_contact_element(const Model& m, int b, int32_t element, int32_t* zone, int32_t* place) {
+bool find_contact_element(const Model& m, int b, int32_t element, ZonePlace* out) {
   for (int32_t i = 0; i < m.head->zones; ++i) {
     const Zone& z = m.zone[i];
-    const Region& r = m.region[b][z.region[b]];
-    const int32_t k = place_in_range(element, z.first_element[b], z.element_step[b], r.first, r.last, r.open != 0);
-    if (k < 0 || k >= zone_elements(z, b)) continue;
-    *zone = i;
-    *place = k;
-    return true;
+    for (int side = 0; side < 2; ++side) {
+      if (z.body[side] != b) continue;
+      const Region& r = m.region[b][z.region[side]];
+      const int32_t k = place_in_range(element, z.first_element[side], z.element_step[side], r.first, r.last, r.open != 0);
+      if (k < 0 || k >= zone_elements(z, side)) continue;
+      *out = ZonePlace{i, side, k};
+      return true;
+    }
   }
   return false;
 }
 
 namespace {
 
-int32_t pair_in_zone(const Model& m, const Zone& z, int b, int32_t node) {
-  if (z.is_free != 0 && b == 0) return -1;
+int32_t pair_in_zone(const Model& m, const Zone& z, int side, int32_t node) {
+  if (z.is_free != 0 && side == 0) return -1;
+  const int b = z.body[side];
   int32_t first, last;
-  nodes_of_region(m, b, z.region[b], &first, &last);
-  const int32_t k = place_in_range(node, z.first_node[b], z.node_step[b], first, last, m.region[b][z.region[b]].open != 0);
+  nodes_of_region(m, b, z.region[side], &first, &last);
+  const bool open = m.region[b][z.region[side]].open != 0;
+  const int32_t k = place_in_range(node, z.first_node[side], z.node_step[side], first, last, open);
   return k >= 0 && k < z.pairs ? z.first_pair + k : -1;
 }
 
 } // namespace
 
-int32_t pair_of_node(const Model& m, int b, int32_t node) {
-  for (int32_t i = 0; i < m.head->zones; ++i) {
-    const int32_t pair = pair_in_zone(m, m.zone[i], b, node);
-    if (pair >= 0) return pair;
-  }
-  return -1;
+PairSide pair_of_node(const Model& m, int b, int32_t node) {
+  for (int32_t i = 0; i < m.head->zones; ++i)
+    for (int side = 0; side < 2; ++side) {
+      const int32_t pair = m.zone[i].body[side] == b ? pair_in_zone(m, m.zone[i], side, node) : -1;
+      if (pair >= 0) return PairSide{pair, side};
+    }
+  return PairSide{-1, 0};
 }
 
-int32_t pair_of_end(const Model& m, int b, int32_t element, int l) {
-  int32_t zone, place;
-  if (!find_contact_element(m, b, element, &zone, &place)) return -1;
-  return pair_in_zone(m, m.zone[zone], b, functional_node(m, b, element, l));
+PairSide pair_of_end(const Model& m, int b, int32_t element, int l) {
+  ZonePlace at;
+  if (!find_contact_element(m, b, element, &at)) return PairSide{-1, 0};
+  return PairSide{pair_in_zone(m, m.zone[at.zone], at.side, functional_node(m, b, element, l)), at.side};
 }
 
-void pair_position(const Model& m, const Pair& pair, int b, double* x, double* y) {
-  if (pair.node[b] >= 0)
-    node_position(m, b, pair.node[b], x, y);
+void pair_position(const Model& m, const Pair& pair, int side, double* x, double* y) {
+  if (pair.node[side] >= 0)
+    node_position(m, body_on(m, pair, side), pair.node[side], x, y);
   else
     kFreeZonePart.faced_position(m, pair, x, y);
 }

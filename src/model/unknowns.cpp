@@ -7,12 +7,12 @@
 
 namespace c2d {
 
-// Body 1 of a free zone has ordinary nodes, and what the contact brings is no unknown of theirs: cards that call
+// Side 0 of a free zone has ordinary nodes, and what the contact brings is no unknown of theirs: cards that call
 // traction and displacement unknown there mean the contact.
 static bool is_left_to_contact(const Model& m, int b, int32_t end, int component) {
-  int32_t zone, place;
+  ZonePlace at;
   const int32_t f = m.head->function_nodes, element = end / f;
-  return b == 0 && find_contact_element(m, b, element, &zone, &place) && m.zone[zone].is_free != 0 &&
+  return find_contact_element(m, b, element, &at) && at.side == 0 && m.zone[at.zone].is_free != 0 &&
          !displacement_known(m, b, functional_node(m, b, element, end % f), component);
 }
 
@@ -46,7 +46,7 @@ UnknownKind contact_kind(const Model& m, int b, const int32_t* ends, int count, 
   if (fixed) return UnknownKind::none;
   const int32_t f = m.head->function_nodes;
   for (int i = 0; i < count; ++i) {
-    const bool in_contact = pair_of_end(m, b, ends[i] / f, ends[i] % f) >= 0;
+    const bool in_contact = pair_of_end(m, b, ends[i] / f, ends[i] % f).pair >= 0;
     if (!in_contact && !traction_known(m, b, ends[i], component)) return UnknownKind::several;
   }
   return UnknownKind::contact;
@@ -65,7 +65,7 @@ NodeEnds ends_of(const Model& m, int b, int32_t node) {
   const int all = all_ends_at_node(m, b, node, at.ends);
   for (int c = 0; c < 2; ++c) at.fixed[c] = is_displacement_known(m, b, at.ends, all, c);
   at.count = ends_off_axis(m, b, at.ends, all);
-  at.pair = pair_of_node(m, b, node);
+  at.pair = pair_of_node(m, b, node).pair;
   return at;
 }
 
@@ -120,12 +120,25 @@ double power_of_two_near(double value) {
 }
 } // namespace
 
+bool has_rigid(const Model& m) {
+  for (int b = 0; b < m.head->bodies; ++b)
+    if (is_rigid(m, b)) return true;
+  return false;
+}
+
+bool has_body_forces(const Model& m) {
+  for (int b = 0; b < m.head->bodies; ++b)
+    if (m.body[b].has_force != 0) return true;
+  return false;
+}
+
 void set_units(const Model& m) {
-  double size = 0, modulus = 2 * shear_modulus(m, 0);
+  double size = 0, modulus = 0;
   for (int b = 0; b < m.head->bodies; ++b) {
     const Box box = box_of_body(m, b);
     size = fmax(size, fmax(box.x_max - box.x_min, box.y_max - box.y_min));
-    modulus = is_rigid(m, 0) ? 2 * shear_modulus(m, b) : fmin(modulus, 2 * shear_modulus(m, b));
+    if (is_rigid(m, b)) continue; // its modulus means nothing
+    modulus = modulus > 0 ? fmin(modulus, 2 * shear_modulus(m, b)) : 2 * shear_modulus(m, b);
   }
   m.head->length_unit = size > 0 ? power_of_two_near(size) : 1;
   m.head->stress_unit = modulus > 0 ? power_of_two_near(modulus) : 1;

@@ -22,7 +22,7 @@ void say_conditions(Finding& f, const Model& m, int b, int32_t node, int compone
   const int count = ends_at_node(m, b, node, ends);
   for (int i = 0; i < count; ++i) {
     const int32_t element = ends[i] / per_element, local = ends[i] % per_element;
-    const bool contact = pair_of_end(m, b, element, local) >= 0;
+    const bool contact = pair_of_end(m, b, element, local).pair >= 0;
     const bool known = traction_known(m, b, ends[i], component);
     const bool given = (m.end_code[b][ends[i]] & kGiven) != 0;
     say(f, i == 0 ? ", traction at end " : ", at end ", local + 1, " of element ", element + 1, " ",
@@ -35,9 +35,9 @@ void say_conditions(Finding& f, const Model& m, int b, int32_t node, int compone
 
 void report_count(const Model& m, int b, int32_t node, int component, UnknownKind kind, Reporter& reporter) {
   Finding f(at_node(m, b, node));
-  const int32_t pair = pair_of_node(m, b, node);
+  const int32_t pair = pair_of_node(m, b, node).pair;
   if (pair >= 0) f.entry.pair = pair + 1;
-  say(f, "node ", node + 1, " of body ", b + 1, " has ");
+  say(f, "node ", node + 1, " of body ", body_named(m, b), " has ");
   say(f, kind == UnknownKind::none ? "no unknown left in " : "more than one unknown in ", kAxis[component]);
   if (pair >= 0 && is_contact_component(m.pair[pair], component)) say(f, " beside those of contact pair ", pair + 1);
   say(f, ": ");
@@ -72,8 +72,9 @@ void look_at_corner(const Model& m, int b, int32_t node, int component, const Un
 void warn_corners(const Model& m, int b, const Corners& corners, Reporter& reporter) {
   if (corners.count == 0) return;
   Finding f(C2D_WARN_CORNER, at_node(m, b, corners.node));
-  say(f, "node ", corners.node + 1, " of body ", b + 1, " is a corner of ", corners.angle, " degrees whose displacement in ",
-      kAxis[corners.component], " is prescribed: its unknown traction is taken to be the same on both sides");
+  say(f, "node ", corners.node + 1, " of body ", body_named(m, b), " is a corner of ", corners.angle,
+      " degrees whose displacement in ", kAxis[corners.component],
+      " is prescribed: its unknown traction is taken to be the same on both sides");
   if (corners.count > 1) say(f, "; the largest of ", corners.count, " such corners");
   report(reporter, f);
 }
@@ -82,8 +83,8 @@ void check_double_node(const Model& m, int b, int32_t node, int component, Repor
   const int32_t twin = twin_node(m, b, node);
   if (twin < 0 || is_second_twin(m, b, node)) return;
   if (!displacement_known(m, b, node, component) || !displacement_known(m, b, twin, component)) return;
-  report(reporter, at_node(m, b, node), "both nodes ", node + 1, " and ", twin + 1, " of a double node of body ", b + 1,
-         " have a prescribed displacement in ", kAxis[component],
+  report(reporter, at_node(m, b, node), "both nodes ", node + 1, " and ", twin + 1, " of a double node of body ",
+         body_named(m, b), " have a prescribed displacement in ", kAxis[component],
          ": two unknown tractions, one equation; expected it at one of them at most");
 }
 
@@ -106,7 +107,7 @@ bool can_move_outward(const Model& m, int b) {
 // A body that cannot change its volume, held everywhere: its pressure does no work and may be anything.
 void check_pressure(const Model& m, int b, Reporter& reporter) {
   if (strain_poisson_ratio(m, b) < 0.5 - 1e-12 || can_move_outward(m, b)) return;
-  report(reporter, at_element(m, b, 0), "body ", b + 1,
+  report(reporter, at_element(m, b, 0), "body ", body_named(m, b),
          " is incompressible (plane strain, Poisson's ratio 0.5) and its displacement along the normal is ",
          "prescribed everywhere: nothing determines its pressure; expected a ratio below 0.5, or a free part of the boundary");
 }
@@ -119,7 +120,7 @@ bool validate_conditions(const Model& m, bool frames, Reporter& reporter) {
     if (is_rigid(m, b)) continue; // nothing is solved for there
     Corners corners{0, 0, 0, 0.0};
     for (int32_t node = 0; node < body_of(m, b).nodes; ++node) {
-      if (!frames && pair_of_node(m, b, node) >= 0) continue;
+      if (!frames && pair_of_node(m, b, node).pair >= 0) continue;
       Unknown unknowns[2];
       unknowns_at(m, b, node, unknowns);
       for (int component = 0; component < 2; ++component) {

@@ -36,7 +36,8 @@ void check_points(const Model& m, int32_t curve, Reporter& reporter) {
       where.element = e + 1;
       if (c.line > 0) where.line = c.line;
       return report(reporter, where, c.kind == C2D_CURVE_ARC ? "arc" : "line", " of elements ", c.first + 1, " to ", c.last + 1,
-                    " of body ", b + 1, ": point ", geometry_node(m, b, e, k) + 1, " lies ", off, " off it, expected at most ",
+                    " of body ", body_named(m, b), ": point ", geometry_node(m, b, e, k) + 1, " lies ", off,
+                    " off it, expected at most ",
                     most); // the first one will do
     }
   }
@@ -50,8 +51,8 @@ void check_ranges(const Model& m, int32_t curve, Reporter& reporter) {
     if (other.body != c.body || first > other.last || first > c.last) continue;
     Where where = at_element(m, c.body, first);
     if (c.line > 0) where.line = c.line;
-    report(reporter, where, "element ", first + 1, " of body ", c.body + 1, " is in curves ", i + 1, " and ", curve + 1,
-           ", expected in one");
+    report(reporter, where, "element ", first + 1, " of body ", body_named(m, c.body), " is in curves ", i + 1, " and ",
+           curve + 1, ", expected in one");
   }
 }
 

@@ -20,12 +20,12 @@ namespace {
 void check_material(const Model& m, int b, Reporter& reporter) {
   const Body& body = body_of(m, b);
   if (!is_usable(body.youngs_modulus) || !(body.youngs_modulus >= 1e-100))
-    report(reporter, in_body(b), "Young's modulus of body ", b + 1, " is ", body.youngs_modulus,
+    report(reporter, in_body(b), "Young's modulus of body ", body_named(m, b), " is ", body.youngs_modulus,
            ", expected a positive number");
   const bool stress = m.head->plane == C2D_PLANE_STRESS;
   const double nu = body.poisson_ratio, lowest = stress ? -0.5 : -1;
   if (!is_usable(nu) || !(nu > lowest && nu <= 0.5))
-    report(reporter, in_body(b), "Poisson's ratio of body ", b + 1, " is ", nu, ", expected more than ", lowest,
+    report(reporter, in_body(b), "Poisson's ratio of body ", body_named(m, b), " is ", nu, ", expected more than ", lowest,
            " and at most 0.5", stress ? " in plane stress" : "");
 }
 
@@ -33,13 +33,14 @@ void report_region(const Model& m, int b, int32_t region, const char* found, int
                    int32_t wanted, Reporter& reporter) {
   Where where = in_body(b);
   if (region < body_of(m, b).region_count) where.element = m.region[b][region].first + 1;
-  report(reporter, where, "region ", region + 1, " of body ", b + 1, found, number, expected, wanted);
+  report(reporter, where, "region ", region + 1, " of body ", body_named(m, b), found, number, expected, wanted);
 }
 
 void check_regions(const Model& m, int b, Reporter& reporter) {
   const Body& body = body_of(m, b);
   if (body.region_count != body.regions)
-    return report(reporter, in_body(b), "body ", b + 1, " has ", body.region_count, " regions, expected ", body.regions);
+    return report(reporter, in_body(b), "body ", body_named(m, b), " has ", body.region_count, " regions, expected ",
+                  body.regions);
   for (int32_t r = 0; r < body.regions; ++r) {
     const Region& region = m.region[b][r];
     const int32_t least = region.open ? 1 : (body.element_nodes == 2 ? 3 : 2);
@@ -56,7 +57,7 @@ void check_points(const Model& m, int b, Reporter& reporter) {
     int32_t last = i; // one fault for a run of missing points
     while (last + 1 < body.geometry_nodes && m.node_line[b][last + 1] == -1) ++last;
     Finding f(at_point(m, b, i));
-    say(f, "body ", b + 1, ": boundary point ", i + 1);
+    say(f, "body ", body_named(m, b), ": boundary point ", i + 1);
     if (last > i) say(f, " to ", last + 1);
     say(f, last > i ? " have no coordinates" : " has no coordinates");
     report(reporter, f);
@@ -66,7 +67,7 @@ void check_points(const Model& m, int b, Reporter& reporter) {
 
 void check_body(const Model& m, int b, Reporter& reporter) {
   const Body& body = body_of(m, b);
-  if (body.is_set == 0) return report(reporter, in_body(b), "body ", b + 1, " is missing");
+  if (body.is_set == 0) return report(reporter, in_body(b), "body ", body_named(m, b), " is missing");
   check_material(m, b, reporter);
   const int32_t before = reporter.faults;
   check_regions(m, b, reporter);

@@ -19,6 +19,10 @@ Where in_zone(const Model& m, int32_t zone);
 Where in_zone(const Model& m, int32_t zone, int b, int32_t element);
 Where at_pair(const Model& m, int32_t pair); // with its zone
 
+// Bodies and zones with their names in texts: "zone ", zone_named(m, zone).
+inline Named body_named(const Model& m, int b) { return {b + 1, m.body[b].name}; }
+inline Named zone_named(const Model& m, int32_t zone) { return {zone + 1, m.zone[zone].name}; }
+
 struct Finding {
   explicit Finding(const Where& where = Where());           // a fault
   explicit Finding(int32_t number, const Where& = Where()); // a warning, C2D_WARN_...; 0: a fault
@@ -48,7 +52,7 @@ C2D_IN_PLACE inline void warn(Reporter& reporter, int32_t number, const Where& w
 // ---- optional parts of validate_loads (memory/parts.hpp) ----
 // A body force that is not symmetric has no part in a symmetric model.
 void check_body_force(const Model& m, int b, int32_t load_case, Reporter& reporter);
-// A rigid body 1 takes no loads and moves by its cards alone, as the lines of symmetry allow.
-void check_rigid(const Model& m, Reporter& reporter);
+// A rigid body takes no loads and moves by its cards alone, as the lines of symmetry allow.
+void check_rigid(const Model& m, int b, Reporter& reporter);
 
 } // namespace c2d

@@ -142,7 +142,7 @@ int32_t check_coincidence(const Model& m, int b, Reporter& reporter) {
       if (!same_point(m, p[0], p[1], q[0], q[1])) continue;
       if (body.element_nodes == 2 && joined(m, b, i, j)) continue; // an element of zero length: has its own check
       Finding f(at_point(m, b, j));
-      say(f, "boundary points ", i + 1, " and ", j + 1, " of body ", b + 1, " coincide at (", p[0], ", ", p[1],
+      say(f, "boundary points ", i + 1, " and ", j + 1, " of body ", body_named(m, b), " coincide at (", p[0], ", ", p[1],
           "), expected different points");
       report_some(f, told, reporter);
     }
@@ -211,9 +211,9 @@ void check_crossing(const Model& m, int b, Reporter& reporter) {
       if (i == j ? !crosses_itself(p) : !pair_crosses(m, p, q)) continue;
       Finding f(at_element(m, b, j));
       if (i == j)
-        say(f, "element ", i + 1, " of body ", b + 1, " crosses itself");
+        say(f, "element ", i + 1, " of body ", body_named(m, b), " crosses itself");
       else
-        say(f, "elements ", i + 1, " and ", j + 1, " of body ", b + 1, " cross or touch each other");
+        say(f, "elements ", i + 1, " and ", j + 1, " of body ", body_named(m, b), " cross or touch each other");
       say(f, ", expected a boundary without crossings");
       report_some(f, told, reporter);
     }
@@ -223,7 +223,7 @@ void check_crossing(const Model& m, int b, Reporter& reporter) {
 // ---- whole regions ----
 
 void report_region(const Model& m, int b, int32_t region, const char* what, const char* expected, Reporter& reporter) {
-  report(reporter, at_element(m, b, m.region[b][region].first), "region ", region + 1, " of body ", b + 1, " ", what,
+  report(reporter, at_element(m, b, m.region[b][region].first), "region ", region + 1, " of body ", body_named(m, b), " ", what,
          ", expected ", expected);
 }
 
@@ -249,8 +249,8 @@ void check_nesting(const Model& m, int b, int32_t outer, int32_t hole, Reporter&
     report_region(m, b, hole, "lies outside the outer boundary", "a hole inside it", reporter);
   for (int32_t r = 0; r < body_of(m, b).regions; ++r) {
     if (r == outer || r == hole || winding_number(m, b, r, p[0], p[1]) == 0) continue;
-    report(reporter, at_element(m, b, m.region[b][hole].first), "region ", hole + 1, " of body ", b + 1, " lies inside region ",
-           r + 1, ", expected holes side by side");
+    report(reporter, at_element(m, b, m.region[b][hole].first), "region ", hole + 1, " of body ", body_named(m, b),
+           " lies inside region ", r + 1, ", expected holes side by side");
   }
 }
 

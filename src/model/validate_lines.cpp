@@ -12,7 +12,6 @@ namespace {
 
 constexpr double kOnLine = 1e-9; // of the bodies' size: points nearer than this lie on the line
 constexpr const char* kAxis[2] = {"x", "y"};
-constexpr const char* kBodyNumber[2] = {" of body 1", " of body 2"};
 
 bool is_near(const Model& m, double coordinate, double line) {
   return fabs(coordinate - line) <= kOnLine * m.head->length_unit;
@@ -38,8 +37,8 @@ bool is_prescribed_zero(const double* values, int64_t place, int64_t places, int
 const char* fault_of_axis_element(const Model& m, int b, int32_t element, int axis) {
   const int32_t f = m.head->function_nodes, cases = m.head->load_cases;
   const Body& body = body_of(m, b);
-  int32_t zone, place;
-  if (find_contact_element(m, b, element, &zone, &place)) return "is in a contact zone";
+  ZonePlace at;
+  if (find_contact_element(m, b, element, &at)) return "is in a contact zone";
   if (is_zero_length(m, b, element)) return nullptr;
   for (int l = 0; l < f; ++l) {
     const int32_t end = element * f + l, node = functional_node(m, b, element, l);
@@ -79,8 +78,8 @@ LineElements elements_on_line(const Model& m, int axis, double line) {
 }
 
 void report_axis_element(const Model& m, const LineElements& found, int axis, double line, Reporter& reporter) {
-  report(reporter, at_element(m, found.body, found.element), "element ", found.element + 1, kBodyNumber[found.body],
-         " on the line ", kAxis[axis], " = ", line, " ", found.why,
+  report(reporter, at_element(m, found.body, found.element), "element ", found.element + 1, " of body ",
+         body_named(m, found.body), " on the line ", kAxis[axis], " = ", line, " ", found.why,
          ": expected zero displacement across a line of symmetry and zero traction along it");
 }
 
@@ -154,8 +153,8 @@ void check_side(const Model& m, int b, int axis, Reporter& reporter) {
     chords_of(m, b, e, c);
     for (int i = 0; i <= c.count; ++i) {
       if (side * ((axis == 0 ? c.x[i] : c.y[i]) - line) >= -kOnLine * m.head->length_unit) continue;
-      return report(reporter, at_element(m, b, e), "element ", e + 1, kBodyNumber[b], " lies beyond the line of symmetry ",
-                    kAxis[axis], " = ", line, ", expected everything on one side of it");
+      return report(reporter, at_element(m, b, e), "element ", e + 1, " of body ", body_named(m, b),
+                    " lies beyond the line of symmetry ", kAxis[axis], " = ", line, ", expected everything on one side of it");
     }
   }
 }
@@ -168,8 +167,8 @@ int32_t lines_at_point(const Model& m, int b, int32_t point) {
 }
 
 void report_point(const Model& m, int b, int32_t point, const char* found, Reporter& reporter) {
-  report(reporter, at_point(m, b, point), "boundary point ", point + 1, kBodyNumber[b], " at (", m.xy[b][2 * point], ", ",
-         m.xy[b][2 * point + 1], ") ", found);
+  report(reporter, at_point(m, b, point), "boundary point ", point + 1, " of body ", body_named(m, b), " at (",
+         m.xy[b][2 * point], ", ", m.xy[b][2 * point + 1], ") ", found);
 }
 
 // Only the ends of open regions, and points next to axis elements, may lie on a line, and none at the lines' crossing.
@@ -201,7 +200,7 @@ void check_lines_cut(const Model& m, int b, Reporter& reporter) {
   for (int axis = 0; axis < 2; ++axis) {
     if ((m.head->symmetry >> axis & 1) == 0 || (met >> axis & 1) != 0) continue;
     report(reporter, in_body(b), "the line of symmetry ", kAxis[axis], " = ", m.head->line_at[axis], " does not meet body ",
-           b + 1, ", expected an open region that ends on it");
+           body_named(m, b), ", expected an open region that ends on it");
   }
 }
 
@@ -216,8 +215,8 @@ void check_axis_elements(const Model& m, int b, Reporter& reporter) {
       report_axis_element(m, LineElements{true, 0, b, e, why}, axis, m.head->line_at[axis], reporter);
       continue;
     }
-    return report(reporter, at_element(m, b, e), "element ", e + 1, kBodyNumber[b], " lies on the line of symmetry ",
-                  kAxis[axis], " = ", m.head->line_at[axis],
+    return report(reporter, at_element(m, b, e), "element ", e + 1, " of body ", body_named(m, b),
+                  " lies on the line of symmetry ", kAxis[axis], " = ", m.head->line_at[axis],
                   ", expected no elements there: leave them out, or choose symmetry by images");
   }
 }
@@ -229,8 +228,8 @@ void check_held_nodes(const Model& m, int b, Reporter& reporter) {
       if ((lines_at_node(m, b, node) >> c & 1) == 0 ||
           is_prescribed_zero(m.node_disp[b], node, body.nodes, c, m.head->load_cases))
         continue;
-      report(reporter, at_node(m, b, node), "node ", node + 1, kBodyNumber[b], " lies on the line of symmetry ", kAxis[c],
-             " = ", m.head->line_at[c], " and has a prescribed u", kAxis[c], " that is not 0");
+      report(reporter, at_node(m, b, node), "node ", node + 1, " of body ", body_named(m, b), " lies on the line of symmetry ",
+             kAxis[c], " = ", m.head->line_at[c], " and has a prescribed u", kAxis[c], " that is not 0");
     }
 }
 

@@ -71,11 +71,11 @@ void check_point_load(const Model& m, int32_t i, Reporter& reporter) {
   f.entry.column = p.line > 0 ? p.column : 0;
   say(f, "point load ", i + 1, " at (", p.x, ", ", p.y, ") ");
   if (on_boundary) {
-    say(f, "lies on the boundary of body ", p.body + 1, ", expected a point inside");
+    say(f, "lies on the boundary of body ", body_named(m, p.body), ", expected a point inside");
     say_equivalent(f, p, near.element, length);
   } else if (!inside) {
-    say(f, "lies outside body ", p.body + 1, ", at a distance of ", near.distance, " from element ", near.element + 1,
-        ", expected a point inside");
+    say(f, "lies outside body ", body_named(m, p.body), ", at a distance of ", near.distance, " from element ",
+        near.element + 1, ", expected a point inside");
   } else {
     say(f, "is ", near.distance, " away from element ", near.element + 1, ", less than its length ", length,
         ", and loses force");
@@ -84,15 +84,21 @@ void check_point_load(const Model& m, int32_t i, Reporter& reporter) {
   report(reporter, f);
 }
 
+// Loads of a rigid body count where they move it.
+bool loads_rigid(const Model& m, int b, const RigidMotion& motion) {
+  for (int i = 0; i < 3; ++i)
+    if ((m.body[b].free_rigidly & 1 << i) != 0 && motion.load[i] != 0) return true;
+  return motion.ux != 0 || motion.uy != 0 || motion.rotation != 0;
+}
+
 // Does the case load anything? Whatever else may load a case adds itself here.
 bool case_prescribes(const Model& m, int32_t k) {
   for (int32_t i = 0; i < m.head->point_loads; ++i)
     if (m.point_load[i].load_case == k && (m.point_load[i].fx != 0 || m.point_load[i].fy != 0)) return true;
   if (k + 1 == m.head->interference) return true;
-  const RigidMotion& motion = m.rigid_motion[k];
-  if (m.head->rigid != 0 && (motion.ux != 0 || motion.uy != 0 || motion.rotation != 0)) return true;
   for (int b = 0; b < m.head->bodies; ++b) {
-    const BodyForce& f = m.body_force[2 * static_cast<int64_t>(k) + b];
+    if (is_rigid(m, b) && loads_rigid(m, b, m.rigid_motion[b][k])) return true;
+    const BodyForce& f = m.body_force[b][k];
     if (f.bx != 0 || f.by != 0 || f.rho_omega2 != 0) return true;
     const int64_t nodes = 2 * static_cast<int64_t>(body_of(m, b).nodes);
     const int64_t ends = 2 * static_cast<int64_t>(body_of(m, b).elements) * m.head->function_nodes;
@@ -117,9 +123,10 @@ void check_cases(const Model& m, Reporter& reporter) {
 bool validate_loads(const Model& m, Reporter& reporter) {
   const int32_t before = reporter.faults;
   for (int32_t i = 0; i < m.head->point_loads; ++i) check_point_load(m, i, reporter);
-  for (int32_t k = 0; k < m.head->load_cases && m.head->body_forces != 0; ++k)
+  for (int32_t k = 0; k < m.head->load_cases && has_body_forces(m); ++k)
     for (int b = 0; b < m.head->bodies; ++b) kBodyForcePart.check_body_force(m, b, k, reporter);
-  if (m.head->rigid != 0) kRigidPart.check_rigid(m, reporter);
+  for (int b = 0; b < m.head->bodies; ++b)
+    if (is_rigid(m, b)) kRigidPart.check_rigid(m, b, reporter);
   check_cases(m, reporter);
   return reporter.faults == before;
 }

@@ -13,7 +13,7 @@ bool check_open_regions_allowed(const Model& m, Reporter& reporter) {
   for (int b = 0; b < m.head->bodies; ++b) {
     if (body_of(m, b).open_regions == 0) continue;
     allowed = false;
-    report(reporter, in_body(b), "body ", b + 1, " has ", body_of(m, b).geometry_nodes, " boundary points, ",
+    report(reporter, in_body(b), "body ", body_named(m, b), " has ", body_of(m, b).geometry_nodes, " boundary points, ",
            body_of(m, b).open_regions,
            " more than closed curves have: open regions end on a line of symmetry, and none is given");
   }

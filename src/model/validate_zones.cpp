@@ -13,14 +13,30 @@ C2D_USES(FreeZonePart);
 
 namespace {
 
-void report_zone(const Model& m, int32_t zone, int b, const char* found, int32_t number, const char* expected,
+void report_zone(const Model& m, int32_t zone, int side, const char* found, int32_t number, const char* expected,
                  Reporter& reporter) {
+  const int b = m.zone[zone].body[side];
   Finding f(in_zone(m, zone));
-  if (b >= 0) f.entry.body = b + 1;
-  say(f, "zone ", zone + 1);
-  if (b >= 0) say(f, ", body ", b + 1);
-  say(f, ": ", found, number, expected);
+  f.entry.body = b + 1;
+  say(f, "zone ", zone_named(m, zone), ", body ", body_named(m, b), ": ", found, number, expected);
   report(reporter, f);
+}
+
+// Two bodies that can meet: there, not the same, not both rigid.
+void check_bodies(const Model& m, int32_t zone, Reporter& reporter) {
+  const Zone& z = m.zone[zone];
+  const int32_t before = reporter.faults;
+  for (const int32_t b : z.body)
+    if (b < 0 || b >= m.head->bodies)
+      report(reporter, in_zone(m, zone), "zone ", zone_named(m, zone), ": there is no body ", b + 1, ", expected 1 to ",
+             m.head->bodies);
+  if (reporter.faults != before) return;
+  if (z.body[0] == z.body[1] && z.is_self == 0)
+    report(reporter, in_zone(m, zone), "zone ", zone_named(m, zone), ": both sides are on body ", body_named(m, z.body[0]),
+           ", expected two different bodies, or a zone that says so (C2D_ZONE_SELF, in a deck the second with a minus sign)");
+  else if (is_rigid(m, z.body[0]) && is_rigid(m, z.body[1]))
+    report(reporter, in_zone(m, zone), "zone ", zone_named(m, zone), ": bodies ", body_named(m, z.body[0]), " and ",
+           body_named(m, z.body[1]), " are both rigid, expected one at most");
 }
 
 int32_t nodes_per_element(const Model& m) { return m.head->function_nodes == 1 ? 1 : m.head->function_nodes - 1; }
@@ -31,44 +47,47 @@ int32_t nodes_along(const Model& m, int32_t elements) {
 }
 
 // Which way the side runs: the numbers of nodes or elements decide, whichever has more than one. 0: neither has.
-int32_t direction(const Zone& z, int b) {
-  if (z.pairs > 1) return z.node_step[b];
-  return z.elements > 1 ? z.element_step[b] : 0;
+int32_t direction(const Zone& z, int side) {
+  if (z.pairs > 1) return z.node_step[side];
+  return z.elements > 1 ? z.element_step[side] : 0;
 }
 
-void check_region(const Model& m, int32_t zone, int b, Reporter& reporter) {
+void check_region(const Model& m, int32_t zone, int side, Reporter& reporter) {
   const Zone& z = m.zone[zone];
-  const Region& r = m.region[b][z.region[b]];
+  const int b = z.body[side];
+  const Region& r = m.region[b][z.region[side]];
   const int32_t elements = r.last - r.first + 1;
   int32_t first_node, last_node;
-  nodes_of_region(m, b, z.region[b], &first_node, &last_node);
-  const int32_t count = zone_elements(z, b);
-  if (count > elements) report_zone(m, zone, b, "elements: ", count, ", more than its region has", reporter);
+  nodes_of_region(m, b, z.region[side], &first_node, &last_node);
+  const int32_t count = zone_elements(z, side);
+  if (count > elements) report_zone(m, zone, side, "elements: ", count, ", more than its region has", reporter);
   if (z.is_free != 0) return; // fitted later
-  if (z.first_node[b] < first_node || z.first_node[b] > last_node)
-    report_zone(m, zone, b, "first node ", z.first_node[b] + 1, " is not in the region of its elements", reporter);
-  if (z.pairs > last_node - first_node + 1) report_zone(m, zone, b, "nodes: ", z.pairs, ", more than its region has", reporter);
-  const int32_t end_element = z.first_element[b] + z.element_step[b] * (z.elements - 1);
-  const int32_t end_node = z.first_node[b] + z.node_step[b] * (z.pairs - 1);
+  if (z.first_node[side] < first_node || z.first_node[side] > last_node)
+    report_zone(m, zone, side, "first node ", z.first_node[side] + 1, " is not in the region of its elements", reporter);
+  if (z.pairs > last_node - first_node + 1)
+    report_zone(m, zone, side, "nodes: ", z.pairs, ", more than its region has", reporter);
+  const int32_t end_element = z.first_element[side] + z.element_step[side] * (z.elements - 1);
+  const int32_t end_node = z.first_node[side] + z.node_step[side] * (z.pairs - 1);
   if (r.open && (end_element < r.first || end_element > r.last || end_node < first_node || end_node > last_node))
-    report_zone(m, zone, b, "elements or nodes go beyond the end of their open region, from element ", z.first_element[b] + 1,
-                "", reporter);
-  if (z.pairs > 1 && z.elements > 1 && z.node_step[b] != z.element_step[b])
-    report_zone(m, zone, b, "elements and nodes run in opposite directions from element ", z.first_element[b] + 1,
+    report_zone(m, zone, side, "elements or nodes go beyond the end of their open region, from element ",
+                z.first_element[side] + 1, "", reporter);
+  if (z.pairs > 1 && z.elements > 1 && z.node_step[side] != z.element_step[side])
+    report_zone(m, zone, side, "elements and nodes run in opposite directions from element ", z.first_element[side] + 1,
                 ", expected the same direction", reporter);
 }
 
 // Position of the first listed node along the zone's elements, from 0; -1 if it is none of their nodes.
-int32_t place_of_first_node(const Model& m, const Zone& z, int b) {
-  const Region& r = m.region[b][z.region[b]];
+int32_t place_of_first_node(const Model& m, const Zone& z, int side) {
+  const int b = z.body[side];
+  const Region& r = m.region[b][z.region[side]];
   const int32_t nodes = (r.last - r.first + 1) * nodes_per_element(m);
   int32_t place;
-  if (direction(z, b) >= 0)
-    place = z.first_node[b] - functional_node(m, b, z.first_element[b], 0);
+  if (direction(z, side) >= 0)
+    place = z.first_node[side] - functional_node(m, b, z.first_element[side], 0);
   else if (m.head->function_nodes == 1)
-    place = z.first_element[b] - z.first_node[b];
+    place = z.first_element[side] - z.first_node[side];
   else
-    place = functional_node(m, b, z.first_element[b], 0) + nodes_per_element(m) - z.first_node[b];
+    place = functional_node(m, b, z.first_element[side], 0) + nodes_per_element(m) - z.first_node[side];
   if (r.open) return place >= 0 && place < nodes_along(m, z.elements) ? place : -1;
   place = ((place % nodes) + nodes) % nodes;
   return place < nodes_along(m, z.elements) ? place : -1;
@@ -78,57 +97,63 @@ void check_nodes(const Model& m, int32_t zone, Reporter& reporter) {
   const Zone& z = m.zone[zone];
   const int32_t along = nodes_along(m, z.elements);
   int32_t place[2];
-  for (int b = 0; b < 2; ++b) {
-    place[b] = place_of_first_node(m, z, b);
-    if (place[b] < 0)
-      report_zone(m, zone, b, "node ", z.first_node[b] + 1, " is not a node of the zone's elements", reporter);
-    else if (place[b] + z.pairs > along)
-      report_zone(m, zone, b, "node ", zone_node(m, z, b, z.pairs - 1) + 1, " is not a node of the zone's elements", reporter);
+  for (int side = 0; side < 2; ++side) {
+    place[side] = place_of_first_node(m, z, side);
+    if (place[side] < 0)
+      report_zone(m, zone, side, "node ", z.first_node[side] + 1, " is not a node of the zone's elements", reporter);
+    else if (place[side] + z.pairs > along)
+      report_zone(m, zone, side, "node ", zone_node(m, z, side, z.pairs - 1) + 1, " is not a node of the zone's elements",
+                  reporter);
   }
   if (place[0] < 0 || place[1] < 0) return;
   if (direction(z, 0) != 0 && place[0] != place[1])
-    report(reporter, in_zone(m, zone), "zone ", zone + 1, ": the first pair is node ", place[0] + 1,
-           " along the elements of body 1 and node ", place[1] + 1, " along those of body 2, expected the same place");
+    report(reporter, in_zone(m, zone), "zone ", zone_named(m, zone), ": the first pair is node ", place[0] + 1,
+           " along the elements of body ", body_named(m, z.body[0]), " and node ", place[1] + 1, " along those of body ",
+           body_named(m, z.body[1]), ", expected the same place");
 }
 
 // Elements in two zones; else nodes in two pairs: in this zone and an earlier one.
-void check_overlap(const Model& m, int32_t zone, int b, Reporter& reporter) {
+void check_overlap(const Model& m, int32_t zone, int side, Reporter& reporter) {
   const Zone& z = m.zone[zone];
+  const int b = z.body[side];
   int32_t count = 0, first = 0, other = 0;
-  for (int32_t k = 0; k < zone_elements(z, b); ++k) {
-    int32_t found, place;
-    const int32_t element = zone_element(m, z, b, k);
-    if (!find_contact_element(m, b, element, &found, &place) || found == zone) continue; // the earlier one is found
+  for (int32_t k = 0; k < zone_elements(z, side); ++k) {
+    ZonePlace found;
+    const int32_t element = zone_element(m, z, side, k);
+    if (!find_contact_element(m, b, element, &found)) continue;
+    if (found.zone == zone && found.side == side) continue; // the earlier one is found
     if (count++ > 0) continue;
     first = element;
-    other = found;
+    other = found.zone;
   }
   if (count > 0) {
     Finding f(in_zone(m, zone, b, first));
-    say(f, "element ", first + 1, " of body ", b + 1, " is in zones ", other + 1, " and ", zone + 1);
+    say(f, "element ", first + 1, " of body ", body_named(m, b), " is in zones ", zone_named(m, other), " and ",
+        zone_named(m, zone));
     if (count > 1) say(f, ", the first of ", count, " elements in two zones");
     say(f, ", expected in one");
     return report(reporter, f);
   }
-  for (int32_t k = 0; k < z.pairs && (z.is_free == 0 || b == 1); ++k) {
-    const int32_t node = zone_node(m, z, b, k), pair = pair_of_node(m, b, node);
+  for (int32_t k = 0; k < z.pairs && (z.is_free == 0 || side == 1); ++k) {
+    const int32_t node = zone_node(m, z, side, k), pair = pair_of_node(m, b, node).pair;
     if (pair == z.first_pair + k) continue;
-    report(reporter, Where{z.line, b + 1, zone + 1, z.first_pair + k + 1, 0, node + 1}, "node ", node + 1, " of body ", b + 1,
-           " is in pairs ", pair + 1, " and ", z.first_pair + k + 1, ", expected in one");
+    report(reporter, Where{z.line, b + 1, zone + 1, z.first_pair + k + 1, 0, node + 1}, "node ", node + 1, " of body ",
+           body_named(m, b), " is in pairs ", pair + 1, " and ", z.first_pair + k + 1, ", expected in one");
   }
 }
 
-void check_lengths(const Model& m, int32_t zone, int b, Reporter& reporter) {
+void check_lengths(const Model& m, int32_t zone, int side, Reporter& reporter) {
   const Zone& z = m.zone[zone];
-  for (int32_t k = 0; k < zone_elements(z, b); ++k) {
-    const int32_t element = zone_element(m, z, b, k);
+  const int b = z.body[side];
+  for (int32_t k = 0; k < zone_elements(z, side); ++k) {
+    const int32_t element = zone_element(m, z, side, k);
     if (is_zero_length(m, b, element))
-      report_zone(m, zone, b, "element ", element + 1, " has zero length, expected none in a contact zone", reporter);
+      report_zone(m, zone, side, "element ", element + 1, " has zero length, expected none in a contact zone", reporter);
   }
-  for (int32_t k = 0; k < z.pairs && (z.is_free == 0 || b == 1); ++k) {
-    const int32_t node = zone_node(m, z, b, k);
+  for (int32_t k = 0; k < z.pairs && (z.is_free == 0 || side == 1); ++k) {
+    const int32_t node = zone_node(m, z, side, k);
     if (twin_node(m, b, node) >= 0)
-      report_zone(m, zone, b, "node ", node + 1, " is a double node, expected none in a contact zone", reporter);
+      report_zone(m, zone, side, "node ", node + 1, " is a double node, expected none in a contact zone", reporter);
   }
 }
 
@@ -143,14 +168,14 @@ void average_normal(const Model& m, int b, int32_t element, double n[2]) {
 }
 
 void facing_normals(const Model& m, const Zone& z, int32_t k, double n[2][2]) {
-  for (int b = 0; b < 2; ++b) average_normal(m, b, zone_element(m, z, b, k), n[b]);
+  for (int side = 0; side < 2; ++side) average_normal(m, z.body[side], zone_element(m, z, side, k), n[side]);
 }
 
 // `sound`: the bodies are.
 void check_facing(const Model& m, int32_t zone, bool sound, Reporter& reporter) {
   const Zone& z = m.zone[zone];
   if (direction(z, 0) != 0 && direction(z, 0) == direction(z, 1)) {
-    return report(reporter, in_zone(m, zone), "zone ", zone + 1,
+    return report(reporter, in_zone(m, zone), "zone ", zone_named(m, zone),
                   ": numbers run in the same direction on both bodies, so that the elements do not face "
                   "each other; expected up on one body and down on the other");
   }
@@ -170,17 +195,31 @@ void check_facing(const Model& m, int32_t zone, bool sound, Reporter& reporter) 
   double n[2][2];
   facing_normals(m, z, worst, n);
   const int32_t e1 = zone_element(m, z, 0, worst), e2 = zone_element(m, z, 1, worst);
-  Finding f(in_zone(m, zone, 0, e1));
-  say(f, "zone ", zone + 1, ": element ", e1 + 1, " of body 1 with normal (", n[0][0], ", ", n[0][1], ") and element ", e2 + 1,
-      " of body 2 with normal (", n[1][0], ", ", n[1][1], ") do not face each other");
+  Finding f(in_zone(m, zone, z.body[0], e1));
+  say(f, "zone ", zone_named(m, zone), ": element ", e1 + 1, " of body ", body_named(m, z.body[0]), " with normal (", n[0][0],
+      ", ", n[0][1], ") and element ", e2 + 1, " of body ", body_named(m, z.body[1]), " with normal (", n[1][0], ", ", n[1][1],
+      ") do not face each other");
   if (count > 1) say(f, ", the least of ", count);
   report(reporter, f);
+}
+
+// Pairs of tied zones stand behind all others.
+void number_pairs(const Model& m) {
+  int32_t pairs = 0;
+  for (int32_t tied = 0; tied < 2; ++tied) {
+    for (int32_t i = 0; i < m.head->zones; ++i) {
+      if (m.zone[i].is_tied != tied) continue;
+      m.zone[i].first_pair = pairs;
+      pairs += m.zone[i].pairs;
+    }
+    if (tied == 0) m.head->path_pairs = pairs;
+  }
+  m.head->pairs = pairs;
 }
 
 // Cut free zones down to what faces each other, and number the pairs of all zones again.
 bool fit_zones(const Model& m, Reporter& reporter) {
   const int32_t before = reporter.faults;
-  int32_t pairs = 0;
   for (int32_t i = 0; i < m.head->zones; ++i) {
     m.zone[i].normal_part = find_normal_part(m, m.zone[i]);
     if (m.zone[i].is_free != 0) {
@@ -188,10 +227,8 @@ bool fit_zones(const Model& m, Reporter& reporter) {
       if (reporter.faults != before) return false; // points would have no normals
       kFreeZonePart.fit_free_zone(m, i, reporter);
     }
-    m.zone[i].first_pair = pairs;
-    pairs += m.zone[i].pairs;
   }
-  m.head->pairs = pairs;
+  number_pairs(m);
   return reporter.faults == before;
 }
 
@@ -199,8 +236,10 @@ bool fit_zones(const Model& m, Reporter& reporter) {
 
 bool validate_zones(const Model& m, bool sound, Reporter& reporter) {
   const int32_t before = reporter.faults;
+  for (int32_t i = 0; i < m.head->zones; ++i) check_bodies(m, i, reporter);
+  if (reporter.faults != before) return false;
   for (int32_t i = 0; i < m.head->zones; ++i)
-    for (int b = 0; b < 2; ++b) check_region(m, i, b, reporter);
+    for (int side = 0; side < 2; ++side) check_region(m, i, side, reporter);
   if (reporter.faults != before) return false; // the rest looks up what the zones name
   if (!fit_zones(m, reporter)) return false;
   for (int32_t i = 0; i < m.head->zones; ++i) {
@@ -208,9 +247,9 @@ bool validate_zones(const Model& m, bool sound, Reporter& reporter) {
       check_nodes(m, i, reporter);
       check_facing(m, i, sound, reporter);
     }
-    for (int b = 0; b < 2; ++b) {
-      check_overlap(m, i, b, reporter);
-      check_lengths(m, i, b, reporter);
+    for (int side = 0; side < 2; ++side) {
+      check_overlap(m, i, side, reporter);
+      check_lengths(m, i, side, reporter);
     }
   }
   return reporter.faults == before;

@@ -24,6 +24,16 @@ std::string of_bodies(const Summary& s, int32_t c2d_body_result::*member) {
   return out;
 }
 
+// "body 1 (plate), zone 2 (thread)"; empty: nothing has a name.
+std::string names_of(const Summary& s) {
+  std::string out;
+  for (size_t b = 0; b < s.body_name.size(); ++b)
+    if (!s.body_name[b].empty()) out += (out.empty() ? "" : ", ") + body_text(s, static_cast<int64_t>(b) + 1);
+  for (size_t z = 0; z < s.zone_name.size(); ++z)
+    if (!s.zone_name[z].empty()) out += (out.empty() ? "" : ", ") + zone_text(s, static_cast<int64_t>(z) + 1);
+  return out;
+}
+
 // What the store is asked for, with the least workspace and with a body's whole matrix in it.
 void append_tapes(std::string& out, const Session& session) {
   const char* const names[C2D_TAPES] = {"tape control", "tape lower", "tape upper", "tape contact"};
@@ -48,6 +58,7 @@ void append_check(std::string& out, const Session& session, const Summary& s) {
   append_line(out, "equations", of_bodies(s, &c2d_body_result::unknowns));
   append_line(out, "symmetry by images", symmetry_text(s));
   append_line(out, "contact zones", std::to_string(s.zones));
+  if (!names_of(s).empty()) append_line(out, "names", names_of(s));
   append_line(out, "pairs", std::to_string(s.pairs));
   append_line(out, "coefficients of friction", std::to_string(s.coefficients));
   if (session.limits.point_sets > 0) append_line(out, "sets of interior points", std::to_string(session.limits.point_sets));

@@ -193,10 +193,11 @@ bool is_same(const Item& a, const Item& b) {
 }
 
 // Reads what was written: does it say what the deck says?
-bool says_the_same(const std::vector<Item>& items, const std::string& text) {
+bool says_the_same(const std::vector<Item>& items, const std::string& text, std::vector<c2d_body_limits>& bodies) {
   std::vector<Item> others;
   Text deck = {text, 0};
-  if (c2d_walk_deck(next_line, &deck, keep, &others, nullptr, nullptr) != C2D_OK) return false;
+  const int32_t room = static_cast<int32_t>(bodies.size());
+  if (c2d_walk_deck(next_line, &deck, bodies.data(), room, keep, &others, nullptr, nullptr) != C2D_OK) return false;
   const std::vector<const Item*> a = meaning(items), b = meaning(others);
   if (a.size() != b.size()) return false;
   for (size_t i = 0; i < a.size(); ++i)
@@ -237,7 +238,9 @@ int convert_deck(const Options& options) {
     return kExitInput;
   }
   std::vector<Item> items;
-  const c2d_status status = c2d_walk_deck(DeckFile::read_line, &deck, keep, &items, Messages::log, &messages);
+  std::vector<c2d_body_limits> bodies = room_for_bodies(deck);
+  const c2d_status status = c2d_walk_deck(DeckFile::read_line, &deck, bodies.data(), static_cast<int32_t>(bodies.size()), keep,
+                                          &items, Messages::log_cards, &messages);
   if (status != C2D_OK) return exit_code(status);
 
   const bool is_free = !items.empty() && items[0].kind == C2D_CARD_FREE;
@@ -250,7 +253,7 @@ int convert_deck(const Options& options) {
     messages.fault(fault_at(deck, items[at], error));
     return kExitInput;
   }
-  if (!says_the_same(items, text)) {
+  if (!says_the_same(items, text, bodies)) {
     messages.fail("the deck in its new form would not read as before; nothing was written (please report it)");
     return kExitFiles;
   }

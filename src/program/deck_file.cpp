@@ -4,6 +4,7 @@
 
 #include <contact2d_cards.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstdlib>
@@ -96,7 +97,7 @@ void keep_heading(void* context, const c2d_card* card) {
 
 std::vector<std::string> DeckFile::heading() const {
   Walk walk = {this, 1, {}, false};
-  c2d_walk_deck(walk_line, &walk, keep_heading, &walk, nullptr, nullptr);
+  c2d_walk_deck(walk_line, &walk, nullptr, 0, keep_heading, &walk, nullptr, nullptr);
   if (!walk.headings.empty()) walk.headings.pop_back();
   return walk.headings;
 }
@@ -105,6 +106,10 @@ int32_t DeckFile::read_line(void* context, char* text, int32_t size) {
   DeckFile& deck = *static_cast<DeckFile*>(context);
   if (deck.next_ > deck.starts_.size()) return -1;
   return put_card(deck.card(deck.next_++), text, size);
+}
+
+std::vector<c2d_body_limits> room_for_bodies(const DeckFile& deck) {
+  return std::vector<c2d_body_limits>(std::min<size_t>(deck.cards(), INT32_MAX));
 }
 
 std::string quote(const DeckFile& deck, const c2d_error& entry, const char* word) {

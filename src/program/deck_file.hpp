@@ -37,6 +37,9 @@ private:
   size_t next_ = 1;
 };
 
+// A list for as many bodies as the deck has cards: not too short for any deck that is whole.
+std::vector<c2d_body_limits> room_for_bodies(const DeckFile& deck);
+
 // `contact2d: DECK:LINE:COLUMN: error: text`, with the card and a caret under the field if a line is known.
 // `word` is error or warning.
 std::string quote(const DeckFile& deck, const c2d_error& entry, const char* word);

@@ -115,14 +115,17 @@ c2d_status InteriorPoints::evaluate(c2d_solver* solver, int32_t bodies) {
 // body they are in.
 c2d_status InteriorPoints::find_others(c2d_solver* solver, int32_t bodies) {
   int64_t told = 0;
-  for (size_t i = 0; i < source_.size() && bodies > 1; ++i) {
+  for (size_t i = 0; i < source_.size(); ++i) {
     const InteriorPoint& p = results_.points[i];
     if (flag_of(p) != C2D_POINT_OUTSIDE || ++told > kMostTold) continue;
     double row[C2D_POINT_FIELDS];
     const double place[2] = {p.x, p.y};
-    const c2d_status status = c2d_interior(solver, 3 - p.body, 1, place, 2, row, C2D_POINT_FIELDS);
-    if (status != C2D_OK) return status;
-    if (static_cast<int>(row[C2D_POINT_FLAG]) != C2D_POINT_OUTSIDE) source_[i].other = 3 - p.body;
+    for (int32_t body = 1; body <= bodies && source_[i].other == 0; ++body) {
+      if (body == p.body) continue;
+      const c2d_status status = c2d_interior(solver, body, 1, place, 2, row, C2D_POINT_FIELDS);
+      if (status != C2D_OK) return status;
+      if (static_cast<int>(row[C2D_POINT_FLAG]) != C2D_POINT_OUTSIDE) source_[i].other = body;
+    }
   }
   return C2D_OK;
 }
@@ -152,7 +155,7 @@ void InteriorPoints::keep(const std::vector<double>& values) {
   }
 }
 
-void InteriorPoints::tell(Messages& deck, std::vector<c2d_error>& warnings) {
+void InteriorPoints::tell(Messages& deck, const Summary& summary, std::vector<c2d_error>& warnings) {
   Messages& messages = from_file_ ? file_messages_ : deck;
   const auto warn = [&](const c2d_error& entry) {
     Messages::log(&messages, &entry);
@@ -166,8 +169,8 @@ void InteriorPoints::tell(Messages& deck, std::vector<c2d_error>& warnings) {
     on_boundary += listed && flag == C2D_POINT_BOUNDARY;
     near_node += listed && flag == C2D_POINT_NEAR_NODE;
     if (flag != C2D_POINT_OUTSIDE || ++outside > kMostTold) continue;
-    std::string text = place_text(p) + " lies outside body " + std::to_string(p.body);
-    if (source_[i].other > 0) text += ", but in body " + std::to_string(source_[i].other);
+    std::string text = place_text(p) + " lies outside " + body_text(summary, p.body);
+    if (source_[i].other > 0) text += ", but in " + body_text(summary, source_[i].other);
     warn(warning(wanted_[source_[i].wanted].line, p.body, text));
   }
   if (outside > kMostTold) warn(warning(0, 0, std::to_string(outside - kMostTold) + " points more lie outside their body"));

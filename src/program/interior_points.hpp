@@ -31,7 +31,7 @@ public:
   const Interior& results() const { return results_; }
   // Tells what lies outside (a warning each, up to a number), on the boundary and near a node; `deck` is told
   // about the deck's points. Warnings that did not go there are added to `warnings`.
-  void tell(Messages& deck, std::vector<c2d_error>& warnings);
+  void tell(Messages& deck, const Summary& summary, std::vector<c2d_error>& warnings);
 
 private:
   struct GridAt {

@@ -32,6 +32,14 @@ void Messages::log(void* context, const c2d_error* entry) {
   if (m.faults_ == kMostFaults + 1) m.fail("too many errors, the others are not shown");
 }
 
+void Messages::log_cards(void* context, const c2d_error* entry) {
+  c2d_error told = *entry;
+  if (told.status == C2D_ERR_LIMIT)
+    std::snprintf(told.text, sizeof told.text, "there are more bodies than the deck has cards, %zu",
+                  static_cast<Messages*>(context)->deck_.cards());
+  log(context, &told);
+}
+
 void Messages::fault(const c2d_error& error) {
   if (faults_ > 0) return;
   c2d_error shown = error;

@@ -17,6 +17,8 @@ public:
 
   // For c2d_port.log and c2d_report; `context` is the Messages.
   static void log(void* context, const c2d_error* entry);
+  // The same while cards are read with room_for_bodies().
+  static void log_cards(void* context, const c2d_error* entry);
   // Prints the error of a failed call, unless the call has reported faults itself.
   void fault(const c2d_error& error);
   // A line `contact2d: DECK: error: text` of the program's own.

@@ -243,6 +243,7 @@ const std::array<OutputName, kOutputs> kOutputTable = {{
     {"--vtk", "boundary with displacements, tractions and stresses at the last step, and the points\n"
               "                     inside, for ParaView"},
     {"--trace", "CSV of every change of status: load, pair, from, to, why"},
+    {"--bodies", "CSV of every body: contact force and moment, and how a rigid one moved, by step"},
 }};
 
 namespace {

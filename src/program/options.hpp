@@ -13,12 +13,12 @@ enum class Command { kRun, kCheck, kConvert, kMake, kResume, kVersion, kHelp };
 enum class Progress { kAutomatic, kAlways, kNever };
 
 // Outputs that are single files. Each is named here and in kOutputTable (options.cpp), nowhere else.
-enum class Output { kListing, kCsv, kBoundary, kInterior, kJson, kReport, kVtk, kTrace };
+enum class Output { kListing, kCsv, kBoundary, kInterior, kJson, kReport, kVtk, kTrace, kBodies };
 struct OutputName {
   const char* option;
   const char* help;
 };
-constexpr size_t kOutputs = 8;
+constexpr size_t kOutputs = 9;
 extern const std::array<OutputName, kOutputs> kOutputTable; // in the order of Output
 
 struct Options {

@@ -97,7 +97,11 @@ bool Reader::row(const std::vector<Field>& fields, int32_t line, WantedPoint& po
   }
   bool good = read_number(fields[0], point.body) && point.body >= 1 && point.body <= bodies_;
   if (!good)
-    fault(line, &fields[0], "body is " + in_quotes(fields[0]) + ", expected " + (bodies_ == 1 ? "1, the only body" : "1 or 2"));
+    fault(line, &fields[0],
+          "body is " + in_quotes(fields[0]) + ", expected " +
+              (bodies_ == 1   ? "1, the only body"
+               : bodies_ == 2 ? "1 or 2"
+                              : "1 to " + std::to_string(bodies_)));
   good = coordinate(fields[1], "x", line, point.x) && good;
   good = coordinate(fields[2], "y", line, point.y) && good;
   point.line = line;

@@ -78,7 +78,7 @@ private:
   History history_;            // only if there will be pictures
   bool shows_changes_ = false; // the deck wants every change of status in the listing
   Summary summary_;
-  std::vector<ContactEnd> ends_[2];
+  std::vector<std::vector<ContactEnd>> ends_; // of each body
   bool restored_ = false, fresh_start_ = false;
   int32_t coefficient_shown_ = 0; // the coefficient whose heading stands in the listing
   std::string error_;
@@ -108,11 +108,13 @@ int32_t Run::on_step(void* context, const c2d_step* step) {
   }
   // A path that ended in the state of its last row adds no row.
   const bool row = step->kind == C2D_STEP_RECORDED || (step->kind == C2D_STEP_STOPPED && !again);
-  if (row && run.outputs_.has(Output::kCsv)) append_contact_rows(run.outputs_.text(Output::kCsv), *step);
+  if (row && run.outputs_.has(Output::kCsv)) append_contact_rows(run.outputs_.text(Output::kCsv), *step, run.summary_);
+  if (row && run.outputs_.has(Output::kBodies))
+    append_bodies_rows(run.outputs_.text(Output::kBodies), *step, run.session_.solver);
   if (step->kind == C2D_STEP_STOPPED) {
     c2d_summary now = C2D_INIT(c2d_summary);
     c2d_get_summary(run.session_.solver, &now);
-    explain(kept, now, run.session_.messages.latest());
+    explain(kept, now, run.summary_, run.session_.messages.latest());
     run.session_.messages.forget_latest();
   }
   return run.outputs_.flush(run.error_) ? 0 : 1;
@@ -236,8 +238,9 @@ int Run::prepare() {
   get_summary(solver, summary_);
   if (status == C2D_OK && outputs_.has(Output::kListing))
     status = append_model(outputs_.text(Output::kListing), solver, summary_, session_.deck.heading());
-  for (int32_t body = 1; body <= 2 && status == C2D_OK && summary_.pairs > 0; ++body)
-    status = find_contact_ends(solver, summary_, body, ends_[body - 1]);
+  ends_.resize(static_cast<size_t>(summary_.bodies));
+  for (int32_t body = 1; body <= summary_.bodies && status == C2D_OK && summary_.pairs > 0; ++body)
+    status = find_contact_ends(solver, summary_, body, ends_[static_cast<size_t>(body) - 1]);
   for (int32_t i = 1; i <= summary_.coefficients && status == C2D_OK; ++i) {
     record_.friction.push_back(0.0);
     status = c2d_get_friction(solver, 0, i, &record_.friction.back());
@@ -245,9 +248,11 @@ int Run::prepare() {
   for (int32_t i = 1; i <= summary_.zones && status == C2D_OK; ++i) {
     c2d_zone zone = C2D_INIT(c2d_zone);
     status = c2d_get_zone(solver, i, &zone);
-    record_.measure.push_back(zone.kind == C2D_ZONE_FREE ? 2 : 1); // free zones have no nodes of body 1
+    record_.measure.push_back((zone.kind & C2D_ZONE_FREE) != 0 ? zone.side2.body
+                                                               : zone.side1.body); // the first has nodes on side 2
   }
   if (outputs_.has(Output::kCsv)) append_contact_header(outputs_.text(Output::kCsv));
+  if (outputs_.has(Output::kBodies)) append_bodies_header(outputs_.text(Output::kBodies));
   if (outputs_.has(Output::kTrace)) append_trace_header(outputs_.text(Output::kTrace), summary_.load_cases);
   if (outputs_.has(Output::kBoundary)) append_boundary_header(outputs_.text(Output::kBoundary));
   if (outputs_.has(Output::kInterior)) append_interior_header(outputs_.text(Output::kInterior));
@@ -284,7 +289,7 @@ int Run::follow() {
 // The end of the last coefficient that was followed.
 void Run::show_contact_zone() {
   if (outputs_.has(Output::kListing) && !record_.coefficients.empty())
-    append_contact_zone(outputs_.text(Output::kListing), record_.coefficients.back(), ends_, summary_);
+    append_contact_zone(outputs_.text(Output::kListing), record_.coefficients.back(), ends_.data(), summary_);
 }
 
 int Run::report() {
@@ -317,7 +322,7 @@ c2d_status Run::show_interior() {
   if (status != C2D_OK) return status;
   record_.interior = &interior_.results();
   line_.clear();
-  interior_.tell(session_.messages, record_.warnings);
+  interior_.tell(session_.messages, summary_, record_.warnings);
   if (outputs_.has(Output::kInterior)) append_interior_rows(outputs_.text(Output::kInterior), interior_.results());
   if (outputs_.has(Output::kListing)) append_interior_section(outputs_.text(Output::kListing), interior_.results(), summary_);
   return C2D_OK;

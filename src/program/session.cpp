@@ -31,11 +31,15 @@ int Session::read_file(const std::string& name, const std::string& shown) {
   }
   if (!shown.empty()) deck.call(shown);
   messages.print_warnings = false; // the model will say them again
+  bodies = room_for_bodies(deck);
+  limits.bodies = static_cast<int32_t>(bodies.size());
+  limits.body = bodies.data();
   deck.rewind();
-  c2d_status status = c2d_check_deck(DeckFile::read_line, &deck, &limits, Messages::log, &messages);
+  c2d_status status = c2d_check_deck(DeckFile::read_line, &deck, &limits, Messages::log_cards, &messages);
   messages.print_warnings = true;
   messages.restart();
   if (status == C2D_OK) return 0;
+  if (status == C2D_ERR_LIMIT) return exit_code(status); // told
   deck.rewind();
   c2d_limits ignored = limits;
   c2d_scan_deck(DeckFile::read_line, &deck, &ignored, &why);

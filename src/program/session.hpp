@@ -8,12 +8,13 @@
 #include <contact2d.h>
 
 #include <string>
+#include <vector>
 
 namespace app {
 
 class Session {
 public:
-  Session() : messages(deck) { limits.bodies = 2, limits.body = bodies; }
+  Session() : messages(deck) {}
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
@@ -28,7 +29,7 @@ public:
 
   DeckFile deck;
   Messages messages;
-  c2d_body_limits bodies[2] = {};
+  std::vector<c2d_body_limits> bodies;
   c2d_limits limits = C2D_INIT(c2d_limits); // `body` is the list above
   Workspace workspace;
   c2d_solver* solver = nullptr;

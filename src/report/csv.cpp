@@ -4,9 +4,11 @@
 
 namespace app {
 
-void append_contact_header(std::string& out) { out += "mu,step,load,pair,x,y,status,tn,tt,un1,ut1,un2,ut2,gap,slip\n"; }
+void append_contact_header(std::string& out) {
+  out += "mu,step,load,pair,x,y,status,tn,tt,un1,ut1,un2,ut2,gap,slip,zone,body1,body2\n";
+}
 
-void append_contact_rows(std::string& out, const c2d_step& step) {
+void append_contact_rows(std::string& out, const c2d_step& step, const Summary& summary) {
   std::string head;
   append_number(head, step.mu);
   head += ',';
@@ -27,6 +29,33 @@ void append_contact_rows(std::string& out, const c2d_step& step) {
     for (int32_t k = C2D_TN; k <= C2D_SLIP_SUM; ++k) {
       out += ',';
       append_number(out, row[k]);
+    }
+    const size_t zone = static_cast<size_t>(row[C2D_PAIR_ZONE]);
+    const c2d_zone& z = summary.zone[zone - 1];
+    for (const int64_t number : {static_cast<int64_t>(zone), int64_t{z.side1.body}, int64_t{z.side2.body}}) {
+      out += ',';
+      append_integer(out, number);
+    }
+    out += '\n';
+  }
+}
+
+void append_bodies_header(std::string& out) { out += "mu,step,load,body,fx,fy,moment,ux,uy,rotation\n"; }
+
+void append_bodies_rows(std::string& out, const c2d_step& step, c2d_solver* solver) {
+  c2d_body_state state = C2D_INIT(c2d_body_state);
+  for (int32_t body = 1; c2d_get_body_state(solver, body, &state) == C2D_OK; ++body) {
+    append_number(out, step.mu);
+    out += ',';
+    append_integer(out, step.step);
+    out += ',';
+    append_number(out, step.load);
+    out += ',';
+    append_integer(out, body);
+    for (const double number :
+         {state.contact[0], state.contact[1], state.contact[2], state.motion[0], state.motion[1], state.motion[2]}) {
+      out += ',';
+      append_number(out, number);
     }
     out += '\n';
   }

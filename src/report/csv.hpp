@@ -2,6 +2,7 @@
 #pragma once
 
 #include "report/record.hpp"
+#include "report/summary.hpp"
 
 #include <contact2d.h>
 
@@ -9,10 +10,15 @@
 
 namespace app {
 
-// mu,step,load,pair,x,y,status,tn,tt,un1,ut1,un2,ut2,gap,slip
+// mu,step,load,pair,x,y,status,tn,tt,un1,ut1,un2,ut2,gap,slip,zone,body1,body2
 void append_contact_header(std::string& out);
 // A row per pair of a recorded or last step.
-void append_contact_rows(std::string& out, const c2d_step& step);
+void append_contact_rows(std::string& out, const c2d_step& step, const Summary& summary);
+
+// mu,step,load,body,fx,fy,moment,ux,uy,rotation
+void append_bodies_header(std::string& out);
+// A row per body of a recorded or last step; inside the callback.
+void append_bodies_rows(std::string& out, const c2d_step& step, c2d_solver* solver);
 
 // body,element,node,x,y,ux,uy,tx,ty with a row per element end of every body at the load reached.
 void append_boundary_header(std::string& out);

@@ -2,6 +2,7 @@
 
 #include "report/text.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace app {
@@ -30,20 +31,24 @@ public:
   void bytes(const char* name, uint64_t value) { integer(name, static_cast<int64_t>(value)); }
   void word(const char* name, const char* text) { append_string(key(name), text); }
 
-  static void append_string(std::string& out, const char* text) {
+  static void append_string(std::string& out, const std::string& text) {
     static const char kHex[] = "0123456789abcdef";
     out += '"';
-    for (; *text != '\0'; ++text) {
-      const unsigned char c = static_cast<unsigned char>(*text);
+    for (size_t i = 0; i < text.size(); ++i) {
+      const unsigned char c = static_cast<unsigned char>(text[i]);
+      const size_t bytes = character_at(text, i);
       if (c == '"' || c == '\\') {
         out += '\\';
-        out += *text;
-      } else if (c < 0x20 || c >= 0x7f) {
+        out += text[i];
+      } else if (bytes > 1) { // as it is: UTF-8
+        out.append(text, i, bytes);
+        i += bytes - 1;
+      } else if (bytes == 0) {
         out += "\\u00";
         out += kHex[c >> 4];
         out += kHex[c & 15];
       } else {
-        out += *text;
+        out += text[i];
       }
     }
     out += '"';
@@ -101,6 +106,11 @@ void append_triple(std::string& out, const double (&v)[3]) {
   out += ']';
 }
 
+// Only where there is one.
+void append_name(Object& o, const std::vector<std::string>& names, size_t i) {
+  if (i < names.size() && !names[i].empty()) o.word("name", names[i].c_str());
+}
+
 void append_force(std::string& out, const Summary& s) {
   Object o(out, "{", ", ");
   o.number("applied", s.force_applied);
@@ -110,6 +120,7 @@ void append_force(std::string& out, const Summary& s) {
   for (int32_t b = 0; b < s.bodies; ++b) {
     out += b == 0 ? "\n    " : ",\n    ";
     Object body(out, "{", ", ");
+    append_name(body, s.body_name, static_cast<size_t>(b));
     append_triple(body.key("applied"), s.body[b].applied);
     append_triple(body.key("contact"), s.body[b].contact);
     out += '}';
@@ -156,7 +167,18 @@ void append_zone(std::string& out, const c2d_zone_state& z) {
   out += '}';
 }
 
-// Per recorded step: factors of all load cases, energy, zones.
+void append_body_state(std::string& out, const c2d_body_state& b) {
+  Object o(out, "{", ", ");
+  append_list(o.key("contact"), {b.contact[0], b.contact[1], b.contact[2]});
+  if (b.is_rigid != 0) {
+    append_list(o.key("motion"), {b.motion[0], b.motion[1], b.motion[2]});
+    append_list(o.key("point"), {b.point[0], b.point[1]});
+    append_list(o.key("load"), {b.load[0], b.load[1], b.load[2]});
+  }
+  out += '}';
+}
+
+// Per recorded step: factors of all load cases, energy, zones, bodies.
 void append_history(std::string& out, const RunRecord& record) {
   out += '[';
   bool first = true;
@@ -177,6 +199,12 @@ void append_history(std::string& out, const RunRecord& record) {
       for (size_t z = 0; z < step.zones.size(); ++z) {
         if (z > 0) out += ", ";
         append_zone(out, step.zones[z]);
+      }
+      out += ']';
+      o.key("bodies") += '[';
+      for (size_t b = 0; b < step.bodies.size(); ++b) {
+        if (b > 0) out += ", ";
+        append_body_state(out, step.bodies[b]);
       }
       out += "]}";
     }
@@ -253,8 +281,8 @@ void append_json(std::string& out, const RunRecord& record, const Summary& s) {
   o.integer("steps", s.steps);
   {
     Object unknowns(o.key("unknowns"), "{", ", ");
-    unknowns.integer("body1", s.body[0].unknowns);
-    unknowns.integer("body2", s.bodies > 1 ? s.body[1].unknowns : 0);
+    for (int32_t b = 1; b <= std::max(s.bodies, 2); ++b) // body2 is there even if there is one body
+      unknowns.integer(("body" + std::to_string(b)).c_str(), b <= s.bodies ? s.body[b - 1].unknowns : 0);
     unknowns.integer("contact", s.contact_unknowns);
     out += '}';
   }
@@ -267,7 +295,12 @@ void append_json(std::string& out, const RunRecord& record, const Summary& s) {
     if (i > 0) out += ", ";
     Object zone(out, "{", ", ");
     zone.integer("zone", static_cast<int64_t>(i) + 1);
-    zone.word("measure", record.measure[i] == 2 ? "body 2" : "body 1");
+    append_name(zone, s.zone_name, i);
+    if (s.names_bodies() && i < s.zone.size()) {
+      zone.integer("body1", s.zone[i].side1.body);
+      zone.integer("body2", s.zone[i].side2.body);
+    }
+    zone.word("measure", ("body " + std::to_string(record.measure[i])).c_str());
     out += '}';
   }
   out += ']';

@@ -3,24 +3,31 @@
 #include "report/listing_items.hpp"
 #include "report/text.hpp"
 
+#include <algorithm>
+
 namespace app {
 namespace {
 
-void append_vector(std::string& out, const char* name, const double (&v)[3]) {
-  append_column(out, name, 28);
+void append_vector(std::string& out, const std::string& name, size_t width, const double (&v)[3]) {
+  const size_t used = characters_in(name);
+  out.append(used < width ? width - used : 0, ' ') += name;
   for (const double x : v) append_scientific(out, x, 16, 7);
   out += '\n';
 }
 
+const char kLoads[] = ": loads and supports";
+
 void append_balance(std::string& out, const Summary& s) {
   append_section(out, "Balance of forces at the last load");
-  out += "                                         fx              fy          moment\n";
+  size_t width = 28;
+  for (int32_t b = 1; b <= s.bodies; ++b) width = std::max(width, 2 + characters_in(body_text(s, b) + kLoads));
+  out.append(width - 28, ' ') += "                                         fx              fy          moment\n";
   for (int32_t b = 0; b < s.bodies; ++b) {
     double sum[3];
     for (int k = 0; k < 3; ++k) sum[k] = s.body[b].applied[k] + s.body[b].contact[k];
-    append_vector(out, b == 0 ? "body 1: loads and supports" : "body 2: loads and supports", s.body[b].applied);
-    if (s.pairs > 0) append_vector(out, "contact", s.body[b].contact);
-    append_vector(out, "sum", sum);
+    append_vector(out, body_text(s, b + 1) + kLoads, width, s.body[b].applied);
+    if (s.pairs > 0) append_vector(out, "contact", width, s.body[b].contact);
+    append_vector(out, "sum", width, sum);
   }
   if (s.symmetry != 0)
     out += "\n  of the half or quarter modelled; forces across the lines of symmetry are not in it, the sum is "
@@ -51,7 +58,7 @@ c2d_status append_global(std::string& out, c2d_solver* solver, const Summary& s)
   for (int32_t body = 1; body <= s.bodies; ++body) {
     const c2d_status status = get_ends(solver, s, body, fields, 8, v);
     if (status != C2D_OK) return status;
-    append_section(out, body == 1 ? "Body 1 in global components" : "Body 2 in global components");
+    append_body_section(out, s, body, " in global components");
     append_item(out, "load factor", s.load);
     out += "\n element    node            x            y           ux           uy           tx           ty "
            " status\n";

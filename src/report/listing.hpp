@@ -1,5 +1,5 @@
 // The printed results, in the order of the 1987 program: the data read, a block per increment, the contact
-// zone of both bodies at the end of each coefficient of friction, all element ends at the end of the run, and
+// zones body by body at the end of each coefficient of friction, all element ends at the end of the run, and
 // the balance.
 #pragma once
 
@@ -18,7 +18,7 @@ c2d_status append_model(std::string& out, c2d_solver* solver, const Summary& sum
 // The statuses of all pairs after an increment, after a change of status, or where the path ended; `first` of
 // its coefficient of friction: with a heading.
 void append_step(std::string& out, const c2d_step& step, bool first);
-// Both bodies' sides of the contact zone at the last state of a coefficient; ends[0], ends[1] per body.
+// What every body has in the contact zones at the last state of a coefficient; `ends` of each body.
 void append_contact_zone(std::string& out, const CoefficientRecord& coefficient, const std::vector<ContactEnd>* ends,
                          const Summary& summary);
 // Displacements and tractions of all element ends in global components at the load reached.

@@ -6,7 +6,13 @@ namespace app {
 
 void append_rule(std::string& out) { out.append(100, '-') += '\n'; }
 
-void append_section(std::string& out, const char* title) {
+void append_body_section(std::string& out, const Summary& s, int32_t body, const char* more) {
+  std::string title = body_text(s, body) + more;
+  title[0] = 'B';
+  append_section(out, title);
+}
+
+void append_section(std::string& out, const std::string& title) {
   out += '\n';
   out += title;
   out += '\n';

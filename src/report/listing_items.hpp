@@ -11,7 +11,9 @@
 namespace app {
 
 void append_rule(std::string& out);
-void append_section(std::string& out, const char* title);
+void append_section(std::string& out, const std::string& title);
+// "Body 2 (bolt)", and what else the heading says.
+void append_body_section(std::string& out, const Summary& summary, int32_t body, const char* more = "");
 // "  name ............ value"; append_name stops before the value.
 std::string& append_name(std::string& out, const char* name);
 void append_item(std::string& out, const char* name, int64_t value);
@@ -21,7 +23,7 @@ void append_item(std::string& out, const char* name, const char* value);
 // Known components of every element end that is neither free of traction nor left to the contact, case by
 // case.
 c2d_status append_conditions(std::string& out, c2d_solver* solver, const Summary& summary, int32_t body);
-// Point loads, body forces, motions of a rigid body 1, press fit: nothing of what there is none.
+// Point loads, body forces, motions of rigid bodies, press fit: nothing of what there is none.
 c2d_status append_other_loads(std::string& out, c2d_solver* solver, const Summary& summary);
 // Coefficients of friction and the load path.
 c2d_status append_path(std::string& out, c2d_solver* solver, const Summary& summary);

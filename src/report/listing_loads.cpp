@@ -57,14 +57,14 @@ c2d_status append_body_forces(std::string& out, c2d_solver* solver, const Summar
   return C2D_OK;
 }
 
-c2d_status append_rigid(std::string& out, c2d_solver* solver, const Summary& s) {
+c2d_status append_rigid(std::string& out, c2d_solver* solver, const Summary& s, int32_t body) {
   for (int32_t load_case = 1; load_case <= s.load_cases; ++load_case) {
     int32_t rigid = 0;
     double motion[3], axis[2];
-    const c2d_status status = c2d_get_rigid(solver, 1, load_case, &rigid, motion, axis);
+    const c2d_status status = c2d_get_rigid(solver, body, load_case, &rigid, motion, axis);
     if (status != C2D_OK || rigid == 0) return status;
     if (load_case == 1) {
-      append_section(out, "Body 1 is rigid");
+      append_body_section(out, s, body, " is rigid");
       out += "    case             ux             uy       rotation             x0             y0\n";
     }
     append_column(out, load_case, 8);
@@ -109,7 +109,7 @@ c2d_status append_conditions(std::string& out, c2d_solver* solver, const Summary
 c2d_status append_other_loads(std::string& out, c2d_solver* solver, const Summary& s) {
   c2d_status status = append_point_loads(out, solver, s);
   if (status == C2D_OK) status = append_body_forces(out, solver, s);
-  if (status == C2D_OK) status = append_rigid(out, solver, s);
+  for (int32_t body = 1; status == C2D_OK && body <= s.bodies; ++body) status = append_rigid(out, solver, s, body);
   int32_t closing = 0;
   if (status == C2D_OK) status = c2d_get_interference(solver, &closing);
   if (status != C2D_OK || closing == 0) return status;

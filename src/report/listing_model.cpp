@@ -33,7 +33,7 @@ void append_control(std::string& out, const Summary& s) {
 
 void append_body(std::string& out, const Summary& s, int32_t body) {
   const size_t b = static_cast<size_t>(body) - 1;
-  append_section(out, body == 1 ? "Body 1" : "Body 2");
+  append_body_section(out, s, body);
   append_item(out, "elements", static_cast<int64_t>(s.body[b].elements));
   append_item(out, "geometry nodes per element", static_cast<int64_t>(s.body[b].element_nodes));
   append_item(out, "boundary points", static_cast<int64_t>(s.body[b].points));

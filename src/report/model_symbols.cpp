@@ -8,6 +8,8 @@ namespace {
 
 // Symbols closer than this to one of their kind are left out.
 constexpr double kSpacing = 11.0;
+// Of what stands inside a body: length of an arrow from its middle, radius of a turn.
+constexpr double kInnerArrow = 44.0, kTurnRadius = 20.0;
 
 // A load case has a colour and a dash of its own.
 Stroke stroke_of(Symbol symbol, size_t load_case) {
@@ -85,7 +87,7 @@ void draw_arrow(Svg& svg, Point p, const Arrow& a, const Stroke& stroke, Head he
 
 // Three quarters of a circle round a cross, the way of a positive or negative rotation.
 void draw_turn(Svg& svg, Point centre, bool positive, const Stroke& stroke, Head head) {
-  const double radius = 20.0, pi = 3.14159265358979323846;
+  const double radius = kTurnRadius, pi = 3.14159265358979323846;
   std::vector<Point> arc;
   for (int i = 0; i <= 24; ++i) {
     const double angle = (positive ? -1.0 : 1.0) * 1.5 * pi * i / 24.0;
@@ -153,15 +155,15 @@ public:
     const Point middle = centre_of(scene_.bodies[static_cast<size_t>(force.body) - 1]);
     const Point p = view_.at(middle.x, middle.y), axis = view_.at(force.axis.x, force.axis.y);
     if ((force.force.x != 0.0 || force.force.y != 0.0) && visible(view_, p))
-      arrow(Symbol::kBodyForce, p, force.force, {force.force.x, force.force.y}, 44.0, 13.0);
+      arrow(Symbol::kBodyForce, p, force.force, {force.force.x, force.force.y}, kInnerArrow, 13.0);
     if (force.rho_omega2 != 0.0 && visible(view_, axis)) turn(Symbol::kRotation, axis, true);
   }
 
   void rigid_motion(const RigidMotion& motion) {
-    const Point middle = centre_of(scene_.bodies[0]);
+    const Point middle = centre_of(scene_.bodies[static_cast<size_t>(motion.body) - 1]);
     const Point p = view_.at(middle.x, middle.y), axis = view_.at(motion.axis.x, motion.axis.y);
     if ((motion.by.x != 0.0 || motion.by.y != 0.0) && visible(view_, p))
-      arrow(Symbol::kRigidMotion, p, motion.by, motion.by, 44.0, 12.0);
+      arrow(Symbol::kRigidMotion, p, motion.by, motion.by, kInnerArrow, 12.0);
     if (motion.rotation != 0.0 && visible(view_, axis)) turn(Symbol::kRigidMotion, axis, motion.rotation > 0.0);
   }
 
@@ -194,8 +196,8 @@ void Present::note(Symbol symbol, size_t load_case) {
 
 void draw_supports(Svg& svg, const Scene& scene, const Chart& view, Present& present) {
   std::vector<Point> placed[2];
-  for (size_t b = scene.rigid ? 1 : 0; b < scene.bodies.size(); ++b) {
-    const BodyScene& body = scene.bodies[b];
+  for (const BodyScene& body : scene.bodies) {
+    if (body.rigid) continue;
     const std::vector<Point> out = outward(body);
     const size_t ends = static_cast<size_t>(scene.summary.function_nodes);
     for (const Image& image : scene.images)
@@ -219,7 +221,8 @@ void draw_supports(Svg& svg, const Scene& scene, const Chart& view, Present& pre
 void draw_loads(Svg& svg, const Scene& scene, const Chart& view, Present& present) {
   for (size_t k = 0; k < scene.cases; ++k) {
     Loads loads(svg, scene, view, k, present);
-    for (size_t b = scene.rigid ? 1 : 0; b < scene.bodies.size(); ++b) loads.boundary(scene.bodies[b]);
+    for (const BodyScene& body : scene.bodies)
+      if (!body.rigid) loads.boundary(body);
     for (const PointLoad& load : scene.point_loads)
       if (load.load_case == k) loads.point_load(load);
     for (const BodyForce& force : scene.body_forces)
@@ -229,16 +232,38 @@ void draw_loads(Svg& svg, const Scene& scene, const Chart& view, Present& presen
   }
 }
 
+std::vector<Box> inner_symbols(const Scene& scene, const Chart& view) {
+  std::vector<Box> out;
+  const auto add = [&](Point p, double half) { out.push_back({p.x - half, p.y - half, p.x + half, p.y + half}); };
+  const auto add_arrow = [&](int32_t body, Point way) {
+    const double size = std::hypot(way.x, way.y);
+    const Point middle = centre_of(scene.bodies[static_cast<size_t>(body) - 1]), p = view.at(middle.x, middle.y);
+    for (double at = 0.0; size > 0.0 && at <= kInnerArrow; at += 0.125 * kInnerArrow)
+      add({p.x + at * way.x / size, p.y - at * way.y / size}, 6.0);
+  };
+  const auto add_turn = [&](Point axis) { add(view.at(axis.x, axis.y), kTurnRadius + 4.0); };
+  for (const BodyForce& force : scene.body_forces) {
+    add_arrow(force.body, force.force);
+    if (force.rho_omega2 != 0.0) add_turn(force.axis);
+  }
+  for (const RigidMotion& motion : scene.motions) {
+    add_arrow(motion.body, motion.by);
+    if (motion.rotation != 0.0) add_turn(motion.axis);
+  }
+  return out;
+}
+
 std::vector<LegendEntry> symbol_legend(const Scene& scene, const Present& present) {
-  static const char* const kWords[] = {"traction",   "point load", "prescribed displacement",
-                                       "body force", "rotation",   "motion of the rigid body"};
+  const auto rigid = std::count_if(scene.bodies.begin(), scene.bodies.end(), [](const BodyScene& b) { return b.rigid; });
+  const char* const words[] = {"traction",   "point load", "prescribed displacement",
+                               "body force", "rotation",   rigid > 1 ? "motion of a rigid body" : "motion of the rigid body"};
   std::vector<LegendEntry> out;
   if (present.support) out.push_back({"held (filled: in both directions)", Stroke{}, Mark::kTriangle, false, ""});
   for (size_t k = 0; k < scene.cases; ++k)
     for (size_t s = 0; s < static_cast<size_t>(Symbol::kSymbols); ++s) {
       if (k >= present.load[s].size() || !present.load[s][k]) continue;
       const Symbol symbol = static_cast<Symbol>(s);
-      const std::string text = scene.cases > 1 ? kWords[s] + (", case " + std::to_string(k + 1)) : kWords[s];
+      const std::string text = scene.cases > 1 ? words[s] + (", case " + std::to_string(k + 1)) : words[s];
       out.push_back({text, stroke_of(symbol, k), Mark::kNone, true, "", head_of(symbol)});
     }
   return out;

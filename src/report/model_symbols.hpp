@@ -21,6 +21,8 @@ struct Present {
 // Draws into a view and notes what it drew. Symbols that would crowd one another are left out.
 void draw_supports(Svg& svg, const Scene& scene, const Chart& view, Present& present);
 void draw_loads(Svg& svg, const Scene& scene, const Chart& view, Present& present);
+// What body forces, rotations and motions of rigid bodies cover, which stand inside bodies.
+std::vector<Box> inner_symbols(const Scene& scene, const Chart& view);
 // Entries for supports and loads; they name their case if there are several.
 std::vector<LegendEntry> symbol_legend(const Scene& scene, const Present& present);
 

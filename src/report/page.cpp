@@ -70,7 +70,9 @@ void append_key_numbers(std::string& out, const Scene& scene) {
       const CoefficientRecord& c = scene.record->coefficients[i];
       if (scene.zones[z].pairs == 0 || c.table.empty()) continue;
       const ZoneFacts f = find_facts(scene, scene.zones[z], c.table);
-      append_row(out, {figure(friction_of(scene, i, z)), whole(z + 1), figure(c.load, 6), figure(f.peak, 6),
+      const std::string zone =
+          zone_label(scene, z).substr(5) + (scene.summary.names_bodies() ? ": " + bodies_of(scene, scene.zones[z]) : "");
+      append_row(out, {figure(friction_of(scene, i, z)), zone, figure(c.load, 6), figure(f.peak, 6),
                        figure(scene.pairs[f.peak_pair].s), std::to_string(f.touching), std::to_string(f.sticking),
                        std::to_string(f.slipping), f.touching > 0 ? figure(f.low) : "&#8211;",
                        f.touching > 0 ? figure(f.high) : "&#8211;"});
@@ -86,7 +88,7 @@ void append_balance(std::string& out, const Scene& scene) {
               with_unit("moment about the origin", scene.work_unit)},
              "th");
   for (int32_t b = 0; b < s.bodies; ++b) {
-    const std::string body = "body " + std::to_string(b + 1) + ": ";
+    const std::string body = body_label(scene, b + 1) + ": ";
     const double* applied = s.body[b].applied;
     const double* contact = s.body[b].contact;
     append_row(out, {body + "loads and supports", figure(applied[0], 7), figure(applied[1], 7), figure(applied[2], 7)});
@@ -101,17 +103,32 @@ void append_balance(std::string& out, const Scene& scene) {
   out += "</section>\n";
 }
 
+// Of one body or two a column each, of more a row each.
+void append_body_sizes(std::string& out, const Scene& scene) {
+  const Summary& s = scene.summary;
+  const std::string none = "&#8211;";
+  const auto of = [&](int32_t b, int32_t c2d_body_result::*member) {
+    return b < s.bodies ? std::to_string(s.body[b].*member) : none;
+  };
+  const std::string pairs = std::to_string(s.pairs) + " pairs", unknowns = std::to_string(s.contact_unknowns);
+  if (s.bodies > 2) {
+    append_row(out, {"size", "elements", "functional nodes", "unknowns"}, "th");
+    for (int32_t b = 0; b < s.bodies; ++b)
+      append_row(out, {body_label(scene, b + 1), of(b, &c2d_body_result::elements), of(b, &c2d_body_result::nodes),
+                       of(b, &c2d_body_result::unknowns)});
+    append_row(out, {"contact", none, pairs, unknowns});
+    return;
+  }
+  append_row(out, {"size", body_label(scene, 1), body_label(scene, 2), "contact"}, "th");
+  append_row(out, {"elements", of(0, &c2d_body_result::elements), of(1, &c2d_body_result::elements), none});
+  append_row(out, {"functional nodes", of(0, &c2d_body_result::nodes), of(1, &c2d_body_result::nodes), pairs});
+  append_row(out, {"unknowns", of(0, &c2d_body_result::unknowns), of(1, &c2d_body_result::unknowns), unknowns});
+}
+
 void append_sizes(std::string& out, const Scene& scene) {
   const Summary& s = scene.summary;
   out += "<section id=\"sizes\">\n<h2>Sizes, seconds, bytes</h2>\n<table>\n";
-  append_row(out, {"size", "body 1", "body 2", "contact"}, "th");
-  const bool two = s.bodies > 1;
-  append_row(out,
-             {"elements", std::to_string(s.body[0].elements), two ? std::to_string(s.body[1].elements) : "&#8211;", "&#8211;"});
-  append_row(out, {"functional nodes", std::to_string(s.body[0].nodes), two ? std::to_string(s.body[1].nodes) : "&#8211;",
-                   std::to_string(s.pairs) + " pairs"});
-  append_row(out, {"unknowns", std::to_string(s.body[0].unknowns), two ? std::to_string(s.body[1].unknowns) : "&#8211;",
-                   std::to_string(s.contact_unknowns)});
+  append_body_sizes(out, scene);
   out += "</table>\n<table>\n";
   append_row(out, {"phase", "seconds"}, "th");
   static const char* const kPhases[] = {"assemble", "eliminate", "reduce", "contact", "back substitution"};

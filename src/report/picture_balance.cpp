@@ -18,6 +18,22 @@ void draw_bar(Svg& svg, const Chart& chart, double y, double value, const std::s
   svg.rectangle({std::min(zero, end), y, std::max(zero, end), y + 11.0}, fill, Stroke{ink, 0.8, ""});
 }
 
+// What the contact carries: of two bodies either is told, of more each zone.
+std::string contact_text(const Scene& scene) {
+  const Summary& s = scene.summary;
+  if (!s.names_bodies())
+    return "; the contact carries " + figure(std::hypot(s.body[0].contact[0], s.body[0].contact[1]), scene.force_unit, 6);
+  std::string out;
+  c2d_zone_state state = C2D_INIT(c2d_zone_state);
+  for (size_t z = 0; z < std::min(scene.zones.size(), kMostCharts); ++z) {
+    if (c2d_get_zone_state(scene.solver, static_cast<int32_t>(z) + 1, &state) != C2D_OK) break;
+    out += (z == 0 ? "; the contact carries " : ", ") +
+           figure(std::hypot(state.force[0], state.force[1]), scene.force_unit, 6) + " in " + zone_label(scene, z) + " (" +
+           bodies_of(scene, scene.zones[z]) + ")";
+  }
+  return out;
+}
+
 std::string caption(const Scene& scene) {
   const Summary& s = scene.summary;
   std::string out = "Forces per unit thickness on each body at " + place_at_end(scene);
@@ -30,8 +46,7 @@ std::string caption(const Scene& scene) {
       worst = std::max(worst, std::fabs(s.body[b].applied[k] + s.body[b].contact[k]));
     }
   if (largest > 0.0) out += " to within " + figure(worst / largest, 2) + " of the largest force";
-  if (!scene.pairs.empty())
-    out += "; the contact carries " + figure(std::hypot(s.body[0].contact[0], s.body[0].contact[1]), scene.force_unit, 6);
+  if (!scene.pairs.empty()) out += contact_text(scene);
   if (scene.summary.symmetry != 0)
     out += ". They are those of the part that is modelled, without the forces across the lines of symmetry";
   return out + ".";
@@ -46,13 +61,14 @@ void draw_balance(const Scene& scene, Pictures& out) {
   range.include(0.0);
   for (int32_t b = 0; b < s.bodies; ++b)
     for (int k = 0; k < 2; ++k) {
-      rows.push_back(
-          {"body " + std::to_string(b + 1) + (k == 0 ? ", fx" : ", fy"), s.body[b].applied[k], s.body[b].contact[k]});
+      rows.push_back({body_label(scene, b + 1) + (k == 0 ? ", fx" : ", fy"), s.body[b].applied[k], s.body[b].contact[k]});
       range.include(s.body[b].applied[k]);
       range.include(s.body[b].contact[k]);
     }
   const bool contact = !scene.pairs.empty();
-  const double row = contact ? 40.0 : 28.0, left = 96.0, right = kPictureWidth - 130.0, top = 54.0;
+  double left = 96.0;
+  for (const Row& each : rows) left = std::max(left, 16.0 + text_width(each.name, 12.0));
+  const double row = contact ? 40.0 : 28.0, right = kPictureWidth - 130.0, top = 54.0;
   const double bottom = top + row * static_cast<double>(rows.size());
   Svg svg("balance", kPictureWidth, bottom + 44.0);
   const std::string hatched = svg.hatch(colour::kOrange, "#fbe3d0");

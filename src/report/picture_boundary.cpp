@@ -1,7 +1,9 @@
 #include "report/axes.hpp"
 #include "report/pictures.hpp"
 #include "report/record.hpp"
+#include "report/text.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace app {
@@ -18,8 +20,7 @@ using Pieces = std::vector<std::vector<Sample>>;
 
 // Stress along one curve over its length, end by end; elements on a line of symmetry are no boundary and
 // break it.
-Pieces follow(const Scene& scene, const std::vector<double>& hoop, size_t first, size_t last) {
-  const BodyScene& body = scene.bodies[0];
+Pieces follow(const Scene& scene, const BodyScene& body, const std::vector<double>& hoop, size_t first, size_t last) {
   const size_t per_element = static_cast<size_t>(scene.summary.function_nodes);
   Pieces out;
   double s = 0.0;
@@ -37,39 +38,43 @@ Pieces follow(const Scene& scene, const std::vector<double>& hoop, size_t first,
   return out;
 }
 
-} // namespace
-
-void draw_boundary_stress(const Scene& scene, Pictures& out) {
+void draw_one(const Scene& scene, size_t b, Pictures& out) {
   const Summary& summary = scene.summary;
-  if (!scene.pairs.empty() || scene.bodies.empty()) return;
+  const BodyScene& body = scene.bodies[b];
+  const int32_t number = static_cast<int32_t>(b) + 1;
   const int32_t field = C2D_END_HOOP;
   std::vector<std::vector<double>> hoop;
-  if (get_ends(scene.solver, summary, 1, &field, 1, hoop) != C2D_OK) return;
+  if (get_ends(scene.solver, summary, number, &field, 1, hoop) != C2D_OK) return;
   std::vector<Pieces> curves;
   std::vector<LegendEntry> entries;
   Range s, stress;
   stress.include(0.0);
   double largest = 0.0;
   Point where;
-  for (int32_t r = 1; r <= summary.body[0].regions; ++r) {
+  for (int32_t r = 1; r <= summary.body[b].regions; ++r) {
     int32_t first = 0, last = 0;
-    if (c2d_get_region(scene.solver, 1, r, &first, &last) != C2D_OK) return;
+    if (c2d_get_region(scene.solver, number, r, &first, &last) != C2D_OK) return;
     const size_t from = static_cast<size_t>((first - 1) * summary.function_nodes);
     const size_t to = static_cast<size_t>(last * summary.function_nodes);
-    curves.push_back(follow(scene, hoop[0], from, to));
+    curves.push_back(follow(scene, body, hoop[0], from, to));
     for (size_t i = from; i < to; ++i)
-      if (std::fabs(hoop[0][i]) > std::fabs(largest)) largest = hoop[0][i], where = scene.bodies[0].ends[i];
+      if (std::fabs(hoop[0][i]) > std::fabs(largest)) largest = hoop[0][i], where = body.ends[i];
     for (const std::vector<Sample>& piece : curves.back())
       for (const Sample& p : piece) s.include(p.s), stress.include(p.hoop);
     size_t begin = from; // of what is boundary
-    while (begin + 1 < to && scene.bodies[0].on_line[begin / static_cast<size_t>(summary.function_nodes)]) ++begin;
-    const Point start = scene.bodies[0].ends[begin];
+    while (begin + 1 < to && body.on_line[begin / static_cast<size_t>(summary.function_nodes)]) ++begin;
+    const Point start = body.ends[begin];
     entries.push_back({"curve " + std::to_string(r) + ", s = 0 at (" + figure(start.x) + ", " + figure(start.y) + ")",
                        kLines[static_cast<size_t>(r - 1) % 4], Mark::kNone, true, ""});
   }
   const double left = 76.0, right = kPictureWidth - 16.0;
   const double top = draw_legend(nullptr, {left, 4.0}, right - left, entries) + 12.0;
-  Svg svg("boundary", kPictureWidth, top + 250.0 + 44.0);
+  Picture picture{"boundary", "Stress along the boundary", "", ""};
+  const bool several = summary.bodies > 2, told = several || !summary.body_name[b].empty();
+  const std::string which = told ? " of " + body_label(scene, number) : "";
+  picture.title += which;
+  if (several) picture.name += "_body" + std::to_string(number);
+  Svg svg(picture.name, kPictureWidth, top + 250.0 + 44.0);
   draw_legend(&svg, {left, 4.0}, right - left, entries);
   const Chart chart{{left, top, right, top + 250.0},
                     make_axis(s, "distance s along the boundary", scene.length_unit, 9),
@@ -81,11 +86,20 @@ void draw_boundary_stress(const Scene& scene, Pictures& out) {
       for (const Sample& p : piece) points.push_back(chart.at(p.s, p.hoop));
       svg.polyline(points, kLines[r % 4]);
     }
-  Picture picture{"boundary", "Stress along the boundary", "", ""};
-  picture.caption = "Normal stress along the boundary (hoop stress) at " + place_at_end(scene) + ": the largest in size is " +
-                    figure(largest, scene.stress_unit, 6) + " at (" + figure(where.x) + ", " + figure(where.y) + ").";
+  picture.caption = "Normal stress along the boundary" + which + " (hoop stress) at " + place_at_end(scene) +
+                    ": the largest in size is " + figure(largest, scene.stress_unit, 6) + " at (" + figure(where.x) + ", " +
+                    figure(where.y) + ").";
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);
+}
+
+} // namespace
+
+void draw_boundary_stress(const Scene& scene, Pictures& out) {
+  if (!scene.pairs.empty() || scene.bodies.empty()) return;
+  const size_t count = scene.bodies.size() > 2 ? scene.bodies.size() : 1; // of two only the first, as ever
+  for (size_t b = 0; b < std::min(count, kMostCharts); ++b)
+    if (!scene.bodies[b].rigid) draw_one(scene, b, out);
 }
 
 } // namespace app

@@ -51,17 +51,17 @@ void draw_nodes(Svg& svg, const Scene& scene, const BodyScene& body, const Chart
 void draw_view(Svg& svg, const Scene& scene, const Chart& view, double magnification, bool nodes) {
   draw_axes(svg, view);
   svg.begin_clip(view.frame);
-  const char* const edge[2] = {colour::kBlue, "#8a5a00"};
   for (int pass = 0; pass < 2; ++pass)
     for (size_t b = 0; b < scene.bodies.size(); ++b) {
+      const BodyStyle& style = style_of(b);
       std::vector<std::vector<Point>> curves = outline_of(scene.bodies[b], pass == 0 ? magnification : 0.0);
       for (auto& curve : curves)
         for (Point& p : curve) p = view.at(p.x, p.y);
-      if (pass == 0) svg.area(curves, colour::kBody[b], Stroke{});
+      if (pass == 0) svg.area(curves, style.fill, Stroke{});
       // Dashes need lines that do not run far outside the view.
       for (const std::vector<Point>& piece : pieces_within(curves, view.frame))
-        svg.polyline(piece, pass == 0 ? Stroke{edge[b], 1.6, b == 0 ? "" : "7 2"} : Stroke{colour::kFaint, 1.0, "2 3"});
-      if (pass == 0 && nodes) draw_nodes(svg, scene, scene.bodies[b], view, magnification, edge[b]);
+        svg.polyline(piece, pass == 0 ? Stroke{style.edge, 1.6, style.dash} : Stroke{colour::kFaint, 1.0, "2 3"});
+      if (pass == 0 && nodes) draw_nodes(svg, scene, scene.bodies[b], view, magnification, style.edge);
     }
   svg.end_clip();
 }
@@ -140,15 +140,16 @@ void draw_deformed(const Scene& scene, Pictures& out) {
       for (const auto& curve : outline_of(body, m))
         for (const Point& p : curve) x.include(p.x), y.include(p.y);
   const Zoom near = choose_zoom(scene);
-  const double left = 62.0, gap = 66.0, right = 14.0, top = 54.0;
+  std::vector<LegendEntry> entries;
+  for (size_t b = 0; b < scene.bodies.size(); ++b)
+    entries.push_back({"deformed body " + std::to_string(b + 1), Stroke{style_of(b).edge, 1.6, style_of(b).dash}, Mark::kNone,
+                       true, style_of(b).fill});
+  entries.push_back({"undeformed", Stroke{colour::kFaint, 1.0, "2 3"}, Mark::kNone, true, ""});
+  const double left = 62.0, gap = 66.0, right = 14.0;
+  const double top = 33.0 + draw_legend(nullptr, {left, 4.0}, kPictureWidth - left - right, entries);
   const double wide = zoom ? (kPictureWidth - left - gap - right) / 2.0 : kPictureWidth - left - right;
   const double high = view_height(x, y, wide, 240.0, zoom ? 420.0 : 460.0);
   Svg svg("deformed", kPictureWidth, top + high + 42.0);
-  std::vector<LegendEntry> entries;
-  entries.push_back({"deformed body 1", Stroke{colour::kBlue, 1.6, ""}, Mark::kNone, true, colour::kBody[0]});
-  if (scene.bodies.size() > 1)
-    entries.push_back({"deformed body 2", Stroke{"#8a5a00", 1.6, "7 2"}, Mark::kNone, true, colour::kBody[1]});
-  entries.push_back({"undeformed", Stroke{colour::kFaint, 1.0, "2 3"}, Mark::kNone, true, ""});
   draw_legend(&svg, {left, 4.0}, kPictureWidth - left - right, entries);
   const Box whole{left, top, left + wide, top + high};
   draw_view(svg, scene, make_view(whole, x, y, 14.0, scene.length_unit), magnification, false);
@@ -159,9 +160,9 @@ void draw_deformed(const Scene& scene, Pictures& out) {
                                            : make_view(part, near.x, near.y, 26.0, scene.length_unit);
     draw_view(svg, scene, view, near.magnification, true);
     draw_heading(svg, part,
-                 near.stretched == 0   ? "Contact zone, " + scale_text(near.magnification)
-                 : near.stretched == 1 ? "Contact zone, true, x stretched"
-                                       : "Contact zone, true, y stretched");
+                 near.stretched == 0   ? "Contact " + contact_zones(scene) + ", " + scale_text(near.magnification)
+                 : near.stretched == 1 ? "Contact " + contact_zones(scene) + ", true, x stretched"
+                                       : "Contact " + contact_zones(scene) + ", true, y stretched");
   }
   const Point at = scene.bodies[extent.body].ends.empty() ? Point{} : scene.bodies[extent.body].ends[extent.end];
   Picture picture{"deformed", "Deformed shape", "", ""};

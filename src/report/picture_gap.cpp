@@ -1,5 +1,6 @@
 #include "report/axes.hpp"
 #include "report/pictures.hpp"
+#include "report/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +76,9 @@ void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Picture
   draw_heading(svg, upper.frame, "Normal gap");
   draw_column(svg, zone, record.table, C2D_GAP, upper, Stroke{colour::kGreen, 2.0, ""});
   draw_axes(svg, lower);
-  draw_heading(svg, lower.frame, "Accumulated slip of body 2 against body 1, along t");
+  draw_heading(svg, lower.frame,
+               "Accumulated slip of " + body_label(scene, zone.body[1]) + " against " + body_label(scene, zone.body[0]) +
+                   ", along t");
   draw_column(svg, zone, record.table, C2D_SLIP_SUM, lower, Stroke{colour::kPurple, 2.0, "6 2"});
   const auto say_zero = [&](const Chart& chart, const Range& range) {
     if (range.low == 0.0 && range.high == 0.0)

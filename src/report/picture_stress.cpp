@@ -34,7 +34,7 @@ c2d_status sample(const Scene& scene, size_t b, const Chart& view, Grid& grid) {
   grid.y0 = view.y.low;
   grid.values.assign(grid.columns * grid.rows, 0.0);
   grid.known.assign(grid.values.size(), 0);
-  if (scene.rigid && b == 0) return C2D_OK; // has no stress
+  if (scene.bodies[b].rigid) return C2D_OK; // has no stress
   const std::vector<std::vector<Point>> outline = outline_of(scene.bodies[b], 0.0);
   std::vector<double> points;
   std::vector<size_t> where;
@@ -162,7 +162,7 @@ c2d_status draw_one(const Scene& scene, const std::string& name, const std::stri
   picture.caption = "von Mises' stress at " + place_at_end(scene);
   picture.caption += ": the largest value on the grid drawn is " + figure(peak.value, scene.stress_unit) + " at (" +
                      figure(peak.at.x) + ", " + figure(peak.at.y) + ")";
-  if (scene.bodies.size() > 1) picture.caption += " in body " + std::to_string(peak.body + 1);
+  if (scene.bodies.size() > 1) picture.caption += " in " + body_label(scene, static_cast<int64_t>(peak.body) + 1);
   picture.caption += ".";
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);

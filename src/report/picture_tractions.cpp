@@ -1,5 +1,6 @@
 #include "report/axes.hpp"
 #include "report/pictures.hpp"
+#include "report/text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -145,7 +146,7 @@ std::string caption(const Layers& l) {
            std::to_string(f.slipping) + (f.slipping == 1 ? " pair slips" : " pairs slip");
   else if (l.mu > 0.0)
     out += "; no pair sticks";
-  out += l.zone.measure == 2 ? ". tn and tt are per unit of length of body 2." : ".";
+  out += l.zone.free ? ". tn and tt are per unit of length of " + body_label(l.scene, l.zone.body[1]) + "." : ".";
   if (l.zone.has_images) out += " What lies beyond the line of symmetry is the image.";
   return out;
 }

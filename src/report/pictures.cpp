@@ -1,5 +1,7 @@
 #include "report/pictures.hpp"
 
+#include "report/text.hpp"
+
 namespace app {
 
 void draw_charts(const Scene& scene, size_t coefficients, void (*draw)(const Scene&, size_t, size_t, Pictures&),
@@ -13,8 +15,32 @@ void draw_charts(const Scene& scene, size_t coefficients, void (*draw)(const Sce
 
 std::string chart_title(const Scene& scene, double mu, size_t zone) {
   std::string out = "&#956; = " + figure(mu);
-  if (scene.zones.size() > 1) out += ", zone " + std::to_string(zone + 1);
+  const std::string label = zone_label(scene, zone);
+  if (scene.zones.size() > 1 || label.back() == ')') out += ", " + label;
+  if (scene.summary.names_bodies()) out += ": " + bodies_of(scene, scene.zones[zone]);
   return out;
+}
+
+std::string body_label(const Scene& scene, int64_t body) { return escape_xml(body_text(scene.summary, body)); }
+
+std::string zone_label(const Scene& scene, size_t zone) {
+  return escape_xml(zone_text(scene.summary, static_cast<int64_t>(zone) + 1));
+}
+
+std::string bodies_of(const Scene& scene, const ZoneScene& zone) {
+  return body_label(scene, zone.body[0]) + " on " + body_label(scene, zone.body[1]);
+}
+
+std::string contact_zones(const Scene& scene) {
+  return scene.summary.names_bodies() && scene.zones.size() > 1 ? "zones" : "zone";
+}
+
+const BodyStyle& style_of(size_t body) {
+  static const BodyStyle kStyles[] = {
+      {"#dce9f5", "#b9cbdc", colour::kBlue, ""},     {"#e6c88c", "#c2a263", "#8a5a00", "7 2"},
+      {"#f6f3ea", "#d6d0bc", "#444444", "12 3"},     {"#a4b494", "#85966f", "#33521f", "4 2"},
+      {"#e8d0dc", "#c8a9b9", "#7a2a5a", "10 2 3 2"}, {"#b4b8cc", "#9297b0", "#35357a", "14 2 2 2 2 2"}};
+  return kStyles[body % 6];
 }
 
 std::string chart_suffix(const Scene& scene, size_t coefficient, size_t zone) {
@@ -35,17 +61,18 @@ std::vector<LegendEntry> status_legend() {
 }
 
 std::string position_name(const Scene& scene, const ZoneScene& zone) {
-  if (!zone.symmetric_origin) return "distance s from pair " + std::to_string(zone.origin + 1) + ", along body 1";
+  const std::string along = ", along " + body_label(scene, zone.body[0]);
+  if (!zone.symmetric_origin) return "distance s from pair " + std::to_string(zone.origin + 1) + along;
   const Summary& s = scene.summary;
   std::string line;
   if (s.symmetry == 3) // which of the two
     line = scene.pairs[zone.origin].image_line == 1 ? " x = " + figure(s.symmetry_at[0]) : " y = " + figure(s.symmetry_at[1]);
-  return "distance s from the line of symmetry" + line + ", along body 1";
+  return "distance s from the line of symmetry" + line + along;
 }
 
 std::string traction_name(const ZoneScene& zone, const char* name) {
   const std::string text = name;
-  return zone.measure == 2 ? text.substr(text.rfind(' ') + 1) + " per length of body 2" : text;
+  return zone.free ? text.substr(text.rfind(' ') + 1) + " per length of body " + std::to_string(zone.body[1]) : text;
 }
 
 c2d_status draw_pictures(const Scene& scene, Pictures& out) {

@@ -21,7 +21,7 @@ constexpr double kPictureWidth = 760.0;
 // Coefficients of friction and zones that get charts of their own; the rest is left to the CSV.
 constexpr size_t kMostCharts = 16;
 
-// Both bodies, nodes, supports, loads, pairs; beside it the contact zone.
+// All bodies, nodes, supports, loads, pairs; beside it what is in contact.
 void draw_model(const Scene& scene, Pictures& out);
 // Pressure and friction along a zone with the Coulomb bounds, per coefficient and zone.
 void draw_tractions(const Scene& scene, Pictures& out);
@@ -31,7 +31,7 @@ void draw_status_map(const Scene& scene, Pictures& out);
 void draw_gap(const Scene& scene, Pictures& out);
 // The deformed shape over the undeformed one.
 void draw_deformed(const Scene& scene, Pictures& out);
-// Normal traction and stress along the boundary of a body without contact: hoop stress over arc length.
+// Stress along the boundaries of bodies without contact: hoop stress over arc length.
 void draw_boundary_stress(const Scene& scene, Pictures& out);
 // Changes of status, peak pressure and pairs in contact against the load.
 void draw_path(const Scene& scene, Pictures& out);
@@ -49,7 +49,7 @@ c2d_status draw_pictures(const Scene& scene, Pictures& out);
 void draw_charts(const Scene& scene, size_t coefficients,
                  void (*draw)(const Scene& scene, size_t coefficient, size_t zone, Pictures& out), Pictures& out);
 
-// "mu = 0.3" and, if there are several zones, ", zone 2".
+// "mu = 0.3" and, if there are several zones, ", zone 2"; with its bodies where these are named.
 std::string chart_title(const Scene& scene, double mu, size_t zone);
 // "_1" and "_1_2": coefficient and zone, numbers only if there are several.
 std::string chart_suffix(const Scene& scene, size_t coefficient, size_t zone);
@@ -60,5 +60,21 @@ std::vector<LegendEntry> status_legend();
 std::string position_name(const Scene& scene, const ZoneScene& zone);
 // "pressure tn"; in zones of meshes that do not match "tn per length of body 2".
 std::string traction_name(const ZoneScene& zone, const char* name);
+// "body 2 on body 3".
+std::string bodies_of(const Scene& scene, const ZoneScene& zone);
+// "body 2 (bolt)", "zone 1 (thread)", ready for markup; the zone from 0.
+std::string body_label(const Scene& scene, int64_t body);
+std::string zone_label(const Scene& scene, size_t zone);
+// "zone", with several zones of named bodies "zones".
+std::string contact_zones(const Scene& scene);
+
+// How a body is drawn: fills differ in lightness, edges in dash, too; every sixth body looks alike.
+struct BodyStyle {
+  const char* fill;
+  const char* hatch; // over the fill of a rigid body
+  const char* edge;
+  const char* dash;
+};
+const BodyStyle& style_of(size_t body);
 
 } // namespace app

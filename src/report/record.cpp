@@ -59,10 +59,12 @@ void keep_history(CoefficientRecord& c, const c2d_step& step, c2d_solver* solver
   now.work_by_case.assign(step.work_by_case, step.work_by_case + step.cases);
   c2d_zone_state zone = C2D_INIT(c2d_zone_state);
   for (int32_t i = 1; solver != nullptr && c2d_get_zone_state(solver, i, &zone) == C2D_OK; ++i) now.zones.push_back(zone);
+  c2d_body_state body = C2D_INIT(c2d_body_state);
+  for (int32_t b = 1; solver != nullptr && c2d_get_body_state(solver, b, &body) == C2D_OK; ++b) now.bodies.push_back(body);
   c.steps.push_back(now);
 }
 
-void explain(CoefficientRecord& c, const c2d_summary& summary, const std::string& said) {
+void explain(CoefficientRecord& c, const c2d_summary& summary, const Summary& model, const std::string& said) {
   c.why = c2d_outcome_message(c.outcome);
   if (!said.empty() && said != c.why) c.why += ": " + said;
   if (summary.breach != C2D_BREACH_NONE) c.why += std::string(": ") + breach_word(summary.breach);
@@ -71,7 +73,7 @@ void explain(CoefficientRecord& c, const c2d_summary& summary, const std::string
   c.pair = summary.outcome_pair;
   const double* motion = summary.free_motion;
   if (c.body > 0 && (motion[0] != 0.0 || motion[1] != 0.0 || motion[2] != 0.0)) {
-    c.why += "; body " + std::to_string(c.body) + " can move by (";
+    c.why += "; " + body_text(model, c.body) + " can move by (";
     append_general(c.why, motion[0], 0);
     c.why += ", ";
     append_general(c.why, motion[1], 0);
@@ -79,7 +81,7 @@ void explain(CoefficientRecord& c, const c2d_summary& summary, const std::string
     append_general(c.why, motion[2], 0);
     c.why += " about the origin";
   } else if (c.body > 0) {
-    c.why += "; body " + std::to_string(c.body) + " can move";
+    c.why += "; " + body_text(model, c.body) + " can move";
   }
   if (c.pair > 0) c.why += "; last pair " + std::to_string(c.pair);
 }
@@ -97,7 +99,7 @@ c2d_status get_ends(c2d_solver* solver, const Summary& summary, int32_t body, co
 
 namespace {
 
-// Pairs of a free zone by their places on body 1.
+// Pairs of a free zone by their places on side 1.
 c2d_status add_places(c2d_solver* solver, const Summary& summary, int32_t zone, std::vector<ContactEnd>& ends) {
   const int32_t fields[5] = {C2D_PAIR_ZONE, C2D_PAIR_ELEMENT1, C2D_PAIR_ETA1, C2D_X, C2D_Y};
   std::vector<double> v[5];
@@ -108,7 +110,33 @@ c2d_status add_places(c2d_solver* solver, const Summary& summary, int32_t zone, 
   }
   for (size_t p = 0; p < v[0].size(); ++p)
     if (static_cast<int32_t>(v[0][p]) == zone)
-      ends.push_back({static_cast<int32_t>(v[1][p]), 0, static_cast<int32_t>(p) + 1, v[3][p], v[4][p], v[2][p]});
+      ends.push_back({zone, static_cast<int32_t>(v[1][p]), 0, static_cast<int32_t>(p) + 1, 1, v[3][p], v[4][p], v[2][p]});
+  return C2D_OK;
+}
+
+// The pair at a node of a body and the side on which the body is; pair 0: none.
+struct NodePair {
+  int32_t pair = 0, side = 0;
+};
+
+// For every functional node of a body, from 1.
+c2d_status find_pairs(c2d_solver* solver, const Summary& summary, int32_t body, std::vector<NodePair>& out) {
+  const int32_t fields[3] = {C2D_PAIR_NODE1, C2D_PAIR_NODE2, C2D_PAIR_ZONE};
+  std::vector<double> v[3];
+  for (int f = 0; f < 3; ++f) {
+    v[f].resize(static_cast<size_t>(summary.pairs));
+    const c2d_status status = c2d_get(solver, fields[f], 1, 1, summary.pairs, v[f].data(), 1);
+    if (status != C2D_OK) return status;
+  }
+  out.assign(static_cast<size_t>(summary.body[body - 1].nodes) + 1, NodePair{});
+  for (size_t p = 0; p < v[2].size(); ++p) {
+    const c2d_zone& zone = summary.zone[static_cast<size_t>(v[2][p]) - 1];
+    const int32_t bodies[2] = {zone.side1.body, zone.side2.body};
+    for (int32_t side = 1; side <= 2; ++side) {
+      const size_t node = static_cast<size_t>(v[side - 1][p]); // 0: a point between nodes
+      if (bodies[side - 1] == body && node > 0 && node < out.size()) out[node] = {static_cast<int32_t>(p) + 1, side};
+    }
+  }
   return C2D_OK;
 }
 
@@ -117,24 +145,17 @@ c2d_status add_places(c2d_solver* solver, const Summary& summary, int32_t zone, 
 c2d_status find_contact_ends(c2d_solver* solver, const Summary& summary, int32_t body, std::vector<ContactEnd>& ends) {
   ends.clear();
   if (summary.pairs == 0) return C2D_OK;
-  std::vector<double> pair_nodes(static_cast<size_t>(summary.pairs));
-  c2d_status status = c2d_get(solver, body == 1 ? C2D_PAIR_NODE1 : C2D_PAIR_NODE2, 1, 1, summary.pairs, pair_nodes.data(), 1);
+  std::vector<NodePair> at;
+  c2d_status status = find_pairs(solver, summary, body, at);
   if (status != C2D_OK) return status;
-  std::vector<int32_t> pair_of_node(static_cast<size_t>(summary.body[body - 1].nodes) + 1, 0);
-  for (size_t p = 0; p < pair_nodes.size(); ++p) {
-    const size_t node = static_cast<size_t>(pair_nodes[p]);
-    if (node < pair_of_node.size()) pair_of_node[node] = static_cast<int32_t>(p) + 1;
-  }
-
   const int32_t fields[] = {C2D_END_NODE, C2D_END_X, C2D_END_Y};
   std::vector<std::vector<double>> values;
   status = get_ends(solver, summary, body, fields, 3, values);
   if (status != C2D_OK) return status;
   for (int32_t z = 1; z <= summary.zones; ++z) {
-    c2d_zone zone = C2D_INIT(c2d_zone);
-    status = c2d_get_zone(solver, z, &zone);
-    if (status != C2D_OK) return status;
-    const c2d_side& side = body == 1 ? zone.side1 : zone.side2;
+    const c2d_zone& zone = summary.zone[static_cast<size_t>(z) - 1];
+    if (zone.side1.body != body && zone.side2.body != body) continue;
+    const c2d_side& side = zone.side1.body == body ? zone.side1 : zone.side2;
     if (side.first_node == 0) {
       status = add_places(solver, summary, z, ends);
       if (status != C2D_OK) return status;
@@ -146,8 +167,8 @@ c2d_status find_contact_ends(c2d_solver* solver, const Summary& summary, int32_t
       for (int32_t local = 1; local <= summary.function_nodes; ++local) {
         const size_t i = static_cast<size_t>((e - 1) * summary.function_nodes + local - 1);
         const size_t node = i < values[0].size() ? static_cast<size_t>(values[0][i]) : 0;
-        if (node < pair_of_node.size() && pair_of_node[node] != 0)
-          ends.push_back({e, local, pair_of_node[node], values[1][i], values[2][i], 0.0});
+        if (node < at.size() && at[node].pair != 0)
+          ends.push_back({z, e, local, at[node].pair, at[node].side, values[1][i], values[2][i], 0.0});
       }
   }
   return C2D_OK;

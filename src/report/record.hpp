@@ -19,6 +19,7 @@ struct StepRecord {
   double work = 0.0, dissipated = 0.0, elastic = 0.0, defect = 0.0;
   std::vector<double> loads, work_by_case;
   std::vector<c2d_zone_state> zones;
+  std::vector<c2d_body_state> bodies;
 };
 
 // How far one coefficient of friction came, with the pairs' table at its last valid state.
@@ -60,16 +61,16 @@ void keep_history(CoefficientRecord& coefficient, const c2d_step& step, c2d_solv
 
 // Why a path ended, in a line: the outcome, the body and its motion, the last pair; `said` is what the
 // library said of it, may be empty. Sets the record's why, body and pair.
-void explain(CoefficientRecord& coefficient, const c2d_summary& summary, const std::string& said);
+void explain(CoefficientRecord& coefficient, const c2d_summary& now, const Summary& model, const std::string& said);
 
-// An end of a contact element and the pair (from 1) that its node belongs to; on body 1 of a zone between
-// meshes that do not match local is 0, and eta the pair's place on the element.
+// An end of a contact element of a zone, and the pair (from 1) and its side (1 or 2) that its node belongs to;
+// on side 1 of a zone between meshes that do not match local is 0, and eta the pair's place on the element.
 struct ContactEnd {
-  int32_t element, local, pair;
+  int32_t zone, element, local, pair, side;
   double x, y, eta;
 };
-// The ends of all contact elements at listed pairs, of one body, in the order of the zones. Returns the
-// status of the first query that failed.
+// The ends of all contact elements at listed pairs, of one body, in the order of the zones that it is part of.
+// Returns the status of the first query that failed.
 c2d_status find_contact_ends(c2d_solver* solver, const Summary& summary, int32_t body, std::vector<ContactEnd>& ends);
 
 // `fields` of all element ends of a body, one vector per field.

@@ -33,11 +33,12 @@ struct BodyScene {
   std::vector<int32_t> nodes, status;              // per element end
   std::vector<EndCondition> conditions;            // per element end
   std::vector<bool> on_line; // per element: it lies on a line of symmetry, is no boundary and has no results
+  bool rigid = false;        // an obstacle
 };
 struct PairScene {
   int32_t zone;   // from 1
-  Point on[2];    // the nodes of body 1 and body 2
-  double s;       // along body 1, see ZoneScene
+  Point on[2];    // its places on both sides
+  double s;       // along side 1, see ZoneScene
   bool symmetric; // a displacement of its node is prescribed: a line of symmetry
   int image_line; // 1 or 2: it lies on the line x = ... or y = ... of symmetry by images, 0: on none
 };
@@ -52,7 +53,8 @@ struct ZoneScene {
   bool symmetric_origin = false;
   bool has_images = false;
   std::vector<ZoneSample> samples; // in the order of s; a zone that ends on a line of images goes on beyond it
-  int32_t measure = 1;             // the body per whose length tn and tt are
+  int32_t body[2] = {1, 2};        // of its sides
+  bool free = false;               // joins meshes that do not match: tn and tt are per length of side 2
 };
 
 // What a load case does beside the conditions of element ends.
@@ -69,6 +71,7 @@ struct BodyForce {
   Point axis;
 };
 struct RigidMotion {
+  int32_t body;
   size_t load_case;
   Point by;
   double rotation;
@@ -94,8 +97,7 @@ struct Scene {
   size_t cases = 1;
   std::vector<PointLoad> point_loads;
   std::vector<BodyForce> body_forces;
-  bool rigid = false;                                          // body 1 is an obstacle
-  std::vector<RigidMotion> motions;                            // of it, other than none
+  std::vector<RigidMotion> motions;                            // of rigid bodies, other than none
   size_t interference = 0;                                     // the load case, from 1, that closes overlaps; 0: none
   std::vector<Image> images;                                   // the model first
   std::vector<Image> zone_images;                              // those of them that make one zone of a part and its image

@@ -26,14 +26,17 @@ c2d_status gather_body_forces(Scene& scene, int32_t load_case) {
   return C2D_OK;
 }
 
-c2d_status gather_motion(Scene& scene, int32_t load_case) {
-  int32_t is_rigid = 0;
-  double motion[3], axis[2];
-  const c2d_status status = c2d_get_rigid(scene.solver, 1, load_case, &is_rigid, motion, axis);
-  if (status != C2D_OK) return status;
-  scene.rigid = is_rigid != 0;
-  if (motion[0] != 0.0 || motion[1] != 0.0 || motion[2] != 0.0)
-    scene.motions.push_back({static_cast<size_t>(load_case) - 1, {motion[0], motion[1]}, motion[2], {axis[0], axis[1]}});
+c2d_status gather_motions(Scene& scene, int32_t load_case) {
+  for (int32_t body = 1; body <= scene.summary.bodies; ++body) {
+    int32_t is_rigid = 0;
+    double motion[3], axis[2];
+    const c2d_status status = c2d_get_rigid(scene.solver, body, load_case, &is_rigid, motion, axis);
+    if (status != C2D_OK) return status;
+    scene.bodies[static_cast<size_t>(body) - 1].rigid = is_rigid != 0;
+    if (motion[0] != 0.0 || motion[1] != 0.0 || motion[2] != 0.0)
+      scene.motions.push_back(
+          {body, static_cast<size_t>(load_case) - 1, {motion[0], motion[1]}, motion[2], {axis[0], axis[1]}});
+  }
   return C2D_OK;
 }
 
@@ -59,7 +62,7 @@ c2d_status gather_loads(Scene& scene) {
   c2d_status status = gather_point_loads(scene);
   for (int32_t k = 1; status == C2D_OK && k <= scene.summary.load_cases; ++k) {
     status = gather_body_forces(scene, k);
-    if (status == C2D_OK) status = gather_motion(scene, k);
+    if (status == C2D_OK) status = gather_motions(scene, k);
   }
   int32_t closing = 0;
   if (status == C2D_OK) status = c2d_get_interference(scene.solver, &closing);

@@ -29,7 +29,7 @@ void make_samples(const Scene& scene, ZoneScene& zone) {
                    [](const ZoneSample& a, const ZoneSample& b) { return a.s < b.s; });
 }
 
-// s along body 1, chord by chord, from the zone's origin; towards larger x, in a steep zone towards larger y.
+// s along side 1, chord by chord, from the zone's origin; towards larger x, in a steep zone towards larger y.
 void measure(Scene& scene, ZoneScene& zone) {
   if (zone.pairs == 0) return;
   PairScene* p = scene.pairs.data() + zone.first;
@@ -81,19 +81,24 @@ c2d_status gather_zones(Scene& scene) {
   PairFields fields;
   const c2d_status status = get_pairs(scene, fields);
   if (status != C2D_OK) return status;
-  scene.zones.resize(static_cast<size_t>(scene.summary.zones));
+  for (const c2d_zone& zone : scene.summary.zone) {
+    ZoneScene out;
+    out.body[0] = zone.side1.body, out.body[1] = zone.side2.body;
+    out.free = (zone.kind & C2D_ZONE_FREE) != 0;
+    scene.zones.push_back(out);
+  }
   for (size_t p = 0; p < fields.zone.size(); ++p) {
     PairScene pair{static_cast<int32_t>(fields.zone[p]), {}, 0.0, false, 0};
-    for (size_t b = 0; b < 2; ++b)
-      pair.on[b] = place_of_node(scene.bodies[b], static_cast<size_t>(fields.node[b][p]), pair.symmetric);
+    const size_t z = static_cast<size_t>(pair.zone) - 1;
+    for (size_t side = 0; side < 2; ++side) {
+      const BodyScene& body = scene.bodies[static_cast<size_t>(scene.zones[z].body[side]) - 1];
+      pair.on[side] = place_of_node(body, static_cast<size_t>(fields.node[side][p]), pair.symmetric);
+    }
     pair.on[0] = {fields.x[p], fields.y[p]}; // in free zones no node lies there
     pair.image_line = image_line_at(scene.summary, pair.on[0]);
     pair.symmetric = pair.symmetric || pair.image_line != 0;
     scene.pairs.push_back(pair);
-    const size_t z = static_cast<size_t>(pair.zone) - 1;
-    if (z >= scene.zones.size()) continue;
     if (scene.zones[z].pairs++ == 0) scene.zones[z].first = p;
-    if (z < scene.record->measure.size()) scene.zones[z].measure = scene.record->measure[z];
   }
   for (ZoneScene& z : scene.zones) measure(scene, z);
   return C2D_OK;

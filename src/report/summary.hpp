@@ -1,8 +1,9 @@
-// The library's summary, and what it tells of each body.
+// The library's summary, and what it tells of each body and zone.
 #pragma once
 
 #include <contact2d.h>
 
+#include <string>
 #include <vector>
 
 namespace app {
@@ -20,6 +21,11 @@ private:
 struct Summary : c2d_summary {
   Summary() : c2d_summary(C2D_INIT(c2d_summary)) {}
   Bodies body;
+  std::vector<c2d_zone> zone;                    // from 0; empty as long as there is no complete model
+  std::vector<std::string> body_name, zone_name; // from 0; empty: none
+  // Has a zone other bodies than body 1 on side 1 and body 2 on side 2, or may it have, or has anything a name? Then they are
+  // told.
+  bool names_bodies() const;
 };
 c2d_status get_summary(c2d_solver* solver, Summary& out);
 

@@ -1,5 +1,7 @@
 #include "report/svg.hpp"
 
+#include "report/text.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -141,8 +143,9 @@ void append_curves(std::string& out, const std::vector<std::vector<Point>>& curv
 
 std::string escape_xml(const std::string& text) {
   std::string out;
-  for (const char c : text) {
-    const unsigned char byte = static_cast<unsigned char>(c);
+  for (size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    const size_t bytes = character_at(text, i);
     if (c == '&')
       out += "&amp;";
     else if (c == '<')
@@ -151,18 +154,24 @@ std::string escape_xml(const std::string& text) {
       out += "&gt;";
     else if (c == '"')
       out += "&quot;";
-    else if (byte < 0x20 || byte >= 0x7f)
+    else if (bytes == 0)
       out += '?';
     else
-      out += c;
+      out.append(text, i, bytes);
+    i += bytes > 1 ? bytes - 1 : 0;
   }
   return out;
 }
 
 double text_width(const std::string& text, double size) {
   size_t characters = 0;
-  for (size_t i = 0; i < text.size(); ++i, ++characters)
+  for (size_t i = 0; i < text.size(); ++i, ++characters) {
+    const unsigned char byte = static_cast<unsigned char>(text[i]);
     if (text[i] == '&') i = std::min(text.find(';', i), text.size());
+    const size_t bytes = character_at(text, i);
+    if (bytes > 1) i += bytes - 1;
+    if (byte >= 0xe3) ++characters; // of scripts whose letters are wide
+  }
   return 0.6 * size * static_cast<double>(characters);
 }
 

@@ -1,5 +1,6 @@
 #include "report/text.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
@@ -165,6 +166,7 @@ const char* status_word(int32_t status) {
   case C2D_OPEN: return "open";
   case C2D_STICK: return "stick";
   case C2D_SLIP: return "slip";
+  case C2D_TIED: return "tied";
   default: return "none";
   }
 }
@@ -204,6 +206,46 @@ const char* tape_word(int32_t tape) {
   case C2D_TAPE_CONTACT: return "contact";
   default: return "unknown";
   }
+}
+
+namespace {
+
+std::string with_name(const char* what, int64_t number, const std::vector<std::string>& names) {
+  const std::string text = what + std::to_string(number);
+  const bool named = number >= 1 && number <= static_cast<int64_t>(names.size());
+  const std::string name = named ? names[static_cast<size_t>(number) - 1] : "";
+  return name.empty() ? text : text + " (" + name + ")";
+}
+
+} // namespace
+
+std::string body_text(const Summary& s, int64_t body) { return with_name("body ", body, s.body_name); }
+
+std::string zone_text(const Summary& s, int64_t zone) { return with_name("zone ", zone, s.zone_name); }
+
+std::string bodies_text(const Summary& s, const c2d_zone& zone) {
+  return body_text(s, zone.side1.body) + " on " + body_text(s, zone.side2.body);
+}
+
+size_t character_at(const std::string& text, size_t i) {
+  const auto byte = [&](size_t k) { return k < text.size() ? static_cast<unsigned char>(text[k]) : 0u; };
+  const unsigned first = byte(i);
+  if (first < 0x80) return first >= 0x20 && first != 0x7f ? 1 : 0;
+  const size_t bytes = first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf5 ? 4 : 0;
+  unsigned code = first & (0x7fu >> bytes);
+  for (size_t k = 1; k < bytes; ++k) {
+    if ((byte(i + k) & 0xc0) != 0x80) return 0;
+    code = code << 6 | (byte(i + k) & 0x3f);
+  }
+  const unsigned least[] = {0, 0, 0xa0, 0x800, 0x10000};
+  const bool shown = code >= least[bytes] && code <= 0x10ffff && (code < 0xd800 || code > 0xdfff) && (code | 1) != 0xffff;
+  return shown ? bytes : 0;
+}
+
+size_t characters_in(const std::string& text) {
+  size_t count = 0;
+  for (size_t i = 0; i < text.size(); i += std::max<size_t>(character_at(text, i), 1)) ++count;
+  return count;
 }
 
 std::string symmetry_text(const Summary& s) {

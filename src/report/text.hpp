@@ -25,6 +25,14 @@ const char* status_word(int32_t status);
 const char* outcome_word(int32_t outcome);
 const char* breach_word(int32_t breach);
 const char* tape_word(int32_t tape);
+// "body 2" or, if it has a name, "body 2 (bolt)"; "zone 1 (thread)"; "body 2 on body 3": the bodies of a zone, that of side 1
+// first. Names are UTF-8.
+std::string body_text(const Summary& summary, int64_t body);
+std::string zone_text(const Summary& summary, int64_t zone);
+std::string bodies_text(const Summary& summary, const c2d_zone& zone);
+// Bytes of the character of UTF-8 that begins there; 0: none that can be shown does. How many characters a text has.
+size_t character_at(const std::string& text, size_t i);
+size_t characters_in(const std::string& text);
 // "x = 0", "x = 0, y = 1": the lines of symmetry by images; "none".
 std::string symmetry_text(const Summary& summary);
 

@@ -19,7 +19,7 @@ public:
 
 private:
   struct State {
-    int status, side; // side: of the friction on body 2, -1 or +1
+    int status, side; // side: of the friction on side 2, -1 or +1
   };
   std::vector<State> before_;
   int32_t coefficient_ = 0;

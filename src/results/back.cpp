@@ -18,30 +18,33 @@ namespace {
 // What multiplies the trailing columns [H_c | G_c | r]: -u_c, t_c = +-tau, lambda.
 void trailing_coefficients(const Session& session, int b, Real* out) {
   const Follower& f = session.follower;
-  const int32_t m = session.model.head->contact;
-  const double side = b == 1 ? 1.0 : -1.0;
-  for (int32_t i = 0; i < session.model.head->pairs; ++i) {
-    const Pair& pair = session.model.pair[i];
-    const PairState now = pair_state(*f.t, i, f.y);
-    const double tau[2] = {now.p, now.q};
-    for (int32_t d = 0; d <= pair.tangential; ++d) {
-      out[pair.dof + d] = -session.area.u[b][pair.dof + d];
-      out[m + pair.dof + d] = static_cast<Real>(side * tau[d]);
+  const Model& m = session.model;
+  const int32_t own = m.body[b].contact;
+  for (int32_t i = 0; i < m.head->pairs; ++i)
+    for (int side = 0; side < 2; ++side) {
+      const Pair& pair = m.pair[i];
+      if (body_on(m, pair, side) != b) continue;
+      const PairState now = pair_state(*f.t, i, f.y);
+      const double tau[2] = {now.p, now.q};
+      for (int32_t d = 0; d <= pair.tangential; ++d) {
+        const int32_t j = dof_on(m, pair, side) + d;
+        out[j] = -session.area.u[side][pair.dof + d];
+        out[own + j] = static_cast<Real>(sign_of_side(side) * tau[d]);
+      }
     }
-  }
-  for (int32_t k = 0; k < session.model.head->load_cases; ++k) out[2 * m + k] = static_cast<Real>(f.load[k]);
+  for (int32_t k = 0; k < m.head->load_cases; ++k) out[2 * own + k] = static_cast<Real>(f.load[k]);
 }
 
 double prescribed_displacement(const Session& session, int b, int32_t node, int c) {
   double sum = 0.0;
-  const int64_t nodes = session.model.head->body[b].nodes;
+  const int64_t nodes = session.model.body[b].nodes;
   for (int32_t k = 0; k < session.model.head->load_cases; ++k)
     sum += session.follower.load[k] * session.model.node_disp[b][(k * nodes + node) * 2 + c];
   return sum;
 }
 double prescribed_traction(const Session& session, int b, int32_t end, int c) {
   double sum = 0.0;
-  const int64_t ends = static_cast<int64_t>(session.model.head->body[b].elements) * session.model.head->function_nodes;
+  const int64_t ends = static_cast<int64_t>(session.model.body[b].elements) * session.model.head->function_nodes;
   for (int32_t k = 0; k < session.model.head->load_cases; ++k)
     sum += session.follower.load[k] * session.model.end_traction[b][(k * ends + end) * 2 + c];
   return sum;
@@ -49,13 +52,13 @@ double prescribed_traction(const Session& session, int b, int32_t end, int c) {
 
 void fill_displacements(const Session& session, int b) {
   const Model& m = session.model;
-  for (int32_t node = 0; node < m.head->body[b].nodes; ++node) {
+  for (int32_t node = 0; node < m.body[b].nodes; ++node) {
     double u[2];
-    const int32_t index = pair_of_node(m, b, node);
+    const PairSide at = pair_of_node(m, b, node);
     double contact[2] = {0.0, 0.0};
-    if (index >= 0) {
-      const Pair& pair = m.pair[index];
-      const Real* uc = session.area.u[b] + pair.dof;
+    if (at.pair >= 0) {
+      const Pair& pair = m.pair[at.pair];
+      const Real* uc = session.area.u[at.side] + pair.dof;
       to_global(pair, uc[0] * m.head->length_unit, pair.tangential ? uc[1] * m.head->length_unit : 0.0, contact);
     }
     Unknown unknown[2];
@@ -74,26 +77,37 @@ void fill_displacements(const Session& session, int b) {
 
 } // namespace
 
+namespace {
+
+Real* displacement_of(const Session& session, int b, int32_t node) {
+  return session.area.displacement + 2 * (session.model.body[b].first_node + node);
+}
+Real* traction_of(const Session& session, int b, int32_t end) {
+  return session.area.traction + 2 * (session.model.body[b].first_end + end);
+}
+
+} // namespace
+
 void get_displacement(const Session& session, int b, int32_t node, double u[2]) {
-  const Real* kept = session.area.displacement[b] + 2 * static_cast<ptrdiff_t>(node);
+  const Real* kept = displacement_of(session, b, node);
   for (int c = 0; c < 2; ++c) u[c] = kept[c] * session.model.head->length_unit;
 }
 void get_traction(const Session& session, int b, int32_t end, double t[2]) {
-  const Real* kept = session.area.traction[b] + 2 * static_cast<ptrdiff_t>(end);
+  const Real* kept = traction_of(session, b, end);
   for (int c = 0; c < 2; ++c) t[c] = kept[c] * session.model.head->stress_unit;
 }
 void keep_displacement(const Session& session, int b, int32_t node, const double u[2]) {
-  Real* kept = session.area.displacement[b] + 2 * static_cast<ptrdiff_t>(node);
+  Real* kept = displacement_of(session, b, node);
   for (int c = 0; c < 2; ++c) kept[c] = static_cast<Real>(u[c] / session.model.head->length_unit);
 }
 void keep_traction(const Session& session, int b, int32_t end, const double t[2]) {
-  Real* kept = session.area.traction[b] + 2 * static_cast<ptrdiff_t>(end);
+  Real* kept = traction_of(session, b, end);
   for (int c = 0; c < 2; ++c) kept[c] = static_cast<Real>(t[c] / session.model.head->stress_unit);
 }
 
 void transferred_traction(const Session& session, int b, int32_t element, int l, double out[2]) {
   out[0] = out[1] = 0.0;
-  if (b == 0 && session.model.head->free_rows > 0) kFreeZonePart.add_transferred_traction(session, element, l, out);
+  if (session.model.body[b].free_rows > 0) kFreeZonePart.add_transferred_traction(session, b, element, l, out);
 }
 
 namespace {
@@ -102,12 +116,12 @@ void fill_end_traction(const Session& session, int b, int32_t element, int l) {
   const Model& m = session.model;
   const int32_t end = element * m.head->function_nodes + l, node = functional_node(m, b, element, l);
   double t[2];
-  const int32_t index = pair_of_end(m, b, element, l);
+  const PairSide at = pair_of_end(m, b, element, l);
   double contact[2] = {0.0, 0.0};
-  if (index >= 0) {
-    const PairState now = pair_state(*session.follower.t, index, session.follower.y);
-    const double scale = (b == 1 ? 1.0 : -1.0) * m.head->stress_unit * traction_ratio(m, b, element, l);
-    to_global(m.pair[index], now.p * scale, now.q * scale, contact);
+  if (at.pair >= 0) {
+    const PairState now = pair_state(*session.follower.t, at.pair, session.follower.y);
+    const double scale = sign_of_side(at.side) * m.head->stress_unit * traction_ratio(m, b, element, l);
+    to_global(m.pair[at.pair], now.p * scale, now.q * scale, contact);
   }
   Unknown both[2];
   unknowns_at(m, b, node, both);
@@ -115,7 +129,7 @@ void fill_end_traction(const Session& session, int b, int32_t element, int l) {
     const Unknown& unknown = both[c];
     const bool here = unknown.end[0] == end || (unknown.kind == UnknownKind::shared_traction && unknown.end[1] == end);
     const bool solved = unknown.kind == UnknownKind::traction || unknown.kind == UnknownKind::shared_traction;
-    if (index >= 0 && unknown.kind == UnknownKind::contact)
+    if (at.pair >= 0 && unknown.kind == UnknownKind::contact)
       t[c] = contact[c];
     else if (solved && here)
       t[c] = session.area.outer[outer_column(m, b, node, c)] * 2.0 * shear_modulus(m, b);
@@ -131,16 +145,17 @@ void fill_end_traction(const Session& session, int b, int32_t element, int l) {
 c2d_status back_substitute_body(Session& session, int b) {
   const Model& m = session.model;
   if (is_rigid(m, b)) {
-    kRigidPart.fill_rigid(session);
+    kRigidPart.fill_rigid(session, b);
     return C2D_OK;
   }
   trailing_coefficients(session, b, session.area.coefficient);
-  const c2d_status status = back_substitute(session.solver->plan[b], session.solver->tapes, session.area.coefficient,
-                                            session.area.outer, session.area.work);
+  c2d_solver* s = session.solver;
+  const c2d_status status =
+      back_substitute(plan_of(s, b), s->tapes, session.area.coefficient, session.area.outer, session.area.work);
   if (status != C2D_OK) return status;
-  for (int i = 0; i < 3; ++i) session.solver->multiplier[b][i] = session.area.outer[m.head->body[b].columns + i];
+  for (int i = 0; i < 3; ++i) results_of(s, b).multiplier[i] = session.area.outer[m.body[b].columns + i];
   fill_displacements(session, b);
-  for (int32_t element = 0; element < m.head->body[b].elements; ++element)
+  for (int32_t element = 0; element < m.body[b].elements; ++element)
     for (int l = 0; l < m.head->function_nodes; ++l) fill_end_traction(session, b, element, l);
   return C2D_OK;
 }

@@ -1,4 +1,4 @@
-// Resultants of what acts on both bodies, and their balance. Optional (memory/parts.hpp).
+// Resultants of what acts on the bodies, and their balance. Optional (memory/parts.hpp).
 #include <math.h>
 
 #include "bie/body_force.hpp"
@@ -6,40 +6,30 @@
 #include "memory/parts.hpp"
 #include "results/back.hpp"
 #include "results/balance.hpp"
+#include "results/body_state.hpp"
 #include "results/transferred.hpp"
 #include "solver/load_path.hpp"
 #include "solver/support.hpp"
 
 namespace c2d {
 
-C2D_USES(FreeZonePart);
 C2D_USES(BodyForcePart);
 
 namespace {
 
-// The contact's share of an element, from tau itself in its own measure.
-void add_contact_end(const Session& session, int b, int32_t index, const EndResultant& w, double out[3]) {
-  const ModelHeader& head = *session.model.head;
-  const PairState now = pair_state(*session.follower.t, index, session.follower.y);
-  const double scale = (b == 1 ? 1.0 : -1.0) * head.stress_unit * head.length_unit;
-  double t[2];
-  to_global(session.model.pair[index], now.p * scale, now.q * scale, t);
-  add_force(out, w.w * t[0], w.w * t[1], head.length_unit * (w.wx * t[1] - w.wy * t[0]));
-}
-
 void sum_forces(Session& session, int b) {
   const Model& m = session.model;
   const double unit = m.head->length_unit;
-  double *applied = session.solver->applied[b], *contact = session.solver->contact_force[b];
-  for (int i = 0; i < 3; ++i) applied[i] = contact[i] = 0.0;
-  for (int32_t element = 0; element < m.head->body[b].elements; ++element) {
+  BodyResults& results = results_of(session.solver, b);
+  double *applied = results.applied, *contact = results.contact_force;
+  for (int i = 0; i < 3; ++i) applied[i] = 0.0;
+  contact_resultant(session, b, contact);
+  for (int32_t element = 0; element < m.body[b].elements; ++element) {
     if (!is_integrated(m, b, element)) continue;
-    EndResultant own[kElementNodes], shared[kElementNodes];
+    EndResultant own[kElementNodes];
     end_resultants(m, b, element, Measure::own_length, own);
-    end_resultants(m, b, element, Measure::contact, shared);
     for (int l = 0; l < m.head->function_nodes; ++l) {
-      const int32_t index = pair_of_end(m, b, element, l);
-      if (index >= 0) add_contact_end(session, b, index, shared[l], contact);
+      const PairSide at = pair_of_end(m, b, element, l);
       const int32_t end = element * m.head->function_nodes + l, node = functional_node(m, b, element, l);
       double total[2], t[2];
       get_traction(session, b, end, total);
@@ -47,13 +37,12 @@ void sum_forces(Session& session, int b) {
       for (int c = 0; c < 2; ++c) t[c] = total[c] - t[c];
       const EndResultant& w = own[l];
       for (int c = 0; c < 2; ++c) {
-        if (index >= 0 && (is_rigid(m, b) || unknown_at(m, b, node, c).kind == UnknownKind::contact)) continue;
+        if (at.pair >= 0 && (is_rigid(m, b) || unknown_at(m, b, node, c).kind == UnknownKind::contact)) continue;
         add_force(applied, c == 0 ? unit * w.w * t[0] : 0.0, c == 1 ? unit * w.w * t[1] : 0.0,
                   unit * unit * (c == 1 ? w.wx * t[1] : -w.wy * t[0]));
       }
     }
   }
-  if (b == 0 && m.head->free_rows > 0) kFreeZonePart.add_transferred_force(session, contact);
   for (int32_t i = 0; i < m.head->point_loads; ++i) {
     const PointLoad& p = m.point_load[i];
     if (p.body != b) continue;
@@ -67,7 +56,14 @@ void sum_forces(Session& session, int b) {
     add_force(applied, f * force[0], f * force[1], f * force[2]);
   }
   if (!is_rigid(m, b)) return;
-  for (int i = 0; i < 3; ++i) applied[i] = -contact[i]; // what holds it
+  for (int i = 0; i < 3; ++i) applied[i] = -contact[i]; // what holds it, but where it is free
+  const Body& body = m.body[b];
+  double load[3] = {0.0, 0.0, 0.0}; // moment about its point
+  for (int32_t k = 0; k < m.head->load_cases; ++k)
+    for (int i = 0; i < 3; ++i) load[i] += session.follower.load[k] * m.rigid_motion[b][k].load[i];
+  for (int i = 0; i < 2; ++i)
+    if ((body.free_rigidly >> i & 1) != 0) applied[i] = load[i];
+  if ((body.free_rigidly & 4) != 0) applied[2] = load[2] + body.centre[0] * applied[1] - body.centre[1] * applied[0];
 }
 
 // Part of a force along the translations that the body is free to follow; all of it if it is held.
@@ -89,24 +85,58 @@ void free_part(const Body& body, int32_t symmetry, const double force[3], double
   }
 }
 
-} // namespace
+struct Balance {
+  double applied, contact, error; // error: of the larger of both
+};
 
-void balance_forces(Session& session) {
+Balance balance_of(const Session& session, int b) {
   c2d_solver* s = session.solver;
-  for (int b = 0; b < s->model.bodies; ++b) sum_forces(session, b);
-  const int b = s->model.contact > 0 ? 1 - s->inverted : 0;
+  const Body& body = session.model.body[b];
+  const BodyResults& results = results_of(s, b);
   double applied[2], contact[2];
-  free_part(s->model.body[b], s->model.symmetry, s->applied[b], applied);
-  free_part(s->model.body[b], s->model.symmetry, s->contact_force[b], contact);
-  s->force_applied = hypot(applied[0], applied[1]);
-  s->force_contact = hypot(contact[0], contact[1]);
+  free_part(body, s->model.symmetry, results.applied, applied);
+  free_part(body, s->model.symmetry, results.contact_force, contact);
+  Balance out{hypot(applied[0], applied[1]), hypot(contact[0], contact[1]), 0.0};
   const double rest = hypot(applied[0] + contact[0], applied[1] + contact[1]);
-  const double size = s->force_applied > s->force_contact ? s->force_applied : s->force_contact;
-  // Where nothing is loaded there is only the round-off of what was.
+  const double size = out.applied > out.contact ? out.applied : out.contact;
   // Nothing is loaded: what there is of forces is the round-off of those before, or of displacements.
   const double round_off = 1e-12 * path_scales(session.follower).w * s->model.stress_unit * s->model.length_unit;
   const bool loaded = size > kNoPressure * s->peak_force && size > round_off;
-  s->force_error = s->model.contact > 0 && loaded ? rest / size : 0.0;
+  out.error = s->model.contact > 0 && loaded ? rest / size : 0.0;
+  return out;
+}
+
+// Is this body's balance one to look at? Those of bodies that only the contact holds are; without such of two bodies the softer
+// one's, of more all.
+bool is_looked_at(const Model& m, int b, bool some_float) {
+  const Body& body = m.body[b];
+  if (body.contact == 0 || is_rigid(m, b)) return false;
+  if (some_float) return body.free_motions > 0;
+  if (m.head->bodies != 2 || is_rigid(m, 1 - b)) return true;
+  return (shear_modulus(m, 1) > shear_modulus(m, 0)) == (b == 0);
+}
+
+} // namespace
+
+void balance_forces(Session& session) {
+  const Model& m = session.model;
+  c2d_solver* s = session.solver;
+  bool some_float = false;
+  for (int b = 0; b < m.head->bodies; ++b) {
+    sum_forces(session, b);
+    some_float = some_float || (m.body[b].contact > 0 && m.body[b].free_motions > 0);
+  }
+  Balance worst{};
+  worst.error = -1.0;
+  for (int b = 0; b < m.head->bodies; ++b) {
+    const bool first = m.head->contact == 0 && b == 0;
+    if (!first && !is_looked_at(m, b, some_float)) continue;
+    const Balance balance = balance_of(session, b);
+    if (!(balance.error <= worst.error)) worst = balance;
+  }
+  s->force_applied = worst.applied;
+  s->force_contact = worst.contact;
+  s->force_error = worst.error;
 }
 
 } // namespace c2d

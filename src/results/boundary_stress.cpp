@@ -51,7 +51,7 @@ bool joins_smoothly(const Session& session, int b, int32_t element, int32_t next
   const int nf = m.head->function_nodes;
   const Point p = point_of(m, b, element, 1.0), q = point_of(m, b, next, -1.0);
   if (p.nx * q.nx + p.ny * q.ny < kSmooth ||
-      geometry_node(m, b, element, m.head->body[b].element_nodes - 1) != geometry_node(m, b, next, 0))
+      geometry_node(m, b, element, m.body[b].element_nodes - 1) != geometry_node(m, b, next, 0))
     return false;
   double t[2], v[2];
   get_traction(session, b, element * nf + nf - 1, t);
@@ -235,7 +235,7 @@ PlaneStress corner_stress(const BoundaryState& a, const BoundaryState& c) {
 
 double stress_across(const Session& session, int b, const PlaneStress& s) {
   const ModelHeader& head = *session.model.head;
-  return stress_across(s, head.plane == C2D_PLANE_STRAIN, head.body[b].poisson_ratio);
+  return stress_across(s, head.plane == C2D_PLANE_STRAIN, session.model.body[b].poisson_ratio);
 }
 
 BoundaryState mirrored_state(const BoundaryState& s, int image) {

@@ -155,9 +155,9 @@ void look_at_zone(const Looked& at, bool at_peak, Worst& edge, Worst& friction) 
 
 // All round a curve, where its last pair and its first one are neighbours.
 bool goes_round(const Model& m, const Zone& z) {
-  const int b = z.is_free != 0 ? 1 : 0;
-  const Region& r = m.region[b][z.region[b]];
-  return r.open == 0 && zone_elements(z, b) == r.last - r.first + 1;
+  const int side = z.is_free != 0 ? 1 : 0;
+  const Region& r = m.region[z.body[side]][z.region[side]];
+  return r.open == 0 && zone_elements(z, side) == r.last - r.first + 1;
 }
 
 void put_percent(Text& out, double part) { put(out, part < 0.995 ? 100.0 * part : 100.0, part < 0.995 ? 2 : 3); }
@@ -186,14 +186,15 @@ void put_zone(Text& out, const Worst& w, bool more) {
 
 } // namespace
 
-bool goes_on(const Model& m, const Zone& z, int b, int end) {
-  const int32_t element = zone_element(m, z, b, end < 0 ? 0 : zone_elements(z, b) - 1);
-  const int travel = end * z.element_step[b];
-  const Region& r = m.region[b][z.region[b]];
+bool goes_on(const Model& m, const Zone& z, int side, int end) {
+  const int b = z.body[side];
+  const int32_t element = zone_element(m, z, side, end < 0 ? 0 : zone_elements(z, side) - 1);
+  const int travel = end * z.element_step[side];
+  const Region& r = m.region[b][z.region[side]];
   int32_t next = element + (travel > 0 ? 1 : -1);
   if (next < r.first || next > r.last) next = r.open != 0 ? -1 : (travel > 0 ? r.first : r.last);
-  int32_t zone, place;
-  if (next < 0 || !is_integrated(m, b, next) || find_contact_element(m, b, next, &zone, &place)) return false;
+  ZonePlace place;
+  if (next < 0 || !is_integrated(m, b, next) || find_contact_element(m, b, next, &place)) return false;
   double here[2], there[2];
   outward_normal(m, b, element, travel > 0 ? 1.0 : -1.0, here);
   outward_normal(m, b, next, travel > 0 ? -1.0 : 1.0, there);
@@ -206,6 +207,7 @@ bool tell_coarse_contact(const Session& session, bool at_peak, Text& out, int32_
   Worst edge, friction;
   for (int32_t z = 0; z < m.head->zones; ++z) {
     const Zone& at = m.zone[z];
+    if (at.is_tied != 0) continue;
     const bool corner[2] = {!goes_on(m, at, 0, -1) || !goes_on(m, at, 1, -1), !goes_on(m, at, 0, 1) || !goes_on(m, at, 1, 1)};
     look_at_zone({&session, at.first_pair, at.first_pair + at.pairs, goes_round(m, at), {corner[0], corner[1]}}, at_peak, edge,
                  friction);

@@ -14,7 +14,7 @@ constexpr int32_t kFewElements = 4;
 // slip are small wherever they begin: they are looked at where `at_peak` says that the loads are at their largest.
 bool tell_coarse_contact(const Session& session, bool at_peak, Text& out, int32_t* zone, int32_t* pair);
 
-// Does body b's surface go on beyond an end (-1: first, +1: last) of a zone without a corner, and out of contact zones?
-bool goes_on(const Model& m, const Zone& z, int b, int end);
+// Does the surface of a side go on beyond an end (-1: first, +1: last) of a zone without a corner, and out of contact zones?
+bool goes_on(const Model& m, const Zone& z, int side, int end);
 
 } // namespace c2d

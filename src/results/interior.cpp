@@ -27,7 +27,7 @@ namespace {
 
 c2d_status pause(const Session& session, int b, int32_t element) {
   c2d_solver* s = session.solver;
-  tell_progress(s, C2D_PHASE_BACK, b + 1, element, s->model.body[b].elements);
+  tell_progress(s, C2D_PHASE_BACK, b + 1, element, session.model.body[b].elements);
   return asked_to_stop(s) ? fail(s, C2D_ERR_CANCELLED, "cancelled while computing interior points") : c2d_status{C2D_OK};
 }
 
@@ -114,7 +114,7 @@ void add_element(Acting& acting, const Points& points) {
   for (int32_t i = 0; i < points.count; ++i) add_element_at(acting, points, i);
 }
 
-// Nodal values of an element in the units of the equations. Contact tractions of body 2 are per length of body 1 and
+// Nodal values of an element in the units of the equations. Contact tractions on side 1 are per length of side 0 and
 // come apart from the others.
 struct NodalValues {
   Complex u[kElementNodes], own[kElementNodes], contact[kElementNodes];
@@ -135,7 +135,8 @@ struct NodalValues {
     double part[2][2] = {{0.0, 0.0}, {0.0, 0.0}};
     double transferred[2]; // of free zones: comes by pieces
     transferred_traction(session, b, element, l, transferred);
-    const bool shared = b == 1 && pair_of_end(m, b, element, l) >= 0;
+    const PairSide at = pair_of_end(m, b, element, l);
+    const bool shared = at.pair >= 0 && at.side == 1;
     for (int c = 0; c < 2; ++c) {
       const bool foreign = shared && unknown_at(m, b, node, c).kind == UnknownKind::contact;
       part[foreign ? 1 : 0][c] = stress * (t[c] - transferred[c]) / (foreign ? traction_ratio(m, b, element, l) : 1.0);
@@ -175,7 +176,7 @@ struct NodalValues {
 // what it does.)
 [[gnu::noinline]] void field_of_piece(const Session& session, const TransferWalk& walk, FieldElement& out) {
   const Model& m = session.model;
-  const double stress = 1.0 / (2.0 * shear_modulus(m, 0));
+  const double stress = 1.0 / (2.0 * shear_modulus(m, walk.body));
   Transfer piece;
   kFreeZonePart.make_transfer(m, Quadrature::accurate, walk, piece);
   Complex t[kElementNodes];
@@ -191,18 +192,19 @@ struct NodalValues {
 [[gnu::noinline]] void act_on_points(const Session& session, const TransferWalk& walk, const Points& points) {
   Acting acting;
   acting.session = &session;
-  acting.b = 0;
+  acting.b = walk.body;
   acting.element = walk.piece.element1;
   acting.smoothing = nullptr;
   field_of_piece(session, walk, acting.e);
   add_element(acting, points);
 }
 
-// Tractions that free zones hand over to body 1.
-[[gnu::noinline]] c2d_status add_transferred(const Session& session, const Points& points) {
+// Tractions that free zones hand over to a body.
+[[gnu::noinline]] c2d_status add_transferred(const Session& session, int b, const Points& points) {
   TransferWalk walk{};
+  walk.body = b;
   while (kFreeZonePart.next_transfer(session.model, walk)) {
-    const c2d_status status = pause(session, 0, walk.piece.element1);
+    const c2d_status status = pause(session, b, walk.piece.element1);
     if (status != C2D_OK) return status;
     act_on_points(session, walk, points);
   }
@@ -227,8 +229,8 @@ PointField known_field(const Session& session, int b, double x, double y) {
 void complete_sums(const Session& session, int b, const Points& points, PointSums& p) {
   const double x = p.x, y = p.y;
   const double unit = session.model.head->length_unit;
-  const double* rigid = session.solver->multiplier[b];
-  const double* centre = session.model.head->body[b].centre;
+  const double* rigid = results_of(session.solver, b).multiplier;
+  const double* centre = session.model.body[b].centre;
   for (int image = 0; image <= points.head->symmetry; ++image) {
     if (!is_image(*points.head, image)) continue;
     const PointField known = known_field(session, b, points.seen(image, 0, x), points.seen(image, 1, y));
@@ -275,7 +277,7 @@ void finish_point(const Session& session, int b, const Points& points, int32_t i
     stress = joint_stress(session, b, element, p.eta);
     stress.xy *= fx * fy;
   } else if (is_rigid(m, b)) {
-    kRigidPart.rigid_displacement_now(session, points.x(i) * points.unit, points.y(i) * points.unit, u);
+    kRigidPart.rigid_displacement_now(session, b, points.x(i) * points.unit, points.y(i) * points.unit, u);
     flag = C2D_POINT_INSIDE;
   } else {
     PointSums& p = points.sums(i);
@@ -337,7 +339,7 @@ void run_block(void* argument, int32_t i) {
 }
 
 c2d_status run_plain_pass(const Session& session, int b, const Points& points, Pass pass) {
-  for (int32_t element = 0; element < session.model.head->body[b].elements; ++element) {
+  for (int32_t element = 0; element < session.model.body[b].elements; ++element) {
     if (!is_integrated(session.model, b, element)) continue;
     const c2d_status status = pause(session, b, element);
     if (status != C2D_OK) return status;
@@ -348,7 +350,7 @@ c2d_status run_plain_pass(const Session& session, int b, const Points& points, P
 
 // All elements of the body on all points, in one of the passes.
 c2d_status run_pass(const Session& session, int b, const Points& points, Pass pass) {
-  const int32_t elements = session.model.head->body[b].elements;
+  const int32_t elements = session.model.body[b].elements;
   if (kSmallCode) return run_plain_pass(session, b, points, pass);
   const int32_t blocks = (points.count + kBlockOfPoints - 1) / kBlockOfPoints;
   const Workers workers = workers_of(&session.solver->port);
@@ -383,7 +385,7 @@ c2d_status place_points(const Session& session, int b, const Points& points) {
 [[gnu::noinline]] c2d_status evaluate_body(const Session& session, int b, const Points& points) {
   c2d_status status = place_points(session, b, points);
   if (status == C2D_OK && !is_rigid(session.model, b)) status = run_pass(session, b, points, Pass::integrals);
-  if (status == C2D_OK && b == 0 && session.model.head->free_rows > 0) status = add_transferred(session, points);
+  if (status == C2D_OK && session.model.body[b].free_rows > 0) status = add_transferred(session, b, points);
   return status;
 }
 
@@ -410,10 +412,11 @@ bool may_lie_inside(const Points& points, int32_t i) {
 void clear_boundary(const Session& session) {
   const ModelHeader& head = *session.model.head;
   for (int b = 0; b < head.bodies; ++b) {
-    const int64_t ends = static_cast<int64_t>(head.body[b].elements) * head.function_nodes;
-    memset(session.area.displacement[b], 0, 2 * sizeof(Real) * static_cast<size_t>(head.body[b].nodes));
-    memset(session.area.traction[b], 0, 2 * sizeof(Real) * static_cast<size_t>(ends));
-    memset(session.solver->multiplier[b], 0, sizeof session.solver->multiplier[b]);
+    const Body& body = session.model.body[b];
+    const int64_t ends = static_cast<int64_t>(body.elements) * head.function_nodes;
+    memset(session.area.displacement + 2 * body.first_node, 0, 2 * sizeof(Real) * static_cast<size_t>(body.nodes));
+    memset(session.area.traction + 2 * body.first_end, 0, 2 * sizeof(Real) * static_cast<size_t>(ends));
+    for (double& multiplier : results_of(session.solver, b).multiplier) multiplier = 0.0;
   }
 }
 

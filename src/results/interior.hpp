@@ -45,7 +45,7 @@ struct PointsAsked {
   double* out;
   int64_t out_stride;
 };
-// All of it, in body 1, 2 or any (0), back substitution included. Errors are recorded.
+// All of it, in one body (from 1) or any (0), back substitution included. Errors are recorded.
 c2d_status evaluate_points(Session& session, int32_t body, const PointsAsked& asked);
 
 } // namespace c2d

@@ -1,39 +1,58 @@
 #include "results/rigid.hpp"
 
-#include "model/rigid.hpp"
+#include "bie/measure.hpp"
+#include "model/pair_frame.hpp"
 #include "results/back.hpp"
-#include "results/transferred.hpp"
 
 namespace c2d {
 
-void rigid_displacement_now(const Session& session, double x, double y, double u[2]) {
+void rigid_displacement_now(const Session& session, int b, double x, double y, double u[2]) {
   u[0] = u[1] = 0.0;
   for (int32_t k = 0; k < session.model.head->load_cases; ++k) {
     double part[2];
-    rigid_displacement(session.model, k, x, y, part);
+    rigid_displacement(session.model, b, k, x, y, part);
     for (int c = 0; c < 2; ++c) u[c] += session.follower.load[k] * part[c];
+  }
+  const Body& body = session.model.body[b];
+  const double unit = session.model.head->length_unit;
+  for (int32_t j = 0; j < body.free_motions && body.contact > 0; ++j) {
+    const double* motion = body.free_motion[j];
+    const double factor = static_cast<double>(session.area.motion[body.first_border + j]);
+    u[0] += factor * (motion[0] * unit - motion[2] * (y - body.centre[1]));
+    u[1] += factor * (motion[1] * unit + motion[2] * (x - body.centre[0]));
   }
 }
 
-void fill_rigid(const Session& session) {
+void rigid_motion_now(const Session& session, int b, double motion[3]) {
+  const Body& body = session.model.body[b];
+  rigid_displacement_now(session, b, body.centre[0], body.centre[1], motion);
+  motion[2] = 0.0;
+  for (int32_t k = 0; k < session.model.head->load_cases; ++k)
+    motion[2] += session.follower.load[k] * session.model.rigid_motion[b][k].rotation;
+  for (int32_t j = 0; j < body.free_motions && body.contact > 0; ++j)
+    motion[2] += static_cast<double>(session.area.motion[body.first_border + j]) * body.free_motion[j][2];
+}
+
+void fill_rigid(const Session& session, int b) {
   const Model& m = session.model;
-  for (int32_t node = 0; node < m.head->body[0].nodes; ++node) {
+  for (int32_t node = 0; node < m.body[b].nodes; ++node) {
     double x, y, u[2];
-    node_position(m, 0, node, &x, &y);
-    rigid_displacement_now(session, x, y, u);
-    keep_displacement(session, 0, node, u);
+    node_position(m, b, node, &x, &y);
+    rigid_displacement_now(session, b, x, y, u);
+    keep_displacement(session, b, node, u);
   }
-  for (int32_t element = 0; element < m.head->body[0].elements; ++element)
+  for (int32_t element = 0; element < m.body[b].elements; ++element)
     for (int l = 0; l < m.head->function_nodes; ++l) {
-      const int32_t index = pair_of_end(m, 0, element, l);
+      const PairSide at = pair_of_end(m, b, element, l);
       double t[2] = {0.0, 0.0};
-      if (index >= 0) {
-        const PairState now = pair_state(*session.follower.t, index, session.follower.y);
-        to_global(m.pair[index], -now.p * m.head->stress_unit, -now.q * m.head->stress_unit, t);
+      if (at.pair >= 0) {
+        const PairState now = pair_state(*session.follower.t, at.pair, session.follower.y);
+        const double scale = sign_of_side(at.side) * m.head->stress_unit * traction_ratio(m, b, element, l);
+        to_global(m.pair[at.pair], now.p * scale, now.q * scale, t);
       }
-      keep_traction(session, 0, element * m.head->function_nodes + l, t);
+      keep_traction(session, b, element * m.head->function_nodes + l, t);
     }
-  for (double& multiplier : session.solver->multiplier[0]) multiplier = 0.0;
+  for (double& multiplier : results_of(session.solver, b).multiplier) multiplier = 0.0;
 }
 
 } // namespace c2d

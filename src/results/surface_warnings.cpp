@@ -41,7 +41,7 @@ template <class... Parts> void tell_zone(Session& session, int32_t number, int32
   out.entry.zone = zone + 1;
   out.entry.pair = pair + 1;
   out.entry.load = session.follower.load[0];
-  put_all(out.text, "zone ", zone + 1, ": ", parts...);
+  put_all(out.text, "zone ", zone_named(session.model, zone), ": ", parts...);
   report_fault(session.solver, out.entry);
 }
 
@@ -53,6 +53,7 @@ void warn_surfaces(Session& session) {
   if ((s->warned & kOnce) != 0) return;
   s->warned |= kOnce;
   for (int32_t zone = 0; zone < session.model.head->zones; ++zone) {
+    if (session.model.zone[zone].is_tied != 0) continue;
     const Closing c = closing_of(session, session.model.zone[zone]);
     if (c.touching == 0 && c.least > kFar * c.most)
       tell_zone(session, C2D_WARN_FAR, zone, c.nearest, "nothing touches, and nothing is near: the least gap is ", c.least,

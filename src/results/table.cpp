@@ -1,58 +1,86 @@
-// The result table: a row per pair, with the displacements of both bodies.
+// The result table: a row per pair, with the displacements of both sides.
 #include "results/table.hpp"
+
+#include "contact/body_unknowns.hpp"
 
 namespace c2d {
 
 namespace {
 
-// u of the inverted body: -+F tau + sum lambda v, with F stored with a minus sign.
-c2d_status inverted_displacements(Session& session) {
+// x = X w' + sum of lambda_k x_k, w' = w - (gap, 0) as in the tableau; it stands in area.u[0] meanwhile.
+c2d_status find_motions(const Session& session) {
   const Follower& f = session.follower;
-  const c2d_solver* s = session.solver;
-  const int32_t m = f.t->m;
-  Real *u = session.area.u[s->inverted], *column = session.area.column;
-  const double sign = s->inverted == 0 ? 1.0 : -1.0;
-  for (int32_t i = 0; i < m; ++i) u[i] = 0;
-  const auto add = [&](const Real* from, double factor) {
-    for (int32_t i = 0; i < m; ++i) u[i] += static_cast<Real>(factor) * from[i];
-  };
-  for (int32_t i = 0; i < f.t->pairs; ++i) {
+  const int32_t m = f.t->m, motions = session.model.head->border;
+  Real *motion = session.area.u[0], *column = session.area.column, *x = session.area.motion;
+  for (int32_t i = 0; i < session.model.head->pairs && motions > 0; ++i) {
     const Pair& pair = f.t->pair[i];
     const PairState now = pair_state(*f.t, i, f.y);
-    const double tau[2] = {now.p, now.q};
-    for (int32_t d = 0; d <= pair.tangential; ++d) {
-      if (tau[d] == 0.0) continue;
-      const int32_t j = pair.dof + d;
-      const Real* from = session.area.flexibility ? session.area.flexibility + static_cast<int64_t>(j) * m : column;
-      if (!session.area.flexibility) {
-        const c2d_status status = read_column(session.tape, ContactMatrix::flexibility, j, column);
-        if (status != C2D_OK) return status;
-      }
-      add(from, sign * tau[d]);
-    }
+    motion[pair.dof] = static_cast<Real>(now.wn - pair.gap / f.t->length_unit);
+    if (pair.tangential) motion[pair.dof + 1] = static_cast<Real>(now.wt);
   }
-  for (int32_t k = 0; k < f.t->cases; ++k) {
-    if (f.load[k] == 0.0) continue;
-    const c2d_status status = read_column(session.tape, ContactMatrix::flexibility_load, k, column);
+  for (int32_t j = 0; j < motions; ++j) {
+    const c2d_status status = read_column(session.tape, ContactMatrix::motion, j, column);
     if (status != C2D_OK) return status;
-    add(column, f.load[k]);
+    double sum = 0.0;
+    for (int32_t i = 0; i < m; ++i) sum += static_cast<double>(column[i]) * static_cast<double>(motion[i]);
+    x[j] = static_cast<Real>(sum);
+  }
+  for (int32_t k = 0; k < f.t->cases && motions > 0; ++k) {
+    if (f.load[k] == 0.0) continue;
+    const c2d_status status = read_column(session.tape, ContactMatrix::motion_load, k, column);
+    if (status != C2D_OK) return status;
+    for (int32_t j = 0; j < motions; ++j) x[j] += static_cast<Real>(f.load[k]) * column[j];
   }
   return C2D_OK;
 }
 
-void other_displacements(Session& session) {
+// Adds so much of a column, which has a number for each contact unknown of body b, to the displacements on its sides.
+void add_column(const Session& session, int b, const Real* column, double factor) {
+  for_ranges(session.model, b, [&](const UnknownRange& range) {
+    Real* u = session.area.u[range.side] + range.all;
+    for (int32_t i = 0; i < range.count; ++i) u[i] += static_cast<Real>(factor) * column[range.own + i];
+  });
+}
+
+// The same of a column on the tape.
+c2d_status add_from_tape(const Session& session, int b, BodyMatrix matrix, int32_t column, double factor) {
+  if (factor == 0.0) return C2D_OK;
+  const c2d_status status = read_column(session.tape, b, matrix, column, session.area.column);
+  if (status == C2D_OK) add_column(session, b, session.area.column, factor);
+  return status;
+}
+
+// F t of a body, t = -tau on its sides 0, +tau on its sides 1.
+c2d_status add_compliance(const Session& session, int b) {
+  const Model& m = session.model;
   const Follower& f = session.follower;
-  const int inverted = session.solver->inverted;
-  const double sign = inverted == 0 ? 1.0 : -1.0; // u_2 = u_1 + w', u_1 = u_2 - w'
-  const Real* known = session.area.u[inverted];
-  Real* out = session.area.u[1 - inverted];
-  for (int32_t i = 0; i < f.t->pairs; ++i) {
-    const Pair& pair = f.t->pair[i];
-    const PairState now = pair_state(*f.t, i, f.y);
-    const double gap = effective_gap(*session.model.head, pair, f.load) / f.t->length_unit;
-    out[pair.dof] = known[pair.dof] + static_cast<Real>(sign * (now.wn - gap));
-    if (pair.tangential) out[pair.dof + 1] = known[pair.dof + 1] + static_cast<Real>(sign * now.wt);
-  }
+  const Real* kept = session.area.flexibility ? flexibility_of(session, b) : nullptr;
+  for (int32_t i = 0; i < session.model.head->pairs; ++i)
+    for (int side = 0; side < 2; ++side) {
+      const Pair& pair = f.t->pair[i];
+      if (body_on(m, pair, side) != b) continue;
+      const PairState now = pair_state(*f.t, i, f.y);
+      const double tau[2] = {now.p, now.q};
+      for (int32_t d = 0; d <= pair.tangential; ++d) {
+        const int32_t j = dof_on(m, pair, side) + d;
+        const double t = sign_of_side(side) * tau[d];
+        if (kept && t != 0.0) add_column(session, b, kept + static_cast<int64_t>(j) * m.body[b].contact, t);
+        const c2d_status status = kept ? c2d_status{C2D_OK} : add_from_tape(session, b, BodyMatrix::flexibility, j, t);
+        if (status != C2D_OK) return status;
+      }
+    }
+  return C2D_OK;
+}
+
+// u = F t + sum of lambda_k v_k + R x.
+c2d_status add_body(const Session& session, int b) {
+  const Body& body = session.model.body[b];
+  c2d_status status = is_rigid(session.model, b) ? c2d_status{C2D_OK} : add_compliance(session, b);
+  for (int32_t k = 0; k < session.follower.t->cases && status == C2D_OK; ++k)
+    status = add_from_tape(session, b, BodyMatrix::response, k, session.follower.load[k]);
+  for (int32_t j = 0; j < body.free_motions && status == C2D_OK; ++j)
+    status = add_from_tape(session, b, BodyMatrix::motions, j, static_cast<double>(session.area.motion[body.first_border + j]));
+  return status;
 }
 
 void fill_row(const Session& session, int32_t i, double* row) {
@@ -63,7 +91,10 @@ void fill_row(const Session& session, int32_t i, double* row) {
   const double length = head.length_unit;
   const int32_t n = pair.dof, t = pair.dof + 1;
   row[C2D_STATUS] = pair.status;
-  if (pair.status != C2D_OPEN && !pair.tangential) row[C2D_STATUS] = pair.mu > 0.0 ? C2D_STICK : C2D_SLIP;
+  if (is_tied(session.model, pair))
+    row[C2D_STATUS] = C2D_TIED;
+  else if (pair.status != C2D_OPEN && !pair.tangential)
+    row[C2D_STATUS] = pair.mu > 0.0 ? C2D_STICK : C2D_SLIP;
   row[C2D_TN] = now.p * head.stress_unit;
   row[C2D_TT] = now.q * head.stress_unit;
   row[C2D_UN1] = session.area.u[0][n] * length;
@@ -74,7 +105,36 @@ void fill_row(const Session& session, int32_t i, double* row) {
   row[C2D_SLIP_SUM] = slip_sum(f, i) * length;
 }
 
+// Those of a body that keeps its equations: of what it meets, and the pairs' motions.
+void follow_others(const Session& session, int b) {
+  const Model& m = session.model;
+  const Follower& f = session.follower;
+  for (int32_t i = 0; i < session.model.head->pairs; ++i)
+    for (int side = 0; side < 2; ++side) {
+      const Pair& pair = f.t->pair[i];
+      if (body_on(m, pair, side) != b) continue;
+      const PairState now = pair_state(*f.t, i, f.y);
+      const Real* known = session.area.u[1 - side] + pair.dof;
+      Real* out = session.area.u[side] + pair.dof;
+      const double gap = effective_gap(*m.head, pair, f.load) / f.t->length_unit, sign = sign_of_side(side);
+      out[0] = known[0] + static_cast<Real>(sign * (now.wn - gap));
+      if (pair.tangential) out[1] = known[1] + static_cast<Real>(sign * now.wt);
+    }
+}
+
 } // namespace
+
+c2d_status contact_displacements(Session& session) {
+  const Model& m = session.model;
+  c2d_status status = find_motions(session);
+  for (Real* u : session.area.u)
+    for (int32_t i = 0; i < m.head->contact; ++i) u[i] = 0;
+  for (int b = 0; b < m.head->bodies && status == C2D_OK; ++b)
+    if (m.body[b].contact > 0 && m.body[b].keeps_equations == 0) status = add_body(session, b);
+  for (int b = 0; b < m.head->bodies && status == C2D_OK; ++b)
+    if (m.body[b].keeps_equations != 0) follow_others(session, b);
+  return status;
+}
 
 void fill_positions(const Model& m, double* table) {
   for (int32_t i = 0; i < m.head->pairs; ++i) {
@@ -97,8 +157,8 @@ c2d_status fill_table(Session& session) {
   if (s->model.contact == 0) return C2D_OK;
   const int32_t m = s->model.contact;
   if (s->blocked || s->floating) { // nothing has happened yet: zero load, or no solution at all
-    for (int b = 0; b < 2; ++b)
-      for (int32_t i = 0; i < m; ++i) session.area.u[b][i] = 0;
+    for (Real* u : session.area.u)
+      for (int32_t i = 0; i < m; ++i) u[i] = 0;
     for (int32_t i = 0; i < s->model.pairs; ++i) {
       double* row = table + static_cast<int64_t>(i) * C2D_PAIR_FIELDS;
       for (int c = C2D_STATUS; c <= C2D_SLIP_SUM; ++c) row[c] = 0.0;
@@ -107,9 +167,8 @@ c2d_status fill_table(Session& session) {
     return C2D_OK;
   }
   if (!s->unsound) refresh(session.follower);
-  const c2d_status status = inverted_displacements(session);
+  const c2d_status status = contact_displacements(session);
   if (status != C2D_OK) return status;
-  other_displacements(session);
   for (int32_t i = 0; i < s->model.pairs; ++i) fill_row(session, i, table + static_cast<int64_t>(i) * C2D_PAIR_FIELDS);
   return C2D_OK;
 }

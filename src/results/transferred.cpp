@@ -4,10 +4,10 @@
 
 namespace c2d {
 
-void add_transferred_traction(const Session& session, int32_t element, int l, double out[2]) {
+void add_transferred_traction(const Session& session, int b, int32_t element, int l, double out[2]) {
   const Model& m = session.model;
   TransferredEnd end;
-  if (!transferred_end(m, element, l, end)) return;
+  if (!transferred_end(m, b, element, l, end)) return;
   for (int k = 0; k < m.head->function_nodes; ++k) {
     if (end.pair[k] < 0) continue;
     const PairState now = pair_state(*session.follower.t, end.pair[k], session.follower.y);
@@ -48,8 +48,9 @@ namespace {
 
 } // namespace
 
-void add_transferred_force(const Session& session, double out[3]) {
+void add_transferred_force(const Session& session, int b, double out[3]) {
   TransferWalk walk{};
+  walk.body = b;
   while (next_transfer(session.model, walk)) add_piece_force(session, walk, out);
 }
 

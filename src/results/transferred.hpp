@@ -1,5 +1,5 @@
 #pragma once
-// What free zones hand over to body 1 (bie/transfer.hpp): optional, for models with ModelHeader::free_rows
+// What free zones hand over to the bodies on their side 0 (bie/transfer.hpp): optional, for bodies with Body::free_rows
 // (memory/parts.hpp).
 #include "bie/measure.hpp"
 #include "model/pair_frame.hpp"
@@ -7,12 +7,12 @@
 
 namespace c2d {
 
-// Adds the traction at an end of an element of body 1.
-void add_transferred_traction(const Session& session, int32_t element, int l, double out[2]);
-// The traction at function k of a piece per length of body 2.
+// Adds the traction at an end of an element of body b.
+void add_transferred_traction(const Session& session, int b, int32_t element, int l, double out[2]);
+// The traction at function k of a piece per length of side 1.
 void transferred_values(const Session& session, const Transfer& piece, int k, double out[2]);
-// Adds force and moment about the origin, from the integrals that body 1's equations hold.
-void add_transferred_force(const Session& session, double out[3]);
+// Adds force and moment about the origin, from the integrals that the body's equations hold.
+void add_transferred_force(const Session& session, int b, double out[3]);
 
 // ---- shared with the rest of the back substitution ----
 inline void add_force(double out[3], double fx, double fy, double moment) {

@@ -30,7 +30,7 @@ void warn(Session& session, int32_t number, int32_t zone, int32_t pair, const ch
   e.zone = zone;
   e.pair = pair;
   e.load = session.follower.load[0];
-  if (zone > 0) put_all(out.text, "zone ", zone, ", ");
+  if (zone > 0) put_all(out.text, "zone ", zone_named(session.model, zone - 1), ", ");
   if (pair > 0) put_all(out.text, "pair ", pair, ", ");
   put_all(out.text, "load factor ", e.load, ", mu ", s->mu, ": ", text);
   report_fault(s, e);
@@ -57,6 +57,7 @@ void warn_zone_ends(Session& session, bool at_end) {
   const Model& m = session.model;
   for (int32_t z = 0; z < m.head->zones; ++z) {
     const Zone& zone = m.zone[z];
+    if (zone.is_tied != 0) continue;
     const int32_t ends[2] = {zone.first_pair, zone.first_pair + zone.pairs - 1};
     for (int k = 0; k < 2; ++k) {
       const int32_t i = ends[k];
@@ -101,7 +102,7 @@ void warn_slip(Session& session) {
 
 // Beyond 1e6 adhesion is meant.
 void warn_friction(Session& session) {
-  for (int32_t i = 0; i < session.model.head->pairs; ++i) {
+  for (int32_t i = 0; i < session.model.head->path_pairs; ++i) {
     const Pair& pair = session.model.pair[i];
     if (pair.mu > 3.0 && pair.mu < 1e6)
       return warn(session, C2D_WARN_FRICTION, pair.zone + 1, 0,
@@ -115,7 +116,7 @@ double pressure_inside(const Session& session, int b, int32_t element, double et
   double shapes[kElementNodes], sum = 0.0;
   shape(nf, eta, shapes);
   for (int l = 0; l < nf; ++l) {
-    const int32_t pair = pair_of_end(session.model, b, element, l);
+    const int32_t pair = pair_of_end(session.model, b, element, l).pair;
     if (pair >= 0) sum += shapes[l] * pressure_of(session, pair);
   }
   return sum;
@@ -147,20 +148,33 @@ void put_free_motion(const Session& session, int32_t count, const double motion[
     put_all(text, "in its rotation about (", body.centre[0] - motion[1] / turn, ", ", body.centre[1] + motion[0] / turn, ")");
 }
 
+void put_free_body(const Session& session, Text& text) {
+  const FreeBody& body = session.free_body;
+  if (body.body < 0)
+    put(text, "the bodies that only contact holds");
+  else
+    put_all(text, "body ", body_named(session.model, body.body));
+}
+
 // A body that is let go, or touches without force while there are loads, or slides freely: nothing fixes where it is.
 void warn_undefined_place(Session& session) {
   const FreeBody& body = session.free_body;
   if (session.solver->outcome != C2D_REACHED || body.motions == 0) return;
   const bool idle = is_let_go(session.tableau) || (is_loaded(session) && carries_nothing(session));
   if (!idle && (body.slides == 0 || !is_loaded(session))) return;
+  const bool several = body.body < 0;
   char room[sizeof(c2d_error::text)];
   Text text = text_in(room);
-  put_all(text, "no contact force fixes the place of body ", session.free_body.body + 1, " ");
-  if (idle)
+  put(text, "no contact force fixes the place of ");
+  put_free_body(session, text);
+  if (!several) put(text, " ");
+  if (!several && idle)
     put_free_motion(session, body.motions, body.others() == 1 ? body.motion : body.slide, text);
-  else
+  else if (!several)
     put_free_motion(session, body.slides, body.slide, text);
-  put_all(text, ": displacements there mean nothing, forces and stresses do; it keeps its place relative to the other body");
+  put_all(text, ": displacements there mean nothing, forces and stresses do; ",
+          several ? "they keep their places" : "it keeps its place", " relative to the other bod",
+          session.model.head->bodies > 2 ? "ies" : "y");
   warn(session, C2D_WARN_UNDEFINED_PLACE, 0, 0, room);
 }
 
@@ -173,13 +187,14 @@ double tension_ratio(const Session& session) {
   if (carries_nothing(session)) return 0.0;
   double most = 0.0, least = 0.0;
   for (int32_t z = 0; z < m.head->zones; ++z)
-    for (int32_t k = 0; k < m.zone[z].elements; ++k)
+    for (int32_t k = 0; k < m.zone[z].elements && m.zone[z].is_tied == 0; ++k)
       for (int sample = -10; sample <= 10; ++sample) {
-        const int b = m.zone[z].is_free != 0 ? 1 : 0; // where tau has its shape functions
-        const double p = pressure_inside(session, b, zone_element(m, m.zone[z], b, k), 0.1 * sample);
+        const Zone& zone = m.zone[z];
+        const int side = zone.is_free != 0 ? 1 : 0; // where tau has its shape functions
+        const double p = pressure_inside(session, zone.body[side], zone_element(m, zone, side, k), 0.1 * sample);
         if (p < least) least = p;
       }
-  for (int32_t i = 0; i < m.head->pairs; ++i) {
+  for (int32_t i = 0; i < m.head->path_pairs; ++i) {
     const double p = pressure_of(session, i);
     if (p > most) most = p;
   }
@@ -194,10 +209,10 @@ void warn_strains(Session& session) {
   int body = 0;
   int32_t at = 0;
   for (int b = 0; b < m.head->bodies; ++b)
-    for (int32_t e = 0; nf > 1 && !is_rigid(m, b) && e < m.head->body[b].elements; ++e) {
+    for (int32_t e = 0; nf > 1 && !is_rigid(m, b) && e < m.body[b].elements; ++e) {
       double x[kElementNodes], y[kElementNodes], u[2], v[2], t[2];
       element_coordinates(m, b, e, x, y);
-      const int last = m.head->body[b].element_nodes - 1;
+      const int last = m.body[b].element_nodes - 1;
       const double dx = x[last] - x[0], dy = y[last] - y[0], square = dx * dx + dy * dy;
       if (!is_integrated(m, b, e) || !(square > 0.0)) continue;
       get_displacement(session, b, functional_node(m, b, e, 0), u);
@@ -207,7 +222,7 @@ void warn_strains(Session& session) {
       const double pull = (t[0] * dy - t[1] * dx) / sqrt(square), nu = strain_poisson_ratio(m, b);
       const double across = ((1.0 - 2.0 * nu) * pull / (2.0 * shear_modulus(m, b)) - nu * along) / (1.0 - nu);
       const double strain = fmax(fabs(along), fabs(across));
-      if (strain <= most) continue;
+      if (strain <= (1.0 + 1e-9) * most) continue; // the first of images, whatever their last digits
       most = strain;
       body = b;
       at = e;
@@ -217,7 +232,8 @@ void warn_strains(Session& session) {
   Text text = text_in(room);
   put_all(text, "strains reach ");
   put(text, most, 2);
-  put_all(text, " at element ", at + 1, " of body ", body + 1, ": the results are for small strains, below 0.05");
+  put_all(text, " at element ", at + 1, " of body ", body_named(session.model, body),
+          ": the results are for small strains, below 0.05");
   warn(session, C2D_WARN_STRAIN, 0, 0, room);
 }
 
@@ -253,15 +269,17 @@ void warn_not_unique(Session& session) {
   Finding out(C2D_WARN_NOT_UNIQUE);
   out.entry.load = f.solutions_load;
   put_all(out.text, "load factor ", out.entry.load, ", mu ", s->mu, ": the solution is not unique: ");
-  if (f.range)
-    put_all(out.text, "the friction of all pairs that hold body ", session.free_body.body + 1,
-            " is at its bound, and it may lie anywhere in a range with the same forces; ",
+  if (f.range) {
+    put(out.text, "the friction of all pairs that hold ");
+    put_free_body(session, out.text);
+    put_all(out.text, " is at its bound, and it may lie anywhere in a range with the same forces; ",
             s->options.stepping == C2D_STEPPING_DECK ? "the stepping of 1987 takes some place in it"
                                                      : "the place that moves the pairs least is taken");
-  else
+  } else {
     put_all(out.text, f.more_solutions ? "at least " : "", f.solutions,
             " contact states satisfy all conditions; the one whose motion changes least is taken, of equals the first by the "
             "order of pairs");
+  }
   report_fault(s, out.entry);
 }
 

@@ -17,7 +17,7 @@ struct Largest {
 
 double larger(double a, double b) { return a > b ? a : b; }
 
-// Force and moment on body 2 of one element of the body whose length tau is measured by, from the exact resultants of its
+// Force and moment on side 1 of one element of the body whose length tau is measured by, from the exact resultants of its
 // shape functions.
 void add_element_force(const Session& session, int b, int32_t element, c2d_zone_state& out) {
   const Model& m = session.model;
@@ -26,7 +26,7 @@ void add_element_force(const Session& session, int b, int32_t element, c2d_zone_
   end_resultants(m, b, element, Measure::own_length, weight);
   const double unit = m.head->length_unit * m.head->stress_unit;
   for (int l = 0; l < m.head->function_nodes; ++l) {
-    const int32_t i = pair_of_end(m, b, element, l);
+    const int32_t i = pair_of_end(m, b, element, l).pair;
     if (i < 0) continue;
     const Pair& pair = m.pair[i];
     const PairState now = pair_state(*f.t, i, f.y);
@@ -68,7 +68,7 @@ void fill_zone_state(const Session& session, const Zone& zone, c2d_zone_state& o
     else
       ++out.slip;
   }
-  for (int32_t i = zone.first_pair; i < zone.first_pair + zone.pairs; ++i)
+  for (int32_t i = zone.first_pair; i < zone.first_pair + zone.pairs && zone.is_tied == 0; ++i)
     out.near_change += is_near(m.pair[i], pair_state(*f.t, i, f.y), largest);
   if (length > 0.0) {
     out.approach *= m.head->length_unit / length;
@@ -76,8 +76,9 @@ void fill_zone_state(const Session& session, const Zone& zone, c2d_zone_state& o
   }
   out.largest_pressure = largest.p * m.head->stress_unit;
   out.largest_friction = friction * m.head->stress_unit;
-  const int b = zone.is_free != 0 ? 1 : 0;
-  for (int32_t place = 0; place < zone.elements; ++place) add_element_force(session, b, zone_element(m, zone, b, place), out);
+  const int side = zone.is_free != 0 ? 1 : 0;
+  for (int32_t place = 0; place < zone.elements; ++place)
+    add_element_force(session, zone.body[side], zone_element(m, zone, side, place), out);
 }
 
 } // namespace c2d

@@ -18,14 +18,14 @@ c2d_status find_growth(Session& session, int b, double* growth) {
   Real* f = session.area.outer;
   const int32_t columns = outer_columns(m, b);
   for (int32_t j = 0; j < columns; ++j) f[j] = 0;
-  for (int32_t node = 0; node < m.head->body[b].nodes; ++node) {
+  for (int32_t node = 0; node < m.body[b].nodes; ++node) {
     Unknown unknown[2];
     unknowns_at(m, b, node, unknown);
     for (int c = 0; c < 2; ++c)
       if (unknown[c].kind == UnknownKind::displacement)
         f[outer_column(m, b, node, c)] = static_cast<Real>(sign_of(2 * node + c));
   }
-  const c2d_status status = transposed_functional(s->plan[b], s->tapes, f, nullptr, session.area.work);
+  const c2d_status status = transposed_functional(plan_of(s, b), s->tapes, f, nullptr, session.area.work);
   double sum = 0.0;
   for (int32_t j = 0; j < columns && status == C2D_OK; ++j) sum += static_cast<double>(f[j]) * static_cast<double>(f[j]);
   *growth = sqrt(sum);

@@ -7,9 +7,9 @@
 //          the particular solution: int b.u = int (t.u_p - t_p.u) over the boundary + int b'.u_p, b' all body and
 //          point forces
 //     R_k  reactions times its prescribed displacements, pressures times the overlaps that it closes
-//   dissipated               sum over pairs of W_i |q_i| |dw_t|, W_i = integral of the pair's shape functions along body 1
+//   dissipated               sum over pairs of W_i |q_i| |dw_t|, W_i = integral of the pair's shape functions along side 0
 //   elastic                  half of all tractions times displacements
-// U_k and R_k are linear in tau, w' = (u2 - u1) and lambda, which are linear between two events: the trapezoidal rule
+// U_k and R_k are linear in tau, w' = (u1 - u0) and lambda, which are linear between two events: the trapezoidal rule
 // is exact. Their coefficients are found once, by one adjoint pass over the tape each.
 // A point load's displacement is infinite where it acts: its own field counts at the distance of the body's size, in
 // work and elastic energy alike.

@@ -9,9 +9,10 @@ struct Adjoint {
   Session& session;
   int b;          // the body at hand
   Real* tau;      // [m]
-  Real* motion;   // [m] of w'
+  Real* jump;     // [m] of w'
   double* lambda; // [cases]
-  Real* u;        // [m] of the body's contact displacements
+  Real* motion;   // of the motions x of all bodies that only the contact holds
+  Real* u;        // of the body's contact displacements, Body::contact of them
   Real* outer;    // of its outer unknowns
   bool touched;   // outer is not all zero
   const Model& model() const { return session.model; }
@@ -30,7 +31,7 @@ void add_traction(Adjoint& a, int32_t element, int l, int c, double factor);
 void add_boundary(Adjoint& a, int32_t k, bool reactions);
 // A point load's force times the displacement there, from the boundary integrals (the interior form of the equations).
 void add_point_load(Adjoint& a, const PointLoad& load);
-// Of a point load's displacement: what the tractions do to it that free zones hand over to body 1 (optional:
+// Of a point load's displacement: what the tractions do to it that free zones hand over to the body (optional:
 // energy_free_zones.cpp).
 void add_transferred_at(Adjoint& a, const double at[2], const double factor[2]);
 // ---- optional, for bodies with body forces (memory/parts.hpp, energy_body_force.cpp) ----
@@ -42,8 +43,8 @@ void take_particular(Adjoint& a, int32_t element, const Blocks& blocks, const do
 // And what that part adds at the load itself.
 void add_particular_at_load(Adjoint& a, const PointLoad& load, const double factor[2]);
 
-// ---- optional, for a rigid body 1 (energy_rigid.cpp) ----
+// ---- optional, for rigid bodies (energy_rigid.cpp) ----
 // Into a functional of tau: what holds the body against the contact, times its motion in case k.
-void add_rigid_motion(const Model& m, int32_t k, Real* tau);
+void add_rigid_motion(const Model& m, int b, int32_t k, Real* tau);
 
 } // namespace c2d

@@ -14,13 +14,14 @@ void add_displacement(Adjoint& a, int32_t node, int c, double factor) {
   const Model& m = a.model();
   const Unknown unknown = unknown_at(m, a.b, node, c);
   if (unknown.kind == UnknownKind::contact) {
-    const Pair& pair = m.pair[pair_of_node(m, a.b, node)];
+    const PairSide at = pair_of_node(m, a.b, node);
+    const Pair& pair = m.pair[at.pair];
     for (int slot = 0; slot <= pair.tangential; ++slot)
-      a.u[pair.dof + slot] += static_cast<Real>(factor * along(pair, slot, c));
+      a.u[dof_on(m, pair, at.side) + slot] += static_cast<Real>(factor * along(pair, slot, c));
   } else if (unknown.kind == UnknownKind::displacement) {
     add_outer(a, outer_column(m, a.b, node, c), factor);
   } else {
-    const int64_t nodes = m.head->body[a.b].nodes;
+    const int64_t nodes = m.body[a.b].nodes;
     for (int32_t k = 0; k < m.head->load_cases; ++k)
       a.lambda[k] += factor * m.node_disp[a.b][(k * nodes + node) * 2 + c] / m.head->length_unit;
   }
@@ -29,7 +30,7 @@ void add_displacement(Adjoint& a, int32_t node, int c, double factor) {
 TractionKind traction_kind(const Model& m, int b, int32_t element, int l, int c) {
   const int32_t end = element * m.head->function_nodes + l;
   const Unknown unknown = unknown_at(m, b, functional_node(m, b, element, l), c);
-  if (unknown.kind == UnknownKind::contact && pair_of_end(m, b, element, l) >= 0) return TractionKind::contact;
+  if (unknown.kind == UnknownKind::contact && pair_of_end(m, b, element, l).pair >= 0) return TractionKind::contact;
   const bool first = unknown.end[0] == end, second = unknown.end[1] == end;
   if (unknown.kind == UnknownKind::traction && first) return TractionKind::solved;
   if (unknown.kind == UnknownKind::shared_traction && (first || second)) return TractionKind::solved;
@@ -42,8 +43,9 @@ void add_traction(Adjoint& a, int32_t element, int l, int c, double factor) {
   const int32_t end = element * m.head->function_nodes + l;
   switch (traction_kind(m, a.b, element, l, c)) {
   case TractionKind::contact: {
-    const Pair& pair = m.pair[pair_of_end(m, a.b, element, l)];
-    const double scaled = (a.b == 1 ? 1.0 : -1.0) * factor * m.head->stress_unit / modulus;
+    const PairSide at = pair_of_end(m, a.b, element, l);
+    const Pair& pair = m.pair[at.pair];
+    const double scaled = sign_of_side(at.side) * factor * m.head->stress_unit / modulus;
     for (int slot = 0; slot <= pair.tangential; ++slot)
       a.tau[pair.dof + slot] += static_cast<Real>(scaled * along(pair, slot, c));
     return;
@@ -53,7 +55,7 @@ void add_traction(Adjoint& a, int32_t element, int l, int c, double factor) {
     return;
   }
   case TractionKind::given: {
-    const int64_t ends = static_cast<int64_t>(m.head->body[a.b].elements) * m.head->function_nodes;
+    const int64_t ends = static_cast<int64_t>(m.body[a.b].elements) * m.head->function_nodes;
     for (int32_t k = 0; k < m.head->load_cases; ++k)
       a.lambda[k] += factor * m.end_traction[a.b][(k * ends + end) * 2 + c] / modulus;
   }
@@ -63,18 +65,18 @@ void add_traction(Adjoint& a, int32_t element, int l, int c, double factor) {
 namespace {
 
 double given_traction(const Model& m, int b, int32_t element, int l, int c, int32_t k) {
-  const int64_t ends = static_cast<int64_t>(m.head->body[b].elements) * m.head->function_nodes;
+  const int64_t ends = static_cast<int64_t>(m.body[b].elements) * m.head->function_nodes;
   return m.end_traction[b][(k * ends + static_cast<int64_t>(element) * m.head->function_nodes + l) * 2 + c];
 }
 double given_displacement(const Model& m, int b, int32_t node, int c, int32_t k) {
-  return m.node_disp[b][(static_cast<int64_t>(k) * m.head->body[b].nodes + node) * 2 + c];
+  return m.node_disp[b][(static_cast<int64_t>(k) * m.body[b].nodes + node) * 2 + c];
 }
 
 } // namespace
 
 void add_boundary(Adjoint& a, int32_t k, bool reactions) {
   const Model& m = a.model();
-  for (int32_t element = 0; element < m.head->body[a.b].elements; ++element) {
+  for (int32_t element = 0; element < m.body[a.b].elements; ++element) {
     if (!is_integrated(m, a.b, element)) continue;
     EndResultant weight[kElementNodes];
     bool known = false;

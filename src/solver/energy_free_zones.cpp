@@ -1,4 +1,4 @@
-// Displacement of a point load under what free zones hand over to body 1 (optional, memory/parts.hpp).
+// Displacement of a point load under what free zones hand over to its body (optional, memory/parts.hpp).
 #include "bie/transfer.hpp"
 #include "model/pair_frame.hpp"
 #include "solver/energy_adjoint.hpp"
@@ -10,7 +10,7 @@ namespace {
 // Not inlined: a piece must not stand below the search for the next.
 [[gnu::noinline]] void add_piece_at(Adjoint& a, const TransferWalk& walk, const double at[2], const double factor[2]) {
   const Model& m = a.model();
-  const double scale = -m.head->stress_unit / (2.0 * shear_modulus(m, 0));
+  const double scale = -m.head->stress_unit / (2.0 * shear_modulus(m, a.b));
   Transfer piece;
   make_transfer(m, Quadrature::accurate, walk, piece);
   Blocks blocks;
@@ -32,6 +32,7 @@ namespace {
 
 void add_transferred_at(Adjoint& a, const double at[2], const double factor[2]) {
   TransferWalk walk{};
+  walk.body = a.b;
   while (next_transfer(a.model(), walk)) add_piece_at(a, walk, at, factor);
 }
 

@@ -1,6 +1,8 @@
 // What multiplies tau, w' and lambda in the work and reaction of every load case (solver/energy.hpp).
 #include "bie/body_force.hpp"
 #include "bie/columns.hpp"
+#include "contact/body_unknowns.hpp"
+#include "contact/orthonormal.hpp"
 #include "memory/parts.hpp"
 #include "model/free_zones.hpp"
 #include "solver/energy_adjoint.hpp"
@@ -21,77 +23,162 @@ void add_overlaps(const Model& m, Real* tau) {
 
 // ---- one functional -------------------------------------------------------------------------------------------------
 
-c2d_status add_body(Adjoint& a, int32_t k, bool reactions) {
+// Outer unknowns out of the functional: they follow from -u_c, t_c = +-tau and lambda.
+c2d_status remove_outer(Adjoint& a) {
   const Model& m = a.model();
-  const int32_t contact = m.head->contact;
   const PathArea& area = a.session.area;
-  a.u = area.u[a.b];
-  a.touched = false;
-  for (int32_t j = 0; j < contact; ++j) a.u[j] = 0;
-  for (int32_t i = 0; i < outer_columns(m, a.b) && !is_rigid(m, a.b); ++i) a.outer[i] = 0;
-  if (is_rigid(m, a.b)) {
-    if (reactions) kRigidPart.add_rigid_motion(m, k, a.tau);
-    return C2D_OK;
-  }
-  add_boundary(a, k, reactions);
-  for (int32_t i = 0; i < m.head->point_loads && !reactions; ++i)
-    if (m.point_load[i].body == a.b && m.point_load[i].load_case == k) add_point_load(a, m.point_load[i]);
-  if (!reactions && has_body_force(m, a.b)) kBodyForcePart.add_body_force(a, k);
-  if (!a.touched) return C2D_OK;
   c2d_solver* s = a.session.solver;
-  const c2d_status status = transposed_functional(s->plan[a.b], s->tapes, a.outer, area.coefficient, area.work);
+  const c2d_status status = transposed_functional(plan_of(s, a.b), s->tapes, a.outer, area.coefficient, area.work);
   if (status != C2D_OK) return status;
-  const Real* w = area.coefficient; // of -u_c, t_c = +-tau, lambda
-  const double side = a.b == 1 ? 1.0 : -1.0;
-  for (int32_t j = 0; j < contact; ++j) {
-    a.u[j] -= w[j];
-    a.tau[j] += static_cast<Real>(side * static_cast<double>(w[contact + j]));
-  }
-  for (int32_t i = 0; i < m.head->load_cases; ++i) a.lambda[i] += static_cast<double>(w[2 * contact + i]);
+  const Real* w = area.coefficient;
+  const int32_t own = m.body[a.b].contact;
+  for (int32_t j = 0; j < own; ++j) a.u[j] -= w[j];
+  for_ranges(m, a.b, [&](const UnknownRange& range) {
+    for (int32_t i = 0; i < range.count; ++i)
+      a.tau[range.all + i] += static_cast<Real>(sign_of_side(range.side) * static_cast<double>(w[own + range.own + i]));
+  });
+  for (int32_t i = 0; i < m.head->load_cases; ++i) a.lambda[i] += static_cast<double>(w[2 * own + i]);
   return C2D_OK;
 }
 
-double product(const Real* a, const Real* b, int32_t n) {
-  double sum = 0.0;
-  for (int32_t i = 0; i < n; ++i) sum += static_cast<double>(a[i]) * static_cast<double>(b[i]);
-  return sum;
+// tau out of the contact displacements u = F t + ..., t = -tau on the body's sides 0, +tau on its sides 1.
+c2d_status add_compliance(Adjoint& a) {
+  const Model& m = a.model();
+  Real* column = a.session.area.column;
+  c2d_status status = C2D_OK;
+  for_ranges(m, a.b, [&](const UnknownRange& range) {
+    for (int32_t i = 0; i < range.count && status == C2D_OK; ++i) {
+      status = read_column(a.session.tape, a.b, BodyMatrix::flexibility, range.own + i, column);
+      if (status == C2D_OK)
+        a.tau[range.all + i] += static_cast<Real>(sign_of_side(range.side) * product(column, a.u, m.body[a.b].contact));
+    }
+  });
+  return status;
 }
 
-// Contact displacements out of the functional: those of the inverted body are +-F tau + v lambda, the others differ
-// from them by w'.
+// Coefficients of displacements on the sides of the pairs are put together from all bodies, in area.u.
+void add_to_sides(Adjoint& a) {
+  for_ranges(a.model(), a.b, [&](const UnknownRange& range) {
+    for (int32_t i = 0; i < range.count; ++i) a.session.area.u[range.side][range.all + i] += a.u[range.own + i];
+  });
+}
+
+// Displacements of a body that keeps its equations out of the functional: those of what it meets, and w'.
+void remove_kept(Adjoint& a) {
+  for_ranges(a.model(), a.b, [&](const UnknownRange& range) {
+    Real *own = a.session.area.u[range.side] + range.all, *other = a.session.area.u[1 - range.side] + range.all;
+    for (int32_t i = 0; i < range.count; ++i) {
+      other[i] += own[i];
+      a.jump[range.all + i] += static_cast<Real>(range.sign()) * own[i];
+    }
+  });
+}
+
+// Those of another body: u = F t + sum lambda_k v_k + R x.
 c2d_status remove_displacements(Adjoint& a) {
-  const Session& session = a.session;
-  const int32_t m = session.model.head->contact, inverted = session.solver->inverted;
-  const double sign = inverted == 0 ? 1.0 : -1.0;
-  Real *sum = session.area.u[inverted], *column = session.area.column;
-  const Real* other = session.area.u[1 - inverted];
+  const Model& m = a.model();
+  const Body& body = m.body[a.b];
   bool any = false;
-  for (int32_t j = 0; j < m; ++j) {
-    a.motion[j] = static_cast<Real>(sign) * other[j];
-    sum[j] += other[j];
-    any = any || sum[j] != Real(0);
+  for_ranges(m, a.b, [&](const UnknownRange& range) {
+    for (int32_t i = 0; i < range.count; ++i) {
+      a.u[range.own + i] = a.session.area.u[range.side][range.all + i];
+      any = any || a.u[range.own + i] != Real(0);
+    }
+  });
+  if (!any) return C2D_OK;
+  const ContactTape& tape = a.session.tape;
+  Real* column = a.session.area.column;
+  c2d_status status = is_rigid(m, a.b) ? c2d_status{C2D_OK} : add_compliance(a);
+  for (int32_t k = 0; k < m.head->load_cases && status == C2D_OK; ++k) {
+    status = read_column(tape, a.b, BodyMatrix::response, k, column);
+    if (status == C2D_OK) a.lambda[k] += product(column, a.u, body.contact);
   }
-  c2d_status status = C2D_OK;
-  for (int32_t j = 0; j < m && any && status == C2D_OK; ++j) {
-    status = read_column(session.tape, ContactMatrix::flexibility, j, column);
-    if (status == C2D_OK) a.tau[j] += static_cast<Real>(sign * product(column, sum, m));
-  }
-  for (int32_t k = 0; k < session.model.head->load_cases && any && status == C2D_OK; ++k) {
-    status = read_column(session.tape, ContactMatrix::flexibility_load, k, column);
-    if (status == C2D_OK) a.lambda[k] += product(column, sum, m);
+  for (int32_t j = 0; j < body.free_motions && status == C2D_OK; ++j) {
+    status = read_column(tape, a.b, BodyMatrix::motions, j, column);
+    if (status == C2D_OK) a.motion[body.first_border + j] += static_cast<Real>(product(column, a.u, body.contact));
   }
   return status;
 }
 
+// Force and moment on a rigid body times its motion.
+c2d_status add_given(Adjoint& a, int32_t k) {
+  const Body& body = a.model().body[a.b];
+  Real g[kMostMotions];
+  if (body.free_motions == 0) return C2D_OK;
+  const c2d_status status = read_column(a.session.tape, a.b, BodyMatrix::given, k, g);
+  for (int32_t j = 0; j < body.free_motions && status == C2D_OK; ++j) a.motion[body.first_border + j] += g[j];
+  return status;
+}
+
+c2d_status add_body(Adjoint& a, int32_t k, bool reactions) {
+  const Model& m = a.model();
+  if (is_rigid(m, a.b)) {
+    if (reactions)
+      kRigidPart.add_rigid_motion(m, a.b, k, a.tau);
+    else if (m.body[a.b].contact > 0)
+      return add_given(a, k);
+    return C2D_OK;
+  }
+  a.touched = false;
+  for (int32_t j = 0; j < m.body[a.b].contact; ++j) a.u[j] = 0;
+  for (int32_t i = 0; i < outer_columns(m, a.b); ++i) a.outer[i] = 0;
+  add_boundary(a, k, reactions);
+  for (int32_t i = 0; i < m.head->point_loads && !reactions; ++i)
+    if (m.point_load[i].body == a.b && m.point_load[i].load_case == k) add_point_load(a, m.point_load[i]);
+  if (!reactions && has_body_force(m, a.b)) kBodyForcePart.add_body_force(a, k);
+  const c2d_status status = a.touched ? remove_outer(a) : c2d_status{C2D_OK};
+  add_to_sides(a);
+  return status;
+}
+
+// Of a functional of motions: what the overlaps make of it that a load case closes.
+double overlap_part(const Model& m, const Real* motions) {
+  double sum = 0.0;
+  for (int32_t i = 0; i < m.head->pairs; ++i)
+    sum += static_cast<double>(motions[m.pair[i].dof]) * m.pair[i].overlap / m.head->length_unit;
+  return sum;
+}
+
+// Motions of the bodies out of the functional: x = X (w' - overlaps closed) + sum lambda_k x_k.
+c2d_status remove_motions(Adjoint& a) {
+  const ModelHeader& head = *a.model().head;
+  Real* column = a.session.area.column;
+  bool any = false;
+  for (int32_t j = 0; j < head.border; ++j) {
+    const Real part = a.motion[j];
+    if (part == Real(0)) continue;
+    any = true;
+    const c2d_status status = read_column(a.session.tape, ContactMatrix::motion, j, column);
+    if (status != C2D_OK) return status;
+    for (int32_t i = 0; i < head.contact; ++i) a.jump[i] += part * column[i];
+    if (head.interference != 0) a.lambda[head.interference - 1] -= static_cast<double>(part) * overlap_part(a.model(), column);
+  }
+  for (int32_t k = 0; k < head.load_cases && any; ++k) {
+    const c2d_status status = read_column(a.session.tape, ContactMatrix::motion_load, k, column);
+    if (status != C2D_OK) return status;
+    a.lambda[k] += product(column, a.motion, head.border);
+  }
+  return C2D_OK;
+}
+
 c2d_status build_functional(Session& session, int32_t k, bool reactions, Real* contact, double* loads) {
-  const int32_t m = session.model.head->contact, cases = session.model.head->load_cases;
+  const PathArea& area = session.area;
+  const ModelHeader& head = *session.model.head;
+  const int32_t m = head.contact;
   for (int32_t i = 0; i < 2 * m; ++i) contact[i] = 0;
-  for (int32_t i = 0; i < cases; ++i) loads[i] = 0.0;
-  Adjoint a{session, 0, contact, contact + m, loads, nullptr, session.area.outer, false};
-  if (reactions && k + 1 == session.model.head->interference) add_overlaps(session.model, a.tau);
+  for (int32_t i = 0; i < head.load_cases; ++i) loads[i] = 0.0;
+  for (int32_t i = 0; i < head.border; ++i) area.motion[i] = 0;
+  for (Real* u : area.u)
+    for (int32_t i = 0; i < m; ++i) u[i] = 0;
+  Adjoint a{session, 0, contact, contact + m, loads, area.motion, area.own, area.outer, false};
+  if (reactions && k + 1 == head.interference) add_overlaps(session.model, a.tau);
   c2d_status status = C2D_OK;
-  for (a.b = 0; a.b < session.model.head->bodies && status == C2D_OK; ++a.b) status = add_body(a, k, reactions);
-  return status == C2D_OK && m > 0 ? remove_displacements(a) : status;
+  for (a.b = 0; a.b < head.bodies && status == C2D_OK; ++a.b) status = add_body(a, k, reactions);
+  for (a.b = 0; a.b < head.bodies; ++a.b)
+    if (session.model.body[a.b].keeps_equations != 0) remove_kept(a);
+  for (a.b = 0; a.b < head.bodies && status == C2D_OK; ++a.b)
+    if (session.model.body[a.b].contact > 0 && session.model.body[a.b].keeps_equations == 0) status = remove_displacements(a);
+  return status == C2D_OK ? remove_motions(a) : status;
 }
 
 } // namespace

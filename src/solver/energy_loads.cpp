@@ -31,7 +31,8 @@ namespace {
       if (own)
         add_displacement(a, functional_node(m, a.b, element, l), c,
                          -factor[0] * blocks.h[l][0][c] - factor[1] * blocks.h[l][1][c]);
-      const bool contact = a.b == 1 && traction_kind(m, a.b, element, l, c) == TractionKind::contact;
+      const bool contact =
+          traction_kind(m, a.b, element, l, c) == TractionKind::contact && pair_of_end(m, a.b, element, l).side == 1;
       if (contact == !own) add_traction(a, element, l, c, factor[0] * blocks.g[l][0][c] + factor[1] * blocks.g[l][1][c]);
     }
   if (own && has_body_force(m, a.b)) kBodyForcePart.take_particular(a, element, blocks, factor);
@@ -67,22 +68,22 @@ void add_image_at(Adjoint& a, int image, const double point[2], const double for
     at[c] = (image >> c & 1) != 0 ? 2.0 * (m.head->line_at[c] / m.head->length_unit) - point[c] : point[c];
     factor[c] = image_sign(image, c) * force[c];
   }
-  for (int32_t element = 0; element < m.head->body[a.b].elements; ++element) {
+  for (int32_t element = 0; element < m.body[a.b].elements; ++element) {
     if (!is_integrated(m, a.b, element)) continue;
     add_element_at(a, element, Measure::own_length, at, factor);
-    int32_t zone = 0, place = 0;
-    if (a.b == 1 && find_contact_element(m, a.b, element, &zone, &place))
+    ZonePlace place;
+    if (find_contact_element(m, a.b, element, &place) && place.side == 1)
       add_element_at(a, element, Measure::contact, at, factor);
   }
   add_point_fields(a, at, factor);
-  if (a.b == 0 && m.head->free_rows > 0) kFreeZonePart.add_transferred_at(a, at, factor);
+  if (m.body[a.b].free_rows > 0) kFreeZonePart.add_transferred_at(a, at, factor);
 }
 
 } // namespace
 
 void add_point_load(Adjoint& a, const PointLoad& load) {
   const Model& m = a.model();
-  const Body& body = m.head->body[a.b];
+  const Body& body = m.body[a.b];
   const double unit = m.head->length_unit;
   const double at[2] = {load.x / unit, load.y / unit};
   const double factor[2] = {load.fx / (m.head->stress_unit * unit), load.fy / (m.head->stress_unit * unit)};

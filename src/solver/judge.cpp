@@ -3,7 +3,9 @@
 #include <math.h>
 
 #include "bie/columns.hpp"
+#include "contact/body_unknowns.hpp"
 #include "contact/let_go.hpp"
+#include "contact/orthonormal.hpp"
 #include "contact/start.hpp"
 #include "memory/parts.hpp"
 #include "model/pair_frame.hpp"
@@ -18,32 +20,26 @@ namespace {
 
 double larger(double a, double b) { return a > b ? a : b; }
 
-const double* free_motion(const Session& session, int32_t j) {
-  return session.model.head->body[session.free_body.body].free_motion[j];
-}
-
 // Array kJudge.
 struct Book {
   Real* stick;                     // v.T [m]
   double* stick_load;              // v.b [cases]
-  Real *equation_w, *equation_tau; // v.B, v.M [m]
-  double* equation_load;           // v.h [cases]
-  Real* moment;                    // [m] of tau = 1 on the free body about its centre
-  double* load_size;               // [cases] sum of the magnitudes of what it prescribes
-  double* load_work;               // [3 * cases] its work on each free motion
+  Real *equation_w, *equation_tau; // v'.B, v'.A [m]; v' is v without its part along C (contact/reduction.hpp)
+  double* equation_load;           // v'.h [cases]
+  Real* moment[2];                 // [m] of tau = 1 on the body of a side about its centre, where that body floats
   double *load, *work;             // [cases] of the good state
 };
 
 Book book_of(c2d_solver* s) {
   Book book{};
   double* at = array_of<double>(s, kJudge);
-  double** const of_cases[] = {&book.stick_load, &book.equation_load, &book.load, &book.work, &book.load_size, &book.load_work};
+  double** const of_cases[] = {&book.stick_load, &book.equation_load, &book.load, &book.work};
   for (double** list : of_cases) {
     *list = at;
-    at += (list == &book.load_work ? 3 : 1) * static_cast<int64_t>(s->model.load_cases);
+    at += s->model.load_cases;
   }
   Real* number = reinterpret_cast<Real*>(at);
-  Real** const of_unknowns[] = {&book.stick, &book.equation_w, &book.equation_tau, &book.moment};
+  Real** const of_unknowns[] = {&book.stick, &book.equation_w, &book.equation_tau, &book.moment[0], &book.moment[1]};
   for (Real** list : of_unknowns) {
     *list = number;
     number += s->model.contact;
@@ -51,58 +47,86 @@ Book book_of(c2d_solver* s) {
   return book;
 }
 
+bool floats(const Body& body) { return body.contact > 0 && body.free_motions > 0; }
+
 // v.A, with v in the place of y.
 template <class Number> c2d_status project(const Session& session, ContactMatrix matrix, int32_t columns, Number* out) {
   const int32_t m = session.model.head->contact;
-  const Real *sign = session.area.y, *column = session.area.column;
   for (int32_t j = 0; j < columns; ++j) {
     const c2d_status status = read_column(session.tape, matrix, j, session.area.column);
     if (status != C2D_OK) return status;
-    double sum = 0.0;
-    for (int32_t i = 0; i < m; ++i) sum += static_cast<double>(sign[i]) * static_cast<double>(column[i]);
-    out[j] = static_cast<Number>(sum);
+    out[j] = static_cast<Number>(product(session.area.y, session.area.column, m));
   }
   return C2D_OK;
 }
 
-// The direction of one of a pair's forces on the free body.
-void force_direction(const Session& session, const Pair& pair, int32_t d, double out[2]) {
-  const double side = session.free_body.body == 1 ? 1.0 : -1.0;
-  for (int c = 0; c < 2; ++c) out[c] = side * along(pair, d, c);
+// v' in the place of v: so that the equations hold whatever the motions x are.
+c2d_status leave_out_motions(const Session& session) {
+  const int32_t m = session.model.head->contact;
+  Real *v = session.area.y, *motion = session.area.column;
+  c2d_status status = C2D_OK;
+  for (int32_t j = 0; j < session.model.head->border && status == C2D_OK; ++j) {
+    status = read_column(session.tape, ContactMatrix::border, j, motion);
+    const double part = product(v, motion, m);
+    for (int32_t i = 0; i < m; ++i) v[i] -= static_cast<Real>(part * static_cast<double>(motion[i]));
+  }
+  return status;
 }
 
-void find_moments(const Session& session, Real* moment) {
+// v'.B: of the pairs' own rows v' itself, else with S_u of the body that keeps its equations.
+c2d_status project_motions(const Session& session, Real* out) {
   const Model& m = session.model;
-  const int b = session.free_body.body;
-  const double unit = m.head->length_unit, cx = m.head->body[b].centre[0] / unit, cy = m.head->body[b].centre[1] / unit;
-  for (int32_t j = 0; j < m.head->contact; ++j) moment[j] = 0;
-  for (int32_t element = 0; element < m.head->body[b].elements; ++element) {
-    int32_t zone, place;
-    if (!find_contact_element(m, b, element, &zone, &place) || !is_integrated(m, b, element)) continue;
+  const Real* v = session.area.y;
+  c2d_status status = C2D_OK;
+  for (int32_t i = 0; i < m.head->contact; ++i) out[i] = v[i];
+  for (int b = 0; b < m.head->bodies; ++b) {
+    if (m.body[b].keeps_equations == 0) continue;
+    Real* own = session.area.motion; // v' by the body's equations
+    for_ranges(m, b, [&](const UnknownRange& range) {
+      for (int32_t i = 0; i < range.count; ++i) own[range.own + i] = v[range.all + i];
+    });
+    for_ranges(m, b, [&](const UnknownRange& range) {
+      for (int32_t j = 0; j < range.count && status == C2D_OK; ++j) {
+        status = read_column(session.tape, b, BodyMatrix::displacement, range.own + j, session.area.column);
+        out[range.all + j] = static_cast<Real>(range.sign() * product(own, session.area.column, m.body[b].contact));
+      }
+    });
+  }
+  return status;
+}
+
+// The moments of contact tractions on a floating body about its centre.
+void find_moments(const Model& m, int b, Real* const moment[2]) {
+  const double unit = m.head->length_unit, cx = m.body[b].centre[0] / unit, cy = m.body[b].centre[1] / unit;
+  for (int32_t element = 0; element < m.body[b].elements; ++element) {
+    ZonePlace place;
+    if (!find_contact_element(m, b, element, &place) || !is_integrated(m, b, element)) continue;
     EndResultant weight[kElementNodes];
     end_resultants(m, b, element, Measure::contact, weight);
     for (int l = 0; l < m.head->function_nodes; ++l) {
-      const int32_t index = pair_of_end(m, b, element, l);
-      if (index < 0) continue;
-      const Pair& pair = m.pair[index];
+      const PairSide at = pair_of_end(m, b, element, l);
+      if (at.pair < 0) continue;
+      const Pair& pair = m.pair[at.pair];
       for (int32_t d = 0; d <= pair.tangential; ++d) {
-        double direction[2];
-        force_direction(session, pair, d, direction);
+        const double side = sign_of_side(at.side), x = side * along(pair, d, 0), y = side * along(pair, d, 1);
         const EndResultant& w = weight[l];
-        moment[pair.dof + d] += static_cast<Real>((w.wx - cx * w.w) * direction[1] - (w.wy - cy * w.w) * direction[0]);
+        moment[at.side][pair.dof + d] += static_cast<Real>((w.wx - cx * w.w) * y - (w.wy - cy * w.w) * x);
       }
     }
   }
 }
 
-void find_load_work(Session& session, const Book& book) {
-  const int32_t cases = session.model.head->load_cases;
+// Of all floating bodies: work of each load case on each free motion, and the sum of the magnitudes of what it prescribes.
+void find_load_work(Session& session, const Book& book, int b) {
+  const Model& m = session.model;
+  const int32_t cases = m.head->load_cases;
   for (int32_t k = 0; k < cases; ++k) book.work[k] = 0.0;
   for (int32_t k = 0; k < cases; ++k) {
+    double* const out = m.load_work[b] + 4 * static_cast<int64_t>(k);
     book.work[k] = 1.0; // as a direction, one case after another
-    book.load_size[k] = 0.0;
-    for (int32_t j = 0; j < session.free_body.motions; ++j)
-      book.load_work[3 * k + j] = load_work(session, book.work, free_motion(session, j), &book.load_size[k]);
+    out[3] = 0.0;
+    for (int32_t j = 0; j < m.body[b].free_motions; ++j)
+      out[j] = load_work(session, b, book.work, m.body[b].free_motion[j], &out[3]);
     book.work[k] = 0.0;
   }
 }
@@ -115,16 +139,21 @@ c2d_status build_judge(c2d_solver* s) {
   open_session(s, session);
   const Book book = book_of(s);
   const int32_t m = s->model.contact, cases = s->model.load_cases;
-  const bool first = s->inverted == 0;
-  for (int32_t i = 0; i < m; ++i) session.area.y[i] = static_cast<Real>(sign_of(i)); // no path has begun
+  for (int32_t i = 0; i < m; ++i) {
+    session.area.y[i] = static_cast<Real>(sign_of(i)); // no path has begun
+    book.moment[0][i] = book.moment[1][i] = 0;
+  }
   c2d_status status = project(session, ContactMatrix::stiffness, m, book.stick);
   if (status == C2D_OK) status = project(session, ContactMatrix::stiffness_load, cases, book.stick_load);
-  if (status == C2D_OK)
-    status = project(session, first ? ContactMatrix::displacement2 : ContactMatrix::displacement1, m, book.equation_w);
+  if (status == C2D_OK) status = leave_out_motions(session);
+  if (status == C2D_OK) status = project_motions(session, book.equation_w);
   if (status == C2D_OK) status = project(session, ContactMatrix::compliance, m, book.equation_tau);
   if (status == C2D_OK) status = project(session, ContactMatrix::closing, cases, book.equation_load);
-  find_moments(session, book.moment);
-  find_load_work(session, book);
+  for (int b = 0; b < s->model.bodies; ++b) {
+    if (!floats(session.model.body[b])) continue;
+    find_moments(session.model, b, book.moment);
+    find_load_work(session, book, b);
+  }
   return status;
 }
 
@@ -183,7 +212,6 @@ struct Sum {
 // Sums over everything, from one walk over the pairs.
 struct State {
   Sum tableau, rates, equations;  // of the tableau: values, and rates of the whole piece of the path
-  double resultant[3];            // of the contact on the free body: force, and moment about its centre
   double force;                   // magnitude of all forces, or of what the piece adds
   double no_force;                // that of pressures which round-off of motions makes: a body that goes along has only such
   double p, w;                    // largest pressure or friction (likewise), largest gap or motion
@@ -207,14 +235,10 @@ void add_pair(const Session& session, const Book& book, const Pair& pair, const 
     out.force += pair.weight * size;
     out.no_force += pair.weight;
     out.p = larger(out.p, size);
-    out.resultant[2] += tau[d] * book.moment[j];
   }
-  double force[2];
-  to_global(pair, pair.weight * now.p, pair.tangential ? pair.weight * now.q : 0.0, force);
-  for (int c = 0; c < 2; ++c) out.resultant[c] += force[c];
   out.w = larger(out.w, larger(fabs(now.wn), fabs(now.wt)));
   out.overlap = larger(out.overlap, -now.wn);
-  out.tension = larger(out.tension, -now.p);
+  if (!is_tied(session.model, pair)) out.tension = larger(out.tension, -now.p);
   out.dw = larger(out.dw, larger(fabs(rate.wn), fabs(rate.wt)));
   if (pair.status == C2D_SLIP && pair.tangential && pair.mu > 0.0) out.back = larger(out.back, pair.sign * rate.wt);
   if (pair.status == C2D_STICK && pair.tangential && pair.mu <= 1e300)
@@ -225,31 +249,59 @@ State sum_up(const Session& session, const Book& book) {
   const Follower& f = session.follower;
   State out{};
   out.w = f.gap_scale;
-  for (int32_t i = 0; i < f.t->pairs; ++i)
+  for (int32_t i = 0; i < session.model.head->pairs; ++i)
     add_pair(session, book, f.t->pair[i], pair_state(*f.t, i, f.y), pair_rates(*f.t, i, f.dy), out);
   const double unit = session.model.head->length_unit * session.model.head->stress_unit;
-  const double side = session.free_body.body == 1 ? unit : -unit;
   double loads = 0.0;
   for (int32_t k = 0; k < f.t->cases; ++k) {
     out.tableau.add(-book.stick_load[k] * f.load[k]);
     out.rates.add(-book.stick_load[k] * f.direction[k]);
     out.equations.add(-book.equation_load[k] * f.load[k]);
-    loads += larger(fabs(f.load[k]), fabs(f.direction[k])) * book.load_size[k];
+    for (int b = 0; b < session.model.head->bodies; ++b)
+      if (floats(session.model.body[b]))
+        loads += larger(fabs(f.load[k]), fabs(f.direction[k])) * session.model.load_work[b][4 * static_cast<int64_t>(k) + 3];
   }
   if (is_let_go(*f.t)) out.rates = Sum{}; // loads that move the body are no fault of the tableau: settle() sees them
-  for (int i = 0; i < 3; ++i) out.resultant[i] *= i < 2 ? side : unit;
   out.force = larger(unit * out.force, loads);
   out.no_force *= unit * kMixedNoise * f.t->stiffness * out.w;
   return out;
 }
 
-// Work of contact and loads on the j-th free motion.
-double imbalance(const Session& session, const Book& book, const State& state, int32_t j) {
-  const double* motion = free_motion(session, j);
-  double sum = 0.0;
-  for (int i = 0; i < 3; ++i) sum += state.resultant[i] * motion[i];
-  for (int32_t k = 0; k < session.tableau.cases; ++k) sum += session.follower.load[k] * book.load_work[3 * k + j];
-  return fabs(sum);
+// Of the contact on a floating body: force, and moment about its centre.
+void find_resultant(const Session& session, const Book& book, int b, double out[3]) {
+  const Follower& f = session.follower;
+  const double unit = session.model.head->length_unit * session.model.head->stress_unit;
+  out[0] = out[1] = out[2] = 0.0;
+  for (int32_t i = 0; i < session.model.head->pairs; ++i)
+    for (int side = 0; side < 2; ++side) {
+      const Pair& pair = f.t->pair[i];
+      if (body_on(session.model, pair, side) != b) continue;
+      const PairState now = pair_state(*f.t, i, f.y);
+      const double tau[2] = {now.p, now.q}, scale = unit * sign_of_side(side) * pair.weight;
+      double force[2];
+      to_global(pair, scale * now.p, pair.tangential ? scale * now.q : 0.0, force);
+      for (int c = 0; c < 2; ++c) out[c] += force[c];
+      for (int32_t d = 0; d <= pair.tangential; ++d) out[2] += unit * tau[d] * book.moment[side][pair.dof + d];
+    }
+}
+
+// The largest work of contact and loads on a free motion of a body that is more than pressures of round-off make.
+double imbalance(const Session& session, const Book& book, const State& state, int b) {
+  const Body& body = session.model.body[b];
+  double resultant[3], most = 0.0;
+  find_resultant(session, book, b, resultant);
+  // In free zones the moment on side 0 is that of tractions handed over, not of the pairs. A body that may turn about a support
+  // has a reaction there, whose line of action is its element's, not the node's.
+  const bool moments_differ = body.free_rows > 0 || body.free_motions < 3;
+  for (int32_t j = 0; j < body.free_motions; ++j) {
+    const double* motion = body.free_motion[j];
+    double sum = 0.0;
+    for (int i = 0; i < 3; ++i) sum += resultant[i] * motion[i];
+    for (int32_t k = 0; k < session.tableau.cases; ++k)
+      sum += session.follower.load[k] * session.model.load_work[b][4 * static_cast<int64_t>(k) + j];
+    if (fabs(sum) > state.no_force && (!moments_differ || motion[2] == 0.0)) most = larger(most, fabs(sum));
+  }
+  return most;
 }
 
 struct Findings {
@@ -272,14 +324,9 @@ Findings look(Session& session, Agree with) {
   // At no load at all there is nothing to compare with: the tableau's own residual sees that.
   if (state.tableau.size > kUnloaded * s->peak_terms[0])
     out.size[C2D_BREACH_EQUATIONS] = state.equations.over(kUnloaded * s->peak_terms[1]);
-  // In free zones the moment on body 1 is that of tractions handed over, not of the pairs. A body that may turn about a support
-  // has a reaction there, whose line of action is its element's, not the node's.
-  const bool moments_differ = (session.free_body.body == 0 && s->model.free_rows > 0) || session.free_body.motions < 3;
-  for (int32_t j = 0; j < session.free_body.motions && s->peak_force > 0.0; ++j) {
-    const double sum = imbalance(session, book, state, j);
-    if (sum > state.no_force && (!moments_differ || free_motion(session, j)[2] == 0.0))
-      out.size[C2D_BREACH_BALANCE] = larger(out.size[C2D_BREACH_BALANCE], sum / s->peak_force);
-  }
+  for (int b = 0; b < s->model.bodies && s->peak_force > 0.0; ++b)
+    if (floats(session.model.body[b]))
+      out.size[C2D_BREACH_BALANCE] = larger(out.size[C2D_BREACH_BALANCE], imbalance(session, book, state, b) / s->peak_force);
   if (with == Agree::nothing) return out;
   const double p = larger(state.p, s->peak_pressure), stiffness = session.tableau.stiffness;
   const double w = stiffness > 0.0 ? larger(state.w, p / stiffness) : state.w;

@@ -1,7 +1,7 @@
 #pragma once
 // No state of a path is shown unjudged (METHOD 14): every sixteen exchanges and before every row the residuals of
-// tableau and contact equations, seen through one fixed vector of signs v, the balance of forces of the body that contact
-// has to hold, signs and cone. v.T, v.B, ... are found once, so that a look costs a few products of length m. The last
+// tableau and contact equations, seen through one fixed vector of signs v, the balance of forces of every body that contact
+// has to hold, signs and cone. v.T, v.M, ... are found once, so that a look costs a few products of length m. The last
 // state that was found good is kept (pairs, loads, energies, values). A tableau that has drifted is built anew from the
 // tape. Where decisions may have been wrong already, the path is taken up again from the state kept, with a new tableau
 // after every change; if that does not help, the path ends there: C2D_BEYOND_LIMITS.

@@ -102,13 +102,13 @@ bool all_zero(const double* numbers, int32_t count) {
 
 // Force and moment about the body's centre of what a load case prescribes on a body; *size: sum of magnitudes.
 void case_resultant(const Model& m, int b, int32_t load_case, double out[3], double* size) {
-  const Body& body = m.head->body[b];
+  const Body& body = m.body[b];
   const double unit = m.head->length_unit;
   const int nf = m.head->function_nodes;
   const int64_t ends = static_cast<int64_t>(body.elements) * nf;
   const double cx = body.centre[0] / unit, cy = body.centre[1] / unit;
   out[0] = out[1] = out[2] = *size = 0.0;
-  for (int32_t element = 0; element < body.elements; ++element) {
+  for (int32_t element = 0; element < body.elements && !is_rigid(m, b); ++element) {
     if (!is_integrated(m, b, element)) continue;
     EndResultant weight[kElementNodes];
     end_resultants(m, b, element, Measure::own_length, weight);
@@ -129,6 +129,12 @@ void case_resultant(const Model& m, int b, int32_t load_case, double out[3], dou
     out[2] += (p.x - body.centre[0]) / unit * p.fy - (p.y - body.centre[1]) / unit * p.fx;
     *size += fabs(p.fx) + fabs(p.fy);
   }
+  if (is_rigid(m, b)) {
+    const double* load = m.rigid_motion[b][load_case].load;
+    for (int i = 0; i < 3; ++i) out[i] += (body.free_rigidly >> i & 1) == 0 ? 0.0 : load[i] / (i < 2 ? 1.0 : unit);
+    *size += fabs(out[0]) + fabs(out[1]) + fabs(out[2]);
+    return;
+  }
   if (!has_body_force(m, b)) return;
   double force[3];
   kBodyForcePart.body_force_resultant(m, b, load_case, body.centre[0], body.centre[1], force);
@@ -140,7 +146,7 @@ void case_resultant(const Model& m, int b, int32_t load_case, double out[3], dou
 // Work of loads on a motion of the free body; zero if it is no more than round-off.
 double work_on(const Session& session, const double* loads, const double motion[3]) {
   double size = 0.0;
-  const double work = load_work(session, loads, motion, &size);
+  const double work = load_work(session, session.free_body.body, loads, motion, &size);
   return fabs(work) > 1e-10 * size ? work : 0.0;
 }
 
@@ -149,7 +155,7 @@ c2d_status take_off(Session& session, const double* target, c2d_outcome* outcome
   for (int32_t k = 0; k < f.t->cases; ++k) f.direction[k] = target[k] - f.load[k];
   *outcome = C2D_FREE_MOTION;
   c2d_status status = kSearchPart.lie_apart(f, session.model, outcome);
-  if (status == C2D_OK && *outcome != C2D_REACHED)
+  if (status == C2D_OK && *outcome != C2D_REACHED && session.free_body.body >= 0)
     status = fly(f, session.free_body, session.model, work_on(session, f.direction, session.free_body.motion), outcome);
   if (status == C2D_OK && *outcome == C2D_REACHED) session.solver->floating = 0;
   return status;
@@ -169,12 +175,12 @@ c2d_status follow(Session& session, const double* target, c2d_outcome* outcome) 
 
 } // namespace
 
-double load_work(const Session& session, const double* direction, const double motion[3], double* size) {
+double load_work(const Session& session, int b, const double* direction, const double motion[3], double* size) {
   double work = 0.0;
   *size = 0.0;
   for (int32_t k = 0; k < session.model.head->load_cases; ++k) {
     double force[3], magnitude;
-    case_resultant(session.model, session.free_body.body, k, force, &magnitude);
+    case_resultant(session.model, b, k, force, &magnitude);
     for (int i = 0; i < 3; ++i) work += direction[k] * force[i] * motion[i];
     *size += fabs(direction[k]) * magnitude;
   }
@@ -185,14 +191,15 @@ namespace {
 
 bool is_motion(const double motion[3]) { return motion[0] != 0.0 || motion[1] != 0.0 || motion[2] != 0.0; }
 
-// The name of an outcome and the motion that begins, of the body that the contact has to hold. Where nothing is pressed any
+// The name of an outcome and the motion that begins, of a body that the contact has to hold. Where nothing is pressed any
 // more nothing slides, and where it does not turn, it does not tip over.
 void name_motion(Session& session, c2d_outcome outcome) {
   c2d_solver* s = session.solver;
   const bool unloaded = s->peak_pressure > 0.0 && path_scales(session.follower).p <= kNoPressure * s->peak_pressure;
   if (outcome == C2D_GROSS_SLIDING && unloaded) outcome = C2D_FREE_MOTION;
   s->outcome = outcome;
-  s->outcome_body = s->blocked ? s->blocked : session.free_body.body + 1;
+  const int32_t moving = session.free_body.body >= 0 ? session.free_body.body : session.follower.moving;
+  s->outcome_body = s->blocked ? s->blocked : moving + 1;
   if (!s->keeps_energy) return;
   kEnergyPart.find_outcome_motion(session, outcome);
   if (outcome == C2D_TIPPING && is_motion(s->outcome_motion) && s->outcome_motion[2] == 0.0) s->outcome = C2D_GROSS_SLIDING;

@@ -12,8 +12,8 @@ c2d_status begin_path(Session& session);
 c2d_status advance_path(Session& session, const double* target);
 // Where a pair is open, what it slipped so far is no matter for the next time that it touches. With settled statuses.
 void note_open_pairs(Session& session);
-// Work of the loads along `direction` on a rigid motion of the free body; *size: sum of its magnitudes.
-double load_work(const Session& session, const double* direction, const double motion[3], double* size);
+// Work of the loads along `direction` on a rigid motion of body b; *size: sum of its magnitudes.
+double load_work(const Session& session, int b, const double* direction, const double motion[3], double* size);
 constexpr double kNoPressure = 1e-9; // of the largest on the path; so with forces
 
 } // namespace c2d

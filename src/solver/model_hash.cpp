@@ -1,5 +1,7 @@
 #include "solver/model_hash.hpp"
 
+#include <stddef.h>
+
 #include "bie/columns.hpp"
 #include "model/rigid.hpp"
 
@@ -26,7 +28,7 @@ uint64_t hash_model(const Model& m, const c2d_options& options) {
     hash.add_array(m.head->line_at, 2);
   }
   for (int b = 0; b < m.head->bodies; ++b) {
-    const Body& body = m.head->body[b];
+    const Body& body = m.body[b];
     const int32_t ends = body.elements * m.head->function_nodes;
     const size_t pairs_of_numbers = 2 * sizeof(double) * static_cast<size_t>(m.head->load_cases);
     hash.add(&body.youngs_modulus, 2 * sizeof(double));
@@ -35,29 +37,18 @@ uint64_t hash_model(const Model& m, const c2d_options& options) {
     hash.add(m.node_disp[b], pairs_of_numbers * static_cast<size_t>(body.nodes));
     hash.add_array(m.end_code[b], ends);
     hash.add_array(m.region[b], body.regions);
+    if (body.rigid != 0) hash.add_array(m.rigid_motion[b], m.head->load_cases);
+    if (body.free_rigidly != 0) {
+      hash.add(&body.free_rigidly, sizeof body.free_rigidly);
+      hash.add_array(body.centre, 2);
+    }
+    if (body.has_force != 0) hash.add_array(m.body_force[b], m.head->load_cases);
   }
-  if (m.head->rigid != 0) hash.add_array(m.rigid_motion, m.head->load_cases);
   if (m.head->interference != 0) hash.add(&m.head->interference, sizeof m.head->interference);
-  if (m.head->body_forces != 0) hash.add(m.body_force, 2 * sizeof(BodyForce) * static_cast<size_t>(m.head->load_cases));
-  hash.add_array(m.zone, m.head->zones);
+  for (int32_t z = 0; z < m.head->zones; ++z) hash.add(&m.zone[z], offsetof(Zone, name)); // names decide nothing
   hash.add_array(m.curve, m.head->curves);
   hash.add_array(m.point_load, m.head->point_loads);
   return hash.value;
-}
-
-PhaseSizes model_sizes(const Model& m) {
-  PhaseSizes sizes{};
-  sizes.m = m.head->contact;
-  sizes.cases = m.head->load_cases;
-  for (int b = 0; b < m.head->bodies; ++b) {
-    const Body& body = m.head->body[b];
-    sizes.nodes[b] = body.nodes;
-    sizes.ends[b] = static_cast<int64_t>(body.elements) * m.head->function_nodes;
-    if (is_rigid(m, b)) continue;
-    sizes.rows[b] = system_rows(m, b);
-    sizes.outer[b] = outer_columns(m, b);
-  }
-  return sizes;
 }
 
 } // namespace c2d

@@ -7,6 +7,5 @@ namespace c2d {
 
 // Of everything that decides the numbers on the tapes.
 uint64_t hash_model(const Model& model, const c2d_options& options);
-PhaseSizes model_sizes(const Model& model);
 
 } // namespace c2d

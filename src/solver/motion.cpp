@@ -131,7 +131,7 @@ void remove_round_off(const Session& session, const Motions& motions, double v[3
 bool find_unpressed_motion(const Session& session, const Motions& motions, double v[3]) {
   double drive[3] = {0.0, 0.0, 0.0}, size = 0.0;
   for (int j = 0; j < motions.count; ++j)
-    drive[j] = load_work(session, session.follower.direction, motions.body.free_motion[j], &size);
+    drive[j] = load_work(session, motions.b, session.follower.direction, motions.body.free_motion[j], &size);
   const double pushed = length_of(drive, motions.count);
   if (!(pushed > 1e-10 * size)) return false;
   for (int j = 0; j < motions.count; ++j) drive[j] /= pushed;
@@ -142,13 +142,41 @@ bool find_unpressed_motion(const Session& session, const Motions& motions, doubl
   return true;
 }
 
+// How strongly loads push the free motions of a body; nothing if that is round-off.
+double push_on(const Session& session, int b, const double* loads) {
+  const Body& body = session.model.body[b];
+  double work[3] = {0.0, 0.0, 0.0}, size = 0.0;
+  for (int j = 0; j < body.free_motions; ++j) work[j] = load_work(session, b, loads, body.free_motion[j], &size);
+  const double push = length_of(work, body.free_motions);
+  return push > 1e-10 * size ? push : 0.0;
+}
+
+// Where several bodies float, the one to tell: that the loads push most on as they go on, or as they stand; the others are
+// looked at as if held where they are.
+int body_pushed_most(const Session& session) {
+  const Follower& f = session.follower;
+  const double* const loads[] = {f.direction, f.load};
+  int most = -1, first = -1;
+  for (int i = 0; i < 2 && most < 0; ++i) {
+    double largest = 0.0;
+    for (int b = 0; b < session.model.head->bodies; ++b) {
+      if (session.model.body[b].free_motions == 0) continue;
+      if (first < 0) first = b;
+      const double push = push_on(session, b, loads[i]);
+      if (push > largest) largest = push, most = b;
+    }
+  }
+  return most >= 0 ? most : first;
+}
+
 } // namespace
 
 void find_outcome_motion(Session& session, c2d_outcome outcome) {
   c2d_solver* s = session.solver;
   for (double& number : s->outcome_motion) number = 0.0;
-  if (s->outcome_body > session.model.head->bodies) return;
-  const Body& body = session.model.head->body[s->outcome_body - 1];
+  if (s->outcome_body == 0) s->outcome_body = body_pushed_most(session) + 1;
+  if (s->outcome_body < 1 || s->outcome_body > session.model.head->bodies) return;
+  const Body& body = session.model.body[s->outcome_body - 1];
   const Motions motions{body, s->outcome_body - 1, body.free_motions};
   if (motions.count < 1) return;
   double choice[3] = {1.0, 0.0, 0.0};

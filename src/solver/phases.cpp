@@ -1,5 +1,6 @@
 #include "solver/phases.hpp"
 
+#include "bie/columns.hpp"
 #include "contact2d_memory.h"
 #include "memory/hostile.hpp"
 
@@ -20,9 +21,9 @@ struct Carver {
   void* items(uint64_t count, uint32_t size);
   uint64_t total() const { return fits ? used : UINT64_MAX; }
 };
-// An array of a list, to a member of `area` or to that of body b.
+// An array of a list, to a member of `area` or to that of a side.
 #define C2D_TAKE(type, name, count, each) carver.take(area.name, (count) * (each), C2D_BYTES_OF_##type);
-#define C2D_TAKE_OF_BODY(type, name, count, each) carver.take(area.name[b], (count) * (each), C2D_BYTES_OF_##type);
+#define C2D_TAKE_OF_SIDE(type, name, count, each) carver.take(area.name[side], (count) * (each), C2D_BYTES_OF_##type);
 
 void* Carver::items(uint64_t count, uint32_t size) {
   void* const first = base ? base + used : nullptr;
@@ -37,21 +38,55 @@ uint64_t larger(uint64_t a, uint64_t b) { return a > b ? a : b; }
 
 PhaseSizes phase_sizes(const Sizes& sizes) {
   PhaseSizes s{};
-  s.m = sizes.contact;
+  s.m = s.widest = sizes.contact;
+  s.motions = sizes.motions;
   s.cases = sizes.load_cases;
+  s.bodies = sizes.bodies;
+  s.limits = &sizes;
   for (int b = 0; b < sizes.bodies; ++b) {
-    s.nodes[b] = sizes.body[b].nodes;
-    s.ends[b] = sizes.body[b].ends;
-    s.rows[b] = sizes.body[b].rows;
-    s.outer[b] = 2 * s.nodes[b] + 3; // without contact, every unknown is an outer one
+    const BodySizes body = sizes_of_body(sizes, b);
+    s.nodes += body.nodes;
+    s.ends += body.ends;
+  }
+  s.flexibility =
+      (sizes.bodies > 2 ? 2 : 1) * s.m * s.m; // every contact unknown belongs to two bodies, of two one is solved for
+  return s;
+}
+
+PhaseSizes model_sizes(const Model& m) {
+  PhaseSizes s{};
+  s.m = s.widest = m.head->contact;
+  s.motions = m.head->motions;
+  s.cases = m.head->load_cases;
+  s.bodies = m.head->bodies;
+  s.model = &m;
+  for (int b = 0; b < s.bodies; ++b) {
+    const Body& body = m.body[b];
+    s.nodes += body.nodes;
+    if (body.contact > s.widest) s.widest = body.contact;
+    s.ends += static_cast<int64_t>(body.elements) * m.head->function_nodes;
+    if (!is_rigid(m, b) && body.keeps_equations == 0) s.flexibility += static_cast<int64_t>(body.contact) * body.contact;
   }
   return s;
 }
 
+BodyPhase PhaseSizes::of(int b) const {
+  if (!model) {
+    const BodySizes body = sizes_of_body(*limits, b);
+    return {body.nodes, body.rows, 2 * body.nodes + 3, m}; // without contact, every unknown is an outer one
+  }
+  const Body& body = model->body[b];
+  if (is_rigid(*model, b)) return {body.nodes, 0, 0, body.contact};
+  return {body.nodes, system_rows(*model, b), outer_columns(*model, b), body.contact};
+}
+
+namespace {
+
 EliminationPlan plan_of(const PhaseSizes& s, int b, int32_t panel_columns, int32_t block_columns) {
-  return EliminationPlan{static_cast<int32_t>(s.rows[b]),
-                         static_cast<int32_t>(s.outer[b]),
-                         static_cast<int32_t>(2 * s.m + s.cases),
+  const BodyPhase body = s.of(b);
+  return EliminationPlan{static_cast<int32_t>(body.rows),
+                         static_cast<int32_t>(body.outer),
+                         static_cast<int32_t>(2 * body.contact + s.cases),
                          panel_columns,
                          block_columns,
                          0,
@@ -60,10 +95,12 @@ EliminationPlan plan_of(const PhaseSizes& s, int b, int32_t panel_columns, int32
                          0};
 }
 
+} // namespace
+
 uint64_t elimination_area(const PhaseSizes& s, int b, const EliminationPlan& plan, char* base, EliminationArea* out) {
   Carver carver{base, 0, true};
   EliminationArea area{};
-  const uint64_t nodes = static_cast<uint64_t>(s.nodes[b]), m = static_cast<uint64_t>(s.m);
+  const uint64_t nodes = static_cast<uint64_t>(s.of(b).nodes), m = static_cast<uint64_t>(s.widest);
   C2D_ELIMINATION_ARRAYS_(C2D_TAKE, nodes, m, elimination_bytes(plan))
   if (out) *out = area;
   return carver.total();
@@ -72,45 +109,44 @@ uint64_t elimination_area(const PhaseSizes& s, int b, const EliminationPlan& pla
 uint64_t reduction_area(const PhaseSizes& s, char* base, ReductionArea* out) {
   Carver carver{base, 0, true};
   ReductionArea area{};
-  const uint64_t m = static_cast<uint64_t>(s.m);
-  C2D_REDUCTION_ARRAYS_(C2D_TAKE, m)
+  const uint64_t m = static_cast<uint64_t>(s.widest), motions = static_cast<uint64_t>(s.motions);
+  C2D_REDUCTION_ARRAYS_(C2D_TAKE, m, motions)
   if (out) *out = area;
   return carver.total();
 }
 
 namespace {
 
-// Of whichever body needs more.
-void take_back_substitution(Carver& carver, const PhaseSizes& s, const EliminationPlan plan[2], PathArea& area) {
-  const uint64_t m = static_cast<uint64_t>(s.m), cases = static_cast<uint64_t>(s.cases);
-  uint64_t work = 0, outer = 0;
-  for (int b = 0; b < 2; ++b) {
-    if (s.rows[b] == 0) continue;
-    work = larger(work, back_substitution_bytes(plan[b]));
-    outer = larger(outer, static_cast<uint64_t>(s.outer[b]));
-  }
-  C2D_BACK_ARRAYS_(C2D_TAKE, m, cases, outer, work)
+void add_back_need(const PhaseSizes& s, int b, const EliminationPlan& plan, BackNeed& out) {
+  if (s.of(b).rows == 0) return;
+  out.work = larger(out.work, back_substitution_bytes(plan));
+  out.outer = larger(out.outer, static_cast<uint64_t>(s.of(b).outer));
 }
 
 } // namespace
 
-uint64_t path_area(const PhaseSizes& s, const EliminationPlan plan[2], bool flexibility, char* base, PathArea* out) {
+BackNeed back_need(const PhaseSizes& s, const EliminationPlan* plan) {
+  BackNeed out = {0, 0};
+  for (int b = 0; b < s.bodies; ++b) add_back_need(s, b, plan[b], out);
+  return out;
+}
+
+uint64_t path_area(const PhaseSizes& s, const BackNeed& back, bool flexibility, char* base, PathArea* out) {
   Carver carver{base, 0, true};
   PathArea area{};
   const uint64_t m = static_cast<uint64_t>(s.m), cases = static_cast<uint64_t>(s.cases);
-  C2D_PATH_ARRAYS_(C2D_TAKE, m, cases)
+  const uint64_t nodes = static_cast<uint64_t>(s.nodes), ends = static_cast<uint64_t>(s.ends);
+  const uint64_t widest = static_cast<uint64_t>(s.widest);
+  C2D_PATH_ARRAYS_(C2D_TAKE, m, widest, cases)
   Carver rates = carver;
-  for (int b = 0; b < 2; ++b) C2D_SURFACE_ARRAYS_(C2D_TAKE_OF_BODY, m)
-  C2D_COLUMN_ARRAYS_(C2D_TAKE, m)
+  for (int side = 0; side < 2; ++side) C2D_SURFACE_ARRAYS_(C2D_TAKE_OF_SIDE, m)
+  C2D_COLUMN_ARRAYS_(C2D_TAKE, widest)
   if (flexibility) {
-    carver.take(area.flexibility, m * m, sizeof(Real));
+    carver.take(area.flexibility, static_cast<uint64_t>(s.flexibility), sizeof(Real));
     rates = carver;
   }
-  for (int b = 0; b < 2; ++b) {
-    const uint64_t nodes = static_cast<uint64_t>(s.nodes[b]), ends = static_cast<uint64_t>(s.ends[b]);
-    C2D_RESULT_ARRAYS_(C2D_TAKE_OF_BODY, nodes, ends)
-  }
-  take_back_substitution(carver, s, plan, area);
+  C2D_RESULT_ARRAYS_(C2D_TAKE, nodes, ends)
+  C2D_BACK_ARRAYS_(C2D_TAKE, widest, cases, back.outer, back.work)
   const uint64_t used = carver.total();
   carver = rates;
   C2D_RATES_ARRAYS_(C2D_TAKE, m + 1)
@@ -120,56 +156,96 @@ uint64_t path_area(const PhaseSizes& s, const EliminationPlan plan[2], bool flex
 
 uint64_t scratch_bytes(const PhaseSizes& s) {
   if (kSmallCode) return 0; // plain products take none
-  int64_t most = full_scratch(s.m, s.m);
-  for (int b = 0; b < 2; ++b) {
-    const int64_t numbers = full_scratch(s.outer[b], s.outer[b] + 2 * s.m + s.cases);
+  int64_t most = full_scratch(s.widest + s.motions, s.widest + s.motions);
+  for (int b = 0; b < s.bodies; ++b) {
+    const BodyPhase body = s.of(b);
+    const int64_t numbers = full_scratch(body.outer, body.outer + 2 * body.contact + s.cases);
     if (numbers > most) most = numbers;
   }
   return static_cast<uint64_t>(most) * sizeof(Real);
 }
 
-uint64_t phases_use(const PhaseSizes& s, const EliminationPlan plan[2], bool flexibility) {
-  uint64_t need = larger(reduction_area(s, nullptr, nullptr), path_area(s, plan, flexibility, nullptr, nullptr));
-  for (int b = 0; b < 2; ++b)
-    if (s.rows[b] > 0) need = larger(need, elimination_area(s, b, plan[b], nullptr, nullptr));
-  return need;
-}
-
 namespace {
+
+// The largest of all phases, with plan(b) for each body.
+template <class Plan> uint64_t use_with(const PhaseSizes& s, Plan plan, bool flexibility) {
+  uint64_t need = reduction_area(s, nullptr, nullptr);
+  BackNeed back = {0, 0};
+  for (int b = 0; b < s.bodies; ++b) {
+    if (s.of(b).rows == 0) continue;
+    const EliminationPlan own = plan(b);
+    need = larger(need, elimination_area(s, b, own, nullptr, nullptr));
+    add_back_need(s, b, own, back);
+  }
+  return larger(need, path_area(s, back, flexibility, nullptr, nullptr));
+}
+uint64_t use_of(const PhaseSizes& s, const PlanRule& rule, bool flexibility) {
+  return use_with(
+      s, [&](int b) { return plan_by(rule, s, b); }, flexibility);
+}
 
 // What elimination_area holds beside the work of the elimination.
 uint64_t beside_elimination(const PhaseSizes& s, int b) {
   return elimination_area(s, b, EliminationPlan{}, nullptr, nullptr) - elimination_bytes(EliminationPlan{});
 }
 
-int64_t all_columns(const PhaseSizes& s, int b) { return s.outer[b] + 2 * s.m + s.cases; }
+int64_t all_columns(const BodyPhase& body, const PhaseSizes& s) { return body.outer + 2 * body.contact + s.cases; }
 
 // The least memory: panels of the forced width, or of one column, written column by column.
-void narrow_plans(const PhaseSizes& s, int32_t forced, EliminationPlan out[2]) {
-  for (int b = 0; b < 2; ++b) {
-    const int64_t most = all_columns(s, b) > 0 ? all_columns(s, b) : 1;
-    const int64_t width = forced < 1 ? 1 : (forced < most ? forced : most);
-    out[b] = plan_of(s, b, static_cast<int32_t>(width), 1);
-  }
+EliminationPlan narrow_plan(const PhaseSizes& s, int b, int32_t forced) {
+  const int64_t columns = all_columns(s.of(b), s), most = columns > 0 ? columns : 1;
+  const int64_t width = forced < 1 ? 1 : (forced < most ? forced : most);
+  return plan_of(s, b, static_cast<int32_t>(width), 1);
 }
 
-c2d_status plan_within(const PhaseSizes& s, uint64_t bytes, int32_t forced, EliminationPlan out[2]) {
-  for (int b = 0; b < 2; ++b) {
-    if (s.rows[b] == 0) continue;
-    const uint64_t beside = beside_elimination(s, b);
-    if (bytes < beside) return C2D_ERR_MEMORY;
-    const c2d_status status =
-        plan_elimination(bytes - beside, static_cast<int32_t>(s.rows[b]), static_cast<int32_t>(s.outer[b]),
-                         static_cast<int32_t>(2 * s.m + s.cases), forced, out[b], nullptr);
-    if (status != C2D_OK) return status;
-  }
-  return C2D_OK;
+c2d_status plan_within(const PhaseSizes& s, int b, const PlanRule& rule, EliminationPlan& out) {
+  const BodyPhase body = s.of(b);
+  const uint64_t beside = beside_elimination(s, b);
+  if (rule.bytes < beside) return C2D_ERR_MEMORY;
+  return plan_elimination(rule.bytes - beside, static_cast<int32_t>(body.rows), static_cast<int32_t>(body.outer),
+                          static_cast<int32_t>(2 * body.contact + s.cases), rule.forced, out, nullptr);
 }
+
+bool is_possible(const PhaseSizes& s, const PlanRule& rule) {
+  EliminationPlan plan;
+  for (int b = 0; b < s.bodies; ++b)
+    if (s.of(b).rows > 0 && plan_within(s, b, rule, plan) != C2D_OK) return false;
+  return true;
+}
+
+} // namespace
+
+EliminationPlan plan_by(const PlanRule& rule, const PhaseSizes& s, int b) {
+  EliminationPlan plan{};
+  if (s.of(b).rows > 0 && (rule.bytes == 0 || plan_within(s, b, rule, plan) != C2D_OK)) plan = narrow_plan(s, b, rule.forced);
+  return plan;
+}
+
+uint64_t phases_use(const PhaseSizes& s, const EliminationPlan* plan, bool flexibility) {
+  return use_with(
+      s, [&](int b) { return plan[b]; }, flexibility);
+}
+
+c2d_status choose_rule(const PhaseSizes& s, uint64_t bytes, int32_t forced, PlanRule& out) {
+  // Wide blocks also cost memory in back substitution, beside the tableau: give the panels less until all fits.
+  // Where memory is not scarce, panels leave the kernels their scratch; panels of a given width are no wider for it.
+  const uint64_t scratch = scratch_bytes(s);
+  for (uint64_t share = bytes / 8 > scratch && forced < 1 ? bytes - scratch : bytes;; share -= share / 8 + 1) {
+    out = PlanRule{share, forced};
+    if (!is_possible(s, out)) break;
+    if (use_of(s, out, false) <= bytes) return C2D_OK;
+    if (share < kAlignment) break;
+  }
+  out = PlanRule{0, forced};
+  return use_of(s, out, false) <= bytes ? c2d_status{C2D_OK} : c2d_status{C2D_ERR_MEMORY};
+}
+
+namespace {
 
 // The hostile build: whole blocks go through two buffers where there is room for that, with transfers on their way.
-void double_buffers(const PhaseSizes& s, uint64_t bytes, EliminationPlan plan[2]) {
-  for (int b = 0; b < 2 && kHostile; ++b)
-    for (int32_t width = plan[b].block_columns; s.rows[b] > 0 && plan[b].block_rows == 0 && width > 0; width /= 2) {
+void double_buffers(const PhaseSizes& s, uint64_t bytes, EliminationPlan* plan) {
+  for (int b = 0; b < s.bodies && kHostile; ++b)
+    for (int32_t width = plan[b].block_columns; s.of(b).rows > 0 && plan[b].block_rows == 0 && width > 0; width /= 2) {
       const EliminationPlan single = plan[b];
       plan[b].block_rows = plan[b].rows;
       plan[b].block_columns = width;
@@ -179,46 +255,31 @@ void double_buffers(const PhaseSizes& s, uint64_t bytes, EliminationPlan plan[2]
 
 } // namespace
 
-c2d_status choose_plans(const PhaseSizes& s, uint64_t bytes, int32_t forced, EliminationPlan out[2]) {
-  // Wide blocks also cost memory in back substitution, beside the tableau: give the panels less until all fits.
-  // Where memory is not scarce, panels leave the kernels their scratch; panels of a given width are no wider for it.
-  const uint64_t scratch = scratch_bytes(s);
-  for (uint64_t share = bytes / 8 > scratch && forced < 1 ? bytes - scratch : bytes;; share -= share / 8 + 1) {
-    const c2d_status status = plan_within(s, share, forced, out);
-    if (status != C2D_OK) break;
-    if (phases_use(s, out, false) <= bytes) {
-      double_buffers(s, bytes, out);
-      return C2D_OK;
-    }
-    if (share < kAlignment) break;
-  }
-  narrow_plans(s, forced, out);
-  if (phases_use(s, out, false) > bytes) return C2D_ERR_MEMORY;
-  double_buffers(s, bytes, out);
-  return C2D_OK;
-}
-
-c2d_status plan_phases(const Sizes& limits, const PhaseSizes& s, uint64_t bytes, EliminationPlan out[2]) {
-  EliminationPlan most[2];
-  const c2d_status status = choose_plans(phase_sizes(limits), bytes, limits.panel_columns, most);
+c2d_status plan_phases(const Sizes& limits, const PhaseSizes& s, uint64_t bytes, EliminationPlan* out) {
+  const PhaseSizes most = phase_sizes(limits);
+  PlanRule rule;
+  c2d_status status = choose_rule(most, bytes, limits.panel_columns, rule);
   if (status != C2D_OK) return status;
-  for (int b = 0; b < 2; ++b) {
+  for (int b = 0; b < s.bodies; ++b) {
     out[b] = plan_of(s, b, 1, 1);
-    cut_alike(most[b], out[b]);
+    if (s.of(b).rows > 0) cut_alike(plan_by(rule, most, b), out[b]);
   }
   // (Strips of fewer rows are cut into wider blocks of UPPER, which round up otherwise.)
-  return phases_use(s, out, false) <= bytes ? c2d_status{C2D_OK} : choose_plans(s, bytes, limits.panel_columns, out);
+  if (phases_use(s, out, false) > bytes) {
+    status = choose_rule(s, bytes, limits.panel_columns, rule);
+    for (int b = 0; b < s.bodies && status == C2D_OK; ++b) out[b] = plan_by(rule, s, b);
+  }
+  if (status == C2D_OK) double_buffers(s, bytes, out);
+  return status;
 }
 
 c2d_status phase_need(const Sizes& sizes, uint64_t* minimum, uint64_t* in_core) {
   const PhaseSizes s = phase_sizes(sizes);
-  EliminationPlan plan[2];
-  narrow_plans(s, sizes.panel_columns, plan);
-  *minimum = phases_use(s, plan, false);
-  // What choose_plans would do with all the memory there is.
-  const c2d_status status = plan_within(s, UINT64_MAX - 1, sizes.panel_columns, plan);
-  if (status != C2D_OK) return C2D_ERR_OVERFLOW;
-  *in_core = phases_use(s, plan, true);
+  *minimum = use_of(s, PlanRule{0, sizes.panel_columns}, false);
+  // What choose_rule would do with all the memory there is.
+  const PlanRule all = {UINT64_MAX - 1, sizes.panel_columns};
+  if (!is_possible(s, all)) return C2D_ERR_OVERFLOW;
+  *in_core = use_of(s, all, true);
   const uint64_t scratch = scratch_bytes(s);
   if (*minimum == UINT64_MAX || *in_core > UINT64_MAX - scratch) return C2D_ERR_OVERFLOW;
   *in_core += round_up(scratch);

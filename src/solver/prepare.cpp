@@ -4,6 +4,7 @@
 #include "bie/batch.hpp"
 #include "bie/panel.hpp"
 #include "contact/reduction.hpp"
+#include "contact/reduction_plan.hpp"
 #include "memory/hostile.hpp"
 #include "memory/parts.hpp"
 #include "memory/text.hpp"
@@ -16,6 +17,7 @@
 #include "solver/phases.hpp"
 #include "solver/port.hpp"
 #include "solver/prepare.hpp"
+#include "solver/session.hpp"
 #include "solver/support.hpp"
 
 namespace c2d {
@@ -26,24 +28,21 @@ C2D_USES(WarningPart);
 
 namespace {
 
-using Matrix = ContactMatrix;
-
 c2d_status open_tapes(c2d_solver* s, const Model& m) {
   uint64_t blocks[C2D_TAPES] = {}, data[C2D_TAPES] = {};
   for (int b = 0; b < m.head->bodies; ++b) {
     if (is_rigid(m, b)) continue;
-    const TapeUse lower = lower_use(s->plan[b]), upper = upper_use(s->plan[b]);
-    s->plan[b].lower_first_block = blocks[C2D_TAPE_LOWER];
-    s->plan[b].upper_first_block = blocks[C2D_TAPE_UPPER];
+    EliminationPlan& plan = plan_of(s, b);
+    const TapeUse lower = lower_use(plan), upper = upper_use(plan);
+    plan.lower_first_block = blocks[C2D_TAPE_LOWER];
+    plan.upper_first_block = blocks[C2D_TAPE_UPPER];
     blocks[C2D_TAPE_LOWER] += lower.blocks;
     blocks[C2D_TAPE_UPPER] += upper.blocks;
     if (lower.max_data_bytes > data[C2D_TAPE_LOWER]) data[C2D_TAPE_LOWER] = lower.max_data_bytes;
     if (upper.max_data_bytes > data[C2D_TAPE_UPPER]) data[C2D_TAPE_UPPER] = upper.max_data_bytes;
   }
-  if (m.head->contact > 0) {
-    blocks[C2D_TAPE_CONTACT] = static_cast<uint64_t>(contact_blocks(m.head->contact, m.head->load_cases));
-    data[C2D_TAPE_CONTACT] = static_cast<uint64_t>(m.head->contact) * sizeof(Real);
-  }
+  blocks[C2D_TAPE_CONTACT] = static_cast<uint64_t>(place_contact_blocks(m));
+  data[C2D_TAPE_CONTACT] = static_cast<uint64_t>(model_sizes(m).widest) * sizeof(Real);
   for (int32_t tape = C2D_TAPE_LOWER; tape < C2D_TAPES; ++tape) {
     if (blocks[tape] == 0) continue;
     const c2d_status status = open_tape(s->tapes, tape, blocks[tape], data[tape]);
@@ -125,21 +124,18 @@ c2d_status assemble_columns(void* context, int32_t first, int32_t count, Real* p
 
 c2d_status keep_reduced(void* context, int32_t first, int32_t count, const Real* rows, int64_t ld) {
   BodyJob& job = *static_cast<BodyJob*>(context);
-  const int32_t m = job.tape.m;
-  const bool second = job.system.body == 1;
-  for (int32_t j = 0; j < count && m > 0; ++j) {
-    const int32_t k = first + j;
-    const Matrix matrix = k < m       ? (second ? Matrix::displacement2 : Matrix::displacement1)
-                          : k < 2 * m ? (second ? Matrix::traction2 : Matrix::traction1)
-                                      : (second ? Matrix::load2 : Matrix::load1);
-    const int32_t column = k < m ? k : (k < 2 * m ? k - m : k - 2 * m);
-    const c2d_status status = write_column(job.tape, matrix, column, rows + j * ld);
+  const int b = job.system.body;
+  const int32_t n = job.system.model.body[b].contact;
+  for (int32_t j = 0; j < count && n > 0; ++j) {
+    const int32_t k = first + j, part = k < 2 * n ? k / n : 2;
+    constexpr BodyMatrix kMatrix[] = {BodyMatrix::displacement, BodyMatrix::traction, BodyMatrix::load}; // S_u, S_t, s
+    const c2d_status status = write_column(job.tape, b, kMatrix[part], k - part * n, rows + j * ld);
     if (status != C2D_OK) return status;
   }
   return C2D_OK;
 }
 
-void note_pivots(c2d_solver* s, const PivotStats& stats) {
+[[gnu::noinline]] void note_pivots(c2d_solver* s, const PivotStats& stats) {
   if (stats.smallest_column < 0) return;
   if (stats.smallest_ratio < s->smallest_pivot) s->smallest_pivot = stats.smallest_ratio;
   if (stats.largest_ratio > s->largest_pivot) s->largest_pivot = stats.largest_ratio;
@@ -150,7 +146,7 @@ void note_pivots(c2d_solver* s, const PivotStats& stats) {
 void clear_phases(c2d_solver* s) { poison(array_of<char>(s, kPhase), s->bytes - s->layout.persistent); }
 
 // What a phase that uses `area` bytes leaves of the phase area, for the kernels of this machine.
-Engine engine_beside(c2d_solver* s, const PhaseSizes& sizes, uint64_t area, int64_t* used) {
+[[gnu::noinline]] Engine engine_beside(c2d_solver* s, const PhaseSizes& sizes, uint64_t area, int64_t* used) {
   C2D_ASSERT(s->layout.persistent <= s->bytes && area <= s->bytes - s->layout.persistent);
   if (kSmallCode) return kPlainEngine;
   const Workers workers = workers_of(&s->port);
@@ -169,22 +165,23 @@ void note_scratch(c2d_solver* s, uint64_t area, int64_t used) {
 // With `loads_only` the matrix has been eliminated, and the loads have changed.
 [[gnu::noinline]] c2d_status eliminate_body(c2d_solver* s, const Model& m, const PhaseSizes& sizes, int b, bool loads_only) {
   clear_phases(s);
+  const EliminationPlan& plan = plan_of(s, b);
   EliminationArea area;
-  const uint64_t bytes = elimination_area(sizes, b, s->plan[b], array_of<char>(s, kPhase), &area);
+  const uint64_t bytes = elimination_area(sizes, b, plan, array_of<char>(s, kPhase), &area);
   const Quadrature quadrature = s->options.quadrature == C2D_QUADRATURE_THESIS ? Quadrature::thesis : Quadrature::accurate;
   BodyJob job{s,
               ColumnSystem{m, b, quadrature, area.diagonal, area.point, area.twin, static_cast<AssemblyScratch*>(area.scratch),
                            batch_for(best_instructions())},
-              ContactTape{&s->tapes, m.head->contact, m.head->load_cases, area.buffer},
-              static_cast<int64_t>(s->plan[b].pivots) + s->plan[b].trailing,
+              ContactTape{&s->tapes, &m, area.buffer},
+              static_cast<int64_t>(plan.pivots) + plan.trailing,
               0.0,
               kPlainEngine};
   int64_t scratch = 0;
   job.engine = engine_beside(s, sizes, bytes, &scratch);
   const double start = clock_now(s);
   job.system.some_passed_over = place_sources(job.system);
-  for (int32_t node = 0; node < m.head->body[b].nodes; node += kColumnsAtOnce) {
-    const int32_t rest = m.head->body[b].nodes - node;
+  for (int32_t node = 0; node < m.body[b].nodes; node += kColumnsAtOnce) {
+    const int32_t rest = m.body[b].nodes - node;
     fill_diagonal(job.system, node, rest < kColumnsAtOnce ? rest : kColumnsAtOnce);
     tell_progress(s, C2D_PHASE_ASSEMBLE, b + 1, 0, job.total);
     if (asked_to_stop(s)) return C2D_ERR_CANCELLED;
@@ -196,10 +193,10 @@ void note_scratch(c2d_solver* s, uint64_t area, int64_t used) {
   const Engine& engine = job.engine;
   c2d_status status;
   if (loads_only) {
-    status = kNewLoadsPart.eliminate_again(s->plan[b], 2 * m.head->contact, source, sink, s->tapes, area.work, watch, engine);
+    status = kNewLoadsPart.eliminate_again(plan, 2 * m.body[b].contact, source, sink, s->tapes, area.work, watch, engine);
   } else {
     PivotStats stats{};
-    status = eliminate(s->plan[b], source, sink, s->tapes, area.work, &stats, watch, engine);
+    status = eliminate(plan, source, sink, s->tapes, area.work, &stats, watch, engine);
     note_pivots(s, stats);
   }
   note_scratch(s, bytes, scratch);
@@ -221,13 +218,13 @@ c2d_status tick(void* context) {
   const uint64_t bytes = reduction_area(sizes, array_of<char>(s, kPhase), &area);
   const double start = clock_now(s);
   int64_t scratch = 0;
-  const Reduction reduction{ContactTape{&s->tapes, m.head->contact, m.head->load_cases, area.buffer},
+  const Reduction reduction{ContactTape{&s->tapes, &m, area.buffer},
                             m,
-                            s->inverted,
                             area.first,
                             area.second,
                             area.strip,
                             area.pivots,
+                            sizes.widest + sizes.motions,
                             s,
                             tick,
                             engine_beside(s, sizes, bytes, &scratch)};
@@ -250,12 +247,13 @@ c2d_status solve_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, 
 [[gnu::noinline]] c2d_status run_phases(c2d_solver* s, const Model& m) {
   const PhaseSizes sizes = model_sizes(m);
   const uint64_t bytes = s->bytes - s->layout.persistent;
-  c2d_status status = plan_phases(s->sizes, sizes, bytes, s->plan);
+  EliminationPlan* const plans = &plan_of(s, 0);
+  c2d_status status = plan_phases(sizes_of(s), sizes, bytes, plans);
   if (status != C2D_OK) return status;
-  const bool flexibility = phases_use(sizes, s->plan, true) <= bytes;
+  const bool flexibility = phases_use(sizes, plans, true) <= bytes;
   s->keeps_flexibility = flexibility;
-  for (EliminationPlan& plan : s->plan) plan.keep_lower = s->options.keep_factors;
-  s->peak_bytes = s->layout.persistent + phases_use(sizes, s->plan, flexibility);
+  for (int b = 0; b < m.head->bodies; ++b) plans[b].keep_lower = s->options.keep_factors;
+  s->peak_bytes = s->layout.persistent + phases_use(sizes, plans, flexibility);
   status = begin_run(s->tapes, hash_model(m, s->options), array_of<char>(s, kPhase));
   if (status == C2D_OK) status = open_tapes(s, m);
   return status == C2D_OK ? solve_bodies(s, m, sizes, false) : status;
@@ -272,12 +270,12 @@ void weigh_pairs(const Model& m) {
   for (int32_t i = 0; i < m.head->pairs; ++i) m.pair[i].weight = 0.0;
   for (int32_t z = 0; z < m.head->zones; ++z)
     for (int32_t place = 0; place < m.zone[z].elements; ++place) {
-      const int b = m.zone[z].is_free != 0 ? 1 : 0;
-      const int32_t element = zone_element(m, m.zone[z], b, place);
+      const int side = m.zone[z].is_free != 0 ? 1 : 0, b = m.zone[z].body[side];
+      const int32_t element = zone_element(m, m.zone[z], side, place);
       EndResultant weight[kElementNodes];
       end_resultants(m, b, element, Measure::own_length, weight);
       for (int l = 0; l < m.head->function_nodes; ++l) {
-        const int32_t pair = pair_of_end(m, b, element, l);
+        const int32_t pair = pair_of_end(m, b, element, l).pair;
         if (pair >= 0) m.pair[pair].weight += weight[l].w;
       }
     }
@@ -287,6 +285,11 @@ void weigh_pairs(const Model& m) {
   if (s->loads_changed == 0) return C2D_OK;
   Reporter reporter{s, [](void* solver, const c2d_error& e) { report_fault(static_cast<c2d_solver*>(solver), e); }, 0};
   return validate_loads(m, reporter) ? C2D_OK : C2D_ERR_INPUT;
+}
+
+[[gnu::noinline]] void note_path_alone(c2d_solver* s, const Model& m) {
+  PathArea area;
+  s->peak_bytes = s->layout.persistent + open_path_area(s, m, false, area);
 }
 
 c2d_status prepare_once(c2d_solver* s) {
@@ -303,12 +306,13 @@ c2d_status prepare_once(c2d_solver* s) {
     s->smallest_pivot = 1e300;
     s->largest_pivot = s->pivot_growth = s->condition = 0.0;
     find_support(s, m);
+    plan_reduction(m);
+    weigh_pairs(m);
     status = close_all(s->tapes);
     if (status == C2D_OK && !s->blocked) status = run_phases(s, m);
-    if (s->blocked) s->peak_bytes = s->layout.persistent + path_area(model_sizes(m), s->plan, false, nullptr, nullptr);
+    if (s->blocked) note_path_alone(s, m);
   }
   s->keeps_energy = kEnergyPart.linked;
-  if (status == C2D_OK && !s->blocked) weigh_pairs(m);
   if (status == C2D_OK && !s->blocked && !loads_only) status = kWarningPart.find_condition(s);
   if (status == C2D_OK && !s->blocked) status = build_judge(s);
   if (status == C2D_OK && !s->blocked && s->keeps_energy) status = kEnergyPart.build_energy(s);

@@ -12,6 +12,7 @@ namespace {
 
 // Does this pair hold the body once the last one has been given up? Where nothing is pressed, what touches does.
 bool holds(const Session& session, int32_t i, c2d_outcome outcome) {
+  if (is_tied(session.model, session.model.pair[i])) return true;
   if (!is_pressed(session)) return may_press(session, i);
   if (session.model.pair[i].status == C2D_OPEN) return false;
   if (outcome == C2D_GROSS_SLIDING) return true;
@@ -21,6 +22,7 @@ bool holds(const Session& session, int32_t i, c2d_outcome outcome) {
 // Where all slides, whether the last pair at its bound still counts as sticking is round-off.
 bool holds_along(const Session& session, int32_t i, c2d_outcome outcome) {
   const Pair& pair = session.model.pair[i];
+  if (is_tied(session.model, pair)) return pair.tangential != 0;
   if (!is_pressed(session)) return pair.tangential && pair.mu > 0.0;
   if (pair.status != C2D_STICK || !pair.tangential) return false;
   const PairState now = pair_state(*session.follower.t, i, session.follower.y);
@@ -46,8 +48,8 @@ void driving(const Session& session, const Motions& motions, c2d_outcome outcome
   const Follower& f = session.follower;
   for (int j = 0; j < motions.count; ++j) {
     double size = 0.0;
-    out[j] = load_work(session, f.direction, motions.body.free_motion[j], &size);
-    if (fabs(out[j]) <= 1e-10 * size) out[j] = load_work(session, f.load, motions.body.free_motion[j], &size);
+    out[j] = load_work(session, motions.b, f.direction, motions.body.free_motion[j], &size);
+    if (fabs(out[j]) <= 1e-10 * size) out[j] = load_work(session, motions.b, f.load, motions.body.free_motion[j], &size);
   }
   if (outcome != C2D_GROSS_SLIDING) return;
   for (int j = 0; j < motions.count; ++j) out[j] = 0.0;

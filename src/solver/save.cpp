@@ -7,6 +7,7 @@
 #include "solver/energy.hpp"
 #include "solver/model_hash.hpp"
 #include "solver/save.hpp"
+#include "solver/session.hpp"
 
 namespace c2d {
 
@@ -53,8 +54,8 @@ uint64_t image_bytes(c2d_solver* s, bool running) {
   if (!running) return s->layout.persistent - kImageStart;
   const Model m = model_of(s);
   PathArea area;
-  path_area(model_sizes(m), s->plan, false, array_of<char>(s, kPhase), &area);
-  const char* end = reinterpret_cast<const char*>(area.column + m.head->contact);
+  open_path_area(s, m, false, area);
+  const char* end = reinterpret_cast<const char*>(area.motion + model_sizes(m).widest);
   return static_cast<uint64_t>(end - reinterpret_cast<const char*>(s)) - kImageStart;
 }
 
@@ -118,7 +119,8 @@ void describe(c2d_solver* s, SaveRecord& out) {
   out.run_id = tapes.run_id;
   out.model_hash = hash_state(s);
   out.image_bytes = image_bytes(s, s->state == C2D_STATE_RUNNING);
-  out.path_bytes = path_area(model_sizes(model_of(s)), s->plan, s->keeps_flexibility != 0, nullptr, nullptr);
+  PathArea area;
+  out.path_bytes = open_path_area(s, model_of(s), s->keeps_flexibility != 0, area);
   out.maker = solver_maker();
   out.state = s->state;
   for (int32_t tape = 0; tape < C2D_TAPES; ++tape) {

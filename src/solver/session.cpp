@@ -10,12 +10,24 @@ namespace c2d {
 
 namespace {
 
-FreeBody free_body(const c2d_solver* s, const Model& m) {
+bool has_tie(const Model& m, int b) {
+  for (int32_t i = 0; i < m.head->zones; ++i)
+    if (m.zone[i].is_tied != 0 && (m.zone[i].body[0] == b || m.zone[i].body[1] == b)) return true;
+  return false;
+}
+
+FreeBody free_body(const Model& m) {
   FreeBody out{};
-  if (m.head->contact == 0) return out;
-  const Body& body = m.head->body[1 - s->inverted];
-  out.body = 1 - s->inverted;
-  out.motions = body.free_motions;
+  out.body = -1;
+  out.motions = m.head->loose;
+  int32_t last = 0;
+  for (int b = 0; b < m.head->bodies; ++b)
+    if (m.body[b].contact > 0 && m.body[b].free_motions > 0) last = b;
+  // All of the motions left are those of one body, if they are as many and no tie has a part in them.
+  if (out.motions == 0 || m.head->motions != out.motions || m.body[last].free_motions != out.motions || has_tie(m, last))
+    return out;
+  const Body& body = m.body[last];
+  out.body = last;
   for (int k = 0; k < 3; ++k) out.motion[k] = body.free_motion[0][k];
   for (int k = 0; k < 2; ++k) out.centre[k] = body.centre[k];
   find_slides(m, out);
@@ -25,8 +37,13 @@ FreeBody free_body(const c2d_solver* s, const Model& m) {
 } // namespace
 
 void note_free_body(Session& session) {
-  session.free_body = free_body(session.solver, session.model);
+  session.free_body = free_body(session.model);
   session.tableau.free_motions = session.free_body.others();
+}
+
+uint64_t open_path_area(c2d_solver* s, const Model& m, bool flexibility, PathArea& out) {
+  const PhaseSizes sizes = model_sizes(m);
+  return path_area(sizes, back_need(sizes, &plan_of(s, 0)), flexibility, array_of<char>(s, kPhase), &out);
 }
 
 void open_session(c2d_solver* s, Session& session) {
@@ -34,15 +51,15 @@ void open_session(c2d_solver* s, Session& session) {
   session.solver = s;
   session.model = model_of(s);
   const ModelHeader& head = s->model;
-  const uint64_t bytes =
-      path_area(model_sizes(session.model), s->plan, s->keeps_flexibility != 0, array_of<char>(s, kPhase), &session.area);
+  const uint64_t bytes = open_path_area(s, session.model, s->keeps_flexibility != 0, session.area);
   C2D_ASSERT(bytes <= s->bytes - s->layout.persistent);
   static_cast<void>(bytes);
   const PathArea& area = session.area;
-  session.tape = ContactTape{&s->tapes, head.contact, head.load_cases, area.buffer};
+  session.tape = ContactTape{&s->tapes, &session.model, area.buffer};
   session.tableau = Tableau{head.contact,
+                            head.path_unknowns,
                             head.load_cases,
-                            head.pairs,
+                            head.path_pairs,
                             session.model.pair,
                             area.tableau,
                             head.length_unit,
@@ -64,12 +81,12 @@ void open_session(c2d_solver* s, Session& session) {
   session.follower.gap_scale = s->gap_scale;
   session.follower.pressure_scale = s->pressure_scale;
   session.follower.model = &session.model;
-  session.follower.floating_body = 1 - s->inverted;
   // Results per pair are of no use while loads move.
   static_assert(kRateListBytes <= C2D_PAIR_FIELDS * sizeof(double),
                 "the result table has room for the lists of the rate problem");
   session.follower.rate_area = RateArea{area.rates, array_of<double>(s, kPairTable), head.pairs};
   session.follower.bound.pair = -1;
+  session.follower.moving = -1;
   session.follower.watch = path_watch(session);
   session.follower.stats = s->stats;
   session.follower.last_pair = s->last_pair;
@@ -89,9 +106,29 @@ void close_session(Session& session) {
   s->guided = session.tableau.guided;
 }
 
+namespace {
+
+int64_t flexibility_numbers(const Model& m, int b) {
+  const int64_t n = is_rigid(m, b) || m.body[b].keeps_equations != 0 ? 0 : m.body[b].contact;
+  return n * n;
+}
+
+} // namespace
+
 c2d_status load_flexibility(Session& session) {
-  if (!session.area.flexibility || session.model.head->contact == 0) return C2D_OK;
-  return read_matrix(session.tape, ContactMatrix::flexibility, session.area.flexibility);
+  const Model& m = session.model;
+  if (!session.area.flexibility || m.head->contact == 0) return C2D_OK;
+  c2d_status status = C2D_OK;
+  Real* to = session.area.flexibility;
+  for (int b = 0; b < m.head->bodies && status == C2D_OK; to += flexibility_numbers(m, b++))
+    if (flexibility_numbers(m, b) > 0) status = read_matrix(session.tape, b, BodyMatrix::flexibility, to, m.body[b].contact);
+  return status;
+}
+
+const Real* flexibility_of(const Session& session, int b) {
+  const Real* at = session.area.flexibility;
+  for (int i = 0; i < b && at; ++i) at += flexibility_numbers(session.model, i);
+  return at;
 }
 
 } // namespace c2d

@@ -22,12 +22,16 @@ struct Session {
   c2d_status (*show_change)(Session& session);
 };
 
+// The path area of a prepared model, with room for F or without; its bytes.
+uint64_t open_path_area(c2d_solver* solver, const Model& model, bool flexibility, PathArea& out);
 // Views into the workspace; nothing is computed. close_session keeps what must last.
 void open_session(c2d_solver* solver, Session& session);
 void close_session(Session& session);
 // How the body that the contact has to hold can move, with the coefficients of friction that the pairs have now.
 void note_free_body(Session& session);
-// F of the inverted body, if the memory has room for it. Errors: the block store's.
+// F of all bodies, if the memory has room for it. Errors: the block store's.
 c2d_status load_flexibility(Session& session);
+// Where F of a body begins then; null: it is read from the tape.
+const Real* flexibility_of(const Session& session, int b);
 
 } // namespace c2d

@@ -28,8 +28,6 @@ struct c2d_solver {
   c2d::ModelHeader model;
   c2d_options options;
   // written by c2d_prepare
-  c2d::EliminationPlan plan[2];
-  int32_t inverted;          // the supported body, whose contact displacements follow from tau
   int32_t blocked;           // nothing holds some motion: c2d_advance says so at once
   int16_t keeps_flexibility; // the phase area has room for F
   int16_t keeps_energy;      // this program has calls that tell energies (solver/energy.hpp)
@@ -62,9 +60,7 @@ struct c2d_solver {
   double turn[3][3];                                                               // at its last turns, the last one first:
                                                                                    // work, elastic, dissipated
   double outcome_motion[3];                                                        // of outcome_body, as Body::free_motion
-  double applied[2][3], contact_force[2][3];
   double force_applied, force_contact, force_error, tension_ratio;
-  double multiplier[2][3]; // rho, omega of the balanced equations, of each body, at the load reached
 };
 
 namespace c2d {
@@ -100,6 +96,9 @@ template <class T> T* array_of(c2d_solver* solver, int32_t id) {
   return reinterpret_cast<T*>(reinterpret_cast<char*>(solver) + solver->layout.offset[id]);
 }
 Model model_of(c2d_solver* solver);
+Sizes sizes_of(c2d_solver* solver); // with their list of bodies
+EliminationPlan& plan_of(c2d_solver* solver, int b);
+BodyResults& results_of(c2d_solver* solver, int b);
 bool is_coefficient(double mu);                                          // of friction: zero or more, infinity included
 double coefficient_of_zone(c2d_solver* solver, int32_t zone, int32_t i); // both from 0
 double* zone_friction(c2d_solver* solver, int32_t i); // [zones] of the i-th run (from 0); negative: that for all

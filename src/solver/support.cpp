@@ -2,7 +2,11 @@
 
 #include <math.h>
 
+#include "memory/parts.hpp"
+
 namespace c2d {
+
+C2D_USES(WarningPart);
 
 int extend_basis(double basis[3][3], int rank, int n, double row[3]) {
   double before = 0.0, after = 0.0;
@@ -21,16 +25,16 @@ int extend_basis(double basis[3][3], int rank, int n, double row[3]) {
 
 namespace {
 
-// Orthonormal basis, in coordinates of the free motions, of what the pairs prevent: all of them sticking, or along the normal
-// and by friction alone. Its rank.
-int prevented_by_pairs(const Model& m, int b, bool sticking, double basis[3][3]) {
-  const Body& body = m.head->body[b];
+// Orthonormal basis, in coordinates of the free motions, of what the pairs prevent, along the normal and by friction alone. Its
+// rank.
+int prevented_by_pairs(const Model& m, int b, double basis[3][3]) {
+  const Body& body = m.body[b];
   const int k = body.free_motions;
   int rank = 0;
   for (int32_t i = 0; i < m.head->pairs && rank < k; ++i) {
     const Pair& pair = m.pair[i];
     for (int d = 0; d <= pair.tangential && rank < k; ++d) {
-      if (d == 1 && !sticking && pair.mu == 0.0) continue;
+      if (d == 1 && pair.mu == 0.0) continue;
       double row[3] = {0.0, 0.0, 0.0};
       for (int j = 0; j < k; ++j) {
         double w[2];
@@ -41,11 +45,6 @@ int prevented_by_pairs(const Model& m, int b, bool sticking, double basis[3][3])
     }
   }
   return rank;
-}
-
-bool contact_holds(const Model& m, int b) {
-  double basis[3][3];
-  return prevented_by_pairs(m, b, true, basis) == m.head->body[b].free_motions;
 }
 
 // Of two motions, the sum over the pairs that METHOD (13.3) is about.
@@ -80,7 +79,7 @@ void add_motion(double to[3], double factor, const double motion[3]) {
 // The motion with these coordinates, but for what the pairs make of it along the body's slides.
 void to_motion(const Model& m, const FreeBody& body, const double coordinates[3], double out[3]) {
   out[0] = out[1] = out[2] = 0.0;
-  for (int j = 0; j < body.motions; ++j) add_motion(out, coordinates[j], m.head->body[body.body].free_motion[j]);
+  for (int j = 0; j < body.motions; ++j) add_motion(out, coordinates[j], m.body[body.body].free_motion[j]);
   if (body.slides > 0) add_motion(out, -pair_product(m, body, out, body.slide), body.slide);
 }
 
@@ -88,7 +87,7 @@ void to_motion(const Model& m, const FreeBody& body, const double coordinates[3]
 
 void find_slides(const Model& m, FreeBody& body) {
   double basis[3][3];
-  const int held = prevented_by_pairs(m, body.body, false, basis);
+  const int held = prevented_by_pairs(m, body.body, basis);
   if (held + 1 != body.motions) return; // on a single pair it may turn as well
   add_farthest(basis, held, body.motions);
   to_motion(m, body, basis[held], body.slide);
@@ -99,20 +98,96 @@ void find_slides(const Model& m, FreeBody& body) {
   if (held == 1) to_motion(m, body, basis[0], body.motion);
 }
 
-// Which body's displacements are eliminated, a supported one and the stiffer of two (METHOD 10.1), and whether anything can fly
-// away whatever the contact does.
+namespace {
+
+// Adds what is new of `row` to an orthonormal basis of `rank` rows of n numbers.
+int extend_rows(double* basis, int32_t rank, int32_t n, double* row) {
+  double before = 0.0, after = 0.0;
+  for (int32_t j = 0; j < n; ++j) before += row[j] * row[j];
+  for (int pass = 0; pass < 2; ++pass)
+    for (int32_t i = 0; i < rank; ++i) {
+      const double* unit = basis + static_cast<int64_t>(i) * n;
+      double part = 0.0;
+      for (int32_t j = 0; j < n; ++j) part += unit[j] * row[j];
+      for (int32_t j = 0; j < n; ++j) row[j] -= part * unit[j];
+    }
+  for (int32_t j = 0; j < n; ++j) after += row[j] * row[j];
+  if (!(after > 1e-16 * before) || !(after > 1e-16)) return 0;
+  const double length = sqrt(after);
+  for (int32_t j = 0; j < n; ++j) row[j] /= length; // it stands where the next row of the basis belongs
+  return 1;
+}
+
+// A pair's motion along one of its slots under all free motions.
+void motion_row(const Model& m, const Pair& pair, int slot, int32_t n, double* row) {
+  for (int32_t j = 0; j < n; ++j) row[j] = 0.0;
+  for (int side = 0; side < 2; ++side) {
+    const int b = body_on(m, pair, side);
+    const Body& body = m.body[b];
+    for (int32_t j = 0; j < body.free_motions; ++j) {
+      double w[2];
+      motion_at_pair(m, b, body.free_motion[j], body.centre, pair, w);
+      row[body.first_motion + j] = w[slot];
+    }
+  }
+}
+
+// How much of a body's motions an orthonormal basis of what is prevented leaves free.
+double freedom(const Body& body, const double* basis, int32_t rank, int32_t n) {
+  double sum = 0.0;
+  for (int32_t j = body.first_motion; j < body.first_motion + body.free_motions; ++j) {
+    sum += 1.0;
+    for (int32_t i = 0; i < rank; ++i) sum -= basis[static_cast<int64_t>(i) * n + j] * basis[static_cast<int64_t>(i) * n + j];
+  }
+  return sum;
+}
+
+// Rank of what the pairs [first, end) prevent, all sticking, added to an orthonormal basis.
+int32_t prevent(const Model& m, int32_t first, int32_t end, double* basis, int32_t rank) {
+  const int32_t n = m.head->motions;
+  for (int32_t i = first; i < end; ++i)
+    for (int d = 0; d <= m.pair[i].tangential && rank < n; ++d) {
+      double* row = basis + static_cast<int64_t>(rank) * n;
+      motion_row(m, m.pair[i], d, n, row);
+      rank += extend_rows(basis, rank, n, row);
+    }
+  return rank;
+}
+
+// The body, from 1, that moves although all pairs stick, the least held one if there are several; 0: none does. `basis`:
+// motions^2 numbers.
+int32_t find_unheld(c2d_solver* s, const Model& m, double* basis) {
+  const int32_t n = m.head->motions;
+  const int32_t tied = prevent(m, m.head->path_pairs, m.head->pairs, basis, 0);
+  const int32_t rank = prevent(m, 0, m.head->path_pairs, basis, tied);
+  if (rank < n) kWarningPart.tell_unheld(s, basis, rank);
+  m.head->loose = n - tied;
+  int32_t found = 0;
+  if (rank == n) return found;
+  constexpr double kNone = 1e-9;
+  for (int b = 0; b < m.head->bodies; ++b) {
+    const Body& body = m.body[b];
+    if (body.contact == 0 || !(freedom(body, basis, rank, n) > kNone)) continue;
+    if (found == 0 || body.free_motions > m.body[found - 1].free_motions) found = b + 1;
+  }
+  return found;
+}
+
+} // namespace
+
 void find_support(c2d_solver* s, const Model& m) {
-  s->inverted = 0;
-  s->blocked = 0;
+  s->blocked = m.head->loose = 0;
   for (int b = 0; b < m.head->bodies; ++b)
-    if (m.head->contact == 0 && m.head->body[b].free_motions > 0) s->blocked = b + 1;
-  if (m.head->contact == 0) return;
-  const int32_t free1 = m.head->body[0].free_motions, free2 = m.head->body[1].free_motions;
-  s->inverted = free1 > 0 || (free2 == 0 && m.head->rigid == 0 && shear_modulus(m, 1) > shear_modulus(m, 0)) ? 1 : 0;
-  if (m.head->body[s->inverted].free_motions > 0)
-    s->blocked = free1 >= free2 ? 1 : 2; // neither is held: the less held one
-  else if (!contact_holds(m, 1 - s->inverted))
-    s->blocked = 2 - s->inverted;
+    if (m.body[b].contact == 0 && m.body[b].free_motions > 0) s->blocked = b + 1;
+  if (s->blocked != 0) kWarningPart.tell_unheld(s, nullptr, 0);
+  if (s->blocked != 0 || m.head->motions == 0) return;
+  const int32_t n = m.head->motions;
+  if (static_cast<uint64_t>(n) * static_cast<uint64_t>(n) * sizeof(double) > s->bytes - s->layout.persistent) { // far too many
+    for (int b = 0; b < m.head->bodies; ++b)
+      if (s->blocked == 0 || m.body[b].free_motions > m.body[s->blocked - 1].free_motions) s->blocked = b + 1;
+    return;
+  }
+  s->blocked = find_unheld(s, m, array_of<double>(s, kPhase));
 }
 
 } // namespace c2d

@@ -1,12 +1,11 @@
 #pragma once
-// Which body the contact has to hold, and whether it can.
+// Whether the contact can hold the bodies that supports do not.
 #include "contact/start.hpp"
 #include "solver/solver.hpp"
 
 namespace c2d {
 
-// Sets solver->inverted, the body whose displacements are eliminated, and ->blocked: the body (from 1) that flies away
-// whatever the contact does, 0: none.
+// Sets solver->blocked: the body (from 1) that flies away whatever the contact does, 0: none. Uses the phase area.
 void find_support(c2d_solver* solver, const Model& model);
 // Which one of the free motions no pair resists, with the coefficients of friction that there are, whatever touches.
 void find_slides(const Model& model, FreeBody& body);

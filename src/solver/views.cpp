@@ -7,29 +7,38 @@
 namespace c2d {
 
 Model model_of(c2d_solver* s) {
+  Body* const body = array_of<Body>(s, kBodies);
   Model m;
   m.head = &s->model;
-  for (int b = 0; b < 2; ++b) {
-    m.xy[b] = array_of<double>(s, kXy + b);
-    m.node_line[b] = array_of<int32_t>(s, kNodeLine + b);
-    m.end_traction[b] = array_of<double>(s, kEndTraction + b);
-    m.node_disp[b] = array_of<double>(s, kNodeDisp + b);
-    m.end_code[b] = array_of<uint8_t>(s, kEndCode + b);
-    m.end_line[b] = array_of<int32_t>(s, kEndLine + b);
-    m.node_column[b] = array_of<int32_t>(s, kNodeColumn + b);
-    m.region[b] = array_of<Region>(s, kRegions + b);
-  }
+  m.body = body;
+  m.xy = {body};
+  m.node_line = {body};
+  m.end_traction = {body};
+  m.node_disp = {body};
+  m.end_code = {body};
+  m.end_line = {body};
+  m.node_column = {body};
+  m.region = {body};
+  m.body_force = {body};
+  m.rigid_motion = {body};
+  m.load_work = {body};
   m.zone = array_of<Zone>(s, kZones);
   m.pair = array_of<Pair>(s, kPairs);
   m.point_load = array_of<PointLoad>(s, kPointLoads);
   m.curve = array_of<Curve>(s, kCurves);
   m.friction = array_of<double>(s, kFriction);
   m.path = array_of<Path>(s, kPaths);
-  m.rigid_motion = array_of<RigidMotion>(s, kRigidMotions);
-  m.body_force = array_of<BodyForce>(s, kBodyForces);
   m.path_load = array_of<double>(s, kPathLoads);
   return m;
 }
+
+Sizes sizes_of(c2d_solver* s) {
+  Sizes sizes = s->sizes;
+  sizes.body = array_of<c2d_body_limits>(s, kBodyLimits);
+  return sizes;
+}
+EliminationPlan& plan_of(c2d_solver* s, int b) { return array_of<EliminationPlan>(s, kPlans)[b]; }
+BodyResults& results_of(c2d_solver* s, int b) { return array_of<BodyResults>(s, kBodyResults)[b]; }
 
 // Zero or more; infinity is full adhesion. Not-a-numbers are told apart without comparing them.
 bool is_coefficient(double mu) { return isinf(mu) ? mu > 0.0 : (is_usable(mu) && mu >= 0.0); }

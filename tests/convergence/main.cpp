@@ -1,5 +1,5 @@
 // make convergence: for every family, the error against the number of elements and the observed order.
-#include "family_runs.hpp"
+#include "body_figures.hpp"
 
 #include <cstdio>
 #include <functional>
@@ -7,8 +7,6 @@
 using namespace families_test;
 
 namespace {
-
-const double kPi = std::acos(-1.0);
 
 struct Quantity {
   const char* name;
@@ -155,6 +153,52 @@ void single_bodies() {
   }
 }
 
+void several_bodies() {
+  for (const char* order : {"order=1", "order=2"})
+    table("Stack of plates", "stack", {order}, "n", {3, 5, 9},
+          {{"stress", [](const Solution& s) { return uniform_error(s, 1, 0.2); }}});
+  const auto rollers = [](const char* title, const std::vector<std::string>& settings, const std::vector<double>& middles,
+                          double p0) {
+    table(title, "rollers", settings, "n", {4, 8, 16, 32},
+          {{"p0, worst contact", [=](const Solution& s) { return worst_of_rollers(s, middles, p0).peak; }},
+           {"edge, worst contact", [=](const Solution& s) { return worst_of_rollers(s, middles, p0).edge; }},
+           {"p, worst contact", [=](const Solution& s) { return worst_of_rollers(s, middles, p0).curve; }}});
+  };
+  rollers("Three rollers between rigid platens", {}, {-250, 0, 250}, 1000 / 0.91 / 200);
+  rollers("Roller between half planes", {"rollers=1", "platens=elastic"}, {0}, 1000 / 1.82 / 200);
+  rollers("Roller between cylinders", {"rollers=1", "platens=cylinders"}, {0}, 1000 / 1.82 / 100);
+  for (const char* bond : {"bond=matching", "bond=free"}) {
+    const auto hertz = [](const Solution& s) { return hertz_figures(s.zone(1), 0, 1, 1000 / 1.82 / 200); };
+    table("Layer of the same material", "coating", {"E2=1000", bond}, "n", {10, 20, 40},
+          {{"p0", [=](const Solution& s) { return hertz(s).peak; }},
+           {"edge", [=](const Solution& s) { return hertz(s).edge; }},
+           {"p, largest", [=](const Solution& s) { return hertz(s).curve; }}});
+    table("Bonded strips", "bimaterial", {bond}, "n", {4, 8, 16},
+          {{"deflection", [](const Solution& s) { return bending_errors(s).deflection; }},
+           {"stress, largest", [](const Solution& s) { return bending_errors(s).stress; }}});
+    table("Ring on a bonded bush", "shrink", {bond}, "n", {6, 12, 24},
+          {{"pressure of the fit", [](const Solution& s) { return shrink_errors(s).fit; }},
+           {"pressure of the bond", [](const Solution& s) { return shrink_errors(s).bond; }}});
+  }
+  for (const char* mu : {"mu=0", "mu=0.2"})
+    table("Dovetail", "dovetail", {mu}, "n", {5, 10, 20},
+          {{"force on a flank",
+            [=](const Solution& s) { return flank_errors(s, 45, std::string(mu) == "mu=0" ? 0 : 0.2, 0.1).normal; }},
+           {"balance", [](const Solution& s) { return flank_errors(s, 45, 0, 0.1).balance; }}});
+  for (const char* at : {"at=0.1", "at=0.5", "at=0.9"})
+    table("Gear pair", "gear", {at}, "n", {5, 10, 20},
+          {{"ratio of the moments", [](const Solution& s) { return gear_error(s, 20, 30); }},
+           {"p0", [](const Solution& s) { return gear_peak(s, 20); }}});
+  table("Lap joint that slips", "lap_joint", {"pull=0.01"}, "n", {3, 5, 8},
+        {{"slip load over mu N", [](const Solution& s) { return lap_figures(s).pull / 0.3 - 1; }}});
+  table("Lap joint whose stud bears", "lap_joint", {}, "n", {3, 5, 8},
+        {{"friction over mu N", [](const Solution& s) { return lap_figures(s).friction / 0.3 - 1; }},
+         {"balance", [](const Solution& s) {
+            const LapFigures f = lap_figures(s);
+            return (f.friction + f.bearing) / f.pull - 1;
+          }}});
+}
+
 } // namespace
 
 int main() {
@@ -162,5 +206,6 @@ int main() {
   contact_problems();
   friction_problems();
   single_bodies();
+  several_bodies();
   return 0;
 }

@@ -25,9 +25,9 @@ uint64_t need(int nodes, int pairs, int width) {
 }
 
 double formula(double N, double p, double w) {
-  const double eliminate = 3776 + 240 * N + 489 * p + 8 * (2 * N + 9) * w, results = 292 * N + 648 * p + 32 * p * p,
-               rates = 164 * N + 664 * p + 64 * p * p;
-  return 4350 + std::max(eliminate, std::max(results, rates));
+  const double eliminate = 4150 + 240 * N + 504 * p + 8 * (2 * N + 9) * w, results = 650 + 292 * N + 692 * p + 32 * p * p,
+               reduce = 440 + 164 * N + 720 * p + 64 * p * p;
+  return 4760 + std::max(eliminate, std::max(results, reduce));
 }
 
 } // namespace

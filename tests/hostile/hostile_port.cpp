@@ -207,8 +207,7 @@ void make_port_hostile(c2d_solver* s) {
 }
 
 void make_memory_hostile(Sizes& sizes, Layout& layout, size_t& bytes) {
-  c2d_body_limits body[2];
-  c2d_limits narrow = limits_of(sizes, body);
+  c2d_limits narrow = limits_of(sizes);
   if (narrow.panel_columns == 0) narrow.panel_columns = kHostileWidth;
   Sizes narrow_sizes;
   Layout narrow_layout;
@@ -218,7 +217,11 @@ void make_memory_hostile(Sizes& sizes, Layout& layout, size_t& bytes) {
     return;
   sizes = narrow_sizes;
   layout = narrow_layout;
-  const int64_t rows = sizes.body[0].rows > sizes.body[1].rows ? sizes.body[0].rows : sizes.body[1].rows;
+  int64_t rows = 0;
+  for (int b = 0; b < sizes.bodies; ++b) {
+    const int64_t of_body = sizes_of_body(sizes, b).rows;
+    if (of_body > rows) rows = of_body;
+  }
   least += round_up(kBlockHeaderBytes + static_cast<uint64_t>(rows) * sizeof(Real));
   if (least < bytes) bytes = static_cast<size_t>(least);
 }

@@ -1,8 +1,9 @@
 // make random N=...: many random decks, in a process that may crash or hang without ending the others.
-//   run_random COUNT FIRST_SEED FOLDER [any|few|lift|mirror|punch]
+//   run_random COUNT FIRST_SEED FOLDER [any|few|lift|mirror|three|punch]
 // Prints a line per finding and one per deck that could not be decided, then totals; exit status 1 if there was a finding.
 #include "judge.hpp"
 #include "spence.hpp"
+#include "three_bodies.hpp"
 
 #include <cfenv>
 #include <cstdio>
@@ -45,7 +46,7 @@ void judge_one(Kind kind, uint64_t seed, const std::string& folder, FILE* out) {
   say(out, "begin", number(seed));
   Verdict v;
   try {
-    v = judge(kind, seed);
+    v = kind == Kind::three ? judge_three(seed) : judge(kind, seed);
   } catch (const std::exception& e) {
     v.findings.push_back(std::string("the judge stopped: ") + e.what());
   }
@@ -135,6 +136,7 @@ int main(int argc, char** argv) {
   const Kind kind = name == "few"      ? Kind::few_pairs
                     : name == "lift"   ? Kind::lifted
                     : name == "mirror" ? Kind::symmetric
+                    : name == "three"  ? Kind::three
                                        : Kind::any;
   Tally tally;
   run_all(kind, first, first + count, folder, tally);

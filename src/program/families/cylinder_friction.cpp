@@ -50,7 +50,7 @@ ProblemModel build(const Values& v) {
                {0, radius},
                {half_cylinder(zone, radius, ratio, traction(0, -load / (2 * radius)))},
                "the cylinder"}};
-  m.zones = {{3, 0}};
+  m.zones = {contact(3, 0)};
   m.loads = {{v.count("steps"), 1.0}};
   return m;
 }

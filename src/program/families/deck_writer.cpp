@@ -82,12 +82,19 @@ private:
   void nodes(size_t b);
   void conditions(size_t b);
   std::vector<End> ends(size_t b) const;
-  void place_of_side(size_t b, int side, int& element, int& node) const;
+  struct Range { // first element, and first and last node of a side of a zone, from 1
+    int element, elements, first_node, last_node;
+  };
+  Range range_of(const ZoneSide& side) const;
+  void hold(const Outline& region, int element, int local, std::array<int, 4>& codes, std::array<double, 4>& values) const;
   End end(const Outline& region, size_t side, int element, int local) const;
   void zones();
   void loads();
-  void adhesion();
+  void free_zones();
+  void ties();
+  void friction();
   void symmetry();
+  void rigid_bodies();
 
   const ProblemModel& m_;
   std::vector<std::vector<Curve>> curves_; // per body
@@ -120,10 +127,12 @@ void Writer::control() {
   for (const std::string& line : m_.heading) card(line);
   card(m_.title);
   const int bodies = static_cast<int>(m_.bodies.size());
+  const int matching =
+      static_cast<int>(std::count_if(m_.zones.begin(), m_.zones.end(), [](const ContactZone& zone) { return !zone.free; }));
   comment(m_.plane == 0 ? "plane strain; output" : "plane stress; output");
-  card(formatted("%d %d", m_.plane, bodies == 2 ? 1 : 0));
+  card(formatted("%d %d", m_.plane, m_.zones.empty() ? 0 : 1));
   comment("bodies, contact zones, functional nodes per element");
-  card(formatted("%d %d %d", bodies, static_cast<int>(m_.zones.size()), m_.function_nodes));
+  card(formatted("%d %d %d", bodies, matching, m_.function_nodes));
   comment("per body: closed curves, boundary points per element, elements, boundary points");
   for (size_t b = 0; b < m_.bodies.size(); ++b)
     card(formatted("%d %d %d %d", static_cast<int>(curves_[b].size()), is_curved(m_.bodies[b]) ? 3 : 2, elements(b),
@@ -164,9 +173,9 @@ std::vector<Outline::Node> points_of(const Curve& curve, bool curved) {
     const Outline::Node &a = n[static_cast<size_t>(i)], &b = n[static_cast<size_t>(i) + 1];
     out.push_back(a);
     if (!curved) continue;
-    Outline::Node middle{{(a.at.x + b.at.x) / 2, (a.at.y + b.at.y) / 2}, false, 0, 0};
+    Outline::Node middle{{(a.at.x + b.at.x) / 2, (a.at.y + b.at.y) / 2}, false, 0, 0, {}, {}};
     // Both ends polar and not on one ray: an arc (a side along a ray has one polar end at most).
-    if (a.polar && b.polar) middle = {middle.at, true, a.radius, (a.angle + b.angle) / 2};
+    if (a.polar && b.polar) middle = {middle.at, true, a.radius, (a.angle + b.angle) / 2, {}, {}};
     out.push_back(middle);
   }
   if (curve.open) out.push_back(n[static_cast<size_t>(curve.first + curve.elements)]);
@@ -209,6 +218,21 @@ void Writer::nodes(size_t b) {
   }
 }
 
+// A point that is held: what holds it is a traction of the element that begins there.
+void Writer::hold(const Outline& region, int element, int local, std::array<int, 4>& codes,
+                  std::array<double, 4>& values) const {
+  const auto& n = region.nodes();
+  const bool begins = local == 1, ends = local == m_.function_nodes;
+  if (!begins && !ends) return;
+  const size_t at = static_cast<size_t>(element) + (ends ? 1 : 0), last = n.size() - 1;
+  const Outline::Node &node = n[at], &same = n[at == 0 ? last : at == last ? 0 : at];
+  for (size_t i = 0; i < 2; ++i)
+    if ((node.held[i] || same.held[i]) && codes[i + 2] == 1) {
+      codes[i + 2] = 0, codes[i] = begins ? 1 : 0;
+      values[i + 2] = node.held[i] ? node.moved[i] : same.moved[i];
+    }
+}
+
 // A displacement is known at a corner if either of its sides knows it.
 End Writer::end(const Outline& region, size_t side, int element, int local) const {
   const std::vector<Outline::Side>& sides = region.sides();
@@ -231,6 +255,7 @@ End Writer::end(const Outline& region, size_t side, int element, int local) cons
   };
   if (first) join(sides[side == 0 ? sides.size() - 1 : side - 1]);
   if (last) join(sides[side + 1 == sides.size() ? 0 : side + 1]);
+  hold(region, element, local, out.codes, values);
   for (size_t i = 0; i < 4; ++i) out.values[i] = number(values[i]);
   return out;
 }
@@ -252,20 +277,24 @@ std::vector<End> Writer::ends(size_t b) const {
   return out;
 }
 
-// First element and first functional node of a side of the body's first outline, from 1.
-void Writer::place_of_side(size_t b, int side, int& element, int& node) const {
-  const size_t at = static_cast<size_t>(side);
-  element = node = 1;
+Writer::Range Writer::range_of(const ZoneSide& side) const {
+  const size_t at = static_cast<size_t>(side.side), b = static_cast<size_t>(side.body);
+  const Outline* const outline = &m_.bodies[b].regions[static_cast<size_t>(side.region)];
+  const int order = m_.function_nodes - 1;
+  Range out{1, outline->sides()[at].elements, 1, 1};
   for (const Curve& curve : curves_[b]) {
-    if (at >= curve.first_side && at < curve.first_side + curve.sides) {
-      const int before = curve.outline->sides()[at].first - curve.first;
-      element += before;
-      node += before * (m_.function_nodes - 1);
-      return;
+    const int nodes = nodes_along(curve, order);
+    if (curve.outline == outline && at >= curve.first_side && at < curve.first_side + curve.sides) {
+      const int before = outline->sides()[at].first - curve.first, end = (before + out.elements) * order;
+      out.element += before;
+      out.last_node = out.first_node + (end == nodes ? 0 : end); // a closed curve ends where it begins
+      out.first_node += before * order;
+      return out;
     }
-    element += curve.elements;
-    node += nodes_along(curve, m_.function_nodes - 1);
+    out.element += curve.elements;
+    out.first_node += nodes;
   }
+  return out;
 }
 
 void Writer::conditions(size_t b) {
@@ -292,23 +321,36 @@ void Writer::conditions(size_t b) {
 }
 
 void Writer::zones() {
-  int elements_in_contact = 0;
-  const int f = m_.function_nodes - 1;
-  int pairs = 0;
+  std::vector<int> pairs(m_.bodies.size(), 0), elements(m_.bodies.size(), 0);
   for (const ContactZone& zone : m_.zones) {
-    const int n = m_.bodies[0].regions[0].sides()[static_cast<size_t>(zone.side1)].elements;
-    int e1, e2, n1, n2;
-    place_of_side(0, zone.side1, e1, n1);
-    place_of_side(1, zone.side2, e2, n2);
+    if (zone.free) continue;
+    const Range a = range_of(zone.side1), b = range_of(zone.side2);
+    const int n = a.elements, count = n * (m_.function_nodes - 1) + 1;
     comment("contact zone: bodies, pairs, elements; its elements; its nodes");
-    card(formatted("1 2 %d %d", n * f + 1, n));
-    card(formatted("%d %d %d %d", e1, e1 + n - 1, e2 + n - 1, e2));
-    card(formatted("%d %d %d %d", n1, n1 + n * f, n2 + n * f, n2));
-    elements_in_contact += n;
-    pairs += n * f + 1;
+    card(formatted("%d %d %d %d", zone.side1.body + 1, zone.side2.body + 1, count, n));
+    card(formatted("%d %d %d %d", a.element, a.element + n - 1, b.element + n - 1, b.element));
+    card(formatted("%d %d %d %d", a.first_node, a.last_node, b.last_node, b.first_node));
+    for (const int body : {zone.side1.body, zone.side2.body}) {
+      elements[static_cast<size_t>(body)] += n;
+      pairs[static_cast<size_t>(body)] += count;
+    }
   }
   comment("per body: nodes and elements in contact");
-  for (size_t body = 0; body < m_.bodies.size(); ++body) card(formatted("%d %d", pairs, elements_in_contact));
+  for (size_t b = 0; b < m_.bodies.size(); ++b) card(formatted("%d %d", pairs[b], elements[b]));
+}
+
+void Writer::free_zones() {
+  for (const ContactZone& zone : m_.zones) {
+    if (!zone.free) continue;
+    const Range a = range_of(zone.side1), b = range_of(zone.side2);
+    card(formatted("*ZONE BODIES %d %d %d %d %d %d", zone.side1.body + 1, zone.side2.body + 1, a.element,
+                   a.element + a.elements - 1, b.element, b.element + b.elements - 1));
+  }
+}
+
+void Writer::ties() {
+  for (size_t i = 0; i < m_.zones.size(); ++i)
+    if (m_.zones[i].tied) card("*TIE " + std::to_string(i + 1));
 }
 
 void Writer::loads() {
@@ -317,15 +359,29 @@ void Writer::loads() {
   for (const Load& load : m_.loads) card(std::to_string(load.increments) + number(load.factor));
 }
 
-// The card of coefficients has no word for adhesion; a keyword card has.
-void Writer::adhesion() {
-  if (m_.zones.empty() || std::none_of(m_.friction.begin(), m_.friction.end(), [](double mu) { return std::isinf(mu); }))
-    return;
-  card("*FRICTION");
-  for (size_t zone = 1; zone <= m_.zones.size(); ++zone) {
-    std::string text = std::to_string(zone);
-    for (const double mu : m_.friction) text += std::isinf(mu) ? " INF" : number(mu);
+// The card of coefficients has no word for adhesion, and is for all zones; a keyword card has, for each.
+void Writer::friction() {
+  const bool adheres = std::any_of(m_.friction.begin(), m_.friction.end(), [](double mu) { return std::isinf(mu); });
+  bool told = false;
+  for (size_t i = 0; i < m_.zones.size(); ++i) {
+    const bool own = !m_.zones[i].friction.empty();
+    if (m_.zones[i].tied || !(own || adheres)) continue;
+    if (!told) card("*FRICTION");
+    told = true;
+    std::string text = std::to_string(i + 1);
+    for (const double mu : own ? m_.zones[i].friction : m_.friction) text += std::isinf(mu) ? " INF" : number(mu);
     card(text);
+  }
+}
+
+void Writer::rigid_bodies() {
+  for (size_t b = 0; b < m_.bodies.size(); ++b) {
+    const RigidModel& rigid = m_.bodies[b].rigid;
+    const std::string body = " " + std::to_string(b + 1);
+    if (rigid.kind == RigidModel::kHeld) card("*RIGID" + body);
+    if (rigid.kind != RigidModel::kLoaded) continue;
+    card("*RIGID LOAD" + body + number(rigid.point.x) + number(rigid.point.y) + (rigid.free.empty() ? "" : " " + rigid.free));
+    card("1" + number(rigid.load[0]) + number(rigid.load[1]) + number(rigid.load[2]));
   }
 }
 
@@ -347,8 +403,11 @@ std::string Writer::write() {
   for (size_t b = 0; b < m_.bodies.size(); ++b) conditions(b);
   zones();
   loads();
-  adhesion();
+  free_zones();
+  ties();
+  friction();
   if (m_.images) symmetry();
+  rigid_bodies();
   for (const std::string& text : m_.keywords) card(text);
   return out_;
 }

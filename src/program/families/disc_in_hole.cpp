@@ -39,7 +39,7 @@ ProblemModel build(const Values& v) {
   disc.axis_x({0, 0}, graded(R, h, 0, ratio, R / 6));
   m.bodies = {{v.number("E1"), v.number("nu1"), {0, 0}, {plate}, "the plate"},
               {v.number("E2"), v.number("nu2"), {0, 0}, {disc}, "the disc"}};
-  m.zones = {{3, 1}};
+  m.zones = {contact(3, 1)};
   return m;
 }
 

@@ -66,5 +66,13 @@ Family rough_plates_family();
 Family ring_family();
 Family hole_family();
 Family cantilever_family();
+Family stack_family();
+Family rollers_family();
+Family coating_family();
+Family bimaterial_family();
+Family shrink_family();
+Family dovetail_family();
+Family gear_family();
+Family lap_joint_family();
 
 } // namespace families

@@ -35,7 +35,7 @@ ProblemModel build(const Values& v) {
                {0, radius},
                {half_cylinder(zone, radius, ratio, traction(0, -load / (2 * radius)))},
                "the cylinder"}};
-  m.zones = {{3, 0}};
+  m.zones = {contact(3, 0)};
   return m;
 }
 

@@ -41,7 +41,7 @@ ProblemModel build(const Values& v, bool lifted) {
   base.line({0, 0}, reversed(zone));
   base.axis_x({0, -h}, graded(h, first_size(zone), 0, ratio, h / 2));
   m.bodies = {{E * v.number("rigid"), nu, {0, 0}, {base}, "the base"}, {E, nu, {0, 0}, {layer}, "the layer"}};
-  m.zones = {{3, 0}};
+  m.zones = {contact(3, 0)};
   return m;
 }
 

@@ -102,9 +102,14 @@ Outline& Outline::line(Point end, const std::vector<double>& s, const Condition&
     const double f = s[i] / s.back();
     Point at{from.x + (end.x - from.x) * f, from.y + (end.y - from.y) * f};
     if (i + 1 == s.size()) at = end;
-    nodes_.push_back({at, false, 0, 0});
+    nodes_.push_back({at, false, 0, 0, {}, {}});
   }
   return add_side(static_cast<int>(s.size()) - 1, condition);
+}
+
+Outline& Outline::path(const std::vector<Point>& points, const Condition& condition) {
+  for (const Point& at : points) nodes_.push_back({at, false, 0, 0, {}, {}});
+  return add_side(static_cast<int>(points.size()), condition);
 }
 
 Outline& Outline::axis_x(Point end, const std::vector<double>& s) {
@@ -116,6 +121,18 @@ Outline& Outline::axis_x(Point end, const std::vector<double>& s) {
 Outline& Outline::axis_y(Point end, const std::vector<double>& s) {
   line(end, s, roller_y());
   sides_.back().axis = 'Y';
+  return *this;
+}
+
+Outline& Outline::hold_x(double ux) {
+  nodes_.back().held[0] = true;
+  nodes_.back().moved[0] = ux;
+  return *this;
+}
+
+Outline& Outline::hold_y(double uy) {
+  nodes_.back().held[1] = true;
+  nodes_.back().moved[1] = uy;
   return *this;
 }
 
@@ -141,9 +158,9 @@ Outline& Outline::arc(Point centre, double radius, double from, double to, const
     const double angle = from + (to - from) * (s[i] / s.back());
     const Point at = on_circle(centre, radius, angle);
     if (i == 0)
-      nodes_.back() = {nodes_.back().at, true, radius, angle};
+      nodes_.back().polar = true, nodes_.back().radius = radius, nodes_.back().angle = angle;
     else
-      nodes_.push_back({at, true, radius, angle});
+      nodes_.push_back({at, true, radius, angle, {}, {}});
   }
   return add_side(static_cast<int>(s.size()) - 1, condition);
 }

@@ -45,7 +45,9 @@ public:
   struct Node {
     Point at;
     bool polar;
-    double radius, angle; // about the origin given for an arc
+    double radius, angle;          // about the origin given for an arc
+    bool held[2] = {false, false}; // ux, uy of this point alone are given
+    double moved[2] = {0, 0};      // what they are
   };
   struct Side {
     int first, elements; // from 0
@@ -53,15 +55,21 @@ public:
     char axis; // 'X', 'Y': on a line of symmetry x or y = const; else 0
   };
 
-  explicit Outline(Point start) : nodes_{{start, false, 0, 0}} {}
+  explicit Outline(Point start) : nodes_{{start, false, 0, 0, {}, {}}} {}
   // A straight side to `end` with nodes at the fractions s / s.back().
   Outline& line(Point end, const std::vector<double>& s, const Condition& condition = free_side());
   // The same on a line of symmetry, x or y constant: smooth rollers, or nothing by images.
   Outline& axis_x(Point end, const std::vector<double>& s);
   Outline& axis_y(Point end, const std::vector<double>& s);
+  // A side of any shape: an element to each of the points.
+  Outline& path(const std::vector<Point>& points, const Condition& condition = free_side());
   // An arc about `centre` from angle `from` to `to` (degrees; rising: counter-clockwise).
   Outline& arc(Point centre, double radius, double from, double to, const std::vector<double>& s,
                const Condition& condition = free_side());
+
+  // How the point reached so far moves in x, in y: against a motion that nothing else holds.
+  Outline& hold_x(double ux = 0);
+  Outline& hold_y(double uy = 0);
 
   int elements() const { return static_cast<int>(nodes_.size()) - 1; }
   const std::vector<Node>& nodes() const { return nodes_; } // the last is the first again

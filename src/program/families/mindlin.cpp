@@ -88,7 +88,7 @@ ProblemModel build(const Values& v) {
   const Outline cylinder = guided_cylinder(zone, radius, ratio, load / (2 * radius));
   m.bodies = {{E, nu, {0, 0}, {whole_block({zone, size, ratio})}, "the half plane"},
               {E, nu, {0, radius}, {cylinder}, "the cylinder"}};
-  m.zones = {{3, 1}};
+  m.zones = {contact(3, 1)};
   m.keywords = {"*CASES 2", "case 2", move_flank(cylinder, 3, move), move_flank(cylinder, 5, move), "*PATH"};
   const auto piece = [&](int increments, double factor) {
     m.keywords.push_back(std::to_string(increments) + " 1.0 " + show(factor));

@@ -3,22 +3,43 @@
 
 #include "program/families/mesh.hpp"
 
+#include <array>
 #include <string>
 #include <vector>
 
 namespace families {
+
+// A rigid body: held, or with free motions of a point that follow from a force and a moment in load case 1.
+struct RigidModel {
+  enum Kind { kElastic, kHeld, kLoaded } kind = kElastic;
+  Point point{0, 0};
+  std::string free{};           // words of *RIGID LOAD, such as "Y TURN"; empty: all motions
+  std::array<double, 3> load{}; // fx, fy, moment
+};
 
 struct BodyModel {
   double youngs_modulus = 0, poisson_ratio = 0;
   Point origin{0, 0};           // of the coordinates on the cards; arcs are about it
   std::vector<Outline> regions; // closed curves
   std::string name;             // for the comments of the deck
+  RigidModel rigid{};
 };
 
-// Contact between the elements of one side of each body's first region, which run oppositely.
-struct ContactZone {
-  int side1, side2; // sides of the outlines, from 0
+// A side of a body's outline, all from 0.
+struct ZoneSide {
+  int body, side, region = 0;
 };
+
+// Contact between the elements of two sides, which run oppositely; of a matching zone as many on both.
+struct ContactZone {
+  ZoneSide side1, side2;
+  bool free = false, tied = false;
+  std::vector<double> friction{}; // of its own, one for every coefficient of the model; none: those of the model
+};
+// Between bodies 1 and 2.
+inline ContactZone contact(int side1, int side2) { return {{0, side1}, {1, side2}}; }
+// A bond.
+inline ContactZone tie(ZoneSide side1, ZoneSide side2, bool free = false) { return {side1, side2, free, true}; }
 
 struct Load {
   int increments;
@@ -32,7 +53,7 @@ struct ProblemModel {
   int function_nodes = 2; // per element
   bool images = false;    // lines of symmetry by images, without elements there
   std::vector<BodyModel> bodies;
-  std::vector<ContactZone> zones;
+  std::vector<ContactZone> zones; // those that match before those that are free
   std::vector<double> friction{0.0};
   std::vector<Load> loads{{1, 1.0}};
   std::vector<std::string> keywords; // cards behind the load cards

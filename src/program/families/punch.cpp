@@ -41,7 +41,7 @@ ProblemModel build(const Values& v) {
   // The origin at the edge: the cards tell small distances from there with all their digits.
   m.bodies = {{E, v.number("nu"), {a, 0}, {block}, "the half plane"},
               {E * v.number("rigid"), v.number("nu"), {a, 0}, {punch}, "the punch"}};
-  m.zones = {{3, 0}};
+  m.zones = {contact(3, 0)};
   m.loads = {{1, 1.0}};
   if (unload < 1) m.loads.push_back({v.count("steps"), unload});
   return m;

@@ -35,7 +35,7 @@ ProblemModel build(const Values& v) {
   layer.axis_x({0, 0}, graded(h, strip / 2, first_size(zone), ratio, h / 8));
   m.bodies = {{v.number("E1"), v.number("nu1"), {0, 0}, {half_block({zone, size, ratio})}, "the half plane"},
               {v.number("E2"), v.number("nu2"), {0, 0}, {layer}, "the layer"}};
-  m.zones = {{3, 0}};
+  m.zones = {contact(3, 0)};
   return m;
 }
 

@@ -38,7 +38,7 @@ ProblemModel build(const Values& v) {
   plate.axis_x({0, -h}, graded(h, first_size(zone), 0, ratio, h / 3));
   m.bodies = {{E * v.number("rigid"), v.number("nu"), {h, 0}, {plate}, "the plate"},
               {E, v.number("nu"), {h, 0}, {block}, "the rectangle"}};
-  m.zones = {{3, 0}};
+  m.zones = {contact(3, 0)};
   return m;
 }
 

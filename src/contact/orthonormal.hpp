@@ -1,0 +1,12 @@
+#pragma once
+// A few long vectors made orthonormal.
+#include "memory/config.hpp"
+
+namespace c2d {
+
+double product(const Real* a, const Real* b, int32_t n);
+// x[0 ... count) of n numbers, made orthonormal in place; the same sums of y, of rows numbers each (or null). Twice, so that
+// they are so to the last digit. False if one is no direction of its own.
+bool orthonormalise(int32_t n, int32_t count, Real* x, int32_t rows, Real* y);
+
+} // namespace c2d

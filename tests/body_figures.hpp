@@ -1,0 +1,131 @@
+// What families of several bodies are compared with, for their tests and for make convergence.
+#pragma once
+
+#include "family_runs.hpp"
+
+namespace families_test {
+
+// Largest difference of a contact's tractions from p and, in size, q; over p. Pairs that do not stick count as 1.
+inline double uniform_error(const Solution& s, double p, double q) {
+  double worst = s.last().empty() ? 1 : 0;
+  for (const Row& row : s.last())
+    worst =
+        std::max({worst, std::fabs(row.tn / p - 1), std::fabs(std::fabs(row.tt) - q) / p, row.status == C2D_STICK ? 0.0 : 1.0});
+  return worst;
+}
+
+// A contact about x = middle against Hertz's, of half width a and largest pressure p0.
+struct HertzFigures {
+  double peak, edge, curve; // relative; in length; over p0 where |x| < 0.9 a
+};
+inline HertzFigures hertz_figures(const std::vector<Row>& zone, double middle, double a, double p0) {
+  HertzFigures out{largest_pressure(zone) / p0 - 1, 0, 0};
+  for (const Row& row : zone) {
+    const double x = std::fabs(row.x - middle) / a;
+    if (row.status != C2D_OPEN) out.edge = std::max(out.edge, x * a);
+    if (x < 0.9) out.curve = std::max(out.curve, std::fabs(row.tn / p0 - std::sqrt(1 - x * x)));
+  }
+  out.edge -= a;
+  return out;
+}
+// The worst over zones first ... last, whose middles are in `middles`, one per two zones.
+inline HertzFigures worst_of_rollers(const Solution& s, const std::vector<double>& middles, double p0) {
+  HertzFigures worst{0, 0, 0};
+  for (size_t i = 0; i < 2 * middles.size(); ++i) {
+    const HertzFigures f = hertz_figures(s.zone(static_cast<int>(i) + 1), middles[i / 2], 1, p0);
+    worst.peak = std::max(worst.peak, std::fabs(f.peak));
+    worst.edge = std::max(worst.edge, std::fabs(f.edge));
+    worst.curve = std::max(worst.curve, f.curve);
+  }
+  return worst;
+}
+
+// Pressures of make shrink at the bond and at the fit: rings under pressure, in plane strain; E and nu are its defaults.
+struct ShrinkFigures {
+  double bond, fit;
+};
+inline ShrinkFigures shrink_exact() {
+  const double a = 1, b = 1.5, c = 2, d = 3, delta = 2e-4, inner = c - delta;
+  struct Ring {
+    double r1, r2, E, nu;
+    // ur at r for unit pressure inside, and outside.
+    double at(double r, bool inside) const {
+      const double square = r2 * r2 - r1 * r1, A = (inside ? r1 * r1 : -r2 * r2) / square;
+      const double B = (inside ? 1 : -1) * r1 * r1 * r2 * r2 / square;
+      return (1 + nu) / E * ((1 - 2 * nu) * A * r + B / r);
+    }
+  } const core{a, b, 1000, 0.3}, bush{b, c, 500, 0.35}, ring{inner, d, 2000, 0.25};
+  // The bond: u of the core is that of the bush; the fit: the ring moves delta more. The bush carries the ring's force,
+  // and the pressure is told per length of side 1, the bush.
+  const double part = inner / c;
+  const double m11 = core.at(b, false) - bush.at(b, true), m12 = -part * bush.at(b, false);
+  const double m21 = -bush.at(c, true), m22 = ring.at(inner, true) - part * bush.at(c, false);
+  const double det = m11 * m22 - m12 * m21;
+  return {-m12 * delta / det, part * m11 * delta / det};
+}
+// Largest relative differences.
+inline ShrinkFigures shrink_errors(const Solution& s) {
+  const ShrinkFigures exact = shrink_exact();
+  ShrinkFigures worst{0, 0};
+  for (const Row& row : s.zone(1)) worst.fit = std::max(worst.fit, std::fabs(row.tn / exact.fit - 1));
+  for (const Row& row : s.zone(2)) worst.bond = std::max(worst.bond, std::fabs(row.tn / exact.bond - 1));
+  return worst;
+}
+
+// make bimaterial against the beam of two materials, up to half its length; relative to the largest.
+struct BendingFigures {
+  double deflection, stress;
+};
+inline BendingFigures bending_errors(const Solution& s) {
+  const double E1 = 1000 / 0.91, E2 = 3000 / 0.96, h1 = 1, h2 = 0.5, h = h1 + h2;
+  const double y0 = (E1 * h1 * h1 / 2 + E2 * h2 * (h1 + h2 / 2)) / (E1 * h1 + E2 * h2);
+  const auto cube = [](double x) { return x * x * x; };
+  const double k = 3 / (E1 * (cube(h1 - y0) - cube(-y0)) + E2 * (cube(h - y0) - cube(h1 - y0)));
+  BendingFigures worst{0, 0};
+  const double largest = E2 * k * (h - y0), reach = 3 * h, sag = k * reach * reach / 2;
+  for (size_t b = 0; b < 2; ++b)
+    for (const EndRow& end : s.bodies[b]) {
+      const bool outside = end.y == 0 || end.y == h;
+      if (end.x > reach) continue;
+      if (end.y == 0) worst.deflection = std::max(worst.deflection, std::fabs(end.uy + k * end.x * end.x / 2) / sag);
+      const double stress = (b == 0 ? E1 : E2) * k * (end.y - y0);
+      if (outside) worst.stress = std::max(worst.stress, std::fabs(end.hoop - stress) / largest);
+    }
+  for (const Row& row : s.zone(1))
+    if (row.x <= reach) worst.stress = std::max(worst.stress, std::hypot(row.tn, row.tt) / largest);
+  return worst;
+}
+
+// make dovetail: a flank's normal force where it slips, against F / (2 (cos + mu sin)), and the balance of both flanks.
+struct FlankFigures {
+  double normal, balance; // relative
+};
+inline FlankFigures flank_errors(const Solution& s, double degrees, double mu, double pull) {
+  const double c = std::cos(degrees * kPi / 180), d = std::sin(degrees * kPi / 180);
+  const double* const force = s.zones[0].force; // on the blade, half of which is modelled
+  return {(-force[0] * d - force[1] * c) / (pull / 2 / (c + mu * d)) - 1, -force[1] / (pull / 2) - 1};
+}
+
+// make gear: the moments that act on the hubs about their centres, the ratio over zB / zA, less 1.
+inline double gear_error(const Solution& s, int zA, int zB) {
+  const double centres = (zA + zB) / 2.0;
+  const c2d_body_result &A = s.resultants[2], &B = s.resultants[3];
+  const double driving = A.applied[2], held = B.applied[2] - centres * B.applied[1];
+  return std::fabs(held / driving) * zA / zB - 1;
+}
+
+// The largest pressure between these teeth, of module 1 and the family's pressure angle, against Hertz's for that force.
+inline double gear_peak(const Solution& s, int zA) {
+  const double a = 1e-3, base = zA / 2.0 * std::cos(20 * kPi / 180), force = s.resultants[2].applied[2] / base;
+  return largest_pressure(s.zone(1)) / (2 * force / (kPi * a)) - 1;
+}
+
+// make lap_joint: what the upper plate is pulled by, and what the contact between the plates and the stud's walls carry of it.
+struct LapFigures {
+  double pull, friction, bearing;
+};
+inline LapFigures lap_figures(const Solution& s) {
+  return {s.resultants[1].applied[0], -s.zones[0].force[0] - s.zones[1].force[0], s.zones[2].force[0] + s.zones[3].force[0]};
+}
+
+} // namespace families_test

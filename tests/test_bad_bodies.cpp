@@ -1,0 +1,207 @@
+// Bad input about bodies, their zones and ties: refused with the card, the numbers, and what was expected.
+#include "many_bodies.hpp"
+
+#include <doctest/doctest.h>
+
+#include <string>
+#include <vector>
+
+using namespace many;
+
+namespace {
+
+// Three squares, one on the other, of one element a side; the lowest is held, the highest pressed.
+struct Squares {
+  std::string numbers = "3 2 2", second = "1 2 2 1\n3 3 1 1\n3 4 2 1\n2 3 2 1\n3 3 1 1\n3 4 2 1\n", keywords;
+  std::string held = "2\n1 1 1100 0 0 0 0\n1 2 1100 0 0 0 0\n0\n";
+  std::string in_contact = "2 1\n4 2\n2 1\n";
+
+  std::string deck() const {
+    std::string text = "*FREE\n1\nTHREE SQUARES\n0 1\n" + numbers + "\n1 2 4 4\n1 2 4 4\n1 2 4 4\n1 4\n1 4\n1 4\n" +
+                       "100 0.3\n200 0.2\n300 0.3\n1 0.5\n";
+    for (int i = 0; i < 3; ++i) {
+      const std::string low = std::to_string(i), high = std::to_string(i + 1);
+      text += "0 0\n1 0 " + low + "\n2 1 " + low + "\n3 1 " + high + "\n4 0 " + high + "\n";
+    }
+    return text + held + "0\n0\n2\n3 1 0011 0 -1 0 0\n3 2 0011 0 -1 0 0\n0\n" + second + in_contact + "1 10\n1 1.0\n" +
+           keywords;
+  }
+};
+
+struct Told {
+  c2d_status status;
+  std::string text;
+  c2d_error first;
+};
+Told read(const Squares& squares) {
+  Machine machine(squares.deck());
+  std::string all;
+  for (const c2d_error& e : machine.told) all += e.text + std::string("\n");
+  return {machine.status, all, machine.told.empty() ? C2D_INIT(c2d_error) : machine.told.front()};
+}
+bool says(const Told& told, const std::string& words) { return told.text.find(words) != std::string::npos; }
+
+} // namespace
+
+TEST_CASE("bad bodies: the deck of the others is good") {
+  const Result r = solve_deck(Squares().deck());
+  REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
+  CHECK(r.outcome == C2D_REACHED);
+  CHECK(r.bodies.size() == 3);
+}
+
+TEST_CASE("bad bodies: a zone that names a body twice without saying so") {
+  Squares s;
+  s.second = "1 1 2 1\n3 3 1 1\n3 4 2 1\n2 3 2 1\n3 3 1 1\n3 4 2 1\n";
+  Told told = read(s);
+  CHECK(told.status == C2D_ERR_INPUT);
+  CHECK(told.first.line == 41);
+  INFO(told.text);
+  CHECK(says(told, "both bodies of the zone are 1, expected two different ones, or -1 for a body that meets itself"));
+  s = Squares();
+  s.keywords = "*ZONE BODIES 2 2 2 2 4 4\n";
+  told = read(s);
+  INFO(told.text);
+  CHECK(told.status == C2D_ERR_INPUT);
+  CHECK(told.first.line == 52);
+  CHECK(says(told, "bodies of the zone are 2 and 2, expected two different ones, or the second as -2"));
+  s.keywords = "*ZONE BODIES 2 -2 2 2 4 4\n"; // says so; these sides do not face each other
+  told = read(s);
+  CHECK(told.status == C2D_ERR_INPUT);
+  CHECK(!says(told, "two different ones"));
+}
+
+TEST_CASE("bad bodies: numbers of bodies that are not there") {
+  Squares s;
+  s.second = "1 4 2 1\n3 3 1 1\n3 4 2 1\n2 3 2 1\n3 3 1 1\n3 4 2 1\n";
+  Told told = read(s);
+  CHECK(told.status == C2D_ERR_INPUT);
+  CHECK(told.first.line == 41);
+  CHECK(says(told, "expected"));
+  CHECK(says(told, "3"));
+  s = Squares();
+  s.numbers = "0 2 2";
+  told = read(s);
+  CHECK(told.status == C2D_ERR_INPUT);
+  CHECK(told.first.line == 5);
+  for (const char* card :
+       {"*RIGID 4\n", "*RIGID LOAD 4 0 0\n", "*ZONE BODIES 1 4 2 2 4 4\n", "*BODY FORCE 4 1 0 -1\n", "*TIE 3\n"}) {
+    CAPTURE(card);
+    s = Squares();
+    s.keywords = card;
+    told = read(s);
+    INFO(told.text);
+    CHECK(told.status == C2D_ERR_INPUT);
+    CHECK(told.first.line == 52);
+    CHECK(says(told, "expected"));
+  }
+}
+
+TEST_CASE("bad bodies: a tie and a contact on one node") {
+  Squares s; // the same sides once more
+  s.keywords = "*ZONE BODIES 1 2 3 3 1 1\n*TIE 3\n";
+  const Told told = read(s);
+  INFO(told.text);
+  CHECK(told.status == C2D_ERR_INPUT);
+  CHECK(told.first.line == 52);
+  CHECK(told.first.zone == 3);
+  CHECK(says(told, "element 3 of body 1 is in zones 1 and 3, expected in one"));
+}
+
+namespace {
+
+Squares unconnected() { // the third square is in no zone: zone 2 is left out
+  Squares s;
+  s.numbers = "3 1 2";
+  s.second = "1 2 2 1\n3 3 1 1\n3 4 2 1\n";
+  s.in_contact = "2 1\n2 1\n0 0\n";
+  return s;
+}
+
+} // namespace
+
+TEST_CASE("bad bodies: a body that nothing connects and nothing holds is named") {
+  const Result r = solve_deck(unconnected().deck());
+  REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
+  CHECK(r.outcome == C2D_FREE_MOTION);
+  CHECK(r.summary.outcome_body == 3);
+  // Nor the lowest: it floats with those above it.
+  Squares loose;
+  loose.held = "0\n0\n";
+  const Result all = solve_deck(loose.deck());
+  REQUIRE_MESSAGE(all.status == C2D_OK, all.messages());
+  CHECK(all.outcome == C2D_FREE_MOTION);
+  CHECK(all.summary.outcome_body > 0);
+}
+
+// Fails: the motion that is told is (1, 0), across the load.
+TEST_CASE("bad bodies: and how it moves" * doctest::should_fail()) {
+  CHECK(solve_deck(unconnected().deck()).summary.free_motion[1] < 0);
+}
+
+TEST_CASE("bad bodies: more of them than the limits say") {
+  Model m;
+  for (int i = 0; i < 3; ++i) m.add(rectangle(0, i, 1, i + 1, {1, 1, 1, 1}));
+  m.set(1, 1, end_of(kHeld));
+  m.set(3, 3, end_of(kPulled, 0, -1));
+  m.join(C2D_ZONE_MATCHING, 1, 3, 2, 1);
+  m.join(C2D_ZONE_MATCHING, 2, 3, 3, 1);
+  std::vector<c2d_body_limits> list;
+  c2d_limits limits = limits_of(m, list);
+  limits.bodies = 2;
+  uint64_t minimum = 0, in_core = 0;
+  REQUIRE(c2d_memory_need(&limits, &minimum, &in_core, nullptr) == C2D_OK);
+  std::vector<unsigned char> memory(minimum);
+  c2d_solver* s = nullptr;
+  c2d_error why = C2D_INIT(c2d_error);
+  REQUIRE(c2d_create(&s, memory.data(), memory.size(), &limits, nullptr, &why) == C2D_OK);
+  const c2d_status status = feed(s, m);
+  CHECK((status == C2D_ERR_ARGUMENT || status == C2D_ERR_LIMIT));
+  c2d_last_error(s, &why);
+  INFO(why.text);
+  CHECK(std::string(why.text).find("body") != std::string::npos);
+  CHECK(std::string(why.text).find("1 to 2") != std::string::npos);
+  c2d_close(s);
+  // A deck of three in a list for two: how many there are.
+  struct Cards {
+    std::string text;
+    size_t at = 0;
+    static int32_t read(void* c, char* out, int32_t size) {
+      Cards& cards = *static_cast<Cards*>(c);
+      if (cards.at >= cards.text.size()) return -1;
+      const size_t end = cards.text.find('\n', cards.at);
+      const std::string line = cards.text.substr(cards.at, end - cards.at);
+      cards.at = end + 1;
+      line.copy(out, static_cast<size_t>(size) - 1);
+      out[line.size()] = '\0';
+      return static_cast<int32_t>(line.size());
+    }
+  } cards;
+  cards.text = Squares().deck();
+  std::vector<c2d_body_limits> two(2);
+  c2d_limits scanned = C2D_INIT(c2d_limits);
+  scanned.bodies = 2, scanned.body = two.data();
+  CHECK(c2d_scan_deck(Cards::read, &cards, &scanned, &why) == C2D_ERR_LIMIT);
+  CHECK(scanned.bodies == 3);
+}
+
+TEST_CASE("bad bodies: rigid bodies alone, and one that is both rigid and loaded") {
+  Squares s;
+  s.keywords = "*RIGID 1\n*RIGID 2\n*RIGID 3\n";
+  Told told = read(s);
+  INFO(told.text);
+  CHECK(told.status == C2D_ERR_INPUT);
+  CHECK(says(told, "are both rigid"));
+  s.keywords = "*RIGID 3\n"; // its side is pressed
+  told = read(s);
+  CHECK(told.status == C2D_ERR_INPUT);
+  CHECK(says(told, "body 3 is rigid, expected no tractions"));
+  s.keywords = "*RIGID LOAD 3 0 0 Z\n";
+  told = read(s);
+  CHECK(told.status == C2D_ERR_INPUT);
+  CHECK(says(told, "expected X, Y or TURN"));
+  s.keywords = "*RIGID LOAD 3 0 0 X X\n";
+  told = read(s);
+  CHECK(told.status == C2D_ERR_INPUT);
+  CHECK(says(told, "each at most once"));
+}
