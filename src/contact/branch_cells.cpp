@@ -278,6 +278,7 @@ bool try_point(RateProblem& r, Division* next) {
     if (!is_fixed(d)) *next = Division{i, d.cell, true, 0.0};
   }
   const bool right = solve_present_cells(r, r.rhs);
+  if (right && r.t->free_motions > 0) close_what_can_be(r, r.rhs);
   lay_out(r);
   return right;
 }

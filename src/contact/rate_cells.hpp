@@ -9,7 +9,7 @@ namespace c2d {
 constexpr double kRegular = sizeof(Real) == 8 ? 1e-9 : 1e-5;
 // Conditions hold within this of the largest rate of their kind, and within this noise of the other kind.
 constexpr double kConditionTolerance = sizeof(Real) == 8 ? 1e-9 : 1e-4;
-constexpr double kNoise = sizeof(Real) == 8 ? 1e-12 : 1e-6;
+constexpr double kNoise = sizeof(Real) == 8 ? 1e-11 : 1e-6; // what motions leave of round-off in forces: 3e-12 has been seen
 
 struct Condition { // row . u >= 0
   double row[2];
@@ -43,6 +43,8 @@ struct Solutions {
 // depend on the order in which they are tried, or slip would: such pairs are open where supports hold the bodies, and as many
 // closed as can be where contact does, which could not hold with all of them open.
 void add_solution(RateProblem& r, const Real* u, Solutions& all);
+// Of a solution u under the present cells: its open pairs that slide with neither force nor gap, closed one by one.
+void close_what_can_be(RateProblem& r, Real* u);
 void take_solution(RateProblem& r); // the cells taken are the present ones
 
 double cell_friction(const RateProblem& r, const Doubt& d);

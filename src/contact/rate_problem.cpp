@@ -327,6 +327,24 @@ void add_solution(RateProblem& r, const Real* u, Solutions& all) {
   if (all.count == 1 || (equal ? comes_first(r) : away < all.nearest)) take(r, all, own, away);
 }
 
+void close_what_can_be(RateProblem& r, Real* u) {
+  bool right = true;
+  for (int32_t i = 0; i < r.count; ++i) {
+    Doubt& d = r.doubt[i];
+    if (d.cell != Cell::open) continue;
+    if (!right) solve_present_cells(r, u);
+    right = true;
+    const Quantities x = quantities(r, d, Cell::open);
+    const double none = kConditionTolerance * sizes_of(r, u).motion, wt = d.slots == 2 ? value_of(x.of[1], d, u) : 0.0;
+    if (fabs(value_of(x.of[0], d, u)) > none) continue;
+    d.cell = closed_cell(d);
+    if (d.kind == DoubtKind::apex && fabs(wt) > none) d.cell = wt < 0.0 ? Cell::slip_plus : Cell::slip_minus;
+    right = solve_present_cells(r, u);
+    if (!right) d.cell = Cell::open;
+  }
+  if (!right) solve_present_cells(r, u);
+}
+
 void take_solution(RateProblem& r) {
   for (int32_t i = 0; i < r.count; ++i) r.doubt[i].cell = r.doubt[i].taken;
 }
