@@ -1,11 +1,15 @@
 // What the reduction needs of a rigid body: optional (memory/parts.hpp).
 #include "bie/measure.hpp"
+#include "bie/transfer.hpp"
 #include "contact/body_unknowns.hpp"
 #include "contact/reduction.hpp"
 #include "contact/start.hpp"
+#include "memory/parts.hpp"
 #include "model/pair_frame.hpp"
 
 namespace c2d {
+
+C2D_USES(FreeZonePart);
 
 void rigid_motion_at_pair(const Model& m, const Pair& pair, int side, int32_t load_case, double v[2]) {
   double x, y, u[2];
@@ -26,6 +30,21 @@ void move_freely(const Model& m, int b, const double motion[3], Real* out) {
   });
 }
 
+// The work of a pair's tractions, component by component, to its unknowns of the body.
+void add_work(const Model& m, PairSide at, double ux, double uy, Real* out) {
+  const Pair& pair = m.pair[at.pair];
+  for (int32_t d = 0; d <= pair.tangential; ++d)
+    out[dof_on(m, pair, at.side) + d] += static_cast<Real>(ux * along(pair, d, 0) + uy * along(pair, d, 1));
+}
+
+// Displacements under a motion, weighted with a shape function whose integral and first moments about `centre` these are.
+struct Weighted {
+  double ux, uy;
+};
+Weighted weighted(const double motion[3], double w, double wx, double wy) {
+  return {motion[0] * w - motion[2] * wy, motion[1] * w + motion[2] * wx};
+}
+
 // What the tractions of an element's ends do to a motion.
 void add_element_work(const Model& m, int b, int32_t element, const double motion[3], Real* out) {
   const double unit = m.head->length_unit, cx = m.body[b].centre[0] / unit, cy = m.body[b].centre[1] / unit;
@@ -34,28 +53,38 @@ void add_element_work(const Model& m, int b, int32_t element, const double motio
   for (int l = 0; l < m.head->function_nodes; ++l) {
     const PairSide at = pair_of_end(m, b, element, l);
     if (at.pair < 0) continue;
-    const Pair& pair = m.pair[at.pair];
     const EndResultant& w = weight[l];
-    const double ux = motion[0] * w.w - motion[2] * (w.wy - cy * w.w), uy = motion[1] * w.w + motion[2] * (w.wx - cx * w.w);
-    for (int32_t d = 0; d <= pair.tangential; ++d)
-      out[dof_on(m, pair, at.side) + d] += static_cast<Real>(ux * along(pair, d, 0) + uy * along(pair, d, 1));
+    const Weighted u = weighted(motion, w.w, w.wx - cx * w.w, w.wy - cy * w.w);
+    add_work(m, at, u.ux, u.uy, out);
   }
 }
 
-// G: work of the pairs' tractions on one free motion, exactly that of their shape functions; on side 0 of a free zone, where
-// pairs are points, that of their weights.
-void find_work(const Model& m, int b, const double motion[3], const Real* r, Real* out) {
+// What a piece of side 0 of a free zone does. (Not inlined: it must not stand below the search for the next.)
+[[gnu::noinline]] void add_piece_work(const Model& m, const TransferWalk& walk, const double motion[3], Real* out) {
+  Transfer piece;
+  kFreeZonePart.make_transfer(m, Quadrature::accurate, walk, piece);
+  const double* centre = m.body[walk.body].centre;
+  double w[kElementNodes], wx[kElementNodes], wy[kElementNodes];
+  resultants(piece.in, centre[0] / m.head->length_unit, centre[1] / m.head->length_unit, w, wx, wy);
+  for (int k = 0; k < piece.in.functions; ++k) {
+    const Weighted u = weighted(motion, w[k], wx[k], wy[k]);
+    for (int l = 0; l < m.head->function_nodes; ++l)
+      if (piece.pair[l] >= 0)
+        add_work(m, {piece.pair[l], 0}, piece.weight[k][l] * u.ux, piece.weight[k][l] * u.uy, out);
+  }
+}
+
+// G: work of the pairs' tractions on one free motion, exactly that of their shape functions.
+void find_work(const Model& m, int b, const double motion[3], Real* out) {
   for (int32_t i = 0; i < m.body[b].contact; ++i) out[i] = 0;
   for (int32_t element = 0; element < m.body[b].elements; ++element) {
     ZonePlace place;
     if (find_contact_element(m, b, element, &place) && is_integrated(m, b, element))
       add_element_work(m, b, element, motion, out);
   }
-  for_pairs_of(m, b, [&](const Pair& pair, int side) {
-    const int32_t own = dof_on(m, pair, side);
-    for (int32_t d = 0; d <= pair.tangential && pair.node[side] < 0; ++d)
-      out[own + d] = static_cast<Real>(pair.weight * static_cast<double>(r[own + d]));
-  });
+  TransferWalk walk{};
+  walk.body = b;
+  while (kFreeZonePart.next_transfer(m, walk)) add_piece_work(m, walk, motion, out);
 }
 
 // g: work of a load case's force and moment on the free motions, which name its components.
@@ -79,7 +108,7 @@ c2d_status reduce_rigid(const Reduction& r, int b) {
   c2d_status status = C2D_OK;
   for (int32_t j = 0; j < count && status == C2D_OK; ++j) {
     move_freely(m, b, m.body[b].free_motion[j], column);
-    find_work(m, b, m.body[b].free_motion[j], column, work);
+    find_work(m, b, m.body[b].free_motion[j], work);
     status = write_column(r.tape, b, BodyMatrix::motions, j, column);
     if (status == C2D_OK) status = write_column(r.tape, b, BodyMatrix::resultants, j, work);
   }
