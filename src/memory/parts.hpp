@@ -110,6 +110,7 @@ struct RigidPart { // model/validate_rigid.cpp, results/rigid.cpp, solver/energy
   decltype(&c2d_set_rigid) set_rigid = nullptr;
   decltype(&c2d_set_rigid_load) set_rigid_load = nullptr;
   Function<void, const Model&, int, Reporter&> check_rigid = Nothing();
+  Function<void, const Model&, int, Reporter&> check_rigid_zones = Nothing();
   Function<c2d_status, const Reduction&, int> reduce_rigid = NotLinked();
   Function<void, const Model&, int, int32_t, Real*> add_rigid_motion = Nothing();
   Function<void, const Session&, int> fill_rigid = Nothing();

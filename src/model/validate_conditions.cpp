@@ -1,4 +1,5 @@
 // Exactly one unknown per functional node and global component.
+#include "memory/parts.hpp"
 #include "model/geometry.hpp"
 #include "model/symmetry.hpp"
 #include "model/unknowns.hpp"
@@ -8,6 +9,8 @@
 #include <math.h>
 
 namespace c2d {
+
+C2D_USES(RigidPart);
 
 namespace {
 
@@ -117,7 +120,10 @@ void check_pressure(const Model& m, int b, Reporter& reporter) {
 bool validate_conditions(const Model& m, bool frames, Reporter& reporter) {
   const int32_t before = reporter.faults;
   for (int b = 0; b < m.head->bodies; ++b) {
-    if (is_rigid(m, b)) continue; // nothing is solved for there
+    if (is_rigid(m, b)) { // nothing is solved for there
+      if (frames) kRigidPart.check_rigid_zones(m, b, reporter);
+      continue;
+    }
     Corners corners{0, 0, 0, 0.0};
     for (int32_t node = 0; node < body_of(m, b).nodes; ++node) {
       if (!frames && pair_of_node(m, b, node).pair >= 0) continue;

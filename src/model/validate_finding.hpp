@@ -49,10 +49,12 @@ C2D_IN_PLACE inline void warn(Reporter& reporter, int32_t number, const Where& w
   report(reporter, finding);
 }
 
-// ---- optional parts of validate_loads (memory/parts.hpp) ----
+// ---- optional parts of validate_loads and validate_conditions (memory/parts.hpp) ----
 // A body force that is not symmetric has no part in a symmetric model.
 void check_body_force(const Model& m, int b, int32_t load_case, Reporter& reporter);
 // A rigid body takes no loads and moves by its cards alone, as the lines of symmetry allow.
 void check_rigid(const Model& m, int b, Reporter& reporter);
+// The pairs of its free zones are no more than what it meets can follow. Needs frames.
+void check_rigid_zones(const Model& m, int b, Reporter& reporter);
 
 } // namespace c2d
