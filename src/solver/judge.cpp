@@ -26,6 +26,7 @@ struct Book {
   double* stick_load;              // v.b [cases]
   Real *equation_w, *equation_tau; // v'.B, v'.A [m]; v' is v without its part along C (contact/reduction.hpp)
   double* equation_load;           // v'.h [cases]
+  double* equation_terms;          // magnitudes of what h is the rest of [cases]
   Real* moment[2];                 // [m] of tau = 1 on the body of a side about its centre, where that body floats
   double *load, *work;             // [cases] of the good state
 };
@@ -33,7 +34,7 @@ struct Book {
 Book book_of(c2d_solver* s) {
   Book book{};
   double* at = array_of<double>(s, kJudge);
-  double** const of_cases[] = {&book.stick_load, &book.equation_load, &book.load, &book.work};
+  double** const of_cases[] = {&book.stick_load, &book.equation_load, &book.equation_terms, &book.load, &book.work};
   for (double** list : of_cases) {
     *list = at;
     at += s->model.load_cases;
@@ -95,6 +96,22 @@ c2d_status project_motions(const Session& session, Real* out) {
   return status;
 }
 
+// h is B times the differences of what the loads move the bodies: v'.B times the magnitudes of these. What ties hand on
+// without a force differs by round-off alone.
+c2d_status add_terms(const Session& session, int b, const Real* equation_w, double* terms) {
+  const Model& m = session.model;
+  c2d_status status = C2D_OK;
+  for (int32_t k = 0; k < m.head->load_cases && status == C2D_OK; ++k) {
+    status = read_column(session.tape, b, BodyMatrix::response, k, session.area.column);
+    for_ranges(m, b, [&](const UnknownRange& range) {
+      for (int32_t i = 0; i < range.count; ++i)
+        terms[k] +=
+            fabs(static_cast<double>(equation_w[range.all + i]) * static_cast<double>(session.area.column[range.own + i]));
+    });
+  }
+  return status;
+}
+
 // The moments of contact tractions on a floating body about its centre.
 void find_moments(const Model& m, int b, Real* const moment[2]) {
   const double unit = m.head->length_unit, cx = m.body[b].centre[0] / unit, cy = m.body[b].centre[1] / unit;
@@ -149,8 +166,12 @@ c2d_status build_judge(c2d_solver* s) {
   if (status == C2D_OK) status = project_motions(session, book.equation_w);
   if (status == C2D_OK) status = project(session, ContactMatrix::compliance, m, book.equation_tau);
   if (status == C2D_OK) status = project(session, ContactMatrix::closing, cases, book.equation_load);
+  for (int32_t k = 0; k < cases; ++k) book.equation_terms[k] = 0.0;
   for (int b = 0; b < s->model.bodies; ++b) {
-    if (!floats(session.model.body[b])) continue;
+    const Body& body = session.model.body[b];
+    if (status == C2D_OK && body.contact > 0 && body.keeps_equations == 0)
+      status = add_terms(session, b, book.equation_w, book.equation_terms);
+    if (!floats(body)) continue;
     find_moments(session.model, b, book.moment);
     find_load_work(session, book, b);
   }
@@ -212,6 +233,7 @@ struct Sum {
 // Sums over everything, from one walk over the pairs.
 struct State {
   Sum tableau, rates, equations;  // of the tableau: values, and rates of the whole piece of the path
+  double terms;                   // of what the loads' part in the equations is the rest of
   double force;                   // magnitude of all forces, or of what the piece adds
   double no_force;                // that of pressures which round-off of motions makes: a body that goes along has only such
   double p, w;                    // largest pressure or friction (likewise), largest gap or motion
@@ -257,6 +279,7 @@ State sum_up(const Session& session, const Book& book) {
     out.tableau.add(-book.stick_load[k] * f.load[k]);
     out.rates.add(-book.stick_load[k] * f.direction[k]);
     out.equations.add(-book.equation_load[k] * f.load[k]);
+    out.terms += book.equation_terms[k] * fabs(f.load[k]);
     for (int b = 0; b < session.model.head->bodies; ++b)
       if (floats(session.model.body[b]))
         loads += larger(fabs(f.load[k]), fabs(f.direction[k])) * session.model.load_work[b][4 * static_cast<int64_t>(k) + 3];
@@ -317,7 +340,7 @@ Findings look(Session& session, Agree with) {
   // What is there at no load is the round-off of what was, or of what this piece of the path adds.
   constexpr double kUnloaded = 1e-3;
   s->peak_terms[0] = larger(s->peak_terms[0], larger(state.tableau.size, state.rates.size));
-  s->peak_terms[1] = larger(s->peak_terms[1], state.equations.size);
+  s->peak_terms[1] = larger(s->peak_terms[1], larger(state.equations.size, state.terms));
   s->peak_force = larger(s->peak_force, state.force);
   out.drift = larger(state.tableau.over(kUnloaded * s->peak_terms[0]), state.rates.over(0.0));
   out.size[C2D_BREACH_TABLEAU] = out.drift;
