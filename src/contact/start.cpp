@@ -110,11 +110,26 @@ c2d_status start_path(Follower& f, const FreeBody& body, const Model& model, int
   return C2D_OK;
 }
 
+namespace {
+
+// The body that the loads move, of several: the tableau is not valid, but what touches has no force yet.
+c2d_status find_moving(Follower& f) {
+  const Tableau& t = *f.t;
+  for (int32_t i = 0; i < t.m; ++i) f.y[i] = f.dy[i] = 0;
+  for (int32_t i = 0; i < t.pairs; ++i)
+    if (t.pair[i].status == C2D_OPEN) f.y[t.pair[i].dof] = static_cast<Real>(t.pair[i].gap / t.length_unit);
+  c2d_outcome kind;
+  return limit_analysis(f, true, &kind);
+}
+
+} // namespace
+
 c2d_status lie_apart(Follower& f, const Model& model, c2d_outcome* outcome) {
   Tableau& t = *f.t;
   *outcome = C2D_FREE_MOTION;
   bool unloaded = false, balanced = false;
   c2d_status status = loads_balance(f, &unloaded, &balanced);
+  if (status == C2D_OK && !balanced && t.body->body < 0) return find_moving(f);
   if (status != C2D_OK || !balanced || t.free_motions == 0) return status;
   for (int32_t i = 0; i < t.pairs; ++i) {
     Pair& pair = t.pair[i];
