@@ -279,6 +279,7 @@ c2d_status advance_path(Session& session, const double* target) {
   s->back_substituted = s->table_is_current = 0;
   const int32_t cases = s->model.load_cases;
   if (s->blocked || s->unsound) {
+    for (int32_t k = 0; k < s->model.load_cases && s->blocked; ++k) f.direction[k] = target[k] - f.load[k];
     name_outcome(session, s->blocked ? C2D_FREE_MOTION : C2D_BEYOND_LIMITS);
     return C2D_OK;
   }

@@ -169,6 +169,48 @@ int body_pushed_most(const Session& session) {
   return most >= 0 ? most : first;
 }
 
+// The work of the loads on the motions of a body, to work[0 .. body.free_motions); the sum of its magnitudes.
+double load_work_on(const Session& session, int b, double* work) {
+  const Body& body = session.model.body[b];
+  double size = 0.0;
+  for (int32_t j = 0; j < body.free_motions; ++j)
+    work[j] = load_work(session, b, session.follower.direction, body.free_motion[j], &size);
+  return size;
+}
+
+// v without its part along orthonormal rows of n numbers; what is left of the motions [first, first + count).
+double remove_rows(const double* basis, int32_t rank, int32_t n, double* v, int32_t first, int32_t count) {
+  for (int32_t i = 0; i < rank; ++i) {
+    const double* row = basis + static_cast<int64_t>(i) * n;
+    double part = 0.0;
+    for (int32_t j = 0; j < n; ++j) part += row[j] * v[j];
+    for (int32_t j = 0; j < n; ++j) v[j] -= part * row[j];
+  }
+  return length_of(v + first, count);
+}
+
+// The share of a body in the motion that all bodies make together, held by nothing but pairs that stick: the one that the loads
+// push, else any. In a model so large that there is no room for what is prevented: any motion of the body alone.
+void find_unheld_motion(const Session& session, const Motions& motions, double choice[3]) {
+  const Model& m = session.model;
+  c2d_solver* s = session.solver;
+  const bool alone = motions.body.contact == 0; // it is in no zone
+  const int32_t n = alone ? motions.count : m.head->motions, first = alone ? 0 : motions.body.first_motion;
+  if (static_cast<uint64_t>(n) * static_cast<uint64_t>(n + 1) * sizeof(double) > s->bytes - s->layout.persistent) return;
+  double *work = array_of<double>(s, kPhase), *basis = work + n, size = 0.0;
+  const int32_t rank = alone ? 0 : prevented_by_contact(m, basis);
+  for (int b = 0; b < m.head->bodies; ++b)
+    if (alone ? b == motions.b : m.body[b].contact > 0)
+      size += load_work_on(session, b, work + (alone ? 0 : m.body[b].first_motion));
+  double left = remove_rows(basis, rank, n, work, first, motions.count);
+  for (int32_t k = 0; k < motions.count && !(left > 1e-10 * size); ++k) {
+    for (int32_t j = 0; j < n; ++j) work[j] = j == first + k ? 1.0 : 0.0;
+    size = 1.0;
+    left = remove_rows(basis, rank, n, work, first, motions.count);
+  }
+  for (int32_t j = 0; j < motions.count; ++j) choice[j] = work[first + j];
+}
+
 } // namespace
 
 void find_outcome_motion(Session& session, c2d_outcome outcome) {
@@ -180,6 +222,7 @@ void find_outcome_motion(Session& session, c2d_outcome outcome) {
   const Motions motions{body, s->outcome_body - 1, body.free_motions};
   if (motions.count < 1) return;
   double choice[3] = {1.0, 0.0, 0.0};
+  if (s->blocked) find_unheld_motion(session, motions, choice);
   const bool found = s->blocked || (!is_pressed(session) && find_unpressed_motion(session, motions, choice));
   keep_motion(session, motions, outcome, found, choice);
 }

@@ -17,10 +17,10 @@ struct Motions {
 // Normal and tangential motion at a pair, by free motion.
 void motion_rows(const Session& session, const Motions& motions, const Pair& pair, double normal[3], double tangential[3]);
 double length_of(const double v[3], int n);
-// Takes from v[0 .. n) its part along an orthonormal basis.
 // Is there pressure; and may this pair have some, once there is?
 bool is_pressed(const Session& session);
 bool may_press(const Session& session, int32_t pair);
+// Takes from v[0 .. n) its part along an orthonormal basis.
 void remove_prevented(const double basis[3][3], int rank, int n, double v[3]);
 
 // solver->outcome_motion, from numbers per free motion: those of `choice` if `found`, else the motion that pressed pairs

@@ -132,16 +132,6 @@ void motion_row(const Model& m, const Pair& pair, int slot, int32_t n, double* r
   }
 }
 
-// How much of a body's motions an orthonormal basis of what is prevented leaves free.
-double freedom(const Body& body, const double* basis, int32_t rank, int32_t n) {
-  double sum = 0.0;
-  for (int32_t j = body.first_motion; j < body.first_motion + body.free_motions; ++j) {
-    sum += 1.0;
-    for (int32_t i = 0; i < rank; ++i) sum -= basis[static_cast<int64_t>(i) * n + j] * basis[static_cast<int64_t>(i) * n + j];
-  }
-  return sum;
-}
-
 // Rank of what the pairs [first, end) prevent, all sticking, added to an orthonormal basis.
 int32_t prevent(const Model& m, int32_t first, int32_t end, double* basis, int32_t rank) {
   const int32_t n = m.head->motions;
@@ -153,6 +143,21 @@ int32_t prevent(const Model& m, int32_t first, int32_t end, double* basis, int32
     }
   return rank;
 }
+
+} // namespace
+
+int32_t prevented_by_contact(const Model& m, double* basis) { return prevent(m, 0, m.head->pairs, basis, 0); }
+
+double freedom(const Body& body, const double* basis, int32_t rank, int32_t n) {
+  double sum = body.free_motions;
+  for (int32_t i = 0; i < rank; ++i) {
+    const double* row = basis + static_cast<int64_t>(i) * n + body.first_motion;
+    for (int32_t j = 0; j < body.free_motions; ++j) sum -= row[j] * row[j];
+  }
+  return sum;
+}
+
+namespace {
 
 // The body, from 1, that moves although all pairs stick, the least held one if there are several; 0: none does. `basis`:
 // motions^2 numbers.

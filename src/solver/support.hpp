@@ -7,6 +7,11 @@ namespace c2d {
 
 // Sets solver->blocked: the body (from 1) that flies away whatever the contact does, 0: none. Uses the phase area.
 void find_support(c2d_solver* solver, const Model& model);
+// What all pairs, sticking, prevent of the motions of bodies in contact: orthonormal rows of head->motions numbers, to
+// `basis`, at most as many of them. Returns how many.
+int32_t prevented_by_contact(const Model& model, double* basis);
+// How much of a body's motions such rows leave free.
+double freedom(const Body& body, const double* basis, int32_t rank, int32_t n);
 // Which one of the free motions no pair resists, with the coefficients of friction that there are, whatever touches.
 void find_slides(const Model& model, FreeBody& body);
 // Add what is new of row[0 .. n) to an orthonormal basis of `rank` rows; 1 if there was something new.
