@@ -29,6 +29,7 @@ c2d_status fill_body_state(Session& session, int b, c2d_body_state& out) {
   out.is_rigid = is_rigid(session.model, b) ? 1 : 0;
   for (int c = 0; c < 2; ++c) out.point[c] = out.is_rigid != 0 ? body.centre[c] : 0.0;
   if (s->blocked || s->floating || s->model.contact == 0) return C2D_OK;
+  refresh(session.follower);
   const c2d_status status = s->table_is_current ? c2d_status{C2D_OK} : fill_table(session);
   if (status != C2D_OK) return status;
   if (body.contact > 0) contact_resultant(session, b, out.contact);
@@ -57,7 +58,6 @@ extern "C" c2d_status c2d_get_body_state(c2d_solver* s, int32_t body, c2d_body_s
   memset(&ours, 0, sizeof ours);
   Session session;
   open_session(s, session);
-  refresh(session.follower);
   status = fill_body_state(session, body - 1, ours);
   if (status != C2D_OK) return is_store_error(status) && !inside ? fail_store(s, status) : status;
   copy_out(&ours, sizeof ours, out);

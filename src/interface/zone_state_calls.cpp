@@ -24,7 +24,7 @@ extern "C" c2d_status c2d_get_zone_state(c2d_solver* s, int32_t zone, c2d_zone_s
   open_session(s, session);
   const Zone& z = session.model.zone[zone - 1];
   if (s->blocked || s->floating || s->model.contact == 0) {
-    ours.open = z.pairs;
+    (z.is_tied != 0 ? ours.stick : ours.open) = z.pairs;
   } else {
     refresh(session.follower);
     fill_zone_state(session, z, ours);

@@ -162,6 +162,7 @@ c2d_status fill_table(Session& session) {
     for (int32_t i = 0; i < s->model.pairs; ++i) {
       double* row = table + static_cast<int64_t>(i) * C2D_PAIR_FIELDS;
       for (int c = C2D_STATUS; c <= C2D_SLIP_SUM; ++c) row[c] = 0.0;
+      if (is_tied(session.model, session.model.pair[i])) row[C2D_STATUS] = C2D_TIED;
       row[C2D_GAP] = session.model.pair[i].gap;
     }
     return C2D_OK;
