@@ -94,7 +94,8 @@ enum { /* c2d_error.status of warnings; src/report/OUTPUT.md tells what to do ab
   C2D_WARN_FAR = 220, C2D_WARN_SIZES = 221, /* surfaces that hardly come nearer; unlike elements face each other */
   C2D_WARN_SURFACE = 222,          /* the error of a surface matters beside how far the bodies come closer */
   C2D_WARN_ENERGY = 223,           /* between turns of the loads work and friction differ by more than 10 % */
-  C2D_WARN_UNHELD = 224            /* motions of bodies that no support, tie or possible contact prevents  */
+  C2D_WARN_UNHELD = 224,           /* motions of bodies that no support, tie or possible contact prevents  */
+  C2D_WARN_TIE_END = 225           /* stresses are singular where a tie of unlike materials ends           */
 };
 
 #endif

@@ -50,6 +50,7 @@ CORE_SOURCES += src/contact/search.cpp
 CORE_SOURCES += src/contact/settle.cpp
 CORE_SOURCES += src/contact/start.cpp
 CORE_SOURCES += src/contact/tableau.cpp
+CORE_SOURCES += src/contact/ties.cpp
 CORE_SOURCES += src/deck/body_force.cpp
 CORE_SOURCES += src/deck/cards.cpp
 CORE_SOURCES += src/deck/conditions.cpp

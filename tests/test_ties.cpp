@@ -162,6 +162,72 @@ TEST_CASE("ties: those that carry nothing are solved") {
   }
 }
 
+// ---- where they end
+
+namespace {
+
+// A strip on another, shorter one; half of it with the line of symmetry x = 0.
+Model strip_on_strip(double upper_modulus, bool half) {
+  Model m;
+  const double from = half ? 0 : -1;
+  if (half) {
+    m.add(open_polygon({{0, 0, 3}, {2, 0, 2}, {2, 1, 2}, {1, 1, 3}, {0, 1, 0}}, 100));
+    m.add(open_polygon({{0, 1, 3}, {1, 1, 2}, {1, 2, 3}, {0, 2, 0}}, upper_modulus));
+    m.symmetry = 1;
+  } else {
+    m.add(polygon({{-2, 0, 6}, {2, 0, 2}, {2, 1, 2}, {1, 1, 6}, {-1, 1, 2}, {-2, 1, 2}}, 100));
+    m.add(rectangle(from, 1, 1, 2, {6, 2, 6, 2}, upper_modulus));
+  }
+  m.set(1, 1, half ? end_of("0110") : end_of(kHeld));
+  m.set(2, 3, end_of(kPulled, 0, 1));
+  tie(m, C2D_ZONE_MATCHING, 1, 4, 2, 1);
+  return m;
+}
+
+} // namespace
+
+TEST_CASE("ties: where those of unlike materials end a warning says that stresses are singular") {
+  const std::string words = "the tied zone 1 joins unlike materials, bodies 1 and 2, and ends at ";
+  CHECK(solve(strip_on_strip(300, false)).told_of(words + "(1, 1) and (-1, 1): stresses there are singular"));
+  CHECK(solve(strip_on_strip(300, true)).told_of(words + "(1, 1): stresses there are singular"));
+  for (const bool half : {false, true}) CHECK(!solve(strip_on_strip(100, half)).told_of("singular"));
+  Model rigid = strip_on_strip(100, false);
+  rigid.set(2, 3, End());
+  rigid.body(2).rigid = 1;
+  rigid.body(2).motion[1] = 0.01;
+  CHECK(solve(rigid).told_of(words));
+  // An inclusion has no ends, nor has one zone that goes on in another.
+  Model ring;
+  Body plate = rectangle(-2, -2, 2, 2, {4, 4, 4, 4}, 100), disc;
+  const double turn = 2 * std::acos(-1.0);
+  add_curve(plate, 12, [&](double s, double& x, double& y) { x = std::cos(turn * s), y = -std::sin(turn * s); });
+  add_curve(disc, 12, [&](double s, double& x, double& y) { x = std::cos(turn * s), y = std::sin(turn * s); });
+  disc.youngs_modulus = 300;
+  ring.add(plate);
+  ring.add(disc);
+  ring.set(1, 1, end_of(kHeld));
+  ring.set(1, 3, end_of(kPulled, 0, 1));
+  tie(ring, C2D_ZONE_MATCHING, 1, 5, 2, 1);
+  CHECK(!solved(ring).told_of("singular"));
+}
+
+TEST_CASE("ties: surfaces that are apart are told of with the zone") {
+  Model m = strip_on_strip(300, false);
+  for (size_t i = 1; i < m.body(2).xy.size(); i += 2) m.body(2).xy[i] += 0.1;
+  CHECK(solve(m).told_of(": the surfaces of the tied zone 1 are 0.1 apart, expected surfaces that coincide"));
+}
+
+TEST_CASE("ties: their status is tied also where the path cannot start") {
+  Model m = strip_on_strip(300, false);
+  m.set(1, 1, End());
+  const Result r = solve(m);
+  CHECK(r.outcome == C2D_FREE_MOTION);
+  REQUIRE(!r.last().rows.empty());
+  for (const Row& row : r.last().rows) CHECK(static_cast<int>(row[C2D_STATUS]) == C2D_TIED);
+  CHECK(r.zones[0].open == 0);
+  CHECK(r.zones[0].stick == static_cast<int32_t>(r.last().rows.size()));
+}
+
 // ---- cut and tied against the whole
 
 namespace {

@@ -1,6 +1,7 @@
 #include "contact/frames.hpp"
 
 #include "contact/facing_pairs.hpp"
+#include "contact/ties.hpp"
 #include "memory/parts.hpp"
 #include "model/geometry.hpp"
 #include "model/pair_frame.hpp"
@@ -98,8 +99,12 @@ bool has_value(const Model& m, int b, int32_t node, int component) {
 void report_one_side(const Model& m, int32_t pair, int side, int component, Reporter& reporter) {
   Finding f(at_pair(m, pair));
   say_pair(f, m, pair);
-  say(f, component == 0 ? ": ux" : ": uy", " is prescribed on body ", body_named(m, body_on(m, m.pair[pair], side)),
-      " only, expected it on both bodies (symmetry) or on neither");
+  const int b = body_on(m, m.pair[pair], side), other = body_on(m, m.pair[pair], 1 - side);
+  say(f, component == 0 ? ": ux" : ": uy", " is prescribed on body ", body_named(m, b), " only, expected it on ");
+  if (is_rigid(m, other))
+    say(f, "neither: what meets the rigid body ", body_named(m, other), " follows it");
+  else
+    say(f, "both bodies (symmetry) or on neither");
   report(reporter, f);
 }
 
@@ -276,26 +281,6 @@ void build_frame(const Model& m, int32_t pair, ZoneFindings& of, Reporter& repor
 
   const double opposite[2] = {-s2.n[0], -s2.n[1]};
   of.spread.add(pair, angle_between(s1.n, opposite) / kDegree);
-}
-
-// Surfaces that are tied have neither gap nor overlap, but they must be meant to coincide.
-void close_tie(const Model& m, int32_t zone, Reporter& reporter) {
-  const Zone& z = m.zone[zone];
-  constexpr double kMost = 0.1; // of an element
-  int32_t worst = -1;
-  for (int32_t k = z.first_pair; k < z.first_pair + z.pairs; ++k) {
-    Pair& p = m.pair[k];
-    const double off = fmax(p.gap, p.overlap);
-    if (off > kMost * p.length && (worst < 0 || off > fmax(m.pair[worst].gap, m.pair[worst].overlap))) worst = k;
-  }
-  if (worst >= 0) {
-    Finding f(at_pair(m, worst));
-    say_pair(f, m, worst);
-    say(f, ": the surfaces of a tied zone are ", fmax(m.pair[worst].gap, m.pair[worst].overlap),
-        " apart, expected surfaces that coincide within a tenth of an element, ", m.pair[worst].length, " long");
-    report(reporter, f);
-  }
-  for (int32_t k = z.first_pair; k < z.first_pair + z.pairs; ++k) m.pair[k].gap = m.pair[k].overlap = 0.0;
 }
 
 // Surfaces that coincide but for the last digits of their nodes.

@@ -1,0 +1,79 @@
+#include "contact/ties.hpp"
+
+#include "contact/facing_pairs.hpp"
+#include "model/validate_finding.hpp"
+
+#include <math.h>
+
+namespace c2d {
+
+namespace {
+
+// They have neither gap nor overlap, but they must be meant to coincide.
+void close_gaps(const Model& m, int32_t zone, Reporter& reporter) {
+  const Zone& z = m.zone[zone];
+  constexpr double kMost = 0.1; // of an element
+  int32_t worst = -1;
+  for (int32_t k = z.first_pair; k < z.first_pair + z.pairs; ++k) {
+    Pair& p = m.pair[k];
+    const double off = fmax(p.gap, p.overlap);
+    if (off > kMost * p.length && (worst < 0 || off > fmax(m.pair[worst].gap, m.pair[worst].overlap))) worst = k;
+  }
+  if (worst >= 0) {
+    Finding f(at_pair(m, worst));
+    say_pair(f, m, worst);
+    say(f, ": the surfaces of the tied zone ", zone_named(m, zone), " are ", fmax(m.pair[worst].gap, m.pair[worst].overlap),
+        " apart, expected surfaces that coincide within a tenth of an element, ", m.pair[worst].length, " long");
+    report(reporter, f);
+  }
+  for (int32_t k = z.first_pair; k < z.first_pair + z.pairs; ++k) m.pair[k].gap = m.pair[k].overlap = 0.0;
+}
+
+bool has_unlike_materials(const Model& m, const Zone& z) {
+  const Body &a = m.body[z.body[0]], &b = m.body[z.body[1]];
+  return a.rigid != b.rigid || a.youngs_modulus != b.youngs_modulus || a.poisson_ratio != b.poisson_ratio;
+}
+
+// Does the boundary go on there outside of ties between the same two bodies? Not where it is held, as on a meshed line of
+// symmetry.
+bool ends_at(const Model& m, const Zone& z, const Pair& pair) {
+  const int b = z.body[1];
+  int32_t ends[2];
+  const int count = ends_at_node(m, b, pair.node[1], ends);
+  if (displacement_known(m, b, pair.node[1], 0) || displacement_known(m, b, pair.node[1], 1)) return false;
+  for (int i = 0; i < count; ++i) {
+    ZonePlace at;
+    if (!find_contact_element(m, b, ends[i] / m.head->function_nodes, &at)) return true;
+    const Zone& other = m.zone[at.zone];
+    if (other.is_tied == 0 || other.body[0] + other.body[1] != z.body[0] + z.body[1]) return true;
+  }
+  return false;
+}
+
+void warn_ends(const Model& m, int32_t zone, Reporter& reporter) {
+  const Zone& z = m.zone[zone];
+  if (!has_unlike_materials(m, z)) return;
+  const int32_t at[2] = {z.first_pair, z.first_pair + z.pairs - 1};
+  const bool ends[2] = {ends_at(m, z, m.pair[at[0]]), z.pairs > 1 && ends_at(m, z, m.pair[at[1]])};
+  if (!ends[0] && !ends[1]) return;
+  Finding f(C2D_WARN_TIE_END, at_pair(m, at[ends[0] ? 0 : 1]));
+  say(f, "the tied zone ", zone_named(m, zone), " joins unlike materials, bodies ", body_named(m, z.body[0]), " and ",
+      body_named(m, z.body[1]), ", and ends at ");
+  for (int i = 0; i < 2; ++i) {
+    if (!ends[i]) continue;
+    double x, y;
+    pair_position(m, m.pair[at[i]], 1, &x, &y);
+    say(f, i == 1 && ends[0] ? " and (" : "(", x, ", ", y, ")");
+  }
+  say(f, ": stresses there are singular, and grow as elements get shorter; trust them from a few elements away");
+  report(reporter, f);
+}
+
+} // namespace
+
+void close_tie(const Model& m, int32_t zone, Reporter& reporter) {
+  close_gaps(m, zone, reporter);
+  warn_ends(m, zone, reporter);
+}
+
+} // namespace c2d
