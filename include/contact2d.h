@@ -231,7 +231,7 @@ c2d_status c2d_set_arc_nodes(c2d_solver* solver, int32_t body, int32_t first, in
                              double radius, double from_degrees, double to_degrees);
 /* Condition at local functional node `local` of an element: codes[4] and values[4] in the order tx ty ux uy, global
    components; code 0: known, with this value; 1: unknown. Ends without a condition are free of traction; ends of contact
-   elements at listed pairs belong to the contact. All values scale with the factor of the load case. */
+   elements at listed pairs belong to the contact: a traction there is refused. All values scale with the load case's factor. */
 c2d_status c2d_set_condition(c2d_solver* solver, int32_t body, int32_t element, int32_t local, int32_t load_case,
                              const int32_t codes[4], const double values[4]);
 /* What an end carries in a load case: values[4] as above; the codes stay. local 0: all ends of the element. Refused: a value

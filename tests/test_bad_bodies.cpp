@@ -72,6 +72,22 @@ TEST_CASE("bad bodies: a zone that names a body twice without saying so") {
   CHECK(!says(told, "two different ones"));
 }
 
+TEST_CASE("bad bodies: a zone of bodies that are not there is told of once, with what may stand there") {
+  Squares s;
+  s.keywords = "*ZONE BODIES 4 4 2 2 4 4\n";
+  Told told = read(s);
+  INFO(told.text);
+  CHECK(told.text == "first body of the zone is 4, expected 1 to 3\n");
+  for (const int body : {4, 0, -1, -4}) {
+    CAPTURE(body);
+    s.keywords = "*ZONE BODIES 2 " + std::to_string(body) + " 2 2 4 4\n";
+    told = read(s);
+    CHECK(told.first.column == 16);
+    CHECK(told.text ==
+          "second body of the zone is " + std::to_string(body) + ", expected 1 to 3, or -2 for a body that meets itself\n");
+  }
+}
+
 TEST_CASE("bad bodies: numbers of bodies that are not there") {
   Squares s;
   s.second = "1 4 2 1\n3 3 1 1\n3 4 2 1\n2 3 2 1\n3 3 1 1\n3 4 2 1\n";
@@ -219,6 +235,52 @@ TEST_CASE("bad bodies: more of them than the limits say") {
   scanned.bodies = 2, scanned.body = two.data();
   CHECK(c2d_scan_deck(Cards::read, &cards, &scanned, &why) == C2D_ERR_LIMIT);
   CHECK(scanned.bodies == 3);
+}
+
+TEST_CASE("bad bodies: a traction in a zone, which is the contact's, is refused") {
+  for (const int32_t kind : {0, 1, 2, 3})
+    for (const int32_t body : {1, 2})
+      for (const bool in_case_2 : {false, true}) {
+        CAPTURE(kind);
+        CAPTURE(body);
+        CAPTURE(in_case_2);
+        Model m;
+        for (int i = 0; i < 2; ++i) m.add(rectangle(0, i, 1, i + 1, {2, 1, 2, 1}));
+        m.set(1, 1, end_of(kHeld));
+        m.set(2, 3, end_of(kPulled, 0, -1));
+        m.join(kind, 1, 3, 2, 1);
+        m.friction = 0.5;
+        if (in_case_2) {
+          m.cases = 2;
+          for (Body& b : m.bodies) b.second = b.ends;
+        }
+        CHECK(solve(m).status == C2D_OK);
+        std::vector<End>& ends = in_case_2 ? m.body(body).second : m.body(body).ends;
+        ends[static_cast<size_t>(2 * m.side(body, body == 1 ? 3 : 1).first - 1)] = end_of(kPulled, 0.25);
+        const Result r = solve(m);
+        INFO(r.messages());
+        if ((kind & C2D_ZONE_FREE) != 0 && body == 1) { // it adds to the contact's
+          CHECK(r.status == C2D_OK);
+          continue;
+        }
+        CHECK(r.status != C2D_OK);
+      }
+}
+
+TEST_CASE("bad bodies: a displacement that a rigid body gives and a card as well") {
+  Model m;
+  m.add(rectangle(0, 0, 1, 1, {2, 1, 2, 1}));
+  m.add(rectangle(0, 1, 1, 2, {2, 1, 2, 1}));
+  m.set(1, 1, end_of(kHeld));
+  m.set(1, 3, end_of("1001"));
+  m.body(2).rigid = 1;
+  m.body(2).motion[1] = -0.001;
+  m.join(C2D_ZONE_MATCHING, 1, 3, 2, 1);
+  m.friction = 0.5;
+  const Result r = solve(m);
+  INFO(r.messages());
+  CHECK(r.status == C2D_ERR_INPUT);
+  CHECK(r.told_of(": ux is prescribed on body 1 only, expected it on neither: what meets the rigid body 2 follows it"));
 }
 
 TEST_CASE("bad bodies: rigid bodies alone, and one that is both rigid and loaded") {

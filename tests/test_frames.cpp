@@ -294,8 +294,8 @@ TEST_CASE("zones: elements in two zones, nodes in two pairs") {
   d.head.pairs = 0;
   d.zone(3, 2, 7, 1, 7, 4, -1, 5, 30);
   d.zone(3, 2, 9, 1, 9, 2, -1, 3, 31); // shares the middle node
-  check_fault(d, "node 9 of body 1 is in pairs 3 and 4", 4, 2);
-  CHECK(d.find("node 3 of body 2 is in pairs 3 and 4") != nullptr);
+  check_fault(d, "node 9 of body 1 is in pairs 3 and 4 of zones 1 and 2, expected in one", 4, 2);
+  CHECK(d.find("node 3 of body 2 is in pairs 3 and 4 of zones 1 and 2") != nullptr);
   CHECK(d.faults == 2);
   d.zones.pop_back();
   d.head.pairs = 3;

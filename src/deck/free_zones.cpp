@@ -40,15 +40,20 @@ bool read_bodies(Deck& deck, const Words& words, int32_t at, c2d_zone& zone) {
     return false;
   }
   if (at < 0) return true;
-  bool known = integer_word(cards, words, at + 1, "body of the zone", 1, deck.sizes.bodies, &zone.side1.body);
-  known =
-      integer_word(cards, words, at + 2, "body of the zone", -deck.sizes.bodies, deck.sizes.bodies, &zone.side2.body) && known;
-  if (known && zone.side2.body == -zone.side1.body) { // a body that meets itself
+  const int32_t bodies = deck.sizes.bodies;
+  if (!integer_word(cards, words, at + 1, "first body of the zone", 1, bodies, &zone.side1.body)) return false;
+  if (!integer_word(cards, words, at + 2, "second body of the zone", INT32_MIN, INT32_MAX, &zone.side2.body)) return false;
+  if (zone.side2.body == -zone.side1.body) { // a body that meets itself
     zone.side2.body = zone.side1.body;
     zone.kind |= C2D_ZONE_SELF;
-    return known;
+    return true;
   }
-  if (!known || (zone.side2.body > 0 && zone.side1.body != zone.side2.body)) return known;
+  if (zone.side2.body < 1 || zone.side2.body > bodies) {
+    word_fault(cards, words, at + 2, "second body of the zone is ", zone.side2.body, ", expected 1 to ", bodies, ", or -",
+               zone.side1.body, " for a body that meets itself");
+    return false;
+  }
+  if (zone.side1.body != zone.side2.body) return true;
   word_fault(cards, words, at + 2, "bodies of the zone are ", zone.side1.body, " and ", zone.side2.body,
              ", expected two different ones, or the second as -", zone.side1.body, " for a body that meets itself");
   return false;

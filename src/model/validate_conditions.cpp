@@ -49,6 +49,32 @@ void report_count(const Model& m, int b, int32_t node, int component, UnknownKin
   report(reporter, f);
 }
 
+// Tractions prescribed where the contact brings its own, the first of them.
+void check_contact_ends(const Model& m, int b, Reporter& reporter) {
+  const int32_t f = m.head->function_nodes, ends = body_of(m, b).elements * f;
+  int32_t count = 0, first = 0;
+  for (int32_t end = 0; end < ends; ++end) {
+    if (pair_of_end(m, b, end / f, end % f).pair < 0) continue;
+    bool loaded = false;
+    for (int32_t k = 0; k < m.head->load_cases; ++k)
+      for (int c = 0; c < 2; ++c) loaded = loaded || m.end_traction[b][2 * (static_cast<int64_t>(k) * ends + end) + c] != 0.0;
+    if (loaded && count++ == 0) first = end;
+  }
+  if (count == 0) return;
+  const int32_t element = first / f, local = first % f;
+  Finding finding(at_node(m, b, functional_node(m, b, element, local)));
+  ZonePlace place = {0, 0, 0};
+  find_contact_element(m, b, element, &place);
+  finding.entry.element = element + 1;
+  finding.entry.zone = place.zone + 1;
+  if (m.end_line[b][first] > 0) finding.entry.line = m.end_line[b][first];
+  say(finding, "the traction at end ", local + 1, " of element ", element + 1, " of body ", body_named(m, b),
+      " is prescribed, but it is that of zone ", zone_named(m, place.zone));
+  if (count > 1) say(finding, ", the first of ", count, " such ends");
+  say(finding, "; expected 0, or the ends of elements that are in no pair");
+  report(reporter, finding);
+}
+
 // Of a body, where both sides of a corner have one unknown traction; the sharpest.
 struct Corners {
   int32_t count, node, component;
@@ -124,6 +150,7 @@ bool validate_conditions(const Model& m, bool frames, Reporter& reporter) {
       if (frames) kRigidPart.check_rigid_zones(m, b, reporter);
       continue;
     }
+    check_contact_ends(m, b, reporter);
     Corners corners{0, 0, 0, 0.0};
     for (int32_t node = 0; node < body_of(m, b).nodes; ++node) {
       if (!frames && pair_of_node(m, b, node).pair >= 0) continue;

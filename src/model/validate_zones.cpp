@@ -112,6 +112,12 @@ void check_nodes(const Model& m, int32_t zone, Reporter& reporter) {
            body_named(m, z.body[1]), ", expected the same place");
 }
 
+int32_t zone_of_pair(const Model& m, int32_t pair) {
+  int32_t zone = 0;
+  while (pair < m.zone[zone].first_pair || pair >= m.zone[zone].first_pair + m.zone[zone].pairs) ++zone;
+  return zone;
+}
+
 // Elements in two zones; else nodes in two pairs: in this zone and an earlier one.
 void check_overlap(const Model& m, int32_t zone, int side, Reporter& reporter) {
   const Zone& z = m.zone[zone];
@@ -137,8 +143,13 @@ void check_overlap(const Model& m, int32_t zone, int side, Reporter& reporter) {
   for (int32_t k = 0; k < z.pairs && (z.is_free == 0 || side == 1); ++k) {
     const int32_t node = zone_node(m, z, side, k), pair = pair_of_node(m, b, node).pair;
     if (pair == z.first_pair + k) continue;
-    report(reporter, Where{z.line, b + 1, zone + 1, z.first_pair + k + 1, 0, node + 1}, "node ", node + 1, " of body ",
-           body_named(m, b), " is in pairs ", pair + 1, " and ", z.first_pair + k + 1, ", expected in one");
+    const int32_t before = zone_of_pair(m, pair);
+    Finding f(Where{z.line, b + 1, zone + 1, z.first_pair + k + 1, 0, node + 1});
+    say(f, "node ", node + 1, " of body ", body_named(m, b), " is in pairs ", pair + 1, " and ", z.first_pair + k + 1, " of ");
+    say(f, before == zone ? "zone " : "zones ", zone_named(m, before));
+    if (before != zone) say(f, " and ", zone_named(m, zone));
+    say(f, ", expected in one");
+    report(reporter, f);
   }
 }
 
