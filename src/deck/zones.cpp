@@ -55,6 +55,57 @@ bool read_bodies(Deck& deck, c2d_zone& zone) {
   return known && zone.side2.body >= 1 && zone.side2.body <= deck.sizes.bodies;
 }
 
+// How many nodes and elements are in contact, which are added to those of the zones before. `pairs`: 0 where a fault was told
+// of them.
+struct ZoneSizes {
+  int32_t pairs, elements;
+};
+ZoneSizes read_sizes(Deck& deck, c2d_zone& zone) {
+  Cards& cards = deck.cards;
+  int32_t elements = 0;
+  const bool pairs_known = integer_from(cards, 11, "number of contact nodes of the zone", 1, &zone.pairs);
+  const bool elements_known = integer_from(cards, 16, "number of contact elements of the zone", 1, &elements);
+  end_of_fields(cards, 21);
+  const int32_t order = deck.sizes.function_nodes;
+  const int32_t most = order > 1 ? elements * (order - 1) + 1 : elements;
+  const bool too_many = pairs_known && elements_known && zone.pairs > most;
+  if (too_many)
+    field_fault(cards, 11, 15, "number of contact nodes of the zone is ", zone.pairs, ", expected at most ", most, " on ",
+                elements, " elements of ", order, " nodes");
+  deck.pairs += zone.pairs;
+  if ((zone.kind & C2D_ZONE_SELF) != 0) deck.self_pairs += zone.pairs;
+  deck.contact_elements += elements;
+  zone.side1.elements = zone.side2.elements = elements;
+  return {pairs_known && !too_many ? zone.pairs : 0, elements};
+}
+
+// The numbers that the zone's ranges may name; where its bodies are not known, any.
+void find_numbers(const Deck& deck, const c2d_zone& zone, bool known, SideNumbers elements[2], SideNumbers nodes[2]) {
+  for (int side = 0; side < 2; ++side) {
+    const int32_t body = side == 0 ? zone.side1.body : zone.side2.body;
+    elements[side] = nodes[side] = SideNumbers{body, 0, INT32_MAX};
+    if (!known) continue;
+    elements[side] = SideNumbers{body, element_offset(deck, body - 1), deck.body[body - 1].elements};
+    nodes[side] = SideNumbers{body, function_node_offset(deck, body - 1), function_node_count(deck, body - 1)};
+  }
+}
+
+// The cards with the elements and the nodes of a zone; false at the end of the deck.
+bool read_sides(Deck& deck, const ZoneSizes& sizes, bool bodies_known, c2d_zone& zone, bool* sound) {
+  SideNumbers elements[2], nodes[2];
+  find_numbers(deck, zone, bodies_known, elements, nodes);
+  int32_t first[2] = {0, 0}, last[2] = {0, 0};
+  if (!next_card(deck.cards, "the card with the elements of a contact zone")) return false;
+  if (!read_ranges(deck, "contact elements", sizes.elements, elements, first, last)) *sound = false;
+  zone.side1.first_element = first[0], zone.side1.last_element = last[0];
+  zone.side2.first_element = first[1], zone.side2.last_element = last[1];
+  if (!next_card(deck.cards, "the card with the nodes of a contact zone")) return false;
+  if (!read_ranges(deck, "contact nodes", sizes.pairs, nodes, first, last)) *sound = false;
+  zone.side1.first_node = first[0], zone.side1.last_node = last[0];
+  zone.side2.first_node = first[1], zone.side2.last_node = last[1];
+  return true;
+}
+
 bool read_zone(Deck& deck, bool* sound) {
   Cards& cards = deck.cards;
   c2d_zone zone = c2d_zone();
@@ -65,39 +116,9 @@ bool read_zone(Deck& deck, bool* sound) {
   if (!fits_count(deck, numbers_on(cards) != 2, cards.zone - 1)) return false;
   const int32_t old_faults = cards.faults;
   const bool bodies_known = read_bodies(deck, zone);
-  const bool pairs_known = integer_from(cards, 11, "number of contact nodes of the zone", 1, &zone.pairs);
-  int32_t elements = 0;
-  const bool elements_known = integer_from(cards, 16, "number of contact elements of the zone", 1, &elements);
-  end_of_fields(cards, 21);
-  const int32_t order = deck.sizes.function_nodes;
-  const int32_t most = order > 1 ? elements * (order - 1) + 1 : elements;
-  if (pairs_known && elements_known && zone.pairs > most)
-    field_fault(cards, 11, 15, "number of contact nodes of the zone is ", zone.pairs, ", expected at most ", most, " on ",
-                elements, " elements of ", order, " nodes");
-  const bool count_sound = pairs_known && !(elements_known && zone.pairs > most);
-  deck.pairs += zone.pairs;
-  if ((zone.kind & C2D_ZONE_SELF) != 0) deck.self_pairs += zone.pairs;
-  deck.contact_elements += elements;
-
-  zone.side1.elements = zone.side2.elements = elements;
-  SideNumbers on_elements[2], on_nodes[2];
-  for (int side = 0; side < 2; ++side) {
-    const int32_t body = side == 0 ? zone.side1.body : zone.side2.body;
-    on_elements[side] = on_nodes[side] = SideNumbers{body, 0, INT32_MAX};
-    if (!bodies_known) continue; // then any number may be meant
-    on_elements[side] = SideNumbers{body, element_offset(deck, body - 1), deck.body[body - 1].elements};
-    on_nodes[side] = SideNumbers{body, function_node_offset(deck, body - 1), function_node_count(deck, body - 1)};
-  }
-  int32_t first[2] = {0, 0}, last[2] = {0, 0};
+  const ZoneSizes sizes = read_sizes(deck, zone);
   *sound = cards.faults == old_faults && !cards.refused;
-  if (!next_card(cards, "the card with the elements of a contact zone")) return false;
-  if (!read_ranges(deck, "contact elements", elements, on_elements, first, last)) *sound = false;
-  zone.side1.first_element = first[0], zone.side1.last_element = last[0];
-  zone.side2.first_element = first[1], zone.side2.last_element = last[1];
-  if (!next_card(cards, "the card with the nodes of a contact zone")) return false;
-  if (!read_ranges(deck, "contact nodes", count_sound ? zone.pairs : 0, on_nodes, first, last)) *sound = false;
-  zone.side1.first_node = first[0], zone.side1.last_node = last[0];
-  zone.side2.first_node = first[1], zone.side2.last_node = last[1];
+  if (!read_sides(deck, sizes, bodies_known, zone, sound)) return false;
   if (deck.sink == nullptr || !*sound) return !cards.ended;
   place(deck, 1, 20);
   return accept(deck, deck.sink->add_zone(deck.sink->solver, &zone));

@@ -4,38 +4,45 @@
 
 namespace app {
 
+namespace {
+
+void add(std::string& out, double number) {
+  out += ',';
+  append_number(out, number);
+}
+void add(std::string& out, int64_t number) {
+  out += ',';
+  append_integer(out, number);
+}
+// "mu,step,load", with which the rows of a step begin.
+std::string head_of(const c2d_step& step) {
+  std::string head;
+  append_number(head, step.mu);
+  add(head, int64_t{step.step});
+  add(head, step.load);
+  return head;
+}
+
+} // namespace
+
 void append_contact_header(std::string& out) {
   out += "mu,step,load,pair,x,y,status,tn,tt,un1,ut1,un2,ut2,gap,slip,zone,body1,body2\n";
 }
 
 void append_contact_rows(std::string& out, const c2d_step& step, const Summary& summary) {
-  std::string head;
-  append_number(head, step.mu);
-  head += ',';
-  append_integer(head, step.step);
-  head += ',';
-  append_number(head, step.load);
-  head += ',';
+  const std::string head = head_of(step);
   for (int32_t p = 0; p < step.pairs; ++p) {
     const double* row = step.table + p * step.stride;
     out += head;
-    append_integer(out, p + 1);
-    out += ',';
-    append_number(out, row[C2D_X]);
-    out += ',';
-    append_number(out, row[C2D_Y]);
+    add(out, int64_t{p} + 1);
+    add(out, row[C2D_X]);
+    add(out, row[C2D_Y]);
     out += ',';
     out += status_word(static_cast<int32_t>(row[C2D_STATUS]));
-    for (int32_t k = C2D_TN; k <= C2D_SLIP_SUM; ++k) {
-      out += ',';
-      append_number(out, row[k]);
-    }
-    const size_t zone = static_cast<size_t>(row[C2D_PAIR_ZONE]);
-    const c2d_zone& z = summary.zone[zone - 1];
-    for (const int64_t number : {static_cast<int64_t>(zone), int64_t{z.side1.body}, int64_t{z.side2.body}}) {
-      out += ',';
-      append_integer(out, number);
-    }
+    for (int32_t k = C2D_TN; k <= C2D_SLIP_SUM; ++k) add(out, row[k]);
+    const int64_t zone = static_cast<int64_t>(row[C2D_PAIR_ZONE]);
+    const c2d_zone& z = summary.zone[static_cast<size_t>(zone - 1)];
+    for (const int64_t number : {zone, int64_t{z.side1.body}, int64_t{z.side2.body}}) add(out, number);
     out += '\n';
   }
 }
@@ -43,20 +50,13 @@ void append_contact_rows(std::string& out, const c2d_step& step, const Summary& 
 void append_bodies_header(std::string& out) { out += "mu,step,load,body,fx,fy,moment,ux,uy,rotation\n"; }
 
 void append_bodies_rows(std::string& out, const c2d_step& step, c2d_solver* solver) {
+  const std::string head = head_of(step);
   c2d_body_state state = C2D_INIT(c2d_body_state);
   for (int32_t body = 1; c2d_get_body_state(solver, body, &state) == C2D_OK; ++body) {
-    append_number(out, step.mu);
-    out += ',';
-    append_integer(out, step.step);
-    out += ',';
-    append_number(out, step.load);
-    out += ',';
-    append_integer(out, body);
-    for (const double number :
-         {state.contact[0], state.contact[1], state.contact[2], state.motion[0], state.motion[1], state.motion[2]}) {
-      out += ',';
-      append_number(out, number);
-    }
+    out += head;
+    add(out, int64_t{body});
+    for (const double number : state.contact) add(out, number);
+    for (const double number : state.motion) add(out, number);
     out += '\n';
   }
 }
@@ -71,14 +71,9 @@ c2d_status append_boundary(std::string& out, c2d_solver* solver, const Summary& 
     if (status != C2D_OK) return status;
     for (size_t i = 0; i < values[0].size(); ++i) {
       append_integer(out, body);
-      out += ',';
-      append_integer(out, static_cast<int32_t>(i) / summary.function_nodes + 1);
-      out += ',';
-      append_integer(out, static_cast<int64_t>(values[0][i]));
-      for (size_t f = 1; f < values.size(); ++f) {
-        out += ',';
-        append_number(out, values[f][i]);
-      }
+      add(out, static_cast<int64_t>(i) / summary.function_nodes + 1);
+      add(out, static_cast<int64_t>(values[0][i]));
+      for (size_t f = 1; f < values.size(); ++f) add(out, values[f][i]);
       out += '\n';
     }
   }

@@ -38,57 +38,67 @@ Pieces follow(const Scene& scene, const BodyScene& body, const std::vector<doubl
   return out;
 }
 
-void draw_one(const Scene& scene, size_t b, Pictures& out) {
-  const Summary& summary = scene.summary;
-  const BodyScene& body = scene.bodies[b];
-  const int32_t number = static_cast<int32_t>(b) + 1;
-  const int32_t field = C2D_END_HOOP;
-  std::vector<std::vector<double>> hoop;
-  if (get_ends(scene.solver, summary, number, &field, 1, hoop) != C2D_OK) return;
-  std::vector<Pieces> curves;
+// The curves of a body, with what they need of axes and legend.
+struct Curves {
+  std::vector<Pieces> pieces; // of each curve
   std::vector<LegendEntry> entries;
   Range s, stress;
-  stress.include(0.0);
-  double largest = 0.0;
-  Point where;
+  double largest = 0.0; // in size,
+  Point where;          // and where it is
+};
+
+bool collect(const Scene& scene, size_t b, Curves& out) {
+  const Summary& summary = scene.summary;
+  const BodyScene& body = scene.bodies[b];
+  const int32_t number = static_cast<int32_t>(b) + 1, field = C2D_END_HOOP;
+  std::vector<std::vector<double>> hoop;
+  if (get_ends(scene.solver, summary, number, &field, 1, hoop) != C2D_OK) return false;
+  out.stress.include(0.0);
   for (int32_t r = 1; r <= summary.body[b].regions; ++r) {
     int32_t first = 0, last = 0;
-    if (c2d_get_region(scene.solver, number, r, &first, &last) != C2D_OK) return;
+    if (c2d_get_region(scene.solver, number, r, &first, &last) != C2D_OK) return false;
     const size_t from = static_cast<size_t>((first - 1) * summary.function_nodes);
     const size_t to = static_cast<size_t>(last * summary.function_nodes);
-    curves.push_back(follow(scene, body, hoop[0], from, to));
+    out.pieces.push_back(follow(scene, body, hoop[0], from, to));
     for (size_t i = from; i < to; ++i)
-      if (std::fabs(hoop[0][i]) > std::fabs(largest)) largest = hoop[0][i], where = body.ends[i];
-    for (const std::vector<Sample>& piece : curves.back())
-      for (const Sample& p : piece) s.include(p.s), stress.include(p.hoop);
+      if (std::fabs(hoop[0][i]) > std::fabs(out.largest)) out.largest = hoop[0][i], out.where = body.ends[i];
+    for (const std::vector<Sample>& piece : out.pieces.back())
+      for (const Sample& p : piece) out.s.include(p.s), out.stress.include(p.hoop);
     size_t begin = from; // of what is boundary
     while (begin + 1 < to && body.on_line[begin / static_cast<size_t>(summary.function_nodes)]) ++begin;
     const Point start = body.ends[begin];
-    entries.push_back({"curve " + std::to_string(r) + ", s = 0 at (" + figure(start.x) + ", " + figure(start.y) + ")",
-                       kLines[static_cast<size_t>(r - 1) % 4], Mark::kNone, true, ""});
+    out.entries.push_back({"curve " + std::to_string(r) + ", s = 0 at (" + figure(start.x) + ", " + figure(start.y) + ")",
+                           kLines[static_cast<size_t>(r - 1) % 4], Mark::kNone, true, ""});
   }
+  return true;
+}
+
+void draw_one(const Scene& scene, size_t b, Pictures& out) {
+  Curves curves;
+  if (!collect(scene, b, curves)) return;
   const double left = 76.0, right = kPictureWidth - 16.0;
-  const double top = draw_legend(nullptr, {left, 4.0}, right - left, entries) + 12.0;
+  const double top = draw_legend(nullptr, {left, 4.0}, right - left, curves.entries) + 12.0;
   Picture picture{"boundary", "Stress along the boundary", "", ""};
-  const bool several = summary.bodies > 2, told = several || !summary.body_name[b].empty();
+  const int32_t number = static_cast<int32_t>(b) + 1;
+  const bool several = scene.summary.bodies > 2, told = several || !scene.summary.body_name[b].empty();
   const std::string which = told ? " of " + body_label(scene, number) : "";
   picture.title += which;
   if (several) picture.name += "_body" + std::to_string(number);
   Svg svg(picture.name, kPictureWidth, top + 250.0 + 44.0);
-  draw_legend(&svg, {left, 4.0}, right - left, entries);
+  draw_legend(&svg, {left, 4.0}, right - left, curves.entries);
   const Chart chart{{left, top, right, top + 250.0},
-                    make_axis(s, "distance s along the boundary", scene.length_unit, 9),
-                    make_axis(stress, "stress along the boundary", scene.stress_unit, 6)};
+                    make_axis(curves.s, "distance s along the boundary", scene.length_unit, 9),
+                    make_axis(curves.stress, "stress along the boundary", scene.stress_unit, 6)};
   draw_axes(svg, chart);
-  for (size_t r = 0; r < curves.size(); ++r)
-    for (const std::vector<Sample>& piece : curves[r]) {
+  for (size_t r = 0; r < curves.pieces.size(); ++r)
+    for (const std::vector<Sample>& piece : curves.pieces[r]) {
       std::vector<Point> points;
       for (const Sample& p : piece) points.push_back(chart.at(p.s, p.hoop));
       svg.polyline(points, kLines[r % 4]);
     }
   picture.caption = "Normal stress along the boundary" + which + " (hoop stress) at " + place_at_end(scene) +
-                    ": the largest in size is " + figure(largest, scene.stress_unit, 6) + " at (" + figure(where.x) + ", " +
-                    figure(where.y) + ").";
+                    ": the largest in size is " + figure(curves.largest, scene.stress_unit, 6) + " at (" +
+                    figure(curves.where.x) + ", " + figure(curves.where.y) + ").";
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);
 }

@@ -17,13 +17,10 @@ C2D_USES(BodyForcePart);
 
 namespace {
 
-void sum_forces(Session& session, int b) {
+// Tractions and reactions on the boundary, but those of the contact.
+void add_boundary(const Session& session, int b, double applied[3]) {
   const Model& m = session.model;
   const double unit = m.head->length_unit;
-  BodyResults& results = results_of(session.solver, b);
-  double *applied = results.applied, *contact = results.contact_force;
-  for (int i = 0; i < 3; ++i) applied[i] = 0.0;
-  contact_resultant(session, b, contact);
   for (int32_t element = 0; element < m.body[b].elements; ++element) {
     if (!is_integrated(m, b, element)) continue;
     EndResultant own[kElementNodes];
@@ -37,12 +34,16 @@ void sum_forces(Session& session, int b) {
       for (int c = 0; c < 2; ++c) t[c] = total[c] - t[c];
       const EndResultant& w = own[l];
       for (int c = 0; c < 2; ++c) {
-        if (at.pair >= 0 && (is_rigid(m, b) || unknown_at(m, b, node, c).kind == UnknownKind::contact)) continue;
+        if (at.pair >= 0 && unknown_at(m, b, node, c).kind == UnknownKind::contact) continue;
         add_force(applied, c == 0 ? unit * w.w * t[0] : 0.0, c == 1 ? unit * w.w * t[1] : 0.0,
                   unit * unit * (c == 1 ? w.wx * t[1] : -w.wy * t[0]));
       }
     }
   }
+}
+
+void add_loads(const Session& session, int b, double applied[3]) {
+  const Model& m = session.model;
   for (int32_t i = 0; i < m.head->point_loads; ++i) {
     const PointLoad& p = m.point_load[i];
     if (p.body != b) continue;
@@ -55,15 +56,27 @@ void sum_forces(Session& session, int b) {
     const double f = session.follower.load[k];
     add_force(applied, f * force[0], f * force[1], f * force[2]);
   }
-  if (!is_rigid(m, b)) return;
-  for (int i = 0; i < 3; ++i) applied[i] = -contact[i]; // what holds it, but where it is free
+}
+
+// What holds a rigid body against its contact, but where it is free.
+void hold_rigid(const Session& session, int b, const double contact[3], double applied[3]) {
+  const Model& m = session.model;
   const Body& body = m.body[b];
   double load[3] = {0.0, 0.0, 0.0}; // moment about its point
   for (int32_t k = 0; k < m.head->load_cases; ++k)
     for (int i = 0; i < 3; ++i) load[i] += session.follower.load[k] * m.rigid_motion[b][k].load[i];
-  for (int i = 0; i < 2; ++i)
-    if ((body.free_rigidly >> i & 1) != 0) applied[i] = load[i];
+  for (int i = 0; i < 3; ++i) applied[i] = i < 2 && (body.free_rigidly >> i & 1) != 0 ? load[i] : -contact[i];
   if ((body.free_rigidly & 4) != 0) applied[2] = load[2] + body.centre[0] * applied[1] - body.centre[1] * applied[0];
+}
+
+void sum_forces(const Session& session, int b) {
+  BodyResults& results = results_of(session.solver, b);
+  double* applied = results.applied;
+  contact_resultant(session, b, results.contact_force);
+  if (is_rigid(session.model, b)) return hold_rigid(session, b, results.contact_force, applied);
+  for (int i = 0; i < 3; ++i) applied[i] = 0.0;
+  add_boundary(session, b, applied);
+  add_loads(session, b, applied);
 }
 
 // Part of a force along the translations that the body is free to follow; all of it if it is held.

@@ -89,44 +89,64 @@ Tooth tooth_of(const Gear& g, const Place& place, const std::vector<double>& zon
   return {tooth, hub};
 }
 
-ProblemModel build(const Values& v) {
-  const int zA = v.count("zA"), zB = v.count("zB"), n = v.count("n");
-  const double module = v.number("m"), pressure = v.number("angle") * kPi / 180, at = v.number("at");
-  const double a = v.number("a") * module, E = v.number("E"), nu = v.number("nu"), ratio = v.number("ratio");
-  if (zA < 12 || zB < 12 || zA > 200 || zB > 200) return unfit("zA and zB are to be from 12 to 200");
-  if (pressure < 10 * kPi / 180 || pressure > 30 * kPi / 180) return unfit("angle is to be from 10 to 30 degrees");
-  if (a > 0.02 * module) return unfit("a is above 0.02: the teeth are to touch in a narrow contact");
+// Two gears whose teeth touch at a place of the line of action.
+struct GearPair {
+  Gear A, B;
+  double centres;
+  bool reach; // do the teeth reach each other?
+};
+
+GearPair pair_of(const Values& v) {
+  const double module = v.number("m"), pressure = v.number("angle") * kPi / 180;
   const auto gear = [&](int teeth) {
     const double r = module * teeth / 2;
     return Gear{r, r * std::cos(pressure), r + module, r - 1.25 * module, pressure, 0, teeth};
   };
-  Gear A = gear(zA), B = gear(zB);
-  const double centres = A.pitch + B.pitch, line = centres * std::sin(pressure);
+  GearPair out{gear(v.count("zA")), gear(v.count("zB")), 0, false};
+  Gear &A = out.A, &B = out.B;
+  out.centres = A.pitch + B.pitch;
+  const double line = out.centres * std::sin(pressure);
   // The line of action, as far as both flanks reach and a little within.
   const double room = 0.15 * module;
   const double from = std::max(A.base * A.first_roll(), line - B.base * B.last_roll()) + room;
   const double to = line - std::max(B.base * B.first_roll(), line - A.base * A.last_roll()) - room;
-  if (from >= to) return unfit("these teeth do not reach each other");
-  A.t = from + at * (to - from), B.t = line - A.t;
-  const double curvature = 1 / A.t + 1 / B.t, load = kPi * a * a / 4 * curvature * E / (2 * (1 - nu * nu));
+  A.t = from + v.number("at") * (to - from), B.t = line - A.t;
+  out.reach = from < to;
+  return out;
+}
+
+std::vector<std::string> heading_of(const Values& v, const GearPair& pair, double load, double a) {
+  return {"Two involute teeth (bodies 1 and 2), smooth, tied to rigid hubs (3 and 4).",
+          show(v.count("zA")) + " teeth drive " + show(v.count("zB")) + "; module " + show(v.number("m")) +
+              ", pressure angle " + show(v.number("angle")) + " degrees.",
+          "Hub 3 turns about (0, 0) under the moment " + show(load * pair.A.base) + "; hub 4, about (" + show(pair.centres) +
+              ", 0), is held.",
+          "The moment that holds it is zB / zA times as large, " + show(load * pair.B.base) + ", wherever the teeth touch.",
+          "Tooth force P = " + show(load) + ", Hertz's half width " + show(a) + ", p0 = " + show(2 * load / (kPi * a)),
+          "Reference: law of gearing; H. Hertz, 1882"};
+}
+
+ProblemModel build(const Values& v) {
+  const int zA = v.count("zA"), zB = v.count("zB"), n = v.count("n");
+  const double module = v.number("m"), angle = v.number("angle"), ratio = v.number("ratio");
+  const double a = v.number("a") * module, E = v.number("E"), nu = v.number("nu");
+  if (zA < 12 || zB < 12 || zA > 200 || zB > 200) return unfit("zA and zB are to be from 12 to 200");
+  if (angle < 10 || angle > 30) return unfit("angle is to be from 10 to 30 degrees");
+  if (a > 0.02 * module) return unfit("a is above 0.02: the teeth are to touch in a narrow contact");
+  const GearPair pair = pair_of(v);
+  if (!pair.reach) return unfit("these teeth do not reach each other");
+  const double curvature = 1 / pair.A.t + 1 / pair.B.t, load = kPi * a * a / 4 * curvature * E / (2 * (1 - nu * nu));
   const double h = a / (n - 0.5);
   const std::vector<double> zone = equal((n + 5) * h, n + 5);
-  const Place left{{0, 0}, false}, right{{centres, 0}, true};
-  const Tooth one = tooth_of(A, left, zone, module, ratio), other = tooth_of(B, right, zone, module, ratio);
-  const Point touching = left.of(A.flank(A.touching()));
+  const Place left{{0, 0}, false}, right{{pair.centres, 0}, true};
+  const Tooth one = tooth_of(pair.A, left, zone, module, ratio), other = tooth_of(pair.B, right, zone, module, ratio);
+  const Point touching = left.of(pair.A.flank(pair.A.touching()));
 
   ProblemModel m;
-  m.heading = {"Two involute teeth (bodies 1 and 2), smooth, tied to rigid hubs (3 and 4).",
-               show(zA) + " teeth drive " + show(zB) + "; module " + show(module) + ", pressure angle " +
-                   show(v.number("angle")) + " degrees.",
-               "Hub 3 turns about (0, 0) under the moment " + show(load * A.base) + "; hub 4, about (" + show(centres) +
-                   ", 0), is held.",
-               "The moment that holds it is zB / zA times as large, " + show(load * B.base) + ", wherever the teeth touch.",
-               "Tooth force P = " + show(load) + ", Hertz's half width " + show(a) + ", p0 = " + show(2 * load / (kPi * a)),
-               "Reference: law of gearing; H. Hertz, 1882"};
+  m.heading = heading_of(v, pair, load, a);
   m.title = "GEAR PAIR";
   m.function_nodes = v.count("order") + 1;
-  const RigidModel driven{RigidModel::kLoaded, {0, 0}, "TURN", {{0, 0, load * A.base}}};
+  const RigidModel driven{RigidModel::kLoaded, {0, 0}, "TURN", {{0, 0, load * pair.A.base}}};
   m.bodies = {{E, nu, touching, {one.tooth}, "the tooth that drives"},
               {E, nu, touching, {other.tooth}, "the tooth that is driven"},
               {E, nu, {0, 0}, {one.hub}, "the hub that drives", driven},

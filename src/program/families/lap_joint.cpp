@@ -77,6 +77,27 @@ Outline washer(const Joint& j, bool upper) {
   return out;
 }
 
+std::vector<std::string> heading_of(const Values& v) {
+  const double clamp = v.number("N"), mu = v.number("mu");
+  return {"Two plates (bodies 1 and 2) clamped by N = " + show(clamp) + " between smooth rigid washers (4 and 5), with a stud",
+          "(3) that is bonded into the lower plate. Load case 2 pulls the upper plate's end by " + show(v.number("pull")) + ".",
+          "The plates slip at mu N = " + show(mu * clamp) + "; when the gap " + show(v.number("gap")) +
+              " beside the stud has closed, the stud bears",
+          "what goes beyond. The pull is friction and bearing, friction mu N once all of the contact slips.",
+          "Reference: balance of forces, Coulomb's law"};
+}
+
+// Load case 2 pulls at the elements of a side of the upper plate.
+std::vector<std::string> keywords_of(const Values& v, const Outline::Side& end) {
+  return {"*CASES 2",
+          "case 2",
+          "condition 2 " + std::to_string(end.first + 1) + "-" + std::to_string(end.first + end.elements) + " 0  0.0 0.0 " +
+              show(v.number("pull")) + " 0.0",
+          "*PATH",
+          "1 1.0 0.0",
+          std::to_string(v.count("steps")) + " 1.0 1.0"};
+}
+
 ProblemModel build(const Values& v) {
   const double t = v.number("t"), clamp = v.number("N"), mu = v.number("mu"), gap = v.number("gap"), E = v.number("E");
   if (!std::isfinite(mu)) return unfit("mu is to be finite");
@@ -90,13 +111,7 @@ ProblemModel build(const Values& v) {
   const Outline top = plate(j, true, upper, 1.2 * j.reach);
 
   ProblemModel m;
-  m.heading = {
-      "Two plates (bodies 1 and 2) clamped by N = " + show(clamp) + " between smooth rigid washers (4 and 5), with a stud",
-      "(3) that is bonded into the lower plate. Load case 2 pulls the upper plate's end by " + show(v.number("pull")) + ".",
-      "The plates slip at mu N = " + show(mu * clamp) + "; when the gap " + show(gap) +
-          " beside the stud has closed, the stud bears",
-      "what goes beyond. The pull is friction and bearing, friction mu N once all of the contact slips.",
-      "Reference: balance of forces, Coulomb's law"};
+  m.heading = heading_of(v);
   m.title = "LAP JOINT";
   m.function_nodes = v.count("order") + 1;
   m.friction = {mu};
@@ -111,14 +126,7 @@ ProblemModel build(const Values& v) {
   const auto zone = [&](ZoneSide a, ZoneSide b) { return ContactZone{a, b, false, false, smooth}; };
   m.zones = {{{0, 4}, {1, 14}},     {{0, 14}, {1, 4}},    zone({1, 6}, {2, 6}), zone({1, 12}, {2, 4}), zone({0, 6}, {2, 2}),
              zone({0, 12}, {2, 8}), zone({1, 1}, {3, 0}), zone({0, 1}, {4, 0}), tie({0, 9}, {2, 0})};
-  const Outline::Side& end = top.sides()[16];
-  m.keywords = {"*CASES 2",
-                "case 2",
-                "condition 2 " + std::to_string(end.first + 1) + "-" + std::to_string(end.first + end.elements) +
-                    " 0  0.0 0.0 " + show(v.number("pull")) + " 0.0",
-                "*PATH",
-                "1 1.0 0.0",
-                std::to_string(v.count("steps")) + " 1.0 1.0"};
+  m.keywords = keywords_of(v, top.sides()[16]);
   return m;
 }
 
