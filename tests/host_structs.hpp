@@ -3,6 +3,7 @@
 #include "contact2d.h"
 
 #include <cstring>
+#include <vector>
 
 namespace host {
 
@@ -35,13 +36,22 @@ inline bool same_numbers(Limits a, Limits b) {
   return same_bodies && std::memcmp(&one, &other, sizeof one) == 0;
 }
 
+// One for each body, of two or more of them.
+template <class T> struct OfBodies : std::vector<T> {
+  OfBodies() : std::vector<T>(2) {}
+  explicit OfBodies(const T& empty) : std::vector<T>(2, empty) {}
+  template <class Index> T& operator[](Index b) { return this->at(static_cast<size_t>(b)); }
+  template <class Index> const T& operator[](Index b) const { return this->at(static_cast<size_t>(b)); }
+};
+
 struct Summary : c2d_summary {
-  c2d_body_result body[2] = {C2D_INIT(c2d_body_result), C2D_INIT(c2d_body_result)};
+  OfBodies<c2d_body_result> body = OfBodies<c2d_body_result>(C2D_INIT(c2d_body_result));
   Summary() : c2d_summary(C2D_INIT(c2d_summary)) {}
 };
 inline c2d_status get_summary(c2d_solver* s, Summary& out) {
   c2d_status status = c2d_get_summary(s, &out);
-  for (int32_t b = 1; b <= out.bodies && b <= 2 && status == C2D_OK; ++b) status = c2d_get_body_result(s, b, &out.body[b - 1]);
+  if (out.bodies > 2) out.body.resize(static_cast<size_t>(out.bodies), C2D_INIT(c2d_body_result));
+  for (int32_t b = 1; b <= out.bodies && status == C2D_OK; ++b) status = c2d_get_body_result(s, b, &out.body[b - 1]);
   return status;
 }
 inline Summary summary_of(c2d_solver* s) {

@@ -202,8 +202,9 @@ c2d_status feed(c2d_solver* s, const Problem& p) {
   return status == C2D_OK ? c2d_complete(s) : status;
 }
 
-c2d_status fetch_boundary(c2d_solver* s, const host::Summary& summary, std::vector<EndResult> (&boundary)[2]) {
+c2d_status fetch_boundary(c2d_solver* s, const host::Summary& summary, host::OfBodies<std::vector<EndResult>>& boundary) {
   c2d_status status = C2D_OK;
+  if (summary.bodies > 2) boundary.resize(index(summary.bodies));
   for (int32_t b = 1; b <= summary.bodies; ++b) {
     const int32_t count = summary.body[b - 1].elements * summary.function_nodes;
     std::vector<double> field[8];
@@ -932,7 +933,7 @@ Difference compare(const Result& a, const Result& b, const Mapping& map) {
 
 double boundary_difference(const Result& a, const Result& b) {
   double worst = 0;
-  for (int body = 0; body < 2; ++body) {
+  for (size_t body = 0; body < a.boundary.size(); ++body) {
     double u = 0, t = 0, du = 0, dt = 0;
     if (a.boundary[body].size() != b.boundary[body].size()) throw std::runtime_error("boundaries of different length");
     for (size_t i = 0; i < a.boundary[body].size(); ++i) {
@@ -953,7 +954,7 @@ bool identical(const Result& a, const Result& b) {
     const std::vector<double>&x = a.steps[i].table, &y = b.steps[i].table;
     if (x.size() != y.size() || std::memcmp(x.data(), y.data(), x.size() * sizeof(double)) != 0) return false;
   }
-  for (int body = 0; body < 2; ++body) {
+  for (size_t body = 0; body < a.boundary.size(); ++body) {
     if (a.boundary[body].size() != b.boundary[body].size()) return false;
     for (size_t i = 0; i < a.boundary[body].size(); ++i) {
       const EndResult &x = a.boundary[body][i], &y = b.boundary[body][i];

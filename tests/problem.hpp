@@ -104,14 +104,14 @@ struct Step {
   double work = 0, dissipated = 0, elastic = 0, defect = 0;
   double at(int pair, int field) const { return table[static_cast<size_t>(pair * C2D_PAIR_FIELDS + field)]; }
   int pairs() const { return static_cast<int>(table.size()) / C2D_PAIR_FIELDS; }
-  double second = 0;                       // factor of load case 2
-  std::vector<EndResult> boundary[2] = {}; // with Setup::boundaries
+  double second = 0;                                    // factor of load case 2
+  host::OfBodies<std::vector<EndResult>> boundary = {}; // with Setup::boundaries
 };
 struct Result {
   c2d_status status = C2D_OK; // of the first call that failed
   c2d_outcome outcome = C2D_REACHED;
   std::vector<Step> steps; // recorded ones, with every_change also changes
-  std::vector<EndResult> boundary[2];
+  host::OfBodies<std::vector<EndResult>> boundary;
   std::vector<double> interior; // rows of C2D_POINT_FIELDS
   host::Summary summary;
   std::vector<c2d_error> told;

@@ -51,23 +51,27 @@ TEST_CASE("bad bodies: the deck of the others is good") {
   CHECK(r.bodies.size() == 3);
 }
 
+namespace {
+
+void check_refused(const Squares& squares, int32_t line, const std::string& words) {
+  const Told told = read(squares);
+  INFO(told.text);
+  CHECK(told.status == C2D_ERR_INPUT);
+  CHECK(told.first.line == line);
+  CHECK(says(told, words));
+}
+
+} // namespace
+
 TEST_CASE("bad bodies: a zone that names a body twice without saying so") {
   Squares s;
   s.second = "1 1 2 1\n3 3 1 1\n3 4 2 1\n2 3 2 1\n3 3 1 1\n3 4 2 1\n";
-  Told told = read(s);
-  CHECK(told.status == C2D_ERR_INPUT);
-  CHECK(told.first.line == 41);
-  INFO(told.text);
-  CHECK(says(told, "both bodies of the zone are 1, expected two different ones, or -1 for a body that meets itself"));
+  check_refused(s, 41, "both bodies of the zone are 1, expected two different ones, or -1 for a body that meets itself");
   s = Squares();
   s.keywords = "*ZONE BODIES 2 2 2 2 4 4\n";
-  told = read(s);
-  INFO(told.text);
-  CHECK(told.status == C2D_ERR_INPUT);
-  CHECK(told.first.line == 52);
-  CHECK(says(told, "bodies of the zone are 2 and 2, expected two different ones, or the second as -2"));
+  check_refused(s, 52, "bodies of the zone are 2 and 2, expected two different ones, or the second as -2");
   s.keywords = "*ZONE BODIES 2 -2 2 2 4 4\n"; // says so; these sides do not face each other
-  told = read(s);
+  const Told told = read(s);
   CHECK(told.status == C2D_ERR_INPUT);
   CHECK(!says(told, "two different ones"));
 }
@@ -91,26 +95,16 @@ TEST_CASE("bad bodies: a zone of bodies that are not there is told of once, with
 TEST_CASE("bad bodies: numbers of bodies that are not there") {
   Squares s;
   s.second = "1 4 2 1\n3 3 1 1\n3 4 2 1\n2 3 2 1\n3 3 1 1\n3 4 2 1\n";
-  Told told = read(s);
-  CHECK(told.status == C2D_ERR_INPUT);
-  CHECK(told.first.line == 41);
-  CHECK(says(told, "expected"));
-  CHECK(says(told, "3"));
+  check_refused(s, 41, "expected 1 to 3");
   s = Squares();
   s.numbers = "0 2 2";
-  told = read(s);
-  CHECK(told.status == C2D_ERR_INPUT);
-  CHECK(told.first.line == 5);
+  check_refused(s, 5, "expected");
   for (const char* card :
        {"*RIGID 4\n", "*RIGID LOAD 4 0 0\n", "*ZONE BODIES 1 4 2 2 4 4\n", "*BODY FORCE 4 1 0 -1\n", "*TIE 3\n"}) {
     CAPTURE(card);
     s = Squares();
     s.keywords = card;
-    told = read(s);
-    INFO(told.text);
-    CHECK(told.status == C2D_ERR_INPUT);
-    CHECK(told.first.line == 52);
-    CHECK(says(told, "expected"));
+    check_refused(s, 52, "expected");
   }
 }
 

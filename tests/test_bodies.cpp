@@ -1,6 +1,6 @@
 // Models of more than two bodies: uniform states, equivalent models, what may not matter, bodies that lean on others, chains.
-#include "many_bodies.hpp"
 #include "paths.hpp"
+#include "solved_bodies.hpp"
 
 #include <doctest/doctest.h>
 
@@ -13,15 +13,6 @@
 using namespace many;
 
 namespace {
-
-const int32_t kKinds[] = {C2D_ZONE_MATCHING, C2D_ZONE_FREE};
-
-Result solved(const Model& m) {
-  const Result r = solve(m);
-  REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
-  REQUIRE_MESSAGE(r.outcome == C2D_REACHED, c2d_outcome_message(r.outcome) << "\n" << r.messages());
-  return r;
-}
 
 // Largest difference of the stresses at all ends of all bodies from these.
 double off_stress(const Result& r, double sxx, double syy, double sxy) {

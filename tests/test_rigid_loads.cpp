@@ -1,5 +1,5 @@
 // Rigid bodies with free motions: the force and the moment on them are given, where they go follows.
-#include "many_bodies.hpp"
+#include "solved_bodies.hpp"
 
 #include <doctest/doctest.h>
 
@@ -10,15 +10,6 @@
 using namespace many;
 
 namespace {
-
-const int32_t kKinds[] = {C2D_ZONE_MATCHING, C2D_ZONE_FREE};
-
-Result solved(const Model& m) {
-  const Result r = solve(m);
-  REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
-  REQUIRE_MESSAGE(r.outcome == C2D_REACHED, c2d_outcome_message(r.outcome) << "\n" << r.messages());
-  return r;
-}
 
 void load(Body& body, double fx, double fy, double moment, double x, double y, const char* motions = "XYT") {
   body.rigid = 1;

@@ -1,5 +1,5 @@
 // Zones of a body with itself: slots that close, a ring with a gap.
-#include "many_bodies.hpp"
+#include "solved_bodies.hpp"
 
 #include <doctest/doctest.h>
 
@@ -11,15 +11,7 @@ using namespace many;
 
 namespace {
 
-const int32_t kKinds[] = {C2D_ZONE_MATCHING, C2D_ZONE_FREE};
 const double kPi = std::acos(-1.0);
-
-Result solved(const Model& m) {
-  const Result r = solve(m);
-  REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
-  REQUIRE_MESSAGE(r.outcome == C2D_REACHED, c2d_outcome_message(r.outcome) << "\n" << r.messages());
-  return r;
-}
 
 const double kPressure = 1.2;
 

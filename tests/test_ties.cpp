@@ -1,5 +1,5 @@
 // Zones that are tied: what is cut and tied is whole again, under tension as under pressure.
-#include "many_bodies.hpp"
+#include "solved_bodies.hpp"
 
 #include <doctest/doctest.h>
 
@@ -11,15 +11,7 @@ using namespace many;
 
 namespace {
 
-const int32_t kKinds[] = {C2D_ZONE_MATCHING, C2D_ZONE_FREE};
 int32_t tied(int32_t kind) { return kind + C2D_ZONE_TIED; }
-
-Result solved(const Model& m) {
-  const Result r = solve(m);
-  REQUIRE_MESSAGE(r.status == C2D_OK, r.messages());
-  REQUIRE_MESSAGE(r.outcome == C2D_REACHED, c2d_outcome_message(r.outcome) << "\n" << r.messages());
-  return r;
-}
 
 // A plane field: displacements and stresses at a point.
 struct Field {
