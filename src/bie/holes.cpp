@@ -222,7 +222,8 @@ template <class Add> void at_points(const Model& m, int b, const Hole& hole, Add
 
 } // namespace
 
-void hole_row(const Model& m, int b, const Hole& hole, const Integrator& in, bool want_h, bool want_g, FieldElement& e, HoleRow& out) {
+void hole_row(const Model& m, int b, const Hole& hole, const Integrator& in, bool want_h, bool want_g, FieldElement& e,
+              HoleRow& out) {
   e.in = in;
   for (int l = 0; l < in.functions; ++l)
     for (int c = 0; c < 2; ++c)

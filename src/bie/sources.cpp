@@ -50,7 +50,8 @@ void sign_rows(int image, int functions, double block[kElementNodes][2][2]) {
 void scatter_hole(const ColumnSystem& system, const Hole& hole, bool want_h, bool want_g) {
   Blocks& blocks = system.scratch->blocks;
   HoleRow& row = system.scratch->hole_row;
-  kHolePart.hole_row(system.model, system.body, hole, system.scratch->integrator, want_h, want_g, system.scratch->hole_field, row);
+  kHolePart.hole_row(system.model, system.body, hole, system.scratch->integrator, want_h, want_g, system.scratch->hole_field,
+                     row);
   visit_hole(system, hole, [&](int32_t node, const double n[2]) {
     for (int l = 0; l < system.scratch->integrator.functions; ++l)
       for (int i = 0; i < 2; ++i)
