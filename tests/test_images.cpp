@@ -277,7 +277,7 @@ void check_interior(Machine& part, Machine& whole, double low, double high) {
     double worst = 0, most = 0;
     for (int32_t i = 0; i < count; ++i) {
       const size_t k = at(i * C2D_POINT_FIELDS);
-      if (field == C2D_POINT_FLAG && a[k + at(field)] != C2D_POINT_OUTSIDE) ++inside;
+      if (field == C2D_POINT_FLAG && static_cast<int>(a[k + at(field)]) != C2D_POINT_OUTSIDE) ++inside;
       worst = std::max(worst, std::fabs(a[k + at(field)] - b[k + at(field)]));
       most = std::max(most, std::fabs(b[k + at(field)]));
     }
