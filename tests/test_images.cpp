@@ -11,7 +11,6 @@ using namespace many;
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 size_t at(int64_t i) { return static_cast<size_t>(i); }
 
 // ---- the whole of a model
