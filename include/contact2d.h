@@ -245,7 +245,7 @@ c2d_status c2d_set_values(c2d_solver* solver, int32_t body, int32_t element, int
 c2d_status c2d_add_point_load(c2d_solver* solver, int32_t body, int32_t load_case, double x, double y, double fx, double fy);
 /* A force per area of the body: `force`, a weight, and rho_omega2 (x - axis[0], y - axis[1]), density times angular velocity
    squared, outward from the axis of a rotation; axis may be null where rho_omega2 is 0. One per body and load case; given
-   again it replaces the one before. No weight across a line of symmetry; the axis lies on every line. METHOD 6. */
+   again it replaces the one before. No weight across a line of symmetry that the body meets, nor an axis off it. METHOD 6. */
 c2d_status c2d_set_body_force(c2d_solver* solver, int32_t body, int32_t load_case, const double force[2], double rho_omega2,
                               const double axis[2]);
 /* The body is rigid, without equations and moduli; its mesh gives frames and lengths. In a load case it moves by motion[0],
@@ -306,9 +306,9 @@ c2d_status c2d_add_curve(c2d_solver* solver, const c2d_curve* curve);
 c2d_status c2d_add_friction(c2d_solver* solver, double mu);
 c2d_status c2d_set_zone_friction(c2d_solver* solver, int32_t zone, int32_t i, double mu);
 /* Symmetry by images (METHOD 5): everything is mirrored across the line x = value (axis 0) or y = value (axis 1), one of each
-   at most. Of every body only what lies on one side (in one quarter) is given, without elements on the lines: a curve that
-   crosses a line is an open region that ends on the lines. Open regions come first in a body (c2d_body.open_regions), at least
-   one, and have one boundary point and, except with constant elements, one functional node more than closed ones. The
+   at most. Only what lies on one side (in one quarter) is given, without elements on the lines: a curve that crosses a line is
+   an open region that ends on the lines; of a body that meets no line the image is another body. Open regions come first in a
+   body (c2d_body.open_regions), and have one boundary point and, except with constant elements, one functional node more. The
    displacement across a line is 0; conditions there say the rest. Forces and moments are those of the modelled part. */
 c2d_status c2d_set_symmetry(c2d_solver* solver, int32_t axis, double value);
 /* A straight piece of the load path, in `increments` equal steps from where the last piece ended (zero at first) to load[0 ..
@@ -462,7 +462,7 @@ enum {
 /* Displacements and stresses at `count` points (xy[i * xy_stride], xy[i * xy_stride + 1]); column c of point i goes to out[i *
    out_stride + c]. xy_stride >= 2, out_stride >= C2D_POINT_FIELDS; xy and out must not overlap. body 0: whichever the point
    lies in, the first if in several. A point load's own field is left out at its very point. Before anything touches, and where
-   no motion is held, displacements and stresses are 0. With lines of symmetry points may lie anywhere in the whole body. Many
+   no motion is held, displacements and stresses are 0. With lines of symmetry points may lie anywhere in the whole model. Many
    points in one call cost less than one by one. Errors: STORE_...; CANCELLED (`out` is then of no use). */
 c2d_status c2d_interior(c2d_solver* solver, int32_t body, int32_t count, const double* xy, int64_t xy_stride, double* out,
                         int64_t out_stride);

@@ -189,7 +189,7 @@
 #define C2D_BYTES_OF_double 8
 #define C2D_BYTES_OF_Real C2D_REAL_BYTES
 #define C2D_BYTES_OF_BodyLimits 16
-#define C2D_BYTES_OF_Body 352
+#define C2D_BYTES_OF_Body 360
 #define C2D_BYTES_OF_Plan 48
 #define C2D_BYTES_OF_BodyResults 96
 #define C2D_BYTES_OF_Region 16

@@ -233,6 +233,7 @@ REPORT_SOURCES += src/report/vtk.cpp
 PROGRAM_SOURCES += src/program/check.cpp
 PROGRAM_SOURCES += src/program/convert.cpp
 PROGRAM_SOURCES += src/program/deck_file.cpp
+PROGRAM_SOURCES += src/program/families/bearing.cpp
 PROGRAM_SOURCES += src/program/families/bimaterial.cpp
 PROGRAM_SOURCES += src/program/families/cantilever.cpp
 PROGRAM_SOURCES += src/program/families/coating.cpp

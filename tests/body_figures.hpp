@@ -40,6 +40,64 @@ inline HertzFigures worst_of_rollers(const Solution& s, const std::vector<double
   return worst;
 }
 
+// Forces on the rollers of a bearing without clearance, between rigid rings: a roller at psi from the load P gives way by
+// D cos(psi), which Hertz's line contacts and the roller between them give by its force (Johnson, eq. 5.57).
+class RigidRings {
+public:
+  RigidRings(int rollers, double shaft, double load, bool between, double modulus = 1000 / 0.91)
+      : modulus_(modulus), shaft_(shaft), load_(load) {
+    for (int i = 0; i < rollers; ++i) {
+      const double cosine = std::cos((i + (between ? 0.5 : 0)) * 2 * kPi / rollers);
+      if (cosine > 1e-9) cosines_.push_back(cosine);
+    }
+    const auto carried = [this](double approach) {
+      double sum = 0;
+      for (const double c : cosines_) sum += c * force(approach * c);
+      return sum;
+    };
+    approach_ = inverse(carried, load, compression(load));
+  }
+  double at(double degrees) const { return force(approach_ * std::cos(degrees * kPi / 180)); }
+  double compression(double force) const { // of a roller of radius 1, by both contacts
+    const auto term = [&](double curvature) {
+      return 2 * std::log(4 / std::sqrt(4 * force / (kPi * modulus_ * curvature))) - 1;
+    };
+    return force / (kPi * modulus_) * (term(1 + 1 / shaft_) + term(1 - 1 / (shaft_ + 2)));
+  }
+
+private:
+  // x from 0 to `most` at which a rising function has a value.
+  template <class F> static double inverse(F f, double value, double most) {
+    double low = 0;
+    for (int i = 0; i < 200; ++i) (f((low + most) / 2) < value ? low : most) = (low + most) / 2;
+    return low;
+  }
+  double force(double approach) const {
+    return inverse([this](double q) { return compression(q); }, approach, load_);
+  }
+  double modulus_, shaft_, load_, approach_ = 0;
+  std::vector<double> cosines_;
+};
+
+// make bearing with rollers of radius 1 between rings of radius `shaft` and more.
+struct BearingFigures {
+  double share; // largest difference of a force on a roller, at either contact, from that between rigid rings, over the largest
+  double factor; // largest force, over P / Z
+};
+inline BearingFigures bearing_figures(const Solution& s, int rollers, bool between = false, double shaft = 5) {
+  const double load = 2 * std::fabs(s.resultants[0].contact[1]);
+  const RigidRings rigid(rollers, shaft, load, between);
+  BearingFigures out{0, 0};
+  for (size_t zone = 0; zone < s.zones.size(); ++zone) {
+    const double place = (static_cast<double>(zone / 2) + (between ? 0.5 : 0)) * 360 / rollers;
+    const double* f = s.zones[zone].force;
+    const double force = place == 0 ? 2 * std::fabs(f[1]) : std::hypot(f[0], f[1]); // one half under the load
+    out.share = std::max(out.share, std::fabs(force - rigid.at(place)) / rigid.at(0));
+    out.factor = std::max(out.factor, force * rollers / load);
+  }
+  return out;
+}
+
 // Pressures of make shrink at the bond and at the fit: rings under pressure, in plane strain; E and nu are its defaults.
 struct ShrinkFigures {
   double bond, fit;

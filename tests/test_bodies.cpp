@@ -128,8 +128,7 @@ Model layer_and_two_blocks(const std::array<int32_t, 3>& order) {
 
 } // namespace
 
-// Fails as long as every body has to meet every line of symmetry: the block lies on one side of it, its image is another body.
-TEST_CASE("bodies: a layer between two equal blocks is a layer on its image" * doctest::should_fail()) {
+TEST_CASE("bodies: a layer between two equal blocks is a layer on its image") {
   const Result image = solved(layer_and_image());
   int statuses[3] = {0, 0, 0};
   for (const Row& row : image.last().rows) ++statuses[static_cast<int>(row[C2D_STATUS])];
@@ -139,6 +138,7 @@ TEST_CASE("bodies: a layer between two equal blocks is a layer on its image" * d
     const Model whole = layer_and_two_blocks(order);
     Result both = solved(whole);
     CHECK(imbalance(whole, both) < 1e-12);
+    CHECK(std::fabs(both.last().work - 2 * image.last().work) <= 1e-9 * image.last().work);
     for (Step& s : both.steps) // the upper half
       s.rows.erase(std::remove_if(s.rows.begin(), s.rows.end(), [](const Row& row) { return row[C2D_Y] < 0; }), s.rows.end());
     Mapping map;
@@ -147,7 +147,6 @@ TEST_CASE("bodies: a layer between two equal blocks is a layer on its image" * d
       for (Step& s : r->steps) s.work = s.elastic = s.dissipated = 0;
     CHECK(difference(half, both, map) < 1e-9);
     CHECK(status_differences(half, both, map) == 0);
-    CHECK(std::fabs(both.last().work - 2 * image.last().work) <= 1e-9 * image.last().work);
   }
 }
 

@@ -313,7 +313,7 @@ TEST_CASE("curves: at a line of symmetry a surface goes on as its own image") {
   part.bodies[0].elements = quarter;
   part.regions[0][0] = {0, quarter - 1, 1, 0};
   part.xy[0][2 * quarter] = 0; // on the line to the last digit
-  part.head.symmetry = 3;
+  part.head.symmetry = part.bodies[0].lines = 3;
   for (int32_t e = 0; e < quarter; ++e)
     for (double eta : {-1.0, -0.5, 0.3, 1.0}) {
       const c2d::SurfacePoint a = c2d::surface_point(whole.view(), 0, e, eta), b = c2d::surface_point(part.view(), 0, e, eta);

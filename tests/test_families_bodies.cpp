@@ -55,6 +55,39 @@ TEST_CASE("families: a roller between half planes, and between cylinders") {
   }
 }
 
+TEST_CASE("families: rollers without clearance share the load as between rigid rings") {
+  const struct {
+    int rollers;
+    bool between;
+    const char* order;
+  } cases[] = {{12, false, "order=1"}, {12, true, "order=1"}, {7, false, "order=1"}, {18, true, "order=2"}};
+  for (const auto& c : cases) {
+    CAPTURE(c.rollers);
+    CAPTURE(c.between);
+    const double shaft = 5 * c.rollers / 12.0;
+    const Solution s =
+        solve("bearing", {c.between ? "place=between" : "place=under", c.order, setting("Z", c.rollers), setting("R", shaft)});
+    CHECK(bearing_figures(reached(s), c.rollers, c.between, shaft).share < 1e-3); // measured 2.4e-4
+    const double load = 2 * s.resultants[0].contact[1];
+    for (size_t roller = 2; roller < s.resultants.size(); ++roller) // where it is held
+      CHECK(std::hypot(s.resultants[roller].applied[0], s.resultants[roller].applied[1]) < 1e-4 * load);
+  }
+}
+
+TEST_CASE("families: the stiffer the rings, the nearer the largest force on a roller to 4.08 P/Z") {
+  const double rigid = bearing_figures(reached(solve("bearing")), 12).factor;
+  CHECK(std::fabs(rigid - 4.08) < 0.02);
+  double before = 0;
+  for (const double E : {1e3, 4e3, 1.6e4, 6.4e4}) {
+    const double factor = bearing_figures(reached(solve("bearing", {"rings=elastic", setting("E1", E)})), 12).factor;
+    CAPTURE(E);
+    CHECK(factor > before);
+    CHECK(factor < rigid);
+    if (before > 0) CHECK(rigid - factor < 0.6 * (rigid - before));
+    before = factor;
+  }
+}
+
 TEST_CASE("families: a layer of the half plane's material, bonded to it, leaves Hertz's contact") {
   for (const char* bond : {"bond=matching", "bond=free"})
     for (const char* thickness : {"t=0.5", "t=1", "t=3"}) {

@@ -593,7 +593,7 @@ TEST_CASE("symmetry: what does not fit is told") {
   p = good;
   p.symmetry = 3;
   p.symmetry_at[1] = -9;
-  told(p, "the line of symmetry y = -9 does not meet body 1");
+  told(p, "the line of symmetry y = -9 meets no body, expected an open region that ends on it");
   p = good;
   p.bodies[0].xy[0] = 0.1;
   told(p, "ends an open region, expected it on a line of symmetry");

@@ -126,14 +126,13 @@ bool scatter_batches(const ColumnSystem& system, const Integrator& integrator, c
   job.run.element = batch_element(integrator);
   // Nor on whether only one of a component's two columns lies in it.
   job.direct = !system.scratch->targets.shared && aim_columns(job.run, job.columns);
-  const ModelHeader& head = *system.model.head;
-  const int32_t end = system.model.body[system.body].nodes;
+  const int32_t lines = system.model.body[system.body].lines, end = system.model.body[system.body].nodes;
   const OwnSources own = own_sources(system, node, integrator.functions);
   BatchBlocks out;
   for (int32_t first = 0; first < end;) {
     const Group g = group_at(system, own, first, end);
-    for (int image = 0; image <= head.symmetry; ++image)
-      if (is_image(head, image)) scatter_group(job, g, image, blocks, out);
+    for (int image = 0; image <= lines; ++image)
+      if (is_image(lines, image)) scatter_group(job, g, image, blocks, out);
     first += g.count;
   }
   return true;
@@ -163,15 +162,15 @@ void take_off(const ColumnSystem& system, const Integrator& in, const int32_t no
 bool fill_diagonal_batches(const ColumnSystem& system, const Integrator& integrator, const int32_t node[kElementNodes],
                            int32_t first_node, int32_t count) {
   if (kSmallCode || !system.batch || !is_batched(integrator, false)) return false;
-  const ModelHeader& head = *system.model.head;
+  const int32_t lines = system.model.body[system.body].lines;
   const BatchElement element = batch_element(integrator);
   const int32_t end = first_node + count;
   const OwnSources own = own_sources(system, node, integrator.functions);
   double room[2 * kBatch], sum[4 * kBatch];
   for (int32_t first = first_node; first < end;) {
     const Group g = group_at(system, own, first, end);
-    for (int image = 0; image <= head.symmetry; ++image) {
-      if (!is_image(head, image)) continue;
+    for (int image = 0; image <= lines; ++image) {
+      if (!is_image(lines, image)) continue;
       if (image == 0 && g.plain) {
         system.batch->rigid_off(element, system.point + 2 * static_cast<int64_t>(first), g.count,
                                 system.diagonal + 4 * static_cast<int64_t>(first));

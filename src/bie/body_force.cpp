@@ -73,7 +73,7 @@ Particular particular_solution(const Model& m, int b, int32_t load_case, double 
   const double nu = strain_poisson_ratio(m, b), g = shear_modulus(m, b);
   Particular out = {{0.0, 0.0}, {0.0, 0.0, 0.0}};
   double origin[2];
-  for (int c = 0; c < 2; ++c) origin[c] = (head.symmetry >> c & 1) != 0 ? head.line_at[c] : m.body[b].centre[c];
+  for (int c = 0; c < 2; ++c) origin[c] = (m.body[b].lines >> c & 1) != 0 ? head.line_at[c] : m.body[b].centre[c];
   add_weight(f, nu, g, x - origin[0], y - origin[1], out);
   add_rotation(f, nu, g, x - f.x0, y - f.y0, out);
   return out;

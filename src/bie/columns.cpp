@@ -138,7 +138,7 @@ void hold_by_symmetry(const ColumnSystem& system, const Panel& panel) {
     for (int c = 0; c < 2; ++c)
       if (is_held_by_symmetry(m, system.body, node, c)) hold(panel, 2 * node + c, outer_column(m, system.body, node, c));
   for (int c = 0; c < 3; ++c)
-    if (c == 2 || (m.head->symmetry >> c & 1) != 0) hold(panel, 2 * body.nodes + c, body.columns + c);
+    if (c == 2 || (body.lines >> c & 1) != 0) hold(panel, 2 * body.nodes + c, body.columns + c);
 }
 
 // All but what free zones hand over. (Not inlined: that goes deep.)
@@ -156,7 +156,7 @@ void hold_by_symmetry(const ColumnSystem& system, const Panel& panel) {
   Hole hole;
   while (kHolePart.next_hole(m, b, walk, hole)) add_all(system, &hole, panel);
   for (int32_t node = 0; node < m.body[b].nodes; ++node) add_node(system, panel, node);
-  if (m.head->symmetry != 0) hold_by_symmetry(system, panel);
+  if (m.body[b].lines != 0) hold_by_symmetry(system, panel);
 }
 
 } // namespace

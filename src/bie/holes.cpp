@@ -18,7 +18,7 @@ bool ends_run(const Model& m, int b, int32_t element) { return element < 0 || is
 // Where the first run of a region begins: behind elements on a line of symmetry, if there are any.
 int32_t first_of_runs(const Model& m, int b, const Region& region) {
   if (region.open) return region.first;
-  for (int32_t e = region.first; e <= region.last && m.head->symmetry != 0; ++e)
+  for (int32_t e = region.first; e <= region.last && m.body[b].lines != 0; ++e)
     if (is_axis_element(m, b, e)) return e;
   return region.first;
 }
@@ -27,12 +27,13 @@ int32_t first_of_runs(const Model& m, int b, const Region& region) {
 
 // Visits the chords of a run and of its images: visit(p, q, element, image).
 template <class Visit> void visit_chords(const Model& m, int b, const Hole& run, Visit visit) {
+  const int32_t lines = m.body[b].lines;
   int32_t element = run.first;
   for (int32_t k = 0; k < run.elements; ++k) {
     Chords c;
     chords_of(m, b, element, c);
-    for (int image = 0; image <= m.head->symmetry; ++image) {
-      if (!is_image(*m.head, image)) continue;
+    for (int image = 0; image <= lines; ++image) {
+      if (!is_image(lines, image)) continue;
       for (int i = 0; i < c.count; ++i) {
         const double p[2] = {mirrored(*m.head, image, 0, c.x[i]), mirrored(*m.head, image, 1, c.y[i])};
         const double q[2] = {mirrored(*m.head, image, 0, c.x[i + 1]), mirrored(*m.head, image, 1, c.y[i + 1])};
@@ -76,7 +77,7 @@ Outline outline_of(const Model& m, int b, const Hole& run) {
   if (out.first[0] == out.last[0] && out.first[1] == out.last[1]) return out;
   for (int i = 0; i < 2; ++i) {
     const double from = fabs(out.first[i] - at[i]), to = fabs(out.last[i] - at[i]);
-    if ((m.head->symmetry >> i & 1) != 0 && (from < to ? from : to) < 1e-6 * out.length) out.centroid[i] = at[i];
+    if ((m.body[b].lines >> i & 1) != 0 && (from < to ? from : to) < 1e-6 * out.length) out.centroid[i] = at[i];
   }
   return out;
 }
@@ -194,7 +195,7 @@ bool next_run(const Model& m, int b, HoleWalk& walk, Hole& out) {
 
 bool next_hole(const Model& m, int b, HoleWalk& walk, Hole& out) {
   const int32_t regions = m.body[b].regions;
-  if (regions == 1 && m.head->symmetry == 0) return false; // the outer boundary alone
+  if (regions == 1 && m.body[b].lines == 0) return false; // the outer boundary alone
   while (walk.region < regions) {
     if (!next_run(m, b, walk, out)) {
       walk = HoleWalk{walk.region + 1, 0, 0};
@@ -209,10 +210,11 @@ bool next_hole(const Model& m, int b, HoleWalk& walk, Hole& out) {
 namespace {
 
 // add(x, y) at every point inside and its images; what is added up over them counts by 1 / points.
-template <class Add> void at_points(const Model& m, const Hole& hole, Add add) {
+template <class Add> void at_points(const Model& m, int b, const Hole& hole, Add add) {
+  const int32_t lines = m.body[b].lines;
   for (int32_t k = 0; k < hole.points; ++k)
-    for (int image = 0; image <= m.head->symmetry; ++image) {
-      if (!is_image(*m.head, image)) continue;
+    for (int image = 0; image <= lines; ++image) {
+      if (!is_image(lines, image)) continue;
       const Source p = mirrored_source(*m.head, image, hole.at[k]);
       add(p.x, p.y);
     }
@@ -220,7 +222,8 @@ template <class Add> void at_points(const Model& m, const Hole& hole, Add add) {
 
 } // namespace
 
-void hole_row(const Model& m, const Hole& hole, const Integrator& in, bool want_h, bool want_g, FieldElement& e, HoleRow& out) {
+void hole_row(const Model& m, int b, const Hole& hole, const Integrator& in, bool want_h, bool want_g, FieldElement& e,
+              HoleRow& out) {
   e.in = in;
   for (int l = 0; l < in.functions; ++l)
     for (int c = 0; c < 2; ++c)
@@ -232,7 +235,7 @@ void hole_row(const Model& m, const Hole& hole, const Integrator& in, bool want_
         one[l] = c == 0 ? Complex{1.0, 0.0} : Complex{0.0, 1.0};
         prepare_field(kind == 0 ? zero : one, kind == 0 ? one : nullptr, e);
         PointField field = {};
-        at_points(m, hole, [&](double x, double y) { add_field(e, Complex{0.0, 0.0}, x, y, field); });
+        at_points(m, b, hole, [&](double x, double y) { add_field(e, Complex{0.0, 0.0}, x, y, field); });
         to = (kind == 0 ? 1.0 : -1.0) * hole.length * field.trace / hole.points;
       }
 }
@@ -241,7 +244,7 @@ double hole_load(const Model& m, int b, const Hole& hole, const PointLoad& load)
   const double unit = m.head->length_unit, nu = strain_poisson_ratio(m, b);
   const double scale = 1.0 / (2.0 * shear_modulus(m, b) * unit);
   PointField field = {};
-  at_points(m, hole, [&](double x, double y) {
+  at_points(m, b, hole, [&](double x, double y) {
     add_force_field(Complex{load.fx * scale, load.fy * scale}, nu, load.x / unit, load.y / unit, x, y, field);
   });
   return -hole.length * field.trace / hole.points;

@@ -34,7 +34,7 @@ struct FieldElement; // bie/interior.hpp
 struct HoleRow {
   double h[kElementNodes][2], g[kElementNodes][2];
 };
-void hole_row(const Model& model, const Hole& hole, const Integrator& integrator, bool want_h, bool want_g,
+void hole_row(const Model& model, int body, const Hole& hole, const Integrator& integrator, bool want_h, bool want_g,
               FieldElement& scratch, HoleRow& out);
 // The same of a point load: added to G t's side.
 double hole_load(const Model& model, int b, const Hole& hole, const PointLoad& load);

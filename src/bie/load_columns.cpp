@@ -32,8 +32,8 @@ void add_point_load(const ColumnSystem& system, const Hole* hole, const Panel& p
   for (int32_t node = 0; node < body.nodes; ++node) {
     if (system.twin[node] == kSecondTwin || system.twin[node] == kAxisNode) continue;
     const double* at = system.point + 2 * static_cast<int64_t>(node);
-    for (int image = 0; image <= m.head->symmetry; ++image) {
-      if (!is_image(*m.head, image)) continue;
+    for (int image = 0; image <= body.lines; ++image) {
+      if (!is_image(body.lines, image)) continue;
       double u[2][2];
       const Source p = mirrored_source(*m.head, image, at);
       const double rx = load.x / unit - p.x, ry = load.y / unit - p.y;

@@ -27,7 +27,7 @@ bool place_sources(const ColumnSystem& system) {
     const bool second = is_second_twin(m, system.body, node);
     system.twin[node] = second ? kSecondTwin : twin_node(m, system.body, node);
     int32_t ends[2];
-    if (m.head->symmetry != 0 && ends_at_node(m, system.body, node, ends) == 0) system.twin[node] = kAxisNode;
+    if (m.body[system.body].lines != 0 && ends_at_node(m, system.body, node, ends) == 0) system.twin[node] = kAxisNode;
     some_passed_over = some_passed_over || system.twin[node] < kSingle;
   }
   return some_passed_over;
@@ -50,7 +50,8 @@ void sign_rows(int image, int functions, double block[kElementNodes][2][2]) {
 void scatter_hole(const ColumnSystem& system, const Hole& hole, bool want_h, bool want_g) {
   Blocks& blocks = system.scratch->blocks;
   HoleRow& row = system.scratch->hole_row;
-  kHolePart.hole_row(system.model, hole, system.scratch->integrator, want_h, want_g, system.scratch->hole_field, row);
+  kHolePart.hole_row(system.model, system.body, hole, system.scratch->integrator, want_h, want_g, system.scratch->hole_field,
+                     row);
   visit_hole(system, hole, [&](int32_t node, const double n[2]) {
     for (int l = 0; l < system.scratch->integrator.functions; ++l)
       for (int i = 0; i < 2; ++i)
@@ -73,12 +74,13 @@ void scatter_sources(const ColumnSystem& system, const Hole* hole, const int32_t
   if (scatter_batches(system, integrator, node, blocks, deposits)) return;
   const Model& m = system.model;
   const int nf = m.head->function_nodes;
+  const int32_t lines = m.body[system.body].lines;
   for (int32_t source = 0; source < m.body[system.body].nodes; ++source) {
     const int32_t twin = system.twin[source];
     if (twin == kSecondTwin || twin == kAxisNode) continue;
     const double* at = system.point + 2 * static_cast<int64_t>(source);
-    for (int image = 0; image <= m.head->symmetry; ++image) {
-      if (!is_image(*m.head, image)) continue;
+    for (int image = 0; image <= lines; ++image) {
+      if (!is_image(lines, image)) continue;
       const Source p = mirrored_source(*m.head, image, at);
       const int singular = p.on_itself ? singular_node(node, nf, source, twin) : -1;
       integrate(integrator, p.x, p.y, singular, want_h, want_g, blocks);
@@ -92,6 +94,7 @@ void scatter_sources(const ColumnSystem& system, const Hole* hole, const int32_t
 void fill_diagonal(const ColumnSystem& system, int32_t first_node, int32_t count) {
   const Model& m = system.model;
   const int b = system.body;
+  const int32_t lines = m.body[b].lines;
   for (int64_t i = 4 * static_cast<int64_t>(first_node); i < 4 * static_cast<int64_t>(first_node + count); ++i)
     system.diagonal[i] = 0.0;
   if (fill_diagonal_closed(system, first_node, count)) return;
@@ -108,8 +111,8 @@ void fill_diagonal(const ColumnSystem& system, int32_t first_node, int32_t count
       double sum[2][2];
       const double* at = system.point + 2 * static_cast<int64_t>(source);
       double* block = system.diagonal + 4 * static_cast<int64_t>(source);
-      for (int image = 0; image <= m.head->symmetry; ++image) {
-        if (!is_image(*m.head, image)) continue;
+      for (int image = 0; image <= lines; ++image) {
+        if (!is_image(lines, image)) continue;
         const Source p = mirrored_source(*m.head, image, at);
         const int singular = p.on_itself ? singular_node(node, m.head->function_nodes, source, twin) : -1;
         rigid_sum(integrator, p.x, p.y, singular, sum);

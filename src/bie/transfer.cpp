@@ -148,7 +148,7 @@ void send(const Model& m, const Columns& panel, const Transfer& t, const double 
 [[gnu::noinline]] void add_to_hole(const ColumnSystem& system, const Hole& hole, const Columns& panel, const Transfer& t) {
   const Model& m = system.model;
   HoleRow& row = system.scratch->hole_row;
-  kHolePart.hole_row(m, hole, t.in, false, true, system.scratch->hole_field, row);
+  kHolePart.hole_row(m, panel.b, hole, t.in, false, true, system.scratch->hole_field, row);
   visit_hole(system, hole, [&](int32_t node, const double n[2]) {
     for (int i = 0; i < 2; ++i)
       for (int c = 0; c < 2; ++c) {
@@ -162,10 +162,11 @@ void send(const Model& m, const Columns& panel, const Transfer& t, const double 
 [[gnu::noinline]] void add_piece(const ColumnSystem& system, const Columns& panel, const Transfer& t) {
   const Model& m = system.model;
   Blocks& blocks = system.scratch->blocks;
-  for (int32_t source = 0; source < m.body[panel.b].nodes; ++source) {
+  const Body& body = m.body[panel.b];
+  for (int32_t source = 0; source < body.nodes; ++source) {
     if (system.twin[source] == kSecondTwin || system.twin[source] == kAxisNode) continue;
-    for (int image = 0; image <= m.head->symmetry; ++image) {
-      if (!is_image(*m.head, image)) continue;
+    for (int image = 0; image <= body.lines; ++image) {
+      if (!is_image(body.lines, image)) continue;
       const Source p = mirrored_source(*m.head, image, system.point + 2 * static_cast<int64_t>(source));
       const int at = !p.on_itself ? -1 : (t.node[0] == source ? 0 : (t.node[1] == source ? t.in.functions - 1 : -1));
       integrate(t.in, p.x, p.y, at, false, true, blocks);
@@ -177,8 +178,7 @@ void send(const Model& m, const Columns& panel, const Transfer& t, const double 
         }
     }
   }
-  const Body& body = m.body[panel.b];
-  const int32_t row = 2 * body.nodes, held = m.head->symmetry;
+  const int32_t row = 2 * body.nodes, held = body.lines;
   double w[kElementNodes], wx[kElementNodes], wy[kElementNodes];
   resultants(t.in, body.centre[0] / m.head->length_unit, body.centre[1] / m.head->length_unit, w, wx, wy);
   for (int c = 0; c < 2; ++c)

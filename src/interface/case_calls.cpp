@@ -43,8 +43,7 @@ c2d_status check_held(c2d_solver* s, const Model& m, int b, int32_t element, int
   if (!is_integrated(m, b, element))
     return refuse(s, kQuantity[q], " is on an element without length or on a line of symmetry, expected 0");
   if (q < 2) return C2D_OK;
-  if (m.head->symmetry != 0 && is_held_by_symmetry(m, b, node, q - 2))
-    return refuse(s, kQuantity[q], " is held by symmetry here, expected 0");
+  if (is_held_by_symmetry(m, b, node, q - 2)) return refuse(s, kQuantity[q], " is held by symmetry here, expected 0");
   if (pair_of_node(m, b, node).pair >= 0) return refuse(s, kQuantity[q], " belongs to a contact node, expected 0");
   return C2D_OK;
 }

@@ -79,7 +79,7 @@ struct Integrator;
 struct HolePart { // bie/holes.cpp
   bool linked = false;
   Function<bool, const Model&, int, HoleWalk&, Hole&> next_hole = Nothing();
-  Function<void, const Model&, const Hole&, const Integrator&, bool, bool, FieldElement&, HoleRow&> hole_row = Nothing();
+  Function<void, const Model&, int, const Hole&, const Integrator&, bool, bool, FieldElement&, HoleRow&> hole_row = Nothing();
   Function<double, const Model&, int, const Hole&, const PointLoad&> hole_load = Nothing();
   Function<void, const Model&, int, int32_t, double*> hole_normal = Nothing();
 };

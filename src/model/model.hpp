@@ -143,8 +143,9 @@ struct Body {
   int32_t has_force;    // 1: body forces
   int32_t first_motion; // free motions of the bodies before, as far as the contact has to hold them
   // Its part in the reduction (contact/reduction_plan.hpp).
-  int32_t keeps_equations;       // 1: its displacements follow from those of the bodies it meets
-  int32_t first_border;          // motions of the bodies before that keep none
+  int32_t keeps_equations; // 1: its displacements follow from those of the bodies it meets
+  int32_t first_border;    // motions of the bodies before that keep none
+  int32_t lines, padding;  // lines of symmetry that it meets, as in ModelHeader::symmetry: across them it is its own image
   int64_t first_node, first_end; // functional nodes and element ends of the bodies before
   int64_t first_block;           // of its matrices on tape CONTACT
   int64_t array[kBodyArrays];    // bytes from the list of bodies to its arrays

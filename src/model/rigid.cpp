@@ -34,11 +34,11 @@ void node_row(const Model& m, int b, int32_t node, int component, double row[3])
   row[2] = (component == 0 ? body.centre[1] - y : x - body.centre[0]) / m.head->length_unit;
 }
 
-// A symmetry line prevents the translation across it, and the rotation.
-double farthest_symmetry_row(const Model& m, const double basis[3][3], int count, double best[3]) {
+// A symmetry line that the body meets prevents the translation across it, and the rotation.
+double farthest_symmetry_row(int32_t lines, const double basis[3][3], int count, double best[3]) {
   double farthest = 0;
-  for (int i = 0; i < 3 && m.head->symmetry != 0; ++i) {
-    if (i < 2 && (m.head->symmetry >> i & 1) == 0) continue;
+  for (int i = 0; i < 3 && lines != 0; ++i) {
+    if (i < 2 && (lines >> i & 1) == 0) continue;
     double row[3] = {i == 0 ? 1.0 : 0.0, i == 1 ? 1.0 : 0.0, i == 2 ? 1.0 : 0.0};
     const double left = orthogonalise(basis, count, row);
     if (left <= farthest) continue;
@@ -50,7 +50,7 @@ double farthest_symmetry_row(const Model& m, const double basis[3][3], int count
 
 // The prescribed component that is farthest from the span of the ones found so far.
 double farthest_row(const Model& m, int b, const double basis[3][3], int count, double best[3]) {
-  double farthest = farthest_symmetry_row(m, basis, count, best);
+  double farthest = farthest_symmetry_row(body_of(m, b).lines, basis, count, best);
   if (farthest > 0.5) return farthest;
   for (int32_t node = 0; node < body_of(m, b).nodes; ++node) {
     for (int component = 0; component < 2; ++component) {

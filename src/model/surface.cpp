@@ -65,7 +65,7 @@ const Curve* curve_of(const Model& m, int b, int32_t element) {
 
 bool go_on(const Model& m, int b, Walk& walk) {
   const int32_t next = element_beside(m, b, walk.element, walk.way);
-  if (m.head->symmetry != 0) {
+  if (m.body[b].lines != 0) {
     const double* end = m.xy[b] + 2 * geometry_node(m, b, walk.element, walk.way > 0 ? body_of(m, b).element_nodes - 1 : 0);
     const int32_t lines = lines_through(*m.head, end[0], end[1]);
     if (lines != 0 && (next < 0 || is_axis_element(m, b, next))) {

@@ -1,6 +1,7 @@
 #pragma once
-// Symmetry by images (METHOD 5): the lines across which bodies, loads and results are mirrored. Of a symmetric body only one
-// side is modelled; its curves end on the lines, or the elements there (axis elements) are passed over.
+// Symmetry by images (METHOD 5): the lines across which bodies, loads and results are mirrored. Of a body that meets a line
+// only one side is modelled; its curves end on the line, or the elements there (axis elements) are passed over. The image of
+// a body that does not meet it is another body, which its equations know nothing of.
 #include "model/model.hpp"
 #include "model/validate.hpp"
 
@@ -19,19 +20,19 @@ bool do_lines_hold(const Model& m, int b, int32_t node, int component);
 void fold_point(const ModelHeader& head, double p[2]);
 
 inline bool is_axis_element(const Model& m, int b, int32_t element) {
-  return m.head->symmetry != 0 && lines_of_element(m, b, element) != 0;
+  return m.body[b].lines != 0 && lines_of_element(m, b, element) != 0;
 }
 inline int32_t lines_at_node(const Model& m, int b, int32_t node) {
-  return m.head->symmetry == 0 ? 0 : lines_of_node(m, b, node);
+  return m.body[b].lines == 0 ? 0 : lines_of_node(m, b, node);
 }
 
 // Is this displacement zero by symmetry, or the node one of axis elements alone? Its row is then u = 0.
 inline bool is_held_by_symmetry(const Model& m, int b, int32_t node, int component) {
-  return m.head->symmetry != 0 && do_lines_hold(m, b, node, component);
+  return m.body[b].lines != 0 && do_lines_hold(m, b, node, component);
 }
 
-// Images are numbered 0 (the body itself) ... 3 by the lines they are mirrored across.
-inline bool is_image(const ModelHeader& head, int image) { return (image & ~head.symmetry) == 0; }
+// Images are numbered 0 (the body itself) ... 3 by the lines they are mirrored across. Is this one of a body that meets these?
+inline bool is_image(int32_t lines, int image) { return (image & ~lines) == 0; }
 inline double image_sign(int image, int component) { return (image >> component & 1) != 0 ? -1.0 : 1.0; }
 inline double mirrored(const ModelHeader& head, int image, int component, double coordinate) {
   return (image >> component & 1) != 0 ? 2.0 * head.line_at[component] - coordinate : coordinate;

@@ -130,7 +130,7 @@ int ends_at_node(const Model& m, int b, int32_t node, int32_t ends[2]) {
 }
 
 int ends_off_axis(const Model& m, int b, int32_t ends[2], int count) {
-  if (m.head->symmetry == 0) return count;
+  if (m.body[b].lines == 0) return count;
   int kept = 0;
   for (int i = 0; i < count; ++i)
     if (!is_axis_element(m, b, ends[i] / m.head->function_nodes)) ends[kept++] = ends[i];

@@ -192,16 +192,18 @@ void check_open_region(const Model& m, int b, const Region& r, Reporter& reporte
       report_point(m, b, point, "ends an open region, expected it on a line of symmetry", reporter);
 }
 
-// Every line must cut every body: else what is mirrored is another body.
-void check_lines_cut(const Model& m, int b, Reporter& reporter) {
+// A body without a point on a line lies on one side of it, and its image is another body. A line that no body meets would
+// mirror everything to no effect.
+void find_lines_met(const Model& m, Reporter& reporter) {
   int32_t met = 0;
-  for (int32_t e = 0; e < body_of(m, b).elements; ++e)
-    for (int k = 0; k < body_of(m, b).element_nodes; ++k) met |= lines_at_point(m, b, geometry_node(m, b, e, k));
-  for (int axis = 0; axis < 2; ++axis) {
-    if ((m.head->symmetry >> axis & 1) == 0 || (met >> axis & 1) != 0) continue;
-    report(reporter, in_body(b), "the line of symmetry ", kAxis[axis], " = ", m.head->line_at[axis], " does not meet body ",
-           body_named(m, b), ", expected an open region that ends on it");
+  for (int b = 0; b < m.head->bodies; ++b) {
+    for (int32_t i = 0; i < body_of(m, b).geometry_nodes; ++i) m.body[b].lines |= lines_at_point(m, b, i);
+    met |= m.body[b].lines;
   }
+  for (int axis = 0; axis < 2; ++axis)
+    if ((m.head->symmetry & ~met & 1 << axis) != 0)
+      report(reporter, Where(), "the line of symmetry ", kAxis[axis], " = ", m.head->line_at[axis],
+             " meets no body, expected an open region that ends on it");
 }
 
 void check_axis_elements(const Model& m, int b, Reporter& reporter) {
@@ -242,11 +244,12 @@ bool validate_lines(const Model& m, Reporter& reporter) {
     if ((m.head->symmetry >> axis & 1) == 0) continue;
     move_onto(m, axis);
     m.head->line_side[axis] = side_of_model(m, axis);
-    for (int b = 0; b < m.head->bodies; ++b) check_side(m, b, axis, reporter);
   }
+  find_lines_met(m, reporter);
+  for (int axis = 0; axis < 2; ++axis)
+    for (int b = 0; b < m.head->bodies && (m.head->symmetry >> axis & 1) != 0; ++b) check_side(m, b, axis, reporter);
   if (reporter.faults != before) return false;
   for (int b = 0; b < m.head->bodies; ++b) {
-    check_lines_cut(m, b, reporter);
     check_axis_elements(m, b, reporter);
     check_held_nodes(m, b, reporter);
     for (int32_t r = 0; r < body_of(m, b).open_regions; ++r) check_open_region(m, b, m.region[b][r], reporter);
@@ -259,7 +262,7 @@ bool validate_lines(const Model& m, Reporter& reporter) {
 // ---- what others ask ----
 
 int32_t lines_along(const Model& m, int b, int32_t element) {
-  int32_t lines = m.head->symmetry;
+  int32_t lines = m.body[b].lines;
   for (int k = 0; k < body_of(m, b).element_nodes && lines != 0; ++k) {
     const double* p = m.xy[b] + 2 * geometry_node(m, b, element, k);
     lines &= lines_through(*m.head, p[0], p[1]);

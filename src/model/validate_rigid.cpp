@@ -21,15 +21,14 @@ void check_rigid(const Model& m, int b, Reporter& reporter) {
   if (carries_load(m, b))
     report(reporter, in_body(b), "body ", body_named(m, b),
            " is rigid, expected no tractions, displacements other than zero or forces there (*RIGID moves it)");
-  const int32_t prevented =
-      ((m.head->symmetry & 1) != 0 ? 1 : 0) + ((m.head->symmetry & 2) != 0 ? 2 : 0) + (m.head->symmetry != 0 ? 4 : 0);
+  const int32_t lines = body_of(m, b).lines, prevented = lines | (lines != 0 ? 4 : 0);
   if ((body_of(m, b).free_rigidly & prevented) != 0)
     report(reporter, in_body(b), "the rigid body ", body_named(m, b),
            " may move freely across a line of symmetry, expected motions along it");
   for (int32_t k = 0; k < m.head->load_cases; ++k) {
     const RigidMotion& motion = m.rigid_motion[b][k];
-    const bool across = ((m.head->symmetry & 1) != 0 && motion.ux != 0) || ((m.head->symmetry & 2) != 0 && motion.uy != 0);
-    if (!across && (m.head->symmetry == 0 || motion.rotation == 0)) continue;
+    const bool across = ((lines & 1) != 0 && motion.ux != 0) || ((lines & 2) != 0 && motion.uy != 0);
+    if (!across && (lines == 0 || motion.rotation == 0)) continue;
     report(reporter, in_body(b), "the motion of the rigid body ", body_named(m, b), " in load case ", k + 1,
            " leaves the line of symmetry, expected one along it");
   }

@@ -24,6 +24,7 @@ bool check_open_regions_allowed(const Model& m, Reporter& reporter) {
 
 bool validate_symmetry(const Model& m, Reporter& reporter) {
   m.head->symmetry = m.head->symmetry_asked;
+  for (int b = 0; b < m.head->bodies; ++b) m.body[b].lines = 0;
   return m.head->symmetry == 0 && m.head->images == 0 ? check_open_regions_allowed(m, reporter)
                                                       : kSymmetryPart.validate_lines(m, reporter);
 }

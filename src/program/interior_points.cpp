@@ -31,6 +31,16 @@ c2d_error warning(int32_t line, int32_t body, const std::string& text) {
   return out;
 }
 
+c2d_points mirrored_set(const Summary& s, c2d_points set, int32_t image) {
+  for (int c = 0; c < 2; ++c) {
+    if ((image >> c & 1) == 0) continue;
+    const double from = set.from[c];
+    set.from[c] = 2.0 * s.symmetry_at[c] - set.to[c];
+    set.to[c] = 2.0 * s.symmetry_at[c] - from;
+  }
+  return set;
+}
+
 } // namespace
 
 bool InteriorPoints::read_file(const std::string& name, int32_t bodies) {
@@ -64,29 +74,31 @@ bool InteriorPoints::take_sets(c2d_solver* solver, std::string& error) {
   return true;
 }
 
+// A body that meets a line of symmetry is looked at whole; of one that does not the image is a body of its own.
 c2d_status InteriorPoints::take_bodies(c2d_solver* solver, const Summary& s) {
   for (int32_t body = 1; body <= s.bodies; ++body) {
     c2d_points set = C2D_INIT(c2d_points);
     set.kind = C2D_POINTS_GRID;
     set.body = body;
     double size[2];
+    int32_t apart = 0;
     for (int c = 0; c < 2; ++c) {
       std::vector<double> at(static_cast<size_t>(s.body[body - 1].points));
       const c2d_status status =
           c2d_get(solver, c == 0 ? C2D_NODE_X : C2D_NODE_Y, body, 1, s.body[body - 1].points, at.data(), 1);
       if (status != C2D_OK) return status;
       const auto ends = std::minmax_element(at.begin(), at.end());
-      set.from[c] = *ends.first;
-      set.to[c] = *ends.second;
-      if ((s.symmetry >> c & 1) != 0) { // the whole of it, with its images
-        set.from[c] = std::min(*ends.first, 2.0 * s.symmetry_at[c] - *ends.second);
-        set.to[c] = std::max(*ends.second, 2.0 * s.symmetry_at[c] - *ends.first);
-      }
+      const double line = s.symmetry_at[c];
+      const bool mirrored = (s.symmetry >> c & 1) != 0, meets = *ends.first <= line && line <= *ends.second;
+      set.from[c] = mirrored && meets ? std::min(*ends.first, 2.0 * line - *ends.second) : *ends.first;
+      set.to[c] = mirrored && meets ? std::max(*ends.second, 2.0 * line - *ends.first) : *ends.second;
+      if (mirrored && !meets) apart |= 1 << c;
       size[c] = set.to[c] - set.from[c];
     }
     const double spacing = std::max(size[0], size[1]) / kAlongBody;
     for (int c = 0; c < 2; ++c) set.count[c] = std::max(2, static_cast<int32_t>(std::lround(size[c] / spacing)) + 1);
-    take_set(set);
+    for (int32_t image = 0; image <= apart; ++image)
+      if ((image & ~apart) == 0) take_set(mirrored_set(s, set, image));
   }
   return C2D_OK;
 }

@@ -80,9 +80,9 @@ void sum_forces(const Session& session, int b) {
 }
 
 // Part of a force along the translations that the body is free to follow; all of it if it is held.
-void free_part(const Body& body, int32_t symmetry, const double force[3], double out[2]) {
+void free_part(const Body& body, const double force[3], double out[2]) {
   if (body.free_motions == 0) { // what acts across a symmetry line is balanced by the other side
-    for (int c = 0; c < 2; ++c) out[c] = (symmetry >> c & 1) != 0 ? 0.0 : force[c];
+    for (int c = 0; c < 2; ++c) out[c] = (body.lines >> c & 1) != 0 ? 0.0 : force[c];
     return;
   }
   double basis[3][3];
@@ -107,8 +107,8 @@ Balance balance_of(const Session& session, int b) {
   const Body& body = session.model.body[b];
   const BodyResults& results = results_of(s, b);
   double applied[2], contact[2];
-  free_part(body, s->model.symmetry, results.applied, applied);
-  free_part(body, s->model.symmetry, results.contact_force, contact);
+  free_part(body, results.applied, applied);
+  free_part(body, results.contact_force, contact);
   Balance out{hypot(applied[0], applied[1]), hypot(contact[0], contact[1]), 0.0};
   const double rest = hypot(applied[0] + contact[0], applied[1] + contact[1]);
   const double size = out.applied > out.contact ? out.applied : out.contact;

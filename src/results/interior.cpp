@@ -57,8 +57,9 @@ struct Acting {
 void add_element_at(Acting& acting, const Points& points, int32_t i) {
   PointSums& p = points.sums(i);
   if (!is_inside(p.place, acting.b)) return;
-  for (int image = 0; image <= points.head->symmetry; ++image) {
-    if (!is_image(*points.head, image)) continue;
+  const int32_t lines = points.lines(acting.b);
+  for (int image = 0; image <= lines; ++image) {
+    if (!is_image(lines, image)) continue;
     const Complex reference = {image_sign(image, 0) * p.reference[0], image_sign(image, 1) * p.reference[1]};
     const double x = points.seen(image, 0, p.x), y = points.seen(image, 1, p.y);
     PointField sum = {};
@@ -74,7 +75,7 @@ bool add_element_batches(Acting& acting, const Points& points) {
   const FieldElement& e = acting.e;
   const BatchKernel* kernel = points.kernel;
   BatchFieldElement element;
-  if (kSmallCode || !kernel || points.head->symmetry != 0 || !batch_field_element(e, element)) return false;
+  if (kSmallCode || !kernel || points.lines(acting.b) != 0 || !batch_field_element(e, element)) return false;
   const double away = 64.0 * e.in.radius;
   BatchPoints at;
   BatchField sum;
@@ -231,8 +232,9 @@ void complete_sums(const Session& session, int b, const Points& points, PointSum
   const double unit = session.model.head->length_unit;
   const double* rigid = results_of(session.solver, b).multiplier;
   const double* centre = session.model.body[b].centre;
-  for (int image = 0; image <= points.head->symmetry; ++image) {
-    if (!is_image(*points.head, image)) continue;
+  const int32_t lines = points.lines(b);
+  for (int image = 0; image <= lines; ++image) {
+    if (!is_image(lines, image)) continue;
     const PointField known = known_field(session, b, points.seen(image, 0, x), points.seen(image, 1, y));
     add_displacement(image, known, p);
     add_stress(image, known, p);
@@ -430,7 +432,7 @@ c2d_status evaluate_points(Session& session, int32_t body, const PointsAsked& as
   const Points points = {asked.count,      asked.xy,
                          asked.xy_stride,  asked.out,
                          asked.out_stride, s->model.length_unit,
-                         &s->model,        kSmallCode ? nullptr : batch_for(best_instructions())};
+                         &session.model,   kSmallCode ? nullptr : batch_for(best_instructions())};
   for (int32_t i = 0; i < points.count; ++i) points.place(i) = may_lie_inside(points, i) ? kUnplaced : kNowhere;
   for (int b = 0; b < s->model.bodies && status == C2D_OK; ++b)
     if (body == 0 || body == b + 1) status = evaluate_body(session, b, points);

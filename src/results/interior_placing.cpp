@@ -38,15 +38,15 @@ bool may_be_nearest(const Integrator& in, const PointSearch& p) {
   return x * x + y * y <= reach * reach;
 }
 
-void add_winding(const Integrator& in, const Points& points, PointSearch& p) {
-  for (int image = 0; image <= points.head->symmetry && p.place == kUnplaced; ++image)
-    if (is_image(*points.head, image)) p.windings += winding(in, points.seen(image, 0, p.x), points.seen(image, 1, p.y));
+void add_winding(const Integrator& in, int32_t lines, const Points& points, PointSearch& p) {
+  for (int image = 0; image <= lines && p.place == kUnplaced; ++image)
+    if (is_image(lines, image)) p.windings += winding(in, points.seen(image, 0, p.x), points.seen(image, 1, p.y));
 }
 
 // How often the chord crosses the ray from P along x, upwards less downwards: over a closed boundary that is the winding
 // number as well. Curves near P may pass it on the other side than their chords.
-bool add_crossings(const Integrator& in, const Points& points) {
-  if (kSmallCode || points.head->symmetry != 0 || in.degenerate) return false;
+bool add_crossings(const Integrator& in, int32_t lines, const Points& points) {
+  if (kSmallCode || lines != 0 || in.degenerate) return false;
   const Element& e = in.element;
   const int last = e.nodes - 1;
   const double x0 = e.x[0], y0 = e.y[0], x1 = e.x[last], y1 = e.y[last];
@@ -130,10 +130,10 @@ void look_at_element(const Integrator& in, int b, int32_t element, const Points&
     PointSearch& p = points.search(i);
     if (p.place == kUnplaced && may_be_nearest(in, p)) look_closely(in, b, element, p);
   }
-  if (add_crossings(in, points)) return;
+  if (add_crossings(in, points.lines(b), points)) return;
   for (int32_t i = 0; i < points.count; ++i) {
     PointSearch& p = points.search(i);
-    if (p.place == kUnplaced) add_winding(in, points, p);
+    if (p.place == kUnplaced) add_winding(in, points.lines(b), points, p);
   }
 }
 

@@ -42,7 +42,7 @@ struct Points {
   int64_t out_stride;
   double unit;
 
-  const ModelHeader* head;
+  const Model* model;
   const BatchKernel* kernel; // null: one by one
 
   PointSearch& search(int32_t i) const { return *reinterpret_cast<PointSearch*>(out + i * out_stride); }
@@ -52,15 +52,16 @@ struct Points {
   // Symmetric bodies are looked at in the part that is modelled, and the answer is mirrored back.
   double folded(int32_t i, int c) const {
     double p[2] = {xy[i * xy_stride], xy[i * xy_stride + 1]};
-    fold(*head, p);
+    fold(*model->head, p);
     return p[c];
   }
   double folding(int32_t i, int c) const { return folded(i, c) != xy[i * xy_stride + c] ? -1.0 : 1.0; }
   double x(int32_t i) const { return folded(i, 0) / unit; }
   double y(int32_t i) const { return folded(i, 1) / unit; }
+  int32_t lines(int b) const { return model->body[b].lines; }
   // A coordinate in the length unit as an image's element sees it.
   double seen(int image, int c, double scaled) const {
-    return (image >> c & 1) != 0 ? 2.0 * (head->line_at[c] / unit) - scaled : scaled;
+    return (image >> c & 1) != 0 ? 2.0 * (model->head->line_at[c] / unit) - scaled : scaled;
   }
 };
 

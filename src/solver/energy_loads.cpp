@@ -43,8 +43,8 @@ void add_point_fields(Adjoint& a, const double at[2], const double factor[2]) {
   const Model& m = a.model();
   const double unit = m.head->length_unit, nu = strain_poisson_ratio(m, a.b);
   const Box box = box_of_body(m, a.b);
-  const double width = (m.head->symmetry & 1 ? 2.0 : 1.0) * (box.x_max - box.x_min),
-               height = (m.head->symmetry & 2 ? 2.0 : 1.0) * (box.y_max - box.y_min);
+  const double width = (m.body[a.b].lines & 1 ? 2.0 : 1.0) * (box.x_max - box.x_min),
+               height = (m.body[a.b].lines & 2 ? 2.0 : 1.0) * (box.y_max - box.y_min);
   const double size = hypot(width, height) / unit; // of the whole body
   for (int32_t i = 0; i < m.head->point_loads; ++i) {
     const PointLoad& other = m.point_load[i];
@@ -87,8 +87,8 @@ void add_point_load(Adjoint& a, const PointLoad& load) {
   const double unit = m.head->length_unit;
   const double at[2] = {load.x / unit, load.y / unit};
   const double factor[2] = {load.fx / (m.head->stress_unit * unit), load.fy / (m.head->stress_unit * unit)};
-  for (int image = 0; image <= m.head->symmetry; ++image)
-    if (is_image(*m.head, image)) add_image_at(a, image, at, factor);
+  for (int image = 0; image <= body.lines; ++image)
+    if (is_image(body.lines, image)) add_image_at(a, image, at, factor);
   const double dx = at[0] - body.centre[0] / unit, dy = at[1] - body.centre[1] / unit;
   add_outer(a, body.columns, factor[0]);
   add_outer(a, body.columns + 1, factor[1]);

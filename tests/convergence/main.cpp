@@ -167,6 +167,13 @@ void several_bodies() {
   rollers("Three rollers between rigid platens", {}, {-250, 0, 250}, 1000 / 0.91 / 200);
   rollers("Roller between half planes", {"rollers=1", "platens=elastic"}, {0}, 1000 / 1.82 / 200);
   rollers("Roller between cylinders", {"rollers=1", "platens=cylinders"}, {0}, 1000 / 1.82 / 100);
+  for (const char* place : {"place=under", "place=between"})
+    table("Bearing without clearance, rigid rings", "bearing", {place}, "n", {4, 8, 16, 32},
+          {{"share of the load",
+            [=](const Solution& s) { return bearing_figures(s, 12, std::string(place) == "place=between").share; }}});
+  table("Bearing without clearance, ever stiffer rings", "bearing", {"rings=elastic"}, "E1", {1000, 4000, 16000, 64000},
+        {{"share, of rigid rings", [](const Solution& s) { return bearing_figures(s, 12).share; }},
+         {"most, of 4.08 P/Z", [](const Solution& s) { return bearing_figures(s, 12).factor / 4.08 - 1; }}});
   for (const char* bond : {"bond=matching", "bond=free"}) {
     const auto hertz = [](const Solution& s) { return hertz_figures(s.zone(1), 0, 1, 1000 / 1.82 / 200); };
     table("Layer of the same material", "coating", {"E2=1000", bond}, "n", {10, 20, 40},

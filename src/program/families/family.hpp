@@ -68,6 +68,7 @@ Family hole_family();
 Family cantilever_family();
 Family stack_family();
 Family rollers_family();
+Family bearing_family();
 Family coating_family();
 Family bimaterial_family();
 Family shrink_family();
