@@ -117,7 +117,8 @@ const std::vector<Family>& all_families() {
                                                shrink_family(),
                                                dovetail_family(),
                                                gear_family(),
-                                               lap_joint_family()};
+                                               lap_joint_family(),
+                                               crack_family()};
   return families;
 }
 
