@@ -36,7 +36,7 @@ struct Solution {
   std::vector<c2d_body_result> resultants; // per body
   std::vector<c2d_zone_state> zones;
   std::vector<app::StressIntensity> cracks; // of all tips at the last step
-  int elements = 0; // of all bodies
+  int elements = 0;                         // of all bodies
   const std::vector<Row>& last() const { return steps.back().rows; }
   std::vector<Row> zone(int number) const { // pairs of one zone at the last step, by rising x
     std::vector<Row> out;

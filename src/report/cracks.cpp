@@ -11,6 +11,10 @@
 namespace app {
 namespace {
 
+// Faces that are farther apart than this part of their length at their other end are those of a notch: the rotation there,
+// times how far they are apart, would count as slip.
+const double kNarrow = 0.0101;
+
 struct Place {
   double x, y;
 };
@@ -78,7 +82,7 @@ private:
   ZoneEnds ends_of(const c2d_zone& zone) const;
   bool is_tip(const c2d_zone& zone, const ZoneEnds& ends, int which) const;
   bool is_tied_at(const c2d_zone& zone, const SideEnd& a, const SideEnd& b) const;
-  bool meet(const Corners& corners, const SideEnd& a, const SideEnd& b, double length) const;
+  bool is_sharp(const c2d_zone& zone, const ZoneEnds& ends, int which) const;
   CrackTip tip_of(size_t zone, const SideEnd& a, const SideEnd& b) const;
   void judge(CrackTip& tip) const;
 
@@ -99,6 +103,13 @@ ZoneEnds Finder::ends_of(const c2d_zone& zone) const {
   return e;
 }
 
+// Do two faces of one body meet there?
+bool Finder::is_sharp(const c2d_zone& zone, const ZoneEnds& ends, int which) const {
+  const Corners& corners = corners_[static_cast<size_t>(zone.side1.body) - 1];
+  const SideEnd &a = ends.side[0][which], &b = ends.side[1][which];
+  return corners.next(a.element, a.up) == b.element && distance(a.at, b.at) < 1e-6 * corners.length(a.element);
+}
+
 bool same_bodies(const c2d_zone& a, const c2d_zone& b) {
   return (a.side1.body == b.side1.body && a.side2.body == b.side2.body) ||
          (a.side1.body == b.side2.body && a.side2.body == b.side1.body);
@@ -117,22 +128,10 @@ bool Finder::is_tied_at(const c2d_zone& zone, const SideEnd& a, const SideEnd& b
   return false;
 }
 
-// Two faces of one body: does its boundary go from the one straight to the other, by a blunt end much shorter than they?
-bool Finder::meet(const Corners& corners, const SideEnd& a, const SideEnd& b, double length) const {
-  const double apart = distance(a.at, b.at);
-  if (apart > 0.02 * length) return false;
-  double way = 0;
-  for (int32_t e = corners.next(a.element, a.up); e != b.element; e = corners.next(e, a.up)) {
-    way += corners.length(e);
-    if (way > 2 * apart) return false;
-  }
-  return true;
-}
-
 bool Finder::is_tip(const c2d_zone& zone, const ZoneEnds& ends, int which) const {
   const SideEnd &a = ends.side[0][which], &b = ends.side[1][which];
-  if (is_tied_at(zone, a, b)) return true;
-  return (zone.kind & C2D_ZONE_SELF) != 0 && meet(corners_[static_cast<size_t>(zone.side1.body) - 1], a, b, ends.length);
+  if (distance(ends.side[0][1 - which].at, ends.side[1][1 - which].at) > kNarrow * ends.length) return false;
+  return (zone.kind & C2D_ZONE_SELF) != 0 ? is_sharp(zone, ends, which) : is_tied_at(zone, a, b);
 }
 
 bool alike(double a, double b) { return std::fabs(a - b) <= 1e-9 * std::max(std::fabs(a), std::fabs(b)); }

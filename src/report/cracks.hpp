@@ -1,5 +1,5 @@
-// Cracks: where the faces of a zone of contact end at a tie between the same two bodies, or, of one body, at each other. What is
-// known of a tip before anything is solved, and its stress intensity from the displacements of the faces (METHOD 10.8).
+// Cracks: where the faces of a zone of contact end at a tie between the same two bodies, or, of one body, at each other. What
+// is known of a tip before anything is solved, and its stress intensity from the displacements of the faces (METHOD 10.7).
 #pragma once
 
 #include "report/summary.hpp"

@@ -9,7 +9,7 @@ namespace families {
 namespace {
 
 struct Plate {
-  double left, right, height;    // of the whole plate's sides; half its height
+  double left, right, height;            // of the whole plate's sides; half its height
   double tension, bending, middle, half; // stress: tension + bending (x - middle) / half
   double shear;
   double coarse; // elements away from the crack
@@ -23,15 +23,15 @@ struct Part {
   bool cracked;
 };
 
-// The half below the cut, or above it. Sides: 0 to 2 foot (upper half: 0 top), then right, the cut's parts (from the right in the
-// lower half, from the left in the upper one), left. In the upper half left comes before the cut.
+// The half below the cut, or above it. Sides: 0 to 2 foot (upper half: 0 top), then right, the cut's parts (from the right in
+// the lower half, from the left in the upper one), left. In the upper half left comes before the cut.
 Outline half_of(const Plate& p, const std::vector<Part>& cut, bool upper) {
   const double width = p.right - p.left, side = upper ? 1 : -1;
   const auto across = [&](double length) { return equal(length, std::max(1, static_cast<int>(std::ceil(length / p.coarse)))); };
   const Condition far = traction_field([=](Point at) {
     return std::array<double, 2>{{side * p.shear, side * p.stress(at.x)}};
   });
-  const std::vector<double> &first = cut.front().s, &last = cut.back().s;
+  const std::vector<double>&first = cut.front().s, &last = cut.back().s;
   const std::vector<double> left = graded(p.height, 0, first_size(first), 1.5, p.coarse),
                             right = graded(p.height, 0, last_size(last), 1.5, p.coarse);
   if (upper) {
@@ -52,7 +52,8 @@ Outline half_of(const Plate& p, const std::vector<Part>& cut, bool upper) {
   return out;
 }
 
-// Nodes between two tips at -a and a, small there and about `closes`, where faces that close in part would in an infinite plate.
+// Nodes between two tips at -a and a, small there and about `closes`, where faces that close in part would in an infinite
+// plate.
 std::vector<double> faces(double a, double tip, double ratio, double closes) {
   const double coarse = a / 5, fine = a / 50;
   if (!(std::fabs(closes) < a - 4 * fine)) return graded(2 * a, tip, tip, ratio, coarse);
@@ -89,10 +90,11 @@ ProblemModel build(const Values& v) {
   if (!(ratio >= 1.05 && ratio <= 2)) return unfit("ratio is to be from 1.05 to 2");
   if (v.count("n") < 10) return unfit("n is below 10");
   const double left = edge ? 0 : -W, width = W - left;
-  Plate p{left, W, v.number("H") * W, v.number("tension"), v.number("bending"), (left + W) / 2, width / 2,
-          v.number("shear"), width / 16};
+  Plate p{left,           W,         v.number("H") * W, v.number("tension"), v.number("bending"),
+          (left + W) / 2, width / 2, v.number("shear"), width / 16};
   if (edge) p.bending = -p.bending; // it opens the mouth
-  const double slope = p.bending / p.half, closes = edge || slope == 0 ? a : -std::copysign(a / 3, slope) - 4 * p.tension / (3 * slope);
+  const double slope = p.bending / p.half,
+               closes = edge || slope == 0 ? a : -std::copysign(a / 3, slope) - 4 * p.tension / (3 * slope);
   const std::vector<double> ahead = graded(W - a, tip, 0, ratio, p.coarse);
   std::vector<Part> cut;
   if (edge)
@@ -102,10 +104,11 @@ ProblemModel build(const Values& v) {
 
   ProblemModel m;
   const double alpha = a / W, root = std::sqrt(std::acos(-1.0) * a);
-  m.heading = {edge ? "A plate of width W with an edge crack of length a, cut along the crack's line: below (body 1) and above (2),"
-                    : "A plate of width 2 W with a crack from -a to a, cut along its line: below (body 1) and above (2),",
-               "tied ahead of the crack; its faces are a zone of contact. a / W = " + show(alpha) + ", H = " + show(p.height) + ".",
-               "At y = H and -H: syy = tension + bending " + std::string(edge ? "(1 - 2 x / W)" : "x / W") + ", sxy = shear."};
+  m.heading = {
+      edge ? "A plate of width W with an edge crack of length a, cut along the crack's line: below (body 1) and above (2),"
+           : "A plate of width 2 W with a crack from -a to a, cut along its line: below (body 1) and above (2),",
+      "tied ahead of the crack; its faces are a zone of contact. a / W = " + show(alpha) + ", H = " + show(p.height) + ".",
+      "At y = H and -H: syy = tension + bending " + std::string(edge ? "(1 - 2 x / W)" : "x / W") + ", sxy = shear."};
   for (const std::string& line : edge ? edge_formulas(alpha, root) : centre_formulas(alpha, root)) m.heading.push_back(line);
   m.heading.push_back(kHandbook);
   m.title = edge ? "EDGE CRACK" : "CENTRAL CRACK";
@@ -138,10 +141,10 @@ Family crack_family() {
            {"bending", Kind::kNumber, "0", "the same by bending, at the side x = W (edge: at the mouth)"},
            {"shear", Kind::kNumber, "0", "shear stress at all sides"},
            {"mu", Kind::kFriction, "0", "coefficient of friction between the faces"},
-           {"E", Kind::kPositive, "1000", "Young's modulus"},
+           {"E", Kind::kPositive, "100000", "Young's modulus"},
            {"nu", Kind::kPoisson, "0.3", "Poisson's ratio"},
            {"plane", Kind::kChoice, "strain", "strain|stress: plane strain or plane stress"},
-           {"n", Kind::kCount, "100", "a over the length of the element at a tip"},
+           {"n", Kind::kCount, "200", "a over the length of the element at a tip"},
            {"ratio", Kind::kPositive, "1.3", "growth of the elements away from a tip"},
            {"order", Kind::kOrder, "2", "of the functions: 1 linear, 2 quadratic, 3 cubic"}},
           build};
