@@ -157,7 +157,7 @@ CONVERGENCE_OBJECTS := $(patsubst tests/convergence/%.cpp,$(BUILD)/convergence/%
 $(BUILD)/convergence/%.o: tests/convergence/%.cpp $(BUILD)/flags Makefile
 	@mkdir -p $(@D)
 	$(CXX) $(CPPFLAGS) $(COMMON) -Itests $(CXXFLAGS) $(EXACT) $(DEPS) -c $< -o $@
-$(BUILD)/convergence/run_convergence: $(CONVERGENCE_OBJECTS) $(BUILD)/tests/paths.o $(FAMILY_OBJECTS) $(LIBRARY)
+$(BUILD)/convergence/run_convergence: $(CONVERGENCE_OBJECTS) $(BUILD)/tests/paths.o $(FAMILY_OBJECTS) $(REPORT_OBJECTS) $(LIBRARY)
 	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm
 convergence: $(BUILD)/convergence/run_convergence
 	@$(BUILD)/convergence/run_convergence

@@ -186,4 +186,28 @@ inline LapFigures lap_figures(const Solution& s) {
   return {s.resultants[1].applied[0], -s.zones[0].force[0] - s.zones[1].force[0], s.zones[2].force[0] + s.zones[3].force[0]};
 }
 
+// K1 over stress times sqrt(pi a) of make crack, a over the (half) width x. H. Tada, P. C. Paris, G. R. Irwin, The Stress
+// Analysis of Cracks Handbook: the crack in the middle by Tada after Isida and Feddersen (it says 0.1 %), the edge crack in
+// tension by Tada (0.5 %), in bending by Gross and Srawley (0.2 % up to x = 0.6; another formula there is 1.5 % off).
+struct CrackFactors {
+  double centre, edge, bending;
+};
+inline CrackFactors crack_factors(double x) {
+  const double t = kPi * x / 2, edge = std::sqrt(std::tan(t) / t) * (0.752 + 2.02 * x + 0.37 * std::pow(1 - std::sin(t), 3));
+  return {(1 - 0.025 * x * x + 0.06 * std::pow(x, 4)) / std::sqrt(std::cos(t)), edge / std::cos(t),
+          1.122 - 1.4 * x + 7.33 * x * x - 13.08 * x * x * x + 14 * std::pow(x, 4)};
+}
+
+// Where faces begin to open that are closed on the left: their pressure falls to zero there as a root does. NaN: they do not.
+inline double opens_at(const std::vector<Row>& faces) {
+  size_t open = 0;
+  while (open < faces.size() && faces[open].status != C2D_OPEN) ++open;
+  for (size_t i = open; i < faces.size(); ++i)
+    if (faces[i].status != C2D_OPEN) return NAN;
+  if (open < 3 || open == faces.size()) return NAN;
+  const Row &a = faces[open - 3], &b = faces[open - 1];
+  const double pa = a.tn * a.tn, pb = b.tn * b.tn;
+  return std::min(b.x + (b.x - a.x) * pb / (pa - pb), faces[open].x);
+}
+
 } // namespace families_test

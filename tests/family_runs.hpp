@@ -4,6 +4,7 @@
 
 #include "paths.hpp"
 #include "program/families/family.hpp"
+#include "report/cracks.hpp"
 #include "solver_runs.hpp"
 
 #include <algorithm>
@@ -34,7 +35,8 @@ struct Solution {
   std::vector<std::vector<EndRow>> bodies; // the same of all of them
   std::vector<c2d_body_result> resultants; // per body
   std::vector<c2d_zone_state> zones;
-  int elements = 0; // of all bodies
+  std::vector<app::StressIntensity> cracks; // of all tips at the last step
+  int elements = 0;                         // of all bodies
   const std::vector<Row>& last() const { return steps.back().rows; }
   std::vector<Row> zone(int number) const { // pairs of one zone at the last step, by rising x
     std::vector<Row> out;
@@ -83,6 +85,17 @@ inline void keep_ends(c2d_solver* s, Solution& out) {
   }
 }
 
+// What the pairs hold as they stand.
+inline void keep_cracks(c2d_solver* s, Solution& out) {
+  app::Summary summary;
+  std::vector<app::CrackTip> tips;
+  if (app::get_summary(s, summary) != C2D_OK || app::find_crack_tips(s, summary, tips) != C2D_OK) out.error = "no crack tips";
+  std::vector<double> table(static_cast<size_t>(summary.pairs) * C2D_PAIR_FIELDS);
+  for (int32_t f = 0; f < C2D_PAIR_FIELDS && !tips.empty(); ++f)
+    if (c2d_get(s, f, 1, 1, summary.pairs, table.data() + f, C2D_PAIR_FIELDS) != C2D_OK) out.error = "no results of pairs";
+  for (const app::CrackTip& tip : tips) out.cracks.push_back(app::stress_intensity(tip, table.data(), C2D_PAIR_FIELDS));
+}
+
 inline Solution solve_deck(const std::string& text) {
   Solution out;
   runs::Deck deck;
@@ -104,6 +117,7 @@ inline Solution solve_deck(const std::string& text) {
   if (status == C2D_OK) status = c2d_run(machine.solver, keep_step, &out);
   if (status == C2D_OK) {
     keep_ends(machine.solver, out);
+    keep_cracks(machine.solver, out);
   } else {
     c2d_error why = C2D_INIT(c2d_error);
     c2d_last_error(machine.solver, &why);

@@ -194,7 +194,7 @@ bool is_ring(const Model& m, const Zone& z, int k) {
 int32_t pairs_of(const Model& m, const Zone& z) {
   const int32_t elements = z.count(1);
   if ((z.kind & C2D_ZONE_FREE) == 0 && is_ring(m, z, 1)) return elements * std::max(1, m.function_nodes - 1);
-  return m.function_nodes == 1 ? elements : elements * (m.function_nodes - 1) + 1;
+  return m.function_nodes == 1 ? elements : elements * (m.function_nodes - 1) + 1 - z.without[0] - z.without[1];
 }
 } // namespace
 
@@ -261,8 +261,8 @@ c2d_side side_of(const Model& m, const Zone& z, int k) {
                       ? (from.last == from.first ? k == 0 : from.last > from.first)
                       : (from.first - r.first + from.elements - 1) % (r.last - r.first + 1) == from.last - r.first;
   side.elements = z.count(k);
-  side.first_node = node_of(m.body(from.body), from.first, up ? 0 : per, per);
-  side.last_node = node_of(m.body(from.body), from.last, up ? per : 0, per);
+  side.first_node = node_of(m.body(from.body), from.first, up ? z.without[0] : per - z.without[0], per);
+  side.last_node = node_of(m.body(from.body), from.last, up ? per - z.without[1] : z.without[1], per);
   if (is_ring(m, z, k) && per > 0) side.last_node = node_of(m.body(from.body), from.last, up ? per - 1 : 1, per);
   return side;
 }

@@ -61,7 +61,8 @@ struct Side {
 struct Zone {
   int32_t kind;
   Side side[2];
-  double mu = -1; // its own coefficient of friction, unless negative
+  double mu = -1;              // its own coefficient of friction, unless negative
+  int32_t without[2] = {0, 0}; // of a matching zone: 1: the node at its first end, at its last end makes no pair
   int32_t count(int k) const;
 };
 struct PointLoad {

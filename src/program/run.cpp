@@ -79,6 +79,7 @@ private:
   bool shows_changes_ = false; // the deck wants every change of status in the listing
   Summary summary_;
   std::vector<std::vector<ContactEnd>> ends_; // of each body
+  std::vector<CrackTip> tips_;
   bool restored_ = false, fresh_start_ = false;
   int32_t coefficient_shown_ = 0; // the coefficient whose heading stands in the listing
   std::string error_;
@@ -101,7 +102,7 @@ int32_t Run::on_step(void* context, const c2d_step* step) {
   const bool again = before != nullptr && !before->table.empty() && before->load == step->load;
   if (run.coefficient_shown_ != step->coefficient) run.show_contact_zone();
   CoefficientRecord& kept = keep_step(run.record_, *step);
-  keep_history(kept, *step, run.outputs_.has(Output::kJson) ? run.session_.solver : nullptr);
+  keep_history(kept, *step, run.outputs_.has(Output::kJson) ? run.session_.solver : nullptr, run.tips_);
   if (run.outputs_.has(Output::kListing)) {
     append_step(run.outputs_.text(Output::kListing), *step, run.coefficient_shown_ != step->coefficient);
     run.coefficient_shown_ = step->coefficient;
@@ -241,6 +242,7 @@ int Run::prepare() {
   ends_.resize(static_cast<size_t>(summary_.bodies));
   for (int32_t body = 1; body <= summary_.bodies && status == C2D_OK && summary_.pairs > 0; ++body)
     status = find_contact_ends(solver, summary_, body, ends_[static_cast<size_t>(body) - 1]);
+  if (status == C2D_OK) status = find_crack_tips(solver, summary_, tips_);
   for (int32_t i = 1; i <= summary_.coefficients && status == C2D_OK; ++i) {
     record_.friction.push_back(0.0);
     status = c2d_get_friction(solver, 0, i, &record_.friction.back());

@@ -178,6 +178,27 @@ void append_body_state(std::string& out, const c2d_body_state& b) {
   out += '}';
 }
 
+void append_crack(std::string& out, const StressIntensity& crack) {
+  Object o(out, "{", ", ");
+  o.integer("zone", crack.zone);
+  append_list(o.key("tip"), {crack.at[0], crack.at[1]});
+  o.number("K1", crack.K1);
+  o.number("K2", crack.K2);
+  if (!crack.why.empty()) o.word("why", crack.why.c_str());
+  out += '}';
+}
+
+// Tips of cracks only where there are any.
+void append_cracks(Object& o, const StepRecord& step) {
+  if (step.cracks.empty()) return;
+  std::string& out = o.key("cracks") += '[';
+  for (size_t i = 0; i < step.cracks.size(); ++i) {
+    if (i > 0) out += ", ";
+    append_crack(out, step.cracks[i]);
+  }
+  out += ']';
+}
+
 // Per recorded step: factors of all load cases, energy, zones, bodies.
 void append_history(std::string& out, const RunRecord& record) {
   out += '[';
@@ -206,7 +227,9 @@ void append_history(std::string& out, const RunRecord& record) {
         if (b > 0) out += ", ";
         append_body_state(out, step.bodies[b]);
       }
-      out += "]}";
+      out += ']';
+      append_cracks(o, step);
+      out += '}';
     }
   out += ']';
 }

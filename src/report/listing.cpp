@@ -4,6 +4,7 @@
 #include "report/text.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace app {
 namespace {
@@ -50,6 +51,37 @@ void append_energy(std::string& out, const RunRecord& record) {
   }
 }
 
+// Of all tips; where there is none, why.
+void append_cracks(std::string& out, const CoefficientRecord& c) {
+  append_number(append_name(out, "coefficient of friction"), c.mu);
+  out += "\n\n    step    zone        tip x        tip y           K1           K2   load factors\n";
+  for (const StepRecord& step : c.steps)
+    for (const StressIntensity& crack : step.cracks) {
+      append_column(out, step.step, 8);
+      append_column(out, crack.zone, 8);
+      for (const double v : {crack.at[0], crack.at[1]}) append_general(out, v, 13);
+      for (const double v : {crack.K1, crack.K2})
+        if (std::isfinite(v))
+          append_general(out, v, 13);
+        else
+          append_column(out, "-", 13);
+      out += "  ";
+      for (const double load : step.loads) append_general(out, load, 13, 8);
+      if (!crack.why.empty()) out += "   " + crack.why;
+      out += '\n';
+    }
+}
+
+void append_stress_intensity(std::string& out, const RunRecord& record) {
+  bool first = true;
+  for (const CoefficientRecord& c : record.coefficients) {
+    if (c.steps.empty() || c.steps.front().cracks.empty()) continue;
+    if (first) append_section(out, "Stress intensity at tips of cracks");
+    first = false;
+    append_cracks(out, c);
+  }
+}
+
 } // namespace
 
 c2d_status append_global(std::string& out, c2d_solver* solver, const Summary& s) {
@@ -77,6 +109,7 @@ void append_ending(std::string& out, const RunRecord& record, const Summary& s) 
   const bool solved = !record.checked_only && (record.incomplete() == nullptr || !record.incomplete()->singular);
   if (solved) append_balance(out, s);
   if (solved) append_energy(out, record);
+  if (solved) append_stress_intensity(out, record);
   if (!record.warnings.empty()) {
     append_section(out, "Warnings");
     for (const c2d_error& w : record.warnings) {

@@ -47,7 +47,7 @@ std::string load_reached(const CoefficientRecord& c) {
   return text;
 }
 
-void keep_history(CoefficientRecord& c, const c2d_step& step, c2d_solver* solver) {
+void keep_history(CoefficientRecord& c, const c2d_step& step, c2d_solver* solver, const std::vector<CrackTip>& tips) {
   if (step.kind == C2D_STEP_CHANGE) return;
   StepRecord now;
   now.step = step.step;
@@ -61,6 +61,7 @@ void keep_history(CoefficientRecord& c, const c2d_step& step, c2d_solver* solver
   for (int32_t i = 1; solver != nullptr && c2d_get_zone_state(solver, i, &zone) == C2D_OK; ++i) now.zones.push_back(zone);
   c2d_body_state body = C2D_INIT(c2d_body_state);
   for (int32_t b = 1; solver != nullptr && c2d_get_body_state(solver, b, &body) == C2D_OK; ++b) now.bodies.push_back(body);
+  for (const CrackTip& tip : tips) now.cracks.push_back(stress_intensity(tip, step.table, step.stride));
   c.steps.push_back(now);
 }
 

@@ -2,6 +2,7 @@
 // from pairs to element ends.
 #pragma once
 
+#include "report/cracks.hpp"
 #include "report/interior.hpp"
 #include "report/summary.hpp"
 
@@ -20,6 +21,7 @@ struct StepRecord {
   std::vector<double> loads, work_by_case;
   std::vector<c2d_zone_state> zones;
   std::vector<c2d_body_state> bodies;
+  std::vector<StressIntensity> cracks;
 };
 
 // How far one coefficient of friction came, with the pairs' table at its last valid state.
@@ -56,8 +58,8 @@ struct RunRecord {
 CoefficientRecord& keep_step(RunRecord& record, const c2d_step& step);
 // "load factor 1", or "load factors 1, 0.3": how far a coefficient came; of every load case.
 std::string load_reached(const CoefficientRecord& coefficient);
-// The same step's energy and, unless solver is null, its zones; inside the callback.
-void keep_history(CoefficientRecord& coefficient, const c2d_step& step, c2d_solver* solver);
+// The same step's energy, its stress intensities and, unless solver is null, its zones; inside the callback.
+void keep_history(CoefficientRecord& coefficient, const c2d_step& step, c2d_solver* solver, const std::vector<CrackTip>& tips);
 
 // Why a path ended, in a line: the outcome, the body and its motion, the last pair; `said` is what the
 // library said of it, may be empty. Sets the record's why, body and pair.

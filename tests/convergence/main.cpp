@@ -206,6 +206,25 @@ void several_bodies() {
           }}});
 }
 
+// Stress intensity over sqrt(pi a), or where faces open that bending closes on the left.
+double intensity(const Solution& s) { return s.cracks.front().K1 / std::sqrt(kPi); }
+
+void cracks() {
+  for (const char* order : {"order=1", "order=2"}) {
+    table("Crack in the middle, half of the width", "crack", {order}, "n", {100, 200, 400},
+          {{"K1, tension", [](const Solution& s) { return intensity(s) / crack_factors(0.5).centre - 1; }}});
+    table("Edge crack, half of the width", "crack", {order, "shape=edge"}, "n", {100, 200, 400},
+          {{"K1, tension", [](const Solution& s) { return intensity(s) / crack_factors(0.5).edge - 1; }}});
+    table("Edge crack, half of the width", "crack", {order, "shape=edge", "tension=0", "bending=1"}, "n", {100, 200, 400},
+          {{"K1, bending", [](const Solution& s) { return intensity(s) / crack_factors(0.5).bending - 1; }}});
+    table("Crack in a wide plate, closed in part", "crack", {order, "W=40", "tension=0", "bending=40"}, "n", {100, 200, 400},
+          {{"K1 at the open tip", [](const Solution& s) { return intensity(s) / std::sqrt(8.0 / 27) - 1; }},
+           {"closed length", [](const Solution& s) { return (opens_at(s.zone(2)) + 1) / (2.0 / 3) - 1; }}});
+    table("Crack in a wide plate, sheared", "crack", {order, "W=40", "shear=1"}, "n", {100, 200, 400},
+          {{"K2", [](const Solution& s) { return s.cracks.front().K2 / std::sqrt(kPi) - 1; }}});
+  }
+}
+
 } // namespace
 
 int main() {
@@ -214,5 +233,6 @@ int main() {
   friction_problems();
   single_bodies();
   several_bodies();
+  cracks();
   return 0;
 }

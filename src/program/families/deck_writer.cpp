@@ -85,7 +85,7 @@ private:
   struct Range { // first element, and first and last node of a side of a zone, from 1
     int element, elements, first_node, last_node;
   };
-  Range range_of(const ZoneSide& side) const;
+  Range range_of(const ZoneSide& side, bool without_first = false, bool without_last = false) const;
   void hold(const Outline& region, int element, int local, std::array<int, 4>& codes, std::array<double, 4>& values) const;
   End end(const Outline& region, size_t side, int element, int local) const;
   void zones();
@@ -277,7 +277,7 @@ std::vector<End> Writer::ends(size_t b) const {
   return out;
 }
 
-Writer::Range Writer::range_of(const ZoneSide& side) const {
+Writer::Range Writer::range_of(const ZoneSide& side, bool without_first, bool without_last) const {
   const size_t at = static_cast<size_t>(side.side), b = static_cast<size_t>(side.body);
   const Outline* const outline = &m_.bodies[b].regions[static_cast<size_t>(side.region)];
   const int order = m_.function_nodes - 1;
@@ -285,10 +285,10 @@ Writer::Range Writer::range_of(const ZoneSide& side) const {
   for (const Curve& curve : curves_[b]) {
     const int nodes = nodes_along(curve, order);
     if (curve.outline == outline && at >= curve.first_side && at < curve.first_side + curve.sides) {
-      const int before = outline->sides()[at].first - curve.first, end = (before + out.elements) * order;
+      const int before = outline->sides()[at].first - curve.first, end = (before + out.elements) * order - without_last;
       out.element += before;
       out.last_node = out.first_node + (end == nodes ? 0 : end); // a closed curve ends where it begins
-      out.first_node += before * order;
+      out.first_node += before * order + without_first;
       return out;
     }
     out.element += curve.elements;
@@ -324,8 +324,9 @@ void Writer::zones() {
   std::vector<int> pairs(m_.bodies.size(), 0), elements(m_.bodies.size(), 0);
   for (const ContactZone& zone : m_.zones) {
     if (zone.free) continue;
-    const Range a = range_of(zone.side1), b = range_of(zone.side2);
-    const int n = a.elements, count = n * (m_.function_nodes - 1) + 1;
+    const Range a = range_of(zone.side1, zone.without_first, zone.without_last),
+                b = range_of(zone.side2, zone.without_last, zone.without_first);
+    const int n = a.elements, count = n * (m_.function_nodes - 1) + 1 - zone.without_first - zone.without_last;
     comment("contact zone: bodies, pairs, elements; its elements; its nodes");
     card(formatted("%d %d %d %d", zone.side1.body + 1, zone.side2.body + 1, count, n));
     card(formatted("%d %d %d %d", a.element, a.element + n - 1, b.element + n - 1, b.element));

@@ -98,12 +98,28 @@ ProblemModel unfit(const std::string& why) {
 }
 
 const std::vector<Family>& all_families() {
-  static const std::vector<Family> families = {
-      hertz_family(),    receding_layer_family(),    layer_lifted_family(), layer_pressed_family(), disc_in_hole_family(),
-      punch_family(),    cylinder_friction_family(), mindlin_family(),      rough_plates_family(),  ring_family(),
-      hole_family(),     cantilever_family(),        stack_family(),        rollers_family(),       bearing_family(),
-      coating_family(),  bimaterial_family(),        shrink_family(),       dovetail_family(),      gear_family(),
-      lap_joint_family()};
+  static const std::vector<Family> families = {hertz_family(),
+                                               receding_layer_family(),
+                                               layer_lifted_family(),
+                                               layer_pressed_family(),
+                                               disc_in_hole_family(),
+                                               punch_family(),
+                                               cylinder_friction_family(),
+                                               mindlin_family(),
+                                               rough_plates_family(),
+                                               ring_family(),
+                                               hole_family(),
+                                               cantilever_family(),
+                                               stack_family(),
+                                               rollers_family(),
+                                               bearing_family(),
+                                               coating_family(),
+                                               bimaterial_family(),
+                                               shrink_family(),
+                                               dovetail_family(),
+                                               gear_family(),
+                                               lap_joint_family(),
+                                               crack_family()};
   return families;
 }
 

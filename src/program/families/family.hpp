@@ -75,5 +75,6 @@ Family shrink_family();
 Family dovetail_family();
 Family gear_family();
 Family lap_joint_family();
+Family crack_family();
 
 } // namespace families

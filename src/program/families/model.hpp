@@ -35,6 +35,8 @@ struct ContactZone {
   ZoneSide side1, side2;
   bool free = false, tied = false;
   std::vector<double> friction{}; // of its own, one for every coefficient of the model; none: those of the model
+  // Of a matching zone: the nodes at the first or last end of side 1 make no pair, as those at a crack's tip, which are tied.
+  bool without_first = false, without_last = false;
 };
 // Between bodies 1 and 2.
 inline ContactZone contact(int side1, int side2) { return {{0, side1}, {1, side2}}; }
