@@ -310,14 +310,9 @@ bool all_zero(const Real* x, int32_t n) {
 
 // Is a load nothing but a motion of bodies as if rigid, but for round-off? Its last digits would be the load.
 c2d_status only_moves(const Bordered& s, const Real* h, bool* out) {
-  Real *rest = s.strip(2), *column = s.strip(3);
-  c2d_status status = C2D_OK;
+  Real* rest = s.strip(2);
   for (int32_t i = 0; i < s.m; ++i) rest[i] = h[i];
-  for (int32_t j = 0; j < s.border && status == C2D_OK; ++j) {
-    status = read_column(s.r.tape, ContactMatrix::border, j, column);
-    const double part = product(column, rest, s.m);
-    for (int32_t i = 0; i < s.m; ++i) rest[i] -= static_cast<Real>(part * static_cast<double>(column[i]));
-  }
+  const c2d_status status = take_out(s.r.tape, ContactMatrix::border, s.border, nullptr, rest, s.strip(3));
   *out = largest_of(rest, s.m) <= kNothing * largest_of(h, s.m);
   return status;
 }

@@ -16,16 +16,6 @@ void rigid_motion_at_pair(const Model& m, const Pair& pair, int side, int32_t lo
 
 namespace {
 
-// R: displacements at the pairs under one free motion.
-void move_freely(const Model& m, int b, const double motion[3], Real* out) {
-  for_pairs_of(m, b, [&](const Pair& pair, int side) {
-    double w[2];
-    motion_at_pair(m, b, motion, m.body[b].centre, pair, w);
-    for (int32_t d = 0; d <= pair.tangential; ++d)
-      out[dof_on(m, pair, side) + d] = static_cast<Real>(sign_of_side(side) * w[d]);
-  });
-}
-
 // What the tractions of an element's ends do to a motion.
 void add_element_work(const Model& m, int b, int32_t element, const double motion[3], Real* out) {
   const double unit = m.head->length_unit, cx = m.body[b].centre[0] / unit, cy = m.body[b].centre[1] / unit;
@@ -78,7 +68,7 @@ c2d_status reduce_rigid(const Reduction& r, int b) {
   Real *column = r.strip, *work = r.strip + m.body[b].contact;
   c2d_status status = C2D_OK;
   for (int32_t j = 0; j < count && status == C2D_OK; ++j) {
-    move_freely(m, b, m.body[b].free_motion[j], column);
+    motion_column(m, b, j, column); // R
     find_work(m, b, m.body[b].free_motion[j], column, work);
     status = write_column(r.tape, b, BodyMatrix::motions, j, column);
     if (status == C2D_OK) status = write_column(r.tape, b, BodyMatrix::resultants, j, work);

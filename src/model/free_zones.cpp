@@ -423,7 +423,7 @@ void keep_elements(const Model& m, Zone& z, int32_t first, int32_t count) {
 
 bool fit_free_zone(const Model& m, int32_t zone, Reporter& reporter) {
   Zone& z = m.zone[zone];
-  const Named one = body_named(m, z.body[0]), two = body_named(m, z.body[1]);
+  const NamedBody one = body_named(m, z.body[0]), two = body_named(m, z.body[1]);
   int32_t first = -1, count = 0;
   for (int32_t place = 0; place < z.elements; ++place) {
     const int32_t element = zone_element(m, z, 1, place);

@@ -6,6 +6,7 @@
 #include "contact/body_unknowns.hpp"
 #include "contact/let_go.hpp"
 #include "contact/orthonormal.hpp"
+#include "contact/rigid_balance.hpp"
 #include "contact/start.hpp"
 #include "memory/parts.hpp"
 #include "model/pair_frame.hpp"
@@ -58,19 +59,6 @@ template <class Number> c2d_status project(const Session& session, ContactMatrix
     out[j] = static_cast<Number>(product(session.area.y, session.area.column, m));
   }
   return C2D_OK;
-}
-
-// v' in the place of v: so that the equations hold whatever the motions x are.
-c2d_status leave_out_motions(const Session& session) {
-  const int32_t m = session.model.head->contact;
-  Real *v = session.area.y, *motion = session.area.column;
-  c2d_status status = C2D_OK;
-  for (int32_t j = 0; j < session.model.head->border && status == C2D_OK; ++j) {
-    status = read_column(session.tape, ContactMatrix::border, j, motion);
-    const double part = product(v, motion, m);
-    for (int32_t i = 0; i < m; ++i) v[i] -= static_cast<Real>(part * static_cast<double>(motion[i]));
-  }
-  return status;
 }
 
 // v'.B: of the pairs' own rows v' itself, else with S_u of the body that keeps its equations.
@@ -145,7 +133,9 @@ c2d_status build_judge(c2d_solver* s) {
   }
   c2d_status status = project(session, ContactMatrix::stiffness, m, book.stick);
   if (status == C2D_OK) status = project(session, ContactMatrix::stiffness_load, cases, book.stick_load);
-  if (status == C2D_OK) status = leave_out_motions(session);
+  // v' in the place of v: so that the equations hold whatever the motions x are.
+  if (status == C2D_OK)
+    status = take_out(session.tape, ContactMatrix::border, s->model.border, nullptr, session.area.y, session.area.column);
   if (status == C2D_OK) status = project_motions(session, book.equation_w);
   if (status == C2D_OK) status = project(session, ContactMatrix::compliance, m, book.equation_tau);
   if (status == C2D_OK) status = project(session, ContactMatrix::closing, cases, book.equation_load);

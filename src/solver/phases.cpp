@@ -16,15 +16,15 @@ struct PhaseCarver : Carver {
   char* base;
 
   explicit PhaseCarver(char* from) : Carver{0, true}, base(from) {}
-  template <class T> void take(T*& out, uint64_t count, uint64_t size) { out = static_cast<T*>(items(count, size)); }
-  void* items(uint64_t count, uint64_t size);
+  template <class T> void take(T*& out, uint64_t count, uint32_t size) { out = static_cast<T*>(items(count, size)); }
+  void* items(uint64_t count, uint32_t size);
   uint64_t total() const { return fits ? used : UINT64_MAX; }
 };
 // An array of a list, to a member of `area` or to that of a side.
 #define C2D_TAKE(type, name, count, each) carver.take(area.name, (count) * (each), C2D_BYTES_OF_##type);
 #define C2D_TAKE_OF_SIDE(type, name, count, each) carver.take(area.name[side], (count) * (each), C2D_BYTES_OF_##type);
 
-void* PhaseCarver::items(uint64_t count, uint64_t size) {
+void* PhaseCarver::items(uint64_t count, uint32_t size) {
   const uint64_t at = carve(count, size);
   return base ? base + at : nullptr;
 }

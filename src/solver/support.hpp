@@ -11,5 +11,7 @@ void find_support(c2d_solver* solver, const Model& model);
 void find_slides(const Model& model, FreeBody& body);
 // Add what is new of row[0 .. n) to an orthonormal basis of `rank` rows; 1 if there was something new.
 int extend_basis(double basis[3][3], int rank, int n, double row[3]);
+// How much of a body's motions an orthonormal basis of what is prevented, rows of n numbers, leaves free.
+double freedom(const Body& body, const double* basis, int32_t rank, int32_t n);
 
 } // namespace c2d

@@ -16,13 +16,6 @@ struct Prevented {
   const double* row;
   int32_t rank, n;
   double of(int32_t i, int32_t motion) const { return row[static_cast<int64_t>(i) * n + motion]; }
-  // How much of a body's motions is left free.
-  double freedom(const Body& body) const {
-    double sum = body.free_motions;
-    for (int32_t i = 0; i < rank; ++i)
-      for (int32_t j = body.first_motion; j < body.first_motion + body.free_motions; ++j) sum -= of(i, j) * of(i, j);
-    return sum;
-  }
 };
 
 // Motions that body b makes while all others rest, in coordinates of its free motions; how many.
@@ -71,7 +64,7 @@ void tell_together(c2d_solver* s, const Model& m, const Prevented& by, int32_t c
   for (int b = 0; b < m.head->bodies; ++b) {
     double own[3][3];
     const Body& body = m.body[b];
-    if (body.contact == 0 || body.free_motions == 0 || !(by.freedom(body) > own_motions(by, body, own) + kNone)) continue;
+    if (body.contact == 0 || !(freedom(body, by.row, by.rank, by.n) > own_motions(by, body, own) + kNone)) continue;
     say(f, told++ == 0 ? " " : ", ", body_named(m, b));
   }
   say(f, ": they can move together in ", count, count == 1 ? " way" : " ways");
