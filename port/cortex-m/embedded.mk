@@ -20,19 +20,20 @@ agree_m7  := 1e-9
 # Bytes that the linker must find between static data and the top of RAM; one more, an odd number that is no address of a function.
 STACK_LEAST ?= 4096
 
-ARM_FLAGS := -std=c++17 -Os -fno-move-loop-invariants -fno-inline-small-functions -ffreestanding -fbuiltin -fno-math-errno -fno-exceptions -fno-rtti -ffunction-sections \
-  -fdata-sections -fno-threadsafe-statics -DC2D_PARTS_BY_CALL $(EXACT) $(WARNINGS) -fstack-usage -fcallgraph-info=su
+SMALL_FLAGS := -Os -fno-move-loop-invariants -fno-tree-loop-im -fno-schedule-insns2 -fno-inline-small-functions -ffreestanding -fbuiltin \
+  -fno-math-errno -fno-exceptions -fno-rtti -ffunction-sections -fdata-sections -fno-threadsafe-statics $(EXACT)
+ARM_FLAGS := -std=c++17 $(SMALL_FLAGS) -DC2D_PARTS_BY_CALL $(WARNINGS) -fstack-usage -fcallgraph-info=su
+# Objects hold both code and what the compiler makes the whole image of: with that all parts of the library fit the 256 KiB of a
+# board. The bill is that of the code.
+LINK_TIME := -flto -ffat-lto-objects
+WHOLE     := $(SMALL_FLAGS) -flto=1 -flto-partition=one
 ARM_PORT := $(wildcard port/cortex-m/*.cpp)
-# Calls that declare a part of the library (src/memory/parts.hpp). run_deck links them, so that it reads any deck, as far as the
-# 256 KiB of a board have room beside the rest.
-PART_CALLS := c2d_link_holes c2d_set_symmetry
-parts_m3  := c2d_link_free_zones
-parts_m7  := c2d_link_free_zones c2d_set_body_force c2d_set_rigid
+# Calls that declare a part of the library (src/memory/parts.hpp). run_deck links them, so that it reads any deck.
+PART_CALLS := c2d_link_free_zones c2d_link_holes c2d_set_body_force c2d_set_rigid c2d_set_symmetry
 
-comma := ,
 define arm_object
 $(EMBEDDED)/$(1)/obj/$(subst /,_,$(basename $(patsubst src/%,%,$(2)))).o: $(2) port/cortex-m/embedded.mk | $(EMBEDDED)/$(1)/obj
-	$(ARM_PREFIX)g++ $(cpu_$(1)) $(real_$(1)) $(ARM_FLAGS) -Isrc -Iinclude -Iport/cortex-m $(DEPS) -c $(2) -o $$@
+	$(ARM_PREFIX)g++ $(cpu_$(1)) $(real_$(1)) $(ARM_FLAGS) $(LINK_TIME) -Isrc -Iinclude -Iport/cortex-m $(DEPS) -c $(2) -o $$@
 endef
 arm_objects = $(foreach s,$(2),$(EMBEDDED)/$(1)/obj/$(subst /,_,$(basename $(patsubst src/%,%,$(s)))).o)
 
@@ -42,10 +43,10 @@ $(EMBEDDED)/$(1)/obj:
 $(foreach s,$(CORE_SOURCES) $(ARM_PORT),$(eval $(call arm_object,$(1),$(s))))
 $(EMBEDDED)/$(1)/libcontact2d.a: $(call arm_objects,$(1),$(CORE_SOURCES)) src/sources.mk
 	@rm -f $$@
-	$(ARM_PREFIX)ar rcs $$@ $(call arm_objects,$(1),$(CORE_SOURCES))
+	$(ARM_PREFIX)gcc-ar rcs $$@ $(call arm_objects,$(1),$(CORE_SOURCES))
 $(EMBEDDED)/$(1)/run_deck.elf: $(EMBEDDED)/$(1)/libcontact2d.a $(call arm_objects,$(1),$(ARM_PORT)) $(wildcard port/cortex-m/*.ld)
-	$(ARM_PREFIX)g++ $(cpu_$(1)) -nostdlib -Wl,--gc-sections -Wl,-Map,$$(@:.elf=.map) -Lport/cortex-m \
-	  -Wl,--defsym=stack_least=$(STACK_LEAST)+1 -T port/cortex-m/$(board_$(1)).ld $(patsubst %,-Wl$(comma)-u$(comma)%,$(PART_CALLS) $(parts_$(1))) $(call arm_objects,$(1),$(ARM_PORT)) \
+	$(ARM_PREFIX)g++ $(cpu_$(1)) $(WHOLE) -nostdlib -Wl,--gc-sections -Wl,-Map,$$(@:.elf=.map) -Lport/cortex-m \
+	  -Wl,--defsym=stack_least=$(STACK_LEAST)+1 -T port/cortex-m/$(board_$(1)).ld $(PART_CALLS:%=-Wl,-u,%) $(call arm_objects,$(1),$(ARM_PORT)) \
 	  $(EMBEDDED)/$(1)/libcontact2d.a -lm -lc_nano -lgcc -o $$@
 $(EMBEDDED)/$(1)/hertz.csv: $(EMBEDDED)/$(1)/run_deck.elf examples/hertz.dat
 	@mkdir -p $$(@D)/tapes
@@ -110,7 +111,7 @@ wanted = $(foreach c,$(calls_$(1)),-Wl,-u,$(c))
 # $(1) board, $(2) configuration
 define arm_size
 $(EMBEDDED)/$(1)/$(2).elf: $(EMBEDDED)/$(1)/libcontact2d.a $(EMBEDDED)/$(1)/obj/port_cortex-m_math.o port/cortex-m/sizes.ld
-	@$(ARM_PREFIX)g++ $(cpu_$(1)) -nostdlib -Wl,--gc-sections -Wl,-e,c2d_create $(call wanted,$(2)) -T port/cortex-m/sizes.ld \
+	@$(ARM_PREFIX)g++ $(cpu_$(1)) -fno-lto -nostdlib -Wl,--gc-sections -Wl,-e,c2d_create $(call wanted,$(2)) -T port/cortex-m/sizes.ld \
 	  $(EMBEDDED)/$(1)/obj/port_cortex-m_math.o $(EMBEDDED)/$(1)/libcontact2d.a -lm -lc_nano -lgcc -o $$@
 $(EMBEDDED)/$(1)/$(2).size: $(EMBEDDED)/$(1)/$(2).elf
 	@$(ARM_PREFIX)size -A $$< > $$@

@@ -317,9 +317,8 @@ void report_overlaps(const Model& m, int32_t zone, const ZoneOverlaps& overlaps,
     report(reporter, f);
   }
   if (overlaps.unsure.count > 0) {
-    Finding f(C2D_WARN_OVERLAP, at_pair(m, overlaps.unsure.pair));
-    say(f, "zone ", zone_named(m, zone),
-        ": overlaps smaller than what the elements leave open of the surfaces, pairs: ", overlaps.unsure.count, ", most at ");
+    ZoneFinding f(C2D_WARN_OVERLAP, m, zone, overlaps.unsure.pair);
+    say(f, ": overlaps smaller than what the elements leave open of the surfaces, pairs: ", overlaps.unsure.count, ", most at ");
     say_pair(f, m, overlaps.unsure.pair);
     say(f, ": ", overlaps.unsure.size, " against ", overlaps.unsure.doubt);
     say(f, m.head->interference != 0 ? "" : "; they count as touching");
@@ -330,8 +329,8 @@ void report_overlaps(const Model& m, int32_t zone, const ZoneOverlaps& overlaps,
 void report_offsets(const Model& m, int32_t zone, const Offsets& offsets, Reporter& reporter) {
   if (offsets.count == 0) return;
   const double length = m.pair[offsets.pair].length;
-  Finding f(offsets.size < length ? int32_t{C2D_WARN_OFFSET} : 0, at_pair(m, offsets.pair));
-  say(f, "zone ", zone_named(m, zone), ": the nodes do not face each other at ", offsets.count,
+  ZoneFinding f(offsets.size < length ? int32_t{C2D_WARN_OFFSET} : 0, m, zone, offsets.pair);
+  say(f, ": the nodes do not face each other at ", offsets.count,
       offsets.count == 1 ? " pair, " : " pairs, ", offsets.count == 1 ? "" : "least at ");
   say_pair(f, m, offsets.pair);
   say(f, ": they are shifted by ", offsets.size, " along the surface, where contact elements are ", length,
@@ -341,8 +340,8 @@ void report_offsets(const Model& m, int32_t zone, const Offsets& offsets, Report
 
 void warn_lengths(const Model& m, int32_t zone, const Lengths& lengths, Reporter& reporter) {
   if (lengths.count == 0) return;
-  Finding f(C2D_WARN_SIZES, at_pair(m, lengths.pair));
-  say(f, "zone ", zone_named(m, zone), ": elements that face each other differ in length more than fourfold at ", lengths.count,
+  ZoneFinding f(C2D_WARN_SIZES, m, zone, lengths.pair);
+  say(f, ": elements that face each other differ in length more than fourfold at ", lengths.count,
       lengths.count == 1 ? " pair, " : " pairs, most at ");
   say_pair(f, m, lengths.pair);
   say(f, ": ", lengths.length[0], " and ", lengths.length[1]);
@@ -351,8 +350,8 @@ void warn_lengths(const Model& m, int32_t zone, const Lengths& lengths, Reporter
 
 void warn_spread(const Model& m, int32_t zone, const Spread& spread, Reporter& reporter) {
   if (spread.count == 0) return;
-  Finding f(C2D_WARN_NORMALS, at_pair(m, spread.pair));
-  say(f, "zone ", zone_named(m, zone), ": the normals of the two surfaces differ by more than 15 degrees at ", spread.count,
+  ZoneFinding f(C2D_WARN_NORMALS, m, zone, spread.pair);
+  say(f, ": the normals of the two surfaces differ by more than 15 degrees at ", spread.count,
       " pairs, most at ");
   say_pair(f, m, spread.pair);
   say(f, ": ", spread.angle, " degrees");

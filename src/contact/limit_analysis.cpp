@@ -245,7 +245,7 @@ bool is_unbalanced(Analysis& a, Friction law) {
 
 // visit(pair, side, slot) for the contact unknowns of body b.
 template <class Visit> void for_slots_of(const Model& m, int b, Visit visit) {
-  for (PairSide at = {-1, 1}; next_pair_of(m, b, at);)
+  for (PairSide at = first_pair_side(); next_pair_of(m, b, at);)
     for (int slot = 0; slot <= m.pair[at.pair].tangential; ++slot) visit(m.pair[at.pair], at.side, slot);
 }
 

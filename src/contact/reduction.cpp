@@ -196,10 +196,10 @@ double largest_of(const Real* x, int32_t n) { return static_cast<double>(largest
 
 // In a column of `overlap` numbers by unknown of a body: what load case k closes, as far as the body moves for it.
 void add_overlaps(const Model& m, int b, Real* out) {
-  for (int32_t i = 0; i < m.head->pairs; ++i)
-    for (int side = 0; side < 2; ++side)
-      if (m.pair[i].overlap != 0.0 && body_on(m, m.pair[i], side) == b)
-        out[dof_on(m, m.pair[i], side)] += static_cast<Real>(sign_of_side(side) * m.pair[i].overlap / m.head->length_unit);
+  for_pairs_of(m, b, [&](const Pair& pair, int side) {
+    if (pair.overlap != 0.0)
+      out[dof_on(m, pair, side)] += static_cast<Real>(sign_of_side(side) * pair.overlap / m.head->length_unit);
+  });
 }
 
 // s - S_u v of a body that keeps its equations, v of the bodies that it meets, to their places in h. What is left of a load

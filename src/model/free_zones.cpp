@@ -435,7 +435,7 @@ bool fit_free_zone(const Model& m, int32_t zone, Reporter& reporter) {
       return false;
     }
     if (first >= 0 && place != first + count) {
-      report(reporter, in_zone(m, zone), "zone ", zone_named(m, zone), ": body ", one, " faces elements of body ", two,
+      report_zone(reporter, m, zone, ": body ", one, " faces elements of body ", two,
              " in several places, expected one run of elements");
       return false;
     }
@@ -443,7 +443,7 @@ bool fit_free_zone(const Model& m, int32_t zone, Reporter& reporter) {
     ++count;
   }
   if (first < 0) {
-    report(reporter, in_zone(m, zone), "zone ", zone_named(m, zone), ": body ", two, " does not face body ", one,
+    report_zone(reporter, m, zone, ": body ", two, " does not face body ", one,
            ", none of its elements does from end to end, expected ranges that face each other");
     return false;
   }

@@ -61,6 +61,11 @@ Where at_pair(const Model& m, int32_t pair) {
   return out;
 }
 
+ZoneFinding::ZoneFinding(const Model& m, int32_t zone) : Finding(in_zone(m, zone)) { put_zone(text, "zone ", m, zone); }
+ZoneFinding::ZoneFinding(int32_t number, const Model& m, int32_t zone, int32_t pair) : Finding(number, at_pair(m, pair)) {
+  put_zone(text, "zone ", m, zone);
+}
+
 void report(Reporter& reporter, const Finding& finding) {
   if (finding.entry.severity == C2D_FAULT) ++reporter.faults;
   if (reporter.tell != nullptr) reporter.tell(reporter.context, finding.entry);

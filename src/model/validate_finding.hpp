@@ -45,6 +45,11 @@ struct Finding {
   c2d_error entry;
   Text text; // in entry.text
 };
+// It begins with "zone 3 (name)".
+struct ZoneFinding : Finding {
+  ZoneFinding(const Model& m, int32_t zone);
+  ZoneFinding(int32_t number, const Model& m, int32_t zone, int32_t pair); // a warning, about a pair of the zone
+};
 // Appends characters and numbers.
 template <class... Parts> C2D_IN_PLACE inline void say(Finding& finding, Parts... parts) { put_all(finding.text, parts...); }
 
@@ -53,6 +58,11 @@ void report(Reporter& reporter, const Finding& finding);
 // A fault, or a warning, whose text is these parts.
 template <class... Parts> C2D_IN_PLACE inline void report(Reporter& reporter, const Where& where, Parts... parts) {
   Finding finding(where);
+  say(finding, parts...);
+  report(reporter, finding);
+}
+template <class... Parts> C2D_IN_PLACE inline void report_zone(Reporter& reporter, const Model& m, int32_t zone, Parts... parts) {
+  ZoneFinding finding(m, zone);
   say(finding, parts...);
   report(reporter, finding);
 }

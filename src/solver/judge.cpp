@@ -86,20 +86,12 @@ c2d_status project_motions(const Session& session, Real* out) {
 // The moments of contact tractions on a floating body about its centre.
 void find_moments(const Model& m, int b, Real* const moment[2]) {
   const double unit = m.head->length_unit, cx = m.body[b].centre[0] / unit, cy = m.body[b].centre[1] / unit;
-  for (int32_t element = 0; element < m.body[b].elements; ++element) {
-    ZonePlace place;
-    if (!find_contact_element(m, b, element, &place) || !is_integrated(m, b, element)) continue;
-    EndResultant weight[kElementNodes];
-    end_resultants(m, b, element, Measure::contact, weight);
-    for (int l = 0; l < m.head->function_nodes; ++l) {
-      const PairSide at = pair_of_end(m, b, element, l);
-      if (at.pair < 0) continue;
-      const Pair& pair = m.pair[at.pair];
-      for (int32_t d = 0; d <= pair.tangential; ++d) {
-        const double side = sign_of_side(at.side), x = side * along(pair, d, 0), y = side * along(pair, d, 1);
-        const EndResultant& w = weight[l];
-        moment[at.side][pair.dof + d] += static_cast<Real>((w.wx - cx * w.w) * y - (w.wy - cy * w.w) * x);
-      }
+  for (ContactEnd end; next_contact_end(m, b, end);) {
+    const Pair& pair = m.pair[end.at.pair];
+    const EndResultant& w = end.weight();
+    for (int32_t d = 0; d <= pair.tangential; ++d) {
+      const double side = sign_of_side(end.at.side), x = side * along(pair, d, 0), y = side * along(pair, d, 1);
+      moment[end.at.side][pair.dof + d] += static_cast<Real>((w.wx - cx * w.w) * y - (w.wy - cy * w.w) * x);
     }
   }
 }
@@ -262,17 +254,15 @@ void find_resultant(const Session& session, const Book& book, int b, double out[
   const Follower& f = session.follower;
   const double unit = session.model.head->length_unit * session.model.head->stress_unit;
   out[0] = out[1] = out[2] = 0.0;
-  for (int32_t i = 0; i < session.model.head->pairs; ++i)
-    for (int side = 0; side < 2; ++side) {
-      const Pair& pair = f.t->pair[i];
-      if (body_on(session.model, pair, side) != b) continue;
-      const PairState now = pair_state(*f.t, i, f.y);
-      const double tau[2] = {now.p, now.q}, scale = unit * sign_of_side(side) * pair.weight;
-      double force[2];
-      to_global(pair, scale * now.p, pair.tangential ? scale * now.q : 0.0, force);
-      for (int c = 0; c < 2; ++c) out[c] += force[c];
-      for (int32_t d = 0; d <= pair.tangential; ++d) out[2] += unit * tau[d] * book.moment[side][pair.dof + d];
-    }
+  for (PairSide at = first_pair_side(); next_pair_of(session.model, b, at);) {
+    const Pair& pair = f.t->pair[at.pair];
+    const PairState now = pair_state(*f.t, at.pair, f.y);
+    const double tau[2] = {now.p, now.q}, scale = unit * sign_of_side(at.side) * pair.weight;
+    double force[2];
+    to_global(pair, scale * now.p, pair.tangential ? scale * now.q : 0.0, force);
+    for (int c = 0; c < 2; ++c) out[c] += force[c];
+    for (int32_t d = 0; d <= pair.tangential; ++d) out[2] += unit * tau[d] * book.moment[at.side][pair.dof + d];
+  }
 }
 
 // The largest work of contact and loads on a free motion of a body that is more than pressures of round-off make.
