@@ -256,7 +256,7 @@ c2d_status read_resultants(const Analysis& a, int b, Real* column) {
     status = read_column(*a.f.tape, b, BodyMatrix::resultants, k, column);
     for_slots_of(a.m, b, [&](const Pair& pair, int side, int slot) {
       Real* out = a.resultant + (static_cast<int64_t>(side) * a.f.t->m + pair.dof + slot) * kMostMotions;
-      out[k] = static_cast<Real>(sign_of_side(side)) * column[dof_on(a.m, pair, side) + slot];
+      out[k] = signed_on(side, column[dof_on(a.m, pair, side) + slot]);
     });
   }
   return status;

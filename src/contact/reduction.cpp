@@ -198,7 +198,7 @@ double largest_of(const Real* x, int32_t n) { return static_cast<double>(largest
 void add_overlaps(const Model& m, int b, Real* out) {
   for_pairs_of(m, b, [&](const Pair& pair, int side) {
     if (pair.overlap != 0.0)
-      out[dof_on(m, pair, side)] += static_cast<Real>(sign_of_side(side) * pair.overlap / m.head->length_unit);
+      out[dof_on(m, pair, side)] += static_cast<Real>(signed_on(side, pair.overlap) / m.head->length_unit);
   });
 }
 
@@ -274,7 +274,7 @@ c2d_status factor_bordered(const Reduction& r) {
       done = read_column(r.tape, b, BodyMatrix::resultants, k, r.strip);
       for_ranges(r.model, b, [&](const UnknownRange& range) {
         for (int32_t i = 0; i < range.count; ++i)
-          s.column(range.all + i)[row] += static_cast<Real>(range.sign()) * r.strip[range.own + i];
+          s.column(range.all + i)[row] += signed_on(range.side, r.strip[range.own + i]);
       });
     }
     return done;

@@ -25,8 +25,7 @@ c2d_status read_on_pairs(const Reduction& r, BodyMatrix matrix, BodyMotion of, R
   const c2d_status status = read_column(r.tape, of.b, matrix, of.column, own);
   for (int32_t i = 0; i < contact_unknowns(r.tape); ++i) out[i] = 0;
   for_ranges(r.model, of.b, [&](const UnknownRange& range) {
-    const Real sign = static_cast<Real>(sign_of_side(range.side));
-    for (int32_t i = 0; i < range.count; ++i) out[range.all + i] += sign * own[range.own + i];
+    for (int32_t i = 0; i < range.count; ++i) out[range.all + i] += signed_on(range.side, own[range.own + i]);
   });
   return status;
 }

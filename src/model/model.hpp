@@ -75,6 +75,7 @@ struct PairSide {
 };
 // Force of a pair on the body of a side, and that body's displacement in the pair's motion, count with this sign.
 inline double sign_of_side(int side) { return side == 1 ? 1.0 : -1.0; }
+template <class Number> Number signed_on(int side, Number x) { return side == 1 ? x : -x; } // without a product
 // What a round of changes notes of a pair, each for its own use.
 struct PairMarks {
   uint8_t offends : 1;                       // contact/settle.cpp: breaks a condition as the rates stand

@@ -28,7 +28,7 @@ void trailing_coefficients(const Session& session, int b, Real* out) {
     for (int32_t d = 0; d <= pair.tangential; ++d) {
       const int32_t j = dof_on(m, pair, at.side) + d;
       out[j] = -session.area.u[at.side][pair.dof + d];
-      out[own + j] = static_cast<Real>(sign_of_side(at.side) * tau[d]);
+      out[own + j] = static_cast<Real>(signed_on(at.side, tau[d]));
     }
   }
   for (int32_t k = 0; k < m.head->load_cases; ++k) out[2 * own + k] = static_cast<Real>(f.load[k]);
@@ -110,7 +110,7 @@ bool contact_traction(const Session& session, int b, int32_t element, int l, dou
   out[0] = out[1] = 0.0;
   if (at.pair < 0) return false;
   const PairState now = pair_state(*session.follower.t, at.pair, session.follower.y);
-  const double scale = sign_of_side(at.side) * m.head->stress_unit * traction_ratio(m, b, element, l);
+  const double scale = signed_on(at.side, m.head->stress_unit) * traction_ratio(m, b, element, l);
   to_global(m.pair[at.pair], now.p * scale, now.q * scale, out);
   return true;
 }

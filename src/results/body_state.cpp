@@ -16,7 +16,7 @@ void contact_resultant(const Session& session, int b, double out[3]) {
   for (ContactEnd end; next_contact_end(m, b, end);) {
     const EndResultant& w = end.weight();
     const PairState now = pair_state(*session.follower.t, end.at.pair, session.follower.y);
-    const double scale = sign_of_side(end.at.side) * m.head->stress_unit * length;
+    const double scale = signed_on(end.at.side, m.head->stress_unit) * length;
     double t[2];
     to_global(m.pair[end.at.pair], now.p * scale, now.q * scale, t);
     add_force(out, w.w * t[0], w.w * t[1], length * (w.wx * t[1] - w.wy * t[0]));

@@ -61,7 +61,7 @@ c2d_status add_compliance(const Session& session, int b) {
     const double tau[2] = {now.p, now.q};
     for (int32_t d = 0; d <= pair.tangential; ++d) {
       const int32_t j = dof_on(m, pair, at.side) + d;
-      const double t = sign_of_side(at.side) * tau[d];
+      const double t = signed_on(at.side, tau[d]);
       if (kept && t != 0.0) add_column(session, b, kept + static_cast<int64_t>(j) * m.body[b].contact, t);
       const c2d_status status = kept ? c2d_status{C2D_OK} : add_from_tape(session, b, BodyMatrix::flexibility, j, t);
       if (status != C2D_OK) return status;
@@ -112,9 +112,9 @@ void follow_others(const Session& session, int b) {
     const PairState now = pair_state(*f.t, at.pair, f.y);
     const Real* known = session.area.u[1 - at.side] + pair.dof;
     Real* out = session.area.u[at.side] + pair.dof;
-    const double gap = effective_gap(*m.head, pair, f.load) / f.t->length_unit, sign = sign_of_side(at.side);
-    out[0] = known[0] + static_cast<Real>(sign * (now.wn - gap));
-    if (pair.tangential) out[1] = known[1] + static_cast<Real>(sign * now.wt);
+    const double gap = effective_gap(*m.head, pair, f.load) / f.t->length_unit;
+    out[0] = known[0] + static_cast<Real>(signed_on(at.side, now.wn - gap));
+    if (pair.tangential) out[1] = known[1] + static_cast<Real>(signed_on(at.side, now.wt));
   }
 }
 

@@ -45,7 +45,7 @@ void add_traction(Adjoint& a, int32_t element, int l, int c, double factor) {
   case TractionKind::contact: {
     const PairSide at = pair_of_end(m, a.b, element, l);
     const Pair& pair = m.pair[at.pair];
-    const double scaled = sign_of_side(at.side) * factor * m.head->stress_unit / modulus;
+    const double scaled = signed_on(at.side, factor) * m.head->stress_unit / modulus;
     for (int slot = 0; slot <= pair.tangential; ++slot)
       a.tau[pair.dof + slot] += static_cast<Real>(scaled * along(pair, slot, c));
     return;

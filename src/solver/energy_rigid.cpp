@@ -9,7 +9,7 @@ void add_rigid_motion(const Model& m, int b, int32_t k, Real* tau) {
   for_pairs_of(m, b, [&](const Pair& pair, int side) {
     double v[2];
     rigid_motion_at_pair(m, pair, side, k, v);
-    const double held = -sign_of_side(side) * pair.weight;
+    const double held = signed_on(1 - side, pair.weight);
     for (int32_t d = 0; d <= pair.tangential; ++d) tau[pair.dof + d] += static_cast<Real>(held * v[d]);
   });
 }

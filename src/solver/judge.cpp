@@ -76,7 +76,7 @@ c2d_status project_motions(const Session& session, Real* out) {
     for_ranges(m, b, [&](const UnknownRange& range) {
       for (int32_t j = 0; j < range.count && status == C2D_OK; ++j) {
         status = read_column(session.tape, b, BodyMatrix::displacement, range.own + j, session.area.column);
-        out[range.all + j] = static_cast<Real>(range.sign() * product(own, session.area.column, m.body[b].contact));
+        out[range.all + j] = static_cast<Real>(signed_on(range.side, product(own, session.area.column, m.body[b].contact)));
       }
     });
   }
@@ -90,7 +90,7 @@ void find_moments(const Model& m, int b, Real* const moment[2]) {
     const Pair& pair = m.pair[end.at.pair];
     const EndResultant& w = end.weight();
     for (int32_t d = 0; d <= pair.tangential; ++d) {
-      const double side = sign_of_side(end.at.side), x = side * along(pair, d, 0), y = side * along(pair, d, 1);
+      const double x = signed_on(end.at.side, along(pair, d, 0)), y = signed_on(end.at.side, along(pair, d, 1));
       moment[end.at.side][pair.dof + d] += static_cast<Real>((w.wx - cx * w.w) * y - (w.wy - cy * w.w) * x);
     }
   }
@@ -257,7 +257,7 @@ void find_resultant(const Session& session, const Book& book, int b, double out[
   for (PairSide at = first_pair_side(); next_pair_of(session.model, b, at);) {
     const Pair& pair = f.t->pair[at.pair];
     const PairState now = pair_state(*f.t, at.pair, f.y);
-    const double tau[2] = {now.p, now.q}, scale = unit * sign_of_side(at.side) * pair.weight;
+    const double tau[2] = {now.p, now.q}, scale = signed_on(at.side, unit) * pair.weight;
     double force[2];
     to_global(pair, scale * now.p, pair.tangential ? scale * now.q : 0.0, force);
     for (int c = 0; c < 2; ++c) out[c] += force[c];
