@@ -89,9 +89,8 @@ void report_pair(const Model& m, int32_t pair, const char* found, const char* ex
 // ---- symmetry ----
 
 bool has_value(const Model& m, int b, int32_t node, int component) {
-  for (int64_t k = 0; k < m.head->load_cases; ++k) {
-    if (m.node_disp[b][(k * body_of(m, b).nodes + node) * 2 + component] != 0) return true;
-  }
+  for (int32_t k = 0; k < m.head->load_cases; ++k)
+    if (given_displacement(m, b, node, component, k) != 0) return true;
   return false;
 }
 

@@ -279,6 +279,9 @@ struct Unknown {
 Unknown unknown_at(const Model& m, int b, int32_t node, int component);
 void unknowns_at(const Model& m, int b, int32_t node, Unknown unknown[2]); // of both components
 bool displacement_known(const Model& m, int b, int32_t node, int component);
+// What is prescribed in a load case, at factor 1.
+double given_displacement(const Model& m, int b, int32_t node, int component, int32_t load_case);
+double given_traction(const Model& m, int b, int32_t end, int component, int32_t load_case);
 
 inline bool is_rigid(const Model& m, int b) { return m.body[b].rigid != 0; }
 bool has_rigid(const Model& m); // any body

@@ -36,16 +36,14 @@ void trailing_coefficients(const Session& session, int b, Real* out) {
 
 double prescribed_displacement(const Session& session, int b, int32_t node, int c) {
   double sum = 0.0;
-  const int64_t nodes = session.model.body[b].nodes;
   for (int32_t k = 0; k < session.model.head->load_cases; ++k)
-    sum += session.follower.load[k] * session.model.node_disp[b][(k * nodes + node) * 2 + c];
+    sum += session.follower.load[k] * given_displacement(session.model, b, node, c, k);
   return sum;
 }
 double prescribed_traction(const Session& session, int b, int32_t end, int c) {
   double sum = 0.0;
-  const int64_t ends = static_cast<int64_t>(session.model.body[b].elements) * session.model.head->function_nodes;
   for (int32_t k = 0; k < session.model.head->load_cases; ++k)
-    sum += session.follower.load[k] * session.model.end_traction[b][(k * ends + end) * 2 + c];
+    sum += session.follower.load[k] * given_traction(session.model, b, end, c, k);
   return sum;
 }
 
@@ -109,9 +107,7 @@ bool contact_traction(const Session& session, int b, int32_t element, int l, dou
   const PairSide at = pair_of_end(m, b, element, l);
   out[0] = out[1] = 0.0;
   if (at.pair < 0) return false;
-  const PairState now = pair_state(*session.follower.t, at.pair, session.follower.y);
-  const double scale = signed_on(at.side, m.head->stress_unit) * traction_ratio(m, b, element, l);
-  to_global(m.pair[at.pair], now.p * scale, now.q * scale, out);
+  pair_force(session, at.pair, signed_on(at.side, m.head->stress_unit) * traction_ratio(m, b, element, l), out);
   return true;
 }
 

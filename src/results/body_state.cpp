@@ -2,7 +2,6 @@
 
 #include "bie/columns.hpp"
 #include "memory/parts.hpp"
-#include "model/pair_frame.hpp"
 #include "results/transferred.hpp"
 
 namespace c2d {
@@ -15,10 +14,8 @@ void contact_resultant(const Session& session, int b, double out[3]) {
   out[0] = out[1] = out[2] = 0.0;
   for (ContactEnd end; next_contact_end(m, b, end);) {
     const EndResultant& w = end.weight();
-    const PairState now = pair_state(*session.follower.t, end.at.pair, session.follower.y);
-    const double scale = signed_on(end.at.side, m.head->stress_unit) * length;
     double t[2];
-    to_global(m.pair[end.at.pair], now.p * scale, now.q * scale, t);
+    pair_force(session, end.at.pair, signed_on(end.at.side, m.head->stress_unit) * length, t);
     add_force(out, w.w * t[0], w.w * t[1], length * (w.wx * t[1] - w.wy * t[0]));
   }
   if (m.body[b].free_rows > 0) kFreeZonePart.add_transferred_force(session, b, out);
