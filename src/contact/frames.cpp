@@ -317,7 +317,8 @@ void report_overlaps(const Model& m, int32_t zone, const ZoneOverlaps& overlaps,
   }
   if (overlaps.unsure.count > 0) {
     ZoneFinding f(C2D_WARN_OVERLAP, m, zone, overlaps.unsure.pair);
-    say(f, ": overlaps smaller than what the elements leave open of the surfaces, pairs: ", overlaps.unsure.count, ", most at ");
+    say(f, ": overlaps smaller than what the elements leave open of the surfaces, pairs: ", overlaps.unsure.count,
+        ", most at ");
     say_pair(f, m, overlaps.unsure.pair);
     say(f, ": ", overlaps.unsure.size, " against ", overlaps.unsure.doubt);
     say(f, m.head->interference != 0 ? "" : "; they count as touching");
@@ -329,8 +330,8 @@ void report_offsets(const Model& m, int32_t zone, const Offsets& offsets, Report
   if (offsets.count == 0) return;
   const double length = m.pair[offsets.pair].length;
   ZoneFinding f(offsets.size < length ? int32_t{C2D_WARN_OFFSET} : 0, m, zone, offsets.pair);
-  say(f, ": the nodes do not face each other at ", offsets.count,
-      offsets.count == 1 ? " pair, " : " pairs, ", offsets.count == 1 ? "" : "least at ");
+  say(f, ": the nodes do not face each other at ", offsets.count, offsets.count == 1 ? " pair, " : " pairs, ",
+      offsets.count == 1 ? "" : "least at ");
   say_pair(f, m, offsets.pair);
   say(f, ": they are shifted by ", offsets.size, " along the surface, where contact elements are ", length,
       " long, expected at most half of it");
@@ -350,8 +351,7 @@ void warn_lengths(const Model& m, int32_t zone, const Lengths& lengths, Reporter
 void warn_spread(const Model& m, int32_t zone, const Spread& spread, Reporter& reporter) {
   if (spread.count == 0) return;
   ZoneFinding f(C2D_WARN_NORMALS, m, zone, spread.pair);
-  say(f, ": the normals of the two surfaces differ by more than 15 degrees at ", spread.count,
-      " pairs, most at ");
+  say(f, ": the normals of the two surfaces differ by more than 15 degrees at ", spread.count, " pairs, most at ");
   say_pair(f, m, spread.pair);
   say(f, ": ", spread.angle, " degrees");
   report(reporter, f);

@@ -273,8 +273,7 @@ c2d_status factor_bordered(const Reduction& r) {
       const int64_t row = s.m + body.first_border + k;
       done = read_column(r.tape, b, BodyMatrix::resultants, k, r.strip);
       for_ranges(r.model, b, [&](const UnknownRange& range) {
-        for (int32_t i = 0; i < range.count; ++i)
-          s.column(range.all + i)[row] += signed_on(range.side, r.strip[range.own + i]);
+        for (int32_t i = 0; i < range.count; ++i) s.column(range.all + i)[row] += signed_on(range.side, r.strip[range.own + i]);
       });
     }
     return done;

@@ -89,8 +89,7 @@ void motion_column(const Model& m, int b, int32_t j, Real* out) {
   for_pairs_of(m, b, [&](const Pair& pair, int side) {
     double w[2];
     motion_at_pair(m, b, m.body[b].free_motion[j], m.body[b].centre, pair, w);
-    for (int32_t d = 0; d <= pair.tangential; ++d)
-      out[dof_on(m, pair, side) + d] = static_cast<Real>(signed_on(side, w[d]));
+    for (int32_t d = 0; d <= pair.tangential; ++d) out[dof_on(m, pair, side) + d] = static_cast<Real>(signed_on(side, w[d]));
   });
 }
 

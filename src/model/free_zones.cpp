@@ -436,7 +436,7 @@ bool fit_free_zone(const Model& m, int32_t zone, Reporter& reporter) {
     }
     if (first >= 0 && place != first + count) {
       report_zone(reporter, m, zone, ": body ", one, " faces elements of body ", two,
-             " in several places, expected one run of elements");
+                  " in several places, expected one run of elements");
       return false;
     }
     if (first < 0) first = place;
@@ -444,7 +444,7 @@ bool fit_free_zone(const Model& m, int32_t zone, Reporter& reporter) {
   }
   if (first < 0) {
     report_zone(reporter, m, zone, ": body ", two, " does not face body ", one,
-           ", none of its elements does from end to end, expected ranges that face each other");
+                ", none of its elements does from end to end, expected ranges that face each other");
     return false;
   }
   warn_left_out(m, zone, first, count, reporter);

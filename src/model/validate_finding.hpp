@@ -35,7 +35,9 @@ template <> inline constexpr bool kIsNamed<NamedZone> = true;
 Text& put_body(Text& text, const char* characters, const Model& m, int b);
 Text& put_zone(Text& text, const char* characters, const Model& m, int32_t zone);
 inline Text& put_with_name(Text& text, const char* characters, NamedBody of) { return put_body(text, characters, of.m, of.b); }
-inline Text& put_with_name(Text& text, const char* characters, NamedZone of) { return put_zone(text, characters, of.m, of.zone); }
+inline Text& put_with_name(Text& text, const char* characters, NamedZone of) {
+  return put_zone(text, characters, of.m, of.zone);
+}
 
 struct Finding {
   explicit Finding(const Where& where = Where());           // a fault
@@ -61,7 +63,8 @@ template <class... Parts> C2D_IN_PLACE inline void report(Reporter& reporter, co
   say(finding, parts...);
   report(reporter, finding);
 }
-template <class... Parts> C2D_IN_PLACE inline void report_zone(Reporter& reporter, const Model& m, int32_t zone, Parts... parts) {
+template <class... Parts>
+C2D_IN_PLACE inline void report_zone(Reporter& reporter, const Model& m, int32_t zone, Parts... parts) {
   ZoneFinding finding(m, zone);
   say(finding, parts...);
   report(reporter, finding);

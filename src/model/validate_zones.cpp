@@ -28,15 +28,15 @@ void check_bodies(const Model& m, int32_t zone, Reporter& reporter) {
   const int32_t before = reporter.faults;
   for (const int32_t b : z.body)
     if (b < 0 || b >= m.head->bodies)
-      report_zone(reporter, m, zone, ": there is no body ", b + 1, ", expected 1 to ",
-             m.head->bodies);
+      report_zone(reporter, m, zone, ": there is no body ", b + 1, ", expected 1 to ", m.head->bodies);
   if (reporter.faults != before) return;
   if (z.body[0] == z.body[1] && z.is_self == 0)
-    report_zone(reporter, m, zone, ": both sides are on body ", body_named(m, z.body[0]),
-           ", expected two different bodies, or a zone that says so (C2D_ZONE_SELF, in a deck the second with a minus sign)");
+    report_zone(
+        reporter, m, zone, ": both sides are on body ", body_named(m, z.body[0]),
+        ", expected two different bodies, or a zone that says so (C2D_ZONE_SELF, in a deck the second with a minus sign)");
   else if (is_rigid(m, z.body[0]) && is_rigid(m, z.body[1]))
-    report_zone(reporter, m, zone, ": bodies ", body_named(m, z.body[0]), " and ",
-           body_named(m, z.body[1]), " are both rigid, expected one at most");
+    report_zone(reporter, m, zone, ": bodies ", body_named(m, z.body[0]), " and ", body_named(m, z.body[1]),
+                " are both rigid, expected one at most");
 }
 
 int32_t nodes_per_element(const Model& m) { return m.head->function_nodes == 1 ? 1 : m.head->function_nodes - 1; }
@@ -107,9 +107,9 @@ void check_nodes(const Model& m, int32_t zone, Reporter& reporter) {
   }
   if (place[0] < 0 || place[1] < 0) return;
   if (direction(z, 0) != 0 && place[0] != place[1])
-    report_zone(reporter, m, zone, ": the first pair is node ", place[0] + 1,
-           " along the elements of body ", body_named(m, z.body[0]), " and node ", place[1] + 1, " along those of body ",
-           body_named(m, z.body[1]), ", expected the same place");
+    report_zone(reporter, m, zone, ": the first pair is node ", place[0] + 1, " along the elements of body ",
+                body_named(m, z.body[0]), " and node ", place[1] + 1, " along those of body ", body_named(m, z.body[1]),
+                ", expected the same place");
 }
 
 // Elements in two zones; else nodes in two pairs: in this zone and an earlier one.
@@ -176,8 +176,8 @@ void check_facing(const Model& m, int32_t zone, bool sound, Reporter& reporter) 
   const Zone& z = m.zone[zone];
   if (direction(z, 0) != 0 && direction(z, 0) == direction(z, 1)) {
     return report_zone(reporter, m, zone,
-                  ": numbers run in the same direction on both bodies, so that the elements do not face "
-                  "each other; expected up on one body and down on the other");
+                       ": numbers run in the same direction on both bodies, so that the elements do not face "
+                       "each other; expected up on one body and down on the other");
   }
   if (!sound) return; // of a body that runs the wrong way no element would face the other one
   int32_t count = 0, worst = 0;

@@ -68,8 +68,9 @@ void add_boundary(Adjoint& a, int32_t k, bool reactions) {
     for (int l = 0; l < m.head->function_nodes; ++l)
       for (int c = 0; c < 2; ++c) {
         const int32_t node = functional_node(m, a.b, element, l);
-        const double value = reactions ? given_displacement(m, a.b, node, c, k) / m.head->length_unit
-                                       : given_traction(m, a.b, element * m.head->function_nodes + l, c, k) / m.head->stress_unit;
+        const double value = reactions
+                                 ? given_displacement(m, a.b, node, c, k) / m.head->length_unit
+                                 : given_traction(m, a.b, element * m.head->function_nodes + l, c, k) / m.head->stress_unit;
         if (value == 0.0) continue;
         const TractionKind kind = traction_kind(m, a.b, element, l, c);
         if (kind != (reactions ? TractionKind::solved : TractionKind::given)) continue;

@@ -34,8 +34,7 @@ c2d_status remove_outer(Adjoint& a) {
   const int32_t own = m.body[a.b].contact;
   for (int32_t j = 0; j < own; ++j) a.u[j] -= w[j];
   for_ranges(m, a.b, [&](const UnknownRange& range) {
-    for (int32_t i = 0; i < range.count; ++i)
-      a.tau[range.all + i] += signed_on(range.side, w[own + range.own + i]);
+    for (int32_t i = 0; i < range.count; ++i) a.tau[range.all + i] += signed_on(range.side, w[own + range.own + i]);
   });
   for (int32_t i = 0; i < m.head->load_cases; ++i) a.lambda[i] += static_cast<double>(w[2 * own + i]);
   return C2D_OK;
