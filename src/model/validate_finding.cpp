@@ -61,9 +61,9 @@ Where at_pair(const Model& m, int32_t pair) {
   return out;
 }
 
-ZoneFinding::ZoneFinding(const Model& m, int32_t zone) : Finding(in_zone(m, zone)) { put_zone(text, "zone ", m, zone); }
+ZoneFinding::ZoneFinding(const Model& m, int32_t zone) : Finding(in_zone(m, zone)) { say(*this, "zone ", zone_named(m, zone)); }
 ZoneFinding::ZoneFinding(int32_t number, const Model& m, int32_t zone, int32_t pair) : Finding(number, at_pair(m, pair)) {
-  put_zone(text, "zone ", m, zone);
+  say(*this, "zone ", zone_named(m, zone));
 }
 
 void report(Reporter& reporter, const Finding& finding) {
