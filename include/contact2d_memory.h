@@ -42,10 +42,9 @@
    body, and the rest of c2d_limits. */
 #define C2D_BODIES_BYTES(bodies, bodies_bytes, results_bytes, nodes, zones, pairs, contact_elements, point_loads,      \
                          coefficients, paths, load_cases, panel_columns, free_pairs, point_sets, curves)               \
-  (63 /* to the first multiple of 64 */ + C2D_ROUND_(C2D_SOLVER_BYTES) + (0 C2D_BODY_LISTS_(C2D_ADD_, bodies)) +       \
-   (bodies_bytes) +                                                                                                    \
-   (0 C2D_MODEL_ARRAYS_(C2D_ADD_, zones, pairs, point_loads, coefficients, paths, C2D_CASES_(load_cases), point_sets,  \
-                        curves)) +                                                                                     \
+  (63 /* to the first multiple of 64 */ +                                                                              \
+   C2D_ROUND_(C2D_SOLVER_BYTES C2D_BODY_LISTS_(C2D_ADD_, bodies) + (bodies_bytes) C2D_MODEL_ARRAYS_(                   \
+       C2D_ADD_, zones, pairs, point_loads, coefficients, paths, C2D_CASES_(load_cases), point_sets, curves)) +        \
    0 * UINT64_C(1) * (contact_elements) /* kept within their zones */ +                                                \
    C2D_PHASE_BYTES_(nodes, C2D_ROWS_(nodes) + 2 * (free_pairs), results_bytes, UINT64_C(2) * (pairs),                  \
                     C2D_MOTIONS_(bodies, pairs), C2D_CASES_(load_cases), C2D_WIDTH_(panel_columns)))
@@ -94,7 +93,8 @@
 
 /* ---------------------------------------------------------------- what lies in the workspace -------------------
 
-   ARRAY(type, name, count, each): `count` times `each` of a type, from a multiple of 64 bytes on. Names in parentheses are
+   ARRAY(type, name, count, each): `count` times `each` of a type, from a multiple of 8 bytes on; the lists below that are used
+   one after another begin at multiples of 64, and what must stand at such a place comes first in them. Names in parentheses are
    those of the FORTRAN program of 1987 (src/FROM-1987.md). `ends` are element ends, `cases` load cases, m contact unknowns.
 
    Lists of the bodies: */
@@ -133,12 +133,12 @@
 
 /* What follows is used one after another in the same place: while a body is assembled and eliminated, ... */
 #define C2D_ELIMINATION_ARRAYS_(ARRAY, nodes, m, work_bytes)                                                           \
-  ARRAY(double, diagonal, nodes, 4)                   /* blocks of H                                               */  \
-  ARRAY(double, point, nodes, 2)                      /* collocation points in the length unit                     */  \
-  ARRAY(int32_t, twin, nodes, 1)                      /* see bie/columns.hpp                                       */  \
+  ARRAY(void, work, work_bytes, 1)                    /* of eliminate(): C2D_WORK_ARRAYS_, multiples of 64         */  \
   ARRAY(void, scratch, C2D_ASSEMBLY_BYTES, 1)         /* AssemblyScratch of bie/panel.hpp                          */  \
   ARRAY(void, buffer, C2D_BLOCK_(m), 1)               /* of the contact tape                                       */  \
-  ARRAY(void, work, work_bytes, 1)                    /* of eliminate(): C2D_WORK_ARRAYS_                          */
+  ARRAY(double, diagonal, nodes, 4)                   /* blocks of H                                               */  \
+  ARRAY(double, point, nodes, 2)                      /* collocation points in the length unit                     */  \
+  ARRAY(int32_t, twin, nodes, 1)                      /* see bie/columns.hpp                                       */
 #define C2D_WORK_ARRAYS_(ARRAY, leading, width, block_bytes, columns)                                                  \
   ARRAY(Real, panel, width, leading)                                                                                   \
   ARRAY(void, block, block_bytes, 1)                  /* buffers for blocks, with their headers                    */  \
@@ -146,18 +146,18 @@
   ARRAY(int32_t, pivots, columns, 1)                  /* row exchanges                                             */
 /* ... while the bodies are reduced to the contact, `motions` those that only the contact prevents, ... */
 #define C2D_REDUCTION_ARRAYS_(ARRAY, m, motions)                                                                       \
+  ARRAY(void, buffer, C2D_ROUND_(C2D_BLOCK_(m)), 1)   /* of the contact tape                                       */  \
   ARRAY(Real, first, (m) + (motions), (m) + (motions))                                                                 \
   ARRAY(Real, second, (m) + (motions), m)                                                                              \
   ARRAY(Real, strip, (m) + (motions), 4)              /* columns of a third matrix                                 */  \
-  ARRAY(int32_t, pivots, (m) + (motions), 1)          /* row exchanges                                             */  \
-  ARRAY(void, buffer, C2D_BLOCK_(m), 1)               /* of the contact tape                                       */
+  ARRAY(int32_t, pivots, (m) + (motions), 1)          /* row exchanges                                             */
 /* ... while the load path is followed, ... */
 #define C2D_PATH_ARRAYS_(ARRAY, m, widest, cases)                                                                      \
+  ARRAY(void, buffer, C2D_ROUND_(C2D_BLOCK_(widest)), 1) /* of the contact tape                                    */  \
   ARRAY(Real, tableau, m, (m) + 1 + (cases))                                                                           \
   ARRAY(Real, y, m, 1)                                                                                                 \
   ARRAY(Real, dy, m, 1)                                                                                                \
-  ARRAY(Real, good, m, 1)                             /* y of the last state found good (solver/judge.hpp)         */  \
-  ARRAY(void, buffer, C2D_BLOCK_(widest), 1)               /* of the contact tape                                  */
+  ARRAY(Real, good, m, 1)                             /* y of the last state found good (solver/judge.hpp)         */
 /* ... and behind that either numbers of the rate problem of n - 1 unknowns, or results, of no use while loads move: of each
    side displacements of the contact; F of the bodies where there is room for it; displacements and true tractions of all
    bodies, in units of the model; and what back substitution takes. */
@@ -173,15 +173,19 @@
   ARRAY(Real, displacement, nodes, 2)                                                                                  \
   ARRAY(Real, traction, ends, 2)
 #define C2D_BACK_ARRAYS_(ARRAY, m, cases, unknowns, work_bytes)                                                        \
+  ARRAY(void, work, work_bytes, 1)                    /* of back_substitute()                                      */  \
   ARRAY(Real, outer, unknowns, 1)                     /* unknowns of one body                                      */  \
-  ARRAY(Real, coefficient, 2 * (m) + (cases), 1)      /* of its trailing columns                                   */  \
-  ARRAY(void, work, work_bytes, 1)                    /* of back_substitute()                                      */
+  ARRAY(Real, coefficient, 2 * (m) + (cases), 1)      /* of its trailing columns                                   */
 
 /* Bytes of the types, on every target. */
 #ifndef C2D_REAL_BYTES
 #define C2D_REAL_BYTES 8 /* of a stored matrix's number: 4 for a library compiled with C2D_REAL=float */
 #endif
-#define C2D_SOLVER_BYTES 2368   /* of c2d_solver, at most */
+#if UINTPTR_MAX > UINT32_MAX
+#define C2D_SOLVER_BYTES 2312 /* of c2d_solver, at most */
+#else
+#define C2D_SOLVER_BYTES 2240
+#endif
 #define C2D_ASSEMBLY_BYTES 3776 /* of what the assembly of an element needs, at most */
 #define C2D_BYTES_OF_void 1
 #define C2D_BYTES_OF_uint8_t 1
@@ -189,11 +193,11 @@
 #define C2D_BYTES_OF_double 8
 #define C2D_BYTES_OF_Real C2D_REAL_BYTES
 #define C2D_BYTES_OF_BodyLimits 16
-#define C2D_BYTES_OF_Body 360
+#define C2D_BYTES_OF_Body 304
 #define C2D_BYTES_OF_Plan 48
-#define C2D_BYTES_OF_BodyResults 96
+#define C2D_BYTES_OF_BodyResults 72
 #define C2D_BYTES_OF_Region 16
-#define C2D_BYTES_OF_Zone 128
+#define C2D_BYTES_OF_Zone 120
 #define C2D_BYTES_OF_Pair (104 + 14 * C2D_REAL_BYTES)
 #define C2D_BYTES_OF_PointLoad 48
 #define C2D_BYTES_OF_Path 16
@@ -202,7 +206,8 @@
 #define C2D_BYTES_OF_PointSet 56
 #define C2D_BYTES_OF_Curve 48
 
-#define C2D_ADD_(type, name, count, each) +C2D_ROUND_(UINT64_C(1) * (count) * (each)*C2D_BYTES_OF_##type)
+#define C2D_ADD_(type, name, count, each) +(UINT64_C(1) * (count) * (each)*C2D_BYTES_OF_##type + 7) / 8 * 8
+#define C2D_ADD_LINES_(type, name, count, each) +C2D_ROUND_(UINT64_C(1) * (count) * (each)*C2D_BYTES_OF_##type)
 #define C2D_ROUND_(bytes) (((bytes) + UINT64_C(63)) / 64 * 64)
 #define C2D_BLOCK_(numbers) (64 + UINT64_C(1) * C2D_REAL_BYTES * (numbers)) /* with its header */
 #define C2D_LARGER_(a, b) ((a) > (b) ? (a) : (b))
@@ -221,15 +226,16 @@
 #define C2D_PHASE_BYTES_(nodes, rows, results_bytes, m, motions, cases, width)                                         \
   C2D_LARGER_((0 C2D_ELIMINATION_ARRAYS_(C2D_ADD_, nodes, m, C2D_WORK_BYTES_(rows, C2D_ROWS_(nodes), width))),         \
               C2D_LARGER_((0 C2D_REDUCTION_ARRAYS_(C2D_ADD_, m, motions)),                                             \
-                          (0 C2D_PATH_ARRAYS_(C2D_ADD_, m, m, cases)) +                                                   \
+                          C2D_ROUND_(0 C2D_PATH_ARRAYS_(C2D_ADD_, m, m, cases)) +                                      \
                               C2D_LARGER_((0 C2D_RATES_ARRAYS_(C2D_ADD_, (m) + 1)),                                    \
-                                          2 * (0 C2D_SURFACE_ARRAYS_(C2D_ADD_, m)) +                                   \
-                                              (0 C2D_COLUMN_ARRAYS_(C2D_ADD_, m)) + (results_bytes) +                  \
+                                          C2D_ROUND_(2 * (0 C2D_SURFACE_ARRAYS_(C2D_ADD_, m))                          \
+                                                         C2D_COLUMN_ARRAYS_(C2D_ADD_, m)) +                            \
+                                              C2D_ROUND_(results_bytes) +                                              \
                                               (0 C2D_BACK_ARRAYS_(C2D_ADD_, m, cases, C2D_ROWS_(nodes),                \
-                                                                  C2D_BLOCK_(C2D_ROWS_(nodes) *                        \
-                                                                             C2D_SMALLER_(width, 64)))))))
+                                                                  C2D_ROUND_(C2D_BLOCK_(C2D_ROWS_(nodes) *             \
+                                                                                        C2D_SMALLER_(width, 64))))))))
 #define C2D_WORK_BYTES_(rows, columns, width)                                                                          \
-  (0 C2D_WORK_ARRAYS_(C2D_ADD_, C2D_LEADING_(rows), width, C2D_BLOCK_((rows) * C2D_SMALLER_(width, 64)), columns))
+  (0 C2D_WORK_ARRAYS_(C2D_ADD_LINES_, C2D_LEADING_(rows), width, C2D_BLOCK_((rows) * C2D_SMALLER_(width, 64)), columns))
 /* Columns of a panel start at multiples of 64 bytes, but not at a distance of a multiple of 512 numbers. */
 #define C2D_LEADING_(rows) (C2D_LINES_(rows) + (C2D_LINES_(rows) % 512 == 0 ? 64 / C2D_REAL_BYTES : 0))
 #define C2D_LINES_(rows) (C2D_ROUND_(UINT64_C(1) * (rows)*C2D_REAL_BYTES) / C2D_REAL_BYTES)

@@ -232,7 +232,7 @@ TEST_CASE("embedded: parts that no call declares are not linked, and come with t
                                       "' && arm-none-eabi-g++ -nostdlib -Wl,--gc-sections -Wl,-e,c2d_create "
                                       "-Wl,-u,c2d_complete -Wl,-u,c2d_prepare -Wl,-u,c2d_advance -Wl,-u,c2d_interior -Wl,-u," +
                                       part.call + " -T port/cortex-m/sizes.ld '" + place + "/obj/port_cortex-m_math.o' '" +
-                                      place + "/libcontact2d.a' -lm -lc_nano -lgcc -o '" + image + "'" +
+                                      place + "/obj/libcontact2d.a' -lm -lc_nano -lgcc -o '" + image + "'" +
                                       (board.name[1] == '3'   ? " -mcpu=cortex-m3 -mthumb -mfloat-abi=soft"
                                        : board.name[1] == '4' ? " -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard"
                                                               : " -mcpu=cortex-m7 -mthumb -mfpu=fpv5-d16 -mfloat-abi=hard"));

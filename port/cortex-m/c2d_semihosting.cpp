@@ -24,7 +24,9 @@ int32_t close_tape(void* context, int32_t tape) {
 int32_t open_tape(void* context, int32_t tape, uint64_t blocks, uint64_t block_bytes) {
   c2d_semihosting_store* s = self(context);
   if (tape < 0 || tape >= C2D_TAPES) return C2D_SEMIHOSTING_TAPE;
-  if (blocks > UINT32_MAX || (blocks != 0 && block_bytes > UINT32_MAX / blocks)) return C2D_SEMIHOSTING_RANGE;
+  // (Divided in 32 bits: division of 64-bit numbers is long, and nothing else on a board needs it.)
+  if (blocks > UINT32_MAX || (blocks != 0 && block_bytes > UINT32_MAX / static_cast<uint32_t>(blocks)))
+    return C2D_SEMIHOSTING_RANGE;
   if (is_open(s, tape)) {
     const int32_t closed = close_tape(context, tape);
     if (closed != 0) return closed;

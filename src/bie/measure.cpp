@@ -48,6 +48,19 @@ void end_resultants(const Model& m, int b, int32_t element, Measure measure, End
   for (int l = 0; l < m.head->function_nodes; ++l) out[l] = EndResultant{w[l], wx[l], wy[l]};
 }
 
+bool next_contact_end(const Model& m, int b, ContactEnd& end) {
+  for (++end.l; end.element < m.body[b].elements; ++end.element, end.l = 0) {
+    ZonePlace place;
+    if (!find_contact_element(m, b, end.element, &place) || !is_integrated(m, b, end.element)) continue;
+    if (end.l == 0) end_resultants(m, b, end.element, Measure::contact, end.of_element);
+    for (; end.l < m.head->function_nodes; ++end.l) {
+      end.at = pair_of_end(m, b, end.element, end.l);
+      if (end.at.pair >= 0) return true;
+    }
+  }
+  return false;
+}
+
 double traction_ratio(const Model& m, int b, int32_t element, int l) {
   const Facing facing = facing_element(m, b, element);
   if (facing.element < 0 || pair_of_end(m, b, element, l).pair < 0) return 1.0;

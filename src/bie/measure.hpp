@@ -16,6 +16,16 @@ struct EndResultant {
   double w, wx, wy;
 };
 void end_resultants(const Model& model, int b, int32_t element, Measure measure, EndResultant out[kElementNodes]);
+// Ends of a body's elements at which tau of a pair acts; resultants of tau there, in its own measure.
+struct ContactEnd {
+  int32_t element = 0;
+  int l = -1; // local node
+  PairSide at = {-1, 0};
+  EndResultant of_element[kElementNodes];
+  const EndResultant& weight() const { return of_element[l]; }
+};
+// The next one, from the first on; false after the last one.
+bool next_contact_end(const Model& model, int b, ContactEnd& end);
 // Ratio J1/J2 at local node l of a contact element of side 1: true traction = tau * ratio; 1 elsewhere.
 double traction_ratio(const Model& model, int b, int32_t element, int l);
 

@@ -66,13 +66,10 @@ Destination displacement_destination(const Model& m, int b, int32_t node, int co
 }
 
 double known_displacement(const Model& m, int b, int32_t node, int component, int32_t load_case) {
-  const int64_t at = (static_cast<int64_t>(load_case) * m.body[b].nodes + node) * 2 + component;
-  return -m.node_disp[b][at] / m.head->length_unit;
+  return -given_displacement(m, b, node, component, load_case) / m.head->length_unit;
 }
 double known_traction(const Model& m, int b, int32_t element, int l, int component, int32_t load_case) {
-  const int64_t ends = static_cast<int64_t>(m.body[b].elements) * m.head->function_nodes;
-  const int64_t end = static_cast<int64_t>(element) * m.head->function_nodes + l;
-  return m.end_traction[b][(load_case * ends + end) * 2 + component] / (2.0 * shear_modulus(m, b));
+  return given_traction(m, b, element * m.head->function_nodes + l, component, load_case) / (2.0 * shear_modulus(m, b));
 }
 
 namespace {

@@ -95,8 +95,8 @@ void add_displacement(const Model& m, const Columns& panel, int32_t row, int32_t
     for (int d = 0; d <= pair.tangential; ++d) panel.add(row, column + d, weight * along(pair, d, component));
   } else {
     for (int32_t k = 0; k < m.head->load_cases; ++k) {
-      const int64_t at = (static_cast<int64_t>(k) * m.body[b].nodes + node) * 2 + component;
-      panel.add(row, outer + 2 * m.body[b].contact + k, -weight * m.node_disp[b][at] / m.head->length_unit);
+      const double value = -weight * given_displacement(m, b, node, component, k) / m.head->length_unit;
+      panel.add(row, outer + 2 * m.body[b].contact + k, value);
     }
   }
 }

@@ -28,15 +28,7 @@ struct BodyEquations {
 
 // Displacements under each free motion of the body.
 void rigid_columns(const BodyEquations& e) {
-  const Model& m = e.r.model;
-  const Body& body = m.body[e.b];
-  for (int32_t j = 0; j < e.count; ++j)
-    for_pairs_of(m, e.b, [&](const Pair& pair, int side) {
-      double w[2];
-      motion_at_pair(m, e.b, body.free_motion[j], body.centre, pair, w);
-      for (int32_t d = 0; d <= pair.tangential; ++d)
-        e.strip(j)[dof_on(m, pair, side) + d] = static_cast<Real>(sign_of_side(side) * w[d]);
-    });
+  for (int32_t j = 0; j < e.count; ++j) motion_column(e.r.model, e.b, j, e.strip(j));
   orthonormalise(e.n, e.count, e.r.strip, 0, nullptr);
 }
 

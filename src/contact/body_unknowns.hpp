@@ -18,11 +18,12 @@ bool next_range(const Model& m, int b, UnknownRange& range);
 template <class Visit> void for_ranges(const Model& m, int b, Visit visit) {
   for (UnknownRange range = no_range(); next_range(m, b, range);) visit(range);
 }
-// The next pair that body b has on a side; starts with {-1, 1}. False after the last one.
+// The next pair that body b has on a side; starts with first_pair_side(). False after the last one.
+constexpr PairSide first_pair_side() { return {-1, 1}; }
 bool next_pair_of(const Model& m, int b, PairSide& at);
 // visit(pair, side) for every one.
 template <class Visit> void for_pairs_of(const Model& m, int b, Visit visit) {
-  for (PairSide at = {-1, 1}; next_pair_of(m, b, at);) visit(m.pair[at.pair], at.side);
+  for (PairSide at = first_pair_side(); next_pair_of(m, b, at);) visit(m.pair[at.pair], at.side);
 }
 // Does a body of the zone keep its equations (contact/reduction_plan.hpp)?
 bool has_kept(const Model& m, int32_t zone);

@@ -90,9 +90,8 @@ void report_pair(const Model& m, int32_t pair, const char* found, const char* ex
 // ---- symmetry ----
 
 bool has_value(const Model& m, int b, int32_t node, int component) {
-  for (int64_t k = 0; k < m.head->load_cases; ++k) {
-    if (m.node_disp[b][(k * body_of(m, b).nodes + node) * 2 + component] != 0) return true;
-  }
+  for (int32_t k = 0; k < m.head->load_cases; ++k)
+    if (given_displacement(m, b, node, component, k) != 0) return true;
   return false;
 }
 
@@ -302,9 +301,9 @@ void report_overlaps(const Model& m, int32_t zone, const ZoneOverlaps& overlaps,
     report(reporter, f);
   }
   if (overlaps.unsure.count > 0) {
-    Finding f(C2D_WARN_OVERLAP, at_pair(m, overlaps.unsure.pair));
-    say(f, "zone ", zone_named(m, zone),
-        ": overlaps smaller than what the elements leave open of the surfaces, pairs: ", overlaps.unsure.count, ", most at ");
+    ZoneFinding f(C2D_WARN_OVERLAP, m, zone, overlaps.unsure.pair);
+    say(f, ": overlaps smaller than what the elements leave open of the surfaces, pairs: ", overlaps.unsure.count,
+        ", most at ");
     say_pair(f, m, overlaps.unsure.pair);
     say(f, ": ", overlaps.unsure.size, " against ", overlaps.unsure.doubt);
     say(f, m.head->interference != 0 ? "" : "; they count as touching");
@@ -315,9 +314,9 @@ void report_overlaps(const Model& m, int32_t zone, const ZoneOverlaps& overlaps,
 void report_offsets(const Model& m, int32_t zone, const Offsets& offsets, Reporter& reporter) {
   if (offsets.count == 0) return;
   const double length = m.pair[offsets.pair].length;
-  Finding f(offsets.size < length ? int32_t{C2D_WARN_OFFSET} : 0, at_pair(m, offsets.pair));
-  say(f, "zone ", zone_named(m, zone), ": the nodes do not face each other at ", offsets.count,
-      offsets.count == 1 ? " pair, " : " pairs, ", offsets.count == 1 ? "" : "least at ");
+  ZoneFinding f(offsets.size < length ? int32_t{C2D_WARN_OFFSET} : 0, m, zone, offsets.pair);
+  say(f, ": the nodes do not face each other at ", offsets.count, offsets.count == 1 ? " pair, " : " pairs, ",
+      offsets.count == 1 ? "" : "least at ");
   say_pair(f, m, offsets.pair);
   say(f, ": they are shifted by ", offsets.size, " along the surface, where contact elements are ", length,
       " long, expected at most half of it");
@@ -326,8 +325,8 @@ void report_offsets(const Model& m, int32_t zone, const Offsets& offsets, Report
 
 void warn_lengths(const Model& m, int32_t zone, const Lengths& lengths, Reporter& reporter) {
   if (lengths.count == 0) return;
-  Finding f(C2D_WARN_SIZES, at_pair(m, lengths.pair));
-  say(f, "zone ", zone_named(m, zone), ": elements that face each other differ in length more than fourfold at ", lengths.count,
+  ZoneFinding f(C2D_WARN_SIZES, m, zone, lengths.pair);
+  say(f, ": elements that face each other differ in length more than fourfold at ", lengths.count,
       lengths.count == 1 ? " pair, " : " pairs, most at ");
   say_pair(f, m, lengths.pair);
   say(f, ": ", lengths.length[0], " and ", lengths.length[1]);
@@ -336,9 +335,8 @@ void warn_lengths(const Model& m, int32_t zone, const Lengths& lengths, Reporter
 
 void warn_spread(const Model& m, int32_t zone, const Spread& spread, Reporter& reporter) {
   if (spread.count == 0) return;
-  Finding f(C2D_WARN_NORMALS, at_pair(m, spread.pair));
-  say(f, "zone ", zone_named(m, zone), ": the normals of the two surfaces differ by more than 15 degrees at ", spread.count,
-      " pairs, most at ");
+  ZoneFinding f(C2D_WARN_NORMALS, m, zone, spread.pair);
+  say(f, ": the normals of the two surfaces differ by more than 15 degrees at ", spread.count, " pairs, most at ");
   say_pair(f, m, spread.pair);
   say(f, ": ", spread.angle, " degrees");
   report(reporter, f);

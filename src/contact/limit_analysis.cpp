@@ -245,7 +245,7 @@ bool is_unbalanced(Analysis& a, Friction law) {
 
 // visit(pair, side, slot) for the contact unknowns of body b.
 template <class Visit> void for_slots_of(const Model& m, int b, Visit visit) {
-  for (PairSide at = {-1, 1}; next_pair_of(m, b, at);)
+  for (PairSide at = first_pair_side(); next_pair_of(m, b, at);)
     for (int slot = 0; slot <= m.pair[at.pair].tangential; ++slot) visit(m.pair[at.pair], at.side, slot);
 }
 
@@ -256,7 +256,7 @@ c2d_status read_resultants(const Analysis& a, int b, Real* column) {
     status = read_column(*a.f.tape, b, BodyMatrix::resultants, k, column);
     for_slots_of(a.m, b, [&](const Pair& pair, int side, int slot) {
       Real* out = a.resultant + (static_cast<int64_t>(side) * a.f.t->m + pair.dof + slot) * kMostMotions;
-      out[k] = static_cast<Real>(sign_of_side(side)) * column[dof_on(a.m, pair, side) + slot];
+      out[k] = signed_on(side, column[dof_on(a.m, pair, side) + slot]);
     });
   }
   return status;

@@ -10,11 +10,12 @@ double product(const Real* a, const Real* b, int32_t n) {
   return sum;
 }
 
-namespace {
-
 void subtract(int32_t n, Real* from, double part, const Real* what) {
   for (int32_t i = 0; i < n; ++i) from[i] -= static_cast<Real>(part * static_cast<double>(what[i]));
 }
+
+namespace {
+
 void divide(int32_t n, Real* v, double by) {
   for (int32_t i = 0; i < n; ++i) v[i] = static_cast<Real>(static_cast<double>(v[i]) / by);
 }

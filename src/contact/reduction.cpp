@@ -196,10 +196,10 @@ double largest_of(const Real* x, int32_t n) { return static_cast<double>(largest
 
 // In a column of `overlap` numbers by unknown of a body: what load case k closes, as far as the body moves for it.
 void add_overlaps(const Model& m, int b, Real* out) {
-  for (int32_t i = 0; i < m.head->pairs; ++i)
-    for (int side = 0; side < 2; ++side)
-      if (m.pair[i].overlap != 0.0 && body_on(m, m.pair[i], side) == b)
-        out[dof_on(m, m.pair[i], side)] += static_cast<Real>(sign_of_side(side) * m.pair[i].overlap / m.head->length_unit);
+  for_pairs_of(m, b, [&](const Pair& pair, int side) {
+    if (pair.overlap != 0.0)
+      out[dof_on(m, pair, side)] += static_cast<Real>(signed_on(side, pair.overlap) / m.head->length_unit);
+  });
 }
 
 // s - S_u v of a body that keeps its equations, v of the bodies that it meets, to their places in h. What is left of a load
@@ -273,8 +273,7 @@ c2d_status factor_bordered(const Reduction& r) {
       const int64_t row = s.m + body.first_border + k;
       done = read_column(r.tape, b, BodyMatrix::resultants, k, r.strip);
       for_ranges(r.model, b, [&](const UnknownRange& range) {
-        for (int32_t i = 0; i < range.count; ++i)
-          s.column(range.all + i)[row] += static_cast<Real>(range.sign()) * r.strip[range.own + i];
+        for (int32_t i = 0; i < range.count; ++i) s.column(range.all + i)[row] += signed_on(range.side, r.strip[range.own + i]);
       });
     }
     return done;
@@ -310,14 +309,9 @@ bool all_zero(const Real* x, int32_t n) {
 
 // Is a load nothing but a motion of bodies as if rigid, but for round-off? Its last digits would be the load.
 c2d_status only_moves(const Bordered& s, const Real* h, bool* out) {
-  Real *rest = s.strip(2), *column = s.strip(3);
-  c2d_status status = C2D_OK;
+  Real* rest = s.strip(2);
   for (int32_t i = 0; i < s.m; ++i) rest[i] = h[i];
-  for (int32_t j = 0; j < s.border && status == C2D_OK; ++j) {
-    status = read_column(s.r.tape, ContactMatrix::border, j, column);
-    const double part = product(column, rest, s.m);
-    for (int32_t i = 0; i < s.m; ++i) rest[i] -= static_cast<Real>(part * static_cast<double>(column[i]));
-  }
+  const c2d_status status = take_out(s.r.tape, ContactMatrix::border, s.border, nullptr, rest, s.strip(3));
   *out = largest_of(rest, s.m) <= kNothing * largest_of(h, s.m);
   return status;
 }

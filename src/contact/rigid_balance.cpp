@@ -25,15 +25,9 @@ c2d_status read_on_pairs(const Reduction& r, BodyMatrix matrix, BodyMotion of, R
   const c2d_status status = read_column(r.tape, of.b, matrix, of.column, own);
   for (int32_t i = 0; i < contact_unknowns(r.tape); ++i) out[i] = 0;
   for_ranges(r.model, of.b, [&](const UnknownRange& range) {
-    const Real sign = static_cast<Real>(sign_of_side(range.side));
-    for (int32_t i = 0; i < range.count; ++i) out[range.all + i] += sign * own[range.own + i];
+    for (int32_t i = 0; i < range.count; ++i) out[range.all + i] += signed_on(range.side, own[range.own + i]);
   });
   return status;
-}
-
-// x -= part * what
-void subtract(int32_t n, Real* x, double part, const Real* what) {
-  for (int32_t i = 0; i < n; ++i) x[i] -= static_cast<Real>(part * static_cast<double>(what[i]));
 }
 
 // T (I - R R^T) for one motion, in column 0 of the strip.
@@ -107,15 +101,19 @@ c2d_status balance_stiffness(const Reduction& r, Real* t, int64_t ld) {
   return status;
 }
 
-c2d_status balance_rate(const Reduction& r, const Real* given) {
-  const int32_t m = contact_unknowns(r.tape);
-  Real *b = strip_column(r, 0), *column = strip_column(r, kStripColumns - 1);
+c2d_status take_out(const ContactTape& tape, ContactMatrix matrix, int32_t count, const Real* given, Real* x, Real* column) {
+  const int32_t m = contact_unknowns(tape);
   c2d_status status = C2D_OK;
-  for (int32_t j = 0; j < free_motions(r.tape) && status == C2D_OK; ++j) {
-    status = read_column(r.tape, ContactMatrix::resultants, j, column);
-    if (status == C2D_OK) subtract(m, b, product(column, b, m) + static_cast<double>(given[j]), column);
+  for (int32_t j = 0; j < count && status == C2D_OK; ++j) {
+    status = read_column(tape, matrix, j, column);
+    if (status == C2D_OK) subtract(m, x, product(column, x, m) + (given ? static_cast<double>(given[j]) : 0.0), column);
   }
   return status;
+}
+
+c2d_status balance_rate(const Reduction& r, const Real* given) {
+  return take_out(r.tape, ContactMatrix::resultants, free_motions(r.tape), given, strip_column(r, 0),
+                  strip_column(r, kStripColumns - 1));
 }
 
 } // namespace c2d

@@ -15,6 +15,8 @@ c2d_status given_resultants(const Reduction& r, int32_t k, Real* out);
 // motions; so it is taken away, T := (I - Q Q^T) T (I - R R^T), b_k := b_k - Q (Q^T b_k + mix^T g_k), METHOD (10.5). T in m
 // columns at this distance. Uses the strip.
 c2d_status balance_stiffness(const Reduction& r, Real* t, int64_t ld);
+// The parts of x along `count` columns of a matrix, which are orthonormal, taken off, or all but -given[j] of the j-th.
+c2d_status take_out(const ContactTape& tape, ContactMatrix matrix, int32_t count, const Real* given, Real* x, Real* column);
 // b_k in column 0 of the strip, mix^T g_k in `given`.
 c2d_status balance_rate(const Reduction& r, const Real* given);
 

@@ -20,16 +20,6 @@ void rigid_motion_at_pair(const Model& m, const Pair& pair, int side, int32_t lo
 
 namespace {
 
-// R: displacements at the pairs under one free motion.
-void move_freely(const Model& m, int b, const double motion[3], Real* out) {
-  for_pairs_of(m, b, [&](const Pair& pair, int side) {
-    double w[2];
-    motion_at_pair(m, b, motion, m.body[b].centre, pair, w);
-    for (int32_t d = 0; d <= pair.tangential; ++d)
-      out[dof_on(m, pair, side) + d] = static_cast<Real>(sign_of_side(side) * w[d]);
-  });
-}
-
 // The work of a pair's tractions, component by component, to its unknowns of the body.
 void add_work(const Model& m, PairSide at, double ux, double uy, Real* out) {
   const Pair& pair = m.pair[at.pair];
@@ -106,7 +96,7 @@ c2d_status reduce_rigid(const Reduction& r, int b) {
   Real *column = r.strip, *work = r.strip + m.body[b].contact;
   c2d_status status = C2D_OK;
   for (int32_t j = 0; j < count && status == C2D_OK; ++j) {
-    move_freely(m, b, m.body[b].free_motion[j], column);
+    motion_column(m, b, j, column); // R
     find_work(m, b, m.body[b].free_motion[j], work);
     status = write_column(r.tape, b, BodyMatrix::motions, j, column);
     if (status == C2D_OK) status = write_column(r.tape, b, BodyMatrix::resultants, j, work);

@@ -1,5 +1,6 @@
 #include "contact/start.hpp"
 
+#include "contact/body_unknowns.hpp"
 #include "contact/let_go.hpp"
 #include "contact/limit_analysis.hpp"
 #include "model/free_zones.hpp"
@@ -79,9 +80,17 @@ void motion_at_pair(const Model& m, int b, const double motion[3], const double 
     const double unit = m.head->length_unit;
     const double ux = motion[0] - motion[2] * (y - centre[1]) / unit;
     const double uy = motion[1] + motion[2] * (x - centre[0]) / unit;
-    to_frame(pair, sign_of_side(side) * ux, sign_of_side(side) * uy, w);
+    to_frame(pair, signed_on(side, ux), signed_on(side, uy), w);
     for (int d = 0; d < 2; ++d) out[d] += w[d];
   }
+}
+
+void motion_column(const Model& m, int b, int32_t j, Real* out) {
+  for_pairs_of(m, b, [&](const Pair& pair, int side) {
+    double w[2];
+    motion_at_pair(m, b, m.body[b].free_motion[j], m.body[b].centre, pair, w);
+    for (int32_t d = 0; d <= pair.tangential; ++d) out[dof_on(m, pair, side) + d] = static_cast<Real>(signed_on(side, w[d]));
+  });
 }
 
 c2d_status start_path(Follower& f, const FreeBody& body, const Model& model, int32_t* floating) {

@@ -23,6 +23,8 @@ c2d_status start_path(Follower& f, const FreeBody& body, const Model& model, int
 // Change of w of a pair per unit of a rigid motion of body b (as FreeBody::motion), in the length unit; none where the pair is
 // not on b.
 void motion_at_pair(const Model& model, int b, const double motion[3], const double centre[2], const Pair& pair, double out[2]);
+// The j-th free motion of a body: displacements of its contact unknowns.
+void motion_column(const Model& model, int b, int32_t j, Real* out);
 
 // Nothing is loaded yet and the body floats with one motion: follow it without force in the direction in which the
 // load does work (`work` per unit of the motion, along the path's direction) until the first pair touches.

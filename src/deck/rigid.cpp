@@ -4,6 +4,22 @@
 
 namespace c2d {
 
+namespace {
+
+// A card `load_case value ...` below a keyword. False if it has faults, or nothing is to be called.
+bool read_case(Deck& deck, const Words& words, const char* const names[], int32_t count, int32_t* load_case, double* value) {
+  Cards& cards = deck.cards;
+  bool sound = integer_word(cards, words, 0, "load case", 1, 10000, load_case);
+  for (int32_t i = 0; i < count; ++i) sound = real_word(cards, words, 1 + i, names[i], &value[i]) && sound;
+  sound = end_of_words(cards, words, 1 + count) && sound;
+  if (sound && *load_case > 1 && *load_case > deck.sizes.load_cases) deck.sizes.load_cases = *load_case;
+  if (!sound || deck.sink == nullptr) return false;
+  place_words(deck, words);
+  return true;
+}
+
+} // namespace
+
 void read_rigid(Deck& deck, const Words& keyword_card) {
   static const char* const kNames[] = {"motion ux", "motion uy", "rotation", "x of the centre of rotation",
                                        "y of the centre of rotation"};
@@ -22,12 +38,7 @@ void read_rigid(Deck& deck, const Words& keyword_card) {
   for (Words words; next_data_card(deck, words) && !cards.ended;) {
     int32_t load_case = 0;
     double value[5] = {0.0, 0.0, 0.0, 0.0, 0.0};
-    bool sound = integer_word(cards, words, 0, "load case", 1, 10000, &load_case);
-    for (int32_t i = 0; i < 5; ++i) sound = real_word(cards, words, 1 + i, kNames[i], &value[i]) && sound;
-    sound = end_of_words(cards, words, 6) && sound;
-    if (sound && load_case > 1 && load_case > deck.sizes.load_cases) deck.sizes.load_cases = load_case;
-    if (!sound || !named || deck.sink == nullptr) continue;
-    place_words(deck, words);
+    if (!read_case(deck, words, kNames, 5, &load_case, value) || !named) continue;
     if (!accept(deck, deck.sink->set_rigid(deck.sink->solver, body, load_case, value, value + 3))) return;
   }
 }
@@ -72,12 +83,7 @@ void read_rigid_load(Deck& deck, const Words& keyword_card) {
   for (Words words; next_data_card(deck, words) && !cards.ended;) {
     int32_t load_case = 0;
     double load[3] = {0.0, 0.0, 0.0};
-    bool sound = integer_word(cards, words, 0, "load case", 1, 10000, &load_case);
-    for (int32_t i = 0; i < 3; ++i) sound = real_word(cards, words, 1 + i, kNames[i], &load[i]) && sound;
-    sound = end_of_words(cards, words, 4) && sound;
-    if (sound && load_case > 1 && load_case > deck.sizes.load_cases) deck.sizes.load_cases = load_case;
-    if (!sound || !named || deck.sink == nullptr) continue;
-    place_words(deck, words);
+    if (!read_case(deck, words, kNames, 3, &load_case, load) || !named) continue;
     if (!accept(deck, deck.sink->set_rigid_load(deck.sink->solver, body, load_case, nullptr, load, nullptr))) return;
   }
 }

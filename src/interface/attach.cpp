@@ -28,7 +28,7 @@ template <class T> T member_at(const char* solver, size_t offset) {
 #define C2D_MEMBER(name) member_at<decltype(c2d_solver::name)>(at, offsetof(c2d_solver, name))
 
 // The list of bodies' limits is the first behind the struct.
-uint64_t list_place() { return round_up(sizeof(c2d_solver)); }
+constexpr uint64_t list_place() { return sizeof(c2d_solver); }
 
 // Bytes from `at` to the end of that list, as the struct at `at` counts it; 0: no struct counts so.
 uint64_t list_end(const char* at) {

@@ -54,7 +54,7 @@ extern "C" c2d_status c2d_set_rigid_load(c2d_solver* s, int32_t body, int32_t lo
     status = check_pointers(s, {{"is_free", is_free}, {"point", point}});
     if (status == C2D_OK) status = check_numbers(s, {{"point[0]", point[0]}, {"point[1]", point[1]}});
     if (status != C2D_OK) return status;
-    own.free_rigidly = (is_free[0] != 0 ? 1 : 0) + (is_free[1] != 0 ? 2 : 0) + (is_free[2] != 0 ? 4 : 0);
+    own.free_rigidly = static_cast<int8_t>((is_free[0] != 0 ? 1 : 0) + (is_free[1] != 0 ? 2 : 0) + (is_free[2] != 0 ? 4 : 0));
     for (int c = 0; c < 2; ++c) own.centre[c] = point[c];
     own.rigid = 1;
     return loaded(s);

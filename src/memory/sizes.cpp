@@ -12,6 +12,12 @@ bool add_bytes(uint64_t& sum, uint64_t count, uint64_t size) {
   return true;
 }
 
+uint64_t Carver::carve(uint64_t count, uint64_t size) {
+  const uint64_t at = used;
+  fits = fits && add_bytes(used, count, size) && used <= UINT64_MAX - 2 * kAlignment;
+  if (fits) used = (used + 7) / 8 * 8;
+  return at;
+}
 uint64_t round_up(uint64_t bytes) { return (bytes + kAlignment - 1) / kAlignment * kAlignment; }
 
 namespace {
@@ -113,18 +119,6 @@ c2d_limits limits_of(const Sizes& sizes) {
 
 namespace {
 
-struct Carver {
-  uint64_t used;
-  bool fits;
-
-  uint64_t carve(uint64_t count, uint64_t size) {
-    const uint64_t at = used;
-    fits = fits && add_bytes(used, count, size) && used <= UINT64_MAX - kAlignment;
-    if (fits) used = round_up(used);
-    return at;
-  }
-};
-
 // The lists' counts are 31-bit, so that `each` stays within 64 bits; so do element ends, which are less than 2^34.
 void carve_body(Carver& carver, const BodySizes& body, uint64_t cases, int64_t place[kBodyArrays]) {
   const uint64_t points = static_cast<uint64_t>(body.geometry_nodes), ends = static_cast<uint64_t>(body.ends),
@@ -151,7 +145,7 @@ static_assert(C2D_PAIR_FIELDS == 16, "columns of PairTable in contact2d_memory.h
 
 c2d_status lay_out(const Sizes& sizes, uint64_t header, Layout& out) {
   out = Layout{};
-  Carver carver{round_up(header), true};
+  Carver carver{header, true};
   const uint64_t bodies = static_cast<uint64_t>(sizes.bodies), cases = static_cast<uint64_t>(sizes.load_cases);
 #define C2D_CARVE(type, name, count, each) out.offset[k##name] = carver.carve(count, (each)*C2D_BYTES_OF_##type);
   C2D_BODY_LISTS_(C2D_CARVE, bodies)
@@ -160,6 +154,7 @@ c2d_status lay_out(const Sizes& sizes, uint64_t header, Layout& out) {
   int64_t place[kBodyArrays];
   for (int b = 0; b < sizes.bodies && carver.fits; ++b) carve_body(carver, sizes_of_body(sizes, b), cases, place);
   carve_model(carver, sizes, out);
+  carver.align();
   out.persistent = out.offset[kPhase] = carver.used;
   return carver.fits ? C2D_OK : C2D_ERR_OVERFLOW;
 }

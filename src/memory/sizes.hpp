@@ -53,7 +53,7 @@ struct Layout {
   uint64_t persistent;      // bytes up to kPhase
 };
 
-constexpr uint64_t kAlignment = 64;
+constexpr uint64_t kAlignment = 64; // of the workspace, and of the lists of the phases
 static_assert(sizeof(Real) == C2D_REAL_BYTES, "C2D_REAL=float needs C2D_REAL_BYTES=4");
 
 // The sum that everything rests on, up to the phase area (whose size solver/phases.hpp tells). `header` is the size
@@ -64,6 +64,13 @@ uint64_t lay_out_body(const Sizes& sizes, int b, uint64_t at, int64_t place[kBod
 
 // Checked arithmetic: false if the result does not fit.
 bool add_bytes(uint64_t& sum, uint64_t count, uint64_t size);
-uint64_t round_up(uint64_t bytes);
+uint64_t round_up(uint64_t bytes); // to a multiple of kAlignment
+// Carves arrays one after another, each from a multiple of 8 bytes on. `used`: bytes so far.
+struct Carver {
+  uint64_t used;
+  bool fits;
+  uint64_t carve(uint64_t count, uint64_t size); // where the array begins
+  void align() { used = round_up(used); }
+};
 
 } // namespace c2d

@@ -30,7 +30,9 @@ struct Named {
   const char* name; // UTF-8, cut off between its characters
 };
 Text& put_with_name(Text& text, const char* characters, int32_t number, const char* name);
-inline Text& put(Text& text, Named named) { return put_with_name(text, nullptr, named.number, named.name); }
+inline Text& put_with_name(Text& text, const char* characters, Named of) {
+  return put_with_name(text, characters, of.number, of.name);
+}
 // Any type of integer: which of them are int32_t and int64_t differs from machine to machine.
 inline Text& put(Text& text, int number) { return put_signed(text, number); }
 inline Text& put(Text& text, long number) { return put_signed(text, number); }
@@ -57,7 +59,7 @@ template <class T> constexpr bool kIsInt32 = false;
 template <> inline constexpr bool kIsInt32<int> = true;
 template <> inline constexpr bool kIsInt32<long> = sizeof(long) == sizeof(int32_t);
 
-template <class T> constexpr bool kIsNamed = false;
+template <class T> constexpr bool kIsNamed = false; // put_with_name(text, characters, T) appends it
 template <> inline constexpr bool kIsNamed<Named> = true;
 
 // Characters and numbers one after another, in as few calls as there can be: messages are a good part of a small program.
@@ -70,9 +72,9 @@ C2D_IN_PLACE inline Text& put_all(Text& text, First first, Second second, More..
   else if constexpr (names && integer)
     return put_all(put_with_integer(text, first, static_cast<int32_t>(second)), more...);
   else if constexpr (names && kIsNamed<Second> && sizeof...(more) == 0)
-    return put_with_name(text, first, second.number, second.name);
+    return put_with_name(text, first, second);
   else if constexpr (names && kIsNamed<Second>)
-    return put_all(put_with_name(text, first, second.number, second.name), more...);
+    return put_all(put_with_name(text, first, second), more...);
   else if constexpr (names && kIsNumber<Second> && sizeof...(more) == 0)
     return put_with_number(text, first, second);
   else if constexpr (names && kIsNumber<Second>)

@@ -423,7 +423,7 @@ void keep_elements(const Model& m, Zone& z, int32_t first, int32_t count) {
 
 bool fit_free_zone(const Model& m, int32_t zone, Reporter& reporter) {
   Zone& z = m.zone[zone];
-  const Named one = body_named(m, z.body[0]), two = body_named(m, z.body[1]);
+  const NamedBody one = body_named(m, z.body[0]), two = body_named(m, z.body[1]);
   int32_t first = -1, count = 0;
   for (int32_t place = 0; place < z.elements; ++place) {
     const int32_t element = zone_element(m, z, 1, place);
@@ -435,16 +435,16 @@ bool fit_free_zone(const Model& m, int32_t zone, Reporter& reporter) {
       return false;
     }
     if (first >= 0 && place != first + count) {
-      report(reporter, in_zone(m, zone), "zone ", zone_named(m, zone), ": body ", one, " faces elements of body ", two,
-             " in several places, expected one run of elements");
+      report_zone(reporter, m, zone, ": body ", one, " faces elements of body ", two,
+                  " in several places, expected one run of elements");
       return false;
     }
     if (first < 0) first = place;
     ++count;
   }
   if (first < 0) {
-    report(reporter, in_zone(m, zone), "zone ", zone_named(m, zone), ": body ", two, " does not face body ", one,
-           ", none of its elements does from end to end, expected ranges that face each other");
+    report_zone(reporter, m, zone, ": body ", two, " does not face body ", one,
+                ", none of its elements does from end to end, expected ranges that face each other");
     return false;
   }
   warn_left_out(m, zone, first, count, reporter);

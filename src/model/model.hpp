@@ -58,9 +58,10 @@ struct Zone {
   int32_t region[2];
   int32_t first_pair; // pairs of earlier zones; tied ones come behind the others
   int32_t line;
-  int32_t is_free, facing;
-  int32_t is_tied;    // 1: bonded: it carries tension and friction without bound
-  int32_t is_self;    // 1: both sides are meant to be on one body, which has contact unknowns for each
+  int32_t facing;
+  int8_t is_free;
+  int8_t is_tied;     // 1: bonded: it carries tension and friction without bound
+  int8_t is_self;     // 1: both sides are meant to be on one body, which has contact unknowns for each
   double normal_part; // of side 0's normal in the pairs' (model/surface.hpp)
   char name[32];
 };
@@ -74,6 +75,7 @@ struct PairSide {
 };
 // Force of a pair on the body of a side, and that body's displacement in the pair's motion, count with this sign.
 inline double sign_of_side(int side) { return side == 1 ? 1.0 : -1.0; }
+template <class Number> Number signed_on(int side, Number x) { return side == 1 ? x : -x; } // without a product
 // What a round of changes notes of a pair, each for its own use.
 struct PairMarks {
   uint8_t offends : 1;                       // contact/settle.cpp: breaks a condition as the rates stand
@@ -124,28 +126,27 @@ C2D_AS_LISTED(BodyForce);
 C2D_AS_LISTED(RigidMotion);
 C2D_AS_LISTED(PointSet);
 C2D_AS_LISTED(Curve);
-#undef C2D_AS_LISTED
 
 // Bodies and what belongs to each are lists in the workspace.
 struct Body {
   int32_t element_nodes, elements, geometry_nodes, regions;
-  int32_t nodes, is_set, region_count;
-  int32_t columns; // outer unknowns without rho and omega
-  double youngs_modulus, poisson_ratio;
-  int32_t free_motions;     // rigid motions that no prescribed displacement prevents
-  int32_t open_regions;     // the first ones
-  double free_motion[3][3]; // orthonormal in (ux, uy, rotation * length_unit) about `centre`
-  double centre[2];
+  int32_t nodes, region_count;
+  int32_t open_regions; // the first ones
+  int32_t columns;      // outer unknowns without rho and omega
   int32_t contact;      // contact unknowns of all its zones
   int32_t free_rows;    // those of side 0 of free zones, which have equations
-  int32_t rigid;        // 1: it has no equations, it moves as the load cases say,
-  int32_t free_rigidly; // but for these motions: bits 1: ux, 2: uy, 4: rotation, of the point `centre`
-  int32_t has_force;    // 1: body forces
   int32_t first_motion; // free motions of the bodies before, as far as the contact has to hold them
-  // Its part in the reduction (contact/reduction_plan.hpp).
-  int32_t keeps_equations; // 1: its displacements follow from those of the bodies it meets
-  int32_t first_border;    // motions of the bodies before that keep none
-  int32_t lines, padding;  // lines of symmetry that it meets, as in ModelHeader::symmetry: across them it is its own image
+  int32_t first_border; // of them, those of bodies that keep no equations
+  int8_t is_set;
+  int8_t free_motions;    // rigid motions that no prescribed displacement prevents
+  int8_t rigid;           // 1: it has no equations, it moves as the load cases say,
+  int8_t free_rigidly;    // but for these motions: bits 1: ux, 2: uy, 4: rotation, of the point `centre`
+  int8_t has_force;       // 1: body forces
+  int8_t keeps_equations; // 1: its displacements follow from those of the bodies it meets (contact/reduction_plan.hpp)
+  int8_t lines;           // of symmetry that it meets, as in ModelHeader::symmetry: across them it is its own image
+  double youngs_modulus, poisson_ratio;
+  double free_motion[3][3]; // orthonormal in (ux, uy, rotation * length_unit) about `centre`
+  double centre[2];
   int64_t first_node, first_end; // functional nodes and element ends of the bodies before
   int64_t first_block;           // of its matrices on tape CONTACT
   int64_t array[kBodyArrays];    // bytes from the list of bodies to its arrays
@@ -154,8 +155,10 @@ struct Body {
 struct BodyResults {    // of the state back substitution was made for
   double multiplier[3]; // rho, omega of the balanced equations
   double applied[3], contact_force[3];
-  double padding[3];
 };
+C2D_AS_LISTED(Body);
+C2D_AS_LISTED(BodyResults);
+#undef C2D_AS_LISTED
 
 struct ModelHeader { // lives in the solver's header; the arrays live in the workspace
   int32_t bodies, function_nodes, load_cases;
@@ -277,6 +280,9 @@ struct Unknown {
 Unknown unknown_at(const Model& m, int b, int32_t node, int component);
 void unknowns_at(const Model& m, int b, int32_t node, Unknown unknown[2]); // of both components
 bool displacement_known(const Model& m, int b, int32_t node, int component);
+// What is prescribed in a load case, at factor 1.
+double given_displacement(const Model& m, int b, int32_t node, int component, int32_t load_case);
+double given_traction(const Model& m, int b, int32_t end, int component, int32_t load_case);
 
 inline bool is_rigid(const Model& m, int b) { return m.body[b].rigid != 0; }
 bool has_rigid(const Model& m); // any body

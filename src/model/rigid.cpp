@@ -93,7 +93,7 @@ void find_free_motions(const Model& m, int b) {
     if (size <= kIndependent) break;
     for (int k = 0; k < 3; ++k) basis[prevented][k] = row[k] / size;
   }
-  body.free_motions = 3 - prevented;
+  body.free_motions = static_cast<int8_t>(3 - prevented);
   for (int i = prevented; i < 3; ++i) {
     farthest_unit(basis, i, basis[i]);
     for (int k = 0; k < 3; ++k) body.free_motion[i - prevented][k] = basis[i][k];

@@ -19,6 +19,13 @@ Finding::Finding(int32_t number, const Where& where) {
 }
 Finding::Finding(const Where& where) : Finding(0, where) {}
 
+Text& put_body(Text& text, const char* characters, const Model& m, int b) {
+  return put_with_name(text, characters, b + 1, m.body[b].name);
+}
+Text& put_zone(Text& text, const char* characters, const Model& m, int32_t zone) {
+  return put_with_name(text, characters, zone + 1, m.zone[zone].name);
+}
+
 Where at_point(const Model& m, int b, int32_t geometry_point) {
   return {m.node_line[b][geometry_point], b + 1, 0, 0, 0, geometry_point + 1};
 }
@@ -52,6 +59,11 @@ Where at_pair(const Model& m, int32_t pair) {
   Where out = in_zone(m, m.pair[pair].zone);
   out.pair = pair + 1;
   return out;
+}
+
+ZoneFinding::ZoneFinding(const Model& m, int32_t zone) : Finding(in_zone(m, zone)) { say(*this, "zone ", zone_named(m, zone)); }
+ZoneFinding::ZoneFinding(int32_t number, const Model& m, int32_t zone, int32_t pair) : Finding(number, at_pair(m, pair)) {
+  say(*this, "zone ", zone_named(m, zone));
 }
 
 void report(Reporter& reporter, const Finding& finding) {

@@ -20,8 +20,24 @@ Where in_zone(const Model& m, int32_t zone, int b, int32_t element);
 Where at_pair(const Model& m, int32_t pair); // with its zone
 
 // Bodies and zones with their names in texts: "zone ", zone_named(m, zone).
-inline Named body_named(const Model& m, int b) { return {b + 1, m.body[b].name}; }
-inline Named zone_named(const Model& m, int32_t zone) { return {zone + 1, m.zone[zone].name}; }
+struct NamedBody {
+  const Model& m;
+  int b;
+};
+struct NamedZone {
+  const Model& m;
+  int32_t zone;
+};
+inline NamedBody body_named(const Model& m, int b) { return {m, b}; }
+inline NamedZone zone_named(const Model& m, int32_t zone) { return {m, zone}; }
+template <> inline constexpr bool kIsNamed<NamedBody> = true;
+template <> inline constexpr bool kIsNamed<NamedZone> = true;
+Text& put_body(Text& text, const char* characters, const Model& m, int b);
+Text& put_zone(Text& text, const char* characters, const Model& m, int32_t zone);
+inline Text& put_with_name(Text& text, const char* characters, NamedBody of) { return put_body(text, characters, of.m, of.b); }
+inline Text& put_with_name(Text& text, const char* characters, NamedZone of) {
+  return put_zone(text, characters, of.m, of.zone);
+}
 
 struct Finding {
   explicit Finding(const Where& where = Where());           // a fault
@@ -31,6 +47,11 @@ struct Finding {
   c2d_error entry;
   Text text; // in entry.text
 };
+// It begins with "zone 3 (name)".
+struct ZoneFinding : Finding {
+  ZoneFinding(const Model& m, int32_t zone);
+  ZoneFinding(int32_t number, const Model& m, int32_t zone, int32_t pair); // a warning, about a pair of the zone
+};
 // Appends characters and numbers.
 template <class... Parts> C2D_IN_PLACE inline void say(Finding& finding, Parts... parts) { put_all(finding.text, parts...); }
 
@@ -39,6 +60,12 @@ void report(Reporter& reporter, const Finding& finding);
 // A fault, or a warning, whose text is these parts.
 template <class... Parts> C2D_IN_PLACE inline void report(Reporter& reporter, const Where& where, Parts... parts) {
   Finding finding(where);
+  say(finding, parts...);
+  report(reporter, finding);
+}
+template <class... Parts>
+C2D_IN_PLACE inline void report_zone(Reporter& reporter, const Model& m, int32_t zone, Parts... parts) {
+  ZoneFinding finding(m, zone);
   say(finding, parts...);
   report(reporter, finding);
 }

@@ -197,8 +197,10 @@ void check_open_region(const Model& m, int b, const Region& r, Reporter& reporte
 void find_lines_met(const Model& m, Reporter& reporter) {
   int32_t met = 0;
   for (int b = 0; b < m.head->bodies; ++b) {
-    for (int32_t i = 0; i < body_of(m, b).geometry_nodes; ++i) m.body[b].lines |= lines_at_point(m, b, i);
-    met |= m.body[b].lines;
+    int32_t lines = 0;
+    for (int32_t i = 0; i < body_of(m, b).geometry_nodes; ++i) lines |= lines_at_point(m, b, i);
+    m.body[b].lines = static_cast<int8_t>(lines);
+    met |= lines;
   }
   for (int axis = 0; axis < 2; ++axis)
     if ((m.head->symmetry & ~met & 1 << axis) != 0)

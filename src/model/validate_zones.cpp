@@ -13,12 +13,12 @@ C2D_USES(FreeZonePart);
 
 namespace {
 
-void report_zone(const Model& m, int32_t zone, int side, const char* found, int32_t number, const char* expected,
+void report_side(const Model& m, int32_t zone, int side, const char* found, int32_t number, const char* expected,
                  Reporter& reporter) {
   const int b = m.zone[zone].body[side];
-  Finding f(in_zone(m, zone));
+  ZoneFinding f(m, zone);
   f.entry.body = b + 1;
-  say(f, "zone ", zone_named(m, zone), ", body ", body_named(m, b), ": ", found, number, expected);
+  say(f, ", body ", body_named(m, b), ": ", found, number, expected);
   report(reporter, f);
 }
 
@@ -28,15 +28,15 @@ void check_bodies(const Model& m, int32_t zone, Reporter& reporter) {
   const int32_t before = reporter.faults;
   for (const int32_t b : z.body)
     if (b < 0 || b >= m.head->bodies)
-      report(reporter, in_zone(m, zone), "zone ", zone_named(m, zone), ": there is no body ", b + 1, ", expected 1 to ",
-             m.head->bodies);
+      report_zone(reporter, m, zone, ": there is no body ", b + 1, ", expected 1 to ", m.head->bodies);
   if (reporter.faults != before) return;
   if (z.body[0] == z.body[1] && z.is_self == 0)
-    report(reporter, in_zone(m, zone), "zone ", zone_named(m, zone), ": both sides are on body ", body_named(m, z.body[0]),
-           ", expected two different bodies, or a zone that says so (C2D_ZONE_SELF, in a deck the second with a minus sign)");
+    report_zone(
+        reporter, m, zone, ": both sides are on body ", body_named(m, z.body[0]),
+        ", expected two different bodies, or a zone that says so (C2D_ZONE_SELF, in a deck the second with a minus sign)");
   else if (is_rigid(m, z.body[0]) && is_rigid(m, z.body[1]))
-    report(reporter, in_zone(m, zone), "zone ", zone_named(m, zone), ": bodies ", body_named(m, z.body[0]), " and ",
-           body_named(m, z.body[1]), " are both rigid, expected one at most");
+    report_zone(reporter, m, zone, ": bodies ", body_named(m, z.body[0]), " and ", body_named(m, z.body[1]),
+                " are both rigid, expected one at most");
 }
 
 int32_t nodes_per_element(const Model& m) { return m.head->function_nodes == 1 ? 1 : m.head->function_nodes - 1; }
@@ -60,19 +60,19 @@ void check_region(const Model& m, int32_t zone, int side, Reporter& reporter) {
   int32_t first_node, last_node;
   nodes_of_region(m, b, z.region[side], &first_node, &last_node);
   const int32_t count = zone_elements(z, side);
-  if (count > elements) report_zone(m, zone, side, "elements: ", count, ", more than its region has", reporter);
+  if (count > elements) report_side(m, zone, side, "elements: ", count, ", more than its region has", reporter);
   if (z.is_free != 0) return; // fitted later
   if (z.first_node[side] < first_node || z.first_node[side] > last_node)
-    report_zone(m, zone, side, "first node ", z.first_node[side] + 1, " is not in the region of its elements", reporter);
+    report_side(m, zone, side, "first node ", z.first_node[side] + 1, " is not in the region of its elements", reporter);
   if (z.pairs > last_node - first_node + 1)
-    report_zone(m, zone, side, "nodes: ", z.pairs, ", more than its region has", reporter);
+    report_side(m, zone, side, "nodes: ", z.pairs, ", more than its region has", reporter);
   const int32_t end_element = z.first_element[side] + z.element_step[side] * (z.elements - 1);
   const int32_t end_node = z.first_node[side] + z.node_step[side] * (z.pairs - 1);
   if (r.open && (end_element < r.first || end_element > r.last || end_node < first_node || end_node > last_node))
-    report_zone(m, zone, side, "elements or nodes go beyond the end of their open region, from element ",
+    report_side(m, zone, side, "elements or nodes go beyond the end of their open region, from element ",
                 z.first_element[side] + 1, "", reporter);
   if (z.pairs > 1 && z.elements > 1 && z.node_step[side] != z.element_step[side])
-    report_zone(m, zone, side, "elements and nodes run in opposite directions from element ", z.first_element[side] + 1,
+    report_side(m, zone, side, "elements and nodes run in opposite directions from element ", z.first_element[side] + 1,
                 ", expected the same direction", reporter);
 }
 
@@ -100,16 +100,16 @@ void check_nodes(const Model& m, int32_t zone, Reporter& reporter) {
   for (int side = 0; side < 2; ++side) {
     place[side] = place_of_first_node(m, z, side);
     if (place[side] < 0)
-      report_zone(m, zone, side, "node ", z.first_node[side] + 1, " is not a node of the zone's elements", reporter);
+      report_side(m, zone, side, "node ", z.first_node[side] + 1, " is not a node of the zone's elements", reporter);
     else if (place[side] + z.pairs > along)
-      report_zone(m, zone, side, "node ", zone_node(m, z, side, z.pairs - 1) + 1, " is not a node of the zone's elements",
+      report_side(m, zone, side, "node ", zone_node(m, z, side, z.pairs - 1) + 1, " is not a node of the zone's elements",
                   reporter);
   }
   if (place[0] < 0 || place[1] < 0) return;
   if (direction(z, 0) != 0 && place[0] != place[1])
-    report(reporter, in_zone(m, zone), "zone ", zone_named(m, zone), ": the first pair is node ", place[0] + 1,
-           " along the elements of body ", body_named(m, z.body[0]), " and node ", place[1] + 1, " along those of body ",
-           body_named(m, z.body[1]), ", expected the same place");
+    report_zone(reporter, m, zone, ": the first pair is node ", place[0] + 1, " along the elements of body ",
+                body_named(m, z.body[0]), " and node ", place[1] + 1, " along those of body ", body_named(m, z.body[1]),
+                ", expected the same place");
 }
 
 int32_t zone_of_pair(const Model& m, int32_t pair) {
@@ -159,12 +159,12 @@ void check_lengths(const Model& m, int32_t zone, int side, Reporter& reporter) {
   for (int32_t k = 0; k < zone_elements(z, side); ++k) {
     const int32_t element = zone_element(m, z, side, k);
     if (is_zero_length(m, b, element))
-      report_zone(m, zone, side, "element ", element + 1, " has zero length, expected none in a contact zone", reporter);
+      report_side(m, zone, side, "element ", element + 1, " has zero length, expected none in a contact zone", reporter);
   }
   for (int32_t k = 0; k < z.pairs && (z.is_free == 0 || side == 1); ++k) {
     const int32_t node = zone_node(m, z, side, k);
     if (twin_node(m, b, node) >= 0)
-      report_zone(m, zone, side, "node ", node + 1, " is a double node, expected none in a contact zone", reporter);
+      report_side(m, zone, side, "node ", node + 1, " is a double node, expected none in a contact zone", reporter);
   }
 }
 
@@ -186,9 +186,9 @@ void facing_normals(const Model& m, const Zone& z, int32_t k, double n[2][2]) {
 void check_facing(const Model& m, int32_t zone, bool sound, Reporter& reporter) {
   const Zone& z = m.zone[zone];
   if (direction(z, 0) != 0 && direction(z, 0) == direction(z, 1)) {
-    return report(reporter, in_zone(m, zone), "zone ", zone_named(m, zone),
-                  ": numbers run in the same direction on both bodies, so that the elements do not face "
-                  "each other; expected up on one body and down on the other");
+    return report_zone(reporter, m, zone,
+                       ": numbers run in the same direction on both bodies, so that the elements do not face "
+                       "each other; expected up on one body and down on the other");
   }
   if (!sound) return; // of a body that runs the wrong way no element would face the other one
   int32_t count = 0, worst = 0;

@@ -1,6 +1,7 @@
 // Back substitution: displacements and tractions of whole boundaries.
 #include "results/back.hpp"
 #include "bie/columns.hpp"
+#include "contact/body_unknowns.hpp"
 #include "memory/parts.hpp"
 #include "results/balance.hpp"
 #include "results/rigid.hpp"
@@ -20,33 +21,29 @@ void trailing_coefficients(const Session& session, int b, Real* out) {
   const Follower& f = session.follower;
   const Model& m = session.model;
   const int32_t own = m.body[b].contact;
-  for (int32_t i = 0; i < m.head->pairs; ++i)
-    for (int side = 0; side < 2; ++side) {
-      const Pair& pair = m.pair[i];
-      if (body_on(m, pair, side) != b) continue;
-      const PairState now = pair_state(*f.t, i, f.y);
-      const double tau[2] = {now.p, now.q};
-      for (int32_t d = 0; d <= pair.tangential; ++d) {
-        const int32_t j = dof_on(m, pair, side) + d;
-        out[j] = -session.area.u[side][pair.dof + d];
-        out[own + j] = static_cast<Real>(sign_of_side(side) * tau[d]);
-      }
+  for (PairSide at = first_pair_side(); next_pair_of(m, b, at);) {
+    const Pair& pair = m.pair[at.pair];
+    const PairState now = pair_state(*f.t, at.pair, f.y);
+    const double tau[2] = {now.p, now.q};
+    for (int32_t d = 0; d <= pair.tangential; ++d) {
+      const int32_t j = dof_on(m, pair, at.side) + d;
+      out[j] = -session.area.u[at.side][pair.dof + d];
+      out[own + j] = static_cast<Real>(signed_on(at.side, tau[d]));
     }
+  }
   for (int32_t k = 0; k < m.head->load_cases; ++k) out[2 * own + k] = static_cast<Real>(f.load[k]);
 }
 
 double prescribed_displacement(const Session& session, int b, int32_t node, int c) {
   double sum = 0.0;
-  const int64_t nodes = session.model.body[b].nodes;
   for (int32_t k = 0; k < session.model.head->load_cases; ++k)
-    sum += session.follower.load[k] * session.model.node_disp[b][(k * nodes + node) * 2 + c];
+    sum += session.follower.load[k] * given_displacement(session.model, b, node, c, k);
   return sum;
 }
 double prescribed_traction(const Session& session, int b, int32_t end, int c) {
   double sum = 0.0;
-  const int64_t ends = static_cast<int64_t>(session.model.body[b].elements) * session.model.head->function_nodes;
   for (int32_t k = 0; k < session.model.head->load_cases; ++k)
-    sum += session.follower.load[k] * session.model.end_traction[b][(k * ends + end) * 2 + c];
+    sum += session.follower.load[k] * given_traction(session.model, b, end, c, k);
   return sum;
 }
 
@@ -105,6 +102,15 @@ void keep_traction(const Session& session, int b, int32_t end, const double t[2]
   for (int c = 0; c < 2; ++c) kept[c] = static_cast<Real>(t[c] / session.model.head->stress_unit);
 }
 
+bool contact_traction(const Session& session, int b, int32_t element, int l, double out[2]) {
+  const Model& m = session.model;
+  const PairSide at = pair_of_end(m, b, element, l);
+  out[0] = out[1] = 0.0;
+  if (at.pair < 0) return false;
+  pair_force(session, at.pair, signed_on(at.side, m.head->stress_unit) * traction_ratio(m, b, element, l), out);
+  return true;
+}
+
 void transferred_traction(const Session& session, int b, int32_t element, int l, double out[2]) {
   out[0] = out[1] = 0.0;
   if (session.model.body[b].free_rows > 0) kFreeZonePart.add_transferred_traction(session, b, element, l, out);
@@ -116,20 +122,15 @@ void fill_end_traction(const Session& session, int b, int32_t element, int l) {
   const Model& m = session.model;
   const int32_t end = element * m.head->function_nodes + l, node = functional_node(m, b, element, l);
   double t[2];
-  const PairSide at = pair_of_end(m, b, element, l);
-  double contact[2] = {0.0, 0.0};
-  if (at.pair >= 0) {
-    const PairState now = pair_state(*session.follower.t, at.pair, session.follower.y);
-    const double scale = sign_of_side(at.side) * m.head->stress_unit * traction_ratio(m, b, element, l);
-    to_global(m.pair[at.pair], now.p * scale, now.q * scale, contact);
-  }
+  double contact[2];
+  const bool in_contact = contact_traction(session, b, element, l, contact);
   Unknown both[2];
   unknowns_at(m, b, node, both);
   for (int c = 0; c < 2; ++c) {
     const Unknown& unknown = both[c];
     const bool here = unknown.end[0] == end || (unknown.kind == UnknownKind::shared_traction && unknown.end[1] == end);
     const bool solved = unknown.kind == UnknownKind::traction || unknown.kind == UnknownKind::shared_traction;
-    if (at.pair >= 0 && unknown.kind == UnknownKind::contact)
+    if (in_contact && unknown.kind == UnknownKind::contact)
       t[c] = contact[c];
     else if (solved && here)
       t[c] = session.area.outer[outer_column(m, b, node, c)] * 2.0 * shear_modulus(m, b);

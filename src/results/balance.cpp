@@ -51,7 +51,7 @@ void add_loads(const Session& session, int b, double applied[3]) {
     add_force(applied, f * p.fx, f * p.fy, f * (p.x * p.fy - p.y * p.fx));
   }
   for (int32_t k = 0; k < m.head->load_cases && has_body_force(m, b); ++k) {
-    double force[3];
+    double force[3] = {0.0, 0.0, 0.0};
     kBodyForcePart.body_force_resultant(m, b, k, 0.0, 0.0, force);
     const double f = session.follower.load[k];
     add_force(applied, f * force[0], f * force[1], f * force[2]);

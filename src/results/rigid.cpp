@@ -43,13 +43,8 @@ void fill_rigid(const Session& session, int b) {
   }
   for (int32_t element = 0; element < m.body[b].elements; ++element)
     for (int l = 0; l < m.head->function_nodes; ++l) {
-      const PairSide at = pair_of_end(m, b, element, l);
-      double t[2] = {0.0, 0.0};
-      if (at.pair >= 0) {
-        const PairState now = pair_state(*session.follower.t, at.pair, session.follower.y);
-        const double scale = sign_of_side(at.side) * m.head->stress_unit * traction_ratio(m, b, element, l);
-        to_global(m.pair[at.pair], now.p * scale, now.q * scale, t);
-      }
+      double t[2];
+      contact_traction(session, b, element, l, t);
       keep_traction(session, b, element * m.head->function_nodes + l, t);
     }
   for (double& multiplier : results_of(session.solver, b).multiplier) multiplier = 0.0;

@@ -55,20 +55,18 @@ c2d_status add_compliance(const Session& session, int b) {
   const Model& m = session.model;
   const Follower& f = session.follower;
   const Real* kept = session.area.flexibility ? flexibility_of(session, b) : nullptr;
-  for (int32_t i = 0; i < session.model.head->pairs; ++i)
-    for (int side = 0; side < 2; ++side) {
-      const Pair& pair = f.t->pair[i];
-      if (body_on(m, pair, side) != b) continue;
-      const PairState now = pair_state(*f.t, i, f.y);
-      const double tau[2] = {now.p, now.q};
-      for (int32_t d = 0; d <= pair.tangential; ++d) {
-        const int32_t j = dof_on(m, pair, side) + d;
-        const double t = sign_of_side(side) * tau[d];
-        if (kept && t != 0.0) add_column(session, b, kept + static_cast<int64_t>(j) * m.body[b].contact, t);
-        const c2d_status status = kept ? c2d_status{C2D_OK} : add_from_tape(session, b, BodyMatrix::flexibility, j, t);
-        if (status != C2D_OK) return status;
-      }
+  for (PairSide at = first_pair_side(); next_pair_of(m, b, at);) {
+    const Pair& pair = m.pair[at.pair];
+    const PairState now = pair_state(*f.t, at.pair, f.y);
+    const double tau[2] = {now.p, now.q};
+    for (int32_t d = 0; d <= pair.tangential; ++d) {
+      const int32_t j = dof_on(m, pair, at.side) + d;
+      const double t = signed_on(at.side, tau[d]);
+      if (kept && t != 0.0) add_column(session, b, kept + static_cast<int64_t>(j) * m.body[b].contact, t);
+      const c2d_status status = kept ? c2d_status{C2D_OK} : add_from_tape(session, b, BodyMatrix::flexibility, j, t);
+      if (status != C2D_OK) return status;
     }
+  }
   return C2D_OK;
 }
 
@@ -109,17 +107,15 @@ void fill_row(const Session& session, int32_t i, double* row) {
 void follow_others(const Session& session, int b) {
   const Model& m = session.model;
   const Follower& f = session.follower;
-  for (int32_t i = 0; i < session.model.head->pairs; ++i)
-    for (int side = 0; side < 2; ++side) {
-      const Pair& pair = f.t->pair[i];
-      if (body_on(m, pair, side) != b) continue;
-      const PairState now = pair_state(*f.t, i, f.y);
-      const Real* known = session.area.u[1 - side] + pair.dof;
-      Real* out = session.area.u[side] + pair.dof;
-      const double gap = effective_gap(*m.head, pair, f.load) / f.t->length_unit, sign = sign_of_side(side);
-      out[0] = known[0] + static_cast<Real>(sign * (now.wn - gap));
-      if (pair.tangential) out[1] = known[1] + static_cast<Real>(sign * now.wt);
-    }
+  for (PairSide at = first_pair_side(); next_pair_of(m, b, at);) {
+    const Pair& pair = m.pair[at.pair];
+    const PairState now = pair_state(*f.t, at.pair, f.y);
+    const Real* known = session.area.u[1 - at.side] + pair.dof;
+    Real* out = session.area.u[at.side] + pair.dof;
+    const double gap = effective_gap(*m.head, pair, f.load) / f.t->length_unit;
+    out[0] = known[0] + static_cast<Real>(signed_on(at.side, now.wn - gap));
+    if (pair.tangential) out[1] = known[1] + static_cast<Real>(signed_on(at.side, now.wt));
+  }
 }
 
 } // namespace

@@ -10,10 +10,8 @@ void add_transferred_traction(const Session& session, int b, int32_t element, in
   if (!transferred_end(m, b, element, l, end)) return;
   for (int k = 0; k < m.head->function_nodes; ++k) {
     if (end.pair[k] < 0) continue;
-    const PairState now = pair_state(*session.follower.t, end.pair[k], session.follower.y);
-    const double scale = -m.head->stress_unit * end.ratio * end.weight[k];
     double t[2];
-    to_global(m.pair[end.pair[k]], now.p * scale, now.q * scale, t);
+    pair_force(session, end.pair[k], -m.head->stress_unit * end.ratio * end.weight[k], t);
     for (int c = 0; c < 2; ++c) out[c] += t[c];
   }
 }
@@ -23,10 +21,8 @@ void transferred_values(const Session& session, const Transfer& piece, int k, do
   out[0] = out[1] = 0.0;
   for (int l = 0; l < m.head->function_nodes; ++l) {
     if (piece.pair[l] < 0) continue;
-    const PairState now = pair_state(*session.follower.t, piece.pair[l], session.follower.y);
-    const double scale = -m.head->stress_unit * piece.weight[k][l];
     double t[2];
-    to_global(m.pair[piece.pair[l]], now.p * scale, now.q * scale, t);
+    pair_force(session, piece.pair[l], -m.head->stress_unit * piece.weight[k][l], t);
     for (int c = 0; c < 2; ++c) out[c] += t[c];
   }
 }

@@ -21,9 +21,8 @@ void add_displacement(Adjoint& a, int32_t node, int c, double factor) {
   } else if (unknown.kind == UnknownKind::displacement) {
     add_outer(a, outer_column(m, a.b, node, c), factor);
   } else {
-    const int64_t nodes = m.body[a.b].nodes;
     for (int32_t k = 0; k < m.head->load_cases; ++k)
-      a.lambda[k] += factor * m.node_disp[a.b][(k * nodes + node) * 2 + c] / m.head->length_unit;
+      a.lambda[k] += factor * given_displacement(m, a.b, node, c, k) / m.head->length_unit;
   }
 }
 
@@ -45,7 +44,7 @@ void add_traction(Adjoint& a, int32_t element, int l, int c, double factor) {
   case TractionKind::contact: {
     const PairSide at = pair_of_end(m, a.b, element, l);
     const Pair& pair = m.pair[at.pair];
-    const double scaled = sign_of_side(at.side) * factor * m.head->stress_unit / modulus;
+    const double scaled = signed_on(at.side, factor) * m.head->stress_unit / modulus;
     for (int slot = 0; slot <= pair.tangential; ++slot)
       a.tau[pair.dof + slot] += static_cast<Real>(scaled * along(pair, slot, c));
     return;
@@ -55,24 +54,10 @@ void add_traction(Adjoint& a, int32_t element, int l, int c, double factor) {
     return;
   }
   case TractionKind::given: {
-    const int64_t ends = static_cast<int64_t>(m.body[a.b].elements) * m.head->function_nodes;
-    for (int32_t k = 0; k < m.head->load_cases; ++k)
-      a.lambda[k] += factor * m.end_traction[a.b][(k * ends + end) * 2 + c] / modulus;
+    for (int32_t k = 0; k < m.head->load_cases; ++k) a.lambda[k] += factor * given_traction(m, a.b, end, c, k) / modulus;
   }
   }
 }
-
-namespace {
-
-double given_traction(const Model& m, int b, int32_t element, int l, int c, int32_t k) {
-  const int64_t ends = static_cast<int64_t>(m.body[b].elements) * m.head->function_nodes;
-  return m.end_traction[b][(k * ends + static_cast<int64_t>(element) * m.head->function_nodes + l) * 2 + c];
-}
-double given_displacement(const Model& m, int b, int32_t node, int c, int32_t k) {
-  return m.node_disp[b][(static_cast<int64_t>(k) * m.body[b].nodes + node) * 2 + c];
-}
-
-} // namespace
 
 void add_boundary(Adjoint& a, int32_t k, bool reactions) {
   const Model& m = a.model();
@@ -83,8 +68,9 @@ void add_boundary(Adjoint& a, int32_t k, bool reactions) {
     for (int l = 0; l < m.head->function_nodes; ++l)
       for (int c = 0; c < 2; ++c) {
         const int32_t node = functional_node(m, a.b, element, l);
-        const double value = reactions ? given_displacement(m, a.b, node, c, k) / m.head->length_unit
-                                       : given_traction(m, a.b, element, l, c, k) / m.head->stress_unit;
+        const double value = reactions
+                                 ? given_displacement(m, a.b, node, c, k) / m.head->length_unit
+                                 : given_traction(m, a.b, element * m.head->function_nodes + l, c, k) / m.head->stress_unit;
         if (value == 0.0) continue;
         const TractionKind kind = traction_kind(m, a.b, element, l, c);
         if (kind != (reactions ? TractionKind::solved : TractionKind::given)) continue;

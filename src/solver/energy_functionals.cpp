@@ -34,8 +34,7 @@ c2d_status remove_outer(Adjoint& a) {
   const int32_t own = m.body[a.b].contact;
   for (int32_t j = 0; j < own; ++j) a.u[j] -= w[j];
   for_ranges(m, a.b, [&](const UnknownRange& range) {
-    for (int32_t i = 0; i < range.count; ++i)
-      a.tau[range.all + i] += static_cast<Real>(sign_of_side(range.side) * static_cast<double>(w[own + range.own + i]));
+    for (int32_t i = 0; i < range.count; ++i) a.tau[range.all + i] += signed_on(range.side, w[own + range.own + i]);
   });
   for (int32_t i = 0; i < m.head->load_cases; ++i) a.lambda[i] += static_cast<double>(w[2 * own + i]);
   return C2D_OK;
@@ -50,7 +49,7 @@ c2d_status add_compliance(Adjoint& a) {
     for (int32_t i = 0; i < range.count && status == C2D_OK; ++i) {
       status = read_column(a.session.tape, a.b, BodyMatrix::flexibility, range.own + i, column);
       if (status == C2D_OK)
-        a.tau[range.all + i] += static_cast<Real>(sign_of_side(range.side) * product(column, a.u, m.body[a.b].contact));
+        a.tau[range.all + i] += static_cast<Real>(signed_on(range.side, product(column, a.u, m.body[a.b].contact)));
     }
   });
   return status;
@@ -69,7 +68,7 @@ void remove_kept(Adjoint& a) {
     Real *own = a.session.area.u[range.side] + range.all, *other = a.session.area.u[1 - range.side] + range.all;
     for (int32_t i = 0; i < range.count; ++i) {
       other[i] += own[i];
-      a.jump[range.all + i] += static_cast<Real>(range.sign()) * own[i];
+      a.jump[range.all + i] += signed_on(range.side, own[i]);
     }
   });
 }

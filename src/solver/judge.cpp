@@ -6,6 +6,7 @@
 #include "contact/body_unknowns.hpp"
 #include "contact/let_go.hpp"
 #include "contact/orthonormal.hpp"
+#include "contact/rigid_balance.hpp"
 #include "contact/start.hpp"
 #include "memory/parts.hpp"
 #include "model/pair_frame.hpp"
@@ -61,19 +62,6 @@ template <class Number> c2d_status project(const Session& session, ContactMatrix
   return C2D_OK;
 }
 
-// v' in the place of v: so that the equations hold whatever the motions x are.
-c2d_status leave_out_motions(const Session& session) {
-  const int32_t m = session.model.head->contact;
-  Real *v = session.area.y, *motion = session.area.column;
-  c2d_status status = C2D_OK;
-  for (int32_t j = 0; j < session.model.head->border && status == C2D_OK; ++j) {
-    status = read_column(session.tape, ContactMatrix::border, j, motion);
-    const double part = product(v, motion, m);
-    for (int32_t i = 0; i < m; ++i) v[i] -= static_cast<Real>(part * static_cast<double>(motion[i]));
-  }
-  return status;
-}
-
 // v'.B: of the pairs' own rows v' itself, else with S_u of the body that keeps its equations.
 c2d_status project_motions(const Session& session, Real* out) {
   const Model& m = session.model;
@@ -89,7 +77,7 @@ c2d_status project_motions(const Session& session, Real* out) {
     for_ranges(m, b, [&](const UnknownRange& range) {
       for (int32_t j = 0; j < range.count && status == C2D_OK; ++j) {
         status = read_column(session.tape, b, BodyMatrix::displacement, range.own + j, session.area.column);
-        out[range.all + j] = static_cast<Real>(range.sign() * product(own, session.area.column, m.body[b].contact));
+        out[range.all + j] = static_cast<Real>(signed_on(range.side, product(own, session.area.column, m.body[b].contact)));
       }
     });
   }
@@ -115,20 +103,12 @@ c2d_status add_terms(const Session& session, int b, const Real* equation_w, doub
 // The moments of contact tractions on a floating body about its centre.
 void find_moments(const Model& m, int b, Real* const moment[2]) {
   const double unit = m.head->length_unit, cx = m.body[b].centre[0] / unit, cy = m.body[b].centre[1] / unit;
-  for (int32_t element = 0; element < m.body[b].elements; ++element) {
-    ZonePlace place;
-    if (!find_contact_element(m, b, element, &place) || !is_integrated(m, b, element)) continue;
-    EndResultant weight[kElementNodes];
-    end_resultants(m, b, element, Measure::contact, weight);
-    for (int l = 0; l < m.head->function_nodes; ++l) {
-      const PairSide at = pair_of_end(m, b, element, l);
-      if (at.pair < 0) continue;
-      const Pair& pair = m.pair[at.pair];
-      for (int32_t d = 0; d <= pair.tangential; ++d) {
-        const double side = sign_of_side(at.side), x = side * along(pair, d, 0), y = side * along(pair, d, 1);
-        const EndResultant& w = weight[l];
-        moment[at.side][pair.dof + d] += static_cast<Real>((w.wx - cx * w.w) * y - (w.wy - cy * w.w) * x);
-      }
+  for (ContactEnd end; next_contact_end(m, b, end);) {
+    const Pair& pair = m.pair[end.at.pair];
+    const EndResultant& w = end.weight();
+    for (int32_t d = 0; d <= pair.tangential; ++d) {
+      const double x = signed_on(end.at.side, along(pair, d, 0)), y = signed_on(end.at.side, along(pair, d, 1));
+      moment[end.at.side][pair.dof + d] += static_cast<Real>((w.wx - cx * w.w) * y - (w.wy - cy * w.w) * x);
     }
   }
 }
@@ -162,7 +142,9 @@ c2d_status build_judge(c2d_solver* s) {
   }
   c2d_status status = project(session, ContactMatrix::stiffness, m, book.stick);
   if (status == C2D_OK) status = project(session, ContactMatrix::stiffness_load, cases, book.stick_load);
-  if (status == C2D_OK) status = leave_out_motions(session);
+  // v' in the place of v: so that the equations hold whatever the motions x are.
+  if (status == C2D_OK)
+    status = take_out(session.tape, ContactMatrix::border, s->model.border, nullptr, session.area.y, session.area.column);
   if (status == C2D_OK) status = project_motions(session, book.equation_w);
   if (status == C2D_OK) status = project(session, ContactMatrix::compliance, m, book.equation_tau);
   if (status == C2D_OK) status = project(session, ContactMatrix::closing, cases, book.equation_load);
@@ -295,17 +277,15 @@ void find_resultant(const Session& session, const Book& book, int b, double out[
   const Follower& f = session.follower;
   const double unit = session.model.head->length_unit * session.model.head->stress_unit;
   out[0] = out[1] = out[2] = 0.0;
-  for (int32_t i = 0; i < session.model.head->pairs; ++i)
-    for (int side = 0; side < 2; ++side) {
-      const Pair& pair = f.t->pair[i];
-      if (body_on(session.model, pair, side) != b) continue;
-      const PairState now = pair_state(*f.t, i, f.y);
-      const double tau[2] = {now.p, now.q}, scale = unit * sign_of_side(side) * pair.weight;
-      double force[2];
-      to_global(pair, scale * now.p, pair.tangential ? scale * now.q : 0.0, force);
-      for (int c = 0; c < 2; ++c) out[c] += force[c];
-      for (int32_t d = 0; d <= pair.tangential; ++d) out[2] += unit * tau[d] * book.moment[side][pair.dof + d];
-    }
+  for (PairSide at = first_pair_side(); next_pair_of(session.model, b, at);) {
+    const Pair& pair = f.t->pair[at.pair];
+    const PairState now = pair_state(*f.t, at.pair, f.y);
+    const double tau[2] = {now.p, now.q}, scale = signed_on(at.side, unit) * pair.weight;
+    double force[2];
+    to_global(pair, scale * now.p, pair.tangential ? scale * now.q : 0.0, force);
+    for (int c = 0; c < 2; ++c) out[c] += force[c];
+    for (int32_t d = 0; d <= pair.tangential; ++d) out[2] += unit * tau[d] * book.moment[at.side][pair.dof + d];
+  }
 }
 
 // The largest work of contact and loads on a free motion of a body that is more than pressures of round-off make.

@@ -136,7 +136,7 @@ void case_resultant(const Model& m, int b, int32_t load_case, double out[3], dou
     return;
   }
   if (!has_body_force(m, b)) return;
-  double force[3];
+  double force[3] = {0.0, 0.0, 0.0};
   kBodyForcePart.body_force_resultant(m, b, load_case, body.centre[0], body.centre[1], force);
   for (int i = 0; i < 2; ++i) out[i] += force[i];
   out[2] += force[2] / unit;

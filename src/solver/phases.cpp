@@ -11,12 +11,11 @@ static_assert(kStripColumns == 4 && tableau_columns(5, 2) == 5 + 1 + 2 && kBlock
 
 namespace {
 
-// Carves, or only counts when base is null.
-struct Carver {
+// Carves from a base, or only counts where there is none.
+struct PhaseCarver : Carver {
   char* base;
-  uint64_t used;
-  bool fits;
 
+  explicit PhaseCarver(char* from) : Carver{0, true}, base(from) {}
   template <class T> void take(T*& out, uint64_t count, uint32_t size) { out = static_cast<T*>(items(count, size)); }
   void* items(uint64_t count, uint32_t size);
   uint64_t total() const { return fits ? used : UINT64_MAX; }
@@ -25,11 +24,9 @@ struct Carver {
 #define C2D_TAKE(type, name, count, each) carver.take(area.name, (count) * (each), C2D_BYTES_OF_##type);
 #define C2D_TAKE_OF_SIDE(type, name, count, each) carver.take(area.name[side], (count) * (each), C2D_BYTES_OF_##type);
 
-void* Carver::items(uint64_t count, uint32_t size) {
-  void* const first = base ? base + used : nullptr;
-  fits = fits && add_bytes(used, count, size) && used <= UINT64_MAX - 2 * kAlignment;
-  if (fits) used = round_up(used);
-  return first;
+void* PhaseCarver::items(uint64_t count, uint32_t size) {
+  const uint64_t at = carve(count, size);
+  return base ? base + at : nullptr;
 }
 
 uint64_t larger(uint64_t a, uint64_t b) { return a > b ? a : b; }
@@ -98,7 +95,7 @@ EliminationPlan plan_of(const PhaseSizes& s, int b, int32_t panel_columns, int32
 } // namespace
 
 uint64_t elimination_area(const PhaseSizes& s, int b, const EliminationPlan& plan, char* base, EliminationArea* out) {
-  Carver carver{base, 0, true};
+  PhaseCarver carver(base);
   EliminationArea area{};
   const uint64_t nodes = static_cast<uint64_t>(s.of(b).nodes), m = static_cast<uint64_t>(s.widest);
   C2D_ELIMINATION_ARRAYS_(C2D_TAKE, nodes, m, elimination_bytes(plan))
@@ -107,7 +104,7 @@ uint64_t elimination_area(const PhaseSizes& s, int b, const EliminationPlan& pla
 }
 
 uint64_t reduction_area(const PhaseSizes& s, char* base, ReductionArea* out) {
-  Carver carver{base, 0, true};
+  PhaseCarver carver(base);
   ReductionArea area{};
   const uint64_t m = static_cast<uint64_t>(s.widest), motions = static_cast<uint64_t>(s.motions);
   C2D_REDUCTION_ARRAYS_(C2D_TAKE, m, motions)
@@ -132,20 +129,24 @@ BackNeed back_need(const PhaseSizes& s, const EliminationPlan* plan) {
 }
 
 uint64_t path_area(const PhaseSizes& s, const BackNeed& back, bool flexibility, char* base, PathArea* out) {
-  Carver carver{base, 0, true};
+  PhaseCarver carver(base);
   PathArea area{};
   const uint64_t m = static_cast<uint64_t>(s.m), cases = static_cast<uint64_t>(s.cases);
   const uint64_t nodes = static_cast<uint64_t>(s.nodes), ends = static_cast<uint64_t>(s.ends);
   const uint64_t widest = static_cast<uint64_t>(s.widest);
   C2D_PATH_ARRAYS_(C2D_TAKE, m, widest, cases)
-  Carver rates = carver;
+  carver.align();
+  PhaseCarver rates = carver;
   for (int side = 0; side < 2; ++side) C2D_SURFACE_ARRAYS_(C2D_TAKE_OF_SIDE, m)
   C2D_COLUMN_ARRAYS_(C2D_TAKE, widest)
+  carver.align();
   if (flexibility) {
     carver.take(area.flexibility, static_cast<uint64_t>(s.flexibility), sizeof(Real));
+    carver.align();
     rates = carver;
   }
   C2D_RESULT_ARRAYS_(C2D_TAKE, nodes, ends)
+  carver.align();
   C2D_BACK_ARRAYS_(C2D_TAKE, widest, cases, back.outer, back.work)
   const uint64_t used = carver.total();
   carver = rates;

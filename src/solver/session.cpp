@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "memory/hostile.hpp"
+#include "model/pair_frame.hpp"
 #include "solver/load_path.hpp"
 #include "solver/support.hpp"
 
@@ -35,6 +36,11 @@ FreeBody free_body(const Model& m) {
 }
 
 } // namespace
+
+void pair_force(const Session& session, int32_t pair, double factor, double out[2]) {
+  const PairState now = pair_state(session.tableau, pair, session.area.y);
+  to_global(session.model.pair[pair], now.p * factor, now.q * factor, out);
+}
 
 void note_free_body(Session& session) {
   session.free_body = free_body(session.model);

@@ -27,6 +27,8 @@ uint64_t open_path_area(c2d_solver* solver, const Model& model, bool flexibility
 // Views into the workspace; nothing is computed. close_session keeps what must last.
 void open_session(c2d_solver* solver, Session& session);
 void close_session(Session& session);
+// tau of a pair times a factor, in global components.
+void pair_force(const Session& session, int32_t pair, double factor, double out[2]);
 // How the body that the contact has to hold can move, with the coefficients of friction that the pairs have now.
 void note_free_body(Session& session);
 // F of all bodies, if the memory has room for it. Errors: the block store's.

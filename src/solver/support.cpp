@@ -8,19 +8,33 @@ namespace c2d {
 
 C2D_USES(WarningPart);
 
-int extend_basis(double basis[3][3], int rank, int n, double row[3]) {
+namespace {
+
+// Takes what an orthonormal basis of `rank` rows of n numbers, `ld` apart, has of a row off that, so many times, and makes the
+// rest a row of length one; 0: there is none.
+int make_normal(const double* basis, int32_t rank, int32_t n, int32_t ld, int passes, double* row) {
   double before = 0.0, after = 0.0;
-  for (int j = 0; j < n; ++j) before += row[j] * row[j];
-  for (int i = 0; i < rank; ++i) {
-    double dot = 0.0;
-    for (int j = 0; j < n; ++j) dot += basis[i][j] * row[j];
-    for (int j = 0; j < n; ++j) row[j] -= dot * basis[i][j];
-  }
-  for (int j = 0; j < n; ++j) after += row[j] * row[j];
+  for (int32_t j = 0; j < n; ++j) before += row[j] * row[j];
+  for (int pass = 0; pass < passes; ++pass)
+    for (int32_t i = 0; i < rank; ++i) {
+      const double* unit = basis + static_cast<int64_t>(i) * ld;
+      double part = 0.0;
+      for (int32_t j = 0; j < n; ++j) part += unit[j] * row[j];
+      for (int32_t j = 0; j < n; ++j) row[j] -= part * unit[j];
+    }
+  for (int32_t j = 0; j < n; ++j) after += row[j] * row[j];
   if (!(after > 1e-16 * before) || !(after > 1e-16)) return 0;
   const double length = sqrt(after);
-  for (int j = 0; j < n; ++j) basis[rank][j] = row[j] / length;
+  for (int32_t j = 0; j < n; ++j) row[j] /= length;
   return 1;
+}
+
+} // namespace
+
+int extend_basis(double basis[3][3], int rank, int n, double row[3]) {
+  const int found = make_normal(&basis[0][0], rank, n, 3, 1, row);
+  for (int j = 0; j < n && found != 0; ++j) basis[rank][j] = row[j];
+  return found;
 }
 
 namespace {
@@ -98,25 +112,16 @@ void find_slides(const Model& m, FreeBody& body) {
   if (held == 1) to_motion(m, body, basis[0], body.motion);
 }
 
-namespace {
-
-// Adds what is new of `row` to an orthonormal basis of `rank` rows of n numbers.
-int extend_rows(double* basis, int32_t rank, int32_t n, double* row) {
-  double before = 0.0, after = 0.0;
-  for (int32_t j = 0; j < n; ++j) before += row[j] * row[j];
-  for (int pass = 0; pass < 2; ++pass)
-    for (int32_t i = 0; i < rank; ++i) {
-      const double* unit = basis + static_cast<int64_t>(i) * n;
-      double part = 0.0;
-      for (int32_t j = 0; j < n; ++j) part += unit[j] * row[j];
-      for (int32_t j = 0; j < n; ++j) row[j] -= part * unit[j];
-    }
-  for (int32_t j = 0; j < n; ++j) after += row[j] * row[j];
-  if (!(after > 1e-16 * before) || !(after > 1e-16)) return 0;
-  const double length = sqrt(after);
-  for (int32_t j = 0; j < n; ++j) row[j] /= length; // it stands where the next row of the basis belongs
-  return 1;
+double freedom(const Body& body, const double* basis, int32_t rank, int32_t n) {
+  double sum = 0.0;
+  for (int32_t j = body.first_motion; j < body.first_motion + body.free_motions; ++j) {
+    sum += 1.0;
+    for (int32_t i = 0; i < rank; ++i) sum -= basis[static_cast<int64_t>(i) * n + j] * basis[static_cast<int64_t>(i) * n + j];
+  }
+  return sum;
 }
+
+namespace {
 
 // A pair's motion along one of its slots under all free motions.
 void motion_row(const Model& m, const Pair& pair, int slot, int32_t n, double* row) {
@@ -139,7 +144,7 @@ int32_t prevent(const Model& m, int32_t first, int32_t end, double* basis, int32
     for (int d = 0; d <= m.pair[i].tangential && rank < n; ++d) {
       double* row = basis + static_cast<int64_t>(rank) * n;
       motion_row(m, m.pair[i], d, n, row);
-      rank += extend_rows(basis, rank, n, row);
+      rank += make_normal(basis, rank, n, n, 2, row); // where the next row of the basis belongs
     }
   return rank;
 }
@@ -147,15 +152,6 @@ int32_t prevent(const Model& m, int32_t first, int32_t end, double* basis, int32
 } // namespace
 
 int32_t prevented_by_contact(const Model& m, double* basis) { return prevent(m, 0, m.head->pairs, basis, 0); }
-
-double freedom(const Body& body, const double* basis, int32_t rank, int32_t n) {
-  double sum = body.free_motions;
-  for (int32_t i = 0; i < rank; ++i) {
-    const double* row = basis + static_cast<int64_t>(i) * n + body.first_motion;
-    for (int32_t j = 0; j < body.free_motions; ++j) sum -= row[j] * row[j];
-  }
-  return sum;
-}
 
 namespace {
 
