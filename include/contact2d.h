@@ -108,6 +108,7 @@ typedef struct c2d_limits {
   int32_t panel_columns;      /* columns eliminated at a time; 0: as many as the memory allows      */
   int32_t free_pairs;         /* those of the pairs that belong to zones of kind C2D_ZONE_FREE      */
   int32_t point_sets, curves; /* of c2d_add_points (cards under *POINTS), c2d_add_curve (*CURVE)    */
+  int32_t platens, reserved;  /* of c2d_add_platen (*PLATEN): bodies beyond `bodies`, and a zone each, counted as others are */
 } c2d_limits;
 
 /* Bytes of workspace for these limits: `minimum` solves any model within them with blocks of the smallest size, `in_core`
@@ -258,6 +259,13 @@ c2d_status c2d_set_rigid(c2d_solver* solver, int32_t body, int32_t load_case, co
    With load_case 0 is_free and point are set (and the body is rigid), else the load; the others are not looked at. */
 c2d_status c2d_set_rigid_load(c2d_solver* solver, int32_t body, int32_t load_case, const int32_t is_free[3],
                               const double load[3], const double point[2]);
+/* A platen: elements first ... last of a body (round the end of a closed region if `elements` says how many; 0: by their
+   numbers) move as one rigid body that is tied to them. No mesh is drawn for it: it is body c2d_limits.bodies + 1, + 2, ... in
+   the order of these calls, called "platen 1", "platen 2", ..., and its tie is the next zone, it on side 1. is_free and point as
+   in c2d_set_rigid_load; that call and c2d_set_rigid move and load it. Its ends have no conditions and no contact; what acts on
+   one that meets a line of symmetry is what falls to the modelled part. */
+c2d_status c2d_add_platen(c2d_solver* solver, int32_t body, int32_t first_element, int32_t last_element, int32_t elements,
+                          const int32_t is_free[3], const double point[2]);
 /* Initial overlaps of a press fit: pairs that overlap before any load are legal, and touch at first; the factor of this load
    case closes their overlaps, which are gone at factor 1. c2d_run brings it from 0 to 1 before the first step of the path, and
    keeps it there; with c2d_advance it is the caller's. Given again it replaces the one before. */

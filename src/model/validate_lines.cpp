@@ -62,7 +62,7 @@ struct LineElements {
 LineElements elements_on_line(const Model& m, int axis, double line) {
   LineElements found = {true, 0, 0, -1, nullptr};
   for (int b = 0; b < m.head->bodies; ++b) {
-    bool any = false;
+    bool any = is_platen(m, b);
     for (int32_t e = 0; e < body_of(m, b).elements; ++e) {
       if (!lies_on(m, b, e, axis, line)) continue;
       any = true;
@@ -194,7 +194,7 @@ void check_open_region(const Model& m, int b, const Region& r, Reporter& reporte
 
 // Every line must cut every body: else what is mirrored is another body.
 void check_lines_cut(const Model& m, int b, Reporter& reporter) {
-  int32_t met = 0;
+  int32_t met = is_platen(m, b) ? 3 : 0; // it may as well have an image
   for (int32_t e = 0; e < body_of(m, b).elements; ++e)
     for (int k = 0; k < body_of(m, b).element_nodes; ++k) met |= lines_at_point(m, b, geometry_node(m, b, e, k));
   for (int axis = 0; axis < 2; ++axis) {

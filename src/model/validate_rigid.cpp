@@ -1,3 +1,5 @@
+#include "model/symmetry.hpp"
+#include "model/unknowns.hpp"
 #include "model/validate_finding.hpp"
 
 namespace c2d {
@@ -14,21 +16,72 @@ bool carries_load(const Model& m, int b) {
   return loaded;
 }
 
+// Bits of motions that a rigid body may make: those that are free, and in any load case those that are given.
+int32_t motions_made(const Model& m, int b) {
+  int32_t made = body_of(m, b).free_rigidly;
+  for (int32_t k = 0; k < m.head->load_cases; ++k) {
+    const RigidMotion& motion = m.rigid_motion[b][k];
+    made |= (motion.ux != 0 ? 1 : 0) | (motion.uy != 0 ? 2 : 0) | (motion.rotation != 0 ? 4 : 0);
+  }
+  return made;
+}
+
+const Zone& tie_of_platen(const Model& m, int b) {
+  int32_t i = 0;
+  while (m.zone[i].body[0] != b) ++i;
+  return m.zone[i];
+}
+
+// No card names an end that the platen moves.
+bool check_ends(const Model& m, int b, const Zone& z, Reporter& reporter) {
+  const int32_t f = m.head->function_nodes;
+  for (int32_t k = 0; k < z.elements; ++k)
+    for (int32_t element = zone_element(m, z, 1, k), l = 0; l < f; ++l) {
+      if ((m.end_code[z.body[1]][element * f + l] & kGiven) == 0) continue;
+      report(reporter, at_element(m, z.body[1], element), "end ", l + 1, " of element ", element + 1, " of body ",
+             body_named(m, z.body[1]), " is moved by body ", body_named(m, b), " and has a condition as well, expected none");
+      return false;
+    }
+  return true;
+}
+
+// Elements beside it may hold its last nodes where it does not move.
+void check_neighbours(const Model& m, int b, const Zone& z, Reporter& reporter) {
+  const int32_t made = motions_made(m, b);
+  for (int32_t k = 0; k < z.pairs; ++k)
+    for (int c = 0; c < 2; ++c) {
+      const int32_t node = zone_node(m, z, 1, k);
+      if ((made & (4 | 1 << c)) == 0 || !displacement_known(m, z.body[1], node, c)) continue;
+      return report(reporter, at_node(m, z.body[1], node), "node ", node + 1, " of body ", body_named(m, z.body[1]),
+                    " is moved by body ", body_named(m, b), ", and the element beside it prescribes ", c == 0 ? "ux" : "uy",
+                    " there, expected no such condition, or a platen that does not move so and does not turn");
+    }
+}
+
+// Lines of symmetry that a rigid body lies on: all, but a platen may as well have an image.
+int32_t lines_of_rigid(const Model& m, int b) {
+  if (m.head->symmetry == 0 || !is_platen(m, b)) return m.head->symmetry;
+  const Zone& z = tie_of_platen(m, b);
+  int32_t lines = 0;
+  for (int32_t k = 0; k < z.pairs; ++k) lines |= lines_at_node(m, z.body[1], zone_node(m, z, 1, k));
+  return lines;
+}
+
 } // namespace
 
 void check_rigid(const Model& m, int b, Reporter& reporter) {
   if (carries_load(m, b))
     report(reporter, in_body(b), "body ", body_named(m, b),
            " is rigid, expected no tractions, displacements other than zero or forces there (*RIGID moves it)");
-  const int32_t prevented =
-      ((m.head->symmetry & 1) != 0 ? 1 : 0) + ((m.head->symmetry & 2) != 0 ? 2 : 0) + (m.head->symmetry != 0 ? 4 : 0);
+  if (is_platen(m, b) && check_ends(m, b, tie_of_platen(m, b), reporter)) check_neighbours(m, b, tie_of_platen(m, b), reporter);
+  const int32_t lines = lines_of_rigid(m, b), prevented = lines + (lines != 0 ? 4 : 0);
   if ((body_of(m, b).free_rigidly & prevented) != 0)
     report(reporter, in_body(b), "the rigid body ", body_named(m, b),
            " may move freely across a line of symmetry, expected motions along it");
   for (int32_t k = 0; k < m.head->load_cases; ++k) {
     const RigidMotion& motion = m.rigid_motion[b][k];
-    const bool across = ((m.head->symmetry & 1) != 0 && motion.ux != 0) || ((m.head->symmetry & 2) != 0 && motion.uy != 0);
-    if (!across && (m.head->symmetry == 0 || motion.rotation == 0)) continue;
+    const bool across = ((lines & 1) != 0 && motion.ux != 0) || ((lines & 2) != 0 && motion.uy != 0);
+    if (!across && (lines == 0 || motion.rotation == 0)) continue;
     report(reporter, in_body(b), "the motion of the rigid body ", body_named(m, b), " in load case ", k + 1,
            " leaves the line of symmetry, expected one along it");
   }

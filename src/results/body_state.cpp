@@ -26,7 +26,7 @@ void add_contact_end(const Session& session, const PairSide& at, const EndResult
 void contact_resultant(const Session& session, int b, double out[3]) {
   const Model& m = session.model;
   out[0] = out[1] = out[2] = 0.0;
-  for (int32_t element = 0; element < m.body[b].elements; ++element) {
+  for (int32_t element = 0; element < end_of_elements(m, b); ++element) {
     ZonePlace place;
     if (!find_contact_element(m, b, element, &place) || !is_integrated(m, b, element)) continue;
     EndResultant shared[kElementNodes];

@@ -98,7 +98,7 @@ c2d_status project_motions(const Session& session, Real* out) {
 // The moments of contact tractions on a floating body about its centre.
 void find_moments(const Model& m, int b, Real* const moment[2]) {
   const double unit = m.head->length_unit, cx = m.body[b].centre[0] / unit, cy = m.body[b].centre[1] / unit;
-  for (int32_t element = 0; element < m.body[b].elements; ++element) {
+  for (int32_t element = 0; element < end_of_elements(m, b); ++element) {
     ZonePlace place;
     if (!find_contact_element(m, b, element, &place) || !is_integrated(m, b, element)) continue;
     EndResultant weight[kElementNodes];
