@@ -66,6 +66,7 @@ bool InteriorPoints::take_sets(c2d_solver* solver, std::string& error) {
 
 c2d_status InteriorPoints::take_bodies(c2d_solver* solver, const Summary& s) {
   for (int32_t body = 1; body <= s.bodies; ++body) {
+    if (s.is_platen(body)) continue;
     c2d_points set = C2D_INIT(c2d_points);
     set.kind = C2D_POINTS_GRID;
     set.body = body;
