@@ -39,7 +39,7 @@
                    free_pairs, point_sets, curves)
 
 /* For any number of bodies: how many, sums of the two following over them, the largest number of functional nodes of a
-   body, and the rest of c2d_limits. */
+   body, and the rest of c2d_limits. A platen is a body of no points, elements and regions. */
 #define C2D_BODIES_BYTES(bodies, bodies_bytes, results_bytes, nodes, zones, pairs, contact_elements, point_loads,      \
                          coefficients, paths, load_cases, panel_columns, free_pairs, point_sets, curves)               \
   (63 /* to the first multiple of 64 */ + C2D_ROUND_(C2D_SOLVER_BYTES) + (0 C2D_BODY_LISTS_(C2D_ADD_, bodies)) +       \

@@ -1,5 +1,6 @@
 // Platens: ends of a body that move as one rigid body, against closed forms, a rigid body that is drawn and tied, prescribed
 // displacements, and themselves told otherwise.
+#include "contact2d_memory.h"
 #include "many_bodies.hpp"
 
 #include <doctest/doctest.h>
@@ -169,7 +170,7 @@ TEST_CASE("platens: what a rigid body that is drawn and tied does") {
       CHECK(breach(m, r) == "");
       CHECK(imbalance(m, r) < 1e-12);
       CHECK(distance(force_on_bodies(r, 2), {0.25, -1.5, 0.5 * (0.2 - 3 - 0.5)}) < 1e-12);
-      CHECK(r.last().dissipated > 0);
+      CHECK((function_nodes == 1 || r.last().dissipated > 0));
       CHECK(r.states[2].is_rigid == 1);
       CHECK(r.bodies[2].elements == 0);
       CHECK(r.bodies[2].unknowns == 0);
@@ -418,6 +419,23 @@ TEST_CASE("platens: memory by limits is enough with every size of blocks, and on
     CHECK(feed(s, m) == C2D_ERR_LIMIT);
     c2d_close(s);
   }
+  const int32_t points[2] = {list[0].points, list[1].points}, elements[2] = {list[0].elements, list[1].elements};
+  const uint64_t bodies = C2D_BODY_BYTES(3, points[0], elements[0], 1, 1) + C2D_BODY_BYTES(3, points[1], elements[1], 1, 1) +
+                          C2D_BODY_BYTES(3, 0, 0, 0, 1);
+  const uint64_t results = C2D_RESULT_BYTES(3, points[0], elements[0], 1) + C2D_RESULT_BYTES(3, points[1], elements[1], 1);
+  const uint64_t bound = C2D_BODIES_BYTES(3, bodies, results, C2D_NODES_(3, points[0], elements[0], 1), limits.zones,
+                                          limits.pairs, limits.contact_elements, 0, 1, 2, 1, 0, 0, 0, 0);
+  CHECK(bound >= minimum);
+  CHECK(static_cast<double>(bound) <= 1.05 * static_cast<double>(minimum) + 1024);
+  uint64_t with[2] = {0, 0}, without[2] = {0, 0};
+  for (const int32_t tape : {C2D_TAPE_LOWER, C2D_TAPE_UPPER}) { // a platen has no equations
+    limits.platens = 0;
+    REQUIRE(c2d_tape_need(&limits, nullptr, 4 * minimum, tape, &without[0], &without[1], nullptr) == C2D_OK);
+    limits.platens = 1;
+    REQUIRE(c2d_tape_need(&limits, nullptr, 4 * minimum, tape, &with[0], &with[1], nullptr) == C2D_OK);
+    CHECK(with[0] == without[0]);
+    CHECK(with[1] == without[1]);
+  }
   limits.platens = 2; // one is not used
   REQUIRE(c2d_memory_need(&limits, &minimum, nullptr, nullptr) == C2D_OK);
   memory.resize(minimum);
@@ -494,16 +512,16 @@ TEST_CASE("platens: ends with other conditions, in a contact zone, in two platen
   CHECK(says(refusal(m), "the element beside it prescribes ux there"));
   m = block();
   load(m.move(2, 1), 0, -1, 0, 1, 1);
-  CHECK(says(refusal(m), "element 1 of body 2 is in zones 1 and 2 (platen 1), expected in one"));
+  CHECK(says(refusal(m), "element 1 of body 2 is in zones 1 and 2 (platen 1), the first of 4"));
   m = block();
   load(m.move(2, 2), 0, -1, 0, 1, 1);
-  CHECK(says(refusal(m), "node 5 of body 2 is in pairs "));
+  CHECK(says(refusal(m), "node 5 of body 2 is in pairs 1 and 6, of zones 1 and 2 (platen 1), expected in one"));
   m = pressed();
   load(m.move(2, 4), 0, -1, 0, 1, 1);
-  CHECK(says(refusal(m), "node 12 of body 2 is in pairs "));
+  CHECK(says(refusal(m), "node 12 of body 2 is in pairs 10 and 11, of zones 2 (platen 1) and 3 (platen 2), expected in one"));
   m = pressed();
   load(m.move(2, 3), 0, -1, 0, 1, 1);
-  CHECK(says(refusal(m), "element 8 of body 2 is in zones 2 (platen 1) and 3 (platen 2), expected in one"));
+  CHECK(says(refusal(m), "element 8 of body 2 is in zones 2 (platen 1) and 3 (platen 2), the first of 4"));
   m = pressed();
   m.body(2).rigid = 1;
   CHECK(says(refusal(m), "bodies 3 (platen 1) and 2 are both rigid"));

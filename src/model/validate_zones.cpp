@@ -112,6 +112,13 @@ void check_nodes(const Model& m, int32_t zone, Reporter& reporter) {
            body_named(m, z.body[1]), ", expected the same place");
 }
 
+// (pairs do not yet know it)
+int32_t zone_with(const Model& m, int32_t pair) {
+  int32_t i = 0;
+  while (pair < m.zone[i].first_pair || pair >= m.zone[i].first_pair + m.zone[i].pairs) ++i;
+  return i;
+}
+
 // Elements in two zones; else nodes in two pairs: in this zone and an earlier one.
 void check_overlap(const Model& m, int32_t zone, int side, Reporter& reporter) {
   const Zone& z = m.zone[zone];
@@ -138,7 +145,8 @@ void check_overlap(const Model& m, int32_t zone, int side, Reporter& reporter) {
     const int32_t node = zone_node(m, z, side, k), pair = pair_of_node(m, b, node).pair;
     if (pair == z.first_pair + k) continue;
     report(reporter, Where{z.line, b + 1, zone + 1, z.first_pair + k + 1, 0, node + 1}, "node ", node + 1, " of body ",
-           body_named(m, b), " is in pairs ", pair + 1, " and ", z.first_pair + k + 1, ", expected in one");
+           body_named(m, b), " is in pairs ", pair + 1, " and ", z.first_pair + k + 1, ", of zones ",
+           zone_named(m, zone_with(m, pair)), " and ", zone_named(m, zone), ", expected in one");
   }
 }
 
