@@ -2,7 +2,6 @@
 #include <string.h>
 
 #include "interface/zone_calls.hpp"
-#include "memory/parts.hpp"
 
 using namespace c2d;
 
@@ -91,11 +90,9 @@ extern "C" c2d_status c2d_add_platen(c2d_solver* s, int32_t body, int32_t first_
   Body& own = body_numbered(s, platen + 1);
   lend_mesh(body_numbered(s, body), z.region[1], own);
   own.is_set = 1;
-  own.rigid = kRigidPart.linked ? 1 : 0; // brings that part
-  own.free_rigidly = (is_free[0] != 0 ? 1 : 0) + (is_free[1] != 0 ? 2 : 0) + (is_free[2] != 0 ? 4 : 0);
-  for (int c = 0; c < 2; ++c) own.centre[c] = point[c];
   const int32_t number = platen + 1 - static_cast<int32_t>(s->sizes.bodies - s->sizes.platens);
   name_platen(number, own.name);
   name_platen(number, z.name);
-  return keep_zone(s, z);
+  status = keep_zone(s, z);
+  return status == C2D_OK ? c2d_set_rigid_load(s, platen + 1, 0, is_free, nullptr, point) : status; // brings that part
 }

@@ -32,6 +32,13 @@ const Zone& tie_of_platen(const Model& m, int b) {
   return m.zone[i];
 }
 
+// What is wrong with a platen is told at its card.
+Where at_platen(const Zone& z, Where where) {
+  where.line = z.line;
+  return where;
+}
+Where at_rigid(const Model& m, int b) { return is_platen(m, b) ? at_platen(tie_of_platen(m, b), in_body(b)) : in_body(b); }
+
 // Is an end free, as without a card?
 bool is_left_free(const Model& m, int b, int32_t end) {
   const int64_t ends = static_cast<int64_t>(body_of(m, b).elements) * m.head->function_nodes;
@@ -48,7 +55,7 @@ bool check_ends(const Model& m, int b, const Zone& z, Reporter& reporter) {
   for (int32_t k = 0; k < z.elements; ++k)
     for (int32_t element = zone_element(m, z, 1, k), l = 0; l < f; ++l) {
       if (is_left_free(m, z.body[1], element * f + l)) continue;
-      report(reporter, at_element(m, z.body[1], element), "end ", l + 1, " of element ", element + 1, " of body ",
+      report(reporter, at_platen(z, at_element(m, z.body[1], element)), "end ", l + 1, " of element ", element + 1, " of body ",
              body_named(m, z.body[1]), " is moved by body ", body_named(m, b),
              " and has a condition as well, expected an end without");
       return false;
@@ -63,8 +70,9 @@ void check_neighbours(const Model& m, int b, const Zone& z, Reporter& reporter) 
     for (int c = 0; c < 2; ++c) {
       const int32_t node = zone_node(m, z, 1, k);
       if ((made & (4 | 1 << c)) == 0 || !displacement_known(m, z.body[1], node, c)) continue;
-      return report(reporter, at_node(m, z.body[1], node), "node ", node + 1, " of body ", body_named(m, z.body[1]),
-                    " is moved by body ", body_named(m, b), ", and the element beside it prescribes ", c == 0 ? "ux" : "uy",
+      return report(reporter, at_platen(z, at_node(m, z.body[1], node)), "node ", node + 1, " of body ",
+                    body_named(m, z.body[1]), " is moved by body ", body_named(m, b), ", and the element beside it prescribes ",
+                    c == 0 ? "ux" : "uy",
                     " there, expected no such condition, or a platen that does not move so and does not turn");
     }
 }
@@ -82,18 +90,18 @@ int32_t lines_of_rigid(const Model& m, int b) {
 
 void check_rigid(const Model& m, int b, Reporter& reporter) {
   if (carries_load(m, b))
-    report(reporter, in_body(b), "body ", body_named(m, b),
+    report(reporter, at_rigid(m, b), "body ", body_named(m, b),
            " is rigid, expected no tractions, displacements other than zero or forces there (*RIGID moves it)");
   if (is_platen(m, b) && check_ends(m, b, tie_of_platen(m, b), reporter)) check_neighbours(m, b, tie_of_platen(m, b), reporter);
   const int32_t lines = lines_of_rigid(m, b), prevented = lines + (lines != 0 ? 4 : 0);
   if ((body_of(m, b).free_rigidly & prevented) != 0)
-    report(reporter, in_body(b), "the rigid body ", body_named(m, b),
+    report(reporter, at_rigid(m, b), "the rigid body ", body_named(m, b),
            " may move freely across a line of symmetry, expected motions along it");
   for (int32_t k = 0; k < m.head->load_cases; ++k) {
     const RigidMotion& motion = m.rigid_motion[b][k];
     const bool across = ((lines & 1) != 0 && motion.ux != 0) || ((lines & 2) != 0 && motion.uy != 0);
     if (!across && (lines == 0 || motion.rotation == 0)) continue;
-    report(reporter, in_body(b), "the motion of the rigid body ", body_named(m, b), " in load case ", k + 1,
+    report(reporter, at_rigid(m, b), "the motion of the rigid body ", body_named(m, b), " in load case ", k + 1,
            " leaves the line of symmetry, expected one along it");
   }
 }
