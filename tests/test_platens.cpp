@@ -1,7 +1,10 @@
 // Platens: ends of a body that move as one rigid body, against closed forms, a rigid body that is drawn and tied, prescribed
 // displacements, and themselves told otherwise.
 #include "contact2d_memory.h"
+#include "json.hpp"
 #include "many_bodies.hpp"
+#include "paths.hpp"
+#include "shell.hpp"
 
 #include <doctest/doctest.h>
 
@@ -12,6 +15,8 @@
 using namespace many;
 
 namespace {
+
+const std::string kProgram = "'" + paths::program() + "'";
 
 using Three = std::array<double, 3>;
 
@@ -633,6 +638,60 @@ TEST_CASE("platens: the deck's card, by words and in any order of the cards") {
   CHECK(refused.told_of("end 1 of element 1 of body 1 is moved by body 4 (platen 2)"));
   REQUIRE(!refused.told.empty());
   CHECK(refused.told[0].line == std::count(held_twice.begin(), held_twice.end(), '\n')); // its own card, the last
+}
+
+TEST_CASE("platens: in every output of the program, carried by convert, and with images for elements on a line") {
+  const test::Folder folder;
+  test::write_file(folder / "a", deck_with("*platen 2 8 11 1 1\n1 FX 0.5 FY -3 MOMENT 0.2\n*NAME BODY 3 pad\n"));
+  const test::Result ran =
+      test::run_shell("cd '" + folder.path() + "' && " + kProgram +
+                      " run a --csv a.csv --json a.json --bodies a.bodies --listing a.txt --boundary a.ends "
+                      "--vtk a.vtk --report a.html --figures figures --trace a.trace");
+  REQUIRE_MESSAGE(ran.status == 0, ran.err);
+  const Model m = pressed();
+  const Three u = motion_of(solved(m), 2);
+  const test::Json json = test::JsonReader::read(test::read_file(folder / "a.json"));
+  const test::Json& last = json["steps_detail"][4]["bodies"][2];
+  for (size_t k = 0; k < 3; ++k) CHECK(std::fabs(last["motion"][k].number - u[k]) < 1e-11 * std::fabs(u[1]));
+  CHECK(last["load"][1].number == doctest::Approx(-1.5));
+  CHECK(last["contact"][1].number == doctest::Approx(1.5));
+  CHECK(json["force"]["bodies"][2]["name"].text == "pad");
+  CHECK(json["zones"][1]["name"].text == "platen 1");
+  const auto has = [&](const char* file, const char* part) {
+    CHECK_MESSAGE(test::contains(test::read_file(folder / file), part), file << ": " << part);
+  };
+  has("a.txt", "\nBody 3 (pad)\n");
+  has("a.txt", "  a platen, which moves .................... elements 8 to 11 of body 2\n");
+  has("a.txt", "body 3 (pad): loads and supports");
+  has("a.html", "body 3 (pad) moves elements 8 to 11 of body 2 as if rigid");
+  has("figures/model.svg", ">body 3 (pad): ends that it moves</text>");
+  has("figures/tractions_zone2.svg", "pad");
+  has("a.csv", ",tied,");
+  const std::string bodies = test::read_file(folder / "a.bodies");
+  CHECK(std::count(bodies.begin(), bodies.end(), '\n') == 1 + 5 * 3);
+  CHECK(!test::contains(test::read_file(folder / "a.txt"), "Body 3 (pad) in global components"));
+  const test::Result there = test::run_shell("cd '" + folder.path() + "' && " + kProgram + " convert a --to free -o b && " +
+                                             kProgram + " check b && " + kProgram + " run b --csv b.csv");
+  REQUIRE_MESSAGE(there.status == 0, there.err);
+  CHECK(test::contains(there.out, "body 3 (pad), zone 2 (platen 1)"));
+  CHECK(test::read_file(folder / "b.csv") == test::read_file(folder / "a.csv"));
+  // Half a block on rollers with a meshed line of symmetry, a platen that ends on it.
+  Model half;
+  half.add(polygon({{0, 0, 6}, {2, 0, 3}, {2, 1, 2}, {1.5, 1, 4}, {0.5, 1, 2}, {0, 1, 3}}));
+  half.body(1).ends.assign(static_cast<size_t>(2 * half.body(1).elements()), End());
+  half.set(1, 1, end_of("0110")), half.set(1, 6, end_of("1001"));
+  test::write_file(folder / "half", deck_with("*PLATEN 1 16 17 0 1\n1 FY -1 UX 0 TURN 0\n", half));
+  double down[2];
+  for (int images = 0; images < 2; ++images) {
+    const test::Result run =
+        test::run_shell(kProgram + " run '" + (folder / "half") + "' --json - --symmetry " + (images != 0 ? "images" : "deck"));
+    REQUIRE_MESSAGE(run.status == 0, run.err);
+    const test::Json half_json = test::JsonReader::read(run.out);
+    const test::Json& platen = half_json["steps_detail"][0]["bodies"][1];
+    CHECK(std::fabs(platen["contact"][1].number - 1) < 1e-12);
+    down[images] = platen["motion"][1].number;
+  }
+  CHECK(std::fabs(down[1] - down[0]) < 1e-3 * std::fabs(down[0]));
 }
 
 TEST_CASE("platens: faults of the deck's card") {
