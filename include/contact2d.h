@@ -87,8 +87,7 @@ typedef struct c2d_error {
 
 /* ---------------------------------------------------------------- 2 sizes and memory ---------------------------
 
-   Ask for sizes, make memory of at least `minimum` bytes (static, on a heap, in a COMMON block; any alignment), create the
-   solver in it. The solver needs nothing else. */
+   Ask for sizes, make memory of at least `minimum` bytes (static, heap, COMMON; any alignment), create the solver in it. */
 typedef struct c2d_body_limits {
   int32_t points;             /* boundary points (NBP), ends of open regions included               */
   int32_t elements, regions, reserved; /* elements (NEL); closed and open curves (NREN)             */
@@ -108,6 +107,7 @@ typedef struct c2d_limits {
   int32_t panel_columns;      /* columns eliminated at a time; 0: as many as the memory allows      */
   int32_t free_pairs;         /* those of the pairs that belong to zones of kind C2D_ZONE_FREE      */
   int32_t point_sets, curves; /* of c2d_add_points (cards under *POINTS), c2d_add_curve (*CURVE)    */
+  int32_t platens, reserved;  /* of c2d_add_platen (*PLATEN): bodies beyond `bodies`, and a zone each, counted as others are */
 } c2d_limits;
 
 /* Bytes of workspace for these limits: `minimum` solves any model within them with blocks of the smallest size, `in_core`
@@ -240,8 +240,7 @@ c2d_status c2d_set_condition(c2d_solver* solver, int32_t body, int32_t element, 
    displacements of contact nodes and those that symmetry holds are then refused as well. */
 c2d_status c2d_set_values(c2d_solver* solver, int32_t body, int32_t element, int32_t local, int32_t load_case,
                           const double values[4]);
-/* Force (fx, fy) at the point (x, y) inside the body. On a line of symmetry: along the line, the force that falls to the part
-   that is modelled. */
+/* Force (fx, fy) at the point (x, y) inside the body. On a line of symmetry: along it, what falls to the modelled part. */
 c2d_status c2d_add_point_load(c2d_solver* solver, int32_t body, int32_t load_case, double x, double y, double fx, double fy);
 /* A force per area of the body: `force`, a weight, and rho_omega2 (x - axis[0], y - axis[1]), density times angular velocity
    squared, outward from the axis of a rotation; axis may be null where rho_omega2 is 0. One per body and load case; given
@@ -258,6 +257,11 @@ c2d_status c2d_set_rigid(c2d_solver* solver, int32_t body, int32_t load_case, co
    With load_case 0 is_free and point are set (and the body is rigid), else the load; the others are not looked at. */
 c2d_status c2d_set_rigid_load(c2d_solver* solver, int32_t body, int32_t load_case, const int32_t is_free[3],
                               const double load[3], const double point[2]);
+/* A platen: elements first ... last (round a closed region's end if `elements` says how many; 0: by their numbers) move as one
+   rigid body without a mesh: body c2d_limits.bodies + 1, + 2, ..., "platen 1", ...; its tie is the next zone, itself side 1.
+   is_free and point as above; those two calls move and load it. Its ends have no conditions and no contact. METHOD 10.8. */
+c2d_status c2d_add_platen(c2d_solver* solver, int32_t body, int32_t first_element, int32_t last_element, int32_t elements,
+                          const int32_t is_free[3], const double point[2]);
 /* Initial overlaps of a press fit: pairs that overlap before any load are legal, and touch at first; the factor of this load
    case closes their overlaps, which are gone at factor 1. c2d_run brings it from 0 to 1 before the first step of the path, and
    keeps it there; with c2d_advance it is the caller's. Given again it replaces the one before. */
@@ -290,8 +294,7 @@ c2d_status c2d_tie_zone(c2d_solver* solver, int32_t zone);
 /* What the surface is over elements of a body: gaps, normals and the points that face each other are those of surfaces, not of
    elements (METHOD 8). Where nothing is told it is a smooth curve that respects corners and kinks as far as the boundary
    points show them. A line is straight between its points; an arc is one of the circle; a spline is smooth whatever the
-   angles. Elements in two curves, and points farther than a thousandth of their element from a line or an arc, are found by
-   c2d_complete. */
+   angles. c2d_complete refuses elements in two curves, and points off a line or an arc by a thousandth of their element. */
 enum { C2D_CURVE_LINE = 0, C2D_CURVE_ARC = 1, C2D_CURVE_SPLINE = 2 };
 typedef struct c2d_curve {
   uint32_t struct_size;
@@ -381,8 +384,7 @@ c2d_status c2d_replace_point_load(c2d_solver* solver, int32_t i, double x, doubl
    infinity is full adhesion. State afterwards: running. Errors: STORE_.... */
 c2d_status c2d_begin(c2d_solver* solver, const double* mu, int32_t zones);
 /* Go in a straight line from the load factors reached to load[0 .. cases). If *outcome is not C2D_REACHED the solver stays,
-   valid, at the last load it could reach; after a cancel, too, and c2d_advance goes on from there. Errors: STORE_...,
-   CANCELLED. */
+   valid, at the last load it could reach; after a cancel, too: c2d_advance goes on there. Errors: STORE_..., CANCELLED. */
 c2d_status c2d_advance(c2d_solver* solver, const double* load, int32_t cases, c2d_outcome* outcome);
 /* How far the load factors can go along direction[0 .. cases) until a pair changes its status: *step times the direction;
    infinity if no pair ever does; 0 if the path cannot go on that way at all. The load stays where it is; a pair on the border
@@ -437,15 +439,13 @@ c2d_status c2d_cancel(c2d_solver* solver);
 
 /* ---------------------------------------------------------------- 8 results ------------------------------------
 
-   At the load reached, in state running. All but what only tells the model may return STORE_... (back substitution is done on
-   the first call at a load that needs it, then kept). */
-/* Entries first ... first+count-1 of a field (contact2d_codes.h) to out[0], out[stride], .... Positions also in states model
-   and prepared. */
+   At the load reached, in state running. All but what only tells the model may return STORE_... (the first call at a load that
+   needs back substitution does it). Entries first ... first+count-1 of a field (contact2d_codes.h) to out[0], out[stride], ...;
+   positions also in states model and prepared. */
 c2d_status c2d_get(c2d_solver* solver, int32_t field, int32_t body, int32_t first, int32_t count, double* out, int64_t stride);
 
 /* Columns of an interior point. szz = nu (sxx + syy) in plane strain, 0 in plane stress, and enters von Mises' stress;
-   principal stresses are those of the plane, the larger first; max_shear is half their difference. The same holds for
-   C2D_END_.... */
+   principal stresses are those of the plane, the larger first; max_shear is half their difference. So in C2D_END_.... */
 enum {
   C2D_POINT_UX = 0, C2D_POINT_UY = 1, C2D_POINT_SXX = 2, C2D_POINT_SYY = 3, C2D_POINT_SXY = 4, C2D_POINT_SZZ = 5,
   C2D_POINT_VON_MISES = 6, C2D_POINT_MAX_SHEAR = 7, C2D_POINT_PRINCIPAL1 = 8, C2D_POINT_PRINCIPAL2 = 9,

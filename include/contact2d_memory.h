@@ -39,7 +39,7 @@
                    free_pairs, point_sets, curves)
 
 /* For any number of bodies: how many, sums of the two following over them, the largest number of functional nodes of a
-   body, and the rest of c2d_limits. */
+   body, and the rest of c2d_limits. A platen is a body of no points, elements and regions. */
 #define C2D_BODIES_BYTES(bodies, bodies_bytes, results_bytes, nodes, zones, pairs, contact_elements, point_loads,      \
                          coefficients, paths, load_cases, panel_columns, free_pairs, point_sets, curves)               \
   (63 /* to the first multiple of 64 */ +                                                                              \
@@ -182,9 +182,9 @@
 #define C2D_REAL_BYTES 8 /* of a stored matrix's number: 4 for a library compiled with C2D_REAL=float */
 #endif
 #if UINTPTR_MAX > UINT32_MAX
-#define C2D_SOLVER_BYTES 2312 /* of c2d_solver, at most */
+#define C2D_SOLVER_BYTES 2336 /* of c2d_solver, at most */
 #else
-#define C2D_SOLVER_BYTES 2240
+#define C2D_SOLVER_BYTES 2256
 #endif
 #define C2D_ASSEMBLY_BYTES 3776 /* of what the assembly of an element needs, at most */
 #define C2D_BYTES_OF_void 1

@@ -136,6 +136,11 @@ inline c2d::DeckSink recording_sink(Recorder& r, int32_t function_nodes = 0) {
     return recorder(s)->record("rigid load",
                                {double(body), double(is_free[0]), double(is_free[1]), double(is_free[2]), at[0], at[1]});
   };
+  sink.add_platen = [](c2d_solver* s, int32_t body, int32_t first, int32_t last, int32_t elements, const int32_t* is_free,
+                       const double* at) -> c2d_status {
+    return recorder(s)->record("platen", {double(body), double(first), double(last), double(elements), double(is_free[0]),
+                                          double(is_free[1]), double(is_free[2]), at[0], at[1]});
+  };
   sink.tie_zone = [](c2d_solver* s, int32_t zone) -> c2d_status { return recorder(s)->record("tie", {double(zone)}); };
   sink.set_interference = [](c2d_solver* s, int32_t load_case) -> c2d_status {
     return recorder(s)->record("interference", {double(load_case)});

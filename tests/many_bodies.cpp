@@ -118,6 +118,13 @@ void Model::set_second(int32_t number, int32_t of, const End& end) {
   for (int32_t i = (r.first - 1) * function_nodes; i < r.last * function_nodes; ++i) body(number).second[index(i)] = end;
 }
 
+Platen& Model::move(int32_t number, int32_t side_number) {
+  const Range r = side(number, side_number);
+  platens.emplace_back();
+  platens.back().side = {number, r.first, r.last};
+  return platens.back();
+}
+
 int32_t Model::join(int32_t kind, int32_t body1, int32_t side1, int32_t body2, int32_t side2) {
   const Range a = side(body1, side1), b = side(body2, side2);
   zones.push_back({kind, {{body1, a.first, a.last}, {body2, b.last, b.first}}});
@@ -211,6 +218,12 @@ c2d_limits limits_of(const Model& m, std::vector<c2d_body_limits>& list) {
     if ((z.kind & C2D_ZONE_FREE) != 0) limits.free_pairs += pairs;
     limits.contact_elements += z.count(1);
   }
+  for (const Platen& p : m.platens) {
+    const Zone z = {C2D_ZONE_MATCHING, {p.side, p.side}};
+    ++limits.platens, ++limits.zones;
+    limits.pairs += pairs_of(m, z);
+    limits.contact_elements += z.count(1);
+  }
   limits.point_loads = static_cast<int32_t>(m.point_loads.size());
   limits.coefficients = 1;
   limits.paths = static_cast<int32_t>(m.paths.size());
@@ -267,6 +280,17 @@ c2d_side side_of(const Model& m, const Zone& z, int k) {
   return side;
 }
 
+c2d_status feed_platen(c2d_solver* s, const Model& m, size_t i) {
+  const Platen& p = m.platens[i];
+  const int32_t number = static_cast<int32_t>(m.bodies.size() + i) + 1;
+  c2d_status status = c2d_add_platen(s, p.side.body, p.side.first, p.side.last, p.side.elements, p.is_free, p.point);
+  for (int32_t k = 1; k <= m.cases; ++k) {
+    if (status == C2D_OK) status = c2d_set_rigid(s, number, k, k == 1 ? p.motion : p.second_motion, p.point);
+    if (status == C2D_OK) status = c2d_set_rigid_load(s, number, k, nullptr, k == 1 ? p.load : p.second_load, nullptr);
+  }
+  return status;
+}
+
 } // namespace
 
 c2d_status feed(c2d_solver* s, const Model& m) {
@@ -284,6 +308,8 @@ c2d_status feed(c2d_solver* s, const Model& m) {
     zone.side1 = side_of(m, z, 0), zone.side2 = side_of(m, z, 1);
     if (status == C2D_OK) status = c2d_add_zone(s, &zone);
   }
+  for (size_t i = 0; i < m.platens.size(); ++i)
+    if (status == C2D_OK) status = feed_platen(s, m, i);
   if (status == C2D_OK && m.interference > 0) status = c2d_set_interference(s, m.interference);
   if (status == C2D_OK) status = c2d_add_friction(s, m.friction);
   for (size_t i = 0; i < m.zones.size(); ++i)
@@ -415,6 +441,10 @@ Result Machine::look() {
   for (int32_t z = 1; z <= r.summary.zones; ++z) {
     c2d_zone_state state = C2D_INIT(c2d_zone_state);
     if (c2d_get_zone_state(solver, z, &state) == C2D_OK) r.zones.push_back(state);
+  }
+  for (int32_t b = 1; b <= r.summary.bodies; ++b) {
+    c2d_body_state state = C2D_INIT(c2d_body_state);
+    if (c2d_get_body_state(solver, b, &state) == C2D_OK) r.states.push_back(state);
   }
   c2d_get_summary(solver, &r.summary);
   return r;
@@ -647,6 +677,8 @@ Model turned(Model m, double degrees) {
     for (double* v : {b.motion, b.load, b.point, b.force}) turn(v);
   }
   for (PointLoad& l : m.point_loads) turn(&l.x), turn(&l.fx);
+  for (Platen& p : m.platens)
+    for (double* v : {p.point, p.motion, p.load, p.second_motion, p.second_load}) turn(v);
   return m;
 }
 
@@ -664,6 +696,13 @@ Model scaled(Model m, double length, double stress) {
     b.load[2] *= stress * length * length;
   }
   for (PointLoad& l : m.point_loads) l.x *= length, l.y *= length, l.fx *= stress * length, l.fy *= stress * length;
+  for (Platen& p : m.platens) {
+    for (int c = 0; c < 2; ++c) {
+      p.point[c] *= length, p.motion[c] *= length, p.second_motion[c] *= length;
+      p.load[c] *= stress * length, p.second_load[c] *= stress * length;
+    }
+    p.load[2] *= stress * length * length, p.second_load[2] *= stress * length * length;
+  }
   return m;
 }
 
@@ -804,7 +843,8 @@ std::string breach(const Model& m, const Result& r, double tolerance) {
   p *= tolerance, u *= tolerance;
   for (const Step& s : r.steps)
     for (const Row& row : s.rows) {
-      const Zone& z = m.zones[index(static_cast<int32_t>(row[C2D_PAIR_ZONE]) - 1)];
+      const size_t zone = index(static_cast<int32_t>(row[C2D_PAIR_ZONE]) - 1);
+      const Zone z = zone < m.zones.size() ? m.zones[zone] : Zone{C2D_ZONE_TIED, {}};
       const double mu = z.mu >= 0 ? z.mu : m.friction, tn = row[C2D_TN], tt = row[C2D_TT], gap = row[C2D_GAP];
       const int status = static_cast<int>(row[C2D_STATUS]);
       if (((z.kind & C2D_ZONE_TIED) != 0) != (status == C2D_TIED)) return fault(s, row, "a tie and its status", status);

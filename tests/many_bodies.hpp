@@ -65,6 +65,12 @@ struct Zone {
   int32_t without[2] = {0, 0}; // of a matching zone: 1: the node at its first end, at its last end makes no pair
   int32_t count(int k) const;
 };
+struct Platen { // of load cases 1 and 2
+  Side side;
+  int32_t is_free[3] = {1, 1, 1};
+  double point[2] = {0, 0}, motion[3] = {0, 0, 0}, load[3] = {0, 0, 0};
+  double second_motion[3] = {0, 0, 0}, second_load[3] = {0, 0, 0};
+};
 struct PointLoad {
   int32_t body;
   double x, y, fx, fy;
@@ -79,6 +85,7 @@ struct Model {
   int32_t plane = C2D_PLANE_STRAIN, function_nodes = 2, cases = 1, interference = 0;
   std::vector<Body> bodies;
   std::vector<Zone> zones;
+  std::vector<Platen> platens; // their ties are the zones behind these
   std::vector<PointLoad> point_loads;
   double friction = 0;
   std::vector<Path> paths = {{1, 1.0}};
@@ -94,6 +101,7 @@ struct Model {
   void set(int32_t number, int32_t side, const std::function<End(double x, double y)>& end);
   void set_second(int32_t number, int32_t side, const End& end); // in load case 2
   // A zone between whole sides: the elements of the first from first to last face those of the second from last to first.
+  Platen& move(int32_t number, int32_t side); // by a platen
   int32_t join(int32_t kind, int32_t body1, int32_t side1, int32_t body2, int32_t side2);
   void place(int32_t number, int32_t element, int32_t local, double& x, double& y) const; // of a functional node
   double scale() const;                                                                   // largest coordinate
@@ -116,6 +124,7 @@ struct Result {
   std::vector<Step> steps; // recorded ones, and where the path stopped
   std::vector<c2d_body_result> bodies;
   std::vector<c2d_zone_state> zones;
+  std::vector<c2d_body_state> states;
   std::vector<std::vector<EndResult>> boundary; // per body
   c2d_summary summary = C2D_INIT(c2d_summary);
   std::vector<c2d_error> told;

@@ -755,6 +755,39 @@ TEST_CASE("fortran77: loads of a rigid body, and how bodies stand") {
   c2clos_(work, &error), ok(__LINE__);
 }
 
+TEST_CASE("fortran77: a platen pulls a square") {
+  std::vector<double> memory(1 << 18), tapes(1 << 18);
+  void* work = memory.data();
+  int32_t error = open(work, 1 << 18), rigid = -1;
+  const auto ok = [&error](int line) { CHECK_MESSAGE(error == 0, "line " << line); };
+  c2core_(work, tapes.data(), I{1 << 18}, &error), ok(__LINE__);
+  //                       one body           zones pairs ce         mu paths cases        sets curves platens
+  const int32_t sizes[20] = {1, 2, 4, 0, 4, 0, 1, 0, 1, 2, 1, 0, 1, 1, 1, 0, 0, 0, 0, 1};
+  c2size_(work, sizes, I{20}, &error), ok(__LINE__);
+  c2prob_(work, I{1}, I{1}, I{0}, "square    ", I{10}, &error), ok(__LINE__);
+  c2body_(work, I{1}, I{2}, I{4}, I{1}, I{0}, R{1000.0}, R{0.3}, &error), ok(__LINE__);
+  c2regn_(work, I{1}, I{1}, I{4}, &error), ok(__LINE__);
+  const double corners[8] = {0, 0, 1, 0, 1, 1, 0, 1}, none[4] = {0, 0, 0, 0};
+  c2node_(work, I{1}, I{1}, I{4}, corners, I{2}, &error), ok(__LINE__);
+  const int32_t held[4] = {1, 1, 0, 0}, moved[3] = {3, 3, 0}, all_free[3] = {1, 1, 1}, beyond[3] = {3, 5, 0};
+  for (int32_t local = 1; local <= 2; ++local) c2cond_(work, I{1}, I{1}, I{local}, I{1}, held, none, &error), ok(__LINE__);
+  const double point[2] = {0.5, 1}, pull[3] = {0, 2, 0};
+  c2plat_(work, I{1}, beyond, all_free, point, &error);
+  CHECK(error == C2D_ERR_ARGUMENT);
+  c2plat_(work, I{1}, moved, all_free, point, &error), ok(__LINE__);
+  c2rgld_(work, I{2}, I{1}, all_free, pull, point, &error), ok(__LINE__);
+  c2mu_(work, R{0.0}, &error), ok(__LINE__);
+  c2path_(work, I{1}, R{1.0}, I{1}, &error), ok(__LINE__);
+  c2done_(work, &error), ok(__LINE__);
+  c2prep_(work, &error), ok(__LINE__);
+  c2solv_(work, c2none_, &error), ok(__LINE__);
+  double now[11];
+  c2bnow_(work, I{2}, &rigid, now, &error), ok(__LINE__);
+  CHECK((rigid == 1 && std::fabs(now[1] + 2) < 1e-12 && now[9] == 2));
+  CHECK((std::fabs(now[3]) < 1e-12 && std::fabs(now[4] - 1.9e-3) < 1e-4 && std::fabs(now[5]) < 1e-12));
+  c2clos_(work, &error), ok(__LINE__);
+}
+
 TEST_CASE("fortran77: nodes on lines and arcs, points and a point load as the C interface has them") {
   Odd memory(8 * kWords, 12), real(8 * 8, 4), places(8 * 60, 4);
   void* work = memory.at();

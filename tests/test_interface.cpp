@@ -193,6 +193,10 @@ const std::vector<Call>& calls() {
       const int32_t is_free[3] = {1, 0, 0};
       return c2d_set_rigid_load(s, 1, 0, is_free, nullptr, g_numbers);
     });
+    add("add_platen", model_calls, [](c2d_solver* s) {
+      const int32_t is_free[3] = {1, 0, 0};
+      return c2d_add_platen(s, 1, 1, 1, 0, is_free, g_numbers);
+    });
     add("tie_zone", model_calls, [](c2d_solver* s) { return c2d_tie_zone(s, 1); });
     add("set_interference", model_calls, [](c2d_solver* s) { return c2d_set_interference(s, 1); });
     add("set_body_force", model_calls | kModel, [](c2d_solver* s) {
@@ -815,6 +819,10 @@ std::vector<Wrong> wrong_calls() {
     add(C2D_STATE_EMPTY, "rigid body", [body](c2d_solver* s) { return c2d_set_rigid(s, body, 0, nullptr, nullptr); });
     add(C2D_STATE_EMPTY, "rigid load case",
         [i](c2d_solver* s) { return c2d_set_rigid_load(s, 1, i, nullptr, g_numbers, nullptr); });
+    add(C2D_STATE_BUILDING, "platen", [i](c2d_solver* s) {
+      const int32_t is_free[3] = {1, 1, 1};
+      return c2d_add_platen(s, i == 2 ? 3 : i, 1, 1, 0, is_free, g_numbers);
+    });
     add(C2D_STATE_BUILDING, "tie", [i](c2d_solver* s) { return c2d_tie_zone(s, i); });
     add(C2D_STATE_EMPTY, "closing case", [i](c2d_solver* s) { return c2d_set_interference(s, i); });
     add(C2D_STATE_MODEL, "body force case", [i](c2d_solver* s) {

@@ -110,7 +110,8 @@ TEST_CASE("refusals: a size that cannot be meant is named") {
                {"panel_columns", &c2d_limits::panel_columns, 0},
                {"free_pairs", &c2d_limits::free_pairs, 0},
                {"point_sets", &c2d_limits::point_sets, 0},
-               {"curves", &c2d_limits::curves, 0}};
+               {"curves", &c2d_limits::curves, 0},
+               {"platens", &c2d_limits::platens, 0}};
   CHECK(why_not(two_blocks(), nullptr).status == C2D_OK);
   for (const auto& size : sizes) {
     CAPTURE(std::string(size.name));

@@ -125,7 +125,7 @@ module contact2d
   end type
 
   type, bind(C) :: c2d_limits
-    integer(c_int32_t) :: struct_size = 64
+    integer(c_int32_t) :: struct_size = 72
     integer(c_int32_t) :: bodies = 0
     type(c_ptr) :: body = c_null_ptr ! c_loc of an array of type(c2d_body_limits)
     integer(c_int32_t) :: function_nodes = 0
@@ -140,6 +140,8 @@ module contact2d
     integer(c_int32_t) :: free_pairs = 0
     integer(c_int32_t) :: point_sets = 0
     integer(c_int32_t) :: curves = 0
+    integer(c_int32_t) :: platens = 0
+    integer(c_int32_t) :: reserved = 0
   end type
 
   type, bind(C) :: c2d_progress
@@ -646,6 +648,15 @@ module contact2d
       integer(c_int32_t), value :: body, load_case
       integer(c_int32_t), intent(in) :: is_free(3)
       real(c_double), intent(in) :: load(3), point(2)
+      integer(c_int32_t) :: status
+    end function
+    function c2d_add_platen(solver, body, first_element, last_element, elements, is_free, point) bind(C) &
+        result(status)
+      import
+      type(c_ptr), value :: solver
+      integer(c_int32_t), value :: body, first_element, last_element, elements
+      integer(c_int32_t), intent(in) :: is_free(3)
+      real(c_double), intent(in) :: point(2)
       integer(c_int32_t) :: status
     end function
     function c2d_set_interference(solver, load_case) bind(C) result(status)

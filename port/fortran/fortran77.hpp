@@ -155,6 +155,7 @@ void c2cond_(Work work, In ibody, In ielem, In ilocal, In icase, In icodes, In v
 void c2case_(Work work, In ibody, In ielem, In ilocal, In icase, In values, Out ierr);
 void c2load_(Work work, In ibody, In icase, In x, In y, In fx, In fy, Out ierr);
 void c2rigd_(Work work, In ibody, In icase, In motion, In axis, Out ierr);
+void c2plat_(Work work, In ibody, In ielem, In ifree, In point, Out ierr);
 void c2rgld_(Work work, In ibody, In icase, In ifree, In force, In point, Out ierr);
 void c2intf_(Work work, In icase, Out ierr);
 void c2bfor_(Work work, In ibody, In icase, In force, In rhom2, In axis, Out ierr);

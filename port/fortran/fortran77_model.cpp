@@ -129,6 +129,17 @@ void c2rgld_(Work work, In ibody, In icase, In ifree, In force, In point, Out ie
   call.leave(ierr);
 }
 
+void c2plat_(Work work, In ibody, In ielem, In ifree, In point, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    const Reals centre(point, 2);
+    const int32_t is_free[] = {integer_at(ifree, 0), integer_at(ifree, 1), integer_at(ifree, 2)};
+    call.status = c2d_add_platen(call.solver, integer_at(ibody), integer_at(ielem, 0), integer_at(ielem, 1),
+                                 integer_at(ielem, 2), is_free, centre.data());
+  }
+  call.leave(ierr);
+}
+
 void c2intf_(Work work, In icase, Out ierr) {
   Call call(work);
   if (call.ready()) call.status = c2d_set_interference(call.solver, integer_at(icase));

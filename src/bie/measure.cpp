@@ -49,7 +49,7 @@ void end_resultants(const Model& m, int b, int32_t element, Measure measure, End
 }
 
 bool next_contact_end(const Model& m, int b, ContactEnd& end) {
-  for (++end.l; end.element < m.body[b].elements; ++end.element, end.l = 0) {
+  for (++end.l; end.element < end_of_elements(m, b); ++end.element, end.l = 0) {
     ZonePlace place;
     if (!find_contact_element(m, b, end.element, &place) || !is_integrated(m, b, end.element)) continue;
     if (end.l == 0) end_resultants(m, b, end.element, Measure::contact, end.of_element);

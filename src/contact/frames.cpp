@@ -264,11 +264,20 @@ struct ZoneFindings {
   Offsets offsets;
 };
 
+// Side 0, where side 1 is `other`: a platen lies on it.
+bool facing_surface(const Model& m, int32_t pair, const Surface& other, Surface& out) {
+  const Pair& p = m.pair[pair];
+  if (p.node[0] < 0) return kFreeZonePart.surface_faced(m, pair, out);
+  if (!is_platen(m, body_on(m, p, 0))) return surface_at(m, 0, pair, out);
+  out = other;
+  for (double& n : out.n) n = -n;
+  return true;
+}
+
 void build_frame(const Model& m, int32_t pair, ZoneFindings& of, Reporter& reporter) {
   Pair& p = m.pair[pair];
   Surface s1, s2;
-  const bool second = surface_at(m, 1, pair, s2),
-             first = p.node[0] < 0 ? kFreeZonePart.surface_faced(m, pair, s1) : surface_at(m, 0, pair, s1);
+  const bool second = surface_at(m, 1, pair, s2), first = facing_surface(m, pair, s2, s1);
   if (!first || !second) return report_pair(m, pair, "no normal on one of the bodies", "a smooth contact element", reporter);
   p.length = fmin(s1.length, s2.length);
   of.lengths.add(pair, s1.length, s2.length);
@@ -475,7 +484,7 @@ bool build_frames(const Model& m, Reporter& reporter) {
     warn_spread(m, i, of.spread, reporter);
     if (z.is_tied == 0) report_overlaps(m, i, of.overlaps, reporter);
     warn_lengths(m, i, of.lengths, reporter);
-    for (int side = 0; side < 2; ++side) warn_kinks(m, i, side, reporter);
+    for (int side = is_platen(m, z.body[0]) ? 1 : 0; side < 2; ++side) warn_kinks(m, i, side, reporter);
   }
   number_contact(m);
   return reporter.faults == before;

@@ -14,7 +14,7 @@ namespace c2d {
 struct DeckSink {
   c2d_solver* solver;
   int32_t function_nodes;         // per element, as the workspace was made for; 0: any
-  int32_t bodies;                 // likewise
+  int32_t bodies;                 // likewise, without platens
   double (*origin)[2];            // [bodies], for the reader alone: of each body's coordinates
   void (*refused)(void* context); // may be null; told after every call below that returned an error
   void* context;
@@ -42,6 +42,7 @@ struct DeckSink {
   decltype(&c2d_set_symmetry) set_symmetry;
   decltype(&c2d_set_rigid) set_rigid;
   decltype(&c2d_set_rigid_load) set_rigid_load;
+  decltype(&c2d_add_platen) add_platen;
   decltype(&c2d_set_body_force) set_body_force;
   bool has_free_zones;
 };

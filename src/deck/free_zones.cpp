@@ -9,20 +9,6 @@ namespace {
 
 int32_t larger(int32_t a, int32_t b) { return a > b ? a : b; }
 
-// As far as the deck tells: which of the elements face side 1 is found out later.
-void count_sizes(Deck& deck, int32_t elements, bool self) {
-  const int64_t order = deck.sizes.function_nodes;
-  const int64_t pairs = order > 1 ? elements * (order - 1) + 1 : elements;
-  if (self) deck.self_pairs += pairs;
-  deck.pairs += pairs;
-  deck.contact_elements += elements;
-  const auto bounded = [](int64_t size) { return size > INT32_MAX ? INT32_MAX : static_cast<int32_t>(size); };
-  deck.sizes.pairs = bounded(deck.pairs + deck.self_pairs);
-  deck.sizes.contact_elements = bounded(deck.contact_elements);
-  deck.sizes.free_pairs = bounded(deck.sizes.free_pairs + (self ? 2 : 1) * pairs);
-  ++deck.sizes.zones;
-}
-
 // Where the words BODIES b1 b2 stand; -1: they do not.
 int32_t place_of_bodies(const Words& words) {
   for (int32_t i = 0; i < words.count; ++i)
@@ -72,6 +58,20 @@ void read_range(Deck& deck, const Words& words, int32_t at, c2d_side& side) {
 
 } // namespace
 
+void count_zone(Deck& deck, int32_t elements, int32_t kind) {
+  const int64_t order = deck.sizes.function_nodes;
+  const int64_t pairs = order > 1 ? elements * (order - 1) + 1 : elements;
+  const bool self = (kind & C2D_ZONE_SELF) != 0;
+  const auto bounded = [](int64_t size) { return size > INT32_MAX ? INT32_MAX : static_cast<int32_t>(size); };
+  if (self) deck.self_pairs += pairs;
+  deck.pairs += pairs;
+  deck.contact_elements += elements;
+  deck.sizes.pairs = bounded(deck.pairs + deck.self_pairs);
+  deck.sizes.contact_elements = bounded(deck.contact_elements);
+  if ((kind & C2D_ZONE_FREE) != 0) deck.sizes.free_pairs = bounded(deck.sizes.free_pairs + (self ? 2 : 1) * pairs);
+  ++deck.sizes.zones;
+}
+
 void read_free_zone(Deck& deck, const Words& keyword_card) {
   Cards& cards = deck.cards;
   if (deck.problem.analysis == C2D_ANALYSIS_STRESS)
@@ -92,7 +92,7 @@ void read_free_zone(Deck& deck, const Words& keyword_card) {
   }
   if (!end_of_words(cards, keyword_card, others + (counted ? 6 : 4)) || cards.faults != old_faults) return;
   const int32_t first = zone.side2.first_element, last = zone.side2.last_element;
-  count_sizes(deck, counted ? zone.side2.elements : larger(first - last, last - first) + 1, (zone.kind & C2D_ZONE_SELF) != 0);
+  count_zone(deck, counted ? zone.side2.elements : larger(first - last, last - first) + 1, zone.kind);
   if (deck.sink == nullptr) return;
   place_words(deck, keyword_card);
   accept(deck, deck.sink->add_zone(deck.sink->solver, &zone));

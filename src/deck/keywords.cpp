@@ -23,6 +23,7 @@ struct Keyword {
 //   *SYMMETRY X value        symmetry.cpp   line x = value (Y: y = value), everything mirrored across it
 //   *ZONE e1 e1 e2 e2 ...    free_zones.cpp contact between elements of two bodies, meshed independently
 //   *TIE zone                tie.cpp        a zone is bonded
+//   *PLATEN body e e x y     platen.cpp     elements move as one rigid body, with motions and loads by load case
 //   *NAME BODY body text     names.cpp      what a body is called (ZONE: a zone)
 //   *CURVE kind body e e     curves.cpp     what the surface is over elements of a body
 //   *RIGID LOAD body x y ... rigid.cpp      motions of a rigid body are free, with forces and a moment by load case
@@ -42,6 +43,7 @@ constexpr Keyword kKeywords[] = {
     {"RIGID LOAD", read_rigid_load, true, "c2d_set_rigid", [](const DeckSink& sink) { return sink.set_rigid != nullptr; }},
     {"RIGID", read_rigid, true, "c2d_set_rigid", [](const DeckSink& sink) { return sink.set_rigid != nullptr; }},
     {"ZONE", read_free_zone, true, "c2d_link_free_zones", [](const DeckSink& sink) { return sink.has_free_zones; }},
+    {"PLATEN", read_platen, true, "c2d_set_rigid", [](const DeckSink& sink) { return sink.add_platen != nullptr; }},
     {"TIE", read_tie, true},
     {"NAME", read_name, true},
     {"POINTS", read_points, true},

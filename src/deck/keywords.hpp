@@ -14,6 +14,9 @@ using KeywordHandler = void (*)(Deck& deck, const Words& keyword_card);
 // The next card below the keyword at hand; false at the next keyword and at the end of the deck.
 bool next_data_card(Deck& deck, Words& words);
 
+// A zone of this kind that a keyword adds, of so many elements: its sizes, as far as the deck tells which elements face others.
+void count_zone(Deck& deck, int32_t elements, int32_t kind); // free_zones.cpp
+
 // One handler for each keyword; the table is in keywords.cpp, the handlers in files named after what they read.
 void read_units(Deck& deck, const Words& keyword_card);     // units.cpp
 void read_cases(Deck& deck, const Words& keyword_card);     // history.cpp
@@ -21,6 +24,7 @@ void read_path(Deck& deck, const Words& keyword_card);      //
 void read_friction(Deck& deck, const Words& keyword_card);  //
 void read_free_zone(Deck& deck, const Words& keyword_card); // free_zones.cpp
 void read_rigid_load(Deck& deck, const Words& keyword_card);
+void read_platen(Deck& deck, const Words& keyword_card); // platen.cpp
 void read_tie(Deck& deck, const Words& keyword_card);
 void read_name(Deck& deck, const Words& keyword_card);         // names.cpp
 void read_curve(Deck& deck, const Words& keyword_card);        // curves.cpp

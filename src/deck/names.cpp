@@ -43,7 +43,7 @@ void read_name(Deck& deck, const Words& keyword_card) {
     return void(word_fault(cards, keyword_card, 1, "there is no contact zone yet, expected zones before their names"));
   char name[kLongestName + 1];
   const bool known = zone ? integer_word(cards, keyword_card, 1, "contact zone", 1, deck.sizes.zones, &i)
-                          : integer_word(cards, keyword_card, 1, "body number", 1, deck.sizes.bodies, &i);
+                          : integer_word(cards, keyword_card, 1, "body number", 1, deck.sizes.bodies + deck.sizes.platens, &i);
   if (!known || !read_text(cards, keyword_card, name)) return;
   if (i <= NumbersSeen::kNoted / 2 && deck.names.again(2 * i - (zone ? 0 : 1)))
     return void(word_fault(cards, keyword_card, 1, zone ? "zone " : "body ", i, " is named twice, expected one name"));

@@ -39,7 +39,7 @@ uint64_t list_end(const char* at) {
 // Everything but the list of bodies, which no struct holds the address of.
 bool same_sizes(const Sizes& a, const Sizes& b) {
   constexpr size_t kRest = offsetof(Sizes, zones);
-  static_assert(offsetof(Sizes, body) == 4 * 4 && sizeof(Sizes) - kRest == 11 * 8, "no padding");
+  static_assert(offsetof(Sizes, body) == 4 * 4 && sizeof(Sizes) - kRest == 12 * 8, "no padding");
   const char *first = reinterpret_cast<const char*>(&a), *other = reinterpret_cast<const char*>(&b);
   return same_bytes(first, other, offsetof(Sizes, body)) && same_bytes(first + kRest, other + kRest, sizeof(Sizes) - kRest);
 }
@@ -80,6 +80,21 @@ template <class Check> bool look_at(char* at, Check check) {
   return consistent;
 }
 
+// Has platen b, `found`, the mesh of one of the bodies before, from one of its regions on, and else arrays of its own?
+bool borrows(const char* at, int32_t b, const Body& found, int64_t place[kBodyArrays]) {
+  const char* const bodies = at + C2D_MEMBER(layout).offset[kBodies];
+  for (int32_t i = 0; i < b; ++i) {
+    const Body from = member_at<Body>(bodies, static_cast<size_t>(i) * sizeof(Body));
+    if (from.array[kXy] != found.array[kXy] || from.elements == 0) continue;
+    const int64_t shift = found.array[kRegions] - from.array[kRegions], size = static_cast<int64_t>(sizeof(Region));
+    if (shift < 0 || shift % size != 0 || shift / size >= from.regions) return false;
+    for (const int32_t array : kMeshArrays) place[array] = from.array[array];
+    place[kRegions] += shift;
+    return same_bytes(found.array, place, kBodyArrays * sizeof place[0]);
+  }
+  return false;
+}
+
 // Are the bodies' arrays where these limits put them? For memory that holds the list of bodies.
 bool has_its_arrays(const char* at, c2d_body_limits* body) {
   Sizes sizes = C2D_MEMBER(sizes);
@@ -90,8 +105,12 @@ bool has_its_arrays(const char* at, c2d_body_limits* body) {
     int64_t place[kBodyArrays];
     end = lay_out_body(sizes, b, end, place);
     for (int64_t& array : place) array -= static_cast<int64_t>(layout.offset[kBodies]);
-    const char* const found = at + layout.offset[kBodies] + static_cast<size_t>(b) * sizeof(Body) + offsetof(Body, array);
-    if (!same_bytes(found, place, sizeof place)) return false;
+    const Body found = member_at<Body>(at + layout.offset[kBodies], static_cast<size_t>(b) * sizeof(Body));
+    if (b >= sizes.bodies - sizes.platens && found.is_set != 0) {
+      if (!borrows(at, b, found, place)) return false;
+    } else if (!same_bytes(found.array, place, sizeof place)) {
+      return false;
+    }
   }
   return true;
 }

@@ -87,7 +87,7 @@ void fill_header(c2d_solver* s, uint64_t bytes, uint32_t slack, const Sizes& siz
   s->sizes.body = nullptr; // the list is the caller's
   s->layout = layout;
   c2d_body_limits* const kept = array_of<c2d_body_limits>(s, kBodyLimits);
-  for (int b = 0; b < sizes.bodies; ++b)
+  for (int b = 0; b < sizes.bodies - sizes.platens; ++b)
     kept[b] = c2d_body_limits{sizes.body[b].points, sizes.body[b].elements, sizes.body[b].regions, 0};
   s->options.struct_size = static_cast<uint32_t>(sizeof s->options);
   s->error = blank_error();

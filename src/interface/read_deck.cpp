@@ -58,7 +58,7 @@ c2d_status walk(Reading& reading) {
   DeckSink sink = DeckSink();
   sink.solver = reading.solver;
   sink.function_nodes = reading.solver->sizes.function_nodes;
-  sink.bodies = bodies;
+  sink.bodies = static_cast<int32_t>(bodies - reading.solver->sizes.platens);
   sink.origin = reinterpret_cast<double(*)[2]>(sizes.body + bodies);
   sink.refused = model_refused;
   sink.context = &reading;
@@ -66,6 +66,7 @@ c2d_status walk(Reading& reading) {
   sink.set_symmetry = kSymmetryPart.set_symmetry;
   sink.set_rigid = kRigidPart.set_rigid;
   sink.set_rigid_load = kRigidPart.set_rigid_load;
+  sink.add_platen = kRigidPart.add_platen;
   sink.set_body_force = kBodyForcePart.set_body_force;
   sink.has_free_zones = kFreeZonePart.linked;
   const c2d_status status = read_deck_cards(&sink, read_line, &reading, deck_fault, &reading, &sizes);

@@ -36,6 +36,7 @@ c2d_status factor_tape(const Sizes& sizes, uint64_t bytes, bool keep, bool upper
   if (status != C2D_OK) return status;
   out = {0, 0};
   for (int b = 0; b < sizes.bodies; ++b) {
+    if (phases.of(b).rows == 0) continue;
     EliminationPlan plan = plan_by(rule, phases, b);
     plan.keep_lower = keep;
     const TapeUse use = upper ? most_upper_use(plan) : lower_use(plan);

@@ -109,6 +109,7 @@ struct RigidPart { // model/validate_rigid.cpp, results/rigid.cpp, solver/energy
   bool linked = false;
   decltype(&c2d_set_rigid) set_rigid = nullptr;
   decltype(&c2d_set_rigid_load) set_rigid_load = nullptr;
+  decltype(&c2d_add_platen) add_platen = nullptr;
   Function<void, const Model&, int, Reporter&> check_rigid = Nothing();
   Function<void, const Model&, int, Reporter&> check_rigid_zones = Nothing();
   Function<c2d_status, const Reduction&, int> reduce_rigid = NotLinked();

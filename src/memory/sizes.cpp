@@ -54,11 +54,13 @@ bool find_wrong_limit(const c2d_limits& l, WrongLimit& out) {
                 {"curves", l.curves}};
   for (const auto& count : counts)
     if (is_wrong(out, count.member, -1, count.value, 0)) return true;
-  return is_wrong(out, "free_pairs", -1, l.free_pairs, 0, l.pairs);
+  return is_wrong(out, "free_pairs", -1, l.free_pairs, 0, l.pairs) ||
+         is_wrong(out, "platens", -1, l.platens, 0, INT32_MAX - l.bodies);
 }
 
 BodySizes sizes_of_body(const Sizes& sizes, int b) {
   BodySizes body{};
+  if (b >= sizes.bodies - sizes.platens) return body;
   const int64_t per_element = sizes.function_nodes == 1 ? 1 : sizes.function_nodes - 1;
   body.geometry_nodes = sizes.body[b].points;
   body.elements = sizes.body[b].elements;
@@ -76,7 +78,8 @@ c2d_status derive_sizes(const c2d_limits& limits, Sizes& out) {
   WrongLimit wrong;
   if (find_wrong_limit(limits, wrong)) return C2D_ERR_ARGUMENT;
   out = Sizes{};
-  out.bodies = limits.bodies;
+  out.bodies = limits.bodies + limits.platens;
+  out.platens = limits.platens;
   out.body = limits.body;
   out.function_nodes = limits.function_nodes;
   out.load_cases = limits.load_cases == 0 ? 1 : limits.load_cases;
@@ -100,7 +103,8 @@ c2d_limits limits_of(const Sizes& sizes) {
   c2d_limits out = c2d_limits();
   out.struct_size = static_cast<uint32_t>(sizeof out);
   const auto number = [](int64_t size) { return static_cast<int32_t>(size); };
-  out.bodies = sizes.bodies;
+  out.bodies = number(sizes.bodies - sizes.platens);
+  out.platens = number(sizes.platens);
   out.body = sizes.body;
   out.function_nodes = sizes.function_nodes;
   out.zones = number(sizes.zones);

@@ -32,6 +32,7 @@ struct Sizes {
   int64_t motions;    // of bodies that only the contact holds, at most
   int64_t free_pairs; // of them, those of free zones
   int64_t point_sets, curves;
+  int64_t platens; // the last of the bodies, without a mesh of their own
 };
 BodySizes sizes_of_body(const Sizes& sizes, int b);
 

@@ -185,6 +185,9 @@ struct ModelHeader { // lives in the solver's header; the arrays live in the wor
   char unit_length[16], unit_force[16];
 };
 
+// Those that a platen has of the body that it moves.
+constexpr int32_t kMeshArrays[] = {kXy, kNodeLine, kEndTraction, kNodeDisp, kEndCode, kEndLine, kRegions};
+
 // One array of every body.
 template <class T, int32_t id> struct BodyArray {
   Body* body;
@@ -285,6 +288,12 @@ double given_displacement(const Model& m, int b, int32_t node, int component, in
 double given_traction(const Model& m, int b, int32_t end, int component, int32_t load_case);
 
 inline bool is_rigid(const Model& m, int b) { return m.body[b].rigid != 0; }
+// A platen (c2d_add_platen): a rigid body tied to elements of another. These are its side of the zone as well: the arrays of
+// its mesh are those of that body, but it counts no elements, nodes or regions, so that none is looked at as its own.
+inline bool is_platen(const Model& m, int b) { return m.body[b].elements == 0; }
+// Among elements 0 ... end - 1 are those of its zones.
+inline int32_t end_of_elements(const Model& m, int b) { return is_platen(m, b) ? m.region[b]->last + 1 : m.body[b].elements; }
+const Zone& tie_of_platen(const Model& m, int b);
 bool has_rigid(const Model& m); // any body
 bool has_body_forces(const Model& m);
 // Displacement of a point of a rigid body in a load case, at factor 1.

@@ -155,6 +155,12 @@ void measure_elements(const Model& m) {
     }
 }
 
+const Zone& tie_of_platen(const Model& m, int b) {
+  int32_t i = 0;
+  while (m.zone[i].body[0] != b) ++i;
+  return m.zone[i];
+}
+
 bool is_integrated(const Model& m, int b, int32_t element) {
   return !is_zero_length(m, b, element) && !is_axis_element(m, b, element);
 }

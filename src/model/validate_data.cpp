@@ -68,6 +68,7 @@ void check_points(const Model& m, int b, Reporter& reporter) {
 void check_body(const Model& m, int b, Reporter& reporter) {
   const Body& body = body_of(m, b);
   if (body.is_set == 0) return report(reporter, in_body(b), "body ", body_named(m, b), " is missing");
+  if (is_platen(m, b)) return;
   check_material(m, b, reporter);
   const int32_t before = reporter.faults;
   check_regions(m, b, reporter);

@@ -62,7 +62,7 @@ struct LineElements {
 LineElements elements_on_line(const Model& m, int axis, double line) {
   LineElements found = {true, 0, 0, -1, nullptr};
   for (int b = 0; b < m.head->bodies; ++b) {
-    bool any = false;
+    bool any = is_platen(m, b);
     for (int32_t e = 0; e < body_of(m, b).elements; ++e) {
       if (!lies_on(m, b, e, axis, line)) continue;
       any = true;
@@ -192,6 +192,16 @@ void check_open_region(const Model& m, int b, const Region& r, Reporter& reporte
       report_point(m, b, point, "ends an open region, expected it on a line of symmetry", reporter);
 }
 
+// A platen meets the lines on which what it moves ends.
+int32_t lines_of_platen(const Model& m, int b) {
+  const Zone& z = tie_of_platen(m, b);
+  int32_t lines = 0;
+  for (int32_t k = 0; k < z.elements; ++k)
+    for (int i = 0; i < body_of(m, z.body[1]).element_nodes; ++i)
+      lines |= lines_at_point(m, z.body[1], geometry_node(m, z.body[1], zone_element(m, z, 1, k), i));
+  return lines;
+}
+
 // A body without a point on a line lies on one side of it, and its image is another body. A line that no body meets would
 // mirror everything to no effect.
 void find_lines_met(const Model& m, Reporter& reporter) {
@@ -199,6 +209,7 @@ void find_lines_met(const Model& m, Reporter& reporter) {
   for (int b = 0; b < m.head->bodies; ++b) {
     int32_t lines = 0;
     for (int32_t i = 0; i < body_of(m, b).geometry_nodes; ++i) lines |= lines_at_point(m, b, i);
+    if (is_platen(m, b)) lines = lines_of_platen(m, b);
     m.body[b].lines = static_cast<int8_t>(lines);
     met |= lines;
   }

@@ -254,11 +254,12 @@ bool validate_zones(const Model& m, bool sound, Reporter& reporter) {
   if (reporter.faults != before) return false; // the rest looks up what the zones name
   if (!fit_zones(m, reporter)) return false;
   for (int32_t i = 0; i < m.head->zones; ++i) {
+    const bool platen = is_platen(m, m.zone[i].body[0]); // both sides are one
     if (m.zone[i].is_free == 0) {
       check_nodes(m, i, reporter);
-      check_facing(m, i, sound, reporter);
+      if (!platen) check_facing(m, i, sound, reporter);
     }
-    for (int side = 0; side < 2; ++side) {
+    for (int side = platen ? 1 : 0; side < 2; ++side) {
       check_overlap(m, i, side, reporter);
       check_lengths(m, i, side, reporter);
     }

@@ -77,6 +77,7 @@ bool InteriorPoints::take_sets(c2d_solver* solver, std::string& error) {
 // A body that meets a line of symmetry is looked at whole; of one that does not the image is a body of its own.
 c2d_status InteriorPoints::take_bodies(c2d_solver* solver, const Summary& s) {
   for (int32_t body = 1; body <= s.bodies; ++body) {
+    if (s.is_platen(body)) continue;
     c2d_points set = C2D_INIT(c2d_points);
     set.kind = C2D_POINTS_GRID;
     set.body = body;

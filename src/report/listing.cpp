@@ -88,6 +88,7 @@ c2d_status append_global(std::string& out, c2d_solver* solver, const Summary& s)
   const int32_t fields[] = {C2D_END_NODE, C2D_END_X, C2D_END_Y, C2D_END_UX, C2D_END_UY, C2D_END_TX, C2D_END_TY, C2D_END_STATUS};
   std::vector<std::vector<double>> v;
   for (int32_t body = 1; body <= s.bodies; ++body) {
+    if (s.is_platen(body)) continue;
     const c2d_status status = get_ends(solver, s, body, fields, 8, v);
     if (status != C2D_OK) return status;
     append_body_section(out, s, body, " in global components");

@@ -93,6 +93,11 @@ c2d_status append_model(std::string& out, c2d_solver* solver, const Summary& s, 
   append_control(out, s);
   c2d_status status = C2D_OK;
   for (int32_t body = 1; body <= s.bodies && status == C2D_OK; ++body) {
+    if (s.is_platen(body)) {
+      append_body_section(out, s, body);
+      append_item(out, "a platen, which moves", s.moved_by(body).c_str());
+      continue;
+    }
     append_body(out, s, body);
     status = append_regions(out, solver, s, body);
     if (status == C2D_OK) status = append_coordinates(out, solver, s, body);

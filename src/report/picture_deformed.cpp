@@ -141,7 +141,7 @@ void draw_deformed(const Scene& scene, Pictures& out) {
         for (const Point& p : curve) x.include(p.x), y.include(p.y);
   const Zoom near = choose_zoom(scene);
   std::vector<LegendEntry> entries;
-  for (size_t b = 0; b < scene.bodies.size(); ++b)
+  for (size_t b = 0; b < scene.bodies.size() && !scene.bodies[b].platen; ++b) // they are the last
     entries.push_back({"deformed body " + std::to_string(b + 1), Stroke{style_of(b).edge, 1.6, style_of(b).dash}, Mark::kNone,
                        true, style_of(b).fill});
   entries.push_back({"undeformed", Stroke{colour::kFaint, 1.0, "2 3"}, Mark::kNone, true, ""});

@@ -17,6 +17,19 @@ std::string fill_of(Svg& svg, const Scene& scene, size_t b) {
   return scene.bodies[b].rigid ? svg.hatch(style_of(b).hatch, style_of(b).fill) : std::string(style_of(b).fill);
 }
 
+Stroke platen_stroke(size_t b) { return {style_of(b).edge, 5.0, ""}; }
+
+// The pairs of contact and of ties, without those of platens.
+bool is_of_contact(const Scene& scene, const PairScene& pair) {
+  const ZoneScene& zone = scene.zones[static_cast<size_t>(pair.zone) - 1];
+  return !scene.bodies[static_cast<size_t>(zone.body[0]) - 1].platen;
+}
+bool has_contact(const Scene& scene) {
+  for (const PairScene& pair : scene.pairs)
+    if (is_of_contact(scene, pair)) return true;
+  return false;
+}
+
 class ModelView {
 public:
   ModelView(Svg& svg, const Scene& scene, const Chart& view, bool zoom, Present& present)
@@ -43,6 +56,7 @@ private:
 
   void bodies(size_t b) {
     const BodyScene& body = scene_.bodies[b];
+    if (body.platen) return platen(b);
     std::vector<std::vector<Point>> curves = outline_of(body, 0.0);
     for (auto& curve : curves)
       for (Point& p : curve) p = mapped(view_, p);
@@ -54,6 +68,21 @@ private:
         if (!visible(p) || distance(p, last) < 3.0) continue;
         svg_.mark(Mark::kCircle, p, zoom_ ? 3.2 : 2.2, style_of(b).edge);
         last = p;
+      }
+    }
+  }
+
+  // A bar along the ends that it moves, and their places on it.
+  void platen(size_t b) {
+    for (const ZoneScene& zone : scene_.zones) {
+      if (zone.body[0] != static_cast<int32_t>(b) + 1) continue;
+      for (const Image& image : scene_.images) {
+        std::vector<Point> bar;
+        for (size_t p = zone.first; p < zone.first + zone.pairs; ++p)
+          bar.push_back(mapped(view_, image.place(scene_.pairs[p].on[0])));
+        svg_.polyline(bar, platen_stroke(b));
+        for (const Point& p : bar)
+          if (visible(p)) svg_.mark(Mark::kSquare, p, 5.0, style_of(b).edge, false);
       }
     }
   }
@@ -75,6 +104,7 @@ private:
   void pairs() {
     for (const Image& image : scene_.images)
       for (const PairScene& pair : scene_.pairs) {
+        if (!is_of_contact(scene_, pair)) continue;
         const Point a = mapped(view_, image.place(pair.on[0])), b = mapped(view_, image.place(pair.on[1]));
         if (!visible(a)) continue;
         svg_.line(a, b, Stroke{colour::kGreen, zoom_ ? 1.2 : 1.0, ""});
@@ -206,10 +236,15 @@ private:
 
 std::vector<LegendEntry> legend(Svg& svg, const Scene& scene, const Present& present) {
   std::vector<LegendEntry> out;
-  for (size_t b = 0; b < scene.bodies.size(); ++b)
-    out.push_back({body_label(scene, static_cast<int64_t>(b) + 1) + (scene.bodies[b].rigid ? ", rigid" : ""),
-                   Stroke{style_of(b).edge, 1.3, ""}, Mark::kNone, true, fill_of(svg, scene, b)});
-  if (!scene.pairs.empty()) out.push_back({"contact pairs", Stroke{colour::kGreen, 1.5, ""}, Mark::kSquare, true, ""});
+  for (size_t b = 0; b < scene.bodies.size(); ++b) {
+    const std::string label = body_label(scene, static_cast<int64_t>(b) + 1);
+    if (scene.bodies[b].platen)
+      out.push_back({label + ": ends that it moves", platen_stroke(b), Mark::kSquare, true, ""});
+    else
+      out.push_back({label + (scene.bodies[b].rigid ? ", rigid" : ""), Stroke{style_of(b).edge, 1.3, ""}, Mark::kNone, true,
+                     fill_of(svg, scene, b)});
+  }
+  if (has_contact(scene)) out.push_back({"contact pairs", Stroke{colour::kGreen, 1.5, ""}, Mark::kSquare, true, ""});
   if (scene.summary.symmetry != 0)
     out.push_back({"line of symmetry", Stroke{colour::kPurple, 1.2, "14 4 3 4"}, Mark::kNone, true, ""});
   for (const LegendEntry& entry : symbol_legend(scene, present)) out.push_back(entry);
@@ -231,7 +266,12 @@ std::string model_caption(const Scene& scene) {
                                     : "All bodies as the deck describes them: ";
   for (size_t b = 0; b < scene.bodies.size(); ++b) {
     if (b > 0) out += "; ";
-    if (s.bodies > 1) out += body_label(scene, static_cast<int64_t>(b) + 1) + " has ";
+    const std::string label = body_label(scene, static_cast<int64_t>(b) + 1);
+    if (scene.bodies[b].platen) {
+      out += label + " moves " + s.moved_by(static_cast<int32_t>(b) + 1) + " as if rigid";
+      continue;
+    }
+    if (s.bodies > 1) out += label + " has ";
     out += describe_body(scene, b);
   }
   out += s.plane == C2D_PLANE_STRESS ? "; plane stress." : "; plane strain.";
@@ -274,11 +314,12 @@ void draw_model(const Scene& scene, Pictures& out) {
   for (const Image& image : scene.zone_images)
     for (const PairScene& pair : scene.pairs)
       for (const Point& on : pair.on) {
+        if (!is_of_contact(scene, pair)) continue;
         const Point p = image.place(on);
         zoom_x.include(p.x), zoom_y.include(p.y);
       }
   if (x.empty) return;
-  const bool zoom = !scene.pairs.empty();
+  const bool zoom = has_contact(scene);
   const double left = 62.0, gap = 66.0, right = 14.0, top = 30.0;
   const double wide = zoom ? (kPictureWidth - left - gap - right) / 2.0 : kPictureWidth - left - right;
   const double high = view_height(x, y, wide, 240.0, zoom ? 420.0 : 460.0);

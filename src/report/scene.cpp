@@ -31,6 +31,8 @@ c2d_status gather_body(Scene& scene, int32_t body) {
   const size_t b = static_cast<size_t>(body) - 1;
   BodyScene& out = scene.bodies[b];
   const int32_t ends = s.body[b].elements * s.function_nodes;
+  out.platen = s.is_platen(body);
+  if (out.platen) return C2D_OK;
   std::vector<Point> nodes;
   c2d_status status = get_points(solver, C2D_NODE_X, body, s.body[b].points, nodes);
   if (status == C2D_OK) status = get_points(solver, C2D_END_X, body, ends, out.ends);

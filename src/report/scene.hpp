@@ -34,6 +34,7 @@ struct BodyScene {
   std::vector<EndCondition> conditions;            // per element end
   std::vector<bool> on_line; // per element: it lies on a line of symmetry, is no boundary and has no results
   bool rigid = false;        // an obstacle
+  bool platen = false;       // has no curves: it is drawn where it is tied
 };
 struct PairScene {
   int32_t zone;   // from 1

@@ -11,6 +11,14 @@ bool Summary::names_bodies() const {
   return bodies > 2;
 }
 
+std::string Summary::moved_by(int32_t platen) const {
+  for (const c2d_zone& z : zone)
+    if (z.side1.body == platen)
+      return "elements " + std::to_string(z.side2.first_element) + " to " + std::to_string(z.side2.last_element) + " of body " +
+             std::to_string(z.side2.body);
+  return "";
+}
+
 namespace {
 
 std::vector<std::string> get_names(c2d_solver* solver, int32_t kind, size_t count) {

@@ -26,6 +26,9 @@ struct Summary : c2d_summary {
   // Has a zone other bodies than body 1 on side 1 and body 2 on side 2, or may it have, or has anything a name? Then they are
   // told.
   bool names_bodies() const;
+  bool is_platen(int32_t number) const { return body[number - 1].elements == 0; } // has no mesh of its own
+  // Whose elements a platen moves, and which: "elements 8 to 11 of body 2".
+  std::string moved_by(int32_t platen) const;
 };
 c2d_status get_summary(c2d_solver* solver, Summary& out);
 

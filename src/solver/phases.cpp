@@ -70,7 +70,7 @@ PhaseSizes model_sizes(const Model& m) {
 BodyPhase PhaseSizes::of(int b) const {
   if (!model) {
     const BodySizes body = sizes_of_body(*limits, b);
-    return {body.nodes, body.rows, 2 * body.nodes + 3, m}; // without contact, every unknown is an outer one
+    return {body.nodes, body.rows, body.rows > 0 ? 2 * body.nodes + 3 : 0, m}; // without contact, every unknown is an outer one
   }
   const Body& body = model->body[b];
   if (is_rigid(*model, b)) return {body.nodes, 0, 0, body.contact};
