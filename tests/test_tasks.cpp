@@ -130,8 +130,8 @@ TEST_CASE("tasks: no bit of a solution or of interior points depends on their nu
 
 namespace {
 
-// Blocks in a row, each pressed down and held below, sides touching: of several sizes, one rigid, one so large that it is not one
-// of several.
+// Blocks in a row, each pressed down and held below, sides touching: of several sizes, one rigid, one so large that it is not
+// one of several.
 many::Model row_of_blocks() {
   many::Model m;
   const int32_t count = 11, rigid = 4, large = 8;

@@ -174,7 +174,8 @@ c2d_status keep_border(const Bordered& s) {
   Real* c = s.r.second;
   for (int32_t k = 0; k < s.border; ++k)
     for (int32_t i = 0; i < s.m; ++i) c[static_cast<int64_t>(k) * s.m + i] = s.column(s.m + k)[i];
-  if (!orthonormalise(s.r.engine, s.m, s.border, c, 0, nullptr, c + static_cast<int64_t>(s.border) * s.m)) return C2D_ERR_SINGULAR;
+  if (!orthonormalise(s.r.engine, s.m, s.border, c, 0, nullptr, c + static_cast<int64_t>(s.border) * s.m))
+    return C2D_ERR_SINGULAR;
   return write_matrix(s.r.tape, ContactMatrix::border, c, s.m);
 }
 
