@@ -47,7 +47,7 @@ bool orthonormalise(int32_t n, int32_t count, Real* x, int32_t rows, Real* y) {
 
 namespace {
 
-// Vectors that are made orthogonal to all before them at once.
+// Vectors that are made orthogonal to all before them at once: with kBlock (n + 2 count) <= n n numbers of scratch.
 constexpr int32_t kBlock = 16;
 bool has_blocks(int32_t n, int32_t count) { return !kSmallCode && count > kBlock && n >= 3 * kBlock; }
 
@@ -82,16 +82,12 @@ bool project(const Vectors& v, int32_t first, int32_t count) {
 
 } // namespace
 
-int64_t orthonormal_scratch(int32_t n, int32_t count) {
-  return has_blocks(n, count) ? kBlock * (int64_t{n} + 2 * int64_t{count}) : 0;
-}
-
 bool orthonormalise(const Engine& engine, int32_t n, int32_t count, Real* x, int32_t rows, Real* y, Real* scratch) {
-  const int32_t block = has_blocks(n, count) ? kBlock : count;
+  if (!has_blocks(n, count)) return orthonormalise(n, count, x, rows, y);
   const Vectors v = {engine, n, rows, x, y, scratch};
   bool sound = true;
-  for (int32_t first = 0; first < count; first += block) {
-    const int32_t most = count - first, own = most < block ? most : block;
+  for (int32_t first = 0; first < count; first += kBlock) {
+    const int32_t most = count - first, own = most < kBlock ? most : kBlock;
     for (int pass = 0; pass < (first > 0 ? 2 : 1); ++pass) {
       if (first > 0) sound &= project(v, first, own);
       sound &= orthonormalise(n, own, x + int64_t{first} * n, rows, y ? y + int64_t{first} * rows : nullptr);

@@ -8,8 +8,7 @@ double product(const Real* a, const Real* b, int32_t n);
 // x[0 ... count) of n numbers, made orthonormal in place; the same sums of y, of rows numbers each (or null). Twice, so that
 // they are so to the last digit. False if one is no direction of its own.
 bool orthonormalise(int32_t n, int32_t count, Real* x, int32_t rows, Real* y);
-// The same of many, as products of matrices. `scratch`: orthonormal_scratch(n, count) numbers, which are never more than n n.
+// The same of many, count <= n, as products of matrices. `scratch`: n n numbers are enough.
 bool orthonormalise(const Engine& engine, int32_t n, int32_t count, Real* x, int32_t rows, Real* y, Real* scratch);
-int64_t orthonormal_scratch(int32_t n, int32_t count);
 
 } // namespace c2d

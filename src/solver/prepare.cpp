@@ -315,7 +315,7 @@ c2d_status write_one(const Together& all, int32_t i) {
   c2d_status status = C2D_OK;
   for (int b = 0; b < m.head->bodies && status == C2D_OK;) {
     Together all = together_from(s, m, sizes, set, b);
-    if (all.count > 1 && !loads_only) {
+    if (!kSmallCode && all.count > 1 && !loads_only) {
       status = eliminate_together(all);
       b += all.count;
       continue;
