@@ -47,9 +47,9 @@ bool orthonormalise(int32_t n, int32_t count, Real* x, int32_t rows, Real* y) {
 
 namespace {
 
-// Vectors that are made orthogonal to all before them at once: with kBlock (n + 2 count) <= n n numbers of scratch.
-constexpr int32_t kBlock = 16;
-bool has_blocks(int32_t n, int32_t count) { return !kSmallCode && count > kBlock && n >= 3 * kBlock; }
+// Vectors that are made orthogonal to all before them at once: with kAtOnce (n + 2 count) <= n n numbers of scratch.
+constexpr int32_t kAtOnce = 16;
+bool has_blocks(int32_t n, int32_t count) { return !kSmallCode && count > kAtOnce && n >= 3 * kAtOnce; }
 
 void transpose(int32_t rows, int32_t columns, Real factor, const Real* x, Real* out) {
   for (int64_t j = 0; j < columns; ++j)
@@ -66,7 +66,7 @@ struct Vectors {
 bool project(const Vectors& v, int32_t first, int32_t count) {
   Real *x = v.x + static_cast<int64_t>(first) * v.n, *across = v.scratch, *parts = across + static_cast<int64_t>(count) * v.n;
   Real* parts_across = parts + static_cast<int64_t>(count) * first;
-  double before[kBlock];
+  double before[kAtOnce];
   for (int32_t j = 0; j < count; ++j) before[j] = product(x + int64_t{j} * v.n, x + int64_t{j} * v.n, v.n);
   transpose(v.n, count, Real(-1), x, across);
   for (int64_t i = 0; i < int64_t{count} * first; ++i) parts_across[i] = 0;
@@ -86,8 +86,8 @@ bool orthonormalise(const Engine& engine, int32_t n, int32_t count, Real* x, int
   if (!has_blocks(n, count)) return orthonormalise(n, count, x, rows, y);
   const Vectors v = {engine, n, rows, x, y, scratch};
   bool sound = true;
-  for (int32_t first = 0; first < count; first += kBlock) {
-    const int32_t most = count - first, own = most < kBlock ? most : kBlock;
+  for (int32_t first = 0; first < count; first += kAtOnce) {
+    const int32_t most = count - first, own = most < kAtOnce ? most : kAtOnce;
     for (int pass = 0; pass < (first > 0 ? 2 : 1); ++pass) {
       if (first > 0) sound &= project(v, first, own);
       sound &= orthonormalise(n, own, x + int64_t{first} * n, rows, y ? y + int64_t{first} * rows : nullptr);
