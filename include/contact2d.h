@@ -111,7 +111,7 @@ typedef struct c2d_limits {
 } c2d_limits;
 
 /* Bytes of workspace for these limits: `minimum` solves any model within them with blocks of the smallest size, `in_core`
-   holds a body's whole matrix at once; more than that is of no use. Outputs and `why` may be null. Errors: OVERFLOW. */
+   holds a body's whole matrix at once; more is of use to threads alone. Outputs and `why` may be null. Errors: OVERFLOW. */
 c2d_status c2d_memory_need(const c2d_limits* limits, uint64_t* minimum, uint64_t* in_core, c2d_error* why);
 
 /* ---------------------------------------------------------------- 3 the port -----------------------------------

@@ -174,14 +174,17 @@ inline c2d_status get_boundary(c2d_solver* s, Numbers& out) {
   host::Summary summary;
   host::get_summary(s, summary);
   out.outcome = summary.outcome;
-  for (int32_t body = 1; body <= summary.bodies; ++body)
-    for (int32_t field = C2D_END_X; field <= C2D_END_STATUS; ++field) {
-      const int32_t ends = summary.body[body - 1].elements * summary.function_nodes;
+  for (int32_t body = 1; body <= summary.bodies; ++body) {
+    c2d_body_result own = C2D_INIT(c2d_body_result);
+    c2d_status status = c2d_get_body_result(s, body, &own);
+    const int32_t ends = own.elements * summary.function_nodes;
+    for (int32_t field = C2D_END_X; field <= C2D_END_STATUS && status == C2D_OK; ++field) {
       const size_t at = out.boundary.size();
       out.boundary.resize(at + static_cast<size_t>(ends));
-      const c2d_status status = c2d_get(s, field, body, 1, ends, out.boundary.data() + at, 1);
-      if (status != C2D_OK) return status;
+      status = c2d_get(s, field, body, 1, ends, out.boundary.data() + at, 1);
     }
+    if (status != C2D_OK) return status;
+  }
   return C2D_OK;
 }
 

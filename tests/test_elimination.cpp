@@ -396,6 +396,43 @@ TEST_CASE("the whole system is solved: reduced equations, then back substitution
   CHECK(difference < 1e5 * kEps * most);
 }
 
+TEST_CASE("one panel in steps: the bits of the whole, and its errors") {
+  for (const int32_t keep_lower : {0, 1}) {
+    Problem p(40, 25, 14, 21), q(40, 25, 14, 21);
+    EliminationPlan plan = plan_of(p, 39, 8);
+    plan.keep_lower = keep_lower;
+    Store one, steps;
+    REQUIRE(open_for(plan, one.tapes) == C2D_OK);
+    REQUIRE(open_for(plan, steps.tapes) == C2D_OK);
+    PivotStats expected{}, stats{};
+    REQUIRE(run(p, plan, one.tapes, &expected) == C2D_OK);
+    Work work(work_bytes(plan));
+    const auto fill = [&] {
+      int64_t ld;
+      Real* panel = only_panel(plan, work.start, &ld);
+      for (int32_t j = 0; j < 39; ++j)
+        for (int32_t i = 0; i < 40; ++i) panel[i + j * ld] = q.at(i, j);
+    };
+    fill();
+    const int32_t before = steps.operations;
+    REQUIRE(factor_only_panel(plan, steps.tapes, work.start, stats, kPlainEngine) == C2D_OK);
+    CHECK(steps.operations == before);
+    REQUIRE(write_only_panel(plan, q.sink(), steps.tapes, work.start, q.watch()) == C2D_OK);
+    CHECK(q.s == p.s);
+    for (const int32_t told : q.told) CHECK(told > 0);
+    CHECK(std::memcmp(&stats, &expected, sizeof stats) == 0);
+    CHECK(steps.region == one.region);
+    CHECK(work.intact());
+    for (int32_t i = 0; i < 40; ++i) q.at(i, 11) = 0;
+    fill();
+    CHECK(factor_only_panel(plan, steps.tapes, work.start, stats, kPlainEngine) == C2D_ERR_SINGULAR);
+    CHECK(stats.first_unusable == 11);
+    q.at(3, 30) = std::numeric_limits<Real>::quiet_NaN();
+    fill();
+    CHECK(factor_only_panel(plan, steps.tapes, work.start, stats, kPlainEngine) == C2D_ERR_INTERNAL);
+  }
+}
+
 TEST_CASE("the result hardly depends on the panels' width, and not at all on the store") {
   Numbers first_x, first_s;
   for (int32_t width : {130, 1, 3, 8, 40, 64, 100}) {

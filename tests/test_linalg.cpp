@@ -1,6 +1,8 @@
+#include "contact/orthonormal.hpp"
 #include "linalg/dense.hpp"
 #include "linalg/exchange.hpp"
 #include "linalg/lu.hpp"
+#include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
 #include <fenv.h>
@@ -402,5 +404,40 @@ TEST_CASE("row and column operations replace y and z as they say") {
       now += double(t(i, j)) * changed[static_cast<size_t>(j)];
     }
     CHECK(std::fabs(now - (i == 2 ? y + 0.25 * y0 : y)) < 50 * kEps);
+  }
+}
+
+TEST_CASE("many vectors are made orthonormal, with what made them so") {
+  const int32_t n = 90;
+  for (const int32_t count : {1, 16, 17, 45, 64}) {
+    CAPTURE(count);
+    std::mt19937 generator(7);
+    std::uniform_real_distribution<double> uniform(-1, 1);
+    const auto at = [](const std::vector<Real>& a, int32_t rows, int32_t i, int32_t j) {
+      return static_cast<double>(a[static_cast<size_t>(i + j * rows)]);
+    };
+    std::vector<Real> given(static_cast<size_t>(n * count)), mix(static_cast<size_t>(count * count)), scratch(n * n);
+    for (Real& x : given) x = static_cast<Real>(1e3 * (1 + 0.1 * uniform(generator))); // nearly parallel
+    for (int32_t j = 0; j < count; ++j) mix[static_cast<size_t>(j * (count + 1))] = 1;
+    std::vector<Real> x = given;
+    CHECK(orthonormalise(kPlainEngine, n, count, x.data(), count, mix.data(), scratch.data()));
+    const double eps = static_cast<double>(std::numeric_limits<Real>::epsilon());
+    double off = 0, off_mix = 0;
+    for (int32_t j = 0; j < count; ++j) {
+      for (int32_t k = 0; k < count; ++k)
+        off = std::max(off, std::fabs(product(&x[static_cast<size_t>(j * n)], &x[static_cast<size_t>(k * n)], n) - (j == k)));
+      for (int32_t i = 0; i < n; ++i) {
+        double sum = 0;
+        for (int32_t k = 0; k < count; ++k) sum += at(given, n, i, k) * at(mix, count, k, j);
+        off_mix = std::max(off_mix, std::fabs(sum - at(x, n, i, j)));
+      }
+    }
+    CHECK(off < 10 * eps);
+    CHECK(off_mix < 1e4 * eps);
+    if (count < 2) continue;
+    x = given; // the last is the sum of the first and the one before it
+    for (int32_t i = 0; i < n; ++i)
+      x[static_cast<size_t>(i + (count - 1) * n)] = x[static_cast<size_t>(i)] + x[static_cast<size_t>(i + (count - 2) * n)];
+    CHECK(!orthonormalise(kPlainEngine, n, count, x.data(), 0, nullptr, scratch.data()));
   }
 }

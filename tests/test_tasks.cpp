@@ -1,10 +1,14 @@
 // Assembly, elimination and interior points by several tasks at once: every number is that of one task, bit by bit.
+#include "many_bodies.hpp"
 #include "solver_runs.hpp"
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <map>
+#include <memory>
 #include <random>
 #include <thread>
 
@@ -45,8 +49,14 @@ struct Tasks {
     out.open = open, out.read = read, out.write = write, out.sync = sync, out.close = close;
     out.parallel_for = parallel_for;
     out.threads = threads;
+    out.progress = [](void* c, const c2d_progress* now) {
+      if (now->phase == C2D_PHASE_ASSEMBLE) self(c).at_once.insert({now->body, now->done == now->total});
+    };
+    out.cancel = [](void* c) { return self(c).questions++ == self(c).cancel_at ? int32_t{1} : int32_t{0}; };
     return out;
   }
+  int64_t questions = 0, cancel_at = -1;
+  std::map<int32_t, bool> at_once; // per body: the first that was told of it was that it is assembled
 };
 
 struct All {
@@ -113,5 +123,141 @@ TEST_CASE("tasks: no bit of a solution or of interior points depends on their nu
       CHECK(many.numbers == one.numbers);
       CHECK(Numbers::same(many.inside, one.inside));
     }
+  }
+}
+
+// ---- small bodies, each by one task ------------------------------------------------------------------------------------
+
+namespace {
+
+// Blocks in a row, each pressed down and held below, sides touching: of several sizes, one rigid, one so large that it is not
+// one of several.
+many::Model row_of_blocks() {
+  many::Model m;
+  const int32_t count = 11, rigid = 4, large = 8;
+  for (int32_t i = 1; i <= count; ++i) {
+    const int32_t along = i == large ? 150 : 3 + i % 4;
+    m.add(many::rectangle(i, 0, i + 1, 1, {along, 6, along, 6}, 1000 + 50 * i));
+    m.body(i).rigid = i == rigid;
+    if (i == rigid) continue;
+    m.set(i, 1, many::end_of(many::kHeld));
+    m.set(i, 3, many::end_of(many::kPulled, 0.3, -5 - i));
+  }
+  for (int32_t i = 1; i < count; ++i) {
+    const many::Range right = m.side(i, 2), left = m.side(i + 1, 4);
+    m.zones.push_back({C2D_ZONE_MATCHING, {{i, right.first + 1, right.last - 1}, {i + 1, left.last - 1, left.first + 1}}});
+  }
+  m.friction = 0.3;
+  m.paths = {{2, 1.0}};
+  return m;
+}
+
+// The row, in so much of the memory from the least to the most, with so many tasks at once.
+struct Row {
+  Tasks tasks;
+  std::vector<c2d_body_limits> list;
+  c2d_limits limits;
+  many::Model model = row_of_blocks();
+  std::unique_ptr<Machine> machine;
+  Numbers numbers;
+
+  Row(int32_t threads, double share, int32_t keep_factors = 0) {
+    limits = many::limits_of(model, list);
+    tasks.threads = threads;
+    uint64_t least = 0, most = 0;
+    REQUIRE(c2d_memory_need(&limits, &least, &most, nullptr) == C2D_OK);
+    const c2d_port port = tasks.port();
+    machine = std::make_unique<Machine>(limits, least + static_cast<uint64_t>(share * double(most + (4 << 20) - least)), &port);
+    REQUIRE(machine->created == C2D_OK);
+    c2d_options options = C2D_INIT(c2d_options);
+    options.keep_factors = keep_factors;
+    REQUIRE(c2d_set_options(machine->solver, &options) == C2D_OK);
+    REQUIRE(many::feed(machine->solver, model) == C2D_OK);
+  }
+  c2d_status prepare() { return c2d_prepare(machine->solver); }
+  void run() {
+    REQUIRE(run_prepared(machine->solver, numbers) == C2D_OK);
+    CHECK(machine->guards_are_whole());
+  }
+  int64_t side_by_side() const {
+    return std::count_if(tasks.at_once.begin(), tasks.at_once.end(), [](const auto& body) { return body.second; });
+  }
+  // Of the preparation: what was done to the store, in this order, and what the blocks hold.
+  bool same_store(const Row& other) const {
+    const auto &a = tasks.store.done, &b = other.tasks.store.done;
+    bool same = a.size() == b.size();
+    for (size_t i = 0; same && i < a.size(); ++i)
+      same = a[i].kind == b[i].kind && a[i].tape == b[i].tape && a[i].block == b[i].block && a[i].bytes == b[i].bytes;
+    for (int32_t t = 0; t < C2D_TAPES; ++t) same = same && tasks.store.tape[t] == other.tasks.store.tape[t];
+    return same;
+  }
+};
+
+} // namespace
+
+TEST_CASE("tasks: small bodies side by side leave the bits and the blocks that they leave one after the other") {
+  for (const int32_t keep_factors : {0, 1})
+    for (const double share : {0.0, 0.1, 0.3, 0.6, 1.0}) {
+      CAPTURE(share);
+      Row one(1, share, keep_factors);
+      REQUIRE(one.prepare() == C2D_OK);
+      CHECK(one.side_by_side() == 0);
+      for (const int32_t threads : {2, 3, 7}) {
+        CAPTURE(threads);
+        Row several(threads, share, keep_factors);
+        REQUIRE(several.prepare() == C2D_OK);
+        if (share == 0) CHECK(several.side_by_side() == 0);
+        if (share == 1) CHECK(several.side_by_side() == 9); // neither the rigid one nor the large one
+        CHECK(several.same_store(one));
+        Row again(1, share, keep_factors);
+        REQUIRE(again.prepare() == C2D_OK);
+        again.run(), several.run();
+        CHECK(several.numbers == again.numbers);
+      }
+    }
+}
+
+TEST_CASE("tasks: small bodies side by side, cancelled at every chance, are prepared again to the same bits") {
+  Row whole(3, 1.0);
+  REQUIRE(whole.prepare() == C2D_OK);
+  whole.run();
+  int cancelled = 0;
+  for (int64_t at = 0;; at += 101) {
+    Row row(3, 1.0);
+    row.tasks.questions = 0, row.tasks.cancel_at = at;
+    const c2d_status status = row.prepare();
+    if (status == C2D_OK) break;
+    REQUIRE(status == C2D_ERR_CANCELLED);
+    ++cancelled;
+    REQUIRE(row.prepare() == C2D_OK);
+    row.run();
+    REQUIRE(row.numbers == whole.numbers);
+  }
+  CHECK(cancelled > 10);
+}
+
+TEST_CASE("tasks: a store that fails while small bodies are written") {
+  Row whole(2, 1.0);
+  REQUIRE(whole.prepare() == C2D_OK);
+  const size_t operations = whole.tasks.store.done.size();
+  REQUIRE(operations > 400);
+  for (size_t n = 0; n < operations; n += 29) {
+    CAPTURE(n);
+    Row row(2, 1.0);
+    char kind = ' ';
+    row.tasks.store.before = [&](const RamStore::Operation& operation, size_t i) {
+      if (i != n) return 0;
+      kind = operation.kind;
+      return 78;
+    };
+    const c2d_status status = row.prepare();
+    c2d_error why = C2D_INIT(c2d_error);
+    c2d_last_error(row.machine->solver, &why);
+    CHECK(status == (kind == 'o'   ? C2D_ERR_STORE_OPEN
+                     : kind == 'r' ? C2D_ERR_STORE_READ
+                     : kind == 'w' ? C2D_ERR_STORE_WRITE
+                     : kind == 's' ? C2D_ERR_STORE_SYNC
+                                   : C2D_ERR_STORE_CLOSE));
+    CHECK(why.host_code == 78);
   }
 }

@@ -81,7 +81,7 @@ struct Analysis {
   double *unit, *triangle;        // [motions][motions]: orthonormal basis of the rays in use
   double *factor, *wanted, *part; // [motions] of the rays in use
   Chosen* chosen;                 // [motions]
-  int32_t count;
+  int32_t count, based;           // of rays in use; of the first of them, whose units stand already
 
   const Real* resultants_of(const Pair& pair, int side, int slot) const {
     return resultant + (static_cast<int64_t>(side) * f.t->m + pair.dof + slot) * kMostMotions;
@@ -97,6 +97,8 @@ struct Analysis {
     return out;
   }
   int rays_of(const Doubt& d, bool in_doubt, Ray out[4]) const;
+  double* unit_of(int32_t k) const { return unit + static_cast<int64_t>(k) * motions; }
+  double& in_triangle(int32_t i, int32_t k) const { return triangle[static_cast<int64_t>(k) * motions + i]; }
 };
 
 // Rays that span what a pair can do; a ray and its opposite for both directions.
@@ -144,35 +146,41 @@ Ray ray_in_use(const Analysis& a, int32_t k) {
   return times(1.0 / length(one), one);
 }
 
-// Orthogonal projection of the load onto the span of the rays in use, by Gram-Schmidt: their factors, to `wanted`.
-bool project(Analysis& a) {
+// The unit of a ray in use, by Gram-Schmidt, and its part in the rest; false: hardly another direction.
+bool add_unit(const Analysis& a, int32_t k) {
   const int32_t n = a.motions;
-  const auto unit = [&](int32_t k) { return a.unit + static_cast<int64_t>(k) * n; };
-  const auto triangle = [&](int32_t i, int32_t k) -> double& { return a.triangle[static_cast<int64_t>(k) * n + i]; };
-  copy(a.load, n, a.rest);
-  for (int32_t k = 0; k < a.count; ++k) {
-    const Ray ray = ray_in_use(a, k);
-    for (int32_t j = 0; j < n; ++j) unit(k)[j] = 0.0;
-    add_to(unit(k), 1.0, ray);
-    for (int32_t i = 0; i < k; ++i) {
-      triangle(i, k) = dot(unit(i), unit(k), n);
-      for (int32_t j = 0; j < n; ++j) unit(k)[j] -= triangle(i, k) * unit(i)[j];
-    }
-    triangle(k, k) = length(unit(k), n);
-    if (triangle(k, k) < 1e-10) return false; // hardly another direction
-    for (int32_t j = 0; j < n; ++j) unit(k)[j] /= triangle(k, k);
-    a.part[k] = dot(unit(k), a.rest, n);
-    for (int32_t j = 0; j < n; ++j) a.rest[j] -= a.part[k] * unit(k)[j];
+  double* const unit = a.unit_of(k);
+  for (int32_t j = 0; j < n; ++j) unit[j] = 0.0;
+  add_to(unit, 1.0, ray_in_use(a, k));
+  for (int32_t i = 0; i < k; ++i) {
+    a.in_triangle(i, k) = dot(a.unit_of(i), unit, n);
+    for (int32_t j = 0; j < n; ++j) unit[j] -= a.in_triangle(i, k) * a.unit_of(i)[j];
   }
+  a.in_triangle(k, k) = length(unit, n);
+  if (a.in_triangle(k, k) < 1e-10) return false;
+  for (int32_t j = 0; j < n; ++j) unit[j] /= a.in_triangle(k, k);
+  a.part[k] = dot(unit, a.rest, n);
+  return true;
+}
+
+// Orthogonal projection of the load onto the span of the rays in use: their factors, to `wanted`.
+bool project(Analysis& a) {
+  copy(a.load, a.motions, a.rest);
+  for (int32_t k = 0; k < a.count; ++k) {
+    if (k >= a.based && !add_unit(a, k)) return false;
+    for (int32_t j = 0; j < a.motions; ++j) a.rest[j] -= a.part[k] * a.unit_of(k)[j];
+  }
+  a.based = a.count;
   for (int32_t k = a.count - 1; k >= 0; --k) {
     a.wanted[k] = a.part[k];
-    for (int32_t i = k + 1; i < a.count; ++i) a.wanted[k] -= triangle(k, i) * a.wanted[i];
-    a.wanted[k] /= triangle(k, k);
+    for (int32_t i = k + 1; i < a.count; ++i) a.wanted[k] -= a.in_triangle(k, i) * a.wanted[i];
+    a.wanted[k] /= a.in_triangle(k, k);
   }
   return true;
 }
 
 void drop(Analysis& a, int32_t k) {
+  a.based = k;
   for (--a.count; k < a.count; ++k) {
     a.chosen[k] = a.chosen[k + 1];
     a.factor[k] = a.factor[k + 1];
@@ -226,7 +234,7 @@ bool best_ray(const Analysis& a, Chosen* out) {
 // What of the load the pairs cannot balance, to `rest`; false: nothing.
 bool is_unbalanced(Analysis& a, Friction law) {
   a.law = law;
-  a.count = 0;
+  a.count = a.based = 0;
   const int32_t steps = 200 + 20 * a.motions;
   for (int32_t step = 0; step < steps; ++step) {
     Chosen ray;
@@ -380,6 +388,7 @@ c2d_status limit_analysis(Follower& f, bool all_tried, c2d_outcome* outcome) {
              nullptr,
              nullptr,
              nullptr,
+             0,
              0};
   Real* column;
   if (!take_room(a, &column)) return C2D_OK;

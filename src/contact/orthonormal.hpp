@@ -1,6 +1,6 @@
 #pragma once
-// A few long vectors made orthonormal.
-#include "memory/config.hpp"
+// Long vectors made orthonormal.
+#include "linalg/engine.hpp"
 
 namespace c2d {
 
@@ -9,5 +9,7 @@ void subtract(int32_t n, Real* from, double part, const Real* what); // part * w
 // x[0 ... count) of n numbers, made orthonormal in place; the same sums of y, of rows numbers each (or null). Twice, so that
 // they are so to the last digit. False if one is no direction of its own.
 bool orthonormalise(int32_t n, int32_t count, Real* x, int32_t rows, Real* y);
+// The same of many, count <= n, as products of matrices. `scratch`: n n numbers are enough.
+bool orthonormalise(const Engine& engine, int32_t n, int32_t count, Real* x, int32_t rows, Real* y, Real* scratch);
 
 } // namespace c2d

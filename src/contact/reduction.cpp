@@ -174,7 +174,8 @@ c2d_status keep_border(const Bordered& s) {
   Real* c = s.r.second;
   for (int32_t k = 0; k < s.border; ++k)
     for (int32_t i = 0; i < s.m; ++i) c[static_cast<int64_t>(k) * s.m + i] = s.column(s.m + k)[i];
-  if (!orthonormalise(s.m, s.border, c, 0, nullptr)) return C2D_ERR_SINGULAR;
+  if (!orthonormalise(s.r.engine, s.m, s.border, c, 0, nullptr, c + static_cast<int64_t>(s.border) * s.m))
+    return C2D_ERR_SINGULAR;
   return write_matrix(s.r.tape, ContactMatrix::border, c, s.m);
 }
 
@@ -368,7 +369,7 @@ c2d_status write_motions(const Bordered& s) {
   return status;
 }
 
-// T and X; the factors are in r.first.
+// T and X; the factors are in r.first, and gone afterwards.
 c2d_status form_stiffness(const Reduction& r) {
   const Bordered s = bordered(r);
   c2d_status status = form_right_sides(s);
@@ -399,7 +400,7 @@ c2d_status watched(const Reduction& r, int b, c2d_status (*step)(const Reduction
 
 c2d_status reduce(const Reduction& r) {
   const c2d_status status = for_bodies(r, is_in_contact, [&](int b) { return watched(r, b, find_compliance); });
-  const Step steps[] = {join_motions, form_compliance, form_closing, factor_bordered, form_stiffness, form_rates};
+  const Step steps[] = {join_motions, form_compliance, form_closing, factor_bordered, form_rates, form_stiffness};
   return status == C2D_OK ? take_steps(r, steps) : status;
 }
 

@@ -2,6 +2,7 @@
 
 #include "contact/body_unknowns.hpp"
 #include "contact/orthonormal.hpp"
+#include "linalg/dense.hpp"
 
 namespace c2d {
 
@@ -48,6 +49,49 @@ void remove_resultant(const Reduction& r, Real* t, int64_t ld) {
   for (int32_t j = 0; j < m; ++j) subtract(m, t + j * ld, product(strip_column(r, 0), t + j * ld, m), strip_column(r, 0));
 }
 
+// The few motions of one body; boards have no product for more.
+c2d_status remove_one_by_one(const Reduction& r, Real* t, int64_t ld) {
+  const int32_t n = free_motions(r.tape);
+  c2d_status status = C2D_OK;
+  for (int32_t k = 0; k < n && status == C2D_OK; ++k) {
+    status = read_column(r.tape, ContactMatrix::motions, k, strip_column(r, 0));
+    if (status == C2D_OK) remove_motion(r, t, ld);
+  }
+  for (int32_t k = 0; k < n && status == C2D_OK; ++k) {
+    status = read_column(r.tape, ContactMatrix::resultants, k, strip_column(r, 0));
+    if (status == C2D_OK) remove_resultant(r, t, ld);
+  }
+  return status;
+}
+
+// X, R or Q in m rows, -X^T, and zeros for a product with either: 3 m n <= (m + n)^2 numbers.
+struct Factors {
+  Real *x, *across, *part;
+};
+c2d_status read_factors(const Reduction& r, ContactMatrix matrix, Factors& out) {
+  const int64_t m = contact_unknowns(r.tape), n = free_motions(r.tape);
+  out = {r.first, r.first + m * n, r.first + 2 * m * n};
+  const c2d_status status = read_matrix(r.tape, matrix, out.x, m);
+  for (int64_t j = 0; j < n && status == C2D_OK; ++j)
+    for (int64_t i = 0; i < m; ++i) out.across[i * n + j] = -out.x[j * m + i];
+  for (int64_t i = 0; i < m * n; ++i) out.part[i] = 0;
+  return status;
+}
+
+c2d_status remove_together(const Reduction& r, Real* t, int64_t ld) {
+  const int32_t m = contact_unknowns(r.tape), n = free_motions(r.tape);
+  Factors f;
+  c2d_status status = read_factors(r, ContactMatrix::motions, f);
+  if (status != C2D_OK) return status;
+  gemm_minus(r.engine, m, n, m, t, ld, f.x, m, f.part, m);
+  gemm_minus(r.engine, m, m, n, f.part, m, f.across, n, t, ld);
+  status = read_factors(r, ContactMatrix::resultants, f);
+  if (status != C2D_OK) return status;
+  gemm_minus(r.engine, n, m, m, f.across, n, t, ld, f.part, n);
+  gemm_minus(r.engine, m, m, n, f.x, m, f.part, n, t, ld);
+  return C2D_OK;
+}
+
 } // namespace
 
 c2d_status join_motions(const Reduction& r) {
@@ -61,8 +105,9 @@ c2d_status join_motions(const Reduction& r) {
     for (int32_t i = 0; i < count; ++i) mix[static_cast<int64_t>(j) * count + i] = i == j ? Real(1) : Real(0);
   }
   if (status != C2D_OK) return status;
-  if (!orthonormalise(m, count, motions, 0, nullptr)) return C2D_ERR_SINGULAR;
-  if (!orthonormalise(m, count, resultants, count, mix)) return C2D_ERR_SINGULAR;
+  Real* scratch = resultants + static_cast<int64_t>(count) * m; // m n + m^2 <= (m + n)^2
+  if (!orthonormalise(r.engine, m, count, motions, 0, nullptr, scratch)) return C2D_ERR_SINGULAR;
+  if (!orthonormalise(r.engine, m, count, resultants, count, mix, scratch)) return C2D_ERR_SINGULAR;
   status = write_matrix(r.tape, ContactMatrix::motions, motions, m);
   if (status == C2D_OK) status = write_matrix(r.tape, ContactMatrix::resultants, resultants, m);
   return status == C2D_OK ? write_matrix(r.tape, ContactMatrix::mix, mix, count) : status;
@@ -86,17 +131,9 @@ c2d_status given_resultants(const Reduction& r, int32_t k, Real* out) {
 }
 
 c2d_status balance_stiffness(const Reduction& r, Real* t, int64_t ld) {
-  const int32_t m = contact_unknowns(r.tape), count = free_motions(r.tape);
-  c2d_status status = C2D_OK;
-  for (int32_t k = 0; k < count && status == C2D_OK; ++k) {
-    status = read_column(r.tape, ContactMatrix::motions, k, strip_column(r, 0));
-    if (status == C2D_OK) remove_motion(r, t, ld);
-  }
-  for (int32_t k = 0; k < count && status == C2D_OK; ++k) {
-    status = read_column(r.tape, ContactMatrix::resultants, k, strip_column(r, 0));
-    if (status == C2D_OK) remove_resultant(r, t, ld);
-  }
-  for (int32_t j = 0; j < m && count >= m; ++j) // only motions
+  const int32_t m = contact_unknowns(r.tape), n = free_motions(r.tape);
+  const c2d_status status = kSmallCode || n <= kMostMotions ? remove_one_by_one(r, t, ld) : remove_together(r, t, ld);
+  for (int32_t j = 0; j < m && n >= m; ++j) // only motions
     for (int32_t i = 0; i < m; ++i) t[j * ld + i] = 0;
   return status;
 }

@@ -13,7 +13,7 @@ c2d_status given_resultants(const Reduction& r, int32_t k, Real* out);
 // T R = 0, Q^T T = 0 and Q^T b_k = -mix^T g_k hold only up to the round-off of elimination and reduction, some 1e-11 of T's
 // entries. With that round-off a mechanism has a stiffness, and statuses that leave a motion free have solutions of enormous
 // motions; so it is taken away, T := (I - Q Q^T) T (I - R R^T), b_k := b_k - Q (Q^T b_k + mix^T g_k), METHOD (10.5). T in m
-// columns at this distance. Uses the strip.
+// columns at this distance. Uses r.first and the strip.
 c2d_status balance_stiffness(const Reduction& r, Real* t, int64_t ld);
 // The parts of x along `count` columns of a matrix, which are orthonormal, taken off, or all but -given[j] of the j-th.
 c2d_status take_out(const ContactTape& tape, ContactMatrix matrix, int32_t count, const Real* given, Real* x, Real* column);

@@ -127,15 +127,19 @@ c2d_status tell(const Watch& watch, int32_t first, int32_t count) {
   return C2D_OK;
 }
 
-c2d_status fill(const Panel& panel, const ColumnSource& source) {
+c2d_status find_norms(const Panel& panel) {
   const int32_t rows = panel.plan.rows;
-  const c2d_status status = source.fill(source.context, panel.first, panel.count, panel.columns, panel.ld);
-  if (status != C2D_OK) return status;
   for (int32_t j = 0; j < panel.count; ++j) {
     if (!all_finite(rows, panel.column(j))) return C2D_ERR_INTERNAL;
     panel.norms[j] = largest(panel.engine, rows, panel.column(j));
   }
-  return tell(panel.watch, panel.first, panel.count);
+  return C2D_OK;
+}
+
+c2d_status fill(const Panel& panel, const ColumnSource& source) {
+  c2d_status status = source.fill(source.context, panel.first, panel.count, panel.columns, panel.ld);
+  if (status == C2D_OK) status = find_norms(panel);
+  return status == C2D_OK ? tell(panel.watch, panel.first, panel.count) : status;
 }
 
 // The panel is updated by a strip of w columns of L, which start in column f of the matrix, or, if it is not the chunk's
@@ -264,6 +268,16 @@ Panel make_panel(const EliminationPlan& plan, const WorkLayout& at, Buffers& buf
                engine};
 }
 
+// Panel p of the elimination.
+void place_panel(Panel& panel, int32_t p) {
+  const EliminationPlan& plan = panel.plan;
+  panel.first = p * plan.panel_columns;
+  panel.count = between(0, plan.pivots + plan.trailing - panel.first, plan.panel_columns);
+  panel.own = between(0, plan.pivots - panel.first, panel.count);
+  panel.last = p == panel_count(plan) - 1;
+  C2D_ASSERT(panel.count > 0 && panel.own >= 0 && panel.own <= panel.count && panel.count <= plan.panel_columns);
+}
+
 // ---- row exchanges on the tape --------------------------------------------------------------------------------------
 
 uint64_t exchanges_bytes(const EliminationPlan& plan) { return static_cast<uint64_t>(plan.pivots) * sizeof(int32_t); }
@@ -343,17 +357,42 @@ c2d_status eliminate(const EliminationPlan& plan, const ColumnSource& source, co
   const WorkLayout at = work_layout(plan);
   Buffers buffers = make_buffers(plan, tapes, static_cast<unsigned char*>(work) + at.block, at.block_step);
   Panel panel = make_panel(plan, at, buffers, work, watch, engine);
-  const int32_t columns = plan.pivots + plan.trailing, panels = panel_count(plan);
   Chunk lower = first_chunk(plan), upper = first_chunk(upper_cut(plan));
   c2d_status status = C2D_OK;
-  for (int32_t p = 0; p < panels && status == C2D_OK; ++p) {
-    panel.first = p * plan.panel_columns;
-    panel.count = between(0, columns - panel.first, plan.panel_columns);
-    panel.own = between(0, plan.pivots - panel.first, panel.count);
-    panel.last = p == panels - 1;
-    C2D_ASSERT(panel.count > 0 && panel.own >= 0 && panel.own <= panel.count && panel.count <= plan.panel_columns);
+  for (int32_t p = 0; p < panel_count(plan) && status == C2D_OK; ++p) {
+    place_panel(panel, p);
     status = do_panel(panel, source, sink, lower, upper, used);
   }
+  if (status == C2D_OK) status = keep_exchanges(panel);
+  return finish_all(buffers, status);
+}
+
+Real* only_panel(const EliminationPlan& plan, void* work, int64_t* ld) {
+  const WorkLayout at = work_layout(plan);
+  *ld = at.leading;
+  return reinterpret_cast<Real*>(static_cast<unsigned char*>(work) + at.panel);
+}
+
+c2d_status factor_only_panel(const EliminationPlan& plan, Tapes& tapes, void* work, PivotStats& stats, const Engine& engine) {
+  start_stats(stats);
+  const WorkLayout at = work_layout(plan);
+  Buffers buffers = make_buffers(plan, tapes, static_cast<unsigned char*>(work) + at.block, at.block_step);
+  const Watch nobody = {nullptr, nullptr};
+  Panel panel = make_panel(plan, at, buffers, work, nobody, engine);
+  place_panel(panel, 0);
+  const c2d_status status = find_norms(panel);
+  return status == C2D_OK ? factor(panel, &stats) : status;
+}
+
+c2d_status write_only_panel(const EliminationPlan& plan, const RowSink& sink, Tapes& tapes, void* work, const Watch& watch) {
+  const WorkLayout at = work_layout(plan);
+  Buffers buffers = make_buffers(plan, tapes, static_cast<unsigned char*>(work) + at.block, at.block_step);
+  Panel panel = make_panel(plan, at, buffers, work, watch, kPlainEngine);
+  place_panel(panel, 0);
+  Chunk lower = first_chunk(plan), upper = first_chunk(upper_cut(plan));
+  c2d_status status = tell(watch, 0, panel.count);
+  if (status == C2D_OK) status = write_panel(panel, lower, upper);
+  if (status == C2D_OK) status = hand_over(panel, sink);
   if (status == C2D_OK) status = keep_exchanges(panel);
   return finish_all(buffers, status);
 }

@@ -43,6 +43,13 @@ struct Watch {
 c2d_status eliminate(const EliminationPlan& plan, const ColumnSource& source, const RowSink& sink, Tapes& tapes, void* work,
                      PivotStats* stats, const Watch& watch, const Engine& engine = kPlainEngine);
 
+// The same in steps, for a plan of one panel: all columns are put where only_panel tells, factored, and what comes of them is
+// written. Only the last step uses the tapes, so that the others may go on beside those of other eliminations, each with work
+// of its own. Nobody watches before the last. The bits are those of `eliminate`.
+Real* only_panel(const EliminationPlan& plan, void* work, int64_t* ld);
+c2d_status factor_only_panel(const EliminationPlan& plan, Tapes& tapes, void* work, PivotStats& stats, const Engine& engine);
+c2d_status write_only_panel(const EliminationPlan& plan, const RowSink& sink, Tapes& tapes, void* work, const Watch& watch);
+
 // New columns in place of the trailing ones first_trailing ... (from 0) of an elimination whose plan keeps all of L: they
 // come from the source, go through L and the row exchanges, replace their part of Y on tape UPPER, and their rows of S go
 // to the sink. Reads LOWER once per panel of them. Arguments and errors as for `eliminate`.

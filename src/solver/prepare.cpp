@@ -146,14 +146,14 @@ c2d_status keep_reduced(void* context, int32_t first, int32_t count, const Real*
 void clear_phases(c2d_solver* s) { poison(array_of<char>(s, kPhase), s->bytes - s->layout.persistent); }
 
 // What a phase that uses `area` bytes leaves of the phase area, for the kernels of this machine.
-[[gnu::noinline]] Engine engine_beside(c2d_solver* s, const PhaseSizes& sizes, uint64_t area, int64_t* used) {
+[[gnu::noinline]] Engine engine_beside(c2d_solver* s, const PhaseSizes& sizes, Instructions set, uint64_t area, int64_t* used) {
   C2D_ASSERT(s->layout.persistent <= s->bytes && area <= s->bytes - s->layout.persistent);
   if (kSmallCode) return kPlainEngine;
   const Workers workers = workers_of(&s->port);
   const uint64_t left = s->bytes - s->layout.persistent - area;
   const uint64_t full = scratch_bytes(sizes) * static_cast<uint64_t>(workers.count);
   const uint64_t bytes = left < full ? left : full;
-  return Engine{kernel_for(best_instructions()), reinterpret_cast<Real*>(array_of<char>(s, kPhase) + area),
+  return Engine{kernel_for(set), reinterpret_cast<Real*>(array_of<char>(s, kPhase) + area),
                 static_cast<int64_t>(bytes / sizeof(Real)), used, workers};
 }
 
@@ -162,22 +162,28 @@ void note_scratch(c2d_solver* s, uint64_t area, int64_t used) {
   if (bytes > s->peak_bytes) s->peak_bytes = bytes;
 }
 
+BodyJob job_of(c2d_solver* s, const Model& m, int b, const EliminationArea& area, const BatchKernel* batch) {
+  const EliminationPlan& plan = plan_of(s, b);
+  const Quadrature quadrature = s->options.quadrature == C2D_QUADRATURE_THESIS ? Quadrature::thesis : Quadrature::accurate;
+  return BodyJob{
+      s,
+      ColumnSystem{m, b, quadrature, area.diagonal, area.point, area.twin, static_cast<AssemblyScratch*>(area.scratch), batch},
+      ContactTape{&s->tapes, &m, area.buffer},
+      static_cast<int64_t>(plan.pivots) + plan.trailing,
+      0.0,
+      kPlainEngine};
+}
+
 // With `loads_only` the matrix has been eliminated, and the loads have changed.
-[[gnu::noinline]] c2d_status eliminate_body(c2d_solver* s, const Model& m, const PhaseSizes& sizes, int b, bool loads_only) {
+[[gnu::noinline]] c2d_status eliminate_body(c2d_solver* s, const Model& m, const PhaseSizes& sizes, Instructions set, int b,
+                                            bool loads_only) {
   clear_phases(s);
   const EliminationPlan& plan = plan_of(s, b);
   EliminationArea area;
   const uint64_t bytes = elimination_area(sizes, b, plan, array_of<char>(s, kPhase), &area);
-  const Quadrature quadrature = s->options.quadrature == C2D_QUADRATURE_THESIS ? Quadrature::thesis : Quadrature::accurate;
-  BodyJob job{s,
-              ColumnSystem{m, b, quadrature, area.diagonal, area.point, area.twin, static_cast<AssemblyScratch*>(area.scratch),
-                           batch_for(best_instructions())},
-              ContactTape{&s->tapes, &m, area.buffer},
-              static_cast<int64_t>(plan.pivots) + plan.trailing,
-              0.0,
-              kPlainEngine};
+  BodyJob job = job_of(s, m, b, area, batch_for(set));
   int64_t scratch = 0;
-  job.engine = engine_beside(s, sizes, bytes, &scratch);
+  job.engine = engine_beside(s, sizes, set, bytes, &scratch);
   const double start = clock_now(s);
   job.system.some_passed_over = place_sources(job.system);
   for (int32_t node = 0; node < m.body[b].nodes; node += kColumnsAtOnce) {
@@ -205,6 +211,121 @@ void note_scratch(c2d_solver* s, uint64_t area, int64_t used) {
   return status;
 }
 
+// ---- several bodies -----------------------------------------------------------------------------------------------
+
+// Bodies too small for the workers to share their columns: each is assembled and factored by one of them, in memory of its own,
+// and what comes of it is written in the order of the bodies, as if they had come one after the other.
+struct Together {
+  c2d_solver* s;
+  const Model& m;
+  const PhaseSizes& sizes;
+  Instructions set;
+  int first;
+  int32_t count;
+  uint64_t each; // bytes
+
+  EliminationArea area(int32_t i) const;
+  BodyJob job(int32_t i) const { return job_of(s, m, first + i, area(i), batch_for(set)); }
+  struct Outcome {
+    c2d_status status;
+    PivotStats stats;
+  };
+  Outcome& outcome(int32_t i) const { // behind the area
+    return *reinterpret_cast<Outcome*>(array_of<char>(s, kPhase) + static_cast<uint64_t>(i + 1) * each - kOutcomeBytes);
+  }
+  static constexpr uint64_t kOutcomeBytes = (sizeof(Outcome) + kAlignment - 1) / kAlignment * kAlignment;
+};
+
+EliminationArea Together::area(int32_t i) const {
+  EliminationArea out;
+  elimination_area(sizes, first + i, plan_of(s, first + i), array_of<char>(s, kPhase) + static_cast<uint64_t>(i) * each, &out);
+  return out;
+}
+
+// Measured with two workers: from some 600 columns on they gain as much by sharing them.
+constexpr int32_t kColumnsForOne = 512;
+constexpr int32_t kBodiesForOne = 8; // at once, so that whoever watches is told
+constexpr uint64_t kScratchForOne = full_scratch(kDepth, 64) * sizeof(Real);
+
+// Body `first` and those after it; a count of 1 or less: it is on its own.
+Together together_from(c2d_solver* s, const Model& m, const PhaseSizes& sizes, Instructions set, int first) {
+  Together all = {s, m, sizes, set, first, 0, 0};
+  const int32_t workers = workers_of(&s->port).count, most = kBodiesForOne * workers;
+  const uint64_t bytes = s->bytes - s->layout.persistent, scratch = kScratchForOne * static_cast<uint64_t>(workers);
+  if (kSmallCode || workers == 1 || bytes < scratch) return all;
+  for (int b = first; b < m.head->bodies && all.count < most; ++b, ++all.count) {
+    const EliminationPlan& plan = plan_of(s, b);
+    if (is_rigid(m, b) || panel_count(plan) != 1 || plan.pivots + plan.trailing > kColumnsForOne) break;
+    const uint64_t own = elimination_area(sizes, b, plan, nullptr, nullptr) + Together::kOutcomeBytes;
+    const uint64_t each = own > all.each ? own : all.each;
+    if ((bytes - scratch) / each < static_cast<uint64_t>(all.count) + 1) break;
+    all.each = each;
+  }
+  return all;
+}
+
+void assemble_one(void* argument, const Engine&, int32_t i) {
+  const Together& all = *static_cast<const Together*>(argument);
+  BodyJob job = all.job(i);
+  job.system.some_passed_over = place_sources(job.system);
+  fill_diagonal(job.system, 0, all.m.body[job.system.body].nodes);
+  int64_t ld;
+  Real* panel = only_panel(plan_of(all.s, job.system.body), all.area(i).work, &ld);
+  const int32_t step = columns_at_once(ld), total = static_cast<int32_t>(job.total);
+  for (int32_t j = 0; j < total; j += step)
+    fill_columns(job.system, j, total - j < step ? total - j : step, panel + j * ld, ld);
+}
+
+void factor_one(void* argument, const Engine& engine, int32_t i) {
+  const Together& all = *static_cast<const Together*>(argument);
+  Together::Outcome& out = all.outcome(i);
+  out.status = factor_only_panel(plan_of(all.s, all.first + i), all.s->tapes, all.area(i).work, out.stats, engine);
+}
+
+c2d_status write_one(const Together& all, int32_t i) {
+  BodyJob job = all.job(i);
+  const Together::Outcome& found = all.outcome(i);
+  note_pivots(all.s, found.stats);
+  if (found.status != C2D_OK) return found.status;
+  tell_progress(all.s, C2D_PHASE_ASSEMBLE, job.system.body + 1, job.total, job.total);
+  return write_only_panel(plan_of(all.s, job.system.body), RowSink{&job, keep_reduced}, all.s->tapes, all.area(i).work,
+                          Watch{&job, watch_column});
+}
+
+[[gnu::noinline]] c2d_status eliminate_together(Together& all) {
+  c2d_solver* s = all.s;
+  clear_phases(s);
+  const uint64_t bytes = static_cast<uint64_t>(all.count) * all.each;
+  int64_t scratch = 0;
+  const Engine engine = engine_beside(s, all.sizes, all.set, bytes, &scratch);
+  const double start = clock_now(s);
+  run_items(engine, all.count, assemble_one, &all);
+  const double assembled = clock_now(s);
+  c2d_status status = asked_to_stop(s) ? C2D_ERR_CANCELLED : C2D_OK;
+  if (status == C2D_OK) run_items(engine, all.count, factor_one, &all);
+  for (int32_t i = 0; i < all.count && status == C2D_OK; ++i) status = write_one(all, i);
+  note_scratch(s, bytes, scratch);
+  s->seconds[C2D_PHASE_ASSEMBLE] += assembled - start;
+  s->seconds[C2D_PHASE_ELIMINATE] += clock_now(s) - assembled;
+  return status;
+}
+
+[[gnu::noinline]] c2d_status eliminate_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, bool loads_only) {
+  const Instructions set = best_instructions();
+  c2d_status status = C2D_OK;
+  for (int b = 0; b < m.head->bodies && status == C2D_OK;) {
+    Together all = together_from(s, m, sizes, set, b);
+    if (!kSmallCode && all.count > 1 && !loads_only) {
+      status = eliminate_together(all);
+      b += all.count;
+      continue;
+    }
+    if (!is_rigid(m, b)) status = eliminate_body(s, m, sizes, set, b, loads_only);
+    ++b;
+  }
+  return status;
+}
+
 c2d_status tick(void* context) {
   c2d_solver* s = static_cast<c2d_solver*>(context);
   tell_progress(s, C2D_PHASE_REDUCE, 0, 0, 0);
@@ -227,7 +348,7 @@ c2d_status tick(void* context) {
                             sizes.widest + sizes.motions,
                             s,
                             tick,
-                            engine_beside(s, sizes, bytes, &scratch)};
+                            engine_beside(s, sizes, best_instructions(), bytes, &scratch)};
   const c2d_status status = loads_only ? kNewLoadsPart.reduce_loads(reduction) : reduce(reduction);
   note_scratch(s, bytes, scratch);
   s->seconds[C2D_PHASE_REDUCE] += clock_now(s) - start;
@@ -235,9 +356,7 @@ c2d_status tick(void* context) {
 }
 
 c2d_status solve_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, bool loads_only) {
-  c2d_status status = C2D_OK;
-  for (int b = 0; b < m.head->bodies && status == C2D_OK; ++b)
-    if (!is_rigid(m, b)) status = eliminate_body(s, m, sizes, b, loads_only);
+  c2d_status status = eliminate_bodies(s, m, sizes, loads_only);
   if (status == C2D_OK) status = reduce_bodies(s, m, sizes, loads_only);
   clear_phases(s);
   return status;

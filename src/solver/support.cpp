@@ -123,29 +123,59 @@ double freedom(const Body& body, const double* basis, int32_t rank, int32_t n) {
 
 namespace {
 
-// A pair's motion along one of its slots under all free motions.
-void motion_row(const Model& m, const Pair& pair, int slot, int32_t n, double* row) {
-  for (int32_t j = 0; j < n; ++j) row[j] = 0.0;
+// A pair's motion along one of its slots under all free motions: those of its two bodies alone.
+struct MotionRow {
+  int32_t count, motion[6];
+  double value[6];
+};
+MotionRow motion_row(const Model& m, const Pair& pair, int slot) {
+  MotionRow row = {};
   for (int side = 0; side < 2; ++side) {
     const int b = body_on(m, pair, side);
     const Body& body = m.body[b];
+    if (side == 1 && b == body_on(m, pair, 0)) continue;
     for (int32_t j = 0; j < body.free_motions; ++j) {
       double w[2];
       motion_at_pair(m, b, body.free_motion[j], body.centre, pair, w);
-      row[body.first_motion + j] = w[slot];
+      row.motion[row.count] = body.first_motion + j;
+      row.value[row.count++] = w[slot];
     }
   }
+  return row;
+}
+
+// Adds what is new of `added` to an orthonormal basis of `rank` rows of n numbers, behind which there is room for one more.
+// Twice, so that it is orthogonal to the last digit; where nothing is new, the first time tells, from few numbers.
+int extend_rows(double* basis, int32_t rank, int32_t n, const MotionRow& added) {
+  double before = 0.0, after = 0.0, *row = basis + static_cast<int64_t>(rank) * n;
+  for (int32_t j = 0; j < n; ++j) row[j] = 0.0;
+  for (int32_t k = 0; k < added.count; ++k) {
+    row[added.motion[k]] = added.value[k];
+    before += added.value[k] * added.value[k];
+  }
+  for (int pass = 0; pass < 2; ++pass) {
+    for (int32_t i = 0; i < rank; ++i) {
+      const double* unit = basis + static_cast<int64_t>(i) * n;
+      double part = 0.0;
+      for (int32_t k = 0; k < added.count && pass == 0; ++k) part += unit[added.motion[k]] * added.value[k];
+      for (int32_t j = 0; j < n && pass == 1; ++j) part += unit[j] * row[j];
+      for (int32_t j = 0; j < n && part != 0.0; ++j) row[j] -= part * unit[j];
+    }
+    after = 0.0;
+    for (int32_t j = 0; j < n; ++j) after += row[j] * row[j];
+    if (!(after > 1e-16 * before) || !(after > 1e-16)) return 0;
+  }
+  const double length = sqrt(after);
+  for (int32_t j = 0; j < n; ++j) row[j] /= length;
+  return 1;
 }
 
 // Rank of what the pairs [first, end) prevent, all sticking, added to an orthonormal basis.
 int32_t prevent(const Model& m, int32_t first, int32_t end, double* basis, int32_t rank) {
   const int32_t n = m.head->motions;
   for (int32_t i = first; i < end; ++i)
-    for (int d = 0; d <= m.pair[i].tangential && rank < n; ++d) {
-      double* row = basis + static_cast<int64_t>(rank) * n;
-      motion_row(m, m.pair[i], d, n, row);
-      rank += make_normal(basis, rank, n, n, 2, row); // where the next row of the basis belongs
-    }
+    for (int d = 0; d <= m.pair[i].tangential && rank < n; ++d)
+      rank += extend_rows(basis, rank, n, motion_row(m, m.pair[i], d));
   return rank;
 }
 

@@ -63,6 +63,7 @@ void out_of_core(const Options& options);
 void assembly();
 void interior_points();
 void contact_events(const Options& options);
+void many_bodies();
 void whole_program(const Options& options);
 
 } // namespace bench

@@ -1,14 +1,17 @@
 # Speed, as a table: make bench SAVE=file keeps it, BASE=file compares with one that was kept, LARGE=1 adds the sizes
-# that take minutes, ONLY=elimination,out_of_core,assembly,interior,events,program takes parts of it.
+# that take minutes, ONLY=elimination,out_of_core,assembly,interior,events,bodies,program takes parts of it.
 # Rivals are processes of their own, compiled if what they need is here; the library itself needs none of them.
 BENCH := $(BUILD)/bench
-BENCH_OBJECTS := $(patsubst tests/bench/%.cpp,$(BENCH)/%.o,$(wildcard tests/bench/*.cpp))
+BENCH_OBJECTS := $(patsubst tests/bench/%.cpp,$(BENCH)/%.o,$(wildcard tests/bench/*.cpp)) $(BENCH)/many_bodies.o
 BENCH_PEAK_peak_avx2 := $(KERNEL_kernel_avx2)
 BENCH_PEAK_peak_avx512 := $(KERNEL_kernel_avx512)
 $(BENCH)/%.o: tests/bench/%.cpp $(BUILD)/flags Makefile tests/bench/bench.mk
 	@mkdir -p $(@D)
 	$(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(EXACT) $(if $(filter peak_%,$*),-ffp-contract=fast $(BENCH_PEAK_$*)) \
 	  $(DEPS) -c $< -o $@
+$(BENCH)/many_bodies.o: tests/many_bodies.cpp $(BUILD)/flags Makefile tests/bench/bench.mk
+	@mkdir -p $(@D)
+	$(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(EXACT) $(DEPS) -c $< -o $@
 $(BENCH)/run_bench: $(BENCH_OBJECTS) $(LIBRARY)
 	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm -pthread
 $(BENCH)/empty $(BENCH)/spawn: $(BENCH)/%: tests/bench/%.c $(BUILD)/flags

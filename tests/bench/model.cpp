@@ -12,7 +12,8 @@ namespace {
 constexpr double kFullLoad = 1;
 constexpr double kPi = 3.14159265358979323846;
 
-double clock_of(void*) { return processor_seconds(); }
+double processor_clock(void*) { return processor_seconds(); }
+double clock_of(void*) { return seconds_now(); }
 
 // Points from the last one of `xy` (not repeated) to (x, y), (x, y) itself left out: steps grow from h0 to
 // h1.
@@ -71,7 +72,7 @@ void add_body(const Solver& s, int body, const std::vector<double>& xy, double m
 
 } // namespace
 
-Solver::Solver(const c2d_limits& limits) : store_() {
+Solver::Solver(const c2d_limits& limits, int32_t threads) : store_() {
   uint64_t bytes = 0;
   if (c2d_memory_need(&limits, nullptr, &bytes, nullptr) != C2D_OK) give_up("limits refused");
   memory_.resize(bytes);
@@ -79,9 +80,19 @@ Solver::Solver(const c2d_limits& limits) : store_() {
   c2d_memory_store_init(&store_, tapes_.data(), tapes_.size());
   c2d_port port = C2D_INIT(c2d_port);
   c2d_memory_store_port(&store_, &port);
-  port.clock = clock_of;
+  if (threads > 1) {
+    pool_ = std::make_unique<c2d_threads>();
+    if (c2d_threads_start(pool_.get(), threads) != 0) give_up("no threads");
+    c2d_threads_port(pool_.get(), &port);
+  }
+  port.clock = threads > 0 ? clock_of : processor_clock;
   c2d_error why = C2D_INIT(c2d_error);
   if (c2d_create(&solver_, memory_.data(), memory_.size(), &limits, &port, &why) != C2D_OK) give_up(why.text);
+}
+
+Solver::~Solver() {
+  c2d_close(solver_);
+  if (pool_) c2d_threads_stop(pool_.get());
 }
 
 void Solver::must(c2d_status status) const {

@@ -4,17 +4,20 @@
 #include "contact2d.h"
 
 #include "c2d_memory.h"
+#include "c2d_threads.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace bench {
 
-// A solver with its workspace, all in memory, and its store.
+// A solver with its workspace, all in memory, and its store. Its times are those of the processor, or, with a number of
+// threads, those of the clock.
 class Solver {
 public:
-  explicit Solver(const c2d_limits& limits);
-  ~Solver() { c2d_close(solver_); }
+  explicit Solver(const c2d_limits& limits, int32_t threads = 0);
+  ~Solver();
   Solver(const Solver&) = delete;
   Solver& operator=(const Solver&) = delete;
   operator c2d_solver*() const { return solver_; }
@@ -25,6 +28,7 @@ public:
 private:
   std::vector<unsigned char> memory_, tapes_;
   c2d_memory_store store_;
+  std::unique_ptr<c2d_threads> pool_;
   c2d_solver* solver_ = nullptr;
 };
 
