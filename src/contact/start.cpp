@@ -1,6 +1,7 @@
 #include "contact/start.hpp"
 
 #include "contact/let_go.hpp"
+#include "contact/force_cone.hpp"
 #include "contact/limit_analysis.hpp"
 #include "model/free_zones.hpp"
 #include "model/pair_frame.hpp"
@@ -34,67 +35,69 @@ void touch_statuses(Tableau& t) {
   }
 }
 
-void pair_motion(const FreeBody& body, const Model& m, const Pair& pair, double out[2]) {
-  motion_at_pair(m, body.body, body.motion, body.centre, pair, out);
-}
-
-// At zero load the state is known exactly: the initial gaps and `flight` units of the free motion. Round-off of the
-// exchanges is swept away.
-void set_constants(Tableau& t, const FreeBody& body, const Model& m, double flight) {
+// Nothing is loaded yet, and f.y holds where the pairs are as if rigid. At zero load that is known exactly; round-off of the
+// exchanges is swept away. (f.y lasts while the tableau is built.)
+void set_constants(Follower& f) {
+  Tableau& t = *f.t;
   Real* c = constants(t);
   for (int32_t i = 0; i < t.m; ++i) c[i] = 0;
   for (int32_t i = 0; i < t.pairs; ++i) {
     const Pair& pair = t.pair[i];
-    double w[2] = {0.0, 0.0};
-    if (flight != 0.0) pair_motion(body, m, pair, w);
-    if (pair.status == C2D_OPEN) c[pair.dof] = static_cast<Real>(pair.gap / t.length_unit + flight * w[0]);
-    if (pair.tangential && pair.status != C2D_STICK) c[pair.dof + 1] = static_cast<Real>(flight * w[1]);
+    if (pair.status == C2D_OPEN) c[pair.dof] = f.y[pair.dof];
+    if (pair.tangential && pair.status != C2D_STICK) c[pair.dof + 1] = f.y[pair.dof + 1];
   }
 }
 
-// The pair that a motion in this direction closes first; -1: none. *distance: how far it goes.
-int32_t first_to_touch(const Tableau& t, const FreeBody& body, const Model& m, double direction, double* distance) {
-  int32_t first = -1;
-  for (int32_t i = 0; i < t.pairs; ++i) {
-    double w[2];
-    pair_motion(body, m, t.pair[i], w);
-    const double closing = -direction * w[0];
-    if (closing <= 1e-9) continue; // motions are of length one: this one passes by
-    const double reach = t.pair[i].gap / m.head->length_unit / closing;
-    if (first >= 0 && reach >= *distance) continue;
-    first = i;
-    *distance = reach;
+// Where the model has the pairs.
+void place_as_given(Follower& f) {
+  for (int32_t i = 0; i < f.t->m; ++i) f.y[i] = f.dy[i] = 0;
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    const Pair& pair = f.t->pair[i];
+    f.y[pair.dof] = static_cast<Real>(fmax(pair.gap, 0.0) / f.t->length_unit);
+    f.gap_scale = fmax(f.gap_scale, fmax(pair.gap, pair.overlap) / f.t->length_unit);
   }
-  return first;
 }
 
 } // namespace
+
+void motion_at_side(const Model& m, int side, const double motion[3], const double centre[2], const Pair& pair, double out[2]) {
+  double x, y;
+  pair_position(m, pair, side, &x, &y);
+  const double unit = m.head->length_unit;
+  const double ux = motion[0] - motion[2] * (y - centre[1]) / unit;
+  const double uy = motion[1] + motion[2] * (x - centre[0]) / unit;
+  to_frame(pair, sign_of_side(side) * ux, sign_of_side(side) * uy, out);
+}
 
 void motion_at_pair(const Model& m, int b, const double motion[3], const double centre[2], const Pair& pair, double out[2]) {
   out[0] = out[1] = 0.0;
   for (int side = 0; side < 2; ++side) {
     if (body_on(m, pair, side) != b) continue;
-    double x, y, w[2];
-    pair_position(m, pair, side, &x, &y);
-    const double unit = m.head->length_unit;
-    const double ux = motion[0] - motion[2] * (y - centre[1]) / unit;
-    const double uy = motion[1] + motion[2] * (x - centre[0]) / unit;
-    to_frame(pair, sign_of_side(side) * ux, sign_of_side(side) * uy, w);
+    double w[2];
+    motion_at_side(m, side, motion, centre, pair, w);
     for (int d = 0; d < 2; ++d) out[d] += w[d];
   }
 }
 
-c2d_status start_path(Follower& f, const FreeBody& body, const Model& model, int32_t* floating) {
+double pair_product(const Model& m, int b, const double u[3], const double v[3]) {
+  double sum = 0.0;
+  for (int32_t i = 0; i < m.head->pairs; ++i) {
+    double at_u[2], at_v[2];
+    motion_at_pair(m, b, u, m.body[b].centre, m.pair[i], at_u);
+    motion_at_pair(m, b, v, m.body[b].centre, m.pair[i], at_v);
+    sum += m.pair[i].length * (at_u[0] * at_v[0] + at_u[1] * at_v[1] * m.pair[i].tangential);
+  }
+  return sum;
+}
+
+c2d_status start_path(Follower& f, const FreeBody& body, int32_t* floating) {
   Tableau& t = *f.t;
   touch_statuses(t);
-  tie_pairs(t, model.head->pairs);
+  tie_pairs(t, f.model->head->pairs);
+  place_as_given(f);
   *floating = 0;
   int32_t touching = 0;
   for (int32_t i = 0; i < t.pairs; ++i) touching += t.pair[i].status != C2D_OPEN;
-  for (int32_t i = 0; i < t.pairs; ++i) {
-    const double gap = fmax(t.pair[i].gap, t.pair[i].overlap) / model.head->length_unit;
-    if (gap > f.gap_scale) f.gap_scale = gap;
-  }
   if (touching == 0 && body.others() > 0) {
     *floating = 1;
     return C2D_OK;
@@ -105,14 +108,16 @@ c2d_status start_path(Follower& f, const FreeBody& body, const Model& model, int
     return C2D_OK;
   }
   if (status != C2D_OK) return status;
-  set_constants(t, body, model, 0.0);
+  set_constants(f);
   refresh(f);
   return C2D_OK;
 }
 
-c2d_status lie_apart(Follower& f, const Model& model, c2d_outcome* outcome) {
+namespace {
+
+// The loads along the path's direction do not move what floats: it lies where the model has it (contact/let_go.hpp).
+c2d_status lie_apart(Follower& f, c2d_outcome* outcome) {
   Tableau& t = *f.t;
-  *outcome = C2D_FREE_MOTION;
   bool unloaded = false, balanced = false;
   c2d_status status = loads_balance(f, &unloaded, &balanced);
   if (status != C2D_OK || !balanced || t.free_motions == 0) return status;
@@ -120,7 +125,7 @@ c2d_status lie_apart(Follower& f, const Model& model, c2d_outcome* outcome) {
     Pair& pair = t.pair[i];
     reset_pair(pair);
     pair.status = C2D_OPEN;
-    keep_place(pair, pair.gap / model.head->length_unit, 0.0);
+    keep_place(pair, pair.gap / t.length_unit, 0.0);
   }
   status = build_tableau(t, *f.tape, &f.last_pair);
   if (status == C2D_ERR_SINGULAR) return C2D_OK;
@@ -129,32 +134,114 @@ c2d_status lie_apart(Follower& f, const Model& model, c2d_outcome* outcome) {
   return status;
 }
 
-c2d_status fly(Follower& f, const FreeBody& body, const Model& model, double work, c2d_outcome* outcome) {
+// The work of the loads along the path's direction on a free motion of a body; zero if it is no more than round-off.
+double work_on(const Follower& f, int b, int32_t motion) {
+  double work = 0.0, size = 0.0;
+  for (int32_t k = 0; k < f.t->cases; ++k) {
+    const double* const of_case = f.model->load_work[b] + 4 * static_cast<int64_t>(k);
+    work += f.direction[k] * of_case[motion];
+    size += fabs(f.direction[k]) * of_case[3];
+  }
+  return fabs(work) > 1e-10 * size ? work : 0.0;
+}
+
+// A body's free motions made orthonormal by what they move the pairs, METHOD (13.3), and the work on them that balances the
+// loads'.
+void make_ways(ForceCone& cone, int b) {
+  const Body& body = cone.m.body[b];
+  double(*const way)[3] = cone.way + body.first_motion;
+  double* const load = cone.load + body.first_motion;
+  for (int32_t j = 0; j < body.free_motions; ++j) {
+    for (int c = 0; c < 3; ++c) way[j][c] = body.free_motion[j][c];
+    load[j] = -work_on(cone.f, b, j);
+    for (int32_t i = 0; i < j; ++i) {
+      const double part = pair_product(cone.m, b, way[j], way[i]);
+      for (int c = 0; c < 3; ++c) way[j][c] -= part * way[i][c];
+      load[j] -= part * load[i];
+    }
+    const double size = sqrt(pair_product(cone.m, b, way[j], way[j]));
+    for (double& c : way[j]) c = size > 0.0 ? c / size : 0.0;
+    if (size > 0.0) load[j] /= size;
+  }
+}
+
+// As far against cone.rest, the way that the loads push, as the first pairs that touch let it go. False: it meets none.
+bool move_to_touch(Follower& f, const ForceCone& cone) {
+  const double touches = kValueTolerance * cone.scales.w;
+  double most = 0.0, distance = -1.0;
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    const Pair& pair = f.t->pair[i];
+    for (int slot = 0; slot <= pair.tangential; ++slot) {
+      const double rate = -dot(cone.of(pair, slot), cone.rest);
+      f.dy[pair.dof + slot] = static_cast<Real>(rate);
+      most = fmax(most, fabs(rate));
+    }
+  }
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    const double gap = f.y[f.t->pair[i].dof], closing = -static_cast<double>(f.dy[f.t->pair[i].dof]);
+    if (gap <= touches || closing <= 1e-9 * most) continue; // it touches already, or passes by
+    if (distance < 0.0 || gap < distance * closing) distance = gap / closing;
+  }
+  for (int32_t i = 0; i < f.t->m && distance >= 0.0; ++i) f.y[i] += static_cast<Real>(distance) * f.dy[i];
+  return distance >= 0.0;
+}
+
+// What touches where the pairs are now holds them.
+c2d_status hold_touching(Follower& f, c2d_outcome* outcome) {
+  const double touches = kValueTolerance * decision_scales(f).w;
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    Pair& pair = f.t->pair[i];
+    if (f.y[pair.dof] > touches) continue;
+    const Real along = pair.tangential ? f.y[pair.dof + 1] : Real(0);
+    pair.status = pair.mu == 0.0 ? C2D_SLIP : C2D_STICK;
+    pair.sign = pair.status == C2D_SLIP ? 1 : 0;
+    (pair.status == C2D_STICK ? pair.offset : pair.slip_from) = along;
+  }
+  const c2d_status status = build_tableau(*f.t, *f.tape, &f.last_pair);
+  if (status != C2D_OK) return status == C2D_ERR_SINGULAR ? c2d_status{C2D_OK} : status;
+  set_constants(f);
+  refresh(f);
+  *outcome = C2D_REACHED;
+  return C2D_OK;
+}
+
+// The bodies slide without friction until what touches balances the loads, with its friction.
+c2d_status slide_to_rest(Follower& f, c2d_outcome* outcome) {
+  ForceCone cone = motion_cone(f);
+  if (!cone.load) return C2D_OK;
+  for (int b = 0; b < f.model->head->bodies; ++b)
+    if (f.model->body[b].contact > 0) make_ways(cone, b);
+  const int64_t steps = 100 + int64_t{20} * (f.t->pairs + cone.motions);
+  for (int64_t step = 0; step < steps; ++step) {
+    cone.scales = decision_scales(f);
+    if (!is_unbalanced(cone, Friction::own) || !is_unbalanced(cone, Friction::none)) return hold_touching(f, outcome);
+    f.moving = body_in_motion(cone);
+    if (!move_to_touch(f, cone)) break;
+  }
+  return C2D_OK;
+}
+
+} // namespace
+
+c2d_status seat(Follower& f, int32_t floating, c2d_outcome* outcome) {
   Tableau& t = *f.t;
   *outcome = C2D_FREE_MOTION;
-  if (body.body < 0 || body.others() != 1 || work == 0.0) return C2D_OK;
-  const double direction = work > 0.0 ? 1.0 : -1.0;
-  double distance = 0.0;
-  const int32_t first = first_to_touch(t, body, model, direction, &distance);
-  if (first < 0) return C2D_OK;
+  keep_pairs(f);
+  c2d_status status = lie_apart(f, outcome);
+  if (status != C2D_OK || *outcome == C2D_REACHED) return status;
   for (int32_t i = 0; i < t.pairs; ++i) {
     reset_pair(t.pair[i]);
     t.pair[i].status = C2D_OPEN;
   }
-  Pair& pair = t.pair[first];
-  double w[2];
-  pair_motion(body, model, pair, w);
-  const double tangential = pair.tangential ? direction * distance * w[1] : 0.0;
-  pair.status = pair.mu == 0.0 ? C2D_SLIP : C2D_STICK;
-  pair.sign = pair.status == C2D_SLIP ? 1 : 0;
-  (pair.status == C2D_STICK ? pair.offset : pair.slip_from) = static_cast<Real>(tangential);
-  f.last_pair = first;
-  const c2d_status status = build_tableau(t, *f.tape, &f.last_pair);
-  if (status == C2D_ERR_SINGULAR) return C2D_OK;
-  if (status != C2D_OK) return status;
-  set_constants(t, body, model, direction * distance);
-  refresh(f);
-  *outcome = C2D_REACHED;
+  t.guided = 0;
+  f.idle = false;
+  f.bound.pair = -1;
+  place_as_given(f);
+  status = slide_to_rest(f, outcome);
+  if (status != C2D_OK || *outcome == C2D_REACHED) return status;
+  if (floating == 0) return restore_pairs(f);
+  touch_statuses(t);
+  place_as_given(f);
   return C2D_OK;
 }
 

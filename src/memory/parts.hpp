@@ -158,7 +158,7 @@ struct SearchPart { // contact/search.cpp, limit_analysis.cpp, let_go.cpp, start
   Function<bool, Follower&> slides_without_force = Nothing();
   Function<c2d_status, Follower&, bool*> try_let_go = Nothing();
   Function<c2d_status, Follower&, bool*, c2d_outcome*> hold_again = Nothing();
-  Function<c2d_status, Follower&, const Model&, c2d_outcome*> lie_apart = Nothing();
+  Function<c2d_status, Follower&, int32_t, c2d_outcome*> seat = Nothing();
 };
 
 struct EliminationPlan;

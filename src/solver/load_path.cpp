@@ -87,7 +87,7 @@ c2d_status begin_path(Session& session) {
   if (s->blocked || head.contact == 0) return C2D_OK;
   note_free_body(session);
   c2d_status status = load_flexibility(session);
-  if (status == C2D_OK) status = start_path(session.follower, session.free_body, session.model, &s->floating);
+  if (status == C2D_OK) status = start_path(session.follower, session.free_body, &s->floating);
   if (status == C2D_OK) begin_judging(session);
   return status;
 }
@@ -151,13 +151,12 @@ double work_on(const Session& session, const double* loads, const double motion[
 }
 
 c2d_status take_off(Session& session, const double* target, c2d_outcome* outcome) {
+  c2d_solver* s = session.solver;
   Follower& f = session.follower;
   for (int32_t k = 0; k < f.t->cases; ++k) f.direction[k] = target[k] - f.load[k];
   *outcome = C2D_FREE_MOTION;
-  c2d_status status = kSearchPart.lie_apart(f, session.model, outcome);
-  if (status == C2D_OK && *outcome != C2D_REACHED && session.free_body.body >= 0)
-    status = fly(f, session.free_body, session.model, work_on(session, f.direction, session.free_body.motion), outcome);
-  if (status == C2D_OK && *outcome == C2D_REACHED) session.solver->floating = 0;
+  const c2d_status status = kSearchPart.seat(f, s->floating, outcome);
+  if (status == C2D_OK && *outcome == C2D_REACHED) s->floating = 0;
   return status;
 }
 
@@ -239,9 +238,9 @@ c2d_status go(Session& session, const double* target, c2d_outcome* outcome) {
   c2d_status status = C2D_OK;
   if (s->floating) status = take_off(session, target, outcome);
   if (status == C2D_OK && *outcome == C2D_REACHED) status = follow(session, target, outcome);
-  // What touched at zero load was pulled off: nothing is loaded yet, so the body may fly to other pairs once.
+  // What touched at zero load was pulled off: nothing is loaded yet, so the bodies may move on to other pairs once.
   if (status == C2D_OK && *outcome == C2D_FREE_MOTION && from_zero && all_zero(f.load, cases) &&
-      session.free_body.others() == 1) {
+      session.free_body.others() > 0) {
     status = take_off(session, target, outcome);
     if (status == C2D_OK && *outcome == C2D_REACHED) status = follow(session, target, outcome);
   }
