@@ -16,7 +16,7 @@ double dot(const double* a, const double* b, int32_t n) {
 
 } // namespace
 
-double dot(const Ray& a, const double* b) {
+double work(const Ray& a, const double* b) {
   double sum = 0.0;
   for (int side = 0; side < 2; ++side)
     for (int32_t j = 0; j < a.count[side]; ++j) sum += a.of[side][j] * b[a.first[side] + j];
@@ -236,7 +236,7 @@ bool best_ray(const ForceCone& a, Chosen* out) {
     Ray ray[4];
     const int count = a.rays_of(d, in_doubt, ray);
     for (int k = 0; k < count; ++k) {
-      const double size = length(ray[k]), along = dot(ray[k], a.rest);
+      const double size = length(ray[k]), along = work(ray[k], a.rest);
       if (!(size > 0.0) || along <= most * size) continue;
       most = along / size;
       *out = Chosen{i, k};

@@ -10,7 +10,7 @@ struct Ray {
   int32_t first[2], count[2]; // on a side: the body's motions
   double of[2][kMostMotions];
 };
-double dot(const Ray& a, const double* motion);
+double work(const Ray& a, const double* motion);
 double length(const Ray& a);
 void add_to(double* to, double factor, const Ray& a);
 // Of numbers for all motions.

@@ -172,7 +172,7 @@ bool move_to_touch(Follower& f, const ForceCone& cone) {
   for (int32_t i = 0; i < f.t->pairs; ++i) {
     const Pair& pair = f.t->pair[i];
     for (int slot = 0; slot <= pair.tangential; ++slot) {
-      const double rate = -dot(cone.of(pair, slot), cone.rest);
+      const double rate = -work(cone.of(pair, slot), cone.rest);
       f.dy[pair.dof + slot] = static_cast<Real>(rate);
       most = fmax(most, fabs(rate));
     }

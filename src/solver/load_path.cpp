@@ -188,6 +188,9 @@ double load_work(const Session& session, int b, const double* direction, const d
 
 namespace {
 
+bool is_motion(c2d_outcome outcome) {
+  return outcome == C2D_FREE_MOTION || outcome == C2D_GROSS_SLIDING || outcome == C2D_TIPPING;
+}
 bool is_motion(const double motion[3]) { return motion[0] != 0.0 || motion[1] != 0.0 || motion[2] != 0.0; }
 
 // The name of an outcome and the motion that begins, of a body that the contact has to hold. Where nothing is pressed any
@@ -209,7 +212,7 @@ void name_motion(Session& session, c2d_outcome outcome) {
 void name_outcome(Session& session, c2d_outcome outcome) {
   c2d_solver* s = session.solver;
   s->outcome = outcome;
-  if (outcome == C2D_FREE_MOTION || outcome == C2D_GROSS_SLIDING || outcome == C2D_TIPPING) name_motion(session, outcome);
+  if (is_motion(outcome)) name_motion(session, outcome);
   if (outcome != C2D_NO_ADMISSIBLE_CHANGE || session.free_body.motions == 0) return;
   name_motion(session, C2D_GROSS_SLIDING);
   if (is_motion(s->outcome_motion)) return;
@@ -238,11 +241,14 @@ c2d_status go(Session& session, const double* target, c2d_outcome* outcome) {
   c2d_status status = C2D_OK;
   if (s->floating) status = take_off(session, target, outcome);
   if (status == C2D_OK && *outcome == C2D_REACHED) status = follow(session, target, outcome);
-  // What touched at zero load was pulled off: nothing is loaded yet, so the bodies may move on to other pairs once.
-  if (status == C2D_OK && *outcome == C2D_FREE_MOTION && from_zero && all_zero(f.load, cases) &&
-      session.free_body.others() > 0) {
+  // What touches at zero load does not hold them: nothing is loaded yet, so the bodies may move on to other pairs once.
+  if (status == C2D_OK && is_motion(*outcome) && from_zero && all_zero(f.load, cases) && session.free_body.others() > 0) {
+    const c2d_outcome from_here = *outcome;
     status = take_off(session, target, outcome);
-    if (status == C2D_OK && *outcome == C2D_REACHED) status = follow(session, target, outcome);
+    if (status == C2D_OK && *outcome == C2D_REACHED)
+      status = follow(session, target, outcome);
+    else
+      *outcome = from_here;
   }
   if (status != C2D_OK) return status;
   const bool by_rates = *outcome == C2D_REACHED && s->options.stepping == C2D_STEPPING_EVENTS;
