@@ -202,3 +202,66 @@ TEST_CASE("seating: a roller with clearance to both platens") {
         CHECK(off_displacements(touching, seated, 2, 0, -below) < 1e-10);
       }
 }
+
+namespace {
+
+// ---- a pin in a hole with clearance
+
+// A plate with a hole of radius 1, held at its edges, and a pin in it, which a body force pulls along (fx, fy). A node of both is
+// where it comes to lie, or (half) the middle between two.
+Model pin(double clearance, double fx, double fy, double mu, bool half) {
+  const int32_t n = 48;
+  const double turn = half ? M_PI / n : 0;
+  Model m;
+  Body plate = rectangle(-3, -3, 3, 3, {6, 6, 6, 6}, 500);
+  const auto hole = circle(1, 0, 0, turn);
+  add_curve(plate, n, [&](double s, double& x, double& y) { hole(1 - s, x, y); });
+  m.add(plate);
+  for (int side = 1; side <= 4; ++side) m.set(1, side, end_of(kHeld));
+  Body disc;
+  disc.youngs_modulus = 300;
+  add_curve(disc, n, circle(1 - clearance, 0, 0, turn));
+  m.add(disc);
+  m.body(2).force[0] = fx;
+  m.body(2).force[1] = fy;
+  m.zones.push_back({C2D_ZONE_MATCHING, {{1, 25, 24 + n}, {2, n, 1}}});
+  m.friction = mu;
+  m.paths = {{3, 1.0}};
+  return m;
+}
+
+} // namespace
+
+TEST_CASE("seating: a pin falls in its hole") {
+  for (const double mu : {0.0, 0.3})
+    for (const bool half : {false, true}) {
+      CAPTURE(mu);
+      CAPTURE(half);
+      const Result r = solved(pin(0.01, 0, -0.5, mu, half));
+      const double weight = 0.5 * M_PI * 0.99 * 0.99;
+      CHECK(r.zones[0].force[1] == doctest::Approx(weight).epsilon(1e-2));
+      CHECK(std::fabs(r.zones[0].force[0]) < 1e-9 * weight);
+    }
+}
+
+TEST_CASE("seating: a pin that is pulled anywhere, told otherwise") {
+  for (const double mu : {0.0, 0.3})
+    for (const double angle : {0.0, 7.5, 9.0, 30.0, 131.0}) {
+      CAPTURE(mu);
+      CAPTURE(angle);
+      const double weight = 0.5 * M_PI * 0.98 * 0.98, x = std::sin(angle * M_PI / 180), y = -std::cos(angle * M_PI / 180);
+      const Model m = pin(0.02, 0.5 * x, 0.5 * y, mu, false);
+      const Result r = solved(m);
+      CHECK(r.zones[0].force[0] == doctest::Approx(-weight * x).epsilon(1e-2).scale(weight));
+      CHECK(r.zones[0].force[1] == doctest::Approx(-weight * y).epsilon(1e-2).scale(weight));
+      CHECK(difference(r, solved(with_bodies_in_order(m, {2, 1}))) < 1e-9);
+      Mapping mirror;
+      mirror.place = [](double& at_x, double&) { at_x = -at_x; };
+      mirror.tangential = -1;
+      CHECK(difference(r, solved(reflected(m)), mirror) < 1e-9);
+      Mapping units;
+      units.length = 25.4, units.stress = 6.894757;
+      units.place = [](double& at_x, double& at_y) { at_x *= 25.4, at_y *= 25.4; };
+      CHECK(difference(r, solved(scaled(m, 25.4, 6.894757)), units) < 1e-9);
+    }
+}

@@ -82,6 +82,85 @@ bool place_body(const Tableau& t, const int32_t* left, int32_t count) {
   return true;
 }
 
+// ---- resting along a motion --------------------------------------------------------------------------------------------
+
+namespace {
+
+// visit(slot's first unknown, where its column stands, factor): the slots whose motions are basic, with the lengths of their
+// elements times what they move along a free motion, which stands in a column.
+template <class Visit> void for_moved(const Tableau& t, const Real* motion, Visit visit) {
+  for (int32_t i = 0; i < t.pairs; ++i)
+    for (int slot = 0; slot <= t.pair[i].tangential; ++slot) {
+      const Pair& pair = t.pair[i];
+      const bool moves = slot == 0 ? pair.status == C2D_OPEN : pair.status != C2D_STICK;
+      if (!moves || (pair.mark.exchanged >> slot & 1) == 0) continue;
+      visit(pair, slot, pair.length * static_cast<double>(motion[pair.dof + slot]));
+    }
+}
+
+Pair& pair_of_slot(const Tableau& t, int32_t dof) {
+  int32_t i = 0;
+  while (dof > t.pair[i].dof + t.pair[i].tangential) ++i;
+  return t.pair[i];
+}
+
+} // namespace
+
+bool may_rest(const Tableau& t, const int32_t* left, int32_t count) {
+  for (int32_t k = 0; k < t.cases && count > 0; ++k) {
+    const Real* const rates = column(t, t.n + 1 + k);
+    double most = 0.0; // of forces, or what motions would make of them
+    for (int32_t i = 0; i < t.pairs; ++i)
+      for (int slot = 0; slot <= t.pair[i].tangential; ++slot) {
+        const bool moved = (t.pair[i].mark.exchanged >> slot & 1) != 0;
+        const double size = fabs(static_cast<double>(rates[t.pair[i].dof + slot]));
+        most = fmax(most, moved ? size * t.pair[i].stiffness[slot] : size);
+      }
+    for (int32_t j = 0; j < count; ++j)
+      if (fabs(static_cast<double>(rates[left[j]])) > kRateTolerance * most) return false;
+  }
+  return true;
+}
+
+bool rest_along(const Tableau& t, int32_t slot, Real* response) {
+  Real* const motion = column(t, slot);
+  Pair& own = pair_of_slot(t, slot);
+  const int which = slot - own.dof;
+  double against = own.place[which] == slot ? own.length : 0.0, size = own.length;
+  for (int32_t i = 0; i < t.m; ++i) response[i] = 0;
+  for_moved(t, motion, [&](const Pair& pair, int s, double factor) {
+    const int32_t at = pair.place[s];
+    size += factor * motion[pair.dof + s];
+    if (at == slot) against += factor;
+    const Pair& there = pair_of_slot(t, at);
+    if (at == slot || (there.mark.exchanged >> (at - there.dof) & 1) == 0) return;
+    for (int32_t i = 0; i < t.m; ++i) response[i] += static_cast<Real>(factor) * column(t, at)[i];
+  });
+  against -= response[slot];
+  if (!(fabs(against) > 0.0)) return false;
+  const auto keep_place_in = [&](Real* values, bool to_place) {
+    double x = to_place ? own.length * place_of(own, which) : 0.0;
+    for_moved(t, motion, [&](const Pair& pair, int s, double factor) {
+      x -= factor * (values[pair.dof + s] - (to_place ? place_of(pair, s) : 0.0));
+    });
+    x /= size;
+    for (int32_t i = 0; i < t.m; ++i)
+      if (i != slot) values[i] += static_cast<Real>(x) * motion[i];
+    values[slot] = static_cast<Real>(x);
+  };
+  for (int32_t j = 0; j < tableau_columns(t.n, t.cases); ++j) {
+    if (j == slot) continue;
+    const Real force = static_cast<Real>(column(t, j)[slot] / against);
+    for (int32_t i = 0; i < t.m && force != 0; ++i) column(t, j)[i] += force * response[i];
+    keep_place_in(column(t, j), j == t.n);
+  }
+  for (int32_t i = 0; i < t.m; ++i) response[i] = static_cast<Real>(-response[i] / against);
+  keep_place_in(response, false);
+  for (int32_t i = 0; i < t.m; ++i) motion[i] = response[i];
+  own.mark.exchanged = static_cast<uint8_t>(own.mark.exchanged | 1 << which) & 3;
+  return true;
+}
+
 // ---- letting go and holding again ---------------------------------------------------------------------------------
 
 namespace {
@@ -189,6 +268,22 @@ bool close_touching(Follower& f) {
 }
 
 } // namespace
+
+c2d_status rest_again(Follower& f, bool changed) {
+  if (f.t->resting == 0 || !(changed || closes(f))) return C2D_OK;
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    Pair& pair = f.t->pair[i];
+    const PairState now = pair_state(*f.t, i, f.y);
+    if (pair.status == C2D_OPEN) keep_place(pair, now.wn, now.wt);
+    if (pair.status != C2D_SLIP) continue;
+    pair.slip_done += static_cast<Real>(now.wt - pair.slip_from);
+    pair.slip_from = static_cast<Real>(now.wt);
+  }
+  keep_pairs(f);
+  if (closes(f)) close_touching(f);
+  const c2d_status status = rebuild(f);
+  return status == C2D_ERR_SINGULAR ? restore_pairs(f) : status;
+}
 
 c2d_status hold_again(Follower& f, bool* quiet, c2d_outcome* outcome) {
   bool balanced = false;

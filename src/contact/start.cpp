@@ -197,7 +197,13 @@ c2d_status hold_touching(Follower& f, c2d_outcome* outcome) {
     pair.sign = pair.status == C2D_SLIP ? 1 : 0;
     (pair.status == C2D_STICK ? pair.offset : pair.slip_from) = along;
   }
-  const c2d_status status = build_tableau(*f.t, *f.tape, &f.last_pair);
+  c2d_status status = build_tableau(*f.t, *f.tape, &f.last_pair);
+  if (status == C2D_ERR_SINGULAR) {
+    for (int32_t i = 0; i < f.t->pairs; ++i)
+      if (f.t->pair[i].status == C2D_OPEN) keep_place(f.t->pair[i], f.y[f.t->pair[i].dof], f.t->pair[i].tangential ? static_cast<double>(f.y[f.t->pair[i].dof + 1]) : 0.0);
+    f.t->may_rest = 1;
+    status = build_tableau(*f.t, *f.tape, &f.last_pair);
+  }
   if (status != C2D_OK) return status == C2D_ERR_SINGULAR ? c2d_status{C2D_OK} : status;
   set_constants(f);
   refresh(f);

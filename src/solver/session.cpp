@@ -69,7 +69,8 @@ void open_session(c2d_solver* s, Session& session) {
                             0,
                             nullptr,
                             nullptr,
-                            s->guided};
+                            s->guided,
+                            s->may_rest};
   double* loads = array_of<double>(s, kLoads);
   session.follower.t = &session.tableau;
   session.follower.tape = &session.tape;
@@ -104,6 +105,7 @@ void close_session(Session& session) {
   s->stats = session.follower.stats;
   s->last_pair = session.follower.last_pair;
   s->guided = session.tableau.guided;
+  s->may_rest = session.tableau.may_rest;
 }
 
 namespace {
