@@ -41,7 +41,7 @@ double off_pressures(const Result& a, const Result& b) {
 double off_displacements(const Result& touching, const Result& seated, int32_t body, double ux, double uy) {
   double off = 0;
   const std::vector<EndResult>&a = touching.boundary[static_cast<size_t>(body - 1)],
-                   &b = seated.boundary[static_cast<size_t>(body - 1)];
+        &b = seated.boundary[static_cast<size_t>(body - 1)];
   for (size_t i = 0; i < a.size(); ++i)
     off = std::max({off, std::fabs(b[i].ux - a[i].ux - ux), std::fabs(b[i].uy - a[i].uy - uy)});
   return off;
@@ -207,8 +207,8 @@ namespace {
 
 // ---- a pin in a hole with clearance
 
-// A plate with a hole of radius 1, held at its edges, and a pin in it, which a body force pulls along (fx, fy). A node of both is
-// where it comes to lie, or (half) the middle between two.
+// A plate with a hole of radius 1, held at its edges, and a pin in it, which a body force pulls along (fx, fy). A node of both
+// is where it comes to lie, or (half) the middle between two.
 Model pin(double clearance, double fx, double fy, double mu, bool half) {
   const int32_t n = 48;
   const double turn = half ? M_PI / n : 0;
@@ -264,4 +264,118 @@ TEST_CASE("seating: a pin that is pulled anywhere, told otherwise") {
       units.place = [](double& at_x, double& at_y) { at_x *= 25.4, at_y *= 25.4; };
       CHECK(difference(r, solved(scaled(m, 25.4, 6.894757)), units) < 1e-9);
     }
+}
+
+namespace {
+
+// The same with a bore in the pin, at which load case 1 pulls down and load case 2 along.
+Model pulled_pin(double mu, const std::vector<Path>& paths) {
+  Model m = pin(0.02, 0, 0, mu, false);
+  Body& disc = m.body(2);
+  add_curve(disc, 16, [](double s, double& x, double& y) { circle(0.3, 0, 0, 0)(1 - s, x, y); });
+  disc.ends.resize(static_cast<size_t>(2 * disc.elements()));
+  m.cases = 2;
+  m.set(2, 2, end_of(kPulled, 0, -1));
+  for (Body& body : m.bodies) body.second.resize(body.ends.size());
+  m.body(1).second = m.body(1).ends;
+  m.set_second(2, 2, end_of(kPulled, 1, 0));
+  m.paths = paths;
+  return m;
+}
+
+} // namespace
+
+TEST_CASE("seating: a pin at rest on one pair is held as soon as more of them touch, and flies if it is pushed before") {
+  const Result held = solved(pulled_pin(0.3, {{1, 1, 0}, {1, 1, 0.2}}));
+  CHECK(std::fabs(held.zones[0].force[0] / held.zones[0].force[1]) == doctest::Approx(0.2).epsilon(1e-9));
+  const Result pushed = solve(pulled_pin(0.3, {{1, 1e-4, 0}, {1, 1e-4, 0.2}}));
+  CHECK(pushed.outcome == C2D_FREE_MOTION);
+  CHECK(pushed.summary.outcome_body == 2);
+  CHECK(pushed.steps.size() >= 1);
+  const Result at_once = solved(pulled_pin(0.3, {{1, 1, 0.2}}));
+  CHECK(std::fabs(at_once.zones[0].force[0] / at_once.zones[0].force[1]) == doctest::Approx(0.2).epsilon(1e-9));
+}
+
+namespace {
+
+// ---- a plate that comes down askew, a body that nothing moves, bodies that nothing stops
+
+Model askew(double turn, double height) {
+  Model m;
+  m.add(rectangle(0, -1, 3, 0, {6, 3, 6, 3}, 200));
+  m.set(1, 1, end_of(kHeld));
+  const double rise = 3 * turn;
+  m.add(polygon({{0, height, 6}, {3, height + rise, 4}, {3, height + rise + 1, 6}, {0, height + 1, 4}}, 100));
+  m.set(2, 3, [](double x, double) { return end_of(kPulled, 0, -0.1 - 0.05 * x); });
+  m.join(C2D_ZONE_MATCHING, 1, 3, 2, 1);
+  m.friction = 0.5;
+  return m;
+}
+
+} // namespace
+
+TEST_CASE("seating: a plate that comes down askew, or stands on its edge, tips until it lies") {
+  const Result lying = solved(askew(0, 0));
+  for (const double turn : {1e-6, -1e-6})
+    for (const double height : {0.0, 0.01}) {
+      CAPTURE(turn);
+      CAPTURE(height);
+      const Result r = solved(askew(turn, height + (turn < 0 ? -3 * turn : 0)));
+      CHECK(off_pressures(lying, r) < 1e-4);
+      CHECK(r.zones[0].open == 0);
+    }
+}
+
+TEST_CASE("seating: a loose body that no load moves stays where it is while another is pressed") {
+  const auto two = [](bool idle) {
+    Model m;
+    m.add(rectangle(0, -1, 5, 0, {10, 3, 10, 3}, 200));
+    m.set(1, 1, end_of(kHeld));
+    m.add(rectangle(0, 0.01, 2, 1, {4, 3, 5, 3}, 100));
+    m.set(2, 3, end_of(kPulled, 0.1, -1));
+    m.zones.push_back({C2D_ZONE_MATCHING, {{1, 23, 20}, {2, 1, 4}}});
+    if (idle) {
+      m.add(rectangle(3, 0.3, 5, 1, {4, 3, 5, 3}, 100));
+      m.zones.push_back({C2D_ZONE_MATCHING, {{1, 17, 14}, {3, 1, 4}}});
+    }
+    m.friction = 0.4;
+    return m;
+  };
+  const Result alone = solved(two(false)), both = solved(two(true));
+  for (const int32_t field : {C2D_TN, C2D_TT, C2D_GAP})
+    for (size_t i = 0; i < alone.last().rows.size(); ++i)
+      CHECK(std::fabs(alone.last().rows[i][static_cast<size_t>(field)] - both.last().rows[i][static_cast<size_t>(field)]) <
+            1e-10);
+  CHECK(both.zones[1].open == 5);
+  CHECK(both.zones[1].force[1] == 0);
+}
+
+TEST_CASE("seating: what nothing stops is an outcome that names it") {
+  Model m = plates(C2D_ZONE_MATCHING, 0.01, 0.02);
+  m.friction = 0;
+  const Result along = solve(m); // the third slides off
+  REQUIRE_MESSAGE(along.status == C2D_OK, along.messages());
+  CHECK(along.outcome == C2D_FREE_MOTION);
+  CHECK(along.summary.outcome_body == 3);
+  m = plates(C2D_ZONE_MATCHING, 0.01, 0.02);
+  m.set(3, 3, end_of(kPulled, 0, 1));
+  const Result up = solve(m);
+  CHECK(up.outcome == C2D_FREE_MOTION);
+  CHECK(up.summary.outcome_body == 3);
+  CHECK(up.summary.free_motion[1] > 0.9);
+}
+
+TEST_CASE("seating: loose plates under one that is moved down lie on each other when it presses") {
+  const auto driven = [](double gap2, double gap3, double gap4) {
+    const double at[4] = {0, 1 + gap2, 2 + gap2 + gap3, 3 + gap2 + gap3 + gap4};
+    Model m;
+    for (const double y : at) m.add(rectangle(0, y, 3, y + 1, {6, 3, 6, 3}));
+    m.set(1, 1, end_of(kHeld));
+    m.set(4, 3, end_of(kHeld, 0, 0, 0, -0.1 - gap2 - gap3 - gap4));
+    for (int i = 1; i <= 3; ++i) m.join(C2D_ZONE_MATCHING, i, 3, i + 1, 1);
+    m.friction = 0.4;
+    return m;
+  };
+  const Result touching = solved(driven(0, 0, 0)), apart = solved(driven(0.01, 0.02, 0.03));
+  CHECK(off_pressures(touching, apart) < 1e-9);
 }

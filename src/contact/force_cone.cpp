@@ -77,8 +77,23 @@ namespace {
 
 // Small vectors stand where results per pair do: there are at most two motions a pair.
 ForceCone with_vectors(Follower& f) {
-  ForceCone out{f,       *f.model, decision_scales(f), f.model->head->motions, Friction::own, nullptr, nullptr, nullptr, nullptr,
-                nullptr, nullptr,  nullptr,            nullptr,                nullptr,       nullptr, nullptr, 0};
+  ForceCone out{f,
+                *f.model,
+                decision_scales(f),
+                f.model->head->motions,
+                Friction::own,
+                nullptr,
+                nullptr,
+                nullptr,
+                nullptr,
+                nullptr,
+                nullptr,
+                nullptr,
+                nullptr,
+                nullptr,
+                nullptr,
+                nullptr,
+                0};
   const int64_t n = out.motions;
   if (7 * n > int64_t{C2D_PAIR_FIELDS} * f.rate_area.pairs) return out;
   double* lists = static_cast<double*>(f.rate_area.lists);
@@ -114,8 +129,8 @@ ForceCone motion_cone(Follower& f) {
   out.unit = reinterpret_cast<double*>(f.rate_area.numbers);
   out.way = reinterpret_cast<double(*)[3]>(out.unit + n * n);
   out.triangle = reinterpret_cast<double*>(f.t->t);
-  const bool fits = n * n + 3 * n <= doubles_in(rate_numbers(f)) &&
-                    n * n <= doubles_in(f.t->m * tableau_columns(f.t->n, f.t->cases));
+  const bool fits =
+      n * n + 3 * n <= doubles_in(rate_numbers(f)) && n * n <= doubles_in(f.t->m * tableau_columns(f.t->n, f.t->cases));
   if (!fits) out.load = nullptr;
   return out;
 }

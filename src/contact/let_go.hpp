@@ -30,8 +30,8 @@ inline void lean(Pair& pair) { pair.sign = 1; }
 bool place_body(const Tableau& t, const int32_t* left, int32_t count);
 
 // Motions that the statuses leave free although some pairs are closed, METHOD 13.8. May bodies rest where they are along those
-// of slots `left`, because no load case does work on them? And, for one after the other: the slot's force is zero, as another
-// pair's is, and instead the bodies keep their place in the mean over the pairs. `column`: m numbers.
+// of slots `left`, because the loads of the path do no work on them? And, for one after the other: the slot's force is zero, as
+// another pair's is, and instead the bodies keep their place in the mean over the pairs. `column`: m numbers.
 bool may_rest(const Tableau& t, const int32_t* left, int32_t count);
 bool rest_along(const Tableau& t, int32_t slot, Real* column);
 // Bodies that rest, and pairs that begin to close: they are closed, as a trial that settle() judges, and the tableau is built

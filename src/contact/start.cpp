@@ -1,7 +1,7 @@
 #include "contact/start.hpp"
 
-#include "contact/let_go.hpp"
 #include "contact/force_cone.hpp"
+#include "contact/let_go.hpp"
 #include "contact/limit_analysis.hpp"
 #include "model/free_zones.hpp"
 #include "model/pair_frame.hpp"
@@ -153,15 +153,17 @@ void make_ways(ForceCone& cone, int b) {
   double* const load = cone.load + body.first_motion;
   for (int32_t j = 0; j < body.free_motions; ++j) {
     for (int c = 0; c < 3; ++c) way[j][c] = body.free_motion[j][c];
+    const double before = pair_product(cone.m, b, way[j], way[j]);
     load[j] = -work_on(cone.f, b, j);
     for (int32_t i = 0; i < j; ++i) {
       const double part = pair_product(cone.m, b, way[j], way[i]);
       for (int c = 0; c < 3; ++c) way[j][c] -= part * way[i][c];
       load[j] -= part * load[i];
     }
-    const double size = sqrt(pair_product(cone.m, b, way[j], way[j]));
-    for (double& c : way[j]) c = size > 0.0 ? c / size : 0.0;
-    if (size > 0.0) load[j] /= size;
+    const double left = pair_product(cone.m, b, way[j], way[j]), size = sqrt(left);
+    const bool seen = left > 1e-16 * before; // or no pair moves: nothing stops it
+    for (double& c : way[j]) c = seen ? c / size : 0.0;
+    if (seen) load[j] /= size;
   }
 }
 
@@ -186,6 +188,21 @@ bool move_to_touch(Follower& f, const ForceCone& cone) {
   return distance >= 0.0;
 }
 
+// The tableau of statuses at zero load. Motions that they leave, but no load drives, are no fault.
+c2d_status build_at_rest(Follower& f) {
+  Tableau& t = *f.t;
+  c2d_status status = build_tableau(t, *f.tape, &f.last_pair);
+  if (status != C2D_ERR_SINGULAR) return status;
+  for (int32_t i = 0; i < t.pairs; ++i) {
+    const PairState now = pair_state(t, i, f.y);
+    if (t.pair[i].status == C2D_OPEN) keep_place(t.pair[i], now.wn, now.wt);
+  }
+  t.may_rest = 1;
+  status = build_tableau(t, *f.tape, &f.last_pair);
+  if (status != C2D_OK) t.may_rest = 0;
+  return status;
+}
+
 // What touches where the pairs are now holds them.
 c2d_status hold_touching(Follower& f, c2d_outcome* outcome) {
   const double touches = kValueTolerance * decision_scales(f).w;
@@ -197,13 +214,7 @@ c2d_status hold_touching(Follower& f, c2d_outcome* outcome) {
     pair.sign = pair.status == C2D_SLIP ? 1 : 0;
     (pair.status == C2D_STICK ? pair.offset : pair.slip_from) = along;
   }
-  c2d_status status = build_tableau(*f.t, *f.tape, &f.last_pair);
-  if (status == C2D_ERR_SINGULAR) {
-    for (int32_t i = 0; i < f.t->pairs; ++i)
-      if (f.t->pair[i].status == C2D_OPEN) keep_place(f.t->pair[i], f.y[f.t->pair[i].dof], f.t->pair[i].tangential ? static_cast<double>(f.y[f.t->pair[i].dof + 1]) : 0.0);
-    f.t->may_rest = 1;
-    status = build_tableau(*f.t, *f.tape, &f.last_pair);
-  }
+  const c2d_status status = build_at_rest(f);
   if (status != C2D_OK) return status == C2D_ERR_SINGULAR ? c2d_status{C2D_OK} : status;
   set_constants(f);
   refresh(f);

@@ -10,7 +10,7 @@ struct FreeBody {
   int32_t motions; // free rigid motions of all bodies in contact,
   int32_t slides;  // 1: along one of these it slides without friction whatever touches, and nothing fixes its place there; or 0
   double motion[3]; // of the others, if it is one
-  double slide[3];   // METHOD 13.6
+  double slide[3];  // METHOD 13.6
   double centre[2];
   int32_t others() const { return motions - slides; }
 };

@@ -78,7 +78,7 @@ c2d_status begin_path(Session& session) {
   s->last_pair = session.follower.last_pair = -1; // none yet
   s->outcome_body = s->back_substituted = s->table_is_current = s->floating = 0;
   s->warned = 0;
-  session.tableau.guided = session.tableau.may_rest = 0;
+  session.tableau.guided = session.tableau.may_rest = session.tableau.resting = 0;
   if (s->keeps_energy) kEnergyPart.begin_energy(s);
   s->peak_pressure = 0.0;
   s->gap_scale = session.follower.gap_scale = 0.0;

@@ -69,9 +69,12 @@ void open_session(c2d_solver* s, Session& session) {
                             0,
                             nullptr,
                             nullptr,
-                            s->guided,
-                            s->may_rest};
+                            s->guided};
   double* loads = array_of<double>(s, kLoads);
+  session.tableau.load = loads;
+  session.tableau.direction = loads + 2 * head.load_cases;
+  session.tableau.may_rest = s->may_rest;
+  session.tableau.resting = s->resting;
   session.follower.t = &session.tableau;
   session.follower.tape = &session.tape;
   session.follower.load = loads;
@@ -106,6 +109,7 @@ void close_session(Session& session) {
   s->last_pair = session.follower.last_pair;
   s->guided = session.tableau.guided;
   s->may_rest = session.tableau.may_rest;
+  s->resting = session.tableau.resting;
 }
 
 namespace {
