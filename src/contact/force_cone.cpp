@@ -2,8 +2,6 @@
 
 #include <math.h>
 
-#include "contact/start.hpp"
-
 namespace c2d {
 
 namespace {
@@ -58,15 +56,10 @@ Ray times(double factor, const Ray& a) {
 Ray ForceCone::of(const Pair& pair, int slot) const {
   Ray out{};
   for (int side = 0; side < 2; ++side) {
-    const int b = body_on(m, pair, side);
-    const Body& body = m.body[b];
+    const Body& body = m.body[body_on(m, pair, side)];
     out.first[side] = body.first_motion;
     out.count[side] = body.free_motions;
-    for (int32_t j = 0; j < body.free_motions; ++j) {
-      double w[2];
-      if (!resultant) motion_at_side(m, side, way[body.first_motion + j], body.centre, pair, w);
-      out.of[side][j] = resultant ? static_cast<double>(resultants_of(pair, side, slot)[j]) : w[slot];
-    }
+    for (int32_t j = 0; j < body.free_motions; ++j) out.of[side][j] = resultants_of(pair, side, slot)[j];
   }
   return out;
 }
@@ -82,7 +75,6 @@ ForceCone with_vectors(Follower& f) {
                 decision_scales(f),
                 f.model->head->motions,
                 Friction::own,
-                nullptr,
                 nullptr,
                 nullptr,
                 nullptr,
@@ -123,16 +115,37 @@ ForceCone force_cone(Follower& f, Real** column) {
   return out;
 }
 
-ForceCone motion_cone(Follower& f) {
+ForceCone cone_for_tableau(Follower& f, Real** column) {
   ForceCone out = with_vectors(f);
-  const int64_t n = out.motions;
-  out.unit = reinterpret_cast<double*>(f.rate_area.numbers);
-  out.way = reinterpret_cast<double(*)[3]>(out.unit + n * n);
+  const int64_t n = out.motions, before = (6 * static_cast<int64_t>(f.t->m) + 1) / 2 * 2;
+  *column = f.t->t;
+  out.resultant = f.rate_area.numbers;
+  out.unit = reinterpret_cast<double*>(out.resultant + before);
   out.triangle = reinterpret_cast<double*>(f.t->t);
-  const bool fits =
-      n * n + 3 * n <= doubles_in(rate_numbers(f)) && n * n <= doubles_in(f.t->m * tableau_columns(f.t->n, f.t->cases));
-  if (!fits) out.load = nullptr;
+  const int64_t numbers = f.t->m * tableau_columns(f.t->n, f.t->cases);
+  if (n * n > doubles_in(rate_numbers(f) - before) || n * n > doubles_in(numbers)) out.load = nullptr;
   return out;
+}
+
+c2d_status read_columns(const ForceCone& a, int b, BodyMatrix matrix, Real* column) {
+  c2d_status status = C2D_OK;
+  for (int32_t k = 0; k < a.m.body[b].free_motions && status == C2D_OK; ++k) {
+    status = read_column(*a.f.tape, b, matrix, k, column);
+    for_slots_of(a.m, b, [&](const Pair& pair, int side, int slot) {
+      a.resultants_of(pair, side, slot)[k] = static_cast<Real>(sign_of_side(side)) * column[dof_on(a.m, pair, side) + slot];
+    });
+  }
+  return status;
+}
+
+void mix_row(Real* row, int32_t count, const double mix[kMostMotions][kMostMotions]) {
+  double old[kMostMotions];
+  for (int32_t i = 0; i < count; ++i) old[i] = row[i];
+  for (int32_t j = 0; j < count; ++j) {
+    double sum = 0.0;
+    for (int32_t i = 0; i < count; ++i) sum += old[i] * mix[i][j];
+    row[j] = static_cast<Real>(sum);
+  }
 }
 
 // Rays that span what a pair can do; a ray and its opposite for both directions.

@@ -1,5 +1,6 @@
 #pragma once
 // What the pairs can do to the free motions of the bodies, as a cone of forces, and how much of a load it balances.
+#include "contact/body_unknowns.hpp"
 #include "contact/contact_tape.hpp"
 #include "contact/path.hpp"
 
@@ -24,16 +25,14 @@ struct Chosen {
   int32_t pair, ray;
 };
 
-// What the analysis works with, in the place of the rate problem. What a force does to the motions stands in `resultant`, or is
-// its work on the motions `way`.
+// What the analysis works with, in the place of the rate problem.
 struct ForceCone {
   Follower& f;
   const Model& m;
   PathScales scales;
   int32_t motions;
   Friction law;
-  Real* resultant;                // [2 sides][m][kMostMotions], or null
-  double (*way)[3];               // [motions]: as Body::free_motion
+  Real* resultant;                // [2 sides][m][kMostMotions]: what a pair's p or q does to the motions of the body there
   double* load;                   // [motions] what is to be balanced,
   double* rest;                   // [motions] what of it is not,
   double* handed;                 // [motions] or what ties alone hand on to other motions
@@ -49,10 +48,19 @@ struct ForceCone {
   int rays_of(const Doubt& d, bool in_doubt, Ray out[4]) const;
 };
 
-// One for this state. With resultants it lies beside a column of m numbers; without it takes the tableau's place as well.
+// One for this state, with the place for a column of all unknowns of a body. The second stands where the tableau does, too.
 // `load` is null if there is no room for it (bodies that a few pairs hold, one by one).
 ForceCone force_cone(Follower& f, Real** column);
-ForceCone motion_cone(Follower& f);
+ForceCone cone_for_tableau(Follower& f, Real** column);
+// visit(pair, side, slot) for the contact unknowns of body b.
+template <class Visit> void for_slots_of(const Model& m, int b, Visit visit) {
+  for (PairSide at = {-1, 1}; next_pair_of(m, b, at);)
+    for (int slot = 0; slot <= m.pair[at.pair].tangential; ++slot) visit(m.pair[at.pair], at.side, slot);
+}
+// Columns of body b from the tape, one for each of its motions, to the resultants. Errors: the block store's.
+c2d_status read_columns(const ForceCone& cone, int b, BodyMatrix matrix, Real* column);
+// A row of resultants combined anew: row . mix.
+void mix_row(Real* row, int32_t count, const double mix[kMostMotions][kMostMotions]);
 
 // What of the load the pairs cannot balance, to `rest`; false: nothing. The rest is the motion on which the loads do work that
 // no force of a pair opposes, in the metric of the motions.

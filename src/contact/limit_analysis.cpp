@@ -13,25 +13,6 @@ namespace {
 
 // ---- resultants -------------------------------------------------------------------------------------------------------
 
-// visit(pair, side, slot) for the contact unknowns of body b.
-template <class Visit> void for_slots_of(const Model& m, int b, Visit visit) {
-  for (PairSide at = {-1, 1}; next_pair_of(m, b, at);)
-    for (int slot = 0; slot <= m.pair[at.pair].tangential; ++slot) visit(m.pair[at.pair], at.side, slot);
-}
-
-// Of body b, from the tape.
-c2d_status read_resultants(const ForceCone& a, int b, Real* column) {
-  c2d_status status = C2D_OK;
-  for (int32_t k = 0; k < a.m.body[b].free_motions && status == C2D_OK; ++k) {
-    status = read_column(*a.f.tape, b, BodyMatrix::resultants, k, column);
-    for_slots_of(a.m, b, [&](const Pair& pair, int side, int slot) {
-      Real* out = a.resultant + (static_cast<int64_t>(side) * a.f.t->m + pair.dof + slot) * kMostMotions;
-      out[k] = static_cast<Real>(sign_of_side(side)) * column[dof_on(a.m, pair, side) + slot];
-    });
-  }
-  return status;
-}
-
 // Combined so that they are the forces' work on the body's free motions, one each: with the pairs' weights.
 void name_resultants(const ForceCone& a, int b) {
   const Body& body = a.m.body[b];
@@ -44,14 +25,7 @@ void name_resultants(const ForceCone& a, int b) {
     }
   });
   for_slots_of(a.m, b, [&](const Pair& pair, int side, int slot) {
-    Real* const row = a.resultant + (static_cast<int64_t>(side) * a.f.t->m + pair.dof + slot) * kMostMotions;
-    double old[kMostMotions];
-    for (int32_t i = 0; i < body.free_motions; ++i) old[i] = row[i];
-    for (int32_t j = 0; j < body.free_motions; ++j) {
-      double sum = 0.0;
-      for (int32_t i = 0; i < body.free_motions; ++i) sum += old[i] * mix[i][j];
-      row[j] = static_cast<Real>(sum);
-    }
+    mix_row(a.resultants_of(pair, side, slot), body.free_motions, mix);
   });
 }
 
@@ -93,7 +67,7 @@ c2d_status limit_analysis(Follower& f, bool all_tried, c2d_outcome* outcome) {
   c2d_status status = C2D_OK;
   for (int b = 0; b < m.head->bodies && status == C2D_OK; ++b) {
     if (m.body[b].contact == 0 || m.body[b].free_motions == 0) continue;
-    status = read_resultants(a, b, column);
+    status = read_columns(a, b, BodyMatrix::resultants, column);
     name_resultants(a, b);
   }
   if (status == C2D_OK) status = find_load(a, column);

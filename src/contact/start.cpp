@@ -60,21 +60,16 @@ void place_as_given(Follower& f) {
 
 } // namespace
 
-void motion_at_side(const Model& m, int side, const double motion[3], const double centre[2], const Pair& pair, double out[2]) {
-  double x, y;
-  pair_position(m, pair, side, &x, &y);
-  const double unit = m.head->length_unit;
-  const double ux = motion[0] - motion[2] * (y - centre[1]) / unit;
-  const double uy = motion[1] + motion[2] * (x - centre[0]) / unit;
-  to_frame(pair, sign_of_side(side) * ux, sign_of_side(side) * uy, out);
-}
-
 void motion_at_pair(const Model& m, int b, const double motion[3], const double centre[2], const Pair& pair, double out[2]) {
   out[0] = out[1] = 0.0;
   for (int side = 0; side < 2; ++side) {
     if (body_on(m, pair, side) != b) continue;
-    double w[2];
-    motion_at_side(m, side, motion, centre, pair, w);
+    double x, y, w[2];
+    pair_position(m, pair, side, &x, &y);
+    const double unit = m.head->length_unit;
+    const double ux = motion[0] - motion[2] * (y - centre[1]) / unit;
+    const double uy = motion[1] + motion[2] * (x - centre[0]) / unit;
+    to_frame(pair, sign_of_side(side) * ux, sign_of_side(side) * uy, w);
     for (int d = 0; d < 2; ++d) out[d] += w[d];
   }
 }
@@ -147,9 +142,8 @@ double work_on(const Follower& f, int b, int32_t motion) {
 
 // A body's free motions made orthonormal by what they move the pairs, METHOD (13.3), and the work on them that balances the
 // loads'.
-void make_ways(ForceCone& cone, int b) {
+void make_ways(const ForceCone& cone, int b, double way[kMostMotions][3]) {
   const Body& body = cone.m.body[b];
-  double(*const way)[3] = cone.way + body.first_motion;
   double* const load = cone.load + body.first_motion;
   for (int32_t j = 0; j < body.free_motions; ++j) {
     for (int c = 0; c < 3; ++c) way[j][c] = body.free_motion[j][c];
@@ -162,9 +156,51 @@ void make_ways(ForceCone& cone, int b) {
     }
     const double left = pair_product(cone.m, b, way[j], way[j]), size = sqrt(left);
     const bool seen = left > 1e-16 * before; // or no pair moves: nothing stops it
-    for (double& c : way[j]) c = seen ? c / size : 0.0;
+    for (int c = 0; c < 3; ++c) way[j][c] = seen ? way[j][c] / size : 0.0;
     if (seen) load[j] /= size;
   }
+}
+
+// The motions that the equations know, columns of the resultants of body b, made orthonormal alike.
+void orthonormalise_motions(const ForceCone& cone, int b) {
+  const auto rows = [&](auto visit) {
+    for_slots_of(cone.m, b, [&](const Pair& pair, int side, int slot) {
+      const bool counts = zone_of(cone.m, pair).is_self == 0; // a body moves along with itself
+      visit(counts ? pair.length : 0.0, cone.resultants_of(pair, side, slot));
+    });
+  };
+  for (int32_t j = 0; j < cone.m.body[b].free_motions; ++j) {
+    for (int32_t i = 0; i < j; ++i) {
+      double part = 0.0;
+      rows([&](double length, const Real* row) { part += length * row[i] * row[j]; });
+      rows([&](double, Real* row) { row[j] -= static_cast<Real>(part * row[i]); });
+    }
+    double size = 0.0;
+    rows([&](double length, const Real* row) { size += length * row[j] * row[j]; });
+    rows([&](double, Real* row) { row[j] = static_cast<Real>(size > 0.0 ? row[j] / sqrt(size) : 0.0); });
+  }
+}
+
+// Motions of body b, to the last digit those that strain nothing, and as nearly as they can be those of a rigid body on which
+// the loads' work is known. (They are the same, unless functions are of lower order than the geometry.)
+c2d_status read_motions(const ForceCone& cone, int b, Real* column) {
+  const Body& body = cone.m.body[b];
+  double way[kMostMotions][3], mix[kMostMotions][kMostMotions] = {};
+  make_ways(cone, b, way);
+  const c2d_status status = read_columns(cone, b, BodyMatrix::motions, column);
+  orthonormalise_motions(cone, b);
+  for_slots_of(cone.m, b, [&](const Pair& pair, int side, int slot) {
+    for (int32_t j = 0; j < body.free_motions && zone_of(cone.m, pair).is_self == 0; ++j) {
+      double w[2];
+      motion_at_pair(cone.m, b, way[j], body.centre, pair, w);
+      for (int32_t i = 0; i < body.free_motions; ++i)
+        mix[i][j] += pair.length * cone.resultants_of(pair, side, slot)[i] * w[slot];
+    }
+  });
+  for_slots_of(cone.m, b, [&](const Pair& pair, int side, int slot) {
+    mix_row(cone.resultants_of(pair, side, slot), body.free_motions, mix);
+  });
+  return status;
 }
 
 // As far against cone.rest, the way that the loads push, as the first pairs that touch let it go. False: it meets none.
@@ -224,10 +260,12 @@ c2d_status hold_touching(Follower& f, c2d_outcome* outcome) {
 
 // The bodies slide without friction until what touches balances the loads, with its friction.
 c2d_status slide_to_rest(Follower& f, c2d_outcome* outcome) {
-  ForceCone cone = motion_cone(f);
-  if (!cone.load) return C2D_OK;
-  for (int b = 0; b < f.model->head->bodies; ++b)
-    if (f.model->body[b].contact > 0) make_ways(cone, b);
+  Real* column;
+  ForceCone cone = cone_for_tableau(f, &column);
+  c2d_status status = C2D_OK;
+  for (int b = 0; b < f.model->head->bodies && cone.load && status == C2D_OK; ++b)
+    if (f.model->body[b].contact > 0) status = read_motions(cone, b, column);
+  if (status != C2D_OK || !cone.load) return status;
   const int64_t steps = 100 + int64_t{20} * (f.t->pairs + cone.motions);
   for (int64_t step = 0; step < steps; ++step) {
     cone.scales = decision_scales(f);

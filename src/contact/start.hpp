@@ -21,9 +21,8 @@ struct FreeBody {
 c2d_status start_path(Follower& f, const FreeBody& body, int32_t* floating);
 
 // Change of w of a pair per unit of a rigid motion of body b (as FreeBody::motion), in the length unit; none where the pair is
-// not on b. And of the body on one side of it alone.
+// not on b.
 void motion_at_pair(const Model& model, int b, const double motion[3], const double centre[2], const Pair& pair, double out[2]);
-void motion_at_side(const Model& m, int side, const double motion[3], const double centre[2], const Pair& pair, double out[2]);
 // Of two motions of body b, the sum over the pairs that METHOD (13.3) is about.
 double pair_product(const Model& m, int b, const double u[3], const double v[3]);
 
