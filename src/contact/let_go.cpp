@@ -121,7 +121,7 @@ Pair& pair_of_slot(const Tableau& t, int32_t dof) {
 } // namespace
 
 bool may_rest(const Tableau& t, const int32_t* left, int32_t count) {
-  for (int32_t k = 0; k < t.cases && count > 0; ++k) {
+  for (int32_t k = 0; k < t.cases; ++k) {
     if (t.load[k] == 0.0 && t.direction[k] == 0.0) continue;
     const Real* const rates = column(t, t.n + 1 + k);
     double most = 0.0; // of forces, or what motions would make of them

@@ -366,7 +366,7 @@ c2d_status build_tableau(Tableau& t, const ContactTape& tape, int32_t* culprit) 
   if (!exchange_leaving(t, culprit, left, &count)) return C2D_ERR_SINGULAR;
   const bool let_go = is_let_go(t) && t.free_motions <= kFreeMotions;
   if (let_go && count != t.free_motions) return C2D_ERR_SINGULAR; // round-off held what nothing holds
-  if (!let_go && !kSearchPart.may_rest(t, left, count)) return C2D_ERR_SINGULAR;
+  if (!let_go && count > 0 && !kSearchPart.may_rest(t, left, count)) return C2D_ERR_SINGULAR;
   for (int32_t j = t.n; j < all_columns(t); ++j)
     for (int32_t k = 0; k < count; ++k) column(t, j)[left[k]] = 0; // a body that is let go, at rest
   restore_gaps(t);
