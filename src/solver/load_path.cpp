@@ -244,12 +244,11 @@ c2d_status go(Session& session, const double* target, c2d_outcome* outcome) {
   // What touches at zero load does not hold them: nothing is loaded yet, so the bodies may move on to other pairs once.
   if (status == C2D_OK && is_motion(*outcome) && from_zero && all_zero(f.load, cases) && session.free_body.others() > 0) {
     const c2d_outcome from_here = *outcome;
-    const int32_t moving = f.moving;
     status = take_off(session, target, outcome);
     if (status == C2D_OK && *outcome == C2D_REACHED)
       status = follow(session, target, outcome);
     else
-      *outcome = from_here, f.moving = moving;
+      *outcome = from_here;
   }
   if (status != C2D_OK) return status;
   const bool by_rates = *outcome == C2D_REACHED && s->options.stepping == C2D_STEPPING_EVENTS;
