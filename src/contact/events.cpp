@@ -238,12 +238,27 @@ static bool is_short(const Follower& f, double part) {
   return (part < kNearlyThere && !to_zero) || path_scales(f).p > round_off;
 }
 
+// Bodies rest along motions on which the loads so far do no work. Do those of this piece?
+static c2d_status rebuild_for(Follower& f, const double* target, c2d_outcome* outcome) {
+  c2d_status status = rebuild(f);
+  if (status != C2D_ERR_SINGULAR) return status;
+  *outcome = C2D_FREE_MOTION;
+  for (int32_t k = 0; k < f.t->cases; ++k) f.direction[k] = 0.0;
+  status = rebuild(f);
+  for (int32_t k = 0; k < f.t->cases; ++k) f.direction[k] = target[k] - f.load[k];
+  return status;
+}
+
 c2d_status follow_events(Follower& f, const double* target, c2d_outcome* outcome) {
+  *outcome = C2D_REACHED;
   f.goes_on = goes_straight_on(f, target);
   for (int32_t k = 0; k < f.t->cases; ++k) {
     f.origin[k] = f.load[k];
     f.direction[k] = target[k] - f.load[k];
   }
+  c2d_status begun = C2D_OK;
+  if (f.t->resting > 0) begun = rebuild_for(f, target, outcome);
+  if (begun != C2D_OK || *outcome != C2D_REACHED) return begun;
   refresh(f);
   double part = 0.0;
   int64_t told = f.stats.changes;

@@ -82,6 +82,107 @@ bool place_body(const Tableau& t, const int32_t* left, int32_t count) {
   return true;
 }
 
+// ---- resting along a motion --------------------------------------------------------------------------------------------
+
+namespace {
+
+// The pair that leans on the other body and moves most along its normal; null: none moves.
+const Pair* leaning_most(const Tableau& t, const Real* motion) {
+  const Pair* found = nullptr;
+  double most = 0.0, all = 0.0;
+  for (int32_t i = 0; i < t.pairs; ++i) {
+    const Pair& pair = t.pair[i];
+    if (pair.status != C2D_OPEN || (pair.mark.exchanged & 1) == 0) continue;
+    const double size = fabs(static_cast<double>(motion[pair.dof]));
+    all = fmax(all, size);
+    if (leans(pair) && size > most) most = size, found = &pair;
+  }
+  return most > kRateTolerance * all ? found : nullptr;
+}
+
+// visit(pair, slot, factor): the slots whose motions are basic, with the lengths of their elements times what they move along a
+// free motion, which stands in a column. One pair alone, if that is given.
+template <class Visit> void for_moved(const Tableau& t, const Pair* alone, const Real* motion, Visit visit) {
+  for (int32_t i = 0; i < t.pairs; ++i)
+    for (int slot = 0; slot <= t.pair[i].tangential; ++slot) {
+      const Pair& pair = t.pair[i];
+      const bool moves = slot == 0 ? pair.status == C2D_OPEN : pair.status != C2D_STICK;
+      if (!moves || (pair.mark.exchanged >> slot & 1) == 0 || (alone && (alone != &pair || slot == 1))) continue;
+      visit(pair, slot, pair.length * static_cast<double>(motion[pair.dof + slot]));
+    }
+}
+
+Pair& pair_of_slot(const Tableau& t, int32_t dof) {
+  int32_t i = 0;
+  while (dof > t.pair[i].dof + t.pair[i].tangential) ++i;
+  return t.pair[i];
+}
+
+} // namespace
+
+bool may_rest(const Tableau& t, const int32_t* left, int32_t count) {
+  for (int32_t k = 0; k < t.cases; ++k) {
+    if (t.load[k] == 0.0 && t.direction[k] == 0.0) continue;
+    const Real* const rates = column(t, t.n + 1 + k);
+    double most = 0.0; // of forces, or what motions would make of them
+    for (int32_t i = 0; i < t.pairs; ++i)
+      for (int slot = 0; slot <= t.pair[i].tangential; ++slot) {
+        const bool moved = (t.pair[i].mark.exchanged >> slot & 1) != 0;
+        const double size = fabs(static_cast<double>(rates[t.pair[i].dof + slot]));
+        most = fmax(most, moved ? size * t.pair[i].stiffness[slot] : size);
+      }
+    for (int32_t j = 0; j < count; ++j)
+      if (fabs(static_cast<double>(rates[left[j]])) > kRateTolerance * most) return false;
+  }
+  return true;
+}
+
+bool rest_along(const Tableau& t, int32_t slot, Real* response) {
+  Real* const motion = column(t, slot);
+  Pair& own = pair_of_slot(t, slot);
+  const int which = slot - own.dof;
+  const Pair* const alone = which == 0 && leans(own) ? &own : leaning_most(t, motion);
+  const double weight = alone && alone != &own ? 0.0 : own.length;
+  double against = 0.0, size = weight;
+  for (int32_t i = 0; i < t.m; ++i) response[i] = 0;
+  const auto push = [&](int32_t at, double factor) {
+    if (at == slot) against += factor;
+    const Pair& there = pair_of_slot(t, at);
+    if (at == slot || (there.mark.exchanged >> (at - there.dof) & 1) == 0) return;
+    for (int32_t i = 0; i < t.m; ++i) response[i] += static_cast<Real>(factor) * column(t, at)[i];
+  };
+  push(own.place[which], weight);
+  for_moved(t, alone, motion, [&](const Pair& pair, int s, double factor) {
+    size += factor * motion[pair.dof + s];
+    push(pair.place[s], factor);
+  });
+  against -= response[slot];
+  if (!(fabs(against) > 0.0)) return false;
+  const auto keep_place_in = [&](Real* values, double base, bool to_place) {
+    double x = -weight * (base - (to_place ? place_of(own, which) : 0.0));
+    for_moved(t, alone, motion, [&](const Pair& pair, int s, double factor) {
+      x -= factor * (values[pair.dof + s] - (to_place ? place_of(pair, s) : 0.0));
+    });
+    x /= size;
+    for (int32_t i = 0; i < t.m; ++i)
+      if (i != slot) values[i] += static_cast<Real>(x) * motion[i];
+    values[slot] = static_cast<Real>(base + x);
+  };
+  for (int32_t j = 0; j < tableau_columns(t.n, t.cases); ++j) {
+    if (j == slot) continue;
+    Real* const values = column(t, j);
+    const bool at_rest = j >= t.n; // no force there, but the gap
+    const Real force = at_rest ? Real(0) : static_cast<Real>(values[slot] / against);
+    for (int32_t i = 0; i < t.m && force != 0; ++i) values[i] += force * response[i];
+    keep_place_in(values, at_rest ? static_cast<double>(values[slot]) : 0.0, j == t.n);
+  }
+  for (int32_t i = 0; i < t.m; ++i) response[i] = static_cast<Real>(-response[i] / against);
+  keep_place_in(response, 0.0, false);
+  for (int32_t i = 0; i < t.m; ++i) motion[i] = response[i];
+  own.mark.exchanged = static_cast<uint8_t>(own.mark.exchanged | 1 << which) & 3;
+  return true;
+}
+
 // ---- letting go and holding again ---------------------------------------------------------------------------------
 
 namespace {
@@ -189,6 +290,44 @@ bool close_touching(Follower& f) {
 }
 
 } // namespace
+
+namespace {
+
+// The open pair that touches, if it is the only one; else -1.
+int32_t only_touching(Follower& f) {
+  const PathScales s = decision_scales(f);
+  int32_t found = -1;
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    if (!touches(f, i, s)) continue;
+    if (found >= 0) return -1;
+    found = i;
+  }
+  return found;
+}
+
+} // namespace
+
+c2d_status rest_again(Follower& f, bool changed) {
+  if (f.t->resting == 0 || !(changed || closes(f))) return C2D_OK;
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    Pair& pair = f.t->pair[i];
+    const PairState now = pair_state(*f.t, i, f.y);
+    if (pair.status == C2D_OPEN) keep_place(pair, now.wn, now.wt);
+    if (pair.status != C2D_SLIP) continue;
+    pair.slip_done += static_cast<Real>(now.wt - pair.slip_from);
+    pair.slip_from = static_cast<Real>(now.wt);
+  }
+  keep_pairs(f);
+  const int32_t resting = f.t->resting, only = only_touching(f);
+  if (closes(f)) close_touching(f);
+  c2d_status status = rebuild(f);
+  if (status == C2D_ERR_SINGULAR) status = restore_pairs(f);
+  if (status != C2D_OK || only < 0 || f.t->resting == resting) return status;
+  // This pair alone cannot press: nothing would push back along the motion that it ends.
+  status = restore_pairs(f);
+  lean(f.t->pair[only]);
+  return status == C2D_OK ? rebuild(f) : status;
+}
 
 c2d_status hold_again(Follower& f, bool* quiet, c2d_outcome* outcome) {
   bool balanced = false;

@@ -7,6 +7,7 @@
 namespace c2d {
 
 constexpr int kFreeMotions = 3; // of a body at most
+constexpr int kMostResting = 12;
 
 // No pair touches and the body has free motions: such a tableau is built for the place above and knows no exchanges.
 bool is_let_go(const Tableau& t);
@@ -19,10 +20,23 @@ inline void keep_place(Pair& pair, double wn, double wt) {
   pair.offset = static_cast<Real>(wt);
 }
 
+// An open pair that touches without force and follows what it touches, METHOD 13.8: what would press it moves the body away.
+inline bool leans(const Pair& pair) { return pair.status == C2D_OPEN && pair.sign != 0; }
+inline void lean(Pair& pair) { pair.sign = 1; }
+
 // The last step of building it. Slots `left` have no pivot any more: their columns are the free motions. `t` has for them what
 // the rule asks for instead of forces; it has the motions at rest, zeros, in these rows, and then the gaps among the constants.
 // False: they are no motions of their own.
 bool place_body(const Tableau& t, const int32_t* left, int32_t count);
+
+// Motions that the statuses leave free although some pairs are closed, METHOD 13.8. May bodies rest where they are along those
+// of slots `left`, because the loads of the path do no work on them? And, for one after the other: the slot's force is zero, as
+// another pair's is, and instead the bodies keep their place in the mean over the pairs. `column`: m numbers.
+bool may_rest(const Tableau& t, const int32_t* left, int32_t count);
+bool rest_along(const Tableau& t, int32_t slot, Real* column);
+// Bodies that rest, and pairs that begin to close: they are closed, as a trial that settle() judges, and the tableau is built
+// anew. So it is where statuses have changed (`changed`), since only then is it that of the bodies at rest.
+c2d_status rest_again(Follower& f, bool changed);
 
 // All pairs open, with the place that the body has now as the one to keep.
 void leave_place(Follower& f);

@@ -309,8 +309,15 @@ c2d_status settle_at(Follower& f, c2d_outcome* outcome) {
 } // namespace
 
 c2d_status settle(Follower& f, c2d_outcome* outcome) {
+  constexpr int kRounds = 4;
   end_guide(f);
-  const c2d_status status = settle_at(f, outcome);
+  c2d_status status = kSearchPart.rest_again(f, false);
+  for (int i = 0; i < kRounds && status == C2D_OK; ++i) {
+    const int64_t changes = f.stats.changes;
+    status = settle_at(f, outcome);
+    if (f.t->resting == 0 || f.stats.changes == changes || status != C2D_OK || *outcome != C2D_REACHED) break;
+    status = kSearchPart.rest_again(f, true);
+  }
   f.bound.pair = -1;
   if (status == C2D_OK && *outcome == C2D_REACHED) kSearchPart.place_in_range(f);
   return status;

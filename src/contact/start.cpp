@@ -1,6 +1,7 @@
 #include "contact/start.hpp"
 
 #include "contact/body_unknowns.hpp"
+#include "contact/force_cone.hpp"
 #include "contact/let_go.hpp"
 #include "contact/limit_analysis.hpp"
 #include "model/free_zones.hpp"
@@ -35,38 +36,27 @@ void touch_statuses(Tableau& t) {
   }
 }
 
-void pair_motion(const FreeBody& body, const Model& m, const Pair& pair, double out[2]) {
-  motion_at_pair(m, body.body, body.motion, body.centre, pair, out);
-}
-
-// At zero load the state is known exactly: the initial gaps and `flight` units of the free motion. Round-off of the
-// exchanges is swept away.
-void set_constants(Tableau& t, const FreeBody& body, const Model& m, double flight) {
+// Nothing is loaded yet, and f.y holds where the pairs are as if rigid. At zero load that is known exactly; round-off of the
+// exchanges is swept away. (f.y lasts while the tableau is built.)
+void set_constants(Follower& f) {
+  Tableau& t = *f.t;
   Real* c = constants(t);
   for (int32_t i = 0; i < t.m; ++i) c[i] = 0;
   for (int32_t i = 0; i < t.pairs; ++i) {
     const Pair& pair = t.pair[i];
-    double w[2] = {0.0, 0.0};
-    if (flight != 0.0) pair_motion(body, m, pair, w);
-    if (pair.status == C2D_OPEN) c[pair.dof] = static_cast<Real>(pair.gap / t.length_unit + flight * w[0]);
-    if (pair.tangential && pair.status != C2D_STICK) c[pair.dof + 1] = static_cast<Real>(flight * w[1]);
+    if (pair.status == C2D_OPEN) c[pair.dof] = f.y[pair.dof];
+    if (pair.tangential && pair.status != C2D_STICK) c[pair.dof + 1] = f.y[pair.dof + 1];
   }
 }
 
-// The pair that a motion in this direction closes first; -1: none. *distance: how far it goes.
-int32_t first_to_touch(const Tableau& t, const FreeBody& body, const Model& m, double direction, double* distance) {
-  int32_t first = -1;
-  for (int32_t i = 0; i < t.pairs; ++i) {
-    double w[2];
-    pair_motion(body, m, t.pair[i], w);
-    const double closing = -direction * w[0];
-    if (closing <= 1e-9) continue; // motions are of length one: this one passes by
-    const double reach = t.pair[i].gap / m.head->length_unit / closing;
-    if (first >= 0 && reach >= *distance) continue;
-    first = i;
-    *distance = reach;
+// Where the model has the pairs.
+void place_as_given(Follower& f) {
+  for (int32_t i = 0; i < f.t->m; ++i) f.y[i] = f.dy[i] = 0;
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    const Pair& pair = f.t->pair[i];
+    f.y[pair.dof] = static_cast<Real>(fmax(pair.gap, 0.0) / f.t->length_unit);
+    f.gap_scale = fmax(f.gap_scale, fmax(pair.gap, pair.overlap) / f.t->length_unit);
   }
-  return first;
 }
 
 } // namespace
@@ -93,17 +83,25 @@ void motion_column(const Model& m, int b, int32_t j, Real* out) {
   });
 }
 
-c2d_status start_path(Follower& f, const FreeBody& body, const Model& model, int32_t* floating) {
+double pair_product(const Model& m, int b, const double u[3], const double v[3]) {
+  double sum = 0.0;
+  for (int32_t i = 0; i < m.head->pairs; ++i) {
+    double at_u[2], at_v[2];
+    motion_at_pair(m, b, u, m.body[b].centre, m.pair[i], at_u);
+    motion_at_pair(m, b, v, m.body[b].centre, m.pair[i], at_v);
+    sum += m.pair[i].length * (at_u[0] * at_v[0] + at_u[1] * at_v[1] * m.pair[i].tangential);
+  }
+  return sum;
+}
+
+c2d_status start_path(Follower& f, const FreeBody& body, int32_t* floating) {
   Tableau& t = *f.t;
   touch_statuses(t);
-  tie_pairs(t, model.head->pairs);
+  tie_pairs(t, f.model->head->pairs);
+  place_as_given(f);
   *floating = 0;
   int32_t touching = 0;
   for (int32_t i = 0; i < t.pairs; ++i) touching += t.pair[i].status != C2D_OPEN;
-  for (int32_t i = 0; i < t.pairs; ++i) {
-    const double gap = fmax(t.pair[i].gap, t.pair[i].overlap) / model.head->length_unit;
-    if (gap > f.gap_scale) f.gap_scale = gap;
-  }
   if (touching == 0 && body.others() > 0) {
     *floating = 1;
     return C2D_OK;
@@ -114,37 +112,24 @@ c2d_status start_path(Follower& f, const FreeBody& body, const Model& model, int
     return C2D_OK;
   }
   if (status != C2D_OK) return status;
-  set_constants(t, body, model, 0.0);
+  set_constants(f);
   refresh(f);
   return C2D_OK;
 }
 
 namespace {
 
-// The body that the loads move, of several: the tableau is not valid, but what touches has no force yet.
-c2d_status find_moving(Follower& f) {
-  const Tableau& t = *f.t;
-  for (int32_t i = 0; i < t.m; ++i) f.y[i] = f.dy[i] = 0;
-  for (int32_t i = 0; i < t.pairs; ++i)
-    if (t.pair[i].status == C2D_OPEN) f.y[t.pair[i].dof] = static_cast<Real>(t.pair[i].gap / t.length_unit);
-  c2d_outcome kind;
-  return limit_analysis(f, true, &kind);
-}
-
-} // namespace
-
-c2d_status lie_apart(Follower& f, const Model& model, c2d_outcome* outcome) {
+// The loads along the path's direction do not move what floats: it lies where the model has it (contact/let_go.hpp).
+c2d_status lie_apart(Follower& f, c2d_outcome* outcome) {
   Tableau& t = *f.t;
-  *outcome = C2D_FREE_MOTION;
   bool unloaded = false, balanced = false;
   c2d_status status = loads_balance(f, &unloaded, &balanced);
-  if (status == C2D_OK && !balanced && t.body->body < 0) return find_moving(f);
   if (status != C2D_OK || !balanced || t.free_motions == 0) return status;
   for (int32_t i = 0; i < t.pairs; ++i) {
     Pair& pair = t.pair[i];
     reset_pair(pair);
     pair.status = C2D_OPEN;
-    keep_place(pair, pair.gap / model.head->length_unit, 0.0);
+    keep_place(pair, pair.gap / t.length_unit, 0.0);
   }
   status = build_tableau(t, *f.tape, &f.last_pair);
   if (status == C2D_ERR_SINGULAR) return C2D_OK;
@@ -153,32 +138,174 @@ c2d_status lie_apart(Follower& f, const Model& model, c2d_outcome* outcome) {
   return status;
 }
 
-c2d_status fly(Follower& f, const FreeBody& body, const Model& model, double work, c2d_outcome* outcome) {
+// The work of the loads along the path's direction on a free motion of a body; zero if it is no more than round-off.
+double work_on(const Follower& f, int b, int32_t motion) {
+  double work = 0.0, size = 0.0;
+  for (int32_t k = 0; k < f.t->cases; ++k) {
+    const double* const of_case = f.model->load_work[b] + 4 * static_cast<int64_t>(k);
+    work += f.direction[k] * of_case[motion];
+    size += fabs(f.direction[k]) * of_case[3];
+  }
+  return fabs(work) > 1e-10 * size ? work : 0.0;
+}
+
+// A body's free motions made orthonormal by what they move the pairs, METHOD (13.3), and the work on them that balances the
+// loads'.
+void make_ways(const ForceCone& cone, int b, double way[kMostMotions][3]) {
+  const Body& body = cone.m.body[b];
+  double* const load = cone.load + body.first_motion;
+  for (int32_t j = 0; j < body.free_motions; ++j) {
+    for (int c = 0; c < 3; ++c) way[j][c] = body.free_motion[j][c];
+    const double before = pair_product(cone.m, b, way[j], way[j]);
+    load[j] = -work_on(cone.f, b, j);
+    for (int32_t i = 0; i < j; ++i) {
+      const double part = pair_product(cone.m, b, way[j], way[i]);
+      for (int c = 0; c < 3; ++c) way[j][c] -= part * way[i][c];
+      load[j] -= part * load[i];
+    }
+    const double left = pair_product(cone.m, b, way[j], way[j]), size = sqrt(left);
+    const bool seen = left > 1e-16 * before; // or no pair moves: nothing stops it
+    for (int c = 0; c < 3; ++c) way[j][c] = seen ? way[j][c] / size : 0.0;
+    if (seen) load[j] /= size;
+  }
+}
+
+// The motions that the equations know, columns of the resultants of body b, made orthonormal alike.
+void orthonormalise_motions(const ForceCone& cone, int b) {
+  const auto rows = [&](auto visit) {
+    for_slots_of(cone.m, b, [&](const Pair& pair, int side, int slot) {
+      const bool counts = zone_of(cone.m, pair).is_self == 0; // a body moves along with itself
+      visit(counts ? pair.length : 0.0, cone.resultants_of(pair, side, slot));
+    });
+  };
+  for (int32_t j = 0; j < cone.m.body[b].free_motions; ++j) {
+    for (int32_t i = 0; i < j; ++i) {
+      double part = 0.0;
+      rows([&](double length, const Real* row) { part += length * row[i] * row[j]; });
+      rows([&](double, Real* row) { row[j] -= static_cast<Real>(part * row[i]); });
+    }
+    double size = 0.0;
+    rows([&](double length, const Real* row) { size += length * row[j] * row[j]; });
+    rows([&](double, Real* row) { row[j] = static_cast<Real>(size > 0.0 ? row[j] / sqrt(size) : 0.0); });
+  }
+}
+
+// Motions of body b, to the last digit those that strain nothing, and as nearly as they can be those of a rigid body on which
+// the loads' work is known. (They are the same, unless functions are of lower order than the geometry.)
+c2d_status read_motions(const ForceCone& cone, int b, Real* column) {
+  const Body& body = cone.m.body[b];
+  double way[kMostMotions][3], mix[kMostMotions][kMostMotions] = {};
+  make_ways(cone, b, way);
+  const c2d_status status = read_columns(cone, b, BodyMatrix::motions, column);
+  orthonormalise_motions(cone, b);
+  for_slots_of(cone.m, b, [&](const Pair& pair, int side, int slot) {
+    for (int32_t j = 0; j < body.free_motions && zone_of(cone.m, pair).is_self == 0; ++j) {
+      double w[2];
+      motion_at_pair(cone.m, b, way[j], body.centre, pair, w);
+      for (int32_t i = 0; i < body.free_motions; ++i)
+        mix[i][j] += pair.length * cone.resultants_of(pair, side, slot)[i] * w[slot];
+    }
+  });
+  for_slots_of(cone.m, b, [&](const Pair& pair, int side, int slot) {
+    mix_row(cone.resultants_of(pair, side, slot), body.free_motions, mix);
+  });
+  return status;
+}
+
+// As far against cone.rest, the way that the loads push, as the first pairs that touch let it go. False: it meets none.
+bool move_to_touch(Follower& f, const ForceCone& cone) {
+  const double touches = kValueTolerance * cone.scales.w;
+  double most = 0.0, distance = -1.0;
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    const Pair& pair = f.t->pair[i];
+    for (int slot = 0; slot <= pair.tangential; ++slot) {
+      const double rate = -work(cone.of(pair, slot), cone.rest);
+      f.dy[pair.dof + slot] = static_cast<Real>(rate);
+      most = fmax(most, fabs(rate));
+    }
+  }
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    const double gap = f.y[f.t->pair[i].dof], closing = -static_cast<double>(f.dy[f.t->pair[i].dof]);
+    if (gap <= touches || closing <= 1e-9 * most) continue; // it touches already, or passes by
+    if (distance < 0.0 || gap < distance * closing) distance = gap / closing;
+  }
+  for (int32_t i = 0; i < f.t->m && distance >= 0.0; ++i) f.y[i] += static_cast<Real>(distance) * f.dy[i];
+  return distance >= 0.0;
+}
+
+// The tableau of statuses at zero load. Motions that they leave, but no load drives, are no fault.
+c2d_status build_at_rest(Follower& f) {
+  Tableau& t = *f.t;
+  c2d_status status = build_tableau(t, *f.tape, &f.last_pair);
+  if (status != C2D_ERR_SINGULAR) return status;
+  for (int32_t i = 0; i < t.pairs; ++i) {
+    const PairState now = pair_state(t, i, f.y);
+    if (t.pair[i].status == C2D_OPEN) keep_place(t.pair[i], now.wn, now.wt);
+  }
+  t.may_rest = 1;
+  status = build_tableau(t, *f.tape, &f.last_pair);
+  if (status != C2D_OK) t.may_rest = 0;
+  return status;
+}
+
+// What touches where the pairs are now holds them.
+c2d_status hold_touching(Follower& f, c2d_outcome* outcome) {
+  const double touches = kValueTolerance * decision_scales(f).w;
+  for (int32_t i = 0; i < f.t->pairs; ++i) {
+    Pair& pair = f.t->pair[i];
+    if (f.y[pair.dof] > touches) continue;
+    const Real along = pair.tangential ? f.y[pair.dof + 1] : Real(0);
+    pair.status = pair.mu == 0.0 ? C2D_SLIP : C2D_STICK;
+    pair.sign = pair.status == C2D_SLIP ? 1 : 0;
+    (pair.status == C2D_STICK ? pair.offset : pair.slip_from) = along;
+  }
+  const c2d_status status = build_at_rest(f);
+  if (status != C2D_OK) return status == C2D_ERR_SINGULAR ? c2d_status{C2D_OK} : status;
+  set_constants(f);
+  refresh(f);
+  *outcome = C2D_REACHED;
+  return C2D_OK;
+}
+
+// The bodies slide without friction until what touches balances the loads, with its friction.
+c2d_status slide_to_rest(Follower& f, c2d_outcome* outcome) {
+  Real* column;
+  ForceCone cone = cone_for_tableau(f, &column);
+  c2d_status status = C2D_OK;
+  for (int b = 0; b < f.model->head->bodies && cone.load && status == C2D_OK; ++b)
+    if (f.model->body[b].contact > 0) status = read_motions(cone, b, column);
+  if (status != C2D_OK || !cone.load) return status;
+  const int64_t steps = 100 + int64_t{20} * (f.t->pairs + cone.motions);
+  for (int64_t step = 0; step < steps; ++step) {
+    cone.scales = decision_scales(f);
+    if (!is_unbalanced(cone, Friction::own) || !is_unbalanced(cone, Friction::none)) return hold_touching(f, outcome);
+    f.moving = body_in_motion(cone);
+    if (!move_to_touch(f, cone)) break;
+  }
+  return C2D_OK;
+}
+
+} // namespace
+
+c2d_status seat(Follower& f, int32_t floating, c2d_outcome* outcome) {
   Tableau& t = *f.t;
   *outcome = C2D_FREE_MOTION;
-  if (body.body < 0 || body.others() != 1 || work == 0.0) return C2D_OK;
-  const double direction = work > 0.0 ? 1.0 : -1.0;
-  double distance = 0.0;
-  const int32_t first = first_to_touch(t, body, model, direction, &distance);
-  if (first < 0) return C2D_OK;
+  keep_pairs(f);
+  c2d_status status = lie_apart(f, outcome);
+  if (status != C2D_OK || *outcome == C2D_REACHED) return status;
   for (int32_t i = 0; i < t.pairs; ++i) {
     reset_pair(t.pair[i]);
     t.pair[i].status = C2D_OPEN;
   }
-  Pair& pair = t.pair[first];
-  double w[2];
-  pair_motion(body, model, pair, w);
-  const double tangential = pair.tangential ? direction * distance * w[1] : 0.0;
-  pair.status = pair.mu == 0.0 ? C2D_SLIP : C2D_STICK;
-  pair.sign = pair.status == C2D_SLIP ? 1 : 0;
-  (pair.status == C2D_STICK ? pair.offset : pair.slip_from) = static_cast<Real>(tangential);
-  f.last_pair = first;
-  const c2d_status status = build_tableau(t, *f.tape, &f.last_pair);
-  if (status == C2D_ERR_SINGULAR) return C2D_OK;
-  if (status != C2D_OK) return status;
-  set_constants(t, body, model, direction * distance);
-  refresh(f);
-  *outcome = C2D_REACHED;
+  t.guided = 0;
+  f.idle = false;
+  f.bound.pair = -1;
+  place_as_given(f);
+  status = slide_to_rest(f, outcome);
+  if (status != C2D_OK || *outcome == C2D_REACHED) return status;
+  if (floating == 0) return restore_pairs(f);
+  touch_statuses(t);
+  place_as_given(f);
   return C2D_OK;
 }
 

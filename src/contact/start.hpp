@@ -1,5 +1,5 @@
 #pragma once
-// The first state of a load path, and the flight of a body that nothing touches yet (METHOD 12, start (a)).
+// The first state of a load path, and how bodies that float come to rest (METHOD 12, start (a)).
 #include "contact/path.hpp"
 
 namespace c2d {
@@ -16,23 +16,22 @@ struct FreeBody {
 };
 
 // Zero load, no history: statuses (touching pairs stick, or slide if mu = 0; everything else open), tableau, books.
-// If these statuses would leave the body free, *floating is 1 and the tableau is not valid until fly().
+// If these statuses would leave the body free, *floating is 1 and the tableau is not valid until seat().
 // Errors: the block store's.
-c2d_status start_path(Follower& f, const FreeBody& body, const Model& model, int32_t* floating);
+c2d_status start_path(Follower& f, const FreeBody& body, int32_t* floating);
 
 // Change of w of a pair per unit of a rigid motion of body b (as FreeBody::motion), in the length unit; none where the pair is
 // not on b.
 void motion_at_pair(const Model& model, int b, const double motion[3], const double centre[2], const Pair& pair, double out[2]);
 // The j-th free motion of a body: displacements of its contact unknowns.
 void motion_column(const Model& model, int b, int32_t j, Real* out);
+// Of two motions of body b, the sum over the pairs that METHOD (13.3) is about.
+double pair_product(const Model& m, int b, const double u[3], const double v[3]);
 
-// Nothing is loaded yet and the body floats with one motion: follow it without force in the direction in which the
-// load does work (`work` per unit of the motion, along the path's direction) until the first pair touches.
-// C2D_FREE_MOTION if it never does, if there is no work, or if more than one motion is free.
-c2d_status fly(Follower& f, const FreeBody& body, const Model& model, double work, c2d_outcome* outcome);
-
-// Nothing is loaded yet and the body floats, but the loads along the path's direction do not move it: it lies where the model
-// has it (contact/let_go.hpp), C2D_REACHED. C2D_FREE_MOTION if they do. Errors: the block store's.
-c2d_status lie_apart(Follower& f, const Model& model, c2d_outcome* outcome);
+// Nothing is loaded yet and some bodies float, or are pulled off what they touch. Where the loads along the path's direction do
+// not move them they lie as the model has them. Else they slide as if rigid, without friction, until what touches balances
+// these loads with its friction (METHOD 12, start (a)), and it holds them: C2D_REACHED. C2D_FREE_MOTION if that never comes, or
+// what touches leaves a motion free; then all is as it was. `floating`: there is no tableau. Errors: the block store's.
+c2d_status seat(Follower& f, int32_t floating, c2d_outcome* outcome);
 
 } // namespace c2d

@@ -300,19 +300,20 @@ void sort_columns(const Tableau& t) {
     }
 }
 
-// Slots for which there is no pivot left, if they are the free motions of a body that no pair touches; else -1.
-int32_t slots_left(const Tableau& t, int32_t left[kFreeMotions]) {
+// Slots for which there is no pivot left, if they are the free motions of a body that no pair touches, or bodies may rest; else
+// -1.
+int32_t slots_left(const Tableau& t, int32_t left[kMostResting]) {
   int32_t count = 0;
-  if (!is_let_go(t) || t.free_motions > kFreeMotions) return -1;
   visit_leaving(t, [&](const Slot& slot) {
-    if (count < kFreeMotions) left[count] = slot.dof();
+    if (count < kMostResting) left[count] = slot.dof();
     ++count;
   });
-  return count == t.free_motions ? count : -1;
+  const bool let_go = is_let_go(t) && t.free_motions <= kFreeMotions && count == t.free_motions;
+  return let_go || (t.may_rest != 0 && count <= kMostResting) ? count : -1;
 }
 
 // Exchanges all slots that must leave the all-stick basis, but for left[0 .. count): false, if others have no pivot.
-bool exchange_leaving(Tableau& t, int32_t* culprit, int32_t left[kFreeMotions], int32_t* count) {
+bool exchange_leaving(Tableau& t, int32_t* culprit, int32_t left[kMostResting], int32_t* count) {
   for (int32_t i = 0; i < t.pairs; ++i) {
     t.pair[i].mark.exchanged = 0;
     for (int which = 0; which < 2; ++which) t.pair[i].place[which] = t.pair[i].dof + which;
@@ -360,13 +361,18 @@ c2d_status build_tableau(Tableau& t, const ContactTape& tape, int32_t* culprit) 
   const c2d_status status = load_all_stick(t, tape);
   if (status != C2D_OK) return status;
   impose_contact(t);
-  int32_t left[kFreeMotions], count = 0;
+  int32_t left[kMostResting], count = 0;
+  t.resting = 0;
   if (!exchange_leaving(t, culprit, left, &count)) return C2D_ERR_SINGULAR;
-  if (count != (is_let_go(t) ? t.free_motions : 0)) return C2D_ERR_SINGULAR; // round-off held what nothing holds
+  const bool let_go = is_let_go(t) && t.free_motions <= kFreeMotions;
+  if (let_go && count != t.free_motions) return C2D_ERR_SINGULAR; // round-off held what nothing holds
+  if (!let_go && count > 0 && !kSearchPart.may_rest(t, left, count)) return C2D_ERR_SINGULAR;
   for (int32_t j = t.n; j < all_columns(t); ++j)
     for (int32_t k = 0; k < count; ++k) column(t, j)[left[k]] = 0; // a body that is let go, at rest
   restore_gaps(t);
-  if (count > 0 && !kSearchPart.place_body(t, left, count)) return C2D_ERR_SINGULAR;
+  if (let_go && count > 0 && !kSearchPart.place_body(t, left, count)) return C2D_ERR_SINGULAR;
+  for (; !let_go && t.resting < count; ++t.resting)
+    if (!kSearchPart.rest_along(t, left[t.resting], static_cast<Real*>(tape.buffer))) return C2D_ERR_SINGULAR;
   sort_columns(t);
   return C2D_OK;
 }

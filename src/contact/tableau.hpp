@@ -27,6 +27,9 @@ struct Tableau {
   const Model* model;   // for motions that no pair resists; null: there are none
   const FreeBody* body;
   int32_t guided = 0; // number of a pair that slides at a given rate, METHOD 13.7, and is a sticking one here; 0: none
+  const double *load = nullptr, *direction = nullptr; // [cases] of the path
+  int32_t may_rest = 0; // 1: motions that the statuses leave, and on which these loads do no work, are no fault, METHOD 13.8:
+  int32_t resting = 0;  // so many, along which the bodies keep their place in this tableau
 };
 
 inline Real* constants(const Tableau& t) { return t.t + static_cast<int64_t>(t.m) * t.n; }

@@ -6,9 +6,9 @@
 #include "results/rigid.hpp"
 #include "solver/energy_adjoint.hpp"
 
-const c2d::RigidPart c2d::kRigidPart = {
-    true,         c2d_set_rigid,    c2d_set_rigid_load, c2d_add_platen, check_rigid,            check_rigid_zones,
-    reduce_rigid, add_rigid_motion, fill_rigid,         rigid_displacement_now, rigid_motion_now};
+const c2d::RigidPart c2d::kRigidPart = {true,        c2d_set_rigid,          c2d_set_rigid_load, c2d_add_platen,
+                                        check_rigid, check_rigid_zones,      reduce_rigid,       add_rigid_motion,
+                                        fill_rigid,  rigid_displacement_now, rigid_motion_now};
 
 using namespace c2d;
 

@@ -156,11 +156,14 @@ struct SearchPart { // contact/search.cpp, limit_analysis.cpp, let_go.cpp, start
   Function<c2d_status, Follower&, bool, c2d_outcome*> decide = Nothing();
   Function<void, Follower&> place_in_range = Nothing();
   Function<bool, const Tableau&, const int32_t*, int32_t> place_body = Nothing();
+  Function<bool, const Tableau&, const int32_t*, int32_t> may_rest = Nothing();
+  Function<bool, const Tableau&, int32_t, Real*> rest_along = Nothing();
+  Function<c2d_status, Follower&, bool> rest_again = Nothing();
   Function<c2d_status, Follower&, const PathScales&> note_idle = Nothing();
   Function<bool, Follower&> slides_without_force = Nothing();
   Function<c2d_status, Follower&, bool*> try_let_go = Nothing();
   Function<c2d_status, Follower&, bool*, c2d_outcome*> hold_again = Nothing();
-  Function<c2d_status, Follower&, const Model&, c2d_outcome*> lie_apart = Nothing();
+  Function<c2d_status, Follower&, int32_t, c2d_outcome*> seat = Nothing();
 };
 
 struct EliminationPlan;

@@ -161,14 +161,17 @@ void warn_undefined_place(Session& session) {
   const FreeBody& body = session.free_body;
   if (session.solver->outcome != C2D_REACHED || body.motions == 0) return;
   const bool idle = is_let_go(session.tableau) || (is_loaded(session) && carries_nothing(session));
-  if (!idle && (body.slides == 0 || !is_loaded(session))) return;
+  const int32_t resting = is_loaded(session) ? session.tableau.resting : 0;
+  if (!idle && resting == 0 && (body.slides == 0 || !is_loaded(session))) return;
   const bool several = body.body < 0;
   char room[sizeof(c2d_error::text)];
   Text text = text_in(room);
   put(text, "no contact force fixes the place of ");
   put_free_body(session, text);
   if (!several) put(text, " ");
-  if (!several && idle)
+  if (!idle && resting > 0)
+    put_all(text, several ? " in " : "in ", resting, resting > 1 ? " motions" : " motion", " that what touches leaves free");
+  else if (!several && idle)
     put_free_motion(session, body.motions, body.others() == 1 ? body.motion : body.slide, text);
   else if (!several)
     put_free_motion(session, body.slides, body.slide, text);

@@ -266,7 +266,8 @@ State sum_up(const Session& session, const Book& book) {
       if (floats(session.model.body[b]))
         loads += larger(fabs(f.load[k]), fabs(f.direction[k])) * session.model.load_work[b][4 * static_cast<int64_t>(k) + 3];
   }
-  if (is_let_go(*f.t)) out.rates = Sum{}; // loads that move the body are no fault of the tableau: settle() sees them
+  if (is_let_go(*f.t) || f.t->resting > 0)
+    out.rates = Sum{}; // loads that move a body are no fault of the tableau: settle() sees them
   out.force = larger(unit * out.force, loads);
   out.no_force *= unit * kMixedNoise * f.t->stiffness * out.w;
   return out;

@@ -78,7 +78,7 @@ c2d_status begin_path(Session& session) {
   s->last_pair = session.follower.last_pair = -1; // none yet
   s->outcome_body = s->back_substituted = s->table_is_current = s->floating = 0;
   s->warned = 0;
-  session.tableau.guided = 0;
+  session.tableau.guided = session.tableau.may_rest = session.tableau.resting = 0;
   if (s->keeps_energy) kEnergyPart.begin_energy(s);
   s->peak_pressure = 0.0;
   s->gap_scale = session.follower.gap_scale = 0.0;
@@ -87,7 +87,7 @@ c2d_status begin_path(Session& session) {
   if (s->blocked || head.contact == 0) return C2D_OK;
   note_free_body(session);
   c2d_status status = load_flexibility(session);
-  if (status == C2D_OK) status = start_path(session.follower, session.free_body, session.model, &s->floating);
+  if (status == C2D_OK) status = start_path(session.follower, session.free_body, &s->floating);
   if (status == C2D_OK) begin_judging(session);
   return status;
 }
@@ -151,13 +151,12 @@ double work_on(const Session& session, const double* loads, const double motion[
 }
 
 c2d_status take_off(Session& session, const double* target, c2d_outcome* outcome) {
+  c2d_solver* s = session.solver;
   Follower& f = session.follower;
   for (int32_t k = 0; k < f.t->cases; ++k) f.direction[k] = target[k] - f.load[k];
   *outcome = C2D_FREE_MOTION;
-  c2d_status status = kSearchPart.lie_apart(f, session.model, outcome);
-  if (status == C2D_OK && *outcome != C2D_REACHED && session.free_body.body >= 0)
-    status = fly(f, session.free_body, session.model, work_on(session, f.direction, session.free_body.motion), outcome);
-  if (status == C2D_OK && *outcome == C2D_REACHED) session.solver->floating = 0;
+  const c2d_status status = kSearchPart.seat(f, s->floating, outcome);
+  if (status == C2D_OK && *outcome == C2D_REACHED) s->floating = 0;
   return status;
 }
 
@@ -189,6 +188,9 @@ double load_work(const Session& session, int b, const double* direction, const d
 
 namespace {
 
+bool is_motion(c2d_outcome outcome) {
+  return outcome == C2D_FREE_MOTION || outcome == C2D_GROSS_SLIDING || outcome == C2D_TIPPING;
+}
 bool is_motion(const double motion[3]) { return motion[0] != 0.0 || motion[1] != 0.0 || motion[2] != 0.0; }
 
 // The name of an outcome and the motion that begins, of a body that the contact has to hold. Where nothing is pressed any
@@ -210,7 +212,7 @@ void name_motion(Session& session, c2d_outcome outcome) {
 void name_outcome(Session& session, c2d_outcome outcome) {
   c2d_solver* s = session.solver;
   s->outcome = outcome;
-  if (outcome == C2D_FREE_MOTION || outcome == C2D_GROSS_SLIDING || outcome == C2D_TIPPING) name_motion(session, outcome);
+  if (is_motion(outcome)) name_motion(session, outcome);
   if (outcome != C2D_NO_ADMISSIBLE_CHANGE || session.free_body.motions == 0) return;
   name_motion(session, C2D_GROSS_SLIDING);
   if (is_motion(s->outcome_motion)) return;
@@ -239,11 +241,14 @@ c2d_status go(Session& session, const double* target, c2d_outcome* outcome) {
   c2d_status status = C2D_OK;
   if (s->floating) status = take_off(session, target, outcome);
   if (status == C2D_OK && *outcome == C2D_REACHED) status = follow(session, target, outcome);
-  // What touched at zero load was pulled off: nothing is loaded yet, so the body may fly to other pairs once.
-  if (status == C2D_OK && *outcome == C2D_FREE_MOTION && from_zero && all_zero(f.load, cases) &&
-      session.free_body.others() == 1) {
+  // What touches at zero load does not hold them: nothing is loaded yet, so the bodies may move on to other pairs once.
+  if (status == C2D_OK && is_motion(*outcome) && from_zero && all_zero(f.load, cases) && session.free_body.others() > 0) {
+    const c2d_outcome from_here = *outcome;
     status = take_off(session, target, outcome);
-    if (status == C2D_OK && *outcome == C2D_REACHED) status = follow(session, target, outcome);
+    if (status == C2D_OK && *outcome == C2D_REACHED)
+      status = follow(session, target, outcome);
+    else
+      *outcome = from_here;
   }
   if (status != C2D_OK) return status;
   const bool by_rates = *outcome == C2D_REACHED && s->options.stepping == C2D_STEPPING_EVENTS;

@@ -77,6 +77,10 @@ void open_session(c2d_solver* s, Session& session) {
                             nullptr,
                             s->guided};
   double* loads = array_of<double>(s, kLoads);
+  session.tableau.load = loads;
+  session.tableau.direction = loads + 2 * head.load_cases;
+  session.tableau.may_rest = s->may_rest;
+  session.tableau.resting = s->resting;
   session.follower.t = &session.tableau;
   session.follower.tape = &session.tape;
   session.follower.load = loads;
@@ -110,6 +114,8 @@ void close_session(Session& session) {
   s->stats = session.follower.stats;
   s->last_pair = session.follower.last_pair;
   s->guided = session.tableau.guided;
+  s->may_rest = session.tableau.may_rest;
+  s->resting = session.tableau.resting;
 }
 
 namespace {

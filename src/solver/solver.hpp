@@ -40,6 +40,7 @@ struct c2d_solver {
   // written by c2d_begin, c2d_advance
   int32_t floating; // nothing touches yet
   int32_t outcome, outcome_body, last_pair;
+  int32_t may_rest, resting;   // of the tableau
   int32_t guided, good_guided; // pair of the tableau, now and in the last good state
   int32_t back_substituted;    // results outside the contact are those of the load reached
   int32_t table_is_current;

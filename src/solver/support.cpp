@@ -61,18 +61,6 @@ int prevented_by_pairs(const Model& m, int b, double basis[3][3]) {
   return rank;
 }
 
-// Of two motions, the sum over the pairs that METHOD (13.3) is about.
-double pair_product(const Model& m, const FreeBody& body, const double a[3], const double b[3]) {
-  double sum = 0.0;
-  for (int32_t i = 0; i < m.head->pairs; ++i) {
-    double u[2], v[2];
-    motion_at_pair(m, body.body, a, body.centre, m.pair[i], u);
-    motion_at_pair(m, body.body, b, body.centre, m.pair[i], v);
-    sum += m.pair[i].length * (u[0] * v[0] + u[1] * v[1] * m.pair[i].tangential);
-  }
-  return sum;
-}
-
 // The unit vector that is farthest from an orthonormal basis of `rank` rows, added to it.
 void add_farthest(double basis[3][3], int rank, int n) {
   double best[3] = {0.0, 0.0, 0.0}, most = -1.0;
@@ -94,7 +82,7 @@ void add_motion(double to[3], double factor, const double motion[3]) {
 void to_motion(const Model& m, const FreeBody& body, const double coordinates[3], double out[3]) {
   out[0] = out[1] = out[2] = 0.0;
   for (int j = 0; j < body.motions; ++j) add_motion(out, coordinates[j], m.body[body.body].free_motion[j]);
-  if (body.slides > 0) add_motion(out, -pair_product(m, body, out, body.slide), body.slide);
+  if (body.slides > 0) add_motion(out, -pair_product(m, body.body, out, body.slide), body.slide);
 }
 
 } // namespace
@@ -105,7 +93,7 @@ void find_slides(const Model& m, FreeBody& body) {
   if (held + 1 != body.motions) return; // on a single pair it may turn as well
   add_farthest(basis, held, body.motions);
   to_motion(m, body, basis[held], body.slide);
-  const double size = sqrt(pair_product(m, body, body.slide, body.slide));
+  const double size = sqrt(pair_product(m, body.body, body.slide, body.slide));
   if (!(size > 0.0)) return; // no pair sees it: nothing to hold it by
   for (double& c : body.slide) c /= size;
   body.slides = 1;
