@@ -563,10 +563,10 @@ TEST_CASE("platens: ends with other conditions, in a contact zone, in two platen
   CHECK(says(refusal(m), "element 1 of body 2 is in zones 1 and 2 (platen 1), the first of 4"));
   m = block();
   load(m.move(2, 2), 0, -1, 0, 1, 1);
-  CHECK(says(refusal(m), "node 5 of body 2 is in pairs 1 and 6, of zones 1 and 2 (platen 1), expected in one"));
+  CHECK(says(refusal(m), "node 5 of body 2 is in pairs 1 and 6 of zones 1 and 2 (platen 1), expected in one"));
   m = pressed();
   load(m.move(2, 4), 0, -1, 0, 1, 1);
-  CHECK(says(refusal(m), "node 12 of body 2 is in pairs 10 and 11, of zones 2 (platen 1) and 3 (platen 2), expected in one"));
+  CHECK(says(refusal(m), "node 12 of body 2 is in pairs 10 and 11 of zones 2 (platen 1) and 3 (platen 2), expected in one"));
   m = pressed();
   load(m.move(2, 3), 0, -1, 0, 1, 1);
   CHECK(says(refusal(m), "element 8 of body 2 is in zones 2 (platen 1) and 3 (platen 2), the first of 4"));
