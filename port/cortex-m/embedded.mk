@@ -30,11 +30,11 @@ flags_obj := -fstack-usage -fcallgraph-info=su
 flags_lto := -flto --param=large-stack-frame=48 --param=large-stack-frame-growth=60
 WHOLE     := $(ARM_FLAGS) $(flags_lto) -flto=1 -flto-partition=one
 ARM_PORT := $(wildcard port/cortex-m/*.cpp)
-# Calls that declare a part of the library (src/memory/parts.hpp). run_deck links them, so that it reads any deck; on the M4F,
-# whose code is the longest (it goes back and forth between float and double), all but body forces.
-PART_CALLS := c2d_link_free_zones c2d_link_holes c2d_set_rigid c2d_set_symmetry
-parts_m3   := c2d_set_body_force
-parts_m7   := c2d_set_body_force
+# Calls that declare a part of the library (src/memory/parts.hpp). run_deck links them as far as 256 KiB of ROM have room for
+# them beside the rest: decks that need another are refused, with the name of its call.
+PART_CALLS := c2d_link_holes c2d_set_symmetry
+parts_m3   := c2d_link_free_zones
+parts_m7   := c2d_link_free_zones c2d_set_body_force c2d_set_rigid
 
 # $(1) board, $(2) source, $(3) obj or lto
 define arm_object
