@@ -208,7 +208,7 @@ TEST_CASE("embedded: parts that no call declares are not linked, and come with t
       {"c2d_link_holes", {"c2d::next_hole", "c2d::hole_row", "c2d::hole_load"}},
       {"c2d_add_curve", {"c2d::validate_curves"}, true},
       {"c2d_set_body_force", {"c2d::particular_solution", "c2d::add_body_force_columns", "c2d::check_body_force"}},
-      {"c2d_set_rigid", {"c2d::check_rigid", "c2d::move_rigidly", "c2d::fill_rigid"}},
+      {"c2d_set_rigid", {"c2d::check_rigid", "c2d::reduce_rigid", "c2d::fill_rigid"}},
       {"c2d_set_symmetry", {"c2d::validate_lines", "c2d::is_held_by_lines", "c2d::fold_across"}},
       {"c2d_get_summary", {"c2d::build_energy", "c2d::close_balance", "c2d::balance_forces", "c2d::keep_motion"}, true},
       {"c2d_link_warnings",
