@@ -11,7 +11,7 @@ RANDOM_JUDGE := $(filter-out %/random_main.o,$(RANDOM_OBJECTS))
 $(BUILD)/tests/random_%.o: tests/random/%.cpp $(BUILD)/flags Makefile
 	$(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(EXACT) $(DEPS) -c $< -o $@
 $(BUILD)/tests/run_random: $(RANDOM_OBJECTS) $(BUILD)/tests/problem.o $(BUILD)/tests/many_bodies.o \
-    $(BUILD)/tests/paths.o $(FAMILY_OBJECTS) $(LIBRARY)
+    $(BUILD)/tests/paths.o $(REPORT_OBJECTS) $(FAMILY_OBJECTS) $(LIBRARY)
 	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm -pthread
 random: $(BUILD)/tests/run_random
 	@mkdir -p $(BUILD)/random
