@@ -76,7 +76,7 @@
   ((pairs) > 0 ? UINT64_C(16) * (pairs) + (3 * UINT64_C(1) * (bodies) + 3) * C2D_CASES_(load_cases) +                  \
                      9 * UINT64_C(1) * (bodies) + 6 * C2D_MOTIONS_(bodies, pairs)                                      \
                : 0)
-#define C2D_CONTACT_BLOCK_BYTES(pairs) C2D_BLOCK_(UINT64_C(2) * (pairs))
+#define C2D_CONTACT_BLOCK_BYTES(pairs) C2D_CONTACT_BLOCK_(UINT64_C(2) * (pairs))
 /* `workspace` is the C2D_LIMITS_BYTES of these limits, which is more than a saved state. */
 #define C2D_CONTROL_BLOCKS(workspace) (3 + 2 * (((workspace) + UINT64_C(511)) / 512))
 #define C2D_CONTROL_BLOCK_BYTES (64 + 512)
@@ -135,7 +135,7 @@
 #define C2D_ELIMINATION_ARRAYS_(ARRAY, nodes, m, work_bytes)                                                           \
   ARRAY(void, work, work_bytes, 1)                    /* of eliminate(): C2D_WORK_ARRAYS_, multiples of 64         */  \
   ARRAY(void, scratch, C2D_ASSEMBLY_BYTES, 1)         /* AssemblyScratch of bie/panel.hpp                          */  \
-  ARRAY(void, buffer, C2D_BLOCK_(m), 1)               /* of the contact tape                                       */  \
+  ARRAY(void, buffer, C2D_CONTACT_BLOCK_(m), 1)       /* of the contact tape                                       */  \
   ARRAY(double, diagonal, nodes, 4)                   /* blocks of H                                               */  \
   ARRAY(double, point, nodes, 2)                      /* collocation points in the length unit                     */  \
   ARRAY(int32_t, twin, nodes, 1)                      /* see bie/columns.hpp                                       */
@@ -146,14 +146,14 @@
   ARRAY(int32_t, pivots, columns, 1)                  /* row exchanges                                             */
 /* ... while the bodies are reduced to the contact, `motions` those that only the contact prevents, ... */
 #define C2D_REDUCTION_ARRAYS_(ARRAY, m, motions)                                                                       \
-  ARRAY(void, buffer, C2D_ROUND_(C2D_BLOCK_(m)), 1)   /* of the contact tape                                       */  \
+  ARRAY(void, buffer, C2D_ROUND_(C2D_CONTACT_BLOCK_(m)), 1) /* of the contact tape                                */  \
   ARRAY(Real, first, (m) + (motions), (m) + (motions))                                                                 \
   ARRAY(Real, second, (m) + (motions), m)                                                                              \
   ARRAY(Real, strip, (m) + (motions), 4)              /* columns of a third matrix                                 */  \
   ARRAY(int32_t, pivots, (m) + (motions), 1)          /* row exchanges                                             */
 /* ... while the load path is followed, ... */
 #define C2D_PATH_ARRAYS_(ARRAY, m, widest, cases)                                                                      \
-  ARRAY(void, buffer, C2D_ROUND_(C2D_BLOCK_(widest)), 1) /* of the contact tape                                    */  \
+  ARRAY(void, buffer, C2D_ROUND_(C2D_CONTACT_BLOCK_(widest)), 1) /* of the contact tape                           */  \
   ARRAY(Real, tableau, m, (m) + 1 + (cases))                                                                           \
   ARRAY(Real, y, m, 1)                                                                                                 \
   ARRAY(Real, dy, m, 1)                                                                                                \
@@ -210,6 +210,7 @@
 #define C2D_ADD_LINES_(type, name, count, each) +C2D_ROUND_(UINT64_C(1) * (count) * (each)*C2D_BYTES_OF_##type)
 #define C2D_ROUND_(bytes) (((bytes) + UINT64_C(63)) / 64 * 64)
 #define C2D_BLOCK_(numbers) (64 + UINT64_C(1) * C2D_REAL_BYTES * (numbers)) /* with its header */
+#define C2D_CONTACT_BLOCK_(m) C2D_BLOCK_((m) > 3 ? (m) : 3) /* m numbers, or those of a body's motions */
 #define C2D_LARGER_(a, b) ((a) > (b) ? (a) : (b))
 #define C2D_SMALLER_(a, b) ((a) < (b) ? (a) : (b))
 

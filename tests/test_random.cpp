@@ -128,6 +128,10 @@ TEST_CASE("random decks: pairs that slide into place without a force have the sl
   is_solved(Kind::any, 305822);
 }
 
+TEST_CASE("random decks: a single pair has fewer unknowns than its body has motions, and its blocks hold both") {
+  is_solved(Kind::any, 249);
+}
+
 TEST_CASE("random decks: a jump that nothing catches ends the path at its load, however the path is divided") {
   is_solved(Kind::any, 307219);
 }

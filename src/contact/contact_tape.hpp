@@ -41,8 +41,9 @@ constexpr int32_t kMostMotions = 3; // of a body in a plane
 struct ContactTape {
   Tapes* tapes;
   const Model* model;
-  void* buffer; // a block of m numbers, aligned to 64
+  void* buffer; // a block of contact_block_numbers(m), aligned to 64
 };
+inline uint64_t contact_block_numbers(int64_t m) { return static_cast<uint64_t>(m > kMostMotions ? m : kMostMotions); }
 
 inline int32_t contact_unknowns(const ContactTape& tape) { return tape.model->head->contact; }
 inline int32_t free_motions(const ContactTape& tape) { return tape.model->head->motions; }

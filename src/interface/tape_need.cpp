@@ -25,7 +25,7 @@ Tape control_tape(const Sizes& sizes, const Layout& layout) {
 Tape contact_tape(const Sizes& sizes) {
   if (sizes.contact == 0) return {0, 0};
   return {static_cast<uint64_t>(contact_blocks(sizes.bodies, sizes.contact, sizes.motions, sizes.load_cases)),
-          static_cast<uint64_t>(sizes.contact) * sizeof(Real)};
+          contact_block_numbers(sizes.contact) * sizeof(Real)};
 }
 
 // LOWER and UPPER hold the blocks of one body after the other.

@@ -42,7 +42,7 @@ c2d_status open_tapes(c2d_solver* s, const Model& m) {
     if (upper.max_data_bytes > data[C2D_TAPE_UPPER]) data[C2D_TAPE_UPPER] = upper.max_data_bytes;
   }
   blocks[C2D_TAPE_CONTACT] = static_cast<uint64_t>(place_contact_blocks(m));
-  data[C2D_TAPE_CONTACT] = static_cast<uint64_t>(model_sizes(m).widest) * sizeof(Real);
+  data[C2D_TAPE_CONTACT] = contact_block_numbers(model_sizes(m).widest) * sizeof(Real);
   for (int32_t tape = C2D_TAPE_LOWER; tape < C2D_TAPES; ++tape) {
     if (blocks[tape] == 0) continue;
     const c2d_status status = open_tape(s->tapes, tape, blocks[tape], data[tape]);
