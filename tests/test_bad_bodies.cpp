@@ -185,6 +185,27 @@ TEST_CASE("bad bodies: loose plates that are tied move together, as their loads 
   CHECK(std::hypot(still.summary.free_motion[0], still.summary.free_motion[1]) > 0.1);
 }
 
+TEST_CASE("bad bodies: a loop of ties that says the same twice") {
+  const int32_t tied = C2D_ZONE_FREE | C2D_ZONE_TIED;
+  // Four squares about a point, each on side 2 once: every corner there is in one pair, and the four ties close a ring.
+  const auto four = [&](int32_t ties) {
+    Model m;
+    for (const double at : {0.0, 1.0}) m.add(rectangle(at, 0, at + 1, 1, {3, 3, 3, 3}));
+    for (const double at : {1.0, 0.0}) m.add(rectangle(at, 1, at + 1, 2, {3, 3, 3, 3}));
+    m.set(1, 4, end_of(kHeld));
+    m.set(3, 3, end_of(kPulled, 0, -1));
+    for (int32_t i = 1; i <= ties; ++i) m.join(tied, i, i % 4 + 1, i % 4 + 1, (i + 2) % 4 + 1);
+    return m;
+  };
+  const Result ring = solve(four(4));
+  INFO(ring.messages());
+  CHECK(ring.status == C2D_ERR_INPUT);
+  CHECK(ring.messages().find("ties close a ring at (1, 1), of zones 4, 3, 2, 1") != std::string::npos);
+  const Result open = solve(four(3));
+  REQUIRE_MESSAGE(open.status == C2D_OK, open.messages());
+  CHECK(open.outcome == C2D_REACHED);
+}
+
 TEST_CASE("bad bodies: more of them than the limits say") {
   Model m;
   for (int i = 0; i < 3; ++i) m.add(rectangle(0, i, 1, i + 1, {1, 1, 1, 1}));

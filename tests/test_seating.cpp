@@ -329,6 +329,41 @@ TEST_CASE("seating: a plate that comes down askew, or stands on its edge, tips u
     }
 }
 
+namespace {
+
+// A plate above two loose blocks, unlike gaps below them, pressed down and pushed along x by so much of that.
+Model plate_on_blocks(double push, double mu) {
+  Model m;
+  m.add(polygon({{-3, 0, 12}, {3, 0, 2}, {3, 1, 6}, {0, 1, 6}, {-3, 1, 2}}, 100));
+  m.set(1, 1, end_of(kHeld));
+  m.add(rectangle(-2.5, 1.05, -0.5, 2, {6, 3, 6, 3}, 100));
+  m.add(rectangle(0.3, 1.02, 2.6, 2, {7, 3, 7, 3}, 100));
+  m.add(polygon({{-2.7, 2.1, 10}, {0, 2.1, 10}, {2.8, 2.1, 3}, {2.8, 3, 10}, {-2.7, 3, 3}}, 100));
+  m.set(4, 4, end_of(kPulled, 0.8 * push, -0.8));
+  m.join(C2D_ZONE_FREE, 1, 4, 2, 1);
+  m.join(C2D_ZONE_FREE, 1, 3, 3, 1);
+  m.join(C2D_ZONE_FREE, 4, 1, 2, 3);
+  m.join(C2D_ZONE_FREE, 4, 2, 3, 3);
+  m.friction = mu;
+  m.paths = {{2, 1.0}};
+  return m;
+}
+
+} // namespace
+
+TEST_CASE("seating: blocks that stand on their edges below a plate roll over under a push that friction can carry") {
+  Mapping mirror;
+  mirror.place = [](double& x, double&) { x = -x; };
+  mirror.tangential = -1;
+  for (const double push : {0.001, 0.01, 0.1, -0.1}) { // without friction nothing but the blocks' edges is in the way
+    CAPTURE(push);
+    const Model m = plate_on_blocks(push, 0.3);
+    CHECK(difference(solved(m), solved(reflected(m)), mirror) < 1e-10);
+  }
+  for (const double push : {0.35, -0.35}) CHECK(solve(plate_on_blocks(push, 0.3)).outcome == C2D_FREE_MOTION);
+  CHECK(solve(plate_on_blocks(0.001, 0)).outcome == C2D_FREE_MOTION);
+}
+
 TEST_CASE("seating: a loose body that no load moves stays where it is while another is pressed") {
   const auto two = [](bool idle) {
     Model m;

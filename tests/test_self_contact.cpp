@@ -293,6 +293,18 @@ TEST_CASE("self-contact: a ring with a gap is closed, and carries, as a curved b
 
 // ---- what is refused
 
+TEST_CASE("self-contact: a body does not hold itself, whatever its friction") {
+  for (const double mu : {0.0, 0.3}) {
+    CAPTURE(mu);
+    Model m = fork(1, C2D_ZONE_MATCHING, mu);
+    m.set(1, 8, end_of(kPulled, 0, 0));
+    const Result r = solve(m);
+    INFO(r.messages());
+    CHECK(r.outcome == C2D_FREE_MOTION);
+    CHECK(r.told_of("nothing holds body 1, its free motions: along x, along y and rotation about ("));
+  }
+}
+
 TEST_CASE("self-contact: is refused where it is not said") {
   for (const int32_t kind : kKinds) {
     Model m = fork(1, kind, 0.3);

@@ -280,6 +280,8 @@ c2d_status slide_to_rest(Follower& f, c2d_outcome* outcome) {
     cone.scales = decision_scales(f);
     if (!is_unbalanced(cone, Friction::own) || !is_unbalanced(cone, Friction::none)) return hold_touching(f, outcome);
     f.moving = body_in_motion(cone);
+    if (move_to_touch(f, cone)) continue;
+    is_unbalanced(cone, Friction::own); // nothing stops them without friction: they roll and tip against it
     if (!move_to_touch(f, cone)) break;
   }
   return C2D_OK;

@@ -1,11 +1,14 @@
 #include "contact/ties.hpp"
 
 #include "contact/facing_pairs.hpp"
+#include "memory/parts.hpp"
 #include "model/validate_finding.hpp"
 
 #include <math.h>
 
 namespace c2d {
+
+C2D_USES(FreeZonePart);
 
 namespace {
 
@@ -69,11 +72,40 @@ void warn_ends(const Model& m, int32_t zone, Reporter& reporter) {
   report(reporter, f);
 }
 
+// The pair of the node that a pair of a free zone faces, if it is tied and in this zone or an earlier one; -1: there is none.
+int32_t next_in_ring(const Model& m, int32_t zone, const Pair& p) {
+  const int32_t node = p.node[0] < 0 ? kFreeZonePart.faced_node(m, p) : -1;
+  const PairSide next = node < 0 ? PairSide{-1, 0} : pair_of_node(m, body_on(m, p, 0), node);
+  for (int32_t i = 0; i <= zone && next.side == 1; ++i) {
+    const Zone& z = m.zone[i];
+    if (z.is_tied != 0 && next.pair >= z.first_pair && next.pair < z.first_pair + z.pairs) return next.pair;
+  }
+  return -1;
+}
+
+// Nodes at one place, each tied to the next and the last to the first: the last tie says again what the others do, and their
+// forces would be anything. (Rings whose nodes do not follow each other have a node in two pairs.)
+void check_ring(const Model& m, int32_t zone, int32_t pair, Reporter& reporter) {
+  int32_t at = pair, length = 0;
+  do at = next_in_ring(m, zone, m.pair[at]);
+  while (at >= 0 && at != pair && ++length <= m.head->zones);
+  if (at != pair) return;
+  double x, y;
+  pair_position(m, m.pair[pair], 1, &x, &y);
+  Finding f(at_pair(m, pair));
+  say_pair(f, m, pair);
+  say(f, ": ties close a ring at (", x, ", ", y, "), of zones ", zone_named(m, zone));
+  while ((at = next_in_ring(m, zone, m.pair[at])) != pair) say(f, ", ", zone_named(m, m.pair[at].zone));
+  say(f, ": the last of them has nothing left to hold there, expected one that ends before that point");
+  report(reporter, f);
+}
+
 } // namespace
 
 void close_tie(const Model& m, int32_t zone, Reporter& reporter) {
   close_gaps(m, zone, reporter);
   warn_ends(m, zone, reporter);
+  for (int32_t k = 0; k < m.zone[zone].pairs; ++k) check_ring(m, zone, m.zone[zone].first_pair + k, reporter);
 }
 
 } // namespace c2d

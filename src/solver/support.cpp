@@ -47,6 +47,7 @@ int prevented_by_pairs(const Model& m, int b, double basis[3][3]) {
   int rank = 0;
   for (int32_t i = 0; i < m.head->pairs && rank < k; ++i) {
     const Pair& pair = m.pair[i];
+    if (zone_of(m, pair).is_self != 0) continue;
     for (int d = 0; d <= pair.tangential && rank < k; ++d) {
       if (d == 1 && pair.mu == 0.0) continue;
       double row[3] = {0.0, 0.0, 0.0};
@@ -111,17 +112,17 @@ double freedom(const Body& body, const double* basis, int32_t rank, int32_t n) {
 
 namespace {
 
-// A pair's motion along one of its slots under all free motions: those of its two bodies alone.
+// A pair's motion along one of its slots under all free motions: those of its two bodies alone. A body moves along with itself.
 struct MotionRow {
   int32_t count, motion[6];
   double value[6];
 };
 MotionRow motion_row(const Model& m, const Pair& pair, int slot) {
   MotionRow row = {};
+  if (zone_of(m, pair).is_self != 0) return row;
   for (int side = 0; side < 2; ++side) {
     const int b = body_on(m, pair, side);
     const Body& body = m.body[b];
-    if (side == 1 && b == body_on(m, pair, 0)) continue;
     for (int32_t j = 0; j < body.free_motions; ++j) {
       double w[2];
       motion_at_pair(m, b, body.free_motion[j], body.centre, pair, w);

@@ -49,7 +49,7 @@ void put_own(Text& text, const Model& m, int b, const double coordinates[3]) {
 
 void tell_body(c2d_solver* s, const Model& m, int b, int count, const double motion[3][3]) {
   Finding f(C2D_WARN_UNHELD, in_body(b));
-  say(f, "nothing holds body ", body_named(m, b), ": it can move ");
+  say(f, "nothing holds body ", body_named(m, b), ", its free motions: ");
   for (int i = 0; i < count; ++i) {
     if (i > 0) say(f, i + 1 == count ? " and " : ", ");
     put_own(f.text, m, b, motion[i]);
