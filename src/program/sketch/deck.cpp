@@ -1,0 +1,411 @@
+// The deck of a sketch with its mesh, in the free form.
+#include "program/sketch/mesh.hpp"
+
+#include "program/sketch/outline.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace sketch {
+namespace {
+
+std::string number(double value) {
+  std::string text = show(value == 0 ? 0 : value);
+  std::replace(text.begin(), text.end(), 'e', 'E');
+  return " " + text;
+}
+
+using Values = std::array<double, 4>; // tx ty ux uy
+
+// The condition of an element's node, of all load cases.
+struct End {
+  int element, local; // from 1
+  std::array<bool, 2> held{};
+  std::vector<Values> values; // of each case
+};
+
+class Writer {
+public:
+  Writer(const Sketch& sketch, const Mesh& mesh) : s_(sketch), mesh_(mesh) {}
+  std::string write();
+
+private:
+  struct Run { // elements one after the other, from 1, that an interface has on one side; of a whole closed curve: round
+    int first, last;
+    bool round;
+    Point from, to;
+  };
+  void card(const std::string& text) { out_ += text + "\n"; }
+  void comment(const std::string& text) { card("! " + text); }
+  bool is_curved(size_t b) const;
+  int elements(size_t b) const;
+  int geometry_nodes(size_t b) const;
+  int nodes() const { return s_.order + 1; } // of an element
+  void heading();
+  void control();
+  void points(size_t b);
+  std::vector<End> ends(size_t b) const;
+  void apply(const Condition& c, const MeshedCurve& curve, double s, End& end) const;
+  void conditions(size_t b);
+  void cases();
+  void history();
+  std::vector<Run> runs(const Side& side) const;
+  void zones();
+  void curves();
+  void drives();
+
+  const Sketch& s_;
+  const Mesh& mesh_;
+  std::vector<std::vector<End>> ends_;
+  std::string out_;
+};
+
+bool Writer::is_curved(size_t b) const {
+  for (const Outline& outline : s_.bodies[b].outlines)
+    for (const Curve& curve : outline.curves)
+      if (curve.shape->form() != Form::kLine) return true;
+  return false;
+}
+
+int Writer::elements(size_t b) const {
+  size_t count = 0;
+  for (const MeshedOutline& outline : mesh_.bodies[b]) count += outline.elements();
+  return static_cast<int>(count);
+}
+
+int Writer::geometry_nodes(size_t b) const {
+  int count = elements(b) * (is_curved(b) ? 2 : 1);
+  for (const MeshedOutline& outline : mesh_.bodies[b]) count += outline.open ? 1 : 0;
+  return count;
+}
+
+void Writer::heading() {
+  card("*FREE");
+  card("2");
+  card("Made from a sketch");
+  card(s_.title.empty() ? "SKETCH" : s_.title);
+}
+
+void Writer::control() {
+  const std::string bodies = std::to_string(s_.bodies.size());
+  comment(s_.plane_stress ? "plane stress; output" : "plane strain; output");
+  card(std::string(s_.plane_stress ? "1" : "0") + (s_.interfaces.empty() ? " 0" : " 2"));
+  comment("bodies, matching zones, functional nodes per element");
+  card(bodies + " 0 " + std::to_string(nodes()));
+  comment("per body: curves, boundary points per element, elements, boundary points");
+  for (size_t b = 0; b < s_.bodies.size(); ++b)
+    card(std::to_string(mesh_.bodies[b].size()) + (is_curved(b) ? " 3 " : " 2 ") + std::to_string(elements(b)) + " " +
+         std::to_string(geometry_nodes(b)));
+  comment("per curve: first and last element");
+  for (size_t b = 0; b < s_.bodies.size(); ++b) {
+    size_t first = 1;
+    for (const MeshedOutline& outline : mesh_.bodies[b]) {
+      card(std::to_string(first) + " " + std::to_string(first + outline.elements() - 1));
+      first += outline.elements();
+    }
+  }
+  comment("per body: Young's modulus, Poisson's ratio");
+  for (const Body& body : s_.bodies) card(body.rigid ? " 1 0" : number(body.youngs_modulus) + number(body.poisson_ratio));
+  comment("coefficients of friction");
+  card("1 0");
+}
+
+void Writer::points(size_t b) {
+  comment("origin and boundary points of " + s_.bodies[b].name);
+  card("0 0");
+  int node = 0;
+  const auto add = [&](Point p) { card(std::to_string(++node) + number(p.x) + number(p.y)); };
+  for (const MeshedOutline& outline : mesh_.bodies[b]) {
+    for (const MeshedCurve& curve : outline.curves)
+      for (size_t e = 0; e < curve.elements(); ++e) {
+        add(curve.curve->shape->at(curve.measure.u_at(curve.ends[e])));
+        if (is_curved(b)) add(curve.curve->shape->at(curve.measure.u_at((curve.ends[e] + curve.ends[e + 1]) / 2)));
+      }
+    if (outline.open) add(outline.curves.back().curve->shape->at(1));
+  }
+}
+
+// What a condition gives at a place of its curve.
+void Writer::apply(const Condition& c, const MeshedCurve& curve, double s, End& end) const {
+  Values& values = end.values[static_cast<size_t>(c.load_case)];
+  if (c.kind == Condition::kPressure) {
+    const Point normal = -1.0 * turned_left(curve.curve->shape->tangent(curve.measure.u_at(s)));
+    values[0] -= *c.value[0] * normal.x, values[1] -= *c.value[0] * normal.y;
+  }
+  for (size_t i = 0; i < 2 && c.kind != Condition::kPressure; ++i) {
+    if (!c.value[i]) continue;
+    if (c.kind == Condition::kDisplacement) end.held[i] = true;
+    values[i + (c.kind == Condition::kDisplacement ? 2 : 0)] += *c.value[i];
+  }
+}
+
+std::vector<End> Writer::ends(size_t b) const {
+  std::vector<End> out;
+  int element = 0;
+  for (const MeshedOutline& outline : mesh_.bodies[b]) {
+    const size_t first = out.size();
+    for (const MeshedCurve& curve : outline.curves)
+      for (size_t e = 0; e < curve.elements(); ++e) {
+        ++element;
+        for (int local = 1; local <= nodes(); ++local) {
+          End end{element, local, {}, std::vector<Values>(s_.cases.size(), Values{})};
+          const double s = curve.ends[e] + (curve.ends[e + 1] - curve.ends[e]) * (local - 1) / (nodes() - 1);
+          for (const Condition& c : s_.conditions)
+            if (c.side.body == static_cast<int>(b) && c.side.has(curve.curve->name)) apply(c, curve, s, end);
+          out.push_back(end);
+        }
+      }
+    // A displacement at a joint is known to the elements on both sides of it.
+    const size_t count = out.size() - first, step = static_cast<size_t>(nodes());
+    for (size_t k = step - 1; k < count; k += step) {
+      const size_t other = k + 1 < count ? k + 1 : 0;
+      if (other == 0 && outline.open) break;
+      End &p = out[first + k], &q = out[first + other];
+      const std::array<bool, 2> held[2] = {p.held, q.held};
+      for (size_t i = 0; i < 2; ++i) {
+        if (held[0][i] == held[1][i]) continue;
+        End &from = held[0][i] ? p : q, &to = held[0][i] ? q : p;
+        for (size_t c = 0; c < to.values.size(); ++c) to.values[c][i + 2] = from.values[c][i + 2];
+      }
+      // (which of them holds it, and so has an unknown traction, stays as it is)
+      p.held = held[0], q.held = held[1];
+    }
+  }
+  return out;
+}
+
+void Writer::conditions(size_t b) {
+  const std::vector<End>& all = ends_[b];
+  const auto codes = [&](size_t k) { // at a joint a displacement is known if either side holds it
+    std::array<int, 4> out{{all[k].held[0] ? 1 : 0, all[k].held[1] ? 1 : 0, 1, 1}};
+    for (size_t i = 0; i < 2; ++i) {
+      bool known = all[k].held[i];
+      for (const Values& v : all[k].values) known = known || v[i + 2] != 0;
+      out[i + 2] = known ? 0 : 1;
+    }
+    return out;
+  };
+  (void)codes;
+  std::vector<std::string> cards;
+  const size_t step = static_cast<size_t>(nodes());
+  // Which displacements are known at the node of an end: its own, or its neighbour's at a joint.
+  std::vector<std::array<bool, 2>> known(all.size());
+  size_t first = 0;
+  for (const MeshedOutline& outline : mesh_.bodies[b]) {
+    const size_t count = outline.elements() * step;
+    for (size_t k = 0; k < count; ++k) known[first + k] = all[first + k].held;
+    for (size_t k = step - 1; k < count; k += step) {
+      const size_t other = k + 1 < count ? k + 1 : 0;
+      if (other == 0 && outline.open) break;
+      for (size_t i = 0; i < 2; ++i)
+        known[first + k][i] = known[first + other][i] = all[first + k].held[i] || all[first + other].held[i];
+    }
+    first += count;
+  }
+  const auto text_of = [&](size_t k) {
+    std::string text = " ";
+    for (size_t i = 0; i < 2; ++i) text += all[k].held[i] ? '1' : '0';
+    for (size_t i = 0; i < 2; ++i) text += known[k][i] ? '0' : '1';
+    for (const double v : all[k].values[0]) text += number(v);
+    return text;
+  };
+  const std::string free = " 0011 0 0 0 0";
+  for (size_t k = 0, next; k < all.size(); k = next) {
+    const std::string text = text_of(k);
+    for (next = k + 1; next < all.size() && text_of(next) == text;) ++next;
+    if (text == free) continue;
+    const auto add = [&](size_t i, bool range) {
+      cards.push_back((range ? "1 " : "") + std::to_string(all[i].element) + " " + std::to_string(all[i].local) + text);
+    };
+    add(k, false);
+    if (next - k > 1) add(next - 1, next - k > 2);
+  }
+  comment("conditions of " + s_.bodies[b].name + ": element, end, codes and values of tx ty ux uy");
+  card(std::to_string(cards.size()));
+  for (const std::string& text : cards) card(text);
+  std::vector<std::string> loads;
+  for (const PointLoad& p : s_.point_loads)
+    if (p.body == static_cast<int>(b) && p.load_case == 0)
+      loads.push_back(std::to_string(loads.size() + 1) + number(p.where.x) + number(p.where.y) + number(p.force.x) + number(p.force.y));
+  comment("point loads");
+  card(std::to_string(loads.size()));
+  for (const std::string& text : loads) card(text);
+}
+
+// Load cases behind the first: what they give where it is known.
+void Writer::cases() {
+  if (s_.cases.size() < 2) return;
+  card("*CASES " + std::to_string(s_.cases.size()));
+  for (size_t c = 1; c < s_.cases.size(); ++c) {
+    card("case " + std::to_string(c + 1) + (s_.cases[c].name.empty() ? "" : " ! " + s_.cases[c].name));
+    for (size_t b = 0; b < s_.bodies.size(); ++b) {
+      const std::vector<End>& all = ends_[b];
+      for (const End& end : all) {
+        const Values& v = end.values[c];
+        if (v == Values{}) continue;
+        std::string text = "condition " + std::to_string(b + 1) + " " + std::to_string(end.element) + " " + std::to_string(end.local);
+        for (const double value : v) text += number(value);
+        card(text);
+      }
+    }
+    for (const PointLoad& p : s_.point_loads)
+      if (p.load_case == static_cast<int>(c))
+        card("load " + std::to_string(p.body + 1) + number(p.where.x) + number(p.where.y) + number(p.force.x) + number(p.force.y));
+  }
+}
+
+void Writer::history() {
+  card("*PATH");
+  if (s_.pieces == 0) {
+    std::string text = "10 1";
+    for (size_t c = 1; c < s_.cases.size(); ++c) text += " 0";
+    return card(text);
+  }
+  for (size_t piece = 0; piece < static_cast<size_t>(s_.pieces); ++piece) {
+    std::string text = "10";
+    for (const LoadCase& c : s_.cases) text += number(piece < c.factors.size() ? c.factors[piece] : 0);
+    card(text);
+  }
+}
+
+// The elements of a side, as ranges without a gap.
+std::vector<Writer::Run> Writer::runs(const Side& side) const {
+  std::vector<Run> out;
+  int element = 0;
+  for (const MeshedOutline& outline : mesh_.bodies[static_cast<size_t>(side.body)]) {
+    const int begin = element + 1;
+    const size_t before = out.size();
+    for (const MeshedCurve& curve : outline.curves) {
+      const int first = element + 1, last = element + static_cast<int>(curve.elements());
+      element = last;
+      if (!side.has(curve.curve->name)) continue;
+      if (out.size() > before && out.back().last + 1 == first)
+        out.back().last = last, out.back().to = curve.curve->shape->at(1);
+      else
+        out.push_back({first, last, false, curve.curve->shape->at(0), curve.curve->shape->at(1)});
+    }
+    if (out.size() > before && !outline.open && out[before].first == begin && out.back().last == element) {
+      if (out.size() == before + 1) { // all of it
+        out[before].round = true;
+      } else { // the last goes on with the first
+        out[before].first = out.back().first, out[before].from = out.back().from, out[before].round = true;
+        out.pop_back();
+      }
+    }
+  }
+  return out;
+}
+
+void Writer::zones() {
+  int zone = 0;
+  std::string ties, frictions;
+  for (const Interface& interface : s_.interfaces) {
+    const bool swap = s_.bodies[static_cast<size_t>(interface.side[1].body)].rigid;
+    const Side &one = interface.side[swap ? 1 : 0], &two = interface.side[swap ? 0 : 1];
+    for (const Run& b : runs(two))
+      for (const Run& a : runs(one)) {
+        ++zone;
+        const std::string second = two.body == one.body ? "-" : "";
+        card("*ZONE BODIES " + std::to_string(one.body + 1) + " " + second + std::to_string(two.body + 1) + " " +
+             std::to_string(a.first) + " " + std::to_string(a.last) + " " + std::to_string(b.first) + " " + std::to_string(b.last));
+        const std::string name =
+            !interface.name.empty() ? interface.name : interface.side[0].names[0] + " on " + interface.side[1].names[0];
+        ties += (interface.tied ? "*TIE " + std::to_string(zone) + "\n" : "");
+        frictions += interface.tied || interface.friction == 0
+                         ? ""
+                         : std::to_string(zone) + (std::isinf(interface.friction) ? " INF" : number(interface.friction)) + "\n";
+        ties += "*NAME ZONE " + std::to_string(zone) + " " + name.substr(0, 31) + "\n";
+      }
+  }
+  out_ += ties;
+  if (!frictions.empty()) out_ += "*FRICTION\n" + frictions;
+}
+
+// The true curves of sides in contact.
+void Writer::curves() {
+  for (size_t b = 0; b < s_.bodies.size(); ++b) {
+    int element = 0;
+    for (const MeshedOutline& outline : mesh_.bodies[b])
+      for (const MeshedCurve& curve : outline.curves) {
+        const int first = element + 1;
+        element += static_cast<int>(curve.elements());
+        bool touches = false;
+        for (const Interface& interface : s_.interfaces)
+          for (const Side& side : interface.side)
+            touches = touches || (!interface.tied && side.body == static_cast<int>(b) && side.has(curve.curve->name));
+        if (!touches) continue;
+        const Form form = curve.curve->shape->form();
+        card(std::string("*CURVE ") + (form == Form::kLine ? "LINE " : form == Form::kArc ? "ARC " : "SPLINE ") + std::to_string(b + 1) +
+             " " + std::to_string(first) + " " + std::to_string(element));
+      }
+  }
+}
+
+// Rigid bodies: which motions are free, what is given of the others, and what acts.
+void Writer::drives() {
+  for (size_t b = 0; b < s_.bodies.size(); ++b) {
+    if (!s_.bodies[b].rigid) continue;
+    std::array<bool, 3> free{}, given{};
+    Point about;
+    std::string motions, loads;
+    for (const Drive& d : s_.drives) {
+      if (d.side || d.body != static_cast<int>(b)) continue;
+      about = d.about;
+      std::string motion = std::to_string(d.load_case + 1), load = motion;
+      for (size_t i = 0; i < 3; ++i) {
+        free[i] = free[i] || d.load[i], given[i] = given[i] || d.motion[i];
+        motion += number(d.motion[i].value_or(0)), load += number(d.load[i].value_or(0));
+      }
+      if (d.motion[0] || d.motion[1] || d.motion[2]) motions += motion + number(d.about.x) + number(d.about.y) + "\n";
+      if (d.load[0] || d.load[1] || d.load[2]) loads += load + "\n";
+    }
+    const std::string body = " " + std::to_string(b + 1);
+    if (!free[0] && !free[1] && !free[2]) {
+      out_ += "*RIGID" + body + "\n" + motions;
+      continue;
+    }
+    if (!motions.empty()) out_ += "*RIGID" + body + "\n" + motions;
+    const char* const words[3] = {" X", " Y", " TURN"};
+    out_ += "*RIGID LOAD" + body + number(about.x) + number(about.y);
+    for (size_t i = 0; i < 3; ++i) out_ += free[i] ? words[i] : "";
+    out_ += "\n" + loads;
+  }
+}
+
+std::string Writer::write() {
+  for (size_t b = 0; b < s_.bodies.size(); ++b) ends_.push_back(ends(b));
+  heading();
+  control();
+  for (size_t b = 0; b < s_.bodies.size(); ++b) points(b);
+  for (size_t b = 0; b < s_.bodies.size(); ++b) conditions(b);
+  comment("per body: nodes and elements in matching zones");
+  for (size_t b = 0; b < s_.bodies.size(); ++b) card("0 0");
+  comment("load cards, limit of iterations");
+  card("1 50");
+  card("1 1");
+  if (!s_.units[0].empty()) card("*UNITS " + s_.units[0] + " " + s_.units[1]);
+  for (size_t b = 0; b < s_.bodies.size(); ++b) card("*NAME BODY " + std::to_string(b + 1) + " " + s_.bodies[b].name);
+  for (size_t axis = 0; axis < 2; ++axis)
+    if (s_.symmetry[axis]) card(std::string("*SYMMETRY ") + (axis == 0 ? "X" : "Y") + number(*s_.symmetry[axis]));
+  zones();
+  curves();
+  drives();
+  for (const BodyForce& f : s_.body_forces)
+    card("*BODY FORCE " + std::to_string(f.body + 1) + " " + std::to_string(f.load_case + 1) + number(f.weight.x) + number(f.weight.y) +
+         (f.rho_omega2 == 0 ? "" : number(f.rho_omega2) + number(f.centre.x) + number(f.centre.y)));
+  cases();
+  if (!s_.interfaces.empty()) history();
+  if (!s_.points.empty()) {
+    card("*POINTS");
+    for (const auto& p : s_.points)
+      card("point " + std::to_string(static_cast<int>(p[0]) + 1) + number(p[1]) + number(p[2]));
+  }
+  return out_;
+}
+
+} // namespace
+
+std::string deck_of(const Sketch& sketch, const Mesh& mesh) { return Writer(sketch, mesh).write(); }
+
+} // namespace sketch

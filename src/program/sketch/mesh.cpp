@@ -1,0 +1,207 @@
+#include "program/sketch/mesh.hpp"
+
+#include "program/sketch/outline.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sketch {
+
+size_t MeshedOutline::elements() const {
+  size_t count = 0;
+  for (const MeshedCurve& curve : curves) count += curve.elements();
+  return count;
+}
+
+namespace {
+
+constexpr double kGrowth = 0.35;   // how much larger elements may become per length
+constexpr double kTurn = 0.3;      // radians that an element may turn
+constexpr double kCorner = 0.05;   // the size at a corner, of the shorter curve there
+constexpr double kThinWall = 0.7;  // the size, of the distance to the other side
+constexpr double kLargest = 0.1;   // the size, of the outline's
+constexpr double kTouching = 2e-3; // the least size by gaps, of the outline's
+constexpr int kSamples = 160;      // of sizes, on a curve
+
+// Sizes wanted along a curve, at equal steps of its length.
+struct Sizes {
+  std::vector<Point> at;
+  std::vector<double> h;
+  double step;
+};
+
+class Mesher {
+public:
+  Mesher(const Sketch& sketch, double fineness) : s_(sketch), fineness_(fineness) {}
+  Mesh run();
+
+private:
+  void sample(const MeshedOutline& outline);
+  void thin_walls(size_t body);
+  void gaps(const Interface& interface);
+  void spread(const MeshedOutline& outline, size_t first);
+  void divide(MeshedCurve& curve, const Sizes& sizes) const;
+
+  const Sketch& s_;
+  double fineness_;
+  std::vector<Sizes> sizes_; // of all curves, in the order of the mesh
+  Mesh mesh_;
+};
+
+double turn_between(const Shape& a, const Shape& b) {
+  const Point p = a.tangent(1), q = b.tangent(0);
+  return std::fabs(std::atan2(cross(p, q), dot(p, q)));
+}
+
+// By curvature, the size of the outline and corners.
+void Mesher::sample(const MeshedOutline& outline) {
+  Outline drawn;
+  for (const MeshedCurve& curve : outline.curves) drawn.curves.push_back(*curve.curve);
+  drawn.open = outline.open;
+  const double largest = kLargest * size_of(polygon_of(drawn));
+  const size_t first = sizes_.size(), n = outline.curves.size();
+  for (const MeshedCurve& curve : outline.curves) {
+    const double length = curve.measure.length();
+    const int samples = kSamples + 4 * curve.curve->shape->pieces();
+    Sizes sizes{{}, {}, length / samples};
+    for (int i = 0; i <= samples; ++i) {
+      const double u = curve.measure.u_at(length * i / samples);
+      sizes.at.push_back(curve.curve->shape->at(u));
+      const double bend = std::fabs(curve.curve->shape->curvature(u));
+      sizes.h.push_back(std::min({largest, length / 2, bend > 0 ? kTurn / bend : largest}));
+    }
+    sizes_.push_back(sizes);
+  }
+  for (size_t i = 0; i < n; ++i) { // the corner at the end of each curve
+    if (outline.open && i + 1 == n) break;
+    const size_t next = (i + 1) % n;
+    const MeshedCurve &a = outline.curves[i], &b = outline.curves[next];
+    if (turn_between(*a.curve->shape, *b.curve->shape) < 0.2) continue;
+    const double h = kCorner * std::min(a.measure.length(), b.measure.length());
+    sizes_[first + i].h.back() = std::min(sizes_[first + i].h.back(), h);
+    sizes_[first + next].h.front() = std::min(sizes_[first + next].h.front(), h);
+  }
+}
+
+// Sizes grow by kGrowth at most, on and around the outline.
+void Mesher::spread(const MeshedOutline& outline, size_t first) {
+  const size_t n = outline.curves.size();
+  for (int round = 0; round < 2; ++round) {
+    double h = HUGE_VAL;
+    for (size_t i = 0; i < 2 * n; ++i) {
+      if (outline.open && i % n == 0) h = HUGE_VAL;
+      Sizes& s = sizes_[first + i % n];
+      for (size_t k = 0; k < s.h.size(); ++k) h = s.h[k] = std::min(s.h[k], k == 0 ? h : h + kGrowth * s.step);
+    }
+    h = HUGE_VAL;
+    for (size_t i = 2 * n; i-- > 0;) {
+      if (outline.open && i % n == n - 1) h = HUGE_VAL;
+      Sizes& s = sizes_[first + i % n];
+      for (size_t k = s.h.size(); k-- > 0;) h = s.h[k] = std::min(s.h[k], k + 1 == s.h.size() ? h : h + kGrowth * s.step);
+    }
+  }
+}
+
+// The distance through the material to the other side of a body, along the inner normal.
+void Mesher::thin_walls(size_t body) {
+  size_t first = 0;
+  for (size_t b = 0; b < body; ++b)
+    for (const MeshedOutline& outline : mesh_.bodies[b]) first += outline.curves.size();
+  size_t count = 0;
+  for (const MeshedOutline& outline : mesh_.bodies[body]) count += outline.curves.size();
+  std::vector<std::pair<Point, Point>> walls;
+  for (size_t c = first; c < first + count; ++c)
+    for (size_t k = 0; k + 1 < sizes_[c].at.size(); k += 4)
+      walls.push_back({sizes_[c].at[k], sizes_[c].at[std::min(k + 4, sizes_[c].at.size() - 1)]});
+  for (size_t c = first; c < first + count; ++c) {
+    Sizes& s = sizes_[c];
+    for (size_t k = 2; k + 2 < s.at.size(); k += 4) {
+      const Point normal = turned_left(s.at[k + 1] - s.at[k - 1]);
+      const double speed = length(normal);
+      for (const auto& [p, q] : walls) {
+        const Point d = q - p, off = p - s.at[k];
+        const double det = cross(normal, d);
+        if (det == 0) continue;
+        const double away = cross(off, d) / det * speed, along = cross(off, normal) / det;
+        if (away > 2 * s.step && along >= 0 && along <= 1) s.h[k] = std::min(s.h[k], kThinWall * away);
+      }
+    }
+  }
+}
+
+// Where surfaces that may touch are near, elements are small beside the way along which the gap opens.
+void Mesher::gaps(const Interface& interface) {
+  std::vector<size_t> sides[2];
+  size_t index = 0;
+  for (size_t b = 0; b < mesh_.bodies.size(); ++b)
+    for (const MeshedOutline& outline : mesh_.bodies[b])
+      for (const MeshedCurve& curve : outline.curves) {
+        for (int side = 0; side < 2; ++side)
+          if (interface.side[side].body == static_cast<int>(b) && interface.side[side].has(curve.curve->name))
+            sides[side].push_back(index);
+        ++index;
+      }
+  for (int side = 0; side < 2; ++side)
+    for (const size_t c : sides[side]) {
+      Sizes& s = sizes_[c];
+      const double whole = s.step * static_cast<double>(s.h.size() - 1);
+      for (size_t k = 0; k < s.at.size(); ++k) {
+        double gap = HUGE_VAL, other = HUGE_VAL;
+        for (const size_t o : sides[1 - side])
+          for (size_t j = 0; j < sizes_[o].at.size(); ++j)
+            if (const double d = length(sizes_[o].at[j] - s.at[k]); d < gap) gap = d, other = sizes_[o].h[j];
+        const double least = interface.tied ? whole / 12 : std::max(kTouching * whole, kGrowth * std::sqrt(gap * whole));
+        s.h[k] = std::min({s.h[k], std::max(least, kTouching * whole), other + kGrowth * gap});
+      }
+    }
+}
+
+// As many elements as the integral of 1 / h, each with its share of it.
+void Mesher::divide(MeshedCurve& curve, const Sizes& sizes) const {
+  std::vector<double> sum(1, 0);
+  for (size_t k = 1; k < sizes.h.size(); ++k)
+    sum.push_back(sum.back() + fineness_ * sizes.step * 2 / (sizes.h[k - 1] + sizes.h[k]));
+  const int n = std::max(2, static_cast<int>(std::ceil(sum.back() - 1e-9)));
+  curve.ends.assign(1, 0);
+  for (int i = 1; i < n; ++i) {
+    const double count = sum.back() * i / n;
+    const size_t k = static_cast<size_t>(std::upper_bound(sum.begin(), sum.end(), count) - sum.begin());
+    curve.ends.push_back(sizes.step * (static_cast<double>(k) - 1 + (count - sum[k - 1]) / (sum[k] - sum[k - 1])));
+  }
+  curve.ends.push_back(curve.measure.length());
+}
+
+Mesh Mesher::run() {
+  for (const Body& body : s_.bodies) {
+    std::vector<MeshedOutline> outlines;
+    for (const bool open : {true, false})
+      for (const Outline& outline : body.outlines) {
+        if (outline.open != open) continue;
+        outlines.push_back({open, {}});
+        for (const Curve& curve : outline.curves) outlines.back().curves.push_back({&curve, Measure(curve.shape), {}});
+      }
+    mesh_.bodies.push_back(std::move(outlines));
+  }
+  for (const auto& outlines : mesh_.bodies)
+    for (const MeshedOutline& outline : outlines) sample(outline);
+  for (size_t b = 0; b < mesh_.bodies.size(); ++b) thin_walls(b);
+  const auto spread_all = [&] {
+    size_t first = 0;
+    for (const auto& outlines : mesh_.bodies)
+      for (const MeshedOutline& outline : outlines) spread(outline, first), first += outline.curves.size();
+  };
+  spread_all();
+  for (const Interface& interface : s_.interfaces) gaps(interface);
+  spread_all();
+  size_t index = 0;
+  for (auto& outlines : mesh_.bodies)
+    for (MeshedOutline& outline : outlines)
+      for (MeshedCurve& curve : outline.curves) divide(curve, sizes_[index++]);
+  return std::move(mesh_);
+}
+
+} // namespace
+
+Mesh first_mesh(const Sketch& sketch, double fineness) { return Mesher(sketch, fineness).run(); }
+
+} // namespace sketch

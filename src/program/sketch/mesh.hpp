@@ -1,0 +1,31 @@
+// Elements on the curves of a sketch, and the deck made of them.
+#pragma once
+
+#include "program/sketch/sketch.hpp"
+
+namespace sketch {
+
+struct MeshedCurve {
+  const Curve* curve;
+  Measure measure;
+  std::vector<double> ends; // of the elements: lengths from the curve's begin, 0 and its whole length included
+  size_t elements() const { return ends.size() - 1; }
+};
+struct MeshedOutline {
+  bool open = false;
+  std::vector<MeshedCurve> curves;
+  size_t elements() const;
+};
+// Of every body its outlines, open ones first. It refers to the sketch.
+struct Mesh {
+  std::vector<std::vector<MeshedOutline>> bodies;
+};
+
+// Elements that follow curvature, and become smaller towards corners, in thin walls and narrow gaps. `fineness`: 1; 2 has
+// elements of half the size.
+Mesh first_mesh(const Sketch& sketch, double fineness);
+
+// The deck, in the free form. Throws a Fault where the statements of a sketch do not go together.
+std::string deck_of(const Sketch& sketch, const Mesh& mesh);
+
+} // namespace sketch

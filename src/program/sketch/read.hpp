@@ -1,0 +1,21 @@
+// From the text of a sketch to its shapes and conditions.
+#pragma once
+
+#include "program/sketch/sketch.hpp"
+
+#include <functional>
+
+namespace sketch {
+
+// Does a text begin as a sketch does, and not as a deck?
+bool is_sketch(const std::string& text);
+
+struct Reading {
+  Sketch sketch;
+  std::vector<Fault> faults; // in the order of the lines; none: the sketch is sound
+};
+// `given`: parameters that replace those of the text. `file`: the text of a file that a spline names; false if there is none.
+Reading read_sketch(const std::string& text, const Parameters& given,
+                    const std::function<bool(const std::string& name, std::string& text)>& file);
+
+} // namespace sketch

@@ -1,0 +1,351 @@
+// Statements that draw bodies: curves one after the other, with the material on the left.
+#include "program/sketch/outline.hpp"
+#include "program/sketch/reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace sketch {
+namespace {
+
+const double kHalfTurn = std::acos(-1.0);
+
+double degrees(Point p) { return std::atan2(p.y, p.x) * 180 / kHalfTurn; }
+
+// The sweep from a to b about the origin: counter-clockwise or clockwise, a full turn for no angle at all.
+double sweep_between(Point a, Point b, bool clockwise) {
+  double sweep = std::atan2(cross(a, b), dot(a, b)) * 180 / kHalfTurn;
+  if (!clockwise && sweep <= 0) sweep += 360;
+  if (clockwise && sweep >= 0) sweep -= 360;
+  return sweep;
+}
+
+Motion reflection(size_t axis, double at) {
+  return axis == 0 ? Motion{-1, 0, 0, 1, 2 * at, 0} : Motion{1, 0, 0, -1, 0, 2 * at};
+}
+
+} // namespace
+
+void Reader::body(Statement& s) {
+  end_body();
+  Body body;
+  body.at = s.at();
+  body.name = s.name("the name of a body");
+  for (const Body& other : s_.bodies)
+    if (other.name == body.name) s.fail("a body is called " + quoted(body.name) + " already");
+  if (body.name.size() > 31) s.fail(quoted(body.name) + ": expected at most 31 characters");
+  if (s.accept("rigid")) {
+    body.rigid = true;
+  } else {
+    while (s.has_more()) {
+      if (s.choice({"E", "nu"}) == 0) {
+        body.youngs_modulus = s.positive("Young's modulus");
+      } else {
+        body.poisson_ratio = s.number("Poisson's ratio");
+        if (!(body.poisson_ratio > -1 && body.poisson_ratio < 0.5))
+          s.fail(show(body.poisson_ratio) + ": expected Poisson's ratio, above -1 and below 0.5");
+      }
+    }
+    if (body.youngs_modulus == 0) s.fail("body " + quoted(body.name) + ": expected E and a value, or rigid");
+  }
+  s_.bodies.push_back(body);
+  in_body_ = true;
+}
+
+Body& Reader::current_body(Statement& s) {
+  if (!in_body_) throw Fault{s.at(), quoted(s.keyword().text) + " stands outside a body, expected behind a statement 'body'"};
+  return s_.bodies.back();
+}
+
+Outline& Reader::current_outline(Statement& s) {
+  Body& body = current_body(s);
+  if (!in_outline_) {
+    body.outlines.push_back({});
+    body.outlines.back().at = s.at();
+    in_outline_ = true;
+  }
+  return body.outlines.back();
+}
+
+void Reader::outline(Statement& s) {
+  current_body(s);
+  end_outline();
+  current_outline(s);
+}
+
+void Reader::hole(Statement& s) {
+  outline(s);
+  s_.bodies.back().outlines.back().hole = true;
+}
+
+void Reader::from(Statement& s) {
+  if (in_outline_ && !current_outline(s).curves.empty()) end_outline();
+  current_outline(s);
+  start_ = here_ = s.point("where the outline begins");
+  has_start_ = true;
+}
+
+// A name, unless the shape begins at once.
+std::string Reader::curve_name(Statement& s) {
+  for (const char* word : {"to", "by", "through", "centre", "close", "radius", "turn", "t", "file"})
+    if (s.is_next(word)) return "";
+  return s.has_more() ? s.name("the name of the curve") : "";
+}
+
+Point Reader::target(Statement& s) {
+  if (!has_start_) s.fail("this curve has nowhere to begin, expected a statement 'from' before it");
+  if (s.accept("close")) return start_;
+  if (s.accept("by")) return here_ + s.point("the way to its end");
+  if (!s.accept("to")) s.fail("expected to x y, by dx dy, or close");
+  return s.point("its end");
+}
+
+void Reader::draw(Statement& s, const std::string& name, ShapePtr shape) {
+  Outline& outline = current_outline(s);
+  if (!has_start_) start_ = shape->at(0), has_start_ = true;
+  here_ = shape->at(1);
+  outline.curves.push_back({name, std::move(shape), s.at()});
+  if (!corner_) return;
+  const Corner corner = *corner_;
+  corner_.reset();
+  Curve& before = outline.curves[outline.curves.size() - 2];
+  const auto join = corner.round ? sketch::fillet : sketch::chamfer;
+  const Curve between = join(before, outline.curves.back(), corner.name, corner.size, corner.at);
+  outline.curves.insert(outline.curves.end() - 1, between);
+}
+
+void Reader::straight(Statement& s) {
+  const std::string name = curve_name(s);
+  const Point begin = here_, end = target(s);
+  if (length(end - begin) == 0) s.fail("this line has no length");
+  draw(s, name, line(begin, end));
+}
+
+void Reader::arc(Statement& s) {
+  const std::string name = curve_name(s);
+  const Point begin = here_;
+  if (s.accept("centre")) { // a given angle
+    if (!has_start_) s.fail("this arc has nowhere to begin, expected a statement 'from' before it");
+    const Point centre = s.point("the centre");
+    if (!s.accept("turn")) s.fail("expected turn and an angle in degrees");
+    const double turn = s.number("the angle in degrees");
+    if (turn == 0) s.fail("this arc has no length");
+    return draw(s, name, sketch::arc(centre, length(begin - centre), degrees(begin - centre), turn));
+  }
+  const Point end = target(s), chord = end - begin;
+  if (s.accept("through")) {
+    const Point p = s.point("a point of the arc") - begin;
+    const double area = cross(p, chord);
+    if (std::fabs(area) <= 1e-12 * dot(chord, chord)) s.fail("the three points are on one line, expected an arc");
+    const Point centre = begin + (1 / (2 * area)) * Point{dot(p, p) * chord.y - dot(chord, chord) * p.y,
+                                                           dot(chord, chord) * p.x - dot(p, p) * chord.x};
+    return draw(s, name, sketch::arc(centre, length(begin - centre), degrees(begin - centre),
+                                     sweep_between(begin - centre, end - centre, area > 0)));
+  }
+  if (s.accept("centre")) {
+    const Point centre = s.point("the centre");
+    const double r = length(begin - centre), q = length(end - centre);
+    if (std::fabs(r - q) > kJoint * r)
+      s.fail("the centre is " + show(r) + " from the arc's begin and " + show(q) + " from its end, expected equal distances");
+    const bool right = s.accept("right");
+    return draw(s, name, sketch::arc(centre, r, degrees(begin - centre), sweep_between(begin - centre, end - centre, right)));
+  }
+  if (!s.accept("radius")) s.fail("expected radius, through or centre");
+  const double radius = s.positive("the radius"), half = length(chord) / 2;
+  const bool right = s.accept("right"), is_long = s.accept("long");
+  if (half == 0 || radius < half * (1 - 1e-12))
+    s.fail("the ends are " + show(2 * half) + " apart, expected at most twice the radius " + show(radius));
+  const double height = std::sqrt(std::max(radius * radius - half * half, 0.0)) * (right != is_long ? -1 : 1);
+  const Point centre = begin + 0.5 * chord + (height / (2 * half)) * turned_left(chord);
+  draw(s, name, sketch::arc(centre, radius, degrees(begin - centre), sweep_between(begin - centre, end - centre, right)));
+}
+
+// A curve that is an outline by itself; one of a hole runs clockwise.
+void Reader::draw_whole(Statement& s, const std::string& name, ShapePtr shape) {
+  if (!current_outline(s).curves.empty()) end_outline();
+  Outline& outline = current_outline(s);
+  if (outline.hole) shape = part(shape, 1, 0);
+  start_ = shape->at(0), has_start_ = true;
+  draw(s, name, std::move(shape));
+  end_outline();
+}
+
+void Reader::circle(Statement& s) {
+  const std::string name = curve_name(s);
+  if (!s.accept("centre")) s.fail("expected centre x y radius r");
+  const Point centre = s.point("the centre");
+  if (!s.accept("radius")) s.fail("expected radius r");
+  const double radius = s.positive("the radius");
+  draw_whole(s, name, sketch::arc(centre, radius, s.accept("from") ? s.number("the angle where it begins, in degrees") : -90, 360));
+}
+
+void Reader::ellipse(Statement& s) {
+  const std::string name = curve_name(s);
+  if (!s.accept("centre")) s.fail("expected centre x y axes a b");
+  const Point centre = s.point("the centre");
+  if (!s.accept("axes")) s.fail("expected axes a b");
+  const double a = s.positive("its first half axis"), b = s.positive("its second half axis");
+  const double tilt = s.accept("tilt") ? s.number("the angle of the first axis, in degrees") : 0;
+  if (!s.accept("from")) return draw_whole(s, name, sketch::ellipse(centre, a, b, tilt, -90, 360));
+  const double from = s.number("the eccentric angle where it begins, in degrees");
+  if (!s.accept("turn")) s.fail("expected turn and an angle in degrees");
+  draw(s, name, sketch::ellipse(centre, a, b, tilt, from, s.number("the eccentric angle it turns, in degrees")));
+}
+
+void Reader::curve(Statement& s) {
+  const std::string name = curve_name(s);
+  const std::string variable = s.name("the name of the variable");
+  const double first = s.number("the variable where the curve begins"), last = s.number("the variable where it ends");
+  if (!s.accept("x")) s.fail("expected x and its formula");
+  const Expression x = s.formula("the formula of x", variable);
+  if (!s.accept("y")) s.fail("expected y and its formula");
+  const ShapePtr shape = formula(x, s.formula("the formula of y", variable), first, last);
+  for (int i = 0; i <= 64; ++i)
+    if (const Point p = shape->at(i / 64.0); !std::isfinite(p.x) || !std::isfinite(p.y))
+      s.fail("the formulas have no value at " + variable + " = " + show(first + (last - first) * i / 64.0));
+  draw(s, name, shape);
+}
+
+std::vector<Point> Reader::listed_points(Statement& s) {
+  std::vector<Point> out;
+  while (s.has_more() && !s.is_next("closed")) out.push_back(s.point("a point of the spline"));
+  return out;
+}
+
+// Two numbers to a line, with blanks, commas, semicolons or tabs; lines that begin with a letter, # or ! are left out.
+std::vector<Point> Reader::points_of_file(Statement& s) {
+  const std::string name = s.take("the name of a file with points").text;
+  std::string text;
+  if (!file_(name, text)) s.fail("the file " + quoted(name) + " cannot be read");
+  std::vector<Point> out;
+  std::istringstream lines(text);
+  std::string card;
+  for (int line = 1; std::getline(lines, card); ++line) {
+    std::replace(card.begin(), card.end(), ';', ' ');
+    const size_t first = card.find_first_not_of(" \t\r,\"");
+    if (first == std::string::npos || card[first] == '#' || card[first] == '!' || std::isalpha(static_cast<unsigned char>(card[first])))
+      continue;
+    try {
+      std::vector<Word> words = words_of(card, line);
+      words.insert(words.begin(), Word{});
+      Statement numbers(words, s_.parameters);
+      out.push_back(numbers.point("a point"));
+    } catch (const Fault& fault) {
+      s.fail("file " + quoted(name) + ", line " + std::to_string(line) + ": " + fault.text);
+    }
+  }
+  return out;
+}
+
+void Reader::spline(Statement& s) {
+  const std::string name = curve_name(s);
+  const bool listed = s.accept("through");
+  if (!listed && !s.accept("file")) s.fail("expected through x y x y ..., or file NAME");
+  std::vector<Point> points = listed ? listed_points(s) : points_of_file(s);
+  const bool closed = s.accept("closed"), backwards = s.accept("reversed");
+  if (listed && !closed && has_start_) points.insert(points.begin(), here_);
+  if (backwards) std::reverse(points.begin(), points.end());
+  for (size_t i = 1; i < points.size(); ++i)
+    if (length(points[i] - points[i - 1]) == 0) s.fail("point " + std::to_string(i + 1) + " of the spline is where the one before is");
+  if (points.size() < (closed ? 3u : 2u)) s.fail("expected " + std::string(closed ? "three" : "two") + " points at least");
+  if (!closed) return draw(s, name, sketch::spline(points, false));
+  if (length(points.front() - points.back()) == 0) points.pop_back();
+  const ShapePtr whole = sketch::spline(points, true);
+  draw_whole(s, name, whole);
+}
+
+void Reader::ask_corner(Statement& s, bool round) {
+  Outline& outline = current_outline(s);
+  if (outline.curves.empty() || corner_) throw Fault{s.at(), quoted(s.keyword().text) + " stands between two curves"};
+  const std::string name = curve_name(s);
+  if (!s.accept(round ? "radius" : "cut")) s.fail(round ? "expected radius and a value" : "expected cut and a value");
+  corner_ = Corner{round, name, s.positive(round ? "the radius" : "the length that is cut off"), s.at()};
+}
+
+// The curves so far, seen in a mirror and run through backwards, close the outline.
+void Reader::mirror(Statement& s) {
+  Outline& outline = current_outline(s);
+  const size_t axis = s.choice({"x", "y"});
+  const Motion motion = reflection(axis, s.number("the place of the mirror"));
+  for (size_t i = outline.curves.size(); i-- > 0;) {
+    const Curve own = outline.curves[i];
+    outline.curves.push_back({own.name, moved(part(own.shape, 1, 0), motion), own.at});
+  }
+  if (outline.curves.empty()) s.fail("expected curves before it");
+  here_ = outline.curves.back().shape->at(1);
+}
+
+Motion Reader::motion(Statement& s) {
+  Motion out;
+  while (s.has_more()) {
+    Motion m;
+    const size_t kind = s.choice({"shift", "turn", "mirror"});
+    if (kind == 0) {
+      m.x0 = s.number("how far along x"), m.y0 = s.number("how far along y");
+    } else if (kind == 1) {
+      const double angle = s.number("the angle in degrees") * kHalfTurn / 180;
+      const Point about = s.accept("about") ? s.point("the point to turn about") : Point{};
+      m = {std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle), 0, 0};
+      const Point off = about - m(about);
+      m.x0 = off.x, m.y0 = off.y;
+    } else {
+      const size_t axis = s.choice({"x", "y"});
+      m = reflection(axis, s.number("the place of the mirror"));
+    }
+    const Point o = m(out({0, 0}));
+    out = {m.a * out.a + m.b * out.c, m.a * out.b + m.b * out.d, m.c * out.a + m.d * out.c, m.c * out.b + m.d * out.d, o.x, o.y};
+  }
+  return out;
+}
+
+void Reader::copy(Statement& s) {
+  end_body();
+  const std::string name = s.name("the name of the copy");
+  for (const Body& other : s_.bodies)
+    if (other.name == name) s.fail("a body is called " + quoted(name) + " already");
+  if (!s.accept("of")) s.fail("expected of and the name of a body");
+  Body body = s_.bodies[static_cast<size_t>(body_named(s.take("the name of a body")))];
+  body.name = name, body.at = s.at();
+  const Motion m = motion(s);
+  for (Outline& outline : body.outlines) {
+    if (m.mirrors()) std::reverse(outline.curves.begin(), outline.curves.end());
+    for (Curve& curve : outline.curves) curve.shape = moved(m.mirrors() ? part(curve.shape, 1, 0) : curve.shape, m);
+  }
+  s_.bodies.push_back(body);
+}
+
+void Reader::end_outline() {
+  if (!in_outline_) return;
+  in_outline_ = has_start_ = false;
+  Body& body = s_.bodies.back();
+  Outline& outline = body.outlines.back();
+  if (outline.curves.empty()) {
+    body.outlines.pop_back();
+    return;
+  }
+  if (corner_) { // between the last curve and the first
+    const Corner corner = *corner_;
+    corner_.reset();
+    const auto join = corner.round ? sketch::fillet : sketch::chamfer;
+    outline.curves.push_back(join(outline.curves.back(), outline.curves.front(), corner.name, corner.size, corner.at));
+  }
+  const std::vector<Point> polygon = polygon_of(outline);
+  const double size = size_of(polygon);
+  const auto is_on_line = [&](Point p) {
+    return (s_.symmetry[0] && std::fabs(p.x - *s_.symmetry[0]) <= kJoint * size) ||
+           (s_.symmetry[1] && std::fabs(p.y - *s_.symmetry[1]) <= kJoint * size);
+  };
+  const Point first = outline.curves.front().shape->at(0), last = outline.curves.back().shape->at(1);
+  outline.open = length(first - last) > kJoint * size && is_on_line(first) && is_on_line(last);
+}
+
+void Reader::end_body() {
+  if (!in_body_) return;
+  end_outline();
+  in_body_ = false;
+  const Body& body = s_.bodies.back();
+  if (body.outlines.empty()) throw Fault{body.at, "body " + quoted(body.name) + " has no outline"};
+}
+
+} // namespace sketch

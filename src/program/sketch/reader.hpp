@@ -1,0 +1,105 @@
+// What reads statements: those that draw, and those that say what acts, in files of their own.
+#pragma once
+
+#include "program/sketch/read.hpp"
+#include "program/sketch/statement.hpp"
+
+#include <set>
+
+namespace sketch {
+
+class Reader {
+public:
+  using File = std::function<bool(const std::string& name, std::string& text)>;
+  Reader(const Parameters& given, const File& file) : given_(given), file_(file) { s_.parameters = given; }
+  void read(const std::string& text);
+  static std::vector<std::string> words(); // that statements begin with
+  Reading take() { return {std::move(s_), std::move(faults_)}; }
+
+private:
+  struct Keyword {
+    const char* name;
+    void (Reader::*read)(Statement&);
+  };
+  static const Keyword kKeywords[];
+  void statement(Statement& s);
+  void finish();
+
+  // read.cpp
+  void title(Statement& s);
+  void units(Statement& s);
+  void plane(Statement& s);
+  void functions(Statement& s);
+  void parameter(Statement& s);
+  void symmetry(Statement& s);
+
+  // read_bodies.cpp
+  void body(Statement& s);
+  void outline(Statement& s);
+  void hole(Statement& s);
+  void from(Statement& s);
+  void straight(Statement& s);
+  void arc(Statement& s);
+  void circle(Statement& s);
+  void ellipse(Statement& s);
+  void curve(Statement& s);
+  void spline(Statement& s);
+  void fillet(Statement& s) { ask_corner(s, true); }
+  void chamfer(Statement& s) { ask_corner(s, false); }
+  void mirror(Statement& s);
+  void copy(Statement& s);
+  void ask_corner(Statement& s, bool round);
+  Body& current_body(Statement& s);
+  Outline& current_outline(Statement& s);
+  std::string curve_name(Statement& s);
+  Point target(Statement& s);
+  void draw(Statement& s, const std::string& name, ShapePtr shape);
+  void draw_whole(Statement& s, const std::string& name, ShapePtr shape);
+  void end_outline();
+  void end_body();
+  Motion motion(Statement& s);
+  std::vector<Point> listed_points(Statement& s);
+  std::vector<Point> points_of_file(Statement& s);
+
+  // read_actions.cpp
+  void contact(Statement& s) { interface(s, false); }
+  void tie(Statement& s) { interface(s, true); }
+  void interface(Statement& s, bool tied);
+  void load_case(Statement& s);
+  void fix(Statement& s);
+  void move(Statement& s);
+  void traction(Statement& s);
+  void pressure(Statement& s);
+  void force(Statement& s);
+  void weight(Statement& s);
+  void spin(Statement& s);
+  void platen(Statement& s);
+  void drive(Statement& s);
+  void history(Statement& s);
+  void stress(Statement& s);
+  int body_named(const Word& word) const;
+  Side side(Statement& s);
+  void drive_of(Statement& s, Drive drive);
+  void components(Statement& s, std::optional<double> value[2]);
+
+  const Parameters& given_;
+  std::set<std::string> used_; // names of parameters that a statement has made
+  const File& file_;
+  Sketch s_;
+  std::vector<Fault> faults_;
+
+  // The outline that is being drawn.
+  struct Corner { // a fillet or a chamfer that waits for the curve behind it
+    bool round;
+    std::string name;
+    double size;
+    Place at;
+  };
+  bool in_body_ = false, in_outline_ = false, has_start_ = false;
+  Point start_, here_;
+  std::optional<Corner> corner_;
+  bool closed_by_corner_ = false;
+  int case_ = 0;
+};
+
+} // namespace sketch

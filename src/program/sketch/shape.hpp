@@ -1,0 +1,77 @@
+// Shapes of boundary curves: a point for every u from 0 to 1, with its derivatives, and lengths along them.
+#pragma once
+
+#include "program/sketch/expression.hpp"
+
+#include <memory>
+#include <vector>
+
+namespace sketch {
+
+struct Point {
+  double x = 0, y = 0;
+};
+inline Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
+inline Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
+inline Point operator*(double f, Point a) { return {f * a.x, f * a.y}; }
+inline double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
+inline double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
+inline Point turned_left(Point a) { return {-a.y, a.x}; }
+double length(Point a);
+
+enum class Form { kLine, kArc, kSmooth }; // what a *CURVE card may call it
+
+class Shape {
+public:
+  struct Local {
+    Point at, d, dd; // the point and its derivatives by u
+  };
+  virtual ~Shape() = default;
+  virtual Local local(double u) const = 0;
+  virtual Form form() const { return Form::kSmooth; }
+  virtual int pieces() const { return 1; } // as many as are needed to follow it
+
+  Point at(double u) const { return local(u).at; }
+  Point tangent(double u) const;    // of length 1, as u rises
+  double curvature(double u) const; // above 0: turns left
+};
+using ShapePtr = std::shared_ptr<const Shape>;
+
+ShapePtr line(Point from, Point to);
+// About `centre`, from `from` (degrees) through `sweep` (above 0: counter-clockwise).
+ShapePtr arc(Point centre, double radius, double from, double sweep);
+// An ellipse with half axes a and b, a turned by `tilt` degrees; eccentric angles in degrees.
+ShapePtr ellipse(Point centre, double a, double b, double tilt, double from, double sweep);
+// x and y by formulas of one variable between two values.
+ShapePtr formula(Expression x, Expression y, double first, double last);
+// A cubic spline through points, parametrised by chords: natural ends, or periodic where `closed`.
+ShapePtr spline(const std::vector<Point>& points, bool closed);
+
+// at -> origin + matrix at: copies by shift, rotation and mirror. One that mirrors changes the side of the material, so
+// mirrored curves are run through backwards.
+struct Motion {
+  double a = 1, b = 0, c = 0, d = 1; // x' = a x + b y + x0, y' = c x + d y + y0
+  double x0 = 0, y0 = 0;
+  Point operator()(Point p) const { return {a * p.x + b * p.y + x0, c * p.x + d * p.y + y0}; }
+  bool mirrors() const { return a * d - b * c < 0; }
+};
+ShapePtr moved(ShapePtr shape, const Motion& motion);
+// From u = first to u = last of another; backwards where first > last.
+ShapePtr part(ShapePtr shape, double first, double last);
+
+// Lengths along a shape, from a table: to about 1e-10 of the whole.
+class Measure {
+public:
+  explicit Measure(ShapePtr shape);
+  double length() const { return sums_.back(); }
+  double u_at(double length) const;
+  double length_to(double u) const;
+
+private:
+  double piece(double from, double to) const;
+  ShapePtr shape_;
+  int steps_;
+  std::vector<double> sums_; // up to each of equal steps of u
+};
+
+} // namespace sketch

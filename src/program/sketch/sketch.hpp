@@ -1,0 +1,109 @@
+// A sketch: bodies drawn as named curves, what is between them, what acts on them, and what is wanted. No mesh.
+#pragma once
+
+#include "program/sketch/shape.hpp"
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sketch {
+
+struct Curve {
+  std::string name; // several curves of a body may bear one name
+  ShapePtr shape;
+  Place at;
+};
+
+// A boundary, run through with the material on the left; of a hole too.
+struct Outline {
+  std::vector<Curve> curves;
+  bool hole = false;
+  bool open = false; // from line of symmetry to line of symmetry
+  Place at;
+};
+
+struct Body {
+  std::string name;
+  double youngs_modulus = 0, poisson_ratio = 0;
+  bool rigid = false;
+  std::vector<Outline> outlines;
+  Place at;
+};
+
+// Curves of one body, by name.
+struct Side {
+  int body = 0;
+  std::vector<std::string> names;
+  Place at;
+  bool has(const std::string& name) const;
+};
+
+struct Interface {
+  Side side[2];
+  bool tied = false;
+  double friction = 0;
+  std::string name;
+  Place at;
+};
+
+// What is given along curves, in one load case.
+struct Condition {
+  Side side;
+  enum Kind { kDisplacement, kTraction, kPressure } kind = kDisplacement;
+  std::optional<double> value[2]; // along x and y, where something is given; of a pressure the first
+  int load_case = 0;
+  Place at;
+};
+
+struct PointLoad {
+  int body = 0;
+  Point where, force;
+  int load_case = 0;
+  Place at;
+};
+
+struct BodyForce {
+  int body = 0;
+  Point weight;
+  double rho_omega2 = 0;
+  Point centre;
+  int load_case = 0;
+  Place at;
+};
+
+// Ends of a body that move as one rigid body, or a rigid body: of ux, uy and the turn each is given, or its load is.
+struct Drive {
+  std::optional<Side> side; // of a platen
+  int body = 0;
+  Point about;
+  std::array<std::optional<double>, 3> motion, load;
+  int load_case = 0;
+  Place at;
+};
+
+struct LoadCase {
+  std::string name;
+  std::vector<double> factors; // at the end of each piece of the history
+};
+
+struct Sketch {
+  std::string title;
+  std::string units[2];
+  Parameters parameters;
+  bool plane_stress = false;
+  int order = 1;                     // of the functions
+  std::optional<double> symmetry[2]; // x = , y =
+  std::vector<Body> bodies;
+  std::vector<Interface> interfaces;
+  std::vector<Condition> conditions;
+  std::vector<PointLoad> point_loads;
+  std::vector<BodyForce> body_forces;
+  std::vector<Drive> drives;
+  std::vector<LoadCase> cases{{"", {}}}; // the first is there without a card
+  int pieces = 0;                        // of the history; 0: factor 1 of the first case
+  std::vector<std::array<double, 3>> points; // body, x, y
+};
+
+} // namespace sketch

@@ -1,0 +1,94 @@
+#include "program/sketch/statement.hpp"
+
+#include <cctype>
+#include <cmath>
+
+namespace sketch {
+
+bool Statement::is_next(const char* word) const { return has_more() && !words_[next_].quoted && words_[next_].text == word; }
+
+bool Statement::accept(const char* word) {
+  if (!is_next(word)) return false;
+  ++next_;
+  return true;
+}
+
+// A word that arithmetic may begin with: a digit, a sign, a bracket, or a parameter.
+bool Statement::begins_number(const Word& word) const {
+  if (word.quoted || word.text.empty()) return false;
+  const char c = word.text[0];
+  if (std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == '+' || c == '(' || c == '{') return true;
+  size_t end = 0;
+  while (end < word.text.size() && (std::isalnum(static_cast<unsigned char>(word.text[end])) != 0 || word.text[end] == '_')) ++end;
+  const std::string name = word.text.substr(0, end);
+  return parameters_.count(name) > 0 || name == "pi" || (end < word.text.size() && word.text[end] == '(');
+}
+
+bool Statement::accept_number(double& value) {
+  if (!has_more() || !begins_number(words_[next_])) return false;
+  value = number("a number");
+  return true;
+}
+
+const Word& Statement::take(const std::string& expected) {
+  if (has_more()) return words_[next_++];
+  const Place last = words_.back().at;
+  throw Fault{{last.line, last.end + 1, last.end + 1}, "the statement ends here, expected " + expected};
+}
+
+std::string Statement::name(const std::string& expected) {
+  const Word& word = take(expected);
+  bool fits = !word.text.empty() && std::isalpha(static_cast<unsigned char>(word.text[0])) != 0;
+  for (const char c : word.text) fits = fits && (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-');
+  if (!fits && !word.quoted) throw Fault{word.at, quoted(word.text) + ": expected " + expected};
+  return word.text;
+}
+
+double Statement::number(const std::string& what) {
+  const Word& word = take(what);
+  if (!begins_number(word)) throw Fault{word.at, quoted(word.text) + ": expected " + what};
+  const double value = Expression(word, parameters_).value();
+  if (!std::isfinite(value)) throw Fault{word.at, quoted(word.text) + " is not a finite number, expected " + what};
+  return value;
+}
+
+double Statement::positive(const std::string& what) {
+  const double value = number(what);
+  if (!(value > 0)) fail(show(value) + ": expected " + what + ", above 0");
+  return value;
+}
+
+Point Statement::point(const std::string& what) {
+  const double x = number("x of " + what);
+  return {x, number("y of " + what)};
+}
+
+Expression Statement::formula(const std::string& what, const std::string& variable) {
+  return Expression(take(what), parameters_, variable);
+}
+
+size_t Statement::choice(std::initializer_list<const char*> words) {
+  std::string expected;
+  for (const char* word : words) expected += (expected.empty() ? "" : word == *(words.end() - 1) ? " or " : ", ") + std::string(word);
+  const Word& word = take(expected);
+  size_t index = 0;
+  for (const char* one : words) {
+    if (word.text == one) return index;
+    ++index;
+  }
+  throw Fault{word.at, quoted(word.text) + ": expected " + expected};
+}
+
+std::string Statement::rest() {
+  std::string out;
+  for (; has_more(); ++next_) out += (out.empty() ? "" : " ") + words_[next_].text;
+  return out;
+}
+
+void Statement::end() const {
+  if (has_more()) throw Fault{words_[next_].at, quoted(words_[next_].text) + ": expected nothing more"};
+}
+
+void Statement::fail(const std::string& text) const { throw Fault{words_[next_ - 1].at, text}; }
+
+} // namespace sketch

@@ -1,0 +1,62 @@
+#include "program/sketch/words.hpp"
+
+#include <charconv>
+
+namespace sketch {
+namespace {
+
+bool is_separator(char c) { return c == ' ' || c == '\t' || c == ',' || c == '=' || c == '\r'; }
+
+int column_of(size_t at) { return static_cast<int>(at) + 1; }
+
+// The end of what begins at `at` with a quote.
+size_t end_of_quote(std::string_view text, size_t at, int line) {
+  const size_t end = text.find('"', at + 1);
+  if (end == std::string_view::npos) throw Fault{{line, column_of(at), column_of(at)}, "a quote that is not closed"};
+  return end + 1;
+}
+
+// The end of a word that begins at `at`: brackets may hold separators.
+size_t end_of_word(std::string_view text, size_t at, int line) {
+  std::vector<size_t> open;
+  size_t i = at;
+  for (; i < text.size() && text[i] != '!'; ++i) {
+    const char c = text[i];
+    if (open.empty() && (is_separator(c) || c == ';' || c == '"')) break;
+    if (c == '(' || c == '{') open.push_back(i);
+    if (c != ')' && c != '}') continue;
+    if (open.empty() || (text[open.back()] == '(') != (c == ')'))
+      throw Fault{{line, column_of(i), column_of(i)}, std::string("a '") + c + "' that closes nothing"};
+    open.pop_back();
+  }
+  if (!open.empty())
+    throw Fault{{line, column_of(open.back()), column_of(open.back())}, std::string("a '") + text[open.back()] + "' that is not closed"};
+  return i;
+}
+
+} // namespace
+
+std::vector<Word> words_of(std::string_view text, int line) {
+  std::vector<Word> out;
+  for (size_t i = 0; i < text.size() && text[i] != '!';) {
+    if (is_separator(text[i])) {
+      ++i;
+      continue;
+    }
+    const bool quote = text[i] == '"';
+    const size_t end = quote ? end_of_quote(text, i, line) : text[i] == ';' ? i + 1 : end_of_word(text, i, line);
+    const std::string_view word = quote ? text.substr(i + 1, end - i - 2) : text.substr(i, end - i);
+    out.push_back({std::string(word), {line, column_of(i), column_of(end) - 1}, quote});
+    i = end;
+  }
+  return out;
+}
+
+std::string show(double value) {
+  char text[32];
+  return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
+}
+
+std::string quoted(const std::string& text) { return "'" + text + "'"; }
+
+} // namespace sketch

@@ -1,0 +1,33 @@
+// The text of a sketch as words with their places. A line is a statement; `!` begins a comment; blanks, tabs, commas and `=`
+// separate words, outside brackets and quotes; a semicolon is a word of its own.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sketch {
+
+struct Place { // columns from 1, both inclusive; line 0: nowhere
+  int line = 0, column = 0, end = 0;
+};
+
+// What is wrong with a sketch. Thrown while a statement is read, which is then left; several may be found in one sketch.
+struct Fault {
+  Place at;
+  std::string text;
+};
+
+struct Word {
+  std::string text;
+  Place at;
+  bool quoted = false;
+};
+
+// Words of a line, numbered `line`. Throws a Fault for a quote or a bracket that is not closed.
+std::vector<Word> words_of(std::string_view text, int line);
+
+std::string show(double value);              // as few digits as read as the same double
+std::string quoted(const std::string& text); // 'text'
+
+} // namespace sketch
