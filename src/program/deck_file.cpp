@@ -32,6 +32,20 @@ int32_t put_card(std::string_view card, char* text, int32_t size) {
 
 } // namespace
 
+void DeckFile::find_cards() {
+  starts_.clear();
+  for (size_t at = 0; at < text_.size();) {
+    starts_.push_back(at);
+    const size_t end = text_.find('\n', at);
+    at = end == std::string::npos ? text_.size() : end + 1;
+  }
+}
+
+void DeckFile::replace(const std::string& text) {
+  text_ = text;
+  find_cards();
+}
+
 bool DeckFile::read(const std::string& name, c2d_error& fault) {
   name_ = name == "-" ? "standard input" : name;
   const int file = name == "-" ? 0 : ::open(name.c_str(), O_RDONLY | O_CLOEXEC);
@@ -48,11 +62,7 @@ bool DeckFile::read(const std::string& name, c2d_error& fault) {
     set_fault(fault, C2D_ERR_READ, std::string("cannot be read: ") + std::strerror(code));
     return false;
   }
-  for (size_t at = 0; at < text_.size();) {
-    starts_.push_back(at);
-    const size_t end = text_.find('\n', at);
-    at = end == std::string::npos ? text_.size() : end + 1;
-  }
+  find_cards();
   const size_t zero = text_.find('\0');
   if (zero == std::string::npos) return true;
   size_t line = 1;

@@ -20,6 +20,7 @@ public:
 
   const std::string& name() const { return name_; }
   void call(const std::string& name) { name_ = name; }
+  void replace(const std::string& text); // by the deck of a sketch
   const std::string& text() const { return text_; }
   size_t cards() const { return starts_.size(); }
   // Card `line` (from 1) without its line end; empty if there is no such card.
@@ -32,6 +33,7 @@ public:
   static int32_t read_line(void* context, char* text, int32_t size);
 
 private:
+  void find_cards();
   std::string name_, text_;
   std::vector<size_t> starts_; // where each card begins
   size_t next_ = 1;

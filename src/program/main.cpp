@@ -7,6 +7,7 @@
 #include "program/options.hpp"
 #include "program/restart.hpp"
 #include "program/run.hpp"
+#include "program/sketch_file.hpp"
 
 #include <contact2d.h>
 
@@ -32,6 +33,7 @@ int run_command(const app::Options& options) {
   case app::Command::kRun: return app::run_deck(options);
   case app::Command::kCheck: return app::check_deck(options);
   case app::Command::kMake: return app::make_deck(options);
+  case app::Command::kMesh: return app::write_mesh(options);
   case app::Command::kConvert: return app::convert_deck(options);
   case app::Command::kResume: return resume(options);
   case app::Command::kVersion: return print((std::string("contact2d ") + c2d_version() + "\n").c_str());

@@ -17,6 +17,7 @@ struct Known {
 };
 const Known kRunOptions[] = {{"--points", true},    {"--figures", true},      {"--stepping", true}, {"--quadrature", true},
                              {"--symmetry", true},  {"--memory", true},       {"--store", true},    {"--threads", true},
+                             {"--set", true},
                              {"--progress", false}, {"--no-progress", false}, {"--keep", false}};
 
 bool choose(const std::string& value, const char* first, const char* second, int32_t& choice) {
@@ -44,6 +45,7 @@ bool set_option(Options& o, const std::string& name, const std::string& value, s
   if (name == "--progress") o.progress = Progress::kAlways;
   if (name == "--no-progress") o.progress = Progress::kNever;
   if (name == "--keep") o.keep = true;
+  if (name == "--set") o.settings.push_back(value);
   if (name == "--stepping" && !choose(value, "events", "deck", o.stepping)) return wrong("events or deck");
   if (name == "--quadrature" && !choose(value, "accurate", "thesis", o.quadrature)) return wrong("accurate or thesis");
   if (name == "--symmetry" && !choose(value, "deck", "images", o.symmetry)) return wrong("deck or images");
@@ -100,8 +102,9 @@ bool read_convert_option(const std::vector<std::string>& words, size_t& at, Opti
   } else if (at + 1 < words.size()) {
     value = words[++at];
   }
-  if (name != "--to" && name != "-o" && name != "--output") {
-    error = "convert takes no option " + name;
+  const bool mesh = options.command == Command::kMesh;
+  if (name != (mesh ? "--set" : "--to") && name != "-o" && name != "--output") {
+    error = (mesh ? "mesh takes no option " : "convert takes no option ") + name;
     return false;
   }
   if (value.empty()) {
@@ -112,7 +115,10 @@ bool read_convert_option(const std::vector<std::string>& words, size_t& at, Opti
     error = "--to " + value + ": expected fixed or free";
     return false;
   }
-  (name == "--to" ? options.convert_to : options.output) = value;
+  if (name == "--set")
+    options.settings.push_back(value);
+  else
+    (name == "--to" ? options.convert_to : options.output) = value;
   return true;
 }
 
@@ -165,7 +171,7 @@ bool read_size(const std::string& text, uint64_t& bytes) {
 bool read_options(int argc, const char* const* argv, Options& options, std::string& error) {
   const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
   if (words.empty()) {
-    error = "no command: expected run, check, convert, make, resume, --version or --help";
+    error = "no command: expected run, check, mesh, convert, make, resume, --version or --help";
     return false;
   }
   const std::string& command = words[0];
@@ -181,12 +187,14 @@ bool read_options(int argc, const char* const* argv, Options& options, std::stri
     return false;
   }
   if (command == "resume") return read_resume(words, options, error);
-  if (command != "run" && command != "check" && command != "convert") {
-    error = "unknown command " + command + ": expected run, check, convert, make, resume, --version or --help";
+  const std::pair<const char*, Command> known[] = {
+      {"run", Command::kRun}, {"check", Command::kCheck}, {"mesh", Command::kMesh}, {"convert", Command::kConvert}};
+  for (const auto& [name, which] : known)
+    if (command == name) options.command = which;
+  if (options.command == Command::kHelp) {
+    error = "unknown command " + command + ": expected run, check, mesh, convert, make, resume, --version or --help";
     return false;
   }
-  options.command = command == "run" ? Command::kRun : command == "check" ? Command::kCheck : Command::kConvert;
-
   bool options_end = false;
   for (size_t at = 1; at < words.size(); ++at) {
     const std::string& word = words[at];
@@ -197,11 +205,12 @@ bool read_options(int argc, const char* const* argv, Options& options, std::stri
         options.command = Command::kHelp;
         return true;
       }
-      if (options.command == Command::kCheck && word.compare(0, word.find('='), "--symmetry") != 0) {
+      if (options.command == Command::kCheck && word.compare(0, word.find('='), "--symmetry") != 0 &&
+          word.compare(0, word.find('='), "--set") != 0) {
         error = "check takes no option " + word;
         return false;
       }
-      if (options.command == Command::kConvert ? !read_convert_option(words, at, options, error)
+      if (options.command == Command::kConvert || options.command == Command::kMesh ? !read_convert_option(words, at, options, error)
                                                : !read_run_option(words, at, options, error))
         return false;
     } else if (!options.deck.empty()) {
@@ -250,7 +259,8 @@ namespace {
 
 const char kHelpBefore[] =
     "usage: contact2d run DECK [options]\n"
-    "       contact2d check DECK [--symmetry deck|images]\n"
+    "       contact2d check DECK [--symmetry deck|images] [--set NAME=VALUE]\n"
+    "       contact2d mesh SKETCH [--set NAME=VALUE] [-o FILE]\n"
     "       contact2d resume DIR\n"
     "       contact2d convert DECK [--to fixed|free] [-o FILE]\n"
     "       contact2d make NAME key=value ...\n"
@@ -261,6 +271,7 @@ const char kHelpBefore[] =
     "in the "
     "other\n"
     "form (fixed columns or free) without changing a number. DECK may be - for standard input.\n"
+    "A DECK may be a sketch: shapes without a mesh. mesh writes the deck that is made of it.\n"
     "make writes the deck of a problem known by name to standard output; --list tells names and keys.\n"
     "\n"
     "resume goes on after a crash of a run with --store file:DIR: the deck, the options and the tapes are in DIR;\n"
@@ -284,6 +295,7 @@ const char kHelpAfter[] =
     "  --store WHERE      memory, or file:DIR; default: memory if it fits, else a folder under $TMPDIR\n"
     "  --threads N        tasks at once in assembly, elimination and at interior points, 1 to 64; default 1. No\n"
     "                     result depends on it\n"
+    "  --set NAME=VALUE   the value of a parameter of a sketch, instead of the one that stands there\n"
     "  --progress, --no-progress\n"
     "                     a line on standard error; default: only on a terminal\n"
     "  --keep             leave the tapes in their folder\n"

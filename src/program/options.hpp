@@ -9,7 +9,7 @@
 
 namespace app {
 
-enum class Command { kRun, kCheck, kConvert, kMake, kResume, kVersion, kHelp };
+enum class Command { kRun, kCheck, kMesh, kConvert, kMake, kResume, kVersion, kHelp };
 enum class Progress { kAutomatic, kAlways, kNever };
 
 // Outputs that are single files. Each is named here and in kOutputTable (options.cpp), nowhere else.
@@ -28,11 +28,12 @@ struct Options {
   std::string folder;                                     // of resume
   std::vector<std::pair<std::string, std::string>> given; // options of run as they were given, with their values
   std::vector<std::string> words;                         // of make: the family and its settings, or --list
+  std::vector<std::string> settings;                      // name=value of --set, for the parameters of a sketch
   std::array<std::string, kOutputs> files;                // by Output; empty: not asked for; "-": standard output
   std::string points;                                     // CSV that is read; "-": standard input
   std::string figures;                                    // folder; empty: not asked for
   std::string store;                                      // empty: chosen by size; "memory"; "file:DIR"
-  std::string convert_to, output;                         // of convert: empty (the other form), "fixed", "free"; FILE
+  std::string convert_to, output;                         // of convert: empty (the other form), "fixed", "free"; FILE, of mesh too
   uint64_t memory = 0;                                    // workspace bytes; 0: chosen by size
   int32_t threads = 1;
   int32_t stepping = 0, quadrature = 0, symmetry = 0; // C2D_STEPPING_, C2D_QUADRATURE_, C2D_SYMMETRY_

@@ -20,8 +20,9 @@ public:
   Session& operator=(const Session&) = delete;
 
   // Each step prints what is wrong and returns the program's exit status, 0 to go on.
-  // The deck into memory, and every fault of its cards; it is called `shown`, if that is not empty.
-  int read_file(const std::string& name, const std::string& shown = std::string());
+  // The deck, or that of a sketch with these parameters, into memory, and every fault of its cards; it is called `shown`, if
+  // that is not empty.
+  int read_file(const std::string& name, const std::vector<std::string>& settings, const std::string& shown = std::string());
   int take_memory(uint64_t wanted);                                           // workspace; 0 bytes wanted: chosen by size
   int read_model(const c2d_port& port, int32_t symmetry = C2D_SYMMETRY_DECK); // the solver, and the model in it
   // Prints why the library's last call failed; returns the exit status.
