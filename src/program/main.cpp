@@ -7,7 +7,7 @@
 #include "program/options.hpp"
 #include "program/restart.hpp"
 #include "program/run.hpp"
-#include "program/sketch_file.hpp"
+#include "program/drawn_deck.hpp"
 
 #include <contact2d.h>
 

@@ -2,7 +2,7 @@
 
 #include "program/exit_code.hpp"
 #include "program/interrupt.hpp"
-#include "program/sketch_file.hpp"
+#include "program/drawn_deck.hpp"
 
 namespace app {
 

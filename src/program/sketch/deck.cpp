@@ -18,6 +18,8 @@ std::string number(double value) {
 
 using Values = std::array<double, 4>; // tx ty ux uy
 
+constexpr double kOpen = 0.6; // the least cosine of the angle between surfaces that may touch
+
 // The condition of an element's node, of all load cases.
 struct End {
   int element, local; // from 1
@@ -51,9 +53,13 @@ private:
   void cases();
   void history();
   std::vector<Run> runs(const Side& side) const;
+  std::vector<Point> ends_of(int body, const Run& run) const;
+  std::vector<Run> facing(const Run& run, int body, const Run& other, int other_body) const;
   void zones();
+  int elements_of_run(int body, const Run& run) const { return static_cast<int>(ends_of(body, run).size()) - 1; }
   void curves();
-  void drives();
+  void rigid_bodies();
+  void platens();
 
   const Sketch& s_;
   const Mesh& mesh_;
@@ -177,16 +183,6 @@ std::vector<End> Writer::ends(size_t b) const {
 
 void Writer::conditions(size_t b) {
   const std::vector<End>& all = ends_[b];
-  const auto codes = [&](size_t k) { // at a joint a displacement is known if either side holds it
-    std::array<int, 4> out{{all[k].held[0] ? 1 : 0, all[k].held[1] ? 1 : 0, 1, 1}};
-    for (size_t i = 0; i < 2; ++i) {
-      bool known = all[k].held[i];
-      for (const Values& v : all[k].values) known = known || v[i + 2] != 0;
-      out[i + 2] = known ? 0 : 1;
-    }
-    return out;
-  };
-  (void)codes;
   std::vector<std::string> cards;
   const size_t step = static_cast<size_t>(nodes());
   // Which displacements are known at the node of an end: its own, or its neighbour's at a joint.
@@ -227,7 +223,8 @@ void Writer::conditions(size_t b) {
   std::vector<std::string> loads;
   for (const PointLoad& p : s_.point_loads)
     if (p.body == static_cast<int>(b) && p.load_case == 0)
-      loads.push_back(std::to_string(loads.size() + 1) + number(p.where.x) + number(p.where.y) + number(p.force.x) + number(p.force.y));
+      loads.push_back(std::to_string(loads.size() + 1) + number(p.where.x) + number(p.where.y) + number(p.force.x) +
+                      number(p.force.y));
   comment("point loads");
   card(std::to_string(loads.size()));
   for (const std::string& text : loads) card(text);
@@ -244,14 +241,16 @@ void Writer::cases() {
       for (const End& end : all) {
         const Values& v = end.values[c];
         if (v == Values{}) continue;
-        std::string text = "condition " + std::to_string(b + 1) + " " + std::to_string(end.element) + " " + std::to_string(end.local);
+        std::string text =
+            "condition " + std::to_string(b + 1) + " " + std::to_string(end.element) + " " + std::to_string(end.local);
         for (const double value : v) text += number(value);
         card(text);
       }
     }
     for (const PointLoad& p : s_.point_loads)
       if (p.load_case == static_cast<int>(c))
-        card("load " + std::to_string(p.body + 1) + number(p.where.x) + number(p.where.y) + number(p.force.x) + number(p.force.y));
+        card("load " + std::to_string(p.body + 1) + number(p.where.x) + number(p.where.y) + number(p.force.x) +
+             number(p.force.y));
   }
 }
 
@@ -297,26 +296,82 @@ std::vector<Writer::Run> Writer::runs(const Side& side) const {
   return out;
 }
 
+// The ends of a run's elements, one more than it has.
+std::vector<Point> Writer::ends_of(int body, const Run& run) const {
+  std::vector<Point> out;
+  int element = 0;
+  for (const MeshedOutline& outline : mesh_.bodies[static_cast<size_t>(body)])
+    for (const MeshedCurve& curve : outline.curves)
+      for (size_t e = 0; e < curve.elements(); ++e) {
+        ++element;
+        const bool inside = run.round && run.first > run.last ? element >= run.first || element <= run.last
+                                                              : element >= run.first && element <= run.last;
+        if (!inside) continue;
+        if (out.empty()) out.push_back(curve.curve->shape->at(curve.measure.u_at(curve.ends[e])));
+        out.push_back(curve.curve->shape->at(curve.measure.u_at(curve.ends[e + 1])));
+      }
+  return out;
+}
+
+// What of a run faces another and may come near it: the normals are less than kOpen from opposite, and the way across ends
+// within the other run.
+std::vector<Writer::Run> Writer::facing(const Run& run, int body, const Run& other, int other_body) const {
+  const std::vector<Point> own = ends_of(body, run), wall = ends_of(other_body, other);
+  const auto faces = [&](size_t e) {
+    const Point along = own[e + 1] - own[e];
+    for (const double f : {0.0, 1.0}) {
+      const Point p = own[e] + f * along;
+      double nearest = HUGE_VAL, opposite = 0;
+      bool within = false;
+      for (size_t k = 0; k + 1 < wall.size(); ++k) {
+        const Point d = wall[k + 1] - wall[k];
+        const double t = dot(p - wall[k], d) / dot(d, d), at = std::clamp(t, 0.0, 1.0);
+        const double gap = length(p - (wall[k] + at * d));
+        if (gap >= nearest * (1 - 1e-12)) continue;
+        nearest = gap, opposite = -dot(d, along) / (length(d) * length(along));
+        within = (k > 0 || t > -1e-6) && (k + 2 < wall.size() || t < 1 + 1e-6);
+      }
+      if (!within || opposite < kOpen) return false;
+    }
+    return true;
+  };
+  std::vector<Run> out;
+  for (size_t e = 0; e + 1 < own.size(); ++e) {
+    const int element = run.first + static_cast<int>(e);
+    if (!faces(e)) continue;
+    if (!out.empty() && out.back().last + 1 == element)
+      out.back().last = element;
+    else
+      out.push_back({element, element, false, own[e], own[e + 1]});
+  }
+  return out;
+}
+
 void Writer::zones() {
   int zone = 0;
   std::string ties, frictions;
   for (const Interface& interface : s_.interfaces) {
-    const bool swap = s_.bodies[static_cast<size_t>(interface.side[1].body)].rigid;
-    const Side &one = interface.side[swap ? 1 : 0], &two = interface.side[swap ? 0 : 1];
-    for (const Run& b : runs(two))
-      for (const Run& a : runs(one)) {
-        ++zone;
-        const std::string second = two.body == one.body ? "-" : "";
-        card("*ZONE BODIES " + std::to_string(one.body + 1) + " " + second + std::to_string(two.body + 1) + " " +
-             std::to_string(a.first) + " " + std::to_string(a.last) + " " + std::to_string(b.first) + " " + std::to_string(b.last));
-        const std::string name =
-            !interface.name.empty() ? interface.name : interface.side[0].names[0] + " on " + interface.side[1].names[0];
-        ties += (interface.tied ? "*TIE " + std::to_string(zone) + "\n" : "");
-        frictions += interface.tied || interface.friction == 0
-                         ? ""
-                         : std::to_string(zone) + (std::isinf(interface.friction) ? " INF" : number(interface.friction)) + "\n";
-        ties += "*NAME ZONE " + std::to_string(zone) + " " + name.substr(0, 31) + "\n";
-      }
+    const int first = first_side(s_, interface);
+    const Side &one = interface.side[first], &two = interface.side[1 - first];
+    const int before = zone;
+    for (const Run& whole : runs(two))
+      for (const Run& a : runs(one))
+        for (const Run& b : facing(whole, two.body, a, one.body)) {
+          ++zone;
+          const std::string second = two.body == one.body ? "-" : "";
+          card("*ZONE BODIES " + std::to_string(one.body + 1) + " " + second + std::to_string(two.body + 1) + " " +
+               std::to_string(a.first) + " " + std::to_string(a.last) + " " + std::to_string(b.first) + " " +
+               std::to_string(b.last));
+          const std::string name =
+              !interface.name.empty() ? interface.name : interface.side[0].names[0] + " on " + interface.side[1].names[0];
+          ties += (interface.tied ? "*TIE " + std::to_string(zone) + "\n" : "");
+          frictions +=
+              interface.tied || interface.friction == 0
+                  ? ""
+                  : std::to_string(zone) + (std::isinf(interface.friction) ? " INF" : number(interface.friction)) + "\n";
+          ties += "*NAME ZONE " + std::to_string(zone) + " " + name.substr(0, 31) + "\n";
+        }
+    if (zone == before) throw Fault{interface.at, "the two sides do not face each other anywhere"};
   }
   out_ += ties;
   if (!frictions.empty()) out_ += "*FRICTION\n" + frictions;
@@ -335,41 +390,78 @@ void Writer::curves() {
           for (const Side& side : interface.side)
             touches = touches || (!interface.tied && side.body == static_cast<int>(b) && side.has(curve.curve->name));
         if (!touches) continue;
-        const Form form = curve.curve->shape->form();
-        card(std::string("*CURVE ") + (form == Form::kLine ? "LINE " : form == Form::kArc ? "ARC " : "SPLINE ") + std::to_string(b + 1) +
-             " " + std::to_string(first) + " " + std::to_string(element));
+        const Shape& shape = *curve.curve->shape;
+        std::string text = shape.form() == Form::kLine ? "LINE " : shape.form() == Form::kArc ? "ARC " : "SPLINE ";
+        text += std::to_string(b + 1) + " " + std::to_string(first) + " " + std::to_string(element);
+        if (shape.form() == Form::kArc) {
+          const double bend = shape.curvature(0.5);
+          const Point centre = shape.at(0.5) + (1 / bend) * turned_left(shape.tangent(0.5));
+          text += number(centre.x) + number(centre.y) + number(1 / std::fabs(bend));
+        }
+        card("*CURVE " + text);
       }
   }
 }
 
-// Rigid bodies: which motions are free, what is given of the others, and what acts.
-void Writer::drives() {
+// Rigid bodies: what no statement gives of their motions is free, all of it is held if there is no statement.
+void Writer::rigid_bodies() {
   for (size_t b = 0; b < s_.bodies.size(); ++b) {
     if (!s_.bodies[b].rigid) continue;
-    std::array<bool, 3> free{}, given{};
+    std::array<bool, 3> given{};
     Point about;
+    bool driven = false;
     std::string motions, loads;
     for (const Drive& d : s_.drives) {
       if (d.side || d.body != static_cast<int>(b)) continue;
-      about = d.about;
+      about = d.about, driven = true;
       std::string motion = std::to_string(d.load_case + 1), load = motion;
       for (size_t i = 0; i < 3; ++i) {
-        free[i] = free[i] || d.load[i], given[i] = given[i] || d.motion[i];
+        given[i] = given[i] || d.motion[i];
         motion += number(d.motion[i].value_or(0)), load += number(d.load[i].value_or(0));
       }
-      if (d.motion[0] || d.motion[1] || d.motion[2]) motions += motion + number(d.about.x) + number(d.about.y) + "\n";
+      if (d.motion[0] || d.motion[1] || d.motion[2]) motions += motion + number(about.x) + number(about.y) + "\n";
       if (d.load[0] || d.load[1] || d.load[2]) loads += load + "\n";
     }
     const std::string body = " " + std::to_string(b + 1);
-    if (!free[0] && !free[1] && !free[2]) {
-      out_ += "*RIGID" + body + "\n" + motions;
-      continue;
-    }
-    if (!motions.empty()) out_ += "*RIGID" + body + "\n" + motions;
+    const bool free = driven && !(given[0] && given[1] && given[2]);
+    if (!free || !motions.empty()) out_ += "*RIGID" + body + "\n" + motions;
+    if (!free) continue;
     const char* const words[3] = {" X", " Y", " TURN"};
     out_ += "*RIGID LOAD" + body + number(about.x) + number(about.y);
-    for (size_t i = 0; i < 3; ++i) out_ += free[i] ? words[i] : "";
+    for (size_t i = 0; i < 3; ++i) out_ += given[i] ? "" : words[i];
     out_ += "\n" + loads;
+  }
+}
+
+// Platens in the order of the statements; those with one side are one, in several load cases.
+void Writer::platens() {
+  const char* const motions[3] = {" UX", " UY", " TURN"};
+  const char* const loads[3] = {" FX", " FY", " MOMENT"};
+  const auto same = [](const Drive& a, const Drive& b) {
+    return a.side->body == b.side->body && a.side->names == b.side->names;
+  };
+  for (size_t i = 0; i < s_.drives.size(); ++i) {
+    const Drive& first = s_.drives[i];
+    if (!first.side) continue;
+    bool told = false;
+    for (size_t k = 0; k < i; ++k) told = told || (s_.drives[k].side && same(first, s_.drives[k]));
+    if (told) continue;
+    const std::vector<Run> all = runs(*first.side);
+    if (all.size() != 1)
+      throw Fault{first.at, "the curves of a platen do not follow each other, expected one stretch of the outline"};
+    const int count = all[0].first <= all[0].last ? 0 : elements_of_run(first.side->body, all[0]);
+    card("*PLATEN " + std::to_string(first.body + 1) + " " + std::to_string(all[0].first) + " " + std::to_string(all[0].last) +
+         number(first.about.x) + number(first.about.y) + (count > 0 ? " " + std::to_string(count) : ""));
+    for (size_t k = i; k < s_.drives.size(); ++k) {
+      const Drive& d = s_.drives[k];
+      if (!d.side || !same(first, d)) continue;
+      std::string text = std::to_string(d.load_case + 1);
+      for (size_t c = 0; c < 3; ++c) {
+        if (d.motion[c]) text += motions[c] + number(*d.motion[c]);
+        if (d.load[c]) text += loads[c] + number(*d.load[c]);
+      }
+      card(text);
+    }
   }
 }
 
@@ -389,17 +481,17 @@ std::string Writer::write() {
   for (size_t axis = 0; axis < 2; ++axis)
     if (s_.symmetry[axis]) card(std::string("*SYMMETRY ") + (axis == 0 ? "X" : "Y") + number(*s_.symmetry[axis]));
   zones();
+  platens();
   curves();
-  drives();
+  rigid_bodies();
   for (const BodyForce& f : s_.body_forces)
-    card("*BODY FORCE " + std::to_string(f.body + 1) + " " + std::to_string(f.load_case + 1) + number(f.weight.x) + number(f.weight.y) +
-         (f.rho_omega2 == 0 ? "" : number(f.rho_omega2) + number(f.centre.x) + number(f.centre.y)));
+    card("*BODY FORCE " + std::to_string(f.body + 1) + " " + std::to_string(f.load_case + 1) + number(f.weight.x) +
+         number(f.weight.y) + (f.rho_omega2 == 0 ? "" : number(f.rho_omega2) + number(f.centre.x) + number(f.centre.y)));
   cases();
   if (!s_.interfaces.empty()) history();
   if (!s_.points.empty()) {
     card("*POINTS");
-    for (const auto& p : s_.points)
-      card("point " + std::to_string(static_cast<int>(p[0]) + 1) + number(p[1]) + number(p[2]));
+    for (const auto& p : s_.points) card("point " + std::to_string(static_cast<int>(p[0]) + 1) + number(p[1]) + number(p[2]));
   }
   return out_;
 }

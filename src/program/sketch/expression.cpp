@@ -55,16 +55,14 @@ struct Function {
   Jet (*one)(const Jet&);
   Jet (*two)(const Jet&, const Jet&);
 };
-const Function kFunctions[] = {{"sin", 1, sine, nullptr},         {"cos", 1, cosine, nullptr},
-                               {"tan", 1, tangent, nullptr},      {"asin", 1, arc_sine, nullptr},
-                               {"acos", 1, arc_cosine, nullptr},  {"atan", 1, arc_tangent, nullptr},
-                               {"sqrt", 1, square_root, nullptr}, {"exp", 1, exponential, nullptr},
-                               {"log", 1, logarithm, nullptr},    {"abs", 1, absolute, nullptr},
-                               {"atan2", 2, nullptr, angle_of},   {"min", 2, nullptr, lesser},
-                               {"max", 2, nullptr, greater},      {"-", 1, negate, nullptr},
-                               {"+", 2, nullptr, add},            {"-", 2, nullptr, subtract},
-                               {"*", 2, nullptr, multiply},       {"/", 2, nullptr, divide},
-                               {"^", 2, nullptr, power}};
+const Function kFunctions[] = {
+    {"sin", 1, sine, nullptr},         {"cos", 1, cosine, nullptr},      {"tan", 1, tangent, nullptr},
+    {"asin", 1, arc_sine, nullptr},    {"acos", 1, arc_cosine, nullptr}, {"atan", 1, arc_tangent, nullptr},
+    {"sqrt", 1, square_root, nullptr}, {"exp", 1, exponential, nullptr}, {"log", 1, logarithm, nullptr},
+    {"abs", 1, absolute, nullptr},     {"atan2", 2, nullptr, angle_of},  {"min", 2, nullptr, lesser},
+    {"max", 2, nullptr, greater},      {"-", 1, negate, nullptr},        {"+", 2, nullptr, add},
+    {"-", 2, nullptr, subtract},       {"*", 2, nullptr, multiply},      {"/", 2, nullptr, divide},
+    {"^", 2, nullptr, power}};
 
 int find_function(const std::string& name, int arguments) { // 0: any number
   for (int i = 0; i < static_cast<int>(std::size(kFunctions)); ++i)
@@ -96,7 +94,8 @@ private:
   };
   [[noreturn]] void fail(size_t first, size_t last, const std::string& text) const {
     const int begin = word_.at.column + (word_.quoted ? 1 : 0);
-    throw Fault{{word_.at.line, begin + static_cast<int>(first), begin + static_cast<int>(last)}, quoted(word_.text) + ": " + text};
+    throw Fault{{word_.at.line, begin + static_cast<int>(first), begin + static_cast<int>(last)},
+                quoted(word_.text) + ": " + text};
   }
   char peek() {
     while (at_ < word_.text.size() && (word_.text[at_] == ' ' || word_.text[at_] == '\t')) ++at_;

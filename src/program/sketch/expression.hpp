@@ -1,5 +1,5 @@
-// Arithmetic in a sketch: + - * / ^, brackets, functions, `pi`, `deg` (of an angle: 30*deg), parameters by name, and at most one
-// variable. A value comes with its first two derivatives by the variable, so that a curve may be given by formulas.
+// Arithmetic in a sketch: + - * / ^, brackets, functions, `pi`, `deg` (of an angle: 30*deg), parameters by name, and at most
+// one variable. A value comes with its first two derivatives by the variable, so that a curve may be given by formulas.
 #pragma once
 
 #include "program/sketch/words.hpp"

@@ -41,6 +41,7 @@ private:
   void gaps(const Interface& interface);
   void spread(const MeshedOutline& outline, size_t first);
   void divide(MeshedCurve& curve, const Sizes& sizes) const;
+  void align(const Interface& interface);
 
   const Sketch& s_;
   double fineness_;
@@ -141,19 +142,23 @@ void Mesher::gaps(const Interface& interface) {
             sides[side].push_back(index);
         ++index;
       }
-  for (int side = 0; side < 2; ++side)
-    for (const size_t c : sides[side]) {
-      Sizes& s = sizes_[c];
-      const double whole = s.step * static_cast<double>(s.h.size() - 1);
-      for (size_t k = 0; k < s.at.size(); ++k) {
-        double gap = HUGE_VAL, other = HUGE_VAL;
-        for (const size_t o : sides[1 - side])
-          for (size_t j = 0; j < sizes_[o].at.size(); ++j)
-            if (const double d = length(sizes_[o].at[j] - s.at[k]); d < gap) gap = d, other = sizes_[o].h[j];
-        const double least = interface.tied ? whole / 12 : std::max(kTouching * whole, kGrowth * std::sqrt(gap * whole));
-        s.h[k] = std::min({s.h[k], std::max(least, kTouching * whole), other + kGrowth * gap});
-      }
-    }
+  double whole = HUGE_VAL; // the length of the shorter side
+  for (const auto& side : sides) {
+    double length = 0;
+    for (const size_t c : side) length += sizes_[c].step * static_cast<double>(sizes_[c].h.size() - 1);
+    whole = std::min(whole, length);
+  }
+  for (int round = 0; round < 2; ++round) // first by gaps, then as small as the elements opposite
+    for (int side = 0; side < 2; ++side)
+      for (const size_t c : sides[side])
+        for (size_t k = 0; k < sizes_[c].at.size(); ++k) {
+          double gap = HUGE_VAL, other = HUGE_VAL;
+          for (const size_t o : sides[1 - side])
+            for (size_t j = 0; j < sizes_[o].at.size(); ++j)
+              if (const double d = length(sizes_[o].at[j] - sizes_[c].at[k]); d < gap) gap = d, other = sizes_[o].h[j];
+          const double own = interface.tied ? whole / 12 : std::max(kTouching * whole, kGrowth * std::sqrt(gap * whole));
+          sizes_[c].h[k] = std::min(sizes_[c].h[k], round == 0 ? own : other + kGrowth * gap);
+        }
 }
 
 // As many elements as the integral of 1 / h, each with its share of it.
@@ -169,6 +174,59 @@ void Mesher::divide(MeshedCurve& curve, const Sizes& sizes) const {
     curve.ends.push_back(sizes.step * (static_cast<double>(k) - 1 + (count - sum[k - 1]) / (sum[k] - sum[k - 1])));
   }
   curve.ends.push_back(curve.measure.length());
+}
+
+// The length along a curve where it is nearest to a point: a sample, then Newton's method on the distance.
+double nearest_length(const MeshedCurve& curve, Point p) {
+  const Shape& shape = *curve.curve->shape;
+  const int n = 64 + 4 * shape.pieces();
+  double best = 0, least = HUGE_VAL;
+  for (int i = 0; i <= n; ++i)
+    if (const double d = length(shape.at(static_cast<double>(i) / n) - p); d < least)
+      least = d, best = static_cast<double>(i) / n;
+  for (int step = 0; step < 20; ++step) {
+    const Shape::Local l = shape.local(best);
+    const double slope = dot(l.d, l.d) + dot(l.at - p, l.dd), off = dot(l.at - p, l.d);
+    if (!(slope > 0)) break;
+    best = std::clamp(best - off / slope, 0.0, 1.0);
+  }
+  return curve.measure.length_to(best);
+}
+
+// Element ends of side 1 where those of side 2 face it, as far as they do.
+void Mesher::align(const Interface& interface) {
+  const int first = first_side(s_, interface);
+  const Side &one = interface.side[first], &two = interface.side[1 - first];
+  std::vector<Point> ends;
+  for (const MeshedOutline& outline : mesh_.bodies[static_cast<size_t>(two.body)])
+    for (const MeshedCurve& curve : outline.curves)
+      if (two.has(curve.curve->name))
+        for (const double s : curve.ends) ends.push_back(curve.curve->shape->at(curve.measure.u_at(s)));
+  for (MeshedOutline& outline : mesh_.bodies[static_cast<size_t>(one.body)])
+    for (MeshedCurve& curve : outline.curves) {
+      if (!one.has(curve.curve->name)) continue;
+      const double whole = curve.measure.length();
+      std::vector<double> there;
+      for (const Point& p : ends)
+        if (const double s = nearest_length(curve, p); s > 1e-9 * whole && s < (1 - 1e-9) * whole) there.push_back(s);
+      std::sort(there.begin(), there.end());
+      std::vector<double> out(1, 0.0);
+      const auto add = [&](double s, double room) { // ends that nearly coincide are one
+        if (s - out.back() > room && whole - s > room) out.push_back(s);
+      };
+      const double low = there.empty() ? whole : there.front(), high = there.empty() ? whole : there.back();
+      const auto step_at = [&](double s) { // of the elements as they are
+        const auto above = std::upper_bound(curve.ends.begin() + 1, curve.ends.end() - 1, s);
+        return *above - *(above - 1);
+      };
+      for (const double s : curve.ends)
+        if (s > 0 && s < low) add(s, 0.4 * std::min(step_at(s), std::fabs(low - s) + step_at(s)));
+      for (const double s : there) add(s, 0.2 * step_at(s));
+      for (const double s : curve.ends)
+        if (s > high && s < whole) add(s, 0.4 * step_at(s));
+      out.push_back(whole);
+      if (out.size() > 2) curve.ends = out;
+    }
 }
 
 Mesh Mesher::run() {
@@ -197,10 +255,15 @@ Mesh Mesher::run() {
   for (auto& outlines : mesh_.bodies)
     for (MeshedOutline& outline : outlines)
       for (MeshedCurve& curve : outline.curves) divide(curve, sizes_[index++]);
+  for (const Interface& interface : s_.interfaces) align(interface);
   return std::move(mesh_);
 }
 
 } // namespace
+
+int first_side(const Sketch& sketch, const Interface& interface) {
+  return sketch.bodies[static_cast<size_t>(interface.side[1].body)].rigid ? 1 : 0;
+}
 
 Mesh first_mesh(const Sketch& sketch, double fineness) { return Mesher(sketch, fineness).run(); }
 

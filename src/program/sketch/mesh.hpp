@@ -21,6 +21,9 @@ struct Mesh {
   std::vector<std::vector<MeshedOutline>> bodies;
 };
 
+// Which of its sides is side 1 of the zones: contact conditions hold at the nodes of the other, which is not rigid.
+int first_side(const Sketch& sketch, const Interface& interface);
+
 // Elements that follow curvature, and become smaller towards corners, in thin walls and narrow gaps. `fineness`: 1; 2 has
 // elements of half the size.
 Mesh first_mesh(const Sketch& sketch, double fineness);

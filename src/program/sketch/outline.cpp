@@ -29,7 +29,8 @@ std::vector<Chord> chords_of(const Body& body) {
       const Curve& curve = body.outlines[o].curves[i];
       const int n = corners_on(*curve.shape);
       for (int k = 0; k < n; ++k)
-        out.push_back({curve.shape->at(static_cast<double>(k) / n), curve.shape->at(static_cast<double>(k + 1) / n), &curve, o, i});
+        out.push_back(
+            {curve.shape->at(static_cast<double>(k) / n), curve.shape->at(static_cast<double>(k + 1) / n), &curve, o, i});
     }
   return out;
 }
@@ -54,6 +55,8 @@ public:
       const size_t before = faults_.size();
       for (const Outline& outline : body.outlines) check_outline(body, outline);
       if (faults_.size() == before) check_crossings(body);
+      for (const Outline& outline : body.outlines)
+        if (faults_.size() == before) check_direction(body, outline);
       if (faults_.size() == before) check_holes(body);
       if (faults_.size() == before) sound_.push_back(&body);
     }
@@ -69,6 +72,7 @@ private:
            (s_.symmetry[1] && std::fabs(p.y - *s_.symmetry[1]) < kJoint * size);
   }
   void check_outline(const Body& body, const Outline& outline);
+  void check_direction(const Body& body, const Outline& outline);
   void check_crossings(const Body& body);
   void check_holes(const Body& body);
   void check_overlap(const Body& a, const Body& b);
@@ -94,11 +98,15 @@ void Check::check_outline(const Body& body, const Outline& outline) {
                                              told(end) + ", " + told(to) + " begins at " + told(begin) + ", " +
                                              show(length(end - begin)) + " from there");
   }
+}
+
+void Check::check_direction(const Body& body, const Outline& outline) {
   if (outline.open) return;
-  const double area = area_of(polygon);
+  const double area = area_of(polygon_of(outline));
   if ((area > 0) == outline.hole)
     fault(outline.at, "body " + quoted(body.name) + ": " +
-                          (outline.hole ? "the hole runs counter-clockwise, expected clockwise" : "the outline runs clockwise, expected counter-clockwise") +
+                          (outline.hole ? "the hole runs counter-clockwise, expected clockwise"
+                                        : "the outline runs clockwise, expected counter-clockwise") +
                           ", with the material on the left");
 }
 
@@ -109,8 +117,8 @@ void Check::check_crossings(const Body& body) {
       Point at;
       if (!cross_at(chords[i], chords[j], at)) continue;
       return fault(chords[j].curve->at, "body " + quoted(body.name) + ": " + told(*chords[j].curve) + " crosses " +
-                                            (chords[i].curve == chords[j].curve ? "itself" : told(*chords[i].curve)) + " near " +
-                                            told(at));
+                                            (chords[i].curve == chords[j].curve ? "itself" : told(*chords[i].curve)) +
+                                            " near " + told(at));
     }
 }
 
@@ -152,7 +160,8 @@ void Check::check_overlap(const Body& a, const Body& b) {
       if (depth > deepest) deepest = depth, where = chord.a;
     }
     if (deepest > 0.01 * size)
-      return fault(b.at, "bodies " + quoted(a.name) + " and " + quoted(b.name) + " overlap by " + show(deepest) + " at " + told(where));
+      return fault(b.at, "bodies " + quoted(a.name) + " and " + quoted(b.name) + " overlap by " + show(deepest) + " at " +
+                             told(where));
   }
 }
 

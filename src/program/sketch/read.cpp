@@ -5,19 +5,23 @@
 
 namespace sketch {
 
-const Reader::Keyword Reader::kKeywords[] = {
-    {"title", &Reader::title},         {"units", &Reader::units},       {"plane", &Reader::plane},
-    {"functions", &Reader::functions}, {"parameter", &Reader::parameter}, {"symmetry", &Reader::symmetry},
-    {"body", &Reader::body},           {"outline", &Reader::outline},   {"hole", &Reader::hole},
-    {"from", &Reader::from},           {"line", &Reader::straight},     {"arc", &Reader::arc},
-    {"circle", &Reader::circle},       {"ellipse", &Reader::ellipse},   {"curve", &Reader::curve},
-    {"spline", &Reader::spline},       {"fillet", &Reader::fillet},     {"chamfer", &Reader::chamfer},
-    {"mirror", &Reader::mirror},       {"copy", &Reader::copy},         {"contact", &Reader::contact},
-    {"tie", &Reader::tie},             {"case", &Reader::load_case},    {"fix", &Reader::fix},
-    {"move", &Reader::move},           {"traction", &Reader::traction}, {"pressure", &Reader::pressure},
-    {"force", &Reader::force},         {"weight", &Reader::weight},     {"spin", &Reader::spin},
-    {"platen", &Reader::platen},       {"drive", &Reader::drive},       {"history", &Reader::history},
-    {"stress", &Reader::stress}};
+const Reader::Keyword Reader::kKeywords[] = {{"title", &Reader::title},         {"units", &Reader::units},
+                                             {"plane", &Reader::plane},         {"functions", &Reader::functions},
+                                             {"parameter", &Reader::parameter}, {"symmetry", &Reader::symmetry},
+                                             {"body", &Reader::body},           {"outline", &Reader::outline},
+                                             {"hole", &Reader::hole},           {"from", &Reader::from},
+                                             {"line", &Reader::straight},       {"arc", &Reader::arc},
+                                             {"circle", &Reader::circle},       {"ellipse", &Reader::ellipse},
+                                             {"curve", &Reader::curve},         {"spline", &Reader::spline},
+                                             {"fillet", &Reader::fillet},       {"chamfer", &Reader::chamfer},
+                                             {"mirror", &Reader::mirror},       {"copy", &Reader::copy},
+                                             {"contact", &Reader::contact},     {"tie", &Reader::tie},
+                                             {"case", &Reader::load_case},      {"fix", &Reader::fix},
+                                             {"move", &Reader::move},           {"traction", &Reader::traction},
+                                             {"pressure", &Reader::pressure},   {"force", &Reader::force},
+                                             {"weight", &Reader::weight},       {"spin", &Reader::spin},
+                                             {"platen", &Reader::platen},       {"drive", &Reader::drive},
+                                             {"history", &Reader::history},     {"stress", &Reader::stress}};
 
 bool is_sketch(const std::string& text) {
   size_t at = 0;
@@ -60,7 +64,8 @@ void Reader::read(const std::string& text) {
         statement(s);
       }
     } catch (const Fault& fault) {
-      faults_.push_back(fault);
+      if (!broken_) faults_.push_back(fault);
+      broken_ = in_body_;
     }
     at = end + 1;
   }

@@ -16,7 +16,8 @@ int Reader::body_named(const Word& word) const {
 Side Reader::side(Statement& s) {
   const Word word = s.take("curves of a body, such as pad.tip or pad.tip+flank");
   const size_t dot = word.text.find('.');
-  if (dot == std::string::npos) throw Fault{word.at, quoted(word.text) + ": expected a body, a point and its curves, such as pad.tip"};
+  if (dot == std::string::npos)
+    throw Fault{word.at, quoted(word.text) + ": expected a body, a point and its curves, such as pad.tip"};
   Side out;
   out.at = word.at;
   out.body = body_named({word.text.substr(0, dot), word.at, false});
@@ -63,8 +64,8 @@ void Reader::load_case(Statement& s) {
       case_ = static_cast<int>(c);
       return;
     }
-  const bool first_is_unused = s_.cases.size() == 1 && s_.cases[0].name.empty() && s_.conditions.empty() && s_.point_loads.empty() &&
-                               s_.body_forces.empty() && s_.drives.empty();
+  const bool first_is_unused = s_.cases.size() == 1 && s_.cases[0].name.empty() && s_.conditions.empty() &&
+                               s_.point_loads.empty() && s_.body_forces.empty() && s_.drives.empty();
   if (!first_is_unused) s_.cases.push_back({});
   case_ = static_cast<int>(s_.cases.size()) - 1;
   s_.cases.back().name = name;
@@ -141,15 +142,15 @@ void Reader::spin(Statement& s) {
   s_.body_forces.push_back(f);
 }
 
-// Of x, y and turn each is held, unless its motion or its load is given.
+// Of x, y and turn each has a motion that is given, or it is free and has a load, 0 if none is told.
 void Reader::drive_of(Statement& s, Drive d) {
   d.at = s.at(), d.load_case = case_;
   if (s.accept("about")) d.about = s.point("the point that the motion and the moment belong to");
   while (s.has_more()) {
-    const size_t kind = s.choice({"x", "y", "turn", "force", "moment"});
+    const size_t kind = s.choice({"x", "y", "turn", "force", "fx", "fy", "moment"});
     if (kind < 3) d.motion[kind] = s.number("how far it moves");
     if (kind == 3) d.load[0] = s.number("the force along x"), d.load[1] = s.number("the force along y");
-    if (kind == 4) d.load[2] = s.number("the moment");
+    if (kind > 3) d.load[kind - 4] = s.number(kind == 6 ? "the moment" : "the force");
   }
   for (size_t i = 0; i < 3; ++i)
     if (d.motion[i] && d.load[i]) s.fail("a motion and its load are both given, expected one of them");
@@ -168,7 +169,8 @@ void Reader::drive(Statement& s) {
   end_body();
   Drive d;
   d.body = body_named(s.take("the name of a rigid body"));
-  if (!s_.bodies[static_cast<size_t>(d.body)].rigid) s.fail("body " + quoted(s_.bodies[static_cast<size_t>(d.body)].name) + " is not rigid");
+  if (!s_.bodies[static_cast<size_t>(d.body)].rigid)
+    s.fail("body " + quoted(s_.bodies[static_cast<size_t>(d.body)].name) + " is not rigid");
   drive_of(s, d);
 }
 

@@ -88,7 +88,8 @@ void Reader::from(Statement& s) {
 
 // A name, unless the shape begins at once.
 std::string Reader::curve_name(Statement& s) {
-  for (const char* word : {"to", "by", "through", "centre", "close", "radius", "turn", "t", "file"})
+  current_body(s);
+  for (const char* word : {"to", "by", "through", "centre", "close", "radius", "cut", "turn", "t", "file"})
     if (s.is_next(word)) return "";
   return s.has_more() ? s.name("the name of the curve") : "";
 }
@@ -139,9 +140,10 @@ void Reader::arc(Statement& s) {
     const double area = cross(p, chord);
     if (std::fabs(area) <= 1e-12 * dot(chord, chord)) s.fail("the three points are on one line, expected an arc");
     const Point centre = begin + (1 / (2 * area)) * Point{dot(p, p) * chord.y - dot(chord, chord) * p.y,
-                                                           dot(chord, chord) * p.x - dot(p, p) * chord.x};
-    return draw(s, name, sketch::arc(centre, length(begin - centre), degrees(begin - centre),
-                                     sweep_between(begin - centre, end - centre, area > 0)));
+                                                          dot(chord, chord) * p.x - dot(p, p) * chord.x};
+    return draw(s, name,
+                sketch::arc(centre, length(begin - centre), degrees(begin - centre),
+                            sweep_between(begin - centre, end - centre, area < 0)));
   }
   if (s.accept("centre")) {
     const Point centre = s.point("the centre");
@@ -177,7 +179,8 @@ void Reader::circle(Statement& s) {
   const Point centre = s.point("the centre");
   if (!s.accept("radius")) s.fail("expected radius r");
   const double radius = s.positive("the radius");
-  draw_whole(s, name, sketch::arc(centre, radius, s.accept("from") ? s.number("the angle where it begins, in degrees") : -90, 360));
+  draw_whole(s, name,
+             sketch::arc(centre, radius, s.accept("from") ? s.number("the angle where it begins, in degrees") : -90, 360));
 }
 
 void Reader::ellipse(Statement& s) {
@@ -224,7 +227,8 @@ std::vector<Point> Reader::points_of_file(Statement& s) {
   for (int line = 1; std::getline(lines, card); ++line) {
     std::replace(card.begin(), card.end(), ';', ' ');
     const size_t first = card.find_first_not_of(" \t\r,\"");
-    if (first == std::string::npos || card[first] == '#' || card[first] == '!' || std::isalpha(static_cast<unsigned char>(card[first])))
+    if (first == std::string::npos || card[first] == '#' || card[first] == '!' ||
+        std::isalpha(static_cast<unsigned char>(card[first])))
       continue;
     try {
       std::vector<Word> words = words_of(card, line);
@@ -247,7 +251,8 @@ void Reader::spline(Statement& s) {
   if (listed && !closed && has_start_) points.insert(points.begin(), here_);
   if (backwards) std::reverse(points.begin(), points.end());
   for (size_t i = 1; i < points.size(); ++i)
-    if (length(points[i] - points[i - 1]) == 0) s.fail("point " + std::to_string(i + 1) + " of the spline is where the one before is");
+    if (length(points[i] - points[i - 1]) == 0)
+      s.fail("point " + std::to_string(i + 1) + " of the spline is where the one before is");
   if (points.size() < (closed ? 3u : 2u)) s.fail("expected " + std::string(closed ? "three" : "two") + " points at least");
   if (!closed) return draw(s, name, sketch::spline(points, false));
   if (length(points.front() - points.back()) == 0) points.pop_back();
@@ -294,7 +299,8 @@ Motion Reader::motion(Statement& s) {
       m = reflection(axis, s.number("the place of the mirror"));
     }
     const Point o = m(out({0, 0}));
-    out = {m.a * out.a + m.b * out.c, m.a * out.b + m.b * out.d, m.c * out.a + m.d * out.c, m.c * out.b + m.d * out.d, o.x, o.y};
+    out = {
+        m.a * out.a + m.b * out.c, m.a * out.b + m.b * out.d, m.c * out.a + m.d * out.c, m.c * out.b + m.d * out.d, o.x, o.y};
   }
   return out;
 }
@@ -316,10 +322,15 @@ void Reader::copy(Statement& s) {
 }
 
 void Reader::end_outline() {
-  if (!in_outline_) return;
-  in_outline_ = has_start_ = false;
+  const bool broken = broken_, drawn = in_outline_;
+  in_outline_ = has_start_ = broken_ = false;
+  if (!drawn) return;
   Body& body = s_.bodies.back();
   Outline& outline = body.outlines.back();
+  if (broken) {
+    corner_.reset();
+    return;
+  }
   if (outline.curves.empty()) {
     body.outlines.pop_back();
     return;
@@ -342,10 +353,11 @@ void Reader::end_outline() {
 
 void Reader::end_body() {
   if (!in_body_) return;
+  const bool broken = broken_;
   end_outline();
   in_body_ = false;
   const Body& body = s_.bodies.back();
-  if (body.outlines.empty()) throw Fault{body.at, "body " + quoted(body.name) + " has no outline"};
+  if (body.outlines.empty() && !broken) throw Fault{body.at, "body " + quoted(body.name) + " has no outline"};
 }
 
 } // namespace sketch

@@ -96,9 +96,9 @@ private:
     Place at;
   };
   bool in_body_ = false, in_outline_ = false, has_start_ = false;
+  bool broken_ = false; // a curve of the outline could not be read: what follows from that is not told
   Point start_, here_;
   std::optional<Corner> corner_;
-  bool closed_by_corner_ = false;
   int case_ = 0;
 };
 

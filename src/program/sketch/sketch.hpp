@@ -101,8 +101,8 @@ struct Sketch {
   std::vector<PointLoad> point_loads;
   std::vector<BodyForce> body_forces;
   std::vector<Drive> drives;
-  std::vector<LoadCase> cases{{"", {}}}; // the first is there without a card
-  int pieces = 0;                        // of the history; 0: factor 1 of the first case
+  std::vector<LoadCase> cases{{"", {}}};     // the first is there without a card
+  int pieces = 0;                            // of the history; 0: factor 1 of the first case
   std::vector<std::array<double, 3>> points; // body, x, y
 };
 

@@ -14,9 +14,9 @@ public:
   int pieces() const override { return static_cast<int>(points_.size()); }
 
 private:
-  std::vector<double> at_;       // of each point, from 0 to 1
-  std::vector<Point> points_;    // of a closed one, the first again at the end
-  std::vector<Point> bend_;      // second derivatives there
+  std::vector<double> at_;    // of each point, from 0 to 1
+  std::vector<Point> points_; // of a closed one, the first again at the end
+  std::vector<Point> bend_;   // second derivatives there
 };
 
 // Rows  below[i] x[i-1] + on[i] x[i] + above[i] x[i+1] = r[i].

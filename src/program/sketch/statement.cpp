@@ -19,7 +19,8 @@ bool Statement::begins_number(const Word& word) const {
   const char c = word.text[0];
   if (std::isdigit(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '-' || c == '+' || c == '(' || c == '{') return true;
   size_t end = 0;
-  while (end < word.text.size() && (std::isalnum(static_cast<unsigned char>(word.text[end])) != 0 || word.text[end] == '_')) ++end;
+  while (end < word.text.size() && (std::isalnum(static_cast<unsigned char>(word.text[end])) != 0 || word.text[end] == '_'))
+    ++end;
   const std::string name = word.text.substr(0, end);
   return parameters_.count(name) > 0 || name == "pi" || (end < word.text.size() && word.text[end] == '(');
 }
@@ -69,7 +70,8 @@ Expression Statement::formula(const std::string& what, const std::string& variab
 
 size_t Statement::choice(std::initializer_list<const char*> words) {
   std::string expected;
-  for (const char* word : words) expected += (expected.empty() ? "" : word == *(words.end() - 1) ? " or " : ", ") + std::string(word);
+  for (const char* word : words)
+    expected += (expected.empty() ? "" : word == *(words.end() - 1) ? " or " : ", ") + std::string(word);
   const Word& word = take(expected);
   size_t index = 0;
   for (const char* one : words) {

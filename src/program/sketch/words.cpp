@@ -30,7 +30,8 @@ size_t end_of_word(std::string_view text, size_t at, int line) {
     open.pop_back();
   }
   if (!open.empty())
-    throw Fault{{line, column_of(open.back()), column_of(open.back())}, std::string("a '") + text[open.back()] + "' that is not closed"};
+    throw Fault{{line, column_of(open.back()), column_of(open.back())},
+                std::string("a '") + text[open.back()] + "' that is not closed"};
   return i;
 }
 

@@ -1,4 +1,4 @@
-#include "program/sketch_file.hpp"
+#include "program/drawn_deck.hpp"
 
 #include "program/exit_code.hpp"
 #include "program/messages.hpp"
@@ -64,7 +64,7 @@ int take_sketch(DeckFile& deck, const std::vector<std::string>& settings) {
   for (const sketch::Fault& fault : reading.faults) print(deck, fault);
   if (!reading.faults.empty()) return kExitInput;
   try {
-    deck.replace(sketch::deck_of(reading.sketch, sketch::first_mesh(reading.sketch, 1)));
+    deck.replace(sketch::deck_of(reading.sketch, sketch::first_mesh(reading.sketch, 2)));
   } catch (const sketch::Fault& fault) {
     print(deck, fault);
     return kExitInput;

@@ -1,0 +1,219 @@
+// Sketches: words, arithmetic, curves, what is wrong with them, and the decks made of them.
+#include "problem.hpp"
+#include "program/sketch/mesh.hpp"
+#include "program/sketch/outline.hpp"
+#include "program/sketch/read.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <doctest/doctest.h>
+
+using namespace sketch;
+
+namespace {
+
+const double kPi = std::acos(-1.0);
+
+Reading read(const std::string& text, const Parameters& given = {}) {
+  return read_sketch(text, given, [](const std::string& name, std::string& content) {
+    content = "x,y\n0,0\n1,0\n2,0.5\n3,0\n";
+    return name == "points.csv";
+  });
+}
+
+double value(const std::string& text, const Parameters& parameters = {}) {
+  return Expression(Word{text, {1, 1, static_cast<int>(text.size())}, false}, parameters).value();
+}
+
+// The only fault of a sketch, with its line and column.
+std::string fault(const std::string& text) {
+  const Reading r = read(text);
+  if (r.faults.size() != 1) return std::to_string(r.faults.size()) + " faults";
+  return std::to_string(r.faults[0].at.line) + ":" + std::to_string(r.faults[0].at.column) + " " + r.faults[0].text;
+}
+bool tells(const std::string& text, const std::string& part) {
+  const std::string said = fault(text);
+  INFO(said);
+  return said.find(part) != std::string::npos;
+}
+
+const char kSquare[] = "body b E 1 nu 0\nfrom 0 0\nline s to 1 0\nline e to 1 1\nline n to 0 1\nline w close\n";
+
+std::vector<Point> polygon(const std::string& outline) {
+  const Reading r = read("body b E 1 nu 0\n" + outline);
+  for (const Fault& f : r.faults) MESSAGE(f.text);
+  REQUIRE(r.faults.empty());
+  return polygon_of(r.sketch.bodies[0].outlines[0]);
+}
+
+} // namespace
+
+TEST_CASE("sketch: words and their places") {
+  const std::vector<Word> w = words_of("arc  tip=3, {a + 1};\"two words\" ! comment", 7);
+  REQUIRE(w.size() == 6);
+  CHECK(w[2].text == "3");
+  CHECK(w[3].text == "{a + 1}");
+  CHECK(w[4].text == ";");
+  CHECK((w[5].text == "two words" && w[5].quoted));
+  CHECK((w[3].at.line == 7 && w[3].at.column == 13 && w[3].at.end == 19));
+  CHECK_THROWS_AS(words_of("a (b", 1), Fault);
+  CHECK_THROWS_AS(words_of("a b)", 1), Fault);
+  CHECK_THROWS_AS(words_of("a \"b", 1), Fault);
+}
+
+TEST_CASE("sketch: arithmetic") {
+  CHECK(value("1+2*3^2") == 19);
+  CHECK(value("-2^2") == -4);
+  CHECK(value("2^-1") == 0.5);
+  CHECK(value("(1+2)*(3-5)/4") == -1.5);
+  CHECK(value("a*b", {{"a", 3}, {"b", 4}}) == 12);
+  CHECK(value("sqrt(9)+max(1,2)+abs(-3)") == 8);
+  CHECK(value("sin(30*deg)") == doctest::Approx(0.5).epsilon(1e-15));
+  CHECK(value("atan2(1,-1)") == doctest::Approx(0.75 * kPi).epsilon(1e-15));
+  CHECK(value("1e3+.5") == 1000.5);
+  for (const char* wrong : {"1+", "(1", "2x", "nobody", "sin 1", "max(1)", "1e999", "tanh(1)"}) {
+    CAPTURE(wrong);
+    CHECK_THROWS_AS(value(wrong), Fault);
+  }
+  CHECK_THROWS_AS(value(std::string(5000, '(') + "1" + std::string(5000, ')')), Fault);
+}
+
+TEST_CASE("sketch: derivatives of formulas against differences") {
+  for (const char* text :
+       {"sin(t)*exp(t)", "t^3/(1+t)", "sqrt(t)+log(t)", "atan2(t,2)+asin(t/3)", "acos(t/2)*tan(t)", "2^t", "cos(t)^2"}) {
+    const Expression f(Word{text, {}, false}, {}, "t");
+    const double t = 0.7, h = 1e-4;
+    const Jet j = f.at(t);
+    CAPTURE(text);
+    CHECK(j.d == doctest::Approx((f.at(t + h).v - f.at(t - h).v) / (2 * h)).epsilon(1e-6));
+    CHECK(j.dd == doctest::Approx((f.at(t + h).v - 2 * j.v + f.at(t - h).v) / (h * h)).epsilon(1e-5));
+  }
+}
+
+TEST_CASE("sketch: areas of what is drawn") {
+  CHECK(area_of(polygon("from 0 0\nline to 2 0\nline by 0 1\nline to 0 1\nline close\n")) == doctest::Approx(2));
+  // Half discs in five ways; a polygon of 48 sides and more lacks 1e-3 of it.
+  for (const char* way :
+       {"arc to -1 0 radius 1", "arc to -1 0 through 0 1", "arc to -1 0 centre 0 0", "arc centre 0 0 turn 180",
+        "curve t 0 pi x cos(t) y sin(t)", "ellipse centre 0 0 axes 1 1 from 0 turn 180"}) {
+    CAPTURE(way);
+    CHECK(area_of(polygon(std::string("from 1 0\n") + way + "\nline close\n")) == doctest::Approx(kPi / 2).epsilon(2e-3));
+  }
+  CHECK(area_of(polygon("circle centre 3 4 radius 2\n")) == doctest::Approx(4 * kPi).epsilon(3e-3));
+  CHECK(area_of(polygon("ellipse centre 3 4 axes 2 1 tilt 30\n")) == doctest::Approx(2 * kPi).epsilon(3e-3));
+  CHECK(area_of(polygon("from 1 0\nline to 2 0\nline to 2 1\nline to 1 1\nmirror x 1\n")) == doctest::Approx(2));
+  // A fillet takes (1 - pi/4) r^2 off a right corner, a chamfer c^2 / 2.
+  const char* square = "from 0 0\nline to 1 0\n%\nline to 1 1\nline to 0 1\nline close\n";
+  const auto with = [&](const std::string& corner) {
+    std::string text = square;
+    return area_of(polygon(text.replace(text.find('%'), 1, corner)));
+  };
+  CHECK(with("fillet radius 0.2") == doctest::Approx(1 - 0.04 * (1 - kPi / 4)).epsilon(1e-5));
+  CHECK(with("chamfer cut 0.2") == doctest::Approx(0.98));
+}
+
+TEST_CASE("sketch: a spline goes through its points with continuous curvature") {
+  const std::vector<Point> points = {{0, 0}, {1, 0.3}, {2, -0.2}, {3.5, 0.4}};
+  const ShapePtr s = spline(points, false);
+  double at = 0, whole = 0;
+  for (size_t i = 1; i < points.size(); ++i) whole += length(points[i] - points[i - 1]);
+  for (size_t i = 0; i < points.size(); ++i) {
+    if (i > 0) at += length(points[i] - points[i - 1]) / whole;
+    CHECK(length(s->at(at) - points[i]) < 1e-14);
+    if (i > 0 && i + 1 < points.size())
+      CHECK(s->curvature(at - 1e-9) == doctest::Approx(s->curvature(at + 1e-9)).epsilon(1e-5));
+  }
+  // A closed one through points of a circle is the circle, to the fourth order of their distance.
+  std::vector<Point> circle;
+  for (int i = 0; i < 24; ++i) circle.push_back({std::cos(2 * kPi * i / 24), std::sin(2 * kPi * i / 24)});
+  const ShapePtr c = spline(circle, true);
+  for (int i = 0; i < 240; ++i) CHECK(std::fabs(length(c->at(i / 240.0)) - 1) < 2e-5);
+  CHECK(Measure(c).length() == doctest::Approx(2 * kPi).epsilon(2e-5));
+}
+
+TEST_CASE("sketch: lengths along curves") {
+  const Measure m(arc({0, 0}, 2, 10, 200));
+  CHECK(m.length() == doctest::Approx(2 * 200 * kPi / 180).epsilon(1e-14));
+  for (const double u : {0.1, 0.37, 0.9}) CHECK(m.u_at(m.length_to(u)) == doctest::Approx(u).epsilon(1e-12));
+  const Measure e(ellipse({0, 0}, 2, 1, 0, 0, 90));
+  CHECK(e.length() == doctest::Approx(2.4221120551369190).epsilon(1e-12)); // 2 E(3/4)
+}
+
+TEST_CASE("sketch: what is wrong is told at its place") {
+  CHECK(tells("boddy b E 1 nu 0\n", "1:1 'boddy': expected a statement"));
+  CHECK(tells("line a to 1 0\n", "1:1 'line' stands outside a body"));
+  CHECK(tells("body b nu 0.3\n", "expected E and a value, or rigid"));
+  CHECK(tells("body b E -1 nu 0.3\n", "1:10 -1: expected Young's modulus, above 0"));
+  CHECK(tells("body b E 1 nu 0.5\n", "below 0.5"));
+  CHECK(tells("parameter a 1 a 2\n", "1:15 parameter 'a' is there already"));
+  CHECK(tells("parameter a\n", "1:12 the statement ends here, expected the value of a"));
+  CHECK(tells(std::string(kSquare) + "fix b.top\n", "7:5 body 'b' has no curve 'top'"));
+  CHECK(tells(std::string(kSquare) + "fix c.n\n", "no body is called 'c'"));
+  CHECK(tells(std::string(kSquare) + "fix n\n", "expected a body, a point and its curves"));
+  CHECK(tells(std::string(kSquare) + "history pull 1\n", "no load case is called 'pull'"));
+  CHECK(tells(std::string(kSquare) + "drive b x 1\n", "body 'b' is not rigid"));
+  CHECK(tells(std::string(kSquare) + "platen b.n x 1 force 1 0\n", "a motion and its load are both given"));
+  CHECK(tells(std::string(kSquare) + "fix b.n z\n", "7:9 'z': expected x or y"));
+  CHECK(tells(std::string(kSquare) + "fix b.n x 3\n", "'3': expected x or y"));
+  CHECK(tells(std::string(kSquare) + "body b E 1 nu 0\n", "a body is called 'b' already"));
+  CHECK(tells("body b E 1 nu 0\nfrom 0 0\narc to 1 0 radius 0.2\nline close\n", "expected at most twice the radius"));
+  CHECK(tells("body b E 1 nu 0\nfrom 0 0\narc to 1 0 through 2 0\nline close\n", "on one line, expected an arc"));
+  CHECK(tells("body b E 1 nu 0\nspline file nothing.csv closed\n", "the file 'nothing.csv' cannot be read"));
+  CHECK(tells("title nothing\n", "no body, expected one at least"));
+  CHECK(read(kSquare, {{"mu", 1}}).faults.size() == 1); // no such parameter
+  CHECK(read(std::string("parameter mu 2\n") + kSquare, {{"mu", 1}}).sketch.parameters.at("mu") == 1);
+}
+
+TEST_CASE("sketch: what is wrong with shapes") {
+  CHECK(tells("body b E 1 nu 0\nfrom 0 0\nline to 1 0\nline to 1 1\nline last to 0 1\n",
+              "5:1 body 'b': the outline is open: curve 'last' ends at (0, 1)"));
+  CHECK(tells("body b E 1 nu 0\nfrom 0 0\nline to 0 1\nline to 1 1\nline to 1 0\nline close\n", "runs clockwise"));
+  CHECK(tells("body b E 1 nu 0\nfrom 0 0\nline to 2 0\nline to 0 1\nline up to 2 1\nline close\n", "crosses"));
+  CHECK(tells(std::string(kSquare) + "hole\ncircle centre 3 3 radius 0.1\n", "the hole lies outside its outline"));
+  CHECK(tells(std::string(kSquare) + "body c E 1 nu 0\nfrom 0.5 0.5\nline to 2 0.5\nline to 2 2\nline to 0.5 2\nline close\n",
+              "bodies 'b' and 'c' overlap by 0.5 at (0.5, 0.5)"));
+  CHECK(
+      tells("body b E 1 nu 0\nfrom 0 0\nline to 1 0\nfillet radius 3\nline to 1 1\nline to 0 1\nline close\n", "does not fit"));
+}
+
+TEST_CASE("sketch: sides that do not face each other are told") {
+  const Reading r = read(std::string(kSquare) + "copy c of b shift 5 0\ncontact b.e c.e\nfix b.w\nfix c.w\n");
+  REQUIRE(r.faults.empty());
+  CHECK_THROWS_AS(deck_of(r.sketch, first_mesh(r.sketch, 1)), Fault);
+}
+
+namespace {
+
+problem::Result solve_sketch(const std::string& text, double fineness = 1) {
+  const Reading r = read(text);
+  for (const Fault& f : r.faults) MESSAGE(f.text);
+  REQUIRE(r.faults.empty());
+  return problem::solve_text(deck_of(r.sketch, first_mesh(r.sketch, fineness)), {});
+}
+
+} // namespace
+
+TEST_CASE("sketch: a cylinder on a flat is Hertz's contact") {
+  const char* text = "parameter R 10 P 20 L 100\nsymmetry x 0\n"
+                     "body flat E 1000 nu 0.3\nfrom 0 -L\nline bottom to L -L\nline right to L 0\nline top to 0 0\n"
+                     "body roller E 1000 nu 0.3\nfrom 0 0\narc face to R R centre 0 R\narc back to 0 2*R centre 0 R\n"
+                     "contact flat.top roller.face\nfix flat.bottom\npressure roller.back P/(2*R)\n";
+  const double compliance = 2 * (1 - 0.09) / 1000, a = std::sqrt(4 * 20 * 10 * compliance / kPi), p0 = 2 * 20 / (kPi * a);
+  const problem::Result r = solve_sketch(text, 2);
+  REQUIRE(r.status == C2D_OK);
+  REQUIRE(r.outcome == C2D_REACHED);
+  double peak = 0;
+  for (int i = 0; i < r.steps.back().pairs(); ++i) peak = std::max(peak, r.steps.back().at(i, C2D_TN));
+  CHECK(peak == doctest::Approx(p0).epsilon(0.002));
+}
+
+TEST_CASE("sketch: blocks that are tied and pulled are strained evenly") {
+  const char* text = "body low E 100 nu 0\nfrom 0 0\nline foot to 2 0\nline to 2 1\nline joint to 0 1\nline close\n"
+                     "body high E 100 nu 0\nfrom 0 1\nline joint to 2 1\nline to 2 3\nline top to 0 3\nline close\n"
+                     "tie low.joint high.joint\nfix low.foot\ntraction high.top y 1\nstress high 1 2\n";
+  const problem::Result r = solve_sketch(text);
+  REQUIRE(r.status == C2D_OK);
+  REQUIRE(r.outcome == C2D_REACHED);
+  const problem::Step& last = r.steps.back();
+  for (int i = 0; i < last.pairs(); ++i) CHECK(last.at(i, C2D_TN) == doctest::Approx(-1).epsilon(1e-9));
+}
