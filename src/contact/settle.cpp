@@ -172,7 +172,8 @@ PathScales path_scales(const Follower& f) {
   for (int32_t i = 0; i < f.t->pairs; ++i) {
     const PairState now = pair_state(*f.t, i, f.y), rate = pair_rates(*f.t, i, f.dy);
     s.p = larger(s.p, larger(fabs(now.p), fabs(now.q)));
-    s.w = larger(s.w, larger(fabs(now.wn), fabs(now.wt)));
+    const double gap = f.t->pair[i].gap / f.t->length_unit; // far from touching it says nothing about what moves
+    s.w = larger(s.w, larger(fabs(now.wn - gap), fabs(now.wt)));
     s.dp = larger(s.dp, larger(fabs(rate.p), fabs(rate.q)));
     s.dw = larger(s.dw, larger(fabs(rate.wn), fabs(rate.wt)));
   }

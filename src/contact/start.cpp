@@ -55,7 +55,7 @@ void place_as_given(Follower& f) {
   for (int32_t i = 0; i < f.t->pairs; ++i) {
     const Pair& pair = f.t->pair[i];
     f.y[pair.dof] = static_cast<Real>(fmax(pair.gap, 0.0) / f.t->length_unit);
-    f.gap_scale = fmax(f.gap_scale, fmax(pair.gap, pair.overlap) / f.t->length_unit);
+    f.gap_scale = fmax(f.gap_scale, fmax(1e-3 * pair.gap, pair.overlap) / f.t->length_unit);
   }
 }
 
