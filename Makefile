@@ -197,7 +197,7 @@ format-check:
 HEADERS := $(wildcard include/*.h port/*/c2d_*.h) port/fortran/contact2d.f90
 CMAKEDIR := $(LIBDIR)/cmake/contact2d
 # Pages keep their places, and with them the links from one to another.
-PAGES := $(wildcard *.md src/*.md src/*/*.md include/*.md port/*.md port/*/*.md tests/*.md examples/*.md examples/*.svg)
+PAGES := $(wildcard *.md src/*.md src/*/*.md src/program/*/*.md include/*.md port/*.md port/*/*.md tests/*.md examples/*.md examples/*.svg)
 PAGES := $(sort $(PAGES))
 INSTALLED := $(BINDIR)/contact2d $(MANDIR)/man1/contact2d.1 $(LIBDIR)/libcontact2d.a $(LIBDIR)/libcontact2d.so.$(VERSION) \
   $(LIBDIR)/libcontact2d.so.$(SOVERSION) $(LIBDIR)/libcontact2d.so \

@@ -1,13 +1,13 @@
 // The program: command line, then one of the commands.
 #include "program/check.hpp"
 #include "program/convert.hpp"
+#include "program/drawn_deck.hpp"
 #include "program/exit_code.hpp"
 #include "program/interrupt.hpp"
 #include "program/make.hpp"
 #include "program/options.hpp"
 #include "program/restart.hpp"
 #include "program/run.hpp"
-#include "program/drawn_deck.hpp"
 
 #include <contact2d.h>
 

@@ -15,10 +15,9 @@ struct Known {
   const char* name;
   bool takes_value;
 };
-const Known kRunOptions[] = {{"--points", true},    {"--figures", true},      {"--stepping", true}, {"--quadrature", true},
-                             {"--symmetry", true},  {"--memory", true},       {"--store", true},    {"--threads", true},
-                             {"--set", true},
-                             {"--progress", false}, {"--no-progress", false}, {"--keep", false}};
+const Known kRunOptions[] = {{"--points", true},   {"--figures", true},   {"--stepping", true},     {"--quadrature", true},
+                             {"--symmetry", true}, {"--memory", true},    {"--store", true},        {"--threads", true},
+                             {"--set", true},      {"--progress", false}, {"--no-progress", false}, {"--keep", false}};
 
 bool choose(const std::string& value, const char* first, const char* second, int32_t& choice) {
   if (value != first && value != second) return false;
@@ -210,8 +209,9 @@ bool read_options(int argc, const char* const* argv, Options& options, std::stri
         error = "check takes no option " + word;
         return false;
       }
-      if (options.command == Command::kConvert || options.command == Command::kMesh ? !read_convert_option(words, at, options, error)
-                                               : !read_run_option(words, at, options, error))
+      if (options.command == Command::kConvert || options.command == Command::kMesh
+              ? !read_convert_option(words, at, options, error)
+              : !read_run_option(words, at, options, error))
         return false;
     } else if (!options.deck.empty()) {
       error = "more than one deck: " + options.deck + " and " + word;

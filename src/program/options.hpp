@@ -33,8 +33,8 @@ struct Options {
   std::string points;                                     // CSV that is read; "-": standard input
   std::string figures;                                    // folder; empty: not asked for
   std::string store;                                      // empty: chosen by size; "memory"; "file:DIR"
-  std::string convert_to, output;                         // of convert: empty (the other form), "fixed", "free"; FILE, of mesh too
-  uint64_t memory = 0;                                    // workspace bytes; 0: chosen by size
+  std::string convert_to, output; // of convert: empty (the other form), "fixed", "free"; FILE, of mesh too
+  uint64_t memory = 0;            // workspace bytes; 0: chosen by size
   int32_t threads = 1;
   int32_t stepping = 0, quadrature = 0, symmetry = 0; // C2D_STEPPING_, C2D_QUADRATURE_, C2D_SYMMETRY_
   Progress progress = Progress::kAutomatic;

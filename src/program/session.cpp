@@ -1,8 +1,8 @@
 #include "program/session.hpp"
 
+#include "program/drawn_deck.hpp"
 #include "program/exit_code.hpp"
 #include "program/interrupt.hpp"
-#include "program/drawn_deck.hpp"
 
 namespace app {
 
