@@ -282,7 +282,7 @@ TEST_CASE("seating: a bowed block that is pressed beside the pair on which it st
     REQUIRE_MESSAGE(bowed.outcome == C2D_REACHED, bowed.messages());
     CHECK(bowed.summary.force_error < 1e-12);
     int closed = 0;
-    for (int i = 0; i <= elements; ++i) closed += bowed.recorded().back().at(i, C2D_STATUS) != C2D_OPEN;
+    for (int i = 0; i <= elements; ++i) closed += bowed.recorded().back().at(i, C2D_STATUS) != double{C2D_OPEN};
     CHECK(closed >= 2);
   }
 }
