@@ -239,3 +239,54 @@ TEST_CASE("sketch: the one of the page is solved") {
   const double compliance = 2 * (1 - 0.32 * 0.32) / 120e3, a = std::sqrt(4 * 208 * 50 * compliance / kPi);
   CHECK(p == doctest::Approx(2 * 208 / (kPi * a)).epsilon(0.02)); // Hertz: friction and the finite bodies change little
 }
+
+TEST_CASE("sketch: rings all round, drawn from anywhere: an even pressure") {
+  const auto pressure = [](const std::string& mouth) {
+    const problem::Result r =
+        solve_sketch("body inner E 200 nu 0.3\ncircle face centre 0 0 radius 10\nhole\ncircle bore centre 0 0 radius 5\n"
+                     "body outer E 200 nu 0.3\ncircle out centre 0 0 radius 20\nhole\n" +
+                     mouth + "contact outer.mouth inner.face\nfix inner.bore\npressure outer.out 1\n");
+    REQUIRE(r.status == C2D_OK);
+    REQUIRE(r.outcome == C2D_REACHED);
+    const problem::Step& last = r.steps.back();
+    CHECK(last.pairs() > 20);
+    for (int i = 1; i < last.pairs(); ++i) CHECK(last.at(i, C2D_TN) == doctest::Approx(last.at(0, C2D_TN)).epsilon(1e-3));
+    return last.at(0, C2D_TN);
+  };
+  // Rings of Lame, plane strain: radial motions agree where they meet, and none where the inner one is held.
+  const double k = 1 - 2 * 0.3, a = 5, b = 10, c = 20;             // u = A r + B / r, p = 2 G (-A / k + B / r^2)
+  const double held = (b - a * a / b) / (1 / k + a * a / (b * b)); // u(b) 2G / -p of the inner one
+  const double out = c * c / (c * c - b * b);                      // of the outer one: p in, 1 out
+  const double from_in = b * (k * b * b / (c * c - b * b) + out), from_out = b * out * (k + 1);
+  const double p = from_out / (from_in + held);
+  CHECK(pressure("circle mouth centre 0 0 radius 10\n") == doctest::Approx(p).epsilon(5e-3));
+  // In three arcs, the middle of one of which is where the outline begins.
+  CHECK(pressure(
+            "from 0 -10\narc mouth centre 0 0 turn -100\narc mouth centre 0 0 turn -160\narc mouth centre 0 0 turn -100\n") ==
+        doctest::Approx(p).epsilon(5e-3));
+}
+
+TEST_CASE("sketch: a side that goes on where its outline begins is one zone") {
+  // The foot of the upper block is two curves, the last and the first of its outline.
+  const char* text =
+      "body low E 100 nu 0\nfrom 0 0\nline foot to 2 0\nline to 2 1\nline top to 0 1\nline close\n"
+      "body high E 100 nu 0\nfrom 1 1\nline foot to 2 1\nline to 2 2\nline top to 0 2\nline to 0 1\nline foot close\n"
+      "tie low.top high.foot\nfix low.foot\ntraction high.top y 1\n";
+  const problem::Result r = solve_sketch(text);
+  REQUIRE(r.status == C2D_OK);
+  REQUIRE(r.outcome == C2D_REACHED);
+  const problem::Step& last = r.steps.back();
+  for (int i = 0; i < last.pairs(); ++i) CHECK(last.at(i, C2D_TN) == doctest::Approx(-1).epsilon(1e-9));
+}
+
+TEST_CASE("sketch: bodies without contact follow their history") {
+  const char* text = "body b E 100 nu 0\nfrom 0 0\nline foot to 2 0\nline to 2 1\nline top to 0 1\nline close\n"
+                     "case one\nfix b.foot\ntraction b.top y 1\ncase two\ntraction b.top y 3\nhistory one 1; two 1\n";
+  const problem::Result r = solve_sketch(text);
+  REQUIRE(r.status == C2D_OK);
+  REQUIRE(r.outcome == C2D_REACHED);
+  CHECK(r.summary.load == 1);
+  double up = 0;
+  for (const auto& end : r.boundary[0]) up = std::max(up, end.uy);
+  CHECK(up == doctest::Approx(4.0 / 100).epsilon(1e-9));
+}

@@ -75,7 +75,8 @@ bool is_word(const std::string& name) {
   return name == "--stepping" || name == "--quadrature" || name == "--symmetry" || name == "--threads";
 }
 bool is_left_out(const std::string& name) {
-  return name == "--store" || name == "--memory" || name == "--progress" || name == "--no-progress" || name == "--points";
+  return name == "--store" || name == "--memory" || name == "--progress" || name == "--no-progress" || name == "--points" ||
+         name == "--set"; // the deck that is kept is the sketch's own
 }
 
 std::string absolute(const std::string& name) {

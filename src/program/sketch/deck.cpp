@@ -22,9 +22,10 @@ constexpr double kOpen = 0.6; // the least cosine of the angle between surfaces 
 
 // The condition of an element's node, of all load cases.
 struct End {
-  int element, local; // from 1
-  std::array<bool, 2> held{};
-  std::vector<Values> values; // of each case
+  int element, local;          // from 1
+  std::array<bool, 2> held{};  // by this end: its traction is unknown
+  std::array<bool, 2> known{}; // the displacement: at a joint the element beside it may hold the node
+  std::vector<Values> values;  // of each case
 };
 
 class Writer {
@@ -33,10 +34,8 @@ public:
   std::string write();
 
 private:
-  struct Run { // elements one after the other, from 1, that an interface has on one side; of a whole closed curve: round
+  struct Run { // elements one after the other, from 1, that an interface has on one side
     int first, last;
-    bool round;
-    Point from, to;
   };
   void card(const std::string& text) { out_ += text + "\n"; }
   void comment(const std::string& text) { card("! " + text); }
@@ -56,7 +55,6 @@ private:
   std::vector<Point> ends_of(int body, const Run& run) const;
   std::vector<Run> facing(const Run& run, int body, const Run& other, int other_body) const;
   void zones();
-  int elements_of_run(int body, const Run& run) const { return static_cast<int>(ends_of(body, run).size()) - 1; }
   void curves();
   void rigid_bodies();
   void platens();
@@ -96,7 +94,7 @@ void Writer::heading() {
 void Writer::control() {
   const std::string bodies = std::to_string(s_.bodies.size());
   comment(s_.plane_stress ? "plane stress; output" : "plane strain; output");
-  card(std::string(s_.plane_stress ? "1" : "0") + (s_.interfaces.empty() ? " 0" : " 2"));
+  card(s_.plane_stress ? "1 2" : "0 2"); // without zones, too, the load path is followed
   comment("bodies, matching zones, functional nodes per element");
   card(bodies + " 0 " + std::to_string(nodes()));
   comment("per body: curves, boundary points per element, elements, boundary points");
@@ -155,10 +153,11 @@ std::vector<End> Writer::ends(size_t b) const {
       for (size_t e = 0; e < curve.elements(); ++e) {
         ++element;
         for (int local = 1; local <= nodes(); ++local) {
-          End end{element, local, {}, std::vector<Values>(s_.cases.size(), Values{})};
+          End end{element, local, {}, {}, std::vector<Values>(s_.cases.size(), Values{})};
           const double s = curve.ends[e] + (curve.ends[e + 1] - curve.ends[e]) * (local - 1) / (nodes() - 1);
           for (const Condition& c : s_.conditions)
             if (c.side.body == static_cast<int>(b) && c.side.has(curve.curve->name)) apply(c, curve, s, end);
+          end.known = end.held;
           out.push_back(end);
         }
       }
@@ -168,14 +167,12 @@ std::vector<End> Writer::ends(size_t b) const {
       const size_t other = k + 1 < count ? k + 1 : 0;
       if (other == 0 && outline.open) break;
       End &p = out[first + k], &q = out[first + other];
-      const std::array<bool, 2> held[2] = {p.held, q.held};
       for (size_t i = 0; i < 2; ++i) {
-        if (held[0][i] == held[1][i]) continue;
-        End &from = held[0][i] ? p : q, &to = held[0][i] ? q : p;
+        if (p.held[i] == q.held[i]) continue;
+        End &from = p.held[i] ? p : q, &to = p.held[i] ? q : p;
+        to.known[i] = true;
         for (size_t c = 0; c < to.values.size(); ++c) to.values[c][i + 2] = from.values[c][i + 2];
       }
-      // (which of them holds it, and so has an unknown traction, stays as it is)
-      p.held = held[0], q.held = held[1];
     }
   }
   return out;
@@ -184,25 +181,10 @@ std::vector<End> Writer::ends(size_t b) const {
 void Writer::conditions(size_t b) {
   const std::vector<End>& all = ends_[b];
   std::vector<std::string> cards;
-  const size_t step = static_cast<size_t>(nodes());
-  // Which displacements are known at the node of an end: its own, or its neighbour's at a joint.
-  std::vector<std::array<bool, 2>> known(all.size());
-  size_t first = 0;
-  for (const MeshedOutline& outline : mesh_.bodies[b]) {
-    const size_t count = outline.elements() * step;
-    for (size_t k = 0; k < count; ++k) known[first + k] = all[first + k].held;
-    for (size_t k = step - 1; k < count; k += step) {
-      const size_t other = k + 1 < count ? k + 1 : 0;
-      if (other == 0 && outline.open) break;
-      for (size_t i = 0; i < 2; ++i)
-        known[first + k][i] = known[first + other][i] = all[first + k].held[i] || all[first + other].held[i];
-    }
-    first += count;
-  }
   const auto text_of = [&](size_t k) {
     std::string text = " ";
     for (size_t i = 0; i < 2; ++i) text += all[k].held[i] ? '1' : '0';
-    for (size_t i = 0; i < 2; ++i) text += known[k][i] ? '0' : '1';
+    for (size_t i = 0; i < 2; ++i) text += all[k].known[i] ? '0' : '1';
     for (const double v : all[k].values[0]) text += number(v);
     return text;
   };
@@ -273,24 +255,15 @@ std::vector<Writer::Run> Writer::runs(const Side& side) const {
   std::vector<Run> out;
   int element = 0;
   for (const MeshedOutline& outline : mesh_.bodies[static_cast<size_t>(side.body)]) {
-    const int begin = element + 1;
-    const size_t before = out.size();
+    const size_t before = out.size(); // a run does not go on in another outline
     for (const MeshedCurve& curve : outline.curves) {
       const int first = element + 1, last = element + static_cast<int>(curve.elements());
       element = last;
       if (!side.has(curve.curve->name)) continue;
       if (out.size() > before && out.back().last + 1 == first)
-        out.back().last = last, out.back().to = curve.curve->shape->at(1);
+        out.back().last = last;
       else
-        out.push_back({first, last, false, curve.curve->shape->at(0), curve.curve->shape->at(1)});
-    }
-    if (out.size() > before && !outline.open && out[before].first == begin && out.back().last == element) {
-      if (out.size() == before + 1) { // all of it
-        out[before].round = true;
-      } else { // the last goes on with the first
-        out[before].first = out.back().first, out[before].from = out.back().from, out[before].round = true;
-        out.pop_back();
-      }
+        out.push_back({first, last});
     }
   }
   return out;
@@ -304,9 +277,7 @@ std::vector<Point> Writer::ends_of(int body, const Run& run) const {
     for (const MeshedCurve& curve : outline.curves)
       for (size_t e = 0; e < curve.elements(); ++e) {
         ++element;
-        const bool inside = run.round && run.first > run.last ? element >= run.first || element <= run.last
-                                                              : element >= run.first && element <= run.last;
-        if (!inside) continue;
+        if (element < run.first || element > run.last) continue;
         if (out.empty()) out.push_back(curve.curve->shape->at(curve.measure.u_at(curve.ends[e])));
         out.push_back(curve.curve->shape->at(curve.measure.u_at(curve.ends[e + 1])));
       }
@@ -317,6 +288,7 @@ std::vector<Point> Writer::ends_of(int body, const Run& run) const {
 // within the other run.
 std::vector<Writer::Run> Writer::facing(const Run& run, int body, const Run& other, int other_body) const {
   const std::vector<Point> own = ends_of(body, run), wall = ends_of(other_body, other);
+  const bool round = length(wall.front() - wall.back()) <= kJoint * length(wall[1] - wall[0]);
   const auto faces = [&](size_t e) {
     const Point along = own[e + 1] - own[e];
     for (const double f : {0.0, 1.0}) {
@@ -329,7 +301,7 @@ std::vector<Writer::Run> Writer::facing(const Run& run, int body, const Run& oth
         const double gap = length(p - (wall[k] + at * d));
         if (gap >= nearest * (1 - 1e-12)) continue;
         nearest = gap, opposite = -dot(d, along) / (length(d) * length(along));
-        within = (k > 0 || t > -1e-6) && (k + 2 < wall.size() || t < 1 + 1e-6);
+        within = round || ((k > 0 || t > -1e-6) && (k + 2 < wall.size() || t < 1 + 1e-6));
       }
       if (!within || opposite < kOpen) return false;
     }
@@ -342,7 +314,7 @@ std::vector<Writer::Run> Writer::facing(const Run& run, int body, const Run& oth
     if (!out.empty() && out.back().last + 1 == element)
       out.back().last = element;
     else
-      out.push_back({element, element, false, own[e], own[e + 1]});
+      out.push_back({element, element});
   }
   return out;
 }
@@ -449,9 +421,8 @@ void Writer::platens() {
     const std::vector<Run> all = runs(*first.side);
     if (all.size() != 1)
       throw Fault{first.at, "the curves of a platen do not follow each other, expected one stretch of the outline"};
-    const int count = all[0].first <= all[0].last ? 0 : elements_of_run(first.side->body, all[0]);
     card("*PLATEN " + std::to_string(first.body + 1) + " " + std::to_string(all[0].first) + " " + std::to_string(all[0].last) +
-         number(first.about.x) + number(first.about.y) + (count > 0 ? " " + std::to_string(count) : ""));
+         number(first.about.x) + number(first.about.y));
     for (size_t k = i; k < s_.drives.size(); ++k) {
       const Drive& d = s_.drives[k];
       if (!d.side || !same(first, d)) continue;
@@ -488,7 +459,7 @@ std::string Writer::write() {
     card("*BODY FORCE " + std::to_string(f.body + 1) + " " + std::to_string(f.load_case + 1) + number(f.weight.x) +
          number(f.weight.y) + (f.rho_omega2 == 0 ? "" : number(f.rho_omega2) + number(f.centre.x) + number(f.centre.y)));
   cases();
-  if (!s_.interfaces.empty()) history();
+  history();
   if (!s_.points.empty()) {
     card("*POINTS");
     for (const auto& p : s_.points) card("point " + std::to_string(static_cast<int>(p[0]) + 1) + number(p[1]) + number(p[2]));

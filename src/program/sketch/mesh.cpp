@@ -20,7 +20,9 @@ constexpr double kTurn = 0.3;      // radians that an element may turn
 constexpr double kCorner = 0.05;   // the size at a corner, of the shorter curve there
 constexpr double kThinWall = 0.7;  // the size, of the distance to the other side
 constexpr double kLargest = 0.1;   // the size, of the outline's
-constexpr double kTouching = 2e-3; // the least size by gaps, of the outline's
+constexpr double kTouching = 2e-3; // the least size by gaps, of the shorter side's length
+constexpr double kAlong = 0.025;   // the same, of the length that lies on the other side already
+constexpr double kTied = 0.08;     // the size along a bond, of its length
 constexpr int kSamples = 160;      // of sizes, on a curve
 
 // Sizes wanted along a curve, at equal steps of its length.
@@ -148,15 +150,24 @@ void Mesher::gaps(const Interface& interface) {
     for (const size_t c : side) length += sizes_[c].step * static_cast<double>(sizes_[c].h.size() - 1);
     whole = std::min(whole, length);
   }
+  const auto nearest = [&](int side, Point p, double& size) { // on the other side, and the size there
+    double gap = HUGE_VAL;
+    for (const size_t o : sides[1 - side])
+      for (size_t j = 0; j < sizes_[o].at.size(); ++j)
+        if (const double d = length(sizes_[o].at[j] - p); d < gap) gap = d, size = sizes_[o].h[j];
+    return gap;
+  };
+  double unused = 0, touching = 0; // how much of side 2 lies on side 1 already
+  for (const size_t c : sides[1])
+    for (const Point& p : sizes_[c].at) touching += nearest(1, p, unused) < sizes_[c].step ? sizes_[c].step : 0;
+  const double least = std::max(kTouching * whole, kAlong * touching);
   for (int round = 0; round < 2; ++round) // first by gaps, then as small as the elements opposite
     for (int side = 0; side < 2; ++side)
       for (const size_t c : sides[side])
         for (size_t k = 0; k < sizes_[c].at.size(); ++k) {
-          double gap = HUGE_VAL, other = HUGE_VAL;
-          for (const size_t o : sides[1 - side])
-            for (size_t j = 0; j < sizes_[o].at.size(); ++j)
-              if (const double d = length(sizes_[o].at[j] - sizes_[c].at[k]); d < gap) gap = d, other = sizes_[o].h[j];
-          const double own = interface.tied ? whole / 12 : std::max(kTouching * whole, kGrowth * std::sqrt(gap * whole));
+          double other = 0;
+          const double gap = nearest(side, sizes_[c].at[k], other);
+          const double own = interface.tied ? kTied * whole : std::max(least, kGrowth * std::sqrt(gap * whole));
           sizes_[c].h[k] = std::min(sizes_[c].h[k], round == 0 ? own : other + kGrowth * gap);
         }
 }
@@ -220,13 +231,32 @@ void Mesher::align(const Interface& interface) {
         return *above - *(above - 1);
       };
       for (const double s : curve.ends)
-        if (s > 0 && s < low) add(s, 0.4 * std::min(step_at(s), std::fabs(low - s) + step_at(s)));
+        if (s > 0 && s < low - 0.4 * step_at(s)) add(s, 0.4 * step_at(s));
       for (const double s : there) add(s, 0.2 * step_at(s));
       for (const double s : curve.ends)
         if (s > high && s < whole) add(s, 0.4 * step_at(s));
       out.push_back(whole);
       if (out.size() > 2) curve.ends = out;
     }
+}
+
+// Do curves belong to one side of an interface or a platen?
+bool are_on_one_side(const Sketch& s, int body, const Curve& a, const Curve& b) {
+  const auto on = [&](const Side& side) { return side.body == body && side.has(a.name) && side.has(b.name); };
+  return std::any_of(s.interfaces.begin(), s.interfaces.end(),
+                     [&](const Interface& i) { return on(i.side[0]) || on(i.side[1]); }) ||
+         std::any_of(s.drives.begin(), s.drives.end(), [&](const Drive& d) { return d.side && on(*d.side); });
+}
+
+// The curves of an outline, a closed one from where no side goes on: the elements of a side then have numbers in a row.
+std::vector<const Curve*> curves_in_order(const Sketch& s, int body, const Outline& outline) {
+  const size_t n = outline.curves.size();
+  size_t first = 0;
+  while (!outline.open && first < n && are_on_one_side(s, body, outline.curves[(first + n - 1) % n], outline.curves[first]))
+    ++first;
+  std::vector<const Curve*> out;
+  for (size_t i = 0; i < n; ++i) out.push_back(&outline.curves[(first + i) % n]);
+  return out;
 }
 
 Mesh Mesher::run() {
@@ -236,7 +266,8 @@ Mesh Mesher::run() {
       for (const Outline& outline : body.outlines) {
         if (outline.open != open) continue;
         outlines.push_back({open, {}});
-        for (const Curve& curve : outline.curves) outlines.back().curves.push_back({&curve, Measure(curve.shape), {}});
+        for (const Curve* curve : curves_in_order(s_, static_cast<int>(mesh_.bodies.size()), outline))
+          outlines.back().curves.push_back({curve, Measure(curve->shape), {}});
       }
     mesh_.bodies.push_back(std::move(outlines));
   }
