@@ -88,6 +88,16 @@ struct LoadCase {
   std::vector<double> factors; // at the end of each piece of the history
 };
 
+// A number that is wanted, and how accurately. Without any: pressures, edges, forces and approach.
+struct Want {
+  enum Kind { kPressure, kEdges, kForces, kApproach, kDissipation, kStress, kHoop } kind = kPressure;
+  std::optional<double> tolerance; // relative; the sketch's where it is not told
+  int body = 0;                    // of kStress and kHoop
+  Point where;                     // of kStress
+  std::optional<Side> side;        // of kHoop: the largest and the smallest along it
+  Place at;
+};
+
 struct Sketch {
   std::string title;
   std::string units[2];
@@ -104,6 +114,12 @@ struct Sketch {
   std::vector<LoadCase> cases{{"", {}}};     // the first is there without a card
   int pieces = 0;                            // of the history; 0: factor 1 of the first case
   std::vector<std::array<double, 3>> points; // body, x, y
+  int steps = 10;                            // increments of each piece of the history
+  std::vector<Want> wants;
+  double tolerance = 0.01;   // of all wants that have none of their own
+  bool adapts = true;        // no: the first mesh is the mesh
+  double most_seconds = 0;   // 0: no limit
+  int most_elements = 20000; // of all bodies together
 };
 
 } // namespace sketch
