@@ -1,6 +1,7 @@
 #include "program/sketch/mesh.hpp"
 
 #include "program/sketch/outline.hpp"
+#include "program/sketch/refine.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +44,6 @@ private:
   void gaps(const Interface& interface);
   void spread(const MeshedOutline& outline, size_t first);
   void divide(MeshedCurve& curve, const Sizes& sizes) const;
-  void align(const Interface& interface);
 
   const Sketch& s_;
   double fineness_;
@@ -187,59 +187,6 @@ void Mesher::divide(MeshedCurve& curve, const Sizes& sizes) const {
   curve.ends.push_back(curve.measure.length());
 }
 
-// The length along a curve where it is nearest to a point: a sample, then Newton's method on the distance.
-double nearest_length(const MeshedCurve& curve, Point p) {
-  const Shape& shape = *curve.curve->shape;
-  const int n = 64 + 4 * shape.pieces();
-  double best = 0, least = HUGE_VAL;
-  for (int i = 0; i <= n; ++i)
-    if (const double d = length(shape.at(static_cast<double>(i) / n) - p); d < least)
-      least = d, best = static_cast<double>(i) / n;
-  for (int step = 0; step < 20; ++step) {
-    const Shape::Local l = shape.local(best);
-    const double slope = dot(l.d, l.d) + dot(l.at - p, l.dd), off = dot(l.at - p, l.d);
-    if (!(slope > 0)) break;
-    best = std::clamp(best - off / slope, 0.0, 1.0);
-  }
-  return curve.measure.length_to(best);
-}
-
-// Element ends of side 1 where those of side 2 face it, as far as they do.
-void Mesher::align(const Interface& interface) {
-  const int first = first_side(s_, interface);
-  const Side &one = interface.side[first], &two = interface.side[1 - first];
-  std::vector<Point> ends;
-  for (const MeshedOutline& outline : mesh_.bodies[static_cast<size_t>(two.body)])
-    for (const MeshedCurve& curve : outline.curves)
-      if (two.has(curve.curve->name))
-        for (const double s : curve.ends) ends.push_back(curve.curve->shape->at(curve.measure.u_at(s)));
-  for (MeshedOutline& outline : mesh_.bodies[static_cast<size_t>(one.body)])
-    for (MeshedCurve& curve : outline.curves) {
-      if (!one.has(curve.curve->name)) continue;
-      const double whole = curve.measure.length();
-      std::vector<double> there;
-      for (const Point& p : ends)
-        if (const double s = nearest_length(curve, p); s > 1e-9 * whole && s < (1 - 1e-9) * whole) there.push_back(s);
-      std::sort(there.begin(), there.end());
-      std::vector<double> out(1, 0.0);
-      const auto add = [&](double s, double room) { // ends that nearly coincide are one
-        if (s - out.back() > room && whole - s > room) out.push_back(s);
-      };
-      const double low = there.empty() ? whole : there.front(), high = there.empty() ? whole : there.back();
-      const auto step_at = [&](double s) { // of the elements as they are
-        const auto above = std::upper_bound(curve.ends.begin() + 1, curve.ends.end() - 1, s);
-        return *above - *(above - 1);
-      };
-      for (const double s : curve.ends)
-        if (s > 0 && s < low - 0.4 * step_at(s)) add(s, 0.4 * step_at(s));
-      for (const double s : there) add(s, 0.2 * step_at(s));
-      for (const double s : curve.ends)
-        if (s > high && s < whole) add(s, 0.4 * step_at(s));
-      out.push_back(whole);
-      if (out.size() > 2) curve.ends = out;
-    }
-}
-
 // Do curves belong to one side of an interface or a platen?
 bool are_on_one_side(const Sketch& s, int body, const Curve& a, const Curve& b) {
   const auto on = [&](const Side& side) { return side.body == body && side.has(a.name) && side.has(b.name); };
@@ -286,7 +233,7 @@ Mesh Mesher::run() {
   for (auto& outlines : mesh_.bodies)
     for (MeshedOutline& outline : outlines)
       for (MeshedCurve& curve : outline.curves) divide(curve, sizes_[index++]);
-  for (const Interface& interface : s_.interfaces) align(interface);
+  for (const Interface& interface : s_.interfaces) align(s_, interface, mesh_);
   return std::move(mesh_);
 }
 

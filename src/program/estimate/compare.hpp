@@ -1,0 +1,32 @@
+// Two meshes of one model: how far their states are apart, element by element.
+#pragma once
+
+#include "program/estimate/trial.hpp"
+
+namespace estimate {
+
+// A stretch of boundary that lies in one element of either mesh: between local coordinates -1 ... 1 of both.
+struct Overlap {
+  int32_t coarse, fine; // from 0
+  double from, to;      // on the coarse element
+  double fine_from, fine_to;
+};
+using Overlaps = std::vector<std::vector<Overlap>>; // of every body
+
+// Of a mesh and the one with every element in two.
+Overlaps overlaps_of_halves(const Trial& coarse);
+
+// What an element of the coarse mesh adds to the distance, the largest of all states (METHOD 19).
+struct Share {
+  double pressure = 0; // integral of |t - t'|^2 over it, where it is part of a contact, over the largest of the zone's states
+  double energy = 0;   // integral of |t - t'| |u - u'|, over the largest work of the states
+};
+struct Distance {
+  std::vector<std::vector<Share>> shares;  // per body and coarse element
+  std::vector<double> pressure;            // of each zone: relative, L2, the largest of the turns
+  std::vector<std::vector<double>> states; // of each zone and common state: the same
+  double energy = 0;                       // sum of the shares of the state where it is largest
+};
+Distance distance(const Trial& coarse, const Trial& fine, const Overlaps& overlaps);
+
+} // namespace estimate

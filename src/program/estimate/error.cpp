@@ -1,0 +1,92 @@
+#include "program/estimate/error.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace estimate {
+namespace {
+
+// Rates at which the distance falls: of a smooth solution 1/4, of one with an edge amid an element more.
+constexpr double kLeastRate = 0.25, kMostRate = 0.5, kUsualRate = 0.45;
+constexpr double kSafety = 1.5;
+
+double rate_of(double before, double last) {
+  return before > 0 ? std::clamp(last / before, kLeastRate, kMostRate) : kUsualRate;
+}
+
+bool is_same(const app::Quantity& a, const app::Quantity& b) {
+  return a.what == b.what && a.zone == b.zone && a.item == b.item;
+}
+const app::Quantity* find(const State& state, const app::Quantity& wanted) {
+  const auto found = std::find_if(state.quantities.begin(), state.quantities.end(),
+                                  [&](const app::Quantity& q) { return is_same(q, wanted); });
+  return found == state.quantities.end() ? nullptr : &*found;
+}
+
+// What the error of a number is to be compared with.
+double scale_of(const State& state, const app::Quantity& q) {
+  using app::Measure;
+  double forces = 0, largest = 0, low = HUGE_VAL, high = -HUGE_VAL;
+  for (const app::Quantity& other : state.quantities) {
+    if (other.zone != q.zone) continue;
+    if (other.what == Measure::kForceX || other.what == Measure::kForceY) forces = std::hypot(forces, other.value);
+    if (other.what == Measure::kApproach || other.what == Measure::kShift) largest = std::max(largest, std::fabs(other.value));
+    if (other.what == Measure::kContactEdge) low = std::min(low, other.value), high = std::max(high, other.value);
+  }
+  switch (q.what) {
+  case Measure::kForceX:
+  case Measure::kForceY: return forces;
+  case Measure::kApproach:
+  case Measure::kShift: return largest;
+  case Measure::kContactEdge:
+  case Measure::kStickBorder: return high > low ? (high - low) / 2 : std::fabs(q.value);
+  default: return std::fabs(q.value);
+  }
+}
+
+} // namespace
+
+double stated_error(double coarse, double middle, double fine, double rate) {
+  const double last = std::fabs(fine - middle), before = std::isnan(coarse) ? 0 : std::fabs(middle - coarse);
+  const double own = before > 0 ? std::clamp(last / before, kLeastRate, kMostRate) : rate;
+  const double r = std::max(own, rate), step = std::max(last, rate * before);
+  return kSafety * step * r / (1 - r);
+}
+
+std::vector<app::Stated> state_numbers(const Trial* coarse, const Trial& middle, const Trial& fine, const Distance* before,
+                                       const Distance& last) {
+  std::vector<app::Stated> out;
+  const auto rate = [&](int32_t zone) {
+    const size_t z = static_cast<size_t>(zone) - 1;
+    if (before == nullptr) return kUsualRate;
+    if (zone == 0) return rate_of(before->energy, last.energy);
+    return z < before->pressure.size() && z < last.pressure.size() ? rate_of(before->pressure[z], last.pressure[z]) : kUsualRate;
+  };
+  for (size_t z = 0; z < last.pressure.size(); ++z) {
+    if (fine.tied[z] != 0) continue;
+    const double r = rate(static_cast<int32_t>(z) + 1);
+    app::Stated s;
+    s.name = "tractions, L2";
+    s.zone = static_cast<int32_t>(z) + 1;
+    s.value = s.scale = 1;
+    s.error = kSafety * last.pressure[z] * r / (1 - r);
+    out.push_back(s);
+  }
+  if (fine.states.empty() || middle.states.size() != fine.states.size()) return out;
+  const State &f = fine.states.back(), &m = middle.states.back();
+  const State* c = coarse != nullptr && coarse->states.size() == fine.states.size() ? &coarse->states.back() : nullptr;
+  for (const app::Quantity& q : f.quantities) {
+    const app::Quantity* qm = find(m, q);
+    const app::Quantity* qc = c == nullptr ? nullptr : find(*c, q);
+    app::Stated s;
+    s.name = app::name_of(q.what);
+    s.zone = q.zone, s.item = q.item, s.value = q.value;
+    s.at[0] = q.at[0], s.at[1] = q.at[1];
+    s.scale = scale_of(f, q);
+    if (qm != nullptr) s.error = stated_error(qc == nullptr ? NAN : qc->value, qm->value, q.value, rate(q.zone));
+    out.push_back(s);
+  }
+  return out;
+}
+
+} // namespace estimate

@@ -1,0 +1,23 @@
+// From a sketch to a mesh on which every number that is wanted has its stated error below its tolerance.
+#pragma once
+
+#include "program/estimate/trial.hpp"
+#include "program/sketch/mesh.hpp"
+#include "report/stated.hpp"
+
+#include <functional>
+
+namespace estimate {
+
+struct Adapted {
+  sketch::Mesh mesh;
+  std::string deck; // of the mesh
+  app::MeshLoop loop;
+  c2d_status status = C2D_OK; // a failure of the first meshes: there is no result
+  std::string why;
+};
+
+// Follows the whole history on each mesh (METHOD 19). `told` hears of every mesh that was solved. Throws sketch::Fault.
+Adapted adapt(const sketch::Sketch& sketch, const Demand& demand, const std::function<void(const app::MeshRound&)>& told);
+
+} // namespace estimate

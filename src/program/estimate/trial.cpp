@@ -1,0 +1,258 @@
+#include "program/estimate/trial.hpp"
+
+#include "program/deck_file.hpp"
+#include "program/interrupt.hpp"
+#include "program/progress.hpp"
+#include "program/workspace.hpp"
+#include "report/record.hpp"
+
+#include <c2d_memory.h>
+#include <cmath>
+#include <memory>
+
+namespace estimate {
+namespace {
+
+// A solver over a deck's text, with all of its memory.
+class Solver {
+public:
+  ~Solver() {
+    if (solver_ != nullptr) c2d_close(solver_);
+  }
+  c2d_status read(const std::string& text, const Demand& demand, std::string& why);
+  c2d_solver* get() const { return solver_; }
+  std::string words(c2d_status status) const;
+
+private:
+  c2d_status make_store(const Demand& demand, c2d_port& port);
+
+  app::DeckFile deck_;
+  std::vector<c2d_body_limits> bodies_;
+  c2d_limits limits_ = C2D_INIT(c2d_limits);
+  app::Workspace workspace_;
+  std::unique_ptr<void, app::FreeMemory> region_;
+  c2d_memory_store store_;
+  c2d_solver* solver_ = nullptr;
+};
+
+c2d_options options_of(const Demand& demand) {
+  c2d_options options = C2D_INIT(c2d_options);
+  options.symmetry = demand.symmetry;
+  options.quadrature = demand.quadrature;
+  return options;
+}
+
+std::string Solver::words(c2d_status status) const {
+  c2d_error error = C2D_INIT(c2d_error);
+  if (solver_ != nullptr) c2d_last_error(solver_, &error);
+  return error.status == status && error.text[0] != '\0' ? error.text : c2d_message(status);
+}
+
+// Tapes in memory, as large as they can become.
+c2d_status Solver::make_store(const Demand& demand, c2d_port& port) {
+  const c2d_options options = options_of(demand);
+  uint64_t sum = 0;
+  for (int32_t tape = 0; tape < C2D_TAPES; ++tape) {
+    uint64_t blocks = 0, bytes = 0;
+    const c2d_status status = c2d_tape_need(&limits_, &options, workspace_.bytes, tape, &blocks, &bytes, nullptr);
+    if (status != C2D_OK) return status;
+    sum += blocks * bytes + 64;
+  }
+  region_.reset(sum < SIZE_MAX ? std::calloc(static_cast<size_t>(sum), 1) : nullptr);
+  if (region_ == nullptr) return C2D_ERR_MEMORY;
+  c2d_memory_store_init(&store_, region_.get(), sum);
+  c2d_memory_store_port(&store_, &port);
+  return C2D_OK;
+}
+
+c2d_status Solver::read(const std::string& text, const Demand& demand, std::string& why) {
+  deck_.replace(text);
+  bodies_ = app::room_for_bodies(deck_);
+  limits_.bodies = static_cast<int32_t>(bodies_.size());
+  limits_.body = bodies_.data();
+  c2d_error error = C2D_INIT(c2d_error);
+  c2d_status status = c2d_scan_deck(app::DeckFile::read_line, &deck_, &limits_, &error);
+  if (status == C2D_OK) status = app::take_workspace(limits_, demand.memory, workspace_, why);
+  if (!why.empty()) return status;
+  c2d_port port = C2D_INIT(c2d_port);
+  if (status == C2D_OK) status = make_store(demand, port);
+  port.cancel = [](void*) { return static_cast<int32_t>(app::interrupted()); };
+  if (status == C2D_OK)
+    status = c2d_create(&solver_, workspace_.memory.get(), static_cast<size_t>(workspace_.bytes), &limits_, &port, &error);
+  const c2d_options options = options_of(demand);
+  if (status == C2D_OK) status = c2d_set_options(solver_, &options);
+  deck_.rewind();
+  if (status == C2D_OK) status = c2d_read_deck(solver_, app::DeckFile::read_line, &deck_);
+  if (status != C2D_OK) why = error.text[0] != '\0' ? error.text : words(status);
+  return status;
+}
+
+// Follows the history and takes what the states show.
+class History {
+public:
+  History(c2d_solver* solver, const Demand& demand, Trial& out) : solver_(solver), demand_(demand), out_(out) {}
+  c2d_status describe(); // the model
+  c2d_status follow();
+
+private:
+  c2d_status measure(int32_t body);
+  c2d_status begin();
+  c2d_status go_to(const std::vector<double>& loads);
+  c2d_status note(bool turn);
+  c2d_status note_contact(State& state);
+
+  c2d_solver* solver_;
+  const Demand& demand_;
+  Trial& out_;
+  app::Summary summary_;
+  std::vector<app::ZoneLine> lines_;
+  std::vector<double> loads_; // reached
+};
+
+c2d_status History::measure(int32_t body) {
+  const c2d_body_result& b = summary_.body[body - 1];
+  const int32_t steps = b.element_nodes - 1, closed = b.regions - b.open_regions;
+  const int32_t count = b.elements * steps + b.open_regions;
+  std::vector<double> xy(2 * static_cast<size_t>(count));
+  c2d_status status = c2d_get(solver_, C2D_NODE_X, body, 1, count, xy.data(), 2);
+  if (status == C2D_OK) status = c2d_get(solver_, C2D_NODE_Y, body, 1, count, xy.data() + 1, 2);
+  std::vector<double>& lengths = out_.lengths[static_cast<size_t>(body) - 1];
+  lengths.assign(static_cast<size_t>(b.elements), 0);
+  int32_t node = 0;
+  for (int32_t r = 1; r <= b.open_regions + closed && status == C2D_OK; ++r) {
+    int32_t first = 0, last = 0;
+    status = c2d_get_region(solver_, body, r, &first, &last);
+    const int32_t begin = node;
+    for (int32_t e = first; e <= last && status == C2D_OK; ++e)
+      for (int32_t k = 0; k < steps; ++k, ++node) {
+        const int32_t next = r > b.open_regions && e == last && k + 1 == steps ? begin : node + 1;
+        const size_t p = 2 * static_cast<size_t>(node), q = 2 * static_cast<size_t>(next);
+        lengths[static_cast<size_t>(e) - 1] += std::hypot(xy[q] - xy[p], xy[q + 1] - xy[p + 1]);
+      }
+    if (r <= b.open_regions) ++node;
+  }
+  return status;
+}
+
+c2d_status History::describe() {
+  c2d_status status = app::get_summary(solver_, summary_);
+  out_.nodes = summary_.function_nodes;
+  out_.pairs = summary_.pairs;
+  out_.lengths.resize(static_cast<size_t>(summary_.bodies));
+  for (int32_t b = 1; b <= summary_.bodies && status == C2D_OK; ++b) {
+    out_.elements += summary_.body[b - 1].elements;
+    out_.equations += summary_.body[b - 1].unknowns;
+    status = measure(b);
+  }
+  for (const c2d_zone& zone : summary_.zone) {
+    const auto side = [](const c2d_side& s) {
+      const bool down = s.first_element > s.last_element && s.elements == 0;
+      return Side{s.body - 1, (down ? s.last_element : s.first_element) - 1, (down ? s.first_element : s.last_element) - 1};
+    };
+    out_.zones.push_back({side(zone.side1), side(zone.side2)});
+    out_.tied.push_back((zone.kind & C2D_ZONE_TIED) != 0);
+  }
+  if (status == C2D_OK) status = app::find_zone_lines(solver_, summary_, lines_);
+  return status;
+}
+
+c2d_status History::begin() {
+  std::vector<double> mu;
+  for (int32_t z = 1; z <= summary_.zones; ++z) {
+    mu.push_back(0);
+    const c2d_status status = c2d_get_friction(solver_, z, 1, &mu.back());
+    if (status != C2D_OK) return status;
+  }
+  if (mu.empty()) mu.push_back(0);
+  return c2d_begin(solver_, mu.data(), static_cast<int32_t>(mu.size()));
+}
+
+c2d_status History::note_contact(State& state) {
+  if (summary_.pairs == 0) return C2D_OK;
+  std::vector<double> table(static_cast<size_t>(summary_.pairs) * C2D_PAIR_FIELDS);
+  c2d_status status = C2D_OK;
+  for (int32_t f = 0; f < C2D_PAIR_FIELDS && status == C2D_OK; ++f)
+    status = c2d_get(solver_, f, 1, 1, summary_.pairs, table.data() + f, C2D_PAIR_FIELDS);
+  std::vector<c2d_zone_state> zones(static_cast<size_t>(summary_.zones), C2D_INIT(c2d_zone_state));
+  for (int32_t z = 1; z <= summary_.zones && status == C2D_OK; ++z)
+    status = c2d_get_zone_state(solver_, z, &zones[static_cast<size_t>(z) - 1]);
+  if (status == C2D_OK) state.quantities = app::quantities_of(lines_, table.data(), C2D_PAIR_FIELDS, zones, state.dissipated);
+  return status;
+}
+
+c2d_status History::note(bool turn) {
+  State state;
+  state.step = static_cast<int32_t>(out_.states.size()) + 1;
+  state.turn = turn;
+  state.loads = loads_;
+  app::Summary now;
+  c2d_status status = app::get_summary(solver_, now);
+  state.work = now.work, state.dissipated = now.dissipated, state.elastic = now.elastic;
+  const int32_t fields[kFields] = {C2D_END_UX, C2D_END_UY, C2D_END_TX, C2D_END_TY, C2D_END_HOOP};
+  state.ends.resize(static_cast<size_t>(summary_.bodies));
+  for (int32_t b = 1; b <= summary_.bodies && status == C2D_OK; ++b) {
+    std::vector<std::vector<double>> values;
+    status = app::get_ends(solver_, summary_, b, fields, kFields, values);
+    for (size_t f = 0; f < values.size(); ++f) state.ends[static_cast<size_t>(b) - 1][f] = std::move(values[f]);
+  }
+  if (status == C2D_OK) status = note_contact(state);
+  for (const Place& place : demand_.points) {
+    double out[C2D_POINT_FIELDS] = {};
+    const double xy[2] = {place.x, place.y};
+    if (status == C2D_OK) status = c2d_interior(solver_, place.body, 1, xy, 2, out, C2D_POINT_FIELDS);
+    state.inside.push_back({out[C2D_POINT_UX], out[C2D_POINT_UY], out[C2D_POINT_SXX], out[C2D_POINT_SYY], out[C2D_POINT_SXY]});
+  }
+  out_.states.push_back(std::move(state));
+  return status;
+}
+
+c2d_status History::go_to(const std::vector<double>& loads) {
+  const c2d_status status = c2d_advance(solver_, loads.data(), static_cast<int32_t>(loads.size()), &out_.outcome);
+  loads_ = loads;
+  return status;
+}
+
+c2d_status History::follow() {
+  c2d_status status = begin();
+  loads_.assign(static_cast<size_t>(std::max(1, summary_.load_cases)), 0);
+  int32_t press = 0; // the load case that closes overlaps
+  if (status == C2D_OK) status = c2d_get_interference(solver_, &press);
+  if (status == C2D_OK && press > 0) {
+    std::vector<double> to = loads_;
+    to[static_cast<size_t>(press) - 1] = 1;
+    status = go_to(to);
+  }
+  for (int32_t p = 1; p <= summary_.paths && status == C2D_OK && out_.outcome == C2D_REACHED; ++p) {
+    const std::vector<double> from = loads_;
+    std::vector<double> to(from.size());
+    int32_t increments = 1;
+    status = c2d_get_path(solver_, p, &increments, to.data(), static_cast<int32_t>(to.size()));
+    if (press > 0) to[static_cast<size_t>(press) - 1] = 1;
+    for (int32_t i = 1; i <= increments && status == C2D_OK && out_.outcome == C2D_REACHED; ++i) {
+      std::vector<double> now(to.size());
+      for (size_t c = 0; c < to.size(); ++c) now[c] = i == increments ? to[c] : from[c] + (to[c] - from[c]) * i / increments;
+      status = go_to(now);
+      if (status == C2D_OK) status = note(i == increments || out_.outcome != C2D_REACHED);
+    }
+  }
+  if (out_.outcome != C2D_REACHED) out_.why = c2d_outcome_message(out_.outcome);
+  return status;
+}
+
+} // namespace
+
+c2d_status solve(const std::string& deck, const Demand& demand, Trial& out, std::string& why) {
+  const double start = app::clock_seconds(nullptr);
+  Solver solver;
+  c2d_status status = solver.read(deck, demand, why);
+  if (status != C2D_OK) return status;
+  History history(solver.get(), demand, out);
+  status = history.describe();
+  if (status == C2D_OK) status = c2d_prepare(solver.get());
+  if (status == C2D_OK) status = history.follow();
+  if (status != C2D_OK) why = solver.words(status);
+  out.seconds = app::clock_seconds(nullptr) - start;
+  return status;
+}
+
+} // namespace estimate

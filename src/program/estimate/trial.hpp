@@ -1,0 +1,60 @@
+// A model solved along its whole history on one mesh, with what is needed to compare it with another mesh of the same model.
+#pragma once
+
+#include "report/quantities.hpp"
+
+#include <contact2d.h>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace estimate {
+
+// Where displacements and stresses inside a body are wanted.
+struct Place {
+  int32_t body; // from 1
+  double x, y;
+};
+
+// What one run may take, and what it is to bring.
+struct Demand {
+  uint64_t memory = 0; // workspace bytes; 0: chosen by size
+  std::vector<Place> points;
+  int32_t symmetry = 0, quadrature = 0; // as in c2d_options
+};
+
+enum Field { kUx, kUy, kTx, kTy, kHoop, kFields };
+
+// The end of an increment, or where a path ended early.
+struct State {
+  int32_t step = 0;             // of the path, from 1
+  bool turn = false;            // the end of a piece of the path
+  std::vector<double> loads;
+  std::vector<std::array<std::vector<double>, kFields>> ends; // per body, per element end
+  std::vector<app::Quantity> quantities;
+  std::vector<std::array<double, 5>> inside; // of each place: ux uy sxx syy sxy
+  double work = 0, dissipated = 0, elastic = 0;
+};
+
+struct Side { // elements from 0, going up; round an outline's end if last < first
+  int32_t body, first, last;
+};
+
+struct Trial {
+  int32_t nodes = 0;                        // functional ones of an element
+  std::vector<std::vector<double>> lengths; // of every body's elements
+  std::vector<std::array<Side, 2>> zones;
+  std::vector<char> tied;                   // of each zone
+  std::vector<State> states;
+  c2d_outcome outcome = C2D_REACHED;
+  std::string why; // if the history ended early
+  int32_t elements = 0, pairs = 0, equations = 0;
+  double seconds = 0;
+};
+
+// Errors: as of c2d_create, c2d_read_deck, c2d_prepare, c2d_advance; `why` says it in words.
+c2d_status solve(const std::string& deck, const Demand& demand, Trial& out, std::string& why);
+
+} // namespace estimate

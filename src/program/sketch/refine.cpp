@@ -1,0 +1,211 @@
+#include "program/sketch/refine.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sketch {
+namespace {
+
+constexpr double kNeighbours = 3.0; // the most that an element is longer than the one beside it
+
+// The length along a curve where it is nearest to a point: a sample, then Newton's method on the distance.
+double nearest_length(const MeshedCurve& curve, Point p) {
+  const Shape& shape = *curve.curve->shape;
+  const int n = 64 + 4 * shape.pieces();
+  double best = 0, least = HUGE_VAL;
+  for (int i = 0; i <= n; ++i)
+    if (const double d = length(shape.at(static_cast<double>(i) / n) - p); d < least)
+      least = d, best = static_cast<double>(i) / n;
+  for (int step = 0; step < 20; ++step) {
+    const Shape::Local l = shape.local(best);
+    const double slope = dot(l.d, l.d) + dot(l.at - p, l.dd), off = dot(l.at - p, l.d);
+    if (!(slope > 0)) break;
+    best = std::clamp(best - off / slope, 0.0, 1.0);
+  }
+  return curve.measure.length_to(best);
+}
+
+std::vector<double> divided(const std::vector<double>& ends, const int* levels) {
+  std::vector<double> out(1, ends.front());
+  for (size_t e = 0; e + 1 < ends.size(); ++e) {
+    const int parts = 1 << levels[e];
+    for (int k = 1; k < parts; ++k) out.push_back(ends[e] + (ends[e + 1] - ends[e]) * k / parts);
+    out.push_back(ends[e + 1]);
+  }
+  return out;
+}
+
+// An element of side 1 is as fine as what it asks for on side 2.
+class Sides {
+public:
+  Sides(const Sketch& sketch, const Mesh& mesh, Levels& levels) : s_(sketch), mesh_(mesh), levels_(levels) {}
+  void carry(const Interface& interface);
+
+private:
+  const Sketch& s_;
+  const Mesh& mesh_;
+  Levels& levels_;
+};
+
+void Sides::carry(const Interface& interface) {
+  const int first = first_side(s_, interface);
+  const Side &one = interface.side[first], &two = interface.side[1 - first];
+  struct Asked {
+    Point middle;
+    double half;
+    int level;
+  };
+  std::vector<Asked> asked;
+  size_t e = 0;
+  for (const MeshedOutline& outline : mesh_.bodies[static_cast<size_t>(one.body)])
+    for (const MeshedCurve& curve : outline.curves)
+      for (size_t k = 0; k < curve.elements(); ++k, ++e) {
+        const int level = levels_[static_cast<size_t>(one.body)][e];
+        if (level == 0 || !one.has(curve.curve->name)) continue;
+        const double half = (curve.ends[k + 1] - curve.ends[k]) / 2;
+        asked.push_back({curve.curve->shape->at(curve.measure.u_at(curve.ends[k] + half)), half, level});
+      }
+  if (asked.empty()) return;
+  e = 0;
+  for (const MeshedOutline& outline : mesh_.bodies[static_cast<size_t>(two.body)])
+    for (const MeshedCurve& curve : outline.curves)
+      for (size_t k = 0; k < curve.elements(); ++k, ++e) {
+        if (!two.has(curve.curve->name)) continue;
+        const double half = (curve.ends[k + 1] - curve.ends[k]) / 2;
+        const Point middle = curve.curve->shape->at(curve.measure.u_at(curve.ends[k] + half));
+        int& level = levels_[static_cast<size_t>(two.body)][e];
+        for (const Asked& a : asked) {
+          const double gap = length(a.middle - middle);
+          if (gap < a.half + half && half > 0.7 * a.half) level = std::max(level, a.level);
+        }
+      }
+}
+
+// Neighbours on an outline, round its end where it is closed.
+void smooth(MeshedOutline& outline) {
+  struct Element {
+    MeshedCurve* curve;
+    size_t index;
+    double length;
+  };
+  for (bool changed = true; changed;) {
+    changed = false;
+    std::vector<Element> all;
+    for (MeshedCurve& curve : outline.curves)
+      for (size_t e = 0; e < curve.elements(); ++e) all.push_back({&curve, e, curve.ends[e + 1] - curve.ends[e]});
+    std::vector<char> split(all.size(), 0);
+    for (size_t i = 0; i < all.size(); ++i) {
+      const size_t next = i + 1 < all.size() ? i + 1 : 0;
+      if (next == 0 && outline.open) break;
+      if (all[i].length > kNeighbours * all[next].length * (1 + 1e-9)) split[i] = 1;
+      if (all[next].length > kNeighbours * all[i].length * (1 + 1e-9)) split[next] = 1;
+    }
+    size_t at = 0;
+    for (MeshedCurve& curve : outline.curves) {
+      std::vector<int> levels;
+      for (size_t e = 0; e < curve.elements(); ++e) levels.push_back(split[at + e]);
+      at += curve.elements();
+      if (std::count(levels.begin(), levels.end(), 1) == 0) continue;
+      curve.ends = divided(curve.ends, levels.data());
+      changed = true;
+    }
+  }
+}
+
+// Element ends of a curve of side 1 where those of side 2 face it; its own remain where nothing does.
+void face(const std::vector<std::vector<Point>>& chains, MeshedCurve& curve) {
+  const double whole = curve.measure.length(), low = 1e-9 * whole, high = whole - low;
+  struct Stretch { // that an element of side 2 faces
+    double from, to;
+  };
+  std::vector<Stretch> faced;
+  std::vector<double> places;
+  for (const std::vector<Point>& chain : chains) {
+    double before = -1;
+    for (const Point& p : chain) {
+      const double s = nearest_length(curve, p);
+      const bool within = s > low && s < high;
+      if (within) places.push_back(s);
+      if (within && before > low && before < high) faced.push_back({std::min(s, before), std::max(s, before)});
+      before = s;
+    }
+  }
+  if (places.empty()) return;
+  std::sort(places.begin(), places.end());
+  const auto step_at = [&](double s) { // of the elements as they are
+    const auto above = std::upper_bound(curve.ends.begin() + 1, curve.ends.end() - 1, s);
+    return *above - *(above - 1);
+  };
+  for (const double s : std::vector<double>(curve.ends.begin() + 1, curve.ends.end() - 1)) {
+    const double room = 0.4 * step_at(s);
+    bool keeps = true;
+    for (const Stretch& f : faced) keeps = keeps && (s <= f.from || s >= f.to);
+    const auto above = std::lower_bound(places.begin(), places.end(), s);
+    if (keeps && (above == places.end() || *above - s > room) && (above == places.begin() || s - *(above - 1) > room))
+      places.insert(above, s);
+  }
+  std::vector<double> out(1, 0.0);
+  for (const double s : places) { // ends that nearly coincide are one
+    const double room = 0.2 * step_at(s);
+    if (s - out.back() > room && whole - s > room) out.push_back(s);
+  }
+  out.push_back(whole);
+  if (out.size() > 2) curve.ends = out;
+}
+
+} // namespace
+
+void align(const Sketch& sketch, const Interface& interface, Mesh& mesh) {
+  const int first = first_side(sketch, interface);
+  const Side &one = interface.side[first], &two = interface.side[1 - first];
+  std::vector<std::vector<Point>> chains; // element ends of side 2, curve by curve
+  for (const MeshedOutline& outline : mesh.bodies[static_cast<size_t>(two.body)])
+    for (const MeshedCurve& curve : outline.curves)
+      if (two.has(curve.curve->name)) {
+        chains.push_back({});
+        for (const double s : curve.ends) chains.back().push_back(curve.curve->shape->at(curve.measure.u_at(s)));
+      }
+  for (MeshedOutline& outline : mesh.bodies[static_cast<size_t>(one.body)])
+    for (MeshedCurve& curve : outline.curves)
+      if (one.has(curve.curve->name)) face(chains, curve);
+}
+
+Mesh refined(const Sketch& sketch, const Mesh& mesh, const Levels& levels) {
+  Levels all = levels;
+  for (const Interface& interface : sketch.interfaces) Sides(sketch, mesh, all).carry(interface);
+  Mesh out = mesh;
+  for (size_t b = 0; b < out.bodies.size(); ++b) {
+    const int* level = all[b].data();
+    for (MeshedOutline& outline : out.bodies[b]) {
+      for (MeshedCurve& curve : outline.curves) {
+        const size_t before = curve.elements();
+        curve.ends = divided(curve.ends, level);
+        level += before;
+      }
+      smooth(outline);
+    }
+  }
+  for (const Interface& interface : sketch.interfaces) align(sketch, interface, out);
+  return out;
+}
+
+Mesh halved(const Sketch& sketch, const Mesh& mesh) {
+  Mesh out = mesh;
+  for (auto& outlines : out.bodies)
+    for (MeshedOutline& outline : outlines)
+      for (MeshedCurve& curve : outline.curves) {
+        const std::vector<int> once(curve.elements(), 1);
+        curve.ends = divided(curve.ends, once.data());
+      }
+  for (const Interface& interface : sketch.interfaces) align(sketch, interface, out);
+  return out;
+}
+
+int elements_of(const Mesh& mesh) {
+  size_t count = 0;
+  for (const auto& outlines : mesh.bodies)
+    for (const MeshedOutline& outline : outlines) count += outline.elements();
+  return static_cast<int>(count);
+}
+
+} // namespace sketch

@@ -1,0 +1,21 @@
+// Meshes made finer: elements bisected on the true curves, both sides of a contact alike.
+#pragma once
+
+#include "program/sketch/mesh.hpp"
+
+namespace sketch {
+
+// Of every body, per element in the order of the deck, how often it is to be bisected.
+using Levels = std::vector<std::vector<int>>;
+
+// Neighbours become at most three times as long; what faces an element of side 2 is as long as it.
+Mesh refined(const Sketch& sketch, const Mesh& mesh, const Levels& levels);
+// Every element in two.
+Mesh halved(const Sketch& sketch, const Mesh& mesh);
+
+// Element ends of side 1 of an interface where those of side 2 face it, as far as they do.
+void align(const Sketch& sketch, const Interface& interface, Mesh& mesh);
+
+int elements_of(const Mesh& mesh); // of all bodies
+
+} // namespace sketch
