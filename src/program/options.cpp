@@ -253,6 +253,7 @@ const std::array<OutputName, kOutputs> kOutputTable = {{
               "                     inside, for ParaView"},
     {"--trace", "CSV of every change of status: load, pair, from, to, why"},
     {"--bodies", "CSV of every body: contact force and moment, and how a rigid one moved, by step"},
+    {"--summary", "CSV of what sums up the contact, by step: pressures, edges, stick borders, resultants"},
 }};
 
 namespace {

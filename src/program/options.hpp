@@ -13,12 +13,12 @@ enum class Command { kRun, kCheck, kMesh, kConvert, kMake, kResume, kVersion, kH
 enum class Progress { kAutomatic, kAlways, kNever };
 
 // Outputs that are single files. Each is named here and in kOutputTable (options.cpp), nowhere else.
-enum class Output { kListing, kCsv, kBoundary, kInterior, kJson, kReport, kVtk, kTrace, kBodies };
+enum class Output { kListing, kCsv, kBoundary, kInterior, kJson, kReport, kVtk, kTrace, kBodies, kSummary };
 struct OutputName {
   const char* option;
   const char* help;
 };
-constexpr size_t kOutputs = 9;
+constexpr size_t kOutputs = 10;
 extern const std::array<OutputName, kOutputs> kOutputTable; // in the order of Output
 
 struct Options {

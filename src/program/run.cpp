@@ -80,6 +80,7 @@ private:
   Summary summary_;
   std::vector<std::vector<ContactEnd>> ends_; // of each body
   std::vector<CrackTip> tips_;
+  std::vector<ZoneLine> lines_;
   bool restored_ = false, fresh_start_ = false;
   int32_t coefficient_shown_ = 0; // the coefficient whose heading stands in the listing
   std::string error_;
@@ -102,7 +103,7 @@ int32_t Run::on_step(void* context, const c2d_step* step) {
   const bool again = before != nullptr && !before->table.empty() && before->load == step->load;
   if (run.coefficient_shown_ != step->coefficient) run.show_contact_zone();
   CoefficientRecord& kept = keep_step(run.record_, *step);
-  keep_history(kept, *step, run.outputs_.has(Output::kJson) ? run.session_.solver : nullptr, run.tips_);
+  keep_history(kept, *step, run.session_.solver, run.tips_, run.lines_);
   if (run.outputs_.has(Output::kListing)) {
     append_step(run.outputs_.text(Output::kListing), *step, run.coefficient_shown_ != step->coefficient);
     run.coefficient_shown_ = step->coefficient;
@@ -243,6 +244,7 @@ int Run::prepare() {
   for (int32_t body = 1; body <= summary_.bodies && status == C2D_OK && summary_.pairs > 0; ++body)
     status = find_contact_ends(solver, summary_, body, ends_[static_cast<size_t>(body) - 1]);
   if (status == C2D_OK) status = find_crack_tips(solver, summary_, tips_);
+  if (status == C2D_OK) status = find_zone_lines(solver, summary_, lines_);
   for (int32_t i = 1; i <= summary_.coefficients && status == C2D_OK; ++i) {
     record_.friction.push_back(0.0);
     status = c2d_get_friction(solver, 0, i, &record_.friction.back());
@@ -299,6 +301,8 @@ int Run::report() {
   c2d_solver* solver = session_.solver;
   const bool solved = c2d_get_state(solver) == C2D_STATE_RUNNING;
   get_summary(solver, summary_);
+  record_.take_stated_errors();
+  if (outputs_.has(Output::kSummary)) append_summary(outputs_.text(Output::kSummary), record_, summary_);
   c2d_status status = C2D_OK;
   if (outputs_.has(Output::kBoundary) && solved) status = append_boundary(outputs_.text(Output::kBoundary), solver, summary_);
   if (status == C2D_OK && outputs_.has(Output::kListing)) {

@@ -2,6 +2,8 @@
 
 #include "report/text.hpp"
 
+#include <cmath>
+
 namespace app {
 
 namespace {
@@ -59,6 +61,51 @@ void append_bodies_rows(std::string& out, const c2d_step& step, c2d_solver* solv
     for (const double number : state.motion) add(out, number);
     out += '\n';
   }
+}
+
+namespace {
+
+// A name as a field; names are free of control characters, but not of commas.
+void add_name(std::string& out, const std::string& name) {
+  const bool plain = name.find_first_of(",\"") == std::string::npos;
+  out += ',';
+  if (!plain) out += '"';
+  for (const char c : name) out.append(c == '"' ? 2 : 1, c);
+  if (!plain) out += '"';
+}
+
+void add_if_known(std::string& out, double number) {
+  if (std::isfinite(number))
+    add(out, number);
+  else
+    out += ',';
+}
+
+// A path that ended in the state of its last row has that state twice.
+bool is_repeated(const CoefficientRecord& c, size_t i) {
+  return c.outcome != C2D_REACHED && i + 2 == c.steps.size() && c.steps[i].loads == c.steps[i + 1].loads;
+}
+
+} // namespace
+
+void append_summary(std::string& out, const RunRecord& record, const Summary& summary) {
+  out += "mu,step,load,zone,name,quantity,item,value,x,y,error\n";
+  for (const CoefficientRecord& c : record.coefficients)
+    for (size_t i = 0; i < c.steps.size(); ++i) {
+      if (is_repeated(c, i)) continue;
+      for (const Quantity& q : c.steps[i].quantities) {
+        append_number(out, c.mu);
+        add(out, int64_t{c.steps[i].step});
+        add(out, c.steps[i].loads.empty() ? 0.0 : c.steps[i].loads.front());
+        add(out, int64_t{q.zone});
+        add_name(out, q.zone > 0 ? summary.zone_name[static_cast<size_t>(q.zone) - 1] : std::string());
+        add_name(out, name_of(q.what));
+        add(out, int64_t{q.item});
+        add(out, q.value);
+        for (const double number : {q.at[0], q.at[1], q.error}) add_if_known(out, number);
+        out += '\n';
+      }
+    }
 }
 
 void append_boundary_header(std::string& out) { out += "body,element,node,x,y,ux,uy,tx,ty\n"; }

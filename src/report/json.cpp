@@ -128,6 +128,32 @@ void append_force(std::string& out, const Summary& s) {
   out += "]}";
 }
 
+void append_quantity(std::string& out, const Quantity& q) {
+  Object o(out, "{", ", ");
+  o.integer("zone", q.zone);
+  o.word("quantity", name_of(q.what));
+  o.integer("item", q.item);
+  o.number("value", q.value);
+  if (std::isfinite(q.at[0])) {
+    o.number("x", q.at[0]);
+    o.number("y", q.at[1]);
+  }
+  if (std::isfinite(q.error)) o.number("error", q.error);
+  out += '}';
+}
+
+// Of a step; nothing where there is no contact at all.
+void append_quantities(Object& o, const StepRecord& step, const char* between) {
+  if (step.quantities.empty()) return;
+  std::string& out = o.key("quantities") += '[';
+  for (size_t i = 0; i < step.quantities.size(); ++i) {
+    out += i > 0 ? "," : "";
+    out += i > 0 || *between == '\n' ? between : "";
+    append_quantity(out, step.quantities[i]);
+  }
+  out += ']';
+}
+
 void append_runs(std::string& out, const RunRecord& record) {
   out += '[';
   bool first = true;
@@ -140,6 +166,7 @@ void append_runs(std::string& out, const RunRecord& record) {
     o.integer("step", c.step);
     o.number("load", c.load);
     o.integer("changes", c.changes);
+    if (!c.steps.empty()) append_quantities(o, c.steps.back(), "\n      ");
     out += '}';
   }
   out += ']';
@@ -229,6 +256,7 @@ void append_history(std::string& out, const RunRecord& record) {
       }
       out += ']';
       append_cracks(o, step);
+      append_quantities(o, step, " ");
       out += '}';
     }
   out += ']';

@@ -110,6 +110,7 @@ void append_ending(std::string& out, const RunRecord& record, const Summary& s) 
   const bool solved = !record.checked_only && (record.incomplete() == nullptr || !record.incomplete()->singular);
   if (solved) append_balance(out, s);
   if (solved) append_energy(out, record);
+  if (solved) append_quantities(out, record, s);
   if (solved) append_stress_intensity(out, record);
   if (!record.warnings.empty()) {
     append_section(out, "Warnings");

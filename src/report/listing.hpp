@@ -23,7 +23,9 @@ void append_contact_zone(std::string& out, const CoefficientRecord& coefficient,
                          const Summary& summary);
 // Displacements and tractions of all element ends in global components at the load reached.
 c2d_status append_global(std::string& out, c2d_solver* solver, const Summary& summary);
-// Balance of forces, warnings, and how the run ended.
+// What sums up the contact at the last state of every coefficient, with the errors that are stated.
+void append_quantities(std::string& out, const RunRecord& record, const Summary& summary);
+// Balance of forces, what sums up the contact, warnings, and how the run ended.
 void append_ending(std::string& out, const RunRecord& record, const Summary& summary);
 
 } // namespace app

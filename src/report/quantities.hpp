@@ -1,8 +1,9 @@
 // The numbers that sum up a state of the contact: where it ends, where stick ends, peaks, resultants, what friction took.
-// Edges and borders lie between nodes (METHOD 17). A number may carry a stated error, which is an estimate.
+// Edges and borders lie between nodes (METHOD 16.4). A number may carry a stated error, which is an estimate.
 #pragma once
 
 #include "report/summary.hpp"
+#include "report/zone_line.hpp"
 
 #include <contact2d.h>
 
@@ -14,7 +15,7 @@ namespace app {
 
 enum class Measure {
   kPeakPressure, // and where
-  kMeanPressure, // over what touches
+  kMeanPressure, // over what touches, by its length between the edges
   kContactEdge,  // where contact ends: value is the length along side 2, from its first pair
   kStickBorder,  // where stick meets slip, likewise
   kForceX,
@@ -23,38 +24,32 @@ enum class Measure {
   kApproach,
   kShift,        // c2d_zone_state
   kDissipated,   // by the whole contact since zero load
-  kEdgePressure, // L of p = L sqrt(d) at a contact edge, d the distance inside
-  kEdgeFriction, // K of q = K / sqrt(d) where a stuck contact ends
+  kEdgePressure, // L of p = L sqrt(d) at a contact edge, d the distance inside; its item is that of the edge
+  kEdgeFriction, // K of tt = K / sqrt(d) where a stuck contact ends; its item is that of the edge
 };
+constexpr int kMeasures = 12;
 
 struct Quantity {
   Measure what = Measure::kPeakPressure;
   int32_t zone = 0; // from 1; 0: of all
-  int32_t item = 0; // of several of a zone, from 1 along side 2
+  int32_t item = 0; // of several of a zone, from 1 along side 2; 0: a zone has one
   double value = 0;
   double at[2] = {NAN, NAN};
   double error = NAN; // stated, absolute; NaN: none is
 };
 
-// The pairs of a zone in order along side 2, and the length along the surface from the first to each.
-struct ZoneLine {
-  int32_t zone = 0;
-  std::vector<int32_t> pair; // from 0: rows of a step's table
-  std::vector<double> s;
-  std::vector<double> x, y; // on side 2
-  bool round = false;       // the side is a whole closed curve
-  double length = 0;        // of side 2; of a round one all of it
-};
-
-// Of a complete model, in the order of the zones.
-c2d_status find_zone_lines(c2d_solver* solver, const Summary& summary, std::vector<ZoneLine>& out);
-
 // Of the state that a table shows (a step callback's, or one filled by c2d_get).
-// Zones without a touching pair have forces alone. `states` is one per zone (c2d_get_zone_state), `dissipated` as in c2d_step.
+// Zones without a touching pair, and tied ones, have forces alone. `states` is one per zone (c2d_get_zone_state), `dissipated`
+// as in c2d_step. `slip_at_turn`: C2D_SLIP_SUM of every pair where the loads last changed their direction; without it (empty)
+// stick borders are right on a load path that has not turned yet.
 std::vector<Quantity> quantities_of(const std::vector<ZoneLine>& lines, const double* table, int64_t stride,
-                                    const std::vector<c2d_zone_state>& states, double dissipated);
+                                    const std::vector<c2d_zone_state>& states, double dissipated,
+                                    const std::vector<double>& slip_at_turn = {});
 
 // "peak pressure", "contact edge", in the words of listing, JSON and CSV.
 const char* name_of(Measure what);
+
+// Copies the errors of `stated` to the quantities with the same (what, zone, item); others keep theirs.
+void attach_errors(const std::vector<Quantity>& stated, std::vector<Quantity>& quantities);
 
 } // namespace app

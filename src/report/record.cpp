@@ -2,6 +2,7 @@
 
 #include "report/text.hpp"
 
+#include <cmath>
 #include <cstddef>
 
 namespace app {
@@ -10,6 +11,11 @@ const CoefficientRecord* RunRecord::incomplete() const {
   for (const CoefficientRecord& c : coefficients)
     if (c.outcome != C2D_REACHED || c.singular) return &c;
   return nullptr;
+}
+
+void RunRecord::take_stated_errors() {
+  if (!coefficients.empty() && !coefficients.front().steps.empty())
+    attach_errors(stated, coefficients.front().steps.back().quantities);
 }
 
 const char* RunRecord::outcome() const {
@@ -47,8 +53,33 @@ std::string load_reached(const CoefficientRecord& c) {
   return text;
 }
 
-void keep_history(CoefficientRecord& c, const c2d_step& step, c2d_solver* solver, const std::vector<CrackTip>& tips) {
+namespace {
+
+// Do the loads go on from the last step in another direction than they arrived there?
+bool has_turned(const std::vector<StepRecord>& steps, const c2d_step& step) {
+  if (steps.empty()) return false;
+  double before = 0, after = 0, product = 0;
+  for (size_t k = 0; k < steps.back().loads.size(); ++k) {
+    const double now = step.loads[k] - steps.back().loads[k];
+    const double then = steps.back().loads[k] - (steps.size() > 1 ? steps[steps.size() - 2].loads[k] : 0.0);
+    before += then * then, after += now * now, product += then * now;
+  }
+  return after > 0 && product < (1 - 1e-9) * std::sqrt(before * after);
+}
+
+// Slip is summed over the whole path; borders of stick follow from what has slipped since the loads last turned.
+void note_slip(CoefficientRecord& c, const c2d_step& step) {
+  if (has_turned(c.steps, step)) c.slip_at_turn = c.slip;
+  c.slip.resize(static_cast<size_t>(step.pairs));
+  for (int32_t p = 0; p < step.pairs; ++p) c.slip[static_cast<size_t>(p)] = step.table[p * step.stride + C2D_SLIP_SUM];
+}
+
+} // namespace
+
+void keep_history(CoefficientRecord& c, const c2d_step& step, c2d_solver* solver, const std::vector<CrackTip>& tips,
+                  const std::vector<ZoneLine>& lines) {
   if (step.kind == C2D_STEP_CHANGE) return;
+  note_slip(c, step);
   StepRecord now;
   now.step = step.step;
   now.work = step.work;
@@ -58,10 +89,11 @@ void keep_history(CoefficientRecord& c, const c2d_step& step, c2d_solver* solver
   now.loads.assign(step.loads, step.loads + step.cases);
   now.work_by_case.assign(step.work_by_case, step.work_by_case + step.cases);
   c2d_zone_state zone = C2D_INIT(c2d_zone_state);
-  for (int32_t i = 1; solver != nullptr && c2d_get_zone_state(solver, i, &zone) == C2D_OK; ++i) now.zones.push_back(zone);
+  for (int32_t i = 1; c2d_get_zone_state(solver, i, &zone) == C2D_OK; ++i) now.zones.push_back(zone);
   c2d_body_state body = C2D_INIT(c2d_body_state);
-  for (int32_t b = 1; solver != nullptr && c2d_get_body_state(solver, b, &body) == C2D_OK; ++b) now.bodies.push_back(body);
+  for (int32_t b = 1; c2d_get_body_state(solver, b, &body) == C2D_OK; ++b) now.bodies.push_back(body);
   for (const CrackTip& tip : tips) now.cracks.push_back(stress_intensity(tip, step.table, step.stride));
+  now.quantities = quantities_of(lines, step.table, step.stride, now.zones, step.dissipated, c.slip_at_turn);
   c.steps.push_back(now);
 }
 

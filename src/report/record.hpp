@@ -4,6 +4,7 @@
 
 #include "report/cracks.hpp"
 #include "report/interior.hpp"
+#include "report/quantities.hpp"
 #include "report/summary.hpp"
 
 #include <contact2d.h>
@@ -22,21 +23,23 @@ struct StepRecord {
   std::vector<c2d_zone_state> zones;
   std::vector<c2d_body_state> bodies;
   std::vector<StressIntensity> cracks;
+  std::vector<Quantity> quantities;
 };
 
 // How far one coefficient of friction came, with the pairs' table at its last valid state.
 struct CoefficientRecord {
   double mu = 0.0;
-  double load = 0.0;                 // load factor reached, of the first load case
-  std::vector<double> loads;         // the same of every load case
-  int32_t step = 0;                  // the last increment reached, or the one in which the path ended
-  int32_t changes = 0;               // changes of status, all steps
-  c2d_outcome outcome = C2D_REACHED; //
-  bool singular = false;             // no solution at all: c2d_prepare found no pivot
-  std::string why;                   // if the path ended early
-  int32_t body = 0, pair = 0;        // then: the body that can move, the pair whose status changed last
-  std::vector<double> table;         // C2D_PAIR_FIELDS numbers per pair
-  std::vector<StepRecord> steps;     // as many as were recorded
+  double load = 0.0;                      // load factor reached, of the first load case
+  std::vector<double> loads;              // the same of every load case
+  int32_t step = 0;                       // the last increment reached, or the one in which the path ended
+  int32_t changes = 0;                    // changes of status, all steps
+  c2d_outcome outcome = C2D_REACHED;      //
+  bool singular = false;                  // no solution at all: c2d_prepare found no pivot
+  std::string why;                        // if the path ended early
+  int32_t body = 0, pair = 0;             // then: the body that can move, the pair whose status changed last
+  std::vector<double> table;              // C2D_PAIR_FIELDS numbers per pair
+  std::vector<StepRecord> steps;          // as many as were recorded
+  std::vector<double> slip, slip_at_turn; // C2D_SLIP_SUM of the pairs at the last step, and where the loads last turned
 };
 
 struct RunRecord {
@@ -44,12 +47,15 @@ struct RunRecord {
   std::vector<double> friction; // all coefficients of the deck
   std::vector<c2d_error> warnings;
   std::vector<int32_t> measure;                   // of each zone: the body per whose length tn and tt are
+  std::vector<Quantity> stated;                   // with their errors, of the first coefficient's last step; may be empty
   const Interior* interior = nullptr;             // results inside; null if none were asked for
   double read_seconds = 0.0, write_seconds = 0.0; // spent by the program itself
   bool checked_only = false;                      // the deck asks for a data check, nothing was solved
 
   // The first coefficient whose path ended early; null if all reached their load.
   const CoefficientRecord* incomplete() const;
+  // Gives the quantities of the first coefficient's last step the errors of `stated`.
+  void take_stated_errors();
   // One word for the whole run.
   const char* outcome() const;
 };
@@ -58,8 +64,9 @@ struct RunRecord {
 CoefficientRecord& keep_step(RunRecord& record, const c2d_step& step);
 // "load factor 1", or "load factors 1, 0.3": how far a coefficient came; of every load case.
 std::string load_reached(const CoefficientRecord& coefficient);
-// The same step's energy, its stress intensities and, unless solver is null, its zones; inside the callback.
-void keep_history(CoefficientRecord& coefficient, const c2d_step& step, c2d_solver* solver, const std::vector<CrackTip>& tips);
+// The same step's energy, zones and bodies, its stress intensities and what sums up its contact; inside the callback.
+void keep_history(CoefficientRecord& coefficient, const c2d_step& step, c2d_solver* solver, const std::vector<CrackTip>& tips,
+                  const std::vector<ZoneLine>& lines);
 
 // Why a path ended, in a line: the outcome, the body and its motion, the last pair; `said` is what the
 // library said of it, may be empty. Sets the record's why, body and pair.

@@ -1,0 +1,235 @@
+#include "report/edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+namespace {
+
+// The pairs of a line seen from one of them in one direction, round a closed side too.
+class View {
+public:
+  View(const ZoneLine& line, int32_t from, int direction) : line_(line), from_(from), direction_(direction) {}
+  // The place in the line of the k-th pair onwards, k of either sign; -1: the line has ended.
+  int32_t at(int32_t k) const {
+    const int32_t n = static_cast<int32_t>(line_.size()), i = from_ + direction_ * k;
+    if (i >= 0 && i < n) return i;
+    return line_.round && k > -n && k < n ? (i % n + n) % n : -1;
+  }
+  // Its distance from the first; negative for k < 0.
+  double distance(int32_t k) const {
+    const int32_t n = static_cast<int32_t>(line_.size()), i = from_ + direction_ * k;
+    const double turns = i < 0 ? -1 : i >= n ? 1 : 0;
+    const int32_t place = at(k);
+    return direction_ * (line_.s[static_cast<size_t>(place)] + turns * line_.length - line_.s[static_cast<size_t>(from_)]);
+  }
+
+private:
+  const ZoneLine& line_;
+  int32_t from_;
+  int direction_;
+};
+
+bool touches(int32_t status) { return status != C2D_OPEN; }
+
+// A length x at which y vanishes, y a function that is nearly linear there: the polynomial x(y) through samples first ... last.
+struct Sample {
+  double x, y;
+};
+double root_of(const std::vector<Sample>& v, size_t first, size_t last) {
+  double root = 0;
+  for (size_t i = first; i <= last; ++i) {
+    double factor = v[i].x;
+    for (size_t j = first; j <= last; ++j)
+      if (j != i) factor *= v[j].y / (v[j].y - v[i].y);
+    root += factor;
+  }
+  return root;
+}
+
+// Where the two-thirds power of a gap, or of a slip, vanishes before the pairs of v, first the nearest one. The nearest is the
+// one that the mesh disturbs most, and is left out. A root through pairs k to k + 2 is off by about the square of the inverse
+// of their distance: from two of them follows a better one.
+double best_root(const std::vector<Sample>& v) {
+  if (v.size() < 2) return NAN;
+  if (v.size() == 2) return root_of(v, 0, 1);
+  if (v.size() < 5) return root_of(v, 1, 2);
+  const double near = root_of(v, 1, 3), far = root_of(v, 2, 4);
+  const double ratio = std::pow((v[3].x - near) / (v[4].x - near), 2);
+  return (far - ratio * near) / (1 - ratio);
+}
+
+// How far before the last pair of a state its end may be found: the mesh lets a pair that should have left it stay.
+const double kBefore = 0.25;
+
+// The root by as many pairs as give one between the last pair of one state, at 0, and the first of the other.
+double limited_root(const std::vector<Sample>& v) {
+  const double step = v.front().x;
+  for (size_t use = std::min<size_t>(v.size(), 5); use >= 2; use = use > 3 ? 3 : use - 1) {
+    const double root = best_root({v.begin(), v.begin() + static_cast<std::ptrdiff_t>(use)});
+    if (root >= -kBefore * step && root <= step) return root;
+  }
+  return step / 2;
+}
+
+const int32_t kSamples = 5;
+
+// Where a stretch of contact ends whose last pair is `last`, as one goes on in `direction`.
+ContactEdge edge_beyond(const LineState& state, int32_t last, int direction) {
+  const ZoneLine& line = state.line;
+  const View view(line, last, direction);
+  ContactEdge edge;
+  edge.last = last, edge.direction = direction, edge.s = line.s[static_cast<size_t>(last)];
+  edge.at_corner = line.corner[static_cast<size_t>(last)] != 0;
+  if (edge.at_corner) return edge;
+  int32_t open = 0; // how many pairs until the line ends, or the next stretch begins
+  const int32_t most = static_cast<int32_t>(line.size());
+  while (open < most && view.at(open + 1) >= 0 && !touches(state.status[static_cast<size_t>(view.at(open + 1))])) ++open;
+  const bool more = view.at(open + 1) >= 0;
+  const int32_t use = std::min(more ? (open + 1) / 2 : open, kSamples); // up to the middle between two stretches
+  std::vector<Sample> samples;
+  for (int32_t k = 1; k <= use; ++k)
+    samples.push_back({view.distance(k), std::cbrt(std::pow(std::max(state.gap[static_cast<size_t>(view.at(k))], 0.0), 2))});
+  edge.s += direction * limited_root(samples);
+  return edge;
+}
+
+} // namespace
+
+LineState line_state(const ZoneLine& line, const double* table, int64_t stride, const std::vector<double>& slip_at_turn) {
+  LineState state{line, {}, {}, {}, {}, {}};
+  for (const int32_t pair : line.pair) {
+    const double* row = table + pair * stride;
+    const size_t p = static_cast<size_t>(pair);
+    state.status.push_back(static_cast<int32_t>(row[C2D_STATUS]));
+    state.tn.push_back(row[C2D_TN]), state.tt.push_back(row[C2D_TT]), state.gap.push_back(row[C2D_GAP]);
+    state.slip.push_back(row[C2D_SLIP_SUM] - (p < slip_at_turn.size() ? slip_at_turn[p] : 0.0));
+  }
+  return state;
+}
+
+std::vector<ContactEdge> find_contact_edges(const LineState& state) {
+  const ZoneLine& line = state.line;
+  std::vector<ContactEdge> out;
+  for (int32_t i = 0; i < static_cast<int32_t>(line.size()); ++i) {
+    if (!touches(state.status[static_cast<size_t>(i)])) continue;
+    for (const int direction : {-1, 1}) {
+      const int32_t next = View(line, i, direction).at(1);
+      const ZoneEnd& end = line.end[direction > 0 ? 1 : 0];
+      if (next >= 0) {
+        if (!touches(state.status[static_cast<size_t>(next)])) out.push_back(edge_beyond(state, i, direction));
+      } else if (end.corner && !end.mirror) {
+        out.push_back({end.s, i, direction, true});
+      }
+    }
+  }
+  return out;
+}
+
+namespace {
+
+// What a stuck pair slipped earlier goes on smoothly beyond the border: the value there of the parabola through the three stuck
+// pairs next to it, or fewer.
+double held_slip(const LineState& state, const View& view, int32_t stuck, double at) {
+  double held = 0;
+  const int32_t n = std::min(stuck, 3);
+  for (int32_t i = 0; i < n; ++i) {
+    double factor = state.slip[static_cast<size_t>(view.at(-i))];
+    for (int32_t j = 0; j < n; ++j)
+      if (j != i) factor *= (at - view.distance(-j)) / (view.distance(-i) - view.distance(-j));
+    held += factor;
+  }
+  return held;
+}
+
+int32_t run_of(const LineState& state, const View& view, int32_t first, int step, int32_t status) {
+  int32_t run = 0;
+  const int32_t most = static_cast<int32_t>(state.line.size());
+  while (run < most) {
+    const int32_t at = view.at(first + step * run);
+    if (at < 0 || state.status[static_cast<size_t>(at)] != status) break;
+    ++run;
+  }
+  return run;
+}
+
+// Between a stuck pair and the one that slips next to it.
+double border_beyond(const LineState& state, int32_t stuck, int direction) {
+  const View view(state.line, stuck, direction);
+  const int32_t slipping = run_of(state, view, 1, 1, C2D_SLIP), held = run_of(state, view, 0, -1, C2D_STICK);
+  const int32_t behind = view.at(slipping + 1);
+  const bool more = behind >= 0 && state.status[static_cast<size_t>(behind)] == C2D_STICK;
+  const int32_t use = std::min(more ? (slipping + 1) / 2 : slipping, kSamples);
+  std::vector<Sample> samples;
+  for (int32_t k = 1; k <= use; ++k) {
+    const double at = view.distance(k);
+    const double slip = state.slip[static_cast<size_t>(view.at(k))] - held_slip(state, view, held, at);
+    samples.push_back({at, std::cbrt(slip * slip)});
+  }
+  return state.line.s[static_cast<size_t>(stuck)] + direction * limited_root(samples);
+}
+
+} // namespace
+
+std::vector<double> find_stick_borders(const LineState& state) {
+  std::vector<double> out;
+  for (int32_t i = 0; i < static_cast<int32_t>(state.line.size()); ++i) {
+    if (state.status[static_cast<size_t>(i)] != C2D_STICK) continue;
+    for (const int direction : {-1, 1}) {
+      const int32_t next = View(state.line, i, direction).at(1);
+      if (next >= 0 && state.status[static_cast<size_t>(next)] == C2D_SLIP) out.push_back(border_beyond(state, i, direction));
+    }
+  }
+  return out;
+}
+
+namespace {
+
+// Pairs, counted from the edge, from which its intensity follows: the mesh disturbs the two next to it.
+const int32_t kNearest = 3, kFarthest = 6;
+
+// The value at d = 0 of the straight line through the samples that fits best.
+double value_at_edge(const std::vector<Sample>& v) {
+  double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+  for (const Sample& s : v) n += 1, x += s.x, y += s.y, xx += s.x * s.x, xy += s.x * s.y;
+  return (y * xx - x * xy) / (n * xx - x * x);
+}
+
+// Pairs inside an edge as (distance, value(place, distance)), if so many follow each other without a change of status.
+template <class Value>
+std::vector<Sample> inside(const LineState& state, const ContactEdge& edge, int32_t status, Value value) {
+  const View view(state.line, edge.last, -edge.direction);
+  const double begin = edge.direction * (edge.s - state.line.s[static_cast<size_t>(edge.last)]);
+  std::vector<Sample> out;
+  for (int32_t k = 0; k < kFarthest; ++k) {
+    const int32_t at = view.at(k);
+    if (at < 0 || !touches(state.status[static_cast<size_t>(at)])) return {};
+    if (status >= 0 && state.status[static_cast<size_t>(at)] != status) return {};
+    const double d = begin + view.distance(k);
+    if (k + 1 >= kNearest) out.push_back({d, value(static_cast<size_t>(at), d)});
+  }
+  return out;
+}
+
+} // namespace
+
+double edge_pressure(const LineState& state, const ContactEdge& edge) {
+  if (edge.at_corner) return NAN;
+  const std::vector<Sample> v = inside(state, edge, -1, [&](size_t at, double d) { return state.tn[at] * state.tn[at] / d; });
+  const double square = v.empty() ? NAN : value_at_edge(v);
+  return square >= 0 ? std::sqrt(square) : NAN;
+}
+
+double edge_friction(const LineState& state, const ContactEdge& edge) {
+  if (edge.at_corner) return NAN;
+  const std::vector<Sample> v =
+      inside(state, edge, C2D_STICK, [&](size_t at, double d) { return state.tt[at] * state.tt[at] * d; });
+  if (v.empty()) return NAN;
+  // Friction that falls towards the edge, as where the contact has just grown, has no such intensity.
+  for (size_t i = 1; i < v.size(); ++i)
+    if (v[i].y / v[i].x >= v[i - 1].y / v[i - 1].x) return NAN;
+  const double square = value_at_edge(v);
+  return square > 0 ? std::copysign(std::sqrt(square), state.tt[static_cast<size_t>(edge.last)]) : NAN;
+}
+
+} // namespace app

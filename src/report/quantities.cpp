@@ -1,0 +1,151 @@
+#include "report/quantities.hpp"
+
+#include "report/edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace app {
+namespace {
+
+class Collector {
+public:
+  explicit Collector(int32_t zone, std::vector<Quantity>& out) : zone_(zone), out_(out) {}
+  Quantity& add(Measure what, double value, int32_t item = 0) {
+    Quantity q;
+    q.what = what, q.zone = zone_, q.item = item, q.value = value;
+    out_.push_back(q);
+    return out_.back();
+  }
+
+private:
+  int32_t zone_;
+  std::vector<Quantity>& out_;
+};
+
+struct Peak {
+  double s, value;
+};
+
+// The vertex of the parabola through the largest pressure and its neighbours; at an end of the contact or a corner, where the
+// pressure has no smooth top, the largest pressure itself.
+Peak find_peak(const LineState& state) {
+  const ZoneLine& line = state.line;
+  const int32_t n = static_cast<int32_t>(line.size());
+  const size_t top = static_cast<size_t>(std::max_element(state.tn.begin(), state.tn.end()) - state.tn.begin());
+  const Peak node{line.s[top], state.tn[top]};
+  const int32_t i = static_cast<int32_t>(top);
+  if (line.corner[top] != 0 || (!line.round && (i == 0 || i == n - 1)) || n < 3) return node;
+  const size_t before = static_cast<size_t>((i + n - 1) % n), after = static_cast<size_t>((i + 1) % n);
+  if (state.status[before] == C2D_OPEN || state.status[after] == C2D_OPEN) return node;
+  double a = line.s[before] - node.s, b = line.s[after] - node.s;
+  if (i == 0) a -= line.length;
+  if (i == n - 1) b += line.length;
+  const double slope_a = (state.tn[before] - node.value) / a, slope_b = (state.tn[after] - node.value) / b;
+  const double curvature = (slope_b - slope_a) / (b - a), slope = slope_a - curvature * a;
+  if (curvature >= 0) return node; // three equal pressures
+  const double at = -slope / (2 * curvature);
+  return {node.s + at, node.value + slope * at / 2};
+}
+
+// Length of what touches: between the edges, and up to the ends of the side where contact goes on to them.
+double touching_length(const LineState& state, const std::vector<ContactEdge>& edges) {
+  const ZoneLine& line = state.line;
+  if (line.size() == 0) return 0;
+  const bool first = state.status.front() != C2D_OPEN, last = state.status.back() != C2D_OPEN;
+  double sum = 0;
+  for (const ContactEdge& edge : edges) sum += edge.direction * edge.s;
+  // What no edge bounds: the ends of the side; round a closed side, a stretch that goes on across the place where s begins.
+  bool begins = false, ends = false;
+  for (const ContactEdge& edge : edges) {
+    begins = begins || (edge.last == 0 && edge.direction < 0);
+    ends = ends || (edge.last == static_cast<int32_t>(line.size()) - 1 && edge.direction > 0);
+  }
+  if (line.round) return edges.empty() ? line.length : first && last ? sum + line.length : sum;
+  if (first && !begins) sum -= line.end[0].s;
+  if (last && !ends) sum += line.end[1].s;
+  return sum;
+}
+
+void add_place(const ZoneLine& line, double s, Quantity& q) { line.place(s, q.at); }
+
+// A length round a closed side from 0 on.
+double along(const ZoneLine& line, double s) { return line.round ? s - line.length * std::floor(s / line.length) : s; }
+
+void add_pressures(const LineState& state, const std::vector<ContactEdge>& edges, Collector& out) {
+  const Peak peak = find_peak(state);
+  add_place(state.line, peak.s, out.add(Measure::kPeakPressure, peak.value));
+  double force = 0;
+  for (size_t i = 0; i < state.tn.size(); ++i) force += state.line.weight[i] * state.tn[i];
+  const double length = touching_length(state, edges);
+  if (length > 0) out.add(Measure::kMeanPressure, force / length);
+}
+
+void add_edges(const LineState& state, const std::vector<ContactEdge>& edges, Collector& out) {
+  for (size_t i = 0; i < edges.size(); ++i)
+    add_place(state.line, edges[i].s,
+              out.add(Measure::kContactEdge, along(state.line, edges[i].s), static_cast<int32_t>(i) + 1));
+  const std::vector<double> borders = find_stick_borders(state);
+  for (size_t i = 0; i < borders.size(); ++i)
+    add_place(state.line, borders[i],
+              out.add(Measure::kStickBorder, along(state.line, borders[i]), static_cast<int32_t>(i) + 1));
+  for (const Measure what : {Measure::kEdgePressure, Measure::kEdgeFriction})
+    for (size_t i = 0; i < edges.size(); ++i) {
+      const double value = what == Measure::kEdgePressure ? edge_pressure(state, edges[i]) : edge_friction(state, edges[i]);
+      if (std::isfinite(value)) add_place(state.line, edges[i].s, out.add(what, value, static_cast<int32_t>(i) + 1));
+    }
+}
+
+} // namespace
+
+std::vector<Quantity> quantities_of(const std::vector<ZoneLine>& lines, const double* table, int64_t stride,
+                                    const std::vector<c2d_zone_state>& states, double dissipated,
+                                    const std::vector<double>& slip_at_turn) {
+  std::vector<Quantity> out;
+  for (size_t z = 0; z < lines.size(); ++z) {
+    Collector zone(lines[z].zone, out);
+    const LineState state = line_state(lines[z], table, stride, slip_at_turn);
+    const bool touches = std::any_of(state.status.begin(), state.status.end(), [](int32_t s) { return s != C2D_OPEN; });
+    const bool contact = touches && !lines[z].tied;
+    if (contact) {
+      const std::vector<ContactEdge> edges = find_contact_edges(state);
+      add_pressures(state, edges, zone);
+      add_edges(state, edges, zone);
+    }
+    if (z >= states.size()) continue;
+    zone.add(Measure::kForceX, states[z].force[0]);
+    zone.add(Measure::kForceY, states[z].force[1]);
+    zone.add(Measure::kMoment, states[z].moment);
+    if (!contact) continue;
+    zone.add(Measure::kApproach, states[z].approach);
+    zone.add(Measure::kShift, states[z].shift);
+  }
+  if (!lines.empty()) Collector(0, out).add(Measure::kDissipated, dissipated);
+  return out;
+}
+
+const char* name_of(Measure what) {
+  switch (what) {
+  case Measure::kPeakPressure: return "peak pressure";
+  case Measure::kMeanPressure: return "mean pressure";
+  case Measure::kContactEdge: return "contact edge";
+  case Measure::kStickBorder: return "stick border";
+  case Measure::kForceX: return "force x";
+  case Measure::kForceY: return "force y";
+  case Measure::kMoment: return "moment";
+  case Measure::kApproach: return "approach";
+  case Measure::kShift: return "shift";
+  case Measure::kDissipated: return "dissipated";
+  case Measure::kEdgePressure: return "edge pressure";
+  case Measure::kEdgeFriction: return "edge friction";
+  }
+  return "";
+}
+
+void attach_errors(const std::vector<Quantity>& stated, std::vector<Quantity>& quantities) {
+  for (const Quantity& from : stated)
+    for (Quantity& to : quantities)
+      if (to.what == from.what && to.zone == from.zone && to.item == from.item) to.error = from.error;
+}
+
+} // namespace app

@@ -1,0 +1,235 @@
+#include "report/zone_line.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace app {
+
+void ZoneLine::place(double at, double out[2]) const {
+  out[0] = out[1] = NAN;
+  if (pieces.empty()) return;
+  if (round) at -= length * std::floor((at - end[0].s) / length);
+  size_t i = pieces.size() - 1;
+  while (i > 0 && pieces[i].s > at) --i;
+  const Piece& piece = pieces[i];
+  const ElementCurve& curve = piece.curve;
+  const double whole = curve.length(), from_begin = std::min(std::max(at - piece.s, 0.0), whole);
+  const double want = piece.up ? from_begin : whole - from_begin;
+  double eta = 2 * want / whole - 1, slope[2];
+  for (int k = 0; k < 5 && curve.count > 2; ++k) { // Newton's method; a straight element with two points has constant speed
+    curve.slope(eta, slope);
+    eta = std::min(std::max(eta - (curve.length(-1, eta) - want) / std::hypot(slope[0], slope[1]), -1.0), 1.0);
+  }
+  curve.point(eta, out);
+}
+
+namespace {
+
+class Finder {
+public:
+  Finder(c2d_solver* solver, const Summary& summary) : solver_(solver), s_(summary) {}
+  c2d_status find(std::vector<ZoneLine>& out);
+
+private:
+  struct Walk { // along a side
+    std::vector<int32_t> elements;
+    bool up = true;
+  };
+  c2d_status read();
+  const BodyCurve& curve(int32_t body) const { return curves_[static_cast<size_t>(body) - 1]; }
+  Walk walk(const c2d_side& side) const;
+  ZoneLine line_of(int32_t zone) const;
+  void add_element(ZoneLine& line, const c2d_side& side, int32_t e, bool up, double s) const;
+  void find_ends(ZoneLine& line, const c2d_zone& zone, const Walk& w) const;
+  void compare_ends(ZoneLine& line, const c2d_zone& zone, const Walk& w, const Walk& other) const;
+  bool is_corner_pair(const c2d_zone& zone, size_t pair) const;
+  bool faces_corner(const c2d_zone& zone, size_t pair) const;
+  bool is_mirror(const c2d_side& side, int32_t element, bool at_end) const;
+  bool is_guided(int32_t body, int32_t element) const;
+
+  c2d_solver* solver_;
+  const Summary& s_;
+  std::vector<BodyCurve> curves_;
+  std::vector<double> zone_, node1_, node2_, element1_, eta1_; // of the pairs
+  std::vector<std::vector<int32_t>> pair_at_;                  // by zone and functional node of side 2: the pair from 0, or -1
+};
+
+c2d_status Finder::read() {
+  c2d_status status = C2D_OK;
+  curves_.resize(static_cast<size_t>(s_.bodies));
+  for (int32_t b = 1; b <= s_.bodies && status == C2D_OK; ++b)
+    status = curves_[static_cast<size_t>(b) - 1].read(solver_, s_, b);
+  const struct {
+    int32_t field;
+    std::vector<double>& to;
+  } fields[] = {{C2D_PAIR_ZONE, zone_},
+                {C2D_PAIR_NODE1, node1_},
+                {C2D_PAIR_NODE2, node2_},
+                {C2D_PAIR_ELEMENT1, element1_},
+                {C2D_PAIR_ETA1, eta1_}};
+  for (const auto& f : fields) {
+    f.to.resize(static_cast<size_t>(s_.pairs));
+    if (status == C2D_OK) status = c2d_get(solver_, f.field, 1, 1, s_.pairs, f.to.data(), 1);
+  }
+  if (status != C2D_OK) return status;
+  for (const c2d_zone& zone : s_.zone) pair_at_.emplace_back(static_cast<size_t>(s_.body[zone.side2.body - 1].nodes) + 1, -1);
+  for (size_t p = 0; p < zone_.size(); ++p) {
+    std::vector<int32_t>& at = pair_at_[static_cast<size_t>(zone_[p]) - 1];
+    const size_t node = static_cast<size_t>(node2_[p]);
+    if (node < at.size()) at[node] = static_cast<int32_t>(p);
+  }
+  return C2D_OK;
+}
+
+// Up if that arrives at the last element after as many as the side has. One element: down, as sides 2 face sides 1.
+Finder::Walk Finder::walk(const c2d_side& side) const {
+  Walk w;
+  const BodyCurve& c = curve(side.body);
+  const int32_t count = side.elements > 0 ? side.elements : std::abs(side.last_element - side.first_element) + 1;
+  for (const bool up : {false, true}) {
+    w.up = up;
+    w.elements.assign(1, side.first_element);
+    while (static_cast<int32_t>(w.elements.size()) < count && w.elements.back() != 0)
+      w.elements.push_back(c.next(w.elements.back(), up));
+    if (w.elements.back() == side.last_element) break;
+  }
+  return w;
+}
+
+bool Finder::faces_corner(const c2d_zone& zone, size_t pair) const {
+  const BodyCurve& c = curve(zone.side1.body);
+  const int32_t element = static_cast<int32_t>(element1_[pair]);
+  if (node1_[pair] > 0) return c.is_corner_node(static_cast<int32_t>(node1_[pair]));
+  if (element < 1 || element > c.elements() || 1 - std::fabs(eta1_[pair]) > 1e-6) return false;
+  return c.is_corner(element, eta1_[pair] > 0);
+}
+
+bool Finder::is_corner_pair(const c2d_zone& zone, size_t pair) const {
+  return curve(zone.side2.body).is_corner_node(static_cast<int32_t>(node2_[pair])) || faces_corner(zone, pair);
+}
+
+// Pairs of an element of side 2 that begins at s, and the parts of its shape functions.
+void Finder::add_element(ZoneLine& line, const c2d_side& side, int32_t e, bool up, double s) const {
+  const int32_t nodes = s_.function_nodes;
+  const ElementCurve& element = curve(side.body).element(e);
+  line.pieces.push_back({s, up, element});
+  for (int32_t i = 0; i < nodes; ++i) {
+    const int32_t k = up ? i : nodes - 1 - i;
+    const int32_t node = curve(side.body).node(e, k + 1);
+    const int32_t pair = pair_at_[static_cast<size_t>(line.zone) - 1][static_cast<size_t>(node)];
+    if (pair < 0) continue;
+    const double weight = element.length(-1, 1, nodes, k), eta = node_place(nodes, k);
+    if (!line.pair.empty() && (line.pair.back() == pair || line.pair.front() == pair)) { // shared with a neighbour
+      line.weight[line.pair.back() == pair ? line.weight.size() - 1 : 0] += weight;
+      continue;
+    }
+    double at[2];
+    element.point(eta, at);
+    line.pair.push_back(pair);
+    line.s.push_back(s + (up ? element.length(-1, eta) : element.length(eta, 1)));
+    line.x.push_back(at[0]), line.y.push_back(at[1]);
+    line.weight.push_back(weight);
+    line.corner.push_back(is_corner_pair(s_.zone[static_cast<size_t>(line.zone) - 1], static_cast<size_t>(pair)) ? 1 : 0);
+  }
+}
+
+// Is the element a straight one along an axis that slides along a fixed line without friction, in every load case?
+bool Finder::is_guided(int32_t body, int32_t element) const {
+  const ElementCurve& c = curve(body).element(element);
+  double size = 0, off[2] = {0, 0};
+  for (int32_t k = 1; k < c.count; ++k) {
+    off[0] = std::max(off[0], std::fabs(c.x[k] - c.x[0])), off[1] = std::max(off[1], std::fabs(c.y[k] - c.y[0]));
+    size = std::max({size, off[0], off[1]});
+  }
+  const int across = off[0] <= 1e-9 * size ? 0 : 1;
+  if (off[across] > 1e-9 * size) return false;
+  for (int32_t local = 1; local <= s_.function_nodes; ++local)
+    for (int32_t load_case = 1; load_case <= s_.load_cases; ++load_case) {
+      int32_t codes[4];
+      double values[4];
+      if (c2d_get_condition(solver_, body, element, local, load_case, codes, values) != C2D_OK) return false;
+      const int held = 2 + across, along = 1 - across; // codes are those of tx ty ux uy; 0: known
+      if (codes[held] != 0 || values[held] != 0 || codes[along] != 0 || values[along] != 0) return false;
+    }
+  return true;
+}
+
+// Does a side end on a line of symmetry, by images or by its elements?
+bool Finder::is_mirror(const c2d_side& side, int32_t element, bool at_end) const {
+  const ElementCurve& c = curve(side.body).element(element);
+  double at[2];
+  c.point(at_end ? 1 : -1, at);
+  const double near = 1e-6 * c.length();
+  for (int axis = 0; axis < 2; ++axis)
+    if ((s_.symmetry >> axis & 1) != 0 && std::fabs(at[axis] - s_.symmetry_at[axis]) < near) return true;
+  const int32_t beyond = curve(side.body).next(element, at_end);
+  return beyond != 0 && s_.body[side.body - 1].unknowns > 0 && is_guided(side.body, beyond);
+}
+
+// Corners and lines of symmetry of side 1 where it ends opposite an end of side 2. Both bodies have to be mirrored there; a
+// rigid one has no conditions that could tell.
+void Finder::compare_ends(ZoneLine& line, const c2d_zone& zone, const Walk& w, const Walk& other) const {
+  const bool rigid[2] = {s_.body[zone.side1.body - 1].unknowns == 0, s_.body[zone.side2.body - 1].unknowns == 0};
+  const BodyCurve &one = curve(zone.side1.body), &two = curve(zone.side2.body);
+  for (int k = 0; k < 2; ++k)
+    for (int j = 0; j < 2; ++j) {
+      const int32_t e = j == 0 ? other.elements.front() : other.elements.back(),
+                    own = k == 0 ? w.elements.front() : w.elements.back();
+      const bool at_end = (j == 1) == other.up;
+      double a[2], b[2];
+      one.element(e).point(at_end ? 1 : -1, a);
+      two.element(own).point((k == 1) == w.up ? 1 : -1, b);
+      if (std::hypot(a[0] - b[0], a[1] - b[1]) > 0.1 * two.element(own).length()) continue;
+      if (one.is_corner(e, at_end)) line.end[k].corner = true;
+      const bool mirror = is_mirror(zone.side1, e, at_end);
+      line.end[k].mirror = rigid[1] ? mirror : line.end[k].mirror && (mirror || rigid[0]);
+    }
+}
+
+void Finder::find_ends(ZoneLine& line, const c2d_zone& zone, const Walk& w) const {
+  for (int k = 0; k < 2; ++k) {
+    const bool at_end = (k == 1) == w.up;
+    const int32_t last = k == 0 ? w.elements.front() : w.elements.back();
+    line.end[k].mirror = is_mirror(zone.side2, last, at_end);
+    line.end[k].corner = curve(zone.side2.body).is_corner(last, at_end);
+  }
+  if (curve(zone.side1.body).elements() > 0) compare_ends(line, zone, w, walk(zone.side1));
+}
+
+ZoneLine Finder::line_of(int32_t number) const {
+  const c2d_zone& zone = s_.zone[static_cast<size_t>(number) - 1];
+  ZoneLine line;
+  line.zone = number;
+  line.tied = (zone.kind & C2D_ZONE_TIED) != 0;
+  const Walk w = walk(zone.side2);
+  if (w.elements.front() == 0 || w.elements.back() == 0) return line;
+  for (const int32_t e : w.elements) {
+    add_element(line, zone.side2, e, w.up, line.length);
+    line.length += curve(zone.side2.body).element(e).length();
+  }
+  const int32_t region = curve(zone.side2.body).region_size(w.elements.front());
+  line.round = curve(zone.side2.body).is_closed(w.elements.front()) && static_cast<int32_t>(w.elements.size()) == region;
+  if (!line.round) find_ends(line, zone, w);
+  const double begin = line.s.empty() ? 0 : line.s.front(); // lengths are counted from the first pair
+  for (double& s : line.s) s -= begin;
+  for (ZoneLine::Piece& piece : line.pieces) piece.s -= begin;
+  line.end[0].s = -begin, line.end[1].s = line.length - begin;
+  return line;
+}
+
+c2d_status Finder::find(std::vector<ZoneLine>& out) {
+  const c2d_status status = read();
+  if (status != C2D_OK) return status;
+  for (int32_t z = 1; z <= static_cast<int32_t>(s_.zone.size()); ++z) out.push_back(line_of(z));
+  return C2D_OK;
+}
+
+} // namespace
+
+c2d_status find_zone_lines(c2d_solver* solver, const Summary& summary, std::vector<ZoneLine>& out) {
+  out.clear();
+  return summary.pairs > 0 ? Finder(solver, summary).find(out) : C2D_OK;
+}
+
+} // namespace app
