@@ -40,6 +40,7 @@ private:
   void add(size_t state);
   Pair at(size_t body, const Overlap& o, double eta, size_t state) const;
   void find_zones();
+  bool holds_edge(size_t body, const Overlap& o, size_t state) const;
 
   const Trial &coarse_, &fine_;
   const Overlaps& overlaps_;
@@ -58,16 +59,26 @@ Comparer::Comparer(const Trial& coarse, const Trial& fine, const Overlaps& overl
 void Comparer::find_zones() {
   zones_.resize(coarse_.lengths.size());
   for (size_t b = 0; b < zones_.size(); ++b) zones_[b].resize(coarse_.lengths[b].size());
-  for (size_t z = 0; z < coarse_.zones.size(); ++z)
+  for (size_t z = 0; z < coarse_.zones.size(); ++z) {
+    if (coarse_.tied[z] != 0) continue;
     for (const Side& side : coarse_.zones[z]) {
       auto& of_body = zones_[static_cast<size_t>(side.body)];
-      if (of_body.empty()) continue; // a platen
       const auto n = static_cast<int32_t>(of_body.size());
       for (int32_t e = side.first;; e = (e + 1) % n) {
         of_body[static_cast<size_t>(e)].push_back(static_cast<int32_t>(z));
         if (e == side.last) break;
       }
     }
+  }
+}
+
+// Do the ends of an element, of one mesh or the other, differ in status?
+bool Comparer::holds_edge(size_t body, const Overlap& o, size_t state) const {
+  const std::vector<double>&p = coarse_.states[state].ends[body][kStatus], &q = fine_.states[state].ends[body][kStatus];
+  const auto c = static_cast<size_t>(o.coarse * coarse_.nodes), f = static_cast<size_t>(o.fine * fine_.nodes);
+  for (size_t i = 1; i < static_cast<size_t>(coarse_.nodes); ++i)
+    if (p[c + i] != p[c] || q[f + i] != q[f]) return true;
+  return false;
 }
 
 Pair Comparer::at(size_t body, const Overlap& o, double eta, size_t state) const {
@@ -128,6 +139,10 @@ Distance Comparer::run() {
   for (size_t state = 0; state < common; ++state) {
     const double weight = fine_.states[state].turn || state + 1 == common ? 1 : kBetween;
     double sum = 0;
+    for (size_t b = 0; b < overlaps_.size() && weight == 1; ++b)
+      for (const Overlap& o : overlaps_[b])
+        if (!zones_[b][static_cast<size_t>(o.coarse)].empty() && holds_edge(b, o, state))
+          out.shares[b][static_cast<size_t>(o.coarse)].edge = true;
     for (size_t b = 0; b < out.shares.size(); ++b)
       for (size_t e = 0; e < out.shares[b].size(); ++e) {
         Share& share = out.shares[b][e];

@@ -18,8 +18,9 @@ Overlaps overlaps_of_halves(const Trial& coarse);
 
 // What an element of the coarse mesh adds to the distance, the largest of all states (METHOD 19).
 struct Share {
-  double pressure = 0; // integral of |t - t'|^2 over it, where it is part of a contact, over the largest of the zone's states
+  double pressure = 0; // integral of |t - t'|^2 over it, where it is part of a contact that is no tie, over the largest of the zone's states
   double energy = 0;   // integral of |t - t'| |u - u'|, over the largest work of the states
+  bool edge = false;   // a contact edge or a stick border lies in it at a turn of the loads
 };
 struct Distance {
   std::vector<std::vector<Share>> shares;  // per body and coarse element

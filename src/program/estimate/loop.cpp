@@ -9,10 +9,10 @@
 namespace estimate {
 namespace {
 
-constexpr double kFirst = 0.5;   // fineness of the first mesh
-constexpr int kMostRounds = 12, kMostLevels = 3;
-constexpr double kPredicted = 0.75; // from the distance of two meshes to the error of the one after them
-constexpr double kEdge = 4; // a share falls by so much where an edge lies amid an element that is bisected
+constexpr double kFirst = 0.25;  // fineness of the first mesh
+constexpr int kMostRounds = 12, kMostLevels = 5;
+constexpr double kPredicted = 0.3; // from the distance of two meshes to the error of the one after them
+constexpr double kEdge = 4, kSmooth = 32; // by how much a share falls if its element is bisected
 
 struct Level {
   sketch::Mesh mesh;
@@ -158,10 +158,11 @@ sketch::Levels Loop::marks(const Level& level, const Distance& d) const {
     for (const Share& s : shares) {
       const double excess =
           std::max(s.pressure / pressure * static_cast<double>(parts), s.energy / energy * static_cast<double>(all));
-      const int more = excess > 1 ? static_cast<int>(std::log(excess) / std::log(kEdge * kEdge)) : 0;
+      const int more = excess > 1 ? static_cast<int>(std::log(excess) / std::log(s.edge ? kEdge : kSmooth)) : 0;
       out.back().push_back(excess > least ? std::min(1 + more, kMostLevels) : 0);
     }
   }
+  if (getenv("C2DBG")) for (size_t b=0;b<d.shares.size();++b){ size_t e=0; for(auto&ol:level.mesh.bodies.size()>b?level.mesh.bodies[b]:std::vector<sketch::MeshedOutline>{}) for(auto&c:ol.curves) for(size_t k=0;k<c.elements();++k,++e){ auto p=c.curve->shape->at(c.measure.u_at((c.ends[k]+c.ends[k+1])/2)); if(d.shares[b][e].pressure>1e-9)printf("b%zu e%zu %.5f %.5f h %.5f share %.3g energy %.3g lev %d\n",b,e,p.x,p.y,c.ends[k+1]-c.ends[k],d.shares[b][e].pressure,d.shares[b][e].energy,out[b][e]);}}
   static_cast<void>(level);
   return out;
 }
@@ -196,7 +197,7 @@ Adapted Loop::run() {
     // What two meshes say of the one after them.
     bool promising = true;
     for (const app::Stated& s : out_.loop.stated)
-      promising = promising && (std::isnan(s.tolerance) || 0.45 * s.error <= s.tolerance * s.scale);
+      promising = promising && (std::isnan(s.tolerance) || 0.35 * s.error <= s.tolerance * s.scale);
     sketch::Levels marked;
     if (promising) {
       fine = Level{sketch::halved(s_, middle.mesh), {}, {}};

@@ -146,11 +146,12 @@ c2d_status History::describe() {
   }
   for (const c2d_zone& zone : summary_.zone) {
     const auto side = [](const c2d_side& s) {
-      const bool down = s.first_element > s.last_element && s.elements == 0;
+      const int32_t span = s.first_element - s.last_element;
+      const bool down = span > 0 && (s.elements == 0 || s.elements == span + 1);
       return Side{s.body - 1, (down ? s.last_element : s.first_element) - 1, (down ? s.first_element : s.last_element) - 1};
     };
     out_.zones.push_back({side(zone.side1), side(zone.side2)});
-    out_.tied.push_back((zone.kind & C2D_ZONE_TIED) != 0);
+    out_.tied.push_back((zone.kind & C2D_ZONE_TIED) != 0 || summary_.is_platen(zone.side1.body));
   }
   if (status == C2D_OK) status = app::find_zone_lines(solver_, summary_, lines_);
   return status;
@@ -188,7 +189,7 @@ c2d_status History::note(bool turn) {
   app::Summary now;
   c2d_status status = app::get_summary(solver_, now);
   state.work = now.work, state.dissipated = now.dissipated, state.elastic = now.elastic;
-  const int32_t fields[kFields] = {C2D_END_UX, C2D_END_UY, C2D_END_TX, C2D_END_TY, C2D_END_HOOP};
+  const int32_t fields[kFields] = {C2D_END_UX, C2D_END_UY, C2D_END_TX, C2D_END_TY, C2D_END_HOOP, C2D_END_STATUS};
   state.ends.resize(static_cast<size_t>(summary_.bodies));
   for (int32_t b = 1; b <= summary_.bodies && status == C2D_OK; ++b) {
     std::vector<std::vector<double>> values;

@@ -25,7 +25,7 @@ struct Demand {
   int32_t symmetry = 0, quadrature = 0; // as in c2d_options
 };
 
-enum Field { kUx, kUy, kTx, kTy, kHoop, kFields };
+enum Field { kUx, kUy, kTx, kTy, kHoop, kStatus, kFields };
 
 // The end of an increment, or where a path ended early.
 struct State {
