@@ -63,16 +63,16 @@ double best_root(const std::vector<Sample>& v) {
 const double kBefore = 0.25;
 
 // The root by as many pairs as give one between the last pair of one state, at 0, and the first of the other.
-double limited_root(const std::vector<Sample>& v) {
+double limited_root(const std::vector<Sample>& v, double before) {
   const double step = v.front().x;
   for (size_t use = std::min<size_t>(v.size(), 5); use >= 2; use = use > 3 ? 3 : use - 1) {
     const double root = best_root({v.begin(), v.begin() + static_cast<std::ptrdiff_t>(use)});
-    if (root >= -kBefore * step && root <= step) return root;
+    if (root >= -before * step && root <= step) return root;
   }
   return step / 2;
 }
 
-const int32_t kSamples = 5;
+const int32_t kSamples = 5, kAdvancedSamples = 3;
 
 // Where a stretch of contact ends whose last pair is `last`, as one goes on in `direction`.
 ContactEdge edge_beyond(const LineState& state, int32_t last, int direction) {
@@ -90,7 +90,7 @@ ContactEdge edge_beyond(const LineState& state, int32_t last, int direction) {
   std::vector<Sample> samples;
   for (int32_t k = 1; k <= use; ++k)
     samples.push_back({view.distance(k), std::cbrt(std::pow(std::max(state.gap[static_cast<size_t>(view.at(k))], 0.0), 2))});
-  edge.s += direction * limited_root(samples);
+  edge.s += direction * limited_root(samples, kBefore);
   return edge;
 }
 
@@ -153,20 +153,30 @@ int32_t run_of(const LineState& state, const View& view, int32_t first, int step
   return run;
 }
 
-// Between a stuck pair and the one that slips next to it.
+// Did stick advance to where it is, over pairs that had slipped since the loads turned? Then the pair next to the border holds
+// some of that slip.
+bool has_advanced(const LineState& state, const View& view, int32_t slipping) {
+  double most = 0;
+  for (int32_t k = 1; k <= slipping; ++k) most = std::max(most, std::fabs(state.slip[static_cast<size_t>(view.at(k))]));
+  return std::fabs(state.slip[static_cast<size_t>(view.at(0))]) > 1e-6 * most;
+}
+
+// Between a stuck pair and the one that slips next to it. Where slip advances it begins with the power 3/2 of the distance, as
+// a gap does; where stick advances the rate of slip vanishes like that, and the slip, beyond what is held, with the power 5/2.
 double border_beyond(const LineState& state, int32_t stuck, int direction) {
   const View view(state.line, stuck, direction);
   const int32_t slipping = run_of(state, view, 1, 1, C2D_SLIP), held = run_of(state, view, 0, -1, C2D_STICK);
   const int32_t behind = view.at(slipping + 1);
   const bool more = behind >= 0 && state.status[static_cast<size_t>(behind)] == C2D_STICK;
-  const int32_t use = std::min(more ? (slipping + 1) / 2 : slipping, kSamples);
+  const bool advanced = has_advanced(state, view, slipping);
+  const int32_t use = std::min(more ? (slipping + 1) / 2 : slipping, advanced ? kAdvancedSamples : kSamples);
   std::vector<Sample> samples;
   for (int32_t k = 1; k <= use; ++k) {
     const double at = view.distance(k);
-    const double slip = state.slip[static_cast<size_t>(view.at(k))] - held_slip(state, view, held, at);
-    samples.push_back({at, std::cbrt(slip * slip)});
+    const double slip = std::fabs(state.slip[static_cast<size_t>(view.at(k))] - held_slip(state, view, held, at));
+    samples.push_back({at, advanced ? std::pow(slip, 0.4) : std::cbrt(slip * slip)});
   }
-  return state.line.s[static_cast<size_t>(stuck)] + direction * limited_root(samples);
+  return state.line.s[static_cast<size_t>(stuck)] + direction * limited_root(samples, advanced ? 2 * kBefore : kBefore);
 }
 
 } // namespace
@@ -185,8 +195,13 @@ std::vector<double> find_stick_borders(const LineState& state) {
 
 namespace {
 
-// Pairs, counted from the edge, from which its intensity follows: the mesh disturbs the two next to it.
-const int32_t kNearest = 3, kFarthest = 6;
+// An intensity follows from four pairs. The mesh disturbs those in the elements next to the edge, which are left out.
+const int32_t kPairs = 4, kElementsOut = 4, kFewerOut = 2;
+
+int32_t pairs_per_element(const ZoneLine& line) {
+  const size_t elements = std::max<size_t>(line.pieces.size(), 1);
+  return std::max<int32_t>(1, static_cast<int32_t>((line.size() + elements / 2) / elements));
+}
 
 // The value at d = 0 of the straight line through the samples that fits best.
 double value_at_edge(const std::vector<Sample>& v) {
@@ -195,18 +210,19 @@ double value_at_edge(const std::vector<Sample>& v) {
   return (y * xx - x * xy) / (n * xx - x * x);
 }
 
-// Pairs inside an edge as (distance, value(place, distance)), if so many follow each other without a change of status.
+// These pairs as (distance, value(place, distance)); none if the contact, or its stick, ends before the last of them.
 template <class Value>
-std::vector<Sample> inside(const LineState& state, const ContactEdge& edge, int32_t status, Value value) {
+std::vector<Sample> inside(const LineState& state, const ContactEdge& edge, int32_t elements_out, bool stuck, Value value) {
   const View view(state.line, edge.last, -edge.direction);
   const double begin = edge.direction * (edge.s - state.line.s[static_cast<size_t>(edge.last)]);
+  const int32_t out_first = elements_out * pairs_per_element(state.line);
   std::vector<Sample> out;
-  for (int32_t k = 0; k < kFarthest; ++k) {
+  for (int32_t k = 0; k < out_first + kPairs; ++k) {
     const int32_t at = view.at(k);
     if (at < 0 || !touches(state.status[static_cast<size_t>(at)])) return {};
-    if (status >= 0 && state.status[static_cast<size_t>(at)] != status) return {};
+    if (stuck && state.status[static_cast<size_t>(at)] != C2D_STICK) return {};
     const double d = begin + view.distance(k);
-    if (k + 1 >= kNearest) out.push_back({d, value(static_cast<size_t>(at), d)});
+    if (k >= out_first) out.push_back({d, value(static_cast<size_t>(at), d)});
   }
   return out;
 }
@@ -215,15 +231,17 @@ std::vector<Sample> inside(const LineState& state, const ContactEdge& edge, int3
 
 double edge_pressure(const LineState& state, const ContactEdge& edge) {
   if (edge.at_corner) return NAN;
-  const std::vector<Sample> v = inside(state, edge, -1, [&](size_t at, double d) { return state.tn[at] * state.tn[at] / d; });
+  const auto value = [&](size_t at, double d) { return state.tn[at] * state.tn[at] / d; };
+  std::vector<Sample> v = inside(state, edge, kElementsOut, false, value);
+  if (v.empty()) v = inside(state, edge, kFewerOut, false, value);
   const double square = v.empty() ? NAN : value_at_edge(v);
   return square >= 0 ? std::sqrt(square) : NAN;
 }
 
 double edge_friction(const LineState& state, const ContactEdge& edge) {
   if (edge.at_corner) return NAN;
-  const std::vector<Sample> v =
-      inside(state, edge, C2D_STICK, [&](size_t at, double d) { return state.tt[at] * state.tt[at] * d; });
+  const auto value = [&](size_t at, double d) { return state.tt[at] * state.tt[at] * d; };
+  const std::vector<Sample> v = inside(state, edge, kElementsOut, true, value);
   if (v.empty()) return NAN;
   // Friction that falls towards the edge, as where the contact has just grown, has no such intensity.
   for (size_t i = 1; i < v.size(); ++i)

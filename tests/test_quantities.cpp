@@ -1,0 +1,522 @@
+// The numbers that sum up a contact: edges and borders between nodes, peaks, resultants, intensities; where they are written.
+#include "family_runs.hpp"
+#include "json.hpp"
+#include "many_bodies.hpp"
+#include "report/csv.hpp"
+#include "report/edges.hpp"
+#include "report/listing.hpp"
+#include "report/record.hpp"
+#include "shell.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+using namespace app;
+
+namespace {
+
+const double kPi = std::acos(-1.0);
+
+// ---- runs
+struct Run {
+  Summary summary;
+  std::vector<ZoneLine> lines;
+  CoefficientRecord record;
+
+  const std::vector<Quantity>& last() const { return record.steps.back().quantities; }
+  std::vector<Quantity> all(Measure what, int32_t zone = 1) const { return all(last(), what, zone); }
+  static std::vector<Quantity> all(const std::vector<Quantity>& from, Measure what, int32_t zone = 1) {
+    std::vector<Quantity> out;
+    for (const Quantity& q : from)
+      if (q.what == what && q.zone == zone) out.push_back(q);
+    return out;
+  }
+  Quantity one(Measure what, int32_t zone = 1) const {
+    const std::vector<Quantity> found = all(what, zone);
+    REQUIRE_MESSAGE(found.size() == 1, name_of(what));
+    return found.front();
+  }
+};
+
+struct Follower {
+  c2d_solver* solver;
+  Run& run;
+};
+
+Run follow(many::Machine& machine) {
+  Run run;
+  REQUIRE(machine.status == C2D_OK);
+  REQUIRE(c2d_prepare(machine.solver) == C2D_OK);
+  REQUIRE(get_summary(machine.solver, run.summary) == C2D_OK);
+  REQUIRE(find_zone_lines(machine.solver, run.summary, run.lines) == C2D_OK);
+  Follower follower{machine.solver, run};
+  const auto note = [](void* context, const c2d_step* step) {
+    Follower& f = *static_cast<Follower*>(context);
+    keep_history(f.run.record, *step, f.solver, {}, f.run.lines);
+    return int32_t{0};
+  };
+  REQUIRE(c2d_run(machine.solver, note, &follower) == C2D_OK);
+  REQUIRE(!run.record.steps.empty());
+  return run;
+}
+Run follow(const many::Model& model) {
+  many::Machine machine(model);
+  return follow(machine);
+}
+Run make(const std::string& family, const std::vector<std::string>& settings = {}) {
+  std::string deck, error;
+  REQUIRE_MESSAGE(families::make_deck(family, settings, deck, error), error);
+  many::Machine machine(deck);
+  return follow(machine);
+}
+std::string number(const char* key, double value) {
+  std::ostringstream out;
+  out << key << "=" << value;
+  return out.str();
+}
+
+// ---- lines by hand
+ZoneLine line_of(const std::vector<double>& s, bool round = false, double length = 0) {
+  ZoneLine line;
+  line.zone = 1, line.round = round, line.s = s, line.length = length > 0 ? length : s.back();
+  line.end[1].s = line.length;
+  for (size_t i = 0; i < s.size(); ++i) line.pair.push_back(static_cast<int32_t>(i)), line.corner.push_back(0);
+  line.weight.assign(s.size(), line.length / static_cast<double>(s.size()));
+  return line;
+}
+std::vector<double> steps(size_t count, double h = 1) {
+  std::vector<double> out;
+  for (size_t i = 0; i < count; ++i) out.push_back(h * static_cast<double>(i));
+  return out;
+}
+// A contact from a to b on it, with a gap of (3/2) power beyond and a pressure of (1/2) power inside.
+LineState state_of(const ZoneLine& line, double a, double b) {
+  LineState state{line, {}, {}, {}, {}, {}};
+  for (double s : line.s) {
+    if (line.round && s < a - (line.length - (b - a)) / 2) s += line.length;
+    const bool in = s >= a && s <= b;
+    const double beyond = in ? 0 : std::min(std::fabs(s - a), std::fabs(s - b));
+    state.status.push_back(in ? C2D_SLIP : C2D_OPEN);
+    state.tn.push_back(in ? std::sqrt((s - a) * (b - s)) : 0);
+    state.gap.push_back(std::pow(beyond, 1.5));
+    state.tt.push_back(0), state.slip.push_back(0);
+  }
+  return state;
+}
+
+} // namespace
+
+TEST_CASE("quantities: a gap of the power 3/2 gives the edge exactly, wherever it lies, in both directions") {
+  for (int i = 0; i < 10; ++i) {
+    const double a = 10.05 + 0.1 * i, b = 25.31 + 0.07 * i;
+    const ZoneLine line = line_of(steps(40));
+    const std::vector<ContactEdge> edges = find_contact_edges(state_of(line, a, b));
+    REQUIRE(edges.size() == 2);
+    CHECK(std::fabs(edges[0].s - a) < 1e-12 * 40);
+    CHECK(std::fabs(edges[1].s - b) < 1e-12 * 40);
+    CHECK(edges[0].direction == -1);
+    CHECK(edges[1].direction == 1);
+  }
+}
+
+TEST_CASE("quantities: few open pairs beyond an edge") {
+  const double b = 20.3;
+  for (size_t open = 1; open <= 6; ++open) {
+    const ZoneLine line = line_of(steps(21 + open));
+    const std::vector<ContactEdge> edges = find_contact_edges(state_of(line, 5.5, b));
+    REQUIRE(edges.size() == 2);
+    CHECK(edges[1].s == doctest::Approx(open == 1 ? 20.5 : b).epsilon(1e-12)); // one pair: the middle
+  }
+  const ZoneLine none = line_of(steps(21)); // closed up to the end of the zone: no edge there
+  CHECK(find_contact_edges(state_of(none, 5.5, b)).size() == 1);
+}
+
+TEST_CASE("quantities: stretches near each other share the open pairs between them") {
+  for (size_t open = 1; open <= 12; ++open) {
+    const double b = 9.4, c = b + static_cast<double>(open) + 0.2; // open pairs 10 ... 9 + open
+    const ZoneLine line = line_of(steps(30 + open));
+    LineState state = state_of(line, -100, b);
+    const LineState other = state_of(line, c, 1000);
+    for (size_t i = 0; i < line.size(); ++i) {
+      if (other.status[i] != C2D_OPEN) state.status[i] = C2D_SLIP;
+      state.gap[i] = std::min(state.gap[i], other.gap[i]);
+    }
+    const std::vector<ContactEdge> edges = find_contact_edges(state);
+    REQUIRE(edges.size() == 2);
+    CHECK(std::fabs(edges[0].s - b) < (open < 3 ? 0.5 : 1e-9));
+    CHECK(std::fabs(edges[1].s - c) < (open < 3 ? 0.5 : 1e-9));
+  }
+}
+
+TEST_CASE("quantities: round a closed side") {
+  const size_t n = 60;
+  for (const double a : {-7.3, 20.6, 48.2}) { // before, away from and across the place where lengths begin
+    ZoneLine line = line_of(steps(n), true, static_cast<double>(n));
+    const double b = a + 17.45;
+    LineState state = state_of(line, a < 0 ? a + 60 : a, a < 0 ? b + 60 : b);
+    const std::vector<ContactEdge> edges = find_contact_edges(state);
+    REQUIRE(edges.size() == 2);
+    double length = 0;
+    for (const ContactEdge& e : edges) length += e.direction * e.s;
+    CHECK(std::remainder(length - 17.45, 60.0) == doctest::Approx(0).epsilon(1e-9));
+    for (const ContactEdge& e : edges)
+      CHECK(std::remainder(e.s - (e.direction < 0 ? a : b), 60.0) == doctest::Approx(0).epsilon(1e-9));
+    std::vector<double> table;
+    for (size_t i = 0; i < n; ++i) {
+      std::vector<double> row(C2D_PAIR_FIELDS, 0.0);
+      row[C2D_STATUS] = state.status[i], row[C2D_TN] = state.tn[i], row[C2D_GAP] = state.gap[i];
+      table.insert(table.end(), row.begin(), row.end());
+    }
+    const std::vector<Quantity> all = quantities_of({line}, table.data(), C2D_PAIR_FIELDS, {C2D_INIT(c2d_zone_state)}, 0);
+    double force = 0;
+    for (const double p : state.tn) force += p;
+    CHECK(Run::all(all, Measure::kMeanPressure).at(0).value == doctest::Approx(force / 17.45).epsilon(1e-9));
+    for (const Quantity& q : Run::all(all, Measure::kContactEdge)) CHECK((q.value >= 0 && q.value < 60));
+  }
+  LineState closed = state_of(line_of(steps(n), true, 60), -1000, 1000); // all of it touches
+  CHECK(find_contact_edges(closed).empty());
+}
+
+TEST_CASE("quantities: Hertz, wherever the edge lies in its element, linear and quadratic functions") {
+  const double p0 = 1000 / (2 * 0.91) / 200, P = kPi * p0 / 2;
+  for (const char* order : {"order=1", "order=2"})
+    for (int i = 0; i < 8; ++i) {
+      CAPTURE(std::string(order));
+      const Run run = make("hertz", {order, "n=20", number("edge", 0.02 + i / 8.0)});
+      CHECK(std::fabs(run.one(Measure::kContactEdge).at[0] - 1) < 1e-3);       // measured 6.4e-4 and 9.0e-4
+      CHECK(std::fabs(run.one(Measure::kPeakPressure).value / p0 - 1) < 5e-4); // measured 3.3e-4
+      CHECK(std::fabs(run.one(Measure::kPeakPressure).at[0]) < 1e-9);
+      CHECK(std::fabs(run.one(Measure::kMeanPressure).value / (P / 2) - 1) < 1.2e-3);             // as the edge
+      CHECK(std::fabs(run.one(Measure::kEdgePressure).value / (p0 * std::sqrt(2.0)) - 1) < 6e-3); // measured 0.13 %, 0.5 %
+      CHECK(run.one(Measure::kForceY).value == doctest::Approx(P / 2).epsilon(1e-3)); // of the half that is modelled
+      CHECK(run.all(Measure::kStickBorder).empty());
+    }
+}
+
+TEST_CASE("quantities: Cattaneo and Mindlin, stick borders while the load goes to and fro") {
+  const Run run = make("mindlin");
+  const double P = run.one(Measure::kForceY).value, mu = 0.3;
+  const std::vector<StepRecord>& steps = run.record.steps;
+  int compared = 0;
+  double turned = 0, before = 0; // tangential force where it last turned, and a step ago
+  for (size_t i = 1; i < steps.size(); ++i) {
+    const double q = Run::all(steps[i].quantities, Measure::kForceX).at(0).value / (mu * P);
+    if (i > 1 && (q - before) * (before - turned) < 0) turned = before;
+    const double part = std::fabs(turned) > 1e-6 ? std::fabs(q - turned) / 2 : std::fabs(q);
+    before = q;
+    const std::vector<Quantity> borders = Run::all(steps[i].quantities, Measure::kStickBorder);
+    const int32_t slipping = steps[i].zones.at(0).slip / 2; // pairs, on either side
+    if (borders.size() != 2 || slipping < 2) continue;      // one: the border is set between it and the pair that sticks
+    const double middle = (borders[0].at[0] + borders[1].at[0]) / 2, c = std::fabs(borders[0].at[0] - borders[1].at[0]) / 2;
+    CHECK(std::fabs(c - std::sqrt(1 - part)) < (slipping < 3 ? 8e-3 : 5e-3)); // 7.5e-3; 4.2e-3, and 1e-3 where 5 do
+    CHECK(std::fabs(middle) < 5e-3);
+    ++compared;
+  }
+  CHECK(compared >= 14);
+  for (const Quantity& edge : run.all(Measure::kContactEdge)) CHECK(std::fabs(std::fabs(edge.at[0]) - 1) < 3e-3); // it shifts
+}
+
+TEST_CASE("quantities: Spence's cylinder, where stick advances over what has slipped") {
+  const double a = 0.9728971709260842, c = 0.864481667647117 * a;
+  for (const char* edge : {"edge=0.1", "edge=0.5", "edge=0.9"}) {
+    const Run run = make("cylinder_friction", {edge});
+    CHECK(std::fabs(run.one(Measure::kContactEdge).at[0] - a) < 2.5e-3); // measured 1.5e-3
+    CHECK(std::fabs(run.one(Measure::kStickBorder).at[0] - c) < 4e-3);   // measured 3e-3: 0.12 of an element
+    CHECK(run.all(Measure::kEdgeFriction).empty());                      // slips there
+  }
+}
+
+TEST_CASE("quantities: at a corner contact ends at the corner; Spence's punch") {
+  const Run run = make("punch");
+  const Quantity edge = run.one(Measure::kContactEdge);
+  CHECK(std::fabs(edge.at[0] - 1) < 1e-12);
+  CHECK(run.all(Measure::kEdgePressure).empty());
+  CHECK(run.one(Measure::kMeanPressure).value == doctest::Approx(0.5).epsilon(1e-6));
+  CHECK(std::fabs(run.one(Measure::kStickBorder).at[0] - 0.7) < 2e-3); // measured 7e-4
+}
+
+TEST_CASE("quantities: receding layer and disc in a hole") {
+  CHECK(std::fabs(make("receding_layer").one(Measure::kContactEdge).at[0] - 1.3241653718676933) < 1.5e-3);
+  const Quantity edge = make("disc_in_hole").one(Measure::kContactEdge);
+  CHECK(std::fabs(std::atan2(edge.at[0], edge.at[1]) * 180 / kPi - 19.625) < 0.06); // an element is 1.5 degrees
+  CHECK(std::hypot(edge.at[0], edge.at[1]) == doctest::Approx(1).epsilon(1e-3));
+}
+
+TEST_CASE("quantities: lengths along a curved side") {
+  // Pairs on the quarter of a circle: lengths are those of arcs, for every order of the geometry that the families use.
+  for (const char* order : {"order=1", "order=2", "order=3"}) {
+    const Run run = make("disc_in_hole", {order});
+    const ZoneLine& line = run.lines.at(0);
+    CHECK(line.length == doctest::Approx(kPi / 2).epsilon(2e-4));
+    for (size_t i = 0; i < line.size(); ++i) {
+      const double angle = std::fabs(std::atan2(line.y[i], line.x[i]) - std::atan2(line.y[0], line.x[0]));
+      CHECK(std::fabs(line.s[i] - angle) < 3e-4);
+      double at[2];
+      line.place(line.s[i], at);
+      CHECK(std::hypot(at[0] - line.x[i], at[1] - line.y[i]) < 1e-12);
+    }
+    double sum = 0;
+    for (const double w : line.weight) sum += w;
+    CHECK(sum == doctest::Approx(line.length).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("quantities: friction of a contact that sticks up to its edge") {
+  std::string deck, error;
+  REQUIRE(families::make_deck("mindlin", {"n=20", "steps=1", "Q=0.9", "move=0.0005"}, deck, error));
+  const std::string heading = "! coefficients of friction\n1 0.3";
+  REQUIRE(deck.find(heading) != std::string::npos);
+  deck.replace(deck.find(heading), heading.size(), "! coefficients of friction\n1 1e6");
+  many::Machine machine(deck);
+  const Run run = follow(machine);
+  const std::vector<Quantity> K = Run::all(run.record.steps.at(1).quantities, Measure::kEdgeFriction);
+  const double Q = Run::all(run.record.steps.at(1).quantities, Measure::kForceX).at(0).value;
+  REQUIRE(K.size() == 2);
+  for (const Quantity& k : K) CHECK(k.value == doctest::Approx(Q / (kPi * std::sqrt(2.0))).epsilon(0.03)); // measured 1.9 %
+  CHECK(Run::all(run.record.steps.at(0).quantities, Measure::kEdgeFriction).empty());                      // no friction yet
+}
+
+// ---- the same contact, told otherwise
+namespace {
+
+// A cylinder's segment (body 2) pressed on a block (body 1) by its flat top, with friction, off the middle of the block.
+many::Model pressed_segment(int32_t function_nodes = 2) {
+  many::Model m;
+  m.function_nodes = function_nodes;
+  const int32_t n = 40;
+  const double half = 2, radius = 20;
+  m.add(many::polygon({{-6, -8, 8}, {7, -8, 6}, {7, 0, 5}, {half, 0, n}, {-half, 0, 5}, {-6, 0, 6}}));
+  many::Body segment;
+  segment.element_nodes = 2;
+  std::vector<many::Corner> corners;
+  for (int32_t i = 0; i < n; ++i) {
+    const double x = -half + 2 * half * i / n;
+    corners.push_back({x, x * x / (2 * radius), 1});
+  }
+  corners.push_back({half, half * half / (2 * radius), 5});
+  corners.push_back({half, 2, 10});
+  corners.push_back({-half, 2, 5});
+  segment = many::polygon(corners, 2000, 0.2);
+  const int32_t first = 1, last = n;
+  m.add(segment);
+  m.zones.push_back({C2D_ZONE_MATCHING, {{1, m.side(1, 4).first, m.side(1, 4).last}, {2, last, first}}, -1, {0, 0}});
+  m.set(1, 1, many::end_of(many::kHeld));
+  const int32_t top = n + 2;
+  m.set(2, top, many::end_of("1100", 0, 0, 0.006, -0.02));
+  m.friction = 0.2;
+  m.paths = {{2, 1.0}};
+  return m;
+}
+
+struct Expected {
+  std::vector<double> value;
+  std::vector<double> x, y;
+};
+Expected values_of(const Run& run, Measure what) {
+  Expected out;
+  for (const Quantity& q : run.all(what)) out.value.push_back(q.value), out.x.push_back(q.at[0]), out.y.push_back(q.at[1]);
+  return out;
+}
+
+const Measure kWithPlace[] = {Measure::kPeakPressure, Measure::kContactEdge, Measure::kStickBorder, Measure::kEdgePressure};
+
+// All quantities with a place, in the order of the line or against it; values by `scale` (lengths along the side apart).
+void compare(const Run& a, const Run& b, double scale, const std::function<void(double&, double&)>& place, bool backwards,
+             double length) {
+  for (const Measure what : kWithPlace) {
+    CAPTURE(std::string(name_of(what)));
+    const Expected one = values_of(a, what), two = values_of(b, what);
+    REQUIRE(one.value.size() == two.value.size());
+    CHECK(!one.value.empty());
+    for (size_t i = 0; i < one.value.size(); ++i) {
+      const size_t k = backwards ? one.value.size() - 1 - i : i;
+      double x = one.x[i], y = one.y[i];
+      place(x, y);
+      CHECK(std::fabs(two.x[k] - x) < 1e-7 * length);
+      CHECK(std::fabs(two.y[k] - y) < 1e-7 * length);
+      const bool is_length = what == Measure::kContactEdge || what == Measure::kStickBorder;
+      if (!is_length)
+        CHECK(
+            two.value[k] ==
+            doctest::Approx(one.value[i] * scale * (what == Measure::kEdgePressure ? 1 / std::sqrt(length) : 1)).epsilon(1e-6));
+      if (is_length && !backwards) CHECK(two.value[k] == doctest::Approx(one.value[i] * length).epsilon(1e-7));
+    }
+  }
+}
+
+} // namespace
+
+TEST_CASE("quantities: other units, mirrored, sides swapped, bodies renumbered") {
+  for (const int32_t nodes : {2, 3}) {
+    const many::Model model = pressed_segment(nodes);
+    const Run run = follow(model);
+    const c2d_zone_state state = run.record.steps.back().zones.at(0);
+    CAPTURE(state.open), CAPTURE(state.stick), CAPTURE(state.slip);
+    REQUIRE(run.all(Measure::kContactEdge).size() == 2);
+    REQUIRE(run.all(Measure::kStickBorder).size() == 2);
+    const auto same = [](double&, double&) {};
+    compare(
+        run, follow(many::scaled(model, 1e6, 1e-6)), 1e-6, [](double& x, double& y) { x *= 1e6, y *= 1e6; }, false, 1e6);
+    compare(
+        run, follow(many::reflected(model)), 1, [](double& x, double&) { x = -x; }, true, 1);
+    compare(run, follow(many::with_bodies_in_order(model, {2, 1})), 1, same, false, 1);
+    // With sides swapped lengths are those of the other surface: places differ by the gap, along it.
+    const Run swapped = follow(many::with_swapped_sides(model, 1));
+    for (const Measure what : kWithPlace) {
+      const Expected one = values_of(run, what);
+      Expected two = values_of(swapped, what);
+      REQUIRE(one.value.size() == two.value.size());
+      const size_t n = one.value.size();
+      for (size_t i = 0; i < n; ++i) {
+        const size_t k = n > 1 && std::fabs(two.x[0] - one.x[0]) > std::fabs(two.x[n - 1] - one.x[0]) ? n - 1 - i : i;
+        CHECK(std::fabs(two.x[k] - one.x[i]) < 2e-3);
+      }
+    }
+  }
+}
+
+TEST_CASE("quantities: ties and zones that do not touch have forces alone") {
+  const Run run = make("bimaterial");
+  CHECK(run.all(Measure::kForceX).size() == 1);
+  for (const Measure what : {Measure::kPeakPressure, Measure::kMeanPressure, Measure::kContactEdge, Measure::kApproach})
+    CHECK(run.all(what).empty());
+  const ZoneLine line = line_of(steps(8));
+  std::vector<double> table(8 * C2D_PAIR_FIELDS, 0.0); // all open
+  c2d_zone_state state = C2D_INIT(c2d_zone_state);
+  CHECK(quantities_of({line}, table.data(), C2D_PAIR_FIELDS, {state}, 0).size() == 4); // and what is dissipated
+  CHECK(quantities_of({}, nullptr, C2D_PAIR_FIELDS, {}, 0).empty());                   // no contact in the model
+}
+
+TEST_CASE("quantities: the vertex of a parabola is nearer to the peak than the highest node") {
+  // Flat punch with rounded edges, b/a = 0.8: the pressure in closed form, its peak 0.95830251 at 0.859303.
+  const double f0 = std::asin(0.8), factor = 2 / (kPi * (kPi - 2 * f0 - std::sin(2 * f0)));
+  const auto pressure = [&](double x) {
+    const double f = std::asin(x);
+    return factor * ((kPi - 2 * f0) * std::cos(f) + std::sin(f) * std::log(std::fabs(std::sin(f + f0) / std::sin(f - f0))) +
+                     std::sin(f0) * std::log(std::fabs(std::tan((f + f0) / 2) * std::tan((f - f0) / 2))));
+  };
+  double worst_node = 0, worst = 0, worst_place = 0;
+  for (int i = 0; i < 10; ++i) {
+    const double h = 0.02, shift = h * (i + 0.3) / 10;
+    std::vector<double> s, table;
+    for (int k = 0; k < 50 && shift + k * h < 1; ++k) {
+      s.push_back(k * h);
+      std::vector<double> row(C2D_PAIR_FIELDS, 0.0);
+      row[C2D_STATUS] = C2D_SLIP, row[C2D_TN] = pressure(shift + k * h);
+      table.insert(table.end(), row.begin(), row.end());
+    }
+    ZoneLine line = line_of(s);
+    line.pieces.resize(1); // a straight side
+    line.pieces[0].up = true, line.pieces[0].s = 0;
+    line.pieces[0].curve.count = 2, line.pieces[0].curve.x[0] = shift, line.pieces[0].curve.x[1] = shift + line.length;
+    double highest = 0;
+    for (size_t k = 0; k < s.size(); ++k) highest = std::max(highest, table[k * C2D_PAIR_FIELDS + C2D_TN]);
+    const Quantity peak =
+        Run::all(quantities_of({line}, table.data(), C2D_PAIR_FIELDS, {C2D_INIT(c2d_zone_state)}, 0), Measure::kPeakPressure)
+            .at(0);
+    worst_node = std::max(worst_node, std::fabs(highest / 0.95830251 - 1));
+    worst = std::max(worst, std::fabs(peak.value / 0.95830251 - 1));
+    worst_place = std::max(worst_place, std::fabs(peak.at[0] - 0.859303));
+  }
+  MESSAGE(worst_node << " " << worst << " " << worst_place);
+  CHECK(worst < 0.3 * worst_node);
+  CHECK(worst_place < 0.2 * 0.02);
+}
+
+// ---- where they are written
+namespace {
+
+std::vector<std::string> fields_of(const std::string& row) {
+  std::vector<std::string> out(1);
+  bool quoted = false;
+  for (const char c : row) {
+    if (c == '"') quoted = !quoted;
+    if (c == ',' && !quoted)
+      out.emplace_back();
+    else if (c != '"')
+      out.back() += c;
+  }
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("quantities: listing, JSON and summary table of the program tell the same") {
+  const test::Folder folder;
+  const std::string deck = folder / "deck.dat", program = "'" + paths::program() + "' ";
+  REQUIRE(test::run_shell(program + "make mindlin n=10 > '" + deck + "'").status == 0);
+  std::string text = test::read_file(deck);
+  text.replace(text.find("*PATH"), 0, "*NAME ZONE 1 pad, left\n");
+  test::write_file(deck, text);
+  const test::Result run = test::run_shell(program + "run '" + deck + "' --listing '" + (folder / "l") + "' --json '" +
+                                           (folder / "j") + "' --summary '" + (folder / "s") + "'");
+  REQUIRE_MESSAGE(run.status == 0, run.err);
+  const test::Json json = test::JsonReader::read(test::read_file(folder / "j"));
+  const std::vector<std::string> rows = test::lines_of(test::read_file(folder / "s"));
+  CHECK(rows.at(0) == "mu,step,load,zone,name,quantity,item,value,x,y,error");
+  size_t row = 1;
+  for (const test::Json& step : json["steps_detail"].items)
+    for (const test::Json& q : step["quantities"].items) {
+      const std::vector<std::string> f = fields_of(rows.at(row++));
+      REQUIRE(f.size() == 11);
+      CHECK(std::stod(f[1]) == step["step"].number);
+      CHECK(f[3] == std::to_string(static_cast<int>(q["zone"].number)));
+      CHECK(f[4] == (f[3] == "1" ? "pad, left" : ""));
+      CHECK(f[5] == q["quantity"].text);
+      CHECK(f[6] == std::to_string(static_cast<int>(q["item"].number)));
+      CHECK(std::stod(f[7]) == q["value"].number);
+      CHECK(f[8].empty() == !q.has("x"));
+      if (q.has("y")) CHECK(std::stod(f[9]) == q["y"].number);
+      CHECK(f[10].empty());
+      CHECK(!q.has("error"));
+    }
+  CHECK(row == rows.size());
+  const test::Json& last = json["runs"][0]["quantities"];
+  CHECK(last.items.size() == json["steps_detail"].items.back()["quantities"].items.size());
+  const std::string listing = test::read_file(folder / "l");
+  CHECK(test::contains(listing, "Contact in numbers"));
+  for (const test::Json& q : last.items) CHECK(test::contains(listing, q["quantity"].text));
+  CHECK(!test::contains(listing, "+-"));
+}
+
+TEST_CASE("quantities: stated errors go to the first coefficient's last step, and are shown") {
+  RunRecord record;
+  record.coefficients.resize(2);
+  for (CoefficientRecord& c : record.coefficients) {
+    c.steps.resize(2);
+    for (StepRecord& step : c.steps) {
+      step.loads = {1};
+      for (const int32_t item : {1, 2}) {
+        Quantity q;
+        q.what = Measure::kContactEdge, q.zone = 1, q.item = item, q.value = 2.5, q.at[0] = q.at[1] = item;
+        step.quantities.push_back(q);
+      }
+    }
+  }
+  Quantity stated;
+  stated.what = Measure::kContactEdge, stated.zone = 1, stated.item = 2, stated.error = 0.0125;
+  record.stated = {stated};
+  stated.zone = 7; // there is none
+  record.stated.push_back(stated);
+  record.take_stated_errors();
+  for (size_t c = 0; c < 2; ++c)
+    for (size_t step = 0; step < 2; ++step)
+      for (size_t i = 0; i < 2; ++i) {
+        const double error = record.coefficients[c].steps[step].quantities[i].error;
+        CHECK(std::isfinite(error) == (c == 0 && step == 1 && i == 1));
+      }
+  Summary summary;
+  summary.pairs = 5;
+  summary.zone_name = {"a"};
+  std::string listing, table;
+  append_quantities(listing, record, summary);
+  CHECK(test::contains(listing, "2.5  +- 0.013"));
+  append_summary(table, record, summary);
+  CHECK(test::contains(table, ",1,a,contact edge,2,2.5,2,2,0.0125\n"));
+  RunRecord empty;
+  empty.take_stated_errors(); // nothing to state of nothing
+  CHECK(empty.coefficients.empty());
+}
