@@ -132,6 +132,7 @@ void Writer::points(size_t b) {
 
 // What a condition gives at a place of its curve.
 void Writer::apply(const Condition& c, const MeshedCurve& curve, double s, End& end) const {
+  if ((c.part == Condition::kStart && s > 0) || (c.part == Condition::kEnd && s < (1 - 1e-12) * curve.ends.back())) return;
   Values& values = end.values[static_cast<size_t>(c.load_case)];
   if (c.kind == Condition::kPressure) {
     const Point normal = -1.0 * turned_left(curve.curve->shape->tangent(curve.measure.u_at(s)));
@@ -239,13 +240,13 @@ void Writer::cases() {
 void Writer::history() {
   card("*PATH");
   if (s_.pieces == 0) {
-    std::string text = "10 1";
+    std::string text = std::to_string(s_.steps) + " 1";
     for (size_t c = 1; c < s_.cases.size(); ++c) text += " 0";
     return card(text);
   }
   for (size_t piece = 0; piece < static_cast<size_t>(s_.pieces); ++piece) {
-    std::string text = "10";
-    for (const LoadCase& c : s_.cases) text += number(piece < c.factors.size() ? c.factors[piece] : 0);
+    std::string text = std::to_string(s_.steps);
+    for (const LoadCase& c : s_.cases) text += number(c.factors[piece]);
     card(text);
   }
 }
@@ -409,14 +410,11 @@ void Writer::rigid_bodies() {
 void Writer::platens() {
   const char* const motions[3] = {" UX", " UY", " TURN"};
   const char* const loads[3] = {" FX", " FY", " MOMENT"};
-  const auto same = [](const Drive& a, const Drive& b) {
-    return a.side->body == b.side->body && a.side->names == b.side->names;
-  };
   for (size_t i = 0; i < s_.drives.size(); ++i) {
     const Drive& first = s_.drives[i];
     if (!first.side) continue;
     bool told = false;
-    for (size_t k = 0; k < i; ++k) told = told || (s_.drives[k].side && same(first, s_.drives[k]));
+    for (size_t k = 0; k < i; ++k) told = told || same_target(first, s_.drives[k]);
     if (told) continue;
     const std::vector<Run> all = runs(*first.side);
     if (all.size() != 1)
@@ -425,7 +423,7 @@ void Writer::platens() {
          number(first.about.x) + number(first.about.y));
     for (size_t k = i; k < s_.drives.size(); ++k) {
       const Drive& d = s_.drives[k];
-      if (!d.side || !same(first, d)) continue;
+      if (!same_target(first, d)) continue;
       std::string text = std::to_string(d.load_case + 1);
       for (size_t c = 0; c < 3; ++c) {
         if (d.motion[c]) text += motions[c] + number(*d.motion[c]);
@@ -462,7 +460,7 @@ std::string Writer::write() {
   history();
   if (!s_.points.empty()) {
     card("*POINTS");
-    for (const auto& p : s_.points) card("point " + std::to_string(static_cast<int>(p[0]) + 1) + number(p[1]) + number(p[2]));
+    for (const WantedPoint& p : s_.points) card("point " + std::to_string(p.body + 1) + number(p.at.x) + number(p.at.y));
   }
   return out_;
 }

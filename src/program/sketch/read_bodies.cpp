@@ -27,14 +27,19 @@ Motion reflection(size_t axis, double at) {
 
 } // namespace
 
+std::string Reader::new_body_name(Statement& s, const std::string& expected) {
+  const std::string name = s.name(expected);
+  for (const Body& other : s_.bodies)
+    if (other.name == name) s.fail("a body is called " + quoted(name) + " already");
+  if (name.size() > kLongestName) s.fail(quoted(name) + ": expected at most " + std::to_string(kLongestName) + " bytes");
+  return name;
+}
+
 void Reader::body(Statement& s) {
   end_body();
   Body body;
   body.at = s.at();
-  body.name = s.name("the name of a body");
-  for (const Body& other : s_.bodies)
-    if (other.name == body.name) s.fail("a body is called " + quoted(body.name) + " already");
-  if (body.name.size() > 31) s.fail(quoted(body.name) + ": expected at most 31 characters");
+  body.name = new_body_name(s, "the name of a body");
   if (s.accept("rigid")) {
     body.rigid = true;
   } else {
@@ -307,16 +312,17 @@ Motion Reader::motion(Statement& s) {
 
 void Reader::copy(Statement& s) {
   end_body();
-  const std::string name = s.name("the name of the copy");
-  for (const Body& other : s_.bodies)
-    if (other.name == name) s.fail("a body is called " + quoted(name) + " already");
+  const std::string name = new_body_name(s, "the name of the copy");
   if (!s.accept("of")) s.fail("expected of and the name of a body");
   Body body = s_.bodies[static_cast<size_t>(body_named(s.take("the name of a body")))];
   body.name = name, body.at = s.at();
   const Motion m = motion(s);
   for (Outline& outline : body.outlines) {
     if (m.mirrors()) std::reverse(outline.curves.begin(), outline.curves.end());
-    for (Curve& curve : outline.curves) curve.shape = moved(m.mirrors() ? part(curve.shape, 1, 0) : curve.shape, m);
+    for (Curve& curve : outline.curves) {
+      curve.shape = moved(m.mirrors() ? part(curve.shape, 1, 0) : curve.shape, m);
+      curve.drawn.reset();
+    }
   }
   s_.bodies.push_back(body);
 }

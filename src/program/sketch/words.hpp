@@ -1,5 +1,5 @@
 // The text of a sketch as words with their places. A line is a statement; `!` begins a comment; blanks, tabs, commas and `=`
-// separate words, outside brackets and quotes; a semicolon is a word of its own.
+// separate words, outside brackets and quotes; a semicolon is a word of its own. What stands behind `title` is one word.
 #pragma once
 
 #include <string>
@@ -22,6 +22,7 @@ struct Word {
   std::string text;
   Place at;
   bool quoted = false;
+  bool is(const char* word) const { return !quoted && text == word; }
 };
 
 // Words of a line, numbered `line`. Throws a Fault for a quote or a bracket that is not closed.
