@@ -14,7 +14,7 @@ bool same_target(const Drive& a, const Drive& b) {
 
 namespace {
 
-constexpr double kOverlap = 1e-5, kTieOverlap = 0.01; // of the smaller body's size
+constexpr double kOverlap = 1e-5, kTieOverlap = 0.01, kPressFit = 0.05; // of the smaller body's size
 
 int corners_on(const Shape& shape) { return shape.form() == Form::kLine ? 1 : 48 + 2 * shape.pieces(); }
 
@@ -182,7 +182,7 @@ void Check::check_overlap(const Body& a, const Body& b) {
       const double depth = in->may_hold(p, 0) ? in->depth(p) : 0;
       if (depth > deepest) deepest = depth, where = p;
     }
-  if (deepest > (is_tied ? kTieOverlap : kOverlap) * size)
+  if (deepest > (s_.interference ? kPressFit : is_tied ? kTieOverlap : kOverlap) * size)
     fault(b.at, "bodies " + quoted(a.name) + " and " + quoted(b.name) + " overlap by " + show(deepest) + " at " + told(where));
 }
 

@@ -83,6 +83,7 @@ private:
   void platen(Statement& s);
   void drive(Statement& s);
   void history(Statement& s);
+  void interference(Statement& s);
   int body_named(const Word& word) const;
   Side side(Statement& s, Condition::Part* part = nullptr);
   int curves_named(int body, const std::string& name) const;
