@@ -237,6 +237,7 @@ REPORT_SOURCES += src/report/vtk.cpp
 PROGRAM_SOURCES += src/program/check.cpp
 PROGRAM_SOURCES += src/program/convert.cpp
 PROGRAM_SOURCES += src/program/deck_file.cpp
+PROGRAM_SOURCES += src/program/deck_number.cpp
 PROGRAM_SOURCES += src/program/drawn_deck.cpp
 PROGRAM_SOURCES += src/program/families/bearing.cpp
 PROGRAM_SOURCES += src/program/families/bimaterial.cpp
