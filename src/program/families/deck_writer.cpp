@@ -1,6 +1,6 @@
 // The deck of a model, in the free form: every number with all its digits.
-#include "program/deck_number.hpp"
 #include "program/families/model.hpp"
+#include "program/sketch/deck_number.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ __attribute__((format(printf, 1, 2))) std::string formatted(const char* format, 
   return text;
 }
 
-std::string number(double value) { return app::deck_number(value); }
+std::string number(double value) { return sketch::deck_number(value); }
 
 // One element end of a body with its condition.
 struct End {

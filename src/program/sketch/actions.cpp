@@ -135,9 +135,7 @@ void ActionCheck::check_case(size_t load_case) {
   if (one.name.empty())
     fault(at, "this stands before the first case, which the history cannot name, expected a statement 'case' before it");
   else
-    fault(at, "load case " + quoted(one.name) + " never acts: " +
-                  (s_.pieces == 0 ? "without a statement 'history' the first case does alone"
-                                  : "the history gives it no factor other than 0"));
+    fault(at, "load case " + quoted(one.name) + " never acts, expected a statement 'history' that gives it a factor");
 }
 
 // In the material, and not on its boundary.
@@ -146,15 +144,15 @@ void ActionCheck::check_place(int b, Point p, Place at, const std::string& what)
   const double depth = region.depth(p);
   if (depth <= kJoint * region.size())
     fault(at, what + " (" + show(p.x) + ", " + show(p.y) + ") is not inside body " + quoted(body(b).name) + ": " +
-                  (depth < 0 ? show(-depth) + " from it" : "on its boundary"));
+                  (depth < 0 ? rounded(-depth) + " from it" : "on its boundary"));
 }
 
 void ActionCheck::check_wants() {
   for (const Want& w : s_.wants) {
     const bool needs_interface = w.kind == Want::kPressure || w.kind == Want::kEdges || w.kind == Want::kDissipation;
     if (needs_interface && s_.interfaces.empty()) fault(w.at, "nothing is in contact here, expected a statement 'contact'");
-    if (w.kind == Want::kStress) check_place(w.body, w.where, w.at, "the point");
   }
+  for (const WantedPoint& p : s_.points) check_place(p.body, p.at, p.place, "the point");
   for (const PointLoad& p : s_.point_loads) check_place(p.body, p.where, p.at, "the force at");
 }
 

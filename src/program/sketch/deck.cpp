@@ -1,7 +1,7 @@
 // The deck of a sketch with its mesh, in the free form.
 #include "program/sketch/mesh.hpp"
 
-#include "program/deck_number.hpp"
+#include "program/sketch/deck_number.hpp"
 #include "program/sketch/outline.hpp"
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 namespace sketch {
 namespace {
 
-std::string number(double value) { return app::deck_number(value); }
+std::string number(double value) { return deck_number(value); }
 
 using Values = std::array<double, 4>; // tx ty ux uy
 

@@ -18,7 +18,7 @@ constexpr double kOverlap = 1e-5, kTieOverlap = 0.01, kPressFit = 0.05; // of th
 
 int corners_on(const Shape& shape) { return shape.form() == Form::kLine ? 1 : 48 + 2 * shape.pieces(); }
 
-std::string told(Point p) { return "(" + show(p.x) + ", " + show(p.y) + ")"; }
+std::string told(Point p) { return "(" + rounded(p.x) + ", " + rounded(p.y) + ")"; }
 
 std::string told(const Curve& curve) { return curve.name.empty() ? std::string("a curve") : "curve " + quoted(curve.name); }
 
@@ -106,7 +106,7 @@ void Check::check_outline(const Body& body, const Outline& outline) {
     if (length(end - begin) <= kJoint * size) continue;
     return fault(last ? from.at : to.at, "body " + quoted(body.name) + ": the outline is open: " + told(from) + " ends at " +
                                              told(end) + ", " + told(to) + " begins at " + told(begin) + ", " +
-                                             show(length(end - begin)) + " from there");
+                                             rounded(length(end - begin)) + " from there");
   }
 }
 
@@ -183,7 +183,8 @@ void Check::check_overlap(const Body& a, const Body& b) {
       if (depth > deepest) deepest = depth, where = p;
     }
   if (deepest > (s_.interference ? kPressFit : is_tied ? kTieOverlap : kOverlap) * size)
-    fault(b.at, "bodies " + quoted(a.name) + " and " + quoted(b.name) + " overlap by " + show(deepest) + " at " + told(where));
+    fault(b.at,
+          "bodies " + quoted(a.name) + " and " + quoted(b.name) + " overlap by " + rounded(deepest) + " at " + told(where));
 }
 
 } // namespace

@@ -95,8 +95,10 @@ void Reader::load_case(Statement& s) {
       case_ = static_cast<int>(c);
       return;
     }
-  const bool first_is_unused = s_.cases.size() == 1 && s_.cases[0].name.empty() && s_.conditions.empty() &&
-                               s_.point_loads.empty() && s_.body_forces.empty() && s_.drives.empty();
+  const auto loads = [](const Condition& c) { return c.value[0].value_or(0) != 0 || c.value[1].value_or(0) != 0; };
+  const bool first_is_unused = s_.cases.size() == 1 && s_.cases[0].name.empty() && s_.point_loads.empty() &&
+                               s_.body_forces.empty() && s_.drives.empty() &&
+                               std::none_of(s_.conditions.begin(), s_.conditions.end(), loads); // supports hold in all cases
   if (!first_is_unused) s_.cases.push_back({});
   case_ = static_cast<int>(s_.cases.size()) - 1;
   s_.cases.back().name = name;

@@ -154,7 +154,8 @@ void Reader::arc(Statement& s) {
     const Point centre = s.point("the centre");
     const double r = length(begin - centre), q = length(end - centre);
     if (std::fabs(r - q) > kJoint * r)
-      s.fail("the centre is " + show(r) + " from the arc's begin and " + show(q) + " from its end, expected equal distances");
+      s.fail("the centre is " + rounded(r) + " from the arc's begin and " + rounded(q) +
+             " from its end, expected equal distances");
     const bool right = s.accept("right");
     return draw(s, name, sketch::arc(centre, r, degrees(begin - centre), sweep_between(begin - centre, end - centre, right)));
   }
@@ -162,7 +163,7 @@ void Reader::arc(Statement& s) {
   const double radius = s.positive("the radius"), half = length(chord) / 2;
   const bool right = s.accept("right"), is_long = s.accept("long");
   if (half == 0 || radius < half * (1 - 1e-12))
-    s.fail("the ends are " + show(2 * half) + " apart, expected at most twice the radius " + show(radius));
+    s.fail("the ends are " + rounded(2 * half) + " apart, expected at most twice the radius " + show(radius));
   const double height = std::sqrt(std::max(radius * radius - half * half, 0.0)) * (right != is_long ? -1 : 1);
   const Point centre = begin + 0.5 * chord + (height / (2 * half)) * turned_left(chord);
   draw(s, name, sketch::arc(centre, radius, degrees(begin - centre), sweep_between(begin - centre, end - centre, right)));

@@ -61,7 +61,8 @@ double angle(const Statement& s, const Shape& arc, double degrees) {
   if (way * turn < 0) way += turn;
   if (std::fabs(way - turn) < 1e-9) way = 0;
   if (std::fabs(way) > std::fabs(sweep) + 1e-9)
-    s.fail("the arc goes from " + show(begin) + " to " + show(begin + sweep) + " degrees, " + show(degrees) + " is not on it");
+    s.fail("the arc goes from " + rounded(begin) + " to " + rounded(begin + sweep) + " degrees, " + show(degrees) +
+           " is not on it");
   return std::min(way / sweep, 1.0);
 }
 
@@ -77,7 +78,7 @@ double place(Statement& s, const ShapePtr& curve, const std::string& which) {
   const double value = s.share(which + ": a length along the curve, a share such as 25 %, x, y, angle, start or end");
   const double at = is_share ? value * measure.length() : value;
   if (at < 0 || at > measure.length() * (1 + 1e-9))
-    s.fail(show(at) + " from its start: the curve is " + show(measure.length()) + " long");
+    s.fail(show(at) + " from its start: the curve is " + rounded(measure.length()) + " long");
   return measure.u_at(at);
 }
 

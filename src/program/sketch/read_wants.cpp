@@ -38,7 +38,7 @@ void Reader::steps(Statement& s) {
 void Reader::stress(Statement& s) {
   end_body();
   const int body = body_named(s.take("the name of a body"));
-  do s_.points.push_back({body, s.point("a point")});
+  do s_.points.push_back({body, s.point("a point"), s.at()});
   while (s.has_more());
 }
 
@@ -69,7 +69,7 @@ void Reader::want_stress(Statement& s, Want want) {
   for (const Point& p : points) {
     want.where = p;
     s_.wants.push_back(want);
-    s_.points.push_back({want.body, p});
+    s_.points.push_back({want.body, p, s.at()});
   }
 }
 

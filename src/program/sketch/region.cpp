@@ -6,7 +6,7 @@
 namespace sketch {
 namespace {
 
-constexpr double kDoubt = 0.01; // of the size: nearer to the boundary the true curve is asked for
+constexpr double kDoubt = 0.01; // of the size: nearer to the boundary a polygon cannot tell on which side of a curve a point is
 
 // A polygon of an outline; an open one goes back along the lines of symmetry, by way of where they meet.
 std::vector<Point> closed_polygon(const Sketch& s, const Outline& outline) {
@@ -51,17 +51,17 @@ double Region::depth(Point p) const {
   }
   bool inside = false;
   for (const std::vector<Point>& polygon : polygons_) inside ^= holds(polygon, p);
-  if (nearest == nullptr || least > kDoubt * size_) return inside ? least : -least;
   const Shape& shape = *nearest->curve->shape;
-  for (int step = 0; step < 20; ++step) {
+  for (int step = 0; step < 20; ++step) { // Newton's method on the distance
     const Shape::Local l = shape.local(u);
     const double slope = dot(l.d, l.d) + dot(l.at - p, l.dd);
     if (!(slope > 0)) break;
     u = std::clamp(u - dot(l.at - p, l.d) / slope, 0.0, 1.0);
   }
   const Point off = p - shape.at(u);
-  if (u > 0 && u < 1) inside = dot(off, turned_left(shape.tangent(u))) > 0; // the material is on the left
-  return inside ? length(off) : -length(off);
+  const double away = std::min(length(off), least + kDoubt * size_);
+  if (away < kDoubt * size_ && u > 0 && u < 1) inside = dot(off, turned_left(shape.tangent(u))) > 0; // the material is left
+  return inside ? away : -away;
 }
 
 bool Region::may_hold(Point p, double beyond) const {

@@ -93,6 +93,7 @@ struct Drive {
 struct WantedPoint {
   int body = 0;
   Point at;
+  Place place; // of its statement
 };
 
 // Do two statements move the same body or the same curves?

@@ -69,6 +69,11 @@ std::string show(double value) {
   return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
 }
 
+std::string rounded(double value) {
+  char text[32];
+  return std::string(text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6).ptr);
+}
+
 std::string quoted(const std::string& text) { return "'" + text + "'"; }
 
 } // namespace sketch

@@ -29,6 +29,7 @@ struct Word {
 std::vector<Word> words_of(std::string_view text, int line);
 
 std::string show(double value);              // as few digits as read as the same double
+std::string rounded(double value);           // to six digits, for what was computed
 std::string quoted(const std::string& text); // 'text'
 
 } // namespace sketch

@@ -1,9 +1,9 @@
-#include "program/deck_number.hpp"
+#include "program/sketch/deck_number.hpp"
 
 #include <algorithm>
 #include <charconv>
 
-namespace app {
+namespace sketch {
 
 std::string deck_number(double value) {
   if (value == 0) return " 0"; // of minus zero too
@@ -13,4 +13,4 @@ std::string deck_number(double value) {
   return std::string(text, end);
 }
 
-} // namespace app
+} // namespace sketch

@@ -3,9 +3,9 @@
 
 #include <string>
 
-namespace app {
+namespace sketch {
 
 // A blank and the number: as few digits as read as the same double, with a point in every locale.
 std::string deck_number(double value);
 
-} // namespace app
+} // namespace sketch
