@@ -1,9 +1,7 @@
 // Sketches: words, arithmetic, curves, what is wrong with them, and the decks made of them.
 #include "paths.hpp"
 #include "problem.hpp"
-#include "program/sketch/mesh.hpp"
-#include "program/sketch/outline.hpp"
-#include "program/sketch/read.hpp"
+#include "sketches.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,41 +10,18 @@
 #include <sstream>
 
 using namespace sketch;
+using namespace sketches;
 
 namespace {
 
 const double kPi = std::acos(-1.0);
 
-Reading read(const std::string& text, const Parameters& given = {}) {
-  return read_sketch(text, given, [](const std::string& name, std::string& content) {
-    content = "x,y\n0,0\n1,0\n2,0.5\n3,0\n";
-    return name == "points.csv";
-  });
-}
-
 double value(const std::string& text, const Parameters& parameters = {}) {
   return Expression(Word{text, {1, 1, static_cast<int>(text.size())}, false}, parameters).value();
 }
 
-// The only fault of a sketch, with its line and column.
-std::string fault(const std::string& text) {
-  const Reading r = read(text);
-  if (r.faults.size() != 1) return std::to_string(r.faults.size()) + " faults";
-  return std::to_string(r.faults[0].at.line) + ":" + std::to_string(r.faults[0].at.column) + " " + r.faults[0].text;
-}
-bool tells(const std::string& text, const std::string& part) {
-  const std::string said = fault(text);
-  INFO(said);
-  return said.find(part) != std::string::npos;
-}
-
-const char kSquare[] = "body b E 1 nu 0\nfrom 0 0\nline s to 1 0\nline e to 1 1\nline n to 0 1\nline w close\n";
-
 std::vector<Point> polygon(const std::string& outline) {
-  const Reading r = read("body b E 1 nu 0\n" + outline);
-  for (const Fault& f : r.faults) MESSAGE(f.text);
-  REQUIRE(r.faults.empty());
-  return polygon_of(r.sketch.bodies[0].outlines[0]);
+  return polygon_of(sound("body b E 1 nu 0\n" + outline).bodies[0].outlines[0]);
 }
 
 } // namespace
@@ -142,43 +117,6 @@ TEST_CASE("sketch: lengths along curves") {
   CHECK(e.length() == doctest::Approx(2.4221120551369190).epsilon(1e-12)); // 2 E(3/4)
 }
 
-TEST_CASE("sketch: what is wrong is told at its place") {
-  CHECK(tells("boddy b E 1 nu 0\n", "1:1 'boddy': expected a statement"));
-  CHECK(tells("line a to 1 0\n", "1:1 'line' stands outside a body"));
-  CHECK(tells("body b nu 0.3\n", "expected E and a value, or rigid"));
-  CHECK(tells("body b E -1 nu 0.3\n", "1:10 -1: expected Young's modulus, above 0"));
-  CHECK(tells("body b E 1 nu 0.5\n", "below 0.5"));
-  CHECK(tells("parameter a 1 a 2\n", "1:15 parameter 'a' is there already"));
-  CHECK(tells("parameter a\n", "1:12 the statement ends here, expected the value of a"));
-  CHECK(tells(std::string(kSquare) + "fix b.top\n", "7:5 body 'b' has no curve 'top'"));
-  CHECK(tells(std::string(kSquare) + "fix c.n\n", "no body is called 'c'"));
-  CHECK(tells(std::string(kSquare) + "fix n\n", "expected a body, a point and its curves"));
-  CHECK(tells(std::string(kSquare) + "history pull 1\n", "no load case is called 'pull'"));
-  CHECK(tells(std::string(kSquare) + "drive b x 1\n", "body 'b' is not rigid"));
-  CHECK(tells(std::string(kSquare) + "platen b.n x 1 force 1 0\n", "a motion and its load are both given"));
-  CHECK(tells(std::string(kSquare) + "fix b.n z\n", "7:9 'z': expected x or y"));
-  CHECK(tells(std::string(kSquare) + "fix b.n x 3\n", "'3': expected x or y"));
-  CHECK(tells(std::string(kSquare) + "body b E 1 nu 0\n", "a body is called 'b' already"));
-  CHECK(tells("body b E 1 nu 0\nfrom 0 0\narc to 1 0 radius 0.2\nline close\n", "expected at most twice the radius"));
-  CHECK(tells("body b E 1 nu 0\nfrom 0 0\narc to 1 0 through 2 0\nline close\n", "on one line, expected an arc"));
-  CHECK(tells("body b E 1 nu 0\nspline file nothing.csv closed\n", "the file 'nothing.csv' cannot be read"));
-  CHECK(tells("title nothing\n", "no body, expected one at least"));
-  CHECK(read(kSquare, {{"mu", 1}}).faults.size() == 1); // no such parameter
-  CHECK(read(std::string("parameter mu 2\n") + kSquare, {{"mu", 1}}).sketch.parameters.at("mu") == 1);
-}
-
-TEST_CASE("sketch: what is wrong with shapes") {
-  CHECK(tells("body b E 1 nu 0\nfrom 0 0\nline to 1 0\nline to 1 1\nline last to 0 1\n",
-              "5:1 body 'b': the outline is open: curve 'last' ends at (0, 1)"));
-  CHECK(tells("body b E 1 nu 0\nfrom 0 0\nline to 0 1\nline to 1 1\nline to 1 0\nline close\n", "runs clockwise"));
-  CHECK(tells("body b E 1 nu 0\nfrom 0 0\nline to 2 0\nline to 0 1\nline up to 2 1\nline close\n", "crosses"));
-  CHECK(tells(std::string(kSquare) + "hole\ncircle centre 3 3 radius 0.1\n", "the hole lies outside its outline"));
-  CHECK(tells(std::string(kSquare) + "body c E 1 nu 0\nfrom 0.5 0.5\nline to 2 0.5\nline to 2 2\nline to 0.5 2\nline close\n",
-              "bodies 'b' and 'c' overlap by 0.5 at (0.5, 0.5)"));
-  CHECK(
-      tells("body b E 1 nu 0\nfrom 0 0\nline to 1 0\nfillet radius 3\nline to 1 1\nline to 0 1\nline close\n", "does not fit"));
-}
-
 TEST_CASE("sketch: sides that do not face each other are told") {
   const Reading r = read(std::string(kSquare) + "copy c of b shift 5 0\ncontact b.e c.e\nfix b.w\nfix c.w\n");
   REQUIRE(r.faults.empty());
@@ -188,10 +126,7 @@ TEST_CASE("sketch: sides that do not face each other are told") {
 namespace {
 
 problem::Result solve_sketch(const std::string& text, double fineness = 1) {
-  const Reading r = read(text);
-  for (const Fault& f : r.faults) MESSAGE(f.text);
-  REQUIRE(r.faults.empty());
-  return problem::solve_text(deck_of(r.sketch, first_mesh(r.sketch, fineness)), {});
+  return problem::solve_text(deck(text, fineness), {});
 }
 
 } // namespace

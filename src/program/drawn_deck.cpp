@@ -42,7 +42,7 @@ std::string beside(const std::string& sketch, const std::string& name) {
 } // namespace
 
 int take_sketch(DeckFile& deck, const std::vector<std::string>& settings) {
-  if (!sketch::is_sketch(deck.text())) {
+  if (!sketch::is_sketch(deck.text(), deck.name())) {
     if (settings.empty()) return 0;
     print(deck, {{}, "a deck has no parameters: --set is for sketches"});
     return kExitUsage;
@@ -80,7 +80,7 @@ int write_mesh(const Options& options) {
     messages.fault(fault);
     return kExitInput;
   }
-  if (!sketch::is_sketch(deck.text())) {
+  if (!sketch::is_sketch(deck.text(), deck.name())) {
     messages.fail("a deck has its mesh, expected a sketch");
     return kExitInput;
   }

@@ -1,8 +1,8 @@
 // The deck of a model, in the free form: every number with all its digits.
 #include "program/families/model.hpp"
+#include "program/sketch/deck_number.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdarg>
 #include <cstdio>
@@ -19,14 +19,7 @@ __attribute__((format(printf, 1, 2))) std::string formatted(const char* format, 
   return text;
 }
 
-// A blank and the number: as few digits as read as the same double, with a point in every locale.
-std::string number(double value) {
-  if (value == 0) return " 0";
-  char text[32] = " ";
-  char* end = std::to_chars(text + 1, text + sizeof text, value).ptr;
-  std::replace(text, end, 'e', 'E');
-  return std::string(text, end);
-}
+std::string number(double value) { return sketch::deck_number(value); }
 
 // One element end of a body with its condition.
 struct End {

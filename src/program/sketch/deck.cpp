@@ -1,6 +1,7 @@
 // The deck of a sketch with its mesh, in the free form.
 #include "program/sketch/mesh.hpp"
 
+#include "program/sketch/deck_number.hpp"
 #include "program/sketch/outline.hpp"
 
 #include <algorithm>
@@ -10,11 +11,7 @@
 namespace sketch {
 namespace {
 
-std::string number(double value) {
-  std::string text = show(value == 0 ? 0 : value);
-  std::replace(text.begin(), text.end(), 'e', 'E');
-  return " " + text;
-}
+std::string number(double value) { return deck_number(value); }
 
 using Values = std::array<double, 4>; // tx ty ux uy
 
@@ -50,6 +47,7 @@ private:
   void apply(const Condition& c, const MeshedCurve& curve, double s, End& end) const;
   void conditions(size_t b);
   void cases();
+  size_t interference_case() const;
   void history();
   std::vector<Run> runs(const Side& side) const;
   std::vector<Point> ends_of(int body, const Run& run) const;
@@ -132,6 +130,7 @@ void Writer::points(size_t b) {
 
 // What a condition gives at a place of its curve.
 void Writer::apply(const Condition& c, const MeshedCurve& curve, double s, End& end) const {
+  if ((c.part == Condition::kStart && s > 0) || (c.part == Condition::kEnd && s < (1 - 1e-12) * curve.ends.back())) return;
   Values& values = end.values[static_cast<size_t>(c.load_case)];
   if (c.kind == Condition::kPressure) {
     const Point normal = -1.0 * turned_left(curve.curve->shape->tangent(curve.measure.u_at(s)));
@@ -236,17 +235,26 @@ void Writer::cases() {
   }
 }
 
+// The load case that closes overlaps: one behind those of the sketch, or its only one if that loads nothing. 0: none does.
+size_t Writer::interference_case() const {
+  const auto loads = [](const Condition& c) { return (c.value[0] && *c.value[0] != 0) || (c.value[1] && *c.value[1] != 0); };
+  const bool alone = s_.cases.size() == 1 && s_.point_loads.empty() && s_.body_forces.empty() && s_.drives.empty() &&
+                     std::none_of(s_.conditions.begin(), s_.conditions.end(), loads);
+  return !s_.interference ? 0 : alone ? 1 : s_.cases.size() + 1;
+}
+
 void Writer::history() {
   card("*PATH");
+  const std::string fitted = interference_case() > s_.cases.size() ? " 1" : "";
   if (s_.pieces == 0) {
-    std::string text = "10 1";
+    std::string text = std::to_string(s_.steps) + " 1";
     for (size_t c = 1; c < s_.cases.size(); ++c) text += " 0";
-    return card(text);
+    return card(text + fitted);
   }
   for (size_t piece = 0; piece < static_cast<size_t>(s_.pieces); ++piece) {
-    std::string text = "10";
-    for (const LoadCase& c : s_.cases) text += number(piece < c.factors.size() ? c.factors[piece] : 0);
-    card(text);
+    std::string text = std::to_string(s_.steps);
+    for (const LoadCase& c : s_.cases) text += number(c.factors[piece]);
+    card(text + fitted);
   }
 }
 
@@ -409,14 +417,11 @@ void Writer::rigid_bodies() {
 void Writer::platens() {
   const char* const motions[3] = {" UX", " UY", " TURN"};
   const char* const loads[3] = {" FX", " FY", " MOMENT"};
-  const auto same = [](const Drive& a, const Drive& b) {
-    return a.side->body == b.side->body && a.side->names == b.side->names;
-  };
   for (size_t i = 0; i < s_.drives.size(); ++i) {
     const Drive& first = s_.drives[i];
     if (!first.side) continue;
     bool told = false;
-    for (size_t k = 0; k < i; ++k) told = told || (s_.drives[k].side && same(first, s_.drives[k]));
+    for (size_t k = 0; k < i; ++k) told = told || same_target(first, s_.drives[k]);
     if (told) continue;
     const std::vector<Run> all = runs(*first.side);
     if (all.size() != 1)
@@ -425,7 +430,7 @@ void Writer::platens() {
          number(first.about.x) + number(first.about.y));
     for (size_t k = i; k < s_.drives.size(); ++k) {
       const Drive& d = s_.drives[k];
-      if (!d.side || !same(first, d)) continue;
+      if (!same_target(first, d)) continue;
       std::string text = std::to_string(d.load_case + 1);
       for (size_t c = 0; c < 3; ++c) {
         if (d.motion[c]) text += motions[c] + number(*d.motion[c]);
@@ -459,10 +464,11 @@ std::string Writer::write() {
     card("*BODY FORCE " + std::to_string(f.body + 1) + " " + std::to_string(f.load_case + 1) + number(f.weight.x) +
          number(f.weight.y) + (f.rho_omega2 == 0 ? "" : number(f.rho_omega2) + number(f.centre.x) + number(f.centre.y)));
   cases();
+  if (s_.interference) card("*INTERFERENCE " + std::to_string(interference_case()));
   history();
   if (!s_.points.empty()) {
     card("*POINTS");
-    for (const auto& p : s_.points) card("point " + std::to_string(static_cast<int>(p[0]) + 1) + number(p[1]) + number(p[2]));
+    for (const WantedPoint& p : s_.points) card("point " + std::to_string(p.body + 1) + number(p.at.x) + number(p.at.y));
   }
   return out_;
 }

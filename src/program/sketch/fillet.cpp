@@ -65,8 +65,8 @@ Curve fillet(Curve& before, Curve& next, const std::string& name, double radius,
 Curve chamfer(Curve& before, Curve& next, const std::string& name, double cut, Place at) {
   const Measure a(before.shape), b(next.shape);
   if (cut >= a.length() || cut >= b.length())
-    throw Fault{at, "a chamfer of " + show(cut) + " does not fit: the curves beside it are " + show(a.length()) + " and " +
-                        show(b.length()) + " long"};
+    throw Fault{at, "a chamfer of " + show(cut) + " does not fit: the curves beside it are " + rounded(a.length()) + " and " +
+                        rounded(b.length()) + " long"};
   before.shape = part(before.shape, 0, a.u_at(a.length() - cut));
   next.shape = part(next.shape, b.u_at(cut), 1);
   return {name, line(before.shape->at(1), next.shape->at(0)), at};

@@ -1,4 +1,4 @@
-#include "program/sketch/outline.hpp"
+#include "program/sketch/region.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,11 +7,18 @@ namespace sketch {
 
 bool Side::has(const std::string& name) const { return std::find(names.begin(), names.end(), name) != names.end(); }
 
+bool same_target(const Drive& a, const Drive& b) {
+  if (a.body != b.body || a.side.has_value() != b.side.has_value()) return false;
+  return !a.side || std::is_permutation(a.side->names.begin(), a.side->names.end(), b.side->names.begin(), b.side->names.end());
+}
+
 namespace {
+
+constexpr double kOverlap = 1e-5, kTieOverlap = 0.01, kPressFit = 0.05; // of the smaller body's size
 
 int corners_on(const Shape& shape) { return shape.form() == Form::kLine ? 1 : 48 + 2 * shape.pieces(); }
 
-std::string told(Point p) { return "(" + show(p.x) + ", " + show(p.y) + ")"; }
+std::string told(Point p) { return "(" + rounded(p.x) + ", " + rounded(p.y) + ")"; }
 
 std::string told(const Curve& curve) { return curve.name.empty() ? std::string("a curve") : "curve " + quoted(curve.name); }
 
@@ -54,6 +61,8 @@ public:
     for (const Body& body : s_.bodies) {
       const size_t before = faults_.size();
       for (const Outline& outline : body.outlines) check_outline(body, outline);
+      for (const Outline& outline : body.outlines)
+        if (faults_.size() == before) check_symmetry(body, outline);
       if (faults_.size() == before) check_crossings(body);
       for (const Outline& outline : body.outlines)
         if (faults_.size() == before) check_direction(body, outline);
@@ -75,6 +84,7 @@ private:
   void check_direction(const Body& body, const Outline& outline);
   void check_crossings(const Body& body);
   void check_holes(const Body& body);
+  void check_symmetry(const Body& body, const Outline& outline);
   void check_overlap(const Body& a, const Body& b);
 
   const Sketch& s_;
@@ -96,14 +106,13 @@ void Check::check_outline(const Body& body, const Outline& outline) {
     if (length(end - begin) <= kJoint * size) continue;
     return fault(last ? from.at : to.at, "body " + quoted(body.name) + ": the outline is open: " + told(from) + " ends at " +
                                              told(end) + ", " + told(to) + " begins at " + told(begin) + ", " +
-                                             show(length(end - begin)) + " from there");
+                                             rounded(length(end - begin)) + " from there");
   }
 }
 
 void Check::check_direction(const Body& body, const Outline& outline) {
-  if (outline.open) return;
-  const double area = area_of(polygon_of(outline));
-  if ((area > 0) == outline.hole)
+  const double area = outline.open ? Region(s_, body).area() : area_of(polygon_of(outline)); // of several open ones the whole
+  if ((area > 0) == (outline.hole && !outline.open))
     fault(outline.at, "body " + quoted(body.name) + ": " +
                           (outline.hole ? "the hole runs counter-clockwise, expected clockwise"
                                         : "the outline runs clockwise, expected counter-clockwise") +
@@ -133,36 +142,49 @@ void Check::check_holes(const Body& body) {
   }
 }
 
-// How deep corners of one body's polygon lie in the other's: more than the polygons' own doubt.
-void Check::check_overlap(const Body& a, const Body& b) {
-  const auto is_inside = [](const Body& body, Point p) {
-    bool inside = false;
-    for (const Outline& outline : body.outlines) {
-      if (outline.open) return false;
-      if (holds(polygon_of(outline), p)) inside = !outline.hole ? true : false;
+// Only one side of a line of symmetry is drawn, without the line.
+void Check::check_symmetry(const Body& body, const Outline& outline) {
+  const std::vector<Point> polygon = polygon_of(outline);
+  const double near = kJoint * size_of(polygon);
+  const auto across = [](Point p, size_t axis) { return axis == 0 ? p.x : p.y; };
+  for (size_t axis = 0; axis < 2; ++axis) {
+    if (!s_.symmetry[axis]) continue;
+    const std::string line = std::string(axis == 0 ? "x = " : "y = ") + show(*s_.symmetry[axis]);
+    bool below = false, above = false;
+    for (const Point& p : polygon) {
+      below = below || across(p, axis) < *s_.symmetry[axis] - near;
+      above = above || across(p, axis) > *s_.symmetry[axis] + near;
     }
-    return inside;
-  };
-  for (const auto& [in, of] : {std::pair(&a, &b), std::pair(&b, &a)}) {
-    const std::vector<Chord> walls = chords_of(*in);
-    double deepest = 0;
-    Point where;
-    double size = 0;
-    for (const Outline& outline : in->outlines) size = std::max(size, size_of(polygon_of(outline)));
-    for (const Chord& chord : chords_of(*of)) {
-      if (!is_inside(*in, chord.a)) continue;
-      double depth = HUGE_VAL;
-      for (const Chord& wall : walls) {
-        const Point d = wall.b - wall.a;
-        const double t = std::clamp(dot(chord.a - wall.a, d) / dot(d, d), 0.0, 1.0);
-        depth = std::min(depth, length(chord.a - (wall.a + t * d)));
-      }
-      if (depth > deepest) deepest = depth, where = chord.a;
+    if (below && above)
+      return fault(outline.at, "body " + quoted(body.name) + ": the outline crosses the line of symmetry " + line +
+                                   ", expected what lies on one side of it");
+    for (const Curve& curve : outline.curves) {
+      const auto is_on = [&](double u) { return std::fabs(across(curve.shape->at(u), axis) - *s_.symmetry[axis]) <= near; };
+      if (is_on(0) && is_on(0.5) && is_on(1))
+        return fault(curve.at, "body " + quoted(body.name) + ": " + told(curve) + " lies on the line of symmetry " + line +
+                                   ", which is not drawn: the outline begins and ends on it");
     }
-    if (deepest > 0.01 * size)
-      return fault(b.at, "bodies " + quoted(a.name) + " and " + quoted(b.name) + " overlap by " + show(deepest) + " at " +
-                             told(where));
   }
+}
+
+// How deep points of one body's boundary lie in the other. What is tied may differ a little: the bond closes it.
+void Check::check_overlap(const Body& a, const Body& b) {
+  const bool is_tied = std::any_of(s_.interfaces.begin(), s_.interfaces.end(), [&](const Interface& i) {
+    const Body &p = s_.bodies[static_cast<size_t>(i.side[0].body)], &q = s_.bodies[static_cast<size_t>(i.side[1].body)];
+    return i.tied && ((&p == &a && &q == &b) || (&p == &b && &q == &a));
+  });
+  const Region first(s_, a), second(s_, b);
+  const double size = std::min(first.size(), second.size());
+  double deepest = 0;
+  Point where;
+  for (const auto& [in, of] : {std::pair(&first, &second), std::pair(&second, &first)})
+    for (const Point& p : of->points()) {
+      const double depth = in->may_hold(p, 0) ? in->depth(p) : 0;
+      if (depth > deepest) deepest = depth, where = p;
+    }
+  if (deepest > (s_.interference ? kPressFit : is_tied ? kTieOverlap : kOverlap) * size)
+    fault(b.at,
+          "bodies " + quoted(a.name) + " and " + quoted(b.name) + " overlap by " + rounded(deepest) + " at " + told(where));
 }
 
 } // namespace

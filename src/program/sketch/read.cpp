@@ -1,3 +1,4 @@
+#include "program/sketch/actions.hpp"
 #include "program/sketch/outline.hpp"
 #include "program/sketch/reader.hpp"
 
@@ -5,25 +6,50 @@
 
 namespace sketch {
 
-const Reader::Keyword Reader::kKeywords[] = {{"title", &Reader::title},         {"units", &Reader::units},
-                                             {"plane", &Reader::plane},         {"functions", &Reader::functions},
-                                             {"parameter", &Reader::parameter}, {"symmetry", &Reader::symmetry},
-                                             {"body", &Reader::body},           {"outline", &Reader::outline},
-                                             {"hole", &Reader::hole},           {"from", &Reader::from},
-                                             {"line", &Reader::straight},       {"arc", &Reader::arc},
-                                             {"circle", &Reader::circle},       {"ellipse", &Reader::ellipse},
-                                             {"curve", &Reader::curve},         {"spline", &Reader::spline},
-                                             {"fillet", &Reader::fillet},       {"chamfer", &Reader::chamfer},
-                                             {"mirror", &Reader::mirror},       {"copy", &Reader::copy},
-                                             {"contact", &Reader::contact},     {"tie", &Reader::tie},
-                                             {"case", &Reader::load_case},      {"fix", &Reader::fix},
-                                             {"move", &Reader::move},           {"traction", &Reader::traction},
-                                             {"pressure", &Reader::pressure},   {"force", &Reader::force},
-                                             {"weight", &Reader::weight},       {"spin", &Reader::spin},
-                                             {"platen", &Reader::platen},       {"drive", &Reader::drive},
-                                             {"history", &Reader::history},     {"stress", &Reader::stress}};
+const Reader::Keyword Reader::kKeywords[] = {{"title", &Reader::title},
+                                             {"units", &Reader::units},
+                                             {"plane", &Reader::plane},
+                                             {"functions", &Reader::functions},
+                                             {"parameter", &Reader::parameter},
+                                             {"symmetry", &Reader::symmetry},
+                                             {"body", &Reader::body},
+                                             {"outline", &Reader::outline},
+                                             {"hole", &Reader::hole},
+                                             {"from", &Reader::from},
+                                             {"line", &Reader::straight},
+                                             {"arc", &Reader::arc},
+                                             {"circle", &Reader::circle},
+                                             {"ellipse", &Reader::ellipse},
+                                             {"curve", &Reader::curve},
+                                             {"spline", &Reader::spline},
+                                             {"fillet", &Reader::fillet},
+                                             {"chamfer", &Reader::chamfer},
+                                             {"mirror", &Reader::mirror},
+                                             {"copy", &Reader::copy},
+                                             {"part", &Reader::part_of},
+                                             {"contact", &Reader::contact},
+                                             {"tie", &Reader::tie},
+                                             {"case", &Reader::load_case},
+                                             {"fix", &Reader::fix},
+                                             {"move", &Reader::move},
+                                             {"traction", &Reader::traction},
+                                             {"pressure", &Reader::pressure},
+                                             {"force", &Reader::force},
+                                             {"weight", &Reader::weight},
+                                             {"spin", &Reader::spin},
+                                             {"platen", &Reader::platen},
+                                             {"drive", &Reader::drive},
+                                             {"history", &Reader::history},
+                                             {"interference", &Reader::interference},
+                                             {"steps", &Reader::steps},
+                                             {"stress", &Reader::stress},
+                                             {"want", &Reader::want},
+                                             {"tolerance", &Reader::tolerance},
+                                             {"limit", &Reader::limit}};
 
-bool is_sketch(const std::string& text) {
+bool is_sketch(const std::string& text, const std::string& name) {
+  constexpr std::string_view kEnding = ".c2s";
+  if (name.size() > kEnding.size() && name.compare(name.size() - kEnding.size(), kEnding.size(), kEnding) == 0) return true;
   size_t at = 0;
   while (at < text.size()) { // the first word behind comments
     const size_t end = std::min(text.find('\n', at), text.size());
@@ -84,36 +110,58 @@ void Reader::finish() {
   for (const auto& [name, value] : given_)
     if (used_.count(name) == 0) faults_.push_back({{}, "no parameter of this sketch is called " + quoted(name)});
   for (Fault& fault : faults_of_shapes(s_)) faults_.push_back(std::move(fault));
+  for (Fault& fault : faults_of_actions(s_)) faults_.push_back(std::move(fault));
 }
 
-void Reader::title(Statement& s) { s_.title = s.rest(); }
+// Of statements that stand once.
+void Reader::once(Statement& s, const std::string& what) {
+  if (!told_.insert(what).second) throw Fault{s.at(), what + " is there already, expected once"};
+}
+
+void Reader::title(Statement& s) {
+  once(s, "a title");
+  if (!s.has_more()) return;
+  s_.title = s.rest();
+  if (s_.title.size() > kLongestTitle)
+    s.fail("the title has " + std::to_string(s_.title.size()) + " bytes, expected at most " + std::to_string(kLongestTitle));
+}
 
 void Reader::units(Statement& s) {
+  once(s, "a statement of units");
   for (std::string& unit : s_.units) {
     unit = s.take("the names of the units of length and force").text;
     if (unit.size() > 15) s.fail(quoted(unit) + ": expected at most 15 characters");
   }
 }
 
-void Reader::plane(Statement& s) { s_.plane_stress = s.choice({"strain", "stress"}) == 1; }
+void Reader::plane(Statement& s) {
+  once(s, "plane strain or stress");
+  s_.plane_stress = s.choice({"strain", "stress"}) == 1;
+}
 
-void Reader::functions(Statement& s) { s_.order = static_cast<int>(s.choice({"linear", "quadratic", "cubic"})) + 1; }
+void Reader::functions(Statement& s) {
+  once(s, "a statement of functions");
+  s_.order = static_cast<int>(s.choice({"linear", "quadratic", "cubic"})) + 1;
+}
 
 // Pairs of a name and a value; later values may use earlier ones. One that is given from outside keeps that value.
 void Reader::parameter(Statement& s) {
   do {
     const std::string name = s.name("the name of a parameter");
+    if (name.find('-') != std::string::npos) s.fail(quoted(name) + ": expected letters, digits and _, as - is arithmetic");
     if (used_.count(name) > 0) s.fail("parameter " + quoted(name) + " is there already");
     if (name == "pi" || name == "deg") s.fail(quoted(name) + " has a value already");
     used_.insert(name);
     const double value = s.number("the value of " + name);
-    if (given_.count(name) == 0) s_.parameters[name] = value;
+    const auto given = given_.find(name);
+    s_.parameters[name] = given == given_.end() ? value : given->second;
   } while (s.has_more());
 }
 
 void Reader::symmetry(Statement& s) {
   const size_t axis = s.choice({"x", "y"});
   if (s_.symmetry[axis]) s.fail(std::string("a line of symmetry across ") + (axis == 0 ? "x" : "y") + " is there already");
+  if (!s_.bodies.empty()) throw Fault{s.at(), "a line of symmetry stands before the first body"};
   s_.symmetry[axis] = s.number("its place");
 }
 

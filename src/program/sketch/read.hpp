@@ -7,8 +7,8 @@
 
 namespace sketch {
 
-// Does a text begin as a sketch does, and not as a deck?
-bool is_sketch(const std::string& text);
+// Is a file a sketch, and not a deck? Its name ends in .c2s, or its text begins as a sketch does.
+bool is_sketch(const std::string& text, const std::string& name = std::string());
 
 struct Reading {
   Sketch sketch;

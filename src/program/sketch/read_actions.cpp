@@ -12,26 +12,54 @@ int Reader::body_named(const Word& word) const {
   throw Fault{word.at, "no body is called " + quoted(word.text)};
 }
 
-// body.curve, body.curve+curve: every curve that bears one of the names.
-Side Reader::side(Statement& s) {
+// body.curve, body.curve+curve: every curve that bears one of the names. Where `part` may be told: body.curve.start as well.
+Side Reader::side(Statement& s, Condition::Part* part) {
   const Word word = s.take("curves of a body, such as pad.tip or pad.tip+flank");
   const size_t dot = word.text.find('.');
-  if (dot == std::string::npos)
+  if (dot == std::string::npos || word.quoted)
     throw Fault{word.at, quoted(word.text) + ": expected a body, a point and its curves, such as pad.tip"};
   Side out;
   out.at = word.at;
   out.body = body_named({word.text.substr(0, dot), word.at, false});
-  const Body& body = s_.bodies[static_cast<size_t>(out.body)];
-  for (size_t at = dot + 1, end; at <= word.text.size(); at = end + 1) {
-    end = std::min(word.text.find('+', at), word.text.size());
-    out.names.push_back(word.text.substr(at, end - at));
-    bool known = false;
-    for (const Outline& outline : body.outlines)
-      for (const Curve& curve : outline.curves) known = known || curve.name == out.names.back();
-    if (!known || out.names.back().empty())
-      throw Fault{word.at, "body " + quoted(body.name) + " has no curve " + quoted(out.names.back())};
+  const size_t second = word.text.find('.', dot + 1), names_end = std::min(second, word.text.size());
+  for (size_t at = dot + 1, end; at <= names_end; at = end + 1) {
+    end = std::min(word.text.find('+', at), names_end);
+    const std::string name = word.text.substr(at, end - at);
+    if (out.has(name)) throw Fault{word.at, quoted(name) + " stands there twice"};
+    out.names.push_back(name);
+    if (curves_named(out.body, out.names.back()) == 0)
+      throw Fault{word.at, "body " + quoted(s_.bodies[static_cast<size_t>(out.body)].name) + " has no curve " +
+                               quoted(out.names.back()) + ", expected " + names_of(out.body)};
   }
+  if (second == std::string::npos) return out;
+  const std::string end = word.text.substr(second + 1);
+  if (part == nullptr) throw Fault{word.at, quoted(word.text) + ": expected a body, a point and its curves, such as pad.tip"};
+  if (end != "start" && end != "end")
+    throw Fault{word.at, quoted(word.text) + ": expected start or end behind the curve, such as pad.tip.start"};
+  if (out.names.size() > 1 || curves_named(out.body, out.names[0]) > 1)
+    throw Fault{word.at, quoted(word.text) + ": there are several of these curves, expected one that has the name alone"};
+  *part = end == "start" ? Condition::kStart : Condition::kEnd;
   return out;
+}
+
+int Reader::curves_named(int body, const std::string& name) const {
+  int count = 0;
+  for (const Outline& outline : s_.bodies[static_cast<size_t>(body)].outlines)
+    for (const Curve& curve : outline.curves) count += !name.empty() && curve.name == name ? 1 : 0;
+  return count;
+}
+
+// The names of a body's curves, as many as can be told.
+std::string Reader::names_of(int body) const {
+  std::vector<std::string> names;
+  for (const Outline& outline : s_.bodies[static_cast<size_t>(body)].outlines)
+    for (const Curve& curve : outline.curves)
+      if (!curve.name.empty() && std::find(names.begin(), names.end(), curve.name) == names.end()) names.push_back(curve.name);
+  if (names.empty()) return "names behind the words line, arc, ... that draw it";
+  std::string out;
+  for (size_t i = 0; i < names.size() && i < 8; ++i)
+    out += (i == 0 ? "" : i + 1 == names.size() ? " or " : ", ") + quoted(names[i]);
+  return out + (names.size() > 8 ? ", ..." : "");
 }
 
 void Reader::interface(Statement& s, bool tied) {
@@ -45,6 +73,9 @@ void Reader::interface(Statement& s, bool tied) {
     const size_t kind = tied ? s.choice({"name"}) + 1 : s.choice({"mu", "name"});
     if (kind == 1) {
       out.name = s.take("the name of the interface").text;
+      if (out.name.size() > kLongestName)
+        s.fail(quoted(out.name) + ": expected at most " + std::to_string(kLongestName) + " bytes");
+      if (out.name.find('!') != std::string::npos) s.fail(quoted(out.name) + ": expected a name without '!'");
     } else if (s.accept("inf")) {
       out.friction = HUGE_VAL;
     } else {
@@ -64,11 +95,14 @@ void Reader::load_case(Statement& s) {
       case_ = static_cast<int>(c);
       return;
     }
-  const bool first_is_unused = s_.cases.size() == 1 && s_.cases[0].name.empty() && s_.conditions.empty() &&
-                               s_.point_loads.empty() && s_.body_forces.empty() && s_.drives.empty();
+  const auto loads = [](const Condition& c) { return c.value[0].value_or(0) != 0 || c.value[1].value_or(0) != 0; };
+  const bool first_is_unused = s_.cases.size() == 1 && s_.cases[0].name.empty() && s_.point_loads.empty() &&
+                               s_.body_forces.empty() && s_.drives.empty() &&
+                               std::none_of(s_.conditions.begin(), s_.conditions.end(), loads); // supports hold in all cases
   if (!first_is_unused) s_.cases.push_back({});
   case_ = static_cast<int>(s_.cases.size()) - 1;
   s_.cases.back().name = name;
+  s_.cases.back().factors.assign(static_cast<size_t>(s_.pieces), 0); // of one behind the history
 }
 
 void Reader::components(Statement& s, std::optional<double> value[2]) {
@@ -81,29 +115,27 @@ void Reader::components(Statement& s, std::optional<double> value[2]) {
 
 void Reader::fix(Statement& s) {
   end_body();
-  Condition c{side(s), Condition::kDisplacement, {}, case_, s.at()};
+  Condition c;
+  c.at = s.at(), c.load_case = case_, c.side = side(s, &c.part);
   if (!s.has_more()) c.value[0] = c.value[1] = 0;
   while (s.has_more()) c.value[s.choice({"x", "y"})] = 0;
   s_.conditions.push_back(c);
 }
 
-void Reader::move(Statement& s) {
+// Components along curves: of a displacement, which a point of them may have, or of a traction.
+void Reader::given(Statement& s, Condition::Kind kind) {
   end_body();
-  Condition c{side(s), Condition::kDisplacement, {}, case_, s.at()};
-  components(s, c.value);
-  s_.conditions.push_back(c);
-}
-
-void Reader::traction(Statement& s) {
-  end_body();
-  Condition c{side(s), Condition::kTraction, {}, case_, s.at()};
+  Condition c;
+  c.at = s.at(), c.load_case = case_, c.kind = kind;
+  c.side = side(s, kind == Condition::kDisplacement ? &c.part : nullptr);
   components(s, c.value);
   s_.conditions.push_back(c);
 }
 
 void Reader::pressure(Statement& s) {
   end_body();
-  Condition c{side(s), Condition::kPressure, {}, case_, s.at()};
+  Condition c;
+  c.at = s.at(), c.load_case = case_, c.kind = Condition::kPressure, c.side = side(s);
   c.value[0] = s.number("the pressure");
   s_.conditions.push_back(c);
 }
@@ -121,39 +153,66 @@ void Reader::force(Statement& s) {
   s_.point_loads.push_back(p);
 }
 
-void Reader::weight(Statement& s) {
+// Weight and rotation of one body in one case are one force.
+BodyForce& Reader::body_force(Statement& s) {
   end_body();
-  BodyForce f;
-  f.at = s.at(), f.load_case = case_;
-  f.body = body_named(s.take("the name of a body"));
+  const int body = body_named(s.take("the name of a body"));
+  for (BodyForce& f : s_.body_forces)
+    if (f.body == body && f.load_case == case_) return f;
+  s_.body_forces.push_back({});
+  s_.body_forces.back().body = body, s_.body_forces.back().load_case = case_, s_.body_forces.back().at = s.at();
+  return s_.body_forces.back();
+}
+
+void Reader::weight(Statement& s) {
+  BodyForce& f = body_force(s);
+  if (f.weight.x != 0 || f.weight.y != 0) s.fail("the body has a weight in this load case already");
   std::optional<double> value[2];
   components(s, value);
   f.weight = {value[0].value_or(0), value[1].value_or(0)};
-  s_.body_forces.push_back(f);
 }
 
 void Reader::spin(Statement& s) {
-  end_body();
-  BodyForce f;
-  f.at = s.at(), f.load_case = case_;
-  f.body = body_named(s.take("the name of a body"));
-  f.rho_omega2 = s.number("density times the square of the angular velocity");
+  BodyForce& f = body_force(s);
+  if (f.rho_omega2 != 0) s.fail("the body turns in this load case already");
+  f.rho_omega2 = s.positive("density times the square of the angular velocity");
   if (s.accept("about")) f.centre = s.point("the axis");
-  s_.body_forces.push_back(f);
 }
 
 // Of x, y and turn each has a motion that is given, or it is free and has a load, 0 if none is told.
 void Reader::drive_of(Statement& s, Drive d) {
+  const char* const words[3] = {"x", "y", "turn"};
   d.at = s.at(), d.load_case = case_;
-  if (s.accept("about")) d.about = s.point("the point that the motion and the moment belong to");
+  const Drive* before = nullptr; // the same one, in another load case
+  for (const Drive& other : s_.drives) {
+    if (!same_target(d, other)) continue;
+    before = &other;
+    if (other.load_case == case_) s.fail("this moves in this load case already, by line " + std::to_string(other.at.line));
+  }
+  if (before != nullptr) d.about = before->about;
+  if (s.accept("about")) {
+    d.about = s.point("the point that the motion and the moment belong to");
+    if (before != nullptr && length(d.about - before->about) != 0)
+      s.fail("another point than that of line " + std::to_string(before->at.line) + ", expected one for all load cases");
+  }
+  const auto set = [&s](std::optional<double>& to, const std::string& what) {
+    if (to) s.fail(what + " is given twice");
+    to = s.number(what);
+  };
   while (s.has_more()) {
     const size_t kind = s.choice({"x", "y", "turn", "force", "fx", "fy", "moment"});
-    if (kind < 3) d.motion[kind] = s.number("how far it moves");
-    if (kind == 3) d.load[0] = s.number("the force along x"), d.load[1] = s.number("the force along y");
-    if (kind > 3) d.load[kind - 4] = s.number(kind == 6 ? "the moment" : "the force");
+    if (kind < 3) set(d.motion[kind], kind < 2 ? "how far it moves" : "how far it turns, in radians");
+    if (kind == 3 || kind == 4) set(d.load[0], "the force along x");
+    if (kind == 3 || kind == 5) set(d.load[1], "the force along y");
+    if (kind == 6) set(d.load[2], "the moment");
   }
-  for (size_t i = 0; i < 3; ++i)
+  for (size_t i = 0; i < 3; ++i) {
     if (d.motion[i] && d.load[i]) s.fail("a motion and its load are both given, expected one of them");
+    for (const Drive& other : s_.drives)
+      if (same_target(d, other) && ((d.motion[i] && other.load[i]) || (d.load[i] && other.motion[i])))
+        s.fail(std::string("of ") + words[i] + " the " + (d.load[i] ? "motion" : "load") + " is given in line " +
+               std::to_string(other.at.line) + ", expected " + (d.load[i] ? "motions" : "loads") + " in all load cases");
+  }
   s_.drives.push_back(d);
 }
 
@@ -162,6 +221,8 @@ void Reader::platen(Statement& s) {
   Drive d;
   d.side = side(s);
   d.body = d.side->body;
+  if (s_.bodies[static_cast<size_t>(d.body)].rigid)
+    s.fail("body " + quoted(s_.bodies[static_cast<size_t>(d.body)].name) + " is rigid, expected drive and its name");
   drive_of(s, d);
 }
 
@@ -170,18 +231,19 @@ void Reader::drive(Statement& s) {
   Drive d;
   d.body = body_named(s.take("the name of a rigid body"));
   if (!s_.bodies[static_cast<size_t>(d.body)].rigid)
-    s.fail("body " + quoted(s_.bodies[static_cast<size_t>(d.body)].name) + " is not rigid");
+    s.fail("body " + quoted(s_.bodies[static_cast<size_t>(d.body)].name) + " is not rigid, expected platen and its curves");
   drive_of(s, d);
 }
 
-// normal 1; shear 1, -1, 1: one case after the other goes to the factors told, the others stay.
+// normal 1; shear 1, -1, 1: one case after the other goes to the factors told, the others stay. A second statement goes on.
 void Reader::history(Statement& s) {
   end_body();
   std::vector<double> now;
   for (const LoadCase& c : s_.cases) now.push_back(c.factors.empty() ? 0 : c.factors.back());
   do {
     const Word word = s.take("the name of a load case");
-    const auto found = std::find_if(s_.cases.begin(), s_.cases.end(), [&](const LoadCase& c) { return c.name == word.text; });
+    const auto found = std::find_if(s_.cases.begin(), s_.cases.end(),
+                                    [&](const LoadCase& c) { return !word.text.empty() && c.name == word.text; });
     if (found == s_.cases.end()) throw Fault{word.at, "no load case is called " + quoted(word.text)};
     double factor = s.number("a load factor");
     do {
@@ -192,14 +254,11 @@ void Reader::history(Statement& s) {
   } while (s.accept(";") && s.has_more());
 }
 
-// Where displacements and stresses are wanted.
-void Reader::stress(Statement& s) {
+// Bodies that overlap as drawn are pressed into each other before the history begins.
+void Reader::interference(Statement& s) {
   end_body();
-  const int body = body_named(s.take("the name of a body"));
-  do {
-    const Point p = s.point("a point");
-    s_.points.push_back({static_cast<double>(body), p.x, p.y});
-  } while (s.has_more());
+  if (s_.interference) s.fail("interference is there already");
+  s_.interference = true;
 }
 
 } // namespace sketch

@@ -27,14 +27,19 @@ Motion reflection(size_t axis, double at) {
 
 } // namespace
 
+std::string Reader::new_body_name(Statement& s, const std::string& expected) {
+  const std::string name = s.name(expected);
+  for (const Body& other : s_.bodies)
+    if (other.name == name) s.fail("a body is called " + quoted(name) + " already");
+  if (name.size() > kLongestName) s.fail(quoted(name) + ": expected at most " + std::to_string(kLongestName) + " bytes");
+  return name;
+}
+
 void Reader::body(Statement& s) {
   end_body();
   Body body;
   body.at = s.at();
-  body.name = s.name("the name of a body");
-  for (const Body& other : s_.bodies)
-    if (other.name == body.name) s.fail("a body is called " + quoted(body.name) + " already");
-  if (body.name.size() > 31) s.fail(quoted(body.name) + ": expected at most 31 characters");
+  body.name = new_body_name(s, "the name of a body");
   if (s.accept("rigid")) {
     body.rigid = true;
   } else {
@@ -149,7 +154,8 @@ void Reader::arc(Statement& s) {
     const Point centre = s.point("the centre");
     const double r = length(begin - centre), q = length(end - centre);
     if (std::fabs(r - q) > kJoint * r)
-      s.fail("the centre is " + show(r) + " from the arc's begin and " + show(q) + " from its end, expected equal distances");
+      s.fail("the centre is " + rounded(r) + " from the arc's begin and " + rounded(q) +
+             " from its end, expected equal distances");
     const bool right = s.accept("right");
     return draw(s, name, sketch::arc(centre, r, degrees(begin - centre), sweep_between(begin - centre, end - centre, right)));
   }
@@ -157,7 +163,7 @@ void Reader::arc(Statement& s) {
   const double radius = s.positive("the radius"), half = length(chord) / 2;
   const bool right = s.accept("right"), is_long = s.accept("long");
   if (half == 0 || radius < half * (1 - 1e-12))
-    s.fail("the ends are " + show(2 * half) + " apart, expected at most twice the radius " + show(radius));
+    s.fail("the ends are " + rounded(2 * half) + " apart, expected at most twice the radius " + show(radius));
   const double height = std::sqrt(std::max(radius * radius - half * half, 0.0)) * (right != is_long ? -1 : 1);
   const Point centre = begin + 0.5 * chord + (height / (2 * half)) * turned_left(chord);
   draw(s, name, sketch::arc(centre, radius, degrees(begin - centre), sweep_between(begin - centre, end - centre, right)));
@@ -307,16 +313,17 @@ Motion Reader::motion(Statement& s) {
 
 void Reader::copy(Statement& s) {
   end_body();
-  const std::string name = s.name("the name of the copy");
-  for (const Body& other : s_.bodies)
-    if (other.name == name) s.fail("a body is called " + quoted(name) + " already");
+  const std::string name = new_body_name(s, "the name of the copy");
   if (!s.accept("of")) s.fail("expected of and the name of a body");
   Body body = s_.bodies[static_cast<size_t>(body_named(s.take("the name of a body")))];
   body.name = name, body.at = s.at();
   const Motion m = motion(s);
   for (Outline& outline : body.outlines) {
     if (m.mirrors()) std::reverse(outline.curves.begin(), outline.curves.end());
-    for (Curve& curve : outline.curves) curve.shape = moved(m.mirrors() ? part(curve.shape, 1, 0) : curve.shape, m);
+    for (Curve& curve : outline.curves) {
+      curve.shape = moved(m.mirrors() ? part(curve.shape, 1, 0) : curve.shape, m);
+      curve.drawn.reset();
+    }
   }
   s_.bodies.push_back(body);
 }

@@ -11,7 +11,7 @@ namespace sketch {
 class Reader {
 public:
   using File = std::function<bool(const std::string& name, std::string& text)>;
-  Reader(const Parameters& given, const File& file) : given_(given), file_(file) { s_.parameters = given; }
+  Reader(const Parameters& given, const File& file) : given_(given), file_(file) {}
   void read(const std::string& text);
   static std::vector<std::string> words(); // that statements begin with
   Reading take() { return {std::move(s_), std::move(faults_)}; }
@@ -26,6 +26,7 @@ private:
   void finish();
 
   // read.cpp
+  void once(Statement& s, const std::string& what);
   void title(Statement& s);
   void units(Statement& s);
   void plane(Statement& s);
@@ -48,6 +49,7 @@ private:
   void chamfer(Statement& s) { ask_corner(s, false); }
   void mirror(Statement& s);
   void copy(Statement& s);
+  std::string new_body_name(Statement& s, const std::string& expected);
   void ask_corner(Statement& s, bool round);
   Body& current_body(Statement& s);
   Outline& current_outline(Statement& s);
@@ -61,14 +63,19 @@ private:
   std::vector<Point> listed_points(Statement& s);
   std::vector<Point> points_of_file(Statement& s);
 
+  // read_part.cpp
+  void part_of(Statement& s);
+  std::vector<Curve*> pieces_named(Statement& s, const std::string& name);
+  void cut(Statement& s, const std::string& name, const std::string& of, double first, double last);
+
   // read_actions.cpp
   void contact(Statement& s) { interface(s, false); }
   void tie(Statement& s) { interface(s, true); }
   void interface(Statement& s, bool tied);
   void load_case(Statement& s);
   void fix(Statement& s);
-  void move(Statement& s);
-  void traction(Statement& s);
+  void move(Statement& s) { given(s, Condition::kDisplacement); }
+  void traction(Statement& s) { given(s, Condition::kTraction); }
   void pressure(Statement& s);
   void force(Statement& s);
   void weight(Statement& s);
@@ -76,13 +83,27 @@ private:
   void platen(Statement& s);
   void drive(Statement& s);
   void history(Statement& s);
-  void stress(Statement& s);
+  void interference(Statement& s);
   int body_named(const Word& word) const;
-  Side side(Statement& s);
+  Side side(Statement& s, Condition::Part* part = nullptr);
+  int curves_named(int body, const std::string& name) const;
+  std::string names_of(int body) const;
+  void given(Statement& s, Condition::Kind kind);
+  BodyForce& body_force(Statement& s);
   void drive_of(Statement& s, Drive drive);
   void components(Statement& s, std::optional<double> value[2]);
 
+  // read_wants.cpp
+  void steps(Statement& s);
+  void stress(Statement& s);
+  void want(Statement& s);
+  void want_one(Statement& s);
+  void want_stress(Statement& s, Want want);
+  void tolerance(Statement& s);
+  void limit(Statement& s);
+
   const Parameters& given_;
+  std::set<std::string> told_; // what may stand once
   std::set<std::string> used_; // names of parameters that a statement has made
   const File& file_;
   Sketch s_;

@@ -10,10 +10,15 @@
 
 namespace sketch {
 
+constexpr size_t kLongestName = 31; // in bytes, of bodies and interfaces
+constexpr size_t kLongestTitle = 72;
+
 struct Curve {
   std::string name; // several curves of a body may bear one name
   ShapePtr shape;
   Place at;
+  ShapePtr drawn{};           // what it is cut from by a statement `part`, null if by none,
+  double first = 0, last = 1; // and which part of that
 };
 
 // A boundary, run through with the material on the left; of a hole too.
@@ -51,6 +56,7 @@ struct Interface {
 // What is given along curves, in one load case.
 struct Condition {
   Side side;
+  enum Part { kAll, kStart, kEnd } part = kAll; // or only the first or the last point of the curve, which is one then
   enum Kind { kDisplacement, kTraction, kPressure } kind = kDisplacement;
   std::optional<double> value[2]; // along x and y, where something is given; of a pressure the first
   int load_case = 0;
@@ -83,6 +89,16 @@ struct Drive {
   Place at;
 };
 
+// A point inside where displacements and stresses are wanted.
+struct WantedPoint {
+  int body = 0;
+  Point at;
+  Place place; // of its statement
+};
+
+// Do two statements move the same body or the same curves?
+bool same_target(const Drive& a, const Drive& b);
+
 struct LoadCase {
   std::string name;
   std::vector<double> factors; // at the end of each piece of the history
@@ -103,6 +119,7 @@ struct Sketch {
   std::string units[2];
   Parameters parameters;
   bool plane_stress = false;
+  bool interference = false;         // overlaps of what is drawn are press fits, closed before the history
   int order = 1;                     // of the functions
   std::optional<double> symmetry[2]; // x = , y =
   std::vector<Body> bodies;
@@ -111,10 +128,10 @@ struct Sketch {
   std::vector<PointLoad> point_loads;
   std::vector<BodyForce> body_forces;
   std::vector<Drive> drives;
-  std::vector<LoadCase> cases{{"", {}}};     // the first is there without a card
-  int pieces = 0;                            // of the history; 0: factor 1 of the first case
-  std::vector<std::array<double, 3>> points; // body, x, y
-  int steps = 10;                            // increments of each piece of the history
+  std::vector<LoadCase> cases{{"", {}}}; // the first is there without a card
+  int pieces = 0;                        // of the history; 0: factor 1 of the first case
+  std::vector<WantedPoint> points;
+  int steps = 10; // increments of each piece of the history
   std::vector<Want> wants;
   double tolerance = 0.01;   // of all wants that have none of their own
   bool adapts = true;        // no: the first mesh is the mesh

@@ -5,7 +5,11 @@
 
 namespace sketch {
 
-bool Statement::is_next(const char* word) const { return has_more() && !words_[next_].quoted && words_[next_].text == word; }
+bool Statement::is_next(const char* word, size_t ahead) const {
+  return next_ + ahead < words_.size() && words_[next_ + ahead].is(word);
+}
+
+bool Statement::is_number(size_t ahead) const { return next_ + ahead < words_.size() && begins_number(words_[next_ + ahead]); }
 
 bool Statement::accept(const char* word) {
   if (!is_next(word)) return false;
@@ -26,7 +30,7 @@ bool Statement::begins_number(const Word& word) const {
 }
 
 bool Statement::accept_number(double& value) {
-  if (!has_more() || !begins_number(words_[next_])) return false;
+  if (!is_number()) return false;
   value = number("a number");
   return true;
 }
@@ -41,7 +45,7 @@ std::string Statement::name(const std::string& expected) {
   const Word& word = take(expected);
   bool fits = !word.text.empty() && std::isalpha(static_cast<unsigned char>(word.text[0])) != 0;
   for (const char c : word.text) fits = fits && (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-');
-  if (!fits && !word.quoted) throw Fault{word.at, quoted(word.text) + ": expected " + expected};
+  if (!fits || word.quoted) throw Fault{word.at, quoted(word.text) + ": expected " + expected};
   return word.text;
 }
 
@@ -57,6 +61,18 @@ double Statement::positive(const std::string& what) {
   const double value = number(what);
   if (!(value > 0)) fail(show(value) + ": expected " + what + ", above 0");
   return value;
+}
+
+bool Statement::is_share() const {
+  if (!is_number()) return false;
+  return words_[next_].text.back() == '%' || is_next("%", 1);
+}
+
+double Statement::share(const std::string& what) {
+  const bool glued = is_share() && words_[next_].text.back() == '%';
+  if (glued) words_[next_].text.pop_back(), --words_[next_].at.end;
+  const double value = number(what);
+  return glued || accept("%") ? value / 100 : value;
 }
 
 Point Statement::point(const std::string& what) {
@@ -75,7 +91,7 @@ size_t Statement::choice(std::initializer_list<const char*> words) {
   const Word& word = take(expected);
   size_t index = 0;
   for (const char* one : words) {
-    if (word.text == one) return index;
+    if (word.is(one)) return index;
     ++index;
   }
   throw Fault{word.at, quoted(word.text) + ": expected " + expected};

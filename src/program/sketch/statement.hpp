@@ -15,13 +15,16 @@ public:
   Place at() const { return keyword().at; }
 
   bool has_more() const { return next_ < words_.size(); }
-  bool is_next(const char* word) const;
-  bool accept(const char* word); // takes it if it is next
+  bool is_next(const char* word, size_t ahead = 0) const;
+  bool accept(const char* word);          // takes it if it is next
+  bool is_number(size_t ahead = 0) const; // is the next word one, or one behind it?
   bool accept_number(double& value);
   const Word& take(const std::string& expected);
   std::string name(const std::string& expected); // a letter first, then letters, digits, _ and -
   double number(const std::string& what);
   double positive(const std::string& what);
+  bool is_share() const;                 // is the next word a number in percent?
+  double share(const std::string& what); // a number, or one in percent: `1 %`, `1%`, 0.01
   Point point(const std::string& what);
   Expression formula(const std::string& what, const std::string& variable);
   // One of these words, by its index.

@@ -35,6 +35,13 @@ size_t end_of_word(std::string_view text, size_t at, int line) {
   return i;
 }
 
+// What is left of a line, as it stands there, but for blanks around it.
+Word text_of(std::string_view text, size_t at, int line) {
+  const std::string_view rest = text.substr(0, text.find('!', at));
+  const size_t last = rest.find_last_not_of(" \t\r");
+  return {std::string(rest.substr(at, last + 1 - at)), {line, column_of(at), column_of(last)}, false};
+}
+
 } // namespace
 
 std::vector<Word> words_of(std::string_view text, int line) {
@@ -45,6 +52,10 @@ std::vector<Word> words_of(std::string_view text, int line) {
       continue;
     }
     const bool quote = text[i] == '"';
+    if (!quote && out.size() == 1 && out[0].is("title")) {
+      out.push_back(text_of(text, i, line));
+      break;
+    }
     const size_t end = quote ? end_of_quote(text, i, line) : text[i] == ';' ? i + 1 : end_of_word(text, i, line);
     const std::string_view word = quote ? text.substr(i + 1, end - i - 2) : text.substr(i, end - i);
     out.push_back({std::string(word), {line, column_of(i), column_of(end) - 1}, quote});
@@ -56,6 +67,11 @@ std::vector<Word> words_of(std::string_view text, int line) {
 std::string show(double value) {
   char text[32];
   return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
+}
+
+std::string rounded(double value) {
+  char text[32];
+  return std::string(text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6).ptr);
 }
 
 std::string quoted(const std::string& text) { return "'" + text + "'"; }

@@ -1,5 +1,5 @@
 // The text of a sketch as words with their places. A line is a statement; `!` begins a comment; blanks, tabs, commas and `=`
-// separate words, outside brackets and quotes; a semicolon is a word of its own.
+// separate words, outside brackets and quotes; a semicolon is a word of its own. What stands behind `title` is one word.
 #pragma once
 
 #include <string>
@@ -22,12 +22,14 @@ struct Word {
   std::string text;
   Place at;
   bool quoted = false;
+  bool is(const char* word) const { return !quoted && text == word; }
 };
 
 // Words of a line, numbered `line`. Throws a Fault for a quote or a bracket that is not closed.
 std::vector<Word> words_of(std::string_view text, int line);
 
 std::string show(double value);              // as few digits as read as the same double
+std::string rounded(double value);           // to six digits, for what was computed
 std::string quoted(const std::string& text); // 'text'
 
 } // namespace sketch

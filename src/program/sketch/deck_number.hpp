@@ -1,0 +1,11 @@
+// Numbers on the cards of decks that the program writes.
+#pragma once
+
+#include <string>
+
+namespace sketch {
+
+// A blank and the number: as few digits as read as the same double, with a point in every locale.
+std::string deck_number(double value);
+
+} // namespace sketch

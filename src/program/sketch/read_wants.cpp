@@ -1,0 +1,95 @@
+// Statements that say what is wanted, how accurately, and what it may cost.
+#include "program/sketch/reader.hpp"
+
+#include <algorithm>
+
+namespace sketch {
+namespace {
+
+const char* const kWants[] = {"pressure", "edges", "forces", "approach", "dissipation", "stress", "hoop"};
+
+// A number that is not the name of what is wanted next; a parameter may be called so.
+bool is_number(const Statement& s, size_t ahead = 0) {
+  const auto is_next = [&](const char* word) { return s.is_next(word, ahead); };
+  return s.is_number(ahead) && std::none_of(std::begin(kWants), std::end(kWants), is_next);
+}
+
+// A tolerance as it stands there, 1 for 1, would be a hundred per cent.
+double tolerance_of(Statement& s, double value) {
+  if (!(value > 0 && value <= 0.5)) s.fail(show(value) + ": expected a tolerance above 0, at most 50 %, such as 1 % or 0.01");
+  return value;
+}
+
+int whole(Statement& s, const std::string& what, int most) {
+  const double value = s.number(what);
+  if (!(value >= 1 && value <= most) || value != static_cast<int>(value))
+    s.fail(show(value) + ": expected " + what + ", a whole number from 1 to " + std::to_string(most));
+  return static_cast<int>(value);
+}
+
+} // namespace
+
+void Reader::steps(Statement& s) {
+  once(s, "a statement of steps");
+  s_.steps = whole(s, "the number of steps of each piece of the history", 100000);
+}
+
+// Where displacements and stresses are printed.
+void Reader::stress(Statement& s) {
+  end_body();
+  const int body = body_named(s.take("the name of a body"));
+  do s_.points.push_back({body, s.point("a point"), s.at()});
+  while (s.has_more());
+}
+
+void Reader::want(Statement& s) {
+  end_body();
+  do want_one(s);
+  while (s.has_more());
+}
+
+void Reader::want_one(Statement& s) {
+  Want want;
+  want.kind = static_cast<Want::Kind>(s.choice({"pressure", "edges", "forces", "approach", "dissipation", "stress", "hoop"}));
+  want.at = s.at();
+  if (want.kind == Want::kStress) return want_stress(s, want);
+  if (want.kind == Want::kHoop) want.side = side(s), want.body = want.side->body;
+  if (is_number(s)) want.tolerance = tolerance_of(s, s.share("a tolerance"));
+  s_.wants.push_back(want);
+}
+
+// Points, and a tolerance where the last number is in percent or has no partner.
+void Reader::want_stress(Statement& s, Want want) {
+  s.accept("at");
+  want.body = body_named(s.take("the name of a body"));
+  std::vector<Point> points;
+  do points.push_back(s.point("a point"));
+  while (is_number(s) && !s.is_share() && is_number(s, 1));
+  if (is_number(s)) want.tolerance = tolerance_of(s, s.share("a tolerance"));
+  for (const Point& p : points) {
+    want.where = p;
+    s_.wants.push_back(want);
+    s_.points.push_back({want.body, p, s.at()});
+  }
+}
+
+void Reader::tolerance(Statement& s) {
+  once(s, "a statement of tolerance");
+  if (s.accept("off"))
+    s_.adapts = false;
+  else
+    s_.tolerance = tolerance_of(s, s.share("a tolerance, such as 1 %, or off"));
+}
+
+void Reader::limit(Statement& s) {
+  do {
+    const bool seconds = s.choice({"seconds", "elements"}) == 0;
+    once(s, seconds ? "a limit of seconds" : "a limit of elements");
+    if (seconds)
+      s_.most_seconds = s.positive("how many seconds");
+    else
+      s_.most_elements = whole(s, "how many elements", 1000000);
+  } while (s.has_more());
+}
+
+} // namespace sketch

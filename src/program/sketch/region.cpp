@@ -1,0 +1,83 @@
+#include "program/sketch/region.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sketch {
+namespace {
+
+constexpr double kDoubt = 0.01; // of the size: nearer to the boundary a polygon cannot tell on which side of a curve a point is
+
+// A polygon of an outline; an open one goes back along the lines of symmetry, by way of where they meet.
+std::vector<Point> closed_polygon(const Sketch& s, const Outline& outline) {
+  std::vector<Point> out = polygon_of(outline);
+  if (!outline.open || !s.symmetry[0] || !s.symmetry[1]) return out;
+  const double near = kJoint * size_of(out);
+  const Point corner{*s.symmetry[0], *s.symmetry[1]}, first = out.front() - corner, last = out.back() - corner;
+  const bool along_x = std::fabs(first.y) <= near && std::fabs(last.y) <= near;
+  const bool along_y = std::fabs(first.x) <= near && std::fabs(last.x) <= near;
+  if (!along_x && !along_y) out.push_back(corner);
+  return out;
+}
+
+} // namespace
+
+Region::Region(const Sketch& sketch, const Body& body) : low_{HUGE_VAL, HUGE_VAL}, high_{-HUGE_VAL, -HUGE_VAL} {
+  for (const Outline& outline : body.outlines) {
+    polygons_.push_back(closed_polygon(sketch, outline));
+    for (const Point& p : polygons_.back()) {
+      low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
+      high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
+    }
+    for (const Curve& curve : outline.curves) {
+      const int n = 48 + 2 * curve.shape->pieces();
+      for (int k = 0; k < n; ++k) {
+        const double first = static_cast<double>(k) / n, last = static_cast<double>(k + 1) / n;
+        chords_.push_back({curve.shape->at(first), curve.shape->at(last), &curve, first, last});
+      }
+    }
+  }
+  size_ = std::max(high_.x - low_.x, high_.y - low_.y);
+}
+
+double Region::depth(Point p) const {
+  double least = HUGE_VAL, u = 0;
+  const Chord* nearest = nullptr;
+  for (const Chord& chord : chords_) {
+    const Point d = chord.b - chord.a;
+    const double t = std::clamp(dot(p - chord.a, d) / dot(d, d), 0.0, 1.0);
+    const double away = length(p - (chord.a + t * d));
+    if (away < least) least = away, nearest = &chord, u = chord.first + t * (chord.last - chord.first);
+  }
+  bool inside = false;
+  for (const std::vector<Point>& polygon : polygons_) inside ^= holds(polygon, p);
+  const Shape& shape = *nearest->curve->shape;
+  for (int step = 0; step < 20; ++step) { // Newton's method on the distance
+    const Shape::Local l = shape.local(u);
+    const double slope = dot(l.d, l.d) + dot(l.at - p, l.dd);
+    if (!(slope > 0)) break;
+    u = std::clamp(u - dot(l.at - p, l.d) / slope, 0.0, 1.0);
+  }
+  const Point off = p - shape.at(u);
+  const double away = std::min(length(off), least + kDoubt * size_);
+  if (away < kDoubt * size_ && u > 0 && u < 1) inside = dot(off, turned_left(shape.tangent(u))) > 0; // the material is left
+  return inside ? away : -away;
+}
+
+bool Region::may_hold(Point p, double beyond) const {
+  return p.x > low_.x - beyond && p.x < high_.x + beyond && p.y > low_.y - beyond && p.y < high_.y + beyond;
+}
+
+std::vector<Point> Region::points() const {
+  std::vector<Point> out;
+  for (const Chord& chord : chords_) out.push_back(chord.a);
+  return out;
+}
+
+double Region::area() const {
+  double sum = 0;
+  for (const std::vector<Point>& polygon : polygons_) sum += area_of(polygon);
+  return sum;
+}
+
+} // namespace sketch

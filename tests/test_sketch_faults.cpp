@@ -1,0 +1,267 @@
+// What is wrong with sketches: statements, shapes, statements that contradict each other, and sketches with words at random.
+#include "paths.hpp"
+#include "sketches.hpp"
+
+#include <cstdint>
+#include <fstream>
+#include <sstream>
+
+using namespace sketch;
+using namespace sketches;
+
+namespace {
+
+const std::string kHeld = std::string(kSquare) + "fix b.s\n";                // 7 lines
+const std::string kTwo = kHeld + "copy c of b shift 0 1\ncontact b.n c.s\n"; // 9 lines
+
+} // namespace
+
+TEST_CASE("sketch: what is wrong is told at its place") {
+  tells("boddy b E 1 nu 0\n", "1:1 'boddy': expected a statement");
+  tells("line a to 1 0\n", "1:1 'line' stands outside a body");
+  tells("body b nu 0.3\n", "expected E and a value, or rigid");
+  tells("body b E -1 nu 0.3\n", "1:10 -1: expected Young's modulus, above 0");
+  tells("body b E 1 nu 0.5\n", "below 0.5");
+  tells("parameter a 1 a 2\n", "1:15 parameter 'a' is there already");
+  tells("parameter a\n", "1:12 the statement ends here, expected the value of a");
+  tells(std::string(kSquare) + "fix b.top\n", "7:5 body 'b' has no curve 'top'");
+  tells(std::string(kSquare) + "fix c.n\n", "no body is called 'c'");
+  tells(std::string(kSquare) + "fix n\n", "expected a body, a point and its curves");
+  tells(std::string(kSquare) + "history pull 1\n", "no load case is called 'pull'");
+  tells(std::string(kSquare) + "drive b x 1\n", "body 'b' is not rigid");
+  tells(std::string(kSquare) + "platen b.n x 1 force 1 0\n", "a motion and its load are both given");
+  tells(std::string(kSquare) + "fix b.n z\n", "7:9 'z': expected x or y");
+  tells(std::string(kSquare) + "fix b.n x 3\n", "'3': expected x or y");
+  tells(std::string(kSquare) + "body b E 1 nu 0\n", "a body is called 'b' already");
+  tells("body b E 1 nu 0\nfrom 0 0\narc to 1 0 radius 0.2\nline close\n", "expected at most twice the radius");
+  tells("body b E 1 nu 0\nfrom 0 0\narc to 1 0 through 2 0\nline close\n", "on one line, expected an arc");
+  tells("body b E 1 nu 0\nspline file nothing.csv closed\n", "the file 'nothing.csv' cannot be read");
+  tells("title nothing\n", "no body, expected one at least");
+  CHECK(read(kSquare, {{"mu", 1}}).faults.size() == 1); // no such parameter
+  CHECK(read(std::string("parameter mu 2\n") + kSquare, {{"mu", 1}}).sketch.parameters.at("mu") == 1);
+}
+
+TEST_CASE("sketch: what is wrong with shapes") {
+  tells("body b E 1 nu 0\nfrom 0 0\nline to 1 0\nline to 1 1\nline last to 0 1\n",
+        "5:1 body 'b': the outline is open: curve 'last' ends at (0, 1)");
+  tells("body b E 1 nu 0\nfrom 0 0\nline to 0 1\nline to 1 1\nline to 1 0\nline close\n", "runs clockwise");
+  tells("body b E 1 nu 0\nfrom 0 0\nline to 2 0\nline to 0 1\nline up to 2 1\nline close\n", "crosses");
+  tells(std::string(kSquare) + "hole\ncircle centre 3 3 radius 0.1\n", "the hole lies outside its outline");
+  tells(std::string(kSquare) + "body c E 1 nu 0\nfrom 0.5 0.5\nline to 2 0.5\nline to 2 2\nline to 0.5 2\nline close\n",
+        "bodies 'b' and 'c' overlap by 0.5 at (0.5, 0.5)");
+  tells("body b E 1 nu 0\nfrom 0 0\nline to 1 0\nfillet radius 3\nline to 1 1\nline to 0 1\nline close\n", "does not fit");
+}
+
+TEST_CASE("sketch: names, and statements that stand once") {
+  const std::string long_name(32, 'n');
+  tells("body " + long_name + " E 1 nu 0\n", "expected at most 31 bytes");
+  tells(kHeld + "copy " + long_name + " of b shift 3 0\n", "8:6 '" + long_name + "': expected at most 31 bytes");
+  tells(kTwo + "contact b.e c.w name " + long_name + "\n", "expected at most 31 bytes");
+  tells(kTwo + "contact b.e c.w name \"a!b\"\n", "expected a name without '!'");
+  tells("body \"my body\" E 1 nu 0\n", "1:6 'my body': expected the name of a body");
+  tells("parameter a-b 1\n", "expected letters, digits and _");
+  tells("title a\ntitle b\n" + kHeld, "2:1 a title is there already");
+  tells("title " + std::string(73, 'x') + "\n" + kHeld, "the title has 73 bytes, expected at most 72");
+  tells("units mm N\nunits mm kN\n" + kHeld, "is there already");
+  tells("functions linear\nfunctions cubic\n" + kHeld, "is there already");
+  tells("plane stress\nplane strain\n" + kHeld, "is there already");
+  tells("steps 5\nsteps 6\n" + kHeld, "is there already");
+  tells("tolerance 1 %\ntolerance off\n" + kHeld, "is there already");
+  tells("limit seconds 5 seconds 6\n" + kHeld, "a limit of seconds is there already");
+}
+
+TEST_CASE("sketch: conditions that contradict each other") {
+  tells(kHeld + "case one\nmove b.s x 1\n", "9:1 b.s has a displacement along x in line 7 already");
+  CHECK(read(std::string(kSquare) + "case one\nfix b.s\ncase two\nmove b.s x 1\nhistory two 1\n").faults.empty());
+  tells(kHeld + "move b.s x 0.1\n", "8:1 b.s has a displacement along x in line 7 already");
+  tells(kHeld + "traction b.s y 3\n", "8:1 b.s has a displacement along y in line 7, expected one of them");
+  tells(std::string(kSquare) + "fix b.s\ncase two\ntraction b.s y 3\nhistory two 1\n", "9:1 b.s has a displacement");
+  tells(std::string(kSquare) + "traction b.n+s x 1\nfix b.e+s x\n", "8:1 b.s has a traction along x in line 7");
+  tells(kHeld + "pressure b.s 3\n", "8:1 b.s has a displacement in line 7, expected one of them");
+  tells(std::string(kSquare) + "fix b.s y\npressure b.s 3\n", "8:1 b.s has a displacement in line 7");
+  CHECK(read(std::string(kSquare) + "fix b.s x\npressure b.s 3\nfix b.n y\n").faults.empty()); // along its normal
+  CHECK(read(kHeld + "fix b.s x\ncase two\nmove b.n x 1\nhistory two 1\n").faults.empty());
+  CHECK(read(kHeld + "traction b.n x 1\npressure b.n 1\ntraction b.n x 1 y 2\n").faults.empty()); // loads add
+  CHECK(read(std::string(kSquare) + "fix b.s.start\ntraction b.s y 1\nfix b.s.end y\n").faults.empty());
+  tells(kHeld + "weight b y 1\nweight b x 1\n", "has a weight in this load case already");
+  tells(kHeld + "spin b 1 about 0 0\nspin b 2\n", "turns in this load case already");
+  tells(kHeld + "spin b 0\n", "expected density times the square of the angular velocity, above 0");
+}
+
+TEST_CASE("sketch: what moves bodies contradicts itself") {
+  const std::string platen = kHeld + "platen b.n about 0 1 fy 1 turn 0\n",
+                    rigid = kTwo.substr(0, kTwo.find("copy")) +
+                            "body r rigid\nfrom 0 1\nline f to 1 1\nline to 1 2\nline to 0 2\nline close\ncontact b.n r.f\n";
+  tells(platen + "platen b.n fx 1\n", "9:8 this moves in this load case already, by line 8");
+  tells(platen + "case two\nplaten b.n about 0 2 fx 1\nhistory two 1\n", "another point than that of line 8");
+  tells(platen + "case two\nplaten b.n y 2\nhistory two 1\n", "of y the load is given in line 8, expected loads in all");
+  tells(platen + "case two\nplaten b.n moment 2\nhistory two 1\n", "of turn the motion is given in line 8");
+  tells(kHeld + "platen b.n fx 1 force 1 2\n", "the force along x is given twice");
+  tells(kHeld + "platen b.n+e fx 1\nplaten b.e fx 1\n", "9:1 b.e is on a platen in line 8");
+  tells(kHeld + "platen b.s fx 1\n", "8:1 b.s is given something in line 7");
+  tells(kTwo + "platen c.s fx 1\n", "10:1 c.s is on a side of an interface in line 9");
+  tells(rigid + "platen r.f x 1\n", "body 'r' is rigid, expected drive");
+  tells(rigid + "drive r x 1\ndrive r y 1\n", "this moves in this load case already");
+  tells(rigid + "fix r.f\n", "body 'r' is rigid: drive moves and loads it");
+  tells(rigid + "weight r x 1\n", "body 'r' is rigid");
+  tells(rigid + "force r at 0.5 1.5 x 1\n", "body 'r' is rigid");
+  tells(rigid + "want stress r 0.5 1.5\n", "body 'r' is rigid: it has no stresses");
+}
+
+TEST_CASE("sketch: loads that nothing applies, points that lie nowhere, bodies that nothing holds") {
+  tells(kHeld + "traction b.n y 1\ncase two\ntraction b.n y 1\nhistory two 1\n", "8:1 this stands before the first case");
+  tells(kHeld + "case one\ntraction b.n y 1\ncase two\ntraction b.n y 1\n", "11:1 load case 'two' never acts, expected");
+  tells(kHeld + "case one\ntraction b.n y 1\ncase two\nforce b at 0.5 0.5 x 1\nhistory one 1\n",
+        "11:1 load case 'two' never acts, expected");
+  CHECK(read(kHeld + "case one\ntraction b.n y 1\nhistory one 1\n").faults.empty()); // supports before the first case
+  tells(kHeld + "want stress b 0.5 1.25\n", "8:1 the point (0.5, 1.25) is not inside body 'b': 0.25 from it");
+  tells(kHeld + "want stress b 0.5 1\n", "on its boundary");
+  tells(kHeld + "stress b 2 0.5\n", "8:1 the point (2, 0.5) is not inside body 'b': 1 from it");
+  tells(kHeld + "force b at 5 5 x 1\n", "the force at (5, 5) is not inside body 'b'");
+  tells(kHeld + "want pressure\n", "nothing is in contact here");
+  tells(std::string(kSquare) + "traction b.n y 1\n", "1:1 nothing holds body 'b', expected fix");
+  tells(kTwo + "body d E 1 nu 0\ncircle centre 9 9 radius 1\n", "10:1 nothing holds body 'd'");
+  tells(std::string(kSquare) + "platen b.n fy 1 x 0\ncopy c of b shift 0 3\ncopy d of c shift 0 1\ntie c.n d.s\nfix b.s\n",
+        "2 faults"); // c and d hold each other
+  tells(kTwo + "contact b.e b.e\n", "10:1 b.e is on both sides");
+  CHECK(read(kTwo + "copy d of c shift 0 1\ntie c.n d.s\n").faults.empty());
+}
+
+TEST_CASE("sketch: supports and sides that are not there") {
+  tells(std::string(kSquare) + "fix b.top\n", "'top', expected 's', 'e', 'n' or 'w'");
+  tells("body b E 1 nu 0\ncircle centre 0 0 radius 1\nfix b.face\n", "expected names behind the words");
+  tells(kHeld + "fix b.n.middle\n", "8:5 'b.n.middle': expected start or end");
+  tells(kHeld + "fix b.n+e.start\n", "there are several of these curves");
+  tells(kHeld + "traction b.n.start y 1\n", "expected a body, a point and its curves");
+  tells(kHeld + "traction b.n+n y 1\n", "'n' stands there twice");
+}
+
+TEST_CASE("sketch: tolerances, limits, wants") {
+  tells("tolerance 1\n" + kHeld, "1:11 1: expected a tolerance above 0, at most 50 %");
+  tells("tolerance 0\n" + kHeld, "expected a tolerance above 0");
+  tells("tolerance fine\n" + kHeld, "'fine': expected a tolerance, such as 1 %, or off");
+  tells("limit memory 3\n" + kHeld, "expected seconds or elements");
+  tells("limit elements 2.5\n" + kHeld, "a whole number");
+  tells("steps 0\n" + kHeld, "a whole number");
+  tells(kTwo + "want peak\n", "'peak': expected pressure, edges");
+  tells(kTwo + "want stress b 0.5\n", "expected y of a point");
+  tells(kTwo + "want hoop b\n", "expected a body, a point and its curves");
+  tells(kTwo + "want pressure 1 % 2 %\n", "'2': expected pressure, edges");
+}
+
+TEST_CASE("sketch: parts of curves that are not there") {
+  const auto part = [](const std::string& text) { return std::string(kSquare) + "part " + text + "\n"; };
+  tells(part("m of top from x 0.2 to x 0.5"), "7:11 body 'b' has no curve 'top' yet");
+  tells(part("m of s from x 0.5 to x 0.2"), "the part ends where it begins or before");
+  tells(part("m of s from 0.2 to 3"), "3 from its start: the curve is 1 long");
+  tells(part("m of s from x 0.5 to x 7"), "the curve has no point with x = 7");
+  tells(part("m of s from angle 0 to x 0.5"), "expected an arc or a circle");
+  tells(part("m of s from x 0.2 to x 0.5\npart k of s from x 0.4 to x 0.8"), "8:29 a part of this has another name already");
+  tells(part("s of s from 0 to 0.5"), "expected another name");
+  tells("body b E 1 nu 0\ncircle f centre 0 0 radius 1\npart m of f from x -0.5 to x 0.5\n", "2 points with x = -0.5");
+  tells("body b E 1 nu 0\nfrom 0 0\narc f to 2 0 through 1 -1\npart m of f from angle -90 to angle 30\nline close\n",
+        "the arc goes from 180 to 360 degrees, 30 is not on it");
+  tells("body b E 1 nu 0\nfrom 0 0\nline s to 1 0\nfillet radius 0.1\npart m of s from 0 to 0.5\nline to 1 1\nline close\n",
+        "5:1 'part' stands between a corner");
+  tells("part m of s from 0 to 1\n", "1:1 'part' stands outside a body");
+}
+
+TEST_CASE("sketch: lines of symmetry and what is drawn") {
+  tells("symmetry x 0\nbody b E 1 nu 0\ncircle centre 0 3 radius 1\n", "crosses the line of symmetry x = 0");
+  tells("symmetry x 0\nbody b E 1 nu 0\nfrom 0 0\nline to 1 0\nline to 1 1\nline to 0 1\nline left close\n",
+        "7:1 body 'b': curve 'left' lies on the line of symmetry x = 0");
+  tells("symmetry x 0\nbody b E 1 nu 0\nfrom 0 1\nline to 1 1\nline to 1 0\nline to 0 0\n", "runs clockwise");
+  tells(std::string(kSquare) + "symmetry x 0\n", "7:1 a line of symmetry stands before the first body");
+  CHECK(read("symmetry x 0\nbody b E 1 nu 0\ncircle centre 2 3 radius 1\n").faults.empty()); // beside its image
+  // A quarter of a ring: its outer arc and its inner one go from line to line.
+  const std::string ring = "symmetry x 0\nsymmetry y 0\nbody b E 1 nu 0\nfrom 2 0\narc out centre 0 0 turn 90\n"
+                           "outline\nfrom 0 1\narc in centre 0 0 turn -90\n";
+  CHECK(read(ring + "want stress b 1 1\n").faults.empty());
+  tells(ring + "want stress b 0.5 0.5\n", "is not inside body 'b': 0.292893 from it");
+}
+
+TEST_CASE("sketch: how much bodies overlap, between lines of symmetry, along curves, and crosswise") {
+  // Two circles, their centres 1.9 apart: by 0.1, in the middle.
+  tells("body b E 1 nu 0\ncircle centre 0 0 radius 1 from 0\nbody c E 1 nu 0\ncircle centre 1.9 0 radius 1 from 180\n",
+        "3:1 bodies 'b' and 'c' overlap by 0.1 at (0.9, ");
+  CHECK(
+      read("body b E 1 nu 0\ncircle centre 0 0 radius 1 from 0\nbody c E 1 nu 0\ncircle centre 2 0 radius 1\n").faults.empty());
+  // A pin in a hole as large as it; a thousandth larger.
+  const auto pin = [](const std::string& radius) {
+    return "body b E 1 nu 0\ncircle centre 0 0 radius 3\nhole\ncircle centre 0 0 radius 1\nbody c E 1 nu 0\n"
+           "circle centre 0 0 radius " +
+           radius + "\n";
+  };
+  CHECK(read(pin("1")).faults.empty());
+  tells(pin("1.001"), "overlap by 0.001");
+  CHECK(read("interference\n" + pin("1.001")).faults.empty()); // a press fit
+  tells("symmetry x 0\nbody b E 1 nu 0\nfrom 0 0\nline to 1 0\nline to 1 1\nline to 0 1\n"
+        "body c E 1 nu 0\nfrom 0 0.75\nline to 1 0.75\nline to 1 2\nline to 0 2\n",
+        "7:1 bodies 'b' and 'c' overlap by 0.25");
+  // A cross: no corner of either lies in the other.
+  tells("body b E 1 nu 0\nfrom -5 -1\nline to 5 -1\nline to 5 1\nline to -5 1\nline close\n"
+        "body c E 1 nu 0\nfrom -1 -5\nline to 1 -5\nline to 1 5\nline to -1 5\nline close\n",
+        "7:1 bodies 'b' and 'c' overlap by ");
+}
+
+namespace {
+
+uint32_t drawn(uint32_t& state) { // xorshift
+  state ^= state << 13, state ^= state >> 17, state ^= state << 5;
+  return state;
+}
+
+// The page's sketch and statements that it has not, as words of lines.
+std::vector<std::vector<std::string>> lines_of_page() {
+  std::ifstream file(paths::root() + "/src/program/sketch/SKETCH.md");
+  std::ostringstream page;
+  page << file.rdbuf();
+  const size_t begin = page.str().find("```\n") + 4;
+  std::istringstream text(page.str().substr(begin, page.str().find("```", begin) - begin) +
+                          "body ring E 1 nu 0.3\ncircle out centre 40 0 radius 9\nhole\ncircle in centre 40 0 radius 5\n"
+                          "part seat of in from angle 45 to angle 0\nbody lens rigid\nspline s through 60 0 70 5 60 9 closed\n"
+                          "fix ring.out.start\npressure ring.seat 1\nwant pressure 1 % stress block 0 -3 hoop ring.in 2 %\n");
+  std::vector<std::vector<std::string>> out;
+  for (std::string line; std::getline(text, line);) {
+    out.emplace_back();
+    std::istringstream words(line.substr(0, line.find('!')));
+    for (std::string word; words >> word;) out.back().push_back(word);
+    if (out.back().empty()) out.pop_back();
+  }
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("sketch: words left out, doubled and exchanged are told, or make a deck") {
+  const std::vector<std::vector<std::string>> whole = lines_of_page();
+  uint32_t state = 20260;
+  int told = 0, made = 0;
+  for (int round = 0; round < 60; ++round) {
+    auto lines = whole;
+    for (uint32_t k = 0; k < 1 + drawn(state) % 2; ++k) {
+      auto& line = lines[drawn(state) % lines.size()];
+      const auto word = line.begin() + static_cast<std::ptrdiff_t>(drawn(state) % line.size());
+      const auto& other = whole[drawn(state) % whole.size()];
+      const uint32_t what = drawn(state) % 3;
+      if (what == 0 && line.size() > 1) line.erase(word);
+      if (what == 1) line.insert(word, std::string(*word));
+      if (what == 2) *word = other[drawn(state) % other.size()];
+    }
+    std::string text;
+    for (const auto& line : lines)
+      for (size_t i = 0; i < line.size(); ++i) text += line[i] + (i + 1 == line.size() ? "\n" : " ");
+    CAPTURE(text);
+    const Reading r = read(text);
+    for (const Fault& f : r.faults) CHECK((f.at.line <= static_cast<int>(lines.size()) && !f.text.empty()));
+    try {
+      if (!r.faults.empty()) throw r.faults[0];
+      CHECK(deck_of(r.sketch, first_mesh(r.sketch, 0.5)).size() > 100);
+      ++made;
+    } catch (const Fault&) {
+      ++told;
+    }
+  }
+  CHECK(told > 20);
+  CHECK(made > 3);
+}
