@@ -50,6 +50,7 @@ private:
   void apply(const Condition& c, const MeshedCurve& curve, double s, End& end) const;
   void conditions(size_t b);
   void cases();
+  size_t interference_case() const;
   void history();
   std::vector<Run> runs(const Side& side) const;
   std::vector<Point> ends_of(int body, const Run& run) const;
@@ -236,17 +237,26 @@ void Writer::cases() {
   }
 }
 
+// The load case that closes overlaps: one behind those of the sketch, or its only one if that loads nothing. 0: none does.
+size_t Writer::interference_case() const {
+  const auto loads = [](const Condition& c) { return (c.value[0] && *c.value[0] != 0) || (c.value[1] && *c.value[1] != 0); };
+  const bool alone = s_.cases.size() == 1 && s_.point_loads.empty() && s_.body_forces.empty() && s_.drives.empty() &&
+                     std::none_of(s_.conditions.begin(), s_.conditions.end(), loads);
+  return !s_.interference ? 0 : alone ? 1 : s_.cases.size() + 1;
+}
+
 void Writer::history() {
   card("*PATH");
+  const std::string fitted = interference_case() > s_.cases.size() ? " 1" : "";
   if (s_.pieces == 0) {
     std::string text = "10 1";
     for (size_t c = 1; c < s_.cases.size(); ++c) text += " 0";
-    return card(text);
+    return card(text + fitted);
   }
   for (size_t piece = 0; piece < static_cast<size_t>(s_.pieces); ++piece) {
     std::string text = "10";
     for (const LoadCase& c : s_.cases) text += number(piece < c.factors.size() ? c.factors[piece] : 0);
-    card(text);
+    card(text + fitted);
   }
 }
 
@@ -459,6 +469,7 @@ std::string Writer::write() {
     card("*BODY FORCE " + std::to_string(f.body + 1) + " " + std::to_string(f.load_case + 1) + number(f.weight.x) +
          number(f.weight.y) + (f.rho_omega2 == 0 ? "" : number(f.rho_omega2) + number(f.centre.x) + number(f.centre.y)));
   cases();
+  if (s_.interference) card("*INTERFERENCE " + std::to_string(interference_case()));
   history();
   if (!s_.points.empty()) {
     card("*POINTS");

@@ -21,7 +21,8 @@ const Reader::Keyword Reader::kKeywords[] = {{"title", &Reader::title},         
                                              {"pressure", &Reader::pressure},   {"force", &Reader::force},
                                              {"weight", &Reader::weight},       {"spin", &Reader::spin},
                                              {"platen", &Reader::platen},       {"drive", &Reader::drive},
-                                             {"history", &Reader::history},     {"stress", &Reader::stress}};
+                                             {"history", &Reader::history},     {"stress", &Reader::stress},
+                                             {"interference", &Reader::interference}};
 
 bool is_sketch(const std::string& text) {
   size_t at = 0;

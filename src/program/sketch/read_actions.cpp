@@ -192,6 +192,13 @@ void Reader::history(Statement& s) {
   } while (s.accept(";") && s.has_more());
 }
 
+// Bodies that overlap as drawn are pressed into each other before the history begins.
+void Reader::interference(Statement& s) {
+  end_body();
+  if (s_.interference) s.fail("interference is there already");
+  s_.interference = true;
+}
+
 // Where displacements and stresses are wanted.
 void Reader::stress(Statement& s) {
   end_body();

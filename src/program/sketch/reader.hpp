@@ -76,6 +76,7 @@ private:
   void platen(Statement& s);
   void drive(Statement& s);
   void history(Statement& s);
+  void interference(Statement& s);
   void stress(Statement& s);
   int body_named(const Word& word) const;
   Side side(Statement& s);
