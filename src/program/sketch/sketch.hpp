@@ -103,7 +103,7 @@ struct Sketch {
   std::string units[2];
   Parameters parameters;
   bool plane_stress = false;
-  bool interference = false; // overlaps of what is drawn are press fits, closed before the history
+  bool interference = false;         // overlaps of what is drawn are press fits, closed before the history
   int order = 1;                     // of the functions
   std::optional<double> symmetry[2]; // x = , y =
   std::vector<Body> bodies;
