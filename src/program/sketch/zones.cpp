@@ -83,7 +83,7 @@ private:
     Point along;
     bool within = false;
   };
-  bool goes_on(int e) const { return e >= 0 && has_[static_cast<size_t>(e)]; }
+  bool goes_on(int e) const { return e < 0 || has_[static_cast<size_t>(e)]; } // as its own image behind a line of symmetry
   Foot nearest(Point p) const {
     Foot foot;
     for (const int e : numbers_) {
@@ -188,18 +188,21 @@ void Pairing::join(size_t k) {
     for (const Numbers& row : in_a_row(body(k, 1), facing[r])) pairs_.push_back({k, rows[r], row});
 }
 
-// Nodes are in one pair: of zones that adjoin on their second side, the later one ends an element earlier.
+// Nodes are in one pair: of zones that adjoin on their second side one ends an element earlier. That is the later one, but a
+// tie goes on to its end, which may be the tip of a crack.
 void Pairing::part_neighbours() {
   for (size_t i = 0; i < pairs_.size(); ++i)
     for (size_t j = i + 1; j < pairs_.size(); ++j) {
       if (side(pairs_[i].interface, 1).body != side(pairs_[j].interface, 1).body) continue;
       const Elements& all = body(pairs_[i].interface, 1);
-      const Numbers& early = pairs_[i].two;
-      Numbers& late = pairs_[j].two;
-      if (!late.empty() && all[static_cast<size_t>(late.back())].after == early.front()) late.pop_back();
-      if (!late.empty() && all[static_cast<size_t>(early.back())].after == late.front()) late.erase(late.begin());
-      if (late.empty()) pairs_.erase(pairs_.begin() + static_cast<std::ptrdiff_t>(j--));
+      const bool yields = s_.interfaces[pairs_[j].interface].tied && !s_.interfaces[pairs_[i].interface].tied;
+      const Numbers& stays = pairs_[yields ? j : i].two;
+      Numbers& ends = pairs_[yields ? i : j].two;
+      if (ends.empty() || stays.empty()) continue;
+      if (all[static_cast<size_t>(ends.back())].after == stays.front()) ends.pop_back();
+      if (!ends.empty() && all[static_cast<size_t>(stays.back())].after == ends.front()) ends.erase(ends.begin());
     }
+  pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.two.empty(); }), pairs_.end());
 }
 
 std::vector<Zone> Pairing::run() {
