@@ -305,5 +305,6 @@ PROGRAM_SOURCES += src/program/sketch/shape.cpp
 PROGRAM_SOURCES += src/program/sketch/spline.cpp
 PROGRAM_SOURCES += src/program/sketch/statement.cpp
 PROGRAM_SOURCES += src/program/sketch/words.cpp
+PROGRAM_SOURCES += src/program/sketch/zones.cpp
 PROGRAM_SOURCES += src/program/store_choice.cpp
 PROGRAM_SOURCES += src/program/workspace.cpp

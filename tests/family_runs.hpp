@@ -51,7 +51,7 @@ inline int32_t keep_step(void* context, const c2d_step* step) {
   Step out{step->load, step->dissipated, {}};
   for (int32_t i = 0; i < step->pairs; ++i) {
     const double* r = step->table + i * step->stride;
-    out.rows.push_back({r[C2D_X], r[C2D_Y], static_cast<int>(r[C2D_STATUS]), r[C2D_TN], r[C2D_TT], r[C2D_GAP], r[C2D_SLIP],
+    out.rows.push_back({r[C2D_X], r[C2D_Y], static_cast<int>(r[C2D_STATUS]), r[C2D_TN], r[C2D_TT], r[C2D_GAP], r[C2D_SLIP_SUM],
                         static_cast<int>(r[C2D_PAIR_ZONE])});
   }
   std::sort(out.rows.begin(), out.rows.end(), [](const Row& a, const Row& b) { return a.x < b.x; });

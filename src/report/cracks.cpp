@@ -80,6 +80,7 @@ public:
 
 private:
   ZoneEnds ends_of(const c2d_zone& zone) const;
+  ZoneEnds ends_up_to_ties(const c2d_zone& zone) const;
   bool is_tip(const c2d_zone& zone, const ZoneEnds& ends, int which) const;
   bool is_tied_at(const c2d_zone& zone, const SideEnd& a, const SideEnd& b) const;
   bool is_sharp(const c2d_zone& zone, const ZoneEnds& ends, int which) const;
@@ -126,6 +127,20 @@ bool Finder::is_tied_at(const c2d_zone& zone, const SideEnd& a, const SideEnd& b
       if (distance(other.side[turned][k].at, a.at) < near && distance(other.side[1 - turned][k].at, b.at) < near) return true;
   }
   return false;
+}
+
+// Nodes are in one pair, so faces in a free zone end an element before a tie: that one belongs to them.
+ZoneEnds Finder::ends_up_to_ties(const c2d_zone& zone) const {
+  ZoneEnds ends = ends_of(zone);
+  for (int k = 0; k < 2 && (zone.kind & (C2D_ZONE_FREE | C2D_ZONE_SELF)) == C2D_ZONE_FREE; ++k) {
+    if (is_tied_at(zone, ends.side[0][k], ends.side[1][k])) continue;
+    SideEnd& short_one = ends.side[1][k];
+    const Corners& corners = corners_[static_cast<size_t>(zone.side2.body) - 1];
+    const int32_t next = corners.next(short_one.element, short_one.up);
+    const SideEnd longer{corners.at(next, short_one.up), next, short_one.up};
+    if (is_tied_at(zone, ends.side[0][k], longer)) short_one = longer;
+  }
+  return ends;
 }
 
 bool Finder::is_tip(const c2d_zone& zone, const ZoneEnds& ends, int which) const {
@@ -176,7 +191,7 @@ c2d_status Finder::find(std::vector<CrackTip>& out) {
   }
   for (size_t z = 0; z < s_.zone.size() && status == C2D_OK; ++z) {
     if ((s_.zone[z].kind & C2D_ZONE_TIED) != 0) continue;
-    const ZoneEnds ends = ends_of(s_.zone[z]);
+    const ZoneEnds ends = ends_up_to_ties(s_.zone[z]);
     for (int k = 0; k < 2; ++k)
       if (is_tip(s_.zone[z], ends, k)) out.push_back(tip_of(z, ends.side[0][k], ends.side[1][k]));
   }

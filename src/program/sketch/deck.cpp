@@ -2,7 +2,7 @@
 #include "program/sketch/mesh.hpp"
 
 #include "program/sketch/deck_number.hpp"
-#include "program/sketch/outline.hpp"
+#include "program/sketch/zones.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,8 +14,6 @@ namespace {
 std::string number(double value) { return deck_number(value); }
 
 using Values = std::array<double, 4>; // tx ty ux uy
-
-constexpr double kOpen = 0.6; // the least cosine of the angle between surfaces that may touch
 
 // The condition of an element's node, of all load cases.
 struct End {
@@ -31,9 +29,6 @@ public:
   std::string write();
 
 private:
-  struct Run { // elements one after the other, from 1, that an interface has on one side
-    int first, last;
-  };
   void card(const std::string& text) { out_ += text + "\n"; }
   void comment(const std::string& text) { card("! " + text); }
   bool is_curved(size_t b) const;
@@ -49,9 +44,6 @@ private:
   void cases();
   size_t interference_case() const;
   void history();
-  std::vector<Run> runs(const Side& side) const;
-  std::vector<Point> ends_of(int body, const Run& run) const;
-  std::vector<Run> facing(const Run& run, int body, const Run& other, int other_body) const;
   void zones();
   void curves();
   void rigid_bodies();
@@ -258,100 +250,23 @@ void Writer::history() {
   }
 }
 
-// The elements of a side, as ranges without a gap.
-std::vector<Writer::Run> Writer::runs(const Side& side) const {
-  std::vector<Run> out;
-  int element = 0;
-  for (const MeshedOutline& outline : mesh_.bodies[static_cast<size_t>(side.body)]) {
-    const size_t before = out.size(); // a run does not go on in another outline
-    for (const MeshedCurve& curve : outline.curves) {
-      const int first = element + 1, last = element + static_cast<int>(curve.elements());
-      element = last;
-      if (!side.has(curve.curve->name)) continue;
-      if (out.size() > before && out.back().last + 1 == first)
-        out.back().last = last;
-      else
-        out.push_back({first, last});
-    }
-  }
-  return out;
-}
-
-// The ends of a run's elements, one more than it has.
-std::vector<Point> Writer::ends_of(int body, const Run& run) const {
-  std::vector<Point> out;
-  int element = 0;
-  for (const MeshedOutline& outline : mesh_.bodies[static_cast<size_t>(body)])
-    for (const MeshedCurve& curve : outline.curves)
-      for (size_t e = 0; e < curve.elements(); ++e) {
-        ++element;
-        if (element < run.first || element > run.last) continue;
-        if (out.empty()) out.push_back(curve.curve->shape->at(curve.measure.u_at(curve.ends[e])));
-        out.push_back(curve.curve->shape->at(curve.measure.u_at(curve.ends[e + 1])));
-      }
-  return out;
-}
-
-// What of a run faces another and may come near it: the normals are less than kOpen from opposite, and the way across ends
-// within the other run.
-std::vector<Writer::Run> Writer::facing(const Run& run, int body, const Run& other, int other_body) const {
-  const std::vector<Point> own = ends_of(body, run), wall = ends_of(other_body, other);
-  const bool round = length(wall.front() - wall.back()) <= kJoint * length(wall[1] - wall[0]);
-  const auto faces = [&](size_t e) {
-    const Point along = own[e + 1] - own[e];
-    for (const double f : {0.0, 1.0}) {
-      const Point p = own[e] + f * along;
-      double nearest = HUGE_VAL, opposite = 0;
-      bool within = false;
-      for (size_t k = 0; k + 1 < wall.size(); ++k) {
-        const Point d = wall[k + 1] - wall[k];
-        const double t = dot(p - wall[k], d) / dot(d, d), at = std::clamp(t, 0.0, 1.0);
-        const double gap = length(p - (wall[k] + at * d));
-        if (gap >= nearest * (1 - 1e-12)) continue;
-        nearest = gap, opposite = -dot(d, along) / (length(d) * length(along));
-        within = round || ((k > 0 || t > -1e-6) && (k + 2 < wall.size() || t < 1 + 1e-6));
-      }
-      if (!within || opposite < kOpen) return false;
-    }
-    return true;
-  };
-  std::vector<Run> out;
-  for (size_t e = 0; e + 1 < own.size(); ++e) {
-    const int element = run.first + static_cast<int>(e);
-    if (!faces(e)) continue;
-    if (!out.empty() && out.back().last + 1 == element)
-      out.back().last = element;
-    else
-      out.push_back({element, element});
-  }
-  return out;
-}
-
 void Writer::zones() {
-  int zone = 0;
+  int number_of_zone = 0;
   std::string ties, frictions;
-  for (const Interface& interface : s_.interfaces) {
-    const int first = first_side(s_, interface);
-    const Side &one = interface.side[first], &two = interface.side[1 - first];
-    const int before = zone;
-    for (const Run& whole : runs(two))
-      for (const Run& a : runs(one))
-        for (const Run& b : facing(whole, two.body, a, one.body)) {
-          ++zone;
-          const std::string second = two.body == one.body ? "-" : "";
-          card("*ZONE BODIES " + std::to_string(one.body + 1) + " " + second + std::to_string(two.body + 1) + " " +
-               std::to_string(a.first) + " " + std::to_string(a.last) + " " + std::to_string(b.first) + " " +
-               std::to_string(b.last));
-          const std::string name =
-              !interface.name.empty() ? interface.name : interface.side[0].names[0] + " on " + interface.side[1].names[0];
-          ties += (interface.tied ? "*TIE " + std::to_string(zone) + "\n" : "");
-          frictions +=
-              interface.tied || interface.friction == 0
-                  ? ""
-                  : std::to_string(zone) + (std::isinf(interface.friction) ? " INF" : number(interface.friction)) + "\n";
-          ties += "*NAME ZONE " + std::to_string(zone) + " " + name.substr(0, 31) + "\n";
-        }
-    if (zone == before) throw Fault{interface.at, "the two sides do not face each other anywhere"};
+  for (const Zone& zone : zones_of(s_, mesh_)) {
+    const Interface& interface = *zone.interface;
+    const int first = first_side(s_, interface), one = interface.side[first].body, two = interface.side[1 - first].body;
+    const std::string told = std::to_string(++number_of_zone);
+    std::string text = "*ZONE BODIES " + std::to_string(one + 1) + (two == one ? " -" : " ") + std::to_string(two + 1);
+    for (const Stretch& s : {zone.one, zone.two}) text += " " + std::to_string(s.first) + " " + std::to_string(s.last);
+    if (zone.one.last < zone.one.first || zone.two.last < zone.two.first)
+      text += " " + std::to_string(zone.one.count) + " " + std::to_string(zone.two.count);
+    card(text);
+    const std::string name =
+        !interface.name.empty() ? interface.name : interface.side[0].names[0] + " on " + interface.side[1].names[0];
+    ties += (interface.tied ? "*TIE " + told + "\n" : "") + "*NAME ZONE " + told + " " + name.substr(0, 31) + "\n";
+    if (!interface.tied && interface.friction != 0)
+      frictions += told + (std::isinf(interface.friction) ? " INF" : number(interface.friction)) + "\n";
   }
   out_ += ties;
   if (!frictions.empty()) out_ += "*FRICTION\n" + frictions;
@@ -423,11 +338,12 @@ void Writer::platens() {
     bool told = false;
     for (size_t k = 0; k < i; ++k) told = told || same_target(first, s_.drives[k]);
     if (told) continue;
-    const std::vector<Run> all = runs(*first.side);
+    const std::vector<Stretch> all = stretches_of(mesh_, *first.side);
     if (all.size() != 1)
       throw Fault{first.at, "the curves of a platen do not follow each other, expected one stretch of the outline"};
     card("*PLATEN " + std::to_string(first.body + 1) + " " + std::to_string(all[0].first) + " " + std::to_string(all[0].last) +
-         number(first.about.x) + number(first.about.y));
+         number(first.about.x) + number(first.about.y) +
+         (all[0].last < all[0].first ? " " + std::to_string(all[0].count) : ""));
     for (size_t k = i; k < s_.drives.size(); ++k) {
       const Drive& d = s_.drives[k];
       if (!same_target(first, d)) continue;

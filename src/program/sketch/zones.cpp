@@ -1,0 +1,235 @@
+#include "program/sketch/zones.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sketch {
+namespace {
+
+constexpr double kOpen = 0.6; // the least cosine of the angle between surfaces that may touch
+
+struct Element {
+  Point from, to;
+  const std::string* curve;
+  int before, after; // along the outline; -1 where an open one ends
+};
+using Elements = std::vector<Element>; // of a body
+using Numbers = std::vector<int>;      // of elements, from 0
+
+Elements elements_of(const std::vector<MeshedOutline>& outlines) {
+  Elements out;
+  for (const MeshedOutline& outline : outlines) {
+    const size_t first = out.size();
+    for (const MeshedCurve& curve : outline.curves)
+      for (size_t e = 0; e < curve.elements(); ++e) {
+        const auto at = [&](size_t end) { return curve.curve->shape->at(curve.measure.u_at(curve.ends[end])); };
+        const int number = static_cast<int>(out.size());
+        out.push_back({at(e), at(e + 1), &curve.curve->name, number - 1, number + 1});
+      }
+    out[first].before = outline.open ? -1 : static_cast<int>(out.size()) - 1;
+    out.back().after = outline.open ? -1 : static_cast<int>(first);
+  }
+  return out;
+}
+
+// Numbers that follow each other along the outline. Those that go all round begin at the outline's first element.
+std::vector<Numbers> in_a_row(const Elements& elements, const Numbers& numbers) {
+  std::vector<char> has(elements.size(), 0);
+  for (const int e : numbers) has[static_cast<size_t>(e)] = 1;
+  const auto is_in = [&](int e) { return e >= 0 && has[static_cast<size_t>(e)] == 1; };
+  std::vector<Numbers> out;
+  const auto follow = [&](int e) {
+    out.emplace_back();
+    for (; is_in(e); e = elements[static_cast<size_t>(e)].after) out.back().push_back(e), has[static_cast<size_t>(e)] = 2;
+  };
+  for (const int e : numbers)
+    if (is_in(e) && elements[static_cast<size_t>(e)].before < 0) follow(e);
+  for (const int e : numbers) {
+    const int before = elements[static_cast<size_t>(e)].before;
+    if (is_in(e) && has[static_cast<size_t>(before)] == 0) follow(e);
+  }
+  for (const int e : numbers)
+    if (is_in(e)) follow(e);
+  return out;
+}
+
+Stretch stretch(const Numbers& row) { return {row.front() + 1, row.back() + 1, static_cast<int>(row.size())}; }
+
+// Elements that others may face.
+class Wall {
+public:
+  Wall(const Elements& elements, const Numbers& numbers)
+      : elements_(elements), numbers_(numbers), has_(elements.size(), false) {
+    for (const int e : numbers) has_[static_cast<size_t>(e)] = true;
+  }
+  // How far an element is from it; infinitely, where the surfaces do not face each other: their normals are more than kOpen
+  // from opposite, or the way across ends beside the wall.
+  double gap_to(const Element& own) const {
+    const Point along = own.to - own.from;
+    double most = 0;
+    for (const Point& p : {own.from, own.to}) {
+      const Foot foot = nearest(p);
+      const double opposite = -dot(foot.along, along) / (length(foot.along) * length(along));
+      if (!foot.within || opposite < kOpen) return HUGE_VAL;
+      most = std::max(most, foot.gap);
+    }
+    return most;
+  }
+  double distance(Point p) const { return nearest(p).gap; }
+
+private:
+  struct Foot {
+    double gap = HUGE_VAL;
+    Point along;
+    bool within = false;
+  };
+  bool goes_on(int e) const { return e < 0 || has_[static_cast<size_t>(e)]; } // as its own image behind a line of symmetry
+  Foot nearest(Point p) const {
+    Foot foot;
+    for (const int e : numbers_) {
+      const Element& w = elements_[static_cast<size_t>(e)];
+      const Point d = w.to - w.from;
+      const double t = dot(p - w.from, d) / dot(d, d), gap = length(p - (w.from + std::clamp(t, 0.0, 1.0) * d));
+      if (gap >= foot.gap * (1 - 1e-12)) continue;
+      foot = {gap, d, (goes_on(w.before) || t > -1e-6) && (goes_on(w.after) || t < 1 + 1e-6)};
+    }
+    return foot;
+  }
+  const Elements& elements_;
+  const Numbers& numbers_;
+  std::vector<bool> has_;
+};
+
+// What an element takes part in: the interface that is nearest there.
+struct Part {
+  size_t interface = 0;
+  int side = -1; // 0: that of side 1 of the zones, 1: the other; -1: none
+  double gap = HUGE_VAL;
+};
+
+class Pairing {
+public:
+  Pairing(const Sketch& sketch, const Mesh& mesh) : s_(sketch) {
+    for (const auto& outlines : mesh.bodies) {
+      elements_.push_back(elements_of(outlines));
+      parts_.emplace_back(elements_.back().size());
+    }
+  }
+  std::vector<Zone> run();
+
+private:
+  const Side& side(size_t k, int which) const {
+    const Interface& interface = s_.interfaces[k];
+    return interface.side[which == 0 ? first_side(s_, interface) : 1 - first_side(s_, interface)];
+  }
+  const Elements& body(size_t k, int which) const { return elements_[static_cast<size_t>(side(k, which).body)]; }
+  Numbers named(size_t k, int which) const;
+  Numbers chosen(size_t k, int which) const;
+  void choose(size_t k);
+  void join(size_t k);
+  void part_neighbours();
+
+  const Sketch& s_;
+  std::vector<Elements> elements_;
+  std::vector<std::vector<Part>> parts_; // of every body's elements
+  struct Pair {
+    size_t interface;
+    Numbers one, two;
+  };
+  std::vector<Pair> pairs_;
+};
+
+Numbers Pairing::named(size_t k, int which) const {
+  Numbers out;
+  const Elements& all = body(k, which);
+  for (size_t e = 0; e < all.size(); ++e)
+    if (side(k, which).has(*all[e].curve)) out.push_back(static_cast<int>(e));
+  return out;
+}
+
+Numbers Pairing::chosen(size_t k, int which) const {
+  Numbers out;
+  for (const int e : named(k, which)) {
+    const Part& part = parts_[static_cast<size_t>(side(k, which).body)][static_cast<size_t>(e)];
+    if (part.side == which && part.interface == k) out.push_back(e);
+  }
+  return out;
+}
+
+// An element is in one zone: that of the interface whose other side is nearest.
+void Pairing::choose(size_t k) {
+  const Numbers numbers[2] = {named(k, 0), named(k, 1)};
+  for (int which = 0; which < 2; ++which) {
+    const Wall wall(body(k, 1 - which), numbers[1 - which]);
+    for (const int e : numbers[which]) {
+      const Element& own = body(k, which)[static_cast<size_t>(e)];
+      const double gap = which == 1 ? wall.gap_to(own) : wall.distance(0.5 * (own.from + own.to));
+      Part& part = parts_[static_cast<size_t>(side(k, which).body)][static_cast<size_t>(e)];
+      if (gap < part.gap) part = {k, which, gap};
+    }
+  }
+}
+
+// Stretches of the first side, and what of the second faces them.
+void Pairing::join(size_t k) {
+  const Numbers first = chosen(k, 0), second = chosen(k, 1);
+  const std::vector<Numbers> rows = in_a_row(body(k, 0), first);
+  std::vector<Numbers> facing(rows.size());
+  std::vector<Wall> walls;
+  for (const Numbers& row : rows) walls.emplace_back(body(k, 0), row);
+  for (const int e : second) {
+    size_t best = 0;
+    double least = HUGE_VAL;
+    for (size_t r = 0; r < rows.size(); ++r)
+      if (const double gap = walls[r].gap_to(body(k, 1)[static_cast<size_t>(e)]); gap < least) least = gap, best = r;
+    if (least < HUGE_VAL) facing[best].push_back(e);
+  }
+  for (size_t r = 0; r < rows.size(); ++r)
+    for (const Numbers& row : in_a_row(body(k, 1), facing[r])) pairs_.push_back({k, rows[r], row});
+}
+
+// Nodes are in one pair: of zones that adjoin on their second side one ends an element earlier. That is the later one, but a
+// tie goes on to its end, which may be the tip of a crack.
+void Pairing::part_neighbours() {
+  for (size_t i = 0; i < pairs_.size(); ++i)
+    for (size_t j = i + 1; j < pairs_.size(); ++j) {
+      if (side(pairs_[i].interface, 1).body != side(pairs_[j].interface, 1).body) continue;
+      const Elements& all = body(pairs_[i].interface, 1);
+      const bool yields = s_.interfaces[pairs_[j].interface].tied && !s_.interfaces[pairs_[i].interface].tied;
+      const Numbers& stays = pairs_[yields ? j : i].two;
+      Numbers& ends = pairs_[yields ? i : j].two;
+      if (ends.empty() || stays.empty()) continue;
+      if (all[static_cast<size_t>(ends.back())].after == stays.front()) ends.pop_back();
+      if (!ends.empty() && all[static_cast<size_t>(stays.back())].after == ends.front()) ends.erase(ends.begin());
+    }
+  pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.two.empty(); }), pairs_.end());
+}
+
+std::vector<Zone> Pairing::run() {
+  for (size_t k = 0; k < s_.interfaces.size(); ++k) choose(k);
+  for (size_t k = 0; k < s_.interfaces.size(); ++k) {
+    const size_t before = pairs_.size();
+    join(k);
+    if (pairs_.size() == before) throw Fault{s_.interfaces[k].at, "the two sides do not face each other anywhere"};
+  }
+  part_neighbours();
+  std::vector<Zone> out;
+  for (const Pair& pair : pairs_) out.push_back({&s_.interfaces[pair.interface], stretch(pair.one), stretch(pair.two)});
+  return out;
+}
+
+} // namespace
+
+std::vector<Stretch> stretches_of(const Mesh& mesh, const Side& side) {
+  const Elements all = elements_of(mesh.bodies[static_cast<size_t>(side.body)]);
+  Numbers numbers;
+  for (size_t e = 0; e < all.size(); ++e)
+    if (side.has(*all[e].curve)) numbers.push_back(static_cast<int>(e));
+  std::vector<Stretch> out;
+  for (const Numbers& row : in_a_row(all, numbers)) out.push_back(stretch(row));
+  return out;
+}
+
+std::vector<Zone> zones_of(const Sketch& sketch, const Mesh& mesh) { return Pairing(sketch, mesh).run(); }
+
+} // namespace sketch
