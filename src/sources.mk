@@ -247,6 +247,7 @@ PROGRAM_SOURCES += src/program/estimate/compare.cpp
 PROGRAM_SOURCES += src/program/estimate/error.cpp
 PROGRAM_SOURCES += src/program/estimate/loop.cpp
 PROGRAM_SOURCES += src/program/estimate/trial.cpp
+PROGRAM_SOURCES += src/program/estimate/wanted.cpp
 PROGRAM_SOURCES += src/program/families/bearing.cpp
 PROGRAM_SOURCES += src/program/families/bimaterial.cpp
 PROGRAM_SOURCES += src/program/families/cantilever.cpp

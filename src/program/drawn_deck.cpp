@@ -1,8 +1,12 @@
 #include "program/drawn_deck.hpp"
 
+#include "program/estimate/wanted.hpp"
+#include "program/estimate/loop.hpp"
 #include "program/exit_code.hpp"
+#include "program/interrupt.hpp"
 #include "program/messages.hpp"
 #include "program/output_file.hpp"
+#include "program/progress.hpp"
 #include "program/sketch/mesh.hpp"
 #include "program/sketch/read.hpp"
 
@@ -14,6 +18,8 @@
 
 namespace app {
 namespace {
+
+constexpr double kFineness = 2; // of a mesh that no tolerance asks for
 
 void print(const DeckFile& deck, const sketch::Fault& fault) {
   c2d_error entry = C2D_INIT(c2d_error);
@@ -39,16 +45,57 @@ std::string beside(const std::string& sketch, const std::string& name) {
   return name.empty() || name[0] == '/' || slash == std::string::npos ? name : sketch.substr(0, slash + 1) + name;
 }
 
+// The numbers whose tolerances were not met.
+void tell_misses(const DeckFile& deck, const MeshLoop& loop) {
+  if (loop.stopped.empty()) return;
+  const Messages messages(deck);
+  for (const Stated& s : loop.stated) {
+    if (s.is_met()) continue;
+    std::string text = s.name;
+    if (s.zone > 0) text += " of zone " + std::to_string(s.zone);
+    char numbers[120];
+    std::snprintf(numbers, sizeof numbers, ": its error is about %.2g %%, asked for was %.2g %%", 100 * s.error / s.scale,
+                  100 * s.tolerance);
+    messages.note(text + numbers + ", " + loop.stopped);
+  }
+}
+
+void show(const MeshRound& round, size_t number) {
+  std::fprintf(stderr, "contact2d: mesh %zu: %d elements, %d pairs, %.2g s", number, round.elements, round.pairs, round.seconds);
+  if (!std::isnan(round.pressure)) std::fprintf(stderr, ", tractions changed by %.2g %%", 100 * round.pressure);
+  std::fputc('\n', stderr);
+}
+
+// The deck of a sound sketch. Throws a sketch::Fault.
+int mesh_sketch(DeckFile& deck, const sketch::Sketch& sketch, const Drawing& drawing, MeshLoop& loop) {
+  if (!drawing.adapts || !sketch.adapts) {
+    deck.replace(sketch::deck_of(sketch, sketch::first_mesh(sketch, kFineness)));
+    return 0;
+  }
+  estimate::Demand demand;
+  demand.memory = drawing.memory;
+  demand.points = estimate::places_of(sketch);
+  size_t meshes = 0;
+  estimate::Adapted adapted = estimate::adapt(sketch, demand, [&](const MeshRound& round) {
+    if (drawing.shows) show(round, ++meshes);
+  });
+  if (interrupted()) return kExitCancelled;
+  deck.replace(adapted.deck);
+  tell_misses(deck, adapted.loop);
+  loop = std::move(adapted.loop);
+  return 0;
+}
+
 } // namespace
 
-int take_sketch(DeckFile& deck, const std::vector<std::string>& settings) {
+int take_sketch(DeckFile& deck, const Drawing& drawing, MeshLoop& loop) {
   if (!sketch::is_sketch(deck.text(), deck.name())) {
-    if (settings.empty()) return 0;
+    if (drawing.settings.empty()) return 0;
     print(deck, {{}, "a deck has no parameters: --set is for sketches"});
     return kExitUsage;
   }
   sketch::Parameters given;
-  for (const std::string& word : settings)
+  for (const std::string& word : drawing.settings)
     if (!read_setting(word, given)) {
       print(deck, {{}, "--set " + word + ": expected the name of a parameter, = and a number"});
       return kExitUsage;
@@ -64,16 +111,16 @@ int take_sketch(DeckFile& deck, const std::vector<std::string>& settings) {
   for (const sketch::Fault& fault : reading.faults) print(deck, fault);
   if (!reading.faults.empty()) return kExitInput;
   try {
-    deck.replace(sketch::deck_of(reading.sketch, sketch::first_mesh(reading.sketch, 2)));
+    return mesh_sketch(deck, reading.sketch, drawing, loop);
   } catch (const sketch::Fault& fault) {
     print(deck, fault);
     return kExitInput;
   }
-  return 0;
 }
 
 int write_mesh(const Options& options) {
   DeckFile deck;
+  MeshLoop loop;
   Messages messages(deck);
   c2d_error fault = C2D_INIT(c2d_error);
   if (!deck.read(options.deck, fault)) {
@@ -84,7 +131,8 @@ int write_mesh(const Options& options) {
     messages.fail("a deck has its mesh, expected a sketch");
     return kExitInput;
   }
-  if (const int status = take_sketch(deck, options.settings); status != 0) return status;
+  if (const int status = take_sketch(deck, {options.settings, true, options.memory, ProgressLine(options.progress).active()}, loop); status != 0)
+    return status;
   OutputFile out;
   std::string error;
   bool written = out.open(options.output.empty() ? "-" : options.output, error);

@@ -3,12 +3,21 @@
 
 #include "program/deck_file.hpp"
 #include "program/options.hpp"
+#include "report/stated.hpp"
 
 namespace app {
 
-// If the text of `deck` is a sketch it is replaced by the sketch's own deck, for the parameters `settings` ("mu=0.3").
-// Prints what is wrong and returns the program's exit status, 0 to go on.
-int take_sketch(DeckFile& deck, const std::vector<std::string>& settings);
+// How a sketch becomes a deck.
+struct Drawing {
+  const std::vector<std::string>& settings; // "mu=0.3", for its parameters
+  bool adapts = true;                       // no: the first mesh will do
+  uint64_t memory = 0;                      // workspace of the runs that find the mesh; 0: chosen by size
+  bool shows = false;                       // a line on standard error for every mesh
+};
+
+// If the text of `deck` is a sketch it is replaced by the sketch's own deck, and `loop` tells how its mesh was found. Prints
+// what is wrong and returns the program's exit status, 0 to go on.
+int take_sketch(DeckFile& deck, const Drawing& drawing, MeshLoop& loop);
 
 // The command mesh: writes the deck of a sketch. Returns the exit status.
 int write_mesh(const Options& options);

@@ -173,7 +173,8 @@ int Run::library_failed(c2d_status status) {
 // The deck, the workspace and the store; outputs are opened as soon as the deck is known to be in order.
 int Run::read() {
   const double start = clock_seconds(nullptr);
-  int exit = session_.read_file(options_.deck, options_.settings, options_.deck_name);
+  int exit = session_.read_file(options_.deck, {options_.settings, true, options_.memory, line_.active()}, options_.deck_name);
+  record_.meshes = session_.meshes;
   record_.read_seconds = clock_seconds(nullptr) - start;
   if (exit == 0) exit = read_points();
   if (exit == 0) exit = session_.take_memory(options_.memory);

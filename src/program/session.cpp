@@ -1,6 +1,5 @@
 #include "program/session.hpp"
 
-#include "program/drawn_deck.hpp"
 #include "program/exit_code.hpp"
 #include "program/interrupt.hpp"
 
@@ -23,14 +22,14 @@ int Session::failed(c2d_status status) {
   return exit_code(status);
 }
 
-int Session::read_file(const std::string& name, const std::vector<std::string>& settings, const std::string& shown) {
+int Session::read_file(const std::string& name, const Drawing& drawing, const std::string& shown) {
   c2d_error why = C2D_INIT(c2d_error);
   if (!deck.read(name, why)) {
     if (interrupted()) return kExitCancelled;
     messages.fault(why);
     return kExitInput;
   }
-  if (const int status = take_sketch(deck, settings); status != 0) return status;
+  if (const int status = take_sketch(deck, drawing, meshes); status != 0) return status;
   if (!shown.empty()) deck.call(shown);
   messages.print_warnings = false; // the model will say them again
   bodies = room_for_bodies(deck);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "program/deck_file.hpp"
+#include "program/drawn_deck.hpp"
 #include "program/messages.hpp"
 #include "program/workspace.hpp"
 
@@ -20,9 +21,9 @@ public:
   Session& operator=(const Session&) = delete;
 
   // Each step prints what is wrong and returns the program's exit status, 0 to go on.
-  // The deck, or that of a sketch with these parameters, into memory, and every fault of its cards; it is called `shown`, if
+  // The deck, or that of a sketch, into memory, and every fault of its cards; it is called `shown`, if
   // that is not empty.
-  int read_file(const std::string& name, const std::vector<std::string>& settings, const std::string& shown = std::string());
+  int read_file(const std::string& name, const Drawing& drawing, const std::string& shown = std::string());
   int take_memory(uint64_t wanted);                                           // workspace; 0 bytes wanted: chosen by size
   int read_model(const c2d_port& port, int32_t symmetry = C2D_SYMMETRY_DECK); // the solver, and the model in it
   // Prints why the library's last call failed; returns the exit status.
@@ -34,6 +35,7 @@ public:
   c2d_limits limits = C2D_INIT(c2d_limits); // `body` is the list above
   Workspace workspace;
   c2d_solver* solver = nullptr;
+  MeshLoop meshes; // how the mesh of a sketch was found
 };
 
 } // namespace app

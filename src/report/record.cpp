@@ -14,8 +14,10 @@ const CoefficientRecord* RunRecord::incomplete() const {
 }
 
 void RunRecord::take_stated_errors() {
-  if (!coefficients.empty() && !coefficients.front().steps.empty())
-    attach_errors(stated, coefficients.front().steps.back().quantities);
+  if (coefficients.empty() || coefficients.front().steps.empty()) return;
+  for (Quantity& q : coefficients.front().steps.back().quantities)
+    for (const Stated& s : meshes.stated)
+      if (s.zone == q.zone && s.item == q.item && s.name == name_of(q.what)) q.error = s.error;
 }
 
 const char* RunRecord::outcome() const {

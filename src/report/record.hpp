@@ -5,6 +5,7 @@
 #include "report/cracks.hpp"
 #include "report/interior.hpp"
 #include "report/quantities.hpp"
+#include "report/stated.hpp"
 #include "report/summary.hpp"
 
 #include <contact2d.h>
@@ -47,14 +48,14 @@ struct RunRecord {
   std::vector<double> friction; // all coefficients of the deck
   std::vector<c2d_error> warnings;
   std::vector<int32_t> measure;                   // of each zone: the body per whose length tn and tt are
-  std::vector<Quantity> stated;                   // with their errors, of the first coefficient's last step; may be empty
+  MeshLoop meshes;                                // how the mesh was found, and errors of the first coefficient's last step
   const Interior* interior = nullptr;             // results inside; null if none were asked for
   double read_seconds = 0.0, write_seconds = 0.0; // spent by the program itself
   bool checked_only = false;                      // the deck asks for a data check, nothing was solved
 
   // The first coefficient whose path ended early; null if all reached their load.
   const CoefficientRecord* incomplete() const;
-  // Gives the quantities of the first coefficient's last step the errors of `stated`.
+  // Gives the quantities of the first coefficient's last step the errors that `meshes` states.
   void take_stated_errors();
   // One word for the whole run.
   const char* outcome() const;

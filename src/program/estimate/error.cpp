@@ -6,8 +6,6 @@
 namespace estimate {
 namespace {
 
-// Rates at which the distance falls: of a smooth solution 1/4, of one with an edge amid an element more.
-constexpr double kLeastRate = 0.25, kMostRate = 0.5, kUsualRate = 0.45;
 constexpr double kSafety = 1.5;
 
 double rate_of(double before, double last) {
@@ -66,7 +64,7 @@ std::vector<app::Stated> state_numbers(const Trial* coarse, const Trial& middle,
     if (fine.tied[z] != 0) continue;
     const double r = rate(static_cast<int32_t>(z) + 1);
     app::Stated s;
-    s.name = "tractions, L2";
+    s.name = kTractions;
     s.zone = static_cast<int32_t>(z) + 1;
     s.value = s.scale = 1;
     s.error = kSafety * last.pressure[z] * r / (1 - r);

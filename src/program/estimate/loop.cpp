@@ -1,6 +1,6 @@
 #include "program/estimate/loop.hpp"
 
-#include "program/estimate/error.hpp"
+#include "program/estimate/wanted.hpp"
 #include "program/sketch/refine.hpp"
 
 #include <algorithm>
@@ -29,10 +29,11 @@ public:
 private:
   bool solve_level(Level& level, const Trial* before, bool adapted);
   bool is_within_limits(const sketch::Mesh& mesh);
-  void judge(const Trial* coarse, const Trial& middle, const Trial& fine, const Distance* before, const Distance& last);
+  void judge(const Level* coarse, const Level& middle, const Level& fine, const Distance* before, const Distance& last);
   bool all_met() const;
-  sketch::Levels marks(const Level& level, const Distance& distance) const;
+  sketch::Levels marks(const Distance& distance) const;
   double tolerance(sketch::Want::Kind kind) const;
+  double tolerance_of(const app::Stated& s, const Trial& trial) const;
   bool take(Level& level, const std::string& why);
 
   const sketch::Sketch& s_;
@@ -117,18 +118,29 @@ double Loop::tolerance(sketch::Want::Kind kind) const {
   return least;
 }
 
-void Loop::judge(const Trial* coarse, const Trial& middle, const Trial& fine, const Distance* before, const Distance& last) {
+double Loop::tolerance_of(const app::Stated& s, const Trial& trial) const {
+  using app::Measure;
   using sketch::Want;
-  out_.loop.stated = state_numbers(coarse, middle, fine, before, last);
-  for (app::Stated& s : out_.loop.stated) {
-    if (s.name == "tractions, L2" || s.name == app::name_of(app::Measure::kPeakPressure)) s.tolerance = tolerance(Want::kPressure);
-    if (s.name == app::name_of(app::Measure::kContactEdge) || s.name == app::name_of(app::Measure::kStickBorder))
-      s.tolerance = tolerance(Want::kEdges);
-    if (s.name == app::name_of(app::Measure::kForceX) || s.name == app::name_of(app::Measure::kForceY))
-      s.tolerance = tolerance(Want::kForces);
-    if (s.name == app::name_of(app::Measure::kApproach)) s.tolerance = tolerance(Want::kApproach);
-    if (s.name == app::name_of(app::Measure::kDissipated)) s.tolerance = tolerance(Want::kDissipation);
-    if (s.zone > 0 && fine.tied[static_cast<size_t>(s.zone) - 1] != 0) s.tolerance = NAN;
+  if (s.zone > 0 && trial.tied[static_cast<size_t>(s.zone) - 1] != 0) return NAN;
+  const std::pair<Measure, Want::Kind> kinds[] = {
+      {Measure::kPeakPressure, Want::kPressure}, {Measure::kContactEdge, Want::kEdges}, {Measure::kStickBorder, Want::kEdges},
+      {Measure::kForceX, Want::kForces},         {Measure::kForceY, Want::kForces},     {Measure::kApproach, Want::kApproach},
+      {Measure::kDissipated, Want::kDissipation}};
+  for (const auto& [measure, kind] : kinds)
+    if (s.name == app::name_of(measure)) return tolerance(kind);
+  return s.name == kTractions ? tolerance(Want::kPressure) : NAN;
+}
+
+void Loop::judge(const Level* coarse, const Level& middle, const Level& fine, const Distance* before, const Distance& last) {
+  std::vector<app::Stated>& stated = out_.loop.stated;
+  stated = state_numbers(coarse == nullptr ? nullptr : &coarse->trial, middle.trial, fine.trial, before, last);
+  for (app::Stated& s : stated) s.tolerance = tolerance_of(s, fine.trial);
+  const std::vector<app::Stated> now = wanted_of(s_, fine.mesh, fine.trial), then = wanted_of(s_, middle.mesh, middle.trial);
+  const std::vector<app::Stated> first =
+      coarse == nullptr ? std::vector<app::Stated>() : wanted_of(s_, coarse->mesh, coarse->trial);
+  for (size_t i = 0; i < now.size() && i < then.size(); ++i) {
+    stated.push_back(now[i]);
+    stated.back().error = stated_error(i < first.size() ? first[i].value : NAN, then[i].value, now[i].value, kMostRate);
   }
 }
 
@@ -137,11 +149,10 @@ bool Loop::all_met() const {
 }
 
 // Elements whose shares are above those of a mesh that meets the tolerances with shares alike.
-sketch::Levels Loop::marks(const Level& level, const Distance& d) const {
+sketch::Levels Loop::marks(const Distance& d) const {
   double wanted = s_.tolerance;
   for (const sketch::Want& want : s_.wants) wanted = std::min(wanted, want.tolerance.value_or(s_.tolerance));
   const double pressure = std::pow(wanted / kPredicted, 2), energy = 4 * wanted;
-  std::vector<char> contact; // of every zone: does it count?
   size_t parts = 0, all = 0;
   for (const auto& shares : d.shares) {
     all += shares.size();
@@ -162,8 +173,6 @@ sketch::Levels Loop::marks(const Level& level, const Distance& d) const {
       out.back().push_back(excess > least ? std::min(1 + more, kMostLevels) : 0);
     }
   }
-  if (getenv("C2DBG")) for (size_t b=0;b<d.shares.size();++b){ size_t e=0; for(auto&ol:level.mesh.bodies.size()>b?level.mesh.bodies[b]:std::vector<sketch::MeshedOutline>{}) for(auto&c:ol.curves) for(size_t k=0;k<c.elements();++k,++e){ auto p=c.curve->shape->at(c.measure.u_at((c.ends[k]+c.ends[k+1])/2)); if(d.shares[b][e].pressure>1e-9)printf("b%zu e%zu %.5f %.5f h %.5f share %.3g energy %.3g lev %d\n",b,e,p.x,p.y,c.ends[k+1]-c.ends[k],d.shares[b][e].pressure,d.shares[b][e].energy,out[b][e]);}}
-  static_cast<void>(level);
   return out;
 }
 
@@ -192,7 +201,7 @@ Adapted Loop::run() {
       if (middle.trial.tied[z] == 0) told.pressure = std::fmax(told.pressure, first.pressure[z]);
     told.energy = first.energy;
     told_(told);
-    judge(nullptr, coarse.trial, middle.trial, nullptr, first);
+    judge(nullptr, coarse, middle, nullptr, first);
     take(middle, "");
     // What two meshes say of the one after them.
     bool promising = true;
@@ -208,13 +217,13 @@ Adapted Loop::run() {
         if (fine.trial.tied[z] == 0) now.pressure = std::fmax(now.pressure, second.pressure[z]);
       now.energy = second.energy;
       told_(now);
-      judge(&coarse.trial, middle.trial, fine.trial, &first, second);
+      judge(&coarse, middle, fine, &first, second);
       take(fine, "");
       if (all_met()) return std::move(out_);
-      marked = marks(middle, second);
+      marked = marks(second);
       coarse = Level{sketch::refined(s_, middle.mesh, marked), {}, {}};
     } else {
-      marked = marks(coarse, first);
+      marked = marks(first);
       coarse = Level{sketch::refined(s_, coarse.mesh, marked), {}, {}};
     }
     if (!is_within_limits(coarse.mesh)) return std::move(out_);

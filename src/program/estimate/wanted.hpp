@@ -1,0 +1,15 @@
+// Stresses that a sketch wants: inside, and along curves; at the end of the history, and over all of it.
+#pragma once
+
+#include "program/estimate/error.hpp"
+#include "program/sketch/mesh.hpp"
+
+namespace estimate {
+
+// Where results inside are wanted, for Demand::points.
+std::vector<Place> places_of(const sketch::Sketch& sketch);
+
+// Their values of one mesh, without errors, in an order that is the same on every mesh.
+std::vector<app::Stated> wanted_of(const sketch::Sketch& sketch, const sketch::Mesh& mesh, const Trial& trial);
+
+} // namespace estimate
