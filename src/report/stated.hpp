@@ -12,7 +12,7 @@ namespace app {
 struct MeshRound {
   int32_t elements = 0, pairs = 0, equations = 0;
   double seconds = 0;
-  double pressure = NAN; // relative distance of the tractions from those on the mesh before, L2, of the worst contact
+  double pressure = NAN; // relative distance of the tractions from those on the mesh before, L1, of the worst contact
   double energy = NAN;   // the same of the energy
   bool adapted = false;  // the mesh before was not this one with elements twice as long: there is no distance
 };

@@ -6,7 +6,7 @@
 namespace estimate {
 namespace {
 
-constexpr double kBetween = 0.01; // the weight of states between turns of the loads
+constexpr double kBetween = 0.1; // the weight of states between turns of the loads
 
 // The shape functions of an element with n nodes at equal distances, at eta.
 struct Functions {
@@ -28,7 +28,7 @@ constexpr double kWeight[3] = {5.0 / 9, 8.0 / 9, 5.0 / 9};
 // Values of two states at one point of a body's boundary.
 struct Pair {
   double difference[2] = {0, 0}; // |t - t'|, |u - u'|
-  double traction = 0, work = 0; // |t'|^2, t'.u'
+  double traction = 0; // |t'|
 };
 
 class Comparer {
@@ -45,7 +45,7 @@ private:
   const Trial &coarse_, &fine_;
   const Overlaps& overlaps_;
   std::vector<std::vector<std::vector<int32_t>>> zones_; // of each body and coarse element
-  std::vector<double> largest_;                          // of each zone: of the integral of |t'|^2
+  std::vector<double> largest_;                          // of each zone: of the integral of |t'|
   double work_ = 0;
   std::vector<std::vector<std::vector<double>>> pressure_, energy_; // per state, body and element
   std::vector<std::vector<double>> zone_norm_, zone_difference_;    // per zone and state
@@ -94,7 +94,7 @@ Pair Comparer::at(size_t body, const Overlap& o, double eta, size_t state) const
   Pair out;
   out.difference[0] = std::hypot(a[kTx] - b[kTx], a[kTy] - b[kTy]);
   out.difference[1] = std::hypot(a[kUx] - b[kUx], a[kUy] - b[kUy]);
-  out.traction = b[kTx] * b[kTx] + b[kTy] * b[kTy];
+  out.traction = std::hypot(b[kTx], b[kTy]);
   return out;
 }
 
@@ -110,11 +110,11 @@ void Comparer::add(size_t state) {
       for (int g = 0; g < 3; ++g) {
         const Pair p = at(b, o, kGauss[g], state);
         const double w = half * kWeight[g];
-        if (!zones_[b][e].empty()) pressure[b][e] += w * p.difference[0] * p.difference[0];
+        if (!zones_[b][e].empty()) pressure[b][e] += w * p.difference[0];
         energy[b][e] += w * p.difference[0] * p.difference[1];
         for (const int32_t z : zones_[b][e]) {
           norm[static_cast<size_t>(z)] += w * p.traction;
-          off[static_cast<size_t>(z)] += w * p.difference[0] * p.difference[0];
+          off[static_cast<size_t>(z)] += w * p.difference[0];
         }
       }
     }
@@ -158,7 +158,7 @@ Distance Comparer::run() {
     out.pressure.push_back(0);
     out.states.push_back({});
     for (size_t state = 0; state < common; ++state) {
-      const double relative = largest_[z] > 0 ? std::sqrt(zone_difference_[z][state] / largest_[z]) : 0;
+      const double relative = largest_[z] > 0 ? zone_difference_[z][state] / largest_[z] : 0;
       out.states[z].push_back(relative);
       if (fine_.states[state].turn || state + 1 == common) out.pressure[z] = std::max(out.pressure[z], relative);
     }

@@ -18,13 +18,13 @@ Overlaps overlaps_of_halves(const Trial& coarse);
 
 // What an element of the coarse mesh adds to the distance, the largest of all states (METHOD 19).
 struct Share {
-  double pressure = 0; // integral of |t - t'|^2 over it, where it is part of a contact that is no tie, over the largest of the zone's states
+  double pressure = 0; // integral of |t - t'| over it, if it is part of a contact that is no tie, over that of |t'| on the zone
   double energy = 0;   // integral of |t - t'| |u - u'|, over the largest work of the states
   bool edge = false;   // a contact edge or a stick border lies in it at a turn of the loads
 };
 struct Distance {
   std::vector<std::vector<Share>> shares;  // per body and coarse element
-  std::vector<double> pressure;            // of each zone: relative, L2, the largest of the turns
+  std::vector<double> pressure;            // of each zone: relative, L1, the largest of the turns
   std::vector<std::vector<double>> states; // of each zone and common state: the same
   double energy = 0;                       // sum of the shares of the state where it is largest
 };

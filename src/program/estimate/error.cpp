@@ -24,12 +24,14 @@ const app::Quantity* find(const State& state, const app::Quantity& wanted) {
 // What the error of a number is to be compared with.
 double scale_of(const State& state, const app::Quantity& q) {
   using app::Measure;
-  double forces = 0, largest = 0, low = HUGE_VAL, high = -HUGE_VAL;
+  double forces = 0, largest = 0, mean = 0;
+  int edges = 0;
   for (const app::Quantity& other : state.quantities) {
     if (other.zone != q.zone) continue;
     if (other.what == Measure::kForceX || other.what == Measure::kForceY) forces = std::hypot(forces, other.value);
     if (other.what == Measure::kApproach || other.what == Measure::kShift) largest = std::max(largest, std::fabs(other.value));
-    if (other.what == Measure::kContactEdge) low = std::min(low, other.value), high = std::max(high, other.value);
+    if (other.what == Measure::kMeanPressure) mean = other.value;
+    if (other.what == Measure::kContactEdge) ++edges;
   }
   switch (q.what) {
   case Measure::kForceX:
@@ -37,15 +39,21 @@ double scale_of(const State& state, const app::Quantity& q) {
   case Measure::kApproach:
   case Measure::kShift: return largest;
   case Measure::kContactEdge:
-  case Measure::kStickBorder: return high > low ? (high - low) / 2 : std::fabs(q.value);
+  case Measure::kStickBorder: return mean > 0 ? forces / mean / std::max(1, edges) : std::fabs(q.value);
   default: return std::fabs(q.value);
   }
 }
 
+// How far two values of a number are apart; places by their positions, since lengths begin at a pair that may be another.
+double apart(const app::Quantity& a, const app::Quantity& b) {
+  const bool place = a.what == app::Measure::kContactEdge || a.what == app::Measure::kStickBorder;
+  return place && !std::isnan(a.at[0]) && !std::isnan(b.at[0]) ? std::hypot(a.at[0] - b.at[0], a.at[1] - b.at[1])
+                                                               : std::fabs(a.value - b.value);
+}
+
 } // namespace
 
-double stated_error(double coarse, double middle, double fine, double rate) {
-  const double last = std::fabs(fine - middle), before = std::isnan(coarse) ? 0 : std::fabs(middle - coarse);
+double stated_error(double before, double last, double rate) {
   const double own = before > 0 ? std::clamp(last / before, kLeastRate, kMostRate) : rate;
   const double r = std::max(own, rate), step = std::max(last, rate * before);
   return kSafety * step * r / (1 - r);
@@ -81,7 +89,7 @@ std::vector<app::Stated> state_numbers(const Trial* coarse, const Trial& middle,
     s.zone = q.zone, s.item = q.item, s.value = q.value;
     s.at[0] = q.at[0], s.at[1] = q.at[1];
     s.scale = scale_of(f, q);
-    if (qm != nullptr) s.error = stated_error(qc == nullptr ? NAN : qc->value, qm->value, q.value, rate(q.zone));
+    if (qm != nullptr) s.error = stated_error(qc == nullptr ? 0 : apart(*qc, *qm), apart(*qm, q), rate(q.zone));
     out.push_back(s);
   }
   return out;

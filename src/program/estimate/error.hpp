@@ -9,11 +9,11 @@ namespace estimate {
 // Rates at which distances fall from one halving to the next: 1/4 where all is smooth, more where edges lie amid elements.
 constexpr double kLeastRate = 0.25, kMostRate = 0.5, kUsualRate = 0.45;
 
-constexpr const char* kTractions = "tractions"; // the number whose error is the distance of tractions, relative, L2
+constexpr const char* kTractions = "tractions"; // the number whose error is the distance of tractions, relative, L1
 
-// Three values of a number, coarse to fine, and the error that is stated for the last. `rate`: by which the distance of the
-// solution itself falls from one halving to the next.
-double stated_error(double coarse, double middle, double fine, double rate);
+// The error that is stated for a number whose values on three meshes, coarse to fine, are `before` and `last` apart; before
+// 0: there are two meshes. `rate`: by which the distance of the tractions falls from one halving to the next.
+double stated_error(double before, double last, double rate);
 
 // The numbers of the last common state, of the finest mesh, with errors. Two meshes: `coarse` may be null.
 std::vector<app::Stated> state_numbers(const Trial* coarse, const Trial& middle, const Trial& fine, const Distance* before,

@@ -12,7 +12,7 @@ namespace {
 constexpr double kFirst = 0.25;  // fineness of the first mesh
 constexpr int kMostRounds = 12, kMostLevels = 5;
 constexpr double kPredicted = 0.3; // from the distance of two meshes to the error of the one after them
-constexpr double kEdge = 4, kSmooth = 32; // by how much a share falls if its element is bisected
+constexpr double kEdge = 2.8, kSmooth = 8; // by how much a share falls if its element is bisected
 
 struct Level {
   sketch::Mesh mesh;
@@ -31,6 +31,8 @@ private:
   bool is_within_limits(const sketch::Mesh& mesh);
   void judge(const Level* coarse, const Level& middle, const Level& fine, const Distance* before, const Distance& last);
   bool all_met() const;
+  bool is_near(const Distance& distance) const;
+  void tighten();
   sketch::Levels marks(const Distance& distance) const;
   double tolerance(sketch::Want::Kind kind) const;
   double tolerance_of(const app::Stated& s, const Trial& trial) const;
@@ -41,6 +43,7 @@ private:
   const std::function<void(const app::MeshRound&)>& told_;
   Adapted out_;
   double seconds_ = 0;
+  double strictness_ = 1; // below 1 where numbers are still off though the tractions are near enough
 };
 
 // The overlaps of elements of two meshes on the same curves.
@@ -140,7 +143,8 @@ void Loop::judge(const Level* coarse, const Level& middle, const Level& fine, co
       coarse == nullptr ? std::vector<app::Stated>() : wanted_of(s_, coarse->mesh, coarse->trial);
   for (size_t i = 0; i < now.size() && i < then.size(); ++i) {
     stated.push_back(now[i]);
-    stated.back().error = stated_error(i < first.size() ? first[i].value : NAN, then[i].value, now[i].value, kMostRate);
+    const double earlier = i < first.size() ? std::fabs(then[i].value - first[i].value) : 0;
+    stated.back().error = stated_error(earlier, std::fabs(now[i].value - then[i].value), kMostRate);
   }
 }
 
@@ -149,10 +153,25 @@ bool Loop::all_met() const {
 }
 
 // Elements whose shares are above those of a mesh that meets the tolerances with shares alike.
+// Is the distance what marks() asks for?
+bool Loop::is_near(const Distance& d) const {
+  double wanted = s_.tolerance;
+  for (const sketch::Want& want : s_.wants) wanted = std::min(wanted, want.tolerance.value_or(s_.tolerance));
+  return std::all_of(d.pressure.begin(), d.pressure.end(), [&](double p) { return p < strictness_ * wanted / kPredicted; });
+}
+
+// By as much as the worst number is off.
+void Loop::tighten() {
+  double worst = 1;
+  for (const app::Stated& s : out_.loop.stated)
+    if (!s.is_met()) worst = std::max(worst, s.error / (s.tolerance * s.scale));
+  strictness_ *= std::clamp(1 / worst, 0.15, 0.6);
+}
+
 sketch::Levels Loop::marks(const Distance& d) const {
   double wanted = s_.tolerance;
   for (const sketch::Want& want : s_.wants) wanted = std::min(wanted, want.tolerance.value_or(s_.tolerance));
-  const double pressure = std::pow(wanted / kPredicted, 2), energy = 4 * wanted;
+  const double pressure = strictness_ * wanted / kPredicted, energy = 4 * strictness_ * wanted;
   size_t parts = 0, all = 0;
   for (const auto& shares : d.shares) {
     all += shares.size();
@@ -220,9 +239,11 @@ Adapted Loop::run() {
       judge(&coarse, middle, fine, &first, second);
       take(fine, "");
       if (all_met()) return std::move(out_);
+      tighten();
       marked = marks(second);
       coarse = Level{sketch::refined(s_, middle.mesh, marked), {}, {}};
     } else {
+      if (is_near(first)) tighten();
       marked = marks(first);
       coarse = Level{sketch::refined(s_, coarse.mesh, marked), {}, {}};
     }
