@@ -174,6 +174,30 @@ TEST_CASE("quantities: at a corner contact ends at the corner; Spence's punch") 
   CHECK(std::fabs(run.one(Measure::kStickBorder).at[0] - 0.7) < 2e-3); // measured 7e-4
 }
 
+TEST_CASE("quantities: Turner's punch, three borders of stick and slip after unloading") {
+  const families_test::Table zones = families_test::reference("p05_zone_boundaries");
+  const std::vector<Quantity> found = make("punch", {"unload=0.45"}).all(Measure::kStickBorder);
+  REQUIRE(found.size() == 3);
+  for (const std::vector<double>& z : zones) {
+    if (std::fabs(z[0] - 0.45) > 1e-9) continue;
+    const double x[] = {z[1], z[2], 1 - z[3]};
+    double off[3];
+    for (size_t i = 0; i < 3; ++i) {
+      off[i] = 1;
+      for (const Quantity& q : found) off[i] = std::min(off[i], std::fabs(q.at[0] - x[i]));
+    }
+    CHECK(off[0] < 2e-3); // measured 1.0e-3
+    CHECK(off[1] < 4e-3); // measured 2.1e-3
+    CHECK(off[2] < 1e-4); // measured 3e-5: elements are small at the corner
+  }
+}
+
+TEST_CASE("quantities: a layer that lifts between two stretches of contact") {
+  CHECK(std::fabs(make("layer_lifted").all(Measure::kContactEdge).at(1).at[0] - 0.9518250994943219) < 1e-3); // 1.6e-4
+  CHECK(std::fabs(make("layer_lifted", {"lambda=4"}).all(Measure::kContactEdge).at(1).at[0] - 2.392934771522195) <
+        2e-3); // 7e-4
+}
+
 TEST_CASE("quantities: receding layer and disc in a hole") {
   CHECK(std::fabs(make("receding_layer").one(Measure::kContactEdge).at[0] - 1.3241653718676933) < 1.5e-3);
   const Quantity edge = make("disc_in_hole").one(Measure::kContactEdge);
@@ -316,6 +340,9 @@ TEST_CASE("quantities: listing, JSON and summary table of the program tell the s
   CHECK(test::contains(listing, "Contact in numbers"));
   for (const test::Json& q : last.items) CHECK(test::contains(listing, q["quantity"].text));
   CHECK(!test::contains(listing, "+-"));
+  REQUIRE(test::run_shell(program + "run '" + deck + "' --listing /dev/null --report '" + (folder / "r") + "'").status == 0);
+  const std::string page = test::read_file(folder / "r");
+  for (const test::Json& q : last.items) CHECK(test::contains(page, "<td>" + q["quantity"].text));
 }
 
 TEST_CASE("quantities: stated errors go to the first coefficient's last step, and are shown") {
