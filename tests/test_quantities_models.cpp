@@ -227,3 +227,29 @@ TEST_CASE("quantities: constant functions") {
   CHECK(std::fabs(edges[0].at[0] - edges[1].at[0]) == doctest::Approx(2).epsilon(1e-12));
   CHECK(stack.one(Measure::kMeanPressure).value == doctest::Approx(1).epsilon(1e-9));
 }
+
+TEST_CASE("quantities: a block on a wider base, either of them on side 1, meshes that match or not") {
+  for (const bool block_first : {true, false})
+    for (const int32_t kind : {C2D_ZONE_MATCHING, C2D_ZONE_FREE}) {
+      many::Model m;
+      const int32_t n = kind == C2D_ZONE_FREE ? 13 : 10;
+      const int32_t base = 1, block = 2;
+      m.add(many::polygon({{-4, -3, 8}, {4, -3, 6}, {4, 0, 7}, {1, 0, 10}, {-1, 0, 7}, {-4, 0, 6}}));
+      m.add(many::rectangle(-1, 0, 1, 1, {n, 4, 8, 4}));
+      m.set(base, 1, many::end_of(many::kHeld));
+      m.set(block, 3, many::end_of(many::kPulled, 0, -1));
+      if (block_first)
+        m.join(kind, block, 1, base, 4);
+      else
+        m.join(kind, base, 4, block, 1);
+      m.friction = 0.5;
+      CAPTURE(block_first);
+      CAPTURE(kind);
+      const Run run = follow(m);
+      const std::vector<Quantity> edges = run.all(Measure::kContactEdge);
+      REQUIRE(edges.size() == 2);
+      for (const Quantity& q : edges) CHECK(std::fabs(q.at[0]) == doctest::Approx(1).epsilon(1e-9));
+      CHECK(run.all(Measure::kEdgePressure).empty());
+      CHECK(std::fabs(run.one(Measure::kMeanPressure).value - 1) < 0.02);
+    }
+}
