@@ -253,3 +253,19 @@ TEST_CASE("quantities: a block on a wider base, either of them on side 1, meshes
       CHECK(std::fabs(run.one(Measure::kMeanPressure).value - 1) < 0.02);
     }
 }
+
+TEST_CASE("quantities: a corner of side 1 opposite the middle of an element of side 2") {
+  for (const double at : {-3.77, -3.9, -4.1}) { // where the base begins: its elements are 0.16 long
+    many::Model m;
+    m.add(many::rectangle(-1, 0, 1, 1, {13, 4, 8, 4}));
+    m.add(many::rectangle(at, -3, at + 8, 0, {8, 6, 50, 6}));
+    m.set(2, 1, many::end_of(many::kHeld));
+    m.set(1, 3, many::end_of(many::kPulled, 0, -1));
+    m.join(C2D_ZONE_FREE, 1, 1, 2, 3);
+    m.friction = 0.5;
+    const Run run = follow(m);
+    const std::vector<Quantity> edges = run.all(Measure::kContactEdge);
+    REQUIRE(edges.size() == 2);
+    for (const Quantity& q : edges) CHECK(std::fabs(q.at[0]) == doctest::Approx(1).epsilon(1e-6));
+  }
+}
