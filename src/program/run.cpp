@@ -103,7 +103,9 @@ int32_t Run::on_step(void* context, const c2d_step* step) {
   const bool again = before != nullptr && !before->table.empty() && before->load == step->load;
   if (run.coefficient_shown_ != step->coefficient) run.show_contact_zone();
   CoefficientRecord& kept = keep_step(run.record_, *step);
-  keep_history(kept, *step, run.session_.solver, run.tips_, run.lines_);
+  const bool sums_up = run.outputs_.has(Output::kListing) || run.outputs_.has(Output::kJson) ||
+                       run.outputs_.has(Output::kSummary) || run.outputs_.has(Output::kReport);
+  keep_history(kept, *step, sums_up ? run.session_.solver : nullptr, run.tips_, run.lines_);
   if (run.outputs_.has(Output::kListing)) {
     append_step(run.outputs_.text(Output::kListing), *step, run.coefficient_shown_ != step->coefficient);
     run.coefficient_shown_ = step->coefficient;

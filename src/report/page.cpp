@@ -80,6 +80,47 @@ void append_key_numbers(std::string& out, const Scene& scene) {
   out += "</table>\n</section>\n";
 }
 
+std::string unit_of(Measure what, const Scene& scene) {
+  switch (what) {
+  case Measure::kPeakPressure:
+  case Measure::kMeanPressure: return scene.stress_unit;
+  case Measure::kContactEdge:
+  case Measure::kStickBorder:
+  case Measure::kApproach:
+  case Measure::kShift: return scene.length_unit;
+  case Measure::kForceX:
+  case Measure::kForceY: return scene.force_unit;
+  case Measure::kMoment:
+  case Measure::kDissipated: return scene.work_unit;
+  default: return ""; // intensities have roots of lengths
+  }
+}
+
+// What sums up the contact, and how far off it may be.
+void append_numbers(std::string& out, const Scene& scene) {
+  if (scene.zones.empty() || scene.record->coefficients.empty()) return;
+  const std::string none = "&#8211;";
+  out += "<section id=\"numbers\">\n<h2>Contact in numbers, at the last step</h2>\n<table>\n";
+  append_row(out,
+             {"&#956;", "zone", "quantity", "value", "stated error", with_unit("x", scene.length_unit),
+              with_unit("y", scene.length_unit)},
+             "th");
+  for (size_t i = 0; i < scene.record->coefficients.size(); ++i) {
+    const CoefficientRecord& c = scene.record->coefficients[i];
+    if (c.steps.empty()) continue;
+    for (const Quantity& q : c.steps.back().quantities) {
+      const size_t z = q.zone > 0 ? static_cast<size_t>(q.zone) - 1 : 0;
+      const std::string zone = q.zone > 0 ? zone_label(scene, z).substr(5) : "all",
+                        item = q.item > 0 ? " " + std::to_string(q.item) : "";
+      append_row(out,
+                 {figure(friction_of(scene, i, z)), zone, with_unit((name_of(q.what) + item).c_str(), unit_of(q.what, scene)),
+                  figure(q.value, 6), std::isfinite(q.error) ? "&#177; " + figure(q.error, 2) : none,
+                  std::isfinite(q.at[0]) ? figure(q.at[0], 6) : none, std::isfinite(q.at[1]) ? figure(q.at[1], 6) : none});
+    }
+  }
+  out += "</table>\n</section>\n";
+}
+
 void append_balance(std::string& out, const Scene& scene) {
   const Summary& s = scene.summary;
   out += "<section id=\"equilibrium\">\n<h2>Equilibrium</h2>\n<table>\n";
@@ -172,6 +213,7 @@ void append_page(std::string& out, const Scene& scene, const Pictures& pictures,
   append_outcome(out, scene);
   append_key_numbers(out, scene);
   for (const Picture& picture : pictures) append_picture(out, picture);
+  if (scene.solved) append_numbers(out, scene);
   if (scene.solved) append_balance(out, scene);
   append_sizes(out, scene);
   append_warnings(out, scene);

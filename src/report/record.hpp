@@ -65,7 +65,8 @@ struct RunRecord {
 CoefficientRecord& keep_step(RunRecord& record, const c2d_step& step);
 // "load factor 1", or "load factors 1, 0.3": how far a coefficient came; of every load case.
 std::string load_reached(const CoefficientRecord& coefficient);
-// The same step's energy, zones and bodies, its stress intensities and what sums up its contact; inside the callback.
+// The same step's energy, its stress intensities and, unless solver is null, its zones, its bodies and what sums up its
+// contact; inside the callback.
 void keep_history(CoefficientRecord& coefficient, const c2d_step& step, c2d_solver* solver, const std::vector<CrackTip>& tips,
                   const std::vector<ZoneLine>& lines);
 

@@ -14,12 +14,13 @@ void ZoneLine::place(double at, double out[2]) const {
   while (i > 0 && pieces[i].s > at) --i;
   const Piece& piece = pieces[i];
   const ElementCurve& curve = piece.curve;
-  const double whole = curve.length(), from_begin = std::min(std::max(at - piece.s, 0.0), whole);
+  const double whole = curve.length(), from_begin = at - piece.s; // an end may lie beyond the last element
   const double want = piece.up ? from_begin : whole - from_begin;
   double eta = 2 * want / whole - 1, slope[2];
   for (int k = 0; k < 5 && curve.count > 2; ++k) { // Newton's method; a straight element with two points has constant speed
     curve.slope(eta, slope);
-    eta = std::min(std::max(eta - (curve.length(-1, eta) - want) / std::hypot(slope[0], slope[1]), -1.0), 1.0);
+    const double run = eta > -1 ? curve.length(-1, eta) : -curve.length(eta, -1);
+    eta = std::min(std::max(eta - (run - want) / std::hypot(slope[0], slope[1]), -3.0), 3.0);
   }
   curve.point(eta, out);
 }
@@ -167,6 +168,19 @@ bool Finder::is_mirror(const c2d_side& side, int32_t element, bool at_end) const
   return beyond != 0 && s_.body[side.body - 1].unknowns > 0 && is_guided(side.body, beyond);
 }
 
+// How far the end of an element of side 1 lies beyond that of one of side 2, along it and over its length; NaN: off it.
+double distance_beyond(const ElementCurve& one, bool at_end1, const ElementCurve& two, bool at_end2) {
+  double a[2], b[2], t[2];
+  one.point(at_end1 ? 1 : -1, a);
+  two.point(at_end2 ? 1 : -1, b);
+  two.slope(at_end2 ? 1 : -1, t);
+  const double size = (at_end2 ? 1 : -1) * std::hypot(t[0], t[1]), length = two.length();
+  const double along = ((a[0] - b[0]) * t[0] + (a[1] - b[1]) * t[1]) / size;
+  const double off = ((a[0] - b[0]) * t[1] - (a[1] - b[1]) * t[0]) / size;
+  return std::fabs(off) > 0.5 * length ? NAN : along / length;
+}
+const double kOpposite = 0.1, kLeftOut = 1.5; // over the length of the element
+
 // Corners and lines of symmetry of side 1 where it ends opposite an end of side 2. Both bodies have to be mirrored there; a
 // rigid one has no conditions that could tell.
 void Finder::compare_ends(ZoneLine& line, const c2d_zone& zone, const Walk& w, const Walk& other) const {
@@ -177,11 +191,14 @@ void Finder::compare_ends(ZoneLine& line, const c2d_zone& zone, const Walk& w, c
       const int32_t e = j == 0 ? other.elements.front() : other.elements.back(),
                     own = k == 0 ? w.elements.front() : w.elements.back();
       const bool at_end = (j == 1) == other.up;
-      double a[2], b[2];
-      one.element(e).point(at_end ? 1 : -1, a);
-      two.element(own).point((k == 1) == w.up ? 1 : -1, b);
-      if (std::hypot(a[0] - b[0], a[1] - b[1]) > 0.1 * two.element(own).length()) continue;
-      if (one.is_corner(e, at_end)) line.end[k].corner = true;
+      const double beyond = distance_beyond(one.element(e), at_end, two.element(own), (k == 1) == w.up);
+      const double reach = (zone.kind & C2D_ZONE_FREE) != 0 ? kLeftOut : kOpposite; // of side 2 elements may be left out
+      if (std::isnan(beyond) || beyond < -kOpposite || beyond > reach) continue;
+      if (one.is_corner(e, at_end)) {
+        line.end[k].corner = true;
+        if (beyond > kOpposite) line.end[k].s = beyond * two.element(own).length();
+      }
+      if (beyond > kOpposite) continue;
       const bool mirror = is_mirror(zone.side1, e, at_end);
       line.end[k].mirror = rigid[1] ? mirror : line.end[k].mirror && (mirror || rigid[0]);
     }
@@ -214,7 +231,8 @@ ZoneLine Finder::line_of(int32_t number) const {
   const double begin = line.s.empty() ? 0 : line.s.front(); // lengths are counted from the first pair
   for (double& s : line.s) s -= begin;
   for (ZoneLine::Piece& piece : line.pieces) piece.s -= begin;
-  line.end[0].s = -begin, line.end[1].s = line.length - begin;
+  // Until here `s` is how far an end lies beyond the elements.
+  line.end[0].s = -begin - line.end[0].s, line.end[1].s += line.length - begin;
   return line;
 }
 

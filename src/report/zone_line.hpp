@@ -11,9 +11,9 @@
 
 namespace app {
 
-// An end of side 2, which need not have a pair: with constant functions pairs are in the middle of elements.
+// Where contact may reach to, which need not have a pair: with constant functions pairs are in the middle of elements.
 struct ZoneEnd {
-  double s = 0;        // as below; 0 at most where side 2 begins
+  double s = 0;        // as below; a corner of side 1 may lie beyond the elements of a free zone
   bool mirror = false; // on a line of symmetry: the contact goes on in the image
   bool corner = false; // a body has a corner there: contact may end there, and then has no smooth edge
 };
