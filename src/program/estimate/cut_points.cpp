@@ -114,16 +114,18 @@ Point on_element(const std::vector<Point>& p, double eta) {
   return out;
 }
 
-// One of the points in between; `chord` is the element's first in the row.
+// The point between the i-th and the next one of an element; `chord` is the element's first in the row.
 Point new_point(const CutBody& body, const Row& row, int32_t element, int32_t chord, const c2d_curve* told,
-                const std::vector<Point>& p, double eta) {
-  const Point own = on_element(p, eta);
-  if (told != nullptr && told->kind == C2D_CURVE_LINE) return own;
-  if (told != nullptr && told->kind == C2D_CURVE_ARC) return moved_to({{told->centre[0], told->centre[1]}, told->radius}, own);
+                const std::vector<Point>& p, int32_t i) {
   const int32_t chords = body.element_nodes - 1;
-  if (const Circle circle = circle_around(row, chord, chords); circle.radius > 0) return moved_to(circle, own);
+  const Point a = p[CutBody::at(i)], b = p[CutBody::at(i + 1)], middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
+  if (told != nullptr && told->kind == C2D_CURVE_ARC)
+    return moved_to({{told->centre[0], told->centre[1]}, told->radius}, middle);
+  const bool straight = told != nullptr && told->kind == C2D_CURVE_LINE;
+  if (const Circle circle = circle_around(row, chord, chords); circle.radius > 0 && !straight) return moved_to(circle, middle);
   const bool smooth = chords == 1 && (told != nullptr || body.in_contact[CutBody::at(element)]);
-  return smooth ? body.surface[CutBody::at(element)] : own;
+  if (smooth && !straight) return body.surface[CutBody::at(element)];
+  return chords == 1 ? middle : on_element(p, -1 + (2.0 * i + 1) / chords);
 }
 
 } // namespace
@@ -141,8 +143,7 @@ std::vector<Point> cut_points(const CutBody& body, const std::vector<c2d_curve>&
       for (int32_t i = 0; i < chords; ++i) {
         out.push_back(p[CutBody::at(i)]);
         if (body.child_count(e) == 1) continue;
-        const double eta = -1 + (2.0 * i + 1) / chords;
-        out.push_back(new_point(body, row, e, (e - region.first) * chords, curve, p, eta));
+        out.push_back(new_point(body, row, e, (e - region.first) * chords, curve, p, i));
       }
     }
     if (region.open) out.push_back(row.points.back());

@@ -319,6 +319,11 @@ std::string Writer::write() {
 
 std::string halved_deck(c2d_solver* solver, const std::string& deck, std::string& error) {
   error.clear();
+  const int32_t state = c2d_get_state(solver);
+  if (state != C2D_STATE_MODEL && state != C2D_STATE_PREPARED && state != C2D_STATE_RUNNING) {
+    error = "the deck cannot be halved: the solver holds no model";
+    return std::string();
+  }
   try {
     return Writer(solver, deck).write();
   } catch (const std::exception& failure) {
