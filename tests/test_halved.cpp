@@ -1,6 +1,7 @@
 // The halved deck: the same problem with every element cut in two, against closed forms and meshes made otherwise.
 #include "family_runs.hpp"
 #include "program/estimate/halved.hpp"
+#include "shell.hpp"
 
 #include <doctest/doctest.h>
 #include <filesystem>
@@ -214,6 +215,8 @@ TEST_CASE("halved: where new boundary points lie") {
   }
   const double angle = kPi / 16;
   CHECK(near(after(polygon(circle))[1], 3 + 2 * std::cos(angle), 2 * std::sin(angle) - 1));
+  const std::vector<double> x = Model(polygon(circle)).field(C2D_SURFACE_X, 1, 16);
+  CHECK(x[0] == doctest::Approx(3 + 2 * std::cos(angle)).epsilon(1e-14)); // what the library takes for the surface there
   CHECK(near(after(polygon(ellipse))[1], (ellipse[0].first + ellipse[1].first) / 2, ellipse[1].second / 2));
   // A card says that the chord is meant, or another circle; a spline is near to the ellipse.
   CHECK(near(after(polygon(circle, {}, "*CURVE LINE 1 1 1\n"))[1], (circle[0].first + circle[1].first) / 2,
@@ -386,4 +389,25 @@ TEST_CASE("halved: a crack's tip stays tied, elements of no length stay, an erro
   runs::Machine empty(limits, 1 << 22, nullptr);
   CHECK(estimate::halved_deck(empty.solver, deck, error).empty());
   CHECK(error.find("cannot be halved") != std::string::npos);
+}
+
+TEST_CASE("halved: the program writes the deck, of decks and of sketches") {
+  const test::Folder folder;
+  const auto run = [](const std::string& arguments) { return test::run_shell("'" + paths::program() + "' " + arguments); };
+  const std::string deck = paths::root() + "/examples/roller.dat";
+  const test::Result written = run("mesh '" + deck + "' --halve");
+  CHECK(written.status == 0);
+  CHECK(written.out == halved(text_of(deck)));
+  test::write_file(folder / "square.c2s",
+                   "body b E 1 nu 0\nfrom 0 0\nline s to 1 0\nline e to 1 1\nline n to 0 1\nline w close\n"
+                   "fix b.s x y\npressure b.n 1\n");
+  const test::Result coarse = run("mesh '" + (folder / "square.c2s") + "'");
+  const test::Result fine = run("mesh --halve -o '" + (folder / "fine.dat") + "' '" + (folder / "square.c2s") + "'");
+  CHECK_MESSAGE(coarse.status == 0, coarse.err);
+  CHECK_MESSAGE(fine.status == 0, fine.err);
+  CHECK(test::read_file(folder / "fine.dat") == halved(coarse.out));
+  test::write_file(folder / "wrong.dat", "no deck\n");
+  CHECK(run("mesh --halve '" + (folder / "wrong.dat") + "'").status == 2);
+  CHECK(run("mesh --halve=2 '" + deck + "'").status == 64);
+  CHECK(run("mesh --halve '" + deck + "' -o '" + (folder / "no/such/folder") + "'").status == 3);
 }

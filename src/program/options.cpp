@@ -230,6 +230,10 @@ bool read_options(int argc, const char* const* argv, Options& options, std::stri
     error = command + " needs a deck";
     return false;
   }
+  if (options.estimate && options.store.compare(0, 5, "file:") == 0) {
+    error = "--estimate with --store " + options.store + ": the halved deck is solved beside it, expected --store memory";
+    return false;
+  }
   if (!options.points.empty() && options.file(Output::kInterior).empty() && options.file(Output::kVtk).empty() &&
       !has_listing(options)) {
     error = "--points " + options.points + ": no output shows them, expected --interior, --listing or --vtk";
