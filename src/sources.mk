@@ -243,6 +243,7 @@ PROGRAM_SOURCES += src/program/estimate/cut_conditions.cpp
 PROGRAM_SOURCES += src/program/estimate/cut_points.cpp
 PROGRAM_SOURCES += src/program/estimate/halved.cpp
 PROGRAM_SOURCES += src/program/estimate/keyword_cards.cpp
+PROGRAM_SOURCES += src/program/estimate/match_points.cpp
 PROGRAM_SOURCES += src/program/families/bearing.cpp
 PROGRAM_SOURCES += src/program/families/bimaterial.cpp
 PROGRAM_SOURCES += src/program/families/cantilever.cpp

@@ -123,27 +123,27 @@ Range cut_elements(const CutBody& body, const Range& elements, bool up) {
   return {last(elements.first), first(elements.last)};
 }
 
-int32_t count_cut(const CutBody& body, const Range& elements, bool up) {
-  const CutRegion& region = body.regions[CutBody::at(body.region_of(elements.first))];
-  int32_t count = 0;
-  for (int32_t e = elements.first;;) {
-    count += body.child_count(e);
-    if (e == elements.last) return count;
-    e += up ? 1 : -1;
-    if (e > region.last) e = region.first;
-    if (e < region.first) e = region.last;
-  }
+bool goes_up(const CutBody& body, const c2d_side& side) {
+  if (side.elements > 1) return goes_up(body, {side.first_element - 1, side.last_element - 1}, side.elements);
+  return side.last_node > side.first_node;
 }
 
-void mark_contact(CutBody& body, const Range& elements, bool up) {
+std::vector<int32_t> elements_of(const CutBody& body, const Range& elements, bool up) {
   const CutRegion& region = body.regions[CutBody::at(body.region_of(elements.first))];
-  for (int32_t e = elements.first;;) {
-    body.in_contact[CutBody::at(e)] = true;
-    if (e == elements.last) return;
-    e += up ? 1 : -1;
-    if (e > region.last) e = region.first;
-    if (e < region.first) e = region.last;
+  std::vector<int32_t> out = {elements.first};
+  while (out.back() != elements.last) {
+    int32_t next = out.back() + (up ? 1 : -1);
+    if (next > region.last) next = region.first;
+    if (next < region.first) next = region.last;
+    out.push_back(next);
   }
+  return out;
+}
+
+int32_t count_cut(const CutBody& body, const Range& elements, bool up) {
+  int32_t count = 0;
+  for (const int32_t e : elements_of(body, elements, up)) count += body.child_count(e);
+  return count;
 }
 
 Range cut_nodes(const CutBody& body, const Range& elements, const Range& nodes, bool up) {

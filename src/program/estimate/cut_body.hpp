@@ -46,8 +46,16 @@ struct CutBody {
 
 CutBody cut_body(c2d_solver* solver, int32_t body, int32_t function_nodes);
 
-// The new boundary points, region by region, as the cards count them.
-std::vector<Point> cut_points(const CutBody& body, const std::vector<c2d_curve>& curves);
+// The new boundary points, region by region, as the cards count them; of each whether it was there or its surface is told or
+// a circle: not a guess from the points around.
+struct CutPoints {
+  std::vector<Point> points;
+  std::vector<bool> sure;
+};
+CutPoints cut_points(const CutBody& body, const std::vector<c2d_curve>& curves);
+// Elements of a matching zone that coincide still do, and those that are apart do not overlap, unless overlaps are closed by a
+// load case.
+void match_points(const c2d_zone& zone, const std::vector<CutBody>& bodies, bool overlaps, std::vector<CutPoints>& points);
 
 // A range of elements or of functional nodes as a zone names it: from first to last, going up or down.
 struct Range {
@@ -60,8 +68,10 @@ Range cut_elements(const CutBody& body, const Range& elements, bool up);
 Range cut_nodes(const CutBody& body, const Range& elements, const Range& nodes, bool up);
 // How many elements the range becomes.
 int32_t count_cut(const CutBody& body, const Range& elements, bool up);
-// Marks them.
-void mark_contact(CutBody& body, const Range& elements, bool up);
+// The elements of a range, in its order.
+std::vector<int32_t> elements_of(const CutBody& body, const Range& elements, bool up);
+// The direction of a side of a matching zone. A single element has that of its nodes.
+bool goes_up(const CutBody& body, const c2d_side& side);
 
 // Codes and values of an element's end in every load case.
 struct EndCondition {

@@ -114,24 +114,29 @@ Point on_element(const std::vector<Point>& p, double eta) {
   return out;
 }
 
+struct NewPoint {
+  Point at;
+  bool sure;
+};
 // The point between the i-th and the next one of an element; `chord` is the element's first in the row.
-Point new_point(const CutBody& body, const Row& row, int32_t element, int32_t chord, const c2d_curve* told,
-                const std::vector<Point>& p, int32_t i) {
+NewPoint new_point(const CutBody& body, const Row& row, int32_t element, int32_t chord, const c2d_curve* told,
+                   const std::vector<Point>& p, int32_t i) {
   const int32_t chords = body.element_nodes - 1;
   const Point a = p[CutBody::at(i)], b = p[CutBody::at(i + 1)], middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
   if (told != nullptr && told->kind == C2D_CURVE_ARC)
-    return moved_to({{told->centre[0], told->centre[1]}, told->radius}, middle);
-  const bool straight = told != nullptr && told->kind == C2D_CURVE_LINE;
-  if (const Circle circle = circle_around(row, chord, chords); circle.radius > 0 && !straight) return moved_to(circle, middle);
+    return {moved_to({{told->centre[0], told->centre[1]}, told->radius}, middle), true};
+  const Point own = chords == 1 ? middle : on_element(p, -1 + (2.0 * i + 1) / chords);
+  if (told != nullptr && told->kind == C2D_CURVE_LINE) return {own, true};
+  if (const Circle circle = circle_around(row, chord, chords); circle.radius > 0) return {moved_to(circle, middle), true};
   const bool smooth = chords == 1 && (told != nullptr || body.in_contact[CutBody::at(element)]);
-  if (smooth && !straight) return body.surface[CutBody::at(element)];
-  return chords == 1 ? middle : on_element(p, -1 + (2.0 * i + 1) / chords);
+  return {smooth ? body.surface[CutBody::at(element)] : own, false};
 }
 
 } // namespace
 
-std::vector<Point> cut_points(const CutBody& body, const std::vector<c2d_curve>& curves) {
-  std::vector<Point> out;
+CutPoints cut_points(const CutBody& body, const std::vector<c2d_curve>& curves) {
+  CutPoints out;
+  const auto add = [&](const NewPoint& p) { out.points.push_back(p.at), out.sure.push_back(p.sure); };
   const int32_t chords = body.element_nodes - 1;
   for (int32_t r = 0; r < static_cast<int32_t>(body.regions.size()); ++r) {
     const CutRegion& region = body.regions[CutBody::at(r)];
@@ -141,12 +146,12 @@ std::vector<Point> cut_points(const CutBody& body, const std::vector<c2d_curve>&
       const int32_t told = body.curve[CutBody::at(e)];
       const c2d_curve* const curve = told < 0 ? nullptr : &curves[CutBody::at(told)];
       for (int32_t i = 0; i < chords; ++i) {
-        out.push_back(p[CutBody::at(i)]);
+        add({p[CutBody::at(i)], true});
         if (body.child_count(e) == 1) continue;
-        out.push_back(new_point(body, row, e, (e - region.first) * chords, curve, p, i));
+        add(new_point(body, row, e, (e - region.first) * chords, curve, p, i));
       }
     }
-    if (region.open) out.push_back(row.points.back());
+    if (region.open) add({row.points.back(), true});
   }
   return out;
 }

@@ -80,6 +80,7 @@ private:
   std::vector<int32_t> element_offset_; // of the deck that is read; the new one numbers every body's from 1
   std::vector<c2d_curve> curves_;
   std::vector<c2d_zone> matching_; // with numbers as the interface has them
+  std::vector<CutPoints> points_;
   std::vector<std::vector<EndCondition>> ends_;
   std::string out_;
 };
@@ -100,6 +101,10 @@ Writer::Writer(c2d_solver* solver, const std::string& deck) : solver_(solver), c
     curves_.push_back(curve);
   }
   read_contact();
+  int32_t overlaps = 0; // the load case that closes them
+  need(c2d_get_interference(solver_, &overlaps));
+  for (const CutBody& body : bodies_) points_.push_back(cut_points(body, curves_));
+  for (const c2d_zone& zone : matching_) match_points(zone, bodies_, overlaps > 0, points_);
   for (int32_t b = 1; b <= bodies; ++b)
     ends_.push_back(cut_conditions(solver_, b, bodies_[CutBody::at(b - 1)], summary_.load_cases));
 }
@@ -127,9 +132,9 @@ void Writer::read_contact() {
     if (!is_matching(zone)) continue;
     matching_.push_back(zone);
     for (const c2d_side* const side : {&zone.side1, &zone.side2}) {
-      const Range range{side->first_element - 1, side->last_element - 1};
       CutBody& body = bodies_[CutBody::at(side->body - 1)];
-      mark_contact(body, range, goes_up(body, range, side->elements));
+      const Range range{side->first_element - 1, side->last_element - 1};
+      for (const int32_t e : elements_of(body, range, goes_up(body, *side))) body.in_contact[CutBody::at(e)] = true;
     }
   }
   for (const std::string& text : cards_.extensions) {
@@ -138,7 +143,8 @@ void Writer::read_contact() {
     const FreeZoneCard zone = free_zone_card(words, element_offset_);
     for (int s = 0; s < 2; ++s) {
       CutBody& body = bodies_[CutBody::at(zone.body[s])];
-      mark_contact(body, zone.elements[s], goes_up(body, zone.elements[s], zone.count[s]));
+      const bool up = goes_up(body, zone.elements[s], zone.count[s]);
+      for (const int32_t e : elements_of(body, zone.elements[s], up)) body.in_contact[CutBody::at(e)] = true;
     }
   }
 }
@@ -181,7 +187,7 @@ void Writer::control() {
 void Writer::points(size_t b) {
   card("0 0");
   int32_t node = 0;
-  for (const Point& p : cut_points(bodies_[b], curves_)) card(std::to_string(++node) + number(p.x) + number(p.y));
+  for (const Point& p : points_[b].points) card(std::to_string(++node) + number(p.x) + number(p.y));
 }
 
 void Writer::point_loads(size_t b, int32_t load_case, bool keyword) {
@@ -231,8 +237,7 @@ void Writer::zones() {
       const c2d_side& side = s == 0 ? zone.side1 : zone.side2;
       const CutBody& body = bodies_[CutBody::at(side.body - 1)];
       const Range range{side.first_element - 1, side.last_element - 1}, nodes{side.first_node - 1, side.last_node - 1};
-      const bool up = side.elements > 1 ? goes_up(body, range, side.elements)
-                                        : nodes.last > nodes.first || (s == 0 && nodes.last == nodes.first);
+      const bool up = goes_up(body, side);
       of_elements[s] = cut_elements(body, range, up), of_nodes[s] = cut_nodes(body, range, nodes, up);
       count[s] = count_cut(body, range, up);
     }
