@@ -367,6 +367,30 @@ TEST_CASE("halved: zones of every kind, and numbers that go on from body to body
   }
 }
 
+TEST_CASE("halved: sides of a matching zone that are one surface stay one, and nothing overlaps") {
+  // An arc of three elements on either side; beyond the zone one goes on as a circle, the other has corners there.
+  std::vector<std::pair<double, double>> arc, hole = {{-2, 0}, {-2, -2}, {2, -2}, {2, 0}};
+  for (int i = 0; i <= 3; ++i) arc.emplace_back(std::cos(kPi * (1.2 + 0.2 * i)), std::sin(kPi * (1.2 + 0.2 * i)));
+  std::ostringstream out;
+  out.precision(17);
+  out << "*FREE\n1\nSOCKET\n0 1\n2 1 2\n1 2 8 8\n1 2 5 5\n1 8\n1 5\n1 0.3\n1 0.3\n1 0.2\n0 0\n";
+  for (size_t i = 0; i < 4; ++i) out << i + 1 << " " << hole[i].first << " " << hole[i].second << "\n";
+  for (size_t i = 0; i < 4; ++i) out << i + 5 << " " << arc[3 - i].first << " " << arc[3 - i].second << "\n";
+  out << "0 0\n";
+  for (size_t i = 0; i < 4; ++i) out << i + 1 << " " << arc[i].first << " " << arc[i].second << "\n";
+  out << "5 0 0\n2\n2 1 1100 0 0 0 0\n2 2 1100 0 0 0 0\n0\n1\n4 1 0011 0 -1 0 0\n0\n1 2 4 3\n5 7 3 1\n5 8 4 1\n4 3\n4 3\n1 "
+         "10\n1 1\n";
+  const Model model(halved(out.str()));
+  INFO(model.fault);
+  REQUIRE(model.status == C2D_OK);
+  const auto one = model.points(1), two = model.points(2);
+  for (size_t i = 0; i < 7; ++i) {
+    const auto &p = one[8 + i], &q = two[6 - i];
+    CHECK(std::hypot(p.first - q.first, p.second - q.second) < 1e-15);
+    CHECK(std::fabs(std::hypot(p.first, p.second) - 1) < 1e-9); // both know the circle
+  }
+}
+
 TEST_CASE("halved: a crack's tip stays tied, elements of no length stay, an error is told") {
   const std::string crack = family("crack", {});
   const Model before(crack), after(halved(crack));

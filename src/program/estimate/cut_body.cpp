@@ -123,9 +123,10 @@ Range cut_elements(const CutBody& body, const Range& elements, bool up) {
   return {last(elements.first), first(elements.last)};
 }
 
-bool goes_up(const CutBody& body, const c2d_side& side) {
-  if (side.elements > 1) return goes_up(body, {side.first_element - 1, side.last_element - 1}, side.elements);
-  return side.last_node > side.first_node;
+bool goes_up(const CutBody& body, const c2d_zone& zone, int side) {
+  const c2d_side& own = side == 1 ? zone.side1 : zone.side2;
+  if (own.elements > 1) return goes_up(body, Range{own.first_element - 1, own.last_element - 1}, own.elements);
+  return own.last_node == own.first_node ? side == 1 : own.last_node > own.first_node;
 }
 
 std::vector<int32_t> elements_of(const CutBody& body, const Range& elements, bool up) {

@@ -70,8 +70,9 @@ Range cut_nodes(const CutBody& body, const Range& elements, const Range& nodes, 
 int32_t count_cut(const CutBody& body, const Range& elements, bool up);
 // The elements of a range, in its order.
 std::vector<int32_t> elements_of(const CutBody& body, const Range& elements, bool up);
-// The direction of a side of a matching zone. A single element has that of its nodes.
-bool goes_up(const CutBody& body, const c2d_side& side);
+// Does side 1 or 2 of a matching zone go up? A single element has the direction of its nodes; one of them, of constant
+// functions, tells none.
+bool goes_up(const CutBody& body, const c2d_zone& zone, int side);
 
 // Codes and values of an element's end in every load case.
 struct EndCondition {

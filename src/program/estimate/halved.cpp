@@ -131,10 +131,11 @@ void Writer::read_contact() {
     need(c2d_get_zone(solver_, i, &zone));
     if (!is_matching(zone)) continue;
     matching_.push_back(zone);
-    for (const c2d_side* const side : {&zone.side1, &zone.side2}) {
-      CutBody& body = bodies_[CutBody::at(side->body - 1)];
-      const Range range{side->first_element - 1, side->last_element - 1};
-      for (const int32_t e : elements_of(body, range, goes_up(body, *side))) body.in_contact[CutBody::at(e)] = true;
+    for (int s = 1; s <= 2; ++s) {
+      const c2d_side& side = s == 1 ? zone.side1 : zone.side2;
+      CutBody& body = bodies_[CutBody::at(side.body - 1)];
+      const Range range{side.first_element - 1, side.last_element - 1};
+      for (const int32_t e : elements_of(body, range, goes_up(body, zone, s))) body.in_contact[CutBody::at(e)] = true;
     }
   }
   for (const std::string& text : cards_.extensions) {
@@ -237,7 +238,7 @@ void Writer::zones() {
       const c2d_side& side = s == 0 ? zone.side1 : zone.side2;
       const CutBody& body = bodies_[CutBody::at(side.body - 1)];
       const Range range{side.first_element - 1, side.last_element - 1}, nodes{side.first_node - 1, side.last_node - 1};
-      const bool up = goes_up(body, side);
+      const bool up = goes_up(body, zone, s + 1);
       of_elements[s] = cut_elements(body, range, up), of_nodes[s] = cut_nodes(body, range, nodes, up);
       count[s] = count_cut(body, range, up);
     }

@@ -26,30 +26,22 @@ struct Facing {
   }
 };
 
-// From side 1 to side 2 at a place on the elements, along the normal out of side 1.
+// From side 1 to side 2 along the normal out of side 1.
 double gap(const Facing& f, Point a, Point b) {
   const Point first = f.p[0].front(), last = f.p[0].back();
   const double length = distance(first, last);
   return ((b.x - a.x) * (last.y - first.y) - (b.y - a.y) * (last.x - first.x)) / length;
 }
 
-// Both by half, until they touch.
-void part(const Facing& f, double overlap, Point& a, Point& b) {
-  const Point first = f.p[0].front(), last = f.p[0].back();
-  const double half = overlap / 2 / distance(first, last), x = half * (last.y - first.y), y = -half * (last.x - first.x);
-  a = {a.x - x, a.y - y}, b = {b.x + x, b.y + y};
-}
-
 void match(const Facing& f, int32_t i, bool overlaps, Point& a, bool sure_a, Point& b, bool sure_b) {
   const double near = kCoincident * distance(f.p[0].front(), f.p[0].back());
   const size_t k = CutBody::at(i);
-  if (distance(f.p[0][k], f.p[1][k]) <= near && distance(f.p[0][k + 1], f.p[1][k + 1]) <= near) {
-    const Point common = sure_a == sure_b ? between(a, b) : sure_a ? a : b;
-    a = b = common;
-    return;
-  }
-  const double now = gap(f, a, b), before = gap(f, f.p[0][k], f.p[1][k]), behind = gap(f, f.p[0][k + 1], f.p[1][k + 1]);
-  if (!overlaps && now < 0 && before >= -near && behind >= -near) part(f, -now, a, b);
+  const bool one = distance(f.p[0][k], f.p[1][k]) <= near && distance(f.p[0][k + 1], f.p[1][k + 1]) <= near;
+  const bool overlap = !overlaps && gap(f, a, b) < 0;
+  if (!one && !overlap) return;
+  // (Touching in whatever direction the gap is measured.)
+  const Point common = sure_a == sure_b || !one ? between(a, b) : sure_a ? a : b;
+  a = b = common;
 }
 
 } // namespace
@@ -61,7 +53,7 @@ void match_points(const c2d_zone& zone, const std::vector<CutBody>& bodies, bool
   bool up[2];
   for (int s = 0; s < 2; ++s) {
     body[s] = &bodies[CutBody::at(side[s]->body - 1)];
-    up[s] = goes_up(*body[s], *side[s]);
+    up[s] = goes_up(*body[s], zone, s + 1);
     elements[s] = elements_of(*body[s], {side[s]->first_element - 1, side[s]->last_element - 1}, up[s]);
   }
   if (body[0]->element_nodes != body[1]->element_nodes || up[0] == up[1]) return;
