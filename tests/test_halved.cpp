@@ -1,5 +1,6 @@
 // The halved deck: the same problem with every element cut in two, against closed forms and meshes made otherwise.
 #include "family_runs.hpp"
+#include "program/estimate/cut_body.hpp"
 #include "program/estimate/halved.hpp"
 #include "shell.hpp"
 
@@ -365,6 +366,31 @@ TEST_CASE("halved: zones of every kind, and numbers that go on from body to body
     REQUIRE(high.status == C2D_OK);
     CHECK(high.zone(1).pairs == (order == 1 ? 2 : 2 * order - 1));
   }
+}
+
+TEST_CASE("halved: ranges that go round the end of their curve") {
+  // A ring of six elements behind a region of two; linear functions.
+  estimate::CutBody ring;
+  ring.element_nodes = ring.function_nodes = 2;
+  ring.regions = {{0, 1, false}, {2, 7, false}};
+  ring.in_contact.assign(8, false);
+  for (int32_t i = 0; i <= 8; ++i) ring.children.push_back(2 * i);
+  using estimate::Range;
+  const auto cut = [&](Range elements, int32_t count) {
+    const bool up = estimate::goes_up(ring, elements, count);
+    const Range range = estimate::cut_elements(ring, elements, up);
+    return std::array<int32_t, 4>{up ? 1 : -1, range.first, range.last, estimate::count_cut(ring, elements, up)};
+  };
+  CHECK(cut({6, 2}, 3) == std::array<int32_t, 4>{1, 12, 5, 6});
+  CHECK(cut({2, 6}, 3) == std::array<int32_t, 4>{-1, 5, 12, 6});
+  CHECK(cut({3, 5}, 3) == std::array<int32_t, 4>{1, 6, 11, 6});
+  CHECK(cut({5, 3}, 0) == std::array<int32_t, 4>{-1, 11, 6, 6});
+  CHECK(cut({4, 4}, 1) == std::array<int32_t, 4>{1, 8, 9, 2});
+  // Nodes of elements 6, 7, 2 are 6, 7, 2 and 3; without the first, and the last.
+  const Range nodes = estimate::cut_nodes(ring, {6, 2}, {7, 2}, true);
+  CHECK((nodes.first == 13 && nodes.last == 5));
+  const Range back = estimate::cut_nodes(ring, {2, 6}, {2, 7}, false);
+  CHECK((back.first == 5 && back.last == 13));
 }
 
 TEST_CASE("halved: sides of a matching zone that are one surface stay one, and nothing overlaps") {
