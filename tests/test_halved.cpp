@@ -22,7 +22,7 @@ struct Model {
   c2d_status status = C2D_ERR_INPUT;
   std::string fault;
 
-  explicit Model(const std::string& text) {
+  explicit Model(const std::string& text, int32_t symmetry = C2D_SYMMETRY_DECK) {
     std::istringstream in(text);
     for (std::string line; std::getline(in, line);) deck.lines.push_back(line);
     limits = deck.limits();
@@ -30,6 +30,9 @@ struct Model {
     REQUIRE(limits.bodies > 0);
     REQUIRE(c2d_memory_need(&limits, &minimum, nullptr, nullptr) == C2D_OK);
     machine = std::make_unique<runs::Machine>(limits, minimum, nullptr);
+    c2d_options options = C2D_INIT(c2d_options);
+    options.symmetry = symmetry;
+    CHECK(c2d_set_options(machine->solver, &options) == C2D_OK);
     status = runs::read_deck(machine->solver, deck);
     if (status != C2D_OK) fault = runs::error_of(machine->solver).text;
   }
@@ -365,6 +368,27 @@ TEST_CASE("halved: zones of every kind, and numbers that go on from body to body
     CHECK(high.fault == "");
     REQUIRE(high.status == C2D_OK);
     CHECK(high.zone(1).pairs == (order == 1 ? 2 : 2 * order - 1));
+  }
+}
+
+TEST_CASE("halved: a model by images says the same as one with elements on its lines") {
+  const std::string deck = family("hertz", {"symmetry=line", "n=5"});
+  const Model images(deck, C2D_SYMMETRY_IMAGES), line(deck);
+  std::string error;
+  const Model one(estimate::halved_deck(images.solver(), deck, error)), other(halved(deck));
+  REQUIRE(one.status == C2D_OK);
+  for (int32_t b = 1; b <= 2; ++b) {
+    const auto p = one.points(b), q = other.points(b);
+    REQUIRE(p.size() == q.size());
+    for (size_t i = 0; i < p.size(); ++i) CHECK(std::hypot(p[i].first - q[i].first, p[i].second - q[i].second) < 1e-12);
+    for (int32_t e = 1; e <= one.body(b).elements; ++e)
+      for (int32_t l = 1; l <= 2; ++l) {
+        int32_t a[4], c[4];
+        double u[4], v[4];
+        CHECK(c2d_get_condition(one.solver(), b, e, l, 1, a, u) == C2D_OK);
+        CHECK(c2d_get_condition(other.solver(), b, e, l, 1, c, v) == C2D_OK);
+        for (int i = 0; i < 4; ++i) CHECK((a[i] == c[i] && u[i] == v[i]));
+      }
   }
 }
 
