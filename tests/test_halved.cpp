@@ -460,7 +460,11 @@ TEST_CASE("halved: a crack's tip stays tied, elements of no length stay, an erro
   const host::Limits limits = before.limits;
   runs::Machine empty(limits, 1 << 22, nullptr);
   CHECK(estimate::halved_deck(empty.solver, deck, error).empty());
-  CHECK(error.find("cannot be halved") != std::string::npos);
+  CHECK(error == "the deck cannot be halved: the solver holds no model");
+  CHECK(estimate::halved_deck(Model(deck).solver(), crack, error).empty()); // the model of another deck
+  CHECK(error == std::string("the deck cannot be halved: ") + c2d_message(C2D_ERR_ARGUMENT));
+  CHECK(estimate::halved_deck(Model(deck).solver(), "no deck\n", error).empty());
+  CHECK(error == std::string("the deck cannot be halved: ") + c2d_message(C2D_ERR_INPUT));
 }
 
 TEST_CASE("halved: the program writes the deck, of decks and of sketches") {

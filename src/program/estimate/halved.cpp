@@ -233,26 +233,26 @@ void Writer::zones() {
   std::vector<int32_t> pairs(bodies_.size(), 0), elements(bodies_.size(), 0);
   for (const c2d_zone& zone : matching_) {
     Range of_elements[2], of_nodes[2];
-    int32_t count[2], distance = 0;
+    int32_t count = 0; // of elements, as many on either side
     for (int s = 0; s < 2; ++s) {
       const c2d_side& side = s == 0 ? zone.side1 : zone.side2;
       const CutBody& body = bodies_[CutBody::at(side.body - 1)];
-      const Range range{side.first_element - 1, side.last_element - 1}, nodes{side.first_node - 1, side.last_node - 1};
+      const Range range{side.first_element - 1, side.last_element - 1};
       const bool up = goes_up(body, zone, s + 1);
-      of_elements[s] = cut_elements(body, range, up), of_nodes[s] = cut_nodes(body, range, nodes, up);
-      count[s] = count_cut(body, range, up);
+      of_elements[s] = cut_elements(body, range, up),
+      of_nodes[s] = cut_nodes(body, range, {side.first_node - 1, side.last_node - 1}, up);
+      count = count_cut(body, range, up);
     }
-    if (count[0] != count[1]) throw std::runtime_error("a matching zone has elements of zero length on one side alone");
-    distance = std::abs(of_nodes[0].last - of_nodes[0].first) + 1;
+    const int32_t nodes = std::abs(of_nodes[0].last - of_nodes[0].first) + 1;
     const bool is_self = (zone.kind & C2D_ZONE_SELF) != 0;
     card(std::to_string(zone.side1.body) + " " + std::to_string(is_self ? -zone.side1.body : zone.side2.body) + " " +
-         std::to_string(distance) + " " + std::to_string(count[0]));
+         std::to_string(nodes) + " " + std::to_string(count));
     for (const Range* const range : {of_elements, of_nodes})
       card(std::to_string(range[0].first + 1) + " " + std::to_string(range[0].last + 1) + " " +
            std::to_string(range[1].first + 1) + " " + std::to_string(range[1].last + 1));
     for (const c2d_side* const side : {&zone.side1, &zone.side2}) {
-      pairs[CutBody::at(side->body - 1)] += distance;
-      elements[CutBody::at(side->body - 1)] += count[0];
+      pairs[CutBody::at(side->body - 1)] += nodes;
+      elements[CutBody::at(side->body - 1)] += count;
     }
   }
   for (size_t b = 0; b < bodies_.size(); ++b) card(std::to_string(pairs[b]) + " " + std::to_string(elements[b]));

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
-#include <stdexcept>
+#include <cstdlib>
 
 namespace estimate {
 namespace {
@@ -15,11 +15,9 @@ std::string capitals(std::string text) {
 
 // The library has read the card, so that what is not here is no number that it took.
 int32_t integer(const std::vector<std::string>& words, size_t i) {
+  const std::string& text = words.at(i);
   int32_t value = 0;
-  if (i >= words.size()) throw std::runtime_error("a keyword card is shorter than expected");
-  const char* begin = words[i].data();
-  if (!words[i].empty() && *begin == '+') ++begin;
-  std::from_chars(begin, words[i].data() + words[i].size(), value);
+  std::from_chars(text.data() + (text[0] == '+' ? 1 : 0), text.data() + text.size(), value);
   return value;
 }
 
