@@ -71,7 +71,9 @@ enum { /* fields of c2d_get */
   /* per geometry node of a body */
   C2D_NODE_X = 120, C2D_NODE_Y = 121,
   /* per pair, no columns of the table: where it lies on side 1, an element and its local coordinate -1 ... 1 */
-  C2D_PAIR_ELEMENT1 = 130, C2D_PAIR_ETA1 = 131
+  C2D_PAIR_ELEMENT1 = 130, C2D_PAIR_ETA1 = 131,
+  /* per element of a body: the point of its surface over the element's middle, METHOD 8.1 */
+  C2D_SURFACE_X = 140, C2D_SURFACE_Y = 141
 };
 
 enum { /* c2d_error.status of warnings; src/report/OUTPUT.md tells what to do about each */

@@ -59,7 +59,7 @@ TEST_CASE("program: --version and --help") {
   const Result help = contact2d("--help");
   CHECK(help.status == 0);
   for (const char* word : {"--listing", "--csv", "--boundary", "--json", "--stepping", "--quadrature", "--memory", "--store",
-                           "--threads", "--progress", "--no-progress", "--keep"})
+                           "--threads", "--progress", "--no-progress", "--keep", "--estimate", "--halve"})
     CHECK_MESSAGE(contains(help.out, word), word);
 }
 
@@ -86,6 +86,10 @@ TEST_CASE("program: bad usage ends with 64 and says why") {
                                "run --threads 0" + deck,
                                "run --threads two" + deck,
                                "run --keep=1" + deck,
+                               "run --estimate=1" + deck,
+                               "run --estimate --store file:x" + deck,
+                               "check --estimate" + deck,
+                               "convert --halve" + deck,
                                "run --csv=" + deck};
   for (const std::string& arguments : wrong) {
     const Result result = contact2d(arguments);

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "interface/refuse.hpp"
+#include "model/surface.hpp"
 #include "model/symmetry.hpp"
 #include "results/back.hpp"
 #include "results/interior.hpp"
@@ -122,6 +123,17 @@ c2d_status get_node_field(c2d_solver* s, int32_t field, int b, int32_t first, in
   return C2D_OK;
 }
 
+c2d_status get_surface_field(c2d_solver* s, int32_t field, int b, int32_t first, int32_t count, double* out, int64_t stride) {
+  const c2d_status status = check_range(s, body_numbered(s, b + 1).elements, first, count, out, stride);
+  if (status != C2D_OK) return status;
+  const Model m = model_of(s);
+  for (int32_t i = 0; i < count; ++i) {
+    const SurfacePoint p = surface_point(m, b, first - 1 + i, 0.0);
+    out[i * stride] = field == C2D_SURFACE_X ? p.x : p.y;
+  }
+  return C2D_OK;
+}
+
 } // namespace
 } // namespace c2d
 
@@ -134,12 +146,14 @@ extern "C" c2d_status c2d_get(c2d_solver* s, int32_t field, int32_t body, int32_
   c2d_status status = enter(s, needs_results(field) ? state_bit(C2D_STATE_RUNNING) : kComplete);
   if (status != C2D_OK) return status;
   const bool places = field == C2D_PAIR_ELEMENT1 || field == C2D_PAIR_ETA1;
-  if (!pairs && !ends && !nodes && !places) return refuse(s, C2D_ERR_ARGUMENT, "there is no such field");
+  const bool surfaces = field == C2D_SURFACE_X || field == C2D_SURFACE_Y;
+  if (!pairs && !ends && !nodes && !places && !surfaces) return refuse(s, C2D_ERR_ARGUMENT, "there is no such field");
   if (pairs) return get_pair_field(s, field, first, count, out, stride);
   if (places) return get_pair_place(s, field, first, count, out, stride);
   status = check_ranges(s, {{"body", body, 1, s->model.bodies}});
   if (status != C2D_OK) return status;
   if (ends) return get_end_field(s, field, body - 1, first, count, out, stride);
+  if (surfaces) return get_surface_field(s, field, body - 1, first, count, out, stride);
   return get_node_field(s, field, body - 1, first, count, out, stride);
 }
 

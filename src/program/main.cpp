@@ -3,6 +3,7 @@
 #include "program/convert.hpp"
 #include "program/drawn_deck.hpp"
 #include "program/exit_code.hpp"
+#include "program/halve.hpp"
 #include "program/interrupt.hpp"
 #include "program/make.hpp"
 #include "program/options.hpp"
@@ -33,7 +34,7 @@ int run_command(const app::Options& options) {
   case app::Command::kRun: return app::run_deck(options);
   case app::Command::kCheck: return app::check_deck(options);
   case app::Command::kMake: return app::make_deck(options);
-  case app::Command::kMesh: return app::write_mesh(options);
+  case app::Command::kMesh: return options.halve ? app::halve_deck(options) : app::write_mesh(options);
   case app::Command::kConvert: return app::convert_deck(options);
   case app::Command::kResume: return resume(options);
   case app::Command::kVersion: return print((std::string("contact2d ") + c2d_version() + "\n").c_str());

@@ -17,7 +17,8 @@ struct Known {
 };
 const Known kRunOptions[] = {{"--points", true},   {"--figures", true},   {"--stepping", true},     {"--quadrature", true},
                              {"--symmetry", true}, {"--memory", true},    {"--store", true},        {"--threads", true},
-                             {"--set", true},      {"--progress", false}, {"--no-progress", false}, {"--keep", false}};
+                             {"--set", true},      {"--progress", false}, {"--no-progress", false}, {"--keep", false},
+                             {"--estimate", false}};
 
 bool choose(const std::string& value, const char* first, const char* second, int32_t& choice) {
   if (value != first && value != second) return false;
@@ -44,6 +45,7 @@ bool set_option(Options& o, const std::string& name, const std::string& value, s
   if (name == "--progress") o.progress = Progress::kAlways;
   if (name == "--no-progress") o.progress = Progress::kNever;
   if (name == "--keep") o.keep = true;
+  if (name == "--estimate") o.estimate = true;
   if (name == "--set") o.settings.push_back(value);
   if (name == "--stepping" && !choose(value, "events", "deck", o.stepping)) return wrong("events or deck");
   if (name == "--quadrature" && !choose(value, "accurate", "thesis", o.quadrature)) return wrong("accurate or thesis");
@@ -94,6 +96,8 @@ bool read_run_option(const std::vector<std::string>& words, size_t& at, Options&
 
 bool read_convert_option(const std::vector<std::string>& words, size_t& at, Options& options, std::string& error) {
   std::string name = words[at], value;
+  const bool mesh = options.command == Command::kMesh;
+  if (mesh && name == "--halve") return options.halve = true;
   const size_t equals = name.find('=');
   if (equals != std::string::npos) {
     value = name.substr(equals + 1);
@@ -101,7 +105,6 @@ bool read_convert_option(const std::vector<std::string>& words, size_t& at, Opti
   } else if (at + 1 < words.size()) {
     value = words[++at];
   }
-  const bool mesh = options.command == Command::kMesh;
   if (name != (mesh ? "--set" : "--to") && name != "-o" && name != "--output") {
     error = (mesh ? "mesh takes no option " : "convert takes no option ") + name;
     return false;
@@ -227,6 +230,10 @@ bool read_options(int argc, const char* const* argv, Options& options, std::stri
     error = command + " needs a deck";
     return false;
   }
+  if (options.estimate && options.store.compare(0, 5, "file:") == 0) {
+    error = "--estimate with --store " + options.store + ": the halved deck is solved beside it, expected --store memory";
+    return false;
+  }
   if (!options.points.empty() && options.file(Output::kInterior).empty() && options.file(Output::kVtk).empty() &&
       !has_listing(options)) {
     error = "--points " + options.points + ": no output shows them, expected --interior, --listing or --vtk";
@@ -261,7 +268,7 @@ namespace {
 const char kHelpBefore[] =
     "usage: contact2d run DECK [options]\n"
     "       contact2d check DECK [--symmetry deck|images] [--set NAME=VALUE]\n"
-    "       contact2d mesh SKETCH [--set NAME=VALUE] [-o FILE]\n"
+    "       contact2d mesh SKETCH [--set NAME=VALUE] [--halve] [-o FILE]\n"
     "       contact2d resume DIR\n"
     "       contact2d convert DECK [--to fixed|free] [-o FILE]\n"
     "       contact2d make NAME key=value ...\n"
@@ -272,7 +279,8 @@ const char kHelpBefore[] =
     "in the "
     "other\n"
     "form (fixed columns or free) without changing a number. DECK may be - for standard input.\n"
-    "A DECK may be a sketch: shapes without a mesh. mesh writes the deck that is made of it.\n"
+    "A DECK may be a sketch: shapes without a mesh. mesh writes the deck that is made of it;\n"
+    "with --halve, which takes decks too, with every element cut in two.\n"
     "make writes the deck of a problem known by name to standard output; --list tells names and keys.\n"
     "\n"
     "resume goes on after a crash of a run with --store file:DIR: the deck, the options and the tapes are in DIR;\n"
@@ -297,6 +305,7 @@ const char kHelpAfter[] =
     "  --threads N        tasks at once in assembly, elimination and at interior points, 1 to 64; default 1. No\n"
     "                     result depends on it\n"
     "  --set NAME=VALUE   the value of a parameter of a sketch, instead of the one that stands there\n"
+    "  --estimate         solve the deck once more with every element cut in two, and state errors\n"
     "  --progress, --no-progress\n"
     "                     a line on standard error; default: only on a terminal\n"
     "  --keep             leave the tapes in their folder\n"

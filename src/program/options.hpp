@@ -39,7 +39,9 @@ struct Options {
   int32_t stepping = 0, quadrature = 0, symmetry = 0; // C2D_STEPPING_, C2D_QUADRATURE_, C2D_SYMMETRY_
   Progress progress = Progress::kAutomatic;
   bool keep = false;
-  bool resume = false; // take the factorisation from the tapes if it is there
+  bool estimate = false; // of run: solve the halved deck, too
+  bool halve = false;    // of mesh
+  bool resume = false;   // take the factorisation from the tapes if it is there
 
   const std::string& file(Output which) const { return files[static_cast<size_t>(which)]; }
 };

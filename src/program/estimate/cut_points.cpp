@@ -1,0 +1,159 @@
+// Where the new boundary points lie.
+#include "program/estimate/cut_body.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace estimate {
+namespace {
+
+constexpr double kCorner = 0.66; // turn of chords in radians that is a corner of the body, METHOD 8.1
+// Of a chord: a point so near to a circle lies on it. Coordinates of seven digits, as on cards of the fixed form, do.
+constexpr double kOnCircle = 1e-6;
+constexpr double kStraight = 1e-9; // turn in radians from chord to chord that is none
+
+struct Circle {
+  Point centre;
+  double radius; // 0: none
+};
+
+double distance(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
+
+double turn(Point a, Point b, Point c) {
+  const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - b.x, vy = c.y - b.y;
+  return std::atan2(ux * vy - uy * vx, ux * vx + uy * vy);
+}
+
+Circle circle_through(Point a, Point b, Point c) {
+  const double ux = b.x - a.x, uy = b.y - a.y, vx = c.x - a.x, vy = c.y - a.y, cross = 2 * (ux * vy - uy * vx);
+  if (cross == 0) return {a, 0};
+  const double u = ux * ux + uy * uy, v = vx * vx + vy * vy;
+  const Point from{(vy * u - uy * v) / cross, (ux * v - vx * u) / cross};
+  return {{a.x + from.x, a.y + from.y}, std::hypot(from.x, from.y)};
+}
+
+Point moved_to(const Circle& circle, Point p) {
+  const double from = distance(circle.centre, p);
+  if (from == 0) return p;
+  const double part = circle.radius / from;
+  return {circle.centre.x + part * (p.x - circle.centre.x), circle.centre.y + part * (p.y - circle.centre.y)};
+}
+
+// Four boundary points in a row that lie on one circle, without a corner; the radius is 0 if they do not.
+Circle circle_of(const Point p[4]) {
+  const double one = turn(p[0], p[1], p[2]), other = turn(p[1], p[2], p[3]);
+  const double longest = std::max({distance(p[0], p[1]), distance(p[1], p[2]), distance(p[2], p[3])});
+  if (one * other <= 0 || std::min(std::fabs(one), std::fabs(other)) < kStraight) return {p[0], 0};
+  if (std::max(std::fabs(one), std::fabs(other)) > kCorner) return {p[0], 0};
+  const Circle through = circle_through(p[0], p[1], p[3]);
+  const bool fits = std::fabs(distance(through.centre, p[2]) - through.radius) <= kOnCircle * longest;
+  return {through.centre, fits ? through.radius : 0};
+}
+
+// The boundary points of a region in a row, and for each chord between two of them what is told of the surface there.
+struct Row {
+  std::vector<Point> points;
+  std::vector<int32_t> curve; // of the chord that begins at a point
+  bool open;
+  // The points from `first` on, if they are there and one curve, or none, goes through them.
+  bool take(int32_t first, Point out[4]) const {
+    const int32_t count = static_cast<int32_t>(points.size()), chords = static_cast<int32_t>(curve.size());
+    int32_t same = 0;
+    for (int32_t i = 0; i < 4; ++i) {
+      int32_t at = first + i;
+      if (open && (at < 0 || at >= count)) return false;
+      at = (at % count + count) % count;
+      out[i] = points[CutBody::at(at)];
+      if (i == 3) break;
+      if (at >= chords) return false;
+      if (i > 0 && curve[CutBody::at(at)] != same) return false;
+      same = curve[CutBody::at(at)];
+    }
+    return true;
+  }
+};
+
+Row row_of(const CutBody& body, int32_t region) {
+  const CutRegion& own = body.regions[CutBody::at(region)];
+  Row row{{}, {}, own.open};
+  for (int32_t e = own.first; e <= own.last; ++e) {
+    const std::vector<Point> p = body.points_of(region, e);
+    for (size_t k = 0; k + 1 < p.size(); ++k) {
+      row.points.push_back(p[k]);
+      row.curve.push_back(body.curve[CutBody::at(e)]);
+    }
+    if (own.open && e == own.last) row.points.push_back(p.back());
+  }
+  return row;
+}
+
+// The circle on which an element of so many chords lies, with a boundary point beside it at least; `chord` is its first.
+Circle circle_around(const Row& row, int32_t chord, int32_t chords) {
+  for (const int32_t before : {1, 0, 2}) {
+    Point p[4];
+    if (before + chords > 3 || !row.take(chord - before, p)) continue;
+    if (const Circle found = circle_of(p); found.radius > 0) return found;
+  }
+  return {{0, 0}, 0};
+}
+
+// The polynomial through equally spaced points, eta from -1 to 1.
+Point on_element(const std::vector<Point>& p, double eta) {
+  const size_t n = p.size();
+  Point out{0, 0};
+  for (size_t i = 0; i < n; ++i) {
+    double shape = 1;
+    const double own = -1 + 2.0 * static_cast<double>(i) / static_cast<double>(n - 1);
+    for (size_t k = 0; k < n; ++k)
+      if (k != i) {
+        const double other = -1 + 2.0 * static_cast<double>(k) / static_cast<double>(n - 1);
+        shape *= (eta - other) / (own - other);
+      }
+    out = {out.x + shape * p[i].x, out.y + shape * p[i].y};
+  }
+  return out;
+}
+
+struct NewPoint {
+  Point at;
+  bool sure;
+};
+// The point between the i-th and the next one of an element; `chord` is the element's first in the row.
+NewPoint new_point(const CutBody& body, const Row& row, int32_t element, int32_t chord, const c2d_curve* told,
+                   const std::vector<Point>& p, int32_t i) {
+  const int32_t chords = body.element_nodes - 1;
+  const Point a = p[CutBody::at(i)], b = p[CutBody::at(i + 1)], middle{(a.x + b.x) / 2, (a.y + b.y) / 2};
+  if (told != nullptr && told->kind == C2D_CURVE_ARC)
+    return {moved_to({{told->centre[0], told->centre[1]}, told->radius}, middle), true};
+  const Point own = chords == 1 ? middle : on_element(p, -1 + (2.0 * i + 1) / chords);
+  if (told != nullptr && told->kind == C2D_CURVE_LINE) return {own, true};
+  if (const Circle circle = circle_around(row, chord, chords); circle.radius > 0) return {moved_to(circle, middle), true};
+  const bool smooth = chords == 1 && (told != nullptr || body.in_contact[CutBody::at(element)]);
+  return {smooth ? body.surface[CutBody::at(element)] : own, false};
+}
+
+} // namespace
+
+CutPoints cut_points(const CutBody& body, const std::vector<c2d_curve>& curves) {
+  CutPoints out;
+  const auto add = [&](const NewPoint& p) { out.points.push_back(p.at), out.sure.push_back(p.sure); };
+  const int32_t chords = body.element_nodes - 1;
+  for (int32_t r = 0; r < static_cast<int32_t>(body.regions.size()); ++r) {
+    const CutRegion& region = body.regions[CutBody::at(r)];
+    const Row row = row_of(body, r);
+    for (int32_t e = region.first; e <= region.last; ++e) {
+      const std::vector<Point> p = body.points_of(r, e);
+      const int32_t told = body.curve[CutBody::at(e)];
+      const c2d_curve* const curve = told < 0 ? nullptr : &curves[CutBody::at(told)];
+      for (int32_t i = 0; i < chords; ++i) {
+        add({p[CutBody::at(i)], true});
+        if (body.child_count(e) == 1) continue;
+        add(new_point(body, row, e, (e - region.first) * chords, curve, p, i));
+      }
+    }
+    if (region.open) add({row.points.back(), true});
+  }
+  return out;
+}
+
+} // namespace estimate
