@@ -17,7 +17,18 @@ const std::string kTwo = kHeld + "copy c of b shift 0 1\ncontact b.n c.s\n"; // 
 } // namespace
 
 TEST_CASE("sketch: what is wrong is told at its place") {
-  tells("boddy b E 1 nu 0\n", "1:1 'boddy': expected a statement");
+  tells("boddy b E 1 nu 0\n", "1:1 'boddy': expected a statement, perhaps 'body'");
+  tells("Title x\n" + kHeld, "perhaps 'title'");
+  tells("parameters a 1\n" + kHeld, "perhaps 'parameter'");
+  tells("load a 1\n" + kHeld, "'load': expected a statement, such as body");
+  // What follows from a fault is not told.
+  tells("boddy b E 1 nu 0\nfrom 0 0\nline s to 1 0\nfix b.s\n", "1:1");
+  tells("body b E 1 v 0\nfrom 0 0\nline s to 1 0\nline to 0 1\nline close\nfix b.s\n", "1:12 'v': expected E or nu");
+  tells("body b E 1 nu 0\nfrom 0 0\nline s to 1\nline to 0 1\nline close\nfix b.s\n", "3:12 the statement ends here");
+  tells("body 7 E 1 nu 0\nfrom 0 0\nline s to 1 0\nline to 0 1\nline close\nfix b.s\n", "1:6 '7': expected the name of a body");
+  tells("body a E 1 nu 0\nbody b E 1 nu 0\nfrom 0 0\nline s to 1 0\nline to 0 1\nline close\nfix b.s\n", "1:1 body 'a' has no");
+  tells("body b E 1 nu 0\nfrom 0 0\nline s 1 0\nline to 0 1\nline close\n", "3:8 '1': expected to x y, by dx dy, or close");
+  tells("body b E 1 nu 0\nfrom (0, 0)\nline to 1 0\nline to 0 1\nline close\n", "a bracket holds one value");
   tells("line a to 1 0\n", "1:1 'line' stands outside a body");
   tells("body b nu 0.3\n", "expected E and a value, or rigid");
   tells("body b E -1 nu 0.3\n", "1:10 -1: expected Young's modulus, above 0");
@@ -31,7 +42,8 @@ TEST_CASE("sketch: what is wrong is told at its place") {
   tells(std::string(kSquare) + "drive b x 1\n", "body 'b' is not rigid");
   tells(std::string(kSquare) + "platen b.n x 1 force 1 0\n", "a motion and its load are both given");
   tells(std::string(kSquare) + "fix b.n z\n", "7:9 'z': expected x or y");
-  tells(std::string(kSquare) + "fix b.n x 3\n", "'3': expected x or y");
+  tells(std::string(kSquare) + "fix b.n x 3\n", "3: expected 0, or move instead of fix");
+  CHECK(read(std::string(kSquare) + "fix b.n x=0, y=0\n").faults.empty());
   tells(std::string(kSquare) + "body b E 1 nu 0\n", "a body is called 'b' already");
   tells("body b E 1 nu 0\nfrom 0 0\narc to 1 0 radius 0.2\nline close\n", "expected at most twice the radius");
   tells("body b E 1 nu 0\nfrom 0 0\narc to 1 0 through 2 0\nline close\n", "on one line, expected an arc");
@@ -74,6 +86,7 @@ TEST_CASE("sketch: conditions that contradict each other") {
   tells(kHeld + "case one\nmove b.s x 1\n", "9:1 b.s has a displacement along x in line 7 already");
   CHECK(read(std::string(kSquare) + "case one\nfix b.s\ncase two\nmove b.s x 1\nhistory two 1\n").faults.empty());
   tells(kHeld + "move b.s x 0.1\n", "8:1 b.s has a displacement along x in line 7 already");
+  tells(kHeld + "move b.s.end y 1\n", "8:1 b.s has a displacement along y in line 7 already");
   tells(kHeld + "traction b.s y 3\n", "8:1 b.s has a displacement along y in line 7, expected one of them");
   tells(std::string(kSquare) + "fix b.s\ncase two\ntraction b.s y 3\nhistory two 1\n", "9:1 b.s has a displacement");
   tells(std::string(kSquare) + "traction b.n+s x 1\nfix b.e+s x\n", "8:1 b.s has a traction along x in line 7");
@@ -83,6 +96,9 @@ TEST_CASE("sketch: conditions that contradict each other") {
   CHECK(read(kHeld + "fix b.s x\ncase two\nmove b.n x 1\nhistory two 1\n").faults.empty());
   CHECK(read(kHeld + "traction b.n x 1\npressure b.n 1\ntraction b.n x 1 y 2\n").faults.empty()); // loads add
   CHECK(read(std::string(kSquare) + "fix b.s.start\ntraction b.s y 1\nfix b.s.end y\n").faults.empty());
+  tells(kHeld + "move b.e y 2\n", "8:1 b.s and b.e meet, with displacements of 0 and 2 along y, expected the same");
+  tells(kHeld + "move b.w.end x 2\n", "8:1 b.w and b.s meet, with displacements of 2 and 0 along x");
+  CHECK(read(kHeld + "move b.w.start x 2\n").faults.empty());
   tells(kHeld + "weight b y 1\nweight b x 1\n", "has a weight in this load case already");
   tells(kHeld + "spin b 1 about 0 0\nspin b 2\n", "turns in this load case already");
   tells(kHeld + "spin b 0\n", "expected density times the square of the angular velocity, above 0");
@@ -98,7 +114,7 @@ TEST_CASE("sketch: what moves bodies contradicts itself") {
   tells(platen + "case two\nplaten b.n moment 2\nhistory two 1\n", "of turn the motion is given in line 8");
   tells(kHeld + "platen b.n fx 1 force 1 2\n", "the force along x is given twice");
   tells(kHeld + "platen b.n+e fx 1\nplaten b.e fx 1\n", "9:1 b.e is on a platen in line 8");
-  tells(kHeld + "platen b.s fx 1\n", "8:1 b.s is given something in line 7");
+  tells(kHeld + "platen b.s fx 1\n", "8:1 b.s is given a displacement or a load in line 7");
   tells(kTwo + "platen c.s fx 1\n", "10:1 c.s is on a side of an interface in line 9");
   tells(rigid + "platen r.f x 1\n", "body 'r' is rigid, expected drive");
   tells(rigid + "drive r x 1\ndrive r y 1\n", "this moves in this load case already");
@@ -119,6 +135,7 @@ TEST_CASE("sketch: loads that nothing applies, points that lie nowhere, bodies t
   tells(kHeld + "stress b 2 0.5\n", "8:1 the point (2, 0.5) is not inside body 'b': 1 from it");
   tells(kHeld + "force b at 5 5 x 1\n", "the force at (5, 5) is not inside body 'b'");
   tells(kHeld + "want pressure\n", "nothing is in contact here");
+  tells(std::string(kSquare) + "platen b.n turn 0 fy 1\n", "1:1 nothing holds body 'b'");
   tells(std::string(kSquare) + "traction b.n y 1\n", "1:1 nothing holds body 'b', expected fix");
   tells(kTwo + "body d E 1 nu 0\ncircle centre 9 9 radius 1\n", "10:1 nothing holds body 'd'");
   tells(std::string(kSquare) + "platen b.n fy 1 x 0\ncopy c of b shift 0 3\ncopy d of c shift 0 1\ntie c.n d.s\nfix b.s\n",
