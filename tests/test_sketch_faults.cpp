@@ -58,6 +58,7 @@ TEST_CASE("sketch: what is wrong with shapes") {
         "5:1 body 'b': the outline is open: curve 'last' ends at (0, 1)");
   tells("body b E 1 nu 0\nfrom 0 0\nline to 0 1\nline to 1 1\nline to 1 0\nline close\n", "runs clockwise");
   tells("body b E 1 nu 0\nfrom 0 0\nline to 2 0\nline to 0 1\nline up to 2 1\nline close\n", "crosses");
+  tells(std::string(kSquare) + "circle centre 0.5 0.5 radius 0.1\n", "7:1 body 'b': the outline lies inside that of line 2");
   tells(std::string(kSquare) + "hole\ncircle centre 3 3 radius 0.1\n", "the hole lies outside its outline");
   tells(std::string(kSquare) + "body c E 1 nu 0\nfrom 0.5 0.5\nline to 2 0.5\nline to 2 2\nline to 0.5 2\nline close\n",
         "bodies 'b' and 'c' overlap by 0.5 at (0.5, 0.5)");
@@ -140,6 +141,8 @@ TEST_CASE("sketch: loads that nothing applies, points that lie nowhere, bodies t
   tells(kTwo + "body d E 1 nu 0\ncircle centre 9 9 radius 1\n", "10:1 nothing holds body 'd'");
   tells(std::string(kSquare) + "platen b.n fy 1 x 0\ncopy c of b shift 0 3\ncopy d of c shift 0 1\ntie c.n d.s\nfix b.s\n",
         "2 faults"); // c and d hold each other
+  tells(kTwo + "contact c.s+e b.n\n", "10:1 c.s and b.n are sides of the interface of line 9 already");
+  tells(kHeld + "case pull\nhistory push 1\n", "9:9 no load case is called 'push', expected 'pull'");
   tells(kTwo + "contact b.e b.e\n", "10:1 b.e is on both sides");
   CHECK(read(kTwo + "copy d of c shift 0 1\ntie c.n d.s\n").faults.empty());
 }

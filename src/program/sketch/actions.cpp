@@ -34,7 +34,7 @@ private:
   void check_pair(const Condition& a, const Condition& b);
   void check_joints(int b, const Outline& outline);
   void check_rigid();
-  void check_interface(const Interface& interface);
+  void check_interface(size_t index);
   void check_platen(const Drive& platen, size_t before);
   void check_case(size_t load_case);
   void check_place(int b, Point p, Place at, const std::string& what);
@@ -127,7 +127,16 @@ void ActionCheck::check_rigid() {
     if (w.kind == Want::kStress || w.kind == Want::kHoop) check(w.body, w.at, "it has no stresses");
 }
 
-void ActionCheck::check_interface(const Interface& i) {
+void ActionCheck::check_interface(size_t index) {
+  const Interface& i = s_.interfaces[index];
+  for (size_t k = 0; k < index; ++k)
+    for (size_t side = 0; side < 2; ++side) {
+      const Side &one = s_.interfaces[k].side[side], &two = s_.interfaces[k].side[1 - side];
+      const std::string first = shared(i.side[0], one), second = shared(i.side[1], two);
+      if (!first.empty() && !second.empty())
+        return fault(i.at, curve(one.body, first) + " and " + curve(two.body, second) + " are sides of the interface of " +
+                               line_of(s_.interfaces[k].at) + " already");
+    }
   if (const std::string name = shared(i.side[0], i.side[1]); !name.empty())
     fault(i.at, curve(i.side[0].body, name) + " is on both sides");
   else if (body(i.side[0].body).rigid && body(i.side[1].body).rigid)
@@ -231,7 +240,7 @@ std::vector<Fault> ActionCheck::run() {
     for (size_t i = 0; i < j; ++i) check_pair(s_.conditions[i], s_.conditions[j]);
   for (size_t b = 0; b < s_.bodies.size() && faults_.empty(); ++b)
     for (const Outline& outline : s_.bodies[b].outlines) check_joints(static_cast<int>(b), outline);
-  for (const Interface& interface : s_.interfaces) check_interface(interface);
+  for (size_t i = 0; i < s_.interfaces.size(); ++i) check_interface(i);
   for (size_t i = 0; i < s_.drives.size(); ++i)
     if (s_.drives[i].side) check_platen(s_.drives[i], i);
   for (size_t c = 0; c < s_.cases.size(); ++c) check_case(c);

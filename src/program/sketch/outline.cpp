@@ -84,6 +84,7 @@ private:
   void check_direction(const Body& body, const Outline& outline);
   void check_crossings(const Body& body);
   void check_holes(const Body& body);
+  void check_nesting(const Body& body, const Outline& inner);
   void check_symmetry(const Body& body, const Outline& outline);
   void check_overlap(const Body& a, const Body& b);
 
@@ -133,13 +134,24 @@ void Check::check_crossings(const Body& body) {
 
 void Check::check_holes(const Body& body) {
   for (const Outline& hole : body.outlines) {
-    if (!hole.hole) continue;
+    if (!hole.hole) {
+      check_nesting(body, hole);
+      continue;
+    }
     const Point p = hole.curves.front().shape->at(0);
     const bool inside = std::any_of(body.outlines.begin(), body.outlines.end(), [&](const Outline& outline) {
       return !outline.hole && (outline.open || holds(polygon_of(outline), p));
     });
     if (!inside) fault(hole.at, "body " + quoted(body.name) + ": the hole lies outside its outline");
   }
+}
+
+// Material in material: a hole that is not called so.
+void Check::check_nesting(const Body& body, const Outline& inner) {
+  for (const Outline& outer : body.outlines)
+    if (&outer != &inner && !outer.open && !outer.hole && holds(polygon_of(outer), inner.curves.front().shape->at(0.5)))
+      return fault(inner.at, "body " + quoted(body.name) + ": the outline lies inside that of line " +
+                                 std::to_string(outer.at.line) + ", expected a statement 'hole' before it");
 }
 
 // Only one side of a line of symmetry is drawn, without the line.

@@ -239,6 +239,13 @@ void Reader::drive(Statement& s) {
   drive_of(s, d);
 }
 
+std::string Reader::names_of_cases() const {
+  std::string out;
+  for (const LoadCase& c : s_.cases)
+    if (!c.name.empty()) out += (out.empty() ? ", expected " : " or ") + quoted(c.name);
+  return out;
+}
+
 // normal 1; shear 1, -1, 1: one case after the other goes to the factors told, the others stay. A second statement goes on.
 void Reader::history(Statement& s) {
   end_body();
@@ -248,7 +255,7 @@ void Reader::history(Statement& s) {
     const Word word = s.take("the name of a load case");
     const auto found = std::find_if(s_.cases.begin(), s_.cases.end(),
                                     [&](const LoadCase& c) { return !word.text.empty() && c.name == word.text; });
-    if (found == s_.cases.end()) throw Fault{word.at, "no load case is called " + quoted(word.text)};
+    if (found == s_.cases.end()) throw Fault{word.at, "no load case is called " + quoted(word.text) + names_of_cases()};
     double factor = s.number("a load factor");
     do {
       now[static_cast<size_t>(found - s_.cases.begin())] = factor;

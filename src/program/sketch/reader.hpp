@@ -88,6 +88,7 @@ private:
   Side side(Statement& s, Condition::Part* part = nullptr);
   int curves_named(int body, const std::string& name) const;
   std::string names_of(int body) const;
+  std::string names_of_cases() const;
   void given(Statement& s, Condition::Kind kind);
   BodyForce& body_force(Statement& s);
   void drive_of(Statement& s, Drive drive);
