@@ -1,5 +1,6 @@
 // What is wrong with sketches: statements, shapes, statements that contradict each other, and sketches with words at random.
 #include "paths.hpp"
+#include "shell.hpp"
 #include "sketches.hpp"
 
 #include <cstdint>
@@ -44,6 +45,7 @@ TEST_CASE("sketch: what is wrong is told at its place") {
   tells(std::string(kSquare) + "fix b.n z\n", "7:9 'z': expected x or y");
   tells(std::string(kSquare) + "fix b.n x 3\n", "3: expected 0, or move instead of fix");
   CHECK(read(std::string(kSquare) + "fix b.n x=0, y=0\n").faults.empty());
+  CHECK(read("parameter y 3\n" + std::string(kSquare) + "fix b.n x y\n").faults.empty());
   tells(std::string(kSquare) + "body b E 1 nu 0\n", "a body is called 'b' already");
   tells("body b E 1 nu 0\nfrom 0 0\narc to 1 0 radius 0.2\nline close\n", "expected at most twice the radius");
   tells("body b E 1 nu 0\nfrom 0 0\narc to 1 0 through 2 0\nline close\n", "on one line, expected an arc");
@@ -116,6 +118,7 @@ TEST_CASE("sketch: what moves bodies contradicts itself") {
   tells(kHeld + "platen b.n fx 1 force 1 2\n", "the force along x is given twice");
   tells(kHeld + "platen b.n+e fx 1\nplaten b.e fx 1\n", "9:1 b.e is on a platen in line 8");
   tells(kHeld + "platen b.s fx 1\n", "8:1 b.s is given a displacement or a load in line 7");
+  tells(kHeld + "platen b.n fy 1\nfix b.n.end x\n", "8:1 b.n is given a displacement or a load in line 9");
   tells(kTwo + "platen c.s fx 1\n", "10:1 c.s is on a side of an interface in line 9");
   tells(rigid + "platen r.f x 1\n", "body 'r' is rigid, expected drive");
   tells(rigid + "drive r x 1\ndrive r y 1\n", "this moves in this load case already");
@@ -252,6 +255,21 @@ std::vector<std::vector<std::string>> lines_of_page() {
 }
 
 } // namespace
+
+TEST_CASE("sketch: the program tells faults at their places, and takes parameters") {
+  const test::Folder folder;
+  const std::string file = folder / "a.c2s", command = "'" + paths::program() + "' ";
+  test::write_file(file, "boddy b E 1 nu 0\n");
+  const test::Result wrong = test::run_shell(command + "check '" + file + "'");
+  CHECK(wrong.status == 2);
+  CHECK(test::contains(wrong.err, "a.c2s:1:1: error: 'boddy': expected a statement, perhaps 'body'\nboddy b E 1 nu 0\n^~~~~"));
+  test::write_file(file, "parameter a 2 b 3*a\n" + kHeld + "pressure b.n b\nstress b 0.5 a/10\n");
+  const test::Result five = test::run_shell(command + "mesh --set a=5 '" + file + "'");
+  CHECK(five.status == 0);
+  CHECK((test::contains(five.out, " 0 -15 0 0\n") && test::contains(five.out, "point 1 0.5 0.5\n")));
+  CHECK(test::contains(test::run_shell(command + "mesh --set c=5 '" + file + "'").err,
+                       "no parameter of this sketch is called 'c'"));
+}
 
 TEST_CASE("sketch: words left out, doubled and exchanged are told, or make a deck") {
   const std::vector<std::vector<std::string>> whole = lines_of_page();

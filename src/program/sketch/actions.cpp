@@ -155,7 +155,7 @@ void ActionCheck::check_platen(const Drive& platen, size_t before) {
     for (const Side& side : i.side)
       if (check(side, i.at, "on a side of an interface")) return;
   for (const Condition& c : s_.conditions)
-    if (c.part == Condition::kAll && check(c.side, c.at, "given a displacement or a load")) return;
+    if (check(c.side, c.at, "given a displacement or a load")) return;
   for (size_t k = 0; k < before; ++k)
     if (s_.drives[k].side && !same_target(platen, s_.drives[k]) && check(*s_.drives[k].side, s_.drives[k].at, "on a platen"))
       return;

@@ -121,6 +121,7 @@ void Reader::fix(Statement& s) {
   if (!s.has_more()) c.value[0] = c.value[1] = 0;
   while (s.has_more()) {
     c.value[s.choice({"x", "y"})] = 0;
+    if (s.is_next("x") || s.is_next("y")) continue; // a parameter may be called so
     if (double value = 0; s.accept_number(value) && value != 0) s.fail(show(value) + ": expected 0, or move instead of fix");
   }
   s_.conditions.push_back(c);
