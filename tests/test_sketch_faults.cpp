@@ -199,7 +199,8 @@ TEST_CASE("sketch: lines of symmetry and what is drawn") {
   // A quarter of a ring: its outer arc and its inner one go from line to line.
   const std::string ring = "symmetry x 0\nsymmetry y 0\nbody b E 1 nu 0\nfrom 2 0\narc out centre 0 0 turn 90\n"
                            "outline\nfrom 0 1\narc in centre 0 0 turn -90\n";
-  CHECK(read(ring + "want stress b 1 1\n").faults.empty());
+  CHECK(read(ring + "want stress b 1 1\nforce b at 0 1.5 y 1\nforce b at 1.5 0 x 1\n").faults.empty()); // on the lines, too
+  tells(ring + "force b at 0 0.5 y 1\n", "is not inside body 'b': 0.5 from it");
   tells(ring + "want stress b 0.5 0.5\n", "is not inside body 'b': 0.292893 from it");
 }
 
