@@ -1,5 +1,6 @@
 // What is wrong with sketches: statements, shapes, statements that contradict each other, and sketches with words at random.
 #include "paths.hpp"
+#include "shell.hpp"
 #include "sketches.hpp"
 
 #include <cstdint>
@@ -17,7 +18,18 @@ const std::string kTwo = kHeld + "copy c of b shift 0 1\ncontact b.n c.s\n"; // 
 } // namespace
 
 TEST_CASE("sketch: what is wrong is told at its place") {
-  tells("boddy b E 1 nu 0\n", "1:1 'boddy': expected a statement");
+  tells("boddy b E 1 nu 0\n", "1:1 'boddy': expected a statement, perhaps 'body'");
+  tells("Title x\n" + kHeld, "perhaps 'title'");
+  tells("parameters a 1\n" + kHeld, "perhaps 'parameter'");
+  tells("load a 1\n" + kHeld, "'load': expected a statement, such as body");
+  // What follows from a fault is not told.
+  tells("boddy b E 1 nu 0\nfrom 0 0\nline s to 1 0\nfix b.s\n", "1:1");
+  tells("body b E 1 v 0\nfrom 0 0\nline s to 1 0\nline to 0 1\nline close\nfix b.s\n", "1:12 'v': expected E or nu");
+  tells("body b E 1 nu 0\nfrom 0 0\nline s to 1\nline to 0 1\nline close\nfix b.s\n", "3:12 the statement ends here");
+  tells("body 7 E 1 nu 0\nfrom 0 0\nline s to 1 0\nline to 0 1\nline close\nfix b.s\n", "1:6 '7': expected the name of a body");
+  tells("body a E 1 nu 0\nbody b E 1 nu 0\nfrom 0 0\nline s to 1 0\nline to 0 1\nline close\nfix b.s\n", "1:1 body 'a' has no");
+  tells("body b E 1 nu 0\nfrom 0 0\nline s 1 0\nline to 0 1\nline close\n", "3:8 '1': expected to x y, by dx dy, or close");
+  tells("body b E 1 nu 0\nfrom (0, 0)\nline to 1 0\nline to 0 1\nline close\n", "a bracket holds one value");
   tells("line a to 1 0\n", "1:1 'line' stands outside a body");
   tells("body b nu 0.3\n", "expected E and a value, or rigid");
   tells("body b E -1 nu 0.3\n", "1:10 -1: expected Young's modulus, above 0");
@@ -31,7 +43,9 @@ TEST_CASE("sketch: what is wrong is told at its place") {
   tells(std::string(kSquare) + "drive b x 1\n", "body 'b' is not rigid");
   tells(std::string(kSquare) + "platen b.n x 1 force 1 0\n", "a motion and its load are both given");
   tells(std::string(kSquare) + "fix b.n z\n", "7:9 'z': expected x or y");
-  tells(std::string(kSquare) + "fix b.n x 3\n", "'3': expected x or y");
+  tells(std::string(kSquare) + "fix b.n x 3\n", "3: expected 0, or move instead of fix");
+  CHECK(read(std::string(kSquare) + "fix b.n x=0, y=0\n").faults.empty());
+  CHECK(read("parameter y 3\n" + std::string(kSquare) + "fix b.n x y\n").faults.empty());
   tells(std::string(kSquare) + "body b E 1 nu 0\n", "a body is called 'b' already");
   tells("body b E 1 nu 0\nfrom 0 0\narc to 1 0 radius 0.2\nline close\n", "expected at most twice the radius");
   tells("body b E 1 nu 0\nfrom 0 0\narc to 1 0 through 2 0\nline close\n", "on one line, expected an arc");
@@ -46,6 +60,7 @@ TEST_CASE("sketch: what is wrong with shapes") {
         "5:1 body 'b': the outline is open: curve 'last' ends at (0, 1)");
   tells("body b E 1 nu 0\nfrom 0 0\nline to 0 1\nline to 1 1\nline to 1 0\nline close\n", "runs clockwise");
   tells("body b E 1 nu 0\nfrom 0 0\nline to 2 0\nline to 0 1\nline up to 2 1\nline close\n", "crosses");
+  tells(std::string(kSquare) + "circle centre 0.5 0.5 radius 0.1\n", "7:1 body 'b': the outline lies inside that of line 2");
   tells(std::string(kSquare) + "hole\ncircle centre 3 3 radius 0.1\n", "the hole lies outside its outline");
   tells(std::string(kSquare) + "body c E 1 nu 0\nfrom 0.5 0.5\nline to 2 0.5\nline to 2 2\nline to 0.5 2\nline close\n",
         "bodies 'b' and 'c' overlap by 0.5 at (0.5, 0.5)");
@@ -74,6 +89,7 @@ TEST_CASE("sketch: conditions that contradict each other") {
   tells(kHeld + "case one\nmove b.s x 1\n", "9:1 b.s has a displacement along x in line 7 already");
   CHECK(read(std::string(kSquare) + "case one\nfix b.s\ncase two\nmove b.s x 1\nhistory two 1\n").faults.empty());
   tells(kHeld + "move b.s x 0.1\n", "8:1 b.s has a displacement along x in line 7 already");
+  tells(kHeld + "move b.s.end y 1\n", "8:1 b.s has a displacement along y in line 7 already");
   tells(kHeld + "traction b.s y 3\n", "8:1 b.s has a displacement along y in line 7, expected one of them");
   tells(std::string(kSquare) + "fix b.s\ncase two\ntraction b.s y 3\nhistory two 1\n", "9:1 b.s has a displacement");
   tells(std::string(kSquare) + "traction b.n+s x 1\nfix b.e+s x\n", "8:1 b.s has a traction along x in line 7");
@@ -83,6 +99,9 @@ TEST_CASE("sketch: conditions that contradict each other") {
   CHECK(read(kHeld + "fix b.s x\ncase two\nmove b.n x 1\nhistory two 1\n").faults.empty());
   CHECK(read(kHeld + "traction b.n x 1\npressure b.n 1\ntraction b.n x 1 y 2\n").faults.empty()); // loads add
   CHECK(read(std::string(kSquare) + "fix b.s.start\ntraction b.s y 1\nfix b.s.end y\n").faults.empty());
+  tells(kHeld + "move b.e y 2\n", "8:1 b.s and b.e meet, with displacements of 0 and 2 along y, expected the same");
+  tells(kHeld + "move b.w.end x 2\n", "8:1 b.w and b.s meet, with displacements of 2 and 0 along x");
+  CHECK(read(kHeld + "move b.w.start x 2\n").faults.empty());
   tells(kHeld + "weight b y 1\nweight b x 1\n", "has a weight in this load case already");
   tells(kHeld + "spin b 1 about 0 0\nspin b 2\n", "turns in this load case already");
   tells(kHeld + "spin b 0\n", "expected density times the square of the angular velocity, above 0");
@@ -98,7 +117,8 @@ TEST_CASE("sketch: what moves bodies contradicts itself") {
   tells(platen + "case two\nplaten b.n moment 2\nhistory two 1\n", "of turn the motion is given in line 8");
   tells(kHeld + "platen b.n fx 1 force 1 2\n", "the force along x is given twice");
   tells(kHeld + "platen b.n+e fx 1\nplaten b.e fx 1\n", "9:1 b.e is on a platen in line 8");
-  tells(kHeld + "platen b.s fx 1\n", "8:1 b.s is given something in line 7");
+  tells(kHeld + "platen b.s fx 1\n", "8:1 b.s is given a displacement or a load in line 7");
+  tells(kHeld + "platen b.n fy 1\nfix b.n.end x\n", "8:1 b.n is given a displacement or a load in line 9");
   tells(kTwo + "platen c.s fx 1\n", "10:1 c.s is on a side of an interface in line 9");
   tells(rigid + "platen r.f x 1\n", "body 'r' is rigid, expected drive");
   tells(rigid + "drive r x 1\ndrive r y 1\n", "this moves in this load case already");
@@ -119,10 +139,13 @@ TEST_CASE("sketch: loads that nothing applies, points that lie nowhere, bodies t
   tells(kHeld + "stress b 2 0.5\n", "8:1 the point (2, 0.5) is not inside body 'b': 1 from it");
   tells(kHeld + "force b at 5 5 x 1\n", "the force at (5, 5) is not inside body 'b'");
   tells(kHeld + "want pressure\n", "nothing is in contact here");
+  tells(std::string(kSquare) + "platen b.n turn 0 fy 1\n", "1:1 nothing holds body 'b'");
   tells(std::string(kSquare) + "traction b.n y 1\n", "1:1 nothing holds body 'b', expected fix");
   tells(kTwo + "body d E 1 nu 0\ncircle centre 9 9 radius 1\n", "10:1 nothing holds body 'd'");
   tells(std::string(kSquare) + "platen b.n fy 1 x 0\ncopy c of b shift 0 3\ncopy d of c shift 0 1\ntie c.n d.s\nfix b.s\n",
         "2 faults"); // c and d hold each other
+  tells(kTwo + "contact c.s+e b.n\n", "10:1 c.s and b.n are sides of the interface of line 9 already");
+  tells(kHeld + "case pull\nhistory push 1\n", "9:9 no load case is called 'push', expected 'pull'");
   tells(kTwo + "contact b.e b.e\n", "10:1 b.e is on both sides");
   CHECK(read(kTwo + "copy d of c shift 0 1\ntie c.n d.s\n").faults.empty());
 }
@@ -176,7 +199,8 @@ TEST_CASE("sketch: lines of symmetry and what is drawn") {
   // A quarter of a ring: its outer arc and its inner one go from line to line.
   const std::string ring = "symmetry x 0\nsymmetry y 0\nbody b E 1 nu 0\nfrom 2 0\narc out centre 0 0 turn 90\n"
                            "outline\nfrom 0 1\narc in centre 0 0 turn -90\n";
-  CHECK(read(ring + "want stress b 1 1\n").faults.empty());
+  CHECK(read(ring + "want stress b 1 1\nforce b at 0 1.5 y 1\nforce b at 1.5 0 x 1\n").faults.empty()); // on the lines, too
+  tells(ring + "force b at 0 0.5 y 1\n", "is not inside body 'b': 0.5 from it");
   tells(ring + "want stress b 0.5 0.5\n", "is not inside body 'b': 0.292893 from it");
 }
 
@@ -232,6 +256,21 @@ std::vector<std::vector<std::string>> lines_of_page() {
 }
 
 } // namespace
+
+TEST_CASE("sketch: the program tells faults at their places, and takes parameters") {
+  const test::Folder folder;
+  const std::string file = folder / "a.c2s", command = "'" + paths::program() + "' ";
+  test::write_file(file, "boddy b E 1 nu 0\n");
+  const test::Result wrong = test::run_shell(command + "check '" + file + "'");
+  CHECK(wrong.status == 2);
+  CHECK(test::contains(wrong.err, "a.c2s:1:1: error: 'boddy': expected a statement, perhaps 'body'\nboddy b E 1 nu 0\n^~~~~"));
+  test::write_file(file, "parameter a 2 b 3*a\n" + kHeld + "pressure b.n b\nstress b 0.5 a/10\n");
+  const test::Result five = test::run_shell(command + "mesh --set a=5 '" + file + "'");
+  CHECK(five.status == 0);
+  CHECK((test::contains(five.out, " 0 -15 0 0\n") && test::contains(five.out, "point 1 0.5 0.5\n")));
+  CHECK(test::contains(test::run_shell(command + "mesh --set c=5 '" + file + "'").err,
+                       "no parameter of this sketch is called 'c'"));
+}
 
 TEST_CASE("sketch: words left out, doubled and exchanged are told, or make a deck") {
   const std::vector<std::vector<std::string>> whole = lines_of_page();

@@ -157,15 +157,19 @@ TEST_CASE("sketch: parts of lines, arcs, circles and splines") {
 
 TEST_CASE("sketch: supports at points") {
   // A strip on rollers, held along at one point alone, is strained evenly.
-  const char* strip = "body b E 100 nu 0.3\nfrom 0 0\nline foot to 3 0\nline to 3 1\nline top to 0 1\nline close\n"
-                      "fix b.foot y\nfix b.foot.start x\ntraction b.top y 2\n";
-  double right = 0, left = 1, up = 0;
-  const problem::Result r = solved(strip);
-  for (const auto& end : r.boundary[0])
-    right = std::min(right, end.ux), left = std::min(left, std::fabs(end.ux)), up = std::max(up, end.uy);
-  CHECK(right == doctest::Approx(-3 * 1.3 * 0.3 * 2 / 100).epsilon(1e-8));
-  CHECK(up == doctest::Approx((1 - 0.09) * 2 / 100).epsilon(1e-8));
-  CHECK(left < 1e-12);
+  for (const char* functions : {"linear", "quadratic", "cubic"}) {
+    CAPTURE(functions);
+    const std::string strip = std::string("functions ") + functions +
+                              "\nbody b E 100 nu 0.3\nfrom 0 0\nline foot to 3 0\nline to 3 1\nline top to 0 1\nline close\n"
+                              "fix b.foot y\nfix b.foot.start x\ntraction b.top y 2\n";
+    double right = 0, left = 1, up = 0;
+    const problem::Result r = solved(strip);
+    for (const auto& end : r.boundary[0])
+      right = std::min(right, end.ux), left = std::min(left, std::fabs(end.ux)), up = std::max(up, end.uy);
+    CHECK(right == doctest::Approx(-3 * 1.3 * 0.3 * 2 / 100).epsilon(1e-8));
+    CHECK(up == doctest::Approx((1 - 0.09) * 2 / 100).epsilon(1e-8));
+    CHECK(left < 1e-12);
+  }
   // A disc under pressure all round, held at its lowest point, and along x at its highest: the end of its right half.
   const problem::Result disc =
       solved("body b E 100 nu 0.3\ncircle face centre 0 0 radius 2\npart half of face from 0 % to 50 %\n"

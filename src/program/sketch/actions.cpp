@@ -32,8 +32,9 @@ private:
   std::string curve(int b, const std::string& name) const { return body(b).name + "." + name; }
   bool takes_pressure(const Condition& c, size_t held) const;
   void check_pair(const Condition& a, const Condition& b);
+  void check_joints(int b, const Outline& outline);
   void check_rigid();
-  void check_interface(const Interface& interface);
+  void check_interface(size_t index);
   void check_platen(const Drive& platen, size_t before);
   void check_case(size_t load_case);
   void check_place(int b, Point p, Place at, const std::string& what);
@@ -59,9 +60,11 @@ bool ActionCheck::takes_pressure(const Condition& c, size_t held) const {
 // Two conditions that give the same, or a displacement and a traction where one of them must be unknown.
 void ActionCheck::check_pair(const Condition& a, const Condition& b) {
   const std::string name = shared(a.side, b.side);
-  if (name.empty() || a.part != b.part) return;
+  if (name.empty()) return;
   const Condition &u = a.kind == Condition::kDisplacement ? a : b, &t = a.kind == Condition::kDisplacement ? b : a;
-  if (u.kind != Condition::kDisplacement) return; // tractions add
+  if (u.kind != Condition::kDisplacement) return;                                         // tractions add
+  if (a.part != b.part && a.part != Condition::kAll && b.part != Condition::kAll) return; // both ends
+  if (t.kind != Condition::kDisplacement && u.part != Condition::kAll) return;            // a point of what is loaded
   if (t.kind == Condition::kPressure) {
     const size_t held = u.value[0] ? 0 : 1;
     if ((u.value[0] && u.value[1]) || !takes_pressure(t, held))
@@ -78,6 +81,39 @@ void ActionCheck::check_pair(const Condition& a, const Condition& b) {
   }
 }
 
+// What is given of a displacement at the first or the last point of a curve.
+struct AtEnd {
+  bool held = false;
+  double value = 0;
+  Place at; // of the last statement that says so
+};
+AtEnd given_at_end(const Sketch& s, int b, const Curve& curve, bool last, size_t axis, size_t load_case) {
+  AtEnd out;
+  for (const Condition& c : s.conditions) {
+    if (c.kind != Condition::kDisplacement || c.side.body != b || !c.side.has(curve.name) || !c.value[axis]) continue;
+    if (c.part == (last ? Condition::kStart : Condition::kEnd)) continue;
+    out.held = true;
+    if (c.load_case == static_cast<int>(load_case)) out.value += *c.value[axis], out.at = c.at;
+    if (out.at.line == 0) out.at = c.at;
+  }
+  return out;
+}
+
+// Where two curves meet the displacement is one.
+void ActionCheck::check_joints(int b, const Outline& outline) {
+  const size_t n = outline.curves.size();
+  for (size_t i = 0; i < n - (outline.open ? 1 : 0); ++i)
+    for (size_t axis = 0; axis < 2; ++axis)
+      for (size_t c = 0; c < s_.cases.size(); ++c) {
+        const Curve &one = outline.curves[i], &next = outline.curves[(i + 1) % n];
+        const AtEnd p = given_at_end(s_, b, one, true, axis, c), q = given_at_end(s_, b, next, false, axis, c);
+        if (!p.held || !q.held || p.value == q.value) continue;
+        return fault(p.at.line > q.at.line ? p.at : q.at, curve(b, one.name) + " and " + curve(b, next.name) +
+                                                              " meet, with displacements of " + show(p.value) + " and " +
+                                                              show(q.value) + " along " + kAlong[axis] + ", expected the same");
+      }
+}
+
 // Nothing but contact, and what its statement says, acts on a rigid body.
 void ActionCheck::check_rigid() {
   const auto check = [&](int b, Place at, const std::string& text) {
@@ -91,7 +127,16 @@ void ActionCheck::check_rigid() {
     if (w.kind == Want::kStress || w.kind == Want::kHoop) check(w.body, w.at, "it has no stresses");
 }
 
-void ActionCheck::check_interface(const Interface& i) {
+void ActionCheck::check_interface(size_t index) {
+  const Interface& i = s_.interfaces[index];
+  for (size_t k = 0; k < index; ++k)
+    for (size_t side = 0; side < 2; ++side) {
+      const Side &one = s_.interfaces[k].side[side], &two = s_.interfaces[k].side[1 - side];
+      const std::string first = shared(i.side[0], one), second = shared(i.side[1], two);
+      if (!first.empty() && !second.empty())
+        return fault(i.at, curve(one.body, first) + " and " + curve(two.body, second) + " are sides of the interface of " +
+                               line_of(s_.interfaces[k].at) + " already");
+    }
   if (const std::string name = shared(i.side[0], i.side[1]); !name.empty())
     fault(i.at, curve(i.side[0].body, name) + " is on both sides");
   else if (body(i.side[0].body).rigid && body(i.side[1].body).rigid)
@@ -110,7 +155,7 @@ void ActionCheck::check_platen(const Drive& platen, size_t before) {
     for (const Side& side : i.side)
       if (check(side, i.at, "on a side of an interface")) return;
   for (const Condition& c : s_.conditions)
-    if (c.part == Condition::kAll && check(c.side, c.at, "given something")) return;
+    if (check(c.side, c.at, "given a displacement or a load")) return;
   for (size_t k = 0; k < before; ++k)
     if (s_.drives[k].side && !same_target(platen, s_.drives[k]) && check(*s_.drives[k].side, s_.drives[k].at, "on a platen"))
       return;
@@ -174,7 +219,7 @@ void ActionCheck::check_supports() {
   for (const Condition& c : s_.conditions)
     if (c.kind == Condition::kDisplacement) hold_from(c.side.body, held);
   for (const Drive& d : s_.drives)
-    if (d.motion[0] || d.motion[1] || d.motion[2]) hold_from(d.body, held);
+    if (d.motion[0] || d.motion[1]) hold_from(d.body, held);
   for (size_t b = 0; b < s_.bodies.size(); ++b) {
     const Body& one = s_.bodies[b];
     const bool is_driven = std::any_of(s_.drives.begin(), s_.drives.end(),
@@ -193,7 +238,9 @@ std::vector<Fault> ActionCheck::run() {
   check_rigid();
   for (size_t j = 0; j < s_.conditions.size(); ++j)
     for (size_t i = 0; i < j; ++i) check_pair(s_.conditions[i], s_.conditions[j]);
-  for (const Interface& interface : s_.interfaces) check_interface(interface);
+  for (size_t b = 0; b < s_.bodies.size() && faults_.empty(); ++b)
+    for (const Outline& outline : s_.bodies[b].outlines) check_joints(static_cast<int>(b), outline);
+  for (size_t i = 0; i < s_.interfaces.size(); ++i) check_interface(i);
   for (size_t i = 0; i < s_.drives.size(); ++i)
     if (s_.drives[i].side) check_platen(s_.drives[i], i);
   for (size_t c = 0; c < s_.cases.size(); ++c) check_case(c);

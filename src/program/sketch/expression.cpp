@@ -142,6 +142,7 @@ private:
     if (c == '(' || c == '{') {
       ++at_;
       sum();
+      if (peek() == ',') fail(at_, at_, "a bracket holds one value, expected no comma");
       if (!accept(c == '(' ? ')' : '}')) fail(at_, at_, "expected a closing bracket");
     } else if (is_digit(c) || c == '.') {
       number();

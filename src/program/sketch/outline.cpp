@@ -69,8 +69,11 @@ public:
       if (faults_.size() == before) check_holes(body);
       if (faults_.size() == before) sound_.push_back(&body);
     }
+    std::vector<Region> regions;
+    for (const Body* body : sound_) regions.emplace_back(s_, *body);
     for (size_t i = 0; i < sound_.size(); ++i)
-      for (size_t j = i + 1; j < sound_.size(); ++j) check_overlap(*sound_[i], *sound_[j]);
+      for (size_t j = i + 1; j < sound_.size(); ++j)
+        if (!regions[i].is_apart(regions[j])) check_overlap(*sound_[i], regions[i], *sound_[j], regions[j]);
     return faults_;
   }
 
@@ -84,8 +87,9 @@ private:
   void check_direction(const Body& body, const Outline& outline);
   void check_crossings(const Body& body);
   void check_holes(const Body& body);
+  void check_nesting(const Body& body, const Outline& inner);
   void check_symmetry(const Body& body, const Outline& outline);
-  void check_overlap(const Body& a, const Body& b);
+  void check_overlap(const Body& a, const Region& first, const Body& b, const Region& second);
 
   const Sketch& s_;
   std::vector<Fault> faults_;
@@ -133,13 +137,24 @@ void Check::check_crossings(const Body& body) {
 
 void Check::check_holes(const Body& body) {
   for (const Outline& hole : body.outlines) {
-    if (!hole.hole) continue;
+    if (!hole.hole) {
+      check_nesting(body, hole);
+      continue;
+    }
     const Point p = hole.curves.front().shape->at(0);
     const bool inside = std::any_of(body.outlines.begin(), body.outlines.end(), [&](const Outline& outline) {
       return !outline.hole && (outline.open || holds(polygon_of(outline), p));
     });
     if (!inside) fault(hole.at, "body " + quoted(body.name) + ": the hole lies outside its outline");
   }
+}
+
+// Material in material: a hole that is not called so.
+void Check::check_nesting(const Body& body, const Outline& inner) {
+  for (const Outline& outer : body.outlines)
+    if (&outer != &inner && !outer.open && !outer.hole && holds(polygon_of(outer), inner.curves.front().shape->at(0.5)))
+      return fault(inner.at, "body " + quoted(body.name) + ": the outline lies inside that of line " +
+                                 std::to_string(outer.at.line) + ", expected a statement 'hole' before it");
 }
 
 // Only one side of a line of symmetry is drawn, without the line.
@@ -168,18 +183,17 @@ void Check::check_symmetry(const Body& body, const Outline& outline) {
 }
 
 // How deep points of one body's boundary lie in the other. What is tied may differ a little: the bond closes it.
-void Check::check_overlap(const Body& a, const Body& b) {
+void Check::check_overlap(const Body& a, const Region& first, const Body& b, const Region& second) {
   const bool is_tied = std::any_of(s_.interfaces.begin(), s_.interfaces.end(), [&](const Interface& i) {
     const Body &p = s_.bodies[static_cast<size_t>(i.side[0].body)], &q = s_.bodies[static_cast<size_t>(i.side[1].body)];
     return i.tied && ((&p == &a && &q == &b) || (&p == &b && &q == &a));
   });
-  const Region first(s_, a), second(s_, b);
   const double size = std::min(first.size(), second.size());
   double deepest = 0;
   Point where;
   for (const auto& [in, of] : {std::pair(&first, &second), std::pair(&second, &first)})
     for (const Point& p : of->points()) {
-      const double depth = in->may_hold(p, 0) ? in->depth(p) : 0;
+      const double depth = in->may_hold(p) ? in->depth(p) : 0;
       if (depth > deepest) deepest = depth, where = p;
     }
   if (deepest > (s_.interference ? kPressFit : is_tied ? kTieOverlap : kOverlap) * size)

@@ -76,7 +76,11 @@ void Reader::statement(Statement& s) {
       (this->*keyword.read)(s);
       return s.end();
     }
-  throw Fault{s.at(), quoted(s.keyword().text) + ": expected a statement such as body, line, contact, fix or history"};
+  is_lost_ = true;
+  const std::string near = nearest(s.keyword().text, words());
+  throw Fault{s.at(),
+              quoted(s.keyword().text) + ": expected a statement, " +
+                  (near.empty() ? "such as body, line, contact, fix, platen, pressure or history" : "perhaps " + quoted(near))};
 }
 
 void Reader::read(const std::string& text) {
@@ -90,8 +94,9 @@ void Reader::read(const std::string& text) {
         statement(s);
       }
     } catch (const Fault& fault) {
-      if (!broken_) faults_.push_back(fault);
+      if (!broken_ && !fault.text.empty()) faults_.push_back(fault);
       broken_ = in_body_;
+      if (in_body_) broken_bodies_.insert(static_cast<int>(s_.bodies.size()) - 1);
     }
     at = end + 1;
   }
@@ -100,11 +105,7 @@ void Reader::read(const std::string& text) {
 
 // What only the whole sketch can tell. Shapes are judged if all statements could be read.
 void Reader::finish() {
-  try {
-    end_body();
-  } catch (const Fault& fault) {
-    faults_.push_back(fault);
-  }
+  end_body();
   if (!faults_.empty()) return;
   if (s_.bodies.empty()) faults_.push_back({{}, "no body, expected one at least"});
   for (const auto& [name, value] : given_)

@@ -9,6 +9,7 @@ namespace sketch {
 int Reader::body_named(const Word& word) const {
   for (size_t b = 0; b < s_.bodies.size(); ++b)
     if (s_.bodies[b].name == word.text) return static_cast<int>(b);
+  if (is_lost_ || std::any_of(s_.bodies.begin(), s_.bodies.end(), [](const Body& b) { return b.name.empty(); })) throw Fault{};
   throw Fault{word.at, "no body is called " + quoted(word.text)};
 }
 
@@ -27,9 +28,9 @@ Side Reader::side(Statement& s, Condition::Part* part) {
     const std::string name = word.text.substr(at, end - at);
     if (out.has(name)) throw Fault{word.at, quoted(name) + " stands there twice"};
     out.names.push_back(name);
-    if (curves_named(out.body, out.names.back()) == 0)
-      throw Fault{word.at, "body " + quoted(s_.bodies[static_cast<size_t>(out.body)].name) + " has no curve " +
-                               quoted(out.names.back()) + ", expected " + names_of(out.body)};
+    if (curves_named(out.body, name) == 0 && broken_bodies_.count(out.body) == 0)
+      throw Fault{word.at, "body " + quoted(s_.bodies[static_cast<size_t>(out.body)].name) + " has no curve " + quoted(name) +
+                               ", expected " + names_of(out.body)};
   }
   if (second == std::string::npos) return out;
   const std::string end = word.text.substr(second + 1);
@@ -118,7 +119,11 @@ void Reader::fix(Statement& s) {
   Condition c;
   c.at = s.at(), c.load_case = case_, c.side = side(s, &c.part);
   if (!s.has_more()) c.value[0] = c.value[1] = 0;
-  while (s.has_more()) c.value[s.choice({"x", "y"})] = 0;
+  while (s.has_more()) {
+    c.value[s.choice({"x", "y"})] = 0;
+    if (s.is_next("x") || s.is_next("y")) continue; // a parameter may be called so
+    if (double value = 0; s.accept_number(value) && value != 0) s.fail(show(value) + ": expected 0, or move instead of fix");
+  }
   s_.conditions.push_back(c);
 }
 
@@ -145,7 +150,7 @@ void Reader::force(Statement& s) {
   PointLoad p;
   p.at = s.at(), p.load_case = case_;
   p.body = body_named(s.take("the name of a body"));
-  if (!s.accept("at")) s.fail("expected at x y, and x and y of the force");
+  if (!s.accept("at")) s.missing("at x y, and x and y of the force");
   p.where = s.point("where it acts");
   std::optional<double> value[2];
   components(s, value);
@@ -235,6 +240,13 @@ void Reader::drive(Statement& s) {
   drive_of(s, d);
 }
 
+std::string Reader::names_of_cases() const {
+  std::string out;
+  for (const LoadCase& c : s_.cases)
+    if (!c.name.empty()) out += (out.empty() ? ", expected " : " or ") + quoted(c.name);
+  return out;
+}
+
 // normal 1; shear 1, -1, 1: one case after the other goes to the factors told, the others stay. A second statement goes on.
 void Reader::history(Statement& s) {
   end_body();
@@ -244,7 +256,7 @@ void Reader::history(Statement& s) {
     const Word word = s.take("the name of a load case");
     const auto found = std::find_if(s_.cases.begin(), s_.cases.end(),
                                     [&](const LoadCase& c) { return !word.text.empty() && c.name == word.text; });
-    if (found == s_.cases.end()) throw Fault{word.at, "no load case is called " + quoted(word.text)};
+    if (found == s_.cases.end()) throw Fault{word.at, "no load case is called " + quoted(word.text) + names_of_cases()};
     double factor = s.number("a load factor");
     do {
       now[static_cast<size_t>(found - s_.cases.begin())] = factor;

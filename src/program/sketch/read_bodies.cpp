@@ -35,30 +35,29 @@ std::string Reader::new_body_name(Statement& s, const std::string& expected) {
   return name;
 }
 
+// The body is there even if its statement has faults: what follows draws it.
 void Reader::body(Statement& s) {
   end_body();
-  Body body;
+  s_.bodies.emplace_back();
+  in_body_ = true;
+  Body& body = s_.bodies.back();
   body.at = s.at();
   body.name = new_body_name(s, "the name of a body");
-  if (s.accept("rigid")) {
-    body.rigid = true;
-  } else {
-    while (s.has_more()) {
-      if (s.choice({"E", "nu"}) == 0) {
-        body.youngs_modulus = s.positive("Young's modulus");
-      } else {
-        body.poisson_ratio = s.number("Poisson's ratio");
-        if (!(body.poisson_ratio > -1 && body.poisson_ratio < 0.5))
-          s.fail(show(body.poisson_ratio) + ": expected Poisson's ratio, above -1 and below 0.5");
-      }
+  body.rigid = s.accept("rigid");
+  while (s.has_more() && !body.rigid) {
+    if (s.choice({"E", "nu"}) == 0) {
+      body.youngs_modulus = s.positive("Young's modulus");
+    } else {
+      body.poisson_ratio = s.number("Poisson's ratio");
+      if (!(body.poisson_ratio > -1 && body.poisson_ratio < 0.5))
+        s.fail(show(body.poisson_ratio) + ": expected Poisson's ratio, above -1 and below 0.5");
     }
-    if (body.youngs_modulus == 0) s.fail("body " + quoted(body.name) + ": expected E and a value, or rigid");
   }
-  s_.bodies.push_back(body);
-  in_body_ = true;
+  if (body.youngs_modulus == 0 && !body.rigid) s.fail("body " + quoted(body.name) + ": expected E and a value, or rigid");
 }
 
 Body& Reader::current_body(Statement& s) {
+  if (!in_body_ && is_lost_) throw Fault{};
   if (!in_body_) throw Fault{s.at(), quoted(s.keyword().text) + " stands outside a body, expected behind a statement 'body'"};
   return s_.bodies.back();
 }
@@ -103,7 +102,7 @@ Point Reader::target(Statement& s) {
   if (!has_start_) s.fail("this curve has nowhere to begin, expected a statement 'from' before it");
   if (s.accept("close")) return start_;
   if (s.accept("by")) return here_ + s.point("the way to its end");
-  if (!s.accept("to")) s.fail("expected to x y, by dx dy, or close");
+  if (!s.accept("to")) s.missing("to x y, by dx dy, or close");
   return s.point("its end");
 }
 
@@ -134,7 +133,7 @@ void Reader::arc(Statement& s) {
   if (s.accept("centre")) { // a given angle
     if (!has_start_) s.fail("this arc has nowhere to begin, expected a statement 'from' before it");
     const Point centre = s.point("the centre");
-    if (!s.accept("turn")) s.fail("expected turn and an angle in degrees");
+    if (!s.accept("turn")) s.missing("turn and an angle in degrees");
     const double turn = s.number("the angle in degrees");
     if (turn == 0) s.fail("this arc has no length");
     return draw(s, name, sketch::arc(centre, length(begin - centre), degrees(begin - centre), turn));
@@ -159,7 +158,7 @@ void Reader::arc(Statement& s) {
     const bool right = s.accept("right");
     return draw(s, name, sketch::arc(centre, r, degrees(begin - centre), sweep_between(begin - centre, end - centre, right)));
   }
-  if (!s.accept("radius")) s.fail("expected radius, through or centre");
+  if (!s.accept("radius")) s.missing("radius, through or centre");
   const double radius = s.positive("the radius"), half = length(chord) / 2;
   const bool right = s.accept("right"), is_long = s.accept("long");
   if (half == 0 || radius < half * (1 - 1e-12))
@@ -181,9 +180,9 @@ void Reader::draw_whole(Statement& s, const std::string& name, ShapePtr shape) {
 
 void Reader::circle(Statement& s) {
   const std::string name = curve_name(s);
-  if (!s.accept("centre")) s.fail("expected centre x y radius r");
+  if (!s.accept("centre")) s.missing("centre x y radius r");
   const Point centre = s.point("the centre");
-  if (!s.accept("radius")) s.fail("expected radius r");
+  if (!s.accept("radius")) s.missing("radius r");
   const double radius = s.positive("the radius");
   draw_whole(s, name,
              sketch::arc(centre, radius, s.accept("from") ? s.number("the angle where it begins, in degrees") : -90, 360));
@@ -191,14 +190,14 @@ void Reader::circle(Statement& s) {
 
 void Reader::ellipse(Statement& s) {
   const std::string name = curve_name(s);
-  if (!s.accept("centre")) s.fail("expected centre x y axes a b");
+  if (!s.accept("centre")) s.missing("centre x y axes a b");
   const Point centre = s.point("the centre");
-  if (!s.accept("axes")) s.fail("expected axes a b");
+  if (!s.accept("axes")) s.missing("axes a b");
   const double a = s.positive("its first half axis"), b = s.positive("its second half axis");
   const double tilt = s.accept("tilt") ? s.number("the angle of the first axis, in degrees") : 0;
   if (!s.accept("from")) return draw_whole(s, name, sketch::ellipse(centre, a, b, tilt, -90, 360));
   const double from = s.number("the eccentric angle where it begins, in degrees");
-  if (!s.accept("turn")) s.fail("expected turn and an angle in degrees");
+  if (!s.accept("turn")) s.missing("turn and an angle in degrees");
   draw(s, name, sketch::ellipse(centre, a, b, tilt, from, s.number("the eccentric angle it turns, in degrees")));
 }
 
@@ -206,9 +205,9 @@ void Reader::curve(Statement& s) {
   const std::string name = curve_name(s);
   const std::string variable = s.name("the name of the variable");
   const double first = s.number("the variable where the curve begins"), last = s.number("the variable where it ends");
-  if (!s.accept("x")) s.fail("expected x and its formula");
+  if (!s.accept("x")) s.missing("x and its formula");
   const Expression x = s.formula("the formula of x", variable);
-  if (!s.accept("y")) s.fail("expected y and its formula");
+  if (!s.accept("y")) s.missing("y and its formula");
   const ShapePtr shape = formula(x, s.formula("the formula of y", variable), first, last);
   for (int i = 0; i <= 64; ++i)
     if (const Point p = shape->at(i / 64.0); !std::isfinite(p.x) || !std::isfinite(p.y))
@@ -251,7 +250,7 @@ std::vector<Point> Reader::points_of_file(Statement& s) {
 void Reader::spline(Statement& s) {
   const std::string name = curve_name(s);
   const bool listed = s.accept("through");
-  if (!listed && !s.accept("file")) s.fail("expected through x y x y ..., or file NAME");
+  if (!listed && !s.accept("file")) s.missing("through x y x y ..., or file NAME");
   std::vector<Point> points = listed ? listed_points(s) : points_of_file(s);
   const bool closed = s.accept("closed"), backwards = s.accept("reversed");
   if (listed && !closed && has_start_) points.insert(points.begin(), here_);
@@ -270,7 +269,7 @@ void Reader::ask_corner(Statement& s, bool round) {
   Outline& outline = current_outline(s);
   if (outline.curves.empty() || corner_) throw Fault{s.at(), quoted(s.keyword().text) + " stands between two curves"};
   const std::string name = curve_name(s);
-  if (!s.accept(round ? "radius" : "cut")) s.fail(round ? "expected radius and a value" : "expected cut and a value");
+  if (!s.accept(round ? "radius" : "cut")) s.missing(round ? "radius and a value" : "cut and a value");
   corner_ = Corner{round, name, s.positive(round ? "the radius" : "the length that is cut off"), s.at()};
 }
 
@@ -314,7 +313,7 @@ Motion Reader::motion(Statement& s) {
 void Reader::copy(Statement& s) {
   end_body();
   const std::string name = new_body_name(s, "the name of the copy");
-  if (!s.accept("of")) s.fail("expected of and the name of a body");
+  if (!s.accept("of")) s.missing("of and the name of a body");
   Body body = s_.bodies[static_cast<size_t>(body_named(s.take("the name of a body")))];
   body.name = name, body.at = s.at();
   const Motion m = motion(s);
@@ -361,10 +360,14 @@ void Reader::end_outline() {
 void Reader::end_body() {
   if (!in_body_) return;
   const bool broken = broken_;
-  end_outline();
+  try {
+    end_outline();
+  } catch (const Fault& fault) { // of a corner at the outline's end; the statement behind it stands
+    faults_.push_back(fault);
+  }
   in_body_ = false;
   const Body& body = s_.bodies.back();
-  if (body.outlines.empty() && !broken) throw Fault{body.at, "body " + quoted(body.name) + " has no outline"};
+  if (body.outlines.empty() && !broken) faults_.push_back({body.at, "body " + quoted(body.name) + " has no outline"});
 }
 
 } // namespace sketch

@@ -129,14 +129,14 @@ void Reader::part_of(Statement& s) {
   current_body(s);
   if (corner_) throw Fault{s.at(), "'part' stands between a corner and the curve behind it, expected it behind that"};
   const std::string name = s.name("the name of the part");
-  if (!s.accept("of")) s.fail("expected of and the name of a curve");
+  if (!s.accept("of")) s.missing("of and the name of a curve");
   const std::string of = s.name("the name of a curve");
   if (name == of) s.fail("expected another name than that of the part");
   const std::vector<Curve*> pieces = pieces_named(s, of);
   const ShapePtr whole = pieces[0]->drawn ? pieces[0]->drawn : pieces[0]->shape;
-  if (!s.accept("from")) s.fail("expected from and where the part begins");
+  if (!s.accept("from")) s.missing("from and where the part begins");
   const double first = place(s, whole, "where it begins");
-  if (!s.accept("to")) s.fail("expected to and where the part ends");
+  if (!s.accept("to")) s.missing("to and where the part ends");
   const double last = place(s, whole, "where it ends");
   if (last - first > 1e-9) return cut(s, name, of, first, last);
   const bool is_closed = length(whole->at(0) - whole->at(1)) <= kJoint * Measure(whole).length();

@@ -88,6 +88,7 @@ private:
   Side side(Statement& s, Condition::Part* part = nullptr);
   int curves_named(int body, const std::string& name) const;
   std::string names_of(int body) const;
+  std::string names_of_cases() const;
   void given(Statement& s, Condition::Kind kind);
   BodyForce& body_force(Statement& s);
   void drive_of(Statement& s, Drive drive);
@@ -117,7 +118,9 @@ private:
     Place at;
   };
   bool in_body_ = false, in_outline_ = false, has_start_ = false;
-  bool broken_ = false; // a curve of the outline could not be read: what follows from that is not told
+  std::set<int> broken_bodies_; // whose curves are not all there
+  bool is_lost_ = false;        // a statement could not be told: one that begins a body, perhaps
+  bool broken_ = false;         // a curve of the outline could not be read: what follows from that is not told
   Point start_, here_;
   std::optional<Corner> corner_;
   int case_ = 0;

@@ -23,7 +23,9 @@ std::vector<Point> closed_polygon(const Sketch& s, const Outline& outline) {
 } // namespace
 
 Region::Region(const Sketch& sketch, const Body& body) : low_{HUGE_VAL, HUGE_VAL}, high_{-HUGE_VAL, -HUGE_VAL} {
+  bool is_open = false;
   for (const Outline& outline : body.outlines) {
+    is_open = is_open || outline.open;
     polygons_.push_back(closed_polygon(sketch, outline));
     for (const Point& p : polygons_.back()) {
       low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
@@ -38,6 +40,15 @@ Region::Region(const Sketch& sketch, const Body& body) : low_{HUGE_VAL, HUGE_VAL
     }
   }
   size_ = std::max(high_.x - low_.x, high_.y - low_.y);
+  for (size_t axis = 0; axis < 2 && is_open; ++axis) line_[axis] = sketch.symmetry[axis];
+}
+
+// What lies on a line of symmetry is seen a little beside it, where the body is.
+Point Region::beside_lines(Point p) const {
+  const double near = kJoint * size_;
+  if (line_[0] && std::fabs(p.x - *line_[0]) <= near) p.x = *line_[0] + (low_.x + high_.x > 2 * *line_[0] ? near : -near);
+  if (line_[1] && std::fabs(p.y - *line_[1]) <= near) p.y = *line_[1] + (low_.y + high_.y > 2 * *line_[1] ? near : -near);
+  return p;
 }
 
 double Region::depth(Point p) const {
@@ -50,7 +61,7 @@ double Region::depth(Point p) const {
     if (away < least) least = away, nearest = &chord, u = chord.first + t * (chord.last - chord.first);
   }
   bool inside = false;
-  for (const std::vector<Point>& polygon : polygons_) inside ^= holds(polygon, p);
+  for (const std::vector<Point>& polygon : polygons_) inside ^= holds(polygon, beside_lines(p));
   const Shape& shape = *nearest->curve->shape;
   for (int step = 0; step < 20; ++step) { // Newton's method on the distance
     const Shape::Local l = shape.local(u);
@@ -64,9 +75,11 @@ double Region::depth(Point p) const {
   return inside ? away : -away;
 }
 
-bool Region::may_hold(Point p, double beyond) const {
-  return p.x > low_.x - beyond && p.x < high_.x + beyond && p.y > low_.y - beyond && p.y < high_.y + beyond;
+bool Region::is_apart(const Region& other) const {
+  return high_.x < other.low_.x || other.high_.x < low_.x || high_.y < other.low_.y || other.high_.y < low_.y;
 }
+
+bool Region::may_hold(Point p) const { return p.x >= low_.x && p.x <= high_.x && p.y >= low_.y && p.y <= high_.y; }
 
 std::vector<Point> Region::points() const {
   std::vector<Point> out;

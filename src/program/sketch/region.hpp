@@ -11,10 +11,11 @@ public:
   Region(const Sketch& sketch, const Body& body);
   // The distance of a point to the boundary; below 0 outside.
   double depth(Point p) const;
-  double size() const { return size_; }        // the larger side of the box around it
-  bool may_hold(Point p, double beyond) const; // in the box, or no farther beyond it
-  std::vector<Point> points() const;           // of the boundary, on the curves
-  double area() const;                         // of the polygons
+  double size() const { return size_; }     // the larger side of the box around it
+  bool may_hold(Point p) const;             // is it in the box?
+  bool is_apart(const Region& other) const; // do the boxes lie apart?
+  std::vector<Point> points() const;        // of the boundary, on the curves
+  double area() const;                      // of the polygons
 
 private:
   struct Chord { // of a curve, between two values of u
@@ -22,8 +23,11 @@ private:
     const Curve* curve;
     double first, last;
   };
+  Point beside_lines(Point p) const;
+
   double size_ = 0;
-  Point low_, high_;
+  Point low_, high_;              // of the box
+  std::optional<double> line_[2]; // of symmetry, x = and y =, where the body begins or ends on one
   std::vector<Chord> chords_;
   std::vector<std::vector<Point>> polygons_;
 };

@@ -36,9 +36,8 @@ bool Statement::accept_number(double& value) {
 }
 
 const Word& Statement::take(const std::string& expected) {
-  if (has_more()) return words_[next_++];
-  const Place last = words_.back().at;
-  throw Fault{{last.line, last.end + 1, last.end + 1}, "the statement ends here, expected " + expected};
+  if (!has_more()) missing(expected);
+  return words_[next_++];
 }
 
 std::string Statement::name(const std::string& expected) {
@@ -105,6 +104,12 @@ std::string Statement::rest() {
 
 void Statement::end() const {
   if (has_more()) throw Fault{words_[next_].at, quoted(words_[next_].text) + ": expected nothing more"};
+}
+
+void Statement::missing(const std::string& expected) const {
+  if (has_more()) throw Fault{words_[next_].at, quoted(words_[next_].text) + ": expected " + expected};
+  const Place last = words_.back().at;
+  throw Fault{{last.line, last.end + 1, last.end + 1}, "the statement ends here, expected " + expected};
 }
 
 void Statement::fail(const std::string& text) const { throw Fault{words_[next_ - 1].at, text}; }

@@ -32,7 +32,8 @@ public:
   std::string rest(); // what is left, as it was written, with a blank between two words
   void end() const;   // nothing more is expected
 
-  [[noreturn]] void fail(const std::string& text) const; // at the last word that was taken
+  [[noreturn]] void missing(const std::string& expected) const; // at the next word, or where the statement ends
+  [[noreturn]] void fail(const std::string& text) const;        // at the last word that was taken
   const Parameters& parameters() const { return parameters_; }
 
 private:

@@ -1,5 +1,7 @@
 #include "program/sketch/words.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 
 namespace sketch {
@@ -72,6 +74,26 @@ std::string show(double value) {
 std::string rounded(double value) {
   char text[32];
   return std::string(text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6).ptr);
+}
+
+std::string nearest(const std::string& word, const std::vector<std::string>& words) {
+  std::string best;
+  size_t least = std::min<size_t>(3, word.size() / 2 + 1);
+  for (const std::string& other : words) {
+    std::vector<size_t> row(other.size() + 1); // letters to change in the begin of `word` to have that of `other`
+    for (size_t j = 0; j <= other.size(); ++j) row[j] = j;
+    for (size_t i = 0; i < word.size(); ++i) {
+      size_t corner = row[0]++;
+      for (size_t j = 0; j < other.size(); ++j) {
+        const bool same = std::tolower(static_cast<unsigned char>(word[i])) == other[j];
+        const size_t changed = corner + (same ? 0 : 1);
+        corner = row[j + 1];
+        row[j + 1] = std::min({changed, corner + 1, row[j] + 1});
+      }
+    }
+    if (row.back() < least) least = row.back(), best = other;
+  }
+  return best;
 }
 
 std::string quoted(const std::string& text) { return "'" + text + "'"; }

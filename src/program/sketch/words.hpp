@@ -28,8 +28,10 @@ struct Word {
 // Words of a line, numbered `line`. Throws a Fault for a quote or a bracket that is not closed.
 std::vector<Word> words_of(std::string_view text, int line);
 
-std::string show(double value);              // as few digits as read as the same double
-std::string rounded(double value);           // to six digits, for what was computed
+std::string show(double value);    // as few digits as read as the same double
+std::string rounded(double value); // to six digits, for what was computed
+// The word that differs from `word` by two letters at most, capitals aside; empty: none does.
+std::string nearest(const std::string& word, const std::vector<std::string>& words);
 std::string quoted(const std::string& text); // 'text'
 
 } // namespace sketch
