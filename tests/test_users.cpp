@@ -1,5 +1,8 @@
 // The sketches of users' problems under examples/: each against a closed form, another method, or another mesh and order.
+#include "program/sketch/outline.hpp"
 #include "sketch_runs.hpp"
+
+#include <array>
 
 using namespace sketch_test;
 
@@ -101,10 +104,170 @@ TEST_CASE("users: roller on a coated half plane: Hertz without a coating, the fa
   const double a = std::sqrt(2.0) * h.a;
   CHECK(off(at_peak(bare.zone(2)).tn, 2 * 400 / (kPi * a)) < 0.01);
   CHECK(off(edge_of(bare.zone(2)), a) < 0.01);
-  const Solution family = families_test::solve(
-      "coating", {"R=50", families_test::setting("a", a), families_test::setting("t", 0.5 / a), "E1=210e3", "E2=400e3",
-                  "nu2=0.25", "E3=210e3", "n=40", "L=40"});
+  const Solution family =
+      families_test::solve("coating", {"R=50", families_test::setting("a", a), families_test::setting("t", 0.5 / a), "E1=210e3",
+                                       "E2=400e3", "nu2=0.25", "E3=210e3", "n=40", "L=40"});
   REQUIRE_MESSAGE(family.error.empty(), family.error);
   CHECK(off(at_peak(coated.zone(2)).tn, at_peak(family.zone(1)).tn) < 0.005);
   CHECK(off(edge_of(coated.zone(2)), edge_of(family.zone(1))) < 0.01);
+}
+
+namespace {
+
+// Involute gears of module 4, 20 and 30 teeth, pressure angle 20 degrees: tooth force along the line of action, which passes
+// through the origin; the teeth touch 2 mm beyond it.
+struct GearPair {
+  double angle = 20 * kPi / 180, moment = 11000, base[2] = {40 * std::cos(angle), 60 * std::cos(angle)};
+  double radius[2] = {40 * std::sin(angle) + 2, 60 * std::sin(angle) - 2};
+  double force() const { return moment / base[0]; }
+  // A point of a flank: the line that touches the base circle, rolled on by an angle from where the teeth touch.
+  std::array<double, 2> flank(int gear, double roll) const {
+    const double c = std::cos(angle + roll), s = std::sin(angle + roll), r = radius[gear] + base[gear] * roll;
+    return gear == 0 ? std::array<double, 2>{{r * c - base[0] * s, r * s + base[0] * c - 40}}
+                     : std::array<double, 2>{{base[1] * s - r * c, 60 - base[1] * c - r * s}};
+  }
+  double roll_at(int gear, double distance) const { // from the gear's axis
+    return (std::sqrt(distance * distance - base[gear] * base[gear]) - radius[gear]) / base[gear];
+  }
+};
+
+// Two numbers to a line, behind lines that begin with something else.
+std::vector<std::array<double, 2>> table_of(const std::string& name) {
+  std::vector<std::array<double, 2>> out;
+  for (const std::string& line : test::lines_of(test::read_file(paths::root() + "/examples/" + name + ".csv"))) {
+    std::array<double, 2> row;
+    if (std::sscanf(line.c_str(), "%lf,%lf", &row[0], &row[1]) == 2) out.push_back(row);
+  }
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("users: gear pair from tables of points: Hertz, and the law of gearing") {
+  const GearPair g;
+  int gear = 0;
+  for (const char* name : {"gear_pinion", "gear_wheel"}) {
+    const auto table = table_of(name);
+    CHECK(table.size() == 41);
+    for (const auto& p : table) {
+      const auto q = g.flank(gear, g.roll_at(gear, std::hypot(p[0], p[1] + (gear == 0 ? 40 : -60))));
+      CHECK(std::hypot(p[0] - q[0], p[1] - q[1]) < 5e-9);
+    }
+    ++gear;
+  }
+  const Solution s = solve("gear_pair");
+  const Hertz h(g.force(), g.radius[0] * g.radius[1] / (g.radius[0] + g.radius[1]), 206e3);
+  CHECK(off(at_peak(s.zone(1)).tn, h.p0) < 0.005);
+  const double* f = s.zones[0].force; // on the wheel
+  CHECK(off(std::hypot(f[0], f[1]), g.force()) < 1e-3);
+  CHECK(off(s.zones[0].moment + 60 * f[0], 1.5 * g.moment) < 1e-3); // about the wheel's axis
+}
+
+TEST_CASE("users: a crack that bending closes over a third of its length") {
+  const Solution s = solve("crack", {4});
+  const double a = 5, l = 2 * a / 3; // the open part is 2 l long
+  CHECK(std::fabs(edge_of(s.zone(1)) + a / 3) < 0.01 * a);
+  REQUIRE(s.cracks.size() == 2);
+  for (const app::StressIntensity& tip : s.cracks) {
+    CHECK(tip.why == "");
+    if (tip.at[0] < 0)
+      CHECK(tip.K1 == 0);
+    else
+      CHECK(off(tip.K1, 100 / a * l * std::sqrt(kPi * l)) < 0.01);
+  }
+}
+
+namespace {
+
+// The integral of y - y0 over a body that lies beside the axis x = 0.
+double first_moment(const sketch::Body& body, double y0) {
+  const std::vector<sketch::Point> p = sketch::polygon_of(body.outlines[0]);
+  double sum = 0;
+  for (size_t i = 0; i < p.size(); ++i) {
+    const sketch::Point &a = p[i], &b = p[(i + 1) % p.size()];
+    sum += (a.x * b.y - b.x * a.y) * ((a.y + b.y) / 6 - y0 / 2);
+  }
+  return sum;
+}
+
+} // namespace
+
+TEST_CASE("users: dovetail: the flank carries what turns with the blade; another order of functions") {
+  const sketch::Reading drawn = read_example("dovetail");
+  const Solution s = solve("dovetail", {4}), other = solve("dovetail", {2, 2});
+  const double force = 4.4e-9 * 1e6 * first_moment(drawn.sketch.bodies[1], -150);
+  CHECK(off(-s.zones[0].force[1], force) < 1e-3);
+  CHECK(off(-other.zones[0].force[1], force) < 1e-3);
+  for (const double x : {9.5, 10.5, 11.2})
+    CHECK(off(between(s.zone(1), x, &Row::tn), between(other.zone(1), x, &Row::tn)) < 0.01);
+  for (const Row& row : s.last()) CHECK(row.status != C2D_STICK);
+}
+
+TEST_CASE("users: lap joint: statics, slip at its ends, and another order of functions") {
+  const Solution s = solve("lap_joint", {3}), other = solve("lap_joint", {2, 2});
+  for (const Solution* of : {&s, &other}) {
+    CHECK(off(of->zones[0].force[0], -200) < 1e-6);
+    CHECK(off(of->zones[1].force[1], -1000) < 1e-6);
+  }
+  const std::vector<Row> plates = s.zone(1), others = other.zone(1);
+  CHECK(off(edge_of(plates), edge_of(others)) < 0.01);
+  for (const double x : {-6.0, -3.0, 0.0, 3.0, 6.0}) {
+    CAPTURE(x);
+    CHECK(off(between(plates, x, &Row::tn), between(others, x, &Row::tn)) < 0.01);
+  }
+  for (const double x : {-3.0, 0.0, 3.0}) CHECK(off(between(plates, x, &Row::tt), between(others, x, &Row::tt)) < 0.01);
+}
+
+TEST_CASE("users: seal: statics, and another order of functions") {
+  const Solution s = solve("seal"), other = solve("seal", {3, 1});
+  const double push = 0.2 * 2.5 * std::sqrt(2.0); // of the fluid, on a quarter of the ring
+  for (const Solution* of : {&s, &other}) {
+    CHECK(off(of->zones[0].force[0] + of->zones[1].force[0] + of->zones[2].force[0], -push) < 1e-3);
+    CHECK(std::fabs(of->zones[0].force[1] + of->zones[1].force[1] + of->zones[2].force[1]) < 1e-3 * push);
+  }
+  for (size_t k = 0; k < 3; ++k) {
+    const int zone = static_cast<int>(k) + 1;
+    CAPTURE(zone);
+    CHECK(off(at_peak(s.zone(zone)).tn, at_peak(other.zone(zone)).tn) < 0.01);
+    for (const int i : {0, 1}) CHECK(std::fabs(s.zones[k].force[i] - other.zones[k].force[i]) < 0.01 * push);
+  }
+}
+
+TEST_CASE("users: rough profile: the table is its formula's, and another mesh") {
+  // Waves 4 to 40 on a length of 2 mm, amplitudes 0.3 um (4 / k)^1.3, phases by the minimal standard generator from 1987 on.
+  const auto table = table_of("rough_profile");
+  REQUIRE(table.size() == 2000);
+  std::vector<double> heights;
+  for (const auto& p : table) {
+    long long seed = 1987;
+    double y = p[0] * p[0] / 250;
+    for (int k = 4; k <= 40; ++k) {
+      seed = 16807 * seed % 2147483647;
+      y += 0.3e-3 * std::pow(k / 4.0, -1.3) * std::cos(kPi * k * p[0] + 2 * kPi * static_cast<double>(seed) / 2147483647);
+    }
+    heights.push_back(y);
+  }
+  const double low = *std::min_element(heights.begin(), heights.end());
+  for (size_t i = 0; i < table.size(); ++i) CHECK(std::fabs(table[i][1] - heights[i] + low) < 1e-8);
+
+  const Solution s = solve("rough_profile", {3}), other = solve("rough_profile", {2});
+  CHECK(off(s.zones[0].force[1], 200) < 1e-6);
+  CHECK(off(at_peak(s.zone(1)).tn, at_peak(other.zone(1)).tn) < 0.02);
+  CHECK(off(s.zones[0].length, other.zones[0].length) < 0.05);
+}
+
+TEST_CASE("users: every sketch of the examples is short, and the program takes it") {
+  int sketches = 0;
+  for (const auto& entry : test::fs::directory_iterator(paths::root() + "/examples")) {
+    if (entry.path().extension() != ".c2s") continue;
+    ++sketches;
+    CAPTURE(entry.path().filename().string());
+    const std::string text = test::read_file(entry.path().string());
+    CHECK(test::lines_of(text).size() <= 40);
+    const test::Result run = test::run_shell("'" + paths::program() + "' check '" + entry.path().string() + "'");
+    CHECK_MESSAGE(run.status == 0, run.err);
+    const std::string page = test::read_file(paths::root() + "/examples/README.md");
+    CHECK(test::contains(page, "`examples/" + entry.path().filename().string() + "`"));
+  }
+  CHECK(sketches == 11);
 }
