@@ -2,9 +2,17 @@
 #include "program/sketch/zones.hpp"
 #include "sketch_runs.hpp"
 
+#include <doctest/doctest.h>
+
 using namespace sketch_test;
 
 namespace {
+
+template <class Drawn> Solution solved(const Drawn& drawn, const Setup& setup = Setup()) {
+  const Solution out = solve(drawn, setup);
+  REQUIRE_MESSAGE(out.error.empty(), out.error);
+  return out;
+}
 
 std::vector<sketch::Zone> zones(const sketch::Reading& drawn, const sketch::Mesh& mesh) {
   return sketch::zones_of(drawn.sketch, mesh);
@@ -24,7 +32,7 @@ TEST_CASE("sketch zones: a side under two bodies, sides that go on where their o
   REQUIRE(found.size() == 2); // one for each circle, though what faces the block is its last and its first elements
   for (const sketch::Zone& zone : found) CHECK(zone.two.last < zone.two.first);
   CHECK(found[0].one.first > found[1].one.last); // the top runs to the left
-  const Solution s = solve(drawn.sketch);
+  const Solution s = solved(drawn);
   for (size_t k = 0; k < 2; ++k) CHECK(std::fabs(s.zones[k].force[1] / (4 * std::acos(-1.0)) - 1) < 2e-3); // their weight
   CHECK(std::fabs(at_peak(s.zone(1)).tn / at_peak(s.zone(2)).tn - 1) < 0.02);
 }
@@ -67,7 +75,7 @@ TEST_CASE("sketch zones: at the tip of a crack the tie keeps its last element") 
 TEST_CASE("sketch zones: a press fit and a load behind it") {
   const std::string fit = test::read_file(paths::root() + "/examples/press_fit.c2s"), load = "pressure hub.rim 20\n";
   const auto pressure = [](const std::string& text, double overlap) {
-    const Solution s = solve(read_text(text, {{"fit", overlap}}).sketch, {1});
+    const Solution s = solved(read_text(text, {{"fit", overlap}}), {1});
     return s.last()[s.last().size() / 2].tn;
   };
   const double both = pressure(fit + load, 0.0025), alone = pressure(fit, 0.0025), pressed = pressure(fit + load, 1e-7);
