@@ -175,6 +175,10 @@ TEST_CASE("users: a crack that bending closes over a third of its length") {
   const Solution s = solved(std::string("crack"), {4});
   const double a = 5, l = 2 * a / 3; // the open part is 2 l long
   CHECK(std::fabs(edge_of(s.zone(1)) + a / 3) < 0.01 * a);
+  for (const double x : {-2.5, -3.0, -4.0}) { // pressure of the faces that are closed
+    const double away = a / 3 - x;
+    CHECK(off(between(s.zone(1), x, &Row::tn), 100 / a * (away + l / 2) * std::sqrt((away - l) / (away + l))) < 0.01);
+  }
   REQUIRE(s.cracks.size() == 2);
   for (const app::StressIntensity& tip : s.cracks) {
     CHECK(tip.why == "");
