@@ -116,6 +116,17 @@ void check_three_bodies(const std::string& page, const std::string& printed) {
   check_told(page, "5.6e-4", 200 / (bed * width * width * width / 12), 0.01);
 }
 
+// The sketch that the page begins with: it is the example, and its run gives what the page tells.
+void check_sketch(const std::string& page, const std::string& checked, const std::string& printed) {
+  CHECK(contains(page, "```\n" + read_file(kRoot + "/examples/roller.c2s") + "```\n"));
+  CHECK(contains(checked, "body 1 (plate), body 2 (roller), zone 1 (top on face)"));
+  const std::vector<std::string> lines = lines_of(printed);
+  REQUIRE(lines.size() == 3);
+  check_told(page, "76.2 MPa", std::stod(lines[0]), 5e-3);
+  check_told(page, "23.2 MPa", std::stod(lines[1]), 5e-3);
+  check_told(page, "74.7 MPa", std::stod(lines[2]), 5e-3);
+}
+
 } // namespace
 
 TEST_CASE("tutorial: its deck is the example, its commands run, its figures are so") {
@@ -139,10 +150,11 @@ TEST_CASE("tutorial: its deck is the example, its commands run, its figures are 
     if (contains(commands, "three.lst")) CHECK(contains(run.err, "the tied zone 1 joins unlike materials"));
     printed.push_back(run.out);
   }
-  REQUIRE(printed.size() == 7);
-  CHECK(contains(printed[0], "equations                   75, 89"));
+  REQUIRE(printed.size() == 9);
+  check_sketch(page, printed[0], printed[1]);
+  CHECK(contains(printed[2], "equations                   75, 89"));
   CHECK(contains(page, "`75, 89`"));
-  CHECK(contains(printed[0], "warnings                    0"));
+  CHECK(contains(printed[2], "warnings                    0"));
 
   // Hertz
   const double modulus = 1 / ((1 - 0.4 * 0.4) / 3000 + (1 - 0.3 * 0.3) / 210000), pi = std::acos(-1.0);
@@ -154,7 +166,7 @@ TEST_CASE("tutorial: its deck is the example, its commands run, its figures are 
   check_told(page, "52.9 MPa", p0 * std::sqrt(0.5), 5e-4);
 
   // Place, status, pressure without friction, as awk prints them.
-  const std::vector<std::string> printed_rows = lines_of(printed[2]);
+  const std::vector<std::string> printed_rows = lines_of(printed[4]);
   REQUIRE(printed_rows.size() == 15);
   CHECK(contains(printed_rows[5], "open"));
   CHECK(contains(printed_rows[6], "slip"));
@@ -189,7 +201,7 @@ TEST_CASE("tutorial: its deck is the example, its commands run, its figures are 
   const auto back = rows_of(read_file(folder / "build/unload.csv"), 0.2, 15),
              back_smooth = rows_of(read_file(folder / "build/unload.csv"), 0, 15);
   REQUIRE(back.size() == 15);
-  CHECK(lines_of(printed[4]).size() == 15);
+  CHECK(lines_of(printed[6]).size() == 15);
   check_told(page, "54.1 MPa", back[14].tn, 2e-3);
   CHECK(std::fabs(back_smooth[14].tn - p0 * std::sqrt(0.5)) < 0.005 * p0);
   check_told(page, "0.598", back[8].x, 1e-3);
@@ -198,10 +210,10 @@ TEST_CASE("tutorial: its deck is the example, its commands run, its figures are 
 
   // Stress inside.
   double shear = 0, depth = 0;
-  REQUIRE(std::sscanf(printed[5].c_str(), "%lf %lf", &shear, &depth) == 2);
+  REQUIRE(std::sscanf(printed[7].c_str(), "%lf %lf", &shear, &depth) == 2);
   check_told(page, "23.3 MPa at", shear, 5e-3);
   check_told(page, "0.6 mm", -depth, 1e-6);
-  check_three_bodies(page, printed[6]);
+  check_three_bodies(page, printed[8]);
   for (const char* file : {"roller.html", "roller/tractions_2.svg", "roller/model.svg"})
     CHECK(fs::exists(folder / ("build/" + std::string(file))));
 }

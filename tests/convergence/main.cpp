@@ -1,5 +1,6 @@
 // make convergence: for every family, the error against the number of elements and the observed order.
 #include "body_figures.hpp"
+#include "sketches.hpp"
 
 #include <cstdio>
 #include <functional>
@@ -234,5 +235,6 @@ int main() {
   single_bodies();
   several_bodies();
   cracks();
+  sketches();
   return 0;
 }

@@ -44,6 +44,9 @@ private:
   void cases();
   size_t interference_case() const;
   void history();
+  int first_node(size_t b, int element) const;
+  size_t matching() const;
+  void matching_zones();
   void zones();
   void curves();
   void rigid_bodies();
@@ -51,6 +54,7 @@ private:
 
   const Sketch& s_;
   const Mesh& mesh_;
+  std::vector<Zone> zones_;
   std::vector<std::vector<End>> ends_;
   std::string out_;
 };
@@ -86,7 +90,7 @@ void Writer::control() {
   comment(s_.plane_stress ? "plane stress; output" : "plane strain; output");
   card(s_.plane_stress ? "1 2" : "0 2"); // without zones, too, the load path is followed
   comment("bodies, matching zones, functional nodes per element");
-  card(bodies + " 0 " + std::to_string(nodes()));
+  card(bodies + " " + std::to_string(matching()) + " " + std::to_string(nodes()));
   comment("per body: curves, boundary points per element, elements, boundary points");
   for (size_t b = 0; b < s_.bodies.size(); ++b)
     card(std::to_string(mesh_.bodies[b].size()) + (is_curved(b) ? " 3 " : " 2 ") + std::to_string(elements(b)) + " " +
@@ -250,10 +254,47 @@ void Writer::history() {
   }
 }
 
+// The node of a body, from 1, where an element begins.
+int Writer::first_node(size_t b, int element) const {
+  int node = (element - 1) * s_.order + 1, before = 0;
+  for (const MeshedOutline& outline : mesh_.bodies[b]) {
+    before += static_cast<int>(outline.elements());
+    if (element > before && outline.open) ++node;
+  }
+  return node;
+}
+
+size_t Writer::matching() const {
+  return static_cast<size_t>(std::count_if(zones_.begin(), zones_.end(), [](const Zone& zone) { return zone.matching; }));
+}
+
+void Writer::matching_zones() {
+  std::vector<int> nodes_in(s_.bodies.size(), 0), elements_in(s_.bodies.size(), 0);
+  for (const Zone& zone : zones_) {
+    if (!zone.matching) continue;
+    const int first = first_side(s_, *zone.interface);
+    const size_t one = static_cast<size_t>(zone.interface->side[first].body),
+                 two = static_cast<size_t>(zone.interface->side[1 - first].body);
+    const int count = zone.two.count, at_begin = zone.leaves[0], at_end = zone.leaves[1];
+    const int pairs = count * s_.order + 1 - at_begin - at_end;
+    const auto told = [](int a, int b, int c, int d) {
+      return std::to_string(a) + " " + std::to_string(b) + " " + std::to_string(c) + " " + std::to_string(d);
+    };
+    comment("matching zone: bodies, pairs, elements; its elements; its nodes");
+    card(told(static_cast<int>(one) + 1, static_cast<int>(two) + 1, pairs, count));
+    card(told(zone.one.first, zone.one.last, zone.two.last, zone.two.first));
+    const int from = first_node(one, zone.one.first) + at_end, to = first_node(two, zone.two.first) + at_begin;
+    card(told(from, from + pairs - 1, to + pairs - 1, to));
+    for (const size_t b : {one, two}) nodes_in[b] += pairs, elements_in[b] += count;
+  }
+  comment("per body: nodes and elements in matching zones");
+  for (size_t b = 0; b < s_.bodies.size(); ++b) card(std::to_string(nodes_in[b]) + " " + std::to_string(elements_in[b]));
+}
+
 void Writer::zones() {
   int number_of_zone = 0;
   std::string ties, frictions;
-  for (const Zone& zone : zones_of(s_, mesh_)) {
+  for (const Zone& zone : zones_) {
     const Interface& interface = *zone.interface;
     const int first = first_side(s_, interface), one = interface.side[first].body, two = interface.side[1 - first].body;
     const std::string told = std::to_string(++number_of_zone);
@@ -261,7 +302,7 @@ void Writer::zones() {
     for (const Stretch& s : {zone.one, zone.two}) text += " " + std::to_string(s.first) + " " + std::to_string(s.last);
     if (zone.one.last < zone.one.first || zone.two.last < zone.two.first)
       text += " " + std::to_string(zone.one.count) + " " + std::to_string(zone.two.count);
-    card(text);
+    if (!zone.matching) card(text);
     const std::string name =
         !interface.name.empty() ? interface.name : interface.side[0].names[0] + " on " + interface.side[1].names[0];
     ties += (interface.tied ? "*TIE " + told + "\n" : "") + "*NAME ZONE " + told + " " + name.substr(0, 31) + "\n";
@@ -358,13 +399,13 @@ void Writer::platens() {
 }
 
 std::string Writer::write() {
+  zones_ = zones_of(s_, mesh_);
   for (size_t b = 0; b < s_.bodies.size(); ++b) ends_.push_back(ends(b));
   heading();
   control();
   for (size_t b = 0; b < s_.bodies.size(); ++b) points(b);
   for (size_t b = 0; b < s_.bodies.size(); ++b) conditions(b);
-  comment("per body: nodes and elements in matching zones");
-  for (size_t b = 0; b < s_.bodies.size(); ++b) card("0 0");
+  matching_zones();
   comment("load cards, limit of iterations");
   card("1 50");
   card("1 1");

@@ -1,5 +1,7 @@
 #include "program/sketch/zones.hpp"
 
+#include "program/sketch/outline.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -127,15 +129,18 @@ private:
   Numbers chosen(size_t k, int which) const;
   void choose(size_t k);
   void join(size_t k);
+  struct Pair {
+    size_t interface;
+    Numbers one, two;
+    bool matching = false, leaves[2] = {false, false};
+  };
+  bool coincides(const Pair& pair) const;
+  void part(Pair& stays, Pair& yields);
   void part_neighbours();
 
   const Sketch& s_;
   std::vector<Elements> elements_;
   std::vector<std::vector<Part>> parts_; // of every body's elements
-  struct Pair {
-    size_t interface;
-    Numbers one, two;
-  };
   std::vector<Pair> pairs_;
 };
 
@@ -188,21 +193,53 @@ void Pairing::join(size_t k) {
     for (const Numbers& row : in_a_row(body(k, 1), facing[r])) pairs_.push_back({k, rows[r], row});
 }
 
-// Nodes are in one pair: of zones that adjoin on their second side one ends an element earlier. That is the later one, but a
-// tie goes on to its end, which may be the tip of a crack.
+// Do the elements of two elastic bodies lie on each other, end by end?
+bool Pairing::coincides(const Pair& pair) const {
+  const Elements &one = body(pair.interface, 0), &two = body(pair.interface, 1);
+  if (&one == &two || pair.one.size() != pair.two.size()) return false;
+  for (int which = 0; which < 2; ++which) {
+    const Numbers& numbers = which == 0 ? pair.one : pair.two;
+    const int after = body(pair.interface, which)[static_cast<size_t>(numbers.back())].after;
+    if (s_.bodies[static_cast<size_t>(side(pair.interface, which).body)].rigid || numbers.front() > numbers.back() ||
+        (after >= 0 && after <= numbers.back()))
+      return false; // nodes are numbered along the outline: not round its end
+  }
+  for (size_t i = 0; i < pair.one.size(); ++i) {
+    const Element &a = one[static_cast<size_t>(pair.one[i])], &b = two[static_cast<size_t>(pair.two[pair.two.size() - 1 - i])];
+    const double near = kJoint * length(a.to - a.from);
+    if (length(a.from - b.to) > near || length(a.to - b.from) > near) return false;
+  }
+  return true;
+}
+
+// Two zones that adjoin on their second side: nodes are in one pair. Of zones that coincide one leaves its last node to the
+// other; else its last element, which then carries nothing.
+void Pairing::part(Pair& stays, Pair& yields) {
+  const Elements& all = body(stays.interface, 1);
+  for (const bool at_end : {false, true}) {
+    if (stays.two.empty() || yields.two.empty()) return;
+    const int after = all[static_cast<size_t>((at_end ? yields : stays).two.back())].after;
+    if (after != (at_end ? stays : yields).two.front()) continue;
+    if ((stays.matching || coincides(stays)) && (yields.matching || coincides(yields))) {
+      stays.matching = yields.matching = yields.leaves[at_end ? 1 : 0] = true;
+      continue;
+    }
+    const auto shorten = [](Numbers& numbers, bool back) { numbers.erase(back ? numbers.end() - 1 : numbers.begin()); };
+    shorten(yields.two, at_end);
+    if (yields.matching) shorten(yields.one, !at_end), yields.leaves[at_end ? 1 : 0] = false;
+  }
+}
+
+// The later one yields, but for a tie, which goes on to its end: that may be the tip of a crack.
 void Pairing::part_neighbours() {
   for (size_t i = 0; i < pairs_.size(); ++i)
     for (size_t j = i + 1; j < pairs_.size(); ++j) {
       if (side(pairs_[i].interface, 1).body != side(pairs_[j].interface, 1).body) continue;
-      const Elements& all = body(pairs_[i].interface, 1);
-      const bool yields = s_.interfaces[pairs_[j].interface].tied && !s_.interfaces[pairs_[i].interface].tied;
-      const Numbers& stays = pairs_[yields ? j : i].two;
-      Numbers& ends = pairs_[yields ? i : j].two;
-      if (ends.empty() || stays.empty()) continue;
-      if (all[static_cast<size_t>(ends.back())].after == stays.front()) ends.pop_back();
-      if (!ends.empty() && all[static_cast<size_t>(stays.back())].after == ends.front()) ends.erase(ends.begin());
+      const bool early = s_.interfaces[pairs_[j].interface].tied && !s_.interfaces[pairs_[i].interface].tied;
+      part(pairs_[early ? j : i], pairs_[early ? i : j]);
     }
   pairs_.erase(std::remove_if(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.two.empty(); }), pairs_.end());
+  std::stable_partition(pairs_.begin(), pairs_.end(), [](const Pair& p) { return p.matching; });
 }
 
 std::vector<Zone> Pairing::run() {
@@ -214,7 +251,12 @@ std::vector<Zone> Pairing::run() {
   }
   part_neighbours();
   std::vector<Zone> out;
-  for (const Pair& pair : pairs_) out.push_back({&s_.interfaces[pair.interface], stretch(pair.one), stretch(pair.two)});
+  for (const Pair& pair : pairs_)
+    out.push_back({&s_.interfaces[pair.interface],
+                   stretch(pair.one),
+                   stretch(pair.two),
+                   pair.matching,
+                   {pair.leaves[0], pair.leaves[1]}});
   return out;
 }
 

@@ -1,0 +1,106 @@
+// Which elements of a sketch may touch: sides in several interfaces, sides that go round, ties, press fits.
+#include "program/sketch/zones.hpp"
+#include "sketch_runs.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace sketch_test;
+
+namespace {
+
+template <class Drawn> Solution solved(const Drawn& drawn, const Setup& setup = Setup()) {
+  const Solution out = solve(drawn, setup);
+  REQUIRE_MESSAGE(out.error.empty(), out.error);
+  return out;
+}
+
+std::vector<sketch::Zone> zones(const sketch::Reading& drawn, const sketch::Mesh& mesh) {
+  return sketch::zones_of(drawn.sketch, mesh);
+}
+
+// Two circles on a block, which begin at their lowest points, where they touch it.
+const char kTwo[] = "body block E 1000 nu 0.3\nfrom -12 -10\nline bottom to 12 -10\nline right to 12 0\nline top to -12 0\n"
+                    "line left close\nbody a E 1000 nu 0.3\ncircle out centre -4 2 radius 2\ncopy b of a shift 8 0\n"
+                    "contact block.top a.out\ncontact block.top b.out\nfix block.bottom\nweight a y -1\nweight b y -1\n";
+
+} // namespace
+
+TEST_CASE("sketch zones: a side under two bodies, sides that go on where their outline begins") {
+  const sketch::Reading drawn = read_text(kTwo);
+  const sketch::Mesh mesh = sketch::first_mesh(drawn.sketch, 2);
+  const std::vector<sketch::Zone> found = zones(drawn, mesh);
+  REQUIRE(found.size() == 2); // one for each circle, though what faces the block is its last and its first elements
+  for (const sketch::Zone& zone : found) CHECK(zone.two.last < zone.two.first);
+  CHECK(found[0].one.first > found[1].one.last); // the top runs to the left
+  const Solution s = solved(drawn);
+  for (size_t k = 0; k < 2; ++k) CHECK(std::fabs(s.zones[k].force[1] / (4 * std::acos(-1.0)) - 1) < 2e-3); // their weight
+  CHECK(std::fabs(at_peak(s.zone(1)).tn / at_peak(s.zone(2)).tn - 1) < 0.02);
+}
+
+TEST_CASE("sketch zones: neighbours share no node, whichever interface is told first") {
+  const std::string ring = "body wall rigid\nfrom -6 -2\nline to 5 -2\nline to 5 6\nline to 2.5 6\nline side to 2.5 0\n"
+                           "line floor to -6 0\nline close\nbody ring E 1 nu 0.3\ncircle out centre 0 2.5 radius 2.5\n";
+  const std::string contacts[] = {"contact wall.floor ring.out\n", "contact wall.side ring.out\n"};
+  for (const size_t first : {size_t{0}, size_t{1}}) {
+    const sketch::Reading drawn = read_text(ring + contacts[first] + contacts[1 - first]);
+    const sketch::Mesh mesh = sketch::first_mesh(drawn.sketch, 2);
+    const std::vector<sketch::Zone> found = zones(drawn, mesh);
+    const int all = static_cast<int>(mesh.bodies[1][0].elements());
+    REQUIRE(found.size() == 2);
+    const sketch::Stretch &floor = found[first].two, &side = found[1 - first].two;
+    CHECK(floor.last % all + 2 == side.first); // the circle is one side of both, each element belongs to what is nearer
+  }
+}
+
+// Sides that coincide are matching zones, of which the tie has the node at the tip. Else the faces end an element before.
+TEST_CASE("sketch zones: a tie goes on to the tip of a crack") {
+  for (const bool tie_first : {true, false})
+    for (const bool coincide : {true, false}) {
+      CAPTURE(coincide);
+      sketch::Reading drawn = read_example("crack");
+      if (tie_first) std::swap(drawn.sketch.interfaces[0], drawn.sketch.interfaces[1]);
+      sketch::Mesh mesh = sketch::first_mesh(drawn.sketch, 2);
+      int crack = 0, ahead = 0, tied = 0, faces = 0, left = 0;
+      for (sketch::MeshedCurve& curve : mesh.bodies[0][0].curves) {
+        if (curve.curve->name == "crack") crack += static_cast<int>(curve.elements());
+        if (curve.curve->name == "ahead") ahead += static_cast<int>(curve.elements());
+        if (curve.curve->name == "crack" && !coincide) curve.ends[40] += 0.3 * (curve.ends[41] - curve.ends[40]);
+      }
+      for (const sketch::Zone& zone : zones(drawn, mesh)) {
+        (zone.interface->tied ? tied : faces) += zone.two.count;
+        CHECK(zone.matching == coincide);
+        for (const bool leaves : zone.leaves) left += leaves ? 1 : 0;
+        if (zone.interface->tied) CHECK((!zone.leaves[0] && !zone.leaves[1]));
+      }
+      CHECK(tied == ahead);
+      CHECK(faces == (coincide ? crack : crack - 2));
+      CHECK(left == (coincide ? 2 : 0));
+      const Solution s = families_test::solve_deck(sketch::deck_of(drawn.sketch, mesh));
+      REQUIRE_MESSAGE(s.error.empty(), s.error);
+      double largest = 0; // at the open tip, in an infinite plate
+      for (const app::StressIntensity& tip : s.cracks) largest = std::max(largest, tip.K1);
+      CHECK(s.cracks.size() == 2);
+      CHECK(std::fabs(largest / (200.0 / 3 * std::sqrt(std::acos(-1.0) * 10 / 3)) - 1) < 0.01);
+    }
+}
+
+TEST_CASE("sketch zones: a press fit and a load behind it") {
+  const std::string fit = test::read_file(paths::root() + "/examples/press_fit.c2s"), load = "pressure hub.rim 20\n";
+  const auto pressure = [](const std::string& text, double overlap) {
+    const Solution s = solved(read_text(text, {{"fit", overlap}}), {1});
+    return s.last()[s.last().size() / 2].tn;
+  };
+  const double both = pressure(fit + load, 0.0025), alone = pressure(fit, 0.0025), pressed = pressure(fit + load, 1e-7);
+  CHECK(pressed > 5);
+  CHECK(std::fabs(both / (alone + pressed) - 1) < 1e-3); // one contact all the time: superposition
+  const std::string deck = sketch::deck_of(read_text(fit + load).sketch, sketch::first_mesh(read_text(fit).sketch, 1));
+  CHECK(deck.find("*INTERFERENCE 2\n*PATH\n10 1 1\n") != std::string::npos);
+
+  // Told twice, and not at all.
+  const sketch::Reading twice = sketch::read_sketch(fit + "interference\n", {}, nullptr);
+  REQUIRE(twice.faults.size() == 1);
+  CHECK(twice.faults[0].text == "interference is there already");
+  const sketch::Reading none = read_text(fit.substr(0, fit.find("interference\n")) + load);
+  const Solution refused = families_test::solve_deck(sketch::deck_of(none.sketch, sketch::first_mesh(none.sketch, 1)));
+  CHECK(refused.error.find("overlap") != std::string::npos);
+}
