@@ -9,7 +9,7 @@ namespace app {
 
 int halve_deck(const Options& options) {
   Session session;
-  int exit = session.read_file(options.deck, options.settings);
+  int exit = session.read_file(options.deck, {options.settings, true, options.memory});
   if (exit != 0) return exit;
   uint64_t minimum = 0, in_core = 0;
   const c2d_status status = c2d_memory_need(&session.limits, &minimum, &in_core, nullptr);
