@@ -101,9 +101,9 @@ bool read_convert_option(const std::vector<std::string>& words, size_t& at, Opti
   } else if (at + 1 < words.size()) {
     value = words[++at];
   }
-  const bool mesh = options.command == Command::kMesh;
-  if (name != (mesh ? "--set" : "--to") && name != "-o" && name != "--output") {
-    error = (mesh ? "mesh takes no option " : "convert takes no option ") + name;
+  const bool mesh = options.command == Command::kMesh, sketch = options.command == Command::kSketch;
+  if (name != (mesh ? "--set" : sketch ? "--with" : "--to") && name != "-o" && name != "--output") {
+    error = (mesh ? "mesh" : sketch ? "sketch" : "convert") + std::string(" takes no option ") + name;
     return false;
   }
   if (value.empty()) {
@@ -116,6 +116,8 @@ bool read_convert_option(const std::vector<std::string>& words, size_t& at, Opti
   }
   if (name == "--set")
     options.settings.push_back(value);
+  else if (name == "--with")
+    options.conditions = value;
   else
     (name == "--to" ? options.convert_to : options.output) = value;
   return true;
@@ -170,7 +172,7 @@ bool read_size(const std::string& text, uint64_t& bytes) {
 bool read_options(int argc, const char* const* argv, Options& options, std::string& error) {
   const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
   if (words.empty()) {
-    error = "no command: expected run, check, mesh, convert, make, resume, --version or --help";
+    error = "no command: expected run, check, sketch, mesh, convert, make, resume, --version or --help";
     return false;
   }
   const std::string& command = words[0];
@@ -186,12 +188,15 @@ bool read_options(int argc, const char* const* argv, Options& options, std::stri
     return false;
   }
   if (command == "resume") return read_resume(words, options, error);
-  const std::pair<const char*, Command> known[] = {
-      {"run", Command::kRun}, {"check", Command::kCheck}, {"mesh", Command::kMesh}, {"convert", Command::kConvert}};
+  const std::pair<const char*, Command> known[] = {{"run", Command::kRun},
+                                                   {"check", Command::kCheck},
+                                                   {"sketch", Command::kSketch},
+                                                   {"mesh", Command::kMesh},
+                                                   {"convert", Command::kConvert}};
   for (const auto& [name, which] : known)
     if (command == name) options.command = which;
   if (options.command == Command::kHelp) {
-    error = "unknown command " + command + ": expected run, check, mesh, convert, make, resume, --version or --help";
+    error = "unknown command " + command + ": expected run, check, sketch, mesh, convert, make, resume, --version or --help";
     return false;
   }
   bool options_end = false;
@@ -209,7 +214,7 @@ bool read_options(int argc, const char* const* argv, Options& options, std::stri
         error = "check takes no option " + word;
         return false;
       }
-      if (options.command == Command::kConvert || options.command == Command::kMesh
+      if (options.command == Command::kConvert || options.command == Command::kMesh || options.command == Command::kSketch
               ? !read_convert_option(words, at, options, error)
               : !read_run_option(words, at, options, error))
         return false;
@@ -224,7 +229,7 @@ bool read_options(int argc, const char* const* argv, Options& options, std::stri
     }
   }
   if (options.deck.empty()) {
-    error = command + " needs a deck";
+    error = command + (options.command == Command::kSketch ? " needs a drawing" : " needs a deck");
     return false;
   }
   if (!options.points.empty() && options.file(Output::kInterior).empty() && options.file(Output::kVtk).empty() &&
@@ -260,6 +265,7 @@ namespace {
 const char kHelpBefore[] =
     "usage: contact2d run DECK [options]\n"
     "       contact2d check DECK [--symmetry deck|images] [--set NAME=VALUE]\n"
+    "       contact2d sketch DRAWING [--with FILE] [-o FILE]\n"
     "       contact2d mesh SKETCH [--set NAME=VALUE] [-o FILE]\n"
     "       contact2d resume DIR\n"
     "       contact2d convert DECK [--to fixed|free] [-o FILE]\n"
@@ -272,6 +278,7 @@ const char kHelpBefore[] =
     "other\n"
     "form (fixed columns or free) without changing a number. DECK may be - for standard input.\n"
     "A DECK may be a sketch: shapes without a mesh. mesh writes the deck that is made of it.\n"
+    "sketch begins a sketch from a drawing (DXF or MSH, ASCII); --with FILE adds the statements of a file to it.\n"
     "make writes the deck of a problem known by name to standard output; --list tells names and keys.\n"
     "\n"
     "resume goes on after a crash of a run with --store file:DIR: the deck, the options and the tapes are in DIR;\n"
