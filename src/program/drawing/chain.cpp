@@ -7,10 +7,11 @@ namespace drawing {
 namespace {
 
 const double kHalfTurn = std::acos(-1.0);
-constexpr double kRound = 1e-8;        // of the size: what digits of files leave open
-constexpr double kCorner = 40;         // degrees
-constexpr size_t kArcPoints = 5;       // of three points everyone lies on a circle
-constexpr size_t kStraightPoints = 4;  // within a run that is not straight as a whole: three may be so by symmetry
+constexpr double kRound = 1e-8;       // of the size: what digits of files leave open
+constexpr double kCorner = 40;        // degrees
+constexpr double kArcStep = 52;       // degrees: meshes have seven elements to a circle at least
+constexpr size_t kArcPoints = 5;      // with fewer an arc is a guess
+constexpr size_t kStraightPoints = 4; // within a run that is not straight as a whole: three may be so by symmetry
 
 double turn(Point a, Point b, Point c) {
   return std::fabs(std::atan2(sketch::cross(b - a, c - b), sketch::dot(b - a, c - b))) * 180 / kHalfTurn;
@@ -31,14 +32,15 @@ bool circle_through(Point a, Point b, Point c, Point& centre) {
   const Point p = b - a, q = c - a;
   const double area = sketch::cross(p, q);
   if (std::fabs(area) <= 1e-9 * sketch::length(p) * sketch::length(q)) return false;
-  centre = a + (1 / (2 * area)) * Point{sketch::dot(p, p) * q.y - sketch::dot(q, q) * p.y, sketch::dot(q, q) * p.x - sketch::dot(p, p) * q.x};
+  centre = a + (1 / (2 * area)) *
+                   Point{sketch::dot(p, p) * q.y - sketch::dot(q, q) * p.y, sketch::dot(q, q) * p.x - sketch::dot(p, p) * q.x};
   return true;
 }
 
 // An arc through all of the points, or through points of a whole circle.
 bool is_arc(const std::vector<Point>& p, bool closed, double tolerance, Curve& out) {
   const size_t n = p.size();
-  if (n < kArcPoints) return false;
+  if (n < (closed ? kArcPoints : 3)) return false;
   Point centre;
   if (!circle_through(p[0], p[closed ? n / 3 : n / 2], p[closed ? 2 * n / 3 : n - 1], centre)) return false;
   const double radius = sketch::length(p[0] - centre);
@@ -48,13 +50,14 @@ bool is_arc(const std::vector<Point>& p, bool closed, double tolerance, Curve& o
     if (i + 1 == n && !closed) break;
     const Point a = p[i] - centre, b = p[(i + 1) % n] - centre;
     const double step = std::atan2(sketch::cross(a, b), sketch::dot(a, b)) * 180 / kHalfTurn;
-    if (i > 0 && (step > 0) != (sweep > 0)) return false;
+    if (std::fabs(step) > kArcStep || (i > 0 && (step > 0) != (sweep > 0))) return false;
     sweep += step;
   }
   if (std::fabs(sweep) > 360 * (1 + 1e-6) || closed != (std::fabs(sweep) > 360 * (1 - 1e-6))) return false;
   const Point arm = p[0] - centre;
   out = circular(centre, radius, std::atan2(arm.y, arm.x) * 180 / kHalfTurn, sweep);
   move_ends(out, p.front(), p.back());
+  out.guessed = n < kArcPoints;
   return true;
 }
 
@@ -99,15 +102,12 @@ std::vector<Curve> curves_of(const std::vector<Point>& points, bool closed, doub
   std::vector<Point> p = points;
   const size_t n = p.size();
   if (n < 2) return out;
+  if (Curve arc; is_arc(p, closed, tolerance, arc)) return {arc};
   if (closed) {
     const auto is_corner = [&](size_t i) { return turn(p[(i + n - 1) % n], p[i], p[(i + 1) % n]) > kCorner; };
     size_t corner = 0;
     while (corner < n && !is_corner(corner)) ++corner;
-    if (corner == n) {
-      Curve circle;
-      out.push_back(is_arc(p, true, tolerance, circle) ? circle : smooth(p, true));
-      return out;
-    }
+    if (corner == n) return {smooth(p, true)};
     std::rotate(p.begin(), p.begin() + static_cast<ptrdiff_t>(corner), p.end());
     p.push_back(p.front());
   }

@@ -14,7 +14,8 @@ bool is_one_of(std::string_view word, std::initializer_list<const char*> words) 
 // The words of a statement, without its comment.
 std::vector<std::string> statement_of(std::string_view line) {
   std::string text(line.substr(0, line.find('!')));
-  std::replace_if(text.begin(), text.end(), [](char c) { return c == ',' || c == '='; }, ' ');
+  std::replace_if(
+      text.begin(), text.end(), [](char c) { return c == ',' || c == '='; }, ' ');
   std::vector<std::string> out;
   for (const std::string_view word : words_of(text)) out.emplace_back(word);
   return out;
@@ -40,8 +41,8 @@ Conditions read_conditions(std::string_view text) {
     out.has_units = out.has_units || word == "units";
     size_t next = i + 1;
     while (next < lines.size() && lines[next].words.empty()) ++next;
-    const bool draws = next < lines.size() &&
-                       is_one_of(lines[next].words[0], {"from", "outline", "hole", "circle", "ellipse", "spline", "curve", "arc"});
+    const bool draws = next < lines.size() && is_one_of(lines[next].words[0], {"from", "outline", "hole", "circle", "ellipse",
+                                                                               "spline", "curve", "arc"});
     if (is_one_of(word, {"title", "units", "plane", "functions", "parameter", "symmetry"})) {
       out.head += line.text + "\n";
     } else if (word == "body" && line.words.size() > 1 && !draws) {

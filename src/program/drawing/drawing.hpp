@@ -25,12 +25,13 @@ struct Curve {
   int line = 0;       // where the file has it
   bool whole = false; // closed by itself: a circle, an ellipse, a smooth closed spline
   Point begin, end;
-  Point centre;                   // of an arc and an ellipse
-  double a = 0, b = 0;            // half axes; of an arc the radius
-  double tilt = 0;                // of the axis a, in degrees
-  double from = 0, sweep = 0;     // eccentric angles in degrees; below 0: clockwise
-  std::vector<Point> points;      // of a spline, both ends among them; of a whole one the begin stands once
-  double doubt = 0;               // of a spline: how far it may be from what it stands for
+  Point centre;               // of an arc and an ellipse
+  double a = 0, b = 0;        // half axes; of an arc the radius
+  double tilt = 0;            // of the axis a, in degrees
+  double from = 0, sweep = 0; // eccentric angles in degrees; below 0: clockwise
+  std::vector<Point> points;  // of a spline, both ends among them; of a whole one the begin stands once
+  bool guessed = false;       // an arc through three or four points, which may stand for another curve
+  double doubt = 0;           // of a spline: how far it may be from what it stands for
 };
 
 Curve straight(Point begin, Point end);
@@ -58,10 +59,10 @@ struct Body {
 };
 
 struct Drawing {
-  std::string kind;           // what the file is
-  std::string unit;           // of length; empty: not told
-  std::vector<Curve> curves;  // that are to be joined
-  std::vector<Body> bodies;   // that the file tells itself
+  std::string kind;          // what the file is
+  std::string unit;          // of length; empty: not told
+  std::vector<Curve> curves; // that are to be joined
+  std::vector<Body> bodies;  // that the file tells itself
   std::vector<std::string> notes;
 };
 

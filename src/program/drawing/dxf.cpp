@@ -117,8 +117,7 @@ size_t Reader::old_polyline(const std::vector<Entity>& all, size_t at) {
   size_t i = at + 1;
   for (; i < all.size() && all[i].type == "VERTEX"; ++i) {
     constexpr int64_t kFrame = 16; // a control point of a spline that the other corners follow
-    if ((all[i].flags(70) & kFrame) == 0)
-      vertices.push_back({all[i].point(10, "a corner"), all[i].number(42, 0, "a bulge")});
+    if ((all[i].flags(70) & kFrame) == 0) vertices.push_back({all[i].point(10, "a corner"), all[i].number(42, 0, "a bulge")});
   }
   if (i == all.size() || all[i].type != "SEQEND") throw Fault{e.line, "POLYLINE without SEQEND behind its corners"};
   constexpr int64_t kMesh = 16 | 64;
@@ -140,7 +139,8 @@ void Reader::ellipse(const Entity& e) {
   if (a == 0) throw Fault{e.line, "ELLIPSE: the major axis has no length"};
   const double side = plane_of(e) == Plane::kBack ? -1 : 1; // the minor axis lies on the other side
   const double tilt = degrees(std::atan2(axis.y, axis.x));
-  if (std::fabs(ratio - 1) < 1e-12) return add(circular(centre, a, tilt + side * degrees(from), side * degrees(sweep)), e, false);
+  if (std::fabs(ratio - 1) < 1e-12)
+    return add(circular(centre, a, tilt + side * degrees(from), side * degrees(sweep)), e, false);
   add(elliptic(centre, a, a * ratio, tilt, side * degrees(from), side * degrees(sweep)), e, false);
 }
 

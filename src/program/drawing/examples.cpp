@@ -54,8 +54,7 @@ std::vector<std::string> examples_for(const std::vector<Body>& bodies) {
   std::vector<std::string> out;
   const std::vector<Sampled> curves = sampled(bodies);
   constexpr size_t kMost = 8; // bodies: of more the pairs are too many to be an example
-  for (size_t i = 0; i + 1 < bodies.size() && i + 1 < kMost; ++i)
-    out.push_back(contact_of(bodies[i], bodies[i + 1], curves));
+  for (size_t i = 0; i + 1 < bodies.size() && i + 1 < kMost; ++i) out.push_back(contact_of(bodies[i], bodies[i + 1], curves));
   const auto is_lower = [](const Sampled& a, const Sampled& b) { return a.height < b.height; };
   const Sampled& lowest = *std::min_element(curves.begin(), curves.end(), is_lower);
   const Sampled* highest = nullptr; // of another body, where there is one

@@ -70,9 +70,8 @@ std::vector<Leaving> leaving(const Graph& graph) {
 // Half edges that leave a joint, counter-clockwise: by angle, and those that touch by curvature.
 void sort_around(std::vector<Leaving>& around) {
   constexpr double kTouch = 1e-6;
-  std::sort(around.begin(), around.end(), [](const Leaving& a, const Leaving& b) {
-    return a.angle != b.angle ? a.angle < b.angle : a.half < b.half;
-  });
+  std::sort(around.begin(), around.end(),
+            [](const Leaving& a, const Leaving& b) { return a.angle != b.angle ? a.angle < b.angle : a.half < b.half; });
   // Angles of -pi and pi are one direction.
   if (around.size() > 1) {
     size_t gap = 0;
@@ -81,7 +80,8 @@ void sort_around(std::vector<Leaving>& around) {
   }
   for (size_t first = 0; first < around.size();) {
     size_t last = first + 1;
-    while (last < around.size() && std::fabs(std::remainder(around[last].angle - around[last - 1].angle, 2 * std::acos(-1.0))) < kTouch)
+    while (last < around.size() &&
+           std::fabs(std::remainder(around[last].angle - around[last - 1].angle, 2 * std::acos(-1.0))) < kTouch)
       ++last;
     std::stable_sort(around.begin() + static_cast<ptrdiff_t>(first), around.begin() + static_cast<ptrdiff_t>(last),
                      [](const Leaving& a, const Leaving& b) { return a.curvature < b.curvature; });
@@ -122,7 +122,8 @@ Graph graph_of(std::vector<Curve> curves, double tolerance) {
     }
     graph.ends[end / 2][end % 2] = number[root];
   }
-  for (size_t i = 0; i < curves.size(); ++i) move_ends(curves[i], graph.joints[graph.ends[i][0]], graph.joints[graph.ends[i][1]]);
+  for (size_t i = 0; i < curves.size(); ++i)
+    move_ends(curves[i], graph.joints[graph.ends[i][0]], graph.joints[graph.ends[i][1]]);
   graph.curves = std::move(curves);
   return graph;
 }

@@ -4,6 +4,7 @@
 #include "program/sketch/outline.hpp"
 
 #include <algorithm>
+#include <climits>
 #include <cmath>
 #include <map>
 
@@ -238,6 +239,14 @@ void nest(std::vector<Contour>& contours, Drawing& drawing) {
   }
 }
 
+// Bodies come in the order in which the file has their first curves.
+int first_line(const Body& body) {
+  int first = INT_MAX;
+  for (const Loop& loop : body.loops)
+    for (const Curve& curve : loop.curves) first = std::min(first, curve.line);
+  return first;
+}
+
 // Circles and the like that lie twice.
 bool is_same_whole(const Curve& a, const Curve& b, double tolerance) {
   return a.kind == b.kind && a.kind != Curve::kSpline && sketch::length(a.centre - b.centre) <= tolerance &&
@@ -248,9 +257,7 @@ bool is_same_whole(const Curve& a, const Curve& b, double tolerance) {
 
 void join_curves(Drawing& drawing) {
   const double tolerance = kJoin * size_of(drawing.curves);
-  std::vector<Curve> loose;
-  std::vector<Contour> contours;
-  std::vector<Curve> wholes;
+  std::vector<Curve> loose, wholes;
   for (Curve& curve : with_length(drawing.curves, tolerance, drawing.notes)) {
     if (!curve.whole) {
       loose.push_back(std::move(curve));
@@ -268,10 +275,12 @@ void join_curves(Drawing& drawing) {
   drop_doubles(graph, tolerance, drawing.notes);
   tell_open_ends(graph, drawing.notes);
   prune(graph, drawing.notes);
-  contours = contours_of(graph);
+  std::vector<Contour> contours = contours_of(graph);
   for (const Curve& curve : wholes) contours.push_back(contour_of(curve));
   const size_t first = drawing.bodies.size();
   nest(contours, drawing);
+  std::stable_sort(drawing.bodies.begin() + static_cast<ptrdiff_t>(first), drawing.bodies.end(),
+                   [](const Body& a, const Body& b) { return first_line(a) < first_line(b); });
   for (size_t b = first; b < drawing.bodies.size(); ++b)
     for (Loop& loop : drawing.bodies[b].loops) tidy(loop);
 }

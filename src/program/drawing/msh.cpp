@@ -15,8 +15,8 @@ struct Kind { // of elements that are used
   int type, order, corners, nodes;
 };
 // Lines; triangles and quadrangles with all nodes, and with nodes on their sides only.
-constexpr Kind kKinds[] = {{1, 1, 0, 2},   {8, 2, 0, 3},   {26, 3, 0, 4},  {2, 1, 3, 3},   {9, 2, 3, 6},   {20, 3, 3, 9},
-                           {21, 3, 3, 10}, {3, 1, 4, 4},   {16, 2, 4, 8},  {10, 2, 4, 9},  {39, 3, 4, 12}, {36, 3, 4, 16}};
+constexpr Kind kKinds[] = {{1, 1, 0, 2},   {8, 2, 0, 3}, {26, 3, 0, 4}, {2, 1, 3, 3},  {9, 2, 3, 6},   {20, 3, 3, 9},
+                           {21, 3, 3, 10}, {3, 1, 4, 4}, {16, 2, 4, 8}, {10, 2, 4, 9}, {39, 3, 4, 12}, {36, 3, 4, 16}};
 
 const Kind* kind_of(int type) {
   for (const Kind& kind : kKinds)
@@ -32,7 +32,9 @@ public:
 private:
   using Words = std::vector<std::string_view>;
   Words row(const char* section, size_t least); // the next line, which may not be the section's end
-  int64_t integer(const Words& words, size_t i, const char* what) const { return whole_number(words[i], lines_.number(), what); }
+  int64_t integer(const Words& words, size_t i, const char* what) const {
+    return whole_number(words[i], lines_.number(), what);
+  }
   int64_t count(const Words& words, size_t i, const char* what) const;
   void format();
   void names();
@@ -52,10 +54,10 @@ private:
   Lines lines_;
   Mesh mesh_;
   bool is_4_ = false;
-  std::vector<double> height_;                             // z of each node
-  std::map<std::pair<int, int64_t>, int64_t> group_of_;    // of entities, by dimension and tag
-  std::map<int, int> others_;                              // elements of types that are not used
-  bool many_ = false;                                      // an entity of several groups
+  std::vector<double> height_;                          // z of each node
+  std::map<std::pair<int, int64_t>, int64_t> group_of_; // of entities, by dimension and tag
+  std::map<int, int> others_;                           // elements of types that are not used
+  bool many_ = false;                                   // an entity of several groups
 };
 
 Reader::Words Reader::row(const char* section, size_t least) {
@@ -73,7 +75,8 @@ Reader::Words Reader::row(const char* section, size_t least) {
 
 int64_t Reader::count(const Words& words, size_t i, const char* what) const {
   const int64_t n = integer(words, i, what);
-  if (n < 0 || n > 100000000) throw Fault{number(), std::string(what) + " is " + std::to_string(n) + ", expected 0 to 100000000"};
+  if (n < 0 || n > 100000000)
+    throw Fault{number(), std::string(what) + " is " + std::to_string(n) + ", expected 0 to 100000000"};
   return n;
 }
 
@@ -94,8 +97,8 @@ void Reader::names() {
     std::string_view name(first.data(), static_cast<size_t>(last.data() + last.size() - first.data())); // with its blanks
     if (name.size() < 2 || name.front() != '"' || name.back() != '"')
       throw Fault{number(), "the name of a physical group is " + shown(name) + ", expected one in quotes"};
-    mesh_.names.push_back(
-        {static_cast<int>(integer(words, 0, "a dimension")), integer(words, 1, "a physical group"), std::string(name.substr(1, name.size() - 2))});
+    mesh_.names.push_back({static_cast<int>(integer(words, 0, "a dimension")), integer(words, 1, "a physical group"),
+                           std::string(name.substr(1, name.size() - 2))});
   }
 }
 
@@ -131,8 +134,10 @@ void Reader::entities() {
       const size_t at = dimension == 0 ? 4 : 7;
       const Words words = row("$Entities", at + 1);
       const int64_t groups = count(words, at, "the number of physical groups");
-      if (words.size() < at + 1 + static_cast<size_t>(groups)) throw Fault{number(), "$Entities: fewer physical groups than it tells"};
-      if (groups > 0) group_of_[{dimension, integer(words, 0, "an entity")}] = std::abs(integer(words, at + 1, "a physical group"));
+      if (words.size() < at + 1 + static_cast<size_t>(groups))
+        throw Fault{number(), "$Entities: fewer physical groups than it tells"};
+      if (groups > 0)
+        group_of_[{dimension, integer(words, 0, "an entity")}] = std::abs(integer(words, at + 1, "a physical group"));
       if (groups > 1) many_ = true;
     }
 }
@@ -145,8 +150,8 @@ void Reader::add_element(Element element, const Words& words, size_t first) {
     return;
   }
   if (words.size() - first != static_cast<size_t>(kind->nodes))
-    throw Fault{number(), "an element of type " + std::to_string(element.type) + " has " + std::to_string(words.size() - first) +
-                              " nodes, expected " + std::to_string(kind->nodes)};
+    throw Fault{number(), "an element of type " + std::to_string(element.type) + " has " +
+                              std::to_string(words.size() - first) + " nodes, expected " + std::to_string(kind->nodes)};
   element.line = number();
   for (size_t i = first; i < words.size(); ++i) element.nodes.push_back(integer(words, i, "a node"));
   (kind->corners == 0 ? mesh_.lines : mesh_.faces).push_back(std::move(element));
@@ -223,7 +228,8 @@ void Reader::check() {
   double size = 0;
   for (const Point& p : mesh_.nodes) size = std::max(size, sketch::length(p - mesh_.nodes.front()));
   if (*high - *low > kJoin * size)
-    throw Fault{0, "the mesh is not flat: z runs from " + told(*low) + " to " + told(*high) + ", expected a plane of constant z"};
+    throw Fault{0,
+                "the mesh is not flat: z runs from " + told(*low) + " to " + told(*high) + ", expected a plane of constant z"};
 }
 
 Mesh Reader::read() {
@@ -233,7 +239,8 @@ Mesh Reader::read() {
     const std::string section(trimmed(line));
     if (section.empty()) continue;
     if (section[0] != '$') throw Fault{number(), shown(section) + ", expected the begin of a section, such as $Nodes"};
-    if (mesh_.format.empty() && section != "$MeshFormat") throw Fault{number(), shown(section) + ", expected $MeshFormat first"};
+    if (mesh_.format.empty() && section != "$MeshFormat")
+      throw Fault{number(), shown(section) + ", expected $MeshFormat first"};
     if (section == "$MeshFormat")
       format();
     else if (section == "$PhysicalNames")

@@ -71,11 +71,11 @@ private:
   const Mesh& mesh_;
   Drawing out_;
   double size_ = 0;
-  std::vector<Side> lines_;                             // every one once
-  std::map<Key, size_t> line_at_;                       // of lines_
-  std::map<Key, std::vector<size_t>> faces_at_;         // of every side of a face
-  std::map<int64_t, std::vector<size_t>> loose_at_;     // lines that bound no face, by node
-  std::vector<size_t> parent_;                          // of faces that hang together
+  std::vector<Side> lines_;                         // every one once
+  std::map<Key, size_t> line_at_;                   // of lines_
+  std::map<Key, std::vector<size_t>> faces_at_;     // of every side of a face
+  std::map<int64_t, std::vector<size_t>> loose_at_; // lines that bound no face, by node
+  std::vector<size_t> parent_;                      // of faces that hang together
 };
 
 void Builder::take_lines() {
@@ -162,7 +162,8 @@ Loop Builder::loop_of(std::vector<Side> sides) const {
     for (size_t first = 0; first < n;) {
       size_t last = first + 1;
       while (last < n && is_alike(sides[first], sides[last])) ++last;
-      add_curves(loop.curves, {sides.begin() + static_cast<ptrdiff_t>(first), sides.begin() + static_cast<ptrdiff_t>(last)}, false);
+      add_curves(loop.curves, {sides.begin() + static_cast<ptrdiff_t>(first), sides.begin() + static_cast<ptrdiff_t>(last)},
+                 false);
       first = last;
     }
   }

@@ -1,5 +1,7 @@
 #include "program/drawing/nurbs.hpp"
 
+#include "program/drawing/chain.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -106,6 +108,17 @@ bool refine(Follow& follow, double tolerance, double& doubt) {
   return changed;
 }
 
+// Circles are often drawn as rational splines.
+bool follows_circle(const Nurbs& n, double first, double last, bool closed, Curve& arc) {
+  constexpr int kSamples = 48;
+  std::vector<Point> points;
+  for (int i = 0; i < kSamples + (closed ? 0 : 1); ++i) points.push_back(n.at(first + (last - first) * i / kSamples));
+  const std::vector<Curve> curves = curves_of(points, closed, size_of({smooth(points, false)}));
+  if (curves.size() != 1 || curves[0].kind != Curve::kArc) return false;
+  arc = curves[0];
+  return true;
+}
+
 Curve follow(const Nurbs& n, double first, double last, bool closed, double tolerance) {
   Follow f{n, {}, closed};
   f.t = {first};
@@ -124,6 +137,7 @@ Curve follow(const Nurbs& n, double first, double last, bool closed, double tole
   std::vector<Point> points = f.points();
   if (points.size() < (closed ? 3u : 2u)) return straight(n.at(first), n.at(last));
   if (!closed && is_straight(points)) return straight(points.front(), points.back());
+  if (Curve arc; follows_circle(n, first, last, closed, arc)) return arc;
   double doubt = 0;
   while (refine(f, tolerance, doubt)) {
   }
@@ -137,9 +151,11 @@ Curve follow(const Nurbs& n, double first, double last, bool closed, double tole
 std::string Nurbs::fault() const {
   if (degree < 1 || degree > 15) return "degree " + std::to_string(degree) + ", expected 1 to 15";
   const size_t p = static_cast<size_t>(degree);
-  if (points.size() <= p) return std::to_string(points.size()) + " control points, expected more than its degree " + std::to_string(degree);
+  if (points.size() <= p)
+    return std::to_string(points.size()) + " control points, expected more than its degree " + std::to_string(degree);
   if (knots.size() != points.size() + p + 1)
-    return std::to_string(knots.size()) + " knots, expected " + std::to_string(points.size() + p + 1) + ": control points, degree and 1";
+    return std::to_string(knots.size()) + " knots, expected " + std::to_string(points.size() + p + 1) +
+           ": control points, degree and 1";
   if (!std::is_sorted(knots.begin(), knots.end())) return "knots that fall";
   if (!(knots[p] < knots[points.size()])) return "knots without a range between them";
   if (!weights.empty() && weights.size() != points.size())
@@ -153,7 +169,9 @@ std::string Nurbs::fault() const {
 Point Nurbs::at(double t) const {
   const size_t p = static_cast<size_t>(degree), n = points.size();
   t = std::clamp(t, knots[p], knots[n]);
-  size_t k = static_cast<size_t>(std::upper_bound(knots.begin() + degree, knots.begin() + static_cast<ptrdiff_t>(n), t) - knots.begin()) - 1;
+  size_t k = static_cast<size_t>(std::upper_bound(knots.begin() + degree, knots.begin() + static_cast<ptrdiff_t>(n), t) -
+                                 knots.begin()) -
+             1;
   while (k > p && knots[k + 1] == knots[k]) --k; // t is the last knot
   double x[16], y[16], w[16];
   for (size_t i = 0; i <= p; ++i) {
@@ -179,7 +197,8 @@ std::vector<Curve> curves_of(const Nurbs& n, double tolerance) {
   const Point gap = n.at(last) - n.at(first);
   const bool meets = sketch::length(gap) <= 1e-9 * size_of({smooth(n.points, false)});
   // A closed one without a corner is one curve that is whole.
-  const bool whole = corners.size() == 2 && meets && sketch::dot(tangent(n, first, step), tangent(n, last, -step)) < -std::cos(1e-3);
+  const bool whole =
+      corners.size() == 2 && meets && sketch::dot(tangent(n, first, step), tangent(n, last, -step)) < -std::cos(1e-3);
   for (size_t i = 1; i < corners.size(); ++i) out.push_back(follow(n, corners[i - 1], corners[i], whole, tolerance));
   return out;
 }

@@ -35,7 +35,8 @@ std::vector<std::string_view> words_of(std::string_view line) {
 
 std::string shown(std::string_view text) {
   std::string out = "'";
-  for (const char c : text.substr(0, 40)) out += static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7f ? '?' : c;
+  for (const char c : text.substr(0, 40))
+    out += static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7f ? '?' : c;
   return out + (text.size() > 40 ? "...'" : "'");
 }
 
@@ -44,7 +45,8 @@ double real(std::string_view text, int line, const char* what) {
   if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
   double value = 0;
   const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-  if (result.ec != std::errc() || result.ptr != digits.data() + digits.size() || !std::isfinite(value) || std::fabs(value) > 1e100)
+  if (result.ec != std::errc() || result.ptr != digits.data() + digits.size() || !std::isfinite(value) ||
+      std::fabs(value) > 1e100)
     throw Fault{line, std::string(what) + " is " + shown(trimmed(text)) + ", expected a number"};
   return value;
 }

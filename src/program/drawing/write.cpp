@@ -91,7 +91,8 @@ void Writer::heading(const std::string& name) {
   }
   if (!conditions_.has_title) line("title " + title);
   if (!conditions_.has_units)
-    line(d_.unit.empty() ? "! units mm N  ! the drawing does not tell its unit of length" : "units " + d_.unit + (d_.unit == "in" ? " lbf" : " N"));
+    line(d_.unit.empty() ? "! units mm N  ! the drawing does not tell its unit of length"
+                         : "units " + d_.unit + (d_.unit == "in" ? " lbf" : " N"));
   out_ += conditions_.head;
 }
 
@@ -134,7 +135,8 @@ void Writer::curve(const Curve& c, bool last) {
     return line("  ellipse " + c.name + " centre" + at(c.centre) + "  axes " + number(c.a) + " " + number(c.b) + "  tilt " +
                 number(c.tilt) + "  from " + number(c.from) + "  turn " + number(c.sweep));
   // Ends that were moved to a joint may lie beside the circle: then its middle tells the arc.
-  const double off = std::max(std::fabs(sketch::length(c.begin - c.centre) - c.a), std::fabs(sketch::length(c.end - c.centre) - c.a));
+  const double off =
+      std::max(std::fabs(sketch::length(c.begin - c.centre) - c.a), std::fabs(sketch::length(c.end - c.centre) - c.a));
   if (off > 1e-7 * c.a) return line("  arc " + c.name + to + "  through" + at(shape_of(c)->at(0.5)));
   line("  arc " + c.name + to + "  centre" + at(c.centre) + (c.sweep < 0 ? "  right" : ""));
 }
@@ -171,6 +173,12 @@ std::string Writer::write(const std::string& name) {
   if (std::any_of(all.begin(), all.end(), [](const Curve& c) { return c.kind == Curve::kSpline; }))
     d_.notes.push_back("splines go through points of the drawing's curves" +
                        (doubt_ > 0 ? ", and are at most " + told(doubt_) + " from them" : std::string()));
+  std::string guessed;
+  for (const Body& body : d_.bodies)
+    for (const Loop& l : body.loops)
+      for (const Curve& c : l.curves)
+        if (c.guessed) guessed += (guessed.empty() ? "" : ", ") + body.name + "." + c.name;
+  if (!guessed.empty()) d_.notes.push_back("arcs through three or four points, which may be other curves: " + guessed);
   heading(name);
   for (const Body& body : d_.bodies) {
     line("body " + body.name + " " + material_of(body));
