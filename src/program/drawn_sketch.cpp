@@ -29,7 +29,7 @@ bool read(DeckFile& file, const std::string& name) {
   if (fault.status == C2D_ERR_INPUT) {
     try {
       std::vector<std::string> notes;
-      drawing::read_drawing(file.text(), notes);
+      drawing::read_drawing(file.text(), 0, notes);
     } catch (const drawing::Fault& binary) {
       print(file, binary);
       return false;
@@ -85,7 +85,7 @@ int sketch_drawing(const Options& options) {
   drawing::Drawing drawn;
   std::vector<std::string> notes;
   try {
-    drawn = drawing::read_drawing(file.text(), notes);
+    drawn = drawing::read_drawing(file.text(), options.join, notes);
   } catch (const drawing::Fault& fault) {
     for (const std::string& note : notes) messages.note(note);
     return print(file, fault);

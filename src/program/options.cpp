@@ -92,6 +92,12 @@ bool read_run_option(const std::vector<std::string>& words, size_t& at, Options&
   return false;
 }
 
+bool read_distance(const std::string& value, double& distance) {
+  const char* end = value.data() + value.size();
+  const auto result = std::from_chars(value.data(), end, distance);
+  return result.ec == std::errc() && result.ptr == end && distance > 0 && distance < 1e100;
+}
+
 bool read_convert_option(const std::vector<std::string>& words, size_t& at, Options& options, std::string& error) {
   std::string name = words[at], value;
   const size_t equals = name.find('=');
@@ -102,7 +108,8 @@ bool read_convert_option(const std::vector<std::string>& words, size_t& at, Opti
     value = words[++at];
   }
   const bool mesh = options.command == Command::kMesh, sketch = options.command == Command::kSketch;
-  if (name != (mesh ? "--set" : sketch ? "--with" : "--to") && name != "-o" && name != "--output") {
+  const bool joins = sketch && name == "--join";
+  if (name != (mesh ? "--set" : sketch ? "--with" : "--to") && !joins && name != "-o" && name != "--output") {
     error = (mesh ? "mesh" : sketch ? "sketch" : "convert") + std::string(" takes no option ") + name;
     return false;
   }
@@ -114,6 +121,11 @@ bool read_convert_option(const std::vector<std::string>& words, size_t& at, Opti
     error = "--to " + value + ": expected fixed or free";
     return false;
   }
+  if (joins && !read_distance(value, options.join)) {
+    error = "--join " + value + ": expected a distance above 0";
+    return false;
+  }
+  if (joins) return true;
   if (name == "--set")
     options.settings.push_back(value);
   else if (name == "--with")
@@ -265,7 +277,7 @@ namespace {
 const char kHelpBefore[] =
     "usage: contact2d run DECK [options]\n"
     "       contact2d check DECK [--symmetry deck|images] [--set NAME=VALUE]\n"
-    "       contact2d sketch DRAWING [--with FILE] [-o FILE]\n"
+    "       contact2d sketch DRAWING [--with FILE] [--join D] [-o FILE]\n"
     "       contact2d mesh SKETCH [--set NAME=VALUE] [-o FILE]\n"
     "       contact2d resume DIR\n"
     "       contact2d convert DECK [--to fixed|free] [-o FILE]\n"
@@ -278,7 +290,8 @@ const char kHelpBefore[] =
     "other\n"
     "form (fixed columns or free) without changing a number. DECK may be - for standard input.\n"
     "A DECK may be a sketch: shapes without a mesh. mesh writes the deck that is made of it.\n"
-    "sketch begins a sketch from a drawing (DXF or MSH, ASCII); --with FILE adds the statements of a file to it.\n"
+    "sketch begins a sketch from a drawing (DXF or MSH, ASCII); --with FILE adds the statements of a file to it,\n"
+    "--join D takes ends of curves up to a distance D for one.\n"
     "make writes the deck of a problem known by name to standard output; --list tells names and keys.\n"
     "\n"
     "resume goes on after a crash of a run with --store file:DIR: the deck, the options and the tapes are in DIR;\n"

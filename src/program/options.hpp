@@ -35,6 +35,7 @@ struct Options {
   std::string store;                                      // empty: chosen by size; "memory"; "file:DIR"
   std::string convert_to, output; // of convert: empty (the other form), "fixed", "free"; FILE, of mesh and sketch too
   std::string conditions;         // of sketch: the file of --with
+  double join = 0;                // of sketch: ends this far apart are one; 0: 1e-6 of the drawing's size
   uint64_t memory = 0;            // workspace bytes; 0: chosen by size
   int32_t threads = 1;
   int32_t stepping = 0, quadrature = 0, symmetry = 0; // C2D_STEPPING_, C2D_QUADRATURE_, C2D_SYMMETRY_

@@ -69,7 +69,17 @@ Curve reversed(const Curve& curve) {
 
 void move_ends(Curve& c, Point begin, Point end) {
   if (c.whole) return;
+  const double moved = std::max(sketch::length(c.begin - begin), sketch::length(c.end - end));
   c.begin = begin, c.end = end;
+  if (c.kind == Curve::kEllipse && moved > 1e-7 * std::min(c.a, c.b)) { // an ellipse through other ends has no simple form
+    const sketch::ShapePtr shape = shape_of(c);
+    Curve through = c;
+    through.kind = Curve::kSpline;
+    through.doubt = moved;
+    constexpr int kPieces = 64;
+    for (int i = 0; i <= kPieces; ++i) through.points.push_back(shape->at(static_cast<double>(i) / kPieces));
+    c = std::move(through);
+  }
   if (c.kind == Curve::kSpline) c.points.front() = begin, c.points.back() = end;
 }
 

@@ -170,7 +170,8 @@ void Reader::spline(const Entity& e) {
 bool Reader::take(const Entity& e) {
   const bool flat = plane_of(e) != Plane::kOther;
   if (e.type == "LINE") {
-    add(straight(e.point(10, "the first end"), e.point(11, "the last end")), e, false);
+    const Point first = e.point(10, "the first end"), last = e.point(11, "the last end");
+    add(straight(first, last), e, false);
   } else if (e.type == "ARC" && flat) {
     const double from = e.number(50, "the first angle");
     double sweep = std::fmod(e.number(51, "the last angle") - from, 360);

@@ -255,8 +255,8 @@ bool is_same_whole(const Curve& a, const Curve& b, double tolerance) {
 
 } // namespace
 
-void join_curves(Drawing& drawing) {
-  const double tolerance = kJoin * size_of(drawing.curves);
+void join_curves(Drawing& drawing, double join) {
+  const double tolerance = join > 0 ? join : kJoin * size_of(drawing.curves);
   std::vector<Curve> loose, wholes;
   for (Curve& curve : with_length(drawing.curves, tolerance, drawing.notes)) {
     if (!curve.whole) {

@@ -15,8 +15,8 @@ def pad(version):
         msp.add_lwpolyline(pts, format='xyb', dxfattribs={'layer':'face'})
     L((7,2),(7,10),'flanks'); L((7,10),(-7,10),'loaded'); L((-7,10),(-7,2),'flanks')
     msp.add_text('rounded pad', dxfattribs={'layer':'0'})
-    doc.saveas(f'pad-{version}.dxf')
-for v in ('R12','R2000','R2010','R2018'): pad(v)
+    doc.saveas(f'pad-{version.lower()}.dxf')
+for v in ('R12', 'R2018'): pad(v)
 # all other shapes: ring, slotted plate by arcs, ellipse with a tilted elliptic hole, B-splines, mirrored plane
 doc = ezdxf.new('R2010'); msp = doc.modelspace(); doc.header['$INSUNITS'] = 6
 msp.add_circle((0,0), 3, dxfattribs={'layer':'outer'}); msp.add_circle((0.5,0), 1, dxfattribs={'layer':'bore'})
