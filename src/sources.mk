@@ -249,6 +249,7 @@ PROGRAM_SOURCES += src/program/drawing/msh.cpp
 PROGRAM_SOURCES += src/program/drawing/msh_bodies.cpp
 PROGRAM_SOURCES += src/program/drawing/names.cpp
 PROGRAM_SOURCES += src/program/drawing/nurbs.cpp
+PROGRAM_SOURCES += src/program/drawing/placing.cpp
 PROGRAM_SOURCES += src/program/drawing/read.cpp
 PROGRAM_SOURCES += src/program/drawing/text.cpp
 PROGRAM_SOURCES += src/program/drawing/tidy.cpp

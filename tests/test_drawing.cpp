@@ -279,6 +279,46 @@ TEST_CASE("drawing: a spline of a sketch stays near the B-spline that was drawn"
   for (const drawing::Curve& part : parts) CHECK(part.kind == drawing::Curve::kLine);
 }
 
+TEST_CASE("drawing: blocks are drawn where they are inserted") {
+  // A quarter of a ring and a half ellipse on it; its base is (1, 0).
+  const std::string half = "0\nELLIPSE\n8\n0\n10\n3\n20\n0\n11\n1\n21\n0\n40\n0.5\n41\n" + sketch::show(kPi) + "\n42\n" +
+                           sketch::show(2 * kPi) + "\n";
+  const std::string block = "0\nBLOCK\n2\npart\n10\n1\n20\n0\n" + half + dxf_arc({0, 0}, 4, 0, 90, "rim") +
+                            dxf_arc({0, 0}, 2, 0, 90) + dxf_line({0, 2}, {0, 4}) + "0\nENDBLK\n" +
+                            "0\nBLOCK\n2\nouter\n10\n0\n20\n0\n0\nINSERT\n8\n0\n2\npart\n10\n5\n20\n5\n0\nENDBLK\n";
+  const auto with = [&](const std::string& entities) {
+    std::string text = dxf(entities);
+    return text.insert(text.find("  0\nSECTION\n  2\nENTITIES"), "0\nSECTION\n2\nBLOCKS\n" + block + "0\nENDSEC\n");
+  };
+  const auto insert = [](const std::string& name, double x, double y, double turn, const std::string& more = "") {
+    return "0\nINSERT\n8\nplace\n2\n" + name + "\n" + point(10, {7, -3}) + value(41, x) + value(42, y) + value(50, turn) + more;
+  };
+  const double own = kPi * 12 / 4 + kPi * 0.5 / 2;
+  for (const auto& [x, y] : {std::pair(1.0, 1.0), std::pair(2.0, -2.0), std::pair(-0.5, 0.5), std::pair(-3.0, -3.0)})
+    for (const std::string name : {"part", "outer"}) {
+      const Drawn d = drawn(with(insert(name, x, y, 33)));
+      REQUIRE(d.sketch.bodies.size() == 1);
+      CHECK(area(d.sketch.bodies[0]) == doctest::Approx(own * x * x).epsilon(1e-10));
+      CHECK(curves_called(d.sketch.bodies[0], "rim") == 1);
+      CHECK(curves_called(d.sketch.bodies[0], "place") == 3);
+      // Where the point (0, 4) of the block went: on the boundary, by hand.
+      const double c = std::cos(33 * kPi / 180), s = std::sin(33 * kPi / 180), shift = name == "outer" ? 5 : 0;
+      const Point p = {x * (-1 + shift), y * (4 + shift)}, at = {7 + c * p.x - s * p.y, -3 + s * p.x + c * p.y};
+      double least = HUGE_VAL;
+      for (const sketch::Curve& curve : d.sketch.bodies[0].outlines[0].curves)
+        least = std::min(least, sketch::length(curve.shape->at(0) - at));
+      CHECK(least < 1e-9);
+    }
+  const std::string array = "70\n3\n71\n2\n44\n10\n45\n20\n";
+  CHECK(drawn(with(insert("part", 1, 1, 10, array))).sketch.bodies.size() == 6);
+  CHECK(notes_tell(drawn(with(rectangle(0, 0, 1, 1) + insert("part", 1, 2, 0))), "1 'INSERT' was passed over"));
+  CHECK(contains(fault(with(insert("none", 1, 1, 0))), "INSERT of block 'none', which is not there"));
+  CHECK(contains(fault(with(insert("part", 1, 1, 0, "70\n3000\n71\n3000\n"))), "more than 10000 copies"));
+  std::string round = with(insert("outer", 1, 1, 0));
+  round.replace(round.find("2\npart\n10\n5"), 6, "2\nouter");
+  CHECK(contains(fault(round), "INSERT of block 'outer' within itself, or 16 deep"));
+}
+
 TEST_CASE("drawing: bulges of polylines are segments of circles") {
   for (const double bulge : {0.1, 0.5, 1.0, 2.0, -0.1, -0.4}) {
     CAPTURE(bulge);

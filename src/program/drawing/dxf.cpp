@@ -2,6 +2,7 @@
 
 #include "program/drawing/dxf_groups.hpp"
 #include "program/drawing/nurbs.hpp"
+#include "program/drawing/placing.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,15 +34,8 @@ Curve with_bulge(Point from, Point to, double bulge) {
   return c;
 }
 
-// What is drawn in a plane that is seen from behind.
-Curve mirrored(Curve c) {
-  const auto turn = [](Point p) { return Point{-p.x, p.y}; };
-  c.begin = turn(c.begin), c.end = turn(c.end), c.centre = turn(c.centre);
-  for (Point& p : c.points) p = turn(p);
-  c.from = 180 - c.from;
-  if (!c.whole) c.sweep = -c.sweep;
-  return c;
-}
+// What is drawn in a plane that is seen from behind: x goes to -x.
+Curve mirrored(Curve c) { return placed(std::move(c), {{}, {}, 1, 180, true}); }
 
 struct Vertex {
   Point at;
@@ -57,7 +51,10 @@ private:
   enum class Plane { kFront, kBack, kOther };
   static Plane plane_of(const Entity& e);
   void header(size_t first, size_t last);
-  void entities(size_t first, size_t last);
+  std::vector<Entity> entities(size_t first, size_t last) const;
+  void blocks(size_t first, size_t last);
+  void draw(const std::vector<Entity>& all, int depth);
+  bool insert(const Entity& e, int depth);
   bool take(const Entity& e); // false: passed over
   void polyline(const std::vector<Vertex>& vertices, bool closed, const Entity& e);
   void light_polyline(const Entity& e);
@@ -68,6 +65,12 @@ private:
 
   std::vector<Group> groups_;
   Drawing drawing_;
+  struct Block {
+    Point base;
+    std::vector<Entity> entities;
+  };
+  std::map<std::string, Block> blocks_;
+  int inserts_ = 0;
   std::map<std::string, int> passed_over_;
 };
 
@@ -195,7 +198,7 @@ bool Reader::take(const Entity& e) {
   return true;
 }
 
-void Reader::entities(size_t first, size_t last) {
+std::vector<Entity> Reader::entities(size_t first, size_t last) const {
   std::vector<Entity> all;
   for (size_t i = first; i < last; ++i) {
     if (groups_[i].code != 0) continue;
@@ -207,15 +210,67 @@ void Reader::entities(size_t first, size_t last) {
     e.first = groups_.data() + i + 1, e.last = groups_.data() + end;
     all.push_back(e);
   }
+  return all;
+}
+
+// BLOCK, its entities and ENDBLK, one block behind the other.
+void Reader::blocks(size_t first, size_t last) {
+  Block* open = nullptr;
+  for (const Entity& e : entities(first, last)) {
+    if (e.type == "BLOCK") {
+      open = &blocks_[std::string(e.text(2))];
+      open->base = {e.number(10, 0, "the base of a block"), e.number(20, 0, "the base of a block")};
+    } else if (e.type == "ENDBLK") {
+      open = nullptr;
+    } else if (open != nullptr) {
+      open->entities.push_back(e);
+    }
+  }
+}
+
+void Reader::draw(const std::vector<Entity>& all, int depth) {
   for (size_t i = 0; i < all.size(); ++i) {
     if (all[i].type == "VERTEX" || all[i].type == "SEQEND" || all[i].type == "ATTRIB") continue; // of what was passed over
     if (all[i].flags(67) == 1)
       ++passed_over_[std::string(all[i].type) + " on paper"];
     else if (all[i].type == "POLYLINE")
       i = old_polyline(all, i);
-    else if (!take(all[i]))
-      ++passed_over_[all[i].type == "INSERT" ? "INSERT (explode blocks before)" : std::string(all[i].type.substr(0, 40))];
+    else if (all[i].type == "INSERT" ? !insert(all[i], depth) : !take(all[i]))
+      ++passed_over_[std::string(all[i].type.substr(0, 40))];
   }
+}
+
+// A block, perhaps several times in rows and columns. One that is stretched in one direction is passed over.
+bool Reader::insert(const Entity& e, int depth) {
+  constexpr int kDeepest = 16;
+  constexpr int64_t kMostCopies = 10000;
+  constexpr int kMostInserts = 1000000;
+  const double x = e.number(41, 1, "a scale"), y = e.number(42, 1, "a scale");
+  if (x == 0 || std::fabs(std::fabs(x) - std::fabs(y)) > 1e-9 * std::fabs(x) || plane_of(e) == Plane::kOther) return false;
+  const auto block = blocks_.find(std::string(e.text(2)));
+  if (block == blocks_.end()) throw Fault{e.line, "INSERT of block " + shown(e.text(2)) + ", which is not there"};
+  if (depth >= kDeepest) throw Fault{e.line, "INSERT of block " + shown(e.text(2)) + " within itself, or 16 deep"};
+  const Point at = e.point(10, "the place of a block");
+  const int64_t columns = e.has(70) ? e.flags(70) : 1, rows = e.has(71) ? e.flags(71) : 1;
+  if (columns < 0 || rows < 0 || columns > kMostCopies || rows > kMostCopies || columns * rows > kMostCopies)
+    throw Fault{e.line, "INSERT: more than 10000 copies of a block"};
+  const Placing turn{{}, {}, 1, e.number(50, 0, "an angle"), false};
+  for (int64_t i = 0; i < std::max<int64_t>(columns, 1) * std::max<int64_t>(rows, 1); ++i) {
+    const int64_t column = i % std::max<int64_t>(columns, 1), row = i / std::max<int64_t>(columns, 1);
+    const Point off = {static_cast<double>(column) * e.number(44, 0, "a distance of columns"),
+                       static_cast<double>(row) * e.number(45, 0, "a distance of rows")};
+    const Placing placing{block->second.base, at + turn(off), std::fabs(x), turn.angle + (x < 0 ? 180 : 0), x * y < 0};
+    const size_t first = drawing_.curves.size();
+    if (++inserts_ > kMostInserts) throw Fault{e.line, "INSERT: more than 1000000 copies of blocks in all"};
+    draw(block->second.entities, depth + 1);
+    for (size_t c = first; c < drawing_.curves.size(); ++c) {
+      Curve& curve = drawing_.curves[c];
+      curve = placed(std::move(curve), placing);
+      if (plane_of(e) == Plane::kBack) curve = mirrored(curve);
+      if (curve.name.empty() && e.text(8) != "0") curve.name = e.text(8); // layer 0 is that of the block
+    }
+  }
+  return true;
 }
 
 void Reader::header(size_t first, size_t last) {
@@ -235,7 +290,8 @@ Drawing Reader::read() {
     while (end < groups_.size() && !(groups_[end].code == 0 && groups_[end].value == "ENDSEC")) ++end;
     if (end == groups_.size()) throw Fault{groups_[i].line, "section " + shown(name) + " without ENDSEC: the file is cut off"};
     if (name == "HEADER") header(i + 2, end);
-    if (name == "ENTITIES") entities(i + 2, end), found = true;
+    if (name == "BLOCKS") blocks(i + 2, end);
+    if (name == "ENTITIES") draw(entities(i + 2, end), 0), found = true;
     i = end;
   }
   if (!found) throw Fault{0, "no section ENTITIES"};

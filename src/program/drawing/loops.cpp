@@ -25,6 +25,11 @@ public:
   void add(const std::string& text) {
     if (++count_ <= kMostNotes) out_.push_back(text);
   }
+  bool only_counts() { // and has counted one more
+    if (count_ < kMostNotes) return false;
+    ++count_;
+    return true;
+  }
 
 private:
   std::vector<std::string>& out_;
@@ -92,7 +97,7 @@ void tell_open_ends(const Graph& graph, std::vector<std::string>& notes) {
   for (size_t i = 0; i < graph.curves.size(); ++i)
     for (const size_t e : {size_t{0}, size_t{1}}) {
       const size_t joint = graph.ends[i][e];
-      if (count[joint] != 1) continue;
+      if (count[joint] != 1 || told_ones.only_counts()) continue;
       const Point p = graph.joints[joint];
       size_t nearest = joint;
       double distance = HUGE_VAL;
@@ -146,6 +151,7 @@ struct Contour { // of curves that are connected: what it looks like from outsid
   Loop outside; // as a hole: clockwise
   std::vector<Loop> inside;
   std::vector<std::vector<Point>> polygons; // of those
+  Point low, high;                          // the box around it
   double area = 0;
   int depth = 0;
 };
@@ -209,15 +215,28 @@ bool encloses(const std::vector<Point>& outer, const std::vector<Point>& inner) 
   return 2 * in > all;
 }
 
+bool encloses(const Contour& outer, const Contour& inner) {
+  if (inner.high.x < outer.low.x || inner.low.x > outer.high.x || inner.high.y < outer.low.y || inner.low.y > outer.high.y)
+    return false;
+  return encloses(outer.polygon, inner.polygon);
+}
+
 // Contours by even depth give bodies, those by odd depth holes in the face around them.
 void nest(std::vector<Contour>& contours, Drawing& drawing) {
+  for (Contour& c : contours) {
+    c.low = c.high = c.polygon.front();
+    for (const Point& p : c.polygon) {
+      c.low = {std::min(c.low.x, p.x), std::min(c.low.y, p.y)};
+      c.high = {std::max(c.high.x, p.x), std::max(c.high.y, p.y)};
+    }
+  }
   std::stable_sort(contours.begin(), contours.end(), [](const Contour& a, const Contour& b) { return a.area > b.area; });
   std::vector<std::vector<size_t>> body_of(contours.size()); // of each face
   for (size_t i = 0; i < contours.size(); ++i) {
     Contour& c = contours[i];
     size_t around = i;
     for (size_t j = 0; j < i; ++j)
-      if (encloses(contours[j].polygon, c.polygon)) around = j, ++c.depth;
+      if (encloses(contours[j], c)) around = j, ++c.depth;
     if (c.depth % 2 == 0) {
       for (Loop& face : c.inside) {
         body_of[i].push_back(drawing.bodies.size());
