@@ -204,6 +204,16 @@ TEST_CASE("drawing: circles, slots, ellipses and splines of a file of ezdxf") {
   CHECK(contains(d.text, "! the name 'long side' became long_side"));
 }
 
+TEST_CASE("drawing: blocks of a file of ezdxf") {
+  const Drawn d = drawn_file("blocks.dxf"); // a notched plate: as it is, turned and twice as large, mirrored, in two columns
+  REQUIRE(d.sketch.bodies.size() == 5);
+  const double one = 6 - kPi / 8;
+  for (size_t b = 0; b < 5; ++b) {
+    CHECK(area(d.sketch.bodies[b]) == doctest::Approx((b == 1 ? 4 : 1) * one).epsilon(1e-10));
+    CHECK(curves_called(d.sketch.bodies[b], "notch") == 1);
+  }
+}
+
 TEST_CASE("drawing: meshes without physical groups, of curves and of faces") {
   for (const char* name : {"plate-curves.msh", "plate-faces.msh"}) {
     CAPTURE(name);
@@ -407,6 +417,10 @@ TEST_CASE("drawing: open ends, doubles and what has no length are told") {
   CHECK(notes_tell(twice, "at (3, 3) has no length and was left out"));
   CHECK(notes_tell(twice, "2 'TEXT' were passed over"));
   CHECK(notes_tell(twice, "1 'DIMENSION' was passed over"));
+  // Ends in the middle of a line and of an arc.
+  const Drawn middle = drawn(dxf(rectangle(0, 0, 10, 10) + dxf_arc({20, 0}, 5, 80, 280, "bow") + dxf_line({10, 4}, {15, 0})));
+  CHECK(notes_tell(middle, "at (10, 4); the nearest other end is at (10, 0), 4 away; it lies on line in line"));
+  CHECK(notes_tell(middle, "it lies on arc of 'bow' in line"));
   // Two loops with a bridge between them.
   const Drawn bridge = drawn(dxf(rectangle(0, 0, 1, 1) + rectangle(3, 0, 1, 1) + dxf_line({1, 0}, {3, 0})));
   CHECK(bridge.sketch.bodies.size() == 2);
@@ -415,6 +429,18 @@ TEST_CASE("drawing: open ends, doubles and what has no length are told") {
   std::string comb;
   for (int i = 0; i < 30; ++i) comb += dxf_line({2.0 * i, 20}, {2.0 * i, 30});
   CHECK(notes_tell(drawn(dxf(rectangle(0, 0, 10, 10) + comb)), "and 40 other ends are open"));
+}
+
+TEST_CASE("drawing: a file of pstoedit, of six digits") {
+  std::vector<std::string> notes;
+  const std::string file = test::read_file(kDrawings + "six-digits.dxf");
+  CHECK(contains(fault(file), "no outline is closed"));
+  const Drawn d = drawn(file, 1e-4);
+  REQUIRE(d.sketch.bodies.size() == 1);
+  CHECK(d.sketch.units[0] == "mm");
+  // 100 x 40 units of 1/72 inch and two quarters of a circle, less a circle; Bezier curves are no circles, to 3e-4.
+  const double unit = 25.4 / 72;
+  CHECK(area(d.sketch.bodies[0]) == doctest::Approx(unit * unit * (100 * 40 + 200 * kPi - 100 * kPi)).epsilon(1e-4));
 }
 
 TEST_CASE("drawing: ends that nearly meet are joined") {

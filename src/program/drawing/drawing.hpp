@@ -23,6 +23,7 @@ struct Curve {
   enum Kind { kLine, kArc, kEllipse, kSpline } kind = kLine;
   std::string name;   // of its layer or physical group; empty: none
   int line = 0;       // where the file has it
+  size_t order = 0;   // in the drawing
   bool whole = false; // closed by itself: a circle, an ellipse, a smooth closed spline
   Point begin, end;
   Point centre;               // of an arc and an ellipse

@@ -4,8 +4,8 @@
 #include "program/sketch/outline.hpp"
 
 #include <algorithm>
-#include <climits>
 #include <cmath>
+#include <cstdint>
 #include <map>
 
 namespace drawing {
@@ -90,8 +90,23 @@ void drop_doubles(Graph& graph, double tolerance, std::vector<std::string>& note
   graph.keep(kept);
 }
 
+// Is p on a line or an arc, between its ends?
+bool is_on(const Curve& c, Point p, double tolerance) {
+  if (std::min(sketch::length(p - c.begin), sketch::length(p - c.end)) <= tolerance) return false;
+  if (c.kind == Curve::kLine) {
+    const Point d = c.end - c.begin;
+    const double along = sketch::dot(p - c.begin, d) / sketch::dot(d, d);
+    return along > 0 && along < 1 && sketch::length(p - (c.begin + along * d)) <= tolerance;
+  }
+  if (c.kind != Curve::kArc || std::fabs(sketch::length(p - c.centre) - c.a) > tolerance) return false;
+  const Point arm = p - c.centre;
+  const double turn = std::atan2(arm.y, arm.x) * 180 / std::acos(-1.0) - c.from;
+  const double on = std::fmod(std::fmod(c.sweep > 0 ? turn : -turn, 360) + 360, 360);
+  return on < std::fabs(c.sweep);
+}
+
 // Every open end, and what is nearest to it.
-void tell_open_ends(const Graph& graph, std::vector<std::string>& notes) {
+void tell_open_ends(const Graph& graph, double tolerance, std::vector<std::string>& notes) {
   const std::vector<int> count = degrees(graph);
   Notes told_ones(notes, " other ends are open");
   for (size_t i = 0; i < graph.curves.size(); ++i)
@@ -107,6 +122,9 @@ void tell_open_ends(const Graph& graph, std::vector<std::string>& notes) {
       std::string text = told(graph.curves[i]) + " has an open end at " + told(p);
       if (nearest != joint)
         text += "; the nearest other end is at " + told(graph.joints[nearest]) + ", " + told(distance) + " away";
+      const auto on =
+          std::find_if(graph.curves.begin(), graph.curves.end(), [&](const Curve& c) { return is_on(c, p, tolerance); });
+      if (on != graph.curves.end()) text += "; it lies on " + told(*on) + ", which is to be broken there";
       told_ones.add(text);
     }
 }
@@ -258,11 +276,11 @@ void nest(std::vector<Contour>& contours, Drawing& drawing) {
   }
 }
 
-// Bodies come in the order in which the file has their first curves.
-int first_line(const Body& body) {
-  int first = INT_MAX;
+// Bodies come in the order in which the drawing has their first curves.
+size_t first_order(const Body& body) {
+  size_t first = SIZE_MAX;
   for (const Loop& loop : body.loops)
-    for (const Curve& curve : loop.curves) first = std::min(first, curve.line);
+    for (const Curve& curve : loop.curves) first = std::min(first, curve.order);
   return first;
 }
 
@@ -276,6 +294,7 @@ bool is_same_whole(const Curve& a, const Curve& b, double tolerance) {
 
 void join_curves(Drawing& drawing, double join) {
   const double tolerance = join > 0 ? join : kJoin * size_of(drawing.curves);
+  for (size_t i = 0; i < drawing.curves.size(); ++i) drawing.curves[i].order = i;
   std::vector<Curve> loose, wholes;
   for (Curve& curve : with_length(drawing.curves, tolerance, drawing.notes)) {
     if (!curve.whole) {
@@ -292,14 +311,14 @@ void join_curves(Drawing& drawing, double join) {
   drawing.curves.clear();
   Graph graph = graph_of(std::move(loose), tolerance);
   drop_doubles(graph, tolerance, drawing.notes);
-  tell_open_ends(graph, drawing.notes);
+  tell_open_ends(graph, tolerance, drawing.notes);
   prune(graph, drawing.notes);
   std::vector<Contour> contours = contours_of(graph);
   for (const Curve& curve : wholes) contours.push_back(contour_of(curve));
   const size_t first = drawing.bodies.size();
   nest(contours, drawing);
   std::stable_sort(drawing.bodies.begin() + static_cast<ptrdiff_t>(first), drawing.bodies.end(),
-                   [](const Body& a, const Body& b) { return first_line(a) < first_line(b); });
+                   [](const Body& a, const Body& b) { return first_order(a) < first_order(b); });
   for (size_t b = first; b < drawing.bodies.size(); ++b)
     for (Loop& loop : drawing.bodies[b].loops) tidy(loop);
 }

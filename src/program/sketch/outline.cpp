@@ -133,8 +133,23 @@ void Check::check_holes(const Body& body) {
   }
 }
 
+// Lie the boxes around two bodies apart? Of many bodies most do.
+bool are_apart(const Body& a, const Body& b) {
+  Point low[2], high[2];
+  for (const int i : {0, 1}) {
+    low[i] = {HUGE_VAL, HUGE_VAL}, high[i] = {-HUGE_VAL, -HUGE_VAL};
+    for (const Outline& outline : (i == 0 ? a : b).outlines)
+      for (const Point& p : polygon_of(outline)) {
+        low[i] = {std::min(low[i].x, p.x), std::min(low[i].y, p.y)};
+        high[i] = {std::max(high[i].x, p.x), std::max(high[i].y, p.y)};
+      }
+  }
+  return high[0].x < low[1].x || high[1].x < low[0].x || high[0].y < low[1].y || high[1].y < low[0].y;
+}
+
 // How deep corners of one body's polygon lie in the other's: more than the polygons' own doubt.
 void Check::check_overlap(const Body& a, const Body& b) {
+  if (are_apart(a, b)) return;
   const auto is_inside = [](const Body& body, Point p) {
     bool inside = false;
     for (const Outline& outline : body.outlines) {
