@@ -229,6 +229,22 @@ TEST_CASE("drawing: meshes without physical groups, of curves and of faces") {
   }
 }
 
+TEST_CASE("drawing: physical surfaces that share nodes are bodies that touch, holes are theirs") {
+  const Drawn d = drawn_file("joined.msh");
+  REQUIRE(d.sketch.bodies.size() == 2);
+  CHECK((d.sketch.bodies[0].name == "lower" && d.sketch.bodies[1].name == "upper"));
+  CHECK(area(d.sketch.bodies[0]) == doctest::Approx(8 - kPi / 4).epsilon(1e-10));
+  CHECK(perimeter(d.sketch.bodies[0]) == doctest::Approx(12 + kPi).epsilon(1e-10));
+  CHECK(area(d.sketch.bodies[1]) == doctest::Approx(4).epsilon(1e-12));
+  CHECK(d.sketch.bodies[1].outlines[0].curves.size() == 4);
+  for (const sketch::Body& body : d.sketch.bodies) // the example is of the sides between them, at y = 2
+    for (const sketch::Curve& curve : body.outlines[0].curves) {
+      const bool between = curve.shape->at(0).y == 2 && curve.shape->at(1).y == 2;
+      const size_t example = d.text.find("! contact "), end = d.text.find("mu 0.3", example);
+      CHECK(contains(d.text.substr(example, end - example), body.name + "." + curve.name + " ") == between);
+    }
+}
+
 TEST_CASE("drawing: B-splines against the recursion of their basis") {
   struct Basis {
     static double of(const std::vector<double>& k, size_t i, int p, double t) {

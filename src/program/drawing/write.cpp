@@ -71,8 +71,9 @@ void Writer::give_names() {
     if (!body.name.empty()) body.name = bodies.name(body.name);
   for (Body& body : d_.bodies) {
     if (body.name.empty()) body.name = bodies.numbered("body");
+    Names own = curves; // numbers begin anew in every body
     for (Loop& loop : body.loops)
-      for (Curve& c : loop.curves) c.name = c.name.empty() ? curves.numbered("c") : curves.name(c.name);
+      for (Curve& c : loop.curves) c.name = c.name.empty() ? own.numbered("c") : curves.name(c.name);
   }
   for (const Names* names : {&bodies, &curves})
     for (const std::string& change : names->changes()) d_.notes.push_back(change);
