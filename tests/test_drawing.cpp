@@ -366,9 +366,10 @@ TEST_CASE("drawing: any order, any direction, any angle, mirrored: the same area
   std::mt19937 dice(11);
   std::uniform_real_distribution<double> any(0, 360);
   for (int round = 0; round < 40; ++round) {
-    const double turn = any(dice), c = std::cos(turn * kPi / 180), s = std::sin(turn * kPi / 180), scale = 0.01 + any(dice);
+    const double turn = any(dice), c = std::cos(turn * kPi / 180), s = std::sin(turn * kPi / 180),
+                 scale = std::pow(10, any(dice) / 30 - 4);
     const bool behind = round % 2 == 1; // arcs in a plane that is seen from behind
-    const auto at = [&](double x, double y) { return Point{scale * (c * x - s * y) + 30, scale * (s * x + c * y) - 7}; };
+    const auto at = [&](double x, double y) { return Point{scale * (c * x - s * y + 3), scale * (s * x + c * y - 7)}; };
     const auto round_corner = [&](double x, double y, double r, double from) {
       const Point centre = at(x, y);
       if (!behind) return dxf_arc(centre, scale * r, from + turn, from + turn + 90);
@@ -437,6 +438,7 @@ TEST_CASE("drawing: open ends, doubles and what has no length are told") {
   const Drawn middle = drawn(dxf(rectangle(0, 0, 10, 10) + dxf_arc({20, 0}, 5, 80, 280, "bow") + dxf_line({10, 4}, {15, 0})));
   CHECK(notes_tell(middle, "at (10, 4); the nearest other end is at (10, 0), 4 away; it lies on line in line"));
   CHECK(notes_tell(middle, "it lies on arc of 'bow' in line"));
+  CHECK(notes_tell(drawn(dxf(rectangle(0, 0, 10, 10) + "30\n0\n31\n2\n")), "1 line has ends of different z"));
   // Two loops with a bridge between them.
   const Drawn bridge = drawn(dxf(rectangle(0, 0, 1, 1) + rectangle(3, 0, 1, 1) + dxf_line({1, 0}, {3, 0})));
   CHECK(bridge.sketch.bodies.size() == 2);

@@ -71,6 +71,7 @@ private:
   };
   std::map<std::string, Block> blocks_;
   int inserts_ = 0;
+  int slanting_ = 0;
   std::map<std::string, int> passed_over_;
 };
 
@@ -83,6 +84,7 @@ Reader::Plane Reader::plane_of(const Entity& e) {
 
 // `own_plane`: coordinates are those of the plane in which the entity lies.
 void Reader::add(Curve curve, const Entity& e, bool own_plane) {
+  if (e.number(30, 0, "z") != e.number(31, e.number(30, 0, "z"), "z") && e.type == "LINE") ++slanting_;
   if (own_plane && plane_of(e) == Plane::kBack) curve = mirrored(curve);
   curve.name = e.text(8) == "0" ? std::string() : std::string(e.text(8));
   curve.line = e.line;
@@ -297,6 +299,9 @@ Drawing Reader::read() {
   if (!found) throw Fault{0, "no section ENTITIES"};
   for (const auto& [type, count] : passed_over_)
     drawing_.notes.push_back(std::to_string(count) + " " + shown(type) + (count == 1 ? " was" : " were") + " passed over");
+  if (slanting_ > 0)
+    drawing_.notes.push_back(std::to_string(slanting_) + (slanting_ == 1 ? " line has" : " lines have") +
+                             " ends of different z: seen along z");
   return std::move(drawing_);
 }
 

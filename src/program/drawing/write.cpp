@@ -10,6 +10,16 @@
 namespace drawing {
 namespace {
 
+std::string fixed(double value, int decimals) {
+  char text[400];
+  std::string out(text, std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals).ptr);
+  if (out.find('.') != std::string::npos) out.erase(out.find_last_not_of('0') + 1);
+  if (out.back() == '.') out.pop_back();
+  return out == "-0" ? "0" : out;
+}
+
+std::string angle(double degrees) { return fixed(degrees, 12); }
+
 class Writer {
 public:
   Writer(Drawing& drawing, const Conditions& conditions) : d_(drawing), conditions_(conditions) {}
@@ -53,12 +63,9 @@ void Writer::comment(const std::string& text) {
 
 // To 1e-13 of the drawing's size.
 std::string Writer::number(double value) const {
-  char text[400];
+  char text[32];
   if (decimals_ < 0) return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
-  std::string out(text, std::to_chars(text, text + sizeof text, value, std::chars_format::fixed, decimals_).ptr);
-  if (out.find('.') != std::string::npos) out.erase(out.find_last_not_of('0') + 1);
-  if (out.back() == '.') out.pop_back();
-  return out == "-0" ? "0" : out;
+  return fixed(value, decimals_);
 }
 
 void Writer::give_names() {
@@ -118,7 +125,7 @@ void Writer::whole(const Curve& c) {
   if (c.kind == Curve::kArc) return line("  circle " + c.name + " centre" + at(c.centre) + "  radius " + number(c.a));
   if (c.kind == Curve::kEllipse)
     return line("  ellipse " + c.name + " centre" + at(c.centre) + "  axes " + number(c.a) + " " + number(c.b) + "  tilt " +
-                number(c.tilt));
+                angle(c.tilt));
   line("  spline " + c.name + path_of(c) + "  closed");
 }
 
@@ -134,7 +141,7 @@ void Writer::curve(const Curve& c, bool last) {
   if (c.kind == Curve::kSpline) return line("  spline " + c.name + path_of(c));
   if (c.kind == Curve::kEllipse)
     return line("  ellipse " + c.name + " centre" + at(c.centre) + "  axes " + number(c.a) + " " + number(c.b) + "  tilt " +
-                number(c.tilt) + "  from " + number(c.from) + "  turn " + number(c.sweep));
+                angle(c.tilt) + "  from " + angle(c.from) + "  turn " + angle(c.sweep));
   // Ends that were moved to a joint may lie beside the circle: then its middle tells the arc.
   const double off =
       std::max(std::fabs(sketch::length(c.begin - c.centre) - c.a), std::fabs(sketch::length(c.end - c.centre) - c.a));
