@@ -77,7 +77,7 @@ TEST_CASE("packaging: the man page has every option, command and exit status of 
   const std::set<std::string> options = matches(help, "--[a-z]+(-[a-z]+)*");
   CHECK(options.size() > 10);
   for (const std::string& name : options) CHECK_MESSAGE(contains(page, name), name);
-  for (const char* command : {"run", "check", "mesh", "resume", "convert", "make"})
+  for (const char* command : {"run", "check", "sketch", "mesh", "resume", "convert", "make"})
     CHECK_MESSAGE(contains(page, std::string("\n.B contact2d ") + command), command);
   for (const char* status : {"0", "1", "2", "3", "4", "64", "130"})
     CHECK_MESSAGE(contains(page, std::string("\n.TP\n.B ") + status + "\n"), status);

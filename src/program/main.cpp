@@ -2,6 +2,7 @@
 #include "program/check.hpp"
 #include "program/convert.hpp"
 #include "program/drawn_deck.hpp"
+#include "program/drawn_sketch.hpp"
 #include "program/exit_code.hpp"
 #include "program/halve.hpp"
 #include "program/interrupt.hpp"
@@ -34,6 +35,7 @@ int run_command(const app::Options& options) {
   case app::Command::kRun: return app::run_deck(options);
   case app::Command::kCheck: return app::check_deck(options);
   case app::Command::kMake: return app::make_deck(options);
+  case app::Command::kSketch: return app::sketch_drawing(options);
   case app::Command::kMesh: return options.halve ? app::halve_deck(options) : app::write_mesh(options);
   case app::Command::kConvert: return app::convert_deck(options);
   case app::Command::kResume: return resume(options);

@@ -94,6 +94,12 @@ bool read_run_option(const std::vector<std::string>& words, size_t& at, Options&
   return false;
 }
 
+bool read_distance(const std::string& value, double& distance) {
+  const char* end = value.data() + value.size();
+  const auto result = std::from_chars(value.data(), end, distance);
+  return result.ec == std::errc() && result.ptr == end && distance > 0 && distance < 1e100;
+}
+
 bool read_convert_option(const std::vector<std::string>& words, size_t& at, Options& options, std::string& error) {
   std::string name = words[at], value;
   const bool mesh = options.command == Command::kMesh;
@@ -105,8 +111,10 @@ bool read_convert_option(const std::vector<std::string>& words, size_t& at, Opti
   } else if (at + 1 < words.size()) {
     value = words[++at];
   }
-  if (name != (mesh ? "--set" : "--to") && name != "-o" && name != "--output") {
-    error = (mesh ? "mesh takes no option " : "convert takes no option ") + name;
+  const bool sketch = options.command == Command::kSketch;
+  const bool joins = sketch && name == "--join";
+  if (name != (mesh ? "--set" : sketch ? "--with" : "--to") && !joins && name != "-o" && name != "--output") {
+    error = (mesh ? "mesh" : sketch ? "sketch" : "convert") + std::string(" takes no option ") + name;
     return false;
   }
   if (value.empty()) {
@@ -117,8 +125,15 @@ bool read_convert_option(const std::vector<std::string>& words, size_t& at, Opti
     error = "--to " + value + ": expected fixed or free";
     return false;
   }
+  if (joins && !read_distance(value, options.join)) {
+    error = "--join " + value + ": expected a distance above 0";
+    return false;
+  }
+  if (joins) return true;
   if (name == "--set")
     options.settings.push_back(value);
+  else if (name == "--with")
+    options.conditions = value;
   else
     (name == "--to" ? options.convert_to : options.output) = value;
   return true;
@@ -173,7 +188,7 @@ bool read_size(const std::string& text, uint64_t& bytes) {
 bool read_options(int argc, const char* const* argv, Options& options, std::string& error) {
   const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
   if (words.empty()) {
-    error = "no command: expected run, check, mesh, convert, make, resume, --version or --help";
+    error = "no command: expected run, check, sketch, mesh, convert, make, resume, --version or --help";
     return false;
   }
   const std::string& command = words[0];
@@ -189,12 +204,15 @@ bool read_options(int argc, const char* const* argv, Options& options, std::stri
     return false;
   }
   if (command == "resume") return read_resume(words, options, error);
-  const std::pair<const char*, Command> known[] = {
-      {"run", Command::kRun}, {"check", Command::kCheck}, {"mesh", Command::kMesh}, {"convert", Command::kConvert}};
+  const std::pair<const char*, Command> known[] = {{"run", Command::kRun},
+                                                   {"check", Command::kCheck},
+                                                   {"sketch", Command::kSketch},
+                                                   {"mesh", Command::kMesh},
+                                                   {"convert", Command::kConvert}};
   for (const auto& [name, which] : known)
     if (command == name) options.command = which;
   if (options.command == Command::kHelp) {
-    error = "unknown command " + command + ": expected run, check, mesh, convert, make, resume, --version or --help";
+    error = "unknown command " + command + ": expected run, check, sketch, mesh, convert, make, resume, --version or --help";
     return false;
   }
   bool options_end = false;
@@ -212,7 +230,7 @@ bool read_options(int argc, const char* const* argv, Options& options, std::stri
         error = "check takes no option " + word;
         return false;
       }
-      if (options.command == Command::kConvert || options.command == Command::kMesh
+      if (options.command == Command::kConvert || options.command == Command::kMesh || options.command == Command::kSketch
               ? !read_convert_option(words, at, options, error)
               : !read_run_option(words, at, options, error))
         return false;
@@ -227,7 +245,7 @@ bool read_options(int argc, const char* const* argv, Options& options, std::stri
     }
   }
   if (options.deck.empty()) {
-    error = command + " needs a deck";
+    error = command + (options.command == Command::kSketch ? " needs a drawing" : " needs a deck");
     return false;
   }
   if (options.estimate && options.store.compare(0, 5, "file:") == 0) {
@@ -268,6 +286,7 @@ namespace {
 const char kHelpBefore[] =
     "usage: contact2d run DECK [options]\n"
     "       contact2d check DECK [--symmetry deck|images] [--set NAME=VALUE]\n"
+    "       contact2d sketch DRAWING [--with FILE] [--join D] [-o FILE]\n"
     "       contact2d mesh SKETCH [--set NAME=VALUE] [--halve] [-o FILE]\n"
     "       contact2d resume DIR\n"
     "       contact2d convert DECK [--to fixed|free] [-o FILE]\n"
@@ -281,6 +300,8 @@ const char kHelpBefore[] =
     "form (fixed columns or free) without changing a number. DECK may be - for standard input.\n"
     "A DECK may be a sketch: shapes without a mesh. mesh writes the deck that is made of it;\n"
     "with --halve, which takes decks too, with every element cut in two.\n"
+    "sketch begins a sketch from a drawing (DXF or MSH, ASCII); --with FILE adds the statements of a file to it,\n"
+    "--join D takes ends of curves up to a distance D for one.\n"
     "make writes the deck of a problem known by name to standard output; --list tells names and keys.\n"
     "\n"
     "resume goes on after a crash of a run with --store file:DIR: the deck, the options and the tapes are in DIR;\n"

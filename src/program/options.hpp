@@ -9,7 +9,7 @@
 
 namespace app {
 
-enum class Command { kRun, kCheck, kMesh, kConvert, kMake, kResume, kVersion, kHelp };
+enum class Command { kRun, kCheck, kSketch, kMesh, kConvert, kMake, kResume, kVersion, kHelp };
 enum class Progress { kAutomatic, kAlways, kNever };
 
 // Outputs that are single files. Each is named here and in kOutputTable (options.cpp), nowhere else.
@@ -33,7 +33,9 @@ struct Options {
   std::string points;                                     // CSV that is read; "-": standard input
   std::string figures;                                    // folder; empty: not asked for
   std::string store;                                      // empty: chosen by size; "memory"; "file:DIR"
-  std::string convert_to, output; // of convert: empty (the other form), "fixed", "free"; FILE, of mesh too
+  std::string convert_to, output; // of convert: empty (the other form), "fixed", "free"; FILE, of mesh and sketch too
+  std::string conditions;         // of sketch: the file of --with
+  double join = 0;                // of sketch: ends this far apart are one; 0: 1e-6 of the drawing's size
   uint64_t memory = 0;            // workspace bytes; 0: chosen by size
   int32_t threads = 1;
   int32_t stepping = 0, quadrature = 0, symmetry = 0; // C2D_STEPPING_, C2D_QUADRATURE_, C2D_SYMMETRY_

@@ -1,0 +1,301 @@
+// Reading MSH files.
+#include "program/drawing/msh.hpp"
+
+#include "program/drawing/text.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+namespace drawing {
+namespace {
+
+struct Kind { // of elements that are used
+  int type, order, corners, nodes;
+};
+// Lines; triangles and quadrangles with all nodes, and with nodes on their sides only.
+constexpr Kind kKinds[] = {{1, 1, 0, 2},   {8, 2, 0, 3}, {26, 3, 0, 4}, {2, 1, 3, 3},  {9, 2, 3, 6},   {20, 3, 3, 9},
+                           {21, 3, 3, 10}, {3, 1, 4, 4}, {16, 2, 4, 8}, {10, 2, 4, 9}, {39, 3, 4, 12}, {36, 3, 4, 16}};
+
+const Kind* kind_of(int type) {
+  for (const Kind& kind : kKinds)
+    if (kind.type == type) return &kind;
+  return nullptr;
+}
+
+class Reader {
+public:
+  explicit Reader(std::string_view text) : lines_(text) {}
+  Mesh read();
+
+private:
+  using Words = std::vector<std::string_view>;
+  Words row(const char* section, size_t least); // the next line, which may not be the section's end
+  int64_t integer(const Words& words, size_t i, const char* what) const {
+    return whole_number(words[i], lines_.number(), what);
+  }
+  int64_t count(const Words& words, size_t i, const char* what) const;
+  void format();
+  void names();
+  void nodes_2();
+  void nodes_4();
+  void elements_2();
+  void elements_4();
+  void entities();
+  void add_node(int64_t tag, const Words& words, size_t first);
+  void add_element(Element element, const Words& words, size_t first);
+  void sort_nodes();
+  void check();
+  void end(const std::string& section);
+  void skip(const std::string& section);
+  int number() const { return lines_.number(); }
+
+  Lines lines_;
+  Mesh mesh_;
+  bool is_4_ = false;
+  std::vector<double> height_;                          // z of each node
+  std::map<std::pair<int, int64_t>, int64_t> group_of_; // of entities, by dimension and tag
+  std::map<int, int> others_;                           // elements of types that are not used
+  bool many_ = false;                                   // an entity of several groups
+};
+
+Reader::Words Reader::row(const char* section, size_t least) {
+  std::string_view line;
+  do {
+    if (!lines_.next(line)) throw Fault{number(), std::string("the file ends within ") + section + ": it is cut off"};
+  } while (trimmed(line).empty());
+  Words words = words_of(trimmed(line));
+  if (words[0][0] == '$') throw Fault{number(), std::string(section) + " ends with fewer lines than it tells"};
+  if (words.size() < least)
+    throw Fault{number(), std::string(section) + ": " + std::to_string(words.size()) + " numbers in a line, expected " +
+                              std::to_string(least) + " or more"};
+  return words;
+}
+
+int64_t Reader::count(const Words& words, size_t i, const char* what) const {
+  const int64_t n = integer(words, i, what);
+  if (n < 0 || n > 100000000)
+    throw Fault{number(), std::string(what) + " is " + std::to_string(n) + ", expected 0 to 100000000"};
+  return n;
+}
+
+void Reader::format() {
+  const Words words = row("$MeshFormat", 3);
+  mesh_.format = std::string(words[0]);
+  is_4_ = words[0] == "4.1";
+  if (!is_4_ && words[0] != "2.2" && words[0] != "2")
+    throw Fault{number(), "MSH format " + shown(words[0]) + ", expected 2.2 or 4.1"};
+  if (integer(words, 1, "the kind of file") != 0) throw Fault{number(), "this MSH file is binary, expected an ASCII file"};
+}
+
+void Reader::names() {
+  const int64_t n = count(row("$PhysicalNames", 1), 0, "the number of names");
+  for (int64_t i = 0; i < n; ++i) {
+    const Words words = row("$PhysicalNames", 3);
+    const std::string_view first = words[2], last = words.back();
+    std::string_view name(first.data(), static_cast<size_t>(last.data() + last.size() - first.data())); // with its blanks
+    if (name.size() < 2 || name.front() != '"' || name.back() != '"')
+      throw Fault{number(), "the name of a physical group is " + shown(name) + ", expected one in quotes"};
+    mesh_.names.push_back({static_cast<int>(integer(words, 0, "a dimension")), integer(words, 1, "a physical group"),
+                           std::string(name.substr(1, name.size() - 2))});
+  }
+}
+
+void Reader::add_node(int64_t tag, const Words& words, size_t first) {
+  mesh_.tags.push_back(tag);
+  mesh_.nodes.push_back({real(words[first], number(), "x of a node"), real(words[first + 1], number(), "y of a node")});
+  height_.push_back(real(words[first + 2], number(), "z of a node"));
+}
+
+void Reader::nodes_2() {
+  const int64_t n = count(row("$Nodes", 1), 0, "the number of nodes");
+  for (int64_t i = 0; i < n; ++i) {
+    const Words words = row("$Nodes", 4);
+    add_node(integer(words, 0, "a node"), words, 1);
+  }
+}
+
+void Reader::nodes_4() {
+  const int64_t blocks = count(row("$Nodes", 4), 0, "the number of blocks");
+  for (int64_t b = 0; b < blocks; ++b) {
+    const int64_t n = count(row("$Nodes", 4), 3, "the number of nodes");
+    std::vector<int64_t> tags;
+    for (int64_t i = 0; i < n; ++i) tags.push_back(integer(row("$Nodes", 1), 0, "a node"));
+    for (int64_t i = 0; i < n; ++i) add_node(tags[static_cast<size_t>(i)], row("$Nodes", 3), 0);
+  }
+}
+
+// Physical groups of entities: behind the box around them, of points behind their place.
+void Reader::entities() {
+  const Words counts = row("$Entities", 4);
+  for (int dimension = 0; dimension < 4; ++dimension)
+    for (int64_t i = count(counts, static_cast<size_t>(dimension), "the number of entities"); i > 0; --i) {
+      const size_t at = dimension == 0 ? 4 : 7;
+      const Words words = row("$Entities", at + 1);
+      const int64_t groups = count(words, at, "the number of physical groups");
+      if (words.size() < at + 1 + static_cast<size_t>(groups))
+        throw Fault{number(), "$Entities: fewer physical groups than it tells"};
+      if (groups > 0)
+        group_of_[{dimension, integer(words, 0, "an entity")}] = std::abs(integer(words, at + 1, "a physical group"));
+      if (groups > 1) many_ = true;
+    }
+}
+
+void Reader::add_element(Element element, const Words& words, size_t first) {
+  const Kind* kind = kind_of(element.type);
+  if (kind == nullptr) {
+    constexpr int kPoint = 15;
+    if (element.type != kPoint) ++others_[element.type];
+    return;
+  }
+  if (words.size() - first != static_cast<size_t>(kind->nodes))
+    throw Fault{number(), "an element of type " + std::to_string(element.type) + " has " +
+                              std::to_string(words.size() - first) + " nodes, expected " + std::to_string(kind->nodes)};
+  element.line = number();
+  for (size_t i = first; i < words.size(); ++i) element.nodes.push_back(integer(words, i, "a node"));
+  (kind->corners == 0 ? mesh_.lines : mesh_.faces).push_back(std::move(element));
+}
+
+void Reader::elements_2() {
+  const int64_t n = count(row("$Elements", 1), 0, "the number of elements");
+  for (int64_t i = 0; i < n; ++i) {
+    const Words words = row("$Elements", 3);
+    const int64_t tags = count(words, 2, "the number of tags");
+    const size_t first = 3 + static_cast<size_t>(tags);
+    if (words.size() <= first) throw Fault{number(), "$Elements: a line without nodes"};
+    Element element{static_cast<int>(count(words, 1, "the type of an element")), 0, 0, 0, {}};
+    if (tags > 0) element.group = std::abs(integer(words, 3, "a physical group"));
+    if (tags > 1) element.entity = integer(words, 4, "an elementary entity");
+    add_element(std::move(element), words, first);
+  }
+}
+
+void Reader::elements_4() {
+  const int64_t blocks = count(row("$Elements", 4), 0, "the number of blocks");
+  for (int64_t b = 0; b < blocks; ++b) {
+    const Words head = row("$Elements", 4);
+    const int64_t dimension = count(head, 0, "a dimension"), n = count(head, 3, "the number of elements");
+    Element element{static_cast<int>(count(head, 2, "the type of an element")), 0, 0, integer(head, 1, "an entity"), {}};
+    const auto group = group_of_.find({static_cast<int>(dimension), element.entity});
+    if (group != group_of_.end()) element.group = group->second;
+    for (int64_t i = 0; i < n; ++i) add_element(element, row("$Elements", 2), 1);
+  }
+}
+
+void Reader::end(const std::string& section) {
+  std::string_view line;
+  while (lines_.next(line))
+    if (!trimmed(line).empty()) {
+      if (trimmed(line) == "$End" + section.substr(1)) return;
+      throw Fault{number(), shown(trimmed(line)) + ", expected $End" + section.substr(1)};
+    }
+  throw Fault{number(), "the file ends without $End" + section.substr(1) + ": it is cut off"};
+}
+
+void Reader::skip(const std::string& section) {
+  std::string_view line;
+  while (lines_.next(line))
+    if (trimmed(line) == "$End" + section.substr(1)) return;
+  throw Fault{number(), "the file ends without $End" + section.substr(1) + ": it is cut off"};
+}
+
+void Reader::sort_nodes() {
+  std::vector<size_t> order(mesh_.tags.size());
+  std::iota(order.begin(), order.end(), size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](size_t i, size_t j) { return mesh_.tags[i] < mesh_.tags[j]; });
+  Mesh sorted;
+  for (const size_t i : order) {
+    if (!sorted.tags.empty() && sorted.tags.back() == mesh_.tags[i])
+      throw Fault{0, "node " + std::to_string(mesh_.tags[i]) + " stands there twice"};
+    sorted.tags.push_back(mesh_.tags[i]);
+    sorted.nodes.push_back(mesh_.nodes[i]);
+  }
+  mesh_.tags.swap(sorted.tags);
+  mesh_.nodes.swap(sorted.nodes);
+}
+
+// Nodes of elements are there, and lie in a plane.
+void Reader::check() {
+  sort_nodes();
+  for (const std::vector<Element>* list : {&mesh_.lines, &mesh_.faces})
+    for (const Element& element : *list)
+      for (const int64_t node : element.nodes)
+        if (!std::binary_search(mesh_.tags.begin(), mesh_.tags.end(), node))
+          throw Fault{element.line, "an element has node " + std::to_string(node) + ", which is not there"};
+  if (height_.empty()) return;
+  const auto [low, high] = std::minmax_element(height_.begin(), height_.end());
+  double size = 0;
+  for (const Point& p : mesh_.nodes) size = std::max(size, sketch::length(p - mesh_.nodes.front()));
+  if (*high - *low > kJoin * size)
+    throw Fault{0,
+                "the mesh is not flat: z runs from " + told(*low) + " to " + told(*high) + ", expected a plane of constant z"};
+}
+
+Mesh Reader::read() {
+  std::string_view line;
+  bool has_nodes = false, has_elements = false;
+  while (lines_.next(line)) {
+    const std::string section(trimmed(line));
+    if (section.empty()) continue;
+    if (section[0] != '$') throw Fault{number(), shown(section) + ", expected the begin of a section, such as $Nodes"};
+    if (mesh_.format.empty() && section != "$MeshFormat")
+      throw Fault{number(), shown(section) + ", expected $MeshFormat first"};
+    if (section == "$MeshFormat")
+      format();
+    else if (section == "$PhysicalNames")
+      names();
+    else if (section == "$Entities" && is_4_)
+      entities();
+    else if (section == "$Nodes")
+      is_4_ ? nodes_4() : nodes_2(), has_nodes = true;
+    else if (section == "$Elements")
+      is_4_ ? elements_4() : elements_2(), has_elements = true;
+    else {
+      skip(section);
+      continue;
+    }
+    end(section);
+  }
+  if (!has_nodes) throw Fault{0, "no section $Nodes"};
+  if (!has_elements) throw Fault{0, "no section $Elements"};
+  check();
+  for (const auto& [type, count] : others_)
+    mesh_.notes.push_back(std::to_string(count) + " elements of type " + std::to_string(type) + " were passed over");
+  if (many_) mesh_.notes.push_back("some entities are in several physical groups: the first one names them");
+  return std::move(mesh_);
+}
+
+} // namespace
+
+int order_of(int type) {
+  const Kind* kind = kind_of(type);
+  return kind == nullptr ? 0 : kind->order;
+}
+
+int corners_of(int type) {
+  const Kind* kind = kind_of(type);
+  return kind == nullptr ? 0 : kind->corners;
+}
+
+std::string Mesh::name(int dimension, int64_t group) const {
+  for (const Name& n : names)
+    if (n.dimension == dimension && n.group == group) return n.name;
+  return "";
+}
+
+Point Mesh::at(int64_t tag) const {
+  return nodes[static_cast<size_t>(std::lower_bound(tags.begin(), tags.end(), tag) - tags.begin())];
+}
+
+bool is_msh(std::string_view text) {
+  Lines lines(text);
+  std::string_view line;
+  while (lines.next(line))
+    if (!trimmed(line).empty()) return trimmed(line) == "$MeshFormat" || trimmed(line) == "$NOD";
+  return false;
+}
+
+Mesh read_mesh(std::string_view text) { return Reader(text).read(); }
+
+} // namespace drawing

@@ -1,0 +1,24 @@
+// B-splines with weights, as drawings have them, and points through which a spline of a sketch follows them.
+#pragma once
+
+#include "program/drawing/drawing.hpp"
+
+namespace drawing {
+
+struct Nurbs {
+  int degree = 3;
+  std::vector<double> knots;   // as many as points + degree + 1, none below the one before it
+  std::vector<Point> points;   // control points
+  std::vector<double> weights; // above 0; none: all alike
+  bool closed = false;
+
+  // What is wrong with it; empty: nothing.
+  std::string fault() const;
+  Point at(double t) const; // t between knots[degree] and knots[points.size()]
+};
+
+// One curve for every smooth part of it: lines where it is straight, else splines that keep within `tolerance` of it if
+// 1000 points are enough; Curve::doubt tells how near they are.
+std::vector<Curve> curves_of(const Nurbs& nurbs, double tolerance);
+
+} // namespace drawing

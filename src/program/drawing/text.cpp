@@ -1,0 +1,64 @@
+#include "program/drawing/text.hpp"
+
+#include <charconv>
+#include <cmath>
+
+namespace drawing {
+
+bool Lines::next(std::string_view& line) {
+  if (text_.empty()) return false;
+  const size_t end = text_.find('\n');
+  line = text_.substr(0, end);
+  text_.remove_prefix(end == std::string_view::npos ? text_.size() : end + 1);
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  ++number_;
+  return true;
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
+  while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r')) text.remove_suffix(1);
+  return text;
+}
+
+std::vector<std::string_view> words_of(std::string_view line) {
+  std::vector<std::string_view> out;
+  for (size_t at = 0; at < line.size();) {
+    const size_t first = line.find_first_not_of(" \t", at);
+    if (first == std::string_view::npos) break;
+    const size_t end = std::min(line.find_first_of(" \t", first), line.size());
+    out.push_back(line.substr(first, end - first));
+    at = end;
+  }
+  return out;
+}
+
+std::string shown(std::string_view text) {
+  std::string out = "'";
+  for (const char c : text.substr(0, 40))
+    out += static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7f ? '?' : c;
+  return out + (text.size() > 40 ? "...'" : "'");
+}
+
+double real(std::string_view text, int line, const char* what) {
+  std::string_view digits = trimmed(text);
+  if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
+  double value = 0;
+  const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (result.ec != std::errc() || result.ptr != digits.data() + digits.size() || !std::isfinite(value) ||
+      std::fabs(value) > 1e100)
+    throw Fault{line, std::string(what) + " is " + shown(trimmed(text)) + ", expected a number"};
+  return value;
+}
+
+int64_t whole_number(std::string_view text, int line, const char* what) {
+  std::string_view digits = trimmed(text);
+  if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
+  int64_t value = 0;
+  const auto result = std::from_chars(digits.data(), digits.data() + digits.size(), value);
+  if (result.ec != std::errc() || result.ptr != digits.data() + digits.size())
+    throw Fault{line, std::string(what) + " is " + shown(trimmed(text)) + ", expected a whole number"};
+  return value;
+}
+
+} // namespace drawing
