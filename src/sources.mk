@@ -266,6 +266,7 @@ PROGRAM_SOURCES += src/program/estimate/cut_body.cpp
 PROGRAM_SOURCES += src/program/estimate/cut_conditions.cpp
 PROGRAM_SOURCES += src/program/estimate/cut_points.cpp
 PROGRAM_SOURCES += src/program/estimate/error.cpp
+PROGRAM_SOURCES += src/program/estimate/far.cpp
 PROGRAM_SOURCES += src/program/estimate/halved.cpp
 PROGRAM_SOURCES += src/program/estimate/keyword_cards.cpp
 PROGRAM_SOURCES += src/program/estimate/loop.cpp

@@ -359,11 +359,11 @@ TEST_CASE("quantities: stated errors go to the first coefficient's last step, an
       }
     }
   }
-  Quantity stated;
-  stated.what = Measure::kContactEdge, stated.zone = 1, stated.item = 2, stated.error = 0.0125;
-  record.stated = {stated};
+  Stated stated;
+  stated.name = name_of(Measure::kContactEdge), stated.zone = 1, stated.item = 2, stated.error = 0.0125;
+  record.meshes.stated = {stated};
   stated.zone = 7; // there is none
-  record.stated.push_back(stated);
+  record.meshes.stated.push_back(stated);
   record.take_stated_errors();
   for (size_t c = 0; c < 2; ++c)
     for (size_t step = 0; step < 2; ++step)

@@ -1,5 +1,6 @@
 #include "program/estimate/loop.hpp"
 
+#include "program/estimate/far.hpp"
 #include "program/estimate/wanted.hpp"
 #include "program/sketch/refine.hpp"
 
@@ -31,6 +32,7 @@ private:
   bool is_within_limits(const sketch::Mesh& mesh);
   void judge(const Level* coarse, const Level& middle, const Level& fine, const Distance* before, const Distance& last);
   bool all_met() const;
+  void find_far(Level& level) const;
   bool is_near(const Distance& distance) const;
   void tighten();
   sketch::Levels marks(const Distance& distance) const;
@@ -153,6 +155,19 @@ bool Loop::all_met() const {
 }
 
 // Elements whose shares are above those of a mesh that meets the tolerances with shares alike.
+// What is far is found once, and once more if contact grew up to it.
+void Loop::find_far(Level& level) const {
+  const bool cut = is_cut_off(level.trial, level.mesh);
+  bool known = false;
+  for (auto& outlines : level.mesh.bodies)
+    for (sketch::MeshedOutline& outline : outlines)
+      for (sketch::MeshedCurve& curve : outline.curves) {
+        if (cut) curve.far.clear();
+        known = known || !curve.far.empty();
+      }
+  if (!cut && !known) mark_far(level.trial, level.mesh);
+}
+
 // Is the distance what marks() asks for?
 bool Loop::is_near(const Distance& d) const {
   double wanted = s_.tolerance;
@@ -241,10 +256,12 @@ Adapted Loop::run() {
       if (all_met()) return std::move(out_);
       tighten();
       marked = marks(second);
+      find_far(middle);
       coarse = Level{sketch::refined(s_, middle.mesh, marked), {}, {}};
     } else {
       if (is_near(first)) tighten();
       marked = marks(first);
+      find_far(coarse);
       coarse = Level{sketch::refined(s_, coarse.mesh, marked), {}, {}};
     }
     if (!is_within_limits(coarse.mesh)) return std::move(out_);

@@ -214,7 +214,7 @@ Mesh Mesher::run() {
         if (outline.open != open) continue;
         outlines.push_back({open, {}});
         for (const Curve* curve : curves_in_order(s_, static_cast<int>(mesh_.bodies.size()), outline))
-          outlines.back().curves.push_back({curve, Measure(curve->shape), {}});
+          outlines.back().curves.push_back({curve, Measure(curve->shape), {}, {}});
       }
     mesh_.bodies.push_back(std::move(outlines));
   }

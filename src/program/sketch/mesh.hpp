@@ -3,12 +3,15 @@
 
 #include "program/sketch/sketch.hpp"
 
+#include <utility>
+
 namespace sketch {
 
 struct MeshedCurve {
   const Curve* curve;
   Measure measure;
   std::vector<double> ends; // of the elements: lengths from the curve's begin, 0 and its whole length included
+  std::vector<std::pair<double, double>> far; // lengths between which nothing of a side 2 comes near the other side
   size_t elements() const { return ends.size() - 1; }
 };
 struct MeshedOutline {

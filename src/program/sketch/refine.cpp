@@ -146,7 +146,9 @@ void face(const std::vector<std::vector<Point>>& chains, MeshedCurve& curve) {
   }
   std::vector<double> out(1, 0.0);
   for (const double s : places) { // ends that nearly coincide are one
-    const double room = 0.2 * step_at(s);
+    double room = 0.2 * step_at(s);
+    for (const Stretch& f : faced)
+      if (s == f.from || s == f.to) room = std::min(room, 0.2 * (f.to - f.from));
     if (s - out.back() > room && whole - s > room) out.push_back(s);
   }
   out.push_back(whole);

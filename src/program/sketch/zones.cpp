@@ -13,6 +13,7 @@ constexpr double kOpen = 0.6; // the least cosine of the angle between surfaces 
 struct Element {
   Point from, to;
   const std::string* curve;
+  bool is_far;       // from all that it might touch
   int before, after; // along the outline; -1 where an open one ends
 };
 using Elements = std::vector<Element>; // of a body
@@ -26,7 +27,10 @@ Elements elements_of(const std::vector<MeshedOutline>& outlines) {
       for (size_t e = 0; e < curve.elements(); ++e) {
         const auto at = [&](size_t end) { return curve.curve->shape->at(curve.measure.u_at(curve.ends[end])); };
         const int number = static_cast<int>(out.size());
-        out.push_back({at(e), at(e + 1), &curve.curve->name, number - 1, number + 1});
+        const double middle = (curve.ends[e] + curve.ends[e + 1]) / 2;
+        const bool far = std::any_of(curve.far.begin(), curve.far.end(),
+                                     [&](const auto& f) { return f.first < middle && middle < f.second; });
+        out.push_back({at(e), at(e + 1), &curve.curve->name, far, number - 1, number + 1});
       }
     out[first].before = outline.open ? -1 : static_cast<int>(out.size()) - 1;
     out.back().after = outline.open ? -1 : static_cast<int>(first);
@@ -168,6 +172,7 @@ void Pairing::choose(size_t k) {
     const Wall wall(body(k, 1 - which), numbers[1 - which]);
     for (const int e : numbers[which]) {
       const Element& own = body(k, which)[static_cast<size_t>(e)];
+      if (which == 1 && own.is_far) continue;
       const double gap = which == 1 ? wall.gap_to(own) : wall.distance(0.5 * (own.from + own.to));
       Part& part = parts_[static_cast<size_t>(side(k, which).body)][static_cast<size_t>(e)];
       if (gap < part.gap) part = {k, which, gap};
