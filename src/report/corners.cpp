@@ -14,7 +14,8 @@ const size_t kFewest = 6;
 const double kWorst = 0.1; // a larger misfit is no field of a corner
 const double kTerms = 2.6; // exponents up to here are terms of a fit
 
-const char* const kTooFew = "fewer than 6 nodes between three elements from the corner and 0.3 of its ";
+const char* const kTooFew = "too few nodes near it";
+const char* const kNotAlike = "results near it do not follow its exponents";
 
 CornerState state_of(const Corner& c) {
   CornerState out;
@@ -42,9 +43,9 @@ void take_singular(const std::vector<Complex>& all, CornerState& out) {
     if (lambda.real() < kSingular) out.exponents.push_back(lambda);
 }
 
-void fit(const std::vector<PressureSample>& samples, const std::vector<Complex>& exponents, const char* face, CornerState& out) {
+void fit(const std::vector<PressureSample>& samples, const std::vector<Complex>& exponents, CornerState& out) {
   if (samples.size() < kFewest) {
-    out.why = std::string(kTooFew) + face;
+    out.why = kTooFew;
     return;
   }
   const CornerFit fitted = fit_pressure(samples, exponents);
@@ -52,7 +53,7 @@ void fit(const std::vector<PressureSample>& samples, const std::vector<Complex>&
   if (fitted.misfit < kWorst)
     out.K = fitted.K;
   else
-    out.why = "results near the corner do not follow its exponent";
+    out.why = kNotAlike;
 }
 
 // ---- pairs
@@ -130,7 +131,7 @@ CornerState support_state(const Corner& c, const Ends& ends) {
     const size_t i = static_cast<size_t>(s.row);
     samples.push_back({s.distance, -(ends.tx[i] * s.normal[0] + ends.ty[i] * s.normal[1])});
   }
-  fit(samples, all, "held face", out);
+  fit(samples, all, out);
   return out;
 }
 
@@ -147,7 +148,7 @@ CornerState notch_state(const Corner& c, const Ends& ends) {
       samples.push_back({s.distance, s.first, ends.ux[static_cast<size_t>(s.row)], ends.uy[static_cast<size_t>(s.row)]});
   const auto on_first = std::count_if(samples.begin(), samples.end(), [](const NotchSample& s) { return s.first; });
   if (std::min(static_cast<size_t>(on_first), samples.size() - static_cast<size_t>(on_first)) < kFewest) {
-    out.why = std::string(kTooFew) + "faces";
+    out.why = kTooFew;
     return out;
   }
   const CornerFit fitted = fit_notch(samples, {sector, c.direction + sector.angle / 2});
@@ -155,7 +156,7 @@ CornerState notch_state(const Corner& c, const Ends& ends) {
   if (fitted.misfit < kWorst)
     out.K = fitted.K, out.K2 = out.exponents.size() > 1 ? fitted.K2 : NAN;
   else
-    out.why = "results near the corner do not follow its exponents";
+    out.why = kNotAlike;
   return out;
 }
 
@@ -190,7 +191,7 @@ CornerState corner_state(const Corner& c, const double* table, int64_t stride) {
   for (size_t i = pairs.first(); i < end; ++i)
     if (c.samples[i].distance >= kNearest * c.element && c.samples[i].distance <= farthest)
       samples.push_back({c.samples[i].distance, pairs.row(i)[C2D_TN]});
-  fit(samples, all, (std::string("face in ") + out.joint).c_str(), out);
+  fit(samples, all, out);
   return out;
 }
 

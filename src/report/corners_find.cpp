@@ -43,6 +43,7 @@ private:
   bool project(const End& own, int32_t other, const StretchEnd* facing, Meeting& out) const;
   void sample_pairs(Corner& corner) const;
   double least_exponent(Corner& corner) const;
+  double exponent_of(const CornerShape& shape) const;
 
   c2d_solver* solver_;
   const Summary& s_;
@@ -50,6 +51,11 @@ private:
   std::vector<double> x_, y_, zone_;                // of the pairs
   std::vector<double> friction_;                    // the largest of each zone
   std::vector<std::vector<double>> end_x_, end_y_; // element ends of each body
+  struct Known {
+    std::vector<double> shape;
+    double exponent;
+  };
+  mutable std::vector<Known> known_; // many corners of a model are alike
 };
 
 c2d_status Finder::read_friction() {
@@ -89,6 +95,18 @@ c2d_status Finder::read() {
       if (!s_.is_platen(side->body))
         faces_[static_cast<size_t>(side->body) - 1].enter_zone(*side, static_cast<int32_t>(z) + 1);
   return status;
+}
+
+double Finder::exponent_of(const CornerShape& shape) const {
+  std::vector<double> numbers;
+  for (const Sector& q : shape.sectors) numbers.insert(numbers.end(), {q.angle, q.shear_modulus, q.kappa});
+  for (const Face& f : shape.faces) numbers.insert(numbers.end(), {static_cast<double>(f.kind), f.friction});
+  for (const Known& k : known_)
+    if (std::equal(numbers.begin(), numbers.end(), k.shape.begin(), k.shape.end(),
+                   [](double a, double b) { return std::fabs(a - b) <= 1e-9 * std::fabs(a); }))
+      return k.exponent;
+  known_.push_back({numbers, exponent(shape)});
+  return known_.back().exponent;
 }
 
 // ---- corners of one body
@@ -135,7 +153,7 @@ void Finder::find_in_body(int32_t body, std::vector<Corner>& out) const {
     c.shape = {{sector(body, angle)}, {after, before}};
     c.joint = after.kind == FaceKind::kFree ? 1 : 0;
     c.direction = std::atan2(along.y, along.x);
-    c.least = exponent(c.shape);
+    c.least = exponent_of(c.shape);
     if (c.least > kSingular) continue;
     sample_faces(body, e, c);
     out.push_back(c);
@@ -241,7 +259,7 @@ double Finder::least_exponent(Corner& c) const {
   Face worst;
   for (const Face& state : states) {
     c.shape.faces[c.joint] = state;
-    const double now = exponent(c.shape);
+    const double now = exponent_of(c.shape);
     if (now < least) least = now, worst = state;
   }
   c.shape.faces[c.joint] = worst;
