@@ -213,6 +213,7 @@ REPORT_SOURCES += src/report/interior.cpp
 REPORT_SOURCES += src/report/json.cpp
 REPORT_SOURCES += src/report/listing.cpp
 REPORT_SOURCES += src/report/listing_contact.cpp
+REPORT_SOURCES += src/report/listing_corners.cpp
 REPORT_SOURCES += src/report/listing_items.cpp
 REPORT_SOURCES += src/report/listing_loads.cpp
 REPORT_SOURCES += src/report/listing_model.cpp

@@ -80,6 +80,7 @@ private:
   Summary summary_;
   std::vector<std::vector<ContactEnd>> ends_; // of each body
   std::vector<CrackTip> tips_;
+  std::vector<Corner> corners_;
   bool restored_ = false, fresh_start_ = false;
   int32_t coefficient_shown_ = 0; // the coefficient whose heading stands in the listing
   std::string error_;
@@ -103,6 +104,7 @@ int32_t Run::on_step(void* context, const c2d_step* step) {
   if (run.coefficient_shown_ != step->coefficient) run.show_contact_zone();
   CoefficientRecord& kept = keep_step(run.record_, *step);
   keep_history(kept, *step, run.outputs_.has(Output::kJson) ? run.session_.solver : nullptr, run.tips_);
+  if (run.outputs_.has(Output::kJson)) keep_corners(kept, *step, run.corners_);
   if (run.outputs_.has(Output::kListing)) {
     append_step(run.outputs_.text(Output::kListing), *step, run.coefficient_shown_ != step->coefficient);
     run.coefficient_shown_ = step->coefficient;
@@ -243,6 +245,7 @@ int Run::prepare() {
   for (int32_t body = 1; body <= summary_.bodies && status == C2D_OK && summary_.pairs > 0; ++body)
     status = find_contact_ends(solver, summary_, body, ends_[static_cast<size_t>(body) - 1]);
   if (status == C2D_OK) status = find_crack_tips(solver, summary_, tips_);
+  if (status == C2D_OK) status = find_corners(solver, summary_, corners_);
   for (int32_t i = 1; i <= summary_.coefficients && status == C2D_OK; ++i) {
     record_.friction.push_back(0.0);
     status = c2d_get_friction(solver, 0, i, &record_.friction.back());
@@ -307,6 +310,7 @@ int Run::report() {
     const bool all = summary_.analysis == C2D_ANALYSIS_STRESS || summary_.analysis >= C2D_ANALYSIS_FULL;
     if (solved && all) status = append_global(out, solver, summary_);
   }
+  if (status == C2D_OK && solved) status = corner_states(solver, summary_, corners_, record_.corners);
   record_.warnings = session_.messages.warnings();
   if (status == C2D_OK && solved && interior_.any()) status = show_interior();
   if (status == C2D_OK) status = show_pictures();

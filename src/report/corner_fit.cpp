@@ -59,7 +59,7 @@ Mode mode_of(Complex lambda, double alpha, double kappa, bool even) {
   const bool shear = even ? by_shear : !by_normal;
   const Complex a = shear ? m * (even ? sm : cm) : (even ? cm : sm), b = shear ? -p * (even ? sp : cp) : (even ? -cp : -sp);
   Complex unit = std::sqrt(2 * kPi) * (even ? lambda * p * (a + b) : -lambda * (a * p + b * m));
-  if (lambda.real() > 1) unit = std::abs(a) + std::abs(b); // a later term, which may have no stress on the bisector
+  if (lambda.real() > 1 || lambda.real() < 0) unit = std::abs(a) + std::abs(b); // another term, which may have no stress on the bisector
   Mode mode{lambda, 0, 0};
   mode.along = (-p * a * (even ? cp : sp) + (kappa - lambda) * b * (even ? cm : sm)) / unit;
   mode.across = even ? (p * a * sp + (kappa + lambda) * b * sm) / unit : (-p * a * cp - (kappa + lambda) * b * cm) / unit;
@@ -76,7 +76,9 @@ CornerFit fit_pressure(const std::vector<PressureSample>& samples, const std::ve
   for (const PressureSample& s : samples) rest.push_back(s.p * std::pow(s.d / largest, -first));
   const double all = product(rest, rest);
   std::vector<Column> columns;
-  for (const Complex& lambda : exponents) {
+  std::vector<Complex> terms = exponents;
+  terms.insert(terms.begin() + 1, -std::conj(exponents.front())); // what the error of the elements at the corner causes
+  for (const Complex& lambda : terms) {
     const bool oscillates = lambda.imag() != 0;
     if (!columns.empty() && (columns.size() + (oscillates ? 2 : 1)) * 3 > samples.size()) break;
     Column real, imaginary;
@@ -175,6 +177,8 @@ CornerFit fit_notch(const std::vector<NotchSample>& samples, const Notch& notch)
       if (k >= list[i].size() || (system.size() + 2) * 3 > 2 * samples.size()) continue;
       if (k == 0) place[i] = system.size();
       system.add(mode_of(list[i][k], notch.sector.angle / 2, notch.sector.kappa, i == 0), i == 0);
+      if (k == 0 && list[i][0].real() < 1) // what the error of the elements at the tip causes
+        system.add(mode_of(-list[i][0], notch.sector.angle / 2, notch.sector.kappa, i == 0), i == 0);
     }
   CornerFit out;
   const std::vector<double> factor = system.solve(out.misfit);

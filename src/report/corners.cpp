@@ -8,7 +8,8 @@ namespace app {
 namespace {
 
 const double kSingular = 1 - 5e-3;
-// Which results count: from three elements at the corner on, up to 0.3 of the face or of the pairs that are in one state.
+// Which results count: from three elements at the corner on, up to 0.3 of the face, of the pairs that are in one
+// state, or of the distance to the next corner.
 const double kNearest = 3, kFarthest = 0.3;
 const size_t kFewest = 6;
 const double kWorst = 0.1; // a larger misfit is no field of a corner
@@ -112,7 +113,7 @@ double reach(const Corner& c, bool first) {
   double farthest = 0;
   for (const Corner::Sample& s : c.samples)
     if (s.first == first) farthest = std::max(farthest, s.distance);
-  return kFarthest * farthest;
+  return kFarthest * std::min(farthest, c.size);
 }
 
 CornerState support_state(const Corner& c, const Ends& ends) {
@@ -186,7 +187,7 @@ CornerState corner_state(const Corner& c, const double* table, int64_t stride) {
   take_singular(all, out);
   if (out.exponents.empty()) return out;
   const size_t end = pairs.end_of_run();
-  const double farthest = kFarthest * c.samples[end - 1].distance;
+  const double farthest = kFarthest * std::min(c.samples[end - 1].distance, c.size);
   std::vector<PressureSample> samples;
   for (size_t i = pairs.first(); i < end; ++i)
     if (c.samples[i].distance >= kNearest * c.element && c.samples[i].distance <= farthest)

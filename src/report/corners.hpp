@@ -29,6 +29,7 @@ struct Corner {
   int32_t body[2] = {0, 0};  // counter-clockwise, as far as they are elastic; 0: none
   double at[2] = {0, 0};
   double element = 0;        // the shortest one at the corner
+  double size = 0;           // how far away the next corner of the bodies is
   // Elastic bodies and their faces, counter-clockwise. Of a contact the joint has the kind for which stress grows most.
   CornerShape shape;
   size_t joint = 0;          // of a contact or a tie: which face it is; of a support: the face that is held

@@ -42,6 +42,7 @@ private:
   bool meet(const c2d_zone& zone, const End& own, int32_t other, const StretchEnd* facing, Corner& out) const;
   bool project(const End& own, int32_t other, const StretchEnd* facing, Meeting& out) const;
   void sample_pairs(Corner& corner) const;
+  double distance_to_next(const Corner& corner) const;
   double least_exponent(Corner& corner) const;
   double exponent_of(const CornerShape& shape) const;
 
@@ -296,15 +297,30 @@ void Finder::find_in_zone(int32_t number, std::vector<Corner>& out) const {
     }
 }
 
+double Finder::distance_to_next(const Corner& c) const {
+  double nearest = INFINITY;
+  for (const int32_t body : c.body) {
+    if (body == 0) continue;
+    const BodyFaces& f = faces(body);
+    for (int32_t e = 1; e <= f.elements(); ++e) {
+      const double off = distance(f.at(e, true), {c.at[0], c.at[1]});
+      if (off > 0.5 * c.element && f.next(e, true) != 0 && f.is_corner_after(e)) nearest = std::min(nearest, off);
+    }
+  }
+  return nearest;
+}
+
 c2d_status Finder::find(std::vector<Corner>& out) {
   const c2d_status status = read();
   if (status != C2D_OK) return status;
   for (int32_t z = 1; z <= static_cast<int32_t>(s_.zone.size()); ++z) find_in_zone(z, out);
   for (int32_t b = 1; b <= s_.bodies; ++b)
     if (!is_rigid(b) && !s_.is_platen(b)) find_in_body(b, out);
-  for (Corner& c : out)
+  for (Corner& c : out) {
+    c.size = distance_to_next(c);
     std::sort(c.samples.begin(), c.samples.end(),
               [](const Corner::Sample& a, const Corner::Sample& b) { return a.distance < b.distance; });
+  }
   return C2D_OK;
 }
 

@@ -23,6 +23,8 @@ void append_contact_zone(std::string& out, const CoefficientRecord& coefficient,
                          const Summary& summary);
 // Displacements and tractions of all element ends in global components at the load reached.
 c2d_status append_global(std::string& out, c2d_solver* solver, const Summary& summary);
+// Where stress is singular at the last state, by which power it grows and its intensity; nothing where there is no such corner.
+void append_corners(std::string& out, const RunRecord& record, const Summary& summary);
 // Balance of forces, warnings, and how the run ended.
 void append_ending(std::string& out, const RunRecord& record, const Summary& summary);
 

@@ -2,6 +2,7 @@
 // from pairs to element ends.
 #pragma once
 
+#include "report/corners.hpp"
 #include "report/cracks.hpp"
 #include "report/interior.hpp"
 #include "report/summary.hpp"
@@ -22,6 +23,7 @@ struct StepRecord {
   std::vector<c2d_zone_state> zones;
   std::vector<c2d_body_state> bodies;
   std::vector<StressIntensity> cracks;
+  std::vector<CornerState> corners; // of contacts and ties, where stress is singular
 };
 
 // How far one coefficient of friction came, with the pairs' table at its last valid state.
@@ -44,6 +46,7 @@ struct RunRecord {
   std::vector<double> friction; // all coefficients of the deck
   std::vector<c2d_error> warnings;
   std::vector<int32_t> measure;                   // of each zone: the body per whose length tn and tt are
+  std::vector<CornerState> corners;               // all of the last state where stress is singular
   const Interior* interior = nullptr;             // results inside; null if none were asked for
   double read_seconds = 0.0, write_seconds = 0.0; // spent by the program itself
   bool checked_only = false;                      // the deck asks for a data check, nothing was solved
@@ -60,6 +63,8 @@ CoefficientRecord& keep_step(RunRecord& record, const c2d_step& step);
 std::string load_reached(const CoefficientRecord& coefficient);
 // The same step's energy, its stress intensities and, unless solver is null, its zones; inside the callback.
 void keep_history(CoefficientRecord& coefficient, const c2d_step& step, c2d_solver* solver, const std::vector<CrackTip>& tips);
+// What the same step's table says of the corners; after keep_history.
+void keep_corners(CoefficientRecord& coefficient, const c2d_step& step, const std::vector<Corner>& corners);
 
 // Why a path ended, in a line: the outcome, the body and its motion, the last pair; `said` is what the
 // library said of it, may be empty. Sets the record's why, body and pair.
