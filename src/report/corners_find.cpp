@@ -14,7 +14,6 @@ struct Meeting {
   double angle = kPi;
   bool is_corner = false;
   int32_t beyond = 0; // the element that goes on there, outside of the contact; 0: none
-  bool same_element = false;
   double element = 0;
 };
 
@@ -184,7 +183,6 @@ bool Finder::project(const End& own, int32_t other, const StretchEnd* facing, Me
     out.element = f.length(at);
     if (place > 1e-3 && place < 1 - 1e-3) { // the contact leaves at an end that is passed upwards, and the other way round
       out.beyond = at;
-      out.same_element = true;
       return nearest < 0.1 * faces(own.body).length(own.end.element) + 0.1 * out.element;
     }
     // The contact is behind the place on the other body where it is before it on the own one.
@@ -213,9 +211,12 @@ bool Finder::meet(const c2d_zone& zone, const End& own, int32_t other, const Str
   const bool is_corner = f.is_corner_after(f.before(own.end));
   if (!tied && !is_corner && !there.is_corner) return false;
   if (!is_rigid(other)) {
-    const bool inside = there.same_element && faces(other).zone(there.beyond) == c.zone; // open beyond the corner
+    const bool inside = faces(other).zone(there.beyond) == c.zone; // beyond the corner it faces nothing
     if (!inside && !faces(other).face(there.beyond, other_face)) return false;
   }
+  // Both bodies are held along a line that the zone ends on: symmetry.
+  const bool own_line = is_rigid(own.body) || own_face.kind == FaceKind::kSmooth;
+  if (own_line && (is_rigid(other) || other_face.kind == FaceKind::kSmooth)) return false;
   const Spot at = f.at(own.end);
   c.kind = tied ? CornerKind::kTie : CornerKind::kContact;
   c.at[0] = at.x, c.at[1] = at.y;
