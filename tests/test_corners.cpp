@@ -334,6 +334,34 @@ TEST_CASE("corners: a notch under tension and shear has the intensities of a rec
   }
 }
 
+TEST_CASE("corners: a notch on a line of symmetry has the intensity of the whole one") {
+  const double growth = 1.4;
+  const int32_t n = 25, k = 10;
+  const auto plate = [&](bool whole) {
+    Model m;
+    m.function_nodes = 3;
+    if (whole)
+      m.add(polygon({{0, -2, k}, {2, -2, k}, {2, 0, k}, {2, 2, k}, {0, 2, k / 2}, {0, 1, n, 1 / growth}, {1, 0, n, growth}, {0, -1, k / 2}}));
+    else
+      m.add(open_polygon({{2, 0, k}, {2, 2, k}, {0, 2, k / 2}, {0, 1, n, 1 / growth}, {1, 0, 0}}));
+    if (!whole) m.symmetry = 2;
+    m.set(1, whole ? 4 : 2, end_of(kPulled, 0, 1));
+    if (whole) m.set(1, 1, end_of(kPulled, 0, -1));
+    // What holds the plate along x; the whole one also across its line.
+    const Range right = m.side(1, whole ? 3 : 1);
+    m.body(1).ends[static_cast<size_t>((right.first - 1) * m.function_nodes)] = end_of(whole ? "1100" : "1001");
+    if (whole) m.body(1).ends[static_cast<size_t>((m.side(1, 2).last - 1) * m.function_nodes) + 2] = end_of("1100");
+    if (whole) m.body(1).ends[static_cast<size_t>((m.side(1, 2).first - 1) * m.function_nodes) + 1] = end_of("1001");
+    return m;
+  };
+  const Found whole = found_in(plate(true)), half = found_in(plate(false));
+  REQUIRE(whole.state(1, 0) != nullptr);
+  REQUIRE(half.state(1, 0) != nullptr);
+  CHECK(half.state(1, 0)->K2 == doctest::Approx(0));
+  MESSAGE(whole.state(1, 0)->K << " " << half.state(1, 0)->K << whole.state(1,0)->K2);
+  CHECK(std::fabs(half.state(1, 0)->K / whole.state(1, 0)->K - 1) < 1e-6);
+}
+
 TEST_CASE("corners: a notch's intensities turn with the model, and scale as stress times length to the power 1 - lambda") {
   const Model m = notched(20, 1.4, 0.5, 3);
   const Found own = found_in(m);

@@ -12,6 +12,12 @@ const double kCorner = 15 * kPi / 180; // the least turn of a corner
 const double kChord = 50 * kPi / 180;  // chords of an arc turn by less
 const double kAlike = 3;               // and by much the same where they follow each other
 
+// From one direction to another, to the left positive; -pi at the tip of a slit.
+double turn(const Spot& a, const Spot& b) {
+  const double angle = std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);
+  return angle > kPi - 1e-6 ? -kPi : angle;
+}
+
 } // namespace
 
 double distance(const Spot& a, const Spot& b) { return std::hypot(a.x - b.x, a.y - b.y); }
@@ -26,6 +32,9 @@ c2d_status BodyFaces::read(c2d_solver* solver, const Summary& s, int32_t body) {
   c2d_status status = c2d_get(solver, C2D_NODE_X, body, 1, own.points, x_.data(), 1);
   if (status == C2D_OK) status = c2d_get(solver, C2D_NODE_Y, body, 1, own.points, y_.data(), 1);
   if (status == C2D_OK) status = read_regions(solver, s, body);
+  symmetry_ = s.symmetry;
+  for (int axis = 0; axis < 2; ++axis) symmetry_at_[axis] = s.symmetry_at[axis];
+  for (int32_t e = 1; e <= elements() && status == C2D_OK; ++e) on_line_.push_back(lies_on(e, 0) || lies_on(e, 1));
   if (status == C2D_OK) status = read_conditions(solver, s, body);
   return status == C2D_OK ? read_curves(solver, s, body) : status;
 }
@@ -70,8 +79,9 @@ c2d_status BodyFaces::read_curves(c2d_solver* solver, const Summary& s, int32_t 
 
 int32_t BodyFaces::next(int32_t element, bool up) const {
   const Region& r = regions_[region_[index(element)]];
-  if (element == (up ? r.last : r.first)) return r.open ? 0 : up ? r.first : r.last;
-  return element + (up ? 1 : -1);
+  const bool last = element == (up ? r.last : r.first);
+  const int32_t next = !last ? element + (up ? 1 : -1) : r.open ? 0 : up ? r.first : r.last;
+  return next == 0 || on_line_[index(next)] ? 0 : next;
 }
 
 Spot BodyFaces::node(int32_t element, int32_t k) const {
@@ -99,11 +109,28 @@ Spot BodyFaces::direction(int32_t element, bool end) const {
   return {d.x / size, d.y / size};
 }
 
-// To the left is positive; -pi at the tip of a slit.
+bool BodyFaces::lies_on(int32_t element, int axis) const {
+  bool all = (symmetry_ >> axis & 1) != 0;
+  for (int32_t k = 0; k < per_element_; ++k) all = all && is_at_line(node(element, k), axis);
+  return all;
+}
+bool BodyFaces::is_at_line(const Spot& p, int axis) const {
+  const double at = symmetry_at_[axis], x = axis == 0 ? p.x : p.y;
+  return (symmetry_ >> axis & 1) != 0 && std::fabs(x - at) <= 1e-12 * (std::fabs(p.x) + std::fabs(p.y));
+}
+
+double BodyFaces::angle_at_image(int32_t element, bool up) const {
+  const Spot end = at(element, up), own = direction(element, up);
+  for (int axis = 0; axis < 2; ++axis) {
+    if (!is_at_line(end, axis)) continue;
+    const Spot image = axis == 0 ? Spot{own.x, -own.y} : Spot{-own.x, own.y}; // mirrored, and the other way round
+    return kPi - (up ? turn(own, image) : turn(image, own));
+  }
+  return 0;
+}
+
 double BodyFaces::turn_after(int32_t element) const {
-  const Spot a = direction(element, true), b = direction(next(element, true), false);
-  const double turn = std::atan2(a.x * b.y - a.y * b.x, a.x * b.x + a.y * b.y);
-  return turn > kPi - 1e-6 ? -kPi : turn;
+  return turn(direction(element, true), direction(next(element, true), false));
 }
 double BodyFaces::angle_after(int32_t element) const { return kPi - turn_after(element); }
 

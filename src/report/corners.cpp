@@ -142,17 +142,21 @@ CornerState notch_state(const Corner& c, const Ends& ends) {
   const Sector& sector = c.shape.sectors[0];
   take_singular(notch_exponents(sector, true), out);
   take_singular(notch_exponents(sector, false), out);
-  const double farthest = std::min(reach(c, true), reach(c, false));
+  const double farthest = c.half ? std::max(reach(c, true), reach(c, false)) : std::min(reach(c, true), reach(c, false));
+  const double bisector = c.direction + sector.angle / 2, cosine = std::cos(2 * bisector), sine = std::sin(2 * bisector);
   std::vector<NotchSample> samples;
-  for (const Corner::Sample& s : c.samples)
-    if (s.distance >= kNearest * c.element && s.distance <= farthest)
-      samples.push_back({s.distance, s.first, ends.ux[static_cast<size_t>(s.row)], ends.uy[static_cast<size_t>(s.row)]});
+  for (const Corner::Sample& s : c.samples) {
+    if (s.distance < kNearest * c.element || s.distance > farthest) continue;
+    const double ux = ends.ux[static_cast<size_t>(s.row)], uy = ends.uy[static_cast<size_t>(s.row)];
+    samples.push_back({s.distance, s.first, ux, uy});
+    if (c.half) samples.push_back({s.distance, !s.first, cosine * ux + sine * uy, sine * ux - cosine * uy});
+  }
   const auto on_first = std::count_if(samples.begin(), samples.end(), [](const NotchSample& s) { return s.first; });
   if (std::min(static_cast<size_t>(on_first), samples.size() - static_cast<size_t>(on_first)) < kFewest) {
     out.why = kTooFew;
     return out;
   }
-  const CornerFit fitted = fit_notch(samples, {sector, c.direction + sector.angle / 2});
+  const CornerFit fitted = fit_notch(samples, {sector, bisector});
   out.misfit = fitted.misfit;
   if (fitted.misfit < kWorst)
     out.K = fitted.K, out.K2 = out.exponents.size() > 1 ? fitted.K2 : NAN;

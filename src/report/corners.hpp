@@ -35,6 +35,7 @@ struct Corner {
   size_t joint = 0;          // of a contact or a tie: which face it is; of a support: the face that is held
   int32_t after = 0;         // of a contact or a tie: the side, 1 or 2, that follows the joint counter-clockwise
   double least = 1;          // the lowest exponent of all states that the joint may be in: for meshes
+  bool half = false;         // a notch on a line of symmetry by images: its first or its last face is the image of the other
   double direction = 0;      // of the first face, into the body, radians from the x axis
   struct Sample {
     int32_t row;             // from 0: a pair of the zone, or an element's end of body[0]

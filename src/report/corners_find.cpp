@@ -7,6 +7,7 @@ namespace app {
 namespace {
 
 const double kPi = std::acos(-1.0);
+const double kCorner = 15 * kPi / 180; // the least turn of one
 const double kSingular = 1 - 5e-3; // nearer to 1 stress hardly grows over any mesh
 
 // What the other side is like where an end of a zone meets it.
@@ -36,7 +37,8 @@ private:
   c2d_status read();
   c2d_status read_friction();
   void find_in_body(int32_t body, std::vector<Corner>& out) const;
-  void sample_faces(int32_t body, int32_t element, Corner& corner) const;
+  void find_at_image(int32_t body, int32_t element, bool up, std::vector<Corner>& out) const;
+  void sample_face(int32_t body, int32_t element, bool up, Corner& corner) const;
   void find_in_zone(int32_t zone, std::vector<Corner>& out) const;
   bool meet(const c2d_zone& zone, const End& own, int32_t other, const StretchEnd* facing, Corner& out) const;
   bool project(const End& own, int32_t other, const StretchEnd* facing, Meeting& out) const;
@@ -111,33 +113,54 @@ double Finder::exponent_of(const CornerShape& shape) const {
 
 // ---- corners of one body
 
-// Ends of the elements on both faces, up to the next corner or where something else holds.
-void Finder::sample_faces(int32_t body, int32_t element, Corner& corner) const {
+// Ends of the elements on a face, up to the next corner or where something else holds. The face that goes upwards from the
+// corner is the first: the material is counter-clockwise from it.
+void Finder::sample_face(int32_t body, int32_t element, bool up, Corner& corner) const {
   const BodyFaces& f = faces(body);
-  const Spot tip{corner.at[0], corner.at[1]};
-  for (int k = 0; k < 2; ++k) { // the face that follows is the first: counter-clockwise round the corner from there
-    const bool up = k == 0;
-    Face own, other;
-    int32_t e = up ? f.next(element, true) : element;
-    f.face(e, own);
-    for (int32_t count = 0; count < f.elements(); ++count) {
-      const Spot along = f.direction(e, false);
-      for (int32_t local = 0; local < s_.function_nodes; ++local) {
-        const size_t i = static_cast<size_t>((e - 1) * s_.function_nodes + local);
-        const Spot at{end_x_[static_cast<size_t>(body) - 1][i], end_y_[static_cast<size_t>(body) - 1][i]};
-        corner.samples.push_back({static_cast<int32_t>(i), distance(at, tip), up, {along.y, -along.x}});
-      }
-      const int32_t next = f.next(e, up);
-      if (next == 0 || f.is_corner_after(up ? e : next) || !f.face(next, other) || other.kind != own.kind) break;
-      e = next;
+  Face own, other;
+  f.face(element, own);
+  int32_t e = element;
+  for (int32_t count = 0; count < f.elements(); ++count) {
+    const Spot along = f.direction(e, false);
+    for (int32_t local = 0; local < s_.function_nodes; ++local) {
+      const size_t i = static_cast<size_t>((e - 1) * s_.function_nodes + local);
+      const Spot at{end_x_[static_cast<size_t>(body) - 1][i], end_y_[static_cast<size_t>(body) - 1][i]};
+      corner.samples.push_back({static_cast<int32_t>(i), distance(at, {corner.at[0], corner.at[1]}), up, {along.y, -along.x}});
     }
+    const int32_t next = f.next(e, up);
+    if (next == 0 || f.is_corner_after(up ? e : next) || !f.face(next, other) || other.kind != own.kind) return;
+    e = next;
   }
+}
+
+// A notch that a line of symmetry cuts in two.
+void Finder::find_at_image(int32_t body, int32_t element, bool up, std::vector<Corner>& out) const {
+  const BodyFaces& f = faces(body);
+  const double angle = f.angle_at_image(element, up);
+  Face face;
+  if (angle < kPi + kCorner || !f.face(element, face) || face.kind != FaceKind::kFree) return;
+  Corner c;
+  c.kind = CornerKind::kNotch;
+  c.body[0] = body;
+  const Spot at = f.at(element, up), along = f.direction(element, up);
+  c.at[0] = at.x, c.at[1] = at.y;
+  c.element = f.length(element);
+  c.shape = {{sector(body, angle)}, {face, face}};
+  c.half = true;
+  // The first face leaves the corner as elements count, the last one arrives there.
+  c.direction = up ? std::atan2(-along.y, -along.x) - angle : std::atan2(along.y, along.x);
+  c.least = exponent_of(c.shape);
+  sample_face(body, element, !up, c);
+  out.push_back(c);
 }
 
 void Finder::find_in_body(int32_t body, std::vector<Corner>& out) const {
   const BodyFaces& f = faces(body);
   for (int32_t e = 1; e <= f.elements(); ++e) {
+    if (f.is_on_line(e)) continue;
     const int32_t behind = f.next(e, true);
+    for (const bool up : {false, true})
+      if (f.next(e, up) == 0) find_at_image(body, e, up, out);
     Face before, after;
     if (behind == 0 || !f.face(e, before) || !f.face(behind, after)) continue;
     const bool is_corner = f.is_corner_after(e);
@@ -155,7 +178,8 @@ void Finder::find_in_body(int32_t body, std::vector<Corner>& out) const {
     c.direction = std::atan2(along.y, along.x);
     c.least = exponent_of(c.shape);
     if (c.least > kSingular) continue;
-    sample_faces(body, e, c);
+    sample_face(body, behind, true, c);
+    sample_face(body, e, false, c);
     out.push_back(c);
   }
 }
