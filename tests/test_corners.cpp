@@ -1,9 +1,5 @@
-// Sharp corners: exponents against closed forms and counts of zeros, intensities against closed forms, a reciprocal integral
-// and finer meshes, and which corners are found.
+// Sharp corners: intensities against closed forms, a reciprocal integral and finer meshes, and which corners are found.
 #include "family_runs.hpp"
-#include "json.hpp"
-#include "report/corner_exponent.hpp"
-#include "report/corner_fit.hpp"
 #include "report/corners.hpp"
 #include "shell.hpp"
 #include "solved_bodies.hpp"
@@ -13,13 +9,10 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <random>
 
 using namespace many;
 using app::CornerKind;
-using app::CornerShape;
 using app::CornerState;
-using app::FaceKind;
 
 namespace {
 
@@ -62,7 +55,8 @@ Model notched(int32_t n, double growth, double shear, int32_t order) {
   Model m;
   m.function_nodes = order;
   const int32_t k = 10;
-  Body plate = polygon({{0, -2, k}, {2, -2, k}, {2, 2, k}, {0, 2, k / 2}, {0, 1, n, 1 / growth}, {1, 0, n, growth}, {0, -1, k / 2}});
+  Body plate =
+      polygon({{0, -2, k}, {2, -2, k}, {2, 2, k}, {0, 2, k / 2}, {0, 1, n, 1 / growth}, {1, 0, n, growth}, {0, -1, k / 2}});
   m.add(plate);
   m.set(1, 1, end_of("0110", -shear));
   m.set(1, 2, end_of(kPulled, 0, shear));
@@ -89,9 +83,10 @@ public:
     a_ = i, b_ = -(one / two).real() * i;
   }
   Field at(Complex z) const {
-    const Complex phi = a_ * std::pow(z, q_), dphi = a_ * q_ * std::pow(z, q_ - 1), ddphi = a_ * q_ * (q_ - 1) * std::pow(z, q_ - 2);
+    const Complex phi = a_ * std::pow(z, q_), dphi = a_ * q_ * std::pow(z, q_ - 1),
+                  ddphi = a_ * q_ * (q_ - 1) * std::pow(z, q_ - 2);
     const Complex psi = b_ * std::pow(z, q_), dpsi = b_ * q_ * std::pow(z, q_ - 1);
-    const double sum = 4 * dphi.real(); // sxx + syy
+    const double sum = 4 * dphi.real();                             // sxx + syy
     const Complex difference = 2.0 * (std::conj(z) * ddphi + dpsi); // syy - sxx + 2i sxy
     const double syy = (sum + difference.real()) / 2, sxx = sum - syy, sxy = difference.imag() / 2;
     const Complex n = z / std::abs(z);
@@ -127,7 +122,8 @@ double reciprocal_intensity(c2d_solver* solver, Complex tip, double bisector, do
   const auto mixed = [](const Field& a, const Field& b) {
     return dot(a.normal_traction, b.displacement) - dot(b.normal_traction, a.displacement);
   };
-  const double unit = over_arc(alpha, 1, [&](double t) { return mixed(own.at(std::polar(1.0, t)), dual.at(std::polar(1.0, t))); });
+  const double unit =
+      over_arc(alpha, 1, [&](double t) { return mixed(own.at(std::polar(1.0, t)), dual.at(std::polar(1.0, t))); });
   const double seen = over_arc(alpha * (1 - 1e-9), r, [&](double t) {
     const Complex turn = std::polar(1.0, bisector), z = std::polar(r, t), p = tip + z * turn;
     const double xy[2] = {p.real(), p.imag()};
@@ -143,42 +139,7 @@ double reciprocal_intensity(c2d_solver* solver, Complex tip, double bisector, do
   return seen / unit * (even ? stress.real() : stress.imag()) * std::sqrt(2 * kPi);
 }
 
-// ---- shapes
-
-CornerShape wedge(double degrees, FaceKind first, FaceKind last, double nu = 0.3) {
-  return {{app::sector_of(degrees * kPi / 180, 1, nu, true)}, {{first, 0}, {last, 0}}};
-}
-// A block of 90 degrees on a half plane of like material.
-CornerShape block(app::Face joint) {
-  return {{app::sector_of(kPi, 1, 0.3, true), app::sector_of(kPi / 2, 1, 0.3, true)}, {{}, joint, {}}};
-}
-std::vector<double> real_parts(const CornerShape& shape, double below = 1) {
-  std::vector<double> out;
-  for (const Complex& lambda : app::corner_exponents(shape, below)) out.push_back(lambda.real());
-  return out;
-}
-bool alike(const std::vector<Complex>& a, const std::vector<Complex>& b, double tolerance) {
-  if (a.size() != b.size()) return false;
-  for (size_t i = 0; i < a.size(); ++i)
-    if (std::abs(a[i] - b[i]) > tolerance) return false;
-  return true;
-}
-
-// Zeros of the determinant with left < real part < right and |imaginary part| < high: how often it winds round zero.
-int zeros(const CornerShape& shape, double left, double right, double high) {
-  const Complex corner[5] = {{left, -high}, {right, -high}, {right, high}, {left, high}, {left, -high}};
-  double turned = 0;
-  for (int side = 0; side < 4; ++side) {
-    const int steps = 3000;
-    Complex before = app::corner_determinant(shape, corner[side]);
-    for (int i = 1; i <= steps; ++i) {
-      const Complex now = app::corner_determinant(shape, corner[side] + (corner[side + 1] - corner[side]) * (i / double(steps)));
-      turned += std::arg(now / before);
-      before = now;
-    }
-  }
-  return static_cast<int>(std::lround(turned / (2 * kPi)));
-}
+// ---- contacts and supports
 
 // A block with its upper side pulled down; on its middle stretch |x| < 1 of the upper side it is held and moved by `down`.
 enum class Hold { kSupport, kPlaten };
@@ -187,7 +148,12 @@ Model pressed(Hold hold, int32_t order) {
   Model m;
   m.function_nodes = order;
   const int32_t out = 41, in = 28;
-  m.add(polygon({{-L, -L, 8}, {L, -L, 8}, {L, 0, out, 1 / growth}, {1, 0, in, growth}, {0, 0, in, 1 / growth}, {-1, 0, out, growth},
+  m.add(polygon({{-L, -L, 8},
+                 {L, -L, 8},
+                 {L, 0, out, 1 / growth},
+                 {1, 0, in, growth},
+                 {0, 0, in, 1 / growth},
+                 {-1, 0, out, growth},
                  {-L, 0, 8}}));
   m.set(1, 1, end_of(kHeld));
   if (hold == Hold::kSupport) {
@@ -209,7 +175,12 @@ Model square_on_half_plane(int32_t n, int32_t order, double mu = 0) {
   m.function_nodes = order;
   m.friction = mu;
   const int32_t out = n + n / 4, k = 6;
-  m.add(polygon({{-L, -L, k}, {L, -L, k}, {L, 0, out, 1 / growth}, {1, 0, n, growth}, {0, 0, n, 1 / growth}, {-1, 0, out, growth},
+  m.add(polygon({{-L, -L, k},
+                 {L, -L, k},
+                 {L, 0, out, 1 / growth},
+                 {1, 0, n, growth},
+                 {0, 0, n, 1 / growth},
+                 {-1, 0, out, growth},
                  {-L, 0, k}}));
   m.add(polygon({{-1, 0, n, growth}, {0, 0, n, 1 / growth}, {1, 0, n, growth}, {1, 2, 12}, {-1, 2, n, 1 / growth}}));
   m.set(1, 1, end_of(kHeld));
@@ -224,95 +195,17 @@ Model square_on_half_plane(int32_t n, int32_t order, double mu = 0) {
   return m;
 }
 
+std::vector<app::Corner> places(const Model& m) {
+  Machine machine(m);
+  app::Summary summary;
+  std::vector<app::Corner> corners;
+  REQUIRE_MESSAGE(machine.status == C2D_OK, std::string(machine.told.empty() ? "" : machine.told[0].text));
+  REQUIRE(app::get_summary(machine.solver, summary) == C2D_OK);
+  REQUIRE(app::find_corners(machine.solver, summary, corners) == C2D_OK);
+  return corners;
+}
+
 } // namespace
-
-TEST_CASE("corners: exponents of wedges are those of Williams") {
-  const std::vector<double> right = real_parts(wedge(270, FaceKind::kFree, FaceKind::kFree));
-  REQUIRE(right.size() == 2);
-  CHECK(std::fabs(right[0] - 0.5444837368) < 1e-10);
-  CHECK(std::fabs(right[1] - 0.9085291898) < 1e-10);
-  for (double degrees = 185; degrees < 360; degrees += 12.5) { // sin(lambda w) = -+ lambda sin(w)
-    const double w = degrees * kPi / 180;
-    for (const double lambda : real_parts(wedge(degrees, FaceKind::kFree, FaceKind::kFree)))
-      CHECK(std::fabs(std::fabs(std::sin(lambda * w)) - lambda * std::fabs(std::sin(w))) < 1e-12);
-    const app::Sector s = app::sector_of(w, 1, 0.3, true);
-    std::vector<Complex> both = app::notch_exponents(s, true), odd = app::notch_exponents(s, false);
-    both.insert(both.end(), odd.begin(), odd.end());
-    CHECK(alike(both, app::corner_exponents(wedge(degrees, FaceKind::kFree, FaceKind::kFree)), 1e-10));
-  }
-  for (const double degrees : {70.0, 90.0, 135.0, 170.0, 200.0, 300.0})
-    for (const double nu : {0.0, 0.3, 0.5}) { // held and free: sin^2(lambda w) = ((kappa + 1)^2 - 4 lambda^2 sin^2 w) / (4 kappa)
-      const double w = degrees * kPi / 180, kappa = 3 - 4 * nu;
-      for (const Complex& z : app::corner_exponents(wedge(degrees, FaceKind::kBonded, FaceKind::kFree, nu))) {
-        const Complex left = std::pow(std::sin(z * w), 2), sine = z * std::sin(w);
-        CHECK(std::abs(left - ((kappa + 1) * (kappa + 1) - 4.0 * sine * sine) / (4 * kappa)) < 1e-9);
-      }
-    }
-  CHECK(app::exponent(wedge(90, FaceKind::kFree, FaceKind::kFree)) == 1);
-  CHECK(app::exponent(wedge(90, FaceKind::kSmooth, FaceKind::kFree)) == 1); // half of a flat
-  CHECK(std::fabs(app::exponent(wedge(180, FaceKind::kSmooth, FaceKind::kFree)) - 0.5) < 1e-10);
-}
-
-TEST_CASE("corners: a crack's exponent is double, those between unlike materials are complex") {
-  const std::vector<Complex> crack = app::corner_exponents(wedge(360, FaceKind::kFree, FaceKind::kFree), 2.2);
-  CHECK(alike(crack, {0.5, 0.5, 1.5, 1.5, 2, 2}, 1e-9));
-  for (const double ratio : {1e-3, 0.2, 1.0, 30.0})
-    for (const double nu : {0.0, 0.25, 0.45}) {
-      const app::Sector a = app::sector_of(kPi, 1, nu, true), b = app::sector_of(kPi, ratio, 0.3, true);
-      const double G = b.shear_modulus / a.shear_modulus;
-      const double beta = (G * (a.kappa - 1) - (b.kappa - 1)) / (G * (a.kappa + 1) + (b.kappa + 1));
-      const double oscillation = std::fabs(std::log((1 - beta) / (1 + beta)) / (2 * kPi));
-      const std::vector<Complex> found = app::corner_exponents({{a, b}, {{}, {FaceKind::kBonded, 0}, {}}});
-      REQUIRE(!found.empty());
-      CHECK(std::abs(found[0] - Complex(0.5, oscillation)) < 1e-8);
-    }
-}
-
-TEST_CASE("corners: exponents of a block on a half plane, and of a rigid punch with friction") {
-  CHECK(alike(app::corner_exponents(block({FaceKind::kBonded, 0})), {0.5444837368, 0.9085291898}, 1e-9));
-  const double table[][2] = {{0, 0.774013},   {0.1, 0.724882},  {0.2, 0.679924},  {0.3, 0.637987}, {0.4, 0.598319},
-                             {0.5, 0.560389}, {-0.1, 0.829259}, {-0.2, 0.894461}, {-0.3, 0.979878}};
-  for (const auto& row : table) {
-    const app::Face joint{row[0] == 0 ? FaceKind::kSmooth : FaceKind::kRubbing, row[0]};
-    CHECK(std::fabs(app::exponent(block(joint)) - row[1]) < 5.1e-7);
-    // Seen from behind: the other way round, with friction of the other sign.
-    CornerShape mirrored = block({joint.kind, -joint.friction});
-    std::swap(mirrored.sectors[0], mirrored.sectors[1]);
-    CHECK(alike(app::corner_exponents(mirrored, 1.9), app::corner_exponents(block(joint), 1.9), 1e-9));
-  }
-  for (const double f : {-0.8, -0.2, 0.1, 0.6}) { // f > 0: on the punch into the contact
-    const double nu = 0.3, beta = (1 - 2 * nu) / (2 * (1 - nu));
-    const CornerShape punch{{app::sector_of(kPi, 1, nu, true)}, {{}, {FaceKind::kRubbing, f}}};
-    CHECK(std::fabs(app::exponent(punch) - (0.5 + std::atan(f * beta) / kPi)) < 1e-10);
-  }
-}
-
-TEST_CASE("corners: no exponent is missed, and cutting a wedge in two changes none") {
-  std::mt19937 random(7);
-  const auto number = [&](double a, double b) { return a + (b - a) * (static_cast<double>(random()) / 4294967296.0); };
-  const FaceKind kinds[] = {FaceKind::kFree, FaceKind::kGuided, FaceKind::kBonded, FaceKind::kSmooth, FaceKind::kRubbing};
-  for (int i = 0; i < 120; ++i) {
-    CAPTURE(i);
-    CornerShape shape;
-    const size_t n = 1 + static_cast<size_t>(i % 3);
-    for (size_t k = 0; k < n; ++k)
-      shape.sectors.push_back(app::sector_of(number(0.1, 1.9 / double(n)) * kPi, std::pow(10, number(-2, 2)), number(0, 0.5), true));
-    for (size_t k = 0; k <= n; ++k) {
-      const bool outer = k == 0 || k == n;
-      shape.faces.push_back({kinds[outer ? random() % 5 : 2 + random() % 3], number(-1, 1)});
-    }
-    const std::vector<Complex> found = app::corner_exponents(shape);
-    int count = 0;
-    for (const Complex& z : found) count += z.real() > 0.999 ? 0 : z.imag() == 0 ? 1 : 2;
-    CHECK(count == zeros(shape, 0.002, 0.999, 0.95));
-    CornerShape cut = shape;
-    cut.sectors[0].angle *= 0.4;
-    cut.sectors.insert(cut.sectors.begin(), shape.sectors[0]);
-    cut.sectors[0].angle *= 0.6;
-    cut.faces.insert(cut.faces.begin() + 1, {FaceKind::kBonded, 0});
-    CHECK(alike(app::corner_exponents(cut), found, 1e-7));
-  }
-}
 
 TEST_CASE("corners: a notch under tension and shear has the intensities of a reciprocal integral") {
   const double lambda[2] = {0.5444837367824622, 0.9085291898460987}, alpha = 3 * kPi / 4;
@@ -326,11 +219,13 @@ TEST_CASE("corners: a notch under tension and shear has the intensities of a rec
     const CornerState* s = f.state(1, 0);
     REQUIRE(s != nullptr);
     CHECK(s->kind == CornerKind::kNotch);
-    CHECK(s->misfit < 5e-3);
+    CHECK(s->K_error < (row.order > 2 ? 2e-2 : 6e-2) * s->K);
     const double K = reciprocal_intensity(machine.solver, 1, 0, alpha, lambda[0], true, 0.5, 1000 / 2.6, 0.3);
     const double K2 = reciprocal_intensity(machine.solver, 1, 0, alpha, lambda[1], false, 0.5, 1000 / 2.6, 0.3);
     CHECK(std::fabs(s->K / K - 1) < row.K);
     CHECK(std::fabs(s->K2 / K2 - 1) < row.K2);
+    CHECK(std::fabs(s->K - K) < s->K_error); // an estimate, but a fair one
+    CHECK(std::fabs(s->K2 - K2) < s->K2_error);
   }
 }
 
@@ -341,7 +236,14 @@ TEST_CASE("corners: a notch on a line of symmetry has the intensity of the whole
     Model m;
     m.function_nodes = 3;
     if (whole)
-      m.add(polygon({{0, -2, k}, {2, -2, k}, {2, 0, k}, {2, 2, k}, {0, 2, k / 2}, {0, 1, n, 1 / growth}, {1, 0, n, growth}, {0, -1, k / 2}}));
+      m.add(polygon({{0, -2, k},
+                     {2, -2, k},
+                     {2, 0, k},
+                     {2, 2, k},
+                     {0, 2, k / 2},
+                     {0, 1, n, 1 / growth},
+                     {1, 0, n, growth},
+                     {0, -1, k / 2}}));
     else
       m.add(open_polygon({{2, 0, k}, {2, 2, k}, {0, 2, k / 2}, {0, 1, n, 1 / growth}, {1, 0, 0}}));
     if (!whole) m.symmetry = 2;
@@ -358,7 +260,6 @@ TEST_CASE("corners: a notch on a line of symmetry has the intensity of the whole
   REQUIRE(whole.state(1, 0) != nullptr);
   REQUIRE(half.state(1, 0) != nullptr);
   CHECK(half.state(1, 0)->K2 == doctest::Approx(0));
-  MESSAGE(whole.state(1, 0)->K << " " << half.state(1, 0)->K << whole.state(1,0)->K2);
   CHECK(std::fabs(half.state(1, 0)->K / whole.state(1, 0)->K - 1) < 1e-6);
 }
 
@@ -385,7 +286,8 @@ TEST_CASE("corners: the intensity under a rigid flat punch is that of the closed
   const struct {
     const char *mu, *order;
     double K, exponent, limit;
-  } rows[] = {{"mu=0", "order=2", smooth, 0.5, 3e-4}, {"mu=0", "order=3", smooth, 0.5, 1e-4}, {"mu=inf", "order=2", glued, 0.5, 2e-4}};
+  } rows[] = {
+      {"mu=0", "order=2", smooth, 0.5, 3e-4}, {"mu=0", "order=3", smooth, 0.5, 1e-4}, {"mu=inf", "order=2", glued, 0.5, 2e-4}};
   for (const auto& row : rows) {
     std::string deck, error;
     REQUIRE(families::make_deck("punch", {row.mu, row.order, "rigid=1e9"}, deck, error));
@@ -396,9 +298,35 @@ TEST_CASE("corners: the intensity under a rigid flat punch is that of the closed
     CHECK(s.kind == CornerKind::kContact);
     CHECK(std::fabs(s.exponents[0].real() - row.exponent) < 1e-5);
     CHECK(std::fabs(s.K / row.K - 1) < row.limit);
+    CHECK(s.K_error < 1.5e-2 * row.K);
     REQUIRE(f.in_step.size() == 1);
     CHECK(f.in_step[0].K == s.K);
   }
+}
+
+TEST_CASE("corners: the estimated error of an intensity holds on coarse and on fine meshes") {
+  const double exact = 1 / (kPi * std::sqrt(2.0));
+  int told = 0;
+  for (const char* order : {"order=1", "order=2", "order=3"})
+    for (const char* edge : {"edge=1e-1", "edge=1e-2", "edge=1e-3", "edge=1e-5"})
+      for (const char* grading : {"grading=0.5", "grading=0.7"}) {
+        const std::string mesh = std::string(order) + " " + edge + " " + grading;
+        CAPTURE(mesh);
+        std::string deck, error;
+        REQUIRE(families::make_deck("punch", {"mu=0", order, edge, grading, "rigid=1e9"}, deck, error));
+        Machine machine(deck);
+        const Found f = found_in(machine);
+        REQUIRE(f.states.size() == 1);
+        const CornerState& s = f.states[0];
+        if (std::isfinite(s.K)) {
+          ++told;
+          CHECK(std::fabs(s.K - exact) < s.K_error);
+          CHECK(s.K_error < 0.25 * s.K);
+        } else {
+          CHECK(!s.why.empty());
+        }
+      }
+  CHECK(told >= 16);
 }
 
 TEST_CASE("corners: where a support ends, and a platen, the intensity is that under a glued punch") {
@@ -430,29 +358,18 @@ TEST_CASE("corners: a square pressed on a half plane, smooth: refinement and ord
     }
   }
   REQUIRE(K.size() == 8);
-  MESSAGE(K[0] << " " << K[1] << " " << K[2] << " " << K[3] << " " << K[4] << " " << K[6]);
-  for (size_t i = 0; i < 8; ++i) CHECK(std::fabs(K[i] / K[2] - 1) < (i < 6 ? 5e-4 : 1e-2));
+  for (size_t i = 0; i < 8; ++i) CHECK(std::fabs(K[i] / K[2] - 1) < (i < 6 ? 1e-3 : 1e-2));
 }
 
-TEST_CASE("corners: only real corners are found") {
-  const auto places = [](const Model& m) {
-    Machine machine(m);
-    app::Summary summary;
-    std::vector<app::Corner> corners;
-    REQUIRE_MESSAGE(machine.status == C2D_OK, std::string(machine.told.empty() ? "" : machine.told[0].text));
-    REQUIRE(app::get_summary(machine.solver, summary) == C2D_OK);
-    REQUIRE(app::find_corners(machine.solver, summary, corners) == C2D_OK);
-    return corners;
-  };
+TEST_CASE("corners: only real corners of a body are found") {
   Model plate;
   plate.add(rectangle(0, 0, 4, 4, {4, 4, 4, 4}));
   plate.set(1, 1, end_of("0110"));
-  CHECK(places(plate).empty()); // smooth supports end in right angles
+  CHECK(places(plate).empty());                // smooth supports end in right angles
   for (const int32_t sides : {4, 6, 16, 40}) { // a round hole, told by chords; a square one, and one with six corners
     Model hole = plate;
-    add_curve(hole.body(1), sides, [](double s, double& x, double& y) {
-      x = 2 + std::cos(2 * kPi * s), y = 2 - std::sin(2 * kPi * s);
-    });
+    add_curve(hole.body(1), sides,
+              [](double s, double& x, double& y) { x = 2 + std::cos(2 * kPi * s), y = 2 - std::sin(2 * kPi * s); });
     hole.body(1).ends.resize(static_cast<size_t>(hole.body(1).elements() * hole.function_nodes));
     const std::vector<app::Corner> found = places(hole);
     CHECK(found.size() == (sides <= 6 ? static_cast<size_t>(sides) : 0));
@@ -463,7 +380,9 @@ TEST_CASE("corners: only real corners are found") {
   REQUIRE(held.size() == 2);
   CHECK(held[0].kind == CornerKind::kSupport);
   CHECK(std::fabs(held[0].least - 0.711172932971) < 1e-9);
+}
 
+TEST_CASE("corners: those of ties and contacts are found, whichever side they are on") {
   Model cut; // tied to its like: nothing; to a stiffer one: both ends
   cut.add(rectangle(0, 0, 2, 1, {4, 2, 4, 2}));
   cut.add(rectangle(0, 1, 2, 2, {4, 2, 4, 2}));

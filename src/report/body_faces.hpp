@@ -68,14 +68,14 @@ private:
     bool open;
   };
   std::vector<Region> regions_;
-  std::vector<size_t> region_;      // of each element
-  std::vector<double> x_, y_;       // geometry nodes
-  std::vector<bool> on_line_;       // of each element
+  std::vector<size_t> region_; // of each element
+  std::vector<double> x_, y_;  // geometry nodes
+  std::vector<bool> on_line_;  // of each element
   int32_t symmetry_ = 0;
   double symmetry_at_[2] = {0, 0};
-  std::vector<int32_t> zone_;       // of each element
-  std::vector<int32_t> curve_;      // of each element: an arc or a spline, from 1
-  std::vector<int32_t> condition_;  // of each element: bits 1, 2: displacement ux, uy known at all of its ends
+  std::vector<int32_t> zone_;      // of each element
+  std::vector<int32_t> curve_;     // of each element: an arc or a spline, from 1
+  std::vector<int32_t> condition_; // of each element: bits 1, 2: displacement ux, uy known at all of its ends
 };
 
 } // namespace app

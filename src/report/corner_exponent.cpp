@@ -9,8 +9,8 @@ namespace app {
 namespace {
 
 // Stress and displacement on a ray for each of the four functions of a sector, without their powers of r: s_tt/lambda,
-// s_rt/lambda, 2G u_r, 2G u_t. Airy's functions r^(lambda+1) F(theta) have F = cos, sin of (lambda+1) theta, and F = cos, sin of
-// (lambda-1) theta less and plus the former, which leaves translations at lambda = 0.
+// s_rt/lambda, 2G u_r, 2G u_t. Airy's functions r^(lambda+1) F(theta) have F = cos, sin of (lambda+1) theta, and F = cos, sin
+// of (lambda-1) theta less and plus the former, which leaves translations at lambda = 0.
 enum { kNormal = 0, kShear = 1, kAlong = 2, kAcross = 3 };
 using Ray = std::array<std::array<Complex, 4>, 4>; // [quantity][function]
 
@@ -65,8 +65,7 @@ private:
   // A row of `factor` times quantity a, and `other` times quantity b, of the sector's ray.
   void add(size_t sector, const Ray& ray, int a, double factor, int b = 0, double other = 0) {
     Complex* row = &a_[a_.size() - n_ + 4 * sector];
-    for (size_t k = 0; k < 4; ++k)
-      row[k] += factor * ray[static_cast<size_t>(a)][k] + other * ray[static_cast<size_t>(b)][k];
+    for (size_t k = 0; k < 4; ++k) row[k] += factor * ray[static_cast<size_t>(a)][k] + other * ray[static_cast<size_t>(b)][k];
   }
   void new_row() { a_.resize(a_.size() + n_); }
   double flexibility(size_t sector) const { return softest_ / shape_.sectors[sector].shear_modulus; }
@@ -111,8 +110,8 @@ private:
 // ---- the search for zeros
 
 const double kLowest = 0.002, kHighest = 1; // real part from, imaginary part to
-const double kAtOne = 1e-6;                   // nearer to 1 is 1
-const double kDouble = 1e-5;                  // two zeros nearer to each other than this are one double zero
+const double kAtOne = 1e-6;                 // nearer to 1 is 1
+const double kDouble = 1e-5;                // two zeros nearer to each other than this are one double zero
 
 class Search {
 public:
@@ -258,9 +257,7 @@ Sector sector_of(double angle, double youngs_modulus, double nu, bool plane_stra
   return {angle, youngs_modulus / (2 * (1 + nu)), plane_strain ? 3 - 4 * nu : (3 - nu) / (1 + nu)};
 }
 
-Complex corner_determinant(const CornerShape& shape, Complex lambda) {
-  return Conditions(shape, lambda).value();
-}
+Complex corner_determinant(const CornerShape& shape, Complex lambda) { return Conditions(shape, lambda).value(); }
 
 std::vector<Complex> corner_exponents(const CornerShape& shape, double below) {
   const bool complete = !shape.sectors.empty() && shape.faces.size() == shape.sectors.size() + 1;

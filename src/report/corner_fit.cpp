@@ -8,6 +8,7 @@ namespace {
 
 const double kPi = std::acos(-1.0);
 const double kBelow = 2.6; // exponents up to here may be terms of a fit
+const size_t kEach = 6;    // samples for each term after the third: more terms follow the errors of the results
 using Column = std::vector<double>;
 
 double product(const Column& a, const Column& b) {
@@ -52,14 +53,15 @@ struct Mode {
 Mode mode_of(Complex lambda, double alpha, double kappa, bool even) {
   const Complex p = lambda + 1.0, m = lambda - 1.0;
   const Complex cp = std::cos(p * alpha), sp = std::sin(p * alpha), cm = std::cos(m * alpha), sm = std::sin(m * alpha);
-  // F = a cos(p theta) + b cos(m theta), odd: of sines, without shear at alpha or, where that leaves a and b free, without normal
-  // stress; odd: the other way round.
+  // F = a cos(p theta) + b cos(m theta), odd: of sines, without shear at alpha or, where that leaves a and b free, without
+  // normal stress; odd: the other way round.
   const bool by_shear = (even ? std::abs(m * sm) + std::abs(p * sp) : std::abs(m * cm) + std::abs(p * cp)) > 1e-6;
   const bool by_normal = (even ? std::abs(cm) + std::abs(cp) : std::abs(sm) + std::abs(sp)) > 1e-6;
   const bool shear = even ? by_shear : !by_normal;
   const Complex a = shear ? m * (even ? sm : cm) : (even ? cm : sm), b = shear ? -p * (even ? sp : cp) : (even ? -cp : -sp);
   Complex unit = std::sqrt(2 * kPi) * (even ? lambda * p * (a + b) : -lambda * (a * p + b * m));
-  if (lambda.real() > 1 || lambda.real() < 0) unit = std::abs(a) + std::abs(b); // another term, which may have no stress on the bisector
+  if (lambda.real() > 1 || lambda.real() < 0)
+    unit = std::abs(a) + std::abs(b); // another term, which may have no stress on the bisector
   Mode mode{lambda, 0, 0};
   mode.along = (-p * a * (even ? cp : sp) + (kappa - lambda) * b * (even ? cm : sm)) / unit;
   mode.across = even ? (p * a * sp + (kappa + lambda) * b * sm) / unit : (-p * a * cp - (kappa + lambda) * b * cm) / unit;
@@ -68,19 +70,20 @@ Mode mode_of(Complex lambda, double alpha, double kappa, bool even) {
 
 } // namespace
 
-CornerFit fit_pressure(const std::vector<PressureSample>& samples, const std::vector<Complex>& exponents) {
-  double largest = 0;
-  for (const PressureSample& s : samples) largest = std::max(largest, s.d);
-  const double first = exponents.front().real() - 1;
+namespace {
+
+// K of the first term, and of as many others as there are samples for.
+double fit_terms(const std::vector<PressureSample>& samples, double largest, const std::vector<Complex>& terms,
+                 double& misfit) {
+  const double first = terms.front().real() - 1;
   Column rest;
   for (const PressureSample& s : samples) rest.push_back(s.p * std::pow(s.d / largest, -first));
   const double all = product(rest, rest);
   std::vector<Column> columns;
-  std::vector<Complex> terms = exponents;
-  terms.insert(terms.begin() + 1, -std::conj(exponents.front())); // what the error of the elements at the corner causes
-  for (const Complex& lambda : terms) {
-    const bool oscillates = lambda.imag() != 0;
-    if (!columns.empty() && (columns.size() + (oscillates ? 2 : 1)) * 3 > samples.size()) break;
+  for (size_t k = 0; k < terms.size(); ++k) {
+    const Complex lambda = terms[k];
+    const size_t more = columns.size() + (lambda.imag() != 0 ? 2 : 1);
+    if (k > 0 && (3 * more > samples.size() || (k >= 3 && kEach * (k + 1) > samples.size()))) break;
     Column real, imaginary;
     for (const PressureSample& s : samples) {
       const Complex power = std::pow(Complex(s.d / largest), lambda - 1.0 - first);
@@ -88,13 +91,24 @@ CornerFit fit_pressure(const std::vector<PressureSample>& samples, const std::ve
       imaginary.push_back(power.imag());
     }
     columns.push_back(real);
-    if (oscillates) columns.push_back(imaginary);
+    if (lambda.imag() != 0) columns.push_back(imaginary);
   }
   const std::vector<double> factor = least_squares(columns, rest);
+  misfit = all > 0 ? std::sqrt(product(rest, rest) / all) : 0;
+  return (terms.front().imag() != 0 ? std::hypot(factor[0], factor[1]) : factor[0]) * std::pow(largest, -first);
+}
+
+} // namespace
+
+CornerFit fit_pressure(const std::vector<PressureSample>& samples, const std::vector<Complex>& exponents) {
+  double largest = 0;
+  for (const PressureSample& s : samples) largest = std::max(largest, s.d);
+  std::vector<Complex> terms = exponents;
+  terms.insert(terms.begin() + 1, -std::conj(exponents.front())); // what the error of the elements at the corner causes
   CornerFit out;
-  const double size = exponents.front().imag() != 0 ? std::hypot(factor[0], factor[1]) : factor[0];
-  out.K = size * std::pow(largest, -first);
-  out.misfit = all > 0 ? std::sqrt(product(rest, rest) / all) : 0;
+  double unused = 0;
+  out.K = fit_terms(samples, largest, terms, out.misfit);
+  out.K_error = std::fabs(out.K - fit_terms(samples, largest, exponents, unused));
   return out;
 }
 
@@ -166,8 +180,12 @@ private:
 
 } // namespace
 
-CornerFit fit_notch(const std::vector<NotchSample>& samples, const Notch& notch) {
-  const std::vector<Complex> list[2] = {notch_exponents(notch.sector, true, kBelow), notch_exponents(notch.sector, false, kBelow)};
+namespace {
+
+// K and K2 to out; with the terms that the error of the elements at the tip causes, or without.
+double fit_modes(const std::vector<NotchSample>& samples, const Notch& notch, const std::vector<Complex> (&list)[2], bool with,
+                 double (&out)[2]) {
+  const Sector& sector = notch.sector;
   NotchSystem system(samples, notch);
   system.weigh(list[0].front().real());
   system.add_motions();
@@ -176,17 +194,30 @@ CornerFit fit_notch(const std::vector<NotchSample>& samples, const Notch& notch)
     for (int i = 0; i < 2; ++i) {
       if (k >= list[i].size() || (system.size() + 2) * 3 > 2 * samples.size()) continue;
       if (k == 0) place[i] = system.size();
-      system.add(mode_of(list[i][k], notch.sector.angle / 2, notch.sector.kappa, i == 0), i == 0);
-      if (k == 0 && list[i][0].real() < 1) // what the error of the elements at the tip causes
-        system.add(mode_of(-list[i][0], notch.sector.angle / 2, notch.sector.kappa, i == 0), i == 0);
+      system.add(mode_of(list[i][k], sector.angle / 2, sector.kappa, i == 0), i == 0);
+      if (with && k == 0 && list[i][0].real() < 1)
+        system.add(mode_of(-list[i][0], sector.angle / 2, sector.kappa, i == 0), i == 0);
     }
-  CornerFit out;
-  const std::vector<double> factor = system.solve(out.misfit);
-  double* const K[2] = {&out.K, &out.K2};
+  double misfit = 0;
+  const std::vector<double> factor = system.solve(misfit);
   for (int i = 0; i < 2; ++i) {
     const bool singular = !list[i].empty() && list[i].front().real() < 1 - 1e-6 && place[i] > 0;
-    if (singular) *K[i] = factor[place[i]] * 2 * notch.sector.shear_modulus * std::pow(system.largest(), -list[i].front().real());
+    out[i] = singular ? factor[place[i]] * 2 * sector.shear_modulus * std::pow(system.largest(), -list[i].front().real()) : 0;
   }
+  return misfit;
+}
+
+} // namespace
+
+CornerFit fit_notch(const std::vector<NotchSample>& samples, const Notch& notch) {
+  const std::vector<Complex> list[2] = {notch_exponents(notch.sector, true, kBelow),
+                                        notch_exponents(notch.sector, false, kBelow)};
+  double with[2], without[2];
+  CornerFit out;
+  out.misfit = fit_modes(samples, notch, list, true, with);
+  fit_modes(samples, notch, list, false, without);
+  out.K = with[0], out.K2 = with[1];
+  out.K_error = std::fabs(with[0] - without[0]), out.K2_error = std::fabs(with[1] - without[1]);
   return out;
 }
 

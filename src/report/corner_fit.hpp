@@ -10,6 +10,9 @@ namespace app {
 struct CornerFit {
   double K = 0, K2 = 0; // K2 of a notch alone
   double misfit = 0;    // what is left over, root of mean square, over that of the values; both relative to the first term
+  // What the term for the error of the elements at the corner changes: an estimate of the error, not of that of linear
+  // functions.
+  double K_error = 0, K2_error = 0;
 };
 
 // Pressures at distances from a corner, p = K d^(lambda - 1) + what follows; of a complex lambda K is the amplitude,
@@ -22,7 +25,7 @@ CornerFit fit_pressure(const std::vector<PressureSample>& samples, const std::ve
 // Displacements (x, y) of points on both faces of a notch.
 struct NotchSample {
   double d;
-  bool first;   // on the face from which the material is counted counter-clockwise
+  bool first; // on the face from which the material is counted counter-clockwise
   double ux, uy;
 };
 struct Notch {

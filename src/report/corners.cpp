@@ -12,7 +12,10 @@ const double kSingular = 1 - 5e-3;
 // state, or of the distance to the next corner.
 const double kNearest = 3, kFarthest = 0.3;
 const size_t kFewest = 6;
-const double kWorst = 0.1; // a larger misfit is no field of a corner
+const double kWorst = 0.1; // with a larger misfit or error, relative, there is no K
+// Errors that are the same part of K in graded elements of all sizes, and so are not seen: measured with sizes halved one after
+// another.
+const double kUnseen = 0.004, kUnseenLinear = 0.04;
 const double kTerms = 2.6; // exponents up to here are terms of a fit
 
 const char* const kTooFew = "too few nodes near it";
@@ -44,17 +47,20 @@ void take_singular(const std::vector<Complex>& all, CornerState& out) {
     if (lambda.real() < kSingular) out.exponents.push_back(lambda);
 }
 
-void fit(const std::vector<PressureSample>& samples, const std::vector<Complex>& exponents, CornerState& out) {
+bool is_good(const CornerFit& f) { return f.misfit < kWorst && f.K_error < kWorst * std::fabs(f.K); }
+
+void fit(const std::vector<PressureSample>& samples, const std::vector<Complex>& exponents, bool linear, CornerState& out) {
   if (samples.size() < kFewest) {
     out.why = kTooFew;
     return;
   }
   const CornerFit fitted = fit_pressure(samples, exponents);
-  out.misfit = fitted.misfit;
-  if (fitted.misfit < kWorst)
-    out.K = fitted.K;
-  else
+  if (!is_good(fitted)) {
     out.why = kNotAlike;
+    return;
+  }
+  out.K = fitted.K;
+  out.K_error = 2 * fitted.K_error + (linear ? kUnseenLinear : kUnseen) * std::fabs(fitted.K);
 }
 
 // ---- pairs
@@ -132,7 +138,7 @@ CornerState support_state(const Corner& c, const Ends& ends) {
     const size_t i = static_cast<size_t>(s.row);
     samples.push_back({s.distance, -(ends.tx[i] * s.normal[0] + ends.ty[i] * s.normal[1])});
   }
-  fit(samples, all, out);
+  fit(samples, all, c.linear, out);
   return out;
 }
 
@@ -157,11 +163,20 @@ CornerState notch_state(const Corner& c, const Ends& ends) {
     return out;
   }
   const CornerFit fitted = fit_notch(samples, {sector, bisector});
-  out.misfit = fitted.misfit;
-  if (fitted.misfit < kWorst)
-    out.K = fitted.K, out.K2 = out.exponents.size() > 1 ? fitted.K2 : NAN;
-  else
+  // Either mode may be absent: what counts is the larger one.
+  const bool two = out.exponents.size() > 1;
+  const double apart = two ? std::pow(farthest, out.exponents[1].real() - out.exponents[0].real()) : 0;
+  const double most = std::max(std::fabs(fitted.K), std::fabs(fitted.K2) * apart);
+  if (fitted.misfit > kWorst || std::max(fitted.K_error, fitted.K2_error * apart) > kWorst * most) {
     out.why = kNotAlike;
+    return out;
+  }
+  out.K = fitted.K;
+  const double unseen = c.linear ? kUnseenLinear : kUnseen;
+  out.K_error = 2 * fitted.K_error + unseen * std::fabs(fitted.K);
+  if (!two) return out;
+  out.K2 = fitted.K2;
+  out.K2_error = 2 * fitted.K2_error + unseen * std::fabs(fitted.K2);
   return out;
 }
 
@@ -196,11 +211,12 @@ CornerState corner_state(const Corner& c, const double* table, int64_t stride) {
   for (size_t i = pairs.first(); i < end; ++i)
     if (c.samples[i].distance >= kNearest * c.element && c.samples[i].distance <= farthest)
       samples.push_back({c.samples[i].distance, pairs.row(i)[C2D_TN]});
-  fit(samples, all, out);
+  fit(samples, all, c.linear, out);
   return out;
 }
 
-c2d_status corner_states(c2d_solver* solver, const Summary& s, const std::vector<Corner>& corners, std::vector<CornerState>& out) {
+c2d_status corner_states(c2d_solver* solver, const Summary& s, const std::vector<Corner>& corners,
+                         std::vector<CornerState>& out) {
   out.clear();
   std::vector<double> table;
   int32_t read = 0; // the body whose ends these are
@@ -217,9 +233,9 @@ c2d_status corner_states(c2d_solver* solver, const Summary& s, const std::vector
       read = c.body[0];
     }
     if (status != C2D_OK) return status;
-    const CornerState now = at_pairs                         ? corner_state(c, table.data(), C2D_PAIR_FIELDS)
+    const CornerState now = at_pairs                       ? corner_state(c, table.data(), C2D_PAIR_FIELDS)
                             : c.kind == CornerKind::kNotch ? notch_state(c, ends)
-                                                             : support_state(c, ends);
+                                                           : support_state(c, ends);
     if (!now.exponents.empty()) out.push_back(now);
   }
   return C2D_OK;

@@ -8,7 +8,7 @@ namespace {
 
 const double kPi = std::acos(-1.0);
 const double kCorner = 15 * kPi / 180; // the least turn of one
-const double kSingular = 1 - 5e-3; // nearer to 1 stress hardly grows over any mesh
+const double kSingular = 1 - 5e-3;     // nearer to 1 stress hardly grows over any mesh
 
 // What the other side is like where an end of a zone meets it.
 struct Meeting {
@@ -50,8 +50,8 @@ private:
   c2d_solver* solver_;
   const Summary& s_;
   std::vector<BodyFaces> faces_;
-  std::vector<double> x_, y_, zone_;                // of the pairs
-  std::vector<double> friction_;                    // the largest of each zone
+  std::vector<double> x_, y_, zone_;               // of the pairs
+  std::vector<double> friction_;                   // the largest of each zone
   std::vector<std::vector<double>> end_x_, end_y_; // element ends of each body
   struct Known {
     std::vector<double> shape;
@@ -94,8 +94,7 @@ c2d_status Finder::read() {
   }
   for (size_t z = 0; z < s_.zone.size(); ++z)
     for (const c2d_side* side : {&s_.zone[z].side1, &s_.zone[z].side2})
-      if (!s_.is_platen(side->body))
-        faces_[static_cast<size_t>(side->body) - 1].enter_zone(*side, static_cast<int32_t>(z) + 1);
+      if (!s_.is_platen(side->body)) faces_[static_cast<size_t>(side->body) - 1].enter_zone(*side, static_cast<int32_t>(z) + 1);
   return status;
 }
 
@@ -343,6 +342,7 @@ c2d_status Finder::find(std::vector<Corner>& out) {
     if (!is_rigid(b) && !s_.is_platen(b)) find_in_body(b, out);
   for (Corner& c : out) {
     c.size = distance_to_next(c);
+    c.linear = s_.function_nodes == 2;
     std::sort(c.samples.begin(), c.samples.end(),
               [](const Corner::Sample& a, const Corner::Sample& b) { return a.distance < b.distance; });
   }

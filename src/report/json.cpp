@@ -206,11 +206,13 @@ void append_corner(std::string& out, const CornerState& corner) {
   if (std::any_of(imaginary.begin(), imaginary.end(), [](double v) { return v != 0; }))
     append_list(o.key("imaginary"), imaginary);
   o.number("K", corner.K);
-  if (corner.kind == CornerKind::kNotch && corner.exponents.size() > 1) o.number("K2", corner.K2);
-  if (!corner.why.empty())
+  if (!corner.why.empty()) {
     o.word("why", corner.why.c_str());
-  else
-    o.number("misfit", corner.misfit);
+  } else {
+    o.number("K_error", corner.K_error);
+    if (std::isfinite(corner.K2)) o.number("K2", corner.K2);
+    if (std::isfinite(corner.K2)) o.number("K2_error", corner.K2_error);
+  }
   out += '}';
 }
 
