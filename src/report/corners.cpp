@@ -74,20 +74,21 @@ public:
   size_t first() const { return corner_.samples.size() > 2 ? 1 : 0; }
   size_t end_of_run() const {
     size_t end = first() + 1;
-    while (end < corner_.samples.size() && status(end) == status(first())) ++end;
+    while (end < corner_.samples.size() && status(end) == status(first()) && shear(end) * shear(first()) >= 0) ++end;
     return end;
+  }
+  // Of the friction on the body that follows the joint: away from the corner is positive.
+  double shear(size_t i) const {
+    const double* r = row(i);
+    const double tx = r[C2D_NY], ty = -r[C2D_NX]; // n turned by -90 degrees
+    const double along = (r[C2D_X] - corner_.at[0]) * tx + (r[C2D_Y] - corner_.at[1]) * ty;
+    return status(i) == C2D_SLIP ? r[C2D_TT] * (along > 0 ? 1 : -1) * (corner_.after == 2 ? 1 : -1) : 0;
   }
   // Shear over normal stress in the run, as a Face counts it.
   double friction() const {
-    double shear = 0, pressure = 0;
-    for (size_t i = first(); i < end_of_run(); ++i) {
-      const double* r = row(i);
-      const double tx = r[C2D_NY], ty = -r[C2D_NX]; // n turned by -90 degrees
-      const double along = (r[C2D_X] - corner_.at[0]) * tx + (r[C2D_Y] - corner_.at[1]) * ty;
-      shear += r[C2D_TT] * (along > 0 ? 1 : -1) * (corner_.after == 2 ? 1 : -1);
-      pressure += r[C2D_TN];
-    }
-    return pressure > 0 ? shear / pressure : 0;
+    double sum = 0, pressure = 0;
+    for (size_t i = first(), end = end_of_run(); i < end; ++i) sum += shear(i), pressure += row(i)[C2D_TN];
+    return pressure > 0 ? sum / pressure : 0;
   }
 
 private:

@@ -27,6 +27,7 @@ private:
   struct End { // of a zone, on a body that has a mesh
     int32_t body;
     StretchEnd end;
+    double length; // between the ends of the zone on this side
   };
   const BodyFaces& faces(int32_t body) const { return faces_[static_cast<size_t>(body) - 1]; }
   bool is_rigid(int32_t body) const { return s_.body[body - 1].unknowns == 0; }
@@ -204,14 +205,15 @@ bool Finder::project(const End& own, int32_t other, const StretchEnd* facing, Me
       if (nearest < 0 || off < nearest) nearest = off, at = e, place = t;
     }
     out.element = f.length(at);
+    const double near = 0.1 * faces(own.body).length(own.end.element) + 0.1 * out.element + 0.02 * own.length;
     if (place > 1e-3 && place < 1 - 1e-3) { // the contact leaves at an end that is passed upwards, and the other way round
       out.beyond = at;
-      return nearest < 0.1 * faces(own.body).length(own.end.element) + 0.1 * out.element;
+      return nearest < near;
     }
     // The contact is behind the place on the other body where it is before it on the own one.
     const int32_t before = place < 0.5 ? f.next(at, false) : at, behind = place < 0.5 ? at : f.next(at, true);
     end = {own.end.up ? behind : before, !own.end.up};
-    if (end.element == 0 || nearest > 0.1 * faces(own.body).length(own.end.element) + 0.1 * out.element) return false;
+    if (end.element == 0 || nearest > near) return false;
   }
   out.element = f.length(end.element);
   out.beyond = f.beyond(end);
@@ -301,24 +303,30 @@ void Finder::find_in_zone(int32_t number, std::vector<Corner>& out) const {
     if (!s_.is_platen(side[k]->body)) faces(side[k]->body).find_ends(*side[k], k == 0, ends[k]);
   const bool platen = s_.is_platen(zone.side1.body);
   const size_t before = out.size();
-  for (const int k : {1, 0}) // nodes of side 2 make the pairs of a free zone
-    for (int i = 0; i < 2 && (k == 1 || (free && !platen)); ++i) {
-      Corner c;
-      c.zone = number;
-      // Sides that face each other run against each other: one ends where the other one begins, as elements count upwards.
-      const StretchEnd& own = ends[k][i];
-      const StretchEnd* facing = free || platen ? nullptr : &ends[1 - k][ends[1 - k][0].up != own.up ? 0 : 1];
-      if (!meet(zone, {side[k]->body, own}, side[1 - k]->body, facing, c)) continue;
-      const Spot at{c.at[0], c.at[1]};
-      if (std::any_of(out.begin() + static_cast<long>(before), out.end(), [&](const Corner& known) {
-            return distance(at, {known.at[0], known.at[1]}) < 1.5 * faces(side[k]->body).length(own.element);
-          }))
-        continue;
-      c.least = least_exponent(c);
-      if (c.least > kSingular) continue;
-      sample_pairs(c);
-      out.push_back(c);
-    }
+  for (const bool sharp : {true, false}) // corners of the side itself first: where the other side ends beside one is no other
+    for (const int k : {1, 0})
+      for (int i = 0; i < 2; ++i) {
+        if (k == 0 && (!free || platen || !sharp)) continue; // side 1 of matching zones ends where side 2 does
+        const StretchEnd& own = ends[k][i];
+        const BodyFaces& f = faces(side[k]->body);
+        const bool is_sharp = f.beyond(own) != 0 && f.is_corner_after(f.before(own));
+        if (is_sharp != sharp) continue;
+        Corner c;
+        c.zone = number;
+        // Sides that face each other run against each other: one ends where the other one begins, as elements count upwards.
+        const StretchEnd* facing = free || platen ? nullptr : &ends[1 - k][ends[1 - k][0].up != own.up ? 0 : 1];
+        const double length = distance(f.at(ends[k][0]), f.at(ends[k][1]));
+        if (!meet(zone, {side[k]->body, own, length}, side[1 - k]->body, facing, c)) continue;
+        const Spot at{c.at[0], c.at[1]};
+        const auto is_here = [&](const Corner& known) {
+          return distance(at, {known.at[0], known.at[1]}) < 2 * f.length(own.element);
+        };
+        if (std::any_of(out.begin() + static_cast<long>(before), out.end(), is_here)) continue;
+        c.least = least_exponent(c);
+        if (c.least > kSingular) continue;
+        sample_pairs(c);
+        out.push_back(c);
+      }
 }
 
 double Finder::distance_to_next(const Corner& c) const {
