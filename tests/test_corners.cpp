@@ -304,6 +304,37 @@ TEST_CASE("corners: the intensity under a rigid flat punch is that of the closed
   }
 }
 
+TEST_CASE("corners: pairs that slip under a rigid punch have the exponent of their friction and its direction") {
+  const double nu = 0.330767, mu = 0.265, beta = (1 - 2 * nu) / (2 * (1 - nu));
+  std::string deck, error;
+  REQUIRE(families::make_deck("punch", {"rigid=1e9", families_test::setting("mu", mu)}, deck, error));
+  Machine machine(deck);
+  const Found f = found_in(machine);
+  REQUIRE(f.states.size() == 1);
+  CHECK(std::string(f.states[0].joint) ==
+        "slip"); // the half plane is drawn inwards, friction on the punch points into the contact
+  CHECK(std::fabs(f.states[0].exponents[0].real() - (0.5 + std::atan(mu * beta) / kPi)) < 1e-6);
+  CHECK(f.states[0].K_error < 0.01 * f.states[0].K); // with another exponent it does not fit
+  CHECK(std::fabs(f.corners[0].least - (0.5 - std::atan(mu * beta) / kPi)) < 1e-6);
+}
+
+TEST_CASE("corners: a re-entrant corner that is held on both faces has an exponent, and no intensity") {
+  Model m;
+  m.add(rectangle(0, 0, 6, 6, {6, 6, 6, 6}));
+  add_polygon(m.body(1), {{2, 2, 4}, {2, 4, 4}, {4, 4, 4}, {4, 2, 4}});
+  m.body(1).ends.resize(static_cast<size_t>(m.body(1).elements() * m.function_nodes));
+  for (int32_t side = 5; side <= 8; ++side) m.set(1, side, end_of(kHeld));
+  m.set(1, 3, end_of(kPulled, 0, 1));
+  const Found f = found_in(m);
+  REQUIRE(f.states.size() == 4);
+  for (const CornerState& s : f.states) {
+    const double w = 3 * kPi / 2, kappa = 1.8, lambda = s.exponents[0].real(); // kappa sin(lambda w) = +- lambda sin(w)
+    CHECK(std::fabs(kappa * std::fabs(std::sin(lambda * w)) - lambda * std::fabs(std::sin(w))) < 1e-9);
+    CHECK(std::isnan(s.K));
+    CHECK(s.why == "both faces are held");
+  }
+}
+
 TEST_CASE("corners: the estimated error of an intensity holds on coarse and on fine meshes") {
   const double exact = 1 / (kPi * std::sqrt(2.0));
   int told = 0;
