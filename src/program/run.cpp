@@ -77,10 +77,10 @@ private:
   Trace trace_;
   History history_;            // only if there will be pictures
   bool shows_changes_ = false; // the deck wants every change of status in the listing
+  std::vector<Corner> corners_;
   Summary summary_;
   std::vector<std::vector<ContactEnd>> ends_; // of each body
   std::vector<CrackTip> tips_;
-  std::vector<Corner> corners_;
   bool restored_ = false, fresh_start_ = false;
   int32_t coefficient_shown_ = 0; // the coefficient whose heading stands in the listing
   std::string error_;
@@ -104,11 +104,11 @@ int32_t Run::on_step(void* context, const c2d_step* step) {
   if (run.coefficient_shown_ != step->coefficient) run.show_contact_zone();
   CoefficientRecord& kept = keep_step(run.record_, *step);
   keep_history(kept, *step, run.outputs_.has(Output::kJson) ? run.session_.solver : nullptr, run.tips_);
-  if (run.outputs_.has(Output::kJson)) keep_corners(kept, *step, run.corners_);
   if (run.outputs_.has(Output::kListing)) {
     append_step(run.outputs_.text(Output::kListing), *step, run.coefficient_shown_ != step->coefficient);
     run.coefficient_shown_ = step->coefficient;
   }
+  if (run.outputs_.has(Output::kJson)) keep_corners(kept, *step, run.corners_);
   // A path that ended in the state of its last row adds no row.
   const bool row = step->kind == C2D_STEP_RECORDED || (step->kind == C2D_STEP_STOPPED && !again);
   if (row && run.outputs_.has(Output::kCsv)) append_contact_rows(run.outputs_.text(Output::kCsv), *step, run.summary_);
@@ -245,7 +245,6 @@ int Run::prepare() {
   for (int32_t body = 1; body <= summary_.bodies && status == C2D_OK && summary_.pairs > 0; ++body)
     status = find_contact_ends(solver, summary_, body, ends_[static_cast<size_t>(body) - 1]);
   if (status == C2D_OK) status = find_crack_tips(solver, summary_, tips_);
-  if (status == C2D_OK) status = find_corners(solver, summary_, corners_);
   for (int32_t i = 1; i <= summary_.coefficients && status == C2D_OK; ++i) {
     record_.friction.push_back(0.0);
     status = c2d_get_friction(solver, 0, i, &record_.friction.back());
@@ -256,6 +255,7 @@ int Run::prepare() {
     record_.measure.push_back((zone.kind & C2D_ZONE_FREE) != 0 ? zone.side2.body
                                                                : zone.side1.body); // the first has nodes on side 2
   }
+  if (status == C2D_OK) status = find_corners(solver, summary_, corners_);
   if (outputs_.has(Output::kCsv)) append_contact_header(outputs_.text(Output::kCsv));
   if (outputs_.has(Output::kBodies)) append_bodies_header(outputs_.text(Output::kBodies));
   if (outputs_.has(Output::kTrace)) append_trace_header(outputs_.text(Output::kTrace), summary_.load_cases);

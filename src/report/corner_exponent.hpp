@@ -1,5 +1,5 @@
 // How stress grows towards a corner: stress ~ r^(lambda - 1), displacement ~ r^lambda, of wedges that meet at a point. Needs no
-// solver (METHOD 16.4).
+// solver (METHOD 10.9).
 #pragma once
 
 #include <complex>

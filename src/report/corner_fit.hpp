@@ -1,4 +1,4 @@
-// Generalised stress intensities at a corner, by least squares from results near it (METHOD 16.4).
+// Generalised stress intensities at a corner, by least squares from results near it (METHOD 10.9).
 #pragma once
 
 #include "report/corner_exponent.hpp"

@@ -1,5 +1,5 @@
 // Sharp corners at which stress has no bound: where they are, how stress grows towards them, and its generalised intensity
-// (METHOD 16.4). Tips of cracks are in cracks.hpp.
+// (METHOD 10.9). Tips of cracks are in cracks.hpp.
 #pragma once
 
 #include "report/corner_exponent.hpp"

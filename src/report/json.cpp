@@ -256,6 +256,7 @@ void append_history(std::string& out, const RunRecord& record) {
       o.number("dissipated", step.dissipated);
       o.number("elastic", step.elastic);
       o.number("energy_defect", step.defect);
+      append_corners(o, step.corners, " ");
       o.key("zones") += '[';
       for (size_t z = 0; z < step.zones.size(); ++z) {
         if (z > 0) out += ", ";
@@ -269,7 +270,6 @@ void append_history(std::string& out, const RunRecord& record) {
       }
       out += ']';
       append_cracks(o, step);
-      append_corners(o, step.corners, " ");
       out += '}';
     }
   out += ']';

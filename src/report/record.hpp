@@ -18,12 +18,12 @@ namespace app {
 // Energy, load factors and zones at the end of an increment.
 struct StepRecord {
   int32_t step = 0;
+  std::vector<CornerState> corners; // of contacts and ties, where stress is singular
   double work = 0.0, dissipated = 0.0, elastic = 0.0, defect = 0.0;
   std::vector<double> loads, work_by_case;
   std::vector<c2d_zone_state> zones;
   std::vector<c2d_body_state> bodies;
   std::vector<StressIntensity> cracks;
-  std::vector<CornerState> corners; // of contacts and ties, where stress is singular
 };
 
 // How far one coefficient of friction came, with the pairs' table at its last valid state.
@@ -46,7 +46,6 @@ struct RunRecord {
   std::vector<double> friction; // all coefficients of the deck
   std::vector<c2d_error> warnings;
   std::vector<int32_t> measure;                   // of each zone: the body per whose length tn and tt are
-  std::vector<CornerState> corners;               // all of the last state where stress is singular
   const Interior* interior = nullptr;             // results inside; null if none were asked for
   double read_seconds = 0.0, write_seconds = 0.0; // spent by the program itself
   bool checked_only = false;                      // the deck asks for a data check, nothing was solved
@@ -55,6 +54,7 @@ struct RunRecord {
   const CoefficientRecord* incomplete() const;
   // One word for the whole run.
   const char* outcome() const;
+  std::vector<CornerState> corners; // all of the last state where stress is singular
 };
 
 // Takes over what a step callback was shown. Returns the record of the step's coefficient.
@@ -63,12 +63,13 @@ CoefficientRecord& keep_step(RunRecord& record, const c2d_step& step);
 std::string load_reached(const CoefficientRecord& coefficient);
 // The same step's energy, its stress intensities and, unless solver is null, its zones; inside the callback.
 void keep_history(CoefficientRecord& coefficient, const c2d_step& step, c2d_solver* solver, const std::vector<CrackTip>& tips);
-// What the same step's table says of the corners; after keep_history.
-void keep_corners(CoefficientRecord& coefficient, const c2d_step& step, const std::vector<Corner>& corners);
 
 // Why a path ended, in a line: the outcome, the body and its motion, the last pair; `said` is what the
 // library said of it, may be empty. Sets the record's why, body and pair.
 void explain(CoefficientRecord& coefficient, const c2d_summary& now, const Summary& model, const std::string& said);
+
+// What a step's table says of the corners; after keep_history.
+void keep_corners(CoefficientRecord& coefficient, const c2d_step& step, const std::vector<Corner>& corners);
 
 // An end of a contact element of a zone, and the pair (from 1) and its side (1 or 2) that its node belongs to;
 // on side 1 of a zone between meshes that do not match local is 0, and eta the pair's place on the element.
