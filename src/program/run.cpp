@@ -77,6 +77,7 @@ private:
   Trace trace_;
   History history_;            // only if there will be pictures
   bool shows_changes_ = false; // the deck wants every change of status in the listing
+  std::vector<Corner> corners_;
   Summary summary_;
   std::vector<std::vector<ContactEnd>> ends_; // of each body
   std::vector<CrackTip> tips_;
@@ -110,6 +111,7 @@ int32_t Run::on_step(void* context, const c2d_step* step) {
     append_step(run.outputs_.text(Output::kListing), *step, run.coefficient_shown_ != step->coefficient);
     run.coefficient_shown_ = step->coefficient;
   }
+  if (run.outputs_.has(Output::kJson)) keep_corners(kept, *step, run.corners_);
   // A path that ended in the state of its last row adds no row.
   const bool row = step->kind == C2D_STEP_RECORDED || (step->kind == C2D_STEP_STOPPED && !again);
   if (row && run.outputs_.has(Output::kCsv)) append_contact_rows(run.outputs_.text(Output::kCsv), *step, run.summary_);
@@ -258,6 +260,7 @@ int Run::prepare() {
     record_.measure.push_back((zone.kind & C2D_ZONE_FREE) != 0 ? zone.side2.body
                                                                : zone.side1.body); // the first has nodes on side 2
   }
+  if (status == C2D_OK) status = find_corners(solver, summary_, corners_);
   if (outputs_.has(Output::kCsv)) append_contact_header(outputs_.text(Output::kCsv));
   if (outputs_.has(Output::kBodies)) append_bodies_header(outputs_.text(Output::kBodies));
   if (outputs_.has(Output::kTrace)) append_trace_header(outputs_.text(Output::kTrace), summary_.load_cases);
@@ -314,6 +317,7 @@ int Run::report() {
     const bool all = summary_.analysis == C2D_ANALYSIS_STRESS || summary_.analysis >= C2D_ANALYSIS_FULL;
     if (solved && all) status = append_global(out, solver, summary_);
   }
+  if (status == C2D_OK && solved) status = corner_states(solver, summary_, corners_, record_.corners);
   record_.warnings = session_.messages.warnings();
   if (status == C2D_OK && solved && interior_.any()) status = show_interior();
   if (status == C2D_OK) status = show_pictures();

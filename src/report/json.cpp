@@ -215,6 +215,34 @@ void append_crack(std::string& out, const StressIntensity& crack) {
   out += '}';
 }
 
+void append_corner(std::string& out, const CornerState& corner) {
+  Object o(out, "{", ", ");
+  o.word("kind", name_of(corner.kind));
+  if (corner.zone > 0) o.integer("zone", corner.zone);
+  o.key("bodies") += '[';
+  for (int i = 0; i < 2 && corner.body[i] > 0; ++i) {
+    if (i > 0) out += ", ";
+    append_integer(out, corner.body[i]);
+  }
+  out += ']';
+  append_list(o.key("at"), {corner.at[0], corner.at[1]});
+  o.word("state", corner.joint);
+  std::vector<double> real, imaginary;
+  for (const Complex& lambda : corner.exponents) real.push_back(lambda.real()), imaginary.push_back(lambda.imag());
+  append_list(o.key("exponents"), real);
+  if (std::any_of(imaginary.begin(), imaginary.end(), [](double v) { return v != 0; }))
+    append_list(o.key("imaginary"), imaginary);
+  o.number("K", corner.K);
+  if (!corner.why.empty()) {
+    o.word("why", corner.why.c_str());
+  } else {
+    o.number("K_error", corner.K_error);
+    if (std::isfinite(corner.K2)) o.number("K2", corner.K2);
+    if (std::isfinite(corner.K2)) o.number("K2_error", corner.K2_error);
+  }
+  out += '}';
+}
+
 // Tips of cracks only where there are any.
 void append_cracks(Object& o, const StepRecord& step) {
   if (step.cracks.empty()) return;
@@ -222,6 +250,18 @@ void append_cracks(Object& o, const StepRecord& step) {
   for (size_t i = 0; i < step.cracks.size(); ++i) {
     if (i > 0) out += ", ";
     append_crack(out, step.cracks[i]);
+  }
+  out += ']';
+}
+
+// Only where there are any.
+void append_corners(Object& o, const std::vector<CornerState>& corners, const char* between) {
+  if (corners.empty()) return;
+  std::string& out = o.key("corners") += '[';
+  for (size_t i = 0; i < corners.size(); ++i) {
+    out += i > 0 ? "," : "";
+    out += i > 0 || *between == '\n' ? between : "";
+    append_corner(out, corners[i]);
   }
   out += ']';
 }
@@ -243,6 +283,7 @@ void append_history(std::string& out, const RunRecord& record) {
       o.number("dissipated", step.dissipated);
       o.number("elastic", step.elastic);
       o.number("energy_defect", step.defect);
+      append_corners(o, step.corners, " ");
       o.key("zones") += '[';
       for (size_t z = 0; z < step.zones.size(); ++z) {
         if (z > 0) out += ", ";
@@ -365,6 +406,7 @@ void append_json(std::string& out, const RunRecord& record, const Summary& s) {
   append_force(o.key("force"), s);
   append_runs(o.key("runs"), record);
   append_history(o.key("steps_detail"), record);
+  append_corners(o, record.corners, "\n    ");
   if (record.interior != nullptr) append_interior(o.key("interior"), *record.interior);
   append_warnings(o.key("warnings"), record);
   out += "\n}\n";

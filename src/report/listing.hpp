@@ -18,6 +18,8 @@ c2d_status append_model(std::string& out, c2d_solver* solver, const Summary& sum
 // The statuses of all pairs after an increment, after a change of status, or where the path ended; `first` of
 // its coefficient of friction: with a heading.
 void append_step(std::string& out, const c2d_step& step, bool first);
+// Where stress is singular at the last state, by which power it grows and its intensity; nothing where there is no such corner.
+void append_corners(std::string& out, const RunRecord& record, const Summary& summary);
 // What every body has in the contact zones at the last state of a coefficient; `ends` of each body.
 void append_contact_zone(std::string& out, const CoefficientRecord& coefficient, const std::vector<ContactEnd>* ends,
                          const Summary& summary);

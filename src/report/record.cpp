@@ -100,6 +100,15 @@ void keep_history(CoefficientRecord& c, const c2d_step& step, c2d_solver* solver
   c.steps.push_back(now);
 }
 
+void keep_corners(CoefficientRecord& c, const c2d_step& step, const std::vector<Corner>& corners) {
+  if (step.kind == C2D_STEP_CHANGE || c.steps.empty()) return;
+  for (const Corner& corner : corners) {
+    if (corner.zone == 0) continue;
+    const CornerState now = corner_state(corner, step.table, step.stride);
+    if (!now.exponents.empty()) c.steps.back().corners.push_back(now);
+  }
+}
+
 void explain(CoefficientRecord& c, const c2d_summary& summary, const Summary& model, const std::string& said) {
   c.why = c2d_outcome_message(c.outcome);
   if (!said.empty() && said != c.why) c.why += ": " + said;

@@ -2,6 +2,7 @@
 // from pairs to element ends.
 #pragma once
 
+#include "report/corners.hpp"
 #include "report/cracks.hpp"
 #include "report/interior.hpp"
 #include "report/quantities.hpp"
@@ -19,6 +20,7 @@ namespace app {
 // Energy, load factors and zones at the end of an increment.
 struct StepRecord {
   int32_t step = 0;
+  std::vector<CornerState> corners; // of contacts and ties, where stress is singular
   double work = 0.0, dissipated = 0.0, elastic = 0.0, defect = 0.0;
   std::vector<double> loads, work_by_case;
   std::vector<c2d_zone_state> zones;
@@ -59,6 +61,7 @@ struct RunRecord {
   void take_stated_errors();
   // One word for the whole run.
   const char* outcome() const;
+  std::vector<CornerState> corners; // all of the last state where stress is singular
 };
 
 // Takes over what a step callback was shown. Returns the record of the step's coefficient.
@@ -73,6 +76,9 @@ void keep_history(CoefficientRecord& coefficient, const c2d_step& step, c2d_solv
 // Why a path ended, in a line: the outcome, the body and its motion, the last pair; `said` is what the
 // library said of it, may be empty. Sets the record's why, body and pair.
 void explain(CoefficientRecord& coefficient, const c2d_summary& now, const Summary& model, const std::string& said);
+
+// What a step's table says of the corners; after keep_history.
+void keep_corners(CoefficientRecord& coefficient, const c2d_step& step, const std::vector<Corner>& corners);
 
 // An end of a contact element of a zone, and the pair (from 1) and its side (1 or 2) that its node belongs to;
 // on side 1 of a zone between meshes that do not match local is 0, and eta the pair's place on the element.
