@@ -142,10 +142,4 @@ const char* name_of(Measure what) {
   return "";
 }
 
-void attach_errors(const std::vector<Quantity>& stated, std::vector<Quantity>& quantities) {
-  for (const Quantity& from : stated)
-    for (Quantity& to : quantities)
-      if (to.what == from.what && to.zone == from.zone && to.item == from.item) to.error = from.error;
-}
-
 } // namespace app

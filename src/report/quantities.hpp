@@ -49,7 +49,4 @@ std::vector<Quantity> quantities_of(const std::vector<ZoneLine>& lines, const do
 // "peak pressure", "contact edge", in the words of listing, JSON and CSV.
 const char* name_of(Measure what);
 
-// Copies the errors of `stated` to the quantities with the same (what, zone, item); others keep theirs.
-void attach_errors(const std::vector<Quantity>& stated, std::vector<Quantity>& quantities);
-
 } // namespace app

@@ -45,34 +45,61 @@ std::vector<char> touching(const Trial& trial, size_t zone, const std::vector<si
   return out;
 }
 
+// Elements of an outline that touch, and those beside them for a length and for a number of elements, round a closed one.
+std::vector<char> kept(const std::vector<double>& lengths, const std::vector<char>& touches, size_t first,
+                       const sketch::MeshedOutline& outline, double margin) {
+  const size_t n = outline.elements();
+  std::vector<char> out(n, 0);
+  for (const bool back : {false, true}) {
+    double since = HUGE_VAL;
+    size_t count = kLeast;
+    for (size_t k = 0; k < (outline.open ? n : 2 * n); ++k) {
+      const size_t i = back ? n - 1 - k % n : k % n;
+      if (touches[first + i] != 0)
+        since = 0, count = 0;
+      else if (since < margin || count < kLeast)
+        since += lengths[first + i], ++count;
+      else
+        continue;
+      out[i] = 1;
+    }
+  }
+  return out;
+}
+
+// Is a curve on the side of an interface whose nodes make pairs?
+bool is_second(const sketch::Sketch& sketch, int body, const std::string& curve) {
+  return std::any_of(sketch.interfaces.begin(), sketch.interfaces.end(), [&](const sketch::Interface& interface) {
+    const sketch::Side& side = interface.side[1 - sketch::first_side(sketch, interface)];
+    return !interface.tied && side.body == body && side.has(curve);
+  });
+}
+
 } // namespace
 
-void mark_far(const Trial& trial, sketch::Mesh& mesh) {
-  for (size_t z = 0; z < trial.zones.size(); ++z) {
-    if (trial.tied[z] != 0) continue;
-    const auto body = static_cast<size_t>(trial.zones[z][1].body);
-    const std::vector<size_t> row = row_of(trial, z);
-    const std::vector<char> touches = touching(trial, z, row);
+void mark_far(const sketch::Sketch& sketch, const Trial& trial, sketch::Mesh& mesh) {
+  for (size_t body = 0; body < mesh.bodies.size(); ++body) {
+    std::vector<char> touches(trial.lengths[body].size(), 0);
     double length = 0;
-    for (size_t i = 0; i < row.size(); ++i) length += touches[i] != 0 ? trial.lengths[body][row[i]] : 0;
+    for (size_t z = 0; z < trial.zones.size(); ++z) {
+      if (trial.tied[z] != 0 || trial.zones[z][1].body != static_cast<int32_t>(body)) continue;
+      const std::vector<size_t> row = row_of(trial, z);
+      const std::vector<char> of_row = touching(trial, z, row);
+      for (size_t i = 0; i < row.size(); ++i)
+        if (of_row[i] != 0) touches[row[i]] = 1, length += trial.lengths[body][row[i]];
+    }
     if (length == 0) continue;
-    std::vector<char> keeps = touches;
-    for (const int step : {1, -1}) { // beside what touches, both ways
-      double since = HUGE_VAL;
-      size_t count = kLeast;
-      for (size_t k = 0; k < row.size(); ++k) {
-        const size_t i = step > 0 ? k : row.size() - 1 - k;
-        if (touches[i] != 0) {
-          since = 0, count = 0;
-          continue;
-        }
-        if (since < kMargin * length || count < kLeast) keeps[i] = 1;
-        since += trial.lengths[body][row[i]], ++count;
+    size_t first = 0;
+    for (sketch::MeshedOutline& outline : mesh.bodies[body]) {
+      std::vector<char> keeps = kept(trial.lengths[body], touches, first, outline, kMargin * length);
+      for (sketch::MeshedCurve& curve : outline.curves) {
+        const bool may_touch = is_second(sketch, static_cast<int>(body), curve.curve->name);
+        for (size_t e = 0; e < curve.elements(); ++e)
+          if (keeps[e] == 0 && may_touch) curve.far.push_back({curve.ends[e], curve.ends[e + 1]});
+        keeps.erase(keeps.begin(), keeps.begin() + static_cast<std::ptrdiff_t>(curve.elements()));
+        first += curve.elements();
       }
     }
-    const std::vector<Element> all = elements_of(mesh.bodies[body]);
-    for (size_t i = 0; i < row.size(); ++i)
-      if (keeps[i] == 0) all[row[i]].curve->far.push_back({all[row[i]].from, all[row[i]].to});
   }
 }
 

@@ -165,7 +165,7 @@ void Loop::find_far(Level& level) const {
         if (cut) curve.far.clear();
         known = known || !curve.far.empty();
       }
-  if (!cut && !known) mark_far(level.trial, level.mesh);
+  if (!cut && !known) mark_far(s_, level.trial, level.mesh);
 }
 
 // Is the distance what marks() asks for?
