@@ -49,6 +49,7 @@ std::string beside(const std::string& sketch, const std::string& name) {
 void tell_misses(const DeckFile& deck, const MeshLoop& loop) {
   if (loop.stopped.empty()) return;
   const Messages messages(deck);
+  if (loop.stated.empty()) messages.note("no errors are stated: " + loop.stopped);
   for (const Stated& s : loop.stated) {
     if (s.is_met()) continue;
     std::string text = s.name;

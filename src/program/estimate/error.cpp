@@ -7,6 +7,9 @@ namespace estimate {
 namespace {
 
 constexpr double kSafety = 1.5;
+constexpr double kExact = 1e-7; // numbers nearer than that on two meshes are given by the loads
+constexpr double kRoundOff = 1e-9;
+constexpr double kEdgeFit = 2e-3; // an intensity is fitted through a number of pairs: what that adds stays as meshes become finer
 
 double rate_of(double before, double last) {
   return before > 0 ? std::clamp(last / before, kLeastRate, kMostRate) : kUsualRate;
@@ -19,6 +22,13 @@ const app::Quantity* find(const State& state, const app::Quantity& wanted) {
   const auto found = std::find_if(state.quantities.begin(), state.quantities.end(),
                                   [&](const app::Quantity& q) { return is_same(q, wanted); });
   return found == state.quantities.end() ? nullptr : &*found;
+}
+
+double distance_of(const Distance& d, int32_t zone) {
+  if (zone > 0) return static_cast<size_t>(zone) <= d.pressure.size() ? d.pressure[static_cast<size_t>(zone) - 1] : 0;
+  double largest = 0;
+  for (const double p : d.pressure) largest = std::max(largest, p);
+  return largest;
 }
 
 // What the error of a number is to be compared with.
@@ -44,6 +54,22 @@ double scale_of(const State& state, const app::Quantity& q) {
   }
 }
 
+// What an agreement of two meshes may hide, of the distance of the tractions: values that happen to be near each other tell
+// nothing of those that do not.
+double doubt(app::Measure what) {
+  using app::Measure;
+  switch (what) {
+  case Measure::kPeakPressure:
+  case Measure::kContactEdge:
+  case Measure::kStickBorder: return 0.25;
+  case Measure::kDissipated: return 1;
+  case Measure::kEdgePressure:
+  case Measure::kEdgeFriction: return 1;
+  case Measure::kMeanPressure: return 0.1;
+  default: return 0.03;
+  }
+}
+
 // How far two values of a number are apart; places by their positions, since lengths begin at a pair that may be another.
 double apart(const app::Quantity& a, const app::Quantity& b) {
   const bool place = a.what == app::Measure::kContactEdge || a.what == app::Measure::kStickBorder;
@@ -53,9 +79,10 @@ double apart(const app::Quantity& a, const app::Quantity& b) {
 
 } // namespace
 
-double stated_error(double before, double last, double rate) {
+double stated_error(double before, double last, double rate, double floor) {
+  if (before == 0) floor *= 2; // nothing but two meshes, which may agree by accident
   const double own = before > 0 ? std::clamp(last / before, kLeastRate, kMostRate) : rate;
-  const double r = std::max(own, rate), step = std::max(last, rate * before);
+  const double r = std::max(own, rate), step = std::max({last, rate * before, floor});
   return kSafety * step * r / (1 - r);
 }
 
@@ -89,7 +116,13 @@ std::vector<app::Stated> state_numbers(const Trial* coarse, const Trial& middle,
     s.zone = q.zone, s.item = q.item, s.value = q.value;
     s.at[0] = q.at[0], s.at[1] = q.at[1];
     s.scale = scale_of(f, q);
-    if (qm != nullptr) s.error = stated_error(qc == nullptr ? 0 : apart(*qc, *qm), apart(*qm, q), rate(q.zone));
+    if (qm != nullptr) {
+      const double step = apart(*qm, q);
+      double floor = step > kExact * s.scale ? doubt(q.what) * distance_of(last, q.zone) * s.scale : kRoundOff * s.scale;
+      if (q.what == app::Measure::kEdgePressure || q.what == app::Measure::kEdgeFriction)
+        floor = std::max(floor, kEdgeFit * s.scale);
+      s.error = stated_error(qc == nullptr ? 0 : apart(*qc, *qm), step, rate(q.zone), floor);
+    }
     out.push_back(s);
   }
   return out;

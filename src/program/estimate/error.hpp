@@ -12,8 +12,9 @@ constexpr double kLeastRate = 0.25, kMostRate = 0.5, kUsualRate = 0.45;
 constexpr const char* kTractions = "tractions"; // the number whose error is the distance of tractions, relative, L1
 
 // The error that is stated for a number whose values on three meshes, coarse to fine, are `before` and `last` apart; before
-// 0: there are two meshes. `rate`: by which the distance of the tractions falls from one halving to the next.
-double stated_error(double before, double last, double rate);
+// 0: there are two meshes. `rate`: by which the distance of the tractions falls from one halving to the next; `floor`: the
+// least that they are taken to be apart.
+double stated_error(double before, double last, double rate, double floor);
 
 // The numbers of the last common state, of the finest mesh, with errors. Two meshes: `coarse` may be null.
 std::vector<app::Stated> state_numbers(const Trial* coarse, const Trial& middle, const Trial& fine, const Distance* before,

@@ -23,6 +23,13 @@ std::vector<Element> elements_of(std::vector<sketch::MeshedOutline>& outlines) {
   return out;
 }
 
+// Is a place, or an end of an element, in what is left out?
+bool is_far(const sketch::MeshedCurve& curve, double s) {
+  const double near = 1e-9 * curve.measure.length();
+  return std::any_of(curve.far.begin(), curve.far.end(),
+                     [&](const auto& f) { return s > f.first - near && s < f.second + near; });
+}
+
 // The elements of side 2 of a zone, one behind the other.
 std::vector<size_t> row_of(const Trial& trial, size_t zone) {
   const Side& side = trial.zones[zone][1];
@@ -77,7 +84,8 @@ bool is_second(const sketch::Sketch& sketch, int body, const std::string& curve)
 
 } // namespace
 
-void mark_far(const sketch::Sketch& sketch, const Trial& trial, sketch::Mesh& mesh) {
+bool mark_far(const sketch::Sketch& sketch, const Trial& trial, sketch::Mesh& mesh) {
+  bool any = false;
   for (size_t body = 0; body < mesh.bodies.size(); ++body) {
     std::vector<char> touches(trial.lengths[body].size(), 0);
     double length = 0;
@@ -95,12 +103,14 @@ void mark_far(const sketch::Sketch& sketch, const Trial& trial, sketch::Mesh& me
       for (sketch::MeshedCurve& curve : outline.curves) {
         const bool may_touch = is_second(sketch, static_cast<int>(body), curve.curve->name);
         for (size_t e = 0; e < curve.elements(); ++e)
-          if (keeps[e] == 0 && may_touch) curve.far.push_back({curve.ends[e], curve.ends[e + 1]});
+          if (keeps[e] == 0 && may_touch && !is_far(curve, (curve.ends[e] + curve.ends[e + 1]) / 2))
+            curve.far.push_back({curve.ends[e], curve.ends[e + 1]}), any = true;
         keeps.erase(keeps.begin(), keeps.begin() + static_cast<std::ptrdiff_t>(curve.elements()));
         first += curve.elements();
       }
     }
   }
+  return any;
 }
 
 bool is_cut_off(const Trial& trial, const sketch::Mesh& mesh) {
@@ -111,13 +121,9 @@ bool is_cut_off(const Trial& trial, const sketch::Mesh& mesh) {
     const std::vector<char> touches = touching(trial, z, row);
     auto outlines = mesh.bodies[body];
     const std::vector<Element> all = elements_of(outlines);
-    const auto is_far_at = [&](size_t element, double s) {
-      const auto& far = all[element].curve->far;
-      return std::any_of(far.begin(), far.end(), [&](const auto& f) { return s > f.first * (1 - 1e-9) && s < f.second * (1 + 1e-9); });
-    };
     const size_t first = row.front(), last = row.back();
-    if (touches.front() != 0 && is_far_at(first, all[first].from)) return true;
-    if (touches.back() != 0 && is_far_at(last, all[last].to)) return true;
+    if (touches.front() != 0 && is_far(*all[first].curve, all[first].from)) return true;
+    if (touches.back() != 0 && is_far(*all[last].curve, all[last].to)) return true;
   }
   return false;
 }

@@ -11,7 +11,7 @@ namespace estimate {
 namespace {
 
 constexpr double kFirst = 0.25;  // fineness of the first mesh
-constexpr int kMostRounds = 12, kMostLevels = 5;
+constexpr int kMostRounds = 14, kMostLevels = 2;
 constexpr double kPredicted = 0.3; // from the distance of two meshes to the error of the one after them
 constexpr double kEdge = 2.8, kSmooth = 8; // by how much a share falls if its element is bisected
 
@@ -32,7 +32,8 @@ private:
   bool is_within_limits(const sketch::Mesh& mesh);
   void judge(const Level* coarse, const Level& middle, const Level& fine, const Distance* before, const Distance& last);
   bool all_met() const;
-  void find_far(Level& level) const;
+  bool has_outgrown(Level& level) const;
+  Level next_mesh(const Level& level, const Distance& distance);
   bool is_near(const Distance& distance) const;
   void tighten();
   sketch::Levels marks(const Distance& distance) const;
@@ -140,13 +141,16 @@ void Loop::judge(const Level* coarse, const Level& middle, const Level& fine, co
   std::vector<app::Stated>& stated = out_.loop.stated;
   stated = state_numbers(coarse == nullptr ? nullptr : &coarse->trial, middle.trial, fine.trial, before, last);
   for (app::Stated& s : stated) s.tolerance = tolerance_of(s, fine.trial);
+  double worst = 0;
+  for (const double p : last.pressure) worst = std::max(worst, p);
   const std::vector<app::Stated> now = wanted_of(s_, fine.mesh, fine.trial), then = wanted_of(s_, middle.mesh, middle.trial);
   const std::vector<app::Stated> first =
       coarse == nullptr ? std::vector<app::Stated>() : wanted_of(s_, coarse->mesh, coarse->trial);
   for (size_t i = 0; i < now.size() && i < then.size(); ++i) {
     stated.push_back(now[i]);
     const double earlier = i < first.size() ? std::fabs(then[i].value - first[i].value) : 0;
-    stated.back().error = stated_error(earlier, std::fabs(now[i].value - then[i].value), kMostRate);
+    stated.back().error = stated_error(earlier, std::fabs(now[i].value - then[i].value), kMostRate,
+                                        0.1 * worst * now[i].scale);
   }
 }
 
@@ -155,17 +159,20 @@ bool Loop::all_met() const {
 }
 
 // Elements whose shares are above those of a mesh that meets the tolerances with shares alike.
-// What is far is found once, and once more if contact grew up to it.
-void Loop::find_far(Level& level) const {
-  const bool cut = is_cut_off(level.trial, level.mesh);
-  bool known = false;
+// Has contact grown up to what was taken to be far? Then nothing is, for now.
+bool Loop::has_outgrown(Level& level) const {
+  if (!is_cut_off(level.trial, level.mesh)) return false;
   for (auto& outlines : level.mesh.bodies)
     for (sketch::MeshedOutline& outline : outlines)
-      for (sketch::MeshedCurve& curve : outline.curves) {
-        if (cut) curve.far.clear();
-        known = known || !curve.far.empty();
-      }
-  if (!cut && !known) mark_far(s_, level.trial, level.mesh);
+      for (sketch::MeshedCurve& curve : outline.curves) curve.far.clear();
+  return true;
+}
+
+// The next coarse mesh: what is far by now left out, what adds most bisected.
+Level Loop::next_mesh(const Level& level, const Distance& distance) {
+  sketch::Mesh mesh = level.mesh;
+  mark_far(s_, level.trial, mesh);
+  return {sketch::refined(s_, mesh, marks(distance)), {}, {}};
 }
 
 // Is the distance what marks() asks for?
@@ -224,6 +231,7 @@ Adapted Loop::run() {
     coarse.trial = Trial();
     if (!solve_level(coarse, nullptr, true)) return std::move(out_);
     told_(out_.loop.rounds.back());
+    if (has_outgrown(coarse) || (round == 0 && mark_far(s_, coarse.trial, coarse.mesh))) continue;
     middle = Level{sketch::halved(s_, coarse.mesh), {}, {}};
     if (!is_within_limits(middle.mesh) || !solve_level(middle, &coarse.trial, false)) {
       if (out_.deck.empty()) take(coarse, "");
@@ -241,7 +249,6 @@ Adapted Loop::run() {
     bool promising = true;
     for (const app::Stated& s : out_.loop.stated)
       promising = promising && (std::isnan(s.tolerance) || 0.35 * s.error <= s.tolerance * s.scale);
-    sketch::Levels marked;
     if (promising) {
       fine = Level{sketch::halved(s_, middle.mesh), {}, {}};
       if (!is_within_limits(fine.mesh) || !solve_level(fine, &middle.trial, false)) return std::move(out_);
@@ -255,14 +262,10 @@ Adapted Loop::run() {
       take(fine, "");
       if (all_met()) return std::move(out_);
       tighten();
-      marked = marks(second);
-      find_far(middle);
-      coarse = Level{sketch::refined(s_, middle.mesh, marked), {}, {}};
+      coarse = next_mesh(middle, second);
     } else {
       if (is_near(first)) tighten();
-      marked = marks(first);
-      find_far(coarse);
-      coarse = Level{sketch::refined(s_, coarse.mesh, marked), {}, {}};
+      coarse = next_mesh(coarse, first);
     }
     if (!is_within_limits(coarse.mesh)) return std::move(out_);
   }
