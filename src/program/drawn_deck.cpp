@@ -1,7 +1,7 @@
 #include "program/drawn_deck.hpp"
 
-#include "program/estimate/wanted.hpp"
 #include "program/estimate/loop.hpp"
+#include "program/estimate/wanted.hpp"
 #include "program/exit_code.hpp"
 #include "program/interrupt.hpp"
 #include "program/messages.hpp"
@@ -62,7 +62,8 @@ void tell_misses(const DeckFile& deck, const MeshLoop& loop) {
 }
 
 void show(const MeshRound& round, size_t number) {
-  std::fprintf(stderr, "contact2d: mesh %zu: %d elements, %d pairs, %.2g s", number, round.elements, round.pairs, round.seconds);
+  std::fprintf(stderr, "contact2d: mesh %zu: %d elements, %d pairs, %.2g s", number, round.elements, round.pairs,
+               round.seconds);
   if (!std::isnan(round.pressure)) std::fprintf(stderr, ", tractions changed by %.2g %%", 100 * round.pressure);
   std::fputc('\n', stderr);
 }
@@ -132,7 +133,9 @@ int write_mesh(const Options& options) {
     messages.fail("a deck has its mesh, expected a sketch");
     return kExitInput;
   }
-  if (const int status = take_sketch(deck, {options.settings, true, options.memory, ProgressLine(options.progress).active()}, loop); status != 0)
+  if (const int status =
+          take_sketch(deck, {options.settings, true, options.memory, ProgressLine(options.progress).active()}, loop);
+      status != 0)
     return status;
   OutputFile out;
   std::string error;

@@ -1,5 +1,6 @@
 #include "program/run.hpp"
 
+#include "program/estimate/loop.hpp"
 #include "program/exit_code.hpp"
 #include "program/interior_points.hpp"
 #include "program/interrupt.hpp"
@@ -195,6 +196,12 @@ int Run::read() {
   }
   exit = session_.read_model(make_port(), options_.symmetry);
   if (exit != 0) return exit;
+  if (options_.estimate && !record_.meshes.ran()) {
+    estimate::Demand demand;
+    demand.memory = options_.memory, demand.symmetry = options_.symmetry, demand.quadrature = options_.quadrature;
+    record_.meshes = estimate::estimate_deck(session_.solver, session_.deck.text(), demand);
+    if (!record_.meshes.stopped.empty()) session_.messages.note("no errors are stated: " + record_.meshes.stopped);
+  }
   if (!interior_.take_sets(session_.solver, error_)) {
     session_.messages.fail(error_);
     return kExitInput;

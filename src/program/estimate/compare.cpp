@@ -28,7 +28,7 @@ constexpr double kWeight[3] = {5.0 / 9, 8.0 / 9, 5.0 / 9};
 // Values of two states at one point of a body's boundary.
 struct Pair {
   double difference[2] = {0, 0}; // |t - t'|, |u - u'|
-  double traction = 0; // |t'|
+  double traction = 0;           // |t'|
 };
 
 class Comparer {

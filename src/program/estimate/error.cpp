@@ -9,7 +9,8 @@ namespace {
 constexpr double kSafety = 1.5;
 constexpr double kExact = 1e-7; // numbers nearer than that on two meshes are given by the loads
 constexpr double kRoundOff = 1e-9;
-constexpr double kEdgeFit = 2e-3; // an intensity is fitted through a number of pairs: what that adds stays as meshes become finer
+constexpr double kEdgeFit =
+    2e-3; // an intensity is fitted through a number of pairs: what that adds stays as meshes become finer
 
 double rate_of(double before, double last) {
   return before > 0 ? std::clamp(last / before, kLeastRate, kMostRate) : kUsualRate;
@@ -93,7 +94,8 @@ std::vector<app::Stated> state_numbers(const Trial* coarse, const Trial& middle,
     const size_t z = static_cast<size_t>(zone) - 1;
     if (before == nullptr) return kUsualRate;
     if (zone == 0) return rate_of(before->energy, last.energy);
-    return z < before->pressure.size() && z < last.pressure.size() ? rate_of(before->pressure[z], last.pressure[z]) : kUsualRate;
+    return z < before->pressure.size() && z < last.pressure.size() ? rate_of(before->pressure[z], last.pressure[z])
+                                                                   : kUsualRate;
   };
   for (size_t z = 0; z < last.pressure.size(); ++z) {
     if (fine.tied[z] != 0) continue;
@@ -124,6 +126,19 @@ std::vector<app::Stated> state_numbers(const Trial* coarse, const Trial& middle,
       s.error = stated_error(qc == nullptr ? 0 : apart(*qc, *qm), step, rate(q.zone), floor);
     }
     out.push_back(s);
+  }
+  return out;
+}
+
+std::vector<app::Stated> state_of_coarse(const Trial& coarse, const Trial& halved, const Distance& between) {
+  std::vector<app::Stated> out = state_numbers(nullptr, coarse, halved, nullptr, between);
+  for (app::Stated& s : out) {
+    s.error /= kUsualRate; // an error of the finer mesh falls by this rate
+    for (const app::Quantity& q : coarse.states.back().quantities)
+      if (s.zone == q.zone && s.item == q.item && s.name == app::name_of(q.what)) {
+        s.value = q.value;
+        s.at[0] = q.at[0], s.at[1] = q.at[1];
+      }
   }
   return out;
 }

@@ -16,6 +16,9 @@ constexpr const char* kTractions = "tractions"; // the number whose error is the
 // least that they are taken to be apart.
 double stated_error(double before, double last, double rate, double floor);
 
+// What halved meshes say of a mesh: the numbers of its last state with their errors.
+std::vector<app::Stated> state_of_coarse(const Trial& coarse, const Trial& halved, const Distance& between);
+
 // The numbers of the last common state, of the finest mesh, with errors. Two meshes: `coarse` may be null.
 std::vector<app::Stated> state_numbers(const Trial* coarse, const Trial& middle, const Trial& fine, const Distance* before,
                                        const Distance& last);

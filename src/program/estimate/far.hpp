@@ -6,7 +6,8 @@
 
 namespace estimate {
 
-// Marks them in a mesh that was solved, and those of finer meshes made of it. A body that nothing touched is left as it is. False: there are none.
+// Marks them in a mesh that was solved, and those of finer meshes made of it. A body that nothing touched is left as it is.
+// False: there are none.
 bool mark_far(const sketch::Sketch& sketch, const Trial& trial, sketch::Mesh& mesh);
 
 // Did an element touch beside those that are left out? Then they may not be.

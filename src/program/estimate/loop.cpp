@@ -1,6 +1,7 @@
 #include "program/estimate/loop.hpp"
 
 #include "program/estimate/far.hpp"
+#include "program/estimate/halved.hpp"
 #include "program/estimate/wanted.hpp"
 #include "program/sketch/refine.hpp"
 
@@ -10,9 +11,9 @@
 namespace estimate {
 namespace {
 
-constexpr double kFirst = 0.25;  // fineness of the first mesh
+constexpr double kFirst = 0.25; // fineness of the first mesh
 constexpr int kMostRounds = 14, kMostLevels = 2;
-constexpr double kPredicted = 0.3; // from the distance of two meshes to the error of the one after them
+constexpr double kPredicted = 0.3;         // from the distance of two meshes to the error of the one after them
 constexpr double kEdge = 2.8, kSmooth = 8; // by how much a share falls if its element is bisected
 
 struct Level {
@@ -82,6 +83,19 @@ Distance distance_of(const Level& coarse, const Level& fine) {
   return distance(coarse.trial, fine.trial, overlaps_of(coarse.mesh, fine.mesh));
 }
 
+app::MeshRound round_of(const Trial& trial) {
+  app::MeshRound round;
+  round.elements = trial.elements, round.pairs = trial.pairs, round.equations = trial.equations;
+  round.seconds = trial.seconds;
+  return round;
+}
+
+void tell_distance(const Distance& d, const Trial& trial, app::MeshRound& round) {
+  for (size_t z = 0; z < d.pressure.size(); ++z)
+    if (trial.tied[z] == 0) round.pressure = std::fmax(round.pressure, d.pressure[z]);
+  round.energy = d.energy;
+}
+
 bool Loop::is_within_limits(const sketch::Mesh& mesh) {
   if (sketch::elements_of(mesh) > s_.most_elements) {
     out_.loop.stopped = "the mesh would have more than " + std::to_string(s_.most_elements) + " elements";
@@ -106,11 +120,8 @@ bool Loop::solve_level(Level& level, const Trial* before, bool adapted) {
     out_.loop.stopped = why;
     return false;
   }
-  app::MeshRound round;
-  round.elements = level.trial.elements, round.pairs = level.trial.pairs, round.equations = level.trial.equations;
-  round.seconds = level.trial.seconds;
-  round.adapted = adapted;
-  out_.loop.rounds.push_back(round);
+  out_.loop.rounds.push_back(round_of(level.trial));
+  out_.loop.rounds.back().adapted = adapted;
   return true;
 }
 
@@ -149,8 +160,7 @@ void Loop::judge(const Level* coarse, const Level& middle, const Level& fine, co
   for (size_t i = 0; i < now.size() && i < then.size(); ++i) {
     stated.push_back(now[i]);
     const double earlier = i < first.size() ? std::fabs(then[i].value - first[i].value) : 0;
-    stated.back().error = stated_error(earlier, std::fabs(now[i].value - then[i].value), kMostRate,
-                                        0.1 * worst * now[i].scale);
+    stated.back().error = stated_error(earlier, std::fabs(now[i].value - then[i].value), kMostRate, 0.1 * worst * now[i].scale);
   }
 }
 
@@ -203,7 +213,8 @@ sketch::Levels Loop::marks(const Distance& d) const {
   double worst = 0;
   for (const auto& shares : d.shares)
     for (const Share& s : shares)
-      worst = std::max({worst, s.pressure / pressure * static_cast<double>(parts), s.energy / energy * static_cast<double>(all)});
+      worst =
+          std::max({worst, s.pressure / pressure * static_cast<double>(parts), s.energy / energy * static_cast<double>(all)});
   const double least = std::min(1.0, 0.3 * worst); // the largest are marked in any case
   for (const auto& shares : d.shares) {
     out.push_back({});
@@ -238,11 +249,8 @@ Adapted Loop::run() {
       return std::move(out_);
     }
     const Distance first = distance_of(coarse, middle);
-    app::MeshRound& told = out_.loop.rounds.back();
-    for (size_t z = 0; z < first.pressure.size(); ++z)
-      if (middle.trial.tied[z] == 0) told.pressure = std::fmax(told.pressure, first.pressure[z]);
-    told.energy = first.energy;
-    told_(told);
+    tell_distance(first, middle.trial, out_.loop.rounds.back());
+    told_(out_.loop.rounds.back());
     judge(nullptr, coarse, middle, nullptr, first);
     take(middle, "");
     // What two meshes say of the one after them.
@@ -253,11 +261,8 @@ Adapted Loop::run() {
       fine = Level{sketch::halved(s_, middle.mesh), {}, {}};
       if (!is_within_limits(fine.mesh) || !solve_level(fine, &middle.trial, false)) return std::move(out_);
       const Distance second = distance_of(middle, fine);
-      app::MeshRound& now = out_.loop.rounds.back();
-      for (size_t z = 0; z < second.pressure.size(); ++z)
-        if (fine.trial.tied[z] == 0) now.pressure = std::fmax(now.pressure, second.pressure[z]);
-      now.energy = second.energy;
-      told_(now);
+      tell_distance(second, fine.trial, out_.loop.rounds.back());
+      told_(out_.loop.rounds.back());
       judge(&coarse, middle, fine, &first, second);
       take(fine, "");
       if (all_met()) return std::move(out_);
@@ -277,6 +282,19 @@ Adapted Loop::run() {
 
 Adapted adapt(const sketch::Sketch& sketch, const Demand& demand, const std::function<void(const app::MeshRound&)>& told) {
   return Loop(sketch, demand, told).run();
+}
+
+app::MeshLoop estimate_deck(c2d_solver* solver, const std::string& deck, const Demand& demand) {
+  app::MeshLoop out;
+  const std::string decks[2] = {deck, halved_deck(solver, deck, out.stopped)};
+  Trial trials[2];
+  for (size_t k = 0; k < 2 && out.stopped.empty(); ++k)
+    if (solve(decks[k], demand, trials[k], out.stopped) == C2D_OK) out.rounds.push_back(round_of(trials[k]));
+  if (!out.stopped.empty() || trials[0].states.empty() || trials[1].states.empty()) return out;
+  const Distance between = distance(trials[0], trials[1], overlaps_of_halves(trials[0]));
+  tell_distance(between, trials[1], out.rounds.back());
+  out.stated = state_of_coarse(trials[0], trials[1], between);
+  return out;
 }
 
 } // namespace estimate

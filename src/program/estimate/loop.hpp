@@ -20,4 +20,8 @@ struct Adapted {
 // Follows the whole history on each mesh (METHOD 19). `told` hears of every mesh that was solved. Throws sketch::Fault.
 Adapted adapt(const sketch::Sketch& sketch, const Demand& demand, const std::function<void(const app::MeshRound&)>& told);
 
+// The model of a deck, which a solver holds, beside the one with every element in two: errors of the deck's own numbers.
+// `loop.stopped` says why there are none.
+app::MeshLoop estimate_deck(c2d_solver* solver, const std::string& deck, const Demand& demand);
+
 } // namespace estimate

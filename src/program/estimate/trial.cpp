@@ -178,7 +178,8 @@ c2d_status History::note_contact(State& state) {
   std::vector<c2d_zone_state> zones(static_cast<size_t>(summary_.zones), C2D_INIT(c2d_zone_state));
   for (int32_t z = 1; z <= summary_.zones && status == C2D_OK; ++z)
     status = c2d_get_zone_state(solver_, z, &zones[static_cast<size_t>(z) - 1]);
-  if (status == C2D_OK) state.quantities = app::quantities_of(lines_, table.data(), C2D_PAIR_FIELDS, zones, state.dissipated, slip_at_turn_);
+  if (status == C2D_OK)
+    state.quantities = app::quantities_of(lines_, table.data(), C2D_PAIR_FIELDS, zones, state.dissipated, slip_at_turn_);
   if (status == C2D_OK && state.turn) {
     slip_at_turn_.clear();
     for (size_t k = C2D_SLIP_SUM; k < table.size(); k += C2D_PAIR_FIELDS) slip_at_turn_.push_back(table[k]);

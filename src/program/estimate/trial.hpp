@@ -29,8 +29,8 @@ enum Field { kUx, kUy, kTx, kTy, kHoop, kStatus, kFields };
 
 // The end of an increment, or where a path ended early.
 struct State {
-  int32_t step = 0;             // of the path, from 1
-  bool turn = false;            // the end of a piece of the path
+  int32_t step = 0;  // of the path, from 1
+  bool turn = false; // the end of a piece of the path
   std::vector<double> loads;
   std::vector<std::array<std::vector<double>, kFields>> ends; // per body, per element end
   std::vector<app::Quantity> quantities;
@@ -46,7 +46,7 @@ struct Trial {
   int32_t nodes = 0;                        // functional ones of an element
   std::vector<std::vector<double>> lengths; // of every body's elements
   std::vector<std::array<Side, 2>> zones;
-  std::vector<char> tied;                   // of each zone
+  std::vector<char> tied; // of each zone
   std::vector<State> states;
   c2d_outcome outcome = C2D_REACHED;
   std::string why; // if the history ended early
