@@ -7,6 +7,7 @@ namespace estimate {
 namespace {
 
 constexpr double kSafety = 1.5;
+constexpr double kOverlooked = 0.25; // of the step before: what the last one would be if it were not small by accident
 constexpr double kExact = 1e-7; // numbers nearer than that on two meshes are given by the loads
 constexpr double kRoundOff = 1e-9;
 constexpr double kEdgeFit =
@@ -83,7 +84,7 @@ double apart(const app::Quantity& a, const app::Quantity& b) {
 double stated_error(double before, double last, double rate, double floor) {
   if (before == 0) floor *= 2; // nothing but two meshes, which may agree by accident
   const double own = before > 0 ? std::clamp(last / before, kLeastRate, kMostRate) : rate;
-  const double r = std::max(own, rate), step = std::max({last, rate * before, floor});
+  const double r = std::max(own, rate), step = std::max({last, kOverlooked * before, floor});
   return kSafety * step * r / (1 - r);
 }
 
@@ -123,7 +124,10 @@ std::vector<app::Stated> state_numbers(const Trial* coarse, const Trial& middle,
       double floor = step > kExact * s.scale ? doubt(q.what) * distance_of(last, q.zone) * s.scale : kRoundOff * s.scale;
       if (q.what == app::Measure::kEdgePressure || q.what == app::Measure::kEdgeFriction)
         floor = std::max(floor, kEdgeFit * s.scale);
-      s.error = stated_error(qc == nullptr ? 0 : apart(*qc, *qm), step, rate(q.zone), floor);
+      const double before_that = qc == nullptr ? 0 : apart(*qc, *qm);
+      s.error = stated_error(before_that, step, rate(q.zone), floor);
+      // It jumps with where edges fall in elements, so that its own steps tell no rate.
+      if (q.what == app::Measure::kDissipated) s.error = std::max(s.error, std::max(before_that, step));
     }
     out.push_back(s);
   }

@@ -6,8 +6,8 @@
 
 namespace estimate {
 
-// Rates at which distances fall from one halving to the next: 1/4 where all is smooth, more where edges lie amid elements.
-constexpr double kLeastRate = 0.25, kMostRate = 0.5, kUsualRate = 0.45;
+// Rates at which distances fall from one halving to the next: 1/3 where all is smooth, more where edges lie amid elements.
+constexpr double kLeastRate = 1.0 / 3, kMostRate = 0.5, kUsualRate = 0.45;
 
 constexpr const char* kTractions = "tractions"; // the number whose error is the distance of tractions, relative, L1
 

@@ -47,6 +47,7 @@ private:
   const std::function<void(const app::MeshRound&)>& told_;
   Adapted out_;
   double seconds_ = 0;
+  std::string history_; // why it ended early, of the last mesh
   double strictness_ = 1; // below 1 where numbers are still off though the tractions are near enough
 };
 
@@ -122,6 +123,7 @@ bool Loop::solve_level(Level& level, const Trial* before, bool adapted) {
   }
   out_.loop.rounds.push_back(round_of(level.trial));
   out_.loop.rounds.back().adapted = adapted;
+  history_ = level.trial.why;
   return true;
 }
 
@@ -265,7 +267,10 @@ Adapted Loop::run() {
       told_(out_.loop.rounds.back());
       judge(&coarse, middle, fine, &first, second);
       take(fine, "");
-      if (all_met()) return std::move(out_);
+      if (all_met()) {
+        if (!history_.empty()) out_.loop.stopped = "the history ended early: " + history_;
+        return std::move(out_);
+      }
       tighten();
       coarse = next_mesh(middle, second);
     } else {
