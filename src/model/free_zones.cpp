@@ -459,6 +459,23 @@ void keep_elements(const Model& m, Zone& z, int32_t first, int32_t count) {
   z.pairs = f == 1 ? count : count * (f - 1) + (is_ring(m, z, 1) ? 0 : 1);
 }
 
+// Ends of side 0 that nothing faces, in the zone as it is kept. Every state's tractions ask for it.
+void mark_unfaced_ends(const Model& m, int32_t zone) {
+  const Zone& z = m.zone[zone];
+  const int b = z.body[0], f = m.head->function_nodes;
+  for (int32_t place = 0; place < zone_elements(z, 0); ++place) {
+    ZonePlace found;
+    const int32_t element = zone_element(m, z, 0, place);
+    if (!find_contact_element(m, b, element, &found) || found.zone != zone || found.side != 0) continue;
+    for (int l = 0; l < f; ++l) {
+      FacePoint faced;
+      uint8_t& code = m.end_code[b][element * f + l];
+      const bool faces = facing_point(m, z, FacePoint{element, found.place, node_eta(f, l)}, faced);
+      code = static_cast<uint8_t>(faces ? code & ~kFacesNothing : code | kFacesNothing);
+    }
+  }
+}
+
 } // namespace
 
 bool fit_free_zone(const Model& m, int32_t zone, Reporter& reporter) {
@@ -489,6 +506,7 @@ bool fit_free_zone(const Model& m, int32_t zone, Reporter& reporter) {
   }
   warn_left_out(m, zone, first, count, reporter);
   keep_elements(m, z, first, count);
+  mark_unfaced_ends(m, zone);
   return true;
 }
 

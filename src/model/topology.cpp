@@ -181,8 +181,10 @@ bool is_second_twin(const Model& m, int b, int32_t node) {
 }
 
 void element_coordinates(const Model& m, int b, int32_t element, double x[kElementNodes], double y[kElementNodes]) {
-  for (int k = 0; k < body_of(m, b).element_nodes; ++k) {
-    const double* p = m.xy[b] + 2 * geometry_node(m, b, element, k);
+  const int last = body_of(m, b).element_nodes - 1;
+  const int32_t first = geometry_node(m, b, element, 0);
+  for (int k = 0; k <= last; ++k) { // all but the last follow each other
+    const double* p = m.xy[b] + 2 * (k < last ? first + k : geometry_node(m, b, element, last));
     x[k] = p[0];
     y[k] = p[1];
   }
