@@ -181,10 +181,12 @@ bool is_second_twin(const Model& m, int b, int32_t node) {
 }
 
 void element_coordinates(const Model& m, int b, int32_t element, double x[kElementNodes], double y[kElementNodes]) {
-  const int last = body_of(m, b).element_nodes - 1;
-  const int32_t first = geometry_node(m, b, element, 0);
-  for (int k = 0; k <= last; ++k) { // all but the last follow each other
-    const double* p = m.xy[b] + 2 * (k < last ? first + k : geometry_node(m, b, element, last));
+  const int32_t steps = body_of(m, b).element_nodes - 1;
+  const Region& r = *region_with(m, b, element);
+  const int32_t first = element * steps + r.shift,
+                end = element == r.last && !r.open ? r.first * steps + r.shift : first + steps;
+  for (int32_t k = 0; k <= steps; ++k) { // as geometry_node(), for all of them
+    const double* p = m.xy[b] + 2 * (k < steps ? first + k : end);
     x[k] = p[0];
     y[k] = p[1];
   }
