@@ -232,6 +232,7 @@ bool transferred_end(const Model& m, int b, int32_t element, int l, TransferredE
   ZonePlace place;
   double n[2];
   if (!find_contact_element(m, b, element, &place) || place.side != 0 || m.zone[place.zone].is_free == 0) return false;
+  if ((m.end_code[b][element * nf + l] & kFacesNothing) != 0) return false;
   const Zone& z = m.zone[place.zone];
   at.place = place.place;
   if (!facing_point(m, z, at, faced)) return false;

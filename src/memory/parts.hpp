@@ -132,6 +132,7 @@ struct EnergyPart { // solver/energy*.cpp, motion.cpp, pressed_motion.cpp, resul
   Function<void, Session&> close_balance = Nothing();
   Function<void, Session&, c2d_outcome> find_outcome_motion = Nothing();
   Function<void, Session&> balance_forces = Nothing();
+  Function<void, const Session&, int, int32_t, const double*> add_boundary_force = Nothing();
 };
 
 enum class Moment;

@@ -10,6 +10,14 @@ namespace {
 // Where chord i of an element's polyline begins.
 double chord_eta(int i, int chords) { return -1 + 2.0 * i / chords; }
 
+// Where curve_point() is, without the derivative, to the last bit.
+void curve_position(int nodes, const double* x, const double* y, double eta, double out[2]) {
+  double part[kElementNodes];
+  shape(nodes, eta, part);
+  out[0] = out[1] = 0;
+  for (int i = 0; i < nodes; ++i) out[0] += part[i] * x[i], out[1] += part[i] * y[i];
+}
+
 } // namespace
 
 CurvePoint curve_point(int nodes, const double* x, const double* y, double eta) {
@@ -46,13 +54,15 @@ double element_length(const Model& m, int b, int32_t element) {
   double x[kElementNodes], y[kElementNodes], sum = 0;
   element_coordinates(m, b, element, x, y);
   double from[2] = {x[0], y[0]};
-  for (int i = 1; i <= chords; ++i) {
-    const CurvePoint p =
-        i < chords ? curve_point(nodes, x, y, chord_eta(i, chords)) : CurvePoint{x[nodes - 1], y[nodes - 1], 0, 0};
-    const double dx = p.x - from[0], dy = p.y - from[1];
+  for (int i = 1; i < chords; ++i) {
+    double p[2];
+    curve_position(nodes, x, y, chord_eta(i, chords), p);
+    const double dx = p[0] - from[0], dy = p[1] - from[1];
     sum += sqrt(dx * dx + dy * dy);
-    from[0] = p.x, from[1] = p.y;
+    from[0] = p[0], from[1] = p[1];
   }
+  const double dx = x[nodes - 1] - from[0], dy = y[nodes - 1] - from[1];
+  sum += sqrt(dx * dx + dy * dy);
   return sum;
 }
 
@@ -96,9 +106,10 @@ void chords_of(const Model& m, int b, int32_t element, Chords& out) {
   element_coordinates(m, b, element, x, y);
   out.count = nodes == 2 ? 1 : kChords;
   for (int i = 0; i <= out.count; ++i) {
-    const CurvePoint p = curve_point(nodes, x, y, chord_eta(i, out.count));
-    out.x[i] = p.x;
-    out.y[i] = p.y;
+    double p[2];
+    curve_position(nodes, x, y, chord_eta(i, out.count), p);
+    out.x[i] = p[0];
+    out.y[i] = p[1];
   }
   // Ends exactly at the boundary points, so that neighbours meet without round-off.
   out.x[0] = x[0], out.y[0] = y[0];

@@ -9,8 +9,18 @@
 namespace c2d {
 
 // Bits of an element end's code: quantity is known. kGiven: a condition card named this end. At an element's first end:
-// kMeasured: kNoLength says whether the element has zero length, without looking at its nodes.
-enum EndCode : uint8_t { kKnownTx = 1, kKnownTy = 2, kKnownUx = 4, kKnownUy = 8, kGiven = 16, kMeasured = 32, kNoLength = 64 };
+// kMeasured: kNoLength says whether the element has zero length, without looking at its nodes. kFacesNothing: nothing of side 1
+// faces this end on side 0 of a free zone, which need not be searched for again.
+enum EndCode : uint8_t {
+  kKnownTx = 1,
+  kKnownTy = 2,
+  kKnownUx = 4,
+  kKnownUy = 8,
+  kGiven = 16,
+  kMeasured = 32,
+  kNoLength = 64,
+  kFacesNothing = 128
+};
 
 struct Region { // elements first ... last form a closed curve, or one that is open between symmetry lines
   int32_t first, last;

@@ -181,8 +181,12 @@ bool is_second_twin(const Model& m, int b, int32_t node) {
 }
 
 void element_coordinates(const Model& m, int b, int32_t element, double x[kElementNodes], double y[kElementNodes]) {
-  for (int k = 0; k < body_of(m, b).element_nodes; ++k) {
-    const double* p = m.xy[b] + 2 * geometry_node(m, b, element, k);
+  const int32_t steps = body_of(m, b).element_nodes - 1;
+  const Region& r = *region_with(m, b, element);
+  const int32_t first = element * steps + r.shift,
+                end = element == r.last && !r.open ? r.first * steps + r.shift : first + steps;
+  for (int32_t k = 0; k <= steps; ++k) { // as geometry_node(), for all of them
+    const double* p = m.xy[b] + 2 * (k < steps ? first + k : end);
     x[k] = p[0];
     y[k] = p[1];
   }

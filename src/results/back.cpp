@@ -118,7 +118,8 @@ void transferred_traction(const Session& session, int b, int32_t element, int l,
 
 namespace {
 
-void fill_end_traction(const Session& session, int b, int32_t element, int l) {
+// *transferred: what of it free zones bring.
+void fill_end_traction(const Session& session, int b, int32_t element, int l, double transferred[2]) {
   const Model& m = session.model;
   const int32_t end = element * m.head->function_nodes + l, node = functional_node(m, b, element, l);
   double t[2];
@@ -137,7 +138,6 @@ void fill_end_traction(const Session& session, int b, int32_t element, int l) {
     else
       t[c] = prescribed_traction(session, b, end, c);
   }
-  double transferred[2];
   transferred_traction(session, b, element, l, transferred);
   for (int c = 0; c < 2; ++c) t[c] += transferred[c];
   keep_traction(session, b, end, t);
@@ -156,8 +156,12 @@ c2d_status back_substitute_body(Session& session, int b) {
   if (status != C2D_OK) return status;
   for (int i = 0; i < 3; ++i) results_of(s, b).multiplier[i] = session.area.outer[m.body[b].columns + i];
   fill_displacements(session, b);
-  for (int32_t element = 0; element < m.body[b].elements; ++element)
-    for (int l = 0; l < m.head->function_nodes; ++l) fill_end_traction(session, b, element, l);
+  for (double& force : results_of(s, b).applied) force = 0.0;
+  for (int32_t element = 0; element < m.body[b].elements; ++element) {
+    double transferred[2 * kElementNodes]; // for the balance too: it costs a search of what faces the end
+    for (int l = 0; l < m.head->function_nodes; ++l) fill_end_traction(session, b, element, l, transferred + 2 * l);
+    if (s->keeps_energy) kEnergyPart.add_boundary_force(session, b, element, transferred);
+  }
   return C2D_OK;
 }
 

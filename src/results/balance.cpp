@@ -15,32 +15,29 @@ namespace c2d {
 
 C2D_USES(BodyForcePart);
 
-namespace {
-
-// Tractions and reactions on the boundary, but those of the contact.
-void add_boundary(const Session& session, int b, double applied[3]) {
+void add_boundary_force(const Session& session, int b, int32_t element, const double* transferred) {
   const Model& m = session.model;
   const double unit = m.head->length_unit;
-  for (int32_t element = 0; element < m.body[b].elements; ++element) {
-    if (!is_integrated(m, b, element)) continue;
-    EndResultant own[kElementNodes];
-    end_resultants(m, b, element, Measure::own_length, own);
-    for (int l = 0; l < m.head->function_nodes; ++l) {
-      const PairSide at = pair_of_end(m, b, element, l);
-      const int32_t end = element * m.head->function_nodes + l, node = functional_node(m, b, element, l);
-      double total[2], t[2];
-      get_traction(session, b, end, total);
-      transferred_traction(session, b, element, l, t);
-      for (int c = 0; c < 2; ++c) t[c] = total[c] - t[c];
-      const EndResultant& w = own[l];
-      for (int c = 0; c < 2; ++c) {
-        if (at.pair >= 0 && unknown_at(m, b, node, c).kind == UnknownKind::contact) continue;
-        add_force(applied, c == 0 ? unit * w.w * t[0] : 0.0, c == 1 ? unit * w.w * t[1] : 0.0,
-                  unit * unit * (c == 1 ? w.wx * t[1] : -w.wy * t[0]));
-      }
+  double* applied = results_of(session.solver, b).applied;
+  if (!is_integrated(m, b, element)) return;
+  EndResultant own[kElementNodes];
+  end_resultants(m, b, element, Measure::own_length, own);
+  for (int l = 0; l < m.head->function_nodes; ++l) {
+    const PairSide at = pair_of_end(m, b, element, l);
+    const int32_t end = element * m.head->function_nodes + l, node = functional_node(m, b, element, l);
+    double t[2];
+    get_traction(session, b, end, t);
+    for (int c = 0; c < 2; ++c) t[c] -= transferred[2 * l + c];
+    const EndResultant& w = own[l];
+    for (int c = 0; c < 2; ++c) {
+      if (at.pair >= 0 && unknown_at(m, b, node, c).kind == UnknownKind::contact) continue;
+      add_force(applied, c == 0 ? unit * w.w * t[0] : 0.0, c == 1 ? unit * w.w * t[1] : 0.0,
+                unit * unit * (c == 1 ? w.wx * t[1] : -w.wy * t[0]));
     }
   }
 }
+
+namespace {
 
 void add_loads(const Session& session, int b, double applied[3]) {
   const Model& m = session.model;
@@ -74,8 +71,6 @@ void sum_forces(const Session& session, int b) {
   double* applied = results.applied;
   contact_resultant(session, b, results.contact_force);
   if (is_rigid(session.model, b)) return hold_rigid(session, b, results.contact_force, applied);
-  for (int i = 0; i < 3; ++i) applied[i] = 0.0;
-  add_boundary(session, b, applied);
   add_loads(session, b, applied);
 }
 
