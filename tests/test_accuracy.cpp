@@ -11,12 +11,12 @@ using namespace test;
 
 namespace {
 
-// A half roller on a plate with a punch's platen of its own; wanted loosely, so that few meshes are needed.
+// Half a roller on a plate; wanted loosely, so that few meshes are needed.
 const char kRoller[] = "title Roller\nunits mm N\nsymmetry x 0\n"
                        "body plate E 3000 nu 0.4\nfrom 0 -20\nline base to 30 -20\nline side to 30 0\nline top to 0 0\n"
                        "body roller E 210e3 nu 0.3\nfrom 0 0\narc face to 20 20 centre 0 20\nline waist to 0 20\n"
                        "contact plate.top roller.face mu 0.2\nfix plate.base\n"
-                       "platen roller.waist about 0 20 force 0 -50 x 0 turn 0\n";
+                       "traction roller.waist y -2.5\n";
 const char kLoose[] = "tolerance 10 %\n";
 
 struct Run {
@@ -70,7 +70,8 @@ TEST_CASE("accuracy: the rounds in the JSON are those of the loop, and one is th
     CHECK(round.has("tractions_change") == round.has("energy_change"));
     if (round.has("tractions_change")) { // the same mesh with every element cut
       REQUIRE(i > 0);
-      CHECK(round["elements"].number == 2 * rounds[i - 1]["elements"].number);
+      CHECK(round["elements"].number ==
+            doctest::Approx(2 * rounds[i - 1]["elements"].number).epsilon(0.05)); // and what zones cut
       CHECK(round["tractions_change"].number > 0);
     }
     if (round["taken"].kind != Json::kBool || round["taken"].number == 0) continue;

@@ -18,9 +18,10 @@ struct Line {
   std::vector<Point> points; // elements, size
 };
 
-// What does not show on a scale of logarithms is left out.
+constexpr double kLeast = 1e-4; // smaller sizes are round-off, or of no interest
+
 void add(Line& line, double elements, double size) {
-  if (std::isfinite(size) && size > 0.0) line.points.push_back({elements, size});
+  if (std::isfinite(size) && size >= kLeast) line.points.push_back({elements, size});
 }
 
 std::vector<Line> changes(const MeshLoop& loop) {
@@ -51,6 +52,8 @@ std::vector<Line> errors(const MeshLoop& loop) {
   }
   std::vector<std::pair<double, std::string>> order;
   for (const auto& [name, size] : last) order.emplace_back(-size, name);
+  order.erase(std::remove_if(order.begin(), order.end(), [&](const auto& o) { return lines[o.second].points.empty(); }),
+              order.end());
   std::sort(order.begin(), order.end());
   std::vector<Line> out;
   for (size_t i = 0; i < std::min(order.size(), kMostLines); ++i) out.push_back(lines[order[i].second]);
@@ -97,7 +100,8 @@ std::string caption_of(const MeshLoop& loop, bool has_errors) {
   if (has_errors)
     out +=
         " Right: the stated errors of the numbers that were asked for, of every kind the worst, divided by their tolerances; "
-        "below the thick line they are as accurate as was asked. Errors are estimates, no bounds.";
+        "below the thick line they are as accurate as was asked. What is below " +
+        figure(kLeast) + " is left out. Errors are estimates, no bounds.";
   return out + " " + escape_xml(loop.ending()) + ".";
 }
 

@@ -33,7 +33,8 @@ public:
     for (size_t p = zone_->first; p < zone_->first + zone_->pairs; ++p) {
       const bool open = table != nullptr && static_cast<int>((*table)[p * C2D_PAIR_FIELDS + C2D_STATUS]) == C2D_OPEN;
       if (open) continue;
-      out.include(scene_.pairs[p].on[0]), out.include(scene_.pairs[p].on[1]);
+      for (const Image& image : scene_.zone_images)
+        out.include(image.place(scene_.pairs[p].on[0])), out.include(image.place(scene_.pairs[p].on[1]));
     }
     if (out.x.empty) out.include(finest_);
     const double room = 0.15 * out.size();
@@ -119,9 +120,9 @@ std::string heading_of(const MeshLoop& loop, size_t round) {
 
 std::string caption_of(const MeshLoop& loop) {
   std::string out = "Strokes across the boundary are ends of elements. ";
-  if (loop.taken == 0) return out + "The results are those of this mesh, the only one.";
+  if (loop.taken == 0) return out + "The results are those of the first mesh. The dashed frame is enlarged.";
   return out + "On the left is the first mesh, on the right the one of the results, number " + std::to_string(loop.taken + 1) +
-         " of " + std::to_string(loop.rounds.size()) + " that were solved. Below is the contact, dashed above.";
+         " of " + std::to_string(loop.rounds.size()) + " that were solved. The dashed frames are enlarged below.";
 }
 
 } // namespace
@@ -136,19 +137,22 @@ void draw_meshes(const Scene& scene, Pictures& out) {
   if (whole.x.empty) return;
   const bool zoom = Close(scene).find(whole.size(), part);
   const double left = 62.0, gap = 66.0, right = 14.0, top = 30.0, below = 44.0;
-  const size_t columns = loop.taken > 0 ? 2 : 1;
+  const bool both = loop.taken > 0; // one mesh alone has its contact beside it
   const double wide = (kPictureWidth - left - gap - right) / 2.0, high = view_height(whole.x, whole.y, wide, 160.0, 340.0),
-               high_part = zoom ? view_height(part.x, part.y, wide, 160.0, 300.0) : 0.0;
-  const double second = top + high + below + 26.0;
-  Svg svg("meshes", kPictureWidth, zoom ? second + high_part + below : top + high + below);
-  for (size_t c = 0; c < columns; ++c) {
+               high_part = !zoom  ? 0.0
+                           : both ? view_height(part.x, part.y, wide, 120.0, 300.0)
+                                  : high;
+  const double second = both ? top + high + below + 26.0 : top;
+  Svg svg("meshes", kPictureWidth, zoom && both ? second + high_part + below : top + high + below);
+  for (size_t c = 0; c < (both ? 2 : 1); ++c) {
     const size_t number = c == 0 ? 0 : loop.taken;
     const MeshRound& round = loop.rounds[number];
-    const double from = left + static_cast<double>(c) * (wide + gap);
+    const double from = left + static_cast<double>(c) * (wide + gap), from_part = both ? from : from + wide + gap;
     const Chart view = make_view({from, top, from + wide, top + high}, whole.x, whole.y, 12.0, scene.length_unit);
     draw_view(svg, scene, round, view, 3.0, heading_of(loop, number));
     if (!zoom) continue;
-    const Chart close = make_view({from, second, from + wide, second + high_part}, part.x, part.y, 0.0, scene.length_unit);
+    const Box frame{from_part, second, from_part + wide, second + high_part};
+    const Chart close = make_view(frame, part.x, part.y, 0.0, scene.length_unit);
     draw_frame(svg, view, close);
     draw_view(svg, scene, round, close, 5.0, "The contact on mesh " + std::to_string(number + 1));
   }
