@@ -213,6 +213,7 @@ REPORT_SOURCES += src/report/edges.cpp
 REPORT_SOURCES += src/report/history.cpp
 REPORT_SOURCES += src/report/interior.cpp
 REPORT_SOURCES += src/report/json.cpp
+REPORT_SOURCES += src/report/json_accuracy.cpp
 REPORT_SOURCES += src/report/listing.cpp
 REPORT_SOURCES += src/report/listing_accuracy.cpp
 REPORT_SOURCES += src/report/listing_contact.cpp

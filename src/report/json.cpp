@@ -1,5 +1,6 @@
 #include "report/json.hpp"
 
+#include "report/json_object.hpp"
 #include "report/text.hpp"
 
 #include <algorithm>
@@ -7,58 +8,6 @@
 
 namespace app {
 namespace {
-
-// Members of an object one after another; `separator` puts the comma before all but the first.
-class Object {
-public:
-  Object(std::string& out, const char* begin, const char* between) : out_(out), between_(between) { out_ += begin; }
-  std::string& key(const char* name) {
-    if (!first_) out_ += between_;
-    first_ = false;
-    out_ += '"';
-    out_ += name;
-    out_ += "\": ";
-    return out_;
-  }
-  void number(const char* name, double value) {
-    key(name);
-    if (std::isfinite(value))
-      append_number(out_, value);
-    else
-      out_ += "null"; // JSON knows no infinity
-  }
-  void integer(const char* name, int64_t value) { append_integer(key(name), value); }
-  void bytes(const char* name, uint64_t value) { integer(name, static_cast<int64_t>(value)); }
-  void word(const char* name, const char* text) { append_string(key(name), text); }
-
-  static void append_string(std::string& out, const std::string& text) {
-    static const char kHex[] = "0123456789abcdef";
-    out += '"';
-    for (size_t i = 0; i < text.size(); ++i) {
-      const unsigned char c = static_cast<unsigned char>(text[i]);
-      const size_t bytes = character_at(text, i);
-      if (c == '"' || c == '\\') {
-        out += '\\';
-        out += text[i];
-      } else if (bytes > 1) { // as it is: UTF-8
-        out.append(text, i, bytes);
-        i += bytes - 1;
-      } else if (bytes == 0) {
-        out += "\\u00";
-        out += kHex[c >> 4];
-        out += kHex[c & 15];
-      } else {
-        out += text[i];
-      }
-    }
-    out += '"';
-  }
-
-private:
-  std::string& out_;
-  const char* between_;
-  bool first_ = true;
-};
 
 void append_memory(std::string& out, const Summary& s) {
   Object o(out, "{", ", ");
@@ -351,57 +300,6 @@ void append_warnings(std::string& out, const RunRecord& record) {
     Object::append_string(out, w.text);
   }
   out += ']';
-}
-
-void append_rounds(std::string& out, const MeshLoop& loop) {
-  out += '[';
-  for (size_t i = 0; i < loop.rounds.size(); ++i) {
-    const MeshRound& round = loop.rounds[i];
-    out += i == 0 ? "\n    " : ",\n    ";
-    Object o(out, "{", ", ");
-    o.integer("elements", round.elements);
-    o.integer("pairs", round.pairs);
-    o.integer("equations", round.equations);
-    o.number("seconds", round.seconds);
-    if (std::isfinite(round.pressure)) o.number("tractions_change", round.pressure);
-    if (std::isfinite(round.energy)) o.number("energy_change", round.energy);
-    o.key("taken") += i == loop.taken ? "true" : "false";
-    out += '}';
-  }
-  out += ']';
-}
-
-void append_stated(std::string& out, const Stated& s) {
-  Object o(out, "{", ", ");
-  o.word("name", s.name.c_str());
-  if (s.zone > 0) o.integer("zone", s.zone);
-  if (s.body > 0) o.integer("body", s.body);
-  if (s.item > 0) o.integer("item", s.item);
-  if (s.has_value()) o.number("value", s.value);
-  if (s.has_value()) o.number("error", s.error);
-  o.number("relative_error", s.relative_error());
-  if (!std::isnan(s.tolerance)) {
-    o.number("tolerance", s.tolerance);
-    o.key("met") += s.is_met() ? "true" : "false";
-  }
-  if (std::isfinite(s.at[0])) {
-    o.number("x", s.at[0]);
-    o.number("y", s.at[1]);
-  }
-  out += '}';
-}
-
-void append_accuracy(std::string& out, const MeshLoop& loop) {
-  Object o(out, "{", ", ");
-  append_rounds(o.key("rounds"), loop);
-  o.key("stated") += '[';
-  for (size_t i = 0; i < loop.stated.size(); ++i) {
-    out += i == 0 ? "\n    " : ",\n    ";
-    append_stated(out, loop.stated[i]);
-  }
-  out += ']';
-  o.word("stopped", loop.stopped.c_str());
-  out += '}';
 }
 
 } // namespace
