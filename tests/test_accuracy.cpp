@@ -182,7 +182,7 @@ TEST_CASE("accuracy: messages about a sketch do not quote the deck that is made 
   CHECK(contains(typed.err, "^"));
   // A fault of the sketch itself has its line.
   write_file(sketch, short_plate + "fix plate.nothing\n");
-  CHECK(contains(run_shell(program + "check " + quoted(sketch)).err, "short.c2s:19:"));
+  CHECK(contains(run_shell(program + "check " + quoted(sketch)).err, "short.c2s:20:"));
 }
 
 TEST_CASE("accuracy: ends of platens are no reason to warn in a sketch, those of ties are") {
