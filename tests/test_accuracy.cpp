@@ -159,6 +159,22 @@ TEST_CASE("accuracy: runs of decks have none of it") {
   CHECK(shown.figures.count("convergence") == 0);
 }
 
+TEST_CASE("accuracy: a deck with an estimate has its own mesh and the halved one") {
+  Shown shown;
+  const Folder folder;
+  show(shown, example("hertz.dat"), "--estimate --json " + quoted(folder / "j"));
+  const Json run = JsonReader::read(read_file(folder / "j"));
+  REQUIRE(run.has("accuracy"));
+  const Json& rounds = run["accuracy"]["rounds"];
+  REQUIRE(rounds.items.size() == 2);
+  CHECK(rounds[0]["taken"].number == 1);
+  CHECK(rounds[1]["taken"].number == 0);
+  CHECK(rounds[1]["elements"].number == doctest::Approx(2 * rounds[0]["elements"].number).epsilon(0.05));
+  CHECK(rounds[1].has("tractions_change"));
+  for (const Json& s : run["accuracy"]["stated"].items) CHECK(!s.has("met"));
+  CHECK(shown.figures.count("meshes") == 0);
+}
+
 TEST_CASE("accuracy: messages about a sketch do not quote the deck that is made of it") {
   // The contact reaches the end of its zone, which is a warning of the library.
   const std::string short_plate =

@@ -76,7 +76,7 @@ void append_accuracy(std::string& out, const RunRecord& record) {
     out += "\n  errors are estimates, no bounds; edges are compared with the length of contact, a force with the zone's whole "
            "one\n";
   }
-  out += "  " + loop.ending() + ".\n";
+  if (const std::string why = loop.ending(); !why.empty()) out += "  " + why + ".\n";
 }
 
 } // namespace app

@@ -110,11 +110,11 @@ std::string caption_of(const MeshLoop& loop, bool has_errors) {
 void draw_convergence(const Scene& scene, Pictures& out) {
   const MeshLoop& loop = scene.record->meshes;
   const std::vector<Line> left = changes(loop), right = errors(loop);
-  if (!has_points(left)) return;
+  if (left[0].points.size() < 2 && left[1].points.size() < 2) return; // two meshes alone do not converge
   const bool both = has_points(right);
   Range elements;
   for (const MeshRound& round : loop.rounds)
-    if (!round.adapted) elements.include(round.elements);
+    if (std::isfinite(round.pressure) || std::isfinite(round.energy)) elements.include(round.elements);
   const double wide = 280.0, top = 30.0, high = 240.0;
   const Box frames[2] = {{84.0, top, 84.0 + wide, top + high},
                          {kPictureWidth - 16.0 - wide, top, kPictureWidth - 16.0, top + high}};

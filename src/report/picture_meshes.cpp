@@ -129,7 +129,7 @@ std::string caption_of(const MeshLoop& loop) {
 
 void draw_meshes(const Scene& scene, Pictures& out) {
   const MeshLoop& loop = scene.record->meshes;
-  if (!loop.ran()) return;
+  if (!loop.ran() || loop.rounds[loop.taken].curves.empty()) return; // a deck is drawn as it is
   Extent whole, part;
   for (const BodyScene& body : scene.bodies)
     for (const auto& curve : body.curves)

@@ -50,9 +50,12 @@ struct MeshLoop {
   std::vector<Stated> stated;
   std::string stopped; // why it ended before all tolerances were met; empty: they are
   bool ran() const { return !rounds.empty(); }
-  // In a sentence.
+  // In a sentence; empty if nothing was asked for.
   std::string ending() const {
-    return stopped.empty() ? "Every number that was asked for is as accurate as was asked" : "It ended here: " + stopped;
+    if (!stopped.empty()) return "It ended here: " + stopped;
+    for (const Stated& s : stated)
+      if (!std::isnan(s.tolerance)) return "Every number that was asked for is as accurate as was asked";
+    return std::string();
   }
 };
 
