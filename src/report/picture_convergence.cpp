@@ -102,7 +102,7 @@ std::string caption_of(const MeshLoop& loop, bool has_errors) {
         " Right: the stated errors of the numbers that were asked for, of every kind the worst, divided by their tolerances; "
         "below the thick line they are as accurate as was asked. What is below " +
         figure(kLeast) + " is left out. Errors are estimates, no bounds.";
-  return out + " " + escape_xml(loop.ending()) + ".";
+  return out;
 }
 
 } // namespace

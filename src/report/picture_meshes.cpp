@@ -119,7 +119,8 @@ std::string heading_of(const MeshLoop& loop, size_t round) {
 }
 
 std::string caption_of(const MeshLoop& loop) {
-  std::string out = "Strokes across the boundary are ends of elements. ";
+  const std::string why = escape_xml(loop.ending());
+  std::string out = (why.empty() ? "" : why + ". ") + "Strokes across the boundary are ends of elements. ";
   if (loop.taken == 0) return out + "The results are those of the first mesh. The dashed frame is enlarged.";
   return out + "On the left is the first mesh, on the right the one of the results, number " + std::to_string(loop.taken + 1) +
          " of " + std::to_string(loop.rounds.size()) + " that were solved. The dashed frames are enlarged below.";
