@@ -93,7 +93,7 @@ void draw_chart(Svg& svg, const Box& frame, const Range& elements, const std::ve
   svg.end_clip();
 }
 
-std::string caption_of(const MeshLoop& loop, bool has_errors) {
+std::string caption_of(bool has_errors) {
   std::string out =
       "Left: by how much tractions (of the worst contact, on average over it and the history) and energy differ from "
       "those on the mesh before, with elements twice as long.";
@@ -129,7 +129,7 @@ void draw_convergence(const Scene& scene, Pictures& out) {
     draw_heading(svg, frames[1], "Stated errors");
     draw_legend(&svg, {frames[1].left - 30.0, top + high + 42.0}, wide + 30.0, legend_of(right));
   }
-  Picture picture{"convergence", "Convergence over the meshes", caption_of(loop, both), ""};
+  Picture picture{"convergence", "Convergence over the meshes", caption_of(both), ""};
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);
 }
