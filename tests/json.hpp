@@ -12,7 +12,7 @@ namespace test {
 
 struct Json {
   enum Kind { kNull, kBool, kNumber, kString, kArray, kObject } kind = kNull;
-  double number = 0.0;
+  double number = 0.0; // 1 of true
   std::string text;
   std::vector<Json> items;
   std::map<std::string, Json> members;
@@ -104,7 +104,10 @@ private:
       v.text = string();
     } else if (take("null")) {
       v.kind = Json::kNull;
-    } else if (take("true") || take("false")) {
+    } else if (take("true")) {
+      v.kind = Json::kBool;
+      v.number = 1.0;
+    } else if (take("false")) {
       v.kind = Json::kBool;
     } else {
       const char* begin = text_.c_str() + at_;

@@ -46,6 +46,11 @@ void DeckFile::replace(const std::string& text) {
   find_cards();
 }
 
+void DeckFile::replace_by_deck(const std::string& text) {
+  replace(text);
+  made_ = true;
+}
+
 bool DeckFile::read(const std::string& name, c2d_error& fault) {
   name_ = name == "-" ? "standard input" : name;
   const int file = name == "-" ? 0 : ::open(name.c_str(), O_RDONLY | O_CLOEXEC);
@@ -124,7 +129,8 @@ std::vector<c2d_body_limits> room_for_bodies(const DeckFile& deck) {
 
 std::string quote(const DeckFile& deck, const c2d_error& entry, const char* word) {
   std::string out = "contact2d: " + deck.name() + ":";
-  if (entry.line > 0) {
+  const bool has_line = entry.line > 0 && !deck.is_made();
+  if (has_line) {
     append_integer(out, entry.line);
     out += ':';
     append_integer(out, entry.column > 0 ? entry.column : 1);
@@ -135,7 +141,7 @@ std::string quote(const DeckFile& deck, const c2d_error& entry, const char* word
   out += ": ";
   out += entry.text;
   out += '\n';
-  if (entry.line <= 0 || static_cast<size_t>(entry.line) > deck.cards()) return out;
+  if (!has_line || static_cast<size_t>(entry.line) > deck.cards()) return out;
 
   const std::string_view card = deck.card(static_cast<size_t>(entry.line)).substr(0, 200);
   std::string caret;

@@ -20,7 +20,10 @@ public:
 
   const std::string& name() const { return name_; }
   void call(const std::string& name) { name_ = name; }
-  void replace(const std::string& text); // by the deck of a sketch
+  void replace(const std::string& text);
+  // By the deck of the sketch that this was: its cards are not the user's, and messages do not quote them.
+  void replace_by_deck(const std::string& text);
+  bool is_made() const { return made_; }
   const std::string& text() const { return text_; }
   size_t cards() const { return starts_.size(); }
   // Card `line` (from 1) without its line end; empty if there is no such card.
@@ -37,12 +40,14 @@ private:
   std::string name_, text_;
   std::vector<size_t> starts_; // where each card begins
   size_t next_ = 1;
+  bool made_ = false;
 };
 
 // A list for as many bodies as the deck has cards: not too short for any deck that is whole.
 std::vector<c2d_body_limits> room_for_bodies(const DeckFile& deck);
 
-// `contact2d: DECK:LINE:COLUMN: error: text`, with the card and a caret under the field if a line is known.
+// `contact2d: DECK:LINE:COLUMN: error: text`, with the card and a caret under the field if a line is known
+// and the deck is the user's.
 // `word` is error or warning.
 std::string quote(const DeckFile& deck, const c2d_error& entry, const char* word);
 

@@ -71,7 +71,7 @@ void show(const MeshRound& round, size_t number) {
 // The deck of a sound sketch. Throws a sketch::Fault.
 int mesh_sketch(DeckFile& deck, const sketch::Sketch& sketch, const Drawing& drawing, MeshLoop& loop) {
   if (!drawing.adapts || !sketch.adapts) {
-    deck.replace(sketch::deck_of(sketch, sketch::first_mesh(sketch, kFineness)));
+    deck.replace_by_deck(sketch::deck_of(sketch, sketch::first_mesh(sketch, kFineness)));
     return 0;
   }
   estimate::Demand demand;
@@ -82,7 +82,7 @@ int mesh_sketch(DeckFile& deck, const sketch::Sketch& sketch, const Drawing& dra
     if (drawing.shows) show(round, ++meshes);
   });
   if (interrupted()) return kExitCancelled;
-  deck.replace(adapted.deck);
+  deck.replace_by_deck(adapted.deck);
   tell_misses(deck, adapted.loop);
   loop = std::move(adapted.loop);
   return 0;

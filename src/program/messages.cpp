@@ -17,9 +17,14 @@ bool is_of_deck(const c2d_error& fault) {
 }
 } // namespace
 
+bool Messages::is_end_of_platen(const c2d_error& entry) const {
+  return entry.status == C2D_WARN_TIE_END && first_platen_zone > 0 && entry.zone >= first_platen_zone;
+}
+
 void Messages::log(void* context, const c2d_error* entry) {
   Messages& m = *static_cast<Messages*>(context);
   if (entry->severity == C2D_WARNING) {
+    if (m.is_end_of_platen(*entry)) return;
     m.warnings_.push_back(*entry);
     if (m.print_warnings) print(quote(m.deck_, *entry, "warning"));
     return;

@@ -34,8 +34,12 @@ public:
   void restart() { warnings_.clear(); }
   // Warnings are printed only if set (they are kept anyway).
   bool print_warnings = true;
+  // The zones from this one on, if it is above 0, tie platens of a sketch: they begin and end where loads and supports do,
+  // which is not worth a warning.
+  int32_t first_platen_zone = 0;
 
 private:
+  bool is_end_of_platen(const c2d_error& entry) const;
   const DeckFile& deck_;
   std::vector<c2d_error> warnings_;
   std::string latest_;

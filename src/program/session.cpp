@@ -2,6 +2,7 @@
 
 #include "program/exit_code.hpp"
 #include "program/interrupt.hpp"
+#include "program/sketch/read.hpp"
 
 namespace app {
 
@@ -31,7 +32,8 @@ int Session::read_file(const std::string& name, const Drawing& drawing, const st
   }
   if (const int status = take_sketch(deck, drawing, meshes); status != 0) return status;
   if (!shown.empty()) deck.call(shown);
-  messages.print_warnings = false; // the model will say them again
+  if (sketch::is_sketch(std::string(), shown)) deck.replace_by_deck(deck.text()); // a run that goes on has its deck
+  messages.print_warnings = false;                                                // the model will say them again
   bodies = room_for_bodies(deck);
   limits.bodies = static_cast<int32_t>(bodies.size());
   limits.body = bodies.data();
@@ -69,6 +71,7 @@ int Session::read_model(const c2d_port& port, int32_t symmetry) {
     return exit_code(status);
   }
   set_interrupt_target(solver);
+  if (deck.is_made() && limits.platens > 0) messages.first_platen_zone = limits.zones - limits.platens + 1;
   deck.rewind();
   c2d_options options = C2D_INIT(c2d_options);
   options.symmetry = symmetry;

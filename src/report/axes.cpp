@@ -1,5 +1,7 @@
 #include "report/axes.hpp"
 
+#include "report/text.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -24,6 +26,18 @@ std::string superscript(int number) {
   return out;
 }
 
+// ... 0.5, 1, 2, 5, 10 ...: number 0 is 1.
+double round_number(int i) {
+  static const double kLeads[] = {1.0, 2.0, 5.0};
+  const int lead = (i % 3 + 3) % 3;
+  return kLeads[lead] * std::pow(10.0, (i - lead) / 3);
+}
+
+double place_on(const Axis& axis, double value) {
+  return axis.logarithmic ? std::log(value / axis.low) / std::log(axis.high / axis.low)
+                          : (value - axis.low) / (axis.high - axis.low);
+}
+
 } // namespace
 
 void Range::include(double value) {
@@ -33,7 +47,20 @@ void Range::include(double value) {
   empty = false;
 }
 
+double Axis::tick(int i) const { return logarithmic ? round_number(static_cast<int>(first + i * step)) : first + i * step; }
+
 std::string Axis::label(int i) const {
+  if (logarithmic) {
+    const double at = tick(i);
+    if (at < 0.9e-3 || at > 1.1e5) {
+      const int exponent = static_cast<int>(std::floor(std::log10(at) + 1e-9));
+      const int lead = static_cast<int>(std::lround(at / std::pow(10.0, exponent)));
+      return (lead == 1 ? "10" : std::to_string(lead) + "&#183;10") + superscript(exponent);
+    }
+    std::string out;
+    append_general(out, at, 0, 6);
+    return out;
+  }
   double value = tick(i) / power;
   if (std::fabs(value) < 1e-9 * std::fabs(step / power)) value = 0.0;
   char text[64];
@@ -87,9 +114,26 @@ Axis make_axis(const Range& range, const std::string& name, const std::string& u
   return axis;
 }
 
+Axis make_log_axis(const Range& range, const std::string& name) {
+  double low = range.empty ? 1.0 : range.high, high = low;
+  if (!range.empty && range.low > 0.0) low = range.low;
+  if (!(high > 0.0)) low = high = 1.0;
+  int first = 3 * static_cast<int>(std::floor(std::log10(low))), last = 3 * static_cast<int>(std::ceil(std::log10(high))) + 1;
+  while (round_number(first + 1) <= low * (1.0 + 1e-9)) ++first;
+  while (last > first + 1 && round_number(last - 1) >= high * (1.0 - 1e-9)) --last;
+  Axis axis;
+  axis.name = name;
+  axis.logarithmic = true;
+  axis.low = round_number(first), axis.high = round_number(last);
+  axis.step = last - first > 9 ? 3.0 : 1.0; // more than three decades: powers of ten alone
+  axis.first = axis.step > 1.0 ? 3.0 * std::ceil(first / 3.0) : first;
+  axis.ticks = static_cast<int>(std::floor((last - axis.first) / axis.step)) + 1;
+  axis.power = 1.0, axis.decimals = 0;
+  return axis;
+}
+
 Point Chart::at(double vx, double vy) const {
-  return {frame.left + (vx - x.low) / (x.high - x.low) * frame.width(),
-          frame.bottom - (vy - y.low) / (y.high - y.low) * frame.height()};
+  return {frame.left + place_on(x, vx) * frame.width(), frame.bottom - place_on(y, vy) * frame.height()};
 }
 
 void draw_axes(Svg& svg, const Chart& chart, bool labels_x) {

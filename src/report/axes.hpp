@@ -22,15 +22,18 @@ struct Axis {
   int ticks;                //
   double power;             // values are divided by this for their labels
   int decimals;             // of the labels
-  bool logarithmic = false; //
+  bool logarithmic = false; // `first` and `step` then count ... 1, 2, 5, 10, 20, 50 ... from 1
   std::string label(int tick) const;
-  double tick(int i) const { return first + i * step; }
+  double tick(int i) const;
 };
 
 // `unit` may be empty. About `about` ticks. `tight`: the ends are those of the range, not rounded outwards.
 // `whole`: ticks are whole numbers.
 Axis make_axis(const Range& range, const std::string& name, const std::string& unit, int about, bool tight = false,
                bool whole = false);
+
+// From the 1, 2 or 5 times a power of ten below the range to the one above it; of what is not positive nothing is shown.
+Axis make_log_axis(const Range& range, const std::string& name);
 
 struct Chart {
   Box frame;

@@ -9,6 +9,8 @@
 
 namespace app {
 
+// How the mesh was found, and the numbers with their stated errors, as an object.
+void append_accuracy(std::string& out, const MeshLoop& loop);
 void append_json(std::string& out, const RunRecord& record, const Summary& summary);
 
 } // namespace app

@@ -111,6 +111,7 @@ void append_ending(std::string& out, const RunRecord& record, const Summary& s) 
   if (solved) append_balance(out, s);
   if (solved) append_energy(out, record);
   if (solved) append_quantities(out, record, s);
+  if (solved) append_accuracy(out, record);
   if (solved) append_stress_intensity(out, record);
   if (solved) append_corners(out, record, s);
   if (!record.warnings.empty()) {

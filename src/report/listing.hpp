@@ -27,6 +27,8 @@ void append_contact_zone(std::string& out, const CoefficientRecord& coefficient,
 c2d_status append_global(std::string& out, c2d_solver* solver, const Summary& summary);
 // What sums up the contact at the last state of every coefficient, with the errors that are stated.
 void append_quantities(std::string& out, const RunRecord& record, const Summary& summary);
+// The meshes that were tried for a sketch, and the numbers with their stated errors; nothing if there was one mesh alone.
+void append_accuracy(std::string& out, const RunRecord& record);
 // Balance of forces, what sums up the contact, warnings, and how the run ended.
 void append_ending(std::string& out, const RunRecord& record, const Summary& summary);
 

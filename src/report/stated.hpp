@@ -1,21 +1,17 @@
 // What a loop over meshes found: its rounds, and numbers with their stated errors.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace app {
 
-// A mesh that was solved, beside the one with elements twice as long.
-struct MeshRound {
-  int32_t elements = 0, pairs = 0, equations = 0;
-  double seconds = 0;
-  double pressure = NAN; // relative distance of the tractions from those on the mesh before, L1, of the worst contact
-  double energy = NAN;   // the same of the energy
-  bool adapted = false;  // the mesh before was not this one with elements twice as long: there is no distance
-};
+// The name of the relative distance of tractions on two meshes, L1, which has an error but no value.
+constexpr char kTractions[] = "tractions";
 
 // A number of the last state of the history, or over all of it. An error is an estimate: METHOD 19.
 struct Stated {
@@ -25,14 +21,42 @@ struct Stated {
   double scale = 0;                     // what the tolerance is relative to
   double tolerance = NAN;               // NaN: it was not asked for
   double at[2] = {NAN, NAN};
+  bool has_value() const { return name != kTractions; }
+  double relative_error() const { return scale > 0 ? error / scale : NAN; }
   bool is_met() const { return std::isnan(tolerance) || error <= tolerance * scale; }
+};
+
+// Where the elements of a curve begin and end, in their order; closed: round an outline, the first is the last.
+struct MeshCurve {
+  int32_t body = 1;
+  bool closed = false;
+  std::vector<std::array<double, 2>> ends;
+};
+
+// A mesh that was solved, beside the one with elements twice as long.
+struct MeshRound {
+  int32_t elements = 0, pairs = 0, equations = 0;
+  double seconds = 0;
+  double pressure = NAN;         // relative distance of the tractions from those on the mesh before, L1, of the worst contact
+  double energy = NAN;           // the same of the energy
+  bool adapted = false;          // the mesh before was not this one with elements twice as long: there is no distance
+  std::vector<MeshCurve> curves; // of all bodies that have elements
+  std::vector<Stated> stated;    // numbers with the errors that are stated on it; empty where there is no distance
 };
 
 struct MeshLoop {
   std::vector<MeshRound> rounds;
+  size_t taken = 0; // which of the rounds, from 0, has the mesh of the results
   std::vector<Stated> stated;
   std::string stopped; // why it ended before all tolerances were met; empty: they are
   bool ran() const { return !rounds.empty(); }
+  // In a sentence; empty if nothing was asked for.
+  std::string ending() const {
+    if (!stopped.empty()) return "It ended here: " + stopped;
+    for (const Stated& s : stated)
+      if (!std::isnan(s.tolerance)) return "Every number that was asked for is as accurate as was asked";
+    return std::string();
+  }
 };
 
 } // namespace app

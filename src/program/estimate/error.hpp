@@ -9,7 +9,7 @@ namespace estimate {
 // Rates at which distances fall from one halving to the next: 1/3 where all is smooth, more where edges lie amid elements.
 constexpr double kLeastRate = 1.0 / 3, kMostRate = 0.5, kUsualRate = 0.45;
 
-constexpr const char* kTractions = "tractions"; // the number whose error is the distance of tractions, relative, L1
+using app::kTractions;
 
 // The error that is stated for a number whose values on three meshes, coarse to fine, are `before` and `last` apart; before
 // 0: there are two meshes. `rate`: by which the distance of the tractions falls from one halving to the next; `floor`: the

@@ -2,6 +2,7 @@
 
 #include "program/estimate/far.hpp"
 #include "program/estimate/halved.hpp"
+#include "program/estimate/mesh_curves.hpp"
 #include "program/estimate/wanted.hpp"
 #include "program/sketch/refine.hpp"
 
@@ -124,6 +125,7 @@ bool Loop::solve_level(Level& level, const Trial* before, bool adapted) {
   out_.loop.rounds.push_back(round_of(level.trial));
   out_.loop.rounds.back().adapted = adapted;
   history_ = level.trial.why;
+  out_.loop.rounds.back().curves = curves_of(level.mesh);
   return true;
 }
 
@@ -164,6 +166,7 @@ void Loop::judge(const Level* coarse, const Level& middle, const Level& fine, co
     const double earlier = i < first.size() ? std::fabs(then[i].value - first[i].value) : 0;
     stated.back().error = stated_error(earlier, std::fabs(now[i].value - then[i].value), kMostRate, 0.1 * worst * now[i].scale);
   }
+  out_.loop.rounds.back().stated = stated;
 }
 
 bool Loop::all_met() const {
@@ -233,6 +236,7 @@ sketch::Levels Loop::marks(const Distance& d) const {
 bool Loop::take(Level& level, const std::string& why) {
   out_.mesh = level.mesh;
   out_.deck = level.deck;
+  out_.loop.taken = out_.loop.rounds.size() - 1;
   if (out_.loop.stopped.empty()) out_.loop.stopped = why;
   return true;
 }
