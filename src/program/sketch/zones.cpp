@@ -133,6 +133,7 @@ private:
   Numbers chosen(size_t k, int which) const;
   void choose(size_t k);
   void join(size_t k);
+  void share(size_t k, const Numbers& first, const std::vector<Numbers>& seconds);
   struct Pair {
     size_t interface;
     Numbers one, two;
@@ -194,8 +195,33 @@ void Pairing::join(size_t k) {
       if (const double gap = walls[r].gap_to(body(k, 1)[static_cast<size_t>(e)]); gap < least) least = gap, best = r;
     if (least < HUGE_VAL) facing[best].push_back(e);
   }
-  for (size_t r = 0; r < rows.size(); ++r)
-    for (const Numbers& row : in_a_row(body(k, 1), facing[r])) pairs_.push_back({k, rows[r], row});
+  for (size_t r = 0; r < rows.size(); ++r) share(k, rows[r], in_a_row(body(k, 1), facing[r]));
+}
+
+// What of a stretch is nearest to each of those that it faces, as two feet stand on one floor: an element is in one zone.
+void Pairing::share(size_t k, const Numbers& first, const std::vector<Numbers>& seconds) {
+  if (seconds.size() == 1) return pairs_.push_back({k, first, seconds[0]});
+  std::vector<Wall> walls;
+  for (const Numbers& row : seconds) walls.emplace_back(body(k, 1), row);
+  std::vector<Numbers> near(seconds.size());
+  for (const int e : first) {
+    const Element& own = body(k, 0)[static_cast<size_t>(e)];
+    const auto nearer = [middle = 0.5 * (own.from + own.to)](const Wall& a, const Wall& b) {
+      return a.distance(middle) < b.distance(middle);
+    };
+    near[static_cast<size_t>(std::min_element(walls.begin(), walls.end(), nearer) - walls.begin())].push_back(e);
+  }
+  for (size_t n = 0; n < seconds.size(); ++n) {
+    const std::vector<Numbers> parts = in_a_row(body(k, 0), near[n]);
+    if (parts.empty()) continue;
+    const Numbers& part = *std::max_element(
+        parts.begin(), parts.end(), [](const Numbers& a, const Numbers& b) { return a.size() < b.size(); });
+    const Wall wall(body(k, 0), part);
+    Numbers facing;
+    for (const int e : seconds[n])
+      if (wall.gap_to(body(k, 1)[static_cast<size_t>(e)]) < HUGE_VAL) facing.push_back(e);
+    for (const Numbers& row : in_a_row(body(k, 1), facing)) pairs_.push_back({k, part, row});
+  }
 }
 
 // Do the elements of two elastic bodies lie on each other, end by end?
