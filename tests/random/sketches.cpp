@@ -196,17 +196,17 @@ void load_by_force(Pen& p, const Indenter& shape, const std::string& moved, doub
   write_history(p, shears);
 }
 
-void draw_wants(Pen& p, double layer, bool hole) {
+void draw_wants(Pen& p, double layer, bool hole, double left = -1) {
   if (!p.rigid[0] && p.dice.chance(0.4)) {
     p.line("want pressure 2 %  edges 2 %  forces 2 %");
-    p.line("want stress ground " + p.xy(p.dice.between(-1, 1), -layer - p.dice.between(0.2, 0.7)) + " 2 %");
+    p.line("want stress ground " + p.xy(p.dice.between(left, 1), -layer - p.dice.between(0.2, 0.7)) + " 2 %");
     if (hole) p.line("want hoop ground.bore 2 %");
   }
   p.line("tolerance 2 %");
 }
 
 void indenter_scene(Pen& p) {
-  const bool layered = p.dice.chance(0.2), bonded = p.dice.chance(0.5);
+  const bool layered = p.dice.chance(0.2), bonded = p.dice.chance(0.5) || p.friction == 0;
   const double thickness = layered ? p.dice.between(0.15, 1) : 0;
   const bool hole = draw_ground(p, thickness, !layered && p.dice.chance(0.2));
   if (layered) draw_layer(p, thickness);
@@ -253,7 +253,7 @@ void half_scene(Pen& p) {
   p.line("  fix ground.bottom");
   p.line(p.dice.chance(0.5) ? "  traction pad.top y " + Pen::number(-P / 2) : "  pressure pad.top " + Pen::number(P / 2));
   write_history(p, false);
-  draw_wants(p, 0, false);
+  draw_wants(p, 0, false, 0.1);
 }
 
 // Half of a pin in a hole, with clearance.

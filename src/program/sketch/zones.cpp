@@ -8,10 +8,12 @@
 namespace sketch {
 namespace {
 
-constexpr double kOpen = 0.6; // the least cosine of the angle between surfaces that may touch
+constexpr double kNear = 1e-3; // of an element: where its direction at an end is seen from there
+constexpr double kOpen = 0.6;  // the least cosine of the angle between surfaces that may touch
 
 struct Element {
   Point from, to;
+  Point along[2]; // the curve's direction at its ends
   const std::string* curve;
   bool is_far;       // from all that it might touch
   int before, after; // along the outline; -1 where an open one ends
@@ -26,11 +28,15 @@ Elements elements_of(const std::vector<MeshedOutline>& outlines) {
     for (const MeshedCurve& curve : outline.curves)
       for (size_t e = 0; e < curve.elements(); ++e) {
         const auto at = [&](size_t end) { return curve.curve->shape->at(curve.measure.u_at(curve.ends[end])); };
+        const auto near = [&](double share) {
+          return curve.curve->shape->at(curve.measure.u_at(curve.ends[e] + share * (curve.ends[e + 1] - curve.ends[e])));
+        };
         const int number = static_cast<int>(out.size());
+        const Point from = at(e), to = at(e + 1);
         const double middle = (curve.ends[e] + curve.ends[e + 1]) / 2;
         const bool far = std::any_of(curve.far.begin(), curve.far.end(),
                                      [&](const auto& f) { return f.first < middle && middle < f.second; });
-        out.push_back({at(e), at(e + 1), &curve.curve->name, far, number - 1, number + 1});
+        out.push_back({from, to, {near(kNear) - from, to - near(1 - kNear)}, &curve.curve->name, far, number - 1, number + 1});
       }
     out[first].before = outline.open ? -1 : static_cast<int>(out.size()) - 1;
     out.back().after = outline.open ? -1 : static_cast<int>(first);
@@ -71,10 +77,10 @@ public:
   // How far an element is from it; infinitely, where the surfaces do not face each other: their normals are more than kOpen
   // from opposite, or the way across ends beside the wall.
   double gap_to(const Element& own) const {
-    const Point along = own.to - own.from;
     double most = 0;
-    for (const Point& p : {own.from, own.to}) {
-      const Foot foot = nearest(p);
+    for (int end = 0; end < 2; ++end) {
+      const Foot foot = nearest(end == 0 ? own.from : own.to);
+      const Point along = own.along[end];
       const double opposite = -dot(foot.along, along) / (length(foot.along) * length(along));
       if (!foot.within || opposite < kOpen) return HUGE_VAL;
       most = std::max(most, foot.gap);
