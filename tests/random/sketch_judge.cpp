@@ -66,6 +66,14 @@ void compare(const std::vector<app::Stated>& stated, const std::vector<app::Stat
   }
 }
 
+// Whether the history ends early on the mesh that was taken.
+std::string early_end(const std::string& deck, const estimate::Demand& demand) {
+  estimate::Trial trial;
+  std::string why;
+  if (estimate::solve(deck, demand, trial, why) != C2D_OK) return why;
+  return trial.outcome == C2D_REACHED ? "" : trial.why;
+}
+
 void find_truth(sketch::Sketch s, const estimate::Demand& demand, const Limits& limits, const estimate::Adapted& adapted,
                 Judged& out) {
   estimate::Trial trial;
@@ -79,7 +87,7 @@ void find_truth(sketch::Sketch s, const estimate::Demand& demand, const Limits& 
   if (status != C2D_OK)
     out.no_truth = why;
   else if (trial.outcome != C2D_REACHED)
-    out.ended = trial.why;
+    out.no_truth = trial.why; // there only
   else
     compare(adapted.loop.stated, values_of(s, fine, trial), out);
 }
@@ -111,7 +119,8 @@ Judged judge(const std::string& text, const Limits& limits) {
     for (const app::Stated& n : adapted.loop.stated)
       if (!n.is_met() && out.stopped.empty()) out.silent = n.name;
     if (adapted.loop.stated.empty() && out.stopped.empty()) out.silent = "there are no numbers";
-    find_truth(s, demand, limits, adapted, out);
+    out.ended = early_end(adapted.deck, demand);
+    if (out.ended.empty()) find_truth(s, demand, limits, adapted, out);
   } catch (const sketch::Fault& fault) {
     out.fault = "line " + std::to_string(fault.at.line) + ": " + fault.text;
   }
