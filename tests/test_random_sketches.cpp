@@ -11,13 +11,16 @@ using namespace random_sketches;
 
 namespace {
 
-constexpr Limits kSmall = {200, 0, 300}; // without a limit of time: the same on every machine
+constexpr Limits kSmall = {300, 0, 420}; // without a limit of time: the same on every machine
+// Half a punch, a press fit, a wedge on a bonded layer, half a roller, a parabola; a spline and a flat with fillets that stop
+// at the limit of elements; two feet that slide off.
+constexpr uint64_t kSeeds[] = {3, 4, 20, 39, 56, 6, 52, 119};
 
 } // namespace
 
 TEST_CASE("random sketches: no fault, none ends without a word, and what was met is within its stated error") {
   size_t compared = 0;
-  for (uint64_t seed = 2; seed < 10; ++seed) {
+  for (const uint64_t seed : kSeeds) {
     CAPTURE(seed);
     const Drawn drawn = draw(seed);
     CAPTURE(drawn.scene);
@@ -41,9 +44,10 @@ TEST_CASE("random sketches: a seed is one text, and all kinds are drawn") {
   CHECK(draw(7).text != draw(8).text);
   std::string scenes;
   for (uint64_t seed = 1; seed < 200; ++seed) scenes += draw(seed).scene + ", ";
-  for (const char* kind : {"sharp punch", "flat with fillets", "round", "parabola", "spline", "flat rounded", "blunt wedge",
-                           "two feet", "pin in a hole", "press fit", "crack", "bonded layer", "loose layer", "half drawn", "hole",
-                           "crowned ground", "rigid body", "plane stress", "quadratic", "reversal", "unloading", "moment", "moved"})
+  for (const char* kind : {"sharp punch", "flat with fillets", "round",         "parabola",       "spline",     "flat rounded",
+                           "blunt wedge", "two feet",          "pin in a hole", "press fit",      "crack",      "bonded layer",
+                           "loose layer", "half drawn",        "hole",          "crowned ground", "rigid body", "plane stress",
+                           "quadratic",   "reversal",          "unloading",     "moment",         "moved"})
     CHECK_MESSAGE(scenes.find(kind) != std::string::npos, kind);
 }
 

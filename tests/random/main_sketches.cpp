@@ -1,7 +1,8 @@
 // make estimate N=...: many random sketches, each in a process that may crash or hang without ending the others.
 //   run_sketches COUNT FIRST_SEED FOLDER [ELEMENTS] [SECONDS] [ELEMENTS OF TRUTH]
 // Prints a line per sketch and one per number whose true error is above the stated one, then totals; exit status 1 if a sketch
-// crashed, hung, was not taken, or failed without a word. Numbers that are off are counted, not judged: an error is an estimate.
+// crashed, hung, was not taken, or failed without a word. Numbers that are off are counted, not judged: an error is an
+// estimate.
 #include "sketch_judge.hpp"
 #include "sketches.hpp"
 
@@ -61,8 +62,9 @@ void say_numbers(const Judged& j, bool sharp, const std::string& seed, FILE* out
     say(out, "ratio", all + bin_of(c));
     if (!c.is_wrong()) continue;
     char text[300];
-    std::snprintf(text, sizeof text, "%s   %s zone %d item %d: %.6g +- %.2g, truth %.6g, off %.2g (%.2g of stated, %.2g of scale)%s",
-                  seed.c_str(), c.stated.name.c_str(), c.stated.zone, c.stated.item, c.stated.value, c.stated.error, c.truth, c.off,
+    std::snprintf(text, sizeof text,
+                  "%s   %s zone %d item %d: %.6g +- %.2g, truth %.6g, off %.2g (%.2g of stated, %.2g of scale)%s", seed.c_str(),
+                  c.stated.name.c_str(), c.stated.zone, c.stated.item, c.stated.value, c.stated.error, c.truth, c.off,
                   c.off / c.stated.error, c.off / c.stated.scale, std::isnan(c.stated.tolerance) ? "" : ", wanted");
     say(out, "tell", text);
   }
@@ -91,8 +93,8 @@ void judge_one(uint64_t number, const std::string& folder, const Limits& limits,
   for (const Compared& c : j.numbers)
     if (c.off > 1e-6 * c.stated.scale) worst = std::fmin(worst, c.ratio());
   char text[200];
-  std::snprintf(text, sizeof text, "; %d meshes, %d elements, %.2g s, truth %.2g s /%d; least stated/true %.2g of %zu (", j.rounds,
-                j.elements, j.seconds, j.seconds_of_truth, 1 << j.halved, worst, j.numbers.size());
+  std::snprintf(text, sizeof text, "; %d meshes, %d elements, %.2g s, truth %.2g s /%d; least stated/true %.2g of %zu (",
+                j.rounds, j.elements, j.seconds, j.seconds_of_truth, 1 << j.halved, worst, j.numbers.size());
   say(out, "tell", seed + " " + end + text + drawn.scene + ")");
   if (!j.fault.empty() || !j.silent.empty()) say(out, "finding", kind_of(end));
   say(out, "count", kind_of(end));
@@ -136,7 +138,8 @@ void run_all(uint64_t first, uint64_t end, const std::string& folder, const Limi
     waitpid(child, &status, 0);
     if (died == end) return;
     const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-    std::printf("%llu ended by signal %d%s\n", static_cast<unsigned long long>(died), signal, signal == 14 ? " (too long)" : "");
+    std::printf("%llu ended by signal %d%s\n", static_cast<unsigned long long>(died), signal,
+                signal == 14 ? " (too long)" : "");
     ++tally.findings["ended by signal " + std::to_string(signal)];
     seed = died + 1;
   }

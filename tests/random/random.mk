@@ -25,4 +25,4 @@ $(BUILD)/tests/run_sketches: $(BUILD)/tests/random_main_sketches.o $(SKETCH_JUDG
 	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm -pthread
 estimate: $(BUILD)/tests/run_sketches
 	@mkdir -p $(BUILD)/estimate
-	@$(BUILD)/tests/run_sketches $(N) $(SEED) $(BUILD)/estimate $(ELEMENTS) $(SECONDS)
+	@$(BUILD)/tests/run_sketches $(if $(filter file,$(origin N)),200,$(N)) $(SEED) $(BUILD)/estimate $(ELEMENTS) $(SECONDS)

@@ -13,9 +13,7 @@ namespace {
 
 constexpr double kNothing = 1e-6; // of a number's scale: an error that the other mesh does not resolve
 
-double now() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 std::string faults_of(const sketch::Reading& reading) {
   std::string all;

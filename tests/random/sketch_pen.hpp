@@ -14,9 +14,9 @@ public:
   Pen(uint64_t seed, Drawn& out);
   Dice dice;
   Drawn& out;
-  double stress = 1;       // the lesser of two moduli is about this
-  double friction = 0;     // of this scene
-  double compliance[2];    // (1 - nu^2)/E of the bodies in order of their drawing
+  double stress = 1;    // the lesser of two moduli is about this
+  double friction = 0;  // of this scene
+  double compliance[2]; // (1 - nu^2)/E of the bodies in order of their drawing
   void line(const std::string& text) { out.text += text + "\n"; }
   void tell(const std::string& words) { out.scene += (out.scene.empty() ? "" : ", ") + words; }
   std::string xy(double x, double y) const { return length(x) + " " + length(y); }

@@ -101,8 +101,8 @@ Indenter draw_indenter(Pen& p) {
   shape.height = p.dice.between(1.2, 3);
   p.line("body pad" + p.material(1, true));
   p.line("  from " + p.xy(-1, shape.height));
-  void (*const faces[])(Pen&, Indenter&) = {draw_flat, draw_round, draw_parabola, draw_spline, draw_flat_rounded, draw_wedge,
-                                            draw_feet};
+  void (*const faces[])(Pen&, Indenter&) = {draw_flat,         draw_round, draw_parabola, draw_spline,
+                                            draw_flat_rounded, draw_wedge, draw_feet};
   faces[p.dice.whole(0, 6)](p, shape);
   p.line("  line right to " + p.xy(1, shape.height));
   p.line("  line top close");
@@ -183,8 +183,10 @@ void load_by_motion(Pen& p, const Indenter& shape, const std::string& moved, dou
 void load_by_force(Pen& p, const Indenter& shape, const std::string& moved, double P) {
   const bool turns = shape.flat > 0.6 && p.dice.chance(0.4), held = p.friction == 0;
   std::string text = "  " + moved + (held ? " x 0 fy " : " fx 0 fy ") + p.force(-P);
-  if (turns) text += " moment " + p.moment(P * p.dice.between(-0.3, 0.3)), p.tell("moment");
-  else text += " turn 0";
+  if (turns)
+    text += " moment " + p.moment(P * p.dice.between(-0.3, 0.3)), p.tell("moment");
+  else
+    text += " turn 0";
   p.line(text);
   const bool shears = !held && p.dice.chance(0.7);
   if (shears) {
@@ -220,8 +222,7 @@ void indenter_scene(Pen& p) {
   }
   if (!p.rigid[0]) p.line("fix ground.bottom");
   p.line("case normal");
-  const std::string moved =
-      (p.rigid[1] ? "drive pad about " : "platen pad.top about ") + p.xy(0, shape.height);
+  const std::string moved = (p.rigid[1] ? "drive pad about " : "platen pad.top about ") + p.xy(0, shape.height);
   (p.dice.chance(0.25) ? load_by_motion : load_by_force)(p, shape, moved, press(p, shape));
   draw_wants(p, thickness, hole);
 }
@@ -333,7 +334,11 @@ Drawn draw(uint64_t seed) {
   Drawn out;
   Pen p(seed, out);
   const double kind = p.dice.unit();
-  (kind < 0.66 ? indenter_scene : kind < 0.78 ? half_scene : kind < 0.88 ? pin_scene : kind < 0.94 ? press_scene : crack_scene)(p);
+  (kind < 0.66   ? indenter_scene
+   : kind < 0.78 ? half_scene
+   : kind < 0.88 ? pin_scene
+   : kind < 0.94 ? press_scene
+                 : crack_scene)(p);
   return out;
 }
 

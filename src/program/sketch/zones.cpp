@@ -220,8 +220,8 @@ void Pairing::share(size_t k, const Numbers& first, const std::vector<Numbers>& 
   for (size_t n = 0; n < seconds.size(); ++n) {
     const std::vector<Numbers> parts = in_a_row(body(k, 0), near[n]);
     if (parts.empty()) continue;
-    const Numbers& part = *std::max_element(
-        parts.begin(), parts.end(), [](const Numbers& a, const Numbers& b) { return a.size() < b.size(); });
+    const Numbers& part =
+        *std::max_element(parts.begin(), parts.end(), [](const Numbers& a, const Numbers& b) { return a.size() < b.size(); });
     const Wall wall(body(k, 0), part);
     Numbers facing;
     for (const int e : seconds[n])
