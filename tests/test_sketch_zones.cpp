@@ -104,3 +104,38 @@ TEST_CASE("sketch zones: a press fit and a load behind it") {
   const Solution refused = families_test::solve_deck(sketch::deck_of(none.sketch, sketch::first_mesh(none.sketch, 1)));
   CHECK(refused.error.find("overlap") != std::string::npos);
 }
+
+// A pad with an arch between its feet, drawn as one side: an element of the floor is in one zone.
+TEST_CASE("sketch zones: two feet of a side share the floor they stand on") {
+  const sketch::Reading drawn = read_text(
+      "body floor E 1000 nu 0.3\nfrom -6 -5\nline bottom to 6 -5\nline right to 6 0\nline top to -6 0\nline left close\n"
+      "body pad E 1000 nu 0.3\nfrom -2 3\nline side to -2 0\nfillet face radius 0.2\nline face to -1 0\nfillet face radius "
+      "0.2\n"
+      "line arch to -1 1\nline arch to 1 1\nline arch to 1 0\nfillet face radius 0.2\nline face to 2 0\nfillet face radius "
+      "0.2\n"
+      "line side to 2 3\nline top close\ncontact floor.top pad.face\nfix floor.bottom\n"
+      "platen pad.top about 0 3 x 0 fy -4 turn 0\n");
+  for (const double fineness : {0.25, 1.0, 2.0}) {
+    const std::vector<sketch::Zone> found = zones(drawn, sketch::first_mesh(drawn.sketch, fineness));
+    REQUIRE(found.size() == 2);
+    const bool apart = found[0].one.last < found[1].one.first || found[1].one.last < found[0].one.first;
+    CHECK(apart);
+  }
+  const Solution s = solved(drawn);
+  for (size_t k = 0; k < 2; ++k) CHECK(std::fabs(s.zones[k].force[1]) == doctest::Approx(2).epsilon(1e-3)); // half each
+}
+
+// On the coarsest mesh an element is an eighth of a circle: the chord of one of them still faces the floor, its far end does
+// not.
+TEST_CASE("sketch zones: an element of a fillet faces the floor with both ends") {
+  const sketch::Reading drawn = read_text(
+      "body floor E 1000 nu 0.3\nfrom -6 -5\nline bottom to 6 -5\nline right to 6 0\nline top to -6 0\nline left close\n"
+      "body pad E 1000 nu 0.3\nfrom -1 3\nline side to -1 0\nfillet face radius 0.3\nline face to 1 0\nfillet face radius 0.3\n"
+      "line side to 1 3\nline top close\ncontact floor.top pad.face\nfix floor.bottom\nplaten pad.top about 0 3 x 0 fy -2 turn "
+      "0\n");
+  for (const double fineness : {0.25, 0.35, 0.5, 0.7, 1.0}) {
+    CAPTURE(fineness);
+    const Solution s = solved(drawn, {fineness});
+    CHECK(std::fabs(s.zones[0].force[1]) == doctest::Approx(2).epsilon(1e-6));
+  }
+}

@@ -8,10 +8,12 @@
 namespace sketch {
 namespace {
 
-constexpr double kOpen = 0.6; // the least cosine of the angle between surfaces that may touch
+constexpr double kNear = 1e-3; // of an element: where its direction at an end is seen from there
+constexpr double kOpen = 0.6;  // the least cosine of the angle between surfaces that may touch
 
 struct Element {
   Point from, to;
+  Point along[2]; // the curve's direction at its ends
   const std::string* curve;
   bool is_far;       // from all that it might touch
   int before, after; // along the outline; -1 where an open one ends
@@ -26,11 +28,15 @@ Elements elements_of(const std::vector<MeshedOutline>& outlines) {
     for (const MeshedCurve& curve : outline.curves)
       for (size_t e = 0; e < curve.elements(); ++e) {
         const auto at = [&](size_t end) { return curve.curve->shape->at(curve.measure.u_at(curve.ends[end])); };
+        const auto near = [&](double share) {
+          return curve.curve->shape->at(curve.measure.u_at(curve.ends[e] + share * (curve.ends[e + 1] - curve.ends[e])));
+        };
         const int number = static_cast<int>(out.size());
+        const Point from = at(e), to = at(e + 1);
         const double middle = (curve.ends[e] + curve.ends[e + 1]) / 2;
         const bool far = std::any_of(curve.far.begin(), curve.far.end(),
                                      [&](const auto& f) { return f.first < middle && middle < f.second; });
-        out.push_back({at(e), at(e + 1), &curve.curve->name, far, number - 1, number + 1});
+        out.push_back({from, to, {near(kNear) - from, to - near(1 - kNear)}, &curve.curve->name, far, number - 1, number + 1});
       }
     out[first].before = outline.open ? -1 : static_cast<int>(out.size()) - 1;
     out.back().after = outline.open ? -1 : static_cast<int>(first);
@@ -71,10 +77,10 @@ public:
   // How far an element is from it; infinitely, where the surfaces do not face each other: their normals are more than kOpen
   // from opposite, or the way across ends beside the wall.
   double gap_to(const Element& own) const {
-    const Point along = own.to - own.from;
     double most = 0;
-    for (const Point& p : {own.from, own.to}) {
-      const Foot foot = nearest(p);
+    for (int end = 0; end < 2; ++end) {
+      const Foot foot = nearest(end == 0 ? own.from : own.to);
+      const Point along = own.along[end];
       const double opposite = -dot(foot.along, along) / (length(foot.along) * length(along));
       if (!foot.within || opposite < kOpen) return HUGE_VAL;
       most = std::max(most, foot.gap);
@@ -133,6 +139,7 @@ private:
   Numbers chosen(size_t k, int which) const;
   void choose(size_t k);
   void join(size_t k);
+  void share(size_t k, const Numbers& first, const std::vector<Numbers>& seconds);
   struct Pair {
     size_t interface;
     Numbers one, two;
@@ -194,8 +201,33 @@ void Pairing::join(size_t k) {
       if (const double gap = walls[r].gap_to(body(k, 1)[static_cast<size_t>(e)]); gap < least) least = gap, best = r;
     if (least < HUGE_VAL) facing[best].push_back(e);
   }
-  for (size_t r = 0; r < rows.size(); ++r)
-    for (const Numbers& row : in_a_row(body(k, 1), facing[r])) pairs_.push_back({k, rows[r], row});
+  for (size_t r = 0; r < rows.size(); ++r) share(k, rows[r], in_a_row(body(k, 1), facing[r]));
+}
+
+// What of a stretch is nearest to each of those that it faces, as two feet stand on one floor: an element is in one zone.
+void Pairing::share(size_t k, const Numbers& first, const std::vector<Numbers>& seconds) {
+  if (seconds.size() == 1) return pairs_.push_back({k, first, seconds[0]});
+  std::vector<Wall> walls;
+  for (const Numbers& row : seconds) walls.emplace_back(body(k, 1), row);
+  std::vector<Numbers> near(seconds.size());
+  for (const int e : first) {
+    const Element& own = body(k, 0)[static_cast<size_t>(e)];
+    const auto nearer = [middle = 0.5 * (own.from + own.to)](const Wall& a, const Wall& b) {
+      return a.distance(middle) < b.distance(middle);
+    };
+    near[static_cast<size_t>(std::min_element(walls.begin(), walls.end(), nearer) - walls.begin())].push_back(e);
+  }
+  for (size_t n = 0; n < seconds.size(); ++n) {
+    const std::vector<Numbers> parts = in_a_row(body(k, 0), near[n]);
+    if (parts.empty()) continue;
+    const Numbers& part =
+        *std::max_element(parts.begin(), parts.end(), [](const Numbers& a, const Numbers& b) { return a.size() < b.size(); });
+    const Wall wall(body(k, 0), part);
+    Numbers facing;
+    for (const int e : seconds[n])
+      if (wall.gap_to(body(k, 1)[static_cast<size_t>(e)]) < HUGE_VAL) facing.push_back(e);
+    for (const Numbers& row : in_a_row(body(k, 1), facing)) pairs_.push_back({k, part, row});
+  }
 }
 
 // Do the elements of two elastic bodies lie on each other, end by end?

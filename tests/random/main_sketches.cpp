@@ -1,0 +1,166 @@
+// make estimate N=...: many random sketches, each in a process that may crash or hang without ending the others.
+//   run_sketches COUNT FIRST_SEED FOLDER [ELEMENTS] [SECONDS] [ELEMENTS OF TRUTH]
+// Prints a line per sketch and one per number whose true error is above the stated one, then totals; exit status 1 if a sketch
+// crashed, hung, was not taken, or failed without a word. Numbers that are off are counted, not judged: an error is an
+// estimate.
+#include "sketch_judge.hpp"
+#include "sketches.hpp"
+
+#include <cfenv>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <fstream>
+#include <map>
+#include <string>
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+using namespace random_sketches;
+
+namespace {
+
+constexpr unsigned kPatience = 60; // seconds for one sketch and what it is held against
+constexpr double kBounds[] = {0.5, 0.8, 1, 1.5, 2, 3, 5, 10, 100};
+
+struct Tally {
+  std::map<std::string, int> ends, findings, ratios;
+  int sketches = 0;
+};
+
+std::string bin_of(const Compared& c) {
+  if (!(c.off > 1e-6 * c.stated.scale)) return "~ nothing to compare";
+  char text[60];
+  double low = 0;
+  for (const double bound : kBounds) {
+    std::snprintf(text, sizeof text, "%6.4g to %g", low, bound);
+    if (c.ratio() < bound) return text;
+    low = bound;
+  }
+  return "above 100";
+}
+
+void say(FILE* out, const char* word, std::string rest) {
+  for (char& c : rest)
+    if (c == '\n') c = ' ';
+  std::fprintf(out, "%s %s\n", word, rest.c_str());
+  std::fflush(out);
+}
+
+// Without the numbers in it.
+std::string kind_of(const std::string& message) {
+  std::string out;
+  for (const char c : message)
+    if (c < '0' || c > '9') out += c;
+  return out;
+}
+
+void say_numbers(const Judged& j, bool sharp, const std::string& seed, FILE* out) {
+  const std::string all = sharp ? "sharp " : j.stopped.empty() ? "met   " : "unmet ";
+  for (const Compared& c : j.numbers) {
+    say(out, "ratio", all + bin_of(c));
+    if (!c.is_wrong()) continue;
+    char text[300];
+    std::snprintf(text, sizeof text,
+                  "%s   %s zone %d item %d: %.6g +- %.2g, truth %.6g, off %.2g (%.2g of stated, %.2g of scale)%s", seed.c_str(),
+                  c.stated.name.c_str(), c.stated.zone, c.stated.item, c.stated.value, c.stated.error, c.truth, c.off,
+                  c.off / c.stated.error, c.off / c.stated.scale, std::isnan(c.stated.tolerance) ? "" : ", wanted");
+    say(out, "tell", text);
+  }
+}
+
+void judge_one(uint64_t number, const std::string& folder, const Limits& limits, FILE* out) {
+  const std::string seed = std::to_string(static_cast<unsigned long long>(number));
+  const Drawn drawn = draw(number);
+  std::ofstream(folder + "/" + seed + ".c2s") << drawn.text;
+  alarm(kPatience);
+  say(out, "begin", seed);
+  Judged j;
+  try {
+    j = judge(drawn.text, limits);
+  } catch (const std::exception& e) {
+    j.fault = std::string("the judge stopped: ") + e.what();
+  }
+  const std::string end = !j.fault.empty()      ? "FAULT " + j.fault
+                          : !j.silent.empty()   ? "SILENT " + j.silent
+                          : !j.failure.empty()  ? "failed: " + j.failure
+                          : !j.no_truth.empty() ? "the other mesh failed: " + j.no_truth
+                          : !j.ended.empty()    ? "history ended: " + j.ended
+                          : !j.stopped.empty()  ? "stopped: " + j.stopped
+                                                : "met";
+  double worst = HUGE_VAL;
+  for (const Compared& c : j.numbers)
+    if (c.off > 1e-6 * c.stated.scale) worst = std::fmin(worst, c.ratio());
+  char text[200];
+  std::snprintf(text, sizeof text, "; %d meshes, %d elements, %.2g s, truth %.2g s /%d; least stated/true %.2g of %zu (",
+                j.rounds, j.elements, j.seconds, j.seconds_of_truth, 1 << j.halved, worst, j.numbers.size());
+  say(out, "tell", seed + " " + end + text + drawn.scene + ")");
+  if (!j.fault.empty() || !j.silent.empty()) say(out, "finding", kind_of(end));
+  say(out, "count", kind_of(end));
+  say_numbers(j, drawn.sharp, seed, out);
+  say(out, "end", seed);
+}
+
+uint64_t listen(FILE* in, Tally& tally, uint64_t end) {
+  char line[4000];
+  uint64_t at = end;
+  while (fgets(line, sizeof line, in)) {
+    const std::string text = line, word = text.substr(0, text.find(' '));
+    const std::string rest = text.substr(word.size() + 1, text.find('\n') - word.size() - 1);
+    if (word == "begin") at = std::strtoull(rest.c_str(), nullptr, 10), ++tally.sketches;
+    if (word == "count") ++tally.ends[rest];
+    if (word == "finding") ++tally.findings[rest];
+    if (word == "ratio") ++tally.ratios[rest];
+    if (word == "tell") std::printf("%s\n", rest.c_str());
+    if (word == "end") at = end;
+    std::fflush(stdout);
+  }
+  return at;
+}
+
+void run_all(uint64_t first, uint64_t end, const std::string& folder, const Limits& limits, Tally& tally) {
+  for (uint64_t seed = first; seed < end;) {
+    int ends[2];
+    if (pipe(ends) != 0) std::exit(3);
+    const pid_t child = fork();
+    if (child == 0) {
+      close(ends[0]);
+      FILE* out = fdopen(ends[1], "w");
+      for (; seed < end; ++seed) judge_one(seed, folder, limits, out);
+      _exit(0);
+    }
+    close(ends[1]);
+    FILE* in = fdopen(ends[0], "r");
+    const uint64_t died = listen(in, tally, end);
+    fclose(in);
+    int status = 0;
+    waitpid(child, &status, 0);
+    if (died == end) return;
+    const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+    std::printf("%llu ended by signal %d%s\n", static_cast<unsigned long long>(died), signal,
+                signal == 14 ? " (too long)" : "");
+    ++tally.findings["ended by signal " + std::to_string(signal)];
+    seed = died + 1;
+  }
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+  const uint64_t count = argc > 1 ? std::strtoull(argv[1], nullptr, 10) : 200;
+  const uint64_t first = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
+  Limits limits;
+  if (argc > 4) limits.elements = std::atoi(argv[4]);
+  if (argc > 5) limits.seconds = std::atof(argv[5]);
+  if (argc > 6) limits.of_truth = std::atoi(argv[6]);
+  Tally tally;
+  run_all(first, first + count, argc > 3 ? argv[3] : ".", limits, tally);
+  std::printf("%d sketches\n", tally.sketches);
+  for (const auto& o : tally.ends) std::printf("%6d %s\n", o.second, o.first.c_str());
+  std::printf("stated over true errors, of sketches that met their tolerances, did not, or have sharp corners\n");
+  for (const auto& r : tally.ratios) std::printf("%6d %s\n", r.second, r.first.c_str());
+  std::printf("%s\n", tally.findings.empty() ? "no findings" : "findings");
+  for (const auto& f : tally.findings) std::printf("%6d %s\n", f.second, f.first.c_str());
+  return tally.findings.empty() ? 0 : 1;
+}

@@ -1,0 +1,62 @@
+// A draw of random sketches (more of them: make estimate), and that their judge sees what is wrong.
+#include "random/sketch_judge.hpp"
+#include "random/sketches.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <string>
+
+using namespace random_sketches;
+
+namespace {
+
+constexpr Limits kSmall = {300, 0, 420}; // without a limit of time: the same on every machine
+// Half a punch, a press fit, a wedge on a bonded layer, half a roller, a parabola; a spline and a flat with fillets that stop
+// at the limit of elements; two feet that slide off.
+constexpr uint64_t kSeeds[] = {3, 4, 20, 39, 56, 6, 52, 119};
+
+} // namespace
+
+TEST_CASE("random sketches: no fault, none ends without a word, and what was met is within its stated error") {
+  size_t compared = 0;
+  for (const uint64_t seed : kSeeds) {
+    CAPTURE(seed);
+    const Drawn drawn = draw(seed);
+    CAPTURE(drawn.scene);
+    const Judged j = judge(drawn.text, kSmall);
+    CHECK(j.fault == "");
+    CHECK(j.failure == "");
+    CHECK(j.silent == "");
+    CHECK(j.elements > 0);
+    for (const Compared& c : j.numbers) {
+      ++compared;
+      if (!j.stopped.empty() || std::isnan(c.stated.tolerance)) continue;
+      CAPTURE(c.stated.name);
+      CHECK(c.off <= c.stated.tolerance * c.stated.scale); // what was asked for
+    }
+  }
+  CHECK(compared > 50); // or the draw says little
+}
+
+TEST_CASE("random sketches: a seed is one text, and all kinds are drawn") {
+  CHECK(draw(7).text == draw(7).text);
+  CHECK(draw(7).text != draw(8).text);
+  std::string scenes;
+  for (uint64_t seed = 1; seed < 200; ++seed) scenes += draw(seed).scene + ", ";
+  for (const char* kind : {"sharp punch", "flat with fillets", "round",         "parabola",       "spline",     "flat rounded",
+                           "blunt wedge", "two feet",          "pin in a hole", "press fit",      "crack",      "bonded layer",
+                           "loose layer", "half drawn",        "hole",          "crowned ground", "rigid body", "plane stress",
+                           "quadratic",   "reversal",          "unloading",     "moment",         "moved"})
+    CHECK_MESSAGE(scenes.find(kind) != std::string::npos, kind);
+}
+
+TEST_CASE("random sketches: the judge sees faults and errors stated too small") {
+  CHECK(judge("body b E 1 nu 0\nfrom 0 0\nline a to 1 0\n", kSmall).fault.find("line") == 0);
+  Compared c;
+  c.stated.value = c.stated.scale = 2, c.stated.error = 0.01, c.truth = 2.02, c.off = 0.02;
+  CHECK(c.is_wrong());
+  CHECK(c.ratio() == doctest::Approx(0.5));
+  c.stated.error = 0.03;
+  CHECK(!c.is_wrong());
+}
