@@ -19,10 +19,10 @@ struct Known {
 
 struct Problem {
   std::string name;
-  std::string text;                                             // the sketch; its parameter `tolerance` is what is asked
-  std::vector<Known> known;                                     // of zone 1
+  std::string text;                                              // the sketch; its parameter `tolerance` is what is asked
+  std::vector<Known> known;                                      // of zone 1
   std::function<std::array<double, 2>(double x)> tractions = {}; // tx and ty along the top of body 1, y = 0
-  double half_width = 0;                                        // of the contact, where they are not smooth
+  double half_width = 0;                                         // of the contact, where they are not smooth
 };
 
 // A number of the loop. Its true error is against the closed form, or against a mesh with elements a quarter as long.
@@ -48,9 +48,6 @@ Judged judge(const Problem& problem, double tolerance, bool by_mesh);
 Problem hertz(double shift);
 Problem cattaneo(double share, bool back, double shift); // pushed by share * mu * P; `back`: and back again
 Problem rounded_punch(double b, double share);           // b: half the flat over half the contact
-Problem spence(double shift);                            // rigid punch, mu 0.4, nu 0.3
-Problem cylinder(double shift);                          // rigid, with the same friction
-Problem pin();
 Problem receding_layer(double stiffness);                // of the layer over that of the foundation: 1 or 3
 Problem disc_in_hole(bool pulled);                       // or pressed across
 std::vector<Problem> problems();
