@@ -46,7 +46,8 @@ CORE_OBJECTS    := $(call objects,$(CORE_SOURCES))
 PORT_OBJECTS    := $(call objects,$(PORT_SOURCES) $(HOSTILE_SOURCES))
 REPORT_OBJECTS  := $(call objects,$(REPORT_SOURCES))
 PROGRAM_OBJECTS := $(call objects,$(PROGRAM_SOURCES))
-FAMILY_OBJECTS  := $(filter $(addprefix $(BUILD)/obj/program_,families_% sketch_% drawing_% estimate_% deck_file.o interrupt.o progress.o workspace.o),$(PROGRAM_OBJECTS))
+FAMILY_OBJECTS  := $(filter $(addprefix $(BUILD)/obj/program_,families_% sketch_% drawing_% estimate_% \
+  deck_file.o interrupt.o progress.o workspace.o),$(PROGRAM_OBJECTS))
 TEST_SOURCES    := $(wildcard tests/*.cpp)
 CHAPTER9_SOURCES := $(wildcard examples/chapter9/*.cpp)
 CHAPTER9_OBJECTS := $(call objects,$(CHAPTER9_SOURCES))
@@ -59,7 +60,7 @@ PROGRAM := $(BUILD)/contact2d
 TESTS   := $(BUILD)/tests/run_tests
 
 .DELETE_ON_ERROR:
-.PHONY: all demo chapter9 test bench convergence install uninstall list relist symbols format format-check clean FORCE
+.PHONY: all demo chapter9 test bench convergence estimate-truth install uninstall list relist symbols format format-check clean FORCE
 all: $(LIBRARY) $(PROGRAM)
 
 # ---------------------------------------------------------------- objects
@@ -161,6 +162,14 @@ $(BUILD)/convergence/run_convergence: $(CONVERGENCE_OBJECTS) $(BUILD)/tests/path
 	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm
 convergence: $(BUILD)/convergence/run_convergence
 	@$(BUILD)/convergence/run_convergence
+
+# True errors beside those that the loop over meshes states; TRUTH='Hertz 0.01' a problem and tolerances.
+TRUTH := '' 0.01 0.001
+$(BUILD)/tests/run_truth: tests/truth/main.cpp $(BUILD)/tests/estimate_truth.o $(BUILD)/tests/truth_problems.o $(FAMILY_OBJECTS) \
+  $(REPORT_OBJECTS) $(LIBRARY)
+	$(CXX) $(CPPFLAGS) $(COMMON) -Itests $(CXXFLAGS) $(EXACT) $(LDFLAGS) -o $@ $^ -lm
+estimate-truth: $(BUILD)/tests/run_truth
+	@$(BUILD)/tests/run_truth $(TRUTH)
 
 # The list of sources against the folders: what is missing from either.
 # (port/cortex-m is compiled for its own machines only, port/packaging has tools)

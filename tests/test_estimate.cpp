@@ -1,0 +1,42 @@
+// The loop over meshes against closed forms: numbers are as accurate as was asked, and their stated errors are not too small.
+#include "estimate_truth.hpp"
+
+#include <doctest/doctest.h>
+
+namespace {
+
+// Blocks are finite: closed forms for half planes hold to this share.
+constexpr double kKnownTo = 3e-4;
+
+void check(const truth::Problem& problem, double tolerance) {
+  const truth::Judged j = truth::judge(problem, tolerance, false);
+  CAPTURE(problem.name);
+  REQUIRE_MESSAGE(j.fault.empty(), j.fault);
+  CHECK_MESSAGE(j.stopped.empty(), j.stopped);
+  int wanted = 0;
+  for (const truth::Row& row : j.rows) {
+    if (!row.wanted) continue;
+    ++wanted;
+    CAPTURE(row.name);
+    CAPTURE(row.item);
+    CHECK(row.error <= tolerance + kKnownTo);
+    CHECK(row.stated <= tolerance);
+    CHECK(row.stated >= 0.8 * (row.error - kKnownTo));
+  }
+  CHECK(wanted >= 2);
+}
+
+} // namespace
+
+TEST_CASE("estimate: Hertz to 1 %, wherever the edges of contact fall in elements") {
+  for (const double shift : {0.0, 0.13, 0.29}) check(truth::hertz(shift), 0.01);
+}
+
+TEST_CASE("estimate: flat punch with rounded edges to 1 %") {
+  for (const double b : {0.2, 0.8}) check(truth::rounded_punch(b, 0), 0.01);
+}
+
+TEST_CASE("estimate: a layer that lifts off, and a disc in a hole, to 1 %") {
+  for (const double stiffness : {1.0, 3.0}) check(truth::receding_layer(stiffness), 0.01);
+  for (const bool pulled : {true, false}) check(truth::disc_in_hole(pulled), 0.01);
+}
