@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
 namespace truth {
 namespace {
@@ -84,11 +82,7 @@ Judged judge(const Problem& problem, double tolerance, bool by_mesh) {
   if (!out.fault.empty()) return out;
   estimate::Demand demand;
   demand.points = estimate::places_of(drawn.sketch);
-  const estimate::Adapted found = estimate::adapt(drawn.sketch, demand, [](const app::MeshRound& r) {
-    if (std::getenv("ROUNDS"))
-      std::fprintf(stderr, "   mesh: %d elements %d pairs %.3f s adapted %d pressure %.3g energy %.3g\n", r.elements, r.pairs,
-                   r.seconds, r.adapted, r.pressure, r.energy);
-  });
+  const estimate::Adapted found = estimate::adapt(drawn.sketch, demand, [](const app::MeshRound&) {});
   for (const app::MeshRound& round : found.loop.rounds) out.seconds += round.seconds;
   out.meshes = found.loop.rounds.size();
   out.stopped = found.loop.stopped, out.fault = found.why;
@@ -106,8 +100,7 @@ Judged judge(const Problem& problem, double tolerance, bool by_mesh) {
     for (const Known& k : problem.known)
       if (k.name == s.name) error = k.places.empty() ? std::fabs(s.value - k.value) : distance_to(k.places, s.at);
     if (s.name == estimate::kTractions && problem.tractions) error = off_tractions(problem, found.mesh, trial);
-    row.closed_form = !std::isnan(error);
-    if (!row.closed_form || std::getenv("BYMESH")) error = error_by(reference, s);
+    if (by_mesh) error = error_by(reference, s);
     row.error = error / s.scale, row.stated = s.error / s.scale;
     if (!std::isnan(error)) out.rows.push_back(row);
   }

@@ -25,11 +25,11 @@ struct Problem {
   double half_width = 0;                                         // of the contact, where they are not smooth
 };
 
-// A number of the loop. Its true error is against the closed form, or against a mesh with elements a quarter as long.
+// A number of the loop, with its true error.
 struct Row {
   std::string name;
   int item = 0;
-  bool closed_form = false, wanted = false;
+  bool wanted = false;
   double value = 0, asked = 0, error = 0, stated = 0; // the last three over the scale of the tolerance
   double ratio() const { return stated / error; }
 };
@@ -41,7 +41,8 @@ struct Judged {
   std::string stopped, fault;   // why it ended above a tolerance; why there is no result
 };
 
-// `by_mesh`: also what no closed form tells.
+// By closed forms; `by_mesh`: by a mesh with elements half as long, of all numbers but the tractions, and less than the true
+// error.
 Judged judge(const Problem& problem, double tolerance, bool by_mesh);
 
 // `shift` moves edges within their elements: loads grow by that share.

@@ -10,8 +10,8 @@ namespace truth {
 namespace {
 
 const double kPi = std::acos(-1.0);
-constexpr double kE = 200e3, kNu = 0.3, kMu = 0.6, kR = 2000; // the contact's half width is about 1
-constexpr double kStar = kE / (2 * (1 - kNu * kNu));          // of two bodies of one material
+constexpr double kE = 200e3, kNu = 0.3, kMu = 0.6, kR = 500; // the contact's half width is about 1
+constexpr double kStar = kE / (2 * (1 - kNu * kNu));         // of two bodies of one material
 
 std::string number(double v) {
   char out[32];
@@ -28,7 +28,7 @@ std::string set(const char* name, double value) { return std::string("parameter 
 double root(double x) { return x > 0 ? std::sqrt(x) : 0; }
 
 const char* const kBlock = R"(
-parameter tolerance 0.01  L 150
+parameter tolerance 0.01  L 60
 body block E E nu nu
   from {-L} {-L}
   line bottom to L {-L}

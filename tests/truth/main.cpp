@@ -1,4 +1,5 @@
-// A table of true errors beside stated ones: make estimate-truth. Arguments: a part of a problem's name, tolerances.
+// A table of true errors beside stated ones: make estimate-truth. Arguments: a part of a problem's name, tolerances;
+// `mesh` behind them: against a finer mesh instead of the closed form.
 #include "estimate_truth.hpp"
 
 #include <cmath>
@@ -18,8 +19,8 @@ void print(const truth::Problem& problem, const truth::Judged& j, double toleran
               j.stopped.empty() ? "" : "; stopped: ", j.stopped.c_str());
   if (!j.fault.empty()) std::printf("  %s\n", j.fault.c_str());
   for (const truth::Row& r : j.rows) {
-    std::printf("  %-16s %d %c %c  %14.8g  true %10.3e  stated %10.3e  ratio %8.2f%s%s\n", r.name.c_str(), r.item,
-                r.closed_form ? '=' : '~', r.wanted ? 'w' : ' ', r.value, r.error, r.stated, r.ratio(),
+    std::printf("  %-16s %d %c  %14.8g  true %10.3e  stated %10.3e  ratio %8.2f%s%s\n", r.name.c_str(), r.item,
+                r.wanted ? 'w' : ' ', r.value, r.error, r.stated, r.ratio(),
                 r.wanted && r.error > r.asked ? "  above asked" : "", r.ratio() < 0.8 ? "  TOO SMALL" : "");
     if (!r.wanted) continue;
     ++counts.rows;
@@ -32,11 +33,13 @@ void print(const truth::Problem& problem, const truth::Judged& j, double toleran
 
 int main(int argc, char** argv) {
   const char* part = argc > 1 ? argv[1] : "";
+  const bool by_mesh = argc > 2 && std::strcmp(argv[argc - 1], "mesh") == 0;
+  if (by_mesh) --argc;
   for (const truth::Problem& problem : truth::problems()) {
     if (std::strstr(problem.name.c_str(), part) == nullptr) continue;
     for (int i = 2; i < argc; ++i) {
       const double tolerance = std::atof(argv[i]);
-      print(problem, truth::judge(problem, tolerance, std::getenv("BYMESH") != nullptr), tolerance);
+      print(problem, truth::judge(problem, tolerance, by_mesh), tolerance);
     }
   }
   std::printf("%d wanted numbers: %d above what was asked, stated over true error: %d below 0.8, %d below 1, %d above 5\n",
