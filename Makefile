@@ -1,5 +1,5 @@
-# contact2d. Targets: all (default) demo chapter9 test random bench guard convergence estimate-truth embedded hostile small cross amalgamation
-#   deb install uninstall list relist symbols format format-check clean.
+# contact2d. Targets: all (default) demo chapter9 test random bench guard convergence estimate-truth embedded hostile small
+#   cross amalgamation deb install uninstall list relist symbols format format-check clean.
 # Variables: CXX CC AR CXXFLAGS CFLAGS CPPFLAGS LDFLAGS BUILD PREFIX DESTDIR LIBDIR DOCTEST_INCLUDE NO_INSTALL.
 # What is compiled stands in src/sources.mk, which CMakeLists.txt reads too.
 include src/sources.mk
