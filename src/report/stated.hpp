@@ -13,7 +13,7 @@ namespace app {
 // The name of the relative distance of tractions on two meshes, L1, which has an error but no value.
 constexpr char kTractions[] = "tractions";
 
-// A number of the last state of the history, or over all of it. An error is an estimate: METHOD 19.
+// A number of the last state of the history, or over all of it. An error is an estimate: METHOD 16.5.
 struct Stated {
   std::string name;
   int32_t zone = 0, body = 0, item = 0; // what applies, else 0

@@ -16,7 +16,7 @@ using Overlaps = std::vector<std::vector<Overlap>>; // of every body
 // Of a mesh and the one with every element in two.
 Overlaps overlaps_of_halves(const Trial& coarse);
 
-// What an element of the coarse mesh adds to the distance, the largest of all states (METHOD 19).
+// What an element of the coarse mesh adds to the distance, the largest of all states (METHOD 16.5).
 struct Share {
   double pressure = 0; // integral of |t - t'| over it, if it is part of a contact that is no tie, over that of |t'| on the zone
   double energy = 0;   // integral of |t - t'| |u - u'|, over the largest work of the states

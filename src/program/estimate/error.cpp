@@ -8,10 +8,10 @@ namespace {
 
 constexpr double kSafety = 1.5;
 constexpr double kOverlooked = 0.25; // of the step before: what the last one would be if it were not small by accident
-constexpr double kExact = 1e-7; // numbers nearer than that on two meshes are given by the loads
+constexpr double kExact = 1e-7;      // numbers nearer than that on two meshes are given by the loads
 constexpr double kRoundOff = 1e-9;
 constexpr double kEdgeFit =
-    2e-3; // an intensity is fitted through a number of pairs: what that adds stays as meshes become finer
+    3e-3; // an intensity is fitted through a number of pairs: what that adds stays as meshes become finer
 
 double rate_of(double before, double last) {
   return before > 0 ? std::clamp(last / before, kLeastRate, kMostRate) : kUsualRate;
@@ -48,6 +48,7 @@ double scale_of(const State& state, const app::Quantity& q) {
   switch (q.what) {
   case Measure::kForceX:
   case Measure::kForceY: return forces;
+  case Measure::kMoment: return std::max(std::fabs(q.value), mean > 0 ? forces * forces / mean : 0.0);
   case Measure::kApproach:
   case Measure::kShift: return largest;
   case Measure::kContactEdge:
@@ -61,9 +62,9 @@ double scale_of(const State& state, const app::Quantity& q) {
 double doubt(app::Measure what) {
   using app::Measure;
   switch (what) {
-  case Measure::kPeakPressure:
+  case Measure::kPeakPressure: return 0.25;
   case Measure::kContactEdge:
-  case Measure::kStickBorder: return 0.25;
+  case Measure::kStickBorder: return 0.1;
   case Measure::kDissipated: return 1;
   case Measure::kEdgePressure:
   case Measure::kEdgeFriction: return 1;

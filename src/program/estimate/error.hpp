@@ -1,4 +1,4 @@
-// Errors of numbers from three meshes, each with elements half as long as the one before (METHOD 19).
+// Errors of numbers from three meshes, each with elements half as long as the one before (METHOD 16.5).
 #pragma once
 
 #include "program/estimate/compare.hpp"

@@ -13,6 +13,7 @@ namespace estimate {
 namespace {
 
 constexpr double kFirst = 0.25; // fineness of the first mesh
+constexpr double kStalls = 0.7; // of the distance of the round before
 constexpr int kMostRounds = 14, kMostLevels = 2;
 constexpr double kPredicted = 0.3;         // from the distance of two meshes to the error of the one after them
 constexpr double kEdge = 2.8, kSmooth = 8; // by how much a share falls if its element is bisected
@@ -48,8 +49,9 @@ private:
   const std::function<void(const app::MeshRound&)>& told_;
   Adapted out_;
   double seconds_ = 0;
-  std::string history_; // why it ended early, of the last mesh
-  double strictness_ = 1; // below 1 where numbers are still off though the tractions are near enough
+  double rest_ = 1, worst_ = HUGE_VAL; // the rest of the boundary is held to more while the contact's distance does not fall
+  std::string history_;                // why it ended early, of the last mesh
+  double strictness_ = 1;              // below 1 where numbers are still off though the tractions are near enough
 };
 
 // The overlaps of elements of two meshes on the same curves.
@@ -187,6 +189,10 @@ bool Loop::has_outgrown(Level& level) const {
 Level Loop::next_mesh(const Level& level, const Distance& distance) {
   sketch::Mesh mesh = level.mesh;
   mark_far(s_, level.trial, mesh);
+  double worst = 0;
+  for (const double p : distance.pressure) worst = std::max(worst, p);
+  if (worst > kStalls * worst_) rest_ /= 8;
+  worst_ = worst;
   return {sketch::refined(s_, mesh, marks(distance)), {}, {}};
 }
 
@@ -208,7 +214,7 @@ void Loop::tighten() {
 sketch::Levels Loop::marks(const Distance& d) const {
   double wanted = s_.tolerance;
   for (const sketch::Want& want : s_.wants) wanted = std::min(wanted, want.tolerance.value_or(s_.tolerance));
-  const double pressure = strictness_ * wanted / kPredicted, energy = 4 * strictness_ * wanted;
+  const double pressure = strictness_ * wanted / kPredicted, energy = 4 * strictness_ * rest_ * wanted;
   size_t parts = 0, all = 0;
   for (const auto& shares : d.shares) {
     all += shares.size();

@@ -17,7 +17,7 @@ struct Adapted {
   std::string why;
 };
 
-// Follows the whole history on each mesh (METHOD 19). `told` hears of every mesh that was solved. Throws sketch::Fault.
+// Follows the whole history on each mesh (METHOD 16.5). `told` hears of every mesh that was solved. Throws sketch::Fault.
 Adapted adapt(const sketch::Sketch& sketch, const Demand& demand, const std::function<void(const app::MeshRound&)>& told);
 
 // The model of a deck, which a solver holds, beside the one with every element in two: errors of the deck's own numbers.

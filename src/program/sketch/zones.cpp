@@ -206,6 +206,7 @@ void Pairing::join(size_t k) {
 
 // What of a stretch is nearest to each of those that it faces, as two feet stand on one floor: an element is in one zone.
 void Pairing::share(size_t k, const Numbers& first, const std::vector<Numbers>& seconds) {
+  if (seconds.empty()) return;
   if (seconds.size() == 1) return pairs_.push_back({k, first, seconds[0]});
   std::vector<Wall> walls;
   for (const Numbers& row : seconds) walls.emplace_back(body(k, 1), row);

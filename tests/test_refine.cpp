@@ -1,0 +1,151 @@
+// Meshes of sketches made finer, what is left out of a contact, and limits of the loop over meshes.
+#include "program/estimate/far.hpp"
+#include "program/estimate/loop.hpp"
+#include "program/sketch/read.hpp"
+#include "program/sketch/refine.hpp"
+
+#include <cmath>
+#include <doctest/doctest.h>
+
+using namespace sketch;
+
+namespace {
+
+const std::string kRoller = "parameter p 20\n"
+                            "body plate E 1000 nu 0.3\nfrom -20 -20\nline bottom to 20 -20\nline right to 20 0\n"
+                            "line top to -20 0\nline left close\n"
+                            "body roller E 1000 nu 0.3\nfrom -8 2\narc foot to 8 2 radius 17\nline right to 8 12\n"
+                            "line top to -8 12\nline left close\n"
+                            "contact plate.top roller.foot mu 0.2\n"
+                            "fix plate.bottom\nplaten roller.top about 0 12 force 0 -p turn 0\n";
+
+Sketch sketch_of(const std::string& text) {
+  Reading r = read_sketch(text, {}, [](const std::string&, std::string&) { return false; });
+  for (const Fault& f : r.faults) MESSAGE(f.at.line << ": " << f.text);
+  REQUIRE(r.faults.empty());
+  return r.sketch;
+}
+
+// The foot of the roller of kRoller touches the plate.
+Sketch roller(const std::string& more = std::string()) {
+  std::string text = kRoller;
+  const double y = 17 - std::sqrt(17.0 * 17 - 64);
+  for (size_t at; (at = text.find("8 2")) != std::string::npos;) text.replace(at, 3, "8 " + std::to_string(y));
+  return sketch_of(text + more);
+}
+
+std::vector<double> lengths_of(const MeshedOutline& outline) {
+  std::vector<double> out;
+  for (const MeshedCurve& curve : outline.curves)
+    for (size_t e = 0; e < curve.elements(); ++e) out.push_back(curve.ends[e + 1] - curve.ends[e]);
+  return out;
+}
+
+estimate::Adapted adapt(const Sketch& s) {
+  return estimate::adapt(s, {}, [](const app::MeshRound&) {});
+}
+
+} // namespace
+
+TEST_CASE("refine: halves keep every end and double the elements") {
+  const Sketch s = roller();
+  const Mesh mesh = first_mesh(s, 0.5), fine = halved(s, mesh);
+  CHECK(elements_of(fine) == 2 * elements_of(mesh));
+  for (size_t c = 0; c < mesh.bodies[1][0].curves.size(); ++c) {
+    const std::vector<double>&p = mesh.bodies[1][0].curves[c].ends, &q = fine.bodies[1][0].curves[c].ends;
+    for (size_t e = 0; e < p.size(); ++e) CHECK(p[e] == q[2 * e]);
+  }
+}
+
+TEST_CASE("refine: neighbours stay within three to one, round the end of an outline, too") {
+  const Sketch s = roller();
+  Mesh mesh = first_mesh(s, 0.25);
+  for (int round = 0; round < 4; ++round) {
+    Levels levels;
+    for (const auto& outlines : mesh.bodies) levels.push_back(std::vector<int>(outlines[0].elements(), 0));
+    levels[1][0] = 2; // at the begin of the roller's outline
+    mesh = refined(s, mesh, levels);
+  }
+  const std::vector<double> lengths = lengths_of(mesh.bodies[1][0]);
+  for (size_t e = 0; e < lengths.size(); ++e) {
+    const double ratio = lengths[e] / lengths[(e + 1) % lengths.size()];
+    CHECK(ratio < 3.001);
+    CHECK(ratio > 1 / 3.001);
+  }
+}
+
+TEST_CASE("refine: what is asked of side 1 is done on both sides") {
+  const Sketch s = roller();
+  const Mesh mesh = first_mesh(s, 0.25);
+  Levels levels;
+  for (const auto& outlines : mesh.bodies) levels.push_back(std::vector<int>(outlines[0].elements(), 0));
+  size_t first = 0, middle = 0; // the element of the plate under the roller
+  for (const MeshedCurve& curve : mesh.bodies[0][0].curves)
+    for (size_t e = 0; e < curve.elements(); ++e, ++first) {
+      const Point p = curve.curve->shape->at(curve.measure.u_at((curve.ends[e] + curve.ends[e + 1]) / 2));
+      if (curve.curve->name == "top" && std::fabs(p.x) < curve.ends[e + 1] - curve.ends[e]) middle = first;
+    }
+  levels[0][middle] = 1;
+  const Mesh fine = refined(s, mesh, levels);
+  CHECK(fine.bodies[1][0].elements() > mesh.bodies[1][0].elements());
+  CHECK(fine.bodies[0][0].elements() > mesh.bodies[0][0].elements());
+}
+
+TEST_CASE("refine: pairs are made where contact is, and again where it grows up to what was left out") {
+  const Sketch s = roller();
+  Mesh mesh = first_mesh(s, 1);
+  estimate::Trial trial;
+  std::string why;
+  REQUIRE(estimate::solve(deck_of(s, mesh), {}, trial, why) == C2D_OK);
+  REQUIRE(estimate::mark_far(s, trial, mesh));
+  CHECK_FALSE(estimate::mark_far(s, trial, mesh)); // nothing more
+  estimate::Trial near;
+  REQUIRE(estimate::solve(deck_of(s, mesh), {}, near, why) == C2D_OK);
+  CHECK(near.pairs < trial.pairs);
+  CHECK_FALSE(estimate::is_cut_off(near, mesh));
+  const auto peak = [](const estimate::Trial& t) { return t.states.back().quantities.front().value; };
+  CHECK(peak(near) == doctest::Approx(peak(trial)).epsilon(1e-9)); // what is far carries nothing
+  const Sketch heavy = roller("case normal\n");                    // the same shapes under a load that spreads the contact
+  Sketch loaded = heavy;
+  for (Drive& d : loaded.drives)
+    if (d.load[1]) d.load[1] = 40 * *d.load[1];
+  estimate::Trial wide;
+  REQUIRE(estimate::solve(deck_of(loaded, mesh), {}, wide, why) == C2D_OK);
+  CHECK(estimate::is_cut_off(wide, mesh));
+}
+
+TEST_CASE("loop: the same sketch gives the same deck, and errors below the tolerance") {
+  const Sketch s = roller("tolerance 2 %\n");
+  const estimate::Adapted first = adapt(s), second = adapt(s);
+  CHECK(first.deck == second.deck);
+  CHECK(first.loop.stopped.empty());
+  int judged = 0;
+  for (const app::Stated& number : first.loop.stated) {
+    CHECK(number.is_met());
+    judged += std::isnan(number.tolerance) ? 0 : 1;
+  }
+  CHECK(judged >= 6); // tractions, peak, two edges, forces, approach
+}
+
+TEST_CASE("loop: limits of elements, time and memory end it, with the error that was reached") {
+  for (const char* limit : {"limit elements 150\n", "limit seconds 1e-6\n"}) {
+    const estimate::Adapted a = adapt(roller(std::string("tolerance 0.01 %\n") + limit));
+    CAPTURE(limit);
+    CHECK_FALSE(a.loop.stopped.empty());
+    CHECK_FALSE(a.deck.empty());
+  }
+  const Sketch s = roller("tolerance 0.01 %\n");
+  estimate::Demand small;
+  small.memory = 3000000;
+  const estimate::Adapted a = estimate::adapt(s, small, [](const app::MeshRound&) {});
+  CHECK(a.loop.stopped.find("bytes would do") != std::string::npos);
+  CHECK_FALSE(a.loop.stated.empty());
+}
+
+TEST_CASE("loop: a history that ends early is told, and nothing is met") {
+  std::string text = "case pull\ntraction roller.right x 100\nhistory pull 1\n";
+  Sketch s = roller(text);
+  for (Drive& d : s.drives) d.motion[0].reset(), d.load[0] = 100; // pushed aside: it slides off
+  const estimate::Adapted a = adapt(s);
+  CHECK(a.loop.stopped.find("ended early") != std::string::npos);
+}
