@@ -99,12 +99,13 @@ TEST_CASE("refine: pairs are made where contact is, and again where it grows up 
   CHECK_FALSE(estimate::is_cut_off(near, mesh));
   const auto peak = [](const estimate::Trial& t) { return t.states.back().quantities.front().value; };
   CHECK(peak(near) == doctest::Approx(peak(trial)).epsilon(1e-9)); // what is far carries nothing
-  const Sketch heavy = roller("case normal\n");                    // the same shapes under a load that spreads the contact
-  Sketch loaded = heavy;
+  Sketch loaded = s;                                               // under a load that spreads the contact
   for (Drive& d : loaded.drives)
     if (d.load[1]) d.load[1] = 40 * *d.load[1];
   estimate::Trial wide;
-  REQUIRE(estimate::solve(deck_of(loaded, mesh), {}, wide, why) == C2D_OK);
+  const c2d_status status = estimate::solve(deck_of(loaded, mesh), {}, wide, why);
+  CAPTURE(why);
+  REQUIRE(status == C2D_OK);
   CHECK(estimate::is_cut_off(wide, mesh));
 }
 
@@ -140,5 +141,6 @@ TEST_CASE("loop: a history that ends early is told, and nothing is met") {
   Sketch s = roller();
   for (Drive& d : s.drives) d.load[0] = 100; // more than friction can carry
   const estimate::Adapted a = adapt(s);
+  CAPTURE(a.loop.stopped);
   CHECK(a.loop.stopped.find("ended early") != std::string::npos);
 }

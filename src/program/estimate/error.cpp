@@ -109,9 +109,10 @@ std::vector<app::Stated> state_numbers(const Trial* coarse, const Trial& middle,
     s.error = kSafety * last.pressure[z] * r / (1 - r);
     out.push_back(s);
   }
-  if (fine.states.empty() || middle.states.size() != fine.states.size()) return out;
-  const State &f = fine.states.back(), &m = middle.states.back();
-  const State* c = coarse != nullptr && coarse->states.size() == fine.states.size() ? &coarse->states.back() : nullptr;
+  const size_t common = std::min(fine.states.size(), middle.states.size()); // a history may end early
+  if (common == 0) return out;
+  const State &f = fine.states[common - 1], &m = middle.states[common - 1];
+  const State* c = coarse != nullptr && coarse->states.size() >= common ? &coarse->states[common - 1] : nullptr;
   for (const app::Quantity& q : f.quantities) {
     const app::Quantity* qm = find(m, q);
     const app::Quantity* qc = c == nullptr ? nullptr : find(*c, q);

@@ -31,6 +31,7 @@ public:
   Adapted run();
 
 private:
+  void search();
   bool solve_level(Level& level, const Trial* before, bool adapted);
   bool is_within_limits(const sketch::Mesh& mesh);
   void judge(const Level* coarse, const Level& middle, const Level& fine, const Distance* before, const Distance& last);
@@ -247,18 +248,18 @@ bool Loop::take(Level& level, const std::string& why) {
   return true;
 }
 
-Adapted Loop::run() {
+void Loop::search() {
   Level coarse, middle, fine;
   coarse.mesh = sketch::first_mesh(s_, kFirst);
   for (int round = 0; round < kMostRounds; ++round) {
     coarse.trial = Trial();
-    if (!solve_level(coarse, nullptr, true)) return std::move(out_);
+    if (!solve_level(coarse, nullptr, true)) return;
     told_(out_.loop.rounds.back());
     if (has_outgrown(coarse) || (round == 0 && mark_far(s_, coarse.trial, coarse.mesh))) continue;
     middle = Level{sketch::halved(s_, coarse.mesh), {}, {}};
     if (!is_within_limits(middle.mesh) || !solve_level(middle, &coarse.trial, false)) {
       if (out_.deck.empty()) take(coarse, "");
-      return std::move(out_);
+      return;
     }
     const Distance first = distance_of(coarse, middle);
     tell_distance(first, middle.trial, out_.loop.rounds.back());
@@ -271,25 +272,28 @@ Adapted Loop::run() {
       promising = promising && (std::isnan(s.tolerance) || 0.35 * s.error <= s.tolerance * s.scale);
     if (promising) {
       fine = Level{sketch::halved(s_, middle.mesh), {}, {}};
-      if (!is_within_limits(fine.mesh) || !solve_level(fine, &middle.trial, false)) return std::move(out_);
+      if (!is_within_limits(fine.mesh) || !solve_level(fine, &middle.trial, false)) return;
       const Distance second = distance_of(middle, fine);
       tell_distance(second, fine.trial, out_.loop.rounds.back());
       told_(out_.loop.rounds.back());
       judge(&coarse, middle, fine, &first, second);
       take(fine, "");
-      if (all_met()) {
-        if (!history_.empty()) out_.loop.stopped = "the history ended early: " + history_;
-        return std::move(out_);
-      }
+      if (all_met()) return;
       tighten();
       coarse = next_mesh(middle, second);
     } else {
       if (is_near(first)) tighten();
       coarse = next_mesh(coarse, first);
     }
-    if (!is_within_limits(coarse.mesh)) return std::move(out_);
+    if (!is_within_limits(coarse.mesh)) return;
   }
   out_.loop.stopped = "after " + std::to_string(kMostRounds) + " rounds";
+}
+
+Adapted Loop::run() {
+  search();
+  std::string& stopped = out_.loop.stopped;
+  if (!history_.empty()) stopped = "the history ended early: " + history_ + (stopped.empty() ? "" : "; " + stopped);
   return std::move(out_);
 }
 
