@@ -55,6 +55,8 @@ private:
   c2d_status show_interior();
   c2d_status show_vtk(const Scene& scene);
   c2d_status show_pictures();
+  // They take longer to find than a small deck to solve.
+  bool tells_corners() const { return record_.meshes.ran() || outputs_.has(Output::kJson) || has_pictures(); }
   bool has_pictures() const { return outputs_.has(Output::kReport) || outputs_.figures.is_open(); }
   int close_store();
   int publish();
@@ -105,7 +107,8 @@ int32_t Run::on_step(void* context, const c2d_step* step) {
   const bool again = before != nullptr && !before->table.empty() && before->load == step->load;
   if (run.coefficient_shown_ != step->coefficient) run.show_contact_zone();
   CoefficientRecord& kept = keep_step(run.record_, *step);
-  const bool sums_up = run.outputs_.has(Output::kListing) || run.outputs_.has(Output::kJson) ||
+  const bool ends = step->kind == C2D_STEP_STOPPED || step->step == run.summary_.steps;
+  const bool sums_up = (run.outputs_.has(Output::kListing) && ends) || run.outputs_.has(Output::kJson) ||
                        run.outputs_.has(Output::kSummary) || run.outputs_.has(Output::kReport);
   keep_history(kept, *step, sums_up ? run.session_.solver : nullptr, run.tips_, run.lines_);
   if (run.outputs_.has(Output::kListing)) {
@@ -267,7 +270,7 @@ int Run::prepare() {
     record_.measure.push_back((zone.kind & C2D_ZONE_FREE) != 0 ? zone.side2.body
                                                                : zone.side1.body); // the first has nodes on side 2
   }
-  if (status == C2D_OK) status = find_corners(solver, summary_, corners_);
+  if (status == C2D_OK && tells_corners()) status = find_corners(solver, summary_, corners_);
   if (outputs_.has(Output::kCsv)) append_contact_header(outputs_.text(Output::kCsv));
   if (outputs_.has(Output::kBodies)) append_bodies_header(outputs_.text(Output::kBodies));
   if (outputs_.has(Output::kTrace)) append_trace_header(outputs_.text(Output::kTrace), summary_.load_cases);
