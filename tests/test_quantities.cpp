@@ -112,8 +112,8 @@ TEST_CASE("quantities: round a closed side") {
     CHECK(Run::all(all, Measure::kMeanPressure).at(0).value == doctest::Approx(force / 17.45).epsilon(1e-9));
     for (const Quantity& q : Run::all(all, Measure::kContactEdge)) CHECK((q.value >= 0 && q.value < 60));
   }
-  LineState closed = state_of(line_of(steps(n), true, 60), -1000, 1000); // all of it touches
-  CHECK(find_contact_edges(closed).empty());
+  const ZoneLine whole = line_of(steps(n), true, 60);
+  CHECK(find_contact_edges(state_of(whole, -1000, 1000)).empty()); // all of it touches
 }
 
 TEST_CASE("quantities: Hertz, wherever the edge lies in its element, linear and quadratic functions") {
