@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "interface/entry.hpp"
+#include "linalg/kernel.hpp"
 #include "memory/characters.hpp"
 #include "memory/parts.hpp"
 #include "solver/port.hpp"
@@ -218,6 +219,7 @@ extern "C" c2d_status c2d_attach(c2d_solver** out, void* memory, size_t bytes, c
   c2d_solver* s = reinterpret_cast<c2d_solver*>(base + slack);
   s->slack = slack;
   s->port = our_port;
+  s->instructions = best_instructions();
   connect_port(s);
   if (s->state == C2D_STATE_BROKEN) memset(s->tapes.is_open, 0, sizeof s->tapes.is_open); // c2d_restore opens anew
   status = reopen_tapes(s->tapes);

@@ -4,6 +4,7 @@
 
 #include "contact2d_memory.h"
 #include "interface/entry.hpp"
+#include "linalg/kernel.hpp"
 #include "memory/hostile.hpp"
 #include "memory/text.hpp"
 #include "solver/phases.hpp"
@@ -181,6 +182,7 @@ extern "C" c2d_status c2d_create(c2d_solver** out, void* memory, size_t bytes, c
   c2d_solver* s = reinterpret_cast<c2d_solver*>(static_cast<char*>(memory) + slack);
   fill_header(s, bytes - (kAlignment - 1), slack, need.sizes, need.layout); // so that it may move to any alignment
   s->port = our_port;
+  s->instructions = best_instructions();
   connect_port(s);
   clear_model(s);
   *out = s;

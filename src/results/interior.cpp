@@ -432,7 +432,7 @@ c2d_status evaluate_points(Session& session, int32_t body, const PointsAsked& as
   const Points points = {asked.count,      asked.xy,
                          asked.xy_stride,  asked.out,
                          asked.out_stride, s->model.length_unit,
-                         &session.model,   kSmallCode ? nullptr : batch_for(best_instructions())};
+                         &session.model,   kSmallCode ? nullptr : batch_for(session.solver->instructions)};
   for (int32_t i = 0; i < points.count; ++i) points.place(i) = may_lie_inside(points, i) ? kUnplaced : kNowhere;
   for (int b = 0; b < s->model.bodies && status == C2D_OK; ++b)
     if (body == 0 || body == b + 1) status = evaluate_body(session, b, points);

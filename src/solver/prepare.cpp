@@ -311,7 +311,7 @@ c2d_status write_one(const Together& all, int32_t i) {
 }
 
 [[gnu::noinline]] c2d_status eliminate_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, bool loads_only) {
-  const Instructions set = best_instructions();
+  const Instructions set = s->instructions;
   c2d_status status = C2D_OK;
   for (int b = 0; b < m.head->bodies && status == C2D_OK;) {
     Together all = together_from(s, m, sizes, set, b);
@@ -348,7 +348,7 @@ c2d_status tick(void* context) {
                             sizes.widest + sizes.motions,
                             s,
                             tick,
-                            engine_beside(s, sizes, best_instructions(), bytes, &scratch)};
+                            engine_beside(s, sizes, s->instructions, bytes, &scratch)};
   const c2d_status status = loads_only ? kNewLoadsPart.reduce_loads(reduction) : reduce(reduction);
   note_scratch(s, bytes, scratch);
   s->seconds[C2D_PHASE_REDUCE] += clock_now(s) - start;

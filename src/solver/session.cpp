@@ -71,7 +71,7 @@ void open_session(c2d_solver* s, Session& session) {
                             head.length_unit,
                             s->stiffness,
                             s->exchanges,
-                            kernel_for(best_instructions()),
+                            kernel_for(s->instructions),
                             0,
                             nullptr,
                             nullptr,

@@ -23,7 +23,8 @@ struct c2d_solver {
   c2d_port port;
   c2d::Tapes tapes;
   c2d_error error;
-  uint64_t saves; // number of the last c2d_save of this run
+  uint64_t saves;                 // number of the last c2d_save of this run
+  c2d::Instructions instructions; // of this processor: asking it takes as long as a small step of the path
   // From here to the end of the arrays: what c2d_save keeps (solver/save.cpp).
   c2d::ModelHeader model;
   c2d_options options;
