@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kNear = 1e-3; // of an element: where its direction at an end is seen from there
 constexpr double kOpen = 0.6;  // the least cosine of the angle between surfaces that may touch
+constexpr size_t kBeside = 2;  // elements of side 1 that are kept beside what side 2 faces
 
 struct Element {
   Point from, to;
@@ -88,12 +89,14 @@ public:
     return most;
   }
   double distance(Point p) const { return nearest(p).gap; }
+  int nearest_element(Point p) const { return nearest(p).element; }
 
 private:
   struct Foot {
     double gap = HUGE_VAL;
     Point along;
     bool within = false;
+    int element = 0;
   };
   bool goes_on(int e) const { return e < 0 || has_[static_cast<size_t>(e)]; } // as its own image behind a line of symmetry
   Foot nearest(Point p) const {
@@ -103,7 +106,7 @@ private:
       const Point d = w.to - w.from;
       const double t = dot(p - w.from, d) / dot(d, d), gap = length(p - (w.from + std::clamp(t, 0.0, 1.0) * d));
       if (gap >= foot.gap * (1 - 1e-12)) continue;
-      foot = {gap, d, (goes_on(w.before) || t > -1e-6) && (goes_on(w.after) || t < 1 + 1e-6)};
+      foot = {gap, d, (goes_on(w.before) || t > -1e-6) && (goes_on(w.after) || t < 1 + 1e-6), e};
     }
     return foot;
   }
@@ -140,6 +143,7 @@ private:
   void choose(size_t k);
   void join(size_t k);
   void share(size_t k, const Numbers& first, const std::vector<Numbers>& seconds);
+  Numbers faced(size_t k, const Numbers& first, const Numbers& second) const;
   struct Pair {
     size_t interface;
     Numbers one, two;
@@ -207,7 +211,7 @@ void Pairing::join(size_t k) {
 // What of a stretch is nearest to each of those that it faces, as two feet stand on one floor: an element is in one zone.
 void Pairing::share(size_t k, const Numbers& first, const std::vector<Numbers>& seconds) {
   if (seconds.empty()) return;
-  if (seconds.size() == 1) return pairs_.push_back({k, first, seconds[0]});
+  if (seconds.size() == 1) return pairs_.push_back({k, faced(k, first, seconds[0]), seconds[0]});
   std::vector<Wall> walls;
   for (const Numbers& row : seconds) walls.emplace_back(body(k, 1), row);
   std::vector<Numbers> near(seconds.size());
@@ -227,8 +231,23 @@ void Pairing::share(size_t k, const Numbers& first, const std::vector<Numbers>& 
     Numbers facing;
     for (const int e : seconds[n])
       if (wall.gap_to(body(k, 1)[static_cast<size_t>(e)]) < HUGE_VAL) facing.push_back(e);
-    for (const Numbers& row : in_a_row(body(k, 1), facing)) pairs_.push_back({k, part, row});
+    for (const Numbers& row : in_a_row(body(k, 1), facing)) pairs_.push_back({k, faced(k, part, row), row});
   }
+}
+
+// The part of a stretch that another faces, and a little more: what is round beside it would turn the frames of the pairs.
+Numbers Pairing::faced(size_t k, const Numbers& first, const Numbers& second) const {
+  const Elements &one = body(k, 0), &two = body(k, 1);
+  if (one[static_cast<size_t>(first.back())].after == first.front()) return first;
+  const Wall wall(one, first);
+  size_t low = first.size(), high = 0;
+  for (const int e : second)
+    for (const Point p : {two[static_cast<size_t>(e)].from, two[static_cast<size_t>(e)].to}) {
+      const auto at = static_cast<size_t>(std::find(first.begin(), first.end(), wall.nearest_element(p)) - first.begin());
+      low = std::min(low, at), high = std::max(high, at);
+    }
+  low = low > kBeside ? low - kBeside : 0, high = std::min(high + kBeside, first.size() - 1);
+  return Numbers(first.begin() + static_cast<std::ptrdiff_t>(low), first.begin() + static_cast<std::ptrdiff_t>(high) + 1);
 }
 
 // Do the elements of two elastic bodies lie on each other, end by end?
