@@ -25,7 +25,7 @@ std::string faults_of(const sketch::Reading& reading) {
 std::vector<app::Stated> values_of(const sketch::Sketch& s, const sketch::Mesh& mesh, const estimate::Trial& trial) {
   estimate::Distance none;
   none.pressure.assign(trial.zones.size(), 0);
-  std::vector<app::Stated> out = estimate::state_numbers(nullptr, trial, trial, nullptr, none);
+  std::vector<app::Stated> out = estimate::state_numbers(trial, trial, none, nullptr);
   for (const app::Stated& wanted : estimate::wanted_of(s, mesh, trial)) out.push_back(wanted);
   return out;
 }

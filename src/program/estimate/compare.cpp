@@ -25,10 +25,20 @@ struct Functions {
 constexpr double kGauss[3] = {-0.7745966692414834, 0, 0.7745966692414834};
 constexpr double kWeight[3] = {5.0 / 9, 8.0 / 9, 5.0 / 9};
 
-// Values of two states at one point of a body's boundary.
-struct Pair {
-  double difference[2] = {0, 0}; // |t - t'|, |u - u'|
-  double traction = 0;           // |t'|
+// Displacements and tractions (the first four fields) at a point.
+using Values = std::array<double, kHoop>;
+
+// The finer state at the nodes of a coarse element.
+using Nodal = std::array<Values, 4>;
+
+double length_of(const Values& a, const Values& b, size_t first) {
+  return std::hypot(a[first] - b[first], a[first + 1] - b[first + 1]);
+}
+
+// Integrals over one state: per body and element, per zone.
+struct Sums {
+  std::vector<std::vector<double>> pressure, energy;
+  std::vector<double> norm, off;
 };
 
 class Comparer {
@@ -38,7 +48,10 @@ public:
 
 private:
   void add(size_t state);
-  Pair at(size_t body, const Overlap& o, double eta, size_t state) const;
+  void add_overlap(size_t body, const Overlap& o, const Nodal& nodes, size_t state, Sums& sums);
+  Values coarse_at(size_t body, int32_t element, double eta, size_t state) const;
+  Values fine_at(size_t body, const Overlap& o, double eta, size_t state) const;
+  Nodal nodal(size_t body, const Overlap* first, const Overlap* last, size_t state) const;
   void find_zones();
   bool holds_edge(size_t body, const Overlap& o, size_t state) const;
 
@@ -48,7 +61,7 @@ private:
   std::vector<double> largest_;                          // of each zone: of the integral of |t'|
   double work_ = 0;
   std::vector<std::vector<std::vector<double>>> pressure_, energy_; // per state, body and element
-  std::vector<std::vector<double>> zone_norm_, zone_difference_;    // per zone and state
+  std::vector<std::vector<double>> zone_difference_;                // per zone and state
 };
 
 Comparer::Comparer(const Trial& coarse, const Trial& fine, const Overlaps& overlaps)
@@ -81,57 +94,81 @@ bool Comparer::holds_edge(size_t body, const Overlap& o, size_t state) const {
   return false;
 }
 
-Pair Comparer::at(size_t body, const Overlap& o, double eta, size_t state) const {
-  const auto place = [&](double from, double to) { return from + (to - from) * (1 + eta) / 2; };
-  const Functions c(coarse_.nodes, place(o.from, o.to)), f(fine_.nodes, place(o.fine_from, o.fine_to));
-  const auto& p = coarse_.states[state].ends[body];
-  const auto& q = fine_.states[state].ends[body];
-  double a[4] = {}, b[4] = {};
-  for (size_t k = 0; k < 4; ++k) {
-    for (int32_t i = 0; i < coarse_.nodes; ++i) a[k] += c.value[i] * p[k][static_cast<size_t>(o.coarse * coarse_.nodes + i)];
-    for (int32_t i = 0; i < fine_.nodes; ++i) b[k] += f.value[i] * q[k][static_cast<size_t>(o.fine * fine_.nodes + i)];
-  }
-  Pair out;
-  out.difference[0] = std::hypot(a[kTx] - b[kTx], a[kTy] - b[kTy]);
-  out.difference[1] = std::hypot(a[kUx] - b[kUx], a[kUy] - b[kUy]);
-  out.traction = std::hypot(b[kTx], b[kTy]);
+Values values_at(const std::array<std::vector<double>, kFields>& ends, int32_t element, int32_t nodes, double eta) {
+  const Functions f(nodes, eta);
+  Values out{};
+  for (size_t k = 0; k < out.size(); ++k)
+    for (int32_t i = 0; i < nodes; ++i) out[k] += f.value[i] * ends[k][static_cast<size_t>(element * nodes + i)];
   return out;
 }
 
-void Comparer::add(size_t state) {
-  std::vector<double> norm(coarse_.zones.size(), 0), off(coarse_.zones.size(), 0);
-  std::vector<std::vector<double>> pressure, energy;
-  for (size_t b = 0; b < overlaps_.size(); ++b) {
-    pressure.push_back(std::vector<double>(coarse_.lengths[b].size(), 0.0));
-    energy.push_back(pressure.back());
-    for (const Overlap& o : overlaps_[b]) {
-      const auto e = static_cast<size_t>(o.coarse);
-      const double half = coarse_.lengths[b][e] * (o.to - o.from) / 4;
-      for (int g = 0; g < 3; ++g) {
-        const Pair p = at(b, o, kGauss[g], state);
-        const double w = half * kWeight[g];
-        if (!zones_[b][e].empty()) pressure[b][e] += w * p.difference[0];
-        energy[b][e] += w * p.difference[0] * p.difference[1];
-        for (const int32_t z : zones_[b][e]) {
-          norm[static_cast<size_t>(z)] += w * p.traction;
-          off[static_cast<size_t>(z)] += w * p.difference[0];
-        }
-      }
+Values Comparer::coarse_at(size_t body, int32_t element, double eta, size_t state) const {
+  return values_at(coarse_.states[state].ends[body], element, coarse_.nodes, eta);
+}
+
+// `eta` on the coarse element.
+Values Comparer::fine_at(size_t body, const Overlap& o, double eta, size_t state) const {
+  const double f = o.fine_from + (o.fine_to - o.fine_from) * (eta - o.from) / (o.to - o.from);
+  return values_at(fine_.states[state].ends[body], o.fine, fine_.nodes, f);
+}
+
+Nodal Comparer::nodal(size_t body, const Overlap* first, const Overlap* last, size_t state) const {
+  Nodal out{};
+  for (int32_t i = 0; i < coarse_.nodes; ++i) {
+    const double eta = coarse_.nodes == 1 ? 0 : -1 + 2.0 * i / (coarse_.nodes - 1);
+    const Overlap* o = first;
+    while (o + 1 < last && eta > o->to) ++o;
+    out[static_cast<size_t>(i)] = fine_at(body, *o, eta, state);
+  }
+  return out;
+}
+
+void Comparer::add_overlap(size_t b, const Overlap& o, const Nodal& nodes, size_t state, Sums& sums) {
+  const auto e = static_cast<size_t>(o.coarse);
+  const double length = coarse_.lengths[b][e], half = length * (o.to - o.from) / 4, stiffness = coarse_.stiffness[b];
+  for (int g = 0; g < 3; ++g) {
+    const double eta = o.from + (o.to - o.from) * (1 + kGauss[g]) / 2, w = half * kWeight[g];
+    const Values coarse = coarse_at(b, o.coarse, eta, state), fine = fine_at(b, o, eta, state);
+    const Functions f(coarse_.nodes, eta);
+    Values follows{};
+    for (int32_t i = 0; i < coarse_.nodes; ++i)
+      for (size_t k = 0; k < follows.size(); ++k) follows[k] += f.value[i] * nodes[static_cast<size_t>(i)][k];
+    const double u = length_of(fine, follows, kUx), t = length_of(fine, follows, kTx);
+    sums.energy[b][e] += w * (stiffness * u * u / length + length * t * t / stiffness);
+    const double off = length_of(coarse, fine, kTx);
+    if (!zones_[b][e].empty()) sums.pressure[b][e] += w * t;
+    for (const int32_t z : zones_[b][e]) {
+      sums.norm[static_cast<size_t>(z)] += w * std::hypot(fine[kTx], fine[kTy]);
+      sums.off[static_cast<size_t>(z)] += w * off;
     }
   }
-  for (size_t z = 0; z < norm.size(); ++z) {
-    largest_[z] = std::max(largest_[z], norm[z]);
-    zone_norm_[z].push_back(norm[z]);
-    zone_difference_[z].push_back(off[z]);
+}
+
+void Comparer::add(size_t state) {
+  Sums sums;
+  sums.norm.assign(coarse_.zones.size(), 0), sums.off = sums.norm;
+  for (const auto& lengths : coarse_.lengths) sums.pressure.push_back(std::vector<double>(lengths.size(), 0.0));
+  sums.energy = sums.pressure;
+  for (size_t b = 0; b < overlaps_.size(); ++b) {
+    const Overlap *const end = overlaps_[b].data() + overlaps_[b].size(), *first = overlaps_[b].data();
+    while (first != end) {
+      const Overlap* last = first;
+      while (last != end && last->coarse == first->coarse) ++last;
+      const Nodal nodes = nodal(b, first, last, state);
+      for (; first != last; ++first) add_overlap(b, *first, nodes, state, sums);
+    }
+  }
+  for (size_t z = 0; z < sums.norm.size(); ++z) {
+    largest_[z] = std::max(largest_[z], sums.norm[z]);
+    zone_difference_[z].push_back(sums.off[z]);
   }
   work_ = std::max({work_, std::fabs(fine_.states[state].work), std::fabs(fine_.states[state].elastic)});
-  pressure_.push_back(std::move(pressure));
-  energy_.push_back(std::move(energy));
+  pressure_.push_back(std::move(sums.pressure));
+  energy_.push_back(std::move(sums.energy));
 }
 
 Distance Comparer::run() {
   Distance out;
-  zone_norm_.resize(coarse_.zones.size());
   zone_difference_.resize(coarse_.zones.size());
   const size_t common = std::min(coarse_.states.size(), fine_.states.size());
   for (size_t state = 0; state < common; ++state) add(state);

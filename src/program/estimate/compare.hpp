@@ -18,8 +18,8 @@ Overlaps overlaps_of_halves(const Trial& coarse);
 
 // What an element of the coarse mesh adds to the distance, the largest of all states (METHOD 16.5).
 struct Share {
-  double pressure = 0; // integral of |t - t'| over it, if it is part of a contact that is no tie, over that of |t'| on the zone
-  double energy = 0;   // integral of |t - t'| |u - u'|, over the largest work of the states
+  double pressure = 0; // integral of what it cannot follow of |t'|, if it is part of a contact that is no tie, over the zone's
+  double energy = 0;   // of what the element cannot follow of the finer mesh, over the largest work of the states
   bool edge = false;   // a contact edge or a stick border lies in it at a turn of the loads
 };
 struct Distance {

@@ -6,16 +6,15 @@
 namespace estimate {
 namespace {
 
-constexpr double kSafety = 1.5;
-constexpr double kOverlooked = 0.25; // of the step before: what the last one would be if it were not small by accident
-constexpr double kExact = 1e-7;      // numbers nearer than that on two meshes are given by the loads
+// Error of the finer mesh over its distance from the coarse one; where edges lie amid elements distances fall by 0.35 to 0.5
+// from one halving to the next.
+constexpr double kOfDistance = 1.0;
+constexpr double kSmooth = 0.4;   // what is left of an error at least, from a mesh to the halved one
+constexpr double kOfCoarse = 2.2; // likewise, of the coarse mesh
+constexpr double kExact = 1e-7;   // numbers nearer than that on both meshes are given by the loads
 constexpr double kRoundOff = 1e-9;
 constexpr double kEdgeFit =
     3e-3; // an intensity is fitted through a number of pairs: what that adds stays as meshes become finer
-
-double rate_of(double before, double last) {
-  return before > 0 ? std::clamp(last / before, kLeastRate, kMostRate) : kUsualRate;
-}
 
 bool is_same(const app::Quantity& a, const app::Quantity& b) {
   return a.what == b.what && a.zone == b.zone && a.item == b.item;
@@ -39,9 +38,9 @@ double scale_of(const State& state, const app::Quantity& q) {
   double forces = 0, largest = 0, mean = 0;
   int edges = 0;
   for (const app::Quantity& other : state.quantities) {
+    if (other.what == Measure::kApproach || other.what == Measure::kShift) largest = std::max(largest, std::fabs(other.value));
     if (other.zone != q.zone) continue;
     if (other.what == Measure::kForceX || other.what == Measure::kForceY) forces = std::hypot(forces, other.value);
-    if (other.what == Measure::kApproach || other.what == Measure::kShift) largest = std::max(largest, std::fabs(other.value));
     if (other.what == Measure::kMeanPressure) mean = other.value;
     if (other.what == Measure::kContactEdge) ++edges;
   }
@@ -62,14 +61,14 @@ double scale_of(const State& state, const app::Quantity& q) {
 double doubt(app::Measure what) {
   using app::Measure;
   switch (what) {
-  case Measure::kPeakPressure: return 0.25;
-  case Measure::kContactEdge:
-  case Measure::kStickBorder: return 0.1;
+  case Measure::kPeakPressure: return 0.5;
+  case Measure::kContactEdge: return 0.2;
+  case Measure::kStickBorder: return 0.5;
   case Measure::kDissipated: return 1;
   case Measure::kEdgePressure:
   case Measure::kEdgeFriction: return 1;
-  case Measure::kMeanPressure: return 0.1;
-  default: return 0.03;
+  case Measure::kMeanPressure: return 0.2;
+  default: return 0.06;
   }
 }
 
@@ -82,54 +81,39 @@ double apart(const app::Quantity& a, const app::Quantity& b) {
 
 } // namespace
 
-double stated_error(double before, double last, double rate, double floor) {
-  if (before == 0) floor *= 2; // nothing but two meshes, which may agree by accident
-  const double own = before > 0 ? std::clamp(last / before, kLeastRate, kMostRate) : rate;
-  const double r = std::max(own, rate), step = std::max({last, kOverlooked * before, floor});
-  return kSafety * step * r / (1 - r);
-}
+double stated_error(double apart, double floor) { return kOfDistance * std::max(apart, floor); }
 
-std::vector<app::Stated> state_numbers(const Trial* coarse, const Trial& middle, const Trial& fine, const Distance* before,
-                                       const Distance& last) {
+std::vector<app::Stated> state_numbers(const Trial& coarse, const Trial& halved, const Distance& between,
+                                       const Trial* earlier) {
   std::vector<app::Stated> out;
-  const auto rate = [&](int32_t zone) {
-    const size_t z = static_cast<size_t>(zone) - 1;
-    if (before == nullptr) return kUsualRate;
-    if (zone == 0) return rate_of(before->energy, last.energy);
-    return z < before->pressure.size() && z < last.pressure.size() ? rate_of(before->pressure[z], last.pressure[z])
-                                                                   : kUsualRate;
-  };
-  for (size_t z = 0; z < last.pressure.size(); ++z) {
-    if (fine.tied[z] != 0) continue;
-    const double r = rate(static_cast<int32_t>(z) + 1);
+  for (size_t z = 0; z < between.pressure.size(); ++z) {
+    if (halved.tied[z] != 0) continue;
     app::Stated s;
     s.name = kTractions;
     s.zone = static_cast<int32_t>(z) + 1;
     s.value = s.scale = 1;
-    s.error = kSafety * last.pressure[z] * r / (1 - r);
+    s.error = stated_error(between.pressure[z], 0);
     out.push_back(s);
   }
-  const size_t common = std::min(fine.states.size(), middle.states.size()); // a history may end early
+  const size_t common = std::min(halved.states.size(), coarse.states.size()); // a history may end early
   if (common == 0) return out;
-  const State &f = fine.states[common - 1], &m = middle.states[common - 1];
-  const State* c = coarse != nullptr && coarse->states.size() >= common ? &coarse->states[common - 1] : nullptr;
+  const State &f = halved.states[common - 1], &c = coarse.states[common - 1];
+  const State* b = earlier != nullptr && earlier->states.size() >= common ? &earlier->states[common - 1] : nullptr;
   for (const app::Quantity& q : f.quantities) {
-    const app::Quantity* qm = find(m, q);
-    const app::Quantity* qc = c == nullptr ? nullptr : find(*c, q);
+    const app::Quantity* other = find(c, q);
     app::Stated s;
     s.name = app::name_of(q.what);
     s.zone = q.zone, s.item = q.item, s.value = q.value;
     s.at[0] = q.at[0], s.at[1] = q.at[1];
     s.scale = scale_of(f, q);
-    if (qm != nullptr) {
-      const double step = apart(*qm, q);
-      double floor = step > kExact * s.scale ? doubt(q.what) * distance_of(last, q.zone) * s.scale : kRoundOff * s.scale;
+    if (other != nullptr) {
+      double step = apart(*other, q);
+      if (const app::Quantity* before = b == nullptr ? nullptr : find(*b, q))
+        step = std::clamp(2 * apart(*before, q), kSmooth * step, step);
+      double floor = step > kExact * s.scale ? doubt(q.what) * distance_of(between, q.zone) * s.scale : kRoundOff * s.scale;
       if (q.what == app::Measure::kEdgePressure || q.what == app::Measure::kEdgeFriction)
         floor = std::max(floor, kEdgeFit * s.scale);
-      const double before_that = qc == nullptr ? 0 : apart(*qc, *qm);
-      s.error = stated_error(before_that, step, rate(q.zone), floor);
-      // It jumps with where edges fall in elements, so that its own steps tell no rate.
-      if (q.what == app::Measure::kDissipated) s.error = std::max(s.error, std::max(before_that, step));
+      s.error = stated_error(step, floor);
     }
     out.push_back(s);
   }
@@ -137,9 +121,9 @@ std::vector<app::Stated> state_numbers(const Trial* coarse, const Trial& middle,
 }
 
 std::vector<app::Stated> state_of_coarse(const Trial& coarse, const Trial& halved, const Distance& between) {
-  std::vector<app::Stated> out = state_numbers(nullptr, coarse, halved, nullptr, between);
+  std::vector<app::Stated> out = state_numbers(coarse, halved, between, nullptr);
   for (app::Stated& s : out) {
-    s.error /= kUsualRate; // an error of the finer mesh falls by this rate
+    s.error *= kOfCoarse / kOfDistance; // an error of the finer mesh falls by this rate
     for (const app::Quantity& q : coarse.states.back().quantities)
       if (s.zone == q.zone && s.item == q.item && s.name == app::name_of(q.what)) {
         s.value = q.value;

@@ -6,8 +6,8 @@
 namespace estimate {
 namespace {
 
-constexpr double kMargin = 0.4; // of the length that touches, kept beside it
-constexpr size_t kLeast = 3;    // elements, too
+constexpr double kMargin = 0.2; // of the length that touches, kept beside it
+constexpr size_t kLeast = 2;    // elements, too
 
 // An element of a mesh: which curve it is on, where.
 struct Element {
@@ -41,14 +41,13 @@ std::vector<size_t> row_of(const Trial& trial, size_t zone) {
   }
 }
 
-// Which elements of a row touch at any state.
+// Which elements of a row touch at any time.
 std::vector<char> touching(const Trial& trial, size_t zone, const std::vector<size_t>& row) {
   const auto body = static_cast<size_t>(trial.zones[zone][1].body), nodes = static_cast<size_t>(trial.nodes);
   std::vector<char> out(row.size(), 0);
-  for (const State& state : trial.states)
-    for (size_t i = 0; i < row.size(); ++i)
-      for (size_t k = 0; k < nodes; ++k)
-        if (state.ends[body][kStatus][row[i] * nodes + k] > 0) out[i] = 1;
+  for (size_t i = 0; i < row.size() && body < trial.touched.size(); ++i)
+    for (size_t k = 0; k < nodes; ++k)
+      if (trial.touched[body][row[i] * nodes + k] != 0) out[i] = 1;
   return out;
 }
 
@@ -74,14 +73,6 @@ std::vector<char> kept(const std::vector<double>& lengths, const std::vector<cha
   return out;
 }
 
-// Is a curve on the side of an interface whose nodes make pairs?
-bool is_second(const sketch::Sketch& sketch, int body, const std::string& curve) {
-  return std::any_of(sketch.interfaces.begin(), sketch.interfaces.end(), [&](const sketch::Interface& interface) {
-    const sketch::Side& side = interface.side[1 - sketch::first_side(sketch, interface)];
-    return !interface.tied && side.body == body && side.has(curve);
-  });
-}
-
 } // namespace
 
 bool mark_far(const sketch::Sketch& sketch, const Trial& trial, sketch::Mesh& mesh) {
@@ -101,7 +92,7 @@ bool mark_far(const sketch::Sketch& sketch, const Trial& trial, sketch::Mesh& me
     for (sketch::MeshedOutline& outline : mesh.bodies[body]) {
       std::vector<char> keeps = kept(trial.lengths[body], touches, first, outline, kMargin * length);
       for (sketch::MeshedCurve& curve : outline.curves) {
-        const bool may_touch = is_second(sketch, static_cast<int>(body), curve.curve->name);
+        const bool may_touch = sketch::holds_pairs(sketch, static_cast<int>(body), curve.curve->name);
         for (size_t e = 0; e < curve.elements(); ++e)
           if (keeps[e] == 0 && may_touch && !is_far(curve, (curve.ends[e] + curve.ends[e + 1]) / 2))
             curve.far.push_back({curve.ends[e], curve.ends[e + 1]}), any = true;

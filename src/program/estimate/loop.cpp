@@ -2,6 +2,7 @@
 
 #include "program/estimate/far.hpp"
 #include "program/estimate/halved.hpp"
+#include "program/estimate/marks.hpp"
 #include "program/estimate/mesh_curves.hpp"
 #include "program/estimate/wanted.hpp"
 #include "program/sketch/refine.hpp"
@@ -14,9 +15,14 @@ namespace {
 
 constexpr double kFirst = 0.25; // fineness of the first mesh
 constexpr double kStalls = 0.7; // of the distance of the round before
-constexpr int kMostRounds = 14, kMostLevels = 2;
-constexpr double kPredicted = 0.3;         // from the distance of two meshes to the error of the one after them
-constexpr double kEdge = 2.8, kSmooth = 8; // by how much a share falls if its element is bisected
+constexpr int kMostRounds = 14;
+constexpr double kAim = 1.0;         // of the distance at which tractions are known as well as is wanted
+constexpr double kWantedDoubt = 0.2; // as doubt() of error.cpp, of stresses
+constexpr double kOfPlaces = 0.75;   // if nothing but places are off
+constexpr double kOfEnergy = 8;      // energy that elements cannot follow, over the tolerance
+
+constexpr app::Measure kLocal[] = {app::Measure::kPeakPressure, app::Measure::kContactEdge, app::Measure::kStickBorder,
+                                   app::Measure::kDissipated};
 
 struct Level {
   sketch::Mesh mesh;
@@ -32,15 +38,15 @@ public:
 
 private:
   void search();
-  bool solve_level(Level& level, const Trial* before, bool adapted);
+  bool solve_level(Level& level, bool adapted);
   bool is_within_limits(const sketch::Mesh& mesh);
-  void judge(const Level* coarse, const Level& middle, const Level& fine, const Distance* before, const Distance& last);
+  void judge(const Level& coarse, const Level& fine, const Distance& between, const Trial* earlier);
   bool all_met() const;
-  bool has_outgrown(Level& level) const;
-  Level next_mesh(const Level& level, const Distance& distance);
+  Level next_mesh(const Level& coarse, const Level& fine, const Distance& distance, bool near);
+  double aim() const;
+  double energy_aim() const;
   bool is_near(const Distance& distance) const;
-  void tighten();
-  sketch::Levels marks(const Distance& distance) const;
+  void tighten(const Distance& distance);
   double tolerance(sketch::Want::Kind kind) const;
   double tolerance_of(const app::Stated& s, const Trial& trial) const;
   bool take(Level& level, const std::string& why);
@@ -115,13 +121,13 @@ bool Loop::is_within_limits(const sketch::Mesh& mesh) {
   return true;
 }
 
-bool Loop::solve_level(Level& level, const Trial* before, bool adapted) {
+bool Loop::solve_level(Level& level, bool adapted) {
   level.deck = sketch::deck_of(s_, level.mesh);
   std::string why;
   const c2d_status status = solve(level.deck, demand_, level.trial, why);
   seconds_ += level.trial.seconds;
   if (status != C2D_OK) {
-    if (before == nullptr && out_.deck.empty()) out_.status = status, out_.why = why, out_.deck = level.deck;
+    if (out_.deck.empty()) out_.status = status, out_.why = why, out_.deck = level.deck;
     out_.loop.stopped = why;
     return false;
   }
@@ -155,19 +161,16 @@ double Loop::tolerance_of(const app::Stated& s, const Trial& trial) const {
   return s.name == kTractions ? tolerance(Want::kPressure) : NAN;
 }
 
-void Loop::judge(const Level* coarse, const Level& middle, const Level& fine, const Distance* before, const Distance& last) {
+void Loop::judge(const Level& coarse, const Level& fine, const Distance& between, const Trial* earlier) {
   std::vector<app::Stated>& stated = out_.loop.stated;
-  stated = state_numbers(coarse == nullptr ? nullptr : &coarse->trial, middle.trial, fine.trial, before, last);
+  stated = state_numbers(coarse.trial, fine.trial, between, earlier);
   for (app::Stated& s : stated) s.tolerance = tolerance_of(s, fine.trial);
   double worst = 0;
-  for (const double p : last.pressure) worst = std::max(worst, p);
-  const std::vector<app::Stated> now = wanted_of(s_, fine.mesh, fine.trial), then = wanted_of(s_, middle.mesh, middle.trial);
-  const std::vector<app::Stated> first =
-      coarse == nullptr ? std::vector<app::Stated>() : wanted_of(s_, coarse->mesh, coarse->trial);
+  for (const double p : between.pressure) worst = std::max(worst, p);
+  const std::vector<app::Stated> now = wanted_of(s_, fine.mesh, fine.trial), then = wanted_of(s_, coarse.mesh, coarse.trial);
   for (size_t i = 0; i < now.size() && i < then.size(); ++i) {
     stated.push_back(now[i]);
-    const double earlier = i < first.size() ? std::fabs(then[i].value - first[i].value) : 0;
-    stated.back().error = stated_error(earlier, std::fabs(now[i].value - then[i].value), kMostRate, 0.1 * worst * now[i].scale);
+    stated.back().error = stated_error(std::fabs(now[i].value - then[i].value), kWantedDoubt * worst * now[i].scale);
   }
   out_.loop.rounds.back().stated = stated;
 }
@@ -176,68 +179,57 @@ bool Loop::all_met() const {
   return std::all_of(out_.loop.stated.begin(), out_.loop.stated.end(), [](const app::Stated& s) { return s.is_met(); });
 }
 
-// Elements whose shares are above those of a mesh that meets the tolerances with shares alike.
-// Has contact grown up to what was taken to be far? Then nothing is, for now.
-bool Loop::has_outgrown(Level& level) const {
-  if (!is_cut_off(level.trial, level.mesh)) return false;
-  for (auto& outlines : level.mesh.bodies)
+sketch::Mesh without_far(sketch::Mesh mesh) {
+  for (auto& outlines : mesh.bodies)
     for (sketch::MeshedOutline& outline : outlines)
       for (sketch::MeshedCurve& curve : outline.curves) curve.far.clear();
-  return true;
+  return mesh;
 }
 
-// The next coarse mesh: what is far by now left out, what adds most bisected.
-Level Loop::next_mesh(const Level& level, const Distance& distance) {
-  sketch::Mesh mesh = level.mesh;
-  mark_far(s_, level.trial, mesh);
+// Does a number hang on the tractions of the contact alone?
+bool is_local(const app::Stated& s) {
+  using app::Measure;
+  return s.name == kTractions ||
+         std::any_of(std::begin(kLocal), std::end(kLocal), [&](Measure m) { return s.name == app::name_of(m); });
+}
+
+// What is far by now left out, what adds most bisected, ends of elements at the ends of contact and stick.
+Level Loop::next_mesh(const Level& coarse, const Level& fine, const Distance& distance, bool near) {
+  sketch::Mesh mesh = coarse.mesh;
+  mark_far(s_, coarse.trial, mesh);
   double worst = 0;
   for (const double p : distance.pressure) worst = std::max(worst, p);
   if (worst > kStalls * worst_) rest_ /= 8;
   worst_ = worst;
-  return {sketch::refined(s_, mesh, marks(distance)), {}, {}};
+  sketch::Levels levels = marks(distance, aim(), energy_aim());
+  if (near) mark_places(s_, fine.trial, out_.loop.stated, mesh, levels);
+  return {sketch::refined(s_, mesh, levels, edges_of(fine.trial)), {}, {}};
 }
 
-// Is the distance what marks() asks for?
+// The distance of the tractions at which every number is expected to be met.
+double Loop::aim() const {
+  double wanted = s_.tolerance;
+  for (const sketch::Want& want : s_.wants) wanted = std::min(wanted, want.tolerance.value_or(s_.tolerance));
+  return kAim * strictness_ * wanted / stated_error(1, 0);
+}
+
+// The same of the energy that elements cannot follow, which numbers beside those of the contact depend on.
+double Loop::energy_aim() const { return kOfEnergy * rest_ / strictness_ * aim(); }
+
 bool Loop::is_near(const Distance& d) const {
-  double wanted = s_.tolerance;
-  for (const sketch::Want& want : s_.wants) wanted = std::min(wanted, want.tolerance.value_or(s_.tolerance));
-  return std::all_of(d.pressure.begin(), d.pressure.end(), [&](double p) { return p < strictness_ * wanted / kPredicted; });
+  return std::all_of(d.pressure.begin(), d.pressure.end(), [&](double p) { return p < aim(); });
 }
 
-// By as much as the worst number is off.
-void Loop::tighten() {
-  double worst = 1;
-  for (const app::Stated& s : out_.loop.stated)
-    if (!s.is_met()) worst = std::max(worst, s.error / (s.tolerance * s.scale));
-  strictness_ *= std::clamp(1 / worst, 0.15, 0.6);
-}
-
-sketch::Levels Loop::marks(const Distance& d) const {
-  double wanted = s_.tolerance;
-  for (const sketch::Want& want : s_.wants) wanted = std::min(wanted, want.tolerance.value_or(s_.tolerance));
-  const double pressure = strictness_ * wanted / kPredicted, energy = 4 * strictness_ * rest_ * wanted;
-  size_t parts = 0, all = 0;
-  for (const auto& shares : d.shares) {
-    all += shares.size();
-    for (const Share& s : shares) parts += s.pressure > 0 ? 1 : 0;
+// By as much as the worst number is off on a mesh that should have met all; places have marks of their own.
+void Loop::tighten(const Distance& d) {
+  double contact = 1, rest = 1;
+  for (const app::Stated& s : out_.loop.stated) {
+    if (s.is_met()) continue;
+    double& worst = is_local(s) ? contact : rest;
+    worst = std::min(worst, is_place(s) ? kOfPlaces : s.tolerance * s.scale / s.error);
   }
-  sketch::Levels out;
-  double worst = 0;
-  for (const auto& shares : d.shares)
-    for (const Share& s : shares)
-      worst =
-          std::max({worst, s.pressure / pressure * static_cast<double>(parts), s.energy / energy * static_cast<double>(all)});
-  const double least = std::min(1.0, 0.3 * worst); // the largest are marked in any case
-  for (const auto& shares : d.shares) {
-    out.push_back({});
-    for (const Share& s : shares) {
-      const double excess =
-          std::max(s.pressure / pressure * static_cast<double>(parts), s.energy / energy * static_cast<double>(all));
-      const int more = excess > 1 ? static_cast<int>(std::log(excess) / std::log(s.edge ? kEdge : kSmooth)) : 0;
-      out.back().push_back(excess > least ? std::min(1 + more, kMostLevels) : 0);
-    }
-  }
-  return out;
+  if (contact < 1) strictness_ *= std::clamp(contact, 0.15, kOfPlaces);
+  if (d.energy < energy_aim() && rest < 1) rest_ *= std::clamp(rest, 0.05, 0.6);
 }
 
 bool Loop::take(Level& level, const std::string& why) {
@@ -249,42 +241,38 @@ bool Loop::take(Level& level, const std::string& why) {
 }
 
 void Loop::search() {
-  Level coarse, middle, fine;
+  Level coarse;
+  Trial earlier; // on the fine mesh of the round before
   coarse.mesh = sketch::first_mesh(s_, kFirst);
   for (int round = 0; round < kMostRounds; ++round) {
     coarse.trial = Trial();
-    if (!solve_level(coarse, nullptr, true)) return;
+    if (!solve_level(coarse, true)) return;
     told_(out_.loop.rounds.back());
-    if (has_outgrown(coarse) || (round == 0 && mark_far(s_, coarse.trial, coarse.mesh))) continue;
-    middle = Level{sketch::halved(s_, coarse.mesh), {}, {}};
-    if (!is_within_limits(middle.mesh) || !solve_level(middle, &coarse.trial, false)) {
+    if (is_cut_off(coarse.trial, coarse.mesh)) { // contact has grown up to what was taken to be far
+      coarse.mesh = without_far(coarse.mesh);
+      continue;
+    }
+    if (round == 0) mark_far(s_, coarse.trial, coarse.mesh);
+    Level fine{sketch::halved(s_, coarse.mesh), {}, {}};
+    if (!is_within_limits(fine.mesh) || !solve_level(fine, false)) {
       if (out_.deck.empty()) take(coarse, "");
       return;
     }
-    const Distance first = distance_of(coarse, middle);
-    tell_distance(first, middle.trial, out_.loop.rounds.back());
+    if (fine.trial.zones.size() != coarse.trial.zones.size()) continue; // what is far parts one
+    const Distance between = distance_of(coarse, fine);
+    tell_distance(between, fine.trial, out_.loop.rounds.back());
     told_(out_.loop.rounds.back());
-    judge(nullptr, coarse, middle, nullptr, first);
-    take(middle, "");
-    // What two meshes say of the one after them.
-    bool promising = true;
-    for (const app::Stated& s : out_.loop.stated)
-      promising = promising && (std::isnan(s.tolerance) || 0.35 * s.error <= s.tolerance * s.scale);
-    if (promising) {
-      fine = Level{sketch::halved(s_, middle.mesh), {}, {}};
-      if (!is_within_limits(fine.mesh) || !solve_level(fine, &middle.trial, false)) return;
-      const Distance second = distance_of(middle, fine);
-      tell_distance(second, fine.trial, out_.loop.rounds.back());
-      told_(out_.loop.rounds.back());
-      judge(&coarse, middle, fine, &first, second);
-      take(fine, "");
-      if (all_met()) return;
-      tighten();
-      coarse = next_mesh(middle, second);
-    } else {
-      if (is_near(first)) tighten();
-      coarse = next_mesh(coarse, first);
+    judge(coarse, fine, between, earlier.states.empty() ? nullptr : &earlier);
+    take(fine, "");
+    if (is_cut_off(fine.trial, fine.mesh)) {
+      coarse.mesh = without_far(coarse.mesh);
+      continue;
     }
+    if (all_met()) return;
+    const bool near = is_near(between);
+    if (near) tighten(between);
+    coarse = next_mesh(coarse, fine, between, near);
+    earlier = std::move(fine.trial);
     if (!is_within_limits(coarse.mesh)) return;
   }
   out_.loop.stopped = "after " + std::to_string(kMostRounds) + " rounds";

@@ -99,6 +99,7 @@ private:
   c2d_status begin();
   c2d_status go_to(const std::vector<double>& loads);
   c2d_status note(bool turn);
+  c2d_status note_touching();
   c2d_status note_contact(State& state);
 
   c2d_solver* solver_;
@@ -143,6 +144,8 @@ c2d_status History::describe() {
   for (int32_t b = 1; b <= summary_.bodies && status == C2D_OK; ++b) {
     out_.elements += summary_.body[b - 1].elements;
     out_.equations += summary_.body[b - 1].unknowns;
+    const double nu = summary_.body[b - 1].poisson_ratio;
+    out_.stiffness.push_back(summary_.body[b - 1].youngs_modulus / (1 - nu * nu));
     status = measure(b);
   }
   for (const c2d_zone& zone : summary_.zone) {
@@ -189,7 +192,6 @@ c2d_status History::note_contact(State& state) {
 
 c2d_status History::note(bool turn) {
   State state;
-  state.step = static_cast<int32_t>(out_.states.size()) + 1;
   state.turn = turn;
   state.loads = loads_;
   app::Summary now;
@@ -210,6 +212,20 @@ c2d_status History::note(bool turn) {
     state.inside.push_back({out[C2D_POINT_UX], out[C2D_POINT_UY], out[C2D_POINT_SXX], out[C2D_POINT_SYY], out[C2D_POINT_SXY]});
   }
   out_.states.push_back(std::move(state));
+  return status;
+}
+
+c2d_status History::note_touching() {
+  out_.touched.resize(static_cast<size_t>(summary_.bodies));
+  const int32_t status_field = C2D_END_STATUS;
+  c2d_status status = C2D_OK;
+  for (int32_t b = 1; b <= summary_.bodies && status == C2D_OK; ++b) {
+    std::vector<std::vector<double>> now;
+    status = app::get_ends(solver_, summary_, b, &status_field, 1, now);
+    std::vector<char>& touched = out_.touched[static_cast<size_t>(b) - 1];
+    touched.resize(now[0].size(), 0);
+    for (size_t i = 0; i < touched.size(); ++i) touched[i] |= static_cast<char>(now[0][i] > 0);
+  }
   return status;
 }
 
@@ -239,7 +255,9 @@ c2d_status History::follow() {
       std::vector<double> now(to.size());
       for (size_t c = 0; c < to.size(); ++c) now[c] = i == increments ? to[c] : from[c] + (to[c] - from[c]) * i / increments;
       status = go_to(now);
-      if (status == C2D_OK) status = note(i == increments || out_.outcome != C2D_REACHED);
+      const bool turn = i == increments || out_.outcome != C2D_REACHED;
+      if (status == C2D_OK) status = note_touching();
+      if (status == C2D_OK && (turn || 2 * i == increments)) status = note(turn);
     }
   }
   if (out_.outcome != C2D_REACHED) out_.why = c2d_outcome_message(out_.outcome);

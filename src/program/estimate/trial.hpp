@@ -27,10 +27,9 @@ struct Demand {
 
 enum Field { kUx, kUy, kTx, kTy, kHoop, kStatus, kFields };
 
-// The end of an increment, or where a path ended early.
+// The end of a piece of the path, or where it ended early, and midway.
 struct State {
-  int32_t step = 0;  // of the path, from 1
-  bool turn = false; // the end of a piece of the path
+  bool turn = false; // the former
   std::vector<double> loads;
   std::vector<std::array<std::vector<double>, kFields>> ends; // per body, per element end
   std::vector<app::Quantity> quantities;
@@ -45,8 +44,10 @@ struct Side { // elements from 0, going up; round an outline's end if last < fir
 struct Trial {
   int32_t nodes = 0;                        // functional ones of an element
   std::vector<std::vector<double>> lengths; // of every body's elements
+  std::vector<double> stiffness;            // of every body: E / (1 - nu^2)
   std::vector<std::array<Side, 2>> zones;
-  std::vector<char> tied; // of each zone
+  std::vector<char> tied;                 // of each zone
+  std::vector<std::vector<char>> touched; // of each body, per element end: at the end of any increment
   std::vector<State> states;
   c2d_outcome outcome = C2D_REACHED;
   std::string why; // if the history ended early

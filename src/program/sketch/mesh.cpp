@@ -243,6 +243,13 @@ int first_side(const Sketch& sketch, const Interface& interface) {
   return sketch.bodies[static_cast<size_t>(interface.side[1].body)].rigid ? 1 : 0;
 }
 
+bool holds_pairs(const Sketch& sketch, int body, const std::string& curve) {
+  return std::any_of(sketch.interfaces.begin(), sketch.interfaces.end(), [&](const Interface& interface) {
+    const Side& side = interface.side[1 - first_side(sketch, interface)];
+    return !interface.tied && side.body == body && side.has(curve);
+  });
+}
+
 Mesh first_mesh(const Sketch& sketch, double fineness) { return Mesher(sketch, fineness).run(); }
 
 } // namespace sketch

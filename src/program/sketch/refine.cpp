@@ -8,23 +8,6 @@ namespace {
 
 constexpr double kNeighbours = 3.0; // the most that an element is longer than the one beside it
 
-// The length along a curve where it is nearest to a point: a sample, then Newton's method on the distance.
-double nearest_length(const MeshedCurve& curve, Point p) {
-  const Shape& shape = *curve.curve->shape;
-  const int n = 64 + 4 * shape.pieces();
-  double best = 0, least = HUGE_VAL;
-  for (int i = 0; i <= n; ++i)
-    if (const double d = length(shape.at(static_cast<double>(i) / n) - p); d < least)
-      least = d, best = static_cast<double>(i) / n;
-  for (int step = 0; step < 20; ++step) {
-    const Shape::Local l = shape.local(best);
-    const double slope = dot(l.d, l.d) + dot(l.at - p, l.dd), off = dot(l.at - p, l.d);
-    if (!(slope > 0)) break;
-    best = std::clamp(best - off / slope, 0.0, 1.0);
-  }
-  return curve.measure.length_to(best);
-}
-
 std::vector<double> divided(const std::vector<double>& ends, const int* levels) {
   std::vector<double> out(1, ends.front());
   for (size_t e = 0; e + 1 < ends.size(); ++e) {
@@ -76,7 +59,7 @@ void Sides::carry(const Interface& interface) {
         int& level = levels_[static_cast<size_t>(two.body)][e];
         for (const Asked& a : asked) {
           const double gap = length(a.middle - middle);
-          if (gap < a.half + half && half > 0.7 * a.half) level = std::max(level, a.level);
+          if (gap < std::max(a.half, half) && half > 0.7 * a.half) level = std::max(level, a.level);
         }
       }
 }
@@ -172,7 +155,7 @@ void align(const Sketch& sketch, const Interface& interface, Mesh& mesh) {
       if (one.has(curve.curve->name)) face(chains, curve);
 }
 
-Mesh refined(const Sketch& sketch, const Mesh& mesh, const Levels& levels) {
+Mesh refined(const Sketch& sketch, const Mesh& mesh, const Levels& levels, const std::vector<Spot>& spots) {
   Levels all = levels;
   for (const Interface& interface : sketch.interfaces) Sides(sketch, mesh, all).carry(interface);
   Mesh out = mesh;
@@ -187,6 +170,7 @@ Mesh refined(const Sketch& sketch, const Mesh& mesh, const Levels& levels) {
       smooth(outline);
     }
   }
+  place_ends(sketch, spots, out);
   for (const Interface& interface : sketch.interfaces) align(sketch, interface, out);
   return out;
 }

@@ -1,0 +1,73 @@
+#include "program/estimate/marks.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace estimate {
+namespace {
+
+constexpr double kEdge = 2.8, kSmooth = 8; // by how much a share falls if its element is bisected
+constexpr double kLargest = 0.3;           // of the largest share: what is marked in any case
+constexpr int kMostLevels = 2;
+
+} // namespace
+
+bool is_place(const app::Stated& s) {
+  using app::Measure;
+  return s.zone > 0 && !std::isnan(s.at[0]) &&
+         (s.name == app::name_of(Measure::kContactEdge) || s.name == app::name_of(Measure::kStickBorder) ||
+          s.name == app::name_of(Measure::kPeakPressure));
+}
+
+std::vector<sketch::Spot> edges_of(const Trial& trial) {
+  using app::Measure;
+  std::vector<sketch::Spot> out;
+  for (const State& state : trial.states)
+    for (const app::Quantity& q : state.quantities)
+      if (state.turn && !std::isnan(q.at[0]) && (q.what == Measure::kContactEdge || q.what == Measure::kStickBorder))
+        out.push_back({trial.zones[static_cast<size_t>(q.zone) - 1][1].body, {q.at[0], q.at[1]}});
+  return out;
+}
+
+sketch::Levels marks(const Distance& distance, double pressure, double energy) {
+  size_t parts = 0, all = 0;
+  for (const auto& shares : distance.shares) {
+    all += shares.size();
+    for (const Share& s : shares) parts += s.pressure > 0 ? 1 : 0;
+  }
+  const auto excess = [&](const Share& s) {
+    return std::max(s.pressure / pressure * static_cast<double>(parts), s.energy / energy * static_cast<double>(all));
+  };
+  double worst = 0;
+  for (const auto& shares : distance.shares)
+    for (const Share& s : shares) worst = std::max(worst, excess(s));
+  const double least = std::min(1.0, kLargest * worst);
+  sketch::Levels out;
+  for (const auto& shares : distance.shares) {
+    out.push_back({});
+    for (const Share& s : shares) {
+      const double e = excess(s);
+      const int more = e > 1 ? static_cast<int>(std::log(e) / std::log(s.edge ? kEdge : kSmooth)) : 0;
+      out.back().push_back(e > least ? std::min(1 + more, kMostLevels) : 0);
+    }
+  }
+  return out;
+}
+
+void mark_places(const sketch::Sketch& sketch, const Trial& trial, const std::vector<app::Stated>& stated, sketch::Mesh& mesh,
+                 sketch::Levels& levels) {
+  for (const app::Stated& s : stated) {
+    if (s.is_met() || !is_place(s)) continue;
+    const auto body = static_cast<size_t>(trial.zones[static_cast<size_t>(s.zone) - 1][1].body);
+    const sketch::Located place = sketch::locate(sketch, {static_cast<int>(body), {s.at[0], s.at[1]}}, mesh);
+    if (place.curve == nullptr) continue;
+    const std::vector<double>& ends = place.curve->ends;
+    const size_t last = ends.size() - 2;
+    size_t e = static_cast<size_t>(std::upper_bound(ends.begin(), ends.end(), place.length) - ends.begin());
+    e = std::min(e == 0 ? 0 : e - 1, last);
+    for (size_t k = e == 0 ? 0 : e - 1; k <= std::min(e + 1, last); ++k)
+      levels[body][place.first + k] = std::max(levels[body][place.first + k], 1);
+  }
+}
+
+} // namespace estimate
