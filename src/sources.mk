@@ -326,6 +326,7 @@ PROGRAM_SOURCES += src/program/restart.cpp
 PROGRAM_SOURCES += src/program/run.cpp
 PROGRAM_SOURCES += src/program/session.cpp
 PROGRAM_SOURCES += src/program/sketch/actions.cpp
+PROGRAM_SOURCES += src/program/sketch/cycle.cpp
 PROGRAM_SOURCES += src/program/sketch/deck.cpp
 PROGRAM_SOURCES += src/program/sketch/deck_number.cpp
 PROGRAM_SOURCES += src/program/sketch/expression.cpp

@@ -164,8 +164,9 @@ void Loop::judge(const Level* coarse, const Level& middle, const Level& fine, co
   const std::vector<app::Stated> now = wanted_of(s_, fine.mesh, fine.trial), then = wanted_of(s_, middle.mesh, middle.trial);
   const std::vector<app::Stated> first =
       coarse == nullptr ? std::vector<app::Stated>() : wanted_of(s_, coarse->mesh, coarse->trial);
-  for (size_t i = 0; i < now.size() && i < then.size(); ++i) {
+  for (size_t i = 0; i < now.size(); ++i) {
     stated.push_back(now[i]);
+    if (i >= then.size()) continue; // the history ended early there: no error can be told
     const double earlier = i < first.size() ? std::fabs(then[i].value - first[i].value) : 0;
     stated.back().error = stated_error(earlier, std::fabs(now[i].value - then[i].value), kMostRate, 0.1 * worst * now[i].scale);
   }
