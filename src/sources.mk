@@ -278,6 +278,7 @@ PROGRAM_SOURCES += src/program/estimate/cut_points.cpp
 PROGRAM_SOURCES += src/program/estimate/error.cpp
 PROGRAM_SOURCES += src/program/estimate/far.cpp
 PROGRAM_SOURCES += src/program/estimate/halved.cpp
+PROGRAM_SOURCES += src/program/estimate/kept.cpp
 PROGRAM_SOURCES += src/program/estimate/keyword_cards.cpp
 PROGRAM_SOURCES += src/program/estimate/loop.cpp
 PROGRAM_SOURCES += src/program/estimate/match_points.cpp

@@ -54,9 +54,11 @@ void tell_misses(const DeckFile& deck, const MeshLoop& loop) {
     if (s.is_met()) continue;
     std::string text = s.name;
     if (s.zone > 0) text += " of zone " + std::to_string(s.zone);
-    char numbers[120];
-    std::snprintf(numbers, sizeof numbers, ": its error is about %.2g %%, asked for was %.2g %%", 100 * s.error / s.scale,
-                  100 * s.tolerance);
+    char numbers[120] = ": its error cannot be told";
+    if (!std::isnan(s.relative_error()))
+      std::snprintf(numbers, sizeof numbers, ": its error is about %.2g %%", 100 * s.relative_error());
+    text += numbers;
+    std::snprintf(numbers, sizeof numbers, ", asked for was %.2g %%", 100 * s.tolerance);
     messages.note(text + numbers + ", " + loop.stopped);
   }
 }

@@ -183,6 +183,7 @@ int Run::read() {
   const double start = clock_seconds(nullptr);
   int exit = session_.read_file(options_.deck, {options_.settings, true, options_.memory, line_.active()}, options_.deck_name);
   record_.meshes = session_.meshes;
+  if (exit == 0 && !options_.folder.empty() && !read_kept_meshes(options_.folder, record_.meshes, error_)) return file_failed();
   record_.read_seconds = clock_seconds(nullptr) - start;
   if (exit == 0) exit = read_points();
   if (exit == 0) exit = session_.take_memory(options_.memory);
@@ -213,7 +214,7 @@ int Run::read() {
   if (!store_.choose(options_.store, budget, options_.keep, error_)) return file_failed();
   if (store_.named_folder().empty() || options_.resume) return 0;
   return leave_restart(store_.named_folder(), options_, session_.deck.name(), session_.deck.text(), interior_.file_text(),
-                       session_.workspace.bytes, error_)
+                       record_.meshes, session_.workspace.bytes, error_)
              ? 0
              : file_failed();
 }
