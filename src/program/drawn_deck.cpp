@@ -139,12 +139,8 @@ int write_mesh(const Options& options) {
           take_sketch(deck, {options.settings, true, options.memory, ProgressLine(options.progress).active()}, loop);
       status != 0)
     return status;
-  OutputFile out;
   std::string error;
-  bool written = out.open(options.output.empty() ? "-" : options.output, error);
-  if (written) out.text = deck.text();
-  written = written && out.finish(error) && out.publish(error);
-  if (written) return kExitSolved;
+  if (write_output(options.output, deck.text(), error)) return kExitSolved;
   messages.fail(error);
   return kExitFiles;
 }
