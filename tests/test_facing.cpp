@@ -44,7 +44,8 @@ void add_profile(Points& out, Dice& dice, const Profile& profile, double lift, i
   for (int e = 0; e < elements; ++e) ends.push_back(ends.back() + dice.power(-1, 0));
   for (int e = 0; e < elements; ++e)
     for (int k = 0; k < nodes - 1; ++k) {
-      const double x = x0 + (x1 - x0) * (ends[e] + (ends[e + 1] - ends[e]) * k / (nodes - 1)) / ends.back();
+      const double from = ends[static_cast<size_t>(e)], to = ends[static_cast<size_t>(e) + 1];
+      const double x = x0 + (x1 - x0) * (from + (to - from) * k / (nodes - 1)) / ends.back();
       out.push_back(x);
       out.push_back(lift + side * profile.at(x));
     }

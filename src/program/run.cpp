@@ -46,6 +46,7 @@ private:
 
   int read();
   int read_points();
+  void begin_tables();
   int prepare();
   c2d_status factorise();
   int follow();
@@ -242,6 +243,14 @@ int Run::read_points() {
   return kExitUsage;
 }
 
+void Run::begin_tables() {
+  if (outputs_.has(Output::kCsv)) append_contact_header(outputs_.text(Output::kCsv));
+  if (outputs_.has(Output::kBodies)) append_bodies_header(outputs_.text(Output::kBodies));
+  if (outputs_.has(Output::kTrace)) append_trace_header(outputs_.text(Output::kTrace), summary_.load_cases);
+  if (outputs_.has(Output::kBoundary)) append_boundary_header(outputs_.text(Output::kBoundary));
+  if (outputs_.has(Output::kInterior)) append_interior_header(outputs_.text(Output::kInterior));
+}
+
 int Run::prepare() {
   c2d_solver* solver = session_.solver;
   get_summary(solver, summary_);
@@ -272,11 +281,7 @@ int Run::prepare() {
                                                                : zone.side1.body); // the first has nodes on side 2
   }
   if (status == C2D_OK && tells_corners()) status = find_corners(solver, summary_, corners_);
-  if (outputs_.has(Output::kCsv)) append_contact_header(outputs_.text(Output::kCsv));
-  if (outputs_.has(Output::kBodies)) append_bodies_header(outputs_.text(Output::kBodies));
-  if (outputs_.has(Output::kTrace)) append_trace_header(outputs_.text(Output::kTrace), summary_.load_cases);
-  if (outputs_.has(Output::kBoundary)) append_boundary_header(outputs_.text(Output::kBoundary));
-  if (outputs_.has(Output::kInterior)) append_interior_header(outputs_.text(Output::kInterior));
+  begin_tables();
   if (status != C2D_OK) return library_failed(status);
   record_.checked_only = summary_.analysis <= C2D_ANALYSIS_CHECK;
   if (record_.checked_only) return 0;
