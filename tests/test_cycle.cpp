@@ -1,6 +1,7 @@
 // Ranges of stresses over the last cycle of a history.
 #include "json.hpp"
 #include "paths.hpp"
+#include "program/estimate/loop.hpp"
 #include "program/estimate/wanted.hpp"
 #include "program/sketch/cycle.hpp"
 #include "shell.hpp"
@@ -110,14 +111,23 @@ TEST_CASE("cycle: the range is that of the steps of the cycle") {
 // A block that slides away before the cycle has come back has none; what else is wanted is there.
 TEST_CASE("cycle: a history that ends early has none") {
   const Sketch s =
-      sound(std::string(kSquare) + "copy c of b shift 0 1\nfix b.s\ncontact b.n c.s mu 0.3\ncase press\n"
-                                   "platen c.n about 0.5 2 force 0 -1 turn 0\ncase push\nplaten c.n fx 1\n"
-                                   "history press 1; push 0.1, -0.5, 0.1\nwant cycle range hoop b.e\nwant hoop b.w\n");
+      sound(std::string(kSquare) +
+            "copy c of b shift 0 1\nfix b.s\ncontact b.n c.s mu 0.3\ncase press\n"
+            "platen c.n about 0.5 2 force 0 -1 turn 0\ncase push\nplaten c.n fx 1\n"
+            "history press 1; push 0.1, -0.5, 0.1\nwant cycle range hoop b.e\nwant hoop b.w\nlimit elements 200\n");
   estimate::Trial trial;
   const std::vector<app::Stated> values = values_of(s, trial);
   CHECK(trial.outcome != C2D_REACHED);
   REQUIRE(values.size() == 3);
   for (const app::Stated& value : values) CHECK(value.name.find("cycle") == std::string::npos);
+  const estimate::Adapted found = estimate::adapt(s, {}, [](const app::MeshRound&) {});
+  CHECK(found.loop.stopped.find("the history ended early") != std::string::npos);
+  int others = 0;
+  for (const app::Stated& value : found.loop.stated) {
+    CHECK(value.name.find("cycle") == std::string::npos);
+    others += value.name.find("stress along w") != std::string::npos ? 1 : 0;
+  }
+  CHECK(others == 3);
 }
 
 TEST_CASE("cycle: ranges in the listing, the summary and the JSON, with their place and error") {
