@@ -95,7 +95,7 @@ Judged judge(const Problem& problem, double tolerance, bool by_mesh) {
     if (s.zone > 1) continue;
     Row row;
     row.name = s.name, row.item = s.item, row.wanted = !std::isnan(s.tolerance);
-    row.value = s.value, row.asked = tolerance;
+    row.value = s.value, row.asked = row.wanted ? s.tolerance : tolerance;
     double error = NAN;
     for (const Known& k : problem.known)
       if (k.name == s.name) error = k.places.empty() ? std::fabs(s.value - k.value) : distance_to(k.places, s.at);

@@ -1,11 +1,14 @@
 // A draw of random sketches (more of them: make estimate), and that their judge sees what is wrong.
+#include "random/children.hpp"
 #include "random/sketch_judge.hpp"
 #include "random/sketches.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <csignal>
 #include <string>
+#include <vector>
 
 using namespace random_sketches;
 
@@ -59,4 +62,20 @@ TEST_CASE("random sketches: the judge sees faults and errors stated too small") 
   CHECK(c.ratio() == doctest::Approx(0.5));
   c.stated.error = 0.03;
   CHECK(!c.is_wrong());
+}
+
+TEST_CASE("random sketches: a process that ends by a signal is told, the next one goes on behind it") {
+  std::vector<std::string> heard;
+  random_work::Work work;
+  work.judge = [](uint64_t seed, FILE* out) {
+    if (seed == 5 || seed == 7) std::raise(SIGKILL);
+    random_work::say(out, "count", "a\nb");
+  };
+  work.heard = [&](const std::string& word, const std::string& rest) { heard.push_back(word + " " + rest); };
+  work.died = [&](uint64_t seed, int signal) {
+    heard.push_back("died " + std::to_string(seed) + " by " + std::to_string(signal));
+  };
+  random_work::run_all(4, 8, work);
+  CHECK(heard == std::vector<std::string>{"begin 4", "count a b", "end 4", "begin 5", "died 5 by 9", "begin 6", "count a b",
+                                          "end 6", "begin 7", "died 7 by 9"});
 }

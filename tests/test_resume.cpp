@@ -1,10 +1,12 @@
 // `contact2d resume`: after a crash at any moment the outputs are those of a run that was not interrupted.
 #include "paths.hpp"
+#include "program/estimate/kept.hpp"
 #include "shell.hpp"
 
 #include <doctest/doctest.h>
 
 #include <chrono>
+#include <cmath>
 #include <csignal>
 #include <fcntl.h>
 #include <map>
@@ -189,4 +191,66 @@ TEST_CASE("resume: what cannot be resumed is said") {
   REQUIRE_MESSAGE(second.status == 0, second.err);
   CHECK(second.out == first.out);
   CHECK(read_file(folder / "r \\ n\ns.html").size() > page.size() / 2);
+}
+
+TEST_CASE("resume: a sketch's run tells again what errors were stated") {
+  Outputs outputs;
+  const Folder tapes;
+  const std::string folder = tapes / "t", sketch = paths::root() + "/examples/fretting_pad.c2s";
+  const std::string command = kProgram + "run '" + sketch + "' --store 'file:" + folder + "' --keep" + outputs.options() +
+                              " --summary '" + (outputs.folder / "summary") + "' --report '" + (tapes / "page") + "'";
+  const Result first = run_shell(command + " --set q=10");
+  REQUIRE_MESSAGE(first.status == 0, first.err);
+  CHECK(contains(first.err, "stick border of zone 1: its error cannot be told, asked for was 1 %, workspace of"));
+  const auto expected = outputs.files(); // seconds of the meshes, too
+  CHECK(contains(expected.at("/listing"), "cycle range of stress along top"));
+  CHECK(contains(expected.at("/json"), "\"relative_error\""));
+  for (const auto& file : expected) fs::remove(outputs.folder.path() + file.first);
+  fs::remove(tapes / "page");
+  CHECK(run_shell(kProgram + "resume '" + folder + "'").status == 0);
+  CHECK(outputs.files() == expected);
+  CHECK(contains(read_file(tapes / "page"), "Convergence over the meshes")); // there are times in it
+  std::string text = read_file(folder + "/meshes");
+  write_file(folder + "/meshes", text.substr(0, text.size() / 2));
+  const Result damaged = run_shell(kProgram + "resume '" + folder + "'");
+  CHECK(damaged.status == 3);
+  CHECK(contains(damaged.err, "/meshes: cannot be read, or is not whole"));
+  // The tapes begin anew, with what was stated.
+  write_file(folder + "/meshes", text);
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".c2d") fs::resize_file(entry.path(), fs::file_size(entry.path()) / 2);
+  CHECK(run_shell(kProgram + "resume '" + folder + "'").status == 0);
+  CHECK(outputs.files() == expected);
+  // A deck has none, and what another run left is gone.
+  REQUIRE(run_shell(run_command(folder, outputs, "--keep")).status == 0);
+  CHECK_FALSE(fs::exists(folder + "/meshes"));
+}
+
+TEST_CASE("resume: what a loop over meshes found, as a text and back") {
+  app::MeshLoop loop;
+  loop.rounds.resize(2);
+  loop.rounds[0].elements = 12, loop.rounds[0].pressure = 0.1, loop.rounds[0].adapted = true;
+  loop.rounds[1].seconds = 1.0 / 3, loop.rounds[1].curves = {{2, true, {{0.1, -1e300}, {HUGE_VAL, 5e-324}}}, {}};
+  loop.taken = 1, loop.stopped = "a\nb\n";
+  app::Stated number;
+  number.name = "range of stress along top", number.zone = 3, number.body = 1, number.value = -2.0 / 3;
+  loop.stated = loop.rounds[1].stated = {number, app::Stated()};
+  const std::string text = estimate::text_of(loop);
+  app::MeshLoop back;
+  REQUIRE(estimate::read_meshes(text, back));
+  CHECK(estimate::text_of(back) == text);
+  REQUIRE((back.rounds.size() == 2 && back.rounds[1].curves.size() == 2 && back.stated.size() == 2));
+  CHECK((back.rounds[0].elements == 12 && back.rounds[0].pressure == 0.1 && back.rounds[0].adapted));
+  CHECK((back.rounds[1].curves[0].closed && back.rounds[1].curves[0].ends == loop.rounds[1].curves[0].ends));
+  CHECK((back.rounds[1].seconds == 1.0 / 3 && std::isnan(back.rounds[1].pressure) && !back.rounds[1].adapted));
+  CHECK((back.stated[0].name == number.name && back.stated[0].value == -2.0 / 3 && std::isnan(back.stated[0].error)));
+  CHECK((back.taken == 1 && back.stopped == loop.stopped));
+  for (size_t length = 0; length < text.size(); ++length) {
+    CAPTURE(length);
+    CHECK_FALSE(estimate::read_meshes(text.substr(0, length), back));
+  }
+  CHECK_FALSE(estimate::read_meshes(text + "1\n", back));
+  CHECK_FALSE(estimate::read_meshes("99999999999999\n" + text, back)); // more rounds than there are bytes
+  loop.taken = 2;
+  CHECK_FALSE(estimate::read_meshes(estimate::text_of(loop), back));
 }

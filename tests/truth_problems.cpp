@@ -66,6 +66,18 @@ struct Hertz {
       : P(kPi * kStar * half_width * half_width / (4 * kR)), a(half_width), p0(2 * P / (kPi * a)) {}
 };
 
+// What tangential tractions q on |x| < a do to a half plane y < 0 at (x, -depth): xx, yy, xy, by Flamant's solution.
+std::array<double, 3> pushed(const std::function<double(double)>& q, double a, double x, double depth) {
+  std::array<double, 3> out{};
+  constexpr int kSteps = 20000;
+  for (int i = 0; i < kSteps; ++i) {
+    const double t = kPi * ((i + 0.5) / kSteps - 0.5), s = a * std::sin(t), d = x - s, r2 = d * d + depth * depth;
+    const double w = -2 / kPi * q(s) * a * std::cos(t) * kPi / kSteps / (r2 * r2);
+    out[0] += w * d * d * d, out[1] += w * d * depth * depth, out[2] -= w * d * d * depth;
+  }
+  return out;
+}
+
 // On the pad.
 std::vector<std::array<double, 2>> both(double x) { return {{{x, x * x / (2 * kR)}}, {{-x, x * x / (2 * kR)}}}; }
 
@@ -92,6 +104,7 @@ Problem cattaneo(double share, bool back, double shift) {
   out.name = "Cattaneo " + brief(share) + (back ? " back " : " ") + brief(shift);
   out.text = set("E", kE) + set("nu", kNu) + set("mu", kMu) + set("R", kR) + set("P", h.P) + set("share", share) + kBlock +
              kPad + kPressed + kPushed + (back ? ", -1, 1\n" : "\n");
+  if (back) out.text += "want cycle range stress block -1 -0.1  cycle range hoop block.top 5 %\n";
   const double c = h.a * std::sqrt(1 - share), k = 1 - share;
   const double cycle = 4 * kMu * kMu * h.P * h.P / (kPi * kStar) * (k * std::log(k) + 1 - k - (1 - k) * (1 - k) / 2);
   out.known = {{"peak pressure", h.p0},
@@ -106,6 +119,13 @@ Problem cattaneo(double share, bool back, double shift) {
     return std::array<double, 2>{{q, -h.p0 * root(1 - x * x / h.a / h.a)}};
   };
   out.half_width = h.a;
+  if (!back) return out;
+  const auto friction = [tractions = out.tractions](double x) { return tractions(x)[0]; };
+  const std::array<double, 3> range = pushed(friction, h.a, -1, 0.1); // half of it: the tractions turn round
+  out.known.push_back({"cycle range of stress xx", 2 * std::fabs(range[0])});
+  out.known.push_back({"cycle range of stress yy", 2 * std::fabs(range[1])});
+  out.known.push_back({"cycle range of stress xy", 2 * std::fabs(range[2])});
+  out.known.push_back({"cycle range of stress along top", 4 * kMu * h.p0 * std::sqrt(share)});
   return out;
 }
 

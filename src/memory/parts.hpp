@@ -50,7 +50,8 @@ enum class Quadrature;
 struct Adjoint;
 struct Session;
 
-struct FreeZonePart { // model/free_zones.cpp, bie/transfer.cpp, contact/facing_pairs.cpp, results/transferred.cpp
+struct FreeZonePart { // model/free_zones.cpp with model/facing_*.cpp and zone_surface.cpp, bie/transfer.cpp,
+                      // contact/facing_pairs.cpp, results/transferred.cpp
   bool linked = false;
   Function<c2d_status, c2d_solver*, const c2d_zone&> add_free_zone = NotLinked();
   Function<bool, const Model&, int32_t, Reporter&> fit_free_zone = Nothing();

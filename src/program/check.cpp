@@ -75,35 +75,16 @@ void append_check(std::string& out, const Session& session, const Summary& s) {
 int check_deck(const Options& options) {
   Session session;
   int exit = session.read_file(options.deck, {options.settings, false});
-  if (exit != 0) return exit;
-  uint64_t minimum = 0, in_core = 0;
-  const c2d_status status = c2d_memory_need(&session.limits, &minimum, &in_core, nullptr);
-  if (status == C2D_OK)
-    exit = session.take_memory(minimum);
-  else
-    exit = session.failed(status);
-  if (exit != 0) return exit;
-
-  c2d_port port = C2D_INIT(c2d_port);
-  port.context = &session.messages;
-  port.log = Messages::log;
-  exit = session.read_model(port, options.symmetry);
+  if (exit == 0) exit = session.read_model_alone(options.symmetry);
   if (exit != 0) return exit;
 
   Summary summary;
   get_summary(session.solver, summary);
-  OutputFile out;
-  std::string error;
-  if (!out.open("-", error)) {
-    session.messages.fail(error);
-    return kExitFiles;
-  }
-  append_check(out.text, session, summary);
-  if (!out.finish(error)) {
-    session.messages.fail(error);
-    return kExitFiles;
-  }
-  return kExitSolved;
+  std::string text, error;
+  append_check(text, session, summary);
+  if (write_output("-", text, error)) return kExitSolved;
+  session.messages.fail(error);
+  return kExitFiles;
 }
 
 } // namespace app

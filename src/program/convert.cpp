@@ -245,10 +245,8 @@ int convert_deck(const Options& options) {
 
   const bool is_free = !items.empty() && items[0].kind == C2D_CARD_FREE;
   const bool to_free = options.convert_to.empty() ? !is_free : options.convert_to == "free";
-  OutputFile out;
-  std::string error;
+  std::string error, text;
   size_t at = 0;
-  std::string text;
   if (!convert_items(items, to_free, text, at, error)) {
     messages.fault(fault_at(deck, items[at], error));
     return kExitInput;
@@ -257,16 +255,9 @@ int convert_deck(const Options& options) {
     messages.fail("the deck in its new form would not read as before; nothing was written (please report it)");
     return kExitFiles;
   }
-  if (!out.open(options.output.empty() ? "-" : options.output, error)) {
-    messages.fail(error);
-    return kExitFiles;
-  }
-  out.text = text;
-  if (!out.finish(error) || !out.publish(error)) {
-    messages.fail(error);
-    return kExitFiles;
-  }
-  return kExitSolved;
+  if (write_output(options.output, text, error)) return kExitSolved;
+  messages.fail(error);
+  return kExitFiles;
 }
 
 } // namespace app

@@ -54,9 +54,11 @@ void tell_misses(const DeckFile& deck, const MeshLoop& loop) {
     if (s.is_met()) continue;
     std::string text = s.name;
     if (s.zone > 0) text += " of zone " + std::to_string(s.zone);
-    char numbers[120];
-    std::snprintf(numbers, sizeof numbers, ": its error is about %.2g %%, asked for was %.2g %%", 100 * s.error / s.scale,
-                  100 * s.tolerance);
+    char numbers[120] = ": its error cannot be told";
+    if (!std::isnan(s.relative_error()))
+      std::snprintf(numbers, sizeof numbers, ": its error is about %.2g %%", 100 * s.relative_error());
+    text += numbers;
+    std::snprintf(numbers, sizeof numbers, ", asked for was %.2g %%", 100 * s.tolerance);
     messages.note(text + numbers + ", " + loop.stopped);
   }
 }
@@ -137,12 +139,8 @@ int write_mesh(const Options& options) {
           take_sketch(deck, {options.settings, true, options.memory, ProgressLine(options.progress).active()}, loop);
       status != 0)
     return status;
-  OutputFile out;
   std::string error;
-  bool written = out.open(options.output.empty() ? "-" : options.output, error);
-  if (written) out.text = deck.text();
-  written = written && out.finish(error) && out.publish(error);
-  if (written) return kExitSolved;
+  if (write_output(options.output, deck.text(), error)) return kExitSolved;
   messages.fail(error);
   return kExitFiles;
 }

@@ -56,17 +56,6 @@ void warn(const DeckFile& drawing, const std::string& text, const std::string& o
 
 std::string last_part(const std::string& path) { return path.substr(path.rfind('/') + 1); }
 
-int write(const Messages& messages, const std::string& name, const std::string& text) {
-  OutputFile out;
-  std::string error;
-  bool written = out.open(name.empty() ? "-" : name, error);
-  if (written) out.text = text;
-  written = written && out.finish(error) && out.publish(error);
-  if (written) return kExitSolved;
-  messages.fail(error);
-  return kExitFiles;
-}
-
 } // namespace
 
 int sketch_drawing(const Options& options) {
@@ -91,14 +80,16 @@ int sketch_drawing(const Options& options) {
     return print(file, fault);
   }
   for (const std::string& note : notes) messages.note(note);
-  std::string text;
+  std::string text, error;
   try {
     text = drawing::sketch_of(std::move(drawn), last_part(file.name()), conditions);
   } catch (const drawing::Fault& fault) {
     return print(statements, fault);
   }
   warn(file, text, options.output);
-  return write(messages, options.output, text);
+  if (write_output(options.output, text, error)) return kExitSolved;
+  messages.fail(error);
+  return kExitFiles;
 }
 
 } // namespace app

@@ -10,15 +10,7 @@ namespace app {
 int halve_deck(const Options& options) {
   Session session;
   int exit = session.read_file(options.deck, {options.settings, true, options.memory});
-  if (exit != 0) return exit;
-  uint64_t minimum = 0, in_core = 0;
-  const c2d_status status = c2d_memory_need(&session.limits, &minimum, &in_core, nullptr);
-  exit = status == C2D_OK ? session.take_memory(minimum) : session.failed(status);
-  if (exit != 0) return exit;
-  c2d_port port = C2D_INIT(c2d_port);
-  port.context = &session.messages;
-  port.log = Messages::log;
-  exit = session.read_model(port);
+  if (exit == 0) exit = session.read_model_alone();
   if (exit != 0) return exit;
 
   std::string error;
@@ -27,11 +19,7 @@ int halve_deck(const Options& options) {
     session.messages.fail(error);
     return kExitInput;
   }
-  OutputFile out;
-  bool written = out.open(options.output.empty() ? "-" : options.output, error);
-  if (written) out.text = halved;
-  written = written && out.finish(error) && out.publish(error);
-  if (written) return kExitSolved;
+  if (write_output(options.output, halved, error)) return kExitSolved;
   session.messages.fail(error);
   return kExitFiles;
 }

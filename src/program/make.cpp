@@ -10,14 +10,8 @@ namespace app {
 namespace {
 
 int print(const std::string& text) {
-  OutputFile out;
   std::string error;
-  bool written = out.open("-", error);
-  if (written) {
-    out.text = text;
-    written = out.finish(error);
-  }
-  if (written) return kExitSolved;
+  if (write_output("-", text, error)) return kExitSolved;
   std::fprintf(stderr, "contact2d: %s\n", error.c_str());
   return kExitFiles;
 }

@@ -185,6 +185,71 @@ bool read_size(const std::string& text, uint64_t& bytes) {
   return true;
 }
 
+namespace {
+
+// The command of words whose other ones are a deck and options.
+bool find_command(const std::string& command, Options& options, std::string& error) {
+  const std::pair<const char*, Command> known[] = {{"run", Command::kRun},
+                                                   {"check", Command::kCheck},
+                                                   {"sketch", Command::kSketch},
+                                                   {"mesh", Command::kMesh},
+                                                   {"convert", Command::kConvert}};
+  for (const auto& [name, which] : known)
+    if (command == name) options.command = which;
+  if (options.command != Command::kHelp) return true;
+  error = "unknown command " + command + ": expected run, check, sketch, mesh, convert, make, resume, --version or --help";
+  return false;
+}
+
+bool read_option(const std::vector<std::string>& words, size_t& at, Options& options, std::string& error) {
+  const std::string name = words[at].substr(0, words[at].find('='));
+  if (options.command == Command::kCheck && name != "--symmetry" && name != "--set") {
+    error = "check takes no option " + words[at];
+    return false;
+  }
+  const bool converts =
+      options.command == Command::kConvert || options.command == Command::kMesh || options.command == Command::kSketch;
+  return converts ? read_convert_option(words, at, options, error) : read_run_option(words, at, options, error);
+}
+
+// The deck, and options before and behind it; --help makes it the command.
+bool read_deck_and_options(const std::vector<std::string>& words, Options& options, std::string& error) {
+  bool options_end = false;
+  for (size_t at = 1; at < words.size(); ++at) {
+    const std::string& word = words[at];
+    if (!options_end && word == "--") {
+      options_end = true;
+    } else if (!options_end && word == "--help") {
+      options.command = Command::kHelp;
+      return true;
+    } else if (!options_end && word.size() > 1 && word[0] == '-') {
+      if (!read_option(words, at, options, error)) return false;
+    } else if (!options.deck.empty()) {
+      error = "more than one deck: " + options.deck + " and " + word;
+      return false;
+    } else if (word.empty()) {
+      error = "the name of the deck is empty";
+      return false;
+    } else {
+      options.deck = word;
+    }
+  }
+  return true;
+}
+
+// What is missing, or does not go together.
+std::string fault_of(const std::string& command, const Options& options) {
+  if (options.deck.empty()) return command + (options.command == Command::kSketch ? " needs a drawing" : " needs a deck");
+  if (options.estimate && options.store.compare(0, 5, "file:") == 0)
+    return "--estimate with --store " + options.store + ": the halved deck is solved beside it, expected --store memory";
+  if (!options.points.empty() && options.file(Output::kInterior).empty() && options.file(Output::kVtk).empty() &&
+      !has_listing(options))
+    return "--points " + options.points + ": no output shows them, expected --interior, --listing or --vtk";
+  return "";
+}
+
+} // namespace
+
 bool read_options(int argc, const char* const* argv, Options& options, std::string& error) {
   const std::vector<std::string> words(argv + (argc > 0 ? 1 : 0), argv + argc);
   if (words.empty()) {
@@ -204,60 +269,9 @@ bool read_options(int argc, const char* const* argv, Options& options, std::stri
     return false;
   }
   if (command == "resume") return read_resume(words, options, error);
-  const std::pair<const char*, Command> known[] = {{"run", Command::kRun},
-                                                   {"check", Command::kCheck},
-                                                   {"sketch", Command::kSketch},
-                                                   {"mesh", Command::kMesh},
-                                                   {"convert", Command::kConvert}};
-  for (const auto& [name, which] : known)
-    if (command == name) options.command = which;
-  if (options.command == Command::kHelp) {
-    error = "unknown command " + command + ": expected run, check, sketch, mesh, convert, make, resume, --version or --help";
-    return false;
-  }
-  bool options_end = false;
-  for (size_t at = 1; at < words.size(); ++at) {
-    const std::string& word = words[at];
-    if (!options_end && word == "--") {
-      options_end = true;
-    } else if (!options_end && word.size() > 1 && word[0] == '-') {
-      if (word == "--help") {
-        options.command = Command::kHelp;
-        return true;
-      }
-      if (options.command == Command::kCheck && word.compare(0, word.find('='), "--symmetry") != 0 &&
-          word.compare(0, word.find('='), "--set") != 0) {
-        error = "check takes no option " + word;
-        return false;
-      }
-      if (options.command == Command::kConvert || options.command == Command::kMesh || options.command == Command::kSketch
-              ? !read_convert_option(words, at, options, error)
-              : !read_run_option(words, at, options, error))
-        return false;
-    } else if (!options.deck.empty()) {
-      error = "more than one deck: " + options.deck + " and " + word;
-      return false;
-    } else if (word.empty()) {
-      error = "the name of the deck is empty";
-      return false;
-    } else {
-      options.deck = word;
-    }
-  }
-  if (options.deck.empty()) {
-    error = command + (options.command == Command::kSketch ? " needs a drawing" : " needs a deck");
-    return false;
-  }
-  if (options.estimate && options.store.compare(0, 5, "file:") == 0) {
-    error = "--estimate with --store " + options.store + ": the halved deck is solved beside it, expected --store memory";
-    return false;
-  }
-  if (!options.points.empty() && options.file(Output::kInterior).empty() && options.file(Output::kVtk).empty() &&
-      !has_listing(options)) {
-    error = "--points " + options.points + ": no output shows them, expected --interior, --listing or --vtk";
-    return false;
-  }
-  return true;
+  if (!find_command(command, options, error) || !read_deck_and_options(words, options, error)) return false;
+  if (options.command != Command::kHelp) error = fault_of(command, options);
+  return error.empty();
 }
 
 bool has_listing(const Options& o) {

@@ -98,4 +98,11 @@ bool OutputFile::publish(std::string& error) {
   return true;
 }
 
+bool write_output(const std::string& name, const std::string& text, std::string& error) {
+  OutputFile out;
+  if (!out.open(name.empty() ? "-" : name, error)) return false;
+  out.text = text;
+  return out.finish(error) && out.publish(error);
+}
+
 } // namespace app

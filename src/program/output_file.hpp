@@ -39,4 +39,7 @@ private:
   bool direct_ = false;
 };
 
+// A text as an output, to standard output without a name. False with an error text on failure.
+bool write_output(const std::string& name, const std::string& text, std::string& error);
+
 } // namespace app

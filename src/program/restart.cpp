@@ -1,5 +1,6 @@
 #include "program/restart.hpp"
 
+#include "program/estimate/kept.hpp"
 #include "report/text.hpp"
 
 #include <cerrno>
@@ -13,7 +14,8 @@
 namespace app {
 namespace {
 
-const char kDeck[] = "/deck.dat", kOptions[] = "/options", kPoints[] = "/points.csv", kFirstLine[] = "contact2d run 1";
+const char kDeck[] = "/deck.dat", kOptions[] = "/options", kPoints[] = "/points.csv", kMeshes[] = "/meshes",
+           kFirstLine[] = "contact2d run 1";
 
 bool fail(const std::string& path, const char* what, std::string& error) {
   error = path + ": " + what + ": " + std::strerror(errno);
@@ -88,9 +90,11 @@ std::string absolute(const std::string& name) {
 } // namespace
 
 bool leave_restart(const std::string& folder, const Options& options, const std::string& deck_name,
-                   const std::string& deck_text, const std::string& points_text, uint64_t workspace, std::string& error) {
+                   const std::string& deck_text, const std::string& points_text, const MeshLoop& meshes, uint64_t workspace,
+                   std::string& error) {
   if (!remove_restart(folder, error) || !write_safely(folder + kDeck, deck_text, error)) return false;
   if (!options.points.empty() && !write_safely(folder + kPoints, points_text, error)) return false;
+  if (meshes.ran() && !write_safely(folder + kMeshes, estimate::text_of(meshes), error)) return false;
   std::string text =
       std::string(kFirstLine) + "\ndeck=" + escaped(deck_name) + "\n--memory=" + std::to_string(workspace) + "\n";
   if (!options.points.empty()) text += "points\n";
@@ -138,8 +142,17 @@ bool read_restart(Options& options, std::string& error) {
   return true;
 }
 
+bool read_kept_meshes(const std::string& folder, MeshLoop& out, std::string& error) {
+  const std::string path = folder + kMeshes;
+  std::string text;
+  if (!std::filesystem::exists(path)) return true;
+  if (read_whole(path, text) && estimate::read_meshes(text, out)) return true;
+  error = path + ": cannot be read, or is not whole";
+  return false;
+}
+
 bool remove_restart(const std::string& folder, std::string& error) {
-  for (const char* name : {kOptions, kDeck, kPoints}) {
+  for (const char* name : {kOptions, kDeck, kPoints, kMeshes}) {
     const std::string path = folder + name;
     for (const std::string& file : {path, path + ".new"})
       if (::unlink(file.c_str()) != 0 && errno != ENOENT) return fail(file, "cannot be removed", error);

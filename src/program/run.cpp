@@ -46,6 +46,7 @@ private:
 
   int read();
   int read_points();
+  void begin_tables();
   int prepare();
   c2d_status factorise();
   int follow();
@@ -183,6 +184,7 @@ int Run::read() {
   const double start = clock_seconds(nullptr);
   int exit = session_.read_file(options_.deck, {options_.settings, true, options_.memory, line_.active()}, options_.deck_name);
   record_.meshes = session_.meshes;
+  if (exit == 0 && !options_.folder.empty() && !read_kept_meshes(options_.folder, record_.meshes, error_)) return file_failed();
   record_.read_seconds = clock_seconds(nullptr) - start;
   if (exit == 0) exit = read_points();
   if (exit == 0) exit = session_.take_memory(options_.memory);
@@ -213,7 +215,7 @@ int Run::read() {
   if (!store_.choose(options_.store, budget, options_.keep, error_)) return file_failed();
   if (store_.named_folder().empty() || options_.resume) return 0;
   return leave_restart(store_.named_folder(), options_, session_.deck.name(), session_.deck.text(), interior_.file_text(),
-                       session_.workspace.bytes, error_)
+                       record_.meshes, session_.workspace.bytes, error_)
              ? 0
              : file_failed();
 }
@@ -239,6 +241,14 @@ int Run::read_points() {
   session_.messages.fail("--interior " + options_.file(Output::kInterior) +
                          ": there are no points, expected --points FILE or *POINTS in the deck");
   return kExitUsage;
+}
+
+void Run::begin_tables() {
+  if (outputs_.has(Output::kCsv)) append_contact_header(outputs_.text(Output::kCsv));
+  if (outputs_.has(Output::kBodies)) append_bodies_header(outputs_.text(Output::kBodies));
+  if (outputs_.has(Output::kTrace)) append_trace_header(outputs_.text(Output::kTrace), summary_.load_cases);
+  if (outputs_.has(Output::kBoundary)) append_boundary_header(outputs_.text(Output::kBoundary));
+  if (outputs_.has(Output::kInterior)) append_interior_header(outputs_.text(Output::kInterior));
 }
 
 int Run::prepare() {
@@ -271,11 +281,7 @@ int Run::prepare() {
                                                                : zone.side1.body); // the first has nodes on side 2
   }
   if (status == C2D_OK && tells_corners()) status = find_corners(solver, summary_, corners_);
-  if (outputs_.has(Output::kCsv)) append_contact_header(outputs_.text(Output::kCsv));
-  if (outputs_.has(Output::kBodies)) append_bodies_header(outputs_.text(Output::kBodies));
-  if (outputs_.has(Output::kTrace)) append_trace_header(outputs_.text(Output::kTrace), summary_.load_cases);
-  if (outputs_.has(Output::kBoundary)) append_boundary_header(outputs_.text(Output::kBoundary));
-  if (outputs_.has(Output::kInterior)) append_interior_header(outputs_.text(Output::kInterior));
+  begin_tables();
   if (status != C2D_OK) return library_failed(status);
   record_.checked_only = summary_.analysis <= C2D_ANALYSIS_CHECK;
   if (record_.checked_only) return 0;

@@ -80,4 +80,15 @@ int Session::read_model(const c2d_port& port, int32_t symmetry) {
   return status == C2D_OK ? 0 : failed(status);
 }
 
+int Session::read_model_alone(int32_t symmetry) {
+  uint64_t minimum = 0, in_core = 0;
+  const c2d_status status = c2d_memory_need(&limits, &minimum, &in_core, nullptr);
+  const int exit = status == C2D_OK ? take_memory(minimum) : failed(status);
+  if (exit != 0) return exit;
+  c2d_port port = C2D_INIT(c2d_port);
+  port.context = &messages;
+  port.log = Messages::log;
+  return read_model(port, symmetry);
+}
+
 } // namespace app

@@ -26,6 +26,8 @@ public:
   int read_file(const std::string& name, const Drawing& drawing, const std::string& shown = std::string());
   int take_memory(uint64_t wanted);                                           // workspace; 0 bytes wanted: chosen by size
   int read_model(const c2d_port& port, int32_t symmetry = C2D_SYMMETRY_DECK); // the solver, and the model in it
+  // Both in the least memory, for a model that is looked at and not solved.
+  int read_model_alone(int32_t symmetry = C2D_SYMMETRY_DECK);
   // Prints why the library's last call failed; returns the exit status.
   int failed(c2d_status status);
 

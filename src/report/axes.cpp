@@ -191,6 +191,15 @@ Chart make_view(const Box& frame, Range x, Range y, double margin, const std::st
   return chart;
 }
 
+void draw_zoom_frame(Svg& svg, const Chart& whole, const Chart& part) {
+  Point a = whole.at(part.x.low, part.y.high), b = whole.at(part.x.high, part.y.low);
+  const double room = 6.0 - 0.5 * std::min(b.x - a.x, b.y - a.y);
+  if (room > 0.0) a = {a.x - room, a.y - room}, b = {b.x + room, b.y + room};
+  svg.begin_clip(whole.frame);
+  svg.rectangle({a.x, a.y, b.x, b.y}, "none", Stroke{colour::kInk, 1.0, "5 3"});
+  svg.end_clip();
+}
+
 double view_height(const Range& x, const Range& y, double width, double lowest, double highest) {
   const double wide = x.high - x.low, high = y.high - y.low;
   const double wanted = wide > 0.0 ? width * high / wide : highest;

@@ -50,6 +50,8 @@ void draw_heading(Svg& svg, const Box& frame, const std::string& text);
 // One scale for both directions: grows the ranges to the frame's shape, with at least `margin` pixels around
 // them.
 Chart make_view(const Box& frame, Range x, Range y, double margin, const std::string& unit);
+// Where a view of a part lies in that of the whole, large enough to be seen.
+void draw_zoom_frame(Svg& svg, const Chart& whole, const Chart& part);
 // Height that a view of these ranges wants at this width, within bounds.
 double view_height(const Range& x, const Range& y, double width, double lowest, double highest);
 

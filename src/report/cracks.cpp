@@ -181,14 +181,7 @@ c2d_status Finder::find(std::vector<CrackTip>& out) {
   corners_.resize(static_cast<size_t>(s_.bodies));
   for (int32_t b = 1; b <= s_.bodies && status == C2D_OK; ++b)
     status = corners_[static_cast<size_t>(b) - 1].read(solver_, s_, b);
-  const struct {
-    int32_t field;
-    std::vector<double>& to;
-  } pairs[] = {{C2D_X, x_}, {C2D_Y, y_}, {C2D_PAIR_ZONE, zone_}};
-  for (const auto& p : pairs) {
-    p.to.resize(static_cast<size_t>(s_.pairs));
-    if (status == C2D_OK) status = c2d_get(solver_, p.field, 1, 1, s_.pairs, p.to.data(), 1);
-  }
+  if (status == C2D_OK) status = get_pairs(solver_, s_, {{C2D_X, x_}, {C2D_Y, y_}, {C2D_PAIR_ZONE, zone_}});
   for (size_t z = 0; z < s_.zone.size() && status == C2D_OK; ++z) {
     if ((s_.zone[z].kind & C2D_ZONE_TIED) != 0) continue;
     const ZoneEnds ends = ends_up_to_ties(s_.zone[z]);

@@ -81,6 +81,31 @@ void add_if_known(std::string& out, double number) {
     out += ',';
 }
 
+// "mu,step,load", of a step that was kept.
+std::string head_of(const CoefficientRecord& c, const StepRecord& step) {
+  std::string head;
+  append_number(head, c.mu);
+  add(head, int64_t{step.step});
+  add(head, step.loads.empty() ? 0.0 : step.loads.front());
+  return head;
+}
+
+// The stresses that were wanted, of the first coefficient: they belong to a body, and to no zone.
+void append_wanted(std::string& out, const RunRecord& record, const Summary& summary) {
+  if (record.coefficients.empty() || record.coefficients.front().steps.empty()) return;
+  const std::string head = head_of(record.coefficients.front(), record.coefficients.front().steps.back());
+  for (const Stated& s : record.meshes.stated) {
+    if (s.body == 0) continue;
+    out += head + ',';
+    add_name(out, summary.body_name[static_cast<size_t>(s.body) - 1]);
+    add_name(out, s.name);
+    out += ',';
+    add(out, s.value);
+    for (const double number : {s.at[0], s.at[1], s.error}) add_if_known(out, number);
+    out += '\n';
+  }
+}
+
 // A path that ended in the state of its last row has that state twice.
 bool is_repeated(const CoefficientRecord& c, size_t i) {
   return c.outcome != C2D_REACHED && i + 2 == c.steps.size() && c.steps[i].loads == c.steps[i + 1].loads;
@@ -94,9 +119,7 @@ void append_summary(std::string& out, const RunRecord& record, const Summary& su
     for (size_t i = 0; i < c.steps.size(); ++i) {
       if (is_repeated(c, i)) continue;
       for (const Quantity& q : c.steps[i].quantities) {
-        append_number(out, c.mu);
-        add(out, int64_t{c.steps[i].step});
-        add(out, c.steps[i].loads.empty() ? 0.0 : c.steps[i].loads.front());
+        out += head_of(c, c.steps[i]);
         add(out, int64_t{q.zone});
         add_name(out, q.zone > 0 ? summary.zone_name[static_cast<size_t>(q.zone) - 1] : std::string());
         add_name(out, name_of(q.what));
@@ -106,6 +129,7 @@ void append_summary(std::string& out, const RunRecord& record, const Summary& su
         out += '\n';
       }
     }
+  append_wanted(out, record, summary);
 }
 
 void append_boundary_header(std::string& out) { out += "body,element,node,x,y,ux,uy,tx,ty\n"; }

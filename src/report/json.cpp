@@ -302,36 +302,28 @@ void append_warnings(std::string& out, const RunRecord& record) {
   out += ']';
 }
 
-} // namespace
-
-void append_json(std::string& out, const RunRecord& record, const Summary& s) {
-  Object o(out, "{\n  ", ",\n  ");
-  o.word("version", c2d_version());
-  o.word("outcome", record.outcome());
-  if (const CoefficientRecord* stopped = record.incomplete()) append_incomplete(o.key("incomplete"), *stopped);
-  o.word("title", s.title);
-  o.key("mu") += '[';
-  for (size_t i = 0; i < record.friction.size(); ++i) {
+void append_friction(std::string& out, const std::vector<double>& coefficients) {
+  out += '[';
+  for (size_t i = 0; i < coefficients.size(); ++i) {
     if (i > 0) out += ", ";
-    if (std::isfinite(record.friction[i]))
-      append_number(out, record.friction[i]);
+    if (std::isfinite(coefficients[i]))
+      append_number(out, coefficients[i]);
     else
       out += "null";
   }
   out += ']';
-  o.integer("steps", s.steps);
-  {
-    Object unknowns(o.key("unknowns"), "{", ", ");
-    for (int32_t b = 1; b <= std::max(s.bodies, 2); ++b) // body2 is there even if there is one body
-      unknowns.integer(("body" + std::to_string(b)).c_str(), b <= s.bodies ? s.body[b - 1].unknowns : 0);
-    unknowns.integer("contact", s.contact_unknowns);
-    out += '}';
-  }
-  append_memory(o.key("memory"), s);
-  append_tapes(o.key("tapes"), s);
-  append_seconds(o.key("seconds"), record, s);
-  append_symmetry(o.key("symmetry"), s);
-  o.key("zones") += '[';
+}
+
+void append_unknowns(std::string& out, const Summary& s) {
+  Object unknowns(out, "{", ", ");
+  for (int32_t b = 1; b <= std::max(s.bodies, 2); ++b) // body2 is there even if there is one body
+    unknowns.integer(("body" + std::to_string(b)).c_str(), b <= s.bodies ? s.body[b - 1].unknowns : 0);
+  unknowns.integer("contact", s.contact_unknowns);
+  out += '}';
+}
+
+void append_zones(std::string& out, const RunRecord& record, const Summary& s) {
+  out += '[';
   for (size_t i = 0; i < record.measure.size(); ++i) {
     if (i > 0) out += ", ";
     Object zone(out, "{", ", ");
@@ -345,6 +337,24 @@ void append_json(std::string& out, const RunRecord& record, const Summary& s) {
     out += '}';
   }
   out += ']';
+}
+
+} // namespace
+
+void append_json(std::string& out, const RunRecord& record, const Summary& s) {
+  Object o(out, "{\n  ", ",\n  ");
+  o.word("version", c2d_version());
+  o.word("outcome", record.outcome());
+  if (const CoefficientRecord* stopped = record.incomplete()) append_incomplete(o.key("incomplete"), *stopped);
+  o.word("title", s.title);
+  append_friction(o.key("mu"), record.friction);
+  o.integer("steps", s.steps);
+  append_unknowns(o.key("unknowns"), s);
+  append_memory(o.key("memory"), s);
+  append_tapes(o.key("tapes"), s);
+  append_seconds(o.key("seconds"), record, s);
+  append_symmetry(o.key("symmetry"), s);
+  append_zones(o.key("zones"), record, s);
   o.integer("events", s.events);
   o.integer("exchanges", s.exchanges);
   o.integer("tableau_rebuilds", s.tableau_rebuilds);

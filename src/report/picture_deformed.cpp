@@ -128,6 +128,14 @@ std::string scale_text(double magnification) {
   return magnification == 1.0 ? "true scale" : "displacements &#215; " + figure(magnification, 9);
 }
 
+std::string caption_of(const Scene& scene, const Extent& extent, double magnification) {
+  const Point at = scene.bodies[extent.body].ends.empty() ? Point{} : scene.bodies[extent.body].ends[extent.end];
+  std::string out = "Shape at " + place_at_end(scene) + ", " + scale_text(magnification) + ": the largest displacement is " +
+                    figure(extent.displacement, scene.length_unit, 6) + " at (" + figure(at.x) + ", " + figure(at.y) + ")";
+  if (scene.bodies.size() > 1) out += " of body " + std::to_string(extent.body + 1);
+  return out + ".";
+}
+
 } // namespace
 
 void draw_deformed(const Scene& scene, Pictures& out) {
@@ -164,13 +172,7 @@ void draw_deformed(const Scene& scene, Pictures& out) {
                  : near.stretched == 1 ? "Contact " + contact_zones(scene) + ", true, x stretched"
                                        : "Contact " + contact_zones(scene) + ", true, y stretched");
   }
-  const Point at = scene.bodies[extent.body].ends.empty() ? Point{} : scene.bodies[extent.body].ends[extent.end];
-  Picture picture{"deformed", "Deformed shape", "", ""};
-  picture.caption = "Shape at " + place_at_end(scene);
-  picture.caption += ", " + scale_text(magnification) + ": the largest displacement is " +
-                     figure(extent.displacement, scene.length_unit, 6) + " at (" + figure(at.x) + ", " + figure(at.y) + ")";
-  if (scene.bodies.size() > 1) picture.caption += " of body " + std::to_string(extent.body + 1);
-  picture.caption += ".";
+  Picture picture{"deformed", "Deformed shape", caption_of(scene, extent, magnification), ""};
   if (zoom && magnification > near.magnification && near.magnification == 1.0)
     picture.caption += " The gap between the bodies is not magnified, so they seem to overlap in the left view.";
   picture.svg = svg.finish(picture.title, picture.caption);

@@ -105,15 +105,6 @@ void draw_view(Svg& svg, const Scene& scene, const MeshRound& round, const Chart
   draw_heading(svg, view.frame, heading);
 }
 
-void draw_frame(Svg& svg, const Chart& view, const Chart& close) {
-  Point a = view.at(close.x.low, close.y.high), b = view.at(close.x.high, close.y.low);
-  const double room = 6.0 - 0.5 * std::min(b.x - a.x, b.y - a.y);
-  if (room > 0.0) a = {a.x - room, a.y - room}, b = {b.x + room, b.y + room};
-  svg.begin_clip(view.frame);
-  svg.rectangle({a.x, a.y, b.x, b.y}, "none", Stroke{colour::kInk, 1.0, "5 3"});
-  svg.end_clip();
-}
-
 std::string heading_of(const MeshLoop& loop, size_t round) {
   return "Mesh " + std::to_string(round + 1) + ": " + std::to_string(loop.rounds[round].elements) + " elements";
 }
@@ -154,7 +145,7 @@ void draw_meshes(const Scene& scene, Pictures& out) {
     if (!zoom) continue;
     const Box frame{from_part, second, from_part + wide, second + high_part};
     const Chart close = make_view(frame, part.x, part.y, 0.0, scene.length_unit);
-    draw_frame(svg, view, close);
+    draw_zoom_frame(svg, view, close);
     draw_view(svg, scene, round, close, 5.0, "The contact on mesh " + std::to_string(number + 1));
   }
   Picture picture{"meshes", "Meshes", caption_of(loop), ""};

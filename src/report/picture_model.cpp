@@ -292,20 +292,6 @@ std::string model_caption(const Scene& scene) {
 
 } // namespace
 
-namespace {
-
-// The zoom's frame in the view of the whole, large enough to be seen.
-void draw_frame(Svg& svg, const Chart& view, const Chart& close) {
-  Point a = view.at(close.x.low, close.y.high), b = view.at(close.x.high, close.y.low);
-  const double room = 6.0 - 0.5 * std::min(b.x - a.x, b.y - a.y);
-  if (room > 0.0) a = {a.x - room, a.y - room}, b = {b.x + room, b.y + room};
-  svg.begin_clip(view.frame);
-  svg.rectangle({a.x, a.y, b.x, b.y}, "none", Stroke{colour::kInk, 1.0, "5 3"});
-  svg.end_clip();
-}
-
-} // namespace
-
 void draw_model(const Scene& scene, Pictures& out) {
   Range x, y, zoom_x, zoom_y;
   for (const BodyScene& body : scene.bodies)
@@ -338,7 +324,7 @@ void draw_model(const Scene& scene, Pictures& out) {
   draw_heading(svg, whole, "Whole model");
   if (zoom) {
     const Chart close = make_view(part, zoom_x, zoom_y, 30.0, scene.length_unit);
-    draw_frame(svg, view, close);
+    draw_zoom_frame(svg, view, close);
     ModelView(svg, scene, close, true, present).draw();
     draw_heading(svg, part, "Contact " + contact_zones(scene) + " (dashed frame)");
   }

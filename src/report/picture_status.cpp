@@ -63,6 +63,22 @@ std::string caption(const Scene& scene, const ZoneScene& zone, size_t coefficien
   return out + ".";
 }
 
+void draw_bands(Svg& svg, const Chart& chart, const ZoneScene& zone, const std::vector<Band>& bands,
+                const std::vector<double>& border, const std::string (&fills)[3]) {
+  svg.raw("<g shape-rendering=\"crispEdges\">\n"); // no seams
+  for (const Band& band : bands)
+    for (size_t i = 0; i < zone.samples.size();) {
+      const char status = (*band.status)[zone.samples[i].pair];
+      size_t end = i + 1;
+      while (end < zone.samples.size() && (*band.status)[zone.samples[end].pair] == status) ++end;
+      const Point a = chart.at(border[i], band.from), b = chart.at(border[end], band.to);
+      i = end;
+      if (status == C2D_OPEN) continue;
+      svg.rectangle({std::min(a.x, b.x), b.y, std::max(a.x, b.x), a.y}, fills[status == C2D_STICK ? 1 : 2], Stroke{});
+    }
+  svg.raw("</g>\n");
+}
+
 void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Pictures& out) {
   const ZoneScene& zone = scene.zones[zone_index];
   const CoefficientHistory& history = scene.history->coefficients()[coefficient];
@@ -88,18 +104,7 @@ void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Picture
   const Chart chart{frame, make_axis(s, position_name(scene, zone), scene.length_unit, 9, true),
                     make_axis(y, by_load ? "load factor" : "step", "", 7, true, !by_load)};
   draw_axes(svg, chart);
-  svg.raw("<g shape-rendering=\"crispEdges\">\n"); // no seams
-  for (const Band& band : bands)
-    for (size_t i = 0; i < zone.samples.size();) {
-      const char status = (*band.status)[zone.samples[i].pair];
-      size_t end = i + 1;
-      while (end < zone.samples.size() && (*band.status)[zone.samples[end].pair] == status) ++end;
-      const Point a = chart.at(border[i], band.from), b = chart.at(border[end], band.to);
-      i = end;
-      if (status == C2D_OPEN) continue;
-      svg.rectangle({std::min(a.x, b.x), b.y, std::max(a.x, b.x), a.y}, fills[status == C2D_STICK ? 1 : 2], Stroke{});
-    }
-  svg.raw("</g>\n");
+  draw_bands(svg, chart, zone, bands, border, fills);
   svg.rectangle(frame, "none", Stroke{colour::kInk, 1.0, ""});
   for (const ZoneSample& p : zone.samples) { // where the pairs are
     const double x = chart.at(p.s, 0.0).x;

@@ -146,13 +146,10 @@ namespace {
 
 // Pairs of a free zone by their places on side 1.
 c2d_status add_places(c2d_solver* solver, const Summary& summary, int32_t zone, std::vector<ContactEnd>& ends) {
-  const int32_t fields[5] = {C2D_PAIR_ZONE, C2D_PAIR_ELEMENT1, C2D_PAIR_ETA1, C2D_X, C2D_Y};
   std::vector<double> v[5];
-  for (int f = 0; f < 5; ++f) {
-    v[f].resize(static_cast<size_t>(summary.pairs));
-    const c2d_status status = c2d_get(solver, fields[f], 1, 1, summary.pairs, v[f].data(), 1);
-    if (status != C2D_OK) return status;
-  }
+  const c2d_status status = get_pairs(
+      solver, summary, {{C2D_PAIR_ZONE, v[0]}, {C2D_PAIR_ELEMENT1, v[1]}, {C2D_PAIR_ETA1, v[2]}, {C2D_X, v[3]}, {C2D_Y, v[4]}});
+  if (status != C2D_OK) return status;
   for (size_t p = 0; p < v[0].size(); ++p)
     if (static_cast<int32_t>(v[0][p]) == zone)
       ends.push_back({zone, static_cast<int32_t>(v[1][p]), 0, static_cast<int32_t>(p) + 1, 1, v[3][p], v[4][p], v[2][p]});
@@ -166,13 +163,9 @@ struct NodePair {
 
 // For every functional node of a body, from 1.
 c2d_status find_pairs(c2d_solver* solver, const Summary& summary, int32_t body, std::vector<NodePair>& out) {
-  const int32_t fields[3] = {C2D_PAIR_NODE1, C2D_PAIR_NODE2, C2D_PAIR_ZONE};
   std::vector<double> v[3];
-  for (int f = 0; f < 3; ++f) {
-    v[f].resize(static_cast<size_t>(summary.pairs));
-    const c2d_status status = c2d_get(solver, fields[f], 1, 1, summary.pairs, v[f].data(), 1);
-    if (status != C2D_OK) return status;
-  }
+  const c2d_status status = get_pairs(solver, summary, {{C2D_PAIR_NODE1, v[0]}, {C2D_PAIR_NODE2, v[1]}, {C2D_PAIR_ZONE, v[2]}});
+  if (status != C2D_OK) return status;
   out.assign(static_cast<size_t>(summary.body[body - 1].nodes) + 1, NodePair{});
   for (size_t p = 0; p < v[2].size(); ++p) {
     const c2d_zone& zone = summary.zone[static_cast<size_t>(v[2][p]) - 1];

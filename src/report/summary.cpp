@@ -45,4 +45,13 @@ c2d_status get_summary(c2d_solver* solver, Summary& out) {
   return status;
 }
 
+c2d_status get_pairs(c2d_solver* solver, const Summary& summary, std::initializer_list<PairField> fields) {
+  c2d_status status = C2D_OK;
+  for (const PairField& f : fields) {
+    f.values.resize(static_cast<size_t>(summary.pairs));
+    if (status == C2D_OK && summary.pairs > 0) status = c2d_get(solver, f.field, 1, 1, summary.pairs, f.values.data(), 1);
+  }
+  return status;
+}
+
 } // namespace app

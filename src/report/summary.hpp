@@ -3,6 +3,7 @@
 
 #include <contact2d.h>
 
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -31,5 +32,12 @@ struct Summary : c2d_summary {
   std::string moved_by(int32_t platen) const;
 };
 c2d_status get_summary(c2d_solver* solver, Summary& out);
+
+// A number of every pair, by pair from 0.
+struct PairField {
+  int32_t field;
+  std::vector<double>& values;
+};
+c2d_status get_pairs(c2d_solver* solver, const Summary& summary, std::initializer_list<PairField> fields);
 
 } // namespace app

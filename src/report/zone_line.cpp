@@ -61,18 +61,13 @@ c2d_status Finder::read() {
   curves_.resize(static_cast<size_t>(s_.bodies));
   for (int32_t b = 1; b <= s_.bodies && status == C2D_OK; ++b)
     status = curves_[static_cast<size_t>(b) - 1].read(solver_, s_, b);
-  const struct {
-    int32_t field;
-    std::vector<double>& to;
-  } fields[] = {{C2D_PAIR_ZONE, zone_},
-                {C2D_PAIR_NODE1, node1_},
-                {C2D_PAIR_NODE2, node2_},
-                {C2D_PAIR_ELEMENT1, element1_},
-                {C2D_PAIR_ETA1, eta1_}};
-  for (const auto& f : fields) {
-    f.to.resize(static_cast<size_t>(s_.pairs));
-    if (status == C2D_OK) status = c2d_get(solver_, f.field, 1, 1, s_.pairs, f.to.data(), 1);
-  }
+  if (status == C2D_OK)
+    status = get_pairs(solver_, s_,
+                       {{C2D_PAIR_ZONE, zone_},
+                        {C2D_PAIR_NODE1, node1_},
+                        {C2D_PAIR_NODE2, node2_},
+                        {C2D_PAIR_ELEMENT1, element1_},
+                        {C2D_PAIR_ETA1, eta1_}});
   if (status != C2D_OK) return status;
   for (const c2d_zone& zone : s_.zone) pair_at_.emplace_back(static_cast<size_t>(s_.body[zone.side2.body - 1].nodes) + 1, -1);
   for (size_t p = 0; p < zone_.size(); ++p) {

@@ -52,56 +52,70 @@ uint64_t open_path_area(c2d_solver* s, const Model& m, bool flexibility, PathAre
   return path_area(sizes, back_need(sizes, &plan_of(s, 0)), flexibility, array_of<char>(s, kPhase), &out);
 }
 
+namespace {
+
+void open_tableau(c2d_solver* s, Session& session, const double* loads) {
+  const ModelHeader& head = s->model;
+  Tableau& t = session.tableau;
+  t = Tableau{head.contact,
+              head.path_unknowns,
+              head.load_cases,
+              head.path_pairs,
+              session.model.pair,
+              session.area.tableau,
+              head.length_unit,
+              s->stiffness,
+              s->exchanges,
+              kernel_for(s->instructions),
+              0,
+              nullptr,
+              nullptr,
+              s->guided};
+  t.load = loads;
+  t.direction = loads + 2 * head.load_cases;
+  t.may_rest = s->may_rest;
+  t.resting = s->resting;
+  t.model = &session.model;
+  t.body = &session.free_body;
+}
+
+void open_follower(c2d_solver* s, Session& session, double* loads) {
+  const ModelHeader& head = s->model;
+  Follower& f = session.follower;
+  f.t = &session.tableau;
+  f.tape = &session.tape;
+  f.load = loads;
+  f.direction = loads + 2 * head.load_cases;
+  f.origin = loads + 3 * head.load_cases;
+  f.y = session.area.y;
+  f.dy = session.area.dy;
+  f.gap_scale = s->gap_scale;
+  f.pressure_scale = s->pressure_scale;
+  f.model = &session.model;
+  // Results per pair are of no use while loads move.
+  static_assert(kRateListBytes <= C2D_PAIR_FIELDS * sizeof(double),
+                "the result table has room for the lists of the rate problem");
+  f.rate_area = RateArea{session.area.rates, array_of<double>(s, kPairTable), head.pairs};
+  f.bound.pair = -1;
+  f.moving = -1;
+  f.watch = path_watch(session);
+  f.stats = s->stats;
+  f.last_pair = s->last_pair;
+}
+
+} // namespace
+
 void open_session(c2d_solver* s, Session& session) {
   memset(static_cast<void*>(&session), 0, sizeof session);
   session.solver = s;
   session.model = model_of(s);
-  const ModelHeader& head = s->model;
   const uint64_t bytes = open_path_area(s, session.model, s->keeps_flexibility != 0, session.area);
   C2D_ASSERT(bytes <= s->bytes - s->layout.persistent);
   static_cast<void>(bytes);
-  const PathArea& area = session.area;
-  session.tape = ContactTape{&s->tapes, &session.model, area.buffer};
-  session.tableau = Tableau{head.contact,
-                            head.path_unknowns,
-                            head.load_cases,
-                            head.path_pairs,
-                            session.model.pair,
-                            area.tableau,
-                            head.length_unit,
-                            s->stiffness,
-                            s->exchanges,
-                            kernel_for(s->instructions),
-                            0,
-                            nullptr,
-                            nullptr,
-                            s->guided};
+  session.tape = ContactTape{&s->tapes, &session.model, session.area.buffer};
   double* loads = array_of<double>(s, kLoads);
-  session.tableau.load = loads;
-  session.tableau.direction = loads + 2 * head.load_cases;
-  session.tableau.may_rest = s->may_rest;
-  session.tableau.resting = s->resting;
-  session.follower.t = &session.tableau;
-  session.follower.tape = &session.tape;
-  session.follower.load = loads;
-  session.follower.direction = loads + 2 * head.load_cases;
-  session.follower.origin = loads + 3 * head.load_cases;
-  session.follower.y = area.y;
-  session.follower.dy = area.dy;
-  session.follower.gap_scale = s->gap_scale;
-  session.follower.pressure_scale = s->pressure_scale;
-  session.follower.model = &session.model;
-  // Results per pair are of no use while loads move.
-  static_assert(kRateListBytes <= C2D_PAIR_FIELDS * sizeof(double),
-                "the result table has room for the lists of the rate problem");
-  session.follower.rate_area = RateArea{area.rates, array_of<double>(s, kPairTable), head.pairs};
-  session.follower.bound.pair = -1;
-  session.follower.moving = -1;
-  session.follower.watch = path_watch(session);
-  session.follower.stats = s->stats;
-  session.follower.last_pair = s->last_pair;
-  session.tableau.model = &session.model;
-  session.tableau.body = &session.free_body;
+  open_tableau(s, session, loads);
+  open_follower(s, session, loads);
   note_free_body(session);
 }
 

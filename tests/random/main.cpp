@@ -1,6 +1,7 @@
 // make random N=...: many random decks, in a process that may crash or hang without ending the others.
 //   run_random COUNT FIRST_SEED FOLDER [any|few|lift|mirror|three|punch]
 // Prints a line per finding and one per deck that could not be decided, then totals; exit status 1 if there was a finding.
+#include "children.hpp"
 #include "judge.hpp"
 #include "spence.hpp"
 #include "three_bodies.hpp"
@@ -13,10 +14,10 @@
 #include <map>
 #include <string>
 
-#include <sys/wait.h>
 #include <unistd.h>
 
 using namespace random_decks;
+using random_work::say;
 
 namespace {
 
@@ -27,23 +28,13 @@ struct Tally {
   int decks = 0, wrong = 0;
 };
 
-std::string number(uint64_t seed) { return std::to_string(static_cast<unsigned long long>(seed)); }
-
 std::string outcome_of(const Verdict& v) {
   return v.status == C2D_ERR_INPUT ? "refused" : v.status != C2D_OK ? "failed" : c2d_outcome_message(v.outcome);
 }
 
-// What is told to the parent: lines of a word and the rest.
-void say(FILE* out, const char* word, std::string rest) {
-  for (char& c : rest)
-    if (c == '\n') c = ' ';
-  std::fprintf(out, "%s %s\n", word, rest.c_str());
-  std::fflush(out);
-}
-
 void judge_one(Kind kind, uint64_t seed, const std::string& folder, FILE* out) {
   alarm(kPatience);
-  say(out, "begin", number(seed));
+  feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
   Verdict v;
   try {
     v = kind == Kind::three ? judge_three(seed) : judge(kind, seed);
@@ -58,55 +49,12 @@ void judge_one(Kind kind, uint64_t seed, const std::string& folder, FILE* out) {
   if (v.other_choices > 0) say(out, "count", "not unique, chosen otherwise in another form");
   if (v.seconds > 2) say(out, "count", "took more than 2 s");
   const bool undecided = v.status == C2D_OK && v.outcome == C2D_UNDECIDED;
-  if (undecided) say(out, "tell", number(seed) + " could not be decided (" + v.title + ")");
+  if (undecided) say(out, "tell", std::to_string(seed) + " could not be decided (" + v.title + ")");
   for (const std::string& f : v.findings) {
     say(out, "finding", f.substr(0, f.find(':')));
-    say(out, "tell", number(seed) + " " + f + " (" + v.title + ")");
+    say(out, "tell", std::to_string(seed) + " " + f + " (" + v.title + ")");
   }
-  if (!v.findings.empty() || undecided) std::ofstream(folder + "/" + number(seed) + ".dat") << v.deck;
-  say(out, "end", number(seed));
-}
-
-// Lines of the process at work until it ends; the seed it died at, or `end`.
-uint64_t listen(FILE* in, Tally& tally, uint64_t end) {
-  char line[4000];
-  uint64_t at = end;
-  while (fgets(line, sizeof line, in)) {
-    const std::string text = line, word = text.substr(0, text.find(' '));
-    const std::string rest = text.substr(word.size() + 1, text.find('\n') - word.size() - 1);
-    if (word == "begin") at = std::strtoull(rest.c_str(), nullptr, 10), ++tally.decks;
-    if (word == "count") ++tally.outcomes[rest];
-    if (word == "finding") ++tally.findings[rest];
-    if (word == "tell") std::printf("%s\n", rest.c_str());
-    if (word == "end") at = end;
-    std::fflush(stdout);
-  }
-  return at;
-}
-
-void run_all(Kind kind, uint64_t first, uint64_t end, const std::string& folder, Tally& tally) {
-  for (uint64_t seed = first; seed < end;) {
-    int ends[2];
-    if (pipe(ends) != 0) std::exit(3);
-    const pid_t child = fork();
-    if (child == 0) {
-      close(ends[0]);
-      feenableexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW);
-      FILE* out = fdopen(ends[1], "w");
-      for (; seed < end; ++seed) judge_one(kind, seed, folder, out);
-      _exit(0);
-    }
-    close(ends[1]);
-    FILE* in = fdopen(ends[0], "r");
-    const uint64_t died = listen(in, tally, end);
-    fclose(in);
-    int status = 0;
-    waitpid(child, &status, 0);
-    if (died == end) return;
-    std::printf("%s ended by signal %d\n", number(died).c_str(), WIFSIGNALED(status) ? WTERMSIG(status) : 0);
-    ++tally.findings["ended by a signal"];
-    seed = died + 1;
-  }
+  if (!v.findings.empty() || undecided) std::ofstream(folder + "/" + std::to_string(seed) + ".dat") << v.deck;
 }
 
 // Spence's punches: all of them, whatever was asked for.
@@ -139,7 +87,18 @@ int main(int argc, char** argv) {
                     : name == "three"  ? Kind::three
                                        : Kind::any;
   Tally tally;
-  run_all(kind, first, first + count, folder, tally);
+  random_work::Work work;
+  work.judge = [&](uint64_t seed, FILE* out) { judge_one(kind, seed, folder, out); };
+  work.heard = [&](const std::string& word, const std::string& rest) {
+    if (word == "begin") ++tally.decks;
+    if (word == "count") ++tally.outcomes[rest];
+    if (word == "finding") ++tally.findings[rest];
+  };
+  work.died = [&](uint64_t seed, int signal) {
+    std::printf("%s ended by signal %d\n", std::to_string(seed).c_str(), signal);
+    ++tally.findings["ended by a signal"];
+  };
+  random_work::run_all(first, first + count, work);
   std::printf("%d decks\n", tally.decks);
   for (const auto& o : tally.outcomes) std::printf("%6d %s\n", o.second, o.first.c_str());
   std::printf("%s\n", tally.findings.empty() ? "no findings" : "findings");

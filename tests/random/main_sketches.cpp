@@ -3,10 +3,11 @@
 // Prints a line per sketch and one per number whose true error is above the stated one, then totals; exit status 1 if a sketch
 // crashed, hung, was not taken, or failed without a word. Numbers that are off are counted, not judged: an error is an
 // estimate.
+#include "children.hpp"
 #include "sketch_judge.hpp"
 #include "sketches.hpp"
 
-#include <cfenv>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -14,10 +15,10 @@
 #include <map>
 #include <string>
 
-#include <sys/wait.h>
 #include <unistd.h>
 
 using namespace random_sketches;
+using random_work::say;
 
 namespace {
 
@@ -39,13 +40,6 @@ std::string bin_of(const Compared& c) {
     low = bound;
   }
   return "above 100";
-}
-
-void say(FILE* out, const char* word, std::string rest) {
-  for (char& c : rest)
-    if (c == '\n') c = ' ';
-  std::fprintf(out, "%s %s\n", word, rest.c_str());
-  std::fflush(out);
 }
 
 // Without the numbers in it.
@@ -71,11 +65,10 @@ void say_numbers(const Judged& j, bool sharp, const std::string& seed, FILE* out
 }
 
 void judge_one(uint64_t number, const std::string& folder, const Limits& limits, FILE* out) {
-  const std::string seed = std::to_string(static_cast<unsigned long long>(number));
+  const std::string seed = std::to_string(number);
   const Drawn drawn = draw(number);
   std::ofstream(folder + "/" + seed + ".c2s") << drawn.text;
   alarm(kPatience);
-  say(out, "begin", seed);
   Judged j;
   try {
     j = judge(drawn.text, limits);
@@ -99,50 +92,6 @@ void judge_one(uint64_t number, const std::string& folder, const Limits& limits,
   if (!j.fault.empty() || !j.silent.empty()) say(out, "finding", kind_of(end));
   say(out, "count", kind_of(end));
   say_numbers(j, drawn.sharp, seed, out);
-  say(out, "end", seed);
-}
-
-uint64_t listen(FILE* in, Tally& tally, uint64_t end) {
-  char line[4000];
-  uint64_t at = end;
-  while (fgets(line, sizeof line, in)) {
-    const std::string text = line, word = text.substr(0, text.find(' '));
-    const std::string rest = text.substr(word.size() + 1, text.find('\n') - word.size() - 1);
-    if (word == "begin") at = std::strtoull(rest.c_str(), nullptr, 10), ++tally.sketches;
-    if (word == "count") ++tally.ends[rest];
-    if (word == "finding") ++tally.findings[rest];
-    if (word == "ratio") ++tally.ratios[rest];
-    if (word == "tell") std::printf("%s\n", rest.c_str());
-    if (word == "end") at = end;
-    std::fflush(stdout);
-  }
-  return at;
-}
-
-void run_all(uint64_t first, uint64_t end, const std::string& folder, const Limits& limits, Tally& tally) {
-  for (uint64_t seed = first; seed < end;) {
-    int ends[2];
-    if (pipe(ends) != 0) std::exit(3);
-    const pid_t child = fork();
-    if (child == 0) {
-      close(ends[0]);
-      FILE* out = fdopen(ends[1], "w");
-      for (; seed < end; ++seed) judge_one(seed, folder, limits, out);
-      _exit(0);
-    }
-    close(ends[1]);
-    FILE* in = fdopen(ends[0], "r");
-    const uint64_t died = listen(in, tally, end);
-    fclose(in);
-    int status = 0;
-    waitpid(child, &status, 0);
-    if (died == end) return;
-    const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
-    std::printf("%llu ended by signal %d%s\n", static_cast<unsigned long long>(died), signal,
-                signal == 14 ? " (too long)" : "");
-    ++tally.findings["ended by signal " + std::to_string(signal)];
-    seed = died + 1;
-  }
 }
 
 } // namespace
@@ -155,7 +104,21 @@ int main(int argc, char** argv) {
   if (argc > 5) limits.seconds = std::atof(argv[5]);
   if (argc > 6) limits.of_truth = std::atoi(argv[6]);
   Tally tally;
-  run_all(first, first + count, argc > 3 ? argv[3] : ".", limits, tally);
+  const std::string folder = argc > 3 ? argv[3] : ".";
+  random_work::Work work;
+  work.judge = [&](uint64_t seed, FILE* out) { judge_one(seed, folder, limits, out); };
+  work.heard = [&](const std::string& word, const std::string& rest) {
+    if (word == "begin") ++tally.sketches;
+    if (word == "count") ++tally.ends[rest];
+    if (word == "finding") ++tally.findings[rest];
+    if (word == "ratio") ++tally.ratios[rest];
+  };
+  work.died = [&](uint64_t seed, int signal) {
+    const std::string how = "ended by signal " + std::to_string(signal);
+    std::printf("%s %s%s\n", std::to_string(seed).c_str(), how.c_str(), signal == SIGALRM ? " (too long)" : "");
+    ++tally.findings[how];
+  };
+  random_work::run_all(first, first + count, work);
   std::printf("%d sketches\n", tally.sketches);
   for (const auto& o : tally.ends) std::printf("%6d %s\n", o.second, o.first.c_str());
   std::printf("stated over true errors, of sketches that met their tolerances, did not, or have sharp corners\n");

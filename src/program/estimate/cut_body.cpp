@@ -1,7 +1,6 @@
 #include "program/estimate/cut_body.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 
@@ -49,14 +48,6 @@ NodeCount nodes_before(const CutBody& body, int32_t region, bool cut) {
 
 void need(c2d_status status) {
   if (status != C2D_OK) throw std::runtime_error(c2d_message(status));
-}
-
-std::string number(double value) {
-  if (value == 0) return " 0";
-  char text[32] = " ";
-  char* end = std::to_chars(text + 1, text + sizeof text, value).ptr;
-  std::replace(text, end, 'e', 'E');
-  return std::string(text, end);
 }
 
 int32_t CutBody::region_of(int32_t element) const {

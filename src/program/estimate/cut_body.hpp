@@ -16,8 +16,6 @@ struct Point {
 
 // What the calls of the interface return, as an exception: they fail only if the solver has no model.
 void need(c2d_status status);
-// A blank and the number, with as few digits as read as the same double.
-std::string number(double value);
 
 struct CutRegion {
   int32_t first, last; // elements

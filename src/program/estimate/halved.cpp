@@ -1,6 +1,7 @@
 #include "program/estimate/halved.hpp"
 
 #include "program/estimate/keyword_cards.hpp"
+#include "program/sketch/deck_number.hpp"
 
 #include <contact2d_cards.h>
 
@@ -10,6 +11,8 @@
 
 namespace estimate {
 namespace {
+
+using sketch::deck_number;
 
 // What is taken from the cards themselves: heading, sizes, the cards behind the last load card.
 struct Cards {
@@ -174,13 +177,13 @@ void Writer::control() {
     for (const CutRegion& region : body.regions)
       card(std::to_string(body.children[CutBody::at(region.first)] + 1) + " " +
            std::to_string(body.children[CutBody::at(region.last) + 1]));
-  for (const CutBody& body : bodies_) card(number(body.youngs_modulus) + number(body.poisson_ratio));
+  for (const CutBody& body : bodies_) card(deck_number(body.youngs_modulus) + deck_number(body.poisson_ratio));
   std::string friction = std::to_string(summary_.coefficients);
   for (int32_t i = 0; i < summary_.coefficients; ++i) {
     double mu = 0;
     need(c2d_get_friction(solver_, 0, i + 1, &mu));
     if (i > 0 && i % 5 == 0) card(friction), friction.clear();
-    friction += number(mu);
+    friction += deck_number(mu);
   }
   card(friction);
 }
@@ -188,7 +191,7 @@ void Writer::control() {
 void Writer::points(size_t b) {
   card("0 0");
   int32_t node = 0;
-  for (const Point& p : points_[b].points) card(std::to_string(++node) + number(p.x) + number(p.y));
+  for (const Point& p : points_[b].points) card(std::to_string(++node) + deck_number(p.x) + deck_number(p.y));
 }
 
 void Writer::point_loads(size_t b, int32_t load_case, bool keyword) {
@@ -199,7 +202,7 @@ void Writer::point_loads(size_t b, int32_t load_case, bool keyword) {
     need(c2d_get_point_load(solver_, i, &body, &own_case, xy, force));
     if (body - 1 != static_cast<int32_t>(b) || own_case != load_case) continue;
     const std::string first = keyword ? "load " + std::to_string(body) : std::to_string(loads.size() + 1);
-    loads.push_back(first + number(xy[0]) + number(xy[1]) + number(force[0]) + number(force[1]));
+    loads.push_back(first + deck_number(xy[0]) + deck_number(xy[1]) + deck_number(force[0]) + deck_number(force[1]));
   }
   if (!keyword) card(std::to_string(loads.size()));
   for (const std::string& text : loads) card(text);
@@ -212,7 +215,7 @@ void Writer::conditions(size_t b) {
   for (const EndCondition& end : all) {
     std::string text = " ";
     for (const int32_t code : end.codes) text += code == 0 ? '0' : '1';
-    for (const double value : end.values[0]) text += number(value);
+    for (const double value : end.values[0]) text += deck_number(value);
     texts.push_back(text);
   }
   for (size_t k = 0, next; k < all.size(); k = next) {
@@ -267,7 +270,7 @@ void Writer::loads() {
     int32_t increments = 0;
     std::vector<double> load(static_cast<size_t>(summary_.load_cases));
     need(c2d_get_path(solver_, i, &increments, load.data(), summary_.load_cases));
-    card(std::to_string(increments) + number(load[0]));
+    card(std::to_string(increments) + deck_number(load[0]));
   }
 }
 
@@ -282,7 +285,7 @@ void Writer::cases() {
         if (values == std::array<double, 4>{}) continue;
         std::string text =
             "condition " + std::to_string(b + 1) + " " + std::to_string(i / nodes + 1) + " " + std::to_string(i % nodes + 1);
-        for (const double value : values) text += number(value);
+        for (const double value : values) text += deck_number(value);
         card(text);
       }
       point_loads(b, k, true);

@@ -1,5 +1,7 @@
 #include "program/estimate/keyword_cards.hpp"
 
+#include "program/sketch/deck_number.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
@@ -83,7 +85,8 @@ std::string curve_card(const c2d_curve& curve, const CutBody& body) {
   const char* const kinds[] = {"LINE", "ARC", "SPLINE"};
   const Range cut = cut_elements(body, {curve.first_element - 1, curve.last_element - 1}, true);
   std::string out = std::string("*CURVE ") + kinds[curve.kind] + word(curve.body) + word(cut.first + 1) + word(cut.last + 1);
-  if (curve.kind == C2D_CURVE_ARC) out += number(curve.centre[0]) + number(curve.centre[1]) + number(curve.radius);
+  if (curve.kind == C2D_CURVE_ARC)
+    out += sketch::deck_number(curve.centre[0]) + sketch::deck_number(curve.centre[1]) + sketch::deck_number(curve.radius);
   return out;
 }
 

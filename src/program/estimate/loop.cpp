@@ -168,9 +168,10 @@ void Loop::judge(const Level& coarse, const Level& fine, const Distance& between
   double worst = 0;
   for (const double p : between.pressure) worst = std::max(worst, p);
   const std::vector<app::Stated> now = wanted_of(s_, fine.mesh, fine.trial), then = wanted_of(s_, coarse.mesh, coarse.trial);
-  for (size_t i = 0; i < now.size() && i < then.size(); ++i) {
+  for (size_t i = 0; i < now.size(); ++i) {
     stated.push_back(now[i]);
-    stated.back().error = stated_error(std::fabs(now[i].value - then[i].value), kWantedDoubt * worst * now[i].scale);
+    if (i < then.size()) // else the history ended early there: no error can be told
+      stated.back().error = stated_error(std::fabs(now[i].value - then[i].value), kWantedDoubt * worst * now[i].scale);
   }
   out_.loop.rounds.back().stated = stated;
 }

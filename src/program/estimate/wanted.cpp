@@ -1,5 +1,7 @@
 #include "program/estimate/wanted.hpp"
 
+#include "program/sketch/cycle.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,32 +20,44 @@ app::Stated number(const std::string& name, size_t body, double value, double sc
   return s;
 }
 
-// The three stresses at a place, at the end, and how far each goes over the history.
-void add_place(std::vector<app::Stated>& out, const Trial& trial, const Want& want, size_t place, double tolerance) {
-  double largest = 0, low[3], high[3];
-  std::fill(low, low + 3, HUGE_VAL), std::fill(high, high + 3, -HUGE_VAL);
-  for (const State& state : trial.states)
-    for (size_t c = 0; c < 3; ++c) {
-      const double v = state.inside[place][c + 2];
-      largest = std::max(largest, std::fabs(v));
-      low[c] = std::min(low[c], v), high[c] = std::max(high[c], v);
-    }
-  for (size_t c = 0; c < 3 && !trial.states.empty(); ++c) {
-    const auto body = static_cast<size_t>(want.body);
-    out.push_back(number(kStresses[c], body, trial.states.back().inside[place][c + 2], largest, tolerance));
-    out.push_back(number(std::string("range of ") + kStresses[c], body, high[c] - low[c], largest, tolerance));
-    for (size_t k = out.size() - 2; k < out.size(); ++k) out[k].at[0] = want.where.x, out[k].at[1] = want.where.y;
+// How far a stress goes over states.
+struct Range {
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  void take(double v) { low = std::min(low, v), high = std::max(high, v); }
+  double size() const { return high - low; }
+  double largest() const { return std::max(std::fabs(low), std::fabs(high)); }
+};
+
+// The three stresses at a place, at the end, and how far each goes from the state `first` on; of a cycle this alone.
+void add_place(std::vector<app::Stated>& out, const Trial& trial, const Want& want, size_t place, double tolerance,
+               size_t first) {
+  Range range[3];
+  double largest = 0;
+  for (size_t i = first; i < trial.states.size(); ++i)
+    for (size_t c = 0; c < 3; ++c) range[c].take(trial.states[i].inside[place][c + 2]);
+  for (const Range& r : range) largest = std::max(largest, r.largest());
+  const auto add = [&](const std::string& name, double value) {
+    out.push_back(number(name, static_cast<size_t>(want.body), value, largest, tolerance));
+    out.back().at[0] = want.where.x, out.back().at[1] = want.where.y;
+  };
+  for (size_t c = 0; c < 3 && first < trial.states.size(); ++c) {
+    if (!want.cycle) add(kStresses[c], trial.states.back().inside[place][c + 2]);
+    add(std::string(want.cycle ? "cycle range of " : "range of ") + kStresses[c], range[c].size());
   }
 }
 
-// The largest and the smallest stress along curves over the history, and the largest range at one place.
-void add_hoop(std::vector<app::Stated>& out, const sketch::Mesh& mesh, const Trial& trial, const Want& want, double tolerance) {
+// A value along curves and where it is.
+struct Along {
+  double value;
+  sketch::Point at;
+};
+
+// The largest and the smallest stress along curves from the state `first` on, and the largest range at one place; of a cycle
+// this alone.
+void add_hoop(std::vector<app::Stated>& out, const sketch::Mesh& mesh, const Trial& trial, const Want& want, double tolerance,
+              size_t first) {
   const auto body = static_cast<size_t>(want.side->body);
-  double value[3] = {-HUGE_VAL, HUGE_VAL, -1}; // largest, smallest, range
-  sketch::Point at[3];
-  const auto take = [&](size_t k, double v, sketch::Point p) {
-    if (k == 1 ? v < value[k] : v > value[k]) value[k] = v, at[k] = p;
-  };
+  Along high{-HUGE_VAL, {}}, low{HUGE_VAL, {}}, widest{-1, {}};
   size_t element = 0;
   for (const sketch::MeshedOutline& outline : mesh.bodies[body])
     for (const sketch::MeshedCurve& curve : outline.curves)
@@ -53,21 +67,31 @@ void add_hoop(std::vector<app::Stated>& out, const sketch::Mesh& mesh, const Tri
           const double f = trial.nodes == 1 ? 0.5 : static_cast<double>(i) / (trial.nodes - 1);
           const double s = curve.ends[e] + f * (curve.ends[e + 1] - curve.ends[e]);
           const sketch::Point p = curve.curve->shape->at(curve.measure.u_at(s));
-          double low = HUGE_VAL, high = -HUGE_VAL;
-          for (const State& state : trial.states) {
-            const double v = state.ends[body][kHoop][element * static_cast<size_t>(trial.nodes) + static_cast<size_t>(i)];
-            low = std::min(low, v), high = std::max(high, v);
-          }
-          take(0, high, p), take(1, low, p), take(2, high - low, p);
+          const size_t end = element * static_cast<size_t>(trial.nodes) + static_cast<size_t>(i);
+          Range range;
+          for (size_t k = first; k < trial.states.size(); ++k) range.take(trial.states[k].ends[body][kHoop][end]);
+          if (range.high > high.value) high = {range.high, p};
+          if (range.low < low.value) low = {range.low, p};
+          if (range.size() > widest.value) widest = {range.size(), p};
         }
       }
-  if (value[2] < 0) return;
-  const double scale = std::max(std::fabs(value[0]), std::fabs(value[1]));
-  const char* const names[3] = {"largest stress along ", "smallest stress along ", "range of stress along "};
-  for (size_t k = 0; k < 3; ++k) {
-    out.push_back(number(names[k] + want.side->names[0], body, value[k], scale, tolerance));
-    out.back().at[0] = at[k].x, out.back().at[1] = at[k].y;
-  }
+  if (widest.value < 0) return;
+  const auto add = [&](const char* name, const Along& a) {
+    const double scale = std::max(std::fabs(high.value), std::fabs(low.value));
+    out.push_back(number(name + want.side->names[0], body, a.value, scale, tolerance));
+    out.back().at[0] = a.at.x, out.back().at[1] = a.at.y;
+  };
+  if (want.cycle) return add("cycle range of stress along ", widest);
+  add("largest stress along ", high), add("smallest stress along ", low), add("range of stress along ", widest);
+}
+
+// The state at which the history's last cycle begins; behind the last one if it ended before the cycle did.
+size_t state_of_cycle(const sketch::Sketch& sketch, const Trial& trial) {
+  const int start = sketch::cycle_start(sketch);
+  int turns = 0;
+  for (size_t i = 0; i < trial.states.size() && trial.outcome == C2D_REACHED; ++i)
+    if (trial.states[i].turn && ++turns == start) return i;
+  return trial.states.size();
 }
 
 } // namespace
@@ -79,13 +103,20 @@ std::vector<Place> places_of(const sketch::Sketch& sketch) {
   return out;
 }
 
+// Cycles come last: a history that ends early has none, and the others keep their places.
 std::vector<app::Stated> wanted_of(const sketch::Sketch& sketch, const sketch::Mesh& mesh, const Trial& trial) {
   std::vector<app::Stated> out;
-  size_t place = 0;
-  for (const Want& want : sketch.wants) {
-    const double tolerance = want.tolerance.value_or(sketch.tolerance);
-    if (want.kind == Want::kStress) add_place(out, trial, want, place++, tolerance);
-    if (want.kind == Want::kHoop) add_hoop(out, mesh, trial, want, tolerance);
+  for (const bool cycle : {false, true}) {
+    const size_t first = cycle ? state_of_cycle(sketch, trial) : 0;
+    size_t places = 0;
+    for (const Want& want : sketch.wants) {
+      const size_t place = places;
+      if (want.kind == Want::kStress) ++places;
+      if (want.cycle != cycle) continue;
+      const double tolerance = want.tolerance.value_or(sketch.tolerance);
+      if (want.kind == Want::kStress) add_place(out, trial, want, place, tolerance, first);
+      if (want.kind == Want::kHoop) add_hoop(out, mesh, trial, want, tolerance, first);
+    }
   }
   return out;
 }

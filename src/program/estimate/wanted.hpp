@@ -1,4 +1,4 @@
-// Stresses that a sketch wants: inside, and along curves; at the end of the history, and over all of it.
+// Stresses that a sketch wants: inside, and along curves; at the end of the history, over all of it, over its last cycle.
 #pragma once
 
 #include "program/estimate/error.hpp"
@@ -9,7 +9,8 @@ namespace estimate {
 // Where results inside are wanted, for Demand::points.
 std::vector<Place> places_of(const sketch::Sketch& sketch);
 
-// Their values of one mesh, without errors, in an order that is the same on every mesh.
+// Their values of one mesh, without errors, in an order that is the same on every mesh; those of a cycle are missing at its end
+// where the history ended early.
 std::vector<app::Stated> wanted_of(const sketch::Sketch& sketch, const sketch::Mesh& mesh, const Trial& trial);
 
 } // namespace estimate

@@ -1,5 +1,6 @@
 #include "program/sketch/actions.hpp"
 
+#include "program/sketch/cycle.hpp"
 #include "program/sketch/region.hpp"
 
 #include <algorithm>
@@ -196,6 +197,9 @@ void ActionCheck::check_wants() {
   for (const Want& w : s_.wants) {
     const bool needs_interface = w.kind == Want::kPressure || w.kind == Want::kEdges || w.kind == Want::kDissipation;
     if (needs_interface && s_.interfaces.empty()) fault(w.at, "nothing is in contact here, expected a statement 'contact'");
+    if (w.cycle && cycle_start(s_) == 0)
+      fault(w.at, "the history has no cycle, expected one that ends with the load factors of the end of an earlier piece, and "
+                  "has others between");
   }
   for (const WantedPoint& p : s_.points) check_place(p.body, p.at, p.place, "the point");
   for (const PointLoad& p : s_.point_loads) check_place(p.body, p.where, p.at, "the force at");

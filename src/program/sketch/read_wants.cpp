@@ -6,12 +6,14 @@
 namespace sketch {
 namespace {
 
-const char* const kWants[] = {"pressure", "edges", "forces", "approach", "dissipation", "stress", "hoop"};
+// In the order of Want::Kind, and one more.
+constexpr std::initializer_list<const char*> kWants = {"pressure",    "edges",  "forces", "approach",
+                                                       "dissipation", "stress", "hoop",   "cycle"};
 
 // A number that is not the name of what is wanted next; a parameter may be called so.
 bool is_number(const Statement& s, size_t ahead = 0) {
   const auto is_next = [&](const char* word) { return s.is_next(word, ahead); };
-  return s.is_number(ahead) && std::none_of(std::begin(kWants), std::end(kWants), is_next);
+  return s.is_number(ahead) && std::none_of(kWants.begin(), kWants.end(), is_next);
 }
 
 // A tolerance as it stands there, 1 for 1, would be a hundred per cent.
@@ -50,8 +52,11 @@ void Reader::want(Statement& s) {
 
 void Reader::want_one(Statement& s) {
   Want want;
-  want.kind = static_cast<Want::Kind>(s.choice({"pressure", "edges", "forces", "approach", "dissipation", "stress", "hoop"}));
   want.at = s.at();
+  size_t kind = s.choice(kWants);
+  want.cycle = kind + 1 == kWants.size();
+  if (want.cycle) s.choice({"range"}), kind = Want::kStress + s.choice({"stress", "hoop"});
+  want.kind = static_cast<Want::Kind>(kind);
   if (want.kind == Want::kStress) return want_stress(s, want);
   if (want.kind == Want::kHoop) want.side = side(s), want.body = want.side->body;
   if (is_number(s)) want.tolerance = tolerance_of(s, s.share("a tolerance"));

@@ -111,6 +111,7 @@ struct Want {
   int body = 0;                    // of kStress and kHoop
   Point where;                     // of kStress
   std::optional<Side> side;        // of kHoop: the largest and the smallest along it
+  bool cycle = false;              // of kStress and kHoop: nothing but the range over the last cycle of the history
   Place at;
 };
 

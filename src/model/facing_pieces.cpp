@@ -1,0 +1,104 @@
+// Pieces of elements of side 1 and what they face, one after the other.
+#include "model/facing.hpp"
+
+#include "model/geometry.hpp"
+
+#include <math.h>
+
+namespace c2d {
+namespace facing {
+
+double position(const Zone& z, const FacePoint& p) { return p.place + 0.5 * (1 + z.element_step[0] * p.eta); }
+
+bool own_cut(const Model& m, const Zone& z, int32_t stop, double* eta) {
+  const int f = m.head->function_nodes, cuts = f < 2 ? 3 : f;
+  if (stop >= cuts) return false;
+  const double at = node_eta(cuts, stop);
+  *eta = z.element_step[1] > 0 ? at : -at;
+  return true;
+}
+
+} // namespace facing
+
+using namespace facing;
+
+namespace {
+
+bool face_own_cut(const Model& m, const Zone& z, const FacePoint& at2, FacePoint& out) {
+  const int f = m.head->function_nodes;
+  for (int l = 0; l < f && f > 1; ++l) { // a pair's node: its point has been found
+    const int32_t pair = at2.eta == node_eta(f, l) ? pair_of_end(m, z.body[1], at2.element, l).pair : -1;
+    if (pair < 0) continue;
+    ZonePlace faced;
+    out.element = m.pair[pair].element;
+    out.eta = m.pair[pair].eta;
+    if (!find_contact_element(m, z.body[0], out.element, &faced)) return false;
+    out.place = faced.place;
+    return true;
+  }
+  return face_point(m, z, at2, out);
+}
+
+// The next node or end of side 0 behind `now` within its element, in the order of the zone.
+double next_cut(const Model& m, const Zone& z, double eta) {
+  const int f = m.head->function_nodes, step = z.element_step[0];
+  double next = step;
+  for (int l = 0; l < f; ++l) {
+    const double node = node_eta(f, l);
+    if (step * (node - eta) > kSnap && step * (node - next) < 0) next = node;
+  }
+  return next;
+}
+
+// Where between two points of an element of side 1 lies what a point of side 0 faces? (Not inlined: the search for the next
+// target would stand on its frame.)
+[[gnu::noinline]] double face_within(const PieceWalk& w, const FacePoint& at1) {
+  const Model& m = *w.m;
+  const Zone& z = *w.z;
+  const Place p1 = place_at(m, z, 0, at1);
+  const Search off = search_in(m, z, p1, 1, w.place2);
+  return zero_between(w.eta2, w.target_eta2, off(w.eta2), off(w.target_eta2), off);
+}
+
+} // namespace
+
+PieceWalk start_pieces(const Model& m, const Zone& z, int32_t place2) {
+  PieceWalk walk{&m, &z, zone_element(m, z, 1, place2), place2, 1, {}, {}, 0, 0};
+  own_cut(m, z, 0, &walk.eta2);
+  if (!face_own_cut(m, z, FacePoint{walk.element2, place2, walk.eta2}, walk.now)) walk.stop = INT32_MAX - 1;
+  walk.target = walk.now;
+  walk.target_eta2 = walk.eta2;
+  return walk;
+}
+
+bool next_piece(PieceWalk& w, FacingPiece& out) {
+  const Model& m = *w.m;
+  const Zone& z = *w.z;
+  const int32_t count = zone_elements(z, 0);
+  if (w.eta2 == w.target_eta2) { // on to the next node of its own
+    if (!own_cut(m, z, w.stop, &w.target_eta2) || !face_own_cut(m, z, FacePoint{w.element2, w.place2, w.target_eta2}, w.target))
+      return false;
+    ++w.stop;
+  }
+  if (z.element_step[0] * w.now.eta >= 1 - kSnap) { // on to the next element of side 0
+    w.now = point_at(m, z, 0, w.now.place + 1 < count ? w.now.place + 1 : 0, -z.element_step[0]);
+  }
+  double goal = position(z, w.target);
+  if (goal < position(z, w.now) - 0.5 * count) goal += count; // round a ring
+  FacePoint cut = w.now;
+  cut.eta = next_cut(m, z, w.now.eta);
+  const double beyond = position(z, cut) - goal;
+  out.element1 = w.now.element;
+  out.eta1[0] = w.now.eta;
+  out.eta2[0] = w.eta2;
+  if (beyond > kSnap)
+    w.now.eta = w.target.eta;
+  else
+    w.now.eta = cut.eta;
+  w.eta2 = beyond >= -kSnap ? w.target_eta2 : face_within(w, cut);
+  out.eta1[1] = w.now.eta;
+  out.eta2[1] = w.eta2;
+  return true;
+}
+
+} // namespace c2d

@@ -1,0 +1,138 @@
+// Points of two surfaces that face each other.
+#include "model/facing.hpp"
+
+#include "model/geometry.hpp"
+
+#include <math.h>
+
+namespace c2d {
+namespace facing {
+
+namespace {
+
+// How far p2 lies ahead, in side 0's direction of travel, of the line through p1 along which points face each other.
+double ahead(double part, const Place& p1, const Place& p2) {
+  const double n[2] = {part * p1.n[0] - (1 - part) * p2.n[0], part * p1.n[1] - (1 - part) * p2.n[1]};
+  return (p2.point.y - p1.point.y) * n[0] - (p2.point.x - p1.point.x) * n[1];
+}
+
+} // namespace
+
+double Search::operator()(double eta) const {
+  const Place there = place_at(m, z, side, surface, FacePoint{element, place, eta});
+  return side == 0 ? ahead(z.normal_part, there, from) : ahead(z.normal_part, from, there);
+}
+
+Search search_in(const Model& m, const Zone& z, const Place& from, int side, int32_t place) {
+  const int32_t element = zone_element(m, z, side, place);
+  return Search{m, z, from, side, element, place, surface_element(m, z.body[side], element)};
+}
+
+double zero_between(double a, double b, double fa, double fb, const Search& f) {
+  const double none = 1e-16 * fmax(fabs(fa), fabs(fb));
+  double at = a;
+  for (int i = 0; i < 100; ++i) {
+    const double size = fb - fa;
+    if (size == 0) break;
+    at = b - fb * (b - a) / size;
+    const double value = f(at);
+    if (fabs(value) <= none || fabs(b - a) <= 4e-16) break;
+    if ((value > 0) == (fb > 0)) {
+      b = at, fb = value, fa *= 0.5;
+    } else {
+      a = b, fa = fb, b = at, fb = value;
+    }
+  }
+  return at;
+}
+
+} // namespace facing
+
+using namespace facing;
+
+namespace {
+
+double snapped(const Model& m, double eta) {
+  for (int end = -1; end <= 1; end += 2)
+    if (fabs(eta - end) <= kSnap) return end;
+  const int f = m.head->function_nodes;
+  for (int l = 0; l < f; ++l)
+    if (fabs(eta - node_eta(f, l)) <= kSnap) return node_eta(f, l);
+  return eta;
+}
+
+// The point of one element that faces p2.
+bool face_in_element(const Model& m, const Zone& z, int32_t place, const Place& p2, FacePoint& out) {
+  out = point_at(m, z, 0, place, -1);
+  const Search off = search_in(m, z, p2, 0, place);
+  const double tolerance = kSnap * element_length(m, z.body[0], out.element);
+  const double start = off(-1);
+  if (start < -tolerance) return false;
+  if (start <= tolerance) return true;
+  out.eta = 1;
+  const double end = off(1);
+  if (end > tolerance) return false;
+  if (end >= -tolerance) return true;
+  out.eta = snapped(m, zero_between(-1.0, 1.0, start, end, off));
+  return true;
+}
+
+bool face_place(const Model& m, const Zone& z, const Place& p2, FacePoint& out) {
+  double nearest = -1;
+  const int32_t count = zone_elements(z, 0), from = nearest_place(m, z, 0, p2.point);
+  for (int32_t k = 0; k < count; ++k) {
+    const int32_t place = (from + k) % count;
+    FacePoint found;
+    if (nearest >= 0 && is_beyond(m, z.body[0], zone_element(m, z, 0, place), p2.point, nearest)) continue;
+    if (!face_in_element(m, z, place, p2, found)) continue;
+    const SurfacePoint p = surface_point(m, z.body[0], found.element, found.eta);
+    const double x = p2.point.x - p.x, y = p2.point.y - p.y, distance = x * x + y * y;
+    if (nearest >= 0 && distance >= nearest) continue;
+    nearest = distance;
+    out = found;
+  }
+  return nearest >= 0;
+}
+
+} // namespace
+
+bool face_point(const Model& m, const Zone& z, const FacePoint& at2, FacePoint& out) {
+  return face_place(m, z, place_at(m, z, 1, at2), out);
+}
+
+bool facing_point(const Model& m, const Zone& z, const FacePoint& at, FacePoint& out) {
+  const Place p1 = place_at(m, z, 0, at);
+  double nearest = -1;
+  const int32_t count = zone_elements(z, 1), from = nearest_place(m, z, 1, p1.point);
+  for (int32_t k = 0; k < count; ++k) {
+    const int32_t place = (from + k) % count, other = zone_element(m, z, 1, place);
+    if (nearest >= 0 && is_beyond(m, z.body[1], other, p1.point, nearest)) continue;
+    const Search off = search_in(m, z, p1, 1, place);
+    const double start = off(-1), end = off(1);
+    const Closeness close = closeness(m, z.body[1], other, start, end);
+    double where;
+    if (close.start)
+      where = -1;
+    else if (close.end)
+      where = 1;
+    else if ((start > 0) == (end > 0))
+      continue;
+    else
+      where = zero_between(-1.0, 1.0, start, end, off);
+    const SurfacePoint q = surface_point(off.surface, where);
+    const double x = q.x - p1.point.x, y = q.y - p1.point.y, distance = x * x + y * y;
+    if (nearest >= 0 && distance >= nearest) continue;
+    nearest = distance;
+    out = FacePoint{other, place, where};
+  }
+  return nearest >= 0;
+}
+
+int32_t node_at(const Model& m, int b, const FacePoint& at) {
+  const int f = m.head->function_nodes;
+  for (int l = 0; l < f; ++l)
+    if (at.eta == node_eta(f, l)) return functional_node(m, b, at.element, l);
+  return -1;
+}
+
+} // namespace c2d
