@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 namespace estimate {
 namespace {
@@ -18,8 +20,10 @@ constexpr double kStalls = 0.7; // of the distance of the round before
 constexpr int kMostRounds = 14;
 constexpr double kAim = 1.0;         // of the distance at which tractions are known as well as is wanted
 constexpr double kWantedDoubt = 0.2; // as doubt() of error.cpp, of stresses
-constexpr double kOfPlaces = 0.75;   // if nothing but places are off
-constexpr double kOfEnergy = 8;      // energy that elements cannot follow, over the tolerance
+constexpr double kSettles = 0.8;     // of the error before: more is none that falls
+constexpr int kPatience = 3;
+constexpr double kOfPlaces = 0.75; // if nothing but places are off
+constexpr double kOfEnergy = 8;    // energy that elements cannot follow, over the tolerance
 
 constexpr app::Measure kLocal[] = {app::Measure::kPeakPressure, app::Measure::kContactEdge, app::Measure::kStickBorder,
                                    app::Measure::kDissipated};
@@ -42,6 +46,9 @@ private:
   bool is_within_limits(const sketch::Mesh& mesh);
   void judge(const Level& coarse, const Level& fine, const Distance& between, const Trial* earlier);
   bool all_met() const;
+  void watch();
+  void tell_endless();
+  bool is_endless(const app::Stated& s) const;
   Level next_mesh(const Level& coarse, const Level& fine, const Distance& distance, bool near);
   double aim() const;
   double energy_aim() const;
@@ -55,6 +62,11 @@ private:
   const Demand& demand_;
   const std::function<void(const app::MeshRound&)>& told_;
   Adapted out_;
+  struct Watched {
+    double error = HUGE_VAL;
+    int stays = 0; // rounds in a row
+  };
+  std::map<std::tuple<std::string, int32_t, int32_t, int32_t>, Watched> watched_; // by name, zone, item, body
   double seconds_ = 0;
   double rest_ = 1, worst_ = HUGE_VAL; // the rest of the boundary is held to more while the contact's distance does not fall
   std::string history_;                // why it ended early, of the last mesh
@@ -176,8 +188,25 @@ void Loop::judge(const Level& coarse, const Level& fine, const Distance& between
   out_.loop.rounds.back().stated = stated;
 }
 
+// Numbers at one place whose errors no longer fall though the mesh there becomes finer: at a sharp corner there may be no
+// bound.
+void Loop::watch() {
+  for (const app::Stated& s : out_.loop.stated) {
+    if (s.is_met() || !is_place(s)) continue;
+    Watched& w = watched_[{s.name, s.zone, s.item, s.body}];
+    w.stays = s.error > kSettles * w.error ? w.stays + 1 : 0;
+    w.error = s.error;
+  }
+}
+
+bool Loop::is_endless(const app::Stated& s) const {
+  const auto found = watched_.find({s.name, s.zone, s.item, s.body});
+  return found != watched_.end() && found->second.stays >= kPatience;
+}
+
 bool Loop::all_met() const {
-  return std::all_of(out_.loop.stated.begin(), out_.loop.stated.end(), [](const app::Stated& s) { return s.is_met(); });
+  return std::all_of(out_.loop.stated.begin(), out_.loop.stated.end(),
+                     [&](const app::Stated& s) { return s.is_met() || is_endless(s); });
 }
 
 sketch::Mesh without_far(sketch::Mesh mesh) {
@@ -225,12 +254,18 @@ bool Loop::is_near(const Distance& d) const {
 void Loop::tighten(const Distance& d) {
   double contact = 1, rest = 1;
   for (const app::Stated& s : out_.loop.stated) {
-    if (s.is_met()) continue;
+    if (s.is_met() || is_endless(s)) continue;
     double& worst = is_local(s) ? contact : rest;
     worst = std::min(worst, is_place(s) ? kOfPlaces : s.tolerance * s.scale / s.error);
   }
   if (contact < 1) strictness_ *= std::clamp(contact, 0.15, kOfPlaces);
   if (d.energy < energy_aim() && rest < 1) rest_ *= std::clamp(rest, 0.05, 0.6);
+}
+
+void Loop::tell_endless() {
+  const std::vector<app::Stated>& all = out_.loop.stated;
+  if (std::any_of(all.begin(), all.end(), [&](const app::Stated& s) { return !s.is_met(); }))
+    out_.loop.stopped = "it does not settle as the mesh there becomes finer: it may have no bound";
 }
 
 bool Loop::take(Level& level, const std::string& why) {
@@ -269,8 +304,9 @@ void Loop::search() {
       coarse.mesh = without_far(coarse.mesh);
       continue;
     }
-    if (all_met()) return;
     const bool near = is_near(between);
+    if (near) watch();
+    if (all_met()) return tell_endless();
     if (near) tighten(between);
     coarse = next_mesh(coarse, fine, between, near);
     earlier = std::move(fine.trial);

@@ -14,9 +14,9 @@ constexpr int kMostLevels = 2;
 
 bool is_place(const app::Stated& s) {
   using app::Measure;
-  return s.zone > 0 && !std::isnan(s.at[0]) &&
-         (s.name == app::name_of(Measure::kContactEdge) || s.name == app::name_of(Measure::kStickBorder) ||
-          s.name == app::name_of(Measure::kPeakPressure));
+  const Measure of_contact[] = {Measure::kContactEdge, Measure::kStickBorder, Measure::kPeakPressure};
+  return !std::isnan(s.at[0]) && (s.zone == 0 || std::any_of(std::begin(of_contact), std::end(of_contact),
+                                                             [&](Measure m) { return s.name == app::name_of(m); }));
 }
 
 std::vector<sketch::Spot> edges_of(const Trial& trial) {
@@ -58,8 +58,9 @@ void mark_places(const sketch::Sketch& sketch, const Trial& trial, const std::ve
                  sketch::Levels& levels) {
   for (const app::Stated& s : stated) {
     if (s.is_met() || !is_place(s)) continue;
-    const auto body = static_cast<size_t>(trial.zones[static_cast<size_t>(s.zone) - 1][1].body);
-    const sketch::Located place = sketch::locate(sketch, {static_cast<int>(body), {s.at[0], s.at[1]}}, mesh);
+    const int32_t at = s.zone > 0 ? trial.zones[static_cast<size_t>(s.zone) - 1][1].body : s.body - 1;
+    const auto body = static_cast<size_t>(at);
+    const sketch::Located place = sketch::locate(sketch, {at, {s.at[0], s.at[1]}}, s.zone > 0, mesh);
     if (place.curve == nullptr) continue;
     const std::vector<double>& ends = place.curve->ends;
     const size_t last = ends.size() - 2;

@@ -14,7 +14,7 @@ std::vector<sketch::Spot> edges_of(const Trial& trial);
 // largest in any case.
 sketch::Levels marks(const Distance& distance, double pressure, double energy);
 
-// Is a number, or does it lie at, a place of a contact: an edge, a border, the peak of the pressure?
+// Does a number hang on one place: an edge of contact, a border of stick, the peak of a pressure, a stress?
 bool is_place(const app::Stated& s);
 
 // Beside that the elements at the places of numbers that are not met, and their neighbours.

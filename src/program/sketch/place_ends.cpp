@@ -47,13 +47,13 @@ double nearest_length(const MeshedCurve& curve, Point p) {
   return curve.measure.length_to(best);
 }
 
-Located locate(const Sketch& sketch, const Spot& spot, Mesh& mesh) {
+Located locate(const Sketch& sketch, const Spot& spot, bool in_contact, Mesh& mesh) {
   Located out;
   double least = HUGE_VAL;
   size_t first = 0;
   for (MeshedOutline& outline : mesh.bodies[static_cast<size_t>(spot.body)])
     for (MeshedCurve& curve : outline.curves) {
-      if (holds_pairs(sketch, spot.body, curve.curve->name)) {
+      if (!in_contact || holds_pairs(sketch, spot.body, curve.curve->name)) {
         const double s = nearest_length(curve, spot.at), off = length(curve.curve->shape->at(curve.measure.u_at(s)) - spot.at);
         if (off < least) least = off, out = {&curve, s, first};
       }
@@ -65,7 +65,8 @@ Located locate(const Sketch& sketch, const Spot& spot, Mesh& mesh) {
 void place_ends(const Sketch& sketch, const std::vector<Spot>& spots, Mesh& mesh) {
   std::map<MeshedCurve*, std::vector<double>> moved; // ends that have
   for (const Spot& spot : spots)
-    if (const Located at = locate(sketch, spot, mesh); at.curve != nullptr) place_end(*at.curve, at.length, moved[at.curve]);
+    if (const Located at = locate(sketch, spot, true, mesh); at.curve != nullptr)
+      place_end(*at.curve, at.length, moved[at.curve]);
 }
 
 } // namespace sketch

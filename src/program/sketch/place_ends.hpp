@@ -14,14 +14,14 @@ struct Spot {
   Point at;
 };
 
-// The curve of a side at whose nodes contact conditions hold that is nearest to a place: null if the body has none; the length
-// along it there, and how many elements the body has before it.
+// The nearest curve of the body, of those at whose nodes contact conditions hold if that is asked for: null if there is none;
+// the length along it, and how many elements the body has before it.
 struct Located {
   MeshedCurve* curve = nullptr;
   double length = 0;
   size_t first = 0;
 };
-Located locate(const Sketch& sketch, const Spot& spot, Mesh& mesh);
+Located locate(const Sketch& sketch, const Spot& spot, bool in_contact, Mesh& mesh);
 
 // The length along a curve where it is nearest to a point.
 double nearest_length(const MeshedCurve& curve, Point p);
