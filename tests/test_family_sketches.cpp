@@ -272,3 +272,39 @@ TEST_CASE("family sketches: stress intensity of cracks, by the handbook") {
   REQUIRE(edge.solution.cracks.size() == 1);
   CHECK(std::fabs(edge.solution.cracks[0].K1 / std::sqrt(kPi) / exact.edge - 1) < 0.01);
 }
+
+TEST_CASE("family sketches: every one is short, told on the page, and the program takes it") {
+  const std::string page = test::read_file(paths::root() + "/examples/README.md");
+  int sketches = 0;
+  for (const auto& entry : test::fs::directory_iterator(paths::root() + "/examples/families")) {
+    const std::string name = entry.path().filename().string(), text = test::read_file(entry.path().string());
+    CAPTURE(name);
+    ++sketches;
+    CHECK(test::lines_of(text).size() <= 40);
+    for (const std::string& line : test::lines_of(text)) CHECK(line.size() <= 128);
+    CHECK(test::contains(page, "`" + name + "`"));
+    const test::Result checked = test::run_shell("'" + paths::program() + "' check '" + entry.path().string() + "'");
+    CHECK_MESSAGE(checked.status == 0, checked.err);
+  }
+  CHECK(sketches == 23);
+  const std::string hertz = "'" + paths::program() + "' run '" + paths::root() + "/examples/families/hertz.c2s'";
+  const test::Result run = test::run_shell(hertz + " R=25 --listing /dev/null");
+  CHECK_MESSAGE(run.status == 0, run.err);
+}
+
+// The families that make writes have sketches of the same names, whose parameters have the same defaults.
+TEST_CASE("family sketches: parameters are those of the families of make") {
+  for (const families::Family& family : families::all_families()) {
+    CAPTURE(family.name);
+    const sketch::Reading drawn = sketch_test::read_example(std::string("families/") + family.name);
+    REQUIRE(drawn.faults.empty());
+    int shared = 0;
+    for (const families::Parameter& p : family.parameters) {
+      const auto found = drawn.sketch.parameters.find(p.key);
+      if (found == drawn.sketch.parameters.end()) continue; // of the mesh, or a choice
+      CHECK_MESSAGE(found->second == std::stod(p.value), p.key);
+      ++shared;
+    }
+    CHECK(shared >= 4);
+  }
+}
