@@ -154,7 +154,7 @@ inline BendingFigures bending_errors(const Solution& s) {
   return worst;
 }
 
-// make dovetail: a flank's normal force where it slips, against F / (2 (cos + mu sin)), and the balance of both flanks.
+// The dovetail: a flank's normal force where it slips, against F / (2 (cos + mu sin)), and the balance of both flanks.
 struct FlankFigures {
   double normal, balance; // relative
 };
@@ -164,7 +164,7 @@ inline FlankFigures flank_errors(const Solution& s, double degrees, double mu, d
   return {(-force[0] * d - force[1] * c) / (pull / 2 / (c + mu * d)) - 1, -force[1] / (pull / 2) - 1};
 }
 
-// make gear: the moments that act on the hubs about their centres, the ratio over zB / zA, less 1.
+// Gears: the moments that act on what carries the teeth about their axes, the ratio over zB / zA, less 1.
 inline double gear_error(const Solution& s, int zA, int zB) {
   const double centres = (zA + zB) / 2.0;
   const c2d_body_result &A = s.resultants[2], &B = s.resultants[3];
@@ -178,7 +178,7 @@ inline double gear_peak(const Solution& s, int zA) {
   return largest_pressure(s.zone(1)) / (2 * force / (kPi * a)) - 1;
 }
 
-// make lap_joint: what the upper plate is pulled by, and what the contact between the plates and the stud's walls carry of it.
+// The lap joint: what the upper plate is pulled by, and what the contact between the plates and the stud's walls carry of it.
 struct LapFigures {
   double pull, friction, bearing;
 };

@@ -63,9 +63,6 @@ TEST_CASE("families: wrong names, keys and values end with 64 and list the keys"
                          {"coating t=0.05", "t is below 0.1"},
                          {"bimaterial L=1", "L is below 2"},
                          {"shrink c=1", "a, b, c, d are to rise"},
-                         {"dovetail angle=85", "angle is to be from 10 to 80"},
-                         {"gear zA=8", "zA and zB are to be from 12 to 200"},
-                         {"lap_joint lap=2", "lap is below 4 d"},
                          {"crack W=1", "W is below 1.2"},
                          {"crack n=5", "n is below 10"},
                          {"crack ratio=1", "ratio is to be from 1.05 to 2"}};

@@ -59,7 +59,7 @@ TEST_CASE("sketch: arithmetic") {
 TEST_CASE("sketch: derivatives of formulas against differences") {
   for (const char* text :
        {"sin(t)*exp(t)", "t^3/(1+t)", "sqrt(t)+log(t)", "atan2(t,2)+asin(t/3)", "acos(t/2)*tan(t)", "2^t", "cos(t)^2"}) {
-    const Expression f(Word{text, {}, false}, {}, "t");
+    const Expression f(Word{text, {}, false}, {}, {"t", ""});
     const double t = 0.7, h = 1e-4;
     const Jet j = f.at(t);
     CAPTURE(text);

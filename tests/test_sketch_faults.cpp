@@ -270,6 +270,15 @@ TEST_CASE("sketch: the program tells faults at their places, and takes parameter
   CHECK((test::contains(five.out, " 0 -15 0 0\n") && test::contains(five.out, "point 1 0.5 0.5\n")));
   CHECK(test::contains(test::run_shell(command + "mesh --set c=5 '" + file + "'").err,
                        "no parameter of this sketch is called 'c'"));
+  CHECK(test::run_shell(command + "mesh '" + file + "' a=5").out == five.out);
+  const test::Result word = test::run_shell(command + "run '" + file + "' a=five");
+  CHECK(word.status == 64);
+  CHECK(test::contains(word.err, "a=five: expected the name of a parameter, = and a number"));
+  CHECK(test::contains(test::run_shell(command + "check '" + file + "' a").err, "more than one deck"));
+  CHECK(test::contains(test::run_shell(command + "convert '" + file + "' a=5").err, "more than one deck"));
+  const test::Result deck = test::run_shell(command + "check '" + paths::root() + "/examples/hertz.dat' a=5");
+  CHECK(deck.status == 64);
+  CHECK(test::contains(deck.err, "a deck has no parameters: a=5 is for sketches"));
 }
 
 TEST_CASE("sketch: words left out, doubled and exchanged are told, or make a deck") {

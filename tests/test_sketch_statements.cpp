@@ -191,3 +191,22 @@ TEST_CASE("sketch: the bottom third of a whole roller is in contact") {
   for (int i = 0; i < r.steps.back().pairs(); ++i) peak = std::max(peak, r.steps.back().at(i, C2D_TN));
   CHECK(peak == doctest::Approx(p0).epsilon(0.003));
 }
+
+TEST_CASE("sketch: a load may be a formula of the place") {
+  const std::string held = std::string(kSquare) + "fix b.s\n";
+  const std::string text = deck(held + "traction b.e x {2*y} y {1 - x*y}\npressure b.n {3 + x}\n");
+  CHECK(text.find(" 0011 2 0 0 0\n") != std::string::npos);  // at the end of the east side, (1, 1)
+  CHECK(text.find(" 0011 0 -4 0 0\n") != std::string::npos); // where the north side begins there
+  CHECK(text.find(" 0011 0 -3 0 0\n") != std::string::npos); // and where it ends, (0, 1)
+  // The same as a number where it does not vary; a parameter called y is that number.
+  CHECK(deck(held + "pressure b.n {3 + 0*x}\n") == deck(held + "pressure b.n 3\n"));
+  CHECK(deck("parameter y 4\n" + held + "traction b.e x {2*y}\n") == deck(held + "traction b.e x 8\n"));
+  tells(held + "pressure b.n {1/x}\n", "8:1 the formula has no value at (0, 1) of b.n");
+  tells(held + "traction b.e x {sqrt(0.5 - y)} y 1\n", "the formula has no value at (1, 0.5");
+  tells(held + "traction b.e x {z}\n", "no parameter is called 'z'");
+  tells(held + "traction b.e x y 1\n", "'y': expected its value");
+  tells(held + "traction b.e x {1/0}\n", "is not a finite number");
+  tells(held + "traction b.e x 1 x 2\n", "x is given twice");
+  tells(held + "traction b.e\n", "expected x or y");
+  tells(std::string(kSquare) + "move b.s x {y}\n", "no parameter is called 'y'");
+}

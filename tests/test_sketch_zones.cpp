@@ -1,4 +1,5 @@
 // Which elements of a sketch may touch: sides in several interfaces, sides that go round, ties, press fits.
+#include "program/sketch/refine.hpp"
 #include "program/sketch/zones.hpp"
 #include "sketch_runs.hpp"
 
@@ -138,4 +139,29 @@ TEST_CASE("sketch zones: an element of a fillet faces the floor with both ends")
     const Solution s = solved(drawn, {fineness});
     CHECK(std::fabs(s.zones[0].force[1]) == doctest::Approx(2).epsilon(1e-6));
   }
+}
+
+// A short wall beside a long side, whose elements are the ones with the pairs.
+const std::string kShort =
+    "body b E 1 nu 0.3\nfrom 0 0\nline s to 1 0\nline e to 1 1\nline n to 0 1\nline w close\n"
+    "body c E 1 nu 0.3\nfrom 1 0.35\nline s to 2 0.35\nline e to 2 0.62\nline n to 1 0.62\nline w close\n"
+    "fix b.w\nfix c.e\n";
+
+TEST_CASE("sketch zones: elements longer than what they face make way for shorter ones") {
+  const sketch::Reading drawn = read_text(kShort + "contact c.w b.e\n");
+  const sketch::Mesh coarse = sketch::first_mesh(drawn.sketch, 0.01), fine = sketch::first_mesh(drawn.sketch, 2);
+  CHECK(zones(drawn, coarse).size() == 1);
+  CHECK(sketch::elements_of(coarse) < sketch::elements_of(fine));
+  const sketch::Reading apart = read_text(kShort + "contact c.s b.e\n");
+  CHECK_THROWS_AS(zones(apart, sketch::first_mesh(apart.sketch, 0.01)), sketch::Fault);
+}
+
+TEST_CASE("sketch zones: what is far is left out, but not all of an interface") {
+  const sketch::Reading drawn = read_text(kShort + "contact c.w b.e\n");
+  sketch::Mesh mesh = sketch::first_mesh(drawn.sketch, 2);
+  const std::vector<sketch::Zone> all = zones(drawn, mesh);
+  for (sketch::MeshedCurve& curve : mesh.bodies[0][0].curves) curve.far = {{0, 0.5}};
+  CHECK(zones(drawn, mesh).at(0).two.count < all.at(0).two.count);
+  for (sketch::MeshedCurve& curve : mesh.bodies[0][0].curves) curve.far = {{0, 1}};
+  CHECK(zones(drawn, mesh).at(0).two.count == all.at(0).two.count);
 }

@@ -95,13 +95,13 @@ int mesh_sketch(DeckFile& deck, const sketch::Sketch& sketch, const Drawing& dra
 int take_sketch(DeckFile& deck, const Drawing& drawing, MeshLoop& loop) {
   if (!sketch::is_sketch(deck.text(), deck.name())) {
     if (drawing.settings.empty()) return 0;
-    print(deck, {{}, "a deck has no parameters: --set is for sketches"});
+    print(deck, {{}, "a deck has no parameters: " + drawing.settings[0] + " is for sketches"});
     return kExitUsage;
   }
   sketch::Parameters given;
   for (const std::string& word : drawing.settings)
     if (!read_setting(word, given)) {
-      print(deck, {{}, "--set " + word + ": expected the name of a parameter, = and a number"});
+      print(deck, {{}, word + ": expected the name of a parameter, = and a number"});
       return kExitUsage;
     }
   const auto file = [&deck](const std::string& name, std::string& text) {

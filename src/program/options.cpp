@@ -139,6 +139,11 @@ bool read_convert_option(const std::vector<std::string>& words, size_t& at, Opti
   return true;
 }
 
+// Words such as mu=0.3 behind the name of a sketch, for its parameters.
+bool takes_settings(Command command) {
+  return command == Command::kRun || command == Command::kCheck || command == Command::kMesh;
+}
+
 bool read_resume(const std::vector<std::string>& words, Options& options, std::string& error) {
   options.command = Command::kResume;
   for (size_t at = 1; at < words.size(); ++at) {
@@ -224,6 +229,9 @@ bool read_deck_and_options(const std::vector<std::string>& words, Options& optio
       return true;
     } else if (!options_end && word.size() > 1 && word[0] == '-') {
       if (!read_option(words, at, options, error)) return false;
+    } else if (!options.deck.empty() && takes_settings(options.command) && word.find('=') != std::string::npos) {
+      options.settings.push_back(word);
+      options.given.emplace_back("--set", word);
     } else if (!options.deck.empty()) {
       error = "more than one deck: " + options.deck + " and " + word;
       return false;
@@ -298,10 +306,10 @@ const std::array<OutputName, kOutputs> kOutputTable = {{
 namespace {
 
 const char kHelpBefore[] =
-    "usage: contact2d run DECK [options]\n"
-    "       contact2d check DECK [--symmetry deck|images] [--set NAME=VALUE]\n"
+    "usage: contact2d run DECK [NAME=VALUE ...] [options]\n"
+    "       contact2d check DECK [NAME=VALUE ...] [--symmetry deck|images]\n"
     "       contact2d sketch DRAWING [--with FILE] [--join D] [-o FILE]\n"
-    "       contact2d mesh SKETCH [--set NAME=VALUE] [--halve] [-o FILE]\n"
+    "       contact2d mesh SKETCH [NAME=VALUE ...] [--halve] [-o FILE]\n"
     "       contact2d resume DIR\n"
     "       contact2d convert DECK [--to fixed|free] [-o FILE]\n"
     "       contact2d make NAME key=value ...\n"
@@ -312,7 +320,8 @@ const char kHelpBefore[] =
     "in the "
     "other\n"
     "form (fixed columns or free) without changing a number. DECK may be - for standard input.\n"
-    "A DECK may be a sketch: shapes without a mesh. mesh writes the deck that is made of it;\n"
+    "A DECK may be a sketch: shapes without a mesh; NAME=VALUE is for its parameters. mesh writes the deck that is made of "
+    "it;\n"
     "with --halve, which takes decks too, with every element cut in two.\n"
     "sketch begins a sketch from a drawing (DXF or MSH, ASCII); --with FILE adds the statements of a file to it,\n"
     "--join D takes ends of curves up to a distance D for one.\n"

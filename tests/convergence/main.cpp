@@ -188,23 +188,6 @@ void several_bodies() {
           {{"pressure of the fit", [](const Solution& s) { return shrink_errors(s).fit; }},
            {"pressure of the bond", [](const Solution& s) { return shrink_errors(s).bond; }}});
   }
-  for (const char* mu : {"mu=0", "mu=0.2"})
-    table("Dovetail", "dovetail", {mu}, "n", {5, 10, 20},
-          {{"force on a flank",
-            [=](const Solution& s) { return flank_errors(s, 45, std::string(mu) == "mu=0" ? 0 : 0.2, 0.1).normal; }},
-           {"balance", [](const Solution& s) { return flank_errors(s, 45, 0, 0.1).balance; }}});
-  for (const char* at : {"at=0.1", "at=0.5", "at=0.9"})
-    table("Gear pair", "gear", {at}, "n", {5, 10, 20},
-          {{"ratio of the moments", [](const Solution& s) { return gear_error(s, 20, 30); }},
-           {"p0", [](const Solution& s) { return gear_peak(s, 20); }}});
-  table("Lap joint that slips", "lap_joint", {"pull=0.01"}, "n", {3, 5, 8},
-        {{"slip load over mu N", [](const Solution& s) { return lap_figures(s).pull / 0.3 - 1; }}});
-  table("Lap joint whose stud bears", "lap_joint", {}, "n", {3, 5, 8},
-        {{"friction over mu N", [](const Solution& s) { return lap_figures(s).friction / 0.3 - 1; }},
-         {"balance", [](const Solution& s) {
-            const LapFigures f = lap_figures(s);
-            return (f.friction + f.bearing) / f.pull - 1;
-          }}});
 }
 
 // Stress intensity over sqrt(pi a), or where faces open that bending closes on the left.

@@ -353,17 +353,14 @@ void Writer::loads() {
   for (const Load& load : m_.loads) card(std::to_string(load.increments) + number(load.factor));
 }
 
-// The card of coefficients has no word for adhesion, and is for all zones; a keyword card has, for each.
+// The card of coefficients has no word for adhesion; a keyword card has, for each zone.
 void Writer::friction() {
-  const bool adheres = std::any_of(m_.friction.begin(), m_.friction.end(), [](double mu) { return std::isinf(mu); });
-  bool told = false;
+  if (std::none_of(m_.friction.begin(), m_.friction.end(), [](double mu) { return std::isinf(mu); })) return;
+  card("*FRICTION");
   for (size_t i = 0; i < m_.zones.size(); ++i) {
-    const bool own = !m_.zones[i].friction.empty();
-    if (m_.zones[i].tied || !(own || adheres)) continue;
-    if (!told) card("*FRICTION");
-    told = true;
+    if (m_.zones[i].tied) continue;
     std::string text = std::to_string(i + 1);
-    for (const double mu : own ? m_.zones[i].friction : m_.friction) text += std::isinf(mu) ? " INF" : number(mu);
+    for (const double mu : m_.friction) text += std::isinf(mu) ? " INF" : number(mu);
     card(text);
   }
 }

@@ -72,9 +72,6 @@ Family bearing_family();
 Family coating_family();
 Family bimaterial_family();
 Family shrink_family();
-Family dovetail_family();
-Family gear_family();
-Family lap_joint_family();
 Family crack_family();
 
 } // namespace families

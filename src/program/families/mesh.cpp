@@ -107,11 +107,6 @@ Outline& Outline::line(Point end, const std::vector<double>& s, const Condition&
   return add_side(static_cast<int>(s.size()) - 1, condition);
 }
 
-Outline& Outline::path(const std::vector<Point>& points, const Condition& condition) {
-  for (const Point& at : points) nodes_.push_back({at, false, 0, 0, {}, {}});
-  return add_side(static_cast<int>(points.size()), condition);
-}
-
 Outline& Outline::axis_x(Point end, const std::vector<double>& s) {
   line(end, s, roller_x());
   sides_.back().axis = 'X';

@@ -61,8 +61,6 @@ public:
   // The same on a line of symmetry, x or y constant: smooth rollers, or nothing by images.
   Outline& axis_x(Point end, const std::vector<double>& s);
   Outline& axis_y(Point end, const std::vector<double>& s);
-  // A side of any shape: an element to each of the points.
-  Outline& path(const std::vector<Point>& points, const Condition& condition = free_side());
   // An arc about `centre` from angle `from` to `to` (degrees; rising: counter-clockwise).
   Outline& arc(Point centre, double radius, double from, double to, const std::vector<double>& s,
                const Condition& condition = free_side());

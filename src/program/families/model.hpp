@@ -34,7 +34,6 @@ struct ZoneSide {
 struct ContactZone {
   ZoneSide side1, side2;
   bool free = false, tied = false;
-  std::vector<double> friction{}; // of its own, one for every coefficient of the model; none: those of the model
   // Of a matching zone: the nodes at the first or last end of side 1 make no pair, as those at a crack's tip, which are tied.
   bool without_first = false, without_last = false;
 };

@@ -38,6 +38,7 @@ private:
   void check_interface(size_t index);
   void check_platen(const Drive& platen, size_t before);
   void check_case(size_t load_case);
+  void check_field(const Condition& c, size_t axis);
   void check_place(int b, Point p, Place at, const std::string& what);
   void check_wants();
   void check_supports();
@@ -184,6 +185,18 @@ void ActionCheck::check_case(size_t load_case) {
     fault(at, "load case " + quoted(one.name) + " never acts, expected a statement 'history' that gives it a factor");
 }
 
+// A load that has no value at some place of its curves.
+void ActionCheck::check_field(const Condition& c, size_t axis) {
+  for (const Outline& outline : body(c.side.body).outlines)
+    for (const Curve& curve : outline.curves)
+      for (int i = 0; i <= 64 && c.side.has(curve.name); ++i) {
+        const Point p = curve.shape->at(i / 64.0);
+        if (std::isfinite(c.field[axis]->at(p.x, p.y))) continue;
+        return fault(c.at, "the formula has no value at (" + rounded(p.x) + ", " + rounded(p.y) + ") of " +
+                               this->curve(c.side.body, curve.name));
+      }
+}
+
 // In the material, and not on its boundary.
 void ActionCheck::check_place(int b, Point p, Place at, const std::string& what) {
   const Region region(s_, body(b));
@@ -248,6 +261,9 @@ std::vector<Fault> ActionCheck::run() {
   for (size_t i = 0; i < s_.drives.size(); ++i)
     if (s_.drives[i].side) check_platen(s_.drives[i], i);
   for (size_t c = 0; c < s_.cases.size(); ++c) check_case(c);
+  for (const Condition& c : s_.conditions)
+    for (size_t axis = 0; axis < 2; ++axis)
+      if (c.field[axis]) check_field(c, axis);
   check_wants();
   check_supports();
   return faults_;

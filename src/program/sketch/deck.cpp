@@ -128,14 +128,20 @@ void Writer::points(size_t b) {
 void Writer::apply(const Condition& c, const MeshedCurve& curve, double s, End& end) const {
   if ((c.part == Condition::kStart && s > 0) || (c.part == Condition::kEnd && s < (1 - 1e-12) * curve.ends.back())) return;
   Values& values = end.values[static_cast<size_t>(c.load_case)];
+  const Shape& shape = *curve.curve->shape;
+  const double u = curve.measure.u_at(s);
+  const auto value = [&](size_t i) {
+    const Point p = shape.at(u);
+    return c.field[i] ? c.field[i]->at(p.x, p.y) : *c.value[i];
+  };
   if (c.kind == Condition::kPressure) {
-    const Point normal = -1.0 * turned_left(curve.curve->shape->tangent(curve.measure.u_at(s)));
-    values[0] -= *c.value[0] * normal.x, values[1] -= *c.value[0] * normal.y;
+    const Point normal = -1.0 * turned_left(shape.tangent(u));
+    values[0] -= value(0) * normal.x, values[1] -= value(0) * normal.y;
   }
   for (size_t i = 0; i < 2 && c.kind != Condition::kPressure; ++i) {
     if (!c.value[i]) continue;
     if (c.kind == Condition::kDisplacement) end.held[i] = true;
-    values[i + (c.kind == Condition::kDisplacement ? 2 : 0)] += *c.value[i];
+    values[i + (c.kind == Condition::kDisplacement ? 2 : 0)] += value(i);
   }
 }
 

@@ -77,8 +77,9 @@ bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0;
 
 class Parser {
 public:
-  Parser(const Word& word, const Parameters& parameters, const std::string& variable, std::vector<Expression::Step>& steps)
-      : word_(word), parameters_(parameters), variable_(variable), steps_(steps) {}
+  Parser(const Word& word, const Parameters& parameters, const Expression::Variables& variables,
+         std::vector<Expression::Step>& steps)
+      : word_(word), parameters_(parameters), variables_(variables), steps_(steps) {}
   void read() {
     sum();
     if (at_ < word_.text.size()) fail(at_, at_, "expected an operator");
@@ -167,8 +168,8 @@ private:
     const std::string name = word_.text.substr(first, at_ - first);
     if (peek() == '(') return call(name, first);
     const auto known = parameters_.find(name);
-    if (name == variable_)
-      steps_.push_back({Expression::Step::kVariable, 0, 0});
+    if (name == variables_[0] || name == variables_[1])
+      steps_.push_back({Expression::Step::kVariable, 0, name == variables_[0] ? 0 : 1});
     else if (known != parameters_.end())
       steps_.push_back({Expression::Step::kConstant, known->second, 0});
     else if (name == "pi" || name == "deg")
@@ -191,21 +192,27 @@ private:
 
   const Word& word_;
   const Parameters& parameters_;
-  const std::string& variable_;
+  const Expression::Variables& variables_;
   std::vector<Expression::Step>& steps_;
   size_t at_ = 0;
   int depth_ = 0;
 };
 
-Expression::Expression(const Word& word, const Parameters& parameters, const std::string& variable) {
-  Parser(word, parameters, variable, steps_).read();
+Expression::Expression(const Word& word, const Parameters& parameters, const Variables& variables) {
+  Parser(word, parameters, variables, steps_).read();
 }
 
-Jet Expression::at(double variable) const {
+bool Expression::varies() const {
+  for (const Step& step : steps_)
+    if (step.kind == Step::kVariable) return true;
+  return false;
+}
+
+Jet Expression::result(const Jet& first, const Jet& second) const {
   std::vector<Jet> stack;
   for (const Step& step : steps_) {
     if (step.kind == Step::kConstant) stack.push_back({step.value, 0, 0});
-    if (step.kind == Step::kVariable) stack.push_back({variable, 1, 0});
+    if (step.kind == Step::kVariable) stack.push_back(step.index == 0 ? first : second);
     if (step.kind != Step::kFunction) continue;
     const Function& f = kFunctions[step.index];
     const Jet last = stack.back();

@@ -2,6 +2,7 @@
 
 #include "program/sketch/outline.hpp"
 #include "program/sketch/refine.hpp"
+#include "program/sketch/zones.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -25,6 +26,7 @@ constexpr double kTouching = 2e-3; // the least size by gaps, of the shorter sid
 constexpr double kAlong = 0.025;   // the same, of the length that lies on the other side already
 constexpr double kTied = 0.08;     // the size along a bond, of its length
 constexpr int kSamples = 160;      // of sizes, on a curve
+constexpr double kFinest = 2;      // fineness up to which sides that face each other nowhere are tried again
 
 // Sizes wanted along a curve, at equal steps of its length.
 struct Sizes {
@@ -250,6 +252,15 @@ bool holds_pairs(const Sketch& sketch, int body, const std::string& curve) {
   });
 }
 
-Mesh first_mesh(const Sketch& sketch, double fineness) { return Mesher(sketch, fineness).run(); }
+// Elements longer than what they face do not face it as a whole: sides that do so nowhere are tried with shorter ones.
+Mesh first_mesh(const Sketch& sketch, double fineness) {
+  Mesh mesh = Mesher(sketch, fineness).run();
+  try {
+    zones_of(sketch, mesh);
+  } catch (const Fault&) {
+    if (fineness < kFinest) return first_mesh(sketch, 2 * fineness);
+  }
+  return mesh; // the deck's writer tells the fault
+}
 
 } // namespace sketch

@@ -133,15 +133,27 @@ void Reader::given(Statement& s, Condition::Kind kind) {
   Condition c;
   c.at = s.at(), c.load_case = case_, c.kind = kind;
   c.side = side(s, kind == Condition::kDisplacement ? &c.part : nullptr);
-  components(s, c.value);
+  if (kind == Condition::kDisplacement) components(s, c.value);
+  while (kind == Condition::kTraction && (s.has_more() || (!c.value[0] && !c.value[1]))) {
+    const size_t axis = s.choice({"x", "y"});
+    if (c.value[axis]) s.fail(std::string(axis == 0 ? "x" : "y") + " is given twice");
+    field(s, c, axis, "its value");
+  }
   s_.conditions.push_back(c);
+}
+
+// A load that may be a formula of the place.
+void Reader::field(Statement& s, Condition& c, size_t axis, const std::string& what) {
+  const Expression load = s.field(what);
+  c.value[axis] = load.varies() ? NAN : load.value();
+  if (load.varies()) c.field[axis] = load;
 }
 
 void Reader::pressure(Statement& s) {
   end_body();
   Condition c;
   c.at = s.at(), c.load_case = case_, c.kind = Condition::kPressure, c.side = side(s);
-  c.value[0] = s.number("the pressure");
+  field(s, c, 0, "the pressure");
   s_.conditions.push_back(c);
 }
 

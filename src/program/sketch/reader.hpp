@@ -93,6 +93,7 @@ private:
   BodyForce& body_force(Statement& s);
   void drive_of(Statement& s, Drive drive);
   void components(Statement& s, std::optional<double> value[2]);
+  void field(Statement& s, Condition& c, size_t axis, const std::string& what);
 
   // read_wants.cpp
   void steps(Statement& s);

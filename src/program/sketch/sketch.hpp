@@ -58,7 +58,8 @@ struct Condition {
   Side side;
   enum Part { kAll, kStart, kEnd } part = kAll; // or only the first or the last point of the curve, which is one then
   enum Kind { kDisplacement, kTraction, kPressure } kind = kDisplacement;
-  std::optional<double> value[2]; // along x and y, where something is given; of a pressure the first
+  std::optional<double> value[2];     // along x and y, where something is given; of a pressure the first
+  std::optional<Expression> field[2]; // of a traction or a pressure that is a formula of x and y; its value is NaN
   int load_case = 0;
   Place at;
 };

@@ -48,11 +48,24 @@ std::string Statement::name(const std::string& expected) {
   return word.text;
 }
 
-double Statement::number(const std::string& what) {
+double Statement::number(const std::string& what) { return finite(arithmetic(what, {}), what); }
+
+Expression Statement::field(const std::string& what) {
+  const auto free = [this](const char* name) { return parameters_.count(name) > 0 ? std::string() : std::string(name); };
+  Expression value = arithmetic(what, {free("x"), free("y")});
+  if (!value.varies()) finite(value, what);
+  return value;
+}
+
+Expression Statement::arithmetic(const std::string& what, const Expression::Variables& variables) {
   const Word& word = take(what);
   if (!begins_number(word)) throw Fault{word.at, quoted(word.text) + ": expected " + what};
-  const double value = Expression(word, parameters_).value();
-  if (!std::isfinite(value)) throw Fault{word.at, quoted(word.text) + " is not a finite number, expected " + what};
+  return Expression(word, parameters_, variables);
+}
+
+double Statement::finite(const Expression& expression, const std::string& what) const {
+  const double value = expression.value();
+  if (!std::isfinite(value)) fail(quoted(words_[next_ - 1].text) + " is not a finite number, expected " + what);
   return value;
 }
 
@@ -80,7 +93,7 @@ Point Statement::point(const std::string& what) {
 }
 
 Expression Statement::formula(const std::string& what, const std::string& variable) {
-  return Expression(take(what), parameters_, variable);
+  return Expression(take(what), parameters_, {variable, ""});
 }
 
 size_t Statement::choice(std::initializer_list<const char*> words) {

@@ -27,6 +27,7 @@ public:
   double share(const std::string& what); // a number, or one in percent: `1 %`, `1%`, 0.01
   Point point(const std::string& what);
   Expression formula(const std::string& what, const std::string& variable);
+  Expression field(const std::string& what); // a number, or a formula of x and y, unless parameters are called so
   // One of these words, by its index.
   size_t choice(std::initializer_list<const char*> words);
   std::string rest(); // what is left, as it was written, with a blank between two words
@@ -37,6 +38,8 @@ public:
   const Parameters& parameters() const { return parameters_; }
 
 private:
+  Expression arithmetic(const std::string& what, const Expression::Variables& variables);
+  double finite(const Expression& expression, const std::string& what) const;
   bool begins_number(const Word& word) const;
   std::vector<Word> words_;
   size_t next_ = 1;

@@ -176,19 +176,23 @@ Numbers Pairing::chosen(size_t k, int which) const {
   return out;
 }
 
-// An element is in one zone: that of the interface whose other side is nearest.
+// An element is in one zone: that of the interface whose other side is nearest. What is far is left out, but where nothing else
+// faces the other side: on a finer mesh it may touch.
 void Pairing::choose(size_t k) {
   const Numbers numbers[2] = {named(k, 0), named(k, 1)};
-  for (int which = 0; which < 2; ++which) {
-    const Wall wall(body(k, 1 - which), numbers[1 - which]);
+  const Wall walls[2] = {Wall(body(k, 1), numbers[1]), Wall(body(k, 0), numbers[0])};
+  const bool all = std::none_of(numbers[1].begin(), numbers[1].end(), [&](int e) {
+    const Element& own = body(k, 1)[static_cast<size_t>(e)];
+    return !own.is_far && walls[1].gap_to(own) < HUGE_VAL;
+  });
+  for (int which = 0; which < 2; ++which)
     for (const int e : numbers[which]) {
       const Element& own = body(k, which)[static_cast<size_t>(e)];
-      if (which == 1 && own.is_far) continue;
-      const double gap = which == 1 ? wall.gap_to(own) : wall.distance(0.5 * (own.from + own.to));
+      if (which == 1 && own.is_far && !all) continue;
+      const double gap = which == 1 ? walls[1].gap_to(own) : walls[0].distance(0.5 * (own.from + own.to));
       Part& part = parts_[static_cast<size_t>(side(k, which).body)][static_cast<size_t>(e)];
       if (gap < part.gap) part = {k, which, gap};
     }
-  }
 }
 
 // Stretches of the first side, and what of the second faces them.
