@@ -60,7 +60,8 @@ std::vector<app::Stated> numbers_of(const sketch::Sketch& sketch, const sketch::
   estimate::Trial trial;
   std::string why;
   if (estimate::solve(sketch::deck_of(sketch, fine), demand, trial, why) != C2D_OK) return {};
-  const estimate::Distance none{{}, std::vector<double>(trial.zones.size(), 0.0), {}, 0};
+  const estimate::Distance none{
+      {}, std::vector<double>(trial.zones.size(), 0.0), {}, std::vector<double>(trial.zones.size(), 0.0), 0};
   std::vector<app::Stated> out = estimate::state_numbers(trial, trial, none, nullptr);
   for (const app::Stated& s : estimate::wanted_of(sketch, fine, trial)) out.push_back(s);
   return out;
@@ -81,7 +82,7 @@ Judged judge(const Problem& problem, double tolerance, bool by_mesh) {
   for (const sketch::Fault& fault : drawn.faults) out.fault += fault.text + "; ";
   if (!out.fault.empty()) return out;
   estimate::Demand demand;
-  demand.points = estimate::places_of(drawn.sketch);
+  estimate::ask(drawn.sketch, demand);
   const estimate::Adapted found = estimate::adapt(drawn.sketch, demand, [](const app::MeshRound&) {});
   for (const app::MeshRound& round : found.loop.rounds) out.seconds += round.seconds;
   out.meshes = found.loop.rounds.size();

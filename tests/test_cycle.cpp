@@ -25,7 +25,7 @@ int start_of(const std::string& history) { return cycle_start(sound(kPulled + hi
 std::vector<app::Stated> values_of(const Sketch& s, estimate::Trial& trial) {
   const Mesh mesh = first_mesh(s, 0.5);
   estimate::Demand demand;
-  demand.points = estimate::places_of(s);
+  estimate::ask(s, demand);
   std::string why;
   REQUIRE_MESSAGE(estimate::solve(deck_of(s, mesh), demand, trial, why) == C2D_OK, why);
   return estimate::wanted_of(s, mesh, trial);

@@ -33,7 +33,7 @@ Found run(const std::string& name, sketch::Parameters parameters = {}) {
   const sketch::Reading drawn = sketch_test::read_example("families/" + name, parameters);
   for (const sketch::Fault& fault : drawn.faults) FAIL(fault.text);
   estimate::Demand demand;
-  demand.points = estimate::places_of(drawn.sketch);
+  estimate::ask(drawn.sketch, demand);
   Found out;
   out.adapted = estimate::adapt(drawn.sketch, demand, [](const app::MeshRound&) {});
   REQUIRE_MESSAGE(out.adapted.status == C2D_OK, out.adapted.why);

@@ -78,7 +78,7 @@ int mesh_sketch(DeckFile& deck, const sketch::Sketch& sketch, const Drawing& dra
   }
   estimate::Demand demand;
   demand.memory = drawing.memory;
-  demand.points = estimate::places_of(sketch);
+  estimate::ask(sketch, demand);
   size_t meshes = 0;
   estimate::Adapted adapted = estimate::adapt(sketch, demand, [&](const MeshRound& round) {
     if (drawing.shows) show(round, ++meshes);

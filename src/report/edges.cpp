@@ -176,7 +176,7 @@ double border_beyond(const LineState& state, int32_t stuck, int direction) {
     const double slip = std::fabs(state.slip[static_cast<size_t>(view.at(k))] - held_slip(state, view, held, at));
     samples.push_back({at, advanced ? std::pow(slip, 0.4) : std::cbrt(slip * slip)});
   }
-  return state.line.s[static_cast<size_t>(stuck)] + direction * limited_root(samples, advanced ? 2 * kBefore : kBefore);
+  return state.line.s[static_cast<size_t>(stuck)] + direction * limited_root(samples, advanced ? 0 : kBefore);
 }
 
 } // namespace

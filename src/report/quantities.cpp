@@ -81,14 +81,32 @@ void add_pressures(const LineState& state, const std::vector<ContactEdge>& edges
   if (length > 0) out.add(Measure::kMeanPressure, force / length);
 }
 
+double spacing_at(const ZoneLine& line, double s) {
+  const auto place = static_cast<size_t>(std::lower_bound(line.s.begin(), line.s.end(), s) - line.s.begin());
+  const size_t low = place > 2 ? place - 2 : 0, high = std::min(place + 2, line.size() - 1);
+  return high > low ? (line.s[high] - line.s[low]) / static_cast<double>(high - low) : line.length;
+}
+
+Quantity& add_between(const ZoneLine& line, Measure what, double s, size_t i, Collector& out) {
+  Quantity& q = out.add(what, along(line, s), static_cast<int32_t>(i) + 1);
+  add_place(line, s, q);
+  q.spacing = spacing_at(line, s);
+  return q;
+}
+
+// The mean distance of pairs that touch.
+double mean_spacing(const LineState& state, const std::vector<ContactEdge>& edges) {
+  const auto open = std::count(state.status.begin(), state.status.end(), C2D_OPEN);
+  return touching_length(state, edges) / static_cast<double>(state.status.size() - static_cast<size_t>(open));
+}
+
 void add_edges(const LineState& state, const std::vector<ContactEdge>& edges, Collector& out) {
-  for (size_t i = 0; i < edges.size(); ++i)
-    add_place(state.line, edges[i].s,
-              out.add(Measure::kContactEdge, along(state.line, edges[i].s), static_cast<int32_t>(i) + 1));
+  for (size_t i = 0; i < edges.size(); ++i) add_between(state.line, Measure::kContactEdge, edges[i].s, i, out);
   const std::vector<double> borders = find_stick_borders(state);
-  for (size_t i = 0; i < borders.size(); ++i)
-    add_place(state.line, borders[i],
-              out.add(Measure::kStickBorder, along(state.line, borders[i]), static_cast<int32_t>(i) + 1));
+  for (size_t i = 0; i < borders.size(); ++i) {
+    Quantity& q = add_between(state.line, Measure::kStickBorder, borders[i], i, out);
+    q.spacing += mean_spacing(state, edges); // where slip began hangs on how contact came about
+  }
   for (const Measure what : {Measure::kEdgePressure, Measure::kEdgeFriction})
     for (size_t i = 0; i < edges.size(); ++i) {
       const double value = what == Measure::kEdgePressure ? edge_pressure(state, edges[i]) : edge_friction(state, edges[i]);

@@ -35,7 +35,8 @@ struct Quantity {
   int32_t item = 0; // of several of a zone, from 1 along side 2; 0: a zone has one
   double value = 0;
   double at[2] = {NAN, NAN};
-  double error = NAN; // stated, absolute; NaN: none is
+  double spacing = NAN; // of an edge: how far apart the pairs are there; of a border, that and the mean of the zone
+  double error = NAN;   // stated, absolute; NaN: none is
 };
 
 // Of the state that a table shows (a step callback's, or one filled by c2d_get).

@@ -102,7 +102,7 @@ Judged judge(const std::string& text, const Limits& limits) {
   sketch::Sketch& s = reading.sketch;
   s.most_elements = limits.elements, s.most_seconds = limits.seconds;
   estimate::Demand demand;
-  demand.points = estimate::places_of(s);
+  estimate::ask(s, demand);
   const double start = now();
   try {
     const estimate::Adapted adapted = estimate::adapt(s, demand, [](const app::MeshRound&) {});

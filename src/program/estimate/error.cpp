@@ -9,9 +9,11 @@ namespace {
 // Error of the finer mesh over its distance from the coarse one; where edges lie amid elements distances fall by 0.35 to 0.5
 // from one halving to the next.
 constexpr double kOfDistance = 1.0;
-constexpr double kSmooth = 0.4;   // what is left of an error at least, from a mesh to the halved one
-constexpr double kOfCoarse = 2.2; // likewise, of the coarse mesh
-constexpr double kExact = 1e-7;   // numbers nearer than that on both meshes are given by the loads
+constexpr double kSmooth = 0.4;                            // what is left of an error at least, from a mesh to the halved one
+constexpr double kOfCoarse = 2.2;                          // likewise, of the coarse mesh
+constexpr double kNoEarlier = 2;                           // with nothing but two meshes
+constexpr double kEdgeOfPairs = 0.2, kBorderOfPairs = 0.2; // places between pairs, of the distance of these
+constexpr double kExact = 1e-7;                            // numbers nearer than that on both meshes are given by the loads
 constexpr double kRoundOff = 1e-9;
 constexpr double kEdgeFit =
     3e-3; // an intensity is fitted through a number of pairs: what that adds stays as meshes become finer
@@ -62,9 +64,9 @@ double doubt(app::Measure what) {
   using app::Measure;
   switch (what) {
   case Measure::kPeakPressure: return 0.5;
-  case Measure::kContactEdge: return 0.2;
+  case Measure::kContactEdge: return 0.25;
   case Measure::kStickBorder: return 0.5;
-  case Measure::kDissipated: return 1;
+  case Measure::kDissipated: return 2;
   case Measure::kEdgePressure:
   case Measure::kEdgeFriction: return 1;
   case Measure::kMeanPressure: return 0.2;
@@ -77,6 +79,26 @@ double apart(const app::Quantity& a, const app::Quantity& b) {
   const bool place = a.what == app::Measure::kContactEdge || a.what == app::Measure::kStickBorder;
   return place && !std::isnan(a.at[0]) && !std::isnan(b.at[0]) ? std::hypot(a.at[0] - b.at[0], a.at[1] - b.at[1])
                                                                : std::fabs(a.value - b.value);
+}
+
+// What a number's values are taken to be apart at least, `step` that they are: d of the tractions, of the size `scale`.
+double floor_of(const app::Quantity& q, double step, double d, double scale) {
+  using app::Measure;
+  if (step <= kExact * scale) return kRoundOff * scale;
+  const double floor = doubt(q.what) * d * scale;
+  switch (q.what) {
+  case Measure::kContactEdge: return floor + kEdgeOfPairs * q.spacing;
+  case Measure::kStickBorder: return floor + kBorderOfPairs * q.spacing;
+  case Measure::kEdgePressure:
+  case Measure::kEdgeFriction: return std::max(floor, kEdgeFit * scale);
+  default: return floor;
+  }
+}
+
+// How far apart two meshes have a number, and, if that is less, a little more than it has moved since the round before.
+double step_of(const app::Quantity& coarse, const app::Quantity& fine, const app::Quantity* earlier) {
+  const double step = apart(coarse, fine);
+  return earlier == nullptr ? step : std::clamp(2 * apart(*earlier, fine), kSmooth * step, step);
 }
 
 } // namespace
@@ -92,7 +114,7 @@ std::vector<app::Stated> state_numbers(const Trial& coarse, const Trial& halved,
     s.name = kTractions;
     s.zone = static_cast<int32_t>(z) + 1;
     s.value = s.scale = 1;
-    s.error = stated_error(between.pressure[z], 0);
+    s.error = stated_error(between.pressure[z], 0) * (earlier == nullptr ? kNoEarlier : 1);
     out.push_back(s);
   }
   const size_t common = std::min(halved.states.size(), coarse.states.size()); // a history may end early
@@ -107,13 +129,9 @@ std::vector<app::Stated> state_numbers(const Trial& coarse, const Trial& halved,
     s.at[0] = q.at[0], s.at[1] = q.at[1];
     s.scale = scale_of(f, q);
     if (other != nullptr) {
-      double step = apart(*other, q);
-      if (const app::Quantity* before = b == nullptr ? nullptr : find(*b, q))
-        step = std::clamp(2 * apart(*before, q), kSmooth * step, step);
-      double floor = step > kExact * s.scale ? doubt(q.what) * distance_of(between, q.zone) * s.scale : kRoundOff * s.scale;
-      if (q.what == app::Measure::kEdgePressure || q.what == app::Measure::kEdgeFriction)
-        floor = std::max(floor, kEdgeFit * s.scale);
-      s.error = stated_error(step, floor);
+      s.error = stated_error(step_of(*other, q, b == nullptr ? nullptr : find(*b, q)),
+                             floor_of(q, apart(*other, q), distance_of(between, q.zone), s.scale));
+      if (b == nullptr) s.error *= kNoEarlier;
     }
     out.push_back(s);
   }
@@ -123,7 +141,7 @@ std::vector<app::Stated> state_numbers(const Trial& coarse, const Trial& halved,
 std::vector<app::Stated> state_of_coarse(const Trial& coarse, const Trial& halved, const Distance& between) {
   std::vector<app::Stated> out = state_numbers(coarse, halved, between, nullptr);
   for (app::Stated& s : out) {
-    s.error *= kOfCoarse / kOfDistance; // an error of the finer mesh falls by this rate
+    s.error *= kOfCoarse / (kOfDistance * kNoEarlier); // an error of the finer mesh falls by this rate
     for (const app::Quantity& q : coarse.states.back().quantities)
       if (s.zone == q.zone && s.item == q.item && s.name == app::name_of(q.what)) {
         s.value = q.value;

@@ -257,7 +257,7 @@ c2d_status History::follow() {
       status = go_to(now);
       const bool turn = i == increments || out_.outcome != C2D_REACHED;
       if (status == C2D_OK) status = note_touching();
-      if (status == C2D_OK && (turn || 2 * i == increments)) status = note(turn);
+      if (status == C2D_OK && (turn || demand_.all_steps || i == increments / 2)) status = note(turn);
     }
   }
   if (out_.outcome != C2D_REACHED) out_.why = c2d_outcome_message(out_.outcome);

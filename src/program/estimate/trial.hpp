@@ -22,12 +22,13 @@ struct Place {
 struct Demand {
   uint64_t memory = 0; // workspace bytes; 0: chosen by size
   std::vector<Place> points;
+  bool all_steps = false;               // states of every increment; else only where the loads turn and midway
   int32_t symmetry = 0, quadrature = 0; // as in c2d_options
 };
 
 enum Field { kUx, kUy, kTx, kTy, kHoop, kStatus, kFields };
 
-// The end of a piece of the path, or where it ended early, and midway.
+// The end of a piece of the path, or where it ended early, and on the way there.
 struct State {
   bool turn = false; // the former
   std::vector<double> loads;

@@ -96,11 +96,11 @@ size_t state_of_cycle(const sketch::Sketch& sketch, const Trial& trial) {
 
 } // namespace
 
-std::vector<Place> places_of(const sketch::Sketch& sketch) {
-  std::vector<Place> out;
-  for (const Want& want : sketch.wants)
-    if (want.kind == Want::kStress) out.push_back({want.body + 1, want.where.x, want.where.y});
-  return out;
+void ask(const sketch::Sketch& sketch, Demand& demand) {
+  for (const Want& want : sketch.wants) {
+    if (want.kind == Want::kStress) demand.points.push_back({want.body + 1, want.where.x, want.where.y});
+    demand.all_steps = demand.all_steps || want.kind == Want::kStress || want.kind == Want::kHoop;
+  }
 }
 
 // Cycles come last: a history that ends early has none, and the others keep their places.

@@ -6,8 +6,8 @@
 
 namespace estimate {
 
-// Where results inside are wanted, for Demand::points.
-std::vector<Place> places_of(const sketch::Sketch& sketch);
+// What trials are to bring for the stresses that are wanted.
+void ask(const sketch::Sketch& sketch, Demand& demand);
 
 // Their values of one mesh, without errors, in an order that is the same on every mesh; those of a cycle are missing at its end
 // where the history ended early.
