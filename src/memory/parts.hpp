@@ -42,7 +42,9 @@ struct SymmetryPart { // model/validate_lines.cpp
   Function<void, const ModelHeader&, double*> fold_across = Nothing();
 };
 
+struct FacePoint;
 struct Surface;
+struct Zone;
 struct ColumnSystem;
 struct TransferWalk;
 struct Transfer;
@@ -64,6 +66,8 @@ struct FreeZonePart { // model/free_zones.cpp, bie/transfer.cpp, contact/facing_
   Function<void, const Session&, int, int32_t, int, double*> add_transferred_traction = Nothing();
   Function<void, const Session&, const Transfer&, int, double*> transferred_values = Nothing();
   Function<void, const Session&, int, double*> add_transferred_force = Nothing();
+  Function<bool, const Model&, const Zone&, const FacePoint&, FacePoint&> face_point = Nothing();
+  Function<bool, const Model&, const Zone&, const FacePoint&, FacePoint&> facing_point = Nothing();
 };
 
 struct Hole;

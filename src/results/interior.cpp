@@ -422,7 +422,52 @@ void clear_boundary(const Session& session) {
   }
 }
 
+// Just inside the body, and in error by that part of an element times the strain.
+constexpr double kInside = 1e-7;
+
+void place_inside(const Session& session, int b, const BoundaryPlace& at, const double u[2], PointSums& out) {
+  const Model& m = session.model;
+  const Element e = element_of(m, b, at.element);
+  const Point p = element_point(e, at.eta);
+  const double depth = kInside * e.half_length, unit = m.head->length_unit;
+  double known[2] = {0.0, 0.0};
+  if (has_body_force(m, b)) kBodyForcePart.interpolated_particular(session, b, at.element, at.eta, known);
+  out = PointSums{};
+  out.x = (p.x - depth * p.nx) / unit;
+  out.y = (p.y - depth * p.ny) / unit;
+  for (int c = 0; c < 2; ++c) out.reference[c] = (u[c] - known[c]) / unit;
+  out.place = place_of(b, C2D_POINT_INSIDE);
+}
+
 } // namespace
+
+void interpolated_displacement(const Session& session, int b, const BoundaryPlace& at, double u[2]) {
+  double value[kElementNodes], nodal[2];
+  shape(session.model.head->function_nodes, at.eta, value);
+  u[0] = u[1] = 0.0;
+  for (int l = 0; l < session.model.head->function_nodes; ++l) {
+    get_displacement(session, b, functional_node(session.model, b, at.element, l), nodal);
+    for (int c = 0; c < 2; ++c) u[c] += value[l] * nodal[c];
+  }
+}
+
+c2d_status off_interpolation(const Session& session, int b, int32_t count, const BoundaryPlace* at, double* out) {
+  PointSums rows[kPlacesAtOnce];
+  const double unit = session.model.head->length_unit;
+  const Points points = {count,          nullptr, 0, reinterpret_cast<double*>(rows), C2D_POINT_FIELDS, unit,
+                         &session.model, kSmallCode ? nullptr : batch_for(best_instructions())};
+  for (int32_t i = 0; i < count; ++i) {
+    interpolated_displacement(session, b, at[i], out + 2 * i);
+    place_inside(session, b, at[i], out + 2 * i, rows[i]);
+  }
+  c2d_status status = run_pass(session, b, points, Pass::integrals);
+  if (status == C2D_OK && session.model.body[b].free_rows > 0) status = add_transferred(session, b, points);
+  for (int32_t i = 0; i < count && status == C2D_OK; ++i) {
+    complete_sums(session, b, points, rows[i]);
+    for (int c = 0; c < 2; ++c) out[2 * i + c] = 2.0 * (rows[i].u[c] * unit - out[2 * i + c]);
+  }
+  return status;
+}
 
 c2d_status evaluate_points(Session& session, int32_t body, const PointsAsked& asked) {
   c2d_solver* s = session.solver;
