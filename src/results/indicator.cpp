@@ -19,129 +19,112 @@ C2D_USES(RigidPart);
 namespace {
 
 // An element's ends and the points between; at its ends the boundary equation holds.
-constexpr int kSamples = 5, kBetween = 3;
+constexpr int kSamples = 5;
 constexpr double kEta[kSamples] = {-1.0, -0.5, 0.0, 0.5, 1.0};
-constexpr int32_t kElementsAtOnce = kPlacesAtOnce / kSamples;
+constexpr int32_t kElementsAtOnce = kSmallCode ? 1 : 8; // all elements of a body act on the points of some
 
-// A sample and what it faces, side by side: own element on `side`.
-struct Contact {
-  FacePoint at[2];
-  bool faces;
-};
 struct Sampled {
   int32_t element, zone, side; // zone -1: none
-  Contact contact[kSamples];
-  double own[kSamples][2], other[kSamples][2]; // displacements as interpolated, and what the equations add to them
-  double own_off[kSamples][2], other_off[kSamples][2];
+  FacePoint faced[kSamples];   // on the zone's other side; place -1: none
+  double off[kSamples][2];     // what the equation adds to the displacement
+  double w[kSamples][2];       // u of side 1 less u of side 0, with what the equations of both add
 };
 
 // The point of side 1 - side that faces one of `side`.
 bool find_facing(const Model& m, const Zone& z, int side, const FacePoint& at, FacePoint& out) {
   if (z.is_free != 0) return side == 0 ? kFreeZonePart.facing_point(m, z, at, out) : kFreeZonePart.face_point(m, z, at, out);
-  if (is_platen(m, z.body[1 - side])) {
-    out = at;
-    return true;
-  }
-  out = FacePoint{zone_element(m, z, 1 - side, at.place), at.place, z.element_step[0] * z.element_step[1] * at.eta};
+  out = at; // what a platen holds it holds there
+  if (is_platen(m, z.body[1 - side])) return true;
+  out.element = zone_element(m, z, 1 - side, at.place);
+  out.eta *= z.element_step[0] * z.element_step[1];
   return true;
 }
 
-void find_contact(const Model& m, int b, int32_t element, Sampled& out) {
+// (Not inlined, like the next: the search goes deep.)
+[[gnu::noinline]] void find_contact(const Model& m, int b, int32_t element, Sampled& out) {
   ZonePlace place;
+  out = Sampled{};
   out.element = element;
   out.zone = -1;
   if (!find_contact_element(m, b, element, &place)) return;
-  const Zone& z = m.zone[place.zone];
   out.zone = place.zone;
   out.side = place.side;
-  for (int i = 0; i < kSamples; ++i) {
-    Contact& c = out.contact[i];
-    c.at[place.side] = FacePoint{element, place.place, kEta[i]};
-    c.faces = find_facing(m, z, place.side, c.at[place.side], c.at[1 - place.side]);
-  }
+  for (int i = 0; i < kSamples; ++i)
+    if (!find_facing(m, m.zone[place.zone], place.side, FacePoint{element, place.place, kEta[i]}, out.faced[i]))
+      out.faced[i].place = -1;
 }
 
 // ---- displacements ----
 
-void displacement_at(const Session& session, int b, const FacePoint& at, double u[2]) {
-  if (!is_rigid(session.model, b)) return interpolated_displacement(session, b, BoundaryPlace{at.element, at.eta}, u);
-  const CurvePoint p = curve_point(session.model, b, at.element, at.eta);
-  kRigidPart.rigid_displacement_now(session, b, p.x, p.y, u);
-}
-
-// Ends of elements need no equation.
-bool is_between(double eta) { return fabs(eta) < 1.0; }
-
-// A constant function's node is in the middle: there what lies at the ends is what the points between make likely.
-void complete_ends(const Model& m, double off[kSamples][2]) {
-  for (int c = 0; c < 2 && m.head->function_nodes == 1; ++c) {
-    off[0][c] = 2.0 * off[1][c] - off[2][c];
-    off[4][c] = 2.0 * off[3][c] - off[2][c];
+// Times a factor, added.
+void add_displacement_at(const Session& session, int b, const FacePoint& at, double factor, double out[2]) {
+  double u[2];
+  if (is_rigid(session.model, b)) {
+    const CurvePoint p = curve_point(session.model, b, at.element, at.eta);
+    kRigidPart.rigid_displacement_now(session, b, p.x, p.y, u);
+  } else {
+    interpolated_displacement(session, b, BoundaryPlace{at.element, at.eta}, u);
   }
+  for (int c = 0; c < 2; ++c) out[c] += factor * u[c];
 }
 
-// Points of one body, and where what its equation adds to the displacement there belongs.
-struct Asked {
+// What the equation of a body adds, a few places at a time; `finish` does the last ones.
+struct Equation {
+  const Session& session;
+  int b;
   int32_t count;
   BoundaryPlace at[kPlacesAtOnce];
   double* to[kPlacesAtOnce];
+  double factor;
 
-  void add(const FacePoint& point, double* off) {
-    off[0] = off[1] = 0.0;
-    if (!is_between(point.eta)) return;
+  c2d_status finish() {
+    double off[2 * kPlacesAtOnce];
+    if (count == 0) return C2D_OK;
+    const c2d_status status = off_interpolation(session, b, count, at, off);
+    for (int32_t i = 0; i < count && status == C2D_OK; ++i)
+      for (int c = 0; c < 2; ++c) to[i][c] += factor * off[2 * i + c];
+    count = 0;
+    return status;
+  }
+  c2d_status add(const FacePoint& point, double* sum) {
+    if (is_rigid(session.model, b) || fabs(point.eta) == 1.0) return C2D_OK; // it holds at ends
     at[count] = BoundaryPlace{point.element, point.eta};
-    to[count++] = off;
+    to[count++] = sum;
+    return count < kPlacesAtOnce ? c2d_status{C2D_OK} : finish();
   }
 };
 
-c2d_status ask(const Session& session, int b, const Asked& asked) {
-  double off[2 * kPlacesAtOnce];
-  if (asked.count == 0) return C2D_OK;
-  const c2d_status status = off_interpolation(session, b, asked.count, asked.at, off);
-  for (int32_t i = 0; i < asked.count && status == C2D_OK; ++i)
-    for (int c = 0; c < 2; ++c) asked.to[i][c] = off[2 * i + c];
-  return status;
-}
-
-c2d_status sample_own(const Session& session, int b, Sampled* sampled, int32_t count) {
-  Asked asked;
-  asked.count = 0;
+[[gnu::noinline]] c2d_status sample_own(const Session& session, int b, Sampled* sampled, int32_t count) {
+  Equation equation{session, b, 0, {}, {}, 1.0};
+  c2d_status status = C2D_OK;
   for (int32_t k = 0; k < count; ++k)
-    for (int i = 0; i < kSamples; ++i) {
-      Sampled& s = sampled[k];
-      const FacePoint at{s.element, 0, kEta[i]};
-      displacement_at(session, b, at, s.own[i]);
-      s.own_off[i][0] = s.own_off[i][1] = 0.0;
-      if (!is_rigid(session.model, b) && is_integrated(session.model, b, s.element)) asked.add(at, s.own_off[i]);
-    }
-  const c2d_status status = ask(session, b, asked);
-  for (int32_t k = 0; k < count; ++k) complete_ends(session.model, sampled[k].own_off);
-  return status;
+    for (int i = 0; i < kSamples && status == C2D_OK; ++i)
+      if (is_integrated(session.model, b, sampled[k].element))
+        status = equation.add(FacePoint{sampled[k].element, 0, kEta[i]}, sampled[k].off[i]);
+  return status == C2D_OK ? equation.finish() : status;
 }
 
 // Of those that face body `of`.
-c2d_status sample_other(const Session& session, int of, Sampled* sampled, int32_t count) {
-  const Model& m = session.model;
-  Asked asked;
-  asked.count = 0;
+[[gnu::noinline]] c2d_status sample_faced(const Session& session, int of, Sampled* sampled, int32_t count) {
+  Equation equation{session, of, 0, {}, {}, -1.0};
+  c2d_status status = C2D_OK;
   for (int32_t k = 0; k < count; ++k) {
     Sampled& s = sampled[k];
-    if (s.zone < 0 || m.zone[s.zone].body[1 - s.side] != of) continue;
-    for (int i = 0; i < kSamples; ++i) {
-      s.other_off[i][0] = s.other_off[i][1] = 0.0;
-      if (!s.contact[i].faces) continue;
-      const FacePoint& at = s.contact[i].at[1 - s.side];
-      displacement_at(session, of, at, s.other[i]);
-      if (!is_rigid(m, of)) asked.add(at, s.other_off[i]);
-    }
+    if (s.zone < 0 || session.model.zone[s.zone].body[1 - s.side] != of) continue;
+    for (int i = 0; i < kSamples && status == C2D_OK; ++i)
+      if (s.faced[i].place >= 0) status = equation.add(s.faced[i], s.w[i]);
   }
-  const c2d_status status = ask(session, of, asked);
-  for (int32_t k = 0; k < count; ++k) {
-    const Sampled& s = sampled[k];
-    if (s.zone >= 0 && m.zone[s.zone].body[1 - s.side] == of && m.zone[s.zone].is_free == 0)
-      complete_ends(m, sampled[k].other_off);
+  return status == C2D_OK ? equation.finish() : status;
+}
+
+void complete_motion(const Session& session, int b, Sampled& s) {
+  for (int i = 0; i < kSamples; ++i) {
+    for (int c = 0; c < 2; ++c) s.w[i][c] += s.off[i][c];
+    add_displacement_at(session, b, FacePoint{s.element, 0, kEta[i]}, 1.0, s.w[i]);
+    if (s.faced[i].place >= 0)
+      add_displacement_at(session, session.model.zone[s.zone].body[1 - s.side], s.faced[i], -1.0, s.w[i]);
+    for (double& w : s.w[i]) w = signed_on(s.side, w);
   }
-  return status;
 }
 
 // ---- contact conditions ----
@@ -150,7 +133,7 @@ enum StatusBit { kOpenBit = 1, kStickBit = 2, kSlipBit = 4, kTiedBit = 8 };
 
 // The pairs of the element of side 1 at a sample, interpolated.
 struct PairsThere {
-  int32_t statuses; // bits
+  int32_t statuses;              // bits
   double n[2], p, spare, wt, slip; // spare: what is left to the bound of friction; slip: since it began
 };
 
@@ -192,10 +175,10 @@ PairsThere pairs_there(const Session& session, const Zone& z, const FacePoint& a
 }
 
 // Between the surfaces before any load, less what interference has closed of it.
-double initial_gap(const Session& session, const Zone& z, const Contact& c, const double n[2]) {
+double initial_gap(const Session& session, const Zone& z, const FacePoint at[2], const double n[2]) {
   const Model& m = session.model;
-  const SurfacePoint p = surface_point(m, z.body[0], c.at[0].element, c.at[0].eta);
-  const SurfacePoint q = surface_point(m, z.body[1], c.at[1].element, c.at[1].eta);
+  const SurfacePoint p = surface_point(m, z.body[0], at[0].element, at[0].eta);
+  const SurfacePoint q = surface_point(m, z.body[1], at[1].element, at[1].eta);
   const double gap = (q.x - p.x) * n[0] + (q.y - p.y) * n[1];
   if (gap >= 0.0) return gap;
   return m.head->interference != 0 ? gap * session.follower.load[m.head->interference - 1] : 0.0;
@@ -230,16 +213,16 @@ void look_at_drift(const PairsThere& now, double drift, double& residual, Residu
 void look_at_sample(const Session& session, const Sampled& s, int i, Residuals& out) {
   const Zone& z = session.model.zone[s.zone];
   out.normal[i] = out.tangential[i] = 0.0;
-  if (!s.contact[i].faces) {
+  if (s.faced[i].place < 0) {
     out.statuses |= kOpenBit;
     return;
   }
-  const PairsThere now = pairs_there(session, z, s.contact[i].at[1]);
+  FacePoint at[2];
+  at[s.side] = FacePoint{s.element, 0, kEta[i]};
+  at[1 - s.side] = s.faced[i];
+  const PairsThere now = pairs_there(session, z, at[1]);
   out.statuses |= now.statuses;
-  double w[2];
-  for (int c = 0; c < 2; ++c)
-    w[c] = signed_on(s.side, s.own[i][c] + s.own_off[i][c] - s.other[i][c] - s.other_off[i][c]);
-  const double wn = w[0] * now.n[0] + w[1] * now.n[1], wt = w[0] * now.n[1] - w[1] * now.n[0];
+  const double wn = s.w[i][0] * now.n[0] + s.w[i][1] * now.n[1], wt = s.w[i][0] * now.n[1] - s.w[i][1] * now.n[0];
   if (z.is_tied != 0) {
     out.normal[i] = wn;
     out.tangential[i] = wt;
@@ -247,13 +230,20 @@ void look_at_sample(const Session& session, const Sampled& s, int i, Residuals& 
     out.drift = fmax(out.drift, fabs(wt));
     return;
   }
-  look_at_gap(now, initial_gap(session, z, s.contact[i], now.n) + wn, out.normal[i], out);
+  look_at_gap(now, initial_gap(session, z, at, now.n) + wn, out.normal[i], out);
   look_at_drift(now, wt - now.wt, out.tangential[i], out);
 }
 
-double sum_of_squares(const double r[kSamples]) {
-  double sum = 0.0;
-  for (int i = 1; i < kSamples; ++i) sum += (r[i] - r[i - 1]) * (r[i] - r[i - 1]);
+// Of the steps from sample to sample. A constant function's node is in the middle: its ends are what the points between make
+// likely.
+double sum_of_squares(const Model& m, const double* r, int64_t stride) {
+  double at[kSamples], sum = 0.0;
+  for (int i = 0; i < kSamples; ++i) at[i] = r[i * stride];
+  if (m.head->function_nodes == 1) {
+    at[0] = 2.0 * at[1] - at[2];
+    at[4] = 2.0 * at[3] - at[2];
+  }
+  for (int i = 1; i < kSamples; ++i) sum += (at[i] - at[i - 1]) * (at[i] - at[i - 1]);
   return sum;
 }
 
@@ -263,26 +253,21 @@ double compliance(const Model& m, int b) {
 
 void fill_row(const Session& session, int b, const Sampled& s, double* out) {
   const Model& m = session.model;
-  const double length = element_length(m, b, s.element);
-  out[C2D_OFF_LENGTH] = length;
-  double parts[2][kSamples], largest = 0.0;
-  for (int i = 0; i < kSamples; ++i) {
-    for (int c = 0; c < 2; ++c) parts[c][i] = s.own_off[i][c];
-    largest = fmax(largest, hypot(s.own_off[i][0], s.own_off[i][1]));
-  }
-  out[C2D_OFF_EQUATION] = largest;
+  for (const double* off : s.off) out[C2D_OFF_EQUATION] = fmax(out[C2D_OFF_EQUATION], hypot(off[0], off[1]));
   if (!is_rigid(m, b))
-    out[C2D_OFF_EQUATION_ENERGY] = (sum_of_squares(parts[0]) + sum_of_squares(parts[1])) / (kPi * compliance(m, b));
+    out[C2D_OFF_EQUATION_ENERGY] =
+        (sum_of_squares(m, s.off[0], 2) + sum_of_squares(m, s.off[0] + 1, 2)) / (kPi * compliance(m, b));
   if (s.zone < 0) return;
   Residuals r{};
-  for (int i = 0; i < kSamples; ++i) look_at_sample(session, s, i, r);
+  const int skipped = m.head->function_nodes == 1 ? 1 : 0;
+  for (int i = skipped; i < kSamples - skipped; ++i) look_at_sample(session, s, i, r);
   out[C2D_OFF_STATUSES] = r.statuses;
   out[C2D_OFF_GAP] = r.gap;
   out[C2D_OFF_DRIFT] = r.drift;
   const Zone& z = m.zone[s.zone];
-  out[C2D_OFF_CONTACT_ENERGY] = (sum_of_squares(r.normal) + sum_of_squares(r.tangential)) /
+  out[C2D_OFF_CONTACT_ENERGY] = (sum_of_squares(m, r.normal, 1) + sum_of_squares(m, r.tangential, 1)) /
                                     (kPi * (compliance(m, z.body[0]) + compliance(m, z.body[1]))) +
-                                length / (kSamples - 1) * r.both;
+                                out[C2D_OFF_LENGTH] / (kSamples - 1) * r.both;
 }
 
 // What is known of an element before anything is solved.
@@ -301,8 +286,11 @@ c2d_status fill_some(const Session& session, int b, int32_t first, int32_t count
   for (int32_t k = 0; k < count; ++k) find_contact(session.model, b, first + k, sampled[k]);
   c2d_status status = sample_own(session, b, sampled, count);
   for (int of = 0; of < session.model.head->bodies && status == C2D_OK; ++of)
-    status = sample_other(session, of, sampled, count);
-  for (int32_t k = 0; k < count && status == C2D_OK; ++k) fill_row(session, b, sampled[k], out + k * stride);
+    status = sample_faced(session, of, sampled, count);
+  for (int32_t k = 0; k < count && status == C2D_OK; ++k) {
+    if (sampled[k].zone >= 0) complete_motion(session, b, sampled[k]);
+    fill_row(session, b, sampled[k], out + k * stride);
+  }
   return status;
 }
 
