@@ -113,7 +113,7 @@ struct Result {
   c2d_outcome outcome = C2D_REACHED;
   std::vector<Step> steps; // recorded ones, with every_change also changes
   host::OfBodies<std::vector<EndResult>> boundary;
-  std::vector<double> interior; // rows of C2D_POINT_FIELDS
+  std::vector<double> interior;                   // rows of C2D_POINT_FIELDS
   host::OfBodies<std::vector<double>> indicators; // rows of C2D_OFF_FIELDS
   host::Summary summary;
   std::vector<c2d_error> told;

@@ -117,7 +117,7 @@ struct Equation {
   return status == C2D_OK ? equation.finish() : status;
 }
 
-void complete_motion(const Session& session, int b, Sampled& s) {
+[[gnu::noinline]] void complete_motion(const Session& session, int b, Sampled& s) {
   for (int i = 0; i < kSamples; ++i) {
     for (int c = 0; c < 2; ++c) s.w[i][c] += s.off[i][c];
     add_displacement_at(session, b, FacePoint{s.element, 0, kEta[i]}, 1.0, s.w[i]);
@@ -133,7 +133,7 @@ enum StatusBit { kOpenBit = 1, kStickBit = 2, kSlipBit = 4, kTiedBit = 8 };
 
 // The pairs of the element of side 1 at a sample, interpolated.
 struct PairsThere {
-  int32_t statuses;              // bits
+  int32_t statuses;                // bits
   double n[2], p, spare, wt, slip; // spare: what is left to the bound of friction; slip: since it began
 };
 
@@ -157,12 +157,13 @@ void add_pair(const Session& session, int32_t i, double part, PairsThere& out) {
   if (pair.status == C2D_SLIP && pair.tangential != 0) out.slip += part * fabs(now.wt - pair.slip_from) * length;
 }
 
-PairsThere pairs_there(const Session& session, const Zone& z, const FacePoint& at) {
+[[gnu::noinline]] PairsThere pairs_there(const Session& session, const Zone& z, const FacePoint& at) {
   const Model& m = session.model;
   PairsThere out{};
   double value[kElementNodes];
   shape(m.head->function_nodes, at.eta, value);
   for (int l = 0; l < m.head->function_nodes; ++l) {
+    if (value[l] == 0.0) continue; // at a node the others do not count
     const PairSide end = pair_of_end(m, z.body[1], at.element, l);
     if (end.pair >= 0)
       add_pair(session, end.pair, value[l], out);
@@ -175,7 +176,7 @@ PairsThere pairs_there(const Session& session, const Zone& z, const FacePoint& a
 }
 
 // Between the surfaces before any load, less what interference has closed of it.
-double initial_gap(const Session& session, const Zone& z, const FacePoint at[2], const double n[2]) {
+[[gnu::noinline]] double initial_gap(const Session& session, const Zone& z, const FacePoint at[2], const double n[2]) {
   const Model& m = session.model;
   const SurfacePoint p = surface_point(m, z.body[0], at[0].element, at[0].eta);
   const SurfacePoint q = surface_point(m, z.body[1], at[1].element, at[1].eta);
@@ -251,7 +252,7 @@ double compliance(const Model& m, int b) {
   return is_rigid(m, b) ? 0.0 : (1.0 - strain_poisson_ratio(m, b)) / (2.0 * shear_modulus(m, b));
 }
 
-void fill_row(const Session& session, int b, const Sampled& s, double* out) {
+[[gnu::noinline]] void fill_row(const Session& session, int b, const Sampled& s, double* out) {
   const Model& m = session.model;
   for (const double* off : s.off) out[C2D_OFF_EQUATION] = fmax(out[C2D_OFF_EQUATION], hypot(off[0], off[1]));
   if (!is_rigid(m, b))
@@ -281,7 +282,8 @@ void begin_row(const Model& m, int b, int32_t element, double* row) {
   row[C2D_OFF_STATUSES] = m.zone[at.zone].is_tied != 0 ? kTiedBit : kOpenBit;
 }
 
-c2d_status fill_some(const Session& session, int b, int32_t first, int32_t count, double* out, int64_t stride) {
+[[gnu::noinline]] c2d_status fill_some(const Session& session, int b, int32_t first, int32_t count, double* out,
+                                       int64_t stride) {
   Sampled sampled[kElementsAtOnce];
   for (int32_t k = 0; k < count; ++k) find_contact(session.model, b, first + k, sampled[k]);
   c2d_status status = sample_own(session, b, sampled, count);
