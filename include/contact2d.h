@@ -470,8 +470,9 @@ c2d_status c2d_interior(c2d_solver* solver, int32_t body, int32_t count, const d
 /* What the mesh leaves open between its nodes, METHOD 16.6, of elements first ... first+count-1 of a body: column c of the i-th
    goes to out[i * stride + c], stride >= C2D_OFF_FIELDS. Conditions and equations hold at nodes; between them, at 1/4, 1/2 and
    3/4 of every element, the equations say what the displacements are, and these what gap, penetration and drift there is.
-   Large energies say where to refine: for contact tractions CONTACT_ENERGY, on both bodies; for the rest of a boundary, as for
-   stresses at a notch, EQUATION_ENERGY. They are no error and no bound of one. Of a path take the largest over its turns.
+   Large energies say where to refine: for contact tractions CONTACT_ENERGY, on both bodies (over LENGTH, where their meshes
+   match, for an error in the mean square); for the rest of a boundary, as for stresses at a notch, EQUATION_ENERGY. They are no
+   error and no bound of one. Of a path take the largest over its turns.
    It costs three equations per element, and as many of what it faces (five in free zones); many elements in one call cost less
    than one by one. Nothing else is solved. Of elements of zero length and those that images replace all energies are 0.
    Errors: STORE_...; CANCELLED (`out` is then of no use). */

@@ -153,6 +153,7 @@ CORE_SOURCES += src/results/balance.cpp
 CORE_SOURCES += src/results/body_state.cpp
 CORE_SOURCES += src/results/boundary_stress.cpp
 CORE_SOURCES += src/results/coarse_contact.cpp
+CORE_SOURCES += src/results/facing_meshes.cpp
 CORE_SOURCES += src/results/friction_work.cpp
 CORE_SOURCES += src/results/indicator.cpp
 CORE_SOURCES += src/results/interior.cpp

@@ -120,6 +120,7 @@ c2d_status run_cards(Session& session) {
       const bool reached = s->outcome == C2D_REACHED;
       status = show_step(session, reached ? C2D_STEP_RECORDED : C2D_STEP_STOPPED);
       if (status != C2D_OK || !reached) return status;
+      if (moment == Moment::peak) kWarningPart.warn_facing_meshes(session);
     }
   }
   return C2D_OK;

@@ -144,6 +144,7 @@ enum class Moment;
 struct WarningPart { // results/warnings.cpp and what it asks, solver/condition.cpp
   bool linked = false;
   Function<void, Session&, Moment> warn_contact = Nothing();
+  Function<void, Session&> warn_facing_meshes = Nothing();
   Function<void, Session&> warn_not_unique = Nothing();
   Function<void, c2d_solver*> warn_breach = Nothing();
   Function<c2d_status, c2d_solver*> find_condition = Nothing();

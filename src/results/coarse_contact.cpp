@@ -30,18 +30,6 @@ struct Looked {
     const int32_t per_element = session->model.head->function_nodes > 2 ? session->model.head->function_nodes - 1 : 1;
     return (pairs + per_element - 1) / per_element;
   }
-  // Do several elements of a free zone, whose other side has a mesh of its own, lie on one of that?
-  bool face_one(int32_t first, int32_t last) const {
-    for (int32_t i = first; i <= last; ++i)
-      if (pair(i).node[0] >= 0 || pair(i).element != pair(first).element) return false;
-    return elements(last - first + 1) > 1;
-  }
-  int32_t elements(int32_t first, int32_t last) const { return face_one(first, last) ? 1 : elements(last - first + 1); }
-  // By how much an edge among them may be off, at pair i.
-  double reach(int32_t i, int32_t first, int32_t last) const {
-    if (!face_one(first, last)) return pair(i).length;
-    return element_length(session->model, body_on(session->model, pair(i), 0), pair(i).element);
-  }
   double width(Stretch s) const {
     double sum = 0.0;
     for (int32_t i = s.first; i <= s.last; ++i) sum += pair(i).weight;
@@ -72,12 +60,12 @@ void look_at_edge(const Looked& at, Stretch contact, int32_t i, int step, Worst&
   if (!at.has(i - step)) return;
   int32_t top = i;
   while (top + step >= contact.first && top + step <= contact.last && at.pressure(top + step) > at.pressure(top)) top += step;
-  const int32_t first = step > 0 ? i : top, last = step > 0 ? top : i, elements = at.elements(first, last);
-  const double width = at.width(contact), reach = at.reach(i, first, last);
-  if (!worst.gives_way_to(elements, reach, width)) return;
+  const int32_t elements = at.elements((top - i) * step + 1);
+  const double width = at.width(contact);
+  if (!worst.gives_way_to(elements, at.pair(i).length, width)) return;
   worst.elements = elements;
   worst.edge = at.place(i);
-  worst.reach = reach;
+  worst.reach = at.pair(i).length;
   worst.width = width;
   const int32_t beside = at.has(top + step) ? top + step : top - step; // the zone may end on an axis, or at a corner
   const double next = at.closed(beside) ? at.pressure(beside) : 0.0;
@@ -123,12 +111,11 @@ void look_at_friction(const Looked& at, Stretch contact, Stretch s, int32_t long
   if (s.first == contact.first && s.last == contact.last) return;
   if (!slips && (s.first == contact.first || s.last == contact.last) && !axis) return; // what sticks up to an edge
   if (slips && (!at.has(s.first - 1) || !at.has(s.last + 1)) && !is_small_at_corner(at, s, longest)) return;
-  const int32_t elements = (axis ? 2 : 1) * at.elements(s.first, s.last);
+  const int32_t elements = (axis ? 2 : 1) * at.elements(s.last - s.first + 1);
   double reach = 0.0; // of both borders; an axis is none
   const int32_t borders[] = {s.first, s.last};
   for (const int32_t border : borders)
-    if ((s.first == s.last || !is_on_axis(at, border)) && at.reach(border, s.first, s.last) > reach)
-      reach = at.reach(border, s.first, s.last);
+    if ((s.first == s.last || !is_on_axis(at, border)) && at.pair(border).length > reach) reach = at.pair(border).length;
   const double width = (axis ? 2.0 : 1.0) * at.width(s);
   if (!worst.gives_way_to(elements, reach, width)) return;
   worst.elements = elements;

@@ -3,8 +3,7 @@
 // first highest value; fewer than kFewElements on that way, and a single element decides where the edge lies and how high
 // the pressure is. The same for the zone that slips behind such an edge, and for one that sticks between two that slip.
 // Edges at a corner, where the zone ends, are no matter of this, but for one or two pairs alone that slip up to it; there the
-// pressure may have no bound, and an element that carries much of the force is too long. Where meshes are independent and
-// that way lies on one element of side 0, it is one element.
+// pressure may have no bound, and an element that carries much of the force is too long.
 #include "memory/text.hpp"
 #include "solver/session.hpp"
 
