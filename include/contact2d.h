@@ -466,27 +466,7 @@ enum {
    points in one call cost less than one by one. Errors: STORE_...; CANCELLED (`out` is then of no use). */
 c2d_status c2d_interior(c2d_solver* solver, int32_t body, int32_t count, const double* xy, int64_t xy_stride, double* out,
                         int64_t out_stride);
-
-/* What the mesh leaves open between its nodes, METHOD 16.6, of elements first ... first+count-1 of a body: column c of the i-th
-   goes to out[i * stride + c], stride >= C2D_OFF_FIELDS. Conditions and equations hold at nodes; between them, at 1/4, 1/2 and
-   3/4 of every element, the equations say what the displacements are, and these what gap, penetration and drift there is.
-   Large energies say where to refine: for contact tractions CONTACT_ENERGY, on both bodies (over LENGTH, where their meshes
-   match, for an error in the mean square); for the rest of a boundary, as for stresses at a notch, EQUATION_ENERGY. They are no
-   error and no bound of one. Of a path take the largest over its turns.
-   It costs three equations per element, and as many of what it faces (five in free zones); many elements in one call cost less
-   than one by one. Nothing else is solved. Of elements of zero length and those that images replace all energies are 0.
-   Errors: STORE_...; CANCELLED (`out` is then of no use). */
-enum {
-  C2D_OFF_LENGTH = 0,         /* of the element                                                     */
-  C2D_OFF_ZONE = 1, C2D_OFF_SIDE = 2, /* where it may touch: zone, 1 or 2; 0: nowhere               */
-  C2D_OFF_STATUSES = 3,       /* sum of 1: some of it is open, 2: sticks, 4: slips, 8: is tied; 0: in no zone */
-  C2D_OFF_EQUATION = 4,       /* length: the most by which the displacement is off what is interpolated */
-  C2D_OFF_GAP = 5,            /* length: the largest gap where it is closed, or penetration anywhere */
-  C2D_OFF_DRIFT = 6,          /* length: the largest tangential motion where it sticks, but for what is held since it slipped */
-  C2D_OFF_EQUATION_ENERGY = 7, C2D_OFF_CONTACT_ENERGY = 8, /* per thickness: of the first and of the other two, and
-                                 pressure times gap of elements that are half open, spare friction times slip of those half stuck */
-  C2D_OFF_FIELDS = 9
-};
+/* What the mesh leaves open between nodes: columns C2D_OFF_... (contact2d_codes.h) of elements. Errors: STORE_...; CANCELLED. */
 c2d_status c2d_indicators(c2d_solver* solver, int32_t body, int32_t first, int32_t count, double* out, int64_t stride);
 
 typedef struct c2d_summary {
@@ -515,8 +495,7 @@ typedef struct c2d_summary {
   double least_dissipation;       /* most negative contribution of a pair and event: round-off      */
   int32_t symmetry;               /* lines of symmetry by images: 1: x = symmetry_at[0], 2: y = symmetry_at[1], 3: both */
   int32_t breach;                 /* with C2D_BEYOND_LIMITS: C2D_BREACH_...                         */
-  double symmetry_at[2];
-  double breach_size;             /* of what the breach is measured against                         */
+  double symmetry_at[2], breach_size; /* of what the breach is measured against                         */
   int32_t point_loads, point_sets, curves; /* how many of each the model holds                      */
   int32_t reserved_too;
 } c2d_summary;
@@ -539,9 +518,8 @@ c2d_status c2d_get_body_result(c2d_solver* solver, int32_t body, c2d_body_result
 typedef struct c2d_zone_state {
   uint32_t struct_size;
   int32_t open, stick, slip;      /* pairs; tied ones stick                                         */
-  int32_t near_change;            /* pairs within 1 % of another status: pressure or gap below 1 % of the zone's largest, or
+  int32_t near_change, reserved;  /* pairs within 1 % of another status: pressure or gap below 1 % of the zone's largest, or
                                      friction within 1 % of its bound                               */
-  int32_t reserved;
   double force[2], moment;
   double approach, shift;         /* means over all pairs of (u1 - u2).n, how far the bodies came closer, and (u2 - u1).t */
   double largest_pressure, largest_friction, length; /* length: of the touching pairs               */
@@ -593,8 +571,7 @@ c2d_status c2d_get_interference(c2d_solver* solver, int32_t* load_case);
    prepared     begin, run                                              -> running
                 save, restore, set_units; change_loads                  -> model
    running      begin, advance, next_event, run, get, get_zone_state, get_body_state, interior, indicators, save, restore,
-                set_units
-                change_loads                                            -> model
+                set_units; change_loads                                 -> model
    broken       after an error of the store: restore, or c2d_create in the same memory
    In model, prepared and running also positions by get, and the lists: get_friction, _path, _zone, _region, _condition,
    _point_load, _body_force, _rigid, _interference, _points, _curve. Where set_units is legal, so are set_name and get_name. */

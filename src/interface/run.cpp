@@ -12,6 +12,7 @@ namespace c2d {
 
 C2D_BRINGS(c2d_get_summary); // energies
 C2D_BRINGS(c2d_link_search);
+C2D_MEETS(WarningPart, c2d_link_warnings);
 
 namespace {
 
