@@ -466,7 +466,7 @@ enum {
    points in one call cost less than one by one. Errors: STORE_...; CANCELLED (`out` is then of no use). */
 c2d_status c2d_interior(c2d_solver* solver, int32_t body, int32_t count, const double* xy, int64_t xy_stride, double* out,
                         int64_t out_stride);
-/* What the mesh leaves open between nodes: columns C2D_OFF_... (contact2d_codes.h) of elements. Errors: STORE_...; CANCELLED. */
+/* What the mesh leaves open between nodes: C2D_OFF_... (contact2d_codes.h) of elements. Errors: STORE_...; CANCELLED. */
 c2d_status c2d_indicators(c2d_solver* solver, int32_t body, int32_t first, int32_t count, double* out, int64_t stride);
 
 typedef struct c2d_summary {
