@@ -81,8 +81,8 @@ enum { /* fields of c2d_get */
    refine: for contact tractions CONTACT_ENERGY, on both bodies (over LENGTH, where their meshes match, for an error in the mean
    square); for the rest of a boundary, as for stresses at a notch, EQUATION_ENERGY. They are no error and no bound of one. Of a
    path take the largest over its turns. The cost is that of three equations per element, and as many of what it faces (five in
-   free zones); many elements in one call cost less than one by one. Nothing else is solved. For elements without length and those
-   that images replace energies are 0. */
+   free zones); many elements in one call cost less than one by one. Nothing else is solved. Without length, and where images
+   replace an element, energies are 0. */
 enum {
   C2D_OFF_LENGTH = 0,         /* of the element                                                     */
   C2D_OFF_ZONE = 1, C2D_OFF_SIDE = 2, /* where it may touch: zone, 1 or 2; 0: nowhere               */
