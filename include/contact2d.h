@@ -466,6 +466,8 @@ enum {
    points in one call cost less than one by one. Errors: STORE_...; CANCELLED (`out` is then of no use). */
 c2d_status c2d_interior(c2d_solver* solver, int32_t body, int32_t count, const double* xy, int64_t xy_stride, double* out,
                         int64_t out_stride);
+/* What the mesh leaves open between nodes: C2D_OFF_... (contact2d_codes.h) of elements. Errors: STORE_...; CANCELLED. */
+c2d_status c2d_indicators(c2d_solver* solver, int32_t body, int32_t first, int32_t count, double* out, int64_t stride);
 
 typedef struct c2d_summary {
   uint32_t struct_size;
@@ -493,8 +495,7 @@ typedef struct c2d_summary {
   double least_dissipation;       /* most negative contribution of a pair and event: round-off      */
   int32_t symmetry;               /* lines of symmetry by images: 1: x = symmetry_at[0], 2: y = symmetry_at[1], 3: both */
   int32_t breach;                 /* with C2D_BEYOND_LIMITS: C2D_BREACH_...                         */
-  double symmetry_at[2];
-  double breach_size;             /* of what the breach is measured against                         */
+  double symmetry_at[2], breach_size; /* of what the breach is measured against                         */
   int32_t point_loads, point_sets, curves; /* how many of each the model holds                      */
   int32_t reserved_too;
 } c2d_summary;
@@ -517,9 +518,8 @@ c2d_status c2d_get_body_result(c2d_solver* solver, int32_t body, c2d_body_result
 typedef struct c2d_zone_state {
   uint32_t struct_size;
   int32_t open, stick, slip;      /* pairs; tied ones stick                                         */
-  int32_t near_change;            /* pairs within 1 % of another status: pressure or gap below 1 % of the zone's largest, or
+  int32_t near_change, reserved;  /* pairs within 1 % of another status: pressure or gap below 1 % of the zone's largest, or
                                      friction within 1 % of its bound                               */
-  int32_t reserved;
   double force[2], moment;
   double approach, shift;         /* means over all pairs of (u1 - u2).n, how far the bodies came closer, and (u2 - u1).t */
   double largest_pressure, largest_friction, length; /* length: of the touching pairs               */
@@ -570,8 +570,8 @@ c2d_status c2d_get_interference(c2d_solver* solver, int32_t* load_case);
                 restore                                                 -> prepared or running, as saved
    prepared     begin, run                                              -> running
                 save, restore, set_units; change_loads                  -> model
-   running      begin, advance, next_event, run, get, get_zone_state, get_body_state, interior, save, restore, set_units
-                change_loads                                            -> model
+   running      begin, advance, next_event, run, get, get_zone_state, get_body_state, interior, indicators, save, restore,
+                set_units; change_loads                                 -> model
    broken       after an error of the store: restore, or c2d_create in the same memory
    In model, prepared and running also positions by get, and the lists: get_friction, _path, _zone, _region, _condition,
    _point_load, _body_force, _rigid, _interference, _points, _curve. Where set_units is legal, so are set_name and get_name. */

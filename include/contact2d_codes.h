@@ -76,6 +76,25 @@ enum { /* fields of c2d_get */
   C2D_SURFACE_X = 140, C2D_SURFACE_Y = 141
 };
 
+/* Columns of c2d_indicators, METHOD 16.6. Conditions and equations hold at nodes; at 1/4, 1/2 and 3/4 of every element the
+   equations say what the displacements are, and these what gap, penetration and drift there is. Large energies say where to
+   refine: for contact tractions CONTACT_ENERGY, on both bodies (over LENGTH, where their meshes match, for an error in the mean
+   square); for the rest of a boundary, as for stresses at a notch, EQUATION_ENERGY. They are no error and no bound of one. Of a
+   path take the largest over its turns. The cost is that of three equations per element, and as many of what it faces (five in
+   free zones); many elements in one call cost less than one by one. Nothing else is solved. Without length, and where images
+   replace an element, energies are 0. */
+enum {
+  C2D_OFF_LENGTH = 0,         /* of the element                                                     */
+  C2D_OFF_ZONE = 1, C2D_OFF_SIDE = 2, /* where it may touch: zone, 1 or 2; 0: nowhere               */
+  C2D_OFF_STATUSES = 3,       /* sum of 1: some of it is open, 2: sticks, 4: slips, 8: is tied; 0: in no zone */
+  C2D_OFF_EQUATION = 4,       /* length: the most by which the displacement is off what is interpolated */
+  C2D_OFF_GAP = 5,            /* length: the largest gap where it is closed, or penetration anywhere */
+  C2D_OFF_DRIFT = 6,          /* length: the largest tangential motion where it sticks, but for what is held since it slipped */
+  C2D_OFF_EQUATION_ENERGY = 7, C2D_OFF_CONTACT_ENERGY = 8, /* per thickness: of the first, of the other two; the latter also has
+                                 pressure times gap where it is half open, spare friction times slip where it is half stuck */
+  C2D_OFF_FIELDS = 9
+};
+
 enum { /* c2d_error.status of warnings; src/report/OUTPUT.md tells what to do about each */
   C2D_WARN_ZONE_END = 201,         /* the last pair at an end of a zone closed: the zone may be too short  */
   C2D_WARN_FEW_PAIRS = 202,        /* fewer than 4 elements from an edge to the peak, or in a zone of slip */

@@ -285,6 +285,12 @@ c2d_status follow(c2d_solver* s, const Setup& setup, Result& r) {
     r.interior.resize(count * C2D_POINT_FIELDS);
     status = c2d_interior(s, 0, static_cast<int32_t>(count), setup.points.data(), 2, r.interior.data(), C2D_POINT_FIELDS);
   }
+  if (r.summary.bodies > 2) r.indicators.resize(index(r.summary.bodies));
+  for (int32_t b = 1; setup.indicators && b <= r.summary.bodies && status == C2D_OK; ++b) {
+    const int32_t elements = r.summary.body[b - 1].elements;
+    r.indicators[b - 1].resize(index(elements) * C2D_OFF_FIELDS);
+    status = c2d_indicators(s, b, 1, elements, r.indicators[b - 1].data(), C2D_OFF_FIELDS);
+  }
   if (stopped && status != C2D_OK) status = C2D_OK; // nothing to be had before anything touches
   host::get_summary(s, r.summary);
   return status;

@@ -79,6 +79,7 @@ struct Setup {
   int32_t quadrature = C2D_QUADRATURE_ACCURATE, stepping = C2D_STEPPING_EVENTS, every_change = 0;
   int32_t symmetry = C2D_SYMMETRY_DECK;
   std::vector<double> points; // x y x y ...: c2d_interior at the end
+  bool indicators = false;    // c2d_indicators of all elements at the end
   int32_t threads = 1;
   double seconds = 0; // of the processor's time, after which the run is cancelled; 0: any
   int runs = 1;       // how often c2d_run is called; the last one is kept
@@ -112,7 +113,8 @@ struct Result {
   c2d_outcome outcome = C2D_REACHED;
   std::vector<Step> steps; // recorded ones, with every_change also changes
   host::OfBodies<std::vector<EndResult>> boundary;
-  std::vector<double> interior; // rows of C2D_POINT_FIELDS
+  std::vector<double> interior;                   // rows of C2D_POINT_FIELDS
+  host::OfBodies<std::vector<double>> indicators; // rows of C2D_OFF_FIELDS
   host::Summary summary;
   std::vector<c2d_error> told;
   uint64_t minimum_bytes = 0;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -239,17 +240,21 @@ TEST_CASE("build: the public headers compile alone, as C99 and as C++, with all 
 
 namespace {
 
-// Compiles examples/static_array.c with `compiler`, links it with the C compiler, runs it on a deck.
-Result run_example(const std::string& compiler, const std::string& deck) {
+// Compiles examples/NAME.c with `compiler`, links it with the C compiler, runs it with `arguments`.
+Result run_program(const std::string& compiler, const std::string& name, const std::string& arguments) {
   const Folder folder;
   const std::string root = kRoot.string(), object = folder / "a.o", program = folder / "a";
   const Result compiled = run_shell(compiler + " -Wall -Wextra -Werror -I'" + root + "/include' -I'" + root +
-                                    "/port/memory' -c '" + root + "/examples/static_array.c' -o '" + object + "'");
+                                    "/port/memory' -c '" + root + "/examples/" + name + ".c' -o '" + object + "'");
   if (compiled.status != 0) return compiled;
   const Result linked =
       run_shell(paths::c_compiler() + " '" + object + "' '" + paths::library() + "' -lm -o '" + program + "'");
   if (linked.status != 0) return linked;
-  return run_shell("'" + program + "' '" + root + "/examples/" + deck + "'");
+  return run_shell("'" + program + "' " + arguments);
+}
+// examples/static_array.c on a deck.
+Result run_example(const std::string& compiler, const std::string& deck) {
+  return run_program(compiler, "static_array", "'" + kRoot.string() + "/examples/" + deck + "'");
 }
 
 } // namespace
@@ -273,4 +278,28 @@ TEST_CASE("example: static_array.c is C++ as well, and tells an unusable deck") 
   const Result result = run_example(cxx, "plate_tension.dat");
   CHECK_MESSAGE(result.status == 0, result.out << result.err);
   CHECK(run_example(cxx, "static_array.c").status == 1);
+}
+
+// Hertz' half width of the example is 1: the pressure on the axis is 2 P/pi.
+TEST_CASE("example: adapt.c is C99 and C++, and states errors of its pressures that hold") {
+  if (kSanitized) return;
+  for (const std::string& compiler : {paths::c_compiler() + " -std=c99 -pedantic",
+                                      paths::cxx_compiler() + " -x c++ -std=c++17 -pedantic -fno-exceptions -fno-rtti"}) {
+    const Result result = run_program(compiler, "adapt", "");
+    CHECK_MESSAGE(result.status == 0, result.out << result.err);
+    const double exact = 2 * 8.630447 / std::acos(-1.0);
+    int elements = 0, rounds = 0;
+    double pressure = 0, stated = 0, before = 1e300;
+    for (const std::string& line : lines_of(result.out)) {
+      REQUIRE(std::sscanf(line.c_str(), "round %*d: %d elements, pressure %lf, stated error of the pressures %lf", &elements,
+                          &pressure, &stated) == 3);
+      CHECK(std::fabs(pressure / exact - 1) < stated / 100);
+      CHECK(stated < before);
+      before = stated;
+      ++rounds;
+    }
+    CHECK(rounds > 5);
+    CHECK(stated < 0.1);
+    CHECK(elements <= 100); // some 1,000 equal ones
+  }
 }

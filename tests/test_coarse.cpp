@@ -96,6 +96,22 @@ TEST_CASE("coarse contact: one or two pairs that slip up to a corner, and no oth
   CHECK(coarse(beside) == ""); // nine slip at one corner, one at the other
 }
 
+// Spence: the pressure of a sharp punch has no bound. Equal elements are 30 to 70 % wrong near its edge, those that shrink
+// towards it are not.
+TEST_CASE("coarse contact: an element at a corner that carries much of the force") {
+  const auto made = [](const std::string& arguments) {
+    return test::run_shell("'" + paths::program() + "' make punch " + arguments + " | '" + paths::program() +
+                           "' run - --listing /dev/null")
+        .err;
+  };
+  for (const char* order : {"order=1", "order=2"}) {
+    CHECK(
+        holds(made(std::string("edge=0.025 grading=0.95 ") + order), "the last element before the corner at pair 1 carries 1"));
+    CHECK(!holds(made(order), "coarse"));
+  }
+  CHECK(holds(made("edge=0.025 grading=0.95"), "carries 13 % of the force, and the pressure rises there to 5.1 times"));
+}
+
 TEST_CASE("energy of cycles: work that friction does not account for is told") {
   const Problem p = block(20);
   const Result r = problem::solve(p);

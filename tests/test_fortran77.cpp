@@ -240,6 +240,16 @@ TEST_CASE("fortran77: a deck at every odd address gives the bits of the C interf
     c2intr_(work, I{2}, I{2}, points, I{3}, numbers.at(), I{12}, &error);
     REQUIRE(error == 0);
     for (int32_t k = 0; k < 2 * C2D_POINT_FIELDS; ++k) CHECK(real_at(numbers.at(), k + k / C2D_POINT_FIELDS) == inside[k]);
+    std::vector<double> off(3 * C2D_OFF_FIELDS);
+    REQUIRE(c2d_indicators(desktop.solver, 1, 7, 3, off.data(), C2D_OFF_FIELDS) == C2D_OK);
+    c2indi_(work, I{1}, I{7}, I{3}, numbers.at(), I{10}, &error);
+    REQUIRE(error == 0);
+    for (int32_t k = 0; k < 3 * C2D_OFF_FIELDS; ++k)
+      CHECK(real_at(numbers.at(), k + k / C2D_OFF_FIELDS) == off[static_cast<size_t>(k)]);
+    c2indi_(work, I{1}, I{7}, I{INT32_MAX}, numbers.at(), I{10}, &error);
+    CHECK(error == C2D_ERR_ARGUMENT);
+    c2indi_(work, I{1}, I{7}, I{3}, numbers.at(), I{8}, &error);
+    CHECK(error == C2D_ERR_ARGUMENT);
     c2clos_(work, &error);
     CHECK(error == 0);
   }

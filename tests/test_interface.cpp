@@ -250,6 +250,10 @@ const std::vector<Call>& calls() {
       double row[C2D_POINT_FIELDS];
       return c2d_interior(s, 0, 1, xy, 2, row, C2D_POINT_FIELDS);
     });
+    add("indicators", kRunning, [](c2d_solver* s) {
+      double row[C2D_OFF_FIELDS];
+      return c2d_indicators(s, 1, 1, 1, row, C2D_OFF_FIELDS);
+    });
     add("get end status", kRunning, [](c2d_solver* s) { return c2d_get(s, C2D_END_STATUS, 1, 1, 1, g_numbers, 1); });
     add("get position", complete, [](c2d_solver* s) { return c2d_get(s, C2D_X, 1, 1, 1, g_numbers, 1); });
     add("get end position", complete, [](c2d_solver* s) { return c2d_get(s, C2D_END_X, 1, 1, 1, g_numbers, 1); });
@@ -857,6 +861,10 @@ std::vector<Wrong> wrong_calls() {
     add(C2D_STATE_RUNNING, "curve", [i](c2d_solver* s) {
       c2d_curve c = C2D_INIT(c2d_curve);
       return c2d_get_curve(s, i, &c);
+    });
+    add(C2D_STATE_RUNNING, "indicators body", [whose](c2d_solver* s) {
+      double row[C2D_OFF_FIELDS];
+      return c2d_indicators(s, whose, 1, 1, row, C2D_OFF_FIELDS);
     });
     if (i != 2 || limits.bodies < 2)
       add(C2D_STATE_RUNNING, "interior body", [i](c2d_solver* s) {

@@ -277,6 +277,7 @@ TEST_CASE("refusals: strides, counts and numbers that cannot be meant") {
     const double at[4] = {0.1, 0.1, 0.2, 0.2};
     CHECK(going.refused(c2d_interior(going.s, 0, 2, at, stride, middle, C2D_POINT_FIELDS), "xy_" + is));
     CHECK(going.refused(c2d_interior(going.s, 0, 2, at, 2, middle, stride), "out_" + is));
+    CHECK(going.refused(c2d_indicators(going.s, 1, 1, 2, middle, stride), is));
     c2d_points set = C2D_INIT(c2d_points);
     set.kind = C2D_POINTS_LINE;
     set.body = 1;
@@ -300,15 +301,20 @@ TEST_CASE("refusals: strides, counts and numbers that cannot be meant") {
     const std::string is = "count is " + std::to_string(count);
     CHECK(going.refused(c2d_get(going.s, C2D_TN, 0, 1, count, middle, 1), is));
     CHECK(going.refused(c2d_interior(going.s, 0, count, at, 2, middle, C2D_POINT_FIELDS), is));
+    CHECK(going.refused(c2d_indicators(going.s, 1, 1, count, middle, C2D_OFF_FIELDS), is));
     CHECK(empty.refused(c2d_set_nodes(empty.s, 1, 1, count, middle, 2), is));
   }
   for (int32_t first : {0, -1, INT32_MAX, INT32_MIN}) {
     CHECK(going.refused(c2d_get(going.s, C2D_TN, 0, first, 2, middle, 1), "first is " + std::to_string(first)));
+    CHECK(going.refused(c2d_indicators(going.s, 1, first, 2, middle, C2D_OFF_FIELDS), "first is " + std::to_string(first)));
     CHECK(empty.refused(c2d_set_nodes(empty.s, 1, first, 2, middle, 2), "boundary point number is " + std::to_string(first)));
   }
   CHECK(going.refused(c2d_get(going.s, C2D_TN, 0, 2, INT32_MAX, middle, 1), "count is"));
   CHECK(empty.refused(c2d_set_nodes(empty.s, 1, 2, INT32_MAX, middle, 2), "last boundary point number is"));
   CHECK(going.refused(c2d_get(going.s, C2D_TN, 0, 1, 2, nullptr, 1), "out is null"));
+  CHECK(going.refused(c2d_indicators(going.s, 1, 2, INT32_MAX, middle, C2D_OFF_FIELDS), "count is"));
+  CHECK(going.refused(c2d_indicators(going.s, 1, 1, 2, middle, C2D_OFF_FIELDS - 1), "stride is 8, expected at least 9"));
+  CHECK(going.refused(c2d_indicators(going.s, 1, 1, 2, nullptr, C2D_OFF_FIELDS), "out is null"));
   CHECK(going.refused(c2d_interior(going.s, 0, 2, nullptr, 2, middle, C2D_POINT_FIELDS), "xy is null"));
   CHECK(going.refused(c2d_interior(going.s, 0, 2, at, 2, nullptr, C2D_POINT_FIELDS), "out is null"));
   CHECK(empty.refused(c2d_set_nodes(empty.s, 1, 1, 2, nullptr, 2), "xy is null"));

@@ -95,7 +95,7 @@ $(BOARDS:%=embedded-%): embedded-%: $(EMBEDDED)/%/hertz.csv $(EMBEDDED)/desktop.
 
 # ---- the bill: what every target takes ----------------------------------------------------------------------------
 # Images of calls of the header and of what they need, linked with --gc-sections:
-#   whole        every call                      no-deck, no-points   without the deck reader, without c2d_interior
+#   whole        every call                      no-deck, no-points   without the deck reader, without c2d_interior and c2d_indicators
 #   solver       a model by calls, one load case, zones of pairs, begin and advance: all orders, both quadratures,
 #                both steppings, interior points
 #   solver-told  the same with warnings, search and proofs
@@ -111,7 +111,7 @@ RUN_CALLS := c2d_run c2d_get_summary
 CONFIGURATIONS := whole no-deck no-points solver solver-told solver-run solver-deck
 calls_whole       := $(ALL_CALLS)
 calls_no-deck     := $(filter-out $(DECK_CALLS),$(ALL_CALLS))
-calls_no-points   := $(filter-out c2d_interior,$(ALL_CALLS))
+calls_no-points   := $(filter-out c2d_interior c2d_indicators,$(ALL_CALLS))
 calls_solver      := $(SOLVER_CALLS)
 calls_solver-told := $(SOLVER_CALLS) c2d_link_warnings c2d_link_search
 calls_solver-run  := $(SOLVER_CALLS) $(RUN_CALLS)

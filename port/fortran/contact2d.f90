@@ -75,6 +75,9 @@ module contact2d
       C2D_POINT_SYY = 3, C2D_POINT_SXY = 4, C2D_POINT_SZZ = 5, C2D_POINT_VON_MISES = 6, &
       C2D_POINT_MAX_SHEAR = 7, C2D_POINT_PRINCIPAL1 = 8, C2D_POINT_PRINCIPAL2 = 9, C2D_POINT_FLAG = 10, &
       C2D_POINT_FIELDS = 11
+  integer(c_int32_t), parameter :: C2D_OFF_LENGTH = 0, C2D_OFF_ZONE = 1, C2D_OFF_SIDE = 2, C2D_OFF_STATUSES = 3, &
+      C2D_OFF_EQUATION = 4, C2D_OFF_GAP = 5, C2D_OFF_DRIFT = 6, C2D_OFF_EQUATION_ENERGY = 7, &
+      C2D_OFF_CONTACT_ENERGY = 8, C2D_OFF_FIELDS = 9
   integer(c_int32_t), parameter :: C2D_POINT_INSIDE = 0, C2D_POINT_NEAR_NODE = 1, C2D_POINT_BOUNDARY = 2, &
       C2D_POINT_OUTSIDE = 3
   integer(c_int32_t), parameter :: C2D_STATE_EMPTY = 0, C2D_STATE_BUILDING = 1, C2D_STATE_MODEL = 2, &
@@ -845,6 +848,14 @@ module contact2d
       import
       type(c_ptr), value :: solver
       integer(c_int32_t), value :: field, body, first, count
+      integer(c_int64_t), value :: stride
+      real(c_double), intent(inout) :: out(stride,*)
+      integer(c_int32_t) :: status
+    end function
+    function c2d_indicators(solver, body, first, count, out, stride) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
+      integer(c_int32_t), value :: body, first, count
       integer(c_int64_t), value :: stride
       real(c_double), intent(inout) :: out(stride,*)
       integer(c_int32_t) :: status

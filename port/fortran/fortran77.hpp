@@ -195,6 +195,7 @@ void c2canc_(Work work, Out ierr);
 // answers: fortran77_results.cpp
 void c2get_(Work work, In ifield, In ibody, In ifirst, In n, Out a, In lda, Out ierr);
 void c2intr_(Work work, In ibody, In n, In xy, In ldxy, Out a, In lda, Out ierr);
+void c2indi_(Work work, In ibody, In ifirst, In n, Out a, In lda, Out ierr);
 void c2summ_(Work work, Out isum, In ni, Out rsum, In nr, Out ierr);
 void c2bsta_(Work work, In ibody, Out icount, Out r, Out ierr);
 void c2zsta_(Work work, In izone, Out icount, Out r, Out ierr);

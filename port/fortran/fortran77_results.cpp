@@ -44,6 +44,18 @@ c2d_status points_one_by_one(c2d_solver* solver, int32_t body, int32_t count, In
   return C2D_OK;
 }
 
+// The last element goes first: if there are fewer, nothing has been written when that is found.
+c2d_status indicators_one_by_one(c2d_solver* solver, int32_t body, int32_t first, int32_t count, Out a, int64_t stride) {
+  double row[C2D_OFF_FIELDS];
+  if (first < 1 || first > INT32_MAX - count) return C2D_ERR_ARGUMENT;
+  for (int32_t i = count - 1; i >= 0; --i) {
+    const c2d_status status = c2d_indicators(solver, body, first + i, 1, row, C2D_OFF_FIELDS);
+    if (status != C2D_OK) return status;
+    memcpy(behind(a, i * stride), row, sizeof row);
+  }
+  return C2D_OK;
+}
+
 // The last point goes first: if there are fewer, nothing has been written when that is found.
 c2d_status expand_one_by_one(const c2d_points& points, int32_t first, int32_t count, Out xy, int64_t stride, int32_t& total) {
   double point[2];
@@ -128,6 +140,19 @@ void c2intr_(Work work, In ibody, In n, In xy, In ldxy, Out a, In lda, Out ierr)
           c2d_interior(call.solver, body, count, static_cast<const double*>(xy), xy_stride, static_cast<double*>(a), stride);
     else
       call.status = points_one_by_one(call.solver, body, count, xy, xy_stride, a, stride);
+  }
+  call.leave(ierr);
+}
+
+void c2indi_(Work work, In ibody, In ifirst, In n, Out a, In lda, Out ierr) {
+  Call call(work);
+  if (call.ready()) {
+    const int32_t body = integer_at(ibody), first = integer_at(ifirst), count = integer_at(n);
+    const int64_t stride = integer_at(lda);
+    if (is_aligned(a) || count < 1 || stride < C2D_OFF_FIELDS) // the latter are refused
+      call.status = c2d_indicators(call.solver, body, first, count, static_cast<double*>(a), stride);
+    else
+      call.status = indicators_one_by_one(call.solver, body, first, count, a, stride);
   }
   call.leave(ierr);
 }

@@ -21,7 +21,9 @@ const c2d::FreeZonePart c2d::kFreeZonePart = {true,
                                               add_transferred_at,
                                               add_transferred_traction,
                                               transferred_values,
-                                              add_transferred_force};
+                                              add_transferred_force,
+                                              face_point,
+                                              facing_point};
 
 namespace c2d {
 

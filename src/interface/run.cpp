@@ -12,6 +12,7 @@ namespace c2d {
 
 C2D_BRINGS(c2d_get_summary); // energies
 C2D_BRINGS(c2d_link_search);
+C2D_MEETS(WarningPart, c2d_link_warnings);
 
 namespace {
 
@@ -120,6 +121,7 @@ c2d_status run_cards(Session& session) {
       const bool reached = s->outcome == C2D_REACHED;
       status = show_step(session, reached ? C2D_STEP_RECORDED : C2D_STEP_STOPPED);
       if (status != C2D_OK || !reached) return status;
+      if (moment == Moment::peak) kWarningPart.warn_facing_meshes(session);
     }
   }
   return C2D_OK;

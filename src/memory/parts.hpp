@@ -42,7 +42,9 @@ struct SymmetryPart { // model/validate_lines.cpp
   Function<void, const ModelHeader&, double*> fold_across = Nothing();
 };
 
+struct FacePoint;
 struct Surface;
+struct Zone;
 struct ColumnSystem;
 struct TransferWalk;
 struct Transfer;
@@ -65,6 +67,8 @@ struct FreeZonePart { // model/free_zones.cpp with model/facing_*.cpp and zone_s
   Function<void, const Session&, int, int32_t, int, double*> add_transferred_traction = Nothing();
   Function<void, const Session&, const Transfer&, int, double*> transferred_values = Nothing();
   Function<void, const Session&, int, double*> add_transferred_force = Nothing();
+  Function<bool, const Model&, const Zone&, const FacePoint&, FacePoint&> face_point = Nothing();
+  Function<bool, const Model&, const Zone&, const FacePoint&, FacePoint&> facing_point = Nothing();
 };
 
 struct Hole;
@@ -141,6 +145,7 @@ enum class Moment;
 struct WarningPart { // results/warnings.cpp and what it asks, solver/condition.cpp
   bool linked = false;
   Function<void, Session&, Moment> warn_contact = Nothing();
+  Function<void, Session&> warn_facing_meshes = Nothing();
   Function<void, Session&> warn_not_unique = Nothing();
   Function<void, c2d_solver*> warn_breach = Nothing();
   Function<c2d_status, c2d_solver*> find_condition = Nothing();

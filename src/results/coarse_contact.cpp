@@ -72,6 +72,28 @@ void look_at_edge(const Looked& at, Stretch contact, int32_t i, int step, Worst&
   worst.drop = at.pressure(top) > 0.0 ? 1.0 - next / at.pressure(top) : 0.0;
 }
 
+// At a corner, where the pressure has no bound, a fine mesh gives little of the force to its last element.
+struct Corner {
+  int32_t pair = -1;
+  double share = kMostAtCorner, rise = 0.0; // of the force; of the pressure over the one an element farther in
+};
+
+void look_at_corner(const Looked& at, Stretch contact, int32_t i, int step, Corner& worst) {
+  const int32_t nodes = at.session->model.head->function_nodes, per_element = nodes > 2 ? nodes - 1 : 1;
+  if (at.pair(i).tangential == 0 || contact.last - contact.first < 2 * per_element) return;
+  const double p[] = {at.pressure(i), at.pressure(i + per_element * step), at.pressure(i + 2 * per_element * step)};
+  const bool rises_as_without_bound = p[0] > 4.0 * p[1] && p[1] < 2.0 * p[2];
+  if (!rises_as_without_bound || p[1] <= 0.0) return;
+  double last = 0.0, all = 0.0;
+  for (int32_t k = contact.first; k <= contact.last; ++k) all += at.pressure(k) * at.pair(k).weight;
+  for (int32_t k = 0; k < per_element; ++k) last += at.pressure(i + k * step) * at.pair(i + k * step).weight;
+  if (nodes > 1) last += 0.5 * p[1] * at.pair(i + per_element * step).weight; // shared with the next element
+  if (last <= worst.share * all) return;
+  worst.pair = i;
+  worst.share = last / all;
+  worst.rise = p[0] / p[1];
+}
+
 // A symmetric half of a zone has the other half beyond the pair that cannot slip.
 bool is_on_axis(const Looked& at, int32_t i) { return at.has(i) && at.pair(i).tangential == 0; }
 
@@ -134,11 +156,16 @@ void look_at_ring(const Looked& at, Worst& friction) {
   if (first < at.end) look_at_zones(at, {first, first + at.end - at.begin - 1}, {-1, -1}, friction);
 }
 
-void look_at_zone(const Looked& at, bool at_peak, Worst& edge, Worst& friction) {
+struct Found {
+  Worst edge, friction;
+  Corner corner;
+};
+
+void look_at_zone(const Looked& at, bool at_peak, Found& found) {
   int32_t first = at.begin; // in a ring behind an open pair
   while (at.round && first < at.end && at.closed(first - 1)) ++first;
   if (first == at.end) {
-    if (at_peak) look_at_ring(at, friction);
+    if (at_peak) look_at_ring(at, found.friction);
     return;
   }
   const int32_t end = first + at.end - at.begin;
@@ -146,9 +173,11 @@ void look_at_zone(const Looked& at, bool at_peak, Worst& edge, Worst& friction) 
     if (!at.closed(i)) continue;
     Stretch contact = {i, i};
     while (contact.last + 1 < end && at.closed(contact.last + 1)) ++contact.last;
-    look_at_edge(at, contact, contact.first, 1, edge);
-    look_at_edge(at, contact, contact.last, -1, edge);
-    if (at_peak) look_at_zones(at, contact, contact, friction);
+    look_at_edge(at, contact, contact.first, 1, found.edge);
+    look_at_edge(at, contact, contact.last, -1, found.edge);
+    if (!at.round && at.corner[0] && i == at.begin) look_at_corner(at, contact, i, 1, found.corner);
+    if (!at.round && at.corner[1] && contact.last + 1 == at.end) look_at_corner(at, contact, contact.last, -1, found.corner);
+    if (at_peak) look_at_zones(at, contact, contact, found.friction);
     i = contact.last;
   }
 }
@@ -178,6 +207,14 @@ void put_edge(Text& out, const Worst& w) {
   put_all(out, " %");
 }
 
+void put_corner(Text& out, const Corner& w, bool more) {
+  put_all(out, more ? "; " : "", "the last element before the corner at pair ", w.pair + 1, " carries ");
+  put_percent(out, w.share);
+  put(out, " % of the force, and the pressure rises there to ");
+  put(out, w.rise, 2);
+  put(out, " times that of the next; it may have no bound");
+}
+
 void put_zone(Text& out, const Worst& w, bool more) {
   put_all(out, more ? "; " : "", "the zone of ", w.kind, " of pairs ", w.first + 1, " to ", w.last + 1, " holds only ",
           w.elements, w.elements == 1 ? " element" : " elements", more ? "; its border by " : "; its border may be off by ");
@@ -204,20 +241,22 @@ bool goes_on(const Model& m, const Zone& z, int side, int end) {
 
 bool tell_coarse_contact(const Session& session, bool at_peak, Text& out, int32_t* zone, int32_t* pair) {
   const Model& m = session.model;
-  Worst edge, friction;
+  Found found;
   for (int32_t z = 0; z < m.head->zones; ++z) {
     const Zone& at = m.zone[z];
     if (at.is_tied != 0) continue;
     const bool corner[2] = {!goes_on(m, at, 0, -1) || !goes_on(m, at, 1, -1), !goes_on(m, at, 0, 1) || !goes_on(m, at, 1, 1)};
-    look_at_zone({&session, at.first_pair, at.first_pair + at.pairs, goes_round(m, at), {corner[0], corner[1]}}, at_peak, edge,
-                 friction);
+    look_at_zone({&session, at.first_pair, at.first_pair + at.pairs, goes_round(m, at), {corner[0], corner[1]}}, at_peak,
+                 found);
   }
-  if (edge.edge < 0 && !friction.kind) return false;
-  *pair = edge.edge >= 0 ? edge.edge : friction.first;
+  const bool edge = found.edge.edge >= 0, friction = found.friction.kind != nullptr, corner = found.corner.pair >= 0;
+  if (!edge && !friction && !corner) return false;
+  *pair = edge ? found.edge.edge : friction ? found.friction.first : found.corner.pair;
   *zone = m.pair[*pair].zone;
   put_all(out, "coarse contact: ");
-  if (edge.edge >= 0) put_edge(out, edge);
-  if (friction.kind) put_zone(out, friction, edge.edge >= 0);
+  if (edge) put_edge(out, found.edge);
+  if (friction) put_zone(out, found.friction, edge);
+  if (corner) put_corner(out, found.corner, edge || friction);
   put_all(out, ": refine there");
   return true;
 }

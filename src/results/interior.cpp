@@ -45,16 +45,16 @@ void add_displacement(int image, const PointField& sum, PointSums& p) {
 }
 
 // An element that acts on points. One with displacements, and so with all that the element has of them, smooths the
-// stress close to its nodes.
+// stress close to its nodes, where stresses are asked for.
 struct Acting {
   const Session* session;
   int b;
   int32_t element;
-  ElementSmoothing* smoothing; // null: none
+  ElementSmoothing* smoothing; // of those that smooth
   FieldElement e;
 };
 
-void add_element_at(Acting& acting, const Points& points, int32_t i) {
+template <bool smooths> void add_element_at(Acting& acting, const Points& points, int32_t i) {
   PointSums& p = points.sums(i);
   if (!is_inside(p.place, acting.b)) return;
   const int32_t lines = points.lines(acting.b);
@@ -65,13 +65,13 @@ void add_element_at(Acting& acting, const Points& points, int32_t i) {
     PointField sum = {};
     add_field(acting.e, reference, x, y, sum);
     add_displacement(image, sum, p);
-    if (acting.smoothing) smooth_at_nodes(*acting.session, acting.b, acting.element, acting.e, x, y, *acting.smoothing, sum);
+    if constexpr (smooths) smooth_at_nodes(*acting.session, acting.b, acting.element, acting.e, x, y, *acting.smoothing, sum);
     add_stress(image, sum, p);
   }
 }
 
 // Eight points at a time; those near the element one by one.
-bool add_element_batches(Acting& acting, const Points& points) {
+template <bool smooths> bool add_element_batches(Acting& acting, const Points& points) {
   const FieldElement& e = acting.e;
   const BatchKernel* kernel = points.kernel;
   BatchFieldElement element;
@@ -97,7 +97,7 @@ bool add_element_batches(Acting& acting, const Points& points) {
       PointSums& p = points.sums(first + s);
       if (!is_inside(p.place, acting.b)) continue;
       if (sum.some_near && sum.near[s] != 0.0) {
-        add_element_at(acting, points, first + s);
+        add_element_at<smooths>(acting, points, first + s);
         continue;
       }
       p.stress[0] += sum.trace[s];
@@ -110,9 +110,9 @@ bool add_element_batches(Acting& acting, const Points& points) {
   return true;
 }
 
-void add_element(Acting& acting, const Points& points) {
-  if (add_element_batches(acting, points)) return;
-  for (int32_t i = 0; i < points.count; ++i) add_element_at(acting, points, i);
+template <bool smooths> void add_element(Acting& acting, const Points& points) {
+  if (add_element_batches<smooths>(acting, points)) return;
+  for (int32_t i = 0; i < points.count; ++i) add_element_at<smooths>(acting, points, i);
 }
 
 // Nodal values of an element in the units of the equations. Contact tractions on side 1 are per length of side 0 and
@@ -154,23 +154,23 @@ struct NodalValues {
   }
 }
 
-[[gnu::noinline]] void add_elements_values(const Session& session, int b, int32_t element, const NodalValues& values,
-                                           const Points& points) {
+[[gnu::noinline]] void add_own_values(const Session& session, int b, int32_t element, const NodalValues& values,
+                                      const Points& points) {
   ElementSmoothing smoothing;
   smoothing.ready = false;
-  Acting acting;
-  acting.session = &session;
-  acting.b = b;
-  acting.element = element;
-  acting.smoothing = &smoothing;
+  Acting acting{&session, b, element, &smoothing, {}};
   make_integrator(session.model, b, element, Quadrature::accurate, Measure::own_length, acting.e.in);
   prepare_field(values.own, values.u, acting.e);
-  add_element(acting, points);
-  if (!values.any_contact) return;
-  acting.smoothing = nullptr;
-  make_integrator(session.model, b, element, Quadrature::accurate, Measure::contact, acting.e.in);
-  prepare_field(values.contact, nullptr, acting.e);
-  add_element(acting, points);
+  add_element<true>(acting, points);
+}
+
+// For displacements alone: of what the element has itself, or the contact's tractions.
+[[gnu::noinline]] void add_values(const Session& session, int b, int32_t element, Measure measure, const Complex* t,
+                                  const Complex* u, const Points& points) {
+  Acting acting{&session, b, element, nullptr, {}};
+  make_integrator(session.model, b, element, Quadrature::accurate, measure, acting.e.in);
+  prepare_field(t, u, acting.e);
+  add_element<false>(acting, points);
 }
 
 // What a piece of a free zone acts with. (None of this may stand below the search for the next piece, nor the piece below
@@ -197,7 +197,7 @@ struct NodalValues {
   acting.element = walk.piece.element1;
   acting.smoothing = nullptr;
   field_of_piece(session, walk, acting.e);
-  add_element(acting, points);
+  add_element<false>(acting, points);
 }
 
 // Tractions that free zones hand over to a body.
@@ -227,7 +227,7 @@ PointField known_field(const Session& session, int b, double x, double y) {
 }
 
 // That, the reference, and rho + omega e_z x (x - x0) of the balanced equations.
-void complete_sums(const Session& session, int b, const Points& points, PointSums& p) {
+[[gnu::noinline]] void complete_sums(const Session& session, int b, const Points& points, PointSums& p) {
   const double x = p.x, y = p.y;
   const double unit = session.model.head->length_unit;
   const double* rigid = results_of(session.solver, b).multiplier;
@@ -294,7 +294,7 @@ void finish_point(const Session& session, int b, const Points& points, int32_t i
   write_point(session, b, u, stress, flag, points.out + i * points.out_stride);
 }
 
-enum class Pass { afar, placing, integrals };
+enum class Pass { afar, placing, integrals, displacements };
 
 [[gnu::noinline]] void place_by_element(const Session& session, int b, int32_t element, bool from_afar, const Points& points) {
   Integrator in;
@@ -304,11 +304,18 @@ enum class Pass { afar, placing, integrals };
 }
 
 // One element on these points. Small code does without the first pass.
-void act(const Session& session, int b, int32_t element, Pass pass, const Points& points) {
-  if (pass != Pass::integrals) return place_by_element(session, b, element, pass == Pass::afar, points);
-  NodalValues values;
-  nodal_values(session, b, element, values);
-  add_elements_values(session, b, element, values, points);
+template <Pass pass> void act(const Session& session, int b, int32_t element, const Points& points) {
+  if constexpr (pass == Pass::afar || pass == Pass::placing) {
+    place_by_element(session, b, element, pass == Pass::afar, points);
+  } else {
+    NodalValues values;
+    nodal_values(session, b, element, values);
+    if constexpr (pass == Pass::integrals)
+      add_own_values(session, b, element, values, points);
+    else
+      add_values(session, b, element, Measure::own_length, values.own, values.u, points);
+    if (values.any_contact) add_values(session, b, element, Measure::contact, values.contact, nullptr, points);
+  }
 }
 
 // Points are taken in blocks that stay in the cache while all elements act on them, several blocks at once where there
@@ -319,7 +326,6 @@ struct BlockJob {
   const Session* session;
   const Points* points;
   int b;
-  Pass pass;
   int32_t first_point, first_element, last_element; // this one not
 
   Points block(int32_t i) const {
@@ -333,27 +339,27 @@ struct BlockJob {
 };
 
 // Task `i` of a BlockJob: one block of points and a run of elements.
-void run_block(void* argument, int32_t i) {
+template <Pass pass> void run_block(void* argument, int32_t i) {
   const BlockJob& job = *static_cast<const BlockJob*>(argument);
   const Points points = job.block(i);
   for (int32_t element = job.first_element; element < job.last_element; ++element)
-    if (is_integrated(job.session->model, job.b, element)) act(*job.session, job.b, element, job.pass, points);
+    if (is_integrated(job.session->model, job.b, element)) act<pass>(*job.session, job.b, element, points);
 }
 
-c2d_status run_plain_pass(const Session& session, int b, const Points& points, Pass pass) {
+template <Pass pass> c2d_status run_plain_pass(const Session& session, int b, const Points& points) {
   for (int32_t element = 0; element < session.model.body[b].elements; ++element) {
     if (!is_integrated(session.model, b, element)) continue;
     const c2d_status status = pause(session, b, element);
     if (status != C2D_OK) return status;
-    act(session, b, element, pass, points);
+    act<pass>(session, b, element, points);
   }
   return C2D_OK;
 }
 
 // All elements of the body on all points, in one of the passes.
-c2d_status run_pass(const Session& session, int b, const Points& points, Pass pass) {
+template <Pass pass> c2d_status run_pass(const Session& session, int b, const Points& points) {
   const int32_t elements = session.model.body[b].elements;
-  if (kSmallCode) return run_plain_pass(session, b, points, pass);
+  if constexpr (kSmallCode) return run_plain_pass<pass>(session, b, points);
   const int32_t blocks = (points.count + kBlockOfPoints - 1) / kBlockOfPoints;
   const Workers workers = workers_of(&session.solver->port);
   for (int32_t block = 0; block < blocks; block += workers.count) {
@@ -363,8 +369,8 @@ c2d_status run_pass(const Session& session, int b, const Points& points, Pass pa
       const int64_t done = (static_cast<int64_t>(block) * elements + static_cast<int64_t>(tasks) * first) / blocks;
       const c2d_status status = pause(session, b, static_cast<int32_t>(done));
       if (status != C2D_OK) return status;
-      BlockJob job{&session, &points, b, pass, block * kBlockOfPoints, first, last};
-      run_tasks(workers, tasks, run_block, &job);
+      BlockJob job{&session, &points, b, block * kBlockOfPoints, first, last};
+      run_tasks(workers, tasks, run_block<pass>, &job);
     }
   }
   return C2D_OK;
@@ -374,10 +380,10 @@ c2d_status place_points(const Session& session, int b, const Points& points) {
   begin_placing(points);
   c2d_status status = C2D_OK;
   if (!kSmallCode) {
-    status = run_pass(session, b, points, Pass::afar);
+    status = run_pass<Pass::afar>(session, b, points);
     if (status == C2D_OK) leave_afar(points);
   }
-  if (status == C2D_OK) status = run_pass(session, b, points, Pass::placing);
+  if (status == C2D_OK) status = run_pass<Pass::placing>(session, b, points);
   if (status == C2D_OK) end_placing(session, b, points);
   return status;
 }
@@ -386,7 +392,7 @@ c2d_status place_points(const Session& session, int b, const Points& points) {
 // their frames would stand below that of back substitution.)
 [[gnu::noinline]] c2d_status evaluate_body(const Session& session, int b, const Points& points) {
   c2d_status status = place_points(session, b, points);
-  if (status == C2D_OK && !is_rigid(session.model, b)) status = run_pass(session, b, points, Pass::integrals);
+  if (status == C2D_OK && !is_rigid(session.model, b)) status = run_pass<Pass::integrals>(session, b, points);
   if (status == C2D_OK && session.model.body[b].free_rows > 0) status = add_transferred(session, b, points);
   return status;
 }
@@ -422,7 +428,58 @@ void clear_boundary(const Session& session) {
   }
 }
 
+// Just inside the body, and in error by that part of an element times the strain.
+constexpr double kInside = 1e-7;
+
+[[gnu::noinline]] void place_inside(const Session& session, int b, const BoundaryPlace& at, const double u[2], PointSums& out) {
+  const Model& m = session.model;
+  const Element e = element_of(m, b, at.element);
+  const Point p = element_point(e, at.eta);
+  const double depth = kInside * e.half_length, unit = m.head->length_unit;
+  double known[2] = {0.0, 0.0};
+  if (has_body_force(m, b)) kBodyForcePart.interpolated_particular(session, b, at.element, at.eta, known);
+  out = PointSums{};
+  out.x = (p.x - depth * p.nx) / unit;
+  out.y = (p.y - depth * p.ny) / unit;
+  for (int c = 0; c < 2; ++c) out.reference[c] = (u[c] - known[c]) / unit;
+  out.place = place_of(b, C2D_POINT_INSIDE);
+}
+
 } // namespace
+
+void interpolated_displacement(const Session& session, int b, const BoundaryPlace& at, double u[2]) {
+  double value[kElementNodes], nodal[2];
+  shape(session.model.head->function_nodes, at.eta, value);
+  u[0] = u[1] = 0.0;
+  for (int l = 0; l < session.model.head->function_nodes; ++l) {
+    get_displacement(session, b, functional_node(session.model, b, at.element, l), nodal);
+    for (int c = 0; c < 2; ++c) u[c] += value[l] * nodal[c];
+  }
+}
+
+c2d_status off_interpolation(const Session& session, int b, int32_t count, const BoundaryPlace* at, double* out) {
+  PointSums rows[kPlacesAtOnce];
+  const double unit = session.model.head->length_unit;
+  const Points points = {count,
+                         nullptr,
+                         0,
+                         reinterpret_cast<double*>(rows),
+                         C2D_POINT_FIELDS,
+                         unit,
+                         &session.model,
+                         kSmallCode ? nullptr : batch_for(best_instructions())};
+  for (int32_t i = 0; i < count; ++i) {
+    interpolated_displacement(session, b, at[i], out + 2 * i);
+    place_inside(session, b, at[i], out + 2 * i, rows[i]);
+  }
+  c2d_status status = run_pass<Pass::displacements>(session, b, points);
+  if (status == C2D_OK && session.model.body[b].free_rows > 0) status = add_transferred(session, b, points);
+  for (int32_t i = 0; i < count && status == C2D_OK; ++i) {
+    complete_sums(session, b, points, rows[i]);
+    for (int c = 0; c < 2; ++c) out[2 * i + c] = 2.0 * (rows[i].u[c] * unit - out[2 * i + c]);
+  }
+  return status;
+}
 
 c2d_status evaluate_points(Session& session, int32_t body, const PointsAsked& asked) {
   c2d_solver* s = session.solver;

@@ -48,4 +48,16 @@ struct PointsAsked {
 // All of it, in one body (from 1) or any (0), back substitution included. Errors are recorded.
 c2d_status evaluate_points(Session& session, int32_t body, const PointsAsked& asked);
 
+// Points of the boundary of one body that is not rigid, between its nodes.
+struct BoundaryPlace {
+  int32_t element;
+  double eta;
+};
+// As many as the stack may hold.
+constexpr int32_t kPlacesAtOnce = kSmallCode ? 1 : 24;
+void interpolated_displacement(const Session& session, int b, const BoundaryPlace& at, double u[2]);
+// What the boundary equation adds to the displacement interpolated there, METHOD (16.7): count <= kPlacesAtOnce
+// vectors. The boundary must be current. Errors are recorded: STORE_..., CANCELLED.
+c2d_status off_interpolation(const Session& session, int b, int32_t count, const BoundaryPlace* at, double* out);
+
 } // namespace c2d

@@ -9,6 +9,7 @@
 #include "model/validate_finding.hpp"
 #include "results/back.hpp"
 #include "results/coarse_contact.hpp"
+#include "results/facing_meshes.hpp"
 #include "results/friction_work.hpp"
 #include "results/surface_warnings.hpp"
 #include "results/warnings.hpp"
@@ -260,6 +261,15 @@ void warn_contact(Session& session, Moment moment) {
   if (session.follower.stats.unconverged > 0)
     warn(session, C2D_WARN_INCREMENT, 0, 0,
          "an increment did not converge within the iteration limit and was finished by following events");
+}
+
+void warn_facing_meshes(Session& session) {
+  char room[sizeof(c2d_error::text)];
+  Text text = text_in(room);
+  int32_t zone = 0, pair = 0;
+  if (!session.solver->blocked && !session.solver->floating && session.model.head->contact > 0 &&
+      tell_facing_meshes(session, text, &zone, &pair))
+    warn(session, C2D_WARN_SIZES, zone + 1, pair + 1, room);
 }
 
 // Once per path.
