@@ -1,9 +1,11 @@
 // Meshes of sketches made finer, what is left out of a contact, and limits of the loop over meshes.
 #include "program/estimate/far.hpp"
 #include "program/estimate/loop.hpp"
+#include "program/estimate/marks.hpp"
 #include "program/sketch/read.hpp"
 #include "program/sketch/refine.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <doctest/doctest.h>
 
@@ -83,6 +85,80 @@ TEST_CASE("refine: what is asked of side 1 is done on both sides") {
   const Mesh fine = refined(s, mesh, levels);
   CHECK(fine.bodies[1][0].elements() > mesh.bodies[1][0].elements());
   CHECK(fine.bodies[0][0].elements() > mesh.bodies[0][0].elements());
+}
+
+TEST_CASE("refine: ends of elements move to places; what has moved stays, and so do ends of curves") {
+  const Sketch s = roller();
+  Mesh mesh = first_mesh(s, 1);
+  MeshedCurve* foot = nullptr;
+  for (MeshedCurve& curve : mesh.bodies[1][0].curves)
+    if (curve.curve->name == "foot") foot = &curve;
+  REQUIRE(foot != nullptr);
+  foot->ends = {0, 4, 8, 12, foot->measure.length()};
+  const auto spot = [&](double at) { return Spot{1, foot->curve->shape->at(foot->measure.u_at(at))}; };
+  const Located at = locate(s, spot(5), true, mesh);
+  CHECK(at.curve == foot);
+  CHECK(at.length == doctest::Approx(5).epsilon(1e-9));
+  CHECK(at.first == 0);
+  CHECK(locate(s, Spot{0, {-20, -5}}, false, mesh).curve->curve->name == "left");
+  CHECK(locate(s, Spot{0, {0, 0}}, true, mesh).curve == nullptr); // its nodes have no pairs
+  place_ends(s, {spot(5), spot(5.5), spot(9), spot(1.5)}, mesh);
+  const double expected[] = {0, 1.5, 5, 9, 12}; // 4 went to 5, 8 to 9; an end is made at 1.5, where both beside it stay
+  REQUIRE(foot->ends.size() == 6);
+  for (size_t e = 0; e < 5; ++e) CHECK(foot->ends[e] == doctest::Approx(expected[e]).epsilon(1e-9));
+}
+
+TEST_CASE("refine: elements at places that are not met are marked, with their neighbours") {
+  const Sketch s = roller();
+  Mesh mesh = first_mesh(s, 1);
+  estimate::Trial trial;
+  std::string why;
+  REQUIRE(estimate::solve(deck_of(s, mesh), {}, trial, why) == C2D_OK);
+  Levels levels;
+  for (const auto& outlines : mesh.bodies) levels.push_back(std::vector<int>(outlines[0].elements(), 0));
+  app::Stated edge;
+  edge.name = app::name_of(app::Measure::kContactEdge);
+  edge.zone = 1, edge.tolerance = 0.01, edge.scale = 1;
+  for (const app::Quantity& q : trial.states.back().quantities)
+    if (q.what == app::Measure::kContactEdge) edge.at[0] = q.at[0], edge.at[1] = q.at[1];
+  REQUIRE_FALSE(std::isnan(edge.at[0]));
+  edge.error = 0.001; // met
+  estimate::mark_places(s, trial, {edge}, mesh, levels);
+  const auto marked = [&] { return std::count(levels[1].begin(), levels[1].end(), 1); };
+  CHECK(marked() == 0);
+  edge.error = 0.02;
+  estimate::mark_places(s, trial, {edge}, mesh, levels);
+  CHECK(marked() == 3);
+  CHECK(std::count(levels[0].begin(), levels[0].end(), 0) == static_cast<std::ptrdiff_t>(levels[0].size()));
+}
+
+TEST_CASE("loop: a contact takes few pairs, with an end of an element at each edge") {
+  const estimate::Adapted a = adapt(roller());
+  REQUIRE(a.loop.stopped.empty());
+  CHECK(a.loop.rounds[a.loop.taken].pairs <= 100);
+  int edges = 0;
+  for (const app::Stated& s : a.loop.stated) {
+    if (s.name != app::name_of(app::Measure::kContactEdge)) continue;
+    ++edges;
+    double nearest = HUGE_VAL;
+    for (const MeshedCurve& curve : a.mesh.bodies[1][0].curves)
+      for (const double end : curve.ends) {
+        const Point p = curve.curve->shape->at(curve.measure.u_at(end));
+        nearest = std::min(nearest, std::hypot(p.x - s.at[0], p.y - s.at[1]));
+      }
+    CHECK(nearest <= 2 * s.error);
+  }
+  CHECK(edges == 2);
+}
+
+TEST_CASE("loop: a stress that has no bound is given up, and said") {
+  const estimate::Adapted a = adapt(roller("want hoop plate.left 1 %\nwant pressure 5 %\n"));
+  CAPTURE(a.loop.stopped);
+  CHECK(a.loop.stopped.find("it may have no bound") != std::string::npos);
+  for (const app::Stated& s : a.loop.stated) {
+    CAPTURE(s.name);
+    CHECK((s.is_met() || s.name.find("stress along left") != std::string::npos));
+  }
 }
 
 TEST_CASE("refine: pairs are made where contact is, and again where it grows up to what was left out") {

@@ -165,3 +165,29 @@ TEST_CASE("sketch zones: what is far is left out, but not all of an interface") 
   for (sketch::MeshedCurve& curve : mesh.bodies[0][0].curves) curve.far = {{0, 1}};
   CHECK(zones(drawn, mesh).at(0).two.count == all.at(0).two.count);
 }
+
+// A pad over a quarter of a wide face whose far end is rounded: a mean curvature with that end in it would turn the frames.
+TEST_CASE("sketch zones: side 1 ends beside what side 2 faces") {
+  const sketch::Reading drawn = read_text("body block E 1000 nu 0.3\nfrom -20 -10\nline bottom to 20 -10\nline right to 20 0\n"
+                                          "fillet lip radius 4\nline top to -20 0\nline left close\n"
+                                          "body pad E 1000 nu 0.3\nfrom -15 1e-3\nline foot to -5 1e-3\nline to -5 6\n"
+                                          "line roof to -15 6\nline close\ncontact block.top+lip pad.foot\n"
+                                          "fix block.bottom\nplaten pad.roof about -10 6 force 0 -1 turn 0\n");
+  const sketch::Mesh mesh = sketch::first_mesh(drawn.sketch, 2);
+  const std::vector<sketch::Zone> found = zones(drawn, mesh);
+  REQUIRE(found.size() == 1);
+  int element = 0;
+  double low = HUGE_VAL, high = -HUGE_VAL; // of side 1
+  for (const sketch::MeshedCurve& curve : mesh.bodies[0][0].curves)
+    for (size_t e = 0; e < curve.elements(); ++e) {
+      if (++element < found[0].one.first || element > found[0].one.last) continue;
+      CHECK(curve.curve->name == "top");
+      for (const double s : {curve.ends[e], curve.ends[e + 1]}) {
+        const double x = curve.curve->shape->at(curve.measure.u_at(s)).x;
+        low = std::min(low, x), high = std::max(high, x);
+      }
+    }
+  CHECK(low <= -15);
+  CHECK(high >= -5);
+  CHECK(high < 14);
+}
