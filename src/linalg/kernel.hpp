@@ -34,7 +34,7 @@ struct Kernel {
 constexpr int32_t kMostTileNumbers = 24 * 8 * static_cast<int32_t>(sizeof(double) / sizeof(Real));
 
 // Instruction sets, ascending. `plain` is a scalar form that needs no scratch memory and little code.
-enum class Instructions : int32_t { plain = 0, baseline = 1, avx2 = 2, avx512 = 3 };
+enum class Instructions : int16_t { plain = 0, baseline = 1, avx2 = 2, avx512 = 3 };
 // Null for plain, and for a set that this build does not have.
 const Kernel* kernel_for(Instructions set);
 // The best that this build has and this machine runs. Asks the processor each time: keep the answer.

@@ -467,7 +467,7 @@ c2d_status off_interpolation(const Session& session, int b, int32_t count, const
                          C2D_POINT_FIELDS,
                          unit,
                          &session.model,
-                         kSmallCode ? nullptr : batch_for(best_instructions())};
+                         kSmallCode ? nullptr : batch_for(session.solver->instructions)};
   for (int32_t i = 0; i < count; ++i) {
     interpolated_displacement(session, b, at[i], out + 2 * i);
     place_inside(session, b, at[i], out + 2 * i, rows[i]);

@@ -11,20 +11,20 @@
 // c2d_attach gives anew: a workspace may be moved.
 struct c2d_solver {
   uint64_t magic;
-  uint32_t maker;             // solver_maker() of the library that made it
-  uint32_t slack;             // bytes from the start of the caller's memory to this struct
-  uint64_t bytes;             // of workspace from this address on, whatever the alignment
-  int32_t state;              // C2D_STATE_...
-  int32_t busy;               // inside one of the caller's functions
-  volatile int32_t cancelled; // set by c2d_cancel, possibly from another thread
-  int32_t has_fault;          // `error` holds the first fault of the call that is running
+  uint32_t maker;                 // solver_maker() of the library that made it
+  uint32_t slack;                 // bytes from the start of the caller's memory to this struct
+  uint64_t bytes;                 // of workspace from this address on, whatever the alignment
+  int32_t state;                  // C2D_STATE_...
+  int32_t busy;                   // inside one of the caller's functions
+  volatile int32_t cancelled;     // set by c2d_cancel, possibly from another thread
+  int16_t has_fault;              // `error` holds the first fault of the call that is running
+  c2d::Instructions instructions; // of this processor: asking it takes as long as a small step of the path
   c2d::Sizes sizes;
   c2d::Layout layout;
   c2d_port port;
   c2d::Tapes tapes;
   c2d_error error;
-  uint64_t saves;                 // number of the last c2d_save of this run
-  c2d::Instructions instructions; // of this processor: asking it takes as long as a small step of the path
+  uint64_t saves; // number of the last c2d_save of this run
   // From here to the end of the arrays: what c2d_save keeps (solver/save.cpp).
   c2d::ModelHeader model;
   c2d_options options;
