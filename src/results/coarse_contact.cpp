@@ -175,8 +175,9 @@ void look_at_zone(const Looked& at, bool at_peak, Found& found) {
     while (contact.last + 1 < end && at.closed(contact.last + 1)) ++contact.last;
     look_at_edge(at, contact, contact.first, 1, found.edge);
     look_at_edge(at, contact, contact.last, -1, found.edge);
-    if (!at.round && at.corner[0] && i == at.begin) look_at_corner(at, contact, i, 1, found.corner);
-    if (!at.round && at.corner[1] && contact.last + 1 == at.end) look_at_corner(at, contact, contact.last, -1, found.corner);
+    const bool ends = !kSmallCode && !at.round; // (boards have no room for it)
+    if (ends && at.corner[0] && i == at.begin) look_at_corner(at, contact, i, 1, found.corner);
+    if (ends && at.corner[1] && contact.last + 1 == at.end) look_at_corner(at, contact, contact.last, -1, found.corner);
     if (at_peak) look_at_zones(at, contact, contact, found.friction);
     i = contact.last;
   }
@@ -256,7 +257,7 @@ bool tell_coarse_contact(const Session& session, bool at_peak, Text& out, int32_
   put_all(out, "coarse contact: ");
   if (edge) put_edge(out, found.edge);
   if (friction) put_zone(out, found.friction, edge);
-  if (corner) put_corner(out, found.corner, edge || friction);
+  if (!kSmallCode && corner) put_corner(out, found.corner, edge || friction);
   put_all(out, ": refine there");
   return true;
 }

@@ -263,7 +263,9 @@ void warn_contact(Session& session, Moment moment) {
          "an increment did not converge within the iteration limit and was finished by following events");
 }
 
+// (Boards have no room for it.)
 void warn_facing_meshes(Session& session) {
+  if (kSmallCode) return;
   char room[sizeof(c2d_error::text)];
   Text text = text_in(room);
   int32_t zone = 0, pair = 0;
