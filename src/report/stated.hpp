@@ -21,6 +21,7 @@ struct Stated {
   double scale = 0;                     // what the tolerance is relative to
   double tolerance = NAN;               // NaN: it was not asked for
   double at[2] = {NAN, NAN};
+  bool endless = false; // it does not settle as the mesh becomes finer: it may have no bound
   bool has_value() const { return name != kTractions; }
   double relative_error() const { return scale > 0 ? error / scale : NAN; }
   bool is_met() const { return std::isnan(tolerance) || error <= tolerance * scale; }

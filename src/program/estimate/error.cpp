@@ -6,17 +6,16 @@
 namespace estimate {
 namespace {
 
-// Error of the finer mesh over its distance from the coarse one; where edges lie amid elements distances fall by 0.35 to 0.5
-// from one halving to the next.
-constexpr double kOfDistance = 1.0;
-constexpr double kSmooth = 0.4;                            // what is left of an error at least, from a mesh to the halved one
-constexpr double kOfCoarse = 2.2;                          // likewise, of the coarse mesh
-constexpr double kNoEarlier = 2;                           // with nothing but two meshes
-constexpr double kEdgeOfPairs = 0.2, kBorderOfPairs = 0.2; // places between pairs, of the distance of these
-constexpr double kExact = 1e-7;                            // numbers nearer than that on both meshes are given by the loads
+constexpr double kSmooth = 0.4; // what is left of an error at least, from a mesh to the halved one
+// Error of the coarse mesh over its distance from the finer one, whose own error is no larger than that.
+constexpr double kOfCoarse = 2.2;
+constexpr double kNoEarlier = 2; // with nothing but two meshes
+// Places lie between pairs: of the distance of these.
+constexpr double kEdgeOfPairs = 0.2, kBorderOfPairs = 0.2;
+constexpr double kExact = 1e-7; // numbers nearer than that on both meshes are given by the loads
 constexpr double kRoundOff = 1e-9;
-constexpr double kEdgeFit =
-    3e-3; // an intensity is fitted through a number of pairs: what that adds stays as meshes become finer
+// An intensity is fitted through a number of pairs: what that adds stays as meshes become finer.
+constexpr double kEdgeFit = 3e-3;
 
 bool is_same(const app::Quantity& a, const app::Quantity& b) {
   return a.what == b.what && a.zone == b.zone && a.item == b.item;
@@ -103,7 +102,7 @@ double step_of(const app::Quantity& coarse, const app::Quantity& fine, const app
 
 } // namespace
 
-double stated_error(double apart, double floor) { return kOfDistance * std::max(apart, floor); }
+double stated_error(double apart, double floor) { return std::max(apart, floor); }
 
 std::vector<app::Stated> state_numbers(const Trial& coarse, const Trial& halved, const Distance& between,
                                        const Trial* earlier) {
@@ -141,7 +140,7 @@ std::vector<app::Stated> state_numbers(const Trial& coarse, const Trial& halved,
 std::vector<app::Stated> state_of_coarse(const Trial& coarse, const Trial& halved, const Distance& between) {
   std::vector<app::Stated> out = state_numbers(coarse, halved, between, nullptr);
   for (app::Stated& s : out) {
-    s.error *= kOfCoarse / (kOfDistance * kNoEarlier); // an error of the finer mesh falls by this rate
+    s.error *= kOfCoarse / kNoEarlier; // an error of the finer mesh falls by this rate
     for (const app::Quantity& q : coarse.states.back().quantities)
       if (s.zone == q.zone && s.item == q.item && s.name == app::name_of(q.what)) {
         s.value = q.value;

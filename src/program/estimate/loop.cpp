@@ -18,12 +18,12 @@ namespace {
 constexpr double kFirst = 0.25; // fineness of the first mesh
 constexpr double kStalls = 0.7; // of the distance of the round before
 constexpr int kMostRounds = 14;
-constexpr double kAim = 1.0;         // of the distance at which tractions are known as well as is wanted
 constexpr double kWantedDoubt = 0.2; // as doubt() of error.cpp, of stresses
 constexpr double kSettles = 0.8;     // of the error before: more is none that falls
 constexpr int kPatience = 3;
-constexpr double kOfPlaces = 0.75; // if nothing but places are off
-constexpr double kOfEnergy = 8;    // energy that elements cannot follow, over the tolerance
+constexpr double kOfElements = 2.6; // the power of their number that time goes with
+constexpr double kOfPlaces = 0.75;  // if nothing but places are off
+constexpr double kOfEnergy = 8;     // energy that elements cannot follow, over the tolerance
 
 constexpr app::Measure kLocal[] = {app::Measure::kPeakPressure, app::Measure::kContactEdge, app::Measure::kStickBorder,
                                    app::Measure::kDissipated};
@@ -48,7 +48,6 @@ private:
   bool all_met() const;
   void watch();
   void tell_endless();
-  bool is_endless(const app::Stated& s) const;
   Level next_mesh(const Level& coarse, const Level& fine, const Distance& distance, bool near);
   double aim() const;
   double energy_aim() const;
@@ -66,7 +65,8 @@ private:
     double error = HUGE_VAL;
     int stays = 0; // rounds in a row
   };
-  std::map<std::tuple<std::string, int32_t, int32_t, int32_t>, Watched> watched_; // by name, zone, item, body
+  std::map<std::tuple<std::string, int32_t, int32_t, int32_t, int>, Watched>
+      watched_; // by name, zone, item, body, which of these
   double seconds_ = 0;
   double rest_ = 1, worst_ = HUGE_VAL; // the rest of the boundary is held to more while the contact's distance does not fall
   std::string history_;                // why it ended early, of the last mesh
@@ -124,8 +124,11 @@ bool Loop::is_within_limits(const sketch::Mesh& mesh) {
     out_.loop.stopped = "the mesh would have more than " + std::to_string(s_.most_elements) + " elements";
     return false;
   }
-  // A mesh with twice the elements takes about six times as long.
-  const double next = out_.loop.rounds.empty() ? 0 : 6 * out_.loop.rounds.back().seconds;
+  double next = 0; // a mesh with twice the elements takes about six times as long
+  if (!out_.loop.rounds.empty()) {
+    const app::MeshRound& last = out_.loop.rounds.back();
+    next = last.seconds * std::pow(static_cast<double>(sketch::elements_of(mesh)) / last.elements, kOfElements);
+  }
   if (s_.most_seconds > 0 && seconds_ + next > s_.most_seconds) {
     out_.loop.stopped = "the next mesh would take more than the limit of time";
     return false;
@@ -191,22 +194,20 @@ void Loop::judge(const Level& coarse, const Level& fine, const Distance& between
 // Numbers at one place whose errors no longer fall though the mesh there becomes finer: at a sharp corner there may be no
 // bound.
 void Loop::watch() {
-  for (const app::Stated& s : out_.loop.stated) {
+  std::map<std::tuple<std::string, int32_t, int32_t, int32_t>, int> seen;
+  for (app::Stated& s : out_.loop.stated) {
+    const int which = seen[{s.name, s.zone, s.item, s.body}]++;
     if (s.is_met() || !is_place(s)) continue;
-    Watched& w = watched_[{s.name, s.zone, s.item, s.body}];
+    Watched& w = watched_[{s.name, s.zone, s.item, s.body, which}];
     w.stays = s.error > kSettles * w.error ? w.stays + 1 : 0;
     w.error = s.error;
+    s.endless = w.stays >= kPatience;
   }
-}
-
-bool Loop::is_endless(const app::Stated& s) const {
-  const auto found = watched_.find({s.name, s.zone, s.item, s.body});
-  return found != watched_.end() && found->second.stays >= kPatience;
 }
 
 bool Loop::all_met() const {
   return std::all_of(out_.loop.stated.begin(), out_.loop.stated.end(),
-                     [&](const app::Stated& s) { return s.is_met() || is_endless(s); });
+                     [](const app::Stated& s) { return s.is_met() || s.endless; });
 }
 
 sketch::Mesh without_far(sketch::Mesh mesh) {
@@ -240,7 +241,7 @@ Level Loop::next_mesh(const Level& coarse, const Level& fine, const Distance& di
 double Loop::aim() const {
   double wanted = s_.tolerance;
   for (const sketch::Want& want : s_.wants) wanted = std::min(wanted, want.tolerance.value_or(s_.tolerance));
-  return kAim * strictness_ * wanted / stated_error(1, 0);
+  return strictness_ * wanted;
 }
 
 // The same of the energy that elements cannot follow, which numbers beside those of the contact depend on.
@@ -254,7 +255,7 @@ bool Loop::is_near(const Distance& d) const {
 void Loop::tighten(const Distance& d) {
   double contact = 1, rest = 1;
   for (const app::Stated& s : out_.loop.stated) {
-    if (s.is_met() || is_endless(s)) continue;
+    if (s.is_met() || s.endless) continue;
     double& worst = is_local(s) ? contact : rest;
     worst = std::min(worst, is_place(s) ? kOfPlaces : s.tolerance * s.scale / s.error);
   }
