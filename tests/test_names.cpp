@@ -397,7 +397,7 @@ TEST_CASE("names in messages: no text of the core puts a number of a body or a z
   // Where there is no body of that number, and where the number is that of a call: its name is not at hand.
   const char* const kExceptions[] = {"\": there is no body \", b + 1", "\"contact element of body \", side.body",
                                      "\"contact node of body \", side.body", "\"c2d_limits.body[\""};
-  const std::regex says("\"[^\"]*\\b([Bb]od(y|ies)|[Zz]ones?) \", *([a-z_0-9]+[^,)]*)");
+  const std::regex says("\"[^\"\\n]*\\b([Bb]od(y|ies)|[Zz]ones?) \", *([a-z_0-9]+[^,)]*)");
   int named = 0;
   for (const char* folder : {"model", "contact", "solver", "results", "interface"})
     for (const auto& file : std::filesystem::directory_iterator(paths::root() + "/src/" + folder)) {

@@ -133,20 +133,21 @@ TEST_CASE("refine: elements at places that are not met are marked, with their ne
 }
 
 TEST_CASE("loop: a contact takes few pairs, with an end of an element at each edge") {
-  const estimate::Adapted a = adapt(roller());
+  const Sketch s = roller(); // its curves are those of the mesh
+  const estimate::Adapted a = adapt(s);
   REQUIRE(a.loop.stopped.empty());
   CHECK(a.loop.rounds[a.loop.taken].pairs <= 100);
   int edges = 0;
-  for (const app::Stated& s : a.loop.stated) {
-    if (s.name != app::name_of(app::Measure::kContactEdge)) continue;
+  for (const app::Stated& edge : a.loop.stated) {
+    if (edge.name != app::name_of(app::Measure::kContactEdge)) continue;
     ++edges;
     double nearest = HUGE_VAL;
     for (const MeshedCurve& curve : a.mesh.bodies[1][0].curves)
       for (const double end : curve.ends) {
         const Point p = curve.curve->shape->at(curve.measure.u_at(end));
-        nearest = std::min(nearest, std::hypot(p.x - s.at[0], p.y - s.at[1]));
+        nearest = std::min(nearest, std::hypot(p.x - edge.at[0], p.y - edge.at[1]));
       }
-    CHECK(nearest <= 2 * s.error);
+    CHECK(nearest <= 2 * edge.error);
   }
   CHECK(edges == 2);
 }

@@ -67,9 +67,9 @@ double doubt(app::Measure what) {
   case Measure::kStickBorder: return 0.5;
   case Measure::kDissipated: return 2;
   case Measure::kEdgePressure:
-  case Measure::kEdgeFriction: return 1;
-  case Measure::kMeanPressure: return 0.2;
-  default: return 0.06;
+  case Measure::kEdgeFriction: return 3;
+  case Measure::kMeanPressure: return 0.5;
+  default: return 0.2;
   }
 }
 
