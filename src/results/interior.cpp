@@ -445,6 +445,11 @@ constexpr double kInside = 1e-7;
   out.place = place_of(b, C2D_POINT_INSIDE);
 }
 
+// Not inlined: its elements must not stand below what follows.
+[[gnu::noinline]] c2d_status add_displacements(const Session& session, int b, const Points& points) {
+  return run_pass<Pass::displacements>(session, b, points);
+}
+
 } // namespace
 
 void interpolated_displacement(const Session& session, int b, const BoundaryPlace& at, double u[2]) {
@@ -472,7 +477,7 @@ c2d_status off_interpolation(const Session& session, int b, int32_t count, const
     interpolated_displacement(session, b, at[i], out + 2 * i);
     place_inside(session, b, at[i], out + 2 * i, rows[i]);
   }
-  c2d_status status = run_pass<Pass::displacements>(session, b, points);
+  c2d_status status = add_displacements(session, b, points);
   if (status == C2D_OK && session.model.body[b].free_rows > 0) status = add_transferred(session, b, points);
   for (int32_t i = 0; i < count && status == C2D_OK; ++i) {
     complete_sums(session, b, points, rows[i]);

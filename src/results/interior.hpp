@@ -56,7 +56,7 @@ struct BoundaryPlace {
 // As many as the stack may hold.
 constexpr int32_t kPlacesAtOnce = kSmallCode ? 1 : 24;
 void interpolated_displacement(const Session& session, int b, const BoundaryPlace& at, double u[2]);
-// What the boundary equation adds to the displacement interpolated there, METHOD (16.7): count <= kPlacesAtOnce
+// What the boundary equation adds to the displacement interpolated there, METHOD (16.8): count <= kPlacesAtOnce
 // vectors. The boundary must be current. Errors are recorded: STORE_..., CANCELLED.
 c2d_status off_interpolation(const Session& session, int b, int32_t count, const BoundaryPlace* at, double* out);
 
