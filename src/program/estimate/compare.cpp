@@ -38,7 +38,7 @@ double length_of(const Values& a, const Values& b, size_t first) {
 // Integrals over one state: per body and element, per zone.
 struct Sums {
   std::vector<std::vector<double>> pressure, energy;
-  std::vector<double> norm, off, local;
+  std::vector<double> norm, off;
 };
 
 class Comparer {
@@ -61,7 +61,7 @@ private:
   std::vector<double> largest_;                          // of each zone: of the integral of |t'|
   double work_ = 0;
   std::vector<std::vector<std::vector<double>>> pressure_, energy_; // per state, body and element
-  std::vector<std::vector<double>> zone_difference_, zone_local_;   // per zone and state
+  std::vector<std::vector<double>> zone_difference_;                // per zone and state
 };
 
 Comparer::Comparer(const Trial& coarse, const Trial& fine, const Overlaps& overlaps)
@@ -140,14 +140,13 @@ void Comparer::add_overlap(size_t b, const Overlap& o, const Nodal& nodes, size_
     for (const int32_t z : zones_[b][e]) {
       sums.norm[static_cast<size_t>(z)] += w * std::hypot(fine[kTx], fine[kTy]);
       sums.off[static_cast<size_t>(z)] += w * off;
-      sums.local[static_cast<size_t>(z)] += w * t;
     }
   }
 }
 
 void Comparer::add(size_t state) {
   Sums sums;
-  sums.norm.assign(coarse_.zones.size(), 0), sums.off = sums.local = sums.norm;
+  sums.norm.assign(coarse_.zones.size(), 0), sums.off = sums.norm;
   for (const auto& lengths : coarse_.lengths) sums.pressure.push_back(std::vector<double>(lengths.size(), 0.0));
   sums.energy = sums.pressure;
   for (size_t b = 0; b < overlaps_.size(); ++b) {
@@ -162,7 +161,6 @@ void Comparer::add(size_t state) {
   for (size_t z = 0; z < sums.norm.size(); ++z) {
     largest_[z] = std::max(largest_[z], sums.norm[z]);
     zone_difference_[z].push_back(sums.off[z]);
-    zone_local_[z].push_back(sums.local[z]);
   }
   work_ = std::max({work_, std::fabs(fine_.states[state].work), std::fabs(fine_.states[state].elastic)});
   pressure_.push_back(std::move(sums.pressure));
@@ -172,7 +170,6 @@ void Comparer::add(size_t state) {
 Distance Comparer::run() {
   Distance out;
   zone_difference_.resize(coarse_.zones.size());
-  zone_local_.resize(coarse_.zones.size());
   const size_t common = std::min(coarse_.states.size(), fine_.states.size());
   for (size_t state = 0; state < common; ++state) add(state);
   for (const auto& lengths : coarse_.lengths) out.shares.push_back(std::vector<Share>(lengths.size()));
@@ -196,14 +193,9 @@ Distance Comparer::run() {
   }
   for (size_t z = 0; z < largest_.size(); ++z) {
     out.pressure.push_back(0);
-    out.local.push_back(0);
-    out.states.push_back({});
     for (size_t state = 0; state < common; ++state) {
-      const double relative = largest_[z] > 0 ? zone_difference_[z][state] / largest_[z] : 0;
-      out.states[z].push_back(relative);
-      if (!fine_.states[state].turn && state + 1 != common) continue;
-      out.pressure[z] = std::max(out.pressure[z], relative);
-      if (largest_[z] > 0) out.local[z] = std::max(out.local[z], zone_local_[z][state] / largest_[z]);
+      if (largest_[z] == 0 || (!fine_.states[state].turn && state + 1 != common)) continue;
+      out.pressure[z] = std::max(out.pressure[z], zone_difference_[z][state] / largest_[z]);
     }
   }
   return out;

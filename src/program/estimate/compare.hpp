@@ -23,11 +23,9 @@ struct Share {
   bool edge = false;   // a contact edge or a stick border lies in it at a turn of the loads
 };
 struct Distance {
-  std::vector<std::vector<Share>> shares;  // per body and coarse element
-  std::vector<double> pressure;            // of each zone: relative, L1, the largest of the turns
-  std::vector<std::vector<double>> states; // of each zone and common state: the same
-  std::vector<double> local;               // of each zone: what its elements cannot follow, likewise
-  double energy = 0;                       // sum of the shares of the state where it is largest
+  std::vector<std::vector<Share>> shares; // per body and coarse element
+  std::vector<double> pressure;           // of each zone: relative, L1, the largest of the turns
+  double energy = 0;                      // sum of the shares of the state where it is largest
 };
 Distance distance(const Trial& coarse, const Trial& fine, const Overlaps& overlaps);
 
