@@ -238,3 +238,18 @@ TEST_CASE("accuracy: axes of logarithms") {
   CHECK(decades.label(0) == "10&#8315;&#8309;");
   CHECK(app::make_log_axis(app::Range(), "n").ticks >= 1);
 }
+
+// Edges of contact that one of the two meshes has and the other has not.
+TEST_CASE("accuracy: an error that cannot be told is no number") {
+  const Folder folder;
+  const std::string examples = paths::root() + "/examples/", name = folder / "rough.c2s";
+  write_file(folder / "rough_profile.csv", read_file(examples + "rough_profile.csv"));
+  write_file(name, read_file(examples + "rough_profile.c2s") + "limit elements 200\n");
+  const Result out =
+      run_shell("'" + paths::program() + "' run " + quoted(name) + " --listing /dev/null --json " + quoted(folder / "j"));
+  CHECK(out.status == 0);
+  const std::string why = ": its error cannot be told, asked for was 1 %, the mesh would have more than 200 elements";
+  CHECK(out.err.find("contact edge of zone 1" + why) != std::string::npos);
+  CHECK(out.err.find("nan") == std::string::npos);
+  CHECK(read_file(folder / "j").find("\"relative_error\": null") != std::string::npos);
+}
