@@ -1,8 +1,14 @@
-# contact2d. Targets: all (default) demo chapter9 test random bench guard convergence estimate-truth embedded hostile small
-#   cross amalgamation deb install uninstall list relist symbols format format-check clean.
-# Variables: CXX CC AR CXXFLAGS CFLAGS CPPFLAGS LDFLAGS BUILD PREFIX DESTDIR LIBDIR DOCTEST_INCLUDE NO_INSTALL.
+# contact2d. Targets: all (default) demo chapter9 test random faults bench guard convergence estimate-truth embedded hostile
+#   hostile-blocks small sanitize sanitize-library sanitize-threads msan coverage cross fuzz mutants amalgamation api deb
+#   reproducible web install uninstall list relist symbols format format-check clean.
+# Variables: CXX CC AR CXXFLAGS CFLAGS CPPFLAGS LDFLAGS HARDENING PORTS BUILD PREFIX DESTDIR LIBDIR DOCTEST_INCLUDE
+#   DOCTEST_SHA256 NO_INSTALL.
 # What is compiled stands in src/sources.mk, which CMakeLists.txt reads too.
 include src/sources.mk
+# What the list of sources is compared with the folders by, before PORTS= chooses among them.
+LISTED_SOURCES := $(sort $(CORE_SOURCES) $(PORT_SOURCES) $(REPORT_SOURCES) $(PROGRAM_SOURCES))
+ALL_PORT_SOURCES := $(PORT_SOURCES)
+PORT_SOURCES := $(filter $(addsuffix /%,$(addprefix port/,$(PORTS))),$(PORT_SOURCES))
 # (tests/hostile.mk)
 HOSTILE_SOURCES := $(if $(HOSTILE_WIDTH),tests/hostile/hostile_port.cpp)
 
@@ -31,6 +37,8 @@ VERSION   := $(MAJOR).$(MINOR).$(call version_part,PATCH)
 # Before 1.0 a minor version may change calls: programs of another must not find it.
 SOVERSION := $(if $(filter 0,$(MAJOR)),0.$(MINOR),$(MAJOR))
 
+include port/packaging/hardening.mk
+
 WARNINGS  := -Wall -Wextra -Wpedantic -Wconversion -Wshadow
 INCLUDES  := -Isrc -Iinclude $(addprefix -Iport/,$(PORTS))
 COMMON    := $(INCLUDES) -std=c++17 $(WARNINGS)
@@ -46,13 +54,28 @@ CORE_OBJECTS    := $(call objects,$(CORE_SOURCES))
 PORT_OBJECTS    := $(call objects,$(PORT_SOURCES) $(HOSTILE_SOURCES))
 REPORT_OBJECTS  := $(call objects,$(REPORT_SOURCES))
 PROGRAM_OBJECTS := $(call objects,$(PROGRAM_SOURCES))
-FAMILY_OBJECTS  := $(filter $(addprefix $(BUILD)/obj/program_,families_% sketch_% drawing_% estimate_% \
-  deck_file.o interrupt.o progress.o workspace.o),$(PROGRAM_OBJECTS))
+FAMILY_OBJECTS  := $(filter-out $(BUILD)/obj/program_main.o,$(PROGRAM_OBJECTS)) # all of the program but its main
 TEST_SOURCES    := $(wildcard tests/*.cpp)
-CHAPTER9_SOURCES := $(wildcard examples/chapter9/*.cpp)
+CHAPTER9_SOURCES := $(sort $(wildcard examples/chapter9/*.cpp))
 CHAPTER9_OBJECTS := $(call objects,$(CHAPTER9_SOURCES))
 STUDY_OBJECT     := $(call object,examples/chapter9/study.cpp)
 TEST_OBJECTS    := $(patsubst tests/%.cpp,$(BUILD)/tests/%.o,$(TEST_SOURCES))
+
+# TESTS_FROM=FOLDER: another build, by a compiler whose objects go with this one's. What is the same there is linked as it is: report and program, which see the
+# headers of the interface alone, and tests, but for those that see the core's configuration; with sanitizers, tests that do not
+# ask for them. So the same tests run on a library with other flags.
+TESTS_FROM ?= $(BUILD)
+SANITIZED := $(findstring -fsanitize,$(CXXFLAGS))
+ifneq ($(TESTS_FROM),$(BUILD))
+ifeq ($(SANITIZED),)
+from_there = $(1:$(BUILD)/%=$(TESTS_FROM)/%)
+REPORT_OBJECTS   := $(call from_there,$(REPORT_OBJECTS))
+PROGRAM_OBJECTS  := $(call from_there,$(PROGRAM_OBJECTS))
+FAMILY_OBJECTS   := $(call from_there,$(FAMILY_OBJECTS))
+CHAPTER9_OBJECTS := $(call from_there,$(CHAPTER9_OBJECTS))
+STUDY_OBJECT     := $(call from_there,$(STUDY_OBJECT))
+endif
+endif
 
 LIBRARY := $(BUILD)/libcontact2d.a
 SHARED  := $(BUILD)/libcontact2d.so.$(VERSION)
@@ -61,63 +84,73 @@ TESTS   := $(BUILD)/tests/run_tests
 
 .DELETE_ON_ERROR:
 .PHONY: all demo chapter9 test bench convergence estimate-truth install uninstall list relist symbols format format-check clean FORCE
-all: $(LIBRARY) $(PROGRAM)
+# PORTS='memory fortran' is a library without files and threads, and without the program, which has both.
+all: $(LIBRARY) $(if $(filter-out $(PORT_SOURCES),$(ALL_PORT_SOURCES)),,$(PROGRAM))
 
 # ---------------------------------------------------------------- objects
 # A stamp that changes with compiler and flags, so that other flags mean other objects.
-FLAGS_NOW := $(CXX) $(CC) $(CPPFLAGS) $(CXXFLAGS) $(CFLAGS) $(LDFLAGS)
+FLAGS_NOW := $(CXX) $(CC) $(CPPFLAGS) $(CXXFLAGS) $(CFLAGS) $(LDFLAGS) $(HARDENING)
 $(BUILD)/flags: FORCE
 	@mkdir -p $(BUILD)/obj $(BUILD)/tests
 	@echo '$(subst ','\'',$(FLAGS_NOW))' | cmp -s - $@ || echo '$(subst ','\'',$(FLAGS_NOW))' > $@
 
 # The loops of the dense kernels and of the batched integrals ask for fused additions, and for the instruction set
 # they are named after: which of them runs is decided by the processor. src/linalg/kernel.hpp.
-ifneq ($(findstring x86_64,$(shell $(CXX) -dumpmachine 2>/dev/null)),)
+ifneq ($(findstring x86_64,$(MACHINE)),)
 KERNEL_kernel_avx2 := -mavx2 -mfma
 KERNEL_kernel_avx512 := -mavx512f -mfma
 endif
 kernel_flags = $(if $(findstring /kernel_,$(1)),-ffp-contract=fast $(KERNEL_$(basename $(notdir $(1)))))
 define compile
 $(call object,$(1)): $(1) $(BUILD)/flags Makefile
-	$(if $(filter %.c,$(1)),$(CC) $(CPPFLAGS) $(INCLUDES) -std=c99 -Wall -Wextra -Wpedantic $(CFLAGS) -fPIC,\
-	  $(CXX) $(CPPFLAGS) $(COMMON) $(CXXFLAGS) $(EXACT) $(2)) $(DEPS) -c $(1) -o $$@
+	$(if $(filter %.c,$(1)),$(CC) $(CPPFLAGS) $(INCLUDES) -std=c99 -Wall -Wextra -Wpedantic $(HARDENING) $(CFLAGS) -fPIC,\
+	  $(CXX) $(CPPFLAGS) $(COMMON) $(HARDENING) $(CXXFLAGS) $(EXACT) $(2)) $(SAME_FOLDER) $(DEPS) -c $(1) -o $$@
 endef
-$(foreach s,$(CORE_SOURCES) $(PORT_SOURCES),$(eval $(call compile,$(s),$(CORE_ONLY) $(call kernel_flags,$(s)))))
+$(foreach s,$(CORE_SOURCES) $(PORT_SOURCES),$(eval $(call compile,$(s),$(CORE_ONLY) $(call hardening_of,$(s)) $(call kernel_flags,$(s)))))
 $(foreach s,$(HOSTILE_SOURCES),$(eval $(call compile,$(s),$(CORE_ONLY) -UC2D_HOSTILE -DC2D_HOSTILE=$(HOSTILE_WIDTH))))
-$(foreach s,$(REPORT_SOURCES) $(PROGRAM_SOURCES) $(CHAPTER9_SOURCES),$(eval $(call compile,$(s),)))
+$(foreach s,$(REPORT_SOURCES) $(PROGRAM_SOURCES) $(CHAPTER9_SOURCES),$(eval $(call compile,$(s),$(HARDENED_PROGRAM))))
 
 $(LIBRARY): $(CORE_OBJECTS) $(PORT_OBJECTS) src/sources.mk
 	rm -f $@
-	$(AR) rcs $@ $(CORE_OBJECTS) $(PORT_OBJECTS)
+	$(ARCHIVE) $@ $(CORE_OBJECTS) $(PORT_OBJECTS)
 
 # Linked as C: nothing of the C++ run-time is needed. Only the names of the interface leave it; a list of them is kept.
 EXPORTS := port/packaging/contact2d.map
 $(SHARED): $(CORE_OBJECTS) $(PORT_OBJECTS) $(EXPORTS)
-	$(CC) -shared $(LDFLAGS) -Wl,-soname,libcontact2d.so.$(SOVERSION) -Wl,--version-script,$(EXPORTS) \
+	$(CC) -shared $(HARDENED_LINK) $(LDFLAGS) -Wl,-soname,libcontact2d.so.$(SOVERSION) -Wl,--version-script,$(EXPORTS) \
 	  -o $@ $(CORE_OBJECTS) $(PORT_OBJECTS) -lm -pthread
 symbols: $(SHARED)
 	sh port/packaging/symbols.sh $(SHARED) port/packaging/contact2d.symbols $(VERSION)
 
 # With the C++ run-time inside, where there is a static one: a run of 5 ms would spend a tenth on loading it.
+LINK_PROGRAM = $(HARDENED_LINK) $(HARDENED_PIE) $(LDFLAGS)
 $(PROGRAM): $(PROGRAM_OBJECTS) $(REPORT_OBJECTS) $(LIBRARY)
-	$(CXX) $(CXXFLAGS) $(LDFLAGS) -static-libstdc++ -static-libgcc -o $@ $^ -lm -pthread 2>/dev/null || \
-	  $(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm -pthread
+	$(CXX) $(CXXFLAGS) $(LINK_PROGRAM) -static-libstdc++ -static-libgcc -o $@ $^ -lm -pthread 2>/dev/null || \
+	  $(CXX) $(CXXFLAGS) $(LINK_PROGRAM) -o $@ $^ -lm -pthread
 
 # ---------------------------------------------------------------- microcontrollers
 include port/cortex-m/embedded.mk
 
 # ---------------------------------------------------------------- hostile build, other machines, packages
 include tests/hostile.mk
+include tests/sanitize.mk
 include tests/cross/cross.mk
 include tests/random/random.mk
+include tests/faults/faults.mk
+include tests/coverage/coverage.mk
+include tests/fuzz/fuzz.mk
+include tests/msan/msan.mk
 include port/packaging/packaging.mk
+include port/web/web.mk
 
 # ---------------------------------------------------------------- tests
+TEST_CC  ?= $(CC)
+TEST_CXX ?= $(CXX)
 # What differs from one copy of the tree to the next, for one file alone (tests/paths.hpp).
-TEST_PATHS = -DC2D_TEST_ROOT='"$(CURDIR)"' -DC2D_TEST_BUILD='"$(abspath $(BUILD))"' -DC2D_TEST_CC='"$(CC)"' \
-  -DC2D_TEST_CXX='"$(CXX)"' -DC2D_TEST_LIBRARY='"$(abspath $(LIBRARY))"' \
+TEST_PATHS = -DC2D_TEST_ROOT='"$(CURDIR)"' -DC2D_TEST_BUILD='"$(abspath $(BUILD))"' -DC2D_TEST_CC='"$(TEST_CC)"' \
+  -DC2D_TEST_CXX='"$(TEST_CXX)"' -DC2D_TEST_LIBRARY='"$(abspath $(LIBRARY))"' \
   -DC2D_TEST_CORE='"$(abspath $(LIBRARY))"' -DC2D_TEST_PROGRAM='"$(abspath $(PROGRAM))"' \
-  -DC2D_TEST_SHARED='"$(abspath $(SHARED))"' \
+  -DC2D_TEST_SHARED='"$(abspath $(SHARED))"' -DC2D_TEST_HARDENED=$(if $(strip $(HARDENING)),1,0) \
   -DC2D_TEST_CHAPTER9='"$(abspath $(BUILD))/obj/chapter9"'
 
 $(BUILD)/tests/doctest: tests/doctest.sh | $(BUILD)/flags
@@ -126,9 +159,21 @@ $(BUILD)/tests/doctest: tests/doctest.sh | $(BUILD)/flags
 $(BUILD)/tests/%.o: tests/%.cpp $(BUILD)/flags $(BUILD)/tests/doctest Makefile
 	$(CXX) $(CPPFLAGS) $(COMMON) $$(cat $(BUILD)/tests/doctest) $(CXXFLAGS) -O0 $(EXACT) $(if $(filter paths,$*),$(TEST_PATHS)) \
 	  $(DEPS) -c $< -o $@
-$(TESTS): $(TEST_OBJECTS) $(RANDOM_JUDGE) $(STUDY_OBJECT) $(REPORT_OBJECTS) $(FAMILY_OBJECTS) $(LIBRARY)
-	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $(TEST_OBJECTS) $(RANDOM_JUDGE) $(STUDY_OBJECT) $(REPORT_OBJECTS) \
-	  $(FAMILY_OBJECTS) $(LIBRARY) -lm -pthread
+ALL_TEST_OBJECTS := $(TEST_OBJECTS) $(RANDOM_JUDGE) $(FAULTS_JUDGE) $(FUZZ_OBJECTS)
+ifneq ($(TESTS_FROM),$(BUILD))
+TESTS_OWN := paths $(notdir $(basename $(shell grep -l src/memory/config.hpp $(TESTS_FROM)/tests/*.d) \
+  $(if $(SANITIZED),$(shell grep -l -e kSanitized -e __SANITIZE_ -e hosts.hpp tests/*.cpp))))
+TESTS_OWN := $(TESTS_OWN:%=$(BUILD)/tests/%.o)
+ALL_TEST_OBJECTS := $(filter $(TESTS_OWN),$(ALL_TEST_OBJECTS)) \
+  $(patsubst $(BUILD)/%,$(TESTS_FROM)/%,$(filter-out $(TESTS_OWN),$(ALL_TEST_OBJECTS)))
+endif
+.PHONY: test-objects
+test-objects: $(ALL_TEST_OBJECTS) $(REPORT_OBJECTS) $(PROGRAM_OBJECTS) $(CHAPTER9_OBJECTS)
+# Calls that a test can refuse go through it (tests/refused_calls.hpp); linkers elsewhere cannot do that.
+WRAP_CALLS := $(if $(filter Linux,$(shell uname -s)),$(patsubst %,-Wl$(comma)--wrap=%,\
+  $(shell sed -n 's/^WRAPPED.\([a-z0-9_]*\),.*/\1/p' tests/refused_calls.cpp)))
+$(TESTS): $(ALL_TEST_OBJECTS) $(STUDY_OBJECT) $(FUZZ_PROGRAM)
+	$(CXX) $(CXXFLAGS) $(LDFLAGS) $(WRAP_CALLS) -o $@ $^ -lm -pthread
 # C2D_ALL_HOSTS=1: also what needs other compilers and an emulator.
 test: $(if $(C2D_ALL_HOSTS),$(EMBEDDED_TESTED)) $(TESTS) $(PROGRAM) $(LIBRARY) $(SHARED) $(BUILD)/obj/chapter9
 	@sh tests/run_shards.sh $(TESTS) $(JOBS)
@@ -145,13 +190,14 @@ demo: $(PROGRAM)
 
 # Chapter 9 of the dissertation: figures 36 to 41, as increments give them and as events do.
 $(BUILD)/obj/chapter9: $(CHAPTER9_OBJECTS) $(REPORT_OBJECTS) $(FAMILY_OBJECTS) $(LIBRARY)
-	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm
+	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm -pthread
 chapter9: $(BUILD)/obj/chapter9
 	@mkdir -p $(BUILD)/chapter9
 	@$(BUILD)/obj/chapter9 $(BUILD)/chapter9
 	@echo 'Figures 36 to 41: $(BUILD)/chapter9/chapter9.svg; numbers: curves.csv; a deck per curve: *.dat'
 
 include tests/bench/bench.mk
+include tests/mutants/mutants.mk
 
 # Error against number of elements for every reference problem, with the observed order.
 CONVERGENCE_OBJECTS := $(patsubst tests/convergence/%.cpp,$(BUILD)/convergence/%.o,$(wildcard tests/convergence/*.cpp))
@@ -159,7 +205,7 @@ $(BUILD)/convergence/%.o: tests/convergence/%.cpp $(BUILD)/flags Makefile
 	@mkdir -p $(@D)
 	$(CXX) $(CPPFLAGS) $(COMMON) -Itests $(CXXFLAGS) $(EXACT) $(DEPS) -c $< -o $@
 $(BUILD)/convergence/run_convergence: $(CONVERGENCE_OBJECTS) $(BUILD)/tests/paths.o $(FAMILY_OBJECTS) $(REPORT_OBJECTS) $(LIBRARY)
-	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm
+	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm -pthread
 convergence: $(BUILD)/convergence/run_convergence
 	@$(BUILD)/convergence/run_convergence
 
@@ -172,9 +218,8 @@ estimate-truth: $(BUILD)/tests/run_truth
 	@$(BUILD)/tests/run_truth $(TRUTH)
 
 # The list of sources against the folders: what is missing from either.
-# (port/cortex-m is compiled for its own machines only, port/packaging has tools)
-FOUND_SOURCES := $(sort $(filter-out port/cortex-m/% port/packaging/%,$(wildcard src/*/*.cpp src/program/*/*.cpp port/*/*.cpp port/*/*.c)))
-LISTED_SOURCES := $(sort $(CORE_SOURCES) $(PORT_SOURCES) $(REPORT_SOURCES) $(PROGRAM_SOURCES))
+# (port/cortex-m and port/web are compiled for their own machines only, port/packaging has tools)
+FOUND_SOURCES := $(sort $(filter-out port/cortex-m/% port/packaging/% port/web/%,$(wildcard src/*/*.cpp src/program/*/*.cpp port/*/*.cpp port/*/*.c)))
 NOT_LISTED := $(filter-out $(LISTED_SOURCES),$(FOUND_SOURCES))
 NOT_FOUND := $(filter-out $(FOUND_SOURCES),$(LISTED_SOURCES))
 ifneq ($(strip $(NOT_LISTED)$(NOT_FOUND)),)
@@ -186,10 +231,10 @@ list:
 	 $(if $(strip $(NOT_LISTED)$(NOT_FOUND)),echo 'make relist writes src/sources.mk anew'; exit 1,\
 	   echo 'src/sources.mk lists every source file')
 relist:
-	@{ sed -n '/^#/p' src/sources.mk; \
-	   ls port/*/*.cpp | grep -v -e '^port/cortex-m/' -e '^port/packaging/' | cut -d/ -f2 | sort -u | sed 's/^/PORTS += /'; \
+	@export LC_ALL=C; { sed -n '/^#/p' src/sources.mk; \
+	   ls port/*/*.cpp | grep -v -e '^port/cortex-m/' -e '^port/packaging/' -e '^port/web/' | cut -d/ -f2 | sort -u | sed 's/^/PORTS += /'; \
 	   ls src/*/*.cpp | grep -v -e '^src/report/' -e '^src/program/' | sed 's/^/CORE_SOURCES += /'; \
-	   ls port/*/*.cpp port/*/*.c 2>/dev/null | grep -v -e '^port/cortex-m/' -e '^port/packaging/' | sed 's/^/PORT_SOURCES += /'; \
+	   ls port/*/*.cpp port/*/*.c 2>/dev/null | grep -v -e '^port/cortex-m/' -e '^port/packaging/' -e '^port/web/' | sed 's/^/PORT_SOURCES += /'; \
 	   ls src/report/*.cpp | sed 's/^/REPORT_SOURCES += /'; \
 	   ls src/program/*.cpp src/program/*/*.cpp | sed 's/^/PROGRAM_SOURCES += /'; } > src/sources.mk.new
 	@mv src/sources.mk.new src/sources.mk
@@ -206,14 +251,20 @@ format-check:
 HEADERS := $(wildcard include/*.h port/*/c2d_*.h) port/fortran/contact2d.f90
 CMAKEDIR := $(LIBDIR)/cmake/contact2d
 # Pages keep their places, and with them the links from one to another.
-PAGES := $(wildcard *.md src/*.md src/*/*.md src/program/*/*.md include/*.md port/*.md port/*/*.md tests/*.md examples/*.md examples/*.svg)
+PAGES := $(wildcard *.md src/*.md src/*/*.md src/program/*/*.md include/*.md port/*.md port/*/*.md tests/*.md examples/*.md examples/*/*.md examples/*.svg)
 PAGES := $(sort $(PAGES))
 INSTALLED := $(BINDIR)/contact2d $(MANDIR)/man1/contact2d.1 $(LIBDIR)/libcontact2d.a $(LIBDIR)/libcontact2d.so.$(VERSION) \
   $(LIBDIR)/libcontact2d.so.$(SOVERSION) $(LIBDIR)/libcontact2d.so \
   $(addprefix $(INCLUDEDIR)/,$(notdir $(HEADERS))) $(LIBDIR)/pkgconfig/contact2d.pc \
   $(CMAKEDIR)/contact2dConfig.cmake $(CMAKEDIR)/contact2dConfigVersion.cmake $(addprefix $(DOCDIR)/,$(PAGES))
+# From the folder of CMake's configuration to the headers, so that both can be moved with their prefix.
+below = $(if $(and $(filter $(PREFIX)/%,$(1)),$(PREFIX)),$(patsubst $(PREFIX)/%,%,$(1)))
+INCLUDE_FROM_CONFIG := $(if $(and $(call below,$(CMAKEDIR)),$(call below,$(INCLUDEDIR))),\
+  $${contact2d_here}/$(subst $(empty) $(empty),/,$(patsubst %,..,$(subst /, ,$(call below,$(CMAKEDIR)))))/$(call below,$(INCLUDEDIR)),\
+  $(INCLUDEDIR))
 fill = sed -e 's|@PREFIX@|$(PREFIX)|g' -e 's|@LIBDIR@|$(LIBDIR)|g' -e 's|@INCLUDEDIR@|$(INCLUDEDIR)|g' \
-  -e 's|@VERSION@|$(VERSION)|g' -e 's|@SOVERSION@|$(SOVERSION)|g'
+  -e 's|@VERSION@|$(VERSION)|g' -e 's|@SOVERSION@|$(SOVERSION)|g' \
+  -e 's|@INCLUDE_FROM_CONFIG@|$(strip $(INCLUDE_FROM_CONFIG))|g'
 
 install: all $(SHARED)
 	mkdir -p $(DESTDIR)$(BINDIR) $(DESTDIR)$(MANDIR)/man1 $(DESTDIR)$(LIBDIR)/pkgconfig $(DESTDIR)$(CMAKEDIR) $(DESTDIR)$(INCLUDEDIR)
@@ -237,8 +288,9 @@ uninstall:
 
 clean:
 	rm -rf $(BUILD)/obj $(BUILD)/tests $(BUILD)/demo $(BUILD)/bench $(BUILD)/convergence $(BUILD)/chapter9 \
-	  $(BUILD)/embedded $(BUILD)/hostile $(BUILD)/small $(BUILD)/cross $(BUILD)/amalgamation $(BUILD)/deb
+	  $(BUILD)/embedded $(BUILD)/fuzz $(BUILD)/sanitize $(BUILD)/sanitize-library $(BUILD)/threads $(BUILD)/hostile $(BUILD)/small \
+	  $(BUILD)/cross $(BUILD)/amalgamation $(BUILD)/api $(BUILD)/deb $(BUILD)/reproducible $(BUILD)/web
 	rm -f $(LIBRARY) $(BUILD)/libcontact2d.so.* $(PROGRAM) $(BUILD)/flags
 	-rmdir $(BUILD) 2>/dev/null || true
 
--include $(wildcard $(BUILD)/obj/*.d $(BUILD)/tests/*.d $(BUILD)/bench/*.d $(BUILD)/convergence/*.d)
+-include $(wildcard $(BUILD)/web/obj/*.d $(BUILD)/obj/*.d $(BUILD)/tests/*.d $(BUILD)/bench/*.d $(BUILD)/convergence/*.d)

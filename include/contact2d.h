@@ -120,7 +120,7 @@ c2d_status c2d_memory_need(const c2d_limits* limits, uint64_t* minimum, uint64_t
    POSIX files are in port/, and port/README.md says what breaks if a duty is cheated. All functions return 0 for success;
    anything else is an error code of yours that comes back in c2d_error.host_code. They must return: no exception, longjmp or
    exit may leave them. Inside them c2d_cancel, c2d_memory_need and c2d_get_state are legal for the solver that calls,
-   everything else is C2D_ERR_BUSY; inside a step callback (section 7) c2d_get_zone_state and _body_state are legal, too. */
+   everything else is C2D_ERR_BUSY; inside a step callback (section 7) c2d_get_zone_state, _body_state and c2d_save are, too. */
 typedef struct c2d_progress {
   uint32_t struct_size;
   int32_t phase, body;        /* C2D_PHASE_...; the body while assembling and eliminating           */
@@ -170,7 +170,7 @@ c2d_status c2d_create(c2d_solver** out, void* memory, size_t bytes, const c2d_li
 /* Take up a solver whose memory was moved, reloaded or handed to another process of the same build: memory[0 .. bytes) is a
    copy of the whole that c2d_create was given, taken between calls, on any alignment, perhaps longer. It goes on where it was,
    with the same bits; every c2d_solver* from before is void. `port` opens the tapes that were open once more; they must hold
-   what they held. On failure the image can still be attached. Its numbers are trusted: a checksum against damage is the host's.
+   what they held. On failure the image can still be attached. Its numbers are trusted: contact2d_image.h attaches by checksum.
    Errors: ARGUMENT: no solver stands there; MISMATCH: one of another version, size of pointers or scalar, or prepared by a
    program linked without energies; MEMORY with why->bytes_needed; BUSY: copied inside a callback; STORE_OPEN. */
 c2d_status c2d_attach(c2d_solver** out, void* memory, size_t bytes, const c2d_port* port, c2d_error* why);
@@ -365,8 +365,8 @@ c2d_status c2d_tape_need(const c2d_limits* limits, const c2d_options* options, u
 /* ---------------------------------------------------------------- 6 prepare ------------------------------------
 
    Assemble (METHOD 2), eliminate what lies outside the contact (METHOD 7), reduce to the contact unknowns (METHOD 10): once
-   per model. State afterwards: prepared; after a failure or a cancel: model. Errors: STORE_..., SINGULAR, CANCELLED. A body
-   with a free rigid motion that contact cannot hold is no error: c2d_advance tells it. */
+   per model. State afterwards: prepared; after a failure or a cancel: model. Errors: STORE_..., SINGULAR, CANCELLED; INPUT:
+   changed loads. A body with a free rigid motion that contact cannot hold is no error: c2d_advance tells it. */
 c2d_status c2d_prepare(c2d_solver* solver);
 /* Other loads for the same bodies. c2d_change_loads ends the path and goes back to state model, where c2d_set_values,
    c2d_set_body_force, c2d_set_rigid and c2d_set_rigid_load (load_case > 0) and c2d_replace_point_load (place and force of point
@@ -392,15 +392,16 @@ c2d_status c2d_advance(c2d_solver* solver, const double* load, int32_t cases, c2
 c2d_status c2d_next_event(c2d_solver* solver, const double* direction, int32_t cases, double* step);
 
 /* Keep the state of the path on tape 0, or, in state prepared, that there is a factorisation. A crash at any moment leaves
-   this state or the one saved before; the tapes are made safe (sync) first. c2d_summary does not count what that transfers.
-   Errors: STORE_... (c2d_restore brings back what was saved before). */
+   this state or the one saved before; the tapes are made safe (sync) first. c2d_summary does not count what that transfers. In
+   c2d_run's callback, unless it shows a CHANGE, it keeps how far the run is: after c2d_restore c2d_run goes on there, if no
+   other call has moved the load. Errors: STORE_... (c2d_restore brings back what was saved before). */
 c2d_status c2d_save(c2d_solver* solver);
-/* Go back to the newest state that is whole: nothing is assembled or eliminated again, and what follows gives the same bits.
-   In another process: c2d_create with the same limits, the same model and options (state model), the same store, then
-   c2d_restore instead of c2d_prepare. Errors, after which the solver is as before: MISMATCH: saved for another model, path,
-   limits or stepping, or by another library or kind of machine (c2d_last_error tells); STORE_STALE: c2d_prepare has begun anew
-   since; STORE_FORMAT or _READ: nothing was saved there; STORE_...: nothing whole is there; MEMORY with bytes_needed: saved in
-   a larger workspace. It is broken only if the store fails while the state is taken over. */
+/* Go back to the newest state that is whole: nothing is eliminated again, and what follows gives the same bits. In another
+   process: c2d_create with the same limits, the same model and options (state model), the same store, then c2d_restore for
+   c2d_prepare; state prepared serves any path. Errors, after which the solver is as before: MISMATCH: saved for another model,
+   path, limits or stepping, or by another library or kind of machine (c2d_last_error tells); STORE_STALE: c2d_prepare has begun
+   anew since; STORE_FORMAT or _READ: nothing was saved there; STORE_...: nothing whole is there; MEMORY with bytes_needed:
+   saved in a larger workspace. Broken only if the store fails while the state is taken over, or a number cannot be meant. */
 c2d_status c2d_restore(c2d_solver* solver);
 
 /* What a step callback sees. `table` has a row per pair and the columns C2D_X ... C2D_PAIR_ZONE of section 8: column c of pair
@@ -433,8 +434,8 @@ typedef int32_t (*c2d_step_fn)(void* context, const c2d_step* step); /* non-zero
    callback (may be null) and c2d_get_summary tell; the next coefficient is then run. State afterwards: running, at the last
    load reached, also after CALLBACK and CANCELLED. Errors: ARGUMENT: no path; CALLBACK, CANCELLED, STORE_.... */
 c2d_status c2d_run(c2d_solver* solver, c2d_step_fn step, void* context);
-/* May be called from any callback or another thread: the solver stops at the next chance, and the call at work returns
-   C2D_ERR_CANCELLED. Without one the next call that can be cancelled does. */
+/* From any callback, another thread or a signal handler: the solver stops at the next chance, and the call at work returns
+   C2D_ERR_CANCELLED. Without one, or if it ends before that, the next call that lists CANCELLED does: no cancel is lost. */
 c2d_status c2d_cancel(c2d_solver* solver);
 
 /* ---------------------------------------------------------------- 8 results ------------------------------------
@@ -463,10 +464,10 @@ enum {
    out_stride + c]. xy_stride >= 2, out_stride >= C2D_POINT_FIELDS; xy and out must not overlap. body 0: whichever the point
    lies in, the first if in several. A point load's own field is left out at its very point. Before anything touches, and where
    no motion is held, displacements and stresses are 0. With lines of symmetry points may lie anywhere in the whole model. Many
-   points in one call cost less than one by one. Errors: STORE_...; CANCELLED (`out` is then of no use). */
+   points in one call cost less than one by one. Errors: STORE_..., CANCELLED: `out` is then of no use. */
 c2d_status c2d_interior(c2d_solver* solver, int32_t body, int32_t count, const double* xy, int64_t xy_stride, double* out,
                         int64_t out_stride);
-/* What the mesh leaves open between nodes: C2D_OFF_... (contact2d_codes.h) of elements. Errors: STORE_...; CANCELLED. */
+/* What the mesh leaves open between nodes: C2D_OFF_... (contact2d_codes.h) of elements. Errors: as c2d_interior. */
 c2d_status c2d_indicators(c2d_solver* solver, int32_t body, int32_t first, int32_t count, double* out, int64_t stride);
 
 typedef struct c2d_summary {
@@ -490,14 +491,13 @@ typedef struct c2d_summary {
                                      rotation) about the origin, times any number                   */
   double tension_ratio;           /* smallest pressure inside an element over the largest nodal one */
   char title[80], unit_length[16], unit_force[16]; /* units: as c2d_set_units said, else empty      */
-  int32_t load_cases, reserved;
+  int32_t load_cases, run_coefficient; /* run_coefficient, run_step: the step behind which c2d_run goes on; 0: none */
   double work, dissipated, elastic, energy_defect; /* as in c2d_step                                */
   double least_dissipation;       /* most negative contribution of a pair and event: round-off      */
   int32_t symmetry;               /* lines of symmetry by images: 1: x = symmetry_at[0], 2: y = symmetry_at[1], 3: both */
   int32_t breach;                 /* with C2D_BEYOND_LIMITS: C2D_BREACH_...                         */
   double symmetry_at[2], breach_size; /* of what the breach is measured against                         */
-  int32_t point_loads, point_sets, curves; /* how many of each the model holds                      */
-  int32_t reserved_too;
+  int32_t point_loads, point_sets, curves, run_step; /* the first three: how many the model holds    */
 } c2d_summary;
 c2d_status c2d_get_summary(c2d_solver* solver, c2d_summary* out); /* zeros for what is not known yet */
 

@@ -157,7 +157,8 @@
   ARRAY(Real, tableau, m, (m) + 1 + (cases))                                                                           \
   ARRAY(Real, y, m, 1)                                                                                                 \
   ARRAY(Real, dy, m, 1)                                                                                                \
-  ARRAY(Real, good, m, 1)                             /* y of the last state found good (solver/judge.hpp)         */
+  ARRAY(Real, good, m, 1)                             /* y of the last state found good (solver/judge.hpp)         */  \
+  ARRAY(Real, delayed, m, 2 * C2D_DELAYED_(m) + C2D_SMALLER_(C2D_DELAYED_(m), 2)) /* exchanges (contact/tableau.hpp) */
 /* ... and behind that either numbers of the rate problem of n - 1 unknowns, or results, of no use while loads move: of each
    side displacements of the contact; F of the bodies where there is room for it; displacements and true tractions of all
    bodies, in units of the model; and what back substitution takes. */
@@ -182,9 +183,9 @@
 #define C2D_REAL_BYTES 8 /* of a stored matrix's number: 4 for a library compiled with C2D_REAL=float */
 #endif
 #if UINTPTR_MAX > UINT32_MAX
-#define C2D_SOLVER_BYTES 2336 /* of c2d_solver, at most */
+#define C2D_SOLVER_BYTES 2352 /* of c2d_solver, at most */
 #else
-#define C2D_SOLVER_BYTES 2256
+#define C2D_SOLVER_BYTES 2280
 #endif
 #define C2D_ASSEMBLY_BYTES 3776 /* of what the assembly of an element needs, at most */
 #define C2D_BYTES_OF_void 1
@@ -214,6 +215,8 @@
 #define C2D_LARGER_(a, b) ((a) > (b) ? (a) : (b))
 #define C2D_SMALLER_(a, b) ((a) < (b) ? (a) : (b))
 
+/* How many exchanges a tableau of m rows keeps back. */
+#define C2D_DELAYED_(m) ((m) < 160 ? 0 : C2D_SMALLER_((m) / 8, 64))
 #define C2D_CASES_(load_cases) (UINT64_C(1) * ((load_cases) > 0 ? (load_cases) : 1))
 #define C2D_WIDTH_(panel_columns) (UINT64_C(1) * ((panel_columns) > 0 ? (panel_columns) : 1))
 #define C2D_NODES_(function_nodes, points, elements, regions) /* functional nodes, those of open regions' ends too */  \

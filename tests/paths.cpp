@@ -12,5 +12,6 @@ std::string core() { return C2D_TEST_CORE; }
 std::string shared() { return C2D_TEST_SHARED; }
 std::string program() { return C2D_TEST_PROGRAM; }
 std::string chapter9() { return C2D_TEST_CHAPTER9; }
+bool hardened() { return C2D_TEST_HARDENED != 0; }
 
 } // namespace paths

@@ -16,5 +16,6 @@ std::string core();     // the library without ports, where it is one of its own
 std::string shared();   // libcontact2d.so.VERSION
 std::string program();  // contact2d
 std::string chapter9(); // the program of examples/chapter9
+bool hardened();        // port/packaging/hardening.mk
 
 } // namespace paths

@@ -20,8 +20,7 @@ namespace fs = std::filesystem;
 class Folder {
 public:
   Folder() {
-    static std::atomic<int> count{0};
-    path_ = fs::temp_directory_path() / ("contact2d-test-" + std::to_string(::getpid()) + "-" + std::to_string(count++));
+    path_ = fs::temp_directory_path() / ("contact2d-test-" + std::to_string(::getpid()) + "-" + std::to_string(next()));
     fs::create_directories(path_);
   }
   ~Folder() {
@@ -39,6 +38,10 @@ public:
   }
 
 private:
+  static int next() { // (in a constructor compilers do not name it alike, and so do not share it)
+    static std::atomic<int> count{0};
+    return count++;
+  }
   fs::path path_;
 };
 

@@ -1,5 +1,5 @@
-// The Fortran module against the headers: the same functions with the same arguments, the same constants, the
-// same structs, member by member. What the headers get and the module lacks is told here.
+// The Fortran module, and the structs of the Python package, against the headers: the same functions with the same arguments,
+// the same constants, the same structs, member by member. What the headers get and the module lacks is told here.
 #include "hosts.hpp"
 #include "paths.hpp"
 
@@ -12,8 +12,8 @@ namespace {
 
 const std::string kRoot = paths::root();
 const char* const kHeaders[] = {"/include/contact2d.h",       "/include/contact2d_codes.h", "/include/contact2d_cards.h",
-                                "/port/memory/c2d_memory.h",  "/port/stdio/c2d_stdio.h",    "/port/posix/c2d_posix.h",
-                                "/port/threads/c2d_threads.h"};
+                                "/include/contact2d_image.h", "/port/memory/c2d_memory.h",  "/port/stdio/c2d_stdio.h",
+                                "/port/posix/c2d_posix.h",    "/port/threads/c2d_threads.h"};
 
 using Words = std::vector<std::string>;
 
@@ -340,6 +340,28 @@ std::string fortran_layout() {
 }
 
 } // namespace
+
+TEST_CASE("bindings: structs have the same size, default and places of members in C and in Python") {
+  if (!can_host("python3")) return;
+  const Folder folder;
+  write_file(folder / "c.c", c_layout());
+  std::string script = "import sys\nsys.path.insert(0, '" + kRoot + "/port/python/contact2d')\nimport header\n";
+  for (const auto& each : headers().structs) {
+    const std::string& name = each.first;
+    script += "s = header." + name + "\nprint('" + name + "', header.sizeof(s))\n";
+    for (const std::string& member : each.second)
+      script += "print('" + name + " " + member + "', getattr(s, '" + member + "').offset)\n";
+    if (each.second[0] == "struct_size") script += "print('" + name + " holds', s().struct_size)\n";
+  }
+  write_file(folder / "layout.py", script);
+  const Result c = run_shell(paths::c_compiler() + " -std=c99 -I'" + kRoot + "/include' '" + (folder / "c.c") + "' -o '" +
+                             (folder / "c") + "' && '" + (folder / "c") + "'");
+  const Result python = run_shell("PYTHONDONTWRITEBYTECODE=1 python3 '" + (folder / "layout.py") + "'");
+  REQUIRE_MESSAGE(c.status == 0, c.err);
+  REQUIRE_MESSAGE(python.status == 0, python.err);
+  REQUIRE(lines_of(c.out).size() > 150);
+  CHECK(c.out == python.out);
+}
 
 TEST_CASE("bindings: structs have the same size, default and places of members in C and in Fortran") {
   if (!can_host("gfortran")) return;

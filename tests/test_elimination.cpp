@@ -8,6 +8,7 @@
 #include <cstring>
 #include <doctest/doctest.h>
 #include <fenv.h>
+#include <filesystem>
 #include <limits>
 #include <random>
 #include <string>
@@ -465,11 +466,9 @@ TEST_CASE("the result hardly depends on the panels' width, and not at all on the
       CHECK(check_against_reference(q, plan, tapes, 1e4 * kEps) == x);
       CHECK(q.s == p.s);
       CHECK(close_all(tapes) == C2D_OK);
-      CHECK(c2d_posix_store_remove(&posix_store) == 0);
-      CHECK(c2d_posix_store_done(&posix_store) == 0);
+      CHECK(c2d_posix_store_discard(&posix_store, nullptr) == 0);
     }
-    unlink((std::string(folder) + "/lock").c_str());
-    rmdir(folder);
+    std::filesystem::remove_all(folder);
   }
 }
 
@@ -611,6 +610,63 @@ TEST_CASE("pivot statistics do not depend on the panels and name the weak column
   }
 }
 
+// Panels of new columns begin anywhere in the chunks of Y.
+TEST_CASE("new columns in place of some trailing ones: what eliminating all of them gives") {
+  for (int32_t width = 1; width <= 6; ++width)
+    for (int32_t block = 1; block <= width; ++block)
+      for (int32_t first = 0; first < 9; first += 2) {
+        CAPTURE(width);
+        CAPTURE(block);
+        CAPTURE(first);
+        Problem p(12, 8, 9, 3), q = p;
+        const Problem other(12, 8, 9, 4);
+        std::copy(other.a.begin() + 12 * (8 + first), other.a.end(), q.a.begin() + 12 * (8 + first));
+        Problem all = q;
+        EliminationPlan plan = plan_of(p, width, block);
+        plan.keep_lower = 1;
+        Store store, whole;
+        REQUIRE(open_for(plan, store.tapes) == C2D_OK);
+        REQUIRE(open_for(plan, whole.tapes) == C2D_OK);
+        REQUIRE(run(p, plan, store.tapes, nullptr) == C2D_OK);
+        REQUIRE(run(all, plan, whole.tapes, nullptr) == C2D_OK);
+        Work work(work_bytes(plan));
+        q.s = p.s;
+        q.next_column = 8 + first;
+        q.next_trailing = first;
+        REQUIRE(eliminate_again(plan, first, q.source(), q.sink(), store.tapes, work.start, q.watch()) == C2D_OK);
+        CHECK(q.next_trailing == 9);
+        CHECK(work.intact());
+        for (size_t i = 0; i < all.s.size(); ++i) CHECK(std::fabs(q.s[i] - all.s[i]) <= 1e3 * kEps);
+        const Numbers c(9, 1);
+        Numbers x(8), y(8);
+        Work back(back_substitution_bytes(plan));
+        REQUIRE(back_substitute(plan, store.tapes, c.data(), x.data(), back.start) == C2D_OK);
+        REQUIRE(back_substitute(plan, whole.tapes, c.data(), y.data(), back.start) == C2D_OK);
+        for (size_t i = 0; i < 8; ++i) CHECK(std::fabs(x[i] - y[i]) <= 1e4 * kEps * std::fmax(1.0, std::fabs(y[i])));
+      }
+}
+
+// As of a body that is in contact all round: what it is is what is left of it.
+TEST_CASE("no unknown is eliminated: rows go through as they are, new ones too") {
+  Problem p(5, 0, 4, 3), q(5, 0, 4, 4);
+  EliminationPlan plan = plan_of(p, 2, 1);
+  plan.keep_lower = 1;
+  Store store;
+  REQUIRE(open_for(plan, store.tapes) == C2D_OK);
+  Work work(work_bytes(plan));
+  REQUIRE(eliminate(plan, p.source(), p.sink(), store.tapes, work.start, nullptr, p.watch()) == C2D_OK);
+  CHECK(p.s == p.a);
+  q.next_column = q.next_trailing = 1;
+  REQUIRE(eliminate_again(plan, 1, q.source(), q.sink(), store.tapes, work.start, q.watch()) == C2D_OK);
+  CHECK(q.next_trailing == 4);
+  CHECK(std::equal(q.a.begin() + 5, q.a.end(), q.s.begin() + 5));
+  Real f = 7, w[4] = {1, 2, 3, 4};
+  CHECK(transposed_functional(plan, store.tapes, &f, nullptr, work.start) == C2D_OK);
+  CHECK(transposed_functional(plan, store.tapes, &f, w, work.start) == C2D_OK);
+  for (Real x : w) CHECK(x == 0);
+  CHECK(work.intact());
+}
+
 TEST_CASE("a number that is not finite is refused") {
   Problem p(10, 8, 3, 47);
   p.at(9, 10) = std::numeric_limits<Real>::infinity();
@@ -634,6 +690,14 @@ TEST_CASE("source, watch and sink can stop it at every call, at once") {
     REQUIRE(p.calls_after_refusal == 0);
   }
   CHECK(n > 2 * 15);
+}
+
+TEST_CASE("blocks hold the row exchanges, too, where strips of L are shorter") {
+  EliminationPlan plan = {12, 8, 3, 4, 1, 0, 0, 1, 1};
+  CHECK(lower_use(plan).max_data_bytes == 8 * sizeof(int32_t));
+  CHECK(lower_use(plan).blocks > 8 * 8 / 2);
+  plan.block_rows = 12;
+  CHECK(lower_use(plan).max_data_bytes == 12 * sizeof(Real));
 }
 
 TEST_CASE("the n-th transfer fails, for every n: the right error, and a new attempt succeeds") {

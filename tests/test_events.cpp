@@ -1,135 +1,22 @@
 // Events, exchanges, pivots off the diagonal and rebuilding on tableaux made by hand of one to five pairs. Every expected
 // number is worked out in the comment above it: sticking, (p, q) = K (w_n - gap, w_t) + lambda b; open, p = q = 0; slipping,
 // w_n = 0 and q = sign mu p.
-#include "c2d_memory.h"
-#include "contact/path.hpp"
+#include "hand_tableau.hpp"
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <vector>
 
 using namespace c2d;
+using hand::Change;
+using hand::Hand;
+using hand::sized;
 
 namespace {
 
-size_t sized(int count) { return static_cast<size_t>(count); }
 doctest::Approx about(double value) { return doctest::Approx(value).epsilon(1e-12).scale(1.0); }
-
-// A change that was told, and the sum of the load factors there.
-struct Change {
-  double load;
-  int32_t pair;
-};
-
-// Pairs with the rates of up to two load cases; those without a tangential direction have one unknown.
-class Hand {
-public:
-  Hand(const std::vector<std::vector<double>>& k, const std::vector<std::vector<double>>& b, bool tangential, double mu)
-      : m_(static_cast<int>(k.size())), cases_(static_cast<int>(b.size())), pair_(sized(tangential ? m_ / 2 : m_)),
-        t_(sized(m_ * (m_ + 1 + cases_))), store_(1 << 16), buffer_(sized(m_) + 9), y_(sized(m_)), dy_(sized(m_)),
-        area_(sized((m_ + 1) * (m_ + 5)) + 8), lists_(pair_.size() * kRateListBytes / 8 + 1) {
-    for (int j = 0; j < m_; ++j)
-      for (int i = 0; i < m_; ++i) stiffness_.push_back(static_cast<Real>(k[sized(i)][sized(j)]));
-    for (const std::vector<double>& of_case : b)
-      for (double rate : of_case) rates_.push_back(static_cast<Real>(rate));
-    for (size_t i = 0; i < pair_.size(); ++i) {
-      Pair& p = pair_[i] = Pair{};
-      p.tangential = tangential ? 1 : 0;
-      p.dof = static_cast<int32_t>(i) * (1 + p.tangential);
-      p.status = C2D_STICK;
-      p.mu = mu;
-    }
-    tableau_ = Tableau{m_, m_,      cases_, static_cast<int32_t>(pair_.size()), pair_.data(), t_.data(), 1.0, 0.0, 0, nullptr,
-                       0,  nullptr, nullptr};
-    open_store();
-    f_.t = &tableau_;
-    f_.tape = &tape_;
-    f_.load = load_;
-    f_.direction = direction_;
-    f_.origin = origin_;
-    f_.y = y_.data();
-    f_.dy = dy_.data();
-    f_.rate_area = RateArea{area_.data(), lists_.data(), tableau_.pairs};
-    f_.bound.pair = -1;
-    f_.watch.context = this;
-    f_.watch.tick = [](void*) { return c2d_status{C2D_OK}; };
-    f_.watch.changed = [](void* self, double) { return static_cast<Hand*>(self)->note(); };
-  }
-  Hand(const Hand&) = delete;
-  Hand& operator=(const Hand&) = delete;
-
-  Pair& pair(int i) { return pair_[sized(i)]; }
-  Tableau& tableau() { return tableau_; }
-  Follower& follower() { return f_; }
-  double entry(int i, int j) const { return t_[sized(j * m_ + i)]; }
-  void set_entry(int i, int j, double value) { t_[sized(j * m_ + i)] = static_cast<Real>(value); }
-  double constant(int i) const { return entry(i, m_); }
-  double rate(int i, int k = 0) const { return entry(i, m_ + 1 + k); }
-  c2d_status build() { return build_tableau(tableau_, tape_, &culprit); }
-
-  // Unloaded: pairs with a gap are open, the others stick.
-  void start(const std::vector<double>& gaps) {
-    for (size_t i = 0; i < gaps.size(); ++i) {
-      pair_[i].gap = gaps[i];
-      pair_[i].status = gaps[i] > 0.0 ? C2D_OPEN : C2D_STICK;
-      f_.gap_scale = std::max(f_.gap_scale, gaps[i]);
-    }
-    REQUIRE(build() == C2D_OK);
-  }
-  // To these load factors, which must be reached. Changes of status on the way are in `changes`.
-  void follow(double load1, double load2 = 0.0) {
-    const double target[2] = {load1, load2};
-    c2d_outcome outcome = C2D_REACHED;
-    changes.clear();
-    REQUIRE(follow_events(f_, target, &outcome) == C2D_OK);
-    REQUIRE(outcome == C2D_REACHED);
-  }
-  PairState state(int i) const { return pair_state(tableau_, i, f_.y); }
-
-  std::vector<Change> changes;
-  int32_t culprit = -1;
-
-private:
-  c2d_status note() {
-    changes.push_back({load_[0] + load_[1], f_.last_pair});
-    return C2D_OK;
-  }
-  void open_store() {
-    c2d_memory_store_init(&memory_, store_.data(), store_.size());
-    port_ = C2D_INIT(c2d_port);
-    c2d_memory_store_port(&memory_, &port_);
-    tapes_.port = &port_;
-    tapes_.run_id = 1;
-    head_.contact = m_;
-    head_.load_cases = cases_;
-    model_.head = &head_;
-    tape_ = ContactTape{&tapes_, &model_, buffer_.data()};
-    const uint64_t blocks = static_cast<uint64_t>(place_contact_blocks(model_));
-    REQUIRE(open_tape(tapes_, C2D_TAPE_CONTACT, blocks, sized(m_) * sizeof(Real)) == C2D_OK);
-    REQUIRE(write_matrix(tape_, ContactMatrix::stiffness, stiffness_.data(), m_) == C2D_OK);
-    REQUIRE(write_matrix(tape_, ContactMatrix::stiffness_load, rates_.data(), m_) == C2D_OK);
-  }
-
-  int m_, cases_;
-  std::vector<Pair> pair_;
-  std::vector<Real> t_, stiffness_, rates_;
-  std::vector<unsigned char> store_;
-  std::vector<double> buffer_;
-  std::vector<Real> y_, dy_;
-  std::vector<double> area_, lists_;
-  double load_[2] = {}, direction_[2] = {}, origin_[2] = {};
-  c2d_memory_store memory_{};
-  c2d_port port_{};
-  Tapes tapes_{};
-  ModelHeader head_{}; // of no bodies: what the tape's matrices are as large as
-  Model model_{};
-  ContactTape tape_{};
-  Tableau tableau_{};
-  Follower f_{};
-};
 
 void check_tableau(const Hand& h, const std::vector<std::vector<double>>& rows) { // T, then the constant, then the rates
   for (size_t i = 0; i < rows.size(); ++i)
@@ -196,6 +83,35 @@ TEST_CASE("exchanges: a pair that sticks where it has come to keeps the forces o
   }
 }
 
+// Whichever slot is exchanged first, alone in the list or behind others, of this pair or of the next, and wherever it touched.
+TEST_CASE("exchanges: a pair that slips where it has just stuck has the tableau of its status") {
+  for (const double normal : {5.0, 2.0}) // stiffer across, and along
+    for (int before = 0; before < 4; ++before)
+      for (const int sign : {1, -1}) {
+        CAPTURE(normal);
+        CAPTURE(before);
+        CAPTURE(sign);
+        Hand h({{normal, 1, 0.5, 0.2}, {2, 3, 0.1, 0.3}, {0.4, 0.2, 5, 1}, {0.1, 0.7, 0.3, 4}}, {{1, 2, 3, 4}, {-4, 3, 2, -1}},
+               true, 0.5);
+        h.pair(0).status = C2D_OPEN;
+        REQUIRE(h.build() == C2D_OK);
+        if (before == 1) REQUIRE(change_status(h.tableau(), 1, C2D_SLIP, 1, 0.0));
+        if (before == 2) REQUIRE(change_status(h.tableau(), 1, C2D_OPEN, 0, 0.0));
+        if (before == 3)
+          REQUIRE((change_status(h.tableau(), 0, C2D_SLIP, 1, 0.0) && change_status(h.tableau(), 0, C2D_OPEN, 0, 0.0)));
+        REQUIRE(change_status(h.tableau(), 0, C2D_STICK, 0, 0.25));
+        REQUIRE(change_status(h.tableau(), 0, C2D_SLIP, sign, 0.0));
+        std::vector<double> went;
+        for (int at = 0; at < 4 * 7; ++at) went.push_back(h.entry(at % 4, at / 4));
+        for (int slot = 0; slot < 4; ++slot) {
+          CHECK(own_entry(h.tableau(), slot) == about(h.entry(slot, slot)));
+          CHECK(cross_entry(h.tableau(), slot, slot ^ 1) == about(h.entry(slot, slot ^ 1)));
+        }
+        REQUIRE(h.build() == C2D_OK);
+        for (int at = 0; at < 4 * 7; ++at) CHECK(went[sized(at)] == about(h.entry(at % 4, at / 4)));
+      }
+}
+
 // K = (4 2; 1 3), b = (8, 6): w_1 = p_1/4 - w_2/2 - 2, p_2 = w_1 + 3 w_2 + 6 = p_1/4 + 2.5 w_2 + 4.
 TEST_CASE("exchanges: one of two pairs opens, and the other's row goes along") {
   Hand h({{4, 2}, {1, 3}}, {{8, 6}}, false, 0.0);
@@ -250,6 +166,81 @@ TEST_CASE("pivots: where nothing holds what opens, the tableau names a pair") {
   h.pair(0).status = C2D_STICK;
   CHECK(h.build() == C2D_OK);
   check_tableau(h, {{0, 1, 0, 0}, {-1, 1, 0, -1}}); // w_2 = p_2 - w_1 - 1, p_1 = w_1 + w_2 + 1 = p_2
+}
+
+// K = (1 c; c 1), c = 1e8: with both open, w_n of one under its own force alone is 1e-16 of what it would be by itself, all
+// round-off. Nothing is exchanged there, whatever the other status, with a tangential direction or without.
+TEST_CASE("pivots: what round-off alone would hold is not closed, and nothing has changed") {
+  const double c = 1e8;
+  const auto unchanged = [](Hand& h, int pair, int32_t status, int32_t sign) {
+    std::vector<double> before;
+    const int m = h.tableau().m;
+    for (int at = 0; at < m * (m + 2); ++at) before.push_back(h.entry(at % m, at / m));
+    const Pair was = h.pair(pair);
+    CHECK_FALSE(change_status(h.tableau(), pair, status, sign, 0.25));
+    for (int at = 0; at < m * (m + 2); ++at) CHECK(h.entry(at % m, at / m) == about(before[sized(at)]));
+    CHECK(h.pair(pair).status == was.status);
+    CHECK(h.pair(pair).sign == was.sign);
+  };
+  Hand normal({{1, c}, {c, 1}}, {{1, 1}}, false, 0.0);
+  for (int i = 0; i < 2; ++i) normal.pair(i).status = C2D_OPEN;
+  REQUIRE(normal.build() == C2D_OK);
+  unchanged(normal, 0, C2D_STICK, 0);
+  unchanged(normal, 0, C2D_SLIP, 1);
+  Hand both({{1, 0, c, 0}, {0, 1, 0, c}, {c, 0, 1, 0}, {0, c, 0, 1}}, {{1, 1, 1, 1}}, true, 0.5);
+  for (int i = 0; i < 2; ++i) both.pair(i).status = C2D_OPEN;
+  REQUIRE(both.build() == C2D_OK);
+  unchanged(both, 1, C2D_STICK, 0);
+  Hand along({{1, 0, 0, 0}, {0, 1, 0, c}, {0, 0, 1, 0}, {0, c, 0, 1}}, {{1, 1, 1, 1}}, true, 0.5);
+  for (int i = 0; i < 2; ++i) along.pair(i).status = C2D_SLIP, along.pair(i).sign = 1;
+  REQUIRE(along.build() == C2D_OK);
+  unchanged(along, 0, C2D_STICK, 0);
+  unchanged(along, 0, C2D_SLIP, -1);
+}
+
+TEST_CASE("exchanges: a pair without a tangential direction slides as it sticks") {
+  Hand h({{4, 2}, {1, 3}}, {{8, 6}}, false, 0.0);
+  REQUIRE(h.build() == C2D_OK);
+  REQUIRE(change_status(h.tableau(), 0, C2D_SLIP, 1, 0.0));
+  CHECK(h.pair(0).status == C2D_SLIP);
+  check_tableau(h, {{4, 2, 0, 8}, {1, 3, 0, 6}});
+  REQUIRE(change_status(h.tableau(), 0, C2D_STICK, 0, 0.0));
+  CHECK(h.pair(0).status == C2D_STICK);
+  check_tableau(h, {{4, 2, 0, 8}, {1, 3, 0, 6}});
+}
+
+// Of bodies with free motions that nothing touches there must be as many slots without a pivot as there are motions.
+TEST_CASE("pivots: a body that is let go has its free motions, no fewer and no more") {
+  Hand held({{4, 1}, {1, 3}}, {{1, 1}}, false, 0.0), looser({{0, 0}, {0, 0}}, {{0, 0}}, false, 0.0);
+  for (Hand* h : {&held, &looser}) {
+    h->tableau().free_motions = 1;
+    for (int i = 0; i < 2; ++i) h->pair(i).status = C2D_OPEN;
+    CHECK(h->build() == C2D_ERR_SINGULAR);
+  }
+}
+
+// METHOD 13.7: a guided pair slips, and its tableau is that of a sticking one, in the place where it is.
+TEST_CASE("rebuilding: a guided pair is a sticking one in the tableau, and stays what it was") {
+  for (const bool list : {true, false}) {
+    Hand h({{4, 1}, {2, 3}}, {{1, 2}}, true, 0.5);
+    if (!list) h.keep_nothing_back();
+    h.pair(0).status = C2D_SLIP, h.pair(0).sign = -1, h.pair(0).offset = 0.25;
+    h.tableau().guided = 1;
+    REQUIRE(h.build() == C2D_OK);
+    check_tableau(h, {{4, 1, 0.25, 1}, {2, 3, 0.75, 2}});
+    CHECK(h.pair(0).status == C2D_SLIP);
+    CHECK(h.pair(0).sign == -1);
+    Follower& f = h.follower(); // its rate is given, and moves the others with it
+    f.direction[0] = 1.0, f.guide = -0.5;
+    refresh(f);
+    CHECK(f.y[1] == 0.25);
+    CHECK(f.dy[1] == -0.5);
+    CHECK(f.dy[0] == about(1 - 0.5 * 1));
+    end_guide(f);
+    CHECK(h.pair(0).status == C2D_STICK);
+    CHECK(h.tableau().guided == 0);
+    CHECK(f.dy[1] == about(2));
+  }
 }
 
 // K = diag(2, 1), b = (4, 1), gap 0.5, mu = 0.5. Open: w_n = 0.5 - 2 lambda, w_t = -lambda; touches at 0.25. Sticking there:
@@ -466,9 +457,57 @@ TEST_CASE("rebuilding: any way of exchanges leads to the tableau of the statuses
     const int pair = static_cast<int>(draw >> 16) % 5, kind = static_cast<int>(draw >> 24) % 4;
     const int32_t status = kind == 0 ? C2D_OPEN : kind == 1 ? C2D_STICK : C2D_SLIP;
     REQUIRE(change_status(h.tableau(), pair, status, kind == 2 ? 1 : -1, 0.125 * i));
+    for (int slot = 0; slot < 10; ++slot) { // what is kept of it beside it
+      CHECK(std::fabs(own_entry(h.tableau(), slot) - h.entry(slot, slot)) < 1e-12);
+      CHECK(std::fabs(cross_entry(h.tableau(), slot, slot ^ 1) - h.entry(slot, slot ^ 1)) < 1e-12);
+    }
     std::vector<double> went;
     for (int at = 0; at < 120; ++at) went.push_back(h.entry(at % 10, at / 10));
     REQUIRE(h.build() == C2D_OK);
     for (int at = 0; at < 120; ++at) CHECK(std::fabs(h.entry(at % 10, at / 10) - went[sized(at)]) < 1e-10);
   }
+}
+
+// Friction without bound, q = lambda_2, lets go where the pair lifts, p = 1 - 2 lambda_2 at 0.5: the state jumps there, and
+// what is asked beforehand or afterwards may end the path. Nobody need be told of changes.
+TEST_CASE("events: a jump is told before and after, and either may stop the path") {
+  struct Watch {
+    int before = 0, after = 0, fails = -1;
+  } watch;
+  for (const int fails : {-1, 0, 1}) {
+    Hand h({{1, 0}, {0, 1}}, {{1, 0}, {-2, 1}}, true, HUGE_VAL);
+    h.start({0});
+    watch = Watch{0, 0, fails};
+    Follower& f = h.follower();
+    f.watch.tick = [](void*) { return c2d_status{C2D_OK}; };
+    f.watch.changed = nullptr;
+    f.watch.context = &watch;
+    f.watch.jumping = [](void* context, bool done) {
+      Watch& w = *static_cast<Watch*>(context);
+      const bool now = (w.before + w.after) / 2 >= 1 && w.fails == (done ? 1 : 0);
+      ++(done ? w.after : w.before);
+      return now ? c2d_status{C2D_ERR_CALLBACK} : c2d_status{C2D_OK};
+    };
+    const double first[2] = {1.0, 0.0}, second[2] = {1.0, 1.0};
+    c2d_outcome outcome = C2D_REACHED;
+    REQUIRE(follow_events(f, first, &outcome) == C2D_OK);
+    REQUIRE(outcome == C2D_REACHED);
+    const c2d_status status = follow_events(f, second, &outcome);
+    CHECK(status == (fails < 0 ? C2D_OK : C2D_ERR_CALLBACK));
+    if (fails >= 0) continue;
+    CHECK(watch.before == watch.after);
+    CHECK(h.pair(0).status == C2D_OPEN);
+    CHECK(h.state(0).wn == about(1)); // w_n = -(1 - 2), w_t = -1, which the friction held back up to there
+    CHECK(h.state(0).wt == about(-1));
+  }
+}
+
+TEST_CASE("events: the bound below which rates are none has no stiffness where a pair has none") {
+  Pair soft = Pair();
+  const PathScales s{1.0, 1.0, 3.0, 2.0};
+  const NoRate none = no_rate(soft, s);
+  CHECK(none.force == about(kRateTolerance * 3.0));
+  CHECK(none.motion == about(kRateTolerance * 2.0));
+  soft.stiffness[0] = Real(0.5);
+  CHECK(no_rate(soft, s).motion == about(kRateTolerance * 2.0 + kMixedNoise * 6.0));
 }

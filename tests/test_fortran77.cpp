@@ -13,6 +13,8 @@
 #include <cstring>
 #include <regex>
 #include <set>
+#include <tuple>
+#include <utility>
 
 using namespace test;
 using c2d::fortran::integer_at;
@@ -939,4 +941,274 @@ TEST_CASE("fortran77: the page has every name with its arguments, and every func
   const std::regex function("\\n(?:c2d_status|const char\\*|int32_t) (c2d_\\w+)\\(");
   for (std::sregex_iterator i(header.begin(), header.end(), function), end; i != end; ++i)
     CHECK_MESSAGE(contains(page, "`" + (*i)[1].str() + "`"), (*i)[1].str() << " is not in port/fortran/README.md");
+}
+
+namespace {
+
+// Arguments of one kind for every call: what is read holds `value` everywhere, what is written has room for as many.
+struct Sweep {
+  std::vector<int32_t> read;
+  std::vector<unsigned char> written = std::vector<unsigned char>(1 << 20);
+  int32_t error = -1;
+  explicit Sweep(int32_t value) : read(1 << 14, value) {}
+  const void* argument(const void*) { return read.data(); }
+  void* argument(void*) { return written.data(); }
+  template <class First, class... Between> int32_t operator()(void (*call)(First, Between...), void* work) {
+    return with(call, work, std::make_index_sequence<sizeof...(Between) - 1>(), std::tuple<Between...>());
+  }
+  template <class Call, size_t... I, class Types> int32_t with(Call call, void* work, std::index_sequence<I...>, const Types&) {
+    error = -1;
+    call(work, argument(typename std::tuple_element<I, Types>::type())..., &error);
+    return error;
+  }
+};
+
+// The `which`-th name that takes the work array and tells an error, and what it tells; no name: there are no more.
+std::pair<std::string, int32_t> sweep_one(void* work, int32_t value, size_t which) {
+  size_t at = 0;
+#define SWEEP(name)                                                                                                            \
+  if (at++ == which) return {#name, Sweep(value)(name, work)}
+  SWEEP(c2tape_);
+  SWEEP(c2core_);
+  SWEEP(c2opts_);
+  SWEEP(c2keep_);
+  SWEEP(c2deck_);
+  SWEEP(c2need_);
+  SWEEP(c2neds_);
+  SWEEP(c2tned_);
+  SWEEP(c2tnds_);
+  SWEEP(c2size_);
+  SWEEP(c2prob_);
+  SWEEP(c2body_);
+  SWEEP(c2regn_);
+  SWEEP(c2node_);
+  SWEEP(c2nlin_);
+  SWEEP(c2narc_);
+  SWEEP(c2cond_);
+  SWEEP(c2case_);
+  SWEEP(c2load_);
+  SWEEP(c2rigd_);
+  SWEEP(c2plat_);
+  SWEEP(c2rgld_);
+  SWEEP(c2intf_);
+  SWEEP(c2bfor_);
+  SWEEP(c2zone_);
+  SWEEP(c2tie_);
+  SWEEP(c2mu_);
+  SWEEP(c2muz_);
+  SWEEP(c2symm_);
+  SWEEP(c2path_);
+  SWEEP(c2clrp_);
+  SWEEP(c2acrv_);
+  SWEEP(c2apts_);
+  SWEEP(c2unit_);
+  SWEEP(c2name_);
+  SWEEP(c2line_);
+  SWEEP(c2done_);
+  SWEEP(c2prep_);
+  SWEEP(c2save_);
+  SWEEP(c2rest_);
+  SWEEP(c2chld_);
+  SWEEP(c2rpld_);
+  SWEEP(c2begn_);
+  SWEEP(c2advn_);
+  SWEEP(c2next_);
+  SWEEP(c2canc_);
+  SWEEP(c2get_);
+  SWEEP(c2intr_);
+  SWEEP(c2indi_);
+  SWEEP(c2summ_);
+  SWEEP(c2bsta_);
+  SWEEP(c2zsta_);
+  SWEEP(c2bnow_);
+  SWEEP(c2gmu_);
+  SWEEP(c2gpth_);
+  SWEEP(c2gzon_);
+  SWEEP(c2greg_);
+  SWEEP(c2gcon_);
+  SWEEP(c2gpld_);
+  SWEEP(c2gbfo_);
+  SWEEP(c2grig_);
+  SWEEP(c2gint_);
+  SWEEP(c2gnam_);
+  SWEEP(c2gcrv_);
+  SWEEP(c2gpts_);
+  SWEEP(c2xpts_);
+  SWEEP(c2note_);
+#undef SWEEP
+  return {"", 0};
+}
+
+// What needs no array that was opened.
+bool tells_sizes(const std::string& name) {
+  return name == "c2tnds_" || name == "c2neds_" || name == "c2tned_" || name == "c2need_";
+}
+
+} // namespace
+
+TEST_CASE("fortran77: every call with the same number everywhere, in every state, tells what it is, and breaks nothing") {
+  size_t refused = 0;
+  for (int state = 0; state < 5; ++state) {
+    CAPTURE(state);
+    for (int32_t value : {0, 1, 2, -1, 4000}) {
+      CAPTURE(value);
+      for (size_t which = 0;; ++which) {
+        Odd memory(8 * kWords, 4);
+        void* const work = memory.at();
+        std::memset(work, 0, 8 * kWords);
+        std::vector<double> tapes(60000);
+        int32_t error = 0;
+        if (state > 0) REQUIRE(open(work) == 0);
+        if (state > 1) {
+          c2core_(work, tapes.data(), I{60000}, &error);
+          REQUIRE(error == 0);
+          const std::string cards = padded(cards_of("plate_tension.dat"));
+          c2card_(work, cards.data(), I{80}, I{static_cast<int32_t>(cards.size() / 80)}, &error);
+          REQUIRE(error == 0);
+        }
+        if (state > 2) c2prep_(work, &error);
+        if (state > 3) c2begn_(work, R{0.0}, I{0}, &error);
+        REQUIRE(error == 0);
+        const auto told = sweep_one(work, value, which);
+        if (told.first.empty()) break;
+        CAPTURE(told.first);
+        CHECK(told.second != -1);
+        if (state == 0 && !tells_sizes(told.first)) CHECK(told.second == 54);
+        CHECK_FALSE(message(told.second).empty());
+        refused += told.second != 0;
+        if (state > 0) c2clos_(work, &error);
+      }
+    }
+  }
+  CHECK(refused > 500);
+}
+
+TEST_CASE("fortran77: C2WHY and C2NOTE of an array that was not opened, whatever room there is for the answer") {
+  Odd memory(8 * kWords, 4);
+  std::memset(memory.at(), 0, 8 * kWords);
+  for (int32_t room : {-1, 0, 1, 5, c2d::fortran::kInfo + 0, 40}) {
+    CAPTURE(room);
+    std::vector<int32_t> info(41, -7);
+    char text[61];
+    std::memset(text, '#', sizeof text);
+    c2why_(memory.at(), info.data(), I{room}, text, I{60});
+    const int32_t filled = std::max(0, std::min(room, c2d::fortran::kInfo + 0));
+    for (int32_t i = 0; i < filled; ++i) CHECK(info[static_cast<size_t>(i)] == (i == 0 ? 54 : 0));
+    CHECK(info[static_cast<size_t>(filled)] == -7);
+    CHECK(std::string(text, 6) == "C2OPEN");
+    CHECK(text[60] == '#');
+    int32_t error = 0;
+    c2note_(memory.at(), I{1}, info.data(), I{room}, text, I{60}, &error);
+    CHECK(error == 54);
+  }
+}
+
+TEST_CASE("fortran77: arrays at odd addresses, with places and counts at the ends of their ranges") {
+  Odd memory(8 * kWords, 4), store(480000, 4), room(8 * 4096, 4);
+  void* const work = memory.at();
+  void* const a = room.at();
+  int32_t error = 0, total = 0, increments = 0;
+  REQUIRE(open(work) == 0);
+  c2core_(work, store.at(), I{60000}, &error);
+  std::string cards = padded(cards_of("plate_tension.dat"));
+  c2card_(work, cards.data(), I{80}, I{static_cast<int32_t>(cards.size() / 80)}, &error);
+  REQUIRE(error == 0);
+  c2card_(work, cards.data(), I{80}, I{1}, &error); // there is a solver already
+  CHECK(error == C2D_ERR_STATE);
+  c2card_(work, cards.data(), I{0}, I{1}, &error);
+  CHECK(error == C2D_ERR_ARGUMENT);
+  c2card_(work, cards.data(), I{80}, I{0}, &error);
+  CHECK(error == C2D_ERR_ARGUMENT);
+  c2prep_(work, &error);
+  c2begn_(work, R{0.0}, I{0}, &error);
+  REQUIRE(error == 0);
+  std::vector<double> many(200, 1.0);
+  std::memcpy(a, many.data(), 200 * sizeof(double));
+  int32_t outcome = 0;
+  double step = 0;
+  c2advn_(work, a, I{100}, &outcome, &error); // more than are copied
+  CHECK(error == C2D_ERR_LIMIT);
+  c2next_(work, a, I{100}, &step, &error);
+  CHECK(error == C2D_ERR_LIMIT);
+  c2begn_(work, a, I{100}, &error);
+  CHECK(error == C2D_ERR_LIMIT);
+  c2gpth_(work, I{1}, &increments, a, I{100}, &error);
+  CHECK(error == C2D_ERR_LIMIT);
+  c2advn_(work, a, I{1}, &outcome, &error);
+  REQUIRE(error == 0);
+
+  const auto is_left_alone = [&] { return std::memcmp(a, many.data(), 200 * sizeof(double)) == 0; };
+  for (int32_t first : {0, INT32_MAX}) {
+    CAPTURE(first);
+    c2get_(work, I{C2D_END_X}, I{1}, I{first}, I{5}, a, I{1}, &error);
+    CHECK(error == C2D_ERR_ARGUMENT);
+    c2indi_(work, I{1}, I{first}, I{2}, a, I{C2D_OFF_FIELDS}, &error);
+    CHECK(error == C2D_ERR_ARGUMENT);
+  }
+  c2get_(work, I{C2D_END_X}, I{1}, I{1}, I{-1}, a, I{1}, &error);
+  CHECK(error == C2D_ERR_ARGUMENT);
+  c2get_(work, I{C2D_END_X}, I{1}, I{1}, I{4}, a, I{0}, &error);
+  CHECK(error == C2D_ERR_ARGUMENT);
+  c2get_(work, I{C2D_END_X}, I{1}, I{1}, I{0}, a, I{1}, &error); // none is no fault
+  CHECK(error == 0);
+  c2indi_(work, I{1}, I{1}, I{4000}, a, I{C2D_OFF_FIELDS}, &error);
+  CHECK(error == C2D_ERR_ARGUMENT);
+  c2indi_(work, I{1}, I{1}, I{1}, a, I{1}, &error);
+  CHECK(error == C2D_ERR_ARGUMENT);
+  c2xpts_(work, I{1}, I{1}, I{1}, a, I{2}, &total, &error); // no sets of points
+  CHECK(error == C2D_ERR_ARGUMENT);
+  CHECK(is_left_alone());
+  // Points: one that is none, and a body that is none.
+  double xy[4] = {0.5, 0.5, std::nan(""), 0.5};
+  Odd points(64, 4);
+  std::memcpy(points.at(), xy, sizeof xy);
+  c2intr_(work, I{1}, I{2}, points.at(), I{2}, a, I{C2D_POINT_FIELDS}, &error);
+  CHECK(error == C2D_ERR_ARGUMENT);
+  c2intr_(work, I{9}, I{1}, points.at(), I{2}, a, I{C2D_POINT_FIELDS}, &error);
+  CHECK(error == C2D_ERR_ARGUMENT);
+  CHECK(is_left_alone());
+  c2intr_(work, I{1}, I{1}, points.at(), I{2}, a, I{C2D_POINT_FIELDS}, &error);
+  CHECK(error == 0);
+  CHECK_FALSE(is_left_alone());
+  c2clos_(work, &error);
+}
+
+TEST_CASE("fortran77: decks in files with lines of any length and end") {
+  const Folder folder;
+  const std::vector<std::string> lines = cards_of("plate_tension.dat");
+  Odd memory(8 * kWords, 4), store(480000, 4);
+  void* const work = memory.at();
+  std::vector<double> expected;
+  for (int kind = 0; kind < 4; ++kind) {
+    CAPTURE(kind);
+    std::string text;
+    for (size_t i = 0; i < lines.size(); ++i) {
+      text += lines[i];
+      if (kind == 2) text += std::string(600, ' '); // longer than a card may be, of blanks
+      text += kind == 1 ? "\r\n" : i + 1 == lines.size() && kind == 3 ? "" : "\n";
+    }
+    const std::string name = folder / "deck.dat";
+    write_file(name, text);
+    int32_t error = 0;
+    REQUIRE(open(work) == 0);
+    c2core_(work, store.at(), I{60000}, &error);
+    c2deck_(work, name.data(), I{static_cast<int32_t>(name.size())}, &error);
+    CHECK(error == 0);
+    c2deck_(work, name.data(), I{static_cast<int32_t>(name.size())}, &error);
+    CHECK(error == C2D_ERR_STATE);
+    std::vector<double> x(8);
+    c2prep_(work, &error);
+    c2begn_(work, R{0.0}, I{0}, &error);
+    REQUIRE(error == 0);
+    c2get_(work, I{C2D_END_X}, I{1}, I{1}, I{8}, x.data(), I{1}, &error);
+    CHECK(error == 0);
+    if (kind == 0) expected = x;
+    CHECK(x == expected);
+    c2clos_(work, &error);
+  }
+  int32_t error = 0;
+  REQUIRE(open(work) == 0);
+  c2deck_(work, folder.path().data(), I{static_cast<int32_t>(folder.path().size())}, &error); // a folder is no deck
+  CHECK(error != 0);
+  c2clos_(work, &error);
 }

@@ -1,10 +1,14 @@
 // Holes at any Poisson's ratio up to 0.5: Lame's ring, exact states with several holes of odd shapes, and incompressible
 // bodies whose pressure nothing determines.
+#include "bie/holes.hpp"
+#include "model_fixture.hpp"
 #include "problem.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <array>
+#include <cfenv>
 #include <cmath>
 #include <complex>
 #include <functional>
@@ -355,4 +359,85 @@ TEST_CASE("holes: bodies turned, mirrored, numbered otherwise give the same but 
       CHECK(difference(p, reflected(rotated(p, 90))) < 1e-10);
       for (int32_t by : {1, 3}) CHECK(difference(p, renumbered(p, by)) < 1e-10);
     }
+}
+
+namespace {
+
+// Corners one after the other, every side in elements of about `size`.
+fixture::Points outline_of(const std::vector<std::array<double, 2>>& corners, double size) {
+  fixture::Points out;
+  for (size_t i = 0; i < corners.size(); ++i) {
+    const auto &a = corners[i], &b = corners[(i + 1) % corners.size()];
+    const int n = static_cast<int>(std::ceil(std::hypot(b[0] - a[0], b[1] - a[1]) / size));
+    for (int k = 0; k < n; ++k) out.insert(out.end(), {a[0] + (b[0] - a[0]) * k / n, a[1] + (b[1] - a[1]) * k / n});
+  }
+  return out;
+}
+
+// Inside of a clockwise polygon: the distance from its boundary; outside: -1.
+double depth(const std::vector<std::array<double, 2>>& corners, double x, double y) {
+  double distance = 1e300;
+  bool inside = false;
+  for (size_t i = 0; i < corners.size(); ++i) {
+    const auto &a = corners[i], &b = corners[(i + 1) % corners.size()];
+    const double dx = b[0] - a[0], dy = b[1] - a[1];
+    const double s = std::min(std::max(((x - a[0]) * dx + (y - a[1]) * dy) / (dx * dx + dy * dy), 0.0), 1.0);
+    distance = std::min(distance, std::hypot(a[0] + s * dx - x, a[1] + s * dy - y));
+    if ((a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / dy * dx) inside = !inside;
+  }
+  return inside ? distance : -1.0;
+}
+
+} // namespace
+
+TEST_CASE(
+    "holes: where the centroid lies outside, the centre of the widest circle is taken, as a search of all places finds it") {
+  using Corners = std::vector<std::array<double, 2>>;
+  const Corners horseshoe = {{0, 0}, {0, 2}, {0.5, 2}, {0.5, 0.7}, {2.2, 0.7}, {2.2, 2}, {3, 2}, {3, 0}};
+  const Corners hook = {{0, 0}, {0, 3}, {0.4, 3}, {0.5, 0.45}, {2, 0.3}, {2, 0}};
+  const Corners arch = {{0, 0}, {0, 2}, {0.5, 2}, {0.5, 0.5}, {2.5, 0.5}, {2.5, 2}, {3, 2}, {3, 0}}; // its own mirror image
+  for (const Corners& shape : {horseshoe, hook, arch})
+    for (const bool turned : {false, true})
+      for (const bool twin : {false, true}) {
+        Corners corners = shape;
+        if (turned) { // a quarter
+          for (auto& corner : corners) corner = {3 - corner[1], corner[0]};
+        }
+        double area = 0, length = 0, centroid[2] = {};
+        for (size_t i = 0; i < corners.size(); ++i) {
+          const auto &a = corners[i], &b = corners[(i + 1) % corners.size()];
+          const double twice = a[0] * b[1] - b[0] * a[1];
+          area += 0.5 * twice;
+          for (size_t c = 0; c < 2; ++c) centroid[c] += twice * (a[c] + b[c]) / 6;
+          length += std::hypot(b[0] - a[0], b[1] - a[1]);
+        }
+        for (double& c : centroid) c /= area;
+        REQUIRE(area < 0); // clockwise: the material is outside
+        const auto merit = [&](double x, double y) {
+          const double away = std::hypot(x - centroid[0], y - centroid[1]) / length;
+          return depth(corners, x, y) * (1 - away * away);
+        };
+        double best = 0;
+        for (double x = 0.005; x < 3; x += 0.01)
+          for (double y = 0.005; y < 3; y += 0.01) best = std::max(best, merit(x, y));
+        fixture::ModelData d(2);
+        fixture::Points hole = outline_of(corners, 0.05);
+        if (twin) hole.insert(hole.begin(), {hole[0], hole[1]});
+        d.body(2, {outline_of({{-2, -2}, {5, -2}, {5, 5}, {-2, 5}}, 1.0), hole});
+        REQUIRE(d.complete());
+        const c2d::Model m = d.view();
+        c2d::HoleWalk walk = {};
+        c2d::Hole found = {};
+        std::feclearexcept(FE_ALL_EXCEPT);
+        REQUIRE(c2d::next_hole(m, 0, walk, found));
+        CHECK(std::fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW) == 0);
+        CHECK(found.points == (shape == arch ? 2 : 1));
+        for (int32_t k = 0; k < found.points; ++k) {
+          const double x = found.at[k][0] * m.head->length_unit, y = found.at[k][1] * m.head->length_unit;
+          CHECK(merit(x, y) > 0.96 * best); // it touches the middle of an element
+          CHECK(merit(x, y) < 1.01 * best);
+        }
+        c2d::Hole none = {};
+        CHECK(!c2d::next_hole(m, 0, walk, none));
+      }
 }

@@ -73,7 +73,13 @@ TEST_CASE("hosts: C++ with a wrapper that owns memory and solver") {
 
 TEST_CASE("hosts: Python, its standard library alone") {
   if (!can_host("python3")) return;
-  const Result run = run_shell("python3 '" + kRoot + "/examples/python_ctypes.py' '" + paths::shared() + "' '" + kDeck + "'");
+  const std::string script = "import contact2d, sys\n"
+                             "solver = contact2d.Solver.of_deck(sys.argv[1])\n"
+                             "solver.prepare()\n"
+                             "solver.run(lambda now: print('mu %.4f  step %d  load %.5f  peak pressure %.10f' %\n"
+                             "                             (now.mu, now.step, now.load, max(now.table['tn']))))\n";
+  const Result run = run_shell("PYTHONDONTWRITEBYTECODE=1 PYTHONPATH='" + kRoot + "/port/python' CONTACT2D_LIBRARY='" +
+                               paths::shared() + "' python3 -c \"" + script + "\" '" + kDeck + "'");
   CHECK_MESSAGE(run.status == 0, run.out << run.err);
   check_peaks(peaks_of(run.out), expected(), 0.6e-10);
 }

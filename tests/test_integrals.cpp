@@ -1,6 +1,8 @@
 #include "gauss_points.hpp"
 
 #include "bie/integrals.hpp"
+#include "bie/integrals_detail.hpp"
+#include "bie/interior.hpp"
 #include "model/shape.hpp"
 #include "quadrature/gauss.hpp"
 
@@ -8,6 +10,7 @@
 
 #include <cfenv>
 #include <cmath>
+#include <complex>
 #include <initializer_list>
 #include <vector>
 
@@ -16,7 +19,6 @@ using namespace c2d;
 namespace {
 
 using Long = long double;
-constexpr double kPi = 3.14159265358979323846;
 
 // Reference integrals: the kernels written out from their definition, extended precision, panels halved until
 // they are short compared with their distance from the source. Positions are measured from the parameter
@@ -504,6 +506,9 @@ TEST_CASE("blocks turn, reflect and scale with the geometry") {
 TEST_CASE("arc mode: g and resultants per length of the other element, h untouched") {
   std::vector<Element> own = {straight_elements()[0], curved_elements()[0], curved_elements()[5]};
   std::vector<Element> other = {straight_elements()[2], circular_arc(3, 0.8, 0.0, 1.0), curved_elements()[5]};
+  const double far[] = {0.0, 0.4, 0.6, 1.0}, none[] = {0.0, 0.0, 0.0, 0.0}; // of a length per parameter without linear part
+  other.push_back(make_element(4, far, none));
+  other.push_back(make_element(4, none, far));
   for (const Element& e : own) {
     for (const Element& arc : other) {
       for (const bool reversed : {false, true}) {
@@ -623,6 +628,73 @@ TEST_CASE("thesis rule: 10, 4, 2 points by distance to the nodes, and the logari
   }
 }
 
+TEST_CASE("thesis rule: a source on a point of the rule gets what the other points give") {
+  const double x[] = {-1.0, 1.0}, y[] = {0.0, 0.0};
+  Integrator in;
+  prepare(in, make_element(2, x, y), 1, 0.3, Quadrature::thesis);
+  const GaussRule rule = gauss_legendre(10);
+  for (int k = 0; k < 10; ++k) {
+    const double at = gauss_point(rule, k).x;
+    double g = 0;
+    for (int i = 0; i < 10; ++i) {
+      const GaussPoint p = gauss_point(rule, i);
+      if (i != k) g += p.w * (-(3.0 - 1.2) * std::log(std::fabs(p.x - at)) + 1.0) / (4 * kPi * 0.7);
+    }
+    Blocks b;
+    integrate(in, at, 0.0, -1, true, true, b);
+    CHECK(std::fabs(b.g[0][0][0] - g) < 1e-14);
+    CHECK(b.h[0][0][0] == 0.0);
+  }
+}
+
+// Where inner nodes stand changes the parameter, and nothing else: constant functions do not see it.
+TEST_CASE("straight elements whose nodes are not evenly spaced are still straight lines") {
+  struct Spaced {
+    int nodes;
+    double at[4]; // from 0 to 1
+    double tolerance;
+  };
+  const Spaced all[] = {{3, {0, 0.4, 1}, 1e-13},
+                        {4, {0, 0.3, 0.7, 1}, 1e-13},
+                        {4, {0, 0.4, 0.6, 1}, 1e-13},
+                        {3, {0, 0.25 + 2e-8, 1}, 1e-9}}; // the last hardly moves at its beginning
+  const double ends[3][2] = {{2, 0}, {0, 2}, {1.2, 1.6}};
+  for (const Spaced& s : all)
+    for (const double(&end)[2] : ends) {
+      double x[4], y[4], x2[2] = {0.5, 0.5 + end[0]}, y2[2] = {0.25, 0.25 + end[1]};
+      for (int k = 0; k < s.nodes; ++k) x[k] = 0.5 + s.at[k] * end[0], y[k] = 0.25 + s.at[k] * end[1];
+      Integrator own, even;
+      prepare(own, make_element(s.nodes, x, y), 1, 0.3, Quadrature::accurate);
+      prepare(even, make_element(2, x2, y2), 1, 0.3, Quadrature::accurate);
+      for (int way = 0; way < 2; ++way)
+        for (const double size : {-5.0, -1.0, -0.1, -1e-3, 1e-3, 0.3}) {
+          const double *off = ends[way], sx = 0.5 + size * off[0] - 0.0007 * end[1],
+                       sy = 0.25 + size * off[1] + 0.0007 * end[0];
+          Blocks b, exact;
+          integrate(own, sx, sy, -1, true, true, b);
+          integrate(even, sx, sy, -1, true, true, exact);
+          CAPTURE(size);
+          for (int i = 0; i < 4; ++i) {
+            CHECK(std::fabs(b.g[0][i / 2][i % 2] - exact.g[0][i / 2][i % 2]) < s.tolerance);
+            CHECK(std::fabs(b.h[0][i / 2][i % 2] - exact.h[0][i / 2][i % 2]) < s.tolerance);
+          }
+        }
+    }
+}
+
+// One cubic element is the whole boundary; it ends where it begins.
+TEST_CASE("a loop of one element: minus identity inside, zero outside") {
+  const double x[] = {0, 1, -1, 0}, y[] = {0, 1, 1, 0};
+  Integrator in;
+  prepare(in, make_element(4, x, y), 2, 0.3, Quadrature::accurate);
+  REQUIRE(in.chord2 == 0.0);
+  for (const bool inside : {true, false}) {
+    double sum[2][2];
+    rigid_sum(in, inside ? 0.1 : 0.3, inside ? 0.6 : 3.0, -1, sum);
+    for (int i = 0; i < 4; ++i) CHECK(std::fabs(sum[i / 2][i % 2] - (inside && i % 3 == 0 ? -1.0 : 0.0)) < 1e-10);
+  }
+}
+
 TEST_CASE("double nodes: zero length gives zero blocks; sources on ends stay finite; nothing traps") {
   const double x[] = {1.0, 1.0}, y[] = {2.0, 2.0};
   std::feclearexcept(FE_ALL_EXCEPT);
@@ -631,17 +703,29 @@ TEST_CASE("double nodes: zero length gives zero blocks; sources on ends stay fin
     prepare(in, make_element(2, x, y), 2, 0.3, mode);
     for (const int singular : {-1, 0, 1}) {
       Blocks b;
+      for (int l = 0; l < 2; ++l)
+        for (int i = 0; i < 4; ++i) b.g[l][i / 2][i % 2] = b.h[l][i / 2][i % 2] = 7.0; // of another element
       double sum[2][2], w[4], wx[4], wy[4];
       integrate(in, 1.0, 2.0, singular, true, true, b);
       rigid_sum(in, 1.0, 2.0, singular, sum);
       resultants(in, 0.0, 0.0, w, wx, wy);
       for (int l = 0; l < 2; ++l) {
-        CHECK(b.g[l][0][0] == 0.0);
-        CHECK(b.h[l][1][0] == 0.0);
+        for (int i = 0; i < 4; ++i) CHECK((b.g[l][i / 2][i % 2] == 0.0 && b.h[l][i / 2][i % 2] == 0.0));
         CHECK(w[l] == 0.0);
       }
       CHECK(sum[0][1] == 0.0);
+      integrate(in, 1.0, 2.0, singular, false, true, b);
+      for (int i = 0; i < 4; ++i) CHECK(b.g[1][i / 2][i % 2] == 0.0);
     }
+    // The point nearest to any other is where it stands, and nothing acts from there.
+    CHECK(std::fabs(nearest_point(in.element, 4.0, 6.0).distance - 5.0) < 1e-15);
+    FieldElement field;
+    field.in = in;
+    const Complex t[kElementNodes] = {{1, 2}, {3, 4}};
+    prepare_field(t, t, field);
+    PointField f = {};
+    add_field(field, {0, 0}, 1.5, 2.0, f);
+    CHECK((f.u.re == 0.0 && f.u.im == 0.0 && f.trace == 0.0));
     std::vector<Element> elements = straight_elements();
     for (const Element& e : curved_elements()) elements.push_back(e);
     for (const Element& e : elements) {
@@ -660,4 +744,57 @@ TEST_CASE("double nodes: zero length gives zero blocks; sources on ends stay fin
     }
   }
   CHECK(std::fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW) == 0);
+}
+
+namespace {
+
+// Zeros of c[0] + c[1] z + c[2] z^2 + c[3] z^3, all at once (Weierstrass).
+std::vector<std::complex<double>> zeros_of_cubic(const std::complex<double> (&c)[4]) {
+  std::vector<std::complex<double>> z = {{1.0, 0.0}, {0.4, 0.9}, {-0.65, 0.72}};
+  for (int turn = 0; turn < 200; ++turn)
+    for (size_t i = 0; i < 3; ++i) {
+      const std::complex<double> value = c[0] + z[i] * (c[1] + z[i] * (c[2] + z[i] * c[3]));
+      z[i] -= value / (c[3] * (z[i] - z[(i + 1) % 3]) * (z[i] - z[(i + 2) % 3]));
+    }
+  return z;
+}
+
+} // namespace
+
+TEST_CASE("panels: where the rule is said to do, no complex zero of the distance lies in the disc about their ellipse") {
+  uint64_t state = 7;
+  const auto random = [&](double from, double to) {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    return from + (to - from) * static_cast<double>(state >> 11) * 0x1p-53;
+  };
+  int resolved_panels = 0, others = 0;
+  for (int trial = 0; trial < 4000; ++trial) {
+    const double x[] = {-1, random(-0.8, 0.4), random(-0.4, 0.8), 1}, y[] = {0, random(-1, 1), random(-1, 1), random(-1, 1)};
+    Integrator in;
+    prepare(in, make_element(4, x, y), 2, 0.3, Quadrature::accurate);
+    const double sx = random(-3, 3), sy = random(-3, 3), origin = random(-1, 1);
+    const Expansion seen = expand(in, origin, sx, sy, false);
+    Stretch panel = {random(0, 1), 0, random(-1, 1) < 0 ? -1.0 : 1.0};
+    panel.to = panel.from + random(0.01, 0.5);
+    if (!resolved(in, seen, panel, false)) {
+      ++others;
+      continue;
+    }
+    ++resolved_panels;
+    const double middle = origin + panel.sign * 0.5 * (panel.from + panel.to),
+                 radius = in.semi_axis * 0.5 * (panel.to - panel.from);
+    for (const double sign : {-1.0, 1.0}) { // of x - sx and y - sy as one complex number and as its conjugate
+      std::complex<double> d[4], c[4] = {};
+      for (int i = 0; i < 4; ++i) d[i] = {x[i] - sx, sign * (y[i] - sy)};
+      for (int order = 1; order < 4; ++order) // divided differences at -1, -1/3, 1/3, 1
+        for (int i = 3; i >= order; --i) d[i] = (d[i] - d[i - 1]) / (2.0 / 3.0 * order);
+      for (int i = 3; i >= 0; --i) { // to powers of the parameter
+        for (int k = 3; k > 0; --k) c[k] = c[k - 1] - (-1.0 + 2.0 / 3.0 * i) * c[k];
+        c[0] = d[i] - (-1.0 + 2.0 / 3.0 * i) * c[0];
+      }
+      for (const std::complex<double>& zero : zeros_of_cubic(c)) CHECK(std::abs(zero - middle) >= radius * (1 - 1e-9));
+    }
+  }
+  CHECK(resolved_panels > 300);
+  CHECK(others > 300);
 }

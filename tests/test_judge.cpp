@@ -15,19 +15,36 @@ namespace {
 
 using Interference = std::function<void(c2d_solver*, int32_t step)>;
 
+// What else a run does: before and after it, and whenever the path asks whether to go on.
+struct Hooks {
+  std::function<void(c2d_solver*)> before, after, asked;
+};
+
 // Runs the deck; after every recorded row `interfere` may spoil the workspace.
+struct Store : RamStore { // the port's context, which leads to the run
+  void* run = nullptr;
+};
 struct Run {
-  RamStore store;
+  Store store;
   c2d_port port = C2D_INIT(c2d_port);
   Interference interfere;
+  Hooks hooks;
   c2d_solver* solver = nullptr;
   std::vector<problem::Step> steps;
   host::Summary summary;
   c2d_status status = C2D_OK;
   std::vector<std::string> told;
+  bool running = false;
 
-  explicit Run(const Deck& deck, Interference spoil = nullptr) : interfere(std::move(spoil)) {
+  explicit Run(const Deck& deck, Interference spoil = nullptr, Hooks other = Hooks())
+      : interfere(std::move(spoil)), hooks(std::move(other)) {
     store.serve(port);
+    store.run = this;
+    port.log = [](void* context, const c2d_error* entry) { of(context).told.push_back(entry->text); };
+    if (hooks.asked)
+      port.progress = [](void* context, const c2d_progress*) {
+        if (of(context).running) of(context).hooks.asked(of(context).solver);
+      };
     const host::Limits limits = deck.limits();
     uint64_t minimum = 0, in_core = 0;
     REQUIRE(c2d_memory_need(&limits, &minimum, &in_core, nullptr) == C2D_OK);
@@ -36,9 +53,14 @@ struct Run {
     solver = machine.solver;
     REQUIRE(read_deck(solver, deck) == C2D_OK);
     REQUIRE(c2d_prepare(solver) == C2D_OK);
+    if (hooks.before) hooks.before(solver);
+    running = true;
     status = c2d_run(solver, show, this);
+    running = false;
     summary = summary_of(solver);
+    if (hooks.after) hooks.after(solver);
   }
+  static Run& of(void* store) { return *static_cast<Run*>(static_cast<Store*>(store)->run); }
   static int32_t show(void* context, const c2d_step* step) {
     Run& run = *static_cast<Run*>(context);
     problem::Step now{step->kind, step->coefficient, step->step, step->changes, step->iterations, step->outcome,
@@ -142,6 +164,95 @@ TEST_CASE("judge: what no new tableau helps ends the path, with the rows up to t
   CHECK(std::string(c2d_outcome_message(C2D_BEYOND_LIMITS)) == "beyond the limits of accuracy");
   CHECK(sound.summary.breach == C2D_BREACH_NONE);
   CHECK(sound.summary.breach_size == 0);
+}
+
+namespace {
+
+// Zeros in place of the contact system's matrix on its tape, with good labels: no tableau can be built any more.
+void lose_matrix(c2d_solver* s) {
+  const c2d::Session session = session_of(s);
+  const int64_t m = session.tableau.m;
+  const std::vector<c2d::Real> zeros(static_cast<size_t>(m * m));
+  REQUIRE(c2d::write_matrix(session.tape, c2d::ContactMatrix::stiffness, zeros.data(), m) == C2D_OK);
+}
+void spoil_tableau(c2d_solver* s) {
+  const c2d::Session session = session_of(s);
+  const int64_t all = int64_t{session.tableau.m} * c2d::tableau_columns(session.tableau.n, session.tableau.cases);
+  for (int64_t i = 0; i < all; ++i) session.area.tableau[i] *= c2d::Real(1.5);
+}
+
+} // namespace
+
+TEST_CASE("judge: where no new tableau has pivots the path ends at the last good state, and goes nowhere from there") {
+  constexpr int kAt = 12;
+  const Deck deck = deck_named("sample");
+  for (const bool late : {false, true}) { // at once; when the state has been found beyond the limits, and is tried again
+    CAPTURE(late);
+    bool lost = false;
+    Hooks hooks;
+    hooks.asked = [&](c2d_solver* s) {
+      if (!late || lost || s->careful == 0) return;
+      lose_matrix(s);
+      --s->built_exchanges; // as if a pair had changed since
+      lost = true;
+    };
+    hooks.before = [=](c2d_solver* s) { s->model.coefficients = 1, s->keeps_energy = late ? 0 : 1; };
+    hooks.after = [&](c2d_solver* s) {
+      const double at = summary_of(s).load;
+      double step = 7.0, load = 1.0;
+      CHECK(c2d_next_event(s, &load, 1, &step) == C2D_OK);
+      CHECK(step == 0.0);
+      c2d_outcome outcome = C2D_REACHED;
+      CHECK(c2d_advance(s, &load, 1, &outcome) == C2D_OK);
+      CHECK(outcome == C2D_BEYOND_LIMITS);
+      CHECK(summary_of(s).load == at);
+    };
+    const Run run(
+        deck,
+        [&](c2d_solver* s, int32_t step) {
+          if (step != kAt) return;
+          if (!late) lose_matrix(s);
+          if (!late) spoil_tableau(s);
+          c2d::Real* of_unknowns = reinterpret_cast<c2d::Real*>(c2d::array_of<double>(s, c2d::kJudge) + 4);
+          for (int64_t i = session_of(s).tableau.m; late && i < 2 * session_of(s).tableau.m; ++i)
+            of_unknowns[i] *= c2d::Real(1.1);
+        },
+        hooks);
+    CHECK(lost == late);
+    CHECK(run.status == C2D_OK);
+    REQUIRE(run.steps.size() == kAt + 1);
+    const problem::Step &last = run.steps[kAt - 1], &stop = run.steps[kAt];
+    CHECK(stop.kind == C2D_STEP_STOPPED);
+    CHECK(stop.outcome == C2D_BEYOND_LIMITS);
+    CHECK(stop.load == last.load);
+    CHECK(problem::compare(stop, last).worst() < (sizeof(c2d::Real) == 8 ? 1e-12 : 1e-4));
+    CHECK(run.summary.breach == C2D_BREACH_SINGULAR);
+    bool said = false;
+    for (const std::string& text : run.told) said = said || text.find("equations have no unique solution") != std::string::npos;
+    CHECK(said);
+  }
+}
+
+TEST_CASE("judge: a path goes the same way where no energies are kept") {
+  for (const char* name : {"sample", "hertz_lin_l", "../hard/F5_lets_go_of_friction", "../hard/W1_arc_1_1_3_3_4_0.25"})
+    for (const bool by_deck : {false, true}) {
+      CAPTURE(std::string(name));
+      CAPTURE(by_deck);
+      const Deck deck = deck_named(name);
+      const auto run = [&](bool keeps) {
+        Hooks hooks;
+        hooks.before = [=](c2d_solver* s) {
+          REQUIRE(s->keeps_energy == 1);
+          s->keeps_energy = keeps ? 1 : 0;
+          s->options.stepping = by_deck ? C2D_STEPPING_DECK : C2D_STEPPING_EVENTS;
+        };
+        return Run(deck, nullptr, hooks);
+      };
+      const Run with = run(true), without = run(false);
+      REQUIRE(with.steps.size() == without.steps.size());
+      for (size_t i = 0; i < with.steps.size(); ++i) CHECK(with.steps[i].table == without.steps[i].table);
+      CHECK(with.summary.outcome == without.summary.outcome);
+    }
 }
 
 TEST_CASE("judge: small pivots change no digit beyond the tenth, whatever the memory") {

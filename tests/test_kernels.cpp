@@ -1,5 +1,6 @@
 // The inner loops in every instruction set that this machine has, against their definitions, at awkward sizes, from any
 // place in memory, with traps on; and the factors they lead to against a textbook elimination.
+#include "bie/batch.hpp"
 #include "linalg/dense.hpp"
 #include "linalg/exchange.hpp"
 #include "linalg/lu.hpp"
@@ -263,6 +264,23 @@ TEST_CASE("kernels: triangles solve their own products") {
   }
 }
 
+TEST_CASE("kernels: where the diagonal of a triangle is zero the row of the solution is zero, and nothing traps") {
+  for (const Kernel* kernel : kernels()) {
+    const int32_t n = 9, cols = kernel->cols;
+    Numbers t(n * n, 0, 21), x(static_cast<int64_t>(n) * cols, 0, 22);
+    for (int32_t j : {0, 4, n - 1}) t.at[j + j * n] = 0;
+    {
+      Traps traps;
+      kernel->solve_upper(n, t.at, n, x.at);
+    }
+    CHECK(x.marks_stand());
+    for (int32_t c = 0; c < cols; ++c) {
+      for (int32_t j : {0, 4, n - 1}) CHECK(x.at[j * cols + c] == 0);
+      CHECK(x.at[(n - 2) * cols + c] != 0);
+    }
+  }
+}
+
 TEST_CASE("kernels: an exchange is the plain one to the last digits") {
   for (const Kernel* kernel : kernels()) {
     for (int32_t n : {1, 2, 3, 7, 16, 33, 129}) {
@@ -329,4 +347,48 @@ TEST_CASE("kernels: residuals are at most twice those of a textbook elimination,
     for (size_t f = 0; f < forms.size(); ++f)
       CHECK_MESSAGE(ours[f] <= 2 * theirs, "kind " << kind << " form " << f << ": " << ours[f] << ", textbook " << theirs);
   }
+}
+
+TEST_CASE("kernels: the set of instructions is what the processor has and the operating system keeps registers for") {
+  const uint32_t fma = 1u << 12, asks = 1u << 27, avx2 = 1u << 5, avx512 = 1u << 16, both = avx2 | avx512;
+  struct {
+    ProcessorSays says;
+    Instructions best;
+  } const cases[] = {{{0, 0, 0}, Instructions::baseline},
+                     {{asks, both, 0xe7}, Instructions::baseline}, // no fused additions
+                     {{fma, both, 0xe7}, Instructions::baseline},  // nobody knows what is kept
+                     {{fma | asks, 0, 0xe7}, Instructions::baseline},
+                     {{fma | asks, avx2, 0x03}, Instructions::baseline},
+                     {{fma | asks, avx2, 0x07}, Instructions::avx2},
+                     {{fma | asks, both, 0x07}, Instructions::avx2}, // the widest registers are not kept
+                     {{fma | asks, both, 0xe7}, Instructions::avx512},
+                     {{fma | asks, avx512, 0xe7}, Instructions::avx512},
+                     {{fma | asks, avx512, 0x07}, Instructions::baseline}};
+  for (const auto& one : cases) {
+    CAPTURE(one.says.more_features);
+    CAPTURE(one.says.kept);
+    CHECK(instructions_of(one.says) == one.best);
+  }
+}
+
+TEST_CASE("kernels: a build without the best set takes the next, and the plain forms where it has none") {
+  static const Kernel kernel = {};
+  CHECK(best_there(Instructions::avx512, [](Instructions) { return &kernel; }) == Instructions::avx512);
+  CHECK(best_there(Instructions::avx512, [](Instructions set) -> const Kernel* {
+          return set == Instructions::baseline ? &kernel : nullptr;
+        }) == Instructions::baseline);
+  CHECK(best_there(Instructions::avx2, [](Instructions) -> const Kernel* { return nullptr; }) == Instructions::plain);
+  CHECK(kernel_for(Instructions::plain) == nullptr);
+}
+
+TEST_CASE("kernels: each set of instructions that this build has, for numbers and for integrals, and none for plain code") {
+  CHECK((kernel_for(Instructions::plain) == nullptr));
+  CHECK((batch_for(Instructions::plain) == nullptr));
+  for (const Instructions set : {Instructions::baseline, Instructions::avx2, Instructions::avx512}) {
+    CAPTURE(static_cast<int>(set));
+    CHECK((kernel_for(set) == nullptr) == (batch_for(set) == nullptr));
+    for (const Instructions other : {Instructions::baseline, Instructions::avx2, Instructions::avx512})
+      if (other != set && kernel_for(set) != nullptr) CHECK((kernel_for(set) != kernel_for(other)));
+  }
+  CHECK((kernel_for(best_instructions()) == nullptr) == (best_instructions() == Instructions::plain));
 }

@@ -334,6 +334,22 @@ TEST_CASE("let go: a body that hangs over the other comes down where it was made
   }
 }
 
+TEST_CASE("let go: a body that hangs is at rest under no load, as often as that is asked for") {
+  const Problem p = with_paths(block(5, 0.3, 0.004), {{1, 1, 0}});
+  Setup setup;
+  setup.advance_mu = 0.3;
+  setup.advance_loads = {0, 0, 1};
+  setup.advance_second = {0, 0, 0};
+  const Result calls = solve(p, setup), plain = solve(p);
+  REQUIRE(calls.outcome == C2D_REACHED);
+  REQUIRE(calls.recorded().size() == 3);
+  for (size_t k = 0; k < 2; ++k) {
+    CHECK(no_force(calls.recorded()[k]));
+    for (int i = 0; i < calls.recorded()[k].pairs(); ++i) CHECK(calls.recorded()[k].at(i, C2D_GAP) == doctest::Approx(0.004));
+  }
+  CHECK(compare(calls.recorded()[2], plain.recorded()[0]).worst() < 1e-9);
+}
+
 TEST_CASE("let go: free zones, curved functions and rigid obstacles do the same") {
   const std::vector<Path> path = {{1, 1, 0}, {1, -1, 0}, {1, 1, 0}};
   Problem facing = block(5, 0.4);

@@ -282,6 +282,22 @@ TEST_CASE("a column too small to divide by is emptied, so that later divisions c
   for (int32_t i = 0; i < n; ++i) CHECK(std::isfinite(b(i, 0)));
 }
 
+TEST_CASE("a pivot whose reciprocal would lose digits is divided by") {
+  const Real most = std::numeric_limits<Real>::max() / 2;
+  Matrix a = random_matrix(5, 1, 3);
+  const Real parts[5] = {Real(0.375), -1, Real(0.1), Real(0.7), Real(-0.5)};
+  for (int32_t i = 0; i < 5; ++i) a(i, 0) = parts[i] * most;
+  int32_t pivot = -1;
+  Real norm = most;
+  PivotStats stats;
+  start_stats(stats);
+  CHECK(lu_panel({best_engine().engine, 5, 1, 1, a.data(), a.ld, &pivot, &norm, &stats}) == 0);
+  CHECK(pivot == 1);
+  const Real left[5] = {-most, Real(-0.375), Real(-0.1), Real(-0.7), Real(0.5)};
+  for (int32_t i = 0; i < 5; ++i)
+    CHECK(std::fabs(a(i, 0) - left[i]) <= std::fabs(left[i]) * std::numeric_limits<Real>::epsilon());
+}
+
 TEST_CASE("columns of wildly different scale neither trap nor spoil the judgement of pivots") {
   const int32_t n = 60;
   const double span = sizeof(Real) == 8 ? 280 : 30;

@@ -327,6 +327,16 @@ TEST_CASE("memory: limits at their overflow") {
   }
 }
 
+TEST_CASE("memory: more platens than there may be are refused at once") {
+  host::Limits l = smallest_limits();
+  l.platens = 1 << 30; // (a minute of sums)
+  CHECK(need_of(l).status == C2D_ERR_ARGUMENT);
+  l.platens = l.zones + 1;
+  CHECK(need_of(l).status == C2D_ERR_ARGUMENT);
+  l.platens = l.zones = 2;
+  CHECK(need_of(l).status == C2D_OK);
+}
+
 TEST_CASE("memory: negative and missing sizes") {
   host::Limits good = smallest_limits();
   good.bodies = 2;

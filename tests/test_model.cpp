@@ -287,6 +287,60 @@ TEST_CASE("data: moduli that are none, with traps on; numbers at the edges of wh
   CHECK_FALSE(point.complete());
 }
 
+TEST_CASE("zones: bodies, nodes and elements that are not there, and a zone of one body that does not say so") {
+  struct Case {
+    const char* told;
+    void (*change)(c2d::Zone&);
+  };
+  const Case cases[] = {
+      {": there is no body 8, expected 1 to 2", [](c2d::Zone& z) { z.body[1] = 7; }},
+      {": there is no body 0, expected 1 to 2", [](c2d::Zone& z) { z.body[0] = -1; }},
+      {": both sides are on body 1, expected two different bodies", [](c2d::Zone& z) { z.body[1] = 0, z.region[1] = 0; }},
+      {"first node 0 is not in the region of its elements", [](c2d::Zone& z) { z.first_node[0] = -1; }},
+      {"first node 1001 is not in the region of its elements", [](c2d::Zone& z) { z.first_node[1] = 1000; }},
+  };
+  for (const Case& c : cases) {
+    ModelData d = hertz();
+    REQUIRE(d.complete());
+    c.change(d.zones[0]);
+    CAPTURE(c.told);
+    CHECK_FALSE(d.complete());
+    CHECK_MESSAGE(d.find(c.told) != nullptr, d.all());
+  }
+}
+
+TEST_CASE("zones: two that name the same elements, or the same nodes") {
+  ModelData d = hertz();
+  REQUIRE(d.complete());
+  d.zones.push_back(d.zones[0]);
+  d.pairs.resize(2 * d.pairs.size());
+  CHECK_FALSE(d.complete());
+  CHECK_MESSAGE(d.find("is in zones 1 and 2, the first of ") != nullptr, d.all());
+}
+
+TEST_CASE("data: a ratio that is none, and a curve that has too few elements") {
+  ModelData d = square();
+  d.bodies[0].poisson_ratio = std::numeric_limits<double>::quiet_NaN();
+  check_fault(d, "Poisson's ratio of body 1");
+  ModelData two = square();
+  two.regions[0][0].last = 1;
+  CHECK_FALSE(two.complete());
+  CHECK_MESSAGE(two.find("region 1 of body 1 has elements: 2, a closed curve needs at least 3") != nullptr, two.all());
+}
+
+TEST_CASE("geometry: of many crossings the first ten are told") {
+  std::vector<double> comb = {0, 0, 20, 0, 20, 1}; // teeth that all go through the lower side
+  for (int i = 0; i < 8; ++i) {
+    comb.push_back(18.5 - 2 * i), comb.push_back(-1);
+    comb.push_back(17.5 - 2 * i), comb.push_back(1);
+  }
+  comb.push_back(0), comb.push_back(1);
+  ModelData d = square(2, comb);
+  CHECK_FALSE(d.complete());
+  CHECK(d.count(C2D_ERR_INPUT) == 10);
+  CHECK(std::string(d.told.back().text).find("(further ones are not listed)") != std::string::npos);
+}
+
 TEST_CASE("data: friction and a path may come later, a body may not") {
   ModelData none = hertz(); // a host that steps itself gives neither
   none.friction.clear();

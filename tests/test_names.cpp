@@ -500,8 +500,10 @@ TEST_CASE("names are carried by convert, there and back") {
 
 TEST_CASE("names in listing, JSON, page and pictures; rows of the CSV do not change") {
   const Folder folder;
-  test::write_file(folder / "plain", text_of(Stack().deck()));
-  test::write_file(folder / "named", text_of(Stack().deck(kOddNames)));
+  Stack stack;
+  stack.mu = "0"; // they slip
+  test::write_file(folder / "plain", text_of(stack.deck()));
+  test::write_file(folder / "named", text_of(stack.deck(kOddNames)));
   for (const char* deck : {"plain", "named"}) {
     const std::string d = deck;
     const Result run =

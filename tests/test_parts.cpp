@@ -109,6 +109,12 @@ public:
                              "interface/zone_calls", "interface/advance", "solver/save"})
       command += std::string(" src/") + file + ".cpp";
     built_ = run_shell(command + " '" + paths::library() + "' -lm -pthread -o '" + (folder_ / "parts") + "'");
+    // A build that counts branches reads the counters with the program (tests/coverage).
+    const std::string kept = paths::build() + "/counted";
+    if (std::getenv("LLVM_PROFILE_FILE") == nullptr || built_.status != 0) return;
+    fs::create_directories(kept);
+    fs::copy_file(folder_ / "parts", kept + (calls.empty() ? "/without_parts" : "/with_parts"),
+                  fs::copy_options::overwrite_existing);
   }
   const Result& built() const { return built_; }
   std::string operator/(const std::string& name) const { return folder_ / name; }

@@ -1,4 +1,5 @@
 // A solver that outlives its address, its process and its store's mishaps: c2d_attach, c2d_save, c2d_restore.
+#include "contact2d_image.h"
 #include "shell.hpp"
 #include "solver/solver.hpp"
 #include "solver_runs.hpp"
@@ -131,6 +132,61 @@ TEST_CASE("attach: moved between any two calls, to any alignment, the same bits"
       CHECK(c2d_close(s) == C2D_OK);
       CHECK(rooms.back()->guards_are_whole());
     }
+}
+
+TEST_CASE("attach: an image with a checksum is taken up whole or not at all") {
+  const Deck deck = deck_named("hertz_lin_l");
+  const host::Limits limits = deck.limits();
+  Host host;
+  Room room(memory_for(limits, false), 5);
+  c2d_solver* s = nullptr;
+  REQUIRE(c2d_create(&s, room.memory(), room.size, &limits, &host.port, nullptr) == C2D_OK);
+  REQUIRE(read_deck(s, deck) == C2D_OK);
+  uint64_t sum = 0, other = 0;
+  Bytes image(room.memory(), room.memory() + room.size);
+  REQUIRE(c2d_image_sum(s, &sum) == C2D_OK);
+  CHECK(image == Bytes(room.memory(), room.memory() + room.size)); // it has changed nothing
+  CHECK(c2d_image_sum(nullptr, &sum) == C2D_ERR_ARGUMENT);
+  CHECK(c2d_image_sum(s, nullptr) == C2D_ERR_ARGUMENT);
+  REQUIRE(c2d_cancel(s) == C2D_OK); // it may come from another thread at that very moment
+  REQUIRE(c2d_image_sum(s, &other) == C2D_OK);
+  CHECK(sum == other);
+  const size_t at = static_cast<size_t>(reinterpret_cast<unsigned char*>(s) - room.memory());
+  const size_t cancelled = at + offsetof(c2d_solver, cancelled);
+  const auto attach = [&image](uint64_t expected, c2d_error& why) {
+    c2d_solver* out = nullptr;
+    return c2d_attach_image(&out, image.data(), image.size(), nullptr, expected, &why);
+  };
+  int refused = 0;
+  const Bytes whole = image;
+  for (size_t i = at; i < image.size(); i += i < at + 2000 ? 1 : 13) {
+    if (i >= cancelled && i < cancelled + 4) continue;
+    for (const int bits : {1, 0x80}) {
+      image[i] = static_cast<unsigned char>(image[i] ^ bits);
+      const Bytes damaged = image;
+      c2d_error why = C2D_INIT(c2d_error);
+      const c2d_status status = attach(sum, why);
+      const bool beyond = i >= at + s->bytes; // (what alignment has left over)
+      CAPTURE(i);
+      REQUIRE((status != C2D_OK || beyond));
+      if (status == C2D_ERR_STORE_CHECKSUM) {
+        CHECK(std::string(why.text) == "the memory differs from what its checksum was made of");
+        ++refused;
+      }
+      if (!beyond) REQUIRE(image == damaged);
+      image = whole;
+    }
+  }
+  CHECK(refused > 1000);
+  c2d_error why = C2D_INIT(c2d_error);
+  CHECK(attach(sum + 1, why) == C2D_ERR_STORE_CHECKSUM);
+  for (const size_t shift : {0u, 3u, 8u}) { // wherever the copy lies
+    Bytes copy(image.size() + shift);
+    std::copy(image.begin(), image.end(), copy.begin() + static_cast<std::ptrdiff_t>(shift));
+    c2d_solver* out = nullptr;
+    REQUIRE(c2d_attach_image(&out, copy.data() + shift, image.size(), &host.port, sum, &why) == C2D_OK);
+    CHECK(c2d_get_state(out) == C2D_STATE_MODEL);
+  }
 }
 
 TEST_CASE("attach: what is no solver, or not all of it, is refused and left alone") {
@@ -305,6 +361,118 @@ TEST_CASE("save: a crash between any two steps, another process, the same bits")
       out.insert(out.end(), numbers.boundary.begin(), numbers.boundary.end());
       CHECK(Numbers::same(out, expected));
     }
+}
+
+namespace {
+
+// What the callback of c2d_run is shown, step by step. `save`: it saves at each; `end`: it gives up after so many.
+struct Watcher {
+  c2d_solver* solver;
+  bool save = false;
+  size_t end = SIZE_MAX;
+  std::vector<std::vector<double>> steps = {};
+  std::vector<c2d_status> saved = {};
+  static int32_t see(void* context, const c2d_step* now) {
+    Watcher& w = *static_cast<Watcher*>(context);
+    if (now->kind == C2D_STEP_CHANGE) {
+      w.saved.push_back(c2d_save(w.solver));
+      return 0;
+    }
+    std::vector<double> out = {now->mu, now->load, now->work, now->dissipated, now->elastic, now->energy_defect};
+    for (const int32_t n : {now->kind, now->coefficient, now->step, now->changes, now->iterations, now->outcome})
+      out.push_back(n);
+    for (int32_t p = 0; p < now->pairs; ++p)
+      out.insert(out.end(), now->table + p * now->stride, now->table + p * now->stride + C2D_PAIR_FIELDS);
+    w.steps.push_back(out);
+    if (w.save) w.saved.push_back(c2d_save(w.solver));
+    return w.steps.size() == w.end ? 7 : 0;
+  }
+  c2d_status run() { return c2d_run(solver, see, this); }
+};
+
+bool same_steps(const Watcher& part, const Watcher& whole) {
+  const size_t n = part.steps.size(), first = whole.steps.size() - n;
+  for (size_t i = 0; i < n; ++i)
+    if (!Numbers::same(part.steps[i], whole.steps[first + i])) return false;
+  return n <= whole.steps.size();
+}
+
+} // namespace
+
+TEST_CASE("save: in the callback of a run, which goes on there in another process, the same bits") {
+  for (const char* name : {"layer_mu", "sample", "plate", "block"})
+    for (int32_t stepping : {C2D_STEPPING_EVENTS, C2D_STEPPING_DECK}) {
+      CAPTURE(std::string(name));
+      CAPTURE(stepping);
+      const Deck deck = deck_named(name);
+      c2d_options options = C2D_INIT(c2d_options);
+      options.stepping = stepping;
+      Host one;
+      Fresh once(deck, one, true);
+      Watcher whole{once.machine.solver};
+      REQUIRE(c2d_set_options(whole.solver, &options) == C2D_OK);
+      REQUIRE(c2d_prepare(whole.solver) == C2D_OK);
+      REQUIRE(whole.run() == C2D_OK);
+      const host::Summary expected = summary_of(whole.solver);
+      CHECK((expected.run_step == 0 && expected.run_coefficient == 0));
+      Numbers numbers;
+      REQUIRE(get_boundary(whole.solver, numbers) == C2D_OK);
+      const size_t stride = 1 + whole.steps.size() / 5;
+      for (size_t end = 1; end <= whole.steps.size();
+           end = end < whole.steps.size() && end + stride > whole.steps.size() ? whole.steps.size() : end + stride) {
+        Host host;
+        {
+          Fresh fresh(deck, host, true);
+          Watcher begun{fresh.machine.solver, true, end};
+          REQUIRE(c2d_set_options(begun.solver, &options) == C2D_OK);
+          REQUIRE(c2d_prepare(begun.solver) == C2D_OK);
+          CHECK(begun.run() == C2D_ERR_CALLBACK);
+          CHECK(begun.saved == std::vector<c2d_status>(end, C2D_OK));
+        }
+        Fresh fresh(deck, host, true);
+        Watcher rest{fresh.machine.solver};
+        REQUIRE(c2d_set_options(rest.solver, &options) == C2D_OK);
+        REQUIRE(c2d_restore(rest.solver) == C2D_OK);
+        const host::Summary now = summary_of(rest.solver);
+        CHECK(now.run_coefficient == whole.steps[end - 1][7]);
+        CHECK(now.run_step == whole.steps[end - 1][8]);
+        REQUIRE(rest.run() == C2D_OK);
+        CHECK(rest.steps.size() == whole.steps.size() - end);
+        CHECK(same_steps(rest, whole));
+        const host::Summary after = summary_of(rest.solver);
+        CHECK((after.outcome == expected.outcome && after.events == expected.events && after.exchanges == expected.exchanges));
+        CHECK((after.warnings == expected.warnings && after.run_step == 0));
+        for (int tape = 1; tape < C2D_TAPES; ++tape) CHECK(after.tape_bytes_read[tape] == expected.tape_bytes_read[tape]);
+        Numbers there;
+        REQUIRE(get_boundary(rest.solver, there) == C2D_OK);
+        CHECK(Numbers::same(there.boundary, numbers.boundary));
+        // Another call that moves the load: the next run is a new one.
+        REQUIRE(c2d_restore(rest.solver) == C2D_OK);
+        begin(rest.solver);
+        rest.steps.clear();
+        REQUIRE(rest.run() == C2D_OK);
+        CHECK(rest.steps.size() == whole.steps.size());
+      }
+    }
+}
+
+TEST_CASE("save: not where a change of status is shown; a store that fails there breaks the solver") {
+  const Deck deck = deck_named("layer_mu");
+  Host host;
+  Fresh fresh(deck, host, true);
+  Watcher watcher{fresh.machine.solver};
+  c2d_options options = C2D_INIT(c2d_options);
+  options.every_change = 1;
+  REQUIRE(c2d_set_options(watcher.solver, &options) == C2D_OK);
+  REQUIRE(c2d_prepare(watcher.solver) == C2D_OK);
+  REQUIRE(watcher.run() == C2D_OK);
+  CHECK(watcher.saved.size() > 1);
+  for (const c2d_status status : watcher.saved) CHECK(status == C2D_ERR_BUSY);
+  host.before = [](const RamStore::Operation& o, size_t) { return o.tape == C2D_TAPE_CONTROL ? 5 : 0; };
+  Watcher failing{watcher.solver, true, SIZE_MAX};
+  const c2d_status status = failing.run();
+  CHECK((status >= C2D_ERR_STORE_OPEN && status <= C2D_ERR_STORE_STALE));
+  CHECK(c2d_get_state(failing.solver) == C2D_STATE_BROKEN);
 }
 
 TEST_CASE("save: going back within one solver") {
@@ -556,6 +724,47 @@ TEST_CASE("restore: what does not belong to the model, the tapes or the library 
   const double mu = 0.3;
   CHECK(c2d_begin(victim.machine.solver, &mu, 1) == C2D_ERR_STORE_FORMAT);
   CHECK(c2d_get_state(victim.machine.solver) == C2D_STATE_BROKEN);
+}
+
+TEST_CASE("restore: a factorisation serves any friction, path and stepping, with the same bits") {
+  const Deck deck = deck_named("layer_mu");
+  Deck other = deck;
+  other.lines.back() = "    1 0.80000000";
+  for (std::string& line : other.lines)
+    if (line == "    2 0.100000000.30000000") line = "    2 0.200000000.05000000";
+  for (const int32_t stepping : {C2D_STEPPING_EVENTS, C2D_STEPPING_DECK}) {
+    const auto path_of = [&](c2d_solver* s) {
+      Numbers out;
+      REQUIRE(c2d_run(s, nullptr, nullptr) == C2D_OK);
+      REQUIRE(get_boundary(s, out) == C2D_OK);
+      return out.boundary;
+    };
+    const auto ready = [&](Machine& machine) {
+      c2d_options options = C2D_INIT(c2d_options);
+      options.stepping = stepping;
+      REQUIRE(c2d_set_options(machine.solver, &options) == C2D_OK);
+      REQUIRE(read_deck(machine.solver, other) == C2D_OK);
+    };
+    Host host, own;
+    { // the factorisation of the deck as it is, and nothing of its path
+      Fresh fresh(deck, host, true);
+      REQUIRE(c2d_prepare(fresh.machine.solver) == C2D_OK);
+      REQUIRE(c2d_save(fresh.machine.solver) == C2D_OK);
+    }
+    const host::Limits limits = other.limits();
+    Machine machine(limits, memory_for(limits, true), &host.port), alone(limits, memory_for(limits, true), &own.port);
+    ready(machine);
+    REQUIRE(c2d_restore(machine.solver) == C2D_OK);
+    CHECK(c2d_get_state(machine.solver) == C2D_STATE_PREPARED);
+    ready(alone);
+    REQUIRE(c2d_prepare(alone.solver) == C2D_OK);
+    const std::vector<double> expected = path_of(alone.solver);
+    CHECK(Numbers::same(path_of(machine.solver), expected));
+    // and its own path is another one
+    Fresh first(deck, own, true);
+    REQUIRE(c2d_prepare(first.machine.solver) == C2D_OK);
+    CHECK(!Numbers::same(path_of(first.machine.solver), expected));
+  }
 }
 
 TEST_CASE("restore: a store that dies while the state is taken over breaks the solver, and once more helps") {

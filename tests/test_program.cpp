@@ -6,19 +6,23 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <thread>
+#include <unistd.h>
 
 using namespace test;
 
 namespace {
 
 const std::string kExamples = paths::root() + "/examples/";
-const std::string kHertz = kExamples + "hertz.dat";
+const std::string kHertz = kExamples + "hertz.dat", kProgram = "'" + paths::program() + "' ";
 
 Result contact2d(const std::string& arguments) { return run_shell("'" + paths::program() + "' " + arguments); }
 
@@ -377,7 +381,7 @@ TEST_CASE("program: every store gives the same numbers, and files go after succe
   CHECK_FALSE(fs::exists(store)); // made by the program, so it goes too
   REQUIRE(contact2d(run + quoted(folder / "b") + " --keep --store file:" + quoted(store)).status == 0);
   REQUIRE(fs::is_directory(store));
-  CHECK(fs::exists(store + "/tape0.c2d"));
+  CHECK(fs::exists(store + "/contact2d.store/tape0.c2d"));
   // A second run in a folder full of another run's tapes, which the user made: tapes go, the folder stays.
   write_file(store + "/mine", "text");
   REQUIRE(contact2d(run + quoted(folder / "b") + " --store file:" + quoted(store)).status == 0);
@@ -386,22 +390,108 @@ TEST_CASE("program: every store gives the same numbers, and files go after succe
   CHECK(std::distance(fs::directory_iterator(store), fs::directory_iterator()) == 1);
 }
 
-TEST_CASE("program: a folder of tapes belongs to one process; a store that fails ends with 3") {
+TEST_CASE("program: a store leaves alone whatever bears its names") {
   const Folder folder;
-  const std::string store = folder / "tapes";
+  const std::vector<std::string> names = {"deck.dat",  "options",   "meshes",    "lock",
+                                          "tape0.c2d", "tape1.c2d", "tape3.c2d", "job"};
+  for (const std::string& name : names) write_file(folder / name, "the user's " + name);
+  fs::copy_file(kHertz, folder / "deck.dat", fs::copy_options::overwrite_existing);
+  write_file(folder / "points.csv", "1,50,-20\n");
+  const std::string deck = read_file(folder / "deck.dat");
+  const Result result = run_shell("cd '" + folder.path() + "' && " + kProgram +
+                                  "run deck.dat --points points.csv --interior i.csv --csv tape2.c2d --store file:.");
+  CHECK(result.status == 0);
+  CHECK(read_file(folder / "deck.dat") == deck);
+  CHECK(read_file(folder / "points.csv") == "1,50,-20\n");
+  for (size_t i = 1; i < names.size(); ++i) CHECK(read_file(folder / names[i]) == "the user's " + names[i]);
+  CHECK(!read_file(folder / "tape2.c2d").empty());
+  CHECK_FALSE(fs::exists(folder / "contact2d.store"));
+}
+
+TEST_CASE("program: what clashes with the folders that a run fills is found beforehand") {
+  const Folder folder;
+  fs::copy_file(kHertz, folder / "deck.dat");
+  fs::copy_file(paths::root() + "/examples/rough_profile.c2s", folder / "r.c2s");
+  fs::copy_file(paths::root() + "/examples/rough_profile.csv", folder / "rough_profile.csv");
+  const std::string profile = read_file(folder / "rough_profile.csv");
+  const auto refused = [&](const std::string& command, const std::string& expected) {
+    CAPTURE(command);
+    const Result result = run_shell("cd '" + folder.path() + "' && " + kProgram + "run " + command);
+    CHECK(result.status == 64);
+    CHECK_MESSAGE(contains(result.err, expected), result.err);
+    CHECK(result.out.empty());
+  };
+  refused("deck.dat --store file:. --csv contact2d.store/tape0.c2d", "--csv lies in ");
+  refused("deck.dat --store file:x --csv ./x/../x/contact2d.store/a", "--csv lies in ");
+  refused("deck.dat --store file:. --figures contact2d.store", "--figures lies in ");
+  refused("deck.dat --store file:. --figures contact2d.store/a/b", "--figures lies in ");
+  refused("contact2d.store/deck --store file:.", "the deck lies in ");
+  refused("deck.dat --store file:. --interior i --points contact2d.store/job", "--points lies in ");
+  refused("deck.dat --figures f --report f/pressure.svg", "--report is an SVG file in the folder of --figures");
+  refused("r.c2s --csv rough_profile.csv", "the file rough_profile.csv of the sketch and --csv are the same file");
+  CHECK(read_file(folder / "rough_profile.csv") == profile);
+  CHECK(std::distance(fs::directory_iterator(folder.path()), fs::directory_iterator()) == 3);
+}
+
+TEST_CASE("program: what killed runs left aside goes when the same output is written again, and not before its writer ends") {
+  const Folder folder;
+  const std::string run = "run " + quoted(kHertz) + " --listing " + quoted(folder / "l");
+  const std::string pipe = folder / "pipe", mine = folder / ".contact2d-mine";
+  write_file(mine, "not the program's");
+  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
+  const auto aside = [&] {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder.path())) {
+      const std::string name = entry.path().filename();
+      if (name.compare(0, 11, ".contact2d-") == 0 && entry.path() != mine) names.push_back(entry.path());
+    }
+    return names;
+  };
+  const pid_t child = ::fork(); // it waits for someone to read the pipe, with its listing lying aside
+  if (child == 0) {
+    const int nowhere = ::open("/dev/null", O_WRONLY);
+    ::dup2(nowhere, 2);
+    ::execl(paths::program().c_str(), "contact2d", "run", kHertz.c_str(), "--listing", (folder / "l").c_str(), "--csv",
+            pipe.c_str(), static_cast<char*>(nullptr));
+    ::_exit(127);
+  }
+  const auto is_held = [&] { // not merely there: until it is locked another run may take it for one that was left
+    if (aside().empty()) return false;
+    const int file = ::open(aside()[0].c_str(), O_WRONLY);
+    const bool held = file >= 0 && ::flock(file, LOCK_EX | LOCK_NB) != 0;
+    ::close(file);
+    return held;
+  };
+  for (int wait = 0; !is_held() && wait < 5000; ++wait) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  const std::vector<std::string> held = aside();
+  REQUIRE(held.size() == 1);
+  REQUIRE(contact2d(run).status == 0);
+  CHECK(aside() == held); // another run wrote the same name meanwhile: what is held stays
+  ::kill(child, SIGKILL);
+  ::waitpid(child, nullptr, 0);
+  CHECK(aside() == held);
+  REQUIRE(contact2d(run).status == 0);
+  CHECK(aside().empty());
+  CHECK(read_file(mine) == "not the program's");
+}
+
+TEST_CASE("program: a folder of tapes belongs to one process, else exit status 75; a store that fails ends with 3") {
+  const Folder folder;
+  const std::string store = folder / "tapes", own = store + "/contact2d.store";
   fs::create_directory(store);
-  const int lock = ::open((store + "/lock").c_str(), O_RDWR | O_CREAT, 0600);
+  fs::create_directory(own);
+  const int lock = ::open((own + "/lock").c_str(), O_RDWR | O_CREAT, 0600);
   REQUIRE(lock >= 0);
   REQUIRE(::flock(lock, LOCK_EX) == 0);
   const std::string run = "run " + quoted(kHertz) + " --csv " + quoted(folder / "c") + " --store file:";
   const Result locked = contact2d(run + quoted(store));
-  CHECK(locked.status == 3);
+  CHECK(locked.status == 75);
   CHECK(contains(locked.err, "in use"));
   ::close(lock);
   CHECK(contact2d(run + quoted(folder / "no/such/parent")).status == 3);
   write_file(folder / "file", "");
   CHECK(contact2d(run + quoted(folder / "file")).status == 3);
-  fs::create_directory(store + "/tape0.c2d"); // in the way of a tape
+  fs::create_directory(own + "/tape0.c2d"); // in the way of a tape
   const Result blocked = contact2d(run + quoted(store));
   CHECK(blocked.status == 3);
   CHECK(contains(blocked.err, "error: "));

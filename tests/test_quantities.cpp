@@ -316,12 +316,14 @@ TEST_CASE("quantities: listing, JSON and summary table of the program tell the s
   REQUIRE_MESSAGE(run.status == 0, run.err);
   const test::Json json = test::JsonReader::read(test::read_file(folder / "j"));
   const std::vector<std::string> rows = test::lines_of(test::read_file(folder / "s"));
-  CHECK(rows.at(0) == "mu,step,load,zone,name,quantity,item,value,x,y,error");
+  CHECK(rows.at(0) == "mu,step,load,zone,name,quantity,item,value,x,y,error,s,load2");
   size_t row = 1;
+  std::vector<std::pair<double, double>> peaks;
   for (const test::Json& step : json["steps_detail"].items)
     for (const test::Json& q : step["quantities"].items) {
       const std::vector<std::string> f = fields_of(rows.at(row++));
-      REQUIRE(f.size() == 11);
+      REQUIRE(f.size() == 13);
+      CHECK(std::stod(f[12]) == step["loads"][1].number);
       CHECK(std::stod(f[1]) == step["step"].number);
       CHECK(f[3] == std::to_string(static_cast<int>(q["zone"].number)));
       CHECK(f[4] == (f[3] == "1" ? "pad, left" : ""));
@@ -332,7 +334,17 @@ TEST_CASE("quantities: listing, JSON and summary table of the program tell the s
       if (q.has("y")) CHECK(std::stod(f[9]) == q["y"].number);
       CHECK(f[10].empty());
       CHECK(!q.has("error"));
+      CHECK(f[11].empty() == !q.has("s"));
+      if (q.has("s")) CHECK(std::stod(f[11]) == q["s"].number);
+      if (f[5] == "contact edge" || f[5] == "stick border") CHECK(std::stod(f[11]) == std::stod(f[7]));
+      if (f[5] == "peak pressure") // side 2 is flat, and s grows as x or against it
+        peaks.emplace_back(q["x"].number, q["s"].number);
     }
+  REQUIRE(peaks.size() > 1);
+  for (const auto& [x, s] : peaks) {
+    CHECK(s >= 0);
+    CHECK(std::fabs(s - peaks[0].second) == doctest::Approx(std::fabs(x - peaks[0].first)));
+  }
   CHECK(row == rows.size());
   const test::Json& last = json["runs"][0]["quantities"];
   CHECK(last.items.size() == json["steps_detail"].items.back()["quantities"].items.size());
@@ -354,7 +366,7 @@ TEST_CASE("quantities: stated errors go to the first coefficient's last step, an
       step.loads = {1};
       for (const int32_t item : {1, 2}) {
         Quantity q;
-        q.what = Measure::kContactEdge, q.zone = 1, q.item = item, q.value = 2.5, q.at[0] = q.at[1] = item;
+        q.what = Measure::kContactEdge, q.zone = 1, q.item = item, q.value = 2.5, q.at[0] = q.at[1] = item, q.s = 2.5;
         step.quantities.push_back(q);
       }
     }
@@ -378,7 +390,7 @@ TEST_CASE("quantities: stated errors go to the first coefficient's last step, an
   append_quantities(listing, record, summary);
   CHECK(test::contains(listing, "2.5  +- 0.013"));
   append_summary(table, record, summary);
-  CHECK(test::contains(table, ",1,a,contact edge,2,2.5,2,2,0.0125\n"));
+  CHECK(test::contains(table, ",1,a,contact edge,2,2.5,2,2,0.0125,2.5\n"));
   RunRecord empty;
   empty.take_stated_errors(); // nothing to state of nothing
   CHECK(empty.coefficients.empty());

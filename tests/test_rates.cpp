@@ -37,8 +37,8 @@ public:
   RateProblem& start() {
     sticking_ = t_;
     sticking_rates_ = rates_;
-    tableau_ = Tableau{m_, m_,      1,      static_cast<int32_t>(pair_.size()), pair_.data(), t_.data(), 1.0, 1.0, 0, nullptr,
-                       0,  nullptr, nullptr};
+    tableau_ = Tableau{
+        m_, m_, 1, static_cast<int32_t>(pair_.size()), pair_.data(), t_.data(), 1.0, 1.0, 0, kPlainEngine, 0, nullptr, nullptr};
     r_ = rate_problem_in(RateArea{area_.data(), lists_.data(), tableau_.pairs}, m_);
     r_.t = &tableau_;
     r_.direction = &one_;
@@ -254,6 +254,33 @@ TEST_CASE("rates: where no cell satisfies its conditions, all having been tried 
   CHECK(follow_cells(problem.start(), false, go_on, nullptr, &status) == Settled::undecided);
 }
 
+// K = 0: an open pair would move as nothing holds it. Stuck, it has its rates, (1, 0.1).
+TEST_CASE("rates: where the first cells are not regular, the path begins from sticking") {
+  for (const DoubtKind kind : {DoubtKind::apex, DoubtKind::normal}) {
+    Problem problem = one_pair(0.0, 0.5, 1.0, 0.1);
+    problem.stiffness(0, 0) = problem.stiffness(1, 1) = 0.0;
+    RateProblem& r = problem.start();
+    r.doubt[0].kind = kind;
+    r.doubt[0].cell = Cell::open;
+    c2d_status status = C2D_OK;
+    CHECK(follow_cells(r, false, go_on, nullptr, &status) == Settled::solved);
+    CHECK(r.doubt[0].cell == Cell::stick);
+  }
+}
+
+TEST_CASE("rates: without friction a pair is open or closed, from whichever the path begins") {
+  for (const double p : {1.0, -1.0})
+    for (const Cell first : {Cell::open, Cell::slip_plus}) {
+      Problem problem = one_pair(0.0, 0.0, p, 0.0);
+      RateProblem& r = problem.start();
+      r.doubt[0].kind = DoubtKind::normal;
+      r.doubt[0].cell = first;
+      c2d_status status = C2D_OK;
+      CHECK(follow_cells(r, false, go_on, nullptr, &status) == Settled::solved);
+      CHECK(r.doubt[0].cell == (p > 0.0 ? Cell::slip_plus : Cell::open));
+    }
+}
+
 TEST_CASE("rates: the path finds a solution wherever trying all cells does, up to four pairs and mu 3") {
   std::mt19937 draw(7);
   std::uniform_real_distribution<double> uniform(-1.0, 1.0);
@@ -354,6 +381,43 @@ TEST_CASE("rates: branch and bound does not rule out what a path finds, with up 
   CHECK(none > 10);
   CHECK(larger_none > 0);
   CHECK(given_up > 20);
+}
+
+TEST_CASE("rates: a search that has done its share of work stops, wherever that is, and what it has found holds") {
+  constexpr double kShare = 2e9; // operations
+  std::mt19937 draw(17);
+  std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+  int undecided = 0, solved = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    CAPTURE(trial);
+    const int pairs = 1 + trial % 6, m = 2 * pairs;
+    Problem problem(pairs, 0.3 + 0.1 * (trial % 20));
+    for (int i = 0; i < m; ++i) {
+      problem.rate(i) = uniform(draw);
+      for (int j = 0; j < m; ++j) problem.stiffness(i, j) = uniform(draw) + 0.5 * (i == j);
+    }
+    const double left = std::exp(uniform(draw) * 5.0 + 5.0); // operations, of some thousands that it would take
+    for (const bool drawn : {false, true}) {
+      RateProblem& r = problem.start();
+      r.work = kShare - left;
+      c2d_status status = C2D_OK;
+      const Settled result = follow_cells(r, drawn, go_on, nullptr, &status);
+      CHECK(status == C2D_OK);
+      CHECK((result == Settled::solved || result == Settled::undecided));
+      if (result == Settled::solved) CHECK(problem.holds(problem.last()));
+      (result == Settled::solved ? solved : undecided) += 1;
+    }
+    RateProblem& r = problem.start();
+    r.work = trial % 2 == 0 ? kShare + 1.0 : kShare - left;
+    c2d_status status = C2D_OK;
+    int32_t found = 0;
+    const Settled branched = branch_cells(r, true, 100000, &found, go_on, nullptr, &status);
+    if (trial % 2 == 0) CHECK(branched == Settled::undecided);
+    if (branched == Settled::solved) CHECK(problem.holds(problem.last()));
+    if (branched == Settled::undecided) CHECK(problem.last().partial);
+  }
+  CHECK(undecided > 50);
+  CHECK(solved > 50);
 }
 
 TEST_CASE("rates: a cancel stops the search") {

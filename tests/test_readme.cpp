@@ -227,7 +227,7 @@ TEST_CASE("pages: options, exit statuses and keys of the summary are those of th
                       (name == "--list" && contains(text, "`make --list`"));
     CHECK_MESSAGE(told, name);
   }
-  for (const char* status : {"| 0 |", "| 1 |", "| 2 |", "| 3 |", "| 4 |", "| 64 |", "| 130 |"})
+  for (const char* status : {"| 0 |", "| 1 |", "| 2 |", "| 3 |", "| 4 |", "| 64 |", "| 75 |", "| 130 |", "| 143 |"})
     CHECK_MESSAGE(contains(text, status), status);
 
   const Folder folder;

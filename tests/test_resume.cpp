@@ -1,6 +1,8 @@
 // `contact2d resume`: after a crash at any moment the outputs are those of a run that was not interrupted.
 #include "paths.hpp"
 #include "program/estimate/kept.hpp"
+#include "program/job.hpp"
+#include "program/sealed_file.hpp"
 #include "shell.hpp"
 
 #include <doctest/doctest.h>
@@ -85,7 +87,7 @@ TEST_CASE("resume: killed at any moment, resumed, the outputs are those of one r
     Outputs outputs;
     const std::string folder = tapes / std::to_string(n);
     const int microseconds = n * n * 150; // 0 to 25 ms
-    const std::string sign = n < 2 ? "" : folder + "/options";
+    const std::string sign = n < 2 ? "" : folder + "/contact2d.store/job";
     if (!killed(run_command(folder, outputs, n % 2 == 0 ? "--keep" : ""), sign, microseconds, n % 3 == 2 ? SIGINT : SIGKILL)) {
       ++finished;
       continue;
@@ -94,9 +96,9 @@ TEST_CASE("resume: killed at any moment, resumed, the outputs are those of one r
     for (const auto& file : outputs.files()) { // whole under its own name, or still aside
       const auto same = expected.find(file.first);
       CHECK((same != expected.end() ? file.second == same->second : file.first.find("/.contact2d-") != std::string::npos));
-      fs::remove(outputs.folder.path() + file.first);
+      if (same != expected.end()) fs::remove(outputs.folder.path() + file.first); // the others go when the names come again
     }
-    if (!fs::exists(folder + "/options")) { // it had hardly begun, or had nothing left to do
+    if (!fs::exists(folder + "/contact2d.store/job")) { // it had hardly begun, or had nothing left to do
       CHECK(run_shell(kProgram + "resume '" + folder + "'").status == 2);
       ++early;
       continue;
@@ -105,8 +107,8 @@ TEST_CASE("resume: killed at any moment, resumed, the outputs are those of one r
     const Result result = run_shell(kProgram + "resume '" + folder + "'");
     CHECK_MESSAGE(result.status == 0, result.err);
     CHECK(outputs.files() == expected);
-    CHECK(fs::exists(folder + "/tape0.c2d") == (n % 2 == 0));
-    CHECK(fs::exists(folder + "/options") == (n % 2 == 0));
+    CHECK(fs::exists(folder + "/contact2d.store/tape0.c2d") == (n % 2 == 0));
+    CHECK(fs::exists(folder + "/contact2d.store/job") == (n % 2 == 0));
   }
   MESSAGE("killed " << kills << ", of these resumed " << resumed << " and too early " << early << "; ended before "
                     << finished);
@@ -131,24 +133,27 @@ TEST_CASE("resume: a factorisation that is there is not computed again; one that
     CHECK(outputs.files() == expected);
     return result;
   };
-  for (const char* tape : {"/tape1.c2d", "/tape2.c2d", "/tape3.c2d"}) {
-    if (!fs::exists(folder + tape)) continue;
-    const auto before = fs::last_write_time(folder + tape);
+  const std::string own = folder + "/contact2d.store";
+  for (const char* name : {"/tape1.c2d", "/tape2.c2d", "/tape3.c2d"}) {
+    const std::string tape = own + name;
+    if (!fs::exists(tape)) continue;
+    const auto before = fs::last_write_time(tape);
     again();
-    CHECK(fs::last_write_time(folder + tape) == before);
+    CHECK(fs::last_write_time(tape) == before);
   }
-  for (const char* tape : {"/tape0.c2d", "/tape2.c2d", "/tape3.c2d"}) {
-    CAPTURE(std::string(tape));
-    const auto size = fs::file_size(folder + tape);
-    fs::resize_file(folder + tape, size / 2); // the end is gone
-    again();
-    std::string bytes = read_file(folder + tape);
+  for (const char* name : {"/tape0.c2d", "/tape2.c2d", "/tape3.c2d"}) {
+    CAPTURE(std::string(name));
+    const std::string tape = own + name;
+    const auto size = fs::file_size(tape);
+    fs::resize_file(tape, size / 2); // the end is gone
+    CHECK(contains(again().err, "begins anew"));
+    std::string bytes = read_file(tape);
     for (size_t i = 150; i < bytes.size(); i += 997) bytes[i] = static_cast<char>(bytes[i] ^ 1);
-    write_file(folder + tape, bytes);
-    const Result result = again();
-    CHECK(contains(result.err, "damaged") == (std::string(tape) != "/tape0.c2d"));
-    fs::remove(folder + tape);
-    again();
+    write_file(tape, bytes);
+    CHECK(contains(again().err, "begins anew"));
+    fs::remove(tape);
+    CHECK(contains(again().err, "begins anew"));
+    CHECK_FALSE(contains(again().err, "begins anew"));
   }
   // Other options on the same tapes, killed by a store that is full: the new ones count.
   Outputs others;
@@ -171,13 +176,6 @@ TEST_CASE("resume: what cannot be resumed is said") {
   const Result none = run_shell(kProgram + "resume '" + folder.path() + "'");
   CHECK(none.status == 2);
   CHECK(contains(none.err, "no run"));
-  write_file(folder / "options", "contact2d run 2\ndeck=x\n");
-  CHECK(run_shell(kProgram + "resume '" + folder.path() + "'").status == 2);
-  write_file(folder / "options", "contact2d run 1\ndeck=x\n--no-such-option=3\n");
-  CHECK(run_shell(kProgram + "resume '" + folder.path() + "'").status == 2);
-  write_file(folder / "options", "contact2d run 1\ndeck=some\\\\name\n");
-  const Result missing = run_shell(kProgram + "resume '" + folder.path() + "'");
-  CHECK(missing.status == 2); // the deck is gone
   // A name with everything in it comes back as it was.
   const std::string strange = folder / "a \\ b\nc=d";
   fs::copy_file(deck(), strange);
@@ -210,20 +208,84 @@ TEST_CASE("resume: a sketch's run tells again what errors were stated") {
   CHECK(run_shell(kProgram + "resume '" + folder + "'").status == 0);
   CHECK(outputs.files() == expected);
   CHECK(contains(read_file(tapes / "page"), "Convergence over the meshes")); // there are times in it
-  std::string text = read_file(folder + "/meshes");
-  write_file(folder + "/meshes", text.substr(0, text.size() / 2));
-  const Result damaged = run_shell(kProgram + "resume '" + folder + "'");
-  CHECK(damaged.status == 3);
-  CHECK(contains(damaged.err, "/meshes: cannot be read, or is not whole"));
   // The tapes begin anew, with what was stated.
-  write_file(folder + "/meshes", text);
-  for (const auto& entry : fs::directory_iterator(folder))
+  for (const auto& entry : fs::directory_iterator(folder + "/contact2d.store"))
     if (entry.path().extension() == ".c2d") fs::resize_file(entry.path(), fs::file_size(entry.path()) / 2);
   CHECK(run_shell(kProgram + "resume '" + folder + "'").status == 0);
   CHECK(outputs.files() == expected);
-  // A deck has none, and what another run left is gone.
+}
+
+TEST_CASE("resume: a job of which a byte is wrong or missing is refused, and nothing is lost") {
+  Outputs outputs;
+  const Folder tapes;
+  const std::string folder = tapes / "t", job = folder + "/contact2d.store/job";
   REQUIRE(run_shell(run_command(folder, outputs, "--keep")).status == 0);
-  CHECK_FALSE(fs::exists(folder + "/meshes"));
+  const auto expected = outputs.files();
+  const std::string text = read_file(job);
+  const auto refused = [&](const std::string& bytes) {
+    write_file(job, bytes);
+    const Result result = run_shell(kProgram + "resume '" + folder + "'");
+    CHECK(result.status == 3);
+    CHECK(contains(result.err, job + ": is "));
+    CHECK(outputs.files() == expected);
+  };
+  for (size_t i = 0; i < text.size(); i += 1 + text.size() / 37) {
+    CAPTURE(i);
+    std::string flipped = text;
+    flipped[i] = static_cast<char>(flipped[i] ^ (1 << i % 8));
+    refused(flipped);
+    refused(text.substr(0, i));
+  }
+  refused(text + "x");
+  for (const auto& file : expected) fs::remove(outputs.folder.path() + file.first);
+  write_file(job, text);
+  CHECK(run_shell(kProgram + "resume '" + folder + "'").status == 0);
+  CHECK(outputs.files() == expected);
+}
+
+TEST_CASE("resume: a job of another version, and one of other words") {
+  const Folder folder;
+  std::string error;
+  fs::create_directory(folder / "contact2d.store");
+  const std::string job = folder / "contact2d.store/job";
+  const auto resumed = [&] { return run_shell(kProgram + "resume '" + folder.path() + "'"); };
+  REQUIRE(app::write_sealed(job, "contact2d job 1", "", error));
+  CHECK((resumed().status == 3 && contains(resumed().err, "is of another version: 'contact2d job 1', expected")));
+  REQUIRE(app::write_sealed(job, "contact2d job 2", "1\n", error));
+  CHECK((resumed().status == 3 && contains(resumed().err, "is of another version")));
+  app::Job other;
+  other.words = {"--no-such-option=3"};
+  REQUIRE(app::keep_job(folder / "contact2d.store", other, error));
+  CHECK((resumed().status == 3 && contains(resumed().err, "run takes no option --no-such-option")));
+}
+
+TEST_CASE("sealed files: every flipped bit and every length but the whole one is found") {
+  const Folder folder;
+  const std::string path = folder / "a", words = "some words\nend\n";
+  std::string error, back;
+  CHECK(app::read_sealed(path, "kind 1", back, error) == app::Sealed::kAbsent);
+  write_file(path + ".new", "what a write that was cut off has left");
+  REQUIRE(app::write_sealed(path, "kind 1", words, error));
+  CHECK_FALSE(fs::exists(path + ".new"));
+  REQUIRE(app::read_sealed(path, "kind 1", back, error) == app::Sealed::kWhole);
+  CHECK(back == words);
+  const std::string text = read_file(path);
+  int found = 0;
+  for (size_t i = 0; i < 8 * text.size(); ++i) {
+    std::string flipped = text;
+    flipped[i / 8] = static_cast<char>(flipped[i / 8] ^ (1 << i % 8));
+    write_file(path, flipped);
+    found += app::read_sealed(path, "kind 1", back, error) == app::Sealed::kFailed;
+  }
+  CHECK(found == static_cast<int>(8 * text.size()));
+  for (size_t length = 0; length < text.size(); ++length) {
+    write_file(path, text.substr(0, length));
+    CHECK(app::read_sealed(path, "kind 1", back, error) == app::Sealed::kFailed);
+  }
+  CHECK_FALSE(app::write_sealed(folder / "no/such/folder", "kind 1", words, error));
+  CHECK(contains(error, "no/such/folder: cannot be written: "));
+  CHECK(app::remove_sealed(path, error));
+  CHECK(app::remove_sealed(path, error));
 }
 
 TEST_CASE("resume: what a loop over meshes found, as a text and back") {

@@ -274,11 +274,11 @@ TEST_CASE("sketch: the program tells faults at their places, and takes parameter
   const test::Result word = test::run_shell(command + "run '" + file + "' a=five");
   CHECK(word.status == 64);
   CHECK(test::contains(word.err, "a=five: expected the name of a parameter, = and a number"));
-  CHECK(test::contains(test::run_shell(command + "check '" + file + "' a").err, "more than one deck"));
+  CHECK(test::contains(test::run_shell(command + "run '" + file + "' a").err, "more than one deck"));
   CHECK(test::contains(test::run_shell(command + "convert '" + file + "' a=5").err, "more than one deck"));
   const test::Result deck = test::run_shell(command + "check '" + paths::root() + "/examples/hertz.dat' a=5");
   CHECK(deck.status == 64);
-  CHECK(test::contains(deck.err, "a deck has no parameters: a=5 is for sketches"));
+  CHECK(test::contains(deck.err, "the deck has no parameter a: expected {a} in a card"));
 }
 
 TEST_CASE("sketch: words left out, doubled and exchanged are told, or make a deck") {

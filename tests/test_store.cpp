@@ -6,11 +6,14 @@
 #include <cerrno>
 #include <cstring>
 #include <doctest/doctest.h>
+#include <filesystem>
 #include <fstream>
 #include <functional>
+#include <iterator>
 #include <set>
 #include <string>
 #include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <sys/wait.h>
 #include <type_traits>
 #include <unistd.h>
@@ -101,14 +104,17 @@ struct Written {
   Bytes& on_tape(uint64_t block) { return store.tape[C2D_TAPE_UPPER].at(block); }
 };
 
+uint64_t mix_by_the_page(uint64_t w) {
+  constexpr uint64_t k = 0x9E3779B97F4A7C15u;
+  w = (w ^ w >> 32) * k;
+  w = (w ^ w >> 29) * k;
+  return w ^ w >> 32;
+}
+
 // The sum of FORMAT.md, byte by byte, from the page and not from the code.
 uint64_t sum_by_the_page(uint64_t start, const Bytes& bytes) {
   constexpr uint64_t k = 0x9E3779B97F4A7C15u;
-  auto mixed = [](uint64_t w) {
-    w = (w ^ w >> 32) * k;
-    w = (w ^ w >> 29) * k;
-    return w ^ w >> 32;
-  };
+  const auto mixed = mix_by_the_page;
   auto taken = [](uint64_t s, uint64_t w) {
     s = (s ^ w) * k;
     return s ^ s >> 32;
@@ -137,8 +143,8 @@ struct Folder {
     path = name;
   }
   ~Folder() {
-    for (const char* file : {"tape0.c2d", "tape1.c2d", "tape2.c2d", "tape3.c2d", "lock"}) unlink(name(file).c_str());
-    rmdir(path.c_str());
+    std::error_code ignored;
+    std::filesystem::remove_all(path, ignored);
   }
   std::string name(const std::string& file) const { return path + "/" + file; }
   bool has(const std::string& file) const { return access(name(file).c_str(), F_OK) == 0; }
@@ -166,9 +172,9 @@ void with_every_port(const std::function<void(c2d_port&, const std::string&)>& c
   REQUIRE(c2d_posix_store_init(&store, folder.path.c_str()) == 0);
   c2d_posix_store_port(&store, &port);
   check(port, "posix");
-  CHECK(folder.has("tape1.c2d"));
+  CHECK(folder.has("contact2d.store/tape1.c2d"));
   CHECK(c2d_posix_store_remove(&store) == 0);
-  CHECK_FALSE(folder.has("tape1.c2d"));
+  CHECK_FALSE(folder.has("contact2d.store/tape1.c2d"));
   CHECK(c2d_posix_store_done(&store) == 0);
 }
 
@@ -224,6 +230,8 @@ TEST_CASE("the header stands on the tape as the format page says") {
   const Bytes data = pattern(20, 9);
   CHECK(Bytes(block.begin() + 48, block.begin() + 56) == Bytes(data.end() - 8, data.end()));
   CHECK(Bytes(block.begin() + 64, block.begin() + 76) == Bytes(data.begin(), data.end() - 8));
+  const uint64_t mark = mix_by_the_page(sum_by_the_page(1, Bytes(block.begin() + 16, block.begin() + 48)));
+  CHECK(number(76, 8) == mark);
   const uint64_t sum = sum_by_the_page(3, Bytes(block.begin(), block.begin() + 56));
   CHECK(number(56, 8) == sum_by_the_page(sum, Bytes(block.begin() + 64, block.end())));
 }
@@ -282,6 +290,19 @@ TEST_CASE("a port that fills less than it says is found out") {
     else
       CHECK(status != C2D_OK);
     w.store.fill_at_most = UINT64_MAX;
+  }
+}
+
+TEST_CASE("a port that fills all but the end is found out, though the end was in the buffer") {
+  Written w(40);
+  const size_t all = kBlockHeaderBytes + 40;
+  for (uint64_t missing = 3; missing <= 8; ++missing) { // (a single byte is left to the checksum, and so is the last of two)
+    Bytes buffer = w.on_tape(1);
+    buffer.resize(all);
+    buffer.insert(buffer.end(), 16, 0xAB);
+    w.store.fill_at_most = all - missing;
+    CHECK(read_block(w.tapes, C2D_TAPE_UPPER, 1, buffer.data(), 40) == C2D_ERR_STORE_SHORT);
+    CHECK(Bytes(buffer.begin() + static_cast<long>(all), buffer.end()) == Bytes(16, 0xAB));
   }
 }
 
@@ -361,6 +382,35 @@ TEST_CASE("asking for what is not there is an error of ours, and the port is not
   CHECK(w.store.operations == before);
   w.port.sync = nullptr;
   CHECK(open_tape(w.tapes, C2D_TAPE_LOWER, 1, 8) == C2D_ERR_STORE_OPEN);
+}
+
+TEST_CASE("an error of the store is about a tape, perhaps a block, and nothing else") {
+  Written w(40);
+  std::memset(&w.tapes.error, 0x5A, sizeof w.tapes.error); // of something else
+  REQUIRE(open_tape(w.tapes, C2D_TAPE_UPPER, 1, 1) == C2D_ERR_INTERNAL);
+  const c2d_error& e = w.tapes.error;
+  CHECK((e.status == C2D_ERR_INTERNAL && e.severity == C2D_FAULT && e.tape == C2D_TAPE_UPPER && e.block == 0));
+  CHECK((e.host_code == 0 && e.line == 0 && e.column == 0 && e.column_end == 0));
+  CHECK((e.body == 0 && e.zone == 0 && e.pair == 0 && e.element == 0 && e.node == 0));
+  CHECK((e.bytes_needed == 0 && e.load == 0.0));
+  REQUIRE(w.read(4) == C2D_ERR_INTERNAL);
+  CHECK(e.block == 4);
+}
+
+TEST_CASE("the count of runs stands on its tape as a number of eight bytes, the lowest first") {
+  TestStore store;
+  const c2d_port port = store.port();
+  Tapes tapes;
+  std::memset(&tapes, 0, sizeof tapes);
+  tapes.port = &port;
+  Bytes buffer(kBlockHeaderBytes + kControlBytes);
+  REQUIRE(begin_run(tapes, 1, buffer.data()) == C2D_OK);
+  tapes.count = 0x0807060504030201u;
+  REQUIRE(keep_count(tapes, buffer.data()) == C2D_OK);
+  for (size_t i = 0; i < 8; ++i) CHECK(buffer[kBlockHeaderBytes + i] == i + 1);
+  uint64_t found = 0;
+  REQUIRE(read_count(tapes, &found, buffer.data()) == C2D_OK);
+  CHECK(found == 0x0807060504030201u);
 }
 
 TEST_CASE("runs are counted on the control tape, and no two have the same id") {
@@ -534,33 +584,116 @@ TEST_CASE("a full disk is reported with its errno") {
   Folder folder;
   REQUIRE(symlink("/dev/full", folder.name("tape1.c2d").c_str()) == 0);
   Bytes buffer(kBlockHeaderBytes + 100000);
-  for (bool posix : {false, true}) {
-    for (uint64_t bytes : std::vector<uint64_t>{8, 100000}) { // the smaller one waits in stdio's buffer until sync
-      c2d_stdio_store stdio_store;
-      c2d_posix_store posix_store;
-      c2d_port port = C2D_INIT(c2d_port);
-      if (posix) {
-        REQUIRE(c2d_posix_store_init(&posix_store, folder.path.c_str()) == 0);
-        c2d_posix_store_port(&posix_store, &port);
-      } else {
-        REQUIRE(c2d_stdio_store_init(&stdio_store, folder.path.c_str()) == 0);
-        c2d_stdio_store_port(&stdio_store, &port);
-      }
-      Tapes tapes = {};
-      tapes.port = &port;
-      REQUIRE(open_tape(tapes, C2D_TAPE_LOWER, 1, bytes) == C2D_OK);
-      c2d_status status = write_block(tapes, C2D_TAPE_LOWER, 0, buffer.data(), bytes);
-      if (!posix && status == C2D_OK) {
-        status = sync_tape(tapes, C2D_TAPE_LOWER);
-        CHECK(status == C2D_ERR_STORE_SYNC);
-      } else {
-        CHECK(status == C2D_ERR_STORE_WRITE);
-      }
-      CHECK(tapes.error.host_code == ENOSPC);
-      close_all(tapes);
-      if (posix) CHECK(c2d_posix_store_done(&posix_store) == 0);
+  for (uint64_t bytes : std::vector<uint64_t>{8, 100000}) { // the smaller one waits in stdio's buffer until sync
+    c2d_stdio_store store;
+    c2d_port port = C2D_INIT(c2d_port);
+    REQUIRE(c2d_stdio_store_init(&store, folder.path.c_str()) == 0);
+    c2d_stdio_store_port(&store, &port);
+    Tapes tapes = {};
+    tapes.port = &port;
+    REQUIRE(open_tape(tapes, C2D_TAPE_LOWER, 1, bytes) == C2D_OK);
+    c2d_status status = write_block(tapes, C2D_TAPE_LOWER, 0, buffer.data(), bytes);
+    const bool late = status == C2D_OK;
+    if (late) status = sync_tape(tapes, C2D_TAPE_LOWER);
+    CHECK(status == (late ? C2D_ERR_STORE_SYNC : C2D_ERR_STORE_WRITE));
+    CHECK(tapes.error.host_code == ENOSPC);
+    close_all(tapes);
+  }
+}
+
+TEST_CASE("the posix store takes nothing for its own that it has not made") {
+  Folder folder;
+  const std::string own = folder.name("contact2d.store"), theirs = folder.name("theirs");
+  std::ofstream(theirs) << "a user's file, long enough to be a mark";
+  const auto text = [&] {
+    std::ifstream file(theirs);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  const std::string before = text();
+  c2d_posix_store store;
+  const auto init = [&] { return c2d_posix_store_init(&store, folder.path.c_str()); };
+  const auto link = [&](const std::string& name, bool hard) {
+    REQUIRE((hard ? ::link(theirs.c_str(), name.c_str()) : symlink(theirs.c_str(), name.c_str())) == 0);
+  };
+  SUBCASE("a file in the place of its folder") {
+    link(own, true);
+    CHECK(init() == C2D_POSIX_STORE_FOREIGN);
+  }
+  SUBCASE("a link in the place of its folder") {
+    REQUIRE(mkdir(folder.name("elsewhere").c_str(), 0777) == 0);
+    REQUIRE(symlink("elsewhere", own.c_str()) == 0);
+    CHECK(init() == C2D_POSIX_STORE_FOREIGN);
+  }
+  SUBCASE("a folder of its name that has things in it, and no mark") {
+    REQUIRE(mkdir(own.c_str(), 0777) == 0);
+    link(own + "/tape0.c2d", true);
+    CHECK(init() == C2D_POSIX_STORE_FOREIGN);
+    CHECK_FALSE(folder.has("contact2d.store/lock"));
+  }
+  SUBCASE("a lock that says something else, or is a link") {
+    REQUIRE(mkdir(own.c_str(), 0777) == 0);
+    std::ofstream(own + "/lock") << "mine";
+    CHECK(init() == C2D_POSIX_STORE_FOREIGN);
+    for (bool hard : {false, true}) {
+      REQUIRE(unlink((own + "/lock").c_str()) == 0);
+      link(own + "/lock", hard);
+      CHECK(init() == C2D_POSIX_STORE_FOREIGN);
     }
   }
+  SUBCASE("a tape that is a link, or a folder") {
+    c2d_port port = C2D_INIT(c2d_port);
+    for (int kind = 0; kind < 3; ++kind) {
+      CAPTURE(kind);
+      REQUIRE(init() == 0);
+      c2d_posix_store_port(&store, &port);
+      const std::string tape = own + "/tape1.c2d";
+      if (kind < 2)
+        link(tape, kind == 1);
+      else
+        REQUIRE(mkdir(tape.c_str(), 0777) == 0);
+      CHECK(port.open(port.context, 1, 1, 100) == C2D_POSIX_STORE_FOREIGN);
+      REQUIRE((kind < 2 ? unlink(tape.c_str()) : rmdir(tape.c_str())) == 0);
+      CHECK(c2d_posix_store_discard(&store, nullptr) == 0);
+    }
+  }
+  CHECK(text() == before);
+  CHECK(c2d_posix_store_done(&store) == 0); // after a failure nothing is held
+}
+
+TEST_CASE("the posix store goes on where one was killed while it was made") {
+  Folder folder;
+  const std::string own = folder.name("contact2d.store");
+  const char* const left[] = {nullptr, "", "contact2d blo"}; // no lock yet, an empty one, half of the mark
+  for (const char* mark : left) {
+    REQUIRE(mkdir(own.c_str(), 0777) == 0);
+    if (mark) std::ofstream(own + "/lock") << mark;
+    c2d_posix_store store;
+    CHECK(c2d_posix_store_init(&store, folder.path.c_str()) == 0);
+    CHECK(c2d_posix_store_done(&store) == 0);
+    std::ifstream lock(own + "/lock");
+    CHECK(std::string(std::istreambuf_iterator<char>(lock), {}) == "contact2d block store\n");
+    CHECK(c2d_posix_store_init(&store, folder.path.c_str()) == 0);
+    CHECK(c2d_posix_store_discard(&store, nullptr) == 0);
+    CHECK_FALSE(folder.has("contact2d.store"));
+  }
+}
+
+TEST_CASE("the posix store finds a full disk when it opens a tape") {
+  Folder folder;
+  c2d_posix_store store;
+  REQUIRE(c2d_posix_store_init(&store, folder.path.c_str()) == 0);
+  c2d_port port = C2D_INIT(c2d_port);
+  c2d_posix_store_port(&store, &port);
+  struct statvfs disk;
+  REQUIRE(statvfs(folder.path.c_str(), &disk) == 0);
+  const uint64_t room = static_cast<uint64_t>(disk.f_blocks) * disk.f_frsize;
+  const int32_t code = port.open(port.context, 1, 2, room); // more than the whole disk
+  CHECK((code == ENOSPC || code == EFBIG));
+  struct stat tape;
+  REQUIRE(stat(folder.name("contact2d.store/tape1.c2d").c_str(), &tape) == 0);
+  CHECK(tape.st_blocks < 2048); // and has not taken the rest of it from others
+  CHECK(port.open(port.context, 1, 2, 100) == 0);
+  CHECK(c2d_posix_store_discard(&store, nullptr) == 0);
 }
 
 TEST_CASE("a block whose file was cut off is a failed read") {
@@ -582,7 +715,7 @@ TEST_CASE("a block whose file was cut off is a failed read") {
     REQUIRE(write_block(tapes, C2D_TAPE_LOWER, 0, buffer.data(), 100) == C2D_OK);
     REQUIRE(write_block(tapes, C2D_TAPE_LOWER, 1, buffer.data(), 100) == C2D_OK);
     REQUIRE(sync_tape(tapes, C2D_TAPE_LOWER) == C2D_OK);
-    REQUIRE(truncate(folder.name("tape1.c2d").c_str(), 164 + 80) == 0);
+    REQUIRE(truncate(folder.name(posix ? "contact2d.store/tape1.c2d" : "tape1.c2d").c_str(), 164 + 80) == 0);
     CHECK(read_block(tapes, C2D_TAPE_LOWER, 1, buffer.data(), 100) == C2D_ERR_STORE_READ);
     CHECK(tapes.error.host_code == (posix ? int32_t(C2D_POSIX_STORE_END) : int32_t(C2D_STDIO_STORE_END)));
     CHECK(read_block(tapes, C2D_TAPE_LOWER, 0, buffer.data(), 100) == C2D_OK);
@@ -615,16 +748,19 @@ TEST_CASE("the posix store makes its folder, and takes away no more than its own
   const std::string inner = folder.name("inner");
   c2d_posix_store store;
   REQUIRE(c2d_posix_store_init(&store, inner.c_str()) == 0);
-  CHECK(folder.has("inner/lock"));
+  CHECK(folder.has("inner/contact2d.store/lock"));
   c2d_port port = C2D_INIT(c2d_port);
   c2d_posix_store_port(&store, &port);
   CHECK(port.open(port.context, 3, 1, 100) == 0);
-  CHECK(folder.has("inner/tape3.c2d"));
+  CHECK(folder.has("inner/contact2d.store/tape3.c2d"));
   std::ofstream(inner + "/other") << "the user's\n";
+  std::ofstream(inner + "/tape0.c2d") << "the user's\n";
   CHECK(c2d_posix_store_discard(&store, inner.c_str()) == 0);
   CHECK(folder.has("inner/other")); // what is not the store's stays, and so does the folder
-  CHECK_FALSE(folder.has("inner/lock"));
-  CHECK_FALSE(folder.has("inner/tape3.c2d"));
+  CHECK(folder.has("inner/tape0.c2d"));
+  CHECK(unlink((inner + "/tape0.c2d").c_str()) == 0);
+  CHECK_FALSE(folder.has("inner/contact2d.store/lock"));
+  CHECK_FALSE(folder.has("inner/contact2d.store/tape3.c2d"));
   CHECK(unlink((inner + "/other").c_str()) == 0);
   REQUIRE(c2d_posix_store_init(&store, inner.c_str()) == 0);
   CHECK(c2d_posix_store_discard(&store, inner.c_str()) == 0);
@@ -649,7 +785,9 @@ TEST_CASE("blocks beyond 4 GiB have a place of their own") {
     REQUIRE(port.write(port.context, 1, far_block, data, 16) == 0);
     REQUIRE(port.sync(port.context, 1) == 0);
     struct stat info;
-    REQUIRE(stat(folder.name("tape1.c2d").c_str(), &info) == 0);
+    const std::string tape = folder.name(posix ? "contact2d.store/tape1.c2d" : "tape1.c2d");
+    REQUIRE(stat(tape.c_str(), &info) == 0);
+    REQUIRE(unlink(tape.c_str()) == 0); // so much room is not to outlive a killed test
     CHECK(static_cast<uint64_t>(info.st_size) == far_block * bytes + 16);
     REQUIRE(port.read(port.context, 1, far_block, back, 16) == 0);
     CHECK(std::memcmp(data, back, 16) == 0);

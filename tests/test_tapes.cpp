@@ -1,5 +1,6 @@
 // Tapes known beforehand: what c2d_tape_need and the constants tell, against what the store is asked for.
 #include "contact2d_memory.h"
+#include "fuzz/small_model.hpp"
 #include "paths.hpp"
 #include "solver_runs.hpp"
 #include "store/block.hpp"
@@ -248,4 +249,38 @@ TEST_CASE("tapes: blocks and saved states of 0.1 are refused with the reason") {
   CHECK(c2d_get_state(machine.solver) == C2D_STATE_MODEL);
   CHECK(std::equal(before[0].begin(), before[0].end(), store.tape[C2D_TAPE_CONTROL][0].begin()));
   CHECK(c2d_prepare(machine.solver) == C2D_OK); // the store is as good as a new one
+}
+
+TEST_CASE("tapes: no byte that was in the host's memory before is written to one") {
+  namespace small = small_model;
+  const auto written = [](int variant, unsigned char fill) {
+    small::Store store;
+    c2d_port port = C2D_INIT(c2d_port);
+    store.serve(port);
+    small::Machine machine(variant, &port, fill);
+    const double mu = 0.3, load[] = {1.0, 0.6};
+    c2d_outcome outcome = -1;
+    c2d_solver* const s = machine.solver;
+    REQUIRE(machine.created == C2D_OK);
+    REQUIRE(small::build(s, variant) == C2D_OK);
+    REQUIRE(c2d_prepare(s) == C2D_OK);
+    REQUIRE(c2d_save(s) == C2D_OK);
+    REQUIRE(c2d_begin(s, &mu, 1) == C2D_OK);
+    REQUIRE(c2d_advance(s, load, 2, &outcome) == C2D_OK);
+    REQUIRE(c2d_save(s) == C2D_OK); // in the other slot
+    REQUIRE(c2d_close(s) == C2D_OK);
+    return store;
+  };
+  for (int variant = 0; variant < small::kVariants; ++variant) {
+    const small::Store one = written(variant, 0xA5), other = written(variant, 0x3C);
+    for (int tape = 0; tape < C2D_TAPES; ++tape) {
+      CAPTURE(variant);
+      CAPTURE(tape);
+      REQUIRE(one.tape[tape].size() == other.tape[tape].size());
+      for (size_t block = 0; block < one.tape[tape].size(); ++block) {
+        CAPTURE(block);
+        REQUIRE(one.tape[tape][block] == other.tape[tape][block]);
+      }
+    }
+  }
 }

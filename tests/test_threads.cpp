@@ -3,13 +3,16 @@
 #include "linalg/dense.hpp"
 #include "linalg/lu.hpp"
 #include "memory/workers.hpp"
+#include "solver_runs.hpp"
 
 #include <atomic>
 #include <cerrno>
 #include <cfenv>
+#include <chrono>
 #include <cstring>
 #include <doctest/doctest.h>
 #include <random>
+#include <thread>
 #include <vector>
 
 using namespace c2d;
@@ -134,4 +137,96 @@ TEST_CASE("threads: factors, solutions and products are the same bits for any nu
       }
     }
   }
+}
+
+namespace {
+
+// Calls of every kind on one solver, one after another; what each returns is seen.
+class Worker {
+public:
+  Worker(const std::function<bool()>& pending, const std::function<void(c2d_status, bool can_be_cancelled)>& seen)
+      : deck_(runs::deck_named("hertz_lin_l")), limits_(deck_.limits()), pending_(pending), seen_(seen),
+        memory_(enough(limits_)) {
+    c2d_port port = C2D_INIT(c2d_port);
+    store_.serve(port);
+    REQUIRE(c2d_create(&solver, memory_.data(), memory_.size(), &limits_, &port, nullptr) == C2D_OK);
+    REQUIRE(runs::read_deck(solver, deck_) == C2D_OK);
+  }
+  Worker(const Worker&) = delete;
+  Worker& operator=(const Worker&) = delete;
+  void make_a_round() {
+    const double mu = 0.4, point[] = {0.3, 0.3};
+    double out[C2D_POINT_FIELDS], step;
+    c2d_outcome outcome;
+    until_done([&] { return c2d_prepare(solver); });
+    look(c2d_begin(solver, &mu, 1), false);
+    for (const double load : {0.5, 1.0}) {
+      until_done([&] { return c2d_advance(solver, &load, 1, &outcome); });
+      look(c2d_next_event(solver, &load, 1, &step), false);
+      look(c2d_get(solver, C2D_TN, 1, 1, 1, out, 1), false);
+    }
+    until_done([&] { return c2d_interior(solver, 1, 1, point, 2, out, C2D_POINT_FIELDS); });
+    until_done([&] { return c2d_indicators(solver, 1, 1, 1, out, C2D_OFF_FIELDS); });
+    until_done([&] { return c2d_run(solver, nullptr, nullptr); });
+    look(c2d_save(solver), false);
+    look(c2d_restore(solver), false);
+    look(c2d_change_loads(solver), false);
+  }
+  c2d_solver* solver = nullptr;
+
+private:
+  static size_t enough(const c2d_limits& limits) {
+    uint64_t most = 0;
+    REQUIRE(c2d_memory_need(&limits, nullptr, &most, nullptr) == C2D_OK);
+    return static_cast<size_t>(most);
+  }
+  void look(c2d_status status, bool can_be_cancelled) { seen_(status, can_be_cancelled); }
+  template <class Call> void until_done(Call call) {
+    c2d_status status = C2D_ERR_CANCELLED;
+    while (status == C2D_ERR_CANCELLED) {
+      const bool must_tell = pending_();
+      status = call();
+      look(must_tell && status == C2D_OK ? c2d_status{C2D_ERR_INTERNAL} : status, true);
+    }
+  }
+  runs::Deck deck_;
+  host::Limits limits_;
+  std::function<bool()> pending_; // a cancel has come that no call told yet
+  std::function<void(c2d_status, bool)> seen_;
+  runs::RamStore store_;
+  runs::Bytes memory_;
+};
+
+} // namespace
+
+TEST_CASE("threads: a cancel at any moment is told by one call, at once or by the next that can be cancelled") {
+  constexpr int kCancels = 3000;
+  std::atomic<int> told{0}, asked{0};
+  std::atomic<bool> over{false};
+  int late = 0, wrong = 0, rounds = 0;
+  const auto pending = [&] { return asked.load() > told.load(); };
+  Worker worker(pending, [&](c2d_status status, bool can_be_cancelled) {
+    if (status == C2D_ERR_CANCELLED && can_be_cancelled)
+      told.fetch_add(1);
+    else if (status != C2D_OK)
+      ++wrong;
+    else if (pending())
+      ++late; // the next call that can be cancelled must tell
+  });
+  std::thread other([&] {
+    std::mt19937 generator(14);
+    for (int i = 1; i <= kCancels && !over; ++i) {
+      std::this_thread::sleep_for(std::chrono::microseconds(generator() % 700));
+      c2d_cancel(worker.solver);
+      asked.store(i);
+      while (told.load() < i && !over) std::this_thread::yield();
+    }
+  });
+  for (; told.load() < kCancels && wrong == 0; ++rounds) worker.make_a_round();
+  over = true; // one that was lost would be waited for without end
+  other.join();
+  worker.make_a_round();
+  CHECK(told.load() == kCancels); // not one more
+  CHECK(wrong == 0);
+  MESSAGE("cancels: " << kCancels << " in " << rounds << " rounds of calls, " << late << " calls ended with one to be told");
 }

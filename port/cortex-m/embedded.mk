@@ -5,6 +5,8 @@ ARM_PREFIX ?= arm-none-eabi-
 QEMU_ARM   ?= qemu-system-arm
 EMBEDDED   := $(BUILD)/embedded
 BOARDS     := m3 m4f m7
+script = port/cortex-m/$(board_$(1)).ld
+sources_of_board = $(ARM_PORT)
 
 board_m3  := lm3s6965evb
 board_m4f := mps2-an386
@@ -17,6 +19,21 @@ real_m4f  := -DC2D_REAL=float -DC2D_REAL_BYTES=4
 agree_m3  := 1e-9
 agree_m4f := 2e-4
 agree_m7  := 1e-9
+# make embedded BOARD=DIR: a board of one's own in their place (README.md of this folder). DIR/board.mk sets CPU and SCRIPT, and as
+# needed EMULATED, DEFINES, AGREE, PARTS, SOURCES, ARM_PREFIX, QEMU_ARM.
+ifdef BOARD
+override BOARD := $(BOARD:%/=%)
+AGREE := 1e-9
+include $(BOARD)/board.mk
+BOARDS := $(notdir $(BOARD))
+cpu_$(BOARDS) := $(CPU)
+board_$(BOARDS) := $(EMULATED)
+real_$(BOARDS) := $(DEFINES)
+agree_$(BOARDS) := $(AGREE)
+parts_$(BOARDS) := $(PARTS)
+script = $(BOARD)/$(SCRIPT)
+sources_of_board = $(or $(SOURCES),$(ARM_PORT))
+endif
 # Bytes that the linker must find between static data and the top of RAM; one more, an odd number that is no address of a function.
 STACK_LEAST ?= 4096
 
@@ -46,19 +63,19 @@ arm_objects = $(foreach s,$(2),$(EMBEDDED)/$(1)/$(3)/$(subst /,_,$(basename $(pa
 define arm_library
 $(EMBEDDED)/$(1)/$(2):
 	@mkdir -p $$@
-$(foreach s,$(CORE_SOURCES) $(ARM_PORT),$(eval $(call arm_object,$(1),$(s),$(2))))
+$(foreach s,$(CORE_SOURCES) $(sort $(ARM_PORT) $(sources_of_board)),$(eval $(call arm_object,$(1),$(s),$(2))))
 $(EMBEDDED)/$(1)/$(2)/libcontact2d.a: $(call arm_objects,$(1),$(CORE_SOURCES),$(2)) src/sources.mk
 	@rm -f $$@
-	$(ARM_PREFIX)gcc-ar rcs $$@ $(call arm_objects,$(1),$(CORE_SOURCES),$(2))
+	$(ARM_PREFIX)gcc-ar rcsD $$@ $(call arm_objects,$(1),$(CORE_SOURCES),$(2))
 -include $(wildcard $(EMBEDDED)/$(1)/$(2)/*.d)
 endef
 
 define arm_board
 $(foreach f,obj lto,$(eval $(call arm_library,$(1),$(f))))
-$(EMBEDDED)/$(1)/run_deck.elf: $(EMBEDDED)/$(1)/lto/libcontact2d.a $(call arm_objects,$(1),$(ARM_PORT),lto) $(wildcard port/cortex-m/*.ld)
+$(EMBEDDED)/$(1)/run_deck.elf: $(EMBEDDED)/$(1)/lto/libcontact2d.a $(call arm_objects,$(1),$(sources_of_board),lto) $(call script,$(1)) $(wildcard port/cortex-m/*.ld)
 	$(ARM_PREFIX)g++ $(cpu_$(1)) $(WHOLE) -nostdlib -Wl,--gc-sections -Wl,-Map,$$(@:.elf=.map) -Lport/cortex-m \
-	  -Wl,--defsym=stack_least=$(STACK_LEAST)+1 -T port/cortex-m/$(board_$(1)).ld $(foreach p,$(PART_CALLS) $(parts_$(1)),-Wl,-u,$(p)) \
-	  $(call arm_objects,$(1),$(ARM_PORT),lto) $(EMBEDDED)/$(1)/lto/libcontact2d.a -lm -lc_nano -lgcc -o $$@
+	  -Wl,--defsym=stack_least=$(STACK_LEAST)+1 -T $(call script,$(1)) $(foreach p,$(PART_CALLS) $(parts_$(1)),-Wl,-u,$(p)) \
+	  $(call arm_objects,$(1),$(sources_of_board),lto) $(EMBEDDED)/$(1)/lto/libcontact2d.a -lm -lc_nano -lgcc -o $$@
 $(EMBEDDED)/$(1)/hertz.csv: $(EMBEDDED)/$(1)/run_deck.elf examples/hertz.dat
 	@mkdir -p $$(@D)/tapes
 	$(QEMU_ARM) -M $(board_$(1)) -nographic -monitor none -serial none -kernel $$< \
@@ -83,10 +100,15 @@ agree = @told=$$($(EMBEDDED)/compare $(EMBEDDED)/desktop.csv $(2) $(3)); status=
   printf 'embedded: %s\n%s\n' '$(1)' "$$told"; exit $$status
 # The sample deck on every board, compared with this machine's run.
 .PHONY: embedded embedded-float $(BOARDS:%=embedded-%)
+ifdef BOARD
+embedded: $(if $(EMULATED),embedded-$(BOARDS),$(EMBEDDED)/$(BOARDS)/run_deck.elf)
+	@$(ARM_PREFIX)size $(EMBEDDED)/$(BOARDS)/run_deck.elf
+else
 embedded: $(BOARDS:%=embedded-%) embedded-float
+endif
 # Matrices in single precision on this machine.
 embedded-float: $(EMBEDDED)/desktop.csv $(EMBEDDED)/compare
-	@$(MAKE) -s BUILD=$(EMBEDDED)/float CPPFLAGS='$(CPPFLAGS) -DC2D_REAL=float -DC2D_REAL_BYTES=4' $(EMBEDDED)/float/contact2d
+	@$(MAKE) -s BUILD=$(EMBEDDED)/float CXXFLAGS=-O1 CPPFLAGS='$(CPPFLAGS) -DC2D_REAL=float -DC2D_REAL_BYTES=4' $(EMBEDDED)/float/contact2d
 	@$(EMBEDDED)/float/contact2d run examples/hertz.dat --no-progress --listing $(EMBEDDED)/float/hertz.lst \
 	  --csv $(EMBEDDED)/float/hertz.csv 2>$(EMBEDDED)/float/run.log || { cat $(EMBEDDED)/float/run.log; exit 1; }
 	$(call agree,this machine$(comma) C2D_REAL=float,$(EMBEDDED)/float/hertz.csv,$(agree_m4f))
@@ -156,7 +178,7 @@ endef
 $(foreach s,$(CORE_SOURCES),$(eval $(call desktop_compile,$(s))))
 $(DESKTOP)/libcontact2d.a: $(DESKTOP_OBJECTS)
 	@rm -f $@
-	@$(AR) rcs $@ $(DESKTOP_OBJECTS)
+	@$(ARCHIVE) $@ $(DESKTOP_OBJECTS)
 define desktop_size
 $(DESKTOP)/$(1).size: $(DESKTOP)/libcontact2d.a
 	@$(CXX) -nostdlib -r -Wl,--gc-sections -Wl,-e,c2d_create $(call wanted,$(1)) $$^ -o $$(@:.size=.o)

@@ -94,7 +94,7 @@ module contact2d
   ! ---- numbers of c2d_posix.h
   integer(c_int32_t), parameter :: C2D_POSIX_STORE_TAPE = -1, C2D_POSIX_STORE_RANGE = -2, &
       C2D_POSIX_STORE_END = -3, C2D_POSIX_STORE_LOCKED = -4, C2D_POSIX_STORE_STUCK = -5, &
-      C2D_POSIX_STORE_TICKET = -6
+      C2D_POSIX_STORE_TICKET = -6, C2D_POSIX_STORE_FOREIGN = -7
 
   ! ---- numbers of c2d_threads.h
   integer(c_int32_t), parameter :: C2D_THREADS_MOST = 64
@@ -325,7 +325,7 @@ module contact2d
     character(kind=c_char) :: unit_length(16) = c_null_char
     character(kind=c_char) :: unit_force(16) = c_null_char
     integer(c_int32_t) :: load_cases = 0
-    integer(c_int32_t) :: reserved = 0
+    integer(c_int32_t) :: run_coefficient = 0
     real(c_double) :: work = 0
     real(c_double) :: dissipated = 0
     real(c_double) :: elastic = 0
@@ -335,7 +335,7 @@ module contact2d
     integer(c_int32_t) :: breach = 0
     real(c_double) :: symmetry_at(2) = 0
     real(c_double) :: breach_size = 0
-    integer(c_int32_t) :: point_loads = 0, point_sets = 0, curves = 0, reserved_too = 0
+    integer(c_int32_t) :: point_loads = 0, point_sets = 0, curves = 0, run_step = 0
   end type
 
   type, bind(C) :: c2d_body_result
@@ -398,6 +398,7 @@ module contact2d
   end type
 
   type, bind(C) :: c2d_posix_store
+    integer(c_int32_t) :: parent = 0
     integer(c_int32_t) :: folder = 0
     integer(c_int32_t) :: lock = 0
     integer(c_int32_t) :: file(C2D_TAPES) = 0
@@ -535,6 +536,22 @@ module contact2d
       integer(c_size_t), value :: bytes
       type(c2d_port), intent(in) :: port
       type(c2d_error), intent(inout) :: why
+      integer(c_int32_t) :: status
+    end function
+    function c2d_attach_image(out, memory, bytes, port, sum, why) bind(C) result(status)
+      import
+      type(c_ptr), intent(out) :: out
+      type(c_ptr), value :: memory
+      integer(c_size_t), value :: bytes
+      type(c2d_port), intent(in) :: port
+      integer(c_int64_t), value :: sum
+      type(c2d_error), intent(inout) :: why
+      integer(c_int32_t) :: status
+    end function
+    function c2d_image_sum(solver, sum) bind(C) result(status)
+      import
+      type(c_ptr), value :: solver
+      integer(c_int64_t), intent(out) :: sum
       integer(c_int32_t) :: status
     end function
     function c2d_close(solver) bind(C) result(status)

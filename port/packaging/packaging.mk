@@ -1,5 +1,5 @@
 # One file for those who vendor the library, and a Debian package: included by the Makefile.
-.PHONY: amalgamation deb
+.PHONY: amalgamation api deb reproducible
 
 # ---------------------------------------------------------------- make amalgamation
 # The core and the block store in memory as one contact2d.cpp, and the headers beside it.
@@ -13,6 +13,17 @@ amalgamation: $(BUILD)/obj/amalgamate
 	@mv $(AMALGAMATION)/contact2d.cpp.new $(AMALGAMATION)/contact2d.cpp
 	@cp include/*.h port/memory/c2d_memory.h $(AMALGAMATION)/
 	@echo 'One file: $(AMALGAMATION)/contact2d.cpp, with the headers beside it (and c2d_memory.h for the store that is in it)'
+
+# ---------------------------------------------------------------- make api
+# The headers as one page of HTML, the interface first.
+API_HEADERS := include/contact2d.h $(filter-out include/contact2d.h,$(sort $(wildcard include/*.h port/*/c2d_*.h)))
+$(BUILD)/obj/header_page: port/packaging/header_page.cpp $(BUILD)/flags
+	$(CXX) $(CPPFLAGS) -std=c++17 $(WARNINGS) $(CXXFLAGS) $(LDFLAGS) -o $@ $<
+api: $(BUILD)/obj/header_page
+	@mkdir -p $(BUILD)/api
+	@$(BUILD)/obj/header_page $(VERSION) $(API_HEADERS) > $(BUILD)/api/contact2d.html.new
+	@mv $(BUILD)/api/contact2d.html.new $(BUILD)/api/contact2d.html
+	@echo 'The C interface: $(BUILD)/api/contact2d.html (open it with a browser)'
 
 # ---------------------------------------------------------------- make deb
 # Needs dpkg-dev and debhelper, and lintian to look at the outcome (none of them reaches for a network). All in a
@@ -34,3 +45,17 @@ deb:
 	@if command -v lintian >/dev/null; then lintian --fail-on error --allow-root $(DEB)/*.changes; \
 	  else echo 'lintian is not installed: the packages were not looked at'; fi
 	@ls $(DEB)/*.deb
+
+# ---------------------------------------------------------------- make reproducible
+# One file and packages (which hold library and program) once more, from a copy of the sources in a folder of another name, with
+# other rights, locale and time zone, by one job: the same bytes.
+AGAIN := $(BUILD)/reproducible/in_a_folder_with_a_longer_name
+reproducible: amalgamation deb
+	@rm -rf $(BUILD)/reproducible
+	@mkdir -p $(AGAIN)
+	@cp -R $(DEB_SOURCES) $(AGAIN)/
+	@umask 027; unset MAKEFLAGS MAKELEVEL; LC_ALL=C.UTF-8 TZ=Asia/Kolkata $(MAKE) -s -C $(AGAIN) BUILD=out amalgamation deb > $(AGAIN)/log 2>&1 || \
+	  { tail -20 $(AGAIN)/log; exit 1; }
+	@cd $(BUILD); \
+	  for file in amalgamation/contact2d.cpp deb/*.deb; do cmp $$file reproducible/$(notdir $(AGAIN))/out/$$file || exit 1; \
+	    echo "reproducible: $$file"; done

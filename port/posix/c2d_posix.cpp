@@ -2,11 +2,13 @@
 #define _FILE_OFFSET_BITS 64
 #endif
 #include "transfers.hpp"
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
 #include <string.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <sys/types.h>
 #include <unistd.h>
 
@@ -19,6 +21,10 @@ c2d_posix_store* self(void* context) { return static_cast<c2d_posix_store*>(cont
 
 bool is_open(const c2d_posix_store* s, int32_t tape) { return tape >= 0 && tape < C2D_TAPES && s->file[tape] >= 0; }
 
+constexpr char kOwnFolder[] = C2D_POSIX_STORE_FOLDER, kLock[] = "lock";
+constexpr char kMark[] = "contact2d block store\n"; // the contents of the lock's file
+constexpr uint64_t kMarkBytes = sizeof kMark - 1;
+
 struct FileName {
   char text[16];
 };
@@ -28,13 +34,24 @@ FileName file_name(int32_t tape) {
   return name;
 }
 
+// Never through a link, which would lead to somebody else's file.
 int open_at(int folder, const char* name, int flags) {
   int file;
   do {
-    file = openat(folder, name, flags | O_RDWR | O_CLOEXEC, 0666);
+    file = openat(folder, name, flags | O_NOFOLLOW | O_CLOEXEC, 0666);
   } while (file < 0 && errno == EINTR);
   return file;
 }
+
+// A regular file with this one name? 0, C2D_POSIX_STORE_FOREIGN or errno.
+int32_t check_own(int file) {
+  struct stat about;
+  if (fstat(file, &about) != 0) return errno;
+  return S_ISREG(about.st_mode) && about.st_nlink <= 1 ? 0 : C2D_POSIX_STORE_FOREIGN;
+}
+
+// Of a failed open_at.
+int32_t open_code(int code) { return code == ELOOP || code == EISDIR || code == ENOTDIR ? C2D_POSIX_STORE_FOREIGN : code; }
 
 int32_t sync_file(int file) {
   int result;
@@ -42,6 +59,39 @@ int32_t sync_file(int file) {
     result = fsync(file);
   } while (result != 0 && errno == EINTR);
   return result == 0 ? 0 : errno;
+}
+
+// A new name must be found again after a crash. Some file systems cannot sync folders; theirs need no help.
+int32_t sync_folder(int folder) {
+  const int32_t code = sync_file(folder);
+  return code == EINVAL || code == ENOTSUP ? 0 : code;
+}
+
+// Room for the whole tape, so that a full disk is found before the work and not after it. Its length stays what has been
+// written. File systems that cannot say are believed to have room; what cannot be had is not tried for, and not kept in part.
+int32_t reserve(int file, uint64_t bytes) {
+#ifdef FALLOC_FL_KEEP_SIZE
+  constexpr uint64_t kUnit = 512; // of st_blocks
+  struct stat about;
+  struct statvfs disk;
+  if (fstat(file, &about) != 0) return errno;
+  const uint64_t has = static_cast<uint64_t>(about.st_blocks) * kUnit;
+  if (has >= bytes) return 0; // not even its time is touched
+  if (fstatvfs(file, &disk) == 0 && disk.f_blocks > 0 && disk.f_frsize > 0 && (bytes - has) / disk.f_frsize > disk.f_bavail)
+    return ENOSPC;
+  int result;
+  do {
+    result = fallocate(file, FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(bytes));
+  } while (result != 0 && errno == EINTR);
+  const int32_t code = result == 0 ? 0 : errno;
+  if (code != ENOSPC && code != EDQUOT && code != EFBIG) return 0;
+  while (ftruncate(file, about.st_size) != 0 && errno == EINTR) { // what was found of it is given back
+  }
+  return code;
+#else
+  static_cast<void>(file), static_cast<void>(bytes);
+  return 0;
+#endif
 }
 
 // Close once, whatever happens: after EINTR the descriptor may belong to someone else already.
@@ -52,25 +102,24 @@ int32_t close_file(int32_t* file) {
   return code;
 }
 
-// An existing file keeps its contents. A new one must be found again after a crash, hence the folder's fsync.
+// An existing file keeps its contents.
 int32_t open_tape(void* context, int32_t tape, uint64_t blocks, uint64_t block_bytes) {
   c2d_posix_store* s = self(context);
   if (tape < 0 || tape >= C2D_TAPES) return C2D_POSIX_STORE_TAPE;
   if (blocks != 0 && block_bytes > static_cast<uint64_t>(INT64_MAX) / blocks) return C2D_POSIX_STORE_RANGE;
-  const int32_t closed = close_file(&s->file[tape]);
-  if (closed != 0) return closed;
+  int32_t code = close_file(&s->file[tape]);
+  if (code != 0) return code;
   const FileName name = file_name(tape);
-  int file = open_at(s->folder, name.text, 0);
-  if (file < 0 && errno == ENOENT) {
-    file = open_at(s->folder, name.text, O_CREAT);
-    const int32_t code = file < 0 ? 0 : sync_file(s->folder);
-    // Some file systems cannot sync folders; theirs need no help.
-    if (code != 0 && code != EINVAL) {
-      close(file);
-      return code;
-    }
+  int32_t file = open_at(s->folder, name.text, O_RDWR);
+  const bool is_new = file < 0 && errno == ENOENT;
+  if (is_new) file = open_at(s->folder, name.text, O_RDWR | O_CREAT | O_EXCL);
+  if (file < 0) return open_code(errno);
+  code = is_new ? sync_folder(s->folder) : check_own(file);
+  if (code == 0) code = reserve(file, blocks * block_bytes);
+  if (code != 0) {
+    close_file(&file);
+    return code;
   }
-  if (file < 0) return errno;
   s->file[tape] = file;
   s->blocks[tape] = blocks;
   s->block_bytes[tape] = block_bytes;
@@ -164,20 +213,92 @@ int32_t lock_file(int file) {
   return errno == EWOULDBLOCK || errno == EACCES ? C2D_POSIX_STORE_LOCKED : errno;
 }
 
+// 0: nothing is in it; C2D_POSIX_STORE_FOREIGN or errno.
+int32_t check_empty(int folder) {
+  const int copy = open_at(folder, ".", O_RDONLY | O_DIRECTORY); // fdopendir takes it over
+  DIR* list = copy < 0 ? nullptr : fdopendir(copy);
+  if (!list) {
+    const int32_t code = errno;
+    if (copy >= 0) close(copy);
+    return code;
+  }
+  bool empty = true;
+  while (const dirent* entry = readdir(list))
+    empty = empty && (strcmp(entry->d_name, ".") == 0 || strcmp(entry->d_name, "..") == 0);
+  closedir(list);
+  return empty ? 0 : C2D_POSIX_STORE_FOREIGN;
+}
+
+// The lock's file is new: the mark, and then the names, last.
+int32_t write_mark(c2d_posix_store* s) {
+  for (uint64_t done = 0; done < kMarkBytes;) {
+    const ssize_t put = pwrite(s->lock, kMark + done, kMarkBytes - done, static_cast<off_t>(done));
+    if (put == 0) return C2D_POSIX_STORE_STUCK;
+    if (put < 0 && errno != EINTR) return errno;
+    if (put > 0) done += static_cast<uint64_t>(put);
+  }
+  const int32_t codes[] = {sync_file(s->lock), sync_folder(s->folder), sync_folder(s->parent)};
+  for (const int32_t code : codes)
+    if (code != 0) return code;
+  return 0;
+}
+
+// Under the lock: is the mark in its file? One that was killed while it wrote the mark has left the beginning of it.
+int32_t check_mark(c2d_posix_store* s) {
+  char found[kMarkBytes + 1];
+  ssize_t got;
+  do {
+    got = pread(s->lock, found, sizeof found, 0);
+  } while (got < 0 && errno == EINTR);
+  if (got < 0) return errno;
+  if (static_cast<uint64_t>(got) > kMarkBytes || memcmp(found, kMark, static_cast<size_t>(got)) != 0)
+    return C2D_POSIX_STORE_FOREIGN;
+  return static_cast<uint64_t>(got) == kMarkBytes ? 0 : write_mark(s);
+}
+
+// The folder of our own in `parent`, and its lock's file, which a folder that is not empty must have. ENOENT: its holder has
+// just removed it.
+int32_t open_own(c2d_posix_store* s) {
+  if (mkdirat(s->parent, kOwnFolder, 0777) != 0 && errno != EEXIST) return errno;
+  s->folder = open_at(s->parent, kOwnFolder, O_RDONLY | O_DIRECTORY);
+  if (s->folder < 0) return open_code(errno);
+  s->lock = open_at(s->folder, kLock, O_RDWR);
+  if (s->lock >= 0) return check_own(s->lock);
+  if (errno != ENOENT) return open_code(errno);
+  const int32_t code = check_empty(s->folder);
+  if (code != 0) return code;
+  s->lock = open_at(s->folder, kLock, O_RDWR | O_CREAT);
+  return s->lock < 0 ? open_code(errno) : check_own(s->lock);
+}
+
 // A lock's file may be deleted by its holder between our opening and locking it: such a lock keeps nobody
 // out. Then the next one is tried; each turn means that another store has come and gone.
-int32_t lock_folder(c2d_posix_store* s) {
+int32_t lock_own(c2d_posix_store* s) {
   for (int32_t turn = 0; turn < 10; ++turn) {
-    s->lock = open_at(s->folder, "lock", O_CREAT);
-    if (s->lock < 0) return errno;
-    const int32_t code = lock_file(s->lock);
-    if (code != 0) return code;
+    int32_t code = open_own(s);
+    if (code == 0) code = lock_file(s->lock);
     struct stat info;
-    if (fstat(s->lock, &info) != 0) return errno;
-    if (info.st_nlink > 0) return 0;
+    if (code == 0 && fstat(s->lock, &info) != 0) code = errno;
+    if (code == 0 && info.st_nlink > 0) return check_mark(s);
+    if (code != 0 && code != ENOENT) return code;
     close_file(&s->lock);
+    close_file(&s->folder);
   }
   return C2D_POSIX_STORE_LOCKED;
+}
+
+// The folder that the caller names, and ours in it.
+int32_t open_folders(c2d_posix_store* s, const char* folder) {
+  const bool made = mkdir(folder, 0777) == 0;
+  if (!made && errno != EEXIST) return errno;
+  do {
+    s->parent = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  } while (s->parent < 0 && errno == EINTR);
+  if (s->parent < 0) return errno;
+  int32_t above = made ? open_at(s->parent, "..", O_RDONLY | O_DIRECTORY) : -1;
+  const int32_t code = above < 0 ? 0 : sync_folder(above); // one that may not be read cannot be helped
+  close_file(&above);
+  return code == 0 ? lock_own(s) : code;
 }
 
 } // namespace
@@ -190,17 +311,11 @@ extern "C" {
 
 int32_t c2d_posix_store_init(c2d_posix_store* store, const char* folder) {
   memset(store, 0, sizeof *store);
-  store->folder = store->lock = -1;
+  store->parent = store->folder = store->lock = -1;
   for (int32_t tape = 0; tape < C2D_TAPES; ++tape) store->file[tape] = -1;
   if (!folder || folder[0] == '\0') return ENOENT;
-  if (mkdir(folder, 0777) != 0 && errno != EEXIST) return errno;
-  store->folder = open(folder, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (store->folder < 0) return errno;
-  const int32_t code = lock_folder(store);
-  if (code != 0) {
-    close_file(&store->lock);
-    close_file(&store->folder);
-  }
+  const int32_t code = open_folders(store, folder);
+  if (code != 0) c2d_posix_store_done(store);
   return code;
 }
 
@@ -235,19 +350,30 @@ int32_t c2d_posix_store_done(c2d_posix_store* store) {
     const int32_t code = close_file(&store->file[tape]);
     if (first == 0) first = code;
   }
-  const int32_t folder = close_file(&store->folder);
-  const int32_t lock = close_file(&store->lock); // lets go of the lock
-  if (first == 0) first = folder != 0 ? folder : lock;
+  int32_t* const rest[] = {&store->folder, &store->parent, &store->lock}; // the last lets go of the lock
+  for (int32_t* file : rest) {
+    const int32_t code = close_file(file);
+    if (first == 0) first = code;
+  }
   return first;
 }
 
 int32_t c2d_posix_store_discard(c2d_posix_store* store, const char* folder) {
   int32_t first = c2d_posix_store_remove(store);
-  if (unlinkat(store->folder, "lock", 0) != 0 && errno != ENOENT && first == 0) first = errno;
+  const auto note = [&first](int result) { // what somebody else has put there stays
+    if (result != 0 && errno != ENOENT && errno != ENOTEMPTY && errno != EEXIST && first == 0) first = errno;
+  };
+  // The mark goes last, also after a crash: without it what is left would be nobody's.
+  if (first == 0) first = sync_folder(store->folder);
+  if (first == 0) {
+    note(unlinkat(store->folder, kLock, 0));
+    note(unlinkat(store->parent, kOwnFolder, AT_REMOVEDIR));
+  }
+  const bool emptied = first == 0; // whatever closing says
   const int32_t code = c2d_posix_store_done(store);
   if (first == 0) first = code;
-  const bool removed = !folder || rmdir(folder) == 0 || errno == ENOTEMPTY || errno == EEXIST || errno == ENOENT;
-  return first == 0 && !removed ? errno : first;
+  if (folder && emptied) note(rmdir(folder));
+  return first;
 }
 
 } // extern "C"

@@ -67,21 +67,19 @@ bool batch_field_element(const FieldElement& e, BatchFieldElement& out) {
   return true;
 }
 
-bool aim_columns(const BatchRun& run, BatchColumns& out) {
+void aim_columns(const BatchRun& run, BatchColumns& out) {
   out = BatchColumns{};
-  if (sizeof(Real) != sizeof(double) || run.sign[0] != 1.0 || run.sign[1] != 1.0) return false;
   for (int n = 0; n < run.deposits->count; ++n) {
     const Deposit& d = run.deposits->list[n];
     const int64_t at = d.block - &run.blocks->h[0][0][0], kind = at / 16, l = at / 4 % 4, j = at % 2;
-    if (out.to[kind][l][j]) return false;
+    C2D_ASSERT(!out.to[kind][l][j]);
     out.to[kind][l][j] = d.column;
     out.factor[kind][l][j] = d.factor;
   }
-  return true;
 }
 
 bool is_batched(const Integrator& in, bool want_g) {
-  return in.mode == Quadrature::accurate && !in.degenerate && in.element.straight && (!want_g || in.closed_form_g);
+  return in.mode == Quadrature::accurate && in.element.straight && (!want_g || in.closed_form_g);
 }
 
 } // namespace c2d

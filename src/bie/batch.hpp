@@ -44,7 +44,7 @@ struct BatchRun {
 };
 // Are the deposits so simple that each component has one column at most, and the image the element itself?
 // Then they stand in `out` as well.
-bool aim_columns(const BatchRun& run, BatchColumns& out);
+void aim_columns(const BatchRun& run, BatchColumns& out);
 
 // An element with its values for points far away: names as in interior.hpp and interior_straight.cpp. 1 to 3 functions.
 struct BatchFieldElement {

@@ -82,12 +82,12 @@ template <int F> INLINE void mixed_moments(const Seen& s, bool want_log, Many<F>
   const Bits near = z2 < kFarStart[F];
   near_moments<F>(s, m);
   if (!(least(-z2) <= -kFarStart[F])) return;
-  const Doubles far_z2 = near ? all(64.0) : z2;
+  const Doubles far_z2 = near ? all(64.0) : z2; // (lanes)
   Many<F> far;
   far_moments<F>(choose(near, Complexes{all(8.0), all(0.0)}, s.z), far_z2, least(far_z2), want_log, far);
   for (int k = 0; k <= F; ++k) m.c[k] = choose(near, m.c[k], far.c[k]);
   for (int k = 0; k < F; ++k) m.d[k] = choose(near, m.d[k], far.d[k]);
-  m.log_product = near ? m.log_product : far.log_product;
+  m.log_product = near ? m.log_product : far.log_product; // (lanes)
 }
 
 // Apart, so that the frequent case keeps its numbers in registers.

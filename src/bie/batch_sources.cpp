@@ -13,11 +13,22 @@ struct OwnSources {
   int count;
 };
 
+int32_t collocation_node(const ColumnSystem& system, int32_t node) {
+  return system.twin[node] == kSecondTwin ? twin_node(system.model, system.body, node) : node;
+}
+
+// Which of the chosen ones collocates at the node; -1: none.
+int32_t chosen_source(const ColumnSystem& system, int32_t node) {
+  for (int32_t s = 0; s < system.sources; ++s)
+    if (system.chosen[s] != kNoNode && (system.chosen[s] == node || system.twin[s] == node)) return s;
+  return -1;
+}
+
 OwnSources own_sources(const ColumnSystem& system, const int32_t node[kElementNodes], int functions) {
   OwnSources own;
   own.count = functions;
   for (int l = 0; l < functions; ++l)
-    own.source[l] = system.twin[node[l]] == kSecondTwin ? twin_node(system.model, system.body, node[l]) : node[l];
+    own.source[l] = system.chosen ? chosen_source(system, node[l]) : collocation_node(system, node[l]);
   return own;
 }
 
@@ -68,7 +79,7 @@ int singular_lane(const ColumnSystem& system, const Integrator& in, const int32_
                   int image, int s, Source& p) {
   const int32_t source = g.first + s;
   p = mirrored_source(*system.model.head, image, system.point + 2 * static_cast<int64_t>(source));
-  return p.on_itself ? singular_node(node, in.functions, source, system.twin[source]) : -1;
+  return p.on_itself ? singular_node(node, in.functions, node_of_source(system, source), system.twin[source]) : -1;
 }
 
 struct BatchJob {
@@ -125,8 +136,9 @@ bool scatter_batches(const ColumnSystem& system, const Integrator& integrator, c
   if (!is_batched(integrator, true)) return false; // whichever are wanted: no bit may depend on the range of columns
   job.run.element = batch_element(integrator);
   // Nor on whether only one of a component's two columns lies in it.
-  job.direct = !system.scratch->targets.shared && aim_columns(job.run, job.columns);
-  const int32_t lines = system.model.body[system.body].lines, end = system.model.body[system.body].nodes;
+  job.direct = sizeof(Real) == sizeof(double) && !system.scratch->targets.shared;
+  if (job.direct) aim_columns(job.run, job.columns);
+  const int32_t lines = images_of(system), end = sources_of(system);
   const OwnSources own = own_sources(system, node, integrator.functions);
   BatchBlocks out;
   for (int32_t first = 0; first < end;) {

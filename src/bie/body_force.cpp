@@ -53,7 +53,7 @@ AreaMoments area_moments(const Model& m, int b, double ox, double oy) {
       const CurvePoint p = curve_point(m, b, e, kPlace[i]);
       sum.add(kWeight[i], p.x - ox, p.y - oy, p.dx, p.dy);
     }
-  for (int32_t r = 0; r < body_of(m, b).regions; ++r) {
+  for (int32_t r = 0; r < body_of(m, b).regions; ++r) { // closed along lines of symmetry: x is constant, or dy is 0
     double x[3], y[3];
     const int corners = closing_way(m, b, r, x, y);
     for (int k = 0; k + 1 < corners; ++k) {
@@ -131,14 +131,14 @@ double body_force_work(const Model& m, int b, int32_t load_case, int32_t particu
       const CurvePoint p = curve_point(m, b, e, g.x);
       sum += g.w * p.dy * work_on_line(m, b, f, particular_case, origin, p.x, p.y);
     }
-  for (int32_t r = 0; r < body_of(m, b).regions; ++r) {
+  for (int32_t r = 0; r < body_of(m, b).regions; ++r) { // closed along lines of symmetry: x is constant, or dy is 0
     double x[3], y[3];
     const int corners = closing_way(m, b, r, x, y);
     for (int k = 0; k + 1 < corners; ++k)
       for (int i = 0; i < rule.n; ++i) {
         const GaussPoint g = gauss_point(rule, i);
         const double s = 0.5 * (1.0 + g.x), dy = y[k + 1] - y[k];
-        sum += 0.5 * g.w * dy * work_on_line(m, b, f, particular_case, origin, x[k] + s * (x[k + 1] - x[k]), y[k] + s * dy);
+        sum += 0.5 * g.w * dy * work_on_line(m, b, f, particular_case, origin, x[k], y[k] + s * dy);
       }
   }
   return sum;

@@ -29,7 +29,8 @@ void aim_right_hand_side(const Panel& panel, int32_t element, const ElementTarge
     }
 }
 
-// The blocks of one element for every source, tractions in one measure; h goes with the element's own length.
+} // namespace
+
 void add_element(const ColumnSystem& system, const Hole* hole, const Panel& panel, int32_t element, const ElementTargets& t,
                  Measure measure) {
   const Model& m = system.model;
@@ -55,12 +56,11 @@ void add_element(const ColumnSystem& system, const Hole* hole, const Panel& pane
   }
 }
 
-// The element's share of the three balance rows.
-void add_balance(const ColumnSystem& system, const Panel& panel, int32_t element, const ElementTargets& t, Measure measure) {
+void add_balance(const ColumnSystem& system, const Panel& panel, int32_t element, const ElementTargets& t, Measure measure,
+                 int32_t row) {
   const Model& m = system.model;
   const int b = system.body;
   const Body& body = m.body[b];
-  const int32_t row = 2 * body.nodes;
   Integrator& integrator = system.scratch->integrator;
   make_integrator(m, b, element, system.quadrature, measure, integrator);
   double w[kElementNodes], wx[kElementNodes], wy[kElementNodes];
@@ -73,13 +73,13 @@ void add_balance(const ColumnSystem& system, const Panel& panel, int32_t element
     }
 }
 
-// Free term, twin equations and the multipliers' columns of one node.
-void add_node(const ColumnSystem& system, const Panel& panel, int32_t node) {
+void add_node(const ColumnSystem& system, const Panel& panel, int32_t source) {
   const Model& m = system.model;
   const int b = system.body;
   const Body& body = m.body[b];
-  if (system.twin[node] == kAxisNode) return;
-  const bool second = system.twin[node] == kSecondTwin;
+  const int32_t node = node_of_source(system, source), row = 2 * source;
+  if (system.twin[source] == kAxisNode) return;
+  const bool second = system.twin[source] == kSecondTwin;
   if (!second && !concerns(m, b, node, panel.range)) return;
   const int32_t twin = second ? twin_node(m, b, node) : kSingle;
   Unknown unknown[2];
@@ -88,34 +88,37 @@ void add_node(const ColumnSystem& system, const Panel& panel, int32_t node) {
     const Destination d = displacement_destination(m, b, node, c, unknown[c]);
     if (second) {
       const Destination other = displacement_destination(m, b, twin, c, unknown_at(m, b, twin, c));
-      panel.send_h(d, node, c, 2 * node + c, 1.0);
-      panel.send_h(other, twin, c, 2 * node + c, -1.0);
+      panel.send_h(d, node, c, row + c, 1.0);
+      panel.send_h(other, twin, c, row + c, -1.0);
     } else {
       const double* block = system.diagonal + 4 * static_cast<int64_t>(node);
-      for (int i = 0; i < 2; ++i) panel.send_h(d, node, c, 2 * node + i, block[2 * i + c]);
+      for (int i = 0; i < 2; ++i) panel.send_h(d, node, c, row + i, block[2 * i + c]);
     }
   }
   if (second) return;
-  const double* at = system.point + 2 * static_cast<int64_t>(node);
-  panel.add(2 * node, body.columns, -1.0);
-  panel.add(2 * node + 1, body.columns + 1, -1.0);
-  panel.add(2 * node, body.columns + 2, at[1] - body.centre[1] / m.head->length_unit);
-  panel.add(2 * node + 1, body.columns + 2, -(at[0] - body.centre[0] / m.head->length_unit));
+  const double* at = system.point + 2 * static_cast<int64_t>(source);
+  panel.add(row, body.columns, -1.0);
+  panel.add(row + 1, body.columns + 1, -1.0);
+  panel.add(row, body.columns + 2, at[1] - body.centre[1] / m.head->length_unit);
+  panel.add(row + 1, body.columns + 2, -(at[0] - body.centre[0] / m.head->length_unit));
 }
+
+namespace {
 
 // Everything that is integrated or acts at points; with a hole, what its equations have beside those of other nodes.
 void add_all(const ColumnSystem& system, const Hole* hole, const Panel& panel) {
   const Model& m = system.model;
   const int b = system.body;
+  const int32_t balance = 2 * m.body[b].nodes;
   for (int32_t element = 0; element < m.body[b].elements; ++element) {
     if (!is_integrated(m, b, element)) continue;
     ElementTargets& targets = system.scratch->targets;
     aim(m, b, element, panel.range, targets);
     if (targets.want_h || targets.want_g) add_element(system, hole, panel, element, targets, Measure::own_length);
-    if (targets.want_g && !hole) add_balance(system, panel, element, targets, Measure::own_length);
+    if (targets.want_g && !hole) add_balance(system, panel, element, targets, Measure::own_length, balance);
     if (!targets.want_contact) continue;
     add_element(system, hole, panel, element, targets, Measure::contact);
-    if (!hole) add_balance(system, panel, element, targets, Measure::contact);
+    if (!hole) add_balance(system, panel, element, targets, Measure::contact, balance);
   }
   for (int32_t i = 0; i < m.head->point_loads && panel.range.holds_right(); ++i)
     if (m.point_load[i].body == b) add_point_load(system, hole, panel, m.point_load[i]);

@@ -22,6 +22,7 @@ namespace c2d {
 
 struct AssemblyScratch; // bie/panel.hpp: what one element at a time needs, too much for a small stack
 struct BatchKernel;
+struct Hole;
 struct ColumnSystem {
   Model model;
   int32_t body;
@@ -32,8 +33,16 @@ struct ColumnSystem {
   AssemblyScratch* scratch;
   const BatchKernel* batch = nullptr; // bie/batch.hpp; without it sources are taken one by one
   bool some_passed_over = true;       // second twins or nodes of axis elements; place_sources() tells
+  // Where not every node is a source (bie/chosen.hpp): point and twin are then of the chosen ones alone.
+  const int32_t* chosen = nullptr; // [sources] nodes, kNoNode for a point that is none; null: all of the body's
+  int32_t sources = 0;
+  bool alone = false; // without images
 };
 constexpr int32_t kSingle = -1, kSecondTwin = -2, kAxisNode = -3; // kAxisNode: only axis elements meet there
+constexpr int32_t kNoNode = -1;
+inline int32_t sources_of(const ColumnSystem& s) { return s.chosen ? s.sources : s.model.body[s.body].nodes; }
+inline int32_t node_of_source(const ColumnSystem& s, int32_t source) { return s.chosen ? s.chosen[source] : source; }
+inline int32_t images_of(const ColumnSystem& s) { return s.alone ? 0 : s.model.body[s.body].lines; }
 
 // The source as an image of the element sees it, in the length unit. With R the reflection T(P, RQ) R = R T(RP, Q), and
 // U likewise: the image of an element acts on P as the element itself on RP, rows times the signs of R.

@@ -2,6 +2,7 @@
 // Adding the integrals of an element to columns of a panel.
 #include "bie/integrals.hpp"
 #include "memory/config.hpp"
+#include "memory/hostile.hpp"
 
 #include <stdint.h>
 
@@ -21,7 +22,8 @@ struct Deposits {
   int count;
 
   void add(const double* block, Real* column, double factor) {
-    if (column && factor != 0.0 && count < kMostDeposits) list[count++] = Deposit{block, column, factor};
+    C2D_ASSERT(count < kMostDeposits);
+    if (column && factor != 0.0) list[count++] = Deposit{block, column, factor};
   }
   void scatter(int32_t source) const {
     for (int n = 0; n < count; ++n) {

@@ -80,8 +80,8 @@ template <int F> INLINE void field_at(const BatchFieldElement& e, const BatchPoi
   if (!(least(z2) >= kFarStart[F])) { // those are given some place far away
     const Bits near = z2 < kFarStart[F];
     z = choose(near, Complexes{all(8.0), all(0.0)}, z);
-    z2 = near ? all(64.0) : z2;
-    const Doubles mark = near ? all(1.0) : all(0.0);
+    z2 = near ? all(64.0) : z2;                      // (lanes)
+    const Doubles mark = near ? all(1.0) : all(0.0); // (lanes)
     save(out.near + at, mark);
     out.some_near = true;
   } else {

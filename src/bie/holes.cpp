@@ -13,8 +13,6 @@ namespace {
 
 // ---- runs of elements -------------------------------------------------------------------------------------------------
 
-bool ends_run(const Model& m, int b, int32_t element) { return element < 0 || is_axis_element(m, b, element); }
-
 // Where the first run of a region begins: behind elements on a line of symmetry, if there are any.
 int32_t first_of_runs(const Model& m, int b, const Region& region) {
   if (region.open) return region.first;
@@ -180,13 +178,13 @@ bool next_run(const Model& m, int b, HoleWalk& walk, Hole& out) {
   const Region& region = m.region[b][walk.region];
   const int32_t size = region.last - region.first + 1;
   if (walk.done == 0) walk.element = first_of_runs(m, b, region);
-  while (walk.done < size && ends_run(m, b, walk.element)) {
+  while (walk.done < size && is_axis_element(m, b, walk.element)) {
     walk.element = element_after(m, b, walk.element);
     ++walk.done;
   }
   if (walk.done >= size) return false;
   out = Hole{walk.region, walk.element, 0, 0, {}, 0.0};
-  for (; walk.done < size && !ends_run(m, b, walk.element); ++walk.done, ++out.elements)
+  for (; walk.done < size && !is_axis_element(m, b, walk.element); ++walk.done, ++out.elements)
     walk.element = element_after(m, b, walk.element);
   return true;
 }

@@ -49,7 +49,7 @@ template <class Visit> void visit_hole(const ColumnSystem& system, const Hole& h
     for (int l = 0; l < nf; ++l) {
       const int32_t node = functional_node(m, b, element, l);
       const bool closes = k + 1 == hole.elements && k > 0 && node == functional_node(m, b, hole.first, 0);
-      if (node == before || closes || system.twin[node] == kSecondTwin || system.twin[node] == kAxisNode) continue;
+      if (node == before || closes || system.twin[node] == kSecondTwin) continue;
       before = node;
       double n[2];
       kHolePart.hole_normal(m, b, node, n);

@@ -1,6 +1,7 @@
 #include "bie/integrals.hpp"
 
 #include "bie/integrals_detail.hpp"
+#include "memory/hostile.hpp"
 #include "model/shape.hpp"
 #include "quadrature/gauss.hpp"
 
@@ -144,7 +145,7 @@ void integrate(const Integrator& in, double sx, double sy, int singular, bool wa
   const bool closed_h = kClosedForms && want_h && in.element.straight, closed_g = want_g && in.closed_form_g;
   if (kClosedForms && (closed_h || closed_g)) integrate_straight(in, sx, sy, singular, closed_h, closed_g, out);
   if (want_h != closed_h || want_g != closed_g) {
-    integrate_curved(in, sx, sy, singular, want_h && !closed_h, want_g && !closed_g, out);
+    integrate_curved(in, sx, sy, singular, want_h && !closed_h, want_g, out); // (where g is closed, so is h)
   }
 }
 
@@ -174,9 +175,9 @@ void resultants(const Integrator& in, double ox, double oy, double w[kElementNod
   const GaussRule rule = gauss_legendre(constant_jacobian(in) ? 4 : kNearOrder);
   const Expansion x = expand(in, 0.0, ox, oy, false);
   double a = -1.0, step = 2.0;
-  for (int panel = 0; panel < 200 && a < 1.0; ++panel) {
+  for (int panel = 0; a < 1.0 && !C2D_NEVER(panel == 200); ++panel) { // (each is longer than the one before by far)
     double b = a + step < 1.0 ? a + step : 1.0;
-    for (int cut = 0; cut < 50; ++cut) {
+    for (int cut = 0; !C2D_NEVER(cut == 50); ++cut) { // (an element whose length vanishes somewhere is refused)
       if (constant_jacobian(in) || has_no_zero(in.d, 0.5 * (a + b), 0.5 * (b - a) * r)) break;
       b = a + 0.5 * (b - a);
     }

@@ -3,6 +3,7 @@
 // same, with r = tau |q(tau)| factored, and a logarithmic rule next to the source.
 #include "bie/integrals_detail.hpp"
 #include "memory/config.hpp"
+#include "memory/hostile.hpp"
 #include "model/shape.hpp"
 #include "quadrature/gauss.hpp"
 
@@ -61,7 +62,7 @@ void add_panel(const Job& job, const Expansion& x, const Stretch& p, bool own, i
 // the source lies on the element without being a node of it.
 void add_side(const Job& job, const Expansion& x, double sign, double end, Sums& sums) {
   Stretch p = {0.0, end, sign};
-  for (int panel = 0; panel < 200 && p.from < end; ++panel) {
+  for (int panel = 0; p.from < end && !C2D_NEVER(panel == 200); ++panel) {
     const bool own = job.singular >= 0 && panel == 0;
     for (int cut = 0; cut < 100 && !resolved(job.in, x, p, own); ++cut) p.to = p.from + 0.7 * (p.to - p.from);
     add_panel(job, x, p, own, kNearOrder, sums);

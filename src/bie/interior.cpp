@@ -4,6 +4,7 @@
 #include "bie/integrals_detail.hpp"
 #include "bie/interior_detail.hpp"
 #include "bie/kernels.hpp"
+#include "memory/hostile.hpp"
 #include "model/shape.hpp"
 #include "quadrature/gauss.hpp"
 
@@ -85,8 +86,8 @@ void add_field_curved(const FieldElement& e, Complex reference, double px, doubl
   const double origin = nearest_point(e.in.element, px, py).eta, end = 1.0 - origin;
   const Expansion x = expand(e.in, origin, px, py, false);
   Stretch panel = {-1.0 - origin, end, 1.0};
-  for (int count = 0; count < 400 && panel.from < end; ++count) {
-    for (int cut = 0; cut < 100 && !resolved(e.in, x, panel, false); ++cut)
+  for (int count = 0; panel.from < end && !C2D_NEVER(count == 400); ++count) {
+    for (int cut = 0; !resolved(e.in, x, panel, false) && !C2D_NEVER(cut == 100); ++cut)
       panel.to = panel.from + 0.7 * (panel.to - panel.from);
     add_panel(e, reference, x, panel, kNearOrder, sum);
     const double next = panel.to + 5.0 * (panel.to - panel.from);
@@ -137,7 +138,6 @@ double winding(const Integrator& in, double x, double y) {
   const int last = e.nodes - 1;
   const double ax = e.x[0] - x, ay = e.y[0] - y, bx = e.x[last] - x, by = e.y[last] - y;
   const double mx = 0.5 * (ax + bx), my = 0.5 * (ay + by);
-  if (in.degenerate) return 0.0;
   if (e.straight || mx * mx + my * my > 4.0 * in.radius * in.radius)
     return atan2(ax * by - ay * bx, ax * bx + ay * by) / (2.0 * kPi);
   double sum[2][2];

@@ -15,7 +15,7 @@ INLINE Complexes operator+(Complexes a, Complexes b) { return {a.re + b.re, a.im
 INLINE Complexes operator-(Complexes a, Complexes b) { return {a.re - b.re, a.im - b.im}; }
 INLINE Complexes operator*(Complexes a, Complexes b) { return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re}; }
 INLINE Complexes operator*(double s, Complexes a) { return {s * a.re, s * a.im}; }
-INLINE Complexes choose(Bits which, Complexes a, Complexes b) { return {which ? a.re : b.re, which ? a.im : b.im}; }
+INLINE Complexes choose(Bits which, Complexes a, Complexes b) { return {which ? a.re : b.re, which ? a.im : b.im}; } // (lanes)
 
 // The sources as the element's ends see them: z = xi + i zeta from the nearer one.
 struct Seen {
@@ -30,8 +30,8 @@ INLINE Seen see(const BatchElement& e, const double* xy) {
   s.xi1 = ax * e.ux + ay * e.uy;
   s.xi2 = bx * e.ux + by * e.uy;
   const Bits first = s.xi1 < -s.xi2;
-  s.z.im = (first ? ay : by) * e.ux - (first ? ax : bx) * e.uy;
-  s.z.re = first ? s.xi1 - 1.0 : s.xi2 + 1.0;
+  s.z.im = (first ? ay : by) * e.ux - (first ? ax : bx) * e.uy; // (lanes)
+  s.z.re = first ? s.xi1 - 1.0 : s.xi2 + 1.0;                   // (lanes)
   return s;
 }
 

@@ -15,8 +15,12 @@ struct Panel {
   Range range;
   Real* data;
   int64_t ld;
+  const int32_t* place = nullptr; // of each column, -1: none; null: those of the range, in order
 
-  Real* column(int32_t j) const { return range.holds(j) ? data + (j - range.first) * ld : nullptr; }
+  Real* column(int32_t j) const {
+    if (place) return place[j] >= 0 ? data + place[j] * ld : nullptr;
+    return range.holds(j) ? data + (j - range.first) * ld : nullptr;
+  }
   void add(int32_t row, int32_t j, double value) const {
     if (Real* to = column(j)) to[row] += static_cast<Real>(value);
   }
@@ -54,6 +58,15 @@ inline void add_deposits(const Panel& panel, const Destination& d, const double*
 // Integrals of the scratch's element for every source and image, added where its deposits say; of a hole, if
 // one is given, what its nodes' equations have beside those.
 void scatter_sources(const ColumnSystem& system, const Hole* hole, const int32_t node[kElementNodes], bool want_h, bool want_g);
+
+// The blocks of one element for every source, tractions in one measure; displacements go with its own length.
+void add_element(const ColumnSystem& system, const Hole* hole, const Panel& panel, int32_t element, const ElementTargets& t,
+                 Measure measure);
+// Its share of the three balances, in rows from `row` on.
+void add_balance(const ColumnSystem& system, const Panel& panel, int32_t element, const ElementTargets& t, Measure measure,
+                 int32_t row);
+// Free term, twin equations and the multipliers' columns of one source.
+void add_node(const ColumnSystem& system, const Panel& panel, int32_t source);
 
 // Point loads of the body and its body force of one load case, into the right-hand sides; `hole` as above.
 void add_point_load(const ColumnSystem& system, const Hole* hole, const Panel& panel, const PointLoad& load);

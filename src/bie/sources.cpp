@@ -74,15 +74,15 @@ void scatter_sources(const ColumnSystem& system, const Hole* hole, const int32_t
   if (scatter_batches(system, integrator, node, blocks, deposits)) return;
   const Model& m = system.model;
   const int nf = m.head->function_nodes;
-  const int32_t lines = m.body[system.body].lines;
-  for (int32_t source = 0; source < m.body[system.body].nodes; ++source) {
+  const int32_t lines = images_of(system), end = sources_of(system);
+  for (int32_t source = 0; source < end; ++source) {
     const int32_t twin = system.twin[source];
     if (twin == kSecondTwin || twin == kAxisNode) continue;
     const double* at = system.point + 2 * static_cast<int64_t>(source);
     for (int image = 0; image <= lines; ++image) {
       if (!is_image(lines, image)) continue;
       const Source p = mirrored_source(*m.head, image, at);
-      const int singular = p.on_itself ? singular_node(node, nf, source, twin) : -1;
+      const int singular = p.on_itself ? singular_node(node, nf, node_of_source(system, source), twin) : -1;
       integrate(integrator, p.x, p.y, singular, want_h, want_g, blocks);
       if (image > 0 && want_h) sign_rows(image, nf, blocks.h);
       if (image > 0 && want_g) sign_rows(image, nf, blocks.g);

@@ -25,7 +25,7 @@ INLINE Doubles all(double x) {
   return x - Doubles{}; // not the sum, which costs an addition for the sake of -0
 }
 
-INLINE Doubles lower(Doubles a, Doubles b) { return a < b ? a : b; }
+INLINE Doubles lower(Doubles a, Doubles b) { return a < b ? a : b; } // (lanes)
 
 // Pairs of lanes 0, 2, ... of a and b; of lanes 1, 3, ...: cheap on every machine. What was loaded by these
 // two from x y x y ... is stored in its place by the same two. low_pairs, high_pairs: pairs of a and b in
@@ -62,7 +62,7 @@ INLINE double least(Doubles v) {
 }
 #undef C2D_SHUFFLE
 
-INLINE Doubles magnitude(Doubles x) { return x < 0.0 ? -x : x; }
+INLINE Doubles magnitude(Doubles x) { return x < 0.0 ? -x : x; } // (lanes)
 
 constexpr double kLn2 = 0x1.62e42fefa0000p-1,
                  kLn2Rest = 1.6465949582897081e-12; // the first times 1100 is exact
@@ -97,17 +97,17 @@ INLINE Doubles angle(Doubles y, Doubles x) {
   constexpr double kQuarter = 0x1.921fb54442d00p-1, kQuarterRest = 2.6951514290790595e-15; // times 4 exact
   const Doubles ax = magnitude(x), ay = magnitude(y);
   const Bits steep = ay > ax;
-  const Doubles small = steep ? ax : ay, large = steep ? ay : ax;
+  const Doubles small = steep ? ax : ay, large = steep ? ay : ax; // (lanes)
   const Bits turned = small > 0.41421356237309503 * large;
-  const Doubles over = turned ? small - large : small, under = (turned ? small + large : large) + 1e-300;
+  const Doubles over = turned ? small - large : small, under = (turned ? small + large : large) + 1e-300; // (lanes)
   const Doubles t = over / under, z = t * t;
   Doubles p = all(kArctangent[10]);
 #pragma GCC unroll 10
   for (int i = 9; i >= 0; --i) p = p * z + kArctangent[i];
   // In quarters of pi: 1 if turned; steep: 2 - that; x < 0: 4 - that.
   const Doubles one = all(1.0), zero = all(0.0);
-  Doubles quarters = turned ? one : zero, sign = one;
-  quarters = steep ? 2.0 - quarters : quarters;
+  Doubles quarters = turned ? one : zero, sign = one; // (lanes)
+  quarters = steep ? 2.0 - quarters : quarters;       // (lanes)
   sign = steep ? -sign : sign;
   quarters = x < 0.0 ? 4.0 - quarters : quarters;
   sign = x < 0.0 ? -sign : sign;

@@ -10,7 +10,7 @@ bool next_range(const Model& m, int b, UnknownRange& range) {
     }
     if (range.zone >= m.head->zones) return false;
     const Zone& z = m.zone[range.zone];
-    if (z.body[range.side] != b || z.pairs == 0) continue;
+    if (z.body[range.side] != b) continue;
     const Pair& last = m.pair[z.first_pair + z.pairs - 1];
     range.all = m.pair[z.first_pair].dof;
     range.count = last.dof + 1 + last.tangential - range.all;

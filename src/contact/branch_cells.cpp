@@ -120,7 +120,7 @@ void lay_out(RateProblem& r) {
       for (int32_t i = 0; i < r.count; ++i)
         for (int s = 0; s < r.doubt[i].slots; ++s)
           at(r, r.doubt[i].row + s, r.doubt[j].row + q) =
-              r.t->t[static_cast<int64_t>(r.doubt[j].dof + q) * r.t->m + r.doubt[i].dof + s];
+              r.t->t[static_cast<int64_t>(column_of(*r.t, r.doubt[j].pair, q)) * r.t->m + r.doubt[i].dof + s];
   for (int32_t i = 0; i < r.count; ++i)
     for (int s = 0; s < r.doubt[i].slots; ++s) at(r, r.doubt[i].row + s, r.size) = r.rates[r.doubt[i].dof + s];
   for (int32_t i = 0; i < r.count; ++i) {

@@ -82,8 +82,7 @@ void slide_guided(Follower& f, double step) {
   Pair& pair = t.pair[t.guided - 1];
   const Real by = static_cast<Real>(step * f.guide);
   pair.offset += by;
-  const Real* const moved = t.t + static_cast<int64_t>(pair.dof + 1) * t.m;
-  for (int32_t i = 0; i < t.m; ++i) constants(t)[i] += by * moved[i];
+  add_column_to(t, pair.dof + 1, by, constants(t));
 }
 
 // Does the path go on in the direction of the piece before it, from a load that is not zero?

@@ -151,10 +151,11 @@ bool set_normal(const Model& m, int32_t pair, const Surface& s1, const Surface& 
   const double part = m.zone[p.zone].normal_part;
   double n[2];
   for (int i = 0; i < 2; ++i) n[i] = part * s1.n[i] - (1 - part) * s2.n[i];
-  if (dot(s1.n, s2.n) > 0 || !make_unit(n)) {
+  if (dot(s1.n, s2.n) > 0) {
     report_pair(m, pair, "the surfaces do not face each other", "opposed outward normals", reporter);
     return false;
   }
+  make_unit(n);
   int fixed;
   if (!find_symmetry(m, pair, &fixed, reporter)) return false;
   p.tangential = fixed < 0;
@@ -368,7 +369,6 @@ void look_for_kink(const Model& m, const Zone& z, int side, int32_t k, Kinks& ki
     before = after;
     after = swap;
   }
-  if (geometry_node(m, b, before, last) != geometry_node(m, b, after, 0)) return; // the two ends of the zone
   double n1[2], n2[2];
   outward_normal(m, b, before, 1, n1);
   outward_normal(m, b, after, -1, n2);

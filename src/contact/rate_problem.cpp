@@ -66,7 +66,7 @@ void add_columns(RateProblem& r, const Doubt& d) {
   for (int slot = 0; slot < d.slots; ++slot) {
     double z[2];
     nonbasic(own, x, slot, z);
-    const Real* column = t.t + static_cast<int64_t>(d.dof + slot) * t.m;
+    const Real* column = t.t + static_cast<int64_t>(column_of(t, d.pair, slot)) * t.m;
     const double unit = scale_of(own, sides(own, slot).z);
     for (int c = 0; c < d.slots; ++c) {
       at(r, d.row + slot, d.row + c) += static_cast<Real>(x.of[sides(own, slot).y][c]);

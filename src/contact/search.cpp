@@ -11,6 +11,7 @@ namespace {
 
 // All pairs in doubt, as they stand.
 void gather_doubts(Follower& f, RateProblem& r) {
+  apply_list(*f.t); // many entries of the tableau are looked at
   const PathScales s = decision_scales(f);
   r = rate_problem_in(f.rate_area, f.t->n);
   r.t = f.t;
@@ -191,8 +192,8 @@ namespace {
 
 // Would nothing hold this sticking pair if it slipped, with this sign of its friction?
 bool holds_alone(const Tableau& t, const Pair& pair, int32_t sign) {
-  const Real* column = t.t + static_cast<int64_t>(pair.dof + 1) * t.m + pair.dof;
-  return fabs(column[1] - friction(pair, sign) * column[0]) <= kRegular * pair.stiffness[1];
+  const double along = own_entry(t, pair.dof + 1), across = cross_entry(t, pair.dof, pair.dof + 1);
+  return fabs(along - friction(pair, sign) * across) <= kRegular * pair.stiffness[1];
 }
 
 // Does this pair alone hold a motion, with friction that is at its bound and stays there? Then it may slide as well, along a
@@ -278,6 +279,7 @@ void place_in_range(Follower& f) {
   if (sign == 0) return;
   note_solutions(f, 2, true);
   f.range = f.range || f.solutions_load == f.load[0];
+  apply_list(*f.t);
   const Range range{f, end, f.t->t + static_cast<int64_t>(f.t->pair[end].dof + 1) * f.t->m};
   if (range.has_force()) return;
   const PathScales s = decision_scales(f);

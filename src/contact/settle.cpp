@@ -203,8 +203,7 @@ void refresh(Follower& f) {
   const Tableau& t = *f.t;
   const Pair& pair = t.pair[t.guided - 1];
   const int32_t slot = pair.dof + 1;
-  const Real* const moved = t.t + static_cast<int64_t>(slot) * t.m;
-  for (int32_t i = 0; i < t.m; ++i) f.dy[i] += static_cast<Real>(f.guide) * moved[i];
+  add_column_to(t, slot, f.guide, f.dy);
   f.y[slot] = pair.offset; // read as of a slipping pair
   f.dy[slot] = static_cast<Real>(f.guide);
 }
@@ -253,10 +252,10 @@ bool is_held(const Follower& f) {
   if (is_let_go(t)) return false;
   for (int32_t i = 0; i < t.pairs; ++i) {
     const Pair& pair = t.pair[i];
-    for (int slot = pair.status == C2D_OPEN ? 0 : 1; slot <= pair.tangential && pair.status != C2D_STICK; ++slot) {
-      const int64_t dof = pair.dof + slot;
-      if (fabs(static_cast<double>(t.t[dof * t.m + dof])) * pair.stiffness[slot] > 1.0 / kRegular) return false;
-    }
+    const int last =
+        has_normal_columns(t) ? 0 : pair.tangential; // without friction what does not hold along holds across at no pair
+    for (int slot = pair.status == C2D_OPEN ? 0 : 1; slot <= last && pair.status != C2D_STICK; ++slot)
+      if (fabs(static_cast<double>(own_entry(t, pair.dof + slot))) * pair.stiffness[slot] > 1.0 / kRegular) return false;
   }
   return true;
 }

@@ -4,6 +4,7 @@
 
 #include "contact/let_go.hpp"
 #include "contact/start.hpp"
+#include "linalg/dense.hpp"
 #include "linalg/exchange.hpp"
 #include "memory/hostile.hpp"
 #include "memory/parts.hpp"
@@ -25,9 +26,48 @@ Real* column(const Tableau& t, int32_t j) { return t.t + static_cast<int64_t>(t.
 Real entry(const Tableau& t, int32_t i, int32_t j) { return column(t, j)[i]; }
 int32_t all_columns(const Tableau& t) { return static_cast<int32_t>(tableau_columns(t.n, t.cases)); }
 
-void pivot(Tableau& t, int32_t slot) {
-  exchange(t.m, all_columns(t), t.t, t.m, slot, slot, t.kernel);
+// What is kept of T beside it, as T, which is the tableau, has it.
+void read_own(const Tableau& t) {
+  for (int32_t i = 0; i < t.pairs; ++i) {
+    const int32_t a = t.pair[i].dof, b = a + 1;
+    t.own[a] = entry(t, a, column_of(t, i, 0));
+    if (t.pair[i].tangential == 0 || t.smooth) continue;
+    t.own[b] = entry(t, b, b);
+    t.cross[a] = entry(t, a, b);
+    t.cross[b] = entry(t, b, a);
+  }
+}
+
+// As the list's last exchange, of this slot, has changed them.
+void change_own(const Tableau& t, const Pair& changed, int32_t slot, const Real* u, const Real* v) {
+  t.own[slot] = 0;
+  if (changed.tangential) t.cross[changed.dof] = t.cross[changed.dof + 1] = 0;
+  for (int32_t i = 0; i < t.pairs; ++i) {
+    const int32_t a = t.pair[i].dof, b = a + 1;
+    t.own[a] -= u[a] * v[column_of(t, i, 0)];
+    if (t.pair[i].tangential == 0 || t.smooth) continue;
+    t.own[b] -= u[b] * v[b];
+    t.cross[a] -= u[a] * v[b];
+    t.cross[b] -= u[b] * v[a];
+  }
+}
+
+void pivot(Tableau& t, const Pair& pair, int slot) {
   ++t.exchanges;
+  const int32_t row = pair.dof + slot;
+  if (!delays(t)) {
+    exchange(t.m, all_columns(t), t.t, t.m, row, row, t.engine.kernel);
+    return;
+  }
+  const Real *u = nullptr, *v = nullptr;
+  const bool done = delay_exchange(t.delayed, t.engine, row, column_of(t, static_cast<int32_t>(&pair - t.pair), slot), &u, &v);
+  if (C2D_NEVER(!done)) return; // pivots have been judged
+  for (int32_t j = t.n; j < all_columns(t); ++j) {
+    const Real factor = column(t, j)[row];
+    column(t, j)[row] = 0;
+    gemm_minus(t.engine, t.m, 1, 1, u, t.m, &factor, 1, column(t, j), t.m);
+  }
+  change_own(t, pair, row, u, v);
 }
 
 bool stiff(const Pair& pair, int slot, double value) { return fabs(value) > kFreePivot * pair.stiffness[slot]; }
@@ -38,32 +78,43 @@ bool exchange_pair(Tableau& t, const Pair& pair, bool (*usable)(const Pair&, int
   const int32_t a = pair.dof, b = pair.dof + 1;
   C2D_ASSERT(a >= 0 && a + pair.tangential < t.n);
   if (!pair.tangential) {
-    if (!usable(pair, 0, entry(t, a, a))) return false;
-    pivot(t, a);
+    if (!usable(pair, 0, own_entry(t, a))) return false;
+    pivot(t, pair, 0);
     return true;
   }
-  const double aa = entry(t, a, a), bb = entry(t, b, b);
+  const double aa = own_entry(t, a), bb = own_entry(t, b);
   const bool normal_first = fabs(aa) >= fabs(bb);
   const double first = normal_first ? aa : bb, second = normal_first ? bb : aa;
   const int slot = normal_first ? 0 : 1;
   if (!usable(pair, slot, first)) return false;
-  if (!usable(pair, 1 - slot, second - static_cast<double>(entry(t, a, b)) * entry(t, b, a) / first)) return false;
-  const int32_t one = normal_first ? a : b, other = normal_first ? b : a;
-  if (kSmallCode) {
-    pivot(t, one);
-    pivot(t, other);
+  if (!usable(pair, 1 - slot, second - static_cast<double>(cross_entry(t, a, b)) * cross_entry(t, b, a) / first)) return false;
+  if (kSmallCode || delays(t)) {
+    pivot(t, pair, slot);
+    pivot(t, pair, 1 - slot);
   } else {
-    exchange_two(t.m, all_columns(t), t.t, t.m, one, other, t.kernel);
+    exchange_two(t.m, all_columns(t), t.t, t.m, a + slot, b - slot, t.engine.kernel);
     t.exchanges += 2;
   }
   return true;
 }
 
-void add_row(Tableau& t, int32_t target, double factor, int32_t source) {
-  if (factor != 0.0) row_add(all_columns(t), t.t, t.m, target, source, static_cast<Real>(factor));
+// Rows and columns of one pair: `target` += factor times the other.
+void add_row(Tableau& t, int32_t target, double by, int32_t source) {
+  const Real factor = static_cast<Real>(by);
+  if (factor == 0) return;
+  if (!delays(t)) return row_add(all_columns(t), t.t, t.m, target, source, factor);
+  delayed_row_add(t.delayed, target, source, factor);
+  row_add(1 + t.cases, constants(t), t.m, target, source, factor);
+  t.own[target] += factor * t.cross[source];
+  t.cross[target] += factor * t.own[source];
 }
-void add_column(Tableau& t, int32_t target, double factor, int32_t source) {
-  if (factor != 0.0) column_add(t.m, t.t, t.m, target, source, static_cast<Real>(factor));
+void add_column(Tableau& t, int32_t target, double by, int32_t source) {
+  const Real factor = static_cast<Real>(by);
+  if (factor == 0) return;
+  if (!delays(t)) return column_add(t.m, t.t, t.m, target, source, factor);
+  delayed_column_add(t.delayed, target, source, factor);
+  t.own[target] += factor * t.cross[target];
+  t.cross[source] += factor * t.own[source];
 }
 
 // ---- the six elementary changes; slots a = normal, b = tangential -------------------------------------------------
@@ -89,9 +140,9 @@ bool stick_to_slip(Tableau& t, Pair& pair, int32_t sign) {
   const int32_t a = pair.dof, b = a + 1;
   if (!pair.tangential) return true;
   const double f = friction(pair, sign);
-  if (!stiff(pair, 1, entry(t, b, b) - f * entry(t, a, b))) return false;
+  if (!stiff(pair, 1, own_entry(t, b) - f * cross_entry(t, a, b))) return false;
   add_row(t, b, -f, a);
-  pivot(t, b);
+  pivot(t, pair, 1);
   constants(t)[b] += static_cast<Real>(pair.offset);
   return true;
 }
@@ -99,9 +150,9 @@ bool stick_to_slip(Tableau& t, Pair& pair, int32_t sign) {
 bool slip_to_stick(Tableau& t, Pair& pair, double at) {
   const int32_t a = pair.dof, b = a + 1;
   if (!pair.tangential) return true;
-  if (!compliant(pair, 1, entry(t, b, b))) return false;
+  if (!compliant(pair, 1, own_entry(t, b))) return false;
   constants(t)[b] -= static_cast<Real>(at);
-  pivot(t, b);
+  pivot(t, pair, 1);
   add_row(t, b, friction(pair, pair.sign), a);
   pair.offset = static_cast<Real>(at);
   return true;
@@ -109,8 +160,8 @@ bool slip_to_stick(Tableau& t, Pair& pair, double at) {
 
 bool slip_to_open(Tableau& t, Pair& pair) {
   const int32_t a = pair.dof;
-  if (!stiff(pair, 0, entry(t, a, a))) return false;
-  pivot(t, a);
+  if (!stiff(pair, 0, own_entry(t, a))) return false;
+  pivot(t, pair, 0);
   if (pair.tangential) add_column(t, a, -friction(pair, pair.sign), a + 1);
   return true;
 }
@@ -118,10 +169,10 @@ bool slip_to_open(Tableau& t, Pair& pair) {
 bool open_to_slip(Tableau& t, Pair& pair, int32_t sign) {
   const int32_t a = pair.dof, b = a + 1;
   const double f = pair.tangential ? friction(pair, sign) : 0.0;
-  const double pivot_value = entry(t, a, a) + (pair.tangential ? f * entry(t, a, b) : 0.0);
+  const double pivot_value = own_entry(t, a) + (f != 0.0 ? f * cross_entry(t, a, b) : 0.0);
   if (!compliant(pair, 0, pivot_value)) return false;
   if (pair.tangential) add_column(t, a, f, b);
-  pivot(t, a);
+  pivot(t, pair, 0);
   return true;
 }
 
@@ -137,7 +188,7 @@ bool change(Tableau& t, Pair& pair, int32_t status, int32_t sign, double at) {
 
 bool change_status(Tableau& t, int32_t index, int32_t status, int32_t sign, double at) {
   Pair& pair = t.pair[index];
-  C2D_ASSERT(index != t.guided - 1);
+  C2D_ASSERT(index != t.guided - 1 && !(t.smooth && pair.tangential && status == C2D_STICK));
   if (pair.status == status && (status != C2D_SLIP || pair.sign == sign)) return true;
   if (pair.status == C2D_OPEN && is_let_go(t)) return false;
   if (pair.status == C2D_SLIP && status == C2D_SLIP) { // the other way: by sticking in between
@@ -186,6 +237,7 @@ void hold_slide(Tableau& t) {
 }
 
 c2d_status load_all_stick(Tableau& t, const ContactTape& tape) {
+  if (!kSmallCode) t.smooth = false, t.delayed.cols = t.n, t.delayed.count = 0;
   c2d_status status = C2D_OK;
   for (int32_t j = 0; j < t.n && status == C2D_OK; ++j) status = read_column(tape, ContactMatrix::stiffness, j, column(t, j));
   if (status == C2D_OK) status = read_matrix(tape, ContactMatrix::stiffness_load, load_rates(t, 0), t.m);
@@ -245,15 +297,16 @@ template <class Visit> void visit_leaving(const Tableau& t, Visit visit) {
 }
 
 // The largest pivot: on the diagonal if that is a good one, else anywhere among the slots that must leave. 0: none is left.
-double largest_pivot(const Tableau& t, Slot* row, Slot* column) {
+double largest_pivot(Tableau& t, Slot* row, Slot* column) {
   double best = 0.0;
   visit_leaving(t, [&](const Slot& slot) {
-    const double size = fabs(static_cast<double>(entry(t, slot.dof(), slot.dof())));
+    const double size = fabs(static_cast<double>(own_entry(t, slot.dof())));
     if (size <= best && best > 0.0) return;
     best = size;
     *row = *column = slot;
   });
   if (!row->pair || best > kGoodPivot * column->pair->stiffness[column->which]) return best;
+  apply_list(t);
   visit_leaving(t, [&](const Slot& c) {
     visit_leaving(t, [&](const Slot& r) {
       const double size = fabs(static_cast<double>(entry(t, r.dof(), c.dof())));
@@ -267,14 +320,16 @@ double largest_pivot(const Tableau& t, Slot* row, Slot* column) {
 }
 
 void swap_rows(const Tableau& t, int32_t a, int32_t b) {
-  for (int32_t j = 0; j < all_columns(t) && a != b; ++j) {
+  if (a == b) return;
+  for (int32_t j = 0; j < all_columns(t); ++j) {
     const Real kept = column(t, j)[a];
     column(t, j)[a] = column(t, j)[b];
     column(t, j)[b] = kept;
   }
+  if (delays(t)) read_own(t);
 }
 void swap_columns(const Tableau& t, int32_t a, int32_t b) {
-  for (int32_t i = 0; i < t.m && a != b; ++i) {
+  for (int32_t i = 0; i < t.m; ++i) {
     const Real kept = entry(t, i, a);
     column(t, a)[i] = entry(t, i, b);
     column(t, b)[i] = kept;
@@ -331,10 +386,26 @@ bool exchange_leaving(Tableau& t, int32_t* culprit, int32_t left[kMostResting], 
     const int32_t kept = row.pair->place[row.which];
     row.pair->place[row.which] = column.pair->place[column.which];
     column.pair->place[column.which] = kept;
-    pivot(t, column.dof());
+    pivot(t, *column.pair, column.which);
     column.is_done();
   }
   return true;
+}
+
+bool is_smooth(const Tableau& t) {
+  bool smooth = delays(t);
+  for (int32_t i = 0; i < t.pairs && smooth; ++i) smooth = t.pair[i].tangential == 0 || t.pair[i].mu == 0.0;
+  return smooth;
+}
+
+// Without friction no column of a tangential slot is looked at again.
+void leave_normal_columns(Tableau& t) {
+  if (kSmallCode) return;
+  t.smooth = is_smooth(t);
+  if (!t.smooth) return;
+  for (int32_t i = 0; i < t.pairs; ++i)
+    for (int32_t row = 0; row < t.m; ++row) column(t, i)[row] = entry(t, row, t.pair[i].dof);
+  t.delayed.cols = t.pairs;
 }
 
 void restore_gaps(Tableau& t) {
@@ -360,24 +431,48 @@ c2d_status build_tableau(Tableau& t, const ContactTape& tape, int32_t* culprit) 
   const GuidedSticks guided(t);
   const c2d_status status = load_all_stick(t, tape);
   if (status != C2D_OK) return status;
+  if (delays(t)) read_own(t);
   impose_contact(t);
   int32_t left[kMostResting], count = 0;
   t.resting = 0;
   if (!exchange_leaving(t, culprit, left, &count)) return C2D_ERR_SINGULAR;
+  apply_list(t);
   const bool let_go = is_let_go(t) && t.free_motions <= kFreeMotions;
   if (let_go && count != t.free_motions) return C2D_ERR_SINGULAR; // round-off held what nothing holds
   if (!let_go && count > 0 && !kSearchPart.may_rest(t, left, count)) return C2D_ERR_SINGULAR;
   for (int32_t j = t.n; j < all_columns(t); ++j)
     for (int32_t k = 0; k < count; ++k) column(t, j)[left[k]] = 0; // a body that is let go, at rest
   restore_gaps(t);
-  if (let_go && count > 0 && !kSearchPart.place_body(t, left, count)) return C2D_ERR_SINGULAR;
+  if (let_go && !kSearchPart.place_body(t, left, count)) return C2D_ERR_SINGULAR;
   for (; !let_go && t.resting < count; ++t.resting)
     if (!kSearchPart.rest_along(t, left[t.resting], static_cast<Real*>(tape.buffer))) return C2D_ERR_SINGULAR;
   sort_columns(t);
+  leave_normal_columns(t);
+  if (delays(t)) read_own(t);
   return C2D_OK;
 }
 
 // ---- reading ------------------------------------------------------------------------------------------------------
+
+void place_list(Tableau& t, Real* numbers, int32_t count) {
+  if (kSmallCode) return;
+  const int64_t m = t.m, all = delayed_exchanges(m);
+  const int32_t most = kHostile && all > kHostileWidth ? kHostileWidth : static_cast<int32_t>(all);
+  t.own = numbers;
+  t.cross = numbers + m;
+  t.delayed = {t.m, t.n, t.t, most, numbers + 2 * m, numbers + (2 + all) * m, count};
+  t.smooth = is_smooth(t);
+  if (t.smooth) t.delayed.cols = t.pairs;
+}
+
+void add_column_to(const Tableau& t, int32_t j, double factor, Real* y) {
+  const Real by = static_cast<Real>(factor);
+  if (delays(t)) return add_column_to(t.delayed, t.engine, j, by, y);
+  for (int32_t i = 0; i < t.m; ++i) y[i] += by * entry(t, i, j);
+}
+void apply_list(Tableau& t) {
+  if (delays(t)) apply_delayed(t.delayed, t.engine);
+}
 
 void combine(const Tableau& t, const double* factor, bool with_constants, Real* out) {
   for (int32_t i = 0; i < t.m; ++i) out[i] = with_constants ? constants(t)[i] : Real(0);

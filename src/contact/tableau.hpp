@@ -5,9 +5,10 @@
 //   open   z = p, q     y = w_n, w_t          w = (u.n + gap, u.t), u = u1 - u0 of the sides, in the model's length unit
 //   stick  z = w_n, w_t - offset    y = p, q  p, q: force on side 1 per length of side 0 in its stress unit
 //   slip   z = w_n, r   y = p, w_t            r = q - sign mu p
-// A change of status is one or two Gauss-Jordan exchanges of 2 m^2 operations each.
+// A change of status is one or two Gauss-Jordan exchanges. In a large tableau those of T are kept back in a list, `delayed`,
+// which is applied as a whole when it is full; constants and rates of loads are always up to date.
 #include "contact/contact_tape.hpp"
-#include "linalg/kernel.hpp"
+#include "linalg/delayed.hpp"
 #include "model/model.hpp"
 
 namespace c2d {
@@ -22,7 +23,7 @@ struct Tableau {
   double length_unit;
   double stiffness;  // largest diagonal entry with every pair sticking; 0 until built
   int64_t exchanges; // so far
-  const Kernel* kernel;
+  Engine engine;
   int32_t free_motions; // of the bodies that the contact has to hold: left free where no pair touches (contact/let_go.hpp)
   const Model* model;   // for motions that no pair resists; null: there are none
   const FreeBody* body;
@@ -30,9 +31,34 @@ struct Tableau {
   const double *load = nullptr, *direction = nullptr; // [cases] of the path
   int32_t may_rest = 0; // 1: motions that the statuses leave, and on which these loads do no work, are no fault, METHOD 13.8:
   int32_t resting = 0;  // so many, along which the bodies keep their place in this tableau
+  DelayedExchanges delayed = {}; // of T
+  Real *own = nullptr,
+       *cross = nullptr; // [m] where there is a list: T of a slot by itself, and of a row by its pair's other slot
+  bool smooth = false;   // there is a list, and no pair has friction: only columns of normal slots are left, of pair i column i
 };
 
+inline bool delays(const Tableau& t) { return !kSmallCode && t.delayed.most > 0; }
+// Tableaux with a list: its length, a function of the number of rows alone, so that nothing else decides when it is applied.
+constexpr int32_t delayed_exchanges(int64_t m) { return static_cast<int32_t>(C2D_DELAYED_(m)); }
+// Where the list and what goes with it lie: `numbers` of them, C2D_PATH_ARRAYS_ of contact2d_memory.h.
+void place_list(Tableau& t, Real* numbers, int32_t count);
+
 inline Real* constants(const Tableau& t) { return t.t + static_cast<int64_t>(t.m) * t.n; }
+inline bool has_normal_columns(const Tableau& t) { return !kSmallCode && t.smooth; }
+// The column of a pair's slot.
+inline int32_t column_of(const Tableau& t, int32_t pair, int slot) {
+  return has_normal_columns(t) ? pair : t.pair[pair].dof + slot;
+}
+// T of a slot by itself, and of its row by the other slot of the pair; y += factor times a column: whatever the list holds.
+// With an empty list T is in t.t.
+inline Real own_entry(const Tableau& t, int32_t slot) {
+  return delays(t) ? t.own[slot] : t.t[static_cast<int64_t>(slot) * t.m + slot];
+}
+inline Real cross_entry(const Tableau& t, int32_t slot, int32_t other) {
+  return delays(t) ? t.cross[slot] : t.t[static_cast<int64_t>(other) * t.m + slot];
+}
+void add_column_to(const Tableau& t, int32_t column, double factor, Real* y);
+void apply_list(Tableau& t);
 inline Real* load_rates(const Tableau& t, int32_t k) { return t.t + static_cast<int64_t>(t.m) * (t.n + 1 + k); }
 constexpr int64_t tableau_columns(int64_t n, int64_t cases) { return n + 1 + cases; }
 

@@ -2,6 +2,7 @@
 
 #include "deck/number.hpp"
 #include "memory/characters.hpp"
+#include "memory/hostile.hpp"
 
 #include <string.h>
 
@@ -25,7 +26,7 @@ int32_t fetch(Cards& cards) {
   int32_t used = length < size ? length : size - 1;
   while (used > 0 && (cards.text[used - 1] == '\r' || cards.text[used - 1] == '\n')) --used;
   if (used == 1 && cards.text[0] == kDosEnd) return -1;
-  if (cards.line < INT32_MAX) ++cards.line;
+  if (!C2D_NEVER(cards.line == INT32_MAX)) ++cards.line; // (no test reads so long)
   return used;
 }
 
@@ -204,7 +205,8 @@ Text& begin_fault(Cards& cards, int32_t column, int32_t column_end) {
 void end_fault(Cards& cards) {
   if (cards.miscounted) return; // what else seems wrong follows from it
   if (cards.vital || cards.counting) put(cards.text_of_entry, "; what follows cannot be read without it");
-  if (cards.faults >= kMaximumFaults) {
+  if (cards.faults >= kMaximumFaults) {                        // counted all the same: what has faults is not passed on
+    if (!C2D_NEVER(cards.faults == INT32_MAX)) ++cards.faults; // (nor that)
     if (!cards.ended && cards.report != nullptr) {
       cards.text_of_entry = text_in(cards.entry.text);
       put(cards.text_of_entry, "too many faults, the rest of the deck was not read");

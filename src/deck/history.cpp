@@ -120,7 +120,7 @@ void read_path(Deck& deck, const Words& keyword_card) {
   end_of_words(cards, keyword_card, 0);
   const int32_t line = cards.line;
   int32_t pieces = 0;
-  for (Words words; next_data_card(deck, words) && !cards.ended;) {
+  for (Words words; next_data_card(deck, words);) {
     int32_t increments = 0;
     double factor[kMaximumWords];
     bool sound = integer_word(cards, words, 0, "number of load increments", 1, INT32_MAX, &increments);
@@ -143,7 +143,7 @@ void read_friction(Deck& deck, const Words& keyword_card) {
   const int32_t line = cards.line;
   bool any = false;
   NumbersSeen seen = NumbersSeen();
-  for (Words words; next_data_card(deck, words) && !cards.ended;) {
+  for (Words words; next_data_card(deck, words);) {
     int32_t zone = 0;
     any = true;
     if (!integer_word(cards, words, 0, "contact zone", 1, deck.sizes.zones, &zone)) continue;

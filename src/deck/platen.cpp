@@ -86,7 +86,7 @@ void read_platen(Deck& deck, const Words& keyword_card) {
   }
   const bool made = cards.faults == old_faults;
   PlatenCards platen = PlatenCards();
-  for (Words words; next_data_card(deck, words) && !cards.ended;)
+  for (Words words; next_data_card(deck, words);)
     if (!read_card(deck, words, platen, number, point, made)) return;
   if (cards.faults != old_faults || deck.sink == nullptr) return;
   int32_t is_free[3];

@@ -36,7 +36,7 @@ void read_points(Deck& deck, const Words& keyword_card) {
   Cards& cards = deck.cards;
   end_of_words(cards, keyword_card, 0);
   int32_t sets = 0;
-  for (Words words; next_data_card(deck, words) && !cards.ended;) {
+  for (Words words; next_data_card(deck, words);) {
     c2d_points points = c2d_points();
     points.struct_size = static_cast<uint32_t>(sizeof points);
     points.count[0] = points.count[1] = 1;

@@ -35,7 +35,7 @@ void read_rigid(Deck& deck, const Words& keyword_card) {
     place_words(deck, keyword_card);
     accept(deck, deck.sink->set_rigid(deck.sink->solver, body, 0, nullptr, nullptr));
   }
-  for (Words words; next_data_card(deck, words) && !cards.ended;) {
+  for (Words words; next_data_card(deck, words);) {
     int32_t load_case = 0;
     double value[5] = {0.0, 0.0, 0.0, 0.0, 0.0};
     if (!read_case(deck, words, kNames, 5, &load_case, value) || !named) continue;
@@ -80,7 +80,7 @@ void read_rigid_load(Deck& deck, const Words& keyword_card) {
     place_words(deck, keyword_card);
     accept(deck, deck.sink->set_rigid_load(deck.sink->solver, body, 0, is_free, nullptr, point));
   }
-  for (Words words; next_data_card(deck, words) && !cards.ended;) {
+  for (Words words; next_data_card(deck, words);) {
     int32_t load_case = 0;
     double load[3] = {0.0, 0.0, 0.0};
     if (!read_case(deck, words, kNames, 3, &load_case, load) || !named) continue;

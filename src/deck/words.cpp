@@ -57,7 +57,7 @@ void copy_word(const Words& words, int32_t i, char* text, int32_t size) {
   if (i < words.count)
     for (int32_t at = words.word[i].column - 1; at < words.word[i].column_end && used < size - 1; ++at)
       text[used++] = words.text[at];
-  if (size > 0) text[used] = '\0';
+  text[used] = '\0';
 }
 
 } // namespace c2d

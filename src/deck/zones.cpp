@@ -67,7 +67,7 @@ ZoneSizes read_sizes(Deck& deck, c2d_zone& zone) {
   const bool elements_known = integer_from(cards, 16, "number of contact elements of the zone", 1, &elements);
   end_of_fields(cards, 21);
   const int32_t order = deck.sizes.function_nodes;
-  const int32_t most = order > 1 ? elements * (order - 1) + 1 : elements;
+  const int64_t most = order > 1 ? int64_t{elements} * (order - 1) + 1 : elements;
   const bool too_many = pairs_known && elements_known && zone.pairs > most;
   if (too_many)
     field_fault(cards, 11, 15, "number of contact nodes of the zone is ", zone.pairs, ", expected at most ", most, " on ",

@@ -222,7 +222,7 @@ c2d_status write_part(const Panel& panel, int32_t tape, uint64_t block, const Ch
     status =
         write_part(panel, C2D_TAPE_LOWER, plan.lower_first_block + lower.index, lower, lower.row, rows_of_strip(plan, lower));
   const int32_t end = plan.pivots > 0 ? panel.first + panel.count : 0;
-  for (; upper.first < end && upper.count > 0 && status == C2D_OK; upper = next_chunk(cut, upper))
+  for (; upper.first < end && status == C2D_OK; upper = next_chunk(cut, upper))
     status = write_part(panel, C2D_TAPE_UPPER, plan.upper_first_block + upper.index, upper, 0,
                         upper.first < plan.pivots ? upper.first + upper.count : plan.pivots);
   return status;
@@ -230,7 +230,7 @@ c2d_status write_part(const Panel& panel, int32_t tape, uint64_t block, const Ch
 
 c2d_status hand_over(const Panel& panel, const RowSink& sink) {
   const int32_t trailing = panel.count - panel.own;
-  if (trailing == 0 || !sink.take) return C2D_OK;
+  if (trailing == 0) return C2D_OK;
   const int32_t first = panel.first + panel.own - panel.plan.pivots;
   return sink.take(sink.context, first, trailing, panel.column(panel.own) + panel.plan.pivots, panel.ld);
 }
@@ -297,9 +297,12 @@ c2d_status load_exchanges(const Panel& panel) {
   const EliminationPlan& plan = panel.plan;
   if (plan.pivots == 0) return C2D_OK;
   unsigned char* block = panel.buffers.at(0);
-  const c2d_status status = read_block(panel.buffers.tapes, C2D_TAPE_LOWER, plan.lower_first_block + exchanges_block(plan),
-                                       block, exchanges_bytes(plan));
+  c2d_status status = read_block(panel.buffers.tapes, C2D_TAPE_LOWER, plan.lower_first_block + exchanges_block(plan), block,
+                                 exchanges_bytes(plan));
   if (status == C2D_OK) memcpy(panel.pivots, block + kBlockHeaderBytes, static_cast<size_t>(exchanges_bytes(plan)));
+  // Checksums can be made to be right: what leads to a place in memory is one that can be.
+  for (int32_t j = 0; j < plan.pivots && status == C2D_OK; ++j)
+    if (panel.pivots[j] < j || panel.pivots[j] >= plan.rows) status = C2D_ERR_STORE_FORMAT;
   return status;
 }
 

@@ -21,7 +21,7 @@ struct ColumnSource {
 };
 
 // Where S goes: rows[i + j * ld], i < rows - pivots, are trailing columns first_trailing ...
-// first_trailing+count-1 (counted from 0); every column comes once, in order. Null `take`: S is not wanted.
+// first_trailing+count-1 (counted from 0); every column comes once, in order.
 struct RowSink {
   void* context;
   c2d_status (*take)(void* context, int32_t first_trailing, int32_t count, const Real* rows, int64_t ld);

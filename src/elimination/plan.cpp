@@ -45,7 +45,7 @@ int32_t widest_panel(uint64_t bytes, EliminationPlan plan, int32_t block_columns
 
 // Wide blocks are good for the kernels, wide panels save transfers: blocks of a quarter of the panel or less.
 void choose_streamed(uint64_t bytes, EliminationPlan& plan) {
-  for (int32_t block = kWidestBlock; block >= 1; block /= 2) {
+  for (int32_t block = kWidestBlock;; block /= 2) {
     const int32_t panel = widest_panel(bytes, plan, block);
     if (panel < 4 * block && block > 1) continue;
     plan.block_columns = block;

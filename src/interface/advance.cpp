@@ -6,6 +6,7 @@
 #include "interface/refuse.hpp"
 #include "memory/parts.hpp"
 #include "model/validate.hpp"
+#include "solver/judge.hpp"
 #include "solver/load_path.hpp"
 
 namespace c2d {
@@ -16,21 +17,23 @@ C2D_MEETS(WarningPart, c2d_link_warnings);
 c2d_status finish(Session& session, c2d_status status) {
   c2d_solver* s = session.solver;
   close_session(session);
-  if (status == C2D_OK) {
-    s->cancelled = 0; // a cancel that came too late must not stop the next call
-    return C2D_OK;
-  }
+  if (status == C2D_OK) return C2D_OK; // a cancel that came too late stops the next call
   if (is_store_error(status)) return fail_store(s, status);
-  s->cancelled = 0;
   return status == C2D_ERR_CALLBACK ? status : fail(s, status, status_text(status)); // what the callback said is told
 }
 
 c2d_status begin(Session& session) {
-  session.solver->state = C2D_STATE_RUNNING;
-  return begin_path(session);
+  c2d_solver* s = session.solver;
+  const double start = kSmallCode ? 0.0 : clock_now(s); // (boards have no room for it)
+  s->state = C2D_STATE_RUNNING;
+  const c2d_status status = begin_path(session);
+  if (!kSmallCode) s->seconds[C2D_PHASE_CONTACT] += clock_now(s) - start;
+  return status;
 }
 
 c2d_status advance(Session& session, const double* target, Moment moment) {
+  if (asked_to_stop(session.solver)) return C2D_ERR_CANCELLED; // also where no event gives a chance to
+  session.may_stop = true;
   const c2d_status status = advance_path(session, target);
   kWarningPart.warn_not_unique(session);
   if (status == C2D_OK) kWarningPart.warn_contact(session, moment);
@@ -69,7 +72,7 @@ extern "C" c2d_status c2d_begin(c2d_solver* s, const double* mu, int32_t zones) 
     pair.mu = mu[zones == 1 ? 0 : pair.zone];
   }
   s->mu = zones > 0 ? mu[0] : 0.0;
-  s->coefficient = 0;
+  s->coefficient = s->run_step = 0;
   return finish(session, begin(session));
 }
 
@@ -79,10 +82,11 @@ extern "C" c2d_status c2d_advance(c2d_solver* s, const double* load, int32_t cas
   status = check_factors(s, "load", load, cases);
   if (status == C2D_OK && !outcome) status = fail(s, C2D_ERR_ARGUMENT, "outcome is null");
   if (status != C2D_OK) return status;
+  s->run_step = 0; // c2d_run would go on elsewhere
   Session session;
   open_session(s, session);
   status = finish(session, advance(session, load, Moment::end));
-  *outcome = s->outcome;
+  if (status == C2D_OK) *outcome = s->outcome;
   return status;
 }
 
@@ -92,14 +96,26 @@ extern "C" c2d_status c2d_next_event(c2d_solver* s, const double* direction, int
   status = check_factors(s, "direction", direction, cases);
   if (status == C2D_OK && !step) status = fail(s, C2D_ERR_ARGUMENT, "step is null");
   if (status != C2D_OK) return status;
-  *step = s->model.contact == 0 && !s->blocked ? HUGE_VAL : 0.0;
-  if (s->model.contact == 0 || s->blocked || s->floating) return C2D_OK;
+  s->run_step = 0;
+  if (s->model.contact == 0 || s->blocked || s->floating || s->unsound) {
+    *step = s->model.contact == 0 && !s->blocked ? HUGE_VAL : 0.0;
+    return C2D_OK;
+  }
   Session session;
   open_session(s, session);
   for (int32_t k = 0; k < cases; ++k) session.follower.direction[k] = direction[k];
   c2d_outcome outcome = C2D_REACHED;
   constexpr double kReach = 1e30; // further than any load, and no product with it overflows
-  status = find_event(session.follower, kReach, step, &outcome);
+  double part = 0.0;
+  const double start = kSmallCode ? 0.0 : clock_now(s);
+  status = find_event(session.follower, kReach, &part, &outcome);
+  if (status == C2D_ERR_SINGULAR) { // the limits do not admit what goes with the direction: no way on
+    status = return_to_good(session);
+    part = 0.0;
+  }
+  if (!kSmallCode) s->seconds[C2D_PHASE_CONTACT] += clock_now(s) - start;
   s->back_substituted = s->table_is_current = 0;
-  return finish(session, status);
+  status = finish(session, s->unsound ? c2d_status{C2D_OK} : status);
+  if (status == C2D_OK) *step = part;
+  return status;
 }

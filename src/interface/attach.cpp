@@ -2,12 +2,14 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "contact2d_image.h"
 #include "interface/entry.hpp"
 #include "linalg/kernel.hpp"
 #include "memory/characters.hpp"
 #include "memory/parts.hpp"
 #include "solver/port.hpp"
 #include "solver/solver.hpp"
+#include "store/block.hpp"
 
 namespace c2d {
 
@@ -54,16 +56,15 @@ bool says_the_same(const char* at, c2d_body_limits* body) {
   found.body = body;
   const c2d_limits limits = limits_of(found);
   const Layout layout = C2D_MEMBER(layout);
-  const uint64_t bytes = C2D_MEMBER(bytes);
-  uint64_t minimum = 0;
-  if (c2d_memory_need(&limits, &minimum, nullptr, nullptr) != C2D_OK || bytes < minimum - (kAlignment - 1) ||
-      bytes > SIZE_MAX - kAlignment)
-    return false;
   Sizes sizes;
+  if (derive_sizes(limits, sizes) != C2D_OK || !same_sizes(found, sizes)) return false;
+  uint64_t minimum = 0;
+  if (c2d_memory_need(&limits, &minimum, nullptr, nullptr) != C2D_OK || C2D_MEMBER(bytes) < minimum - (kAlignment - 1))
+    return false;
   Layout expected;
   static_assert(sizeof(Layout) == 8 * (kArrays + 1), "no padding");
-  return derive_sizes(limits, sizes) == C2D_OK && same_sizes(found, sizes) &&
-         lay_out(sizes, sizeof(c2d_solver), expected) == C2D_OK && same_bytes(&layout, &expected, sizeof layout);
+  lay_out(sizes, sizeof(c2d_solver), expected); // what has a need has a layout
+  return same_bytes(&layout, &expected, sizeof layout);
 }
 
 // The list is within the memory. It is looked at where it is aligned, a few bytes further down if need be; then everything is
@@ -189,12 +190,25 @@ c2d_status find_solver(char* memory, size_t bytes, uint32_t* slack, uint64_t* ne
 }
 #undef C2D_MEMBER
 
-} // namespace
-} // namespace c2d
+const char kOtherSum[] = "the memory differs from what its checksum was made of";
 
-using namespace c2d;
+// Of all that stands in the image of a solver at `at`, but for a cancel, which may come at any moment.
+uint64_t sum_of(const char* at, uint64_t bytes) {
+  constexpr size_t kCancel = offsetof(c2d_solver, cancelled), kBehind = kCancel + sizeof(c2d_solver::cancelled);
+  return checksum(checksum(0, at, kCancel), at + kBehind, bytes - kBehind);
+}
 
-extern "C" c2d_status c2d_attach(c2d_solver** out, void* memory, size_t bytes, const c2d_port* port, c2d_error* why) {
+// Into its place for this memory's alignment: how far behind the beginning.
+uint32_t move_into_place(char* memory, uint32_t found, uint64_t bytes) {
+  const uint32_t slack = static_cast<uint32_t>((kAlignment - reinterpret_cast<uintptr_t>(memory) % kAlignment) % kAlignment);
+  if (slack == found) return slack;
+  memmove(memory + slack, memory + found, static_cast<size_t>(bytes));
+  if (slack > found) memset(memory + found, 0, slack - found); // no second beginning is left behind
+  return slack;
+}
+
+// `sum`: what the image must have; null: anything.
+c2d_status attach(c2d_solver** out, void* memory, size_t bytes, const c2d_port* port, const uint64_t* sum, c2d_error* why) {
   if (!out) return C2D_ERR_ARGUMENT;
   *out = nullptr;
   c2d_port our_port;
@@ -203,19 +217,20 @@ extern "C" c2d_status c2d_attach(c2d_solver** out, void* memory, size_t bytes, c
   uint32_t found = 0;
   uint64_t needed = 0;
   Reason reason{nullptr, nullptr};
+  char* const base = static_cast<char*>(memory);
   c2d_status status = (why && !is_begun(why)) || !memory || !take_port(port, our_port, fault) ? C2D_ERR_ARGUMENT : C2D_OK;
   if (status != C2D_OK) reason.text = what;
-  if (status == C2D_OK) status = find_solver(static_cast<char*>(memory), bytes, &found, &needed, reason);
+  if (status == C2D_OK) status = find_solver(base, bytes, &found, &needed, reason);
+  const uint64_t image = needed - (kAlignment - 1);
+  if (status == C2D_OK && sum && sum_of(base + found, image) != *sum) {
+    status = C2D_ERR_STORE_CHECKSUM;
+    reason.text = kOtherSum;
+  }
   if (status != C2D_OK) {
     explain(why, status, status == C2D_ERR_MEMORY ? needed : 0, reason.text, reason.end);
     return status;
   }
-  const uint32_t slack = static_cast<uint32_t>((kAlignment - reinterpret_cast<uintptr_t>(memory) % kAlignment) % kAlignment);
-  char* base = static_cast<char*>(memory);
-  if (slack != found) {
-    memmove(base + slack, base + found, static_cast<size_t>(needed - (kAlignment - 1)));
-    if (slack > found) memset(base + found, 0, slack - found); // no second beginning is left behind
-  }
+  const uint32_t slack = move_into_place(base, found, image);
   c2d_solver* s = reinterpret_cast<c2d_solver*>(base + slack);
   s->slack = slack;
   s->port = our_port;
@@ -228,5 +243,26 @@ extern "C" c2d_status c2d_attach(c2d_solver** out, void* memory, size_t bytes, c
     return status;
   }
   *out = s;
+  return C2D_OK;
+}
+
+} // namespace
+} // namespace c2d
+
+using namespace c2d;
+
+extern "C" c2d_status c2d_attach(c2d_solver** out, void* memory, size_t bytes, const c2d_port* port, c2d_error* why) {
+  return attach(out, memory, bytes, port, nullptr, why);
+}
+
+extern "C" c2d_status c2d_attach_image(c2d_solver** out, void* memory, size_t bytes, const c2d_port* port, uint64_t sum,
+                                       c2d_error* why) {
+  return attach(out, memory, bytes, port, &sum, why);
+}
+
+extern "C" c2d_status c2d_image_sum(const c2d_solver* s, uint64_t* sum) {
+  if (!s || s->magic != kSolverMagic || !sum) return C2D_ERR_ARGUMENT;
+  if (s->busy) return C2D_ERR_BUSY;
+  *sum = sum_of(reinterpret_cast<const char*>(s), s->bytes);
   return C2D_OK;
 }

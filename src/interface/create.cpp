@@ -29,9 +29,14 @@ c2d_status aligned_need(const Sizes& sizes, Layout& layout, uint64_t* minimum, u
   status = phase_need(sizes, minimum, in_core);
   if (status != C2D_OK) return status;
   uint64_t* const needs[] = {minimum, in_core};
-  for (uint64_t* need : needs)
-    if (!add_bytes(*need, 1, layout.persistent) || *need > UINT64_MAX - kAlignment) return C2D_ERR_OVERFLOW;
-  return *minimum > SIZE_MAX - kAlignment ? C2D_ERR_OVERFLOW : C2D_OK;
+  for (uint64_t* need : needs) {
+    if (!add_bytes(*need, 1, layout.persistent + kAlignment)) return C2D_ERR_OVERFLOW;
+    *need -= kAlignment;
+  }
+#if SIZE_MAX < UINT64_MAX
+  if (*minimum > SIZE_MAX - kAlignment) return C2D_ERR_OVERFLOW;
+#endif
+  return C2D_OK;
 }
 
 // A copy of the caller's limits; false if they cannot be meant, with the reason.
@@ -72,8 +77,8 @@ c2d_status find_need(const c2d_limits* limits, Need& out, c2d_error* why) {
     return C2D_ERR_ARGUMENT;
   }
   out.least = out.most = 0;
-  c2d_status status = derive_sizes(ours, out.sizes);
-  if (status == C2D_OK) status = aligned_need(out.sizes, out.layout, &out.least, &out.most);
+  derive_sizes(ours, out.sizes);
+  const c2d_status status = aligned_need(out.sizes, out.layout, &out.least, &out.most);
   if (status != C2D_OK) explain(why, status, 0);
   return status;
 }

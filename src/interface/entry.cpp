@@ -94,6 +94,6 @@ extern "C" int32_t c2d_get_state(const c2d_solver* s) { return s && s->magic == 
 
 extern "C" c2d_status c2d_cancel(c2d_solver* s) {
   if (!s || s->magic != kSolverMagic) return C2D_ERR_ARGUMENT;
-  s->cancelled = 1;
+  set_cancelled(s, 1);
   return C2D_OK;
 }

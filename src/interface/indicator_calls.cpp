@@ -13,7 +13,7 @@ extern "C" c2d_status c2d_indicators(c2d_solver* s, int32_t body, int32_t first,
   if (status == C2D_OK) status = check_ranges(s, {{"count", count, 0, elements + 1 - first}});
   if (status == C2D_OK) status = check_array(s, "out", out, "stride", stride, C2D_OFF_FIELDS, count);
   if (status != C2D_OK || count == 0) return status;
-  s->cancelled = 0;
+  if (asked_to_stop(s)) return fail(s, C2D_ERR_CANCELLED, status_text(C2D_ERR_CANCELLED));
   Session session;
   open_session(s, session);
   return fill_indicators(session, body - 1, first - 1, count, out, stride);

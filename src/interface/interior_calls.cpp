@@ -29,7 +29,7 @@ extern "C" c2d_status c2d_interior(c2d_solver* s, int32_t body, int32_t count, c
   c2d_status status = enter(s, state_bit(C2D_STATE_RUNNING));
   if (status == C2D_OK) status = check_points(s, body, count, xy, xy_stride, out, out_stride);
   if (status != C2D_OK || count == 0) return status;
-  s->cancelled = 0;
+  if (asked_to_stop(s)) return fail(s, C2D_ERR_CANCELLED, status_text(C2D_ERR_CANCELLED));
   Session session;
   open_session(s, session);
   return evaluate_points(session, body, PointsAsked{count, xy, xy_stride, out, out_stride});

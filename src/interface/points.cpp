@@ -26,7 +26,7 @@ int32_t points_of(const c2d_points& p, const char** what) {
 
 // Both ends are met exactly.
 double place_between(double from, double to, int32_t i, int32_t count) {
-  if (i == 0 || count == 1) return from;
+  if (i == 0) return from;
   if (i == count - 1) return to;
   const double part = static_cast<double>(i) / (count - 1);
   return (1.0 - part) * from + part * to;

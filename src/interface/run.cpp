@@ -34,13 +34,13 @@ c2d_step describe_step(const Session& session, int32_t kind) {
   return now;
 }
 
-// Calls the step callback.
+// Calls the step callback, which may save.
 c2d_status call_back(Session& session, const c2d_step& now) {
   c2d_solver* s = session.solver;
   s->busy = kInStepCallback;
   const int32_t code = session.step(session.step_context, &now);
   s->busy = 0;
-  if (code == 0) return C2D_OK;
+  if (code == 0) return s->state == C2D_STATE_BROKEN ? s->error.status : c2d_status{C2D_OK};
   c2d_error e = blank_error();
   e.host_code = code;
   return fail_with(s, e, C2D_ERR_CALLBACK, status_text(C2D_ERR_CALLBACK));
@@ -62,7 +62,10 @@ c2d_status show_step(Session& session, int32_t kind) {
   now.changes = static_cast<int32_t>(session.follower.stats.changes - session.now.changes);
   close_session(session); // so that c2d_get_summary tells the callback what is so now
   session.now.changes = static_cast<int32_t>(session.follower.stats.changes);
-  return call_back(session, now);
+  if (!kSmallCode) s->run_step = now.step;
+  status = call_back(session, now);
+  if (!kSmallCode) s->run_step = 0;
+  return status;
 }
 
 // Factor of a case at the end of piece p of the path; p = -1: where it begins.
@@ -94,28 +97,29 @@ c2d_status close_overlaps(Session& session) {
   return show_step(session, C2D_STEP_STOPPED);
 }
 
-// The whole path for the coefficients that the pairs hold.
-c2d_status run_cards(Session& session) {
+// The whole path for the coefficients that the pairs hold, or what comes after step `shown` of it.
+c2d_status run_cards(Session& session, int32_t shown) {
   c2d_solver* s = session.solver;
   double* target = array_of<double>(s, kLoads) + s->model.load_cases;
   const int32_t peak = largest_load(session.model);
   session.now.step = 0;
-  if (s->model.interference != 0) {
+  if (shown == 0 && s->model.interference != 0) {
     const c2d_status status = close_overlaps(session);
     if (status != C2D_OK || s->outcome != C2D_REACHED) return status;
   }
   for (int32_t p = 0; p < s->model.paths; ++p) {
     const Path& path = session.model.path[p];
     for (int32_t i = 1; i <= path.increments; ++i) {
-      ++session.now.step;
+      const bool ends = i == path.increments;
+      const Moment moment = ends && p == peak ? Moment::peak : ends && p + 1 == s->model.paths ? Moment::end : Moment::between;
+      if (++session.now.step == shown && !kSmallCode && moment == Moment::peak) kWarningPart.warn_facing_meshes(session);
+      if (session.now.step <= shown) continue;
       for (int32_t k = 0; k < s->model.load_cases; ++k) {
         const double from = path_load(session.model, p - 1, k), to = path_load(session.model, p, k);
         target[k] = i == path.increments ? to : from + (to - from) * i / static_cast<double>(path.increments);
         if (fabs(target[k]) < 1e-15 * (fabs(from) + fabs(to))) target[k] = 0.0; // a crossing, not its round-off
       }
       if (s->model.interference != 0) target[s->model.interference - 1] = 1.0;
-      const bool ends = i == path.increments;
-      const Moment moment = ends && p == peak ? Moment::peak : ends && p + 1 == s->model.paths ? Moment::end : Moment::between;
       c2d_status status = advance(session, target, moment);
       if (status != C2D_OK) return status;
       const bool reached = s->outcome == C2D_REACHED;
@@ -127,19 +131,20 @@ c2d_status run_cards(Session& session) {
   return C2D_OK;
 }
 
-c2d_status run_coefficient(Session& session, int32_t index, c2d_outcome* worst) {
+c2d_status run_coefficient(Session& session, int32_t index, int32_t from, c2d_outcome* worst) {
   c2d_solver* s = session.solver;
+  if (!kSmallCode) s->run_outcome = *worst;
   for (int32_t i = 0; i < s->model.pairs; ++i)
     session.model.pair[i].mu = coefficient_of_zone(s, session.model.pair[i].zone, index);
   const double mu = s->model.coefficients > 0 ? coefficient_of_zone(s, 0, index) : 0.0;
   s->mu = mu;
   s->coefficient = index + 1;
-  c2d_status status = begin(session);
+  c2d_status status = from == 0 ? begin(session) : c2d_status{C2D_OK};
   if (status != C2D_OK) return status;
   session.now.mu = mu;
   session.now.coefficient = index + 1;
   session.now.changes = static_cast<int32_t>(session.follower.stats.changes);
-  status = run_cards(session);
+  if (from == 0 || s->outcome == C2D_REACHED) status = run_cards(session, from);
   if (s->outcome != C2D_REACHED && *worst == C2D_REACHED) *worst = s->outcome;
   return status;
 }
@@ -156,6 +161,11 @@ extern "C" c2d_status c2d_run(c2d_solver* s, c2d_step_fn step, void* context) {
     return fail(s, C2D_ERR_ARGUMENT, "the model has no load path to run: c2d_add_path gives one, c2d_advance needs none");
   if (s->model.zones > 0 && s->model.coefficients == 0)
     return fail(s, C2D_ERR_ARGUMENT, "the model has contact but no coefficient of friction to run: c2d_add_friction gives one");
+  // Where a state brought back by c2d_restore was saved in a run.
+  int32_t from = !kSmallCode && s->state == C2D_STATE_RUNNING ? s->run_step : 0;
+  const int32_t first = from > 0 ? s->coefficient - 1 : 0;
+  c2d_outcome worst = from > 0 ? s->run_outcome : c2d_outcome{C2D_REACHED};
+  s->run_step = 0;
   Session session;
   open_session(s, session);
   session.step = step;
@@ -167,9 +177,8 @@ extern "C" c2d_status c2d_run(c2d_solver* s, c2d_step_fn step, void* context) {
   session.now.cases = s->model.load_cases;
   session.now.stride = C2D_PAIR_FIELDS;
   // Without contact there is no friction: one run serves all coefficients.
-  const int32_t runs = s->model.contact == 0 || s->model.coefficients == 0 ? 1 : s->model.coefficients;
-  c2d_outcome worst = C2D_REACHED;
-  for (int32_t i = 0; i < runs && status == C2D_OK; ++i) status = run_coefficient(session, i, &worst);
+  const int32_t runs = s->model.contact == 0 ? 1 : s->model.coefficients;
+  for (int32_t i = first; i < runs && status == C2D_OK; ++i, from = 0) status = run_coefficient(session, i, from, &worst);
   if (status == C2D_OK) status = back_substitute_all(session);
   if (status == C2D_OK && !s->blocked && !s->floating && worst == C2D_REACHED) warn_strains(session);
   status = finish(session, status);

@@ -51,7 +51,7 @@ void fill_model(c2d_solver* s, c2d_summary& out) {
 }
 
 void fill_motion(c2d_solver* s, c2d_summary& out) {
-  if (s->outcome_body < 1 || s->outcome_body > s->sizes.bodies) return;
+  if (s->outcome_body < 1) return;
   const Body& body = body_numbered(s, s->outcome_body);
   // (ux, uy) of the centre and a rotation about it, as a motion about the origin.
   const double* motion = s->outcome_motion;
@@ -68,6 +68,8 @@ void fill_work(c2d_solver* s, c2d_summary& out) {
   for (int b = 0; b < s->sizes.bodies; ++b)
     if (plan_of(s, b).panel_columns > out.panel_columns) out.panel_columns = plan_of(s, b).panel_columns;
   out.warnings = s->warnings;
+  out.run_step = s->run_step;
+  out.run_coefficient = s->run_step > 0 ? s->coefficient : 0;
   out.events = s->stats.events;
   out.exchanges = s->exchanges;
   out.tableau_rebuilds = s->rebuilds;

@@ -29,11 +29,10 @@ Tape contact_tape(const Sizes& sizes) {
 }
 
 // LOWER and UPPER hold the blocks of one body after the other.
-c2d_status factor_tape(const Sizes& sizes, uint64_t bytes, bool keep, bool upper, Tape& out) {
+void factor_tape(const Sizes& sizes, uint64_t bytes, bool keep, bool upper, Tape& out) {
   const PhaseSizes phases = phase_sizes(sizes);
   PlanRule rule;
-  const c2d_status status = choose_rule(phases, bytes, sizes.panel_columns, rule);
-  if (status != C2D_OK) return status;
+  choose_rule(phases, bytes, sizes.panel_columns, rule);
   out = {0, 0};
   for (int b = 0; b < sizes.bodies; ++b) {
     if (phases.of(b).rows == 0) continue;
@@ -43,7 +42,6 @@ c2d_status factor_tape(const Sizes& sizes, uint64_t bytes, bool keep, bool upper
     out.blocks += use.blocks;
     if (use.max_data_bytes > out.data_bytes) out.data_bytes = use.max_data_bytes;
   }
-  return C2D_OK;
 }
 
 // Which tape, and the options that are chosen: a copy of the caller's, or what stands for none.
@@ -70,7 +68,7 @@ extern "C" c2d_status c2d_tape_need(const c2d_limits* limits, const c2d_options*
                                     int32_t tape, uint64_t* blocks, uint64_t* block_bytes, c2d_error* why) {
   c2d_options chosen{};
   uint64_t minimum = 0;
-  c2d_status status = c2d_memory_need(limits, &minimum, nullptr, why);
+  const c2d_status status = c2d_memory_need(limits, &minimum, nullptr, why);
   if (status != C2D_OK) return status;
   if (!take_choice(tape, options, chosen, why)) return C2D_ERR_ARGUMENT;
   if (workspace_bytes < minimum) {
@@ -81,20 +79,16 @@ extern "C" c2d_status c2d_tape_need(const c2d_limits* limits, const c2d_options*
   Sizes sizes;
   Layout layout;
   copy_in(limits, &ours, sizeof ours);
-  status = derive_sizes(ours, sizes);
-  if (status == C2D_OK) status = lay_out(sizes, sizeof(c2d_solver), layout);
+  derive_sizes(ours, sizes); // what has a need has sizes, and a layout
+  lay_out(sizes, sizeof(c2d_solver), layout);
   Tape need = {0, 0};
   if (tape == C2D_TAPE_CONTROL)
     need = control_tape(sizes, layout);
   else if (tape == C2D_TAPE_CONTACT)
     need = contact_tape(sizes);
-  else if (status == C2D_OK)
-    status = factor_tape(sizes, workspace_bytes - (kAlignment - 1) - layout.persistent, chosen.keep_factors != 0,
-                         tape == C2D_TAPE_UPPER, need);
-  if (status != C2D_OK) {
-    explain(why, status, 0);
-    return status;
-  }
+  else
+    factor_tape(sizes, workspace_bytes - (kAlignment - 1) - layout.persistent, chosen.keep_factors != 0, tape == C2D_TAPE_UPPER,
+                need);
   if (blocks) *blocks = need.blocks;
   if (block_bytes) *block_bytes = need.blocks > 0 ? kBlockHeaderBytes + need.data_bytes : 0;
   return C2D_OK;

@@ -188,6 +188,23 @@ void gemm_minus(const Engine& engine, int32_t m, int32_t n, int32_t k, const Rea
                        n, m, k, 0, 0, a, b, lda, ldb, c, ldc});
 }
 
+void outer_minus(const Engine& engine, int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, const Real* b, int64_t ldb,
+                 Real* c, int64_t ldc) {
+  if (!packs(engine, n, k)) {
+    for (int32_t j = 0; j < n; ++j)
+      for (int32_t p = 0; p < k; ++p) {
+        const Real factor = b[j + p * ldb], *const left = a + p * lda;
+        for (int32_t i = 0; i < m; ++i) c[i + j * ldc] -= left[i] * factor;
+      }
+    return;
+  }
+  cut_columns(engine, {[](const Columns& all, const Engine& own, int32_t j, int32_t count) {
+                         packed_outer(own, all.m, count, all.k, all.a, all.lda, all.b + j, all.ldb, all.c + j * all.ldc,
+                                      all.ldc);
+                       },
+                       n, m, k, 0, 0, a, b, lda, ldb, c, ldc});
+}
+
 void update_by(const Engine& engine, int32_t w, int32_t m, int32_t n, const Real* l, int64_t ldl, Real* x, int64_t ldx) {
   if (packs(engine, n, w)) {
     cut_columns(engine, {[](const Columns& all, const Engine& own, int32_t j, int32_t count) {

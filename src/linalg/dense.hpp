@@ -11,6 +11,9 @@ namespace c2d {
 // C (m x n) -= A (m x k) B (k x n).
 void gemm_minus(const Engine& engine, int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, const Real* b, int64_t ldb,
                 Real* c, int64_t ldc);
+// C (m x n) -= A (m x k) B^T, B n x k.
+void outer_minus(const Engine& engine, int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, const Real* b, int64_t ldb,
+                 Real* c, int64_t ldc);
 
 // What an elimination needs: X = (X1, X2) of w + m rows and n columns := (L1^-1 X1, X2 - L2
 // L1^-1 X1) with L = (L1, L2) unit lower trapezoidal, (w + m) x w.

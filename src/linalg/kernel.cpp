@@ -1,14 +1,17 @@
 #include "linalg/kernel.hpp"
 #include "linalg/kernel_sets.hpp"
+#include "memory/hostile.hpp"
 
-#if defined(__x86_64__)
+#if defined(__x86_64__) && C2D_EXTENSIONS
 #include <cpuid.h>
 #endif
 
 namespace c2d {
 namespace {
 
-#if defined(__x86_64__)
+constexpr uint32_t kFma = 1u << 12, kAsksSystem = 1u << 27, kAvx2 = 1u << 5, kAvx512 = 1u << 16;
+
+#if defined(__x86_64__) && C2D_EXTENSIONS
 
 // Which registers the operating system keeps when it switches between threads.
 uint32_t kept_registers() {
@@ -17,20 +20,21 @@ uint32_t kept_registers() {
   return low;
 }
 
-Instructions of_processor() {
-  constexpr uint32_t kFma = 1u << 12, kAsksSystem = 1u << 27, kAvx2 = 1u << 5, kAvx512 = 1u << 16;
-  constexpr uint32_t kWide = 0x06, kWidest = 0xe6;
-  uint32_t a, b, c, d;
-  if (!__get_cpuid(1, &a, &b, &c, &d) || !(c & kFma) || !(c & kAsksSystem)) return Instructions::baseline;
-  if (!__get_cpuid_count(7, 0, &a, &b, &c, &d)) return Instructions::baseline;
-  const uint32_t kept = kept_registers();
-  if ((b & kAvx512) && (kept & kWidest) == kWidest) return Instructions::avx512;
-  return (b & kAvx2) && (kept & kWide) == kWide ? Instructions::avx2 : Instructions::baseline;
+ProcessorSays ask_processor() {
+  uint32_t a = 0, b = 0, c = 0, d = 0;
+  __get_cpuid(1, &a, &b, &c, &d); // leaves them where there is no such leaf
+  ProcessorSays says = {c, 0, 0};
+  b = 0;
+  __get_cpuid_count(7, 0, &a, &b, &c, &d);
+  says.more_features = b;
+  if (C2D_NEVER((says.features & kAsksSystem) == 0)) return says; // (an operating system of before 2009)
+  says.kept = kept_registers();
+  return says;
 }
 
 #else
 
-Instructions of_processor() { return Instructions::baseline; }
+ProcessorSays ask_processor() { return {}; }
 
 #endif
 
@@ -45,11 +49,23 @@ const Kernel* kernel_for(Instructions set) {
   }
 }
 
-Instructions best_instructions() {
-  if (kSmallCode) return Instructions::baseline;
-  int32_t set = static_cast<int32_t>(of_processor());
-  while (set > 0 && kernel_for(static_cast<Instructions>(set)) == nullptr) --set;
+Instructions instructions_of(const ProcessorSays& processor) {
+  constexpr uint32_t kWide = 0x06, kWidest = 0xe6;
+  if ((processor.features & kFma) == 0 || (processor.features & kAsksSystem) == 0) return Instructions::baseline;
+  const auto has = [&](uint32_t feature, uint32_t registers) {
+    return (processor.more_features & feature) != 0 && (processor.kept & registers) == registers;
+  };
+  return has(kAvx512, kWidest) ? Instructions::avx512 : (has(kAvx2, kWide) ? Instructions::avx2 : Instructions::baseline);
+}
+
+Instructions best_there(Instructions most, const Kernel* (*find)(Instructions)) {
+  int32_t set = static_cast<int32_t>(most);
+  while (set > 0 && find(static_cast<Instructions>(set)) == nullptr) --set;
   return static_cast<Instructions>(set);
+}
+
+Instructions best_instructions() {
+  return kSmallCode ? Instructions::baseline : best_there(instructions_of(ask_processor()), kernel_for);
 }
 
 } // namespace c2d

@@ -37,6 +37,14 @@ constexpr int32_t kMostTileNumbers = 24 * 8 * static_cast<int32_t>(sizeof(double
 enum class Instructions : int16_t { plain = 0, baseline = 1, avx2 = 2, avx512 = 3 };
 // Null for plain, and for a set that this build does not have.
 const Kernel* kernel_for(Instructions set);
+// What a processor and its operating system say of themselves: cpuid 1 (ecx), cpuid 7 (ebx), xgetbv (registers kept). Not said:
+// 0.
+struct ProcessorSays {
+  uint32_t features, more_features, kept;
+};
+Instructions instructions_of(const ProcessorSays& processor);
+// The best up to `most` that `find` has.
+Instructions best_there(Instructions most, const Kernel* (*find)(Instructions));
 // The best that this build has and this machine runs. Asks the processor each time: keep the answer.
 Instructions best_instructions();
 

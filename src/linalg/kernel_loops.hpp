@@ -142,7 +142,7 @@ void solve_upper(int32_t n, const Real* u, int64_t ldu, Real* b) {
   }
 }
 
-inline Vector size_of(Vector x) { return x < 0 ? -x : x; }
+inline Vector size_of(Vector x) { return x < 0 ? -x : x; } // (lanes)
 
 inline Real most_of(const Vector& sizes) {
   Real most[kLanes];
@@ -163,8 +163,8 @@ struct Largest {
   void meet(const Vector& x, const Places& at) {
     const Vector size = size_of(x);
     const Places more = size > most;
-    most = more ? size : most;
-    place = more ? at : place;
+    most = more ? size : most; // (lanes)
+    place = more ? at : place; // (lanes)
   }
   int32_t first() const {
     const Real whole = most_of(most);
@@ -204,6 +204,7 @@ int32_t short_column(int32_t m, int32_t k, const Real* l, int64_t ldl, const Rea
 // before, from the same numbers, and stored after.
 int32_t column(int32_t m, int32_t k, const Real* l, int64_t ldl, const Real* u, Real* x) {
   if (m < kLanes) return short_column(m, k, l, ldl, u, x);
+  if (k == 0) l = x; // never read, and may be null
   const int32_t past = static_cast<int32_t>(reinterpret_cast<uintptr_t>(x) % C2D_VECTOR_BYTES / sizeof(Real));
   const int32_t last = m - kLanes;
   Places lanes = {};
@@ -272,12 +273,12 @@ Real largest_entry(int32_t n, const Real* x) {
   Vector most_each[2] = {size_of(vector_at(x + n - kLanes)->v), {}};
   for (int32_t i = 0; i + kLanes <= n; i += 2 * kLanes) {
     const Vector size = size_of(vector_at(x + i)->v);
-    most_each[0] = size > most_each[0] ? size : most_each[0];
+    most_each[0] = size > most_each[0] ? size : most_each[0]; // (lanes)
     if (i + 2 * kLanes > n) break;
     const Vector next = size_of(vector_at(x + i + kLanes)->v);
-    most_each[1] = next > most_each[1] ? next : most_each[1];
+    most_each[1] = next > most_each[1] ? next : most_each[1]; // (lanes)
   }
-  return most_of(most_each[0] > most_each[1] ? most_each[0] : most_each[1]);
+  return most_of(most_each[0] > most_each[1] ? most_each[0] : most_each[1]); // (lanes)
 }
 
 // What the next slice will ask for, the rows below, comes nearer meanwhile.

@@ -221,7 +221,7 @@ void apply_pivots(int32_t cols, Real* a, int64_t lda, const int32_t* pivots, int
     for (int32_t i = first; i < first + count; ++i) {
       const int32_t k = pivots[i];
       C2D_ASSERT(k >= i);
-      for (int64_t next = 1; more && next <= 4; ++next) __builtin_prefetch(a3 + next * lda + k, 1, 2);
+      for (int64_t next = 1; more && next <= 4; ++next) C2D_FETCH(a3 + next * lda + k, 1, 2);
       if (k == i) continue;
       const Real x0 = a0[i], x1 = a1[i], x2 = a2[i], x3 = a3[i];
       a0[i] = a0[k], a1[i] = a1[k], a2[i] = a2[k], a3[i] = a3[k];

@@ -23,12 +23,12 @@ Packing packing(const Engine& engine, int32_t k, int32_t n) {
   const Kernel& kernel = *engine.kernel;
   const int64_t for_depth = engine.numbers / (kernel.rows + kernel.cols);
   const int32_t depth = smaller(smaller(k, kDepth), for_depth > kDepth ? kDepth : static_cast<int32_t>(for_depth));
-  const int64_t each = engine.numbers / (depth > 0 ? depth : 1); // numbers for each step of the inner index
+  const int64_t each = engine.numbers / depth; // numbers for each step of the inner index, of which there are some: can_pack()
   const int32_t band = kBand / kernel.rows;
   const int64_t some = each / 4 / kernel.rows;
   const int32_t slices = some < 1 ? 1 : (some > band ? band : static_cast<int32_t>(some));
   const int64_t rest = each - static_cast<int64_t>(slices) * kernel.rows;
-  const int64_t most = static_cast<int64_t>(kDepth) * kWidth / (depth > 0 ? depth : 1); // shallower, wider: as large
+  const int64_t most = static_cast<int64_t>(kDepth) * kWidth / depth; // shallower, wider: as large
   const int32_t width = static_cast<int32_t>(rest > most ? most : rest) / kernel.cols * kernel.cols;
   const int32_t wide = smaller(width, whole(n, kernel.cols));
   const int64_t left = static_cast<int64_t>(depth) * slices * kernel.rows, used = left + static_cast<int64_t>(depth) * wide;
@@ -69,6 +69,19 @@ void pack_right(const Packing& p, int32_t n, int32_t k, const Real* b, int64_t l
   }
 }
 
+// The same of B^T (n x k).
+void pack_transposed(const Packing& p, int32_t n, int32_t k, const Real* b, int64_t ldb, const Right& right) {
+  const int32_t cols = p.kernel.cols;
+  for (int32_t j = 0; j < n; j += cols) {
+    const int32_t some = smaller(cols, n - j);
+    Real* to = right.slice(j);
+    for (int32_t i = 0; i < k; ++i, to += cols) {
+      for (int32_t c = 0; c < some; ++c) to[c] = b[j + c + i * ldb];
+      for (int32_t c = some; c < cols; ++c) to[c] = 0;
+    }
+  }
+}
+
 void unpack_right(const Packing& p, int32_t n, int32_t k, const Right& right, Real* b, int64_t ldb) {
   const int32_t cols = p.kernel.cols;
   for (int32_t j = 0; j < n; j += cols) {
@@ -95,7 +108,7 @@ void edge(const Packing& p, int32_t m, int32_t n, int32_t k, const Real* left, c
 
 // Column p of what is packed next comes nearer.
 void ask_for(int32_t m, const Real* column) {
-  for (int32_t i = 0; i < m; i += 64 / static_cast<int32_t>(sizeof(Real))) __builtin_prefetch(column + i, 0, 2);
+  for (int32_t i = 0; i < m; i += 64 / static_cast<int32_t>(sizeof(Real))) C2D_FETCH(column + i, 0, 2);
 }
 
 // C (m x n) -= A (m x k) times what is packed on the right. A few slices of A at a time: each column of C is met in
@@ -170,6 +183,20 @@ void packed_product(const Engine& engine, int32_t m, int32_t n, int32_t k, const
       const int32_t deep = smaller(p.depth, k - d);
       const Right right = {p.right, deep};
       pack_right(p, wide, deep, b + d + j * ldb, ldb, right);
+      product(p, m, wide, deep, a + d * lda, lda, right, c + j * ldc, ldc);
+    }
+  }
+}
+
+void packed_outer(const Engine& engine, int32_t m, int32_t n, int32_t k, const Real* a, int64_t lda, const Real* b, int64_t ldb,
+                  Real* c, int64_t ldc) {
+  const Packing p = packing(engine, k, n);
+  for (int32_t j = 0; j < n; j += p.width) {
+    const int32_t wide = smaller(p.width, n - j);
+    for (int32_t d = 0; d < k; d += p.depth) {
+      const int32_t deep = smaller(p.depth, k - d);
+      const Right right = {p.right, deep};
+      pack_transposed(p, wide, deep, b + j + d * ldb, ldb, right);
       product(p, m, wide, deep, a + d * lda, lda, right, c + j * ldc, ldc);
     }
   }

@@ -12,7 +12,7 @@ int32_t text_length(const char* text) { return place_of('\0', text, INT32_MAX); 
 
 bool one_of(char character, const char* set) {
   const int32_t size = text_length(set);
-  return character != '\0' && place_of(character, set, size) < size;
+  return place_of(character, set, size) < size;
 }
 
 const char kNameTooLong[] = "is too long, expected at most 31 bytes";

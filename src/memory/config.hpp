@@ -9,9 +9,12 @@
 //     twice as long (port/cortex-m/README.md).
 // -DC2D_PARTS_BY_CALL   What reads models of any kind (deck reader, c2d_attach) does not bring the optional parts of the
 //     method into a program; the call that declares one does. memory/parts.hpp.
+// -DC2D_PLAIN   No word but those of C++17: neither vectors nor hints to the processor. Small code. Compilers without GNU's
+//     extensions get it unasked.
 // -DC2D_ONE_FILE   The library is one source file (make amalgamation), so that all parts are there.
 // -DC2D_HOSTILE=width   For tests (make hostile): panels of that many columns and everything against the grain, see
 //     memory/hostile.hpp. Many times slower.
+// -DC2D_COUNTED   For `make coverage`: conditions that are said never to hold are constants (memory/hostile.hpp).
 // -ffast-math and -ffinite-math-only are refused: the checks for numbers that are none would vanish.
 #include <float.h>
 #include <stdint.h>
@@ -24,7 +27,17 @@
 #define C2D_REAL double
 #endif
 
-#if defined(C2D_SMALL) || defined(__OPTIMIZE_SIZE__)
+#if defined(__GNUC__) && !defined(C2D_PLAIN)
+#define C2D_EXTENSIONS 1
+#define C2D_FETCH(address, write, level) __builtin_prefetch(address, write, level)
+#define C2D_STOP() __builtin_trap()
+#else
+#define C2D_EXTENSIONS 0
+#define C2D_FETCH(address, write, level) static_cast<void>(address)
+#define C2D_STOP() static_cast<void>(0)
+#endif
+
+#if defined(C2D_SMALL) || defined(__OPTIMIZE_SIZE__) || !C2D_EXTENSIONS
 #define C2D_SMALL_CODE true
 #define C2D_WIDEST_VECTOR 0
 #else
@@ -47,7 +60,7 @@
 #endif
 
 // May a linker leave out optional parts, and does only the call that declares one bring it?
-#if defined(__ELF__) && defined(__GNUC__) && !defined(C2D_ONE_FILE)
+#if defined(__ELF__) && C2D_EXTENSIONS && !defined(C2D_ONE_FILE)
 #define C2D_PARTS_MAY_LACK 1
 #else
 #define C2D_PARTS_MAY_LACK 0
@@ -56,6 +69,12 @@
 #define C2D_ONLY_CALLS_BRING 1
 #else
 #define C2D_ONLY_CALLS_BRING 0
+#endif
+
+#ifdef C2D_COUNTED
+#define C2D_COUNTS_BRANCHES 1
+#else
+#define C2D_COUNTS_BRANCHES 0
 #endif
 
 #ifndef C2D_HOSTILE

@@ -9,13 +9,26 @@
 
 #include "memory/config.hpp"
 
-#define C2D_ASSERT(promise) (!c2d::kHostile || (promise) ? static_cast<void>(0) : __builtin_trap())
+#define C2D_ASSERT(promise) (!c2d::kHostile || (promise) ? static_cast<void>(0) : C2D_STOP())
+
+// A condition that no test can make hold, for the reason told beside it: kept as a guard. In the hostile build it stops the
+// program; the build that counts branches does not count it.
+#if C2D_COUNTS_BRANCHES
+#define C2D_NEVER(condition) (sizeof(condition) == 0)
+#else
+#define C2D_NEVER(condition) c2d::never(condition)
+#endif
 
 namespace c2d {
 
+inline bool never(bool holds) {
+  C2D_ASSERT(!holds);
+  return holds;
+}
+
 // The bytes hold nothing any more, or nothing yet. A double of them is a NaN, an integer -1.
 inline void poison(void* memory, uint64_t bytes) {
-  if (kHostile && bytes > 0) memset(memory, 0xff, static_cast<size_t>(bytes));
+  if (kHostile) memset(memory, 0xff, static_cast<size_t>(bytes));
 }
 
 } // namespace c2d

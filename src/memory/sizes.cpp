@@ -54,8 +54,9 @@ bool find_wrong_limit(const c2d_limits& l, WrongLimit& out) {
                 {"curves", l.curves}};
   for (const auto& count : counts)
     if (is_wrong(out, count.member, -1, count.value, 0)) return true;
-  return is_wrong(out, "free_pairs", -1, l.free_pairs, 0, l.pairs) ||
-         is_wrong(out, "platens", -1, l.platens, 0, INT32_MAX - l.bodies);
+  // (each platen has a zone of its own)
+  const int32_t most_platens = l.zones < INT32_MAX - l.bodies ? l.zones : INT32_MAX - l.bodies;
+  return is_wrong(out, "free_pairs", -1, l.free_pairs, 0, l.pairs) || is_wrong(out, "platens", -1, l.platens, 0, most_platens);
 }
 
 BodySizes sizes_of_body(const Sizes& sizes, int b) {
@@ -103,7 +104,8 @@ c2d_limits limits_of(const Sizes& sizes) {
   c2d_limits out = c2d_limits();
   out.struct_size = static_cast<uint32_t>(sizeof out);
   const auto number = [](int64_t size) { return static_cast<int32_t>(size); };
-  out.bodies = number(sizes.bodies - sizes.platens);
+  const uint64_t bodies = static_cast<uint64_t>(sizes.bodies) - static_cast<uint64_t>(sizes.platens); // a stranger's are any
+  out.bodies = number(static_cast<int64_t>(bodies));
   out.platens = number(sizes.platens);
   out.body = sizes.body;
   out.function_nodes = sizes.function_nodes;

@@ -1,6 +1,7 @@
 // Points of two surfaces that face each other.
 #include "model/facing.hpp"
 
+#include "memory/hostile.hpp"
 #include "model/geometry.hpp"
 
 #include <math.h>
@@ -31,10 +32,8 @@ Search search_in(const Model& m, const Zone& z, const Place& from, int side, int
 double zero_between(double a, double b, double fa, double fb, const Search& f) {
   const double none = 1e-16 * fmax(fabs(fa), fabs(fb));
   double at = a;
-  for (int i = 0; i < 100; ++i) {
-    const double size = fb - fa;
-    if (size == 0) break;
-    at = b - fb * (b - a) / size;
+  for (int i = 0; i < 100 && fb != fa; ++i) { // some ten steps do, but where surfaces that will be refused jump
+    at = b - fb * (b - a) / (fb - fa);
     const double value = f(at);
     if (fabs(value) <= none || fabs(b - a) <= 4e-16) break;
     if ((value > 0) == (fb > 0)) {

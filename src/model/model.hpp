@@ -304,7 +304,6 @@ inline bool is_platen(const Model& m, int b) { return m.body[b].elements == 0; }
 // Among elements 0 ... end - 1 are those of its zones.
 inline int32_t end_of_elements(const Model& m, int b) { return is_platen(m, b) ? m.region[b]->last + 1 : m.body[b].elements; }
 const Zone& tie_of_platen(const Model& m, int b);
-bool has_rigid(const Model& m); // any body
 bool has_body_forces(const Model& m);
 // Displacement of a point of a rigid body in a load case, at factor 1.
 inline void rigid_displacement(const Model& m, int b, int32_t load_case, double x, double y, double u[2]) {

@@ -128,12 +128,6 @@ double power_of_two_near(double value) {
 }
 } // namespace
 
-bool has_rigid(const Model& m) {
-  for (int b = 0; b < m.head->bodies; ++b)
-    if (is_rigid(m, b)) return true;
-  return false;
-}
-
 bool has_body_forces(const Model& m) {
   for (int b = 0; b < m.head->bodies; ++b)
     if (m.body[b].has_force != 0) return true;

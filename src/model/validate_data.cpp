@@ -32,7 +32,7 @@ void check_material(const Model& m, int b, Reporter& reporter) {
 void report_region(const Model& m, int b, int32_t region, const char* found, int32_t number, const char* expected,
                    int32_t wanted, Reporter& reporter) {
   Where where = in_body(b);
-  if (region < body_of(m, b).region_count) where.element = m.region[b][region].first + 1;
+  where.element = m.region[b][region].first + 1;
   report(reporter, where, "region ", region + 1, " of body ", body_named(m, b), found, number, expected, wanted);
 }
 

@@ -72,19 +72,35 @@ void append_check(std::string& out, const Session& session, const Summary& s) {
 
 } // namespace
 
-int check_deck(const Options& options) {
+namespace {
+
+int check_one(const std::string& deck, const Options& options) {
   Session session;
-  int exit = session.read_file(options.deck, {options.settings, false});
+  session.messages.quiet = options.quiet;
+  int exit = session.read_file(deck, {options.settings, false});
   if (exit == 0) exit = session.read_model_alone(options.symmetry);
   if (exit != 0) return exit;
 
   Summary summary;
-  get_summary(session.solver, summary);
+  if (const c2d_status status = get_summary(session.solver, summary); status != C2D_OK) return session.failed(status);
   std::string text, error;
-  append_check(text, session, summary);
+  if (!options.quiet) append_check(text, session, summary);
   if (write_output("-", text, error)) return kExitSolved;
   session.messages.fail(error);
   return kExitFiles;
+}
+
+} // namespace
+
+int check_decks(const Options& options) {
+  int first = check_one(options.deck, options);
+  for (const std::string& deck : options.more_decks) {
+    std::string error;
+    const bool parted = options.quiet || write_output("-", "\n", error);
+    const int exit = parted ? check_one(deck, options) : static_cast<int>(kExitFiles);
+    if (first == 0) first = exit;
+  }
+  return first;
 }
 
 } // namespace app

@@ -1,11 +1,12 @@
-// `contact2d check DECK`.
+// `contact2d check DECK ...`.
 #pragma once
 
 #include "program/options.hpp"
 
 namespace app {
 
-// Reads and validates the deck and prints its sizes and the memory it needs. Returns the exit status.
-int check_deck(const Options& options);
+// Reads and validates decks, one after another, and prints their sizes and the memory they need. Returns the exit status, of
+// several decks the first that is not 0.
+int check_decks(const Options& options);
 
 } // namespace app

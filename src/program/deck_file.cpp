@@ -1,5 +1,9 @@
 #include "program/deck_file.hpp"
 
+#include "program/voice.hpp"
+
+#include "program/interrupt.hpp"
+#include "program/system_file.hpp"
 #include "report/text.hpp"
 
 #include <contact2d_cards.h>
@@ -30,15 +34,46 @@ int32_t put_card(std::string_view card, char* text, int32_t size) {
   return card.size() > INT32_MAX ? INT32_MAX : static_cast<int32_t>(card.size());
 }
 
+// Of a body: its sizes, a region, constants, origin, a node, numbers of conditions, of loads and of contacts.
+constexpr size_t kLeastCards = 8;
+
+// All of an open file; false if it cannot be read. A signal that does not end the program does not end the reading.
+bool append_file(int file, std::string& text) {
+  constexpr size_t kPart = 65536;
+  for (size_t used = text.size();;) {
+    text.resize(used + kPart);
+    const ssize_t got = ::read(file, &text[used], kPart);
+    if (got < 0 && errno == EINTR && !interrupted()) continue;
+    const size_t more = got > 0 ? static_cast<size_t>(got) : 0;
+    text.resize(used + more);
+    if (got <= 0) return got == 0;
+    if (std::memchr(&text[used], 0, more) != nullptr) return true; // no text
+    used += more;
+  }
+}
+
 } // namespace
 
 void DeckFile::find_cards() {
   starts_.clear();
-  for (size_t at = 0; at < text_.size();) {
-    starts_.push_back(at);
-    const size_t end = text_.find('\n', at);
-    at = end == std::string::npos ? text_.size() : end + 1;
+  cards_ = 0;
+  for (size_t at = 0; at < text_.size(); at = behind_line(at), ++cards_)
+    if (cards_ % kTogether == 0) starts_.push_back(at);
+  seen_ = 0;
+}
+
+size_t DeckFile::behind_line(size_t at) const {
+  const size_t end = text_.find('\n', at);
+  return end == std::string::npos ? text_.size() : end + 1;
+}
+
+size_t DeckFile::start_of(size_t line) const {
+  if (line != seen_ + 1 || seen_ == 0) {
+    seen_ = (line - 1) / kTogether * kTogether + 1;
+    seen_at_ = starts_[(line - 1) / kTogether];
   }
+  for (; seen_ < line; ++seen_) seen_at_ = behind_line(seen_at_);
+  return seen_at_;
 }
 
 void DeckFile::replace(const std::string& text) {
@@ -53,35 +88,29 @@ void DeckFile::replace_by_deck(const std::string& text) {
 
 bool DeckFile::read(const std::string& name, c2d_error& fault) {
   name_ = name == "-" ? "standard input" : name;
-  const int file = name == "-" ? 0 : ::open(name.c_str(), O_RDONLY | O_CLOEXEC);
-  ssize_t got = file < 0 ? -1 : 1;
-  char chunk[65536];
-  while (got > 0) {
-    got = ::read(file, chunk, sizeof chunk);
-    if (got > 0) text_.append(chunk, static_cast<size_t>(got));
-    if (got > 0 && std::memchr(chunk, 0, static_cast<size_t>(got)) != nullptr) break; // no text: judged below
-  }
+  const int file = name == "-" ? 0 : open_file(name, O_RDONLY);
+  const bool read_all = file >= 0 && append_file(file, text_);
   const int code = errno;
   if (file > 0) ::close(file);
-  if (got < 0) {
-    set_fault(fault, C2D_ERR_READ, std::string("cannot be read: ") + std::strerror(code));
+  if (!read_all) {
+    set_fault(fault, C2D_ERR_READ, std::string("cannot be read: ") + system_text(code));
     return false;
   }
   find_cards();
   const size_t zero = text_.find('\0');
   if (zero == std::string::npos) return true;
-  size_t line = 1;
-  while (line < starts_.size() && starts_[line] <= zero) ++line;
+  const size_t line = static_cast<size_t>(std::count(text_.begin(), text_.begin() + static_cast<ptrdiff_t>(zero), '\n'));
+  const size_t begin = line == 0 ? 0 : text_.rfind('\n', zero) + 1;
   set_fault(fault, C2D_ERR_INPUT, "a byte that is zero: this is not a text file");
-  fault.line = static_cast<int32_t>(line);
-  fault.column = fault.column_end = static_cast<int32_t>(zero - starts_[line - 1]) + 1;
+  fault.line = static_cast<int32_t>(line) + 1;
+  fault.column = fault.column_end = static_cast<int32_t>(zero - begin) + 1;
   return false;
 }
 
 std::string_view DeckFile::card(size_t line) const {
-  if (line < 1 || line > starts_.size()) return {};
-  const size_t begin = starts_[line - 1];
-  size_t end = line < starts_.size() ? starts_[line] : text_.size();
+  if (line < 1 || line > cards_) return {};
+  const size_t begin = start_of(line);
+  size_t end = behind_line(begin);
   if (end > begin && text_[end - 1] == '\n') --end;
   if (end > begin && text_[end - 1] == '\r') --end;
   return std::string_view(text_).substr(begin, end - begin);
@@ -119,13 +148,19 @@ std::vector<std::string> DeckFile::heading() const {
 
 int32_t DeckFile::read_line(void* context, char* text, int32_t size) {
   DeckFile& deck = *static_cast<DeckFile*>(context);
-  if (deck.next_ > deck.starts_.size()) return -1;
+  if (deck.next_ > deck.cards_) return -1;
   return put_card(deck.card(deck.next_++), text, size);
 }
 
 std::vector<c2d_body_limits> room_for_bodies(const DeckFile& deck) {
-  return std::vector<c2d_body_limits>(std::min<size_t>(deck.cards(), INT32_MAX));
+  Walk walk = {&deck, 1, {}, false};
+  c2d_limits limits = C2D_INIT(c2d_limits);
+  c2d_scan_deck(walk_line, &walk, &limits, nullptr); // without a list it ends at the number of bodies
+  const size_t told = limits.bodies > 0 ? static_cast<size_t>(limits.bodies) : 1;
+  return std::vector<c2d_body_limits>(std::min(told, most_bodies(deck)));
 }
+
+size_t most_bodies(const DeckFile& deck) { return std::min<size_t>(deck.cards() / kLeastCards + 1, INT32_MAX); }
 
 std::string quote(const DeckFile& deck, const c2d_error& entry, const char* word) {
   std::string out = "contact2d: " + deck.name() + ":";
@@ -137,8 +172,8 @@ std::string quote(const DeckFile& deck, const c2d_error& entry, const char* word
     out += ':';
   }
   out += ' ';
-  out += word;
-  out += ": ";
+  out += coloured(entry.severity == C2D_WARNING ? Colour::kWarning : Colour::kError, std::string(word) + ":");
+  out += ' ';
   out += entry.text;
   out += '\n';
   if (!has_line || static_cast<size_t>(entry.line) > deck.cards()) return out;
@@ -154,7 +189,8 @@ std::string quote(const DeckFile& deck, const c2d_error& entry, const char* word
   if (first > card.size() && first < 200) caret.append(first - card.size(), ' ');
   caret += '^';
   for (int32_t i = entry.column; i < entry.column_end && caret.size() < 200; ++i) caret += '~';
-  return out += '\n' + caret + '\n';
+  const size_t blank = std::min(caret.find('^'), caret.size());
+  return out += '\n' + caret.substr(0, blank) + coloured(Colour::kPlace, caret.substr(blank)) + '\n';
 }
 
 } // namespace app

@@ -25,7 +25,7 @@ public:
   void replace_by_deck(const std::string& text);
   bool is_made() const { return made_; }
   const std::string& text() const { return text_; }
-  size_t cards() const { return starts_.size(); }
+  size_t cards() const { return cards_; }
   // Card `line` (from 1) without its line end; empty if there is no such card.
   std::string_view card(size_t line) const;
   // The cards of the problem statement without the last, which is the title.
@@ -37,14 +37,21 @@ public:
 
 private:
   void find_cards();
+  size_t behind_line(size_t at) const; // where the line ends that begins there, its end included
+  size_t start_of(size_t line) const;
+  static constexpr size_t kTogether = 64;
   std::string name_, text_;
-  std::vector<size_t> starts_; // where each card begins
+  std::vector<size_t> starts_; // where card 1 begins, and every kTogether-th behind it
+  size_t cards_ = 0;
+  mutable size_t seen_ = 0, seen_at_ = 0; // the card that was looked at last, from 1; 0: none. They are mostly read in turn
   size_t next_ = 1;
   bool made_ = false;
 };
 
-// A list for as many bodies as the deck has cards: not too short for any deck that is whole.
+// A list for all bodies of a deck: not too short for any that is whole.
 std::vector<c2d_body_limits> room_for_bodies(const DeckFile& deck);
+// More bodies than this the deck has no cards for.
+size_t most_bodies(const DeckFile& deck);
 
 // `contact2d: DECK:LINE:COLUMN: error: text`, with the card and a caret under the field if a line is known
 // and the deck is the user's.

@@ -9,12 +9,13 @@
 #include "program/progress.hpp"
 #include "program/sketch/mesh.hpp"
 #include "program/sketch/read.hpp"
+#include "program/sweep/parameters.hpp"
+#include "program/system_file.hpp"
+#include "program/voice.hpp"
 
 #include <charconv>
 #include <cmath>
 #include <cstdio>
-#include <fstream>
-#include <sstream>
 
 namespace app {
 namespace {
@@ -25,11 +26,10 @@ void print(const DeckFile& deck, const sketch::Fault& fault) {
   c2d_error entry = C2D_INIT(c2d_error);
   entry.line = fault.at.line, entry.column = fault.at.column, entry.column_end = fault.at.end;
   std::snprintf(entry.text, sizeof entry.text, "%s", fault.text.c_str());
-  const std::string text = quote(deck, entry, "error");
-  std::fwrite(text.data(), 1, text.size(), stderr);
+  say(quote(deck, entry, "error"));
 }
 
-bool read_setting(const std::string& word, sketch::Parameters& given) {
+bool read_number(const std::string& word, sketch::Parameters& given) {
   const size_t equals = word.find('=');
   if (equals == std::string::npos || equals == 0) return false;
   double value = 0;
@@ -43,6 +43,12 @@ bool read_setting(const std::string& word, sketch::Parameters& given) {
 std::string beside(const std::string& sketch, const std::string& name) {
   const size_t slash = sketch.rfind('/');
   return name.empty() || name[0] == '/' || slash == std::string::npos ? name : sketch.substr(0, slash + 1) + name;
+}
+
+bool find_text(const std::vector<NamedText>& files, const std::string& name, std::string& text) {
+  for (const NamedText& file : files)
+    if (file.name == name) return text = file.text, true;
+  return false;
 }
 
 // The numbers whose tolerances were not met.
@@ -71,19 +77,26 @@ void show(const MeshRound& round, size_t number) {
 }
 
 // The deck of a sound sketch. Throws a sketch::Fault.
-int mesh_sketch(DeckFile& deck, const sketch::Sketch& sketch, const Drawing& drawing, MeshLoop& loop) {
+int mesh_sketch(DeckFile& deck, const sketch::Sketch& sketch, const std::vector<NamedText>& files, const Drawing& drawing,
+                MeshLoop& loop) {
   if (!drawing.adapts || !sketch.adapts) {
     deck.replace_by_deck(sketch::deck_of(sketch, sketch::first_mesh(sketch, kFineness)));
     return 0;
   }
+  if (const int status = drawing.before_search ? drawing.before_search(files) : 0; status != 0) return status;
   estimate::Demand demand;
   demand.memory = drawing.memory;
   estimate::ask(sketch, demand);
   size_t meshes = 0;
-  estimate::Adapted adapted = estimate::adapt(sketch, demand, [&](const MeshRound& round) {
+  const auto told = [&](const MeshRound& round) {
     if (drawing.shows) show(round, ++meshes);
-  });
+  };
+  estimate::Adapted adapted = estimate::adapt(sketch, demand, told, drawing.keeper);
   if (interrupted()) return kExitCancelled;
+  if (drawing.keeper != nullptr && !drawing.keeper->error().empty()) {
+    Messages(deck).fail(drawing.keeper->error());
+    return kExitFiles;
+  }
   deck.replace_by_deck(adapted.deck);
   tell_misses(deck, adapted.loop);
   loop = std::move(adapted.loop);
@@ -92,30 +105,56 @@ int mesh_sketch(DeckFile& deck, const sketch::Sketch& sketch, const Drawing& dra
 
 } // namespace
 
-int take_sketch(DeckFile& deck, const Drawing& drawing, MeshLoop& loop) {
-  if (!sketch::is_sketch(deck.text(), deck.name())) {
-    if (drawing.settings.empty()) return 0;
-    print(deck, {{}, "a deck has no parameters: " + drawing.settings[0] + " is for sketches"});
+namespace {
+
+// A deck's own parameters.
+int fill_deck(DeckFile& deck, const Drawing& drawing) {
+  std::vector<Setting> settings;
+  for (const std::string& word : drawing.settings) {
+    settings.emplace_back();
+    if (read_setting(word, settings.back())) continue;
+    print(deck, {{}, word + ": expected the name of a parameter, = and a value without blanks"});
     return kExitUsage;
   }
+  if (settings.empty() && deck.text().find('{') == std::string::npos) return 0;
+  std::string text = deck.text();
+  std::vector<DeckFault> faults;
+  if (put_parameters(text, settings, faults)) {
+    deck.replace(text);
+    return 0;
+  }
+  for (const DeckFault& fault : faults) print(deck, {{fault.line, fault.column, fault.column_end}, fault.text});
+  return faults.back().line == 0 ? kExitUsage : kExitInput;
+}
+
+} // namespace
+
+int take_sketch(DeckFile& deck, const Drawing& drawing, MeshLoop& loop) {
+  if (!sketch::is_sketch(deck.text(), deck.name())) return fill_deck(deck, drawing);
   sketch::Parameters given;
   for (const std::string& word : drawing.settings)
-    if (!read_setting(word, given)) {
+    if (!read_number(word, given)) {
       print(deck, {{}, word + ": expected the name of a parameter, = and a number"});
       return kExitUsage;
     }
-  const auto file = [&deck](const std::string& name, std::string& text) {
-    std::ifstream in(beside(deck.name(), name), std::ios::binary);
-    std::ostringstream out;
-    out << in.rdbuf();
-    text = out.str();
-    return in.good();
+  std::vector<std::string> read;
+  std::vector<NamedText> files;
+  const auto file = [&](const std::string& name, std::string& text) {
+    read.push_back(beside(deck.name(), name));
+    if (drawing.files == nullptr && read_file(read.back(), text) != 0) return false;
+    if (drawing.files != nullptr && !find_text(*drawing.files, read.back(), text)) return false;
+    files.push_back({read.back(), text});
+    return true;
   };
   const sketch::Reading reading = sketch::read_sketch(deck.text(), given, file);
   for (const sketch::Fault& fault : reading.faults) print(deck, fault);
   if (!reading.faults.empty()) return kExitInput;
+  if (const std::string clash = drawing.find_clash ? drawing.find_clash(read) : ""; !clash.empty()) {
+    print(deck, {{}, clash});
+    return kExitUsage;
+  }
   try {
-    return mesh_sketch(deck, reading.sketch, drawing, loop);
+    return mesh_sketch(deck, reading.sketch, files, drawing, loop);
   } catch (const sketch::Fault& fault) {
     print(deck, fault);
     return kExitInput;

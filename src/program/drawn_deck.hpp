@@ -2,8 +2,14 @@
 #pragma once
 
 #include "program/deck_file.hpp"
+#include "program/estimate/trial_keeper.hpp"
+#include "program/named_text.hpp"
 #include "program/options.hpp"
 #include "report/stated.hpp"
+
+#include <functional>
+#include <string>
+#include <vector>
 
 namespace app {
 
@@ -13,6 +19,14 @@ struct Drawing {
   bool adapts = true;                       // no: the first mesh will do
   uint64_t memory = 0;                      // workspace of the runs that find the mesh; 0: chosen by size
   bool shows = false;                       // a line on standard error for every mesh
+  // Told the files that the sketch names before any work: says what is wrong with them; empty: nothing.
+  std::function<std::string(const std::vector<std::string>& read)> find_clash = {};
+  // Files that it names, in place of those that are there now; null: these.
+  const std::vector<NamedText>* files = nullptr;
+  // Before the search for a mesh, with the sketch's files: an exit status, 0 to go on. And where meshes that are solved are
+  // kept; null: nowhere.
+  std::function<int(const std::vector<NamedText>& files)> before_search = {};
+  estimate::TrialKeeper* keeper = nullptr;
 };
 
 // If the text of `deck` is a sketch it is replaced by the sketch's own deck, and `loop` tells how its mesh was found. Prints

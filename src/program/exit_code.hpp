@@ -12,7 +12,9 @@ enum ExitCode {
   kExitFiles = 3,
   kExitMemory = 4,
   kExitUsage = 64,
-  kExitCancelled = 130
+  kExitBusy = 75, // the store is another process's
+  kExitCancelled = 130,
+  kExitStopped = 143 // by SIGTERM, and resume goes on
 };
 
 // The exit status that a failed call of the library leads to.

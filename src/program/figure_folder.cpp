@@ -1,7 +1,8 @@
 #include "program/figure_folder.hpp"
 
+#include "program/system_file.hpp"
+
 #include <cerrno>
-#include <cstring>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -14,7 +15,7 @@ FigureFolder::~FigureFolder() {
 
 bool FigureFolder::open(const std::string& folder, std::string& error) {
   const auto fail = [&](int code) {
-    error = folder + ": cannot be written: " + std::strerror(code);
+    error = folder + ": cannot be written: " + system_text(code);
     return false;
   };
   made_ = ::mkdir(folder.c_str(), 0777) == 0;
@@ -31,6 +32,13 @@ bool FigureFolder::add(const std::string& name, const std::string& text, std::st
   if (!files_.back()->open(folder_ + "/" + name, error)) return false;
   files_.back()->text = text;
   return files_.back()->flush(error);
+}
+
+bool FigureFolder::keep(std::string& error) {
+  const int code = made_ ? sync_folder(folder_ + "/..") : 0;
+  made_ = false;
+  if (code != 0) error = folder_ + ": cannot be made safe: " + system_text(code);
+  return code == 0;
 }
 
 std::vector<OutputFile*> FigureFolder::files() const {

@@ -24,7 +24,7 @@ public:
   bool add(const std::string& name, const std::string& text, std::string& error);
   // All files; finished and published by the caller with his others, who then calls keep().
   std::vector<OutputFile*> files() const;
-  void keep() { made_ = false; }
+  bool keep(std::string& error); // safely
 
 private:
   std::string folder_;

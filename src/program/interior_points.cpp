@@ -43,12 +43,23 @@ c2d_points mirrored_set(const Summary& s, c2d_points set, int32_t image) {
 
 } // namespace
 
-bool InteriorPoints::read_file(const std::string& name, int32_t bodies) {
+bool InteriorPoints::load(const std::string& name) {
   c2d_error fault = C2D_INIT(c2d_error);
   from_file_ = true;
-  if (file_.read(name, fault)) return read_points(file_, bodies, file_messages_, wanted_);
-  file_messages_.fault(fault);
-  return false;
+  loaded_ = loaded_ || file_.read(name, fault);
+  if (!loaded_) file_messages_.fault(fault);
+  return loaded_;
+}
+
+bool InteriorPoints::read_file(const std::string& name, int32_t bodies) {
+  return load(name) && read_points(file_, bodies, file_messages_, wanted_);
+}
+
+bool InteriorPoints::take_text(const std::string& text, int32_t bodies) {
+  from_file_ = true;
+  file_.call("points");
+  file_.replace(text);
+  return read_points(file_, bodies, file_messages_, wanted_);
 }
 
 void InteriorPoints::take_set(const c2d_points& set) {
@@ -61,17 +72,19 @@ void InteriorPoints::take_set(const c2d_points& set) {
 
 bool InteriorPoints::take_sets(c2d_solver* solver, std::string& error) {
   c2d_summary summary = C2D_INIT(c2d_summary);
-  c2d_get_summary(solver, &summary);
-  for (int32_t i = 1; !from_file_ && i <= summary.point_sets; ++i) {
+  c2d_status status = c2d_get_summary(solver, &summary);
+  for (int32_t i = 1; status == C2D_OK && !from_file_ && i <= summary.point_sets; ++i) {
     c2d_points set = C2D_INIT(c2d_points);
-    c2d_get_points(solver, i, &set);
+    status = c2d_get_points(solver, i, &set);
+    if (status != C2D_OK) break;
     if (static_cast<size_t>(set.count[0]) * static_cast<size_t>(set.count[1]) > kMostPoints - wanted_.size()) {
       error = "more than " + std::to_string(kMostPoints) + " points under *POINTS";
       return false;
     }
     take_set(set);
   }
-  return true;
+  if (status != C2D_OK) error = c2d_message(status);
+  return status == C2D_OK;
 }
 
 // A body that meets a line of symmetry is looked at whole; of one that does not the image is a body of its own.

@@ -17,8 +17,11 @@ public:
   InteriorPoints(const InteriorPoints&) = delete;
   InteriorPoints& operator=(const InteriorPoints&) = delete;
 
-  // The CSV `name`; false if it cannot be read or has faults, all of which have been told.
+  // The CSV `name`, if it is not there yet; false if it cannot be read or has faults, all of which have been told.
+  bool load(const std::string& name);
   bool read_file(const std::string& name, int32_t bodies);
+  // The same of its text.
+  bool take_text(const std::string& text, int32_t bodies);
   const std::string& file_text() const { return file_.text(); }
   // The deck's points, unless a file was read. False with `error`: there are too many.
   bool take_sets(c2d_solver* solver, std::string& error);
@@ -50,7 +53,7 @@ private:
 
   DeckFile file_;
   Messages file_messages_;
-  bool from_file_ = false;
+  bool from_file_ = false, loaded_ = false;
   std::vector<WantedPoint> wanted_;
   std::vector<GridAt> grids_; // their points stand one after another
   std::vector<Source> source_;

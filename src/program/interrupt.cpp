@@ -5,12 +5,13 @@
 namespace app {
 namespace {
 
-volatile std::sig_atomic_t caught = 0;
+volatile std::sig_atomic_t caught = 0; // the number of the signal
+volatile std::sig_atomic_t steps_end = 0;
 c2d_solver* volatile target = nullptr;
 
-void on_signal(int) {
-  caught = 1;
-  if (target != nullptr) c2d_cancel(target);
+void on_signal(int number) {
+  caught = number;
+  if (target != nullptr && (number != SIGTERM || steps_end == 0)) c2d_cancel(target);
 }
 
 } // namespace
@@ -32,5 +33,7 @@ void catch_interrupts() {
 
 void set_interrupt_target(c2d_solver* solver) { target = solver; }
 bool interrupted() { return caught != 0; }
+bool told_to_end() { return caught == SIGTERM; }
+void let_steps_end(bool let) { steps_end = let ? 1 : 0; }
 
 } // namespace app

@@ -9,5 +9,8 @@ void catch_interrupts();
 // The solver to be told, null for none.
 void set_interrupt_target(c2d_solver* solver);
 bool interrupted();
+bool told_to_end(); // by SIGTERM: there is some time left
+// Until the next call SIGTERM does not cancel what the target does: who runs it looks at told_to_end().
+void let_steps_end(bool let);
 
 } // namespace app

@@ -1,20 +1,28 @@
 // The program: command line, then one of the commands.
 #include "program/check.hpp"
+#include "program/completion.hpp"
 #include "program/convert.hpp"
 #include "program/drawn_deck.hpp"
 #include "program/drawn_sketch.hpp"
 #include "program/exit_code.hpp"
 #include "program/halve.hpp"
 #include "program/interrupt.hpp"
+#include "program/job.hpp"
 #include "program/make.hpp"
-#include "program/options.hpp"
-#include "program/restart.hpp"
+#include "program/option_table.hpp"
 #include "program/run.hpp"
+#include "program/sweep/answer.hpp"
+#include "program/sweep/parameters.hpp"
+#include "program/sweep/sweep.hpp"
+#include "program/system_file.hpp"
+#include "program/voice.hpp"
 
 #include <contact2d.h>
 
 #include <cstdio>
+#include <cstring>
 #include <new>
+#include <unistd.h>
 
 namespace {
 
@@ -25,24 +33,53 @@ int print(const char* text) {
 
 int resume(app::Options options) {
   std::string error;
-  if (app::read_restart(options, error)) return app::run_deck(options);
+  const bool quiet = options.quiet;
+  const int exit = app::find_job(options, error);
+  options.quiet = options.quiet || quiet;
+  if (exit == 0) return app::run_deck(options);
   std::fprintf(stderr, "contact2d: %s\n", error.c_str());
-  return app::kExitInput;
+  return exit;
 }
 
 int run_command(const app::Options& options) {
   switch (options.command) {
   case app::Command::kRun: return app::run_deck(options);
-  case app::Command::kCheck: return app::check_deck(options);
+  case app::Command::kCheck: return app::check_decks(options);
   case app::Command::kMake: return app::make_deck(options);
   case app::Command::kSketch: return app::sketch_drawing(options);
   case app::Command::kMesh: return options.halve ? app::halve_deck(options) : app::write_mesh(options);
+  case app::Command::kSweep: return app::sweep_table(options);
   case app::Command::kConvert: return app::convert_deck(options);
   case app::Command::kResume: return resume(options);
+  case app::Command::kCompletion: return print(app::completion_text(options.topic).c_str());
   case app::Command::kVersion: return print((std::string("contact2d ") + c2d_version() + "\n").c_str());
   case app::Command::kHelp: break;
   }
-  return print(app::help_text().c_str());
+  return print(app::help_text(options.topic).c_str());
+}
+
+// Those of --params, before those of --set.
+bool take_parameters(app::Options& options, std::string& error) {
+  if (options.params.empty()) return true;
+  std::string text;
+  std::vector<std::string> words;
+  const int code = app::read_file(options.params == "-" ? "/dev/stdin" : options.params, text);
+  if (code != 0) error = app::system_text(code);
+  if (code == 0) app::read_parameters(text, words, error);
+  if (!error.empty()) error = options.params + ": " + error;
+  options.settings.insert(options.settings.begin(), words.begin(), words.end());
+  return error.empty();
+}
+
+// Who asked for numbers is told of the failure where he looks for them, unless there is something: the words that could not be
+// read might have told what.
+int refuse(const app::Options& options, const std::string& error, int exit) {
+  app::Options results = options;
+  results.row.clear();
+  std::string ignored;
+  const bool asked = options.command == app::Command::kRun && !options.results.empty();
+  if (asked && ::access(options.results.c_str(), F_OK) != 0) app::write_answer(results, {exit, {}, error}, ignored);
+  return exit;
 }
 
 } // namespace
@@ -53,8 +90,12 @@ int main(int argc, char** argv) {
     app::Options options;
     std::string error;
     if (!app::read_options(argc, argv, options, error)) {
-      std::fprintf(stderr, "contact2d: %s\ncontact2d: --help lists commands and options\n", error.c_str());
-      return app::kExitUsage;
+      app::say("contact2d: " + error + "\ncontact2d: --help lists commands and options\n");
+      return refuse(options, error, app::kExitUsage);
+    }
+    if (!take_parameters(options, error)) {
+      app::say("contact2d: " + app::coloured(app::Colour::kError, "error:") + " " + error + "\n");
+      return refuse(options, error, app::kExitInput);
     }
     return run_command(options);
   } catch (const std::bad_alloc&) {

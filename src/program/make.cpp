@@ -22,6 +22,9 @@ int make_deck(const Options& options) {
   const std::string& name = options.words.front();
   const std::vector<std::string> settings(options.words.begin() + 1, options.words.end());
   if (name == "--list" && settings.empty()) return print(families::list_families());
+  const families::Family* family = families::find_family(name);
+  if (family != nullptr && settings.size() == 1 && (settings[0] == "--help" || settings[0] == "-h"))
+    return print(families::describe(*family));
   std::string deck, error;
   if (families::make_deck(name, settings, deck, error)) return print(deck);
   std::fprintf(stderr, "contact2d: %s\n", error.c_str());

@@ -1,13 +1,13 @@
 #include "program/messages.hpp"
 
+#include "program/voice.hpp"
+
 #include <cstdio>
 
 namespace app {
 
 namespace {
 const int kMostFaults = 1000; // printed; a file that is no deck at all has one on every card
-
-void print(const std::string& text) { std::fwrite(text.data(), 1, text.size(), stderr); }
 
 // Faults of the deck are printed as they come, there may be many. Another failure belongs to the call that returns it,
 // whose caller knows whether it is one for the user: a state that cannot be taken up is not.
@@ -26,22 +26,22 @@ void Messages::log(void* context, const c2d_error* entry) {
   if (entry->severity == C2D_WARNING) {
     if (m.is_end_of_platen(*entry)) return;
     m.warnings_.push_back(*entry);
-    if (m.print_warnings) print(quote(m.deck_, *entry, "warning"));
+    if (m.print_warnings && !m.quiet) say(quote(m.deck_, *entry, "warning"));
     return;
   }
   if (entry->severity == C2D_FAULT && !is_of_deck(*entry)) return;
   m.latest_ = entry->text;
   if (entry->severity != C2D_FAULT) return;
   ++m.faults_;
-  if (m.faults_ <= kMostFaults) print(quote(m.deck_, *entry, "error"));
+  if (m.faults_ <= kMostFaults) say(quote(m.deck_, *entry, "error"));
   if (m.faults_ == kMostFaults + 1) m.fail("too many errors, the others are not shown");
 }
 
 void Messages::log_cards(void* context, const c2d_error* entry) {
   c2d_error told = *entry;
   if (told.status == C2D_ERR_LIMIT)
-    std::snprintf(told.text, sizeof told.text, "there are more bodies than the deck has cards, %zu",
-                  static_cast<Messages*>(context)->deck_.cards());
+    std::snprintf(told.text, sizeof told.text, "there are more bodies than the deck has cards for, %zu",
+                  most_bodies(static_cast<Messages*>(context)->deck_));
   log(context, &told);
 }
 
@@ -49,12 +49,16 @@ void Messages::fault(const c2d_error& error) {
   if (faults_ > 0) return;
   c2d_error shown = error;
   if (shown.text[0] == '\0') std::snprintf(shown.text, sizeof shown.text, "%s", c2d_message(shown.status));
-  print(quote(deck_, shown, "error"));
+  say(quote(deck_, shown, "error"));
   faults_ = 1;
 }
 
-void Messages::fail(const std::string& text) const { print("contact2d: " + deck_.name() + ": error: " + text + '\n'); }
+void Messages::fail(const std::string& text) const {
+  say("contact2d: " + deck_.name() + ": " + coloured(Colour::kError, "error:") + " " + text + '\n');
+}
 
-void Messages::note(const std::string& text) const { print("contact2d: " + deck_.name() + ": note: " + text + '\n'); }
+void Messages::note(const std::string& text) const {
+  if (!quiet) say("contact2d: " + deck_.name() + ": " + coloured(Colour::kNote, "note:") + " " + text + '\n');
+}
 
 } // namespace app

@@ -32,8 +32,14 @@ public:
   void forget_latest() { latest_.clear(); }
   // Forgets the warnings: the deck is read a second time.
   void restart() { warnings_.clear(); }
+  // As they were in a run that goes on.
+  void take(std::vector<c2d_error> warnings, std::string latest) {
+    warnings_ = std::move(warnings);
+    latest_ = std::move(latest);
+  }
   // Warnings are printed only if set (they are kept anyway).
   bool print_warnings = true;
+  bool quiet = false; // errors alone are printed
   // The zones from this one on, if it is above 0, tie platens of a sketch: they begin and end where loads and supports do,
   // which is not worth a warning.
   int32_t first_platen_zone = 0;

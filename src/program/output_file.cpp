@@ -1,9 +1,15 @@
 #include "program/output_file.hpp"
 
+#include "program/system_file.hpp"
+
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <fcntl.h>
+#include <functional>
+#include <memory>
+#include <set>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -14,9 +20,33 @@ namespace {
 // failed run has printed nothing, as long as that is reasonable.
 const size_t kPiece = size_t{1} << 18, kDirectPiece = size_t{1} << 26;
 
-std::string folder_of(const std::string& path) {
-  const size_t slash = path.rfind('/');
-  return slash == std::string::npos ? std::string() : path.substr(0, slash + 1);
+// 0: this process holds the file, under this name.
+int hold(int file) {
+  while (::flock(file, LOCK_EX | LOCK_NB) != 0)
+    if (errno != EINTR) return errno;
+  struct stat about;
+  if (::fstat(file, &about) != 0) return errno;
+  return about.st_nlink > 0 ? 0 : ENOENT;
+}
+
+// Who lives holds his file: what can be held was left by one that was killed.
+void remove_left(const std::string& name) {
+  const int file = open_file(name, O_WRONLY | O_NOFOLLOW | O_NONBLOCK);
+  if (file < 0) return;
+  if (hold(file) == 0) ::unlink(name.c_str());
+  ::close(file);
+}
+
+// A new file, held; below 0 with errno.
+int make_held(const std::string& name) {
+  const int file = open_file(name, O_RDWR | O_CREAT | O_EXCL);
+  if (file < 0) return file;
+  const int code = hold(file);
+  if (code == 0 || code == ENOLCK || code == EOPNOTSUPP) return file; // without locks nobody can take it away
+  ::close(file);
+  if (code != EWOULDBLOCK && code != ENOENT) ::unlink(name.c_str()); // these: another run takes it for one that was left
+  errno = code;
+  return -1;
 }
 
 } // namespace
@@ -27,7 +57,7 @@ OutputFile::~OutputFile() {
 }
 
 bool OutputFile::fail(const char* what, int code, std::string& error) const {
-  error = name_ + ": " + what + ": " + std::strerror(code);
+  error = name_ + ": " + what + ": " + system_text(code);
   return false;
 }
 
@@ -43,58 +73,97 @@ bool OutputFile::open(const std::string& name, std::string& error) {
   const bool exists = ::stat(name.c_str(), &about) == 0;
   if (exists && !S_ISREG(about.st_mode)) {
     direct_ = true;
-    file_ = ::open(name.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+    file_ = open_file(name, O_WRONLY | O_NOCTTY);
     return file_ >= 0 || fail("cannot be written", errno, error);
   }
   if (!exists && errno != ENOENT) return fail("cannot be written", errno, error);
   if (exists) { // through symbolic links; and not if the file itself may not be written
     if (::access(name.c_str(), W_OK) != 0) return fail("cannot be written", errno, error);
-    if (char* real = ::realpath(name.c_str(), nullptr)) {
-      target_ = real;
-      std::free(real);
-    }
+    const std::unique_ptr<char, decltype(&std::free)> real(::realpath(name.c_str(), nullptr), std::free);
+    if (real == nullptr) return fail("cannot be written", errno, error);
+    target_ = real.get();
   }
-  for (int i = 0; file_ < 0 && i < 1000; ++i) {
-    aside_ = folder_of(target_) + ".contact2d-" + std::to_string(::getpid()) + "-" + std::to_string(i);
-    file_ = ::open(aside_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (file_ < 0 && errno != EEXIST) break;
-  }
-  if (file_ < 0) {
-    const int code = errno;
-    aside_.clear();
-    return fail("cannot be written", code, error);
-  }
+  if (!open_aside(error)) return false;
   if (exists) (void)!::fchmod(file_, about.st_mode & 07777);
   return true;
 }
 
-bool OutputFile::write_all(std::string& error) {
-  size_t done = 0;
-  while (done < text.size()) {
-    const ssize_t put = ::write(file_, text.data() + done, text.size() - done);
-    if (put < 0 && errno == EINTR) continue;
-    if (put < 0) return fail("write failed", errno, error);
-    done += static_cast<size_t>(put);
+bool OutputFile::open_aside(std::string& error) {
+  char mark[24]; // of the name alone: a run that is resumed may know the folder by another path
+  const size_t own = std::hash<std::string>()(target_.substr(target_.rfind('/') + 1));
+  std::snprintf(mark, sizeof mark, ".contact2d-%08x-", static_cast<unsigned>(own & 0xffffffffu));
+  for (int i = 0; file_ < 0 && i < 1000; ++i) {
+    aside_ = folder_of(target_) + "/" + mark + std::to_string(i);
+    file_ = make_held(aside_);
+    if (file_ >= 0) return true;
+    if (errno == EEXIST) {
+      remove_left(aside_);
+      file_ = make_held(aside_);
+    }
+    if (file_ < 0 && errno != EEXIST && errno != EWOULDBLOCK && errno != ENOENT) break; // these: another run's
   }
-  text.clear();
-  return true;
+  if (file_ >= 0) return true;
+  const int code = errno;
+  aside_.clear();
+  return fail("cannot be written", code, error);
 }
 
-bool OutputFile::flush(std::string& error) { return text.size() < (direct_ ? kDirectPiece : kPiece) || write_all(error); }
+bool OutputFile::so_far(std::string& all, std::string& error) {
+  all.clear();
+  if (is_gone_) return false;
+  const int code = direct_ ? 0 : read_from_start(file_, all);
+  all += text;
+  return code == 0 || fail("cannot be read back", code, error);
+}
+
+bool OutputFile::write_text(std::string& error) {
+  is_gone_ = direct_ && (is_gone_ || !text.empty());
+  const int code = write_all(file_, text);
+  text.clear();
+  return code == 0 || fail("write failed", code, error);
+}
+
+bool OutputFile::flush(std::string& error) { return text.size() < (direct_ ? kDirectPiece : kPiece) || write_text(error); }
 
 bool OutputFile::finish(std::string& error) {
   if (file_ < 0) return true;
-  const bool written = write_all(error);
+  if (!write_text(error)) return false;
+  if (renames()) { // and held until it has its name
+    const int code = sync_file(file_);
+    return code == 0 || fail("cannot be made safe", code, error);
+  }
   const int file = file_;
   file_ = -1;
-  if (file > 2 && ::close(file) != 0 && written) return fail("close failed", errno, error);
-  return written;
+  const int code = file > 2 ? close_file(file) : 0;
+  return code == 0 || fail("close failed", code, error);
 }
 
 bool OutputFile::publish(std::string& error) {
   if (aside_.empty()) return true;
   if (::rename(aside_.c_str(), target_.c_str()) != 0) return fail("rename failed", errno, error);
   aside_.clear();
+  ::close(file_); // nothing is left to be written
+  file_ = -1;
+  return true;
+}
+
+std::string OutputFile::folder() const { return folder_of(target_); }
+
+bool publish_all(const std::vector<OutputFile*>& files, std::string& error) {
+  for (OutputFile* file : files) // what can be taken back first
+    if (file->renames() && !file->finish(error)) return false;
+  for (OutputFile* file : files)
+    if (!file->renames() && !file->finish(error)) return false;
+  std::set<std::string> folders;
+  for (OutputFile* file : files) {
+    if (file->renames()) folders.insert(file->folder());
+    if (!file->publish(error)) return false;
+  }
+  for (const std::string& folder : folders)
+    if (const int code = sync_folder(folder); code != 0) {
+      error = folder + ": names of outputs cannot be made safe: " + system_text(code);
+      return false;
+    }
   return true;
 }
 
@@ -102,7 +171,7 @@ bool write_output(const std::string& name, const std::string& text, std::string&
   OutputFile out;
   if (!out.open(name.empty() ? "-" : name, error)) return false;
   out.text = text;
-  return out.finish(error) && out.publish(error);
+  return publish_all({&out}, error);
 }
 
 } // namespace app

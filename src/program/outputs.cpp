@@ -1,7 +1,11 @@
 #include "program/outputs.hpp"
 
+#include <c2d_posix.h>
+
 #include <filesystem>
 #include <sys/stat.h>
+#include <unistd.h>
+#include <vector>
 
 namespace app {
 namespace {
@@ -9,22 +13,84 @@ namespace {
 // One spelling for names that lead to the same place, whether or not anything is there yet.
 std::string spelled_out(const std::string& name) {
   std::error_code error;
-  const std::filesystem::path path = std::filesystem::weakly_canonical(name, error);
-  return error ? name : path.string();
+  const std::filesystem::path path = std::filesystem::weakly_canonical(std::filesystem::absolute(name, error), error);
+  return error ? name : path.lexically_normal().string();
 }
 
-constexpr size_t kInputs = 2, kNamed = kInputs + kOutputs; // the deck and the points; then the outputs that are single files
+// A file that the run reads or writes.
 struct Named {
-  const std::string* name;
-  const char* what;
+  std::string name, what;
+  bool is_output;
+  std::string place; // spelled out; empty for a standard stream
+  bool exists, regular;
+  struct stat about;
+
+  Named(const std::string& name_, const std::string& what_, bool is_output_) : name(name_), what(what_), is_output(is_output_) {
+    about = {};
+    exists = name != "-" && ::stat(name.c_str(), &about) == 0;
+    regular = exists && S_ISREG(about.st_mode);
+    if (name != "-") place = spelled_out(name);
+  }
+  bool is_same(const Named& other) const {
+    if (regular && other.regular) return about.st_dev == other.about.st_dev && about.st_ino == other.about.st_ino;
+    return !exists && !place.empty() && place == other.place;
+  }
+  bool is_within(const std::string& folder) const { return place.compare(0, folder.size() + 1, folder + "/") == 0; }
 };
+
+std::vector<Named> named_files(const Options& o, const std::vector<std::string>& also_read) {
+  std::vector<Named> all;
+  if (o.job == nullptr) { // else they stand in the job
+    all.emplace_back(o.deck, "the deck", false);
+    if (!o.points.empty()) all.emplace_back(o.points, "--points", false);
+    if (!o.params.empty()) all.emplace_back(o.params, "--params", false);
+    if (!o.table.empty()) all.emplace_back(o.table, "the table", false);
+  }
+  for (const std::string& name : also_read) all.emplace_back(name, "the file " + name + " of the sketch", false);
+  for (size_t i = 0; i < kOutputs; ++i)
+    if (!o.files[i].empty()) all.emplace_back(o.files[i], kOutputTable[i].option, true);
+  if (!o.results.empty()) all.emplace_back(o.results, "--results", true);
+  if (!o.row.empty()) all.emplace_back(o.row, "--row", true);
+  return all;
+}
+
+std::string clash_of(const Named& a, const Named& b) {
+  if (!b.is_output)
+    return a.name == "-" && b.name == "-" ? a.what + " and " + b.what + " both come from standard input" : std::string();
+  if (a.is_output && a.name == "-" && b.name == "-") return a.what + " and " + b.what + " both go to standard output";
+  return a.is_same(b) ? a.what + " and " + b.what + " are the same file" : std::string();
+}
+
+// Folders that the run fills itself: that of its store, and that of its figures, whose names are known at the end only.
+std::string folder_clash(const Options& o, const std::vector<Named>& files) {
+  const bool in_files = o.store.compare(0, 5, "file:") == 0;
+  const std::string store = in_files ? spelled_out(o.store.substr(5) + "/" C2D_POSIX_STORE_FOLDER) : std::string();
+  const std::string figures = o.figures.empty() ? std::string() : spelled_out(o.figures);
+  const auto within = [&store](const std::string& what) {
+    return what + " lies in " + store + ", the folder that --store makes for itself";
+  };
+  for (const Named& file : files) {
+    if (in_files && file.is_within(store)) return within(file.what);
+    const bool picture = file.place.size() > 4 && file.place.compare(file.place.size() - 4, 4, ".svg") == 0;
+    if (!figures.empty() && picture && file.is_within(figures))
+      return file.what + " is an SVG file in the folder of --figures, which may have a picture of that name";
+  }
+  const bool figures_within = in_files && (figures + "/").compare(0, store.size() + 1, store + "/") == 0;
+  return figures_within ? within("--figures") : std::string();
+}
 
 } // namespace
 
-bool Outputs::open(const Options& o, std::string& error) {
-  if (o.file(Output::kListing).empty() && has_listing(o) && !file(Output::kListing).open("-", error)) return false;
-  for (size_t i = 0; i < kOutputs; ++i)
-    if (!o.files[i].empty() && !files[i].open(o.files[i], error)) return false;
+bool Outputs::open(const Options& o, bool has_points, std::string& error) {
+  if (!o.out.empty() && !out.open(o.out, error)) return false;
+  if (o.file(Output::kListing).empty() && has_listing(o)) {
+    if (!file(Output::kListing).open("-", error)) return false;
+    shows_end_alone = ::isatty(1) == 1;
+  }
+  for (size_t i = 0; i < kOutputs; ++i) {
+    const bool left_out = o.interior_if_any && !has_points && i == static_cast<size_t>(Output::kInterior);
+    if (!o.files[i].empty() && !left_out && !files[i].open(o.files[i], error)) return false;
+  }
   return o.figures.empty() || figures.open(o.figures, error);
 }
 
@@ -37,39 +103,16 @@ bool Outputs::flush(std::string& error) {
 bool Outputs::publish(std::string& error) {
   std::vector<OutputFile*> all = figures.files();
   for (OutputFile& file : files) all.push_back(&file);
-  for (OutputFile* file : all) // what can be taken back first
-    if (file->renames() && !file->finish(error)) return false;
-  for (OutputFile* file : all)
-    if (!file->finish(error)) return false;
-  for (OutputFile* file : all)
-    if (!file->publish(error)) return false;
-  figures.keep();
-  return true;
+  if (!publish_all(all, error)) return false;
+  return figures.keep(error) && out.keep(error);
 }
 
-std::string find_clash(const Options& o) {
-  Named all[kNamed] = {{&o.deck, "the deck"}, {&o.points, "--points"}};
-  for (size_t i = 0; i < kOutputs; ++i) all[kInputs + i] = {&o.files[i], kOutputTable[i].option};
-  if (o.deck == "-" && o.points == "-") return "the deck and --points both come from standard input";
-  struct stat about[kNamed];
-  bool regular[kNamed];
-  for (size_t i = 0; i < kNamed; ++i) {
-    const std::string& name = *all[i].name;
-    regular[i] = !name.empty() && name != "-" && ::stat(name.c_str(), &about[i]) == 0 && S_ISREG(about[i].st_mode);
-  }
-  for (size_t i = 0; i < kNamed; ++i)
-    for (size_t k = i + 1; k < kNamed; ++k) {
-      const std::string &a = *all[i].name, &b = *all[k].name;
-      if (i >= kInputs && a == "-" && b == "-")
-        return std::string(all[i].what) + " and " + all[k].what + " both go to standard output";
-      const bool names = i >= kInputs && !a.empty() && !b.empty() && a != "-" && b != "-";
-      const bool same_name = names && ::stat(a.c_str(), &about[i]) != 0 && spelled_out(a) == spelled_out(b);
-      const bool same_file =
-          regular[i] && regular[k] && about[i].st_dev == about[k].st_dev && about[i].st_ino == about[k].st_ino;
-      if (same_name || (same_file && k >= kInputs))
-        return std::string(all[i].what) + " and " + all[k].what + " are the same file";
-    }
-  return std::string();
+std::string find_clash(const Options& o, const std::vector<std::string>& also_read) {
+  const std::vector<Named> files = named_files(o, also_read);
+  for (size_t i = 0; i < files.size(); ++i)
+    for (size_t k = i + 1; k < files.size(); ++k)
+      if (const std::string clash = clash_of(files[i], files[k]); !clash.empty()) return clash;
+  return folder_clash(o, files);
 }
 
 } // namespace app

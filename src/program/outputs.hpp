@@ -6,12 +6,15 @@
 #include "program/output_file.hpp"
 
 #include <string>
+#include <vector>
 
 namespace app {
 
 struct Outputs {
+  FigureFolder out;                       // that of --out; it is made before, and goes after, what is in it
   std::array<OutputFile, kOutputs> files; // by Output
   FigureFolder figures;
+  bool shows_end_alone = false; // of the listing: it goes to a terminal, and nobody asked for it
 
   OutputFile& file(Output output) { return files[static_cast<size_t>(output)]; }
   bool has(Output output) const { return files[static_cast<size_t>(output)].is_open(); }
@@ -19,14 +22,15 @@ struct Outputs {
 
   // Opens those that are asked for; the listing goes to standard output by default, unless another output
   // does.
-  bool open(const Options& options, std::string& error);
+  bool open(const Options& options, bool has_points, std::string& error);
   // Writes what has gathered.
   bool flush(std::string& error);
-  // Completes all files, then names them all. On failure no file has appeared.
+  // As publish_all, and keeps the folders.
   bool publish(std::string& error);
 };
 
-// Two outputs with one file, or an output that is the deck: says which. Empty: no such thing.
-std::string find_clash(const Options& options);
+// Two outputs with one file, an output that is read, or something in a folder that the run fills itself: says which. Empty: no
+// such thing. `also_read`: files that the deck names.
+std::string find_clash(const Options& options, const std::vector<std::string>& also_read = {});
 
 } // namespace app

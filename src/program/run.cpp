@@ -4,11 +4,14 @@
 #include "program/exit_code.hpp"
 #include "program/interior_points.hpp"
 #include "program/interrupt.hpp"
+#include "program/job.hpp"
 #include "program/outputs.hpp"
+#include "program/path_keeper.hpp"
 #include "program/progress.hpp"
-#include "program/restart.hpp"
 #include "program/session.hpp"
 #include "program/store_choice.hpp"
+#include "program/sweep/answer.hpp"
+#include "program/voice.hpp"
 #include "report/csv.hpp"
 #include "report/json.hpp"
 #include "report/listing.hpp"
@@ -16,26 +19,43 @@
 #include "report/record.hpp"
 #include "report/summary.hpp"
 #include "report/text.hpp"
-#include "report/trace.hpp"
 #include "report/vtk.hpp"
+#include "report/warnings.hpp"
 
+#include <algorithm>
 #include <c2d_threads.h>
+#include <cmath>
 #include <cstdio>
+#include <ctime>
 
 namespace app {
 namespace {
 
+std::string local_time() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  char text[32] = "";
+  if (::localtime_r(&now, &parts) != nullptr) std::strftime(text, sizeof text, "%Y-%m-%d %H:%M:%S", &parts);
+  return text;
+}
+
 class Run {
 public:
-  explicit Run(const Options& options) : options_(options), line_(options.progress) {}
+  explicit Run(const Options& options, bool anew = false, StoreChoice* of_many = nullptr)
+      : options_(options), store_(of_many != nullptr ? *of_many : own_store_), line_(options.progress), anew_(anew),
+        is_one_of_many_(of_many != nullptr) {
+    session_.messages.quiet = options.quiet;
+  }
   ~Run() {
     if (has_threads_) c2d_threads_stop(&threads_);
   }
   Run(const Run&) = delete;
   Run& operator=(const Run&) = delete;
   int go();
-  // The tapes that a resumed run found turned out to be damaged: only a run from the beginning helps.
-  bool wants_fresh_start() const { return fresh_start_; }
+  // Of the responses that the options ask for; empty if it did not come so far.
+  const std::vector<double>& values() const { return values_; }
+  // Why only a run from the beginning helps one that was to go on; empty: it went on.
+  const std::string& wants_fresh_start() const { return fresh_start_; }
 
 private:
   // The functions of the port; their context is the Run.
@@ -43,9 +63,19 @@ private:
   static void on_log(void* context, const c2d_error* entry);
   static int32_t on_step(void* context, const c2d_step* step);
   c2d_port make_port();
+  bool must_stop();
 
   int read();
+  int read_deck();
+  int open_store(uint64_t budget);
+  int keep_sketch(const std::vector<NamedText>& files);
   int read_points();
+  bool keep(JobForm form, const std::vector<NamedText>& files = {});
+  bool claim();
+  void drop_sketch();
+  void tell_anew(c2d_status status);
+  c2d_status go_on();
+  bool save_path(const c2d_step& step);
   void begin_tables();
   int prepare();
   c2d_status factorise();
@@ -58,13 +88,20 @@ private:
   c2d_status show_pictures();
   // They take longer to find than a small deck to solve.
   bool tells_corners() const { return record_.meshes.ran() || outputs_.has(Output::kJson) || has_pictures(); }
+  // The whole of it; else the end of it, on a terminal that nobody asked for more.
+  bool has_whole_listing() const { return outputs_.has(Output::kListing) && !outputs_.shows_end_alone; }
+  // Of every load case, by the last coefficient of friction.
+  std::vector<double> loads_reached() const {
+    return record_.coefficients.empty() ? std::vector<double>{summary_.load} : record_.coefficients.back().loads;
+  }
   bool has_pictures() const { return outputs_.has(Output::kReport) || outputs_.figures.is_open(); }
   int close_store();
   int publish();
+  int cancelled();
   int file_failed() {
     if (interrupted()) return kExitCancelled; // a call that waited was told to stop
     session_.messages.fail(error_);
-    return kExitFiles;
+    return store_.is_busy() ? kExitBusy : kExitFiles;
   }
   int library_failed(c2d_status status);
 
@@ -72,23 +109,32 @@ private:
   // In the order in which they need each other: the solver closes its tapes before the store goes.
   c2d_threads threads_;
   bool has_threads_ = false;
-  StoreChoice store_;
+  StoreChoice own_store_;
+  StoreChoice& store_; // that, or one that holds what the run before has left
   ProgressLine line_;
   Session session_;
   Outputs outputs_;
   RunRecord record_;
   InteriorPoints interior_;
-  Trace trace_;
-  History history_;            // only if there will be pictures
+  PathRecord path_;            // its history only if there will be pictures; its coefficients are those of record_
   bool shows_changes_ = false; // the deck wants every change of status in the listing
   std::vector<Corner> corners_;
   Summary summary_;
   std::vector<std::vector<ContactEnd>> ends_; // of each body
   std::vector<CrackTip> tips_;
   std::vector<ZoneLine> lines_;
-  bool restored_ = false, fresh_start_ = false;
-  int32_t coefficient_shown_ = 0; // the coefficient whose heading stands in the listing
+  bool anew_ = false; // of a run that goes on: not with what its tapes hold
+  bool is_one_of_many_ = false;
+  bool restored_ = false;
+  std::string fresh_start_;
+  Job job_; // as it is kept by now, if it is
+  bool kept_ = false, is_following_ = false;
+  estimate::TrialKeeper trials_;
+  PathKeeper keeper_;
+  std::string saved_;       // the last step whose state was
+  double told_to_end_ = -1; // when, by clock_seconds
   std::string error_;
+  std::vector<double> values_;
 };
 
 void Run::on_log(void* context, const c2d_error* entry) {
@@ -99,22 +145,23 @@ void Run::on_log(void* context, const c2d_error* entry) {
 
 int32_t Run::on_step(void* context, const c2d_step* step) {
   Run& run = self(context);
-  if (run.has_pictures()) run.history_.note(*step);
-  if (run.outputs_.has(Output::kTrace)) run.trace_.append(run.outputs_.text(Output::kTrace), *step);
+  if (run.has_pictures()) run.path_.history.note(*step);
+  if (run.outputs_.has(Output::kTrace)) run.path_.trace.append(run.outputs_.text(Output::kTrace), *step);
   if (step->kind == C2D_STEP_CHANGE && !run.shows_changes_) return 0;
   const CoefficientRecord* before = static_cast<size_t>(step->coefficient) <= run.record_.coefficients.size()
                                         ? &run.record_.coefficients[static_cast<size_t>(step->coefficient) - 1]
                                         : nullptr;
   const bool again = before != nullptr && !before->table.empty() && before->load == step->load;
-  if (run.coefficient_shown_ != step->coefficient) run.show_contact_zone();
+  if (run.path_.coefficient_shown != step->coefficient) run.show_contact_zone();
   CoefficientRecord& kept = keep_step(run.record_, *step);
   const bool ends = step->kind == C2D_STEP_STOPPED || step->step == run.summary_.steps;
   const bool sums_up = (run.outputs_.has(Output::kListing) && ends) || run.outputs_.has(Output::kJson) ||
-                       run.outputs_.has(Output::kSummary) || run.outputs_.has(Output::kReport);
+                       run.outputs_.has(Output::kSummary) || run.has_pictures() || !run.options_.responses.empty();
+  if (step->kind == C2D_STEP_RECORDED) run.line_.work.reached(step->coefficient, step->step, step->load);
   keep_history(kept, *step, sums_up ? run.session_.solver : nullptr, run.tips_, run.lines_);
-  if (run.outputs_.has(Output::kListing)) {
-    append_step(run.outputs_.text(Output::kListing), *step, run.coefficient_shown_ != step->coefficient);
-    run.coefficient_shown_ = step->coefficient;
+  if (run.has_whole_listing()) {
+    append_step(run.outputs_.text(Output::kListing), *step, run.path_.coefficient_shown != step->coefficient);
+    run.path_.coefficient_shown = step->coefficient;
   }
   if (run.outputs_.has(Output::kJson)) keep_corners(kept, *step, run.corners_);
   // A path that ended in the state of its last row adds no row.
@@ -128,7 +175,37 @@ int32_t Run::on_step(void* context, const c2d_step* step) {
     explain(kept, now, run.summary_, run.session_.messages.latest());
     run.session_.messages.forget_latest();
   }
-  return run.outputs_.flush(run.error_) ? 0 : 1;
+  return run.outputs_.flush(run.error_) && run.save_path(*step) ? 0 : 1;
+}
+
+// If it is time to, or the last chance.
+bool Run::save_path(const c2d_step& step) {
+  if (step.kind == C2D_STEP_CHANGE || !(keeper_.is_due() || (keeper_.is_active() && told_to_end()))) return true;
+  bool all = true; // of the outputs can be written once more
+  for (size_t i = 0; i < kOutputs && all; ++i)
+    all = !outputs_.files[i].is_open() || outputs_.files[i].so_far(path_.outputs[i], error_);
+  if (all) {
+    path_.warnings = session_.messages.warnings();
+    path_.latest = session_.messages.latest();
+    std::swap(path_.coefficients, record_.coefficients);
+    const std::string text = text_of(path_);
+    std::swap(path_.coefficients, record_.coefficients);
+    all = keeper_.keep(session_.solver, step.coefficient, step.step, text, error_);
+  }
+  for (std::string& text : path_.outputs) text = std::string();
+  if (!all && !error_.empty()) return false;
+  if (all) saved_ = "step " + std::to_string(step.step) + ", " + load_reached(record_.coefficients.back());
+  if (told_to_end()) c2d_cancel(session_.solver);
+  return true;
+}
+
+// While the path is followed SIGTERM leaves some time to get to a load whose state can be saved.
+bool Run::must_stop() {
+  constexpr double kPatience = 5;
+  if (!told_to_end() || !is_following_ || !keeper_.is_active()) return interrupted();
+  const double now = clock_seconds(nullptr);
+  if (told_to_end_ < 0) told_to_end_ = now;
+  return now - told_to_end_ > kPatience;
 }
 
 c2d_port Run::make_port() {
@@ -152,7 +229,7 @@ c2d_port Run::make_port() {
   port.close = [](void* c, int32_t tape) { return self(c).store_.close(tape); };
   port.progress = [](void* c, const c2d_progress* now) { self(c).line_.show(*now); };
   if (!line_.active()) port.progress = nullptr;
-  port.cancel = [](void*) { return static_cast<int32_t>(interrupted()); };
+  port.cancel = [](void* c) { return static_cast<int32_t>(self(c).must_stop()); };
   port.log = on_log;
   port.clock = clock_seconds;
   if (has_threads_) {
@@ -168,23 +245,55 @@ int Run::library_failed(c2d_status status) {
   line_.clear();
   if (status == C2D_ERR_CALLBACK && !error_.empty()) return file_failed();
   if (restored_ && (status == C2D_ERR_STORE_READ || (status >= C2D_ERR_STORE_FORMAT && status <= C2D_ERR_STORE_STALE))) {
-    fresh_start_ = true;
+    fresh_start_ = "the tapes in " + options_.folder + " are damaged";
     return kExitFiles;
   }
+  if (!fresh_start_.empty()) return kExitFiles;
   c2d_error last = C2D_INIT(c2d_error);
   if (session_.solver != nullptr) c2d_last_error(session_.solver, &last);
   const int exit = session_.failed(status);
-  if (status >= C2D_ERR_STORE_OPEN && status <= C2D_ERR_STORE_CLOSE && last.host_code != 0)
-    session_.messages.fail(store_.system_text(last.host_code));
+  if (status < C2D_ERR_STORE_OPEN || status > C2D_ERR_STORE_STALE) return exit;
+  const std::string file = store_.file_of(last.tape);
+  const std::string why = last.host_code != 0 ? store_.system_text(last.host_code) : c2d_message(status);
+  if (last.host_code != 0 || !file.empty()) session_.messages.fail(file.empty() ? why : file + ": " + why);
   return exit;
+}
+
+// A sketch that is to be solved on mesh after mesh is kept, and what it reads, before that begins.
+int Run::read_deck() {
+  Drawing drawing{options_.settings, true, options_.memory, line_.active()};
+  drawing.find_clash = [this](const std::vector<std::string>& read) { return find_clash(options_, read); };
+  if (options_.store.compare(0, 5, "file:") == 0) {
+    drawing.before_search = [this](const std::vector<NamedText>& files) { return keep_sketch(files); };
+    drawing.keeper = &trials_;
+  }
+  if (options_.text != nullptr) return session_.read_text(options_.deck, *options_.text, drawing);
+  if (options_.job == nullptr) return session_.read_file(options_.deck, drawing);
+  drawing.files = &options_.job->files;
+  return session_.take_job(*options_.job, drawing);
+}
+
+int Run::keep_sketch(const std::vector<NamedText>& files) {
+  constexpr double kWorthIt = 0.25; // seconds to solve a mesh
+  if (options_.job == nullptr && !options_.points.empty() && !interior_.load(options_.points))
+    return interrupted() ? kExitCancelled : kExitInput;
+  const int exit = open_store(0);
+  if (exit != 0) return exit;
+  if (!keep(JobForm::kSketch, files)) return file_failed();
+  trials_.begin(store_.kept_folder(), id_of(job_), std::min(kWorthIt, options_.save_every));
+  return 0;
+}
+
+int Run::open_store(uint64_t budget) {
+  if (!store_.folder().empty()) return 0;
+  return store_.choose(options_.store, budget, options_.keep, error_) ? 0 : file_failed();
 }
 
 // The deck, the workspace and the store; outputs are opened as soon as the deck is known to be in order.
 int Run::read() {
   const double start = clock_seconds(nullptr);
-  int exit = session_.read_file(options_.deck, {options_.settings, true, options_.memory, line_.active()}, options_.deck_name);
+  int exit = read_deck();
   record_.meshes = session_.meshes;
-  if (exit == 0 && !options_.folder.empty() && !read_kept_meshes(options_.folder, record_.meshes, error_)) return file_failed();
   record_.read_seconds = clock_seconds(nullptr) - start;
   if (exit == 0) exit = read_points();
   if (exit == 0) exit = session_.take_memory(options_.memory);
@@ -201,6 +310,12 @@ int Run::read() {
   }
   exit = session_.read_model(make_port(), options_.symmetry);
   if (exit != 0) return exit;
+  c2d_summary model = C2D_INIT(c2d_summary);
+  if (const c2d_status status = c2d_get_summary(session_.solver, &model); status != C2D_OK) return library_failed(status);
+  if (const std::string fault = fault_of_steps(model); !fault.empty()) {
+    session_.messages.fail(fault);
+    return kExitInput;
+  }
   if (options_.estimate && !record_.meshes.ran()) {
     estimate::Demand demand;
     demand.memory = options_.memory, demand.symmetry = options_.symmetry, demand.quadrature = options_.quadrature;
@@ -211,41 +326,119 @@ int Run::read() {
     session_.messages.fail(error_);
     return kExitInput;
   }
-  if (!outputs_.open(options_, error_)) return file_failed();
-  if (!store_.choose(options_.store, budget, options_.keep, error_)) return file_failed();
-  if (store_.named_folder().empty() || options_.resume) return 0;
-  return leave_restart(store_.named_folder(), options_, session_.deck.name(), session_.deck.text(), interior_.file_text(),
-                       record_.meshes, session_.workspace.bytes, error_)
-             ? 0
-             : file_failed();
+  if (!outputs_.open(options_, interior_.any(), error_)) return file_failed();
+  exit = open_store(budget);
+  if (exit != 0 || store_.kept_folder().empty()) return exit;
+  if (!keep(session_.deck.is_made() ? JobForm::kMade : JobForm::kDeck)) return file_failed();
+  keeper_.begin(store_.kept_folder(), id_of(job_), options_.save_every);
+  return 0;
+}
+
+// The folder is ours by now: the job that goes on is there still, or nothing is of use.
+bool Run::claim() {
+  if (options_.job == nullptr) return remove_way(store_.kept_folder(), error_);
+  kept_ = is_kept(store_.kept_folder(), *options_.job);
+  if (!kept_) error_ = options_.folder + ": another process has ended or replaced the run that was there";
+  job_ = *options_.job;
+  return kept_;
+}
+
+// From here on a run that is cut off can be resumed.
+bool Run::keep(JobForm form, const std::vector<NamedText>& files) {
+  if (!kept_ && !claim()) return false;
+  if (kept_ && job_.form == form) return true;
+  const bool had_meshes = kept_;
+  if (!kept_) job_.begun = local_time(), job_.words = words_of(options_);
+  job_.form = form;
+  job_.deck_name = session_.deck.name();
+  job_.deck = session_.deck.text();
+  job_.settings = form == JobForm::kSketch ? options_.settings : std::vector<std::string>();
+  job_.files = files;
+  job_.has_points = job_.has_points || !options_.points.empty();
+  job_.points = interior_.file_text();
+  job_.workspace = form == JobForm::kSketch ? options_.memory : session_.workspace.bytes;
+  job_.meshes = record_.meshes;
+  kept_ = keep_job(store_.kept_folder(), job_, error_);
+  return kept_ && (!had_meshes || remove_way(store_.kept_folder(), error_));
+}
+
+// Of a run that has failed before it had a deck, by what it was asked for: there is nothing to go on with.
+void Run::drop_sketch() {
+  std::string ignored;
+  const std::string folder = store_.kept_folder();
+  if (kept_ && options_.job == nullptr && job_.form == JobForm::kSketch && remove_job(folder, ignored) &&
+      remove_way(folder, ignored))
+    store_.remove_tapes(ignored);
+}
+
+// Nothing could be taken up.
+void Run::tell_anew(c2d_status status) {
+  const bool nothing = status == C2D_ERR_STORE_READ || status == C2D_ERR_STORE_FORMAT;
+  std::string why = c2d_message(status);
+  if (nothing) why = "nothing was saved before it was cut off";
+  if (status == C2D_ERR_MISMATCH) why = "what is kept there is of another model, or of another build of this program";
+  session_.messages.note(options_.folder + ": " + why + "; the run begins anew");
+}
+
+// What the steps up to the state that was brought back have left. Without it that state is of no use.
+c2d_status Run::go_on() {
+  c2d_summary now = C2D_INIT(c2d_summary);
+  const c2d_status status = c2d_get_summary(session_.solver, &now);
+  if (status != C2D_OK || now.run_step == 0) return status;
+  std::string text, why;
+  PathRecord found;
+  found.history.begin(summary_.steps);
+  bool whole = keeper_.find(now.run_coefficient, now.run_step, text, why);
+  if (whole && !read_path_record(text, summary_, found)) why = "what the steps before it have left is of another model";
+  whole = whole && why.empty();
+  if (!whole) {
+    fresh_start_ = options_.folder + ": a state is saved at step " + std::to_string(now.run_step) + ", but " + why;
+    return C2D_ERR_MISMATCH;
+  }
+  path_ = std::move(found);
+  record_.coefficients = std::move(path_.coefficients);
+  for (size_t i = 0; i < kOutputs; ++i) {
+    if (outputs_.files[i].is_open()) outputs_.files[i].text = std::move(path_.outputs[i]);
+    path_.outputs[i] = std::string();
+  }
+  session_.messages.take(std::move(path_.warnings), std::move(path_.latest));
+  session_.messages.note("goes on behind step " + std::to_string(now.run_step));
+  return C2D_OK;
 }
 
 // Assemble and eliminate, or take what a run before has left; what is new is left for a run after this one.
 c2d_status Run::factorise() {
   c2d_solver* solver = session_.solver;
   c2d_status status = C2D_OK;
-  if (options_.resume) {
+  if (options_.job != nullptr && options_.job->form != JobForm::kSketch && !anew_) {
     status = c2d_restore(solver);
-    restored_ = status == C2D_OK;
-    if (restored_ || c2d_get_state(solver) == C2D_STATE_BROKEN) return status;
+    restored_ = status == C2D_OK || c2d_get_state(solver) == C2D_STATE_BROKEN; // half of it, if the tapes are damaged
+    if (restored_) return status == C2D_OK ? go_on() : status;
+    tell_anew(status);
+  }
+  if (is_one_of_many_) { // of bodies that differ in nothing from those before, at the most
+    status = c2d_restore(solver);
+    if (status == C2D_OK || c2d_get_state(solver) == C2D_STATE_BROKEN) return status;
   }
   status = c2d_prepare(solver);
-  return status == C2D_OK && !store_.named_folder().empty() ? c2d_save(solver) : status;
+  return status == C2D_OK && (is_one_of_many_ || !store_.kept_folder().empty()) ? c2d_save(solver) : status;
 }
 
 // Those of a file, once it is known how many bodies there are.
 int Run::read_points() {
+  if (options_.job != nullptr && options_.job->has_points)
+    return interior_.take_text(options_.job->points, session_.limits.bodies) ? 0 : kExitInput;
   if (!options_.points.empty())
     return interior_.read_file(options_.points, session_.limits.bodies) ? 0 : interrupted() ? kExitCancelled : kExitInput;
-  if (options_.file(Output::kInterior).empty() || session_.limits.point_sets > 0) return 0;
+  if (options_.file(Output::kInterior).empty() || options_.interior_if_any || session_.limits.point_sets > 0) return 0;
   session_.messages.fail("--interior " + options_.file(Output::kInterior) +
                          ": there are no points, expected --points FILE or *POINTS in the deck");
   return kExitUsage;
 }
 
 void Run::begin_tables() {
-  if (outputs_.has(Output::kCsv)) append_contact_header(outputs_.text(Output::kCsv));
-  if (outputs_.has(Output::kBodies)) append_bodies_header(outputs_.text(Output::kBodies));
+  if (outputs_.has(Output::kCsv)) append_contact_header(outputs_.text(Output::kCsv), summary_.load_cases);
+  if (outputs_.has(Output::kBodies)) append_bodies_header(outputs_.text(Output::kBodies), summary_.load_cases);
   if (outputs_.has(Output::kTrace)) append_trace_header(outputs_.text(Output::kTrace), summary_.load_cases);
   if (outputs_.has(Output::kBoundary)) append_boundary_header(outputs_.text(Output::kBoundary));
   if (outputs_.has(Output::kInterior)) append_interior_header(outputs_.text(Output::kInterior));
@@ -253,17 +446,21 @@ void Run::begin_tables() {
 
 int Run::prepare() {
   c2d_solver* solver = session_.solver;
-  get_summary(solver, summary_);
+  c2d_status status = get_summary(solver, summary_);
+  if (status != C2D_OK) return library_failed(status);
   c2d_options options = C2D_INIT(c2d_options);
   options.stepping = options_.stepping;
   options.quadrature = options_.quadrature;
+  std::vector<int64_t> equations;
+  for (int32_t b = 0; b < summary_.bodies; ++b) equations.push_back(summary_.body[static_cast<size_t>(b)].unknowns);
+  line_.work.expect(equations, summary_.steps, summary_.coefficients);
   shows_changes_ = summary_.analysis >= C2D_ANALYSIS_ITERATIONS;
   options.every_change = shows_changes_ || has_pictures() || outputs_.has(Output::kTrace);
-  history_.begin(summary_.steps);
+  path_.history.begin(summary_.steps);
   options.symmetry = options_.symmetry;
-  c2d_status status = c2d_set_options(solver, &options);
-  get_summary(solver, summary_);
-  if (status == C2D_OK && outputs_.has(Output::kListing))
+  status = c2d_set_options(solver, &options);
+  if (status == C2D_OK) status = get_summary(solver, summary_);
+  if (status == C2D_OK && has_whole_listing())
     status = append_model(outputs_.text(Output::kListing), solver, summary_, session_.deck.heading());
   ends_.resize(static_cast<size_t>(summary_.bodies));
   for (int32_t body = 1; body <= summary_.bodies && status == C2D_OK && summary_.pairs > 0; ++body)
@@ -308,13 +505,22 @@ void Run::stopped_before_load(c2d_status status) {
 
 int Run::follow() {
   if (record_.checked_only || record_.incomplete() != nullptr) return 0;
-  const c2d_status status = c2d_run(session_.solver, on_step, this);
+  constexpr double kBytesPerSecond = 1e8; // of tape 0, which has room for two states
+  c2d_summary now = C2D_INIT(c2d_summary);
+  c2d_status status = c2d_get_summary(session_.solver, &now);
+  if (status != C2D_OK) return library_failed(status);
+  keeper_.start(static_cast<double>(now.tape_blocks[C2D_TAPE_CONTROL]) / 2 * 512 / kBytesPerSecond);
+  is_following_ = true;
+  let_steps_end(keeper_.is_active());
+  status = c2d_run(session_.solver, on_step, this);
+  let_steps_end(false);
+  is_following_ = false;
   return status == C2D_OK ? 0 : library_failed(status);
 }
 
 // The end of the last coefficient that was followed.
 void Run::show_contact_zone() {
-  if (outputs_.has(Output::kListing) && !record_.coefficients.empty())
+  if (has_whole_listing() && !record_.coefficients.empty())
     append_contact_zone(outputs_.text(Output::kListing), record_.coefficients.back(), ends_.data(), summary_);
 }
 
@@ -322,24 +528,31 @@ int Run::report() {
   const double start = clock_seconds(nullptr);
   c2d_solver* solver = session_.solver;
   const bool solved = c2d_get_state(solver) == C2D_STATE_RUNNING;
-  get_summary(solver, summary_);
+  c2d_status status = get_summary(solver, summary_);
+  if (status != C2D_OK) return library_failed(status);
   record_.take_stated_errors();
   if (outputs_.has(Output::kSummary)) append_summary(outputs_.text(Output::kSummary), record_, summary_);
-  c2d_status status = C2D_OK;
   if (outputs_.has(Output::kBoundary) && solved) status = append_boundary(outputs_.text(Output::kBoundary), solver, summary_);
-  if (status == C2D_OK && outputs_.has(Output::kListing)) {
+  if (status == C2D_OK && has_whole_listing()) {
     std::string& out = outputs_.text(Output::kListing);
     show_contact_zone();
     const bool all = summary_.analysis == C2D_ANALYSIS_STRESS || summary_.analysis >= C2D_ANALYSIS_FULL;
-    if (solved && all) status = append_global(out, solver, summary_);
+    if (solved && all) status = append_global(out, solver, summary_, loads_reached());
   }
   if (status == C2D_OK && solved) status = corner_states(solver, summary_, corners_, record_.corners);
   record_.warnings = session_.messages.warnings();
   if (status == C2D_OK && solved && interior_.any()) status = show_interior();
+  order_warnings(record_.warnings);
   if (status == C2D_OK) status = show_pictures();
+  if (status == C2D_OK) status = get_summary(solver, summary_); // with what the outputs above have taken
   if (status != C2D_OK) return library_failed(status);
-  get_summary(solver, summary_);
-  if (outputs_.has(Output::kListing)) append_ending(outputs_.text(Output::kListing), record_, summary_);
+  for (const Response& response : options_.responses) values_.push_back(solved ? evaluate(response, record_) : NAN);
+  if (has_whole_listing() && solved && outputs_.has(Output::kSummary))
+    append_key_tables(outputs_.text(Output::kListing), record_, summary_);
+  if (has_whole_listing())
+    append_ending(outputs_.text(Output::kListing), record_, summary_);
+  else if (outputs_.has(Output::kListing))
+    append_short_ending(outputs_.text(Output::kListing), record_, summary_);
   record_.write_seconds = clock_seconds(nullptr) - start;
   if (outputs_.has(Output::kJson)) append_json(outputs_.text(Output::kJson), record_, summary_);
   return 0;
@@ -353,7 +566,8 @@ c2d_status Run::show_interior() {
   line_.clear();
   interior_.tell(session_.messages, summary_, record_.warnings);
   if (outputs_.has(Output::kInterior)) append_interior_rows(outputs_.text(Output::kInterior), interior_.results());
-  if (outputs_.has(Output::kListing)) append_interior_section(outputs_.text(Output::kListing), interior_.results(), summary_);
+  if (has_whole_listing())
+    append_interior_section(outputs_.text(Output::kListing), interior_.results(), summary_, loads_reached());
   return C2D_OK;
 }
 
@@ -371,7 +585,7 @@ c2d_status Run::show_vtk(const Scene& scene) {
 c2d_status Run::show_pictures() {
   if (!has_pictures() && !outputs_.has(Output::kVtk)) return C2D_OK;
   Scene scene;
-  c2d_status status = gather_scene(session_.solver, record_, history_, scene);
+  c2d_status status = gather_scene(session_.solver, record_, path_.history, scene);
   if (status == C2D_OK && outputs_.has(Output::kVtk)) status = show_vtk(scene);
   if (status != C2D_OK || !has_pictures()) return status;
   Pictures pictures;
@@ -386,20 +600,22 @@ c2d_status Run::show_pictures() {
 }
 
 int Run::close_store() {
-  set_interrupt_target(nullptr);
+  if (options_.text == nullptr) set_interrupt_target(nullptr);
   const c2d_status status = c2d_close(session_.solver);
   session_.solver = nullptr;
   if (status == C2D_OK) return 0;
-  session_.messages.fail(std::string("block store: ") + c2d_message(status));
+  const std::string& folder = store_.folder();
+  session_.messages.fail((folder.empty() ? "" : folder + ": ") + c2d_message(status));
   return kExitFiles;
 }
 
 int Run::publish() {
   if (interrupted()) return kExitCancelled;
   if (!outputs_.publish(error_)) return file_failed();
-  if (!options_.keep && !store_.named_folder().empty() && !remove_restart(store_.named_folder(), error_)) return file_failed();
+  const std::string& kept = store_.kept_folder();
+  if (!options_.keep && !kept.empty() && !(remove_job(kept, error_) && remove_way(kept, error_))) return file_failed();
   if (!options_.keep && !store_.remove_tapes(error_)) return file_failed();
-  if (options_.keep && !store_.folder().empty())
+  if (options_.keep && !store_.folder().empty() && !options_.quiet)
     std::fprintf(stderr, "contact2d: tapes are kept in %s\n", store_.folder().c_str());
   const CoefficientRecord* stopped = record_.incomplete();
   if (stopped == nullptr) return kExitSolved;
@@ -420,28 +636,64 @@ int Run::go() {
   if (exit == 0) exit = report();
   if (exit == 0) exit = close_store();
   if (exit == 0) exit = publish();
-  if (exit == kExitCancelled) session_.messages.fail("cancelled");
+  if (exit == kExitInput || exit == kExitMemory || exit == kExitUsage) drop_sketch();
+  return exit == kExitCancelled ? cancelled() : exit;
+}
+
+int Run::cancelled() {
+  if (!told_to_end() || !kept_) {
+    session_.messages.fail("cancelled");
+    return kExitCancelled;
+  }
+  const std::string folder = options_.store.substr(5);
+  session_.messages.note("ended; " + (saved_.empty() ? "" : "the state of " + saved_ + " is saved, ") + "contact2d resume " +
+                         folder + " goes on");
+  return kExitStopped;
+}
+
+// With the values of the responses.
+int run_whole(const Options& options, std::vector<double>& values) {
+  const std::string clash = find_clash(options);
+  if (!clash.empty()) {
+    say("contact2d: " + coloured(Colour::kError, "error:") + " " + clash + "\n");
+    return kExitUsage;
+  }
+  if (options.job != nullptr && !options.quiet)
+    std::fprintf(stderr, "contact2d: %s: goes on with %s, begun %s\n", options.folder.c_str(), options.job->deck_name.c_str(),
+                 options.job->begun.c_str());
+  {
+    Run run(options);
+    const int exit = run.go();
+    values = run.values();
+    if (run.wants_fresh_start().empty()) return exit;
+    if (!options.quiet) say("contact2d: " + run.wants_fresh_start() + ", the run begins anew\n");
+  }
+  Run run(options, true);
+  const int exit = run.go();
+  values = run.values();
   return exit;
 }
 
 } // namespace
 
 int run_deck(const Options& options) {
-  const std::string clash = find_clash(options);
-  if (!clash.empty()) {
-    std::fprintf(stderr, "contact2d: %s\n", clash.c_str());
-    return kExitUsage;
-  }
-  {
-    Run run(options);
-    const int exit = run.go();
-    if (!run.wants_fresh_start()) return exit;
-  }
-  std::fprintf(stderr, "contact2d: the tapes in %s are damaged, the run begins anew\n", options.folder.c_str());
-  Options anew = options;
-  anew.resume = false;
-  Run run(anew);
-  return run.go();
+  std::vector<double> values;
+  forget_reason();
+  const int exit = run_whole(options, values);
+  const bool asked = !options.results.empty() || !options.row.empty();
+  if (!asked || !find_clash(options).empty()) return exit; // not over a file that something else is in
+  std::string error;
+  if (write_answer(options, {exit, values, reason_told()}, error)) return exit;
+  say("contact2d: " + coloured(Colour::kError, "error:") + " " + error + "\n");
+  return exit != 0 ? exit : static_cast<int>(kExitFiles);
+}
+
+Answer answer_of(const Options& options, StoreChoice& store) {
+  const Muted muted;
+  forget_reason();
+  Run run(options, false, &store);
+  const int exit = run.go();
+  return {exit, run.values(), reason_told()};
 }
 
 } // namespace app

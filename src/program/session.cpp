@@ -2,12 +2,11 @@
 
 #include "program/exit_code.hpp"
 #include "program/interrupt.hpp"
-#include "program/sketch/read.hpp"
 
 namespace app {
 
 Session::~Session() {
-  set_interrupt_target(nullptr);
+  if (!is_one_of_many_) set_interrupt_target(nullptr);
   if (solver != nullptr) c2d_close(solver);
 }
 
@@ -23,7 +22,7 @@ int Session::failed(c2d_status status) {
   return exit_code(status);
 }
 
-int Session::read_file(const std::string& name, const Drawing& drawing, const std::string& shown) {
+int Session::read_file(const std::string& name, const Drawing& drawing) {
   c2d_error why = C2D_INIT(c2d_error);
   if (!deck.read(name, why)) {
     if (interrupted()) return kExitCancelled;
@@ -31,9 +30,30 @@ int Session::read_file(const std::string& name, const Drawing& drawing, const st
     return kExitInput;
   }
   if (const int status = take_sketch(deck, drawing, meshes); status != 0) return status;
-  if (!shown.empty()) deck.call(shown);
-  if (sketch::is_sketch(std::string(), shown)) deck.replace_by_deck(deck.text()); // a run that goes on has its deck
-  messages.print_warnings = false;                                                // the model will say them again
+  return check_cards();
+}
+
+int Session::read_text(const std::string& name, const std::string& text, const Drawing& drawing) {
+  is_one_of_many_ = true;
+  deck.call(name);
+  deck.replace(text);
+  if (const int status = take_sketch(deck, drawing, meshes); status != 0) return status;
+  return check_cards();
+}
+
+int Session::take_job(const Job& job, const Drawing& drawing) {
+  deck.call(job.deck_name);
+  if (job.form == JobForm::kMade)
+    deck.replace_by_deck(job.deck);
+  else
+    deck.replace(job.deck);
+  meshes = job.meshes;
+  const int status = job.form == JobForm::kSketch ? take_sketch(deck, drawing, meshes) : 0;
+  return status == 0 ? check_cards() : status;
+}
+
+int Session::check_cards() {
+  messages.print_warnings = false; // the model will say them again
   bodies = room_for_bodies(deck);
   limits.bodies = static_cast<int32_t>(bodies.size());
   limits.body = bodies.data();
@@ -43,6 +63,7 @@ int Session::read_file(const std::string& name, const Drawing& drawing, const st
   messages.restart();
   if (status == C2D_OK) return 0;
   if (status == C2D_ERR_LIMIT) return exit_code(status); // told
+  c2d_error why = C2D_INIT(c2d_error);
   deck.rewind();
   c2d_limits ignored = limits;
   c2d_scan_deck(DeckFile::read_line, &deck, &ignored, &why);
@@ -70,7 +91,7 @@ int Session::read_model(const c2d_port& port, int32_t symmetry) {
     messages.fault(why);
     return exit_code(status);
   }
-  set_interrupt_target(solver);
+  if (!is_one_of_many_) set_interrupt_target(solver);
   if (deck.is_made() && limits.platens > 0) messages.first_platen_zone = limits.zones - limits.platens + 1;
   deck.rewind();
   c2d_options options = C2D_INIT(c2d_options);

@@ -3,6 +3,7 @@
 
 #include "program/deck_file.hpp"
 #include "program/drawn_deck.hpp"
+#include "program/job.hpp"
 #include "program/messages.hpp"
 #include "program/workspace.hpp"
 
@@ -21,9 +22,12 @@ public:
   Session& operator=(const Session&) = delete;
 
   // Each step prints what is wrong and returns the program's exit status, 0 to go on.
-  // The deck, or that of a sketch, into memory, and every fault of its cards; it is called `shown`, if
-  // that is not empty.
-  int read_file(const std::string& name, const Drawing& drawing, const std::string& shown = std::string());
+  // The deck, or that of a sketch, into memory, and every fault of its cards.
+  int read_file(const std::string& name, const Drawing& drawing);
+  // The same of a text, whose solver ends with the program's other ones: signals do not stop it by itself.
+  int read_text(const std::string& name, const std::string& text, const Drawing& drawing);
+  // The deck of a job, or the sketch.
+  int take_job(const Job& job, const Drawing& drawing);
   int take_memory(uint64_t wanted);                                           // workspace; 0 bytes wanted: chosen by size
   int read_model(const c2d_port& port, int32_t symmetry = C2D_SYMMETRY_DECK); // the solver, and the model in it
   // Both in the least memory, for a model that is looked at and not solved.
@@ -38,6 +42,10 @@ public:
   Workspace workspace;
   c2d_solver* solver = nullptr;
   MeshLoop meshes; // how the mesh of a sketch was found
+
+private:
+  int check_cards();
+  bool is_one_of_many_ = false;
 };
 
 } // namespace app

@@ -2,11 +2,11 @@
 
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <vector>
 
+#include "program/system_file.hpp"
 #include "program/workspace.hpp"
 
 namespace app {
@@ -18,8 +18,7 @@ const int32_t kDoneAtOnce = 1000;               // a ticket of our own
 } // namespace
 
 StoreChoice::~StoreChoice() {
-  std::string ignored;
-  if (temporary_ && !keep_) remove_tapes(ignored);
+  if (temporary_ && !keep_) discard();
   if (has_folder_) c2d_posix_store_done(&files_);
   for (Tape& tape : tapes_) std::free(tape.region);
 }
@@ -32,6 +31,7 @@ bool StoreChoice::choose(const std::string& wanted, uint64_t budget, bool keep, 
   budget_ = 0;
   const int32_t code = open_folder(wanted.substr(5));
   if (code == 0) return true;
+  busy_ = code == C2D_POSIX_STORE_LOCKED;
   error = "store " + wanted + ": " + system_text(code);
   return false;
 }
@@ -55,9 +55,16 @@ int32_t StoreChoice::open_temporary_folder() {
   pattern += "/contact2d-XXXXXX";
   std::vector<char> name(pattern.begin(), pattern.end());
   name.push_back('\0');
+  tried_ = pattern;
   if (::mkdtemp(name.data()) == nullptr) return errno;
   const int32_t code = open_folder(name.data());
-  if (code != 0) ::rmdir(name.data());
+  if (code != 0) { // all that is in it was made just now
+    tried_ = name.data();
+    const std::string own = tried_ + "/" C2D_POSIX_STORE_FOLDER;
+    ::unlink((own + "/lock").c_str());
+    ::rmdir(own.c_str());
+    ::rmdir(tried_.c_str());
+  }
   made_folder_ = temporary_ = code == 0;
   return code;
 }
@@ -138,12 +145,22 @@ int32_t StoreChoice::close(int32_t tape) const {
   return port.close(port.context, tape);
 }
 
-bool StoreChoice::remove_tapes(std::string& error) {
-  if (!has_folder_) return true;
+int32_t StoreChoice::discard() {
+  if (!has_folder_) return 0;
   has_folder_ = false;
-  const int32_t code = c2d_posix_store_discard(&files_, made_folder_ ? folder_.c_str() : nullptr);
+  return c2d_posix_store_discard(&files_, made_folder_ ? folder_.c_str() : nullptr);
+}
+
+bool StoreChoice::remove_tapes(std::string& error) {
+  const int32_t code = discard();
   if (code != 0) error = folder_ + ": tapes cannot be removed: " + system_text(code);
   return code == 0;
+}
+
+std::string StoreChoice::file_of(int32_t tape) const {
+  if (folder_.empty()) return tried_;
+  if (tape < 0 || tape >= C2D_TAPES || tapes_[tape].in_memory) return std::string();
+  return folder_ + "/" C2D_POSIX_STORE_FOLDER "/tape" + std::to_string(tape) + ".c2d";
 }
 
 std::string StoreChoice::system_text(int32_t host_code) const {
@@ -152,7 +169,9 @@ std::string StoreChoice::system_text(int32_t host_code) const {
   case kNoTape: return "no such tape";
   case C2D_POSIX_STORE_LOCKED: return "in use by another process";
   case C2D_POSIX_STORE_END: return "a file of the store ends too early";
-  default: return host_code > 0 ? std::strerror(host_code) : "error " + std::to_string(host_code);
+  case C2D_POSIX_STORE_FOREIGN:
+    return "what is called " C2D_POSIX_STORE_FOLDER " there, or a tape in it, was not made by a store";
+  default: return host_code > 0 ? app::system_text(host_code) : "error " + std::to_string(host_code);
   }
 }
 

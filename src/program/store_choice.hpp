@@ -32,14 +32,19 @@ public:
   int32_t wait(int32_t ticket) const;
   int32_t sync(int32_t tape) const;
   int32_t close(int32_t tape) const;
+  bool is_busy() const { return busy_; } // choose() failed because another process has the folder
   // Removes the files of the tapes. False with an error text if that failed.
   bool remove_tapes(std::string& error);
+
   // What the system said to a store call that came back with `host_code`.
   std::string system_text(int32_t host_code) const;
+  // The file of a tape, or the folder that could not be made for it; empty if it is in memory, or there is no such tape.
+  std::string file_of(int32_t tape) const;
   // The folder that --keep leaves behind; empty if all tapes were in memory.
   const std::string& folder() const { return folder_; }
-  // The folder that --store names; empty if there is none.
-  std::string named_folder() const { return temporary_ ? std::string() : folder_; }
+  // The store's own folder in the one that --store names, where a run keeps what it needs to go on; empty if there is none.
+  std::string kept_folder() const { return temporary_ || folder_.empty() ? std::string() : own_folder(folder_); }
+  static std::string own_folder(const std::string& folder) { return folder + "/" C2D_POSIX_STORE_FOLDER; }
 
 private:
   struct Tape {
@@ -53,13 +58,14 @@ private:
   bool place_in_memory(Tape& tape, uint64_t blocks, uint64_t block_bytes);
   int32_t open_folder(const std::string& folder);
   int32_t open_temporary_folder();
+  int32_t discard();
 
   Tape tapes_[C2D_TAPES];
   c2d_posix_store files_;
   c2d_port files_port_;
   uint64_t budget_ = 0;
-  std::string folder_;
-  bool has_folder_ = false, made_folder_ = false, temporary_ = false, keep_ = false, may_use_folder_ = false;
+  std::string folder_, tried_;
+  bool has_folder_ = false, made_folder_ = false, temporary_ = false, keep_ = false, may_use_folder_ = false, busy_ = false;
 };
 
 } // namespace app

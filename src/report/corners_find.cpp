@@ -86,10 +86,11 @@ c2d_status Finder::read() {
     if (status == C2D_OK && ends > 0) status = c2d_get(solver_, C2D_END_Y, b, 1, ends, end_y_[i].data(), 1);
   }
   if (status == C2D_OK) status = get_pairs(solver_, s_, {{C2D_X, x_}, {C2D_Y, y_}, {C2D_PAIR_ZONE, zone_}});
+  if (status != C2D_OK) return status;
   for (size_t z = 0; z < s_.zone.size(); ++z)
     for (const c2d_side* side : {&s_.zone[z].side1, &s_.zone[z].side2})
       if (!s_.is_platen(side->body)) faces_[static_cast<size_t>(side->body) - 1].enter_zone(*side, static_cast<int32_t>(z) + 1);
-  return status;
+  return C2D_OK;
 }
 
 double Finder::exponent_of(const CornerShape& shape) const {

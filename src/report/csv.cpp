@@ -25,14 +25,26 @@ std::string head_of(const c2d_step& step) {
   return head;
 }
 
+// The factors of the other load cases, with which they end.
+void end_heading(std::string& out, int32_t load_cases) {
+  for (int32_t k = 2; k <= load_cases; ++k) out += ",load" + std::to_string(k);
+  out += '\n';
+}
+std::string tail_of(const double* loads, int32_t load_cases) {
+  std::string tail;
+  for (int32_t k = 1; k < load_cases; ++k) add(tail, loads[k]);
+  return tail + '\n';
+}
+
 } // namespace
 
-void append_contact_header(std::string& out) {
-  out += "mu,step,load,pair,x,y,status,tn,tt,un1,ut1,un2,ut2,gap,slip,zone,body1,body2\n";
+void append_contact_header(std::string& out, int32_t load_cases) {
+  out += "mu,step,load,pair,x,y,status,tn,tt,un1,ut1,un2,ut2,gap,slip,zone,body1,body2";
+  end_heading(out, load_cases);
 }
 
 void append_contact_rows(std::string& out, const c2d_step& step, const Summary& summary) {
-  const std::string head = head_of(step);
+  const std::string head = head_of(step), tail = tail_of(step.loads, step.cases);
   for (int32_t p = 0; p < step.pairs; ++p) {
     const double* row = step.table + p * step.stride;
     out += head;
@@ -45,21 +57,24 @@ void append_contact_rows(std::string& out, const c2d_step& step, const Summary& 
     const int64_t zone = static_cast<int64_t>(row[C2D_PAIR_ZONE]);
     const c2d_zone& z = summary.zone[static_cast<size_t>(zone - 1)];
     for (const int64_t number : {zone, int64_t{z.side1.body}, int64_t{z.side2.body}}) add(out, number);
-    out += '\n';
+    out += tail;
   }
 }
 
-void append_bodies_header(std::string& out) { out += "mu,step,load,body,fx,fy,moment,ux,uy,rotation\n"; }
+void append_bodies_header(std::string& out, int32_t load_cases) {
+  out += "mu,step,load,body,fx,fy,moment,ux,uy,rotation";
+  end_heading(out, load_cases);
+}
 
 void append_bodies_rows(std::string& out, const c2d_step& step, c2d_solver* solver) {
-  const std::string head = head_of(step);
+  const std::string head = head_of(step), tail = tail_of(step.loads, step.cases);
   c2d_body_state state = C2D_INIT(c2d_body_state);
   for (int32_t body = 1; c2d_get_body_state(solver, body, &state) == C2D_OK; ++body) {
     out += head;
     add(out, int64_t{body});
     for (const double number : state.contact) add(out, number);
     for (const double number : state.motion) add(out, number);
-    out += '\n';
+    out += tail;
   }
 }
 
@@ -90,10 +105,13 @@ std::string head_of(const CoefficientRecord& c, const StepRecord& step) {
   return head;
 }
 
+std::string tail_of(const StepRecord& step) { return tail_of(step.loads.data(), static_cast<int32_t>(step.loads.size())); }
+
 // The stresses that were wanted, of the first coefficient: they belong to a body, and to no zone.
 void append_wanted(std::string& out, const RunRecord& record, const Summary& summary) {
   if (record.coefficients.empty() || record.coefficients.front().steps.empty()) return;
-  const std::string head = head_of(record.coefficients.front(), record.coefficients.front().steps.back());
+  const StepRecord& last = record.coefficients.front().steps.back();
+  const std::string head = head_of(record.coefficients.front(), last);
   for (const Stated& s : record.meshes.stated) {
     if (s.body == 0) continue;
     out += head + ',';
@@ -101,20 +119,16 @@ void append_wanted(std::string& out, const RunRecord& record, const Summary& sum
     add_name(out, s.name);
     out += ',';
     add(out, s.value);
-    for (const double number : {s.at[0], s.at[1], s.error}) add_if_known(out, number);
-    out += '\n';
+    for (const double number : {s.at[0], s.at[1], s.error, double{NAN}}) add_if_known(out, number);
+    out += tail_of(last);
   }
-}
-
-// A path that ended in the state of its last row has that state twice.
-bool is_repeated(const CoefficientRecord& c, size_t i) {
-  return c.outcome != C2D_REACHED && i + 2 == c.steps.size() && c.steps[i].loads == c.steps[i + 1].loads;
 }
 
 } // namespace
 
 void append_summary(std::string& out, const RunRecord& record, const Summary& summary) {
-  out += "mu,step,load,zone,name,quantity,item,value,x,y,error\n";
+  out += "mu,step,load,zone,name,quantity,item,value,x,y,error,s";
+  end_heading(out, summary.load_cases);
   for (const CoefficientRecord& c : record.coefficients)
     for (size_t i = 0; i < c.steps.size(); ++i) {
       if (is_repeated(c, i)) continue;
@@ -125,8 +139,8 @@ void append_summary(std::string& out, const RunRecord& record, const Summary& su
         add_name(out, name_of(q.what));
         add(out, int64_t{q.item});
         add(out, q.value);
-        for (const double number : {q.at[0], q.at[1], q.error}) add_if_known(out, number);
-        out += '\n';
+        for (const double number : {q.at[0], q.at[1], q.error, q.s}) add_if_known(out, number);
+        out += tail_of(c.steps[i]);
       }
     }
   append_wanted(out, record, summary);

@@ -1,6 +1,8 @@
 #include "report/history.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace app {
 namespace {
@@ -11,7 +13,49 @@ bool is_kept(int32_t step, int32_t steps) {
   return false;
 }
 
+// Do loads go back when they go on from `from` to `to`, where they had come to from `before`?
+bool goes_back(const std::vector<double>& before, const std::vector<double>& from, const std::vector<double>& to) {
+  double product = 0;
+  for (size_t k = 0; k < to.size(); ++k) product += (from[k] - (k < before.size() ? before[k] : 0.0)) * (to[k] - from[k]);
+  return product < 0;
+}
+
+// Tractions within a thousandth of the largest pressure.
+bool is_same_state(const std::vector<double>& a, const std::vector<double>& b) {
+  double largest = 0, apart = 0;
+  for (size_t at = 0; at + C2D_PAIR_FIELDS <= std::min(a.size(), b.size()); at += C2D_PAIR_FIELDS) {
+    largest = std::max(largest, std::fabs(a[at + C2D_TN]));
+    for (const size_t k : {size_t{C2D_TN}, size_t{C2D_TT}}) apart = std::max(apart, std::fabs(a[at + k] - b[at + k]));
+  }
+  return apart <= 1e-3 * largest;
+}
+
 } // namespace
+
+void History::note_reversal(CoefficientHistory& c, Snapshot now) {
+  if (!c.last.loads.empty() && goes_back(c.before.loads, c.last.loads, now.loads)) {
+    c.reversals.push_back(c.last);
+    if (c.reversals.size() > kMostReversals) c.reversals.erase(c.reversals.begin());
+  }
+  c.before.loads = c.last.loads;
+  c.last = std::move(now);
+}
+
+std::vector<const Snapshot*> earlier_states(const CoefficientHistory& history, int32_t last_step,
+                                            const std::vector<double>& table) {
+  std::vector<const Snapshot*> out;
+  if (history.reversals.empty()) {
+    for (const Snapshot& s : history.earlier)
+      if (s.step != last_step) out.push_back(&s);
+    return out;
+  }
+  for (auto s = history.reversals.rbegin(); s != history.reversals.rend(); ++s) { // of equal ones the latest
+    bool is_new = !is_same_state(s->table, table);
+    for (const Snapshot* kept : out) is_new = is_new && !is_same_state(s->table, kept->table);
+    if (is_new) out.insert(out.begin(), &*s);
+  }
+  return out;
+}
 
 void History::note(const c2d_step& step) {
   const size_t index = step.coefficient > 0 ? static_cast<size_t>(step.coefficient) - 1 : 0;
@@ -44,7 +88,7 @@ void History::note(const c2d_step& step) {
   c.points.push_back(now);
   if (step.kind == C2D_STEP_CHANGE) return;
   c.energy.push_back({now.travel, step.load, step.work, step.dissipated, step.elastic, step.energy_defect});
-  if (step.kind != C2D_STEP_RECORDED || !is_kept(step.step, steps_)) return;
+  if (step.kind != C2D_STEP_RECORDED) return;
   Snapshot kept;
   kept.step = step.step;
   kept.load = step.load;
@@ -53,7 +97,8 @@ void History::note(const c2d_step& step) {
     const double* row = step.table + static_cast<int64_t>(p) * step.stride;
     kept.table.insert(kept.table.end(), row, row + C2D_PAIR_FIELDS);
   }
-  c.earlier.push_back(kept);
+  if (is_kept(step.step, steps_)) c.earlier.push_back(kept);
+  note_reversal(c, std::move(kept));
 }
 
 bool rises(const CoefficientHistory& history) {

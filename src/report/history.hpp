@@ -32,8 +32,10 @@ struct EnergyPoint {
 struct CoefficientHistory {
   double mu = 0.0;
   std::vector<PathPoint> points;
-  std::vector<double> loads;     // factors reached, per load case
-  std::vector<Snapshot> earlier; // at about a quarter, a half and three quarters of the steps
+  std::vector<double> loads;       // factors reached, per load case
+  std::vector<Snapshot> earlier;   // at about a quarter, a half and three quarters of the steps
+  std::vector<Snapshot> reversals; // the last kMostReversals recorded steps from which the loads went back
+  Snapshot last, before;           // of recorded steps; of the one before the loads alone
   std::vector<EnergyPoint> energy;
 };
 
@@ -43,13 +45,22 @@ public:
   void begin(int32_t steps) { steps_ = steps; }
   void note(const c2d_step& step);
   const std::vector<CoefficientHistory>& coefficients() const { return coefficients_; }
+  // All that it holds, for an archive that takes it or gives it.
+  template <class Archive> void archive(Archive& a) { a(coefficients_), a(status_bytes_); }
 
 private:
+  static constexpr size_t kMostReversals = 3;
+  static void note_reversal(CoefficientHistory& history, Snapshot now);
   static constexpr size_t kMostStatusBytes = size_t{1} << 26;
   std::vector<CoefficientHistory> coefficients_;
   int32_t steps_ = 0;
   size_t status_bytes_ = 0;
 };
+
+// Earlier states that are worth a thin curve beside the last one: where the loads went back and the state was another than
+// `table`; of a path that never goes back, on its way.
+std::vector<const Snapshot*> earlier_states(const CoefficientHistory& history, int32_t last_step,
+                                            const std::vector<double>& table);
 
 // Does the path consist of one load factor that only grows? Then charts are drawn over the load, else over
 // the steps.

@@ -36,11 +36,11 @@ void append_interior_rows(std::string& out, const Interior& interior) {
   }
 }
 
-void append_interior_section(std::string& out, const Interior& interior, const Summary& s) {
+void append_interior_section(std::string& out, const Interior& interior, const Summary& s, const std::vector<double>& loads) {
   out += "\nInterior points\n";
   out.append(100, '-') += '\n';
-  out += "  load factor ";
-  append_number(out, s.load);
+  out += loads.size() > 1 ? "  load factors " : "  load factor ";
+  for (size_t k = 0; k < loads.size(); ++k) append_number(k > 0 ? out += ", " : out, loads[k]);
   if (s.pairs > 0) {
     out += ", coefficient of friction ";
     append_number(out, s.mu);

@@ -38,6 +38,8 @@ void append_interior_header(std::string& out);
 void append_interior_rows(std::string& out, const Interior& interior);
 
 // The section of the listing: the same with principal stresses, and where the point lies.
-void append_interior_section(std::string& out, const Interior& interior, const Summary& summary);
+// `loads`: those reached, of every case.
+void append_interior_section(std::string& out, const Interior& interior, const Summary& summary,
+                             const std::vector<double>& loads);
 
 } // namespace app

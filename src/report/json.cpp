@@ -86,6 +86,7 @@ void append_quantity(std::string& out, const Quantity& q) {
   if (std::isfinite(q.at[0])) {
     o.number("x", q.at[0]);
     o.number("y", q.at[1]);
+    o.number("s", q.s);
   }
   if (std::isfinite(q.error)) o.number("error", q.error);
   out += '}';

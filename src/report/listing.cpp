@@ -84,7 +84,7 @@ void append_stress_intensity(std::string& out, const RunRecord& record) {
 
 } // namespace
 
-c2d_status append_global(std::string& out, c2d_solver* solver, const Summary& s) {
+c2d_status append_global(std::string& out, c2d_solver* solver, const Summary& s, const std::vector<double>& loads) {
   const int32_t fields[] = {C2D_END_NODE, C2D_END_X, C2D_END_Y, C2D_END_UX, C2D_END_UY, C2D_END_TX, C2D_END_TY, C2D_END_STATUS};
   std::vector<std::vector<double>> v;
   for (int32_t body = 1; body <= s.bodies; ++body) {
@@ -92,7 +92,7 @@ c2d_status append_global(std::string& out, c2d_solver* solver, const Summary& s)
     const c2d_status status = get_ends(solver, s, body, fields, 8, v);
     if (status != C2D_OK) return status;
     append_body_section(out, s, body, " in global components");
-    append_item(out, "load factor", s.load);
+    append_loads(out, loads);
     out += "\n element    node            x            y           ux           uy           tx           ty "
            " status\n";
     for (size_t i = 0; i < v[0].size(); ++i) {
@@ -106,22 +106,30 @@ c2d_status append_global(std::string& out, c2d_solver* solver, const Summary& s)
   return C2D_OK;
 }
 
-void append_ending(std::string& out, const RunRecord& record, const Summary& s) {
-  const bool solved = !record.checked_only && (record.incomplete() == nullptr || !record.incomplete()->singular);
-  if (solved) append_balance(out, s);
-  if (solved) append_energy(out, record);
-  if (solved) append_quantities(out, record, s);
-  if (solved) append_accuracy(out, record);
-  if (solved) append_stress_intensity(out, record);
-  if (solved) append_corners(out, record, s);
-  if (!record.warnings.empty()) {
-    append_section(out, "Warnings");
-    for (const c2d_error& w : record.warnings) {
-      out += "  ";
-      out += w.text;
-      out += '\n';
-    }
+namespace {
+
+bool is_solved(const RunRecord& record) {
+  return !record.checked_only && (record.incomplete() == nullptr || !record.incomplete()->singular);
+}
+
+void append_findings(std::string& out, const RunRecord& record, const Summary& s) {
+  append_quantities(out, record, s);
+  append_accuracy(out, record);
+  append_stress_intensity(out, record);
+  append_corners(out, record, s);
+}
+
+void append_warnings(std::string& out, const RunRecord& record) {
+  if (record.warnings.empty()) return;
+  append_section(out, "Warnings");
+  for (const c2d_error& w : record.warnings) {
+    out += "  ";
+    out += w.text;
+    out += '\n';
   }
+}
+
+void append_outcome(std::string& out, const RunRecord& record) {
   append_section(out, "Outcome");
   for (const CoefficientRecord& c : record.coefficients) {
     const bool stopped = c.outcome != C2D_REACHED || c.singular;
@@ -139,6 +147,24 @@ void append_ending(std::string& out, const RunRecord& record, const Summary& s) 
     out += '\n';
   }
   if (record.checked_only) out += "  data check only: the deck is in order, nothing was solved\n";
+}
+
+} // namespace
+
+void append_ending(std::string& out, const RunRecord& record, const Summary& s) {
+  if (is_solved(record)) {
+    append_balance(out, s);
+    append_energy(out, record);
+    append_findings(out, record, s);
+  }
+  append_warnings(out, record);
+  append_outcome(out, record);
+}
+
+void append_short_ending(std::string& out, const RunRecord& record, const Summary& s) {
+  if (is_solved(record)) append_findings(out, record, s);
+  append_outcome(out, record);
+  out += "\nThis is the end of the listing: --listing FILE writes the whole, --listing - shows it.\n";
 }
 
 } // namespace app

@@ -23,13 +23,17 @@ void append_corners(std::string& out, const RunRecord& record, const Summary& su
 // What every body has in the contact zones at the last state of a coefficient; `ends` of each body.
 void append_contact_zone(std::string& out, const CoefficientRecord& coefficient, const std::vector<ContactEnd>* ends,
                          const Summary& summary);
-// Displacements and tractions of all element ends in global components at the load reached.
-c2d_status append_global(std::string& out, c2d_solver* solver, const Summary& summary);
+// Displacements and tractions of all element ends in global components at the load reached: `loads`, of every case.
+c2d_status append_global(std::string& out, c2d_solver* solver, const Summary& summary, const std::vector<double>& loads);
 // What sums up the contact at the last state of every coefficient, with the errors that are stated.
 void append_quantities(std::string& out, const RunRecord& record, const Summary& summary);
+// The same step by step, of every zone.
+void append_key_tables(std::string& out, const RunRecord& record, const Summary& summary);
 // The meshes that were tried for a sketch, and the numbers with their stated errors; nothing if there was one mesh alone.
 void append_accuracy(std::string& out, const RunRecord& record);
 // Balance of forces, what sums up the contact, warnings, and how the run ended.
 void append_ending(std::string& out, const RunRecord& record, const Summary& summary);
+// What of it answers the question, for a terminal where warnings stand already.
+void append_short_ending(std::string& out, const RunRecord& record, const Summary& summary);
 
 } // namespace app

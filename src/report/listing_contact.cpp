@@ -66,6 +66,7 @@ c2d_status append_zones(std::string& out, c2d_solver* solver, const Summary& s) 
 }
 
 void append_step(std::string& out, const c2d_step& step, bool first) {
+  const size_t others = step.cases > 1 ? static_cast<size_t>(step.cases) - 1 : 0; // load cases
   int32_t count[3] = {0, 0, 0};
   for (int32_t p = 0; p < step.pairs; ++p) {
     const int32_t status = static_cast<int32_t>(step.table[p * step.stride + C2D_STATUS]);
@@ -74,8 +75,8 @@ void append_step(std::string& out, const c2d_step& step, bool first) {
   if (first) {
     append_section(out, "Increments");
     append_number(append_name(out, "coefficient of friction"), step.mu);
-    out += "\n\n    step    load factor    open   stick    slip changes   status of the pairs (- open, o "
-           "stick, / slip)\n";
+    out += step.cases > 1 ? "\n\n    step   load factors" : "\n\n    step    load factor";
+    out.append(15 * others, ' ') += "    open   stick    slip changes   status of the pairs (- open, o stick, / slip)\n";
   }
   if (step.kind == C2D_STEP_CHANGE)
     append_column(out, "change", 8);
@@ -84,13 +85,14 @@ void append_step(std::string& out, const c2d_step& step, bool first) {
   else
     append_column(out, step.step, 8);
   append_general(out, step.load, 15, 8);
+  for (size_t k = 1; k <= others; ++k) append_general(out, step.loads[k], 15, 8);
   for (const int32_t c : count) append_column(out, c, 8);
   append_column(out, step.changes, 8);
   out += "   ";
   static const char kMark[] = "-o/";
   for (int32_t p = 0; p < step.pairs; ++p) {
     const int32_t status = static_cast<int32_t>(step.table[p * step.stride + C2D_STATUS]);
-    if (p > 0 && p % 100 == 0) out.append(1, '\n').append(58, ' ');
+    if (p > 0 && p % 100 == 0) out.append(1, '\n').append(58 + 15 * others, ' ');
     out += status >= 0 && status < 3 ? kMark[status] : '?';
   }
   out += '\n';
@@ -173,7 +175,7 @@ void append_contact_zone(std::string& out, const CoefficientRecord& c, const std
     if (s.names_bodies() && own.empty()) continue; // touches no other body
     append_section(out, "Contact zone of " + body_text(s, body));
     append_item(out, "coefficient of friction", c.mu);
-    append_item(out, "load factor", c.load);
+    append_loads(out, c.loads);
     (s.names_bodies() ? append_zone_ends : append_ends)(out, c, own, s);
   }
 }

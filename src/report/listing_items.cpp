@@ -42,4 +42,10 @@ void append_item(std::string& out, const char* name, const char* value) {
   out += '\n';
 }
 
+void append_loads(std::string& out, const std::vector<double>& factors) {
+  append_name(out, factors.size() > 1 ? "load factors" : "load factor");
+  for (size_t k = 0; k < factors.size(); ++k) append_number(k > 0 ? out += ", " : out, factors[k]);
+  out += '\n';
+}
+
 } // namespace app

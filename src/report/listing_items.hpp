@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace app {
 
@@ -19,6 +20,8 @@ std::string& append_name(std::string& out, const char* name);
 void append_item(std::string& out, const char* name, int64_t value);
 void append_item(std::string& out, const char* name, double value);
 void append_item(std::string& out, const char* name, const char* value);
+// How far the loads were, of all load cases.
+void append_loads(std::string& out, const std::vector<double>& factors);
 
 // Known components of every element end that is neither free of traction nor left to the contact, case by
 // case.

@@ -1,8 +1,10 @@
 #include "report/listing.hpp"
 
+#include "report/key_table.hpp"
 #include "report/listing_items.hpp"
 #include "report/text.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace app {
@@ -28,6 +30,22 @@ void append_row(std::string& out, const Quantity& q) {
   out += '\n';
 }
 
+// The last two columns, which are as long as they like, begin at the left.
+void append_line(std::string& out, const std::vector<std::string>& cells, size_t edges) {
+  for (size_t k = 0; k + 2 < cells.size(); ++k) append_column(out, cells[k].c_str(), k == 0 ? 8 : 14);
+  const std::string& last = cells[cells.size() - 2];
+  out += "  " + last;
+  out.append(edges - last.size() + 2, ' ') += cells.back() + "\n";
+}
+
+void append_table(std::string& out, const KeyTable& table) {
+  size_t edges = 0;
+  for (const std::vector<std::string>& row : table.rows) edges = std::max(edges, row[row.size() - 2].size());
+  edges = std::max(edges, table.heading[table.heading.size() - 2].size());
+  append_line(out, table.heading, edges);
+  for (const std::vector<std::string>& row : table.rows) append_line(out, row, edges);
+}
+
 } // namespace
 
 void append_quantities(std::string& out, const RunRecord& record, const Summary& s) {
@@ -37,7 +55,7 @@ void append_quantities(std::string& out, const RunRecord& record, const Summary&
     if (c.steps.empty()) continue;
     append_number(append_name(out, "coefficient of friction"), c.mu);
     out += "\n";
-    append_item(out, "load factor", c.load);
+    append_loads(out, c.loads);
     out += "\n    zone   quantity                   value    stated error              x             y\n";
     for (const Quantity& q : c.steps.back().quantities) append_row(out, q);
     out += '\n';
@@ -45,6 +63,22 @@ void append_quantities(std::string& out, const RunRecord& record, const Summary&
   out += "  edges and borders are counted by the length along side 2 from the zone's first pair, x and y is where they are; an "
          "edge\n"
          "  pressure is p / sqrt(d), an edge friction q sqrt(d), at the distance d inside an edge\n";
+}
+
+void append_key_tables(std::string& out, const RunRecord& record, const Summary& s) {
+  if (s.pairs == 0) return;
+  std::string tables;
+  for (const CoefficientRecord& c : record.coefficients)
+    for (int32_t zone = 1; zone <= s.zones; ++zone) {
+      const KeyTable table = key_table(c, zone, 6);
+      if (table.rows.size() < 2) continue; // the last state stands above
+      append_number(append_name(tables, "coefficient of friction"), c.mu);
+      tables += "\n  " + zone_text(s, zone) + "\n";
+      append_table(tables, table);
+    }
+  if (tables.empty()) return;
+  append_section(out, "Contact in numbers, step by step");
+  out += tables + "\n  dissipated: in all zones; edges and borders by the length along side 2 from the zone's first pair\n";
 }
 
 } // namespace app

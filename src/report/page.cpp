@@ -1,5 +1,7 @@
 #include "report/page.hpp"
 
+#include "report/dark.hpp"
+#include "report/key_table.hpp"
 #include "report/text.hpp"
 
 #include <cmath>
@@ -12,6 +14,7 @@ const char kStyle[] = "body{font-family:Helvetica,Arial,'Liberation Sans',sans-s
                       "padding:0 16px;line-height:1.4}\n"
                       "h1{font-size:22px;margin:0 0 4px}h2{font-size:16px;margin:28px 0 6px;border-bottom:1px solid #ccc}\n"
                       "figure{margin:0 0 8px}svg{max-width:100%;height:auto}figcaption{font-size:13px;color:#333}\n"
+                      ".wide{overflow-x:auto}td{white-space:nowrap}\n"
                       "table{border-collapse:collapse;font-size:13px;margin:8px 0}\n"
                       "th,td{text-align:right;padding:2px 10px;border-bottom:1px solid #ddd}\n"
                       "th:first-child,td:first-child{text-align:left;padding-left:0}th{border-bottom:1px solid #555}\n"
@@ -19,7 +22,10 @@ const char kStyle[] = "body{font-family:Helvetica,Arial,'Liberation Sans',sans-s
                       ".stopped{border-left-color:#d55e00;background:#fdf3ec}\n"
                       "@media "
                       "print{body{max-width:none;margin:0;font-size:11pt}section{break-inside:avoid}h2{break-after:avoid}\n"
-                      "svg{width:auto;max-height:104mm}}@page{margin:18mm}\n";
+                      "svg{width:auto;max-height:104mm}}@page{margin:18mm}\n"
+                      // On a telephone pictures keep their letters legible and are moved to and fro, the text is not.
+                      "@media screen and (max-width:640px){body{margin:12px auto;padding:0 12px}h1{font-size:19px}\n"
+                      ".wide svg{max-width:none;width:680px}th,td{padding:2px 6px}}\n";
 
 std::string whole(uint64_t value) { return std::to_string(value); }
 
@@ -54,13 +60,13 @@ void append_outcome(std::string& out, const Scene& scene) {
 }
 
 void append_picture(std::string& out, const Picture& picture) {
-  out += "<section id=\"" + picture.name + "\">\n<h2>" + picture.title + "</h2>\n<figure>\n" + picture.svg + "<figcaption>" +
-         picture.caption + "</figcaption>\n</figure>\n</section>\n";
+  out += "<section id=\"" + picture.name + "\">\n<h2>" + picture.title + "</h2>\n<figure>\n<div class=\"wide\">" + picture.svg +
+         "</div><figcaption>" + picture.caption + "</figcaption>\n</figure>\n</section>\n";
 }
 
 void append_key_numbers(std::string& out, const Scene& scene) {
   if (scene.zones.empty() || scene.record->coefficients.empty()) return;
-  out += "<section id=\"key\">\n<h2>Key numbers at the last step</h2>\n<table>\n";
+  out += "<section id=\"key\">\n<h2>Key numbers at the last step</h2>\n<div class=\"wide\"><table>\n";
   append_row(out,
              {"&#956;", "zone", "load", with_unit("peak pressure", scene.stress_unit), with_unit("at s", scene.length_unit),
               "touch", "stick", "slip", with_unit("contact from s", scene.length_unit), with_unit("to s", scene.length_unit)},
@@ -72,12 +78,12 @@ void append_key_numbers(std::string& out, const Scene& scene) {
       const ZoneFacts f = find_facts(scene, scene.zones[z], c.table);
       const std::string zone =
           zone_label(scene, z).substr(5) + (scene.summary.names_bodies() ? ": " + bodies_of(scene, scene.zones[z]) : "");
-      append_row(out, {figure(friction_of(scene, i, z)), zone, figure(c.load, 6), figure(f.peak, 6),
+      append_row(out, {figure(friction_of(scene, i, z)), zone, list_of(c.loads), figure(f.peak, 6),
                        figure(scene.pairs[f.peak_pair].s), std::to_string(f.touching), std::to_string(f.sticking),
                        std::to_string(f.slipping), f.touching > 0 ? figure(f.low) : "&#8211;",
                        f.touching > 0 ? figure(f.high) : "&#8211;"});
     }
-  out += "</table>\n</section>\n";
+  out += "</table></div>\n</section>\n";
 }
 
 std::string unit_of(Measure what, const Scene& scene) {
@@ -87,7 +93,9 @@ std::string unit_of(Measure what, const Scene& scene) {
   case Measure::kContactEdge:
   case Measure::kStickBorder:
   case Measure::kApproach:
+  case Measure::kSlipRange:
   case Measure::kShift: return scene.length_unit;
+  case Measure::kFrictionForce:
   case Measure::kForceX:
   case Measure::kForceY: return scene.force_unit;
   case Measure::kMoment:
@@ -100,11 +108,15 @@ std::string unit_of(Measure what, const Scene& scene) {
 void append_numbers(std::string& out, const Scene& scene) {
   if (scene.zones.empty() || scene.record->coefficients.empty()) return;
   const std::string none = "&#8211;";
-  out += "<section id=\"numbers\">\n<h2>Contact in numbers, at the last step</h2>\n<table>\n";
-  append_row(out,
-             {"&#956;", "zone", "quantity", "value", "stated error", with_unit("x", scene.length_unit),
-              with_unit("y", scene.length_unit)},
-             "th");
+  out += "<section id=\"numbers\">\n<h2>Contact in numbers, at the last step</h2>\n<div class=\"wide\"><table>\n";
+  bool stated = false;
+  for (const CoefficientRecord& c : scene.record->coefficients)
+    for (size_t k = 0; !c.steps.empty() && k < c.steps.back().quantities.size(); ++k)
+      stated = stated || std::isfinite(c.steps.back().quantities[k].error);
+  std::vector<std::string> heading{"&#956;", "zone", "quantity", "value"};
+  if (stated) heading.emplace_back("stated error");
+  for (const char* name : {"x", "y"}) heading.push_back(with_unit(name, scene.length_unit));
+  append_row(out, heading, "th");
   for (size_t i = 0; i < scene.record->coefficients.size(); ++i) {
     const CoefficientRecord& c = scene.record->coefficients[i];
     if (c.steps.empty()) continue;
@@ -112,18 +124,34 @@ void append_numbers(std::string& out, const Scene& scene) {
       const size_t z = q.zone > 0 ? static_cast<size_t>(q.zone) - 1 : 0;
       const std::string zone = q.zone > 0 ? zone_label(scene, z).substr(5) : "all",
                         item = q.item > 0 ? " " + std::to_string(q.item) : "";
-      append_row(out,
-                 {figure(friction_of(scene, i, z)), zone, with_unit((name_of(q.what) + item).c_str(), unit_of(q.what, scene)),
-                  figure(q.value, 6), std::isfinite(q.error) ? "&#177; " + figure(q.error, 2) : none,
-                  std::isfinite(q.at[0]) ? figure(q.at[0], 6) : none, std::isfinite(q.at[1]) ? figure(q.at[1], 6) : none});
+      std::vector<std::string> row{figure(friction_of(scene, i, z)), zone,
+                                   with_unit((name_of(q.what) + item).c_str(), unit_of(q.what, scene)), figure(q.value, 6)};
+      if (stated) row.push_back(std::isfinite(q.error) ? "&#177; " + figure(q.error, 2) : none);
+      for (const double at : q.at) row.push_back(std::isfinite(at) ? figure(at, 6) : none);
+      append_row(out, row);
     }
   }
-  out += "</table>\n</section>\n";
+  out += "</table></div>\n</section>\n";
+}
+
+// Step by step, folded away.
+void append_steps(std::string& out, const Scene& scene) {
+  size_t shown = 0;
+  for (size_t i = 0; i < scene.record->coefficients.size(); ++i)
+    for (size_t z = 0; z < scene.zones.size(); ++z) {
+      const KeyTable table = key_table(scene.record->coefficients[i], static_cast<int32_t>(z) + 1, 5);
+      if (table.rows.empty() || ++shown > kMostCharts) continue;
+      out += "<details>\n<summary>Step by step, " + chart_title(scene, friction_of(scene, i, z), z) +
+             "</summary>\n<div class=\"wide\"><table>\n";
+      append_row(out, table.heading, "th");
+      for (const std::vector<std::string>& row : table.rows) append_row(out, row);
+      out += "</table></div>\n</details>\n";
+    }
 }
 
 void append_balance(std::string& out, const Scene& scene) {
   const Summary& s = scene.summary;
-  out += "<section id=\"equilibrium\">\n<h2>Equilibrium</h2>\n<table>\n";
+  out += "<section id=\"equilibrium\">\n<h2>Equilibrium</h2>\n<div class=\"wide\"><table>\n";
   append_row(out,
              {"per unit thickness", with_unit("fx", scene.force_unit), with_unit("fy", scene.force_unit),
               with_unit("moment about the origin", scene.work_unit)},
@@ -137,7 +165,7 @@ void append_balance(std::string& out, const Scene& scene) {
     append_row(out, {body + "sum", figure(applied[0] + contact[0], 2), figure(applied[1] + contact[1], 2),
                      figure(applied[2] + contact[2], 2)});
   }
-  out += "</table>\n";
+  out += "</table></div>\n";
   if (s.symmetry != 0)
     out += "<p>Of the half or quarter modelled; forces across the lines of symmetry are not in it, the sum is "
            "what they balance.</p>\n";
@@ -168,18 +196,18 @@ void append_body_sizes(std::string& out, const Scene& scene) {
 
 void append_sizes(std::string& out, const Scene& scene) {
   const Summary& s = scene.summary;
-  out += "<section id=\"sizes\">\n<h2>Sizes, seconds, bytes</h2>\n<table>\n";
+  out += "<section id=\"sizes\">\n<h2>Sizes, seconds, bytes</h2>\n<div class=\"wide\"><table>\n";
   append_body_sizes(out, scene);
-  out += "</table>\n<table>\n";
+  out += "</table></div>\n<div class=\"wide\"><table>\n";
   append_row(out, {"phase", "seconds"}, "th");
   static const char* const kPhases[] = {"assemble", "eliminate", "reduce", "contact", "back substitution"};
   append_row(out, {"read", figure(s.seconds[0] + scene.record->read_seconds, 3)});
   for (size_t i = 0; i < 5; ++i) append_row(out, {kPhases[i], figure(s.seconds[i + 1], 3)});
-  out += "</table>\n<table>\n";
+  out += "</table></div>\n<div class=\"wide\"><table>\n";
   append_row(out, {"tape", "bytes written", "bytes read", "blocks"}, "th");
   for (int32_t t = 0; t < C2D_TAPES; ++t)
     append_row(out, {tape_word(t), whole(s.tape_bytes_written[t]), whole(s.tape_bytes_read[t]), whole(s.tape_blocks[t])});
-  out += "</table>\n<table>\n";
+  out += "</table></div>\n<div class=\"wide\"><table>\n";
   append_row(out, {"quantity", "value"}, "th");
   append_row(out, {"workspace, bytes", whole(s.workspace_bytes)});
   append_row(out, {"used of it at most, bytes", whole(s.peak_bytes)});
@@ -188,7 +216,7 @@ void append_sizes(std::string& out, const Scene& scene) {
                    std::to_string(s.events) + "; " + std::to_string(s.exchanges) + "; " + std::to_string(s.tableau_rebuilds)});
   append_row(out, {"largest residual", figure(s.max_residual, 2)});
   append_row(out, {"condition estimate", figure(s.condition, 3)});
-  out += "</table>\n</section>\n";
+  out += "</table></div>\n</section>\n";
 }
 
 void append_warnings(std::string& out, const Scene& scene) {
@@ -208,15 +236,18 @@ void append_page(std::string& out, const Scene& scene, const Pictures& pictures,
   const std::string title = escape_xml(scene.summary.title[0] != '\0' ? scene.summary.title : deck_name.c_str());
   out += "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width\">\n<title>" +
-         title + "</title>\n<style>\n" + kStyle + "</style>\n</head>\n<body>\n<h1>" + title + "</h1>\n<p>contact2d " +
-         c2d_version() + ", deck " + escape_xml(deck_name) + "</p>\n";
+         title + "</title>\n<style>\n" + kStyle;
+  append_dark_style(out);
+  out += "</style>\n</head>\n<body>\n<h1>" + title + "</h1>\n<p>contact2d " + c2d_version() + ", deck " +
+         escape_xml(deck_name) + "</p>\n";
   append_outcome(out, scene);
   append_key_numbers(out, scene);
-  for (const Picture& picture : pictures) append_picture(out, picture);
   if (scene.solved) append_numbers(out, scene);
+  if (scene.solved) append_steps(out, scene);
+  append_warnings(out, scene);
+  for (const Picture& picture : pictures) append_picture(out, picture);
   if (scene.solved) append_balance(out, scene);
   append_sizes(out, scene);
-  append_warnings(out, scene);
   out += "</body>\n</html>\n";
 }
 

@@ -1,4 +1,5 @@
 #include "report/axes.hpp"
+#include "report/gap_lift.hpp"
 #include "report/pictures.hpp"
 
 #include <algorithm>
@@ -8,7 +9,7 @@ namespace app {
 namespace {
 
 struct Extent {
-  double size = 0.0;         // larger side of the bounding box
+  double size = 0.0;         // larger side of the bounding box; at most twice that of the smallest body
   double displacement = 0.0; // largest
   size_t body = 0, end = 0;  // where that is
 };
@@ -16,15 +17,30 @@ struct Extent {
 Extent measure(const Scene& scene) {
   Extent out;
   Range x, y;
+  double least = HUGE_VAL;
   for (size_t b = 0; b < scene.bodies.size(); ++b) {
     const BodyScene& body = scene.bodies[b];
-    for (const Point& p : body.ends) x.include(p.x), y.include(p.y);
+    Range own[2];
+    for (const Point& p : body.ends) x.include(p.x), y.include(p.y), own[0].include(p.x), own[1].include(p.y);
+    if (!body.ends.empty()) least = std::min(least, std::max(own[0].high - own[0].low, own[1].high - own[1].low));
     for (size_t i = 0; i < body.displacement.size(); ++i) {
       const double size = std::hypot(body.displacement[i].x, body.displacement[i].y);
       if (size > out.displacement) out.displacement = size, out.body = b, out.end = i;
     }
   }
-  out.size = std::max(x.high - x.low, y.high - y.low);
+  out.size = std::min(std::max(x.high - x.low, y.high - y.low), 2.0 * least);
+  return out;
+}
+
+// The outline moved by displacements that are magnified, and gaps with them.
+std::vector<std::vector<Point>> deformed_outline(const Scene& scene, size_t b, double magnification, const GapLift* lift) {
+  std::vector<std::vector<Point>> out = outline_of(scene.bodies[b], magnification);
+  for (size_t c = 0; c < out.size() && lift != nullptr && magnification > 1.0; ++c)
+    for (size_t i = 0; i < out[c].size(); ++i) {
+      const Point by = lift->at(b, scene.bodies[b].curves[c][i].at);
+      out[c][i].x += (magnification - 1.0) * by.x;
+      out[c][i].y += (magnification - 1.0) * by.y;
+    }
   return out;
 }
 
@@ -48,20 +64,20 @@ void draw_nodes(Svg& svg, const Scene& scene, const BodyScene& body, const Chart
     }
 }
 
-void draw_view(Svg& svg, const Scene& scene, const Chart& view, double magnification, bool nodes) {
+void draw_view(Svg& svg, const Scene& scene, const Chart& view, double magnification, const GapLift* lift) {
   draw_axes(svg, view);
   svg.begin_clip(view.frame);
   for (int pass = 0; pass < 2; ++pass)
     for (size_t b = 0; b < scene.bodies.size(); ++b) {
       const BodyStyle& style = style_of(b);
-      std::vector<std::vector<Point>> curves = outline_of(scene.bodies[b], pass == 0 ? magnification : 0.0);
+      std::vector<std::vector<Point>> curves = deformed_outline(scene, b, pass == 0 ? magnification : 0.0, lift);
       for (auto& curve : curves)
         for (Point& p : curve) p = view.at(p.x, p.y);
       if (pass == 0) svg.area(curves, style.fill, Stroke{});
       // Dashes need lines that do not run far outside the view.
       for (const std::vector<Point>& piece : pieces_within(curves, view.frame))
         svg.polyline(piece, pass == 0 ? Stroke{style.edge, 1.6, style.dash} : Stroke{colour::kFaint, 1.0, "2 3"});
-      if (pass == 0 && nodes) draw_nodes(svg, scene, scene.bodies[b], view, magnification, style.edge);
+      if (pass == 0 && lift == nullptr) draw_nodes(svg, scene, scene.bodies[b], view, magnification, style.edge);
     }
   svg.end_clip();
 }
@@ -140,12 +156,13 @@ std::string caption_of(const Scene& scene, const Extent& extent, double magnific
 
 void draw_deformed(const Scene& scene, Pictures& out) {
   const Extent extent = measure(scene);
-  const double magnification = choose_magnification(extent.size, extent.displacement);
+  const GapLift lift(scene);
+  const double magnification = choose_magnification(extent.size, std::max(extent.displacement, lift.largest()));
   const bool zoom = !scene.pairs.empty();
   Range x, y;
-  for (const BodyScene& body : scene.bodies)
+  for (size_t b = 0; b < scene.bodies.size(); ++b)
     for (const double m : {0.0, magnification})
-      for (const auto& curve : outline_of(body, m))
+      for (const auto& curve : deformed_outline(scene, b, m, &lift))
         for (const Point& p : curve) x.include(p.x), y.include(p.y);
   const Zoom near = choose_zoom(scene);
   std::vector<LegendEntry> entries;
@@ -160,13 +177,13 @@ void draw_deformed(const Scene& scene, Pictures& out) {
   Svg svg("deformed", kPictureWidth, top + high + 42.0);
   draw_legend(&svg, {left, 4.0}, kPictureWidth - left - right, entries);
   const Box whole{left, top, left + wide, top + high};
-  draw_view(svg, scene, make_view(whole, x, y, 14.0, scene.length_unit), magnification, false);
+  draw_view(svg, scene, make_view(whole, x, y, 14.0, scene.length_unit), magnification, &lift);
   draw_heading(svg, whole, "Whole model, " + scale_text(magnification));
   if (zoom) {
     const Box part{whole.right + gap, top, whole.right + gap + wide, top + high};
     const Chart view = near.stretched != 0 ? stretched_view(part, near, scene.length_unit)
                                            : make_view(part, near.x, near.y, 26.0, scene.length_unit);
-    draw_view(svg, scene, view, near.magnification, true);
+    draw_view(svg, scene, view, near.magnification, nullptr);
     draw_heading(svg, part,
                  near.stretched == 0   ? "Contact " + contact_zones(scene) + ", " + scale_text(near.magnification)
                  : near.stretched == 1 ? "Contact " + contact_zones(scene) + ", true, x stretched"
@@ -174,7 +191,7 @@ void draw_deformed(const Scene& scene, Pictures& out) {
   }
   Picture picture{"deformed", "Deformed shape", caption_of(scene, extent, magnification), ""};
   if (zoom && magnification > near.magnification && near.magnification == 1.0)
-    picture.caption += " The gap between the bodies is not magnified, so they seem to overlap in the left view.";
+    picture.caption += " In the left view the gaps between the bodies are magnified as the displacements are.";
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);
 }

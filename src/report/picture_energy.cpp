@@ -23,7 +23,8 @@ const Curve kCurves[] = {
 
 struct Axes {
   bool by_load;
-  Axis x, y[2]; // work and elastic energy; dissipation
+  Axis x, y[2];    // work and elastic energy; dissipation
+  bool dissipates; // else the second is left out
 };
 
 double place_of(const CoefficientHistory& h, size_t i, bool by_load) {
@@ -32,7 +33,7 @@ double place_of(const CoefficientHistory& h, size_t i, bool by_load) {
 
 // All coefficients are drawn to the same scales.
 Axes make_axes(const Scene& scene, size_t count) {
-  Axes out{true, {}, {}};
+  Axes out{true, {}, {}, true};
   Range place, size[2];
   const std::vector<CoefficientHistory>& all = scene.history->coefficients();
   for (size_t c = 0; c < count; ++c) out.by_load = out.by_load && rises(all[c]);
@@ -44,7 +45,7 @@ Axes make_axes(const Scene& scene, size_t count) {
       for (size_t k = 0; k < 3; ++k) size[k / 2].include(all[c].energy[i].*kCurves[k].value);
     }
   const double largest = std::max(std::fabs(size[0].low), std::fabs(size[0].high));
-  if (std::max(std::fabs(size[1].low), std::fabs(size[1].high)) < 1e-12 * largest) size[1] = Range{0.0, 0.0, false};
+  if (std::max(std::fabs(size[1].low), std::fabs(size[1].high)) < 1e-12 * largest) out.dissipates = false;
   out.x = make_axis(place, out.by_load ? "load factor" : "step", "", 5, true, !out.by_load);
   out.y[0] = make_axis(size[0], "energy per thickness", scene.work_unit, 5);
   out.y[1] = make_axis(size[1], "dissipated", scene.work_unit, 5);
@@ -62,8 +63,9 @@ void draw_curve(Svg& svg, const Chart& chart, const CoefficientHistory& h, const
 
 // One row: work and elastic energy on the left, what friction took, which may be much less, on the right.
 void draw_row(Svg& svg, const CoefficientHistory& h, const Axes& axes, double top, double bottom, bool labels) {
-  const Box frames[2] = {{76.0, top, 372.0, bottom}, {464.0, top, kPictureWidth - 16.0, bottom}};
-  for (size_t side = 0; side < 2; ++side) {
+  const Box frames[2] = {{76.0, top, axes.dissipates ? 372.0 : kPictureWidth - 16.0, bottom},
+                         {464.0, top, kPictureWidth - 16.0, bottom}};
+  for (size_t side = 0; side < (axes.dissipates ? 2 : 1); ++side) {
     const Chart chart{frames[side], axes.x, axes.y[side]};
     draw_axes(svg, chart, labels);
     draw_heading(svg, frames[side],
@@ -93,7 +95,9 @@ void draw_energy(const Scene& scene, Pictures& out) {
   const double top = 54.0, high = count == 1 ? 220.0 : 150.0, row = high + 32.0;
   Svg svg("energy", kPictureWidth, top + row * static_cast<double>(count) + 12.0);
   std::vector<LegendEntry> entries;
-  for (const Curve& curve : kCurves) entries.push_back({curve.name, curve.stroke, curve.mark, curve.mark != Mark::kCircle, ""});
+  for (const Curve& curve : kCurves)
+    if (axes.dissipates || curve.value != &EnergyPoint::dissipated)
+      entries.push_back({curve.name, curve.stroke, curve.mark, curve.mark != Mark::kCircle, ""});
   draw_legend(&svg, {76.0, 4.0}, 660.0, entries);
   Picture picture{"energy", "Balance of energy", "", ""};
   if (count == 1) picture.title += ", &#956; = " + figure(all[0].mu);

@@ -52,42 +52,57 @@ std::string caption(const Scene& scene, const ZoneScene& zone, size_t coefficien
   return out + ".";
 }
 
+// Gap or slip over the zone; without what is zero everywhere.
+struct Panel {
+  size_t column;
+  Range range;
+  std::string name, heading;
+  Stroke stroke;
+};
+
+std::vector<Panel> find_panels(const Scene& scene, const ZoneScene& zone, const std::vector<double>& table, double nothing) {
+  std::vector<Panel> all{
+      {C2D_GAP, {}, "gap", "Normal gap", Stroke{colour::kGreen, 2.0, ""}},
+      {C2D_SLIP_SUM,
+       {},
+       "slip",
+       "Accumulated slip of " + body_label(scene, zone.body[1]) + " against " + body_label(scene, zone.body[0]) + ", along t",
+       Stroke{colour::kPurple, 2.0, "6 2"}}};
+  std::vector<Panel> out;
+  for (Panel& panel : all) {
+    panel.range.include(0.0);
+    for (const ZoneSample& p : zone.samples) {
+      const double value = table[p.pair * C2D_PAIR_FIELDS + panel.column];
+      if (std::fabs(value) > nothing) panel.range.include(panel.column == C2D_SLIP_SUM ? p.turn * value : value);
+    }
+    if (panel.range.low < 0.0 || panel.range.high > 0.0) out.push_back(panel);
+  }
+  return out;
+}
+
 void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Pictures& out) {
   const ZoneScene& zone = scene.zones[zone_index];
   const CoefficientRecord& record = scene.record->coefficients[coefficient];
-  const double left = 76.0, right = kPictureWidth - 16.0, top = 54.0, high = 170.0, bottom = top + 2.0 * high + 30.0;
+  Range s;
+  for (const ZoneSample& p : zone.samples) s.include(p.s);
+  const std::vector<Panel> panels = find_panels(scene, zone, record.table, 1e-12 * (s.high - s.low)); // round-off is no gap
+  if (panels.empty()) return;
+  const double left = 76.0, right = kPictureWidth - 16.0, top = 54.0, high = 170.0;
+  const double bottom = top + static_cast<double>(panels.size()) * (high + 30.0) - 30.0;
   const std::string name = "gap" + chart_suffix(scene, coefficient, zone_index);
   Svg svg(name, kPictureWidth, bottom + 44.0);
   draw_legend(&svg, {left, 4.0}, right - left, status_legend());
-  Range s, gap, slip;
-  gap.include(0.0);
-  slip.include(0.0);
-  for (const ZoneSample& p : zone.samples) s.include(p.s);
-  const double nothing = 1e-12 * (s.high - s.low); // round-off is no gap
-  for (const ZoneSample& p : zone.samples) {
-    const double* row = record.table.data() + p.pair * C2D_PAIR_FIELDS;
-    if (std::fabs(row[C2D_GAP]) > nothing) gap.include(row[C2D_GAP]);
-    if (std::fabs(row[C2D_SLIP_SUM]) > nothing) slip.include(p.turn * row[C2D_SLIP_SUM]);
-  }
   const Axis axis = make_axis(s, position_name(scene, zone), scene.length_unit, 9);
-  const Chart upper{{left, top, right, top + high}, axis, make_axis(gap, "gap", scene.length_unit, 5)};
-  const Chart lower{{left, top + high + 30.0, right, bottom}, axis, make_axis(slip, "slip", scene.length_unit, 5)};
-  draw_axes(svg, upper, false);
-  draw_heading(svg, upper.frame, "Normal gap");
-  draw_column(svg, zone, record.table, C2D_GAP, upper, Stroke{colour::kGreen, 2.0, ""});
-  draw_axes(svg, lower);
-  draw_heading(svg, lower.frame,
-               "Accumulated slip of " + body_label(scene, zone.body[1]) + " against " + body_label(scene, zone.body[0]) +
-                   ", along t");
-  draw_column(svg, zone, record.table, C2D_SLIP_SUM, lower, Stroke{colour::kPurple, 2.0, "6 2"});
-  const auto say_zero = [&](const Chart& chart, const Range& range) {
-    if (range.low == 0.0 && range.high == 0.0)
-      svg.text({0.5 * (left + right), 0.5 * (chart.frame.top + chart.frame.bottom)}, "zero everywhere", 12.0, Anchor::kMiddle,
-               colour::kInk, false, true);
-  };
-  say_zero(upper, gap);
-  say_zero(lower, slip);
-  Picture picture{name, "Gap and slip, " + chart_title(scene, friction_of(scene, coefficient, zone_index), zone_index),
+  for (size_t i = 0; i < panels.size(); ++i) {
+    const Panel& panel = panels[i];
+    const double from = top + static_cast<double>(i) * (high + 30.0);
+    const Chart chart{{left, from, right, from + high}, axis, make_axis(panel.range, panel.name, scene.length_unit, 5)};
+    draw_axes(svg, chart, i + 1 == panels.size());
+    draw_heading(svg, chart.frame, panel.heading);
+    draw_column(svg, zone, record.table, panel.column, chart, panel.stroke);
+  }
+  const char* title = panels.size() == 2 ? "Gap and slip, " : panels[0].column == C2D_GAP ? "Gap, " : "Slip, ";
+  Picture picture{name, title + chart_title(scene, friction_of(scene, coefficient, zone_index), zone_index),
                   caption(scene, zone, coefficient), ""};
   picture.svg = svg.finish(picture.title, picture.caption);
   out.push_back(picture);

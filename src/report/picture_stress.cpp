@@ -10,6 +10,7 @@ namespace {
 
 constexpr size_t kNodesAcross = 64; // of a grid, along its longer side
 constexpr size_t kBands = 10;       // about
+constexpr double kPi = 3.14159265358979323846;
 
 // A window and what the bodies hold in it.
 struct Window {
@@ -69,6 +70,62 @@ Peak find_peak(const Window& window) {
         if (g.known[g.at(c, r)] && g.values[g.at(c, r)] > out.value) out = {g.values[g.at(c, r)], g.place(c, r), b};
   }
   return out;
+}
+
+// From the highest nodes of the grid on to where the stress is largest: by steps that shrink, around the best point so far.
+c2d_status climb(const Scene& scene, const Window& window, Peak& peak) {
+  constexpr size_t kAround = 8;
+  const Grid& g = window.grids[peak.body];
+  double step = std::max(g.dx, g.dy);
+  for (int round = 0; round < 30 && step > 0.0; ++round) {
+    std::vector<double> points, values(kAround * C2D_POINT_FIELDS);
+    for (size_t k = 0; k < kAround; ++k) {
+      const double angle = 2.0 * kPi * (static_cast<double>(k) + 0.5 * (round % 2)) / static_cast<double>(kAround);
+      points.push_back(peak.at.x + step * std::cos(angle));
+      points.push_back(peak.at.y + step * std::sin(angle));
+    }
+    const c2d_status status = c2d_interior(scene.solver, static_cast<int32_t>(peak.body) + 1, static_cast<int32_t>(kAround),
+                                           points.data(), 2, values.data(), C2D_POINT_FIELDS);
+    if (status != C2D_OK) return status;
+    const Peak before = peak;
+    for (size_t k = 0; k < kAround; ++k) {
+      const double* row = values.data() + k * C2D_POINT_FIELDS;
+      const Point p{points[2 * k], points[2 * k + 1]};
+      const bool shown =
+          p.x >= window.view.x.low && p.x <= window.view.x.high && p.y >= window.view.y.low && p.y <= window.view.y.high;
+      const bool known = static_cast<int>(row[C2D_POINT_FLAG]) != C2D_POINT_OUTSIDE;
+      if (shown && known && row[C2D_POINT_VON_MISES] > peak.value) peak = {row[C2D_POINT_VON_MISES], p, peak.body};
+    }
+    if (peak.value <= before.value * (1.0 + 1e-6)) step *= 0.5;
+  }
+  return C2D_OK;
+}
+
+// The boundary has stresses of its own, at the ends of elements.
+c2d_status find_on_boundary(const Scene& scene, const Window& window, Peak& peak) {
+  for (size_t b = 0; b < scene.bodies.size(); ++b) {
+    const BodyScene& body = scene.bodies[b];
+    std::vector<double> points, values;
+    const size_t per_element = static_cast<size_t>(scene.summary.function_nodes);
+    for (size_t i = 0; i < body.ends.size() && !body.rigid; ++i) {
+      const Point p = body.ends[i];
+      const bool shown =
+          p.x >= window.view.x.low && p.x <= window.view.x.high && p.y >= window.view.y.low && p.y <= window.view.y.high;
+      if (shown && !body.on_line[i / per_element]) points.insert(points.end(), {p.x, p.y});
+    }
+    if (points.empty()) continue;
+    values.resize(points.size() / 2 * C2D_POINT_FIELDS);
+    const c2d_status status = c2d_interior(scene.solver, static_cast<int32_t>(b) + 1, static_cast<int32_t>(points.size() / 2),
+                                           points.data(), 2, values.data(), C2D_POINT_FIELDS);
+    if (status != C2D_OK) return status;
+    for (size_t i = 0; 2 * i < points.size(); ++i) {
+      const double* row = values.data() + i * C2D_POINT_FIELDS;
+      const bool known = static_cast<int>(row[C2D_POINT_FLAG]) != C2D_POINT_OUTSIDE;
+      if (known && row[C2D_POINT_VON_MISES] > peak.value)
+        peak = {row[C2D_POINT_VON_MISES], {points[2 * i], points[2 * i + 1]}, b};
+    }
+  }
+  return C2D_OK;
 }
 
 // Between values that all but a hundredth of the points stay above or below: a corner may have any stress.
@@ -150,7 +207,10 @@ c2d_status draw_one(const Scene& scene, const std::string& name, const std::stri
     const c2d_status status = sample(scene, b, window.view, window.grids[b]);
     if (status != C2D_OK) return status;
   }
-  const Peak peak = find_peak(window);
+  Peak peak = find_peak(window);
+  c2d_status status = climb(scene, window, peak);
+  if (status == C2D_OK) status = find_on_boundary(scene, window, peak);
+  if (status != C2D_OK) return status;
   Axis axis;
   const std::vector<double> levels = choose_levels(window, axis, scene.stress_unit);
   Svg svg(name, kPictureWidth, top + high + 44.0);
@@ -160,7 +220,7 @@ c2d_status draw_one(const Scene& scene, const std::string& name, const std::stri
   draw_bar(svg, {right + 16.0, middle - 0.5 * bar_high, right + 34.0, middle + 0.5 * bar_high}, axis, levels);
   Picture picture{name, title, "", ""};
   picture.caption = "von Mises' stress at " + place_at_end(scene);
-  picture.caption += ": the largest value on the grid drawn is " + figure(peak.value, scene.stress_unit) + " at (" +
+  picture.caption += ": the largest value in the picture is " + figure(peak.value, scene.stress_unit) + " at (" +
                      figure(peak.at.x) + ", " + figure(peak.at.y) + ")";
   if (scene.bodies.size() > 1) picture.caption += " in " + body_label(scene, static_cast<int64_t>(peak.body) + 1);
   picture.caption += ".";

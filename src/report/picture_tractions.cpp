@@ -25,7 +25,7 @@ std::vector<Point> curve_of(const ZoneScene& zone, const std::vector<double>& ta
 struct Layers {
   const Scene& scene;
   const ZoneScene& zone;
-  const CoefficientHistory& history;
+  std::vector<const Snapshot*> earlier;
   const CoefficientRecord& record;
   double mu;         // of the zone
   bool by_load;      // the path is one load that rises
@@ -67,17 +67,14 @@ Range range_of(const Layers& l, size_t column, double mu_bound, double top) {
       range.include(within(-mu_bound * row[C2D_TN]));
     }
   };
-  for (const Snapshot& s : l.history.earlier) take(s.table);
+  for (const Snapshot* s : l.earlier) take(s->table);
   take(l.record.table);
   return range;
 }
 
 void draw_earlier(Svg& svg, const Layers& l, size_t column, const Chart& chart) {
   size_t i = 0;
-  for (const Snapshot& s : l.history.earlier) {
-    if (s.load == l.record.load && s.step == l.record.step) continue;
-    svg.polyline(curve_of(l.zone, s.table, column, chart), kEarlier[i++ % 3]);
-  }
+  for (const Snapshot* s : l.earlier) svg.polyline(curve_of(l.zone, s->table, column, chart), kEarlier[i++ % 3]);
 }
 
 // Markers tell the status: full circle stick, triangle slip, cross open. Those beyond the axis are left out.
@@ -115,10 +112,9 @@ std::vector<LegendEntry> legend(const Layers& l, bool friction) {
       out.push_back({"Coulomb bounds &#177;&#956; tn", Stroke{colour::kInk, 0.8, "4 2"}, Mark::kNone, true, "#eeeeee"});
   }
   size_t i = 0;
-  for (const Snapshot& s : l.history.earlier) {
-    if (s.load == l.record.load && s.step == l.record.step) continue;
+  for (const Snapshot* s : l.earlier) {
     const std::string when =
-        l.by_load ? "load " + figure(s.load) : "step " + std::to_string(s.step) + ": load " + list_of(s.loads);
+        l.by_load ? "load " + figure(s->load) : "step " + std::to_string(s->step) + ": load " + list_of(s->loads);
     out.push_back({when, kEarlier[i++ % 3], Mark::kNone, true, ""});
   }
   for (const LegendEntry& entry : status_legend()) out.push_back(entry);
@@ -193,18 +189,32 @@ void draw_friction(Svg& svg, const Layers& l, const Box& frame, const Axis& axis
   tell_beyond(svg, l, C2D_TT, chart);
 }
 
+// The largest in size, at the states that are drawn.
+double most_of(const Layers& l, size_t column) {
+  double most = 0.0;
+  const auto take = [&](const std::vector<double>& table) {
+    for (const ZoneSample& p : l.zone.samples) most = std::max(most, std::fabs(table[p.pair * C2D_PAIR_FIELDS + column]));
+  };
+  for (const Snapshot* s : l.earlier) take(s->table);
+  take(l.record.table);
+  return most;
+}
+
 void draw_one(const Scene& scene, size_t coefficient, size_t zone_index, Pictures& out) {
   static const CoefficientHistory kNone;
   const std::vector<CoefficientHistory>& histories = scene.history->coefficients();
   const CoefficientHistory& history = coefficient < histories.size() ? histories[coefficient] : kNone;
-  const Layers l{scene,
-                 scene.zones[zone_index],
-                 history,
-                 scene.record->coefficients[coefficient],
-                 friction_of(scene, coefficient, zone_index),
-                 rises(history),
-                 place_on_path(scene, coefficient)};
-  const bool friction = l.mu > 0.0;
+  const Layers l{
+      scene,
+      scene.zones[zone_index],
+      earlier_states(history, scene.record->coefficients[coefficient].step, scene.record->coefficients[coefficient].table),
+      scene.record->coefficients[coefficient],
+      friction_of(scene, coefficient, zone_index),
+      rises(history),
+      place_on_path(scene, coefficient)};
+  const double most = most_of(l, C2D_TN);
+  const bool friction = l.mu > 0.0 && most_of(l, C2D_TT) > 1e-12 * most;
+  if (most == 0.0) return; // nothing touches, or without force
   const double left = 76.0, right = kPictureWidth - 16.0;
   const std::vector<LegendEntry> entries = legend(l, friction);
   const double top = draw_legend(nullptr, {left, 4.0}, right - left, entries) + 32.0;

@@ -79,6 +79,7 @@ c2d_status draw_pictures(const Scene& scene, Pictures& out) {
   draw_model(scene, out);
   draw_tractions(scene, out);
   draw_status_map(scene, out);
+  draw_loop(scene, out);
   draw_gap(scene, out);
   c2d_status status = C2D_OK;
   if (scene.solved) {

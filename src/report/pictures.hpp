@@ -27,6 +27,8 @@ void draw_model(const Scene& scene, Pictures& out);
 void draw_tractions(const Scene& scene, Pictures& out);
 // Open, stick and slip over position and load, per coefficient and zone.
 void draw_status_map(const Scene& scene, Pictures& out);
+// Friction force over displacement where the loads turn, per coefficient and zone; the last whole cycle and its area.
+void draw_loop(const Scene& scene, Pictures& out);
 // Gap and slip along a zone, per coefficient and zone.
 void draw_gap(const Scene& scene, Pictures& out);
 // The deformed shape over the undeformed one.

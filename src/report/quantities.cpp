@@ -67,18 +67,24 @@ double touching_length(const LineState& state, const std::vector<ContactEdge>& e
   return sum;
 }
 
-void add_place(const ZoneLine& line, double s, Quantity& q) { line.place(s, q.at); }
-
 // A length round a closed side from 0 on.
 double along(const ZoneLine& line, double s) { return line.round ? s - line.length * std::floor(s / line.length) : s; }
+
+void add_place(const ZoneLine& line, double s, Quantity& q) {
+  line.place(s, q.at);
+  q.s = along(line, s);
+}
 
 void add_pressures(const LineState& state, const std::vector<ContactEdge>& edges, Collector& out) {
   const Peak peak = find_peak(state);
   add_place(state.line, peak.s, out.add(Measure::kPeakPressure, peak.value));
-  double force = 0;
-  for (size_t i = 0; i < state.tn.size(); ++i) force += state.line.weight[i] * state.tn[i];
+  double force = 0, friction = 0;
+  for (size_t i = 0; i < state.tn.size(); ++i)
+    force += state.line.weight[i] * state.tn[i], friction += state.line.weight[i] * state.tt[i];
   const double length = touching_length(state, edges);
   if (length > 0) out.add(Measure::kMeanPressure, force / length);
+  if (std::any_of(state.tt.begin(), state.tt.end(), [](double tt) { return tt != 0; }))
+    out.add(Measure::kFrictionForce, friction);
 }
 
 double spacing_at(const ZoneLine& line, double s) {
@@ -114,6 +120,15 @@ void add_edges(const LineState& state, const std::vector<ContactEdge>& edges, Co
     }
 }
 
+// Where nothing has slipped there is none.
+void add_slip_range(const LineState& state, Collector& out) {
+  size_t most = 0;
+  double range = 0;
+  for (size_t i = 0; i < state.slip.size(); ++i)
+    if (state.status[i] != C2D_OPEN && std::fabs(state.slip[i]) > range) most = i, range = std::fabs(state.slip[i]);
+  if (range > 0) add_place(state.line, state.line.s[most], out.add(Measure::kSlipRange, range));
+}
+
 } // namespace
 
 std::vector<Quantity> quantities_of(const std::vector<ZoneLine>& lines, const double* table, int64_t stride,
@@ -129,6 +144,7 @@ std::vector<Quantity> quantities_of(const std::vector<ZoneLine>& lines, const do
       const std::vector<ContactEdge> edges = find_contact_edges(state);
       add_pressures(state, edges, zone);
       add_edges(state, edges, zone);
+      add_slip_range(state, zone);
     }
     if (z >= states.size()) continue;
     zone.add(Measure::kForceX, states[z].force[0]);
@@ -156,6 +172,8 @@ const char* name_of(Measure what) {
   case Measure::kDissipated: return "dissipated";
   case Measure::kEdgePressure: return "edge pressure";
   case Measure::kEdgeFriction: return "edge friction";
+  case Measure::kSlipRange: return "slip range";
+  case Measure::kFrictionForce: return "friction force";
   }
   return "";
 }

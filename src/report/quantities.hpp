@@ -22,12 +22,14 @@ enum class Measure {
   kForceY,
   kMoment, // on side 2, the moment about the origin
   kApproach,
-  kShift,        // c2d_zone_state
-  kDissipated,   // by the whole contact since zero load
-  kEdgePressure, // L of p = L sqrt(d) at a contact edge, d the distance inside; its item is that of the edge
-  kEdgeFriction, // K of tt = K / sqrt(d) where a stuck contact ends; its item is that of the edge
+  kShift,         // c2d_zone_state
+  kDissipated,    // by the whole contact since zero load
+  kEdgePressure,  // L of p = L sqrt(d) at a contact edge, d the distance inside; its item is that of the edge
+  kEdgeFriction,  // K of tt = K / sqrt(d) where a stuck contact ends; its item is that of the edge
+  kSlipRange,     // the largest slip, in size, of what touches, since the loads last turned; and where
+  kFrictionForce, // of tt along the surface, on side 2
 };
-constexpr int kMeasures = 12;
+constexpr int kMeasures = 14;
 
 struct Quantity {
   Measure what = Measure::kPeakPressure;
@@ -35,6 +37,7 @@ struct Quantity {
   int32_t item = 0; // of several of a zone, from 1 along side 2; 0: a zone has one
   double value = 0;
   double at[2] = {NAN, NAN};
+  double s = NAN;       // the length along side 2, from its first pair, of that place
   double spacing = NAN; // of an edge: how far apart the pairs are there; of a border, that and the mean of the zone
   double error = NAN;   // stated, absolute; NaN: none is
 };

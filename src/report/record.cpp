@@ -27,6 +27,15 @@ const char* RunRecord::outcome() const {
   return outcome_word(stopped == nullptr ? C2D_REACHED : stopped->outcome);
 }
 
+std::string fault_of_steps(const c2d_summary& model) {
+  const int64_t all = int64_t{model.steps} * model.coefficients;
+  if (all <= kMostSteps) return {};
+  return "the load cards make " + std::to_string(model.steps) +
+         (model.steps == INT32_MAX ? " increments or more" : " increments") + ", with " + std::to_string(model.coefficients) +
+         (model.coefficients == 1 ? " coefficient" : " coefficients") + " of friction; expected at most " +
+         std::to_string(kMostSteps) + " in all, each of which is kept and printed";
+}
+
 CoefficientRecord& keep_step(RunRecord& record, const c2d_step& step) {
   const size_t index = step.coefficient > 0 ? static_cast<size_t>(step.coefficient) - 1 : 0;
   if (record.coefficients.size() <= index) record.coefficients.resize(index + 1);
@@ -43,6 +52,10 @@ CoefficientRecord& keep_step(RunRecord& record, const c2d_step& step) {
     for (int32_t k = 0; k < C2D_PAIR_FIELDS; ++k)
       c.table[static_cast<size_t>(p) * C2D_PAIR_FIELDS + static_cast<size_t>(k)] = step.table[p * step.stride + k];
   return c;
+}
+
+bool is_repeated(const CoefficientRecord& c, size_t i) {
+  return c.outcome != C2D_REACHED && i + 2 == c.steps.size() && c.steps[i].loads == c.steps[i + 1].loads;
 }
 
 std::string load_reached(const CoefficientRecord& c) {

@@ -64,10 +64,17 @@ struct RunRecord {
   std::vector<CornerState> corners; // all of the last state where stress is singular
 };
 
+// A record is kept of every increment and coefficient of friction: so many at most.
+constexpr int64_t kMostSteps = 500000;
+// What is wrong with their number, before anything is solved; empty: nothing.
+std::string fault_of_steps(const c2d_summary& model);
+
 // Takes over what a step callback was shown. Returns the record of the step's coefficient.
 CoefficientRecord& keep_step(RunRecord& record, const c2d_step& step);
 // "load factor 1", or "load factors 1, 0.3": how far a coefficient came; of every load case.
 std::string load_reached(const CoefficientRecord& coefficient);
+// A path that ended in the state of its last row has that state twice: is it the first of the two?
+bool is_repeated(const CoefficientRecord& coefficient, size_t step);
 // The same step's energy, its stress intensities and, unless solver is null, its zones, its bodies and what sums up its
 // contact; inside the callback.
 void keep_history(CoefficientRecord& coefficient, const c2d_step& step, c2d_solver* solver, const std::vector<CrackTip>& tips,

@@ -15,12 +15,14 @@ void append_trace_header(std::string& out, int32_t load_cases);
 // then there is a row for each pair that changed, with the same number for those that changed at one event.
 class Trace {
 public:
-  void append(std::string& out, const c2d_step& step);
-
-private:
   struct State {
     int status, side; // side: of the friction on side 2, -1 or +1
   };
+  void append(std::string& out, const c2d_step& step);
+  // All that it holds, for an archive that takes it or gives it.
+  template <class Archive> void archive(Archive& a) { a(before_), a(coefficient_), a(event_); }
+
+private:
   std::vector<State> before_;
   int32_t coefficient_ = 0;
   int64_t event_ = 0;

@@ -23,7 +23,7 @@ struct Looked {
   }
   const Pair& pair(int32_t i) const { return session->model.pair[place(i)]; }
   bool has(int32_t i) const { return round || (i >= begin && i < end); }
-  bool closed(int32_t i) const { return has(i) && pair(i).status != C2D_OPEN; }
+  bool closed(int32_t i) const { return pair(i).status != C2D_OPEN; }
   double pressure(int32_t i) const { return pair_state(*session->follower.t, place(i), session->follower.y).p; }
   // Half-closed elements at the borders count.
   int32_t elements(int32_t pairs) const {
@@ -95,7 +95,7 @@ void look_at_corner(const Looked& at, Stretch contact, int32_t i, int step, Corn
 }
 
 // A symmetric half of a zone has the other half beyond the pair that cannot slip.
-bool is_on_axis(const Looked& at, int32_t i) { return at.has(i) && at.pair(i).tangential == 0; }
+bool is_on_axis(const Looked& at, int32_t i) { return at.pair(i).tangential == 0; }
 
 // Zones that slip up to a corner may be as small as they like, beside larger ones; alone, one or two pairs do not tell their
 // work.
@@ -195,7 +195,7 @@ void put_percent(Text& out, double part) { put(out, part < 0.995 ? 100.0 * part 
 void put_reach(Text& out, const Worst& w) {
   put(out, w.reach, 3);
   put_all(out, ", ");
-  put_percent(out, w.width > 0.0 ? w.reach / w.width : 1.0);
+  put_percent(out, w.reach / w.width);
   put_all(out, " % of the width");
 }
 

@@ -156,7 +156,6 @@ void prepare_smoothing(const Session& session, int b, int32_t element, const Fie
 void smooth_at_nodes(const Session& session, int b, int32_t element, const FieldElement& e, double x, double y,
                      ElementSmoothing& smoothing, PointField& sum) {
   const Element& shape = e.in.element;
-  if (e.in.degenerate) return;
   for (int end = 0; end < 2; ++end) {
     const int last = end == 0 ? 0 : shape.nodes - 1;
     const double dx = x - shape.x[last], dy = y - shape.y[last], square = dx * dx + dy * dy;

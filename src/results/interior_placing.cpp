@@ -39,14 +39,14 @@ bool may_be_nearest(const Integrator& in, const PointSearch& p) {
 }
 
 void add_winding(const Integrator& in, int32_t lines, const Points& points, PointSearch& p) {
-  for (int image = 0; image <= lines && p.place == kUnplaced; ++image)
+  for (int image = 0; image <= lines; ++image)
     if (is_image(lines, image)) p.windings += winding(in, points.seen(image, 0, p.x), points.seen(image, 1, p.y));
 }
 
 // How often the chord crosses the ray from P along x, upwards less downwards: over a closed boundary that is the winding
 // number as well. Curves near P may pass it on the other side than their chords.
 bool add_crossings(const Integrator& in, int32_t lines, const Points& points) {
-  if (kSmallCode || lines != 0 || in.degenerate) return false;
+  if (kSmallCode || lines != 0) return false;
   const Element& e = in.element;
   const int last = e.nodes - 1;
   const double x0 = e.x[0], y0 = e.y[0], x1 = e.x[last], y1 = e.y[last];

@@ -8,6 +8,7 @@ namespace c2d {
 
 void rigid_displacement_now(const Session& session, int b, double x, double y, double u[2]) {
   u[0] = u[1] = 0.0;
+  if (session.solver->blocked || session.solver->floating) return; // no motion is known
   for (int32_t k = 0; k < session.model.head->load_cases; ++k) {
     double part[2];
     rigid_displacement(session.model, b, k, x, y, part);

@@ -72,7 +72,7 @@ void evaluate(const Session& session, const EnergyBook& book, bool values) {
       book.r[k] += load_part[book.cases + i] * factor[i];
     }
   }
-  for (int32_t i = 0; i < session.model.head->pairs && book.m > 0; ++i) {
+  for (int32_t i = 0; i < session.model.head->pairs; ++i) {
     const Pair& pair = f.t->pair[i];
     const PairState now = values ? pair_state(*f.t, i, f.y) : pair_rates(*f.t, i, f.dy);
     const double force[2] = {now.p, now.q};
@@ -116,7 +116,7 @@ void add_segment(Session& session, double part) {
     book.work[k] +=
         unit * part * ((f.load[k] + half * f.direction[k]) * book.u[k] + (book.r0[k] + half * book.r[k]) * f.direction[k]);
   }
-  for (int32_t i = 0; i < session.model.head->pairs && book.m > 0; ++i) {
+  for (int32_t i = 0; i < session.model.head->pairs; ++i) {
     const Pair& pair = f.t->pair[i];
     if (!rubs(pair)) continue;
     const PairState now = pair_state(*f.t, i, f.y), rate = pair_rates(*f.t, i, f.dy);
@@ -129,7 +129,7 @@ static double elastic_energy(const Session& session, const EnergyBook& book) {
   const Follower& f = session.follower;
   double elastic = 0.0;
   for (int32_t k = 0; k < book.cases; ++k) elastic += f.load[k] * (book.u[k] + book.r[k]);
-  for (int32_t i = 0; i < session.model.head->pairs && book.m > 0; ++i) {
+  for (int32_t i = 0; i < session.model.head->pairs; ++i) {
     const Pair& pair = f.t->pair[i];
     const PairState now = pair_state(*f.t, i, f.y);
     elastic += pair.weight * (now.p * (now.wn - pair.gap / f.t->length_unit) + now.q * now.wt);

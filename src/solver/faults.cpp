@@ -26,6 +26,7 @@ void report_fault(c2d_solver* s, const c2d_error& entry) {
 }
 
 c2d_status fail_with(c2d_solver* s, c2d_error& e, c2d_status status, const char* text) {
+  if (status == C2D_ERR_CANCELLED) set_cancelled(s, 0); // what comes from now on is for the next call
   e.status = status;
   e.severity = C2D_FAULT;
   Text out = text_in(e.text);
@@ -61,10 +62,10 @@ bool is_store_error(c2d_status status) { return status >= C2D_ERR_STORE_OPEN && 
 bool asked_to_stop(c2d_solver* s) {
   if (s->port.cancel) {
     s->busy = 1;
-    if (s->port.cancel(s->port.context) != 0) s->cancelled = 1;
+    if (s->port.cancel(s->port.context) != 0) set_cancelled(s, 1);
     s->busy = 0;
   }
-  return s->cancelled != 0;
+  return is_cancelled(s);
 }
 
 double clock_now(c2d_solver* s) {

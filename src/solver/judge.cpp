@@ -362,7 +362,7 @@ bool has_drifted(const c2d_solver* s, const Findings& now) {
   return !(now.drift <= kDriftLimit) && !(now.drift <= 10.0 * s->fresh_drift);
 }
 
-bool is_judged(const c2d_solver* s) { return s->model.contact > 0 && s->floating == 0 && s->blocked == 0 && s->unsound == 0; }
+bool is_judged(const c2d_solver* s) { return s->floating == 0 && s->blocked == 0 && s->unsound == 0; }
 
 } // namespace
 
@@ -372,7 +372,7 @@ void begin_judging(Session& session) {
   s->breach = C2D_BREACH_NONE;
   s->breach_size = s->peak_force = s->peak_terms[0] = s->peak_terms[1] = s->fresh_drift = 0.0;
   s->built_exchanges = s->judged_exchanges = session.tableau.exchanges;
-  if (s->model.contact > 0) keep_good(session);
+  keep_good(session);
 }
 
 namespace {

@@ -1,6 +1,7 @@
 #include "solver/load_path.hpp"
 
 #include <math.h>
+#include <string.h>
 
 #include "bie/body_force.hpp"
 #include "bie/columns.hpp"
@@ -28,7 +29,7 @@ c2d_status tick(void* context) {
   Session& session = *static_cast<Session*>(context);
   c2d_solver* s = session.solver;
   tell_progress(s, C2D_PHASE_CONTACT, 0, session.follower.stats.events, 0);
-  return asked_to_stop(s) ? C2D_ERR_CANCELLED : C2D_OK;
+  return session.may_stop && asked_to_stop(s) ? C2D_ERR_CANCELLED : C2D_OK;
 }
 
 // A status changed: judge what that came to, after every so many exchanges, and show it to c2d_run's callback, if it asked for
@@ -70,9 +71,20 @@ c2d_status jumping(void* context, bool done) {
 
 PathWatch path_watch(Session& session) { return PathWatch{&session, tick, changed, moving, jumping}; }
 
+namespace {
+
+// What the caller had in this memory before is not to reach a tape with a state of the path (solver/save.cpp).
+void clear_path(Session& session) {
+  const char* end = reinterpret_cast<const char*>(session.area.motion + model_sizes(session.model).widest);
+  if (!kHostile) memset(session.area.buffer, 0, static_cast<size_t>(end - static_cast<const char*>(session.area.buffer)));
+}
+
+} // namespace
+
 c2d_status begin_path(Session& session) {
   c2d_solver* s = session.solver;
   const ModelHeader& head = s->model;
+  clear_path(session);
   for (int32_t k = 0; k < 4 * head.load_cases; ++k) array_of<double>(s, kLoads)[k] = 0.0;
   s->outcome = C2D_REACHED;
   s->last_pair = session.follower.last_pair = -1; // none yet
@@ -83,7 +95,10 @@ c2d_status begin_path(Session& session) {
   s->peak_pressure = 0.0;
   s->gap_scale = session.follower.gap_scale = 0.0;
   s->unsound = 0;
+  session.follower.solutions = 0;
+  session.follower.more_solutions = session.follower.range = false;
   s->pressure_scale = session.follower.pressure_scale = 0.0;
+  session.may_stop = false; // half of a state would be none
   if (s->blocked || head.contact == 0) return C2D_OK;
   note_free_body(session);
   c2d_status status = load_flexibility(session);

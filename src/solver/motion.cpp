@@ -217,7 +217,7 @@ void find_outcome_motion(Session& session, c2d_outcome outcome) {
   c2d_solver* s = session.solver;
   for (double& number : s->outcome_motion) number = 0.0;
   if (s->outcome_body == 0) s->outcome_body = body_pushed_most(session) + 1;
-  if (s->outcome_body < 1 || s->outcome_body > session.model.head->bodies) return;
+  if (s->outcome_body < 1) return;
   const Body& body = session.model.body[s->outcome_body - 1];
   const Motions motions{body, s->outcome_body - 1, body.free_motions};
   if (motions.count < 1) return;

@@ -1,5 +1,8 @@
 #include "solver/phases.hpp"
 
+#include <stddef.h>
+#include <string.h>
+
 #include "bie/columns.hpp"
 #include "contact2d_memory.h"
 #include "memory/hostile.hpp"
@@ -194,7 +197,7 @@ int64_t all_columns(const BodyPhase& body, const PhaseSizes& s) { return body.ou
 
 // The least memory: panels of the forced width, or of one column, written column by column.
 EliminationPlan narrow_plan(const PhaseSizes& s, int b, int32_t forced) {
-  const int64_t columns = all_columns(s.of(b), s), most = columns > 0 ? columns : 1;
+  const int64_t most = all_columns(s.of(b), s);
   const int64_t width = forced < 1 ? 1 : (forced < most ? forced : most);
   return plan_of(s, b, static_cast<int32_t>(width), 1);
 }
@@ -227,51 +230,64 @@ uint64_t phases_use(const PhaseSizes& s, const EliminationPlan* plan, bool flexi
       s, [&](int b) { return plan[b]; }, flexibility);
 }
 
-c2d_status choose_rule(const PhaseSizes& s, uint64_t bytes, int32_t forced, PlanRule& out) {
+void choose_rule(const PhaseSizes& s, uint64_t bytes, int32_t forced, PlanRule& out) {
   // Wide blocks also cost memory in back substitution, beside the tableau: give the panels less until all fits.
   // Where memory is not scarce, panels leave the kernels their scratch; panels of a given width are no wider for it.
   const uint64_t scratch = scratch_bytes(s);
   for (uint64_t share = bytes / 8 > scratch && forced < 1 ? bytes - scratch : bytes;; share -= share / 8 + 1) {
     out = PlanRule{share, forced};
     if (!is_possible(s, out)) break;
-    if (use_of(s, out, false) <= bytes) return C2D_OK;
-    if (share < kAlignment) break;
+    if (use_of(s, out, false) <= bytes) return;
   }
   out = PlanRule{0, forced};
-  return use_of(s, out, false) <= bytes ? c2d_status{C2D_OK} : c2d_status{C2D_ERR_MEMORY};
+  C2D_ASSERT(use_of(s, out, false) <= bytes);
 }
 
 namespace {
 
 // The hostile build: whole blocks go through two buffers where there is room for that, with transfers on their way.
-void double_buffers(const PhaseSizes& s, uint64_t bytes, EliminationPlan* plan) {
-  for (int b = 0; b < s.bodies && kHostile; ++b)
-    for (int32_t width = plan[b].block_columns; s.of(b).rows > 0 && plan[b].block_rows == 0 && width > 0; width /= 2) {
-      const EliminationPlan single = plan[b];
-      plan[b].block_rows = plan[b].rows;
-      plan[b].block_columns = width;
-      if (phases_use(s, plan, false) > bytes) plan[b] = single;
-    }
+template <bool hostile> void double_buffers(const PhaseSizes& s, uint64_t bytes, EliminationPlan* plan) {
+  if constexpr (hostile)
+    for (int b = 0; b < s.bodies; ++b)
+      for (int32_t width = plan[b].block_columns; s.of(b).rows > 0 && plan[b].block_rows == 0 && width > 0; width /= 2) {
+        const EliminationPlan single = plan[b];
+        plan[b].block_rows = plan[b].rows;
+        plan[b].block_columns = width;
+        if (phases_use(s, plan, false) > bytes) plan[b] = single;
+      }
+}
+
+// What stood on the stack where a plan has no member is not to reach a tape with it (solver/save.cpp).
+void clear_padding(EliminationPlan& plan) {
+  constexpr size_t kEnd = offsetof(EliminationPlan, block_columns) + sizeof plan.block_columns;
+  memset(reinterpret_cast<char*>(&plan) + kEnd, 0, offsetof(EliminationPlan, lower_first_block) - kEnd);
 }
 
 } // namespace
 
-c2d_status plan_phases(const Sizes& limits, const PhaseSizes& s, uint64_t bytes, EliminationPlan* out) {
+void plan_phases(const Sizes& limits, const PhaseSizes& s, uint64_t bytes, EliminationPlan* out) {
   const PhaseSizes most = phase_sizes(limits);
   PlanRule rule;
-  c2d_status status = choose_rule(most, bytes, limits.panel_columns, rule);
-  if (status != C2D_OK) return status;
+  choose_rule(most, bytes, limits.panel_columns, rule);
   for (int b = 0; b < s.bodies; ++b) {
     out[b] = plan_of(s, b, 1, 1);
     if (s.of(b).rows > 0) cut_alike(plan_by(rule, most, b), out[b]);
   }
   // (Strips of fewer rows are cut into wider blocks of UPPER, which round up otherwise.)
   if (phases_use(s, out, false) > bytes) {
-    status = choose_rule(s, bytes, limits.panel_columns, rule);
-    for (int b = 0; b < s.bodies && status == C2D_OK; ++b) out[b] = plan_by(rule, s, b);
+    choose_rule(s, bytes, limits.panel_columns, rule);
+    for (int b = 0; b < s.bodies; ++b) out[b] = plan_by(rule, s, b);
   }
-  if (status == C2D_OK) double_buffers(s, bytes, out);
-  return status;
+  double_buffers<kHostile>(s, bytes, out);
+  for (int b = 0; b < s.bodies; ++b) clear_padding(out[b]);
+}
+
+bool is_plan_of(const PhaseSizes& s, int b, const EliminationPlan& plan) {
+  const EliminationPlan least = plan_of(s, b, 1, 1);
+  const int32_t most = s.of(b).rows > 0 ? least.pivots + least.trailing : 1;
+  return plan.rows == least.rows && plan.pivots == least.pivots && plan.trailing == least.trailing && plan.panel_columns >= 1 &&
+         plan.panel_columns <= most && plan.block_columns >= 1 && plan.block_columns <= plan.panel_columns &&
+         plan.block_rows >= 0 && plan.block_rows <= plan.rows && (plan.keep_lower == 0 || plan.keep_lower == 1);
 }
 
 c2d_status phase_need(const Sizes& sizes, uint64_t* minimum, uint64_t* in_core) {
@@ -282,7 +298,7 @@ c2d_status phase_need(const Sizes& sizes, uint64_t* minimum, uint64_t* in_core) 
   if (!is_possible(s, all)) return C2D_ERR_OVERFLOW;
   *in_core = use_of(s, all, true);
   const uint64_t scratch = scratch_bytes(s);
-  if (*minimum == UINT64_MAX || *in_core > UINT64_MAX - scratch) return C2D_ERR_OVERFLOW;
+  if (*in_core > UINT64_MAX - scratch) return C2D_ERR_OVERFLOW;
   *in_core += round_up(scratch);
   return C2D_OK;
 }

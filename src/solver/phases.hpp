@@ -52,10 +52,13 @@ struct PlanRule {
   int32_t forced; // > 0: width of the panels
 };
 EliminationPlan plan_by(const PlanRule& rule, const PhaseSizes& s, int b);
-// Widest panels with which every phase fits into `bytes`; forced > 0 is their width. Errors: C2D_ERR_MEMORY.
-c2d_status choose_rule(const PhaseSizes& s, uint64_t bytes, int32_t forced, PlanRule& out);
+// Widest panels with which every phase fits into `bytes`, no less than the need; forced > 0 is their width.
+void choose_rule(const PhaseSizes& s, uint64_t bytes, int32_t forced, PlanRule& out);
 // Those of a model, cut as the largest model within the limits is: so its tapes are known from the limits.
-c2d_status plan_phases(const Sizes& limits, const PhaseSizes& s, uint64_t bytes, EliminationPlan* out);
+void plan_phases(const Sizes& limits, const PhaseSizes& s, uint64_t bytes, EliminationPlan* out);
+
+// Can this be how the body's elimination is cut?
+bool is_plan_of(const PhaseSizes& s, int b, const EliminationPlan& plan);
 
 // What back substitution takes beside the path, of whichever body needs more.
 struct BackNeed {

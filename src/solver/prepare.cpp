@@ -26,10 +26,14 @@ C2D_USES(EnergyPart);
 C2D_USES(NewLoadsPart);
 C2D_USES(WarningPart);
 
-namespace {
+void plan_bodies(c2d_solver* s, const Model& m) {
+  find_support(s, m);
+  plan_reduction(m);
+}
 
-c2d_status open_tapes(c2d_solver* s, const Model& m) {
-  uint64_t blocks[C2D_TAPES] = {}, data[C2D_TAPES] = {};
+TapeShapes shape_tapes(c2d_solver* s, const Model& m) {
+  TapeShapes out = {};
+  uint64_t *const blocks = out.blocks, *const data = out.data;
   for (int b = 0; b < m.head->bodies; ++b) {
     if (is_rigid(m, b)) continue;
     EliminationPlan& plan = plan_of(s, b);
@@ -43,9 +47,16 @@ c2d_status open_tapes(c2d_solver* s, const Model& m) {
   }
   blocks[C2D_TAPE_CONTACT] = static_cast<uint64_t>(place_contact_blocks(m));
   data[C2D_TAPE_CONTACT] = contact_block_numbers(model_sizes(m).widest) * sizeof(Real);
+  return out;
+}
+
+namespace {
+
+c2d_status open_tapes(c2d_solver* s, const Model& m) {
+  const TapeShapes shape = shape_tapes(s, m);
   for (int32_t tape = C2D_TAPE_LOWER; tape < C2D_TAPES; ++tape) {
-    if (blocks[tape] == 0) continue;
-    const c2d_status status = open_tape(s->tapes, tape, blocks[tape], data[tape]);
+    if (shape.blocks[tape] == 0) continue;
+    const c2d_status status = open_tape(s->tapes, tape, shape.blocks[tape], shape.data[tape]);
     if (status != C2D_OK) return status;
   }
   return C2D_OK;
@@ -367,13 +378,12 @@ c2d_status solve_bodies(c2d_solver* s, const Model& m, const PhaseSizes& sizes, 
   const PhaseSizes sizes = model_sizes(m);
   const uint64_t bytes = s->bytes - s->layout.persistent;
   EliminationPlan* const plans = &plan_of(s, 0);
-  c2d_status status = plan_phases(sizes_of(s), sizes, bytes, plans);
-  if (status != C2D_OK) return status;
+  plan_phases(sizes_of(s), sizes, bytes, plans);
   const bool flexibility = phases_use(sizes, plans, true) <= bytes;
   s->keeps_flexibility = flexibility;
   for (int b = 0; b < m.head->bodies; ++b) plans[b].keep_lower = s->options.keep_factors;
   s->peak_bytes = s->layout.persistent + phases_use(sizes, plans, flexibility);
-  status = begin_run(s->tapes, hash_model(m, s->options), array_of<char>(s, kPhase));
+  c2d_status status = begin_run(s->tapes, hash_model(m, s->options), array_of<char>(s, kPhase));
   if (status == C2D_OK) status = open_tapes(s, m);
   return status == C2D_OK ? solve_bodies(s, m, sizes, false) : status;
 }
@@ -424,17 +434,18 @@ c2d_status prepare_once(c2d_solver* s) {
   } else {
     s->smallest_pivot = 1e300;
     s->largest_pivot = s->pivot_growth = s->condition = 0.0;
-    find_support(s, m);
-    plan_reduction(m);
+    plan_bodies(s, m);
     weigh_pairs(m);
     status = close_all(s->tapes);
     if (status == C2D_OK && !s->blocked) status = run_phases(s, m);
     if (s->blocked) note_path_alone(s, m);
   }
   s->keeps_energy = kEnergyPart.linked;
+  const double start = clock_now(s);
   if (status == C2D_OK && !s->blocked && !loads_only) status = kWarningPart.find_condition(s);
   if (status == C2D_OK && !s->blocked) status = build_judge(s);
   if (status == C2D_OK && !s->blocked && s->keeps_energy) status = kEnergyPart.build_energy(s);
+  s->seconds[C2D_PHASE_REDUCE] += clock_now(s) - start;
   if (status == C2D_OK) {
     s->state = C2D_STATE_PREPARED;
     s->factors = s->options.keep_factors != 0 && !s->blocked;
@@ -442,7 +453,6 @@ c2d_status prepare_once(c2d_solver* s) {
     return C2D_OK;
   }
   if (is_store_error(status)) return fail_store(s, status);
-  s->cancelled = 0;
   const c2d_status closed = close_all(s->tapes);
   if (closed != C2D_OK) return fail_store(s, closed);
   if (status == C2D_ERR_SINGULAR)

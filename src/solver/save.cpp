@@ -3,9 +3,11 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "memory/characters.hpp"
 #include "memory/parts.hpp"
 #include "solver/energy.hpp"
 #include "solver/model_hash.hpp"
+#include "solver/prepare.hpp"
 #include "solver/save.hpp"
 #include "solver/session.hpp"
 
@@ -66,14 +68,15 @@ Slots slots_of(c2d_solver* s) {
 
 unsigned char* image_of(c2d_solver* s) { return reinterpret_cast<unsigned char*>(s) + kImageStart; }
 
-// The model, its path, and how it is followed.
-uint64_t hash_state(c2d_solver* s) {
+// The model, and for a state of the path that path and how it is followed: a factorisation alone serves any other.
+uint64_t hash_state(c2d_solver* s, bool running) {
   const Model m = model_of(s);
   uint64_t hash = hash_model(m, s->options);
   if (!kEnergyPart.linked) hash = ~hash; // of no use to a program with energies, and the other way round
+  hash = checksum(hash, &s->layout, sizeof s->layout);
+  if (!running) return hash;
   hash = checksum(hash, &s->options.stepping, sizeof s->options.stepping);
   hash = checksum(hash, &m.head->iteration_limit, sizeof m.head->iteration_limit);
-  hash = checksum(hash, &s->layout, sizeof s->layout);
   hash = checksum(hash, m.friction, static_cast<uint64_t>(s->sizes.coefficients * (1 + s->sizes.zones)) * sizeof(double));
   hash = checksum(hash, array_of<PointSet>(s, kPointSets), static_cast<uint64_t>(m.head->point_sets) * sizeof(PointSet));
   hash = checksum(hash, m.path, static_cast<uint64_t>(m.head->paths) * sizeof(Path));
@@ -117,8 +120,9 @@ void describe(c2d_solver* s, SaveRecord& out) {
   out.number = s->saves + 1;
   out.count = tapes.count;
   out.run_id = tapes.run_id;
-  out.model_hash = hash_state(s);
-  out.image_bytes = image_bytes(s, s->state == C2D_STATE_RUNNING);
+  const bool running = s->state == C2D_STATE_RUNNING;
+  out.model_hash = hash_state(s, running);
+  out.image_bytes = image_bytes(s, running);
   PathArea area;
   out.path_bytes = open_path_area(s, model_of(s), s->keeps_flexibility != 0, area);
   out.maker = solver_maker();
@@ -177,6 +181,144 @@ c2d_status save(c2d_solver* s) {
 
 // ---- restore ------------------------------------------------------------------------------------------------------
 
+// A piece of an image on its way to bytes first ... end - 1 of the solver's memory.
+struct Arrival {
+  unsigned char* solver;
+  const unsigned char* piece;
+  uint64_t first, end;
+  void take(uint64_t from, uint64_t to) const {
+    if (from < first) from = first;
+    if (to > end) to = end;
+    if (from < to) memcpy(solver + from, piece + (from - first), static_cast<size_t>(to - from));
+  }
+};
+
+// Takes up what preparation and path made, and texts: numbers, and what is_possible looks at. The model is there already, and
+// stays.
+void take_up(c2d_solver* s, const Arrival& arrived) {
+  const uint64_t* const at = s->layout.offset;
+  const auto upto = [&](uint64_t from, uint64_t to) { arrived.take(from, to); };
+  upto(offsetof(c2d_solver, model) + offsetof(ModelHeader, title), offsetof(c2d_solver, options));
+  upto(offsetof(c2d_solver, options), sizeof *s);
+  if (!s->blocked) upto(at[kPlans], at[kBodyResults]);
+  upto(at[kBodyResults], at[kArraysOfBodies]);
+  for (int32_t b = 0; b < s->model.bodies; ++b) {
+    const uint64_t work = at[kBodies] + static_cast<uint64_t>(array_of<Body>(s, kBodies)[b].array[kLoadWork]);
+    upto(work, work + 4 * sizeof(double) * static_cast<uint64_t>(s->model.load_cases));
+    const uint64_t name = at[kBodies] + static_cast<uint64_t>(b) * sizeof(Body) + offsetof(Body, name);
+    upto(name, name + sizeof Body::name);
+  }
+  for (int32_t i = 0; i < s->model.zones; ++i) {
+    const uint64_t name = at[kZones] + static_cast<uint64_t>(i) * sizeof(Zone) + offsetof(Zone, name);
+    upto(name, name + sizeof Zone::name);
+  }
+  const bool pairs = arrived.first < at[kPointLoads] && arrived.end > at[kPairs];
+  for (int32_t i = 0; i < s->model.pairs && pairs; ++i) {
+    const uint64_t pair = at[kPairs] + static_cast<uint64_t>(i) * sizeof(Pair);
+    upto(pair + offsetof(Pair, status), pair + sizeof(Pair));
+  }
+  upto(at[kPairTable], at[kPathLoads]);
+  upto(at[kEnergy], at[kPointSets]);
+  upto(at[kJudge], at[kCurves]);
+  upto(at[kPhase], s->bytes);
+}
+
+struct Span {
+  int64_t value, first, last;
+};
+template <int count> bool all_within(const Span (&spans)[count]) {
+  for (const Span& span : spans)
+    if (span.value < span.first || span.value > span.last) return false;
+  return true;
+}
+
+bool is_status(int8_t status, int8_t sign) { return all_within({{status, C2D_OPEN, C2D_SLIP}, {sign, -1, 1}}); }
+
+bool are_possible_pairs(const Model& m, int32_t guided) {
+  for (int32_t i = 0; i < m.head->pairs; ++i) {
+    const Pair& pair = m.pair[i];
+    if (!is_status(pair.status, pair.sign) || !is_status(pair.saved_status, pair.saved_sign) ||
+        !is_status(pair.good_status, pair.good_sign))
+      return false;
+  }
+  return guided == 0 || m.pair[guided - 1].tangential != 0;
+}
+
+template <int32_t size> bool ends(const char (&text)[size]) { return place_of('\0', text, size) < size; }
+
+bool are_possible_texts(const Model& m) {
+  bool all = ends(m.head->title) && ends(m.head->unit_length) && ends(m.head->unit_force);
+  for (int b = 0; b < m.head->bodies && all; ++b) all = ends(m.body[b].name) && !fault_of_name(m.body[b].name);
+  for (int32_t i = 0; i < m.head->zones && all; ++i) all = ends(m.zone[i].name) && !fault_of_name(m.zone[i].name);
+  return all;
+}
+
+// Sums can be made to be right. Could what was taken up have been left by a path? Every number that leads to a place in memory
+// or chooses a way is looked at; the others may be any. `blocked` is what the model says.
+bool is_possible(c2d_solver* s, const Model& m, int32_t blocked) {
+  constexpr int64_t kMany = int64_t{1} << 60, kSome = 1 << 30; // counts, with room to go on
+  const ModelHeader& head = s->model;
+  const PathStats& stats = s->stats;
+  const bool within = all_within({{s->blocked, blocked, blocked},
+                                  {s->keeps_flexibility, 0, 1},
+                                  {s->keeps_energy, 0, 1},
+                                  {s->options.keep_factors, 0, 1},
+                                  {s->factors, 0, s->options.keep_factors},
+                                  {s->loads_changed, 0, 0},
+                                  {s->warnings, 0, kSome},
+                                  {s->floating, 0, 1},
+                                  {s->good_floating, 0, 1},
+                                  {s->outcome, C2D_REACHED, C2D_BEYOND_LIMITS},
+                                  {s->outcome_body, 0, head.bodies},
+                                  {s->last_pair, -1, head.pairs > 0 ? head.pairs - 1 : 0},
+                                  {s->may_rest, 0, 1},
+                                  {s->resting, 0, kSome},
+                                  {s->delayed, 0, delayed_exchanges(head.contact)},
+                                  {s->guided, 0, head.path_pairs},
+                                  {s->good_guided, 0, head.path_pairs},
+                                  {s->table_is_current, 0, 1},
+                                  {s->idle, 0, 1},
+                                  {s->goes_on, 0, 1},
+                                  {s->coefficient, 0, kSome},
+                                  {s->run_step, 0, kSome},
+                                  {s->run_outcome, C2D_REACHED, C2D_BEYOND_LIMITS},
+                                  {s->unsound, 0, 1},
+                                  {s->careful, 0, 0},
+                                  {s->breach, C2D_BREACH_NONE, C2D_BREACHES - 1},
+                                  {s->turns, 0, kMany},
+                                  {s->exchanges, 0, kMany},
+                                  {s->judged_exchanges, 0, kMany},
+                                  {s->built_exchanges, 0, kMany},
+                                  {s->rebuilds, 0, kMany},
+                                  {stats.events, 0, kMany},
+                                  {stats.changes, 0, kMany},
+                                  {stats.iterations, 0, kSome},
+                                  {stats.unconverged, 0, kSome}});
+  if (!within || (s->run_step > 0 && s->coefficient == 0) || !are_possible_texts(m) ||
+      (s->keeps_energy != 0) != kEnergyPart.linked || !are_possible_pairs(m, s->guided) ||
+      (s->good_guided > 0 && m.pair[s->good_guided - 1].tangential == 0))
+    return false;
+  const PhaseSizes sizes = model_sizes(m);
+  for (int b = 0; b < head.bodies && !blocked; ++b)
+    if (!is_plan_of(sizes, b, plan_of(s, b)) || plan_of(s, b).keep_lower > s->options.keep_factors) return false;
+  PathArea area;
+  return open_path_area(s, m, s->keeps_flexibility != 0, area) <= s->bytes - s->layout.persistent;
+}
+
+// Are these the tapes that the state was made with?
+bool are_its_tapes(c2d_solver* s, const Model& m, const SaveRecord& record) {
+  TapeShapes shape = {};
+  if (!s->blocked) shape = shape_tapes(s, m);
+  for (int32_t tape = C2D_TAPE_LOWER; tape < C2D_TAPES; ++tape) {
+    const bool is_open = record.is_open[tape] != 0;
+    if (is_open != (shape.blocks[tape] > 0)) return false;
+    if (is_open &&
+        (record.blocks[tape] != shape.blocks[tape] || record.block_bytes[tape] != shape.data[tape] + kBlockHeaderBytes))
+      return false;
+  }
+  return true;
+}
+
 // Is the state of this record whole, piece by piece? With `load` it is put in its place.
 c2d_status read_image(c2d_solver* s, const Slots& slots, const SaveRecord& record, Piece& piece, bool load) {
   Tapes& tapes = s->tapes;
@@ -186,13 +328,14 @@ c2d_status read_image(c2d_solver* s, const Slots& slots, const SaveRecord& recor
   tapes.generation[C2D_TAPE_CONTROL] = static_cast<uint32_t>(record.number);
   c2d_status status = C2D_OK;
   uint64_t sum = 0;
-  for (uint64_t i = 0; i * kPieceBytes < record.image_bytes && status == C2D_OK; ++i) {
+  for (uint64_t i = 0; i * kPieceBytes < record.image_bytes; ++i) {
     const uint64_t bytes = length_of(record.image_bytes, i);
     status = read_block(tapes, C2D_TAPE_CONTROL, slots.piece(record.number, i), piece.bytes, bytes);
     if (status != C2D_OK) break;
     sum = checksum(sum, piece.data(), bytes);
     tell_progress(s, C2D_PHASE_READ, 0, static_cast<int64_t>(i + 1), 0);
-    if (load) memcpy(image_of(s) + i * kPieceBytes, piece.data(), static_cast<size_t>(bytes));
+    const uint64_t first = kImageStart + i * kPieceBytes;
+    if (load) take_up(s, Arrival{reinterpret_cast<unsigned char*>(s), piece.data(), first, first + bytes});
   }
   tapes.run_id = run_id;
   tapes.generation[C2D_TAPE_CONTROL] = generation;
@@ -200,11 +343,11 @@ c2d_status read_image(c2d_solver* s, const Slots& slots, const SaveRecord& recor
 }
 
 // May this state become that of the solver?
-c2d_status compare(c2d_solver* s, const SaveRecord& record, uint64_t count, uint64_t hash) {
-  if (record.maker != solver_maker() || record.model_hash != hash) return C2D_ERR_MISMATCH;
+c2d_status compare(c2d_solver* s, const SaveRecord& record, uint64_t count) {
+  const bool running = record.state == C2D_STATE_RUNNING;
+  if (record.maker != solver_maker() || record.model_hash != hash_state(s, running)) return C2D_ERR_MISMATCH;
   if (record.count != count) return C2D_ERR_STORE_STALE;
   // Sums can be made to be right: what is read goes into the workspace.
-  const bool running = record.state == C2D_STATE_RUNNING;
   if ((!running && record.state != C2D_STATE_PREPARED) || record.image_bytes != image_bytes(s, running))
     return C2D_ERR_MISMATCH;
   return record.path_bytes > s->bytes - s->layout.persistent ? C2D_ERR_MEMORY : C2D_OK;
@@ -226,7 +369,6 @@ int weight(c2d_status status) {
 // workspace that would do, with C2D_ERR_MEMORY.
 c2d_status find_state(c2d_solver* s, const Slots& slots, Piece& piece, SaveRecord& best, uint64_t* needed) {
   Tapes& tapes = s->tapes;
-  const uint64_t hash = hash_state(s);
   uint64_t count = 0;
   best.number = 0;
   c2d_status reason = read_count(tapes, &count, piece.bytes);
@@ -238,7 +380,7 @@ c2d_status find_state(c2d_solver* s, const Slots& slots, Piece& piece, SaveRecor
     SaveRecord found;
     if (status == C2D_OK) {
       memcpy(&found, piece.data(), sizeof found);
-      status = compare(s, found, count, hash);
+      status = compare(s, found, count);
     }
     if (status == C2D_OK && found.number % 2 != slot) status = C2D_ERR_STORE_SWAPPED;
     if (status == C2D_OK && found.number < best.number) continue;
@@ -252,6 +394,16 @@ c2d_status find_state(c2d_solver* s, const Slots& slots, Piece& piece, SaveRecor
   return best.number > 0 ? c2d_status{C2D_OK} : reason;
 }
 
+// What was half taken up, or from a stranger, is looked at no more: c2d_restore begins with plans, the summary tells texts.
+void forget(c2d_solver* s, const Model& m) {
+  ModelHeader& head = s->model;
+  memset(&plan_of(s, 0), 0, static_cast<size_t>(head.bodies) * sizeof(EliminationPlan));
+  head.title[0] = head.unit_length[0] = head.unit_force[0] = '\0';
+  for (int b = 0; b < head.bodies; ++b) m.body[b].name[0] = '\0';
+  for (int32_t i = 0; i < head.zones; ++i) m.zone[i].name[0] = '\0';
+  s->outcome_body = 0;
+}
+
 // The tapes that belong to the state are opened, and it takes the place of what the solver holds.
 c2d_status load_state(c2d_solver* s, const Slots& slots, Piece& piece, const SaveRecord& record) {
   Tapes& tapes = s->tapes;
@@ -259,10 +411,24 @@ c2d_status load_state(c2d_solver* s, const Slots& slots, Piece& piece, const Sav
     const c2d_status status = tapes.is_open[tape] ? close_tape(tapes, tape) : c2d_status{C2D_OK};
     if (status != C2D_OK && s->state != C2D_STATE_BROKEN) return status;
   }
-  const int32_t every_change = s->options.every_change;
+  const Model m = model_of(s);
+  const c2d_options options = s->options;
+  plan_bodies(s, m);
+  const int32_t blocked = s->blocked;
   c2d_status status = read_image(s, slots, record, piece, true);
-  if (status != C2D_OK) return status;
-  s->options.every_change = every_change;
+  if (status == C2D_OK && (!is_possible(s, m, blocked) || !are_its_tapes(s, m, record))) {
+    tapes.error.status = C2D_OK; // the tape has nothing to say of blocks that are whole
+    status = C2D_ERR_STORE_FORMAT;
+  }
+  const int32_t keep_factors = s->options.keep_factors;
+  s->options = options;
+  if (status != C2D_OK) {
+    forget(s, m);
+    return status;
+  }
+  s->options.keep_factors = keep_factors;
+  // New loads go through the factors where the memory is no less than it was.
+  if (s->factors && phases_use(model_sizes(m), &plan_of(s, 0), false) > s->bytes - s->layout.persistent) s->factors = 0;
   tapes.run_id = record.run_id;
   tapes.count = record.count;
   s->saves = record.number;
@@ -281,7 +447,12 @@ c2d_status load_state(c2d_solver* s, const Slots& slots, Piece& piece, const Sav
   if (s->state != C2D_STATE_RUNNING || s->blocked) return C2D_OK;
   Session session;
   open_session(s, session);
-  return load_flexibility(session);
+  uint64_t* const reads = &tapes.reads[C2D_TAPE_CONTACT];
+  uint64_t* const bytes_read = &tapes.bytes_read[C2D_TAPE_CONTACT];
+  const uint64_t counted[2] = {*reads, *bytes_read}; // when the path began
+  status = load_flexibility(session);
+  *reads = counted[0], *bytes_read = counted[1];
+  return status;
 }
 
 // Nothing can be taken up, and the solver is as before.

@@ -54,6 +54,14 @@ uint64_t open_path_area(c2d_solver* s, const Model& m, bool flexibility, PathAre
 
 namespace {
 
+// Products of the tableau are packed where the matrix of the rate problem stands, and else results: of no use while pairs
+// change.
+Engine engine_of_path(c2d_solver* s, const Session& session) {
+  if (kSmallCode) return kPlainEngine;
+  const int64_t n = s->model.path_unknowns + 1;
+  return {kernel_for(s->instructions), session.area.rates, n * n, nullptr, workers_of(&s->port)};
+}
+
 void open_tableau(c2d_solver* s, Session& session, const double* loads) {
   const ModelHeader& head = s->model;
   Tableau& t = session.tableau;
@@ -66,7 +74,7 @@ void open_tableau(c2d_solver* s, Session& session, const double* loads) {
               head.length_unit,
               s->stiffness,
               s->exchanges,
-              kernel_for(s->instructions),
+              engine_of_path(s, session),
               0,
               nullptr,
               nullptr,
@@ -75,6 +83,7 @@ void open_tableau(c2d_solver* s, Session& session, const double* loads) {
   t.direction = loads + 2 * head.load_cases;
   t.may_rest = s->may_rest;
   t.resting = s->resting;
+  place_list(t, session.area.delayed, s->delayed);
   t.model = &session.model;
   t.body = &session.free_body;
 }
@@ -101,6 +110,8 @@ void open_follower(c2d_solver* s, Session& session, double* loads) {
   f.watch = path_watch(session);
   f.stats = s->stats;
   f.last_pair = s->last_pair;
+  f.idle = s->idle != 0;
+  f.goes_on = s->goes_on != 0;
 }
 
 } // namespace
@@ -130,6 +141,9 @@ void close_session(Session& session) {
   s->guided = session.tableau.guided;
   s->may_rest = session.tableau.may_rest;
   s->resting = session.tableau.resting;
+  s->delayed = session.tableau.delayed.count;
+  s->idle = session.follower.idle;
+  s->goes_on = session.follower.goes_on;
 }
 
 namespace {

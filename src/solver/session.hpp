@@ -15,6 +15,7 @@ struct Session {
   Tableau tableau;
   Follower follower;
   FreeBody free_body;
+  bool may_stop; // loads move: a cancel leaves them where they are. What finds statuses at one load is not cut off
   // Of c2d_run: its callback, and what shows it a change of status, if it wants every one.
   c2d_step_fn step;
   void* step_context;

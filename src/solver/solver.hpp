@@ -16,7 +16,7 @@ struct c2d_solver {
   uint64_t bytes;                 // of workspace from this address on, whatever the alignment
   int32_t state;                  // C2D_STATE_...
   int32_t busy;                   // inside one of the caller's functions
-  volatile int32_t cancelled;     // set by c2d_cancel, possibly from another thread
+  int32_t cancelled;              // by c2d_cancel; set_cancelled and is_cancelled alone touch it
   int16_t has_fault;              // `error` holds the first fault of the call that is running
   c2d::Instructions instructions; // of this processor: asking it takes as long as a small step of the path
   c2d::Sizes sizes;
@@ -41,9 +41,9 @@ struct c2d_solver {
   // written by c2d_begin, c2d_advance
   int32_t floating; // nothing touches yet
   int32_t outcome, outcome_body, last_pair;
-  int32_t may_rest, resting;   // of the tableau
-  int32_t guided, good_guided; // pair of the tableau, now and in the last good state
-  int32_t back_substituted;    // results outside the contact are those of the load reached
+  int32_t may_rest, resting, delayed; // of the tableau
+  int32_t guided, good_guided;        // pair of the tableau, now and in the last good state
+  int32_t back_substituted;           // results outside the contact are those of the load reached
   int32_t table_is_current;
   int32_t coefficient;
   int32_t warned;           // bits: which warnings were given since c2d_begin
@@ -63,6 +63,9 @@ struct c2d_solver {
                                                                                    // work, elastic, dissipated
   double outcome_motion[3];                                                        // of outcome_body, as Body::free_motion
   double force_applied, force_contact, force_error, tension_ratio;
+  int32_t idle, goes_on;   // of the follower
+  int32_t run_step;        // within c2d_run's callback, and where c2d_restore brings that back: the step it shows; else 0
+  c2d_outcome run_outcome; // of the coefficients before: the first that is not C2D_REACHED
 };
 
 namespace c2d {
@@ -90,6 +93,10 @@ bool is_store_error(c2d_status status);
 const char* status_text(int32_t status); // words for any number (solver/messages.cpp)
 const char* outcome_text(int32_t outcome);
 bool asked_to_stop(c2d_solver* solver);
+// c2d_solver::cancelled is set from other threads and by signals, and cleared by the call that tells it, by no other. A load
+// and a store of a word are whole on every processor; nothing more is needed, and the smallest have no more.
+inline void set_cancelled(c2d_solver* s, int32_t cancelled) { __atomic_store_n(&s->cancelled, cancelled, __ATOMIC_RELEASE); }
+inline bool is_cancelled(const c2d_solver* s) { return __atomic_load_n(&s->cancelled, __ATOMIC_ACQUIRE) != 0; }
 double clock_now(c2d_solver* solver);
 void tell_progress(c2d_solver* solver, int32_t phase, int32_t body, int64_t done, int64_t total);
 

@@ -113,7 +113,8 @@ void batched(Polygon& p, const c2d::BatchKernel& kernel) {
       }
     c2d::BatchRun run = {c2d::batch_element(p.integrator[e]), &deposits, &blocks, true, true, {1, 1}, nullptr};
     c2d::BatchColumns columns;
-    if (c2d::aim_columns(run, columns)) run.direct = &columns;
+    c2d::aim_columns(run, columns);
+    run.direct = &columns;
     kernel.integrate_and_scatter(run, p.xy.data(), 0, static_cast<int32_t>(p.n), room);
   }
 }

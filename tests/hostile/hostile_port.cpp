@@ -7,6 +7,7 @@
 #include "solver/model_hash.hpp"
 #include "solver/phases.hpp"
 #include "solver/port.hpp"
+#include "solver/solver.hpp"
 #include "store/block.hpp"
 
 namespace c2d {
@@ -227,9 +228,10 @@ void make_memory_hostile(Sizes& sizes, Layout& layout, size_t& bytes) {
 }
 
 void rehearse(c2d_solver* s, c2d_status (*prepare)(c2d_solver* s)) {
+  if (is_cancelled(s)) return; // for the call itself; one that comes later is left there, or given back
   const c2d_port port = s->port;
   const c2d_error error = s->error;
-  const int32_t warnings = s->warnings, cancelled = s->cancelled;
+  const int32_t warnings = s->warnings;
   HostilePort& h = port_of(s);
   const uint64_t chance = hash_model(model_of(s), s->options);
   h.failing = true;
@@ -238,7 +240,6 @@ void rehearse(c2d_solver* s, c2d_status (*prepare)(c2d_solver* s)) {
   s->port.cancel = nullptr;
   s->port.log = nullptr;
   s->port.clock = nullptr;
-  s->cancelled = 0;
   const c2d_status status = prepare(s);
   C2D_ASSERT(status == C2D_OK || is_store_error(status) || status == C2D_ERR_SINGULAR || status == C2D_ERR_MEMORY ||
              status == C2D_ERR_CANCELLED);
@@ -249,7 +250,7 @@ void rehearse(c2d_solver* s, c2d_status (*prepare)(c2d_solver* s)) {
   s->error = error;
   s->has_fault = 0;
   s->warnings = warnings;
-  s->cancelled = cancelled != 0 || s->cancelled != 0 || status == C2D_ERR_CANCELLED; // meant for both
+  if (status == C2D_ERR_CANCELLED) set_cancelled(s, 1);
   s->factors = 0;
   s->state = C2D_STATE_MODEL;
 }

@@ -101,10 +101,13 @@ size_t Builder::root(size_t face) {
 void Builder::join_faces() {
   for (size_t f = 0; f < mesh_.faces.size(); ++f) {
     parent_.push_back(f);
-    for (const Side& side : sides_of(mesh_, mesh_.faces[f])) {
+    const Element& face = mesh_.faces[f];
+    if (std::set<int64_t>(face.nodes.begin(), face.nodes.end()).size() != face.nodes.size())
+      throw Fault{face.line, "an element of a surface names a node twice"};
+    for (const Side& side : sides_of(mesh_, face)) {
       std::vector<size_t>& list = faces_at_[side.key()];
       for (const size_t other : list)
-        if (mesh_.faces[other].group == mesh_.faces[f].group) parent_[root(f)] = root(other);
+        if (mesh_.faces[other].group == face.group) parent_[root(f)] = root(other);
       list.push_back(f);
     }
   }
@@ -167,6 +170,7 @@ Loop Builder::loop_of(std::vector<Side> sides) const {
       first = last;
     }
   }
+  if (loop.curves.empty()) throw Fault{0, "a surface has no extent at " + told(mesh_.at(sides.front().nodes.front()))};
   std::vector<Point> polygon;
   for (const Side& side : sides)
     for (size_t i = 0; i + 1 < side.nodes.size(); ++i) polygon.push_back(mesh_.at(side.nodes[i]));

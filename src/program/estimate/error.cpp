@@ -46,6 +46,7 @@ double scale_of(const State& state, const app::Quantity& q) {
     if (other.what == Measure::kContactEdge) ++edges;
   }
   switch (q.what) {
+  case Measure::kFrictionForce:
   case Measure::kForceX:
   case Measure::kForceY: return forces;
   case Measure::kMoment: return std::max(std::fabs(q.value), mean > 0 ? forces * forces / mean : 0.0);
@@ -65,6 +66,7 @@ double doubt(app::Measure what) {
   case Measure::kPeakPressure: return 0.5;
   case Measure::kContactEdge: return 0.25;
   case Measure::kStickBorder: return 0.5;
+  case Measure::kSlipRange:
   case Measure::kDissipated: return 2;
   case Measure::kEdgePressure:
   case Measure::kEdgeFriction: return 3;

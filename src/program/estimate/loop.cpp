@@ -36,8 +36,9 @@ struct Level {
 
 class Loop {
 public:
-  Loop(const sketch::Sketch& sketch, const Demand& demand, const std::function<void(const app::MeshRound&)>& told)
-      : s_(sketch), demand_(demand), told_(told) {}
+  Loop(const sketch::Sketch& sketch, const Demand& demand, const std::function<void(const app::MeshRound&)>& told,
+       TrialKeeper* keeper)
+      : s_(sketch), demand_(demand), told_(told), keeper_(keeper) {}
   Adapted run();
 
 private:
@@ -60,6 +61,7 @@ private:
   const sketch::Sketch& s_;
   const Demand& demand_;
   const std::function<void(const app::MeshRound&)>& told_;
+  TrialKeeper* keeper_;
   Adapted out_;
   struct Watched {
     double error = HUGE_VAL;
@@ -139,7 +141,9 @@ bool Loop::is_within_limits(const sketch::Mesh& mesh) {
 bool Loop::solve_level(Level& level, bool adapted) {
   level.deck = sketch::deck_of(s_, level.mesh);
   std::string why;
-  const c2d_status status = solve(level.deck, demand_, level.trial, why);
+  const bool known = keeper_ != nullptr && keeper_->recall(level.deck, level.trial);
+  const c2d_status status = known ? c2d_status{C2D_OK} : solve(level.deck, demand_, level.trial, why);
+  if (status == C2D_OK && !known && keeper_ != nullptr && !keeper_->keep(level.deck, level.trial)) return false;
   seconds_ += level.trial.seconds;
   if (status != C2D_OK) {
     if (out_.deck.empty()) out_.status = status, out_.why = why, out_.deck = level.deck;
@@ -325,8 +329,9 @@ Adapted Loop::run() {
 
 } // namespace
 
-Adapted adapt(const sketch::Sketch& sketch, const Demand& demand, const std::function<void(const app::MeshRound&)>& told) {
-  return Loop(sketch, demand, told).run();
+Adapted adapt(const sketch::Sketch& sketch, const Demand& demand, const std::function<void(const app::MeshRound&)>& told,
+              TrialKeeper* keeper) {
+  return Loop(sketch, demand, told, keeper).run();
 }
 
 app::MeshLoop estimate_deck(c2d_solver* solver, const std::string& deck, const Demand& demand) {

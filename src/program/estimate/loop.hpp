@@ -2,6 +2,7 @@
 #pragma once
 
 #include "program/estimate/trial.hpp"
+#include "program/estimate/trial_keeper.hpp"
 #include "program/sketch/mesh.hpp"
 #include "report/stated.hpp"
 
@@ -17,8 +18,10 @@ struct Adapted {
   std::string why;
 };
 
-// Follows the whole history on each mesh (METHOD 16.5). `told` hears of every mesh that was solved. Throws sketch::Fault.
-Adapted adapt(const sketch::Sketch& sketch, const Demand& demand, const std::function<void(const app::MeshRound&)>& told);
+// Follows the whole history on each mesh (METHOD 16.5). `told` hears of every mesh that was solved. Meshes that `keeper` has
+// are not solved again; null: none is kept. Throws sketch::Fault.
+Adapted adapt(const sketch::Sketch& sketch, const Demand& demand, const std::function<void(const app::MeshRound&)>& told,
+              TrialKeeper* keeper = nullptr);
 
 // The model of a deck, which a solver holds, beside the one with every element in two: errors of the deck's own numbers.
 // `loop.stopped` says why there are none.

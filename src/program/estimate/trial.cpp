@@ -115,6 +115,7 @@ c2d_status History::measure(int32_t body) {
   const c2d_body_result& b = summary_.body[body - 1];
   const int32_t steps = b.element_nodes - 1, closed = b.regions - b.open_regions;
   const int32_t count = b.elements * steps + b.open_regions;
+  if (count == 0) return C2D_OK; // a platen has no nodes
   std::vector<double> xy(2 * static_cast<size_t>(count));
   c2d_status status = c2d_get(solver_, C2D_NODE_X, body, 1, count, xy.data(), 2);
   if (status == C2D_OK) status = c2d_get(solver_, C2D_NODE_Y, body, 1, count, xy.data() + 1, 2);
@@ -138,6 +139,7 @@ c2d_status History::measure(int32_t body) {
 
 c2d_status History::describe() {
   c2d_status status = app::get_summary(solver_, summary_);
+  if (status != C2D_OK) return status;
   out_.nodes = summary_.function_nodes;
   out_.pairs = summary_.pairs;
   out_.lengths.resize(static_cast<size_t>(summary_.bodies));
@@ -196,6 +198,7 @@ c2d_status History::note(bool turn) {
   state.loads = loads_;
   app::Summary now;
   c2d_status status = app::get_summary(solver_, now);
+  if (status != C2D_OK) return status;
   state.work = now.work, state.dissipated = now.dissipated, state.elastic = now.elastic;
   const int32_t fields[kFields] = {C2D_END_UX, C2D_END_UY, C2D_END_TX, C2D_END_TY, C2D_END_HOOP, C2D_END_STATUS};
   state.ends.resize(static_cast<size_t>(summary_.bodies));

@@ -11,7 +11,10 @@
 namespace sketch {
 namespace {
 
-std::string number(double value) { return deck_number(value); }
+std::string number(double value) {
+  if (std::fabs(value) < kMostInDeck) return deck_number(value);
+  throw Fault{{}, "the deck would have the number" + deck_number(value) + ", expected less than 1e100 in size"};
+}
 
 using Values = std::array<double, 4>; // tx ty ux uy
 

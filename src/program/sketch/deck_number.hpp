@@ -5,6 +5,8 @@
 
 namespace sketch {
 
+constexpr double kMostInDeck = 1e100; // cards hold numbers of less than this in size
+
 // A blank and the number: as few digits as read as the same double, with a point in every locale.
 std::string deck_number(double value);
 

@@ -123,6 +123,8 @@ void Reader::title(Statement& s) {
   once(s, "a title");
   if (!s.has_more()) return;
   s_.title = s.rest();
+  std::replace(s_.title.begin(), s_.title.end(), '\t', ' ');
+  if (!is_ascii(s_.title)) s.fail("the title has a character that a deck cannot hold, expected plain ASCII text");
   if (s_.title.size() > kLongestTitle)
     s.fail("the title has " + std::to_string(s_.title.size()) + " bytes, expected at most " + std::to_string(kLongestTitle));
 }
@@ -132,6 +134,8 @@ void Reader::units(Statement& s) {
   for (std::string& unit : s_.units) {
     unit = s.take("the names of the units of length and force").text;
     if (unit.size() > 15) s.fail(quoted(unit) + ": expected at most 15 characters");
+    if (unit.empty() || !is_ascii(unit) || unit.find_first_of(" ,!") != std::string::npos)
+      s.fail("the name of a unit is not one word of plain ASCII text, expected such as mm, N or lbf");
   }
 }
 

@@ -77,6 +77,9 @@ void Reader::interface(Statement& s, bool tied) {
       if (out.name.size() > kLongestName)
         s.fail(quoted(out.name) + ": expected at most " + std::to_string(kLongestName) + " bytes");
       if (out.name.find('!') != std::string::npos) s.fail(quoted(out.name) + ": expected a name without '!'");
+      if (!is_one_line(out.name)) s.fail("the name of the interface is not text in UTF-8, or has control characters");
+      if (out.name.empty() || out.name[0] == ' ' || out.name[0] == ',')
+        s.fail(quoted(out.name) + ": expected a name that begins with neither a blank nor a comma");
     } else if (s.accept("inf")) {
       out.friction = HUGE_VAL;
     } else {

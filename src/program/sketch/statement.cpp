@@ -1,7 +1,10 @@
 #include "program/sketch/statement.hpp"
 
+#include "program/sketch/deck_number.hpp"
+
 #include <cctype>
 #include <cmath>
+#include <limits>
 
 namespace sketch {
 
@@ -66,7 +69,8 @@ Expression Statement::arithmetic(const std::string& what, const Expression::Vari
 double Statement::finite(const Expression& expression, const std::string& what) const {
   const double value = expression.value();
   if (!std::isfinite(value)) fail(quoted(words_[next_ - 1].text) + " is not a finite number, expected " + what);
-  return value;
+  if (std::fabs(value) >= kMostInDeck) fail(quoted(words_[next_ - 1].text) + " is not less than 1e100 in size: " + what);
+  return std::fabs(value) < std::numeric_limits<double>::min() ? 0.0 : value; // as cards are read
 }
 
 double Statement::positive(const std::string& what) {

@@ -1,5 +1,7 @@
 #include "program/sketch/words.hpp"
 
+#include "report/text.hpp"
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -97,5 +99,18 @@ std::string nearest(const std::string& word, const std::vector<std::string>& wor
 }
 
 std::string quoted(const std::string& text) { return "'" + text + "'"; }
+
+bool is_ascii(const std::string& text) {
+  return std::all_of(text.begin(), text.end(), [](char c) { return c >= 0x20 && c < 0x7f; });
+}
+
+bool is_one_line(const std::string& text) {
+  for (size_t i = 0; i < text.size();) {
+    const size_t bytes = app::character_at(text, i);
+    if (bytes == 0) return false;
+    i += bytes;
+  }
+  return true;
+}
 
 } // namespace sketch

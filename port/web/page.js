@@ -1,0 +1,520 @@
+// The page: a problem that is edited or dragged, a worker that solves it, pictures of what it found.
+"use strict";
+
+const $ = (id) => document.getElementById(id);
+const LIVE = ["csv", "boundary", "json"];
+const OUTPUTS = {listing: "txt", csv: "csv", boundary: "csv", json: "json", summary: "csv", bodies: "csv", trace: "csv", vtk: "vtk", report: "html"};
+const SAVED = {listing: "listing.txt", csv: "contact.csv", boundary: "boundary.csv", summary: "numbers.csv", bodies: "bodies.csv",
+  trace: "trace.csv", json: "summary.json", vtk: "contact2d.vtk", report: "report.html"};
+const PATIENCE = 250; // milliseconds a run may take so that its pictures, too, are drawn while a slider moves
+
+const page = {
+  module: null, worker: null, examples: {}, families: new Map(),
+  kind: "sketch", family: null, companions: {}, // "sketch", "deck" or "family"; files that a sketch reads
+  busy: false, wanted: null, number: 0, waiting: new Map(),
+  result: null, full: null, slow: true, drawn: null,
+};
+
+// ---------------------------------------------------------------- the worker
+function startWorker() {
+  const source = `${$("engine").textContent}
+    let module = null;
+    onmessage = (message) => {
+      const {id, words, files, loaded} = message.data;
+      if (loaded !== undefined) { module = loaded; return; }
+      const begin = performance.now();
+      let told = "";
+      const tell = (text) => { if (text.includes("%")) postMessage({id, progress: text}); else told += text; };
+      try {
+        const result = runContact2d(module, words, files, tell);
+        postMessage({id, result, seconds: (performance.now() - begin) / 1000});
+      } catch (why) { postMessage({id, failed: String(why)}); }
+    };`;
+  page.worker = new Worker(URL.createObjectURL(new Blob([source], {type: "text/javascript"})));
+  page.worker.onmessage = ({data}) => {
+    const job = page.waiting.get(data.id);
+    if (job === undefined) return;
+    if (data.progress !== undefined) { job.progress?.(data.progress); return; }
+    page.waiting.delete(data.id);
+    if (data.failed !== undefined) job.reject(new Error(data.failed)); else job.resolve({...data.result, seconds: data.seconds});
+  };
+  page.worker.postMessage({loaded: page.module});
+}
+
+function command(words, files, progress) {
+  const id = ++page.number;
+  return new Promise((resolve, reject) => {
+    page.waiting.set(id, {resolve, reject, progress});
+    page.worker.postMessage({id, words, files});
+  });
+}
+
+function stop() {
+  page.worker.terminate();
+  for (const job of page.waiting.values()) job.reject(new Error("stopped"));
+  page.waiting.clear();
+  page.wanted = null;
+  startWorker();
+}
+
+// ---------------------------------------------------------------- the problem
+// A deck begins with a number or *FREE; what was a sketch stays one whatever its first word has become.
+function isSketch(text) {
+  if (page.kind === "family") return false;
+  const first = text.split("\n").map((each) => each.replace(/!.*/, "").trim()).find((each) => each !== "") || "";
+  if (/^(title|units|plane|functions|parameter|symmetry|body|copy|contact|tie|case)\b/.test(first)) return true;
+  return page.kind === "sketch" && !/^([-+.\d]|\*)/.test(first);
+}
+
+// Names and numbers of the parameter statements of a sketch; formulas are no sliders.
+function sketchParameters(text) {
+  const out = [];
+  for (const each of text.split("\n")) {
+    const words = each.replace(/!.*/, "").match(/\{[^}]*\}|[^\s,=]+/g) || [];
+    if (words[0] !== "parameter") continue;
+    for (let i = 1; i + 1 < words.length; i += 2) {
+      const value = Number(words[i + 1]);
+      if (Number.isFinite(value)) out.push({name: words[i], value, meaning: ""});
+    }
+  }
+  return out;
+}
+
+function readFamilies(text) {
+  let family = null;
+  for (const each of text.split("\n")) {
+    const head = each.match(/^(\w+): (.*)$/), key = each.match(/^ {2}(\w+)=(\S+)\s+(.*)$/);
+    if (head) page.families.set(head[1], family = {name: head[1], summary: head[2], keys: []});
+    else if (key && family) family.keys.push({name: key[1], value: key[2], meaning: key[3]});
+  }
+}
+
+function rangeOf({name, value, meaning}) {
+  const count = /^(n|steps|cycles|plates|rollers|order)$/.test(name) && Number.isInteger(value);
+  if (count) return name === "order" ? [1, 3, 1] : [1, Math.max(10, 2 * value), 1];
+  if (/^nu/.test(name) && value >= 0 && value <= 0.5) return [0, 0.49, 0.01];
+  if (/^mu/.test(name)) return [0, Math.max(1, 2 * value), 0.01];
+  if (value === 0) return [-1, 1, 0.01];
+  const low = value > 0 ? value / 4 : value * 4, high = value > 0 ? value * 4 : value / 4;
+  return [low, high, Number((Math.abs(value) / 100).toPrecision(1))];
+}
+
+function showParameters(list) {
+  $("parameters").replaceChildren();
+  for (const parameter of list) {
+    const row = document.createElement("div"), number = Number(parameter.value), choice = (parameter.meaning || "").match(/^([\w|]+\|[\w|]+):/);
+    row.className = "parameter";
+    const label = document.createElement("label");
+    label.textContent = parameter.name, label.htmlFor = `value-${parameter.name}`;
+    const take = (value, whole) => { parameter.chosen = value; solve(whole); };
+    if (choice) {
+      const select = document.createElement("select");
+      for (const word of choice[1].split("|")) select.add(new Option(word, word, false, word === parameter.value));
+      select.id = label.htmlFor, select.onchange = () => take(select.value, true);
+      row.append(label, select);
+    } else {
+      const slider = document.createElement("input"), field = document.createElement("input");
+      slider.type = "range", field.type = "number", field.step = "any", field.id = label.htmlFor, field.value = parameter.value;
+      slider.setAttribute("aria-label", `${parameter.name}, slider`);
+      [slider.min, slider.max, slider.step] = Number.isFinite(number) ? rangeOf({...parameter, value: number}) : [0, 1, 0.1];
+      slider.value = parameter.value;
+      slider.disabled = !Number.isFinite(number);
+      slider.oninput = () => { field.value = String(Number(Number(slider.value).toPrecision(12))); take(field.value, false); };
+      slider.onchange = () => solve(true);
+      field.onchange = () => { slider.value = field.value; take(field.value, true); };
+      row.append(label, slider, field);
+    }
+    if (parameter.meaning) {
+      const words = document.createElement("small");
+      words.textContent = parameter.meaning;
+      row.append(words);
+    }
+    $("parameters").append(row);
+  }
+  page.parameters = list;
+}
+
+const settings = () => page.parameters.filter((each) => each.chosen !== undefined && String(each.chosen) !== String(each.value)).map((each) => `${each.name}=${each.chosen}`);
+
+async function choose(name) {
+  const [group, which] = name.split(":");
+  page.companions = {};
+  page.family = group === "family" ? page.families.get(which) : null;
+  page.kind = group;
+  if (page.family) {
+    showParameters(page.family.keys.map((key) => ({...key, value: Number.isFinite(Number(key.value)) ? Number(key.value) : key.value})));
+  } else {
+    $("editor").value = page.examples[which];
+    for (const [file, text] of Object.entries(page.examples)) if (file.endsWith(".csv")) page.companions[file] = text;
+    showParameters(sketchParameters($("editor").value));
+  }
+  page.full = null, page.drawn = null;
+  await solve(true);
+}
+
+function taken(text, kind) { // from a file or the editor
+  page.kind = kind, page.family = null;
+  $("editor").value = text;
+  showParameters(sketchParameters(text));
+  page.full = null, page.drawn = null;
+  solve(true);
+}
+
+// ---------------------------------------------------------------- solving
+// Whatever is asked for while a run is at work is done after it, once, as it stands then.
+async function solve(whole) {
+  page.wanted = {whole: whole || (page.wanted !== null && page.wanted.whole)};
+  if (page.busy) return;
+  page.busy = true;
+  $("stop").disabled = false;
+  while (page.wanted !== null) {
+    const {whole: all} = page.wanted;
+    page.wanted = null;
+    try {
+      await solveOnce(all);
+    } catch (why) {
+      state(why.message === "stopped" ? "Stopped." : `The program ended: ${why.message}`, true);
+    }
+  }
+  page.busy = false;
+  $("stop").disabled = true;
+}
+
+async function problemText() {
+  if (!page.family) return $("editor").value;
+  const made = await command(["make", page.family.name, ...settings()], {});
+  if (made.status === 0) {
+    $("editor").value = made.out;
+    return made.out;
+  }
+  told(made.err.split("\n").slice(0, 1).join("").replace(/^contact2d: /, ""));
+  return null;
+}
+
+function told(text) {
+  showMessages([{severity: "error", text, line: 0, column: 0}]);
+  state("Not solved: " + text, true);
+}
+
+async function solveOnce(whole) {
+  const text = await problemText();
+  if (text === null) return;
+  const sketch = isSketch(text), name = sketch ? "model.c2s" : "model.dat";
+  const quick = sketch && !$("seek").checked;
+  const solved = quick ? withoutSeeking(text) : text;
+  const pictures = whole || !page.slow;
+  const words = ["run", name, ...(page.family || !sketch ? [] : settings()), "--progress"];
+  for (const output of pictures ? Object.keys(OUTPUTS) : LIVE) words.push(`--${output}`, `${output}.${OUTPUTS[output]}`);
+  if (pictures) words.push("--figures", "figures");
+  if (whole) state("Solving");
+  const run = await command(words, {...page.companions, [name]: solved}, (now) => { if (whole) state("Solving: " + now.replace(/[\r\n]|contact2d: /g, " ").trim()); });
+  const messages = messagesOf(run.err);
+  showMessages(messages);
+  const faults = messages.filter((each) => each.severity === "error");
+  if (run.status > 1) {
+    $("shown").classList.add("stale");
+    state(`Not solved: ${faults.length > 0 ? (faults[0].line ? `line ${faults[0].line}: ` : "") + faults[0].text : "exit status " + run.status}`, true);
+    return;
+  }
+  page.slow = pictures ? run.seconds * 1000 > PATIENCE : page.slow;
+  page.result = read(run);
+  if (pictures) page.full = run.files;
+  $("shown").classList.remove("stale");
+  $("shown").hidden = false;
+  showChoices();
+  show();
+  if (pictures) showPictures(run.files);
+  const peak = page.result.rows.reduce((most, row) => Math.max(most, row.tn), 0);
+  const outcome = page.result.json.outcome;
+  state(`${run.status === 0 ? "Solved" : `Ended early: ${outcome}`} in ${run.seconds < 0.1 ? Math.max(1, Math.round(run.seconds * 1000)) + " ms" : run.seconds.toFixed(1) + " s"}` +
+    `${peak > 0 ? `; largest pressure ${short(peak, 6)}` : ""}${quick ? "; first mesh, error not stated" : ""}.`, run.status !== 0);
+}
+
+// The first mesh as it is; lines keep their numbers.
+const withoutSeeking = (text) => (/^\s*tolerance\b/m.test(text) ? text.replace(/^\s*tolerance\b.*$/m, "tolerance off") : `${text.replace(/\n*$/, "")}\ntolerance off\n`);
+
+function messagesOf(text) {
+  const out = [];
+  for (const each of text.split(/[\r\n]/)) {
+    const found = each.match(/^.*?contact2d: (?:model\.\w+(?::(\d+)(?::(\d+))?)?: )?(error|warning|note): (.*)$/);
+    if (found) out.push({line: Number(found[1] || 0), column: Number(found[2] || 0), severity: found[3], text: found[4]});
+  }
+  return out;
+}
+
+function state(text, fault = false) {
+  $("state").textContent = text;
+  $("state").classList.toggle("fault", fault);
+}
+
+// ---------------------------------------------------------------- the editor
+function showGutter() {
+  const lines = $("editor").value.split("\n").length, marks = new Map();
+  for (const message of page.messages || []) if (message.line > 0) marks.set(message.line, message.severity === "error" || marks.get(message.line) === "fault" ? "fault" : "warning");
+  let out = "";
+  for (let i = 1; i <= lines; ++i) out += `<b class="${marks.get(i) || ""}">${i}</b>`;
+  $("gutter").innerHTML = out;
+  $("gutter").scrollTop = $("editor").scrollTop;
+}
+
+function goTo({line, column}) {
+  const lines = $("editor").value.split("\n");
+  if (line < 1 || line > lines.length) return;
+  const start = lines.slice(0, line - 1).reduce((sum, each) => sum + each.length + 1, 0);
+  $("editor").focus();
+  $("editor").setSelectionRange(start + Math.max(0, column - 1), start + lines[line - 1].length);
+  $("editor").scrollTop = Math.max(0, (line - 8) * 18);
+}
+
+function showMessages(messages) {
+  page.messages = messages;
+  $("messages").replaceChildren(...messages.map((message) => {
+    const item = document.createElement("li");
+    const text = `${message.severity === "error" ? "" : message.severity + ": "}${message.line ? `line ${message.line}, column ${message.column}: ` : ""}${message.text}`;
+    if (message.line > 0) {
+      const button = document.createElement("button");
+      button.textContent = text, button.onclick = () => goTo(message);
+      item.append(button);
+    } else {
+      item.textContent = text;
+    }
+    if (message.severity === "error") item.className = "fault", item.firstChild.className = "fault";
+    return item;
+  }));
+  showGutter();
+}
+
+// ---------------------------------------------------------------- results
+function table(text) {
+  const [head, ...rows] = text.trimEnd().split("\n"), names = head.split(",");
+  return rows.map((row) => {
+    const out = {};
+    row.split(",").forEach((word, i) => { out[names[i]] = names[i] === "status" ? word : Number(word); });
+    return out;
+  });
+}
+
+function read(run) {
+  const rows = table(run.files["csv.csv"] || "mu\n"), json = JSON.parse(run.files["json.json"]);
+  return {rows, ends: table(run.files["boundary.csv"] || "body\n"), json, mus: [...new Set(rows.map((row) => row.mu))], zones: [...new Set(rows.map((row) => row.zone))]};
+}
+
+function options(select, values, words, holder) {
+  const before = select.value;
+  select.replaceChildren(...values.map((value) => new Option(words(value), String(value))));
+  if (values.map(String).includes(before)) select.value = before;
+  holder.hidden = values.length < 2;
+}
+
+function showChoices() {
+  const {mus, zones} = page.result;
+  options($("mu"), mus, (mu) => `mu ${mu}`, $("mu-choice"));
+  options($("zone"), zones, (zone) => `zone ${zone}`, $("zone-choice"));
+}
+
+// Steps of the zone and coefficient chosen, each a list of pairs with their place s along the zone.
+function stepsShown() {
+  const mu = Number($("mu").value), zone = Number($("zone").value), steps = new Map();
+  for (const row of page.result.rows) {
+    if (row.mu !== mu || row.zone !== zone) continue;
+    if (!steps.has(row.step)) steps.set(row.step, []);
+    steps.get(row.step).push(row);
+  }
+  const all = [...steps.values()];
+  if (all.length === 0) return all;
+  const first = all[0], spread = (name) => Math.max(...first.map((row) => row[name])) - Math.min(...first.map((row) => row[name]));
+  const straight = spread("y") < 0.2 * spread("x");
+  const length = [0];
+  for (let i = 1; i < first.length; ++i) length.push(length[i - 1] + Math.hypot(first[i].x - first[i - 1].x, first[i].y - first[i - 1].y));
+  for (const step of all) step.forEach((row, i) => { row.s = straight ? row.x : length[i]; });
+  // what ever touches, and as much again around it
+  const touched = first.map((_, i) => i).filter((i) => all.some((step) => step[i].status !== "open"));
+  if (touched.length === 0) return all;
+  const begin = touched[0], end = touched[touched.length - 1], more = Math.max(3, Math.ceil((end - begin) / 2));
+  const margin = Math.max(0.5 * Math.abs(length[end] - length[begin]), Math.abs(length[Math.min(end + 1, length.length - 1)] - length[end]));
+  const near = (i) => i >= begin - more && i <= end + more && length[i] >= length[begin] - margin && length[i] <= length[end] + margin;
+  return all.map((step) => step.filter((_, i) => near(i)));
+}
+
+function units() {
+  const found = $("editor").value.match(/^\s*units\s+(\S+)\s+(\S+)/m);
+  return found ? {length: ` (${found[1]})`, stress: ` (${found[2]}/${found[1]}²)`} : {length: "", stress: ""};
+}
+
+function show() {
+  const steps = stepsShown(), wide = Math.max(340, Math.min(900, $("pressure").clientWidth || 640));
+  $("step").max = Math.max(1, steps.length);
+  const fresh = page.drawn !== steps.length; // another path: its end is shown
+  if (fresh) $("step").value = steps.length;
+  page.drawn = steps.length;
+  for (const id of ["pressure", "status-map"]) $(id).parentElement.hidden = steps.length === 0;
+  $("step").parentElement.hidden = steps.length < 2;
+  if (steps.length > 0) {
+    const now = Number($("step").value) - 1, rows = steps[now];
+    $("step-text").textContent = `step ${now + 1} of ${steps.length}, load ${short(rows[0].load)}`;
+    $("step").setAttribute("aria-valuetext", $("step-text").textContent);
+    const others = [0.25, 0.5, 0.75].map((share) => steps[Math.floor(share * (steps.length - 1))]).filter((each) => each !== rows && steps.length > 4);
+    $("pressure").innerHTML = drawPressure(rows, others, Number($("mu").value), units(), wide);
+    $("status-map").innerHTML = drawStatus(steps, now, units(), wide);
+    showPairs(rows);
+  }
+  showDeformed(wide);
+  showNumbers();
+}
+
+function showDeformed(wide) {
+  const {ends} = page.result;
+  if (ends.length === 0) return;
+  const size = Math.max(...ends.map((end) => end.x)) - Math.min(...ends.map((end) => end.x)) + Math.max(...ends.map((end) => end.y)) - Math.min(...ends.map((end) => end.y));
+  const moved = Math.max(...ends.map((end) => Math.hypot(end.ux, end.uy))) || 1;
+  const automatic = 10 ** (Math.round(3 * Math.log10(0.04 * size / moved)) / 3), factor = automatic * 10 ** (Number($("magnify").value) / 20);
+  $("magnify-text").textContent = `times ${short(factor, 3)}`;
+  $("deformed").innerHTML = drawDeformed(ends, factor, units(), wide);
+}
+
+function htmlTable(names, rows) {
+  return `<table><thead><tr>${names.map((name) => `<th scope="col">${escaped(name)}</th>`).join("")}</tr></thead><tbody>` +
+    `${rows.map((row) => `<tr>${row.map((cell) => `<td>${escaped(cell)}</td>`).join("")}</tr>`).join("")}</tbody></table>`;
+}
+
+function showNumbers() {
+  const rows = page.result.json.runs.flatMap((run) => (run.quantities || []).map((each) => [each.quantity + (each.item ? ` ${each.item}` : ""), each.zone || "all", short(run.mu ?? Infinity), short(each.value, 6), each.x === undefined ? "" : short(each.x), each.y === undefined ? "" : short(each.y)]));
+  $("numbers").innerHTML = htmlTable(["quantity", "zone", "mu", "value", "x", "y"], rows);
+}
+
+function showPairs(rows) {
+  $("pairs").innerHTML = htmlTable(["pair", "x", "y", "status", "pressure", "friction", "gap", "slip"], rows.map((row) => [row.pair, short(row.x), short(row.y), row.status, short(row.tn, 6), short(row.tt, 6), short(row.gap), short(row.slip)]));
+}
+
+const asImage = (svg, name) => `<img alt="${escaped((svg.match(/<title>([^<]*)/) || [0, name])[1])}" src="data:image/svg+xml;charset=utf-8,${encodeURIComponent(svg)}">`;
+
+function showPictures(files) {
+  const names = Object.keys(files).filter((name) => name.startsWith("figures/")).sort();
+  const stress = names.filter((name) => /\/(stress(_zone)?|deformed)\.svg$/.test(name)).reverse(); // the zone, the whole, the shape
+  $("stress").innerHTML = stress.map((name) => asImage(files[name], name)).join("");
+  const draw = () => { $("pictures").innerHTML = $("more").open ? names.map((name) => asImage(files[name], name)).join("") : ""; };
+  $("more").ontoggle = draw;
+  draw();
+}
+
+// ---------------------------------------------------------------- saving
+function download(name, text, type = "text/plain") {
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([text], {type}));
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+
+async function save(output) {
+  if (output === "problem") {
+    download(isSketch($("editor").value) ? "model.c2s" : "model.dat", $("editor").value);
+    return;
+  }
+  await solve(true);
+  if (page.full === null) return;
+  if (output === "figures") {
+    const names = Object.keys(page.full).filter((name) => name.startsWith("figures/"));
+    download("pictures.zip", archive(names.map((name) => [name.slice(8), page.full[name]])), "application/zip");
+  } else {
+    download(SAVED[output], page.full[`${output}.${OUTPUTS[output]}`], output === "report" ? "text/html" : "text/plain");
+  }
+}
+
+function checksum(bytes) { // CRC-32
+  let sum = 0xffffffff;
+  for (const byte of bytes) {
+    sum ^= byte;
+    for (let i = 0; i < 8; ++i) sum = (sum >>> 1) ^ (sum & 1 ? 0xedb88320 : 0);
+  }
+  return ~sum >>> 0;
+}
+
+// A ZIP archive of texts, as they are, without compression.
+function archive(texts) {
+  const parts = [], directory = [];
+  let at = 0;
+  const record = (...fields) => { // pairs of bytes and value
+    const view = new DataView(new ArrayBuffer(fields.reduce((sum, [bytes]) => sum + bytes, 0)));
+    let place = 0;
+    for (const [bytes, value] of fields) {
+      if (bytes === 4) view.setUint32(place, value, true); else view.setUint16(place, value, true);
+      place += bytes;
+    }
+    return new Uint8Array(view.buffer);
+  };
+  for (const [name, text] of texts) {
+    const title = new TextEncoder().encode(name), bytes = new TextEncoder().encode(text), sum = checksum(bytes);
+    const common = [[2, 20], [2, 0x800], [2, 0], [2, 0], [2, 0x21], [4, sum], [4, bytes.length], [4, bytes.length], [2, title.length], [2, 0]];
+    const head = record([4, 0x04034b50], ...common);
+    directory.push(record([4, 0x02014b50], [2, 20], ...common, [2, 0], [2, 0], [2, 0], [4, 0], [4, at]), title);
+    parts.push(head, title, bytes);
+    at += head.length + title.length + bytes.length;
+  }
+  const size = directory.reduce((sum, each) => sum + each.length, 0);
+  return new Blob([...parts, ...directory, record([4, 0x06054b50], [2, 0], [2, 0], [2, texts.length], [2, texts.length], [4, size], [4, at], [2, 0])]);
+}
+
+function showSaving() {
+  const words = {problem: "deck or sketch", listing: "listing", csv: "contact (CSV)", boundary: "boundary (CSV)", summary: "numbers (CSV)", bodies: "bodies (CSV)",
+    trace: "changes of status (CSV)", json: "summary (JSON)", vtk: "ParaView (VTK)", report: "report (HTML)", figures: "pictures (SVG, zipped)"};
+  for (const [output, word] of Object.entries(words)) {
+    const button = document.createElement("button");
+    button.textContent = word, button.dataset.output = output, button.onclick = () => save(output);
+    $("save").append(button);
+  }
+}
+
+// ---------------------------------------------------------------- the beginning
+async function begin() {
+  showSaving();
+  page.module = await loadContact2d($("program").textContent);
+  page.examples = JSON.parse(new TextDecoder().decode(await unpackContact2d($("examples").textContent)));
+  startWorker();
+  const version = await command(["--version"], {}), families = await command(["make", "--list"], {});
+  $("version").textContent = version.out.trim() + ".";
+  readFamilies(families.out);
+  const group = (label, values) => {
+    const out = document.createElement("optgroup");
+    out.label = label;
+    for (const [value, word] of values) out.append(new Option(word, value));
+    $("example").append(out);
+  };
+  const title = (text) => (text.match(/^\s*title\s+(.*?)\s*(!.*)?$/m) || ["", ""])[1];
+  const names = Object.keys(page.examples).sort();
+  group("Sketches", names.filter((name) => name.endsWith(".c2s")).map((name) => [`sketch:${name}`, title(page.examples[name]) || name]));
+  group("Families of problems", [...page.families.values()].map((family) => [`family:${family.name}`, `${family.name}: ${family.summary}`]));
+  group("Decks", names.filter((name) => name.endsWith(".dat")).map((name) => [`deck:${name}`, name]));
+  $("example").onchange = () => choose($("example").value);
+  let typing = 0;
+  $("editor").oninput = () => {
+    showGutter();
+    clearTimeout(typing);
+    typing = setTimeout(() => {
+      const text = $("editor").value;
+      page.kind = page.family ? "deck" : page.kind, page.family = null;
+      const chosen = new Map((page.parameters || []).map((each) => [each.name, each]));
+      const found = sketchParameters(text);
+      if (JSON.stringify(found.map((each) => [each.name, each.value])) !== JSON.stringify([...chosen.values()].map((each) => [each.name, each.value]))) showParameters(found);
+      solve(false);
+    }, 300);
+  };
+  $("editor").onscroll = () => { $("gutter").scrollTop = $("editor").scrollTop; };
+  $("editor").onchange = () => solve(true);
+  $("open").onchange = async () => {
+    const file = $("open").files[0];
+    if (file) taken(await file.text(), file.name.endsWith(".c2s") ? "sketch" : "deck");
+  };
+  $("seek").onchange = () => solve(true);
+  $("solve").onclick = () => solve(true);
+  $("stop").onclick = stop;
+  $("mu").onchange = $("zone").onchange = () => { page.drawn = null; show(); };
+  $("step").oninput = $("magnify").oninput = () => show();
+  addEventListener("resize", () => { if (page.result) show(); });
+  const start = "sketch:roller.c2s";
+  $("example").value = start;
+  await choose(start);
+  document.body.dataset.ready = "yes";
+}
+
+begin().catch((why) => state(`This browser cannot run the program: ${why.message || why}`, true));

@@ -1,0 +1,454 @@
+#include <math.h>
+#include <string.h>
+
+#include "elimination/cells.hpp"
+#include "elimination/compressed_work.hpp"
+#include "linalg/dense.hpp"
+
+namespace c2d {
+
+C2D_USES(HolePart);
+
+namespace {
+
+// ---- before the tree --------------------------------------------------------------------------------------------------
+
+// From a node to the farthest point of its elements.
+double reach_of(const Compression& t, int32_t node) {
+  const Model& m = t.system.model;
+  const double* at = t.system.point + 2 * static_cast<int64_t>(node);
+  int32_t ends[2];
+  const int count = ends_at_node(m, t.system.body, node, ends);
+  double reach = 0.0;
+  for (int k = 0; k < count; ++k) {
+    double x[kElementNodes], y[kElementNodes], length = 0.0;
+    element_coordinates(m, t.system.body, ends[k] / m.head->function_nodes, x, y);
+    const int points = m.body[t.system.body].element_nodes;
+    for (int i = 0; i < points; ++i) {
+      const double d = hypot(x[i] / m.head->length_unit - at[0], y[i] / m.head->length_unit - at[1]);
+      if (i > 0) length += hypot(x[i] - x[i - 1], y[i] - y[i - 1]) / m.head->length_unit;
+      if (d > reach) reach = d;
+    }
+    if (points > 2 && length > reach) reach = length; // curves may reach beyond their points
+  }
+  return reach;
+}
+
+void list_holes(Compression& t) {
+  HoleWalk walk{};
+  Hole hole;
+  for (int32_t k = 0; k < t.plan.holes; ++k) {
+    kHolePart.next_hole(t.system.model, t.system.body, walk, hole);
+    t.w.hole[k] = hole;
+    visit_hole(t.system, hole, [&](int32_t node, const double*) { t.w.hole_at[node] = k; });
+  }
+}
+
+// A fixed sequence of 1 and -1.
+Real noise(int64_t i) {
+  uint64_t z = (static_cast<uint64_t>(i) + 1) * 0x9e3779b97f4a7c15u;
+  z = (z ^ (z >> 31)) * 0xbf58476d1ce4e5b9u;
+  return (z >> 40 & 1) != 0 ? Real(1) : Real(-1);
+}
+
+// Right-hand sides of the load cases and the noise.
+void fill_right(Compression& t) {
+  const int64_t rows = 2 * static_cast<int64_t>(t.plan.nodes) + 3;
+  fill_columns(t.system, t.plan.columns + 2 * t.plan.contact, t.plan.loads, t.w.right, rows);
+  Real* last = t.w.right + rows * t.plan.loads;
+  for (int64_t i = 0; i < rows; ++i) last[i] = noise(i);
+}
+
+void start_lists(Compression& t) {
+  const Model& m = t.system.model;
+  CompressedWork& w = t.w;
+  int32_t tree = 0, border = 0;
+  for (int32_t node = 0; node < t.plan.nodes; ++node) {
+    w.position[node] = w.hole_at[node] = w.stamp[node] = -1;
+    w.reach[node] = reach_of(t, node);
+    (is_tree_node(m, t.system.body, node) ? w.order[tree++] : w.border[border++]) = node;
+  }
+  for (int32_t j = 0; j < t.plan.columns + 2 * t.plan.contact; ++j) w.place[j] = -1;
+  order_nodes(t.system.point, t.plan.tree, t.depth, w.order, w.room);
+  list_holes(t);
+  fill_right(t);
+}
+
+// The equations and unknowns of the leaves.
+void start_leaves(Compression& t) {
+  CompressedWork& w = t.w;
+  for (int32_t k = 0; k < 2 * t.plan.tree; ++k) w.rows[0][k] = w.columns[0][k] = 2 * w.order[k / 2] + k % 2;
+  for (int32_t i = 0; i <= 1 << t.depth; ++i)
+    w.row_begin[0][i] = w.column_begin[0][i] = 2 * leaf_begin(t.plan.tree, t.depth, i);
+}
+
+// ---- a cell's own equations ---------------------------------------------------------------------------------------------
+
+// A cell while it is worked on: its unknowns `ids`, in w.d (transposed) what its rows, in w.v what its columns have of them.
+struct Cell {
+  int32_t unknowns, rows, columns;
+  const int32_t *row_ids, *column_ids;
+};
+
+void read_leaf(Compression& t, Cell& cell) {
+  CompressedWork& w = t.w;
+  const int32_t n = cell.rows, loads = right_sides(t.plan);
+  cell.unknowns = n;
+  int64_t ld;
+  int32_t sources;
+  fill_block(t, cell.row_ids, n, cell.column_ids, n, &ld, &sources);
+  const int64_t rows = 2 * static_cast<int64_t>(t.plan.nodes) + 3;
+  for (int32_t i = 0; i < n; ++i) {
+    const int64_t from = 2 * w.position[cell.row_ids[i] / 2] + cell.row_ids[i] % 2;
+    w.ids[i] = column_of(t, cell.column_ids[i]);
+    for (int32_t j = 0; j < n; ++j) {
+      w.d[j + static_cast<int64_t>(i) * n] = w.block[from + j * ld];
+      w.v[j + static_cast<int64_t>(i) * n] = i == j ? Real(1) : Real(0);
+    }
+    for (int32_t k = 0; k < loads; ++k) {
+      w.b[i + static_cast<int64_t>(k) * n] = w.right[cell.row_ids[i] + k * rows];
+      w.c[i + static_cast<int64_t>(k) * n] = 0;
+    }
+  }
+  forget_sources(t, w.sources, sources);
+}
+
+// What a half has written: its counts, the unknowns it kept, and its numbers.
+c2d_status read_result(Compression& t, uint64_t& at, CellResult& out, int32_t* ids, Real* numbers) {
+  int32_t counts[4];
+  if (read_at(t.read, at, counts, sizeof counts) != C2D_OK) return t.read.status;
+  at += sizeof counts;
+  out.kept = counts[0], out.rows = counts[1], out.columns = counts[2];
+  read_at(t.read, at, ids, static_cast<uint64_t>(out.kept) * sizeof(int32_t));
+  at += static_cast<uint64_t>(out.kept) * sizeof(int32_t);
+  const int64_t loads = right_sides(t.plan);
+  const int64_t d = static_cast<int64_t>(out.kept) * out.rows, v = static_cast<int64_t>(out.kept) * out.columns;
+  out.d = numbers;
+  out.v = out.d + d;
+  out.b = out.v + v;
+  out.c = out.b + out.rows * loads;
+  const uint64_t bytes = static_cast<uint64_t>(d + v + (out.rows + out.columns) * loads) * sizeof(Real);
+  read_at(t.read, at, numbers, bytes);
+  at += bytes;
+  return t.read.status;
+}
+
+// Rows of `to` under the unknowns of `from`: minus what stands in `block` goes through v; into w.d from (row, column) on.
+void couple(Compression& t, const Cell& cell, const CellResult& to, int32_t first_row, const int32_t* row_ids,
+            const CellResult& from, int32_t first_unknown, const int32_t* column_ids) {
+  CompressedWork& w = t.w;
+  const int32_t n = cell.unknowns, loads = right_sides(t.plan);
+  int64_t ld;
+  int32_t sources;
+  fill_block(t, row_ids, to.rows, column_ids, from.columns, &ld, &sources);
+  Real* block = w.e; // transposed and negative
+  for (int32_t i = 0; i < to.rows; ++i) {
+    const int64_t at = 2 * w.position[row_ids[i] / 2] + row_ids[i] % 2;
+    for (int32_t j = 0; j < from.columns; ++j) block[j + static_cast<int64_t>(i) * from.columns] = -w.block[at + j * ld];
+  }
+  forget_sources(t, w.sources, sources);
+  Real* d = w.d + first_unknown + static_cast<int64_t>(first_row) * n;
+  gemm_minus(t.engine, from.kept, to.rows, from.columns, from.v, from.kept, block, from.columns, d, n);
+  for (int32_t k = 0; k < loads; ++k)
+    for (int32_t i = 0; i < to.rows; ++i) {
+      Real sum = 0;
+      for (int32_t j = 0; j < from.columns; ++j)
+        sum += block[j + static_cast<int64_t>(i) * from.columns] * from.c[j + static_cast<int64_t>(k) * from.columns];
+      w.b[first_row + i + static_cast<int64_t>(k) * cell.rows] += sum;
+    }
+}
+
+void copy_block(int32_t rows, int32_t columns, const Real* from, Real* to, int64_t ld) {
+  for (int32_t j = 0; j < columns; ++j)
+    for (int32_t i = 0; i < rows; ++i) to[i + j * ld] = from[i + static_cast<int64_t>(j) * rows];
+}
+
+// Two halves become one cell.
+c2d_status join_halves(Compression& t, Cell& cell, uint64_t& at) {
+  CompressedWork& w = t.w;
+  CellResult half[2];
+  c2d_status status = read_result(t, at, half[0], w.ids, w.result[0]);
+  if (status == C2D_OK) status = read_result(t, at, half[1], w.ids + half[0].kept, w.result[1]);
+  if (status != C2D_OK) return status;
+  const int32_t n = half[0].kept + half[1].kept, loads = right_sides(t.plan);
+  cell.unknowns = n;
+  for (int64_t i = 0; i < static_cast<int64_t>(n) * cell.rows; ++i) w.d[i] = 0;
+  for (int64_t i = 0; i < static_cast<int64_t>(n) * cell.columns; ++i) w.v[i] = 0;
+  int32_t unknown = 0, row = 0, column = 0;
+  for (const CellResult& h : half) {
+    copy_block(h.kept, h.rows, h.d, w.d + unknown + static_cast<int64_t>(row) * n, n);
+    copy_block(h.kept, h.columns, h.v, w.v + unknown + static_cast<int64_t>(column) * n, n);
+    copy_block(h.rows, loads, h.b, w.b + row, cell.rows);
+    copy_block(h.columns, loads, h.c, w.c + column, cell.columns);
+    unknown += h.kept, row += h.rows, column += h.columns;
+  }
+  couple(t, cell, half[0], 0, cell.row_ids, half[1], half[0].kept, cell.column_ids + half[0].columns);
+  couple(t, cell, half[1], half[0].rows, cell.row_ids + half[0].rows, half[0], 0, cell.column_ids);
+  return C2D_OK;
+}
+
+// ---- what is left of it ---------------------------------------------------------------------------------------------
+
+// In w.e: transposed, the `spare` equations that are the cell's own, then those that stand for it, then its columns.
+struct Split {
+  int32_t spare, rows, columns; // equations; equations and columns that stand for the cell
+};
+
+// w.e's columns from the orders: first what goes on its own and then what stands for the rest, which is taken off it.
+void split_rows(Compression& t, const Cell& cell, const Split& s) {
+  CompressedWork& w = t.w;
+  const int32_t n = cell.unknowns, loads = right_sides(t.plan);
+  for (int32_t i = 0; i < cell.rows; ++i) {
+    const int32_t from = i < s.spare ? w.row_order[s.rows + i] : w.row_order[i - s.spare];
+    memcpy(w.e + static_cast<int64_t>(i) * n, w.d + static_cast<int64_t>(from) * n, static_cast<size_t>(n) * sizeof(Real));
+  }
+  gemm_minus(t.engine, n, s.spare, s.rows, w.e + static_cast<int64_t>(s.spare) * n, n, w.row_x, s.rows, w.e, n);
+  for (int32_t k = 0; k < loads; ++k) {
+    const Real* b = w.b + static_cast<int64_t>(k) * cell.rows;
+    Real* g = w.g + static_cast<int64_t>(k) * cell.rows; // right-hand sides of the spare ones, then of the others
+    for (int32_t i = 0; i < s.rows; ++i) g[s.spare + i] = b[w.row_order[i]];
+    for (int32_t i = 0; i < s.spare; ++i) {
+      Real sum = b[w.row_order[s.rows + i]];
+      for (int32_t j = 0; j < s.rows; ++j) sum -= w.row_x[j + static_cast<int64_t>(i) * s.rows] * g[s.spare + j];
+      g[i] = sum;
+    }
+  }
+}
+
+// Z V, transposed, behind that; Z c in place of c.
+void split_columns(Compression& t, const Cell& cell, const Split& s) {
+  CompressedWork& w = t.w;
+  const int32_t n = cell.unknowns, loads = right_sides(t.plan), rest = cell.columns - s.columns;
+  Real *to = w.e + static_cast<int64_t>(cell.rows) * n, *others = w.samples, *x = w.d; // (free by now)
+  for (int32_t j = 0; j < cell.columns; ++j) {
+    Real* column = j < s.columns ? to + static_cast<int64_t>(j) * n : others + static_cast<int64_t>(j - s.columns) * n;
+    memcpy(column, w.v + static_cast<int64_t>(w.column_order[j]) * n, static_cast<size_t>(n) * sizeof(Real));
+  }
+  for (int32_t i = 0; i < s.columns; ++i)
+    for (int32_t j = 0; j < rest; ++j)
+      x[j + static_cast<int64_t>(i) * rest] = -w.column_x[i + static_cast<int64_t>(j) * s.columns];
+  gemm_minus(t.engine, n, s.columns, rest, others, n, x, rest, to, n);
+  for (int32_t k = 0; k < loads; ++k) {
+    Real* c = w.c + static_cast<int64_t>(k) * cell.columns;
+    for (int32_t j = 0; j < cell.columns; ++j) w.sample[j] = c[w.column_order[j]];
+    for (int32_t i = 0; i < s.columns; ++i) {
+      Real sum = w.sample[i];
+      for (int32_t j = 0; j < rest; ++j) sum += w.column_x[i + static_cast<int64_t>(j) * s.columns] * w.sample[s.columns + j];
+      c[i] = sum;
+    }
+  }
+}
+
+// g := U^-T g for the spare equations, then what their unknowns bring to the others and to the columns.
+void carry_loads(Compression& t, const Cell& cell, const Split& s) {
+  CompressedWork& w = t.w;
+  const int32_t n = cell.unknowns, loads = right_sides(t.plan);
+  for (int32_t k = 0; k < loads; ++k) {
+    Real *g = w.g + static_cast<int64_t>(k) * cell.rows, *c = w.c + static_cast<int64_t>(k) * cell.columns;
+    for (int32_t j = 0; j < s.spare; ++j) {
+      const Real* u = w.e + static_cast<int64_t>(j) * n;
+      Real sum = g[j];
+      for (int32_t i = 0; i < j; ++i) sum -= u[i] * g[i];
+      g[j] = sum / u[j];
+    }
+    for (int32_t i = 0; i < s.rows + s.columns; ++i) {
+      const Real* y = w.e + static_cast<int64_t>(s.spare + i) * n;
+      Real sum = 0;
+      for (int32_t j = 0; j < s.spare; ++j) sum += y[j] * g[j];
+      if (i < s.rows)
+        g[s.spare + i] -= sum;
+      else
+        c[i - s.rows] += sum;
+    }
+  }
+}
+
+// M = L_1^-T L_2^T in w.d, spare x kept; g := L_1^-T g.
+void find_dependence(Compression& t, const Cell& cell, const Split& s) {
+  CompressedWork& w = t.w;
+  const int32_t n = cell.unknowns, kept = n - s.spare, loads = right_sides(t.plan);
+  for (int32_t j = 0; j < kept; ++j)
+    for (int32_t i = 0; i < s.spare; ++i)
+      w.d[i + static_cast<int64_t>(j) * s.spare] = w.e[s.spare + j + static_cast<int64_t>(i) * n];
+  const auto solve = [&](Real* x) {
+    for (int32_t i = s.spare - 1; i >= 0; --i) {
+      const Real* l = w.e + static_cast<int64_t>(i) * n;
+      Real sum = x[i];
+      for (int32_t k = i + 1; k < s.spare; ++k) sum -= l[k] * x[k];
+      x[i] = sum;
+    }
+  };
+  for (int32_t j = 0; j < kept; ++j) solve(w.d + static_cast<int64_t>(j) * s.spare);
+  for (int32_t k = 0; k < loads; ++k) solve(w.g + static_cast<int64_t>(k) * cell.rows);
+}
+
+// ---- what is written ----------------------------------------------------------------------------------------------------
+
+void append_columns(Stream& to, int32_t rows, int32_t columns, const Real* from, int64_t ld) {
+  for (int32_t j = 0; j < columns; ++j) append(to, from + j * ld, static_cast<uint64_t>(rows) * sizeof(Real));
+}
+
+// Counts, the unknowns eliminated and kept, M, h; the length last, for reading backwards.
+c2d_status write_record(Compression& t, const Cell& cell, const Split& s) {
+  const int32_t counts[2] = {s.spare, cell.unknowns - s.spare};
+  const uint64_t start = t.upper.end;
+  append(t.upper, counts, sizeof counts);
+  append(t.upper, t.w.ids, static_cast<uint64_t>(cell.unknowns) * sizeof(int32_t));
+  append(t.upper, t.w.d, static_cast<uint64_t>(s.spare) * static_cast<uint64_t>(counts[1]) * sizeof(Real));
+  append_columns(t.upper, s.spare, right_sides(t.plan), t.w.g, cell.rows);
+  const uint64_t length = t.upper.end - start;
+  append(t.upper, &length, sizeof length);
+  return t.upper.status;
+}
+
+// As read_result reads it.
+c2d_status write_result(Compression& t, const Cell& cell, const Split& s) {
+  const CompressedWork& w = t.w;
+  const int32_t n = cell.unknowns, kept = n - s.spare, loads = right_sides(t.plan);
+  const int32_t counts[4] = {kept, s.rows, s.columns, 0};
+  append(t.lower, counts, sizeof counts);
+  append(t.lower, w.ids + s.spare, static_cast<uint64_t>(kept) * sizeof(int32_t));
+  append_columns(t.lower, kept, s.rows + s.columns, w.e + s.spare + static_cast<int64_t>(s.spare) * n, n);
+  append_columns(t.lower, s.rows, loads, w.b, s.rows);
+  append_columns(t.lower, s.columns, loads, w.c, cell.columns);
+  return t.lower.status;
+}
+
+// ---- one cell ---------------------------------------------------------------------------------------------------------
+
+c2d_status note_rank(Compression& t, int32_t rank) {
+  if (rank > t.stats->largest_rank) t.stats->largest_rank = rank;
+  t.stats->ranks += rank;
+  ++t.stats->cells;
+  return rank > t.plan.rank ? C2D_ERR_MEMORY : C2D_OK;
+}
+
+// The cell's own equations are factored, and what stands for it updated with them.
+c2d_status eliminate_cell(Compression& t, const Cell& cell, const Split& s) {
+  CompressedWork& w = t.w;
+  const int32_t n = cell.unknowns;
+  for (int32_t j = 0; j < s.spare; ++j) w.norms[j] = largest(t.engine, n, w.e + static_cast<int64_t>(j) * n);
+  const int32_t columns = s.spare + s.rows + s.columns;
+  if (lu_panel({t.engine, n, s.spare, columns, w.e, n, w.pivots, w.norms, t.pivots}) > 0) return C2D_ERR_SINGULAR;
+  lu_settle(n, s.spare, w.e, n, w.pivots);
+  for (int32_t j = 0; j < s.spare; ++j) {
+    const int32_t kept = w.ids[j];
+    w.ids[j] = w.ids[w.pivots[j]];
+    w.ids[w.pivots[j]] = kept;
+  }
+  carry_loads(t, cell, s);
+  // (b's own place takes what is left of it: the record needs g.)
+  for (int32_t k = 0; k < right_sides(t.plan); ++k)
+    for (int32_t i = 0; i < s.rows; ++i)
+      w.b[i + static_cast<int64_t>(k) * s.rows] = w.g[s.spare + i + static_cast<int64_t>(k) * cell.rows];
+  find_dependence(t, cell, s);
+  const c2d_status status = write_record(t, cell, s);
+  return status == C2D_OK ? write_result(t, cell, s) : status;
+}
+
+// Those that stand for the cell, in the lists of the depth above.
+void list_kept(Compression& t, const Depth& d, int32_t i, const Cell& cell, const Split& s) {
+  CompressedWork& w = t.w;
+  const int to = 1 - d.which;
+  int32_t *row = w.row_begin[to], *column = w.column_begin[to];
+  if (i == 0) row[0] = column[0] = 0;
+  for (int32_t k = 0; k < s.rows; ++k) w.rows[to][row[i] + k] = cell.row_ids[w.row_order[k]];
+  for (int32_t k = 0; k < s.columns; ++k) w.columns[to][column[i] + k] = cell.column_ids[w.column_order[k]];
+  row[i + 1] = row[i] + s.rows;
+  column[i + 1] = column[i] + s.columns;
+}
+
+Cell cell_at(const Compression& t, const Depth& d, int32_t i) {
+  const int32_t *row = t.w.row_begin[d.which], *column = t.w.column_begin[d.which];
+  return Cell{0, row[i + 1] - row[i], column[i + 1] - column[i], t.w.rows[d.which] + row[i], t.w.columns[d.which] + column[i]};
+}
+
+c2d_status reduce_cell(Compression& t, const Depth& d, int32_t i, bool leaf, uint64_t& at) {
+  Cell cell = cell_at(t, d, i);
+  Split s;
+  s.rows = choose_rows(t, d, i);
+  c2d_status status = note_rank(t, s.rows);
+  if (status != C2D_OK) return status;
+  s.columns = choose_columns(t, d, i);
+  status = note_rank(t, s.columns);
+  if (status != C2D_OK) return status;
+  if (leaf)
+    read_leaf(t, cell);
+  else
+    status = join_halves(t, cell, at);
+  if (status != C2D_OK) return status;
+  s.spare = cell.rows - s.rows;
+  split_rows(t, cell, s);
+  split_columns(t, cell, s);
+  list_kept(t, d, i, cell, s);
+  return eliminate_cell(t, cell, s);
+}
+
+// Two by two the lists of a depth are those of the cells above.
+void join_lists(Compression& t, Depth& d) {
+  d.which = 1 - d.which;
+  d.cells /= 2;
+  for (int32_t i = 0; i <= d.cells; ++i) {
+    t.w.row_begin[d.which][i] = t.w.row_begin[d.which][2 * i];
+    t.w.column_begin[d.which][i] = t.w.column_begin[d.which][2 * i];
+  }
+}
+
+c2d_status reduce_depth(Compression& t, const Depth& d, bool leaf, uint64_t& at, const Watch& watch) {
+  place_circles(t, d);
+  c2d_status status = C2D_OK;
+  for (int32_t i = 0; i < d.cells && status == C2D_OK; ++i) {
+    status = reduce_cell(t, d, i, leaf, at);
+    if (status == C2D_OK && watch.step != nullptr) status = watch.step(watch.context, 0);
+  }
+  return status == C2D_OK ? finish_block(t.lower) : status;
+}
+
+// The root stays as it is, and goes to the border.
+c2d_status keep_root(Compression& t, const Depth& d, bool leaf, uint64_t at, const RowSink& sink, Tapes& tapes,
+                     const Watch& watch) {
+  Cell cell = cell_at(t, d, 0);
+  if (leaf) {
+    read_leaf(t, cell);
+  } else {
+    const c2d_status status = join_halves(t, cell, at);
+    if (status != C2D_OK) return status;
+  }
+  return eliminate_border(t, RootCell{cell.unknowns, cell.rows, cell.columns, cell.row_ids, cell.column_ids}, sink, tapes,
+                          watch);
+}
+
+} // namespace
+
+c2d_status eliminate_compressed(CompressedPlan& plan, const ColumnSystem& system, const RowSink& sink, Tapes& tapes, void* work,
+                                PivotStats* pivots, CompressedStats* stats, const Watch& watch, const Engine& engine) {
+  Compression t{plan, system, {}, engine, tree_depth(plan.tree, plan.leaf), 0, stats, pivots, {}, {}, {}};
+  lay_out_work(plan, static_cast<char*>(work), &t.w);
+  *t.stats = CompressedStats{};
+  t.pivots->base = 0;
+  start_stats(*t.pivots);
+  const uint64_t lower_first = plan.border.lower_first_block + lower_use(plan.border).blocks,
+                 upper_first = plan.border.upper_first_block + upper_use(plan.border).blocks;
+  const uint64_t lower_blocks = compressed_lower_use(plan).blocks - lower_use(plan.border).blocks,
+                 upper_blocks = compressed_upper_use(plan).blocks - upper_use(plan.border).blocks;
+  t.lower = open_stream(tapes, C2D_TAPE_LOWER, lower_first, lower_blocks, plan.block_bytes, t.w.lower_buffer);
+  t.read = open_stream(tapes, C2D_TAPE_LOWER, lower_first, lower_blocks, plan.block_bytes, t.w.read_buffer);
+  t.upper = open_stream(tapes, C2D_TAPE_UPPER, upper_first, upper_blocks, plan.block_bytes, t.w.upper_buffer);
+  start_lists(t);
+  start_leaves(t);
+  Depth depth{1 << t.depth, 0};
+  c2d_status status = C2D_OK;
+  bool leaf = true;
+  uint64_t from = 0; // where what the depth below has written begins
+  for (; depth.cells > 1 && status == C2D_OK; leaf = false) {
+    uint64_t at = from;
+    from = t.lower.end;
+    status = reduce_depth(t, depth, leaf, at, watch);
+    join_lists(t, depth);
+  }
+  if (status == C2D_OK) status = keep_root(t, depth, leaf, from, sink, tapes, watch);
+  plan.records = t.upper.end;
+  return status == C2D_OK ? finish_block(t.upper) : status;
+}
+
+} // namespace c2d

@@ -1,0 +1,116 @@
+#pragma once
+// What compressed elimination works with.
+#include "bie/chosen.hpp"
+#include "elimination/compressed.hpp"
+#include "elimination/stream.hpp"
+#include "linalg/interpolate.hpp"
+
+namespace c2d {
+
+constexpr double kCompressedTolerance = sizeof(Real) == sizeof(double) ? 1e-13 : 1e-6; // of what a cell leaves out
+constexpr int32_t kProxies = sizeof(Real) == sizeof(double) ? 88 : 44;                 // points on the circle round a cell
+constexpr double kProxyRadius = 2.0;                                                   // over that of the cell
+constexpr int32_t kChunk = 64; // columns, or nodes, that are looked at together
+
+// What a cell hands to the one it is part of; it stands in `numbers`.
+struct CellResult {
+  int32_t kept, rows, columns; // unknowns that are left; equations and unknowns that stand for the cell
+  Real* d;                     // [kept * rows] transposed: its equations
+  Real* v;                     // [kept * columns] transposed: what the columns have of the unknowns
+  Real* b;                     // [rows * loads]
+  Real* c;                     // [columns * loads]: what the columns have beside that
+};
+
+struct CompressedWork {
+  // of the tree
+  int32_t *order, *room;                   // [tree]
+  int32_t *rows[2], *columns[2];           // [2 tree]: 2 node + component, of one depth and of the one below
+  int32_t *row_begin[2], *column_begin[2]; // [cells + 1]
+  double* circle;                          // [3 cells]: centre and radius of the cells of one depth
+  double* reach;                           // [nodes]: from a node to the end of its elements
+  int32_t *position, *stamp;               // [nodes] of the node in a list, -1: none; [nodes] of the elements
+  int32_t* hole_at;                        // [nodes]: the hole a node is at, -1: none
+  int32_t* place;                          // [columns + 2 contact], -1: none
+  int32_t* border;                         // [nodes - tree]
+  Hole* hole;                              // [holes]
+  Real* right;                             // [(2 nodes + 3) * loads]: right-hand sides, the last of them noise
+  // of a cell; n = 2 rank
+  Real *d, *v, *e;                                  // [n * n], [n * n], [n * (n + rank)]
+  Real *row_x, *column_x;                           // [n * (n + 2)]
+  Real* samples;                                    // [(n + 32) * n]
+  Real* block;                                      // block_numbers
+  Real *b, *c, *g;                                  // [n * loads]
+  Real *norms, *sample;                             // [2 n]
+  Real* result[2];                                  // a CellResult's numbers
+  int32_t *row_order, *column_order, *pivots, *ids; // [2 n]
+  int32_t *sources, *elements, *twin, *list;        // [2 nodes + 2 kProxies]
+  double* point;                                    // likewise, twice
+  char *lower_buffer, *upper_buffer, *read_buffer;
+  // of the border
+  Real *root_d, *root_q, *root_c; // [n * n], [border rows * n], [border rows * loads]
+  void* dense;                    // of eliminate()
+};
+constexpr int64_t kLoadsBeside = 1; // right-hand sides beside the load cases: noise
+
+int64_t block_numbers(const CompressedPlan& plan);
+uint64_t lay_out_work(const CompressedPlan& plan, char* base, CompressedWork* out);
+inline int32_t most_dofs(const CompressedPlan& plan) { return 2 * plan.rank; }
+inline int32_t right_sides(const CompressedPlan& plan) { return plan.loads + static_cast<int32_t>(kLoadsBeside); }
+inline int32_t root_size(const CompressedPlan& plan) { return 2 * (plan.tree < plan.rank ? plan.tree : plan.rank); }
+// Rows of the border: of its nodes, the balances, the holes.
+inline int32_t border_rows(const CompressedPlan& plan) { return 2 * (plan.nodes - plan.tree) + 3 + plan.holes; }
+int64_t result_numbers(const CompressedPlan& plan);
+int64_t record_numbers(const CompressedPlan& plan);
+
+// A tree under way.
+struct Compression {
+  CompressedPlan& plan;
+  const ColumnSystem& system;
+  CompressedWork w;
+  Engine engine;
+  int32_t depth;
+  int32_t tick; // of stamps
+  CompressedStats* stats;
+  PivotStats* pivots;
+  Stream lower, upper, read;
+};
+
+// ---- blocks of the equations (compressed_blocks.cpp) ----------------------------------------------------------------
+
+inline int32_t column_of(const Compression& t, int32_t id) {
+  return t.system.model.node_column[t.system.body][id / 2] + id % 2;
+}
+// The nodes of these ids as sources, each once: how many. position[] tells where; forget_sources clears it.
+int32_t list_sources(Compression& t, const int32_t* ids, int32_t count, int32_t* sources);
+void forget_sources(Compression& t, const int32_t* sources, int32_t count);
+// The elements at these nodes, each once.
+int32_t list_elements(Compression& t, const int32_t* nodes, int32_t count, int32_t* elements);
+// Entries of rows (ids) and columns (ids) in w.block: row i at 2 position[rows[i] / 2] + rows[i] % 2 of leading dimension
+// *ld. The sources stay listed in w.sources: *sources of them.
+void fill_block(Compression& t, const int32_t* rows, int32_t row_count, const int32_t* columns, int32_t column_count,
+                int64_t* ld, int32_t* sources);
+// Does a node's equation of this direction have integrals?
+bool has_integrals(const Compression& t, int32_t node, int component);
+
+// ---- what stands for a cell (compressed_basis.cpp) --------------------------------------------------------------------
+
+// Cells of a depth, their equations and unknowns in w.rows[which], w.columns[which].
+struct Depth {
+  int32_t cells, which;
+};
+void place_circles(Compression& t, const Depth& depth);
+// Rows of a cell of which the others are combinations, and unknowns: row_order, row_x; column_order, column_x. k as
+// interpolate().
+int32_t choose_rows(Compression& t, const Depth& depth, int32_t cell);
+int32_t choose_columns(Compression& t, const Depth& depth, int32_t cell);
+
+// ---- the border (compressed_border.cpp) -------------------------------------------------------------------------------
+
+// The root of the tree: its equations and columns (ids); w.ids, w.d, w.v, w.b, w.c are its own.
+struct RootCell {
+  int32_t unknowns, rows, columns;
+  const int32_t *row_ids, *column_ids;
+};
+c2d_status eliminate_border(Compression& t, const RootCell& root, const RowSink& sink, Tapes& tapes, const Watch& watch);
+
+} // namespace c2d

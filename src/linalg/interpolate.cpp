@@ -1,0 +1,198 @@
+#include "linalg/interpolate.hpp"
+
+#include <math.h>
+
+namespace c2d {
+
+namespace {
+
+constexpr int32_t kSpare = 24; // rows beyond the columns: a sketch then keeps norms within a small factor
+constexpr int32_t kSpread = 4; // rows that a sample is added into
+constexpr uint64_t kStep = 0x9e3779b97f4a7c15u;
+
+// A fixed sequence of well mixed numbers.
+uint64_t mixed(uint64_t n) {
+  uint64_t z = n * kStep;
+  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+  return z ^ (z >> 31);
+}
+
+void add_row(int32_t n, Real factor, const Real* x, int64_t step, Real* y) {
+  if (step == 1)
+    for (int32_t j = 0; j < n; ++j) y[j] += factor * x[j];
+  else
+    for (int32_t j = 0; j < n; ++j) y[j] += factor * x[j * step];
+}
+
+Real largest_of(int32_t n, const Real* x, int64_t step) {
+  Real most = 0;
+  for (int32_t j = 0; j < n; ++j) {
+    const Real size = fabs(x[j * step]);
+    if (size > most) most = size;
+  }
+  return most;
+}
+
+} // namespace
+
+int32_t rows_to_keep(int64_t samples, int32_t columns) {
+  return samples < columns + kSpare ? static_cast<int32_t>(samples) : columns + kSpare;
+}
+
+SampleSum begin_samples(Real* w, int32_t columns, int64_t samples) {
+  const int32_t rows = rows_to_keep(samples, columns);
+  for (int64_t i = 0; i < static_cast<int64_t>(rows) * columns; ++i) w[i] = 0;
+  return SampleSum{w, columns, rows, 0, samples};
+}
+
+void add_sample(SampleSum& sum, const Real* x, int64_t step, bool unit) {
+  const Real most = unit ? largest_of(sum.columns, x, step) : Real(1);
+  const int64_t number = sum.taken++;
+  if (!(most > kSmallestReal)) return;
+  const Real factor = 1 / most;
+  if (sum.rows == sum.samples) {
+    add_row(sum.columns, factor, x, step, sum.w + number * sum.columns);
+    return;
+  }
+  uint64_t bits = mixed(static_cast<uint64_t>(number) + 1);
+  for (int32_t k = 0; k < kSpread; ++k, bits = mixed(bits)) {
+    const int64_t row = static_cast<int64_t>((bits >> 33) % static_cast<uint64_t>(sum.rows));
+    add_row(sum.columns, (bits & 1) != 0 ? factor : -factor, x, step, sum.w + row * sum.columns);
+  }
+}
+
+namespace {
+
+struct Reflections {
+  Real* w; // row by row
+  int32_t rows, columns;
+  Real* norms; // squared, of what is left of each column
+  int32_t* order;
+  Real* row(int32_t i) const { return w + static_cast<int64_t>(i) * columns; }
+};
+
+// Squared norms of columns first ... in rows `first` and below.
+void measure(const Reflections& r, int32_t first) {
+  for (int32_t j = first; j < r.columns; ++j) r.norms[j] = 0;
+  for (int32_t i = first; i < r.rows; ++i) {
+    const Real* w = r.row(i);
+    for (int32_t j = first; j < r.columns; ++j) r.norms[j] += w[j] * w[j];
+  }
+}
+
+template <class Number> void exchange(Number& a, Number& b) {
+  const Number kept = a;
+  a = b;
+  b = kept;
+}
+
+int32_t longest(const Reflections& r, int32_t first) {
+  int32_t best = first;
+  for (int32_t j = first + 1; j < r.columns; ++j)
+    if (r.norms[j] > r.norms[best]) best = j;
+  return best;
+}
+
+void exchange_columns(const Reflections& r, int32_t a, int32_t b) {
+  if (a == b) return;
+  for (int32_t i = 0; i < r.rows; ++i) exchange(r.row(i)[a], r.row(i)[b]);
+  exchange(r.norms[a], r.norms[b]);
+  exchange(r.order[a], r.order[b]);
+}
+
+// Reflects column k to one number, and the columns right of it with it. Row k is then one of R. `work` [columns].
+void reflect(const Reflections& r, int32_t k, Real* work) {
+  Real sum = 0;
+  for (int32_t i = k; i < r.rows; ++i) sum += r.row(i)[k] * r.row(i)[k];
+  const Real top = r.row(k)[k], norm = static_cast<Real>(sqrt(static_cast<double>(sum)));
+  const Real beta = top > 0 ? -norm : norm, head = top - beta; // v = column - beta e, v.v = -2 beta head
+  const Real scale = 1 / (beta * head);                        // -2 / v.v
+  r.row(k)[k] = head;
+  for (int32_t j = k + 1; j < r.columns; ++j) work[j] = 0;
+  for (int32_t i = k; i < r.rows; ++i) {
+    const Real* w = r.row(i);
+    const Real v = w[k];
+    for (int32_t j = k + 1; j < r.columns; ++j) work[j] += v * w[j];
+  }
+  for (int32_t j = k + 1; j < r.columns; ++j) work[j] *= scale;
+  for (int32_t i = k; i < r.rows; ++i) {
+    Real* w = r.row(i);
+    const Real v = w[k];
+    for (int32_t j = k + 1; j < r.columns; ++j) w[j] += v * work[j];
+  }
+  r.row(k)[k] = beta;
+  const Real* w = r.row(k);
+  for (int32_t j = k + 1; j < r.columns; ++j) r.norms[j] -= w[j] * w[j];
+}
+
+// Divides every column by its norm (or by `common`), which scale[] keeps.
+void scale_columns(const Reflections& r, Real* scale) {
+  for (int32_t j = 0; j < r.columns; ++j) {
+    const Real norm = static_cast<Real>(sqrt(static_cast<double>(r.norms[j])));
+    scale[j] = norm > kSmallestReal ? norm : Real(1);
+  }
+  for (int32_t i = 0; i < r.rows; ++i)
+    for (int32_t j = 0; j < r.columns; ++j) r.row(i)[j] /= scale[j];
+}
+
+// X = R_1^-1 R_2, the k rows of R_1 being the first of w.
+void solve_columns(const Reflections& r, int32_t k, Real* x) {
+  const int32_t rest = r.columns - k;
+  for (int32_t i = k - 1; i >= 0; --i) {
+    Real* own = r.row(i);
+    const Real pivot = own[i];
+    for (int32_t j = k; j < r.columns; ++j) own[j] /= pivot;
+    for (int32_t above = 0; above < i; ++above) {
+      Real* w = r.row(above);
+      const Real factor = w[i];
+      for (int32_t j = k; j < r.columns; ++j) w[j] -= factor * own[j];
+    }
+  }
+  for (int32_t j = 0; j < rest; ++j)
+    for (int32_t i = 0; i < k; ++i) x[i + static_cast<int64_t>(j) * k] = r.row(i)[k + j];
+}
+
+// Reflects until what is left is small; the number of columns chosen.
+int32_t choose(const Reflections& r, double tolerance, int32_t most, Real* work) {
+  const double enough = 1e-9 * (sizeof(Real) == sizeof(double) ? 1.0 : 1e5); // digits of differences of squares
+  const int32_t end = r.rows < r.columns ? r.rows : r.columns;
+  double first = 0.0, measured = 0.0;
+  for (int32_t k = 0; k < end; ++k) {
+    int32_t best = longest(r, k);
+    if (k == 0 || static_cast<double>(r.norms[best]) < enough * measured) {
+      measure(r, k);
+      best = longest(r, k);
+      measured = static_cast<double>(r.norms[best]);
+    }
+    const double left = static_cast<double>(r.norms[best]);
+    if (k == 0) first = left;
+    if (!(left > tolerance * tolerance * first) || !(left > static_cast<double>(kSmallestReal))) return k;
+    if (k == most) return most + 1;
+    exchange_columns(r, k, best);
+    reflect(r, k, work);
+  }
+  return end;
+}
+
+} // namespace
+
+int32_t interpolate(SampleSum& sum, double tolerance, bool relative, int32_t most, int32_t* order, Real* norms, Real* x) {
+  // x is room for the scales and for one row until it is filled: it has columns^2 numbers.
+  const Reflections r{sum.w, sum.rows, sum.columns, norms, order};
+  for (int32_t j = 0; j < r.columns; ++j) order[j] = j;
+  Real *scale = x, *work = x + r.columns;
+  measure(r, 0);
+  if (relative) scale_columns(r, scale);
+  const int32_t k = choose(r, tolerance, most, work);
+  if (k > most) return k;
+  if (relative) { // back to the columns as they were
+    for (int32_t j = 0; j < r.columns; ++j) norms[j] = scale[order[j]];
+    for (int32_t i = 0; i < k; ++i)
+      for (int32_t j = i; j < r.columns; ++j) r.row(i)[j] *= norms[j];
+  }
+  solve_columns(r, k, x);
+  return k;
+}
+
+} // namespace c2d

@@ -1,0 +1,13 @@
+// A number that sums up a contact, in an archive.
+#pragma once
+
+#include "report/quantities.hpp"
+
+namespace app {
+
+template <class Archive> void members(Archive& a, Quantity& q) {
+  auto& [what, zone, item, value, at, s, spacing, error] = q; // (all of them: with another this does not compile)
+  a(what), a(zone), a(item), a(value), a(at), a(s), a(spacing), a(error);
+}
+
+} // namespace app

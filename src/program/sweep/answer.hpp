@@ -1,0 +1,27 @@
+// What became of a run that was asked for numbers, where others look for it.
+#pragma once
+
+#include "program/options.hpp"
+
+#include <string>
+#include <vector>
+
+namespace app {
+
+struct Answer {
+  int exit = 0;
+  std::vector<double> values; // of the responses; those of a run that failed do not count
+  std::string reason;         // why it failed
+};
+
+// Writes --results and appends to --row. False with an error text.
+bool write_answer(const Options& options, const Answer& answer, std::string& error);
+
+// "ok", or "FAIL" and why.
+std::string outcome_of(const Answer& answer);
+
+// Appends a row to a CSV file, as one write, under a lock; a new file gets the heading before it, one with another heading is
+// refused. False with an error text.
+bool append_row(const std::string& file, const std::string& heading, const std::string& row, std::string& error);
+
+} // namespace app

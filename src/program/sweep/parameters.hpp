@@ -1,0 +1,30 @@
+// Parameters of decks: {name} in a card stands for a value, {name=value} for one that has a default.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace app {
+
+// "name=value" as name and value; false if it is none such: names are of letters, digits and _, values of printed characters
+// without blanks and braces.
+using Setting = std::pair<std::string, std::string>;
+bool read_setting(const std::string& word, Setting& setting);
+
+// Settings of the text of a file: lines `name = value`, `name value` or `{ name = value }`, `#` begins a comment; or a file of
+// parameters of Dakota, in either of its formats, of which the variables are taken. False with an error text that names the
+// line.
+bool read_parameters(const std::string& text, std::vector<std::string>& words, std::string& error);
+
+struct DeckFault {
+  int32_t line = 0, column = 0, column_end = 0; // 0: of none
+  std::string text;
+};
+
+// Puts values in. In fixed columns (a deck that does not begin with *FREE) a value ends where the braces end, and a longer one
+// takes the blanks before them, so that no other field moves. Comments are left alone. False with what is wrong: a name without
+// a value, a setting that no card takes, too narrow a place.
+bool put_parameters(std::string& deck, const std::vector<Setting>& settings, std::vector<DeckFault>& faults);
+
+} // namespace app

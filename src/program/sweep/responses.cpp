@@ -1,0 +1,182 @@
+#include "program/sweep/responses.hpp"
+
+#include "report/text.hpp"
+
+#include <charconv>
+#include <cmath>
+#include <sstream>
+
+namespace app {
+
+const char kResponseWords[] =
+    "max or min tn, tt, un1, ut1, un2, ut2, gap, slip; a quantity of --summary; stress, or a column of --interior, and the "
+    "number "
+    "of a point; touching, sticking, slipping, load; behind them: zone Z, and the number of an edge or border";
+
+namespace {
+
+struct Word {
+  const char* word;
+  int32_t which;
+};
+const Word kColumns[] = {{"tn", C2D_TN},   {"tt", C2D_TT},   {"un1", C2D_UN1}, {"ut1", C2D_UT1},
+                         {"un2", C2D_UN2}, {"ut2", C2D_UT2}, {"gap", C2D_GAP}, {"slip", C2D_SLIP_SUM}};
+const Word kPointColumns[] = {{"stress", C2D_POINT_VON_MISES},
+                              {"von_mises", C2D_POINT_VON_MISES},
+                              {"ux", C2D_POINT_UX},
+                              {"uy", C2D_POINT_UY},
+                              {"sxx", C2D_POINT_SXX},
+                              {"syy", C2D_POINT_SYY},
+                              {"sxy", C2D_POINT_SXY},
+                              {"szz", C2D_POINT_SZZ},
+                              {"max_shear", C2D_POINT_MAX_SHEAR},
+                              {"principal1", C2D_POINT_PRINCIPAL1},
+                              {"principal2", C2D_POINT_PRINCIPAL2}};
+const Word kCounts[] = {{"touching", -1}, {"sticking", C2D_STICK}, {"slipping", C2D_SLIP}};
+
+template <size_t n> const Word* find_word(const Word (&words)[n], const std::string& word) {
+  for (const Word& w : words)
+    if (word == w.word) return &w;
+  return nullptr;
+}
+
+bool read_count(const std::string& word, int32_t& number) {
+  const char* end = word.data() + word.size();
+  const auto read = std::from_chars(word.data(), end, number);
+  return read.ec == std::errc() && read.ptr == end && number > 0;
+}
+
+// Takes `zone Z` and a number off the end.
+void take_tail(std::vector<std::string>& words, Response& r) {
+  for (bool more = true; more && words.size() > 1;) {
+    int32_t number = 0;
+    more = false;
+    const bool is_number = read_count(words.back(), number),
+               of_zone = is_number && words.size() > 2 && words[words.size() - 2] == "zone";
+    if (of_zone && r.zone == 0)
+      r.zone = number, words.resize(words.size() - 2), more = true;
+    else if (is_number && !of_zone && r.item == 0)
+      r.item = number, words.pop_back(), more = true;
+  }
+}
+
+bool is_quantity(const std::string& text, Response& r) {
+  for (int m = 0; m < kMeasures; ++m)
+    if (text == name_of(static_cast<Measure>(m))) {
+      r.of = Response::Of::kQuantity, r.which = m;
+      return true;
+    }
+  return false;
+}
+
+// What the words before zone and number mean.
+bool take_head(const std::vector<std::string>& words, Response& r) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
+  if (is_quantity(text, r)) return true;
+  const bool extreme = words.size() == 2 && (words[0] == "max" || words[0] == "min");
+  if (const Word* column = find_word(kColumns, words.back()); column != nullptr && (extreme || words.size() == 1)) {
+    r.of = Response::Of::kPairs, r.which = column->which;
+    r.least = extreme && words[0] == "min", r.size = !extreme;
+    return r.item == 0;
+  }
+  if (words.size() != 1) return false;
+  if (const Word* column = find_word(kPointColumns, words[0]); column != nullptr) {
+    r.of = Response::Of::kPoint, r.which = column->which;
+    return r.item > 0 && r.zone == 0;
+  }
+  if (const Word* count = find_word(kCounts, words[0]); count != nullptr) {
+    r.of = Response::Of::kCount, r.which = count->which;
+    return r.item == 0;
+  }
+  r.of = Response::Of::kLoad;
+  return words[0] == "load" && r.item == 0 && r.zone == 0;
+}
+
+double of_pairs(const Response& r, const CoefficientRecord& c) {
+  double best = NAN, count = 0;
+  for (size_t at = 0; at + C2D_PAIR_FIELDS <= c.table.size(); at += C2D_PAIR_FIELDS) {
+    if (r.zone != 0 && static_cast<int32_t>(c.table[at + C2D_PAIR_ZONE]) != r.zone) continue;
+    const int32_t status = static_cast<int32_t>(c.table[at + C2D_STATUS]);
+    const bool touches = status == C2D_STICK || status == C2D_SLIP;
+    if (r.of == Response::Of::kCount ? touches && (r.which < 0 || status == r.which) : true) count += 1;
+    double value = r.of == Response::Of::kPairs ? c.table[at + static_cast<size_t>(r.which)] : 0.0;
+    if (r.size) value = std::fabs(value);
+    if (std::isnan(best) || (r.least ? value < best : value > best)) best = value;
+  }
+  return r.of == Response::Of::kCount ? count : best;
+}
+
+double of_quantities(const Response& r, const CoefficientRecord& c) {
+  if (c.steps.empty()) return NAN;
+  for (const Quantity& q : c.steps.back().quantities) {
+    const bool zone = r.zone == 0 || q.zone == r.zone, item = r.item == 0 ? q.item <= 1 : q.item == r.item;
+    if (static_cast<int>(q.what) == r.which && zone && item) return q.value;
+  }
+  return NAN;
+}
+
+double of_point(const Response& r, const RunRecord& record) {
+  const size_t i = static_cast<size_t>(r.item) - 1;
+  if (record.interior == nullptr || i >= record.interior->points.size()) return NAN;
+  const InteriorPoint& p = record.interior->points[i];
+  return flag_of(p) == C2D_POINT_OUTSIDE ? NAN : p.values[r.which];
+}
+
+} // namespace
+
+bool read_responses(const std::string& text, std::vector<Response>& responses, std::string& error) {
+  std::istringstream list(text);
+  for (std::string part; std::getline(list, part, ';');) {
+    std::istringstream in(part);
+    std::vector<std::string> words;
+    std::string all;
+    for (std::string word; in >> word;) words.push_back(word), all += (all.empty() ? "" : " ") + word;
+    if (words.empty()) continue;
+    Response r;
+    r.words = all;
+    take_tail(words, r);
+    if (!take_head(words, r)) {
+      error = "'" + all + "': expected " + kResponseWords;
+      return false;
+    }
+    responses.push_back(r);
+  }
+  if (responses.empty()) error = std::string("nothing is asked for, expected ") + kResponseWords;
+  return error.empty();
+}
+
+double evaluate(const Response& r, const RunRecord& record) {
+  if (r.of == Response::Of::kPoint) return of_point(r, record);
+  if (record.coefficients.empty()) return NAN;
+  const CoefficientRecord& c = record.coefficients.back();
+  if (r.of == Response::Of::kQuantity) return of_quantities(r, c);
+  return r.of == Response::Of::kLoad ? c.load : of_pairs(r, c);
+}
+
+std::string csv_number(double value) {
+  if (std::isnan(value)) return "nan";
+  std::string text;
+  append_number(text, value);
+  return text;
+}
+
+std::string results_text(const std::vector<Response>& responses, const std::vector<double>& values) {
+  std::string out;
+  for (size_t i = 0; i < responses.size(); ++i) out += csv_number(values[i]) + " " + responses[i].words + "\n";
+  return out;
+}
+
+std::string failure_text(const std::string& why) {
+  std::string line = why.substr(0, why.find('\n'));
+  return "FAIL " + (line.empty() ? "no reason is known" : line) + "\n";
+}
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
+  return out + "\"";
+}
+
+} // namespace app

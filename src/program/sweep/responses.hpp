@@ -1,0 +1,43 @@
+// Numbers that are asked of a run: --response "max tn; contact edge 1; stress 3".
+#pragma once
+
+#include "report/interior.hpp"
+#include "report/record.hpp"
+
+#include <string>
+#include <vector>
+
+namespace app {
+
+// One number of the last recorded state of the last coefficient of friction.
+struct Response {
+  enum class Of { kPairs, kQuantity, kPoint, kCount, kLoad };
+  std::string words; // as it is called in tables
+  Of of = Of::kLoad;
+  int32_t which = 0; // kPairs: a column of the pairs' table; kQuantity: a Measure; kPoint: C2D_POINT_...; kCount: a status, -1:
+                     // all that touch
+  bool least = false; // kPairs: the smallest instead of the largest
+  bool size = false;  // kPairs: of its absolute value
+  int32_t zone = 0;   // 0: all
+  int32_t item = 0;   // kQuantity: which of several; kPoint: which point; 0: the only one
+};
+
+// Reads a list with semicolons. False with an error text.
+bool read_responses(const std::string& text, std::vector<Response>& responses, std::string& error);
+
+// What --help and pages say of the words.
+extern const char kResponseWords[];
+
+// NaN: the state has no such number.
+double evaluate(const Response& response, const RunRecord& record);
+
+// "name value" and a line each.
+std::string results_text(const std::vector<Response>& responses, const std::vector<double>& values);
+// The first line of the file of a run that failed: FAIL and why.
+std::string failure_text(const std::string& why);
+
+// A field of a CSV file, in quotes where it has to be.
+std::string csv_field(const std::string& text);
+std::string csv_number(double value);
+
+} // namespace app

@@ -1,0 +1,91 @@
+#include "program/sweep/table.hpp"
+
+#include "program/sweep/parameters.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace app {
+namespace {
+
+struct Cell {
+  std::string text;
+  int32_t column, column_end; // from 1
+};
+
+std::vector<Cell> cells_of(const std::string& line) {
+  std::vector<Cell> cells;
+  for (size_t at = 0; at <= line.size();) {
+    const size_t comma = std::min(line.find(',', at), line.size());
+    size_t begin = at, end = comma;
+    while (begin < end && (line[begin] == ' ' || line[begin] == '\t' || line[begin] == '"')) ++begin;
+    while (end > begin && (line[end - 1] == ' ' || line[end - 1] == '\t' || line[end - 1] == '"')) --end;
+    cells.push_back({line.substr(begin, end - begin), static_cast<int32_t>(begin) + 1, static_cast<int32_t>(end)});
+    at = comma + 1;
+  }
+  return cells;
+}
+
+class Reader {
+public:
+  explicit Reader(Messages& messages) : messages_(messages) {}
+  void heading(const std::vector<Cell>& cells, int32_t line, SweepTable& table);
+  void row(const std::vector<Cell>& cells, int32_t line, SweepTable& table);
+  void fault(int32_t line, const Cell& cell, const std::string& text);
+  bool sound() const { return sound_; }
+
+private:
+  Messages& messages_;
+  bool sound_ = true;
+};
+
+void Reader::fault(int32_t line, const Cell& cell, const std::string& text) {
+  c2d_error entry = C2D_INIT(c2d_error);
+  entry.status = C2D_ERR_INPUT, entry.severity = C2D_FAULT;
+  entry.line = line, entry.column = cell.column, entry.column_end = cell.column_end;
+  std::snprintf(entry.text, sizeof entry.text, "%s", text.c_str());
+  Messages::log(&messages_, &entry);
+  sound_ = false;
+}
+
+void Reader::heading(const std::vector<Cell>& cells, int32_t line, SweepTable& table) {
+  Setting setting;
+  for (const Cell& cell : cells) {
+    if (!read_setting(cell.text + "=0", setting))
+      fault(line, cell, "'" + cell.text + "': expected the name of a parameter");
+    else if (std::count(table.names.begin(), table.names.end(), cell.text) > 0)
+      fault(line, cell, cell.text + " names two columns");
+    table.names.push_back(cell.text);
+  }
+}
+
+void Reader::row(const std::vector<Cell>& cells, int32_t line, SweepTable& table) {
+  if (cells.size() != table.names.size())
+    return fault(line, cells.back(), std::to_string(cells.size()) + " values, expected " + std::to_string(table.names.size()));
+  table.rows.emplace_back();
+  Setting setting;
+  for (const Cell& cell : cells) {
+    if (!read_setting("a=" + cell.text, setting)) fault(line, cell, "'" + cell.text + "': expected a value without blanks");
+    table.rows.back().push_back(cell.text);
+  }
+}
+
+} // namespace
+
+bool read_table(const DeckFile& file, Messages& messages, SweepTable& table) {
+  Reader reader(messages);
+  for (size_t i = 1; i <= file.cards(); ++i) {
+    std::string line(file.card(i));
+    if (i == 1 && line.compare(0, 3, "\xef\xbb\xbf") == 0) line.erase(0, 3); // a byte order mark
+    if (line.find_first_not_of(" \t,") == std::string::npos) continue;
+    if (table.names.empty())
+      reader.heading(cells_of(line), static_cast<int32_t>(i), table);
+    else
+      reader.row(cells_of(line), static_cast<int32_t>(i), table);
+  }
+  if (reader.sound() && table.rows.empty())
+    messages.fail("no rows, expected a heading with the names of parameters and a row for each run");
+  return reader.sound() && !table.rows.empty();
+}
+
+} // namespace app

@@ -1,0 +1,20 @@
+// The table of a sweep: a heading that names parameters, and a row of values for each run.
+#pragma once
+
+#include "program/messages.hpp"
+
+#include <string>
+#include <vector>
+
+namespace app {
+
+struct SweepTable {
+  std::vector<std::string> names;
+  std::vector<std::vector<std::string>> rows; // as many values as there are names
+};
+
+// Reads a CSV file; blank lines count for nothing. Every fault is told with its place to `messages`; false after any, and if
+// there is no row.
+bool read_table(const DeckFile& file, Messages& messages, SweepTable& table);
+
+} // namespace app

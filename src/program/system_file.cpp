@@ -1,0 +1,108 @@
+#include "program/system_file.hpp"
+
+#include "program/interrupt.hpp"
+
+#include <cerrno>
+#include <cstring>
+#include <dirent.h>
+#include <fcntl.h>
+#include <memory>
+#include <new>
+#include <unistd.h>
+
+namespace app {
+
+int open_file(const std::string& path, int flags) {
+  int file;
+  do {
+    file = ::open(path.c_str(), flags | O_CLOEXEC, 0666);
+  } while (file < 0 && errno == EINTR && !interrupted());
+  return file;
+}
+
+int read_all(int file, std::string& text) {
+  std::vector<char> chunk(size_t{1} << 16);
+  for (;;) {
+    const ssize_t got = ::read(file, chunk.data(), chunk.size());
+    if (got == 0) return 0;
+    if (got > 0)
+      text.append(chunk.data(), static_cast<size_t>(got));
+    else if (errno != EINTR)
+      return errno;
+  }
+}
+
+int read_from_start(int file, std::string& text) {
+  std::vector<char> chunk(size_t{1} << 16);
+  for (off_t at = 0;;) {
+    const ssize_t got = ::pread(file, chunk.data(), chunk.size(), at);
+    if (got == 0) return 0;
+    if (got > 0)
+      text.append(chunk.data(), static_cast<size_t>(got)), at += got;
+    else if (errno != EINTR)
+      return errno;
+  }
+}
+
+int write_all(int file, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t put = ::write(file, text.data(), text.size());
+    if (put == 0) return EIO; // no bytes taken, and no reason given
+    if (put > 0)
+      text.remove_prefix(static_cast<size_t>(put));
+    else if (errno != EINTR)
+      return errno;
+  }
+  return 0;
+}
+
+int sync_file(int file) {
+  while (::fsync(file) != 0)
+    if (errno != EINTR) return errno;
+  return 0;
+}
+
+int close_file(int file) { return ::close(file) == 0 || errno == EINTR ? 0 : errno; }
+
+int sync_folder(const std::string& folder) {
+  const int file = open_file(folder, O_RDONLY | O_DIRECTORY);
+  if (file < 0) return errno == EACCES ? 0 : errno; // one may write into folders that one may not read
+  const int code = sync_file(file);
+  ::close(file);
+  return code == EINVAL || code == ENOTSUP ? 0 : code;
+}
+
+int read_file(const std::string& path, std::string& text) {
+  const int file = open_file(path, O_RDONLY);
+  if (file < 0) return errno;
+  const int code = read_all(file, text);
+  ::close(file);
+  return code;
+}
+
+// (The iterators of <filesystem> end the process where there is no memory.)
+int list_folder(const std::string& folder, std::vector<std::string>& names) {
+  struct Close {
+    void operator()(DIR* list) const { ::closedir(list); }
+  };
+  const std::unique_ptr<DIR, Close> list(::opendir(folder.c_str()));
+  if (list == nullptr) return errno;
+  for (errno = 0; const dirent* entry = ::readdir(list.get()); errno = 0) {
+    const std::string_view name = entry->d_name;
+    if (name != "." && name != "..") names.emplace_back(name);
+  }
+  return errno;
+}
+
+std::string system_text(int code) {
+  if (code == ENOMEM) throw std::bad_alloc();
+  return std::strerror(code);
+}
+
+std::string folder_of(const std::string& path) {
+  const size_t slash = path.rfind('/');
+  if (slash == std::string::npos) return ".";
+  return slash == 0 ? "/" : path.substr(0, slash);
+}
+
+} // namespace app

@@ -1,0 +1,31 @@
+// Calls of the system on files that go on after interruptions, in the order that leaves whole files after a crash: the data,
+// the name, the folder of the name.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace app {
+
+// A descriptor that is closed on exec; below 0 with errno. Only a signal that stops the program ends the waiting.
+int open_file(const std::string& path, int flags);
+
+// All of these return 0 or errno.
+int read_all(int file, std::string& text);        // adds to `text`, as far as it comes
+int read_from_start(int file, std::string& text); // the same of all of it; where the next write goes stays
+int write_all(int file, std::string_view text);
+int sync_file(int file);
+int close_file(int file); // interrupted or not, it is closed
+// The names in a folder. What cannot sync folders has no need of it: no failure.
+int sync_folder(const std::string& folder);
+int read_file(const std::string& path, std::string& text);
+int list_folder(const std::string& folder, std::vector<std::string>& names); // but . and ..
+
+// What the system says of a failure, by errno; of memory that cannot be had it is told as everywhere: std::bad_alloc.
+std::string system_text(int code);
+
+// The folder that a path lies in, without the slash at its end but for "/"; "." if it has none.
+std::string folder_of(const std::string& path);
+
+} // namespace app

@@ -1,0 +1,86 @@
+#include "refused_calls.hpp"
+
+#include <contact2d.h>
+
+#include <atomic>
+#include <map>
+
+namespace {
+std::atomic<int64_t> count{0}, refused{0};
+std::map<void*, std::vector<int64_t>> calls; // by where they come from; kept while none is refused
+const char* name_refused = "";
+} // namespace
+
+namespace test {
+
+void refuse_call(int64_t n) {
+  count = 0, refused = n, name_refused = "";
+  calls.clear();
+}
+std::vector<int64_t> calls_to_refuse() {
+  std::vector<int64_t> out;
+  for (const auto& [place, numbers] : calls) {
+    out.push_back(numbers.front());
+    if (numbers.size() > 1) out.push_back(numbers.back());
+  }
+  return out;
+}
+const char* call_refused() { return name_refused; }
+
+#ifdef __linux__
+
+bool can_refuse_calls() { return true; }
+
+} // namespace test
+
+namespace {
+bool is_let_through(const char* name, void* place) {
+  const int64_t number = ++count;
+  if (refused == 0) calls[place].push_back(number);
+  if (number == refused) name_refused = name;
+  return number != refused;
+}
+} // namespace
+
+// name, its parameters, and what is handed on. (The Makefile reads the names here.)
+#define WRAPPED(name, parameters, arguments)                                                                                   \
+  extern "C" c2d_status __real_##name parameters;                                                                              \
+  extern "C" c2d_status __wrap_##name parameters;                                                                              \
+  extern "C" c2d_status __wrap_##name parameters {                                                                             \
+    if (is_let_through(#name, __builtin_return_address(0))) return __real_##name arguments;                                    \
+    return C2D_ERR_STATE;                                                                                                      \
+  }
+
+using Solver = c2d_solver*;
+WRAPPED(c2d_get, (Solver s, int32_t a, int32_t b, int32_t c, int32_t d, double* e, int64_t f), (s, a, b, c, d, e, f))
+WRAPPED(c2d_get_region, (Solver s, int32_t a, int32_t b, int32_t* c, int32_t* d), (s, a, b, c, d))
+WRAPPED(c2d_get_summary, (Solver s, c2d_summary* a), (s, a))
+WRAPPED(c2d_get_friction, (Solver s, int32_t a, int32_t b, double* c), (s, a, b, c))
+WRAPPED(c2d_get_condition, (Solver s, int32_t a, int32_t b, int32_t c, int32_t d, int32_t* e, double* f), (s, a, b, c, d, e, f))
+WRAPPED(c2d_get_body_result, (Solver s, int32_t a, c2d_body_result* b), (s, a, b))
+WRAPPED(c2d_get_interference, (Solver s, int32_t* a), (s, a))
+WRAPPED(c2d_get_point_load, (Solver s, int32_t a, int32_t* b, int32_t* c, double* d, double* e), (s, a, b, c, d, e))
+WRAPPED(c2d_get_path, (Solver s, int32_t a, int32_t* b, double* c, int32_t d), (s, a, b, c, d))
+WRAPPED(c2d_get_rigid, (Solver s, int32_t a, int32_t b, int32_t* c, double* d, double* e), (s, a, b, c, d, e))
+WRAPPED(c2d_get_body_force, (Solver s, int32_t a, int32_t b, double* c, double* d, double* e), (s, a, b, c, d, e))
+WRAPPED(c2d_get_points, (Solver s, int32_t a, c2d_points* b), (s, a, b))
+WRAPPED(c2d_get_curve, (Solver s, int32_t a, c2d_curve* b), (s, a, b))
+WRAPPED(c2d_interior, (Solver s, int32_t a, int32_t b, const double* c, int64_t d, double* e, int64_t f), (s, a, b, c, d, e, f))
+WRAPPED(c2d_indicators, (Solver s, int32_t a, int32_t b, int32_t c, double* d, int64_t e), (s, a, b, c, d, e))
+WRAPPED(c2d_set_options, (Solver s, const c2d_options* a), (s, a))
+WRAPPED(c2d_read_deck, (Solver s, c2d_read_line a, void* b), (s, a, b))
+WRAPPED(c2d_prepare, (Solver s), (s))
+WRAPPED(c2d_run, (Solver s, c2d_step_fn a, void* b), (s, a, b))
+WRAPPED(c2d_save, (Solver s), (s))
+WRAPPED(c2d_restore, (Solver s), (s))
+WRAPPED(c2d_create, (Solver * s, void* a, size_t b, const c2d_limits* c, const c2d_port* d, c2d_error* e), (s, a, b, c, d, e))
+WRAPPED(c2d_check_deck, (c2d_read_line a, void* b, c2d_limits* c, c2d_report d, void* e), (a, b, c, d, e))
+WRAPPED(c2d_scan_deck, (c2d_read_line a, void* b, c2d_limits* c, c2d_error* d), (a, b, c, d))
+
+#else
+
+bool can_refuse_calls() { return false; }
+
+} // namespace test
+
+#endif

@@ -1,0 +1,19 @@
+# make sanitize: the suite under the address and undefined-behaviour sanitizers, tests and all. make sanitize-library: library,
+# program and those tests alone that see the core's configuration or ask for sanitizers, as `make fuzz` has them, by clang++; the
+# other tests are those of `make test`.
+.PHONY: sanitize sanitize-library sanitize-threads
+SANITIZE_FLAGS := -O1 -g1 -fsanitize=address,undefined
+sanitize:
+	+@$(MAKE) -s test BUILD=$(BUILD)/sanitize CXXFLAGS='$(SANITIZE_FLAGS) -fno-sanitize-recover=all' CFLAGS='$(SANITIZE_FLAGS)' \
+	  LDFLAGS='-fsanitize=address,undefined'
+sanitize-library: test-objects
+	+@$(FUZZ_MAKE) test TESTS_FROM=$(BUILD)
+
+# make sanitize-threads: what runs side by side, and nothing else, under the thread sanitizer: the pool of threads, tasks, transfers
+# on their way, a solver in each thread, cancel.
+THREADS_TESTED := main paths problem many_bodies test_threads test_tasks test_ahead test_persist test_cancel
+$(BUILD)/tests/run_threads: $(THREADS_TESTED:%=$(BUILD)/tests/%.o) $(LIBRARY)
+	$(CXX) $(CXXFLAGS) $(LDFLAGS) -o $@ $^ -lm -pthread
+sanitize-threads:
+	+@$(MAKE) -s BUILD=$(BUILD)/threads CXXFLAGS='-O1 -g1 -fsanitize=thread' LDFLAGS=-fsanitize=thread $(BUILD)/threads/tests/run_threads
+	@$(BUILD)/threads/tests/run_threads -tc='threads:*,tasks:*,ahead:*,port/posix:*,two solvers:*,cancel:*' | tail -1

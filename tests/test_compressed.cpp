@@ -1,0 +1,686 @@
+// Compressed elimination against the dense one: solutions, reduced equations, functionals, of every kind of body.
+#include "bie/batch.hpp"
+#include "bie/panel.hpp"
+#include "elimination/compressed.hpp"
+#include "elimination/stream.hpp"
+#include "linalg/dense.hpp"
+#include "linalg/interpolate.hpp"
+#include "model_fixture.hpp"
+#include "solver_runs.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <random>
+#include <vector>
+
+using namespace fixture;
+
+namespace {
+
+using Numbers = std::vector<c2d::Real>;
+
+const c2d::BatchKernel* best_batch() { return c2d::batch_for(c2d::best_instructions()); }
+
+// One body of a model, eliminated either way on a store of its own.
+struct Body {
+  c2d::Model model;
+  int b;
+  std::vector<double> diagonal, point;
+  std::vector<int32_t> twin;
+  std::unique_ptr<c2d::AssemblyScratch> scratch = std::make_unique<c2d::AssemblyScratch>();
+  c2d::ColumnSystem system;
+  runs::RamStore store;
+  c2d_port port = C2D_INIT(c2d_port);
+  c2d::Tapes tapes = {};
+  int32_t pivots, trailing, left;
+  Numbers s; // left x trailing
+
+  Body(ModelData& d, int body) : model(d.view()), b(body) {
+    c2d::number_unknowns(model, b);
+    const size_t nodes = static_cast<size_t>(model.body[b].nodes);
+    diagonal.resize(4 * nodes), point.resize(2 * nodes), twin.resize(nodes);
+    system = {model, b, c2d::Quadrature::accurate, diagonal.data(), point.data(), twin.data(), scratch.get(), best_batch()};
+    system.some_passed_over = c2d::place_sources(system);
+    c2d::fill_diagonal(system, 0, static_cast<int32_t>(nodes));
+    pivots = c2d::outer_columns(model, b);
+    trailing = c2d::trailing_columns(model, b);
+    left = c2d::system_rows(model, b) - pivots;
+    s.assign(static_cast<size_t>(left) * static_cast<size_t>(trailing), 0);
+    port.context = &store;
+    port.open = runs::RamStore::open, port.read = runs::RamStore::read, port.write = runs::RamStore::write;
+    port.sync = runs::RamStore::sync, port.close = runs::RamStore::close;
+    tapes.port = &port;
+  }
+  static c2d_status fill(void* context, int32_t first, int32_t count, c2d::Real* panel, int64_t ld) {
+    c2d::fill_columns(static_cast<Body*>(context)->system, first, count, panel, ld);
+    return C2D_OK;
+  }
+  static c2d_status take(void* context, int32_t first, int32_t count, const c2d::Real* rows, int64_t ld) {
+    Body& own = *static_cast<Body*>(context);
+    for (int32_t j = 0; j < count; ++j)
+      for (int32_t i = 0; i < own.left; ++i) own.s[static_cast<size_t>(i + (first + j) * own.left)] = rows[i + j * ld];
+    return C2D_OK;
+  }
+  // The n-th operation from now on.
+  void fail(int64_t n) {
+    store.done.clear();
+    store.before = [n](const runs::RamStore::Operation&, size_t i) { return static_cast<int64_t>(i) == n ? 5 : 0; };
+  }
+  void open(const c2d::TapeUse& lower, const c2d::TapeUse& upper) {
+    if (lower.blocks > 0) REQUIRE(c2d::open_tape(tapes, C2D_TAPE_LOWER, lower.blocks, lower.max_data_bytes) == C2D_OK);
+    if (upper.blocks > 0) REQUIRE(c2d::open_tape(tapes, C2D_TAPE_UPPER, upper.blocks, upper.max_data_bytes) == C2D_OK);
+  }
+};
+
+struct Aligned {
+  std::vector<double> room;
+  void* at;
+  explicit Aligned(uint64_t bytes) : room(bytes / 8 + 16) {
+    const uintptr_t start = reinterpret_cast<uintptr_t>(room.data());
+    at = room.data() + (64 - start % 64) % 64 / 8;
+  }
+};
+
+struct Dense : Body {
+  c2d::EliminationPlan plan;
+  Dense(ModelData& d, int body) : Body(d, body) {
+    REQUIRE(c2d::plan_elimination(uint64_t{1} << 34, left + pivots, pivots, trailing, 0, plan, nullptr) == C2D_OK);
+    open(c2d::lower_use(plan), c2d::upper_use(plan));
+    Aligned work(c2d::elimination_bytes(plan));
+    REQUIRE(c2d::eliminate(plan, {this, fill}, {this, take}, tapes, work.at, nullptr, {nullptr, nullptr}) == C2D_OK);
+  }
+  Numbers solve(const Numbers& coefficient) {
+    Numbers x(static_cast<size_t>(pivots));
+    Aligned work(c2d::back_substitution_bytes(plan));
+    REQUIRE(c2d::back_substitute(plan, tapes, coefficient.data(), x.data(), work.at) == C2D_OK);
+    return x;
+  }
+  Numbers functional(Numbers f) {
+    Numbers w(static_cast<size_t>(trailing));
+    Aligned work(c2d::back_substitution_bytes(plan));
+    REQUIRE(c2d::transposed_functional(plan, tapes, f.data(), w.data(), work.at) == C2D_OK);
+    return w;
+  }
+};
+
+struct Compressed : Body {
+  c2d::CompressedPlan plan;
+  c2d::CompressedStats stats = {};
+  c2d_status status;
+  // `block_bytes` of the records' blocks, 0: as planned; `fails_at`: the operation of the store that fails, `stops_at`: the
+  // cell after which the host cancels; -1: none.
+  struct Trouble {
+    uint64_t block_bytes = 0, bytes_beyond = 2000000;
+    int64_t fails_at = -1, stops_at = -1;
+  };
+  int64_t steps = 0, stops = -1;
+  static c2d_status step(void* context, int32_t) {
+    Compressed& own = *static_cast<Compressed*>(context);
+    return own.steps++ == own.stops ? c2d_status{C2D_ERR_CANCELLED} : c2d_status{C2D_OK};
+  }
+  Compressed(ModelData& d, int body, int32_t rank, int32_t leaf) : Compressed(d, body, rank, leaf, Trouble()) {}
+  Compressed(ModelData& d, int body, int32_t rank, int32_t leaf, const Trouble& trouble) : Body(d, body) {
+    plan = c2d::plan_compressed(model, b, rank, leaf);
+    const uint64_t bytes = c2d::compressed_bytes(plan) + trouble.bytes_beyond;
+    REQUIRE(c2d::cut_border(bytes, plan, nullptr) == C2D_OK);
+    if (trouble.block_bytes != 0) plan.block_bytes = trouble.block_bytes;
+    const c2d::TapeUse lower = c2d::compressed_lower_use(plan), upper = c2d::compressed_upper_use(plan);
+    open(lower, upper);
+    Aligned work(bytes);
+    c2d::PivotStats pivot;
+    stops = trouble.stops_at;
+    fail(trouble.fails_at);
+    status =
+        c2d::eliminate_compressed(plan, system, {this, take}, tapes, work.at, &pivot, &stats, {this, step}, c2d::kPlainEngine);
+  }
+  Numbers solve(const Numbers& coefficient) {
+    Numbers x(static_cast<size_t>(pivots));
+    Aligned work(c2d::compressed_back_bytes(plan));
+    REQUIRE(c2d::back_substitute_compressed(plan, tapes, coefficient.data(), x.data(), work.at) == C2D_OK);
+    return x;
+  }
+  Numbers functional(Numbers f) {
+    Numbers w(static_cast<size_t>(trailing));
+    Aligned work(c2d::compressed_back_bytes(plan));
+    REQUIRE(c2d::compressed_functional(plan, tapes, f.data(), w.data(), work.at) == C2D_OK);
+    return w;
+  }
+};
+
+double largest(const Numbers& x) {
+  double most = 0;
+  for (c2d::Real value : x) most = std::max(most, std::fabs(static_cast<double>(value)));
+  return most;
+}
+double difference(const Numbers& a, const Numbers& b) {
+  Numbers d(a.size());
+  for (size_t i = 0; i < a.size(); ++i) d[i] = a[i] - b[i];
+  return largest(d) / largest(a);
+}
+
+// Trailing coefficients at which the body's equations can be met, S c = 0: those of columns that are no pivots at random.
+Numbers coefficients(const Body& body, uint32_t seed) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  const int32_t m = body.left, n = body.trailing;
+  std::vector<long double> a(body.s.begin(), body.s.end());
+  const auto at = [&](int32_t i, int32_t j) -> long double& { return a[static_cast<size_t>(i + j * m)]; };
+  std::vector<int32_t> pivot(static_cast<size_t>(m), -1);
+  std::vector<bool> taken(static_cast<size_t>(n), false);
+  for (int32_t k = 0; k < m; ++k) {
+    int32_t row = k, column = -1;
+    for (int32_t j = 0; j < n; ++j)
+      for (int32_t i = k; i < m && !taken[static_cast<size_t>(j)]; ++i)
+        if (column < 0 || std::fabs(at(i, j)) > std::fabs(at(row, column))) row = i, column = j;
+    REQUIRE_MESSAGE(column >= 0, k << " of " << m << ", " << n << " columns, contact " << body.model.body[body.b].contact);
+    taken[static_cast<size_t>(column)] = true;
+    pivot[static_cast<size_t>(k)] = column;
+    for (int32_t j = 0; j < n; ++j) std::swap(at(k, j), at(row, j));
+    for (int32_t i = 0; i < m; ++i) {
+      const long double factor = i == k ? 0.0L : at(i, column) / at(k, column);
+      for (int32_t j = 0; j < n && factor != 0; ++j) at(i, j) -= factor * at(k, j);
+    }
+  }
+  std::vector<long double> c(static_cast<size_t>(n), 0);
+  for (int32_t j = 0; j < n; ++j)
+    if (!taken[static_cast<size_t>(j)]) c[static_cast<size_t>(j)] = uniform(generator);
+  for (int32_t k = 0; k < m; ++k) {
+    const int32_t column = pivot[static_cast<size_t>(k)];
+    long double sum = 0;
+    for (int32_t j = 0; j < n; ++j)
+      if (!taken[static_cast<size_t>(j)]) sum += at(k, j) * c[static_cast<size_t>(j)];
+    c[static_cast<size_t>(column)] = -sum / at(k, column);
+  }
+  return Numbers(c.begin(), c.end());
+}
+
+// S c over the largest terms it is the sum of.
+double violation(const Body& body, const Numbers& c) {
+  double most = 0, terms = 0;
+  for (int32_t i = 0; i < body.left; ++i) {
+    double sum = 0;
+    for (int32_t j = 0; j < body.trailing; ++j) {
+      const double term = body.s[static_cast<size_t>(i + j * body.left)] * c[static_cast<size_t>(j)];
+      sum += term;
+      terms = std::max(terms, std::fabs(term));
+    }
+    most = std::max(most, std::fabs(sum));
+  }
+  return terms > 0 ? most / terms : 0;
+}
+
+struct Agreement {
+  double contact, solution, functional;
+  int32_t rank;
+};
+
+// Both ways, for the same tractions, displacements and loads.
+Agreement compare(ModelData& d, int b, int32_t rank, int32_t leaf) {
+  Dense dense(d, b);
+  Compressed compressed(d, b, rank, leaf);
+  Agreement out = {1, 1, 1, compressed.stats.largest_rank};
+  CHECK(compressed.status == C2D_OK);
+  if (compressed.status != C2D_OK) return out;
+  const Numbers c = coefficients(dense, 5);
+  out.contact = std::max(violation(dense, c), violation(compressed, c));
+  const Numbers x = dense.solve(c), x2 = compressed.solve(c);
+  out.solution = difference(x, x2);
+  // Of a functional of the solution its value at solutions counts.
+  Numbers f(x.size());
+  for (size_t i = 0; i < f.size(); ++i) f[i] = static_cast<c2d::Real>(std::sin(1.0 + 3.0 * static_cast<double>(i)));
+  const Numbers w = dense.functional(f), w2 = compressed.functional(f);
+  double sum = 0, sum2 = 0, terms = 0;
+  for (size_t k = 0; k < w.size(); ++k) sum += w[k] * c[k], terms += std::fabs(w[k] * c[k]), sum2 += w2[k] * c[k];
+  out.functional = std::fabs(sum - sum2) / terms;
+  return out;
+}
+
+// A disc, held on an eighth of its boundary, pulled on half of it.
+ModelData disc(int32_t functions, int32_t element_nodes, int elements) {
+  ModelData d(functions);
+  Points p;
+  arc_to(p, 0.3, 0.2, 1.5, 0, 360, elements * (element_nodes - 1));
+  d.body(element_nodes, {p}, 2600, 0.3);
+  for (int e = 1; e <= std::max(1, elements / 8); ++e)
+    for (int l = 1; l <= functions; ++l) d.condition(1, e, l, "1100", 0.001, 0.0);
+  for (size_t i = 0; i < d.end_traction[0].size(); i += 2)
+    if (i > d.end_traction[0].size() / 2) d.end_traction[0][i] = 0.7;
+  return d;
+}
+
+// Two boxes, one on the other, all of it turned, with `holes` in each; `along` elements on the side where they touch.
+ModelData boxes(int32_t functions, int32_t element_nodes, int holes, int along, double turn, double nu = 0.3) {
+  ModelData d(functions);
+  const double c = std::cos(turn), s = std::sin(turn);
+  for (int b = 0; b < 2; ++b) {
+    std::vector<Points> curves;
+    const auto add = [&](const Points& corners) {
+      Points p;
+      const size_t n = corners.size() / 2;
+      for (size_t e = 0; e < n; ++e)
+        for (int k = 0; k < element_nodes - 1; ++k) {
+          const double at = k / (element_nodes - 1.0) + (k > 0 && e % 3 == 1 ? 0.05 : 0.0);
+          const size_t next = (e + 1) % n * 2;
+          const double x = corners[2 * e] + at * (corners[next] - corners[2 * e]);
+          const double y = corners[2 * e + 1] + at * (corners[next + 1] - corners[2 * e + 1]);
+          p.push_back(c * x - s * y);
+          p.push_back(s * x + c * y);
+        }
+      curves.push_back(p);
+    };
+    add(rectangle(0, b == 0 ? -2 : 0, 3, 2, along, 2 * along / 3 + 1));
+    for (int h = 0; h < holes; ++h) {
+      Points hole;
+      arc_to(hole, 3 * (h + 0.5) / holes, b == 0 ? -1 : 1, 0.9 / holes, 0, -360, along / 2 + h);
+      add(hole);
+    }
+    d.body(element_nodes, curves, 1000, b == 0 ? nu : 0.45);
+  }
+  d.conditions(1, 1, 1, along, functions, "1100");
+  const int32_t up = 2 * along / 3 + 1, first = along + up + 1; // the upper side of body 1
+  if (functions == 1) {
+    d.zone(along, along, first, 1, first, along, -1, along);
+  } else {
+    const int32_t per = functions - 1;
+    d.zone(along * per + 1, along, first, 1, (first - 1) * per + 1, along, -1, along * per + 1);
+  }
+  d.point_load(2, c * 0.2 - s * 1.8, s * 0.2 + c * 1.8, 0.3, -1);
+  return d;
+}
+
+void check_agreement(ModelData& d, int32_t rank, int32_t leaf, double tolerance) {
+  const bool complete = d.complete();
+  REQUIRE_MESSAGE(complete, d.all());
+  for (int b = 0; b < d.view().head->bodies; ++b) {
+    const Agreement a = compare(d, b, rank, leaf);
+    CAPTURE(b);
+    CAPTURE(a.rank);
+    CHECK(a.contact < tolerance);
+    CHECK(a.solution < tolerance);
+    CHECK(a.functional < tolerance);
+    if (std::getenv("SHOW")) MESSAGE(b << " rank " << a.rank << " " << a.contact << " " << a.solution << " " << a.functional);
+  }
+}
+
+constexpr double kNear = sizeof(c2d::Real) == 8 ? 1e-10 : 2e-3;
+
+} // namespace
+
+TEST_CASE("compressed: a disc with elements of all orders") {
+  for (int32_t functions = 1; functions <= 4; ++functions)
+    for (int32_t element_nodes = 2; element_nodes <= 4; ++element_nodes) {
+      CAPTURE(functions);
+      CAPTURE(element_nodes);
+      ModelData d = disc(functions, element_nodes, functions < 3 ? 150 : 70);
+      check_agreement(d, 160, 12, kNear);
+    }
+}
+
+TEST_CASE("compressed: two bodies in contact, with and without holes, all orders") {
+  for (int32_t trial = 0; trial < 12; ++trial) {
+    CAPTURE(trial);
+    ModelData d = boxes(1 + trial % 4, 2 + trial / 4, trial % 4, trial % 4 < 2 ? 24 : 12, 0.1 * trial);
+    check_agreement(d, 160, 10, kNear);
+  }
+}
+
+TEST_CASE("compressed: incompressible, with holes") {
+  ModelData d = boxes(2, 2, 2, 24, 0.2, 0.5);
+  check_agreement(d, 160, 10, 10 * kNear);
+}
+
+TEST_CASE("compressed: symmetry by elements") {
+  ModelData d = hertz();
+  check_agreement(d, 120, 6, kNear);
+}
+
+TEST_CASE("compressed: one and two lines of symmetry by images, with a hole that they cut") {
+  for (int lines = 1; lines <= 2; ++lines)
+    for (int32_t functions = 1; functions <= 3; ++functions) {
+      CAPTURE(lines);
+      CAPTURE(functions);
+      ModelData d(functions);
+      d.head.images = 1;
+      // Counter-clockwise: below, right, above, and down the left with a bite in the middle.
+      Points p;
+      line_to(p, lines == 2 ? 0.5 : 0, 0, 3, 0, 30);
+      line_to(p, 3, 0, 3, 2, 20);
+      line_to(p, 3, 2, 0, 2, 30);
+      line_to(p, 0, 2, 0, lines == 2 ? 0.5 : 1.5, 10);
+      const int arc = lines == 2 ? 14 : 21;
+      if (lines == 1) {
+        arc_to(p, 0, 1, 0.5, 90, -90, arc);
+        line_to(p, 0, 0.5, 0, 0, 6);
+      } else {
+        arc_to(p, 0, 0, 0.5, 90, 0, arc);
+      }
+      d.body(2, {p}, 1000, 0.3);
+      const int end = static_cast<int>(p.size()) / 2;
+      if (lines == 2) d.conditions(1, 1, 1, 30, functions, "0110");
+      d.conditions(1, 81, 1, 90, functions, "1001");
+      if (lines == 1) d.conditions(1, 112, 1, end, functions, "1001");
+      if (lines == 1) d.conditions(1, 40, 1, 44, functions, "0110");
+      for (size_t i = 0; i < d.end_traction[0].size(); i += 2) d.end_traction[0][i] = i / 2 % 50 < 9 ? 0.3 : 0.0;
+      check_agreement(d, 140, 8, kNear);
+    }
+}
+
+TEST_CASE("compressed: leaves of any size, trees of one cell, odd numbers of nodes") {
+  for (int32_t elements : {8, 9, 17, 31, 64})
+    for (int32_t leaf : {1, 2, 3, 5, 100}) {
+      CAPTURE(elements);
+      CAPTURE(leaf);
+      ModelData d = disc(2, 2, elements);
+      check_agreement(d, 100, leaf, kNear);
+    }
+}
+
+namespace {
+
+// Held at its first side, pulled at the last; curves as given.
+ModelData held(const std::vector<Points>& curves, int first_side, int32_t functions = 2) {
+  ModelData d(functions);
+  d.body(2, curves, 1000, 0.3);
+  d.conditions(1, 1, 1, first_side, functions, "1100");
+  const size_t ends = d.end_traction[0].size();
+  for (size_t i = ends / 2; i < ends; i += 2) d.end_traction[0][i] = 0.01;
+  return d;
+}
+
+// From one point to another, elements half as long from the middle towards both ends, down to `smallest` of the whole.
+void graded_line(Points& p, double x0, double y0, double x1, double y1, double smallest) {
+  std::vector<double> s;
+  for (double at = smallest; at < 0.5; at *= 1.5) s.push_back(at);
+  std::vector<double> all = {0.0};
+  for (double at : s) all.push_back(at);
+  for (size_t k = s.size(); k-- > 0;) all.push_back(1.0 - s[k]);
+  for (double at : all) p.insert(p.end(), {x0 + (x1 - x0) * at, y0 + (y1 - y0) * at});
+}
+
+} // namespace
+
+TEST_CASE("compressed: double nodes") {
+  ModelData plain = disc(2, 2, 60);
+  Points p = plain.xy[0];
+  for (size_t node : {7u, 30u, 31u}) // from behind: numbers before it stay
+    p.insert(p.begin() + static_cast<int64_t>(2 * (37 - node)), {p[2 * (37 - node)], p[2 * (37 - node) + 1]});
+  ModelData d(2);
+  d.body(2, {p}, 2600, 0.3);
+  d.conditions(1, 12, 1, 18, 2, "1100");
+  d.end_traction[0][100] = d.end_traction[0][102] = 0.7;
+  check_agreement(d, 100, 5, kNear);
+}
+
+TEST_CASE("compressed: squares graded to 1e-6, thin layers, rings, many holes") {
+  Points graded;
+  graded_line(graded, 0, 0, 1, 0, 1e-6), graded_line(graded, 1, 0, 1, 1, 1e-6);
+  graded_line(graded, 1, 1, 0, 1, 1e-6), graded_line(graded, 0, 1, 0, 0, 1e-6);
+  ModelData square = held({graded}, static_cast<int>(graded.size()) / 8);
+  check_agreement(square, 160, 12, 100 * kNear);
+  // (Elements of the layer's thickness: a cut along the contour would leave blocks of full rank.)
+  Points strip = rectangle(0, 0, 1, 0.001, 200, 1);
+  ModelData layer = held({strip}, 8);
+  check_agreement(layer, 160, 12, 1e4 * kNear);
+  Points outer, inner;
+  arc_to(outer, 0, 0, 1, 0, 360, 150);
+  arc_to(inner, 0, 0, 0.7, 360, 0, 120);
+  ModelData ring = held({outer, inner}, 20);
+  check_agreement(ring, 160, 12, kNear);
+  std::vector<Points> plate = {rectangle(0, 0, 5, 4, 50, 40)};
+  for (int h = 0; h < 20; ++h) {
+    Points hole;
+    arc_to(hole, 0.5 + h % 5, 0.5 + h / 5, 0.3, 360, 0, 12);
+    plate.push_back(hole);
+  }
+  ModelData holes = held(plate, 30);
+  check_agreement(holes, 220, 12, kNear);
+}
+
+TEST_CASE("compressed: ranks beyond what is allowed for, and memory below what is needed") {
+  ModelData d = disc(2, 2, 100);
+  REQUIRE(d.complete());
+  const Compressed compressed(d, 0, 20, 8);
+  CHECK(compressed.status == C2D_ERR_MEMORY);
+  CHECK(compressed.stats.largest_rank == 21);
+  c2d::CompressedPlan plan = c2d::plan_compressed(compressed.model, 0, 20, 8);
+  uint64_t needed = 0;
+  CHECK(c2d::cut_border(1000, plan, &needed) == C2D_ERR_MEMORY);
+  CHECK(c2d::cut_border(needed - 1, plan, &needed) == C2D_ERR_MEMORY);
+  CHECK(c2d::cut_border(needed, plan, nullptr) == C2D_OK);
+  CHECK(c2d::compressed_bytes(plan) <= needed);
+}
+
+// A border of one column at a time: no panel holds both the last load case and the noise, or all of what is left of a chunk.
+TEST_CASE("compressed: in the least memory") {
+  ModelData d = boxes(2, 2, 1, 24, 0.3);
+  REQUIRE(d.complete());
+  for (int b = 0; b < 2; ++b) {
+    Dense dense(d, b);
+    Compressed::Trouble least;
+    least.bytes_beyond = 0;
+    Compressed compressed(d, b, 120, 8, least);
+    REQUIRE(compressed.status == C2D_OK);
+    CHECK(compressed.plan.border.panel_columns == 1);
+    const Numbers c = coefficients(dense, 7);
+    CHECK(violation(compressed, c) < kNear);
+    CHECK(difference(dense.solve(c), compressed.solve(c)) < kNear);
+    const Numbers f(static_cast<size_t>(compressed.pivots), 1);
+    Numbers same = f; // no functional asked for
+    Aligned work(c2d::compressed_back_bytes(compressed.plan));
+    CHECK(c2d::compressed_functional(compressed.plan, compressed.tapes, same.data(), nullptr, work.at) == C2D_OK);
+    CHECK(same == f);
+  }
+}
+
+// The least of a work area counts blocks of 32 KB; where wide columns of the border make them longer, less is left for panels.
+TEST_CASE("compressed: whatever the memory, the plan fits into it") {
+  ModelData d = disc(2, 2, 2300);
+  REQUIRE(d.complete());
+  const c2d::Model m = d.view();
+  c2d::number_unknowns(m, 0);
+  for (int32_t rank : {60, 2200}) {
+    const c2d::CompressedPlan narrow = c2d::plan_compressed(m, 0, rank, 8);
+    const uint64_t least = c2d::compressed_bytes(narrow);
+    int32_t before = 0;
+    for (uint64_t beyond = 0; beyond < uint64_t{1} << 28; beyond = 2 * beyond + 50000) {
+      CAPTURE(rank);
+      CAPTURE(beyond);
+      c2d::CompressedPlan plan = narrow;
+      CHECK(c2d::cut_border(least + beyond, plan, nullptr) == C2D_OK);
+      CHECK(c2d::compressed_bytes(plan) <= least + beyond);
+      CHECK(plan.border.panel_columns >= before);
+      before = plan.border.panel_columns;
+    }
+    CHECK(before > 1);
+  }
+}
+
+// Right-hand sides of 1 and -1: so much is left in as many rows as there are unknowns.
+TEST_CASE("compressed: what equations make of noise") {
+  ModelData d = disc(2, 2, 60);
+  REQUIRE(d.complete());
+  Compressed compressed(d, 0, 100, 8);
+  REQUIRE(compressed.status == C2D_OK);
+  Numbers x(static_cast<size_t>(compressed.pivots));
+  Aligned work(c2d::compressed_back_bytes(compressed.plan));
+  REQUIRE(c2d::substitute_noise(compressed.plan, compressed.tapes, x.data(), work.at) == C2D_OK);
+  const int32_t rows = c2d::system_rows(compressed.model, 0);
+  Numbers a(static_cast<size_t>(rows) * static_cast<size_t>(compressed.pivots));
+  c2d::fill_columns(compressed.system, 0, compressed.pivots, a.data(), rows);
+  int32_t met = 0, positive = 0;
+  for (int32_t i = 0; i < rows; ++i) {
+    double sum = 0;
+    for (int32_t j = 0; j < compressed.pivots; ++j)
+      sum += a[static_cast<size_t>(i) + static_cast<size_t>(j) * static_cast<size_t>(rows)] * x[static_cast<size_t>(j)];
+    met += std::fabs(std::fabs(sum) - 1) < 1e4 * kNear ? 1 : 0;
+    positive += sum > 0 ? 1 : 0;
+  }
+  CHECK(met >= compressed.pivots);
+  CHECK(positive > rows / 4);
+  CHECK(positive < 3 * rows / 4);
+}
+
+// Few nodes beside those in contact: the border asks for more room than the cells.
+TEST_CASE("compressed: a ring that touches all round") {
+  ModelData d(2);
+  const int n = 100;
+  Points hole, outer, inner;
+  arc_to(outer, 0, 0, 2, 0, 360, 40);
+  arc_to(hole, 0, 0, 1, 360, 0, n);
+  arc_to(inner, 0, 0, 1, 0, 360, n);
+  d.body(2, {outer, hole}, 1000, 0.3);
+  d.body(2, {inner}, 1000, 0.3);
+  d.conditions(1, 1, 1, 10, 2, "1100");
+  d.zone(n, n, 41, 1, 41, n, -1, 1);
+  d.point_load(2, 0.1, 0.2, 0.3, -1);
+  const bool complete = d.complete();
+  REQUIRE_MESSAGE(complete, d.all());
+  const Agreement a = compare(d, 0, 40, 4);
+  CHECK(a.contact < kNear);
+  CHECK(a.solution < kNear);
+  CHECK(a.functional < kNear);
+}
+
+// Bytes over block boundaries come back as they were; what does not fit is refused, once and for all.
+TEST_CASE("compressed: streams of records") {
+  for (uint64_t block_bytes : {64u, 192u}) {
+    runs::RamStore store;
+    c2d_port port = C2D_INIT(c2d_port);
+    port.context = &store;
+    port.open = runs::RamStore::open, port.read = runs::RamStore::read, port.write = runs::RamStore::write;
+    port.sync = runs::RamStore::sync, port.close = runs::RamStore::close;
+    c2d::Tapes tapes = {};
+    tapes.port = &port;
+    REQUIRE(c2d::open_tape(tapes, C2D_TAPE_UPPER, 5, block_bytes) == C2D_OK);
+    std::vector<char> buffer(c2d::kBlockHeaderBytes + block_bytes), own(c2d::kBlockHeaderBytes + block_bytes);
+    c2d::Stream out = c2d::open_stream(tapes, C2D_TAPE_UPPER, 1, 3, block_bytes, buffer.data());
+    std::vector<unsigned char> data(3 * block_bytes);
+    for (size_t i = 0; i < data.size(); ++i) data[i] = static_cast<unsigned char>(7 * i + 1);
+    CHECK(c2d::finish_block(out) == C2D_OK); // nothing there
+    CHECK(out.end == 0);
+    c2d::append(out, data.data(), block_bytes + 10);
+    CHECK(c2d::finish_block(out) == C2D_OK);
+    CHECK(out.end == 2 * block_bytes);
+    CHECK(c2d::finish_block(out) == C2D_OK);
+    CHECK(out.end == 2 * block_bytes);
+    c2d::append(out, data.data(), block_bytes);
+    CHECK(out.status == C2D_OK);
+    c2d::append(out, data.data(), 1);
+    CHECK(out.status == C2D_ERR_MEMORY);
+    CHECK(c2d::finish_block(out) == C2D_ERR_MEMORY);
+    CHECK(out.end == 3 * block_bytes);
+    c2d::Stream in = c2d::open_stream(tapes, C2D_TAPE_UPPER, 1, 3, block_bytes, own.data());
+    std::vector<unsigned char> back(block_bytes + 10);
+    CHECK(c2d::read_at(in, 0, back.data(), back.size()) == C2D_OK);
+    CHECK(std::equal(back.begin(), back.end(), data.begin()));
+    CHECK(c2d::read_at(in, 2 * block_bytes, back.data(), block_bytes) == C2D_OK);
+    CHECK(std::equal(back.begin(), back.begin() + static_cast<int64_t>(block_bytes), data.begin()));
+  }
+}
+
+// Records in blocks of 512 bytes, so that each piece of them is written and read by itself.
+TEST_CASE("compressed: every operation of the store fails, and the host cancels after any cell") {
+  ModelData d = boxes(1, 2, 0, 8, 0.1);
+  REQUIRE(d.complete());
+  Compressed::Trouble trouble;
+  trouble.block_bytes = 512;
+  Compressed clean(d, 0, 60, 4, trouble);
+  REQUIRE(clean.status == C2D_OK);
+  const int64_t operations = static_cast<int64_t>(clean.store.done.size()), cells = clean.steps;
+  REQUIRE(operations > 50);
+  REQUIRE(cells > 2);
+  const auto kind = [&](int64_t n) {
+    return clean.store.done[static_cast<size_t>(n)].kind == 'r' ? C2D_ERR_STORE_READ : C2D_ERR_STORE_WRITE;
+  };
+  for (int64_t n = 0; n < operations; n += 1 + operations / 30) {
+    CAPTURE(n);
+    trouble.fails_at = n;
+    CHECK(Compressed(d, 0, 60, 4, trouble).status == kind(n));
+  }
+  trouble.fails_at = -1;
+  for (int64_t n = 0; n < cells; n += 3) {
+    trouble.stops_at = n;
+    CHECK(Compressed(d, 0, 60, 4, trouble).status == C2D_ERR_CANCELLED);
+  }
+  // And what reads the records.
+  Numbers x(static_cast<size_t>(clean.pivots)), f(x.size(), 1), w(static_cast<size_t>(clean.trailing));
+  const Numbers c(w.size(), 0);
+  Aligned work(c2d::compressed_back_bytes(clean.plan));
+  const auto back = [&](bool transposed) {
+    if (!transposed) return c2d::back_substitute_compressed(clean.plan, clean.tapes, c.data(), x.data(), work.at);
+    Numbers own = f;
+    return c2d::compressed_functional(clean.plan, clean.tapes, own.data(), w.data(), work.at);
+  };
+  for (const bool transposed : {false, true}) {
+    clean.fail(-1);
+    REQUIRE(back(transposed) == C2D_OK);
+    const int64_t reads = static_cast<int64_t>(clean.store.done.size());
+    REQUIRE(reads > 3);
+    for (int64_t n = 0; n < reads; ++n) {
+      clean.fail(n);
+      CHECK(back(transposed) == C2D_ERR_STORE_READ);
+    }
+    clean.fail(-1);
+    CHECK(back(transposed) == C2D_OK);
+  }
+}
+
+TEST_CASE("compressed: what is nothing but round-off below the smallest number has no column to keep") {
+  for (const c2d::Real size : {c2d::Real(0), std::numeric_limits<c2d::Real>::min()}) {
+    Numbers a(12, size), w(static_cast<size_t>(c2d::rows_to_keep(4, 3) * 3)), x(15), norms(15);
+    int32_t order[3];
+    c2d::SampleSum sum = c2d::begin_samples(w.data(), 3, 4);
+    for (int32_t i = 0; i < 4; ++i) c2d::add_sample(sum, a.data() + 3 * i, 1, false);
+    CHECK(c2d::interpolate(sum, 1e-6, false, 3, order, norms.data(), x.data()) == 0);
+  }
+}
+
+TEST_CASE("compressed: interpolation finds the columns that others are combinations of") {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> any(-1, 1);
+  const double tolerance = sizeof(c2d::Real) == 8 ? 1e-12 : 1e-5;
+  for (int32_t columns : {1, 2, 7, 40})
+    for (int32_t rank : {0, 1, 5, 40})
+      for (int32_t samples : {1, 30, 400})
+        for (bool relative : {false, true}) {
+          CAPTURE(columns);
+          CAPTURE(rank);
+          CAPTURE(samples);
+          Numbers left(static_cast<size_t>(samples * rank)), right(static_cast<size_t>(rank * columns)), a;
+          for (c2d::Real& x : left) x = static_cast<c2d::Real>(any(random));
+          for (c2d::Real& x : right) x = static_cast<c2d::Real>(any(random));
+          for (int32_t i = 0; i < samples; ++i)
+            for (int32_t j = 0; j < columns; ++j) {
+              c2d::Real sum = 0;
+              for (int32_t k = 0; k < rank; ++k)
+                sum += left[static_cast<size_t>(i * rank + k)] * right[static_cast<size_t>(k * columns + j)];
+              a.push_back(sum);
+            }
+          const int32_t kept = c2d::rows_to_keep(samples, columns), least = std::min(std::min(rank, columns), samples);
+          Numbers w(static_cast<size_t>(kept * columns)), x(static_cast<size_t>(columns * (columns + 2))), norms(x.size());
+          std::vector<int32_t> order(static_cast<size_t>(columns));
+          c2d::SampleSum sum = c2d::begin_samples(w.data(), columns, samples);
+          for (int32_t i = 0; i < samples; ++i) c2d::add_sample(sum, a.data() + i * columns, 1, false);
+          const int32_t k = c2d::interpolate(sum, tolerance, relative, columns, order.data(), norms.data(), x.data());
+          CHECK(k == least);
+          double worst = 0;
+          for (int32_t i = 0; i < samples; ++i)
+            for (int32_t j = 0; j < columns - k; ++j) {
+              double found = 0;
+              for (int32_t c = 0; c < k; ++c)
+                found +=
+                    a[static_cast<size_t>(i * columns + order[static_cast<size_t>(c)])] * x[static_cast<size_t>(c + j * k)];
+              worst =
+                  std::max(worst, std::fabs(found - a[static_cast<size_t>(i * columns + order[static_cast<size_t>(k + j)])]));
+            }
+          CHECK(worst < 1e3 * tolerance);
+          if (least > 1) { // fewer than are needed
+            c2d::SampleSum again = c2d::begin_samples(w.data(), columns, samples);
+            for (int32_t i = 0; i < samples; ++i) c2d::add_sample(again, a.data() + i * columns, 1, true);
+            CHECK(c2d::interpolate(again, tolerance, relative, least - 1, order.data(), norms.data(), x.data()) == least);
+          }
+        }
+}

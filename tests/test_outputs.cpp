@@ -1,0 +1,266 @@
+// What a cyclic history leaves in the outputs: every load factor, slip from turn to turn, the key table, curves at reversals;
+// and the page on a dark screen.
+#include "json.hpp"
+#include "paths.hpp"
+#include "picture_runs.hpp"
+#include "report/dark.hpp"
+
+#include <sstream>
+
+using namespace test;
+
+namespace {
+
+std::vector<std::string> cells_of(const std::string& row) {
+  std::vector<std::string> out(1);
+  for (const char c : row)
+    if (c == ',')
+      out.emplace_back();
+    else
+      out.back() += c;
+  return out;
+}
+
+// A table by the names of its columns.
+struct Table {
+  std::map<std::string, size_t> column;
+  std::vector<std::vector<std::string>> rows;
+  explicit Table(const std::string& text) {
+    for (const std::string& line : lines_of(text)) rows.push_back(cells_of(line));
+    for (size_t k = 0; k < rows.at(0).size(); ++k) column[rows[0][k]] = k;
+    rows.erase(rows.begin());
+  }
+  double number(size_t row, const std::string& name) const { return std::stod(rows[row][column.at(name)]); }
+};
+
+// Cattaneo's cylinder, there and back twice: 4 increments from no shear to the largest.
+struct Cycle {
+  Folder folder;
+  std::string listing, page, tractions;
+  Cycle() {
+    const std::string program = quoted(paths::program()), deck = folder / "deck.dat";
+    REQUIRE(run_shell(program + " make mindlin n=10 cycles=2 > " + quoted(deck)).status == 0);
+    const Result r = run_shell(program + " run -q " + quoted(deck) + " --out " + quoted(folder / "o"));
+    REQUIRE_MESSAGE(r.status == 0, r.err);
+    listing = read_file(folder / "o/listing.txt");
+    tractions = read_file(folder / "o/figures/tractions.svg");
+    page = read_file(folder / "o/report.html");
+  }
+};
+
+// The second load of the family at a step: 0 with the first, then there and back, 4 steps from 0 to the largest.
+double shear_at(int step) {
+  const int way = (step - 1) % 16;
+  return (way <= 4 ? way : way <= 12 ? 8 - way : way - 16) / 4.0;
+}
+
+} // namespace
+
+TEST_CASE("outputs: every load factor, slip since the loads turned, the key table, curves where loads turn") {
+  const Cycle cycle;
+  const Table contact(read_file(cycle.folder / "o/contact.csv")), bodies(read_file(cycle.folder / "o/bodies.csv")),
+      summary(read_file(cycle.folder / "o/summary.csv"));
+  for (const Table* t : {&contact, &bodies, &summary})
+    for (size_t i = 0; i < t->rows.size(); ++i) {
+      REQUIRE(t->rows[i].size() == t->column.size());
+      CHECK(t->number(i, "load") == 1);
+      CHECK(t->number(i, "load2") == shear_at(static_cast<int>(t->number(i, "step"))));
+    }
+  CHECK(contact.rows[0].size() == 19); // what came later stands at the end
+  CHECK(contact.column.at("load2") == 18);
+
+  std::map<int, std::map<int, double>> slip; // by step and pair
+  std::map<int, double> most;                // of pairs that touch, since the loads turned
+  for (size_t i = 0; i < contact.rows.size(); ++i) {
+    const int step = static_cast<int>(contact.number(i, "step")), pair = static_cast<int>(contact.number(i, "pair"));
+    slip[step][pair] = contact.number(i, "slip");
+    const int turn = step <= 1 ? 0 : step <= 5 ? 1 : 5 + (step - 6) / 8 * 8; // shear begins at 1, turns at 5, 13, 21, 29
+    const double range = std::fabs(slip[step][pair] - (turn > 0 ? slip[turn][pair] : 0.0));
+    if (contact.rows[i][contact.column.at("status")] != "open") most[step] = std::max(most[step], range);
+  }
+  size_t seen = 0;
+  for (size_t i = 0; i < summary.rows.size(); ++i)
+    if (summary.rows[i][summary.column.at("quantity")] == "slip range") {
+      const double expected = most[static_cast<int>(summary.number(i, "step"))];
+      CHECK(std::fabs(summary.number(i, "value") - expected) < 1e-9 * expected);
+      ++seen;
+    }
+  CHECK(seen == 36);                                           // at all steps but the first, where nothing has slipped
+  CHECK(std::fabs(most[37] / most[29] - 1) < 1e-6);            // a cycle goes as far there as back
+  CHECK(std::fabs(most[37] / most[5] - 2) < 0.05);             // twice as far as the first quarter, but for locked-in slip
+  CHECK(most[37] > 1.2 * std::fabs(slip[37].begin()->second)); // and no sum over the path
+
+  // The key table of the listing, by the table of the summary.
+  const size_t at = cycle.listing.find("Contact in numbers, step by step");
+  REQUIRE(at != std::string::npos);
+  std::istringstream rows(cycle.listing.substr(cycle.listing.find("stick borders", at) + 13));
+  for (int step = 1; step <= 37; ++step) {
+    std::map<std::string, double> value;
+    double place = -1; // of the peak, along side 2
+    for (size_t i = 0; i < summary.rows.size(); ++i) {
+      if (summary.number(i, "step") != step) continue;
+      const std::string& name = summary.rows[i][summary.column.at("quantity")];
+      value[name] = summary.number(i, "value");
+      if (name == "peak pressure") place = summary.number(i, "s");
+    }
+    std::string word[13];
+    for (std::string& w : word) REQUIRE(static_cast<bool>(rows >> w));
+    std::string rest;
+    std::getline(rows, rest);
+    CHECK(std::stod(word[0]) == step);
+    CHECK(std::stod(word[2]) == shear_at(step));
+    CHECK(std::stod(word[3]) == doctest::Approx(value.at("peak pressure")).epsilon(1e-5));
+    CHECK(std::stod(word[6]) == doctest::Approx(place).epsilon(1e-5));
+    CHECK(std::stod(word[8]) == doctest::Approx(value.at("force y")).epsilon(1e-5));
+    if (step > 1) CHECK(std::stod(word[11]) == doctest::Approx(value.at("slip range")).epsilon(1e-5));
+    if (step > 1) CHECK(std::stod(word[12]) == doctest::Approx(value.at("dissipated")).epsilon(1e-5));
+  }
+  CHECK(contains(cycle.listing, "Increments\n"));
+  CHECK(contains(cycle.listing, "  load factors " + std::string(29, '.') + " 1, 1\n"));
+
+  // Thin curves: at the last turn that is another state than the end, not at a quarter of the way.
+  CHECK(contains(cycle.tractions, "step 29: load 1, -1"));
+  for (const char* other : {"step 9:", "step 13:", "step 19:", "step 21:", "step 28:"})
+    CHECK(!contains(cycle.tractions, other));
+
+  // The loop: its area by the force and the shift of the summary, which is not more than what friction took.
+  std::map<int, double> force, shift, dissipated;
+  for (size_t i = 0; i < summary.rows.size(); ++i) {
+    const std::string what = summary.rows[i][summary.column.at("quantity")];
+    const int step = static_cast<int>(summary.number(i, "step"));
+    if (what == "force x") force[step] = summary.number(i, "value");
+    if (what == "shift") shift[step] = summary.number(i, "value");
+    if (what == "dissipated") dissipated[step] = summary.number(i, "value");
+  }
+  double area = 0;
+  for (int step = 22; step <= 37; ++step) area += 0.5 * (force[step] + force[step - 1]) * (shift[step] - shift[step - 1]);
+  const std::string loop = read_file(cycle.folder / "o/figures/loop.svg");
+  const size_t told = loop.find("The last cycle, steps 21 to 37, encloses the area ");
+  REQUIRE(told != std::string::npos);
+  const double shown = std::stod(loop.substr(told + 50));
+  CHECK(std::fabs(shown / std::fabs(area) - 1) < 1e-3); // the surface is all but flat
+  CHECK(shown < dissipated[37] - dissipated[21]);
+  CHECK(shown > 0.5 * (dissipated[37] - dissipated[21]));
+  CHECK(contains(cycle.page, "<details>\n<summary>Step by step"));
+}
+
+TEST_CASE("outputs: the largest stress in a picture is found where it is; what is zero everywhere has no picture") {
+  Shown shown;
+  const std::string deck = shown.folder / "d.dat";
+  REQUIRE(run_shell(quoted(paths::program()) + " make hertz n=20 R=100 > " + quoted(deck)).status == 0);
+  show(shown, deck, "--summary " + quoted(shown.folder / "s.csv"));
+  REQUIRE(shown.result.status == 0);
+  const Table summary(read_file(shown.folder / "s.csv"));
+  double p0 = 0;
+  for (size_t i = 0; i < summary.rows.size(); ++i)
+    if (summary.rows[i][summary.column.at("quantity")] == "peak pressure") p0 = summary.number(i, "value");
+  double most = 0, depth = 0; // below the middle of Hertz' contact, over p0 and its half width, plane strain
+  for (double z = 0.01; z < 3; z += 0.001) {
+    const double r = std::sqrt(1 + z * z), x = 2 * z - (1 + 2 * z * z) / r, y = -1 / r, w = 0.3 * (x + y);
+    const double mises = std::sqrt(0.5 * ((x - y) * (x - y) + (y - w) * (y - w) + (w - x) * (w - x)));
+    if (mises > most) most = mises, depth = z;
+  }
+  const std::string caption = caption_of(shown, "stress_zone"), words = "the largest value in the picture is ";
+  const size_t at = caption.find(words), place = caption.find("at (", at);
+  REQUIRE(at != std::string::npos);
+  CHECK(std::fabs(std::stod(caption.substr(at + words.size())) / (most * p0) - 1) < 0.005); // R is but 100 half widths
+  CHECK(std::fabs(std::stod(caption.substr(place + 4))) < 0.02);
+  CHECK(std::fabs(std::fabs(std::stod(caption.substr(caption.find(',', place) + 1))) - depth) < 0.03);
+  CHECK(shown.figures.count("loop") == 0); // smooth
+  CHECK(!contains(shown.figures.at("tractions"), "Friction"));
+  CHECK(!contains(shown.figures.at("energy"), "dissipated by friction</text>"));
+}
+
+namespace {
+
+// Relative luminance and contrast as accessibility guidelines (WCAG 2) define them.
+double luminance(const std::string& colour) {
+  double sum = 0;
+  const double weights[3] = {0.2126, 0.7152, 0.0722};
+  for (size_t k = 0; k < 3; ++k) {
+    const double c = std::stoi(colour.substr(1 + 2 * k, 2), nullptr, 16) / 255.0;
+    sum += weights[k] * (c <= 0.03928 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4));
+  }
+  return sum;
+}
+double contrast(const std::string& a, const std::string& b) {
+  const double x = luminance(a), y = luminance(b);
+  return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
+}
+std::string dark(const std::string& light) {
+  for (int i = 0; i < app::kDarkColourCount; ++i)
+    if (light == app::kDarkColours[i].light) return app::kDarkColours[i].dark;
+  return "";
+}
+
+} // namespace
+
+TEST_CASE("outputs: on a dark screen every colour of the pictures has another, and stays legible") {
+  Shown shown;
+  show(shown, example("hertz.dat"));
+  REQUIRE(shown.result.status == 0);
+  CHECK(contains(shown.page, "@media screen and (prefers-color-scheme:dark)"));
+  size_t colours = 0;
+  for (const auto& figure : shown.figures) {
+    if (figure.first.substr(0, 6) == "stress") continue; // the scale of contours stays
+    std::vector<Element> elements;
+    REQUIRE(read_xml(figure.second, elements).empty());
+    for (const Element& e : elements)
+      for (const char* what : {"fill", "stroke"}) {
+        const auto found = e.attributes.find(what);
+        if (found == e.attributes.end() || found->second == "none" || found->second.substr(0, 3) == "url") continue;
+        ++colours;
+        CHECK_MESSAGE(!dark(found->second).empty(), figure.first << ": " << found->second);
+        CHECK(contains(shown.page, std::string("svg [") + what + "=\"" + found->second + "\"]"));
+      }
+  }
+  CHECK(colours > 1000);
+  const std::string paper = dark("white");
+  CHECK(contrast(dark("#222222"), paper) > 12); // text
+  for (const char* line : {"#0060a8", "#d55e00", "#007a5a", "#a0438a", "#888888", "#8a5a00", "#444444", "#33521f"})
+    CHECK_MESSAGE(contrast(dark(line), paper) > 4.5, line);
+  for (const char* fill : {"#dce9f5", "#e6c88c", "#a4b494", "#e8d0dc", "#b4b8cc", "#f6f3ea"}) // letters on bodies
+    CHECK_MESSAGE(contrast(dark("#222222"), dark(fill)) > 5, fill);
+}
+
+namespace {
+
+std::vector<app::Point> points_of(const std::string& path) {
+  std::vector<app::Point> out;
+  for (size_t at = 0; (at = path.find_first_of("ML", at)) != std::string::npos; ++at) {
+    char* end = nullptr;
+    const double x = std::strtod(path.c_str() + at + 1, &end);
+    out.push_back({x, std::strtod(end, nullptr)});
+  }
+  return out;
+}
+
+} // namespace
+
+TEST_CASE("outputs: a ring that was shrunk on lies on its bush in the magnified deformed shape, all round") {
+  Shown shown;
+  const std::string deck = shown.folder / "d.dat";
+  REQUIRE(run_shell(quoted(paths::program()) + " make shrink n=6 > " + quoted(deck)).status == 0);
+  show(shown, deck);
+  REQUIRE(shown.result.status == 0);
+  std::vector<Element> elements;
+  REQUIRE(read_xml(shown.figures.at("deformed"), elements).empty());
+  std::map<std::string, std::vector<app::Point>> body; // of the left view, the first of each fill
+  for (const Element& e : elements)
+    if (e.name == "path" && e.attributes.count("fill") && e.attributes.count("fill-rule"))
+      body.emplace(e.attributes.at("fill"), points_of(e.attributes.at("d")));
+  const std::vector<app::Point>&bush = body.at("#e6c88c"), &ring = body.at("#f6f3ea");
+  double left = HUGE_VAL, right = -HUGE_VAL, low = HUGE_VAL, high = -HUGE_VAL, r = 0;
+  for (const app::Point& p : ring)
+    left = std::min(left, p.x), right = std::max(right, p.x), low = std::min(low, p.y), high = std::max(high, p.y);
+  const double cx = 0.5 * (left + right), cy = 0.5 * (low + high);
+  for (const app::Point& p : bush) r = std::max(r, std::hypot(p.x - cx, p.y - cy));
+  size_t around[4] = {0, 0, 0, 0};
+  for (const app::Point& p : ring) {
+    const double apart = std::hypot(p.x - cx, p.y - cy) - r;
+    if (apart > 0.25 * r) continue;     // outside: 3 against 2
+    CHECK(std::fabs(apart) < 0.01 * r); // unmagnified gaps left a tenth
+    ++around[(p.x < cx) + 2 * (p.y < cy)];
+  }
+  for (const size_t quarter : around) CHECK(quarter > 5);
+}

@@ -1,0 +1,77 @@
+// Every call of the library that report and program make is refused, one after the other: the run fails and says why, and no
+// output has its name.
+#include "paths.hpp"
+#include "refused_calls.hpp"
+#include "shell.hpp"
+
+#include "program/run.hpp"
+#include "program/voice.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace test;
+
+namespace {
+
+app::Options options_of(const std::vector<std::string>& words) {
+  std::vector<const char*> argv = {"contact2d"};
+  for (const std::string& word : words) argv.push_back(word.c_str());
+  app::Options options;
+  std::string error;
+  REQUIRE_MESSAGE(app::read_options(static_cast<int>(argv.size()), argv.data(), options, error), error);
+  return options;
+}
+
+// A picture is drawn without a curve's bound, a length told without what lies beyond its end. An estimate that comes to nothing
+// says so, and the run goes on.
+void every_call_refused(const std::string& deck, bool estimates = false) {
+  CAPTURE(deck);
+  const Folder folder;
+  const std::string out = folder / "out";
+  std::vector<std::string> words = {"run",           deck, "--no-progress", "--out", out, "--vtk", folder / "v.vtk", "--trace",
+                                    folder / "t.csv"};
+  if (estimates) words = {"run", deck, "--no-progress", "--csv", out, "--estimate"};
+  const app::Options options = options_of(words);
+  const app::Muted muted;
+  refuse_call(0);
+  REQUIRE(app::run_deck(options) == 0);
+  const size_t outputs = folder.names().size();
+  CHECK(outputs == (estimates ? 1 : 3));
+  const std::vector<int64_t> calls = calls_to_refuse();
+  CHECK(calls.size() > 60);
+  for (const int64_t n : calls) {
+    for (const char* gone : {"out", "v.vtk", "t.csv"}) fs::remove_all(folder / gone);
+    refuse_call(n);
+    const int exit = app::run_deck(options);
+    const std::string call = call_refused();
+    CAPTURE(n);
+    CAPTURE(call);
+    REQUIRE(!call.empty());
+    CHECK((exit != 0 || estimates || call == "c2d_get_friction" || call == "c2d_get_condition"));
+    CHECK(folder.names().size() == (exit == 0 ? outputs : 0));
+    CHECK((exit == 0) == app::reason_told().empty());
+  }
+  refuse_call(0);
+}
+
+std::string made(const Folder& folder, const std::string& words, const std::string& cards = "") {
+  const std::string name = folder / "deck.dat";
+  const Result deck = run_shell("'" + paths::program() + "' make " + words);
+  REQUIRE(deck.status == 0);
+  write_file(name, deck.out + cards);
+  return name;
+}
+
+} // namespace
+
+TEST_CASE("refused calls: none of a run's is taken for done") {
+  if (!can_refuse_calls()) return;
+  const Folder folder;
+  every_call_refused(paths::data() + "/decks/sample.dat");
+  every_call_refused(made(folder, "crack n=10 ratio=2 order=1"));
+  every_call_refused(made(folder, "stack n=1"));
+  every_call_refused(made(folder, "hertz n=2 L=5 ratio=1.6",
+                          "*NAME BODY 1 block\n*NAME ZONE 1 face\n*CURVE ARC 2 11 16 0 100 100\n*BODY FORCE 1 1 0 -0.001\n"
+                          "*POINTS\nGRID 1 0 -2 1 -1 3 3\n"),
+                     true);
+}

@@ -1,0 +1,307 @@
+// Paths on tableaux drawn at random, most of which no body could have: rounds of changes end without rates there, tableaux are
+// built anew, bodies are let go and held again, and some have no rates at all. Whatever becomes of them is judged by the law of
+// contact and friction and the stiffness that was drawn; and the store fails, and the host cancels, at every place.
+#include "contact/let_go.hpp"
+#include "contact/limit_analysis.hpp"
+#include "contact/search.hpp"
+#include "hand_tableau.hpp"
+
+#include <memory>
+#include <random>
+#include <string>
+
+using namespace c2d;
+using hand::Hand;
+using hand::sized;
+
+namespace {
+
+using Matrix = std::vector<std::vector<double>>;
+
+// Forces of sticking pairs K (w - gap) + lambda b.
+struct Drawn {
+  Matrix k, b;
+  std::vector<int> tangential;
+  std::vector<double> gaps, mu;
+  int free_motions = 0;
+  bool jumps = false, delays = true;
+
+  bool has_jumps() const {
+    return std::any_of(mu.begin(), mu.end(), [](double one) { return one > 1e300; });
+  }
+  int slots() const { return static_cast<int>(k.size()); }
+  std::unique_ptr<Hand> make() const {
+    std::unique_ptr<Hand> h(new Hand(k, b, tangential, 0.0));
+    if (!delays) h->keep_nothing_back();
+    h->tableau().free_motions = free_motions;
+    h->tableau().load = h->follower().load;
+    h->tableau().direction = h->follower().direction;
+    h->tableau().model = h->follower().model;
+    for (size_t i = 0; i < mu.size(); ++i) h->pair(static_cast<int>(i)).mu = mu[i];
+    if (jumps) h->follower().watch.jumping = [](void*, bool) { return c2d_status{C2D_OK}; };
+    return h;
+  }
+};
+
+class Draw {
+public:
+  explicit Draw(uint32_t seed) : engine_(seed) {}
+  double uniform() { return std::uniform_real_distribution<double>(-1.0, 1.0)(engine_); }
+  int below(int n) { return static_cast<int>(engine_() % static_cast<uint32_t>(n)); }
+  template <class T> T one_of(std::initializer_list<T> of) { return of.begin()[below(static_cast<int>(of.size()))]; }
+
+private:
+  std::mt19937 engine_;
+};
+
+// x of which a body takes no force, and so no load where `balanced`: K and b are projected.
+void free_along(Drawn& d, const std::vector<double>& x, bool balanced) {
+  const size_t m = x.size();
+  double size = 0.0;
+  for (double v : x) size += v * v;
+  for (size_t i = 0; i < m; ++i) {
+    double sum = 0.0;
+    for (size_t j = 0; j < m; ++j) sum += d.k[i][j] * x[j];
+    for (size_t j = 0; j < m; ++j) d.k[i][j] -= sum * x[j] / size;
+  }
+  for (size_t j = 0; j < m; ++j) {
+    double sum = 0.0;
+    for (size_t i = 0; i < m; ++i) sum += x[i] * d.k[i][j];
+    for (size_t i = 0; i < m; ++i) d.k[i][j] -= sum * x[i] / size;
+  }
+  for (std::vector<double>& b : d.b) {
+    double sum = 0.0;
+    for (size_t i = 0; i < m; ++i) sum += b[i] * x[i];
+    for (size_t i = 0; i < m && balanced; ++i) b[i] -= sum * x[i] / size;
+  }
+}
+
+Drawn drawn(uint32_t seed, int most) {
+  Draw draw(seed);
+  Drawn d;
+  const int pairs = 1 + draw.below(most), kind = draw.below(4);
+  const double mu = draw.one_of({0.0, 0.3, 1.0, 2.5, double{HUGE_VAL}});
+  const bool mixed = draw.below(4) == 0, gaps = draw.below(2) == 0;
+  for (int i = 0; i < pairs; ++i) {
+    d.tangential.push_back(mixed ? draw.below(2) : 1);
+    d.mu.push_back(draw.below(6) == 0 ? draw.one_of({0.0, 0.5, double{HUGE_VAL}}) : mu);
+    d.gaps.push_back(gaps && draw.below(2) == 0 ? 0.3 * (1.0 + draw.uniform()) : 0.0);
+  }
+  int m = pairs;
+  for (int t : d.tangential) m += t;
+  Matrix root(sized(m), std::vector<double>(sized(m)));
+  for (auto& row : root)
+    for (double& x : row) x = draw.uniform();
+  d.k = root;
+  const double coupling = draw.one_of({0.05, 0.5});
+  for (int i = 0; i < m && kind != 0; ++i)
+    for (int j = 0; j < m; ++j) {
+      double& k = d.k[sized(i)][sized(j)];
+      k = kind == 1 ? coupling * k + (i == j ? 0.5 : 0.0) : (i == j ? 0.1 : 0.02 * k);
+      for (int l = 0; l < m && kind > 1; ++l) k += root[sized(i)][sized(l)] * root[sized(j)][sized(l)];
+    }
+  d.b.assign(2, std::vector<double>(sized(m)));
+  for (auto& b : d.b)
+    for (double& x : b) x = draw.uniform();
+  if (kind == 3 && m > 1) {
+    d.free_motions = 1;
+    std::vector<double> x(sized(m));
+    const bool along = draw.below(2) == 0;
+    int dof = 0;
+    for (int i = 0; i < pairs; ++i) { // a slide along all pairs, or any motion
+      x[sized(dof)] = along ? 0.0 : draw.uniform();
+      if (d.tangential[sized(i)] != 0) x[sized(dof + 1)] = along ? 1.0 : draw.uniform();
+      dof += 1 + d.tangential[sized(i)];
+    }
+    if (along) x[0] += 1e-30;
+    free_along(d, x, true);
+  }
+  d.jumps = draw.below(2) == 0;
+  d.delays = draw.below(2) == 0;
+  return d;
+}
+
+// What is wrong with the state of a path, or nothing: balance by K, gaps, pressures, and Coulomb's bound.
+std::string breach(const Drawn& d, Hand& h) {
+  constexpr double tight = 1e-6;
+  const int m = d.slots(), pairs = static_cast<int>(d.tangential.size());
+  std::vector<double> w(sized(m)), force(sized(m));
+  double forces = 1e-30, motions = 1e-30;
+  for (int i = 0, dof = 0; i < pairs; dof += 1 + d.tangential[sized(i)], ++i) {
+    const PairState s = h.state(i);
+    w[sized(dof)] = s.wn - d.gaps[sized(i)], force[sized(dof)] = s.p;
+    if (d.tangential[sized(i)] != 0) w[sized(dof + 1)] = s.wt, force[sized(dof + 1)] = s.q;
+  }
+  for (double x : w) motions = std::max(motions, std::fabs(x));
+  for (int i = 0; i < m; ++i) {
+    double sum = 0.0, terms = std::fabs(force[sized(i)]);
+    for (int j = 0; j < m; ++j) {
+      sum += d.k[sized(i)][sized(j)] * w[sized(j)];
+      terms += std::fabs(d.k[sized(i)][sized(j)] * w[sized(j)]);
+    }
+    for (int k = 0; k < 2; ++k) {
+      sum += h.follower().load[k] * d.b[sized(k)][sized(i)];
+      terms += std::fabs(h.follower().load[k] * d.b[sized(k)][sized(i)]);
+    }
+    forces = std::max(forces, terms);
+    if (std::fabs(sum - force[sized(i)]) > tight * (terms + motions)) return "balance";
+  }
+  for (int i = 0; i < pairs; ++i) {
+    const PairState s = h.state(i);
+    const double mu = d.mu[sized(i)];
+    if (s.wn < -tight * motions) return "overlap";
+    if (s.p < -tight * forces) return "tension";
+    if (mu < 1e300 && !d.has_jumps() && std::fabs(s.q) > mu * s.p + tight * (1.0 + mu) * forces) return "friction";
+    if (h.pair(i).status == C2D_OPEN && (s.p != 0.0 || s.q != 0.0)) return "force of an open pair";
+  }
+  return "";
+}
+
+// To these loads one after the other; the first that is not reached ends it.
+struct Way {
+  c2d_status status = C2D_OK;
+  c2d_outcome outcome = C2D_REACHED;
+};
+Way follow(Hand& h, bool increments = false) {
+  const double targets[][2] = {{1, 0}, {1, 1}, {0.2, -1}, {0, 0}, {0.5, 0}};
+  Way way;
+  for (const auto& target : targets) {
+    way.status = increments ? follow_increment(h.follower(), target, 6, &way.outcome)
+                            : follow_events(h.follower(), target, &way.outcome);
+    if (way.status != C2D_OK || way.outcome != C2D_REACHED) break;
+  }
+  return way;
+}
+
+// Zero load: pairs with a gap are open.
+c2d_status begin(const Drawn& d, Hand& h) {
+  for (size_t i = 0; i < d.gaps.size(); ++i) {
+    Pair& p = h.pair(static_cast<int>(i));
+    p.gap = d.gaps[i];
+    p.status = d.gaps[i] > 0.0 ? C2D_OPEN : d.mu[i] == 0.0 ? C2D_SLIP : C2D_STICK;
+    p.sign = p.status == C2D_SLIP ? 1 : 0;
+    h.follower().gap_scale = std::max(h.follower().gap_scale, d.gaps[i]);
+  }
+  return h.build();
+}
+
+} // namespace
+
+TEST_CASE("search: wherever a path on a drawn tableau leads, its states keep the law of contact and friction") {
+  int reached = 0, ended = 0;
+  for (uint32_t seed = 1; seed <= 1500; ++seed) {
+    CAPTURE(seed);
+    const Drawn d = drawn(seed, 6);
+    const std::unique_ptr<Hand> h = d.make();
+    const c2d_status begun = begin(d, *h);
+    if (begun == C2D_ERR_SINGULAR) continue; // what touches does not hold it
+    REQUIRE(begun == C2D_OK);
+    const Way way = follow(*h, seed % 5 == 0);
+    CHECK((way.status == C2D_OK || way.status == C2D_ERR_SINGULAR));
+    if (way.status != C2D_OK) continue;
+    (way.outcome == C2D_REACHED ? reached : ended) += 1;
+    // What friction without bound lets go of may come to rest nowhere (the solver keeps the state before it), or push others
+    // beyond their friction.
+    if (way.outcome == C2D_REACHED || !d.has_jumps()) CHECK(breach(d, *h) == "");
+  }
+  CHECK(reached > 500);
+  CHECK(ended > 250);
+}
+
+// A store that fails at one of the reads, which are many where tableaux are built anew, and a host that cancels: each is told,
+// wherever it happens.
+TEST_CASE("search: the store fails and the host cancels at every place of a drawn path") {
+  int rebuilt = 0;
+  for (uint32_t seed = 1; seed <= 250; ++seed) {
+    CAPTURE(seed);
+    const Drawn d = drawn(seed, 4);
+    const auto run = [&](int64_t fails_at, int64_t cancelled_at, int64_t* reads, int64_t* ticks) {
+      const std::unique_ptr<Hand> h = d.make();
+      if (begin(d, *h) != C2D_OK) return Way{C2D_ERR_SINGULAR, C2D_REACHED};
+      h->reads = 0;
+      h->fails_at = fails_at, h->cancelled_at = cancelled_at;
+      const Way way = follow(*h, seed % 5 == 0);
+      *reads = h->reads, *ticks = h->ticks;
+      return way;
+    };
+    int64_t reads = 0, ticks = 0, unused = 0;
+    if (run(-1, -1, &reads, &ticks).status != C2D_OK) continue;
+    rebuilt += reads > 0;
+    for (int64_t n = 0; n < reads; n += 1 + reads / 25) CHECK(run(n, -1, &unused, &unused).status == C2D_ERR_STORE_READ);
+    for (int64_t n = 0; n < ticks; n += 1 + ticks / 10) CHECK(run(-1, n, &unused, &unused).status == C2D_ERR_CANCELLED);
+  }
+  CHECK(rebuilt > 30);
+}
+
+// ---- many pairs -----------------------------------------------------------------------------------------------------
+
+namespace {
+
+// Pairs that know nothing of each other, all touching at zero load: single ones of which any load has one solution, and some
+// with the given stiffness and rates.
+Drawn apart(int pairs, const std::vector<int>& hard, const Matrix& k, const std::vector<double>& b, double mu) {
+  Drawn d;
+  Draw draw(7);
+  d.k.assign(sized(2 * pairs), std::vector<double>(sized(2 * pairs)));
+  d.b.assign(2, std::vector<double>(sized(2 * pairs)));
+  for (int i = 0; i < pairs; ++i) {
+    const bool is_hard = std::find(hard.begin(), hard.end(), i) != hard.end();
+    const size_t n = sized(2 * i);
+    d.tangential.push_back(1);
+    d.mu.push_back(mu);
+    d.gaps.push_back(0.0);
+    for (size_t r = 0; r < 2; ++r) {
+      for (size_t c = 0; c < 2; ++c) d.k[n + r][n + c] = is_hard ? k[r][c] : r == c ? 1.0 : 0.0;
+      d.b[0][n + r] = is_hard ? b[r] : draw.uniform();
+    }
+  }
+  return d;
+}
+
+} // namespace
+
+// K = (1 k; k 1), k = 0.6, mu = 2, as in test_rates.cpp: of rates (-1, 2) the pair opens.
+TEST_CASE("search: of more pairs than are looked at one by one each finds its status, in one search or many") {
+  for (const int pairs : {20, 45, 60}) {
+    CAPTURE(pairs);
+    const Drawn d = apart(pairs, {3, pairs - 1}, {{1, 0.6}, {0.6, 1}}, {1.0, 1.9}, 2.0);
+    const std::unique_ptr<Hand> h = d.make();
+    REQUIRE(begin(d, *h) == C2D_OK);
+    c2d_outcome outcome = C2D_REACHED;
+    const double target[2] = {1.0, 0.0};
+    REQUIRE(follow_events(h->follower(), target, &outcome) == C2D_OK);
+    CHECK(outcome == C2D_REACHED);
+    CHECK(breach(d, *h) == "");
+  }
+}
+
+// A pair that would close by pulling has no status at all under a load that lifts it, however many others there are.
+TEST_CASE("search: where one of many pairs has no status, that is said, or the search gives up; and all is as it was") {
+  for (const int pairs : {3, 20, 45}) {
+    CAPTURE(pairs);
+    const Drawn d = apart(pairs, {1}, {{-1, 0}, {0, 1}}, {-1.0, 0.0}, 0.5);
+    const auto run = [&](int64_t cancelled_at, int64_t fails_at, int64_t* ticks, int64_t* reads) {
+      const std::unique_ptr<Hand> h = d.make();
+      REQUIRE(begin(d, *h) == C2D_OK);
+      h->reads = 0;
+      h->cancelled_at = cancelled_at, h->fails_at = fails_at;
+      Way way;
+      const double target[2] = {1.0, 0.0};
+      way.status = follow_events(h->follower(), target, &way.outcome);
+      *ticks = h->ticks, *reads = h->reads;
+      if (way.status != C2D_OK) return way;
+      CHECK((way.outcome == C2D_NO_ADMISSIBLE_CHANGE || way.outcome == C2D_UNDECIDED));
+      CHECK(h->follower().load[0] == 0.0);
+      for (int i = 0; i < pairs; ++i) CHECK(h->pair(i).status == C2D_STICK);
+      CHECK(breach(d, *h) == "");
+      return way;
+    };
+    int64_t ticks = 0, reads = 0, unused = 0;
+    CHECK(run(pairs > 40 ? 5 : -1, -1, &ticks, &reads).status == (pairs > 40 ? C2D_ERR_CANCELLED : C2D_OK));
+    for (int64_t n = 0; n < ticks; n += 1 + ticks / 6) CHECK(run(n, -1, &unused, &unused).status == C2D_ERR_CANCELLED);
+    for (int64_t n = 0; n < reads; n += 1 + reads / 6) {
+      const c2d_status status = run(pairs > 40 ? 5 : -1, n, &unused, &unused).status;
+      CHECK(status == C2D_ERR_STORE_READ);
+    }
+  }
+}

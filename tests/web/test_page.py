@@ -1,0 +1,368 @@
+"""The page build/web/contact2d.html in a real browser: headless Chromium, driven through chromedriver by the standard library.
+
+    python3 tests/web/test_page.py PAGE PROGRAM SCREENSHOTS
+
+PROGRAM is the program of this machine, whose digits the page must have; screenshots go to a folder. Run by tests/test_web.cpp.
+"""
+
+import base64
+import json
+import os
+import pathlib
+import shutil
+import socket
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+import urllib.error
+import urllib.request
+import zipfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PAGE, PROGRAM, SCREENSHOTS = (pathlib.Path(each).resolve() for each in sys.argv[1:4])
+FLAGS = ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
+         "--disable-component-update", "--disable-sync", "--disable-dev-shm-usage", "--window-size=1280,1000"]
+ELEMENT = "element-6066-11e4-a52e-4f735466cecf"
+PATIENCE = 120
+
+
+class Browser:
+    """A session of W3C WebDriver."""
+
+    def __init__(self, folder):
+        with socket.socket() as probe:
+            probe.bind(("127.0.0.1", 0))
+            self.port = probe.getsockname()[1]
+        self.driver = subprocess.Popen(["chromedriver", "--port=%d" % self.port], stdout=subprocess.DEVNULL,
+                                       stderr=subprocess.DEVNULL)
+        self.session = None
+        options = {"binary": shutil.which("chromium"), "args": FLAGS + ["--user-data-dir=" + os.path.join(folder, "user")]}
+        wanted = {"capabilities": {"alwaysMatch": {"goog:chromeOptions": options, "timeouts": {"script": PATIENCE * 1000}}}}
+        end = time.time() + PATIENCE
+        while self.session is None:
+            try:
+                self.session = self.call("POST", "/session", wanted)["sessionId"]
+            except (urllib.error.URLError, ConnectionError):
+                if time.time() > end:
+                    raise
+                time.sleep(0.2)
+
+    def call(self, method, path, data=None):
+        place = "http://127.0.0.1:%d%s" % (self.port, path if self.session is None else "/session/%s%s" % (self.session, path))
+        body = None if method == "GET" else json.dumps(data or {}).encode()
+        request = urllib.request.Request(place, body, {"Content-Type": "application/json"}, method=method)
+        try:
+            with urllib.request.urlopen(request, timeout=2 * PATIENCE) as answer:
+                return json.load(answer)["value"]
+        except urllib.error.HTTPError as why:
+            raise AssertionError(json.load(why)["value"]["message"])
+
+    def close(self):
+        try:
+            self.call("DELETE", "")
+        finally:
+            self.driver.terminate()
+            self.driver.wait()
+
+    def open(self, page):
+        self.call("POST", "/url", {"url": page})
+
+    def run(self, script, *values):
+        return self.call("POST", "/execute/sync", {"script": script, "args": list(values)})
+
+    def ask(self, script, *values):
+        """Of a promise."""
+        text = "const done = arguments[arguments.length - 1]; (async () => { %s })().then(done, (why) => done('failed: ' + why));"
+        return self.call("POST", "/execute/async", {"script": text % script, "args": list(values)})
+
+    def find(self, selector):
+        return self.call("POST", "/element", {"using": "css selector", "value": selector})[ELEMENT]
+
+    def click(self, selector):
+        self.call("POST", "/element/%s/click" % self.find(selector))
+
+    def keys(self, selector, text):
+        self.call("POST", "/element/%s/value" % self.find(selector), {"text": text})
+
+    def act(self, *actions):
+        self.call("POST", "/actions", {"actions": actions})
+
+    def devtools(self, command, **values):
+        return self.call("POST", "/goog/cdp/execute", {"cmd": command, "params": values})
+
+    def screenshot(self, name):
+        height = self.run("return document.documentElement.scrollHeight")
+        shot = self.devtools("Page.captureScreenshot", captureBeyondViewport=True,
+                             clip=dict(x=0, y=0, width=self.run("return innerWidth"), height=min(height, 6000), scale=1))
+        (SCREENSHOTS / name).write_bytes(base64.b64decode(shot["data"]))
+
+    def wait(self, script, *values):
+        end = time.time() + PATIENCE
+        while time.time() < end:
+            found = self.run(script, *values)
+            if found:
+                return found
+            time.sleep(0.05)
+        raise AssertionError("waited in vain for: %s; state: %s" % (script, self.run("return $('state').textContent")))
+
+
+IDLE = "return document.body.dataset.ready === 'yes' && !page.busy && page.wanted === null"
+
+
+class PageTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        SCREENSHOTS.mkdir(parents=True, exist_ok=True)
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.browser = Browser(cls.folder.name)
+        cls.browser.devtools("Network.enable")
+        cls.browser.devtools("Network.emulateNetworkConditions", offline=True, latency=0, downloadThroughput=0, uploadThroughput=0)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.close()
+        cls.folder.cleanup()
+
+    def setUp(self):
+        self.size(1280, 1000)
+        self.browser.open(PAGE.as_uri())
+        self.browser.wait(IDLE)
+
+    def size(self, width, height):
+        self.browser.devtools("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=width < 600)
+
+    def text(self, name):
+        return self.browser.run("return $(arguments[0]).textContent", name)
+
+    def choose(self, value):
+        self.browser.run("$('example').value = arguments[0]; $('example').onchange()", value)
+        self.browser.wait(IDLE)
+
+    def test_it_is_one_small_file_that_fetches_nothing(self):
+        self.assertLessEqual(PAGE.stat().st_size, 2 << 20)
+        self.assertRegex(self.text("state"), "^Solved in .*largest pressure")
+        fetched = self.browser.run("return performance.getEntriesByType('resource').map((each) => each.name)")
+        self.assertEqual([each for each in fetched if not each.startswith(("blob:", "data:"))], [])
+        self.assertIn("contact2d ", self.text("version"))
+
+    def both(self, text, name, words):
+        """The files that the program and the page make of a deck or sketch."""
+        outputs = ["--csv", "contact.csv", "--boundary", "boundary.csv", "--json", "summary.json"]
+        with tempfile.TemporaryDirectory() as folder:
+            pathlib.Path(folder, name).write_text(text)
+            subprocess.run([PROGRAM, "run", name] + words + outputs, cwd=folder, check=True, stdout=subprocess.DEVNULL,
+                           stderr=subprocess.DEVNULL)
+            ours = {each: pathlib.Path(folder, each).read_text() for each in outputs[1::2]}
+        found = self.browser.ask("return await command(['run', ...arguments[2]], {[arguments[1]]: arguments[0]})", text, name,
+                                 [name] + words + outputs)
+        self.assertEqual(found["status"], 0, found["err"])
+        return ours, found["files"]
+
+    def test_it_has_the_digits_of_the_program(self):
+        roller = (ROOT / "examples" / "roller.c2s").read_text() + "\ntolerance off\n"
+        for text, name, words in (((ROOT / "examples" / "hertz.dat").read_text(), "hertz.dat", []), (roller, "roller.c2s", []),
+                                  ((ROOT / "examples" / "three_bodies.dat").read_text(), "three.dat", []),
+                                  (roller, "roller.c2s", ["R=12"])):
+            ours, theirs = self.both(text, name, words)
+            for each in ("contact.csv", "boundary.csv"):
+                self.compare(ours[each], theirs[each], "%s %s" % (name, each))
+
+    def test_a_mesh_is_sought_as_well(self):
+        """Last digits may choose another mesh; numbers on it are as accurate as the sketch wants them, 1 %."""
+        ours, theirs = self.both((ROOT / "examples" / "roller.c2s").read_text(), "roller.c2s", [])
+        peaks = []
+        for files in (ours, theirs):
+            summary = json.loads(files["summary.json"])
+            self.assertTrue(all(each["met"] for each in summary["accuracy"]["stated"] if "met" in each))
+            peaks.append(next(each["value"] for each in summary["runs"][0]["quantities"] if each["quantity"] == "peak pressure"))
+        self.assertAlmostEqual(peaks[0] / peaks[1], 1, delta=0.01)
+
+    def compare(self, ours, theirs, what):
+        """Fields alike to 1e-9 of the largest of their column's kind (processors with and without fused additions, and their
+        libraries, differ in the last digits, as the builds of tests/cross do), words alike."""
+        ours, theirs = ([row.split(",") for row in text.splitlines()] for text in (ours, theirs))
+        self.assertEqual(len(ours), len(theirs), what)
+        self.assertEqual(ours[0], theirs[0], what)
+        kinds = {"tn": "t", "tt": "t", "tx": "t", "ty": "t", "un1": "u", "ut1": "u", "un2": "u", "ut2": "u", "ux": "u", "uy": "u",
+                 "gap": "u", "slip": "u"}
+        largest = {}
+        for name, *column in zip(*ours):
+            if name != "status":
+                kind = kinds.get(name, name)
+                largest[kind] = max([largest.get(kind, 0)] + [abs(float(each)) for each in column])
+        same = 0
+        for mine, other in zip(ours[1:], theirs[1:]):
+            for name, a, b in zip(ours[0], mine, other):
+                same += a == b
+                if a != b:
+                    self.assertNotEqual(name, "status", what)
+                    self.assertLessEqual(abs(float(a) - float(b)), 1e-9 * largest[kinds.get(name, name)], "%s: %s" % (what, name))
+        self.assertGreater(same, 0.5 * len(ours[0]) * (len(ours) - 1), what)
+
+    def test_a_mistake_is_told_at_its_line(self):
+        before = self.text("pressure")
+        self.browser.run("$('editor').focus(); $('editor').setSelectionRange(0, 0)")
+        self.browser.keys("#editor", "bodyy x\n")
+        self.browser.wait("return $('state').textContent.startsWith('Not solved: line ')")
+        where = self.browser.run("return page.messages.filter((each) => each.severity === 'error').map((each) => each.line)")
+        self.assertEqual(len(self.browser.run("return [...$('gutter').querySelectorAll('.fault')].map((each) => each.textContent)")), len(set(where)))
+        self.assertEqual(self.text("pressure"), before)  # the last picture stays, and looks old
+        self.assertTrue(self.browser.run("return $('shown').classList.contains('stale')"))
+        self.browser.screenshot("mistake_1280.png")
+        self.browser.click("#messages button")
+        caret = self.browser.run("return $('editor').value.slice(0, $('editor').selectionStart).split('\\n').length")
+        self.assertEqual(caret, where[0])
+        text = self.browser.run("const all = $('editor').value; return all.includes('bodyy x')")
+        self.assertTrue(text)
+        self.browser.run("$('editor').value = $('editor').value.replace('bodyy x\\n', ''); $('editor').oninput()")
+        self.browser.wait("return $('state').textContent.startsWith('Solved')")
+        self.assertFalse(self.browser.run("return $('shown').classList.contains('stale')"))
+
+    def test_an_edit_is_solved(self):
+        before = self.browser.run("return Math.max(...page.result.rows.map((row) => row.tn))")
+        self.browser.run("$('editor').value = $('editor').value.replace(/E 3000/, 'E 6000'); $('editor').oninput()")
+        time.sleep(0.5)
+        self.browser.wait(IDLE)
+        after = self.browser.run("return Math.max(...page.result.rows.map((row) => row.tn))")
+        self.assertAlmostEqual(after / before, 2 ** 0.5, delta=0.1)  # Hertz: with the root of the stiffness
+
+    def test_a_slider_solves_while_it_is_dragged(self):
+        place = self.browser.run("const box = $('parameters').querySelector('input[type=range]').getBoundingClientRect(); return [box.left, box.top, box.width, box.height]")
+        label = self.browser.run("return $('parameters').querySelector('label').textContent")
+        self.assertEqual(label, "P")
+        self.browser.run("window.seen = []; const all = show; show = () => { all(); seen.push(Math.max(...page.result.rows.map((row) => row.tn))); }")
+        left, top, width, height = place
+        middle = int(top + height / 2)
+        steps = [{"type": "pointerMove", "duration": 0, "x": int(left + width * 0.25), "y": middle}, {"type": "pointerDown", "button": 0}]
+        for i in range(1, 15):
+            steps += [{"type": "pointerMove", "duration": 60, "x": int(left + width * (0.25 + 0.045 * i)), "y": middle},
+                      {"type": "pause", "duration": 100}]
+        self.browser.act({"type": "pointer", "id": "mouse", "parameters": {"pointerType": "mouse"}, "actions": steps + [{"type": "pointerUp", "button": 0}]})
+        self.browser.wait(IDLE)
+        seen = self.browser.run("return seen")
+        self.assertGreaterEqual(len(seen), 4)
+        self.assertGreater(seen[-1], 1.3 * seen[0])  # more load, more pressure: on the way, too
+        self.assertEqual(seen[:-1], sorted(seen[:-1]))
+        value = float(self.browser.run("return $('value-P').value"))
+        self.assertAlmostEqual(seen[-1] / seen[0], 1, delta=3)
+        self.assertGreater(value, 100)
+
+    def test_the_load_path_is_scrubbed(self):
+        self.choose("deck:hertz.dat")
+        self.assertIn("step 28 of 28", self.text("step-text"))
+        last = self.browser.run("return $('pressure').innerHTML")
+        self.browser.keys("#step", "\ue012" * 10)  # arrow to the left
+        self.assertIn("step 18 of 28", self.text("step-text"))
+        self.assertNotEqual(self.browser.run("return $('pressure').innerHTML"), last)
+        self.assertEqual(self.browser.run("return $('mu').options.length"), 2)
+        label = self.browser.run("return $('pressure').querySelector('svg').getAttribute('aria-label')")
+        self.assertRegex(label, "largest pressure .*stick")
+
+    def test_a_family_has_sliders_for_its_keys(self):
+        self.choose("family:mindlin")
+        self.assertTrue(self.text("state").startswith("Solved"))
+        names = self.browser.run("return [...$('parameters').querySelectorAll('label')].map((each) => each.textContent)")
+        self.assertIn("Q", names)
+        self.browser.run("const f = $('value-Q'); f.value = '0.3'; f.onchange()")
+        self.browser.wait(IDLE)
+        self.assertTrue(self.text("state").startswith("Solved"))
+        with tempfile.TemporaryDirectory() as folder:
+            deck = subprocess.run([PROGRAM, "make", "mindlin", "Q=0.3"], check=True, stdout=subprocess.PIPE, cwd=folder).stdout.decode()
+        self.assertEqual(self.browser.run("return $('editor').value").split(), deck.split())
+
+    def test_every_example_of_each_kind_runs(self):
+        values = self.browser.run("return [...$('example').options].map((each) => each.value)")
+        self.assertGreater(len([each for each in values if each.startswith("family:")]), 15)
+        self.assertGreater(len([each for each in values if each.startswith("sketch:")]), 8)
+        for value in ["sketch:gear_pair.c2s", "sketch:rough_profile.c2s", "deck:thick_ring.dat", "family:crack"]:
+            self.choose(value)
+            self.assertRegex(self.text("state"), "^(Solved|Ended early)", value)
+
+    def test_every_output_is_saved(self):
+        place = os.path.join(self.folder.name, "saved")
+        os.makedirs(place, exist_ok=True)
+        self.browser.devtools("Browser.setDownloadBehavior", behavior="allow", downloadPath=place)
+        wanted = {"problem": "model.c2s", "listing": "listing.txt", "csv": "contact.csv", "boundary": "boundary.csv",
+                  "summary": "numbers.csv", "bodies": "bodies.csv", "trace": "trace.csv", "json": "summary.json",
+                  "vtk": "contact2d.vtk", "report": "report.html", "figures": "pictures.zip"}
+        for output in self.browser.run("return [...$('save').children].map((each) => each.dataset.output)"):
+            self.browser.click("#save button[data-output=%s]" % output)
+            self.browser.wait(IDLE)
+            end = time.time() + PATIENCE
+            names = []
+            while time.time() < end and wanted[output] not in names:
+                time.sleep(0.1)
+                names = os.listdir(place)
+            self.assertIn(wanted[output], names)
+        self.assertIn("</html>", pathlib.Path(place, "report.html").read_text())
+        self.assertEqual(json.loads(pathlib.Path(place, "summary.json").read_text())["outcome"], "reached")
+        with zipfile.ZipFile(os.path.join(place, "pictures.zip")) as pictures:
+            self.assertIsNone(pictures.testzip())
+            self.assertIn("tractions.svg", pictures.namelist())
+            self.assertTrue(pictures.read("tractions.svg").decode().rstrip().endswith("</svg>"))
+
+    def test_every_control_has_a_name_and_the_keyboard_reaches_it(self):
+        tree = self.browser.devtools("Accessibility.getFullAXTree")["nodes"]
+        seen = 0
+        for node in tree:
+            role = node.get("role", {}).get("value")
+            if role in ("slider", "button", "combobox", "textbox", "spinbutton", "checkbox", "image", "img") and not node.get("ignored"):
+                seen += 1
+                self.assertTrue(node.get("name", {}).get("value"), node)
+        self.assertGreater(seen, 15)
+        self.browser.run("document.activeElement.blur(); scrollTo(0, 0)")
+        reached = []
+        for _ in range(40):
+            self.browser.act({"type": "key", "id": "keys", "actions": [{"type": "keyDown", "value": "\ue004"}, {"type": "keyUp", "value": "\ue004"}]})
+            reached.append(self.browser.run("const a = document.activeElement; return a.id || a.dataset.output || a.tagName"))
+        for name in ("example", "open", "value-P", "seek", "editor", "solve", "magnify", "numbers", "report"):
+            self.assertIn(name, reached)
+        self.assertEqual(self.browser.run("return $('state').getAttribute('aria-live')"), "polite")
+
+    def test_a_long_run_can_be_stopped(self):
+        self.choose("sketch:fretting_pad.c2s")
+        self.browser.run("$('seek').checked = true; $('seek').onchange()")
+        time.sleep(0.3)
+        self.browser.click("#stop")
+        self.browser.wait("return $('state').textContent === 'Stopped.'")
+        self.browser.run("$('seek').checked = false; $('seek').onchange()")
+        self.browser.wait(IDLE)
+        self.assertTrue(self.text("state").startswith("Solved"), self.text("state"))
+
+    def test_it_fits_a_phone_and_a_screen_in_light_and_dark(self):
+        for width, height in ((1280, 1000), (390, 844)):
+            for scheme in ("light", "dark"):
+                self.size(width, height)
+                self.browser.devtools("Emulation.setEmulatedMedia", features=[{"name": "prefers-color-scheme", "value": scheme}])
+                self.browser.open(PAGE.as_uri())
+                self.browser.wait(IDLE)
+                self.assertLessEqual(self.browser.run("return document.documentElement.scrollWidth"), width)
+                cut = self.browser.run("return [...document.querySelectorAll('figure svg text')].filter((each) => "
+                                       "each.getBoundingClientRect().right > each.ownerSVGElement.getBoundingClientRect().right + 1)"
+                                       ".map((each) => each.textContent)")
+                self.assertEqual(cut, [])
+                back = self.browser.run("return getComputedStyle(document.body).backgroundColor")
+                self.assertEqual(back, "rgb(255, 255, 255)" if scheme == "light" else "rgb(20, 24, 28)")
+                self.browser.screenshot("page_%d_%s.png" % (width, scheme))
+        small = self.browser.run("return [...document.querySelectorAll('button, select, input[type=range]')].filter((each) => each.offsetHeight > 0 && each.offsetHeight < 24 && !each.closest('#messages')).length")
+        self.assertEqual(small, 0)  # what a finger hits
+        self.browser.devtools("Emulation.setEmulatedMedia", features=[])
+
+    def test_the_page_of_ones_own_of_the_readme(self):
+        page = (ROOT / "port" / "web" / "README.md").read_text().split("```html\n")[1].split("```")[0]
+        self.assertLessEqual(len(page.splitlines()), 30)
+        with tempfile.TemporaryDirectory() as folder:
+            shutil.copy(PAGE.with_suffix(".js"), os.path.join(folder, "contact2d.js"))
+            own = pathlib.Path(folder, "own.html")
+            own.write_text(page)
+            self.browser.open(own.as_uri())
+            self.browser.wait("return document.querySelector('output') && document.querySelector('output').textContent.includes('peak')")
+            first = self.browser.run("return document.querySelector('output').textContent")
+            self.browser.run("const r = document.querySelector('input'); r.value = r.max; r.oninput()")
+            self.browser.wait("return document.querySelector('output').textContent !== arguments[0]", first)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1] + sys.argv[4:])
