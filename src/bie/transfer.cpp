@@ -224,25 +224,31 @@ namespace {
   return element_point(element_of(m, b, at.element), at.eta);
 }
 
-} // namespace
-
-bool transferred_end(const Model& m, int b, int32_t element, int l, TransferredEnd& out) {
+// What the end at `at` takes from what faces it at `faced`. (Not inlined: the search for `faced` is deep.)
+[[gnu::noinline]] void weigh_end(const Model& m, const Zone& z, const FacePoint& at, const FacePoint& faced, TransferredEnd& out) {
   const int nf = m.head->function_nodes;
-  FacePoint at{element, 0, node_eta(nf, l)}, faced;
-  ZonePlace place;
   double n[2];
-  if (!find_contact_element(m, b, element, &place) || place.side != 0 || m.zone[place.zone].is_free == 0) return false;
-  if ((m.end_code[b][element * nf + l] & kFacesNothing) != 0) return false;
-  const Zone& z = m.zone[place.zone];
-  at.place = place.place;
-  if (!facing_point(m, z, at, faced)) return false;
   facing_direction(m, z, at, faced, n);
-  const Point p = point_of(m, b, at), q = point_of(m, z.body[1], faced);
+  const Point p = point_of(m, z.body[0], at), q = point_of(m, z.body[1], faced);
   // Both advance equally across the line along n that joins them.
   const double advance1 = p.nx * n[0] + p.ny * n[1], advance2 = -(q.nx * n[0] + q.ny * n[1]);
   out.ratio = advance2 > 0.0 ? advance1 / advance2 : 1.0;
   shape(nf, faced.eta, out.weight);
   for (int k = 0; k < kElementNodes; ++k) out.pair[k] = k < nf ? pair_of_end(m, z.body[1], faced.element, k).pair : -1;
+}
+
+} // namespace
+
+bool transferred_end(const Model& m, int b, int32_t element, int l, TransferredEnd& out) {
+  const int nf = m.head->function_nodes;
+  ZonePlace place;
+  if (!find_contact_element(m, b, element, &place) || place.side != 0 || m.zone[place.zone].is_free == 0) return false;
+  if ((m.end_code[b][element * nf + l] & kFacesNothing) != 0) return false;
+  const Zone& z = m.zone[place.zone];
+  const FacePoint at{element, place.place, node_eta(nf, l)};
+  FacePoint faced;
+  if (!facing_point(m, z, at, faced)) return false;
+  weigh_end(m, z, at, faced, out);
   return true;
 }
 
